@@ -1,0 +1,175 @@
+/* store.h -- worlds: relations as paged typed columns, with versions.
+ *
+ * Layer: store. No Prolog, no geometry.
+ *
+ * A row is never changed after it is written: change = retract + add. A
+ * *version* is what a world held at one moment: a reference-counted, two-level
+ * directory of pages with their live bitmaps (512 bytes a page). Writing
+ * copies only directories and bitmaps that somebody else still holds, so a
+ * reader, a snapshot, an open transaction and an undo record are all the same
+ * thing: a held version. Rolling back, undo and redo swap versions.
+ *
+ * A slot is used again only when no held version shows its row (sweep, done
+ * when a relation is a quarter dead): then it goes to its page's empty stack.
+ *
+ * Threads: one writer a world at a time (a lock inside); any number of readers
+ * of held versions, in any thread, without a lock.
+ */
+#ifndef SG_STORE_H
+#define SG_STORE_H
+
+#include "../c_kernels/column.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum sg_relation {
+#define RELATION(ID, name, arity, keyed, doc) SG_##ID,
+#define COLUMN(ID, position, name, type, refers, doc)
+#define INDEX(ID, name, mask)
+#define MEMBERS(ID, name, mask)
+#include "relations.def"
+#undef RELATION
+#undef COLUMN
+#undef INDEX
+#undef MEMBERS
+  SG_RELATIONS,
+  SG_NONE = SG_RELATIONS
+} sg_relation;
+
+typedef enum sg_type { SG_INT, SG_FLOAT, SG_LIST, SG_ATOM, SG_TERM } sg_type;
+
+typedef struct sg_column_info {
+  const char *name;
+  sg_type type;
+  sg_relation refers; /* SG_NONE, or whose (S, id) it is */
+  const char *doc;
+} sg_column_info;
+
+typedef struct sg_relation_info {
+  const char *name;
+  unsigned arity;
+  bool keyed;
+  uint16_t key; /* mask of the key's columns */
+  const char *doc;
+  sg_column_info column[SG_MAX_COLUMNS];
+} sg_relation_info;
+
+extern const sg_relation_info sg_relation_table[SG_RELATIONS];
+
+/* One value of a row. SG_INT, SG_ATOM (a symbol, symbol.h): i. SG_FLOAT: f.
+ * SG_LIST: list, its length first. SG_TERM: term, its byte count first, coded
+ * as term.h says (equal bytes = equal terms). In arguments the caller owns the
+ * arrays; in results the version does, for as long as it is held. */
+typedef union sg_value {
+  int32_t i;
+  double f;
+  const int32_t *list;
+  const uint32_t *term;
+} sg_value;
+
+typedef uint32_t sg_row; /* page * SG_PAGE_ROWS + place */
+#define SG_NO_ROW UINT32_MAX
+
+typedef enum sg_status {
+  SG_OK,
+  SG_NO_MEMORY,
+  SG_EXISTS,      /* a live row has this key */
+  SG_DANGLING,    /* a referred row does not exist; sg_fault says which */
+  SG_NO_STEP      /* nothing to commit, roll back, undo or redo */
+} sg_status;
+
+/* Which value of which row was at fault. */
+typedef struct sg_fault {
+  size_t row;      /* of the buffer, 0 for a single row */
+  unsigned column;
+  int32_t id;      /* the missing id, for SG_DANGLING */
+} sg_fault;
+
+typedef struct sg_world sg_world;
+typedef struct sg_version sg_version;
+
+/* Life. A world is reference counted: open gives one reference. Undo keeps
+ * `undo_limit` steps (64 by default, set with sg_world_undo_limit). */
+sg_world *sg_world_open(void);
+sg_world *sg_world_hold(sg_world *world);
+void sg_world_drop(sg_world *world);
+void sg_world_undo_limit(sg_world *world, unsigned steps);
+
+/* The version at this moment; drop it when done (from any thread). */
+const sg_version *sg_world_version(sg_world *world);
+void sg_version_drop(const sg_version *version);
+
+/* Changes, each checked against the schema: keys and references. */
+sg_status sg_world_add(sg_world *world, sg_relation relation,
+                       const sg_value *row, sg_row *out, sg_fault *fault);
+/* n rows from column arrays: column[c] is int32_t[n], double[n],
+ * const int32_t *[n] or const uint32_t *[n] by type. All or nothing. */
+sg_status sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
+                            const void *const *column, sg_fault *fault);
+/* True if the row lived in the current version, and now does not. */
+bool sg_world_retract(sg_world *world, sg_relation relation, sg_row row);
+void sg_world_retract_all(sg_world *world, sg_relation relation);
+
+/* The next id never yet used in relation (column 1, or column 2 of t, or
+ * column 0 of segment, line, drawn) of segment s (0 for those three). Follows
+ * roll-back: the same operation done again gives the same ids. */
+int32_t sg_world_fresh(sg_world *world, sg_relation relation, int32_t s);
+
+/* Transactions nest. The outermost commit that changed anything is an undo
+ * step and clears the redo steps. */
+sg_status sg_world_begin(sg_world *world);
+sg_status sg_world_commit(sg_world *world);
+sg_status sg_world_rollback(sg_world *world);
+sg_status sg_world_undo(sg_world *world);
+sg_status sg_world_redo(sg_world *world);
+
+/* Reading a version. */
+size_t sg_version_count(const sg_version *version, sg_relation relation);
+bool sg_version_live(const sg_version *version, sg_relation relation,
+                     sg_row row);
+sg_value sg_version_value(const sg_version *version, sg_relation relation,
+                          sg_row row, unsigned column);
+/* The row with this key (values in column order, others ignored). */
+sg_row sg_version_find(const sg_version *version, sg_relation relation,
+                       const sg_value *row);
+/* A view for kernels, valid while the version is held. False: no memory.
+ * sg_view_clear() frees its arrays. */
+bool sg_version_view(const sg_version *version, sg_relation relation,
+                     sg_view *out);
+void sg_view_clear(sg_view *view);
+
+/* A walk over the rows that match the bound columns, in insertion order.
+ *
+ *   sg_walk walk;
+ *   if (sg_walk_open(&walk, version, SG_E, mask, row)) {
+ *     for (sg_row r; (r = sg_walk_next(&walk)) != SG_NO_ROW;) ...
+ *     sg_walk_close(&walk);
+ *   }
+ *
+ * A bound SG_LIST or SG_TERM matches by content. `member` walks find the rows
+ * that have id `member` in a column of a MEMBERS index. The walk does not hold
+ * the version: the caller does. */
+typedef struct sg_walk sg_walk;
+bool sg_walk_open(sg_walk *walk, const sg_version *version,
+                  sg_relation relation, uint16_t mask, const sg_value *row);
+bool sg_walk_open_member(sg_walk *walk, const sg_version *version,
+                         sg_relation relation, int32_t s, int32_t member);
+sg_row sg_walk_next(sg_walk *walk);
+void sg_walk_close(sg_walk *walk);
+
+/* What a relation costs and how its indexes are used. */
+typedef struct sg_statistics {
+  size_t rows, slots, bytes, index_bytes, versions;
+  uint64_t scans, lookups;
+} sg_statistics;
+void sg_world_statistics(sg_world *world, sg_relation relation,
+                         sg_statistics *out);
+
+/* True if every invariant of the world holds; tests call it after each step. */
+bool sg_world_is_valid(sg_world *world);
+
+#include "store_private.h" /* struct sg_walk, for callers' stacks */
+
+#endif
