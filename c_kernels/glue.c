@@ -1,0 +1,143 @@
+/* glue.c, layer glue: reads and checks arguments; computes nothing. */
+#include "glue.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+int
+sg_no_memory(void)
+{
+  return PL_resource_error("memory");
+}
+
+int
+sg_get_int32_ex(term_t t, int32_t *out)
+{
+  int64_t i;
+
+  if (!PL_get_int64(t, &i)) {
+    if (PL_is_integer(t)) {
+      return PL_representation_error("int32");
+    }
+    return PL_is_variable(t) ? PL_instantiation_error(t)
+                             : PL_type_error("integer", t);
+  }
+  if (PL_is_float(t)) {
+    return PL_type_error("integer", t);
+  }
+  if (i < INT32_MIN || i > INT32_MAX) {
+    return PL_representation_error("int32");
+  }
+  *out = (int32_t)i;
+  return TRUE;
+}
+
+int
+sg_get_id_ex(term_t t, int32_t *out)
+{
+  if (!sg_get_int32_ex(t, out)) {
+    return FALSE;
+  }
+  return *out > 0 || PL_type_error("not_less_than_one", t);
+}
+
+int
+sg_get_finite_ex(term_t t, double *out)
+{
+  if (!PL_get_float_ex(t, out)) {
+    return FALSE;
+  }
+  *out += 0.0;
+  return isfinite(*out) || PL_domain_error("finite", t);
+}
+
+int
+sg_get_finites_ex(term_t first, size_t n, double *out)
+{
+  for (size_t i = 0; i < n; i++) {
+    if (!sg_get_finite_ex(first + i, &out[i])) {
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+/* The length of a proper list, or an exception. */
+static int
+list_length_ex(term_t list, size_t *n)
+{
+  switch (PL_skip_list(list, 0, n)) {
+  case PL_LIST:
+    return TRUE;
+  case PL_PARTIAL_LIST:
+    return PL_instantiation_error(list);
+  default:
+    return PL_type_error("list", list);
+  }
+}
+
+int
+sg_get_ids_ex(term_t list, int32_t **out, size_t *n)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  int32_t *ids = NULL;
+
+  *out = NULL;
+  if (!list_length_ex(list, n)) {
+    return FALSE;
+  }
+  if (*n && !(ids = malloc(*n * sizeof *ids))) {
+    return sg_no_memory();
+  }
+  for (size_t i = 0; i < *n; i++) {
+    if (!PL_get_list_ex(tail, head, tail) || !sg_get_id_ex(head, &ids[i])) {
+      free(ids);
+      return FALSE;
+    }
+  }
+  *out = ids;
+  return TRUE;
+}
+
+int
+sg_get_doubles_ex(term_t list, double **out, size_t *n)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  double *numbers = NULL;
+
+  *out = NULL;
+  if (!list_length_ex(list, n)) {
+    return FALSE;
+  }
+  if (*n && !(numbers = malloc(*n * sizeof *numbers))) {
+    return sg_no_memory();
+  }
+  for (size_t i = 0; i < *n; i++) {
+    if (!PL_get_list_ex(tail, head, tail) ||
+        !sg_get_finite_ex(head, &numbers[i])) {
+      free(numbers);
+      return FALSE;
+    }
+  }
+  *out = numbers;
+  return TRUE;
+}
+
+int
+sg_unify_double(term_t t, double value)
+{
+  return PL_unify_float(t, value + 0.0);
+}
+
+int
+sg_unify_ids(term_t t, const int32_t *ids, size_t n)
+{
+  term_t tail = PL_copy_term_ref(t), head = PL_new_term_ref();
+
+  for (size_t i = 0; i < n; i++) {
+    if (!PL_unify_list(tail, head, tail) || !PL_unify_integer(head, ids[i])) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}

@@ -1,0 +1,37 @@
+/* glue.h -- argument readers shared by the *4pl.c files.
+ *
+ * Layer: glue. Every *_ex() function returns FALSE only with a Prolog
+ * exception pending: return it.
+ */
+#ifndef SG_GLUE_H
+#define SG_GLUE_H
+
+#include <SWI-Prolog.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* A positive id of 32 bits: type_error(integer), type_error(
+ * not_less_than_one), representation_error(int32). */
+int sg_get_id_ex(term_t t, int32_t *out);
+/* Any integer of 32 bits. */
+int sg_get_int32_ex(term_t t, int32_t *out);
+/* A finite number as a double, never -0.0: type_error(number),
+ * domain_error(finite). */
+int sg_get_finite_ex(term_t t, double *out);
+/* n finite numbers, each a term of its own. */
+int sg_get_finites_ex(term_t first, size_t n, double *out);
+/* A proper list of ids into a fresh array (*out null when empty); free() it. */
+int sg_get_ids_ex(term_t list, int32_t **out, size_t *n);
+/* The same for a list of finite numbers. */
+int sg_get_doubles_ex(term_t list, double **out, size_t *n);
+
+/* Adds 0.0, so that -0.0 is never seen in Prolog. */
+int sg_unify_double(term_t t, double value);
+/* Unifies with the list of n ids. */
+int sg_unify_ids(term_t t, const int32_t *ids, size_t n);
+
+/* resource_error(memory). */
+int sg_no_memory(void);
+
+#endif
