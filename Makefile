@@ -1,36 +1,117 @@
-# Sanggwan. `make demo` draws the figures, `make test` runs every test; both
-# install what is missing from Debian's packages.
+# Sanggwan.
+#
+#   make          the program (./sanggwan) and the library for plain swipl
+#   make demo     draws the figures into docs/gallery
+#   make test     every test; the last line counts them
+#   make install  PREFIX=/usr/local DESTDIR=
+#
+# `make demo` and `make test` install what is missing from Debian's packages.
+# While working: `make check-rules T=store`, `make check-c T=mesh`,
+# `make check-cli T=bad`; `make lint`, `make check-san`, `make check-vg`.
 #
 # Flat, no recursion. Everything made goes to build/.
 
 .DELETE_ON_ERROR:
+.SUFFIXES:
+.DEFAULT_GOAL := all
 SHELL   := /bin/bash
 B       := build
 CC      ?= cc
-PL      := $(shell pkg-config --cflags --libs swipl 2>/dev/null)
-PLINC   := $(shell pkg-config --cflags swipl 2>/dev/null)
+PREFIX  ?= /usr/local
+VERSION := 0.1.0
+
+# Goals that install what they need. deps.mk holds what pkg-config says; make
+# re-reads this file after making it, so the flags are right even when
+# SWI-Prolog was not there a moment ago.
+INSTALLS := demo test check-san check-vg lint bench
+ifneq ($(filter-out clean uninstall,$(or $(MAKECMDGOALS),all)),)
+include $(B)/deps.mk
+endif
+$(B)/deps.mk: tools/deps Makefile
+	@mkdir -p $(B)
+	@tools/deps tests $(if $(filter $(INSTALLS),$(MAKECMDGOALS)),--install)
+	@{ echo "PL_CFLAGS := $$(pkg-config --cflags-only-I swipl)" && \
+	   echo "PL_LIBS := $$(pkg-config --libs swipl)"; } > $@
+
 OPT     ?= -O2
-# -ffp-contract=off: no fused multiply-add may change a sign (STYLE).
+# -ffp-contract=off: no fused multiply-add may change a sign (exact.h).
+# Glue: Prolog's own types mix signs, hence -Wno-sign-conversion there.
+WARN    := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
+           -Wmissing-prototypes -Wswitch-enum -Werror
 CFLAGS  := -std=c11 -D_GNU_SOURCE $(OPT) -g -fPIC -ffp-contract=off \
-           -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
-           -Wmissing-prototypes -Wswitch-enum -Werror $(EXTRA_CFLAGS)
+           -DSG_VERSION='"$(VERSION)"'
 LIBS    := -lgmp -lz -lm -lpthread
 
 C_SRC   := $(wildcard engine/*.c c_kernels/*.c)
-MAINS   := engine/main.c engine/boot.c engine/start.c
-LIB_SRC := $(filter-out $(MAINS),$(C_SRC))
-OBJS    := $(LIB_SRC:%.c=$(B)/%.o)
+MAINS   := engine/main.c engine/boot.c engine/start.c engine/engine.c
+OBJS    := $(patsubst %.c,$(B)/%.o,$(filter-out $(MAINS),$(C_SRC)))
 # Without Prolog: what the C tests link.
-CORE    := $(filter-out %4pl.o %/install.o %/engine.o %/glue.o,$(OBJS))
+CORE    := $(filter-out %4pl.o %/install.o %/glue.o,$(OBJS))
 RULES   := $(wildcard rules/*.pl)
 
-all: $(B)/sanggwan.so
+all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 
-$(B)/%4pl.o: EXTRA_CFLAGS += -Wno-sign-conversion
-$(B)/%.o: %.c
+.PHONY: all so demo test check check-c check-rules check-cli clean
+
+# --- objects and libraries -------------------------------------------------
+
+# exact.c: its own flags, whatever OPT says.
+$(B)/c_kernels/exact.o: OPT := -O2
+$(B)/%4pl.o $(B)/c_kernels/glue.o $(B)/engine/engine.o: \
+	WARN += -Wno-sign-conversion
+$(B)/%.o: %.c $(B)/deps.mk
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(PLINC) -MMD -MP -c $< -o $@
--include $(OBJS:.o=.d)
+	$(CC) $(CFLAGS) $(WARN) $(PL_CFLAGS) $(EXTRA_CFLAGS) -MMD -MP -c $< -o $@
+-include $(patsubst %.c,$(B)/%.d,$(C_SRC))
 
+so: $(B)/sanggwan.so
 $(B)/sanggwan.so: $(OBJS)
 	$(CC) -shared $(EXTRA_CFLAGS) $^ -o $@ $(LIBS)
+
+# --- the program, its rules inside -----------------------------------------
+
+# boot is Prolog with our C in it; it compiles the rules and saves the state
+# (RECIPES: goal(true) keeps -g goals out of it, class(development) keeps
+# autoloading on); state.S carries the saved state into the library.
+SAVE = qsave_program('$@',[class(development),goal(true),toplevel(halt), \
+       init_file(none),foreign(no_save),stand_alone(false)])
+$(B)/boot: $(B)/engine/boot.o $(OBJS)
+	$(CC) $(EXTRA_CFLAGS) $^ -o $@ $(PL_LIBS) $(LIBS)
+$(B)/sanggwan.prc: $(B)/boot $(RULES)
+	$(B)/boot -q -f none -O --on-error=status -g "$(strip $(SAVE))" -t halt \
+	  rules/cli.pl
+$(B)/state.o: engine/state.S $(B)/sanggwan.prc
+	$(CC) -DSG_STATE='"$(B)/sanggwan.prc"' -c $< -o $@
+$(B)/libsanggwan.a: $(OBJS) $(B)/engine/start.o $(B)/state.o
+	@rm -f $@
+	ar rcs $@ $^
+$(B)/sanggwan: $(B)/engine/main.o $(B)/libsanggwan.a
+	$(CC) $(EXTRA_CFLAGS) $^ -o $@ $(PL_LIBS) $(LIBS)
+sanggwan: $(B)/sanggwan
+	@ln -sf $< $@
+
+# --- tests -----------------------------------------------------------------
+
+T       ?=
+C_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/c_kernels/*$(T)*_test.c \
+             tests/engine/*$(T)*_test.c))
+PLTS    := $(wildcard tests/rules/*$(T)*.plt)
+CLIS    := $(wildcard tests/cli/*$(T)*.sh)
+
+$(B)/tests/%_test: tests/%_test.c tests/check.h $(CORE)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) -MMD -MP $< $(CORE) -o $@ $(LIBS)
+-include $(C_TESTS:%=%.d)
+
+test: all $(C_TESTS)
+	@tests/run $(C_TESTS) $(PLTS) $(CLIS)
+check: test
+check-c: $(C_TESTS)
+	@tests/run $^
+check-rules: $(B)/sanggwan.so
+	@tests/run $(PLTS)
+check-cli: all
+	@tests/run $(CLIS)
+
+clean:
+	rm -rf $(B) sanggwan
