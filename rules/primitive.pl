@@ -41,7 +41,7 @@ To add a primitive: a clause of primitive_arguments/3 and one of shape/5.
 */
 
 default_facets(40).
-most_facets(1 000 000).
+most_facets(1_000_000).
 
 %!  primitive(?Name) is nondet.
 %
