@@ -1,0 +1,28 @@
+/* png.h -- a raster as a PNG file in memory: indexed colours, zlib.
+ *
+ * Layer: kernel. No time and no name in the file: same dots, same bytes.
+ * Source: PNG specification (third edition), sections 5, 9 and 11.
+ */
+#ifndef SG_PNG_H
+#define SG_PNG_H
+
+#include "raster.h"
+
+/* One colour: red, green, blue. */
+typedef uint8_t sg_colour[3];
+
+typedef enum sg_png_status {
+  SG_PNG_OK,
+  SG_PNG_NO_MEMORY,
+  SG_PNG_NO_COLOUR, /* a dot has an ink that the palette has not */
+  SG_PNG_STOPPED    /* `poll` said so */
+} sg_png_status;
+
+/* Writes the raster with colours palette[ink]; 1, 2, 4 or 8 bits a dot, as
+ * few as the palette needs. Requires 1 .. 256 colours.
+ * Owner: free(*bytes) when SG_PNG_OK, else *bytes is null. */
+sg_png_status sg_png_write(const sg_raster *raster, size_t colours,
+                           const sg_colour *palette, const sg_poll *poll,
+                           uint8_t **bytes, size_t *n);
+
+#endif
