@@ -1,0 +1,177 @@
+/* grid.c -- see grid.h */
+#include "grid.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Cells are never smaller than this: finer ones would only repeat items. */
+#define SMALLEST (16 * SG_GRID_MARGIN)
+
+enum { MOST_CELLS_A_SIDE = 4096 };
+
+static void
+shape_box(const sg_grid_shape *shape, double low[2], double high[2])
+{
+  for (unsigned i = 0; i < shape->corners; i++) {
+    for (int k = 0; k < 2; k++) {
+      low[k] = fmin(low[k], shape->at[i][k]);
+      high[k] = fmax(high[k], shape->at[i][k]);
+    }
+  }
+}
+
+static unsigned
+cells(double size, double cell)
+{
+  double n = floor(size / cell) + 1.0;
+
+  return n < MOST_CELLS_A_SIDE ? (unsigned)n : MOST_CELLS_A_SIDE;
+}
+
+static void
+choose_cells(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
+             const void *data)
+{
+  double high[2] = {-DBL_MAX, -DBL_MAX}, size[2], cell;
+  sg_grid_shape shape;
+
+  grid->low[0] = grid->low[1] = DBL_MAX;
+  for (size_t i = 0; i < n; i++) {
+    shape_of(data, i, &shape);
+    shape_box(&shape, grid->low, high);
+  }
+  for (int k = 0; k < 2; k++) {
+    grid->low[k] = n ? grid->low[k] - SG_GRID_MARGIN : 0.0;
+    size[k] = n ? high[k] - grid->low[k] + SG_GRID_MARGIN : 1.0;
+  }
+  cell = fmax(SMALLEST, sqrt(size[0] * size[1] / ((double)n + 1.0)));
+  grid->nx = cells(size[0], cell);
+  grid->ny = cells(size[1], cell);
+  grid->wide[0] = size[0] / grid->nx;
+  grid->wide[1] = size[1] / grid->ny;
+}
+
+static unsigned
+cell_of(const sg_grid *grid, int k, double x)
+{
+  unsigned n = k ? grid->ny : grid->nx;
+  double c = floor((x - grid->low[k]) / grid->wide[k]);
+
+  return c < 0.0 ? 0 : c < n ? (unsigned)c : n - 1;
+}
+
+sg_grid_rows
+sg_grid_rows_of(const sg_grid *grid, const sg_grid_shape *shape)
+{
+  double low[2] = {DBL_MAX, DBL_MAX}, high[2] = {-DBL_MAX, -DBL_MAX};
+
+  shape_box(shape, low, high);
+  return (sg_grid_rows){cell_of(grid, 1, low[1] - SG_GRID_MARGIN),
+                        cell_of(grid, 1, high[1] + SG_GRID_MARGIN) + 1};
+}
+
+/* Widens x by the part of side p-q that lies between y = low and y = high. */
+static void
+side_in_row(const double p[2], const double q[2], double low, double high,
+            double x[2])
+{
+  double dy = q[1] - p[1];
+  double ends[2] = {p[1], q[1]};
+
+  if (fmax(ends[0], ends[1]) < low || fmin(ends[0], ends[1]) > high) {
+    return;
+  }
+  for (int i = 0; i < 2; i++) {
+    double y = fmin(fmax(ends[i], low), high);
+    double at =
+        ends[i] == y ? (i ? q : p)[0] : p[0] + (y - p[1]) / dy * (q[0] - p[0]);
+    x[0] = fmin(x[0], at);
+    x[1] = fmax(x[1], at);
+  }
+}
+
+sg_grid_columns
+sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape, unsigned y)
+{
+  double low = grid->low[1] + y * grid->wide[1] - SG_GRID_MARGIN;
+  double high = low + grid->wide[1] + 2 * SG_GRID_MARGIN;
+  double x[2] = {DBL_MAX, -DBL_MAX};
+
+  if (y == 0) {
+    low = -DBL_MAX;
+  }
+  if (y == grid->ny - 1) {
+    high = DBL_MAX;
+  }
+  for (unsigned i = 0; i < shape->corners; i++) {
+    side_in_row(shape->at[i], shape->at[(i + 1) % shape->corners], low, high,
+                x);
+  }
+  if (x[0] > x[1]) {
+    return (sg_grid_columns){0, 0};
+  }
+  return (sg_grid_columns){cell_of(grid, 0, x[0] - SG_GRID_MARGIN),
+                           cell_of(grid, 0, x[1] + SG_GRID_MARGIN) + 1};
+}
+
+/* Counts the item in its cells (item null), or enters it there. */
+static void
+enter(sg_grid *grid, const sg_grid_shape *shape, uint32_t *count,
+      uint32_t *item, uint32_t i)
+{
+  sg_grid_rows rows = sg_grid_rows_of(grid, shape);
+
+  for (unsigned y = rows.y0; y < rows.y1; y++) {
+    sg_grid_columns columns = sg_grid_row(grid, shape, y);
+    for (unsigned x = columns.x0; x < columns.x1; x++) {
+      size_t cell = (size_t)y * grid->nx + x;
+      if (item) {
+        item[count[cell]] = i;
+      }
+      count[cell]++;
+    }
+  }
+}
+
+bool
+sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
+             const void *data)
+{
+  size_t total;
+  sg_grid_shape shape;
+
+  *grid = (sg_grid){0};
+  choose_cells(grid, n, shape_of, data);
+  total = (size_t)grid->nx * grid->ny;
+  grid->start = calloc(total + 2, sizeof *grid->start);
+  if (!grid->start) {
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    shape_of(data, i, &shape);
+    enter(grid, &shape, grid->start + 2, NULL, (uint32_t)i);
+  }
+  for (size_t c = 2; c < total + 2; c++) {
+    grid->start[c] += grid->start[c - 1];
+  }
+  grid->item = malloc((grid->start[total + 1] + 1) * sizeof *grid->item);
+  if (!grid->item) {
+    sg_grid_clear(grid);
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    shape_of(data, i, &shape);
+    enter(grid, &shape, grid->start + 1, grid->item, (uint32_t)i);
+  }
+  return true;
+}
+
+void
+sg_grid_clear(sg_grid *grid)
+{
+  free(grid->start);
+  free(grid->item);
+  *grid = (sg_grid){0};
+}

@@ -1,0 +1,50 @@
+/* grid.h -- a uniform grid of cells on the picture.
+ *
+ * Layer: kernel. Items (triangles, lines) are entered in the cells that they
+ * touch, row by row of cells, and found again along a line. Inexact, but
+ * conservative: what comes within SG_GRID_MARGIN of a cell is in it.
+ */
+#ifndef SG_GRID_H
+#define SG_GRID_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define SG_GRID_MARGIN 1e-7
+
+typedef struct sg_grid {
+  unsigned nx, ny;
+  double low[2], wide[2]; /* corner of cell 0,0; size of a cell */
+  uint32_t *start;        /* [nx * ny + 1] */
+  uint32_t *item;         /* cell by cell, in the order of entering */
+} sg_grid;
+
+/* The corners of an item in the picture: 2 for a line, 3 for a triangle. */
+typedef struct sg_grid_shape {
+  unsigned corners;
+  double at[3][2];
+} sg_grid_shape;
+
+typedef void sg_grid_shape_of(const void *data, size_t i, sg_grid_shape *out);
+
+/* A grid of n items, about one cell for each. False: no memory.
+ * Owner: the caller, sg_grid_clear(). */
+bool sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
+                  const void *data);
+void sg_grid_clear(sg_grid *grid);
+
+/* The cells of a shape: rows y0 <= y < y1, in each of them columns of
+ * sg_grid_row(). Cells beyond the grid's border count as the border's. */
+typedef struct sg_grid_rows {
+  unsigned y0, y1;
+} sg_grid_rows;
+typedef struct sg_grid_columns {
+  unsigned x0, x1;
+} sg_grid_columns;
+
+sg_grid_rows sg_grid_rows_of(const sg_grid *grid, const sg_grid_shape *shape);
+sg_grid_columns sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape,
+                            unsigned y);
+
+#endif

@@ -1,0 +1,73 @@
+/* hide.h -- the hidden-line joins: which triangles hide which part of a line,
+ * and which lines lie on one another in the picture.
+ *
+ * Layer: kernel. Parts of a line are intervals of its parameter in the
+ * picture: 0 at its start, 1 at its end.
+ *
+ * Source: [PL] section 6.3 step 4 (PL-13). Three deviations: depths are
+ * compared across the triangle's plane, not along z, so that steep triangles
+ * are judged like others; a line that goes through a triangle is hidden from
+ * there on; ends of lines snap to the triangle's sides within the tolerance,
+ * so that a line behind a border is hidden, and one beside it is not.
+ */
+#ifndef SG_HIDE_H
+#define SG_HIDE_H
+
+#include "grid.h"
+#include "scene.h"
+
+typedef struct sg_hidden {
+  double from, to; /* 0 <= from < to <= 1 */
+  uint32_t mask;   /* place in scene->mask */
+} sg_hidden;
+
+typedef struct sg_overlap {
+  double from, to;   /* of the line asked for */
+  double from2, to2; /* the same points on the other line, from2 at from */
+  uint32_t line;     /* the other line: place in scene->line */
+} sg_overlap;
+
+typedef struct sg_hiddens {
+  sg_hidden *part;
+  size_t n, room;
+} sg_hiddens;
+
+typedef struct sg_overlaps {
+  sg_overlap *part;
+  size_t n, room;
+} sg_overlaps;
+
+/* The search structures of a scene. One thread at a time. */
+typedef struct sg_hide {
+  const sg_scene *scene;
+  sg_grid masks, lines;
+  uint32_t *mask_seen, *line_seen; /* [masks], [lines]: by which question */
+  uint32_t question;
+} sg_hide;
+
+/* Requires: the scene stays open as long. False: no memory. */
+bool sg_hide_init(sg_hide *hide, const sg_scene *scene);
+void sg_hide_clear(sg_hide *hide);
+
+/* The part of the line that the mask hides; false: none. The mask never hides
+ * a line between two of its own corners, nor one in its plane. */
+bool sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
+                   const sg_scene_line *line, sg_hidden *out);
+
+/* All masks that hide a part of line `at`, sorted by from, to and mask.
+ * `enough`: stop at the first that hides all of it. False: no memory.
+ * `out` is used again; its array belongs to the caller, who frees it. */
+bool sg_hide_masks(sg_hide *hide, size_t at, bool enough, sg_hiddens *out);
+
+/* The part of line a that lies on line b in the picture; false: none longer
+ * than the tolerance. */
+bool sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
+                      const sg_scene_line *b, sg_overlap *out);
+
+/* All lines that overlap line `at`, sorted by line. As sg_hide_masks(). */
+bool sg_hide_overlaps(sg_hide *hide, size_t at, sg_overlaps *out);
+
+/* The length of a line in the picture, standardised. */
+double sg_line_length(const sg_scene *scene, const sg_scene_line *line);
+
+#endif
