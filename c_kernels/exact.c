@@ -1,0 +1,451 @@
+/* exact.c -- exact signs and exact points: see exact.h.
+ *
+ * Layer: kernel. Three stages, each exact when it answers:
+ *   1. doubles with a bound of the rounding error;
+ *   2. for double points whose differences are exact: error-free sums and
+ *      products of doubles (so that grids and axis-parallel models, where
+ *      zeros are common, stay fast);
+ *   3. integers: all points of the question times one common denominator.
+ * Stage 3 is counted. Source of the idea of 1 and 2: J. R. Shewchuk, Adaptive
+ * precision floating-point arithmetic, 1997, sections 2 and 4.
+ */
+#include "exact.h"
+#include "integers.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdatomic.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+#if defined(__FAST_MATH__)
+#error "exact.c must not be compiled with fast-math"
+#endif
+
+static const double UNIT = DBL_EPSILON / 2; /* 2^-53: half an ulp of 1 */
+static atomic_uint_fast64_t fallbacks;
+
+uint64_t
+sg_exact_fallbacks(void)
+{
+  return atomic_load_explicit(&fallbacks, memory_order_relaxed);
+}
+
+static void
+count_fallback(void)
+{
+  atomic_fetch_add_explicit(&fallbacks, 1, memory_order_relaxed);
+}
+
+static int
+sign(double x)
+{
+  return (x > 0) - (x < 0);
+}
+
+/* ---- stage 2: error-free transformations ------------------------------- */
+
+/* Differences may be multiplied three at a time without overflow and without
+ * losing low bits to underflow. */
+static bool
+in_range(const double *x, int n)
+{
+  for (int i = 0; i < n; i++) {
+    double size = fabs(x[i]);
+    if (!(size == 0 || (size > 1e-80 && size < 1e80))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* a - b without error? */
+static bool
+difference_is_exact(double a, double b, double d)
+{
+  double bb = a - d, aa = d + bb;
+
+  return a - aa == 0 && bb - b == 0;
+}
+
+static void
+two_sum(double a, double b, double *hi, double *lo)
+{
+  double s = a + b, bb = s - a;
+
+  *lo = (a - (s - bb)) + (b - bb);
+  *hi = s;
+}
+
+static void
+split(double a, double *hi, double *lo)
+{
+  double c = 134217729.0 * a; /* 2^27 + 1 */
+
+  *hi = c - (c - a);
+  *lo = a - *hi;
+}
+
+static void
+two_product(double a, double b, double *hi, double *lo)
+{
+  double ah, al, bh, bl, p = a * b;
+
+  split(a, &ah, &al);
+  split(b, &bh, &bl);
+  *lo = al * bl - (((p - ah * bh) - al * bh) - ah * bl);
+  *hi = p;
+}
+
+/* The sign of a*b - c*d: rounding keeps order, so unequal roundings decide,
+ * and equal ones leave it to the tails. */
+static int
+sign_of_minor(double a, double b, double c, double d)
+{
+  double lh, ll, rh, rl;
+
+  two_product(a, b, &lh, &ll);
+  two_product(c, d, &rh, &rl);
+  return lh != rh ? sign(lh - rh) : (ll > rl) - (ll < rl);
+}
+
+/* Adds x to an expansion (components growing in size, not overlapping). */
+static int
+grow(double *sum, int n, double x)
+{
+  int m = 0;
+
+  for (int i = 0; i < n; i++) {
+    double lo;
+    two_sum(x, sum[i], &x, &lo);
+    if (lo != 0) {
+      sum[m++] = lo;
+    }
+  }
+  if (x != 0) {
+    sum[m++] = x;
+  }
+  return m;
+}
+
+/* Adds (a*b) * c to an expansion. */
+static int
+grow_product(double *sum, int n, double a, double b, double c)
+{
+  double hi, lo, p, q;
+
+  two_product(a, b, &hi, &lo);
+  two_product(lo, c, &p, &q);
+  n = grow(sum, grow(sum, n, q), p);
+  two_product(hi, c, &p, &q);
+  return grow(sum, grow(sum, n, q), p);
+}
+
+/* The sign of the determinant with rows d, d+3, d+6. */
+static int
+sign_of_determinant(const double d[9])
+{
+  double sum[24];
+  int n = 0;
+
+  n = grow_product(sum, n, d[0], d[4], d[8]);
+  n = grow_product(sum, n, -d[0], d[5], d[7]);
+  n = grow_product(sum, n, d[1], d[5], d[6]);
+  n = grow_product(sum, n, -d[1], d[3], d[8]);
+  n = grow_product(sum, n, d[2], d[3], d[7]);
+  n = grow_product(sum, n, -d[2], d[4], d[6]);
+  return n ? sign(sum[n - 1]) : 0;
+}
+
+/* ---- stage 3: integers -------------------------------------------------- */
+
+static int
+turn_exactly(int axis, const sg_point *a, const sg_point *b, const sg_point *c)
+{
+  const sg_point *point[3] = {a, b, c};
+  mpz_t room[3][3], s[3], t[3], det;
+  sg_integers in;
+
+  count_fallback();
+  sg_integers_open(&in, room, point, 3);
+  sg_integers_init3(s);
+  sg_integers_init3(t);
+  mpz_init(det);
+  sg_integers_subtract(s, in.x[1], in.x[0]);
+  sg_integers_subtract(t, in.x[2], in.x[0]);
+  sg_integers_minor(det, s, t, (axis + 1) % 3, (axis + 2) % 3);
+  int answer = mpz_sgn(det);
+  mpz_clear(det);
+  sg_integers_clear3(s);
+  sg_integers_clear3(t);
+  sg_integers_close(&in);
+  return answer;
+}
+
+static int
+orient3d_exactly(const sg_point *a, const sg_point *b, const sg_point *c,
+                 const sg_point *d)
+{
+  const sg_point *point[4] = {a, b, c, d};
+  mpz_t room[4][3], n[3], s[3], t[3], det;
+  sg_integers in;
+
+  count_fallback();
+  sg_integers_open(&in, room, point, 4);
+  sg_integers_init3(n);
+  sg_integers_init3(s);
+  sg_integers_init3(t);
+  mpz_init(det);
+  sg_integers_normal(n, in.x[0], in.x[1], in.x[2], s, t);
+  sg_integers_subtract(s, in.x[3], in.x[0]);
+  sg_integers_dot(det, n, s);
+  int answer = -mpz_sgn(det); /* above the plane, where n points, is -1 */
+  mpz_clear(det);
+  sg_integers_clear3(t);
+  sg_integers_clear3(s);
+  sg_integers_clear3(n);
+  sg_integers_close(&in);
+  return answer;
+}
+
+static int
+along_exactly(const sg_point *from, const sg_point *to, const sg_point *a,
+              const sg_point *b)
+{
+  const sg_point *point[4] = {from, to, a, b};
+  mpz_t room[4][3], s[3], t[3], product;
+  sg_integers in;
+
+  count_fallback();
+  sg_integers_open(&in, room, point, 4);
+  sg_integers_init3(s);
+  sg_integers_init3(t);
+  mpz_init(product);
+  sg_integers_subtract(s, in.x[2], in.x[3]);
+  sg_integers_subtract(t, in.x[1], in.x[0]);
+  sg_integers_dot(product, s, t);
+  int answer = mpz_sgn(product);
+  mpz_clear(product);
+  sg_integers_clear3(t);
+  sg_integers_clear3(s);
+  sg_integers_close(&in);
+  return answer;
+}
+
+/* ---- signs of doubles --------------------------------------------------- */
+
+static sg_point
+plain(double x, double y, double z)
+{
+  return (sg_point){{x, y, z}, NULL};
+}
+
+/* (a - c) x (b - c) from its four factors; 2 when stages 1 and 2 give up. */
+static int
+turn_of_differences(const double d[4], bool exact)
+{
+  double l = d[0] * d[3], r = d[1] * d[2], det = l - r;
+  double bound = (3 + 16 * UNIT) * UNIT * (fabs(l) + fabs(r)) + DBL_MIN;
+
+  if (fabs(det) > bound && isfinite(det)) {
+    return sign(det);
+  }
+  return exact && in_range(d, 4) ? sign_of_minor(d[0], d[3], d[1], d[2]) : 2;
+}
+
+int
+sg_orient2d(const double a[2], const double b[2], const double c[2])
+{
+  double d[4] = {a[0] - c[0], a[1] - c[1], b[0] - c[0], b[1] - c[1]};
+  int answer = turn_of_differences(d, false);
+
+  if (answer == 2) {
+    answer = turn_of_differences(d, difference_is_exact(a[0], c[0], d[0]) &&
+                                        difference_is_exact(a[1], c[1], d[1]) &&
+                                        difference_is_exact(b[0], c[0], d[2]) &&
+                                        difference_is_exact(b[1], c[1], d[3]));
+  }
+  if (answer == 2) {
+    sg_point p = plain(a[0], a[1], 0), q = plain(b[0], b[1], 0),
+             r = plain(c[0], c[1], 0);
+    answer = turn_exactly(2, &p, &q, &r);
+  }
+  return answer;
+}
+
+/* Stages 2 and 3 of sg_orient3d(). */
+static int
+orient3d_carefully(const double a[3], const double b[3], const double c[3],
+                   const double d[3], const double difference[9])
+{
+  bool exact = in_range(difference, 9);
+
+  for (int k = 0; exact && k < 3; k++) {
+    exact = difference_is_exact(a[k], d[k], difference[k]) &&
+            difference_is_exact(b[k], d[k], difference[3 + k]) &&
+            difference_is_exact(c[k], d[k], difference[6 + k]);
+  }
+  if (exact) {
+    return sign_of_determinant(difference);
+  }
+  sg_point p = plain(a[0], a[1], a[2]), q = plain(b[0], b[1], b[2]),
+           r = plain(c[0], c[1], c[2]), s = plain(d[0], d[1], d[2]);
+  return orient3d_exactly(&p, &q, &r, &s);
+}
+
+int
+sg_orient3d(const double a[3], const double b[3], const double c[3],
+            const double d[3])
+{
+  double m[9] = {a[0] - d[0], a[1] - d[1], a[2] - d[2],
+                 b[0] - d[0], b[1] - d[1], b[2] - d[2],
+                 c[0] - d[0], c[1] - d[1], c[2] - d[2]};
+  double bc = m[3] * m[7], cb = m[6] * m[4], ca = m[6] * m[1],
+         ac = m[0] * m[7], ab = m[0] * m[4], ba = m[3] * m[1];
+  double det = m[2] * (bc - cb) + m[5] * (ca - ac) + m[8] * (ab - ba);
+  double size = (fabs(bc) + fabs(cb)) * fabs(m[2]) +
+                (fabs(ca) + fabs(ac)) * fabs(m[5]) +
+                (fabs(ab) + fabs(ba)) * fabs(m[8]);
+  double bound =
+      (7 + 56 * UNIT) * UNIT * size +
+      DBL_MIN * (4 + fabs(m[2]) + fabs(m[5]) + fabs(m[8]));
+
+  if (fabs(det) > bound && isfinite(det)) {
+    return sign(det);
+  }
+  return orient3d_carefully(a, b, c, d, m);
+}
+
+/* ---- signs of points ---------------------------------------------------- */
+
+/* A double and a bound of its error; DBL_MIN covers underflow, and a bound
+ * that is not finite never decides. */
+typedef struct approx {
+  double v, e;
+} approx;
+
+static inline approx
+coordinate(const sg_point *p, int k)
+{
+  return (approx){p->p[k], p->q ? fabs(p->p[k]) * UNIT + DBL_MIN : 0};
+}
+
+static inline approx
+minus(approx a, approx b)
+{
+  double v = a.v - b.v;
+
+  return (approx){v, (a.e + b.e + fabs(v) * UNIT + DBL_MIN) * (1 + 8 * UNIT)};
+}
+
+static inline approx
+times(approx a, approx b)
+{
+  double v = a.v * b.v;
+
+  return (approx){v, (fabs(a.v) * b.e + fabs(b.v) * a.e + a.e * b.e +
+                      fabs(v) * UNIT + DBL_MIN) *
+                         (1 + 8 * UNIT)};
+}
+
+static inline approx
+plus(approx a, approx b)
+{
+  return minus(a, (approx){-b.v, b.e});
+}
+
+/* 2: not decided. */
+static inline int
+sign_of_approx(approx a)
+{
+  return fabs(a.v) > a.e && isfinite(a.v) ? sign(a.v) : 2;
+}
+
+static inline approx
+difference(const sg_point *a, const sg_point *b, int k)
+{
+  return minus(coordinate(a, k), coordinate(b, k));
+}
+
+int
+sg_point_turn(int axis, const sg_point *a, const sg_point *b,
+              const sg_point *c)
+{
+  int u = (axis + 1) % 3, v = (axis + 2) % 3;
+
+  if (a == b || b == c || c == a) {
+    return 0;
+  }
+  if (!a->q && !b->q && !c->q) {
+    return sg_orient2d((const double[2]){a->p[u], a->p[v]},
+                       (const double[2]){b->p[u], b->p[v]},
+                       (const double[2]){c->p[u], c->p[v]});
+  }
+  int answer = sign_of_approx(
+      minus(times(difference(a, c, u), difference(b, c, v)),
+            times(difference(a, c, v), difference(b, c, u))));
+  return answer != 2 ? answer : turn_exactly(axis, a, b, c);
+}
+
+int
+sg_point_orient3d(const sg_point *a, const sg_point *b, const sg_point *c,
+                  const sg_point *d)
+{
+  if (!a->q && !b->q && !c->q && !d->q) {
+    return sg_orient3d(a->p, b->p, c->p, d->p);
+  }
+  approx m[3][3];
+  for (int k = 0; k < 3; k++) {
+    m[0][k] = difference(a, d, k);
+    m[1][k] = difference(b, d, k);
+    m[2][k] = difference(c, d, k);
+  }
+  approx x = minus(times(m[1][0], m[2][1]), times(m[2][0], m[1][1]));
+  approx y = minus(times(m[2][0], m[0][1]), times(m[0][0], m[2][1]));
+  approx z = minus(times(m[0][0], m[1][1]), times(m[1][0], m[0][1]));
+  int answer = sign_of_approx(
+      plus(plus(times(m[0][2], x), times(m[1][2], y)), times(m[2][2], z)));
+  return answer != 2 ? answer : orient3d_exactly(a, b, c, d);
+}
+
+int
+sg_point_along(const sg_point *from, const sg_point *to, const sg_point *a,
+               const sg_point *b)
+{
+  if (a == b || (!a->q && !b->q && a->p[0] == b->p[0] &&
+                 a->p[1] == b->p[1] && a->p[2] == b->p[2])) {
+    return 0;
+  }
+  approx sum = times(difference(a, b, 0), difference(to, from, 0));
+  for (int k = 1; k < 3; k++) {
+    sum = plus(sum, times(difference(a, b, k), difference(to, from, k)));
+  }
+  int answer = sign_of_approx(sum);
+  return answer != 2 ? answer : along_exactly(from, to, a, b);
+}
+
+int
+sg_point_compare(int axis, const sg_point *a, const sg_point *b)
+{
+  if (a->p[axis] != b->p[axis]) { /* rounding keeps order */
+    return a->p[axis] < b->p[axis] ? -1 : 1;
+  }
+  if (!a->q && !b->q) {
+    return 0;
+  }
+  mpq_t other;
+  count_fallback();
+  mpq_init(other);
+  mpq_set_d(other, a->p[axis]);
+  int answer = mpq_cmp(a->q ? a->q[axis] : other, b->q ? b->q[axis] : other);
+  mpq_clear(other);
+  return (answer > 0) - (answer < 0);
+}
+
+bool
+sg_point_equal(const sg_point *a, const sg_point *b)
+{
+  return a == b || (sg_point_compare(0, a, b) == 0 &&
+                    sg_point_compare(1, a, b) == 0 &&
+                    sg_point_compare(2, a, b) == 0);
+}
