@@ -74,11 +74,11 @@ nearest_double(mpq_srcptr q)
     if ((whole >> 53) == 0) {
       whole += rest > 2 || (rest == 2 && (whole & 1));
       answer = ldexp((double)whole, -1074);
-      return mpq_sgn(q) < 0 ? -answer : answer;
+      return mpq_sgn(q) < 0 ? 0 - answer : answer; /* never -0.0 */
     }
   }
   answer = ldexp((double)bits, (int)-shift); /* (double) rounds once */
-  return mpq_sgn(q) < 0 ? -answer : answer;
+  return mpq_sgn(q) < 0 ? 0 - answer : answer; /* never -0.0 */
 }
 
 static bool
