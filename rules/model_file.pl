@@ -3,18 +3,20 @@
             add_primitive/2             % +Term, -S
           ]).
 :- use_module(store,
-              [ v/5, e/5, p/3, segment/3, line/9, view/3, projection/1,
-                assert_fact/1, retractall_facts/1, facts_transaction/1
+              [ v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, line/9,
+                assert_fact/1, retractall_facts/1, facts_transaction/1,
+                relation_column/5
               ]).
 :- use_module(model_text,
               [ open_model_text/2, close_model_text/1, next_fact/3,
                 place_error/2, place_error/3
               ]).
+:- use_module(polygon_list, [vertex_list_edges/2, polygon_fault/2]).
 :- use_module(primitive, [is_primitive/1, primitive_shape/4]).
 :- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [foldl/4, foldl/5, maplist/2, maplist/3]).
-:- autoload(library(lists), [append/3, last/2, member/2, numlist/3]).
-:- autoload(library(pairs), [pairs_keys/2]).
+:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
+:- autoload(library(lists), [member/2]).
 /** <module> Model files: the paper's facts read into the world.
 
 A file holds facts of the relations (model_text.pl), in any order, and:
@@ -29,18 +31,23 @@ A file holds facts of the relations (model_text.pl), in any order, and:
     without polygons, `solid` if every edge has its opposite, else `surface`;
     the name is the file's. Where the file gives no vertices of S, Name is a
     primitive term that makes them (primitive.pl).
-  - `view(Theta, Phi, Rho)` and `projection(Kind)`, once each.
+  - `view(Theta, Phi, Rho)` and `projection(Kind)`, once each; they replace
+    those of the world.
 
-Reading adds to the world: a file's segments come after those that are there,
-in its own numbers if there are none. It is all or nothing.
+Reading adds to the world: the segments of a file come after those that are
+there, keeping their own numbers if there are none. It is all or nothing.
 
 Errors besides those of model_text.pl:
 
-    missing(Relation, S, Id)   twice(Fact)   row(Fact, Error)
-    polygon(S, P, Why)         Why: edges(N), open(V), twice(V1,V2), jump,
-                               no_edge(V), other_segment
-    primitive(What, Term)      kind(Term, Kind, Wanted)
-    no_vertices(S, Name)       chain(V)   empty
+    missing(Relation, S, Id)   a row that is referred to
+    twice(Name, Key)           two rows with one key
+    polygon(S, P, Why)         Why: list, edges(N), open(V), twice(V1, V2) or
+                               no_edge(V)
+    chain(S, V)                two equal neighbours in a curve
+    primitive(What, Term)      see primitive.pl
+    kind(Term, Kind, Wanted)   a cylinder is no surface
+    no_vertices(S, Name)   no_edges(S)   empty
+    refused(Row, Error)        anything else the store does not take
 */
 
 %!  read_model(+File) is det.
@@ -57,21 +64,428 @@ read_model(File) :-
         close_model_text(Text)).
 
 text_added(Text) :-
-    arg(1, Text, File),
     shifts(Shift),
-    streamed(Text, Shift, Later),
-    later_added(Later, Shift, File).
+    catch(text_added(Text, Shift), error(model_error(What), Location),
+          own_numbers(What, Location, Shift)).
+
+text_added(Text, Shift) :-
+    arg(1, Text, Name),
+    streamed(Text, Shift, [], Ss0, Later),
+    later_added(Later),
+    sort(Ss0, Ss),
+    (   Ss == []
+    ->  throw(error(model_error(empty), location(Name, 0, 0)))
+    ;   maplist(segment_completed(Later, Name), Ss)
+    ).
+
+%   own_numbers(What, Location, Shift): raise What with the file's segment
+%   number, not the world's.
+
+own_numbers(What0, Location, shift(DS, _)) :-
+    (   segment_place(What0, N),
+        arg(N, What0, Old),
+        less(Old, DS, New)
+    ->  duplicate_term(What0, What),
+        setarg(N, What, New)
+    ;   What = What0
+    ),
+    throw(error(model_error(What), Location)).
+
+segment_place(missing(_, _, _), 2).
+segment_place(twice(_, _), 2).
+segment_place(polygon(_, _, _), 1).
+segment_place(chain(_, _), 1).
+segment_place(no_vertices(_, _), 1).
+segment_place(no_edges(_), 1).
+
+less([S0|Key], DS, [S|Key]) :-
+    !,
+    S is S0-DS.
+less(S0, DS, S) :-
+    integer(S0),
+    S is S0-DS.
 
 %   shifts(Shift): Shift is shift(DS, DL), what is added to the segment and
 %   line numbers of the file.
 
 shifts(shift(DS, DL)) :-
-    aggregate_all(max(S), segment(S, _, _), DS0),
-    aggregate_all(max(L), line(L, _, _, _, _, _, _, _, _), DL0),
-    foldl(number_or_zero, [DS0, DL0], [DS, DL], _).
+    greatest(S, segment(S, _, _), DS),
+    greatest(L, line(L, _, _, _, _, _, _, _, _), DL).
 
-number_or_zero(N0, N, _) :-
-    (   number(N0)
-    ->  N = N0
-    ;   N = 0
+:- meta_predicate greatest(?, 0, -).
+
+greatest(N, Goal, Greatest) :-
+    (   aggregate_all(max(N), Goal, Greatest0)
+    ->  Greatest = Greatest0
+    ;   Greatest = 0
     ).
+
+
+                /*******************************
+                *           STREAMING          *
+                *******************************/
+
+%   streamed(Text, Shift, Ss0, Ss, Later): rows whose references are in the
+%   world already go into it as they are read, so a file in canonical order
+%   takes no memory but the world's. Later is the list of later(Row, Place) of
+%   the others, in order; Ss has the segments of all rows.
+
+streamed(Text, Shift, Ss0, Ss, Later) :-
+    next_fact(Text, Fact, Place),
+    (   Fact == end_of_file
+    ->  Ss = Ss0,
+        Later = []
+    ;   shifted(Shift, Fact, Row),
+        with_segment(Row, Ss0, Ss1),
+        (   added_now(Row, Place)
+        ->  Later = Later1
+        ;   Later = [later(Row, Place)|Later1]
+        ),
+        streamed(Text, Shift, Ss1, Ss, Later1)
+    ).
+
+with_segment(Row, Ss0, Ss) :-
+    (   segment_of(Row, S),
+        \+ memberchk(S, Ss0)
+    ->  Ss = [S|Ss0]
+    ;   Ss = Ss0
+    ).
+
+segment_of(v(S, _, _, _, _), S).
+segment_of(e(S, _, _, _, _), S).
+segment_of(p(S, _, _), S).
+segment_of(segment(S, _, _), S).
+segment_of(curve(S, _), S).
+
+added_now(p(S, P, Es), Place) :-
+    !,
+    has_edges(S),
+    maplist(edge_ends(S), Es, Edges),
+    sound_polygon(Edges, S, P, Place),
+    row_added(p(S, P, Es), Place).
+added_now(Row, Place) :-
+    ready(Row),
+    row_added(Row, Place).
+
+ready(v(_, _, _, _, _)).
+ready(e(S, _, V1, V2, _)) :-
+    has_vertex(S, V1),
+    has_vertex(S, V2).
+ready(plane(S, P, _, _, _, _)) :-
+    has_polygon(S, P).
+ready(t(S, P, _, V1, V2, V3)) :-
+    has_polygon(S, P),
+    has_vertex(S, V1),
+    has_vertex(S, V2),
+    has_vertex(S, V3).
+ready(origin(_, _, _)).
+ready(line(_, _, _, _, _, _, _, _, _)).
+
+has_vertex(S, V) :-
+    once(v(S, V, _, _, _)).
+has_edges(S) :-
+    once(e(S, _, _, _, _)).
+has_polygon(S, P) :-
+    once(p(S, P, _)).
+edge_ends(S, E, V1-V2) :-
+    once(e(S, E, V1, V2, _)).
+
+%   shifted(Shift, Fact, Row): Row is Fact with the world's numbers.
+
+shifted(shift(0, 0), Fact, Row) :-
+    !,
+    Row = Fact.
+shifted(shift(DS, DL), line(L0, S1, P1, A1, B1, S2, P2, A2, B2), Row) :-
+    !,
+    Row = line(L, T1, P1, A1, B1, T2, P2, A2, B2),
+    L is L0+DL,
+    T1 is S1+DS,
+    T2 is S2+DS.
+shifted(shift(DS, DL), origin(S0, Item, Origin0), origin(S, Item, Origin)) :-
+    !,
+    S is S0+DS,
+    origin_shifted(Origin0, DS, DL, Origin).
+shifted(shift(DS, _), Fact, Row) :-
+    segment_relation(Fact),
+    !,
+    Fact =.. [Name, S0|Rest],
+    S is S0+DS,
+    Row =.. [Name, S|Rest].
+shifted(_, Fact, Fact).
+
+segment_relation(Fact) :-
+    functor(Fact, Name, Arity),
+    \+ memberchk(Name/Arity, [view/3, projection/1]).
+
+origin_shifted(line(L0), _, DL, line(L)) :-
+    integer(L0),
+    !,
+    L is L0+DL.
+origin_shifted(v(S0, V), DS, _, v(S, V)) :-
+    integer(S0),
+    !,
+    S is S0+DS.
+origin_shifted(Origin0, DS, _, Origin) :-
+    compound(Origin0),
+    compound_name_arguments(Origin0, Name, Parts0),
+    memberchk(Name, [lpi, ll, tpi]),
+    !,
+    maplist(part_shifted(DS), Parts0, Parts),
+    compound_name_arguments(Origin, Name, Parts).
+origin_shifted(Origin, _, _, Origin).
+
+part_shifted(DS, S0-Part, S-Part) :-
+    integer(S0),
+    !,
+    S is S0+DS.
+part_shifted(_, Part, Part).
+
+
+                /*******************************
+                *             LATER            *
+                *******************************/
+
+%   later_added(Later): what had to wait, in the order of reference. Edges made
+%   from lists are numbered after those that are given.
+
+later_added(Later) :-
+    later_rows(Later, e/5),
+    later_of(Later, segment/3, Segments),
+    maplist(later_segment, Segments),
+    later_of(Later, p/3, Polygons0),
+    maplist(later_form, Polygons0, Polygons),
+    empty_assoc(Numbers0),
+    foldl(later_polygon, Polygons, Numbers0, Numbers),
+    later_of(Later, curve/2, Curves),
+    foldl(later_curve, Curves, Numbers, _),
+    later_rows(Later, plane/6),
+    later_rows(Later, t/6),
+    later_setting(Later, view/3),
+    later_setting(Later, projection/1).
+
+later_of([], _, []).
+later_of([Item|Later], Name/Arity, Items) :-
+    Item = later(Row, _),
+    (   functor(Row, Name, Arity)
+    ->  Items = [Item|Items1]
+    ;   Items = Items1
+    ),
+    later_of(Later, Name/Arity, Items1).
+
+later_rows(Later, Relation) :-
+    later_of(Later, Relation, Items),
+    forall(member(later(Row, Place), Items), row_added(Row, Place)).
+
+later_setting(Later, Relation) :-
+    later_of(Later, Relation, Items),
+    (   Items = [_, later(_, Place)|_]
+    ->  Relation = Name/_,
+        place_error(Place, twice(Name, -))
+    ;   Items = [later(Row, Place)]
+    ->  functor(Row, Name, Arity),
+        functor(Any, Name, Arity),
+        retractall_facts(Any),
+        row_added(Row, Place)
+    ;   true
+    ).
+
+%   later_segment(Item): the row, and what its primitive makes.
+
+later_segment(later(segment(S, Kind, Name), Place)) :-
+    row_added(segment(S, Kind, Name), Place),
+    (   has_vertex(S, _)
+    ->  true
+    ;   is_primitive(Name)
+    ->  catch(primitive_shape(Name, Wanted, Points, Chains),
+              error(model_error(What), _), place_error(Place, 3, What)),
+        (   Kind == Wanted
+        ->  shape_added(Wanted, S, Points, Chains, Place)
+        ;   place_error(Place, 2, kind(Name, Kind, Wanted))
+        )
+    ;   place_error(Place, 3, no_vertices(S, Name))
+    ).
+
+shape_added(Kind, S, Points, Chains, Place) :-
+    foldl(point_added(S, Place), Points, 1, _),
+    empty_assoc(Numbers),
+    (   Kind == curve
+    ->  foldl(chain_added(S, Place), Chains, Numbers, _)
+    ;   foldl(face_added(S, Place), Chains, 1-Numbers, _)
+    ).
+
+point_added(S, Place, point(X, Y, Z), V, V1) :-
+    row_added(v(S, V, X, Y, Z), Place),
+    V1 is V+1.
+
+face_added(S, Place, List, P-Numbers0, P1-Numbers) :-
+    list_polygon_added(S, P, List, Place, Numbers0, Numbers),
+    P1 is P+1.
+
+%   later_form(Item, Form): whether the list of a polygon has vertices or
+%   edges; decided for all before the first edges are made.
+
+later_form(later(p(S, P, List), Place), form(Form, S, P, List, Place)) :-
+    (   has_edges(S)
+    ->  Form = edges
+    ;   Form = vertices
+    ).
+
+later_polygon(form(vertices, S, P, List, Place), Numbers0, Numbers) :-
+    list_polygon_added(S, P, List, Place, Numbers0, Numbers).
+later_polygon(form(edges, S, P, Es, Place), Numbers, Numbers) :-
+    (   maplist(edge_ends(S), Es, Edges)
+    ->  sound_polygon(Edges, S, P, Place),
+        row_added(p(S, P, Es), Place)
+    ;   member(E, Es),
+        \+ edge_ends(S, E, _),
+        place_error(Place, 3, missing(e, S, E))
+    ).
+
+list_polygon_added(S, P, List, Place, Numbers0, Numbers) :-
+    (   vertex_list_edges(List, Edges)
+    ->  true
+    ;   place_error(Place, 3, polygon(S, P, list))
+    ),
+    forall(member(V-_, Edges), known_vertex(S, V, Place, 3)),
+    sound_polygon(Edges, S, P, Place),
+    edges_added(Edges, S, Place, Es, Numbers0, Numbers),
+    row_added(p(S, P, Es), Place).
+
+known_vertex(S, V, Place, Argument) :-
+    (   has_vertex(S, V)
+    ->  true
+    ;   place_error(Place, Argument, missing(v, S, V))
+    ).
+
+sound_polygon(Edges, S, P, Place) :-
+    (   polygon_fault(Edges, Why)
+    ->  place_error(Place, 3, polygon(S, P, Why))
+    ;   true
+    ).
+
+later_curve(later(curve(S, Chain), Place), Numbers0, Numbers) :-
+    chain_added(S, Place, Chain, Numbers0, Numbers).
+
+chain_added(S, Place, Chain, Numbers0, Numbers) :-
+    forall(member(V, Chain), known_vertex(S, V, Place, 2)),
+    chain_edges(Chain, S, Place, Edges),
+    edges_added(Edges, S, Place, _, Numbers0, Numbers).
+
+chain_edges([_], _, _, []) :-
+    !.
+chain_edges([V, W|Vs], S, Place, [V-W|Edges]) :-
+    (   V =\= W
+    ->  chain_edges([W|Vs], S, Place, Edges)
+    ;   place_error(Place, 2, chain(S, V))
+    ).
+
+%   edges_added(Edges, S, Place, Es, Numbers0, Numbers): rows of e/5 for the
+%   edges V1-V2, numbered from the next number of S on.
+
+edges_added(Edges, S, Place, Es, Numbers0, Numbers) :-
+    (   get_assoc(S, Numbers0, E0)
+    ->  true
+    ;   greatest(E, e(S, E, _, _, _), Last),
+        E0 is Last+1
+    ),
+    numbered_edges(Edges, S, Place, E0, Es, E1),
+    put_assoc(S, Numbers0, E1, Numbers).
+
+numbered_edges([], _, _, E, [], E).
+numbered_edges([V1-V2|Edges], S, Place, E0, [E0|Es], E) :-
+    row_added(e(S, E0, V1, V2, 1), Place),
+    E1 is E0+1,
+    numbered_edges(Edges, S, Place, E1, Es, E).
+
+
+                /*******************************
+                *         ROWS, SEGMENTS       *
+                *******************************/
+
+%   row_added(Row, Place): Row is in the world, or the error says where.
+
+row_added(Row, Place) :-
+    catch(assert_fact(Row), error(Formal, _),
+          row_refused(Formal, Row, Place)).
+
+row_refused(Formal, Row, Place) :-
+    (   missing_reference(Row, Argument, Relation, S, Id)
+    ->  place_error(Place, Argument, missing(Relation, S, Id))
+    ;   key_taken(Row, Name, Key)
+    ->  place_error(Place, twice(Name, Key))
+    ;   place_error(Place, refused(Row, Formal))
+    ).
+
+missing_reference(Row, Argument, Relation, S, Id) :-
+    Row =.. [Name, S|_],
+    member(Relation, [v, p]),
+    relation_column(Name, Position, _, int, Relation),
+    Argument is Position+1,
+    arg(Argument, Row, Id),
+    (   Relation == v
+    ->  \+ has_vertex(S, Id)
+    ;   \+ has_polygon(S, Id)
+    ),
+    !.
+
+key_taken(Row, Name, Key) :-
+    row_key(Row, Name, Key, Same),
+    call(Same),
+    !.
+
+row_key(v(S, V, _, _, _), v, [S, V], v(S, V, _, _, _)).
+row_key(e(S, E, _, _, _), e, [S, E], e(S, E, _, _, _)).
+row_key(p(S, P, _), p, [S, P], p(S, P, _)).
+row_key(plane(S, P, _, _, _, _), plane, [S, P], plane(S, P, _, _, _, _)).
+row_key(t(S, _, T, _, _, _), t, [S, T], t(S, _, T, _, _, _)).
+row_key(origin(S, Item, _), origin, [S, Item], origin(S, Item, _)).
+row_key(segment(S, _, _), segment, [S], segment(S, _, _)).
+row_key(line(L, _, _, _, _, _, _, _, _), line, [L],
+        line(L, _, _, _, _, _, _, _, _)).
+
+%   segment_completed(Later, File, S): S has a row, and edges.
+
+segment_completed(Later, File, S) :-
+    (   has_edges(S)
+    ->  true
+    ;   member(later(Row, Place), Later),
+        segment_of(Row, S)
+    ->  place_error(Place, no_edges(S))
+    ;   throw(error(model_error(no_edges(S)), location(File, 0, 0)))
+    ),
+    (   once(segment(S, _, _))
+    ->  true
+    ;   segment_kind(S, Kind),
+        file_name(File, Name),
+        assert_fact(segment(S, Kind, Name))
+    ).
+
+segment_kind(S, Kind) :-
+    (   \+ has_polygon(S, _)
+    ->  Kind = curve
+    ;   forall(e(S, _, V1, V2, _), once(e(S, _, V2, V1, _)))
+    ->  Kind = solid
+    ;   Kind = surface
+    ).
+
+file_name(File, Name) :-
+    file_base_name(File, Base),
+    file_name_extension(Name, _, Base).
+
+%!  add_primitive(+Term, -S) is det.
+%
+%   Add the primitive Term (primitive.pl) to the current world, as a new
+%   segment S whose name is Term.
+%
+%   @error model_error(primitive(What, Term))
+
+add_primitive(Term, S) :-
+    primitive_shape(Term, Kind, Points, Chains),
+    facts_transaction(
+        sg_model_file:new_segment(Kind, Term, Points, Chains, S)).
+
+new_segment(Kind, Term, Points, Chains, S) :-
+    greatest(Last, segment(Last, _, _), Last0),
+    S is Last0+1,
+    assert_fact(segment(S, Kind, Term)),
+    shape_added(Kind, S, Points, Chains, none).

@@ -112,7 +112,11 @@ syntax_failure(error(resource_error(_), _), Name) :-
     throw(error(model_error(syntax(too_deep)), location(Name, 0, 0))).
 syntax_failure(error(io_error(read, _), _), Name) :-
     !,
-    throw(error(model_error(cannot_read(io)), location(Name, 0, 0))).
+    (   exists_directory(Name)
+    ->  Why = directory
+    ;   Why = io
+    ),
+    throw(error(model_error(cannot_read(Why)), location(Name, 0, 0))).
 syntax_failure(Error, _) :-
     throw(Error).
 
@@ -342,7 +346,9 @@ is_step(Step) :-
 %   them; neither strings nor dicts, so that names compare as one expects.
 
 plain_term(Term, _) :-
-    atom(Term),
+    (   atom(Term)
+    ;   Term == []
+    ),
     !.
 plain_term(Term, _) :-
     number(Term),
@@ -356,8 +362,11 @@ plain_term(Term, Depth) :-
     \+ is_dict(Term),
     Depth > 0,
     Depth1 is Depth-1,
-    compound_name_arguments(Term, _, Arguments),
-    maplist([A]>>plain_term(A, Depth1), Arguments).
+    (   is_list(Term)
+    ->  Arguments = Term
+    ;   compound_name_arguments(Term, _, Arguments)
+    ),
+    forall(member(Argument, Arguments), plain_term(Argument, Depth1)).
 
 %!  model_float(+Value, -Float) is semidet.
 %
