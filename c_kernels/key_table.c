@@ -1,0 +1,92 @@
+#include "key_table.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+void
+sg_key_table_init(sg_key_table *table, unsigned words)
+{
+  assert(words >= 1 && words <= SG_KEY_WORDS);
+  *table = (sg_key_table){words, 0, 0, NULL};
+}
+
+void
+sg_key_table_clear(sg_key_table *table)
+{
+  free(table->slot);
+  sg_key_table_init(table, table->words);
+}
+
+static uint32_t
+hash(const uint32_t *key, unsigned words)
+{
+  uint64_t h = 0x9e3779b97f4a7c15u;
+
+  for (unsigned i = 0; i < words; i++) {
+    h = (h ^ key[i]) * 0xff51afd7ed558ccdu;
+    h ^= h >> 32;
+  }
+  return (uint32_t)h;
+}
+
+/* The slot of this key, or the free one where it would stand. */
+static uint32_t *
+find(const sg_key_table *table, const uint32_t *key)
+{
+  size_t mask = table->room - 1, stride = table->words + 1;
+
+  for (size_t i = hash(key, table->words) & mask;; i = (i + 1) & mask) {
+    uint32_t *slot = table->slot + i * stride;
+
+    if (slot[table->words] == SG_NO_KEY ||
+        memcmp(slot, key, table->words * sizeof *key) == 0) {
+      return slot;
+    }
+  }
+}
+
+static int
+grow(sg_key_table *table)
+{
+  size_t stride = table->words + 1;
+  size_t room = table->room ? 2 * table->room : 64;
+  sg_key_table bigger = {table->words, table->n, room, NULL};
+
+  bigger.slot = malloc(room * stride * sizeof *bigger.slot);
+  if (!bigger.slot) {
+    return 0;
+  }
+  memset(bigger.slot, 0xff, room * stride * sizeof *bigger.slot);
+  for (size_t i = 0; i < table->room; i++) {
+    const uint32_t *old = table->slot + i * stride;
+
+    if (old[table->words] != SG_NO_KEY) {
+      memcpy(find(&bigger, old), old, stride * sizeof *old);
+    }
+  }
+  free(table->slot);
+  *table = bigger;
+  return 1;
+}
+
+uint32_t
+sg_key_table_get(const sg_key_table *table, const uint32_t *key)
+{
+  return table->room ? find(table, key)[table->words] : SG_NO_KEY;
+}
+
+uint32_t *
+sg_key_table_put(sg_key_table *table, const uint32_t *key)
+{
+  if (2 * (table->n + 1) > table->room && !grow(table)) {
+    return NULL;
+  }
+  uint32_t *slot = find(table, key);
+
+  if (slot[table->words] == SG_NO_KEY) {
+    memcpy(slot, key, table->words * sizeof *key);
+    table->n++;
+  }
+  return slot + table->words;
+}

@@ -1,0 +1,37 @@
+/* key_table.h -- a hash table from short keys of words to numbers.
+ *
+ * Layer: kernel. Keys are 1..6 words of 32 bits; nothing is ever deleted. What
+ * a caller sees never depends on the order of the table: it only answers.
+ *
+ *   sg_key_table table;
+ *   sg_key_table_init(&table, 2);
+ *   uint32_t *number = sg_key_table_put(&table, (uint32_t[2]){s, v});
+ *   if (*number == SG_NO_KEY) *number = fresh;   // it was not there
+ *   sg_key_table_clear(&table);
+ */
+#ifndef SG_KEY_TABLE_H
+#define SG_KEY_TABLE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+enum { SG_KEY_WORDS = 6 };
+#define SG_NO_KEY UINT32_MAX
+
+typedef struct sg_key_table {
+  unsigned words;
+  size_t n, room;  /* room: a power of two, or 0 */
+  uint32_t *slot;  /* [room][words + 1]: the number last; all ones: free */
+} sg_key_table;
+
+void sg_key_table_init(sg_key_table *table, unsigned words);
+void sg_key_table_clear(sg_key_table *table);
+
+/* The number of a key, SG_NO_KEY if it is not there. */
+uint32_t sg_key_table_get(const sg_key_table *table, const uint32_t *key);
+
+/* Where the number of a key stands; a new key starts with SG_NO_KEY and must
+ * be given another number. Valid until the next put. Null: no memory. */
+uint32_t *sg_key_table_put(sg_key_table *table, const uint32_t *key);
+
+#endif
