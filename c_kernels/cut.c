@@ -2,7 +2,6 @@
 
 #include "exact.h"
 
-#include <string.h>
 
 /* A mark on the line L that two planes share: a feature of one triangle, and
  * a stretch lo-hi of that triangle's plane that passes through L there, from
@@ -199,6 +198,15 @@ order(const mark *p, const mark *q)
   return sg_orient3d(p->lo, p->hi, q->lo, q->hi);
 }
 
+/* The feature of a triangle at a mark of the other one that is not before its
+ * interval's near end: that of its `far` end where both are there (`order` is
+ * 0), else that of the inside. */
+static sg_feature
+seen(const interval *in, int order_of_both, const mark *far)
+{
+  return order_of_both == 0 ? far->f : in->inside;
+}
+
 /* The common part of both intervals; false: none. */
 static bool
 meet(const interval *a, const interval *b, sg_cut *out)
@@ -208,20 +216,13 @@ meet(const interval *a, const interval *b, sg_cut *out)
   }
   int starts = order(&a->start, &b->start), ends = order(&a->end, &b->end);
 
-  /* A start or end of one that is inside the other takes the feature that the
-   * other has there: its inside, or its own end when both are there. */
-  out->end[0].f[0] = starts >= 0                         ? a->start.f
-                     : order(&a->end, &b->start) == 0 ? a->end.f
-                                                      : a->inside;
-  out->end[0].f[1] = starts <= 0                         ? b->start.f
-                     : order(&a->start, &b->end) == 0 ? b->end.f
-                                                      : b->inside;
-  out->end[1].f[0] = ends <= 0                           ? a->end.f
-                     : order(&a->start, &b->end) == 0 ? a->start.f
-                                                      : a->inside;
-  out->end[1].f[1] = ends >= 0                           ? b->end.f
-                     : order(&a->end, &b->start) == 0 ? b->start.f
-                                                      : b->inside;
+  out->end[0] = (sg_cut_end){
+      {starts >= 0 ? a->start.f : seen(a, order(&a->end, &b->start), &a->end),
+       starts <= 0 ? b->start.f
+                   : seen(b, order(&a->start, &b->end), &b->end)}};
+  out->end[1] = (sg_cut_end){
+      {ends <= 0 ? a->end.f : seen(a, order(&a->start, &b->end), &a->start),
+       ends >= 0 ? b->end.f : seen(b, order(&a->end, &b->start), &b->start)}};
   return true;
 }
 
@@ -418,6 +419,15 @@ cut_coplanar(const double a[3][3], const double b[3][3],
     out[(*n)++] = point;
   }
   return *n > 0 ? SG_CUT_COPLANAR : SG_CUT_NONE;
+}
+
+int
+sg_cut_side(const double a[3][3], const double b[3][3])
+{
+  int side = above(b, a[0]);
+
+  return side != 0 && above(b, a[1]) == side && above(b, a[2]) == side ? side
+                                                                       : 0;
 }
 
 sg_cut_kind

@@ -63,6 +63,10 @@ enum { SG_CUT_MAX = 6 };
 sg_cut_kind sg_cut_triangles(const double a[3][3], const double b[3][3],
                              sg_cut out[SG_CUT_MAX], int *n);
 
+/* Whether triangle a lies wholly above (1) or below (-1) the plane of b; 0:
+ * neither, it touches or crosses it. The first test of a pair. Exact. */
+int sg_cut_side(const double a[3][3], const double b[3][3]);
+
 /* What the segment from u to w has in common with triangle b. Of an end,
  * f[0] is SG_CORNER_0 for u, SG_CORNER_1 for w, SG_EDGE_0 between them. A
  * segment in the plane of b gives the part inside b. SG_CUT_NONE: nothing
