@@ -19,21 +19,15 @@
 #define SG_STORE_H
 
 #include "../c_kernels/column.h"
+#include "../c_kernels/poll.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 typedef enum sg_relation {
-#define RELATION(ID, name, arity, keyed, doc) SG_##ID,
-#define COLUMN(ID, position, name, type, refers, doc)
-#define INDEX(ID, name, mask)
-#define MEMBERS(ID, name, mask)
+#define RELATION(ID, name, arity, key, doc) SG_##ID,
 #include "relations.def"
-#undef RELATION
-#undef COLUMN
-#undef INDEX
-#undef MEMBERS
   SG_RELATIONS,
   SG_NONE = SG_RELATIONS
 } sg_relation;
@@ -50,13 +44,19 @@ typedef struct sg_column_info {
 typedef struct sg_relation_info {
   const char *name;
   unsigned arity;
-  bool keyed;
-  uint16_t key; /* mask of the key's columns */
+  uint16_t key; /* mask of the key's columns, 0: none */
   const char *doc;
   sg_column_info column[SG_MAX_COLUMNS];
+  const char *domain[SG_MAX_COLUMNS]; /* its words, or null: any value */
 } sg_relation_info;
 
 extern const sg_relation_info sg_relation_table[SG_RELATIONS];
+
+/* The column that holds the ids which sg_world_fresh() makes: V of v, T of t,
+ * D of drawn ... SG_MAX_COLUMNS: the relation has none. */
+unsigned sg_relation_id_column(sg_relation relation);
+/* The column that names the segment in which a column's ids are. */
+unsigned sg_relation_segment_column(sg_relation relation, unsigned column);
 
 /* One value of a row. SG_INT, SG_ATOM (a symbol, symbol.h): i. SG_FLOAT: f.
  * SG_LIST: list, its length first. SG_TERM: term, its byte count first, coded
@@ -77,6 +77,7 @@ typedef enum sg_status {
   SG_NO_MEMORY,
   SG_EXISTS,      /* a live row has this key */
   SG_DANGLING,    /* a referred row does not exist; sg_fault says which */
+  SG_INVALID,     /* NaN, infinite, an id below 1, a negative count */
   SG_NO_STEP      /* nothing to commit, roll back, undo or redo */
 } sg_status;
 
@@ -84,7 +85,7 @@ typedef enum sg_status {
 typedef struct sg_fault {
   size_t row;      /* of the buffer, 0 for a single row */
   unsigned column;
-  int32_t id;      /* the missing id, for SG_DANGLING */
+  int32_t s, id;   /* the missing row, for SG_DANGLING */
 } sg_fault;
 
 typedef struct sg_world sg_world;
@@ -95,10 +96,13 @@ typedef struct sg_version sg_version;
 sg_world *sg_world_open(void);
 sg_world *sg_world_hold(sg_world *world);
 void sg_world_drop(sg_world *world);
+/* 1, 2, 3 ... in the order of opening: names a world in messages. */
+uint64_t sg_world_number(const sg_world *world);
 void sg_world_undo_limit(sg_world *world, unsigned steps);
 
 /* The version at this moment; drop it when done (from any thread). */
 const sg_version *sg_world_version(sg_world *world);
+sg_world *sg_version_world(const sg_version *version);
 void sg_version_drop(const sg_version *version);
 
 /* Changes, each checked against the schema: keys and references. */
@@ -110,18 +114,31 @@ sg_status sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
                             const void *const *column, sg_fault *fault);
 /* True if the row lived in the current version, and now does not. */
 bool sg_world_retract(sg_world *world, sg_relation relation, sg_row row);
-void sg_world_retract_all(sg_world *world, sg_relation relation);
+/* False: no memory. */
+bool sg_world_retract_all(sg_world *world, sg_relation relation);
 
 /* The next id never yet used in relation (column 1, or column 2 of t, or
  * column 0 of segment, line, drawn) of segment s (0 for those three). Follows
  * roll-back: the same operation done again gives the same ids. */
 int32_t sg_world_fresh(sg_world *world, sg_relation relation, int32_t s);
 
-/* Transactions nest. The outermost commit that changed anything is an undo
+/* Waits until no other thread has a transaction open or the world claimed,
+ * asking `poll` meanwhile; then this thread alone may write until it releases
+ * (claims nest). False: the poll said stop. Without a claim, a change simply
+ * waits, deaf, until it is its turn. */
+bool sg_world_claim(sg_world *world, const sg_poll *poll);
+void sg_world_release(sg_world *world);
+
+/* Transactions nest. They belong to the thread that began them: others see
+ * the world as it was before, and wait with their changes. The outermost commit that changed anything is an undo
  * step and clears the redo steps. */
 sg_status sg_world_begin(sg_world *world);
 sg_status sg_world_commit(sg_world *world);
 sg_status sg_world_rollback(sg_world *world);
+/* How many transactions this thread has open. */
+size_t sg_world_depth(sg_world *world);
+/* Steps back and forth, outside transactions only. A change outside any
+ * transaction is no step of its own, and clears the redo steps. */
 sg_status sg_world_undo(sg_world *world);
 sg_status sg_world_redo(sg_world *world);
 
@@ -157,6 +174,7 @@ bool sg_walk_open(sg_walk *walk, const sg_version *version,
 bool sg_walk_open_member(sg_walk *walk, const sg_version *version,
                          sg_relation relation, int32_t s, int32_t member);
 sg_row sg_walk_next(sg_walk *walk);
+void sg_walk_rewind(sg_walk *walk);
 void sg_walk_close(sg_walk *walk);
 
 /* What a relation costs and how its indexes are used. */

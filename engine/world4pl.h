@@ -1,21 +1,31 @@
 /* world4pl.h -- the current world, for every *4pl.c file.
  *
  * Layer: glue. All *_ex() functions: null or false means that a Prolog
- * exception is pending.
+ * exception is pending. Include it before SWI-Prolog.h.
  */
 #ifndef SG_WORLD4PL_H
 #define SG_WORLD4PL_H
 
 #include "store.h"
+#include "term.h"
 
 #include "../c_kernels/poll.h"
 
+#include <gmp.h>
+
 #include <SWI-Prolog.h>
 
-/* The current world of this thread (borrowed). */
+/* The current world of this thread (borrowed). existence_error: none. */
 sg_world *sg_current_world_ex(void);
 
-/* Raises what `status` means; returns FALSE, or TRUE for SG_OK. */
+/* Makes it this thread's world, or none (null); holds it itself. */
+void sg_set_current_world(sg_world *world);
+
+/* Waits for the turn to write, asking for signals; release it afterwards. */
+int sg_claim_ex(sg_world *world);
+
+/* Raises what `status` means; returns FALSE, or TRUE for SG_OK. `culprit` is
+ * the fact or value at fault, or 0. */
 int sg_raise_status(sg_status status, sg_relation relation,
                     const sg_fault *fault);
 
@@ -23,8 +33,23 @@ int sg_raise_status(sg_status status, sg_relation relation,
  * foreign predicate, the exception is pending. */
 extern const sg_poll sg_prolog_poll;
 
-/* Symbols and terms between Prolog and the store. */
+/* The relation of this name and arity, SG_NONE: there is none. */
+sg_relation sg_relation_named(atom_t name, size_t arity);
+/* The same for a term that names one: v, or v/5. */
+int sg_get_relation_ex(term_t t, sg_relation *out);
+
+/* Symbols and atoms. The atom is the symbol's for ever. -1: no such symbol. */
+atom_t sg_symbol_atom(int32_t symbol);
+int32_t sg_atom_symbol(atom_t atom);
+
+/* A ground term into a builder that is open. False without an exception:
+ * not ground, or holds something that has no text (a stream, a dict). */
+bool sg_encode_term(term_t t, sg_term_builder *out);
 int sg_get_term_ex(term_t t, uint32_t **out); /* free() it */
 int sg_put_term(term_t t, const uint32_t *term);
+int sg_unify_term(term_t t, const uint32_t *term);
+
+/* Unifies t with a value of this type. */
+int sg_unify_value(term_t t, sg_type type, sg_value value);
 
 #endif

@@ -1,0 +1,151 @@
+/* audit.c -- what a world costs, and whether its invariants hold. */
+#include "world.h"
+
+static size_t
+table_bytes(const sg_table *table)
+{
+  const sg_relation_info *info = table->info;
+  size_t row = 0;
+  size_t bytes = table->page_room * sizeof(sg_page *) + table->arena.bytes;
+
+  for (unsigned c = 0; c < info->arity; c++) {
+    row += info->column[c].type == SG_INT || info->column[c].type == SG_ATOM
+               ? sizeof(int32_t)
+               : sizeof(double);
+  }
+  for (size_t i = 0; i < table->pages; i++) {
+    bytes += sizeof(sg_page) + SG_PAGE_ROWS * row;
+    bytes += table->page[i]->empty ? SG_PAGE_ROWS * sizeof(uint16_t) : 0;
+  }
+  return bytes;
+}
+
+/* Bytes of the bitmaps of a map, those held by others too. */
+static size_t
+map_bytes(const sg_map *map)
+{
+  size_t bytes = 0;
+
+  if (!map) {
+    return 0;
+  }
+  bytes = sizeof(*map) + map->chunks * sizeof(sg_chunk *);
+  for (size_t c = 0; c < map->chunks; c++) {
+    if (!map->chunk[c]) {
+      continue;
+    }
+    bytes += sizeof(sg_chunk);
+    for (size_t i = 0; i < SG_CHUNK_PAGES; i++) {
+      bytes += map->chunk[c]->live[i] ? sizeof(sg_live) : 0;
+    }
+  }
+  return bytes;
+}
+
+void
+sg_world_statistics(sg_world *world, sg_relation relation, sg_statistics *out)
+{
+  sg_table *table = &world->table[relation];
+  sg_version *seen;
+
+  pthread_mutex_lock(&world->lock);
+  seen = sg_world_visible(world);
+  *out = (sg_statistics){
+      .rows = sg_version_count(seen, relation),
+      .slots = table->slots,
+      .bytes = table_bytes(table) + map_bytes(seen->map[relation]),
+      .scans = atomic_load_explicit(&table->scans, memory_order_relaxed),
+      .lookups = table->lookups};
+  for (unsigned i = 0; i < table->indexes; i++) {
+    out->index_bytes += sg_index_bytes(&table->index[i]);
+  }
+  for (const sg_version *v = world->versions; v; v = v->next) {
+    out->versions++;
+  }
+  pthread_mutex_unlock(&world->lock);
+}
+
+/* ---- validity ---------------------------------------------------------- */
+
+/* What the map shows is taken, and counted right. */
+static bool
+map_is_valid(const sg_table *table, const sg_map *map)
+{
+  size_t rows = 0;
+
+  for (size_t i = 0; map && i < map->chunks * SG_CHUNK_PAGES; i++) {
+    const sg_live *live = sg_map_live(map, i);
+    for (unsigned w = 0; live && w < SG_LIVE_WORDS; w++) {
+      if (i >= table->pages || live->page != table->page[i] ||
+          live->word[w] & ~live->page->taken[w]) {
+        return false;
+      }
+      rows += (size_t)__builtin_popcountll(live->word[w]);
+    }
+  }
+  return !map || rows == map->rows;
+}
+
+static bool
+slots_are_valid(const sg_table *table)
+{
+  size_t emptied = 0;
+
+  for (size_t i = 0; i < table->pages; i++) {
+    const sg_page *page = table->page[i];
+    for (unsigned e = 0; e < page->empties; e++) {
+      if (sg_table_taken(table,
+                         (sg_row)(i * SG_PAGE_ROWS + page->empty[e]))) {
+        return false;
+      }
+    }
+    emptied += page->empties;
+  }
+  return emptied == table->emptied &&
+         table->slots <= table->pages * SG_PAGE_ROWS;
+}
+
+/* No two rows of the map have the same key. */
+static bool
+keys_are_valid(sg_table *table, const sg_map *map)
+{
+  const sg_relation_info *info = table->info;
+
+  if (info->key == 0 || !table->index[0].built) {
+    return true;
+  }
+  for (sg_row row = 0; row < table->slots; row++) {
+    sg_value value[SG_MAX_COLUMNS];
+    if (!sg_map_shows(map, row)) {
+      continue;
+    }
+    sg_page_row(sg_table_page(table, row), info, info->key,
+                row % SG_PAGE_ROWS, value);
+    if (sg_table_find(table, map, value) != row) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_world_is_valid(sg_world *world)
+{
+  bool valid = true;
+
+  pthread_mutex_lock(&world->lock);
+  for (int r = 0; valid && r < SG_RELATIONS; r++) {
+    sg_table *table = &world->table[r];
+    valid = slots_are_valid(table) &&
+            keys_are_valid(table, world->current->map[r]);
+    for (const sg_version *v = world->versions; valid && v; v = v->next) {
+      valid = map_is_valid(table, v->map[r]);
+    }
+    for (unsigned i = 0; valid && i < table->indexes; i++) {
+      valid = !table->index[i].built ||
+              sg_index_is_valid(&table->index[i], table);
+    }
+  }
+  pthread_mutex_unlock(&world->lock);
+  return valid;
+}

@@ -1,0 +1,444 @@
+/* change.c -- adding and retracting rows, checked against the schema. */
+#include "world.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- checks ------------------------------------------------------------ */
+
+static bool
+value_is_valid(const sg_relation_info *info, unsigned column, sg_value value)
+{
+  switch (info->column[column].type) {
+  case SG_INT:
+    return value.i >= 1 || (info->domain[column] && value.i >= 0);
+  case SG_ATOM:
+    return value.i >= 0;
+  case SG_FLOAT:
+    return isfinite(value.f);
+  case SG_LIST:
+    for (int32_t i = 1; i <= value.list[0]; i++) {
+      if (value.list[i] < 1) {
+        return false;
+      }
+    }
+    return value.list[0] >= 0;
+  case SG_TERM:
+    return value.term != NULL;
+  }
+  return false;
+}
+
+static bool
+index_ready(sg_table *table, sg_index *index)
+{
+  return index->built || sg_index_build(index, table);
+}
+
+/* True if row (s, id) of a relation whose key is two ids lives. */
+static bool
+refers(sg_world *world, sg_relation relation, int32_t s, int32_t id)
+{
+  sg_value key[SG_MAX_COLUMNS] = {{.i = s}, {.i = id}};
+
+  return sg_table_find(&world->table[relation], world->current->map[relation],
+                       key) != SG_NO_ROW;
+}
+
+static sg_status
+check_reference(sg_world *world, sg_relation relation, const sg_value *row,
+                unsigned column, sg_fault *fault)
+{
+  const sg_column_info *info = &sg_relation_table[relation].column[column];
+  int32_t s = row[sg_relation_segment_column(relation, column)].i;
+  bool list = info->type == SG_LIST;
+  const int32_t *id = list ? row[column].list + 1 : &row[column].i;
+  int32_t n = list ? row[column].list[0] : 1;
+
+  if (!index_ready(&world->table[info->refers],
+                   &world->table[info->refers].index[0])) {
+    return SG_NO_MEMORY;
+  }
+  for (int32_t i = 0; i < n; i++) {
+    if (!refers(world, info->refers, s, id[i])) {
+      *fault = (sg_fault){.column = column, .s = s, .id = id[i]};
+      return SG_DANGLING;
+    }
+  }
+  return SG_OK;
+}
+
+/* Everything that can be wrong with a row, but no memory. */
+static sg_status
+check_row(sg_world *world, sg_relation relation, const sg_value *row,
+          sg_fault *fault)
+{
+  sg_table *table = &world->table[relation];
+  const sg_relation_info *info = table->info;
+
+  for (unsigned c = 0; c < info->arity; c++) {
+    if (!value_is_valid(info, c, row[c])) {
+      *fault = (sg_fault){.column = c};
+      return SG_INVALID;
+    }
+  }
+  for (unsigned c = 0; c < info->arity; c++) {
+    sg_status status = SG_OK;
+    if (info->column[c].refers != SG_NONE) {
+      status = check_reference(world, relation, row, c, fault);
+    }
+    if (status != SG_OK) {
+      return status;
+    }
+  }
+  if (info->key == 0) {
+    return SG_OK;
+  }
+  if (!index_ready(table, &table->index[0])) {
+    return SG_NO_MEMORY;
+  }
+  if (sg_table_find(table, world->current->map[relation], row) != SG_NO_ROW) {
+    *fault = (sg_fault){0};
+    return SG_EXISTS;
+  }
+  return SG_OK;
+}
+
+/* ---- slots ------------------------------------------------------------- */
+
+/* Calls for a sweep when a new page would be opened while at least a quarter
+ * of the slots is dead. */
+static void
+sweep_if_worth(sg_world *world, sg_relation relation)
+{
+  sg_table *table = &world->table[relation];
+  const sg_map *map = world->current->map[relation];
+  size_t rows = map ? map->rows : 0;
+
+  if (table->emptied == 0 && table->slots % SG_PAGE_ROWS == 0 &&
+      table->slots >= table->sweep_at && table->slots > 0 &&
+      table->slots - rows >= table->slots / 4) {
+    sg_world_sweep(world, relation);
+  }
+}
+
+void
+sg_world_sweep(sg_world *world, sg_relation relation)
+{
+  size_t versions = 0;
+  size_t n = 0;
+  sg_map **map;
+
+  for (sg_version *v = world->versions; v; v = v->next) {
+    versions++;
+  }
+  if (!(map = malloc(versions * sizeof(sg_map *)))) {
+    return; /* a sweep can wait */
+  }
+  for (sg_version *v = world->versions; v; v = v->next) {
+    if (n == 0 || map[n - 1] != v->map[relation]) {
+      map[n++] = v->map[relation];
+    }
+  }
+  sg_table_sweep(&world->table[relation], map, n);
+  free(map);
+}
+
+/* True if a version other than the current one shows the row; with many
+ * versions the answer is true without a search. */
+static bool
+shown_elsewhere(const sg_world *world, sg_relation relation, sg_row row)
+{
+  const sg_map *seen = NULL;
+  unsigned n = 0;
+
+  for (const sg_version *v = world->versions; v; v = v->next) {
+    if (v == world->current || v->map[relation] == seen) {
+      continue;
+    }
+    seen = v->map[relation];
+    if (++n > 100 || sg_map_shows(seen, row)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* A change is about to happen: what it may write must be owned. */
+static sg_map *
+own_map(sg_world *world, sg_relation relation)
+{
+  sg_version *version = sg_world_own(world);
+
+  return version ? sg_map_own(&version->map[relation]) : NULL;
+}
+
+static void
+forget_redo(sg_world *world)
+{
+  if (world->open.count == 0) {
+    sg_stack_clear(&world->redo);
+  }
+}
+
+/* ---- adding ------------------------------------------------------------ */
+
+static bool
+used_ids(sg_map *map, sg_relation relation, const sg_value *row)
+{
+  unsigned column = sg_relation_id_column(relation);
+
+  return column == SG_MAX_COLUMNS ||
+         sg_map_used_id(map, column == 0 ? 0 : row[0].i, row[column].i);
+}
+
+/* Writes a checked row into a slot and shows it. False: no memory. */
+static bool
+put_row(sg_world *world, sg_map *map, sg_relation relation, sg_row slot,
+        const sg_value *row)
+{
+  sg_table *table = &world->table[relation];
+  sg_live *live = sg_map_own_live(map, sg_table_page(table, slot),
+                                  slot / SG_PAGE_ROWS);
+
+  if (!live || !used_ids(map, relation, row) ||
+      !sg_table_write(table, slot, row)) {
+    return false;
+  }
+  if (!sg_table_link(table, slot)) {
+    sg_table_vacate(table, slot);
+    return false;
+  }
+  live->word[slot % SG_PAGE_ROWS / 64] |= UINT64_C(1) << slot % 64;
+  map->rows++;
+  return true;
+}
+
+/* Takes back what put_row() did, in a map that is owned. */
+static void
+unput_row(sg_table *table, sg_map *map, sg_row slot)
+{
+  sg_live *live = sg_map_own_live(map, sg_table_page(table, slot),
+                                  slot / SG_PAGE_ROWS);
+
+  live->word[slot % SG_PAGE_ROWS / 64] &= ~(UINT64_C(1) << slot % 64);
+  map->rows--;
+  sg_table_unlink(table, slot);
+  sg_table_vacate(table, slot);
+}
+
+static sg_status
+add(sg_world *world, sg_relation relation, const sg_value *row, sg_row *out,
+    sg_fault *fault)
+{
+  sg_status status = check_row(world, relation, row, fault);
+  sg_map *map;
+  sg_row slot;
+
+  if (status != SG_OK) {
+    return status;
+  }
+  if (!(map = own_map(world, relation))) {
+    return SG_NO_MEMORY;
+  }
+  sweep_if_worth(world, relation);
+  slot = sg_table_slot(&world->table[relation]);
+  if (slot == SG_NO_ROW || !put_row(world, map, relation, slot, row)) {
+    return SG_NO_MEMORY; /* the slot is found again by a sweep */
+  }
+  *out = slot;
+  return SG_OK;
+}
+
+sg_status
+sg_world_add(sg_world *world, sg_relation relation, const sg_value *row,
+             sg_row *out, sg_fault *fault)
+{
+  sg_row unused_row;
+  sg_fault unused_fault;
+  sg_status status;
+
+  sg_world_enter(world);
+  status = add(world, relation, row, out ? out : &unused_row,
+               fault ? fault : &unused_fault);
+  if (status == SG_OK) {
+    world->changes++;
+    forget_redo(world);
+  }
+  sg_world_leave(world);
+  return status;
+}
+
+/* Row i of column arrays. */
+static void
+buffer_row(const sg_relation_info *info, const void *const *column, size_t i,
+           sg_value *out)
+{
+  for (unsigned c = 0; c < info->arity; c++) {
+    switch (info->column[c].type) {
+    case SG_INT:
+    case SG_ATOM:
+      out[c].i = ((const int32_t *)column[c])[i];
+      break;
+    case SG_FLOAT:
+      out[c].f = ((const double *)column[c])[i];
+      break;
+    case SG_LIST:
+      out[c].list = ((const int32_t *const *)column[c])[i];
+      break;
+    case SG_TERM:
+      out[c].term = ((const uint32_t *const *)column[c])[i];
+      break;
+    }
+  }
+}
+
+static sg_status
+add_many(sg_world *world, sg_relation relation, size_t n,
+         const void *const *column, sg_fault *fault)
+{
+  sg_table *table = &world->table[relation];
+  sg_row first = table->slots;
+  sg_map *map = own_map(world, relation);
+  sg_status status = SG_OK;
+  sg_value row[SG_MAX_COLUMNS];
+
+  if (!map || !sg_table_reserve(table, n)) {
+    return SG_NO_MEMORY;
+  }
+  for (size_t i = 0; i < n && status == SG_OK; i++) {
+    buffer_row(table->info, column, i, row);
+    status = check_row(world, relation, row, fault);
+    fault->row = i;
+    if (status == SG_OK &&
+        !put_row(world, map, relation, table->slots++, row)) {
+      table->slots--;
+      status = SG_NO_MEMORY;
+    }
+  }
+  while (status != SG_OK && table->slots > first) {
+    table->slots--;
+    unput_row(table, map, table->slots);
+  }
+  return status;
+}
+
+sg_status
+sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
+                  const void *const *column, sg_fault *fault)
+{
+  sg_fault unused;
+  sg_status status;
+
+  sg_world_enter(world);
+  status = add_many(world, relation, n, column, fault ? fault : &unused);
+  if (status == SG_OK && n > 0) {
+    world->changes++;
+    forget_redo(world);
+  }
+  sg_world_leave(world);
+  return status;
+}
+
+/* ---- retracting -------------------------------------------------------- */
+
+static bool
+retract(sg_world *world, sg_relation relation, sg_row row)
+{
+  sg_table *table = &world->table[relation];
+  sg_map *map;
+  sg_live *live;
+
+  if (!sg_map_shows(world->current->map[relation], row)) {
+    return false;
+  }
+  if (!(map = own_map(world, relation)) ||
+      !(live = sg_map_own_live(map, sg_table_page(table, row),
+                               row / SG_PAGE_ROWS))) {
+    return false;
+  }
+  live->word[row % SG_PAGE_ROWS / 64] &= ~(UINT64_C(1) << row % 64);
+  map->rows--;
+  if (!shown_elsewhere(world, relation, row)) {
+    sg_table_unlink(table, row);
+    sg_table_vacate(table, row);
+  }
+  return true;
+}
+
+bool
+sg_world_retract(sg_world *world, sg_relation relation, sg_row row)
+{
+  bool done;
+
+  sg_world_enter(world);
+  done = retract(world, relation, row);
+  if (done) {
+    world->changes++;
+    forget_redo(world);
+  }
+  sg_world_leave(world);
+  return done;
+}
+
+/* An empty map that remembers the ids used. */
+static bool
+empty_map(sg_map **map)
+{
+  sg_map *empty = calloc(1, sizeof(*empty));
+
+  if (!empty) {
+    return false;
+  }
+  empty->holders = 1;
+  empty->ids = (*map)->ids;
+  if (empty->ids) {
+    empty->ids->holders++;
+  }
+  sg_map_drop(*map);
+  *map = empty;
+  return true;
+}
+
+bool
+sg_world_retract_all(sg_world *world, sg_relation relation)
+{
+  sg_version *version;
+  bool done = true;
+
+  sg_world_enter(world);
+  if (world->current->map[relation] &&
+      world->current->map[relation]->rows > 0) {
+    version = sg_world_own(world);
+    done = version && empty_map(&version->map[relation]);
+    if (done) {
+      sg_world_sweep(world, relation);
+      world->changes++;
+      forget_redo(world);
+    }
+  }
+  sg_world_leave(world);
+  return done;
+}
+
+int32_t
+sg_world_fresh(sg_world *world, sg_relation relation, int32_t s)
+{
+  int32_t id = 0;
+  sg_map *map;
+
+  if (sg_relation_id_column(relation) == SG_MAX_COLUMNS) {
+    return 0;
+  }
+  sg_world_enter(world);
+  map = own_map(world, relation);
+  if (map && sg_map_last_id(map, s) < INT32_MAX) {
+    id = sg_map_last_id(map, s) + 1;
+    if (!sg_map_used_id(map, s, id)) {
+      id = 0;
+    }
+  }
+  sg_world_leave(world);
+  return id;
+}

@@ -1,0 +1,437 @@
+/* index.c -- chains of rows and of members, by hash. */
+#include "table.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  FIRST_BITS = 6,
+  NEAR_BITS = 4 /* 2^4 heads of ids next to one another fill a cache line */
+};
+
+#define MIX UINT64_C(0x9e3779b97f4a7c15)
+
+/* A hash in the making. The low bits of the last id are kept apart: they
+ * become the low bits of the head's number, unmixed. */
+typedef struct mixer {
+  uint64_t h;
+  uint64_t near;
+} mixer;
+
+static void
+mix(mixer *m, uint64_t value)
+{
+  m->h = ((m->h + m->near * MIX) ^ (value >> NEAR_BITS)) * MIX;
+  m->h ^= m->h >> 32;
+  m->near = value & ((1U << NEAR_BITS) - 1);
+}
+
+/* High bits mixed, low NEAR_BITS those of the last id. */
+static uint64_t
+mixed(const mixer *m)
+{
+  return (m->h * MIX & ~(uint64_t)((1U << NEAR_BITS) - 1)) | m->near;
+}
+
+static uint64_t
+list_hash(const int32_t *list)
+{
+  mixer m = {0};
+
+  for (int32_t i = 0; i <= list[0]; i++) {
+    mix(&m, (uint32_t)list[i]);
+  }
+  return mixed(&m);
+}
+
+static uint64_t
+value_hash(sg_type type, sg_value value)
+{
+  uint64_t bits;
+
+  switch (type) {
+  case SG_INT:
+  case SG_ATOM:
+    return (uint32_t)value.i;
+  case SG_FLOAT:
+    memcpy(&bits, &value.f, sizeof(bits));
+    return bits;
+  case SG_LIST:
+    return list_hash(value.list);
+  case SG_TERM:
+    return sg_term_hash(value.term);
+  }
+  return 0;
+}
+
+uint64_t
+sg_index_hash(const sg_relation_info *info, uint16_t mask, const sg_value *row)
+{
+  mixer m = {0};
+
+  for (unsigned left = mask; left; left &= left - 1) {
+    unsigned c = (unsigned)__builtin_ctz(left);
+    mix(&m, value_hash(info->column[c].type, row[c]));
+  }
+  return mixed(&m);
+}
+
+uint64_t
+sg_index_hash_member(int32_t s, int32_t member)
+{
+  mixer m = {0};
+
+  mix(&m, (uint32_t)s);
+  mix(&m, (uint32_t)member);
+  return mixed(&m);
+}
+
+static uint32_t *
+head_of(const sg_index *index, uint64_t hash)
+{
+  uint64_t line = hash >> (64 - (index->bits - NEAR_BITS));
+
+  return &index->head[line << NEAR_BITS | (hash & ((1U << NEAR_BITS) - 1))];
+}
+
+uint32_t
+sg_index_first(const sg_index *index, uint64_t hash)
+{
+  return *head_of(index, hash);
+}
+
+static uint32_t *
+next_of(const sg_index *index, uint32_t at)
+{
+  return index->members ? &index->link[at].next
+                        : &index->next[at / SG_PAGE_ROWS][at % SG_PAGE_ROWS];
+}
+
+uint32_t
+sg_index_next(const sg_index *index, uint32_t at)
+{
+  return *next_of(index, at);
+}
+
+sg_row
+sg_index_row(const sg_index *index, uint32_t at)
+{
+  return index->members ? index->link[at].row : at;
+}
+
+void
+sg_index_clear(sg_index *index)
+{
+  for (size_t i = 0; i < index->pages; i++) {
+    free(index->next[i]);
+  }
+  free(index->next);
+  free(index->link);
+  free(index->head);
+  *index = (sg_index){
+      .name = index->name, .mask = index->mask, .members = index->members};
+}
+
+/* ---- the ids of one row in a member index ------------------------------ */
+
+typedef struct members {
+  const sg_page *page;
+  const sg_relation_info *info;
+  unsigned place, columns; /* columns not yet given */
+  const int32_t *list;     /* being given */
+  int32_t left;
+  int32_t s, id;
+} members;
+
+static members
+members_of(const sg_index *index, const sg_table *table, sg_row row)
+{
+  sg_page *page = sg_table_page(table, row);
+
+  return (members){.page = page,
+                   .info = table->info,
+                   .place = row % SG_PAGE_ROWS,
+                   .columns = index->mask & ~1U,
+                   .s = page->cells[0].i[row % SG_PAGE_ROWS]};
+}
+
+static bool
+members_next(members *m)
+{
+  while (m->left == 0) {
+    unsigned c;
+    if (m->columns == 0) {
+      return false;
+    }
+    c = (unsigned)__builtin_ctz(m->columns);
+    m->columns &= m->columns - 1;
+    if (m->info->column[c].type != SG_LIST) {
+      m->id = m->page->cells[c].i[m->place];
+      return true;
+    }
+    m->list = sg_page_value(m->page, m->info, c, m->place).list;
+    m->left = *m->list++;
+  }
+  m->left--;
+  m->id = *m->list++;
+  return true;
+}
+
+/* ---- adding ------------------------------------------------------------ */
+
+static void
+chain(const sg_index *index, uint64_t hash, uint32_t at)
+{
+  uint32_t *head = head_of(index, hash);
+
+  *next_of(index, at) = *head;
+  *head = at;
+}
+
+static uint64_t
+row_hash(const sg_index *index, const sg_table *table, sg_row row)
+{
+  sg_value value[SG_MAX_COLUMNS];
+
+  sg_page_row(sg_table_page(table, row), table->info, index->mask,
+              row % SG_PAGE_ROWS, value);
+  return sg_index_hash(table->info, index->mask, value);
+}
+
+static uint64_t
+hash_at(const sg_index *index, const sg_table *table, uint32_t at)
+{
+  if (index->members) {
+    const sg_link *link = &index->link[at];
+    return sg_index_hash_member(sg_table_page(table, link->row)
+                                    ->cells[0]
+                                    .i[link->row % SG_PAGE_ROWS],
+                                link->id);
+  }
+  return row_hash(index, table, at);
+}
+
+/* New heads, with everything chained again. False: no memory. */
+static bool
+grow(sg_index *index, const sg_table *table, unsigned bits)
+{
+  size_t heads = (size_t)1 << bits;
+  uint32_t *head = malloc(heads * sizeof(*head));
+  uint32_t *old = index->head;
+  size_t old_heads = old ? (size_t)1 << index->bits : 0;
+
+  if (!head) {
+    return false;
+  }
+  memset(head, 0xff, heads * sizeof(*head));
+  index->head = head;
+  index->bits = bits;
+  for (size_t i = 0; i < old_heads; i++) {
+    for (uint32_t at = old[i], next; at != SG_NO_ROW; at = next) {
+      next = *next_of(index, at);
+      chain(index, hash_at(index, table, at), at);
+    }
+  }
+  free(old);
+  return true;
+}
+
+/* Heads for `links` links; false: no memory. */
+static bool
+reserve_heads(sg_index *index, const sg_table *table, size_t links)
+{
+  unsigned bits = index->head ? index->bits : FIRST_BITS;
+
+  while (((size_t)1 << bits) < links && bits < 31) {
+    bits++;
+  }
+  return (index->head && bits == index->bits) || grow(index, table, bits);
+}
+
+static bool
+reserve_next(sg_index *index, size_t pages)
+{
+  uint32_t **next;
+
+  if (pages <= index->pages) {
+    return true;
+  }
+  if (!(next = realloc(index->next, pages * sizeof(*next)))) {
+    return false;
+  }
+  index->next = next;
+  while (index->pages < pages) {
+    next[index->pages] = malloc(SG_PAGE_ROWS * sizeof(**next));
+    if (!next[index->pages]) {
+      return false;
+    }
+    index->pages++;
+  }
+  return true;
+}
+
+/* A link out of use; SG_NO_ROW: no memory. */
+static uint32_t
+link_take(sg_index *index)
+{
+  uint32_t at = index->free;
+
+  if (index->free != SG_NO_ROW) {
+    index->free = index->link[at].next;
+    return at;
+  }
+  if (index->link_used == index->link_room) {
+    size_t room = index->link_room ? 2 * index->link_room : 64;
+    sg_link *link = realloc(index->link, room * sizeof(*link));
+    if (!link || room >= SG_NO_ROW) {
+      index->link = link ? link : index->link;
+      return SG_NO_ROW;
+    }
+    index->link = link;
+    index->link_room = room;
+  }
+  return (uint32_t)index->link_used++;
+}
+
+static bool
+add_member(sg_index *index, const sg_table *table, sg_row row, int32_t s,
+           int32_t id)
+{
+  uint32_t at = link_take(index);
+
+  if (at == SG_NO_ROW) {
+    return false;
+  }
+  index->link[at] = (sg_link){.row = row, .id = id};
+  if (!reserve_heads(index, table, index->links + 1)) {
+    index->link[at].next = index->free;
+    index->free = at;
+    return false;
+  }
+  chain(index, sg_index_hash_member(s, id), at);
+  index->links++;
+  return true;
+}
+
+bool
+sg_index_add(sg_index *index, const sg_table *table, sg_row row)
+{
+  if (!index->members) {
+    if (!reserve_next(index, row / SG_PAGE_ROWS + 1) ||
+        !reserve_heads(index, table, index->links + 1)) {
+      return false;
+    }
+    chain(index, row_hash(index, table, row), row);
+    index->links++;
+    return true;
+  }
+  for (members m = members_of(index, table, row); members_next(&m);) {
+    if (!add_member(index, table, row, m.s, m.id)) {
+      sg_index_remove(index, table, row);
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Takes one link of `row` out of a chain; false: there is none. */
+static bool
+unchain(sg_index *index, uint64_t hash, sg_row row)
+{
+  uint32_t *from = head_of(index, hash);
+
+  while (*from != SG_NO_ROW && sg_index_row(index, *from) != row) {
+    from = next_of(index, *from);
+  }
+  if (*from == SG_NO_ROW) {
+    return false;
+  }
+  if (index->members) {
+    uint32_t at = *from;
+    *from = index->link[at].next;
+    index->link[at].next = index->free;
+    index->free = at;
+  } else {
+    *from = *next_of(index, *from);
+  }
+  index->links--;
+  return true;
+}
+
+void
+sg_index_remove(sg_index *index, const sg_table *table, sg_row row)
+{
+  if (!index->members) {
+    unchain(index, row_hash(index, table, row), row);
+    return;
+  }
+  for (members m = members_of(index, table, row); members_next(&m);) {
+    unchain(index, sg_index_hash_member(m.s, m.id), row);
+  }
+}
+
+bool
+sg_index_build(sg_index *index, const sg_table *table)
+{
+  sg_index_clear(index);
+  index->free = SG_NO_ROW;
+  if (!reserve_heads(index, table, table->slots)) {
+    return false;
+  }
+  for (sg_row row = 0; row < table->slots; row++) {
+    if (sg_table_taken(table, row) && !sg_index_add(index, table, row)) {
+      sg_index_clear(index);
+      return false;
+    }
+  }
+  return index->built = true;
+}
+
+size_t
+sg_index_bytes(const sg_index *index)
+{
+  size_t heads = index->head ? (size_t)1 << index->bits : 0;
+
+  return heads * sizeof(uint32_t) +
+         index->pages * (sizeof(uint32_t *) + SG_PAGE_ROWS * sizeof(uint32_t)) +
+         index->link_room * sizeof(sg_link);
+}
+
+/* How often `row` is chained under this hash. */
+static size_t
+chained(const sg_index *index, uint64_t hash, sg_row row)
+{
+  size_t n = 0;
+
+  for (uint32_t at = sg_index_first(index, hash); at != SG_NO_ROW;
+       at = sg_index_next(index, at)) {
+    n += sg_index_row(index, at) == row;
+  }
+  return n;
+}
+
+bool
+sg_index_is_valid(const sg_index *index, const sg_table *table)
+{
+  size_t links = 0;
+
+  for (sg_row row = 0; row < table->slots; row++) {
+    if (!sg_table_taken(table, row)) {
+      continue;
+    }
+    if (!index->members) {
+      links++;
+      if (chained(index, row_hash(index, table, row), row) != 1) {
+        return false;
+      }
+      continue;
+    }
+    for (members m = members_of(index, table, row); members_next(&m);) {
+      links++;
+      if (chained(index, sg_index_hash_member(m.s, m.id), row) == 0) {
+        return false;
+      }
+    }
+  }
+  return links == index->links;
+}

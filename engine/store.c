@@ -1,0 +1,441 @@
+/* store.c -- worlds and their versions: life, transactions, undo. */
+#include "world.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { UNDO_LIMIT = 64 };
+
+/* ---- versions ---------------------------------------------------------- */
+
+static sg_version *
+version_new(sg_world *world, const sg_version *from)
+{
+  sg_version *version = calloc(1, sizeof(*version));
+
+  if (!version) {
+    return NULL;
+  }
+  atomic_init(&version->holders, 1);
+  version->world = world;
+  for (int r = 0; from && r < SG_RELATIONS; r++) {
+    version->map[r] = sg_map_hold(from->map[r]);
+  }
+  version->next = world->versions;
+  if (world->versions) {
+    world->versions->previous = version;
+  }
+  world->versions = version;
+  return version;
+}
+
+static sg_version *
+version_hold(sg_version *version)
+{
+  atomic_fetch_add_explicit(&version->holders, 1, memory_order_relaxed);
+  return version;
+}
+
+static void
+version_free(sg_version *version)
+{
+  if (version->previous) {
+    version->previous->next = version->next;
+  } else {
+    version->world->versions = version->next;
+  }
+  if (version->next) {
+    version->next->previous = version->previous;
+  }
+  for (int r = 0; r < SG_RELATIONS; r++) {
+    sg_map_drop(version->map[r]);
+  }
+  free(version);
+}
+
+void
+sg_version_release(sg_version *version)
+{
+  if (atomic_fetch_sub_explicit(&version->holders, 1, memory_order_acq_rel) ==
+      1) {
+    version_free(version);
+  }
+}
+
+sg_version *
+sg_world_visible(sg_world *world)
+{
+  bool hidden = world->open.count > 0 &&
+                !pthread_equal(world->writer, pthread_self());
+
+  return hidden ? world->open.version[0] : world->current;
+}
+
+const sg_version *
+sg_world_version(sg_world *world)
+{
+  sg_version *version;
+
+  pthread_mutex_lock(&world->lock);
+  version = version_hold(sg_world_visible(world));
+  pthread_mutex_unlock(&world->lock);
+  sg_world_hold(world);
+  return version;
+}
+
+sg_world *
+sg_version_world(const sg_version *version)
+{
+  return version->world;
+}
+
+void
+sg_version_drop(const sg_version *version)
+{
+  sg_version *held = (sg_version *)version;
+  sg_world *world;
+
+  if (!version) {
+    return;
+  }
+  world = held->world;
+  if (atomic_fetch_sub_explicit(&held->holders, 1, memory_order_acq_rel) ==
+      1) {
+    pthread_mutex_lock(&world->lock);
+    version_free(held);
+    pthread_mutex_unlock(&world->lock);
+  }
+  sg_world_drop(world);
+}
+
+sg_version *
+sg_world_own(sg_world *world)
+{
+  sg_version *old = world->current;
+  sg_version *owned;
+
+  if (atomic_load_explicit(&old->holders, memory_order_acquire) == 1) {
+    return old;
+  }
+  if (!(owned = version_new(world, old))) {
+    return NULL;
+  }
+  world->current = owned;
+  sg_version_release(old);
+  return owned;
+}
+
+/* ---- stacks of versions ------------------------------------------------ */
+
+static bool
+stack_reserve(sg_stack *stack)
+{
+  size_t room = stack->room ? 2 * stack->room : 8;
+  sg_version **version;
+
+  if (stack->count < stack->room) {
+    return true;
+  }
+  if (!(version = realloc(stack->version, room * sizeof(sg_version *)))) {
+    return false;
+  }
+  stack->version = version;
+  stack->room = room;
+  return true;
+}
+
+void
+sg_stack_clear(sg_stack *stack)
+{
+  while (stack->count > 0) {
+    sg_version_release(stack->version[--stack->count]);
+  }
+}
+
+/* Keeps the newest `most` versions. */
+static void
+stack_limit(sg_stack *stack, size_t most)
+{
+  size_t extra = stack->count > most ? stack->count - most : 0;
+
+  for (size_t i = 0; i < extra; i++) {
+    sg_version_release(stack->version[i]);
+  }
+  memmove(stack->version, stack->version + extra,
+          (stack->count - extra) * sizeof(sg_version *));
+  stack->count -= extra;
+}
+
+/* ---- life -------------------------------------------------------------- */
+
+sg_world *
+sg_world_open(void)
+{
+  static atomic_uint_least64_t opened;
+  sg_world *world = calloc(1, sizeof(*world));
+  pthread_condattr_t attributes;
+
+  if (!world) {
+    return NULL;
+  }
+  atomic_init(&world->holders, 1);
+  world->number = atomic_fetch_add(&opened, 1) + 1;
+  pthread_mutex_init(&world->lock, NULL);
+  pthread_condattr_init(&attributes);
+  pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+  pthread_cond_init(&world->turn, &attributes);
+  pthread_condattr_destroy(&attributes);
+  world->undo_limit = UNDO_LIMIT;
+  for (int r = 0; r < SG_RELATIONS; r++) {
+    sg_table_init(&world->table[r], (sg_relation)r);
+  }
+  if (!(world->current = version_new(world, NULL))) {
+    sg_world_drop(world);
+    return NULL;
+  }
+  return world;
+}
+
+sg_world *
+sg_world_hold(sg_world *world)
+{
+  atomic_fetch_add_explicit(&world->holders, 1, memory_order_relaxed);
+  return world;
+}
+
+void
+sg_world_drop(sg_world *world)
+{
+  if (!world || atomic_fetch_sub_explicit(&world->holders, 1,
+                                          memory_order_acq_rel) != 1) {
+    return;
+  }
+  while (world->versions) {
+    version_free(world->versions);
+  }
+  for (int r = 0; r < SG_RELATIONS; r++) {
+    sg_table_clear(&world->table[r]);
+  }
+  free(world->open.version);
+  free(world->undo.version);
+  free(world->redo.version);
+  free(world->changes_at);
+  pthread_cond_destroy(&world->turn);
+  pthread_mutex_destroy(&world->lock);
+  free(world);
+}
+
+uint64_t
+sg_world_number(const sg_world *world)
+{
+  return world->number;
+}
+
+void
+sg_world_undo_limit(sg_world *world, unsigned steps)
+{
+  sg_world_enter(world);
+  world->undo_limit = steps;
+  stack_limit(&world->undo, steps);
+  stack_limit(&world->redo, steps);
+  sg_world_leave(world);
+}
+
+/* ---- one writer at a time ---------------------------------------------- */
+
+static bool
+my_turn(const sg_world *world)
+{
+  return world->writer_depth == 0 ||
+         pthread_equal(world->writer, pthread_self());
+}
+
+void
+sg_world_enter(sg_world *world)
+{
+  pthread_mutex_lock(&world->lock);
+  while (!my_turn(world)) {
+    pthread_cond_wait(&world->turn, &world->lock);
+  }
+}
+
+void
+sg_world_leave(sg_world *world)
+{
+  pthread_mutex_unlock(&world->lock);
+}
+
+static void
+wait_a_little(sg_world *world)
+{
+  struct timespec until;
+
+  clock_gettime(CLOCK_MONOTONIC, &until);
+  until.tv_nsec += 10 * 1000 * 1000;
+  if (until.tv_nsec >= 1000 * 1000 * 1000) {
+    until.tv_nsec -= 1000 * 1000 * 1000;
+    until.tv_sec++;
+  }
+  pthread_cond_timedwait(&world->turn, &world->lock, &until);
+}
+
+static void
+claim(sg_world *world)
+{
+  world->writer = pthread_self();
+  world->writer_depth++;
+}
+
+static void
+unclaim(sg_world *world)
+{
+  if (--world->writer_depth == 0) {
+    pthread_cond_broadcast(&world->turn);
+  }
+}
+
+bool
+sg_world_claim(sg_world *world, const sg_poll *poll)
+{
+  pthread_mutex_lock(&world->lock);
+  while (!my_turn(world)) {
+    wait_a_little(world);
+    pthread_mutex_unlock(&world->lock);
+    if (sg_poll_stop(poll)) {
+      return false;
+    }
+    pthread_mutex_lock(&world->lock);
+  }
+  claim(world);
+  pthread_mutex_unlock(&world->lock);
+  return true;
+}
+
+void
+sg_world_release(sg_world *world)
+{
+  pthread_mutex_lock(&world->lock);
+  unclaim(world);
+  pthread_mutex_unlock(&world->lock);
+}
+
+/* ---- transactions ------------------------------------------------------ */
+
+static bool
+begin_reserve(sg_world *world)
+{
+  if (!stack_reserve(&world->open) || !stack_reserve(&world->undo)) {
+    return false;
+  }
+  if (world->open.count == world->changes_room) {
+    size_t room = world->changes_room ? 2 * world->changes_room : 8;
+    uint64_t *at = realloc(world->changes_at, room * sizeof(*at));
+    if (!at) {
+      return false;
+    }
+    world->changes_at = at;
+    world->changes_room = room;
+  }
+  return true;
+}
+
+sg_status
+sg_world_begin(sg_world *world)
+{
+  sg_status status = SG_NO_MEMORY;
+
+  sg_world_enter(world);
+  if (begin_reserve(world)) {
+    world->changes_at[world->open.count] = world->changes;
+    world->open.version[world->open.count++] = version_hold(world->current);
+    claim(world);
+    status = SG_OK;
+  }
+  sg_world_leave(world);
+  return status;
+}
+
+size_t
+sg_world_depth(sg_world *world)
+{
+  size_t depth;
+
+  pthread_mutex_lock(&world->lock);
+  depth = my_turn(world) ? world->open.count : 0;
+  pthread_mutex_unlock(&world->lock);
+  return depth;
+}
+
+sg_status
+sg_world_commit(sg_world *world)
+{
+  sg_status status = SG_NO_STEP;
+
+  sg_world_enter(world);
+  if (world->open.count > 0) {
+    size_t depth = --world->open.count;
+    sg_version *before = world->open.version[depth];
+    if (depth == 0 && world->changes != world->changes_at[0]) {
+      world->undo.version[world->undo.count++] = before;
+      stack_limit(&world->undo, world->undo_limit);
+      sg_stack_clear(&world->redo);
+    } else {
+      sg_version_release(before);
+    }
+    unclaim(world);
+    status = SG_OK;
+  }
+  sg_world_leave(world);
+  return status;
+}
+
+sg_status
+sg_world_rollback(sg_world *world)
+{
+  sg_status status = SG_NO_STEP;
+
+  sg_world_enter(world);
+  if (world->open.count > 0) {
+    size_t depth = --world->open.count;
+    sg_version_release(world->current);
+    world->current = world->open.version[depth];
+    world->changes = world->changes_at[depth];
+    unclaim(world);
+    status = SG_OK;
+  }
+  sg_world_leave(world);
+  return status;
+}
+
+/* Swaps the current version for the newest of `from`, and puts it on `to`. */
+static sg_status
+step(sg_world *world, sg_stack *from, sg_stack *to)
+{
+  sg_status status = SG_NO_STEP;
+
+  sg_world_enter(world);
+  if (world->open.count == 0 && from->count > 0) {
+    status = SG_NO_MEMORY;
+    if (stack_reserve(to)) {
+      to->version[to->count++] = world->current;
+      world->current = from->version[--from->count];
+      world->changes++;
+      status = SG_OK;
+    }
+  }
+  sg_world_leave(world);
+  return status;
+}
+
+sg_status
+sg_world_undo(sg_world *world)
+{
+  return step(world, &world->undo, &world->redo);
+}
+
+sg_status
+sg_world_redo(sg_world *world)
+{
+  return step(world, &world->redo, &world->undo);
+}

@@ -1,0 +1,440 @@
+/* table.c -- pages of cells and their slots. */
+#include "table.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+  sg_relation relation;
+  const char *name;
+  uint16_t mask;
+  bool members;
+} declared[] = {
+#define INDEX(ID, name, mask) {SG_##ID, #name, mask, false},
+#define MEMBERS(ID, name, mask) {SG_##ID, #name, mask, true},
+#include "relations.def"
+};
+
+static void
+declare(sg_table *table, const char *name, uint16_t mask, bool members)
+{
+  table->index[table->indexes++] =
+      (sg_index){.name = name, .mask = mask, .members = members};
+}
+
+void
+sg_table_init(sg_table *table, sg_relation relation)
+{
+  *table = (sg_table){.relation = relation,
+                      .info = &sg_relation_table[relation]};
+  if (table->info->key) {
+    declare(table, "key", table->info->key, false); /* always the first */
+  }
+  for (size_t i = 0; i < sizeof(declared) / sizeof(declared[0]); i++) {
+    if (declared[i].relation == relation) {
+      declare(table, declared[i].name, declared[i].mask, declared[i].members);
+    }
+  }
+}
+
+static void
+page_close(sg_page *page, const sg_relation_info *info)
+{
+  for (unsigned c = 0; c < info->arity; c++) {
+    free(page->cells[c].i);
+  }
+  free(page->empty);
+  free(page);
+}
+
+void
+sg_table_clear(sg_table *table)
+{
+  for (unsigned i = 0; i < table->indexes; i++) {
+    sg_index_clear(&table->index[i]);
+  }
+  for (size_t i = 0; i < table->pages; i++) {
+    page_close(table->page[i], table->info);
+  }
+  free(table->page);
+  sg_arena_clear(&table->arena);
+}
+
+static size_t
+cell_bytes(sg_type type)
+{
+  switch (type) {
+  case SG_INT:
+  case SG_ATOM:
+    return sizeof(int32_t);
+  case SG_FLOAT:
+    return sizeof(double);
+  case SG_LIST:
+  case SG_TERM:
+    return sizeof(uint32_t *);
+  }
+  return 0;
+}
+
+static sg_page *
+page_open(const sg_relation_info *info)
+{
+  sg_page *page = calloc(1, sizeof(*page));
+
+  if (!page) {
+    return NULL;
+  }
+  for (unsigned c = 0; c < info->arity; c++) {
+    page->cells[c].i = malloc(SG_PAGE_ROWS * cell_bytes(info->column[c].type));
+    if (!page->cells[c].i) {
+      page_close(page, info);
+      return NULL;
+    }
+  }
+  return page;
+}
+
+bool
+sg_table_reserve(sg_table *table, size_t n)
+{
+  size_t need = ((size_t)table->slots + n + SG_PAGE_ROWS - 1) / SG_PAGE_ROWS;
+
+  if (n >= SG_NO_ROW - table->slots) {
+    return false; /* row numbers have 32 bits */
+  }
+  if (need > table->page_room) {
+    size_t room = need + need / 2 + 4;
+    sg_page **page = realloc(table->page, room * sizeof(*page));
+    if (!page) {
+      return false;
+    }
+    table->page = page;
+    table->page_room = room;
+  }
+  while (table->pages < need) {
+    sg_page *page = page_open(table->info);
+    if (!page) {
+      return false;
+    }
+    table->page[table->pages++] = page;
+  }
+  return true;
+}
+
+/* A place from the empty stack of the first page that has one. */
+static sg_row
+slot_pop(sg_table *table)
+{
+  while (table->emptied > 0) {
+    sg_page *page = table->page[table->open];
+    if (page->empties > 0) {
+      table->emptied--;
+      return (sg_row)(table->open * SG_PAGE_ROWS) +
+             page->empty[--page->empties];
+    }
+    table->open++;
+  }
+  return SG_NO_ROW;
+}
+
+sg_row
+sg_table_slot(sg_table *table)
+{
+  sg_row row = slot_pop(table);
+
+  if (row == SG_NO_ROW && sg_table_reserve(table, 1)) {
+    row = table->slots++;
+  }
+  return row;
+}
+
+static const uint32_t *
+arena_copy(sg_arena *arena, const uint32_t *from, size_t words)
+{
+  uint32_t *copy = sg_arena_take(arena, words);
+
+  if (copy) {
+    memcpy(copy, from, words * sizeof(*copy));
+  }
+  return copy;
+}
+
+/* Lists and terms into the arena; false: no memory, none is there. */
+static bool
+write_refs(sg_table *table, sg_page *page, unsigned place, const sg_value *row)
+{
+  const sg_relation_info *info = table->info;
+
+  for (unsigned c = 0; c < info->arity; c++) {
+    sg_type type = info->column[c].type;
+    size_t words = 0;
+    if (type == SG_LIST) {
+      words = 1 + (size_t)row[c].list[0];
+    } else if (type == SG_TERM) {
+      words = sg_term_length(row[c].term);
+    } else {
+      continue;
+    }
+    page->cells[c].ref[place] = arena_copy(&table->arena, row[c].term, words);
+    if (!page->cells[c].ref[place]) {
+      while (c-- > 0) {
+        if (info->column[c].type == SG_LIST ||
+            info->column[c].type == SG_TERM) {
+          sg_arena_give(&table->arena, page->cells[c].ref[place]);
+        }
+      }
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_table_write(sg_table *table, sg_row row, const sg_value *value)
+{
+  const sg_relation_info *info = table->info;
+  sg_page *page = sg_table_page(table, row);
+  unsigned place = row % SG_PAGE_ROWS;
+
+  if (!write_refs(table, page, place, value)) {
+    return false;
+  }
+  for (unsigned c = 0; c < info->arity; c++) {
+    if (info->column[c].type == SG_FLOAT) {
+      page->cells[c].f[place] = value[c].f + 0.0; /* no -0.0 */
+    } else if (info->column[c].type == SG_INT ||
+               info->column[c].type == SG_ATOM) {
+      page->cells[c].i[place] = value[c].i;
+    }
+  }
+  page->taken[place / 64] |= UINT64_C(1) << place % 64;
+  return true;
+}
+
+void
+sg_table_vacate(sg_table *table, sg_row row)
+{
+  sg_page *page = sg_table_page(table, row);
+  unsigned place = row % SG_PAGE_ROWS;
+
+  for (unsigned c = 0; c < table->info->arity; c++) {
+    sg_type type = table->info->column[c].type;
+    if (type == SG_LIST || type == SG_TERM) {
+      sg_arena_give(&table->arena, page->cells[c].ref[place]);
+    }
+  }
+  page->taken[place / 64] &= ~(UINT64_C(1) << place % 64);
+}
+
+/* Vacates what no map shows; returns how many. */
+static size_t
+sweep_page(sg_table *table, size_t number, sg_map *const *map, size_t maps)
+{
+  sg_page *page = table->page[number];
+  size_t vacated = 0;
+
+  for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
+    uint64_t gone = page->taken[w];
+    for (size_t m = 0; gone && m < maps; m++) {
+      const sg_live *live = sg_map_live(map[m], number);
+      gone &= live ? ~live->word[w] : ~UINT64_C(0);
+    }
+    for (; gone; gone &= gone - 1, vacated++) {
+      sg_table_vacate(table, (sg_row)(number * SG_PAGE_ROWS + w * 64 +
+                                      (unsigned)__builtin_ctzll(gone)));
+    }
+  }
+  return vacated;
+}
+
+/* The last taken row and all before it stay slots, the rest is new again. */
+static void
+trim_slots(sg_table *table)
+{
+  while (table->slots > 0 && !sg_table_taken(table, table->slots - 1)) {
+    table->slots--;
+  }
+}
+
+/* Puts every slot that is not taken on its page's stack, the first on top. */
+static void
+stack_page(sg_table *table, size_t number)
+{
+  sg_page *page = table->page[number];
+  size_t first = number * SG_PAGE_ROWS;
+  unsigned end = 0;
+
+  page->empties = 0;
+  if (first < table->slots) {
+    size_t left = table->slots - first;
+    end = left < SG_PAGE_ROWS ? (unsigned)left : SG_PAGE_ROWS;
+  }
+  for (unsigned place = end; place-- > 0;) {
+    if (page->taken[place / 64] >> place % 64 & 1) {
+      continue;
+    }
+    if (!page->empty) {
+      page->empty = malloc(SG_PAGE_ROWS * sizeof(*page->empty));
+      if (!page->empty) {
+        return; /* these slots wait for the next sweep */
+      }
+    }
+    page->empty[page->empties++] = (uint16_t)place;
+    table->emptied++;
+  }
+}
+
+void
+sg_table_sweep(sg_table *table, sg_map *const *map, size_t maps)
+{
+  size_t vacated = 0;
+
+  for (size_t i = 0; i < table->pages; i++) {
+    vacated += sweep_page(table, i, map, maps);
+  }
+  trim_slots(table);
+  table->emptied = 0;
+  table->open = 0;
+  for (size_t i = 0; i < table->pages; i++) {
+    stack_page(table, i);
+  }
+  table->sweep_at = table->slots + table->slots / 8;
+  for (unsigned i = 0; vacated > 0 && i < table->indexes; i++) {
+    sg_index_clear(&table->index[i]); /* built again at the next use */
+  }
+}
+
+sg_index *
+sg_table_index(sg_table *table, uint16_t mask, bool members)
+{
+  for (unsigned i = 0; i < table->indexes; i++) {
+    sg_index *index = &table->index[i];
+    if (index->mask == mask && index->members == members) {
+      return index;
+    }
+  }
+  return NULL;
+}
+
+bool
+sg_table_link(sg_table *table, sg_row row)
+{
+  for (unsigned i = 0; i < table->indexes; i++) {
+    sg_index *index = &table->index[i];
+    if (index->built && !sg_index_add(index, table, row)) {
+      while (i-- > 0) {
+        if (table->index[i].built) {
+          sg_index_remove(&table->index[i], table, row);
+        }
+      }
+      return false;
+    }
+  }
+  return true;
+}
+
+void
+sg_table_unlink(sg_table *table, sg_row row)
+{
+  for (unsigned i = 0; i < table->indexes; i++) {
+    if (table->index[i].built) {
+      sg_index_remove(&table->index[i], table, row);
+    }
+  }
+}
+
+sg_row
+sg_table_find(sg_table *table, const sg_map *map, const sg_value *row)
+{
+  const sg_relation_info *info = table->info;
+  sg_index *index = &table->index[0];
+  uint64_t hash = sg_index_hash(info, info->key, row);
+
+  for (uint32_t r = sg_index_first(index, hash); r != SG_NO_ROW;
+       r = sg_index_next(index, r)) {
+    if (sg_map_shows(map, r) &&
+        sg_page_match(sg_table_page(table, r), info, info->key,
+                      r % SG_PAGE_ROWS, row)) {
+      return r;
+    }
+  }
+  return SG_NO_ROW;
+}
+
+sg_value
+sg_page_value(const sg_page *page, const sg_relation_info *info,
+              unsigned column, unsigned place)
+{
+  sg_value value = {0};
+
+  switch (info->column[column].type) {
+  case SG_INT:
+  case SG_ATOM:
+    value.i = page->cells[column].i[place];
+    break;
+  case SG_FLOAT:
+    value.f = page->cells[column].f[place];
+    break;
+  case SG_LIST:
+  case SG_TERM:
+    value.term = page->cells[column].ref[place];
+    break;
+  }
+  return value;
+}
+
+void
+sg_page_row(const sg_page *page, const sg_relation_info *info, uint16_t mask,
+            unsigned place, sg_value *out)
+{
+  for (unsigned m = mask; m; m &= m - 1) {
+    unsigned c = (unsigned)__builtin_ctz(m);
+    out[c] = sg_page_value(page, info, c, place);
+  }
+}
+
+static bool
+value_equal(sg_type type, sg_value a, sg_value b)
+{
+  switch (type) {
+  case SG_INT:
+  case SG_ATOM:
+    return a.i == b.i;
+  case SG_FLOAT:
+    return a.f == b.f;
+  case SG_LIST:
+    return a.list[0] == b.list[0] &&
+           memcmp(a.list + 1, b.list + 1,
+                  (size_t)a.list[0] * sizeof(a.list[0])) == 0;
+  case SG_TERM:
+    return sg_term_equal(a.term, b.term);
+  }
+  return false;
+}
+
+bool
+sg_row_equal(const sg_relation_info *info, uint16_t mask, const sg_value *a,
+             const sg_value *b)
+{
+  for (unsigned m = mask; m; m &= m - 1) {
+    unsigned c = (unsigned)__builtin_ctz(m);
+    if (!value_equal(info->column[c].type, a[c], b[c])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_page_match(const sg_page *page, const sg_relation_info *info, uint16_t mask,
+              unsigned place, const sg_value *row)
+{
+  for (unsigned m = mask; m; m &= m - 1) {
+    unsigned c = (unsigned)__builtin_ctz(m);
+    if (!value_equal(info->column[c].type,
+                     sg_page_value(page, info, c, place), row[c])) {
+      return false;
+    }
+  }
+  return true;
+}

@@ -1,0 +1,144 @@
+/* table.h -- one relation of a world: pages of cells, slots, versions' maps.
+ *
+ * Layer: store, private to store.c, table.c, version.c, index.c and walk.c.
+ *
+ *   table   what is written once and shared by all versions of a world:
+ *           pages of cells, the empty stacks, the arena, the indexes
+ *   map     what one version shows of a table: a two-level directory of live
+ *           bitmaps. Maps, chunks and bitmaps are counted by their holders
+ *           and copied when written while somebody else holds them.
+ *
+ * A slot is *taken* from when a row is written until no version shows it
+ * (sg_table_sweep()). Everything here is done under the world's lock, except
+ * reading through the map of a held version.
+ */
+#ifndef SG_TABLE_H
+#define SG_TABLE_H
+
+#include "arena.h"
+#include "index.h"
+#include "store.h"
+#include "term.h"
+
+#include <stdatomic.h>
+
+enum { SG_CHUNK_PAGES = 64, SG_MAX_INDEXES = 6 };
+
+typedef struct sg_page {
+  union sg_cell_array {
+    int32_t *i;           /* SG_INT, SG_ATOM */
+    double *f;            /* SG_FLOAT */
+    const uint32_t **ref; /* SG_LIST, SG_TERM: into the arena */
+  } cells[SG_MAX_COLUMNS];
+  uint64_t taken[SG_LIVE_WORDS];
+  uint16_t *empty; /* the empty stack: null, or places below `slots` */
+  unsigned empties;
+} sg_page;
+
+typedef struct sg_live {
+  uint32_t holders;
+  sg_page *page;
+  uint64_t word[SG_LIVE_WORDS];
+} sg_live;
+
+typedef struct sg_chunk {
+  uint32_t holders;
+  sg_live *live[SG_CHUNK_PAGES]; /* null: no row of the page lives */
+} sg_chunk;
+
+/* The last id used, by segment in ascending order. */
+typedef struct sg_ids {
+  uint32_t holders;
+  size_t count, room;
+  struct {
+    int32_t s, last;
+  } of[];
+} sg_ids;
+
+typedef struct sg_map {
+  uint32_t holders;
+  size_t rows;
+  size_t chunks;
+  sg_chunk **chunk; /* [chunks], null: no row lives there */
+  sg_ids *ids;      /* null: none used */
+} sg_map;
+
+typedef struct sg_table {
+  sg_relation relation;
+  const sg_relation_info *info;
+  sg_page **page; /* [pages], of room page_room */
+  size_t pages, page_room;
+  sg_row slots;    /* all slots ever written lie below */
+  size_t emptied;  /* slots on empty stacks */
+  size_t open;     /* no page before this one has an empty slot */
+  size_t sweep_at; /* do not sweep again before there are so many slots */
+  sg_arena arena;
+  sg_index index[SG_MAX_INDEXES];
+  unsigned indexes;
+  atomic_uint_least64_t scans;
+  uint64_t lookups;
+} sg_table;
+
+/* What a version shows. `map` may be null: nothing. */
+const sg_live *sg_map_live(const sg_map *map, size_t page);
+bool sg_map_shows(const sg_map *map, sg_row row);
+sg_map *sg_map_hold(sg_map *map);
+void sg_map_drop(sg_map *map);
+/* The same map, for writing: *map itself when nobody else holds it, else a
+ * copy that takes its place. Null: no memory, *map is as it was. */
+sg_map *sg_map_own(sg_map **map);
+/* The bitmap of a page in an owned map, for writing. Null: no memory. */
+sg_live *sg_map_own_live(sg_map *map, sg_page *page, size_t number);
+int32_t sg_map_last_id(const sg_map *map, int32_t s);
+bool sg_map_used_id(sg_map *map, int32_t s, int32_t id); /* false: no memory */
+
+/* Cells. */
+sg_value sg_page_value(const sg_page *page, const sg_relation_info *info,
+                       unsigned column, unsigned place);
+void sg_page_row(const sg_page *page, const sg_relation_info *info,
+                 uint16_t mask, unsigned place, sg_value *out);
+bool sg_row_equal(const sg_relation_info *info, uint16_t mask,
+                  const sg_value *a, const sg_value *b);
+/* The row at this place is equal to `row` in the columns of the mask. */
+bool sg_page_match(const sg_page *page, const sg_relation_info *info,
+                   uint16_t mask, unsigned place, const sg_value *row);
+
+static inline sg_page *
+sg_table_page(const sg_table *table, sg_row row)
+{
+  return table->page[row / SG_PAGE_ROWS];
+}
+
+static inline bool
+sg_table_taken(const sg_table *table, sg_row row)
+{
+  return row < table->slots && (sg_table_page(table, row)
+                                        ->taken[row % SG_PAGE_ROWS / 64] >>
+                                    row % 64 &
+                                1);
+}
+
+void sg_table_init(sg_table *table, sg_relation relation);
+void sg_table_clear(sg_table *table);
+
+/* A slot for one row: from an empty stack, or the end. SG_NO_ROW: no memory. */
+sg_row sg_table_slot(sg_table *table);
+/* Room for n rows at the end; slots do not grow. */
+bool sg_table_reserve(sg_table *table, size_t n);
+/* Writes the cells of a row and takes the slot. False: no memory. */
+bool sg_table_write(sg_table *table, sg_row row, const sg_value *value);
+/* Gives the slot's memory back; the slot stays out of use until a sweep. */
+void sg_table_vacate(sg_table *table, sg_row row);
+/* Slots that none of the maps shows become empty. */
+void sg_table_sweep(sg_table *table, sg_map *const *map, size_t maps);
+
+/* The first index with exactly this mask, null: none. */
+sg_index *sg_table_index(sg_table *table, uint16_t mask, bool members);
+/* Links or unlinks a row in every index that is built. */
+bool sg_table_link(sg_table *table, sg_row row); /* false: no memory */
+void sg_table_unlink(sg_table *table, sg_row row);
+
+/* The live row that has row's values in the key's columns. */
+sg_row sg_table_find(sg_table *table, const sg_map *map, const sg_value *row);
+
+#endif

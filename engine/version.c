@@ -1,0 +1,269 @@
+/* version.c -- maps: which rows of a table one version shows. */
+#include "table.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const sg_live *
+sg_map_live(const sg_map *map, size_t page)
+{
+  size_t c = page / SG_CHUNK_PAGES;
+
+  if (!map || c >= map->chunks || !map->chunk[c]) {
+    return NULL;
+  }
+  return map->chunk[c]->live[page % SG_CHUNK_PAGES];
+}
+
+bool
+sg_map_shows(const sg_map *map, sg_row row)
+{
+  const sg_live *live = sg_map_live(map, row / SG_PAGE_ROWS);
+
+  return live && (live->word[row % SG_PAGE_ROWS / 64] >> row % 64 & 1);
+}
+
+sg_map *
+sg_map_hold(sg_map *map)
+{
+  if (map) {
+    map->holders++;
+  }
+  return map;
+}
+
+static void
+live_drop(sg_live *live)
+{
+  if (live && --live->holders == 0) {
+    free(live);
+  }
+}
+
+static void
+chunk_drop(sg_chunk *chunk)
+{
+  if (!chunk || --chunk->holders > 0) {
+    return;
+  }
+  for (size_t i = 0; i < SG_CHUNK_PAGES; i++) {
+    live_drop(chunk->live[i]);
+  }
+  free(chunk);
+}
+
+static void
+ids_drop(sg_ids *ids)
+{
+  if (ids && --ids->holders == 0) {
+    free(ids);
+  }
+}
+
+void
+sg_map_drop(sg_map *map)
+{
+  if (!map || --map->holders > 0) {
+    return;
+  }
+  for (size_t i = 0; i < map->chunks; i++) {
+    chunk_drop(map->chunk[i]);
+  }
+  ids_drop(map->ids);
+  free(map->chunk);
+  free(map);
+}
+
+static sg_map *
+map_copy(const sg_map *map)
+{
+  sg_map *copy = malloc(sizeof(*copy));
+
+  if (!copy) {
+    return NULL;
+  }
+  *copy = *map;
+  copy->holders = 1;
+  copy->chunk = malloc((map->chunks + 1) * sizeof(sg_chunk *));
+  if (!copy->chunk) {
+    free(copy);
+    return NULL;
+  }
+  for (size_t i = 0; i < map->chunks; i++) {
+    copy->chunk[i] = map->chunk[i];
+    if (copy->chunk[i]) {
+      copy->chunk[i]->holders++;
+    }
+  }
+  if (copy->ids) {
+    copy->ids->holders++;
+  }
+  return copy;
+}
+
+sg_map *
+sg_map_own(sg_map **map)
+{
+  sg_map *old = *map;
+  sg_map *owned;
+
+  if (old && old->holders == 1) {
+    return old;
+  }
+  owned = old ? map_copy(old) : calloc(1, sizeof(*owned));
+  if (!owned) {
+    return NULL;
+  }
+  owned->holders = 1;
+  sg_map_drop(old);
+  return *map = owned;
+}
+
+static bool
+map_reach(sg_map *map, size_t chunk)
+{
+  sg_chunk **more;
+  size_t room = 1;
+
+  if (chunk < map->chunks) {
+    return true;
+  }
+  while (room <= chunk) {
+    room *= 2;
+  }
+  if (!(more = realloc(map->chunk, (room + 1) * sizeof(sg_chunk *)))) {
+    return false;
+  }
+  for (size_t i = map->chunks; i < room; i++) {
+    more[i] = NULL;
+  }
+  map->chunk = more;
+  map->chunks = room;
+  return true;
+}
+
+static sg_chunk *
+chunk_own(sg_chunk **chunk)
+{
+  sg_chunk *old = *chunk;
+  sg_chunk *owned;
+
+  if (old && old->holders == 1) {
+    return old;
+  }
+  if (!(owned = calloc(1, sizeof(*owned)))) {
+    return NULL;
+  }
+  if (old) {
+    *owned = *old;
+    for (size_t i = 0; i < SG_CHUNK_PAGES; i++) {
+      if (owned->live[i]) {
+        owned->live[i]->holders++;
+      }
+    }
+    chunk_drop(old);
+  }
+  owned->holders = 1;
+  return *chunk = owned;
+}
+
+sg_live *
+sg_map_own_live(sg_map *map, sg_page *page, size_t number)
+{
+  sg_chunk *chunk;
+  sg_live **live;
+  sg_live *owned;
+
+  if (!map_reach(map, number / SG_CHUNK_PAGES) ||
+      !(chunk = chunk_own(&map->chunk[number / SG_CHUNK_PAGES]))) {
+    return NULL;
+  }
+  live = &chunk->live[number % SG_CHUNK_PAGES];
+  if (*live && (*live)->holders == 1) {
+    return *live;
+  }
+  if (!(owned = calloc(1, sizeof(*owned)))) {
+    return NULL;
+  }
+  if (*live) {
+    memcpy(owned->word, (*live)->word, sizeof(owned->word));
+    live_drop(*live);
+  }
+  owned->holders = 1;
+  owned->page = page;
+  return *live = owned;
+}
+
+/* The place of s in ids, or where it would stand. */
+static size_t
+ids_place(const sg_ids *ids, int32_t s)
+{
+  size_t low = 0;
+  size_t high = ids ? ids->count : 0;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if (ids->of[middle].s < s) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+int32_t
+sg_map_last_id(const sg_map *map, int32_t s)
+{
+  const sg_ids *ids = map ? map->ids : NULL;
+  size_t i = ids_place(ids, s);
+
+  return ids && i < ids->count && ids->of[i].s == s ? ids->of[i].last : 0;
+}
+
+static sg_ids *
+ids_own(sg_ids **ids)
+{
+  sg_ids *old = *ids;
+  size_t count = old ? old->count : 0;
+  size_t room = count < 4 ? 4 : 2 * count;
+  sg_ids *owned;
+
+  if (old && old->holders == 1 && count < old->room) {
+    return old;
+  }
+  if (!(owned = malloc(sizeof(*owned) + room * sizeof(owned->of[0])))) {
+    return NULL;
+  }
+  if (old) {
+    memcpy(owned->of, old->of, count * sizeof(old->of[0]));
+  }
+  owned->holders = 1;
+  owned->count = count;
+  owned->room = room;
+  ids_drop(old);
+  return *ids = owned;
+}
+
+bool
+sg_map_used_id(sg_map *map, int32_t s, int32_t id)
+{
+  size_t i = ids_place(map->ids, s);
+  bool known = map->ids && i < map->ids->count && map->ids->of[i].s == s;
+  sg_ids *ids;
+
+  if (known && map->ids->of[i].last >= id) {
+    return true;
+  }
+  if (!(ids = ids_own(&map->ids))) {
+    return false;
+  }
+  if (!known) {
+    memmove(&ids->of[i + 1], &ids->of[i],
+            (ids->count - i) * sizeof(ids->of[0]));
+    ids->of[i].s = s;
+    ids->count++;
+  }
+  ids->of[i].last = id;
+  return true;
+}

@@ -1,0 +1,339 @@
+/* walk.c -- reading a version: values, views, walks over matching rows. */
+#include "world.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- rows -------------------------------------------------------------- */
+
+size_t
+sg_version_count(const sg_version *version, sg_relation relation)
+{
+  const sg_map *map = version->map[relation];
+
+  return map ? map->rows : 0;
+}
+
+bool
+sg_version_live(const sg_version *version, sg_relation relation, sg_row row)
+{
+  return sg_map_shows(version->map[relation], row);
+}
+
+sg_value
+sg_version_value(const sg_version *version, sg_relation relation, sg_row row,
+                 unsigned column)
+{
+  const sg_live *live =
+      sg_map_live(version->map[relation], row / SG_PAGE_ROWS);
+
+  return sg_page_value(live->page, &sg_relation_table[relation], column,
+                       row % SG_PAGE_ROWS);
+}
+
+sg_row
+sg_version_find(const sg_version *version, sg_relation relation,
+                const sg_value *row)
+{
+  sg_world *world = version->world;
+  sg_table *table = &world->table[relation];
+  sg_row found = SG_NO_ROW;
+
+  if (table->info->key == 0) {
+    return SG_NO_ROW;
+  }
+  pthread_mutex_lock(&world->lock);
+  table->lookups++;
+  if (table->index[0].built || sg_index_build(&table->index[0], table)) {
+    found = sg_table_find(table, version->map[relation], row);
+  }
+  pthread_mutex_unlock(&world->lock);
+  return found;
+}
+
+/* ---- views for kernels ------------------------------------------------- */
+
+bool
+sg_version_view(const sg_version *version, sg_relation relation, sg_view *out)
+{
+  static const uint64_t nobody[SG_LIVE_WORDS];
+  const sg_relation_info *info = &sg_relation_table[relation];
+  const sg_map *map = version->map[relation];
+  size_t pages = map ? map->chunks * SG_CHUNK_PAGES : 0;
+  const uint64_t **live = malloc((pages + 1) * sizeof(*live));
+
+  *out = (sg_view){.live = live};
+  if (!live) {
+    return false;
+  }
+  for (unsigned c = 0; c < info->arity; c++) {
+    out->column[c].page = calloc(pages + 1, sizeof(sg_cells));
+    if (!out->column[c].page) {
+      sg_view_clear(out);
+      return false;
+    }
+  }
+  for (size_t i = 0; i < pages; i++) {
+    const sg_live *page = sg_map_live(map, i);
+    live[i] = page ? page->word : nobody;
+    for (unsigned c = 0; page && c < info->arity; c++) {
+      ((sg_cells *)out->column[c].page)[i].i = page->page->cells[c].i;
+    }
+    out->pages = page ? i + 1 : out->pages;
+  }
+  return true;
+}
+
+void
+sg_view_clear(sg_view *view)
+{
+  free((void *)view->live);
+  for (unsigned c = 0; c < SG_MAX_COLUMNS; c++) {
+    free((void *)view->column[c].page);
+  }
+  *view = (sg_view){0};
+}
+
+/* ---- walks ------------------------------------------------------------- */
+
+/* The index that narrows most: the key, else the one with most columns. */
+static sg_index *
+best_index(sg_table *table, uint16_t mask)
+{
+  sg_index *best = NULL;
+
+  for (unsigned i = 0; i < table->indexes; i++) {
+    sg_index *index = &table->index[i];
+    if (index->members || (index->mask & mask) != index->mask) {
+      continue;
+    }
+    if (!best || (best->mask != table->info->key &&
+                  __builtin_popcount(index->mask) >
+                      __builtin_popcount(best->mask))) {
+      best = index;
+    }
+  }
+  return best;
+}
+
+static sg_row *
+gathered_rows(sg_walk *walk)
+{
+  return walk->rows ? walk->rows : walk->few;
+}
+
+static bool
+gather_row(sg_walk *walk, sg_row row)
+{
+  if (walk->count == walk->room) {
+    size_t room = 4 * walk->room;
+    sg_row *rows = realloc(walk->rows, room * sizeof(*rows));
+    if (!rows) {
+      return false;
+    }
+    if (!walk->rows) {
+      memcpy(rows, walk->few, sizeof(walk->few));
+    }
+    walk->rows = rows;
+    walk->room = room;
+  }
+  gathered_rows(walk)[walk->count++] = row;
+  return true;
+}
+
+static int
+by_row(const void *a, const void *b)
+{
+  sg_row x = *(const sg_row *)a;
+  sg_row y = *(const sg_row *)b;
+
+  return (x > y) - (x < y);
+}
+
+/* Ascending and without doubles; chains mostly run from new to old. */
+static void
+order_rows(sg_walk *walk)
+{
+  sg_row *rows = gathered_rows(walk);
+  size_t n = 0;
+
+  for (size_t i = 0, j = walk->count; i + 1 < j; i++) {
+    sg_row row = rows[i];
+    rows[i] = rows[--j];
+    rows[j] = row;
+  }
+  for (size_t i = 1; i < walk->count; i++) {
+    if (rows[i - 1] >= rows[i]) {
+      qsort(rows, walk->count, sizeof(*rows), by_row);
+      break;
+    }
+  }
+  for (size_t i = 0; i < walk->count; i++) {
+    if (n == 0 || rows[n - 1] != rows[i]) {
+      rows[n++] = rows[i];
+    }
+  }
+  walk->count = n;
+}
+
+/* Gathers the rows of one chain that the version shows and that match. */
+static bool
+gather(sg_walk *walk, const sg_index *index, uint64_t hash)
+{
+  const sg_map *map = walk->version->map[walk->relation];
+
+  for (uint32_t at = sg_index_first(index, hash); at != SG_NO_ROW;
+       at = sg_index_next(index, at)) {
+    sg_row row = sg_index_row(index, at);
+    const sg_live *live = sg_map_live(map, row / SG_PAGE_ROWS);
+    unsigned place = row % SG_PAGE_ROWS;
+    if (live && (live->word[place / 64] >> place % 64 & 1) &&
+        (!index->members || index->link[at].id == walk->row[1].i) &&
+        sg_page_match(live->page, walk->info, walk->mask, place, walk->row)) {
+      if (!gather_row(walk, row)) {
+        return false;
+      }
+      if (index->mask == walk->info->key && !index->members) {
+        break; /* there is only one */
+      }
+    }
+  }
+  if (walk->count > 1) {
+    order_rows(walk);
+  }
+  return true;
+}
+
+static void
+walk_init(sg_walk *walk, const sg_version *version, sg_relation relation,
+          uint16_t mask)
+{
+  walk->version = version;
+  walk->relation = relation;
+  walk->info = &sg_relation_table[relation];
+  walk->mask = mask;
+  walk->live = NULL;
+  walk->at = 0;
+  walk->gathered = false;
+  walk->rows = NULL;
+  walk->room = SG_WALK_FEW;
+  walk->count = walk->given = 0;
+}
+
+bool
+sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
+             uint16_t mask, const sg_value *row)
+{
+  sg_world *world = version->world;
+  sg_table *table = &world->table[relation];
+  sg_index *index = best_index(table, mask);
+  bool done = true;
+
+  walk_init(walk, version, relation, mask);
+  for (unsigned m = mask; m; m &= m - 1) {
+    unsigned c = (unsigned)__builtin_ctz(m);
+    walk->row[c] = row[c];
+  }
+  if (!index) {
+    walk->live = sg_map_live(version->map[relation], 0);
+    atomic_fetch_add_explicit(&table->scans, 1, memory_order_relaxed);
+    return true;
+  }
+  pthread_mutex_lock(&world->lock);
+  if (index->built || sg_index_build(index, table)) {
+    table->lookups++;
+    walk->gathered = true;
+    done = gather(walk, index, sg_index_hash(walk->info, index->mask, row));
+  } else {
+    walk->live = sg_map_live(version->map[relation], 0); /* scan instead */
+  }
+  pthread_mutex_unlock(&world->lock);
+  if (!done) {
+    sg_walk_close(walk);
+  }
+  return done;
+}
+
+bool
+sg_walk_open_member(sg_walk *walk, const sg_version *version,
+                    sg_relation relation, int32_t s, int32_t member)
+{
+  sg_world *world = version->world;
+  sg_table *table = &world->table[relation];
+  sg_index *index = NULL;
+  bool done;
+
+  for (unsigned i = 0; i < table->indexes; i++) {
+    index = table->index[i].members ? &table->index[i] : index;
+  }
+  if (!index) {
+    return false;
+  }
+  walk_init(walk, version, relation, 0x01);
+  walk->row[0].i = s;
+  walk->row[1].i = member;
+  walk->gathered = true;
+  pthread_mutex_lock(&world->lock);
+  table->lookups++;
+  done = (index->built || sg_index_build(index, table)) &&
+         gather(walk, index, sg_index_hash_member(s, member));
+  pthread_mutex_unlock(&world->lock);
+  if (!done) {
+    sg_walk_close(walk);
+  }
+  return done;
+}
+
+static sg_row
+scan_next(sg_walk *walk)
+{
+  const sg_map *map = walk->version->map[walk->relation];
+  size_t pages = map ? map->chunks * SG_CHUNK_PAGES : 0;
+
+  for (size_t page = walk->at / SG_PAGE_ROWS; page < pages;
+       walk->live = sg_map_live(map, ++page),
+              walk->at = (sg_row)(page * SG_PAGE_ROWS)) {
+    unsigned place = walk->at % SG_PAGE_ROWS;
+    if (!walk->live) {
+      continue;
+    }
+    for (place = sg_live_next(walk->live->word, place); place < SG_PAGE_ROWS;
+         place = sg_live_next(walk->live->word, place + 1)) {
+      if (sg_page_match(walk->live->page, walk->info, walk->mask, place,
+                        walk->row)) {
+        sg_row row = (sg_row)(page * SG_PAGE_ROWS) + place;
+        walk->at = row + 1;
+        if (place == SG_PAGE_ROWS - 1) {
+          walk->live = sg_map_live(map, page + 1);
+        }
+        return row;
+      }
+    }
+  }
+  return SG_NO_ROW;
+}
+
+sg_row
+sg_walk_next(sg_walk *walk)
+{
+  if (!walk->gathered) {
+    return scan_next(walk);
+  }
+  return walk->given < walk->count ? gathered_rows(walk)[walk->given++]
+                                   : SG_NO_ROW;
+}
+
+void
+sg_walk_rewind(sg_walk *walk)
+{
+  walk->given = 0;
+  walk->at = 0;
+  walk->live = sg_map_live(walk->version->map[walk->relation], 0);
+}
+
+void
+sg_walk_close(sg_walk *walk)
+{
+  free(walk->rows);
+  walk->rows = NULL;
+}

@@ -1,0 +1,56 @@
+/* world.h -- what a world is made of. Layer: store, private. */
+#ifndef SG_WORLD_H
+#define SG_WORLD_H
+
+#include "table.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+
+struct sg_version {
+  atomic_size_t holders;
+  sg_world *world;
+  sg_version *previous, *next; /* all versions of the world */
+  sg_map *map[SG_RELATIONS];
+};
+
+/* A list of held versions: open transactions, undo steps, redo steps. */
+typedef struct sg_stack {
+  sg_version **version;
+  size_t count, room;
+} sg_stack;
+
+struct sg_world {
+  atomic_size_t holders;
+  uint64_t number;
+  pthread_mutex_t lock;
+  pthread_cond_t turn; /* a transaction or claim of another thread ended */
+  sg_table table[SG_RELATIONS];
+  sg_version *versions; /* every version that is held */
+  sg_version *current;
+  sg_stack open, undo, redo;
+  uint64_t *changes_at; /* `changes` when each open transaction began */
+  size_t changes_room;
+  uint64_t changes;
+  size_t undo_limit;
+  pthread_t writer; /* valid while writer_depth > 0 */
+  size_t writer_depth;
+};
+
+/* Takes the lock when no other thread writes; leave releases it. */
+void sg_world_enter(sg_world *world);
+void sg_world_leave(sg_world *world);
+
+/* The following are called under the lock. */
+
+/* What this thread sees: another thread's open transaction does not show. */
+sg_version *sg_world_visible(sg_world *world);
+/* The current version, for writing. Null: no memory. */
+sg_version *sg_world_own(sg_world *world);
+/* One holder of a version less. */
+void sg_version_release(sg_version *version);
+void sg_stack_clear(sg_stack *stack);
+/* Makes slots that no version shows empty. */
+void sg_world_sweep(sg_world *world, sg_relation relation);
+
+#endif
