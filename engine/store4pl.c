@@ -365,10 +365,11 @@ static int
 get_fact_ex(term_t t, sg_relation *relation, term_t *args, int extra)
 {
   term_t fact = PL_new_term_ref();
+  module_t module = NULL;
   atom_t name;
   size_t arity;
 
-  if (!PL_strip_module(t, NULL, fact)) {
+  if (!PL_strip_module(t, &module, fact)) {
     return FALSE;
   }
   if (!PL_get_name_arity(fact, &name, &arity)) {

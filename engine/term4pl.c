@@ -97,28 +97,47 @@ encode_mpz(mpz_srcptr z, sg_term_builder *out)
   }
 }
 
+/* Big integers and rationals come as text: PL_get_mpq() of SWI-Prolog 9.0.4
+ * crashes on big integers. */
+static bool
+encode_big(char *text, sg_term_builder *out)
+{
+  size_t digits = strspn(text, "-0123456789");
+  mpq_t q;
+  bool done;
+
+  if (text[digits] == 'r' || text[digits] == '/') {
+    text[digits] = '/';
+  }
+  mpq_init(q);
+  done = mpq_set_str(q, text, 10) == 0;
+  if (done && mpz_cmp_ui(mpq_denref(q), 1) == 0) {
+    encode_mpz(mpq_numref(q), out);
+  } else if (done) {
+    sg_term_rational(out);
+    encode_mpz(mpq_numref(q), out);
+    encode_mpz(mpq_denref(q), out);
+  }
+  mpq_clear(q);
+  return done;
+}
+
 static bool
 encode_number(term_t t, sg_term_builder *out)
 {
   int64_t i;
-  mpq_t q;
+  char *text;
   bool done;
 
   if (PL_get_int64(t, &i)) {
     sg_term_int(out, i);
     return true;
   }
-  mpq_init(q);
-  if ((done = PL_get_mpq(t, q))) {
-    if (mpz_cmp_ui(mpq_denref(q), 1) == 0) {
-      encode_mpz(mpq_numref(q), out);
-    } else {
-      sg_term_rational(out);
-      encode_mpz(mpq_numref(q), out);
-      encode_mpz(mpq_denref(q), out);
-    }
+  if (!PL_get_chars(t, &text, CVT_RATIONAL | BUF_MALLOC)) {
+    return false;
   }
-  mpq_clear(q);
+  done = encode_big(text, out);
+  PL_free(text);
   return done;
 }
 

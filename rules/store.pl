@@ -1,0 +1,166 @@
+:- module(sg_store,
+          [ v/5,                      % ?S, ?V, ?X, ?Y, ?Z
+            e/5,                      % ?S, ?E, ?V1, ?V2, ?Et
+            p/3,                      % ?S, ?P, ?Es
+            plane/6,                  % ?S, ?P, ?Nx, ?Ny, ?Nz, ?D
+            t/6,                      % ?S, ?P, ?T, ?V1, ?V2, ?V3
+            segment/3,                % ?S, ?Kind, ?Name
+            origin/3,                 % ?S, ?Item, ?Origin
+            line/9,                   % ?L, ?S1, ?P1, ?A1, ?B1, ?S2, ?P2, ?A2, ?B2
+            view/3,                   % ?Theta, ?Phi, ?Rho
+            projection/1,             % ?Kind
+            screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
+            drawn/7,                  % ?D, ?S, ?E, ?From, ?To, ?Visibility, ?Role
+            assert_fact/1,            % +Fact
+            assert_fact/2,            % +Fact, -Row
+            retract_fact/1,           % ?Fact
+            retractall_facts/1,       % ?Fact
+            facts_transaction/1,      % :Goal
+            facts_snapshot/1,         % :Goal
+            facts_undo/0,
+            facts_redo/0,
+            facts_undo_limit/1,       % +Steps
+            new_world/1,              % -World
+            in_world/2,               % +World, :Goal
+            current_world/1,          % -World
+            set_world/1,              % +World
+            fresh_id/3,               % +Relation, +S, -Id
+            relation/3,               % ?Name, ?Arity, ?Doc
+            relation_column/5,        % ?Relation, ?Position, ?Column, ?Type, ?Doc
+            relation_key/2,           % ?Relation, ?Positions
+            column_domain/3,          % ?Relation, ?Position, ?Values
+            column_refers/3,          % ?Relation, ?Position, ?Other
+            facts_statistics/2        % ?Relation, -Statistics
+          ]).
+
+:- if(\+ predicate_property(sg_store:v(_,_,_,_,_), foreign)).
+:- use_foreign_library(foreign(sanggwan)).
+:- endif.
+
+/** <module> The fact engine: relations, worlds, transactions.
+
+The doors to engine/: every foreign predicate of the store is exported and
+documented here. The relations themselves are listed, with their columns, in
+engine/relations.def.
+
+@see [PL] section 2; ARCHITECTURE.md
+*/
+
+:- meta_predicate
+    facts_transaction(0),
+    facts_snapshot(0),
+    in_world(+, 0).
+
+%!  facts_transaction(:Goal) is semidet.
+%
+%   Runs Goal once. Its changes stay when it succeeds; when it fails, raises
+%   an exception or is interrupted, the world is as it was. Transactions
+%   nest; the outermost one that changed anything is one step for
+%   facts_undo/0. Other threads see none of its changes before it ends.
+
+facts_transaction(Goal) :-
+    setup_call_cleanup(
+        '$begin'(World, Depth),
+        (   call(Goal)
+        ->  '$commit'(World, Depth)
+        ),
+        '$end'(World, Depth)).
+
+%!  facts_snapshot(:Goal) is semidet.
+%
+%   Runs Goal once and takes its changes back, also when it succeeds.
+
+facts_snapshot(Goal) :-
+    setup_call_cleanup(
+        '$begin'(World, Depth),
+        once(Goal),
+        '$end'(World, Depth)).
+
+%!  in_world(+World, :Goal) is semidet.
+%
+%   Runs Goal once with World as the current world of this thread.
+
+in_world(World, Goal) :-
+    '$world'(Old),
+    setup_call_cleanup(
+        set_world(World),
+        once(Goal),
+        '$set_world'(Old)).
+
+%!  relation(?Name, ?Arity, ?Doc) is nondet.
+%
+%   True when Name/Arity is a relation of the schema.
+
+relation(Name, Arity, Doc) :-
+    relation_number(_, Name, Arity, _, Doc).
+
+relation_number(Number, Name, Arity, Key, Doc) :-
+    between(0, inf, Number),
+    (   '$relation'(Number, Name0, Arity0, Key0, Doc0)
+    ->  Name = Name0,
+        Arity = Arity0,
+        Key = Key0,
+        Doc = Doc0
+    ;   !,
+        fail
+    ).
+
+%!  relation_column(?Relation, ?Position, ?Column, ?Type, ?Doc) is nondet.
+%
+%   True when the argument at Position (from 1) of Relation is called Column;
+%   Type is one of int, float, list, atom, term.
+
+relation_column(Relation, Position, Column, Type, Doc) :-
+    column(Relation, Position, Column, Type, _, _, Doc).
+
+%!  relation_key(?Relation, -Positions:list(integer)) is nondet.
+%
+%   True when the arguments at Positions together name a row of Relation;
+%   there are no two rows with the same. Positions is never empty.
+
+relation_key(Relation, Positions) :-
+    relation_number(_, Relation, Arity, Mask, _),
+    Mask > 0,
+    findall(Position,
+            (   between(1, Arity, Position),
+                Mask /\ (1<<(Position-1)) =\= 0
+            ),
+            Positions).
+
+%!  column_domain(?Relation, ?Position, -Values:list) is nondet.
+%
+%   True when the column holds one of Values only.
+
+column_domain(Relation, Position, Values) :-
+    column(Relation, Position, _, _, _, Words, _),
+    Words \== "",
+    split_string(Words, " ", " ", Strings),
+    maplist([String,Value]>>term_string(Value, String), Strings, Values).
+
+%!  column_refers(?Relation, ?Position, ?Other) is nondet.
+%
+%   True when the column's ids must be rows of Other, of the same segment.
+
+column_refers(Relation, Position, Other) :-
+    column(Relation, Position, _, _, Other, _, _),
+    Other \== none.
+
+column(Relation, Position, Column, Type, Refers, Domain, Doc) :-
+    relation_number(Number, Relation, Arity, _, _),
+    between(1, Arity, Position),
+    Position0 is Position-1,
+    '$column'(Number, Position0, Column, Type, Refers, Domain, Doc).
+
+%!  facts_statistics(?Relation, -Statistics:dict) is nondet.
+%
+%   Statistics is a dict with the rows, slots, bytes and index_bytes of a
+%   relation, how many versions of the world are held, and how often the
+%   relation was scanned and looked up by an index.
+
+facts_statistics(Relation,
+                 _{rows:Rows, slots:Slots, bytes:Bytes,
+                   index_bytes:IndexBytes, versions:Versions,
+                   scans:Scans, lookups:Lookups}) :-
+    relation(Relation, _, _),
+    '$statistics'(Relation, Rows, Slots, Bytes, IndexBytes, Versions,
+                  Scans, Lookups).
