@@ -27,7 +27,7 @@ atom or `''`; Type one of
 %   True when Arguments, a list of atoms, are Files (atoms) and Options.
 %
 %   @error usage_error(What): unknown_option(Text), no_value(Text),
-%   needs_value(Text), twice(Text), bad_value(Text, Value, Type)
+%   needs_value(Text), option_twice(Text), bad_value(Text, Value, Type)
 
 parsed_arguments(Specs, Arguments, Files, Options) :-
     parsed(Arguments, Specs, Files, Given),
@@ -172,6 +172,6 @@ gathered(given(Name, Type, Text, V), Options0, [New|Options0]) :-
     Old =.. [Name, _],
     (   Type \== flag,
         member(Old, Options0)
-    ->  usage_error(twice(Text))
+    ->  usage_error(option_twice(Text))
     ;   true
     ).

@@ -1,0 +1,321 @@
+:- module(sg_messages,
+          [ english//1,                 % +Term
+            fault_en//1                 % +What
+          ]).
+:- autoload(library(apply), [maplist/3]).
+:- autoload(library(lists), [append/3]).
+/** <module> Messages in English; messages_ko.pl has them in Korean.
+
+Every term that Sanggwan prints or raises has a clause of english//1 or, when
+it is error(model_error(What), location(File, Line, Column)) or
+error(geometry_error(What), _), of fault_en//1; and one in Korean with the same
+head (tests/rules/messages.plt). A fault says what is wrong, then on a new line
+what to do. Add yours to the block of your file.
+*/
+
+:- multifile prolog:message//1.
+
+prolog:message(Term) -->
+    english(Term).
+
+%!  english(+Term)// is semidet.
+%
+%   The message for Term in English.
+
+english(error(model_error(What), location(File, Line, Column))) -->
+    place(File, Line, Column),
+    fault_en(What).
+english(error(model_error(What), Context)) -->
+    { var(Context) },
+    fault_en(What).
+english(error(geometry_error(What), _)) -->
+    fault_en(What).
+english(error(usage_error(What), _)) -->
+    usage_en(What).
+english(sanggwan(What)) -->
+    notice_en(What).
+
+%   place(File, Line, Column)//: as compilers write it, so that editors jump.
+
+place(File, Line, _) -->
+    { Line =:= 0 },
+    !,
+    [ '~w: '-[File] ].
+place(File, Line, Column) -->
+    { Column =:= 0 },
+    !,
+    [ '~w:~d: '-[File, Line] ].
+place(File, Line, Column) -->
+    [ '~w:~d:~d: '-[File, Line, Column] ].
+
+:- discontiguous
+    fault_en//1,
+    notice_en//1.
+
+%!  fault_en(+What)// is semidet.
+%
+%   What is wrong with a model, and what to do.
+
+
+                /*******************************
+                *     model_text, model_file   *
+                *******************************/
+
+fault_en(cannot_read(missing)) -->
+    [ 'there is no such file', nl,
+      '  Check the name and the folder.' ].
+fault_en(cannot_read(directory)) -->
+    [ 'is a folder, not a file', nl,
+      '  Name a file in it.' ].
+fault_en(cannot_read(permission)) -->
+    [ 'the file may not be read', nl,
+      '  Check its permissions.' ].
+fault_en(cannot_read(io)) -->
+    [ 'the file cannot be read to its end', nl,
+      '  Check the disk or copy the file again.' ].
+fault_en(cannot_read(Why)) -->
+    { \+ memberchk(Why, [missing, directory, permission, io]) },
+    [ 'the file cannot be read: ~p'-[Why] ].
+fault_en(syntax(end_of_file)) -->
+    [ 'the file ends in the middle of a fact', nl,
+      '  It may be cut off; a fact ends with a full stop.' ].
+fault_en(syntax(end_of_file_in_quoted(_))) -->
+    [ 'the file ends in quoted text that begins here', nl,
+      '  Close the quote, or get the whole file.' ].
+fault_en(syntax(too_deep)) -->
+    [ 'a term is nested too deeply to be read', nl,
+      '  Write facts of numbers, atoms and short lists.' ].
+fault_en(syntax(Message)) -->
+    { \+ memberchk(Message, [end_of_file, end_of_file_in_quoted(_),
+                             too_deep]) },
+    [ 'this is no Prolog text: ~w'-[Message], nl,
+      '  Write facts such as v(1, 1, 0.0, 0.0, 0.0). with a full stop.' ].
+fault_en(too_long(Most)) -->
+    [ 'a fact is longer than ~D characters'-[Most], nl,
+      '  Is a full stop or a quote missing? Else raise the flag \c
+       sanggwan_longest_fact.' ].
+fault_en(early_end) -->
+    [ 'end_of_file stands in the middle of the file', nl,
+      '  Remove it: what follows would be lost.' ].
+fault_en(directive(Goal)) -->
+    [ 'a directive in a model file: :- ~p'-[Goal], nl,
+      '  A model is data and is never run. Give rules with --rules FILE.' ].
+fault_en(rule(Head)) -->
+    [ 'a rule in a model file: ~p :- ...'-[Head], nl,
+      '  A model is data: facts only. Give rules with --rules FILE.' ].
+fault_en(no_fact(Term)) -->
+    [ 'this is no fact: ~p'-[Term], nl,
+      '  Write facts such as v(1, 1, 0.0, 0.0, 0.0).' ].
+fault_en(unknown_relation(Name, Arity)) -->
+    [ 'there is no relation ~q/~d'-[Name, Arity], nl,
+      '  A model has v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, \c
+       line/9, curve/2, view/3 and projection/1.' ].
+fault_en(arity(Name, Arity, Wanted)) -->
+    [ '~w has ~d arguments here, it needs ~d'-[Name, Arity, Wanted], nl,
+      '  Compare with the description of ~w/~d.'-[Name, Wanted] ].
+fault_en(computed(Name)) -->
+    [ '~w is computed from the view and may not stand in a file'-[Name], nl,
+      '  Remove it; draw makes it again.' ].
+fault_en(value(Relation, Column, Value, Expected)) -->
+    [ '~w of ~w is ~p, it should be '-[Column, Relation, Value] ],
+    expected_en(Expected).
+fault_en(missing(Relation, S, Id)) -->
+    { relation_word(Relation, Word) },
+    [ 'segment ~d has no ~w ~d'-[S, Word, Id], nl,
+      '  Add it, or correct the number.' ].
+fault_en(twice(Name, Key)) -->
+    [ 'there are two facts ~w '-[Name] ],
+    key_en(Key),
+    [ nl, '  Remove one, or give it another number.' ].
+fault_en(polygon(S, P, Why)) -->
+    [ 'polygon ~d of segment ~d '-[P, S] ],
+    polygon_en(Why).
+fault_en(chain(S, V)) -->
+    [ 'the curve of segment ~d goes from vertex ~d to itself'-[S, V], nl,
+      '  Write every vertex of a chain once.' ].
+fault_en(primitive(What, Term)) -->
+    primitive_en(What, Term).
+fault_en(kind(Term, Kind, Wanted)) -->
+    { primitive_name(Term, Name) },
+    [ 'a ~w is a ~w, not a ~w'-[Name, Wanted, Kind], nl,
+      '  Write segment(S, ~w, ~w(...)).'-[Wanted, Name] ].
+fault_en(no_vertices(S, Name)) -->
+    [ 'segment ~d has no vertices, and ~p is no primitive'-[S, Name], nl,
+      '  Give facts v/5 and p/3, or box, cylinder, cone, pyramid, \c
+       rectangle, line or at([...], ...).' ].
+fault_en(no_edges(S)) -->
+    [ 'segment ~d has neither polygons nor edges'-[S], nl,
+      '  Add p/3, e/5 or curve/2.' ].
+fault_en(empty) -->
+    [ 'the model is empty', nl,
+      '  Give at least one segment with vertices and polygons.' ].
+fault_en(refused(Row, Error)) -->
+    [ 'the fact ~p is not possible: ~p'-[Row, Error] ].
+
+expected_en(id) -->
+    [ 'a positive whole number', nl,
+      '  Numbers of segments, vertices, edges and polygons begin with 1.' ].
+expected_en(ids) -->
+    [ 'a list of positive whole numbers' ].
+expected_en(steps) -->
+    [ 'a list of whole numbers', nl,
+      '  Write the vertices of the polygon, as in [1, 2, 3]; a negative \c
+       number is a jump.' ].
+expected_en(chain) -->
+    [ 'a list of two or more vertex numbers' ].
+expected_en(edge_type) -->
+    [ '0 (auxiliary) or 1 (real)' ].
+expected_en(float) -->
+    [ 'a number', nl, '  Write it in digits, such as -1.5 or 2.0e-3.' ].
+expected_en(distance) -->
+    [ 'a number above 0' ].
+expected_en(finite) -->
+    [ 'a finite number', nl,
+      '  Infinity and NaN are no places; repair the program that wrote them.' ].
+expected_en(within(Most)) -->
+    [ 'between -~w and ~w'-[Most, Most], nl,
+      '  Choose other units: nothing can be computed at this size.' ].
+expected_en(ground) -->
+    [ 'an atom, a number or a compound of them', nl,
+      '  Neither variables nor "text"; quote names like \'this one\'.' ].
+expected_en(atom) -->
+    [ 'an atom' ].
+expected_en(one_of(Atoms)) -->
+    { atomic_list_concat(Atoms, ', ', Text) },
+    [ 'one of ~w'-[Text] ].
+
+relation_word(v, vertex).
+relation_word(e, edge).
+relation_word(p, polygon).
+
+key_en(Key) -->
+    (   { is_list(Key) }
+    ->  { atomic_list_concat(Key, ', ', Text) },
+        [ 'with the numbers ~w'-[Text] ]
+    ;   [ 'where one may stand' ]
+    ).
+
+polygon_en(list) -->
+    [ 'has a list in which a jump leads nowhere', nl,
+      '  A negative number follows a closed loop and begins the next one: \c
+       [1,2,3,1,-4,5,6,4].' ].
+polygon_en(edges(N)) -->
+    [ 'has ~d edges, it needs three or more'-[N] ].
+polygon_en(open(V)) -->
+    [ 'does not close at vertex ~d'-[V], nl,
+      '  As many edges must end at a vertex as start there; after a jump \c
+       write the first vertex of the loop again.' ].
+polygon_en(twice(V1, V2)) -->
+    [ 'has the edge from ~d to ~d twice'-[V1, V2], nl,
+      '  Write every step once; a hole runs the other way round.' ].
+polygon_en(no_edge(V)) -->
+    [ 'has an edge from vertex ~d to itself'-[V], nl,
+      '  Write the vertex once.' ].
+
+primitive_name(at(_, Term), Name) :-
+    !,
+    primitive_name(Term, Name).
+primitive_name(Term, Name) :-
+    functor(Term, Name, _).
+
+primitive_en(unknown, Term) -->
+    [ '~p is no primitive'-[Term], nl,
+      '  There are box, cylinder, cone, pyramid, rectangle, line and \c
+       at([Step, ...], Primitive).' ].
+primitive_en(unknown_argument(A), Term) -->
+    { primitive_name(Term, Name) },
+    [ 'a ~w has no argument ~p'-[Name, A], nl ],
+    primitive_form(Name).
+primitive_en(missing(Argument), Term) -->
+    { primitive_name(Term, Name) },
+    [ 'a ~w needs ~w(...)'-[Name, Argument], nl ],
+    primitive_form(Name).
+primitive_en(twice(Argument), Term) -->
+    { primitive_name(Term, Name) },
+    [ 'the ~w has ~w(...) twice'-[Name, Argument], nl ],
+    primitive_form(Name).
+primitive_en(wrong_argument(A, Types), _) -->
+    { functor(A, Name, _),
+      maplist(type_en, Types, Words),
+      atomic_list_concat(Words, ', ', Text) },
+    [ '~p should be ~w(~w)'-[A, Name, Text] ].
+primitive_en(no_step(Step), _) -->
+    [ '~p is no step'-[Step], nl,
+      '  There are translate(X, Y, Z) and rotate(Axis, Degrees), with Axis \c
+       x, y or z.' ].
+primitive_en(no_list(Steps), _) -->
+    [ 'at/2 needs a list of steps, not ~p'-[Steps] ].
+primitive_en(no_length, Term) -->
+    [ '~p begins where it ends'-[Term] ].
+
+type_en(length, 'a length above 0').
+type_en(radius, 'a radius from 0').
+type_en(facets, 'a whole number from 3').
+type_en(number, 'a number').
+
+%   primitive_form(Name)//: how it is written, in every language.
+
+primitive_form(Name) -->
+    { primitive_text(Name, Text) },
+    [ '  ~w'-[Text] ].
+
+primitive_text(box, 'box(size(A, B, C))').
+primitive_text(cylinder, 'cylinder(radius(R), height(H), facets(N))').
+primitive_text(cone, 'cone(radius(R), top(R2), height(H), facets(N))').
+primitive_text(pyramid, 'pyramid(base(A, B), height(H))').
+primitive_text(rectangle, 'rectangle(size(A, B))').
+primitive_text(line, 'line(from(X, Y, Z), to(X, Y, Z))').
+
+
+                /*******************************
+                *              cli             *
+                *******************************/
+
+usage_en(no_verb) -->
+    [ 'what should be done?', nl, '  Try sanggwan --help.' ].
+usage_en(unknown_verb(Verb)) -->
+    [ 'there is no verb ~w'-[Verb], nl, '  Try sanggwan --help.' ].
+usage_en(unknown_option(Text)) -->
+    [ 'unknown option ~w'-[Text] ].
+usage_en(no_value(Text)) -->
+    [ 'option ~w takes no value'-[Text] ].
+usage_en(needs_value(Text)) -->
+    [ 'option ~w needs a value'-[Text] ].
+usage_en(option_twice(Text)) -->
+    [ 'option ~w is given twice'-[Text] ].
+usage_en(bad_value(Text, Value, one_of(Words))) -->
+    { atomic_list_concat(Words, ', ', All) },
+    [ 'option ~w: ~w is none of ~w'-[Text, Value, All] ].
+usage_en(bad_value(Text, Value, number(Low))) -->
+    [ 'option ~w: ~w is no number from ~w on'-[Text, Value, Low] ].
+usage_en(bad_value(Text, Value, Form)) -->
+    { atom(Form) },
+    [ 'option ~w: ~w should look like ~w'-[Text, Value, Form] ].
+usage_en(no_files(What)) -->
+    [ '~w is missing'-[What] ].
+usage_en(too_many(File)) -->
+    [ 'one argument too many: ~w'-[File] ].
+usage_en(no_output) -->
+    [ 'where should the result go? Give -o FILE (- is standard output)' ].
+usage_en(ending(File, Endings)) -->
+    { atomic_list_concat(Endings, ' .', All) },
+    [ '~w: the ending decides the format; it can be .~w'-[File, All] ].
+usage_en(bad_goal(Text, Why)) -->
+    [ 'this is no goal: ~w (~w)'-[Text, Why] ].
+
+notice_en(do_not_meet) -->
+    [ 'the segments do not meet: there are no penetration lines' ].
+notice_en(one_segment) -->
+    [ 'one segment alone has no penetration lines' ].
+notice_en(wrote(File)) -->
+    [ 'wrote ~w'-[File] ].
+notice_en(interrupted) -->
+    [ 'interrupted; nothing was written' ].
+notice_en(no_answer) -->
+    [ 'no' ].
+notice_en(warnings_are_errors(N)) -->
+    [ '~d warnings, and --strict was given'-[N] ].
+notice_en(progress(Stage, Seconds)) -->
+    [ '~w: ~0f s'-[Stage, Seconds] ].
+notice_en(progress(Stage, Done, Total, Left)) -->
+    [ '~w: ~D of ~D, ~0f s left'-[Stage, Done, Total, Left] ].

@@ -1,0 +1,216 @@
+:- module(sg_usage,
+          [ verb/4,                     % ?Verb, -Arguments, -Summary, -Summary_ko
+            verb_options/2,             % +Verb, -Specs
+            print_usage/1,              % +Language
+            print_usage/2               % +Verb, +Language
+          ]).
+:- encoding(utf8).
+:- autoload(library(apply), [maplist/3]).
+:- autoload(library(lists), [append/3, member/2]).
+/** <module> What the program can do: verbs, options, examples.
+
+These tables are the command line: arguments.pl reads the options they list,
+--help prints them, and the man page is made from the same text.
+
+To add a verb: verb/4, verb_option/2, example/3, and a clause of verb_run/3 in
+verbs.pl.
+*/
+
+%!  verb(?Verb, -Arguments, -Summary, -SummaryKo) is nondet.
+%
+%   The verbs in the order of the usage text.
+
+verb(check, 'MODEL...',
+     'counts, box, area, volume, and what is wrong with the model',
+     '개수, 크기, 넓이, 부피와 모델의 잘못').
+verb(convert, 'MODEL... -o FILE',
+     'between model files (.pl) and meshes (.stl .off .obj .ply)',
+     '모델 파일(.pl)과 메시(.stl .off .obj .ply) 사이의 변환').
+verb(penetrate, 'MODEL... [-o FILE]',
+     'the penetration lines of all segments, ordered into loops',
+     '모든 세그먼트의 상관선, 차례로 이은 고리').
+verb(draw, 'MODEL... -o FILE',
+     'a drawing with its hidden lines',
+     '은선을 처리한 그림').
+verb(query, 'MODEL... GOAL',
+     'all answers of a Prolog goal about the model',
+     '모델에 대한 프롤로그 목표의 모든 답').
+verb(repl, '[MODEL...]',
+     'the Prolog top level with the model loaded',
+     '모델을 읽은 프롤로그 최상위').
+
+%   verb_option(Verb, Option): Option as in arguments.pl, with help in English.
+
+verb_option(check, option(json, '', flag, '', 'the report as JSON')).
+
+verb_option(convert, option(output, o, each, 'FILE',
+    'where to; the ending decides the format; may be repeated')).
+verb_option(convert, option(format, '', one_of([pl, stl, off, obj, ply]),
+    'FORMAT', 'the format for -o -')).
+
+verb_option(penetrate, option(output, o, each, 'FILE',
+    'where to (.pl .obj .csv .svg); may be repeated; default: - as .pl')).
+verb_option(penetrate, option(format, '', one_of([pl, obj, csv, svg]),
+    'FORMAT', 'the format for -o -')).
+verb_option(penetrate, option(json, '', flag, '',
+    'print a summary as JSON')).
+
+verb_option(draw, option(output, o, each, 'FILE',
+    'where to (.svg .png .json); may be repeated')).
+verb_option(draw, option(format, '', one_of([svg, png, json]), 'FORMAT',
+    'the format for -o -')).
+verb_option(draw, option(view, '', value, 'VIEW',
+    'front, back, left, right, top, bottom, iso, or THETA,PHI[,RHO] in \c
+     degrees')).
+verb_option(draw, option(projection, '', one_of([parallel, central]), 'KIND',
+    'parallel or central')).
+verb_option(draw, option(hidden, '', one_of([dashed, removed, shown]), 'HOW',
+    'hidden lines dashed (as is usual), removed or shown')).
+verb_option(draw, option(lines, '', one_of([feature, all, penetration]),
+    'WHICH', 'feature (as is usual), all, or penetration lines alone')).
+verb_option(draw, option(segment, '', each, 'N',
+    'only segment N; may be repeated')).
+verb_option(draw, option(size, '', value, 'WxH',
+    'size of the sheet in mm, of a .png in dots')).
+
+verb_option(query, option(format, '', one_of([table, csv, json, prolog]),
+    'FORMAT', 'table (as is usual), csv, json or prolog')).
+verb_option(query, option(json, '', flag, '', 'the same as --format json')).
+verb_option(query, option(limit, '', number(1), 'N', 'the first N answers')).
+
+%   Options of every verb.
+
+common_option(option(from, '', one_of([pl, stl, off, obj, ply]), 'FORMAT',
+    'what - (standard input) is; default pl')).
+common_option(option(rules, '', each, 'FILE',
+    'rules that replace decisions; may be repeated')).
+common_option(option(strict, '', flag, '', 'a warning makes the exit code 1')).
+common_option(option(quiet, q, flag, '', 'no notices, no progress')).
+common_option(option(timings, '', flag, '',
+    'the seconds of each stage, as JSON on standard error')).
+common_option(option(stats, '', flag, '',
+    'rows, bytes and index use, as JSON on standard error')).
+common_option(option(lang, '', one_of([en, ko]), 'LANGUAGE',
+    'language of the messages')).
+common_option(option(help, h, flag, '', 'this text')).
+
+%   option_ko(Option, Help)
+
+option_ko(json, '보고를 JSON으로').
+option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
+option_ko(format, '-o - 의 형식').
+option_ko(view, 'front back left right top bottom iso 또는 THETA,PHI[,RHO] (도)').
+option_ko(projection, 'parallel(평행) 또는 central(중심)').
+option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임)').
+option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
+option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
+option_ko(size, '종이 크기 mm, .png는 점의 수').
+option_ko(limit, '처음 N개의 답만').
+option_ko(from, '표준 입력(-)의 형식. 보통 pl').
+option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
+option_ko(strict, '경고가 있으면 종료 코드 1').
+option_ko(quiet, '알림과 진행 표시 없이').
+option_ko(timings, '단계별 시간을 JSON으로 표준 오류에').
+option_ko(stats, '행, 바이트, 색인 사용을 JSON으로 표준 오류에').
+option_ko(lang, '메시지의 언어').
+option_ko(help, '이 설명').
+
+%   example(Verb, Command)
+
+example(check, 'sanggwan check facts/cube.pl').
+example(check, 'sanggwan check --json part.stl').
+example(convert, 'sanggwan convert part.stl -o part.pl -o part.off').
+example(convert, 'sanggwan convert --from off --format pl -o - - < part.off').
+example(penetrate, 'sanggwan penetrate facts/figures/fig13.pl -o lines.csv').
+example(penetrate, 'sanggwan penetrate cylinder.stl cone.stl -o lines.svg').
+example(draw, 'sanggwan draw facts/figures/fig13.pl -o fig13.svg').
+example(draw, 'sanggwan draw facts/figures/fig12.pl --segment 1 \c
+--view 300,60 -o cone.svg').
+example(draw, 'sanggwan draw part.stl --view iso --hidden removed \c
+--size 640x400 -o part.png').
+example(query, 'sanggwan query facts/cube.pl \'v(1, V, X, Y, Z)\'').
+example(query, 'sanggwan query facts/figures/fig13.pl --format csv \c
+\'penetrate, line(L, 1, P1, _, _, 2, P2, _, _)\'').
+example(repl, 'sanggwan repl facts/figures/fig13.pl').
+
+%!  verb_options(+Verb, -Specs) is det.
+%
+%   The options of Verb, as in arguments.pl, the common ones last.
+
+verb_options(Verb, Specs) :-
+    findall(Spec, verb_option(Verb, Spec), Own),
+    findall(Spec, common_option(Spec), Common),
+    append(Own, Common, Specs).
+
+%!  print_usage(+Language) is det.
+%!  print_usage(+Verb, +Language) is det.
+%
+%   The text of --help on standard output; Language is `en` or `ko`.
+
+print_usage(Language) :-
+    heading(Language, what, What),
+    heading(Language, usage, Usage),
+    format("~w~n~n~w  sanggwan VERB [OPTION...] MODEL...~n", [What, Usage]),
+    format("        sanggwan --help | --version~n~n"),
+    forall(verb(Verb, _, Summary, SummaryKo),
+           ( in_language(Language, Summary, SummaryKo, Text),
+             format("  ~w~t~14|~w~n", [Verb, Text]) )),
+    heading(Language, more, More),
+    format("~n~w~n", [More]).
+
+print_usage(Verb, Language) :-
+    verb(Verb, Arguments, Summary, SummaryKo),
+    in_language(Language, Summary, SummaryKo, Text),
+    heading(Language, usage, Usage),
+    heading(Language, options, Options),
+    heading(Language, examples, Examples),
+    format("sanggwan ~w: ~w~n~n", [Verb, Text]),
+    format("~w  sanggwan ~w [OPTION...] ~w~n~n~w~n",
+           [Usage, Verb, Arguments, Options]),
+    verb_options(Verb, Specs),
+    forall(member(Spec, Specs), print_option(Language, Spec)),
+    format("~n~w~n", [Examples]),
+    forall(example(Verb, Command), format("  ~w~n", [Command])).
+
+print_option(Language, option(Name, Short, _, Meta, Help)) :-
+    (   Short == ''
+    ->  Letter = '    '
+    ;   format(atom(Letter), '-~w, ', [Short])
+    ),
+    (   Meta == ''
+    ->  Value = ''
+    ;   Value = '='
+    ),
+    (   option_ko(Name, HelpKo)
+    ->  true
+    ;   HelpKo = Help
+    ),
+    in_language(Language, Help, HelpKo, Text),
+    format("  ~w--~w~w~w~t~28|~w~n", [Letter, Name, Value, Meta, Text]).
+
+in_language(ko, _, Text, Text) :-
+    !.
+in_language(_, Text, _, Text).
+
+heading(ko, Key, Text) :-
+    heading_ko(Key, Text),
+    !.
+heading(_, Key, Text) :-
+    heading_en(Key, Text).
+
+heading_en(what, 'Sanggwan: penetration lines, hidden lines, and models as \c
+relations.').
+heading_en(usage, 'Usage:').
+heading_en(options, 'Options:').
+heading_en(examples, 'Examples:').
+heading_en(more, 'sanggwan VERB --help says more, with examples.\nExit codes: \c
+0 done; 1 the answer is no; 2 wrong usage; 3 input unreadable or\ninvalid; \c
+4 geometry not possible; 130 interrupted.').
+
+heading_ko(what, '상관: 상관선, 은선, 그리고 관계로서의 모델.').
+heading_ko(usage, '사용법:').
+heading_ko(options, '선택 사항:').
+heading_ko(examples, '보기:').
+heading_ko(more, 'sanggwan VERB --help 에 자세한 설명과 보기가 있다.\n종료 코드: \c
+0 끝남; 1 아니오; 2 잘못된 사용; 3 입력을 읽을 수 없거나 잘못됨;\n\c
+4 기하 계산 불가; 130 중단됨.').
