@@ -26,10 +26,11 @@
             set_world/1,              % +World
             fresh_id/3,               % +Relation, +S, -Id
             relation/3,               % ?Name, ?Arity, ?Doc
-            relation_column/5,        % ?Relation, ?Position, ?Column, ?Type, ?Doc
-            relation_key/2,           % ?Relation, ?Positions
-            column_domain/3,          % ?Relation, ?Position, ?Values
-            column_refers/3,          % ?Relation, ?Position, ?Other
+            relation_column/5,        % ?Relation, ?Position, ?Column, ?Type,
+                                      % ?Refers
+            relation_key/2,           % ?Relation, -Positions
+            column_doc/3,             % ?Relation, ?Position, ?Doc
+            column_domain/3,          % ?Relation, ?Position, -Values
             facts_statistics/2        % ?Relation, -Statistics
           ]).
 
@@ -105,27 +106,21 @@ relation_number(Number, Name, Arity, Key, Doc) :-
         fail
     ).
 
-%!  relation_column(?Relation, ?Position, ?Column, ?Type, ?Doc) is nondet.
+%!  relation_column(?Relation, ?Position, ?Column, ?Type, ?Refers) is nondet.
 %
-%   True when the argument at Position (from 1) of Relation is called Column;
-%   Type is one of int, float, list, atom, term.
+%   True when the column at Position (from 0, as in engine/relations.def) is
+%   called Column; Type is one of int, float, list, atom, term; its ids must
+%   be rows of the relation Refers, in the same segment (none: they need not).
 
-relation_column(Relation, Position, Column, Type, Doc) :-
-    column(Relation, Position, Column, Type, _, _, Doc).
+relation_column(Relation, Position, Column, Type, Refers) :-
+    column(Relation, Position, Column, Type, Refers, _, _).
 
-%!  relation_key(?Relation, -Positions:list(integer)) is nondet.
+%!  column_doc(?Relation, ?Position, ?Doc:string) is nondet.
 %
-%   True when the arguments at Positions together name a row of Relation;
-%   there are no two rows with the same. Positions is never empty.
+%   True when Doc says what the column holds.
 
-relation_key(Relation, Positions) :-
-    relation_number(_, Relation, Arity, Mask, _),
-    Mask > 0,
-    findall(Position,
-            (   between(1, Arity, Position),
-                Mask /\ (1<<(Position-1)) =\= 0
-            ),
-            Positions).
+column_doc(Relation, Position, Doc) :-
+    column(Relation, Position, _, _, _, _, Doc).
 
 %!  column_domain(?Relation, ?Position, -Values:list) is nondet.
 %
@@ -135,21 +130,31 @@ column_domain(Relation, Position, Values) :-
     column(Relation, Position, _, _, _, Words, _),
     Words \== "",
     split_string(Words, " ", " ", Strings),
-    maplist([String,Value]>>term_string(Value, String), Strings, Values).
+    maplist(domain_value, Strings, Values).
 
-%!  column_refers(?Relation, ?Position, ?Other) is nondet.
+domain_value(String, Value) :-
+    term_string(Value, String).
+
+%!  relation_key(?Relation, -Positions:list(integer)) is nondet.
 %
-%   True when the column's ids must be rows of Other, of the same segment.
+%   True when the columns at Positions together name a row of Relation: no two
+%   rows have the same. Positions is never empty.
 
-column_refers(Relation, Position, Other) :-
-    column(Relation, Position, _, _, Other, _, _),
-    Other \== none.
+relation_key(Relation, Positions) :-
+    relation_number(_, Relation, Arity, Mask, _),
+    Mask > 0,
+    Last is Arity-1,
+    findall(Position,
+            (   between(0, Last, Position),
+                Mask /\ (1<<Position) =\= 0
+            ),
+            Positions).
 
 column(Relation, Position, Column, Type, Refers, Domain, Doc) :-
     relation_number(Number, Relation, Arity, _, _),
-    between(1, Arity, Position),
-    Position0 is Position-1,
-    '$column'(Number, Position0, Column, Type, Refers, Domain, Doc).
+    Last is Arity-1,
+    between(0, Last, Position),
+    '$column'(Number, Position, Column, Type, Refers, Domain, Doc).
 
 %!  facts_statistics(?Relation, -Statistics:dict) is nondet.
 %
