@@ -1,0 +1,540 @@
+/* scene4pl.c -- scenes and the hidden-line joins (documented in kernel.pl).
+ *
+ * Layer: glue.
+ */
+#include "scene4pl.h"
+
+#include "glue.h"
+#include "parts.h"
+
+#include "../engine/install.h"
+#include "../engine/symbol.h"
+#include "../engine/world4pl.h"
+
+#include <SWI-Stream.h>
+#include <stdlib.h>
+#include <string.h>
+
+static functor_t FUNCTOR_look8;
+static atom_t ATOM_all, ATOM_feature, ATOM_penetration, ATOM_true, ATOM_false;
+
+/* ---------------------------------------------------------- the handle */
+
+typedef struct handle {
+  sg_scene *scene;
+  sg_hide hide;
+} handle;
+
+static int
+release_handle(atom_t atom)
+{
+  handle *h = PL_blob_data(atom, NULL, NULL);
+
+  sg_hide_clear(&h->hide);
+  sg_scene_close(h->scene);
+  free(h);
+  return TRUE;
+}
+
+static int
+write_handle(IOSTREAM *out, atom_t atom, int flags)
+{
+  const handle *h = PL_blob_data(atom, NULL, NULL);
+
+  (void)flags;
+  return Sfprintf(out, "<scene>(%zu lines, %zu triangles)", h->scene->lines,
+                  h->scene->masks) >= 0;
+}
+
+static PL_blob_t scene_blob = {.magic = PL_BLOB_MAGIC,
+                               .flags = PL_BLOB_NOCOPY,
+                               .name = "scene",
+                               .release = release_handle,
+                               .write = write_handle};
+
+static int
+get_scene_ex(term_t t, handle **out)
+{
+  PL_blob_t *type;
+  void *data;
+
+  if (PL_get_blob(t, &data, NULL, &type) && type == &scene_blob) {
+    *out = data;
+    return TRUE;
+  }
+  return PL_type_error("scene", t);
+}
+
+/* ------------------------------------------------------------- opening */
+
+static int
+compare_ids(const void *a, const void *b)
+{
+  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
+
+  return (x > y) - (x < y);
+}
+
+/* `all`, or a list of segments; free(out->s). */
+static int
+get_chosen_ex(term_t t, sg_chosen *out)
+{
+  atom_t name;
+
+  *out = (sg_chosen){.all = PL_get_atom(t, &name) && name == ATOM_all};
+  if (out->all) {
+    return TRUE;
+  }
+  if (!sg_get_ids_ex(t, &out->s, &out->n)) {
+    return FALSE;
+  }
+  if (out->n > 1) {
+    qsort(out->s, out->n, sizeof *out->s, compare_ids);
+  }
+  return TRUE;
+}
+
+static int
+unify_scene(term_t t, handle *h)
+{
+  term_t blob = PL_new_term_ref();
+
+  PL_put_blob(blob, h, sizeof *h, &scene_blob);
+  return PL_unify(t, blob);
+}
+
+/* A scene of the input, with its search structures. Null: an exception. */
+static handle *
+new_handle_ex(sg_scene_input *in)
+{
+  handle *h = calloc(1, sizeof *h);
+  bool memory = h != NULL;
+
+  if (memory) {
+    h->scene = sg_scene_open(in, &sg_prolog_poll, &memory);
+    if (h->scene && sg_hide_init(&h->hide, h->scene)) {
+      return h;
+    }
+    memory = memory && !h->scene;
+    sg_scene_close(h->scene);
+    free(h);
+  }
+  if (!memory) {
+    sg_no_memory();
+  }
+  return NULL;
+}
+
+static foreign_t
+scene_open(term_t segments, term_t depth, term_t tolerance, term_t scene)
+{
+  sg_world *world = sg_current_world_ex();
+  double number[2];
+  sg_chosen chosen;
+  sg_scene_input in;
+  const sg_version *version;
+  handle *h = NULL;
+
+  if (!world || !sg_get_finite_ex(depth, &number[0]) ||
+      !sg_get_finite_ex(tolerance, &number[1]) ||
+      !get_chosen_ex(segments, &chosen)) {
+    return FALSE;
+  }
+  version = sg_world_version(world);
+  if (version && sg_scene_input_read(&in, version, &chosen)) {
+    in.depth = number[0];
+    in.tolerance = number[1];
+    h = new_handle_ex(&in);
+  } else {
+    sg_no_memory();
+  }
+  sg_scene_input_clear(&in);
+  sg_version_drop(version);
+  free(chosen.s);
+  return h && unify_scene(scene, h);
+}
+
+/* ---------------------------------------------------------------- edges */
+
+static int
+unify_bool(term_t t, bool value)
+{
+  return PL_unify_atom(t, value ? ATOM_true : ATOM_false);
+}
+
+static int
+unify_look(term_t t, const sg_look *look)
+{
+  term_t a = PL_new_term_refs(8);
+  const unsigned count[5] = {look->faces, look->towards, look->away,
+                             look->left, look->right};
+
+  for (int i = 0; i < 5; i++) {
+    if (!PL_unify_uint64(a + i, count[i])) {
+      return FALSE;
+    }
+  }
+  return sg_unify_double(a + 5, look->bend) && unify_bool(a + 6, look->solid) &&
+         unify_bool(a + 7, look->cut) &&
+         PL_unify_term(t, PL_FUNCTOR, FUNCTOR_look8, PL_TERM, a, PL_TERM, a + 1,
+                       PL_TERM, a + 2, PL_TERM, a + 3, PL_TERM, a + 4, PL_TERM,
+                       a + 5, PL_TERM, a + 6, PL_TERM, a + 7);
+}
+
+/* The line of edge (s, e), which must be one that the scene draws. */
+static int
+get_line_ex(const handle *h, term_t s, term_t e, size_t *out)
+{
+  int32_t id[2];
+
+  if (!sg_get_id_ex(s, &id[0]) || !sg_get_id_ex(e, &id[1])) {
+    return FALSE;
+  }
+  *out = sg_scene_find(h->scene, id[0], id[1]);
+  return *out != SIZE_MAX || PL_existence_error("drawn_edge", e);
+}
+
+static int
+unify_line(const handle *h, size_t at, term_t s, term_t e)
+{
+  return PL_unify_integer(s, h->scene->line[at].s) &&
+         PL_unify_integer(e, h->scene->line[at].e);
+}
+
+static int
+unify_edge(const handle *h, size_t at, term_t s)
+{
+  const sg_scene_line *line = &h->scene->line[at];
+
+  return unify_line(h, at, s, s + 1) &&
+         sg_unify_double(s + 2, sg_line_length(h->scene, line)) &&
+         unify_look(s + 3, &line->look);
+}
+
+/* The next line at or after `at` whose ids can be those asked for. */
+static size_t
+next_edge(const handle *h, size_t at, term_t s, term_t e)
+{
+  int64_t want[2]; /* 0: any */
+
+  if (!PL_get_int64(s, &want[0])) {
+    want[0] = 0;
+  }
+  if (!PL_get_int64(e, &want[1])) {
+    want[1] = 0;
+  }
+  for (; at < h->scene->lines; at++) {
+    const sg_scene_line *line = &h->scene->line[at];
+    if ((!want[0] || want[0] == line->s) && (!want[1] || want[1] == line->e)) {
+      break;
+    }
+  }
+  return at;
+}
+
+static int
+scene_edge_first(const handle *h, term_t a1, size_t *at)
+{
+  int32_t id[2];
+
+  if (PL_is_variable(a1) || PL_is_variable(a1 + 1)) {
+    *at = next_edge(h, 0, a1, a1 + 1);
+    return TRUE;
+  }
+  if (!sg_get_id_ex(a1, &id[0]) || !sg_get_id_ex(a1 + 1, &id[1])) {
+    return FALSE;
+  }
+  *at = sg_scene_find(h->scene, id[0], id[1]);
+  return TRUE;
+}
+
+/* scene_edge(+Scene, ?S, ?E, -Length, -Look) is nondet. */
+static foreign_t
+scene_edge(term_t a0, int arity, control_t control)
+{
+  handle *h = NULL;
+  size_t at, next;
+
+  (void)arity;
+  if (PL_foreign_control(control) == PL_PRUNED) {
+    return TRUE;
+  }
+  if (!get_scene_ex(a0, &h)) {
+    return FALSE;
+  }
+  if (PL_foreign_control(control) == PL_REDO) {
+    at = (size_t)PL_foreign_context(control);
+  } else if (!scene_edge_first(h, a0 + 1, &at)) {
+    return FALSE;
+  }
+  if (at >= h->scene->lines) {
+    return FALSE;
+  }
+  next = PL_is_variable(a0 + 1) || PL_is_variable(a0 + 2)
+             ? next_edge(h, at + 1, a0 + 1, a0 + 2)
+             : h->scene->lines;
+  if (!unify_edge(h, at, a0 + 1)) {
+    return FALSE;
+  }
+  if (next >= h->scene->lines) {
+    return TRUE;
+  }
+  PL_retry((intptr_t)next);
+}
+
+/* ---------------------------------------------------------------- joins */
+
+/* The answers of one call of occluder/7 or overlap/9. */
+typedef struct answers {
+  sg_hiddens hidden;
+  sg_overlaps overlap;
+  size_t next;
+} answers;
+
+static void
+answers_free(answers *a)
+{
+  if (a) {
+    free(a->hidden.part);
+    free(a->overlap.part);
+    free(a);
+  }
+}
+
+static int
+unify_hidden(const handle *h, const sg_hidden *part, term_t a3)
+{
+  const sg_scene_mask *mask = &h->scene->mask[part->mask];
+
+  return PL_unify_integer(a3, mask->s) && PL_unify_integer(a3 + 1, mask->t) &&
+         sg_unify_double(a3 + 2, part->from) &&
+         sg_unify_double(a3 + 3, part->to);
+}
+
+static int
+unify_overlap(const handle *h, const sg_overlap *part, term_t a3)
+{
+  return unify_line(h, part->line, a3, a3 + 1) &&
+         sg_unify_double(a3 + 2, part->from) &&
+         sg_unify_double(a3 + 3, part->to) &&
+         sg_unify_double(a3 + 4, part->from2) &&
+         sg_unify_double(a3 + 5, part->to2);
+}
+
+/* The first answer at or after a->next that unifies; the last one leaves no
+ * choice point. */
+static foreign_t
+answer(const handle *h, answers *a, term_t a3)
+{
+  size_t n = a->hidden.n + a->overlap.n;
+  fid_t frame = PL_open_foreign_frame();
+
+  while (a->next < n) {
+    size_t i = a->next++;
+    int ok = a->hidden.n ? unify_hidden(h, &a->hidden.part[i], a3)
+                         : unify_overlap(h, &a->overlap.part[i], a3);
+    if (ok || PL_exception(0)) {
+      PL_close_foreign_frame(frame);
+      if (ok && a->next < n) {
+        PL_retry_address(a);
+      }
+      answers_free(a);
+      return ok;
+    }
+    PL_rewind_foreign_frame(frame);
+  }
+  PL_close_foreign_frame(frame);
+  answers_free(a);
+  return FALSE;
+}
+
+static answers *
+find_answers_ex(handle *h, term_t a0, bool overlaps)
+{
+  answers *a = calloc(1, sizeof *a);
+  size_t line;
+
+  if (!a) {
+    sg_no_memory();
+    return NULL;
+  }
+  if (get_line_ex(h, a0 + 1, a0 + 2, &line)) {
+    if (overlaps ? sg_hide_overlaps(&h->hide, line, &a->overlap)
+                 : sg_hide_masks(&h->hide, line, false, &a->hidden)) {
+      return a;
+    }
+    sg_no_memory();
+  }
+  answers_free(a);
+  return NULL;
+}
+
+static foreign_t
+join(term_t a0, bool overlaps, control_t control)
+{
+  handle *h = NULL;
+  answers *a;
+
+  switch (PL_foreign_control(control)) {
+  case PL_PRUNED:
+    answers_free(PL_foreign_context_address(control));
+    return TRUE;
+  case PL_REDO:
+    a = PL_foreign_context_address(control);
+    return get_scene_ex(a0, &h) && answer(h, a, a0 + 3);
+  default:
+    return get_scene_ex(a0, &h) && (a = find_answers_ex(h, a0, overlaps)) &&
+           answer(h, a, a0 + 3);
+  }
+}
+
+/* occluder(+Scene, +S, +E, ?S2, ?T, -From, -To) is nondet. */
+static foreign_t
+occluder(term_t a0, int arity, control_t control)
+{
+  (void)arity;
+  return join(a0, false, control);
+}
+
+/* overlap(+Scene, +S, +E, ?S2, ?E2, -From, -To, -From2, -To2) is nondet. */
+static foreign_t
+overlap(term_t a0, int arity, control_t control)
+{
+  (void)arity;
+  return join(a0, true, control);
+}
+
+/* -------------------------------------------------------------- drawing */
+
+static int
+get_which_ex(term_t t, sg_which *out)
+{
+  atom_t name;
+
+  if (!PL_get_atom_ex(t, &name)) {
+    return FALSE;
+  }
+  *out = name == ATOM_all       ? SG_LINES_ALL
+         : name == ATOM_feature ? SG_LINES_FEATURE
+                                : SG_LINES_CUT;
+  return *out != SG_LINES_CUT || name == ATOM_penetration ||
+         PL_domain_error("lines", t);
+}
+
+static int32_t
+role_symbol(sg_role role)
+{
+  const char *name = sg_role_name(role);
+
+  return sg_symbol_intern(name, strlen(name));
+}
+
+/* The columns of drawn/7. */
+typedef struct columns {
+  int32_t *d, *s, *e, *visibility, *role;
+  double *from, *to;
+} columns;
+
+static void
+columns_clear(columns *c)
+{
+  free(c->d);
+  free(c->s);
+  free(c->e);
+  free(c->visibility);
+  free(c->role);
+  free(c->from);
+  free(c->to);
+}
+
+static bool
+columns_fill(columns *c, const sg_scene *scene, const sg_part *part, size_t n)
+{
+  size_t bytes = (n + 1) * sizeof(int32_t), wide = (n + 1) * sizeof(double);
+
+  *c = (columns){malloc(bytes), malloc(bytes), malloc(bytes), malloc(bytes),
+                 malloc(bytes), malloc(wide),  malloc(wide)};
+  if (!c->d || !c->s || !c->e || !c->visibility || !c->role || !c->from ||
+      !c->to) {
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    c->d[i] = (int32_t)i + 1;
+    c->s[i] = scene->line[part[i].line].s;
+    c->e[i] = scene->line[part[i].line].e;
+    c->from[i] = part[i].from;
+    c->to[i] = part[i].to;
+    c->visibility[i] =
+        part[i].hidden ? SG_SYMBOL_HIDDEN : SG_SYMBOL_VISIBLE;
+    c->role[i] = role_symbol(part[i].role);
+  }
+  return true;
+}
+
+static int
+replace_drawn_ex(const sg_scene *scene, const sg_part *part, size_t n)
+{
+  sg_world *world = sg_current_world_ex();
+  columns c = {0};
+  sg_fault fault;
+  sg_status status = SG_NO_MEMORY;
+
+  if (!world) {
+    return FALSE;
+  }
+  if (columns_fill(&c, scene, part, n)) {
+    const void *column[] = {c.d, c.s, c.e, c.from, c.to, c.visibility, c.role};
+    sg_world_retract_all(world, SG_DRAWN);
+    status = sg_world_add_many(world, SG_DRAWN, n, column, &fault);
+  }
+  columns_clear(&c);
+  return sg_raise_status(status, SG_DRAWN, &fault);
+}
+
+/* fill_drawn(+Scene, +Which, +Crease) is det. */
+static foreign_t
+fill_drawn(term_t scene, term_t which_lines, term_t crease)
+{
+  handle *h = NULL;
+  sg_which which;
+  double bend;
+  sg_part *part;
+  size_t n;
+  bool memory;
+  int ok;
+
+  if (!get_scene_ex(scene, &h) || !get_which_ex(which_lines, &which) ||
+      !sg_get_finite_ex(crease, &bend)) {
+    return FALSE;
+  }
+  if (!sg_parts_of(&h->hide, which, bend, &sg_prolog_poll, &part, &n,
+                   &memory)) {
+    return memory ? FALSE : sg_no_memory();
+  }
+  ok = replace_drawn_ex(h->scene, part, n);
+  free(part);
+  return ok;
+}
+
+void
+sg_install_scene(void)
+{
+  static const PL_extension doors[] = {
+      {"scene_open", 4, (pl_function_t)scene_open, 0},
+      {"scene_edge", 5, (pl_function_t)scene_edge,
+       PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
+      {"occluder", 7, (pl_function_t)occluder,
+       PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
+      {"overlap", 9, (pl_function_t)overlap,
+       PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
+      {"fill_drawn", 3, (pl_function_t)fill_drawn, 0},
+      {NULL, 0, NULL, 0}};
+
+  FUNCTOR_look8 = PL_new_functor(PL_new_atom("look"), 8);
+  ATOM_all = PL_new_atom("all");
+  ATOM_feature = PL_new_atom("feature");
+  ATOM_penetration = PL_new_atom("penetration");
+  ATOM_true = PL_new_atom("true");
+  ATOM_false = PL_new_atom("false");
+  PL_register_extensions_in_module("sg_kernel", doors);
+}

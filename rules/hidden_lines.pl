@@ -1,0 +1,226 @@
+:- module(sg_hidden_lines,
+          [ picture/0,
+            picture/1,                  % +Options
+            open_scene/2,               % -Scene, +Options
+            hides/4,                    % +S, +E, +S2, +T
+            hidden_interval/5,          % +Scene, +S, +E, -From, -To
+            line_parts/5,               % +Scene, +S, +E, -Visible, -Hidden
+            hidden_by/6                 % ?S, ?E, -S2, -T, -From, -To
+          ]).
+:- use_module(library(assoc), [list_to_assoc/2, get_assoc/3]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(option), [option/3]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(interval,
+              [ intervals_union/3, intervals_gaps/2, intervals_subtract/3,
+                intervals_within/4
+              ]).
+:- use_module(role, [edge_role/5, role_rank/2, role_drawn/2]).
+:- use_module(view, [project_world/0, screen_depth/1]).
+:- use_module(stage, [stage/2]).
+:- use_module(store,
+              [ assert_fact/1, retractall_facts/1, facts_transaction/1 ]).
+:- use_module(kernel,
+              [ scene_open/4, scene_edge/5, occluder/7, overlap/9,
+                fill_drawn/3
+              ]).
+/** <module> Hidden lines: the picture of a world.
+
+picture/1 fills screen/5 and drawn/7. Hidden parts are kept, so that they can be
+dashed; nothing is drawn twice: where lines lie on one another in the picture a
+visible one is drawn, not a hidden one, and the role and the order of the edges
+decide between two of a kind (a box seen squarely has no hidden line at all).
+
+The rules here define what is drawn. The join occluder/7 finds the triangles
+that hide a part of a line; triangles that are seen edge-on and the backs of
+solids are not among them (PL-13 steps 1 and 2). As long as nobody replaces a
+decision, the kernel fill_drawn/3 computes the same for the whole world.
+
+@see [PL] section 6.3: PL-13.
+*/
+
+%!  picture is det.
+%!  picture(+Options) is det.
+%
+%   Make the picture of the current world: fill screen/5 and drawn/7, replacing
+%   what they held. One operation. Options:
+%
+%     - lines(Which): `feature` (default), `all` or `penetration`, see
+%       role_drawn/2
+%     - segments(List): draw these only; the others do not hide either
+%     - crease(Degrees): over which bend an edge is a crease; default 30
+%     - tolerance(T): what counts as equal, in a model of size [-1,1]; default
+%       1.0e-9
+%     - method(M): `kernel`, `rule`, or `auto` (default): the kernel, unless a
+%       decision is replaced
+%
+%   @error geometry_error(eye_in_model(D))
+
+picture :-
+    picture([]).
+
+picture(Options) :-
+    option(lines(Which), Options, feature),
+    must_be(oneof([all,feature,penetration]), Which),
+    option(crease(Crease), Options, 30),
+    must_be(number, Crease),
+    option(method(Method0), Options, auto),
+    must_be(oneof([auto,kernel,rule]), Method0),
+    ( Method0 == auto -> Method = kernel ; Method = Method0 ),
+    facts_transaction(
+        (   project_world,
+            open_scene(Scene, Options),
+            draw(Method, Scene, Which, Crease)
+        )).
+
+draw(kernel, Scene, Which, Crease) :-
+    stage(join, fill_drawn(Scene, Which, Crease)).
+draw(rule, Scene, Which, Crease) :-
+    stage(rules, draw_by_rule(Scene, Which, Crease)).
+
+%!  open_scene(-Scene, +Options) is det.
+%
+%   True when Scene is what the current world's screen/5 shows: the lines and
+%   triangles for the joins scene_edge/5, occluder/7 and overlap/9. It does not
+%   follow later changes. Options segments(List) and tolerance(T) as for
+%   picture/1.
+
+open_scene(Scene, Options) :-
+    option(segments(Segments), Options, all),
+    option(tolerance(Tolerance), Options, 1.0e-9),
+    screen_depth(Depth),
+    stage(tree, scene_open(Segments, Depth, Tolerance, Scene)).
+
+%!  hides(+S, +E, +S2, +T) is semidet.
+%
+%   True when triangle T of segment S2 may hide edge E of segment S. It always
+%   may.
+
+hides(_, _, _, _).
+
+%!  hidden_interval(+Scene, +S, +E, -From, -To) is nondet.
+%
+%   True when the part of edge E from From to To is hidden: all of it, if its
+%   faces are backs of a solid (step 2), or the part that a triangle hides
+%   (step 4).
+
+hidden_interval(Scene, S, E, 0.0, 1.0) :-
+    scene_edge(Scene, S, E, _, look(_,0,Away,_,_,_,true,_)),
+    Away > 0.
+hidden_interval(Scene, S, E, From, To) :-
+    occluder(Scene, S, E, S2, T, From, To),
+    hides(S, E, S2, T).
+
+%!  line_parts(+Scene, +S, +E, -Visible, -Hidden) is det.
+%
+%   True when Visible and Hidden are the intervals of edge E that are seen and
+%   that are not, whatever other lines lie there. Parts too short to be drawn
+%   are left out.
+
+line_parts(Scene, S, E, Visible, Hidden) :-
+    shortest(Scene, S, E, Least),
+    findall(From-To, hidden_interval(Scene, S, E, From, To), Intervals0),
+    sort(0, @=<, Intervals0, Intervals),
+    intervals_union(Least, Intervals, Hidden),
+    intervals_gaps(Hidden, Visible).
+
+%   The smallest interval that is drawn: 1.0e-7 in a model of size [-1,1].
+shortest(Scene, S, E, Least) :-
+    scene_edge(Scene, S, E, Length, _),
+    Least is 1.0e-7/Length.
+
+%!  hidden_by(?S, ?E, -S2, -T, -From, -To) is nondet.
+%
+%   True when triangle T of segment S2 hides the part of edge E from From to To,
+%   in the picture that screen/5 holds.
+
+hidden_by(S, E, S2, T, From, To) :-
+    open_scene(Scene, []),
+    scene_edge(Scene, S, E, _, _),
+    occluder(Scene, S, E, S2, T, From, To),
+    hides(S, E, S2, T).
+
+                /*******************************
+                *        BY THE RULES          *
+                *******************************/
+
+draw_by_rule(Scene, Which, Crease) :-
+    findall((S-E)-Role, drawn_line(Scene, Which, Crease, S, E, Role), Lines0),
+    maplist(with_parts(Scene), Lines0, Lines),
+    list_to_assoc(Lines, Drawing),
+    retractall_facts(drawn(_,_,_,_,_,_,_)),
+    foldl(draw_line(Scene, Drawing), Lines, 1, _).
+
+%   The lines that are drawn, unless something else is drawn there.
+drawn_line(Scene, Which, Crease, S, E, Role) :-
+    scene_edge(Scene, S, E, Length, Look),
+    Length > 1.0e-7,
+    edge_role(S, E, Look, Crease, Role),
+    once(role_drawn(Which, Role)).
+
+with_parts(Scene, (S-E)-Role, (S-E)-line(Role,Visible,Hidden)) :-
+    line_parts(Scene, S, E, Visible, Hidden).
+
+draw_line(Scene, Drawing, (S-E)-line(Role,Visible0,Hidden0), D0, D) :-
+    findall(over(Line2,Map), overlapped(Scene, Drawing, S, E, Line2, Map),
+            Others),
+    foldl(yield(S-E, Role, visible), Others, Visible0, Visible),
+    foldl(yield(S-E, Role, hidden), Others, Hidden0, Hidden),
+    shortest(Scene, S, E, Least),
+    findall(From-part(To,Visibility),
+            (   member(Visibility-Set, [visible-Visible, hidden-Hidden]),
+                member(From-To, Set),
+                To-From > Least
+            ),
+            Parts0),
+    keysort(Parts0, Parts),
+    foldl(assert_part(S, E, Role), Parts, D0, D).
+
+assert_part(S, E, Role, From-part(To,Visibility), D0, D) :-
+    assert_fact(drawn(D0, S, E, From, To, Visibility, Role)),
+    D is D0+1.
+
+%   Line2 is drawn too and lies on edge E from From to To, which is From2 to
+%   To2 of it.
+overlapped(Scene, Drawing, S, E, (S2-E2)-Line2, map(From,To,From2,To2)) :-
+    overlap(Scene, S, E, S2, E2, From, To, From2, To2),
+    get_assoc(S2-E2, Drawing, Line2).
+
+%   Visible parts give way to visible ones of a line that comes before; hidden
+%   ones to every visible one, and to hidden ones of a line that comes before.
+yield(Id, Role, Visibility, over(Id2-line(Role2,Visible,Hidden),Map),
+      Set0, Set) :-
+    (   comes_before(Id2, Role2, Id, Role)
+    ->  Before = true
+    ;   Before = false
+    ),
+    (   ( Visibility == hidden ; Before == true )
+    ->  subtract_mapped(Visible, Map, Set0, Set1)
+    ;   Set1 = Set0
+    ),
+    (   Visibility == hidden,
+        Before == true
+    ->  subtract_mapped(Hidden, Map, Set1, Set)
+    ;   Set = Set1
+    ).
+
+comes_before(Id2, Role2, Id, Role) :-
+    role_rank(Role2, Rank2),
+    role_rank(Role, Rank),
+    !,
+    Rank2-Id2 @< Rank-Id.
+
+subtract_mapped(Theirs, map(From,To,From2,To2), Set0, Set) :-
+    Low is min(From2, To2),
+    High is max(From2, To2),
+    Rate is (To-From)/(To2-From2),
+    intervals_within(Theirs, Low, High, Within),
+    foldl(subtract_part(From, From2, Rate), Within, Set0, Set).
+
+subtract_part(From, From2, Rate, X-Y, Set0, Set) :-
+    A is From + (X-From2)*Rate,
+    B is From + (Y-From2)*Rate,
+    Low is min(A, B),
+    High is max(A, B),
+    intervals_subtract(Set0, Low-High, Set).

@@ -1,0 +1,198 @@
+:- module(sg_view,
+          [ set_view/3,                 % +Theta, +Phi, +Rho
+            set_view/1,                 % +Name
+            set_projection/1,           % +Kind
+            current_view/4,             % -Theta, -Phi, -Rho, -Kind
+            named_view/3,               % ?Name, ?Theta, ?Phi
+            project_world/0,
+            eye_point/4,                % +Theta, +Phi, +Point, -EyePoint
+            screen_point/3,             % +View, +EyePoint, -ScreenPoint
+            screen_plane/5,             % +S, +T, -A, -B, -D
+            screen_depth/1              % -Depth
+          ]).
+:- use_module(library(error), [must_be/2, domain_error/2]).
+:- use_module(stage, [stage/2]).
+:- use_module(store,
+              [ view/3, projection/1, screen/5, t/6,
+                assert_fact/1, retractall_facts/1, facts_transaction/1
+              ]).
+:- use_module(kernel, [fill_screen/4, view_range/5, view_depth/5,
+                       sine_cosine/3]).
+:- set_prolog_flag(optimise, true).
+/** <module> Views: from the model to the picture.
+
+The eye stands at spherical (Rho, Theta, Phi), degrees, Phi from +z, and looks
+at the origin. In the picture x runs to the right, y up and z away from the
+eye (a left-handed system). A parallel picture is in model units; a central one
+too, as large as the model is at its nearest point.
+
+The rules eye_point/4 and screen_point/3 say where one point is seen; the
+kernel fill_screen/4 does the same for a whole world and fills screen/5.
+
+@see [PL] section 6.1 and 6.2: PL-11, PL-12.
+*/
+
+% What is seen when the model says nothing.
+default_view(300.0, 65.0, 0.0).
+
+%!  set_view(+Theta, +Phi, +Rho) is det.
+%
+%   Look from there; Theta and Phi in degrees, Rho in model units. A Rho of 0
+%   is three times as far as the farthest vertex. Replaces view/3.
+%
+%   @error domain_error(not_less_than_zero, Rho)
+
+set_view(Theta0, Phi0, Rho0) :-
+    must_be(number, Theta0),
+    must_be(number, Phi0),
+    must_be(nonneg_number, Rho0),
+    Theta is float(Theta0)+0.0,
+    Phi is float(Phi0)+0.0,
+    Rho is float(Rho0)+0.0,
+    facts_transaction(
+        (   retractall_facts(view(_,_,_)),
+            assert_fact(view(Theta, Phi, Rho))
+        )).
+
+:- multifile error:has_type/2.
+
+error:has_type(nonneg_number, X) :-
+    number(X),
+    X >= 0.
+
+%!  set_view(+Name) is det.
+%
+%   Look from a named side, see named_view/3, from as far as needed.
+%
+%   @error domain_error(view_name, Name)
+
+set_view(Name) :-
+    must_be(atom, Name),
+    (   named_view(Name, Theta, Phi)
+    ->  set_view(Theta, Phi, 0.0)
+    ;   domain_error(view_name, Name)
+    ).
+
+%!  named_view(?Name, ?Theta, ?Phi) is nondet.
+%
+%   The sides that have a name. The front is seen from -y; iso looks along a
+%   diagonal of a cube, from the right, the front and above.
+
+named_view(front,  270.0,  90.0).
+named_view(right,    0.0,  90.0).
+named_view(top,    270.0,   0.0).
+named_view(left,   180.0,  90.0).
+named_view(back,    90.0,  90.0).
+named_view(bottom, 270.0, 180.0).
+named_view(iso,    315.0,  54.735610317245346).
+
+%!  set_projection(+Kind) is det.
+%
+%   Project in parallel or from a centre: Kind is `parallel` or `central`.
+
+set_projection(Kind) :-
+    must_be(oneof([parallel,central]), Kind),
+    facts_transaction(
+        (   retractall_facts(projection(_)),
+            assert_fact(projection(Kind))
+        )).
+
+%!  current_view(-Theta, -Phi, -Rho, -Kind) is det.
+%
+%   True when this is how the current world is looked at: view/3 and
+%   projection/1, or what stands for them when there are none. Rho is never 0.
+
+current_view(Theta, Phi, Rho, Kind) :-
+    (   view(Theta0, Phi0, Rho0)
+    ->  true
+    ;   default_view(Theta0, Phi0, Rho0)
+    ),
+    Theta = Theta0,
+    Phi = Phi0,
+    eye_distance(Rho0, Rho),
+    (   projection(Kind0)
+    ->  Kind = Kind0
+    ;   Kind = parallel
+    ).
+
+eye_distance(Rho0, Rho) :-
+    (   Rho0 > 0.0
+    ->  Rho = Rho0
+    ;   view_range(0.0, 0.0, _, _, Reach),
+        Reach > 0.0
+    ->  Rho is 3*Reach
+    ;   Rho = 1.0
+    ).
+
+%!  project_world is det.
+%
+%   Fill screen/5 of the current world: where each vertex is in the picture.
+%
+%   @error geometry_error(eye_in_model(D)): in a central projection the nearest
+%          vertex is at D =< 0, in or behind the eye
+
+project_world :-
+    current_view(Theta, Phi, Rho, Kind),
+    check_distance(Kind, Theta, Phi, Rho),
+    facts_transaction(stage(join, fill_screen(Theta, Phi, Rho, Kind))).
+
+check_distance(central, Theta, Phi, Rho) :-
+    view_range(Theta, Phi, Near, _, _),
+    D is Near+Rho,
+    D =< 0.0,
+    !,
+    throw(error(geometry_error(eye_in_model(D)), _)).
+check_distance(_, _, _, _).
+
+%!  eye_point(+Theta, +Phi, +Point, -EyePoint) is det.
+%
+%   PL-11: where p(X,Y,Z) is for the eye: p(Xe,Ye,Ze-Rho). Depth is counted from
+%   the origin, so that Rho cannot spoil its last digits.
+
+eye_point(Theta, Phi, p(X,Y,Z), p(Xe,Ye,Ze)) :-
+    sine_cosine(Theta, St, Ct),
+    sine_cosine(Phi, Sp, Cp),
+    Xe is -X*St + Y*Ct,
+    Ye is -X*Ct*Cp - Y*St*Cp + Z*Sp,
+    Ze is -X*Sp*Ct - Y*St*Sp - Z*Cp.
+
+%!  screen_point(+View, +EyePoint, -ScreenPoint) is det.
+%
+%   PL-11: from the eye's coordinates to the picture's. View is `parallel`
+%   (PL-11 a) or central(Rho, D, F) (PL-11 b, with S = 1), where D and F are the
+%   smallest and largest Ze of the model; if they are equal every depth is 0.
+
+screen_point(parallel, Point, Point).
+screen_point(central(Rho,D,F), p(Xe,Ye,Ze0), p(Xs,Ys,Zs)) :-
+    Ze is Ze0+Rho,
+    W is Ze/D,
+    Xs is Xe/W,
+    Ys is Ye/W,
+    (   F-D =< F*2.0** -40
+    ->  Zs = 0.0
+    ;   Zs is (Ze/D-1)/(1-D/F)/W
+    ).
+
+%!  screen_plane(+S, +T, -A, -B, -D) is semidet.
+%
+%   PL-12: True when A*Xs + B*Ys + Zs + D = 0 is the plane of triangle T in the
+%   picture. Fails for a triangle seen edge-on.
+
+screen_plane(S, T, A, B, D) :-
+    t(S, _, T, V1, V2, V3),
+    screen(S, V1, X1, Y1, Z1),
+    screen(S, V2, X2, Y2, Z2),
+    screen(S, V3, X3, Y3, Z3),
+    Det is (X2-X1)*(Y3-Y1) - (X3-X1)*(Y2-Y1),
+    Det =\= 0.0,
+    A is ((Y2-Y1)*(Z3-Z1) - (Y3-Y1)*(Z2-Z1)) / Det,
+    B is ((X3-X1)*(Z2-Z1) - (X2-X1)*(Z3-Z1)) / Det,
+    D is -(A*X1 + B*Y1 + Z1).
+
+%!  screen_depth(-Depth) is det.
+%
+%   True when one unit of Zs is Depth model units, at the model's nearest point.
+
+screen_depth(Depth) :-
+    current_view(Theta, Phi, Rho, Kind),
+    view_depth(Theta, Phi, Rho, Kind, Depth).
