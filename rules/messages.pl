@@ -317,5 +317,6 @@ notice_en(warnings_are_errors(N)) -->
     [ '~d warnings, and --strict was given'-[N] ].
 notice_en(progress(Stage, Seconds)) -->
     [ '~w: ~0f s'-[Stage, Seconds] ].
-notice_en(progress(Stage, Done, Total, Left)) -->
-    [ '~w: ~D of ~D, ~0f s left'-[Stage, Done, Total, Left] ].
+notice_en(progress(Stage, Done, Total, Rate, Left)) -->
+    [ '~w: ~D of ~D, ~0f a second, ~0f s left'-
+      [Stage, Done, Total, Rate, Left] ].
