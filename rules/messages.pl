@@ -163,8 +163,6 @@ expected_en(steps) -->
        number is a jump.' ].
 expected_en(chain) -->
     [ 'a list of two or more vertex numbers' ].
-expected_en(edge_type) -->
-    [ '0 (auxiliary) or 1 (real)' ].
 expected_en(float) -->
     [ 'a number', nl, '  Write it in digits, such as -1.5 or 2.0e-3.' ].
 expected_en(distance) -->

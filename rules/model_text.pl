@@ -6,7 +6,7 @@
             place_error/3,              % +Place, +Argument, +What
             model_float/2               % +Value, -Float
           ]).
-:- use_module(store, [relation/3, relation_column/5]).
+:- use_module(store, [relation/3, relation_column/5, column_domain/3]).
 :- autoload(library(apply), [maplist/2]).
 :- autoload(library(lists), [member/2]).
 /** <module> The text of a model file: facts, each checked against the schema.
@@ -28,8 +28,8 @@ and columns counted from 1. What is one of
     unknown_relation(Name, Arity)  arity(Name, Given, Wanted)  computed(Name)
     value(Relation, Column, Value, Expected)
 
-with Expected one of id, ids, edge_type, float, finite, coordinate, ground and
-one_of(Atoms); model_file.pl adds its own.
+with Expected one of id, ids, steps, chain, float, finite, within(Most),
+distance, atom, ground and one_of(Values); model_file.pl adds its own.
 */
 
 :- create_prolog_flag(sanggwan_longest_fact, 64_000_000,
@@ -267,20 +267,20 @@ column_types(curve, [column('S', id), column('Vs', chain)]) :-
 column_types(Name, Types) :-
     findall(Position-column(Column, Type),
             ( relation_column(Name, Position, Column, Kind, _),
-              file_type(Kind, Name, Column, Type) ),
+              file_type(Kind, Name, Position, Type) ),
             Pairs0),
     keysort(Pairs0, Pairs),
     findall(Type, member(_-Type, Pairs), Types).
 
-file_type(int, e, 'Et', edge_type) :- !.
+file_type(_, Name, Position, one_of(Values)) :-
+    column_domain(Name, Position, Values),
+    !.
 file_type(int, _, _, id).
 file_type(float, v, _, coordinate) :- !.
-file_type(float, view, 'Rho', distance) :- !.
+file_type(float, view, 2, distance) :- !.
 file_type(float, _, _, float).
 file_type(list, p, _, steps) :- !.
 file_type(list, _, _, ids).
-file_type(atom, segment, _, one_of([solid, surface, curve, cells])) :- !.
-file_type(atom, projection, _, one_of([parallel, central])) :- !.
 file_type(atom, _, _, atom).
 file_type(term, _, _, ground).
 
@@ -299,10 +299,6 @@ checked_arguments([column(Column, Type)|Types], [Value0|Values0], N, Name,
 
 typed(id, Id, Id) :-
     is_id(Id).
-typed(edge_type, Et, Et) :-
-    integer(Et),
-    Et >= 0,
-    Et =< 1.
 typed(coordinate, Value, Float) :-
     model_float(Value, Float),
     abs(Float) =< 1.0e90.
@@ -321,10 +317,9 @@ typed(chain, Chain, Chain) :-
 typed(ids, Ids, Ids) :-
     is_list(Ids),
     maplist(is_id, Ids).
-typed(one_of(Atoms), Atom, Atom) :-
-    atom(Atom),
-    member(Atom, Atoms),
-    !.
+typed(one_of(Values), Value, Value) :-
+    atomic(Value),
+    memberchk(Value, Values).
 typed(atom, Atom, Atom) :-
     atom(Atom).
 typed(ground, Term, Term) :-

@@ -34,7 +34,7 @@ write_model(-) :-
     !,
     write_model_to(current_output).
 write_model(File) :-
-    writing(File, text, write_model_to).
+    writing(File, text, sg_model_writer:write_model_to).
 
 %!  write_model_to(+Stream) is det.
 %
