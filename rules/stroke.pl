@@ -29,7 +29,7 @@ that its dashes can meet there.
 %!  strokes(+Parts, -Strokes) is det.
 %
 %   Strokes are the chains of Parts, in painting order: hidden before visible,
-%   penetration lines last, then by segment and edge. Each part is in one
+%   penetration lines last, then by segment. Each part is in one
 %   stroke, except that parts without length are left out, and that of parts
 %   with the same two ends only the last in painting order is drawn: a visible
 %   line hides the dashes under it.

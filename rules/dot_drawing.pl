@@ -1,0 +1,106 @@
+:- module(sg_dot_drawing,
+          [ write_png/2,                % +Out, +Options
+            picture_dots/4              % +Pens, +Options, -Size, -Dots
+          ]).
+:- use_module(kernel, [raster_dots/4, raster_png/5]).
+:- use_module(sheet, [sheet_strokes/4]).
+:- autoload(library(apply), [maplist/3]).
+:- autoload(library(error), [domain_error/2]).
+:- autoload(library(option), [option/3]).
+/** <module> Drawings in dots: Bresenham's lines, as the paper's screen had them.
+
+640 x 400 dots unless another size is wanted; pens and patterns grow with it.
+Hidden lines are dotted by the paper's pattern: 3 is 3 dots on and 3 off, and
+it runs on along a chain.
+
+@see [PL] section 6.4, row PL-14
+*/
+
+%!  write_png(+Out, +Options) is det.
+%
+%   Write the picture of the current world as PNG to stream Out. Options as for
+%   write_drawing/2.
+
+write_png(Out, Options) :-
+    picture_dots(pens(640,400), Options, W-H, Dots),
+    palette(Palette),
+    raster_png(W, H, Dots, Palette, Bytes),
+    stream_property(Out, encoding(Encoding)),
+    setup_call_cleanup(
+        set_stream(Out, encoding(octet)),
+        format(Out, '~s', [Bytes]),
+        set_stream(Out, encoding(Encoding))).
+
+%   By ink: paper, line, penetration line, hidden line not dotted.
+
+palette([rgb(255,255,255), rgb(0,0,0), rgb(170,0,0), rgb(140,140,140)]).
+
+%!  picture_dots(+Pens, +Options, -Size, -Dots) is det.
+%
+%   Dots (raster_dots/4) show the picture of the current world at Size, W-H in
+%   dots. Pens is pens(W,H): at that size a line is one dot wide; it is the
+%   default size too. Inks: 1 visible, 2 penetration line, 3 hidden but not
+%   dotted. Options: size(Size), margin(M), hidden(How), pattern(P).
+%
+%   @error domain_error(raster_size, W-H), domain_error(dot_pattern, P)
+
+picture_dots(pens(W0,H0), Options, W-H, Dots) :-
+    option(hidden(Hidden), Options, dashed),
+    option(pattern(Pattern), Options, 3),
+    pattern_runs(Pattern, Runs),
+    sheet_strokes(W0-H0, Options, sheet(Width,Height,_), Strokes),
+    W is Width//1000,
+    H is Height//1000,
+    Nib is max(1, min(64, round(min(W/W0, H/H0)))),
+    maplist(dot_stroke(pen(Hidden,Nib,Runs)), Strokes, DotStrokes),
+    raster_dots(W, H, DotStrokes, Dots).
+
+pattern_runs(Pattern, Runs) :-
+    (   integer(Pattern),
+        Pattern > 0
+    ->  Runs = [Pattern,Pattern]
+    ;   is_list(Pattern),
+        Pattern \== [],
+        forall(member(Run, Pattern), (integer(Run), Run > 0)),
+        length(Pattern, N),
+        N mod 2 =:= 0
+    ->  Runs = Pattern
+    ;   domain_error(dot_pattern, Pattern)
+    ).
+
+dot_stroke(pen(Hidden,Nib,Runs), stroke(Visibility,Role,_,_,Points,_,_),
+           stroke(Ink,Width,Pattern,Dots)) :-
+    maplist(dot, Points, Dots),
+    role_pen(Role, Nib, Ink0, Width0),
+    (   Visibility == visible
+    ->  Ink = Ink0,
+        Width = Width0,
+        Pattern = []
+    ;   Hidden == shown
+    ->  Ink = 3,
+        Width = Nib,
+        Pattern = []
+    ;   Ink = Ink0,
+        Width = Nib,
+        nib_runs(Runs, Nib, Pattern)
+    ).
+
+role_pen(Role, Nib, Ink, Width) :-
+    (   Role == penetration
+    ->  Ink = 2,
+        Width is min(64, 2*Nib)
+    ;   Ink = 1,
+        Width = Nib
+    ).
+
+dot(X0-Y0, X-Y) :-
+    X is X0//1000,
+    Y is Y0//1000.
+
+%   The runs for a nib: it reaches beyond both ends of a dash.
+
+nib_runs([], _, []).
+nib_runs([On0,Off0|Runs0], Nib, [On,Off|Runs]) :-
+    On is max(1, On0*Nib-(Nib-1)),
+    Off is (On0+Off0)*Nib - On,
+    nib_runs(Runs0, Nib, Runs).

@@ -1,0 +1,115 @@
+:- module(sg_drawing,
+          [ write_drawing/2,            % +File, +Options
+            write_drawing_stream/3,     % +Format, +Out, +Options
+            drawing_format/2            % ?Format, ?Type
+          ]).
+:- use_module(dot_drawing, [write_png/2]).
+:- use_module(output, [writing/3]).
+:- use_module(sheet, [sheet_strokes/4]).
+:- use_module(svg, [write_svg/4]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(error), [domain_error/2]).
+:- autoload(library(http/json), [json_write/3]).
+:- autoload(library(option), [option/3]).
+/** <module> Drawings: the picture of the current world, written to files.
+
+What drawn/7 and screen/5 hold (hidden_lines.pl fills them) is laid on a sheet
+(sheet.pl), chained into strokes (stroke.pl) and written. Same picture, same
+bytes: no times, no names of users, no hash order.
+*/
+
+%!  drawing_format(?Format, ?Type) is nondet.
+%
+%   True when drawings can be written as Format, which is also the ending of
+%   such files; Type is `text` or `binary`.
+
+drawing_format(svg, text).
+drawing_format(json, text).
+drawing_format(png, binary).
+
+%!  write_drawing(+File, +Options) is det.
+%
+%   Write the drawing of the current world to File, in the format that its
+%   ending names: `.svg`, `.json`, `.png`. Options:
+%
+%     - size(Size): `WxH`, or W-H, in millimetres, default 210x148; for PNG in
+%       dots, default 640x400
+%     - margin(M), scale(S): see sheet_strokes/4
+%     - hidden(H): `dashed` (default; dotted in PNG), `removed`, `shown`
+%     - pattern(P): dots on and off of hidden lines in PNG: N, or a list
+%     - title(Text): in SVG and JSON
+%
+%   A world without a picture gives a valid, empty drawing.
+%
+%   @error domain_error(drawing_format, Ending), and those of writing/3 and
+%   sheet_strokes/4.
+
+write_drawing(File, Options) :-
+    file_name_extension(_, Ending, File),
+    downcase_atom(Ending, Format),
+    format_type(Format, Type),
+    writing(File, Type, drawing_written(Format, Options)).
+
+drawing_written(Format, Options, Out) :-
+    write_drawing_stream(Format, Out, Options).
+
+format_type(Format, Type) :-
+    (   drawing_format(Format, Type0)
+    ->  Type = Type0
+    ;   domain_error(drawing_format, Format)
+    ).
+
+%!  write_drawing_stream(+Format, +Out, +Options) is det.
+%
+%   Like write_drawing/2, to stream Out. For a binary format Out may be a text
+%   stream: it is set to bytes while this writes.
+
+write_drawing_stream(Format, Out, Options) :-
+    format_type(Format, _),
+    write_format(Format, Out, Options).
+
+write_format(svg, Out, Options) :-
+    sheet_strokes(210-148, Options, Sheet, Strokes),
+    write_svg(Out, Sheet, Strokes, Options).
+write_format(json, Out, Options) :-
+    sheet_strokes(210-148, Options, Sheet, Strokes),
+    write_json(Out, Sheet, Strokes, Options).
+write_format(png, Out, Options) :-
+    write_png(Out, Options).
+
+%   The same lines as the SVG has, for programs; one to a line of text.
+
+write_json(Out, sheet(W,H,Scale), Strokes, Options) :-
+    maplist(thousand, [W,H], [Width,Height]),
+    option(title(Title), Options, ''),
+    text_to_string(Title, TitleString),
+    format(Out, '{ "title": ', []),
+    json_on_a_line(Out, TitleString),
+    format(Out, ',~n  "unit": "mm", "width": ~w, "height": ~w, "scale": ~w,~n',
+           [Width, Height, Scale]),
+    format(Out, '  "lines": [', []),
+    foldl(write_json_line(Out), Strokes, "\n    ", _),
+    format(Out, '~n  ]~n}~n', []).
+
+write_json_line(Out, Stroke, Before, ",\n    ") :-
+    stroke_json(Stroke, Json),
+    write(Out, Before),
+    json_on_a_line(Out, Json).
+
+json_on_a_line(Out, Json) :-
+    json_write(Out, Json, [width(1 000 000 000)]).
+
+stroke_json(stroke(Visibility,Role,S,Edges,Points,Start,End),
+            json([ visibility=Visibility, role=Role, segment=S, edges=Edges,
+                   points=Pairs, start=Start, end=End
+                 ])) :-
+    maplist(point_pair, Points, Pairs).
+
+point_pair(X0-Y0, [X,Y]) :-
+    thousand(X0, X),
+    thousand(Y0, Y).
+
+%   As a float it prints as short as reads back: 0.1, not 0.10000000000000001.
+
+thousand(N, X) :-
+    X is N/1000.0.

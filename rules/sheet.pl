@@ -1,0 +1,169 @@
+:- module(sg_sheet,
+          [ sheet_strokes/4             % +Default, +Options, -Sheet, -Strokes
+          ]).
+:- use_module(store, [drawn/7, e/5, screen/5]).
+:- use_module(stroke, [strokes/2]).
+:- autoload(library(apply), [exclude/3, foldl/4, maplist/3]).
+:- autoload(library(error), [domain_error/2, must_be/2]).
+:- autoload(library(option), [option/2, option/3]).
+/** <module> The sheet: the picture laid on paper.
+
+A sheet is sheet(Width,Height,Scale): integers, thousandths of its unit (a
+millimetre, or a dot of a raster), x to the right and y DOWN from the upper left
+corner; Scale is how many units a unit of the picture is. Everything after this
+is integer: numbers print the same everywhere, and -0 does not exist.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+%!  sheet_strokes(+Default, +Options, -Sheet, -Strokes) is det.
+%
+%   Strokes (stroke.pl) are what drawn/7 holds, on Sheet. The picture fills the
+%   sheet, its aspect kept; a picture without extent is a point in the middle,
+%   an empty one has no strokes. Options:
+%
+%     - size(Size): `W-H`, or text like `210x148`; otherwise Default, W-H
+%     - margin(M): free all round; a tenth of the shorter side if not given
+%     - scale(S): S units of the sheet for one of the picture, not to fit; the
+%       sheet is as large as the picture needs, unless there is a size
+%     - hidden(H): `dashed`, `shown` (drawn, not dashed) or `removed`
+%
+%   @error domain_error(sheet_size, Size), domain_error(hidden_lines, H)
+
+sheet_strokes(Default, Options, Sheet, Strokes) :-
+    hidden_option(Options, Hidden),
+    findall(Part, drawn_part(Part), Parts),
+    parts_box(Parts, Box),
+    box_place(Box, Default, Options, Sheet, Place),
+    (   Hidden == removed
+    ->  exclude(hidden_part, Parts, Kept)
+    ;   Kept = Parts
+    ),
+    maplist(placed(Place), Kept, Placed),
+    strokes(Placed, Strokes).
+
+hidden_option(Options, Hidden) :-
+    option(hidden(Hidden), Options, dashed),
+    (   memberchk(Hidden, [dashed,removed,shown])
+    ->  true
+    ;   domain_error(hidden_lines, Hidden)
+    ).
+
+hidden_part(part(hidden,_,_,_,_,_,_,_)).
+
+%   A part in the picture's own coordinates.
+
+drawn_part(part(Visibility,Role,S,E,From,To,XA-YA,XB-YB)) :-
+    drawn(_, S, E, From, To, Visibility, Role),
+    e(S, E, V1, V2, _),
+    screen(S, V1, X1, Y1, _),
+    screen(S, V2, X2, Y2, _),
+    between_ends(From, X1, X2, XA),
+    between_ends(From, Y1, Y2, YA),
+    between_ends(To, X1, X2, XB),
+    between_ends(To, Y1, Y2, YB).
+
+%   Exact at both ends.
+
+between_ends(At, A, B, X) :-
+    (   At =:= 1.0
+    ->  X = B
+    ;   X is A + At*(B-A)
+    ).
+
+%   box(MiddleX,MiddleY,HalfWidth,HalfHeight) of all parts, shown or not: the
+%   same model has the same scale however its hidden lines are drawn. Halves,
+%   so that nothing overflows.
+
+parts_box([], box(0.0,0.0,0.0,0.0)).
+parts_box([Part|Parts], box(X,Y,HalfW,HalfH)) :-
+    Part = part(_, _, _, _, _, _, X0-Y0, _),
+    foldl(boxed, [Part|Parts], b(X0,Y0,X0,Y0), b(XLow,YLow,XHigh,YHigh)),
+    HalfW is XHigh/2 - XLow/2,
+    HalfH is YHigh/2 - YLow/2,
+    X is XLow + HalfW,
+    Y is YLow + HalfH.
+
+boxed(part(_,_,_,_,_,_,XA-YA,XB-YB), b(X0,Y0,X1,Y1), b(X2,Y2,X3,Y3)) :-
+    X2 is min(X0, min(XA,XB)),
+    Y2 is min(Y0, min(YA,YB)),
+    X3 is max(X1, max(XA,XB)),
+    Y3 is max(Y1, max(YA,YB)).
+
+%   place(Scale,X,Y,Left,Top): the point X,Y of the picture comes to Left,Top.
+
+box_place(Box, Default, Options, sheet(Width,Height,Scale),
+          place(PerUnit,X,Y,Left,Top)) :-
+    Box = box(X, Y, _, _),
+    sheet_size(Box, Default, Options, W, H, Scale),
+    Width is round(W*1000),
+    Height is round(H*1000),
+    Left is W*500,
+    Top is H*500,
+    PerUnit is Scale*1000.
+
+sheet_size(box(_,_,HalfW,HalfH), Default, Options, W, H, Scale) :-
+    (   option(scale(Scale0), Options)
+    ->  must_be(number, Scale0),
+        Scale is float(Scale0),
+        option(margin(Margin), Options, 10),
+        FitW is 2*(HalfW*Scale+Margin),
+        FitH is 2*(HalfH*Scale+Margin),
+        size_option(Options, FitW-FitH, W, H)
+    ;   size_option(Options, Default, W, H),
+        margin_option(Options, W, H, Margin),
+        fit(HalfW, W, Margin, ScaleW),
+        fit(HalfH, H, Margin, ScaleH),
+        smaller(ScaleW, ScaleH, Scale)
+    ).
+
+margin_option(Options, W, H, Margin) :-
+    Most is min(W,H)/10,
+    option(margin(Wanted), Options, Most),
+    must_be(number, Wanted),
+    Margin is max(0, min(Wanted, min(W,H)/2.5)).
+
+%   The scale that makes Half fill half the side, `any` without extent.
+
+fit(Half, Side, Margin, Scale) :-
+    (   Half < 1.0e-290
+    ->  Scale = any
+    ;   Scale is (Side/2-Margin)/Half
+    ).
+
+smaller(any, any, 1.0) :-
+    !.
+smaller(any, Scale, Scale) :-
+    !.
+smaller(Scale, any, Scale) :-
+    !.
+smaller(A, B, Scale) :-
+    Scale is min(A, B).
+
+size_option(Options, Default, W, H) :-
+    option(size(Size), Options, Default),
+    (   size_sides(Size, W, H),
+        W > 0,
+        H > 0,
+        max(W,H) =< 100 000
+    ->  true
+    ;   domain_error(sheet_size, Size)
+    ).
+
+size_sides(W-H, W, H) :-
+    !,
+    number(W),
+    number(H).
+size_sides(Text, W, H) :-
+    ( atom(Text) ; string(Text) ),
+    !,
+    split_string(Text, "x", " ", [TextW,TextH]),
+    catch(number_string(W, TextW), error(syntax_error(_), _), fail),
+    catch(number_string(H, TextH), error(syntax_error(_), _), fail).
+
+placed(place(Scale,X0,Y0,Left,Top), part(Vis,Role,S,E,F,T,XA-YA,XB-YB),
+       part(Vis,Role,S,E,F,T,A1-A2,B1-B2)) :-
+    A1 is round((XA-X0)*Scale + Left),
+    A2 is round((Y0-YA)*Scale + Top),
+    B1 is round((XB-X0)*Scale + Left),
+    B2 is round((Y0-YB)*Scale + Top).

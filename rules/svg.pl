@@ -1,0 +1,264 @@
+:- module(sg_svg,
+          [ write_svg/4                 % +Out, +Sheet, +Strokes, +Options
+          ]).
+:- use_module(stroke, [stroke_length/2]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(option), [option/2, option/3]).
+:- autoload(library(dcg/high_order), [sequence//3]).
+:- autoload(library(lists), [append/3]).
+:- autoload(library(rbtrees),
+            [rb_insert_new/4, rb_lookup/3, rb_new/1, rb_update/4]).
+/** <module> SVG: strokes as polylines that say what they are.
+
+One user unit is one millimetre. A group for each visibility and role, in
+painting order; in it a polyline for each stroke:
+
+    <polyline id="s1e7" class="hidden crease" data-segment="1"
+              data-edge="7 8" points="10,20 30,20 38,24"/>
+
+The class list begins with `visible` or `hidden`, then the role. The k-th number
+of data-edge is the edge that the k-th straight piece belongs to. An id names
+segment and first edge; when an edge is drawn in several parts, `-2`, `-3`
+follow. How things look is in the style block alone, except for dashes: they
+are fitted to each line, so that it begins and ends with a dash (ISO 128-2), or
+with a gap where it goes on as a visible line.
+*/
+
+%!  write_svg(+Out, +Sheet, +Strokes, +Options) is det.
+%
+%   Write Strokes on Sheet to stream Out. Options: title(Text), hidden(How),
+%   as for write_drawing/2.
+
+write_svg(Out, Sheet, Strokes, Options) :-
+    option(hidden(Hidden), Options, dashed),
+    emit(Out, svg_head(Sheet, Options)),
+    foldl(write_stroke(Out, Hidden), Strokes, state(none,ids), State),
+    emit(Out, svg_tail(State)).
+
+:- meta_predicate emit(+, //).
+
+emit(Out, Body) :-
+    phrase(Body, Codes),
+    format(Out, '~s', [Codes]).
+
+svg_head(sheet(W,H,Scale), Options) -->
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"sanggwan\" width=\"",
+    thousandths(W), "mm\" height=\"", thousandths(H), "mm\" viewBox=\"0 0 ",
+    thousandths(W), " ", thousandths(H), "\" data-scale=\"", scale(Scale),
+    "\">\n",
+    title(Options),
+    "<style>\n", style, "</style>\n".
+
+title(Options) -->
+    { option(title(Title), Options) },
+    !,
+    { text_to_string(Title, String), string_codes(String, Codes) },
+    "<title>", escaped(Codes), "</title>\n".
+title(_) -->
+    "".
+
+%   Line widths and their order: ISO 128-2, 0.5 and 0.25; a penetration line is
+%   what the drawing is about, so it is wider, and red on a screen.
+
+style -->
+    ".sanggwan{background:#fff}\n",
+    ".sanggwan polyline{fill:none;stroke:#000;stroke-width:.5;",
+    "stroke-linecap:round;stroke-linejoin:round}\n",
+    ".sanggwan .smooth,.sanggwan .mesh{stroke-width:.25}\n",
+    ".sanggwan .penetration{stroke:#a00;stroke-width:.7}\n",
+    ".sanggwan .hidden{stroke-width:.25;stroke-linecap:butt}\n",
+    ".sanggwan .hidden.mesh,.sanggwan .hidden.smooth{stroke-width:.18}\n",
+    ".sanggwan .hidden.penetration{stroke-width:.35}\n",
+    "@media print{.sanggwan .penetration{stroke:#000}}\n".
+
+svg_tail(state(none,_)) -->
+    !,
+    "</svg>\n".
+svg_tail(_) -->
+    "</g>\n</svg>\n".
+
+/* - - - strokes - - - */
+
+%   state(Group,Ids): the open group, and how often each id was given.
+
+write_stroke(Out, Hidden, Stroke, state(Group0,Ids0), state(Group,Ids)) :-
+    Stroke = stroke(Visibility, Role, S, [E|_], _, _, _),
+    Group = Visibility-Role,
+    new_id(S, E, Ids0, Ids, N),
+    (   Group == Group0
+    ->  true
+    ;   emit(Out, group(Group0, Group))
+    ),
+    emit(Out, stroke(Stroke, Hidden, N)).
+
+new_id(S, E, Ids0, Ids, N) :-
+    (   Ids0 == ids
+    ->  rb_new(Ids1)
+    ;   Ids1 = Ids0
+    ),
+    (   rb_lookup(S-E, N0, Ids1)
+    ->  N is N0+1,
+        rb_update(Ids1, S-E, N, Ids)
+    ;   N = 1,
+        rb_insert_new(Ids1, S-E, 1, Ids)
+    ).
+
+group(Before, Visibility-Role) -->
+    (   { Before == none }
+    ->  ""
+    ;   "</g>\n"
+    ),
+    "<g id=\"", name(Visibility), "-", name(Role), "\">\n".
+
+stroke(Stroke, Hidden, N) -->
+    { Stroke = stroke(Visibility, Role, S, [E|Es], Points, _, _) },
+    "<polyline id=\"s", number(S), "e", number(E), id_count(N),
+    "\" class=\"", name(Visibility), " ", name(Role),
+    "\" data-segment=\"", number(S),
+    "\" data-edge=\"", sequence(number, " ", [E|Es]), "\"",
+    dashes(Stroke, Hidden),
+    " points=\"", sequence(point, " ", Points), "\"/>\n".
+
+id_count(1) -->
+    !,
+    "".
+id_count(N) -->
+    "-", number(N).
+
+point(X-Y) -->
+    thousandths(X), ",", thousandths(Y).
+
+%   A dash is 3 mm and a gap 0.9, stretched or shrunk to fit.
+
+dashes(Stroke, dashed) -->
+    { Stroke = stroke(hidden, _, _, _, _, Start, End) },
+    !,
+    { stroke_length(Stroke, Length),
+      dash_fit(Length, Start, End, Dash, Gap)
+    },
+    " style=\"stroke-dasharray:", thousandths(Dash), " ", thousandths(Gap),
+    dash_start(Start, Dash),
+    "\"".
+dashes(_, _) -->
+    "".
+
+dash_start(cut, Dash) -->
+    !,
+    ";stroke-dashoffset:", thousandths(Dash).
+dash_start(_, _) -->
+    "".
+
+%   N dashes with N-1 gaps between them and a gap at each cut end; a ring has
+%   as many gaps as dashes.
+
+dash_fit(Length, Start, End, Dash, Gap) :-
+    gaps_more(Start, End, More),
+    N is max(1, round((Length+900-900*More)/3900)),
+    Natural is N*3000 + (N-1+More)*900,
+    Stretch is Length/Natural,
+    Dash is max(1, round(3000*Stretch)),
+    Gap is max(1, round(900*Stretch)).
+
+gaps_more(ring, _, 1) :-
+    !.
+gaps_more(Start, End, More) :-
+    cut_gap(Start, A),
+    cut_gap(End, B),
+    More is A+B.
+
+cut_gap(cut, 1).
+cut_gap(joint, 0).
+
+/* - - - text - - - */
+
+%   An integer as thousandths: 12340 is `12.34`, never `-0`.
+
+thousandths(N) -->
+    (   { N < 0 }
+    ->  "-"
+    ;   ""
+    ),
+    { Whole is abs(N)//1000,
+      Part is abs(N) mod 1000
+    },
+    number(Whole),
+    decimals(Part).
+
+decimals(0) -->
+    !,
+    "".
+decimals(Part) -->
+    { format(codes(Codes0), '~|~`0t~d~3|', [Part]),
+      trimmed(Codes0, Codes)
+    },
+    ".", list(Codes).
+
+trimmed(Codes0, Codes) :-
+    (   append(Codes1, [0'0], Codes0)
+    ->  trimmed(Codes1, Codes)
+    ;   Codes = Codes0
+    ).
+
+number(N) -->
+    { format(codes(Codes), '~d', [N]) },
+    list(Codes).
+
+scale(Scale) -->
+    { format(codes(Codes), '~12g', [Scale]) },
+    list(Codes).
+
+list([]) -->
+    [].
+list([Code|Codes]) -->
+    [Code],
+    list(Codes).
+
+%   A word of a class list or an id: a role that a rule made up may be any atom.
+
+name(Atom) -->
+    { atom_codes(Atom, Codes0),
+      maplist(name_code, Codes0, Codes)
+    },
+    list(Codes).
+
+name_code(Code0, Code) :-
+    (   code_type(Code0, csym)
+    ->  Code = Code0
+    ;   Code = 0'-
+    ).
+
+%   Text in XML: what XML cannot hold at all is left out.
+
+escaped([]) -->
+    "".
+escaped([Code|Codes]) -->
+    escaped_code(Code),
+    escaped(Codes).
+
+escaped_code(0'<) -->
+    !,
+    "&lt;".
+escaped_code(0'>) -->
+    !,
+    "&gt;".
+escaped_code(0'&) -->
+    !,
+    "&amp;".
+escaped_code(0'") -->
+    !,
+    "&quot;".
+escaped_code(Code) -->
+    { xml_code(Code) },
+    !,
+    [Code].
+escaped_code(_) -->
+    "".
+
+xml_code(9).
+xml_code(10).
+xml_code(Code) :-
+    Code >= 32,
+    \+ between(0xD800, 0xDFFF, Code),
+    Code =\= 0xFFFE,
+    Code =\= 0xFFFF.
