@@ -84,13 +84,14 @@ primitive_arguments(line, curve,
 %   True when Term looks like a primitive: at/2, or a compound with the name
 %   of one. Its arguments may still be wrong.
 
-is_primitive(at(_, _)) :-
-    !.
 is_primitive(Term) :-
     compound(Term),
-    compound_name_arity(Term, Name, _),
-    primitive(Name),
-    !.
+    compound_name_arity(Term, Name, Arity),
+    (   Name/Arity == at/2
+    ->  true
+    ;   primitive(Name)
+    ->  true
+    ).
 
 %!  primitive_shape(+Term, -Kind, -Points, -Chains) is det.
 %

@@ -1,5 +1,7 @@
+:- module(test_polygon_list, []).
+
 :- use_module(library(plunit)).
-:- use_module('../../rules/polygon_list').
+:- use_module(rules(polygon_list)).
 :- begin_tests(polygon_list).
 
 test(closes_itself, Es == [1-2, 2-3, 3-1]) :-
