@@ -15,6 +15,11 @@
             assert_fact/2,            % +Fact, -Row
             retract_fact/1,           % ?Fact
             retractall_facts/1,       % ?Fact
+            edge_polygon/3,           % ?S, ?E, ?P
+            vertex_triangle/3,        % ?S, ?V, ?T
+            fact_row/2,               % ?Fact, ?Row
+            row_value/4,              % +Relation, +Row, +Position, ?Value
+            retract_row/2,            % +Relation, +Row
             facts_transaction/1,      % :Goal
             facts_snapshot/1,         % :Goal
             facts_undo/0,
@@ -51,6 +56,35 @@ engine/relations.def.
     facts_transaction(0),
     facts_snapshot(0),
     in_world(+, 0).
+
+%!  edge_polygon(?S, ?E, ?P) is nondet.
+%
+%   True when edge E is in polygon P of segment S. Given S and E it is found
+%   by an index; P in row order.
+
+edge_polygon(S, E, P) :-
+    integer(S),
+    integer(E),
+    !,
+    '$edge_polygon'(S, E, P).
+edge_polygon(S, E, P) :-
+    p(S, P, Es),
+    member(E, Es).
+
+%!  vertex_triangle(?S, ?V, ?T) is nondet.
+%
+%   True when V is a corner of triangle T of segment S. Given S and V it is
+%   found by an index; T in row order.
+
+vertex_triangle(S, V, T) :-
+    integer(S),
+    integer(V),
+    !,
+    '$vertex_triangle'(S, V, T).
+vertex_triangle(S, V, T) :-
+    t(S, _, T, V1, V2, V3),
+    sort([V1,V2,V3], Vs),
+    member(V, Vs).
 
 %!  facts_transaction(:Goal) is semidet.
 %

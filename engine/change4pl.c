@@ -1,0 +1,148 @@
+/* change4pl.c -- adding facts, and rows by their number.
+ *
+ * Layer: glue. Doors in rules/store.pl.
+ */
+#include "value4pl.h"
+
+#include "install.h"
+
+#include <stdlib.h>
+
+/* ---- adding ------------------------------------------------------------ */
+
+static int
+add_row_ex(sg_world *world, sg_relation relation, const sg_value *row,
+           sg_row *out, term_t fact)
+{
+  sg_fault fault;
+  sg_status status;
+
+  if (!sg_claim_ex(world)) {
+    return FALSE;
+  }
+  status = sg_world_add(world, relation, row, out, &fault);
+  sg_world_release(world);
+  return status == SG_EXISTS ? PL_permission_error("assert", "fact", fact)
+                             : sg_raise_status(status, relation, &fault);
+}
+
+static int
+add_fact_ex(term_t fact, sg_row *out)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_relation relation;
+  const sg_relation_info *info;
+  sg_value row[SG_MAX_COLUMNS];
+  void *owned[SG_MAX_COLUMNS] = {0};
+  term_t args;
+  int done = TRUE;
+
+  if (!world || !sg_get_fact_ex(fact, 0, &relation, &args)) {
+    return FALSE;
+  }
+  info = &sg_relation_table[relation];
+  for (unsigned c = 0; done && c < info->arity; c++) {
+    done = sg_get_value_ex(args + c, info, c, &row[c], &owned[c]);
+  }
+  done = done && add_row_ex(world, relation, row, out, fact);
+  for (unsigned c = 0; c < info->arity; c++) {
+    free(owned[c]);
+  }
+  return done;
+}
+
+/* assert_fact(+Fact) is det. */
+static foreign_t
+assert_fact(term_t fact)
+{
+  sg_row row;
+
+  return add_fact_ex(fact, &row);
+}
+
+/* assert_fact(+Fact, -Row) is det. */
+static foreign_t
+assert_fact_row(term_t fact, term_t out)
+{
+  sg_row row;
+
+  return add_fact_ex(fact, &row) && PL_unify_int64(out, row);
+}
+
+/* ---- rows by number ---------------------------------------------------- */
+
+static int
+get_row_ex(term_t name, term_t row_term, sg_relation *relation, sg_row *row)
+{
+  int64_t number;
+
+  if (!sg_get_relation_ex(name, relation) ||
+      !PL_get_int64_ex(row_term, &number)) {
+    return FALSE;
+  }
+  if (number < 0 || number >= SG_NO_ROW) {
+    return FALSE; /* no row has this number */
+  }
+  *row = (sg_row)number;
+  return TRUE;
+}
+
+/* row_value(+Relation, +Row, +Position, ?Value) is semidet. */
+static foreign_t
+row_value(term_t name, term_t row_term, term_t position, term_t value)
+{
+  sg_world *world = sg_current_world_ex();
+  const sg_version *version;
+  sg_relation relation;
+  sg_row row;
+  int c;
+  int done;
+
+  if (!world || !get_row_ex(name, row_term, &relation, &row) ||
+      !PL_get_integer_ex(position, &c)) {
+    return FALSE;
+  }
+  if (c < 0 || c >= (int)sg_relation_table[relation].arity) {
+    return PL_domain_error("column_position", position);
+  }
+  version = sg_world_version(world);
+  done = sg_version_live(version, relation, row) &&
+         sg_unify_value(value, sg_relation_table[relation].column[c].type,
+                        sg_version_value(version, relation, row, (unsigned)c));
+  sg_version_drop(version);
+  return done;
+}
+
+/* retract_row(+Relation, +Row) is semidet. */
+static foreign_t
+retract_row(term_t name, term_t row_term)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_relation relation;
+  sg_row row;
+  int done;
+
+  if (!world || !get_row_ex(name, row_term, &relation, &row) ||
+      !sg_claim_ex(world)) {
+    return FALSE;
+  }
+  done = sg_world_retract(world, relation, row);
+  sg_world_release(world);
+  return done;
+}
+
+/* ---- installing -------------------------------------------------------- */
+
+static const PL_extension predicates[] = {
+    {"assert_fact", 1, assert_fact, 0},
+    {"assert_fact", 2, assert_fact_row, 0},
+    {"row_value", 4, row_value, 0},
+    {"retract_row", 2, retract_row, 0},
+    {NULL, 0, NULL, 0},
+};
+
+void
+sg_install_change(void)
+{
+  PL_register_extensions_in_module("sg_store", predicates);
+}
