@@ -22,7 +22,7 @@ it runs on along a chain.
 %   write_drawing/2.
 
 write_png(Out, Options) :-
-    picture_dots(pens(640,400), Options, W-H, Dots),
+    picture_dots(pens(640,400,2), Options, W-H, Dots),
     palette(Palette),
     raster_png(W, H, Dots, Palette, Bytes),
     stream_property(Out, encoding(Encoding)),
@@ -31,20 +31,26 @@ write_png(Out, Options) :-
         format(Out, '~s', [Bytes]),
         set_stream(Out, encoding(Encoding))).
 
-%   By ink: paper, line, penetration line, hidden line not dotted.
+%   By ink, see picture_dots/4.
 
-palette([rgb(255,255,255), rgb(0,0,0), rgb(170,0,0), rgb(140,140,140)]).
+palette([Paper,Line,Penetration,Hidden,Line,Penetration]) :-
+    Paper = rgb(255,255,255),
+    Line = rgb(0,0,0),
+    Penetration = rgb(170,0,0),
+    Hidden = rgb(140,140,140).
 
 %!  picture_dots(+Pens, +Options, -Size, -Dots) is det.
 %
 %   Dots (raster_dots/4) show the picture of the current world at Size, W-H in
-%   dots. Pens is pens(W,H): at that size a line is one dot wide; it is the
-%   default size too. Inks: 1 visible, 2 penetration line, 3 hidden but not
-%   dotted. Options: size(Size), margin(M), hidden(How), pattern(P).
+%   dots. Pens is pens(W,H,Bold): at size W x H, which is the default too, a
+%   line is one dot wide; a penetration line is Bold times as wide as others.
+%   Inks: 0 paper, 1 visible, 2 penetration line, 3 hidden but drawn solid,
+%   4 hidden, 5 hidden penetration line. Options: size(Size), margin(M),
+%   hidden(How), pattern(P).
 %
 %   @error domain_error(raster_size, W-H), domain_error(dot_pattern, P)
 
-picture_dots(pens(W0,H0), Options, W-H, Dots) :-
+picture_dots(pens(W0,H0,Bold), Options, W-H, Dots) :-
     option(hidden(Hidden), Options, dashed),
     option(pattern(Pattern), Options, 3),
     pattern_runs(Pattern, Runs),
@@ -52,7 +58,7 @@ picture_dots(pens(W0,H0), Options, W-H, Dots) :-
     W is Width//1000,
     H is Height//1000,
     Nib is max(1, min(64, round(min(W/W0, H/H0)))),
-    maplist(dot_stroke(pen(Hidden,Nib,Runs)), Strokes, DotStrokes),
+    maplist(dot_stroke(pen(Hidden,Nib,Bold,Runs)), Strokes, DotStrokes),
     raster_dots(W, H, DotStrokes, Dots).
 
 pattern_runs(Pattern, Runs) :-
@@ -68,29 +74,33 @@ pattern_runs(Pattern, Runs) :-
     ;   domain_error(dot_pattern, Pattern)
     ).
 
-dot_stroke(pen(Hidden,Nib,Runs), stroke(Visibility,Role,_,_,Points,_,_),
+dot_stroke(pen(Hidden,Nib,Bold,Runs), stroke(Visibility,Role,_,_,Points,_,_),
            stroke(Ink,Width,Pattern,Dots)) :-
     maplist(dot, Points, Dots),
-    role_pen(Role, Nib, Ink0, Width0),
     (   Visibility == visible
-    ->  Ink = Ink0,
-        Width = Width0,
+    ->  visible_pen(Role, Nib, Bold, Ink, Width),
         Pattern = []
     ;   Hidden == shown
     ->  Ink = 3,
         Width = Nib,
         Pattern = []
-    ;   Ink = Ink0,
+    ;   hidden_ink(Role, Ink),
         Width = Nib,
         nib_runs(Runs, Nib, Pattern)
     ).
 
-role_pen(Role, Nib, Ink, Width) :-
+visible_pen(Role, Nib, Bold, Ink, Width) :-
     (   Role == penetration
     ->  Ink = 2,
-        Width is min(64, 2*Nib)
+        Width is min(64, Bold*Nib)
     ;   Ink = 1,
         Width = Nib
+    ).
+
+hidden_ink(Role, Ink) :-
+    (   Role == penetration
+    ->  Ink = 5
+    ;   Ink = 4
     ).
 
 dot(X0-Y0, X-Y) :-
