@@ -37,26 +37,34 @@ read_keyword(sg_mesh_reader *r)
   return true;
 }
 
-/* A count of things that take at least `bytes` each in what follows. */
-static bool
-read_count(sg_mesh_reader *r, const char *wanted, size_t bytes, size_t *out)
-{
-  sg_word w;
+typedef struct sg_off_count {
+  const char *what;
+  sg_word word;
   int64_t count;
+} sg_off_count;
 
-  if (!sg_word_next(r, &w) || !sg_word_integer(&w, &count) || count < 0) {
-    return sg_mesh_fail(r, SG_MESH_BAD_COUNT, &w, wanted);
+static bool
+read_count(sg_mesh_reader *r, sg_off_count *out)
+{
+  sg_word *w = &out->word;
+
+  if (!sg_word_next(r, w) || !sg_word_integer(w, &out->count) ||
+      out->count < 0) {
+    return sg_mesh_fail(r, SG_MESH_BAD_COUNT, w, out->what);
   }
-  if (count > INT32_MAX) {
-    return sg_mesh_fail(r, SG_MESH_TOO_LARGE, &w, wanted);
-  }
-  size_t present = (size_t)(r->end - r->at) / bytes + 1;
-  if ((size_t)count > present) {
-    return sg_mesh_fail_numbers(r, SG_MESH_TRUNCATED, &w, wanted,
-                                (int64_t)present, count);
-  }
-  *out = (size_t)count;
-  return true;
+  return out->count <= INT32_MAX ||
+         sg_mesh_fail(r, SG_MESH_TOO_LARGE, w, out->what);
+}
+
+/* False if what follows is too short for so many things of `bytes` each. */
+static bool
+check_count(sg_mesh_reader *r, const sg_off_count *n, size_t bytes)
+{
+  int64_t present = (int64_t)((size_t)(r->end - r->at) / bytes + 1);
+
+  return n->count <= present ||
+         sg_mesh_fail_numbers(r, SG_MESH_TRUNCATED, &n->word, n->what, present,
+                              n->count);
 }
 
 static bool
@@ -117,24 +125,24 @@ read_face(sg_mesh_reader *r, int64_t done, int64_t all, int32_t s)
 bool
 sg_off_read(sg_mesh_reader *r)
 {
-  size_t vertices, faces;
+  sg_off_count vertices = {.what = "vertices"}, faces = {.what = "faces"};
   sg_word w;
 
   r->hash = true;
-  if (!read_keyword(r) ||
-      !read_count(r, "vertices", VERTEX_BYTES, &vertices) ||
-      !read_count(r, "faces", FACE_BYTES, &faces)) {
+  if (!read_keyword(r) || !read_count(r, &vertices) ||
+      !read_count(r, &faces) || !check_count(r, &vertices, VERTEX_BYTES) ||
+      !check_count(r, &faces, FACE_BYTES)) {
     return false;
   }
   sg_word_skip_line(r); /* the count of edges, if any */
   int32_t s = sg_mesh_segment(r, NULL);
-  for (size_t i = 0; i < vertices; i++) {
-    if (s < 0 || !read_vertex(r, (int64_t)i, (int64_t)vertices)) {
+  for (int64_t i = 0; i < vertices.count; i++) {
+    if (s < 0 || !read_vertex(r, i, vertices.count)) {
       return false;
     }
   }
-  for (size_t i = 0; i < faces; i++) {
-    if (s < 0 || !read_face(r, (int64_t)i, (int64_t)faces, s)) {
+  for (int64_t i = 0; i < faces.count; i++) {
+    if (s < 0 || !read_face(r, i, faces.count, s)) {
       return false;
     }
   }

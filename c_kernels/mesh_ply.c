@@ -425,18 +425,17 @@ read_index(sg_ply *ply, sg_ply_type type, int32_t *out)
 }
 
 static bool
-read_length(sg_ply *ply, sg_ply_type type, uint64_t *out)
+read_length(sg_ply *ply, sg_ply_type type, sg_word *w, uint64_t *out)
 {
   int digits = ply->r->digits;
-  sg_word w;
   double n;
 
-  if (!read_scalar(ply, type, &w, &n)) {
+  if (!read_scalar(ply, type, w, &n)) {
     return false;
   }
   ply->r->digits = digits;
   if (!(n >= 0 && n <= UINT32_MAX && n == floor(n))) {
-    return fail_at(ply, SG_MESH_BAD_COUNT, &w, "items of a list", 0, 0);
+    return fail_at(ply, SG_MESH_BAD_COUNT, w, "items of a list", 0, 0);
   }
   *out = (uint64_t)n;
   return true;
@@ -447,9 +446,9 @@ read_corners(sg_ply *ply, const sg_ply_property *p)
 {
   uint64_t n;
   int32_t v;
-  sg_word at = {ply->r->at, 0, ply->r->line};
+  sg_word at;
 
-  if (!read_length(ply, p->count, &n)) {
+  if (!read_length(ply, p->count, &at, &n)) {
     return false;
   }
   if (n < 3) {
@@ -468,8 +467,9 @@ static bool
 skip_property(sg_ply *ply, const sg_ply_property *p)
 {
   uint64_t n = 1;
+  sg_word at;
 
-  if (p->count != PLY_NONE && !read_length(ply, p->count, &n)) {
+  if (p->count != PLY_NONE && !read_length(ply, p->count, &at, &n)) {
     return false;
   }
   for (uint64_t i = 0; i < n; i++) {
