@@ -107,8 +107,9 @@ check_row(sg_world *world, sg_relation relation, const sg_value *row,
 
 /* ---- slots ------------------------------------------------------------- */
 
-/* Calls for a sweep when a new page would be opened while at least a quarter
- * of the slots is dead. */
+/* Sweeps when otherwise a new page would be opened, if at least a quarter of
+ * the slots is dead and enough was written since the last sweep to pay for
+ * this one. */
 static void
 sweep_if_worth(sg_world *world, sg_relation relation)
 {
@@ -117,7 +118,7 @@ sweep_if_worth(sg_world *world, sg_relation relation)
   size_t rows = map ? map->rows : 0;
 
   if (table->emptied == 0 && table->slots % SG_PAGE_ROWS == 0 &&
-      table->slots >= table->sweep_at && table->slots > 0 &&
+      table->written >= table->slots / 8 && table->slots > rows &&
       table->slots - rows >= table->slots / 4) {
     sg_world_sweep(world, relation);
   }

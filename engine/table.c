@@ -208,6 +208,7 @@ sg_table_write(sg_table *table, sg_row row, const sg_value *value)
     }
   }
   page->taken[place / 64] |= UINT64_C(1) << place % 64;
+  table->written++;
   return true;
 }
 
@@ -298,7 +299,7 @@ sg_table_sweep(sg_table *table, sg_map *const *map, size_t maps)
   for (size_t i = 0; i < table->pages; i++) {
     stack_page(table, i);
   }
-  table->sweep_at = table->slots + table->slots / 8;
+  table->written = 0;
   for (unsigned i = 0; vacated > 0 && i < table->indexes; i++) {
     sg_index_clear(&table->index[i]); /* built again at the next use */
   }

@@ -71,7 +71,7 @@ typedef struct sg_table {
   sg_row slots;    /* all slots ever written lie below */
   size_t emptied;  /* slots on empty stacks */
   size_t open;     /* no page before this one has an empty slot */
-  size_t sweep_at; /* do not sweep again before there are so many slots */
+  size_t written;  /* rows since the last sweep */
   sg_arena arena;
   sg_index index[SG_MAX_INDEXES];
   unsigned indexes;

@@ -1,0 +1,650 @@
+/* store_test.c -- the store against a naive model, and its edges. */
+#include "../../engine/store.h"
+#include "../../engine/term.h"
+#include "../check.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the naive model: rows of v and e as plain arrays ------------------- */
+
+enum { MOST = 256, STEPS = 6000, HELD = 4, DEEP = 4, LIMIT = 5 };
+
+typedef struct plain_row {
+  int32_t s, id, a, b;
+  double x;
+} plain_row;
+
+typedef struct plain {
+  size_t n[2];
+  plain_row row[2][MOST]; /* v: a, b unused; e: a -> b */
+} plain;
+
+static uint64_t seed;
+
+static uint32_t
+draw(uint32_t n)
+{
+  seed = seed * 6364136223846793005u + 1442695040888963407u;
+  return (uint32_t)(seed >> 33) % n;
+}
+
+static size_t
+plain_find(const plain *p, int r, int32_t s, int32_t id)
+{
+  for (size_t i = 0; i < p->n[r]; i++) {
+    if (p->row[r][i].s == s && p->row[r][i].id == id) {
+      return i;
+    }
+  }
+  return MOST;
+}
+
+static void
+plain_delete(plain *p, int r, size_t i)
+{
+  p->row[r][i] = p->row[r][--p->n[r]];
+}
+
+static void
+to_values(int r, const plain_row *row, sg_value *out)
+{
+  memset(out, 0, SG_MAX_COLUMNS * sizeof(*out));
+  out[0].i = row->s;
+  out[1].i = row->id;
+  if (r == 0) {
+    out[2].f = row->x;
+    out[3].f = -0.0;
+    out[4].f = 1.5;
+  } else {
+    out[2].i = row->a;
+    out[3].i = row->b;
+    out[4].i = 1;
+  }
+}
+
+static const sg_relation relation_of[2] = {SG_V, SG_E};
+
+/* Every row of the version is in the model, and as many. */
+static bool
+same(const sg_version *version, const plain *p)
+{
+  for (int r = 0; r < 2; r++) {
+    sg_walk walk;
+    size_t n = 0;
+    if (!sg_walk_open(&walk, version, relation_of[r], 0, NULL)) {
+      return false;
+    }
+    for (sg_row row; (row = sg_walk_next(&walk)) != SG_NO_ROW; n++) {
+      sg_value s = sg_version_value(version, relation_of[r], row, 0);
+      sg_value id = sg_version_value(version, relation_of[r], row, 1);
+      sg_value third = sg_version_value(version, relation_of[r], row, 2);
+      size_t i = plain_find(p, r, s.i, id.i);
+      if (i == MOST || (r == 0 ? third.f != p->row[r][i].x
+                               : third.i != p->row[r][i].a)) {
+        return false;
+      }
+    }
+    sg_walk_close(&walk);
+    if (n != p->n[r] || n != sg_version_count(version, relation_of[r])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Look-ups by each index give what a count in the model gives. */
+static bool
+lookups_agree(const sg_version *version, const plain *p)
+{
+  static const uint16_t masks[] = {0x03, 0x05, 0x09, 0x0d, 0x01, 0x0c};
+  uint16_t mask = masks[draw(6)];
+  sg_value key[SG_MAX_COLUMNS] = {0};
+  size_t n = 0;
+  size_t expected = 0;
+  sg_row last = 0;
+  sg_walk walk;
+
+  key[0].i = (int32_t)draw(3) + 1;
+  for (int c = 1; c < 4; c++) {
+    key[c].i = (int32_t)draw(12) + 1;
+  }
+  for (size_t i = 0; i < p->n[1]; i++) {
+    const plain_row *row = &p->row[1][i];
+    expected += (!(mask & 1) || row->s == key[0].i) &&
+                (!(mask & 2) || row->id == key[1].i) &&
+                (!(mask & 4) || row->a == key[2].i) &&
+                (!(mask & 8) || row->b == key[3].i);
+  }
+  if (!sg_walk_open(&walk, version, SG_E, mask, key)) {
+    return false;
+  }
+  for (sg_row row; (row = sg_walk_next(&walk)) != SG_NO_ROW; n++) {
+    if (n > 0 && row <= last) {
+      return false;
+    }
+    last = row;
+  }
+  sg_walk_close(&walk);
+  return n == expected;
+}
+
+/* ---- random operations ------------------------------------------------- */
+
+typedef struct held {
+  const sg_version *version;
+  plain shows;
+} held;
+
+typedef struct play {
+  sg_world *world;
+  plain now;
+  plain before[DEEP]; /* of open transactions */
+  size_t depth;
+  unsigned changes, changes_at[DEEP]; /* when each began */
+  plain undo[LIMIT], redo[LIMIT];
+  size_t undos, redos;
+  held held[HELD];
+} play;
+
+static void
+note_change(play *g)
+{
+  g->changes++;
+  if (g->depth == 0) {
+    g->redos = 0;
+  }
+}
+
+static void
+push(plain *stack, size_t *count, const plain *p)
+{
+  if (*count == LIMIT) {
+    memmove(stack, stack + 1, (LIMIT - 1) * sizeof(*stack));
+    --*count;
+  }
+  stack[(*count)++] = *p;
+}
+
+static bool
+play_add(play *g)
+{
+  int r = draw(3) == 0 ? 0 : 1;
+  plain_row row = {.s = (int32_t)draw(3) + 1,
+                   .id = (int32_t)draw(r == 0 ? 12 : 60) + 1,
+                   .a = (int32_t)draw(12) + 1,
+                   .b = (int32_t)draw(12) + 1,
+                   .x = draw(100) / 8.0};
+  bool exists = plain_find(&g->now, r, row.s, row.id) != MOST;
+  bool dangling = r == 1 && (plain_find(&g->now, 0, row.s, row.a) == MOST ||
+                             plain_find(&g->now, 0, row.s, row.b) == MOST);
+  sg_status expected = dangling ? SG_DANGLING : exists ? SG_EXISTS : SG_OK;
+  sg_value value[SG_MAX_COLUMNS];
+  sg_fault fault;
+
+  to_values(r, &row, value);
+  if (expected == SG_OK) {
+    g->now.row[r][g->now.n[r]++] = row;
+    note_change(g);
+  }
+  return sg_world_add(g->world, relation_of[r], value, NULL, &fault) ==
+         expected;
+}
+
+static bool
+play_retract(play *g)
+{
+  int r = draw(4) == 0 ? 0 : 1;
+  const sg_version *version = sg_world_version(g->world);
+  sg_value key[SG_MAX_COLUMNS] = {0};
+  sg_row row;
+  size_t i;
+  bool done;
+
+  key[0].i = (int32_t)draw(3) + 1;
+  key[1].i = (int32_t)draw(r == 0 ? 12 : 60) + 1;
+  row = sg_version_find(version, relation_of[r], key);
+  i = plain_find(&g->now, r, key[0].i, key[1].i);
+  done = row != SG_NO_ROW &&
+         sg_world_retract(g->world, relation_of[r], row);
+  if (row != SG_NO_ROW && sg_world_retract(g->world, relation_of[r], row)) {
+    done = false; /* twice is wrong */
+  }
+  sg_version_drop(version);
+  if (i != MOST) {
+    plain_delete(&g->now, r, i);
+    note_change(g);
+  }
+  return done == (i != MOST);
+}
+
+static bool
+play_begin(play *g)
+{
+  if (g->depth == DEEP) {
+    return true;
+  }
+  g->changes_at[g->depth] = g->changes;
+  g->before[g->depth++] = g->now;
+  return sg_world_begin(g->world) == SG_OK;
+}
+
+static bool
+play_commit(play *g)
+{
+  if (g->depth == 0) {
+    return sg_world_commit(g->world) == SG_NO_STEP;
+  }
+  if (--g->depth == 0 && g->changes != g->changes_at[0]) {
+    push(g->undo, &g->undos, &g->before[0]);
+    g->redos = 0;
+  }
+  return sg_world_commit(g->world) == SG_OK;
+}
+
+static bool
+play_rollback(play *g)
+{
+  if (g->depth == 0) {
+    return sg_world_rollback(g->world) == SG_NO_STEP;
+  }
+  g->now = g->before[--g->depth];
+  g->changes = g->changes_at[g->depth];
+  return sg_world_rollback(g->world) == SG_OK;
+}
+
+static bool
+play_undo(play *g)
+{
+  if (g->depth > 0 || g->undos == 0) {
+    return sg_world_undo(g->world) == SG_NO_STEP;
+  }
+  push(g->redo, &g->redos, &g->now);
+  g->now = g->undo[--g->undos];
+  return sg_world_undo(g->world) == SG_OK;
+}
+
+static bool
+play_redo(play *g)
+{
+  if (g->depth > 0 || g->redos == 0) {
+    return sg_world_redo(g->world) == SG_NO_STEP;
+  }
+  push(g->undo, &g->undos, &g->now);
+  g->now = g->redo[--g->redos];
+  return sg_world_redo(g->world) == SG_OK;
+}
+
+static bool
+play_hold(play *g)
+{
+  held *h = &g->held[draw(HELD)];
+  bool valid = true;
+
+  if (h->version) {
+    valid = same(h->version, &h->shows);
+    sg_version_drop(h->version);
+    h->version = NULL;
+  } else {
+    h->version = sg_world_version(g->world);
+    h->shows = g->now;
+  }
+  return valid;
+}
+
+static bool
+play_all(play *g)
+{
+  int r = draw(20) == 0 ? 0 : 1;
+
+  if (g->now.n[r] > 0) {
+    note_change(g);
+  }
+  g->now.n[r] = 0;
+  return sg_world_retract_all(g->world, relation_of[r]);
+}
+
+static bool
+play_step(play *g)
+{
+  uint32_t what = draw(100);
+
+  return what < 55   ? play_add(g)
+         : what < 80 ? play_retract(g)
+         : what < 84 ? play_begin(g)
+         : what < 87 ? play_commit(g)
+         : what < 89 ? play_rollback(g)
+         : what < 91 ? play_undo(g)
+         : what < 92 ? play_redo(g)
+         : what < 99 ? play_hold(g)
+                     : play_all(g);
+}
+
+static void
+test_random(uint64_t start)
+{
+  static play g;
+  char name[64];
+  bool right = true;
+
+  memset(&g, 0, sizeof(g));
+  g.world = sg_world_open();
+  sg_world_undo_limit(g.world, LIMIT);
+  seed = start;
+  snprintf(name, sizeof(name), "random operations, seed %u", (unsigned)start);
+  for (int i = 0; i < STEPS && right; i++) {
+    const sg_version *version;
+    right = play_step(&g);
+    version = sg_world_version(g.world);
+    right = right && same(version, &g.now) && lookups_agree(version, &g.now);
+    sg_version_drop(version);
+    right = right && (i % 16 || sg_world_is_valid(g.world));
+  }
+  CHECK(name, right);
+  for (int i = 0; i < HELD; i++) {
+    CHECK("a held version stays as it was",
+          !g.held[i].version || same(g.held[i].version, &g.held[i].shows));
+    sg_version_drop(g.held[i].version);
+  }
+  sg_world_drop(g.world);
+}
+
+/* ---- many rows: sweeps, slots used again, bulk loads -------------------- */
+
+enum { MANY = 5000 };
+
+static bool
+fill_vertices(sg_world *world, int32_t s, int32_t first, size_t n)
+{
+  int32_t *ids = malloc(2 * n * sizeof(*ids));
+  double *x = malloc(n * sizeof(*x));
+  const void *column[5] = {ids, ids + n, x, x, x};
+  sg_status status;
+
+  for (size_t i = 0; i < n; i++) {
+    ids[i] = s;
+    ids[n + i] = first + (int32_t)i;
+    x[i] = (double)i;
+  }
+  status = sg_world_add_many(world, SG_V, n, column, NULL);
+  free(ids);
+  free(x);
+  return status == SG_OK;
+}
+
+static sg_row
+find_vertex(sg_world *world, int32_t s, int32_t v)
+{
+  const sg_version *version = sg_world_version(world);
+  sg_value key[SG_MAX_COLUMNS] = {{.i = s}, {.i = v}};
+  sg_row row = sg_version_find(version, SG_V, key);
+
+  sg_version_drop(version);
+  return row;
+}
+
+static size_t
+count(sg_world *world, sg_relation relation)
+{
+  const sg_version *version = sg_world_version(world);
+  size_t n = sg_version_count(version, relation);
+
+  sg_version_drop(version);
+  return n;
+}
+
+static void
+test_sweep(void)
+{
+  sg_world *world = sg_world_open();
+  const sg_version *old;
+  sg_statistics before, after;
+  bool right = fill_vertices(world, 1, 1, MANY);
+
+  old = sg_world_version(world);
+  sg_world_statistics(world, SG_V, &before);
+  for (int32_t round = 0; right && round < 20; round++) {
+    for (int32_t v = 1; v <= MANY; v += 2) {
+      right = right && sg_world_retract(world, SG_V, find_vertex(world, 1, v));
+    }
+    for (int32_t v = 1; right && v <= MANY; v += 2) {
+      sg_value row[SG_MAX_COLUMNS] = {{.i = 1}, {.i = v}, {.f = round}};
+      right = sg_world_add(world, SG_V, row, NULL, NULL) == SG_OK;
+    }
+    right = right && sg_world_is_valid(world);
+  }
+  CHECK("rows are retracted and added again", right);
+  CHECK("all are there", count(world, SG_V) == MANY);
+  CHECK("the old version still has them all",
+        sg_version_count(old, SG_V) == MANY);
+  sg_world_statistics(world, SG_V, &after);
+  CHECK("their slots are used again", after.slots < 3 * before.slots);
+  {
+    sg_value key[SG_MAX_COLUMNS] = {{.i = 1}, {.i = 3}};
+    sg_row row = sg_version_find(old, SG_V, key);
+    CHECK("the old version finds its row by key", row != SG_NO_ROW);
+    CHECK("with its old value",
+          row != SG_NO_ROW && sg_version_value(old, SG_V, row, 2).f == 2.0);
+  }
+  sg_version_drop(old);
+  CHECK("valid at the end", sg_world_is_valid(world));
+  sg_world_drop(world);
+}
+
+static void
+test_bulk(void)
+{
+  sg_world *world = sg_world_open();
+  int32_t s[3] = {2, 2, 2}, v[3] = {7, 8, 7};
+  double x[3] = {0, -0.0, 1}, wrong[3] = {0, NAN, 0};
+  const void *twice[5] = {s, v, x, x, x};
+  const void *nan[5] = {s, v, x, wrong, x};
+  sg_fault fault = {0};
+
+  CHECK("100,000 rows", fill_vertices(world, 1, 1, 100000));
+  CHECK("a key twice in a buffer",
+        sg_world_add_many(world, SG_V, 3, twice, &fault) == SG_EXISTS);
+  CHECK("the row at fault", fault.row == 2);
+  CHECK("nothing was added", count(world, SG_V) == 100000);
+  CHECK("a NaN", sg_world_add_many(world, SG_V, 2, nan, &fault) == SG_INVALID);
+  CHECK("its place", fault.row == 1 && fault.column == 3);
+  CHECK("two rows", sg_world_add_many(world, SG_V, 2, twice, NULL) == SG_OK);
+  CHECK("both are there", count(world, SG_V) == 100002);
+  {
+    const sg_version *version = sg_world_version(world);
+    double stored = sg_version_value(version, SG_V, 100001, 2).f;
+    CHECK("-0.0 becomes 0.0", stored == 0 && !signbit(stored));
+    sg_version_drop(version);
+  }
+  CHECK("valid", sg_world_is_valid(world));
+  sg_world_drop(world);
+}
+
+static void
+test_view(void)
+{
+  sg_world *world = sg_world_open();
+  const sg_version *version;
+  sg_view view;
+  double sum = 0;
+  size_t n = 0;
+
+  CHECK("rows over three pages", fill_vertices(world, 1, 1, 10000));
+  CHECK("one less", sg_world_retract(world, SG_V, 5000));
+  version = sg_world_version(world);
+  CHECK("a view", sg_version_view(version, SG_V, &view));
+  for (size_t p = 0; p < view.pages; p++) {
+    for (unsigned r = sg_live_next(view.live[p], 0); r < SG_PAGE_ROWS;
+         r = sg_live_next(view.live[p], r + 1), n++) {
+      sum += view.column[2].page[p].f[r];
+    }
+  }
+  CHECK("every live row once", n == 9999);
+  CHECK("and its value", sum == 9999.0 * 10000 / 2 - 5000);
+  sg_view_clear(&view);
+  CHECK("an empty view", sg_version_view(version, SG_T, &view));
+  CHECK("has no pages", view.pages == 0);
+  sg_view_clear(&view);
+  sg_version_drop(version);
+  sg_world_drop(world);
+}
+
+/* ---- lists, terms, members ---------------------------------------------- */
+
+static size_t
+polygons_of_edge(sg_world *world, int32_t e)
+{
+  const sg_version *version = sg_world_version(world);
+  sg_walk walk;
+  size_t n = 0;
+
+  if (sg_walk_open_member(&walk, version, SG_P, 1, e)) {
+    while (sg_walk_next(&walk) != SG_NO_ROW) {
+      n++;
+    }
+    sg_walk_close(&walk);
+  }
+  sg_version_drop(version);
+  return n;
+}
+
+static void
+add_edge(sg_world *world, int32_t e, int32_t v1, int32_t v2)
+{
+  sg_value row[SG_MAX_COLUMNS] = {
+      {.i = 1}, {.i = e}, {.i = v1}, {.i = v2}, {.i = 1}};
+
+  CHECK("an edge", sg_world_add(world, SG_E, row, NULL, NULL) == SG_OK);
+}
+
+static void
+test_members(void)
+{
+  sg_world *world = sg_world_open();
+  const int32_t es[4] = {3, 1, 2, 3}, missing[3] = {2, 1, 99};
+  sg_value p[SG_MAX_COLUMNS] = {{.i = 1}, {.i = 1}, {.list = es}};
+  sg_fault fault;
+  sg_row row;
+
+  CHECK("vertices", fill_vertices(world, 1, 1, 10));
+  for (int32_t e = 1; e <= 5; e++) {
+    add_edge(world, e, e, e + 1);
+  }
+  CHECK("a polygon", sg_world_add(world, SG_P, p, &row, NULL) == SG_OK);
+  CHECK("found by its edge", polygons_of_edge(world, 2) == 1);
+  for (int32_t i = 2; i <= 300; i++) {
+    p[1].i = i;
+    sg_world_add(world, SG_P, p, NULL, NULL);
+  }
+  CHECK("300 polygons", polygons_of_edge(world, 3) == 300);
+  CHECK("none on edge 4", polygons_of_edge(world, 4) == 0);
+  CHECK("one less", sg_world_retract(world, SG_P, row) &&
+                        polygons_of_edge(world, 3) == 299);
+  p[1].i = 999;
+  p[2].list = missing;
+  CHECK("an edge that is not there",
+        sg_world_add(world, SG_P, p, NULL, &fault) == SG_DANGLING);
+  CHECK("which", fault.column == 2 && fault.id == 99 && fault.s == 1);
+  CHECK("valid", sg_world_is_valid(world));
+  sg_world_retract_all(world, SG_P);
+  CHECK("all gone", polygons_of_edge(world, 3) == 0);
+  CHECK("valid without", sg_world_is_valid(world));
+  sg_world_drop(world);
+}
+
+static void
+put_origin(sg_term_builder *b, int32_t t)
+{
+  sg_term_open(b);
+  sg_term_compound(b, SG_SYMBOL_LPI, 2);
+  sg_term_compound(b, SG_SYMBOL_MINUS, 2);
+  sg_term_int(b, 1);
+  sg_term_pair(b, 3, 4);
+  sg_term_pair(b, 2, t);
+}
+
+static void
+test_terms(void)
+{
+  sg_world *world = sg_world_open();
+  sg_term_builder item, origin, again;
+  sg_value row[SG_MAX_COLUMNS] = {{.i = 1}};
+  const sg_version *version;
+  sg_walk walk;
+
+  sg_term_open(&item);
+  sg_term_unary(&item, SG_SYMBOL_V, 12);
+  put_origin(&origin, 7);
+  put_origin(&again, 7);
+  row[1].term = sg_term_words(&item);
+  row[2].term = sg_term_words(&origin);
+  CHECK("equal terms, equal words",
+        sg_term_equal(row[2].term, sg_term_words(&again)));
+  CHECK("equal hash",
+        sg_term_hash(row[2].term) == sg_term_hash(sg_term_words(&again)));
+  CHECK("an origin", sg_world_add(world, SG_ORIGIN, row, NULL, NULL) == SG_OK);
+  CHECK("its key is taken",
+        sg_world_add(world, SG_ORIGIN, row, NULL, NULL) == SG_EXISTS);
+  version = sg_world_version(world);
+  row[2].term = sg_term_words(&again);
+  CHECK("found by its term",
+        sg_walk_open(&walk, version, SG_ORIGIN, 0x04, row) &&
+            sg_walk_next(&walk) != SG_NO_ROW &&
+            sg_walk_next(&walk) == SG_NO_ROW);
+  sg_walk_close(&walk);
+  sg_version_drop(version);
+  sg_term_close(&item);
+  sg_term_close(&origin);
+  sg_term_close(&again);
+  sg_term_open(&item);
+  for (int i = 0; i < 1000; i++) {
+    sg_term_float(&item, i);
+  }
+  CHECK("a long term", sg_term_words(&item) &&
+                           sg_term_length(sg_term_words(&item)) == 3001);
+  sg_term_close(&item);
+  sg_world_drop(world);
+}
+
+/* ---- ids ---------------------------------------------------------------- */
+
+static void
+test_fresh(void)
+{
+  sg_world *world = sg_world_open();
+
+  CHECK("the first id", sg_world_fresh(world, SG_V, 1) == 1);
+  CHECK("the next", sg_world_fresh(world, SG_V, 1) == 2);
+  CHECK("another segment", sg_world_fresh(world, SG_V, 2) == 1);
+  CHECK("rows use ids too", fill_vertices(world, 1, 10, 5) &&
+                                sg_world_fresh(world, SG_V, 1) == 15);
+  sg_world_begin(world);
+  CHECK("in a transaction", sg_world_fresh(world, SG_V, 1) == 16);
+  sg_world_rollback(world);
+  CHECK("the same again", sg_world_fresh(world, SG_V, 1) == 16);
+  sg_world_retract_all(world, SG_V);
+  CHECK("never one twice", sg_world_fresh(world, SG_V, 1) == 17);
+  CHECK("segments themselves", sg_world_fresh(world, SG_SEGMENT, 0) == 1);
+  CHECK("views have no ids", sg_world_fresh(world, SG_VIEW, 0) == 0);
+  for (int32_t s = 100; s > 2; s--) {
+    CHECK("many segments", sg_world_fresh(world, SG_E, s) == 1);
+  }
+  CHECK("each its own", sg_world_fresh(world, SG_E, 50) == 2);
+  sg_world_drop(world);
+}
+
+int
+main(void)
+{
+  for (uint64_t s = 1; s <= 12; s++) {
+    test_random(s);
+  }
+  test_sweep();
+  test_bulk();
+  test_view();
+  test_members();
+  test_terms();
+  test_fresh();
+  return check_report();
+}
