@@ -38,8 +38,8 @@ typedef struct sg_work sg_work;
 
 enum { SG_WORK_NONE = -1 }; /* no such vertex, or no memory */
 
-/* An edge. `label` is the caller's (0: none): it goes with the pieces when an
- * edge is split. */
+/* An edge. `label` is the caller's (0: none; > 0: the row of e/5 it came from)
+ * and goes with the pieces when an edge is split. */
 typedef struct sg_work_edge {
   int32_t start, end; /* vertex handles */
   int32_t et;         /* 1 real, 0 auxiliary */
@@ -50,6 +50,8 @@ typedef struct sg_work_edge {
  * matter. */
 sg_work *sg_work_open(const double normal[3]);
 void sg_work_close(sg_work *work);
+/* Empties it for another polygon: as closing and opening, without the cost. */
+void sg_work_clear(sg_work *work, const double normal[3]);
 
 /* The axis that is dropped (0 x, 1 y, 2 z), for sg_point_ll(). */
 int sg_work_axis(const sg_work *work);
@@ -143,14 +145,19 @@ void sg_meetings_clear(sg_meetings *met);
  *
  * The work must not change while a walk goes on. sg_candidates_next() returns
  * SG_WORK_NONE at the end; walk.no_memory tells if that was the reason. */
+enum { SG_BLOCKERS = 4 };
+
 typedef struct sg_candidates {
   sg_work *work;
   int32_t v1, v2;
-  int32_t edge; /* last one looked at, in the phase */
   int phase;
   bool no_memory;
-  struct sg_near *near; /* the vertices by distance; null before phase 2 */
-  size_t next, n;
+  int32_t edge;            /* the last one looked at in the phase */
+  int32_t ring;            /* the next one of the last phase */
+  struct sg_near *near;    /* [n] of the ring, `next` to come */
+  size_t next, n, room;
+  int32_t blocker[SG_BLOCKERS]; /* edges in the way of earlier vertices */
+  unsigned blocked;
 } sg_candidates;
 
 void sg_candidates_open(sg_candidates *walk, sg_work *work, int32_t v1,
@@ -169,6 +176,10 @@ int sg_work_take(sg_work *work, int32_t edge, int32_t v3);
  * vanish. Not needed (and does nothing) where all contacts are shared
  * vertices already. False: no memory. */
 bool sg_work_resolve(sg_work *work);
+
+/* A vertex where as many edges enter as leave is in balance; returns the first
+ * one that is not (the polygon does not close there), or SG_WORK_NONE. */
+int32_t sg_work_unbalanced(const sg_work *work);
 
 /* True if every invariant holds; tests call it. */
 bool sg_work_is_valid(const sg_work *work);

@@ -1,0 +1,47 @@
+/* plane.h -- the nominal plane of a polygon.
+ *
+ * Layer: kernel. Inexact: it places and measures; signs are exact.h's.
+ */
+#ifndef SG_PLANE_H
+#define SG_PLANE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* n . x + d = 0, n a unit vector pointing outward; d in model units. */
+typedef struct sg_plane {
+  double n[3], d;
+} sg_plane;
+
+/* Newell's normal from ALL directed edges of a polygon, in any order: the sum
+ * over the edges of a x b is twice the area times the normal, holes counting
+ * negative and seams nothing.
+ *
+ *   sg_newell sum;
+ *   sg_newell_init(&sum);
+ *   for each edge: sg_newell_edge(&sum, start, end);
+ *   if (!sg_newell_plane(&sum, &plane)) it_has_no_area();
+ */
+typedef struct sg_newell {
+  double origin[3];  /* the first start: what follows is relative to it */
+  double doubled[3]; /* twice the area vector */
+  double mean[3];    /* sum of the starts */
+  size_t n;
+} sg_newell;
+
+void sg_newell_init(sg_newell *sum);
+void sg_newell_edge(sg_newell *sum, const double start[3],
+                    const double end[3]);
+
+/* The plane through the mean of the vertices. False: no edges, an area of
+ * exactly 0, or numbers out of range. Components are never -0.0. */
+bool sg_newell_plane(const sg_newell *sum, sg_plane *out);
+
+/* The area, always >= 0; model units squared. */
+double sg_newell_area(const sg_newell *sum);
+
+/* Signed distance: > 0 outside. A polygon is flat within a tolerance if no
+ * vertex is farther than that. */
+double sg_plane_distance(const sg_plane *plane, const double point[3]);
+
+#endif

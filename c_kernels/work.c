@@ -1,0 +1,486 @@
+/* work.c -- the scratch relation's rows and lists: see work.h.
+ *
+ * Layer: kernel. Vertices and edges are rows of two growing arrays; edges hang
+ * in three lists: the queue of all, those leaving and those entering a vertex.
+ * Ids are found through a hash of open addressing.
+ */
+#include "work_private.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SLOTS_KEPT = 256 }; /* by sg_work_clear(); emptying more costs more */
+
+/* ---- life --------------------------------------------------------------- */
+
+static void
+look_along(sg_work *work, const double normal[3])
+{
+  work->axis = 0;
+  for (int k = 1; k < 3; k++) {
+    if (fabs(normal[k]) > fabs(normal[work->axis])) {
+      work->axis = k;
+    }
+  }
+  work->flip = normal[work->axis] < 0 ? -1 : 1;
+}
+
+sg_work *
+sg_work_open(const double normal[3])
+{
+  sg_work *work = calloc(1, sizeof *work);
+
+  if (work) {
+    look_along(work, normal);
+  }
+  return work;
+}
+
+static void
+clear_points(sg_work *work)
+{
+  for (int32_t v = 0; v < work->vertices; v++) {
+    sg_point_clear(&work->vertex[v].point);
+  }
+}
+
+void
+sg_work_clear(sg_work *work, const double normal[3])
+{
+  clear_points(work);
+  sg_work_grid_close(&work->grid);
+  if (work->slots > SLOTS_KEPT) {
+    free(work->slot);
+    work->slot = NULL;
+    work->slots = 0;
+  } else if (work->slots) {
+    memset(work->slot, 0, work->slots * sizeof *work->slot);
+  }
+  work->vertices = work->edges = work->oldest = work->youngest = 0;
+  work->living = 0;
+  look_along(work, normal);
+}
+
+void
+sg_work_close(sg_work *work)
+{
+  if (work) {
+    clear_points(work);
+    sg_work_grid_close(&work->grid);
+    free(work->vertex);
+    free(work->slot);
+    free(work->edge);
+    free(work);
+  }
+}
+
+int
+sg_work_axis(const sg_work *work)
+{
+  return work->axis;
+}
+
+/* ---- vertices ----------------------------------------------------------- */
+
+static uint32_t
+hash(int32_t id)
+{
+  uint32_t h = (uint32_t)id * 2654435769u;
+
+  return h ^ (h >> 15);
+}
+
+/* The slot that holds `id`, or the free one where it belongs. */
+static uint32_t
+slot_of(const sg_work *work, int32_t id)
+{
+  uint32_t i = hash(id) & (work->slots - 1);
+
+  while (work->slot[i] && work->vertex[work->slot[i] - 1].id != id) {
+    i = (i + 1) & (work->slots - 1);
+  }
+  return i;
+}
+
+static bool
+more_slots(sg_work *work)
+{
+  uint32_t slots = work->slots ? work->slots * 2 : 64;
+  int32_t *slot = calloc(slots, sizeof *slot);
+
+  if (!slot) {
+    return false;
+  }
+  free(work->slot);
+  work->slot = slot;
+  work->slots = slots;
+  for (int32_t v = 0; v < work->vertices; v++) {
+    slot[slot_of(work, work->vertex[v].id)] = v + 1;
+  }
+  return true;
+}
+
+/* Grows *rows (of `size` bytes) so that index `need` fits. */
+static bool
+make_room(void **rows, int32_t *room, int32_t need, size_t size)
+{
+  if (need < *room) {
+    return true;
+  }
+  if (need >= INT32_MAX / 2) {
+    return false;
+  }
+  int32_t more = *room < 32 ? 64 : *room * 2;
+  void *grown = realloc(*rows, (size_t)more * size);
+  if (!grown) {
+    return false;
+  }
+  *rows = grown;
+  *room = more;
+  return true;
+}
+
+int32_t
+sg_work_vertex(sg_work *work, int32_t id, const sg_point *point)
+{
+  int32_t found = sg_work_find(work, id);
+
+  if (found != SG_WORK_NONE) {
+    return found;
+  }
+  if (((uint32_t)work->vertices + 1) * 2 > work->slots && !more_slots(work)) {
+    return SG_WORK_NONE;
+  }
+  void *rows = work->vertex;
+  if (!make_room(&rows, &work->vertex_room, work->vertices,
+                 sizeof *work->vertex)) {
+    return SG_WORK_NONE;
+  }
+  work->vertex = rows;
+  sg_work_vertex_row *row = &work->vertex[work->vertices];
+  *row = (sg_work_vertex_row){.id = id};
+  if (!sg_point_copy(&row->point, point)) {
+    return SG_WORK_NONE;
+  }
+  row->at[work->flip < 0] = point->p[(work->axis + 1) % 3];
+  row->at[work->flip > 0] = point->p[(work->axis + 2) % 3];
+  work->slot[slot_of(work, id)] = work->vertices + 1;
+  return work->vertices++;
+}
+
+int32_t
+sg_work_find(const sg_work *work, int32_t id)
+{
+  return work->slots ? work->slot[slot_of(work, id)] - 1 : SG_WORK_NONE;
+}
+
+int32_t
+sg_work_id(const sg_work *work, int32_t vertex)
+{
+  return work->vertex[vertex].id;
+}
+
+const sg_point *
+sg_work_point(const sg_work *work, int32_t vertex)
+{
+  return &work->vertex[vertex].point;
+}
+
+int32_t
+sg_work_vertices(const sg_work *work)
+{
+  return work->vertices;
+}
+
+/* ---- edges -------------------------------------------------------------- */
+
+static void
+hang(sg_work *work, int32_t e)
+{
+  sg_work_edge_row *row = &work->edge[e];
+  sg_work_vertex_row *start = &work->vertex[row->edge.start];
+  sg_work_vertex_row *end = &work->vertex[row->edge.end];
+
+  row->older = work->youngest;
+  *(row->older ? &work->edge[row->older].younger : &work->oldest) = e;
+  work->youngest = e;
+  row->out_older = start->last_out;
+  *(row->out_older ? &work->edge[row->out_older].out_younger
+                   : &start->first_out) = e;
+  start->last_out = e;
+  row->in_older = end->last_in;
+  *(row->in_older ? &work->edge[row->in_older].in_younger : &end->first_in) =
+      e;
+  end->last_in = e;
+}
+
+static void
+unhang(sg_work *work, int32_t e)
+{
+  sg_work_edge_row *row = &work->edge[e], *edge = work->edge;
+  sg_work_vertex_row *start = &work->vertex[row->edge.start];
+  sg_work_vertex_row *end = &work->vertex[row->edge.end];
+
+  *(row->older ? &edge[row->older].younger : &work->oldest) = row->younger;
+  *(row->younger ? &edge[row->younger].older : &work->youngest) = row->older;
+  *(row->out_older ? &edge[row->out_older].out_younger : &start->first_out) =
+      row->out_younger;
+  *(row->out_younger ? &edge[row->out_younger].out_older : &start->last_out) =
+      row->out_older;
+  *(row->in_older ? &edge[row->in_older].in_younger : &end->first_in) =
+      row->in_younger;
+  *(row->in_younger ? &edge[row->in_younger].in_older : &end->last_in) =
+      row->in_older;
+}
+
+/* Room for `n` more edges, so that adding them cannot fail. */
+static bool
+edge_room(sg_work *work, int32_t n)
+{
+  void *rows = work->edge;
+  bool done = make_room(&rows, &work->edge_room, work->edges + n,
+                        sizeof *work->edge);
+
+  work->edge = rows;
+  return done;
+}
+
+int32_t
+sg_work_add(sg_work *work, int32_t start, int32_t end, int32_t et,
+            int64_t label)
+{
+  if (!edge_room(work, 1)) {
+    return 0;
+  }
+  int32_t e = work->edges + 1;
+  work->edge[e] = (sg_work_edge_row){.edge = {start, end, et, label},
+                                     .living = true};
+  if (work->grid.open && !sg_work_grid_add(&work->grid, e, work->vertex[start].at,
+                                      work->vertex[end].at)) {
+    return 0;
+  }
+  work->edges = e;
+  work->living++;
+  hang(work, e);
+  return e;
+}
+
+void
+sg_work_delete(sg_work *work, int32_t edge)
+{
+  unhang(work, edge);
+  work->edge[edge].living = false; /* the grid forgets it when built anew */
+  work->living--;
+}
+
+int32_t
+sg_work_split(sg_work *work, int32_t edge, int32_t vertex)
+{
+  sg_work_edge old = work->edge[edge].edge;
+  int32_t first = sg_work_add(work, old.start, vertex, old.et, old.label);
+
+  if (!first) {
+    return 0;
+  }
+  if (!sg_work_add(work, vertex, old.end, old.et, old.label)) {
+    sg_work_delete(work, first);
+    return 0;
+  }
+  sg_work_delete(work, edge);
+  return first;
+}
+
+const sg_work_edge *
+sg_work_get(const sg_work *work, int32_t edge)
+{
+  return edge > 0 && edge <= work->edges && work->edge[edge].living
+             ? &work->edge[edge].edge
+             : NULL;
+}
+
+size_t
+sg_work_edges(const sg_work *work)
+{
+  return work->living;
+}
+
+int32_t
+sg_work_next(const sg_work *work, int32_t edge)
+{
+  return edge ? work->edge[edge].younger : work->oldest;
+}
+
+int32_t
+sg_work_leaving(const sg_work *work, int32_t vertex, int32_t edge)
+{
+  return edge ? work->edge[edge].out_younger : work->vertex[vertex].first_out;
+}
+
+int32_t
+sg_work_entering(const sg_work *work, int32_t vertex, int32_t edge)
+{
+  return edge ? work->edge[edge].in_younger : work->vertex[vertex].first_in;
+}
+
+/* Looks in both lists at once: the shorter one ends the search. */
+int32_t
+sg_work_pair(const sg_work *work, int32_t start, int32_t end)
+{
+  int32_t out = work->vertex[start].first_out;
+  int32_t in = work->vertex[end].first_in;
+
+  while (out && in) {
+    if (work->edge[out].edge.end == end) {
+      return out;
+    }
+    if (work->edge[in].edge.start == start) {
+      return in;
+    }
+    out = work->edge[out].out_younger;
+    in = work->edge[in].in_younger;
+  }
+  return 0;
+}
+
+/* ---- signs -------------------------------------------------------------- */
+
+int
+sg_work_turn(const sg_work *work, int32_t a, int32_t b, int32_t c)
+{
+  const sg_work_vertex_row *v = work->vertex;
+
+  if (!v[a].point.q && !v[b].point.q && !v[c].point.q) {
+    return sg_orient2d(v[a].at, v[b].at, v[c].at);
+  }
+  return work->flip *
+         sg_point_turn(work->axis, &v[a].point, &v[b].point, &v[c].point);
+}
+
+/* v strictly between a and b in coordinate axis k of the picture: -1, 0, +1
+ * for outside, at one of them, inside. */
+static int
+between_on_axis(const sg_work *work, int k, int32_t a, int32_t b, int32_t v)
+{
+  int axis = (work->axis + 1 + (k ^ (work->flip < 0))) % 3;
+  const sg_work_vertex_row *row = work->vertex;
+  int low = sg_point_compare(axis, &row[a].point, &row[v].point);
+  int high = sg_point_compare(axis, &row[v].point, &row[b].point);
+
+  return low == 0 || high == 0 ? 0 : (low == high ? 1 : -1);
+}
+
+bool
+sg_work_between(const sg_work *work, int32_t a, int32_t b, int32_t v)
+{
+  if (sg_work_turn(work, a, b, v) != 0) {
+    return false;
+  }
+  int along = between_on_axis(work, 0, a, b, v);
+  return along ? along > 0 : between_on_axis(work, 1, a, b, v) > 0;
+}
+
+/* ---- searching by place ------------------------------------------------- */
+
+/* All living edges as segments, to shape the grid. */
+static sg_work_grid_segment *
+segments(const sg_work *work)
+{
+  sg_work_grid_segment *out = malloc(work->living * sizeof *out);
+  size_t n = 0;
+
+  for (int32_t e = work->oldest; out && e; e = work->edge[e].younger) {
+    const sg_work_edge *edge = &work->edge[e].edge;
+    memcpy(out[n].from, work->vertex[edge->start].at, sizeof out[n].from);
+    memcpy(out[n].to, work->vertex[edge->end].at, sizeof out[n].to);
+    n++;
+  }
+  return out;
+}
+
+static double
+coordinate_error(const sg_work *work)
+{
+  double largest = 0;
+
+  for (int32_t v = 0; v < work->vertices; v++) {
+    largest = fmax(largest, fmax(fabs(work->vertex[v].at[0]),
+                                 fabs(work->vertex[v].at[1])));
+  }
+  return largest * DBL_EPSILON;
+}
+
+static bool
+build_grid(sg_work *work)
+{
+  sg_work_grid_segment *segment = segments(work);
+
+  sg_work_grid_close(&work->grid);
+  if (!segment || !sg_work_grid_open(&work->grid, segment, work->living,
+                                coordinate_error(work))) {
+    free(segment);
+    return false;
+  }
+  size_t n = 0;
+  for (int32_t e = work->oldest; e; e = work->edge[e].younger, n++) {
+    if (!sg_work_grid_add(&work->grid, e, segment[n].from, segment[n].to)) {
+      sg_work_grid_close(&work->grid);
+      break;
+    }
+  }
+  free(segment);
+  return work->grid.open;
+}
+
+bool
+sg_work_ready(sg_work *work, bool *served)
+{
+  const sg_work_grid *grid = &work->grid;
+  size_t living = work->living;
+
+  *served = living > SG_WORK_FEW;
+  if (!*served ||
+      (grid->open && grid->held <= 2 * living + SG_WORK_FEW &&
+       living <= 4 * grid->expected)) {
+    return true;
+  }
+  return build_grid(work);
+}
+
+bool
+sg_work_scan_open(sg_work_scan *scan, sg_work *work, const int32_t *corner,
+                  int corners)
+{
+  *scan = (sg_work_scan){.work = work};
+  if (!sg_work_ready(work, &scan->served)) {
+    return false;
+  }
+  if (scan->served) {
+    double at[3][2];
+    for (int i = 0; i < corners; i++) {
+      memcpy(at[i], work->vertex[corner[i]].at, sizeof at[i]);
+    }
+    sg_work_grid_walk_open(&scan->walk, &work->grid, (const double(*)[2])at,
+                      corners);
+    work->search++;
+  }
+  return true;
+}
+
+int32_t
+sg_work_scan_next(sg_work_scan *scan)
+{
+  if (!scan->served) {
+    scan->edge = sg_work_next(scan->work, scan->edge);
+    return scan->edge;
+  }
+  for (int32_t e; (e = sg_work_grid_walk_next(&scan->walk)) != 0;) {
+    sg_work_edge_row *row = &scan->work->edge[e];
+    if (row->living && row->seen != scan->work->search) {
+      row->seen = scan->work->search;
+      return e;
+    }
+  }
+  return 0;
+}

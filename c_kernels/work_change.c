@@ -1,0 +1,314 @@
+/* work_change.c -- changes of several edges at once: taking a triangle off
+ * (PL-6 step 4 (3)) and resolving contacts. See work.h.
+ *
+ * Layer: kernel.
+ */
+#include "work_private.h"
+
+#include <stdlib.h>
+
+/* ---- taking a triangle off ---------------------------------------------- */
+
+static int
+add_auxiliary(sg_work *work, int32_t start, int32_t end)
+{
+  return sg_work_add(work, start, end, 0, 0) ? 1 : -1;
+}
+
+int
+sg_work_take(sg_work *work, int32_t edge, int32_t v3)
+{
+  int32_t v1 = work->edge[edge].edge.start, v2 = work->edge[edge].edge.end;
+  int32_t second = sg_work_pair(work, v2, v3);
+  int32_t third = sg_work_pair(work, v3, v1);
+
+  if ((!second && sg_work_pair(work, v3, v2)) ||
+      (!third && sg_work_pair(work, v1, v3))) {
+    return 0; /* (3-5) */
+  }
+  sg_work_delete(work, edge);
+  if (second) {
+    sg_work_delete(work, second);
+  }
+  if (third) {
+    sg_work_delete(work, third);
+  }
+  int done = 1; /* (3-1) */
+  if (!second) {
+    done = add_auxiliary(work, v3, v2); /* (3-3), (3-4) */
+  }
+  if (!third && done > 0) {
+    done = add_auxiliary(work, v1, v3); /* (3-2), (3-4) */
+  }
+  return done;
+}
+
+/* ---- resolving contacts ------------------------------------------------- */
+
+static int
+by_place(const void *a, const void *b, void *context)
+{
+  const sg_work *work = context;
+  int32_t v = *(const int32_t *)a, w = *(const int32_t *)b;
+
+  for (int k = 1; k < 3; k++) {
+    int order = sg_point_compare((work->axis + k) % 3, &work->vertex[v].point,
+                                 &work->vertex[w].point);
+    if (order) {
+      return order;
+    }
+  }
+  return (v > w) - (v < w);
+}
+
+/* Hangs the edges of `from` on `to`, in the same place; one that becomes a
+ * point vanishes. */
+static bool
+move_edges(sg_work *work, int32_t from, int32_t to)
+{
+  int32_t e;
+
+  while ((e = work->vertex[from].first_out) != 0) {
+    sg_work_edge old = work->edge[e].edge;
+    sg_work_delete(work, e);
+    if (old.end != to &&
+        !sg_work_add(work, to, old.end, old.et, old.label)) {
+      return false;
+    }
+  }
+  while ((e = work->vertex[from].first_in) != 0) {
+    sg_work_edge old = work->edge[e].edge;
+    sg_work_delete(work, e);
+    if (old.start != to &&
+        !sg_work_add(work, old.start, to, old.et, old.label)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* `vertex` are those with edges, in the order of by_place(). */
+static bool
+merge_places(sg_work *work, const int32_t *vertex, int32_t n)
+{
+  int32_t kept = 0;
+
+  for (int32_t i = 1; i < n; i++) {
+    const sg_point *a = &work->vertex[vertex[kept]].point;
+    const sg_point *b = &work->vertex[vertex[i]].point;
+    if (sg_point_compare((work->axis + 1) % 3, a, b) ||
+        sg_point_compare((work->axis + 2) % 3, a, b)) {
+      kept = i;
+    } else if (!move_edges(work, vertex[i], vertex[kept])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool
+has_edges(const sg_work *work, int32_t v)
+{
+  return work->vertex[v].first_out || work->vertex[v].first_in;
+}
+
+/* Splits the edges that v lies inside of. */
+static bool
+split_at(sg_work *work, int32_t v, sg_meetings *found)
+{
+  sg_work_scan scan;
+
+  found->n = 0;
+  if (!sg_work_scan_open(&scan, work, &v, 1)) {
+    return false;
+  }
+  for (int32_t e; (e = sg_work_scan_next(&scan)) != 0;) {
+    const sg_work_edge *edge = &work->edge[e].edge;
+    if (edge->start != v && edge->end != v && sg_work_near(work, e, v) &&
+        sg_work_between(work, edge->start, edge->end, v) &&
+        !sg_meetings_push(found, &(sg_meeting){.edge = e})) {
+      return false;
+    }
+  }
+  sg_meetings_sort(found);
+  for (size_t i = 0; i < found->n; i++) {
+    if (!sg_work_split(work, found->item[i].edge, v)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* The middle of an edge, exactly. */
+static bool
+middle(const sg_work *work, const sg_work_edge *edge, sg_point *out)
+{
+  const sg_point *end[2] = {&work->vertex[edge->start].point,
+                            &work->vertex[edge->end].point};
+  mpq_t q[3], x;
+
+  mpq_init(x);
+  for (int k = 0; k < 3; k++) {
+    mpq_init(q[k]);
+    for (int i = 0; i < 2; i++) {
+      if (end[i]->q) {
+        mpq_set(x, end[i]->q[k]);
+      } else {
+        mpq_set_d(x, end[i]->p[k]);
+      }
+      mpq_add(q[k], q[k], x);
+    }
+    mpq_div_2exp(q[k], q[k], 1);
+  }
+  bool done = sg_point_set_q(out, q[0], q[1], q[2]);
+  mpq_clears(q[0], q[1], q[2], x, NULL);
+  return done;
+}
+
+/* How often the other edges go round the middle of a pair: 0 outside. */
+static bool
+winding(const sg_work *work, int32_t edge, int32_t opposite, int *out)
+{
+  int axis = (work->axis + 2) % 3; /* the ray goes along the other one */
+  sg_point m;
+
+  *out = 0;
+  if (!middle(work, &work->edge[edge].edge, &m)) {
+    return false;
+  }
+  for (int32_t e = work->oldest; e; e = work->edge[e].younger) {
+    const sg_point *a = &work->vertex[work->edge[e].edge.start].point;
+    const sg_point *b = &work->vertex[work->edge[e].edge.end].point;
+    if (e == edge || e == opposite) {
+      continue;
+    }
+    bool a_above = sg_point_compare(axis, a, &m) > 0;
+    bool b_above = sg_point_compare(axis, b, &m) > 0;
+    if (a_above != b_above &&
+        sg_point_turn(work->axis, a, b, &m) == (b_above ? 1 : -1)) {
+      *out += work->flip * (b_above ? 1 : -1);
+    }
+  }
+  sg_point_clear(&m);
+  return true;
+}
+
+/* Deletes the pairs of opposite edges outside all others (the polygon lies on
+ * neither side): a spike, or a hole that shares an edge with what is round it. */
+static bool
+drop_outer_pairs(sg_work *work)
+{
+  for (int32_t e = work->oldest, next; e; e = next) {
+    int32_t opposite = sg_work_pair(work, work->edge[e].edge.end,
+                                    work->edge[e].edge.start);
+    int around;
+    next = work->edge[e].younger;
+    if (!opposite || e > opposite) {
+      continue;
+    }
+    if (!winding(work, e, opposite, &around)) {
+      return false;
+    }
+    if (around == 0) {
+      next = next == opposite ? work->edge[opposite].younger : next;
+      sg_work_delete(work, e);
+      sg_work_delete(work, opposite);
+    }
+  }
+  return true;
+}
+
+bool
+sg_work_resolve(sg_work *work)
+{
+  int32_t *vertex = malloc(((size_t)work->vertices + 1) * sizeof *vertex);
+  sg_meetings found = {0};
+  int32_t n = 0;
+
+  if (!vertex) {
+    return false;
+  }
+  for (int32_t v = 0; v < work->vertices; v++) {
+    if (has_edges(work, v)) {
+      vertex[n++] = v;
+    }
+  }
+  qsort_r(vertex, (size_t)n, sizeof *vertex, by_place, work);
+  bool done = merge_places(work, vertex, n);
+  for (int32_t v = 0; done && v < work->vertices; v++) {
+    done = !has_edges(work, v) || split_at(work, v, &found);
+  }
+  free(vertex);
+  sg_meetings_clear(&found);
+  return done && drop_outer_pairs(work);
+}
+
+int32_t
+sg_work_unbalanced(const sg_work *work)
+{
+  for (int32_t v = 0; v < work->vertices; v++) {
+    int32_t out = work->vertex[v].first_out, in = work->vertex[v].first_in;
+    while (out && in) {
+      out = work->edge[out].out_younger;
+      in = work->edge[in].in_younger;
+    }
+    if (out || in) {
+      return v;
+    }
+  }
+  return SG_WORK_NONE;
+}
+
+/* ---- invariants --------------------------------------------------------- */
+
+static bool
+list_is_valid(const sg_work *work, int32_t v)
+{
+  const sg_work_edge_row *edge = work->edge;
+  int32_t before = 0;
+
+  for (int32_t e = work->vertex[v].first_out; e; e = edge[e].out_younger) {
+    if (!edge[e].living || edge[e].edge.start != v ||
+        edge[e].out_older != before) {
+      return false;
+    }
+    before = e;
+  }
+  if (before != work->vertex[v].last_out) {
+    return false;
+  }
+  before = 0;
+  for (int32_t e = work->vertex[v].first_in; e; e = edge[e].in_younger) {
+    if (!edge[e].living || edge[e].edge.end != v ||
+        edge[e].in_older != before) {
+      return false;
+    }
+    before = e;
+  }
+  return before == work->vertex[v].last_in;
+}
+
+bool
+sg_work_is_valid(const sg_work *work)
+{
+  size_t n = 0;
+  int32_t before = 0;
+
+  for (int32_t e = work->oldest; e; e = work->edge[e].younger) {
+    if (!work->edge[e].living || work->edge[e].older != before || e < before) {
+      return false;
+    }
+    before = e;
+    n++;
+  }
+  if (before != work->youngest || n != work->living) {
+    return false;
+  }
+  for (int32_t v = 0; v < work->vertices; v++) {
+    if (!list_is_valid(work, v) ||
+        sg_work_find(work, work->vertex[v].id) != v) {
+      return false;
+    }
+  }
+  return true;
+}

@@ -1,0 +1,524 @@
+/* work_meeting.c -- which edges meet a segment, and which third vertices an
+ * edge can have: the joins of the scratch relation (work.h).
+ *
+ * Layer: kernel. Exact throughout.
+ */
+#include "work_private.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- an edge and a segment ---------------------------------------------- */
+
+/* The pictures' boxes are apart (a strict < of roundings is exact). */
+static bool
+apart(const double a[2], const double b[2], const double c[2],
+      const double d[2])
+{
+  for (int k = 0; k < 2; k++) {
+    if (fmax(a[k], b[k]) < fmin(c[k], d[k]) ||
+        fmax(c[k], d[k]) < fmin(a[k], b[k])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool
+sg_work_near(const sg_work *work, int32_t edge, int32_t v)
+{
+  const double *a = work->vertex[work->edge[edge].edge.start].at;
+  const double *b = work->vertex[work->edge[edge].edge.end].at;
+  const double *c = work->vertex[v].at;
+
+  return !apart(a, b, c, c);
+}
+
+static bool
+same_place(const sg_work *work, int32_t a, int32_t b)
+{
+  const sg_point *p = &work->vertex[a].point, *q = &work->vertex[b].point;
+
+  return sg_point_compare((work->axis + 1) % 3, p, q) == 0 &&
+         sg_point_compare((work->axis + 2) % 3, p, q) == 0;
+}
+
+/* Ends with different ids in one place. */
+static unsigned
+ends_together(const sg_work *work, int32_t v1, int32_t v2,
+              const sg_work_edge *edge)
+{
+  int32_t end[2] = {v1, v2}, other[2] = {edge->start, edge->end};
+  unsigned bits = 0;
+
+  for (int i = 0; i < 2; i++) {
+    for (int j = 0; j < 2; j++) {
+      if (end[i] != other[j] && same_place(work, end[i], other[j])) {
+        bits |= (unsigned)SG_V1_AT_START << (2 * i + j);
+      }
+    }
+  }
+  return bits;
+}
+
+static bool
+at_an_end(const sg_work *work, int32_t v, int32_t a, int32_t b)
+{
+  return v == a || v == b || same_place(work, v, a) || same_place(work, v, b);
+}
+
+/* Both on one line: false if they have no length in common and no end that
+ * is not shared. */
+static bool
+on_one_line(const sg_work *work, int32_t v1, int32_t v2,
+            const sg_work_edge *edge, sg_meeting *out)
+{
+  unsigned in = out->inside;
+  bool in1 = in & SG_V1_INSIDE || at_an_end(work, v1, edge->start, edge->end);
+  bool in2 = in & SG_V2_INSIDE || at_an_end(work, v2, edge->start, edge->end);
+  unsigned inner = SG_V1_INSIDE | SG_V2_INSIDE | SG_START_INSIDE |
+                   SG_END_INSIDE;
+
+  if (in1 && in2) {
+    out->how = SG_CONTAINED;
+    return true;
+  }
+  out->how = in & inner ? SG_OVERLAPS : SG_TOUCHES;
+  return in != 0;
+}
+
+/* False: they do not meet, or only in a shared end. */
+static bool
+meet(const sg_work *work, int32_t v1, int32_t v2, const sg_work_edge *edge,
+     sg_meeting *out)
+{
+  int32_t a = edge->start, b = edge->end;
+  const sg_work_vertex_row *v = work->vertex;
+
+  if (apart(v[v1].at, v[v2].at, v[a].at, v[b].at)) {
+    return false;
+  }
+  int side_a = sg_work_turn(work, v1, v2, a);
+  int side_b = sg_work_turn(work, v1, v2, b);
+  int side_1 = sg_work_turn(work, a, b, v1);
+  int side_2 = sg_work_turn(work, a, b, v2);
+  if (side_a * side_b > 0 || side_1 * side_2 > 0) {
+    return false;
+  }
+  if (side_a && side_b && side_1 && side_2) {
+    *out = (sg_meeting){.how = SG_CROSSES};
+    return true;
+  }
+  *out = (sg_meeting){.how = SG_TOUCHES};
+  out->inside =
+      (side_1 == 0 && sg_work_between(work, a, b, v1) ? SG_V1_INSIDE : 0u) |
+      (side_2 == 0 && sg_work_between(work, a, b, v2) ? SG_V2_INSIDE : 0u) |
+      (side_a == 0 && sg_work_between(work, v1, v2, a) ? SG_START_INSIDE
+                                                       : 0u) |
+      (side_b == 0 && sg_work_between(work, v1, v2, b) ? SG_END_INSIDE : 0u) |
+      ends_together(work, v1, v2, edge);
+  if (side_a == 0 && side_b == 0) {
+    return on_one_line(work, v1, v2, edge, out);
+  }
+  return out->inside != 0;
+}
+
+bool
+sg_meetings_push(sg_meetings *out, const sg_meeting *met)
+{
+  if (out->n == out->room) {
+    size_t room = out->room ? out->room * 2 : 8;
+    sg_meeting *item = realloc(out->item, room * sizeof *item);
+    if (!item) {
+      return false;
+    }
+    out->item = item;
+    out->room = room;
+  }
+  out->item[out->n++] = *met;
+  return true;
+}
+
+static int
+by_edge(const void *a, const void *b)
+{
+  const sg_meeting *x = a, *y = b;
+
+  return (x->edge > y->edge) - (x->edge < y->edge);
+}
+
+void
+sg_meetings_sort(sg_meetings *met)
+{
+  if (met->n > 1) {
+    qsort(met->item, met->n, sizeof *met->item, by_edge);
+  }
+}
+
+bool
+sg_work_meeting(sg_work *work, int32_t v1, int32_t v2, sg_meetings *out)
+{
+  int32_t corner[2] = {v1, v2};
+  sg_work_scan scan;
+
+  out->n = 0;
+  if (!sg_work_scan_open(&scan, work, corner, 2)) {
+    return false;
+  }
+  for (int32_t e; (e = sg_work_scan_next(&scan)) != 0;) {
+    sg_meeting met;
+    if (meet(work, v1, v2, &work->edge[e].edge, &met)) {
+      met.edge = e;
+      if (!sg_meetings_push(out, &met)) {
+        return false;
+      }
+    }
+  }
+  sg_meetings_sort(out);
+  return true;
+}
+
+void
+sg_meetings_clear(sg_meetings *met)
+{
+  free(met->item);
+  *met = (sg_meetings){0};
+}
+
+/* ---- PL-6 step 4 (II) --------------------------------------------------- */
+
+/* A triangle to the left, counter-clockwise, with its box. */
+typedef struct triangle {
+  int32_t v[3];
+  double low[2], high[2];
+} triangle;
+
+static triangle
+triangle_of(const sg_work *work, int32_t v1, int32_t v2, int32_t v3)
+{
+  triangle t = {.v = {v1, v2, v3}};
+
+  for (int k = 0; k < 2; k++) {
+    double a = work->vertex[v1].at[k], b = work->vertex[v2].at[k],
+           c = work->vertex[v3].at[k];
+    t.low[k] = fmin(fmin(a, b), c);
+    t.high[k] = fmax(fmax(a, b), c);
+  }
+  return t;
+}
+
+static int
+corner_of(const triangle *t, int32_t v)
+{
+  for (int i = 0; i < 3; i++) {
+    if (t->v[i] == v) {
+      return i;
+    }
+  }
+  return -1;
+}
+
+/* An edge that begins in corner i goes on to `to`: into the closed triangle?
+ * It does when `to` is on or between the two sides' directions. */
+static bool
+enters_from(const sg_work *work, const triangle *t, int i, int32_t to)
+{
+  return sg_work_turn(work, t->v[i], t->v[(i + 1) % 3], to) >= 0 &&
+         sg_work_turn(work, t->v[(i + 2) % 3], t->v[i], to) >= 0;
+}
+
+/* Neither end is a corner: convex sets are apart when they are strictly on
+ * two sides of a line along one of their sides. */
+static bool
+meets_triangle(const sg_work *work, const triangle *t, int32_t x, int32_t y)
+{
+  int sides = 0;
+
+  for (int i = 0; i < 3; i++) {
+    int32_t a = t->v[i], b = t->v[(i + 1) % 3];
+    if (sg_work_turn(work, a, b, x) < 0 && sg_work_turn(work, a, b, y) < 0) {
+      return false;
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    sides += sg_work_turn(work, x, y, t->v[i]);
+  }
+  return sides != 3 && sides != -3;
+}
+
+/* Does an edge meet the closed triangle, other than in a corner that is its
+ * own end, or along a side? */
+static bool
+blocks(const sg_work *work, const triangle *t, int32_t e)
+{
+  int32_t x = work->edge[e].edge.start, y = work->edge[e].edge.end;
+  const double *px = work->vertex[x].at, *py = work->vertex[y].at;
+
+  for (int k = 0; k < 2; k++) {
+    if ((px[k] < t->low[k] && py[k] < t->low[k]) ||
+        (px[k] > t->high[k] && py[k] > t->high[k])) {
+      return false;
+    }
+  }
+  int i = corner_of(t, x), j = corner_of(t, y);
+  if (i >= 0) {
+    return j < 0 && enters_from(work, t, i, y);
+  }
+  return j >= 0 ? enters_from(work, t, j, x) : meets_triangle(work, t, x, y);
+}
+
+/* ---- candidates --------------------------------------------------------- */
+
+typedef struct sg_near {
+  double distance;
+  int32_t vertex;
+} near;
+
+enum { LEAVING, ENTERING, ANY, AT_END };
+
+void
+sg_candidates_open(sg_candidates *walk, sg_work *work, int32_t v1, int32_t v2)
+{
+  *walk = (sg_candidates){.work = work, .v1 = v1, .v2 = v2, .phase = LEAVING};
+}
+
+void
+sg_candidates_close(sg_candidates *walk)
+{
+  free(walk->near);
+  walk->near = NULL;
+}
+
+/* (I) and (II). The edges that blocked other candidates are asked first. */
+static bool
+fits(sg_candidates *walk, int32_t v3)
+{
+  sg_work *work = walk->work;
+  int32_t corner[3] = {walk->v1, walk->v2, v3};
+  sg_work_scan scan;
+
+  if (sg_work_turn(work, walk->v1, walk->v2, v3) <= 0) {
+    return false;
+  }
+  triangle t = triangle_of(work, walk->v1, walk->v2, v3);
+  for (int i = 0; i < SG_BLOCKERS && walk->blocker[i]; i++) {
+    if (blocks(work, &t, walk->blocker[i])) {
+      return false;
+    }
+  }
+  if (!sg_work_scan_open(&scan, work, corner, 3)) {
+    walk->no_memory = true;
+    return false;
+  }
+  for (int32_t e; (e = sg_work_scan_next(&scan)) != 0;) {
+    if (blocks(work, &t, e)) {
+      walk->blocker[walk->blocked++ % SG_BLOCKERS] = e;
+      return false;
+    }
+  }
+  return true;
+}
+
+static int
+by_distance(const void *a, const void *b)
+{
+  const near *x = a, *y = b;
+
+  if (x->distance != y->distance) {
+    return x->distance < y->distance ? -1 : 1;
+  }
+  return (x->vertex > y->vertex) - (x->vertex < y->vertex);
+}
+
+static void
+middle(const sg_candidates *walk, double out[2])
+{
+  const sg_work_vertex_row *v = walk->work->vertex;
+
+  for (int k = 0; k < 2; k++) {
+    out[k] = v[walk->v1].at[k] / 2 + v[walk->v2].at[k] / 2;
+  }
+}
+
+static bool
+push_near(sg_candidates *walk, int32_t vertex, const double from[2])
+{
+  const double *at = walk->work->vertex[vertex].at;
+
+  if (walk->n == walk->room) {
+    size_t room = walk->room ? walk->room * 2 : 32;
+    near *grown = realloc(walk->near, room * sizeof *grown);
+    if (!grown) {
+      walk->no_memory = true;
+      return false;
+    }
+    walk->near = grown;
+    walk->room = room;
+  }
+  walk->near[walk->n++] = (near){hypot(at[0] - from[0], at[1] - from[1]), vertex};
+  return true;
+}
+
+/* Is e the edge by which its end `v` is counted? */
+static bool
+stands_for(const sg_work *work, int32_t e, int32_t v)
+{
+  const sg_work_vertex_row *row = &work->vertex[v];
+
+  return row->first_out ? row->first_out == e : row->first_in == e;
+}
+
+/* The vertices whose own cell is this one. */
+static bool
+collect_cell(sg_candidates *walk, int32_t column, int32_t row,
+             const double from[2])
+{
+  sg_work *work = walk->work;
+  const sg_work_grid *grid = &work->grid;
+  size_t cell = (size_t)row * (size_t)grid->cells[0] + (size_t)column;
+
+  for (int32_t i = grid->first[cell]; i; i = grid->entry[i - 1].next) {
+    int32_t e = grid->entry[i - 1].number, at[2];
+    if (!work->edge[e].living) {
+      continue;
+    }
+    int32_t end[2] = {work->edge[e].edge.start, work->edge[e].edge.end};
+    for (int k = 0; k < 2; k++) {
+      sg_work_grid_cell(grid, work->vertex[end[k]].at, at);
+      if (at[0] == column && at[1] == row && stands_for(work, e, end[k]) &&
+          !push_near(walk, end[k], from)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/* The vertices of the next ring of cells round the edge's middle; false: no
+ * ring touches the grid any more, or no memory. */
+static bool
+collect_ring(sg_candidates *walk)
+{
+  const sg_work_grid *grid = &walk->work->grid;
+  double from[2];
+  int32_t centre[2], r = walk->ring++;
+
+  middle(walk, from);
+  sg_work_grid_cell(grid, from, centre);
+  int32_t bottom = centre[1] - r, top = centre[1] + r;
+  int32_t left = centre[0] - r, right = centre[0] + r;
+  if (bottom < 0 && top >= grid->cells[1] && left < 0 &&
+      right >= grid->cells[0]) {
+    return false;
+  }
+  for (int32_t row = bottom < 0 ? 0 : bottom;
+       row <= top && row < grid->cells[1]; row++) {
+    bool whole = row == bottom || row == top;
+    for (int32_t column = left < 0 && whole ? 0 : left; column <= right;
+         column += whole || r == 0 ? 1 : 2 * r) {
+      if (column >= 0 && column < grid->cells[0] &&
+          !collect_cell(walk, column, row, from)) {
+        return false;
+      }
+      if (whole && column >= grid->cells[0]) {
+        break;
+      }
+    }
+  }
+  return true;
+}
+
+/* All vertices that have edges: when these are few. */
+static bool
+collect_all(sg_candidates *walk)
+{
+  const sg_work *work = walk->work;
+  double from[2];
+
+  if (walk->ring++) {
+    return false;
+  }
+  middle(walk, from);
+  for (int32_t e = work->oldest; e; e = work->edge[e].younger) {
+    int32_t end[2] = {work->edge[e].edge.start, work->edge[e].edge.end};
+    for (int k = 0; k < 2; k++) {
+      if (stands_for(work, e, end[k]) && !push_near(walk, end[k], from)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/* The next vertex of any edge, nearest first; SG_WORK_NONE: no more. */
+static int32_t
+next_of_any(sg_candidates *walk)
+{
+  while (walk->next == walk->n) {
+    bool served;
+    walk->next = walk->n = 0;
+    if (!sg_work_ready(walk->work, &served)) {
+      walk->no_memory = true;
+      return SG_WORK_NONE;
+    }
+    if (!(served ? collect_ring(walk) : collect_all(walk))) {
+      return SG_WORK_NONE;
+    }
+    if (walk->n) {
+      qsort(walk->near, walk->n, sizeof *walk->near, by_distance);
+    }
+  }
+  return walk->near[walk->next++].vertex;
+}
+
+/* The next vertex in the paper's order, each once. */
+static int32_t
+next_vertex(sg_candidates *walk)
+{
+  const sg_work *work = walk->work;
+  int32_t v1 = walk->v1, v2 = walk->v2;
+
+  while (walk->phase == LEAVING) {
+    walk->edge = sg_work_leaving(work, v2, walk->edge);
+    int32_t v = walk->edge ? work->edge[walk->edge].edge.end : 0;
+    if (!walk->edge) {
+      walk->phase = ENTERING;
+    } else if (sg_work_pair(work, v2, v) == walk->edge) { /* not again */
+      return v;
+    }
+  }
+  while (walk->phase == ENTERING) {
+    walk->edge = sg_work_entering(work, v1, walk->edge);
+    int32_t v = walk->edge ? work->edge[walk->edge].edge.start : 0;
+    if (!walk->edge) {
+      walk->phase = ANY;
+    } else if (!sg_work_pair(work, v2, v) &&
+               sg_work_pair(work, v, v1) == walk->edge) {
+      return v;
+    }
+  }
+  for (int32_t v; (v = next_of_any(walk)) != SG_WORK_NONE;) {
+    if (!sg_work_pair(work, v2, v) && !sg_work_pair(work, v, v1)) {
+      return v;
+    }
+  }
+  return SG_WORK_NONE;
+}
+
+int32_t
+sg_candidates_next(sg_candidates *walk)
+{
+  if (walk->phase == AT_END) {
+    return SG_WORK_NONE;
+  }
+  for (int32_t v; (v = next_vertex(walk)) != SG_WORK_NONE;) {
+    if (v != walk->v1 && v != walk->v2 && fits(walk, v)) {
+      return v;
+    }
+    if (walk->no_memory) {
+      break;
+    }
+  }
+  walk->phase = AT_END;
+  return SG_WORK_NONE;
+}

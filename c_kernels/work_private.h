@@ -1,0 +1,67 @@
+/* work_private.h -- inside the scratch relation: for work*.c only. */
+#ifndef SG_WORK_PRIVATE_H
+#define SG_WORK_PRIVATE_H
+
+#include "work.h"
+
+#include "work_grid.h"
+
+/* `at` is the picture: seen from outside, counter-clockwise is left. Rounded
+ * for derived points; rounding keeps order, so a strict < of two is exact. */
+typedef struct sg_work_vertex_row {
+  double at[2];
+  sg_point point;
+  int32_t id;
+  int32_t first_out, last_out, first_in, last_in; /* edges, 0 none */
+} sg_work_vertex_row;
+
+typedef struct sg_work_edge_row {
+  sg_work_edge edge;
+  int32_t older, younger;          /* in the queue of all */
+  int32_t out_older, out_younger;  /* among those leaving `start` */
+  int32_t in_older, in_younger;    /* among those entering `end` */
+  uint32_t seen;                   /* by the search of this number */
+  bool living;
+} sg_work_edge_row;
+
+struct sg_work {
+  int axis;    /* dropped */
+  int flip;    /* +1: the normal points along the axis, -1: against it */
+  sg_work_vertex_row *vertex; /* [vertices] */
+  int32_t vertices, vertex_room;
+  int32_t *slot;    /* hash of ids: handle + 1, 0 free */
+  uint32_t slots;   /* a power of two, or 0 */
+  sg_work_edge_row *edge; /* [edges], [0] unused */
+  int32_t edges, edge_room;
+  int32_t oldest, youngest;
+  size_t living;
+  uint32_t search; /* the number of the last one */
+  sg_work_grid grid;    /* of living edges, when grid.open */
+};
+
+enum { SG_WORK_FEW = 24 }; /* so few edges are searched without a grid */
+
+/* Are there so many edges that the grid serves? Builds it or builds it anew
+ * when it is missing or stale. *served tells; false: no memory. */
+bool sg_work_ready(sg_work *work, bool *served);
+
+/* The edges that may meet a convex piece of the picture (a point, a segment, a
+ * triangle), each once: all of them when there are few. */
+typedef struct sg_work_scan {
+  sg_work *work;
+  bool served;
+  sg_work_grid_walk walk;
+  int32_t edge;
+} sg_work_scan;
+
+bool sg_work_scan_open(sg_work_scan *scan, sg_work *work,
+                       const int32_t *corner, int corners);
+int32_t sg_work_scan_next(sg_work_scan *scan); /* 0: no more */
+
+/* False if v is certainly not on the edge: a cheap question first. */
+bool sg_work_near(const sg_work *work, int32_t edge, int32_t v);
+
+bool sg_meetings_push(sg_meetings *out, const sg_meeting *met);
+void sg_meetings_sort(sg_meetings *met); /* by edge */
+
+#endif
