@@ -11,6 +11,7 @@
             screen_depth/1              % -Depth
           ]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
+:- use_module(library(lists), [memberchk/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ view/3, projection/1, screen/5, t/6,
@@ -45,7 +46,11 @@ default_view(300.0, 65.0, 0.0).
 set_view(Theta0, Phi0, Rho0) :-
     must_be(number, Theta0),
     must_be(number, Phi0),
-    must_be(nonneg_number, Rho0),
+    must_be(number, Rho0),
+    (   Rho0 < 0
+    ->  domain_error(not_less_than_zero, Rho0)
+    ;   true
+    ),
     Theta is float(Theta0)+0.0,
     Phi is float(Phi0)+0.0,
     Rho is float(Rho0)+0.0,
@@ -54,15 +59,9 @@ set_view(Theta0, Phi0, Rho0) :-
             assert_fact(view(Theta, Phi, Rho))
         )).
 
-:- multifile error:has_type/2.
-
-error:has_type(nonneg_number, X) :-
-    number(X),
-    X >= 0.
-
 %!  set_view(+Name) is det.
 %
-%   Look from a named side, see named_view/3, from as far as needed.
+%   Look from a named side, see named_view/3, from as far away as needed.
 %
 %   @error domain_error(view_name, Name)
 
@@ -89,9 +88,15 @@ named_view(iso,    315.0,  54.735610317245346).
 %!  set_projection(+Kind) is det.
 %
 %   Project in parallel or from a centre: Kind is `parallel` or `central`.
+%
+%   @error domain_error(projection, Kind)
 
 set_projection(Kind) :-
-    must_be(oneof([parallel,central]), Kind),
+    must_be(atom, Kind),
+    (   memberchk(Kind, [parallel,central])
+    ->  true
+    ;   domain_error(projection, Kind)
+    ),
     facts_transaction(
         (   retractall_facts(projection(_)),
             assert_fact(projection(Kind))
