@@ -369,11 +369,12 @@ find_answers_ex(handle *h, term_t a0, bool overlaps)
   return NULL;
 }
 
+/* No && round answer(): what it returns is not only true or false. */
 static foreign_t
 join(term_t a0, bool overlaps, control_t control)
 {
   handle *h = NULL;
-  answers *a;
+  answers *a = NULL;
 
   switch (PL_foreign_control(control)) {
   case PL_PRUNED:
@@ -381,11 +382,14 @@ join(term_t a0, bool overlaps, control_t control)
     return TRUE;
   case PL_REDO:
     a = PL_foreign_context_address(control);
-    return get_scene_ex(a0, &h) && answer(h, a, a0 + 3);
+    break;
   default:
-    return get_scene_ex(a0, &h) && (a = find_answers_ex(h, a0, overlaps)) &&
-           answer(h, a, a0 + 3);
+    break;
   }
+  if (!get_scene_ex(a0, &h) || (!a && !(a = find_answers_ex(h, a0, overlaps)))) {
+    return FALSE;
+  }
+  return answer(h, a, a0 + 3);
 }
 
 /* occluder(+Scene, +S, +E, ?S2, ?T, -From, -To) is nondet. */

@@ -8,10 +8,10 @@
             hidden_by/6                 % ?S, ?E, -S2, -T, -From, -To
           ]).
 :- use_module(library(assoc), [list_to_assoc/2, get_assoc/3]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [member/2, memberchk/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(option), [option/3]).
-:- use_module(library(error), [must_be/2]).
+:- use_module(library(error), [must_be/2, domain_error/2]).
 :- use_module(interval,
               [ intervals_union/3, intervals_gaps/2, intervals_subtract/3,
                 intervals_within/4
@@ -56,23 +56,31 @@ decision, the kernel fill_drawn/3 computes the same for the whole world.
 %       decision is replaced
 %
 %   @error geometry_error(eye_in_model(D))
+%   @error domain_error(lines, Which), domain_error(method, M)
 
 picture :-
     picture([]).
 
 picture(Options) :-
     option(lines(Which), Options, feature),
-    must_be(oneof([all,feature,penetration]), Which),
+    one_of(lines, [all,feature,penetration], Which),
     option(crease(Crease), Options, 30),
     must_be(number, Crease),
     option(method(Method0), Options, auto),
-    must_be(oneof([auto,kernel,rule]), Method0),
+    one_of(method, [auto,kernel,rule], Method0),
     ( Method0 == auto -> Method = kernel ; Method = Method0 ),
     facts_transaction(
         (   project_world,
             open_scene(Scene, Options),
             draw(Method, Scene, Which, Crease)
         )).
+
+one_of(Domain, Values, Value) :-
+    must_be(atom, Value),
+    (   memberchk(Value, Values)
+    ->  true
+    ;   domain_error(Domain, Value)
+    ).
 
 draw(kernel, Scene, Which, Crease) :-
     stage(join, fill_drawn(Scene, Which, Crease)).
