@@ -318,3 +318,11 @@ notice_en(progress(Stage, Seconds)) -->
 notice_en(progress(Stage, Done, Total, Rate, Left)) -->
     [ '~w: ~D of ~D, ~0f a second, ~0f s left'-
       [Stage, Done, Total, Rate, Left] ].
+
+
+                /*******************************
+                *            drawing           *
+                *******************************/
+
+notice_en(nothing_drawn) -->
+    [ 'there is nothing to draw' ].

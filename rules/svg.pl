@@ -2,7 +2,7 @@
           [ write_svg/4                 % +Out, +Sheet, +Strokes, +Options
           ]).
 :- use_module(stroke, [stroke_length/2]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(apply), [foldl/4]).
 :- autoload(library(option), [option/2, option/3]).
 :- autoload(library(dcg/high_order), [sequence//3]).
 :- autoload(library(lists), [append/3]).
@@ -214,19 +214,9 @@ list([Code|Codes]) -->
     [Code],
     list(Codes).
 
-%   A word of a class list or an id: a role that a rule made up may be any atom.
-
 name(Atom) -->
-    { atom_codes(Atom, Codes0),
-      maplist(name_code, Codes0, Codes)
-    },
+    { atom_codes(Atom, Codes) },
     list(Codes).
-
-name_code(Code0, Code) :-
-    (   code_type(Code0, csym)
-    ->  Code = Code0
-    ;   Code = 0'-
-    ).
 
 %   Text in XML: what XML cannot hold at all is left out.
 

@@ -1,0 +1,232 @@
+:- encoding(utf8).
+:- module(test_drawing, []).
+:- use_module(library(plunit)).
+:- use_module(library(http/json)).
+:- use_module(library(sgml)).
+:- use_module(library(xpath)).
+:- use_module(rules(store)).
+:- use_module(rules(drawing)).
+
+:- meta_predicate in_picture(+, 0).
+
+% Goal in a new world with this picture: points V-X-Y, edges E-V1-V2, and
+% drawn parts d(E,From,To,Visibility,Role).
+in_picture(picture(Points, Edges, Drawn), Goal) :-
+    new_world(World),
+    in_world(World, ( picture_facts(Points, Edges, Drawn), Goal )).
+
+picture_facts(Points, Edges, Drawn) :-
+    assert_fact(segment(1, curve, test)),
+    forall(member(V-X-Y, Points),
+           ( assert_fact(v(1, V, X, Y, 0.0)),
+             assert_fact(screen(1, V, X, Y, 0.0)) )),
+    forall(member(E-V1-V2, Edges), assert_fact(e(1, E, V1, V2, 1))),
+    forall(nth1(D, Drawn, d(E,From,To,Visibility,Role)),
+           assert_fact(drawn(D, 1, E, From, To, Visibility, Role))).
+
+% A unit square, its last side half hidden and a hidden penetration line across.
+square(picture([1-0.0-0.0, 2-1.0-0.0, 3-1.0-1.0, 4-0.0-1.0],
+               [1-1-2, 2-2-3, 3-3-4, 4-4-1, 5-1-3],
+               [ d(1,0.0,1.0,visible,outline), d(2,0.0,1.0,visible,outline),
+                 d(3,0.0,1.0,visible,outline), d(4,0.0,0.5,visible,outline),
+                 d(4,0.5,1.0,hidden,outline), d(5,0.0,1.0,hidden,penetration)
+               ])).
+
+one_edge(X1-Y1, X2-Y2, picture([1-X1-Y1, 2-X2-Y2], [1-1-2],
+                               [d(1,0.0,1.0,visible,outline)])).
+
+drawing(Format, Options, Text) :-
+    with_output_to(string(Text),
+                   ( current_output(Out),
+                     write_drawing_stream(Format, Out, Options) )).
+
+svg(Options, DOM) :-
+    drawing(svg, Options, Text),
+    setup_call_cleanup(
+        open_string(Text, In),
+        load_structure(In, DOM, [dialect(xml)]),
+        close(In)).
+
+% class, data-edge and points of each line.
+svg_line(DOM, line(Class, Edges, Points)) :-
+    xpath(DOM, //(polyline), Line),
+    xpath(Line, /self(@class), Class),
+    xpath(Line, /self(@'data-edge'), Edges),
+    xpath(Line, /self(@points), Points).
+
+svg_lines(Options, Lines) :-
+    svg(Options, DOM),
+    findall(Line, svg_line(DOM, Line), Lines).
+
+one_point(picture([1-3.0-4.0, 2-3.0-4.0], [1-1-2],
+                  [d(1,0.0,1.0,visible,outline)])).
+
+:- begin_tests(drawing).
+
+test(square, true(Lines ==
+        [ line('hidden outline', '4', '41,74 41,138'),
+          line('hidden penetration', '5', '41,138 169,10'),
+          line('visible outline', '1 2 3 4', '41,138 169,138 169,10 41,10 41,74')
+        ])) :-
+    square(Square),
+    in_picture(Square, svg_lines([margin(10)], Lines)).
+test(removed, true(Classes == ['visible outline'])) :-
+    square(Square),
+    in_picture(Square, svg_lines([margin(10),hidden(removed)], Lines)),
+    findall(Class, member(line(Class,_,_), Lines), Classes).
+test(removed_keeps_scale, true(Points == ['41,138 169,138 169,10 41,10 41,74'])) :-
+    square(Square),
+    in_picture(Square, svg_lines([margin(10),hidden(removed)], Lines)),
+    findall(P, member(line(_,_,P), Lines), Points).
+test(shown_is_not_dashed, true) :-
+    square(Square),
+    in_picture(Square, ( drawing(svg, [hidden(shown)], Shown),
+                         drawing(svg, [], Dashed) )),
+    \+ sub_string(Shown, _, _, _, dasharray),
+    once(sub_string(Dashed, _, _, _, dasharray)).
+test(hidden_option, error(domain_error(hidden_lines, no))) :-
+    in_picture(picture([],[],[]), drawing(svg, [hidden(no)], _)).
+
+test(head, true(Head == svg('210mm','148mm','0 0 210 148'))) :-
+    in_picture(picture([],[],[]), svg([], DOM)),
+    DOM = [element(_, Attributes, _)],
+    memberchk(width=W, Attributes),
+    memberchk(height=H, Attributes),
+    memberchk(viewBox=Box, Attributes),
+    Head = svg(W, H, Box).
+test(size, [forall(member(Size, ['60x40.5', "60x40.5", 60-40.5])),
+            true(W-H == '60mm'-'40.5mm')]) :-
+    in_picture(picture([],[],[]), svg([size(Size)], [element(_, A, _)])),
+    memberchk(width=W, A),
+    memberchk(height=H, A).
+test(bad_size, [forall(member(Size, ['60', '60x', '0x5', 5-(-1), a4, 'axb', 1e9-5])),
+                error(domain_error(sheet_size, Size))]) :-
+    in_picture(picture([],[],[]), drawing(svg, [size(Size)], _)).
+test(scale, true(Size-Points == size('40mm','30mm')-'10,20 30,10')) :-
+    one_edge(0.0-0.0, 2.0-1.0, Edge),
+    in_picture(Edge, svg([scale(10)], DOM)),
+    DOM = [element(_, A, _)],
+    memberchk(width=W, A),
+    memberchk(height=H, A),
+    Size = size(W, H),
+    once(svg_line(DOM, line(_,_,Points))).
+test(empty, true(Lines == [])) :-
+    in_picture(picture([],[],[]), svg_lines([], Lines)).
+test(a_point, true(Lines == [])) :-
+    one_point(Point),
+    in_picture(Point, svg_lines([], Lines)).
+test(flat_lying, true(Points == '10,74 200,74')) :-
+    one_edge(-1.0-2.5, 7.0-2.5, Edge),
+    in_picture(Edge, svg_lines([margin(10)], [line(_,_,Points)])).
+test(flat_standing, true(Points == '105,10 105,138')) :-
+    one_edge(0.1-1.0, 0.1-0.0, Edge),
+    in_picture(Edge, svg_lines([margin(10)], [line(_,_,Points)])).
+test(tiny, true(Points == '10,74 200,74')) :-
+    one_edge(0.0-0.0, 1.0e-280-0.0, Edge),
+    in_picture(Edge, svg_lines([margin(10)], [line(_,_,Points)])).
+test(huge, true(Points == '10,74 200,74')) :-
+    one_edge(-1.0e300-0.0, 1.0e300-0.0, Edge),
+    in_picture(Edge, svg_lines([margin(10)], [line(_,_,Points)])).
+test(no_minus_zero, true) :-
+    one_edge(-0.00001-1.0, 0.00001-(-1.0), Edge),
+    in_picture(Edge, drawing(svg, [scale(0.001),margin(0)], Text)),
+    \+ sub_string(Text, _, _, _, "-0").
+test(escaped, true(Title == '<a> & "b" 상관')) :-
+    in_picture(picture([],[],[]),
+               svg([title('<a> & "b" \u0001상관')], DOM)),
+    once(xpath(DOM, //title(text), Title)).
+test(ids_differ, true(Ids == ['s1e1', 's1e1-2', 's1e1-3'])) :-
+    in_picture(picture([1-0.0-0.0, 2-1.0-1.0], [1-1-2],
+                       [ d(1,0.0,0.2,visible,outline),
+                         d(1,0.2,0.6,hidden,outline),
+                         d(1,0.6,1.0,visible,outline) ]),
+               svg([], DOM)),
+    findall(Id, ( xpath(DOM, //polyline, Line), xpath(Line, /self(@id), Id) ),
+            Ids0),
+    msort(Ids0, Ids).
+test(order_of_facts, true(Text == Again)) :-
+    square(picture(Points, Edges, Drawn)),
+    in_picture(picture(Points, Edges, Drawn), drawing(svg, [], Text)),
+    reverse(Drawn, Drawn1),
+    reverse(Edges, Edges1),
+    in_picture(picture(Points, Edges1, Drawn1), drawing(svg, [], Again)).
+
+% A whole number of dashes fits, and they are not stretched much.
+test(dashes_fit, forall(member(L, [1,3,4,17,100,101,102,103,5000]))) :-
+    X is float(L),
+    in_picture(picture([1-0.0-0.0, 2-X-0.0], [1-1-2],
+                       [d(1,0.0,1.0,hidden,outline)]),
+               svg([scale(1)], DOM)),
+    once(xpath(DOM, //polyline(@style), Style)),
+    atomic_list_concat(['stroke-dasharray', Runs], :, Style),
+    atomic_list_concat([DashText,GapText], ' ', Runs),
+    atom_number(DashText, Dash),
+    atom_number(GapText, Gap),
+    N is (L+Gap)/(Dash+Gap),
+    abs(N-round(N)) < 0.001*L/Dash + 0.01,
+    Dash < 5.
+
+test(json, true(Lines == ["hidden"-[4], "hidden"-[5], "visible"-[1,2,3,4]])) :-
+    square(Square),
+    in_picture(Square, drawing(json, [title('a "b"')], Text)),
+    atom_json_dict(Text, Dict, []),
+    _{title:"a \"b\"", unit:"mm", width:210.0, height:148.0} :< Dict,
+    findall(V-Es, ( member(Line, Dict.lines),
+                    _{visibility:V, edges:Es, role:_, segment:1,
+                      points:_, start:_, end:_} :< Line ),
+            Lines).
+test(json_empty, true(Dict.lines == [])) :-
+    in_picture(picture([],[],[]), drawing(json, [], Text)),
+    atom_json_dict(Text, Dict, []).
+test(png, true(Codes == [137,80,78,71,13,10,26,10,0,0,0,13])) :-
+    square(Square),
+    in_picture(Square, png_codes([size(64-40)], All)),
+    length(Codes, 12),
+    append(Codes, _, All),
+    nth0(19, All, 64),
+    nth0(23, All, 40).
+test(png_same_bytes, true(A == B)) :-
+    square(Square),
+    in_picture(Square, ( png_codes([], A), png_codes([], B) )).
+test(png_empty) :-
+    in_picture(picture([],[],[]), png_codes([], [_|_])).
+test(bad_pattern, [forall(member(P, [0, -1, a, [1], [1,0], []])),
+                   error(domain_error(dot_pattern, P))]) :-
+    square(Square),
+    in_picture(Square, png_codes([pattern(P)], _)).
+test(png_too_large, error(domain_error(raster_size, _))) :-
+    in_picture(picture([],[],[]), png_codes([size(50000-50000)], _)).
+
+png_codes(Options, Codes) :-
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [encoding(binary), extension(png)]),
+        ( write_drawing_stream(png, Out, Options),
+          close(Out),
+          read_file_to_codes(File, Codes, [type(binary)])
+        ),
+        delete_file(File)).
+
+test(files, [forall(drawing_format(Format, _)), true]) :-
+    square(Square),
+    tmp_file(drawing, Base),
+    file_name_extension(Base, Format, File),
+    call_cleanup(
+        ( in_picture(Square, write_drawing(File, [])),
+          size_file(File, Size),
+          Size > 100
+        ),
+        delete_file(File)).
+test(ending, error(domain_error(drawing_format, gif))) :-
+    write_drawing('a.gif', []).
+test(text_stream_gets_bytes, true(Encoding == utf8)) :-
+    square(Square),
+    tmp_file_stream(File, Out, [encoding(utf8)]),
+    call_cleanup(
+        ( in_picture(Square, write_drawing_stream(png, Out, [])),
+          stream_property(Out, encoding(Encoding)),
+          close(Out),
+          read_file_to_codes(File, [137,80|_], [type(binary)])
+        ),
+        delete_file(File)).
+
+:- end_tests(drawing).
