@@ -175,9 +175,10 @@ test(json, true(Lines == ["hidden"-[4], "hidden"-[5], "visible"-[1,2,3,4]])) :-
                     _{visibility:V, edges:Es, role:_, segment:1,
                       points:_, start:_, end:_} :< Line ),
             Lines).
-test(json_empty, true(Dict.lines == [])) :-
+test(json_empty, true(Lines == [])) :-
     in_picture(picture([],[],[]), drawing(json, [], Text)),
-    atom_json_dict(Text, Dict, []).
+    atom_json_dict(Text, Dict, []),
+    get_dict(lines, Dict, Lines).
 test(png, true(Codes == [137,80,78,71,13,10,26,10,0,0,0,13])) :-
     square(Square),
     in_picture(Square, png_codes([size(64-40)], All)),
