@@ -9,7 +9,7 @@
 /* Cells are never smaller than this: finer ones would only repeat items. */
 #define SMALLEST (16 * SG_GRID_MARGIN)
 
-enum { MOST_CELLS_A_SIDE = 4096 };
+enum { MOST_CELLS_A_SIDE = 4096, POLL_EVERY = 4096 };
 
 static void
 shape_box(const sg_grid_shape *shape, double low[2], double high[2])
@@ -135,37 +135,44 @@ enter(sg_grid *grid, const sg_grid_shape *shape, uint32_t *count,
   }
 }
 
+/* All items: counted, or entered. False: stopped. */
+static bool
+enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
+          const void *data, const sg_poll *poll)
+{
+  sg_grid_shape shape;
+
+  for (size_t i = 0; i < n; i++) {
+    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      return false;
+    }
+    shape_of(data, i, &shape);
+    enter(grid, &shape, grid->start + (grid->item ? 1 : 2), grid->item,
+          (uint32_t)i);
+  }
+  return true;
+}
+
 bool
 sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-             const void *data)
+             const void *data, const sg_poll *poll, bool *memory)
 {
   size_t total;
-  sg_grid_shape shape;
 
   *grid = (sg_grid){0};
   choose_cells(grid, n, shape_of, data);
   total = (size_t)grid->nx * grid->ny;
   grid->start = calloc(total + 2, sizeof *grid->start);
-  if (!grid->start) {
+  *memory = grid->start != NULL;
+  if (!*memory || !enter_all(grid, n, shape_of, data, poll)) {
     return false;
-  }
-  for (size_t i = 0; i < n; i++) {
-    shape_of(data, i, &shape);
-    enter(grid, &shape, grid->start + 2, NULL, (uint32_t)i);
   }
   for (size_t c = 2; c < total + 2; c++) {
     grid->start[c] += grid->start[c - 1];
   }
   grid->item = malloc((grid->start[total + 1] + 1) * sizeof *grid->item);
-  if (!grid->item) {
-    sg_grid_clear(grid);
-    return false;
-  }
-  for (size_t i = 0; i < n; i++) {
-    shape_of(data, i, &shape);
-    enter(grid, &shape, grid->start + 1, grid->item, (uint32_t)i);
-  }
-  return true;
+  *memory = grid->item != NULL;
+  return *memory && enter_all(grid, n, shape_of, data, poll);
 }
 
 void

@@ -7,7 +7,8 @@
 #ifndef SG_GRID_H
 #define SG_GRID_H
 
-#include <stdbool.h>
+#include "poll.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
@@ -28,10 +29,10 @@ typedef struct sg_grid_shape {
 
 typedef void sg_grid_shape_of(const void *data, size_t i, sg_grid_shape *out);
 
-/* A grid of n items, about one cell for each. False: no memory.
- * Owner: the caller, sg_grid_clear(). */
+/* A grid of n items, about one cell for each. False: stopped by the poll, or
+ * no memory (then *memory is false). Owner: the caller, sg_grid_clear(). */
 bool sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-                  const void *data);
+                  const void *data, const sg_poll *poll, bool *memory);
 void sg_grid_clear(sg_grid *grid);
 
 /* The cells of a shape: rows y0 <= y < y1, in each of them columns of

@@ -203,14 +203,18 @@ shape_of_mask(const void *data, size_t i, sg_grid_shape *out)
 }
 
 bool
-sg_hide_init(sg_hide *hide, const sg_scene *scene)
+sg_hide_init(sg_hide *hide, const sg_scene *scene, const sg_poll *poll,
+             bool *memory)
 {
   *hide = (sg_hide){.scene = scene};
   hide->mask_seen = calloc(scene->masks + 1, sizeof *hide->mask_seen);
   hide->line_seen = calloc(scene->lines + 1, sizeof *hide->line_seen);
-  if (hide->mask_seen && hide->line_seen &&
-      sg_grid_init(&hide->masks, scene->masks, shape_of_mask, scene) &&
-      sg_grid_init(&hide->lines, scene->lines, shape_of_line, scene)) {
+  *memory = hide->mask_seen && hide->line_seen;
+  if (*memory &&
+      sg_grid_init(&hide->masks, scene->masks, shape_of_mask, scene, poll,
+                   memory) &&
+      sg_grid_init(&hide->lines, scene->lines, shape_of_line, scene, poll,
+                   memory)) {
     return true;
   }
   sg_hide_clear(hide);

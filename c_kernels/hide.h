@@ -45,8 +45,10 @@ typedef struct sg_hide {
   uint32_t question;
 } sg_hide;
 
-/* Requires: the scene stays open as long. False: no memory. */
-bool sg_hide_init(sg_hide *hide, const sg_scene *scene);
+/* Requires: the scene stays open as long. False: stopped by the poll, or no
+ * memory (then *memory is false). */
+bool sg_hide_init(sg_hide *hide, const sg_scene *scene, const sg_poll *poll,
+                  bool *memory);
 void sg_hide_clear(sg_hide *hide);
 
 /* The part of the line that the mask hides; false: none. The mask never hides

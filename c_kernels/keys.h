@@ -1,4 +1,4 @@
-/* keys.h -- arrays of records that begin with (segment, id): sort and find.
+/* keys.h -- sorted arrays of records that begin with (segment, id).
  *
  * Layer: kernel. Ids are mostly dense, so a find tries the place that the last
  * one predicts before it searches.
@@ -8,7 +8,6 @@
 
 #include <stddef.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define SG_NOWHERE SIZE_MAX
@@ -40,23 +39,6 @@ static inline const void *
 sg_keys_at(const sg_keys *keys, size_t i)
 {
   return (const char *)keys->base + i * keys->size;
-}
-
-/* Sorts by `compare`, which refines sg_key_compare(). Only what is not sorted:
- * rows mostly come in order. */
-static inline sg_keys
-sg_keys_sorted(void *base, size_t size, size_t n,
-               int (*compare)(const void *, const void *))
-{
-  sg_keys keys = {base, size, n, 0};
-
-  for (size_t i = 1; i < n; i++) {
-    if (compare(sg_keys_at(&keys, i - 1), sg_keys_at(&keys, i)) > 0) {
-      qsort(base, n, size, compare);
-      break;
-    }
-  }
-  return keys;
 }
 
 /* The first record with this key, or SG_NOWHERE. */

@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 
 /* A face is edge-on when its normal leans less than this towards the eye. */
 #define EDGE_ON 1e-9
@@ -227,25 +228,28 @@ make_masks(sg_scene_builder *b)
   for (size_t i = 0; i < in->triangles && !sg_scene_stop(b, i); i++) {
     scene->masks += mask_of(b, &in->triangle[i], &scene->mask[scene->masks]);
   }
-  qsort(scene->mask, scene->masks, sizeof *scene->mask, mask_compare);
-  return true;
+  return sg_scene_sort(b, scene->mask, scene->masks, sizeof *scene->mask,
+                       mask_compare);
 }
 
 /* -------------------------------------------------------------- scene */
 
-static void
+static bool
 sort_input(sg_scene_builder *b)
 {
   sg_scene_input *in = b->in;
 
-  b->segments = sg_keys_sorted(in->segment, sizeof *in->segment, in->segments,
-                               sg_key_compare);
-  b->vertices = sg_keys_sorted(in->vertex, sizeof *in->vertex, in->vertices,
-                               sg_key_compare);
-  b->edges =
-      sg_keys_sorted(in->edge, sizeof *in->edge, in->edges, sg_key_compare);
-  sg_keys_sorted(in->triangle, sizeof *in->triangle, in->triangles,
-                 triangle_compare);
+  b->segments = (sg_keys){in->segment, sizeof *in->segment, in->segments, 0};
+  b->vertices = (sg_keys){in->vertex, sizeof *in->vertex, in->vertices, 0};
+  b->edges = (sg_keys){in->edge, sizeof *in->edge, in->edges, 0};
+  return sg_scene_sort(b, in->segment, in->segments, sizeof *in->segment,
+                       sg_key_compare) &&
+         sg_scene_sort(b, in->vertex, in->vertices, sizeof *in->vertex,
+                       sg_key_compare) &&
+         sg_scene_sort(b, in->edge, in->edges, sizeof *in->edge,
+                       sg_key_compare) &&
+         sg_scene_sort(b, in->triangle, in->triangles, sizeof *in->triangle,
+                       triangle_compare);
 }
 
 sg_scene *
@@ -258,8 +262,7 @@ sg_scene_open(sg_scene_input *input, const sg_poll *poll, bool *memory)
   if (!b.scene) {
     return NULL;
   }
-  sort_input(&b);
-  *memory = make_places(&b) && make_faces(&b) && sg_scene_make_lines(&b) &&
+  *memory = sort_input(&b) && make_places(&b) && make_faces(&b) && sg_scene_make_lines(&b) &&
             sg_scene_make_looks(&b) && make_masks(&b);
   free(b.face);
   free(b.pair);

@@ -103,53 +103,67 @@ unify_scene(term_t t, handle *h)
   return PL_unify(t, blob);
 }
 
-/* A scene of the input, with its search structures. Null: an exception. */
+/* A scene of the input, with its search structures. Null: stopped, or no
+ * memory. */
 static handle *
-new_handle_ex(sg_scene_input *in)
+new_handle(sg_scene_input *in, bool *memory)
 {
   handle *h = calloc(1, sizeof *h);
-  bool memory = h != NULL;
 
-  if (memory) {
-    h->scene = sg_scene_open(in, &sg_prolog_poll, &memory);
-    if (h->scene && sg_hide_init(&h->hide, h->scene)) {
+  *memory = h != NULL;
+  if (h) {
+    h->scene = sg_scene_open(in, &sg_prolog_poll, memory);
+    if (h->scene && sg_hide_init(&h->hide, h->scene, &sg_prolog_poll, memory)) {
       return h;
     }
-    memory = memory && !h->scene;
     sg_scene_close(h->scene);
     free(h);
   }
+  return NULL;
+}
+
+/* What the current world shows of the chosen segments. Null: an exception. */
+static handle *
+open_handle_ex(const sg_chosen *chosen, double depth, double tolerance)
+{
+  sg_world *world = sg_current_world_ex();
+  const sg_version *version;
+  sg_scene_input in = {0};
+  handle *h = NULL;
+  bool memory;
+
+  if (!world) {
+    return NULL;
+  }
+  version = sg_world_version(world);
+  memory = version != NULL;
+  if (memory &&
+      sg_scene_input_read(&in, version, chosen, &sg_prolog_poll, &memory)) {
+    in.depth = depth;
+    in.tolerance = tolerance;
+    h = new_handle(&in, &memory);
+  }
+  sg_scene_input_clear(&in);
+  sg_version_drop(version);
   if (!memory) {
     sg_no_memory();
   }
-  return NULL;
+  return h;
 }
 
 static foreign_t
 scene_open(term_t segments, term_t depth, term_t tolerance, term_t scene)
 {
-  sg_world *world = sg_current_world_ex();
   double number[2];
   sg_chosen chosen;
-  sg_scene_input in;
-  const sg_version *version;
-  handle *h = NULL;
+  handle *h;
 
-  if (!world || !sg_get_finite_ex(depth, &number[0]) ||
+  if (!sg_get_finite_ex(depth, &number[0]) ||
       !sg_get_finite_ex(tolerance, &number[1]) ||
       !get_chosen_ex(segments, &chosen)) {
     return FALSE;
   }
-  version = sg_world_version(world);
-  if (version && sg_scene_input_read(&in, version, &chosen)) {
-    in.depth = number[0];
-    in.tolerance = number[1];
-    h = new_handle_ex(&in);
-  } else {
-    sg_no_memory();
-  }
-  sg_scene_input_clear(&in);
-  sg_version_drop(version);
+  h = open_handle_ex(&chosen, number[0], number[1]);
   free(chosen.s);
   return h && unify_scene(scene, h);
 }

@@ -17,10 +17,12 @@ typedef struct sg_chosen {
 
 bool sg_is_chosen(const sg_chosen *chosen, int32_t s);
 
-/* Fills the arrays of `in` from the chosen segments. False: no memory. The
- * caller calls sg_scene_input_clear() in any case. */
+/* Fills the arrays of `in` from the chosen segments. False: stopped by the
+ * poll, or no memory (then *memory is false). The caller calls
+ * sg_scene_input_clear() in any case. */
 bool sg_scene_input_read(sg_scene_input *in, const sg_version *version,
-                         const sg_chosen *chosen);
+                         const sg_chosen *chosen, const sg_poll *poll,
+                         bool *memory);
 void sg_scene_input_clear(sg_scene_input *in);
 
 #endif

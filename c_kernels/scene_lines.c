@@ -4,6 +4,7 @@
 #include "scene_private.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static double
 dot(const double a[3], const double b[3])
@@ -48,8 +49,7 @@ make_pairs(sg_scene_builder *b)
           (uint32_t)(x < y ? x : y), (uint32_t)(x < y ? y : x), (uint32_t)i};
     }
   }
-  qsort(b->pair, b->pairs, sizeof *b->pair, pair_compare);
-  return true;
+  return sg_scene_sort(b, b->pair, b->pairs, sizeof *b->pair, pair_compare);
 }
 
 static bool
@@ -178,7 +178,10 @@ sg_scene_make_lines(sg_scene_builder *b)
   if (!scene->line) {
     return false;
   }
-  qsort(scene->line, scene->lines, sizeof *scene->line, sg_key_compare);
+  if (!sg_scene_sort(b, scene->line, scene->lines, sizeof *scene->line,
+                     sg_key_compare)) {
+    return false;
+  }
   number_lines(b);
   return true;
 }

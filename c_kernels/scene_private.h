@@ -8,6 +8,7 @@
 
 #include "keys.h"
 #include "scene.h"
+#include "sort.h"
 
 /* A polygon: the sum of its triangles' normals, in the model and the picture.
  */
@@ -44,6 +45,18 @@ static inline bool
 sg_scene_stop(sg_scene_builder *b, size_t i)
 {
   return i % SG_SCENE_POLL == 0 && (b->stopped |= sg_poll_stop(b->poll));
+}
+
+/* Sorts, unless stopped; false: no memory. */
+static inline bool
+sg_scene_sort(sg_scene_builder *b, void *base, size_t n, size_t size,
+              sg_sort_compare *compare)
+{
+  sg_sort_end end =
+      b->stopped ? SG_SORTED : sg_sort(base, n, size, compare, b->poll);
+
+  b->stopped |= end == SG_SORT_STOPPED;
+  return end != SG_SORT_NO_MEMORY;
 }
 
 bool sg_scene_is_solid(sg_scene_builder *b, int32_t s);

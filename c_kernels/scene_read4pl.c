@@ -2,6 +2,7 @@
 #include "scene4pl.h"
 
 #include "keys.h"
+#include "sort.h"
 
 #include "../engine/symbol.h"
 
@@ -55,29 +56,35 @@ list(const row *r, unsigned column)
 typedef struct reading {
   sg_scene_input *in;
   const sg_chosen *chosen;
+  const sg_poll *poll;
   sg_keys vertices;
+  bool memory;
 } reading;
 
 typedef void read_row(reading *reader, const row *r);
 
+/* False: stopped, or no memory (then reader->memory is false). */
 static bool
 each_row(reading *reader, const sg_version *version, sg_relation relation,
          read_row *read)
 {
   sg_view view;
+  bool stopped = false;
 
-  if (!sg_version_view(version, relation, &view)) {
+  reader->memory = sg_version_view(version, relation, &view);
+  if (!reader->memory) {
     return false;
   }
-  for (size_t page = 0; page < view.pages; page++) {
+  for (size_t page = 0; page < view.pages && !stopped; page++) {
     for (unsigned i = sg_live_next(view.live[page], 0); i < SG_PAGE_ROWS;
          i = sg_live_next(view.live[page], i + 1)) {
       row r = {&view, page, i};
       read(reader, &r);
     }
+    stopped = sg_poll_stop(reader->poll);
   }
   sg_view_clear(&view);
-  return true;
+  return !stopped;
 }
 
 static void
@@ -115,13 +122,17 @@ static bool
 read_vertices(reading *reader, const sg_version *version)
 {
   sg_scene_input *in = reader->in;
+  sg_sort_end end;
 
   if (!each_row(reader, version, SG_SCREEN, read_screen)) {
     return false;
   }
-  reader->vertices = sg_keys_sorted(in->vertex, sizeof *in->vertex,
-                                    in->vertices, sg_key_compare);
-  return each_row(reader, version, SG_V, read_model);
+  reader->vertices =
+      (sg_keys){in->vertex, sizeof *in->vertex, in->vertices, 0};
+  end = sg_sort(in->vertex, in->vertices, sizeof *in->vertex, sg_key_compare,
+                reader->poll);
+  reader->memory = end != SG_SORT_NO_MEMORY;
+  return end == SG_SORTED && each_row(reader, version, SG_V, read_model);
 }
 
 static void
@@ -213,20 +224,32 @@ make_room(sg_scene_input *in, const sg_version *version)
          in->use;
 }
 
+static bool
+read_all(reading *r, const sg_version *version)
+{
+  if (!each_row(r, version, SG_P, count_uses)) {
+    return false;
+  }
+  r->memory = make_room(r->in, version);
+  return r->memory && each_row(r, version, SG_SEGMENT, read_segment) &&
+         read_vertices(r, version) &&
+         each_row(r, version, SG_T, read_triangle) &&
+         each_row(r, version, SG_E, read_edge) &&
+         each_row(r, version, SG_P, read_uses) &&
+         each_row(r, version, SG_LINE, read_cut);
+}
+
 bool
 sg_scene_input_read(sg_scene_input *in, const sg_version *version,
-                    const sg_chosen *chosen)
+                    const sg_chosen *chosen, const sg_poll *poll, bool *memory)
 {
-  reading r = {.in = in, .chosen = chosen};
+  reading r = {.in = in, .chosen = chosen, .poll = poll, .memory = true};
+  bool done;
 
   *in = (sg_scene_input){0};
-  return each_row(&r, version, SG_P, count_uses) && make_room(in, version) &&
-         each_row(&r, version, SG_SEGMENT, read_segment) &&
-         read_vertices(&r, version) &&
-         each_row(&r, version, SG_T, read_triangle) &&
-         each_row(&r, version, SG_E, read_edge) &&
-         each_row(&r, version, SG_P, read_uses) &&
-         each_row(&r, version, SG_LINE, read_cut);
+  done = read_all(&r, version);
+  *memory = r.memory;
+  return done;
 }
 
 void

@@ -62,26 +62,30 @@ screen_add(screen *out, const sg_eye *eye, int32_t s, int32_t v,
   out->n++;
 }
 
-/* The eye's coordinates of every vertex. False: no memory. */
+/* The eye's coordinates of every vertex. False: stopped, or no memory. */
 static bool
-screen_read(screen *out, const sg_version *version, const sg_eye *eye)
+screen_read(screen *out, const sg_version *version, const sg_eye *eye,
+            bool *memory)
 {
   sg_view view;
+  bool stopped = false;
 
-  if (!screen_room(out, sg_version_count(version, SG_V)) ||
-      !sg_version_view(version, SG_V, &view)) {
+  *memory = screen_room(out, sg_version_count(version, SG_V)) &&
+            sg_version_view(version, SG_V, &view);
+  if (!*memory) {
     return false;
   }
-  for (size_t i = 0; i < view.pages; i++) {
+  for (size_t i = 0; i < view.pages && !stopped; i++) {
     const sg_column *c = view.column;
     for (unsigned r = sg_live_next(view.live[i], 0); r < SG_PAGE_ROWS;
          r = sg_live_next(view.live[i], r + 1)) {
       double at[3] = {c[2].page[i].f[r], c[3].page[i].f[r], c[4].page[i].f[r]};
       screen_add(out, eye, c[0].page[i].i[r], c[1].page[i].i[r], at);
     }
+    stopped = sg_poll_stop(&sg_prolog_poll);
   }
   sg_view_clear(&view);
-  return true;
+  return !stopped;
 }
 
 /* The eye's coordinates of the current world; screen_clear() in any case. */
@@ -89,10 +93,11 @@ static int
 get_screen_ex(sg_world *world, const sg_eye *eye, screen *out)
 {
   const sg_version *version = sg_world_version(world);
-  bool ok = version && screen_read(out, version, eye);
+  bool memory = version != NULL;
+  bool done = memory && screen_read(out, version, eye, &memory);
 
   sg_version_drop(version);
-  return ok || sg_no_memory();
+  return memory ? done : sg_no_memory();
 }
 
 static int

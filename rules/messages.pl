@@ -326,3 +326,10 @@ notice_en(progress(Stage, Done, Total, Rate, Left)) -->
 
 notice_en(nothing_drawn) -->
     [ 'there is nothing to draw' ].
+
+                *             view             *
+                *******************************/
+
+fault_en(eye_in_model(D)) -->
+    [ 'the eye is in or behind the model: its nearest point is at ~4g'-[D], nl,
+      '  Give a larger RHO, or use the parallel projection.' ].

@@ -20,7 +20,7 @@ picture_open(picture *p, model *m, sg_which which)
   bool memory;
 
   p->scene = sg_scene_open(&m->in, NULL, &memory);
-  if (!p->scene || !sg_hide_init(&p->hide, p->scene) ||
+  if (!p->scene || !sg_hide_init(&p->hide, p->scene, NULL, &memory) ||
       !sg_parts_of(&p->hide, which, 30.0, NULL, &p->part, &p->parts, &memory)) {
     abort();
   }
@@ -551,9 +551,55 @@ cuts(void)
   free(m);
 }
 
+/* A poll that says stop when it has been asked often enough. */
+static bool
+stop_at_zero(void *data)
+{
+  int *left = data;
+
+  return (*left)-- <= 0;
+}
+
+/* True if the picture came out although the poll stops after some asks. */
+static bool
+finishes(model *m, int asks)
+{
+  sg_poll poll = {stop_at_zero, &asks};
+  bool memory, done = false;
+  sg_scene *scene = sg_scene_open(&m->in, &poll, &memory);
+  sg_hide hide;
+  sg_part *part = NULL;
+  size_t n;
+
+  if (scene && sg_hide_init(&hide, scene, &poll, &memory)) {
+    done = sg_parts_of(&hide, SG_LINES_ALL, 30.0, &poll, &part, &n, &memory);
+    free(part);
+    sg_hide_clear(&hide);
+  }
+  sg_scene_close(scene);
+  return done && memory;
+}
+
+/* Stopped at every place where it asks (the sanitizers watch the memory). */
+static void
+stopping(void)
+{
+  model *m = model_new();
+  int asks = 0;
+
+  model_sheet(m, 40, wave);
+  model_project(m, 20, 65, 5, false);
+  while (asks < 10000 && !finishes(m, asks)) {
+    asks++;
+  }
+  CHECK("it asks now and then", asks > 20 && asks < 10000);
+  free(m);
+}
+
 int
 main(void)
 {
+  stopping();
   one_box();
   cubes2();
   touching();
