@@ -327,6 +327,8 @@ notice_en(progress(Stage, Done, Total, Rate, Left)) -->
 notice_en(nothing_drawn) -->
     [ 'there is nothing to draw' ].
 
+
+                /*******************************
                 *             view             *
                 *******************************/
 
