@@ -1,5 +1,7 @@
 :- module(sg_kernel,
-          [ raster_dots/4,            % +Width, +Height, +Strokes, -Dots
+          [ mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
+                                      % -Result
+            raster_dots/4,            % +Width, +Height, +Strokes, -Dots
             raster_png/5,             % +Width, +Height, +Dots, +Palette, -Bytes
             % view4pl.c
             fill_screen/4,            % +Theta, +Phi, +Rho, +Kind
@@ -24,6 +26,22 @@
 The doors to c_kernels/, documented here and nowhere else. A block for each
 glue file.
 */
+
+/* - - - mesh4pl.c - - - */
+
+%!  mesh_add(+Stream, +Format, +Weld, +One, +S, -Result) is det.
+%
+%   Reads the octets of Stream to its end as Format (`stl`, `off`, `obj`,
+%   `ply`, `any`) and adds v/5, e/5 and p/3 of the segments in it, numbered
+%   from S. Weld is `auto`, `all` or `none`; One is true for one segment
+%   whatever the file names. Result is one of
+%
+%     - loaded(Parts, Grain, passed_over(Degenerate, Repeated, Welded, Ignored,
+%       IgnoredLine, Trailing))
+%       Parts are part(S, Kind, Name), Name '' if the file has none; Grain is a
+%       unit in the last place of the coordinates, 0.0 if they are exact.
+%     - fault(Code, Line, Column, Byte, Text, Wanted, Got, Limit)
+%       The file is bad, and nothing was added; see c_kernels/mesh.h.
 
 /* - - - raster4pl.c - - - */
 

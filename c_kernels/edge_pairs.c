@@ -1,0 +1,135 @@
+/* edge_pairs.c -- see edge_pairs.h: a counting sort by the lower vertex, then
+ * each bucket by itself. */
+#include "edge_pairs.h"
+
+#include <stdlib.h>
+
+enum { SMALL = 24, POLL_EVERY = 65536, DIRECTION_BIT = 32, UPPER_BIT = 33 };
+
+static uint32_t
+lower(const int32_t *from, const int32_t *to, size_t i)
+{
+  return (uint32_t)(from[i] < to[i] ? from[i] : to[i]);
+}
+
+static uint64_t
+key_of(const int32_t *from, const int32_t *to, size_t i)
+{
+  bool forward = from[i] <= to[i];
+  uint64_t upper = (uint64_t)(forward ? to[i] : from[i]);
+
+  return upper << UPPER_BIT | (uint64_t)!forward << DIRECTION_BIT | i;
+}
+
+static int
+compare(const void *a, const void *b)
+{
+  uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+
+  return (x > y) - (x < y);
+}
+
+static void
+sort_keys(uint64_t *key, size_t n)
+{
+  if (n > SMALL) {
+    qsort(key, n, sizeof *key, compare);
+    return;
+  }
+  for (size_t i = 1; i < n; i++) {
+    uint64_t k = key[i];
+    size_t j = i;
+    for (; j > 0 && key[j - 1] > k; j--) {
+      key[j] = key[j - 1];
+    }
+    key[j] = k;
+  }
+}
+
+/* bucket[v] becomes the begin of the bucket of v; afterwards, having been
+ * filled, the begins are one place further on: they are shifted back. */
+static void
+fill_buckets(sg_edge_pairs *p, const int32_t *from, const int32_t *to)
+{
+  for (size_t i = 0; i < p->n; i++) {
+    p->bucket[lower(from, to, i) + 1]++;
+  }
+  for (size_t v = 0; v < p->vertices; v++) {
+    p->bucket[v + 1] += p->bucket[v];
+  }
+  for (size_t i = 0; i < p->n; i++) {
+    p->key[p->bucket[lower(from, to, i)]++] = key_of(from, to, i);
+  }
+  for (size_t v = p->vertices; v > 0; v--) {
+    p->bucket[v] = p->bucket[v - 1];
+  }
+  p->bucket[0] = 0;
+}
+
+bool
+sg_edge_pairs_make(size_t n, const int32_t *from, const int32_t *to,
+                   size_t vertices, const sg_poll *poll, sg_edge_pairs *out,
+                   bool *stopped)
+{
+  *stopped = false;
+  *out = (sg_edge_pairs){
+      .n = n,
+      .key = malloc((n + 1) * sizeof *out->key),
+      .bucket = calloc(vertices + 2, sizeof *out->bucket),
+      .vertices = vertices};
+  if (!out->key || !out->bucket) {
+    return false;
+  }
+  fill_buckets(out, from, to);
+  for (size_t v = 0; v < vertices; v++) {
+    if (v % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      *stopped = true;
+      return false;
+    }
+    sort_keys(out->key + out->bucket[v], out->bucket[v + 1] - out->bucket[v]);
+  }
+  return true;
+}
+
+void
+sg_edge_pairs_clear(sg_edge_pairs *pairs)
+{
+  free(pairs->key);
+  free(pairs->bucket);
+  *pairs = (sg_edge_pairs){0};
+}
+
+bool
+sg_edge_group_next(const sg_edge_pairs *pairs, sg_edge_group *group)
+{
+  size_t at = group->end;
+
+  if (at == pairs->n) {
+    return false;
+  }
+  while (pairs->bucket[group->low + 1] <= at) {
+    group->low++;
+  }
+  size_t last = pairs->bucket[group->low + 1];
+  group->begin = at;
+  group->high = (uint32_t)(pairs->key[at] >> UPPER_BIT);
+  group->forward = 0;
+  for (; at < last && pairs->key[at] >> UPPER_BIT == group->high; at++) {
+    group->forward += !(pairs->key[at] >> DIRECTION_BIT & 1);
+  }
+  group->end = at;
+  return true;
+}
+
+bool
+sg_edge_pairs_closed(const sg_edge_pairs *pairs)
+{
+  sg_edge_group group = {0};
+
+  while (sg_edge_group_next(pairs, &group)) {
+    if (2 * group.forward != group.end - group.begin) {
+      return false;
+    }
+  }
+  return true;
+}

@@ -1,0 +1,171 @@
+:- module(sg_mesh,
+          [ read_mesh/2,                % +File, -Segments
+            read_mesh/3,                % +File, -Segments, +Options
+            mesh_ending/2               % ?Ending, ?Format
+          ]).
+:- use_module(kernel, [mesh_add/6]).
+:- use_module(store, [assert_fact/1, facts_transaction/1, fresh_id/3]).
+:- autoload(library(apply), [maplist/2, maplist/3]).
+:- autoload(library(error), [must_be/2]).
+:- autoload(library(option), [option/3]).
+/** <module> Mesh files: STL, OFF, OBJ and PLY into the world.
+
+A file is one segment, unless it names several: the solids of a text STL, the
+objects of an OBJ or, without objects, its groups. A segment is a `solid` if
+every directed edge has as many opposite ones, else a `surface`, and a `curve`
+without polygons. It has its name from the file, or else the file's name.
+Vertices, edges and polygons are numbered from 1 in the order of the file. If
+the coordinates are rounded (float32, or 6 to 15 digits), `origin(S, s(S),
+source(Grain))` holds one unit in their last place.
+
+What is taken and what is passed over: c_kernels/mesh.h.
+
+Errors are error(model_error(mesh(Fault)), location(File, Line, Column)), in
+binary data error(model_error(mesh(Fault, Byte)), location(File, 0, 0)):
+
+    empty_file  no_faces  unknown_format  unsupported(Text)
+    expected(Wanted, Text)  bad_number(Text)  not_finite(Text)
+    bad_index(Index, Lowest, Highest)  bad_count(What, Text)
+    truncated(What, Present, Needed)  short_face(Corners)  too_large
+    no_property(Property, Element)
+
+and cannot_read(Why), as for model files.
+*/
+
+%!  mesh_ending(?Ending, ?Format) is nondet.
+%
+%   True when the names of files in Format end in `.`Ending.
+
+mesh_ending(stl, stl).
+mesh_ending(off, off).
+mesh_ending(obj, obj).
+mesh_ending(ply, ply).
+
+%!  read_mesh(+File, -Segments) is det.
+%!  read_mesh(+File, -Segments, +Options) is det.
+%
+%   Add the mesh in File (`-`: standard input) to the current world; Segments
+%   are the numbers of the new segments. Options:
+%
+%     - format(Format)
+%       `stl`, `off`, `obj`, `ply` or `any`: what it looks like. By default by
+%       the file's ending.
+%     - weld(Which)
+%       Join vertices of equal coordinates: `all`, `none` or `auto`: always
+%       in STL, elsewhere if no two faces share a vertex.
+%     - segments(Which)
+%       `named`, or `one` for one segment whatever the file names.
+%
+%   @error model_error(Fault), see above; the world is then as before.
+
+read_mesh(File, Segments) :-
+    read_mesh(File, Segments, []).
+
+read_mesh(File, Segments, Options) :-
+    file_format(File, Format0),
+    option(format(Format), Options, Format0),
+    option(weld(Weld), Options, auto),
+    option(segments(Which), Options, named),
+    must_be(oneof([one,named]), Which),
+    (   Which == one
+    ->  One = true
+    ;   One = false
+    ),
+    facts_transaction(sg_mesh:mesh_added(File, Format, Weld, One, Segments)).
+
+mesh_added(File, Format, Weld, One, Segments) :-
+    fresh_id(segment, 0, S),
+    setup_call_cleanup(
+        open_bytes(File, Stream, Close),
+        mesh_add(Stream, Format, Weld, One, S, Result),
+        Close),
+    mesh_taken(Result, File, Segments).
+
+file_format(File, Format) :-
+    file_name_extension(_, Ending0, File),
+    downcase_atom(Ending0, Ending),
+    (   mesh_ending(Ending, Format0)
+    ->  Format = Format0
+    ;   Format = any
+    ).
+
+open_bytes(-, user_input, true) :-
+    !,
+    set_stream(user_input, type(binary)).
+open_bytes(File, Stream, close(Stream)) :-
+    catch(open(File, read, Stream, [type(binary)]), Error,
+          cannot_open(File, Error)),
+    set_stream(Stream, record_position(false)).
+
+cannot_open(File, error(Formal, _)) :-
+    (   exists_directory(File)
+    ->  Why = directory
+    ;   Formal = existence_error(_, _)
+    ->  Why = missing
+    ;   Formal = permission_error(_, _, _)
+    ->  Why = permission
+    ;   Why = Formal
+    ),
+    throw(error(model_error(cannot_read(Why)), location(File, 0, 0))).
+
+mesh_taken(loaded(Parts, Grain, PassedOver), File, Segments) :-
+    file_base(File, Base),
+    maplist(part_named(Base, Grain), Parts, Segments),
+    passed_over(PassedOver, File).
+mesh_taken(fault(Code, Line, Column, Byte, Text, Wanted, Got, Limit), File,
+           _) :-
+    place(File, Name),
+    fault_term(Code, Text, Wanted, Got, Limit, Fault),
+    (   Line =:= 0
+    ->  throw(error(model_error(mesh(Fault, Byte)), location(Name, 0, 0)))
+    ;   throw(error(model_error(mesh(Fault)), location(Name, Line, Column)))
+    ).
+
+part_named(Base, Grain, part(S, Kind, Name0), S) :-
+    (   Name0 == ''
+    ->  Name = Base
+    ;   Name = Name0
+    ),
+    assert_fact(segment(S, Kind, Name)),
+    (   Grain > 0.0
+    ->  assert_fact(origin(S, s(S), source(Grain)))
+    ;   true
+    ).
+
+file_base(-, stdin) :-
+    !.
+file_base(File, Base) :-
+    file_base_name(File, Name),
+    file_name_extension(Base, _, Name).
+
+place(-, '<stdin>') :-
+    !.
+place(File, File).
+
+fault_term(unsupported, Text, _, _, _, unsupported(Text)) :- !.
+fault_term(expected, Text, Wanted, _, _, expected(Wanted, Text)) :- !.
+fault_term(bad_number, Text, _, _, _, bad_number(Text)) :- !.
+fault_term(not_finite, Text, _, _, _, not_finite(Text)) :- !.
+fault_term(bad_index, _, Wanted, Got, Limit, bad_index(Got, Lowest, Limit)) :-
+    !,
+    atom_number(Wanted, Lowest).
+fault_term(bad_count, Text, Wanted, _, _, bad_count(Wanted, Text)) :- !.
+fault_term(truncated, _, Wanted, Got, Limit, truncated(Wanted, Got, Limit)) :-
+    !.
+fault_term(short_face, _, _, Got, _, short_face(Got)) :- !.
+fault_term(no_property, Text, Wanted, _, _, no_property(Wanted, Text)) :- !.
+fault_term(Code, _, _, _, _, Code).
+
+%   passed_over(Counts, File): warn of what was in the file and is not in the
+%   world. (Corners repeated in a face and welded vertices lose nothing.)
+
+passed_over(passed_over(Degenerate, _, _, Ignored, Line, Trailing), File) :-
+    place(File, Name),
+    warned(Degenerate, mesh(Name, degenerate(Degenerate))),
+    warned(Ignored, mesh(Name, ignored(Ignored, Line))),
+    warned(Trailing, mesh(Name, trailing(Trailing))).
+
+warned(0, _) :-
+    !.
+warned(_, What) :-
+    print_message(warning, sanggwan(What)).
