@@ -4,6 +4,8 @@
             drawing_format/2            % ?Format, ?Type
           ]).
 :- use_module(dot_drawing, [write_png/2]).
+:- use_module(dxf, [write_dxf/3]).
+:- use_module(hpgl, [write_hpgl/3]).
 :- use_module(output, [writing/3]).
 :- use_module(sheet, [sheet_strokes/4]).
 :- use_module(svg, [write_svg/4]).
@@ -24,18 +26,21 @@ bytes: no times, no names of users, no hash order.
 %   such files; Type is `text` or `binary`.
 
 drawing_format(svg, text).
-drawing_format(json, text).
 drawing_format(png, binary).
+drawing_format(json, text).
+drawing_format(dxf, text).
+drawing_format(hpgl, text).
 
 %!  write_drawing(+File, +Options) is det.
 %
 %   Write the drawing of the current world to File, in the format that its
-%   ending names: `.svg`, `.json`, `.png`. Options:
+%   ending names, see drawing_format/2. Options:
 %
 %     - size(Size): `WxH`, or W-H, in millimetres, default 210x148; for PNG in
 %       dots, default 640x400
 %     - margin(M), scale(S): see sheet_strokes/4
-%     - hidden(H): `dashed` (default; dotted in PNG), `removed`, `shown`
+%     - hidden(H): `dashed` (default; dotted in PNG), `removed`, or `shown`:
+%       not dashed, in SVG and PNG
 %     - pattern(P): dots on and off of hidden lines in PNG: N, or a list
 %     - title(Text): in SVG and JSON
 %
@@ -74,6 +79,12 @@ write_format(svg, Out, Options) :-
 write_format(json, Out, Options) :-
     sheet_strokes(210-148, Options, Sheet, Strokes),
     write_json(Out, Sheet, Strokes, Options).
+write_format(dxf, Out, Options) :-
+    sheet_strokes(210-148, Options, Sheet, Strokes),
+    write_dxf(Out, Sheet, Strokes).
+write_format(hpgl, Out, Options) :-
+    sheet_strokes(210-148, Options, Sheet, Strokes),
+    write_hpgl(Out, Sheet, Strokes).
 write_format(png, Out, Options) :-
     write_png(Out, Options).
 

@@ -1,7 +1,7 @@
 :- module(sg_svg,
           [ write_svg/4                 % +Out, +Sheet, +Strokes, +Options
           ]).
-:- use_module(stroke, [stroke_length/2]).
+:- use_module(dash, [stroke_dash/3]).
 :- autoload(library(apply), [foldl/4]).
 :- autoload(library(option), [option/2, option/3]).
 :- autoload(library(dcg/high_order), [sequence//3]).
@@ -19,9 +19,8 @@ painting order; in it a polyline for each stroke:
 The class list begins with `visible` or `hidden`, then the role. The k-th number
 of data-edge is the edge that the k-th straight piece belongs to. An id names
 segment and first edge; when an edge is drawn in several parts, `-2`, `-3`
-follow. How things look is in the style block alone, except for dashes: they
-are fitted to each line, so that it begins and ends with a dash (ISO 128-2), or
-with a gap where it goes on as a visible line.
+follow. How things look is in the style block alone, except for dashes, which
+are fitted to each line (dash.pl).
 */
 
 %!  write_svg(+Out, +Sheet, +Strokes, +Options) is det.
@@ -129,14 +128,12 @@ id_count(N) -->
 point(X-Y) -->
     thousandths(X), ",", thousandths(Y).
 
-%   A dash is 3 mm and a gap 0.9, stretched or shrunk to fit.
+%   In the element itself: its dashes are its own.
 
 dashes(Stroke, dashed) -->
-    { Stroke = stroke(hidden, _, _, _, _, Start, End) },
+    { Stroke = stroke(hidden, _, _, _, _, Start, _) },
     !,
-    { stroke_length(Stroke, Length),
-      dash_fit(Length, Start, End, Dash, Gap)
-    },
+    { stroke_dash(Stroke, Dash, Gap) },
     " style=\"stroke-dasharray:", thousandths(Dash), " ", thousandths(Gap),
     dash_start(Start, Dash),
     "\"".
@@ -149,53 +146,20 @@ dash_start(cut, Dash) -->
 dash_start(_, _) -->
     "".
 
-%   N dashes with N-1 gaps between them and a gap at each cut end; a ring has
-%   as many gaps as dashes.
-
-dash_fit(Length, Start, End, Dash, Gap) :-
-    gaps_more(Start, End, More),
-    N is max(1, round((Length+900-900*More)/3900)),
-    Natural is N*3000 + (N-1+More)*900,
-    Stretch is Length/Natural,
-    Dash is max(1, round(3000*Stretch)),
-    Gap is max(1, round(900*Stretch)).
-
-gaps_more(ring, _, 1) :-
-    !.
-gaps_more(Start, End, More) :-
-    cut_gap(Start, A),
-    cut_gap(End, B),
-    More is A+B.
-
-cut_gap(cut, 1).
-cut_gap(joint, 0).
-
 /* - - - text - - - */
 
 %   An integer as thousandths: 12340 is `12.34`, never `-0`.
 
 thousandths(N) -->
-    (   { N < 0 }
-    ->  "-"
-    ;   ""
-    ),
-    { Whole is abs(N)//1000,
-      Part is abs(N) mod 1000
-    },
-    number(Whole),
-    decimals(Part).
-
-decimals(0) -->
-    !,
-    "".
-decimals(Part) -->
-    { format(codes(Codes0), '~|~`0t~d~3|', [Part]),
+    { format(codes(Codes0), '~3d', [N]),
       trimmed(Codes0, Codes)
     },
-    ".", list(Codes).
+    list(Codes).
 
 trimmed(Codes0, Codes) :-
-    (   append(Codes1, [0'0], Codes0)
+    (   append(Codes1, `.000`, Codes0)
+    ->  Codes = Codes1
+    ;   append(Codes1, `0`, Codes0)
     ->  trimmed(Codes1, Codes)
     ;   Codes = Codes0
     ).

@@ -56,8 +56,8 @@ verb_option(penetrate, option(json, '', flag, '',
     'print a summary as JSON')).
 
 verb_option(draw, option(output, o, each, 'FILE',
-    'where to (.svg .png .json); may be repeated')).
-verb_option(draw, option(format, '', one_of([svg, png, json]), 'FORMAT',
+    'where to (.svg .png .dxf .hpgl .json); may be repeated')).
+verb_option(draw, option(format, '', one_of([svg, png, dxf, hpgl, json]), 'FORMAT',
     'the format for -o -')).
 verb_option(draw, option(view, '', value, 'VIEW',
     'front, back, left, right, top, bottom, iso, or THETA,PHI[,RHO] in \c

@@ -198,6 +198,46 @@ test(bad_pattern, [forall(member(P, [0, -1, a, [1], [1,0], []])),
 test(png_too_large, error(domain_error(raster_size, _))) :-
     in_picture(picture([],[],[]), png_codes([size(50000-50000)], _)).
 
+% Code-Value of each group of a DXF file.
+dxf_groups(Options, Groups) :-
+    drawing(dxf, Options, Text),
+    split_string(Text, "\n", " ", Lines),
+    groups(Lines, Groups).
+
+groups([""], []).
+groups([Code0,Value|Lines], [Code-Value|Groups]) :-
+    number_string(Code, Code0),
+    groups(Lines, Groups).
+
+test(dxf, true(Kinds == [ "SECTION", "ENDSEC", "SECTION", "TABLE", "LTYPE",
+                          "LTYPE", "ENDTAB", "TABLE", "LAYER", "LAYER", "LAYER",
+                          "LAYER", "ENDTAB", "TABLE", "APPID", "ENDTAB",
+                          "ENDSEC", "SECTION",
+                          "POLYLINE", "VERTEX", "VERTEX", "SEQEND",
+                          "POLYLINE", "VERTEX", "VERTEX", "SEQEND",
+                          "POLYLINE", "VERTEX", "VERTEX", "VERTEX", "VERTEX",
+                          "VERTEX", "SEQEND", "ENDSEC", "EOF" ])) :-
+    square(Square),
+    in_picture(Square, dxf_groups([], Groups)),
+    findall(Kind, member(0-Kind, Groups), Kinds).
+test(dxf_layers, true(Layers == ["0", "HIDDEN_OUTLINE", "HIDDEN_PENETRATION",
+                                 "VISIBLE_OUTLINE"])) :-
+    square(Square),
+    in_picture(Square, dxf_groups([], Groups)),
+    findall(Layer, append(_, [0-"LAYER",2-Layer|_], Groups), Layers).
+test(dxf_y_is_up, true(X-Y == "41.000"-"10.000")) :-
+    square(Square),
+    in_picture(Square, dxf_groups([margin(10),hidden(removed)], Groups)),
+    once(append(_, [0-"VERTEX",_,10-X,20-Y|_], Groups)).
+test(dxf_empty, true(Last == 0-"EOF")) :-
+    in_picture(picture([],[],[]), dxf_groups([], Groups)),
+    last(Groups, Last).
+test(hpgl, true(Lines == [ "IN;", "PU;SP1;", "CO \"s1e1 visible outline\";",
+                           "PU400,2960;PD8000,2960;", "PU;SP0;", "" ])) :-
+    one_edge(-1.0-2.5, 7.0-2.5, Edge),
+    in_picture(Edge, drawing(hpgl, [margin(10)], Text)),
+    split_string(Text, "\n", "", Lines).
+
 png_codes(Options, Codes) :-
     setup_call_cleanup(
         tmp_file_stream(File, Out, [encoding(binary), extension(png)]),
