@@ -1,6 +1,8 @@
 /* grid.c -- see grid.h */
 #include "grid.h"
 
+#include "bounds.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -9,15 +11,16 @@
 /* Cells are never smaller than this: finer ones would only repeat items. */
 #define SMALLEST (16 * SG_GRID_MARGIN)
 
-enum { MOST_CELLS_A_SIDE = 4096, POLL_EVERY = 4096 };
+/* A shape of so few rows takes all cells of its box: quicker than to look. */
+enum { MOST_CELLS_A_SIDE = 4096, FEW_ROWS = 2, POLL_EVERY = 4096 };
 
 static void
 shape_box(const sg_grid_shape *shape, double low[2], double high[2])
 {
   for (unsigned i = 0; i < shape->corners; i++) {
     for (int k = 0; k < 2; k++) {
-      low[k] = fmin(low[k], shape->at[i][k]);
-      high[k] = fmax(high[k], shape->at[i][k]);
+      low[k] = sg_smaller(low[k], shape->at[i][k]);
+      high[k] = sg_larger(high[k], shape->at[i][k]);
     }
   }
 }
@@ -46,7 +49,7 @@ choose_cells(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
     grid->low[k] = n ? grid->low[k] - SG_GRID_MARGIN : 0.0;
     size[k] = n ? high[k] - grid->low[k] + SG_GRID_MARGIN : 1.0;
   }
-  cell = fmax(SMALLEST, sqrt(size[0] * size[1] / ((double)n + 1.0)));
+  cell = sg_larger(SMALLEST, sqrt(size[0] * size[1] / ((double)n + 1.0)));
   grid->nx = cells(size[0], cell);
   grid->ny = cells(size[1], cell);
   grid->wide[0] = size[0] / grid->nx;
@@ -68,8 +71,10 @@ sg_grid_rows_of(const sg_grid *grid, const sg_grid_shape *shape)
   double low[2] = {DBL_MAX, DBL_MAX}, high[2] = {-DBL_MAX, -DBL_MAX};
 
   shape_box(shape, low, high);
-  return (sg_grid_rows){cell_of(grid, 1, low[1] - SG_GRID_MARGIN),
-                        cell_of(grid, 1, high[1] + SG_GRID_MARGIN) + 1};
+  return (sg_grid_rows){.y0 = cell_of(grid, 1, low[1] - SG_GRID_MARGIN),
+                        .y1 = cell_of(grid, 1, high[1] + SG_GRID_MARGIN) + 1,
+                        .x0 = cell_of(grid, 0, low[0] - SG_GRID_MARGIN),
+                        .x1 = cell_of(grid, 0, high[0] + SG_GRID_MARGIN) + 1};
 }
 
 /* Widens x by the part of side p-q that lies between y = low and y = high. */
@@ -80,25 +85,30 @@ side_in_row(const double p[2], const double q[2], double low, double high,
   double dy = q[1] - p[1];
   double ends[2] = {p[1], q[1]};
 
-  if (fmax(ends[0], ends[1]) < low || fmin(ends[0], ends[1]) > high) {
+  if (sg_larger(ends[0], ends[1]) < low ||
+      sg_smaller(ends[0], ends[1]) > high) {
     return;
   }
   for (int i = 0; i < 2; i++) {
-    double y = fmin(fmax(ends[i], low), high);
+    double y = sg_smaller(sg_larger(ends[i], low), high);
     double at =
         ends[i] == y ? (i ? q : p)[0] : p[0] + (y - p[1]) / dy * (q[0] - p[0]);
-    x[0] = fmin(x[0], at);
-    x[1] = fmax(x[1], at);
+    x[0] = sg_smaller(x[0], at);
+    x[1] = sg_larger(x[1], at);
   }
 }
 
 sg_grid_columns
-sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape, unsigned y)
+sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape, sg_grid_rows rows,
+            unsigned y)
 {
   double low = grid->low[1] + y * grid->wide[1] - SG_GRID_MARGIN;
   double high = low + grid->wide[1] + 2 * SG_GRID_MARGIN;
   double x[2] = {DBL_MAX, -DBL_MAX};
 
+  if (rows.y1 - rows.y0 <= FEW_ROWS || rows.x1 - rows.x0 == 1) {
+    return (sg_grid_columns){rows.x0, rows.x1};
+  }
   if (y == 0) {
     low = -DBL_MAX;
   }
@@ -124,7 +134,7 @@ enter(sg_grid *grid, const sg_grid_shape *shape, uint32_t *count,
   sg_grid_rows rows = sg_grid_rows_of(grid, shape);
 
   for (unsigned y = rows.y0; y < rows.y1; y++) {
-    sg_grid_columns columns = sg_grid_row(grid, shape, y);
+    sg_grid_columns columns = sg_grid_row(grid, shape, rows, y);
     for (unsigned x = columns.x0; x < columns.x1; x++) {
       size_t cell = (size_t)y * grid->nx + x;
       if (item) {
@@ -137,8 +147,8 @@ enter(sg_grid *grid, const sg_grid_shape *shape, uint32_t *count,
 
 /* All items: counted, or entered. False: stopped. */
 static bool
-enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-          const void *data, const sg_poll *poll)
+enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
+          const sg_poll *poll)
 {
   sg_grid_shape shape;
 

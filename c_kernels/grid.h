@@ -35,10 +35,11 @@ bool sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
                   const void *data, const sg_poll *poll, bool *memory);
 void sg_grid_clear(sg_grid *grid);
 
-/* The cells of a shape: rows y0 <= y < y1, in each of them columns of
- * sg_grid_row(). Cells beyond the grid's border count as the border's. */
+/* The cells of a shape: rows y0 <= y < y1, in each of them the columns that
+ * sg_grid_row() gives. Beyond the grid's border the border's cells count. */
 typedef struct sg_grid_rows {
   unsigned y0, y1;
+  unsigned x0, x1; /* the columns of all rows together */
 } sg_grid_rows;
 typedef struct sg_grid_columns {
   unsigned x0, x1;
@@ -46,6 +47,6 @@ typedef struct sg_grid_columns {
 
 sg_grid_rows sg_grid_rows_of(const sg_grid *grid, const sg_grid_shape *shape);
 sg_grid_columns sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape,
-                            unsigned y);
+                            sg_grid_rows rows, unsigned y);
 
 #endif

@@ -1,6 +1,8 @@
 /* hide.c -- see hide.h */
 #include "hide.h"
 
+#include "bounds.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -30,10 +32,10 @@ keep(double f0, double f1, double t[2])
     return false;
   }
   if (f0 < 0.0) {
-    t[0] = fmax(t[0], f0 / (f0 - f1));
+    t[0] = sg_larger(t[0], f0 / (f0 - f1));
   }
   if (f1 < 0.0) {
-    t[1] = fmin(t[1], f0 / (f0 - f1));
+    t[1] = sg_smaller(t[1], f0 / (f0 - f1));
   }
   return t[0] < t[1];
 }
@@ -79,11 +81,11 @@ apart(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
 {
   double e = scene->tolerance;
 
-  return fmax(a[2], b[2]) <= mask->low[2] ||
-         fmax(a[0], b[0]) < mask->low[0] - e ||
-         fmin(a[0], b[0]) > mask->high[0] + e ||
-         fmax(a[1], b[1]) < mask->low[1] - e ||
-         fmin(a[1], b[1]) > mask->high[1] + e;
+  return sg_larger(a[2], b[2]) <= mask->low[2] ||
+         sg_larger(a[0], b[0]) < mask->low[0] - e ||
+         sg_smaller(a[0], b[0]) > mask->high[0] + e ||
+         sg_larger(a[1], b[1]) < mask->low[1] - e ||
+         sg_smaller(a[1], b[1]) > mask->high[1] + e;
 }
 
 bool
@@ -125,15 +127,6 @@ sg_line_length(const sg_scene *scene, const sg_scene_line *line)
   return sqrt(x * x + y * y);
 }
 
-/* Where p lies along a-b: 0 at a, 1 at b. */
-static double
-along(const double a[3], const double b[3], const double p[3])
-{
-  double x = b[0] - a[0], y = b[1] - a[1];
-
-  return (x * (p[0] - a[0]) + y * (p[1] - a[1])) / (x * x + y * y);
-}
-
 static double
 between(double x, double y, double t)
 {
@@ -146,29 +139,28 @@ sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
 {
   const double *p = scene->at[a->a], *q = scene->at[a->b];
   const double *r = scene->at[b->a], *s = scene->at[b->b];
-  double e = scene->tolerance;
-  double size = sg_line_length(scene, a);
-  double off_r, off_s, at_r, at_s;
+  double x = q[0] - p[0], y = q[1] - p[1];
+  double square = x * x + y * y, size = sqrt(square);
+  double off_r = x * (r[1] - p[1]) - y * (r[0] - p[0]);
+  double off_s = x * (s[1] - p[1]) - y * (s[0] - p[0]);
+  double far = scene->tolerance * size; /* off: distance times size */
+  double at_r, at_s;
 
-  if (size <= e || sg_line_length(scene, b) <= e) {
+  if ((off_r > far && off_s > far) || (off_r < -far && off_s < -far) ||
+      size <= scene->tolerance) {
     return false;
   }
-  off_r = left_of(p, q, r);
-  off_s = left_of(p, q, s);
-  if ((off_r > e && off_s > e) || (off_r < -e && off_s < -e)) {
-    return false;
-  }
-  at_r = along(p, q, r);
-  at_s = along(p, q, s);
-  out->from = fmax(0.0, fmin(at_r, at_s));
-  out->to = fmin(1.0, fmax(at_r, at_s));
-  if ((out->to - out->from) * size <= e) {
+  at_r = (x * (r[0] - p[0]) + y * (r[1] - p[1])) / square;
+  at_s = (x * (s[0] - p[0]) + y * (s[1] - p[1])) / square;
+  out->from = sg_larger(0.0, sg_smaller(at_r, at_s));
+  out->to = sg_smaller(1.0, sg_larger(at_r, at_s));
+  if ((out->to - out->from) * size <= scene->tolerance) {
     return false;
   }
   out->from2 = (out->from - at_r) / (at_s - at_r);
   out->to2 = (out->to - at_r) / (at_s - at_r);
-  return fabs(between(off_r, off_s, out->from2)) <= e &&
-         fabs(between(off_r, off_s, out->to2)) <= e;
+  return fabs(between(off_r, off_s, out->from2)) <= far &&
+         fabs(between(off_r, off_s, out->to2)) <= far;
 }
 
 /* ------------------------------------------------------------- searching */
@@ -304,7 +296,7 @@ cell_masks(sg_hide *hide, const sg_scene_line *line, size_t cell,
 {
   const sg_scene *scene = hide->scene;
   const sg_grid *grid = &hide->masks;
-  double far = fmax(scene->at[line->a][2], scene->at[line->b][2]);
+  double far = sg_larger(scene->at[line->a][2], scene->at[line->b][2]);
   sg_hidden part;
 
   for (uint32_t i = grid->start[cell]; i < grid->start[cell + 1]; i++) {
@@ -340,7 +332,7 @@ sg_hide_masks(sg_hide *hide, size_t at, bool enough, sg_hiddens *out)
   line_shape(hide->scene, line, &shape);
   rows = sg_grid_rows_of(&hide->masks, &shape);
   for (unsigned y = rows.y0; y < rows.y1 && !(whole && enough); y++) {
-    sg_grid_columns columns = sg_grid_row(&hide->masks, &shape, y);
+    sg_grid_columns columns = sg_grid_row(&hide->masks, &shape, rows, y);
     for (unsigned x = columns.x0; x < columns.x1 && !(whole && enough); x++) {
       size_t cell = (size_t)y * hide->masks.nx + x;
       if (!cell_masks(hide, line, cell, out, &whole)) {
@@ -388,7 +380,7 @@ sg_hide_overlaps(sg_hide *hide, size_t at, sg_overlaps *out)
   shape_of_line(hide->scene, at, &shape);
   rows = sg_grid_rows_of(&hide->lines, &shape);
   for (unsigned y = rows.y0; y < rows.y1; y++) {
-    sg_grid_columns columns = sg_grid_row(&hide->lines, &shape, y);
+    sg_grid_columns columns = sg_grid_row(&hide->lines, &shape, rows, y);
     for (unsigned x = columns.x0; x < columns.x1; x++) {
       if (!cell_overlaps(hide, at, (size_t)y * hide->lines.nx + x, out)) {
         return false;

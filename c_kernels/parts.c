@@ -6,6 +6,8 @@
  */
 #include "parts.h"
 
+#include "bounds.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -93,7 +95,7 @@ push_union(intervals *out, const sg_hidden *part, size_t n, double least)
     double from = part[i].from <= least ? 0.0 : part[i].from;
     double to = part[i].to;
     for (i++; i < n && part[i].from - to <= least; i++) {
-      to = fmax(to, part[i].to);
+      to = sg_larger(to, part[i].to);
     }
     if (1.0 - to <= least) {
       to = 1.0;
@@ -208,14 +210,14 @@ static bool
 subtract_mapped(intervals *mine, const interval *set, size_t n,
                 const sg_overlap *o)
 {
-  double low = fmin(o->from2, o->to2), high = fmax(o->from2, o->to2);
+  double low = sg_smaller(o->from2, o->to2), high = sg_larger(o->from2, o->to2);
   double rate = (o->to - o->from) / (o->to2 - o->from2);
 
   for (size_t i = 0; i < n; i++) {
-    double x = fmax(set[i].from, low), y = fmin(set[i].to, high);
+    double x = sg_larger(set[i].from, low), y = sg_smaller(set[i].to, high);
     double from = o->from + (x - o->from2) * rate;
     double to = o->from + (y - o->from2) * rate;
-    if (x < y && !subtract(mine, fmin(from, to), fmax(from, to))) {
+    if (x < y && !subtract(mine, sg_smaller(from, to), sg_larger(from, to))) {
       return false;
     }
   }

@@ -1,4 +1,5 @@
 /* scene.c -- see scene.h */
+#include "bounds.h"
 #include "scene_private.h"
 
 #include <float.h>
@@ -54,14 +55,14 @@ standard_of(const sg_scene_input *in, double centre[3], double *largest)
   for (size_t i = 0; i < in->vertices; i++) {
     for (int k = 0; k < 3; k++) {
       double x = in->vertex[i].screen[k] * (k == 2 ? in->depth : 1.0);
-      low[k] = fmin(low[k], x);
-      high[k] = fmax(high[k], x);
-      *largest = fmax(*largest, fabs(x));
+      low[k] = sg_smaller(low[k], x);
+      high[k] = sg_larger(high[k], x);
+      *largest = sg_larger(*largest, fabs(x));
     }
   }
   for (int k = 0; k < 3; k++) {
     centre[k] = in->vertices ? low[k] + (high[k] - low[k]) / 2 : 0.0;
-    half = in->vertices ? fmax(half, (high[k] - low[k]) / 2) : 0.0;
+    half = in->vertices ? sg_larger(half, (high[k] - low[k]) / 2) : 0.0;
   }
   frexp(half, &power);
   return half > 0 ? ldexp(1.0, power) : 1.0;
@@ -76,7 +77,8 @@ make_places(sg_scene_builder *b)
   double scale = standard_of(in, centre, &largest);
 
   scene->scale = scale;
-  scene->tolerance = fmax(in->tolerance, 8 * DBL_EPSILON * largest / scale);
+  scene->tolerance =
+      sg_larger(in->tolerance, 8 * DBL_EPSILON * largest / scale);
   scene->vertices = in->vertices;
   scene->at = malloc((in->vertices + 1) * sizeof *scene->at);
   if (!scene->at) {
@@ -209,8 +211,8 @@ mask_of(sg_scene_builder *b, const sg_scene_triangle *t, sg_scene_mask *out)
       .v = {v[0], v[facing > 0 ? 1 : 2], v[facing > 0 ? 2 : 1]}};
   for (int k = 0; k < 3; k++) {
     out->normal[k] = n[k] / size;
-    out->low[k] = fmin(at[v[0]][k], fmin(at[v[1]][k], at[v[2]][k]));
-    out->high[k] = fmax(at[v[0]][k], fmax(at[v[1]][k], at[v[2]][k]));
+    out->low[k] = sg_smaller(at[v[0]][k], sg_smaller(at[v[1]][k], at[v[2]][k]));
+    out->high[k] = sg_larger(at[v[0]][k], sg_larger(at[v[1]][k], at[v[2]][k]));
   }
   return true;
 }
@@ -262,8 +264,9 @@ sg_scene_open(sg_scene_input *input, const sg_poll *poll, bool *memory)
   if (!b.scene) {
     return NULL;
   }
-  *memory = sort_input(&b) && make_places(&b) && make_faces(&b) && sg_scene_make_lines(&b) &&
-            sg_scene_make_looks(&b) && make_masks(&b);
+  *memory = sort_input(&b) && make_places(&b) && make_faces(&b) &&
+            sg_scene_make_lines(&b) && sg_scene_make_looks(&b) &&
+            make_masks(&b);
   free(b.face);
   free(b.pair);
   free(b.line_of);

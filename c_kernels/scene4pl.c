@@ -180,8 +180,8 @@ static int
 unify_look(term_t t, const sg_look *look)
 {
   term_t a = PL_new_term_refs(8);
-  const unsigned count[5] = {look->faces, look->towards, look->away,
-                             look->left, look->right};
+  const unsigned count[5] = {look->faces, look->towards, look->away, look->left,
+                             look->right};
 
   for (int i = 0; i < 5; i++) {
     if (!PL_unify_uint64(a + i, count[i])) {
@@ -400,7 +400,8 @@ join(term_t a0, bool overlaps, control_t control)
   default:
     break;
   }
-  if (!get_scene_ex(a0, &h) || (!a && !(a = find_answers_ex(h, a0, overlaps)))) {
+  if (!get_scene_ex(a0, &h) ||
+      (!a && !(a = find_answers_ex(h, a0, overlaps)))) {
     return FALSE;
   }
   return answer(h, a, a0 + 3);
@@ -482,8 +483,7 @@ columns_fill(columns *c, const sg_scene *scene, const sg_part *part, size_t n)
     c->e[i] = scene->line[part[i].line].e;
     c->from[i] = part[i].from;
     c->to[i] = part[i].to;
-    c->visibility[i] =
-        part[i].hidden ? SG_SYMBOL_HIDDEN : SG_SYMBOL_VISIBLE;
+    c->visibility[i] = part[i].hidden ? SG_SYMBOL_HIDDEN : SG_SYMBOL_VISIBLE;
     c->role[i] = role_symbol(part[i].role);
   }
   return true;

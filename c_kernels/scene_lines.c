@@ -1,6 +1,7 @@
 /* scene_lines.c -- one line for the directed edges between two vertices, and
  * how its faces lie to the eye (scene.h).
  */
+#include "bounds.h"
 #include "scene_private.h"
 
 #include <math.h>
@@ -280,7 +281,8 @@ look_at(sg_scene_builder *b, size_t k)
     for (uint32_t w = b->use_at[k]; w < u; w++) {
       const sg_scene_face *g = face_of_use(b, line, b->user[w], &j);
       if (g) {
-        look->bend = fmax(look->bend, bend_between(f->model, i, g->model, j));
+        look->bend =
+            sg_larger(look->bend, bend_between(f->model, i, g->model, j));
       }
     }
   }

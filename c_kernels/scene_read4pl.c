@@ -127,8 +127,7 @@ read_vertices(reading *reader, const sg_version *version)
   if (!each_row(reader, version, SG_SCREEN, read_screen)) {
     return false;
   }
-  reader->vertices =
-      (sg_keys){in->vertex, sizeof *in->vertex, in->vertices, 0};
+  reader->vertices = (sg_keys){in->vertex, sizeof *in->vertex, in->vertices, 0};
   end = sg_sort(in->vertex, in->vertices, sizeof *in->vertex, sg_key_compare,
                 reader->poll);
   reader->memory = end != SG_SORT_NO_MEMORY;
@@ -177,8 +176,8 @@ read_uses(reading *reader, const row *r)
     return;
   }
   for (int32_t i = 1; i <= edges[0]; i++) {
-    reader->in->use[reader->in->uses++] = (sg_scene_use){
-        .s = integer(r, 0), .e = edges[i], .p = integer(r, 1)};
+    reader->in->use[reader->in->uses++] =
+        (sg_scene_use){.s = integer(r, 0), .e = edges[i], .p = integer(r, 1)};
   }
 }
 
@@ -207,11 +206,10 @@ read_cut(reading *reader, const row *r)
 static bool
 make_room(sg_scene_input *in, const sg_version *version)
 {
-  size_t n[] = {sg_version_count(version, SG_SEGMENT),
-                sg_version_count(version, SG_SCREEN),
-                sg_version_count(version, SG_T),
-                sg_version_count(version, SG_E),
-                sg_version_count(version, SG_LINE)};
+  size_t n[] = {
+      sg_version_count(version, SG_SEGMENT),
+      sg_version_count(version, SG_SCREEN), sg_version_count(version, SG_T),
+      sg_version_count(version, SG_E), sg_version_count(version, SG_LINE)};
 
   in->segment = malloc((n[0] + 1) * sizeof *in->segment);
   in->vertex = malloc((n[1] + 1) * sizeof *in->vertex);

@@ -37,9 +37,9 @@ merge(const job *j, size_t at, size_t run)
   size_t a = at, b = middle;
 
   for (size_t k = at; k < end; k++) {
-    bool first = a < middle && (b == end || j->compare(j->from + a * j->size,
-                                                       j->from + b * j->size) <=
-                                                0);
+    bool first =
+        a < middle && (b == end || j->compare(j->from + a * j->size,
+                                              j->from + b * j->size) <= 0);
     memcpy(j->to + k * j->size, j->from + (first ? a++ : b++) * j->size,
            j->size);
   }

@@ -18,7 +18,7 @@ typedef enum sg_sort_end {
 typedef int sg_sort_compare(const void *a, const void *b);
 
 /* What is sorted already is only looked at. */
-sg_sort_end sg_sort(void *base, size_t n, size_t size,
-                    sg_sort_compare *compare, const sg_poll *poll);
+sg_sort_end sg_sort(void *base, size_t n, size_t size, sg_sort_compare *compare,
+                    const sg_poll *poll);
 
 #endif

@@ -52,8 +52,8 @@ screen_add(screen *out, const sg_eye *eye, int32_t s, int32_t v,
 
   sg_eye_point(eye, at, p);
   sg_range_add(&out->range, eye, p[2]);
-  out->reach = fmax(out->reach, sqrt(at[0] * at[0] + at[1] * at[1] +
-                                     at[2] * at[2]));
+  out->reach =
+      fmax(out->reach, sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]));
   out->s[out->n] = s;
   out->v[out->n] = v;
   out->x[out->n] = p[0];

@@ -85,8 +85,8 @@ main(void)
     sg_sort_end end;
     fill(array, MOST);
     end = sg_sort(array, MOST, sizeof *array, by_key, &poll);
-    whole &= is_whole(array, MOST) &&
-             (end == SG_SORTED) == is_stable(array, MOST);
+    whole &=
+        is_whole(array, MOST) && (end == SG_SORTED) == is_stable(array, MOST);
   }
   CHECK("nothing is lost when it is stopped", whole);
   return check_report();
