@@ -1,6 +1,7 @@
 :- module(sg_messages,
           [ english//1,                 % +Term
-            fault_en//1                 % +What
+            fault_en//1,                % +What
+            primitive_form//1           % +Name
           ]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
@@ -151,6 +152,10 @@ fault_en(empty) -->
       '  Give at least one segment with vertices and polygons.' ].
 fault_en(refused(Row, Error)) -->
     [ 'the fact ~p is not possible: ~p'-[Row, Error] ].
+fault_en(unknown_format(Format, Formats)) -->
+    { atomic_list_concat(Formats, ' .', All) },
+    [ 'models of the format .~w are not known'-[Format], nl,
+      '  The ending of a model is .~w.'-[All] ].
 
 expected_en(id) -->
     [ 'a positive whole number', nl,
@@ -166,7 +171,7 @@ expected_en(chain) -->
 expected_en(float) -->
     [ 'a number', nl, '  Write it in digits, such as -1.5 or 2.0e-3.' ].
 expected_en(distance) -->
-    [ 'a number above 0' ].
+    [ 'a number from 0 on (0: as far as needed)' ].
 expected_en(finite) -->
     [ 'a finite number', nl,
       '  Infinity and NaN are no places; repair the program that wrote them.' ].
@@ -251,7 +256,9 @@ type_en(radius, 'a radius from 0').
 type_en(facets, 'a whole number from 3').
 type_en(number, 'a number').
 
-%   primitive_form(Name)//: how it is written, in every language.
+%!  primitive_form(+Name)// is semidet.
+%
+%   How the primitive is written, in every language.
 
 primitive_form(Name) -->
     { primitive_text(Name, Text) },
@@ -291,13 +298,17 @@ usage_en(bad_value(Text, Value, Form)) -->
     [ 'option ~w: ~w should look like ~w'-[Text, Value, Form] ].
 usage_en(no_files(What)) -->
     [ '~w is missing'-[What] ].
-usage_en(too_many(File)) -->
-    [ 'one argument too many: ~w'-[File] ].
 usage_en(no_output) -->
     [ 'where should the result go? Give -o FILE (- is standard output)' ].
 usage_en(ending(File, Endings)) -->
     { atomic_list_concat(Endings, ' .', All) },
     [ '~w: the ending decides the format; it can be .~w'-[File, All] ].
+usage_en(no_folder(Folder)) -->
+    [ 'there is no folder ~w for the result'-[Folder], nl,
+      '  Make it first.' ].
+usage_en(no_segment(S, Known)) -->
+    { atomic_list_concat(Known, ', ', All) },
+    [ 'there is no segment ~w, only ~w'-[S, All] ].
 usage_en(bad_goal(Text, Why)) -->
     [ 'this is no goal: ~w (~w)'-[Text, Why] ].
 
@@ -308,7 +319,7 @@ notice_en(one_segment) -->
 notice_en(wrote(File)) -->
     [ 'wrote ~w'-[File] ].
 notice_en(interrupted) -->
-    [ 'interrupted; nothing was written' ].
+    [ 'interrupted' ].
 notice_en(no_answer) -->
     [ 'no' ].
 notice_en(warnings_are_errors(N)) -->

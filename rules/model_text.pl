@@ -306,7 +306,7 @@ typed(float, Value, Float) :-
     model_float(Value, Float).
 typed(distance, Value, Float) :-
     model_float(Value, Float),
-    Float > 0.0.
+    Float >= 0.0.
 typed(steps, Steps, Steps) :-
     is_list(Steps),
     maplist(is_step, Steps).

@@ -201,8 +201,8 @@ test(string, W == value(segment,'Name',"x",ground)) :-
     after_triangle("segment(1,surface,\"x\").", Text), fault(Text, W, _).
 test(name_variable, W =@= value(segment,'Name',f(_),ground)) :-
     after_triangle("segment(1,surface,f(X)).", Text), fault(Text, W, _).
-test(rho, W == value(view,'Rho',0,distance)) :-
-    after_triangle("view(1,2,0).", Text), fault(Text, W, _).
+test(rho, W == value(view,'Rho',-1,distance)) :-
+    after_triangle("view(1,2,-1).", Text), fault(Text, W, _).
 test(no_list, W = value(p,'Es',_,steps)) :-
     after_triangle("p(1,2,[1,2|3]).", Text), fault(Text, W, _).
 

@@ -1,0 +1,353 @@
+:- encoding(utf8).
+:- module(sg_cli,
+          [ main/1,                     % -Status
+            sanggwan/2                  % +Arguments, -Status
+          ]).
+:- use_module(arguments, [parsed_arguments/4]).
+:- use_module(decision, [use_rules/1]).
+:- use_module(messages, []).
+:- use_module(messages_ko, []).
+:- use_module(progress, [with_progress/1]).
+:- use_module(stage, [stages_reset/0, stage_seconds/2]).
+:- use_module(store, [new_world/1, in_world/2, facts_statistics/2]).
+:- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
+:- use_module(user:sanggwan).
+:- use_module(verbs, [verb_run/4]).
+:- autoload(library(apply), [maplist/2]).
+:- autoload(library(http/json), [json_write_dict/3]).
+:- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(option), [option/2, option/3]).
+/** <module> The command line: verbs, exit status, messages, timings.
+
+Data goes to standard output, everything else to standard error. The exit
+status is
+
+    0    done                           2    wrong usage, or a program error
+    1    the answer is no; or warnings  3    input unreadable or invalid
+         with --strict                  4    the geometry is not possible
+                                        130  interrupted
+
+An interrupt is an exception here: transactions roll back, files being written
+vanish, then the program ends.
+*/
+
+%!  main(-Status) is det.
+%
+%   Run the program's own arguments; engine/main.c ends with Status.
+
+main(Status) :-
+    current_prolog_flag(os_argv, Words),
+    own_arguments(Words, Arguments),
+    setup_call_cleanup(
+        interrupts_raise(Old),
+        sanggwan(Arguments, Status0),
+        maplist(restored, Old)),
+    flushed(Status0, Status).
+
+%   Those after the first `--`: engine/main.c puts it after Prolog's own.
+
+own_arguments(Words, Arguments) :-
+    (   append(_, ['--'|Arguments0], Words)
+    ->  Arguments = Arguments0
+    ;   Arguments = []
+    ).
+
+interrupts_raise(Old),
+        sanggwan(Arguments, Status0),
+        maplist(restored, Old)),
+    flushed(Status0, Status).
+
+%   Prolog leaves `--` before the arguments that are ours.
+
+own_arguments([--|Arguments], Arguments) :-
+    !.
+own_arguments(Arguments, Arguments).
+
+interrupts_raise([signal(int, OldInt), signal(term, OldTerm)]) :-
+    on_signal(int, OldInt, sg_cli:interrupt),
+    on_signal(term, OldTerm, sg_cli:interrupt).
+
+restored(signal(Signal, Handler)) :-
+    on_signal(Signal, _, Handler).
+
+:- public interrupt/1.
+
+interrupt(Signal) :-
+    throw(sanggwan_interrupt(Signal)).
+
+%   What is still in the buffers may not fit on the disk.
+
+flushed(Status0, Status) :-
+    catch(( flush_output(user_output),
+            Status = Status0
+          ),
+          Error, failed_status(Error, Status)).
+
+%!  sanggwan(+Arguments, -Status) is det.
+%
+%   Do what the list of atoms Arguments says, in a new world; Status is the
+%   exit status. Never fails, never raises.
+
+sanggwan(Arguments, Status) :-
+    retractall(quiet),
+    flag(sg_cli_warnings, _, 0),
+    language(Arguments),
+    setup_call_cleanup(
+        asserta(running, Running),
+        ( catch(command(Arguments, Status0), Error,
+                failed_status(Error, Status0)),
+          strict_status(Arguments, Status0, Status)
+        ),
+        erase(Running)).
+
+%   language(Arguments): --lang, or what the environment says. The saved state
+%   would otherwise remember where it was made.
+
+language(Arguments) :-
+    (   append(_, ['--lang', Language|_], Arguments)
+    ->  true
+    ;   member(Argument, Arguments),
+        atom_concat('--lang=', Language, Argument)
+    ->  true
+    ;   member(Variable, ['LC_ALL', 'LC_MESSAGES', 'LANG']),
+        getenv(Variable, Value),
+        Value \== ''
+    ->  atomic_list_concat([Language|_], '.', Value)
+    ;   Language = en
+    ),
+    (   memberchk(Language, ['C', 'POSIX'])
+    ->  set_prolog_flag(message_language, en)
+    ;   set_prolog_flag(message_language, Language)
+    ).
+
+usage_language(Language) :-
+    current_prolog_flag(message_language, Flag),
+    (   sub_atom(Flag, 0, _, _, ko)
+    ->  Language = ko
+    ;   Language = en
+    ).
+
+command([], _) :-
+    usage_error(no_verb).
+command([First|Rest], Status) :-
+    (   memberchk(First, ['--help', '-h', help])
+    ->  help(Rest),
+        Status = 0
+    ;   First == '--version'
+    ->  print_version,
+        Status = 0
+    ;   verb(First, _, _, _)
+    ->  verb_command(First, Rest, Status)
+    ;   sub_atom(First, 0, 1, _, -)
+    ->  global_first([First|Rest], Status)
+    ;   usage_error(unknown_verb(First))
+    ).
+
+%   `sanggwan --lang ko --help`: common options may stand before the verb.
+
+global_first(Arguments, Status) :-
+    verb_options(none, Specs),
+    (   append(Before, [Verb|After], Arguments),
+        ( verb(Verb, _, _, _) ; memberchk(Verb, ['--help', '--version']) )
+    ->  parsed_arguments(Specs, Before, Files, _),
+        (   Files == []
+        ->  append(After, Before, Rest),
+            command([Verb|Rest], Status)
+        ;   Files = [File|_],
+            usage_error(unknown_verb(File))
+        )
+    ;   parsed_arguments(Specs, Arguments, Files, _),
+        (   Files = [File|_]
+        ->  usage_error(unknown_verb(File))
+        ;   usage_error(no_verb)
+        )
+    ).
+
+usage_error(What) :-
+    throw(error(usage_error(What), _)).
+
+help(Words) :-
+    usage_language(Language),
+    (   member(Word, Words),
+        verb(Word, _, _, _)
+    ->  print_usage(Word, Language)
+    ;   print_usage(Language)
+    ).
+
+print_version :-
+    version(Version),
+    current_prolog_flag(version, V),
+    Major is V//10000,
+    Minor is V//100 mod 100,
+    Patch is V mod 100,
+    format("sanggwan ~w (SWI-Prolog ~d.~d.~d)~n",
+           [Version, Major, Minor, Patch]).
+
+version('0.1.0').
+
+
+                /*******************************
+                *             RUNS             *
+                *******************************/
+
+verb_command(Verb, Arguments, Status) :-
+    verb_options(Verb, Specs),
+    parsed_arguments(Specs, Arguments, Files, Options),
+    (   option(help(true), Options)
+    ->  usage_language(Language),
+        print_usage(Verb, Language),
+        Status = 0
+    ;   verb_in_world(Verb, Files, Options, Status)
+    ).
+
+verb_in_world(Verb, Files, Options, Status) :-
+    (   option(quiet(true), Options)
+    ->  assertz(quiet)
+    ;   true
+    ),
+    stages_reset,
+    get_time(Start),
+    new_world(World),
+    in_world(World,
+             call_cleanup(
+                 verb_watched(Verb, Files, Options, Status),
+                 measured(Options, Start))).
+
+verb_watched(Verb, Files, Options, Status) :-
+    option(rules(Rules), Options, []),
+    maplist(use_rules, Rules),
+    (   ( Verb == repl ; option(quiet(true), Options) )
+    ->  verb_run(Verb, Files, Options, Status)
+    ;   with_progress(verb_run(Verb, Files, Options, Status))
+    ).
+
+%   measured(Options, Start): what --timings and --stats ask for, also after
+%   an error.
+
+measured(Options, Start) :-
+    (   option(timings(true), Options)
+    ->  get_time(End),
+        Total is End-Start,
+        findall(Name-Seconds, timing(Name, Seconds), Pairs0),
+        append(Pairs0, [total-Total], Pairs),
+        json_line(Pairs)
+    ;   true
+    ),
+    (   option(stats(true), Options)
+    ->  findall(Relation-Dict, facts_statistics(Relation, Dict), Pairs1),
+        json_line(Pairs1)
+    ;   true
+    ).
+
+timing(Name, Seconds) :-
+    member(Name, [load, tree, join, rules, write]),
+    (   stage_seconds(Name, Seconds0)
+    ->  Seconds = Seconds0
+    ;   Seconds = 0.0
+    ).
+
+json_line(Pairs) :-
+    format(user_error, "{", []),
+    json_members(Pairs),
+    format(user_error, "}~n", []).
+
+json_members([]).
+json_members([Name-Value|Pairs]) :-
+    format(user_error, "\"~w\":", [Name]),
+    (   is_dict(Value)
+    ->  json_write_dict(user_error, Value, [width(0)])
+    ;   format(user_error, "~6f", [Value])
+    ),
+    (   Pairs == []
+    ->  true
+    ;   format(user_error, ", ", []),
+        json_members(Pairs)
+    ).
+
+
+                /*******************************
+                *         EXIT STATUS          *
+                *******************************/
+
+%   failed_status(Error, Status): Error is printed and gives the exit status.
+
+failed_status(Error, Status) :-
+    (   Error = sanggwan_interrupt(_)
+    ->  print_message(error, sanggwan(interrupted)),
+        Status = 130
+    ;   broken_pipe(Error)
+    ->  Status = 141
+    ;   error_status(Error, Status),
+        print_message(error, Error)
+    ).
+
+error_status(error(Formal, _), Status) :-
+    nonvar(Formal),
+    formal_status(Formal, Status),
+    !.
+error_status(_, 2).
+
+formal_status(usage_error(_), 2).
+formal_status(model_error(_), 3).
+formal_status(geometry_error(_), 4).
+formal_status(resource_error(_), 4).
+
+%   The reader of a pipe has seen enough, as in `sanggwan query ... | head`.
+
+broken_pipe(error(io_error(write, _), context(_, Message))) :-
+    sub_atom(Message, _, _, _, 'roken pipe').
+
+strict_status(Arguments, Status0, Status) :-
+    flag(sg_cli_warnings, N, N),
+    (   N > 0,
+        Status0 == 0,
+        memberchk('--strict', Arguments)
+    ->  print_message(error, sanggwan(warnings_are_errors(N))),
+        Status = 1
+    ;   Status = Status0
+    ).
+
+
+                /*******************************
+                *           MESSAGES           *
+                *******************************/
+
+%   Messages of the program look like those of others: a line that begins with
+%   `sanggwan: `, or with the place in a file so that editors jump there.
+
+:- dynamic quiet/0, running/0.
+
+:- multifile user:message_hook/3.
+
+user:message_hook(Term, Kind, Lines) :-
+    sg_cli:running,
+    sg_cli:shown(Kind, Term, Lines).
+
+:- public shown/3.
+
+shown(error, Term, Lines) :-
+    print_prefixed('', Term, Lines).
+shown(warning, Term, Lines) :-
+    flag(sg_cli_warnings, N, N+1),
+    usage_language(Language),
+    warning_word(Language, Word),
+    print_prefixed(Word, Term, Lines).
+shown(informational, Term, Lines) :-
+    (   quiet
+    ->  true
+    ;   print_prefixed('', Term, Lines)
+    ).
+
+warning_word(en, 'warning: ').
+warning_word(ko, '경고: ').
+
+print_prefixed(Word, Term, Lines) :-
+    (   Term = error(model_error(_), location(_, _, _))
+    ->  format(atom(Prefix), '~~N~w', [Word])
+    ;   format(atom(Prefix), '~~Nsanggwan: ~w', [Word])
+    ),
+    prefix_first(Lines, Prefix, Prefixed),
+    print_message_lines(user_error, '', Prefixed).
+
+prefix_first(Lines, Prefix, [Prefix-[]|Prefixed]) :-
+    append(Lines, [nl], Prefixed).

@@ -1,0 +1,313 @@
+:- encoding(utf8).
+:- module(sg_messages_ko,
+          [ korean//1,                  % +Term
+            fault_ko//1                 % +What
+          ]).
+:- use_module(messages, [primitive_form//1]).
+:- autoload(library(apply), [maplist/3]).
+/** <module> Messages in Korean; messages.pl has them in English.
+
+The heads are the same as in messages.pl, clause by clause
+(tests/rules/messages.plt).
+*/
+
+:- multifile prolog:message//2.
+
+prolog:message(ko, Term) -->
+    korean(Term).
+
+%!  korean(+Term)// is semidet.
+%
+%   The message for Term in Korean.
+
+korean(error(model_error(What), location(File, Line, Column))) -->
+    place(File, Line, Column),
+    fault_ko(What).
+korean(error(model_error(What), Context)) -->
+    { var(Context) },
+    fault_ko(What).
+korean(error(geometry_error(What), _)) -->
+    fault_ko(What).
+korean(error(usage_error(What), _)) -->
+    usage_ko(What).
+korean(sanggwan(What)) -->
+    notice_ko(What).
+
+place(File, Line, _) -->
+    { Line =:= 0 },
+    !,
+    [ '~w: '-[File] ].
+place(File, Line, Column) -->
+    { Column =:= 0 },
+    !,
+    [ '~w:~d: '-[File, Line] ].
+place(File, Line, Column) -->
+    [ '~w:~d:~d: '-[File, Line, Column] ].
+
+:- discontiguous
+    fault_ko//1,
+    notice_ko//1.
+
+%!  fault_ko(+What)// is semidet.
+%
+%   What is wrong with a model, and what to do.
+
+
+                /*******************************
+                *     model_text, model_file   *
+                *******************************/
+
+fault_ko(cannot_read(missing)) -->
+    [ '그런 파일이 없습니다', nl,
+      '  이름과 폴더를 확인하십시오.' ].
+fault_ko(cannot_read(directory)) -->
+    [ '파일이 아니라 폴더입니다', nl,
+      '  그 안의 파일을 지정하십시오.' ].
+fault_ko(cannot_read(permission)) -->
+    [ '파일을 읽을 권한이 없습니다', nl,
+      '  접근 권한을 확인하십시오.' ].
+fault_ko(cannot_read(io)) -->
+    [ '파일을 끝까지 읽을 수 없습니다', nl,
+      '  디스크를 확인하거나 파일을 다시 복사하십시오.' ].
+fault_ko(cannot_read(Why)) -->
+    { \+ memberchk(Why, [missing, directory, permission, io]) },
+    [ '파일을 읽을 수 없습니다: ~p'-[Why] ].
+fault_ko(syntax(end_of_file)) -->
+    [ '사실의 중간에서 파일이 끝납니다', nl,
+      '  파일이 잘렸을 수 있습니다. 사실은 마침표로 끝납니다.' ].
+fault_ko(syntax(end_of_file_in_quoted(_))) -->
+    [ '여기서 시작한 따옴표가 닫히지 않고 파일이 끝납니다', nl,
+      '  따옴표를 닫거나 온전한 파일을 구하십시오.' ].
+fault_ko(syntax(too_deep)) -->
+    [ '항이 너무 깊게 겹쳐 있어 읽을 수 없습니다', nl,
+      '  수, 아톰, 짧은 리스트로 사실을 쓰십시오.' ].
+fault_ko(syntax(Message)) -->
+    { \+ memberchk(Message, [end_of_file, end_of_file_in_quoted(_),
+                             too_deep]) },
+    [ '프롤로그 글이 아닙니다: ~w'-[Message], nl,
+      '  v(1, 1, 0.0, 0.0, 0.0). 과 같은 사실을 마침표와 함께 쓰십시오.' ].
+fault_ko(too_long(Most)) -->
+    [ '사실 하나가 ~D 글자보다 깁니다'-[Most], nl,
+      '  마침표나 따옴표가 빠지지 않았습니까? 아니면 플래그 \c
+       sanggwan_longest_fact 를 올리십시오.' ].
+fault_ko(early_end) -->
+    [ '파일 중간에 end_of_file 이 있습니다', nl,
+      '  지우십시오. 뒤의 내용을 잃게 됩니다.' ].
+fault_ko(directive(Goal)) -->
+    [ '모델 파일에 지시문이 있습니다: :- ~p'-[Goal], nl,
+      '  모델은 자료이며 실행되지 않습니다. 규칙은 --rules FILE 로 주십시오.' ].
+fault_ko(rule(Head)) -->
+    [ '모델 파일에 규칙이 있습니다: ~p :- ...'-[Head], nl,
+      '  모델은 사실로만 된 자료입니다. 규칙은 --rules FILE 로 주십시오.' ].
+fault_ko(no_fact(Term)) -->
+    [ '사실이 아닙니다: ~p'-[Term], nl,
+      '  v(1, 1, 0.0, 0.0, 0.0). 과 같은 사실을 쓰십시오.' ].
+fault_ko(unknown_relation(Name, Arity)) -->
+    [ '관계 ~q/~d 은(는) 없습니다'-[Name, Arity], nl,
+      '  모델의 관계: v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, \c
+       line/9, curve/2, view/3, projection/1.' ].
+fault_ko(arity(Name, Arity, Wanted)) -->
+    [ '~w 의 인수가 ~d개입니다. ~d개여야 합니다'-[Name, Arity, Wanted], nl,
+      '  ~w/~d 의 설명과 비교하십시오.'-[Name, Wanted] ].
+fault_ko(computed(Name)) -->
+    [ '~w 은(는) 시점에서 계산되므로 파일에 둘 수 없습니다'-[Name], nl,
+      '  지우십시오. draw 가 다시 만듭니다.' ].
+fault_ko(value(Relation, Column, Value, Expected)) -->
+    [ '~w 의 ~w 이(가) ~p 입니다. 있어야 할 것: '-
+      [Relation, Column, Value] ],
+    expected_ko(Expected).
+fault_ko(missing(Relation, S, Id)) -->
+    { relation_word(Relation, Word) },
+    [ '세그먼트 ~d 에 ~w ~d 이(가) 없습니다'-[S, Word, Id], nl,
+      '  추가하거나 번호를 고치십시오.' ].
+fault_ko(twice(Name, Key)) -->
+    [ '~w 사실이 둘 있습니다: '-[Name] ],
+    key_ko(Key),
+    [ nl, '  하나를 지우거나 다른 번호를 주십시오.' ].
+fault_ko(polygon(S, P, Why)) -->
+    [ '세그먼트 ~d 의 다각형 ~d: '-[S, P] ],
+    polygon_ko(Why).
+fault_ko(chain(S, V)) -->
+    [ '세그먼트 ~d 의 곡선이 꼭지점 ~d 에서 자기 자신으로 갑니다'-[S, V], nl,
+      '  꼭지점을 한 번씩만 쓰십시오.' ].
+fault_ko(primitive(What, Term)) -->
+    primitive_ko(What, Term).
+fault_ko(kind(Term, Kind, Wanted)) -->
+    { primitive_name(Term, Name) },
+    [ '~w 의 종류는 ~w 이며 ~w 이(가) 아닙니다'-[Name, Wanted, Kind], nl,
+      '  segment(S, ~w, ~w(...)) 로 쓰십시오.'-[Wanted, Name] ].
+fault_ko(no_vertices(S, Name)) -->
+    [ '세그먼트 ~d 에 꼭지점이 없고 ~p 은(는) 기본 입체가 아닙니다'-[S, Name],
+      nl,
+      '  v/5 와 p/3 을 주거나 box, cylinder, cone, pyramid, rectangle, \c
+       line, at([...], ...) 를 쓰십시오.' ].
+fault_ko(no_edges(S)) -->
+    [ '세그먼트 ~d 에 다각형도 모서리도 없습니다'-[S], nl,
+      '  p/3, e/5 또는 curve/2 를 추가하십시오.' ].
+fault_ko(empty) -->
+    [ '모델이 비어 있습니다', nl,
+      '  꼭지점과 다각형이 있는 세그먼트를 하나 이상 주십시오.' ].
+fault_ko(refused(Row, Error)) -->
+    [ '사실 ~p 은(는) 불가능합니다: ~p'-[Row, Error] ].
+fault_ko(unknown_format(Format, Formats)) -->
+    { atomic_list_concat(Formats, ' .', All) },
+    [ '.~w 형식은 모릅니다'-[Format], nl,
+      '  모델의 확장자는 .~w 입니다.'-[All] ].
+
+expected_ko(id) -->
+    [ '양의 정수', nl,
+      '  세그먼트, 꼭지점, 모서리, 다각형의 번호는 1부터입니다.' ].
+expected_ko(ids) -->
+    [ '양의 정수의 리스트' ].
+expected_ko(steps) -->
+    [ '정수의 리스트', nl,
+      '  [1, 2, 3] 처럼 다각형의 꼭지점을 쓰십시오. 음수는 건너뜀입니다.' ].
+expected_ko(chain) -->
+    [ '둘 이상의 꼭지점 번호의 리스트' ].
+expected_ko(float) -->
+    [ '수', nl, '  -1.5 나 2.0e-3 처럼 숫자로 쓰십시오.' ].
+expected_ko(distance) -->
+    [ '0 이상의 수 (0: 필요한 만큼 멀리)' ].
+expected_ko(finite) -->
+    [ '유한한 수', nl,
+      '  무한대와 NaN 은 자리가 아닙니다. 그것을 쓴 프로그램을 고치십시오.' ].
+expected_ko(within(Most)) -->
+    [ '-~w 과 ~w 사이'-[Most, Most], nl,
+      '  다른 단위를 쓰십시오. 이 크기로는 계산할 수 없습니다.' ].
+expected_ko(ground) -->
+    [ '아톰, 수, 또는 그것으로 된 복합항', nl,
+      '  변수와 "문자열"은 안 됩니다. 이름은 \'이렇게\' 따옴표로 쓰십시오.' ].
+expected_ko(atom) -->
+    [ '아톰' ].
+expected_ko(one_of(Atoms)) -->
+    { atomic_list_concat(Atoms, ', ', Text) },
+    [ '다음의 하나: ~w'-[Text] ].
+
+relation_word(v, '꼭지점').
+relation_word(e, '모서리').
+relation_word(p, '다각형').
+
+key_ko(Key) -->
+    (   { is_list(Key) }
+    ->  { atomic_list_concat(Key, ', ', Text) },
+        [ '번호 ~w'-[Text] ]
+    ;   [ '하나만 있을 수 있습니다' ]
+    ).
+
+polygon_ko(list) -->
+    [ '리스트의 건너뜀이 갈 곳이 없습니다', nl,
+      '  음수는 닫힌 고리 다음에 와서 새 고리를 시작합니다: \c
+       [1,2,3,1,-4,5,6,4].' ].
+polygon_ko(edges(N)) -->
+    [ '모서리가 ~d개입니다. 셋 이상이어야 합니다'-[N] ].
+polygon_ko(open(V)) -->
+    [ '꼭지점 ~d 에서 닫히지 않습니다'-[V], nl,
+      '  꼭지점마다 들어오는 모서리와 나가는 모서리의 수가 같아야 합니다. \c
+       건너뛴 고리는 첫 꼭지점을 다시 써서 닫으십시오.' ].
+polygon_ko(twice(V1, V2)) -->
+    [ '~d 에서 ~d 로 가는 모서리가 둘 있습니다'-[V1, V2], nl,
+      '  한 걸음은 한 번만 쓰십시오. 구멍은 반대로 돕니다.' ].
+polygon_ko(no_edge(V)) -->
+    [ '꼭지점 ~d 에서 자기 자신으로 가는 모서리가 있습니다'-[V], nl,
+      '  꼭지점을 한 번만 쓰십시오.' ].
+
+primitive_name(at(_, Term), Name) :-
+    !,
+    primitive_name(Term, Name).
+primitive_name(Term, Name) :-
+    functor(Term, Name, _).
+
+primitive_ko(unknown, Term) -->
+    [ '~p 은(는) 기본 입체가 아닙니다'-[Term], nl,
+      '  box, cylinder, cone, pyramid, rectangle, line 과 \c
+       at([Step, ...], Primitive) 가 있습니다.' ].
+primitive_ko(unknown_argument(A), Term) -->
+    { primitive_name(Term, Name) },
+    [ '~w 에는 인수 ~p 이(가) 없습니다'-[Name, A], nl ],
+    primitive_form(Name).
+primitive_ko(missing(Argument), Term) -->
+    { primitive_name(Term, Name) },
+    [ '~w 에 ~w(...) 이(가) 필요합니다'-[Name, Argument], nl ],
+    primitive_form(Name).
+primitive_ko(twice(Argument), Term) -->
+    { primitive_name(Term, Name) },
+    [ '~w 에 ~w(...) 이(가) 둘 있습니다'-[Name, Argument], nl ],
+    primitive_form(Name).
+primitive_ko(wrong_argument(A, Types), _) -->
+    { functor(A, Name, _),
+      maplist(type_ko, Types, Words),
+      atomic_list_concat(Words, ', ', Text) },
+    [ '~p 은(는) ~w(~w) 이어야 합니다'-[A, Name, Text] ].
+primitive_ko(no_step(Step), _) -->
+    [ '~p 은(는) 배치 단계가 아닙니다'-[Step], nl,
+      '  translate(X, Y, Z) 와 rotate(Axis, Degrees) 가 있으며 Axis 는 \c
+       x, y, z 입니다.' ].
+primitive_ko(no_list(Steps), _) -->
+    [ 'at/2 에는 ~p 이(가) 아니라 단계의 리스트가 필요합니다'-[Steps] ].
+primitive_ko(no_length, Term) -->
+    [ '~p 은(는) 시작한 곳에서 끝납니다'-[Term] ].
+
+type_ko(length, '0보다 큰 길이').
+type_ko(radius, '0 이상의 반지름').
+type_ko(facets, '3 이상의 정수').
+type_ko(number, '수').
+
+
+                /*******************************
+                *              cli             *
+                *******************************/
+
+usage_ko(no_verb) -->
+    [ '무엇을 할까요?', nl, '  sanggwan --help 를 보십시오.' ].
+usage_ko(unknown_verb(Verb)) -->
+    [ '~w 이라는 동사는 없습니다'-[Verb], nl,
+      '  sanggwan --help 를 보십시오.' ].
+usage_ko(unknown_option(Text)) -->
+    [ '모르는 선택 사항 ~w'-[Text] ].
+usage_ko(no_value(Text)) -->
+    [ '~w 에는 값이 없습니다'-[Text] ].
+usage_ko(needs_value(Text)) -->
+    [ '~w 에 값이 필요합니다'-[Text] ].
+usage_ko(option_twice(Text)) -->
+    [ '~w 이(가) 두 번 주어졌습니다'-[Text] ].
+usage_ko(bad_value(Text, Value, one_of(Words))) -->
+    { atomic_list_concat(Words, ', ', All) },
+    [ '~w: ~w 은(는) ~w 의 하나가 아닙니다'-[Text, Value, All] ].
+usage_ko(bad_value(Text, Value, number(Low))) -->
+    [ '~w: ~w 은(는) ~w 이상의 수가 아닙니다'-[Text, Value, Low] ].
+usage_ko(bad_value(Text, Value, Form)) -->
+    { atom(Form) },
+    [ '~w: ~w 은(는) ~w 꼴이어야 합니다'-[Text, Value, Form] ].
+usage_ko(no_files(What)) -->
+    [ '~w 이(가) 없습니다'-[What] ].
+usage_ko(no_output) -->
+    [ '결과를 어디에 둘까요? -o FILE 을 주십시오 (- 는 표준 출력)' ].
+usage_ko(ending(File, Endings)) -->
+    { atomic_list_concat(Endings, ' .', All) },
+    [ '~w: 확장자가 형식을 정합니다. 쓸 수 있는 것: .~w'-[File, All] ].
+usage_ko(no_folder(Folder)) -->
+    [ '결과를 둘 폴더가 없습니다: ~w'-[Folder], nl,
+      '  먼저 만드십시오.' ].
+usage_ko(no_segment(S, Known)) -->
+    { atomic_list_concat(Known, ', ', All) },
+    [ '세그먼트 ~w 은(는) 없습니다. 있는 것: ~w'-[S, All] ].
+usage_ko(bad_goal(Text, Why)) -->
+    [ '목표가 아닙니다: ~w (~w)'-[Text, Why] ].
+
+notice_ko(do_not_meet) -->
+    [ '세그먼트들이 만나지 않아 상관선이 없습니다' ].
+notice_ko(one_segment) -->
+    [ '세그먼트가 하나뿐이라 상관선이 없습니다' ].
+notice_ko(wrote(File)) -->
+    [ '~w 을(를) 썼습니다'-[File] ].
+notice_ko(interrupted) -->
+    [ '중단되었습니다' ].
+notice_ko(no_answer) -->
+    [ '아니오' ].
+notice_ko(warnings_are_errors(N)) -->
+    [ '경고 ~d개, --strict 가 주어졌습니다'-[N] ].
+notice_ko(progress(Stage, Seconds)) -->
+    [ '~w: ~0f초'-[Stage, Seconds] ].
+notice_ko(progress(Stage, Done, Total, Rate, Left)) -->
+    [ '~w: ~D / ~D, 초당 ~0f, 남은 시간 ~0f초'-
+      [Stage, Done, Total, Rate, Left] ].

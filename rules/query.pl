@@ -1,0 +1,246 @@
+:- module(sg_query,
+          [ query/2,                    % :Goal, +Options
+            read_goal/3                 % +Text, -Goal, -Bindings
+          ]).
+:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- autoload(library(http/json), [json_write_dict/3]).
+:- autoload(library(lists), [member/2]).
+:- autoload(library(option), [option/3]).
+:- autoload(library(pairs), [pairs_keys_values/3]).
+:- autoload(library(solution_sequences), [limit/2]).
+/** <module> All answers of a goal, as a table, CSV, JSON or Prolog.
+*/
+
+:- meta_predicate query(:, +).
+
+%!  read_goal(+Text, -Goal, -Bindings) is det.
+%
+%   Goal is the term that Text holds, Bindings has Name-Variable for each
+%   variable that does not begin with an underscore, in the order of Text.
+%
+%   @error usage_error(bad_goal(Text, Why))
+
+read_goal(Text, Goal, Bindings) :-
+    catch(term_string(Goal, Text, [variable_names(Names)]),
+          error(syntax_error(Why), _), bad_goal(Text, Why)),
+    (   callable(Goal)
+    ->  true
+    ;   bad_goal(Text, not_callable)
+    ),
+    findall_named(Names, Bindings).
+
+bad_goal(Text, Why) :-
+    throw(error(usage_error(bad_goal(Text, Why)), _)).
+
+findall_named([], []).
+findall_named([Name=Variable|Names], Bindings) :-
+    (   sub_atom(Name, 0, _, _, '_')
+    ->  Bindings = Bindings1
+    ;   Bindings = [Name-Variable|Bindings1]
+    ),
+    findall_named(Names, Bindings1).
+
+%!  query(:Goal, +Options) is semidet.
+%
+%   Print every answer of Goal on the current output, in the order they are
+%   found. True if there is one. Options:
+%
+%     - bindings(List): Name-Variable of what is printed, as read_goal/3 gives
+%     - format(F): `table` (default), `csv`, `json` (a list of objects) or
+%       `prolog` (the goal with its answers, one a line, that read back)
+%     - limit(N): the first N answers
+
+query(Module:Goal, Options) :-
+    option(bindings(Bindings), Options, []),
+    option(format(Format), Options, table),
+    option(limit(Limit), Options, infinite),
+    pairs_keys_values(Bindings, Names, Values),
+    answers(Format, Names, Values, Goal, limited(Limit, Module:Goal), Count),
+    Count > 0.
+
+limited(infinite, Goal) :-
+    !,
+    call(Goal).
+limited(N, Goal) :-
+    limit(N, Goal).
+
+%   answers(Format, Names, Values, Goal, Answer, Count): call Answer for every
+%   answer and print it; Count of them there were.
+
+answers(table, Names, Values, _, Answer, Count) :-
+    findall(Values, Answer, Rows),
+    length(Rows, Count),
+    print_table(Names, Rows).
+answers(csv, Names, Values, _, Answer, Count) :-
+    (   Names == []
+    ->  true
+    ;   csv_line(Names)
+    ),
+    counted(Answer, csv_line(Values), Count).
+answers(json, Names, Values, _, Answer, Count) :-
+    format("["),
+    State = count(0),
+    forall(Answer,
+           ( arg(1, State, N0),
+             N is N0+1,
+             nb_setarg(1, State, N),
+             (   N0 =:= 0
+             ->  format("~n  ")
+             ;   format(",~n  ")
+             ),
+             json_object(Names, Values) )),
+    arg(1, State, Count),
+    format("~n]~n").
+answers(prolog, _, _, Goal, Answer, Count) :-
+    counted(Answer, prolog_line(Goal), Count).
+
+:- meta_predicate counted(0, 0, -).
+
+counted(Answer, Print, Count) :-
+    State = count(0),
+    forall(Answer,
+           ( call(Print),
+             arg(1, State, N0),
+             N is N0+1,
+             nb_setarg(1, State, N) )),
+    arg(1, State, Count).
+
+%   lettered(Term0, Term): unbound variables of an answer are A, B, ..., so that
+%   the same answer always gives the same text.
+
+lettered(Term0, Term) :-
+    copy_term(Term0, Term, _),
+    numbervars(Term, 0, _).
+
+csv_line([]) :-
+    !.
+csv_line(Values0) :-
+    lettered(Values0, Values),
+    maplist(csv_cell, Values, Cells),
+    atomic_list_concat(Cells, ',', Line),
+    format("~w~n", [Line]).
+
+%   csv_cell(Value, Cell): in double quotes where RFC 4180 asks for them; lines
+%   end with a newline alone.
+
+csv_cell(Value, Cell) :-
+    (   ( atom(Value) ; string(Value) )
+    ->  format(string(Text), "~w", [Value])
+    ;   format(string(Text), "~q", [Value])
+    ),
+    split_string(Text, "\"", "", Parts),
+    (   Parts = [_],
+        split_string(Text, ",\r\n", "", [_])
+    ->  Cell = Text
+    ;   atomic_list_concat(Parts, '""', Inner),
+        format(string(Cell), "\"~w\"", [Inner])
+    ).
+
+rational_only(Value) :-
+    rational(Value),
+    \+ integer(Value).
+
+json_object(Names, Values0) :-
+    lettered(Values0, Values),
+    maplist(json_value, Values, Jsons),
+    pairs_keys_values(Pairs, Names, Jsons),
+    dict_pairs(Dict, _, Pairs),
+    json_write_dict(current_output, Dict, [width(0)]).
+
+json_value(Value, Value) :-
+    number(Value),
+    \+ rational_only(Value),
+    (   float(Value)
+    ->  float_class(Value, Class),
+        Class \== nan,
+        Class \== infinite
+    ;   true
+    ),
+    !.
+json_value(Value, Value) :-
+    ( atom(Value) ; string(Value) ),
+    !.
+json_value(Values, Jsons) :-
+    is_list(Values),
+    !,
+    maplist(json_value, Values, Jsons).
+json_value(Value, Json) :-
+    format(string(Json), '~q', [Value]).
+
+prolog_line(Goal0) :-
+    lettered(Goal0, Goal),
+    write_term(Goal, [ quoted(true), spacing(next_argument),
+                       numbervars(true), fullstop(true), nl(true) ]).
+
+%   print_table(Names, Rows): columns as wide as their widest cell; numbers to
+%   the right.
+
+print_table([], Rows) :-
+    !,
+    (   Rows == []
+    ->  true
+    ;   format("yes~n")
+    ).
+print_table(_, []) :-
+    !.
+print_table(Names, Rows) :-
+    maplist(row_texts, Rows, TextRows),
+    TextRows = [First|_],
+    maplist(head_cell, Names, First, Heads),
+    foldl(row_widths, [Heads|TextRows], [], Widths),
+    print_row(Heads, Widths),
+    forall(member(Row, TextRows), print_row(Row, Widths)).
+
+row_texts(Values0, Cells) :-
+    lettered(Values0, Values),
+    maplist(value_cell, Values, Cells).
+
+value_cell(Value, cell(Side, Text)) :-
+    (   number(Value)
+    ->  Side = right
+    ;   Side = left
+    ),
+    format(string(Text), '~p', [Value]).
+
+%   The head stands over its column: to the right over numbers.
+
+head_cell(Name, cell(Side, _), cell(Side, Name)).
+
+row_widths(Cells, [], Widths) :-
+    !,
+    maplist(cell_width, Cells, Widths).
+row_widths(Cells, Widths0, Widths) :-
+    maplist(wider, Cells, Widths0, Widths).
+
+cell_width(cell(_, Text), Width) :-
+    string_length(Text, Width).
+
+wider(Cell, Width0, Width) :-
+    cell_width(Cell, Width1),
+    Width is max(Width0, Width1).
+
+print_row(Cells, Widths) :-
+    row_parts(Cells, Widths, Texts),
+    atomics_to_string(Texts, Line),
+    format("~s~n", [Line]).
+
+%   row_parts(Cells, Widths, Texts): nothing follows the last text.
+
+row_parts([cell(left, Text)], _, [Text]) :-
+    !.
+row_parts([Cell|Cells], [Width|Widths], [Padded|Texts]) :-
+    padded(Cell, Width, Padded),
+    (   Cells == []
+    ->  Texts = []
+    ;   Texts = ["  "|Texts1],
+        row_parts(Cells, Widths, Texts1)
+    ).
+
+padded(cell(Side, Text), Width, Padded) :-
+    string_length(Text, Length),
+    Pad is Width-Length,
+    format(string(Spaces), "~` t~*|", [Pad]),
+    (   Side == right
+    ->  string_concat(Spaces, Text, Padded)
+    ;   string_concat(Text, Spaces, Padded)
+    ).

@@ -1,0 +1,276 @@
+:- module(sg_verbs,
+          [ verb_run/4                  % +Verb, +Files, +Options, -Status
+          ]).
+:- use_module(chain, []).
+:- use_module(check, [check_report/1, print_report/2, report_faults/2]).
+:- use_module(drawing, [write_drawing/2]).
+:- use_module(hidden_lines, [picture/1]).
+:- use_module(lines_out, [write_lines/1]).
+:- use_module(model, [load_model/2, save_model/2]).
+:- use_module(penetration, [penetrate/0]).
+:- use_module(query, [query/2, read_goal/3]).
+:- use_module(repl, [repl/0]).
+:- use_module(stage, [stage/2]).
+:- use_module(store, [segment/3, line/9]).
+:- use_module(view, [set_view/1, set_view/3, set_projection/1, named_view/3]).
+:- autoload(library(apply), [maplist/2, maplist/3]).
+:- autoload(library(filesex), [directory_file_path/3]).
+:- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(option), [option/2, option/3]).
+/** <module> What each verb of the command line does.
+
+A verb loads its models into the current world, which is empty, and goes the
+way of the data as far as it needs to. Its result is an exit status: 0, or 1
+when the answer is no.
+*/
+
+%!  verb_run(+Verb, +Files, +Options, -Status) is det.
+%
+%   Do what Verb says with Files and Options, as arguments.pl gives them.
+
+verb_run(check, Files, Options, Status) :-
+    some_files(Files, 'MODEL'),
+    load_model(Files, Options),
+    check_report(Report),
+    (   option(json(true), Options)
+    ->  print_report(json, Report)
+    ;   print_report(text, Report)
+    ),
+    (   report_faults(Report, 0)
+    ->  Status = 0
+    ;   Status = 1
+    ).
+verb_run(convert, Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    outputs(Options, [pl, stl, off, obj, ply], Outputs),
+    some_outputs(Outputs),
+    load_model(Files, Options),
+    maplist(output_written(model_output(Options)), Outputs).
+verb_run(penetrate, Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    outputs(Options, [pl, obj, csv, svg], Outputs0),
+    (   Outputs0 == []
+    ->  Outputs = [output(-, pl)]
+    ;   Outputs = Outputs0
+    ),
+    load_model(Files, Options),
+    penetrated,
+    maplist(output_written(lines_output), Outputs).
+verb_run(draw, Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    outputs(Options, [svg, png, json], Outputs),
+    some_outputs(Outputs),
+    picture_options(Options, PictureOptions),
+    drawing_options(Options, DrawingOptions),
+    eye(Options, Eye),
+    load_model(Files, Options),
+    known_segments(PictureOptions),
+    (   several_segments
+    ->  penetrated
+    ;   true
+    ),
+    maplist(call, Eye),
+    picture(PictureOptions),
+    maplist(output_written(drawing_output(DrawingOptions)), Outputs).
+verb_run(query, Arguments, Options, Status) :-
+    (   append(Files, [Text], Arguments)
+    ->  true
+    ;   usage_error(no_files('GOAL'))
+    ),
+    some_files(Files, 'MODEL'),
+    read_goal(Text, Goal, Bindings),
+    query_format(Options, Format),
+    load_model(Files, Options),
+    option(limit(Limit), Options, infinite),
+    (   query(user:Goal, [bindings(Bindings), format(Format), limit(Limit)])
+    ->  Status = 0
+    ;   Status = 1,
+        print_message(informational, sanggwan(no_answer))
+    ).
+verb_run(repl, Files, Options, 0) :-
+    (   Files == []
+    ->  true
+    ;   load_model(Files, Options)
+    ),
+    repl.
+
+some_files([], What) :-
+    !,
+    usage_error(no_files(What)).
+some_files(_, _).
+
+usage_error(What) :-
+    throw(error(usage_error(What), _)).
+
+several_segments :-
+    segment(A, _, _),
+    segment(B, _, _),
+    A \== B,
+    !.
+
+%   penetrated: the segments cut each other, or a notice says why not.
+
+penetrated :-
+    penetrate,
+    (   \+ several_segments
+    ->  print_message(informational, sanggwan(one_segment))
+    ;   line(_, _, _, _, _, _, _, _, _)
+    ->  true
+    ;   origin(_, v(_), _)
+    ->  true
+    ;   print_message(informational, sanggwan(do_not_meet))
+    ).
+
+
+                /*******************************
+                *            OUTPUTS           *
+                *******************************/
+
+%   outputs(Options, Formats, Outputs): output(File, Format) of every -o, the
+%   ending checked before any work is done; the first of Formats is the default
+%   of standard output.
+
+outputs(Options, Formats, Outputs) :-
+    option(output(Files), Options, []),
+    Formats = [First|_],
+    option(format(Default), Options, First),
+    maplist(output(Formats, Default), Files, Outputs).
+
+output(_, Default, -, output(-, Default)) :-
+    !.
+output(Formats, _, File, output(File, Format)) :-
+    file_name_extension(_, Ending, File),
+    downcase_atom(Ending, Format),
+    (   memberchk(Format, Formats)
+    ->  folder_exists(File)
+    ;   usage_error(ending(File, Formats))
+    ).
+
+%   A missing folder is found out before the work, not after it.
+
+folder_exists(File) :-
+    file_directory_name(File, Folder),
+    (   exists_directory(Folder)
+    ->  true
+    ;   usage_error(no_folder(Folder))
+    ).
+
+some_outputs([]) :-
+    !,
+    usage_error(no_output).
+some_outputs(_).
+
+:- meta_predicate output_written(1, +).
+
+%   output_written(Writer, Output): Writer gets a file name with the ending of
+%   the format. Standard output gets the bytes of a temporary file, so every
+%   writer knows files only.
+
+output_written(Writer, output(-, Format)) :-
+    !,
+    setup_call_cleanup(
+        tmp_file_stream(File, Temporary, [encoding(binary), extension(Format)]),
+        ( close(Temporary),
+          call(Writer, File),
+          copied_out(File)
+        ),
+        delete_file(File)).
+output_written(Writer, output(File, _)) :-
+    call(Writer, File),
+    print_message(informational, sanggwan(wrote(File))).
+
+copied_out(File) :-
+    set_stream(user_output, type(binary)),
+    setup_call_cleanup(
+        open(File, read, In, [type(binary)]),
+        copy_stream_data(In, user_output),
+        close(In)),
+    flush_output(user_output).
+
+model_output(_, File) :-
+    save_model(File, []).
+
+lines_output(File) :-
+    stage(write, write_lines(File)).
+
+drawing_output(Options, File) :-
+    stage(write, write_drawing(File, Options)).
+
+
+                /*******************************
+                *            OPTIONS           *
+                *******************************/
+
+picture_options(Options, Picture) :-
+    option(lines(Lines), Options, feature),
+    (   option(segment(Texts), Options)
+    ->  maplist(segment_number, Texts, Ss),
+        Picture = [lines(Lines), segments(Ss)]
+    ;   Picture = [lines(Lines)]
+    ).
+
+segment_number(Text, S) :-
+    (   atom_number(Text, S),
+        integer(S),
+        S > 0
+    ->  true
+    ;   usage_error(bad_value('--segment', Text, 'N'))
+    ).
+
+known_segments(Picture) :-
+    (   option(segments(Ss), Picture),
+        member(S, Ss),
+        \+ segment(S, _, _)
+    ->  findall(Known, segment(Known, _, _), All),
+        usage_error(no_segment(S, All))
+    ;   true
+    ).
+
+drawing_options(Options, Drawing) :-
+    findall(Option, drawing_option(Options, Option), Drawing).
+
+drawing_option(Options, hidden(Hidden)) :-
+    option(hidden(Hidden), Options).
+drawing_option(Options, size(Size)) :-
+    option(size(Size), Options),
+    (   split_string(Size, "x", "", [W, H]),
+        positive(W, _),
+        positive(H, _)
+    ->  true
+    ;   usage_error(bad_value('--size', Size, 'WxH'))
+    ).
+
+positive(Text, Number) :-
+    catch(number_string(Number, Text), error(_, _), fail),
+    Number > 0.
+
+%   eye(Options, Goals): Goals set the view and the projection.
+
+eye(Options, Goals) :-
+    findall(Goal, eye_goal(Options, Goal), Goals).
+
+eye_goal(Options, Goal) :-
+    option(view(View), Options),
+    (   named_view(View, _, _)
+    ->  Goal = set_view(View)
+    ;   split_string(View, ",", " ", Parts),
+        maplist(angle, Parts, Numbers),
+        eye_numbers(Numbers, Goal)
+    ->  true
+    ;   usage_error(bad_value('--view', View, 'THETA,PHI[,RHO]'))
+    ).
+eye_goal(Options, set_projection(Kind)) :-
+    option(projection(Kind), Options).
+
+eye_numbers([Theta, Phi], set_view(Theta, Phi, 0)).
+eye_numbers([Theta, Phi, Rho], set_view(Theta, Phi, Rho)) :-
+    Rho >= 0.
+
+angle(Text, Number) :-
+    catch(number_string(Number, Text), error(_, _), fail).
+
+query_format(Options, Format) :-
+    (   option(json(true), Options)
+    ->  Format = json
+    ;   option(format(Format), Options, table)
+    ).
