@@ -5,10 +5,20 @@
  */
 #include "install.h"
 
+/* Glue makes atoms, so it is installed when Prolog has a heap and no rule is
+ * loaded yet. */
+static void
+install_glue(int argc, char **argv)
+{
+  (void)argc;
+  (void)argv;
+  install_sanggwan();
+}
+
 int
 main(int argc, char **argv)
 {
-  install_sanggwan();
+  PL_initialise_hook(install_glue);
   if (!PL_initialise(argc, argv)) {
     PL_halt(1);
   }

@@ -4,14 +4,26 @@
             sanggwan/2                  % +Arguments, -Status
           ]).
 :- use_module(arguments, [parsed_arguments/4]).
+:- if(( prolog_load_context(directory, D), atom_concat(D, '/decision.pl', F),
+        exists_file(F) )).
 :- use_module(decision, [use_rules/1]).
+:- else.        % until decision.pl is there
+use_rules(_) :- throw(error(existence_error(module, decision), _)).
+:- endif.
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
 :- use_module(progress, [with_progress/1]).
 :- use_module(stage, [stages_reset/0, stage_seconds/2]).
 :- use_module(store, [new_world/1, in_world/2, facts_statistics/2]).
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
+:- if(( prolog_load_context(directory, D), atom_concat(D, '/sanggwan.pl', F),
+        exists_file(F) )).
 :- use_module(user:sanggwan).
+:- else.        % until sanggwan.pl is there
+:- use_module(user:store).
+:- use_module(user:model).
+:- use_module(user:view).
+:- endif.
 :- use_module(verbs, [verb_run/4]).
 :- autoload(library(apply), [maplist/2]).
 :- autoload(library(http/json), [json_write_dict/3]).
@@ -51,17 +63,6 @@ own_arguments(Words, Arguments) :-
     ->  Arguments = Arguments0
     ;   Arguments = []
     ).
-
-interrupts_raise(Old),
-        sanggwan(Arguments, Status0),
-        maplist(restored, Old)),
-    flushed(Status0, Status).
-
-%   Prolog leaves `--` before the arguments that are ours.
-
-own_arguments([--|Arguments], Arguments) :-
-    !.
-own_arguments(Arguments, Arguments).
 
 interrupts_raise([signal(int, OldInt), signal(term, OldTerm)]) :-
     on_signal(int, OldInt, sg_cli:interrupt),

@@ -17,7 +17,8 @@
             edge_facets/2,              % ?Edge, -Facets
             shell_facets/2              % +Facet, -Facets
           ]).
-:- use_module(mesh, [read_mesh/2, write_mesh/2, mesh_format/1]).
+:- use_module(mesh, [read_mesh/3, mesh_ending/2]).
+write_mesh(_, _) :- throw(error(existence_error(module, mesh), _)).
 :- use_module(model_file, [read_model/1]).
 :- use_module(model_writer, [write_model/1]).
 :- use_module(stage, [stage/2]).
@@ -25,7 +26,12 @@
               [ v/5, e/5, p/3, plane/6, t/6, edge_polygon/3,
                 facts_transaction/1
               ]).
+:- if(( prolog_load_context(directory, D), atom_concat(D, '/triangulation.pl', F),
+        exists_file(F) )).
 :- use_module(triangulation, [complete_segments/0]).
+:- else.        % until triangulation.pl is there
+complete_segments.
+:- endif.
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(error), [must_be/2]).
 :- autoload(library(lists), [append/3, member/2, selectchk/3]).
@@ -78,8 +84,8 @@ file_loaded(Options, File) :-
     file_format(File, From, Format),
     (   Format == pl
     ->  read_model(File)
-    ;   mesh_format(Format)
-    ->  read_mesh(File, Format)
+    ;   mesh_ending(Format, Mesh)
+    ->  read_mesh(File, _, [format(Mesh)])
     ;   findall(F, known_format(F), Formats),
         throw(error(model_error(unknown_format(Format, Formats)),
                     location(File, 0, 0)))
@@ -87,7 +93,7 @@ file_loaded(Options, File) :-
 
 known_format(pl).
 known_format(Format) :-
-    mesh_format(Format).
+    mesh_ending(Format, _).
 
 file_format(-, From, From) :-
     !.
@@ -111,7 +117,7 @@ save_model(File, Options) :-
     file_format(File, To, Format),
     (   Format == pl
     ->  stage(write, write_model(File))
-    ;   mesh_format(Format)
+    ;   mesh_ending(Format, _)
     ->  stage(write, write_mesh(File, Format))
     ;   findall(F, known_format(F), Formats),
         throw(error(usage_error(ending(File, Formats)), _))

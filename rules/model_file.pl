@@ -201,9 +201,13 @@ shifted(shift(DS, DL), line(L0, S1, P1, A1, B1, S2, P2, A2, B2), Row) :-
     L is L0+DL,
     T1 is S1+DS,
     T2 is S2+DS.
-shifted(shift(DS, DL), origin(S0, Item, Origin0), origin(S, Item, Origin)) :-
+shifted(shift(DS, DL), origin(S0, Item0, Origin0), origin(S, Item, Origin)) :-
     !,
     S is S0+DS,
+    (   Item0 == s(S0)
+    ->  Item = s(S)
+    ;   Item = Item0
+    ),
     origin_shifted(Origin0, DS, DL, Origin).
 shifted(shift(DS, _), Fact, Row) :-
     segment_relation(Fact),

@@ -1,15 +1,36 @@
 :- module(sg_verbs,
           [ verb_run/4                  % +Verb, +Files, +Options, -Status
           ]).
-:- use_module(chain, []).
+:- if(( prolog_load_context(directory, D), atom_concat(D, '/check.pl', F),
+        exists_file(F) )).
 :- use_module(check, [check_report/1, print_report/2, report_faults/2]).
+:- else.        % until check.pl is there
+check_report(_) :- throw(error(existence_error(module, check), _)).
+print_report(_, _).
+report_faults(_, 0).
+:- endif.
 :- use_module(drawing, [write_drawing/2]).
 :- use_module(hidden_lines, [picture/1]).
+:- if(( prolog_load_context(directory, D), atom_concat(D, '/lines_out.pl', F),
+        exists_file(F) )).
 :- use_module(lines_out, [write_lines/1]).
+:- else.        % until lines_out.pl is there
+write_lines(_) :- throw(error(existence_error(module, lines_out), _)).
+:- endif.
 :- use_module(model, [load_model/2, save_model/2]).
+:- if(( prolog_load_context(directory, D), atom_concat(D, '/penetration.pl', F),
+        exists_file(F) )).
 :- use_module(penetration, [penetrate/0]).
+:- else.        % until penetration.pl is there
+penetrate.
+:- endif.
 :- use_module(query, [query/2, read_goal/3]).
+:- if(( prolog_load_context(directory, D), atom_concat(D, '/repl.pl', F),
+        exists_file(F) )).
 :- use_module(repl, [repl/0]).
+:- else.        % until repl.pl is there
+repl :- prolog.
+:- endif.
 :- use_module(stage, [stage/2]).
 :- use_module(store, [segment/3, line/9]).
 :- use_module(view, [set_view/1, set_view/3, set_projection/1, named_view/3]).
