@@ -311,3 +311,94 @@ notice_ko(progress(Stage, Seconds)) -->
 notice_ko(progress(Stage, Done, Total, Rate, Left)) -->
     [ '~w: ~D / ~D, 초당 ~0f, 남은 시간 ~0f초'-
       [Stage, Done, Total, Rate, Left] ].
+
+
+                /*******************************
+                *             mesh             *
+                *******************************/
+
+fault_ko(mesh(Fault)) -->
+    mesh_ko(Fault).
+fault_ko(mesh(Fault, Byte)) -->
+    [ '~D번째 바이트: '-[Byte] ],
+    mesh_ko(Fault).
+
+mesh_ko(empty_file) -->
+    [ '파일이 비어 있습니다', nl,
+      '  온전한 파일을 구하십시오. 쓴 프로그램이 실패했을 수 있습니다.' ].
+mesh_ko(no_faces) -->
+    [ '메시에 다각형도 곡선도 없습니다', nl,
+      '  면과 함께 모델을 다시 내보내십시오.' ].
+mesh_ko(unknown_format) -->
+    [ 'STL, OFF, OBJ, PLY 어느 메시로도 보이지 않습니다', nl,
+      '  형식에 맞는 확장자를 주십시오.' ].
+mesh_ko(unsupported(Text)) -->
+    [ '~w 은(는) 이 형식 가운데 읽지 않는 종류입니다'-[Text], nl,
+      '  보통의 텍스트 형식으로 저장하십시오.' ].
+mesh_ko(expected(Wanted, '')) -->
+    [ '~w 이(가) 와야 할 곳에서 파일이 끝납니다'-[Wanted], nl,
+      '  잘렸을 수 있으니 온전한 파일을 구하십시오.' ].
+mesh_ko(expected(Wanted, Text)) -->
+    { Text \== '' },
+    [ '~w 이(가) 와야 할 곳에 ~w 이(가) 있습니다'-[Wanted, Text], nl,
+      '  줄을 고치십시오. 확장자에 맞는 형식입니까?' ].
+mesh_ko(bad_number(Text)) -->
+    [ '수가 아닙니다: ~w'-[Text], nl,
+      '  -12.5 나 1e-3 처럼 점을 찍어 쓰십시오.' ].
+mesh_ko(not_finite(Text)) -->
+    [ '좌표가 ~w 입니다. 유한한 수여야 합니다'-[Text], nl,
+      '  모델을 만든 프로그램에서 고치십시오.' ].
+mesh_ko(bad_index(Index, Lowest, Highest)) -->
+    { Lowest =< Highest },
+    [ '꼭지점 ~d 은(는) 없습니다. 있는 것은 ~d 부터 ~d 까지입니다'-
+      [Index, Lowest, Highest], nl,
+      '  번호를 고치거나 꼭지점을 추가하십시오.' ].
+mesh_ko(bad_index(Index, Lowest, Highest)) -->
+    { Lowest > Highest },
+    [ '꼭지점 ~d 은(는) 없습니다. 아직 하나도 없습니다'-[Index], nl,
+      '  꼭지점을 먼저 주십시오.' ].
+mesh_ko(bad_count(What, Text)) -->
+    [ '~w 의 수가 ~q 일 수 없습니다'-[What, Text], nl,
+      '  0 이상의 정수를 쓰십시오.' ].
+mesh_ko(truncated(What, Present, Needed)) -->
+    [ '너무 짧습니다: ~w ~D개여야 하지만 많아야 ~D개 있습니다'-
+      [What, Needed, Present], nl,
+      '  잘린 파일입니다. 온전한 파일을 구하십시오.' ].
+mesh_ko(short_face(Corners)) -->
+    [ '면이나 선의 꼭지점이 모자랍니다: ~d개'-[Corners], nl,
+      '  면은 셋, 선은 둘이 필요합니다. 고치거나 지우십시오.' ].
+mesh_ko(too_large) -->
+    [ '꼭지점이나 모서리가 2,147,483,647개보다 많습니다', nl,
+      '  모델을 여러 파일로 나누십시오.' ].
+mesh_ko(no_property(Property, Element)) -->
+    [ '요소 ~w 에 속성 ~w 이(가) 하나 필요합니다'-[Element, Property], nl,
+      '  모델을 보통의 PLY 로 다시 내보내십시오.' ].
+
+fault_ko(mesh_write(unsupported(Text))) -->
+    [ '이 형식은 ~w 을(를) 담을 수 없습니다'-[Text], nl,
+      '  .obj 나 .ply 로 쓰십시오.' ].
+
+notice_ko(mesh(File, degenerate(N))) -->
+    [ '~w: 서로 다른 세 꼭지점이 없는 면 ~D개를 뺐습니다'-[File, N] ].
+notice_ko(mesh(File, ignored(N, Line))) -->
+    [ '~w: 모르는 항목 ~D개를 건너뛰었습니다. 처음은 ~D번째 줄'-
+      [File, N, Line] ].
+notice_ko(mesh(File, trailing(Bytes))) -->
+    [ '~w: 메시 뒤의 ~D 바이트를 건너뛰었습니다'-[File, Bytes] ].
+
+
+                /*******************************
+                *            drawing           *
+                *******************************/
+
+notice_ko(nothing_drawn) -->
+    [ '그릴 것이 없습니다' ].
+
+
+                /*******************************
+                *             view             *
+                *******************************/
+
+fault_ko(eye_in_model(D)) -->
+    [ '시점이 모델 안이나 뒤에 있습니다: 가장 가까운 점이 ~4g 입니다'-[D], nl,
+      '  RHO 를 더 크게 하거나 평행 투상을 쓰십시오.' ].

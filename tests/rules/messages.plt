@@ -11,6 +11,7 @@ table(usage_en, usage_ko).
 table(notice_en, notice_ko).
 table(expected_en, expected_ko).
 table(polygon_en, polygon_ko).
+table(mesh_en, mesh_ko).
 
 % The first argument of every clause of a table, variables numbered.
 heads(Module, Name, Heads) :-
