@@ -1,0 +1,42 @@
+% The pictures of the gallery, in order: `make demo` draws them and writes
+% docs/gallery/index.html (tools/gallery.pl).
+%
+%   picture(Name, Title, Caption, Words)
+%
+% The command is `sanggwan draw` with Words and `-o Name.svg`. The figures are
+% those of H.-C. Chae, Drawing of Penetrating Lines Using Personal Computer,
+% KSME Journal 12(1), 1988; sizes are chosen, for the paper does not give them.
+
+picture(fig08, 'Figure 8',
+        'A cone and a straight line that goes through it.',
+        ['facts/figures/fig08.pl']).
+picture(fig09a, 'Figure 9 (a)',
+        'Four squares that go through one another, hidden lines removed.',
+        ['facts/figures/fig09.pl', '--hidden', removed]).
+picture(fig09b, 'Figure 9 (b)',
+        'The same, hidden lines dashed.',
+        ['facts/figures/fig09.pl']).
+picture(fig10, 'Figure 10',
+        'Two pyramids.',
+        ['facts/figures/fig10.pl']).
+picture(fig11a, 'Figure 11 (a)',
+        'Two cones with axes at right angles.',
+        ['facts/figures/fig11.pl']).
+picture(fig11b, 'Figure 11 (b)',
+        'The penetration lines on one of the cones.',
+        ['facts/figures/fig11.pl', '--segment', '1']).
+picture(fig12a, 'Figure 12 (a)',
+        'A cylinder through a cone.',
+        ['facts/figures/fig12.pl']).
+picture(fig12b, 'Figure 12 (b)',
+        'The penetration lines on the cone.',
+        ['facts/figures/fig12.pl', '--segment', '1']).
+picture(fig13, 'Figure 13',
+        'Two equal cylinders whose axes meet: the lines lie in two planes.',
+        ['facts/figures/fig13.pl']).
+picture(fig14a, 'Figure 14 (a)',
+        'Two cylinders whose axes do not meet.',
+        ['facts/figures/fig14.pl']).
+picture(fig14b, 'Figure 14 (b)',
+        'The penetration lines on one of the cylinders.',
+        ['facts/figures/fig14.pl', '--segment', '1']).

@@ -1,0 +1,118 @@
+/* Draws the pictures of the gallery and writes its page.
+
+       swipl tools/gallery.pl [-- PROGRAM]
+
+   Run in the project's root. docs/gallery/pictures.pl lists the pictures; each
+   is drawn by the very command that the page shows under it. PROGRAM is
+   ./sanggwan unless given. Exits 1 if a picture could not be drawn.
+*/
+:- module(sg_gallery, []).
+:- use_module(library(http/html_write)).
+:- use_module(library(process)).
+:- use_module('../rules/output', [writing/3]).
+
+:- initialization(main, main).
+
+main :-
+    current_prolog_flag(argv, Argv),
+    (   Argv = [Program|_]
+    ->  true
+    ;   Program = './sanggwan'
+    ),
+    pictures(Pictures),
+    findall(Name, ( member(Picture, Pictures),
+                    arg(1, Picture, Name),
+                    \+ drawn(Program, Picture) ),
+            Failed),
+    page(Pictures),
+    length(Pictures, N),
+    (   Failed == []
+    ->  format("~d pictures: see docs/gallery/index.html~n", [N])
+    ;   format(user_error, "not drawn: ~w~n", [Failed]),
+        halt(1)
+    ).
+
+pictures(Pictures) :-
+    setup_call_cleanup(
+        open('docs/gallery/pictures.pl', read, In, [encoding(utf8)]),
+        terms(In, Pictures),
+        close(In)).
+
+terms(In, Terms) :-
+    read_term(In, Term, []),
+    (   Term == end_of_file
+    ->  Terms = []
+    ;   Terms = [Term|Terms1],
+        terms(In, Terms1)
+    ).
+
+file(picture(Name,_,_,_), File) :-
+    format(atom(File), 'docs/gallery/~w.svg', [Name]).
+
+words(Picture, [draw|Words]) :-
+    Picture = picture(_, _, _, Words0),
+    file(Picture, File),
+    append(Words0, ['-o',File], Words).
+
+drawn(Program, Picture) :-
+    words(Picture, Words),
+    process_create(Program, Words, [process(Process)]),
+    process_wait(Process, exit(0)).
+
+page(Pictures) :-
+    writing('docs/gallery/index.html', text, page_written(Pictures)).
+
+page_written(Pictures, Out) :-
+    style(Style),
+    phrase(page([ meta(charset='utf-8'),
+                  meta([ name=viewport,
+                         content='width=device-width, initial-scale=1' ]),
+                  title('Sanggwan: the gallery'),
+                  style(Style)
+                ],
+                [ h1('Sanggwan: the figures of 1988'),
+                  p([ 'The penetration figures of H.-C. Chae, ',
+                      em('Drawing of Penetrating Lines Using Personal Computer'),
+                      ', KSME Journal 12(1), 1988, each drawn by the command \c
+                       under it. Penetration lines are red on the screen, \c
+                       black on paper; hidden lines are dashed.' ]),
+                  main(\figures(Pictures))
+                ]),
+           Tokens),
+    print_html(Out, Tokens),
+    nl(Out).
+
+figures([]) -->
+    [].
+figures([Picture|Pictures]) -->
+    { Picture = picture(Name, Title, Caption, _),
+      atom_concat(Name, '.svg', File),
+      atomic_list_concat([Title,Caption], ': ', Alt),
+      words(Picture, Words),
+      atomic_list_concat(['./sanggwan'|Words], ' ', Command)
+    },
+    html(figure(id(Name),
+                [ a(href(File), img([src(File), alt(Alt)])),
+                  figcaption([ strong(Title), ' ', Caption ]),
+                  pre(code(Command))
+                ])),
+    figures(Pictures).
+
+style('
+body { font: 16px/1.5 Georgia, "Noto Serif", serif; color: #111;
+       background: #fff; max-width: 72rem; margin: 2rem auto; padding: 0 1rem }
+h1 { font-size: 1.6rem; font-weight: normal }
+main { display: grid; gap: 2.5rem 2rem;
+       grid-template-columns: repeat(auto-fit, minmax(min(30rem, 100%), 1fr)) }
+figure { margin: 0; break-inside: avoid }
+img { width: 100%; border: 1px solid #ddd }
+figcaption { margin: .5rem 0 }
+pre { margin: 0; padding: .4rem .6rem; background: #f4f4f4; overflow-x: auto;
+      font-size: .8rem }
+@media print {
+  body { margin: 0; max-width: none; font-size: 11pt }
+  main { grid-template-columns: 1fr 1fr; gap: 8mm }
+  img { border: none }
+  pre { background: none; padding: 0; white-space: pre-wrap }
+}
+').
