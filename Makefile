@@ -66,7 +66,7 @@ $(B)/%.o: %.c $(B)/deps.mk
 
 so: $(B)/sanggwan.so
 $(B)/sanggwan.so: $(OBJS)
-	$(CC) -shared $(EXTRA_CFLAGS) $^ -o $@ $(LIBS)
+	$(CC) -shared -Wl,-Bsymbolic $(EXTRA_CFLAGS) $^ -o $@ $(LIBS)
 
 # --- the program, its rules inside -----------------------------------------
 

@@ -7,8 +7,8 @@
 
 /* ---- checks ------------------------------------------------------------ */
 
-static bool
-value_is_valid(const sg_relation_info *info, unsigned column, sg_value value)
+bool
+sg_value_is_valid(const sg_relation_info *info, unsigned column, sg_value value)
 {
   switch (info->column[column].type) {
   case SG_INT:
@@ -31,9 +31,17 @@ value_is_valid(const sg_relation_info *info, unsigned column, sg_value value)
 }
 
 static bool
-index_ready(sg_table *table, sg_index *index)
+index_ready(sg_table *table)
 {
-  return index->built || sg_index_build(index, table);
+  return table->index[0].built || sg_index_build(&table->index[0], table);
+}
+
+bool
+sg_world_key_ready(sg_world *world, sg_relation relation)
+{
+  sg_table *table = &world->table[relation];
+
+  return table->info->key == 0 || index_ready(table);
 }
 
 /* True if row (s, id) of a relation whose key is two ids lives. */
@@ -46,18 +54,17 @@ refers(sg_world *world, sg_relation relation, int32_t s, int32_t id)
                        key) != SG_NO_ROW;
 }
 
-static sg_status
-check_reference(sg_world *world, sg_relation relation, const sg_value *row,
-                unsigned column, sg_fault *fault)
+sg_status
+sg_world_check_reference(sg_world *world, sg_relation relation,
+                         unsigned column, int32_t s, sg_value value,
+                         sg_fault *fault)
 {
   const sg_column_info *info = &sg_relation_table[relation].column[column];
-  int32_t s = row[sg_relation_segment_column(relation, column)].i;
   bool list = info->type == SG_LIST;
-  const int32_t *id = list ? row[column].list + 1 : &row[column].i;
-  int32_t n = list ? row[column].list[0] : 1;
+  const int32_t *id = list ? value.list + 1 : &value.i;
+  int32_t n = list ? value.list[0] : 1;
 
-  if (!index_ready(&world->table[info->refers],
-                   &world->table[info->refers].index[0])) {
+  if (!index_ready(&world->table[info->refers])) {
     return SG_NO_MEMORY;
   }
   for (int32_t i = 0; i < n; i++) {
@@ -78,15 +85,17 @@ check_row(sg_world *world, sg_relation relation, const sg_value *row,
   const sg_relation_info *info = table->info;
 
   for (unsigned c = 0; c < info->arity; c++) {
-    if (!value_is_valid(info, c, row[c])) {
+    if (!sg_value_is_valid(info, c, row[c])) {
       *fault = (sg_fault){.column = c};
       return SG_INVALID;
     }
   }
   for (unsigned c = 0; c < info->arity; c++) {
+    unsigned in = sg_relation_segment_column(relation, c);
     sg_status status = SG_OK;
     if (info->column[c].refers != SG_NONE) {
-      status = check_reference(world, relation, row, c, fault);
+      status = sg_world_check_reference(world, relation, c, row[in].i, row[c],
+                                        fault);
     }
     if (status != SG_OK) {
       return status;
@@ -95,7 +104,7 @@ check_row(sg_world *world, sg_relation relation, const sg_value *row,
   if (info->key == 0) {
     return SG_OK;
   }
-  if (!index_ready(table, &table->index[0])) {
+  if (!index_ready(table)) {
     return SG_NO_MEMORY;
   }
   if (sg_table_find(table, world->current->map[relation], row) != SG_NO_ROW) {
@@ -107,11 +116,8 @@ check_row(sg_world *world, sg_relation relation, const sg_value *row,
 
 /* ---- slots ------------------------------------------------------------- */
 
-/* Sweeps when otherwise a new page would be opened, if at least a quarter of
- * the slots is dead and enough was written since the last sweep to pay for
- * this one. */
-static void
-sweep_if_worth(sg_world *world, sg_relation relation)
+void
+sg_world_sweep_if_worth(sg_world *world, sg_relation relation)
 {
   sg_table *table = &world->table[relation];
   const sg_map *map = world->current->map[relation];
@@ -166,18 +172,18 @@ shown_elsewhere(const sg_world *world, sg_relation relation, sg_row row)
   return false;
 }
 
-/* A change is about to happen: what it may write must be owned. */
-static sg_map *
-own_map(sg_world *world, sg_relation relation)
+sg_map *
+sg_world_own_map(sg_world *world, sg_relation relation)
 {
   sg_version *version = sg_world_own(world);
 
   return version ? sg_map_own(&version->map[relation]) : NULL;
 }
 
-static void
-forget_redo(sg_world *world)
+void
+sg_world_changed(sg_world *world)
 {
+  world->changes++;
   if (world->open.count == 0) {
     sg_stack_clear(&world->redo);
   }
@@ -207,26 +213,10 @@ put_row(sg_world *world, sg_map *map, sg_relation relation, sg_row slot,
       !sg_table_write(table, slot, row)) {
     return false;
   }
-  if (!sg_table_link(table, slot)) {
-    sg_table_vacate(table, slot);
-    return false;
-  }
+  sg_table_link(table, slot);
   live->word[slot % SG_PAGE_ROWS / 64] |= UINT64_C(1) << slot % 64;
   map->rows++;
   return true;
-}
-
-/* Takes back what put_row() did, in a map that is owned. */
-static void
-unput_row(sg_table *table, sg_map *map, sg_row slot)
-{
-  sg_live *live = sg_map_own_live(map, sg_table_page(table, slot),
-                                  slot / SG_PAGE_ROWS);
-
-  live->word[slot % SG_PAGE_ROWS / 64] &= ~(UINT64_C(1) << slot % 64);
-  map->rows--;
-  sg_table_unlink(table, slot);
-  sg_table_vacate(table, slot);
 }
 
 static sg_status
@@ -240,10 +230,10 @@ add(sg_world *world, sg_relation relation, const sg_value *row, sg_row *out,
   if (status != SG_OK) {
     return status;
   }
-  if (!(map = own_map(world, relation))) {
+  if (!(map = sg_world_own_map(world, relation))) {
     return SG_NO_MEMORY;
   }
-  sweep_if_worth(world, relation);
+  sg_world_sweep_if_worth(world, relation);
   slot = sg_table_slot(&world->table[relation]);
   if (slot == SG_NO_ROW || !put_row(world, map, relation, slot, row)) {
     return SG_NO_MEMORY; /* the slot is found again by a sweep */
@@ -264,79 +254,7 @@ sg_world_add(sg_world *world, sg_relation relation, const sg_value *row,
   status = add(world, relation, row, out ? out : &unused_row,
                fault ? fault : &unused_fault);
   if (status == SG_OK) {
-    world->changes++;
-    forget_redo(world);
-  }
-  sg_world_leave(world);
-  return status;
-}
-
-/* Row i of column arrays. */
-static void
-buffer_row(const sg_relation_info *info, const void *const *column, size_t i,
-           sg_value *out)
-{
-  for (unsigned c = 0; c < info->arity; c++) {
-    switch (info->column[c].type) {
-    case SG_INT:
-    case SG_ATOM:
-      out[c].i = ((const int32_t *)column[c])[i];
-      break;
-    case SG_FLOAT:
-      out[c].f = ((const double *)column[c])[i];
-      break;
-    case SG_LIST:
-      out[c].list = ((const int32_t *const *)column[c])[i];
-      break;
-    case SG_TERM:
-      out[c].term = ((const uint32_t *const *)column[c])[i];
-      break;
-    }
-  }
-}
-
-static sg_status
-add_many(sg_world *world, sg_relation relation, size_t n,
-         const void *const *column, sg_fault *fault)
-{
-  sg_table *table = &world->table[relation];
-  sg_row first = table->slots;
-  sg_map *map = own_map(world, relation);
-  sg_status status = SG_OK;
-  sg_value row[SG_MAX_COLUMNS];
-
-  if (!map || !sg_table_reserve(table, n)) {
-    return SG_NO_MEMORY;
-  }
-  for (size_t i = 0; i < n && status == SG_OK; i++) {
-    buffer_row(table->info, column, i, row);
-    status = check_row(world, relation, row, fault);
-    fault->row = i;
-    if (status == SG_OK &&
-        !put_row(world, map, relation, table->slots++, row)) {
-      table->slots--;
-      status = SG_NO_MEMORY;
-    }
-  }
-  while (status != SG_OK && table->slots > first) {
-    table->slots--;
-    unput_row(table, map, table->slots);
-  }
-  return status;
-}
-
-sg_status
-sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
-                  const void *const *column, sg_fault *fault)
-{
-  sg_fault unused;
-  sg_status status;
-
-  sg_world_enter(world);
-  status = add_many(world, relation, n, column, fault ? fault : &unused);
-  if (status == SG_OK && n > 0) {
-    world->changes++;
-    forget_redo(world);
+    sg_world_changed(world);
   }
   sg_world_leave(world);
   return status;
@@ -354,7 +272,7 @@ retract(sg_world *world, sg_relation relation, sg_row row)
   if (!sg_map_shows(world->current->map[relation], row)) {
     return false;
   }
-  if (!(map = own_map(world, relation)) ||
+  if (!(map = sg_world_own_map(world, relation)) ||
       !(live = sg_map_own_live(map, sg_table_page(table, row),
                                row / SG_PAGE_ROWS))) {
     return false;
@@ -376,8 +294,7 @@ sg_world_retract(sg_world *world, sg_relation relation, sg_row row)
   sg_world_enter(world);
   done = retract(world, relation, row);
   if (done) {
-    world->changes++;
-    forget_redo(world);
+    sg_world_changed(world);
   }
   sg_world_leave(world);
   return done;
@@ -415,8 +332,7 @@ sg_world_retract_all(sg_world *world, sg_relation relation)
     done = version && empty_map(&version->map[relation]);
     if (done) {
       sg_world_sweep(world, relation);
-      world->changes++;
-      forget_redo(world);
+      sg_world_changed(world);
     }
   }
   sg_world_leave(world);
@@ -433,7 +349,7 @@ sg_world_fresh(sg_world *world, sg_relation relation, int32_t s)
     return 0;
   }
   sg_world_enter(world);
-  map = own_map(world, relation);
+  map = sg_world_own_map(world, relation);
   if (map && sg_map_last_id(map, s) < INT32_MAX) {
     id = sg_map_last_id(map, s) + 1;
     if (!sg_map_used_id(map, s, id)) {

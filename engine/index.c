@@ -128,8 +128,13 @@ sg_index_clear(sg_index *index)
   free(index->next);
   free(index->link);
   free(index->head);
-  *index = (sg_index){
-      .name = index->name, .mask = index->mask, .members = index->members};
+  index->next = NULL;
+  index->link = NULL;
+  index->head = NULL;
+  index->built = false;
+  index->bits = 0;
+  index->links = index->pages = index->link_room = index->link_used = 0;
+  index->free = SG_NO_ROW;
 }
 
 /* ---- the ids of one row in a member index ------------------------------ */
@@ -188,13 +193,41 @@ chain(const sg_index *index, uint64_t hash, uint32_t at)
   *head = at;
 }
 
+/* The row's ids, without the way through values: most indexes have only
+ * ids. */
 static uint64_t
-row_hash(const sg_index *index, const sg_table *table, sg_row row)
+id_hash(const sg_page *page, unsigned mask, unsigned place)
 {
+  mixer m = {0};
+
+  for (; mask; mask &= mask - 1) {
+    mix(&m, (uint32_t)page->cells[__builtin_ctz(mask)].i[place]);
+  }
+  return mixed(&m);
+}
+
+static bool
+only_ids(const sg_relation_info *info, unsigned mask)
+{
+  for (; mask; mask &= mask - 1) {
+    sg_type type = info->column[__builtin_ctz(mask)].type;
+    if (type != SG_INT && type != SG_ATOM) {
+      return false;
+    }
+  }
+  return true;
+}
+
+uint64_t
+sg_index_hash_row(const sg_index *index, const sg_table *table, sg_row row)
+{
+  const sg_page *page = sg_table_page(table, row);
   sg_value value[SG_MAX_COLUMNS];
 
-  sg_page_row(sg_table_page(table, row), table->info, index->mask,
-              row % SG_PAGE_ROWS, value);
+  if (only_ids(table->info, index->mask)) {
+    return id_hash(page, index->mask, row % SG_PAGE_ROWS);
+  }
+  sg_page_row(page, table->info, index->mask, row % SG_PAGE_ROWS, value);
   return sg_index_hash(table->info, index->mask, value);
 }
 
@@ -208,7 +241,7 @@ hash_at(const sg_index *index, const sg_table *table, uint32_t at)
                                     .i[link->row % SG_PAGE_ROWS],
                                 link->id);
   }
-  return row_hash(index, table, at);
+  return sg_index_hash_row(index, table, at);
 }
 
 /* New heads, with everything chained again. False: no memory. */
@@ -314,6 +347,20 @@ add_member(sg_index *index, const sg_table *table, sg_row row, int32_t s,
 }
 
 bool
+sg_index_reserve(sg_index *index, const sg_table *table, size_t n)
+{
+  return reserve_next(index, table->slots / SG_PAGE_ROWS + 1) &&
+         reserve_heads(index, table, index->links + n);
+}
+
+void
+sg_index_chain(sg_index *index, uint64_t hash, sg_row row)
+{
+  chain(index, hash, row);
+  index->links++;
+}
+
+bool
 sg_index_add(sg_index *index, const sg_table *table, sg_row row)
 {
   if (!index->members) {
@@ -321,8 +368,7 @@ sg_index_add(sg_index *index, const sg_table *table, sg_row row)
         !reserve_heads(index, table, index->links + 1)) {
       return false;
     }
-    chain(index, row_hash(index, table, row), row);
-    index->links++;
+    sg_index_chain(index, sg_index_hash_row(index, table, row), row);
     return true;
   }
   for (members m = members_of(index, table, row); members_next(&m);) {
@@ -362,7 +408,7 @@ void
 sg_index_remove(sg_index *index, const sg_table *table, sg_row row)
 {
   if (!index->members) {
-    unchain(index, row_hash(index, table, row), row);
+    unchain(index, sg_index_hash_row(index, table, row), row);
     return;
   }
   for (members m = members_of(index, table, row); members_next(&m);) {
@@ -374,7 +420,6 @@ bool
 sg_index_build(sg_index *index, const sg_table *table)
 {
   sg_index_clear(index);
-  index->free = SG_NO_ROW;
   if (!reserve_heads(index, table, table->slots)) {
     return false;
   }
@@ -421,7 +466,7 @@ sg_index_is_valid(const sg_index *index, const sg_table *table)
     }
     if (!index->members) {
       links++;
-      if (chained(index, row_hash(index, table, row), row) != 1) {
+      if (chained(index, sg_index_hash_row(index, table, row), row) != 1) {
         return false;
       }
       continue;

@@ -23,7 +23,7 @@ typedef struct sg_link {
 } sg_link;
 
 typedef struct sg_index {
-  const char *name;
+  const char *name; /* these three never change: read without a lock */
   uint16_t mask;
   bool members;
   bool built;
@@ -42,6 +42,12 @@ typedef struct sg_index {
 bool sg_index_build(sg_index *index, const struct sg_table *table);
 void sg_index_clear(sg_index *index);
 
+/* Room for every slot of the table, and n links more. False: no memory. */
+bool sg_index_reserve(sg_index *index, const struct sg_table *table, size_t n);
+/* Links a row that has room, with the hash that is its own. */
+void sg_index_chain(sg_index *index, uint64_t hash, sg_row row);
+uint64_t sg_index_hash_row(const sg_index *index, const struct sg_table *table,
+                           sg_row row);
 /* Links one more row, already written. False: no memory. */
 bool sg_index_add(sg_index *index, const struct sg_table *table, sg_row row);
 /* Unlinks a row, if it is there. */

@@ -157,14 +157,18 @@ sg_stack_clear(sg_stack *stack)
 static void
 stack_limit(sg_stack *stack, size_t most)
 {
-  size_t extra = stack->count > most ? stack->count - most : 0;
+  size_t extra;
 
+  if (stack->count <= most) {
+    return;
+  }
+  extra = stack->count - most;
   for (size_t i = 0; i < extra; i++) {
     sg_version_release(stack->version[i]);
   }
   memmove(stack->version, stack->version + extra,
-          (stack->count - extra) * sizeof(sg_version *));
-  stack->count -= extra;
+          most * sizeof(sg_version *));
+  stack->count = most;
 }
 
 /* ---- life -------------------------------------------------------------- */

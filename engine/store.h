@@ -148,6 +148,9 @@ bool sg_version_live(const sg_version *version, sg_relation relation,
                      sg_row row);
 sg_value sg_version_value(const sg_version *version, sg_relation relation,
                           sg_row row, unsigned column);
+/* Several at once: the columns of the mask, each in its place in `out`. */
+void sg_version_row(const sg_version *version, sg_relation relation,
+                    sg_row row, uint16_t mask, sg_value *out);
 /* The row with this key (values in column order, others ignored). */
 sg_row sg_version_find(const sg_version *version, sg_relation relation,
                        const sg_value *row);

@@ -23,6 +23,7 @@ typedef struct asking {
   bool retracts;     /* an answer is a row retracted */
   bool numbers;      /* the argument after the last column is the row */
   bool strict;       /* try rows by unification */
+  bool plain;        /* after an answer: open arguments are just variables */
   int first;         /* where column 0 would stand among the arguments */
   uint16_t open;     /* columns to unify with their arguments */
   sg_row next;       /* the next answer, SG_NO_ROW: none */
@@ -37,7 +38,7 @@ asking_of(sg_relation relation)
 
   a.version = NULL;
   a.relation = relation;
-  a.retracts = a.numbers = a.strict = false;
+  a.retracts = a.numbers = a.strict = a.plain = false;
   a.first = 0;
   a.open = 0;
   a.next = SG_NO_ROW;
@@ -91,21 +92,22 @@ asking_open(asking *a, term_t args)
   return FALSE;
 }
 
-/* Unifies the open arguments with a row. *shared: a variable stood twice. */
+/* Unifies the open arguments with a row. *shared, where asked for, becomes
+ * true if a variable stands twice among them. */
 static int
 unify_row(const asking *a, term_t args, sg_row row, bool *shared)
 {
   const sg_relation_info *info = &sg_relation_table[a->relation];
+  sg_value value[SG_MAX_COLUMNS];
 
+  sg_version_row(a->version, a->relation, row, a->open, value);
   for (unsigned left = a->open; left; left &= left - 1) {
     int c = __builtin_ctz(left);
     term_t arg = args + a->first + c;
-    if (!PL_is_variable(arg)) {
+    if (shared && !PL_is_variable(arg)) {
       *shared = true;
     }
-    if (!sg_unify_value(arg, info->column[c].type,
-                        sg_version_value(a->version, a->relation, row,
-                                         (unsigned)c))) {
+    if (!sg_unify_value(arg, info->column[c].type, value[c])) {
       return FALSE;
     }
   }
@@ -120,12 +122,11 @@ next_answer(asking *a, term_t args)
 
   while ((row = sg_walk_next(&a->walk)) != SG_NO_ROW && a->strict) {
     fid_t frame = PL_open_foreign_frame();
-    bool shared;
     int fits;
     if (!frame) {
       return SG_NO_ROW;
     }
-    fits = unify_row(a, args, row, &shared);
+    fits = unify_row(a, args, row, NULL);
     if (PL_exception(0)) {
       PL_close_foreign_frame(frame);
       return SG_NO_ROW;
@@ -159,6 +160,17 @@ give(const asking *a, term_t args, sg_row row, bool *shared)
           retract_row_ex(sg_version_world(a->version), a->relation, row));
 }
 
+/* Gives the answer a->next when nothing can go wrong but memory: no variable
+ * stands twice, nothing is tried and nothing retracted. */
+static int
+give_plain(asking *a, term_t args)
+{
+  sg_row row = a->next;
+
+  a->next = sg_walk_next(&a->walk);
+  return unify_row(a, args, row, NULL);
+}
+
 /* Gives the answer a->next or, when that is none after all, one after it.
  * False: no answer, or an exception is pending. */
 static int
@@ -174,6 +186,7 @@ give_next(asking *a, term_t args)
     }
     if (give(a, args, row, &shared)) {
       PL_close_foreign_frame(frame);
+      a->plain = !a->strict && !a->retracts;
       return TRUE;
     }
     if (PL_exception(0)) {
@@ -206,7 +219,7 @@ answer(asking *a, bool kept, term_t args)
 {
   asking *keep = a;
 
-  if (!give_next(a, args)) {
+  if (!(a->plain ? give_plain(a, args) : give_next(a, args))) {
     return asking_end(a, kept, FALSE);
   }
   if (a->next == SG_NO_ROW) {
@@ -304,7 +317,6 @@ numbered_fact(term_t fact, term_t row_term)
   int64_t number;
   asking a;
   term_t args;
-  bool shared;
   int done;
 
   if (!world || !sg_get_fact_ex(fact, 0, &relation, &args)) {
@@ -318,7 +330,7 @@ numbered_fact(term_t fact, term_t row_term)
   a.version = sg_world_version(world);
   done = number >= 0 && number < SG_NO_ROW &&
          sg_version_live(a.version, relation, (sg_row)number) &&
-         unify_row(&a, args, (sg_row)number, &shared);
+         unify_row(&a, args, (sg_row)number, NULL);
   sg_version_drop(a.version);
   return done;
 }

@@ -148,15 +148,33 @@ sg_table_slot(sg_table *table)
   return row;
 }
 
-static const uint32_t *
-arena_copy(sg_arena *arena, const uint32_t *from, size_t words)
+const uint32_t *
+sg_table_keep(sg_table *table, sg_type type, sg_value value)
 {
-  uint32_t *copy = sg_arena_take(arena, words);
+  size_t words = type == SG_LIST ? 1 + (size_t)value.list[0]
+                                 : sg_term_length(value.term);
+  uint32_t *copy = sg_arena_take(&table->arena, words);
 
   if (copy) {
-    memcpy(copy, from, words * sizeof(*copy));
+    memcpy(copy, value.term, words * sizeof(*copy));
   }
   return copy;
+}
+
+static bool
+is_ref(sg_type type)
+{
+  return type == SG_LIST || type == SG_TERM;
+}
+
+static void
+give_refs(sg_table *table, const sg_page *page, unsigned place, unsigned columns)
+{
+  for (unsigned c = 0; c < columns; c++) {
+    if (is_ref(table->info->column[c].type)) {
+      sg_arena_give(&table->arena, page->cells[c].ref[place]);
+    }
+  }
 }
 
 /* Lists and terms into the arena; false: no memory, none is there. */
@@ -167,22 +185,12 @@ write_refs(sg_table *table, sg_page *page, unsigned place, const sg_value *row)
 
   for (unsigned c = 0; c < info->arity; c++) {
     sg_type type = info->column[c].type;
-    size_t words = 0;
-    if (type == SG_LIST) {
-      words = 1 + (size_t)row[c].list[0];
-    } else if (type == SG_TERM) {
-      words = sg_term_length(row[c].term);
-    } else {
+    if (!is_ref(type)) {
       continue;
     }
-    page->cells[c].ref[place] = arena_copy(&table->arena, row[c].term, words);
+    page->cells[c].ref[place] = sg_table_keep(table, type, row[c]);
     if (!page->cells[c].ref[place]) {
-      while (c-- > 0) {
-        if (info->column[c].type == SG_LIST ||
-            info->column[c].type == SG_TERM) {
-          sg_arena_give(&table->arena, page->cells[c].ref[place]);
-        }
-      }
+      give_refs(table, page, place, c);
       return false;
     }
   }
@@ -218,12 +226,7 @@ sg_table_vacate(sg_table *table, sg_row row)
   sg_page *page = sg_table_page(table, row);
   unsigned place = row % SG_PAGE_ROWS;
 
-  for (unsigned c = 0; c < table->info->arity; c++) {
-    sg_type type = table->info->column[c].type;
-    if (type == SG_LIST || type == SG_TERM) {
-      sg_arena_give(&table->arena, page->cells[c].ref[place]);
-    }
-  }
+  give_refs(table, page, place, table->info->arity);
   page->taken[place / 64] &= ~(UINT64_C(1) << place % 64);
 }
 
@@ -317,20 +320,38 @@ sg_table_index(sg_table *table, uint16_t mask, bool members)
   return NULL;
 }
 
-bool
+void
 sg_table_link(sg_table *table, sg_row row)
 {
   for (unsigned i = 0; i < table->indexes; i++) {
     sg_index *index = &table->index[i];
     if (index->built && !sg_index_add(index, table, row)) {
-      while (i-- > 0) {
-        if (table->index[i].built) {
-          sg_index_remove(&table->index[i], table, row);
-        }
-      }
-      return false;
+      sg_index_clear(index);
     }
   }
+}
+
+bool
+sg_table_link_key(sg_table *table, const sg_map *map, sg_row row)
+{
+  const sg_relation_info *info = table->info;
+  sg_index *index = &table->index[0];
+  uint64_t hash = sg_index_hash_row(index, table, row);
+  uint32_t other = sg_index_first(index, hash);
+
+  if (other != SG_NO_ROW) {
+    sg_value key[SG_MAX_COLUMNS];
+    sg_page_row(sg_table_page(table, row), info, info->key,
+                row % SG_PAGE_ROWS, key);
+    for (; other != SG_NO_ROW; other = sg_index_next(index, other)) {
+      if (sg_map_shows(map, other) &&
+          sg_page_match(sg_table_page(table, other), info, info->key,
+                        other % SG_PAGE_ROWS, key)) {
+        return false;
+      }
+    }
+  }
+  sg_index_chain(index, hash, row);
   return true;
 }
 
@@ -360,28 +381,6 @@ sg_table_find(sg_table *table, const sg_map *map, const sg_value *row)
     }
   }
   return SG_NO_ROW;
-}
-
-sg_value
-sg_page_value(const sg_page *page, const sg_relation_info *info,
-              unsigned column, unsigned place)
-{
-  sg_value value = {0};
-
-  switch (info->column[column].type) {
-  case SG_INT:
-  case SG_ATOM:
-    value.i = page->cells[column].i[place];
-    break;
-  case SG_FLOAT:
-    value.f = page->cells[column].f[place];
-    break;
-  case SG_LIST:
-  case SG_TERM:
-    value.term = page->cells[column].ref[place];
-    break;
-  }
-  return value;
 }
 
 void

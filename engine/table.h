@@ -93,8 +93,28 @@ int32_t sg_map_last_id(const sg_map *map, int32_t s);
 bool sg_map_used_id(sg_map *map, int32_t s, int32_t id); /* false: no memory */
 
 /* Cells. */
-sg_value sg_page_value(const sg_page *page, const sg_relation_info *info,
-                       unsigned column, unsigned place);
+static inline sg_value
+sg_page_value(const sg_page *page, const sg_relation_info *info,
+              unsigned column, unsigned place)
+{
+  sg_value value = {0};
+
+  switch (info->column[column].type) {
+  case SG_INT:
+  case SG_ATOM:
+    value.i = page->cells[column].i[place];
+    break;
+  case SG_FLOAT:
+    value.f = page->cells[column].f[place];
+    break;
+  case SG_LIST:
+  case SG_TERM:
+    value.term = page->cells[column].ref[place];
+    break;
+  }
+  return value;
+}
+
 void sg_page_row(const sg_page *page, const sg_relation_info *info,
                  uint16_t mask, unsigned place, sg_value *out);
 bool sg_row_equal(const sg_relation_info *info, uint16_t mask,
@@ -127,6 +147,8 @@ sg_row sg_table_slot(sg_table *table);
 bool sg_table_reserve(sg_table *table, size_t n);
 /* Writes the cells of a row and takes the slot. False: no memory. */
 bool sg_table_write(sg_table *table, sg_row row, const sg_value *value);
+/* A copy of a list or term in the table's arena. Null: no memory. */
+const uint32_t *sg_table_keep(sg_table *table, sg_type type, sg_value value);
 /* Gives the slot's memory back; the slot stays out of use until a sweep. */
 void sg_table_vacate(sg_table *table, sg_row row);
 /* Slots that none of the maps shows become empty. */
@@ -134,9 +156,13 @@ void sg_table_sweep(sg_table *table, sg_map *const *map, size_t maps);
 
 /* The first index with exactly this mask, null: none. */
 sg_index *sg_table_index(sg_table *table, uint16_t mask, bool members);
-/* Links or unlinks a row in every index that is built. */
-bool sg_table_link(sg_table *table, sg_row row); /* false: no memory */
+/* Links or unlinks a row in every index that is built. An index for which
+ * there is no memory is cleared, and built again when it is used. */
+void sg_table_link(sg_table *table, sg_row row);
 void sg_table_unlink(sg_table *table, sg_row row);
+/* Links a row in the key's index, in which there is room. False: the map
+ * shows another row with this key, nothing was done. */
+bool sg_table_link_key(sg_table *table, const sg_map *map, sg_row row);
 
 /* The live row that has row's values in the key's columns. */
 sg_row sg_table_find(sg_table *table, const sg_map *map, const sg_value *row);

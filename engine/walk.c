@@ -31,6 +31,17 @@ sg_version_value(const sg_version *version, sg_relation relation, sg_row row,
                        row % SG_PAGE_ROWS);
 }
 
+void
+sg_version_row(const sg_version *version, sg_relation relation, sg_row row,
+               uint16_t mask, sg_value *out)
+{
+  const sg_live *live =
+      sg_map_live(version->map[relation], row / SG_PAGE_ROWS);
+
+  sg_page_row(live->page, &sg_relation_table[relation], mask,
+              row % SG_PAGE_ROWS, out);
+}
+
 sg_row
 sg_version_find(const sg_version *version, sg_relation relation,
                 const sg_value *row)

@@ -52,5 +52,25 @@ void sg_version_release(sg_version *version);
 void sg_stack_clear(sg_stack *stack);
 /* Makes slots that no version shows empty. */
 void sg_world_sweep(sg_world *world, sg_relation relation);
+/* Does so when otherwise a new page would be opened, if at least a quarter of
+ * the slots is dead and enough was written since the last sweep to pay for
+ * this one. */
+void sg_world_sweep_if_worth(sg_world *world, sg_relation relation);
+
+/* What the current version shows of a relation, for writing. Null: no
+ * memory. */
+sg_map *sg_world_own_map(sg_world *world, sg_relation relation);
+/* Something was written: counts it and forgets the redo steps. */
+void sg_world_changed(sg_world *world);
+
+/* Checks of one value: its type's bounds; that the rows it refers to live. */
+bool sg_value_is_valid(const sg_relation_info *info, unsigned column,
+                       sg_value value);
+sg_status sg_world_check_reference(sg_world *world, sg_relation relation,
+                                   unsigned column, int32_t s, sg_value value,
+                                   sg_fault *fault);
+/* The index of the relation's key, if it has one, is built. False: no
+ * memory. */
+bool sg_world_key_ready(sg_world *world, sg_relation relation);
 
 #endif
