@@ -162,12 +162,81 @@ make_faces(sg_scene_builder *b)
   return true;
 }
 
-bool
-sg_scene_is_solid(sg_scene_builder *b, int32_t s)
+/* -------------------------------------------------------------- solids */
+
+static sg_scene_segment *
+segment_of(sg_scene_builder *b, int32_t s)
 {
   size_t place = sg_keys_find(&b->segments, s, 0);
 
-  return place != SG_NOWHERE && b->in->segment[place].solid;
+  return place == SG_NOWHERE ? NULL : &b->in->segment[place];
+}
+
+static bool
+is_solid(sg_scene_builder *b, int32_t s)
+{
+  const sg_scene_segment *segment = segment_of(b, s);
+
+  return segment && segment->solid;
+}
+
+/* Six times the volume below a triangle, seen from `from`. */
+static double
+volume_below(const double from[3], const double a[3], const double c[3],
+             const double d[3])
+{
+  double n[3], u[3] = {a[0] - from[0], a[1] - from[1], a[2] - from[2]};
+
+  cross_at(a, c, d, n);
+  return dot(u, n);
+}
+
+/* A segment of kind solid that is inside out is none. */
+static void
+check_volumes(sg_scene_builder *b)
+{
+  const sg_scene_input *in = b->in;
+  const double *from = NULL;
+  double volume = 0.0;
+  uint32_t v[3];
+
+  for (size_t i = 0; i < in->triangles && !sg_scene_stop(b, i); i++) {
+    const sg_scene_triangle *t = &in->triangle[i];
+    if (!corners(b, t, v)) {
+      continue;
+    }
+    if (!from) {
+      from = in->vertex[v[0]].model;
+    }
+    volume += volume_below(from, in->vertex[v[0]].model,
+                           in->vertex[v[1]].model, in->vertex[v[2]].model);
+    if (i + 1 == in->triangles || in->triangle[i + 1].s != t->s) {
+      sg_scene_segment *segment = segment_of(b, t->s);
+      if (segment && volume <= 0.0) {
+        segment->solid = false;
+      }
+      from = NULL;
+      volume = 0.0;
+    }
+  }
+}
+
+/* Nor is one that has a border. */
+static void
+check_solids(sg_scene_builder *b)
+{
+  sg_scene *scene = b->scene;
+
+  check_volumes(b);
+  for (size_t k = 0; k < scene->lines; k++) {
+    sg_scene_segment *segment = segment_of(b, scene->line[k].s);
+    if (segment && scene->line[k].look.faces == 1) {
+      segment->solid = false;
+    }
+  }
+  for (size_t k = 0; k < scene->lines; k++) {
+    scene->line[k].look.solid = is_solid(b, scene->line[k].s);
+  }
 }
 
 /* -------------------------------------------------------------- masks */
@@ -201,7 +270,7 @@ mask_of(sg_scene_builder *b, const sg_scene_triangle *t, sg_scene_mask *out)
   }
   cross_at(at[v[0]], at[v[1]], at[v[2]], n);
   facing = facing_of(n);
-  if (facing == 0 || (facing < 0 && sg_scene_is_solid(b, t->s))) {
+  if (facing == 0 || (facing < 0 && is_solid(b, t->s))) {
     return false;
   }
   size = length(n) * facing;
@@ -223,6 +292,7 @@ make_masks(sg_scene_builder *b)
   const sg_scene_input *in = b->in;
   sg_scene *scene = b->scene;
 
+  check_solids(b);
   scene->mask = malloc((in->triangles + 1) * sizeof *scene->mask);
   if (!scene->mask) {
     return false;

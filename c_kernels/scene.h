@@ -21,7 +21,8 @@
 /* What a scene is made from. Each begins with segment and id. */
 typedef struct sg_scene_segment {
   int32_t s, unused;
-  bool solid; /* its back faces hide nothing and their edges are hidden */
+  bool solid; /* its back faces hide nothing and their edges are hidden;
+                 cleared for one that has a border or is inside out */
 } sg_scene_segment;
 
 typedef struct sg_scene_vertex {
@@ -74,7 +75,7 @@ typedef struct sg_look {
   unsigned towards, away; /* faces turned to the eye, turned from it */
   unsigned left, right;   /* of the line from a to b */
   double bend;            /* degrees from flat, the largest; 0 to 180 */
-  bool solid;             /* its segment is one */
+  bool solid;             /* its segment is one, closed and not inside out */
   bool cut;               /* it is (part of) a penetration line */
 } sg_look;
 

@@ -7,6 +7,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* Of more faces at an edge not all pairs are compared. */
+enum { MOST_FACES = 64 };
+
 static double
 dot(const double a[3], const double b[3])
 {
@@ -278,7 +281,7 @@ look_at(sg_scene_builder *b, size_t k)
       continue;
     }
     look_at_face(look, f, i);
-    for (uint32_t w = b->use_at[k]; w < u; w++) {
+    for (uint32_t w = b->use_at[k]; w < u && w < b->use_at[k] + MOST_FACES; w++) {
       const sg_scene_face *g = face_of_use(b, line, b->user[w], &j);
       if (g) {
         look->bend =
@@ -296,7 +299,6 @@ sg_scene_make_looks(sg_scene_builder *b)
   }
   for (size_t k = 0; k < b->scene->lines && !sg_scene_stop(b, k); k++) {
     look_at(b, k);
-    b->scene->line[k].look.solid = sg_scene_is_solid(b, b->scene->line[k].s);
   }
   return true;
 }

@@ -59,8 +59,6 @@ sg_scene_sort(sg_scene_builder *b, void *base, size_t n, size_t size,
   return end != SG_SORT_NO_MEMORY;
 }
 
-bool sg_scene_is_solid(sg_scene_builder *b, int32_t s);
-
 /* Both: false means no memory. */
 bool sg_scene_make_lines(sg_scene_builder *b);
 bool sg_scene_make_looks(sg_scene_builder *b);

@@ -16,7 +16,8 @@ scene_edge/5 reports it, decides its role:
     seen edge-on is neither (step 1)
   - Left, Right: how many lie on the left and right of the line in the picture
   - Bend: degrees by which they are not flat, the largest of all pairs
-  - Solid: `true` if the segment is a solid
+  - Solid: `true` if the segment is a solid, closed and not inside out: its
+    backs cannot be seen
   - Cut: `true` if it is part of a penetration line
 
 @see [PL] section 6.3, steps 1 to 3: PL-13.

@@ -525,6 +525,43 @@ non_manifold(void)
   free(m);
 }
 
+/* A solid that is open or inside out is drawn from both sides. */
+static void
+no_solids(void)
+{
+  static const int32_t five[5][4] = {
+      {1, 3, 4, 2}, {1, 2, 6, 5}, {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+  model *m = model_new(), *n = model_new();
+  double c[8][3];
+  picture p;
+
+  model_segment(m, true);
+  for (int i = 0; i < 8; i++) {
+    model_vertex(m, i & 1, i >> 1 & 1, i >> 2 & 1);
+    for (int k = 0; k < 3; k++) {
+      c[i][k] = -(i >> k & 1);
+    }
+  }
+  for (int i = 0; i < 5; i++) {
+    model_polygon(m, 4, five[i]);
+  }
+  model_project(m, 300, 45, 9, false);
+  picture_open(&p, m, SG_LINES_ALL);
+  CHECK("an open box: one looks into it",
+        drawn_count(&p, false) == 12 && drawn_count(&p, true) == 2 &&
+            role_count(&p, SG_BORDER) == 4 && !p.scene->line[0].look.solid);
+  picture_close(&p);
+  model_segment(n, true);
+  model_hexahedron(n, c);
+  model_project(n, 300, 60, 9, false);
+  picture_open(&p, n, SG_LINES_ALL);
+  CHECK("a box inside out looks like any other",
+        drawn_count(&p, false) == 9 && drawn_count(&p, true) == 3);
+  picture_close(&p);
+  free(m);
+  free(n);
+}
+
 /* Second copies of a penetration line go; so do pairs without a real edge. */
 static void
 cuts(void)
@@ -607,6 +644,7 @@ main(void)
   lines_alone();
   non_manifold();
   cuts();
+  no_solids();
   random_scenes();
   return check_report();
 }
