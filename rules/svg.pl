@@ -5,7 +5,6 @@
 :- autoload(library(apply), [foldl/4]).
 :- autoload(library(option), [option/2, option/3]).
 :- autoload(library(dcg/high_order), [sequence//3]).
-:- autoload(library(lists), [append/3]).
 :- autoload(library(rbtrees),
             [rb_insert_new/4, rb_lookup/3, rb_new/1, rb_update/4]).
 /** <module> SVG: strokes as polylines that say what they are.
@@ -22,6 +21,8 @@ segment and first edge; when an edge is drawn in several parts, `-2`, `-3`
 follow. How things look is in the style block alone, except for dashes, which
 are fitted to each line (dash.pl).
 */
+
+:- set_prolog_flag(optimise, true).
 
 %!  write_svg(+Out, +Sheet, +Strokes, +Options) is det.
 %
@@ -151,21 +152,33 @@ dash_start(_, _) -->
 %   An integer as thousandths: 12340 is `12.34`, never `-0`.
 
 thousandths(N) -->
-    { format(codes(Codes0), '~3d', [N]),
-      trimmed(Codes0, Codes)
+    { N < 0,
+      !,
+      Positive is -N
     },
-    list(Codes).
+    "-", thousandths(Positive).
+thousandths(N) -->
+    { Whole is N//1000,
+      Part is N mod 1000
+    },
+    number(Whole),
+    decimals(Part, 100, `.`).
 
-trimmed(Codes0, Codes) :-
-    (   append(Codes1, `.000`, Codes0)
-    ->  Codes = Codes1
-    ;   append(Codes1, `0`, Codes0)
-    ->  trimmed(Codes1, Codes)
-    ;   Codes = Codes0
-    ).
+%   The digits of Part from Place down, without zeros at the end.
+
+decimals(0, _, _) -->
+    !,
+    "".
+decimals(Part, Place, Before) -->
+    { Digit is 0'0 + Part//Place,
+      Rest is Part mod Place,
+      Next is Place//10
+    },
+    list(Before), [Digit],
+    decimals(Rest, Next, []).
 
 number(N) -->
-    { format(codes(Codes), '~d', [N]) },
+    { number_codes(N, Codes) },
     list(Codes).
 
 scale(Scale) -->
