@@ -307,6 +307,12 @@ sg_work_edges(const sg_work *work)
 }
 
 int32_t
+sg_work_newest(const sg_work *work)
+{
+  return work->edges;
+}
+
+int32_t
 sg_work_next(const sg_work *work, int32_t edge)
 {
   return edge ? work->edge[edge].younger : work->oldest;

@@ -80,6 +80,9 @@ int32_t sg_work_split(sg_work *work, int32_t edge, int32_t vertex);
 const sg_work_edge *sg_work_get(const sg_work *work, int32_t edge);
 size_t sg_work_edges(const sg_work *work); /* how many are living */
 
+/* The handle given out last, 0: none yet. */
+int32_t sg_work_newest(const sg_work *work);
+
 /* The next living edge, oldest first, after `edge` (0: the oldest of all);
  * 0: there is none. `edge` itself must be living or 0. */
 int32_t sg_work_next(const sg_work *work, int32_t edge);

@@ -419,3 +419,31 @@ notice_en(nothing_drawn) -->
 fault_en(eye_in_model(D)) -->
     [ 'the eye is in or behind the model: its nearest point is at ~4g'-[D], nl,
       '  Give a larger RHO, or use the parallel projection.' ].
+
+
+                /*******************************
+                *         triangulation        *
+                *******************************/
+
+fault_en(no_third_vertex(V1, V2)) -->
+    [ 'the edge from vertex ~d to ~d has no third vertex'-[V1, V2], nl,
+      '  The polygon crosses or overlaps itself there.' ].
+fault_en(polygon_edge(S, P, V1, V2)) -->
+    invalid_polygon_en(S, P, V1, V2).
+
+notice_en(polygon_edge(S, P, V1, V2)) -->
+    invalid_polygon_en(S, P, V1, V2),
+    [ nl, '  It is left out.' ].
+notice_en(no_area(S, Count, P)) -->
+    [ '~D polygons of segment ~d have no area (the first is ~d)'-[Count, S, P],
+      nl, '  They are left out.' ].
+notice_en(not_flat(S, Count, P, Off)) -->
+    [ '~D polygons of segment ~d are not flat (the worst, ~d, by ~4g)'-
+      [Count, S, P, Off], nl,
+      '  They are used as their triangles.' ].
+
+invalid_polygon_en(S, P, V1, V2) -->
+    [ 'polygon ~d of segment ~d is invalid: no triangle fits its edge from \c
+       vertex ~d to ~d'-[P, S, V1, V2], nl,
+      '  It crosses or overlaps itself, or a hole is outside or runs the \c
+       wrong way round.' ].

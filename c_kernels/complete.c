@@ -1,0 +1,526 @@
+/* complete.c -- planes and triangles for whole segments: see complete.h. */
+#include "complete.h"
+
+#include "flatness.h"
+#include "key_table.h"
+#include "keys.h"
+#include "plane.h"
+#include "triangulate.h"
+
+#include <math.h>
+
+/* ---- what is read ------------------------------------------------------- */
+
+typedef struct vertex {
+  int32_t s, id;
+  double p[3];
+} vertex;
+
+typedef struct edge {
+  int32_t s, id, v1, v2;
+} edge;
+
+typedef struct polygon_key {
+  int32_t s, id;
+} polygon_key;
+
+typedef struct model {
+  vertex *v;
+  edge *e;
+  polygon_key *with_plane, *with_triangles;
+  sg_keys vertices, edges, planes, triangles;
+  sg_flatness flatness;
+} model;
+
+static size_t
+count_rows(const sg_view *view)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < view->pages; i++) {
+    for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
+      n += (size_t)__builtin_popcountll(view->live[i][w]);
+    }
+  }
+  return n;
+}
+
+/* Runs `body` with page i, row r for every live row of a view. */
+#define EACH_ROW(view, i, r)                                                   \
+  for (size_t i = 0; i < (view)->pages; i++)                                   \
+    for (unsigned r = sg_live_next((view)->live[i], 0); r < SG_PAGE_ROWS;      \
+         r = sg_live_next((view)->live[i], r + 1))
+
+static int32_t
+int_at(const sg_view *view, int column, size_t i, unsigned r)
+{
+  return view->column[column].page[i].i[r];
+}
+
+static bool
+read_vertices(const sg_view *view, model *out)
+{
+  size_t n = 0;
+
+  out->v = malloc((count_rows(view) + 1) * sizeof *out->v);
+  if (!out->v) {
+    return false;
+  }
+  EACH_ROW(view, i, r)
+  {
+    vertex *v = &out->v[n++];
+    v->s = int_at(view, 0, i, r);
+    v->id = int_at(view, 1, i, r);
+    for (int k = 0; k < 3; k++) {
+      v->p[k] = view->column[2 + k].page[i].f[r];
+    }
+    sg_flatness_see(&out->flatness, v->p);
+  }
+  out->vertices = sg_keys_sorted(out->v, sizeof *out->v, n, sg_key_compare);
+  return true;
+}
+
+static bool
+read_edges(const sg_view *view, model *out)
+{
+  size_t n = 0;
+
+  out->e = malloc((count_rows(view) + 1) * sizeof *out->e);
+  if (!out->e) {
+    return false;
+  }
+  EACH_ROW(view, i, r)
+  {
+    out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
+                         int_at(view, 2, i, r), int_at(view, 3, i, r)};
+  }
+  out->edges = sg_keys_sorted(out->e, sizeof *out->e, n, sg_key_compare);
+  return true;
+}
+
+/* The polygons that have a row in plane/6 or t/6. */
+static bool
+read_polygons(const sg_view *view, polygon_key **out, sg_keys *keys)
+{
+  size_t n = 0;
+
+  *out = malloc((count_rows(view) + 1) * sizeof **out);
+  if (!*out) {
+    return false;
+  }
+  EACH_ROW(view, i, r)
+  {
+    (*out)[n++] =
+        (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
+  }
+  *keys = sg_keys_sorted(*out, sizeof **out, n, sg_key_compare);
+  return true;
+}
+
+static void
+model_clear(model *m)
+{
+  free(m->v);
+  free(m->e);
+  free(m->with_plane);
+  free(m->with_triangles);
+}
+
+static bool
+model_read(const sg_completion_input *in, model *out)
+{
+  *out = (model){0};
+  sg_flatness_init(&out->flatness);
+  return read_vertices(in->v, out) && read_edges(in->e, out) &&
+         read_polygons(in->plane, &out->with_plane, &out->planes) &&
+         read_polygons(in->t, &out->with_triangles, &out->triangles);
+}
+
+/* ---- what is written ---------------------------------------------------- */
+
+void
+sg_completion_clear(sg_completion *out)
+{
+  free(out->planes.s);
+  free(out->planes.p);
+  for (int k = 0; k < 4; k++) {
+    free(out->planes.c[k]);
+  }
+  free(out->triangles.s);
+  free(out->triangles.p);
+  free(out->triangles.t);
+  for (int k = 0; k < 3; k++) {
+    free(out->triangles.v[k]);
+  }
+  free(out->fault);
+  *out = (sg_completion){0};
+}
+
+/* Grows one column; false: no memory. */
+static bool
+grow(void *column, size_t room, size_t size)
+{
+  void *old, *grown;
+
+  memcpy(&old, column, sizeof old);
+  grown = realloc(old, room * size);
+  if (grown) {
+    memcpy(column, &grown, sizeof grown);
+  }
+  return grown != NULL;
+}
+
+static bool
+add_plane(sg_plane_rows *rows, int32_t s, int32_t p, const sg_plane *plane)
+{
+  if (rows->n == rows->room) {
+    size_t room = rows->room ? rows->room * 2 : 256;
+    bool done = grow(&rows->s, room, sizeof *rows->s) &&
+                grow(&rows->p, room, sizeof *rows->p);
+    for (int k = 0; done && k < 4; k++) {
+      done = grow(&rows->c[k], room, sizeof *rows->c[k]);
+    }
+    if (!done) {
+      return false;
+    }
+    rows->room = room;
+  }
+  rows->s[rows->n] = s;
+  rows->p[rows->n] = p;
+  for (int k = 0; k < 3; k++) {
+    rows->c[k][rows->n] = plane->n[k];
+  }
+  rows->c[3][rows->n++] = plane->d;
+  return true;
+}
+
+/* The next number of segment s; counts[s] are those given out. */
+static bool
+next_number(sg_key_table *counts, int32_t s, int32_t *out)
+{
+  uint32_t *count = sg_key_table_put(counts, (const uint32_t[]){(uint32_t)s});
+
+  if (!count) {
+    return false;
+  }
+  *count = *count == SG_NO_KEY ? 1 : *count + 1;
+  *out = (int32_t)*count - 1;
+  return true;
+}
+
+static bool
+add_triangle(sg_triangle_rows *rows, sg_key_table *counts, int32_t s,
+             int32_t p, const int32_t v[3])
+{
+  if (rows->n == rows->room) {
+    size_t room = rows->room ? rows->room * 2 : 256;
+    bool done = grow(&rows->s, room, sizeof *rows->s) &&
+                grow(&rows->p, room, sizeof *rows->p) &&
+                grow(&rows->t, room, sizeof *rows->t);
+    for (int k = 0; done && k < 3; k++) {
+      done = grow(&rows->v[k], room, sizeof *rows->v[k]);
+    }
+    if (!done) {
+      return false;
+    }
+    rows->room = room;
+  }
+  if (!next_number(counts, s, &rows->t[rows->n])) {
+    return false;
+  }
+  rows->s[rows->n] = s;
+  rows->p[rows->n] = p;
+  for (int k = 0; k < 3; k++) {
+    rows->v[k][rows->n] = v[k];
+  }
+  rows->n++;
+  return true;
+}
+
+static bool
+add_fault(sg_completion *out, const sg_polygon_fault *fault)
+{
+  if (out->faults == out->fault_room) {
+    size_t room = out->fault_room ? out->fault_room * 2 : 16;
+    if (!grow(&out->fault, room, sizeof *out->fault)) {
+      return false;
+    }
+    out->fault_room = room;
+  }
+  out->fault[out->faults++] = *fault;
+  return true;
+}
+
+/* ---- one polygon -------------------------------------------------------- */
+
+/* A polygon with its edges' vertices, and scratch that is used again. */
+typedef struct task {
+  model *model;
+  sg_completion *out;
+  const sg_poll *poll;
+  sg_key_table counts; /* triangles a segment */
+  int32_t s, p;
+  bool needs_plane, needs_triangles;
+  size_t n, room;
+  const edge **e;
+  const vertex **start, **end; /* [n] */
+  sg_plane plane;
+  sg_work *work;
+  sg_triangles found;
+  bool stopped;
+} task;
+
+static bool
+fault(task *t, sg_fault_kind kind, int32_t a, int32_t b, double size)
+{
+  return add_fault(t->out,
+                   &(sg_polygon_fault){t->s, t->p, kind, a, b, size});
+}
+
+static bool
+make_room(task *t, size_t n)
+{
+  if (n > t->room) {
+    if (!grow(&t->e, n, sizeof *t->e) ||
+        !grow(&t->start, n, sizeof *t->start) ||
+        !grow(&t->end, n, sizeof *t->end)) {
+      return false;
+    }
+    t->room = n;
+  }
+  return true;
+}
+
+/* Looks its edges and vertices up. The store keeps references whole, so that
+ * none is missing. */
+static bool
+look_up(task *t, const int32_t *list)
+{
+  model *m = t->model;
+
+  t->n = (size_t)list[0];
+  if (!make_room(t, t->n)) {
+    return false;
+  }
+  for (size_t i = 0; i < t->n; i++) {
+    size_t at = sg_keys_find(&m->edges, t->s, list[1 + i]);
+    size_t v1 = sg_keys_find(&m->vertices, t->s, m->e[at].v1);
+    size_t v2 = sg_keys_find(&m->vertices, t->s, m->e[at].v2);
+    t->e[i] = &m->e[at];
+    t->start[i] = &m->v[v1];
+    t->end[i] = &m->v[v2];
+  }
+  return true;
+}
+
+/* Three edges in a ring: the third corner of the first edge, or null. */
+static const vertex *
+third_corner(const task *t)
+{
+  if (t->n != 3) {
+    return NULL;
+  }
+  int second = t->start[1] == t->end[0] ? 1 : 2, third = 3 - second;
+  bool ring = t->start[second] == t->end[0] &&
+              t->start[third] == t->end[second] &&
+              t->end[third] == t->start[0];
+  return ring ? t->end[second] : NULL;
+}
+
+static bool
+fill_work(task *t)
+{
+  if (!t->work && !(t->work = sg_work_open(t->plane.n))) {
+    return false;
+  }
+  sg_work_clear(t->work, t->plane.n);
+  for (size_t i = 0; i < t->n; i++) {
+    sg_point start, end;
+    sg_point_set(&start, t->start[i]->p);
+    sg_point_set(&end, t->end[i]->p);
+    int32_t a = sg_work_vertex(t->work, t->start[i]->id, &start);
+    int32_t b = sg_work_vertex(t->work, t->end[i]->id, &end);
+    if (a < 0 || b < 0 || (a != b && !sg_work_add(t->work, a, b, 1,
+                                                  t->e[i]->id))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool
+triangulate(task *t)
+{
+  int32_t stuck;
+
+  if (!sg_work_resolve(t->work)) {
+    return false;
+  }
+  t->found.n = 0;
+  switch (sg_work_triangulate(t->work, &t->found, &stuck, t->poll)) {
+  case SG_DONE:
+    break;
+  case SG_STUCK: {
+    const sg_work_edge *bad = sg_work_get(t->work, stuck);
+    return fault(t, SG_FAULT_EDGE, sg_work_id(t->work, bad->start),
+                 sg_work_id(t->work, bad->end), 0);
+  }
+  case SG_STOPPED:
+    t->stopped = true;
+    return false;
+  case SG_NO_SPACE:
+    return false;
+  }
+  for (size_t i = 0; i < t->found.n; i++) {
+    int32_t v[3];
+    for (int k = 0; k < 3; k++) {
+      v[k] = sg_work_id(t->work, t->found.item[i].v[k]);
+    }
+    if (!add_triangle(&t->out->triangles, &t->counts, t->s, t->p, v)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* A triangle needs no scratch relation; *done tells if it was one. */
+static bool
+quick_triangle(task *t, bool *done)
+{
+  const vertex *c = third_corner(t), *a = t->start[0], *b = t->end[0];
+  int axis = 0;
+  sg_point p[3];
+
+  *done = false;
+  if (!c) {
+    return true;
+  }
+  for (int k = 1; k < 3; k++) {
+    axis = fabs(t->plane.n[k]) > fabs(t->plane.n[axis]) ? k : axis;
+  }
+  sg_point_set(&p[0], a->p);
+  sg_point_set(&p[1], b->p);
+  sg_point_set(&p[2], c->p);
+  int turn = sg_point_turn(axis, &p[0], &p[1], &p[2]);
+  if (turn != (t->plane.n[axis] < 0 ? -1 : 1)) {
+    return true; /* the long way finds out what is wrong */
+  }
+  *done = true;
+  return add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
+                      (const int32_t[3]){a->id, b->id, c->id});
+}
+
+static bool
+note_bent(task *t)
+{
+  double worst = 0;
+
+  for (size_t i = 0; i < t->n; i++) {
+    worst = fmax(worst, fabs(sg_plane_distance(&t->plane, t->start[i]->p)));
+  }
+  return worst <= sg_flatness_tolerance(&t->model->flatness) ||
+         fault(t, SG_FAULT_BENT, 0, 0, worst);
+}
+
+/* One vertex at which it does not close, an id, or 0. */
+static bool
+find_gap(task *t, int32_t *gap)
+{
+  *gap = 0;
+  if (third_corner(t)) {
+    return true;
+  }
+  if (!fill_work(t)) {
+    return false;
+  }
+  int32_t open = sg_work_unbalanced(t->work);
+  *gap = open == SG_WORK_NONE ? 0 : sg_work_id(t->work, open);
+  return true;
+}
+
+static bool
+do_polygon(task *t)
+{
+  sg_newell sum;
+  int32_t gap;
+  bool done = false;
+
+  sg_newell_init(&sum);
+  for (size_t i = 0; i < t->n; i++) {
+    sg_newell_edge(&sum, t->start[i]->p, t->end[i]->p);
+  }
+  bool flat = sg_newell_plane(&sum, &t->plane);
+  if (!flat) {
+    t->plane = (sg_plane){{0, 0, 1}, 0};
+  }
+  if (!find_gap(t, &gap)) {
+    return false;
+  }
+  if (gap) {
+    return fault(t, SG_FAULT_OPEN, gap, 0, 0);
+  }
+  if (!flat) {
+    return fault(t, SG_FAULT_NO_AREA, 0, 0, 0);
+  }
+  if (t->needs_plane &&
+      (!add_plane(&t->out->planes, t->s, t->p, &t->plane) ||
+       (t->n > 3 && !note_bent(t)))) {
+    return false;
+  }
+  if (!t->needs_triangles || !quick_triangle(t, &done) || done) {
+    return !t->needs_triangles || done;
+  }
+  return (t->n > 3 || fill_work(t)) && triangulate(t);
+}
+
+/* ---- all polygons ------------------------------------------------------- */
+
+enum { POLYGONS_A_POLL = 256 };
+
+static bool
+do_polygons(task *t, const sg_view *view)
+{
+  size_t n = 0;
+
+  EACH_ROW(view, i, r)
+  {
+    t->s = int_at(view, 0, i, r);
+    t->p = int_at(view, 1, i, r);
+    t->needs_plane =
+        sg_keys_find(&t->model->planes, t->s, t->p) == SG_NOWHERE;
+    t->needs_triangles =
+        sg_keys_find(&t->model->triangles, t->s, t->p) == SG_NOWHERE;
+    if (!t->needs_plane && !t->needs_triangles) {
+      continue;
+    }
+    if (++n % POLYGONS_A_POLL == 0 && sg_poll_stop(t->poll)) {
+      t->stopped = true;
+      return false;
+    }
+    if (!look_up(t, view->column[2].page[i].list[r]) || !do_polygon(t)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
+            const sg_poll *poll)
+{
+  model m;
+  task t = {.model = &m, .out = out, .poll = poll};
+
+  *out = (sg_completion){0};
+  sg_key_table_init(&t.counts, 1);
+  bool done = model_read(in, &m) && do_polygons(&t, in->p);
+  *stopped = t.stopped;
+  sg_key_table_clear(&t.counts);
+  sg_work_close(t.work);
+  free(t.found.item);
+  free(t.e);
+  free(t.start);
+  free(t.end);
+  model_clear(&m);
+  return done;
+}

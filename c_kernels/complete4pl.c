@@ -1,0 +1,161 @@
+/* complete4pl.c -- planes and triangles of whole segments, as a predicate.
+ *
+ * Layer: glue. Doors in rules/kernel.pl.
+ */
+#include "../engine/install.h"
+#include "../engine/world4pl.h"
+
+#include "complete.h"
+#include "glue.h"
+
+#include <stdlib.h>
+
+static atom_t atom_not_closed, atom_no_area, atom_not_simple, atom_not_flat;
+static functor_t functor_fault3, functor_not_closed1, functor_not_simple2,
+    functor_not_flat1;
+
+/* Views of the five relations, of one version. */
+typedef struct views {
+  const sg_version *version;
+  sg_view view[5];
+} views;
+
+static const sg_relation READ[5] = {SG_V, SG_E, SG_P, SG_PLANE, SG_T};
+
+static void
+views_close(views *v)
+{
+  for (int i = 0; i < 5; i++) {
+    sg_view_clear(&v->view[i]);
+  }
+  sg_version_drop(v->version);
+}
+
+static int
+views_open_ex(views *v, sg_world *world)
+{
+  *v = (views){.version = sg_world_version(world)};
+  for (int i = 0; i < 5; i++) {
+    if (!sg_version_view(v->version, READ[i], &v->view[i])) {
+      views_close(v);
+      return sg_no_memory();
+    }
+  }
+  return TRUE;
+}
+
+/* t counts from 0 in each segment: from its next fresh id instead. */
+static int
+number_triangles_ex(sg_world *world, sg_triangle_rows *rows)
+{
+  for (size_t i = 0; i < rows->n; i++) {
+    int32_t s = rows->s[i];
+    size_t last = i;
+    if (rows->t[i] == 0) { /* its segment's first */
+      if ((rows->t[i] = sg_world_fresh(world, SG_T, s)) <= 0) {
+        return PL_resource_error("fresh_ids");
+      }
+      continue;
+    }
+    while (rows->s[--last] != s) {
+    }
+    rows->t[i] = rows->t[last] + 1;
+  }
+  return TRUE;
+}
+
+static int
+add_rows_ex(sg_world *world, sg_completion *found)
+{
+  sg_plane_rows *p = &found->planes;
+  sg_triangle_rows *t = &found->triangles;
+  const void *plane[] = {p->s, p->p, p->c[0], p->c[1], p->c[2], p->c[3]};
+  const void *triangle[] = {t->s, t->p, t->t, t->v[0], t->v[1], t->v[2]};
+  sg_fault fault = {0};
+
+  return (p->n == 0 ||
+          sg_raise_status(
+              sg_world_add_many(world, SG_PLANE, p->n, plane, &fault),
+              SG_PLANE, &fault)) &&
+         (t->n == 0 ||
+          (number_triangles_ex(world, t) &&
+           sg_raise_status(
+               sg_world_add_many(world, SG_T, t->n, triangle, &fault), SG_T,
+               &fault)));
+}
+
+static int
+put_what(term_t what, const sg_polygon_fault *f)
+{
+  switch (f->kind) {
+  case SG_FAULT_OPEN:
+    return PL_unify_term(what, PL_FUNCTOR, functor_not_closed1, PL_INT, f->a);
+  case SG_FAULT_NO_AREA:
+    return PL_unify_atom(what, atom_no_area);
+  case SG_FAULT_EDGE:
+    return PL_unify_term(what, PL_FUNCTOR, functor_not_simple2, PL_INT, f->a,
+                         PL_INT, f->b);
+  case SG_FAULT_BENT:
+    return PL_unify_term(what, PL_FUNCTOR, functor_not_flat1, PL_FLOAT,
+                         f->size);
+  }
+  return FALSE;
+}
+
+static int
+unify_faults(term_t list, const sg_completion *found)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref(),
+         what = PL_new_term_ref();
+
+  for (size_t i = 0; i < found->faults; i++) {
+    const sg_polygon_fault *f = &found->fault[i];
+    PL_put_variable(what);
+    if (!put_what(what, f) || !PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(head, PL_FUNCTOR, functor_fault3, PL_INT, f->s, PL_INT,
+                       f->p, PL_TERM, what)) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* fill_triangles(-Faults) is det. */
+static foreign_t
+fill_triangles(term_t faults)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_completion found;
+  views v;
+  bool stopped;
+
+  if (!world || !views_open_ex(&v, world)) {
+    return FALSE;
+  }
+  const sg_completion_input in = {&v.view[0], &v.view[1], &v.view[2],
+                                  &v.view[3], &v.view[4]};
+  int ok = sg_complete(&in, &found, &stopped, &sg_prolog_poll);
+  views_close(&v);
+  ok = ok ? add_rows_ex(world, &found) && unify_faults(faults, &found)
+          : !stopped && sg_no_memory();
+  sg_completion_clear(&found);
+  return ok;
+}
+
+void
+sg_install_complete(void)
+{
+  static const PL_extension doors[] = {
+      {"fill_triangles", 1, (pl_function_t)fill_triangles, 0},
+      {NULL, 0, NULL, 0}};
+
+  atom_not_closed = PL_new_atom("not_closed");
+  atom_no_area = PL_new_atom("no_area");
+  atom_not_simple = PL_new_atom("not_simple");
+  atom_not_flat = PL_new_atom("not_flat");
+  functor_fault3 = PL_new_functor(PL_new_atom("fault"), 3);
+  functor_not_closed1 = PL_new_functor(atom_not_closed, 1);
+  functor_not_simple2 = PL_new_functor(atom_not_simple, 2);
+  functor_not_flat1 = PL_new_functor(atom_not_flat, 1);
+  PL_register_extensions_in_module("sg_kernel", doors);
+}

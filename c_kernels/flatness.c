@@ -1,0 +1,63 @@
+/* flatness.c -- how far off its plane a polygon may be: see flatness.h. */
+#include "flatness.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Decimals count as the source's precision from here on, relative to the
+ * size: 1, 0.5 and 0.25 are no rounded measurements. */
+static const double COARSEST = 1e-4;
+
+void
+sg_flatness_init(sg_flatness *out)
+{
+  *out = (sg_flatness){.single = true};
+}
+
+static bool
+has_places(double x, int places)
+{
+  static const double power[] = {1,   1e1, 1e2, 1e3, 1e4,
+                                 1e5, 1e6, 1e7, 1e8, 1e9};
+  double scaled = x * power[places];
+
+  return fabs(scaled - nearbyint(scaled)) <= fabs(scaled) * 4 * DBL_EPSILON;
+}
+
+void
+sg_flatness_see(sg_flatness *model, const double point[3])
+{
+  for (int k = 0; k < 3; k++) {
+    double x = point[k];
+    if (!model->any || x < model->low[k]) {
+      model->low[k] = x;
+    }
+    if (!model->any || x > model->high[k]) {
+      model->high[k] = x;
+    }
+    model->largest = fmax(model->largest, fabs(x));
+    model->single = model->single && (double)(float)x == x;
+    while (model->places <= SG_PLACES && !has_places(x, model->places)) {
+      model->places++;
+    }
+  }
+  model->any = true;
+}
+
+double
+sg_flatness_tolerance(const sg_flatness *model)
+{
+  double size = 0, unit = 0;
+
+  for (int k = 0; k < 3; k++) {
+    size = fmax(size, model->high[k] - model->low[k]);
+  }
+  if (model->places <= SG_PLACES) {
+    double place = pow(10, -model->places);
+    unit = place <= COARSEST * size ? place : 0;
+  }
+  if (model->single) {
+    unit = fmax(unit, model->largest * FLT_EPSILON);
+  }
+  return fmax(ldexp(size, -33), 4 * unit);
+}

@@ -1,0 +1,25 @@
+/* flatness.h -- how far off its plane a polygon may be and still be one face.
+ *
+ * Layer: kernel. Inexact. The tolerance is the larger of 2^-33 of the model's
+ * size and 4 units in the last place of its source (DESIGN 4). What the source
+ * was is seen from the coordinates: they are all single precision numbers, or
+ * all decimals with a few places.
+ */
+#ifndef SG_FLATNESS_H
+#define SG_FLATNESS_H
+
+#include <stdbool.h>
+
+typedef struct sg_flatness {
+  double low[3], high[3], largest;
+  bool any, single;
+  int places; /* decimal places, or more than SG_PLACES: not decimals */
+} sg_flatness;
+
+enum { SG_PLACES = 9 };
+
+void sg_flatness_init(sg_flatness *out);
+void sg_flatness_see(sg_flatness *model, const double point[3]);
+double sg_flatness_tolerance(const sg_flatness *model); /* model units */
+
+#endif
