@@ -5,9 +5,12 @@
 #include "key_table.h"
 #include "keys.h"
 #include "plane.h"
+#include "sort.h"
 #include "triangulate.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* ---- what is read ------------------------------------------------------- */
 
@@ -30,6 +33,8 @@ typedef struct model {
   polygon_key *with_plane, *with_triangles;
   sg_keys vertices, edges, planes, triangles;
   sg_flatness flatness;
+  const sg_poll *poll;
+  bool stopped;
 } model;
 
 static size_t
@@ -57,6 +62,17 @@ int_at(const sg_view *view, int column, size_t i, unsigned r)
   return view->column[column].page[i].i[r];
 }
 
+/* False: no memory, or stopped. */
+static bool
+sort_keys(model *m, void *base, size_t size, size_t n, sg_keys *out)
+{
+  sg_sort_end end = sg_sort(base, n, size, sg_key_compare, m->poll);
+
+  m->stopped = end == SG_SORT_STOPPED;
+  *out = (sg_keys){base, size, n, 0};
+  return end == SG_SORTED;
+}
+
 static bool
 read_vertices(const sg_view *view, model *out)
 {
@@ -76,8 +92,7 @@ read_vertices(const sg_view *view, model *out)
     }
     sg_flatness_see(&out->flatness, v->p);
   }
-  out->vertices = sg_keys_sorted(out->v, sizeof *out->v, n, sg_key_compare);
-  return true;
+  return sort_keys(out, out->v, sizeof *out->v, n, &out->vertices);
 }
 
 static bool
@@ -94,13 +109,13 @@ read_edges(const sg_view *view, model *out)
     out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
                          int_at(view, 2, i, r), int_at(view, 3, i, r)};
   }
-  out->edges = sg_keys_sorted(out->e, sizeof *out->e, n, sg_key_compare);
-  return true;
+  return sort_keys(out, out->e, sizeof *out->e, n, &out->edges);
 }
 
 /* The polygons that have a row in plane/6 or t/6. */
 static bool
-read_polygons(const sg_view *view, polygon_key **out, sg_keys *keys)
+read_polygons(const sg_view *view, model *m, polygon_key **out,
+              sg_keys *keys)
 {
   size_t n = 0;
 
@@ -113,8 +128,7 @@ read_polygons(const sg_view *view, polygon_key **out, sg_keys *keys)
     (*out)[n++] =
         (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
   }
-  *keys = sg_keys_sorted(*out, sizeof **out, n, sg_key_compare);
-  return true;
+  return sort_keys(m, *out, sizeof **out, n, keys);
 }
 
 static void
@@ -129,11 +143,10 @@ model_clear(model *m)
 static bool
 model_read(const sg_completion_input *in, model *out)
 {
-  *out = (model){0};
   sg_flatness_init(&out->flatness);
   return read_vertices(in->v, out) && read_edges(in->e, out) &&
-         read_polygons(in->plane, &out->with_plane, &out->planes) &&
-         read_polygons(in->t, &out->with_triangles, &out->triangles);
+         read_polygons(in->plane, out, &out->with_plane, &out->planes) &&
+         read_polygons(in->t, out, &out->with_triangles, &out->triangles);
 }
 
 /* ---- what is written ---------------------------------------------------- */
@@ -508,13 +521,13 @@ bool
 sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
             const sg_poll *poll)
 {
-  model m;
+  model m = {.poll = poll};
   task t = {.model = &m, .out = out, .poll = poll};
 
   *out = (sg_completion){0};
   sg_key_table_init(&t.counts, 1);
   bool done = model_read(in, &m) && do_polygons(&t, in->p);
-  *stopped = t.stopped;
+  *stopped = t.stopped || m.stopped;
   sg_key_table_clear(&t.counts);
   sg_work_close(t.work);
   free(t.found.item);

@@ -23,7 +23,10 @@ prolog:message(Term) -->
 %
 %   The message for Term in English.
 
-english(error(model_error(What), location(File, Line, Column))) -->
+english(error(model_error(What), Context)) -->
+    { nonvar(Context),
+      Context = location(File, Line, Column)
+    },
     place(File, Line, Column),
     fault_en(What).
 english(error(model_error(What), Context)) -->
