@@ -48,7 +48,9 @@ svg_head(sheet(W,H,Scale), Options) -->
     thousandths(W), " ", thousandths(H), "\" data-scale=\"", scale(Scale),
     "\">\n",
     title(Options),
-    "<style>\n", style, "</style>\n".
+    "<style>\n", style, "</style>\n",
+    "<rect class=\"paper\" width=\"", thousandths(W), "\" height=\"",
+    thousandths(H), "\"/>\n".
 
 title(Options) -->
     { option(title(Title), Options) },
@@ -62,7 +64,7 @@ title(_) -->
 %   what the drawing is about, so it is wider, and red on a screen.
 
 style -->
-    ".sanggwan{background:#fff}\n",
+    ".sanggwan .paper{fill:#fff}\n",
     ".sanggwan polyline{fill:none;stroke:#000;stroke-width:.5;",
     "stroke-linecap:round;stroke-linejoin:round}\n",
     ".sanggwan .smooth,.sanggwan .mesh{stroke-width:.25}\n",

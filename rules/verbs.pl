@@ -9,7 +9,7 @@ check_report(_) :- throw(error(existence_error(module, check), _)).
 print_report(_, _).
 report_faults(_, 0).
 :- endif.
-:- use_module(drawing, [write_drawing/2]).
+:- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(hidden_lines, [picture/1]).
 :- if(( prolog_load_context(directory, D), atom_concat(D, '/lines_out.pl', F),
         exists_file(F) )).
@@ -79,7 +79,8 @@ verb_run(penetrate, Files, Options, 0) :-
     maplist(output_written(lines_output), Outputs).
 verb_run(draw, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
-    outputs(Options, [svg, png, json], Outputs),
+    findall(Format, drawing_format(Format, _), Formats),
+    outputs(Options, Formats, Outputs),
     some_outputs(Outputs),
     picture_options(Options, PictureOptions),
     drawing_options(Options, DrawingOptions),
