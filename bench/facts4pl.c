@@ -76,10 +76,9 @@ bench_edges(term_t count, term_t seconds)
     id[3 * n + i] = (int32_t)((i * 7919) % n) + 1;
     id[4 * n + i] = 1;
   }
-  done = (foreign_t)load(SG_E, n,
-                         (const void *[]){id, id + n, id + 2 * n, id + 3 * n,
-                                          id + 4 * n},
-                         seconds);
+  done = (foreign_t)load(
+      SG_E, n, (const void *[]){id, id + n, id + 2 * n, id + 3 * n, id + 4 * n},
+      seconds);
   free(id);
   return done;
 }

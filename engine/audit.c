@@ -94,8 +94,7 @@ slots_are_valid(const sg_table *table)
   for (size_t i = 0; i < table->pages; i++) {
     const sg_page *page = table->page[i];
     for (unsigned e = 0; e < page->empties; e++) {
-      if (sg_table_taken(table,
-                         (sg_row)(i * SG_PAGE_ROWS + page->empty[e]))) {
+      if (sg_table_taken(table, (sg_row)(i * SG_PAGE_ROWS + page->empty[e]))) {
         return false;
       }
     }
@@ -119,8 +118,8 @@ keys_are_valid(sg_table *table, const sg_map *map)
     if (!sg_map_shows(map, row)) {
       continue;
     }
-    sg_page_row(sg_table_page(table, row), info, info->key,
-                row % SG_PAGE_ROWS, value);
+    sg_page_row(sg_table_page(table, row), info, info->key, row % SG_PAGE_ROWS,
+                value);
     if (sg_table_find(table, map, value) != row) {
       return false;
     }
@@ -136,14 +135,14 @@ sg_world_is_valid(sg_world *world)
   pthread_mutex_lock(&world->lock);
   for (int r = 0; valid && r < SG_RELATIONS; r++) {
     sg_table *table = &world->table[r];
-    valid = slots_are_valid(table) &&
-            keys_are_valid(table, world->current->map[r]);
+    valid =
+        slots_are_valid(table) && keys_are_valid(table, world->current->map[r]);
     for (const sg_version *v = world->versions; valid && v; v = v->next) {
       valid = map_is_valid(table, v->map[r]);
     }
     for (unsigned i = 0; valid && i < table->indexes; i++) {
-      valid = !table->index[i].built ||
-              sg_index_is_valid(&table->index[i], table);
+      valid =
+          !table->index[i].built || sg_index_is_valid(&table->index[i], table);
     }
   }
   pthread_mutex_unlock(&world->lock);

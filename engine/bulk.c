@@ -101,10 +101,9 @@ check_references(const load *l)
       continue;
     }
     for (size_t i = 0; i < l->n; i++) {
-      sg_status status =
-          sg_world_check_reference(l->world, l->relation, c,
-                                   load_value(l, in, i).i, load_value(l, c, i),
-                                   l->fault);
+      sg_status status = sg_world_check_reference(
+          l->world, l->relation, c, load_value(l, in, i).i, load_value(l, c, i),
+          l->fault);
       if (status != SG_OK) {
         l->fault->row = i;
         return status;
@@ -154,8 +153,7 @@ reserve(load *l)
     return false;
   }
   for (size_t i = 0; part_at(l, i, &p); i += p.count) {
-    if (!sg_map_own_live(l->map, p.page,
-                         (l->first + i) / SG_PAGE_ROWS)) {
+    if (!sg_map_own_live(l->map, p.page, (l->first + i) / SG_PAGE_ROWS)) {
       return false;
     }
   }
@@ -184,9 +182,9 @@ forget_refs(const load *l, unsigned c, size_t n)
 {
   for (size_t i = 0; i < n; i++) {
     sg_row row = l->first + (sg_row)i;
-    sg_arena_give(&l->table->arena, sg_table_page(l->table, row)
-                                        ->cells[c]
-                                        .ref[row % SG_PAGE_ROWS]);
+    sg_arena_give(
+        &l->table->arena,
+        sg_table_page(l->table, row)->cells[c].ref[row % SG_PAGE_ROWS]);
   }
 }
 

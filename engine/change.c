@@ -55,9 +55,8 @@ refers(sg_world *world, sg_relation relation, int32_t s, int32_t id)
 }
 
 sg_status
-sg_world_check_reference(sg_world *world, sg_relation relation,
-                         unsigned column, int32_t s, sg_value value,
-                         sg_fault *fault)
+sg_world_check_reference(sg_world *world, sg_relation relation, unsigned column,
+                         int32_t s, sg_value value, sg_fault *fault)
 {
   const sg_column_info *info = &sg_relation_table[relation].column[column];
   bool list = info->type == SG_LIST;
@@ -206,8 +205,8 @@ put_row(sg_world *world, sg_map *map, sg_relation relation, sg_row slot,
         const sg_value *row)
 {
   sg_table *table = &world->table[relation];
-  sg_live *live = sg_map_own_live(map, sg_table_page(table, slot),
-                                  slot / SG_PAGE_ROWS);
+  sg_live *live =
+      sg_map_own_live(map, sg_table_page(table, slot), slot / SG_PAGE_ROWS);
 
   if (!live || !used_ids(map, relation, row) ||
       !sg_table_write(table, slot, row)) {

@@ -236,10 +236,9 @@ hash_at(const sg_index *index, const sg_table *table, uint32_t at)
 {
   if (index->members) {
     const sg_link *link = &index->link[at];
-    return sg_index_hash_member(sg_table_page(table, link->row)
-                                    ->cells[0]
-                                    .i[link->row % SG_PAGE_ROWS],
-                                link->id);
+    return sg_index_hash_member(
+        sg_table_page(table, link->row)->cells[0].i[link->row % SG_PAGE_ROWS],
+        link->id);
   }
   return sg_index_hash_row(index, table, at);
 }

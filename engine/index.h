@@ -27,12 +27,12 @@ typedef struct sg_index {
   uint16_t mask;
   bool members;
   bool built;
-  unsigned bits;    /* 2^bits heads */
-  uint32_t *head;   /* row or link, SG_NO_ROW: none */
-  size_t links;     /* chained at present */
-  uint32_t **next;  /* row index: [pages][SG_PAGE_ROWS] */
+  unsigned bits;   /* 2^bits heads */
+  uint32_t *head;  /* row or link, SG_NO_ROW: none */
+  size_t links;    /* chained at present */
+  uint32_t **next; /* row index: [pages][SG_PAGE_ROWS] */
   size_t pages;
-  sg_link *link;    /* member index: [link_room] */
+  sg_link *link; /* member index: [link_room] */
   size_t link_room;
   size_t link_used; /* links below were used once */
   uint32_t free;    /* first link to use again, SG_NO_ROW: none */

@@ -62,6 +62,30 @@ sg_get_relation_ex(term_t t, sg_relation *out)
   return PL_existence_error("relation", t);
 }
 
+/* '$relation_count'(-Count) is det. */
+static foreign_t
+relation_count(term_t count)
+{
+  return PL_unify_integer(count, SG_RELATIONS);
+}
+
+/* '$relation_number'(+Name, -Number) is semidet. */
+static foreign_t
+relation_number(term_t name, term_t number)
+{
+  atom_t atom;
+
+  if (!PL_get_atom(name, &atom)) {
+    return FALSE;
+  }
+  for (int r = 0; r < SG_RELATIONS; r++) {
+    if (relation_atom((sg_relation)r) == atom) {
+      return PL_unify_integer(number, r);
+    }
+  }
+  return FALSE;
+}
+
 /* '$relation'(+Number, -Name, -Arity, -KeyMask, -Doc) is semidet. */
 static foreign_t
 relation(term_t number, term_t name, term_t arity, term_t key, term_t doc)
@@ -128,7 +152,8 @@ column(term_t args, int count, void *control)
                              col->refers == SG_NONE
                                  ? "none"
                                  : sg_relation_table[col->refers].name) &&
-         unify_text(args + 5, info->domain[c]) && unify_text(args + 6, col->doc);
+         unify_text(args + 5, info->domain[c]) &&
+         unify_text(args + 6, col->doc);
 }
 
 /* ---- ids --------------------------------------------------------------- */
@@ -188,6 +213,8 @@ statistics(term_t args, int count, void *control)
 /* ---- installing -------------------------------------------------------- */
 
 static const PL_extension predicates[] = {
+    {"$relation_count", 1, relation_count, 0},
+    {"$relation_number", 2, relation_number, 0},
     {"$relation", 5, relation, 0},
     {"$column", 7, column, PL_FA_VARARGS},
     {"fresh_id", 3, fresh_id, 0},

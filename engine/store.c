@@ -66,8 +66,8 @@ sg_version_release(sg_version *version)
 sg_version *
 sg_world_visible(sg_world *world)
 {
-  bool hidden = world->open.count > 0 &&
-                !pthread_equal(world->writer, pthread_self());
+  bool hidden =
+      world->open.count > 0 && !pthread_equal(world->writer, pthread_self());
 
   return hidden ? world->open.version[0] : world->current;
 }
@@ -100,8 +100,7 @@ sg_version_drop(const sg_version *version)
     return;
   }
   world = held->world;
-  if (atomic_fetch_sub_explicit(&held->holders, 1, memory_order_acq_rel) ==
-      1) {
+  if (atomic_fetch_sub_explicit(&held->holders, 1, memory_order_acq_rel) == 1) {
     pthread_mutex_lock(&world->lock);
     version_free(held);
     pthread_mutex_unlock(&world->lock);
@@ -166,8 +165,7 @@ stack_limit(sg_stack *stack, size_t most)
   for (size_t i = 0; i < extra; i++) {
     sg_version_release(stack->version[i]);
   }
-  memmove(stack->version, stack->version + extra,
-          most * sizeof(sg_version *));
+  memmove(stack->version, stack->version + extra, most * sizeof(sg_version *));
   stack->count = most;
 }
 

@@ -75,17 +75,17 @@ typedef uint32_t sg_row; /* page * SG_PAGE_ROWS + place */
 typedef enum sg_status {
   SG_OK,
   SG_NO_MEMORY,
-  SG_EXISTS,      /* a live row has this key */
-  SG_DANGLING,    /* a referred row does not exist; sg_fault says which */
-  SG_INVALID,     /* NaN, infinite, an id below 1, a negative count */
-  SG_NO_STEP      /* nothing to commit, roll back, undo or redo */
+  SG_EXISTS,   /* a live row has this key */
+  SG_DANGLING, /* a referred row does not exist; sg_fault says which */
+  SG_INVALID,  /* NaN, infinite, an id below 1, a negative count */
+  SG_NO_STEP   /* nothing to commit, roll back, undo or redo */
 } sg_status;
 
 /* Which value of which row was at fault. */
 typedef struct sg_fault {
-  size_t row;      /* of the buffer, 0 for a single row */
+  size_t row; /* of the buffer, 0 for a single row */
   unsigned column;
-  int32_t s, id;   /* the missing row, for SG_DANGLING */
+  int32_t s, id; /* the missing row, for SG_DANGLING */
 } sg_fault;
 
 typedef struct sg_world sg_world;
@@ -130,8 +130,8 @@ bool sg_world_claim(sg_world *world, const sg_poll *poll);
 void sg_world_release(sg_world *world);
 
 /* Transactions nest. They belong to the thread that began them: others see
- * the world as it was before, and wait with their changes. The outermost commit that changed anything is an undo
- * step and clears the redo steps. */
+ * the world as it was before, and wait with their changes. The outermost commit
+ * that changed anything is an undo step and clears the redo steps. */
 sg_status sg_world_begin(sg_world *world);
 sg_status sg_world_commit(sg_world *world);
 sg_status sg_world_rollback(sg_world *world);
@@ -149,8 +149,8 @@ bool sg_version_live(const sg_version *version, sg_relation relation,
 sg_value sg_version_value(const sg_version *version, sg_relation relation,
                           sg_row row, unsigned column);
 /* Several at once: the columns of the mask, each in its place in `out`. */
-void sg_version_row(const sg_version *version, sg_relation relation,
-                    sg_row row, uint16_t mask, sg_value *out);
+void sg_version_row(const sg_version *version, sg_relation relation, sg_row row,
+                    uint16_t mask, sg_value *out);
 /* The row with this key (values in column order, others ignored). */
 sg_row sg_version_find(const sg_version *version, sg_relation relation,
                        const sg_value *row);

@@ -20,13 +20,13 @@
 typedef struct asking {
   const sg_version *version;
   sg_relation relation;
-  bool retracts;     /* an answer is a row retracted */
-  bool numbers;      /* the argument after the last column is the row */
-  bool strict;       /* try rows by unification */
-  bool plain;        /* after an answer: open arguments are just variables */
-  int first;         /* where column 0 would stand among the arguments */
-  uint16_t open;     /* columns to unify with their arguments */
-  sg_row next;       /* the next answer, SG_NO_ROW: none */
+  bool retracts; /* an answer is a row retracted */
+  bool numbers;  /* the argument after the last column is the row */
+  bool strict;   /* try rows by unification */
+  bool plain;    /* after an answer: open arguments are just variables */
+  int first;     /* where column 0 would stand among the arguments */
+  uint16_t open; /* columns to unify with their arguments */
+  sg_row next;   /* the next answer, SG_NO_ROW: none */
   sg_walk walk;
   void *owned[SG_MAX_COLUMNS]; /* lists and terms in walk.row, to free */
 } asking;
@@ -71,8 +71,8 @@ asking_open(asking *a, term_t args)
     return FALSE;
   }
   for (unsigned c = 0; c < info->arity && bound != SG_NOWHERE; c++) {
-    bound = sg_bound_value(args + c, info->column[c].type, &row[c],
-                           &a->owned[c]);
+    bound =
+        sg_bound_value(args + c, info->column[c].type, &row[c], &a->owned[c]);
     if (bound == SG_BOUND) {
       mask |= (uint16_t)(1U << c);
     } else {
@@ -238,8 +238,7 @@ static foreign_t
 first_answer(asking *a, term_t args)
 {
   a->next = next_answer(a, args);
-  return PL_exception(0) ? asking_end(a, false, FALSE)
-                         : answer(a, false, args);
+  return PL_exception(0) ? asking_end(a, false, FALSE) : answer(a, false, args);
 }
 
 static foreign_t
@@ -339,8 +338,8 @@ numbered_fact(term_t fact, term_t row_term)
 static foreign_t
 fact_row(term_t fact, term_t row, control_t control)
 {
-  bool given = PL_foreign_control(control) == PL_FIRST_CALL &&
-               !PL_is_variable(row);
+  bool given =
+      PL_foreign_control(control) == PL_FIRST_CALL && !PL_is_variable(row);
 
   return given ? (foreign_t)numbered_fact(fact, row)
                : fact_call(fact, row, false, control);
@@ -415,8 +414,7 @@ member_open(asking *a, term_t args, unsigned column)
   sg_value id;
   void *none;
 
-  if (!world ||
-      sg_bound_value(args, SG_INT, &s, &none) != SG_BOUND ||
+  if (!world || sg_bound_value(args, SG_INT, &s, &none) != SG_BOUND ||
       sg_bound_value(args + 1, SG_INT, &id, &none) != SG_BOUND) {
     return FALSE;
   }

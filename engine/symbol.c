@@ -15,8 +15,8 @@ typedef struct entry {
 
 static struct {
   pthread_mutex_t lock;
-  entry **entries; /* [room], by symbol */
-  int32_t *bucket; /* [room] */
+  entry **entries;    /* [room], by symbol */
+  int32_t *bucket;    /* [room] */
   size_t count, room; /* room is a power of two, or 0 */
 } symbols = {.lock = PTHREAD_MUTEX_INITIALIZER};
 

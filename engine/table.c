@@ -10,7 +10,7 @@ static const struct {
   uint16_t mask;
   bool members;
 } declared[] = {
-#define INDEX(ID, name, mask) {SG_##ID, #name, mask, false},
+#define INDEX(ID, name, mask)   {SG_##ID, #name, mask, false},
 #define MEMBERS(ID, name, mask) {SG_##ID, #name, mask, true},
 #include "relations.def"
 };
@@ -25,8 +25,8 @@ declare(sg_table *table, const char *name, uint16_t mask, bool members)
 void
 sg_table_init(sg_table *table, sg_relation relation)
 {
-  *table = (sg_table){.relation = relation,
-                      .info = &sg_relation_table[relation]};
+  *table =
+      (sg_table){.relation = relation, .info = &sg_relation_table[relation]};
   if (table->info->key) {
     declare(table, "key", table->info->key, false); /* always the first */
   }
@@ -151,8 +151,8 @@ sg_table_slot(sg_table *table)
 const uint32_t *
 sg_table_keep(sg_table *table, sg_type type, sg_value value)
 {
-  size_t words = type == SG_LIST ? 1 + (size_t)value.list[0]
-                                 : sg_term_length(value.term);
+  size_t words =
+      type == SG_LIST ? 1 + (size_t)value.list[0] : sg_term_length(value.term);
   uint32_t *copy = sg_arena_take(&table->arena, words);
 
   if (copy) {
@@ -168,7 +168,8 @@ is_ref(sg_type type)
 }
 
 static void
-give_refs(sg_table *table, const sg_page *page, unsigned place, unsigned columns)
+give_refs(sg_table *table, const sg_page *page, unsigned place,
+          unsigned columns)
 {
   for (unsigned c = 0; c < columns; c++) {
     if (is_ref(table->info->column[c].type)) {
@@ -341,8 +342,8 @@ sg_table_link_key(sg_table *table, const sg_map *map, sg_row row)
 
   if (other != SG_NO_ROW) {
     sg_value key[SG_MAX_COLUMNS];
-    sg_page_row(sg_table_page(table, row), info, info->key,
-                row % SG_PAGE_ROWS, key);
+    sg_page_row(sg_table_page(table, row), info, info->key, row % SG_PAGE_ROWS,
+                key);
     for (; other != SG_NO_ROW; other = sg_index_next(index, other)) {
       if (sg_map_shows(map, other) &&
           sg_page_match(sg_table_page(table, other), info, info->key,
@@ -431,8 +432,8 @@ sg_page_match(const sg_page *page, const sg_relation_info *info, uint16_t mask,
 {
   for (unsigned m = mask; m; m &= m - 1) {
     unsigned c = (unsigned)__builtin_ctz(m);
-    if (!value_equal(info->column[c].type,
-                     sg_page_value(page, info, c, place), row[c])) {
+    if (!value_equal(info->column[c].type, sg_page_value(page, info, c, place),
+                     row[c])) {
       return false;
     }
   }

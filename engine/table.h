@@ -68,10 +68,10 @@ typedef struct sg_table {
   const sg_relation_info *info;
   sg_page **page; /* [pages], of room page_room */
   size_t pages, page_room;
-  sg_row slots;    /* all slots ever written lie below */
-  size_t emptied;  /* slots on empty stacks */
-  size_t open;     /* no page before this one has an empty slot */
-  size_t written;  /* rows since the last sweep */
+  sg_row slots;   /* all slots ever written lie below */
+  size_t emptied; /* slots on empty stacks */
+  size_t open;    /* no page before this one has an empty slot */
+  size_t written; /* rows since the last sweep */
   sg_arena arena;
   sg_index index[SG_MAX_INDEXES];
   unsigned indexes;
@@ -132,10 +132,10 @@ sg_table_page(const sg_table *table, sg_row row)
 static inline bool
 sg_table_taken(const sg_table *table, sg_row row)
 {
-  return row < table->slots && (sg_table_page(table, row)
-                                        ->taken[row % SG_PAGE_ROWS / 64] >>
-                                    row % 64 &
-                                1);
+  return row < table->slots &&
+         (sg_table_page(table, row)->taken[row % SG_PAGE_ROWS / 64] >>
+              row % 64 &
+          1);
 }
 
 void sg_table_init(sg_table *table, sg_relation relation);

@@ -160,8 +160,8 @@ raise_domain_words(const char *words, term_t culprit)
   }
   return PL_unify_nil(tail) &&
          PL_unify_term(ex, PL_FUNCTOR_CHARS, "error", 2, PL_FUNCTOR_CHARS,
-                       "domain_error", 2, PL_FUNCTOR_CHARS, "oneof", 1,
-                       PL_TERM, list, PL_TERM, culprit, PL_VARIABLE) &&
+                       "domain_error", 2, PL_FUNCTOR_CHARS, "oneof", 1, PL_TERM,
+                       list, PL_TERM, culprit, PL_VARIABLE) &&
          PL_raise_exception(ex);
 }
 
@@ -207,7 +207,8 @@ get_id_ex(term_t t, int32_t *out)
 static int
 get_positive_id_ex(term_t t, int32_t *out)
 {
-  return get_id_ex(t, out) && (*out > 0 || PL_domain_error("positive_integer", t));
+  return get_id_ex(t, out) &&
+         (*out > 0 || PL_domain_error("positive_integer", t));
 }
 
 static int
@@ -270,8 +271,8 @@ get_symbol_ex(term_t t, int32_t *out)
 }
 
 int
-sg_get_value_ex(term_t t, const sg_relation_info *info, unsigned c, sg_value *out,
-             void **owned)
+sg_get_value_ex(term_t t, const sg_relation_info *info, unsigned c,
+                sg_value *out, void **owned)
 {
   const char *domain = info->domain[c];
 
@@ -287,8 +288,7 @@ sg_get_value_ex(term_t t, const sg_relation_info *info, unsigned c, sg_value *ou
     return (!domain || PL_is_variable(t) || check_domain_ex(domain, t)) &&
            get_symbol_ex(t, &out->i);
   case SG_TERM:
-    return sg_get_term_ex(t, (uint32_t **)owned) &&
-           (out->term = *owned, TRUE);
+    return sg_get_term_ex(t, (uint32_t **)owned) && (out->term = *owned, TRUE);
   }
   return FALSE;
 }

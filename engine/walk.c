@@ -24,8 +24,7 @@ sg_value
 sg_version_value(const sg_version *version, sg_relation relation, sg_row row,
                  unsigned column)
 {
-  const sg_live *live =
-      sg_map_live(version->map[relation], row / SG_PAGE_ROWS);
+  const sg_live *live = sg_map_live(version->map[relation], row / SG_PAGE_ROWS);
 
   return sg_page_value(live->page, &sg_relation_table[relation], column,
                        row % SG_PAGE_ROWS);
@@ -35,8 +34,7 @@ void
 sg_version_row(const sg_version *version, sg_relation relation, sg_row row,
                uint16_t mask, sg_value *out)
 {
-  const sg_live *live =
-      sg_map_live(version->map[relation], row / SG_PAGE_ROWS);
+  const sg_live *live = sg_map_live(version->map[relation], row / SG_PAGE_ROWS);
 
   sg_page_row(live->page, &sg_relation_table[relation], mask,
               row % SG_PAGE_ROWS, out);
@@ -118,9 +116,9 @@ best_index(sg_table *table, uint16_t mask)
     if (index->members || (index->mask & mask) != index->mask) {
       continue;
     }
-    if (!best || (best->mask != table->info->key &&
-                  __builtin_popcount(index->mask) >
-                      __builtin_popcount(best->mask))) {
+    if (!best ||
+        (best->mask != table->info->key &&
+         __builtin_popcount(index->mask) > __builtin_popcount(best->mask))) {
       best = index;
     }
   }

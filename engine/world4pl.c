@@ -156,15 +156,17 @@ saved_world(term_t t)
   return world ? unify_world(t, world) : PL_unify_atom_chars(t, "none");
 }
 
-/* '$set_world'(+World) is det. */
+/* '$set_world'(+World) is det: what '$world'/1 gave. */
 static foreign_t
 restore_world(term_t t)
 {
-  if (PL_is_atom(t) && !PL_is_blob(t, NULL)) {
-    sg_set_current_world(NULL);
-    return TRUE;
+  PL_blob_t *type;
+
+  if (PL_is_blob(t, &type) && type == &world_blob) {
+    return set_world(t);
   }
-  return set_world(t);
+  sg_set_current_world(NULL);
+  return TRUE;
 }
 
 /* ---- waiting, and what went wrong -------------------------------------- */
@@ -197,8 +199,7 @@ static int
 raise_dangling(sg_relation relation, const sg_fault *fault)
 {
   const sg_relation_info *info = &sg_relation_table[relation];
-  const char *name =
-      sg_relation_table[info->column[fault->column].refers].name;
+  const char *name = sg_relation_table[info->column[fault->column].refers].name;
   term_t t = PL_new_term_ref();
 
   return t &&

@@ -6,11 +6,13 @@
             t/6,                      % ?S, ?P, ?T, ?V1, ?V2, ?V3
             segment/3,                % ?S, ?Kind, ?Name
             origin/3,                 % ?S, ?Item, ?Origin
-            line/9,                   % ?L, ?S1, ?P1, ?A1, ?B1, ?S2, ?P2, ?A2, ?B2
+            line/9,                   % ?L, ?S1, ?P1, ?A1, ?B1,
+                                      % ?S2, ?P2, ?A2, ?B2
             view/3,                   % ?Theta, ?Phi, ?Rho
             projection/1,             % ?Kind
             screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
-            drawn/7,                  % ?D, ?S, ?E, ?From, ?To, ?Visibility, ?Role
+            drawn/7,                  % ?D, ?S, ?E, ?From, ?To,
+                                      % ?Visibility, ?Role
             assert_fact/1,            % +Fact
             assert_fact/2,            % +Fact, -Row
             retract_fact/1,           % ?Fact
@@ -46,16 +48,146 @@
 /** <module> The fact engine: relations, worlds, transactions.
 
 The doors to engine/: every foreign predicate of the store is exported and
-documented here. The relations themselves are listed, with their columns, in
-engine/relations.def.
+documented here.
 
-@see [PL] section 2; ARCHITECTURE.md
+The relations v/5, e/5, p/3 ... are ordinary predicates over C columns: they
+answer in every instantiation mode, in the order of their rows (the order of
+asserting, until the slots of retracted rows are used again), and leave no
+choice point on the last answer. A call sees the facts as they were when it
+was called, whatever changes before it is done (logical update view). As
+with facts of Prolog itself, an argument of another type simply does not
+match: v(1, 1, X, Y, Z) with X = 1 fails, since coordinates are floats.
+
+A world holds facts. Each thread has a current world, which all predicates
+here use; the thread that loads the library gets one, other threads begin
+without and get `existence_error(sg_world, current)`. A world that nothing
+refers to any more is freed with its handle by atom garbage collection.
+
+@see [PL] section 2 for the five relations; ARCHITECTURE.md
 */
+
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [member/2]).
 
 :- meta_predicate
     facts_transaction(0),
     facts_snapshot(0),
     in_world(+, 0).
+
+/* ---- relations ----------------------------------------------------------
+
+   All foreign; arguments and meaning as engine/relations.def says.
+*/
+
+%!  v(?S, ?V, ?X, ?Y, ?Z) is nondet.
+%
+%   True when vertex V of segment S is at X, Y, Z.
+
+%!  e(?S, ?E, ?V1, ?V2, ?Et) is nondet.
+%
+%   True when E is a directed edge of segment S from V1 to V2; Et is 1 for a
+%   real edge, 0 for an auxiliary one. Indexed by E, V1, V2 and V1 with V2,
+%   each with S.
+
+%!  p(?S, ?P, ?Es:list(integer)) is nondet.
+%
+%   True when P is a polygon of segment S with the set of edges Es, in the
+%   order they were given.
+
+%!  plane(?S, ?P, ?Nx, ?Ny, ?Nz, ?D) is nondet.
+%
+%   True when polygon P of segment S lies in Nx*X + Ny*Y + Nz*Z + D = 0, its
+%   unit normal pointing outward.
+
+%!  t(?S, ?P, ?T, ?V1, ?V2, ?V3) is nondet.
+%
+%   True when T is a triangle of polygon P, its corners counter-clockwise
+%   seen from outside.
+
+%!  segment(?S, ?Kind, ?Name) is nondet.
+%
+%   True when segment S is a solid, surface, curve or cells; Name is any
+%   ground term.
+
+%!  origin(?S, ?Item, ?Origin) is nondet.
+%
+%   True when Item, one of v(V), e(E) and p(P), of segment S was made as
+%   Origin says. Indexed by S with Item, and by Origin.
+
+%!  line(?L, ?S1, ?P1, ?A1, ?B1, ?S2, ?P2, ?A2, ?B2) is nondet.
+%
+%   True when L is a piece of a penetration line from A1 to B1 in polygon P1
+%   of segment S1, the same as A2 to B2 in polygon P2 of segment S2.
+
+%!  view(?Theta, ?Phi, ?Rho) is nondet.
+%
+%   True when the eye is at these spherical coordinates, in degrees.
+
+%!  projection(?Kind) is nondet.
+%
+%   True when the model is projected so: parallel or central.
+
+%!  screen(?S, ?V, ?Xs, ?Ys, ?Zs) is nondet.
+%
+%   True when vertex V of segment S is at Xs, Ys in the picture, Zs away.
+
+%!  drawn(?D, ?S, ?E, ?From, ?To, ?Visibility, ?Role) is nondet.
+%
+%   True when part D of the picture is edge E of segment S from From to To (0
+%   at its start, 1 at its end).
+
+/* ---- changing -----------------------------------------------------------
+
+   An argument that is asserted must have its column's type:
+
+     int     an id: an integer from 1 to 2147483647
+     float   any number, made a float; finite; -0.0 becomes 0.0
+     list    a list of ids
+     atom    one of column_domain/3
+     term    any ground term of numbers, atoms, strings and compounds
+*/
+
+%!  assert_fact(+Fact) is det.
+%
+%   Adds Fact, as assertz/1 would.
+%
+%   @error instantiation_error       if Fact is not ground
+%   @error existence_error(relation, Name/Arity)
+%   @error type_error(Type, Value), domain_error(Domain, Value),
+%          representation_error(int32)  if a value does not fit its column
+%   @error existence_error(Relation, S-Id)  if a row that Fact refers to is
+%          not there: an edge without its vertex, say
+%   @error permission_error(assert, fact, Fact)  if there is a row with the
+%          same key already
+
+%!  assert_fact(+Fact, -Row:integer) is det.
+%
+%   The same; Row is the number of the new row, see fact_row/2.
+
+%!  retract_fact(?Fact) is nondet.
+%
+%   Unifies Fact with a fact and retracts it, as retract/1 does: on
+%   backtracking the next one that was there at the call and still is.
+
+%!  retractall_facts(?Fact) is det.
+%
+%   Retracts all facts that unify with Fact.
+
+/* ---- rows by their number ---------------------------------------------- */
+
+%!  fact_row(?Fact, ?Row:integer) is nondet.
+%
+%   True when Fact is row number Row of its relation, whose name must be
+%   given. A row keeps its number as long as it is there.
+
+%!  row_value(+Relation, +Row:integer, +Position:integer, ?Value) is semidet.
+%
+%   True when Value is in the column at Position (from 0) of the row.
+%   Relation is a name or Name/Arity.
+
+%!  retract_row(+Relation, +Row:integer) is semidet.
+%
+%   Retracts the row; fails when it is not there.
 
 %!  edge_polygon(?S, ?E, ?P) is nondet.
 %
@@ -111,6 +243,41 @@ facts_snapshot(Goal) :-
         once(Goal),
         '$end'(World, Depth)).
 
+%!  facts_undo is semidet.
+%
+%   Takes back the last outermost transaction that changed something and was
+%   not taken back yet, and all changes since outside transactions; fails
+%   when there is none. A world remembers 64 steps, see facts_undo_limit/1.
+%
+%   @error permission_error(undo, open_transaction, World)
+
+%!  facts_redo is semidet.
+%
+%   Takes the last facts_undo/0 back; fails when there was none, or when
+%   something was changed since.
+%
+%   @error permission_error(redo, open_transaction, World)
+
+%!  facts_undo_limit(+Steps:integer) is det.
+%
+%   The current world remembers Steps steps from now on; 0 for none.
+
+/* ---- worlds ------------------------------------------------------------ */
+
+%!  new_world(-World) is det.
+%
+%   World is a new, empty world. It does not become the current one.
+
+%!  current_world(-World) is det.
+%
+%   World is the current world of this thread.
+%
+%   @error existence_error(sg_world, current)
+
+%!  set_world(+World) is det.
+%
+%   Makes World the current world of this thread.
+
 %!  in_world(+World, :Goal) is semidet.
 %
 %   Runs Goal once with World as the current world of this thread.
@@ -122,7 +289,18 @@ in_world(World, Goal) :-
         once(Goal),
         '$set_world'(Old)).
 
-%!  relation(?Name, ?Arity, ?Doc) is nondet.
+%!  fresh_id(+Relation, +S, -Id:integer) is det.
+%
+%   Id is the smallest id above all that were ever used in Relation for
+%   segment S, and counts as used from now on. S is ignored for segment, line
+%   and drawn. A transaction that rolls back gives its ids back, so doing it
+%   again gives the same ones.
+%
+%   @error domain_error(relation_with_ids, Relation)
+
+/* ---- the schema -------------------------------------------------------- */
+
+%!  relation(?Name, ?Arity, ?Doc:string) is nondet.
 %
 %   True when Name/Arity is a relation of the schema.
 
@@ -130,15 +308,15 @@ relation(Name, Arity, Doc) :-
     relation_number(_, Name, Arity, _, Doc).
 
 relation_number(Number, Name, Arity, Key, Doc) :-
-    between(0, inf, Number),
-    (   '$relation'(Number, Name0, Arity0, Key0, Doc0)
-    ->  Name = Name0,
-        Arity = Arity0,
-        Key = Key0,
-        Doc = Doc0
-    ;   !,
-        fail
-    ).
+    nonvar(Name),
+    !,
+    '$relation_number'(Name, Number),
+    '$relation'(Number, Name, Arity, Key, Doc).
+relation_number(Number, Name, Arity, Key, Doc) :-
+    '$relation_count'(Count),
+    Last is Count-1,
+    between(0, Last, Number),
+    '$relation'(Number, Name, Arity, Key, Doc).
 
 %!  relation_column(?Relation, ?Position, ?Column, ?Type, ?Refers) is nondet.
 %
@@ -203,3 +381,34 @@ facts_statistics(Relation,
     relation(Relation, _, _),
     '$statistics'(Relation, Rows, Slots, Bytes, IndexBytes, Versions,
                   Scans, Lookups).
+
+/* ---- sandbox ------------------------------------------------------------
+
+   What only reads is safe in library(sandbox).
+*/
+
+:- multifile sandbox:safe_primitive/1.
+
+sandbox:safe_primitive(sg_store:v(_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:e(_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:p(_,_,_)).
+sandbox:safe_primitive(sg_store:plane(_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:t(_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:segment(_,_,_)).
+sandbox:safe_primitive(sg_store:origin(_,_,_)).
+sandbox:safe_primitive(sg_store:line(_,_,_,_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:view(_,_,_)).
+sandbox:safe_primitive(sg_store:projection(_)).
+sandbox:safe_primitive(sg_store:screen(_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:drawn(_,_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:edge_polygon(_,_,_)).
+sandbox:safe_primitive(sg_store:vertex_triangle(_,_,_)).
+sandbox:safe_primitive(sg_store:fact_row(_,_)).
+sandbox:safe_primitive(sg_store:row_value(_,_,_,_)).
+sandbox:safe_primitive(sg_store:current_world(_)).
+sandbox:safe_primitive(sg_store:relation(_,_,_)).
+sandbox:safe_primitive(sg_store:relation_column(_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:relation_key(_,_)).
+sandbox:safe_primitive(sg_store:column_doc(_,_,_)).
+sandbox:safe_primitive(sg_store:column_domain(_,_,_)).
+sandbox:safe_primitive(sg_store:facts_statistics(_,_)).

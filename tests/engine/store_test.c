@@ -81,8 +81,8 @@ same(const sg_version *version, const plain *p)
       sg_value id = sg_version_value(version, relation_of[r], row, 1);
       sg_value third = sg_version_value(version, relation_of[r], row, 2);
       size_t i = plain_find(p, r, s.i, id.i);
-      if (i == MOST || (r == 0 ? third.f != p->row[r][i].x
-                               : third.i != p->row[r][i].a)) {
+      if (i == MOST ||
+          (r == 0 ? third.f != p->row[r][i].x : third.i != p->row[r][i].a)) {
         return false;
       }
     }
@@ -206,8 +206,7 @@ play_retract(play *g)
   key[1].i = (int32_t)draw(r == 0 ? 12 : 60) + 1;
   row = sg_version_find(version, relation_of[r], key);
   i = plain_find(&g->now, r, key[0].i, key[1].i);
-  done = row != SG_NO_ROW &&
-         sg_world_retract(g->world, relation_of[r], row);
+  done = row != SG_NO_ROW && sg_world_retract(g->world, relation_of[r], row);
   if (row != SG_NO_ROW && sg_world_retract(g->world, relation_of[r], row)) {
     done = false; /* twice is wrong */
   }
@@ -601,8 +600,8 @@ test_terms(void)
   for (int i = 0; i < 1000; i++) {
     sg_term_float(&item, i);
   }
-  CHECK("a long term", sg_term_words(&item) &&
-                           sg_term_length(sg_term_words(&item)) == 3001);
+  CHECK("a long term",
+        sg_term_words(&item) && sg_term_length(sg_term_words(&item)) == 3001);
   sg_term_close(&item);
   sg_world_drop(world);
 }
@@ -617,8 +616,8 @@ test_fresh(void)
   CHECK("the first id", sg_world_fresh(world, SG_V, 1) == 1);
   CHECK("the next", sg_world_fresh(world, SG_V, 1) == 2);
   CHECK("another segment", sg_world_fresh(world, SG_V, 2) == 1);
-  CHECK("rows use ids too", fill_vertices(world, 1, 10, 5) &&
-                                sg_world_fresh(world, SG_V, 1) == 15);
+  CHECK("rows use ids too",
+        fill_vertices(world, 1, 10, 5) && sg_world_fresh(world, SG_V, 1) == 15);
   sg_world_begin(world);
   CHECK("in a transaction", sg_world_fresh(world, SG_V, 1) == 16);
   sg_world_rollback(world);
