@@ -1,6 +1,7 @@
 :- module(sg_kernel,
           [ mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
                                       % -Result
+            mesh_write/5,             % +Stream, +Format, +Ss, +Names, -Result
             raster_dots/4,            % +Width, +Height, +Strokes, -Dots
             raster_png/5,             % +Width, +Height, +Dots, +Palette, -Bytes
             % view4pl.c
@@ -58,6 +59,13 @@ glue file.
 %       unit in the last place of the coordinates, 0.0 if they are exact.
 %     - fault(Code, Line, Column, Byte, Text, Wanted, Got, Limit)
 %       The file is bad, and nothing was added; see c_kernels/mesh.h.
+
+%!  mesh_write(+Stream, +Format, +Segments, +Names, -Result) is det.
+%
+%   Writes the listed segments to Stream as Format (also `stl_binary`,
+%   `ply_binary`). Segments ascend; Names are theirs, '' for none. Result is
+%   `ok`, no_triangles(S, P): polygon P must be written as triangles and has
+%   none (nothing was written), or a fault/8 as of mesh_add/6.
 
 /* - - - raster4pl.c - - - */
 

@@ -1,13 +1,18 @@
 :- module(sg_mesh,
           [ read_mesh/2,                % +File, -Segments
             read_mesh/3,                % +File, -Segments, +Options
+            write_mesh/2,               % +File, +Segments
+            write_mesh/3,               % +File, +Segments, +Options
             mesh_ending/2               % ?Ending, ?Format
           ]).
-:- use_module(kernel, [mesh_add/6]).
-:- use_module(store, [assert_fact/1, facts_transaction/1, fresh_id/3]).
+:- use_module(kernel, [mesh_add/6, mesh_write/5]).
+:- use_module(output, [writing/3]).
+:- use_module(store,
+              [ segment/3, assert_fact/1, facts_transaction/1, fresh_id/3 ]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(error), [must_be/2]).
+:- autoload(library(error), [domain_error/2, existence_error/2, must_be/2]).
 :- autoload(library(option), [option/3]).
+:- autoload(library(pairs), [pairs_keys_values/3]).
 /** <module> Mesh files: STL, OFF, OBJ and PLY into the world.
 
 A file is one segment, unless it names several: the solids of a text STL, the
@@ -169,3 +174,82 @@ warned(0, _) :-
     !.
 warned(_, What) :-
     print_message(warning, sanggwan(What)).
+
+%!  write_mesh(+File, +Segments) is det.
+%!  write_mesh(+File, +Segments, +Options) is det.
+%
+%   Write the listed segments of the current world, or `all`, to File (`-`:
+%   standard output). Text has the shortest decimals that read back to the same
+%   coordinates. Options:
+%
+%     - format(Format)
+%       `stl`, `off`, `obj` or `ply`, by default by the file's ending.
+%     - binary(Bool)
+%       Of STL (rounds to float32) and PLY (doubles); default `false`.
+%
+%   A polygon with holes is written as its triangles, in STL every polygon; so
+%   complete_segments/0 must have been called for these. STL and OBJ keep
+%   segments and names, OFF and PLY put all in one.
+%
+%   @error existence_error(segment, S), domain_error(mesh_ending, File),
+%          geometry_error(no_triangles(S, P)),
+%          geometry_error(mesh_write(Fault)): STL cannot hold a curve, binary
+%          STL no coordinate above 3.4e38
+
+write_mesh(File, Segments) :-
+    write_mesh(File, Segments, []).
+
+write_mesh(File, Segments0, Options) :-
+    written_format(File, Options, Format),
+    segments_names(Segments0, Segments, Names),
+    (   File == (-)
+    ->  setup_call_cleanup(
+            set_stream(user_output, type(binary)),
+            mesh_written(Format, Segments, Names, user_output),
+            set_stream(user_output, type(text)))
+    ;   writing(File, binary, sg_mesh:mesh_written(Format, Segments, Names))
+    ).
+
+written_format(File, Options, Format) :-
+    file_format(File, Format0),
+    option(format(Format1), Options, Format0),
+    (   mesh_ending(_, Format1)
+    ->  true
+    ;   domain_error(mesh_ending, File)
+    ),
+    option(binary(Binary), Options, false),
+    must_be(boolean, Binary),
+    (   Binary == true,
+        binary_format(Format1, Format2)
+    ->  Format = Format2
+    ;   Format = Format1
+    ).
+
+binary_format(stl, stl_binary).
+binary_format(ply, ply_binary).
+
+segments_names(all, Segments, Names) :-
+    !,
+    findall(S-Name, segment(S, _, Name), Pairs0),
+    sort(1, @=<, Pairs0, Pairs),
+    pairs_keys_values(Pairs, Segments, Names).
+segments_names(Segments0, Segments, Names) :-
+    sort(Segments0, Segments),
+    maplist(segment_name, Segments, Names).
+
+segment_name(S, Name) :-
+    (   segment(S, _, Name0)
+    ->  Name = Name0
+    ;   existence_error(segment, S)
+    ).
+
+mesh_written(Format, Segments, Names, Stream) :-
+    mesh_write(Stream, Format, Segments, Names, Result),
+    (   Result == ok
+    ->  true
+    ;   Result = no_triangles(_, _)
+    ->  throw(error(geometry_error(Result), _))
+    ;   Result = fault(Code, _, _, _, Text, Wanted, Got, Limit),
+        fault_term(Code, Text, Wanted, Got, Limit, Fault),
+        throw(error(geometry_error(mesh_write(Fault)), _))
+    ).

@@ -398,6 +398,11 @@ fault_en(mesh_write(unsupported(Text))) -->
     [ 'this format cannot hold ~w'-[Text], nl,
       '  Write .obj or .ply instead.' ].
 
+fault_en(no_triangles(S, P)) -->
+    [ 'polygon ~d of segment ~d has no triangles'-[P, S], nl,
+      '  It may be invalid: see what check says; else call \c
+       complete_segments.' ].
+
 notice_en(mesh(File, degenerate(N))) -->
     [ '~w: ~D faces without three different corners were left out'-
       [File, N] ].

@@ -378,6 +378,11 @@ fault_ko(mesh_write(unsupported(Text))) -->
     [ '이 형식은 ~w 을(를) 담을 수 없습니다'-[Text], nl,
       '  .obj 나 .ply 로 쓰십시오.' ].
 
+fault_ko(no_triangles(S, P)) -->
+    [ '세그먼트 ~d의 다각형 ~d에 삼각형이 없습니다'-[S, P], nl,
+      '  잘못된 다각형일 수 있습니다: check로 살펴보거나 complete_segments를 \c
+       부르십시오.' ].
+
 notice_ko(mesh(File, degenerate(N))) -->
     [ '~w: 서로 다른 세 꼭지점이 없는 면 ~D개를 뺐습니다'-[File, N] ].
 notice_ko(mesh(File, ignored(N, Line))) -->

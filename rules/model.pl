@@ -17,8 +17,7 @@
             edge_facets/2,              % ?Edge, -Facets
             shell_facets/2              % +Facet, -Facets
           ]).
-:- use_module(mesh, [read_mesh/3, mesh_ending/2]).
-write_mesh(_, _) :- throw(error(existence_error(module, mesh), _)).
+:- use_module(mesh, [read_mesh/3, write_mesh/3, mesh_ending/2]).
 :- use_module(model_file, [read_model/1]).
 :- use_module(model_writer, [write_model/1]).
 :- use_module(stage, [stage/2]).
@@ -118,7 +117,7 @@ save_model(File, Options) :-
     (   Format == pl
     ->  stage(write, write_model(File))
     ;   mesh_ending(Format, _)
-    ->  stage(write, write_mesh(File, Format))
+    ->  stage(write, write_mesh(File, all, [format(Format)]))
     ;   findall(F, known_format(F), Formats),
         throw(error(usage_error(ending(File, Formats)), _))
     ).

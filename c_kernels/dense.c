@@ -1,0 +1,404 @@
+/* dense.c -- see dense.h. Rows are gathered as keys (segment place, id), sorted
+ * if they are not so already, then copied in that order. */
+#include "dense.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ID_BITS = 32 };
+
+/* A row and its key. */
+typedef struct row_key {
+  uint64_t key; /* place of the segment, id */
+  uint32_t page, row;
+} row_key;
+
+typedef struct rows {
+  row_key *row;
+  size_t n, room;
+  uint32_t *begin; /* [segments + 1] */
+} rows;
+
+static int
+compare_keys(const void *a, const void *b)
+{
+  uint64_t x = ((const row_key *)a)->key, y = ((const row_key *)b)->key;
+
+  return (x > y) - (x < y);
+}
+
+static int
+compare_ids(const void *a, const void *b)
+{
+  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
+
+  return (x > y) - (x < y);
+}
+
+/* The place of segment s, or -1. Rows of a segment come together, so the last
+ * place is tried first. */
+static int64_t
+segment_place(const sg_dense *d, int32_t s, size_t *last)
+{
+  if (*last < d->segments && d->segment[*last] == s) {
+    return (int64_t)*last;
+  }
+  const int32_t *found = d->segments
+                             ? bsearch(&s, d->segment, d->segments, sizeof s,
+                                       compare_ids)
+                             : NULL;
+  if (!found) {
+    return -1;
+  }
+  *last = (size_t)(found - d->segment);
+  return (int64_t)*last;
+}
+
+/* Segments ---------------------------------------------------------------- */
+
+typedef struct id_list {
+  int32_t *id;
+  size_t n, room;
+} id_list;
+
+static bool
+add_id(id_list *list, int32_t id)
+{
+  if (list->n == list->room) {
+    size_t room = 2 * list->room + 16;
+    int32_t *more = realloc(list->id, room * sizeof *more);
+    if (!more) {
+      return false;
+    }
+    list->id = more;
+    list->room = room;
+  }
+  list->id[list->n++] = id;
+  return true;
+}
+
+/* Adds the segments in a view; runs of one segment count once. */
+static bool
+add_segments(const sg_view *view, id_list *list)
+{
+  int32_t last = 0;
+
+  for (size_t i = 0; i < view->pages; i++) {
+    const int32_t *s = view->column[0].page[i].i;
+    for (unsigned r = sg_live_next(view->live[i], 0); r < SG_PAGE_ROWS;
+         r = sg_live_next(view->live[i], r + 1)) {
+      if (s[r] != last && !add_id(list, last = s[r])) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+static bool
+find_segments(const sg_dense_views *views, const int32_t *wanted, size_t n,
+              sg_dense *d)
+{
+  id_list list = {0};
+
+  if (wanted) {
+    for (size_t i = 0; i < n; i++) {
+      if (!add_id(&list, wanted[i])) {
+        free(list.id);
+        return false;
+      }
+    }
+  } else if (!add_segments(&views->v, &list) ||
+             !add_segments(&views->e, &list) ||
+             !add_segments(&views->p, &list)) {
+    free(list.id);
+    return false;
+  }
+  if (list.n) {
+    qsort(list.id, list.n, sizeof *list.id, compare_ids);
+  }
+  for (size_t i = 0; i < list.n; i++) {
+    if (d->segments == 0 || d->segment[d->segments - 1] != list.id[i]) {
+      d->segment = list.id;
+      d->segment[d->segments++] = list.id[i];
+    }
+  }
+  d->segment = list.id;
+  return true;
+}
+
+/* Rows -------------------------------------------------------------------- */
+
+static bool
+add_row(rows *out, uint64_t key, size_t page, unsigned row)
+{
+  if (out->n == out->room) {
+    size_t room = 2 * out->room + 64;
+    row_key *more = realloc(out->row, room * sizeof *more);
+    if (!more) {
+      return false;
+    }
+    out->row = more;
+    out->room = room;
+  }
+  out->row[out->n++] = (row_key){key, (uint32_t)page, row};
+  return true;
+}
+
+static bool
+set_begins(const sg_dense *d, rows *out)
+{
+  out->begin = calloc(d->segments + 1, sizeof *out->begin);
+  if (!out->begin) {
+    return false;
+  }
+  for (size_t i = 0; i < out->n; i++) {
+    out->begin[(out->row[i].key >> ID_BITS) + 1]++;
+  }
+  for (size_t s = 0; s < d->segments; s++) {
+    out->begin[s + 1] += out->begin[s];
+  }
+  return true;
+}
+
+/* The rows of `view` in the segments of `d`, by segment and the id in this
+ * column. */
+static bool
+gather(const sg_dense *d, const sg_view *view, unsigned column,
+       const sg_poll *poll, rows *out, bool *stopped)
+{
+  size_t last = 0;
+  bool sorted = true;
+
+  for (size_t i = 0; i < view->pages; i++) {
+    if (i % 16 == 0 && (*stopped = sg_poll_stop(poll))) {
+      return false;
+    }
+    for (unsigned r = sg_live_next(view->live[i], 0); r < SG_PAGE_ROWS;
+         r = sg_live_next(view->live[i], r + 1)) {
+      int64_t s = segment_place(d, view->column[0].page[i].i[r], &last);
+      if (s < 0) {
+        continue;
+      }
+      uint64_t key = (uint64_t)s << ID_BITS |
+                     (uint32_t)view->column[column].page[i].i[r];
+      sorted = sorted && (out->n == 0 || out->row[out->n - 1].key < key);
+      if (!add_row(out, key, i, r)) {
+        return false;
+      }
+    }
+  }
+  if (!sorted) {
+    qsort(out->row, out->n, sizeof *out->row, compare_keys);
+  }
+  return set_begins(d, out);
+}
+
+/* The place of the thing with this id in the segment of place s: as a rule ids
+ * have no gaps, so a guess finds it. */
+static int32_t
+place_of(const int32_t *id, const uint32_t *begin, uint64_t s, int32_t wanted)
+{
+  const int32_t *first = id + begin[s];
+  size_t n = begin[s + 1] - begin[s];
+  size_t guess = n ? (size_t)((int64_t)wanted - first[0]) : 0;
+
+  if (guess < n && first[guess] == wanted) {
+    return (int32_t)(begin[s] + guess);
+  }
+  const int32_t *found =
+      n ? bsearch(&wanted, first, n, sizeof *first, compare_ids) : NULL;
+  return found ? (int32_t)(found - id) : -1;
+}
+
+static int32_t
+id_of(const row_key *row)
+{
+  return (int32_t)(uint32_t)row->key;
+}
+
+static int32_t
+cell(const sg_view *view, unsigned column, const row_key *row)
+{
+  return view->column[column].page[row->page].i[row->row];
+}
+
+/* Filling ------------------------------------------------------------------ */
+
+/* Never a block of no bytes: null means no memory. */
+static void *
+room_for(size_t n, size_t size)
+{
+  return malloc((n + 1) * size);
+}
+
+static bool
+fill_vertices(sg_dense *d, const sg_view *view, rows *from)
+{
+  d->vertices = from->n;
+  d->vertex_begin = from->begin;
+  d->vertex_id = room_for(from->n, sizeof *d->vertex_id);
+  d->at = room_for(from->n, sizeof *d->at);
+  if (!d->vertex_id || !d->at) {
+    return false;
+  }
+  for (size_t i = 0; i < from->n; i++) {
+    const row_key *row = &from->row[i];
+    d->vertex_id[i] = id_of(row);
+    for (unsigned k = 0; k < 3; k++) {
+      d->at[i][k] = view->column[2 + k].page[row->page].f[row->row];
+    }
+  }
+  return true;
+}
+
+static bool
+fill_edges(sg_dense *d, const sg_view *view, rows *from)
+{
+  d->edges = from->n;
+  d->edge_begin = from->begin;
+  d->edge_id = room_for(from->n, sizeof *d->edge_id);
+  d->from = room_for(from->n, sizeof *d->from);
+  d->to = room_for(from->n, sizeof *d->to);
+  d->real = room_for(from->n, sizeof *d->real);
+  if (!d->edge_id || !d->from || !d->to || !d->real) {
+    return false;
+  }
+  for (size_t i = 0; i < from->n; i++) {
+    const row_key *row = &from->row[i];
+    uint64_t s = row->key >> ID_BITS;
+    d->edge_id[i] = id_of(row);
+    d->from[i] = place_of(d->vertex_id, d->vertex_begin, s, cell(view, 2, row));
+    d->to[i] = place_of(d->vertex_id, d->vertex_begin, s, cell(view, 3, row));
+    d->real[i] = cell(view, 4, row) != 0;
+  }
+  return true;
+}
+
+static const int32_t *
+list_of(const sg_view *view, const row_key *row)
+{
+  return view->column[2].page[row->page].list[row->row];
+}
+
+static bool
+fill_polygons(sg_dense *d, const sg_view *view, rows *from)
+{
+  size_t items = 0;
+
+  for (size_t i = 0; i < from->n; i++) {
+    items += (size_t)list_of(view, &from->row[i])[0];
+  }
+  d->polygons = from->n;
+  d->polygon_begin = from->begin;
+  d->polygon_id = room_for(from->n, sizeof *d->polygon_id);
+  d->list_begin = room_for(from->n, sizeof *d->list_begin);
+  d->list = room_for(items, sizeof *d->list);
+  if (!d->polygon_id || !d->list_begin || !d->list) {
+    return false;
+  }
+  items = 0;
+  for (size_t i = 0; i < from->n; i++) {
+    const row_key *row = &from->row[i];
+    const int32_t *list = list_of(view, row);
+    d->polygon_id[i] = id_of(row);
+    d->list_begin[i] = (uint32_t)items;
+    for (int32_t k = 1; k <= list[0]; k++) {
+      d->list[items++] =
+          place_of(d->edge_id, d->edge_begin, row->key >> ID_BITS, list[k]);
+    }
+  }
+  d->list_begin[from->n] = (uint32_t)items;
+  return true;
+}
+
+static bool
+fill_triangles(sg_dense *d, const sg_view *view, rows *from)
+{
+  d->triangles = from->n;
+  d->triangle_begin = from->begin;
+  d->triangle_id = room_for(from->n, sizeof *d->triangle_id);
+  d->polygon_of = room_for(from->n, sizeof *d->polygon_of);
+  d->corner = room_for(from->n, sizeof *d->corner);
+  if (!d->triangle_id || !d->polygon_of || !d->corner) {
+    return false;
+  }
+  for (size_t i = 0; i < from->n; i++) {
+    const row_key *row = &from->row[i];
+    uint64_t s = row->key >> ID_BITS;
+    d->triangle_id[i] = id_of(row);
+    d->polygon_of[i] =
+        place_of(d->polygon_id, d->polygon_begin, s, cell(view, 1, row));
+    for (unsigned k = 0; k < 3; k++) {
+      d->corner[i][k] =
+          place_of(d->vertex_id, d->vertex_begin, s, cell(view, 3 + k, row));
+    }
+  }
+  return true;
+}
+
+bool
+sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
+              const sg_poll *poll, sg_dense *out, bool *stopped)
+{
+  const struct {
+    const sg_view *view;
+    unsigned id_column;
+    bool (*fill)(sg_dense *, const sg_view *, rows *);
+  } part[] = {{&views->v, 1, fill_vertices},
+              {&views->e, 1, fill_edges},
+              {&views->p, 1, fill_polygons},
+              {&views->t, 2, fill_triangles}};
+
+  *out = (sg_dense){0};
+  *stopped = false;
+  if (!find_segments(views, wanted, n, out)) {
+    return false;
+  }
+  for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
+    rows from = {0};
+    if (!gather(out, part[i].view, part[i].id_column, poll, &from, stopped)) {
+      free(from.row);
+      free(from.begin);
+      return false;
+    }
+    bool filled = part[i].fill(out, part[i].view, &from);
+    free(from.row);
+    if (!filled) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void
+sg_dense_clear(sg_dense *d)
+{
+  void *const owned[] = {d->segment,      d->vertex_begin, d->edge_begin,
+                         d->polygon_begin, d->triangle_begin, d->vertex_id,
+                         d->at,           d->edge_id,      d->from,
+                         d->to,           d->real,         d->polygon_id,
+                         d->list_begin,   d->list,         d->triangle_id,
+                         d->polygon_of,   d->corner};
+
+  for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) {
+    free(owned[i]);
+  }
+  *d = (sg_dense){0};
+}
+
+size_t
+sg_dense_segment_of(const sg_dense *d, const uint32_t *begin, uint32_t place)
+{
+  size_t low = 0, high = d->segments;
+
+  while (high - low > 1) {
+    size_t middle = (low + high) / 2;
+    if (begin[middle] <= place) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
