@@ -97,15 +97,17 @@ file_format(File, Format) :-
 open_bytes(-, user_input, true) :-
     !,
     set_stream(user_input, type(binary)).
+open_bytes(File, _, _) :-
+    exists_directory(File),
+    !,
+    throw(error(model_error(cannot_read(directory)), location(File, 0, 0))).
 open_bytes(File, Stream, close(Stream)) :-
     catch(open(File, read, Stream, [type(binary)]), Error,
           cannot_open(File, Error)),
     set_stream(Stream, record_position(false)).
 
 cannot_open(File, error(Formal, _)) :-
-    (   exists_directory(File)
-    ->  Why = directory
-    ;   Formal = existence_error(_, _)
+    (   Formal = existence_error(_, _)
     ->  Why = missing
     ;   Formal = permission_error(_, _, _)
     ->  Why = permission

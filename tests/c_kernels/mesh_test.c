@@ -130,7 +130,7 @@ static void
 test_locale(void)
 {
   if (!setlocale(LC_ALL, "de_DE.UTF-8") && !setlocale(LC_ALL, "fr_FR.UTF-8")) {
-    printf("skip: no locale with a decimal comma is installed\n");
+    printf("skipped: no locale with a decimal comma is installed\n");
     return;
   }
   CHECK("slow way", number("0.30000000000000004") == 0.30000000000000004);
