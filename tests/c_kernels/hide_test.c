@@ -349,6 +349,41 @@ random_scenes(void)
   CHECK("there was something to do", samples > 50000);
 }
 
+/* Boxes on a small grid, that touch, overlap and hide behind borders; seen
+ * along axes, along diagonals and askew. */
+static void
+grid_scenes(void)
+{
+  static const double view[][2] = {{270, 90},
+                                   {0, 90},
+                                   {270, 0},
+                                   {315, 90},
+                                   {315, 45},
+                                   {300, 60},
+                                   {315, 54.735610317245346}};
+  size_t wrong = 0, sure = 0;
+
+  for (unsigned seed = 1; seed <= 140; seed++) {
+    const double *from = view[seed % 7];
+    bool is_central = seed % 2;
+    model *m = model_new();
+    eye e = eye_of(from[0], from[1], 12, is_central);
+    picture p;
+    srand(seed);
+    for (int i = 0; i < 5; i++) {
+      model_box(m, rand() % 4 - 2, rand() % 4 - 2, rand() % 4 - 2,
+                1 + rand() % 2, 1 + rand() % 2, 1 + rand() % 2);
+    }
+    model_project(m, from[0], from[1], 12, is_central);
+    picture_open(&p, m, SG_LINES_ALL);
+    wrong += wrong_samples(m, &p, &e, &sure);
+    picture_close(&p);
+    free(m);
+  }
+  CHECK("aligned boxes: no ray contradicts", wrong == 0);
+  CHECK("and many can judge", sure > 5000);
+}
+
 /* ------------------------------------------------------------- boxes */
 
 static void
@@ -646,5 +681,6 @@ main(void)
   cuts();
   no_solids();
   random_scenes();
+  grid_scenes();
   return check_report();
 }
