@@ -36,6 +36,8 @@ english(error(geometry_error(What), _)) -->
     fault_en(What).
 english(error(usage_error(What), _)) -->
     usage_en(What).
+english(error(domain_error(Domain, Value), _)) -->
+    drawing_en(domain(Domain, Value)).
 english(sanggwan(What)) -->
     notice_en(What).
 
@@ -415,6 +417,21 @@ notice_en(mesh(File, trailing(Bytes))) -->
                 /*******************************
                 *            drawing           *
                 *******************************/
+
+%   drawing_en(domain(Domain, Value))//: options of a drawing.
+
+drawing_en(domain(sheet_size, Size)) -->
+    [ 'no sheet has the size ~p'-[Size], nl,
+      '  Give width x height in mm, like 210x148, up to 100000.' ].
+drawing_en(domain(raster_size, W-H)) -->
+    [ 'a picture cannot have ~p x ~p dots'-[W, H], nl,
+      '  Each side has 1 to 16384, all together 67 million at most.' ].
+drawing_en(domain(dot_pattern, Pattern)) -->
+    [ 'no pattern of dots is written ~p'-[Pattern], nl,
+      '  Give N, for N on and N off, or a list [On, Off, ...].' ].
+drawing_en(domain(drawing_format, Ending)) -->
+    [ 'no drawing has the ending .~w'-[Ending], nl,
+      '  Drawings are .svg .png .json .dxf .hpgl files.' ].
 
 notice_en(nothing_drawn) -->
     [ 'there is nothing to draw' ].

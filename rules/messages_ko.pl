@@ -30,6 +30,8 @@ korean(error(geometry_error(What), _)) -->
     fault_ko(What).
 korean(error(usage_error(What), _)) -->
     usage_ko(What).
+korean(error(domain_error(Domain, Value), _)) -->
+    drawing_ko(domain(Domain, Value)).
 korean(sanggwan(What)) -->
     notice_ko(What).
 
@@ -395,6 +397,19 @@ notice_ko(mesh(File, trailing(Bytes))) -->
                 /*******************************
                 *            drawing           *
                 *******************************/
+
+drawing_ko(domain(sheet_size, Size)) -->
+    [ '~p은(는) 종이의 크기가 아니다'-[Size], nl,
+      '  너비x높이를 210x148처럼 mm로 쓴다. 100000까지 된다.' ].
+drawing_ko(domain(raster_size, W-H)) -->
+    [ '그림은 ~p x ~p 점이 될 수 없다'-[W, H], nl,
+      '  한 변은 1에서 16384까지, 모두 6700만 점까지 된다.' ].
+drawing_ko(domain(dot_pattern, Pattern)) -->
+    [ '~p은(는) 점의 무늬가 아니다'-[Pattern], nl,
+      '  N개 찍고 N개 비우는 N이나 목록 [찍음, 비움, ...]으로 쓴다.' ].
+drawing_ko(domain(drawing_format, Ending)) -->
+    [ '확장자 .~w인 그림은 없다'-[Ending], nl,
+      '  그림은 .svg .png .json .dxf .hpgl 파일이다.' ].
 
 notice_ko(nothing_drawn) -->
     [ '그릴 것이 없습니다' ].

@@ -12,6 +12,7 @@ table(notice_en, notice_ko).
 table(expected_en, expected_ko).
 table(polygon_en, polygon_ko).
 table(mesh_en, mesh_ko).
+table(drawing_en, drawing_ko).
 
 % The first argument of every clause of a table, variables numbered.
 heads(Module, Name, Heads) :-
