@@ -1,0 +1,96 @@
+# draw.sh -- `sanggwan draw`: every format as other programs read it.
+. "$(dirname "$0")/../check.sh"
+
+figure=facts/figures/fig13.pl
+draw() { "$SANGGWAN" draw -q "$@"; }
+
+# same A B: the same bytes.
+same() { cmp "$1" "$2"; }
+
+# leaves FILE...: the folder has these files only, nothing half-written.
+leaves() {
+  local folder=$1
+  shift
+  [ "$(ls -A "$folder")" = "$(printf '%s\n' "$@")" ] || {
+    ls -A "$folder"
+    return 1
+  }
+}
+
+# ink FILE: a PNG that is neither blank nor black.
+ink() {
+  rsvg-convert -w 400 "$1" -o "$TMP/ink.png" &&
+    [ "$(wc -c <"$TMP/ink.png")" -gt 3000 ]
+}
+
+for format in svg png json dxf hpgl; do
+  check "$format" draw $figure -o "$TMP/a.$format"
+  check "$format again" draw $figure -o "$TMP/b.$format"
+  check "$format: same bytes" same "$TMP/a.$format" "$TMP/b.$format"
+  check "$format to standard output" \
+    eval "draw $figure --format $format -o - >'$TMP/c.$format'"
+  check "$format: and there" same "$TMP/a.$format" "$TMP/c.$format"
+done
+check "several at once" draw $figure -o "$TMP/d.svg" -o "$TMP/d.json"
+check "any locale" env LC_ALL=ko_KR.UTF-8 "$SANGGWAN" draw -q $figure \
+  -o "$TMP/e.svg"
+check "any locale: same bytes" same "$TMP/a.svg" "$TMP/e.svg"
+
+check "svg is XML" python3 -c \
+  "import sys, xml.dom.minidom as x; x.parse('$TMP/a.svg')"
+check "json is JSON" python3 -m json.tool "$TMP/a.json"
+if command -v rsvg-convert >/dev/null; then
+  check "rsvg-convert draws it" ink "$TMP/a.svg"
+else
+  skip "rsvg-convert" "not installed"
+fi
+if /usr/bin/python3 -c 'import ezdxf' 2>/dev/null; then
+  cat >"$TMP/dxf.py" <<'PYTHON'
+import ezdxf, sys
+drawing = ezdxf.readfile(sys.argv[1])
+audit = drawing.audit()
+lines = list(drawing.modelspace())
+assert not audit.errors and not audit.fixes, audit.errors + audit.fixes
+assert lines and all(line.dxftype() == 'POLYLINE' for line in lines)
+layers = {line.dxf.layer for line in lines}
+assert 'VISIBLE_OUTLINE' in layers and 'HIDDEN_OUTLINE' in layers, layers
+assert drawing.layers.get('HIDDEN_OUTLINE').dxf.linetype == 'HIDDEN'
+assert lines[0].vertices[0].get_xdata('SANGGWAN')[0] == (1071, 1)
+PYTHON
+  check "ezdxf reads it" /usr/bin/python3 "$TMP/dxf.py" "$TMP/a.dxf"
+else
+  skip "ezdxf" "python3-ezdxf is not installed"
+fi
+if command -v hp2xx >/dev/null; then
+  check "hp2xx plots it" \
+    eval "hp2xx -q -m eps -f '$TMP/a.eps' '$TMP/a.hpgl' && [ -s '$TMP/a.eps' ]"
+else
+  skip "hp2xx" "not installed"
+fi
+
+check "size" output 'width="100mm" height="70mm" viewBox="0 0 100 70"' \
+  draw $figure --size 100x70 -o -
+check "size in dots" \
+  eval "draw $figure --size 123x45 -o '$TMP/s.png' &&
+        python3 -c \"
+import struct
+print(struct.unpack('>II', open('$TMP/s.png', 'rb').read(24)[16:]) == (123, 45)
+      or 1 / 0)\""
+check "a size that is none" complains 2 'size' draw $figure --size 12 -o -
+check "too many dots" complains 2 '16384' \
+  draw $figure --size 99999x99999 -o "$TMP/big.png"
+check "no such folder" complains 2 'no/such' draw $figure -o /no/such/a.svg
+check "unknown ending" complains 2 'svg' draw $figure -o "$TMP/a.gif"
+check "no file left" test ! -e "$TMP/big.png"
+
+mkdir "$TMP/disk"
+if mount -t tmpfs -o size=4k tiny "$TMP/disk" 2>/dev/null; then
+  check "full disk" complains 2 'No space left' \
+    draw facts/figures/fig13.pl -o "$TMP/disk/a.svg"
+  check "full disk: nothing left" leaves "$TMP/disk"
+  umount "$TMP/disk"
+else
+  skip "full disk" "cannot mount one here"
+fi
+
+check_report
