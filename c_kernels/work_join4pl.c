@@ -145,7 +145,7 @@ work_edge(term_t a0, int arity, void *context)
   w.at = w.v1 != SG_WORK_NONE && w.v2 != SG_WORK_NONE
              ? sg_work_pair(w.work, w.v1, w.v2)
              : fitting(&w, step(&w, 0));
-  return w.at && next_edge(a0, &w, NULL);
+  return w.at ? next_edge(a0, &w, NULL) : FALSE; /* no &&: not a truth value */
 }
 
 /* work_oldest(+Work, -E, -V1, -V2) is semidet. */

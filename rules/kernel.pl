@@ -2,6 +2,32 @@
           [ mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
                                       % -Result
             mesh_write/5,             % +Stream, +Format, +Ss, +Names, -Result
+            % cut4pl.c, seam4pl.c, line4pl.c
+            cut_set_open/2,           % +Pairs, -Set
+            cut_set_close/1,          % +Set
+            cut_candidate/3,          % +Set, -T1, -T2
+            curve_candidate/3,        % +Set, -E, -T
+            cut_side/4,               % +Set, +T1, +T2, -Side
+            cut_enter/4,              % +Set, +T1, +T2, -Count
+            curve_enter/4,            % +Set, +E, +T, -Count
+            cut_triangle/5,           % +Set, +T, -S, -P, -Id
+            cut_ends/4,               % +Set, +T1, +T2, -Cuts
+            cut_seal/1,               % +Set
+            cut_polygons/2,           % +Set, -Polygons
+            cut_entering/4,           % +Set, +S, +P, -Pieces
+            cut_work/4,               % +Set, +S, +P, -Work
+            cut_crossing/8,           % +Set, +Work, +S, +K, +E, +V1, +V2, -X
+            cut_note/5,               % +Set, +S, +V1, +V2, +X
+            cut_between/6,            % +Set, +Work, +S, +V1, +V2, -X
+            cut_divided/4,            % +Set, +Work, +S, -Divided
+            cut_agree/1,              % +Set
+            cut_joints/2,             % +Set, -Joints
+            cut_join/2,               % +Set, +Point
+            cut_gone/4,               % +Set, +Work, +S, -Vs
+            cut_lines/2,              % +Set, -Lines
+            cut_line/5,               % +Set, +S, +V1, +V2, -L
+            cut_vertices/2,           % +Set, -Vertices
+            cut_split_edges/3,        % +Set, +S, -Splits
             raster_dots/4,            % +Width, +Height, +Strokes, -Dots
             raster_png/5,             % +Width, +Height, +Dots, +Palette, -Bytes
             % view4pl.c
@@ -269,3 +295,138 @@ glue file.
 %   Triangles are terms t(V1, V2, V3), as work_triangles/2 of triangulation.pl
 %   finds them one by one: the fused kernel. Uses up the edges; any that are
 %   left begin with one that has no third vertex.
+
+/* - - - cut4pl.c: cut sets, the cuts of one penetration - - - */
+
+%!  cut_set_open(+Pairs, -Set) is det.
+%
+%   Set is a new cut set for the segments S1-S2 in the list Pairs. It copies
+%   their vertices, their triangles and, of a segment without triangles, the
+%   edges (a curve), as they are now, and makes a tree of boxes for each
+%   segment. Triangles and curve edges are called by handles, 0, 1, ...
+
+%!  cut_set_close(+Set) is det.
+%
+%   Frees what Set holds. Any later use is an existence_error(cut_set, Set);
+%   the garbage collector closes what is forgotten.
+
+%!  cut_candidate(+Set, -T1, -T2) is nondet.
+%
+%   Triangles T1 and T2 of two segments that are to cut each other, T1 of the
+%   smaller number, have overlapping boxes. Each pair once; the order depends
+%   on the model only.
+
+%!  curve_candidate(+Set, -E, -T) is nondet.
+%
+%   The same for a curve's edge E and a triangle T.
+
+%!  cut_side(+Set, +T1, +T2, -Side) is det.
+%
+%   Side is 1 if triangle T1 lies wholly above the plane of T2 (its outside),
+%   -1 if wholly below, 0 if it touches or crosses it. Exact.
+
+%!  cut_enter(+Set, +T1, +T2, -Count) is det.
+%
+%   What T1 and T2 have in common goes into Set: Count pieces of positive
+%   length. In a common plane only pieces of real edges count, no chords.
+%   Exact.
+
+%!  curve_enter(+Set, +E, +T, -Count) is det.
+%
+%   The points inside curve edge E in which it meets T go into Set. Exact.
+%   @see PL-7
+
+%!  cut_triangle(+Set, +T, -S, -P, -Id) is det.
+%
+%   Triangle T is t(S, P, Id, ...).
+
+%!  cut_ends(+Set, +T1, +T2, -Cuts) is det.
+%
+%   Cuts is the list of cut(Kind, End1, End2) that T1 and T2 have in common, as
+%   in penetration.pl, triangle_cut/5. Exact; changes nothing.
+
+/* - - - seam4pl.c: cuts into polygons - - - */
+
+%!  cut_seal(+Set) is det.
+%
+%   When all cuts are entered: orders the points on each real edge, divides
+%   the cuts that run along it, makes equal cuts one piece, and names every
+%   point in its segments. The pieces have numbers K, 0, 1, ...
+
+%!  cut_polygons(+Set, -Polygons) is det.
+%
+%   Polygons is the list of S-P, ascending, of all polygons that pieces enter
+%   or whose edges are split.
+
+%!  cut_entering(+Set, +S, +P, -Pieces) is det.
+%
+%   Pieces is the list of piece(K, V1, V2) that run through the face of polygon
+%   P of S, in the order of K; V1 and V2 are vertices of S, many of them new.
+
+%!  cut_work(+Set, +S, +P, -Work) is det.
+%
+%   Work is a new scratch relation (work4pl.c) with the edges of polygon P,
+%   labelled with their numbers, divided at the points of cuts on them; it
+%   also knows the vertices of cut_entering/4.
+%
+%   @error existence_error(plane, P)
+
+%!  cut_crossing(+Set, +Work, +S, +K, +E, +V1, +V2, -X) is det.
+%
+%   X is the vertex, known or new, in which V1-V2, a part of piece K, crosses
+%   edge E of Work, a scratch relation of segment S. Exact.
+
+%!  cut_note(+Set, +S, +V1, +V2, +X) is det.
+%
+%   Remembers that vertex X lies between V1 and V2.
+
+%!  cut_between(+Set, +Work, +S, +V1, +V2, -X) is semidet.
+%
+%   X was noted between V1 and V2, maybe in another segment; it is a vertex of
+%   S (and of Work) now.
+
+%!  cut_divided(+Set, +Work, +S, -Divided) is det.
+%
+%   Divided is the list of E-X: vertex X was noted between the ends of edge E
+%   of Work, a scratch relation of segment S; it is a vertex of both now.
+
+%!  cut_agree(+Set) is det.
+%
+%   Divides the pieces at all points noted.
+
+/* - - - line4pl.c: lines - - - */
+
+%!  cut_joints(+Set, -Joints) is det.
+%
+%   Joints is the list of joint(Point, Piece1, Piece2): exactly two pieces end
+%   in Point, they are in line, and no other real edge is there. A piece is
+%   piece(S1, P1, S2, P2). To be asked after cut_agree/1.
+
+%!  cut_join(+Set, +Point) is det.
+%
+%   Makes one piece of the two at a joint.
+%
+%   @error domain_error(joint, Point)
+
+%!  cut_gone(+Set, +Work, +S, -Vs) is det.
+%
+%   Vs are the vertices of Work, a scratch relation of segment S, at which
+%   pieces were joined.
+
+%!  cut_lines(+Set, -Lines) is det.
+%
+%   Lines is the list of the line/9 rows that the pieces are, numbered on from
+%   those of the world.
+
+%!  cut_line(+Set, +S, +V1, +V2, -L) is semidet.
+%
+%   L is the first line between vertices V1 and V2 of S, after cut_lines/2.
+
+%!  cut_vertices(+Set, -Vertices) is det.
+%
+%   Vertices is the list of vertex(S, V, X, Y, Z, Origin) that are new.
+
+%!  cut_split_edges(+Set, +S, -Splits) is det.
+%
+%   Splits is the list of split(V1, V2, Vs): edges of S and the vertices on
+%   them, in order from V1 to V2.

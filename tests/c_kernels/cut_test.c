@@ -13,7 +13,10 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef __int128 wide;
+__extension__ typedef __int128 wide;
+
+/* C does not turn double (*)[3] into const double (*)[3] by itself. */
+#define FIXED(triangle) ((const double(*)[3])(triangle))
 
 /* The point (x, y, z) / w, w > 0, no common factor. */
 typedef struct homog {
@@ -273,7 +276,7 @@ direction_is_right(const sg_cut *cut, const half ha[5], const half hb[5],
   return sign(along) == (sg_cut_is_point(cut) ? 0 : forward ? 1 : -1);
 }
 
-static unsigned counts[3][8]; /* by kind; by sum of both ends' classes */
+static unsigned counts[3][3]; /* by kind: pairs, points, segments */
 
 static int
 class_of(sg_feature f)
@@ -347,7 +350,7 @@ random_pairs(int n, unsigned size, int flat)
       flatten(a, flat == 2);
       flatten(b, flat == 2);
     }
-    if (!pair_agrees(a, b)) {
+    if (!pair_agrees(FIXED(a), FIXED(b))) {
       printf("pair %d of grid %u, flat %d\n", k, size, flat);
       return false;
     }
@@ -393,7 +396,7 @@ random_segments(int n, unsigned size, bool flat)
       flatten(a, k % 2);
       flatten(b, k % 2);
     }
-    if (!segment_agrees(a[0], a[1], b)) {
+    if (!segment_agrees(a[0], a[1], FIXED(b))) {
       printf("segment %d of grid %u\n", k, size);
       return false;
     }
@@ -412,8 +415,8 @@ swap_swaps(int n)
 
     random_triangle(4, a);
     random_triangle(4, b);
-    sg_cut_kind kind = sg_cut_triangles(a, b, ab, &na);
-    if (kind != sg_cut_triangles(b, a, ba, &nb)) {
+    sg_cut_kind kind = sg_cut_triangles(FIXED(a), FIXED(b), ab, &na);
+    if (kind != sg_cut_triangles(FIXED(b), FIXED(a), ba, &nb)) {
       return false;
     }
     for (int e = 0; kind == SG_CUT_CROSSING && e < 2; e++) {

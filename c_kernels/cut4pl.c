@@ -1,0 +1,575 @@
+/* cut4pl.c -- cut sets: finding the cuts of leaf triangles.
+ *
+ * Layer: glue. The doors are documented in rules/kernel.pl.
+ */
+#include "cut4pl.h"
+
+#include "glue.h"
+
+#include "../engine/install.h"
+
+#include <SWI-Stream.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the handle ---- */
+
+static void
+close_handle(sg_cut_handle *handle)
+{
+  if (!handle->closed) {
+    sg_cut_set_clear(&handle->set);
+    sg_key_table_clear(&handle->next_name);
+    sg_key_table_clear(&handle->line_of);
+    free(handle->pair);
+    handle->pair = NULL;
+    handle->pairs = 0;
+    sg_version_drop(handle->version);
+    sg_world_drop(handle->world);
+    handle->closed = true;
+  }
+}
+
+static int
+release_handle(atom_t atom)
+{
+  sg_cut_handle *handle = PL_blob_data(atom, NULL, NULL);
+
+  close_handle(handle);
+  free(handle);
+  return TRUE;
+}
+
+static int
+write_handle(IOSTREAM *out, atom_t atom, int flags)
+{
+  const sg_cut_handle *handle = PL_blob_data(atom, NULL, NULL);
+
+  (void)flags;
+  Sfprintf(out, handle->closed ? "<cut_set>(closed)" : "<cut_set>(%zu)",
+           handle->set.pieces);
+  return TRUE;
+}
+
+static PL_blob_t cut_set_blob = {.magic = PL_BLOB_MAGIC,
+                                 .flags = PL_BLOB_NOCOPY,
+                                 .name = "cut_set",
+                                 .release = release_handle,
+                                 .write = write_handle};
+
+int
+sg_get_cut_set_ex(term_t t, sg_cut_handle **out)
+{
+  PL_blob_t *type;
+  void *data;
+
+  if (!PL_get_blob(t, &data, NULL, &type) || type != &cut_set_blob) {
+    return PL_type_error("cut_set", t);
+  }
+  *out = data;
+  return !(*out)->closed || PL_existence_error("cut_set", t);
+}
+
+/* Whether v1-v2 is a real edge, either way. */
+static bool
+is_real(void *data, int32_t s, int32_t v1, int32_t v2)
+{
+  const sg_cut_handle *handle = data;
+  bool real = false;
+
+  for (int turn = 0; turn < 2 && !real; turn++) {
+    sg_value row[SG_MAX_COLUMNS] = {
+        [0].i = s, [2].i = turn ? v2 : v1, [3].i = turn ? v1 : v2};
+    sg_walk walk;
+    sg_row found;
+
+    if (!sg_walk_open(&walk, handle->version, SG_E, 0x0d, row)) {
+      return true; /* no memory: the next step meets it too */
+    }
+    while (!real && (found = sg_walk_next(&walk)) != SG_NO_ROW) {
+      real = sg_version_value(handle->version, SG_E, found, 4).i == 1;
+    }
+    sg_walk_close(&walk);
+  }
+  return real;
+}
+
+/* ---- loading the model ---- */
+
+/* Called for each live row; returns 1 to go on, 0 for no memory. */
+typedef int use_row(sg_cut_handle *handle, const sg_view *view, size_t page,
+                    unsigned row);
+
+static int32_t
+cell(const sg_view *view, unsigned column, size_t page, unsigned row)
+{
+  return view->column[column].page[page].i[row];
+}
+
+static bool
+is_wanted(const sg_cut_handle *handle, int32_t s)
+{
+  uint32_t key = (uint32_t)s;
+
+  return sg_key_table_get(&handle->next_name, &key) != SG_NO_KEY;
+}
+
+static int
+use_vertex(sg_cut_handle *handle, const sg_view *view, size_t page,
+           unsigned row)
+{
+  double at[3];
+
+  for (unsigned c = 0; c < 3; c++) {
+    at[c] = view->column[c + 2].page[page].f[row];
+  }
+  return sg_cut_model_vertex(&handle->set.model, cell(view, 0, page, row),
+                             cell(view, 1, page, row), at);
+}
+
+static int
+use_triangle(sg_cut_handle *handle, const sg_view *view, size_t page,
+             unsigned row)
+{
+  int32_t v[3];
+  bool known;
+
+  for (unsigned c = 0; c < 3; c++) {
+    v[c] = cell(view, c + 3, page, row);
+  }
+  return sg_cut_model_triangle(&handle->set.model, cell(view, 0, page, row),
+                               cell(view, 1, page, row),
+                               cell(view, 2, page, row), v, &known);
+}
+
+/* An edge of a segment that has no triangles belongs to a curve. */
+static int
+use_edge(sg_cut_handle *handle, const sg_view *view, size_t page,
+         unsigned row)
+{
+  int32_t s = cell(view, 0, page, row);
+  int32_t v[2] = {cell(view, 2, page, row), cell(view, 3, page, row)};
+  const sg_leaf_segment *segment =
+      sg_cut_model_segment(&handle->set.model, s);
+  bool known;
+
+  if (segment && !segment->curve) {
+    return 1;
+  }
+  return sg_cut_model_edge(&handle->set.model, s, cell(view, 1, page, row), v,
+                           &known);
+}
+
+/* Calls `use` for the live rows of the wanted segments. */
+static int
+each_row_ex(sg_cut_handle *handle, sg_relation relation, use_row *use)
+{
+  sg_view view;
+  int good = TRUE;
+
+  if (!sg_version_view(handle->version, relation, &view)) {
+    return sg_no_memory();
+  }
+  for (size_t page = 0; page < view.pages && good; page++) {
+    const uint64_t *live = view.live[page];
+
+    for (unsigned row = sg_live_next(live, 0); row < SG_PAGE_ROWS && good;
+         row = sg_live_next(live, row + 1)) {
+      if (is_wanted(handle, cell(&view, 0, page, row))) {
+        good = use(handle, &view, page, row) || sg_no_memory();
+      }
+    }
+    good = good && PL_handle_signals() >= 0;
+  }
+  sg_view_clear(&view);
+  return good;
+}
+
+static int
+load_model_ex(sg_cut_handle *handle)
+{
+  if (!each_row_ex(handle, SG_V, use_vertex) ||
+      !each_row_ex(handle, SG_T, use_triangle) ||
+      !each_row_ex(handle, SG_E, use_edge)) {
+    return FALSE;
+  }
+  if (!sg_cut_model_plant(&handle->set.model, &sg_prolog_poll)) {
+    return PL_exception(0) ? FALSE : sg_no_memory();
+  }
+  return TRUE;
+}
+
+/* ---- opening and closing ---- */
+
+static int
+want_segment_ex(sg_cut_handle *handle, int32_t s)
+{
+  uint32_t key = (uint32_t)s;
+  uint32_t *next = sg_key_table_put(&handle->next_name, &key);
+
+  if (!next) {
+    return sg_no_memory();
+  }
+  if (*next == SG_NO_KEY) {
+    *next = (uint32_t)sg_world_fresh(handle->world, SG_V, s);
+  }
+  return TRUE;
+}
+
+/* Reads [S1-S2, ...]. */
+static int
+get_pairs_ex(term_t list, sg_cut_handle *handle)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  term_t arg = PL_new_term_ref();
+  size_t n;
+
+  if (PL_skip_list(list, 0, &n) != PL_LIST) {
+    return PL_type_error("list", list);
+  }
+  handle->pair = malloc((n + 1) * sizeof *handle->pair);
+  if (!handle->pair) {
+    return sg_no_memory();
+  }
+  for (size_t i = 0; i < n; i++) {
+    if (!PL_get_list_ex(tail, head, tail)) {
+      return FALSE;
+    }
+    if (!PL_is_functor(head, PL_new_functor(PL_new_atom("-"), 2))) {
+      return PL_type_error("pair", head);
+    }
+    for (int k = 0; k < 2; k++) {
+      if (!PL_get_arg(k + 1, head, arg) ||
+          !sg_get_id_ex(arg, &handle->pair[i][k]) ||
+          !want_segment_ex(handle, handle->pair[i][k])) {
+        return FALSE;
+      }
+    }
+    handle->pairs++;
+  }
+  return TRUE;
+}
+
+static foreign_t
+cut_set_open(term_t pairs, term_t out)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_cut_handle *handle;
+
+  if (!world) {
+    return FALSE;
+  }
+  if (!(handle = calloc(1, sizeof *handle))) {
+    return sg_no_memory();
+  }
+  handle->world = sg_world_hold(world);
+  handle->version = sg_world_version(world);
+  sg_cut_set_init(&handle->set, is_real, handle);
+  sg_key_table_init(&handle->next_name, 1);
+  sg_key_table_init(&handle->line_of, 3);
+  if (!get_pairs_ex(pairs, handle) || !load_model_ex(handle)) {
+    close_handle(handle);
+    free(handle);
+    return FALSE;
+  }
+  return PL_unify_blob(out, handle, sizeof *handle, &cut_set_blob);
+}
+
+static foreign_t
+cut_set_close(term_t set)
+{
+  sg_cut_handle *handle;
+
+  if (!sg_get_cut_set_ex(set, &handle)) {
+    return FALSE;
+  }
+  close_handle(handle);
+  return TRUE;
+}
+
+/* ---- candidates ---- */
+
+/* A walk over all pairs of segments; the next answer is fetched before one is
+ * given, so that the last one leaves no choice point. */
+typedef struct candidates {
+  sg_cut_handle *handle;
+  bool curve; /* curve edges with triangles, or triangles with triangles */
+  size_t next_pair;
+  sg_candidate_pairs walk;
+  uint32_t a, b;
+} candidates;
+
+/* Goes to the next pair of segments of the wanted sort; false: no more. A
+ * curve comes first. */
+static bool
+next_segments(candidates *c)
+{
+  const sg_cut_model *model = &c->handle->set.model;
+
+  while (c->next_pair < c->handle->pairs) {
+    const int32_t *pair = c->handle->pair[c->next_pair++];
+    const sg_leaf_segment *a = sg_cut_model_segment(model, pair[0]);
+    const sg_leaf_segment *b = sg_cut_model_segment(model, pair[1]);
+
+    if (!a || !b || (a->curve && b->curve) ||
+        (a->curve || b->curve) != c->curve) {
+      continue;
+    }
+    bool swap = c->curve ? b->curve : b->s < a->s;
+
+    sg_candidate_pairs_init(&c->walk, swap ? b : a, swap ? a : b);
+    return true;
+  }
+  return false;
+}
+
+static bool
+next_candidate(candidates *c)
+{
+  do {
+    if (c->walk.a && sg_candidate_pairs_next(&c->walk, &c->a, &c->b)) {
+      return true;
+    }
+  } while (next_segments(c));
+  return false;
+}
+
+static foreign_t
+candidate(term_t set, term_t first, term_t second, control_t control,
+          bool curve)
+{
+  candidates *c = NULL;
+
+  switch (PL_foreign_control(control)) {
+  case PL_PRUNED:
+    free(PL_foreign_context_address(control));
+    return TRUE;
+  case PL_REDO:
+    c = PL_foreign_context_address(control);
+    break;
+  case PL_FIRST_CALL: {
+    sg_cut_handle *handle;
+    if (!sg_get_cut_set_ex(set, &handle)) {
+      return FALSE;
+    }
+    if (!(c = calloc(1, sizeof *c))) {
+      return sg_no_memory();
+    }
+    c->handle = handle;
+    c->curve = curve;
+    if (!next_candidate(c)) {
+      free(c);
+      return FALSE;
+    }
+    break;
+  }
+  }
+  uint32_t a = c->a, b = c->b;
+  bool more = !c->handle->closed && next_candidate(c);
+
+  if (!PL_unify_integer(first, a) || !PL_unify_integer(second, b)) {
+    free(c); /* outputs are unbound: only an exception comes here */
+    return FALSE;
+  }
+  if (more) {
+    PL_retry_address(c);
+  }
+  free(c);
+  return TRUE;
+}
+
+static foreign_t
+cut_candidate(term_t set, term_t t1, term_t t2, control_t control)
+{
+  return candidate(set, t1, t2, control, false);
+}
+
+static foreign_t
+curve_candidate(term_t set, term_t e, term_t t, control_t control)
+{
+  return candidate(set, e, t, control, true);
+}
+
+/* ---- one pair ---- */
+
+static int
+get_number_ex(term_t t, size_t limit, const char *type, uint32_t *out)
+{
+  int64_t i;
+
+  if (!PL_get_int64_ex(t, &i)) {
+    return FALSE;
+  }
+  if (i < 0 || (uint64_t)i >= limit) {
+    return PL_existence_error(type, t);
+  }
+  *out = (uint32_t)i;
+  return TRUE;
+}
+
+static int
+get_triangles_ex(term_t set, term_t t1, term_t t2, sg_cut_handle **handle,
+                 uint32_t t[2])
+{
+  if (!sg_get_cut_set_ex(set, handle)) {
+    return FALSE;
+  }
+  size_t limit = (*handle)->set.model.triangles;
+
+  return get_number_ex(t1, limit, "cut_triangle", &t[0]) &&
+         get_number_ex(t2, limit, "cut_triangle", &t[1]);
+}
+
+static foreign_t
+cut_side(term_t set, term_t t1, term_t t2, term_t side)
+{
+  sg_cut_handle *handle;
+  uint32_t t[2];
+  double a[3][3], b[3][3];
+
+  if (!get_triangles_ex(set, t1, t2, &handle, t)) {
+    return FALSE;
+  }
+  sg_cut_model_corners(&handle->set.model, t[0], a);
+  sg_cut_model_corners(&handle->set.model, t[1], b);
+  return PL_unify_integer(
+      side, sg_cut_side((const double(*)[3])a, (const double(*)[3])b));
+}
+
+static foreign_t
+cut_enter(term_t set, term_t t1, term_t t2, term_t count)
+{
+  sg_cut_handle *handle;
+  uint32_t t[2];
+
+  if (!get_triangles_ex(set, t1, t2, &handle, t)) {
+    return FALSE;
+  }
+  int n = sg_cut_set_enter(&handle->set, t[0], t[1]);
+
+  return n < 0 ? sg_no_memory() : PL_unify_integer(count, n);
+}
+
+static foreign_t
+curve_enter(term_t set, term_t e, term_t t, term_t count)
+{
+  sg_cut_handle *handle;
+  uint32_t edge = 0, triangle = 0;
+
+  if (!sg_get_cut_set_ex(set, &handle) ||
+      !get_number_ex(e, handle->set.model.edges, "cut_edge", &edge) ||
+      !get_number_ex(t, handle->set.model.triangles, "cut_triangle",
+                     &triangle)) {
+    return FALSE;
+  }
+  int n = sg_cut_set_enter_curve(&handle->set, edge, triangle);
+
+  return n < 0 ? sg_no_memory() : PL_unify_integer(count, n);
+}
+
+static foreign_t
+cut_triangle(term_t set, term_t t, term_t s, term_t p, term_t id)
+{
+  sg_cut_handle *handle;
+  uint32_t number = 0;
+
+  if (!sg_get_cut_set_ex(set, &handle) ||
+      !get_number_ex(t, handle->set.model.triangles, "cut_triangle",
+                     &number)) {
+    return FALSE;
+  }
+  const sg_leaf_triangle *leaf = &handle->set.model.triangle[number];
+
+  return PL_unify_integer(s, leaf->s) && PL_unify_integer(p, leaf->p) &&
+         PL_unify_integer(id, leaf->t);
+}
+
+/* vertex(V), edge(V1,V2) or face(T). */
+static int
+unify_place(term_t t, const sg_cut_model *model, const sg_place *place)
+{
+  switch (place->kind) {
+  case SG_AT_VERTEX:
+    return PL_unify_term(t, PL_FUNCTOR_CHARS, "vertex", 1, PL_INT,
+                         model->vertex[place->a].v);
+  case SG_ON_EDGE:
+    return PL_unify_term(t, PL_FUNCTOR_CHARS, "edge", 2, PL_INT,
+                         model->vertex[place->a].v, PL_INT,
+                         model->vertex[place->b].v);
+  case SG_ON_FACE:
+    return PL_unify_term(t, PL_FUNCTOR_CHARS, "face", 1, PL_INT,
+                         model->triangle[place->a].t);
+  }
+  return FALSE;
+}
+
+static int
+unify_end(term_t t, const sg_cut_model *model, const uint32_t pair[2],
+          const sg_cut_end *end)
+{
+  term_t place = PL_new_term_refs(2);
+
+  for (int k = 0; k < 2; k++) {
+    sg_place at = sg_place_of(model, pair[k], (int)end->f[k]);
+    if (!unify_place(place + k, model, &at)) {
+      return FALSE;
+    }
+  }
+  return PL_unify_term(t, PL_FUNCTOR_CHARS, "-", 2, PL_TERM, place, PL_TERM,
+                       place + 1);
+}
+
+static foreign_t
+cut_ends(term_t set, term_t t1, term_t t2, term_t cuts)
+{
+  sg_cut_handle *handle;
+  uint32_t t[2];
+  double a[3][3], b[3][3];
+  sg_cut cut[SG_CUT_MAX];
+  int n;
+  term_t tail = PL_copy_term_ref(cuts), head = PL_new_term_ref();
+  term_t end = PL_new_term_refs(2);
+
+  if (!get_triangles_ex(set, t1, t2, &handle, t)) {
+    return FALSE;
+  }
+  const sg_cut_model *model = &handle->set.model;
+
+  sg_cut_model_corners(model, t[0], a);
+  sg_cut_model_corners(model, t[1], b);
+  sg_cut_kind kind = sg_cut_triangles((const double(*)[3])a,
+                                      (const double(*)[3])b, cut, &n);
+
+  for (int i = 0; i < n; i++) {
+    PL_put_variable(end);
+    PL_put_variable(end + 1);
+    if (!PL_unify_list(tail, head, tail) ||
+        !unify_end(end, model, t, &cut[i].end[0]) ||
+        !unify_end(end + 1, model, t, &cut[i].end[1]) ||
+        !PL_unify_term(head, PL_FUNCTOR_CHARS, "cut", 3, PL_CHARS,
+                       kind == SG_CUT_COPLANAR ? "coplanar" : "crossing",
+                       PL_TERM, end, PL_TERM, end + 1)) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+static const PL_extension predicates[] = {
+    {"cut_set_open", 2, cut_set_open, 0},
+    {"cut_set_close", 1, cut_set_close, 0},
+    {"cut_candidate", 3, cut_candidate, PL_FA_NONDETERMINISTIC},
+    {"curve_candidate", 3, curve_candidate, PL_FA_NONDETERMINISTIC},
+    {"cut_side", 4, cut_side, 0},
+    {"cut_enter", 4, cut_enter, 0},
+    {"curve_enter", 4, curve_enter, 0},
+    {"cut_triangle", 5, cut_triangle, 0},
+    {"cut_ends", 4, cut_ends, 0},
+    {NULL, 0, NULL, 0},
+};
+
+void
+sg_install_cut(void)
+{
+  PL_register_extensions_in_module("sg_kernel", predicates);
+}

@@ -1,0 +1,396 @@
+/* line4pl.c -- cut sets: joints, and the rows that a penetration leaves.
+ *
+ * Layer: glue. The doors are documented in rules/kernel.pl.
+ */
+#include "cut4pl.h"
+
+#include "glue.h"
+#include "work4pl.h"
+
+#include "../engine/install.h"
+
+#include <stdlib.h>
+
+/* ---- joints ---- */
+
+static int
+unify_piece(term_t t, const sg_cut_piece *piece)
+{
+  return PL_unify_term(t, PL_FUNCTOR_CHARS, "piece", 4, PL_INT, piece->s[0],
+                       PL_INT, piece->p[0], PL_INT, piece->s[1], PL_INT,
+                       piece->p[1]);
+}
+
+static foreign_t
+cut_joints(term_t t, term_t list)
+{
+  sg_cut_handle *handle;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  term_t piece = PL_new_term_refs(2);
+
+  if (!sg_get_cut_set_ex(t, &handle)) {
+    return FALSE;
+  }
+  const sg_cut_set *set = &handle->set;
+
+  for (uint32_t i = 0; i < set->linked; i++) {
+    uint32_t k, l;
+
+    if (!sg_cut_set_joint(set, i, &k, &l)) {
+      continue;
+    }
+    PL_put_variable(piece);
+    PL_put_variable(piece + 1);
+    if (!unify_piece(piece, &set->piece[k]) ||
+        !unify_piece(piece + 1, &set->piece[l]) ||
+        !PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(head, PL_FUNCTOR_CHARS, "joint", 3, PL_INT, (int)i,
+                       PL_TERM, piece, PL_TERM, piece + 1)) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+static int
+get_point_number_ex(term_t t, const sg_cut_set *set, uint32_t *out)
+{
+  int32_t i;
+
+  if (!sg_get_int32_ex(t, &i)) {
+    return FALSE;
+  }
+  *out = (uint32_t)i;
+  return (i >= 0 && (size_t)i < set->points.n) ||
+         PL_existence_error("cut_point", t);
+}
+
+static foreign_t
+cut_join(term_t t, term_t point)
+{
+  sg_cut_handle *handle;
+  uint32_t number, k, l;
+
+  if (!sg_get_cut_set_ex(t, &handle) ||
+      !get_point_number_ex(point, &handle->set, &number)) {
+    return FALSE;
+  }
+  if (!sg_cut_set_joint(&handle->set, number, &k, &l)) {
+    return PL_domain_error("joint", point);
+  }
+  sg_cut_set_join(&handle->set, number);
+  return TRUE;
+}
+
+static bool
+is_gone(const sg_cut_set *set, uint32_t point)
+{
+  return point < set->linked && set->gone[point];
+}
+
+static foreign_t
+cut_gone(term_t t, term_t work_term, term_t s, term_t list)
+{
+  sg_cut_handle *handle;
+  sg_work *work;
+  int32_t segment;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &segment) ||
+      !sg_get_work_ex(work_term, &work)) {
+    return FALSE;
+  }
+  for (int32_t i = 0; i < sg_work_vertices(work); i++) {
+    int32_t name = sg_work_id(work, i);
+    uint32_t point =
+        sg_cut_points_named(&handle->set.points, segment, name);
+
+    if (point != SG_NO_KEY && is_gone(&handle->set, point) &&
+        (!PL_unify_list(tail, head, tail) || !PL_unify_integer(head, name))) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* ---- lines ---- */
+
+/* Notes that the piece between the points is line `number`: found by either
+ * segment and both ends; the first one counts. */
+static bool
+note_line(sg_cut_handle *handle, const sg_cut_piece *piece, int32_t number)
+{
+  for (int k = 0; k < 2; k++) {
+    uint32_t key[3] = {(uint32_t)piece->s[k],
+                       piece->a < piece->b ? piece->a : piece->b,
+                       piece->a < piece->b ? piece->b : piece->a};
+    uint32_t *line = sg_key_table_put(&handle->line_of, key);
+
+    if (!line) {
+      return false;
+    }
+    if (*line == SG_NO_KEY) {
+      *line = (uint32_t)number;
+    }
+  }
+  return true;
+}
+
+static foreign_t
+cut_line(term_t t, term_t s, term_t v1, term_t v2, term_t line)
+{
+  sg_cut_handle *handle;
+  int32_t id[3];
+
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &id[0]) ||
+      !sg_get_id_ex(v1, &id[1]) || !sg_get_id_ex(v2, &id[2])) {
+    return FALSE;
+  }
+  uint32_t a = sg_cut_points_named(&handle->set.points, id[0], id[1]);
+  uint32_t b = sg_cut_points_named(&handle->set.points, id[0], id[2]);
+  uint32_t key[3] = {(uint32_t)id[0], a < b ? a : b, a < b ? b : a};
+  uint32_t number = sg_key_table_get(&handle->line_of, key);
+
+  return number != SG_NO_KEY && PL_unify_integer(line, number);
+}
+
+static foreign_t
+cut_lines(term_t t, term_t list)
+{
+  sg_cut_handle *handle;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_cut_set_ex(t, &handle)) {
+    return FALSE;
+  }
+  const sg_cut_points *points = &handle->set.points;
+  int32_t number = sg_world_fresh(handle->world, SG_LINE, 0);
+
+  for (size_t i = 0; i < handle->set.pieces; i++) {
+    const sg_cut_piece *k = &handle->set.piece[i];
+
+    if (!k->live) {
+      continue;
+    }
+    if (!note_line(handle, k, number)) {
+      return sg_no_memory();
+    }
+    if ((!PL_unify_list(tail, head, tail) ||
+         !PL_unify_term(head, PL_FUNCTOR_CHARS, "line", 9, PL_INT, number,
+                        PL_INT, k->s[0],
+                        PL_INT, k->p[0], PL_INT,
+                        sg_cut_points_name(points, k->a, k->s[0]), PL_INT,
+                        sg_cut_points_name(points, k->b, k->s[0]), PL_INT,
+                        k->s[1], PL_INT, k->p[1], PL_INT,
+                        sg_cut_points_name(points, k->a, k->s[1]), PL_INT,
+                        sg_cut_points_name(points, k->b, k->s[1])))) {
+      return FALSE;
+    }
+    number++;
+  }
+  return PL_unify_nil(tail);
+}
+
+/* ---- origins ---- */
+
+static int
+put_edge(term_t t, int32_t s, int32_t a, int32_t b)
+{
+  int32_t low = a < b ? a : b, high = a < b ? b : a;
+
+  return PL_put_variable(t) &&
+         PL_unify_term(t, PL_FUNCTOR_CHARS, "-", 2, PL_INT, s,
+                       PL_FUNCTOR_CHARS, ",", 2, PL_INT, low, PL_INT, high);
+}
+
+/* S-(A,B) for an edge, S-(A,B,C) for a leaf triangle. */
+static int
+put_place(term_t t, const sg_cut_model *model, const sg_place *place)
+{
+  int32_t s = sg_place_segment(model, place);
+
+  if (place->kind == SG_ON_FACE) {
+    const uint32_t *v = model->triangle[place->a].v;
+
+    return PL_put_variable(t) &&
+           PL_unify_term(t, PL_FUNCTOR_CHARS, "-", 2, PL_INT, s,
+                         PL_FUNCTOR_CHARS, ",", 2, PL_INT,
+                         model->vertex[v[0]].v, PL_FUNCTOR_CHARS, ",", 2,
+                         PL_INT, model->vertex[v[1]].v, PL_INT,
+                         model->vertex[v[2]].v);
+  }
+  return put_edge(t, s, model->vertex[place->a].v,
+                  model->vertex[place->b].v);
+}
+
+/* The vertex place among those of a point that comes first by segment. */
+static const sg_place *
+first_vertex(const sg_cut_points *points, uint32_t point)
+{
+  const sg_place *found = NULL;
+  int32_t least = 0;
+
+  for (uint32_t i = points->point[point].seat; i != SG_NO_KEY;
+       i = points->seat[i].next) {
+    const sg_seat *seat = &points->seat[i];
+
+    if (seat->place.kind == SG_AT_VERTEX && (!found || seat->s < least)) {
+      found = &seat->place;
+      least = seat->s;
+    }
+  }
+  return found;
+}
+
+/* The places in the order of the origin term: an edge before a face, then by
+ * segment. */
+static void
+order_places(const sg_cut_model *model, sg_made *made)
+{
+  for (int i = 1; i < made->n; i++) {
+    for (int k = i; k > 0; k--) {
+      sg_place *p = &made->place[k - 1], *q = &made->place[k];
+      int by_kind = (int)p->kind - (int)q->kind;
+      bool swap = by_kind ? by_kind > 0
+                          : sg_place_segment(model, p) >
+                                sg_place_segment(model, q);
+      if (swap) {
+        sg_place keep = *p;
+        *p = *q;
+        *q = keep;
+      }
+    }
+  }
+}
+
+static int
+unify_origin(term_t t, const sg_cut_points *points, uint32_t point)
+{
+  const sg_cut_model *model = points->model;
+  const sg_place *vertex = first_vertex(points, point);
+  sg_made made = points->point[point].made;
+  term_t place = PL_new_term_refs(3);
+
+  if (vertex) {
+    return PL_unify_term(t, PL_FUNCTOR_CHARS, "v", 2, PL_INT,
+                         model->vertex[vertex->a].s, PL_INT,
+                         model->vertex[vertex->a].v);
+  }
+  order_places(model, &made);
+  for (int i = 0; i < made.n; i++) {
+    if (!put_place(place + i, model, &made.place[i])) {
+      return FALSE;
+    }
+  }
+  if (made.n == 3) {
+    return PL_unify_term(t, PL_FUNCTOR_CHARS, "tpi", 3, PL_TERM, place,
+                         PL_TERM, place + 1, PL_TERM, place + 2);
+  }
+  if (made.n == 2) {
+    return PL_unify_term(t, PL_FUNCTOR_CHARS,
+                         made.place[1].kind == SG_ON_FACE ? "lpi" : "ll", 2,
+                         PL_TERM, place, PL_TERM, place + 1);
+  }
+  return PL_unify_atom_chars(t, "crossing");
+}
+
+static int
+unify_vertex(term_t t, const sg_cut_points *points, uint32_t point,
+             const sg_seat *seat)
+{
+  term_t origin = PL_new_term_ref();
+  const double *p = points->point[point].at.p;
+
+  return unify_origin(origin, points, point) &&
+         PL_unify_term(t, PL_FUNCTOR_CHARS, "vertex", 6, PL_INT, seat->s,
+                       PL_INT, seat->v, PL_DOUBLE, p[0] + 0.0, PL_DOUBLE,
+                       p[1] + 0.0, PL_DOUBLE, p[2] + 0.0, PL_TERM, origin);
+}
+
+/* All vertices that are new: vertex(S, V, X, Y, Z, Origin). */
+static foreign_t
+cut_vertices(term_t t, term_t list)
+{
+  sg_cut_handle *handle;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_cut_set_ex(t, &handle)) {
+    return FALSE;
+  }
+  const sg_cut_points *points = &handle->set.points;
+
+  for (uint32_t i = 0; i < points->n; i++) {
+    if (is_gone(&handle->set, i)) {
+      continue;
+    }
+    for (uint32_t k = points->point[i].seat; k != SG_NO_KEY;
+         k = points->seat[k].next) {
+      const sg_seat *seat = &points->seat[k];
+
+      if (seat->v != 0 && seat->place.kind != SG_AT_VERTEX &&
+          (!PL_unify_list(tail, head, tail) ||
+           !unify_vertex(head, points, i, seat))) {
+        return FALSE;
+      }
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* The points on edges of a segment: split(V1, V2, [V, ...]), V1 < V2 by the
+ * set's own order, the list from V1 to V2. */
+static foreign_t
+cut_split_edges(term_t t, term_t s, term_t list)
+{
+  sg_cut_handle *handle;
+  int32_t segment;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &segment)) {
+    return FALSE;
+  }
+  const sg_cut_set *set = &handle->set;
+
+  for (size_t i = 0; i < set->edges; i++) {
+    const sg_split_edge *edge = &set->edge[i];
+    term_t names = PL_new_term_ref(), name = PL_new_term_ref();
+    term_t end;
+
+    if (edge->s != segment || edge->n == 0) {
+      continue;
+    }
+    end = PL_copy_term_ref(names);
+    for (size_t k = 0; k < edge->n; k++) {
+      if (!PL_unify_list(end, name, end) ||
+          !PL_unify_integer(name, sg_cut_points_name(&set->points,
+                                                     edge->point[k],
+                                                     segment))) {
+        return FALSE;
+      }
+    }
+    if (!PL_unify_nil(end) || !PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(head, PL_FUNCTOR_CHARS, "split", 3, PL_INT,
+                       set->model.vertex[edge->place.a].v, PL_INT,
+                       set->model.vertex[edge->place.b].v, PL_TERM, names)) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+static const PL_extension predicates[] = {
+    {"cut_joints", 2, cut_joints, 0},
+    {"cut_join", 2, cut_join, 0},
+    {"cut_gone", 4, cut_gone, 0},
+    {"cut_lines", 2, cut_lines, 0},
+    {"cut_line", 5, cut_line, 0},
+    {"cut_vertices", 2, cut_vertices, 0},
+    {"cut_split_edges", 3, cut_split_edges, 0},
+    {NULL, 0, NULL, 0},
+};
+
+void
+sg_install_line(void)
+{
+  PL_register_extensions_in_module("sg_kernel", predicates);
+}

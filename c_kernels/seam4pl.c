@@ -1,0 +1,595 @@
+/* seam4pl.c -- cut sets: putting the cuts into polygons, and what comes out.
+ *
+ * Layer: glue. The doors are documented in rules/kernel.pl.
+ */
+#include "cut4pl.h"
+
+#include "glue.h"
+#include "work4pl.h"
+
+#include "../engine/install.h"
+
+#include <stdlib.h>
+
+/* ---- names ---- */
+
+/* The name of a point in segment s, made if it has none; 0: an exception. */
+static int32_t
+name_ex(sg_cut_handle *handle, uint32_t point, int32_t s)
+{
+  int32_t name = sg_cut_points_name(&handle->set.points, point, s);
+  uint32_t key = (uint32_t)s;
+
+  if (name != 0) {
+    return name;
+  }
+  uint32_t *next = sg_key_table_put(&handle->next_name, &key);
+
+  if (!next || *next == SG_NO_KEY ||
+      !sg_cut_points_set_name(&handle->set.points, point, s,
+                              (int32_t)*next)) {
+    sg_no_memory();
+    return 0;
+  }
+  return (int32_t)(*next)++;
+}
+
+static bool
+is_joint(const sg_cut_set *set, uint32_t point)
+{
+  uint32_t k, l;
+
+  return sg_cut_set_joint(set, point, &k, &l);
+}
+
+/* Names all ends of pieces, and all points on edges. Those that will likely
+ * be joined away come last, so that the others are numbered without gaps. */
+static int
+name_all_ex(sg_cut_handle *handle)
+{
+  const sg_cut_set *set = &handle->set;
+
+  for (int pass = 0; pass < 2; pass++) {
+    for (size_t i = 0; i < set->pieces; i++) {
+      const sg_cut_piece *piece = &set->piece[i];
+
+      for (int k = 0; piece->live && k < 4; k++) {
+        uint32_t end = k < 2 ? piece->a : piece->b;
+        if (is_joint(set, end) == (pass == 1) &&
+            !name_ex(handle, end, piece->s[k % 2])) {
+          return FALSE;
+        }
+      }
+    }
+  }
+  for (size_t i = 0; i < set->edges; i++) {
+    for (size_t k = 0; k < set->edge[i].n; k++) {
+      if (!name_ex(handle, set->edge[i].point[k], set->edge[i].s)) {
+        return FALSE;
+      }
+    }
+  }
+  return TRUE;
+}
+
+/* ---- sealing ---- */
+
+/* Notes the polygons that have edge e. */
+static int
+add_polygons_of_ex(sg_cut_handle *handle, int32_t s, int32_t e)
+{
+  sg_walk walk;
+  int good = TRUE;
+
+  if (!sg_walk_open_member(&walk, handle->version, SG_P, s, e)) {
+    return sg_no_memory();
+  }
+  for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
+    int32_t p = sg_version_value(handle->version, SG_P, row, 1).i;
+    good = sg_cut_set_add_polygon(&handle->set, s, p) || sg_no_memory();
+  }
+  sg_walk_close(&walk);
+  return good;
+}
+
+/* Notes the polygons on both sides of a split edge. */
+static int
+add_neighbours_ex(sg_cut_handle *handle, const sg_split_edge *edge)
+{
+  const sg_leaf_vertex *vertex = handle->set.model.vertex;
+  int32_t v[2] = {vertex[edge->place.a].v, vertex[edge->place.b].v};
+  int good = TRUE;
+
+  for (int turn = 0; turn < 2 && good; turn++) {
+    sg_value row[SG_MAX_COLUMNS] = {
+        [0].i = edge->s, [2].i = v[turn], [3].i = v[!turn]};
+    sg_walk walk;
+
+    if (!sg_walk_open(&walk, handle->version, SG_E, 0x0d, row)) {
+      return sg_no_memory();
+    }
+    for (sg_row found; good && (found = sg_walk_next(&walk)) != SG_NO_ROW;) {
+      int32_t e = sg_version_value(handle->version, SG_E, found, 1).i;
+      good = add_polygons_of_ex(handle, edge->s, e);
+    }
+    sg_walk_close(&walk);
+  }
+  return good;
+}
+
+static foreign_t
+cut_seal(term_t t)
+{
+  sg_cut_handle *handle;
+
+  if (!sg_get_cut_set_ex(t, &handle)) {
+    return FALSE;
+  }
+  sg_cut_set *set = &handle->set;
+
+  if (!sg_cut_set_seal(set) || !sg_cut_set_link(set)) {
+    return sg_no_memory();
+  }
+  for (size_t i = 0; i < set->edges; i++) {
+    if (set->edge[i].n > 0 && !add_neighbours_ex(handle, &set->edge[i])) {
+      return FALSE;
+    }
+  }
+  return (sg_cut_set_group(set) || sg_no_memory()) && name_all_ex(handle);
+}
+
+static foreign_t
+cut_polygons(term_t t, term_t list)
+{
+  sg_cut_handle *handle;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_cut_set_ex(t, &handle)) {
+    return FALSE;
+  }
+  for (size_t i = 0; i < handle->set.polygons; i++) {
+    const sg_cut_polygon *polygon = &handle->set.polygon[i];
+
+    if (!PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(head, PL_FUNCTOR_CHARS, "-", 2, PL_INT, polygon->s,
+                       PL_INT, polygon->p)) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* ---- the scratch relation of one polygon ---- */
+
+static const sg_cut_polygon *
+find_polygon(const sg_cut_set *set, int32_t s, int32_t p)
+{
+  size_t low = 0, high = set->polygons;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    const sg_cut_polygon *polygon = &set->polygon[middle];
+
+    if (polygon->s == s && polygon->p == p) {
+      return polygon;
+    }
+    if (polygon->s < s || (polygon->s == s && polygon->p < p)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return NULL;
+}
+
+/* The pieces that enter polygon p: piece(K, V1, V2), V1-V2 in its segment. */
+static foreign_t
+cut_entering(term_t t, term_t s, term_t p, term_t list)
+{
+  sg_cut_handle *handle;
+  int32_t key[2];
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &key[0]) ||
+      !sg_get_id_ex(p, &key[1])) {
+    return FALSE;
+  }
+  const sg_cut_set *set = &handle->set;
+  const sg_cut_polygon *polygon = find_polygon(set, key[0], key[1]);
+
+  for (size_t i = 0; polygon && i < polygon->n; i++) {
+    uint32_t k = set->entering[polygon->first + i];
+    const sg_cut_piece *piece = &set->piece[k];
+
+    if (!PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(
+            head, PL_FUNCTOR_CHARS, "piece", 3, PL_INT, (int)k, PL_INT,
+            sg_cut_points_name(&set->points, piece->a, key[0]), PL_INT,
+            sg_cut_points_name(&set->points, piece->b, key[0]))) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* The handle in `work` of a point of the set, SG_WORK_NONE: an exception. */
+static int32_t
+enter_point_ex(sg_cut_handle *handle, sg_work *work, uint32_t point,
+               int32_t s)
+{
+  int32_t name = name_ex(handle, point, s);
+  int32_t vertex =
+      name ? sg_work_vertex(work, name, &handle->set.points.point[point].at)
+           : SG_WORK_NONE;
+
+  if (name && vertex == SG_WORK_NONE) {
+    sg_no_memory();
+  }
+  return vertex;
+}
+
+/* The handle in `work` of a vertex of the model. */
+static int32_t
+enter_vertex_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t v)
+{
+  uint32_t number = sg_cut_model_find(&handle->set.model, s, v);
+  sg_point at;
+
+  if (number == SG_NO_KEY) {
+    return SG_WORK_NONE;
+  }
+  sg_point_set(&at, handle->set.model.vertex[number].at);
+  int32_t vertex = sg_work_vertex(work, v, &at);
+
+  if (vertex == SG_WORK_NONE) {
+    sg_no_memory();
+  }
+  return vertex;
+}
+
+/* The split edge v1-v2, null: it is not split. */
+static const sg_split_edge *
+find_split(const sg_cut_set *set, int32_t s, int32_t v1, int32_t v2)
+{
+  uint32_t a = sg_cut_model_find(&set->model, s, v1);
+  uint32_t b = sg_cut_model_find(&set->model, s, v2);
+  uint32_t key[2] = {a < b ? a : b, a < b ? b : a};
+  uint32_t number = sg_key_table_get(&set->edge_number, key);
+
+  return number == SG_NO_KEY ? NULL : &set->edge[number];
+}
+
+/* Adds one edge of the polygon in the pieces it is split into. */
+static int
+add_split_edge_ex(sg_cut_handle *handle, sg_work *work, sg_row row)
+{
+  int32_t s = sg_version_value(handle->version, SG_E, row, 0).i;
+  int32_t e = sg_version_value(handle->version, SG_E, row, 1).i;
+  int32_t v1 = sg_version_value(handle->version, SG_E, row, 2).i;
+  int32_t v2 = sg_version_value(handle->version, SG_E, row, 3).i;
+  int32_t et = sg_version_value(handle->version, SG_E, row, 4).i;
+  const sg_split_edge *split = find_split(&handle->set, s, v1, v2);
+  size_t n = split ? split->n : 0;
+  bool forward =
+      n > 0 && handle->set.model.vertex[split->place.a].v == v1;
+  int32_t from = enter_vertex_ex(handle, work, s, v1);
+
+  for (size_t i = 0; i <= n && from != SG_WORK_NONE; i++) {
+    int32_t to =
+        i == n ? enter_vertex_ex(handle, work, s, v2)
+               : enter_point_ex(handle, work,
+                                split->point[forward ? i : n - 1 - i], s);
+    if (to == SG_WORK_NONE) {
+      return FALSE;
+    }
+    if (!sg_work_add(work, from, to, et, e)) {
+      return sg_no_memory();
+    }
+    from = to;
+  }
+  return from != SG_WORK_NONE;
+}
+
+static int
+fill_work_ex(sg_cut_handle *handle, sg_work *work, int32_t s, sg_row polygon)
+{
+  const int32_t *list =
+      sg_version_value(handle->version, SG_P, polygon, 2).list;
+
+  for (int32_t i = 0; i < list[0]; i++) {
+    sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = list[i + 1]};
+    sg_row row = sg_version_find(handle->version, SG_E, key);
+
+    if (row != SG_NO_ROW && !add_split_edge_ex(handle, work, row)) {
+      return PL_exception(0) ? FALSE : PL_representation_error("vertex");
+    }
+  }
+  return TRUE;
+}
+
+static int
+enter_piece_ends_ex(sg_cut_handle *handle, sg_work *work, int32_t s,
+                    int32_t p)
+{
+  const sg_cut_set *set = &handle->set;
+  const sg_cut_polygon *polygon = find_polygon(set, s, p);
+
+  for (size_t i = 0; polygon && i < polygon->n; i++) {
+    const sg_cut_piece *piece =
+        &set->piece[set->entering[polygon->first + i]];
+
+    if (enter_point_ex(handle, work, piece->a, s) == SG_WORK_NONE ||
+        enter_point_ex(handle, work, piece->b, s) == SG_WORK_NONE) {
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+static foreign_t
+cut_work(term_t t, term_t s, term_t p, term_t out)
+{
+  sg_cut_handle *handle;
+  int32_t key[2];
+
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &key[0]) ||
+      !sg_get_id_ex(p, &key[1])) {
+    return FALSE;
+  }
+  sg_value row[SG_MAX_COLUMNS] = {[0].i = key[0], [1].i = key[1]};
+  sg_row polygon = sg_version_find(handle->version, SG_P, row);
+  sg_row plane = sg_version_find(handle->version, SG_PLANE, row);
+  double normal[3];
+
+  if (polygon == SG_NO_ROW || plane == SG_NO_ROW) {
+    return PL_existence_error(polygon == SG_NO_ROW ? "polygon" : "plane", p);
+  }
+  for (unsigned c = 0; c < 3; c++) {
+    normal[c] = sg_version_value(handle->version, SG_PLANE, plane, c + 2).f;
+  }
+  sg_work *work = sg_work_open(normal);
+
+  if (!work) {
+    return sg_no_memory();
+  }
+  if (!fill_work_ex(handle, work, key[0], polygon) ||
+      !enter_piece_ends_ex(handle, work, key[0], key[1])) {
+    sg_work_close(work);
+    return FALSE;
+  }
+  return sg_unify_work(out, work);
+}
+
+/* ---- crossings ---- */
+
+/* Whether a point lies inside both segments (of work handles). */
+static bool
+is_inside_both(sg_work *work, int32_t x, const int32_t a[2],
+               const int32_t b[2])
+{
+  return x != SG_WORK_NONE && sg_work_between(work, a[0], a[1], x) &&
+         sg_work_between(work, b[0], b[1], x);
+}
+
+/* The point in which the work's two segments cross, in its own plane. */
+static uint32_t
+cross_in_work(sg_cut_handle *handle, sg_work *work, const int32_t a[2],
+              const int32_t b[2])
+{
+  sg_made none = {0};
+  sg_point at;
+
+  if (!sg_point_ll(&at, sg_work_axis(work), sg_work_point(work, a[0]),
+                   sg_work_point(work, a[1]), sg_work_point(work, b[0]),
+                   sg_work_point(work, b[1]))) {
+    return SG_NO_KEY;
+  }
+  uint32_t point = sg_cut_points_at(&handle->set.points, &at, &none);
+
+  sg_point_clear(&at);
+  return point;
+}
+
+/* The point in which piece k, from v1 to v2, crosses an edge of the work:
+ * where the triangles that carry both pieces meet, if the edge is a piece too
+ * and that point is on both; else as the work sees it. */
+static foreign_t
+cut_crossing(term_t t, term_t work_term, term_t s, term_t piece, term_t edge,
+             term_t v1, term_t v2, term_t out)
+{
+  sg_cut_handle *handle;
+  sg_work *work;
+  int32_t id[5], a[2], b[2], x = SG_WORK_NONE;
+  term_t arg[5] = {s, piece, edge, v1, v2};
+
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_work_ex(work_term, &work)) {
+    return FALSE;
+  }
+  for (int i = 0; i < 5; i++) {
+    if (!sg_get_int32_ex(arg[i], &id[i])) {
+      return FALSE;
+    }
+  }
+  const sg_work_edge *crossed = sg_work_get(work, id[2]);
+  const sg_cut_set *set = &handle->set;
+
+  a[0] = sg_work_find(work, id[3]);
+  a[1] = sg_work_find(work, id[4]);
+  if (!crossed || a[0] == SG_WORK_NONE || a[1] == SG_WORK_NONE ||
+      id[1] < 0 || (size_t)id[1] >= set->pieces) {
+    return PL_existence_error("crossing", edge);
+  }
+  b[0] = crossed->start;
+  b[1] = crossed->end;
+  if (crossed->label < 0) {
+    sg_made made = sg_cut_set_crossing(set, &set->piece[id[1]],
+                                       &set->piece[-crossed->label - 1]);
+    uint32_t point = sg_cut_points_find(&handle->set.points, &made);
+    x = point == SG_NO_KEY ? SG_WORK_NONE
+                           : enter_point_ex(handle, work, point, id[0]);
+  }
+  if (!is_inside_both(work, x, a, b)) {
+    uint32_t point = cross_in_work(handle, work, a, b);
+    x = point == SG_NO_KEY ? SG_WORK_NONE
+                           : enter_point_ex(handle, work, point, id[0]);
+  }
+  if (x == SG_WORK_NONE) {
+    return PL_exception(0) ? FALSE : sg_no_memory();
+  }
+  return PL_unify_integer(out, sg_work_id(work, x));
+}
+
+/* ---- splits found while entering ---- */
+
+/* The point of a name; model vertices become points when they are asked for.
+ * SG_NO_KEY: an exception. */
+static uint32_t
+get_point_ex(sg_cut_handle *handle, int32_t s, term_t v)
+{
+  int32_t name;
+
+  if (!sg_get_id_ex(v, &name)) {
+    return SG_NO_KEY;
+  }
+  uint32_t point = sg_cut_points_named(&handle->set.points, s, name);
+  uint32_t number = sg_cut_model_find(&handle->set.model, s, name);
+
+  if (point == SG_NO_KEY && number != SG_NO_KEY) {
+    sg_made made = {1, {{SG_AT_VERTEX, number, 0}}};
+    point = sg_cut_points_find(&handle->set.points, &made);
+  }
+  if (point == SG_NO_KEY) {
+    PL_existence_error("vertex", v);
+  }
+  return point;
+}
+
+static int
+get_points_ex(term_t t, term_t s, term_t v1, term_t v2,
+              sg_cut_handle **handle, int32_t *segment, uint32_t point[2])
+{
+  if (!sg_get_cut_set_ex(t, handle) || !sg_get_id_ex(s, segment)) {
+    return FALSE;
+  }
+  point[0] = get_point_ex(*handle, *segment, v1);
+  if (point[0] == SG_NO_KEY) {
+    return FALSE;
+  }
+  point[1] = get_point_ex(*handle, *segment, v2);
+  return point[1] != SG_NO_KEY;
+}
+
+static foreign_t
+cut_note(term_t t, term_t s, term_t v1, term_t v2, term_t x)
+{
+  sg_cut_handle *handle;
+  int32_t segment;
+  uint32_t point[2];
+
+  if (!get_points_ex(t, s, v1, v2, &handle, &segment, point)) {
+    return FALSE;
+  }
+  uint32_t middle = get_point_ex(handle, segment, x);
+
+  return middle != SG_NO_KEY &&
+         (sg_cut_set_split(&handle->set, point[0], point[1], middle) ||
+          sg_no_memory());
+}
+
+static foreign_t
+cut_between(term_t t, term_t work_term, term_t s, term_t v1, term_t v2,
+            term_t out)
+{
+  sg_cut_handle *handle;
+  sg_work *work;
+  int32_t segment;
+  uint32_t point[2];
+
+  if (!get_points_ex(t, s, v1, v2, &handle, &segment, point) ||
+      !sg_get_work_ex(work_term, &work)) {
+    return FALSE;
+  }
+  uint32_t middle = sg_cut_set_between(&handle->set, point[0], point[1]);
+
+  if (middle == SG_NO_KEY) {
+    return FALSE;
+  }
+  int32_t x = enter_point_ex(handle, work, middle, segment);
+
+  return x != SG_WORK_NONE && PL_unify_integer(out, sg_work_id(work, x));
+}
+
+/* The point of an edge's end, SG_NO_KEY: it is none. */
+static uint32_t
+end_of(const sg_cut_handle *handle, const sg_work *work, int32_t s,
+       int32_t vertex)
+{
+  return sg_cut_points_named(&handle->set.points, s,
+                             sg_work_id(work, vertex));
+}
+
+static foreign_t
+cut_divided(term_t t, term_t work_term, term_t s, term_t list)
+{
+  sg_cut_handle *handle;
+  sg_work *work;
+  int32_t segment;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &segment) ||
+      !sg_get_work_ex(work_term, &work)) {
+    return FALSE;
+  }
+  for (int32_t e = sg_work_next(work, 0); e; e = sg_work_next(work, e)) {
+    const sg_work_edge *edge = sg_work_get(work, e);
+    uint32_t a = end_of(handle, work, segment, edge->start);
+    uint32_t b = end_of(handle, work, segment, edge->end);
+    uint32_t middle = a == SG_NO_KEY || b == SG_NO_KEY
+                          ? SG_NO_KEY
+                          : sg_cut_set_between(&handle->set, a, b);
+
+    if (middle == SG_NO_KEY) {
+      continue;
+    }
+    int32_t x = enter_point_ex(handle, work, middle, segment);
+
+    if (x == SG_WORK_NONE || !PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(head, PL_FUNCTOR_CHARS, "-", 2, PL_INT, e, PL_INT,
+                       sg_work_id(work, x))) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+static foreign_t
+cut_agree(term_t t)
+{
+  sg_cut_handle *handle;
+
+  if (!sg_get_cut_set_ex(t, &handle)) {
+    return FALSE;
+  }
+  return ((sg_cut_set_agree(&handle->set) && sg_cut_set_link(&handle->set)) ||
+          sg_no_memory()) &&
+         name_all_ex(handle);
+}
+
+static const PL_extension predicates[] = {
+    {"cut_seal", 1, cut_seal, 0},
+    {"cut_polygons", 2, cut_polygons, 0},
+    {"cut_entering", 4, cut_entering, 0},
+    {"cut_work", 4, cut_work, 0},
+    {"cut_crossing", 8, cut_crossing, 0},
+    {"cut_note", 5, cut_note, 0},
+    {"cut_between", 6, cut_between, 0},
+    {"cut_divided", 4, cut_divided, 0},
+    {"cut_agree", 1, cut_agree, 0},
+    {NULL, 0, NULL, 0},
+};
+
+void
+sg_install_seam(void)
+{
+  PL_register_extensions_in_module("sg_kernel", predicates);
+}

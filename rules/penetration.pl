@@ -1,0 +1,451 @@
+:- module(sg_penetration,
+          [ penetrate/0,
+            penetrate/1,                % +Pairs
+            triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
+          ]).
+:- use_module(kernel,
+              [ cut_set_open/2, cut_set_close/1, cut_candidate/3,
+                curve_candidate/3, cut_side/4, cut_enter/4, curve_enter/4,
+                cut_triangle/5, cut_ends/4, cut_seal/1, cut_polygons/2,
+                cut_entering/4, cut_work/4, cut_crossing/8, cut_note/5,
+                cut_between/6, cut_divided/4, cut_agree/1, cut_joints/2, cut_join/2,
+                cut_gone/4, cut_lines/2, cut_line/5, cut_vertices/2,
+                cut_split_edges/3,
+                work_add/6, work_delete/2, work_edge/6, work_meeting/6,
+                work_close/1
+              ]).
+:- use_module(stage, [stage/2]).
+:- use_module(store,
+              [ e/5, p/3, t/6, segment/3, origin/3, line/9,
+                assert_fact/1, retract_fact/1, retractall_facts/1,
+                facts_transaction/1, fresh_id/3
+              ]).
+:- use_module(triangulation, [work_triangles/2]).
+:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- autoload(library(lists), [last/2, member/2, reverse/2]).
+
+/** <module> Penetration lines: where segments go through each other.
+
+The rules of section 5 of the paper, over the joins of kernel.pl:
+
+  1. Candidate pairs of leaf triangles come from trees of boxes; what a pair
+     has in common is a *cut*, exact, its ends known by their features.
+  2. Each piece of a cut enters both its polygons as an edge pair, so that the
+     polygons stay what they are: sets of directed edges. Against the edges
+     that are there it is divided, dropped where it is contained (step 4).
+  3. What was divided in one polygon is divided in all, so that a line has the
+     same pieces in both its segments.
+  4. Straight runs of pieces that nothing else meets become one (PL-9), and
+     the polygons are triangulated again (PL-6).
+
+Vertices and edges made here have an origin/3; the same term in both segments:
+
+    origin(S, v(V), lpi(S1-(A,B), S2-(C,D,E)))   line A-B, triangle C,D,E
+    origin(S, v(V), ll(S1-(A,B), S2-(C,D)))      two lines in one plane
+    origin(S, v(V), tpi(S1-(A,B,C), S2-(...), S3-(...)))   three planes
+    origin(S, v(V), v(S1, V1))                   a vertex of the other segment
+    origin(S, e(E), e(Old))                      a part of an edge that was
+    origin(S, e(E), line(L))                     an edge of a penetration line
+
+The triangles are named by their corners, because corners stay and triangles
+do not. line/9 has every piece once, with its vertices in both segments.
+
+@see [PL] section 5; rows PL-7, PL-8 and PL-9 of papers/DIGEST.md
+*/
+
+
+%   may_cut(+S1, +S2) is semidet: those that have not done so before.
+
+may_cut(S1, S2) :-
+    \+ line(_, S1, _, _, _, S2, _, _, _),
+    \+ ( curve_and_other(S1, S2, Curve, Other),
+         origin(Curve, v(_), Origin),
+         origin_segment(Origin, Other)
+       ).
+
+curve_and_other(S1, S2, S1, S2) :-
+    segment(S1, curve, _).
+curve_and_other(S1, S2, S2, S1) :-
+    segment(S2, curve, _).
+
+origin_segment(v(S, _), S).
+origin_segment(Origin, S) :-
+    Origin =.. [Made|Places],
+    memberchk(Made, [lpi,ll]),
+    member(S-_, Places).
+
+
+%   merge_line(+Piece1, +Piece2) is semidet: a piece is
+%   piece(S1, Polygon1, S2, Polygon2); the two meet in a vertex where no other
+%   edge is, and are in line. Those of the same two polygons become one.
+
+merge_line(Piece, Piece).
+
+%!  penetrate is det.
+%
+%   Find all penetration lines of the segments of the current world, put them
+%   into the polygons and write line/9. One transaction; a world whose segments
+%   do not meet stays as it is. Segments that were cut by each other before are
+%   not cut again (the decision may_cut/2), so it may be called after loading
+%   more.
+
+penetrate :-
+    findall(S1-S2,
+            ( segment(S1, _, _), segment(S2, _, _), S1 < S2, may_cut(S1, S2) ),
+            Pairs),
+    penetrate(Pairs).
+
+%!  penetrate(+Pairs:list) is det.
+%
+%   The same for the segments S1-S2 of Pairs only.
+%
+%   @error existence_error(plane, P): a polygon has no plane yet
+
+penetrate(Pairs) :-
+    facts_transaction(sg_penetration:penetrated(Pairs)).
+
+penetrated(Pairs) :-
+    setup_call_cleanup(
+        stage(tree, cut_set_open(Pairs, Set)),
+        stage(rules, penetrated_(Pairs, Set)),
+        cut_set_close(Set)).
+
+penetrated_(Pairs, Set) :-
+    find_cuts(Set),
+    find_curve_points(Set),
+    stage(join, cut_seal(Set)),
+    cut_polygons(Set, Polygons),
+    setup_call_cleanup(
+        true,
+        ( maplist(enter_cuts(Set), Polygons, Works),
+          agree(Set, Works),
+          merge_lines(Set, Works),
+          write_vertices(Set),
+          write_lines(Set),
+          maplist(write_polygon(Set), Works)
+        ),
+        ( ground(Works) -> maplist(close_work, Works) ; true )),
+    split_curves(Pairs, Set).
+
+close_work(work(_, _, Work)) :-
+    work_close(Work).
+
+/* - - - steps 1 to 3: the cuts - - - */
+
+%   5.2 *1: a triangle of each of two segments, their boxes overlapping.
+
+find_cuts(Set) :-
+    forall(cut_candidate(Set, T1, T2),
+           cut_pair(Set, T1, T2)).
+
+%   5.2 2: each must have corners on both sides of the other's plane (or on
+%   it). *3: what they have in common goes into the set.
+
+cut_pair(Set, T1, T2) :-
+    (   cut_side(Set, T1, T2, 0),
+        cut_side(Set, T2, T1, 0)
+    ->  cut_enter(Set, T1, T2, _)
+    ;   true
+    ).
+
+%   5.1: every directed segment of a curve against every triangle.
+
+find_curve_points(Set) :-
+    forall(curve_candidate(Set, E, T),
+           curve_enter(Set, E, T, _)).
+
+%!  triangle_cut(+S1-T1, +S2-T2, -Kind, -End1, -End2) is nondet.
+%
+%   True when triangles T1 of segment S1 and T2 of S2 have the points from End1
+%   to End2 in common: one piece if their planes differ (Kind is `crossing`),
+%   the borders of each inside the other if not (`coplanar`); a point if the
+%   ends are equal. An end is a pair of features, Feature1-Feature2, each one
+%   of vertex(V), edge(V1,V2) and face(T). Exact.
+
+triangle_cut(S1-T1, S2-T2, Kind, End1, End2) :-
+    setup_call_cleanup(
+        cut_set_open([S1-S2], Set),
+        findall(cut(K, A, B), set_cut(Set, S1-T1, S2-T2, cut(K, A, B)), Cuts),
+        cut_set_close(Set)),
+    member(cut(Kind, End1, End2), Cuts).
+
+set_cut(Set, S1-T1, S2-T2, Cut) :-
+    cut_candidate(Set, I, J),
+    cut_triangle(Set, I, S1, _, T1),
+    cut_triangle(Set, J, S2, _, T2),
+    cut_ends(Set, I, J, Cuts),
+    member(Cut, Cuts).
+
+/* - - - steps 4 and 5: entering a polygon - - - */
+
+%   A polygon's edges, those on which an end of a cut lies already divided
+%   there, go into a scratch relation, and then the pieces of cuts one by one.
+
+enter_cuts(Set, S-P, work(S, P, Work)) :-
+    cut_work(Set, S, P, Work),
+    cut_entering(Set, S, P, Pieces),
+    maplist(enter_piece(Set, S, Work), Pieces).
+
+enter_piece(Set, S, Work, piece(K, V1, V2)) :-
+    enter(auxiliary(Set, S, Work, K), V1, V2).
+
+%   (1) V1-V2 is an auxiliary segment, (2) the one chosen. (3-1) While an edge
+%   contains or crosses it, it is divided and its parts are entered; (3-2) when
+%   none does, it joins the polygon as an edge pair. What was divided in another
+%   polygon is divided there first, edges too: so everything is divided in the
+%   same points and in the same order, wherever it is.
+
+enter(Auxiliary, V1, V2) :-
+    Auxiliary = auxiliary(Set, S, Work, _),
+    (   cut_between(Set, Work, S, V1, V2, X)
+    ->  enter(Auxiliary, V1, X),
+        enter(Auxiliary, X, V2)
+    ;   work_meeting(Work, V1, V2, E, How, Inside),
+        meeting_step(How, Inside, Step)
+    ->  enter_step(Step, E, Auxiliary, V1, V2)
+    ;   add_pair(Auxiliary, V1, V2)
+    ).
+
+%   What a meeting asks for. First the edge is divided where an end of the
+%   segment lies inside it, then the segment where an end of the edge does.
+%   After that only a crossing is left, or an edge that is the segment itself.
+
+meeting_step(crosses, _, crossing) :-
+    !.
+meeting_step(_, Inside, divide_edge(End)) :-
+    member(End, [v1,v2]),
+    memberchk(End, Inside),
+    !.
+meeting_step(_, Inside, divide_segment(End)) :-
+    member(End, [start,end]),
+    memberchk(End, Inside),
+    !.
+meeting_step(contained, _, drop).
+
+enter_step(Step, E, Auxiliary, V1, V2) :-
+    edge_to_divide(Step),
+    Auxiliary = auxiliary(Set, S, Work, _),
+    work_edge(Work, E, A, B, _, _),
+    cut_between(Set, Work, S, A, B, X),
+    !,
+    divide_pair(Auxiliary, E, X),
+    enter(Auxiliary, V1, V2).
+
+%   2-2: both are cut in the point where they cross.
+
+enter_step(crossing, E, Auxiliary, V1, V2) :-
+    Auxiliary = auxiliary(Set, S, Work, K),
+    cut_crossing(Set, Work, S, K, E, V1, V2, X),
+    divide_pair(Auxiliary, E, X),
+    enter_parts(Auxiliary, V1, X, V2).
+enter_step(divide_edge(End), E, Auxiliary, V1, V2) :-
+    (   End == v1
+    ->  X = V1
+    ;   X = V2
+    ),
+    divide_pair(Auxiliary, E, X),
+    enter(Auxiliary, V1, V2).
+enter_step(divide_segment(End), E, Auxiliary, V1, V2) :-
+    Auxiliary = auxiliary(_, _, Work, _),
+    work_edge(Work, E, Start, Finish, _, _),
+    (   End == start
+    ->  X = Start
+    ;   X = Finish
+    ),
+    enter_parts(Auxiliary, V1, X, V2).
+
+%   2-1: the contained part is dropped.
+
+enter_step(drop, _, _, _, _).
+
+edge_to_divide(crossing).
+edge_to_divide(divide_edge(_)).
+
+enter_parts(Auxiliary, V1, X, V2) :-
+    Auxiliary = auxiliary(Set, S, _, _),
+    cut_note(Set, S, V1, V2, X),
+    enter(Auxiliary, V1, X),
+    enter(Auxiliary, X, V2).
+
+%   The edges of a cut have the number of its piece as label, below zero; the
+%   polygon's own have the number of the edge they are or were part of.
+
+add_pair(auxiliary(_, _, Work, K), V1, V2) :-
+    Label is -1-K,
+    work_add(Work, V1, V2, 1, Label, _),
+    work_add(Work, V2, V1, 1, Label, _).
+
+%   divide_pair(+Auxiliary, +E, +X): E, and the opposite edge if it is there
+%   too, gets X between its ends.
+
+divide_pair(auxiliary(Set, S, Work, _), E, X) :-
+    work_edge(Work, E, V1, V2, _, _),
+    cut_note(Set, S, V1, V2, X),
+    divide_at(Work, E-X),
+    findall(Opposite-X, work_edge(Work, Opposite, V2, V1, _, _), Opposites),
+    maplist(divide_at(Work), Opposites).
+
+divide_at(Work, E-X) :-
+    work_edge(Work, E, V1, V2, Et, Label),
+    !,
+    work_delete(Work, E),
+    work_add(Work, V1, X, Et, Label, _),
+    work_add(Work, X, V2, Et, Label, _).
+
+/* - - - the same pieces everywhere - - - */
+
+%   A segment that was divided in one polygon is divided in every other one.
+
+agree(Set, Works) :-
+    cut_agree(Set),
+    maplist(agree_polygon(Set), Works).
+
+agree_polygon(Set, work(S, P, Work)) :-
+    cut_divided(Set, Work, S, Divided),
+    (   Divided == []
+    ->  true
+    ;   maplist(divide_at(Work), Divided),
+        agree_polygon(Set, work(S, P, Work))
+    ).
+
+/* - - - 5.3: straight parts become one - - - */
+
+merge_lines(Set, Works) :-
+    cut_joints(Set, Joints),
+    maplist(merge_joint(Set), Joints),
+    (   Joints == []
+    ->  true
+    ;   maplist(merge_polygon(Set), Works)
+    ).
+
+merge_joint(Set, joint(Point, Piece1, Piece2)) :-
+    (   merge_line(Piece1, Piece2)
+    ->  cut_join(Set, Point)
+    ;   true
+    ).
+
+merge_polygon(Set, work(S, _, Work)) :-
+    cut_gone(Set, Work, S, Vs),
+    maplist(merge_at(Work), Vs).
+
+%   The edges through V become one, in each direction that is there.
+
+merge_at(Work, V) :-
+    findall(E-V1, work_edge(Work, E, V1, V, _, _), Entering),
+    maplist(merge_through(Work, V), Entering).
+
+merge_through(Work, V, E1-V1) :-
+    work_edge(Work, E1, V1, V, Et, Label),
+    work_edge(Work, E2, V, V2, _, _),
+    V2 \== V1,
+    !,
+    work_delete(Work, E1),
+    work_delete(Work, E2),
+    work_add(Work, V1, V2, Et, Label, _).
+
+/* - - - what comes out - - - */
+
+write_vertices(Set) :-
+    cut_vertices(Set, Vertices),
+    maplist(write_vertex, Vertices).
+
+write_vertex(vertex(S, V, X, Y, Z, Origin)) :-
+    assert_fact(v(S, V, X, Y, Z)),
+    assert_fact(origin(S, v(V), Origin)).
+
+write_lines(Set) :-
+    cut_lines(Set, Lines),
+    maplist(write_line, Lines).
+
+write_line(line(L, S1, P1, A1, B1, S2, P2, A2, B2)) :-
+    assert_fact(line(L, S1, P1, A1, B1, S2, P2, A2, B2)).
+
+%   The polygon keeps its number; its edges and triangles are replaced.
+
+write_polygon(Set, work(S, P, Work)) :-
+    findall(w(V1, V2, Et, Label),
+            work_edge(Work, _, V1, V2, Et, Label),
+            Edges),
+    p(S, P, Es0),
+    !,
+    retract_once(p(S, P, Es0)),
+    drop_divided(S, Es0, Edges),
+    maplist(write_edge(Set, S), Edges, Es),
+    assert_fact(p(S, P, Es)),
+    write_triangles(S, P, Work).
+
+retract_once(Fact) :-
+    retract_fact(Fact),
+    !.
+
+%   The edges of the polygon that are there no more as they were.
+
+drop_divided(S, Es, Edges) :-
+    forall(( member(E, Es),
+             e(S, E, V1, V2, _),
+             \+ memberchk(w(V1, V2, _, E), Edges)
+           ),
+           retractall_facts(e(S, E, _, _, _))).
+
+write_edge(_, S, w(V1, V2, _, Label), Label) :-
+    Label > 0,
+    e(S, Label, V1, V2, _),
+    !.
+write_edge(_, S, w(V1, V2, _, Label), E) :-
+    Label > 0,
+    e(S, E, V1, V2, _),
+    origin(S, e(E), e(Label)),
+    !.
+write_edge(Set, S, w(V1, V2, Et, Label), E) :-
+    edge_origin(Set, S, V1, V2, Label, Origin),
+    fresh_id(e, S, E),
+    assert_fact(e(S, E, V1, V2, Et)),
+    assert_fact(origin(S, e(E), Origin)).
+
+edge_origin(_, _, _, _, Label, e(Label)) :-
+    Label > 0,
+    !.
+edge_origin(Set, S, V1, V2, _, line(L)) :-
+    cut_line(Set, S, V1, V2, L).
+
+write_triangles(S, P, Work) :-
+    retractall_facts(t(S, P, _, _, _, _)),
+    work_triangles(Work, Triangles),
+    maplist(write_triangle(S, P), Triangles).
+
+write_triangle(S, P, t(V1, V2, V3)) :-
+    fresh_id(t, S, T),
+    assert_fact(t(S, P, T, V1, V2, V3)).
+
+/* - - - 5.1: curves - - - */
+
+%   A curve's edges are divided at their points; the others are left alone.
+
+split_curves(Pairs, Set) :-
+    findall(S, ( member(S1-S2, Pairs), member(S, [S1,S2]),
+                 segment(S, curve, _) ),
+            Ss0),
+    sort(Ss0, Ss),
+    forall(( member(S, Ss),
+             cut_split_edges(Set, S, Splits),
+             member(split(V1, V2, Vs), Splits)
+           ),
+           split_curve_edge(S, V1, V2, Vs)).
+
+split_curve_edge(S, V1, V2, Vs) :-
+    reverse(Vs, Back),
+    split_directed(S, V1, V2, Vs),
+    split_directed(S, V2, V1, Back).
+
+split_directed(S, V1, V2, Vs) :-
+    findall(E-Et, e(S, E, V1, V2, Et), Es),
+    forall(member(E-Et, Es),
+           ( retractall_facts(e(S, E, _, _, _)),
+             foldl(write_part(S, E, Et), Vs, V1, V),
+             write_part(S, E, Et, V2, V, _)
+           )).
+
+write_part(S, Old, Et, V2, V1, V2) :-
+    fresh_id(e, S, E),
+    assert_fact(e(S, E, V1, V2, Et)),
+    assert_fact(origin(S, e(E), e(Old))).

@@ -1,0 +1,117 @@
+:- use_module(library(plunit)).
+:- use_module(library(lists)).
+:- use_module(library(apply)).
+:- use_module(library(readutil)).
+:- use_module('../../rules/store').
+:- use_module('../../rules/chain').
+:- use_module('../../rules/lines_out').
+:- use_module('../../rules/model_file').
+
+/* Chains of lines, written by hand: only line/9 and v/5 matter here. */
+
+:- meta_predicate with_lines(+, 0).
+
+%   with_lines(+Ends, :Goal): lines 1, 2, ... between the vertices A-B, vertex
+%   V standing at (V, V*V, 0) in segment 1 and, as V+100, in segment 2.
+
+with_lines(Ends, Goal) :-
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, surface, one)),
+               assert_fact(segment(2, surface, two)),
+               forall(between(1, 9, V), vertex(V)),
+               forall(nth1(L, Ends, A-B), piece(L, A, B)),
+               Goal
+             )).
+
+vertex(V) :-
+    X is float(V),
+    Y is float(V*V),
+    W is V+100,
+    assert_fact(v(1, V, X, Y, 0.0)),
+    assert_fact(v(2, W, X, Y, 0.0)).
+
+piece(L, A, B) :-
+    A2 is A+100,
+    B2 is B+100,
+    assert_fact(line(L, 1, 1, A, B, 2, 1, A2, B2)).
+
+chains_of(Ends, Chains) :-
+    with_lines(Ends,
+               ( chains(Cs),
+                 findall(Kind-Lines, member(chain(1, 2, Kind, Lines), Cs),
+                         Chains) )).
+
+written(Ends, Format, Text) :-
+    with_lines(Ends,
+               with_output_to(string(Text),
+                              write_lines_to(current_output, Format, []))).
+
+:- begin_tests(chain).
+
+test(none, Cs == []) :-
+    chains_of([], Cs).
+test(one, Cs == [open-[1]]) :-
+    chains_of([1-2], Cs).
+test(loop, Cs == [closed-[1,2,3]]) :-
+    chains_of([1-2,2-3,3-1], Cs).
+test(loop_of_turned_pieces, Cs == [closed-[1,-3,2]]) :-
+    chains_of([1-2,3-1,3-2], Cs).
+test(open_from_the_smaller_end, Cs == [open-[-1,-3,2]]) :-
+    chains_of([1-2,3-4,3-1], Cs).
+test(branch, Cs == [open-[1],open-[2],open-[3]]) :-
+    chains_of([1-2,2-3,2-4], Cs).
+test(eight, Cs == [closed-[1,2,3],closed-[4,5,6]]) :-
+    chains_of([1-2,2-3,3-1,1-4,4-5,5-1], Cs).
+test(open_before_closed, Cs == [open-[4],closed-[1,2,3]]) :-
+    chains_of([1-2,2-3,3-1,4-5], Cs).
+test(numbers_only, Kinds == [1-closed]) :-
+    with_lines([1-2,2-3,3-1],
+               findall(C-Kind, chain(C, 1, 2, Kind, _), Kinds)).
+test(vertices, V1s-V2s == [2,1,3]-[102,101,103]) :-
+    with_lines([1-2,1-3],
+               ( chain(_, _, _, open, Lines),
+                 chain_vertices(Lines, 1, V1s),
+                 chain_vertices(Lines, 2, V2s) )).
+test(other_segment, fail) :-
+    with_lines([1-2], chain_vertices([1], 3, _)).
+test(length, L =:= sqrt(10)+sqrt(26)) :-
+    with_lines([1-2,2-3], chain_length([1,2], L)).
+
+test(table, Rows == ["chain,kind,s1,s2,point,v1,v2,x,y,z,length",
+                     "1,open,1,2,1,1,101,1.0,1.0,0.0,0.0",
+                     "1,open,1,2,2,2,102,2.0,4.0,0.0,3.1622776601683795"]) :-
+    written([1-2], csv, Text),
+    split_string(Text, "\n", "", Rows0),
+    exclude(==(""), Rows0, Rows).
+test(obj_closed, true) :-
+    written([1-2,2-3,3-1], obj, Text),
+    sub_string(Text, _, _, _, "\nl 1 2 3 1\n").
+test(obj_numbers_on, true) :-
+    written([1-2,3-4], obj, Text),
+    sub_string(Text, _, _, _, "\nl 3 4\n").
+test(svg, nondet) :-
+    written([1-2,2-3,3-1], svg, Text),
+    sub_string(Text, _, _, _, "class=\"visible penetration\""),
+    sub_string(Text, _, _, _, "Z\"/>").
+test(facts_read_back, Points == [p(1.0,1.0,0.0),p(2.0,4.0,0.0),p(3.0,9.0,0.0)]) :-
+    written([1-2,2-3,3-1], pl, Text),
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [extension(pl), encoding(utf8)]),
+        write(Out, Text), close(Out)),
+    new_world(World),
+    in_world(World,
+             ( read_model(File),
+               segment(1, curve, penetration(1, 2, closed)),
+               findall(E, e(1, E, _, _, _), [_,_,_]),
+               findall(p(X,Y,Z), v(1, _, X, Y, Z), Points) )),
+    delete_file(File).
+test(empty_files, Text == "chain,kind,s1,s2,point,v1,v2,x,y,z,length\n") :-
+    written([], csv, Text),
+    written([], svg, _),
+    written([], pl, _),
+    written([], obj, _).
+test(unknown_format, error(domain_error(line_format, doc))) :-
+    with_lines([], write_lines('x.doc', [])).
+
+:- end_tests(chain).

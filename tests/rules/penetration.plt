@@ -1,0 +1,355 @@
+:- use_module(library(plunit)).
+:- use_module(library(aggregate)).
+:- use_module(library(lists)).
+:- use_module(library(pairs)).
+:- use_module(library(random)).
+:- use_module('../../rules/store').
+:- use_module('../../rules/chain').
+:- use_module('../../rules/model_file').
+:- use_module('../../rules/penetration').
+:- use_module('../../rules/triangulation').
+
+/* Penetration lines: closed forms, contacts of every kind, and what must hold
+   of every model afterwards, on seeded random solids on a coarse grid, where
+   most contacts are degenerate. */
+
+%   penetrated(+Primitives, :Goal): Goal holds in a new world with these
+%   primitives, penetrated.
+
+:- meta_predicate penetrated(+, 0).
+
+penetrated(Primitives, Goal) :-
+    new_world(World),
+    in_world(World,
+             ( forall(member(Primitive, Primitives),
+                      add_primitive(Primitive, _)),
+               complete_segments,
+               penetrate,
+               Goal
+             )).
+
+box(A, B, C, X, Y, Z, at([translate(X,Y,Z)], box(size(A,B,C)))).
+
+/* - - - what must hold - - - */
+
+fault(Fault) :- edge_fault(Fault).
+fault(Fault) :- line_fault(Fault).
+fault(Fault) :- area_fault(Fault).
+fault(Fault) :- origin_fault(Fault).
+fault(Fault) :- chain_fault(Fault).
+
+%   In a solid every directed edge of a polygon is in that one alone, and has
+%   exactly one opposite.
+
+edge_fault(Fault) :-
+    findall(S-(V1-V2),
+            ( segment(S, Kind, _), Kind \== curve, p(S, _, Es),
+              member(E, Es), e(S, E, V1, V2, _) ),
+            Edges),
+    msort(Edges, Sorted),
+    (   append(_, [Edge,Edge|_], Sorted),
+        Fault = twice(Edge)
+    ;   member(S-(V1-V2), Edges),
+        segment(S, solid, _),
+        \+ ( e(S, E, V2, V1, _), p(S, _, Es), memberchk(E, Es) ),
+        Fault = alone(S, V1, V2)
+    ;   e(S, E, V1, V2, _),
+        \+ segment(S, curve, _),
+        \+ ( p(S, _, Es), memberchk(E, Es) ),
+        Fault = unused(S, E, V1, V2)
+    ).
+
+%   A piece is a real edge in both segments, at the same places.
+
+line_fault(Fault) :-
+    line(L, S1, P1, A1, B1, S2, P2, A2, B2),
+    (   \+ edge_pair(S1, A1, B1),
+        Fault = no_edge(L, S1)
+    ;   \+ edge_pair(S2, A2, B2),
+        Fault = no_edge(L, S2)
+    ;   ( v(S1, A1, X, Y, Z), \+ v(S2, A2, X, Y, Z)
+        ; v(S1, B1, X, Y, Z), \+ v(S2, B2, X, Y, Z)
+        ),
+        Fault = elsewhere(L)
+    ;   \+ polygon_edge(S1, P1, A1, B1),
+        Fault = not_in(L, S1, P1)
+    ;   \+ polygon_edge(S2, P2, A2, B2),
+        Fault = not_in(L, S2, P2)
+    ).
+
+edge_pair(S, A, B) :-
+    (   e(S, _, A, B, 1)
+    ;   e(S, _, B, A, 1)
+    ),
+    !.
+
+polygon_edge(S, P, A, B) :-
+    (   e(S, E, A, B, _)
+    ;   e(S, E, B, A, _)
+    ),
+    p(S, P, Es),
+    memberchk(E, Es),
+    !.
+
+%   The triangles of a polygon cover it: both have the same vector area.
+
+area_fault(area(S, P, Area, Sum)) :-
+    p(S, P, Es),
+    findall(C, ( member(E, Es), e(S, E, A, B, _), cross(S, A, B, C) ), Cs),
+    vector_sum(Cs, Area),
+    findall(C, ( t(S, P, _, V1, V2, V3),
+                 member(A-B, [V1-V2,V2-V3,V3-V1]),
+                 cross(S, A, B, C) ), Ts),
+    vector_sum(Ts, Sum),
+    \+ near(Area, Sum).
+area_fault(turned(S, P, T)) :-
+    t(S, P, T, V1, V2, V3),
+    plane(S, P, Nx, Ny, Nz, _),
+    findall(C, ( member(A-B, [V1-V2,V2-V3,V3-V1]), cross(S, A, B, C) ), Cs),
+    vector_sum(Cs, v(X,Y,Z)),
+    X*Nx + Y*Ny + Z*Nz =< 0.
+area_fault(no_triangles(S, P)) :-
+    p(S, P, _),
+    \+ t(S, P, _, _, _, _).
+
+cross(S, A, B, v(X,Y,Z)) :-
+    v(S, A, X1, Y1, Z1),
+    v(S, B, X2, Y2, Z2),
+    X is Y1*Z2-Z1*Y2,
+    Y is Z1*X2-X1*Z2,
+    Z is X1*Y2-Y1*X2.
+
+vector_sum(Vs, v(X,Y,Z)) :-
+    aggregate_all(sum(A), member(v(A,_,_), Vs), X),
+    aggregate_all(sum(A), member(v(_,A,_), Vs), Y),
+    aggregate_all(sum(A), member(v(_,_,A), Vs), Z).
+
+near(v(X1,Y1,Z1), v(X2,Y2,Z2)) :-
+    abs(X1-X2) =< 1.0e-9,
+    abs(Y1-Y2) =< 1.0e-9,
+    abs(Z1-Z2) =< 1.0e-9.
+
+%   Every vertex and edge that is an end of a line has an origin or was there.
+
+origin_fault(no_place(S, V)) :-
+    origin(S, v(V), _),
+    \+ v(S, V, _, _, _).
+origin_fault(no_edge(S, E)) :-
+    origin(S, e(E), _),
+    \+ e(S, E, _, _, _).
+origin_fault(unused(S, V)) :-
+    origin(S, v(V), _),
+    \+ e(S, _, V, _, _).
+
+%   The lines of a chain follow each other, and each line is in one chain.
+
+chain_fault(chain(S1, S2, Lines)) :-
+    chains(Chains),
+    member(chain(S1, S2, Kind, Lines), Chains),
+    (   chain_vertices(Lines, S1, Vs),
+        chain_vertices(Lines, S2, _)
+    ->  Vs = [First|_],
+        last(Vs, Last),
+        Kind == closed,
+        First \== Last
+    ;   true
+    ).
+chain_fault(count(N, M)) :-
+    chains(Chains),
+    aggregate_all(count,
+                  ( member(chain(_,_,_,Lines), Chains), member(_, Lines) ),
+                  N),
+    aggregate_all(count, line(_,_,_,_,_,_,_,_,_), M),
+    N =\= M.
+
+faults(Faults) :-
+    findall(Fault, limit(5, fault(Fault)), Faults).
+
+shape(Shape) :-
+    chains(Chains),
+    findall(Kind-Length,
+            ( member(chain(_, _, Kind, Lines), Chains),
+              chain_length(Lines, Length0),
+              Length is round(Length0*1.0e6)/1.0e6
+            ),
+            Shape0),
+    msort(Shape0, Shape).
+
+solids(Primitives, Shape-Faults) :-
+    penetrated(Primitives, ( shape(Shape), faults(Faults) )).
+
+:- begin_tests(penetration).
+
+test(apart, R == []-[]) :-
+    box(2,2,2, 9,0,0, B),
+    solids([box(size(2,2,2)), B], R).
+test(corner_in, R == [closed-6.0]-[]) :-
+    box(2,2,2, 1,1,1, B),
+    solids([box(size(2,2,2)), B], R).
+test(bar_through, R == [closed-4.0,closed-4.0]-[]) :-
+    box(1,1,4, 0,0,-1, B),
+    solids([box(size(2,2,2)), B], R).
+test(inside, R == []-[]) :-
+    box(1,1,1, 0,0,0.5, B),
+    solids([box(size(2,2,2)), B], R).
+
+% Contacts.
+test(standing_on, R == [closed-4.0]-[]) :-
+    box(1,1,1, 0,0,2, B),
+    solids([box(size(2,2,2)), B], R).
+test(standing_in_the_corner, R == [closed-4.0]-[]) :-
+    box(1,1,1, 0.5,0.5,2, B),
+    solids([box(size(2,2,2)), B], R).
+test(hanging_over, R == [closed-6.0]-[]) :-
+    box(2,2,2, 1,0,2, B),
+    solids([box(size(2,2,2)), B], R).
+test(shared_face, R == [closed-8.0]-[]) :-
+    box(2,2,2, 2,0,0, B),
+    solids([box(size(2,2,2)), B], R).
+test(shared_edge, R == [open-2.0]-[]) :-
+    box(2,2,2, 2,2,0, B),
+    solids([box(size(2,2,2)), B], R).
+test(part_of_an_edge, R == [open-1.0]-[]) :-
+    box(2,2,2, 2,2,1, B),
+    solids([box(size(2,2,2)), B], R).
+test(shared_vertex, R == []-[]) :-
+    box(2,2,2, 2,2,2, B),
+    solids([box(size(2,2,2)), B], R).
+test(edge_on_face, Faults == []) :-
+    Prism = at([rotate(y,45),translate(0,0,2+sqrt(2))], box(size(2,1,2))),
+    catch(solids([box(size(2,2,2)), Prism], _-Faults), _, Faults = []).
+test(identical, S-F == 24.0-[]) :-
+    penetrated([box(size(2,2,2)), box(size(2,2,2))],
+               ( aggregate_all(sum(L),
+                               ( line(N,_,_,_,_,_,_,_,_),
+                                 chain_length([N], L) ), S),
+                 faults(F) )).
+
+% Surfaces.
+test(square_on_square, R == [closed-4.0]-[]) :-
+    box_free(1, 1, 0, 0, 0, Small),
+    solids([rectangle(size(2,2)), Small], R).
+test(squares_overlap, F == []) :-
+    box_free(2, 2, 1, 1, 0, Other),
+    solids([rectangle(size(2,2)), Other], _-F).
+test(squares_cross, R == [open-2.0]-[]) :-
+    solids([rectangle(size(2,2)),
+            at([rotate(x,90)], rectangle(size(2,2)))], R).
+test(square_touches_edge, F == []) :-
+    solids([rectangle(size(2,2)),
+            at([rotate(x,90),translate(0,1,1)], rectangle(size(2,2)))],
+           _-F).
+% Four squares as in figure 9; three of them meet in one point, which is not
+% on a chord: a vertex in all three, made by three planes.
+test(squares_meet_in_a_point, F-(V-T) == []-(3-3)) :-
+    penetrated([rectangle(size(2,2)),
+                at([rotate(x,90),translate(0,0.25,0.1)], rectangle(size(2,2))),
+                at([rotate(y,90),translate(-0.125,0,0.1)],
+                   rectangle(size(2,2)))],
+               ( faults(F),
+                 aggregate_all(count, v(_,_,-0.125,0.25,0.0), V),
+                 aggregate_all(count, origin(_,v(_),tpi(_,_,_)), T) )).
+test(four_squares, F-Ls == []-[]) :-
+    penetrated([rectangle(size(2, 2)),
+                at([rotate(x, 90), translate(0, 0.25, 0.1)],
+                   rectangle(size(2, 2))),
+                at([rotate(y, 90), translate(-0.25, 0, 0.1)],
+                   rectangle(size(2, 2))),
+                at([rotate(x, 35), rotate(z, 25), translate(0.2, -0.1, 0.2)],
+                   rectangle(size(2, 2)))],
+               ( faults(F),
+                 findall(S1-S2,
+                         ( member(S1-S2, [1-2,1-3,1-4,2-3,2-4,3-4]),
+                           \+ line(_,S1,_,_,_,S2,_,_,_) ), Ls) )).
+
+box_free(A, B, X, Y, Z, at([translate(X,Y,Z)], rectangle(size(A,B)))).
+
+test(again_changes_nothing, Before == After) :-
+    box(2,2,2, 1,1,1, B),
+    penetrated([box(size(2,2,2)), B],
+               ( findall(x(L,A,C), line(L,_,_,A,C,_,_,_,_), Before),
+                 penetrate,
+                 findall(x(L,A,C), line(L,_,_,A,C,_,_,_,_), After) )).
+
+% Curves (PL-7): a line through a cone is cut where it goes in and out.
+test(line_through_cone, N-Os-Ls == 3-2-0) :-
+    penetrated([cone(radius(2), height(2), facets(4)),
+                line(from(-3, 0.5, 1), to(3, 0.25, 1))],
+               ( aggregate_all(count, e(2,_,_,_,1), N),
+                 aggregate_all(count, origin(2,v(_),lpi(_,_)), Os),
+                 aggregate_all(count, line(_,_,_,_,_,_,_,_,_), Ls) )).
+test(line_through_edges, N-F == 3-[]) :-
+    penetrated([box(size(2,2,2)), line(from(-3,-3,1), to(3,3,1))],
+               ( aggregate_all(count, e(2,_,_,_,1), N), faults(F) )).
+test(line_in_a_face, N == 3) :-
+    penetrated([box(size(2,2,2)), line(from(-3,0.5,2), to(3,0.25,2))],
+               aggregate_all(count, e(2,_,_,_,1), N)).
+test(line_beside, N == 1) :-
+    penetrated([box(size(2,2,2)), line(from(-3,3,1), to(3,3,1))],
+               aggregate_all(count, e(2,_,_,_,1), N)).
+test(line_cut_once, N == 3) :-
+    penetrated([box(size(2,2,2)), line(from(-3,0.3,0.7), to(3,0.1,0.9))],
+               ( penetrate, aggregate_all(count, e(2,_,_,_,1), N) )).
+
+test(equal_cylinders, F-Bad == []-0) :-
+    penetrated([at([translate(0,0,-2)], cylinder(radius(1), height(4), facets(24))),
+                at([translate(0,0,-2),rotate(x,90)],
+                   cylinder(radius(1), height(4), facets(24)))],
+               ( faults(F),
+                 aggregate_all(count,
+                               ( line(_,S,_,A,_,_,_,_,_),
+                                 v(S,A,_,Y,Z),
+                                 abs(abs(Y)-abs(Z)) > 1.0e-12 ),
+                               Bad) )).
+
+% Seeded random solids on a coarse grid: most contacts are degenerate.
+test(random_solids, Bad == []) :-
+    findall(Seed-Fs,
+            ( between(1, 120, Seed),
+              random_solids(Seed, Ps),
+              catch(solids(Ps, _-Fs), E, Fs = [E]),
+              Fs \== [] ),
+            Bad).
+
+% The order of the segments, and where the model stands, do not matter.
+test(swapped, Bad == []) :-
+    findall(Seed-(A-B),
+            ( between(1, 40, Seed),
+              random_solids(Seed, [P1,P2|_]),
+              solids([P1,P2], A-_),
+              solids([P2,P1], B-_),
+              A \== B ),
+            Bad).
+test(rotated, Bad == []) :-
+    findall(Seed-(A-B),
+            ( between(1, 40, Seed),
+              random_solids(Seed, Ps),
+              solids(Ps, A-_),
+              maplist(turned, Ps, Qs),
+              solids(Qs, B-_),
+              A \== B ),
+            Bad).
+
+turned(P, at([rotate(x,90),rotate(z,90)], P)).
+
+random_solids(Seed, Ps) :-
+    set_random(seed(Seed)),
+    N is 2 + Seed mod 3,
+    findall(P, ( between(1, N, _), random_solid(P) ), Ps).
+
+random_solid(at([translate(X,Y,Z)|Turns], Shape)) :-
+    findall(K, ( between(1, 3, _), random_between(0, 3, K0), K is K0/2.0 ),
+            [X,Y,Z]),
+    random_member(Turns, [[], [], [rotate(x,90)], [rotate(y,180)]]),
+    random_between(1, 3, A),
+    random_between(1, 3, B),
+    random_between(1, 3, C),
+    random_member(Shape,
+                  [ box(size(A,B,C)), box(size(A,B,C)), box(size(A,A,B)),
+                    pyramid(base(A,B), height(C)),
+                    cylinder(radius(A), height(B), facets(4)),
+                    cone(radius(A), height(C), facets(4)),
+                    rectangle(size(A,B))
+                  ]).
+
+:- end_tests(penetration).
