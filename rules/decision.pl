@@ -1,0 +1,416 @@
+:- module(sg_decision,
+          [ decision/2,                 % directive: +Name/Arity, +Doc
+            decision/4,                 % ?Decision, -Doc, -Place, -By
+            decision_is_default/1,      % +Name/Arity
+            default/1,                  % :Goal
+            use_rules/1,                % +File
+            no_rules/1,                 % +File
+            rule_file/1,                % ?File
+            rules/0
+          ]).
+/** <module> Decisions: rules that a world may replace.
+
+What happens at an event is a decision: a documented predicate with a default.
+
+    :- decision(merge_line/3, "Which collinear pieces become one (PL-9)").
+
+    merge_line(A, B, AB) :- ...
+
+A rule file defines some of these names again, and use_rules/1 makes the current
+world follow it; other worlds, in other threads of the same process, do not
+notice. In a rule file default/1 calls what it replaces:
+
+    merge_line(A, B, AB) :-
+        \+ on_plane_of_symmetry(A),
+        default(merge_line(A, B, AB)).
+
+Rule files are programs and are trusted. They may load libraries and define
+predicates of their own, as long as something in the file calls them: a
+predicate that is neither a decision nor called is taken for a misspelt decision
+and refused.
+
+How it works: the clauses written as merge_line/3 become those of
+'merge_line default'/3, and merge_line/3 itself asks the world which module
+decides. Files with decisions are known when they are compiled, so a decision has
+a fixed slot in each world's table (decision4pl.c).
+*/
+
+:- use_module(kernel,
+              [ rule_module/2, set_rule_modules/1, world_number/1,
+                ended_world/1
+              ]).
+:- use_module(library(lists), [member/2, memberchk/2]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(occurs), [sub_term/2]).
+
+:- meta_predicate default(:), with_first_error(0, -).
+
+% declared(Name, Arity, Module, Slot, Doc, File, Line), and how to call its
+% default: clauses that the directive leaves in the file that has it.
+:- multifile declared/7, default_goal/2.
+:- discontiguous declared/7, default_goal/2.
+:- dynamic declared/7, default_goal/2.
+
+% slot_(Module, Name, Arity, Slot): taken, also while the file is reloaded.
+:- dynamic slot_/4.
+
+% followed(World, File, Module, Decisions, Id): the latest file comes first.
+% World is a number, so that this keeps no world alive.
+:- dynamic followed/5.
+
+
+                /*******************************
+                *          DECLARING           *
+                *******************************/
+
+%!  decision(+Decision, +Doc)
+%
+%   Directive: the predicate Decision = Name/Arity, whose clauses follow, is a
+%   decision that a world may replace. Doc is a string of one line.
+
+decision(Decision, _) :-
+    throw(error(permission_error(call, directive, decision(Decision)), _)).
+
+system:term_expansion((:- decision(Decision, Doc)), Clauses) :-
+    prolog_load_context(module, Module),
+    predicate_property(Module:decision(_, _), imported_from(sg_decision)),
+    decision_clauses(Decision, Doc, Module, Clauses).
+system:term_expansion(Clause, Renamed) :-
+    prolog_load_context(module, Module),
+    slot_(Module, _, _, _),
+    default_clause(Clause, Module, Renamed).
+
+decision_clauses(Name/Arity, Doc, Module,
+                 [ sg_decision:declared(Name, Arity, Module, Slot, Doc, File,
+                                        Line),
+                   sg_decision:default_goal(Head, Module:Default),
+                   (   Head :-
+                           (   sg_kernel:rule_module(Slot, Rules)
+                           ->  Rules:Head
+                           ;   Default
+                           )
+                   )
+                 ]) :-
+    must_be(atom, Name),
+    must_be(string, Doc),
+    take_slot(Module, Name, Arity, Slot),
+    functor(Head, Name, Arity),
+    default_head(Head, Default),
+    source_location(File, Line).
+
+take_slot(Module, Name, Arity, Slot) :-
+    slot_(Module, Name, Arity, Slot),
+    !.
+take_slot(_, Name, Arity, _) :-
+    slot_(_, Name, Arity, _),
+    !,
+    throw(error(permission_error(redeclare, decision, Name/Arity), _)).
+take_slot(Module, Name, Arity, Slot) :-
+    predicate_property(slot_(_, _, _, _), number_of_clauses(Slot)),
+    assertz(slot_(Module, Name, Arity, Slot)).
+
+%   default_clause(+Clause, +Module, -Renamed) is semidet.
+%
+%   Renamed is a clause of the default: Clause's head is a decision of Module.
+
+default_clause((Head :- Body), Module, (Default :- Body)) :-
+    !,
+    renamed_head(Head, Module, Default).
+default_clause((Head, Guard => Body), Module, (Default, Guard => Body)) :-
+    !,
+    renamed_head(Head, Module, Default).
+default_clause((Head => Body), Module, (Default => Body)) :-
+    !,
+    renamed_head(Head, Module, Default).
+default_clause(Head, Module, Default) :-
+    renamed_head(Head, Module, Default).
+
+renamed_head(Head, Module, Default) :-
+    callable(Head),
+    functor(Head, Name, Arity),
+    slot_(Module, Name, Arity, _),
+    default_head(Head, Default).
+
+default_head(Head, Default) :-
+    Head =.. [Name|Arguments],
+    atom_concat(Name, ' default', DefaultName),
+    Default =.. [DefaultName|Arguments].
+
+
+                /*******************************
+                *           ASKING             *
+                *******************************/
+
+%!  decision(?Decision, -Doc, -Place, -By) is nondet.
+%
+%   True when Decision = Name/Arity may be replaced; Doc says what it decides,
+%   Place = File:Line where it is declared, and By is who defines it in the
+%   current world: `default`, or a rule file.
+
+decision(Name/Arity, Doc, File:Line, By) :-
+    declared(Name, Arity, _, Slot, Doc, File, Line),
+    (   rule_module(Slot, Module),
+        followed(_, RuleFile, Module, _, _)
+    ->  By = RuleFile
+    ;   By = default
+    ).
+
+%!  decision_is_default(+Decision) is semidet.
+%
+%   True when no rule file replaces Decision = Name/Arity in the current world:
+%   only then may a kernel stand in for it.
+%
+%   @error existence_error(decision, Decision)
+
+decision_is_default(Name/Arity) :-
+    (   declared(Name, Arity, _, Slot, _, _, _)
+    ->  \+ rule_module(Slot, _)
+    ;   throw(error(existence_error(decision, Name/Arity), _))
+    ).
+
+%!  default(:Goal) is nondet.
+%
+%   Call the default of the decision that Goal names, whatever the current world
+%   follows.
+%
+%   @error existence_error(decision, Decision)
+
+default(_:Goal) :-
+    must_be(callable, Goal),
+    (   default_goal(Goal, Default)
+    ->  call(Default)
+    ;   functor(Goal, Name, Arity),
+        throw(error(existence_error(decision, Name/Arity), _))
+    ).
+
+%!  rules is det.
+%
+%   List the decisions, what they decide, and who defines each in the current
+%   world.
+
+rules :-
+    forall(decision(Decision, Doc, _, By),
+           print_message(help, sanggwan(decision(Decision, Doc, By)))).
+
+%!  rule_file(?File) is nondet.
+%
+%   True when the current world follows File; the one that decides first comes
+%   first.
+
+rule_file(File) :-
+    world_number(World),
+    followed(World, File, _, _, _).
+
+
+                /*******************************
+                *          FOLLOWING           *
+                *******************************/
+
+%!  use_rules(+File) is det.
+%
+%   Make the current world follow the rule file File, in one step, before those
+%   it follows already. A file it already follows is read again.
+%
+%   @error existence_error(source_sink, File)
+%   @error rules_error(What) with location(File, Line, Column): the file could
+%          not be read, or it defines what is no decision. Nothing has changed.
+
+use_rules(Spec) :-
+    absolute_file_name(Spec, File, [extensions(['', pl]), access(read)]),
+    world_number(World),
+    with_mutex(sg_rules, follow(World, File)).
+
+follow(World, File) :-
+    forget_ended,
+    new_module(Module),
+    module_id(Module, File, Id),
+    catch(( load_rules(File, Module, Id),
+            rules_defined(Module, File, Decisions)
+          ),
+          Error,
+          ( free_module(Module, Id),
+            throw(Error)
+          )),
+    forget(World, File),
+    asserta(followed(World, File, Module, Decisions, Id)),
+    set_slots(World).
+
+%!  no_rules(+File) is det.
+%
+%   Stop following File: what it replaced is as it was before.
+%
+%   @error existence_error(rules, File) if the current world does not follow it.
+
+no_rules(Spec) :-
+    absolute_file_name(Spec, File, [extensions(['', pl]), file_errors(error)]),
+    world_number(World),
+    (   followed(World, File, _, _, _)
+    ->  with_mutex(sg_rules, ( forget(World, File),
+                               set_slots(World)
+                             ))
+    ;   throw(error(existence_error(rules, File), _))
+    ).
+
+%   The slots of the current world, from its files: the first one that defines
+%   a decision has it.
+
+set_slots(World) :-
+    findall(Slot-Module,
+            ( slot_(_, Name, Arity, Slot),
+              once(( followed(World, _, Module, Decisions, _),
+                     memberchk(Name/Arity, Decisions)
+                   ))
+            ),
+            Pairs),
+    set_rule_modules(Pairs).
+
+forget(World, File) :-
+    forall(retract(followed(World, File, Module, _, Id)),
+           free_module(Module, Id)).
+
+%   Worlds that are gone leave their modules behind.
+
+forget_ended :-
+    ended_world(World),
+    !,
+    forall(retract(followed(World, _, Module, _, Id)),
+           free_module(Module, Id)),
+    forget_ended.
+forget_ended.
+
+
+                /*******************************
+                *        READING A FILE        *
+                *******************************/
+
+new_module(Module) :-
+    flag(sg_rules, N, N+1),
+    atom_concat('sg_rules ', N, Module),
+    set_module(Module:class(temporary)),
+    add_import_module(Module, sanggwan, start).
+
+%   A file can be loaded into one module only, so it is loaded from a stream,
+%   under a name of its own where another world follows it too.
+
+module_id(Module, File, Id) :-
+    (   source_file(File)
+    ->  atomic_list_concat([File, ' (', Module, ')'], Id)
+    ;   Id = File
+    ).
+
+free_module(Module, Id) :-
+    unload_file(Id),
+    catch('$destroy_module'(Module), error(_, _), true).
+
+load_rules(File, Module, Id) :-
+    setup_call_cleanup(
+        open(File, read, Stream, [encoding(utf8)]),
+        with_first_error(
+            load_files(Module:Id, [stream(Stream), silent(true)]),
+            Error),
+        close(Stream)),
+    (   var(Error)
+    ->  not_a_module(File, Id)
+    ;   throw_rules_error(Error, File)
+    ).
+
+not_a_module(File, Id) :-
+    (   module_property(_, file(Id))
+    ->  throw(error(rules_error(module_file), location(File, 1, 0)))
+    ;   true
+    ).
+
+:- thread_local watching/0, first_error/1.
+:- multifile user:message_hook/3.
+
+%   Errors while loading are messages: keep the first, print none.
+
+user:message_hook(Error, error, _) :-
+    watching,
+    (   first_error(_)
+    ->  true
+    ;   assertz(first_error(Error))
+    ).
+
+%   with_first_error(:Goal, -Error): Error is unbound when there was none.
+
+with_first_error(Goal, Error) :-
+    setup_call_cleanup(
+        asserta(watching),
+        catch(Goal, Error, true),
+        retractall(watching)),
+    (   retract(first_error(First))
+    ->  Error = First
+    ;   true
+    ).
+
+throw_rules_error(Error, File) :-
+    (   Error = error(Formal, Context),
+        error_place(Context, Line, Column)
+    ->  true
+    ;   Formal = Error,
+        Line = 0,
+        Column = 0
+    ),
+    throw(error(rules_error(Formal), location(File, Line, Column))).
+
+error_place(file(_, Line, Column, _), Line, Column).
+error_place(file(_, Line), Line, 0).
+error_place(stream(_, Line, Column, _), Line, Column).
+
+
+                /*******************************
+                *      WHAT A FILE DEFINES     *
+                *******************************/
+
+%   rules_defined(+Module, +File, -Decisions) is det.
+%
+%   Decisions are those that the clauses in Module define.
+%
+%   @error rules_error(no_decision(PI)), rules_error(no_decisions)
+
+rules_defined(Module, File, Decisions) :-
+    findall(Name/Arity, defined(Module, Name, Arity), Defined),
+    findall(PI, ( member(PI, Defined), is_decision(PI) ), Decisions),
+    forall(( member(PI, Defined),
+             \+ is_decision(PI),
+             \+ mentioned(Module, Defined, PI)
+           ),
+           no_decision(Module, PI, File)),
+    (   Decisions == []
+    ->  throw(error(rules_error(no_decisions), location(File, 1, 0)))
+    ;   true
+    ).
+
+defined(Module, Name, Arity) :-
+    current_predicate(Module:Name/Arity),
+    functor(Head, Name, Arity),
+    \+ predicate_property(Module:Head, imported_from(_)),
+    \+ predicate_property(Module:Head, dynamic).
+
+is_decision(Name/Arity) :-
+    slot_(_, Name, Arity, _),
+    !.
+
+%   True when a clause of another predicate of Module has Name in its body: a
+%   call, or a closure that lacks some of its arguments.
+
+mentioned(Module, Defined, Name/Arity) :-
+    member(Other, Defined),
+    Other \== Name/Arity,
+    Other = OtherName/OtherArity,
+    functor(Head, OtherName, OtherArity),
+    clause(Module:Head, Body),
+    sub_term(Goal, Body),
+    callable(Goal),
+    functor(Goal, Name, _),
+    !.
+
+no_decision(Module, Name/Arity, File) :-
+    functor(Head, Name, Arity),
+    (   predicate_property(Module:Head, line_count(Line))
+    ->  true
+    ;   Line = 0
+    ),
+    throw(error(rules_error(no_decision(Name/Arity)),
+                location(File, Line, 0))).
