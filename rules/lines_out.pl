@@ -1,5 +1,6 @@
 :- module(sg_lines_out,
-          [ write_lines/2,              % +File, +Options
+          [ write_lines/1,              % +File
+            write_lines/2,              % +File, +Options
             write_lines_to/3            % +Stream, +Format, +Options
           ]).
 :- use_module(chain, [chains/1, chain_vertices/3, chain_points/2]).
@@ -25,6 +26,7 @@ The chains of the current world (chain.pl), written as
 Numbers are written with as many digits as it takes to read them back.
 */
 
+%!  write_lines(+File) is semidet.
 %!  write_lines(+File, +Options) is semidet.
 %
 %   Write the penetration lines to File. Options: format(pl|obj|csv|svg), else
@@ -32,6 +34,9 @@ Numbers are written with as many digits as it takes to read them back.
 %   WidthxHeight in mm (100x100).
 %
 %   @error domain_error(line_format, Ending)
+
+write_lines(File) :-
+    write_lines(File, []).
 
 write_lines(File, Options) :-
     file_name_extension(_, Ending, File),
