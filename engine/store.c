@@ -223,6 +223,9 @@ sg_world_drop(sg_world *world)
   free(world->undo.version);
   free(world->redo.version);
   free(world->changes_at);
+  if (world->drop_note) {
+    world->drop_note(atomic_load(&world->note));
+  }
   pthread_cond_destroy(&world->turn);
   pthread_mutex_destroy(&world->lock);
   free(world);
@@ -440,4 +443,17 @@ sg_status
 sg_world_redo(sg_world *world)
 {
   return step(world, &world->redo, &world->undo);
+}
+
+void *
+sg_world_note(const sg_world *world)
+{
+  return atomic_load_explicit(&world->note, memory_order_acquire);
+}
+
+void
+sg_world_set_note(sg_world *world, void *note, void (*drop)(void *note))
+{
+  world->drop_note = drop;
+  atomic_store_explicit(&world->note, note, memory_order_release);
 }

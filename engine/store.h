@@ -99,6 +99,10 @@ void sg_world_drop(sg_world *world);
 /* 1, 2, 3 ... in the order of opening: names a world in messages. */
 uint64_t sg_world_number(const sg_world *world);
 void sg_world_undo_limit(sg_world *world, unsigned steps);
+/* One thing that glue keeps with the world, null at first; any thread may read
+ * it at any time. `drop` is called with the last one when the world ends. */
+void *sg_world_note(const sg_world *world);
+void sg_world_set_note(sg_world *world, void *note, void (*drop)(void *note));
 
 /* The version at this moment; drop it when done (from any thread). */
 const sg_version *sg_world_version(sg_world *world);

@@ -35,6 +35,8 @@ struct sg_world {
   size_t undo_limit;
   pthread_t writer; /* valid while writer_depth > 0 */
   size_t writer_depth;
+  _Atomic(void *) note;
+  void (*drop_note)(void *note);
 };
 
 /* Takes the lock when no other thread writes; leave releases it. */

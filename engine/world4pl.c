@@ -98,6 +98,12 @@ sg_set_current_world(sg_world *world)
 }
 
 sg_world *
+sg_current_world(void)
+{
+  return pthread_getspecific(current_key);
+}
+
+sg_world *
 sg_current_world_ex(void)
 {
   sg_world *world = pthread_getspecific(current_key);

@@ -17,6 +17,8 @@
 
 /* The current world of this thread (borrowed). existence_error: none. */
 sg_world *sg_current_world_ex(void);
+/* The same; null without an exception if there is none. */
+sg_world *sg_current_world(void);
 
 /* Makes it this thread's world, or none (null); holds it itself. */
 void sg_set_current_world(sg_world *world);

@@ -287,7 +287,11 @@ new_module(Module) :-
     flag(sg_rules, N, N+1),
     atom_concat('sg_rules ', N, Module),
     set_module(Module:class(temporary)),
-    add_import_module(Module, sanggwan, start).
+    add_import_module(Module, sg_decision, start),
+    (   current_module(sanggwan)
+    ->  add_import_module(Module, sanggwan, start)
+    ;   true
+    ).
 
 %   A file can be loaded into one module only, so it is loaded from a stream,
 %   under a name of its own where another world follows it too.

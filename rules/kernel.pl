@@ -1,5 +1,11 @@
 :- module(sg_kernel,
-          [ mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
+          [ % decision4pl.c
+            rule_module/2,            % +Slot, -Module
+            set_rule_modules/1,       % +Pairs
+            world_number/1,           % -Number
+            ended_world/1,            % -Number
+            % mesh4pl.c
+            mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
                                       % -Result
             mesh_write/5,             % +Stream, +Format, +Ss, +Names, -Result
             % cut4pl.c, seam4pl.c, line4pl.c
@@ -69,6 +75,28 @@
 The doors to c_kernels/, documented here and nowhere else. A block for each
 glue file.
 */
+
+/* - - - decision4pl.c - - - */
+
+%!  rule_module(+Slot, -Module) is semidet.
+%
+%   True when the current world follows a rule file, loaded into Module, that
+%   replaces the decision with this Slot. Fails too where there is no world.
+
+%!  set_rule_modules(+Pairs) is det.
+%
+%   Replace all slots of the current world by those of Pairs, a list of
+%   Slot-Module, in one step.
+
+%!  world_number(-Number) is det.
+%
+%   Number names the current world; no other world of this process has it or
+%   ever had it.
+
+%!  ended_world(-Number) is semidet.
+%
+%   True when the world Number had set_rule_modules/1 called for it and has
+%   ended. Each call of set_rule_modules/1 is reported once.
 
 /* - - - mesh4pl.c - - - */
 
