@@ -212,7 +212,7 @@ rule_file(File) :-
 %   it follows already. A file it already follows is read again.
 %
 %   @error existence_error(source_sink, File)
-%   @error rules_error(What) with location(File, Line, Column): the file could
+%   @error model_error(rules(What)) with location(File, Line, Column): the file could
 %          not be read, or it defines what is no decision. Nothing has changed.
 
 use_rules(Spec) :-
@@ -320,7 +320,7 @@ load_rules(File, Module, Id) :-
 
 not_a_module(File, Id) :-
     (   module_property(_, file(Id))
-    ->  throw(error(rules_error(module_file), location(File, 1, 0)))
+    ->  throw(error(model_error(rules(module_file)), location(File, 1, 0)))
     ;   true
     ).
 
@@ -356,7 +356,7 @@ throw_rules_error(Error, File) :-
         Line = 0,
         Column = 0
     ),
-    throw(error(rules_error(Formal), location(File, Line, Column))).
+    throw(error(model_error(rules(Formal)), location(File, Line, Column))).
 
 error_place(file(_, Line, Column, _), Line, Column).
 error_place(file(_, Line), Line, 0).
@@ -371,7 +371,7 @@ error_place(stream(_, Line, Column, _), Line, Column).
 %
 %   Decisions are those that the clauses in Module define.
 %
-%   @error rules_error(no_decision(PI)), rules_error(no_decisions)
+%   @error model_error(rules(no_decision(PI))), model_error(rules(no_decisions))
 
 rules_defined(Module, File, Decisions) :-
     findall(Name/Arity, defined(Module, Name, Arity), Defined),
@@ -382,7 +382,7 @@ rules_defined(Module, File, Decisions) :-
            ),
            no_decision(Module, PI, File)),
     (   Decisions == []
-    ->  throw(error(rules_error(no_decisions), location(File, 1, 0)))
+    ->  throw(error(model_error(rules(no_decisions)), location(File, 1, 0)))
     ;   true
     ).
 
@@ -416,5 +416,5 @@ no_decision(Module, Name/Arity, File) :-
     ->  true
     ;   Line = 0
     ),
-    throw(error(rules_error(no_decision(Name/Arity)),
+    throw(error(model_error(rules(no_decision(Name/Arity))),
                 location(File, Line, 0))).

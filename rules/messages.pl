@@ -1,7 +1,8 @@
 :- module(sg_messages,
           [ english//1,                 % +Term
             fault_en//1,                % +What
-            primitive_form//1           % +Name
+            primitive_form//1,          % +Name
+            loading_fault//1            % +Formal
           ]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
@@ -472,3 +473,37 @@ invalid_polygon_en(S, P, V1, V2) -->
        vertex ~d to ~d'-[P, S, V1, V2], nl,
       '  It crosses or overlaps itself, or a hole is outside or runs the \c
        wrong way round.' ].
+
+
+                /*******************************
+                *           decision           *
+                *******************************/
+
+fault_en(rules(no_decision(PI))) -->
+    [ '~q is no decision, and nothing in this rule file calls it'-[PI], nl,
+      '  Correct its name (rules/0 lists the decisions), or remove it.' ].
+fault_en(rules(no_decisions)) -->
+    [ 'this rule file replaces no decision', nl,
+      '  Define one of those that rules/0 lists.' ].
+fault_en(rules(module_file)) -->
+    [ 'a rule file has no module header', nl,
+      '  Remove the directive :- module(...).' ].
+fault_en(rules(Formal)) -->
+    { \+ memberchk(Formal, [no_decision(_), no_decisions, module_file]) },
+    [ 'this rule file cannot be loaded: ' ],
+    loading_fault(Formal),
+    [ nl, '  Correct it; the rules are as they were before.' ].
+
+notice_en(decision(Name/Arity, Doc, By)) -->
+    [ '~q/~d: ~w'-[Name, Arity, Doc], nl,
+      '    defined by: ~w'-[By] ].
+
+%!  loading_fault(+Formal)// is det.
+%
+%   What Prolog says of an error in a rule file.
+
+loading_fault(syntax_error(What)) -->
+    !,
+    [ '~w'-[What] ].
+loading_fault(Formal) -->
+    '$messages':translate_message(error(Formal, _)).

@@ -3,7 +3,7 @@
           [ korean//1,                  % +Term
             fault_ko//1                 % +What
           ]).
-:- use_module(messages, [primitive_form//1]).
+:- use_module(messages, [primitive_form//1, loading_fault//1]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
@@ -422,3 +422,28 @@ notice_ko(nothing_drawn) -->
 fault_ko(eye_in_model(D)) -->
     [ '시점이 모델 안이나 뒤에 있습니다: 가장 가까운 점이 ~4g 입니다'-[D], nl,
       '  RHO 를 더 크게 하거나 평행 투상을 쓰십시오.' ].
+
+
+                /*******************************
+                *           decision           *
+                *******************************/
+
+fault_ko(rules(no_decision(PI))) -->
+    [ '~q 은(는) 판단의 이름이 아니고, 이 규칙 파일에서 부르지도 않습니다'-[PI],
+      nl,
+      '  이름을 고치거나(rules/0 이 이름을 보여 줍니다) 지우십시오.' ].
+fault_ko(rules(no_decisions)) -->
+    [ '이 규칙 파일은 아무 판단도 바꾸지 않습니다', nl,
+      '  rules/0 이 보여 주는 판단 가운데 하나를 정의하십시오.' ].
+fault_ko(rules(module_file)) -->
+    [ '규칙 파일에는 모듈 머리말이 없어야 합니다', nl,
+      '  지시문 :- module(...) 을 지우십시오.' ].
+fault_ko(rules(Formal)) -->
+    { \+ memberchk(Formal, [no_decision(_), no_decisions, module_file]) },
+    [ '이 규칙 파일을 읽을 수 없습니다: ' ],
+    loading_fault(Formal),
+    [ nl, '  고치십시오. 규칙은 전과 같습니다.' ].
+
+notice_ko(decision(Name/Arity, Doc, By)) -->
+    [ '~q/~d: ~w'-[Name, Arity, Doc], nl,
+      '    정의한 곳: ~w'-[By] ].

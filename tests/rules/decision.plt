@@ -176,7 +176,7 @@ test(read_again, [C, D] == [2, one]) :-
     in_world(World, use_rules(File)),
     in_world(World, pick(1, 2, D)).
 test(misspelt,
-     error(rules_error(no_decision(pikc/3)), location(_, 2, _))) :-
+     error(model_error(rules(no_decision(pikc/3))), location(_, 2, _))) :-
     rule_file_of('misspelt.pl', "pick(_, B, B).\npikc(_, B, B).\n", File),
     in_new_world(use_rules(File)).
 test(misspelt_changes_nothing, C == 2) :-
@@ -184,16 +184,16 @@ test(misspelt_changes_nothing, C == 2) :-
     rule_file_of('larger.pl', Larger, F1),
     rule_file_of('bad.pl', "pick(_, _, bad).\npikc(_, B, B).\n", F2),
     in_new_world(( use_rules(F1),
-                   catch(use_rules(F2), error(rules_error(_), _), true),
+                   catch(use_rules(F2), error(model_error(rules(_)), _), true),
                    pick(1, 2, C)
                  )).
-test(syntax, error(rules_error(syntax_error(_)), location(_, 2, _))) :-
+test(syntax, error(model_error(rules(syntax_error(_))), location(_, 2, _))) :-
     rule_file_of('syntax.pl', "pick(_, B, B).\npick(_, B B).\n", File),
     in_new_world(use_rules(File)).
-test(empty, error(rules_error(no_decisions), _)) :-
+test(empty, error(model_error(rules(no_decisions)), _)) :-
     rule_file_of('empty.pl', "% nothing\n", File),
     in_new_world(use_rules(File)).
-test(module_file, error(rules_error(module_file), _)) :-
+test(module_file, error(model_error(rules(module_file)), _)) :-
     rule_file_of('module.pl', ":- module(m, [pick/3]).\npick(_, B, B).\n",
                  File),
     in_new_world(use_rules(File)).
