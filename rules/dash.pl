@@ -6,10 +6,10 @@
 :- autoload(library(lists), [reverse/2]).
 /** <module> Dashes that fit the line.
 
-A dashed line begins and ends with a dash, so that corners are closed; where it
-goes on as a visible line it begins with a gap, so that one sees where it is
-hidden (ISO 128). So dash and gap, 3 mm and 0.9 mm, are stretched or shrunk a
-little for each stroke.
+A dashed line begins and ends with a dash, so that corners are closed; where
+it goes on as a visible line it begins with a gap, so that one sees where it
+is hidden (ISO 128). So dash and gap, 3 mm and 0.9 mm, are stretched or shrunk
+a little for each stroke.
 */
 
 :- set_prolog_flag(optimise, true).
@@ -18,8 +18,8 @@ natural(3000, 900).
 
 %!  stroke_dash(+Stroke, -Dash, -Gap) is det.
 %
-%   Dash and Gap fit Stroke, integers in the unit of its points. It begins with
-%   a gap if its start is `cut`, else with a dash.
+%   Dash and Gap fit Stroke, integers in the unit of its points. It begins
+%   with a gap if its start is `cut`, else with a dash.
 
 stroke_dash(Stroke, Dash, Gap) :-
     stroke_runs(Stroke, Dash0, Gap0),
@@ -51,8 +51,8 @@ cut_gap(joint, 0).
 
 %!  stroke_dashes(+Stroke, -Dashes) is det.
 %
-%   Dashes are the dashes of Stroke as lines: lists of two or more points, each
-%   X-Y, integers.
+%   Dashes are the dashes of Stroke as lines: lists of two or more points,
+%   each X-Y, integers.
 
 stroke_dashes(Stroke, Dashes) :-
     Stroke = stroke(_, _, _, _, [Point|Points], Start, _),

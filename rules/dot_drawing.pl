@@ -7,7 +7,7 @@
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(error), [domain_error/2]).
 :- autoload(library(option), [option/3]).
-/** <module> Drawings in dots: Bresenham's lines, as the paper's screen had them.
+/** <module> Drawings in dots: Bresenham's lines, as on the paper's screen.
 
 640 x 400 dots unless another size is wanted; pens and patterns grow with it.
 Hidden lines are dotted by the paper's pattern: 3 is 3 dots on and 3 off, and
@@ -18,8 +18,8 @@ it runs on along a chain.
 
 %!  write_png(+Out, +Options) is det.
 %
-%   Write the picture of the current world as PNG to stream Out. Options as for
-%   write_drawing/2.
+%   Write the picture of the current world as PNG to stream Out. Options as
+%   for write_drawing/2.
 
 write_png(Out, Options) :-
     picture_dots(pens(640,400,2), Options, W-H, Dots),

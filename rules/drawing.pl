@@ -96,8 +96,9 @@ write_json(Out, sheet(W,H,Scale), Strokes, Options) :-
     text_to_string(Title, TitleString),
     format(Out, '{ "title": ', []),
     json_on_a_line(Out, TitleString),
-    format(Out, ',~n  "unit": "mm", "width": ~w, "height": ~w, "scale": ~w,~n',
-           [Width, Height, Scale]),
+    format(Out, ',~n  "unit": "mm", "width": ~w, "height": ~w, ',
+           [Width, Height]),
+    format(Out, '"scale": ~w,~n', [Scale]),
     format(Out, '  "lines": [', []),
     foldl(write_json_line(Out), Strokes, "\n    ", _),
     format(Out, '~n  ]~n}~n', []).

@@ -5,11 +5,11 @@
 :- autoload(library(lists), [member/2]).
 /** <module> DXF: strokes as polylines on layers, for CAD programs.
 
-DXF R12 (AC1009), as text: every program reads it. One unit is one millimetre of
-the sheet, the origin its lower left corner. A layer for each visibility and
-role, in capitals (`HIDDEN_OUTLINE`); hidden layers have the line type HIDDEN.
-Extended data of application SANGGWAN says at the start of each straight piece
-which segment and edge it belongs to.
+DXF R12 (AC1009), as text: every program reads it. One unit is one millimetre
+of the sheet, the origin its lower left corner. A layer for each visibility
+and role, in capitals (`HIDDEN_OUTLINE`); hidden layers have the line type
+HIDDEN. Extended data of application SANGGWAN says at the start of each
+straight piece which segment and edge it belongs to.
 */
 
 %!  write_dxf(+Out, +Sheet, +Strokes) is det.

@@ -7,14 +7,14 @@
 
 Pen 1 draws visible lines, pen 2 hidden ones, pen 3 penetration lines. Dashes
 are drawn as such, for many plotters and all cutters know no line types; they
-are fitted to each line (dash.pl). A unit is 0.025 mm, the origin the lower left
-corner of the sheet.
+are fitted to each line (dash.pl). A unit is 0.025 mm, the origin the lower
+left corner of the sheet.
 */
 
 %!  write_hpgl(+Out, +Sheet, +Strokes) is det.
 %
-%   Write Strokes on Sheet (sheet.pl) to stream Out. Strokes follow one another
-%   pen by pen in their own order.
+%   Write Strokes on Sheet (sheet.pl) to stream Out. Strokes follow one
+%   another pen by pen in their own order.
 
 write_hpgl(Out, sheet(_,H,_), Strokes) :-
     format(Out, 'IN;~n', []),

@@ -4,9 +4,10 @@
 :- autoload(library(error), [must_be/2]).
 /** <module> Output files: whole, or not there at all.
 
-A file is written under another name beside it and renamed when it is complete,
-so nobody ever sees half of one: not after a failure, an error, an interrupt,
-nor on a full disk. The old file stays until the new one takes its place.
+A file is written under another name beside it and renamed when it is
+complete, so nobody ever sees half of one: not after a failure, an error, an
+interrupt, nor on a full disk. The old file stays until the new one takes its
+place.
 */
 
 :- meta_predicate writing(+, +, 1).
@@ -15,8 +16,8 @@ nor on a full disk. The old file stays until the new one takes its place.
 %
 %   Call Goal with one more argument, a stream, once; what it writes is File
 %   afterwards. Type is `text` (UTF-8) or `binary`. If Goal fails or raises,
-%   so does this, and File is as it was. A link is followed; what is no regular
-%   file (a device, a pipe) is written in place.
+%   so does this, and File is as it was. A link is followed; what is no
+%   regular file (a device, a pipe) is written in place.
 %
 %   @error existence_error(directory, Folder), permission_error(_, _, File),
 %   io_error(write, File): the disk is full.

@@ -9,18 +9,19 @@
 /** <module> The sheet: the picture laid on paper.
 
 A sheet is sheet(Width,Height,Scale): integers, thousandths of its unit (a
-millimetre, or a dot of a raster), x to the right and y DOWN from the upper left
-corner; Scale is how many units a unit of the picture is. Everything after this
-is integer: numbers print the same everywhere, and -0 does not exist.
+millimetre, or a dot of a raster), x to the right and y DOWN from the upper
+left corner; Scale is how many units a unit of the picture is. Everything
+after this is integer: numbers print the same everywhere, and -0 does not
+exist.
 */
 
 :- set_prolog_flag(optimise, true).
 
 %!  sheet_strokes(+Default, +Options, -Sheet, -Strokes) is det.
 %
-%   Strokes (stroke.pl) are what drawn/7 holds, on Sheet. The picture fills the
-%   sheet, its aspect kept; a picture without extent is a point in the middle,
-%   an empty one has no strokes. Options:
+%   Strokes (stroke.pl) are what drawn/7 holds, on Sheet. The picture fills
+%   the sheet, its aspect kept; a picture without extent is a point in the
+%   middle, an empty one has no strokes. Options:
 %
 %     - size(Size): `W-H`, or text like `210x148`; otherwise Default, W-H
 %     - margin(M): free all round; a tenth of the shorter side if not given

@@ -7,9 +7,9 @@
 :- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Strokes: drawn parts put end to end.
 
-A pen should not lift where a line goes on, and dashes should run on across the
-joints of a line: a curve of short pieces, each dashed alone, looks solid. So
-parts of one visibility, role and segment that meet are chained.
+A pen should not lift where a line goes on, and dashes should run on across
+the joints of a line: a curve of short pieces, each dashed alone, looks solid.
+So parts of one visibility, role and segment that meet are chained.
 
     part(Visibility, Role, S, E, From, To, A, B)
         a part of edge E of segment S, from A to B on the sheet; A and B are
@@ -20,8 +20,8 @@ parts of one visibility, role and segment that meet are chained.
         edge goes on, but no longer as this; `ring`, both, if it closes.
 
 At each point the parts are joined in pairs, the straightest pair first. The
-pen follows a visible line round any corner; a hidden line ends at a corner, so
-that its dashes can meet there.
+pen follows a visible line round any corner; a hidden line ends at a corner,
+so that its dashes can meet there.
 */
 
 :- set_prolog_flag(optimise, true).
@@ -169,8 +169,8 @@ pairs_mated([Bend-pair(A,B)|Pairs], Least, Mates) :-
     ),
     pairs_mated(Pairs, Least, Mates).
 
-%   Pairs of ends that could be mates, with their bend, -1 straight, 1 back. At
-%   a node of many ends (an apex) only those across from each other.
+%   Pairs of ends that could be mates, with their bend, -1 straight, 1 back.
+%   At a node of many ends (an apex) only those across from each other.
 
 node_pairs([_], []) :-
     !.

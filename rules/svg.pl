@@ -15,11 +15,11 @@ painting order; in it a polyline for each stroke:
     <polyline id="s1e7" class="hidden crease" data-segment="1"
               data-edge="7 8" points="10,20 30,20 38,24"/>
 
-The class list begins with `visible` or `hidden`, then the role. The k-th number
-of data-edge is the edge that the k-th straight piece belongs to. An id names
-segment and first edge; when an edge is drawn in several parts, `-2`, `-3`
-follow. How things look is in the style block alone, except for dashes, which
-are fitted to each line (dash.pl).
+The class list begins with `visible` or `hidden`, then the role. The k-th
+number of data-edge is the edge that the k-th straight piece belongs to. An id
+names segment and first edge; when an edge is drawn in several parts, `-2`,
+`-3` follow. How things look is in the style block alone, except for dashes,
+which are fitted to each line (dash.pl).
 */
 
 :- set_prolog_flag(optimise, true).
@@ -60,8 +60,8 @@ title(Options) -->
 title(_) -->
     "".
 
-%   Line widths and their order: ISO 128-2, 0.5 and 0.25; a penetration line is
-%   what the drawing is about, so it is wider, and red on a screen.
+%   Line widths and their order: ISO 128-2, 0.5 and 0.25; a penetration line
+%   is what the drawing is about, so it is wider, and red on a screen.
 
 style -->
     ".sanggwan .paper{fill:#fff}\n",

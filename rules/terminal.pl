@@ -13,17 +13,17 @@
 :- autoload(library(option), [merge_options/3, option/2, option/3]).
 /** <module> The picture in the terminal.
 
-A character shows two dots beside and four above one another: a braille pattern
-(U+2800 to U+28FF), or where the terminal does not know UTF-8 the ASCII
-character that looks most like the dots. Hidden lines are dotted and, in colour
-terminals, dim; penetration lines are red.
+A character shows two dots beside and four above one another: a braille
+pattern (U+2800 to U+28FF), or where the terminal does not know UTF-8 the
+ASCII character that looks most like the dots. Hidden lines are dotted and, in
+colour terminals, dim; penetration lines are red.
 */
 
 %!  show is det.
 %!  show(+Options) is det.
 %
-%   Make the picture of the current world and print it on the current output, as
-%   wide as the terminal. Options are those of picture/1 and:
+%   Make the picture of the current world and print it on the current output,
+%   as wide as the terminal. Options are those of picture/1 and:
 %
 %     - width(Columns), height(Rows): not wider, not higher; default: the
 %       terminal, or 80 x 24

@@ -2,9 +2,9 @@
 
        swipl tools/gallery.pl [-- PROGRAM]
 
-   Run in the project's root. docs/gallery/pictures.pl lists the pictures; each
-   is drawn by the very command that the page shows under it. PROGRAM is
-   ./sanggwan unless given. Exits 1 if a picture could not be drawn.
+   Run in the project's root. docs/gallery/pictures.pl lists the pictures;
+   each is drawn by the very command that the page shows under it. PROGRAM
+   is ./sanggwan unless given. Exits 1 if a picture could not be drawn.
 */
 :- module(sg_gallery, []).
 :- use_module(library(http/html_write)).
@@ -72,10 +72,11 @@ page_written(Pictures, Out) :-
                 ],
                 [ h1('Sanggwan: the figures of 1988'),
                   p([ 'The penetration figures of H.-C. Chae, ',
-                      em('Drawing of Penetrating Lines Using Personal Computer'),
-                      ', KSME Journal 12(1), 1988, each drawn by the command \c
-                       under it. Penetration lines are red on the screen, \c
-                       black on paper; hidden lines are dashed.' ]),
+                      em('Drawing of Penetrating Lines Using \c
+                          Personal Computer'),
+                      ', KSME Journal 12(1), 1988, each drawn by the \c
+                       command under it. Penetration lines are red on the \c
+                       screen, black on paper; hidden lines are dashed.' ]),
                   main(\figures(Pictures))
                 ]),
            Tokens),
@@ -100,15 +101,17 @@ figures([Picture|Pictures]) -->
 
 style('
 body { font: 16px/1.5 Georgia, "Noto Serif", serif; color: #111;
-       background: #fff; max-width: 72rem; margin: 2rem auto; padding: 0 1rem }
+       background: #fff; max-width: 72rem; margin: 2rem auto;
+       padding: 0 1rem }
 h1 { font-size: 1.6rem; font-weight: normal }
 main { display: grid; gap: 2.5rem 2rem;
-       grid-template-columns: repeat(auto-fit, minmax(min(30rem, 100%), 1fr)) }
+       grid-template-columns:
+         repeat(auto-fit, minmax(min(30rem, 100%), 1fr)) }
 figure { margin: 0; break-inside: avoid }
 img { width: 100%; border: 1px solid #ddd }
 figcaption { margin: .5rem 0 }
-pre { margin: 0; padding: .4rem .6rem; background: #f4f4f4; overflow-x: auto;
-      font-size: .8rem }
+pre { margin: 0; padding: .4rem .6rem; background: #f4f4f4;
+      overflow-x: auto; font-size: .8rem }
 @media print {
   body { margin: 0; max-width: none; font-size: 11pt }
   main { grid-template-columns: 1fr 1fr; gap: 8mm }

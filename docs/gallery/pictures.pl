@@ -3,9 +3,10 @@
 %
 %   picture(Name, Title, Caption, Words)
 %
-% The command is `sanggwan draw` with Words and `-o Name.svg`. The figures are
-% those of H.-C. Chae, Drawing of Penetrating Lines Using Personal Computer,
-% KSME Journal 12(1), 1988; sizes are chosen, for the paper does not give them.
+% The command is `sanggwan draw` with Words and `-o Name.svg`. The figures
+% are those of H.-C. Chae, Drawing of Penetrating Lines Using Personal
+% Computer, KSME Journal 12(1), 1988; sizes are chosen, for the paper does not
+% give them.
 
 picture(fig08, 'Figure 8',
         'A cone and a straight line that goes through it.',

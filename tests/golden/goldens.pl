@@ -6,10 +6,10 @@
 :- use_module(rules(cli), [sanggwan/2]).
 /** <module> Golden drawings: what `sanggwan draw` gave when somebody looked.
 
-tests/golden/NAME.svg is the drawing of `sanggwan draw WORDS`. Every picture of
-the gallery is one, and those listed here. tests/rules/golden.plt compares the
-bytes; `make bless` (tools/bless.pl) writes them anew. LOOK at what changed
-before you commit it.
+tests/golden/NAME.svg is the drawing of `sanggwan draw WORDS`. Every picture
+of the gallery is one, and those listed here. tests/rules/golden.plt compares
+the bytes; `make bless` (tools/bless.pl) writes them anew. LOOK at what
+changed before you commit it.
 */
 
 %!  golden(?Name, ?Words) is nondet.

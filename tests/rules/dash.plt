@@ -36,13 +36,16 @@ near(A, B, Most) :-
 test(one_short, true(Dashes == [[0-0,100-0]])) :-
     hidden([0-0,100-0], joint, joint, Stroke),
     stroke_dashes(Stroke, Dashes).
-test(three, true(Dashes == [[0-0,3000-0],[3900-0,6900-0],[7800-0,10800-0]])) :-
+test(three, true(Dashes == [ [0-0,3000-0], [3900-0,6900-0],
+                             [7800-0,10800-0] ])) :-
     hidden([0-0,10800-0], joint, joint, Stroke),
     stroke_dashes(Stroke, Dashes).
-test(gap_where_it_goes_on, true(Dashes == [[900-0,3900-0],[4800-0,7800-0]])) :-
+test(gap_where_it_goes_on, true(Dashes == [ [900-0,3900-0],
+                                            [4800-0,7800-0] ])) :-
     hidden([0-0,8700-0], cut, cut, Stroke),
     stroke_dashes(Stroke, Dashes).
-test(round_a_joint, true(Dashes == [[0-0,2000-0,2000-1000],[2000-1900,2000-4900]])) :-
+test(round_a_joint, true(Dashes == [ [0-0,2000-0,2000-1000],
+                                     [2000-1900,2000-4900] ])) :-
     hidden([0-0,2000-0,2000-4900], joint, joint, Stroke),
     stroke_dashes(Stroke, Dashes).
 test(many_small_pieces, true(N == 3)) :-

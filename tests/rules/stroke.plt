@@ -60,7 +60,8 @@ no_needless_lift(Strokes) :-
 test(nothing, true(Strokes == [])) :-
     strokes([], Strokes).
 test(chained, true(Strokes ==
-        [ stroke(visible,outline,1,[1,2,3],[0-0,5-0,9-0,9-4],joint,joint) ])) :-
+        [ stroke(visible,outline,1,[1,2,3],[0-0,5-0,9-0,9-4],
+                 joint,joint) ])) :-
     line(visible, 1, 0-0, 5-0, P1),
     line(visible, 2, 9-0, 5-0, P2),
     line(visible, 3, 9-0, 9-4, P3),
@@ -140,13 +141,15 @@ test(random, [forall(between(1, 40, Seed)), true]) :-
     strokes(Parts, Strokes),
     pieces_are_parts(Parts, Strokes),
     no_needless_lift(Strokes).
-test(order_of_input, [forall(between(1, 10, Seed)), true(Again == Strokes)]) :-
+test(order_of_input, [ forall(between(1, 10, Seed)),
+                       true(Again == Strokes) ]) :-
     random_parts(Seed, 60, Parts),
     strokes(Parts, Strokes),
     random_permutation(Parts, Shuffled),
     strokes(Shuffled, Again).
 test(length, true(Length =:= 9.0)) :-
-    stroke_length(stroke(visible,outline,1,[1,2],[0-0,5-0,5-4],joint,joint),
+    stroke_length(stroke(visible,outline,1,[1,2],[0-0,5-0,5-4],
+                         joint,joint),
                   Length).
 
 :- end_tests(stroke).
