@@ -56,7 +56,8 @@ words(Picture, [draw|Words]) :-
 
 drawn(Program, Picture) :-
     words(Picture, Words),
-    process_create(Program, Words, [process(Process)]),
+    append(Words, ['-q'], Quiet),
+    process_create(Program, Quiet, [process(Process)]),
     process_wait(Process, exit(0)).
 
 page(Pictures) :-

@@ -10,5 +10,5 @@ segment(1, solid, at([translate(0, 0, -2)],
 segment(2, solid, at([translate(0, 0, -2), rotate(y, 90)],
                      cylinder(radius(1), height(4), facets(40)))).
 
-view(295, 65, 20).
+view(312, 68, 20).
 projection(parallel).

@@ -62,6 +62,6 @@ golden_file(Name, File) :-
 %   Draw Name to File. Fails if the program ends with another status than 0.
 
 golden_drawn(Name, File) :-
-    golden(Name, Words),
+    once(golden(Name, Words)),
     append([draw,'-q'|Words], ['-o',File], Arguments),
     sanggwan(Arguments, 0).
