@@ -326,11 +326,26 @@ enter_piece_ends_ex(sg_cut_handle *handle, sg_work *work, int32_t s,
   return TRUE;
 }
 
+/* The polygon's normal. One without area has no plane; nothing enters it, so
+ * any direction will do. */
+static void
+get_normal(const sg_cut_handle *handle, const sg_value *key, double out[3])
+{
+  sg_row plane = sg_version_find(handle->version, SG_PLANE, key);
+
+  out[0] = out[1] = 0;
+  out[2] = 1;
+  for (unsigned c = 0; c < 3 && plane != SG_NO_ROW; c++) {
+    out[c] = sg_version_value(handle->version, SG_PLANE, plane, c + 2).f;
+  }
+}
+
 static foreign_t
 cut_work(term_t t, term_t s, term_t p, term_t out)
 {
   sg_cut_handle *handle;
   int32_t key[2];
+  double normal[3];
 
   if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &key[0]) ||
       !sg_get_id_ex(p, &key[1])) {
@@ -338,15 +353,11 @@ cut_work(term_t t, term_t s, term_t p, term_t out)
   }
   sg_value row[SG_MAX_COLUMNS] = {[0].i = key[0], [1].i = key[1]};
   sg_row polygon = sg_version_find(handle->version, SG_P, row);
-  sg_row plane = sg_version_find(handle->version, SG_PLANE, row);
-  double normal[3];
 
-  if (polygon == SG_NO_ROW || plane == SG_NO_ROW) {
-    return PL_existence_error(polygon == SG_NO_ROW ? "polygon" : "plane", p);
+  if (polygon == SG_NO_ROW) {
+    return PL_existence_error("polygon", p);
   }
-  for (unsigned c = 0; c < 3; c++) {
-    normal[c] = sg_version_value(handle->version, SG_PLANE, plane, c + 2).f;
-  }
+  get_normal(handle, row, normal);
   sg_work *work = sg_work_open(normal);
 
   if (!work) {

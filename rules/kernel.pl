@@ -397,7 +397,7 @@ glue file.
 %   labelled with their numbers, divided at the points of cuts on them; it
 %   also knows the vertices of cut_entering/4.
 %
-%   @error existence_error(plane, P)
+%   @error existence_error(polygon, P)
 
 %!  cut_crossing(+Set, +Work, +S, +K, +E, +V1, +V2, -X) is det.
 %

@@ -16,7 +16,7 @@
               ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ e/5, p/3, t/6, segment/3, origin/3, line/9,
+              [ v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, line/9,
                 assert_fact/1, retract_fact/1, retractall_facts/1,
                 facts_transaction/1, fresh_id/3
               ]).
@@ -99,7 +99,8 @@ penetrate :-
 %
 %   The same for the segments S1-S2 of Pairs only.
 %
-%   @error existence_error(plane, P): a polygon has no plane yet
+%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, polygon
+%          P cannot be triangulated
 
 penetrate(Pairs) :-
     facts_transaction(sg_penetration:penetrated(Pairs)).
@@ -408,10 +409,17 @@ edge_origin(_, _, _, _, Label, e(Label)) :-
 edge_origin(Set, S, V1, V2, _, line(L)) :-
     cut_line(Set, S, V1, V2, L).
 
+%   A polygon without area has no plane and no triangles.
+
 write_triangles(S, P, Work) :-
-    retractall_facts(t(S, P, _, _, _, _)),
-    work_triangles(Work, Triangles),
-    maplist(write_triangle(S, P), Triangles).
+    (   plane(S, P, _, _, _, _)
+    ->  retractall_facts(t(S, P, _, _, _, _)),
+        catch(work_triangles(Work, Triangles),
+              error(geometry_error(no_third_vertex(V1, V2)), _),
+              throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))),
+        maplist(write_triangle(S, P), Triangles)
+    ;   true
+    ).
 
 write_triangle(S, P, t(V1, V2, V3)) :-
     fresh_id(t, S, T),
