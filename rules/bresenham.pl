@@ -5,10 +5,10 @@
 :- autoload(library(lists), [append/3]).
 /** <module> Bresenham's algorithm with a dot pattern, as a rule.
 
-What the kernel raster_dots/4 draws with a pen one dot wide; the kernel is held
-against this (tests/rules/bresenham.plt). Integers only. The paper changed the
-algorithm so that it draws solid and dotted lines alike, repeating a pattern:
-3 is three dots drawn, three not.
+What the kernel raster_dots/4 draws with a pen one dot wide; the kernel is
+held against this (tests/rules/bresenham.plt). Integers only. The paper
+changed the algorithm so that it draws solid and dotted lines alike, repeating
+a pattern: 3 is three dots drawn, three not.
 
 @see [PL] section 6.4, row PL-14
 */
@@ -55,9 +55,9 @@ dot_from(X0-Y0, B, Line, Error0, Dot) :-
 
 %!  chain_dots(+Points, +Pattern, -Dots) is det.
 %
-%   Dots are drawn for the chain through Points, in order. Pattern is a list of
-%   run lengths on, off, on, off, ...; `[]`: all. It runs on across joints, and
-%   the dot at a joint counts once.
+%   Dots are drawn for the chain through Points, in order. Pattern is a list
+%   of run lengths on, off, on, off, ...; `[]`: all. It runs on across joints,
+%   and the dot at a joint counts once.
 
 chain_dots(Points, Pattern, Dots) :-
     findall(Dot, chain_dot(Points, Dot), All),
@@ -72,8 +72,8 @@ chain_dot(Points, Dot) :-
     line_dot(A, B, Dot),
     Dot \== A.
 
-%   drawn(Dots, Runs, Pattern, Drawn): the first of Runs is on, and what is left
-%   of it.
+%   drawn(Dots, Runs, Pattern, Drawn): the first of Runs is on, and what is
+%   left of it.
 
 drawn([], _, _, []) :-
     !.

@@ -90,7 +90,8 @@ test(palette_too_short, error(domain_error(palette, [rgb(0,0,0)]))) :-
 test(interrupt, true(Time < 1)) :-
     findall(X-0, ( between(1, 4000, I), X is (I mod 2)*2000000-1000000 ), Ps),
     get_time(T0),
-    catch(call_with_time_limit(0.1, raster_dots(5, 5, [stroke(1,1,[],Ps)], _)),
+    catch(call_with_time_limit(0.1, raster_dots(5, 5, [stroke(1,1,[],Ps)],
+                                                _)),
           time_limit_exceeded, true),
     get_time(T1),
     Time is T1-T0.
