@@ -3,6 +3,7 @@
             penetrate/1,                % +Pairs
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
+:- use_module(decision, [decision/2]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3,
                 curve_candidate/3, cut_side/4, cut_enter/4, curve_enter/4,
@@ -53,8 +54,9 @@ do not. line/9 has every piece once, with its vertices in both segments.
 @see [PL] section 5; rows PL-7, PL-8 and PL-9 of papers/DIGEST.md
 */
 
+:- decision(may_cut/2, "Which segments cut each other (PL-8)").
 
-%   may_cut(+S1, +S2) is semidet: those that have not done so before.
+%   may_cut(+S1, +S2) is semidet, S1 < S2: those that have not done so before.
 
 may_cut(S1, S2) :-
     \+ line(_, S1, _, _, _, S2, _, _, _),
@@ -74,6 +76,8 @@ origin_segment(Origin, S) :-
     memberchk(Made, [lpi,ll]),
     member(S-_, Places).
 
+:- decision(merge_line/2,
+            "Which collinear pieces of a line become one (PL-9)").
 
 %   merge_line(+Piece1, +Piece2) is semidet: a piece is
 %   piece(S1, Polygon1, S2, Polygon2); the two meet in a vertex where no other

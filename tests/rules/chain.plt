@@ -2,10 +2,10 @@
 :- use_module(library(lists)).
 :- use_module(library(apply)).
 :- use_module(library(readutil)).
-:- use_module('../../rules/store').
-:- use_module('../../rules/chain').
-:- use_module('../../rules/lines_out').
-:- use_module('../../rules/model_file').
+:- use_module(rules(store)).
+:- use_module(rules(chain)).
+:- use_module(rules(lines_out)).
+:- use_module(rules(model_file)).
 
 /* Chains of lines, written by hand: only line/9 and v/5 matter here. */
 

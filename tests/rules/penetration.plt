@@ -3,11 +3,13 @@
 :- use_module(library(lists)).
 :- use_module(library(pairs)).
 :- use_module(library(random)).
-:- use_module('../../rules/store').
-:- use_module('../../rules/chain').
-:- use_module('../../rules/model_file').
-:- use_module('../../rules/penetration').
-:- use_module('../../rules/triangulation').
+:- use_module(rules(decision)).
+:- use_module(rules(store)).
+:- use_module(rules(chain)).
+:- use_module(rules(model_file)).
+:- use_module(rules(mesh)).
+:- use_module(rules(penetration)).
+:- use_module(rules(triangulation)).
 
 /* Penetration lines: closed forms, contacts of every kind, and what must hold
    of every model afterwards, on seeded random solids on a coarse grid, where
@@ -21,12 +23,24 @@
 penetrated(Primitives, Goal) :-
     new_world(World),
     in_world(World,
-             ( forall(member(Primitive, Primitives),
-                      add_primitive(Primitive, _)),
-               complete_segments,
-               penetrate,
-               Goal
-             )).
+             ( penetrated_here(Primitives), Goal )).
+
+penetrated_here(Primitives) :-
+    forall(member(Primitive, Primitives), add_primitive(Primitive, _)),
+    complete_segments,
+    penetrate.
+
+%   with_rules(+Text, :Goal): in a new world that follows the rules in Text.
+
+:- meta_predicate with_rules(+, 0).
+
+with_rules(Text, Goal) :-
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [extension(pl), encoding(utf8)]),
+        write(Out, Text), close(Out)),
+    new_world(World),
+    in_world(World, ( use_rules(File), Goal )),
+    delete_file(File).
 
 box(A, B, C, X, Y, Z, at([translate(X,Y,Z)], box(size(A,B,C)))).
 
@@ -271,6 +285,25 @@ test(again_changes_nothing, Before == After) :-
                  penetrate,
                  findall(x(L,A,C), line(L,_,_,A,C,_,_,_,_), After) )).
 
+% Decisions.
+test(nothing_is_merged, F-More == []-true) :-
+    box(1,1,1, 0.25,0,2, B),
+    with_rules("merge_line(_, _) :- fail.",
+               ( penetrated_here([box(size(2,2,2)), B]),
+                 aggregate_all(count, line(_,_,_,_,_,_,_,_,_), N),
+                 faults(F) )),
+    (   N > 4
+    ->  More = true
+    ;   More = N
+    ).
+test(these_do_not_cut, Pairs == [1-3,2-3]) :-
+    with_rules("may_cut(S1, S2) :- S1-S2 \\== 1-2.",
+               ( penetrated_here([rectangle(size(2,2)),
+                                  at([rotate(x,90)], rectangle(size(2,2))),
+                                  at([rotate(y,90)], rectangle(size(2,2)))]),
+                 findall(S1-S2, line(_,S1,_,_,_,S2,_,_,_), Pairs0) )),
+    sort(Pairs0, Pairs).
+
 % Curves (PL-7): a line through a cone is cut where it goes in and out.
 test(line_through_cone, N-Os-Ls == 3-2-0) :-
     penetrated([cone(radius(2), height(2), facets(4)),
@@ -353,3 +386,75 @@ random_solid(at([translate(X,Y,Z)|Turns], Shape)) :-
                   ]).
 
 :- end_tests(penetration).
+
+/* Meshes of others, where they are: they come out without error, with a line
+   where the files meet and no edge without an opposite. */
+
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
+user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
+
+shared(Folder) :-
+    atom_concat('../shared/data/', Folder, Path),
+    (   exists_directory(Path)
+    ->  true
+    ;   format("skipped: ~w is not there~n", [Path]),
+        fail
+    ).
+
+mesh_pair(Path, Second, First-Cut) :-
+    atomic_list_concat([Path, /, '*'], Pattern),
+    expand_file_name(Pattern, Files),
+    member(First, Files),
+    atomic_list_concat([Begin, End], 'src-mesh', First),
+    atomic_list_concat([Begin, Second, End], Cut).
+mesh_pair(Path, _, Left-Right) :-
+    atom_concat(Path, '/*_left.obj', Pattern),
+    expand_file_name(Pattern, Files),
+    member(Left, Files),
+    atom_concat(Begin, '_left.obj', Left),
+    atom_concat(Begin, '_right.obj', Right).
+
+meshes_fault(First-Second, Fault) :-
+    new_world(World),
+    in_world(World,
+             ( read_mesh(First, _),
+               read_mesh(Second, _),
+               complete_segments,
+               findall(F, mesh_fault(F), Faults0),
+               penetrate,
+               findall(F, mesh_fault(F), Faults)
+             )),
+    member(Fault, Faults),
+    \+ memberchk(Fault, Faults0).
+
+mesh_fault(Fault) :- edge_fault(Fault).
+mesh_fault(Fault) :- line_fault(Fault).
+mesh_fault(Fault) :- chain_fault(Fault).
+
+:- begin_tests(penetration_meshes).
+
+% 062 has triangles without area; their edges lie on one another.
+test(mcut, [condition(shared(mcut)), true(Bad == [])]) :-
+    findall(First-Fault,
+            ( mesh_pair('../shared/data/mcut', 'cut-mesh', First-Second),
+              \+ sub_atom(First, _, _, 0, '062.off'),
+              meshes_fault(First-Second, Fault) ),
+            Bad).
+test(mcut_meet, [condition(shared(mcut)), true(N >= 30)]) :-
+    aggregate_all(count,
+                  ( mesh_pair('../shared/data/mcut', 'cut-mesh', A-B),
+                    new_world(World),
+                    in_world(World,
+                             ( read_mesh(A, _), read_mesh(B, _),
+                               complete_segments, penetrate,
+                               once(line(_,_,_,_,_,_,_,_,_)) )) ),
+                  N).
+test(booleans, [condition(shared(booleans)), true(Bad == [])]) :-
+    findall(First-Fault,
+            ( mesh_pair('../shared/data/booleans', none, First-Second),
+              meshes_fault(First-Second, Fault) ),
+            Bad).
+
+:- end_tests(penetration_meshes).
