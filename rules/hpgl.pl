@@ -2,7 +2,9 @@
           [ write_hpgl/3                % +Out, +Sheet, +Strokes
           ]).
 :- use_module(dash, [stroke_dashes/2]).
-:- autoload(library(apply), [foldl/4]).
+:- use_module(travel, [short_travel/2]).
+:- autoload(library(apply), [foldl/4, include/3]).
+:- autoload(library(lists), [member/2]).
 /** <module> HPGL: strokes for pen plotters.
 
 Pen 1 draws visible lines, pen 2 hidden ones, pen 3 penetration lines. Dashes
@@ -13,21 +15,28 @@ left corner of the sheet.
 
 %!  write_hpgl(+Out, +Sheet, +Strokes) is det.
 %
-%   Write Strokes on Sheet (sheet.pl) to stream Out. Strokes follow one
-%   another pen by pen in their own order.
+%   Write Strokes on Sheet (sheet.pl) to stream Out, pen by pen, the pen's
+%   travel between them short (travel.pl).
 
 write_hpgl(Out, sheet(_,H,_), Strokes) :-
     format(Out, 'IN;~n', []),
-    foldl(plot(Out, H), Strokes, 0, _),
+    forall(member(Pen, [2,1,3]), plot_pen(Out, H, Strokes, Pen)),
     format(Out, 'PU;SP0;~n', []).
 
-plot(Out, H, Stroke, Pen0, Pen) :-
-    Stroke = stroke(Visibility, Role, S, [E|_], Points, _, _),
-    pen(Visibility, Role, Pen),
-    (   Pen == Pen0
+plot_pen(Out, H, Strokes, Pen) :-
+    include(stroke_pen(Pen), Strokes, Own),
+    (   Own == []
     ->  true
-    ;   format(Out, 'PU;SP~d;~n', [Pen])
-    ),
+    ;   format(Out, 'PU;SP~d;~n', [Pen]),
+        short_travel(Own, Ordered),
+        forall(member(Stroke, Ordered), plot(Out, H, Stroke))
+    ).
+
+stroke_pen(Pen, stroke(Visibility,Role,_,_,_,_,_)) :-
+    pen(Visibility, Role, Pen).
+
+plot(Out, H, Stroke) :-
+    Stroke = stroke(Visibility, Role, S, [E|_], Points, _, _),
     format(Out, 'CO "s~de~d ~w ~w";~n', [S, E, Visibility, Role]),
     (   Visibility == hidden
     ->  stroke_dashes(Stroke, Dashes)
