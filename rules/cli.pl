@@ -50,6 +50,8 @@ vanish, then the program ends.
 main(Status) :-
     current_prolog_flag(os_argv, Words),
     own_arguments(Words, Arguments),
+    set_stream(user_output, encoding(utf8)),
+    set_stream(user_error, encoding(utf8)),
     setup_call_cleanup(
         interrupts_raise(Old),
         sanggwan(Arguments, Status0),

@@ -1,0 +1,64 @@
+#!/bin/bash
+# bad_output.sh -- missing folders, full disks, interrupted runs.
+. "$(dirname "$0")/harness.bash"
+cd "$here" || exit 2
+mkdir "$work/to"
+
+run draw facts/cube.pl -o "$work/none/a.svg"
+check 'no folder' status_is 2
+check 'no folder: message' has "there is no folder $work/none"
+check 'no folder: not made' absent "$work/none"
+run convert facts/cube.pl -o "$work/to"/a.pl/b.pl
+check 'folder below nothing' status_is 2
+
+# An output that fails leaves the old file as it was.
+echo old >"$work/to/a.svg"
+run draw facts/no_such.pl -o "$work/to/a.svg"
+check 'old file stays' is "$(cat "$work/to/a.svg")" old
+check 'nothing beside it' holds "$work/to" a.svg
+
+"$sanggwan" convert facts/cube.pl -o - >/dev/full 2>"$work/err"
+status=$?
+check 'full standard output' status_is 2
+check 'full standard output: message' has 'No space left'
+
+# A full disk: a tiny one, where the machine lets us mount it.
+if mkdir "$work/disk" && mount -t tmpfs -o size=4k none "$work/disk" \
+  2>/dev/null; then
+  run draw facts/figures/fig13.pl -o "$work/disk/a.svg"
+  check 'full disk' status_is 2
+  check 'full disk: message' has 'a.svg'
+  check 'full disk: nothing left' holds "$work/disk"
+  umount "$work/disk"
+else
+  skip 'no right to mount a small disk'
+fi
+
+# Interrupted in a goal, in a load.
+interrupted() {
+  local name=$1
+  shift
+  "$sanggwan" "$@" >"$work/out" 2>"$work/err" &
+  local pid=$!
+  sleep 0.7
+  kill -INT $pid 2>/dev/null
+  wait $pid
+  status=$?
+  check "$name: exit code" status_is 130
+  check "$name: message" has 'interrupted'
+}
+set -m # else a background job ignores SIGINT
+interrupted 'interrupted query' query facts/cube.pl 'repeat, fail'
+if [ "$passed" -gt 0 ]; then
+  awk 'BEGIN { for (i = 1; i <= 700000; i++)
+                 printf "v(1,%d,%d,0.5,0.25).\n", i, i }' >"$work/big.pl"
+  interrupted 'interrupted load' convert "$work/big.pl" -o "$work/to/b.pl"
+  check 'interrupted load: nothing left' holds "$work/to" a.svg
+fi
+
+# Nothing runs over two seconds silently; -q is silent.
+"$sanggwan" query facts/cube.pl 'sleep(2.4)' >"$work/out" 2>"$work/err"
+check 'progress' has '2 s'
+"$sanggwan" query -q facts/cube.pl 'sleep(2.4)' >"$work/out" 2>"$work/err"
+check 'no progress' silent err
+finish

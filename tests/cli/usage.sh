@@ -1,0 +1,130 @@
+#!/bin/bash
+# usage.sh -- help, options, exit codes, where text goes.
+. "$(dirname "$0")/harness.bash"
+cd "$here" || exit 2
+
+run --version
+check version status_is 0
+check version-text has 'sanggwan ' "$work/out"
+check version-quiet silent err
+run --help
+check help status_is 0
+check help-verbs has 'penetrate' "$work/out"
+check help-codes has '130 interrupted' "$work/out"
+for verb in check convert penetrate draw query repl; do
+  run $verb --help
+  check "help $verb" status_is 0
+  check "help $verb has an example" has "  sanggwan $verb " "$work/out"
+  run help $verb
+  check "help verb $verb" has "  sanggwan $verb " "$work/out"
+done
+run draw -h
+check short-help status_is 0
+run --lang ko --help
+check korean-help has '사용법' "$work/out"
+run draw --help --lang=ko
+check korean-verb-help has '은선' "$work/out"
+LANG=ko_KR.UTF-8 run draw
+check korean-message has '없습니다'
+
+run
+check no-verb status_is 2
+check no-verb-message has 'what should be done'
+check no-verb-stdout silent out
+run fly
+check unknown-verb status_is 2
+check unknown-verb-message has 'there is no verb fly'
+run draw
+check no-model status_is 2
+check no-model-message has 'MODEL is missing'
+run draw facts/cube.pl
+check no-output status_is 2
+check no-output-message has '-o FILE'
+run draw facts/cube.pl --colour
+check unknown-option status_is 2
+check unknown-option-message has 'unknown option --colour'
+run draw facts/cube.pl -x
+check unknown-letter has 'unknown option -x'
+run draw facts/cube.pl -o
+check needs-value has 'option -o needs a value'
+run draw facts/cube.pl --size
+check needs-value-long has 'option --size needs a value'
+run draw facts/cube.pl --timings=yes -o "$work/a.svg"
+check no-value has 'option --timings takes no value'
+run draw facts/cube.pl --size 1x1 --size 2x2 -o "$work/a.svg"
+check option-twice has 'option --size is given twice'
+run draw facts/cube.pl --hidden dotted -o "$work/a.svg"
+check one-of status_is 2
+check one-of-message has 'dashed, removed, shown'
+run draw facts/cube.pl --size big -o "$work/a.svg"
+check bad-size has '--size: big should look like WxH'
+run draw facts/cube.pl --size 0x10 -o "$work/a.svg"
+check zero-size status_is 2
+run draw facts/cube.pl --view above -o "$work/a.svg"
+check bad-view has '--view: above should look like'
+run draw facts/cube.pl --segment one -o "$work/a.svg"
+check bad-segment status_is 2
+run draw facts/cube.pl --segment 7 -o "$work/a.svg"
+check no-such-segment has 'there is no segment 7, only 1'
+run draw facts/cube.pl -o "$work/a.doc"
+check ending status_is 2
+check ending-message has 'a.doc: the ending decides the format'
+run query facts/cube.pl --limit 0 'v(_,_,_,_,_)'
+check limit status_is 2
+run query facts/cube.pl 'v(1,'
+check bad-goal status_is 2
+check bad-goal-message has 'this is no goal'
+check nothing-written holds "$work" out err
+
+run draw facts/cube.pl -o"$work/a.svg" -q
+check attached-value status_is 0
+check quiet silent err
+run draw --view=30,60 -qo "$work/b.svg" -- facts/cube.pl
+check letters-together test -s "$work/b.svg"
+run draw --view=-30,60 -q -o "$work/b.svg" facts/cube.pl
+check negative-angle status_is 0
+run draw facts/cube.pl -o "$work/a.svg" -o "$work/a.png" -o "$work/a.json"
+check three-outputs test -s "$work/a.png" -a -s "$work/a.json"
+check said-so has "wrote $work/a.png"
+
+run query facts/cube.pl 'v(1, V, X, 0.0, 0.0)'
+check query status_is 0
+check table is "$out" 'V    X
+1  0.0
+2  1.0'
+run query facts/cube.pl --format csv 'v(1, V, X, 0.0, 0.0)'
+check csv is "$out" 'V,X
+1,0.0
+2,1.0'
+run query facts/cube.pl --json 'v(1, V, _X, 0.0, 0.0)' --limit=1
+check json is "$out" '[
+   {"V":1}
+]'
+run query facts/cube.pl --format prolog 'p(1, 3, Es)'
+check prolog is "$out" 'p(1, 3, [9, 10, 11, 12]).'
+run query facts/cube.pl 'v(2, _, _, _, _)'
+check no-answer status_is 1
+check no-answer-stdout silent out
+run query facts/cube.pl 'v(1, _, _, _, _)'
+check ground-answer is "$out" yes
+run query facts/cube.pl 'no_such_thing(1)'
+check unknown-predicate status_is 2
+check unknown-predicate-message has 'no_such_thing/1'
+
+run query facts/cube.pl 'v(1,1,_,_,_)' --timings
+check timings-json is "$(sed 's/[0-9.]\{1,\}/0/g' "$work/err")" \
+  '{"load":0, "tree":0, "join":0, "rules":0, "write":0, "total":0}'
+run query facts/cube.pl 'v(1,1,_,_,_)' --stats
+check stats has '"rows":8'
+
+"$sanggwan" query - 'v(1, V, _, _, _)' --format csv --limit 1 \
+  <facts/cube.pl >"$work/out" 2>"$work/err"
+check stdin is "$(cat "$work/out")" 'V
+1'
+"$sanggwan" convert - -o - <facts/cube.pl >"$work/out" 2>"$work/err"
+check stdout has 'p(1, 6, [4, 1, 5, 8]).' "$work/out"
+"$sanggwan" query facts/cube.pl 'repeat' --format prolog 2>"$work/err" |
+  head -n 1 >"$work/out"
+check closed-pipe is "${PIPESTATUS[0]}" 141
+check closed-pipe-quiet silent err
+finish
