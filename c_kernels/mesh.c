@@ -19,6 +19,7 @@ const char *const sg_mesh_code_name[SG_MESH_CODES] = {
     [SG_MESH_EXPECTED] = "expected",
     [SG_MESH_BAD_NUMBER] = "bad_number",
     [SG_MESH_NOT_FINITE] = "not_finite",
+    [SG_MESH_TOO_FAR] = "too_far",
     [SG_MESH_BAD_INDEX] = "bad_index",
     [SG_MESH_BAD_COUNT] = "bad_count",
     [SG_MESH_TRUNCATED] = "truncated",

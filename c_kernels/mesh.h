@@ -50,6 +50,7 @@ typedef enum sg_mesh_code {
   SG_MESH_EXPECTED,       /* wanted, text ("" at the end of the file) */
   SG_MESH_BAD_NUMBER,     /* text */
   SG_MESH_NOT_FINITE,     /* text */
+  SG_MESH_TOO_FAR,        /* text: beyond SG_MESH_FARTHEST */
   SG_MESH_BAD_INDEX,      /* got; allowed are 1 or 0 .. limit, see wanted */
   SG_MESH_BAD_COUNT,      /* text; wanted says of what */
   SG_MESH_TRUNCATED,      /* wanted: what was promised; got bytes or items are
@@ -65,6 +66,9 @@ typedef enum sg_mesh_code {
 extern const char *const sg_mesh_code_name[SG_MESH_CODES];
 
 enum { SG_MESH_TEXT = 48 };
+
+/* No coordinate is greater: products of three still fit a double. */
+#define SG_MESH_FARTHEST 1e90
 
 typedef struct sg_mesh_error {
   sg_mesh_code code;

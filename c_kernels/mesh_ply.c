@@ -7,6 +7,7 @@
 #include "mesh_private.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { MAX_ELEMENTS = 64, MAX_PROPERTIES = 256, MAX_TYPE = 8 };
@@ -393,6 +394,11 @@ read_coordinate(sg_ply *ply, sg_ply_type type, double *out)
   if (!isfinite(*out)) {
     fail_at(ply, SG_MESH_NOT_FINITE, &w, NULL, 0, 0);
     strcpy(ply->r->error->text, isnan(*out) ? "nan" : *out < 0 ? "-inf" : "inf");
+    return false;
+  }
+  if (fabs(*out) > SG_MESH_FARTHEST) {
+    fail_at(ply, SG_MESH_TOO_FAR, &w, NULL, 0, 0);
+    snprintf(ply->r->error->text, SG_MESH_TEXT, "%.6g", *out);
     return false;
   }
   if (type == PLY_FLOAT32 && ply->coding != PLY_TEXT) {

@@ -2,6 +2,7 @@
 #include "mesh_private.h"
 #include "number.h"
 
+#include <math.h>
 #include <string.h>
 #include <strings.h>
 
@@ -243,6 +244,9 @@ sg_mesh_coordinate(sg_mesh_reader *r, const sg_word *w, double *out)
     return sg_mesh_fail(r, SG_MESH_BAD_NUMBER, w, NULL);
   case SG_NUMBER_NOT_FINITE:
     return sg_mesh_fail(r, SG_MESH_NOT_FINITE, w, NULL);
+  }
+  if (fabs(*out) > SG_MESH_FARTHEST) {
+    return sg_mesh_fail(r, SG_MESH_TOO_FAR, w, NULL);
   }
   if (digits > r->digits) {
     r->digits = digits;

@@ -30,6 +30,7 @@ binary data error(model_error(mesh(Fault, Byte)), location(File, 0, 0)):
 
     empty_file  no_faces  unknown_format  unsupported(Text)
     expected(Wanted, Text)  bad_number(Text)  not_finite(Text)
+    too_far(Text)
     bad_index(Index, Lowest, Highest)  bad_count(What, Text)
     truncated(What, Present, Needed)  short_face(Corners)  too_large
     no_property(Property, Element)
@@ -153,6 +154,7 @@ fault_term(unsupported, Text, _, _, _, unsupported(Text)) :- !.
 fault_term(expected, Text, Wanted, _, _, expected(Wanted, Text)) :- !.
 fault_term(bad_number, Text, _, _, _, bad_number(Text)) :- !.
 fault_term(not_finite, Text, _, _, _, not_finite(Text)) :- !.
+fault_term(too_far, Text, _, _, _, too_far(Text)) :- !.
 fault_term(bad_index, _, Wanted, Got, Limit, bad_index(Got, Lowest, Limit)) :-
     !,
     atom_number(Wanted, Lowest).

@@ -372,6 +372,9 @@ mesh_en(bad_number(Text)) -->
 mesh_en(not_finite(Text)) -->
     [ 'a coordinate is ~w; it must be a finite number'-[Text], nl,
       '  Repair the model in the program that made it.' ].
+mesh_en(too_far(Text)) -->
+    [ 'the coordinate ~w is beyond 1.0e90'-[Text], nl,
+      '  Choose other units: nothing can be computed at this size.' ].
 mesh_en(bad_index(Index, Lowest, Highest)) -->
     { Lowest =< Highest },
     [ 'there is no vertex ~d; there are ~d to ~d'-[Index, Lowest, Highest], nl,

@@ -350,6 +350,9 @@ mesh_ko(bad_number(Text)) -->
 mesh_ko(not_finite(Text)) -->
     [ '좌표가 ~w 입니다. 유한한 수여야 합니다'-[Text], nl,
       '  모델을 만든 프로그램에서 고치십시오.' ].
+mesh_ko(too_far(Text)) -->
+    [ '좌표 ~w 이(가) 1.0e90 을 넘습니다'-[Text], nl,
+      '  다른 단위를 쓰십시오. 이 크기로는 계산할 수 없습니다.' ].
 mesh_ko(bad_index(Index, Lowest, Highest)) -->
     { Lowest =< Highest },
     [ '꼭지점 ~d 은(는) 없습니다. 있는 것은 ~d 부터 ~d 까지입니다'-

@@ -3,14 +3,13 @@
             progress/2                  % +Done, +Total
           ]).
 :- use_module(stage, [current_stage/1]).
-:- use_module(library(time), [alarm/4, remove_alarm/1]).
 /** <module> Progress: nothing runs over two seconds silently.
 
-While a goal runs under with_progress/1, an alarm looks at the open stage
-(stage.pl) after two seconds and prints where the work is: on a terminal one
-line that is written over twice a second, elsewhere plain lines at 2, 4, 8, ...
-seconds. Rules that know how far they are call progress/2; then the time left is
-shown too. Long kernels poll, so the alarm fires in them as well.
+While a goal runs under with_progress/1, a second thread makes it look at the
+open stage (stage.pl) after two seconds and print where the work is: on a
+terminal one line that is written over twice a second, elsewhere plain lines at
+2, 4, 8, ... seconds. Rules that know how far they are call progress/2; then the
+time left is shown too. Long kernels poll for signals, so they are seen too.
 */
 
 :- meta_predicate with_progress(0).
@@ -20,14 +19,19 @@ shown too. Long kernels poll, so the alarm fires in them as well.
 %   Call Goal once and show its progress on standard error.
 
 with_progress(Goal) :-
-    get_time(Start),
+    current_prolog_flag(threads, true),
+    !,
     nb_setval(sg_progress, none),
+    thread_self(Self),
     setup_call_cleanup(
-        armed(2.0, Start),
+        thread_create(watch(Self), Watcher),
         once(Goal),
-        ( disarmed,
+        ( thread_send_message(Watcher, done),
+          thread_join(Watcher),
           line_cleared
         )).
+with_progress(Goal) :-
+    once(Goal).
 
 %!  progress(+Done, +Total) is det.
 %
@@ -36,37 +40,45 @@ with_progress(Goal) :-
 progress(Done, Total) :-
     nb_setval(sg_progress, Done/Total).
 
-armed(Seconds, Start) :-
-    alarm(Seconds, sg_progress:look(Start), Alarm, [remove(false)]),
-    nb_setval(sg_progress_alarm, Alarm).
+%   watch(Worker): the thread that wakes the worker up; it ends at the message
+%   `done`. (library(time) would do, but its alarms can hang the program's end.)
 
-disarmed :-
-    nb_getval(sg_progress_alarm, Alarm),
-    catch(remove_alarm(Alarm), error(_, _), true).
+watch(Worker) :-
+    get_time(Start),
+    thread_self(Self),
+    watch(Self, Worker, Start, 2.0).
 
-%   look(Start): runs in the alarm. The next look is half a second later on a
-%   terminal, and as far away as the start elsewhere.
+watch(Self, Worker, Start, Pause) :-
+    (   thread_get_message(Self, done, [timeout(Pause)])
+    ->  true
+    ;   get_time(Now),
+        Seconds is Now-Start,
+        catch(thread_signal(Worker, sg_progress:look(Seconds)), error(_, _),
+              true),
+        (   stream_property(user_error, tty(true))
+        ->  Pause1 = 0.5
+        ;   Pause1 = Seconds
+        ),
+        watch(Self, Worker, Start, Pause1)
+    ).
+
+%   look(Seconds): runs in the worker, between two of its steps.
 
 :- public look/1.
 
-look(Start) :-
-    get_time(Now),
-    Seconds is Now-Start,
+look(Seconds) :-
     (   current_stage(Stage)
     ->  true
     ;   Stage = run
     ),
     nb_getval(sg_progress, Part),
     notice(Part, Stage, Seconds, Notice),
-    disarmed,
     (   stream_property(user_error, tty(true))
     ->  message_line(Notice, Line),
         format(user_error, '\r~w\e[K', [Line]),
         flush_output(user_error),
-        nb_setval(sg_progress_line, true),
-        armed(0.5, Start)
-    ;   print_message(informational, Notice),
-        armed(Seconds, Start)
+        nb_setval(sg_progress_line, true)
+    ;   print_message(informational, Notice)
     ).
 
 notice(none, Stage, Seconds, sanggwan(progress(Stage, Seconds))).
