@@ -4,12 +4,7 @@
             sanggwan/2                  % +Arguments, -Status
           ]).
 :- use_module(arguments, [parsed_arguments/4]).
-:- if(( prolog_load_context(directory, D), atom_concat(D, '/decision.pl', F),
-        exists_file(F) )).
 :- use_module(decision, [use_rules/1]).
-:- else.        % until decision.pl is there
-use_rules(_) :- throw(error(existence_error(module, decision), _)).
-:- endif.
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
 :- use_module(progress, [with_progress/1]).

@@ -25,12 +25,7 @@
               [ v/5, e/5, p/3, plane/6, t/6, edge_polygon/3,
                 facts_transaction/1
               ]).
-:- if(( prolog_load_context(directory, D), atom_concat(D, '/triangulation.pl', F),
-        exists_file(F) )).
 :- use_module(triangulation, [complete_segments/0]).
-:- else.        % until triangulation.pl is there
-complete_segments.
-:- endif.
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(error), [must_be/2]).
 :- autoload(library(lists), [append/3, member/2, selectchk/3]).

@@ -11,19 +11,9 @@ report_faults(_, 0).
 :- endif.
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(hidden_lines, [picture/1]).
-:- if(( prolog_load_context(directory, D), atom_concat(D, '/lines_out.pl', F),
-        exists_file(F) )).
 :- use_module(lines_out, [write_lines/1]).
-:- else.        % until lines_out.pl is there
-write_lines(_) :- throw(error(existence_error(module, lines_out), _)).
-:- endif.
 :- use_module(model, [load_model/2, save_model/2]).
-:- if(( prolog_load_context(directory, D), atom_concat(D, '/penetration.pl', F),
-        exists_file(F) )).
 :- use_module(penetration, [penetrate/0]).
-:- else.        % until penetration.pl is there
-penetrate.
-:- endif.
 :- use_module(query, [query/2, read_goal/3]).
 :- if(( prolog_load_context(directory, D), atom_concat(D, '/repl.pl', F),
         exists_file(F) )).

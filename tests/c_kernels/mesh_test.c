@@ -475,12 +475,12 @@ test_round(void)
   sg_mesh_sink no = {refuse_bytes, NULL};
 
   reads(SG_MESH_OBJ, "v 0.1 0.30000000000000004 1e-20\nv 1 0 0\n"
-                     "v 1 1 -0.3333333333333333\nv 0 1 1e300\nv 7 7 7\n"
+                     "v 1 1 -0.3333333333333333\nv 0 1 1e89\nv 7 7 7\n"
                      "o first one\nf 1 2 3 4\no second\nf 1 3 2\nl 4 5 1\n");
   CHECK("obj", goes_round(SG_MESH_OBJ, SG_MESH_OBJ));
   CHECK("names", mesh.segments == 2 && !strcmp(mesh.name[0], "first one"));
   reads(SG_MESH_OBJ, "v 0.1 0.30000000000000004 1e-20\nv 1 0 0\n"
-                     "v 1 1 -0.3333333333333333\nv 0 1 1e300\nv 7 7 7\n"
+                     "v 1 1 -0.3333333333333333\nv 0 1 1e89\nv 7 7 7\n"
                      "f 1 2 3 4\nf 1 3 2\nl 4 5\n");
   CHECK("off", goes_round(SG_MESH_OFF, SG_MESH_OFF));
   CHECK("ply", goes_round(SG_MESH_PLY, SG_MESH_PLY));
