@@ -20,7 +20,10 @@ prolog:message(ko, Term) -->
 %
 %   The message for Term in Korean.
 
-korean(error(model_error(What), location(File, Line, Column))) -->
+korean(error(model_error(What), Context)) -->
+    { nonvar(Context),
+      Context = location(File, Line, Column)
+    },
     place(File, Line, Column),
     fault_ko(What).
 korean(error(model_error(What), Context)) -->
@@ -450,3 +453,30 @@ fault_ko(rules(Formal)) -->
 notice_ko(decision(Name/Arity, Doc, By)) -->
     [ '~q/~d: ~w'-[Name, Arity, Doc], nl,
       '    정의한 곳: ~w'-[By] ].
+
+
+                /*******************************
+                *         triangulation        *
+                *******************************/
+
+fault_ko(no_third_vertex(V1, V2)) -->
+    [ '꼭지점 ~d 에서 ~d 로 가는 모서리에 셋째 꼭지점이 없습니다'-[V1, V2], nl,
+      '  다각형이 그곳에서 스스로 엇갈리거나 겹칩니다.' ].
+fault_ko(polygon_edge(S, P, V1, V2)) -->
+    invalid_polygon_ko(S, P, V1, V2).
+
+notice_ko(polygon_edge(S, P, V1, V2)) -->
+    invalid_polygon_ko(S, P, V1, V2),
+    [ nl, '  빼고 계속합니다.' ].
+notice_ko(no_area(S, Count, P)) -->
+    [ '세그먼트 ~d 의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
+      [S, Count, P], nl,
+      '  빼고 계속합니다.' ].
+notice_ko(not_flat(S, Count, P, Off)) -->
+    [ '세그먼트 ~d 의 다각형 ~D개는 평평하지 않습니다 (가장 심한 ~d: ~4g)'-
+      [S, Count, P, Off], nl,
+      '  삼각형으로 나누어 씁니다.' ].
+
+invalid_polygon_ko(S, P, V1, V2) -->
+    [ '세그먼트 ~d 의 다각형 ~d 은(는) 꼭지점 ~d 와 ~d 사이에서 스스로 \c
+       엇갈리거나 겹칩니다'-[S, P, V1, V2] ].
