@@ -61,9 +61,8 @@ join(sg_box *box, const sg_box *other)
 static bool
 overlap(const sg_box *a, const sg_box *b)
 {
-  return a->lo[0] <= b->hi[0] && b->lo[0] <= a->hi[0] &&
-         a->lo[1] <= b->hi[1] && b->lo[1] <= a->hi[1] &&
-         a->lo[2] <= b->hi[2] && b->lo[2] <= a->hi[2];
+  return a->lo[0] <= b->hi[0] && b->lo[0] <= a->hi[0] && a->lo[1] <= b->hi[1] &&
+         b->lo[1] <= a->hi[1] && a->lo[2] <= b->hi[2] && b->lo[2] <= a->hi[2];
 }
 
 /* The low 21 bits of x, two zeros between each two. */

@@ -40,7 +40,7 @@ void sg_bvh_close(sg_bvh *tree);
 sg_box sg_bvh_box(const sg_bvh *tree);
 
 enum {
-  SG_BVH_GROUP = 4, /* boxes in a leaf */
+  SG_BVH_GROUP = 4,  /* boxes in a leaf */
   SG_BVH_STACK = 128 /* deeper than any tree of 2^32 boxes needs */
 };
 
@@ -48,7 +48,7 @@ enum {
  * then each pair comes twice). Holds no memory of its own. */
 typedef struct sg_bvh_pairs {
   const sg_bvh *a, *b;
-  unsigned depth;                   /* of the stack of node pairs */
+  unsigned depth; /* of the stack of node pairs */
   uint32_t stack[SG_BVH_STACK][2];
   uint32_t i, j, i_end, j_begin, j_end; /* the leaf pair in hand */
 } sg_bvh_pairs;

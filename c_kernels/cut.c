@@ -2,7 +2,6 @@
 
 #include "exact.h"
 
-
 /* A mark on the line L that two planes share: a feature of one triangle, and
  * a stretch lo-hi of that triangle's plane that passes through L there, from
  * below (or on) the other plane to above (or on) it. Two such stretches tell
@@ -15,7 +14,8 @@ typedef struct mark {
 /* What of L lies in one triangle. */
 typedef struct interval {
   mark start, end;
-  sg_feature inside; /* of the points between: an edge that lies in L, or FACE */
+  sg_feature
+      inside; /* of the points between: an edge that lies in L, or FACE */
 } interval;
 
 static int
@@ -218,8 +218,7 @@ meet(const interval *a, const interval *b, sg_cut *out)
 
   out->end[0] = (sg_cut_end){
       {starts >= 0 ? a->start.f : seen(a, order(&a->end, &b->start), &a->end),
-       starts <= 0 ? b->start.f
-                   : seen(b, order(&a->start, &b->end), &b->end)}};
+       starts <= 0 ? b->start.f : seen(b, order(&a->start, &b->end), &b->end)}};
   out->end[1] = (sg_cut_end){
       {ends <= 0 ? a->end.f : seen(a, order(&a->start, &b->end), &a->start),
        ends >= 0 ? b->end.f : seen(b, order(&a->end, &b->start), &b->start)}};
@@ -299,9 +298,8 @@ typedef struct meeting {
 
 /* The corners and edges of b that the open segment u-w meets: 0, 1 or 2. */
 static int
-meetings(int axis, const double u[3], const double w[3],
-         const double b[3][3], const int su[3], const int sw[3],
-         meeting out[2])
+meetings(int axis, const double u[3], const double w[3], const double b[3][3],
+         const int su[3], const int sw[3], meeting out[2])
 {
   int n = 0, o[3];
 
@@ -403,8 +401,8 @@ clip_edges(int axis, const double a[3][3], const double b[3][3], bool swap,
 }
 
 static sg_cut_kind
-cut_coplanar(const double a[3][3], const double b[3][3],
-             sg_cut out[SG_CUT_MAX], int *n)
+cut_coplanar(const double a[3][3], const double b[3][3], sg_cut out[SG_CUT_MAX],
+             int *n)
 {
   int axis = sg_cut_axis(a);
   sg_cut point;

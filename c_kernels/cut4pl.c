@@ -144,13 +144,11 @@ use_triangle(sg_cut_handle *handle, const sg_view *view, size_t page,
 
 /* An edge of a segment that has no triangles belongs to a curve. */
 static int
-use_edge(sg_cut_handle *handle, const sg_view *view, size_t page,
-         unsigned row)
+use_edge(sg_cut_handle *handle, const sg_view *view, size_t page, unsigned row)
 {
   int32_t s = cell(view, 0, page, row);
   int32_t v[2] = {cell(view, 2, page, row), cell(view, 3, page, row)};
-  const sg_leaf_segment *segment =
-      sg_cut_model_segment(&handle->set.model, s);
+  const sg_leaf_segment *segment = sg_cut_model_segment(&handle->set.model, s);
   bool known;
 
   if (segment && !segment->curve) {
@@ -474,8 +472,7 @@ cut_triangle(term_t set, term_t t, term_t s, term_t p, term_t id)
   uint32_t number = 0;
 
   if (!sg_get_cut_set_ex(set, &handle) ||
-      !get_number_ex(t, handle->set.model.triangles, "cut_triangle",
-                     &number)) {
+      !get_number_ex(t, handle->set.model.triangles, "cut_triangle", &number)) {
     return FALSE;
   }
   const sg_leaf_triangle *leaf = &handle->set.model.triangle[number];
@@ -537,8 +534,8 @@ cut_ends(term_t set, term_t t1, term_t t2, term_t cuts)
 
   sg_cut_model_corners(model, t[0], a);
   sg_cut_model_corners(model, t[1], b);
-  sg_cut_kind kind = sg_cut_triangles((const double(*)[3])a,
-                                      (const double(*)[3])b, cut, &n);
+  sg_cut_kind kind =
+      sg_cut_triangles((const double(*)[3])a, (const double(*)[3])b, cut, &n);
 
   for (int i = 0; i < n; i++) {
     PL_put_variable(end);

@@ -18,8 +18,8 @@ typedef struct sg_cut_handle {
   const sg_version *version; /* held */
   int32_t (*pair)[2];        /* segments to be cut by each other */
   size_t pairs;
-  sg_key_table next_name;    /* segment -> next id of v/5 */
-  sg_key_table line_of;      /* segment, two points -> line */
+  sg_key_table next_name; /* segment -> next id of v/5 */
+  sg_key_table line_of;   /* segment, two points -> line */
   bool closed;
 } sg_cut_handle;
 

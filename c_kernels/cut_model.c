@@ -155,8 +155,8 @@ sg_cut_model_triangle(sg_cut_model *model, int32_t s, int32_t p, int32_t t,
 }
 
 bool
-sg_cut_model_edge(sg_cut_model *model, int32_t s, int32_t e,
-                  const int32_t v[2], bool *known)
+sg_cut_model_edge(sg_cut_model *model, int32_t s, int32_t e, const int32_t v[2],
+                  bool *known)
 {
   sg_leaf_edge edge = {s, e, {0, 0}};
 
@@ -187,8 +187,7 @@ box_of(const sg_cut_model *model, const uint32_t *v, int n)
 }
 
 static bool
-plant(const sg_cut_model *model, sg_leaf_segment *segment,
-      const sg_poll *poll)
+plant(const sg_cut_model *model, sg_leaf_segment *segment, const sg_poll *poll)
 {
   sg_box *box = malloc((segment->n + 1) * sizeof *box);
 

@@ -54,8 +54,8 @@ void sg_cut_model_clear(sg_cut_model *model);
  * triangle or edge with an unknown corner is refused by *known = false. */
 bool sg_cut_model_vertex(sg_cut_model *model, int32_t s, int32_t v,
                          const double at[3]);
-bool sg_cut_model_triangle(sg_cut_model *model, int32_t s, int32_t p,
-                           int32_t t, const int32_t v[3], bool *known);
+bool sg_cut_model_triangle(sg_cut_model *model, int32_t s, int32_t p, int32_t t,
+                           const int32_t v[3], bool *known);
 bool sg_cut_model_edge(sg_cut_model *model, int32_t s, int32_t e,
                        const int32_t v[2], bool *known);
 
@@ -80,8 +80,7 @@ typedef struct sg_candidate_pairs {
   sg_bvh_pairs pairs;
 } sg_candidate_pairs;
 
-void sg_candidate_pairs_init(sg_candidate_pairs *walk,
-                             const sg_leaf_segment *a,
+void sg_candidate_pairs_init(sg_candidate_pairs *walk, const sg_leaf_segment *a,
                              const sg_leaf_segment *b);
 bool sg_candidate_pairs_next(sg_candidate_pairs *walk, uint32_t *a,
                              uint32_t *b);

@@ -108,9 +108,8 @@ seat_all(sg_cut_points *points, uint32_t point, const sg_made *made)
   for (int i = 0; i < made->n; i++) {
     const sg_place *place = &made->place[i];
     int32_t s = sg_place_segment(points->model, place);
-    int32_t v = place->kind == SG_AT_VERTEX
-                    ? points->model->vertex[place->a].v
-                    : 0;
+    int32_t v =
+        place->kind == SG_AT_VERTEX ? points->model->vertex[place->a].v : 0;
 
     if (!seat_at(points, point, place) &&
         !take_seat(points, point, s, *place, v)) {
@@ -176,8 +175,7 @@ plane_of(const sg_cut_model *model, uint32_t triangle)
   plane out;
 
   for (int i = 0; i < 3; i++) {
-    sg_point_set(&out.p[i],
-                 position(model, model->triangle[triangle].v[i]));
+    sg_point_set(&out.p[i], position(model, model->triangle[triangle].v[i]));
   }
   return out;
 }
@@ -195,8 +193,8 @@ edge_meets_face(const sg_cut_model *model, const sg_place *edge,
 }
 
 static bool
-edge_meets_edge(const sg_cut_model *model, const sg_place *e,
-                const sg_place *f, sg_point *out)
+edge_meets_edge(const sg_cut_model *model, const sg_place *e, const sg_place *f,
+                sg_point *out)
 {
   sg_point a, b, c, d;
 
@@ -304,8 +302,7 @@ new_point(sg_cut_points *points, const sg_point *at, const sg_made *made,
 }
 
 uint32_t
-sg_cut_points_at(sg_cut_points *points, const sg_point *at,
-                 const sg_made *made)
+sg_cut_points_at(sg_cut_points *points, const sg_point *at, const sg_made *made)
 {
   uint32_t key[6];
   double p[3] = {at->p[0] + 0.0, at->p[1] + 0.0, at->p[2] + 0.0};
@@ -316,8 +313,7 @@ sg_cut_points_at(sg_cut_points *points, const sg_point *at,
   if (!bucket) {
     return SG_NO_KEY;
   }
-  for (uint32_t i = *bucket; i != SG_NO_KEY;
-       i = points->point[i].same_place) {
+  for (uint32_t i = *bucket; i != SG_NO_KEY; i = points->point[i].same_place) {
     if (sg_point_equal(&points->point[i].at, at) && may_be(points, i, made)) {
       return seat_all(points, i, made) ? i : SG_NO_KEY;
     }

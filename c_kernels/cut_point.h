@@ -36,8 +36,8 @@ typedef struct sg_made {
 /* That a point belongs to segment s. */
 typedef struct sg_seat {
   int32_t s;
-  int32_t v;     /* its name there, 0: none yet */
-  bool edge;     /* it is on a real edge there, and splits it */
+  int32_t v; /* its name there, 0: none yet */
+  bool edge; /* it is on a real edge there, and splits it */
   sg_place place;
   uint32_t next; /* seat of the same point, SG_NO_KEY: no more */
 } sg_seat;
@@ -84,8 +84,7 @@ int32_t sg_cut_points_name(const sg_cut_points *points, uint32_t point,
 bool sg_cut_points_set_name(sg_cut_points *points, uint32_t point, int32_t s,
                             int32_t v);
 /* The point of this name, SG_NO_KEY: none. */
-uint32_t sg_cut_points_named(const sg_cut_points *points, int32_t s,
-                             int32_t v);
+uint32_t sg_cut_points_named(const sg_cut_points *points, int32_t s, int32_t v);
 
 /* Notes that `point` splits the real edge `place`. */
 void sg_cut_points_on_edge(sg_cut_points *points, uint32_t point,

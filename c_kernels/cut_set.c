@@ -1,4 +1,4 @@
-#include "cut_set.h"
+#include "cut_private.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -38,9 +38,8 @@ sg_cut_set_clear(sg_cut_set *set)
   sg_cut_set_init(set, set->is_real, set->data);
 }
 
-/* Makes room in a growing array; false: no memory. */
-static bool
-make_room(void **array, size_t n, size_t *room, size_t size)
+bool
+sg_cut_room(void **array, size_t n, size_t *room, size_t size)
 {
   if (n < *room) {
     return true;
@@ -74,8 +73,8 @@ split_edge(sg_cut_set *set, const sg_place *place)
   uint32_t *number =
       sg_key_table_put(&set->edge_number, (uint32_t[2]){place->a, place->b});
 
-  if (!number || !make_room((void **)&set->edge, set->edges, &set->edge_room,
-                            sizeof *set->edge)) {
+  if (!number || !sg_cut_room((void **)&set->edge, set->edges, &set->edge_room,
+                              sizeof *set->edge)) {
     return SG_NO_KEY;
   }
   if (*number == SG_NO_KEY) {
@@ -92,9 +91,8 @@ put_on_edge(sg_cut_set *set, const sg_place *place, uint32_t point)
   uint32_t number = split_edge(set, place);
   sg_split_edge *edge = &set->edge[number];
 
-  if (number == SG_NO_KEY ||
-      !make_room((void **)&edge->point, edge->n, &edge->room,
-                 sizeof *edge->point)) {
+  if (number == SG_NO_KEY || !sg_cut_room((void **)&edge->point, edge->n,
+                                          &edge->room, sizeof *edge->point)) {
     return false;
   }
   edge->point[edge->n++] = point;
@@ -150,8 +148,7 @@ find_carriers(sg_cut_set *set, const sg_cut *cut, sg_cut_piece *piece)
 /* Keeps one cut of positive length: 1; 0: a chord in a common plane, which is
  * no line; -1: no memory. */
 static int
-keep_cut(sg_cut_set *set, const uint32_t t[2], const sg_cut *cut,
-         bool coplanar)
+keep_cut(sg_cut_set *set, const uint32_t t[2], const sg_cut *cut, bool coplanar)
 {
   const sg_leaf_triangle *leaf = set->model.triangle;
   sg_cut_piece piece = {{leaf[t[0]].s, leaf[t[1]].s},
@@ -171,8 +168,8 @@ keep_cut(sg_cut_set *set, const uint32_t t[2], const sg_cut *cut,
   piece.a = end_point(set, t, &cut->end[0]);
   piece.b = end_point(set, t, &cut->end[1]);
   if (piece.a == SG_NO_KEY || piece.b == SG_NO_KEY ||
-      !make_room((void **)&set->cut, set->cuts, &set->cut_room,
-                 sizeof *set->cut)) {
+      !sg_cut_room((void **)&set->cut, set->cuts, &set->cut_room,
+                   sizeof *set->cut)) {
     return -1;
   }
   if (piece.a == piece.b) {
@@ -191,8 +188,8 @@ sg_cut_set_enter(sg_cut_set *set, uint32_t t1, uint32_t t2)
 
   sg_cut_model_corners(&set->model, t1, a);
   sg_cut_model_corners(&set->model, t2, b);
-  sg_cut_kind kind = sg_cut_triangles((const double(*)[3])a,
-                                      (const double(*)[3])b, cut, &n);
+  sg_cut_kind kind =
+      sg_cut_triangles((const double(*)[3])a, (const double(*)[3])b, cut, &n);
 
   for (int i = 0; i < n; i++) {
     if (!sg_cut_is_point(&cut[i])) {
@@ -233,8 +230,7 @@ keep_curve_point(sg_cut_set *set, const sg_leaf_edge *edge, uint32_t t,
   }
   uint32_t point = sg_cut_points_find(&set->points, &made);
 
-  return point != SG_NO_KEY && put_on_edge(set, &made.place[0], point) ? 1
-                                                                       : -1;
+  return point != SG_NO_KEY && put_on_edge(set, &made.place[0], point) ? 1 : -1;
 }
 
 int
@@ -289,6 +285,9 @@ order_points(const sg_cut_points *points, const sg_point *from,
   direction d = {points, from, to};
   size_t kept = 0;
 
+  if (n == 0) {
+    return 0;
+  }
   qsort_r(point, n, sizeof *point, compare_along, &d);
   for (size_t i = 0; i < n; i++) {
     if (kept == 0 || point[i] != point[kept - 1]) {
@@ -311,18 +310,16 @@ order_edges(sg_cut_set *set)
   }
 }
 
-/* Adds a piece, or finds the same one: pieces of one pair of segments between
- * the same points are one. Along an edge the smaller polygon counts. */
-static bool
-add_piece(sg_cut_set *set, const sg_cut_piece *piece)
+bool
+sg_cut_add_piece(sg_cut_set *set, const sg_cut_piece *piece)
 {
   uint32_t low = piece->a < piece->b ? piece->a : piece->b;
   uint32_t high = piece->a < piece->b ? piece->b : piece->a;
   uint32_t key[4] = {(uint32_t)piece->s[0], (uint32_t)piece->s[1], low, high};
   uint32_t *number = sg_key_table_put(&set->piece_number, key);
 
-  if (!number || !make_room((void **)&set->piece, set->pieces,
-                            &set->piece_room, sizeof *set->piece)) {
+  if (!number || !sg_cut_room((void **)&set->piece, set->pieces,
+                              &set->piece_room, sizeof *set->piece)) {
     return false;
   }
   if (*number == SG_NO_KEY) {
@@ -367,7 +364,7 @@ points_between(const sg_cut_set *set, uint32_t number, uint32_t a, uint32_t b,
   size_t low = i < j ? i : j, high = i < j ? j : i;
 
   for (size_t k = low + 1; k < high; k++) {
-    if (!make_room((void **)list, *n, room, sizeof **list)) {
+    if (!sg_cut_room((void **)list, *n, room, sizeof **list)) {
       return false;
     }
     (*list)[(*n)++] = edge->point[k - 1];
@@ -394,7 +391,7 @@ add_divided(sg_cut_set *set, const sg_cut_piece *cut)
   }
   for (size_t i = 0; i <= n && good; i++) {
     piece.b = i < n ? list[i] : cut->b;
-    good = piece.a == piece.b || add_piece(set, &piece);
+    good = piece.a == piece.b || sg_cut_add_piece(set, &piece);
     piece.a = piece.b;
   }
   free(list);
@@ -411,338 +408,4 @@ sg_cut_set_seal(sg_cut_set *set)
     }
   }
   return true;
-}
-
-/* ---- polygons ---- */
-
-bool
-sg_cut_set_add_polygon(sg_cut_set *set, int32_t s, int32_t p)
-{
-  if (!make_room((void **)&set->polygon, set->polygons, &set->polygon_room,
-                 sizeof *set->polygon)) {
-    return false;
-  }
-  set->polygon[set->polygons++] = (sg_cut_polygon){s, p, 0, 0};
-  return true;
-}
-
-static int
-compare_polygons(const void *x, const void *y)
-{
-  const sg_cut_polygon *a = x, *b = y;
-  int by_s = (a->s > b->s) - (a->s < b->s);
-
-  return by_s ? by_s : (a->p > b->p) - (a->p < b->p);
-}
-
-static sg_cut_polygon *
-find_polygon(const sg_cut_set *set, int32_t s, int32_t p)
-{
-  sg_cut_polygon key = {s, p, 0, 0};
-
-  return bsearch(&key, set->polygon, set->polygons, sizeof key,
-                 compare_polygons);
-}
-
-static void
-drop_repeated(sg_cut_set *set)
-{
-  size_t kept = 0;
-
-  for (size_t i = 0; i < set->polygons; i++) {
-    if (kept == 0 ||
-        compare_polygons(&set->polygon[i], &set->polygon[kept - 1]) != 0) {
-      set->polygon[kept++] = set->polygon[i];
-    }
-  }
-  set->polygons = kept;
-}
-
-/* Calls for each piece and side that enters a polygon: counts it, or (when
- * there is room) files it. */
-static void
-file_pieces(sg_cut_set *set)
-{
-  for (uint32_t i = 0; i < set->pieces; i++) {
-    for (int k = 0; k < 2; k++) {
-      if (set->piece[i].edge[k] == SG_NO_KEY) {
-        sg_cut_polygon *polygon =
-            find_polygon(set, set->piece[i].s[k], set->piece[i].p[k]);
-
-        if (set->entering) {
-          set->entering[polygon->first + polygon->n] = i;
-        }
-        polygon->n++;
-      }
-    }
-  }
-}
-
-bool
-sg_cut_set_group(sg_cut_set *set)
-{
-  size_t total = 0;
-
-  for (size_t i = 0; i < set->pieces; i++) {
-    for (int k = 0; k < 2; k++) {
-      if (set->piece[i].edge[k] == SG_NO_KEY &&
-          !sg_cut_set_add_polygon(set, set->piece[i].s[k],
-                                  set->piece[i].p[k])) {
-        return false;
-      }
-    }
-  }
-  if (set->polygons == 0) {
-    return true;
-  }
-  qsort(set->polygon, set->polygons, sizeof *set->polygon, compare_polygons);
-  drop_repeated(set);
-  file_pieces(set); /* counts */
-  for (size_t i = 0; i < set->polygons; i++) {
-    set->polygon[i].first = total;
-    total += set->polygon[i].n;
-    set->polygon[i].n = 0;
-  }
-  set->entering = malloc((total + 1) * sizeof *set->entering);
-  if (!set->entering) {
-    return false;
-  }
-  file_pieces(set);
-  return true;
-}
-
-/* ---- late splits ---- */
-
-static void
-pair_key(uint32_t a, uint32_t b, uint32_t key[2])
-{
-  key[0] = a < b ? a : b;
-  key[1] = a < b ? b : a;
-}
-
-uint32_t
-sg_cut_set_between(const sg_cut_set *set, uint32_t a, uint32_t b)
-{
-  uint32_t key[2];
-
-  pair_key(a, b, key);
-  return sg_key_table_get(&set->late, key);
-}
-
-bool
-sg_cut_set_split(sg_cut_set *set, uint32_t a, uint32_t b, uint32_t x)
-{
-  const sg_cut_point *point = set->points.point;
-  uint32_t key[2], *known;
-
-  while (x != a && x != b) {
-    pair_key(a, b, key);
-    known = sg_key_table_put(&set->late, key);
-    if (!known) {
-      return false;
-    }
-    if (*known == SG_NO_KEY) {
-      *known = x;
-    }
-    if (*known == x) {
-      return true;
-    }
-    int side = sg_point_along(&point[a].at, &point[b].at, &point[x].at,
-                              &point[*known].at);
-    *(side < 0 ? &b : &a) = *known;
-  }
-  return true;
-}
-
-/* Replaces piece i by its two parts if a point was noted inside it; the
- * second part goes to the end of the list and is looked at in its turn. */
-static bool
-divide_piece(sg_cut_set *set, size_t i)
-{
-  sg_cut_piece piece = set->piece[i];
-  uint32_t x = sg_cut_set_between(set, piece.a, piece.b);
-
-  if (x == SG_NO_KEY) {
-    return true;
-  }
-  sg_cut_piece first = piece, second = piece;
-
-  first.b = x;
-  second.a = x;
-  set->piece[i].live = false;
-  return add_piece(set, &first) && add_piece(set, &second);
-}
-
-bool
-sg_cut_set_agree(sg_cut_set *set)
-{
-  for (size_t i = 0; i < set->pieces; i++) {
-    if (set->piece[i].live && !divide_piece(set, i)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/* The places that carry a piece: an edge where it runs along one (that alone
- * gives its line), else both triangles. */
-static int
-carriers(const sg_cut_set *set, const sg_cut_piece *k, sg_place out[2])
-{
-  for (int i = 0; i < 2; i++) {
-    if (k->edge[i] != SG_NO_KEY) {
-      out[0] = set->edge[k->edge[i]].place;
-      return 1;
-    }
-  }
-  out[0] = (sg_place){SG_ON_FACE, k->triangle[0], 0};
-  out[1] = (sg_place){SG_ON_FACE, k->triangle[1], 0};
-  return 2;
-}
-
-static bool
-is_new_place(const sg_made *made, const sg_place *place)
-{
-  for (int i = 0; i < made->n; i++) {
-    if (made->place[i].kind == place->kind &&
-        made->place[i].a == place->a && made->place[i].b == place->b) {
-      return false;
-    }
-  }
-  return true;
-}
-
-sg_made
-sg_cut_set_crossing(const sg_cut_set *set, const sg_cut_piece *k,
-                    const sg_cut_piece *l)
-{
-  sg_place place[4];
-  int n = carriers(set, k, place);
-  sg_made made = {0};
-
-  n += carriers(set, l, place + n);
-  /* Edges first: an edge and any face that is left say it all. */
-  for (int pass = 0; pass < 2; pass++) {
-    for (int i = 0; i < n && made.n < 3; i++) {
-      if ((place[i].kind == SG_ON_FACE) == (pass == 1) &&
-          is_new_place(&made, &place[i])) {
-        made.place[made.n++] = place[i];
-      }
-    }
-  }
-  if (made.n > 0 && made.place[0].kind == SG_ON_EDGE) {
-    made.n = made.n < 2 ? made.n : 2;
-  }
-  return made;
-}
-
-/* ---- joints ---- */
-
-bool
-sg_cut_set_link(sg_cut_set *set)
-{
-  size_t n = set->points.n;
-
-  set->at = malloc((n + 1) * sizeof *set->at);
-  set->degree = calloc(n + 1, sizeof *set->degree);
-  set->gone = calloc(n + 1, sizeof *set->gone);
-  set->linked = n;
-  if (!set->at || !set->degree || !set->gone) {
-    return false;
-  }
-  for (uint32_t i = 0; i < set->pieces; i++) {
-    uint32_t end[2] = {set->piece[i].a, set->piece[i].b};
-
-    for (int k = 0; set->piece[i].live && k < 2; k++) {
-      if (set->degree[end[k]] < 2) {
-        set->at[end[k]][set->degree[end[k]]] = i;
-      }
-      set->degree[end[k]]++;
-    }
-  }
-  return true;
-}
-
-static bool
-same_carriers(const sg_cut_piece *k, const sg_cut_piece *l)
-{
-  for (int i = 0; i < 2; i++) {
-    if (k->s[i] != l->s[i] || k->edge[i] != l->edge[i] ||
-        (k->edge[i] == SG_NO_KEY && k->p[i] != l->p[i])) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/* True if the point is no vertex, and on no real edge but those that carry
- * the piece. */
-static bool
-is_free(const sg_cut_set *set, uint32_t point, const sg_cut_piece *piece)
-{
-  for (uint32_t i = set->points.point[point].seat; i != SG_NO_KEY;
-       i = set->points.seat[i].next) {
-    const sg_seat *seat = &set->points.seat[i];
-
-    if (seat->place.kind == SG_AT_VERTEX) {
-      return false;
-    }
-    if (seat->edge) {
-      bool carries = false;
-      for (int k = 0; k < 2; k++) {
-        const sg_place *place = piece->edge[k] == SG_NO_KEY
-                                    ? NULL
-                                    : &set->edge[piece->edge[k]].place;
-        carries = carries || (place && place->a == seat->place.a &&
-                              place->b == seat->place.b);
-      }
-      if (!carries) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-bool
-sg_cut_set_joint(const sg_cut_set *set, uint32_t point, uint32_t *k,
-                 uint32_t *l)
-{
-  if (point >= set->linked || set->degree[point] != 2 || set->gone[point]) {
-    return false;
-  }
-  *k = set->at[point][0];
-  *l = set->at[point][1];
-  return same_carriers(&set->piece[*k], &set->piece[*l]) &&
-         is_free(set, point, &set->piece[*k]);
-}
-
-void
-sg_cut_set_join(sg_cut_set *set, uint32_t point)
-{
-  sg_cut_piece *k = &set->piece[set->at[point][0]];
-  sg_cut_piece *l = &set->piece[set->at[point][1]];
-  uint32_t far = l->a == point ? l->b : l->a;
-
-  *(k->a == point ? &k->a : &k->b) = far;
-  l->live = false;
-  for (int i = 0; i < 2; i++) {
-    if (set->at[far][i] == set->at[point][1]) {
-      set->at[far][i] = set->at[point][0];
-    }
-  }
-  set->gone[point] = true;
-  set->degree[point] = 0;
-}
-
-uint32_t
-sg_cut_set_find(const sg_cut_set *set, int32_t s1, int32_t s2, uint32_t a,
-                uint32_t b)
-{
-  uint32_t ends[2];
-
-  pair_key(a, b, ends);
-  return sg_key_table_get(&set->piece_number,
-                          (uint32_t[4]){(uint32_t)s1, (uint32_t)s2, ends[0],
-                                        ends[1]});
 }

@@ -62,10 +62,10 @@ typedef struct sg_cut_set {
   sg_cut_polygon *polygon;  /* sorted */
   uint32_t *entering;       /* pieces */
   size_t polygons, polygon_room;
-  uint32_t (*at)[2];        /* [points.n]: two pieces there */
-  uint32_t *degree;         /* [points.n] */
-  bool *gone;               /* [points.n]: joined away */
-  size_t linked;            /* how many points these three know */
+  uint32_t (*at)[2]; /* [points.n]: two pieces there */
+  uint32_t *degree;  /* [points.n] */
+  bool *gone;        /* [points.n]: joined away */
+  size_t linked;     /* how many points these three know */
 } sg_cut_set;
 
 void sg_cut_set_init(sg_cut_set *set, sg_is_real *is_real, void *data);
@@ -86,6 +86,8 @@ bool sg_cut_set_seal(sg_cut_set *set);
 bool sg_cut_set_add_polygon(sg_cut_set *set, int32_t s, int32_t p);
 /* Lists the polygons, each once, by (s, p), with the pieces entering it. */
 bool sg_cut_set_group(sg_cut_set *set);
+/* The listed polygon, null: it is not among them. */
+sg_cut_polygon *sg_cut_set_polygon(const sg_cut_set *set, int32_t s, int32_t p);
 
 /* Notes that point x lies between points a and b. False: no memory. */
 bool sg_cut_set_split(sg_cut_set *set, uint32_t a, uint32_t b, uint32_t x);

@@ -20,8 +20,8 @@ enum { SG_KEY_WORDS = 6 };
 
 typedef struct sg_key_table {
   unsigned words;
-  size_t n, room;  /* room: a power of two, or 0 */
-  uint32_t *slot;  /* [room][words + 1]: the number last; all ones: free */
+  size_t n, room; /* room: a power of two, or 0 */
+  uint32_t *slot; /* [room][words + 1]: the number last; all ones: free */
 } sg_key_table;
 
 void sg_key_table_init(sg_key_table *table, unsigned words);

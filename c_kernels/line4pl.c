@@ -102,8 +102,7 @@ cut_gone(term_t t, term_t work_term, term_t s, term_t list)
   }
   for (int32_t i = 0; i < sg_work_vertices(work); i++) {
     int32_t name = sg_work_id(work, i);
-    uint32_t point =
-        sg_cut_points_named(&handle->set.points, segment, name);
+    uint32_t point = sg_cut_points_named(&handle->set.points, segment, name);
 
     if (point != SG_NO_KEY && is_gone(&handle->set, point) &&
         (!PL_unify_list(tail, head, tail) || !PL_unify_integer(head, name))) {
@@ -176,14 +175,12 @@ cut_lines(term_t t, term_t list)
       return sg_no_memory();
     }
     if ((!PL_unify_list(tail, head, tail) ||
-         !PL_unify_term(head, PL_FUNCTOR_CHARS, "line", 9, PL_INT, number,
-                        PL_INT, k->s[0],
-                        PL_INT, k->p[0], PL_INT,
-                        sg_cut_points_name(points, k->a, k->s[0]), PL_INT,
-                        sg_cut_points_name(points, k->b, k->s[0]), PL_INT,
-                        k->s[1], PL_INT, k->p[1], PL_INT,
-                        sg_cut_points_name(points, k->a, k->s[1]), PL_INT,
-                        sg_cut_points_name(points, k->b, k->s[1])))) {
+         !PL_unify_term(
+             head, PL_FUNCTOR_CHARS, "line", 9, PL_INT, number, PL_INT, k->s[0],
+             PL_INT, k->p[0], PL_INT, sg_cut_points_name(points, k->a, k->s[0]),
+             PL_INT, sg_cut_points_name(points, k->b, k->s[0]), PL_INT, k->s[1],
+             PL_INT, k->p[1], PL_INT, sg_cut_points_name(points, k->a, k->s[1]),
+             PL_INT, sg_cut_points_name(points, k->b, k->s[1])))) {
       return FALSE;
     }
     number++;
@@ -199,8 +196,8 @@ put_edge(term_t t, int32_t s, int32_t a, int32_t b)
   int32_t low = a < b ? a : b, high = a < b ? b : a;
 
   return PL_put_variable(t) &&
-         PL_unify_term(t, PL_FUNCTOR_CHARS, "-", 2, PL_INT, s,
-                       PL_FUNCTOR_CHARS, ",", 2, PL_INT, low, PL_INT, high);
+         PL_unify_term(t, PL_FUNCTOR_CHARS, "-", 2, PL_INT, s, PL_FUNCTOR_CHARS,
+                       ",", 2, PL_INT, low, PL_INT, high);
 }
 
 /* S-(A,B) for an edge, S-(A,B,C) for a leaf triangle. */
@@ -213,14 +210,12 @@ put_place(term_t t, const sg_cut_model *model, const sg_place *place)
     const uint32_t *v = model->triangle[place->a].v;
 
     return PL_put_variable(t) &&
-           PL_unify_term(t, PL_FUNCTOR_CHARS, "-", 2, PL_INT, s,
-                         PL_FUNCTOR_CHARS, ",", 2, PL_INT,
-                         model->vertex[v[0]].v, PL_FUNCTOR_CHARS, ",", 2,
-                         PL_INT, model->vertex[v[1]].v, PL_INT,
-                         model->vertex[v[2]].v);
+           PL_unify_term(
+               t, PL_FUNCTOR_CHARS, "-", 2, PL_INT, s, PL_FUNCTOR_CHARS, ",", 2,
+               PL_INT, model->vertex[v[0]].v, PL_FUNCTOR_CHARS, ",", 2, PL_INT,
+               model->vertex[v[1]].v, PL_INT, model->vertex[v[2]].v);
   }
-  return put_edge(t, s, model->vertex[place->a].v,
-                  model->vertex[place->b].v);
+  return put_edge(t, s, model->vertex[place->a].v, model->vertex[place->b].v);
 }
 
 /* The vertex place among those of a point that comes first by segment. */
@@ -251,9 +246,9 @@ order_places(const sg_cut_model *model, sg_made *made)
     for (int k = i; k > 0; k--) {
       sg_place *p = &made->place[k - 1], *q = &made->place[k];
       int by_kind = (int)p->kind - (int)q->kind;
-      bool swap = by_kind ? by_kind > 0
-                          : sg_place_segment(model, p) >
-                                sg_place_segment(model, q);
+      bool swap = by_kind
+                      ? by_kind > 0
+                      : sg_place_segment(model, p) > sg_place_segment(model, q);
       if (swap) {
         sg_place keep = *p;
         *p = *q;
@@ -283,8 +278,8 @@ unify_origin(term_t t, const sg_cut_points *points, uint32_t point)
     }
   }
   if (made.n == 3) {
-    return PL_unify_term(t, PL_FUNCTOR_CHARS, "tpi", 3, PL_TERM, place,
-                         PL_TERM, place + 1, PL_TERM, place + 2);
+    return PL_unify_term(t, PL_FUNCTOR_CHARS, "tpi", 3, PL_TERM, place, PL_TERM,
+                         place + 1, PL_TERM, place + 2);
   }
   if (made.n == 2) {
     return PL_unify_term(t, PL_FUNCTOR_CHARS,
@@ -362,9 +357,8 @@ cut_split_edges(term_t t, term_t s, term_t list)
     end = PL_copy_term_ref(names);
     for (size_t k = 0; k < edge->n; k++) {
       if (!PL_unify_list(end, name, end) ||
-          !PL_unify_integer(name, sg_cut_points_name(&set->points,
-                                                     edge->point[k],
-                                                     segment))) {
+          !PL_unify_integer(name, sg_cut_points_name(
+                                      &set->points, edge->point[k], segment))) {
         return FALSE;
       }
     }

@@ -26,8 +26,7 @@ name_ex(sg_cut_handle *handle, uint32_t point, int32_t s)
   uint32_t *next = sg_key_table_put(&handle->next_name, &key);
 
   if (!next || *next == SG_NO_KEY ||
-      !sg_cut_points_set_name(&handle->set.points, point, s,
-                              (int32_t)*next)) {
+      !sg_cut_points_set_name(&handle->set.points, point, s, (int32_t)*next)) {
     sg_no_memory();
     return 0;
   }
@@ -161,27 +160,6 @@ cut_polygons(term_t t, term_t list)
 
 /* ---- the scratch relation of one polygon ---- */
 
-static const sg_cut_polygon *
-find_polygon(const sg_cut_set *set, int32_t s, int32_t p)
-{
-  size_t low = 0, high = set->polygons;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    const sg_cut_polygon *polygon = &set->polygon[middle];
-
-    if (polygon->s == s && polygon->p == p) {
-      return polygon;
-    }
-    if (polygon->s < s || (polygon->s == s && polygon->p < p)) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return NULL;
-}
-
 /* The pieces that enter polygon p: piece(K, V1, V2), V1-V2 in its segment. */
 static foreign_t
 cut_entering(term_t t, term_t s, term_t p, term_t list)
@@ -195,7 +173,7 @@ cut_entering(term_t t, term_t s, term_t p, term_t list)
     return FALSE;
   }
   const sg_cut_set *set = &handle->set;
-  const sg_cut_polygon *polygon = find_polygon(set, key[0], key[1]);
+  const sg_cut_polygon *polygon = sg_cut_set_polygon(set, key[0], key[1]);
 
   for (size_t i = 0; polygon && i < polygon->n; i++) {
     uint32_t k = set->entering[polygon->first + i];
@@ -214,8 +192,7 @@ cut_entering(term_t t, term_t s, term_t p, term_t list)
 
 /* The handle in `work` of a point of the set, SG_WORK_NONE: an exception. */
 static int32_t
-enter_point_ex(sg_cut_handle *handle, sg_work *work, uint32_t point,
-               int32_t s)
+enter_point_ex(sg_cut_handle *handle, sg_work *work, uint32_t point, int32_t s)
 {
   int32_t name = name_ex(handle, point, s);
   int32_t vertex =
@@ -270,15 +247,14 @@ add_split_edge_ex(sg_cut_handle *handle, sg_work *work, sg_row row)
   int32_t et = sg_version_value(handle->version, SG_E, row, 4).i;
   const sg_split_edge *split = find_split(&handle->set, s, v1, v2);
   size_t n = split ? split->n : 0;
-  bool forward =
-      n > 0 && handle->set.model.vertex[split->place.a].v == v1;
+  bool forward = n > 0 && handle->set.model.vertex[split->place.a].v == v1;
   int32_t from = enter_vertex_ex(handle, work, s, v1);
 
   for (size_t i = 0; i <= n && from != SG_WORK_NONE; i++) {
-    int32_t to =
-        i == n ? enter_vertex_ex(handle, work, s, v2)
-               : enter_point_ex(handle, work,
-                                split->point[forward ? i : n - 1 - i], s);
+    int32_t to = i == n
+                     ? enter_vertex_ex(handle, work, s, v2)
+                     : enter_point_ex(handle, work,
+                                      split->point[forward ? i : n - 1 - i], s);
     if (to == SG_WORK_NONE) {
       return FALSE;
     }
@@ -308,15 +284,13 @@ fill_work_ex(sg_cut_handle *handle, sg_work *work, int32_t s, sg_row polygon)
 }
 
 static int
-enter_piece_ends_ex(sg_cut_handle *handle, sg_work *work, int32_t s,
-                    int32_t p)
+enter_piece_ends_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t p)
 {
   const sg_cut_set *set = &handle->set;
-  const sg_cut_polygon *polygon = find_polygon(set, s, p);
+  const sg_cut_polygon *polygon = sg_cut_set_polygon(set, s, p);
 
   for (size_t i = 0; polygon && i < polygon->n; i++) {
-    const sg_cut_piece *piece =
-        &set->piece[set->entering[polygon->first + i]];
+    const sg_cut_piece *piece = &set->piece[set->entering[polygon->first + i]];
 
     if (enter_point_ex(handle, work, piece->a, s) == SG_WORK_NONE ||
         enter_point_ex(handle, work, piece->b, s) == SG_WORK_NONE) {
@@ -375,8 +349,7 @@ cut_work(term_t t, term_t s, term_t p, term_t out)
 
 /* Whether a point lies inside both segments (of work handles). */
 static bool
-is_inside_both(sg_work *work, int32_t x, const int32_t a[2],
-               const int32_t b[2])
+is_inside_both(sg_work *work, int32_t x, const int32_t a[2], const int32_t b[2])
 {
   return x != SG_WORK_NONE && sg_work_between(work, a[0], a[1], x) &&
          sg_work_between(work, b[0], b[1], x);
@@ -426,8 +399,8 @@ cut_crossing(term_t t, term_t work_term, term_t s, term_t piece, term_t edge,
 
   a[0] = sg_work_find(work, id[3]);
   a[1] = sg_work_find(work, id[4]);
-  if (!crossed || a[0] == SG_WORK_NONE || a[1] == SG_WORK_NONE ||
-      id[1] < 0 || (size_t)id[1] >= set->pieces) {
+  if (!crossed || a[0] == SG_WORK_NONE || a[1] == SG_WORK_NONE || id[1] < 0 ||
+      (size_t)id[1] >= set->pieces) {
     return PL_existence_error("crossing", edge);
   }
   b[0] = crossed->start;
@@ -476,8 +449,8 @@ get_point_ex(sg_cut_handle *handle, int32_t s, term_t v)
 }
 
 static int
-get_points_ex(term_t t, term_t s, term_t v1, term_t v2,
-              sg_cut_handle **handle, int32_t *segment, uint32_t point[2])
+get_points_ex(term_t t, term_t s, term_t v1, term_t v2, sg_cut_handle **handle,
+              int32_t *segment, uint32_t point[2])
 {
   if (!sg_get_cut_set_ex(t, handle) || !sg_get_id_ex(s, segment)) {
     return FALSE;
@@ -535,8 +508,7 @@ static uint32_t
 end_of(const sg_cut_handle *handle, const sg_work *work, int32_t s,
        int32_t vertex)
 {
-  return sg_cut_points_named(&handle->set.points, s,
-                             sg_work_id(work, vertex));
+  return sg_cut_points_named(&handle->set.points, s, sg_work_id(work, vertex));
 }
 
 static foreign_t
@@ -587,16 +559,11 @@ cut_agree(term_t t)
 }
 
 static const PL_extension predicates[] = {
-    {"cut_seal", 1, cut_seal, 0},
-    {"cut_polygons", 2, cut_polygons, 0},
-    {"cut_entering", 4, cut_entering, 0},
-    {"cut_work", 4, cut_work, 0},
-    {"cut_crossing", 8, cut_crossing, 0},
-    {"cut_note", 5, cut_note, 0},
-    {"cut_between", 6, cut_between, 0},
-    {"cut_divided", 4, cut_divided, 0},
-    {"cut_agree", 1, cut_agree, 0},
-    {NULL, 0, NULL, 0},
+    {"cut_seal", 1, cut_seal, 0},         {"cut_polygons", 2, cut_polygons, 0},
+    {"cut_entering", 4, cut_entering, 0}, {"cut_work", 4, cut_work, 0},
+    {"cut_crossing", 8, cut_crossing, 0}, {"cut_note", 5, cut_note, 0},
+    {"cut_between", 6, cut_between, 0},   {"cut_divided", 4, cut_divided, 0},
+    {"cut_agree", 1, cut_agree, 0},       {NULL, 0, NULL, 0},
 };
 
 void

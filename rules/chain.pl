@@ -15,9 +15,10 @@
 
 The pieces line/9 of two segments form a graph on their vertices. A *chain* is
 a run of pieces through vertices that have exactly two: from end to end where
-there are ends (a vertex with one piece, or a branch point with three or more),
-or round, back to where it began: then it is closed. It is a list of line numbers, with a minus
-sign where the line is walked from its end to its start.
+there are ends (a vertex with one piece, or a branch point with three or
+more), or round, back to where it began: then it is closed. It is a list of
+line numbers, with a minus sign where a line is walked from its end to its
+start.
 
 Two closed solids in general position have closed chains only. The order is
 settled by line numbers alone: chains with ends first, each from the smaller
@@ -39,8 +40,8 @@ chains(Chains) :-
 
 %!  chain(?C, ?S1, ?S2, ?Kind, ?Lines) is nondet.
 %
-%   True when chain number C, counted from 1, of segments S1 and S2 is Kind and
-%   consists of Lines. Makes all chains: ask once, not in a loop.
+%   True when chain number C, counted from 1, of segments S1 and S2 is Kind
+%   and consists of Lines. Makes all chains: ask once, not in a loop.
 
 chain(C, S1, S2, Kind, Lines) :-
     chains(Chains),
@@ -115,8 +116,8 @@ add_nb_set_line(Step, Seen) :-
     L is abs(Step),
     add_nb_set(L, Seen, true).
 
-%   walk(+Step, +Graph, -Lines): the steps from this one to the chain's end, or
-%   until it comes round.
+%   walk(+Step, +Graph, -Lines): the steps from this one to the chain's end,
+%   or until it comes round.
 
 walk(Step, Graph, [Step|Steps]) :-
     step_end(Step, Graph, V),
@@ -173,7 +174,8 @@ step_vertices(Step, S, From, To) :-
 
 %!  chain_points(+Lines, -Points) is det.
 %
-%   Points are the point(X,Y,Z) along the chain, as its first segment has them.
+%   Points are the point(X,Y,Z) along the chain, as its first segment has
+%   them.
 
 chain_points(Lines, Points) :-
     Lines = [Step|_],

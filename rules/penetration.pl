@@ -9,8 +9,8 @@
                 curve_candidate/3, cut_side/4, cut_enter/4, curve_enter/4,
                 cut_triangle/5, cut_ends/4, cut_seal/1, cut_polygons/2,
                 cut_entering/4, cut_work/4, cut_crossing/8, cut_note/5,
-                cut_between/6, cut_divided/4, cut_agree/1, cut_joints/2, cut_join/2,
-                cut_gone/4, cut_lines/2, cut_line/5, cut_vertices/2,
+                cut_between/6, cut_divided/4, cut_agree/1, cut_joints/2,
+                cut_join/2, cut_gone/4, cut_lines/2, cut_line/5, cut_vertices/2,
                 cut_split_edges/3,
                 work_add/6, work_delete/2, work_edge/6, work_meeting/6,
                 work_close/1
@@ -88,14 +88,18 @@ merge_line(Piece, Piece).
 %!  penetrate is det.
 %
 %   Find all penetration lines of the segments of the current world, put them
-%   into the polygons and write line/9. One transaction; a world whose segments
-%   do not meet stays as it is. Segments that were cut by each other before are
-%   not cut again (the decision may_cut/2), so it may be called after loading
-%   more.
+%   into the polygons and write line/9. One transaction; a world whose
+%   segments do not meet stays as it is. Segments that were cut by each other
+%   before are not cut again (the decision may_cut/2), so it may be called
+%   after loading more.
 
 penetrate :-
     findall(S1-S2,
-            ( segment(S1, _, _), segment(S2, _, _), S1 < S2, may_cut(S1, S2) ),
+            ( segment(S1, _, _),
+              segment(S2, _, _),
+              S1 < S2,
+              may_cut(S1, S2)
+            ),
             Pairs),
     penetrate(Pairs).
 
@@ -161,11 +165,11 @@ find_curve_points(Set) :-
 
 %!  triangle_cut(+S1-T1, +S2-T2, -Kind, -End1, -End2) is nondet.
 %
-%   True when triangles T1 of segment S1 and T2 of S2 have the points from End1
-%   to End2 in common: one piece if their planes differ (Kind is `crossing`),
-%   the borders of each inside the other if not (`coplanar`); a point if the
-%   ends are equal. An end is a pair of features, Feature1-Feature2, each one
-%   of vertex(V), edge(V1,V2) and face(T). Exact.
+%   True when triangles T1 of segment S1 and T2 of S2 have the points from
+%   End1 to End2 in common: one piece if their planes differ (Kind is
+%   `crossing`), the borders of each inside the other if not (`coplanar`); a
+%   point if the ends are equal. An end is a pair of features,
+%   Feature1-Feature2, each one of vertex(V), edge(V1,V2) and face(T). Exact.
 
 triangle_cut(S1-T1, S2-T2, Kind, End1, End2) :-
     setup_call_cleanup(
@@ -195,10 +199,10 @@ enter_piece(Set, S, Work, piece(K, V1, V2)) :-
     enter(auxiliary(Set, S, Work, K), V1, V2).
 
 %   (1) V1-V2 is an auxiliary segment, (2) the one chosen. (3-1) While an edge
-%   contains or crosses it, it is divided and its parts are entered; (3-2) when
-%   none does, it joins the polygon as an edge pair. What was divided in another
-%   polygon is divided there first, edges too: so everything is divided in the
-%   same points and in the same order, wherever it is.
+%   contains or crosses it, it is divided and its parts are entered; (3-2)
+%   when none does, it joins the polygon as an edge pair. What was divided in
+%   another polygon is divided there first, edges too: so everything is
+%   divided in the same points and in the same order, wherever it is.
 
 enter(Auxiliary, V1, V2) :-
     Auxiliary = auxiliary(Set, S, Work, _),

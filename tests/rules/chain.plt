@@ -94,7 +94,8 @@ test(svg, nondet) :-
     written([1-2,2-3,3-1], svg, Text),
     sub_string(Text, _, _, _, "class=\"visible penetration\""),
     sub_string(Text, _, _, _, "Z\"/>").
-test(facts_read_back, Points == [p(1.0,1.0,0.0),p(2.0,4.0,0.0),p(3.0,9.0,0.0)]) :-
+test(facts_read_back,
+     Points == [p(1.0,1.0,0.0),p(2.0,4.0,0.0),p(3.0,9.0,0.0)]) :-
     written([1-2,2-3,3-1], pl, Text),
     setup_call_cleanup(
         tmp_file_stream(File, Out, [extension(pl), encoding(utf8)]),

@@ -257,7 +257,8 @@ test(square_touches_edge, F == []) :-
 % on a chord: a vertex in all three, made by three planes.
 test(squares_meet_in_a_point, F-(V-T) == []-(3-3)) :-
     penetrated([rectangle(size(2,2)),
-                at([rotate(x,90),translate(0,0.25,0.1)], rectangle(size(2,2))),
+                at([rotate(x,90),translate(0,0.25,0.1)],
+                   rectangle(size(2,2))),
                 at([rotate(y,90),translate(-0.125,0,0.1)],
                    rectangle(size(2,2)))],
                ( faults(F),
