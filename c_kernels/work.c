@@ -436,6 +436,7 @@ build_grid(sg_work *work)
     }
   }
   free(segment);
+  sg_work_grid_filled(&work->grid);
   return work->grid.open;
 }
 
@@ -448,7 +449,7 @@ sg_work_ready(sg_work *work, bool *served)
   *served = living > SG_WORK_FEW;
   if (!*served ||
       (grid->open && grid->held <= 2 * living + SG_WORK_FEW &&
-       living <= 4 * grid->expected)) {
+       !sg_work_grid_is_stale(grid))) {
     return true;
   }
   return build_grid(work);

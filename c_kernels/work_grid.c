@@ -294,3 +294,16 @@ sg_work_grid_add(sg_work_grid *grid, int32_t number, const double from[2],
   grid->held++;
   return true;
 }
+
+void
+sg_work_grid_filled(sg_work_grid *grid)
+{
+  grid->filled = grid->entries;
+}
+
+bool
+sg_work_grid_is_stale(const sg_work_grid *grid)
+{
+  return grid->held > 2 * grid->expected + 64 ||
+         grid->entries > 2 * grid->filled + 1024;
+}

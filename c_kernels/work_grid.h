@@ -30,6 +30,7 @@ typedef struct sg_work_grid {
   int32_t *first; /* [cells[0] * cells[1]]: entry + 1, 0 none */
   sg_work_grid_entry *entry;
   int32_t entries, room;
+  int32_t filled; /* entries after the first filling: sg_work_grid_filled() */
   size_t held;     /* segments put in since it was opened */
   size_t expected; /* segments that shaped it */
 } sg_work_grid;
@@ -43,6 +44,11 @@ void sg_work_grid_close(sg_work_grid *grid);
 /* False: no memory. */
 bool sg_work_grid_add(sg_work_grid *grid, int32_t number, const double from[2],
                  const double to[2]);
+
+/* Says that all segments are in: what comes later may be as much again, then
+ * it is time for a new grid. */
+void sg_work_grid_filled(sg_work_grid *grid);
+bool sg_work_grid_is_stale(const sg_work_grid *grid);
 
 /* The numbers in the cells that a convex piece with 1, 2 or 3 corners covers;
  * a number may come more than once. Do not add while walking. */
