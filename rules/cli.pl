@@ -270,14 +270,17 @@ json_members([Name-Value|Pairs]) :-
 %   failed_status(Error, Status): Error is printed and gives the exit status.
 
 failed_status(Error, Status) :-
-    (   Error = sanggwan_interrupt(_)
+    (   Error = sanggwan_interrupt(Signal)
     ->  print_message(error, sanggwan(interrupted)),
-        Status = 130
+        signal_status(Signal, Status)
     ;   broken_pipe(Error)
     ->  Status = 141
     ;   error_status(Error, Status),
         print_message(error, Error)
     ).
+
+signal_status(int, 130).
+signal_status(term, 143).
 
 error_status(error(Formal, _), Status) :-
     nonvar(Formal),

@@ -1,5 +1,8 @@
 :- module(sg_verbs,
-          [ verb_run/4                  % +Verb, +Files, +Options, -Status
+          [ verb_run/4,                 % +Verb, +Files, +Options, -Status
+            draw/1,                     % +File
+            draw/2,                     % +File, +Options
+            convert/2                   % +Files, +File
           ]).
 :- if(( prolog_load_context(directory, D), atom_concat(D, '/check.pl', F),
         exists_file(F) )).
@@ -12,7 +15,8 @@ report_faults(_, 0).
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(hidden_lines, [picture/1]).
 :- use_module(lines_out, [write_lines/1]).
-:- use_module(model, [load_model/2, save_model/2]).
+:- use_module(chain, [chain/5, chain_length/2]).
+:- use_module(model, [load_model/1, load_model/2, save_model/1, save_model/2]).
 :- use_module(penetration, [penetrate/0]).
 :- use_module(query, [query/2, read_goal/3]).
 :- if(( prolog_load_context(directory, D), atom_concat(D, '/repl.pl', F),
@@ -22,10 +26,14 @@ report_faults(_, 0).
 repl :- prolog.
 :- endif.
 :- use_module(stage, [stage/2]).
-:- use_module(store, [segment/3, line/9]).
+:- use_module(store,
+              [ segment/3, line/9, origin/3, facts_transaction/1, new_world/1,
+                in_world/2
+              ]).
 :- use_module(view, [set_view/1, set_view/3, set_projection/1, named_view/3]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(filesex), [directory_file_path/3]).
+:- autoload(library(aggregate), [aggregate_all/3]).
+:- autoload(library(http/json), [json_write_dict/2]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2, option/3]).
 /** <module> What each verb of the command line does.
@@ -60,12 +68,17 @@ verb_run(convert, Files, Options, 0) :-
 verb_run(penetrate, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
     outputs(Options, [pl, obj, csv, svg], Outputs0),
-    (   Outputs0 == []
-    ->  Outputs = [output(-, pl)]
-    ;   Outputs = Outputs0
-    ),
     load_model(Files, Options),
     penetrated,
+    (   option(json(true), Options)
+    ->  print_chains,
+        Outputs = Outputs0
+    ;   Outputs0 == [],
+        line(_, _, _, _, _, _, _, _, _)
+    ->  option(format(Format), Options, pl),
+        Outputs = [output(-, Format)]
+    ;   Outputs = Outputs0
+    ),
     maplist(output_written(lines_output), Outputs).
 verb_run(draw, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
@@ -77,12 +90,7 @@ verb_run(draw, Files, Options, 0) :-
     eye(Options, Eye),
     load_model(Files, Options),
     known_segments(PictureOptions),
-    (   several_segments
-    ->  penetrated
-    ;   true
-    ),
-    maplist(call, Eye),
-    picture(PictureOptions),
+    facts_transaction(sg_verbs:pictured(Eye, PictureOptions)),
     maplist(output_written(drawing_output(DrawingOptions)), Outputs).
 verb_run(query, Arguments, Options, Status) :-
     (   append(Files, [Text], Arguments)
@@ -105,6 +113,50 @@ verb_run(repl, Files, Options, 0) :-
     ;   load_model(Files, Options)
     ),
     repl.
+
+%   pictured(Eye, Options): the picture of the current world.
+
+pictured(Eye, Options) :-
+    (   several_segments
+    ->  penetrated
+    ;   true
+    ),
+    maplist(call, Eye),
+    picture(Options).
+
+%!  draw(+File) is det.
+%!  draw(+File, +Options) is det.
+%
+%   Draw the current world to File, as the verb draw does; the ending is the
+%   format. The segments cut each other first. Options:
+%
+%     - view(Name), or view(Theta, Phi), view(Theta, Phi, Rho)
+%     - projection(Kind): `parallel` or `central`
+%     - lines(Which), segments(List): see picture/1
+%     - hidden(How), size(Size), ...: see write_drawing/2
+
+draw(File) :-
+    draw(File, []).
+
+draw(File, Options) :-
+    findall(Goal, ( member(Option, Options), view_goal(Option, Goal) ), Eye),
+    facts_transaction(sg_verbs:pictured(Eye, Options)),
+    drawing_output(Options, File),
+    print_message(informational, sanggwan(wrote(File))).
+
+view_goal(view(Name), set_view(Name)).
+view_goal(view(Theta, Phi), set_view(Theta, Phi, 0)).
+view_goal(view(Theta, Phi, Rho), set_view(Theta, Phi, Rho)).
+view_goal(projection(Kind), set_projection(Kind)).
+
+%!  convert(+Files, +File) is det.
+%
+%   Write the models in Files, one name or a list, to File; the endings are the
+%   formats. The current world is not touched.
+
+convert(Files, File) :-
+    new_world(World),
+    in_world(World, ( load_model(Files), save_model(File) )).
 
 some_files([], What) :-
     !,
@@ -201,6 +253,18 @@ copied_out(File) :-
 
 model_output(_, File) :-
     save_model(File, []).
+
+%   print_chains: a summary of the penetration lines, as JSON.
+
+print_chains :-
+    findall(_{segments:[S1,S2], kind:Kind, pieces:N, length:Length},
+            ( chain(_, S1, S2, Kind, Lines),
+              length(Lines, N),
+              chain_length(Lines, Length) ),
+            Chains),
+    aggregate_all(count, line(_, _, _, _, _, _, _, _, _), Pieces),
+    json_write_dict(current_output, _{pieces:Pieces, chains:Chains}),
+    nl.
 
 lines_output(File) :-
     stage(write, write_lines(File)).
