@@ -117,6 +117,28 @@ check timings-json is "$(sed 's/[0-9.]\{1,\}/0/g' "$work/err")" \
 run query facts/cube.pl 'v(1,1,_,_,_)' --stats
 check stats has '"rows":8'
 
+# Penetration lines; segments that do not meet; warnings.
+run penetrate facts/figures/fig13.pl --json
+check penetrate-json has '"pieces":80' "$work/out"
+run penetrate facts/figures/fig13.pl --format csv
+check penetrate-csv has 'chain,kind' "$work/out"
+sed 's/1.1, 0.7, 0.6/9, 9, 9/' facts/two_cubes.pl >"$work/apart.pl"
+run penetrate "$work/apart.pl"
+check apart status_is 0
+check apart-empty silent out
+check apart-message has 'do not meet'
+run penetrate "$work/apart.pl" -o "$work/apart.csv"
+check apart-file test -e "$work/apart.csv"
+rm -f "$work"/apart.*
+cat >"$work/warped.pl" <<'END'
+v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,1,1,0.3). v(1,4,0,1,0). p(1,1,[1,2,3,4]).
+END
+run convert "$work/warped.pl" -o "$work/w.stl"
+check warning status_is 0
+check warning-message has 'warning: '
+run convert --strict "$work/warped.pl" -o "$work/w.stl"
+check strict status_is 1
+
 "$sanggwan" query - 'v(1, V, _, _, _)' --format csv --limit 1 \
   <facts/cube.pl >"$work/out" 2>"$work/err"
 check stdin is "$(cat "$work/out")" 'V
