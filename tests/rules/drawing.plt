@@ -6,6 +6,9 @@
 :- use_module(library(xpath)).
 :- use_module(rules(store)).
 :- use_module(rules(drawing)).
+:- use_module(rules(hidden_lines), [picture/1]).
+:- use_module(rules(model), [load_model/1]).
+:- use_module(rules(penetration), [penetrate/0]).
 
 :- meta_predicate in_picture(+, 0).
 
@@ -251,6 +254,57 @@ png_codes(Options, Codes) :-
           read_file_to_codes(File, Codes, [type(binary)])
         ),
         delete_file(File)).
+
+% Length of each visibility and role, in the picture and in the drawing.
+drawn_lengths(Lengths) :-
+    findall(Kind-L,
+            ( drawn(_, S, E, From, To, Visibility, Role),
+              Kind = Visibility-Role,
+              e(S, E, V1, V2, _),
+              screen(S, V1, X1, Y1, _),
+              screen(S, V2, X2, Y2, _),
+              L is (To-From)*sqrt((X2-X1)**2 + (Y2-Y1)**2)
+            ),
+            Pairs),
+    summed(Pairs, Lengths).
+
+json_lengths(Lengths) :-
+    drawing(json, [size(2000-2000)], Text),
+    atom_json_dict(Text, Dict, []),
+    get_dict(scale, Dict, Scale),
+    get_dict(lines, Dict, Lines),
+    findall(Kind-L,
+            ( member(Line, Lines),
+              _{visibility:V, role:R, points:Points} :< Line,
+              atom_string(Visibility, V),
+              atom_string(Role, R),
+              Kind = Visibility-Role,
+              append(_, [[X1,Y1],[X2,Y2]|_], Points),
+              L is sqrt((X2-X1)**2 + (Y2-Y1)**2)/Scale
+            ),
+            Pairs),
+    summed(Pairs, Lengths).
+
+summed(Pairs, Sums) :-
+    keysort(Pairs, Sorted),
+    group_pairs_by_key(Sorted, Groups),
+    findall(Kind-Sum, ( member(Kind-Ls, Groups), sum_list(Ls, Sum) ), Sums).
+
+same_lengths([], []).
+same_lengths([Kind-A|As], [Kind-B|Bs]) :-
+    abs(A-B) =< 1.0e-3,
+    same_lengths(As, Bs).
+
+test(nothing_lost, forall(member(Name, [fig09, fig10, fig11, fig13, fig14]))) :-
+    format(atom(Path), 'facts/figures/~w.pl', [Name]),
+    absolute_file_name(sanggwan(Path), File),
+    new_world(World),
+    in_world(World, ( load_model(File),
+                      penetrate,
+                      picture([lines(all)]),
+                      drawn_lengths(Drawn),
+                      json_lengths(Json) )),
+    same_lengths(Drawn, Json).
 
 test(files, [forall(drawing_format(Format, _)), true]) :-
     square(Square),
