@@ -29,7 +29,7 @@
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(error), [must_be/2]).
 :- autoload(library(lists), [append/3, member/2, selectchk/3]).
-:- autoload(library(option), [option/3]).
+:- autoload(library(option), [option/2, option/3]).
 :- autoload(library(ordsets), [ord_subtract/3, ord_union/3]).
 :- autoload(library(pairs), [pairs_keys/2]).
 /** <module> Models: load, save, and the words rules speak in.
@@ -57,6 +57,7 @@ of GLOSSARY.md. A thing is named by its segment and its number:
 %   `.ply`). `-` is standard input. All of them, or none. Options:
 %
 %     - from(Format): what standard input is (default `pl`)
+%     - triangles(false): do without planes and triangles
 %
 %   @error error(model_error(What), location(File, Line, Column))
 
@@ -71,7 +72,10 @@ load_model(Files0, Options) :-
     must_be(list(atom), Files),
     facts_transaction(
         ( stage(load, maplist(sg_model:file_loaded(Options), Files)),
-          complete_segments )).
+          (   option(triangles(false), Options)
+          ->  true
+          ;   complete_segments
+          ) )).
 
 file_loaded(Options, File) :-
     option(from(From), Options, pl),

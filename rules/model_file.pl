@@ -8,10 +8,12 @@
                 relation_column/5
               ]).
 :- use_module(model_text,
-              [ open_model_text/2, close_model_text/1, next_fact/3,
+              [ open_model_text/2, close_model_text/1, model_text_bytes/3,
+                next_fact/3,
                 place_error/2, place_error/3
               ]).
 :- use_module(polygon_list, [vertex_list_edges/2, polygon_fault/2]).
+:- use_module(progress, [progress_by/1]).
 :- use_module(primitive, [is_primitive/1, primitive_shape/4]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
@@ -60,7 +62,9 @@ Errors besides those of model_text.pl:
 read_model(File) :-
     setup_call_cleanup(
         open_model_text(File, Text),
-        facts_transaction(sg_model_file:text_added(Text)),
+        ( progress_by(model_text_bytes(Text)),
+          facts_transaction(sg_model_file:text_added(Text))
+        ),
         close_model_text(Text)).
 
 text_added(Text) :-

@@ -1,6 +1,7 @@
 :- module(sg_model_text,
           [ open_model_text/2,          % +File, -Text
             close_model_text/1,         % +Text
+            model_text_bytes/3,         % +Text, -Done, -Total
             next_fact/3,                % +Text, -Fact, -Place
             place_error/2,              % +Place, +What
             place_error/3,              % +Place, +Argument, +What
@@ -80,6 +81,14 @@ close_model_text(text(Name, Path, Stream)) :-
     ->  delete_file(Path)
     ;   true
     ).
+
+%!  model_text_bytes(+Text, -Done, -Total) is det.
+%
+%   Of the Total bytes of Text, Done are read.
+
+model_text_bytes(text(_, Path, Stream), Done, Total) :-
+    byte_count(Stream, Done),
+    size_file(Path, Total).
 
 %!  next_fact(+Text, -Fact, -Place) is det.
 %

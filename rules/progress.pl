@@ -1,6 +1,7 @@
 :- module(sg_progress,
           [ with_progress/1,            % :Goal
-            progress/2                  % +Done, +Total
+            progress/2,                 % +Done, +Total
+            progress_by/1               % :Goal
           ]).
 :- use_module(stage, [current_stage/1]).
 /** <module> Progress: nothing runs over two seconds silently.
@@ -12,7 +13,9 @@ terminal one line that is written over twice a second, elsewhere plain lines at
 time left is shown too. Long kernels poll for signals, so they are seen too.
 */
 
-:- meta_predicate with_progress(0).
+:- meta_predicate
+    with_progress(0),
+    progress_by(2).
 
 %!  with_progress(:Goal) is semidet.
 %
@@ -39,6 +42,14 @@ with_progress(Goal) :-
 
 progress(Done, Total) :-
     nb_setval(sg_progress, Done/Total).
+
+%!  progress_by(:Goal) is det.
+%
+%   From now on call(Goal, Done, Total) says how far the work is; it is called
+%   when somebody wants to know, and may fail or raise when the work is over.
+
+progress_by(Goal) :-
+    nb_setval(sg_progress, by(Goal)).
 
 %   watch(Worker): the thread that wakes the worker up; it ends at the message
 %   `done`. (library(time) would do, but its alarms can hang the program's end.)
@@ -71,7 +82,14 @@ look(Seconds) :-
     ->  true
     ;   Stage = run
     ),
-    nb_getval(sg_progress, Part),
+    nb_getval(sg_progress, Part0),
+    (   Part0 = by(Goal)
+    ->  (   catch(call(Goal, Done, Total), error(_, _), fail)
+        ->  Part = Done/Total
+        ;   Part = none
+        )
+    ;   Part = Part0
+    ),
     notice(Part, Stage, Seconds, Notice),
     (   stream_property(user_error, tty(true))
     ->  message_line(Notice, Line),

@@ -63,8 +63,13 @@ verb_run(convert, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
     outputs(Options, [pl, stl, off, obj, ply], Outputs),
     some_outputs(Outputs),
-    load_model(Files, Options),
-    maplist(output_written(model_output(Options)), Outputs).
+    (   member(output(_, Format), Outputs),
+        Format \== pl
+    ->  Triangles = true
+    ;   Triangles = false
+    ),
+    load_model(Files, [triangles(Triangles)|Options]),
+    maplist(output_written(model_output), Outputs).
 verb_run(penetrate, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
     outputs(Options, [pl, obj, csv, svg], Outputs0),
@@ -251,8 +256,8 @@ copied_out(File) :-
         close(In)),
     flush_output(user_output).
 
-model_output(_, File) :-
-    save_model(File, []).
+model_output(File) :-
+    save_model(File).
 
 %   print_chains: a summary of the penetration lines, as JSON.
 
