@@ -39,7 +39,7 @@ struct sg_work {
   sg_work_grid grid;    /* of living edges, when grid.open */
 };
 
-enum { SG_WORK_FEW = 24 }; /* so few edges are searched without a grid */
+enum { SG_WORK_FEW = 48 }; /* so few edges are searched without a grid */
 
 /* Are there so many edges that the grid serves? Builds it or builds it anew
  * when it is missing or stale. *served tells; false: no memory. */
