@@ -313,6 +313,36 @@ sg_cut_set_joint(const sg_cut_set *set, uint32_t point, uint32_t *k,
          is_free(set, point, &set->piece[*k]);
 }
 
+static bool
+are_coplanar(const sg_cut_set *set, uint32_t t, uint32_t u)
+{
+  double a[3][3], b[3][3];
+
+  if (t == u) {
+    return true;
+  }
+  sg_cut_model_corners(&set->model, t, a);
+  sg_cut_model_corners(&set->model, u, b);
+  for (int i = 0; i < 3; i++) {
+    if (sg_orient3d(a[0], a[1], a[2], b[i]) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_cut_set_is_straight(const sg_cut_set *set, uint32_t k, uint32_t l)
+{
+  const sg_cut_piece *p = &set->piece[k], *q = &set->piece[l];
+
+  if (p->edge[0] != SG_NO_KEY || p->edge[1] != SG_NO_KEY) {
+    return true;
+  }
+  return are_coplanar(set, p->triangle[0], q->triangle[0]) &&
+         are_coplanar(set, p->triangle[1], q->triangle[1]);
+}
+
 void
 sg_cut_set_join(sg_cut_set *set, uint32_t point)
 {

@@ -108,6 +108,10 @@ bool sg_cut_set_link(sg_cut_set *set);
  * PL-9. k ends or starts there, and so does l. */
 bool sg_cut_set_joint(const sg_cut_set *set, uint32_t point, uint32_t *k,
                       uint32_t *l);
+/* True if the two pieces at a joint lie on one line exactly: along an edge, or
+ * in triangles that are coplanar on both sides. A polygon that is flat only
+ * within the tolerance has joints that are nearly straight. */
+bool sg_cut_set_is_straight(const sg_cut_set *set, uint32_t k, uint32_t l);
 /* Makes one piece of the two at a joint: k grows, l is no longer live. */
 void sg_cut_set_join(sg_cut_set *set, uint32_t point);
 

@@ -44,7 +44,9 @@ cut_joints(term_t t, term_t list)
     if (!unify_piece(piece, &set->piece[k]) ||
         !unify_piece(piece + 1, &set->piece[l]) ||
         !PL_unify_list(tail, head, tail) ||
-        !PL_unify_term(head, PL_FUNCTOR_CHARS, "joint", 3, PL_INT, (int)i,
+        !PL_unify_term(head, PL_FUNCTOR_CHARS, "joint", 4, PL_INT, (int)i,
+                       PL_CHARS,
+                       sg_cut_set_is_straight(set, k, l) ? "straight" : "near",
                        PL_TERM, piece, PL_TERM, piece + 1)) {
       return FALSE;
     }
@@ -86,6 +88,22 @@ static bool
 is_gone(const sg_cut_set *set, uint32_t point)
 {
   return point < set->linked && set->gone[point];
+}
+
+/* The name of a point in a segment. */
+static foreign_t
+cut_name(term_t t, term_t point, term_t s, term_t name)
+{
+  sg_cut_handle *handle;
+  uint32_t number;
+  int32_t segment, v;
+
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &segment) ||
+      !get_point_number_ex(point, &handle->set, &number)) {
+    return FALSE;
+  }
+  v = sg_cut_points_name(&handle->set.points, number, segment);
+  return v != 0 && PL_unify_integer(name, v);
 }
 
 static foreign_t
@@ -375,6 +393,7 @@ cut_split_edges(term_t t, term_t s, term_t list)
 static const PL_extension predicates[] = {
     {"cut_joints", 2, cut_joints, 0},
     {"cut_join", 2, cut_join, 0},
+    {"cut_name", 4, cut_name, 0},
     {"cut_gone", 4, cut_gone, 0},
     {"cut_lines", 2, cut_lines, 0},
     {"cut_line", 5, cut_line, 0},

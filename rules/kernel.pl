@@ -29,6 +29,7 @@
             cut_agree/1,              % +Set
             cut_joints/2,             % +Set, -Joints
             cut_join/2,               % +Set, +Point
+            cut_name/4,               % +Set, +Point, +S, -V
             cut_gone/4,               % +Set, +Work, +S, -Vs
             cut_lines/2,              % +Set, -Lines
             cut_line/5,               % +Set, +S, +V1, +V2, -L
@@ -426,8 +427,10 @@ glue file.
 
 %!  cut_joints(+Set, -Joints) is det.
 %
-%   Joints is the list of joint(Point, Piece1, Piece2): exactly two pieces end
-%   in Point, they are in line, and no other real edge is there. A piece is
+%   Joints is the list of joint(Point, How, Piece1, Piece2): exactly two
+%   pieces end in Point, they are in line, and no other real edge is there. How
+%   is `straight` if they are on one line exactly, `near` if only within the
+%   tolerance to which their polygons are flat. A piece is
 %   piece(S1, P1, S2, P2). To be asked after cut_agree/1.
 
 %!  cut_join(+Set, +Point) is det.
@@ -435,6 +438,10 @@ glue file.
 %   Makes one piece of the two at a joint.
 %
 %   @error domain_error(joint, Point)
+
+%!  cut_name(+Set, +Point, +S, -V) is semidet.
+%
+%   Point is vertex V of segment S.
 
 %!  cut_gone(+Set, +Work, +S, -Vs) is det.
 %

@@ -10,8 +10,8 @@
                 cut_triangle/5, cut_ends/4, cut_seal/1, cut_polygons/2,
                 cut_entering/4, cut_work/4, cut_crossing/8, cut_note/5,
                 cut_between/6, cut_divided/4, cut_agree/1, cut_joints/2,
-                cut_join/2, cut_gone/4, cut_lines/2, cut_line/5, cut_vertices/2,
-                cut_split_edges/3,
+                cut_join/2, cut_name/4, cut_gone/4, cut_lines/2, cut_line/5,
+                cut_vertices/2, cut_split_edges/3,
                 work_add/6, work_delete/2, work_edge/6, work_meeting/6,
                 work_close/1
               ]).
@@ -22,7 +22,9 @@
                 facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [work_triangles/2]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- autoload(library(apply), [foldl/4, include/3, maplist/2, maplist/3,
+                             partition/4]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [last/2, member/2, reverse/2]).
 
 /** <module> Penetration lines: where segments go through each other.
@@ -319,23 +321,67 @@ agree_polygon(Set, work(S, P, Work)) :-
 
 /* - - - 5.3: straight parts become one - - - */
 
+%   Joints that are straight exactly are merged all at once. The others, in
+%   polygons flat within the tolerance only, are merged one by one, where the
+%   new edge meets nothing.
+
 merge_lines(Set, Works) :-
     cut_joints(Set, Joints),
-    maplist(merge_joint(Set), Joints),
-    (   Joints == []
+    include(is_merged, Joints, Merged),
+    partition(is_straight, Merged, Straight, Near),
+    maplist(join_straight(Set), Straight),
+    (   Straight == []
     ->  true
     ;   maplist(merge_polygon(Set), Works)
+    ),
+    (   Near == []
+    ->  true
+    ;   works_by_polygon(Works, ByPolygon),
+        maplist(merge_near(Set, ByPolygon), Near)
     ).
 
-merge_joint(Set, joint(Point, Piece1, Piece2)) :-
-    (   merge_line(Piece1, Piece2)
-    ->  cut_join(Set, Point)
-    ;   true
-    ).
+is_merged(joint(_, _, Piece1, Piece2)) :-
+    merge_line(Piece1, Piece2).
+
+is_straight(joint(_, straight, _, _)).
+
+join_straight(Set, joint(Point, _, _, _)) :-
+    cut_join(Set, Point).
 
 merge_polygon(Set, work(S, _, Work)) :-
     cut_gone(Set, Work, S, Vs),
     maplist(merge_at(Work), Vs).
+
+works_by_polygon(Works, ByPolygon) :-
+    findall(S-P-Work, member(work(S, P, Work), Works), Pairs),
+    list_to_assoc(Pairs, ByPolygon).
+
+merge_near(Set, ByPolygon, joint(Point, _, piece(S1, P1, S2, P2), _)) :-
+    get_assoc(S1-P1, ByPolygon, Work1),
+    get_assoc(S2-P2, ByPolygon, Work2),
+    cut_name(Set, Point, S1, V1),
+    cut_name(Set, Point, S2, V2),
+    (   is_free_without(Work1, V1),
+        is_free_without(Work2, V2)
+    ->  cut_join(Set, Point),
+        merge_at(Work1, V1),
+        merge_at(Work2, V2)
+    ;   true
+    ).
+
+%   is_free_without(+Work, +V): the edge that would replace those through V
+%   meets no other.
+
+is_free_without(Work, V) :-
+    work_edge(Work, _, V1, V, _, _),
+    work_edge(Work, _, V, V2, _, _),
+    V2 \== V1,
+    !,
+    \+ ( work_meeting(Work, V1, V2, E, _, _),
+         work_edge(Work, E, A, B, _, _),
+         A \== V,
+         B \== V
+       ).
 
 %   The edges through V become one, in each direction that is there.
 
