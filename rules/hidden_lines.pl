@@ -12,6 +12,7 @@
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
+:- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(interval,
               [ intervals_union/3, intervals_gaps/2, intervals_subtract/3,
                 intervals_within/4
@@ -68,12 +69,22 @@ picture(Options) :-
     must_be(number, Crease),
     option(method(Method0), Options, auto),
     one_of(method, [auto,kernel,rule], Method0),
-    ( Method0 == auto -> Method = kernel ; Method = Method0 ),
+    picture_method(Method0, Method),
     facts_transaction(
         (   project_world,
             open_scene(Scene, Options),
             draw(Method, Scene, Which, Crease)
         )).
+
+%   The kernel stands in for the rules as long as they are the default ones.
+picture_method(kernel, kernel).
+picture_method(rule, rule).
+picture_method(auto, Method) :-
+    (   decision_is_default(edge_role/5),
+        decision_is_default(hides/4)
+    ->  Method = kernel
+    ;   Method = replaced
+    ).
 
 one_of(Domain, Values, Value) :-
     must_be(atom, Value),
@@ -85,7 +96,13 @@ one_of(Domain, Values, Value) :-
 draw(kernel, Scene, Which, Crease) :-
     stage(join, fill_drawn(Scene, Which, Crease)).
 draw(rule, Scene, Which, Crease) :-
-    stage(rules, draw_by_rule(Scene, Which, Crease)).
+    stage(rules, draw_by_rule(Scene, Which, Crease, _)).
+draw(replaced, Scene, Which, Crease) :-
+    get_time(T0),
+    stage(rules, draw_by_rule(Scene, Which, Crease, Lines)),
+    get_time(T),
+    Each is (T-T0)*1.0e6/max(1, Lines),
+    print_message(informational, sanggwan(lines_by_rules(Lines, Each))).
 
 %!  open_scene(-Scene, +Options) is det.
 %
@@ -100,10 +117,12 @@ open_scene(Scene, Options) :-
     screen_depth(Depth),
     stage(tree, scene_open(Segments, Depth, Tolerance, Scene)).
 
+:- decision(hides/4, "Which triangles may hide which lines (PL-13)").
+
 %!  hides(+S, +E, +S2, +T) is semidet.
 %
 %   True when triangle T of segment S2 may hide edge E of segment S. It always
-%   may.
+%   may. A decision: a world can make a segment of glass.
 
 hides(_, _, _, _).
 
@@ -153,8 +172,9 @@ hidden_by(S, E, S2, T, From, To) :-
                 *        BY THE RULES          *
                 *******************************/
 
-draw_by_rule(Scene, Which, Crease) :-
+draw_by_rule(Scene, Which, Crease, Count) :-
     findall((S-E)-Role, drawn_line(Scene, Which, Crease, S, E, Role), Lines0),
+    length(Lines0, Count),
     maplist(with_parts(Scene), Lines0, Lines),
     list_to_assoc(Lines, Drawing),
     retractall_facts(drawn(_,_,_,_,_,_,_)),

@@ -510,3 +510,12 @@ loading_fault(syntax_error(What)) -->
     [ '~w'-[What] ].
 loading_fault(Formal) -->
     '$messages':translate_message(error(Formal, _)).
+
+
+                /*******************************
+                *         hidden_lines         *
+                *******************************/
+
+notice_en(lines_by_rules(Lines, Each)) -->
+    [ '~D lines drawn by the rules, not by the kernel: a decision is replaced'-[Lines], nl,
+      '  ~1f microseconds a line'-[Each] ].

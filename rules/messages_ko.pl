@@ -480,3 +480,12 @@ notice_ko(not_flat(S, Count, P, Off)) -->
 invalid_polygon_ko(S, P, V1, V2) -->
     [ '세그먼트 ~d 의 다각형 ~d 은(는) 꼭지점 ~d 와 ~d 사이에서 스스로 \c
        엇갈리거나 겹칩니다'-[S, P, V1, V2] ].
+
+
+                /*******************************
+                *         hidden_lines         *
+                *******************************/
+
+notice_ko(lines_by_rules(Lines, Each)) -->
+    [ '선 ~D 개를 커널이 아니라 규칙으로 그렸습니다: 판단이 바뀌었습니다'-[Lines], nl,
+      '  선마다 ~1f 마이크로초'-[Each] ].

@@ -3,6 +3,7 @@
             role_rank/2,                % ?Role, ?Rank
             role_drawn/2                % ?Which, ?Role
           ]).
+:- use_module(decision, [decision/2]).
 /** <module> The role of a line in the picture.
 
 Of all the directed edges between two vertices one is drawn, a real one if
@@ -23,6 +24,8 @@ scene_edge/5 reports it, decides its role:
 @see [PL] section 6.3, steps 1 to 3: PL-13.
 */
 
+:- decision(edge_role/5, "The role of a line in the picture (PL-13)").
+
 %!  edge_role(+S, +E, +Look, +Crease, -Role) is det.
 %
 %   True when Role is the role of edge E, one of
@@ -34,6 +37,8 @@ scene_edge/5 reports it, decides its role:
 %     - crease: its faces bend by more than Crease degrees
 %     - smooth: they bend, but less
 %     - mesh: they lie flat side by side
+%
+%   A decision.
 
 edge_role(_, _, look(Faces,_,_,Left,Right,Bend,_,Cut), Crease, Role) :-
     (   Cut == true
