@@ -2,6 +2,7 @@
 :- use_module(rules(view)).
 :- use_module(rules(kernel)).
 :- use_module(rules(store)).
+:- use_module(rules(decision)).
 :- use_module(tests('rules/polyhedron')).
 
 box(S, Low, High) :-
@@ -222,3 +223,44 @@ random_point(p(X,Y,Z)) :-
     Z is 3*random_float-1.5.
 
 :- end_tests(hidden_lines_kernel).
+
+% Rule files that replace the two decisions.
+:- begin_tests(hidden_lines_decision).
+
+in_rules(Text, Goal) :-
+    tmp_file_stream(File, Out, [encoding(utf8),extension(pl)]),
+    call_cleanup(
+        ( write(Out, Text), close(Out), use_rules(File), Goal, no_rules(File) ),
+        delete_file(File)).
+
+behind_a_square :-
+    curve(1, [p(-1,1,0), p(1,1,0)]),
+    polyhedron(2, surface, [p(-0.5,0,-1),p(0.5,0,-1),p(0.5,0,1),p(-0.5,0,1)],
+               [[1,2,3,4]]),
+    set_view(front).
+
+test(glass) :-
+    in_new_world(( behind_a_square, picture, parts(hidden, curve, 1),
+                   in_rules("hides(S, E, S2, T) :- S2 =\\= 2, \c
+                                 default(hides(S, E, S2, T)).",
+                            ( picture, parts(hidden, _, 0) )),
+                   picture, parts(hidden, curve, 1) )).
+test(own_role) :-
+    in_new_world(( behind_a_square,
+                   in_rules("edge_role(S, E, Look, Crease, Role) :- \c
+                                 default(edge_role(S, E, Look, Crease, R)), \c
+                                 ( R == curve -> Role = section ; Role = R ).",
+                            ( picture, parts(visible, section, 2),
+                              parts(_, curve, 0) )) )).
+test(other_world) :-
+    in_new_world(( behind_a_square,
+                   in_rules("hides(_, _, _, _) :- fail.",
+                            ( in_new_world(( behind_a_square, picture,
+                                             parts(hidden, curve, 1) )),
+                              picture, parts(hidden, _, 0) )) )).
+test(listed, all(By == [default,default])) :-
+    in_new_world(findall(B, ( member(D, [edge_role/5,hides/4]),
+                              decision(D, _, _, B) ), Bs)),
+    member(By, Bs).
+
+:- end_tests(hidden_lines_decision).
