@@ -18,6 +18,7 @@
 :- use_module(user:store).
 :- use_module(user:model).
 :- use_module(user:view).
+:- use_module(user:penetration).
 :- endif.
 :- use_module(verbs, [verb_run/4]).
 :- autoload(library(apply), [maplist/2]).

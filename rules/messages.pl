@@ -180,7 +180,7 @@ expected_en(distance) -->
     [ 'a number from 0 on (0: as far as needed)' ].
 expected_en(finite) -->
     [ 'a finite number', nl,
-      '  Infinity and NaN are no places; repair the program that wrote them.' ].
+      '  Infinity and NaN are no places; repair what wrote them.' ].
 expected_en(within(Most)) -->
     [ 'between -~w and ~w'-[Most, Most], nl,
       '  Choose other units: nothing can be computed at this size.' ].
@@ -377,7 +377,8 @@ mesh_en(too_far(Text)) -->
       '  Choose other units: nothing can be computed at this size.' ].
 mesh_en(bad_index(Index, Lowest, Highest)) -->
     { Lowest =< Highest },
-    [ 'there is no vertex ~d; there are ~d to ~d'-[Index, Lowest, Highest], nl,
+    [ 'there is no vertex ~d; there are ~d to ~d'-[Index, Lowest, Highest],
+      nl,
       '  Correct the number, or add the vertex.' ].
 mesh_en(bad_index(Index, Lowest, Highest)) -->
     { Lowest > Highest },
@@ -446,7 +447,8 @@ notice_en(nothing_drawn) -->
                 *******************************/
 
 fault_en(eye_in_model(D)) -->
-    [ 'the eye is in or behind the model: its nearest point is at ~4g'-[D], nl,
+    [ 'the eye is in or behind the model: its nearest point is at ~4g'-[D],
+      nl,
       '  Give a larger RHO, or use the parallel projection.' ].
 
 
@@ -464,8 +466,8 @@ notice_en(polygon_edge(S, P, V1, V2)) -->
     invalid_polygon_en(S, P, V1, V2),
     [ nl, '  It is left out.' ].
 notice_en(no_area(S, Count, P)) -->
-    [ '~D polygons of segment ~d have no area (the first is ~d)'-[Count, S, P],
-      nl, '  They are left out.' ].
+    [ '~D polygons of segment ~d have no area (the first is ~d)'-
+      [Count, S, P], nl, '  They are left out.' ].
 notice_en(not_flat(S, Count, P, Off)) -->
     [ '~D polygons of segment ~d are not flat (the worst, ~d, by ~4g)'-
       [Count, S, P, Off], nl,

@@ -34,8 +34,8 @@
 :- autoload(library(pairs), [pairs_keys/2]).
 /** <module> Models: load, save, and the words rules speak in.
 
-The paper's relations are storage: v, e, p, t. Rules read better over the words
-of GLOSSARY.md. A thing is named by its segment and its number:
+The paper's relations are storage: v, e, p, t. Rules read better over the
+words of GLOSSARY.md. A thing is named by its segment and its number:
 
     HalfEdge = S-E      a directed edge; its twin runs the other way
     Facet    = S-P      one polygon of the model
@@ -51,10 +51,11 @@ of GLOSSARY.md. A thing is named by its segment and its number:
 %!  load_model(+Files) is det.
 %!  load_model(+Files, +Options) is det.
 %
-%   Add the models in Files, one name or a list of names, to the current world:
-%   their segments side by side, each polygon with its plane and triangles. The
-%   ending says what a file is: `.pl` facts, or a mesh (`.stl`, `.off`, `.obj`,
-%   `.ply`). `-` is standard input. All of them, or none. Options:
+%   Add the models in Files, one name or a list of names, to the current
+%   world: their segments side by side, each polygon with its plane and
+%   triangles. The ending says what a file is: `.pl` facts, or a mesh (`.stl`,
+%   `.off`, `.obj`, `.ply`). `-` is standard input. All of them, or none.
+%   Options:
 %
 %     - from(Format): what standard input is (default `pl`)
 %     - triangles(false): do without planes and triangles
@@ -211,8 +212,8 @@ facet_triangle(S-P, triangle(V1, V2, V3)) :-
 
 %!  facet_neighbour(?Facet, ?Neighbour) is nondet.
 %
-%   True when Facet and Neighbour are two facets with a common edge, which they
-%   use in opposite directions. Once for each such edge.
+%   True when Facet and Neighbour are two facets with a common edge, which
+%   they use in opposite directions. Once for each such edge.
 
 facet_neighbour(Facet, Neighbour) :-
     half_edge_facet(HalfEdge, Facet),
@@ -236,9 +237,9 @@ vertex_half_edge(S-V, S-E) :-
 
 %!  edge_facets(?Edge, -Facets) is nondet.
 %
-%   True when Facets are the facets on both sides of Edge = S-(V1,V2), V1 < V2,
-%   in the order of their numbers: two in a solid, one at a border, none of a
-%   curve.
+%   True when Facets are the facets on both sides of Edge = S-(V1,V2), V1 <
+%   V2, in the order of their numbers: two in a solid, one at a border, none
+%   of a curve.
 
 edge_facets(S-(V1, V2), Facets) :-
     e(S, E, A, B, _),

@@ -23,16 +23,17 @@
 
 A file holds facts of the relations (model_text.pl), in any order, and:
 
-  - `p(S, P, List)`. Where the file gives no e/5 of segment S, List is a vertex
-    list, counter-clockwise from outside; edges are made, numbered in the order
-    of the file. A negative number is a jump: `[1,2,3,4,1,-5,6,7,8,5]` has no
-    edge from 1 to 5. A list without jumps closes itself (PL-2). Where the file
-    gives e/5 of S, List is a list of edges.
+  - `p(S, P, List)`. Where the file gives no e/5 of segment S, List is a
+    vertex list, counter-clockwise from outside; edges are made, numbered in
+    the order of the file. A negative number is a jump:
+    `[1,2,3,4,1,-5,6,7,8,5]` has no edge from 1 to 5. A list without jumps
+    closes itself (PL-2). Where the file gives e/5 of S, List is a list of
+    edges.
   - `curve(S, [V1,V2,...])`: edges from each vertex to the next.
-  - `segment(S, Kind, Name)`. Without it the kind follows from the rows: `curve`
-    without polygons, `solid` if every edge has its opposite, else `surface`;
-    the name is the file's. Where the file gives no vertices of S, Name is a
-    primitive term that makes them (primitive.pl).
+  - `segment(S, Kind, Name)`. Without it the kind follows from the rows:
+    `curve` without polygons, `solid` if every edge has its opposite, else
+    `surface`; the name is the file's. Where the file gives no vertices of S,
+    Name is a primitive term that makes them (primitive.pl).
   - `view(Theta, Phi, Rho)` and `projection(Kind)`, once each; they replace
     those of the world.
 
@@ -253,8 +254,8 @@ part_shifted(_, Part, Part).
                 *             LATER            *
                 *******************************/
 
-%   later_added(Later): what had to wait, in the order of reference. Edges made
-%   from lists are numbered after those that are given.
+%   later_added(Later): what had to wait, in the order of reference. Edges
+%   made from lists are numbered after those that are given.
 
 later_added(Later) :-
     later_rows(Later, e/5),

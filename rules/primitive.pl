@@ -97,8 +97,8 @@ is_primitive(Term) :-
 %
 %   True when the primitive Term is a segment of this Kind (`solid`, `surface`
 %   or `curve`) with these Points, a list of point(X, Y, Z) of floats that
-%   become the vertices 1, 2, ... Chains are vertex lists: polygons as in PL-2,
-%   or, of a curve, the open chains of its edges.
+%   become the vertices 1, 2, ... Chains are vertex lists: polygons as in
+%   PL-2, or, of a curve, the open chains of its edges.
 %
 %   @error model_error(primitive(What, Term)), where What is
 %     unknown, unknown_argument(A), missing(Name), twice(Name),

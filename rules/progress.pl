@@ -8,9 +8,10 @@
 
 While a goal runs under with_progress/1, a second thread makes it look at the
 open stage (stage.pl) after two seconds and print where the work is: on a
-terminal one line that is written over twice a second, elsewhere plain lines at
-2, 4, 8, ... seconds. Rules that know how far they are call progress/2; then the
-time left is shown too. Long kernels poll for signals, so they are seen too.
+terminal one line that is written over twice a second, elsewhere plain lines
+at 2, 4, 8, ... seconds. Rules that know how far they are call progress/2;
+then the time left is shown too. Long kernels poll for signals, so they are
+seen too.
 */
 
 :- meta_predicate
@@ -52,7 +53,8 @@ progress_by(Goal) :-
     nb_setval(sg_progress, by(Goal)).
 
 %   watch(Worker): the thread that wakes the worker up; it ends at the message
-%   `done`. (library(time) would do, but its alarms can hang the program's end.)
+%   `done`. (library(time) would do, but its alarms can hang the program's
+%   end.)
 
 watch(Worker) :-
     get_time(Start),

@@ -105,8 +105,8 @@ counted(Answer, Print, Count) :-
              nb_setarg(1, State, N) )),
     arg(1, State, Count).
 
-%   lettered(Term0, Term): unbound variables of an answer are A, B, ..., so that
-%   the same answer always gives the same text.
+%   lettered(Term0, Term): unbound variables of an answer are A, B, ..., so
+%   that the same answer always gives the same text.
 
 lettered(Term0, Term) :-
     copy_term(Term0, Term, _),
@@ -120,8 +120,8 @@ csv_line(Values0) :-
     atomic_list_concat(Cells, ',', Line),
     format("~w~n", [Line]).
 
-%   csv_cell(Value, Cell): in double quotes where RFC 4180 asks for them; lines
-%   end with a newline alone.
+%   csv_cell(Value, Cell): in double quotes where RFC 4180 asks for them;
+%   lines end with a newline alone.
 
 csv_cell(Value, Cell) :-
     (   ( atom(Value) ; string(Value) )

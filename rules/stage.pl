@@ -6,11 +6,11 @@
           ]).
 /** <module> Stages: where the time of an operation goes.
 
-Goals are wrapped as `stage(join, Goal)`. Stages nest, and the time of an inner
-stage does not count for the outer one: with the calls of kernels wrapped,
-`stage(rules, Goal)` measures the rules alone. The names are `load`, `tree`
-(search structures), `join` (kernels that walk relations), `rules`, `write`.
---timings prints the sums. Everything is per thread.
+Goals are wrapped as `stage(join, Goal)`. Stages nest, and the time of an
+inner stage does not count for the outer one: with the calls of kernels
+wrapped, `stage(rules, Goal)` measures the rules alone. The names are `load`,
+`tree` (search structures), `join` (kernels that walk relations), `rules`,
+`write`. --timings prints the sums. Everything is per thread.
 */
 
 :- meta_predicate stage(+, 0).

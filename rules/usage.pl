@@ -1,5 +1,5 @@
 :- module(sg_usage,
-          [ verb/4,                     % ?Verb, -Arguments, -Summary, -Summary_ko
+          [ verb/4,                     % ?Verb, -Arguments, -Summary, -Ko
             verb_options/2,             % +Verb, -Specs
             print_usage/1,              % +Language
             print_usage/2               % +Verb, +Language
@@ -39,7 +39,7 @@ verb(repl, '[MODEL...]',
      'the Prolog top level with the model loaded',
      '모델을 읽은 프롤로그 최상위').
 
-%   verb_option(Verb, Option): Option as in arguments.pl, with help in English.
+%   verb_option(Verb, Option): Option as in arguments.pl, help in English.
 
 verb_option(check, option(json, '', flag, '', 'the report as JSON')).
 
@@ -57,7 +57,8 @@ verb_option(penetrate, option(json, '', flag, '',
 
 verb_option(draw, option(output, o, each, 'FILE',
     'where to (.svg .png .dxf .hpgl .json); may be repeated')).
-verb_option(draw, option(format, '', one_of([svg, png, dxf, hpgl, json]), 'FORMAT',
+verb_option(draw, option(format, '', one_of([svg, png, dxf, hpgl, json]),
+    'FORMAT',
     'the format for -o -')).
 verb_option(draw, option(view, '', value, 'VIEW',
     'front, back, left, right, top, bottom, iso, or THETA,PHI[,RHO] in \c
@@ -84,7 +85,8 @@ common_option(option(from, '', one_of([pl, stl, off, obj, ply]), 'FORMAT',
     'what - (standard input) is; default pl')).
 common_option(option(rules, '', each, 'FILE',
     'rules that replace decisions; may be repeated')).
-common_option(option(strict, '', flag, '', 'a warning makes the exit code 1')).
+common_option(option(strict, '', flag, '',
+    'a warning makes the exit code 1')).
 common_option(option(quiet, q, flag, '', 'no notices, no progress')).
 common_option(option(timings, '', flag, '',
     'the seconds of each stage, as JSON on standard error')).
@@ -99,7 +101,8 @@ common_option(option(help, h, flag, '', 'this text')).
 option_ko(json, '보고를 JSON으로').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
-option_ko(view, 'front back left right top bottom iso 또는 THETA,PHI[,RHO] (도)').
+option_ko(view,
+    'front back left right top bottom iso 또는 THETA,PHI[,RHO] (도)').
 option_ko(projection, 'parallel(평행) 또는 central(중심)').
 option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임)').
 option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
@@ -203,9 +206,9 @@ relations.').
 heading_en(usage, 'Usage:').
 heading_en(options, 'Options:').
 heading_en(examples, 'Examples:').
-heading_en(more, 'sanggwan VERB --help says more, with examples.\nExit codes: \c
-0 done; 1 the answer is no; 2 wrong usage; 3 input unreadable or\ninvalid; \c
-4 geometry not possible; 130 interrupted.').
+heading_en(more, 'sanggwan VERB --help says more, with examples.\n\c
+Exit codes: 0 done; 1 the answer is no; 2 wrong usage; 3 input unreadable\n\c
+or invalid; 4 geometry not possible; 130 interrupted.').
 
 heading_ko(what, '상관: 상관선, 은선, 그리고 관계로서의 모델.').
 heading_ko(usage, '사용법:').

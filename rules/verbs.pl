@@ -16,7 +16,8 @@ report_faults(_, 0).
 :- use_module(hidden_lines, [picture/1]).
 :- use_module(lines_out, [write_lines/1]).
 :- use_module(chain, [chain/5, chain_length/2]).
-:- use_module(model, [load_model/1, load_model/2, save_model/1, save_model/2]).
+:- use_module(model,
+              [load_model/1, load_model/2, save_model/1, save_model/2]).
 :- use_module(penetration, [penetrate/0]).
 :- use_module(query, [query/2, read_goal/3]).
 :- if(( prolog_load_context(directory, D), atom_concat(D, '/repl.pl', F),
@@ -156,8 +157,8 @@ view_goal(projection(Kind), set_projection(Kind)).
 
 %!  convert(+Files, +File) is det.
 %
-%   Write the models in Files, one name or a list, to File; the endings are the
-%   formats. The current world is not touched.
+%   Write the models in Files, one name or a list, to File; the endings are
+%   the formats. The current world is not touched.
 
 convert(Files, File) :-
     new_world(World),
@@ -196,8 +197,8 @@ penetrated :-
                 *******************************/
 
 %   outputs(Options, Formats, Outputs): output(File, Format) of every -o, the
-%   ending checked before any work is done; the first of Formats is the default
-%   of standard output.
+%   ending checked before any work is done; the first of Formats is the
+%   default of standard output.
 
 outputs(Options, Formats, Outputs) :-
     option(output(Files), Options, []),
@@ -238,7 +239,8 @@ some_outputs(_).
 output_written(Writer, output(-, Format)) :-
     !,
     setup_call_cleanup(
-        tmp_file_stream(File, Temporary, [encoding(binary), extension(Format)]),
+        tmp_file_stream(File, Temporary,
+                        [encoding(binary), extension(Format)]),
         ( close(Temporary),
           call(Writer, File),
           copied_out(File)
