@@ -120,7 +120,7 @@ grown(Shape, N, Points) :-
 
 kernel_triangles(Triangles) :-
     work_open(1, 1, Work),
-    work_resolve(Work),
+    work_resolve(Work, 0.0),
     work_triangles(Work, Triangles),
     work_close(Work).
 

@@ -90,7 +90,6 @@ read_vertices(const sg_view *view, model *out)
     for (int k = 0; k < 3; k++) {
       v->p[k] = view->column[2 + k].page[i].f[r];
     }
-    sg_flatness_see(&out->flatness, v->p);
   }
   return sort_keys(out, out->v, sizeof *out->v, n, &out->vertices);
 }
@@ -143,7 +142,7 @@ model_clear(model *m)
 static bool
 model_read(const sg_completion_input *in, model *out)
 {
-  sg_flatness_init(&out->flatness);
+  sg_flatness_of(&out->flatness, in->v);
   return read_vertices(in->v, out) && read_edges(in->e, out) &&
          read_polygons(in->plane, out, &out->with_plane, &out->planes) &&
          read_polygons(in->t, out, &out->with_triangles, &out->triangles);
@@ -361,23 +360,48 @@ fill_work(task *t)
   return true;
 }
 
+/* The edge that got stuck first, as ids. */
+static void
+name_edge(const task *t, int32_t stuck, int32_t out[2])
+{
+  const sg_work_edge *bad = sg_work_get(t->work, stuck);
+
+  out[0] = sg_work_id(t->work, bad->start);
+  out[1] = sg_work_id(t->work, bad->end);
+}
+
+/* With contacts taken exactly; if that gets stuck, once more with those that
+ * rounding may have opened. */
+static sg_outcome
+find_triangles(task *t, int32_t bad[2])
+{
+  double reach[2] = {0, sg_flatness_tolerance(&t->model->flatness)};
+  sg_outcome outcome = SG_STUCK;
+  int32_t stuck;
+
+  for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
+    if ((i > 0 && !fill_work(t)) || !sg_work_resolve(t->work, reach[i])) {
+      return SG_NO_SPACE;
+    }
+    t->found.n = 0;
+    outcome = sg_work_triangulate(t->work, &t->found, &stuck, t->poll);
+    if (outcome == SG_STUCK && i == 0) {
+      name_edge(t, stuck, bad);
+    }
+  }
+  return outcome;
+}
+
 static bool
 triangulate(task *t)
 {
-  int32_t stuck;
+  int32_t bad[2];
 
-  if (!sg_work_resolve(t->work)) {
-    return false;
-  }
-  t->found.n = 0;
-  switch (sg_work_triangulate(t->work, &t->found, &stuck, t->poll)) {
+  switch (find_triangles(t, bad)) {
   case SG_DONE:
     break;
-  case SG_STUCK: {
-    const sg_work_edge *bad = sg_work_get(t->work, stuck);
-    return fault(t, SG_FAULT_EDGE, sg_work_id(t->work, bad->start),
-                 sg_work_id(t->work, bad->end), 0);
-  }
+  case SG_STUCK:
+    return fault(t, SG_FAULT_EDGE, bad[0], bad[1], 0);
   case SG_STOPPED:
     t->stopped = true;
     return false;

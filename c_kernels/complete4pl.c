@@ -6,6 +6,7 @@
 #include "../engine/world4pl.h"
 
 #include "complete.h"
+#include "flatness.h"
 #include "glue.h"
 
 #include <stdlib.h>
@@ -142,11 +143,34 @@ fill_triangles(term_t faults)
   return ok;
 }
 
+/* model_tolerance(-Tolerance) is det. */
+static foreign_t
+model_tolerance(term_t tolerance)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_flatness flatness;
+  sg_view view;
+
+  if (!world) {
+    return FALSE;
+  }
+  const sg_version *version = sg_world_version(world);
+  int ok = sg_version_view(version, SG_V, &view) || sg_no_memory();
+  if (ok) {
+    sg_flatness_of(&flatness, &view);
+    sg_view_clear(&view);
+    ok = sg_unify_double(tolerance, sg_flatness_tolerance(&flatness));
+  }
+  sg_version_drop(version);
+  return ok;
+}
+
 void
 sg_install_complete(void)
 {
   static const PL_extension doors[] = {
       {"fill_triangles", 1, (pl_function_t)fill_triangles, 0},
+      {"model_tolerance", 1, (pl_function_t)model_tolerance, 0},
       {NULL, 0, NULL, 0}};
 
   atom_not_closed = PL_new_atom("not_closed");

@@ -8,12 +8,6 @@
  * size: 1, 0.5 and 0.25 are no rounded measurements. */
 static const double COARSEST = 1e-4;
 
-void
-sg_flatness_init(sg_flatness *out)
-{
-  *out = (sg_flatness){.single = true};
-}
-
 static bool
 has_places(double x, int places)
 {
@@ -24,8 +18,8 @@ has_places(double x, int places)
   return fabs(scaled - nearbyint(scaled)) <= fabs(scaled) * 4 * DBL_EPSILON;
 }
 
-void
-sg_flatness_see(sg_flatness *model, const double point[3])
+static void
+see(sg_flatness *model, const double point[3])
 {
   for (int k = 0; k < 3; k++) {
     double x = point[k];
@@ -42,6 +36,20 @@ sg_flatness_see(sg_flatness *model, const double point[3])
     }
   }
   model->any = true;
+}
+
+void
+sg_flatness_of(sg_flatness *out, const sg_view *v)
+{
+  *out = (sg_flatness){.single = true};
+  for (size_t i = 0; i < v->pages; i++) {
+    for (unsigned r = sg_live_next(v->live[i], 0); r < SG_PAGE_ROWS;
+         r = sg_live_next(v->live[i], r + 1)) {
+      see(out, (const double[3]){v->column[2].page[i].f[r],
+                                 v->column[3].page[i].f[r],
+                                 v->column[4].page[i].f[r]});
+    }
+  }
 }
 
 double

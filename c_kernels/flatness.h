@@ -8,6 +8,8 @@
 #ifndef SG_FLATNESS_H
 #define SG_FLATNESS_H
 
+#include "column.h"
+
 #include <stdbool.h>
 
 typedef struct sg_flatness {
@@ -18,8 +20,8 @@ typedef struct sg_flatness {
 
 enum { SG_PLACES = 9 };
 
-void sg_flatness_init(sg_flatness *out);
-void sg_flatness_see(sg_flatness *model, const double point[3]);
+/* Of all vertices in a view of v/5. */
+void sg_flatness_of(sg_flatness *out, const sg_view *v);
 double sg_flatness_tolerance(const sg_flatness *model); /* model units */
 
 #endif

@@ -177,8 +177,10 @@ int sg_work_take(sg_work *work, int32_t edge, int32_t v3);
  * become the oldest of them, edges with a vertex inside are split there, and
  * pairs of opposite edges that came together so with no face on either side
  * vanish. Not needed (and does nothing) where all contacts are shared
- * vertices already. False: no memory. */
-bool sg_work_resolve(sg_work *work);
+ * vertices already. With reach > 0 (model units) also what is nearer than that
+ * is made to touch first: this is for contacts that rounding has opened, when
+ * the exact way got stuck. False: no memory. */
+bool sg_work_resolve(sg_work *work, double reach);
 
 /* A vertex where as many edges enter as leave is in balance; returns the first
  * one that is not (the polygon does not close there), or SG_WORK_NONE. */

@@ -304,14 +304,16 @@ work_split(term_t work_term, term_t e, term_t v, term_t e1, term_t e2)
   return PL_unify_integer(e1, first) && PL_unify_integer(e2, first + 1);
 }
 
-/* work_resolve(+Work) is det. */
+/* work_resolve(+Work, +Reach) is det. */
 static foreign_t
-work_resolve(term_t work_term)
+work_resolve(term_t work_term, term_t reach_term)
 {
   sg_work *work;
+  double reach;
 
   return sg_get_work_ex(work_term, &work) &&
-         (sg_work_resolve(work) || sg_no_memory());
+         sg_get_finite_ex(reach_term, &reach) &&
+         (sg_work_resolve(work, reach) || sg_no_memory());
 }
 
 /* work_gap(+Work, -V) is semidet. */
@@ -351,7 +353,7 @@ sg_install_work(void)
       {"work_add", 6, (pl_function_t)work_add, PL_FA_VARARGS},
       {"work_delete", 2, (pl_function_t)work_delete, 0},
       {"work_split", 5, (pl_function_t)work_split, 0},
-      {"work_resolve", 1, (pl_function_t)work_resolve, 0},
+      {"work_resolve", 2, (pl_function_t)work_resolve, 0},
       {"work_gap", 2, (pl_function_t)work_gap, 0},
       {"work_turn", 5, (pl_function_t)work_turn, 0},
       {NULL, 0, NULL, 0}};

@@ -61,10 +61,8 @@ by_place(const void *a, const void *b, void *context)
   return (v > w) - (v < w);
 }
 
-/* Hangs the edges of `from` on `to`, in the same place; one that becomes a
- * point vanishes. */
-static bool
-move_edges(sg_work *work, int32_t from, int32_t to)
+bool
+sg_work_move_edges(sg_work *work, int32_t from, int32_t to)
 {
   int32_t e;
 
@@ -99,7 +97,7 @@ merge_places(sg_work *work, const int32_t *vertex, int32_t n)
     if (sg_point_compare((work->axis + 1) % 3, a, b) ||
         sg_point_compare((work->axis + 2) % 3, a, b)) {
       kept = i;
-    } else if (!move_edges(work, vertex[i], vertex[kept])) {
+    } else if (!sg_work_move_edges(work, vertex[i], vertex[kept])) {
       return false;
     }
   }
@@ -219,13 +217,14 @@ drop_outer_pairs(sg_work *work)
 }
 
 bool
-sg_work_resolve(sg_work *work)
+sg_work_resolve(sg_work *work, double reach)
 {
   int32_t *vertex = malloc(((size_t)work->vertices + 1) * sizeof *vertex);
   sg_meetings found = {0};
   int32_t n = 0;
 
-  if (!vertex) {
+  if (!vertex || (reach > 0 && !sg_work_join_near(work, reach))) {
+    free(vertex);
     return false;
   }
   for (int32_t v = 0; v < work->vertices; v++) {

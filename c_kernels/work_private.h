@@ -61,6 +61,14 @@ int32_t sg_work_scan_next(sg_work_scan *scan); /* 0: no more */
 /* False if v is certainly not on the edge: a cheap question first. */
 bool sg_work_near(const sg_work *work, int32_t edge, int32_t v);
 
+/* Hangs the edges of `from` on `to`, in the same place; one that becomes a
+ * point vanishes. False: no memory. */
+bool sg_work_move_edges(sg_work *work, int32_t from, int32_t to);
+
+/* Vertices nearer than `reach` become one, edges are split at vertices nearer
+ * than that. False: no memory. */
+bool sg_work_join_near(sg_work *work, double reach);
+
 bool sg_meetings_push(sg_meetings *out, const sg_meeting *met);
 void sg_meetings_sort(sg_meetings *met); /* by edge */
 

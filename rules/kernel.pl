@@ -51,13 +51,14 @@
             fill_drawn/3,             % +Scene, +Which, +Crease
             % complete4pl.c
             fill_triangles/1,         % -Faults
+            model_tolerance/1,        % -Tolerance
             % work4pl.c, work_join4pl.c
             work_open/3,              % +S, +P, -Work
             work_close/1,             % +Work
             work_add/6,               % +Work, +V1, +V2, +Et, +Label, -E
             work_delete/2,            % +Work, +E
             work_split/5,             % +Work, +E, +V, -E1, -E2
-            work_resolve/1,           % +Work
+            work_resolve/2,           % +Work, +Reach
             work_gap/2,               % +Work, -V
             work_turn/5,              % +Work, +V1, +V2, +V3, -Turn
             work_edge/6,              % +Work, ?E, ?V1, ?V2, ?Et, ?Label
@@ -234,6 +235,12 @@ glue file.
 %
 %   The triangles are exact decisions; planes and Distance are rounded.
 
+%!  model_tolerance(-Tolerance) is det.
+%
+%   How far off a place may be that is meant to be there: the larger of 2^-33
+%   of the model's size and 4 units in the last place of its coordinates, as
+%   far as these show where they come from (single precision, or decimals).
+
 /* - - - work4pl.c, work_join4pl.c - - - */
 
 %!  work_open(+S, +P, -Work) is det.
@@ -267,12 +274,13 @@ glue file.
 %   Replaces E by its pieces to and from V, which lies on it; they keep its Et
 %   and label.
 
-%!  work_resolve(+Work) is det.
+%!  work_resolve(+Work, +Reach) is det.
 %
 %   Makes what touches exactly meet in one vertex: vertices in one place become
 %   the first of them, edges with a vertex inside are split there, and opposite
 %   edges with the polygon on neither side vanish. Does nothing where all
-%   contacts are shared vertices.
+%   contacts are shared vertices. If Reach is above 0.0, what is nearer than
+%   that (model units) is made to touch first.
 
 %!  work_gap(+Work, -V) is semidet.
 %

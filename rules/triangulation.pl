@@ -5,8 +5,8 @@
             work_triangles_by_rule/2    % +Work, -Triangles
           ]).
 :- use_module(kernel,
-              [ fill_triangles/1, work_open/3, work_close/1, work_resolve/1,
-                work_gap/2, work_edge/6, work_oldest/4, work_candidate/4,
+              [ fill_triangles/1, model_tolerance/1, work_open/3, work_close/1,
+                work_resolve/2, work_gap/2, work_edge/6, work_oldest/4, work_candidate/4,
                 work_add/6, work_delete/2, work_triangulate/2
               ]).
 :- use_module(store, [facts_transaction/1]).
@@ -55,20 +55,32 @@ together.
 %          edge V1-V2 has no third vertex
 
 polygon_triangles(S, P, Triangles) :-
+    catch(reached_triangles(S, P, 0.0, Triangles),
+          error(geometry_error(no_third_vertex(V1, V2)), _),
+          second_triangles(S, P, V1-V2, Triangles)).
+
+%   Rounding may have opened contacts (a hole that touches the border, turned).
+%   So try once more, with what is within the model's tolerance made to touch.
+
+second_triangles(S, P, V1-V2, Triangles) :-
+    model_tolerance(Reach),
+    catch(reached_triangles(S, P, Reach, Triangles),
+          error(geometry_error(no_third_vertex(_, _)), _),
+          throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))).
+
+reached_triangles(S, P, Reach, Triangles) :-
     setup_call_cleanup(
         work_open(S, P, Work),                                  % step 1
-        resolved_triangles(Work, S, P, Triangles),
+        resolved_triangles(Work, S, P, Reach, Triangles),
         work_close(Work)).
 
-resolved_triangles(Work, S, P, _) :-
+resolved_triangles(Work, S, P, _, _) :-
     work_gap(Work, V),
     !,
     throw(error(model_error(polygon(S, P, open(V))), _)).
-resolved_triangles(Work, S, P, Triangles) :-
-    work_resolve(Work),
-    catch(work_triangles_by_rule(Work, Triangles),
-          error(geometry_error(no_third_vertex(V1, V2)), _),
-          throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))).
+resolved_triangles(Work, _, _, Reach, Triangles) :-
+    work_resolve(Work, Reach),
+    work_triangles_by_rule(Work, Triangles).
 
 %!  work_triangles_by_rule(+Work, -Triangles) is det.
 %

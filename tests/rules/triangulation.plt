@@ -79,6 +79,13 @@ good :-
     Area =:= Expected,
     same_as_kernel(Triangles).
 
+nearly_good :-
+    polygon_triangles(1, 1, Triangles),
+    triangles_area(Triangles, Area),
+    polygon_area(Expected),
+    abs(Area-Expected) < 1.0e-12*Expected,
+    same_as_kernel(Triangles).
+
 same_as_kernel(Triangles) :-
     fill_triangles(Faults),
     forall(member(fault(_, _, Fault), Faults), Fault = not_flat(_)),
@@ -117,11 +124,12 @@ data(Path) :-
     expand_file_name(Pattern, Paths),
     member(Path, Paths).
 
-% Three of the files do cross themselves (checked edge by edge, in fractions);
-% one has no area.
-data_fault(bad-hole).
-data_fault(issue142).
-data_fault(water).
+% Two of the files do cross themselves (checked edge by edge, in fractions);
+% one has no area; in one a hole shares edges with the border, rounded apart.
+data_outcome('bad-hole', invalid).
+data_outcome(water, invalid).
+data_outcome(degenerate, no_area).
+data_outcome(issue142, nearly_covered).
 
 note_data :-
     (   data(_)
@@ -136,7 +144,7 @@ test(sample, forall(( sample(Name, Loops), place(Place),
     with_polygon(Loops, Place, good).
 test(rounded_touch, forall(( sample(Name, Loops), place(Place),
                              rounded_touch(Name, Place) ))) :-
-    with_polygon(Loops, Place, same_outcome).
+    with_polygon(Loops, Place, nearly_good).
 test(cut, [forall(( cut(_, Points, Edges, N), place(Place) )),
            true(Count == N)]) :-
     with_edges(Points, Edges, Place,
@@ -175,32 +183,52 @@ test(data, [forall(( data(Path), member(Place, [flat, axis(x, -1)]) )),
     file_base_name(Path, Name),
     file_name_extension(Base, json, Name),
     ring_loops(Path, Loops),
-    (   data_fault(Fault),
-        term_to_atom(Fault, Base0),
-        Base0 == Base
-    ->  Expected = invalid
-    ;   Base == degenerate
-    ->  Expected = no_area
+    (   data_outcome(Base, Expected)
+    ->  true
     ;   Expected = covered
     ),
     with_polygon(Loops, Place, outcome(Outcome)).
-test(data_turned, [forall(( data(Path), between(1, 3, Seed) )),
-                   setup(set_random(seed(Seed)))]) :-
+
+% Turned anywhere: points inside edges are rounded off them, so areas agree to
+% rounding; and what is invalid stays so.
+test(data_turned, [forall(( data(Path), \+ sub_atom(Path, _, _, _, degenerate),
+                            between(1, 3, Seed) )),
+                   setup(set_random(seed(Seed))),
+                   true(Base-Outcome == Base-Expected)]) :-
+    file_base_name(Path, Name),
+    file_name_extension(Base, json, Name),
     ring_loops(Path, Loops),
     random_plane(Place),
-    with_polygon(Loops, Place, same_outcome).
+    (   data_outcome(Base, Expected0),
+        Expected0 \== nearly_covered
+    ->  Expected = Expected0
+    ;   Expected = covered
+    ),
+    with_polygon(Loops, Place, outcome(Outcome0)),
+    (   Outcome0 == nearly_covered
+    ->  Outcome = covered
+    ;   Outcome = Outcome0
+    ).
 
 outcome(Outcome) :-
     kernel_outcome(Kernel),
     (   Kernel = triangles(Triangles)
     ->  rule_outcome(Kernel),
         triangles_area(Triangles, Area),
-        polygon_area(Area),
-        Outcome = covered
+        polygon_area(Expected),
+        covering(Area, Expected, Outcome)
     ;   Kernel == no_area
     ->  Outcome = no_area
     ;   rule_outcome(Kernel),
         Outcome = invalid
+    ).
+
+covering(Area, Expected, Outcome) :-
+    (   Area =:= Expected
+    ->  Outcome = covered
+    ;   abs(Area-Expected) < 1.0e-12*Expected
+    ->  Outcome = nearly_covered
+    ;   Outcome = areas(Area, Expected)
     ).
 
 random_plane(plane(U, V, O)) :-
