@@ -13,7 +13,7 @@
                 cut_join/2, cut_name/4, cut_gone/4, cut_lines/2, cut_line/5,
                 cut_vertices/2, cut_split_edges/3,
                 work_add/6, work_delete/2, work_edge/6, work_meeting/6,
-                work_close/1
+                work_resolve/1, work_close/1
               ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -122,8 +122,8 @@ penetrated(Pairs) :-
         cut_set_close(Set)).
 
 penetrated_(Pairs, Set) :-
-    find_cuts(Set),
-    find_curve_points(Set),
+    stage(join, find_cuts(Set)),
+    stage(join, find_curve_points(Set)),
     stage(join, cut_seal(Set)),
     cut_polygons(Set, Polygons),
     setup_call_cleanup(
@@ -427,7 +427,7 @@ write_polygon(Set, work(S, P, Work)) :-
     drop_divided(S, Es0, Edges),
     maplist(write_edge(Set, S), Edges, Es),
     assert_fact(p(S, P, Es)),
-    write_triangles(S, P, Work).
+    write_triangles(S, P, Work, Edges).
 
 retract_once(Fact) :-
     retract_fact(Fact),
@@ -465,15 +465,28 @@ edge_origin(Set, S, V1, V2, _, line(L)) :-
 
 %   A polygon without area has no plane and no triangles.
 
-write_triangles(S, P, Work) :-
+write_triangles(S, P, Work, Edges) :-
     (   plane(S, P, _, _, _, _)
     ->  retractall_facts(t(S, P, _, _, _, _)),
         catch(work_triangles(Work, Triangles),
-              error(geometry_error(no_third_vertex(V1, V2)), _),
-              throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))),
+              error(geometry_error(no_third_vertex(_, _)), _),
+              resolved_triangles(S, P, Work, Edges, Triangles)),
         maplist(write_triangle(S, P), Triangles)
     ;   true
     ).
+
+%   A polygon that touches itself must be resolved first, as it was when it was
+%   triangulated for the first time. That is rare, so it is tried last.
+
+resolved_triangles(S, P, Work, Edges, Triangles) :-
+    findall(E, work_edge(Work, E, _, _, _, _), Rest),
+    maplist(work_delete(Work), Rest),
+    forall(member(w(V1, V2, Et, Label), Edges),
+           work_add(Work, V1, V2, Et, Label, _)),
+    work_resolve(Work),
+    catch(work_triangles(Work, Triangles),
+          error(geometry_error(no_third_vertex(V1, V2)), _),
+          throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))).
 
 write_triangle(S, P, t(V1, V2, V3)) :-
     fresh_id(t, S, T),

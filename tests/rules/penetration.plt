@@ -3,10 +3,15 @@
 :- use_module(library(lists)).
 :- use_module(library(pairs)).
 :- use_module(library(random)).
+:- use_module(library(time)).
 :- use_module(rules(decision)).
 :- use_module(rules(store)).
 :- use_module(rules(chain)).
 :- use_module(rules(model_file)).
+:- use_module(rules(kernel),
+              [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_side/4,
+                cut_seal/1
+              ]).
 :- use_module(rules(mesh)).
 :- use_module(rules(penetration)).
 :- use_module(rules(triangulation)).
@@ -286,6 +291,115 @@ test(again_changes_nothing, Before == After) :-
                  penetrate,
                  findall(x(L,A,C), line(L,_,_,A,C,_,_,_,_), After) )).
 
+% A polygon whose hole touches its outer loop in the middle of an edge.
+test(touching_hole, F-Ls == []-[closed]) :-
+    new_world(World),
+    in_world(World,
+             ( hollow,
+               add_primitive(at([translate(1.5,1,-1)], box(size(0.5,0.5,2))),
+                             _),
+               complete_segments,
+               penetrate,
+               chains(Cs),
+               findall(K, member(chain(_,_,K,_), Cs), Ls),
+               findall(X, ( fault(X), X \= area(_,_,_,_) ), F) )).
+
+hollow :-
+    assert_fact(segment(1, surface, hollow)),
+    forall(nth1(V, [0-0, 2-0, 2-2, 0-2, 1-0, 0.5-1, 1-1.25], X-Y),
+           ( Xf is float(X), Yf is float(Y),
+             assert_fact(v(1, V, Xf, Yf, 0.0)) )),
+    forall(nth1(E, [1-2,2-3,3-4,4-1,5-6,6-7,7-5], A-B),
+           assert_fact(e(1, E, A, B, 1))),
+    assert_fact(p(1, 1, [1,2,3,4,5,6,7])).
+
+% One operation: one step back, and nothing when it is stopped.
+test(undone, After == Before) :-
+    box(2,2,2, 1,1,1, B),
+    new_world(World),
+    in_world(World,
+             ( facts_transaction(
+                   ( add_primitive(box(size(2,2,2)), _),
+                     add_primitive(B, _),
+                     complete_segments )),
+               everything(Before),
+               penetrate,
+               everything(Between),
+               facts_undo,
+               everything(After) )),
+    Between \== Before.
+test(stopped, After == Before) :-
+    Pipe = cylinder(radius(1), height(4), facets(3000)),
+    new_world(World),
+    in_world(World,
+             ( add_primitive(Pipe, _),
+               add_primitive(at([rotate(x,90),translate(0.1,2,2)], Pipe), _),
+               complete_segments,
+               everything(Before),
+               catch(call_with_time_limit(0.1, penetrate),
+                     time_limit_exceeded, true),
+               everything(After) )).
+
+everything(All) :-
+    findall(S-V, v(S, V, _, _, _), Vs),
+    findall(e(S, E, A, B), e(S, E, A, B, _), Es),
+    findall(p(S, P, Ps), p(S, P, Ps), Ps0),
+    findall(t(S, P, A, B, C), t(S, P, _, A, B, C), Ts),
+    findall(S-I, origin(S, I, _), Os),
+    findall(L, line(L, _, _, _, _, _, _, _, _), Ls),
+    All0 = [Vs, Es, Ps0, Ts, Os, Ls],
+    maplist(msort, All0, All).
+
+% Doors and errors.
+test(triangle_cut, Cuts == [cut(crossing, edge(1,2)-edge(1,2),
+                                edge(2,3)-face(1))]) :-
+    new_world(World),
+    in_world(World,
+             ( triangle(1, [0-(-1)-(-1), 0-1-1, 0-1-(-1)]),
+               triangle(2, [(-1)-0-0, 1-0-0, 0-5-0]),
+               findall(cut(K, A, B), triangle_cut(1-1, 2-1, K, A, B), Cuts0)
+             )),
+    maplist(by_features, Cuts0, Cuts).
+test(no_triangle_cut, fail) :-
+    new_world(World),
+    in_world(World,
+             ( triangle(1, [0-0-0, 1-0-0, 0-1-0]),
+               triangle(2, [0-0-9, 1-0-9, 0-1-9]),
+               triangle_cut(1-1, 2-1, _, _, _) )).
+test(no_set, error(type_error(cut_set, foo))) :-
+    cut_seal(foo).
+test(closed_set, error(existence_error(cut_set, _))) :-
+    new_world(World),
+    in_world(World, ( cut_set_open([], Set), cut_set_close(Set),
+                      cut_seal(Set) )).
+test(no_pairs, error(type_error(pair, 1))) :-
+    new_world(World),
+    in_world(World, cut_set_open([1], _)).
+test(no_list, error(type_error(list, x))) :-
+    new_world(World),
+    in_world(World, cut_set_open(x, _)).
+test(unknown_triangle, error(existence_error(cut_triangle, 0))) :-
+    new_world(World),
+    in_world(World, ( cut_set_open([], Set), cut_side(Set, 0, 0, _) )).
+test(empty_world, true) :-
+    new_world(World),
+    in_world(World, penetrate).
+test(no_candidates, fail) :-
+    new_world(World),
+    in_world(World, ( cut_set_open([1-2], Set), cut_candidate(Set, _, _) )).
+
+triangle(S, Points) :-
+    assert_fact(segment(S, surface, triangle)),
+    forall(nth1(V, Points, X0-Y0-Z0),
+           ( X is float(X0), Y is float(Y0), Z is float(Z0),
+             assert_fact(v(S, V, X, Y, Z)) )),
+    forall(nth1(E, [1-2,2-3,3-1], A-B), assert_fact(e(S, E, A, B, 1))),
+    assert_fact(p(S, 1, [1,2,3])),
+    assert_fact(t(S, 1, 1, 1, 2, 3)).
+
+by_features(cut(K, A, B), cut(K, C, D)) :-
+    msort([A,B], [C,D]).
+
 % Decisions.
 test(nothing_is_merged, F-More == []-true) :-
     box(1,1,1, 0.25,0,2, B),
@@ -326,7 +440,8 @@ test(line_cut_once, N == 3) :-
                ( penetrate, aggregate_all(count, e(2,_,_,_,1), N) )).
 
 test(equal_cylinders, F-Bad == []-0) :-
-    penetrated([at([translate(0,0,-2)], cylinder(radius(1), height(4), facets(24))),
+    penetrated([at([translate(0,0,-2)],
+                   cylinder(radius(1), height(4), facets(24))),
                 at([translate(0,0,-2),rotate(x,90)],
                    cylinder(radius(1), height(4), facets(24)))],
                ( faults(F),
