@@ -208,8 +208,8 @@ check_volumes(sg_scene_builder *b)
     if (!from) {
       from = in->vertex[v[0]].model;
     }
-    volume += volume_below(from, in->vertex[v[0]].model,
-                           in->vertex[v[1]].model, in->vertex[v[2]].model);
+    volume += volume_below(from, in->vertex[v[0]].model, in->vertex[v[1]].model,
+                           in->vertex[v[2]].model);
     if (i + 1 == in->triangles || in->triangle[i + 1].s != t->s) {
       sg_scene_segment *segment = segment_of(b, t->s);
       if (segment && volume <= 0.0) {

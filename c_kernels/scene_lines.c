@@ -281,7 +281,8 @@ look_at(sg_scene_builder *b, size_t k)
       continue;
     }
     look_at_face(look, f, i);
-    for (uint32_t w = b->use_at[k]; w < u && w < b->use_at[k] + MOST_FACES; w++) {
+    for (uint32_t w = b->use_at[k]; w < u && w < b->use_at[k] + MOST_FACES;
+         w++) {
       const sg_scene_face *g = face_of_use(b, line, b->user[w], &j);
       if (g) {
         look->bend =
