@@ -11,15 +11,7 @@
 :- use_module(stage, [stages_reset/0, stage_seconds/2]).
 :- use_module(store, [new_world/1, in_world/2, facts_statistics/2]).
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
-:- if(( prolog_load_context(directory, D), atom_concat(D, '/sanggwan.pl', F),
-        exists_file(F) )).
 :- use_module(user:sanggwan).
-:- else.        % until sanggwan.pl is there
-:- use_module(user:store).
-:- use_module(user:model).
-:- use_module(user:view).
-:- use_module(user:penetration).
-:- endif.
 :- use_module(verbs, [verb_run/4]).
 :- autoload(library(apply), [maplist/2]).
 :- autoload(library(http/json), [json_write_dict/3]).

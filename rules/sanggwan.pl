@@ -1,0 +1,29 @@
+:- module(sanggwan, []).
+/** <module> The facade: everything that a user or a rule file calls.
+
+`use_module(library(sanggwan))` loads this. It only re-exports; the modules
+themselves are named sg_ + file, since Prolog's table of modules is flat.
+*/
+
+% The relations, worlds and transactions, and the words for them.
+:- reexport(store).
+:- reexport(model).
+% The way of the data.
+:- reexport(primitive, [primitive/1]).
+:- reexport(model_file, [add_primitive/2]).
+:- reexport(mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
+:- reexport(triangulation, [complete_segments/0, polygon_triangles/3]).
+:- reexport(penetration).
+:- reexport(chain).
+:- reexport(lines_out, [write_lines/1, write_lines/2]).
+:- reexport(view).
+:- reexport(role, [edge_role/5]).
+:- reexport(hidden_lines).
+:- reexport(drawing, [write_drawing/2, drawing_format/2]).
+:- reexport(terminal).
+% Verbs, questions, other rules.
+:- reexport(verbs, [draw/1, draw/2, convert/2]).
+:- reexport(query, [query/2]).
+:- reexport(decision).
+:- use_module(messages, []).
+:- use_module(messages_ko, []).
