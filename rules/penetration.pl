@@ -12,8 +12,9 @@
                 cut_between/6, cut_divided/4, cut_agree/1, cut_joints/2,
                 cut_join/2, cut_name/4, cut_gone/4, cut_lines/2, cut_line/5,
                 cut_vertices/2, cut_split_edges/3,
+                model_tolerance/1,
                 work_add/6, work_delete/2, work_edge/6, work_meeting/6,
-                work_resolve/1, work_close/1
+                work_resolve/2, work_close/1
               ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -109,8 +110,8 @@ penetrate :-
 %
 %   The same for the segments S1-S2 of Pairs only.
 %
-%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, polygon
-%          P cannot be triangulated
+%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
+%          polygon P cannot be triangulated
 
 penetrate(Pairs) :-
     facts_transaction(sg_penetration:penetrated(Pairs)).
@@ -468,25 +469,41 @@ edge_origin(Set, S, V1, V2, _, line(L)) :-
 write_triangles(S, P, Work, Edges) :-
     (   plane(S, P, _, _, _, _)
     ->  retractall_facts(t(S, P, _, _, _, _)),
-        catch(work_triangles(Work, Triangles),
-              error(geometry_error(no_third_vertex(_, _)), _),
-              resolved_triangles(S, P, Work, Edges, Triangles)),
+        polygon_triangles(S-P, Work, Edges, [none, 0.0, tolerance],
+                          Triangles),
         maplist(write_triangle(S, P), Triangles)
     ;   true
     ).
 
-%   A polygon that touches itself must be resolved first, as it was when it was
-%   triangulated for the first time. That is rare, so it is tried last.
+%   A polygon that touches itself must be resolved before, as it was when it
+%   was triangulated for the first time. That is rare, so it is tried only when
+%   the exact way got stuck: with what touches exactly, then with what does so
+%   within the tolerance.
 
-resolved_triangles(S, P, Work, Edges, Triangles) :-
+polygon_triangles(S-P, Work, Edges, [Reach|Reaches], Triangles) :-
+    resolve(Reach, Work, Edges),
+    catch(work_triangles(Work, Triangles0),
+          error(geometry_error(no_third_vertex(V1, V2)), _),
+          Stuck = true),
+    (   Stuck \== true
+    ->  Triangles = Triangles0
+    ;   Reaches == []
+    ->  throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))
+    ;   polygon_triangles(S-P, Work, Edges, Reaches, Triangles)
+    ).
+
+resolve(none, _, _) :-
+    !.
+resolve(tolerance, Work, Edges) :-
+    !,
+    model_tolerance(Reach),
+    resolve(Reach, Work, Edges).
+resolve(Reach, Work, Edges) :-
     findall(E, work_edge(Work, E, _, _, _, _), Rest),
     maplist(work_delete(Work), Rest),
     forall(member(w(V1, V2, Et, Label), Edges),
            work_add(Work, V1, V2, Et, Label, _)),
-    work_resolve(Work),
-    catch(work_triangles(Work, Triangles),
-          error(geometry_error(no_third_vertex(V1, V2)), _),
-          throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))).
+    work_resolve(Work, Reach).
 
 write_triangle(S, P, t(V1, V2, V3)) :-
     fresh_id(t, S, T),
