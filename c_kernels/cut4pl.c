@@ -52,7 +52,7 @@ write_handle(IOSTREAM *out, atom_t atom, int flags)
 }
 
 static PL_blob_t cut_set_blob = {.magic = PL_BLOB_MAGIC,
-                                 .flags = PL_BLOB_NOCOPY,
+                                 .flags = PL_BLOB_UNIQUE | PL_BLOB_NOCOPY,
                                  .name = "cut_set",
                                  .release = release_handle,
                                  .write = write_handle};

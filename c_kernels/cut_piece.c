@@ -352,7 +352,7 @@ sg_cut_set_join(sg_cut_set *set, uint32_t point)
 
   *(k->a == point ? &k->a : &k->b) = far;
   l->live = false;
-  for (int i = 0; i < 2; i++) {
+  for (uint32_t i = 0; i < 2 && i < set->degree[far]; i++) {
     if (set->at[far][i] == set->at[point][1]) {
       set->at[far][i] = set->at[point][0];
     }

@@ -476,9 +476,9 @@ write_triangles(S, P, Work, Edges) :-
     ).
 
 %   A polygon that touches itself must be resolved before, as it was when it
-%   was triangulated for the first time. That is rare, so it is tried only when
-%   the exact way got stuck: with what touches exactly, then with what does so
-%   within the tolerance.
+%   was triangulated for the first time. That is rare, so it is tried only
+%   when the exact way got stuck: with what touches exactly, then with what
+%   does so within the tolerance.
 
 polygon_triangles(S-P, Work, Edges, [Reach|Reaches], Triangles) :-
     resolve(Reach, Work, Edges),
