@@ -4,14 +4,7 @@
             draw/2,                     % +File, +Options
             convert/2                   % +Files, +File
           ]).
-:- if(( prolog_load_context(directory, D), atom_concat(D, '/check.pl', F),
-        exists_file(F) )).
 :- use_module(check, [check_report/1, print_report/2, report_faults/2]).
-:- else.        % until check.pl is there
-check_report(_) :- throw(error(existence_error(module, check), _)).
-print_report(_, _).
-report_faults(_, 0).
-:- endif.
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(hidden_lines, [picture/1]).
 :- use_module(lines_out, [write_lines/1]).
@@ -56,7 +49,10 @@ verb_run(check, Files, Options, Status) :-
     ->  print_report(json, Report)
     ;   print_report(text, Report)
     ),
-    (   report_faults(Report, 0)
+    (   report_faults(Report, 0),
+        \+ ( option(strict(true), Options),
+             member(Segment, Report.segments),
+             Segment.border_edges > 0 )
     ->  Status = 0
     ;   Status = 1
     ).

@@ -117,6 +117,24 @@ check timings-json is "$(sed 's/[0-9.]\{1,\}/0/g' "$work/err")" \
 run query facts/cube.pl 'v(1,1,_,_,_)' --stats
 check stats has '"rows":8'
 
+# The report.
+run check facts/hollow_block.pl
+check check-ok status_is 0
+check check-text has 'genus 1' "$work/out"
+run check --json facts/cube.pl
+check check-json has '"faults":0' "$work/out"
+cat >"$work/open.pl" <<'END'
+segment(1, solid, open).
+v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0). p(1,1,[1,2,3]).
+END
+run check "$work/open.pl"
+check check-fault status_is 1
+check check-fault-text has '3 open_edge' "$work/out"
+run check facts/wire_and_roof.pl
+check check-surface status_is 0
+run check --strict facts/wire_and_roof.pl
+check check-strict status_is 1
+
 # Penetration lines; segments that do not meet; warnings.
 run penetrate facts/figures/fig13.pl --json
 check penetrate-json has '"pieces":80' "$work/out"
