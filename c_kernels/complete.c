@@ -50,11 +50,17 @@ count_rows(const sg_view *view)
   return n;
 }
 
-/* Runs `body` with page i, row r for every live row of a view. */
+/* For every live row r of page i of a view. */
 #define EACH_ROW(view, i, r)                                                   \
-  for (size_t i = 0; i < (view)->pages; i++)                                   \
-    for (unsigned r = sg_live_next((view)->live[i], 0); r < SG_PAGE_ROWS;      \
-         r = sg_live_next((view)->live[i], r + 1))
+  for (unsigned r = sg_live_next((view)->live[i], 0); r < SG_PAGE_ROWS;        \
+       r = sg_live_next((view)->live[i], r + 1))
+
+static bool
+stops(model *m)
+{
+  m->stopped = m->stopped || sg_poll_stop(m->poll);
+  return m->stopped;
+}
 
 static int32_t
 int_at(const sg_view *view, int column, size_t i, unsigned r)
@@ -66,10 +72,12 @@ int_at(const sg_view *view, int column, size_t i, unsigned r)
 static bool
 sort_keys(model *m, void *base, size_t size, size_t n, sg_keys *out)
 {
-  sg_sort_end end = sg_sort(base, n, size, sg_key_compare, m->poll);
-
-  m->stopped = end == SG_SORT_STOPPED;
   *out = (sg_keys){base, size, n, 0};
+  if (m->stopped) {
+    return false;
+  }
+  sg_sort_end end = sg_sort(base, n, size, sg_key_compare, m->poll);
+  m->stopped = end == SG_SORT_STOPPED;
   return end == SG_SORTED;
 }
 
@@ -82,14 +90,17 @@ read_vertices(const sg_view *view, model *out)
   if (!out->v) {
     return false;
   }
-  EACH_ROW(view, i, r)
-  {
-    vertex *v = &out->v[n++];
-    v->s = int_at(view, 0, i, r);
-    v->id = int_at(view, 1, i, r);
-    for (int k = 0; k < 3; k++) {
-      v->p[k] = view->column[2 + k].page[i].f[r];
+  for (size_t i = 0; i < view->pages && !stops(out); i++) {
+    EACH_ROW(view, i, r)
+    {
+      vertex *v = &out->v[n++];
+      v->s = int_at(view, 0, i, r);
+      v->id = int_at(view, 1, i, r);
+      for (int k = 0; k < 3; k++) {
+        v->p[k] = view->column[2 + k].page[i].f[r];
+      }
     }
+    sg_flatness_page(&out->flatness, view, i);
   }
   return sort_keys(out, out->v, sizeof *out->v, n, &out->vertices);
 }
@@ -103,10 +114,12 @@ read_edges(const sg_view *view, model *out)
   if (!out->e) {
     return false;
   }
-  EACH_ROW(view, i, r)
-  {
-    out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
-                         int_at(view, 2, i, r), int_at(view, 3, i, r)};
+  for (size_t i = 0; i < view->pages && !stops(out); i++) {
+    EACH_ROW(view, i, r)
+    {
+      out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
+                           int_at(view, 2, i, r), int_at(view, 3, i, r)};
+    }
   }
   return sort_keys(out, out->e, sizeof *out->e, n, &out->edges);
 }
@@ -122,10 +135,12 @@ read_polygons(const sg_view *view, model *m, polygon_key **out,
   if (!*out) {
     return false;
   }
-  EACH_ROW(view, i, r)
-  {
-    (*out)[n++] =
-        (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
+  for (size_t i = 0; i < view->pages && !stops(m); i++) {
+    EACH_ROW(view, i, r)
+    {
+      (*out)[n++] =
+          (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
+    }
   }
   return sort_keys(m, *out, sizeof **out, n, keys);
 }
@@ -142,7 +157,7 @@ model_clear(model *m)
 static bool
 model_read(const sg_completion_input *in, model *out)
 {
-  sg_flatness_of(&out->flatness, in->v);
+  sg_flatness_init(&out->flatness);
   return read_vertices(in->v, out) && read_edges(in->e, out) &&
          read_polygons(in->plane, out, &out->with_plane, &out->planes) &&
          read_polygons(in->t, out, &out->with_triangles, &out->triangles);
@@ -514,28 +529,34 @@ do_polygon(task *t)
 
 enum { POLYGONS_A_POLL = 256 };
 
+/* The polygon of one row, if something of it is missing. */
+static bool
+do_row(task *t, const sg_view *view, size_t i, unsigned r)
+{
+  t->s = int_at(view, 0, i, r);
+  t->p = int_at(view, 1, i, r);
+  t->needs_plane = sg_keys_find(&t->model->planes, t->s, t->p) == SG_NOWHERE;
+  t->needs_triangles =
+      sg_keys_find(&t->model->triangles, t->s, t->p) == SG_NOWHERE;
+  return (!t->needs_plane && !t->needs_triangles) ||
+         (look_up(t, view->column[2].page[i].list[r]) && do_polygon(t));
+}
+
 static bool
 do_polygons(task *t, const sg_view *view)
 {
   size_t n = 0;
 
-  EACH_ROW(view, i, r)
-  {
-    t->s = int_at(view, 0, i, r);
-    t->p = int_at(view, 1, i, r);
-    t->needs_plane =
-        sg_keys_find(&t->model->planes, t->s, t->p) == SG_NOWHERE;
-    t->needs_triangles =
-        sg_keys_find(&t->model->triangles, t->s, t->p) == SG_NOWHERE;
-    if (!t->needs_plane && !t->needs_triangles) {
-      continue;
-    }
-    if (++n % POLYGONS_A_POLL == 0 && sg_poll_stop(t->poll)) {
-      t->stopped = true;
-      return false;
-    }
-    if (!look_up(t, view->column[2].page[i].list[r]) || !do_polygon(t)) {
-      return false;
+  for (size_t i = 0; i < view->pages; i++) {
+    EACH_ROW(view, i, r)
+    {
+      if (++n % POLYGONS_A_POLL == 0 && sg_poll_stop(t->poll)) {
+        t->stopped = true;
+        return false;
+      }
+      if (!do_row(t, view, i, r)) {
+        return false;
+      }
     }
   }
   return true;

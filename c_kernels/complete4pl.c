@@ -65,24 +65,44 @@ number_triangles_ex(sg_world *world, sg_triangle_rows *rows)
   return TRUE;
 }
 
+enum { ROWS_AT_ONCE = 65536, COLUMNS = 6 };
+
+/* The rows of a relation, some at a time: Prolog's signals come in between. */
+static int
+add_columns_ex(sg_world *world, sg_relation relation, size_t n,
+               const void *const column[COLUMNS])
+{
+  for (size_t at = 0; at < n; at += ROWS_AT_ONCE) {
+    size_t some = n - at < ROWS_AT_ONCE ? n - at : ROWS_AT_ONCE;
+    const void *part[COLUMNS];
+    sg_fault where = {0};
+    for (int k = 0; k < COLUMNS; k++) {
+      size_t size = sg_relation_table[relation].column[k].type == SG_FLOAT
+                        ? sizeof(double)
+                        : sizeof(int32_t);
+      part[k] = (const char *)column[k] + at * size;
+    }
+    if (sg_poll_stop(&sg_prolog_poll) ||
+        !sg_raise_status(
+            sg_world_add_many(world, relation, some, part, &where), relation,
+            &where)) {
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
 static int
 add_rows_ex(sg_world *world, sg_completion *found)
 {
   sg_plane_rows *p = &found->planes;
   sg_triangle_rows *t = &found->triangles;
-  const void *plane[] = {p->s, p->p, p->c[0], p->c[1], p->c[2], p->c[3]};
-  const void *triangle[] = {t->s, t->p, t->t, t->v[0], t->v[1], t->v[2]};
-  sg_fault fault = {0};
+  const void *const plane[] = {p->s, p->p, p->c[0], p->c[1], p->c[2], p->c[3]};
+  const void *const triangle[] = {t->s, t->p, t->t, t->v[0], t->v[1], t->v[2]};
 
-  return (p->n == 0 ||
-          sg_raise_status(
-              sg_world_add_many(world, SG_PLANE, p->n, plane, &fault),
-              SG_PLANE, &fault)) &&
-         (t->n == 0 ||
-          (number_triangles_ex(world, t) &&
-           sg_raise_status(
-               sg_world_add_many(world, SG_T, t->n, triangle, &fault), SG_T,
-               &fault)));
+  return add_columns_ex(world, SG_PLANE, p->n, plane) &&
+         number_triangles_ex(world, t) &&
+         add_columns_ex(world, SG_T, t->n, triangle);
 }
 
 static int
@@ -157,7 +177,10 @@ model_tolerance(term_t tolerance)
   const sg_version *version = sg_world_version(world);
   int ok = sg_version_view(version, SG_V, &view) || sg_no_memory();
   if (ok) {
-    sg_flatness_of(&flatness, &view);
+    sg_flatness_init(&flatness);
+    for (size_t i = 0; i < view.pages; i++) {
+      sg_flatness_page(&flatness, &view, i);
+    }
     sg_view_clear(&view);
     ok = sg_unify_double(tolerance, sg_flatness_tolerance(&flatness));
   }

@@ -39,16 +39,19 @@ see(sg_flatness *model, const double point[3])
 }
 
 void
-sg_flatness_of(sg_flatness *out, const sg_view *v)
+sg_flatness_init(sg_flatness *out)
 {
   *out = (sg_flatness){.single = true};
-  for (size_t i = 0; i < v->pages; i++) {
-    for (unsigned r = sg_live_next(v->live[i], 0); r < SG_PAGE_ROWS;
-         r = sg_live_next(v->live[i], r + 1)) {
-      see(out, (const double[3]){v->column[2].page[i].f[r],
-                                 v->column[3].page[i].f[r],
-                                 v->column[4].page[i].f[r]});
-    }
+}
+
+void
+sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page)
+{
+  for (unsigned r = sg_live_next(v->live[page], 0); r < SG_PAGE_ROWS;
+       r = sg_live_next(v->live[page], r + 1)) {
+    see(model, (const double[3]){v->column[2].page[page].f[r],
+                                 v->column[3].page[page].f[r],
+                                 v->column[4].page[page].f[r]});
   }
 }
 

@@ -20,8 +20,9 @@ typedef struct sg_flatness {
 
 enum { SG_PLACES = 9 };
 
-/* Of all vertices in a view of v/5. */
-void sg_flatness_of(sg_flatness *out, const sg_view *v);
+/* Of all vertices in a view of v/5: init, then every page. */
+void sg_flatness_init(sg_flatness *out);
+void sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page);
 double sg_flatness_tolerance(const sg_flatness *model); /* model units */
 
 #endif

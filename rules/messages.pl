@@ -466,12 +466,12 @@ notice_en(polygon_edge(S, P, V1, V2)) -->
     invalid_polygon_en(S, P, V1, V2),
     [ nl, '  It is left out.' ].
 notice_en(no_area(S, Count, P)) -->
-    [ '~D polygons of segment ~d have no area (the first is ~d)'-
-      [Count, S, P], nl, '  They are left out.' ].
+    [ 'polygons without area in segment ~d: ~D (the first is ~d)'-
+      [S, Count, P], nl, '  Left out.' ].
 notice_en(not_flat(S, Count, P, Off)) -->
-    [ '~D polygons of segment ~d are not flat (the worst, ~d, by ~4g)'-
-      [Count, S, P, Off], nl,
-      '  They are used as their triangles.' ].
+    [ 'polygons that are not flat in segment ~d: ~D (the worst is ~d, by ~4g)'-
+      [S, Count, P, Off], nl,
+      '  Used as their triangles.' ].
 
 invalid_polygon_en(S, P, V1, V2) -->
     [ 'polygon ~d of segment ~d is invalid: no triangle fits its edge from \c

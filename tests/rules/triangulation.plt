@@ -5,6 +5,7 @@
 :- use_module(library(random)).
 :- use_module(rules(store)).
 :- use_module(rules(kernel)).
+:- use_module(rules(mesh)).
 :- use_module(rules(triangulation)).
 :- use_module(tests('rules/polygon_sample')).
 
@@ -236,6 +237,29 @@ random_plane(plane(U, V, O)) :-
     U = [A1,A2,A3],
     V = [B1,B2,B3],
     O = [O1,O2,O3].
+
+% Real polygons: those of mesh files that are no triangles.
+test(mesh, [forall(mesh_data(Path)), true(Differ == [])]) :-
+    new_world(World),
+    in_world(World, mesh_differences(Path, Differ)).
+
+mesh_data(Path) :-
+    absolute_file_name(sanggwan('../shared/data'), Folder,
+                       [file_type(directory), file_errors(fail)]),
+    member(Pattern, ['/meshes/suzanne.obj', '/mcut/*.off']),
+    atom_concat(Folder, Pattern, Files),
+    expand_file_name(Files, Paths),
+    member(Path, Paths).
+
+mesh_differences(Path, Differ) :-
+    read_mesh(Path, _),
+    fill_triangles(_),
+    findall(S-P, ( p(S, P, Es), length(Es, N), N > 3 ), Polygons),
+    exclude(same_triangles, Polygons, Differ).
+
+same_triangles(S-P) :-
+    polygon_triangles(S, P, Triangles),
+    findall(t(V1, V2, V3), t(S, P, _, V1, V2, V3), Triangles).
 
 % Kernel against rule: thousands of polygons.
 test(random_cells, [forall(between(1, 1500, Seed)),
