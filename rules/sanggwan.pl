@@ -9,6 +9,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(store).
 :- reexport(model).
 % The way of the data.
+:- reexport(integrity, [model_defect/1]).
 :- reexport(primitive, [primitive/1]).
 :- reexport(model_file, [add_primitive/2]).
 :- reexport(mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
