@@ -2,8 +2,8 @@
 
        bench/triangulation [LARGEST]
 
-   Event: a triangle cut by an open chain of K segments from side to side, with
-   its edges entered into a scratch relation and triangulated, microseconds.
+   Event: a triangle cut by an open chain of K segments from side to side; its
+   edges entered into a scratch relation, then triangulated, microseconds.
    Growth: polygons of N vertices, milliseconds, the best of three.
 */
 :- use_module('../rules/store').

@@ -126,8 +126,7 @@ read_edges(const sg_view *view, model *out)
 
 /* The polygons that have a row in plane/6 or t/6. */
 static bool
-read_polygons(const sg_view *view, model *m, polygon_key **out,
-              sg_keys *keys)
+read_polygons(const sg_view *view, model *m, polygon_key **out, sg_keys *keys)
 {
   size_t n = 0;
 
@@ -138,8 +137,7 @@ read_polygons(const sg_view *view, model *m, polygon_key **out,
   for (size_t i = 0; i < view->pages && !stops(m); i++) {
     EACH_ROW(view, i, r)
     {
-      (*out)[n++] =
-          (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
+      (*out)[n++] = (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
     }
   }
   return sort_keys(m, *out, sizeof **out, n, keys);
@@ -183,18 +181,14 @@ sg_completion_clear(sg_completion *out)
   *out = (sg_completion){0};
 }
 
-/* Grows one column; false: no memory. */
-static bool
-grow(void *column, size_t room, size_t size)
+/* One column with more room; on failure as it was, and *done false. */
+static void *
+grown(void *column, size_t room, size_t size, bool *done)
 {
-  void *old, *grown;
+  void *more = realloc(column, room * size);
 
-  memcpy(&old, column, sizeof old);
-  grown = realloc(old, room * size);
-  if (grown) {
-    memcpy(column, &grown, sizeof grown);
-  }
-  return grown != NULL;
+  *done = *done && more;
+  return more ? more : column;
 }
 
 static bool
@@ -202,10 +196,11 @@ add_plane(sg_plane_rows *rows, int32_t s, int32_t p, const sg_plane *plane)
 {
   if (rows->n == rows->room) {
     size_t room = rows->room ? rows->room * 2 : 256;
-    bool done = grow(&rows->s, room, sizeof *rows->s) &&
-                grow(&rows->p, room, sizeof *rows->p);
-    for (int k = 0; done && k < 4; k++) {
-      done = grow(&rows->c[k], room, sizeof *rows->c[k]);
+    bool done = true;
+    rows->s = grown(rows->s, room, sizeof *rows->s, &done);
+    rows->p = grown(rows->p, room, sizeof *rows->p, &done);
+    for (int k = 0; k < 4; k++) {
+      rows->c[k] = grown(rows->c[k], room, sizeof *rows->c[k], &done);
     }
     if (!done) {
       return false;
@@ -236,16 +231,17 @@ next_number(sg_key_table *counts, int32_t s, int32_t *out)
 }
 
 static bool
-add_triangle(sg_triangle_rows *rows, sg_key_table *counts, int32_t s,
-             int32_t p, const int32_t v[3])
+add_triangle(sg_triangle_rows *rows, sg_key_table *counts, int32_t s, int32_t p,
+             const int32_t v[3])
 {
   if (rows->n == rows->room) {
     size_t room = rows->room ? rows->room * 2 : 256;
-    bool done = grow(&rows->s, room, sizeof *rows->s) &&
-                grow(&rows->p, room, sizeof *rows->p) &&
-                grow(&rows->t, room, sizeof *rows->t);
-    for (int k = 0; done && k < 3; k++) {
-      done = grow(&rows->v[k], room, sizeof *rows->v[k]);
+    bool done = true;
+    rows->s = grown(rows->s, room, sizeof *rows->s, &done);
+    rows->p = grown(rows->p, room, sizeof *rows->p, &done);
+    rows->t = grown(rows->t, room, sizeof *rows->t, &done);
+    for (int k = 0; k < 3; k++) {
+      rows->v[k] = grown(rows->v[k], room, sizeof *rows->v[k], &done);
     }
     if (!done) {
       return false;
@@ -269,7 +265,9 @@ add_fault(sg_completion *out, const sg_polygon_fault *fault)
 {
   if (out->faults == out->fault_room) {
     size_t room = out->fault_room ? out->fault_room * 2 : 16;
-    if (!grow(&out->fault, room, sizeof *out->fault)) {
+    bool done = true;
+    out->fault = grown(out->fault, room, sizeof *out->fault, &done);
+    if (!done) {
       return false;
     }
     out->fault_room = room;
@@ -300,22 +298,21 @@ typedef struct task {
 static bool
 fault(task *t, sg_fault_kind kind, int32_t a, int32_t b, double size)
 {
-  return add_fault(t->out,
-                   &(sg_polygon_fault){t->s, t->p, kind, a, b, size});
+  return add_fault(t->out, &(sg_polygon_fault){t->s, t->p, kind, a, b, size});
 }
 
 static bool
 make_room(task *t, size_t n)
 {
+  bool done = true;
+
   if (n > t->room) {
-    if (!grow(&t->e, n, sizeof *t->e) ||
-        !grow(&t->start, n, sizeof *t->start) ||
-        !grow(&t->end, n, sizeof *t->end)) {
-      return false;
-    }
-    t->room = n;
+    t->e = grown(t->e, n, sizeof *t->e, &done);
+    t->start = grown(t->start, n, sizeof *t->start, &done);
+    t->end = grown(t->end, n, sizeof *t->end, &done);
+    t->room = done ? n : t->room;
   }
-  return true;
+  return done;
 }
 
 /* Looks its edges and vertices up. The store keeps references whole, so that
@@ -349,8 +346,7 @@ third_corner(const task *t)
   }
   int second = t->start[1] == t->end[0] ? 1 : 2, third = 3 - second;
   bool ring = t->start[second] == t->end[0] &&
-              t->start[third] == t->end[second] &&
-              t->end[third] == t->start[0];
+              t->start[third] == t->end[second] && t->end[third] == t->start[0];
   return ring ? t->end[second] : NULL;
 }
 
@@ -367,8 +363,8 @@ fill_work(task *t)
     sg_point_set(&end, t->end[i]->p);
     int32_t a = sg_work_vertex(t->work, t->start[i]->id, &start);
     int32_t b = sg_work_vertex(t->work, t->end[i]->id, &end);
-    if (a < 0 || b < 0 || (a != b && !sg_work_add(t->work, a, b, 1,
-                                                  t->e[i]->id))) {
+    if (a < 0 || b < 0 ||
+        (a != b && !sg_work_add(t->work, a, b, 1, t->e[i]->id))) {
       return false;
     }
   }
@@ -514,9 +510,8 @@ do_polygon(task *t)
   if (!flat) {
     return fault(t, SG_FAULT_NO_AREA, 0, 0, 0);
   }
-  if (t->needs_plane &&
-      (!add_plane(&t->out->planes, t->s, t->p, &t->plane) ||
-       (t->n > 3 && !note_bent(t)))) {
+  if (t->needs_plane && (!add_plane(&t->out->planes, t->s, t->p, &t->plane) ||
+                         (t->n > 3 && !note_bent(t)))) {
     return false;
   }
   if (!t->needs_triangles || !quick_triangle(t, &done) || done) {

@@ -83,9 +83,8 @@ add_columns_ex(sg_world *world, sg_relation relation, size_t n,
       part[k] = (const char *)column[k] + at * size;
     }
     if (sg_poll_stop(&sg_prolog_poll) ||
-        !sg_raise_status(
-            sg_world_add_many(world, relation, some, part, &where), relation,
-            &where)) {
+        !sg_raise_status(sg_world_add_many(world, relation, some, part, &where),
+                         relation, &where)) {
       return FALSE;
     }
   }

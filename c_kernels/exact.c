@@ -300,15 +300,14 @@ sg_orient3d(const double a[3], const double b[3], const double c[3],
   double m[9] = {a[0] - d[0], a[1] - d[1], a[2] - d[2],
                  b[0] - d[0], b[1] - d[1], b[2] - d[2],
                  c[0] - d[0], c[1] - d[1], c[2] - d[2]};
-  double bc = m[3] * m[7], cb = m[6] * m[4], ca = m[6] * m[1],
-         ac = m[0] * m[7], ab = m[0] * m[4], ba = m[3] * m[1];
+  double bc = m[3] * m[7], cb = m[6] * m[4], ca = m[6] * m[1], ac = m[0] * m[7],
+         ab = m[0] * m[4], ba = m[3] * m[1];
   double det = m[2] * (bc - cb) + m[5] * (ca - ac) + m[8] * (ab - ba);
   double size = (fabs(bc) + fabs(cb)) * fabs(m[2]) +
                 (fabs(ca) + fabs(ac)) * fabs(m[5]) +
                 (fabs(ab) + fabs(ba)) * fabs(m[8]);
-  double bound =
-      (7 + 56 * UNIT) * UNIT * size +
-      DBL_MIN * (4 + fabs(m[2]) + fabs(m[5]) + fabs(m[8]));
+  double bound = (7 + 56 * UNIT) * UNIT * size +
+                 DBL_MIN * (4 + fabs(m[2]) + fabs(m[5]) + fabs(m[8]));
 
   if (fabs(det) > bound && isfinite(det)) {
     return sign(det);
@@ -368,8 +367,7 @@ difference(const sg_point *a, const sg_point *b, int k)
 }
 
 int
-sg_point_turn(int axis, const sg_point *a, const sg_point *b,
-              const sg_point *c)
+sg_point_turn(int axis, const sg_point *a, const sg_point *b, const sg_point *c)
 {
   int u = (axis + 1) % 3, v = (axis + 2) % 3;
 
@@ -381,9 +379,9 @@ sg_point_turn(int axis, const sg_point *a, const sg_point *b,
                        (const double[2]){b->p[u], b->p[v]},
                        (const double[2]){c->p[u], c->p[v]});
   }
-  int answer = sign_of_approx(
-      minus(times(difference(a, c, u), difference(b, c, v)),
-            times(difference(a, c, v), difference(b, c, u))));
+  int answer =
+      sign_of_approx(minus(times(difference(a, c, u), difference(b, c, v)),
+                           times(difference(a, c, v), difference(b, c, u))));
   return answer != 2 ? answer : turn_exactly(axis, a, b, c);
 }
 
@@ -412,8 +410,8 @@ int
 sg_point_along(const sg_point *from, const sg_point *to, const sg_point *a,
                const sg_point *b)
 {
-  if (a == b || (!a->q && !b->q && a->p[0] == b->p[0] &&
-                 a->p[1] == b->p[1] && a->p[2] == b->p[2])) {
+  if (a == b || (!a->q && !b->q && a->p[0] == b->p[0] && a->p[1] == b->p[1] &&
+                 a->p[2] == b->p[2])) {
     return 0;
   }
   approx sum = times(difference(a, b, 0), difference(to, from, 0));
@@ -445,7 +443,7 @@ sg_point_compare(int axis, const sg_point *a, const sg_point *b)
 bool
 sg_point_equal(const sg_point *a, const sg_point *b)
 {
-  return a == b || (sg_point_compare(0, a, b) == 0 &&
-                    sg_point_compare(1, a, b) == 0 &&
-                    sg_point_compare(2, a, b) == 0);
+  return a == b ||
+         (sg_point_compare(0, a, b) == 0 && sg_point_compare(1, a, b) == 0 &&
+          sg_point_compare(2, a, b) == 0);
 }

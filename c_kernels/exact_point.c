@@ -26,8 +26,8 @@ sg_point_set(sg_point *out, const double p[3])
 static long
 quotient_shift(mpz_srcptr numerator, mpz_srcptr denominator)
 {
-  long bits = (long)mpz_sizeinbase(numerator, 2) -
-              (long)mpz_sizeinbase(denominator, 2);
+  long bits =
+      (long)mpz_sizeinbase(numerator, 2) - (long)mpz_sizeinbase(denominator, 2);
   long shift = 55 - bits;
 
   return shift > 1076 ? 1076 : shift;
@@ -77,7 +77,7 @@ nearest_double(mpq_srcptr q)
       return mpq_sgn(q) < 0 ? 0 - answer : answer; /* never -0.0 */
     }
   }
-  answer = ldexp((double)bits, (int)-shift); /* (double) rounds once */
+  answer = ldexp((double)bits, (int)-shift);   /* (double) rounds once */
   return mpq_sgn(q) < 0 ? 0 - answer : answer; /* never -0.0 */
 }
 

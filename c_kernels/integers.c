@@ -116,8 +116,8 @@ sg_integers_clear3(mpz_t v[3])
 }
 
 void
-sg_integers_normal(mpz_t n[3], mpz_t a[3], mpz_t b[3], mpz_t c[3],
-                   mpz_t s[3], mpz_t t[3])
+sg_integers_normal(mpz_t n[3], mpz_t a[3], mpz_t b[3], mpz_t c[3], mpz_t s[3],
+                   mpz_t t[3])
 {
   sg_integers_subtract(s, b, a);
   sg_integers_subtract(t, c, a);

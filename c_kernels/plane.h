@@ -30,8 +30,7 @@ typedef struct sg_newell {
 } sg_newell;
 
 void sg_newell_init(sg_newell *sum);
-void sg_newell_edge(sg_newell *sum, const double start[3],
-                    const double end[3]);
+void sg_newell_edge(sg_newell *sum, const double start[3], const double end[3]);
 
 /* The plane through the mean of the vertices. False: no edges, an area of
  * exactly 0, or numbers out of range. Components are never -0.0. */

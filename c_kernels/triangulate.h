@@ -21,15 +21,15 @@ typedef struct sg_triangles {
 
 typedef enum sg_outcome {
   SG_DONE,
-  SG_STUCK,    /* an edge has no third vertex: the polygon is invalid */
-  SG_STOPPED,  /* the poll said so */
-  SG_NO_SPACE  /* no memory */
+  SG_STUCK,   /* an edge has no third vertex: the polygon is invalid */
+  SG_STOPPED, /* the poll said so */
+  SG_NO_SPACE /* no memory */
 } sg_outcome;
 
 /* Takes triangles off until no edge is left, appending them to `out`. Stuck:
  * *edge is the edge that proves the polygon invalid (still living), and the
  * triangles found before it stay in `out`. The edges are used up. */
-sg_outcome sg_work_triangulate(sg_work *work, sg_triangles *out,
-                               int32_t *edge, const sg_poll *poll);
+sg_outcome sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
+                               const sg_poll *poll);
 
 #endif

@@ -211,8 +211,7 @@ hang(sg_work *work, int32_t e)
                    : &start->first_out) = e;
   start->last_out = e;
   row->in_older = end->last_in;
-  *(row->in_older ? &work->edge[row->in_older].in_younger : &end->first_in) =
-      e;
+  *(row->in_older ? &work->edge[row->in_older].in_younger : &end->first_in) = e;
   end->last_in = e;
 }
 
@@ -240,8 +239,8 @@ static bool
 edge_room(sg_work *work, int32_t n)
 {
   void *rows = work->edge;
-  bool done = make_room(&rows, &work->edge_room, work->edges + n,
-                        sizeof *work->edge);
+  bool done =
+      make_room(&rows, &work->edge_room, work->edges + n, sizeof *work->edge);
 
   work->edge = rows;
   return done;
@@ -255,10 +254,11 @@ sg_work_add(sg_work *work, int32_t start, int32_t end, int32_t et,
     return 0;
   }
   int32_t e = work->edges + 1;
-  work->edge[e] = (sg_work_edge_row){.edge = {start, end, et, label},
-                                     .living = true};
-  if (work->grid.open && !sg_work_grid_add(&work->grid, e, work->vertex[start].at,
-                                      work->vertex[end].at)) {
+  work->edge[e] =
+      (sg_work_edge_row){.edge = {start, end, et, label}, .living = true};
+  if (work->grid.open &&
+      !sg_work_grid_add(&work->grid, e, work->vertex[start].at,
+                        work->vertex[end].at)) {
     return 0;
   }
   work->edges = e;
@@ -424,7 +424,7 @@ build_grid(sg_work *work)
 
   sg_work_grid_close(&work->grid);
   if (!segment || !sg_work_grid_open(&work->grid, segment, work->living,
-                                coordinate_error(work))) {
+                                     coordinate_error(work))) {
     free(segment);
     return false;
   }
@@ -447,9 +447,8 @@ sg_work_ready(sg_work *work, bool *served)
   size_t living = work->living;
 
   *served = living > SG_WORK_FEW;
-  if (!*served ||
-      (grid->open && grid->held <= 2 * living + SG_WORK_FEW &&
-       !sg_work_grid_is_stale(grid))) {
+  if (!*served || (grid->open && grid->held <= 2 * living + SG_WORK_FEW &&
+                   !sg_work_grid_is_stale(grid))) {
     return true;
   }
   return build_grid(work);
@@ -469,7 +468,7 @@ sg_work_scan_open(sg_work_scan *scan, sg_work *work, const int32_t *corner,
       memcpy(at[i], work->vertex[corner[i]].at, sizeof at[i]);
     }
     sg_work_grid_walk_open(&scan->walk, &work->grid, (const double(*)[2])at,
-                      corners);
+                           corners);
     work->search++;
   }
   return true;

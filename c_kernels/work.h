@@ -106,16 +106,16 @@ typedef enum sg_how {
                    in common */
 } sg_how;
 
-enum { /* sg_meeting.inside: bits */
-  SG_V1_INSIDE = 1,    /* v1 lies inside the edge: split the edge there */
-  SG_V2_INSIDE = 2,    /* v2 does */
-  SG_START_INSIDE = 4, /* the edge's start lies inside v1-v2: split that */
-  SG_END_INSIDE = 8,   /* the edge's end does */
-  /* An end of each in the same place, but with another id (not shared): */
-  SG_V1_AT_START = 16,
-  SG_V1_AT_END = 32,
-  SG_V2_AT_START = 64,
-  SG_V2_AT_END = 128
+enum {                      /* sg_meeting.inside: bits */
+       SG_V1_INSIDE = 1,    /* v1 lies inside the edge: split the edge there */
+       SG_V2_INSIDE = 2,    /* v2 does */
+       SG_START_INSIDE = 4, /* the edge's start lies inside v1-v2: split that */
+       SG_END_INSIDE = 8,   /* the edge's end does */
+       /* An end of each in the same place, but with another id (not shared): */
+       SG_V1_AT_START = 16,
+       SG_V1_AT_END = 32,
+       SG_V2_AT_START = 64,
+       SG_V2_AT_END = 128
 };
 
 typedef struct sg_meeting {
@@ -155,9 +155,9 @@ typedef struct sg_candidates {
   int32_t v1, v2;
   int phase;
   bool no_memory;
-  int32_t edge;            /* the last one looked at in the phase */
-  int32_t ring;            /* the next one of the last phase */
-  struct sg_near *near;    /* [n] of the ring, `next` to come */
+  int32_t edge;         /* the last one looked at in the phase */
+  int32_t ring;         /* the next one of the last phase */
+  struct sg_near *near; /* [n] of the ring, `next` to come */
   size_t next, n, room;
   int32_t blocker[SG_BLOCKERS]; /* edges in the way of earlier vertices */
   unsigned blocked;

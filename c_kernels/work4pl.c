@@ -193,8 +193,8 @@ find_polygon_ex(const sg_version *version, term_t s, term_t p, polygon *out)
   if (row == SG_NO_ROW) {
     return PL_existence_error("polygon", p);
   }
-  *out = (polygon){version, id[0],
-                   sg_version_value(version, SG_P, row, 2).list};
+  *out =
+      (polygon){version, id[0], sg_version_value(version, SG_P, row, 2).list};
   return TRUE;
 }
 
@@ -257,9 +257,10 @@ work_add(term_t a0, int arity, void *context)
   int64_t label;
 
   (void)arity, (void)context;
-  if (!sg_get_work_ex(a0, &work) || !sg_get_work_vertex_ex(work, a0 + 1, &v[0]) ||
-      !sg_get_work_vertex_ex(work, a0 + 2, &v[1]) || !sg_get_int32_ex(a0 + 3, &et) ||
-      !PL_get_int64_ex(a0 + 4, &label)) {
+  if (!sg_get_work_ex(a0, &work) ||
+      !sg_get_work_vertex_ex(work, a0 + 1, &v[0]) ||
+      !sg_get_work_vertex_ex(work, a0 + 2, &v[1]) ||
+      !sg_get_int32_ex(a0 + 3, &et) || !PL_get_int64_ex(a0 + 4, &label)) {
     return FALSE;
   }
   if (v[0] == v[1]) {
@@ -337,7 +338,8 @@ work_turn(term_t work_term, term_t v1, term_t v2, term_t v3, term_t turn)
   int32_t v[3];
 
   return sg_get_work_ex(work_term, &work) &&
-         sg_get_work_vertex_ex(work, v1, &v[0]) && sg_get_work_vertex_ex(work, v2, &v[1]) &&
+         sg_get_work_vertex_ex(work, v1, &v[0]) &&
+         sg_get_work_vertex_ex(work, v2, &v[1]) &&
          sg_get_work_vertex_ex(work, v3, &v[2]) &&
          PL_unify_integer(turn, sg_work_turn(work, v[0], v[1], v[2]));
 }

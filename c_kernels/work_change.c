@@ -69,8 +69,7 @@ sg_work_move_edges(sg_work *work, int32_t from, int32_t to)
   while ((e = work->vertex[from].first_out) != 0) {
     sg_work_edge old = work->edge[e].edge;
     sg_work_delete(work, e);
-    if (old.end != to &&
-        !sg_work_add(work, to, old.end, old.et, old.label)) {
+    if (old.end != to && !sg_work_add(work, to, old.end, old.et, old.label)) {
       return false;
     }
   }
@@ -192,13 +191,14 @@ winding(const sg_work *work, int32_t edge, int32_t opposite, int *out)
 }
 
 /* Deletes the pairs of opposite edges outside all others (the polygon lies on
- * neither side): a spike, or a hole that shares an edge with what is round it. */
+ * neither side): a spike, or a hole that shares an edge with what is round it.
+ */
 static bool
 drop_outer_pairs(sg_work *work)
 {
   for (int32_t e = work->oldest, next; e; e = next) {
-    int32_t opposite = sg_work_pair(work, work->edge[e].edge.end,
-                                    work->edge[e].edge.start);
+    int32_t opposite =
+        sg_work_pair(work, work->edge[e].edge.end, work->edge[e].edge.start);
     int around;
     next = work->edge[e].younger;
     if (!opposite || e > opposite) {

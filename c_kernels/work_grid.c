@@ -47,7 +47,8 @@ typedef struct extent {
 } extent;
 
 static void
-measure(sg_work_grid *grid, const sg_work_grid_segment *segment, size_t n, extent *out)
+measure(sg_work_grid *grid, const sg_work_grid_segment *segment, size_t n,
+        extent *out)
 {
   *out = (extent){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}, {0, 0}};
   for (size_t i = 0; i < n; i++) {
@@ -98,8 +99,8 @@ choose_cells(sg_work_grid *grid, const extent *box, size_t n)
 }
 
 bool
-sg_work_grid_open(sg_work_grid *grid, const sg_work_grid_segment *segment, size_t n,
-             double error)
+sg_work_grid_open(sg_work_grid *grid, const sg_work_grid_segment *segment,
+                  size_t n, double error)
 {
   extent box;
   double low[2];
@@ -152,7 +153,8 @@ to_cells(const sg_work_grid *grid, const double point[2], double out[2])
 }
 
 void
-sg_work_grid_cell(const sg_work_grid *grid, const double point[2], int32_t out[2])
+sg_work_grid_cell(const sg_work_grid *grid, const double point[2],
+                  int32_t out[2])
 {
   double at[2];
 
@@ -189,8 +191,7 @@ cover_row(sg_work_grid_walk *walk)
   const sg_work_grid *grid = walk->grid;
   double low = INFINITY, high = -INFINITY, m = grid->margin;
   double bottom = walk->row == 0 ? -INFINITY : walk->row - m;
-  double top =
-      walk->row == grid->cells[1] - 1 ? INFINITY : walk->row + 1 + m;
+  double top = walk->row == grid->cells[1] - 1 ? INFINITY : walk->row + 1 + m;
 
   if (walk->corners == 1) {
     low = high = walk->corner[0][0];
@@ -205,7 +206,7 @@ cover_row(sg_work_grid_walk *walk)
 
 void
 sg_work_grid_walk_open(sg_work_grid_walk *walk, const sg_work_grid *grid,
-                  const double corner[][2], int corners)
+                       const double corner[][2], int corners)
 {
   double low = INFINITY, high = -INFINITY;
 
@@ -240,8 +241,7 @@ next_cell(sg_work_grid_walk *walk)
 static size_t
 cell_index(const sg_work_grid_walk *walk)
 {
-  return (size_t)walk->row * (size_t)walk->grid->cells[0] +
-         (size_t)walk->cell;
+  return (size_t)walk->row * (size_t)walk->grid->cells[0] + (size_t)walk->cell;
 }
 
 int32_t
@@ -280,7 +280,7 @@ push(sg_work_grid *grid, size_t cell, int32_t number)
 
 bool
 sg_work_grid_add(sg_work_grid *grid, int32_t number, const double from[2],
-            const double to[2])
+                 const double to[2])
 {
   double corner[2][2] = {{from[0], from[1]}, {to[0], to[1]}};
   sg_work_grid_walk walk;

@@ -30,20 +30,20 @@ typedef struct sg_work_grid {
   int32_t *first; /* [cells[0] * cells[1]]: entry + 1, 0 none */
   sg_work_grid_entry *entry;
   int32_t entries, room;
-  int32_t filled; /* entries after the first filling: sg_work_grid_filled() */
+  int32_t filled;  /* entries after the first filling: sg_work_grid_filled() */
   size_t held;     /* segments put in since it was opened */
   size_t expected; /* segments that shaped it */
 } sg_work_grid;
 
 /* The n segments shape the grid; they are not put in. False: no memory.
  * `error` bounds the rounding error of the coordinates. */
-bool sg_work_grid_open(sg_work_grid *grid, const sg_work_grid_segment *segment, size_t n,
-                  double error);
+bool sg_work_grid_open(sg_work_grid *grid, const sg_work_grid_segment *segment,
+                       size_t n, double error);
 void sg_work_grid_close(sg_work_grid *grid);
 
 /* False: no memory. */
 bool sg_work_grid_add(sg_work_grid *grid, int32_t number, const double from[2],
-                 const double to[2]);
+                      const double to[2]);
 
 /* Says that all segments are in: what comes later may be as much again, then
  * it is time for a new grid. */
@@ -60,10 +60,11 @@ typedef struct sg_work_grid_walk {
 } sg_work_grid_walk;
 
 void sg_work_grid_walk_open(sg_work_grid_walk *walk, const sg_work_grid *grid,
-                       const double corner[][2], int corners);
+                            const double corner[][2], int corners);
 int32_t sg_work_grid_walk_next(sg_work_grid_walk *walk); /* 0: no more */
 
 /* The cell of a point, as column and row. */
-void sg_work_grid_cell(const sg_work_grid *grid, const double point[2], int32_t out[2]);
+void sg_work_grid_cell(const sg_work_grid *grid, const double point[2],
+                       int32_t out[2]);
 
 #endif

@@ -242,7 +242,8 @@ work_meeting(term_t a0, int arity, void *context)
     meeting_walk_close(PL_foreign_context_address(h));
     return TRUE;
   }
-  if (!sg_get_work_ex(a0, &work) || !sg_get_work_vertex_ex(work, a0 + 1, &v[0]) ||
+  if (!sg_get_work_ex(a0, &work) ||
+      !sg_get_work_vertex_ex(work, a0 + 1, &v[0]) ||
       !sg_get_work_vertex_ex(work, a0 + 2, &v[1])) {
     return FALSE;
   }
@@ -308,7 +309,8 @@ work_candidate(term_t a0, int arity, void *context)
     candidates_free(PL_foreign_context_address(h));
     return TRUE;
   }
-  if (!sg_get_work_ex(a0, &work) || !sg_get_work_vertex_ex(work, a0 + 1, &v[0]) ||
+  if (!sg_get_work_ex(a0, &work) ||
+      !sg_get_work_vertex_ex(work, a0 + 1, &v[0]) ||
       !sg_get_work_vertex_ex(work, a0 + 2, &v[1])) {
     return FALSE;
   }

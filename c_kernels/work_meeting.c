@@ -76,8 +76,8 @@ on_one_line(const sg_work *work, int32_t v1, int32_t v2,
   unsigned in = out->inside;
   bool in1 = in & SG_V1_INSIDE || at_an_end(work, v1, edge->start, edge->end);
   bool in2 = in & SG_V2_INSIDE || at_an_end(work, v2, edge->start, edge->end);
-  unsigned inner = SG_V1_INSIDE | SG_V2_INSIDE | SG_START_INSIDE |
-                   SG_END_INSIDE;
+  unsigned inner =
+      SG_V1_INSIDE | SG_V2_INSIDE | SG_START_INSIDE | SG_END_INSIDE;
 
   if (in1 && in2) {
     out->how = SG_CONTAINED;
@@ -113,8 +113,7 @@ meet(const sg_work *work, int32_t v1, int32_t v2, const sg_work_edge *edge,
   out->inside =
       (side_1 == 0 && sg_work_between(work, a, b, v1) ? SG_V1_INSIDE : 0u) |
       (side_2 == 0 && sg_work_between(work, a, b, v2) ? SG_V2_INSIDE : 0u) |
-      (side_a == 0 && sg_work_between(work, v1, v2, a) ? SG_START_INSIDE
-                                                       : 0u) |
+      (side_a == 0 && sg_work_between(work, v1, v2, a) ? SG_START_INSIDE : 0u) |
       (side_b == 0 && sg_work_between(work, v1, v2, b) ? SG_END_INSIDE : 0u) |
       ends_together(work, v1, v2, edge);
   if (side_a == 0 && side_b == 0) {
@@ -355,7 +354,8 @@ push_near(sg_candidates *walk, int32_t vertex, const double from[2])
     walk->near = grown;
     walk->room = room;
   }
-  walk->near[walk->n++] = (near){hypot(at[0] - from[0], at[1] - from[1]), vertex};
+  walk->near[walk->n++] =
+      (near){hypot(at[0] - from[0], at[1] - from[1]), vertex};
   return true;
 }
 

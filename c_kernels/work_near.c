@@ -89,8 +89,7 @@ merge_near(sg_work *work, const rows *in, double reach)
          j < in->n && in->item[j].along - in->item[i].along <= reach; j++) {
       int32_t w = in->item[j].vertex;
       if (!has_edges(work, v) || !has_edges(work, w) ||
-          distance(work->vertex[v].point.p, work->vertex[w].point.p) >
-              reach) {
+          distance(work->vertex[v].point.p, work->vertex[w].point.p) > reach) {
         continue;
       }
       if (!sg_work_move_edges(work, v < w ? w : v, v < w ? v : w)) {
@@ -136,8 +135,8 @@ split_near(sg_work *work, const rows *in, int32_t edge, double reach,
   double high = fmax(work->vertex[a].at[0], work->vertex[b].at[0]) + reach;
   size_t n = 0;
 
-  for (size_t i = first_from(in, low);
-       i < in->n && in->item[i].along <= high; i++) {
+  for (size_t i = first_from(in, low); i < in->n && in->item[i].along <= high;
+       i++) {
     int32_t v = in->item[i].vertex;
     double at;
     if (v != a && v != b && has_edges(work, v) &&

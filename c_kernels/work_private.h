@@ -17,26 +17,26 @@ typedef struct sg_work_vertex_row {
 
 typedef struct sg_work_edge_row {
   sg_work_edge edge;
-  int32_t older, younger;          /* in the queue of all */
-  int32_t out_older, out_younger;  /* among those leaving `start` */
-  int32_t in_older, in_younger;    /* among those entering `end` */
-  uint32_t seen;                   /* by the search of this number */
+  int32_t older, younger;         /* in the queue of all */
+  int32_t out_older, out_younger; /* among those leaving `start` */
+  int32_t in_older, in_younger;   /* among those entering `end` */
+  uint32_t seen;                  /* by the search of this number */
   bool living;
 } sg_work_edge_row;
 
 struct sg_work {
-  int axis;    /* dropped */
-  int flip;    /* +1: the normal points along the axis, -1: against it */
+  int axis; /* dropped */
+  int flip; /* +1: the normal points along the axis, -1: against it */
   sg_work_vertex_row *vertex; /* [vertices] */
   int32_t vertices, vertex_room;
-  int32_t *slot;    /* hash of ids: handle + 1, 0 free */
-  uint32_t slots;   /* a power of two, or 0 */
+  int32_t *slot;          /* hash of ids: handle + 1, 0 free */
+  uint32_t slots;         /* a power of two, or 0 */
   sg_work_edge_row *edge; /* [edges], [0] unused */
   int32_t edges, edge_room;
   int32_t oldest, youngest;
   size_t living;
-  uint32_t search; /* the number of the last one */
-  sg_work_grid grid;    /* of living edges, when grid.open */
+  uint32_t search;   /* the number of the last one */
+  sg_work_grid grid; /* of living edges, when grid.open */
 };
 
 enum { SG_WORK_FEW = 48 }; /* so few edges are searched without a grid */
@@ -54,8 +54,8 @@ typedef struct sg_work_scan {
   int32_t edge;
 } sg_work_scan;
 
-bool sg_work_scan_open(sg_work_scan *scan, sg_work *work,
-                       const int32_t *corner, int corners);
+bool sg_work_scan_open(sg_work_scan *scan, sg_work *work, const int32_t *corner,
+                       int corners);
 int32_t sg_work_scan_next(sg_work_scan *scan); /* 0: no more */
 
 /* False if v is certainly not on the edge: a cheap question first. */

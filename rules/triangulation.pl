@@ -5,8 +5,9 @@
             work_triangles_by_rule/2    % +Work, -Triangles
           ]).
 :- use_module(kernel,
-              [ fill_triangles/1, model_tolerance/1, work_open/3, work_close/1,
-                work_resolve/2, work_gap/2, work_edge/6, work_oldest/4, work_candidate/4,
+              [ fill_triangles/1, model_tolerance/1,
+                work_open/3, work_close/1, work_resolve/2, work_gap/2,
+                work_edge/6, work_oldest/4, work_candidate/4,
                 work_add/6, work_delete/2, work_triangulate/2
               ]).
 :- use_module(store, [facts_transaction/1]).
@@ -14,19 +15,19 @@
 
 /** <module> Polygons into triangles.
 
-Triangulation by backtracking (PL-6), for concave, hollow, several times hollow
-and internally cut polygons alike; section 4 of the paper, step by step. The
-numbers are the paper's.
+Triangulation by backtracking (PL-6), for concave, hollow, several times
+hollow and internally cut polygons alike; section 4 of the paper, step by
+step. The numbers are the paper's.
 
-    1. The edges Es of polygon P are put into a buffer    polygon_triangles/3
-    2. Choose an edge V1-V2 of Es                         work_oldest/4
-    3. Choose V3: the end of an edge leaving V2, the      work_candidate/4
+    1. The edges Es of polygon P are put into a buffer   work_open/3
+    2. Choose an edge V1-V2 of Es                        work_oldest/4
+    3. Choose V3: the end of an edge leaving V2, the     work_candidate/4
        start of one entering V1, or any other vertex
-    4. (I) V1-V2-V3 turns as P does
-       (II) no other edge meets it                        (both: work_candidate/4)
-       (3) delete and add edges (3-1 ... 3-5)             take_off/5
+    4. (I) V1-V2-V3 turns as P does                      work_candidate/4
+       (II) no other edge meets it                       work_candidate/4
+       (3) delete and add edges (3-1 ... 3-5)            take_off/5
     5. V1-V2-V3 is a triangle
-    6. Until Es is empty                                  work_triangles_by_rule/2
+    6. Until Es is empty                                 the recursion
 
 One thing is sharper than in the paper. (II) is closed: nothing may even touch
 the triangle but in its corners and along its sides. Then a triangle that can
@@ -59,8 +60,9 @@ polygon_triangles(S, P, Triangles) :-
           error(geometry_error(no_third_vertex(V1, V2)), _),
           second_triangles(S, P, V1-V2, Triangles)).
 
-%   Rounding may have opened contacts (a hole that touches the border, turned).
-%   So try once more, with what is within the model's tolerance made to touch.
+%   Rounding may have opened contacts (a hole that touches the border,
+%   turned). So try once more, with what is within the model's tolerance made
+%   to touch.
 
 second_triangles(S, P, V1-V2, Triangles) :-
     model_tolerance(Reach),

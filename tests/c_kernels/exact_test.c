@@ -271,8 +271,8 @@ test_doubles(int family)
     bad2 += sg_orient2d(d[0], d[1], d[2]) != want ||
             sg_orient2d(d[2], d[1], d[0]) != -want;
     for (int axis = 0; axis < 3; axis++) {
-      bad_turn += sg_point_turn(axis, q[0], q[1], q[2]) !=
-                  turn_reference(axis, q);
+      bad_turn +=
+          sg_point_turn(axis, q[0], q[1], q[2]) != turn_reference(axis, q);
     }
   }
   CHECK("orient3d", bad3 == 0);
@@ -300,8 +300,8 @@ is_nearest(mpq_srcptr q, double p)
     mpq_sub(there, q, x);
     mpq_abs(there, there);
     int order = mpq_cmp(here, there);
-    double m = fabs(p) < DBL_MIN ? p / DBL_TRUE_MIN
-                                 : ldexp(frexp(p, &exponent), 53);
+    double m =
+        fabs(p) < DBL_MIN ? p / DBL_TRUE_MIN : ldexp(frexp(p, &exponent), 53);
     nearest = nearest && (order < 0 || (order == 0 && fmod(m, 2) == 0));
   }
   mpq_clears(x, here, there, NULL);
@@ -394,21 +394,20 @@ test_constructions(int family)
               sg_point_turn(2, q[5], q[6], &ll) != 0 ||
               sg_point_turn(0, q[0], q[1], &ll) != 0;
     for (int j = 0; j < 3; j++) {
-      bad_on += sg_point_orient3d(plane[j][0], plane[j][1], plane[j][2],
-                                  &tpi) != 0;
+      bad_on +=
+          sg_point_orient3d(plane[j][0], plane[j][1], plane[j][2], &tpi) != 0;
     }
     sg_point rounded; /* next to the exact point: the hardest neighbour */
     sg_point_set(&rounded, lpi.p);
     const sg_point *mixed[4] = {&lpi, &ll, q[7], &rounded};
-    bad_sign +=
-        sg_point_orient3d(mixed[0], mixed[1], mixed[2], mixed[3]) !=
-        orient3d_reference(mixed);
+    bad_sign += sg_point_orient3d(mixed[0], mixed[1], mixed[2], mixed[3]) !=
+                orient3d_reference(mixed);
     bad_sign += sg_point_along(mixed[0], mixed[1], mixed[2], mixed[3]) !=
                 along_reference(mixed);
     for (int axis = 0; axis < 3; axis++) {
       const sg_point *t[3] = {&lpi, &rounded, &tpi};
-      bad_sign += sg_point_turn(axis, t[0], t[1], t[2]) !=
-                  turn_reference(axis, t);
+      bad_sign +=
+          sg_point_turn(axis, t[0], t[1], t[2]) != turn_reference(axis, t);
       bad_round += lpi.q && !is_nearest(lpi.q[axis], lpi.p[axis]);
     }
     sg_point copy;
@@ -436,8 +435,7 @@ test_none(void)
   }
   CHECK("a line beside a plane",
         !sg_point_lpi(&out, &p[0], &p[1], &p[2], &p[3], &p[4]));
-  CHECK("parallel lines",
-        !sg_point_ll(&out, 2, &p[0], &p[1], &p[2], &p[3]));
+  CHECK("parallel lines", !sg_point_ll(&out, 2, &p[0], &p[1], &p[2], &p[3]));
 }
 
 int
@@ -452,8 +450,8 @@ main(void)
     if (family < 5) {
       test_constructions(family);
     }
-    CHECK("fall-backs are counted", family == 1 ||
-                                        sg_exact_fallbacks() > before);
+    CHECK("fall-backs are counted",
+          family == 1 || sg_exact_fallbacks() > before);
   }
   return check_report();
 }

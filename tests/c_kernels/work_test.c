@@ -321,7 +321,8 @@ test_candidates(int vertices, int grid, int edges, int rounds)
       sg_candidates_close(&walk);
       bad += order != 0;
       for (int v = 0; v < vertices; v++) {
-        bad += seen[v] != (has_edge(&s, v) && expected_candidate(&s, v1, v2, v));
+        bad +=
+            seen[v] != (has_edge(&s, v) && expected_candidate(&s, v1, v2, v));
       }
     }
     sg_work_close(s.work);
@@ -335,7 +336,7 @@ test_candidates(int vertices, int grid, int edges, int rounds)
 static long
 open_star(scene *s, int n, int holes)
 {
-  static const place ring[8] = {{5, 0},  {4, 3},  {0, 5},  {-3, 4},
+  static const place ring[8] = {{5, 0},  {4, 3},   {0, 5},  {-3, 4},
                                 {-5, 0}, {-4, -3}, {0, -5}, {3, -4}};
   double normal[3] = {0, 0, 1}, p[3] = {0};
   long doubled = 0;
@@ -345,12 +346,13 @@ open_star(scene *s, int n, int holes)
   s->n = 0;
   for (int i = 0; i < n; i++) {
     long r = 10 + pick(30);
-    s->at[s->n++] = (place){ring[i * 8 / n].x * r * n + (i % (n / 8 ? n / 8 : 1)) *
-                                (ring[(i * 8 / n + 1) % 8].x -
-                                 ring[i * 8 / n].x) * r * 8,
-                            ring[i * 8 / n].y * r * n + (i % (n / 8 ? n / 8 : 1)) *
-                                (ring[(i * 8 / n + 1) % 8].y -
-                                 ring[i * 8 / n].y) * r * 8};
+    s->at[s->n++] = (place){
+        ring[i * 8 / n].x * r * n +
+            (i % (n / 8 ? n / 8 : 1)) *
+                (ring[(i * 8 / n + 1) % 8].x - ring[i * 8 / n].x) * r * 8,
+        ring[i * 8 / n].y * r * n +
+            (i % (n / 8 ? n / 8 : 1)) *
+                (ring[(i * 8 / n + 1) % 8].y - ring[i * 8 / n].y) * r * 8};
   }
   for (int h = 0; h < holes; h++) { /* small squares round the middle */
     long x = 9 * (h % 2) + 1, y = 9 * (h / 2 % 2) + 1;
@@ -385,8 +387,7 @@ test_triangulate(void)
     int n = 8 * (1 + pick(6)), holes = pick(3);
     long doubled = open_star(&s, n, holes), sum = 0;
     sg_outcome outcome = sg_work_triangulate(s.work, &out, &edge, NULL);
-    bad += outcome != SG_DONE ||
-           out.n != (size_t)(s.n + 2 * holes - 2);
+    bad += outcome != SG_DONE || out.n != (size_t)(s.n + 2 * holes - 2);
     for (size_t i = 0; i < out.n; i++) {
       long area = turn(s.at[out.item[i].v[0]], s.at[out.item[i].v[1]],
                        s.at[out.item[i].v[2]]);

@@ -22,7 +22,8 @@ sample(island, [[0-0, 9-0, 9-9, 0-9], [2-2, 2-7, 7-7, 7-2],
                 [4-4, 5-4, 5-5, 4-5]]).
 sample(hole_touches_corner, [[0-0, 9-0, 9-9, 0-9], [0-0, 3-6, 6-3]]).
 sample(hole_touches_side, [[0-0, 9-0, 9-9, 0-9], [4-0, 3-6, 6-3]]).
-sample(hole_shares_part_of_side, [[0-0, 9-0, 9-9, 0-9], [3-0, 3-4, 6-4, 6-0]]).
+sample(hole_shares_part_of_side, [[0-0, 9-0, 9-9, 0-9],
+                                  [3-0, 3-4, 6-4, 6-0]]).
 sample(hole_shares_side, [[0-0, 9-0, 9-9, 0-9], [0-0, 4-4, 9-0]]).
 sample(holes_touch, [[0-0, 9-0, 9-9, 0-9], [1-1, 1-4, 4-4, 4-1],
                      [4-4, 4-7, 7-7, 7-4]]).
@@ -192,7 +193,8 @@ test(data, [forall(( data(Path), member(Place, [flat, axis(x, -1)]) )),
 
 % Turned anywhere: points inside edges are rounded off them, so areas agree to
 % rounding; and what is invalid stays so.
-test(data_turned, [forall(( data(Path), \+ sub_atom(Path, _, _, _, degenerate),
+test(data_turned, [forall(( data(Path),
+                            \+ sub_atom(Path, _, _, _, degenerate),
                             between(1, 3, Seed) )),
                    setup(set_random(seed(Seed))),
                    true(Base-Outcome == Base-Expected)]) :-
