@@ -9,7 +9,7 @@
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(ansi_term), [ansi_format/3]).
 :- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/3, reverse/2]).
+:- autoload(library(lists), [member/2, reverse/2]).
 :- autoload(library(option), [merge_options/3, option/2, option/3]).
 /** <module> The picture in the terminal.
 
@@ -27,7 +27,7 @@ colour terminals, dim; penetration lines are red.
 %
 %     - width(Columns), height(Rows): not wider, not higher; default: the
 %       terminal, or 80 x 24
-%     - ascii(Bool): plain characters; default: unless the output is UTF-8
+%     - ascii(Bool): plain characters; default: unless the locale is UTF-8
 %     - hidden(How), pattern(P): as for write_drawing/2
 
 show :-
@@ -68,10 +68,9 @@ terminal_size(Options, Columns, Rows) :-
     Rows is max(2, min(1000, Rows2)).
 
 glyphs(Options, Glyphs) :-
-    current_output(Out),
     (   option(ascii(Ascii), Options)
     ->  true
-    ;   stream_property(Out, encoding(utf8))
+    ;   knows_utf8
     ->  Ascii = false
     ;   Ascii = true
     ),
@@ -79,6 +78,22 @@ glyphs(Options, Glyphs) :-
     ->  Glyphs = ascii
     ;   Glyphs = braille
     ).
+
+%   The stream writes UTF-8 always; whether the terminal reads it, the locale
+%   says.
+
+knows_utf8 :-
+    current_output(Out),
+    stream_property(Out, encoding(utf8)),
+    member(Variable, ['LC_ALL','LC_CTYPE','LANG']),
+    getenv(Variable, Locale),
+    Locale \== '',
+    !,
+    downcase_atom(Locale, Lower),
+    (   sub_atom(Lower, _, _, _, 'utf-8')
+    ;   sub_atom(Lower, _, _, _, utf8)
+    ),
+    !.
 
 /* - - - cells - - -
 
