@@ -51,7 +51,7 @@ RULES   := $(wildcard rules/*.pl)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 
-.PHONY: all so demo test check check-c check-rules check-cli clean
+.PHONY: all so demo test check check-c check-rules check-cli bless clean
 
 # --- objects and libraries -------------------------------------------------
 
@@ -112,6 +112,15 @@ check-rules: $(B)/sanggwan.so
 	@tests/run $(PLTS)
 check-cli: all
 	@tests/run $(CLIS)
+
+# --- drawings --------------------------------------------------------------
+
+# The gallery: each picture by the command that stands under it.
+demo: all
+	@swipl tools/gallery.pl
+# Writes the golden drawings anew. Look at those that changed.
+bless: $(B)/sanggwan.so
+	@swipl -p foreign=$(B) tools/bless.pl
 
 clean:
 	rm -rf $(B) sanggwan
