@@ -340,8 +340,4 @@ print_prefixed(Word, Term, Lines) :-
     ->  format(atom(Prefix), '~~N~w', [Word])
     ;   format(atom(Prefix), '~~Nsanggwan: ~w', [Word])
     ),
-    prefix_first(Lines, Prefix, Prefixed),
-    print_message_lines(user_error, '', Prefixed).
-
-prefix_first(Lines, Prefix, [Prefix-[]|Prefixed]) :-
-    append(Lines, [nl], Prefixed).
+    print_message_lines(user_error, '', [Prefix-[]|Lines]).

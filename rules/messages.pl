@@ -39,6 +39,8 @@ english(error(usage_error(What), _)) -->
     usage_en(What).
 english(error(domain_error(Domain, Value), _)) -->
     drawing_en(domain(Domain, Value)).
+english(sanggwan_interrupt(_)) -->
+    notice_en(interrupted).
 english(sanggwan(What)) -->
     notice_en(What).
 
@@ -326,6 +328,12 @@ notice_en(wrote(File)) -->
     [ 'wrote ~w'-[File] ].
 notice_en(interrupted) -->
     [ 'interrupted' ].
+notice_en(greeting) -->
+    [ 'Ask away: goals end with a full stop, halt. ends.', nl,
+      '  v/5 e/5 p/3 t/6 segment/3 are the model; penetrate. \c
+       draw(\'a.svg\'). show. rules.' ].
+notice_en(segment(S, Kind, Name)) -->
+    [ 'segment ~d: ~w ~p'-[S, Kind, Name] ].
 notice_en(no_answer) -->
     [ 'no' ].
 notice_en(warnings_are_errors(N)) -->

@@ -35,6 +35,8 @@ korean(error(usage_error(What), _)) -->
     usage_ko(What).
 korean(error(domain_error(Domain, Value), _)) -->
     drawing_ko(domain(Domain, Value)).
+korean(sanggwan_interrupt(_)) -->
+    notice_ko(interrupted).
 korean(sanggwan(What)) -->
     notice_ko(What).
 
@@ -307,6 +309,12 @@ notice_ko(wrote(File)) -->
     [ '~w 을(를) 썼습니다'-[File] ].
 notice_ko(interrupted) -->
     [ '중단되었습니다' ].
+notice_ko(greeting) -->
+    [ '목표를 물어보십시오. 마침표로 끝나며 halt. 로 나갑니다.', nl,
+      '  모델은 v/5 e/5 p/3 t/6 segment/3 입니다. penetrate. \c
+       draw(\'a.svg\'). show. rules.' ].
+notice_ko(segment(S, Kind, Name)) -->
+    [ '세그먼트 ~d: ~w ~p'-[S, Kind, Name] ].
 notice_ko(no_answer) -->
     [ '아니오' ].
 notice_ko(warnings_are_errors(N)) -->

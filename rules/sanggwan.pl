@@ -26,5 +26,6 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(verbs, [draw/1, draw/2, convert/2]).
 :- reexport(query, [query/2]).
 :- reexport(decision).
+:- reexport(repl, [repl/0]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).

@@ -13,12 +13,7 @@
               [load_model/1, load_model/2, save_model/1, save_model/2]).
 :- use_module(penetration, [penetrate/0]).
 :- use_module(query, [query/2, read_goal/3]).
-:- if(( prolog_load_context(directory, D), atom_concat(D, '/repl.pl', F),
-        exists_file(F) )).
 :- use_module(repl, [repl/0]).
-:- else.        % until repl.pl is there
-repl :- prolog.
-:- endif.
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ segment/3, line/9, origin/3, facts_transaction/1, new_world/1,

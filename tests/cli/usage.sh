@@ -157,6 +157,16 @@ check warning-message has 'warning: '
 run convert --strict "$work/warped.pl" -o "$work/w.stl"
 check strict status_is 1
 
+printf 'v(1, V, 0.0, 0.0, Z).\nno_such(1).\nv(7, V, _, _, _).\nX = 1.' |
+  "$sanggwan" repl facts/cube.pl >"$work/out" 2>"$work/err"
+check repl is $? 0
+check repl-answers is "$(cat "$work/out")" 'V    Z
+1  0.0
+5  1.0
+X
+1'
+check repl-error has 'no_such/1'
+
 "$sanggwan" query - 'v(1, V, _, _, _)' --format csv --limit 1 \
   <facts/cube.pl >"$work/out" 2>"$work/err"
 check stdin is "$(cat "$work/out")" 'V
