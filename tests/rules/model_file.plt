@@ -5,6 +5,8 @@
 :- use_module(rules(store)).
 :- use_module(rules(model_file)).
 :- use_module(rules(model_writer)).
+:- use_module(rules(model), [load_model/1]).
+:- use_module(rules(penetration), [penetrate/0]).
 
 % Goal in a new world that has read Text.
 with_model(Text, Goal) :-
@@ -131,6 +133,11 @@ test(korean_name, Name == '상관') :-
 
 test(written_and_read, forall(facts_file(File))) :-
     in_new_world(( read_model(File), same_after_writing )).
+test(penetrated_too,
+     forall(member(N, [fig08, fig09, fig11, fig13]))) :-
+    atomic_list_concat([facts, figures, N], /, Name),
+    absolute_file_name(sanggwan(Name), File, [extensions([pl])]),
+    in_new_world(( load_model(File), penetrate, same_after_writing )).
 test(written_rows) :-
     with_model("segment(2, surface, f('A b', [1,2.5], -3)).
         v(2,3,0.1,1.0e-7,1.0e22). v(2,1,0,0,0). v(2,2,3,0,0).
