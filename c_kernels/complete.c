@@ -187,8 +187,11 @@ grown(void *column, size_t room, size_t size, bool *done)
 {
   void *more = realloc(column, room * size);
 
-  *done = *done && more;
-  return more ? more : column;
+  if (!more) {
+    *done = false;
+    return column;
+  }
+  return more;
 }
 
 static bool

@@ -190,30 +190,84 @@ winding(const sg_work *work, int32_t edge, int32_t opposite, int *out)
   return true;
 }
 
+static int32_t
+opposite_of(const sg_work *work, int32_t e)
+{
+  return sg_work_pair(work, work->edge[e].edge.end, work->edge[e].edge.start);
+}
+
+/* Do only pairs of opposite edges meet in v? Then all of them lie in the
+ * polygon, or none does. */
+static bool
+only_pairs(const sg_work *work, int32_t v)
+{
+  for (int32_t e = 0; (e = sg_work_leaving(work, v, e)) != 0;) {
+    if (!opposite_of(work, e)) {
+      return false;
+    }
+  }
+  for (int32_t e = 0; (e = sg_work_entering(work, v, e)) != 0;) {
+    if (!opposite_of(work, e)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* The pairs that hang together with `first`, one edge of each, marked as seen
+ * by this search; returns how many. `out` has room for all edges. */
+static size_t
+hanging_together(sg_work *work, int32_t first, int32_t *out)
+{
+  sg_work_edge_row *edge = work->edge;
+  size_t n = 0;
+
+  out[n++] = first;
+  edge[first].seen = edge[opposite_of(work, first)].seen = work->search;
+  for (size_t i = 0; i < n; i++) {
+    int32_t end[2] = {edge[out[i]].edge.start, edge[out[i]].edge.end};
+    for (int k = 0; k < 2; k++) {
+      int32_t e = only_pairs(work, end[k]) ? work->vertex[end[k]].first_out : 0;
+      for (; e; e = edge[e].out_younger) {
+        if (edge[e].seen != work->search) {
+          edge[e].seen = edge[opposite_of(work, e)].seen = work->search;
+          out[n++] = e;
+        }
+      }
+    }
+  }
+  return n;
+}
+
 /* Deletes the pairs of opposite edges outside all others (the polygon lies on
  * neither side): a spike, or a hole that shares an edge with what is round it.
  */
 static bool
 drop_outer_pairs(sg_work *work)
 {
-  for (int32_t e = work->oldest, next; e; e = next) {
-    int32_t opposite =
-        sg_work_pair(work, work->edge[e].edge.end, work->edge[e].edge.start);
+  int32_t *pair = malloc((work->living + 1) * sizeof *pair);
+  bool done = pair != NULL;
+
+  work->search++;
+  for (int32_t e = 1; done && e <= work->edges; e++) {
+    int32_t opposite;
     int around;
-    next = work->edge[e].younger;
-    if (!opposite || e > opposite) {
+    if (!work->edge[e].living || work->edge[e].seen == work->search ||
+        !(opposite = opposite_of(work, e))) {
       continue;
     }
-    if (!winding(work, e, opposite, &around)) {
-      return false;
-    }
-    if (around == 0) {
-      next = next == opposite ? work->edge[opposite].younger : next;
-      sg_work_delete(work, e);
-      sg_work_delete(work, opposite);
+    size_t n = hanging_together(work, e, pair);
+    done = winding(work, e, opposite, &around);
+    for (size_t i = 0; done && around == 0 && i < n; i++) {
+      int32_t other = opposite_of(work, pair[i]);
+      if (other) { /* an edge may be there twice, its opposite once */
+        sg_work_delete(work, pair[i]);
+        sg_work_delete(work, other);
+      }
     }
   }
-  return true;
+  free(pair);
+  return done;
 }
 
 bool
