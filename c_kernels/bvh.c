@@ -10,7 +10,8 @@ enum {
   DIGIT_BITS = 11,
   DIGITS = 6, /* 6 * 11 >= 3 * 21 */
   BUCKETS = 1 << DIGIT_BITS,
-  POLL_EVERY = 1 << 16
+  POLL_EVERY = 1 << 16,
+  STEPS_ASKED = 1 << 14
 };
 
 /* Nodes are numbered as in a heap: the children of k are 2k and 2k + 1, the
@@ -225,6 +226,9 @@ sg_bvh_pairs_init(sg_bvh_pairs *pairs, const sg_bvh *a, const sg_bvh *b)
 {
   pairs->a = a;
   pairs->b = b;
+  pairs->poll = NULL;
+  pairs->stopped = false;
+  pairs->steps = 0;
   pairs->depth = 0;
   pairs->i = pairs->i_end = 0;
   pairs->j = pairs->j_begin = pairs->j_end = 0;
@@ -246,6 +250,10 @@ static bool
 next_leaves(sg_bvh_pairs *pairs)
 {
   while (pairs->depth > 0) {
+    if (++pairs->steps % STEPS_ASKED == 0 && sg_poll_stop(pairs->poll)) {
+      pairs->stopped = true;
+      return false;
+    }
     uint32_t a = pairs->stack[--pairs->depth][0];
     uint32_t b = pairs->stack[pairs->depth][1];
     bool a_leaf = a >= pairs->a->leaves;

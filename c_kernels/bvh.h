@@ -48,6 +48,9 @@ enum {
  * then each pair comes twice). Holds no memory of its own. */
 typedef struct sg_bvh_pairs {
   const sg_bvh *a, *b;
+  const sg_poll *poll; /* asked on the way; null after init */
+  bool stopped;        /* the poll said stop: there may be more pairs */
+  unsigned steps;
   unsigned depth; /* of the stack of node pairs */
   uint32_t stack[SG_BVH_STACK][2];
   uint32_t i, j, i_end, j_begin, j_end; /* the leaf pair in hand */
@@ -56,7 +59,8 @@ typedef struct sg_bvh_pairs {
 void sg_bvh_pairs_init(sg_bvh_pairs *pairs, const sg_bvh *a, const sg_bvh *b);
 
 /* The next overlapping pair, as indexes into the boxes given to
- * sg_bvh_open(). False: no more. The order depends on the boxes only. */
+ * sg_bvh_open(). False: no more, or pairs->stopped. The order depends on the
+ * boxes only. */
 bool sg_bvh_pairs_next(sg_bvh_pairs *pairs, size_t *i, size_t *j);
 
 #endif

@@ -316,6 +316,7 @@ next_segments(candidates *c)
     bool swap = c->curve ? b->curve : b->s < a->s;
 
     sg_candidate_pairs_init(&c->walk, swap ? b : a, swap ? a : b);
+    c->walk.pairs.poll = &sg_prolog_poll;
     return true;
   }
   return false;
@@ -328,25 +329,38 @@ next_candidate(candidates *c)
     if (c->walk.a && sg_candidate_pairs_next(&c->walk, &c->a, &c->b)) {
       return true;
     }
-  } while (next_segments(c));
+  } while (!c->walk.pairs.stopped && next_segments(c));
   return false;
+}
+
+/* Gives the candidate in hand and fetches the next one. */
+static foreign_t
+give_candidate(candidates *c, term_t first, term_t second)
+{
+  int given = PL_unify_integer(first, c->a) && PL_unify_integer(second, c->b);
+
+  if (given && !c->handle->closed && next_candidate(c)) {
+    PL_retry_address(c);
+  }
+  given = given && !c->walk.pairs.stopped;
+  free(c);
+  return given; /* false: an exception is pending */
 }
 
 static foreign_t
 candidate(term_t set, term_t first, term_t second, control_t control,
           bool curve)
 {
-  candidates *c = NULL;
+  candidates *c = PL_foreign_control(control) == PL_FIRST_CALL
+                      ? NULL
+                      : PL_foreign_context_address(control);
+  sg_cut_handle *handle;
 
-  switch (PL_foreign_control(control)) {
-  case PL_PRUNED:
-    free(PL_foreign_context_address(control));
+  if (PL_foreign_control(control) == PL_PRUNED) {
+    free(c);
     return TRUE;
-  case PL_REDO:
-    c = PL_foreign_context_address(control);
-    break;
-  case PL_FIRST_CALL: {
-    sg_cut_handle *handle;
+  }
+  if (!c) {
     if (!sg_get_cut_set_ex(set, &handle)) {
       return FALSE;
     }
@@ -359,21 +373,8 @@ candidate(term_t set, term_t first, term_t second, control_t control,
       free(c);
       return FALSE;
     }
-    break;
   }
-  }
-  uint32_t a = c->a, b = c->b;
-  bool more = !c->handle->closed && next_candidate(c);
-
-  if (!PL_unify_integer(first, a) || !PL_unify_integer(second, b)) {
-    free(c); /* outputs are unbound: only an exception comes here */
-    return FALSE;
-  }
-  if (more) {
-    PL_retry_address(c);
-  }
-  free(c);
-  return TRUE;
+  return give_candidate(c, first, second);
 }
 
 static foreign_t

@@ -88,6 +88,32 @@ stop_at_once(void *data)
   return true;
 }
 
+/* Asked on the way, too. */
+static bool
+walk_stops(void)
+{
+  enum { MANY = 20000 };
+  sg_box *box = malloc(MANY * sizeof *box);
+  sg_poll stop = {stop_at_once, NULL};
+  sg_bvh_pairs pairs;
+  size_t i, j, n = 0;
+
+  for (i = 0; i < MANY; i++) {
+    double at[3] = {random_grid(100000), random_grid(100000), 0};
+    box[i] = (sg_box){{at[0], at[1], at[2]}, {at[0], at[1], at[2]}};
+  }
+  sg_bvh *tree = sg_bvh_open(box, MANY, NULL);
+
+  sg_bvh_pairs_init(&pairs, tree, tree);
+  pairs.poll = &stop;
+  while (sg_bvh_pairs_next(&pairs, &i, &j)) {
+    n++;
+  }
+  sg_bvh_close(tree);
+  free(box);
+  return pairs.stopped && n < MANY;
+}
+
 int
 main(void)
 {
@@ -101,5 +127,6 @@ main(void)
   CHECK("huge coordinates", same_pairs(mixed, 3, mixed, 3));
   CHECK("random boxes", random_joins(60));
   CHECK("a poll stops it", sg_bvh_open(mixed, 3, &stop) == NULL);
+  CHECK("a poll stops a walk", walk_stops());
   return check_report();
 }
