@@ -271,7 +271,7 @@ void
 sg_work_delete(sg_work *work, int32_t edge)
 {
   unhang(work, edge);
-  work->edge[edge].living = false; /* the grid forgets it when built anew */
+  work->edge[edge].living = false; /* the grid drops it when it comes by */
   work->living--;
 }
 
@@ -483,7 +483,9 @@ sg_work_scan_next(sg_work_scan *scan)
   }
   for (int32_t e; (e = sg_work_grid_walk_next(&scan->walk)) != 0;) {
     sg_work_edge_row *row = &scan->work->edge[e];
-    if (row->living && row->seen != scan->work->search) {
+    if (!row->living) {
+      sg_work_grid_walk_drop(&scan->walk);
+    } else if (row->seen != scan->work->search) {
       row->seen = scan->work->search;
       return e;
     }

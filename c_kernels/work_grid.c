@@ -205,7 +205,7 @@ cover_row(sg_work_grid_walk *walk)
 }
 
 void
-sg_work_grid_walk_open(sg_work_grid_walk *walk, const sg_work_grid *grid,
+sg_work_grid_walk_open(sg_work_grid_walk *walk, sg_work_grid *grid,
                        const double corner[][2], int corners)
 {
   double low = INFINITY, high = -INFINITY;
@@ -221,7 +221,8 @@ sg_work_grid_walk_open(sg_work_grid_walk *walk, const sg_work_grid *grid,
   walk->last_row = clamp(high + grid->margin, grid->cells[1]);
   cover_row(walk);
   walk->cell--;
-  walk->entry = 0;
+  walk->none = 0;
+  walk->link = walk->taken = &walk->none;
 }
 
 /* On to the next cell; false: there is none. */
@@ -247,15 +248,23 @@ cell_index(const sg_work_grid_walk *walk)
 int32_t
 sg_work_grid_walk_next(sg_work_grid_walk *walk)
 {
-  while (walk->entry == 0) {
+  while (*walk->link == 0) {
     if (!next_cell(walk)) {
       return 0;
     }
-    walk->entry = walk->grid->first[cell_index(walk)];
+    walk->link = &walk->grid->first[cell_index(walk)];
   }
-  const sg_work_grid_entry *entry = &walk->grid->entry[walk->entry - 1];
-  walk->entry = entry->next;
+  sg_work_grid_entry *entry = &walk->grid->entry[*walk->link - 1];
+  walk->taken = walk->link;
+  walk->link = &entry->next;
   return entry->number;
+}
+
+void
+sg_work_grid_walk_drop(sg_work_grid_walk *walk)
+{
+  *walk->taken = *walk->link;
+  walk->link = walk->taken;
 }
 
 /* ---- filling ------------------------------------------------------------ */
@@ -305,5 +314,5 @@ bool
 sg_work_grid_is_stale(const sg_work_grid *grid)
 {
   return grid->held > 2 * grid->expected + 64 ||
-         grid->entries > 2 * grid->filled + 1024;
+         grid->entries / 8 > grid->filled + 4096;
 }

@@ -51,17 +51,22 @@ void sg_work_grid_filled(sg_work_grid *grid);
 bool sg_work_grid_is_stale(const sg_work_grid *grid);
 
 /* The numbers in the cells that a convex piece with 1, 2 or 3 corners covers;
- * a number may come more than once. Do not add while walking. */
+ * a number may come more than once. Do not add while walking, nor copy a walk.
+ */
 typedef struct sg_work_grid_walk {
-  const sg_work_grid *grid;
+  sg_work_grid *grid;
   double corner[3][2]; /* in cells */
   int corners;
-  int32_t row, last_row, cell, last_cell, entry;
+  int32_t row, last_row, cell, last_cell;
+  int32_t *link, *taken; /* to the next entry, to the one given last */
+  int32_t none;
 } sg_work_grid_walk;
 
-void sg_work_grid_walk_open(sg_work_grid_walk *walk, const sg_work_grid *grid,
+void sg_work_grid_walk_open(sg_work_grid_walk *walk, sg_work_grid *grid,
                             const double corner[][2], int corners);
 int32_t sg_work_grid_walk_next(sg_work_grid_walk *walk); /* 0: no more */
+/* Takes the entry given last out of its cell: its segment is gone. */
+void sg_work_grid_walk_drop(sg_work_grid_walk *walk);
 
 /* The cell of a point, as column and row. */
 void sg_work_grid_cell(const sg_work_grid *grid, const double point[2],
