@@ -10,9 +10,9 @@
 
 Every term that Sanggwan prints or raises has a clause of english//1 or, when
 it is error(model_error(What), location(File, Line, Column)) or
-error(geometry_error(What), _), of fault_en//1; and one in Korean with the same
-head (tests/rules/messages.plt). A fault says what is wrong, then on a new line
-what to do. Add yours to the block of your file.
+error(geometry_error(What), _), of fault_en//1; and one in Korean with the
+same head (tests/rules/messages.plt). A fault says what is wrong, then on a new
+line what to do. Add yours to the block of your file.
 */
 
 :- multifile prolog:message//1.

@@ -102,7 +102,7 @@ next_fact(Text, Fact, Place) :-
                       cycles(false), dotlists(false), var_prefix(false),
                       syntax_errors(error)
                     ]),
-          Error, syntax_failure(Error, Name)),
+          Error, syntax_failure(Error, Name, Stream)),
     Place = place(Name, Path, Position),
     (   Term == end_of_file
     ->  at_real_end(Stream, Place),
@@ -111,22 +111,23 @@ next_fact(Text, Fact, Place) :-
         checked_fact(Term, Place, Fact)
     ).
 
-syntax_failure(error(syntax_error(Message), Where), Name) :-
+syntax_failure(error(syntax_error(Message), Where), Name, _) :-
     !,
     stream_location(Where, Line, Column),
     throw(error(model_error(syntax(Message)),
                 location(Name, Line, Column))).
-syntax_failure(error(resource_error(_), _), Name) :-
+syntax_failure(error(resource_error(_), _), Name, Stream) :-
     !,
-    throw(error(model_error(syntax(too_deep)), location(Name, 0, 0))).
-syntax_failure(error(io_error(read, _), _), Name) :-
+    line_count(Stream, Line),
+    throw(error(model_error(syntax(too_deep)), location(Name, Line, 0))).
+syntax_failure(error(io_error(read, _), _), Name, _) :-
     !,
     (   exists_directory(Name)
     ->  Why = directory
     ;   Why = io
     ),
     throw(error(model_error(cannot_read(Why)), location(Name, 0, 0))).
-syntax_failure(Error, _) :-
+syntax_failure(Error, _, _) :-
     throw(Error).
 
 stream_location(Where, Line, Column) :-
