@@ -374,53 +374,77 @@ cross_in_work(sg_cut_handle *handle, sg_work *work, const int32_t a[2],
   return point;
 }
 
-/* The point in which piece k, from v1 to v2, crosses an edge of the work:
- * where the triangles that carry both pieces meet, if the edge is a piece too
- * and that point is on both; else as the work sees it. */
+/* Where the triangles that carry piece k and the edge's own piece meet, if the
+ * edge is one. */
+static uint32_t
+cross_by_carriers(sg_cut_handle *handle, int32_t k, const sg_work_edge *edge)
+{
+  const sg_cut_set *set = &handle->set;
+  int64_t l = -edge->label - 1;
+
+  if (l < 0 || (size_t)l >= set->pieces) {
+    return SG_NO_KEY;
+  }
+  sg_made made = sg_cut_set_crossing(set, &set->piece[k], &set->piece[l]);
+
+  return sg_cut_points_find(&handle->set.points, &made);
+}
+
+/* The point in which piece k, from a[0] to a[1], crosses an edge of the work:
+ * by what carries them if that point is on both, else as the work sees it.
+ * SG_WORK_NONE: an exception. */
+static int32_t
+cross_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t k,
+         const int32_t a[2], const sg_work_edge *edge)
+{
+  int32_t b[2] = {edge->start, edge->end}, x = SG_WORK_NONE;
+  uint32_t point = cross_by_carriers(handle, k, edge);
+
+  if (point != SG_NO_KEY) {
+    x = enter_point_ex(handle, work, point, s);
+  }
+  if (!is_inside_both(work, x, a, b)) {
+    point = cross_in_work(handle, work, a, b);
+    x = point == SG_NO_KEY ? SG_WORK_NONE
+                           : enter_point_ex(handle, work, point, s);
+  }
+  if (x == SG_WORK_NONE && !PL_exception(0)) {
+    sg_no_memory();
+  }
+  return x;
+}
+
 static foreign_t
 cut_crossing(term_t t, term_t work_term, term_t s, term_t piece, term_t edge,
              term_t v1, term_t v2, term_t out)
 {
   sg_cut_handle *handle;
   sg_work *work;
-  int32_t id[5], a[2], b[2], x = SG_WORK_NONE;
-  term_t arg[5] = {s, piece, edge, v1, v2};
+  int32_t id[3], a[2];
+  term_t arg[3] = {s, piece, edge};
 
-  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_work_ex(work_term, &work)) {
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_work_ex(work_term, &work) ||
+      !sg_get_work_vertex_ex(work, v1, &a[0]) ||
+      !sg_get_work_vertex_ex(work, v2, &a[1])) {
     return FALSE;
   }
-  for (int i = 0; i < 5; i++) {
+  for (int i = 0; i < 3; i++) {
     if (!sg_get_int32_ex(arg[i], &id[i])) {
       return FALSE;
     }
   }
   const sg_work_edge *crossed = sg_work_get(work, id[2]);
-  const sg_cut_set *set = &handle->set;
 
-  a[0] = sg_work_find(work, id[3]);
-  a[1] = sg_work_find(work, id[4]);
-  if (!crossed || a[0] == SG_WORK_NONE || a[1] == SG_WORK_NONE || id[1] < 0 ||
-      (size_t)id[1] >= set->pieces) {
-    return PL_existence_error("crossing", edge);
+  if (!crossed) {
+    return PL_existence_error("work_edge", edge);
   }
-  b[0] = crossed->start;
-  b[1] = crossed->end;
-  if (crossed->label < 0) {
-    sg_made made = sg_cut_set_crossing(set, &set->piece[id[1]],
-                                       &set->piece[-crossed->label - 1]);
-    uint32_t point = sg_cut_points_find(&handle->set.points, &made);
-    x = point == SG_NO_KEY ? SG_WORK_NONE
-                           : enter_point_ex(handle, work, point, id[0]);
+  if (id[1] < 0 || (size_t)id[1] >= handle->set.pieces) {
+    return PL_existence_error("cut_piece", piece);
   }
-  if (!is_inside_both(work, x, a, b)) {
-    uint32_t point = cross_in_work(handle, work, a, b);
-    x = point == SG_NO_KEY ? SG_WORK_NONE
-                           : enter_point_ex(handle, work, point, id[0]);
-  }
-  if (x == SG_WORK_NONE) {
-    return PL_exception(0) ? FALSE : sg_no_memory();
-  }
-  return PL_unify_integer(out, sg_work_id(work, x));
+  sg_work_edge copy = *crossed; /* entering a vertex may move it */
+  int32_t x = cross_ex(handle, work, id[0], id[1], a, &copy);
+
+  return x != SG_WORK_NONE && PL_unify_integer(out, sg_work_id(work, x));
 }
 
 /* ---- splits found while entering ---- */
