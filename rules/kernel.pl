@@ -49,6 +49,8 @@
             overlap/9,                % +Scene, +S, +E, ?S2, ?E2, -From, -To,
                                       % -From2, -To2
             fill_drawn/3,             % +Scene, +Which, +Crease
+            % exact4pl.c
+            exact_fallbacks/1,        % -Count
             % complete4pl.c
             fill_triangles/1,         % -Faults
             model_tolerance/1,        % -Tolerance
@@ -212,6 +214,13 @@ glue file.
 %   Replaces drawn/7 of the current world by the drawn parts of the lines Which
 %   (`all`, `feature`, `penetration`); Crease as in edge_role/5. The fused kernel
 %   of hidden_lines.pl.
+
+/* - - - exact4pl.c - - - */
+
+%!  exact_fallbacks(-Count) is det.
+%
+%   How many exact decisions have needed integers since the process started,
+%   because doubles could not decide.
 
 /* - - - complete4pl.c - - - */
 

@@ -289,6 +289,12 @@ cells_good(_) :-
 
 :- end_tests(triangulation).
 
+% A comb of 30,000 vertices takes much longer than that.
+comb(Loop) :-
+    findall(X-Y, ( between(1, 30000, I), X is -I, Y is (I*7919) mod 1000 ),
+            Tips),
+    append([-29000-(-9), -20-(-10)], Tips, Loop).
+
 count_triangles(N) :-
     aggregate_all(count, t(_, _, _, _, _, _), N).
 
@@ -367,5 +373,16 @@ test(bent_is_named, true(N == 2)) :-
                  )),
     Off > 0.2,
     Off < 0.3.
+
+test(stopped, [true(E-N == time_limit_exceeded-0), cleanup(garbage_collect)]) :-
+    comb(Loop),
+    with_polygon([Loop], flat,
+                 ( get_time(T0),
+                   catch(call_with_time_limit(0.02, complete_segments),
+                         E, true),
+                   get_time(T1),
+                   count_triangles(N)
+                 )),
+    assertion(T1-T0 < 0.5).
 
 :- end_tests(complete_segments).
