@@ -18,8 +18,8 @@ has_places(double x, int places)
   return fabs(scaled - nearbyint(scaled)) <= fabs(scaled) * 4 * DBL_EPSILON;
 }
 
-static void
-see(sg_flatness *model, const double point[3])
+void
+sg_flatness_see(sg_flatness *model, const double point[3])
 {
   for (int k = 0; k < 3; k++) {
     double x = point[k];
@@ -49,7 +49,7 @@ sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page)
 {
   for (unsigned r = sg_live_next(v->live[page], 0); r < SG_PAGE_ROWS;
        r = sg_live_next(v->live[page], r + 1)) {
-    see(model, (const double[3]){v->column[2].page[page].f[r],
+    sg_flatness_see(model, (const double[3]){v->column[2].page[page].f[r],
                                  v->column[3].page[page].f[r],
                                  v->column[4].page[page].f[r]});
   }

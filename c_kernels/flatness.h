@@ -22,6 +22,7 @@ enum { SG_PLACES = 9 };
 
 /* Of all vertices in a view of v/5: init, then every page. */
 void sg_flatness_init(sg_flatness *out);
+void sg_flatness_see(sg_flatness *model, const double point[3]);
 void sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page);
 double sg_flatness_tolerance(const sg_flatness *model); /* model units */
 

@@ -1,174 +1,212 @@
 :- module(sg_check,
           [ check_report/1,             % -Report
             print_report/2,             % +Format, +Report
-            report_faults/2             % +Report, -Count
+            report_faults/2             % +Report, ?Faults
           ]).
-:- encoding(utf8).
-:- use_module(integrity, [model_defect/1, edge_uses/3, segment_volume/2]).
-:- use_module(store, [v/5, p/3, t/6, segment/3]).
-:- autoload(library(aggregate), [aggregate_all/3]).
+:- use_module(integrity, [defect_weight/2]).
+:- use_module(kernel, [census/1]).
+:- use_module(store, [segment/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(http/json), [json_write_dict/3]).
-:- autoload(library(lists), [member/2, nth1/3]).
-:- set_prolog_flag(optimise, true).
-/** <module> The report of the verb check: measures and defects.
+:- autoload(library(lists), [max_list/2, min_list/2, sum_list/2]).
+/** <module> The report of `check`: what a model holds, and its faults.
+
+A report is a dict that prints as text or as JSON:
+
+    _{segments: [Segment, ...], total: Total, faults: N, remarks: M}
+
+Segment has segment, name, kind, vertices, half_edges, edges, polygons,
+triangles, curve_edges, box ([[X1,Y1,Z1],[X2,Y2,Z2]]), area, volume (null unless
+a solid), length (of curves), border_edges, shells, faults and remarks (dicts of
+counts). A shell has polygon (its first), vertices, edges, polygons, closed,
+euler, genus (null unless a closed manifold), area and volume. Model units.
 */
 
 %!  check_report(-Report) is det.
 %
-%   Report is a dict of the current world:
+%   Report on the current world.
+
+check_report(Report) :-
+    census(Parts),
+    maplist(part_report, Parts, Segments),
+    sum_of(fault_count, Segments, Faults),
+    sum_of(remark_count, Segments, Remarks),
+    total(Segments, Total),
+    Report = _{segments:Segments, total:Total,
+               faults:Faults, remarks:Remarks}.
+
+%!  report_faults(+Report, ?Faults) is semidet.
 %
-%     - segments: a list of dicts with segment, kind, name, vertices, edges,
-%       polygons, triangles, box ([XMin,YMin,ZMin,XMax,YMax,ZMax] or null),
-%       area, and of surfaces and solids border_edges, euler (V-E+F of the
-%       triangles), of closed solids volume and genus (of one shell)
-%     - defects: a dict with the number of each kind of model_defect/1
-%     - first: the first defects of each kind, as text, three at most
-%     - faults: the number of all defects
-
-check_report(_{segments:Segments, defects:Counts, first:Firsts,
-               faults:Faults}) :-
-    findall(S, segment(S, _, _), Ss0),
-    sort(Ss0, Ss),
-    maplist(segment_report, Ss, Segments),
-    findall(Kind-Defect, ( model_defect(Defect), functor(Defect, Kind, _) ),
-            Pairs),
-    length(Pairs, Faults),
-    findall(Kind-N, ( defect_kind(Kind),
-                      aggregate_all(count, member(Kind-_, Pairs), N) ),
-            CountPairs),
-    dict_pairs(Counts, _, CountPairs),
-    findall(Text, ( defect_kind(Kind), between(1, 3, I),
-                    nth_defect(I, Kind, Pairs, Defect),
-                    format(string(Text), '~q', [Defect]) ),
-            Firsts).
-
-defect_kind(open_edge).
-defect_kind(unpaired_edge).
-defect_kind(non_manifold_edge).
-defect_kind(degenerate_face).
-defect_kind(inside_out).
-
-nth_defect(I, Kind, Pairs, Defect) :-
-    findall(D, member(Kind-D, Pairs), Defects),
-    nth1(I, Defects, Defect).
-
-%!  report_faults(+Report, -Count) is det.
-%
-%   Count is the number of defects in Report.
+%   Faults is the number of faults in Report.
 
 report_faults(Report, Report.faults).
 
-segment_report(S, Report) :-
-    segment(S, Kind, Name0),
-    format(string(Name), '~w', [Name0]),
-    aggregate_all(count, v(S, _, _, _, _), Vertices),
-    aggregate_all(count, p(S, _, _), Polygons),
-    aggregate_all(count, t(S, _, _, _, _, _), Triangles),
-    findall(Uses, edge_uses(S, _, Uses), AllUses),
-    length(AllUses, Edges),
-    aggregate_all(count, border(AllUses), Border),
-    segment_box(S, Box),
-    segment_area(S, Area),
-    Report0 = _{segment:S, kind:Kind, name:Name, vertices:Vertices,
-                edges:Edges, polygons:Polygons, triangles:Triangles, box:Box,
-                area:Area, border_edges:Border},
-    (   Kind == solid,
-        Border =:= 0,
-        Triangles > 0
-    ->  segment_volume(S, Volume),
-        euler(S, Triangles, Euler),
-        Report1 = Report0.put(_{volume:Volume, euler:Euler}),
-        (   Euler mod 2 =:= 0
-        ->  Genus is (2-Euler)//2,
-            Report = Report1.put(genus, Genus)
-        ;   Report = Report1
+:- meta_predicate sum_of(2, +, -).
+
+sum_of(Of, Segments, Sum) :-
+    maplist(Of, Segments, Counts),
+    sum_list(Counts, Sum).
+
+fault_count(Segment, N) :-
+    dict_sum(Segment.faults, N).
+remark_count(Segment, N) :-
+    dict_sum(Segment.remarks, N).
+
+dict_sum(Dict, Sum) :-
+    dict_pairs(Dict, _, Pairs),
+    findall(N, member(_-N, Pairs), Ns),
+    sum_list(Ns, Sum).
+
+part_report(part(S, counts(Vs, Hs, Es, Ps, Ts, Cs), box(X1,Y1,Z1,X2,Y2,Z2),
+                 Area, Volume0, Length, Shells0, Defects0), Report) :-
+    segment_kind(S, Kind, Name),
+    (   memberchk(border_edge-Border, Defects0)
+    ->  true
+    ;   Border = 0
+    ),
+    findall(D, own_defect(Kind, Volume0, Defects0, D), Defects),
+    weighed(fault, Defects, Faults),
+    weighed(remark, Defects, Remarks),
+    (   Kind == solid
+    ->  Volume = Volume0
+    ;   Volume = null
+    ),
+    maplist(shell_report(Defects0), Shells0, Shells),
+    Report = _{segment:S, name:Name, kind:Kind, vertices:Vs, half_edges:Hs,
+               edges:Es, polygons:Ps, triangles:Ts, curve_edges:Cs,
+               box:[[X1,Y1,Z1], [X2,Y2,Z2]], area:Area, volume:Volume,
+               length:Length, border_edges:Border, shells:Shells,
+               faults:Faults, remarks:Remarks}.
+
+segment_kind(S, Kind, Name) :-
+    (   segment(S, Kind0, Term)
+    ->  Kind = Kind0,
+        format(string(Name), '~w', [Term])
+    ;   Kind = unknown,
+        Name = ""
+    ).
+
+%   own_defect(Kind, Volume, Counts, D): the counts with the names and meaning
+%   of integrity.pl.
+
+own_defect(Kind, _, Counts, Name-N) :-
+    member(Name0-N, Counts),
+    (   Name0 \== border_edge
+    ->  Name = Name0
+    ;   Kind == solid,
+        Name = open_edge
+    ).
+own_defect(solid, Volume, _, inside_out-1) :-
+    Volume < 0.0.
+
+weighed(Weight, Defects, Dict) :-
+    findall(Name-N, ( member(Name-N, Defects), defect_weight(Name, Weight) ),
+            Pairs),
+    dict_pairs(Dict, _, Pairs).
+
+shell_report(Defects, shell(P, Vs, Es, Ps, Euler0, Closed, Pinched, Area,
+                            Volume), Report) :-
+    (   ( memberchk(turned_edge-_, Defects)
+        ; memberchk(nonmanifold_edge-_, Defects)
+        ; memberchk(open_polygon-_, Defects)
         )
-    ;   Report = Report0
-    ).
+    ->  Euler = null
+    ;   Euler = Euler0
+    ),
+    (   Closed == true,
+        Pinched == false,
+        integer(Euler),
+        Euler mod 2 =:= 0
+    ->  Genus is (2-Euler)//2
+    ;   Genus = null
+    ),
+    Report = _{polygon:P, vertices:Vs, edges:Es, polygons:Ps, closed:Closed,
+               euler:Euler, genus:Genus, area:Area, volume:Volume}.
 
-border(AllUses) :-
-    member(uses(F, B), AllUses),
-    F =\= B.
+total(Segments, Total) :-
+    maplist([K,N]>>sum_key(Segments, K, N),
+            [vertices,edges,polygons,triangles], [Vs,Es,Ps,Ts]),
+    sum_key(Segments, area, Area),
+    length(Segments, N),
+    box_of(Segments, Box),
+    Total = _{segments:N, vertices:Vs, edges:Es, polygons:Ps, triangles:Ts,
+              area:Area, box:Box}.
 
-%   euler(S, Triangles, Euler): V-E+F of closed triangles: every one has three
-%   half-edges, so E = 3F/2, and V counts the vertices that are used.
+sum_key(Segments, Key, Sum) :-
+    findall(N, ( member(S, Segments), get_dict(Key, S, N) ), Ns),
+    sum_list(Ns, Sum).
 
-euler(S, F, Euler) :-
-    findall(V, corner(S, V), Vs0),
-    sort(Vs0, Vs),
-    length(Vs, V),
-    Euler is V - 3*F//2 + F.
+box_of([], null) :-
+    !.
+box_of(Segments, [Low, High]) :-
+    findall(L, ( member(S, Segments), [L,_] = S.box ), Lows),
+    findall(H, ( member(S, Segments), [_,H] = S.box ), Highs),
+    columns(min_list, Lows, Low),
+    columns(max_list, Highs, High).
 
-corner(S, V) :-
-    t(S, _, _, A, B, C),
-    member(V, [A, B, C]).
-
-segment_box(S, Box) :-
-    (   aggregate_all(r(min(X), min(Y), min(Z), max(X), max(Y), max(Z)),
-                      v(S, _, X, Y, Z), r(A, B, C, D, E, F))
-    ->  Box = [A, B, C, D, E, F]
-    ;   Box = null
-    ).
-
-segment_area(S, Area) :-
-    aggregate_all(sum(A), triangle_area(S, A), Area0),
-    Area is float(Area0).
-
-triangle_area(S, Area) :-
-    t(S, _, _, A, B, C),
-    v(S, A, X0, Y0, Z0),
-    v(S, B, XB, YB, ZB),
-    v(S, C, XC, YC, ZC),
-    X1 is XB-X0, Y1 is YB-Y0, Z1 is ZB-Z0,
-    X2 is XC-X0, Y2 is YC-Y0, Z2 is ZC-Z0,
-    Nx is Y1*Z2-Z1*Y2, Ny is Z1*X2-X1*Z2, Nz is X1*Y2-Y1*X2,
-    Area is sqrt(Nx*Nx+Ny*Ny+Nz*Nz)/2.0.
-
-
-                /*******************************
-                *            PRINTING          *
-                *******************************/
+columns(Pick, Rows, [X,Y,Z]) :-
+    findall(A, member([A,_,_], Rows), As),
+    findall(B, member([_,B,_], Rows), Bs),
+    findall(C, member([_,_,C], Rows), Cs),
+    call(Pick, As, X),
+    call(Pick, Bs, Y),
+    call(Pick, Cs, Z).
 
 %!  print_report(+Format, +Report) is det.
 %
-%   Print Report on the current output; Format is `text` or `json`.
+%   Print Report to current output as `text` or `json`.
 
 print_report(json, Report) :-
-    json_write_dict(current_output, Report, [width(72)]),
+    json_write_dict(current_output, Report, [width(78)]),
     nl.
 print_report(text, Report) :-
-    forall(member(Segment, Report.segments), print_segment(Segment)),
-    dict_pairs(Report.defects, _, Pairs),
+    forall(member(S, Report.segments), print_segment(S)),
     (   Report.faults =:= 0
-    ->  format("no defects~n")
-    ;   forall(( member(Kind-N, Pairs), N > 0 ),
-               format("~D ~w~n", [N, Kind])),
-        forall(member(Text, Report.first), format("  ~s~n", [Text]))
+    ->  format("no faults~n")
+    ;   format("~D faults~n", [Report.faults])
     ).
 
-print_segment(R) :-
-    format("segment ~d: ~w ~w~n", [R.segment, R.kind, R.name]),
+print_segment(S) :-
+    format("segment ~d: ~w ~w~n", [S.segment, S.kind, S.name]),
     format("  ~D vertices, ~D edges, ~D polygons, ~D triangles~n",
-           [R.vertices, R.edges, R.polygons, R.triangles]),
-    (   R.box = [A, B, C, D, E, F]
-    ->  format("  box ~w ~w ~w to ~w ~w ~w~n", [A, B, C, D, E, F])
+           [S.vertices, S.edges, S.polygons, S.triangles]),
+    [[X1,Y1,Z1],[X2,Y2,Z2]] = S.box,
+    format("  box ~15|~w ~w ~w to ~w ~w ~w~n", [X1,Y1,Z1,X2,Y2,Z2]),
+    print_measure(area, S.area, S.polygons),
+    (   number(S.volume)
+    ->  print_measure(volume, S.volume, 1)
     ;   true
     ),
-    (   R.triangles > 0
-    ->  format("  area ~w~n", [R.area])
+    print_measure(length, S.length, S.curve_edges),
+    forall(member(Shell, S.shells), print_shell(Shell)),
+    (   S.border_edges > 0
+    ->  format("  ~D border edges~n", [S.border_edges])
     ;   true
     ),
-    (   get_dict(volume, R, Volume)
-    ->  format("  volume ~w, closed~n", [Volume])
-    ;   R.polygons > 0
-    ->  format("  ~D border edges~n", [R.border_edges])
+    print_counts('FAULT ', S.faults),
+    print_counts(remark, S.remarks).
+
+print_measure(_, _, 0) :-
+    !.
+print_measure(Name, Value, _) :-
+    format("  ~w ~15|~6g~n", [Name, Value]).
+
+print_shell(Shell) :-
+    (   Shell.closed == true
+    ->  Word = closed
+    ;   Word = open
+    ),
+    format("  shell of ~D polygons: ~w", [Shell.polygons, Word]),
+    (   integer(Shell.euler)
+    ->  format(", Euler characteristic ~d", [Shell.euler])
     ;   true
     ),
-    (   get_dict(genus, R, Genus)
-    ->  format("  Euler number ~d, genus ~d (if one shell)~n",
-               [R.euler, Genus])
-    ;   get_dict(euler, R, Euler)
-    ->  format("  Euler number ~d: shells touch in a vertex~n", [Euler])
+    (   integer(Shell.genus)
+    ->  format(", genus ~d", [Shell.genus])
     ;   true
-    ).
+    ),
+    nl.
+
+print_counts(Word, Dict) :-
+    dict_pairs(Dict, _, Pairs),
+    forall(member(Name-N, Pairs), format("  ~w ~w: ~D~n", [Word, Name, N])).

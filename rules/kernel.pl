@@ -8,6 +8,8 @@
             mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
                                       % -Result
             mesh_write/5,             % +Stream, +Format, +Ss, +Names, -Result
+            census/1,                 % -Parts
+            census_defect/4,          % ?Kind, ?S, ?A, ?B
             % cut4pl.c, seam4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
@@ -124,6 +126,21 @@ glue file.
 %   `ply_binary`). Segments ascend; Names are theirs, '' for none. Result is
 %   `ok`, no_triangles(S, P): polygon P must be written as triangles and has
 %   none (nothing was written), or a fault/8 as of mesh_add/6.
+
+/* - - - census4pl.c - - - */
+
+%!  census(-Parts) is det.
+%
+%   Parts counts and measures the segments of the current world, in order:
+%   part(S, counts(Vertices, HalfEdges, Edges, Polygons, Triangles, CurveEdges),
+%   box(X1,Y1,Z1, X2,Y2,Z2), Area, Volume, Length, Shells, Defects). Shells are
+%   shell(P, Vertices, Edges, Polygons, Euler, Closed, Pinched, Area, Volume), P
+%   the lowest polygon; Defects are Kind-Count of census_defect/4.
+
+%!  census_defect(?Kind, ?S, ?A, ?B) is nondet.
+%
+%   True when segment S has a defect of this Kind; A and B as
+%   c_kernels/census.h says. One pass over the world a call.
 
 /* - - - raster4pl.c - - - */
 

@@ -1,90 +1,142 @@
 :- module(test_check, []).
 :- use_module(library(plunit)).
 :- use_module(library(http/json)).
-:- use_module(rules(store)).
-:- use_module(rules(model)).
 :- use_module(rules(check)).
 :- use_module(rules(integrity)).
+:- use_module(rules(mesh)).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation), [complete_segments/0]).
 
-with_text(Text, Goal) :-
-    new_world(World),
+% Goal in a world that holds the OBJ or OFF text.
+:- meta_predicate with(+, +, 0).
+with(Ending, Text, Goal) :-
     setup_call_cleanup(
-        tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
-        ( write(Out, Text),
-          close(Out),
-          in_world(World, ( load_model(File), Goal ))
+        ( tmp_file_stream(File, Stream, [extension(Ending)]),
+          write(Stream, Text),
+          close(Stream)
+        ),
+        ( new_world(World),
+          in_world(World, ( read_mesh(File, _), Goal ))
         ),
         delete_file(File)).
 
-with_file(Name, Goal) :-
-    absolute_file_name(sanggwan(Name), File, [access(read)]),
-    new_world(World),
-    in_world(World, ( load_model(File), Goal )).
+atomics_string(Parts, Text) :-
+    atomic_list_concat(Parts, Text).
 
-% Goal, its warnings unheard.
-quietly(Goal) :-
-    setup_call_cleanup(
-        asserta((user:message_hook(_, warning, _) :- true), Ref),
-        once(Goal),
-        erase(Ref)).
+% A cube of side 2, without the faces left out of the list.
+cube(Without, Text) :-
+    Faces = ["1 4 3 2", "5 6 7 8", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8"],
+    findall(L, ( nth1(N, Faces, F), \+ memberchk(N, Without),
+                 format(string(L), "f ~s\n", [F]) ), Ls),
+    atomics_string(["v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n",
+                       "v 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"|Ls], Text).
 
-report_of(Name, Report) :-
-    with_file(Name, check_report(Report)).
+% The values of Keys in the report on the one segment.
+report(Text, Keys, Values) :-
+    report(Text, Segment),
+    values(Keys, Segment, Values).
 
-tetrahedron("v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0). v(1,4,0,0,1).
-             p(1,1,[1,3,2]). p(1,2,[1,2,4]). p(1,3,[2,3,4]).").
+report(Text, Segment) :-
+    with(obj, Text, check_report(Report)),
+    get_dict(segments, Report, [Segment]).
 
-:- multifile user:message_hook/3.
-:- dynamic user:message_hook/3.
+values([], _, []).
+values([Key|Keys], Dict, [Value|Values]) :-
+    get_dict(Key, Dict, Value),
+    values(Keys, Dict, Values).
+
+defects(Text, Defects) :-
+    with(obj, Text, findall(D, model_defect(D), Defects)).
 
 :- begin_tests(check).
 
-test(cube, A-V-G-F == 6.0-1.0-0-0) :-
-    report_of('facts/cube.pl', R),
-    R.segments = [S],
-    A = S.area, V = S.volume, G = S.genus, F = R.faults.
-test(ring, G-V == 1-12.0) :-
-    report_of('facts/hollow_block.pl', R),
-    R.segments = [S],
-    G = S.genus, V = S.volume.
-test(surface, B-F == 6-0) :-
-    report_of('facts/wire_and_roof.pl', R),
-    R.segments = [S|_],
-    B = S.border_edges, F = R.faults.
-test(box, B == [0.0,0.0,0.0,1.0,1.0,1.0]) :-
-    report_of('facts/cube.pl', R),
-    R.segments = [S],
-    B = S.box.
-test(no_defect, fail) :-
-    with_file('facts/two_cubes.pl', model_defect(_)).
-test(open, Ds == [open_edge(1,1,3), open_edge(1,4,1), open_edge(1,3,4)]) :-
-    tetrahedron(Text),
-    string_concat(Text, " segment(1, solid, x).", Text1),
-    with_text(Text1, findall(D, model_defect(D), Ds)).
+test(cube, Vs == [solid, 8, 12, 6, 24]) :-
+    cube([], T),
+    report(T, [kind,vertices,edges,polygons,half_edges], Vs).
+test(box, Vs == [[[0.0,0.0,0.0], [2.0,2.0,2.0]]]) :-
+    cube([], T), report(T, [box], Vs).
+test(measures, Vs == [24.0, 8.0]) :-
+    cube([], T), report(T, [area,volume], Vs).
+test(measures_of_triangles, Vs == [24.0, 8.0]) :-
+    cube([], T),
+    with(obj, T, ( complete_segments, check_report(R) )),
+    get_dict(segments, R, [S]),
+    values([area,volume], S, Vs).
+test(genus, Vs == [2, 0, true]) :-
+    cube([], T), report(T, [shells], [[Shell]]),
+    values([euler,genus,closed], Shell, Vs).
+test(no_defects, Ds == []) :-
+    cube([], T), defects(T, Ds).
+test(open, Vs == [surface, 4, null]) :-
+    cube([2], T), report(T, [kind,border_edges,volume], Vs).
+test(a_border_of_a_surface_is_no_defect, Ds == []) :-
+    cube([2], T), defects(T, Ds).
+test(open_solid, N == 4) :-
+    cube([2], T),
+    with(obj, T, ( retract_fact(segment(1, _, N0)),
+                   assert_fact(segment(1, solid, N0)),
+                   aggregate_all(count, model_defect(open_edge(1, _)), N) )).
+test(two_shells, L == 2) :-
+    cube([3,4,5,6], T), report(T, [shells], [Shells]), length(Shells, L).
+test(turned, N == 4) :-
+    cube([1], T0), string_concat(T0, "f 1 2 3 4\n", T),
+    defects(T, Ds),
+    aggregate_all(count, member(turned_edge(1, _, _), Ds), N).
 test(inside_out, Ds == [inside_out(1)]) :-
-    with_text("v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0). v(1,4,0,0,1).
-               p(1,1,[1,2,3]). p(1,2,[1,4,2]). p(1,3,[2,4,3]).
-               p(1,4,[3,4,1]).", findall(D, model_defect(D), Ds)).
-test(unpaired, Ds == [unpaired_edge(1,1,2)]) :-
-    with_text("v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0). v(1,4,0,-1,0).
-               p(1,1,[1,2,3]). p(1,2,[1,2,4]).",
-              findall(D, model_defect(D), Ds)).
-test(non_manifold, Ds == [non_manifold_edge(1,1,2,3)]) :-
-    with_text("v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0). v(1,4,0,-1,0).
-               v(1,5,0,0,1). p(1,1,[1,2,3]). p(1,2,[2,1,4]). p(1,3,[1,2,5]).",
-              findall(D, model_defect(D), Ds)).
-test(no_area, Ds == [degenerate_face(1,1)]) :-
-    quietly(with_text("v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,2,0,0).
-                       p(1,1,[1,2,3]).",
-                      findall(D, model_defect(D), Ds))).
-test(json, F == 0) :-
-    report_of('facts/cube.pl', R),
-    with_output_to(string(Text), print_report(json, R)),
-    atom_json_dict(Text, Dict, []),
-    F = Dict.faults.
+    T = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\n\c
+         f 2 4 3\n",
+    defects(T, Ds).
+test(nonmanifold, N == 3) :-
+    T = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\n\c
+         f 1 2 5\n",
+    defects(T, Ds),
+    memberchk(nonmanifold_edge(1, _, N), Ds).
+test(degenerate) :-
+    defects("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", Ds),
+    memberchk(degenerate_face(1, 1), Ds).
+test(bent) :-
+    defects("v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n", Ds),
+    memberchk(bent_face(1, 1), Ds).
+test(duplicate) :-
+    defects("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n", Ds),
+    memberchk(duplicate_face(1, 1, 2), Ds).
+test(unused, Ds == [unused_vertex(1, 4)]) :-
+    defects("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 7 7 7\nf 1 2 3\n", Ds).
+test(twins, Ds == [twin_vertices(1, 1, 4)]) :-
+    defects("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 1 1\nv 2 2 0\n\c
+             f 1 2 3\nf 4 5 6\nf 4 6 5\n", Ds0),
+    include([twin_vertices(_, _, _)]>>true, Ds0, Ds).
+test(pinched) :-
+    defects("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\n\c
+             f 1 4 5\n", Ds),
+    memberchk(pinched_vertex(1, 1, 2), Ds).
+test(open_polygon, Ds == [open_polygon(1, 1, 1)]) :-
+    new_world(World),
+    in_world(World,
+             ( forall(member(v(V,X,Y), [v(1,0.0,0.0), v(2,1.0,0.0),
+                                        v(3,0.0,1.0)]),
+                      assert_fact(v(1, V, X, Y, 0.0))),
+               assert_fact(e(1, 1, 1, 2, 1)),
+               assert_fact(e(1, 2, 2, 3, 1)),
+               assert_fact(p(1, 1, [1,2])),
+               assert_fact(segment(1, surface, x)),
+               findall(open_polygon(S, P, N),
+                       model_defect(open_polygon(S, P, N)), Ds) )).
+test(json, N == 0) :-
+    cube([], T),
+    with(obj, T, ( check_report(R),
+                   with_output_to(string(Text), print_report(json, R)) )),
+    atom_json_dict(Text, J, []),
+    get_dict(faults, J, N).
 test(text) :-
-    report_of('facts/cube.pl', R),
-    with_output_to(string(Text), print_report(text, R)),
-    once(sub_string(Text, _, _, _, "no defects")).
+    cube([], T),
+    with(obj, T, ( check_report(R),
+                   with_output_to(string(Text), print_report(text, R)) )),
+    sub_string(Text, _, _, _, "genus 0"),
+    !.
+test(empty) :-
+    new_world(World),
+    in_world(World, check_report(R)),
+    report_faults(R, 0).
 
 :- end_tests(check).
