@@ -77,7 +77,10 @@ SAVE = qsave_program('$@',[class(development),goal(true),toplevel(halt), \
        init_file(none),foreign(no_save),stand_alone(false)])
 $(B)/boot: $(B)/engine/boot.o $(OBJS)
 	$(CC) $(EXTRA_CFLAGS) $^ -o $@ $(PL_LIBS) $(LIBS)
-$(B)/sanggwan.prc: $(B)/boot $(RULES)
+# The rules' documentation as plain facts, for help/1.
+$(B)/documentation.pl: tools/documentation.pl $(RULES) $(B)/sanggwan.so
+	swipl -f none -p foreign=$(B) $< -- $@
+$(B)/sanggwan.prc: $(B)/boot $(B)/documentation.pl
 	$(B)/boot -q -f none -O --on-error=status -g "$(strip $(SAVE))" -t halt \
 	  rules/cli.pl
 $(B)/state.o: engine/state.S $(B)/sanggwan.prc

@@ -166,7 +166,7 @@ find_curve_points(Set) :-
     forall(curve_candidate(Set, E, T),
            curve_enter(Set, E, T, _)).
 
-%!  triangle_cut(+S1-T1, +S2-T2, -Kind, -End1, -End2) is nondet.
+%!  triangle_cut(+Triangle1, +Triangle2, -Kind, -End1, -End2) is nondet.
 %
 %   True when triangles T1 of segment S1 and T2 of S2 have the points from
 %   End1 to End2 in common: one piece if their planes differ (Kind is

@@ -1,6 +1,7 @@
 :- module(sg_repl,
           [ repl/0
           ]).
+:- use_module(help, [short_answers/0]).
 :- use_module(query, [query/2]).
 :- use_module(store, [segment/3]).
 /** <module> The Prolog top level with a model loaded.
@@ -21,6 +22,7 @@ repl :-
     print_message(informational, sanggwan(greeting)),
     forall(segment(S, Kind, Name),
            print_message(informational, sanggwan(segment(S, Kind, Name)))),
+    short_answers,
     set_prolog_flag(readline, true),
     catch('$toplevel':setup_readline, error(_, _), true),
     on_signal(int, Old, sg_repl:stopped),
