@@ -15,6 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { POLL_ROWS = 1024 }; /* tried between two questions for signals */
+
 /* ---- a call in progress ------------------------------------------------ */
 
 typedef struct asking {
@@ -114,16 +116,18 @@ unify_row(const asking *a, term_t args, sg_row row, bool *shared)
   return !a->numbers || PL_unify_int64(args + (int)info->arity, row);
 }
 
-/* The next row that is an answer; a strict call tries it by unification. */
+/* The next row that is an answer; a strict call tries it by unification.
+ * SG_NO_ROW: there is none, or an exception is pending. */
 static sg_row
 next_answer(asking *a, term_t args)
 {
   sg_row row;
 
   while ((row = sg_walk_next(&a->walk)) != SG_NO_ROW && a->strict) {
-    fid_t frame = PL_open_foreign_frame();
+    fid_t frame;
     int fits;
-    if (!frame) {
+    if ((row % POLL_ROWS == 0 && PL_handle_signals() < 0) ||
+        !(frame = PL_open_foreign_frame())) {
       return SG_NO_ROW;
     }
     fits = unify_row(a, args, row, NULL);
@@ -139,25 +143,33 @@ next_answer(asking *a, term_t args)
   return row;
 }
 
+/* Retracts an answer. With the last one the version is let go first: nobody
+ * then holds what the change is to write, and nothing need be copied. */
 static int
-retract_row_ex(sg_world *world, sg_relation relation, sg_row row)
+retract_answer(asking *a, sg_row row)
 {
-  int done;
+  sg_world *world = sg_version_world(a->version);
+  int done = FALSE;
 
   if (!sg_claim_ex(world)) {
     return FALSE;
   }
-  done = sg_world_retract(world, relation, row);
+  sg_world_hold(world);
+  if (a->next == SG_NO_ROW) {
+    sg_version_drop(a->version);
+    a->version = NULL;
+  }
+  done = sg_world_retract(world, a->relation, row);
   sg_world_release(world);
+  sg_world_drop(world);
   return done;
 }
 
 static int
-give(const asking *a, term_t args, sg_row row, bool *shared)
+give(asking *a, term_t args, sg_row row, bool *shared)
 {
   return unify_row(a, args, row, shared) && (a->strict || !*shared) &&
-         (!a->retracts ||
-          retract_row_ex(sg_version_world(a->version), a->relation, row));
+         (!a->retracts || retract_answer(a, row));
 }
 
 /* Gives the answer a->next when nothing can go wrong but memory: no variable
