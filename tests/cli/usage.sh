@@ -129,7 +129,7 @@ v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0). p(1,1,[1,2,3]).
 END
 run check "$work/open.pl"
 check check-fault status_is 1
-check check-fault-text has '3 open_edge' "$work/out"
+check check-fault-text has 'open_edge: 3' "$work/out"
 run check facts/wire_and_roof.pl
 check check-surface status_is 0
 run check --strict facts/wire_and_roof.pl
