@@ -47,9 +47,8 @@ own_edges(sg_counting *c, size_t p)
 
   for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
     int32_t e = d->list[k];
-    if (c->owner[e] >= 0 &&
-        !sg_census_note(c, SG_DEFECT_SHARED, d->edge_id[e],
-                        d->polygon_id[c->owner[e]])) {
+    if (c->owner[e] >= 0 && !sg_census_note(c, SG_DEFECT_SHARED, d->edge_id[e],
+                                            d->polygon_id[c->owner[e]])) {
       return false;
     }
     c->owner[e] = (int32_t)p;
@@ -118,11 +117,11 @@ note_group(sg_counting *c, const int32_t *edge, size_t n, size_t forward)
   for (size_t i = 0; i < n; i++) {
     c->bad[c->owner[edge[i]]] = true;
   }
-  return n == 1   ? sg_census_note(c, SG_DEFECT_BORDER, id[edge[0]], 0)
-         : n == 2 ? sg_census_note(c, SG_DEFECT_TURNED, id[edge[0]],
-                                   id[edge[1]])
-                  : sg_census_note(c, SG_DEFECT_NONMANIFOLD, id[edge[0]],
-                                   (int32_t)n);
+  return n == 1 ? sg_census_note(c, SG_DEFECT_BORDER, id[edge[0]], 0)
+         : n == 2
+             ? sg_census_note(c, SG_DEFECT_TURNED, id[edge[0]], id[edge[1]])
+             : sg_census_note(c, SG_DEFECT_NONMANIFOLD, id[edge[0]],
+                              (int32_t)n);
 }
 
 /* The half-edges of this segment that polygons own; *n of them. */
@@ -187,9 +186,10 @@ pair_edges(sg_counting *c)
     from[i] = d->from[edge[i]] - base;
     to[i] = d->to[edge[i]] - base;
   }
-  done = done && sg_edge_pairs_make(n, from, to, vertices, c->poll, &pairs,
-                                    &c->stopped) &&
-         note_groups(c, &pairs, edge);
+  done =
+      done &&
+      sg_edge_pairs_make(n, from, to, vertices, c->poll, &pairs, &c->stopped) &&
+      note_groups(c, &pairs, edge);
   sg_edge_pairs_clear(&pairs);
   free(edge);
   free(from);
@@ -277,8 +277,7 @@ open_shells(sg_counting *c)
   for (size_t p = d->polygon_begin[c->s]; p < d->polygon_begin[c->s + 1]; p++) {
     int32_t r = c->shell_of[p];
     /* The root comes first: it is the lowest. */
-    int32_t shell = r == (int32_t)p ? (int32_t)out->shells++
-                                    : c->shell_of[r];
+    int32_t shell = r == (int32_t)p ? (int32_t)out->shells++ : c->shell_of[r];
     if (r == (int32_t)p) {
       out->shell[shell] = (sg_shell){.segment = c->part->segment,
                                      .polygon = d->polygon_id[p],
@@ -304,8 +303,8 @@ count_shell_edges(sg_counting *c)
   const sg_dense *d = c->d;
 
   for (size_t e = d->edge_begin[c->s]; e < d->edge_begin[c->s + 1]; e++) {
-    if (c->owner[e] >= 0 && (c->opposite[e] < 0 ||
-                             c->opposite[e] > (int32_t)e)) {
+    if (c->owner[e] >= 0 &&
+        (c->opposite[e] < 0 || c->opposite[e] > (int32_t)e)) {
       c->out->shell[c->shell_of[c->owner[e]]].edges++;
     }
   }
@@ -433,9 +432,9 @@ open_counting(sg_counting *c)
 static void
 close_counting(sg_counting *c)
 {
-  void *const owned[] = {c->owner,     c->next,   c->opposite, c->shell_of,
-                         c->seen,      c->fans,   c->triangles, c->area,
-                         c->volume,    c->loops_of, c->bad,    c->from,
+  void *const owned[] = {c->owner,  c->next,     c->opposite,  c->shell_of,
+                         c->seen,   c->fans,     c->triangles, c->area,
+                         c->volume, c->loops_of, c->bad,       c->from,
                          c->to};
 
   for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) {

@@ -37,9 +37,9 @@ typedef struct sg_shell {
   int32_t segment; /* number */
   int32_t polygon; /* the lowest id in it */
   size_t vertices, edges, polygons;
-  int64_t euler;   /* vertices - edges + faces; a face with h holes counts 1-h */
-  bool closed;     /* every edge is a pair of opposite half-edges */
-  bool pinched;    /* some vertex has several fans */
+  int64_t euler; /* vertices - edges + faces; a face with h holes counts 1-h */
+  bool closed;   /* every edge is a pair of opposite half-edges */
+  bool pinched;  /* some vertex has several fans */
   double area, volume; /* volume > 0: normals point outward */
 } sg_shell;
 
@@ -63,8 +63,8 @@ typedef struct sg_census {
 /* Returns: false: no memory, or (*stopped) stopped by the poll.
  * Cost:    about linear.
  * Owner:   sg_census_clear() in any case. */
-bool sg_census_make(const sg_dense *dense, const sg_poll *poll,
-                    sg_census *out, bool *stopped);
+bool sg_census_make(const sg_dense *dense, const sg_poll *poll, sg_census *out,
+                    bool *stopped);
 void sg_census_clear(sg_census *census);
 
 #endif

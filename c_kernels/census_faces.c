@@ -58,8 +58,8 @@ measure(const sg_counting *c, size_t p, sg_newell *sum, double *off,
   }
   size_t n = d->list_begin[p + 1] - d->list_begin[p];
   for (size_t k = d->list_begin[p]; n > 3 && k < d->list_begin[p + 1]; k++) {
-    *off = fmax(*off, fabs(sg_plane_distance(&plane,
-                                             d->at[d->from[d->list[k]]])));
+    *off =
+        fmax(*off, fabs(sg_plane_distance(&plane, d->at[d->from[d->list[k]]])));
   }
   return true;
 }
@@ -205,8 +205,8 @@ note_twins(sg_counting *c, size_t begin, size_t end)
     int32_t v = at[i - 1].place, w = at[i].place;
     if (at[i].hash == at[i - 1].hash &&
         !memcmp(d->at[v], d->at[w], sizeof d->at[v])) {
-      done = sg_census_note(c, SG_DEFECT_TWIN, d->vertex_id[v],
-                            d->vertex_id[w]);
+      done =
+          sg_census_note(c, SG_DEFECT_TWIN, d->vertex_id[v], d->vertex_id[w]);
     }
   }
   free(at);
@@ -221,9 +221,9 @@ note_edges(sg_counting *c)
 
   for (size_t e = d->edge_begin[c->s]; e < d->edge_begin[c->s + 1]; e++) {
     const double *a = d->at[d->from[e]], *b = d->at[d->to[e]];
-    double length = sqrt((b[0] - a[0]) * (b[0] - a[0]) +
-                         (b[1] - a[1]) * (b[1] - a[1]) +
-                         (b[2] - a[2]) * (b[2] - a[2]));
+    double length =
+        sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) +
+             (b[2] - a[2]) * (b[2] - a[2]));
     c->seen[d->from[e]] = c->seen[d->to[e]] = UINT32_MAX;
     if (c->owner[e] < 0) {
       c->part->length += length;
@@ -267,10 +267,10 @@ sg_census_vertices(sg_counting *c)
     return false;
   }
   for (size_t v = begin; v < end; v++) {
-    if ((!c->seen[v] && !sg_census_note(c, SG_DEFECT_UNUSED, d->vertex_id[v],
-                                        0)) ||
-        (c->fans[v] > 1 && !sg_census_note(c, SG_DEFECT_PINCHED,
-                                           d->vertex_id[v], c->fans[v]))) {
+    if ((!c->seen[v] &&
+         !sg_census_note(c, SG_DEFECT_UNUSED, d->vertex_id[v], 0)) ||
+        (c->fans[v] > 1 &&
+         !sg_census_note(c, SG_DEFECT_PINCHED, d->vertex_id[v], c->fans[v]))) {
       return false;
     }
   }

@@ -11,20 +11,20 @@ typedef struct sg_counting {
   sg_census *out;
   const sg_poll *poll;
   bool stopped;
-  size_t s;            /* the segment at work */
+  size_t s; /* the segment at work */
   sg_part *part;
-  int32_t *owner;      /* [edges] the polygon, or -1 */
-  int32_t *next;       /* [edges] the half-edge that follows in its polygon */
-  int32_t *opposite;   /* [edges] in a pair, else -1 */
-  int32_t *shell_of;   /* [polygons] union-find, later the shell */
-  uint32_t *seen;      /* [vertices] */
-  int32_t *fans;       /* [vertices] */
-  uint32_t *triangles; /* [polygons] how many */
+  int32_t *owner;        /* [edges] the polygon, or -1 */
+  int32_t *next;         /* [edges] the half-edge that follows in its polygon */
+  int32_t *opposite;     /* [edges] in a pair, else -1 */
+  int32_t *shell_of;     /* [polygons] union-find, later the shell */
+  uint32_t *seen;        /* [vertices] */
+  int32_t *fans;         /* [vertices] */
+  uint32_t *triangles;   /* [polygons] how many */
   double *area, *volume; /* [polygons] the volume six times */
-  int32_t *loops_of;   /* [polygons] */
-  bool *bad;           /* [polygons] has an edge that is no pair */
+  int32_t *loops_of;     /* [polygons] */
+  bool *bad;             /* [polygons] has an edge that is no pair */
   sg_loops loops;
-  int32_t *from, *to;  /* [longest polygon] */
+  int32_t *from, *to; /* [longest polygon] */
 } sg_counting;
 
 /* False: no memory. Ids as the defect says. */

@@ -43,10 +43,9 @@ segment_place(const sg_dense *d, int32_t s, size_t *last)
   if (*last < d->segments && d->segment[*last] == s) {
     return (int64_t)*last;
   }
-  const int32_t *found = d->segments
-                             ? bsearch(&s, d->segment, d->segments, sizeof s,
-                                       compare_ids)
-                             : NULL;
+  const int32_t *found =
+      d->segments ? bsearch(&s, d->segment, d->segments, sizeof s, compare_ids)
+                  : NULL;
   if (!found) {
     return -1;
   }
@@ -180,8 +179,8 @@ gather(const sg_dense *d, const sg_view *view, unsigned column,
       if (s < 0) {
         continue;
       }
-      uint64_t key = (uint64_t)s << ID_BITS |
-                     (uint32_t)view->column[column].page[i].i[r];
+      uint64_t key =
+          (uint64_t)s << ID_BITS | (uint32_t)view->column[column].page[i].i[r];
       sorted = sorted && (out->n == 0 || out->row[out->n - 1].key < key);
       if (!add_row(out, key, i, r)) {
         return false;
@@ -374,12 +373,12 @@ sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
 void
 sg_dense_clear(sg_dense *d)
 {
-  void *const owned[] = {d->segment,      d->vertex_begin, d->edge_begin,
-                         d->polygon_begin, d->triangle_begin, d->vertex_id,
-                         d->at,           d->edge_id,      d->from,
-                         d->to,           d->real,         d->polygon_id,
-                         d->list_begin,   d->list,         d->triangle_id,
-                         d->polygon_of,   d->corner};
+  void *const owned[] = {
+      d->segment,        d->vertex_begin, d->edge_begin,  d->polygon_begin,
+      d->triangle_begin, d->vertex_id,    d->at,          d->edge_id,
+      d->from,           d->to,           d->real,        d->polygon_id,
+      d->list_begin,     d->list,         d->triangle_id, d->polygon_of,
+      d->corner};
 
   for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) {
     free(owned[i]);

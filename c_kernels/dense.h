@@ -22,8 +22,8 @@ typedef struct sg_dense {
 
   size_t edges;
   int32_t *edge_id;
-  int32_t *from, *to;   /* places of vertices */
-  unsigned char *real;  /* Et */
+  int32_t *from, *to;  /* places of vertices */
+  unsigned char *real; /* Et */
 
   size_t polygons;
   int32_t *polygon_id;
@@ -48,9 +48,8 @@ typedef struct sg_dense_views {
  * Returns:  false: no memory, or (*stopped) stopped by the poll.
  * Owner:    sg_dense_clear() in any case.
  */
-bool sg_dense_make(const sg_dense_views *views, const int32_t *wanted,
-                   size_t n, const sg_poll *poll, sg_dense *out,
-                   bool *stopped);
+bool sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
+                   const sg_poll *poll, sg_dense *out, bool *stopped);
 void sg_dense_clear(sg_dense *dense);
 
 /* The segment (a place) that a vertex, an edge, ... of this place is in. */

@@ -72,11 +72,10 @@ sg_edge_pairs_make(size_t n, const int32_t *from, const int32_t *to,
                    bool *stopped)
 {
   *stopped = false;
-  *out = (sg_edge_pairs){
-      .n = n,
-      .key = malloc((n + 1) * sizeof *out->key),
-      .bucket = calloc(vertices + 2, sizeof *out->bucket),
-      .vertices = vertices};
+  *out = (sg_edge_pairs){.n = n,
+                         .key = malloc((n + 1) * sizeof *out->key),
+                         .bucket = calloc(vertices + 2, sizeof *out->bucket),
+                         .vertices = vertices};
   if (!out->key || !out->bucket) {
     return false;
   }

@@ -50,8 +50,8 @@ sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page)
   for (unsigned r = sg_live_next(v->live[page], 0); r < SG_PAGE_ROWS;
        r = sg_live_next(v->live[page], r + 1)) {
     sg_flatness_see(model, (const double[3]){v->column[2].page[page].f[r],
-                                 v->column[3].page[page].f[r],
-                                 v->column[4].page[page].f[r]});
+                                             v->column[3].page[page].f[r],
+                                             v->column[4].page[page].f[r]});
   }
 }
 

@@ -29,8 +29,7 @@ make_room(sg_loops *loops, size_t n)
  * it ends; true if this joined all but the ends of runs, and each run closes on
  * its own first edge. */
 static bool
-join_in_order(sg_loops *loops, size_t n, const int32_t *from,
-              const int32_t *to)
+join_in_order(sg_loops *loops, size_t n, const int32_t *from, const int32_t *to)
 {
   size_t first = 0;
 
@@ -92,7 +91,8 @@ take(start *starts, size_t n, int32_t vertex, int32_t after)
 }
 
 /* Counts closed chains and open ends. `next` leads to each edge at most once,
- * so a walk ends at an open end or where it began; -2 - x marks edges walked. */
+ * so a walk ends at an open end or where it began; -2 - x marks edges walked.
+ */
 static void
 count_loops(sg_loops *loops, size_t n)
 {
@@ -114,8 +114,7 @@ count_loops(sg_loops *loops, size_t n)
 }
 
 bool
-sg_loops_make(sg_loops *loops, size_t n, const int32_t *from,
-              const int32_t *to)
+sg_loops_make(sg_loops *loops, size_t n, const int32_t *from, const int32_t *to)
 {
   loops->loops = loops->open = 0;
   if (!make_room(loops, n)) {

@@ -309,8 +309,7 @@ finish(sg_mesh_reader *r, sg_mesh_format format, sg_mesh_weld weld)
   if (weld == SG_WELD_AUTO && format != SG_MESH_STL) {
     weld = is_soup(mesh) ? SG_WELD_ALL : SG_WELD_NONE;
   }
-  if (weld != SG_WELD_NONE &&
-      !sg_mesh_weld_vertices(mesh, r->poll, &stopped)) {
+  if (weld != SG_WELD_NONE && !sg_mesh_weld_vertices(mesh, r->poll, &stopped)) {
     return sg_mesh_fail_byte(r, stopped ? SG_MESH_STOPPED : SG_MESH_NO_MEMORY,
                              0, NULL, 0, 0);
   }
@@ -410,8 +409,7 @@ read_format(sg_mesh_reader *r, sg_mesh_format format)
 
 bool
 sg_mesh_read(sg_mesh_format format, const char *bytes, size_t n,
-             const sg_mesh_options *options, sg_mesh *out,
-             sg_mesh_error *error)
+             const sg_mesh_options *options, sg_mesh *out, sg_mesh_error *error)
 {
   sg_mesh_reader r = open_reader(bytes, n);
 

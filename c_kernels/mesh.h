@@ -33,32 +33,32 @@ typedef enum sg_mesh_format {
   SG_MESH_STL_BINARY, /* write only */
   SG_MESH_OFF,
   SG_MESH_OBJ,
-  SG_MESH_PLY,        /* read: as the header says; written: text */
-  SG_MESH_PLY_BINARY  /* write only: little endian, doubles */
+  SG_MESH_PLY,       /* read: as the header says; written: text */
+  SG_MESH_PLY_BINARY /* write only: little endian, doubles */
 } sg_mesh_format;
 
 /* What can be wrong. The text names what was found, `wanted` what should have
  * been there; got and limit are numbers as said here. */
 typedef enum sg_mesh_code {
   SG_MESH_FINE,
-  SG_MESH_STOPPED,        /* the poll said so */
+  SG_MESH_STOPPED, /* the poll said so */
   SG_MESH_NO_MEMORY,
   SG_MESH_EMPTY_FILE,
-  SG_MESH_NO_FACES,       /* neither a polygon nor a curve */
+  SG_MESH_NO_FACES, /* neither a polygon nor a curve */
   SG_MESH_UNKNOWN_FORMAT,
-  SG_MESH_UNSUPPORTED,    /* text: a kind of the format that is not read */
-  SG_MESH_EXPECTED,       /* wanted, text ("" at the end of the file) */
-  SG_MESH_BAD_NUMBER,     /* text */
-  SG_MESH_NOT_FINITE,     /* text */
-  SG_MESH_TOO_FAR,        /* text: beyond SG_MESH_FARTHEST */
-  SG_MESH_BAD_INDEX,      /* got; allowed are 1 or 0 .. limit, see wanted */
-  SG_MESH_BAD_COUNT,      /* text; wanted says of what */
-  SG_MESH_TRUNCATED,      /* wanted: what was promised; got bytes or items are
-                             there, limit are needed */
-  SG_MESH_SHORT_FACE,     /* got corners, 3 are needed */
-  SG_MESH_TOO_LARGE,      /* more than 2^31 - 1 vertices or edges */
-  SG_MESH_NO_PROPERTY,    /* PLY: wanted is missing in element text */
-  SG_MESH_WRITE_FAILED,   /* the sink said so */
+  SG_MESH_UNSUPPORTED,  /* text: a kind of the format that is not read */
+  SG_MESH_EXPECTED,     /* wanted, text ("" at the end of the file) */
+  SG_MESH_BAD_NUMBER,   /* text */
+  SG_MESH_NOT_FINITE,   /* text */
+  SG_MESH_TOO_FAR,      /* text: beyond SG_MESH_FARTHEST */
+  SG_MESH_BAD_INDEX,    /* got; allowed are 1 or 0 .. limit, see wanted */
+  SG_MESH_BAD_COUNT,    /* text; wanted says of what */
+  SG_MESH_TRUNCATED,    /* wanted: what was promised; got bytes or items are
+                           there, limit are needed */
+  SG_MESH_SHORT_FACE,   /* got corners, 3 are needed */
+  SG_MESH_TOO_LARGE,    /* more than 2^31 - 1 vertices or edges */
+  SG_MESH_NO_PROPERTY,  /* PLY: wanted is missing in element text */
+  SG_MESH_WRITE_FAILED, /* the sink said so */
   SG_MESH_CODES
 } sg_mesh_code;
 
@@ -72,11 +72,11 @@ enum { SG_MESH_TEXT = 48 };
 
 typedef struct sg_mesh_error {
   sg_mesh_code code;
-  size_t line;        /* from 1; 0 in binary data */
-  size_t column;      /* from 1, in bytes */
-  size_t byte;        /* from 0 */
+  size_t line;   /* from 1; 0 in binary data */
+  size_t column; /* from 1, in bytes */
+  size_t byte;   /* from 0 */
   int64_t got, limit;
-  const char *wanted; /* static text, "" if there is none */
+  const char *wanted;      /* static text, "" if there is none */
   char text[SG_MESH_TEXT]; /* printable ASCII, cut if long */
 } sg_mesh_error;
 
@@ -84,10 +84,10 @@ typedef struct sg_mesh_error {
  * corner[start[i]] .. corner[start[i + 1] - 1], in part segment[i]. */
 typedef struct sg_mesh_lists {
   size_t count;
-  size_t corners;   /* start[count], while no list is open */
-  uint32_t *start;  /* [count + 1], null if there is no list */
-  int32_t *corner;  /* [corners] */
-  int32_t *segment; /* [count] */
+  size_t corners;           /* start[count], while no list is open */
+  uint32_t *start;          /* [count + 1], null if there is no list */
+  int32_t *corner;          /* [corners] */
+  int32_t *segment;         /* [count] */
   size_t room, corner_room; /* private */
 } sg_mesh_lists;
 
@@ -98,21 +98,24 @@ typedef struct sg_mesh {
   size_t segments; /* each has a face or a curve */
   char **name;     /* [segments], UTF-8 as in the file, null if unnamed */
 
-  double grain;    /* a unit in the last place of the source, model units; 0
-                      if it is exact (doubles, or fewer than 6 digits) */
+  double grain; /* a unit in the last place of the source, model units; 0
+                   if it is exact (doubles, or fewer than 6 digits) */
   /* What was passed over. */
-  size_t degenerate; /* faces dropped */
-  size_t repeated;   /* corners dropped from faces that stayed */
-  size_t welded;     /* vertices joined to an equal one */
-  size_t ignored;    /* lines or elements of unknown kind, points */
+  size_t degenerate;   /* faces dropped */
+  size_t repeated;     /* corners dropped from faces that stayed */
+  size_t welded;       /* vertices joined to an equal one */
+  size_t ignored;      /* lines or elements of unknown kind, points */
   size_t ignored_line; /* the first of them, 0 if there is none */
-  size_t trailing;   /* bytes behind the data */
+  size_t trailing;     /* bytes behind the data */
 
   size_t vertex_room, name_room; /* private */
 } sg_mesh;
 
-typedef enum sg_mesh_weld { SG_WELD_AUTO, SG_WELD_ALL, SG_WELD_NONE }
-    sg_mesh_weld;
+typedef enum sg_mesh_weld {
+  SG_WELD_AUTO,
+  SG_WELD_ALL,
+  SG_WELD_NONE
+} sg_mesh_weld;
 
 typedef struct sg_mesh_options {
   sg_mesh_weld weld;   /* AUTO: the policy above */

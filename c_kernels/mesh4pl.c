@@ -4,8 +4,8 @@
  * added, so a bad file changes nothing; the caller's transaction takes care of
  * the rest.
  */
-#include "glue.h"
 #include "mesh4pl.h"
+#include "glue.h"
 #include "mesh_part.h"
 
 #include "../engine/install.h"
@@ -26,9 +26,12 @@ static atom_t ATOM_auto, ATOM_all, ATOM_none, ATOM_curve, ATOM_solid,
 static const struct {
   const char *name;
   sg_mesh_format format;
-} formats[] = {{"any", SG_MESH_UNKNOWN},   {"stl", SG_MESH_STL},
-               {"off", SG_MESH_OFF},       {"obj", SG_MESH_OBJ},
-               {"ply", SG_MESH_PLY},       {"stl_binary", SG_MESH_STL_BINARY},
+} formats[] = {{"any", SG_MESH_UNKNOWN},
+               {"stl", SG_MESH_STL},
+               {"off", SG_MESH_OFF},
+               {"obj", SG_MESH_OBJ},
+               {"ply", SG_MESH_PLY},
+               {"stl_binary", SG_MESH_STL_BINARY},
                {"ply_binary", SG_MESH_PLY_BINARY}};
 
 int
@@ -94,8 +97,8 @@ get_bytes_ex(term_t stream, bytes *out)
       PL_release_stream_noerror(in);
       return FALSE;
     }
-    size_t some = out->room - out->n < CHUNK * 64 ? out->room - out->n
-                                                  : CHUNK * 64;
+    size_t some =
+        out->room - out->n < CHUNK * 64 ? out->room - out->n : CHUNK * 64;
     got = Sfread(out->data + out->n, 1, some, in);
   } while (got > 0);
   return PL_release_stream(in);
@@ -225,7 +228,7 @@ static int
 put_part_ex(term_t t, const sg_mesh_part *part, int32_t s)
 {
   const char *name = part->name ? part->name : "";
-  atom_t kind = part->closed ? ATOM_solid
+  atom_t kind = part->closed  ? ATOM_solid
                 : part->faces ? ATOM_surface
                               : ATOM_curve;
   term_t text = PL_new_term_ref();
@@ -257,12 +260,12 @@ sg_unify_mesh_fault_ex(term_t result, const sg_mesh_error *error)
   if (error->code == SG_MESH_NO_MEMORY) {
     return sg_no_memory();
   }
-  return PL_unify_term(
-      result, PL_FUNCTOR_CHARS, "fault", 8, PL_CHARS,
-      sg_mesh_code_name[error->code], PL_INT64, (int64_t)error->line, PL_INT64,
-      (int64_t)error->column, PL_INT64, (int64_t)error->byte, PL_CHARS,
-      error->text, PL_CHARS, error->wanted, PL_INT64, error->got, PL_INT64,
-      error->limit);
+  return PL_unify_term(result, PL_FUNCTOR_CHARS, "fault", 8, PL_CHARS,
+                       sg_mesh_code_name[error->code], PL_INT64,
+                       (int64_t)error->line, PL_INT64, (int64_t)error->column,
+                       PL_INT64, (int64_t)error->byte, PL_CHARS, error->text,
+                       PL_CHARS, error->wanted, PL_INT64, error->got, PL_INT64,
+                       error->limit);
 }
 
 static int
@@ -286,8 +289,8 @@ put_parts_ex(sg_world *world, const sg_mesh *mesh, int32_t first, term_t list)
       break;
     }
     done = put_vertices_ex(c, mesh, &part, s) && put_edges_ex(c, &part, s) &&
-           put_polygons_ex(c, &part, s) &&
-           PL_unify_list(tail, head, tail) && put_part_ex(head, &part, s);
+           put_polygons_ex(c, &part, s) && PL_unify_list(tail, head, tail) &&
+           put_part_ex(head, &part, s);
   }
   free(c);
   sg_mesh_parts_close(parts);
@@ -315,8 +318,8 @@ mesh_add(term_t a0, int arity, void *context)
   }
   options.one_segment = one;
   int done = get_bytes_ex(a0, &data);
-  bool good = done && sg_mesh_read(format, data.data, data.n, &options, &mesh,
-                                   &error);
+  bool good =
+      done && sg_mesh_read(format, data.data, data.n, &options, &mesh, &error);
   free(data.data);
   if (!good) {
     return done && sg_unify_mesh_fault_ex(a0 + 5, &error);

@@ -8,10 +8,10 @@ typedef struct exporter {
   const sg_dense *d;
   sg_mesh *mesh;
   bool triangles;
-  uint32_t *begin;   /* [polygons + 1] triangles by polygon */
+  uint32_t *begin; /* [polygons + 1] triangles by polygon */
   int32_t *triangle;
   unsigned char *used; /* [edges] in a polygon */
-  uint32_t *seen;    /* [vertices] the stamp of who saw it last */
+  uint32_t *seen;      /* [vertices] the stamp of who saw it last */
   uint32_t stamp;
   int32_t *from, *to; /* edges of the polygon at work */
   size_t room;

@@ -13,10 +13,10 @@
 
 typedef struct sg_obj {
   sg_mesh_reader *r;
-  size_t vertices;  /* in the whole file */
-  bool by_object;   /* there is an `o` */
-  int32_t segment;  /* the current one, -1 before the first */
-  int32_t *slot;    /* hash table of names: segments or -1 */
+  size_t vertices; /* in the whole file */
+  bool by_object;  /* there is an `o` */
+  int32_t segment; /* the current one, -1 before the first */
+  int32_t *slot;   /* hash table of names: segments or -1 */
   size_t size, used;
 } sg_obj;
 
@@ -178,9 +178,9 @@ static bool
 is_skipped(const sg_word *w)
 {
   static const char *const words[] = {
-      "vn",     "vt",       "vp",  "s",     "usemtl", "mtllib", "usemap",
-      "maplib", "mg",       "lod", "bevel", "c_interp", "d_interp",
-      "shadow_obj", "trace_obj", "g", "p"};
+      "vn",       "vt",         "vp",        "s",   "usemtl", "mtllib",
+      "usemap",   "maplib",     "mg",        "lod", "bevel",  "c_interp",
+      "d_interp", "shadow_obj", "trace_obj", "g",   "p"};
 
   for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
     if (sg_word_is(w, words[i])) {

@@ -75,10 +75,10 @@ read_vertex(sg_mesh_reader *r, int64_t done, int64_t all)
 
   for (int k = 0; k < 3; k++) {
     if (!(k ? sg_word_here(r, &w) : sg_word_next(r, &w))) {
-      return w.text == r->end ? sg_mesh_fail_numbers(r, SG_MESH_TRUNCATED, &w,
-                                                     "vertices", done, all)
-                              : sg_mesh_fail(r, SG_MESH_EXPECTED, &w,
-                                             "a coordinate");
+      return w.text == r->end
+                 ? sg_mesh_fail_numbers(r, SG_MESH_TRUNCATED, &w, "vertices",
+                                        done, all)
+                 : sg_mesh_fail(r, SG_MESH_EXPECTED, &w, "a coordinate");
     }
     if (!sg_mesh_coordinate(r, &w, &p[k])) {
       return false;
@@ -129,8 +129,8 @@ sg_off_read(sg_mesh_reader *r)
   sg_word w;
 
   r->hash = true;
-  if (!read_keyword(r) || !read_count(r, &vertices) ||
-      !read_count(r, &faces) || !check_count(r, &vertices, VERTEX_BYTES) ||
+  if (!read_keyword(r) || !read_count(r, &vertices) || !read_count(r, &faces) ||
+      !check_count(r, &vertices, VERTEX_BYTES) ||
       !check_count(r, &faces, FACE_BYTES)) {
     return false;
   }

@@ -15,7 +15,7 @@ typedef struct sg_list_order {
 struct sg_mesh_parts {
   const sg_mesh *mesh;
   sg_list_order face, curve;
-  int32_t *local; /* [mesh->vertices] number in the part, or -1 */
+  int32_t *local;  /* [mesh->vertices] number in the part, or -1 */
   int32_t *vertex; /* [mesh->vertices] */
   uint32_t *start; /* [faces + 1] */
   int32_t *from, *to;
@@ -57,8 +57,7 @@ sg_mesh_parts_open(const sg_mesh *mesh)
   parts->from = malloc(edges * sizeof *parts->from);
   parts->to = malloc(edges * sizeof *parts->to);
   if (!parts->local || !parts->vertex || !parts->start || !parts->from ||
-      !parts->to ||
-      !order_lists(&mesh->face, mesh->segments, &parts->face) ||
+      !parts->to || !order_lists(&mesh->face, mesh->segments, &parts->face) ||
       !order_lists(&mesh->curve, mesh->segments, &parts->curve)) {
     sg_mesh_parts_close(parts);
     return NULL;
@@ -94,8 +93,7 @@ compare(const void *a, const void *b)
 
 static void
 add_edges(sg_mesh_parts *parts, const sg_mesh_lists *lists,
-          const sg_list_order *order, size_t s, bool closed,
-          sg_mesh_part *out)
+          const sg_list_order *order, size_t s, bool closed, sg_mesh_part *out)
 {
   for (size_t k = order->begin[s]; k < order->begin[s + 1]; k++) {
     size_t i = order->list[k];

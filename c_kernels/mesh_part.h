@@ -12,14 +12,14 @@
  * those of its curves; edge i (from 0) runs from[i] -> to[i], vertices counted
  * from 0 in vertex[]. */
 typedef struct sg_mesh_part {
-  const char *name;  /* null: unnamed */
+  const char *name; /* null: unnamed */
   size_t vertices;
   const int32_t *vertex; /* [vertices] numbers in the mesh, ascending */
   size_t faces;
   const uint32_t *start; /* [faces + 1] first edge of each face */
   size_t edges;
   const int32_t *from, *to; /* [edges] */
-  bool closed;       /* it has faces, and every edge has its opposite */
+  bool closed;              /* it has faces, and every edge has its opposite */
 } sg_mesh_part;
 
 typedef struct sg_mesh_parts sg_mesh_parts;

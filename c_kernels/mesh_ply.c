@@ -75,14 +75,14 @@ type_named(const sg_word *w)
   static const struct {
     const char *name;
     sg_ply_type type;
-  } types[] = {{"char", PLY_INT8},       {"int8", PLY_INT8},
-               {"uchar", PLY_UINT8},     {"uint8", PLY_UINT8},
-               {"short", PLY_INT16},     {"int16", PLY_INT16},
-               {"ushort", PLY_UINT16},   {"uint16", PLY_UINT16},
-               {"int", PLY_INT32},       {"int32", PLY_INT32},
-               {"uint", PLY_UINT32},     {"uint32", PLY_UINT32},
-               {"float", PLY_FLOAT32},   {"float32", PLY_FLOAT32},
-               {"double", PLY_FLOAT64},  {"float64", PLY_FLOAT64}};
+  } types[] = {{"char", PLY_INT8},      {"int8", PLY_INT8},
+               {"uchar", PLY_UINT8},    {"uint8", PLY_UINT8},
+               {"short", PLY_INT16},    {"int16", PLY_INT16},
+               {"ushort", PLY_UINT16},  {"uint16", PLY_UINT16},
+               {"int", PLY_INT32},      {"int32", PLY_INT32},
+               {"uint", PLY_UINT32},    {"uint32", PLY_UINT32},
+               {"float", PLY_FLOAT32},  {"float32", PLY_FLOAT32},
+               {"double", PLY_FLOAT64}, {"float64", PLY_FLOAT64}};
 
   for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
     if (sg_word_is(w, types[i].name)) {
@@ -97,7 +97,7 @@ role_named(sg_ply_kind kind, bool list, const sg_word *w)
 {
   switch (kind) {
   case PLY_VERTEX:
-    return list                  ? PLY_OTHER
+    return list                 ? PLY_OTHER
            : sg_word_is(w, "x") ? PLY_X
            : sg_word_is(w, "y") ? PLY_Y
            : sg_word_is(w, "z") ? PLY_Z
@@ -108,7 +108,7 @@ role_named(sg_ply_kind kind, bool list, const sg_word *w)
                ? PLY_CORNERS
                : PLY_OTHER;
   case PLY_EDGE:
-    return list                        ? PLY_OTHER
+    return list                       ? PLY_OTHER
            : sg_word_is(w, "vertex1") ? PLY_VERTEX1
            : sg_word_is(w, "vertex2") ? PLY_VERTEX2
                                       : PLY_OTHER;
@@ -393,7 +393,9 @@ read_coordinate(sg_ply *ply, sg_ply_type type, double *out)
   }
   if (!isfinite(*out)) {
     fail_at(ply, SG_MESH_NOT_FINITE, &w, NULL, 0, 0);
-    strcpy(ply->r->error->text, isnan(*out) ? "nan" : *out < 0 ? "-inf" : "inf");
+    strcpy(ply->r->error->text, isnan(*out) ? "nan"
+                                : *out < 0  ? "-inf"
+                                            : "inf");
     return false;
   }
   if (fabs(*out) > SG_MESH_FARTHEST) {
@@ -586,8 +588,8 @@ sg_ply_read(sg_mesh_reader *r)
   }
   sg_word w;
   if (ply.coding != PLY_TEXT || sg_word_next(r, &w)) {
-    r->mesh->trailing = (size_t)(r->end - (ply.coding == PLY_TEXT ? w.text
-                                                                  : r->at));
+    r->mesh->trailing =
+        (size_t)(r->end - (ply.coding == PLY_TEXT ? w.text : r->at));
   }
   return true;
 }

@@ -16,11 +16,11 @@ typedef struct sg_word {
 
 typedef struct sg_mesh_reader {
   const char *start, *at, *end;
-  size_t line;       /* of `at`, from 1 */
+  size_t line; /* of `at`, from 1 */
   const char *line_start;
-  bool hash;         /* # starts a comment */
-  bool backslash;    /* \ at the end of a line continues it */
-  int digits;        /* the most significant digits seen in a coordinate */
+  bool hash;      /* # starts a comment */
+  bool backslash; /* \ at the end of a line continues it */
+  int digits;     /* the most significant digits seen in a coordinate */
   bool one_segment;
   sg_mesh *mesh;
   sg_mesh_error *error;

@@ -126,7 +126,8 @@ take(sg_mesh_reader *r, const char *wanted)
   sg_word w;
 
   sg_word_next(r, &w);
-  return sg_word_is(&w, wanted) || sg_mesh_fail(r, SG_MESH_EXPECTED, &w, wanted);
+  return sg_word_is(&w, wanted) ||
+         sg_mesh_fail(r, SG_MESH_EXPECTED, &w, wanted);
 }
 
 static bool

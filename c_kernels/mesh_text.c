@@ -283,15 +283,14 @@ built(sg_mesh_reader *r, bool done, size_t count)
 bool
 sg_mesh_vertex(sg_mesh_reader *r, const double xyz[3])
 {
-  return sg_mesh_tick(r) && built(r, sg_mesh_add_vertex(r->mesh, xyz),
-                                  r->mesh->vertices);
+  return sg_mesh_tick(r) &&
+         built(r, sg_mesh_add_vertex(r->mesh, xyz), r->mesh->vertices);
 }
 
 bool
 sg_mesh_corner(sg_mesh_reader *r, sg_mesh_lists *lists, int32_t vertex)
 {
-  return built(r, sg_mesh_add_corner(lists, vertex),
-               lists->corners);
+  return built(r, sg_mesh_add_corner(lists, vertex), lists->corners);
 }
 
 bool

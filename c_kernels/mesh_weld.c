@@ -69,10 +69,10 @@ resize(sg_weld_table *table, double (*vertex)[3], size_t size)
 /* Moves the first of each kind of vertex to the front; number[i] = where
  * vertex i went. */
 static bool
-join(sg_mesh *mesh, sg_weld_table *table, int32_t *number,
-     const sg_poll *poll, bool *stopped)
+join(sg_mesh *mesh, sg_weld_table *table, int32_t *number, const sg_poll *poll,
+     bool *stopped)
 {
-  double (*vertex)[3] = mesh->vertex;
+  double(*vertex)[3] = mesh->vertex;
 
   for (size_t i = 0; i < mesh->vertices; i++) {
     if (i % POLL_EVERY == 0 && (*stopped = sg_poll_stop(poll))) {

@@ -46,8 +46,8 @@ name_segments_ex(term_t names, sg_mesh *mesh)
 static int
 unify_missing(term_t result, const sg_dense *dense, size_t polygon)
 {
-  size_t s = sg_dense_segment_of(dense, dense->polygon_begin,
-                                 (uint32_t)polygon);
+  size_t s =
+      sg_dense_segment_of(dense, dense->polygon_begin, (uint32_t)polygon);
 
   return PL_unify_term(result, PL_FUNCTOR_CHARS, "no_triangles", 2, PL_INT,
                        (int)dense->segment[s], PL_INT,

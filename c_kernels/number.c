@@ -14,8 +14,8 @@
 #include <strings.h>
 
 enum {
-  MAX_TEXT = 1024,   /* longer texts are no numbers */
-  EXACT_POWER = 22,  /* the largest power of ten that is a double */
+  MAX_TEXT = 1024,  /* longer texts are no numbers */
+  EXACT_POWER = 22, /* the largest power of ten that is a double */
   MANTISSA_DIGITS = 19
 };
 
@@ -37,10 +37,10 @@ open_c_locale(void)
 /* A number as its text says it: mantissa * 10^exponent. */
 typedef struct sg_decimal {
   bool negative;
-  bool cut;          /* digits beyond MANTISSA_DIGITS were left out */
+  bool cut; /* digits beyond MANTISSA_DIGITS were left out */
   uint64_t mantissa;
   long exponent;
-  int digits;        /* significant ones, as written */
+  int digits; /* significant ones, as written */
 } sg_decimal;
 
 /* Takes the digits at *at; `scale` is -1 behind the point, else 0. True if
@@ -120,8 +120,8 @@ names_no_number(const char *text, size_t n)
     text++;
     n--;
   }
-  return (n >= 3 && (!strncasecmp(text, "nan", 3) ||
-                     !strncasecmp(text, "inf", 3))) ||
+  return (n >= 3 &&
+          (!strncasecmp(text, "nan", 3) || !strncasecmp(text, "inf", 3))) ||
          (n >= 4 && !strncmp(text, "1.#", 3));
 }
 

@@ -60,8 +60,7 @@ rule_module(term_t slot_term, term_t module)
   const rule_table *table = world ? sg_world_note(world) : NULL;
   size_t slot;
 
-  return table && get_slot_ex(slot_term, &slot) &&
-         (table->taken >> slot & 1) &&
+  return table && get_slot_ex(slot_term, &slot) && (table->taken >> slot & 1) &&
          PL_unify_atom(module, table->module[slot]);
 }
 

@@ -16,7 +16,8 @@
 
 static unsigned check_passed, check_failed;
 
-#define CHECK(name, expr) check_note((name), !!(expr), #expr, __FILE__, __LINE__)
+#define CHECK(name, expr)                                                      \
+  check_note((name), !!(expr), #expr, __FILE__, __LINE__)
 
 static inline int
 check_note(const char *name, int holds, const char *expr, const char *file,

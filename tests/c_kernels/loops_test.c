@@ -20,8 +20,9 @@ static void
 test_loops(void)
 {
   CHECK("none", joined(0, NULL, NULL) == 0);
-  CHECK("in order", joined(3, (int32_t[]){1, 2, 3}, (int32_t[]){2, 3, 1}) == 1 &&
-                        loops.next[2] == 0);
+  CHECK("in order",
+        joined(3, (int32_t[]){1, 2, 3}, (int32_t[]){2, 3, 1}) == 1 &&
+            loops.next[2] == 0);
   CHECK("in any order",
         joined(4, (int32_t[]){3, 1, 4, 2}, (int32_t[]){4, 2, 1, 3}) == 1 &&
             loops.next[0] == 2);

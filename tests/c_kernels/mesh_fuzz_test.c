@@ -56,9 +56,8 @@ use(const sg_mesh *mesh)
 int
 LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {
-  static const sg_mesh_format formats[] = {SG_MESH_UNKNOWN, SG_MESH_STL,
-                                           SG_MESH_OFF, SG_MESH_OBJ,
-                                           SG_MESH_PLY};
+  static const sg_mesh_format formats[] = {
+      SG_MESH_UNKNOWN, SG_MESH_STL, SG_MESH_OFF, SG_MESH_OBJ, SG_MESH_PLY};
   sg_mesh_options options = {SG_WELD_AUTO, false, NULL};
   sg_mesh_error error;
   sg_mesh mesh;
@@ -102,8 +101,8 @@ static const char *const seeds[] = {
     "\1\1\1\2\1\1\1\2\1\3\1\2\1\3\2\1\1"};
 
 static const char *const words[] = {
-    "99999999999", "-1",  "1e999", "nan",  "0x1",  "\r\n", "\t",  "#",
-    "4294967295",  "\\\n", "solid", "list", "BINARY", "0",  "1/2/", "\xff"};
+    "99999999999", "-1",   "1e999", "nan",  "0x1",    "\r\n", "\t",   "#",
+    "4294967295",  "\\\n", "solid", "list", "BINARY", "0",    "1/2/", "\xff"};
 
 static unsigned long long state = 20261121;
 

@@ -34,16 +34,15 @@ reads(sg_mesh_format format, const char *text)
 
 /* True if `text` is refused with `code` at this line. */
 static bool
-refuses(sg_mesh_format format, const char *text, sg_mesh_code code,
-        size_t line)
+refuses(sg_mesh_format format, const char *text, sg_mesh_code code, size_t line)
 {
   if (reads(format, text)) {
     return false;
   }
   if (error.code != code || error.line != line) {
     fprintf(stderr, "got %s, line %zu, column %zu: %s (%s)\n",
-            sg_mesh_code_name[error.code], error.line, error.column,
-            error.text, error.wanted);
+            sg_mesh_code_name[error.code], error.line, error.column, error.text,
+            error.wanted);
     return false;
   }
   return mesh.vertices == 0 && mesh.vertex == NULL;
@@ -85,8 +84,8 @@ test_reading_numbers(void)
   CHECK("exponent", number("2.000000e+01") == 20 && number("1E-2") == 0.01);
   CHECK("nearest", number("0.1") == 0.1 && number("123456789.123456789e-5") ==
                                                123456789.123456789e-5);
-  CHECK("long", number("0.1000000000000000055511151231257827021181583404541") ==
-                    0.1);
+  CHECK("long",
+        number("0.1000000000000000055511151231257827021181583404541") == 0.1);
   CHECK("half way", number("9007199254740993") == 9007199254740992.0);
   CHECK("smallest", number("4.9e-324") == 4.9e-324);
   CHECK("too small", number("1e-400") == 0);
@@ -94,8 +93,8 @@ test_reading_numbers(void)
   CHECK("words", status("blah") == SG_NUMBER_BAD);
   CHECK("empty", status("") == SG_NUMBER_BAD && status("-") == SG_NUMBER_BAD);
   CHECK("parts", status("1e") == SG_NUMBER_BAD && status(".") == SG_NUMBER_BAD);
-  CHECK("tail", status("1x") == SG_NUMBER_BAD && status("0x10") ==
-                                                     SG_NUMBER_BAD);
+  CHECK("tail",
+        status("1x") == SG_NUMBER_BAD && status("0x10") == SG_NUMBER_BAD);
   CHECK("comma", status("1,5") == SG_NUMBER_BAD);
   CHECK("nan", status("-nan(ind)") == SG_NUMBER_NOT_FINITE);
   CHECK("inf", status("Infinity") == SG_NUMBER_NOT_FINITE);
@@ -156,8 +155,8 @@ test_stl_text(void)
   CHECK("faces", mesh.face.count == 4 && mesh.face.corners == 12);
   CHECK("name", mesh.segments == 1 && !strcmp(mesh.name[0], "a b"));
   CHECK("minus zero is zero",
-        reads(SG_MESH_STL, "solid\n" FACET("0 0 0", "1 0 0", "0 1 0") FACET(
-                               "-0 0 0", "0 1 -0", "1 0 0") "endsolid") &&
+        reads(SG_MESH_STL, "solid\n" FACET("0 0 0", "1 0 0", "0 1 0")
+                               FACET("-0 0 0", "0 1 -0", "1 0 0") "endsolid") &&
             mesh.vertices == 3);
   CHECK("crlf and tabs",
         reads(SG_MESH_STL, "solid x\r\n\tfacet normal\t0 0 1\r\nouter loop\r\n"
@@ -182,26 +181,25 @@ test_stl_text_errors(void)
 {
   CHECK("empty", refuses(SG_MESH_STL, "", SG_MESH_EMPTY_FILE, 1));
   CHECK("blank", refuses(SG_MESH_STL, " \n\n", SG_MESH_EMPTY_FILE, 1));
-  CHECK("no facets", refuses(SG_MESH_STL, "solid a\nendsolid a\n",
-                             SG_MESH_NO_FACES, 3));
-  CHECK("number", refuses(SG_MESH_STL,
-                          "solid\n" FACET("0 0 0", "0 blah 0", "1 0 0")
-                          "endsolid",
-                          SG_MESH_BAD_NUMBER, 5) &&
-                      !strcmp(error.text, "blah") && error.column == 12);
+  CHECK("no facets",
+        refuses(SG_MESH_STL, "solid a\nendsolid a\n", SG_MESH_NO_FACES, 3));
+  CHECK("number",
+        refuses(SG_MESH_STL,
+                "solid\n" FACET("0 0 0", "0 blah 0", "1 0 0") "endsolid",
+                SG_MESH_BAD_NUMBER, 5) &&
+            !strcmp(error.text, "blah") && error.column == 12);
   CHECK("nan", refuses(SG_MESH_STL,
-                       "solid\n" FACET("0 0 0", "0 0 nan", "1 0 0")
-                       "endsolid",
+                       "solid\n" FACET("0 0 0", "0 0 nan", "1 0 0") "endsolid",
                        SG_MESH_NOT_FINITE, 5));
   CHECK("four corners",
-        refuses(SG_MESH_STL,
-                "solid\n" FACET("0 0 0", "1 0 0", "0 1 0\nvertex 1 1 1")
-                "endsolid",
-                SG_MESH_EXPECTED, 7) &&
+        refuses(
+            SG_MESH_STL,
+            "solid\n" FACET("0 0 0", "1 0 0", "0 1 0\nvertex 1 1 1") "endsolid",
+            SG_MESH_EXPECTED, 7) &&
             !strcmp(error.wanted, "endloop"));
-  CHECK("truncated", refuses(SG_MESH_STL, "solid a\n" TETRAHEDRON,
-                             SG_MESH_EXPECTED, 30) &&
-                         !strcmp(error.text, ""));
+  CHECK("truncated",
+        refuses(SG_MESH_STL, "solid a\n" TETRAHEDRON, SG_MESH_EXPECTED, 30) &&
+            !strcmp(error.text, ""));
   CHECK("not stl", refuses(SG_MESH_STL, "hello\n", SG_MESH_EXPECTED, 1));
 }
 
@@ -234,8 +232,8 @@ test_stl_binary(void)
   CHECK("counts", mesh.face.count == 3 && mesh.vertices == 9);
   CHECK("grain of float32", mesh.grain == ldexp(1, 2 - 24));
   CHECK("detected", sg_mesh_detect(bytes, n) == SG_MESH_STL);
-  CHECK("trailing bytes", read_bytes(SG_MESH_STL, bytes, n + 7) &&
-                              mesh.trailing == 7);
+  CHECK("trailing bytes",
+        read_bytes(SG_MESH_STL, bytes, n + 7) && mesh.trailing == 7);
   n = binary_stl(bytes, "truncated", 5, 3);
   CHECK("truncated", !read_bytes(SG_MESH_STL, bytes, n) &&
                          error.code == SG_MESH_TRUNCATED && error.got == 3 &&
@@ -244,8 +242,8 @@ test_stl_binary(void)
   CHECK("a huge count allocates nothing",
         !read_bytes(SG_MESH_STL, bytes, n) && error.code == SG_MESH_TRUNCATED);
   n = binary_stl(bytes, "none", 0, 0);
-  CHECK("no triangles", !read_bytes(SG_MESH_STL, bytes, n) &&
-                            error.code == SG_MESH_NO_FACES);
+  CHECK("no triangles",
+        !read_bytes(SG_MESH_STL, bytes, n) && error.code == SG_MESH_NO_FACES);
   n = binary_stl(bytes, "nan", 1, 1);
   float nan = NAN;
   memcpy(bytes + 84 + 16, &nan, 4);
@@ -288,22 +286,22 @@ static void
 test_off_errors(void)
 {
   CHECK("counts", refuses(SG_MESH_OFF, "OFF\n3 x 0\n", SG_MESH_BAD_COUNT, 2));
-  CHECK("negative", refuses(SG_MESH_OFF, "OFF\n-3 1 0\n", SG_MESH_BAD_COUNT,
-                            2));
+  CHECK("negative",
+        refuses(SG_MESH_OFF, "OFF\n-3 1 0\n", SG_MESH_BAD_COUNT, 2));
   CHECK("huge", refuses(SG_MESH_OFF, "OFF\n2000000000 1 0\n0 0 0\n",
                         SG_MESH_TRUNCATED, 2));
-  CHECK("index", refuses(SG_MESH_OFF,
-                         "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
-                         SG_MESH_BAD_INDEX, 6) &&
-                     error.got == 3 && error.limit == 2);
-  CHECK("few faces", refuses(SG_MESH_OFF,
-                             "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
-                             SG_MESH_TRUNCATED, 7));
-  CHECK("short line", refuses(SG_MESH_OFF, "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n"
-                                           "3 0 1 2\n",
+  CHECK("index",
+        refuses(SG_MESH_OFF, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
+                SG_MESH_BAD_INDEX, 6) &&
+            error.got == 3 && error.limit == 2);
+  CHECK("few faces",
+        refuses(SG_MESH_OFF, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+                SG_MESH_TRUNCATED, 7));
+  CHECK("short line", refuses(SG_MESH_OFF,
+                              "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n"
+                              "3 0 1 2\n",
                               SG_MESH_EXPECTED, 4));
-  CHECK("binary", refuses(SG_MESH_OFF, "OFF BINARY\n", SG_MESH_UNSUPPORTED,
-                          1));
+  CHECK("binary", refuses(SG_MESH_OFF, "OFF BINARY\n", SG_MESH_UNSUPPORTED, 1));
   CHECK("4OFF", refuses(SG_MESH_OFF, "4OFF\n", SG_MESH_UNSUPPORTED, 1));
 }
 
@@ -348,13 +346,13 @@ test_obj_errors(void)
                       error.column == 7);
   CHECK("before", refuses(SG_MESH_OBJ, V3 "f 1 2 -4\n", SG_MESH_BAD_INDEX, 4));
   CHECK("word", refuses(SG_MESH_OBJ, V3 "f 1 2 x\n", SG_MESH_EXPECTED, 4));
-  CHECK("slashes", refuses(SG_MESH_OBJ, V3 "f 1/2/3/4 2 3\n", SG_MESH_EXPECTED,
-                           4));
-  CHECK("two corners", refuses(SG_MESH_OBJ, V3 "f 1 2\n", SG_MESH_SHORT_FACE,
-                               4));
+  CHECK("slashes",
+        refuses(SG_MESH_OBJ, V3 "f 1/2/3/4 2 3\n", SG_MESH_EXPECTED, 4));
+  CHECK("two corners",
+        refuses(SG_MESH_OBJ, V3 "f 1 2\n", SG_MESH_SHORT_FACE, 4));
   CHECK("short vertex", refuses(SG_MESH_OBJ, "v 1 2\n", SG_MESH_EXPECTED, 1));
-  CHECK("infinite", refuses(SG_MESH_OBJ, "v 1 2 1e999\n", SG_MESH_NOT_FINITE,
-                            1));
+  CHECK("infinite",
+        refuses(SG_MESH_OBJ, "v 1 2 1e999\n", SG_MESH_NOT_FINITE, 1));
   CHECK("no faces", refuses(SG_MESH_OBJ, V3, SG_MESH_NO_FACES, 4));
 }
 
@@ -385,23 +383,21 @@ test_ply_text(void)
                         "ply\nformat ascii 1.0\nelement vertex 1\n"
                         "property quad x\n",
                         SG_MESH_EXPECTED, 4));
-  CHECK("format", refuses(SG_MESH_PLY, "ply\nformat ebcdic 1.0\n",
-                          SG_MESH_EXPECTED, 2));
-  CHECK("no end", refuses(SG_MESH_PLY, "ply\nformat ascii 1.0\n",
-                          SG_MESH_EXPECTED, 3));
+  CHECK("format",
+        refuses(SG_MESH_PLY, "ply\nformat ebcdic 1.0\n", SG_MESH_EXPECTED, 2));
+  CHECK("no end",
+        refuses(SG_MESH_PLY, "ply\nformat ascii 1.0\n", SG_MESH_EXPECTED, 3));
 #define PLY(data)                                                              \
   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"                \
   "property float y\nproperty float z\nelement face 1\n"                       \
   "property list uchar int vertex_index\nend_header\n"                         \
   "0 0 0\n1 0 0\n0 1 0\n" data
-  CHECK("index", refuses(SG_MESH_PLY, PLY("3 0 1 3\n"), SG_MESH_BAD_INDEX,
-                         13));
-  CHECK("half an index", refuses(SG_MESH_PLY, PLY("3 0 1 1.5\n"),
-                                 SG_MESH_EXPECTED, 13));
-  CHECK("two corners", refuses(SG_MESH_PLY, PLY("2 0 1\n"),
-                               SG_MESH_SHORT_FACE, 13));
-  CHECK("length", refuses(SG_MESH_PLY, PLY("-1 0 1\n"), SG_MESH_BAD_COUNT,
-                          13));
+  CHECK("index", refuses(SG_MESH_PLY, PLY("3 0 1 3\n"), SG_MESH_BAD_INDEX, 13));
+  CHECK("half an index",
+        refuses(SG_MESH_PLY, PLY("3 0 1 1.5\n"), SG_MESH_EXPECTED, 13));
+  CHECK("two corners",
+        refuses(SG_MESH_PLY, PLY("2 0 1\n"), SG_MESH_SHORT_FACE, 13));
+  CHECK("length", refuses(SG_MESH_PLY, PLY("-1 0 1\n"), SG_MESH_BAD_COUNT, 13));
   CHECK("cut off", refuses(SG_MESH_PLY, PLY("3 0 1\n"), SG_MESH_EXPECTED, 14));
   CHECK("huge", refuses(SG_MESH_PLY,
                         "ply\nformat ascii 1.0\nelement vertex 2000000000\n"
@@ -504,10 +500,10 @@ static void
 test_big_endian(void)
 {
   static const unsigned char data[] = {
-      0, 0, 0, 0, 0, 0, 0, 0,    0,    0, 0, 0,                  /* 0 0 0 */
-      0, 0, 0, 1, 0, 0, 0, 0,    0,    0, 0, 0,                  /* 1 0 0 */
-      0, 0, 0, 0, 0, 1, 0, 0,    0,    0, 0, 0,                  /* 0 1 0 */
-      0, 0, 0, 0, 0, 0, 0x3f, 0xf8, 0, 0, 0, 0, 0, 0,            /* 0 0 1.5 */
+      0, 0, 0, 0, 0, 0, 0,    0,    0, 0, 0, 0,       /* 0 0 0 */
+      0, 0, 0, 1, 0, 0, 0,    0,    0, 0, 0, 0,       /* 1 0 0 */
+      0, 0, 0, 0, 0, 1, 0,    0,    0, 0, 0, 0,       /* 0 1 0 */
+      0, 0, 0, 0, 0, 0, 0x3f, 0xf8, 0, 0, 0, 0, 0, 0, /* 0 0 1.5 */
       3, 0, 0, 0, 1, 0, 2};
   char file[512];
   const char *header = "ply\nformat binary_big_endian 1.0\nelement vertex 3\n"
