@@ -5,6 +5,7 @@
           ]).
 :- use_module(arguments, [parsed_arguments/4]).
 :- use_module(decision, [use_rules/1]).
+:- use_module(kernel, [exact_fallbacks/1]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
 :- use_module(progress, [with_progress/1]).
@@ -225,8 +226,9 @@ measured(Options, Start) :-
     ;   true
     ),
     (   option(stats(true), Options)
-    ->  findall(Relation-Dict, facts_statistics(Relation, Dict), Pairs1),
-        json_line(Pairs1)
+    ->  exact_fallbacks(Fallbacks),
+        findall(Relation-Dict, facts_statistics(Relation, Dict), Pairs1),
+        json_line([exact_fallbacks-Fallbacks|Pairs1])
     ;   true
     ).
 
@@ -247,6 +249,8 @@ json_members([Name-Value|Pairs]) :-
     format(user_error, "\"~w\":", [Name]),
     (   is_dict(Value)
     ->  json_write_dict(user_error, Value, [width(0)])
+    ;   integer(Value)
+    ->  format(user_error, "~d", [Value])
     ;   format(user_error, "~6f", [Value])
     ),
     (   Pairs == []
