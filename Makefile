@@ -31,7 +31,9 @@ $(B)/deps.mk: tools/deps Makefile
 	@mkdir -p $(B)
 	@tools/deps tests $(if $(filter $(INSTALLS),$(MAKECMDGOALS)),--install)
 	@{ echo "PL_CFLAGS := $$(pkg-config --cflags-only-I swipl)" && \
-	   echo "PL_LIBS := $$(pkg-config --libs swipl)"; } > $@
+	   echo "PL_LIBS := $$(pkg-config --libs swipl)" && \
+	   echo "PL_ARCH := $$(swipl -g 'current_prolog_flag(arch, A), write(A)' \
+	                         -t halt)"; } > $@
 
 OPT     ?= -O2
 # -ffp-contract=off: no fused multiply-add may change a sign (exact.h).
@@ -51,7 +53,8 @@ RULES   := $(wildcard rules/*.pl)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 
-.PHONY: all so demo test check check-c check-rules check-cli bless clean
+.PHONY: all so demo test check check-c check-rules check-cli bless clean \
+        install uninstall
 
 # --- objects and libraries -------------------------------------------------
 
@@ -124,6 +127,17 @@ demo: all
 # Writes the golden drawings anew. Look at those that changed.
 bless: $(B)/sanggwan.so
 	@swipl -p foreign=$(B) tools/bless.pl
+
+# --- installing ------------------------------------------------------------
+
+# DESTDIR stands before every path, as packagers want; tools/install says what
+# goes where.
+install: all $(B)/sanggwan.1
+	@DESTDIR='$(DESTDIR)' tools/install '$(PREFIX)' $(VERSION) $(PL_ARCH)
+uninstall:
+	@DESTDIR='$(DESTDIR)' tools/install --remove '$(PREFIX)'
+$(B)/sanggwan.1: tools/manual.pl rules/usage.pl
+	swipl -f none tools/manual.pl -- $(VERSION) $@
 
 clean:
 	rm -rf $(B) sanggwan

@@ -1,6 +1,8 @@
 :- module(sg_usage,
           [ verb/4,                     % ?Verb, -Arguments, -Summary, -Ko
             verb_options/2,             % +Verb, -Specs
+            common_option/1,            % ?Spec
+            example/2,                  % ?Verb, -Command
             print_usage/1,              % +Language
             print_usage/2               % +Verb, +Language
           ]).
@@ -79,7 +81,9 @@ verb_option(query, option(format, '', one_of([table, csv, json, prolog]),
 verb_option(query, option(json, '', flag, '', 'the same as --format json')).
 verb_option(query, option(limit, '', number(1), 'N', 'the first N answers')).
 
-%   Options of every verb.
+%!  common_option(?Spec) is nondet.
+%
+%   The options of every verb, in the order of the usage text.
 
 common_option(option(from, '', one_of([pl, stl, off, obj, ply]), 'FORMAT',
     'what - (standard input) is; default pl')).
@@ -118,7 +122,9 @@ option_ko(stats, '행, 바이트, 색인 사용을 JSON으로 표준 오류에')
 option_ko(lang, '메시지의 언어').
 option_ko(help, '이 설명').
 
-%   example(Verb, Command)
+%!  example(?Verb, -Command) is nondet.
+%
+%   A command line that shows what Verb is for.
 
 example(check, 'sanggwan check facts/cube.pl').
 example(check, 'sanggwan check --json part.stl').
