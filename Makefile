@@ -53,8 +53,8 @@ RULES   := $(wildcard rules/*.pl)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 
-.PHONY: all so demo test check check-c check-rules check-cli bless clean \
-        install uninstall
+.PHONY: all so demo test check check-c check-rules check-embed check-cli bless \
+        clean install uninstall
 
 # --- objects and libraries -------------------------------------------------
 
@@ -86,9 +86,17 @@ $(B)/documentation.pl: tools/documentation.pl $(RULES) $(B)/sanggwan.so
 $(B)/sanggwan.prc: $(B)/boot $(B)/documentation.pl
 	$(B)/boot -q -f none -O --on-error=status -g "$(strip $(SAVE))" -t halt \
 	  rules/cli.pl
-$(B)/state.o: engine/state.S $(B)/sanggwan.prc
-	$(CC) -DSG_STATE='"$(B)/sanggwan.prc"' -c $< -o $@
-$(B)/libsanggwan.a: $(OBJS) $(B)/engine/start.o $(B)/state.o
+# The rules alone, compiled: for a host in which Prolog already runs.
+$(B)/embedded.qlf: $(B)/boot $(RULES)
+	@echo ":- module(sg_embedded, []). :- use_module('../rules/sanggwan', [])." \
+	  > $(B)/embedded.pl
+	$(B)/boot -q -f none -O --on-error=status \
+	  -g "qcompile('$(B)/embedded.pl',[include(user)])" -t halt
+$(B)/state.o: engine/state.S $(B)/sanggwan.prc $(B)/embedded.qlf
+	$(CC) -DSG_STATE='"$(B)/sanggwan.prc"' \
+	  -DSG_RULES='"$(B)/embedded.qlf"' -c $< -o $@
+$(B)/libsanggwan.a: $(OBJS) $(B)/engine/start.o $(B)/engine/engine.o \
+                    $(B)/state.o
 	@rm -f $@
 	ar rcs $@ $^
 $(B)/sanggwan: $(B)/engine/main.o $(B)/libsanggwan.a
@@ -109,14 +117,24 @@ $(B)/tests/%_test: tests/%_test.c tests/check.h $(CORE)
 	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) -MMD -MP $< $(CORE) -o $@ $(LIBS)
 -include $(C_TESTS:%=%.d)
 
-test: all $(C_TESTS)
-	@tests/run $(C_TESTS) $(PLTS) $(CLIS)
+# Programs that use the library as a host does: tests and the example.
+EMBEDS  := $(patsubst %.c,$(B)/%,$(wildcard tests/embed/*$(T)*_test.c))
+$(EMBEDS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
+                             $(B)/libsanggwan.a
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARN) -Wno-sign-conversion $(PL_CFLAGS) -Iengine \
+	  $(EXTRA_CFLAGS) $< $(B)/libsanggwan.a -o $@ $(PL_LIBS) $(LIBS)
+
+test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example
+	@tests/run $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
 check: test
 check-c: $(C_TESTS)
 	@tests/run $^
 check-rules: $(B)/sanggwan.so
 	@tests/run $(PLTS)
-check-cli: all
+check-embed: $(EMBEDS)
+	@tests/run $^
+check-cli: all $(B)/docs/example
 	@tests/run $(CLIS)
 
 # --- drawings --------------------------------------------------------------

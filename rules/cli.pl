@@ -10,6 +10,7 @@
 :- use_module(messages_ko, []).
 :- use_module(progress, [with_progress/1]).
 :- use_module(stage, [stages_reset/0, stage_seconds/2]).
+:- use_module(status, [error_status/2]).
 :- use_module(store, [new_world/1, in_world/2, facts_statistics/2]).
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
 :- use_module(user:sanggwan).
@@ -278,17 +279,6 @@ failed_status(Error, Status) :-
 
 signal_status(int, 130).
 signal_status(term, 143).
-
-error_status(error(Formal, _), Status) :-
-    nonvar(Formal),
-    formal_status(Formal, Status),
-    !.
-error_status(_, 2).
-
-formal_status(usage_error(_), 2).
-formal_status(model_error(_), 3).
-formal_status(geometry_error(_), 4).
-formal_status(resource_error(_), 4).
 
 %   The reader of a pipe has seen enough, as in `sanggwan query ... | head`.
 

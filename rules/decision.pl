@@ -89,7 +89,8 @@ decision_clauses(Name/Arity, Doc, Module,
                            ->  Rules:Head
                            ;   Default
                            )
-                   )
+                   ),
+                   (:- sg_decision:keep_slot(Module, Name, Arity, Slot))
                  ]) :-
     must_be(atom, Name),
     must_be(string, Doc),
@@ -108,6 +109,17 @@ take_slot(_, Name, Arity, _) :-
 take_slot(Module, Name, Arity, Slot) :-
     predicate_property(slot_(_, _, _, _), number_of_clauses(Slot)),
     assertz(slot_(Module, Name, Arity, Slot)).
+
+%   keep_slot(+Module, +Name, +Arity, +Slot): again where the compiled file is
+%   loaded, in a process that never saw its source.
+
+:- public keep_slot/4.
+
+keep_slot(Module, Name, Arity, Slot) :-
+    (   slot_(Module, Name, Arity, _)
+    ->  true
+    ;   assertz(slot_(Module, Name, Arity, Slot))
+    ).
 
 %   default_clause(+Clause, +Module, -Renamed) is semidet.
 %

@@ -28,5 +28,6 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(decision).
 :- reexport(repl, [repl/0]).
 :- reexport(help, [help/0, help/1]).
+:- use_module(embedding, []).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
