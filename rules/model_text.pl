@@ -243,13 +243,21 @@ no_fact((Head --> _), rule(Head)) :-
 no_fact((Head => _), rule(Head)) :-
     !.
 no_fact(Term, What) :-
-    functor(Term, Name, Arity),
+    name_arity(Term, Name, Arity),
     (   computed(Name)
     ->  What = computed(Name)
     ;   file_relation(Name, Wanted)
     ->  What = arity(Name, Arity, Wanted)
     ;   What = unknown_relation(Name, Arity)
     ).
+
+%   As functor/3, also for a compound without arguments, `projection()`.
+
+name_arity(Term, Name, Arity) :-
+    compound(Term),
+    !,
+    compound_name_arity(Term, Name, Arity).
+name_arity(Name, Name, 0).
 
 computed(screen).
 computed(drawn).

@@ -167,6 +167,9 @@ test(grammar_rule, W == rule(a)) :-
     after_triangle("a --> b.", Text), fault(Text, W, _).
 test(unknown_relation, W-P == unknown_relation(vertex,2)-(3:1)) :-
     after_triangle("% comment\nvertex(1,2).", Text), fault(Text, W, P).
+test(no_arguments, W-P == arity(v,0,5)-(2:1)) :-
+    after_triangle("v().\n", Text),
+    fault(Text, W, P).
 test(arity, W-P == arity(v,4,5)-(2:1)) :-
     after_triangle("v(1,4,0,0).", Text), fault(Text, W, P).
 test(computed, W == computed(screen)) :-
