@@ -18,7 +18,8 @@ SHELL   := /bin/bash
 B       := build
 CC      ?= cc
 PREFIX  ?= /usr/local
-VERSION := 0.1.0
+# It stands in rules/cli.pl.
+VERSION := $(shell sed -n "s/^version('\(.*\)')\.$$/\1/p" rules/cli.pl)
 
 # Goals that install what they need. deps.mk holds what pkg-config says; make
 # re-reads this file after making it, so the flags are right even when
@@ -40,8 +41,7 @@ OPT     ?= -O2
 # Glue: Prolog's own types mix signs, hence -Wno-sign-conversion there.
 WARN    := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
            -Wmissing-prototypes -Wswitch-enum -Werror
-CFLAGS  := -std=c11 -D_GNU_SOURCE $(OPT) -g -fPIC -ffp-contract=off \
-           -DSG_VERSION='"$(VERSION)"'
+CFLAGS  := -std=c11 -D_GNU_SOURCE $(OPT) -g -fPIC -ffp-contract=off
 LIBS    := -lgmp -lz -lm -lpthread
 
 C_SRC   := $(wildcard engine/*.c c_kernels/*.c)

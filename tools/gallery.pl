@@ -112,11 +112,11 @@ figure { margin: 0; break-inside: avoid }
 img { width: 100%; border: 1px solid #ddd }
 figcaption { margin: .5rem 0 }
 pre { margin: 0; padding: .4rem .6rem; background: #f4f4f4;
-      overflow-x: auto; font-size: .8rem }
+      white-space: pre-wrap; font-size: .8rem }
 @media print {
   body { margin: 0; max-width: none; font-size: 11pt }
   main { grid-template-columns: 1fr 1fr; gap: 8mm }
   img { border: none }
-  pre { background: none; padding: 0; white-space: pre-wrap }
+  pre { background: none; padding: 0 }
 }
 ').
