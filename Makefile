@@ -74,7 +74,7 @@ $(B)/sanggwan.so: $(OBJS)
 # --- the program, its rules inside -----------------------------------------
 
 # boot is Prolog with our C in it; it compiles the rules and saves the state
-# (RECIPES: goal(true) keeps -g goals out of it, class(development) keeps
+# (goal(true) keeps -g goals out of it, class(development) keeps
 # autoloading on); state.S carries the saved state into the library.
 SAVE = qsave_program('$@',[class(development),goal(true),toplevel(halt), \
        init_file(none),foreign(no_save),stand_alone(false)])
