@@ -8,10 +8,13 @@
 
 #include <SWI-Prolog.h>
 
+#include <langinfo.h>
+#include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-enum { PROLOG_WORDS = 5, CANNOT_START = 4 };
+enum { PROLOG_WORDS = 5, WRONG_USAGE = 2, CANNOT_START = 4 };
 
 /* argv with the options that make Prolog leave our words alone. */
 static char **
@@ -35,6 +38,52 @@ prolog_arguments(int argc, char **argv)
   return out;
 }
 
+/* The environment's locale has ASCII alone: it is C, or not installed. */
+static bool
+locale_is_ascii(void)
+{
+  return !setlocale(LC_CTYPE, "") ||
+         strcmp(nl_langinfo(CODESET), "ANSI_X3.4-1968") == 0;
+}
+
+/* A word that is no text in the locale's letters, or NULL. */
+static const char *
+unreadable_word(char **words)
+{
+  while (*words && mbstowcs(NULL, *words, 0) != (size_t)-1) {
+    words++;
+  }
+  return *words;
+}
+
+/* As sg_start. Prolog reads words and file names in the letters of the locale
+ * and dies of others, so where those are ASCII alone they are UTF-8 here. The
+ * environment is as before afterwards: it also says the language. */
+static bool
+start(int argc, char **argv)
+{
+  const char *locale = getenv("LC_ALL");
+  char *old = locale ? strdup(locale) : NULL;
+  bool changed = locale_is_ascii() && setenv("LC_ALL", "C.UTF-8", 1) == 0;
+  const char *word;
+  bool started;
+
+  setlocale(LC_CTYPE, "");
+  word = unreadable_word(argv);
+  if (word) {
+    fprintf(stderr, "sanggwan: this is no text in UTF-8: %s\n", word);
+    exit(WRONG_USAGE);
+  }
+  started = sg_start(argc, argv);
+  if (changed && old) {
+    setenv("LC_ALL", old, 1);
+  } else if (changed) {
+    unsetenv("LC_ALL");
+  }
+  free(old);
+  return started;
+}
+
 /* sg_cli:main/1 gives the exit status; it reports its own errors. */
 static int
 run_cli(void)
@@ -55,7 +104,7 @@ main(int argc, char **argv)
 {
   char **arguments = prolog_arguments(argc, argv);
 
-  if (!arguments || !sg_start(argc + PROLOG_WORDS - 1, arguments)) {
+  if (!arguments || !start(argc + PROLOG_WORDS - 1, arguments)) {
     fprintf(stderr, "sanggwan: cannot start SWI-Prolog\n");
     return CANNOT_START;
   }

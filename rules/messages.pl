@@ -160,6 +160,12 @@ fault_en(empty) -->
       '  Give at least one segment with vertices and polygons.' ].
 fault_en(refused(Row, Error)) -->
     [ 'the fact ~p is not possible: ~p'-[Row, Error] ].
+fault_en(unknown_format('', Formats)) -->
+    !,
+    { atomic_list_concat(Formats, ' .', All) },
+    [ 'the name has no ending that says what the file is', nl,
+      '  The ending of a model is .~w; or give it as standard input (-) \c
+       with --from.'-[All] ].
 fault_en(unknown_format(Format, Formats)) -->
     { atomic_list_concat(Formats, ' .', All) },
     [ 'models of the format .~w are not known'-[Format], nl,

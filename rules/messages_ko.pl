@@ -156,6 +156,12 @@ fault_ko(empty) -->
       '  꼭지점과 다각형이 있는 세그먼트를 하나 이상 주십시오.' ].
 fault_ko(refused(Row, Error)) -->
     [ '사실 ~p 은(는) 불가능합니다: ~p'-[Row, Error] ].
+fault_ko(unknown_format('', Formats)) -->
+    !,
+    { atomic_list_concat(Formats, ' .', All) },
+    [ '파일의 종류를 말하는 확장자가 없습니다', nl,
+      '  모델의 확장자는 .~w 입니다. 또는 --from 과 함께 표준 입력(-)으로 \c
+       주십시오.'-[All] ].
 fault_ko(unknown_format(Format, Formats)) -->
     { atomic_list_concat(Formats, ' .', All) },
     [ '.~w 형식은 모릅니다'-[Format], nl,

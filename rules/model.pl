@@ -85,10 +85,20 @@ file_loaded(Options, File) :-
     ->  read_model(File)
     ;   mesh_ending(Format, Mesh)
     ->  read_mesh(File, _, [format(Mesh)])
-    ;   findall(F, known_format(F), Formats),
-        throw(error(model_error(unknown_format(Format, Formats)),
-                    location(File, 0, 0)))
+    ;   no_model(File, Format, Why),
+        throw(error(model_error(Why), location(File, 0, 0)))
     ).
+
+%   no_model(File, Format, Why): Why a file with the ending Format is none.
+
+no_model(File, _, cannot_read(directory)) :-
+    exists_directory(File),
+    !.
+no_model(File, _, cannot_read(missing)) :-
+    \+ access_file(File, exist),
+    !.
+no_model(_, Format, unknown_format(Format, Formats)) :-
+    findall(F, known_format(F), Formats).
 
 known_format(pl).
 known_format(Format) :-

@@ -60,9 +60,23 @@ query(Module:Goal, Options) :-
 
 limited(infinite, Goal) :-
     !,
-    call(Goal).
+    asked(Goal).
 limited(N, Goal) :-
-    limit(N, Goal).
+    limit(N, asked(Goal)).
+
+%   asked(Goal): as call/1, but no error names the predicates of this file.
+
+asked(Goal) :-
+    catch(Goal, error(Formal, context(Caller, Message)),
+          ( blamed(Caller, Blamed),
+            throw(error(Formal, context(Blamed, Message))) )).
+
+blamed(Caller, _) :-
+    nonvar(Caller),
+    memberchk(Caller, [ sg_query:_, system:catch/3,
+                        system:'<meta-call>'/1 ]),
+    !.
+blamed(Caller, Caller).
 
 %   answers(Format, Names, Values, Goal, Answer, Count): call Answer for every
 %   answer and print it; Count of them there were.

@@ -29,10 +29,18 @@ repl :-
     setup_call_cleanup(true, query_loop, on_signal(int, _, Old)).
 repl :-
     repeat,
-    catch(next_goal(Next), Error, ( print_message(error, Error),
-                                    Next = goal )),
+    catch(next_goal(Next), Error, ( unless_unread(Error), Next = goal )),
     Next == end_of_file,
     !.
+
+%   unless_unread(Error): print Error and go on, unless nobody reads on.
+
+unless_unread(Error) :-
+    Error = error(io_error(write, _), _),
+    !,
+    throw(Error).
+unless_unread(Error) :-
+    print_message(error, Error).
 
 :- public stopped/1.
 

@@ -94,7 +94,11 @@ verb_run(query, Arguments, Options, Status) :-
     ->  true
     ;   usage_error(no_files('GOAL'))
     ),
-    some_files(Files, 'MODEL'),
+    (   Files == [],
+        exists_file(Text)
+    ->  usage_error(no_files('GOAL'))
+    ;   some_files(Files, 'MODEL')
+    ),
     read_goal(Text, Goal, Bindings),
     query_format(Options, Format),
     load_model(Files, Options),
@@ -331,7 +335,8 @@ eye_goal(Options, Goal) :-
         maplist(angle, Parts, Numbers),
         eye_numbers(Numbers, Goal)
     ->  true
-    ;   usage_error(bad_value('--view', View, 'THETA,PHI[,RHO]'))
+    ;   usage_error(bad_value('--view', View,
+                              'front, iso, ... or THETA,PHI[,RHO]'))
     ).
 eye_goal(Options, set_projection(Kind)) :-
     option(projection(Kind), Options).

@@ -27,6 +27,23 @@ check korean-verb-help has '은선' "$work/out"
 LANG=ko_KR.UTF-8 run draw
 check korean-message has '없습니다'
 
+# Any letters in words and names, whatever the locale.
+mkdir "$work/한글 폴더"
+cp facts/cube.pl "$work/한글 폴더/정육면체 1.pl"
+for locale in C C.UTF-8 tlh; do
+  LC_CTYPE=$locale run convert "$work/한글 폴더/정육면체 1.pl" \
+    -o "$work/한글 폴더/나.off"
+  check "korean names $locale" status_is 0
+  check "korean names $locale: read again" has '나.off'
+  LC_CTYPE=$locale run check "$work/한글 폴더/나.off"
+  check "korean names $locale: the name" has 'solid 나' "$work/out"
+  rm -f "$work/한글 폴더/나.off"
+done
+rm -r "$work/한글 폴더"
+run check $'\xff.pl'
+check bytes status_is 2
+check bytes-message has 'no text in UTF-8'
+
 run
 check no-verb status_is 2
 check no-verb-message has 'what should be done'
@@ -34,6 +51,11 @@ check no-verb-stdout silent out
 run fly
 check unknown-verb status_is 2
 check unknown-verb-message has 'there is no verb fly'
+run query facts/cube.pl
+check no-goal status_is 2
+check no-goal-message has 'GOAL is missing'
+run query facts/cube.pl 'foo(X)'
+check unknown-goal has 'sanggwan: Unknown procedure: foo/1'
 run draw
 check no-model status_is 2
 check no-model-message has 'MODEL is missing'

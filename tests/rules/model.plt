@@ -26,8 +26,17 @@ test(all_or_none, Count == 0) :-
     in_world(World,
              ( catch(load_model([Path, 'no_such_file.pl']), error(_, _), true),
                aggregate_all(count, v(_, _, _, _, _), Count) )).
-test(unknown_format, error(model_error(unknown_format(xyz, _)))) :-
-    load_model('a.xyz').
+test(unknown_format, error(model_error(unknown_format(md, _)))) :-
+    absolute_file_name(sanggwan('README.md'), Path),
+    load_model(Path).
+test(no_ending, error(model_error(unknown_format('', _)))) :-
+    absolute_file_name(sanggwan('LICENSE'), Path),
+    load_model(Path).
+test(missing, error(model_error(cannot_read(missing)))) :-
+    load_model(no_such_file).
+test(folder, error(model_error(cannot_read(directory)))) :-
+    absolute_file_name(sanggwan('facts'), Path),
+    load_model(Path).
 test(unknown_output, error(usage_error(ending('a.xyz', _)))) :-
     save_model('a.xyz').
 
