@@ -86,6 +86,7 @@ check 'a folder' status_is 3
 mkdir "$work/in/dir.pl"
 run draw "$work/in/dir.pl" -o "$work/to/a.svg"
 check 'a folder with an ending' has 'is a folder'
+: >"$work/in/a.xyz"
 run draw "$work/in/a.xyz" -o "$work/to/a.svg"
 check 'unknown format' status_is 3
 check 'unknown format: message' has 'format .xyz'

@@ -30,7 +30,7 @@ check korean-message has '없습니다'
 # Any letters in words and names, whatever the locale.
 mkdir "$work/한글 폴더"
 cp facts/cube.pl "$work/한글 폴더/정육면체 1.pl"
-for locale in C C.UTF-8 tlh; do
+for locale in C C.UTF-8; do
   LC_CTYPE=$locale run convert "$work/한글 폴더/정육면체 1.pl" \
     -o "$work/한글 폴더/나.off"
   check "korean names $locale" status_is 0
