@@ -45,7 +45,8 @@ CFLAGS  := -std=c11 -D_GNU_SOURCE $(OPT) -g -fPIC -ffp-contract=off
 LIBS    := -lgmp -lz -lm -lpthread
 
 C_SRC   := $(wildcard engine/*.c c_kernels/*.c)
-MAINS   := engine/main.c engine/boot.c engine/start.c engine/engine.c
+EMBED   := engine/start.c engine/engine.c engine/question.c
+MAINS   := engine/main.c engine/boot.c $(EMBED)
 OBJS    := $(patsubst %.c,$(B)/%.o,$(filter-out $(MAINS),$(C_SRC)))
 # Without Prolog: what the C tests link.
 CORE    := $(filter-out %4pl.o %/install.o %/glue.o,$(OBJS))
@@ -60,7 +61,8 @@ all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 
 # exact.c: its own flags, whatever OPT says.
 $(B)/c_kernels/exact.o: OPT := -O2
-$(B)/%4pl.o $(B)/c_kernels/glue.o $(B)/engine/engine.o: \
+$(B)/%4pl.o $(B)/c_kernels/glue.o $(B)/engine/engine.o \
+  $(B)/engine/question.o: \
 	WARN += -Wno-sign-conversion
 $(B)/%.o: %.c $(B)/deps.mk
 	@mkdir -p $(@D)
@@ -95,8 +97,7 @@ $(B)/embedded.qlf: $(B)/boot $(RULES)
 $(B)/state.o: engine/state.S $(B)/sanggwan.prc $(B)/embedded.qlf
 	$(CC) -DSG_STATE='"$(B)/sanggwan.prc"' \
 	  -DSG_RULES='"$(B)/embedded.qlf"' -c $< -o $@
-$(B)/libsanggwan.a: $(OBJS) $(B)/engine/start.o $(B)/engine/engine.o \
-                    $(B)/state.o
+$(B)/libsanggwan.a: $(OBJS) $(EMBED:%.c=$(B)/%.o) $(B)/state.o
 	@rm -f $@
 	ar rcs $@ $^
 $(B)/sanggwan: $(B)/engine/main.o $(B)/libsanggwan.a
