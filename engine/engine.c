@@ -13,6 +13,8 @@
 
 /* ---- messages ---------------------------------------------------------- */
 
+static const char no_memory[] = "Prolog has no memory left";
+
 static _Thread_local const char *world_less = "";
 
 sanggwan_status
@@ -81,8 +83,10 @@ static sanggwan_status
 start_prolog(void)
 {
   static char name[] = "sanggwan", quiet[] = "-q", file[] = "-f",
-              none[] = "none", no_signals[] = "--no-signals", end[] = "--";
-  static char *arguments[] = {name, quiet, file, none, no_signals, end, NULL};
+              none[] = "none", no_signals[] = "--no-signals",
+              no_alerts[] = "--sigalert=0", no_tty[] = "--no-tty", end[] = "--";
+  static char *arguments[] = {name,      quiet,  file, none, no_signals,
+                              no_alerts, no_tty, end,  NULL};
 
   if (!sg_start(sizeof(arguments) / sizeof(*arguments) - 1, arguments)) {
     return sg_host_refuse(SANGGWAN_IMPOSSIBLE, "SWI-Prolog cannot be started");
@@ -172,23 +176,40 @@ sg_host_take_text(term_t t, char **to)
   }
 }
 
+/* What escaped from embedded/5, which catches all that can be caught. */
+static sanggwan_status
+escaped(sanggwan_world *world, term_t error)
+{
+  bool memory =
+      error && PL_is_functor(error, PL_new_functor(PL_new_atom("error"), 2));
+
+  return memory ? sg_host_complain(world, SANGGWAN_IMPOSSIBLE, no_memory)
+                : sg_host_complain(world, SANGGWAN_INTERRUPTED, "interrupted");
+}
+
 sanggwan_status
 sg_host_ask(sanggwan_world *world, term_t what)
 {
   predicate_t embedded_5 = PL_predicate("embedded", 5, "sg_embedding");
   term_t args = PL_new_term_refs(5);
-  int status;
+  int answer = SANGGWAN_IMPOSSIBLE;
+  sanggwan_status status;
+  qid_t query;
 
   if (!args || !PL_put_atom(args, world->handle) ||
       !PL_put_term(args + 1, what) ||
-      !PL_call_predicate(NULL, PL_Q_CATCH_EXCEPTION, embedded_5, args) ||
-      !PL_get_integer(args + 2, &status)) {
-    return sg_host_complain(world, SANGGWAN_IMPOSSIBLE,
-                            "Prolog has no memory left");
+      !(query = PL_open_query(NULL, PL_Q_CATCH_EXCEPTION, embedded_5, args))) {
+    return sg_host_complain(world, SANGGWAN_IMPOSSIBLE, no_memory);
   }
-  sg_host_take_text(args + 3, &world->message);
-  sg_host_take_text(args + 4, &world->warnings);
-  return (sanggwan_status)status;
+  if (PL_next_solution(query) && PL_get_integer(args + 2, &answer)) {
+    status = (sanggwan_status)answer;
+    sg_host_take_text(args + 3, &world->message);
+    sg_host_take_text(args + 4, &world->warnings);
+  } else {
+    status = escaped(world, PL_exception(query));
+  }
+  PL_cut_query(query);
+  return status;
 }
 
 fid_t
@@ -202,8 +223,7 @@ sg_host_enter(sanggwan_world *world, sanggwan_status *status)
   } else if ((why = sg_host_obstacle())) {
     *status = sg_host_complain(world, SANGGWAN_USAGE, why);
   } else if (!(frame = PL_open_foreign_frame())) {
-    *status = sg_host_complain(world, SANGGWAN_IMPOSSIBLE,
-                               "Prolog has no memory left");
+    *status = sg_host_complain(world, SANGGWAN_IMPOSSIBLE, no_memory);
   }
   return frame;
 }
