@@ -7,11 +7,14 @@
 
 #include "start.h"
 
+#include <locale.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* ---- messages ---------------------------------------------------------- */
+
+enum { KEPT = 5 }; /* kinds of locale */
 
 static const char no_memory[] = "Prolog has no memory left";
 
@@ -79,6 +82,30 @@ choose_language(void)
   }
 }
 
+/* Starts Prolog, which takes the whole locale from the environment; of that
+ * only the letters (LC_CTYPE) stay. */
+static bool
+start_keeping_locale(int argc, char **argv)
+{
+  static const int kind[KEPT] = {LC_NUMERIC, LC_TIME, LC_COLLATE, LC_MONETARY,
+                                 LC_MESSAGES};
+  char *old[KEPT];
+  bool started;
+
+  for (int i = 0; i < KEPT; i++) {
+    const char *name = setlocale(kind[i], NULL);
+    old[i] = name ? strdup(name) : NULL;
+  }
+  started = sg_start(argc, argv);
+  for (int i = 0; i < KEPT; i++) {
+    if (old[i]) {
+      setlocale(kind[i], old[i]);
+    }
+    free(old[i]);
+  }
+  return started;
+}
+
 static sanggwan_status
 start_prolog(void)
 {
@@ -88,7 +115,8 @@ start_prolog(void)
   static char *arguments[] = {name,      quiet,  file, none, no_signals,
                               no_alerts, no_tty, end,  NULL};
 
-  if (!sg_start(sizeof(arguments) / sizeof(*arguments) - 1, arguments)) {
+  if (!start_keeping_locale(sizeof(arguments) / sizeof(*arguments) - 1,
+                            arguments)) {
     return sg_host_refuse(SANGGWAN_IMPOSSIBLE, "SWI-Prolog cannot be started");
   }
   choose_language();
@@ -347,6 +375,18 @@ sanggwan_share(const sanggwan_world *world)
   return with_handle(world->handle);
 }
 
+/* A world goes when Prolog collects its handle: at once, not some day, since
+ * Prolog does not know how much memory is in it. */
+static void
+collect_handles(void)
+{
+  if (!sg_host_obstacle()) {
+    (void)PL_call_predicate(NULL, PL_Q_CATCH_EXCEPTION,
+                            PL_predicate("garbage_collect_atoms", 0, "system"),
+                            0);
+  }
+}
+
 void
 sanggwan_close(sanggwan_world *world)
 {
@@ -360,6 +400,7 @@ sanggwan_close(sanggwan_world *world)
   PL_free(world->message);
   PL_free(world->warnings);
   free(world);
+  collect_handles();
 }
 
 sanggwan_status

@@ -48,7 +48,10 @@
  * one thread is not seen by others before it is done.
  *
  * SIGNALS belong to you: where sanggwan_start() starts Prolog, Prolog handles
- * none.
+ * none, and leaves the terminal alone.
+ *
+ * LOCALE. Starting Prolog sets LC_CTYPE, which says how names of files are
+ * written, from the environment; the rest of the locale stays as it is.
  *
  * UNITS. Coordinates are model units, right-handed; angles degrees; the size of
  * a drawing millimetres. Ids are positive and fit in 32 bits.
@@ -99,7 +102,7 @@ sanggwan_world *sanggwan_open(void);
 sanggwan_world *sanggwan_share(const sanggwan_world *world);
 
 /* Closes a handle and the queries that are still open on it. The facts go with
- * the last handle (once Prolog collects its garbage). Null is allowed. */
+ * the last handle. Null is allowed. */
 void sanggwan_close(sanggwan_world *world);
 
 /* What was wrong with the last call that took this world, or one of its

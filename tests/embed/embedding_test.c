@@ -4,6 +4,7 @@
 
 #include "sanggwan.h"
 
+#include <locale.h>
 #include <math.h>
 #include <pthread.h>
 #include <signal.h>
@@ -79,6 +80,8 @@ test_start(void)
            now.sa_handler == (signals[i] == SIGINT ? own_handler : SIG_DFL);
   }
   CHECK("signals are the host's", same);
+  CHECK("numbers are written as before",
+        strcmp(setlocale(LC_NUMERIC, NULL), "C") == 0);
   CHECK("attaching the first thread is nothing",
         sanggwan_attach() == SANGGWAN_DONE);
 }
@@ -356,6 +359,32 @@ test_threads(void)
 }
 
 static void
+test_closing(void)
+{
+  sanggwan_world *world = sanggwan_open();
+  const char *count = "aggregate_all(count, current_blob(_, sg_world), N)";
+  int64_t before = 0, after = -1;
+  sanggwan_query *q = sanggwan_ask(world, count);
+
+  CHECK("worlds that there are",
+        sanggwan_next(q) == SANGGWAN_DONE && sanggwan_int(q, 0, &before));
+  sanggwan_query_close(q);
+  for (int i = 0; i < 10; i++) {
+    sanggwan_world *other = sanggwan_open();
+    sanggwan_query *left;
+    sanggwan_load(other, "facts/cube.pl");
+    left = sanggwan_ask(other, "v(S, V, _, _, _)");
+    CHECK("a question on its way", sanggwan_next(left) == SANGGWAN_DONE);
+    sanggwan_close(other);
+  }
+  q = sanggwan_ask(world, count);
+  CHECK("a closed world is gone at once, its questions too",
+        sanggwan_next(q) == SANGGWAN_DONE && sanggwan_int(q, 0, &after) &&
+            after <= before);
+  sanggwan_close(world);
+}
+
+static void
 test_enter(void)
 {
   sanggwan_world *a = sanggwan_open(), *b = sanggwan_open();
@@ -386,6 +415,7 @@ main(void)
   test_files(folder);
   test_two_worlds(folder);
   test_threads();
+  test_closing();
   test_enter();
   snprintf(remove, sizeof(remove), "rm -rf %s", folder);
   return check_report() | (system(remove) != 0);
