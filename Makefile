@@ -55,7 +55,7 @@ RULES   := $(wildcard rules/*.pl)
 all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 
 .PHONY: all so demo test check check-c check-rules check-embed check-cli bless \
-        clean install uninstall
+        clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
 
@@ -146,6 +146,12 @@ demo: all
 # Writes the golden drawings anew. Look at those that changed.
 bless: $(B)/sanggwan.so
 	@swipl -p foreign=$(B) tools/bless.pl
+
+# --- measuring -------------------------------------------------------------
+
+# Every figure beside its peer of the same run; docs/performance.md explains.
+bench: all
+	@bench/run
 
 # --- installing ------------------------------------------------------------
 

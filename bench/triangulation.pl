@@ -22,11 +22,11 @@ main :-
     ->  atom_number(Text, Largest)
     ;   Largest = 20000
     ),
-    format("~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|  us an event~n",
-           [event, triangles, enter, rule, kernel]),
+    format("~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|~t~w~60|  us an event~n",
+           [event, triangles, enter, rule, kernel, 'rule/krnl']),
     forall(member(K, [1,2,5,16,50]), event(K)),
-    format("~n~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|  ms a polygon~n",
-           [polygon, vertices, triangles, rule, kernel]),
+    format("~n~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|~t~w~60|  ms a polygon~n",
+           [polygon, vertices, triangles, rule, kernel, 'rule/krnl']),
     forall(( member(Shape, [star,ragged,comb,tilted,spiral,strip]),
              member(N, [2500,5000,10000,20000]),
              N =< Largest
@@ -48,8 +48,9 @@ event(K) :-
                length(Triangles, Count),
                Rule1 is Rule-Enter,
                Kernel1 is Kernel-Enter,
-               format("k=~d~t~10|~t~d~20|~t~1f~30|~t~1f~40|~t~1f~50|~n",
-                      [K, Count, Enter, Rule1, Kernel1])
+               Ratio is Rule1/Kernel1,
+               format("k=~d~t~10|~t~d~20|~t~1f~30|~t~1f~40|~t~1f~50|~t~2f~60|~n",
+                      [K, Count, Enter, Rule1, Kernel1, Ratio])
              )).
 
 %   The edges from the store into a scratch relation.
@@ -115,8 +116,9 @@ grown(Shape, N, Points) :-
     best(polygon_triangles(1, 1, Triangles), Rule),
     best(kernel_triangles(Triangles), Kernel),
     length(Triangles, Count),
-    format("~w~t~10|~t~d~20|~t~d~30|~t~1f~40|~t~1f~50|~n",
-           [Shape, N, Count, Rule, Kernel]).
+    Ratio is Rule/Kernel,
+    format("~w~t~10|~t~d~20|~t~d~30|~t~1f~40|~t~1f~50|~t~2f~60|~n",
+           [Shape, N, Count, Rule, Kernel, Ratio]).
 
 kernel_triangles(Triangles) :-
     work_open(1, 1, Work),
