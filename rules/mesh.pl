@@ -9,8 +9,10 @@
 :- use_module(output, [writing/3]).
 :- use_module(store,
               [ segment/3, assert_fact/1, facts_transaction/1, fresh_id/3 ]).
+:- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(error), [domain_error/2, existence_error/2, must_be/2]).
+:- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/3]).
 :- autoload(library(pairs), [pairs_keys_values/3]).
 /** <module> Mesh files: STL, OFF, OBJ and PLY into the world.
@@ -197,8 +199,8 @@ warned(_, What) :-
 %
 %   @error existence_error(segment, S), domain_error(mesh_ending, File),
 %          geometry_error(no_triangles(S, P)),
-%          geometry_error(mesh_write(Fault)): STL cannot hold a curve, binary
-%          STL no coordinate above 3.4e38
+%          geometry_error(mesh_write(Fault)): binary STL holds no coordinate
+%          above 3.4e38
 
 write_mesh(File, Segments) :-
     write_mesh(File, Segments, []).
@@ -212,7 +214,18 @@ write_mesh(File, Segments0, Options) :-
             mesh_written(Format, Segments, Names, user_output),
             set_stream(user_output, type(text)))
     ;   writing(File, binary, sg_mesh:mesh_written(Format, Segments, Names))
-    ).
+    ),
+    without_curves(Format, File, Segments).
+
+%   without_curves(Format, File, Segments): warn of what STL cannot hold.
+
+without_curves(Format, File, Segments) :-
+    memberchk(Format, [stl, stl_binary]),
+    aggregate_all(count,
+                  ( member(S, Segments), segment(S, curve, _) ), Curves),
+    !,
+    warned(Curves, mesh(File, no_curves(Curves))).
+without_curves(_, _, _).
 
 written_format(File, Options, Format) :-
     file_format(File, Format0),

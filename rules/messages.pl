@@ -328,6 +328,9 @@ usage_en(bad_goal(Text, Why)) -->
 
 notice_en(do_not_meet) -->
     [ 'the segments do not meet: there are no penetration lines' ].
+notice_en(points_alone(N)) -->
+    [ 'the segments meet in points alone (~D): see origin(S, v(V), Origin)'-
+      [N] ].
 notice_en(one_segment) -->
     [ 'one segment alone has no penetration lines' ].
 notice_en(wrote(File)) -->
@@ -430,6 +433,8 @@ notice_en(mesh(File, degenerate(N))) -->
 notice_en(mesh(File, ignored(N, Line))) -->
     [ '~w: ~D items of unknown kind were passed over, the first in line ~D'-
       [File, N, Line] ].
+notice_en(mesh(File, no_curves(N))) -->
+    [ '~w: STL holds no curves: ~D left out'-[File, N] ].
 notice_en(mesh(File, trailing(Bytes))) -->
     [ '~w: ~D bytes behind the mesh were passed over'-[File, Bytes] ].
 

@@ -309,6 +309,8 @@ usage_ko(bad_goal(Text, Why)) -->
 
 notice_ko(do_not_meet) -->
     [ '세그먼트들이 만나지 않아 상관선이 없습니다' ].
+notice_ko(points_alone(N)) -->
+    [ '세그먼트들이 점 ~D개에서만 만납니다: origin(S, v(V), Origin)'-[N] ].
 notice_ko(one_segment) -->
     [ '세그먼트가 하나뿐이라 상관선이 없습니다' ].
 notice_ko(wrote(File)) -->
@@ -410,6 +412,8 @@ notice_ko(mesh(File, degenerate(N))) -->
 notice_ko(mesh(File, ignored(N, Line))) -->
     [ '~w: 모르는 항목 ~D개를 건너뛰었습니다. 처음은 ~D번째 줄'-
       [File, N, Line] ].
+notice_ko(mesh(File, no_curves(N))) -->
+    [ '~w: STL에는 곡선이 없어 ~D개를 뺐습니다'-[File, N] ].
 notice_ko(mesh(File, trailing(Bytes))) -->
     [ '~w: 메시 뒤의 ~D 바이트를 건너뛰었습니다'-[File, Bytes] ].
 

@@ -25,6 +25,7 @@
 :- autoload(library(http/json), [json_write_dict/2]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2, option/3]).
+:- autoload(library(solution_sequences), [distinct/2]).
 /** <module> What each verb of the command line does.
 
 A verb loads its models into the current world, which is empty, and goes the
@@ -67,6 +68,7 @@ verb_run(penetrate, Files, Options, 0) :-
     outputs(Options, [pl, obj, csv, svg], Outputs0),
     load_model(Files, Options),
     penetrated,
+    points_alone,
     (   option(json(true), Options)
     ->  print_chains,
         Outputs = Outputs0
@@ -184,6 +186,17 @@ penetrated :-
     ;   origin(_, v(_), _)
     ->  true
     ;   print_message(informational, sanggwan(do_not_meet))
+    ).
+
+%   points_alone: a notice if curves go through, which leaves points, no lines.
+
+points_alone :-
+    (   line(_, _, _, _, _, _, _, _, _)
+    ->  true
+    ;   aggregate_all(count, distinct(Origin, origin(_, v(_), Origin)), N),
+        N > 0
+    ->  print_message(informational, sanggwan(points_alone(N)))
+    ;   true
     ).
 
 

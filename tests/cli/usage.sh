@@ -56,6 +56,12 @@ check no-goal status_is 2
 check no-goal-message has 'GOAL is missing'
 run query facts/cube.pl 'foo(X)'
 check unknown-goal has 'sanggwan: Unknown procedure: foo/1'
+run convert facts/wire_and_roof.pl -o "$work/a.stl"
+check lost-curve has '1 left out'
+rm -f "$work/a.stl"
+run penetrate facts/figures/fig08.pl
+check points-alone status_is 0
+check points-alone-message has 'in points alone (2)'
 run draw
 check no-model status_is 2
 check no-model-message has 'MODEL is missing'
