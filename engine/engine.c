@@ -190,17 +190,24 @@ sg_host_obstacle(void)
 
 /* ---- asking the rules -------------------------------------------------- */
 
+bool
+sg_host_text(term_t t, unsigned flags, char **out)
+{
+  size_t n;
+  int done;
+
+  PL_STRINGS_MARK();
+  done = PL_get_nchars(t, &n, out, flags | BUF_MALLOC | REP_UTF8);
+  PL_STRINGS_RELEASE();
+  return done;
+}
+
 void
 sg_host_take_text(term_t t, char **to)
 {
-  char *text;
-  size_t n;
-
   PL_free(*to);
-  *to = NULL;
-  if (PL_get_nchars(t, &n, &text,
-                    CVT_ATOM | CVT_STRING | BUF_MALLOC | REP_UTF8)) {
-    *to = text;
+  if (!sg_host_text(t, CVT_ATOM | CVT_STRING, to)) {
+    *to = NULL;
   }
 }
 

@@ -29,6 +29,9 @@ fid_t sg_host_enter(sanggwan_world *world, sanggwan_status *status);
  * the caller has a frame open. */
 sanggwan_status sg_host_ask(sanggwan_world *world, term_t what);
 
+/* PL_get_nchars() with these flags, UTF-8, by PL_malloc(): without the scratch
+ * buffers that Prolog would keep until the outermost C function returns. */
+bool sg_host_text(term_t t, unsigned flags, char **out);
 /* The text of an atom or string into *to, by PL_malloc(); null: no memory. What
  * was there is freed. */
 void sg_host_take_text(term_t t, char **to);

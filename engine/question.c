@@ -352,7 +352,6 @@ sanggwan_text(sanggwan_query *query, int column)
 {
   value *v = value_at(query, column);
   fid_t frame;
-  size_t n;
 
   if (!v || v->text || sg_host_obstacle() ||
       !(frame = PL_open_foreign_frame())) {
@@ -360,9 +359,7 @@ sanggwan_text(sanggwan_query *query, int column)
   }
   term_t t = PL_new_term_ref();
   if (!t || !put_value(t, v) ||
-      !PL_get_nchars(t, &n, &v->text,
-                     CVT_ATOM | CVT_STRING | CVT_WRITEQ | BUF_MALLOC |
-                         REP_UTF8)) {
+      !sg_host_text(t, CVT_ATOM | CVT_STRING | CVT_WRITEQ, &v->text)) {
     v->text = NULL;
     PL_clear_exception();
   }

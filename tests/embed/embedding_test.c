@@ -384,6 +384,38 @@ test_closing(void)
   sanggwan_close(world);
 }
 
+/* Kilobytes in memory. */
+static long
+memory(void)
+{
+  FILE *file = fopen("/proc/self/statm", "r");
+  long all = 0, resident = 0;
+
+  if (file) {
+    if (fscanf(file, "%ld %ld", &all, &resident) != 2) {
+      resident = 0;
+    }
+    fclose(file);
+  }
+  return resident * sysconf(_SC_PAGESIZE) / 1024;
+}
+
+static void
+test_memory(void)
+{
+  sanggwan_world *world = sanggwan_open();
+  long before = 0;
+
+  for (int i = 0; i < 4000; i++) {
+    if (i == 1000) {
+      before = memory();
+    }
+    answers(world, "member(X, [a, f(b), \"c\"])");
+  }
+  CHECK("questions leave nothing behind", memory() - before < 2048);
+  sanggwan_close(world);
+}
+
 static void
 test_enter(void)
 {
@@ -416,6 +448,7 @@ main(void)
   test_two_worlds(folder);
   test_threads();
   test_closing();
+  test_memory();
   test_enter();
   snprintf(remove, sizeof(remove), "rm -rf %s", folder);
   return check_report() | (system(remove) != 0);
