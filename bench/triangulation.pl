@@ -25,7 +25,8 @@ main :-
     format("~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|~t~w~60|  us an event~n",
            [event, triangles, enter, rule, kernel, 'rule/krnl']),
     forall(member(K, [1,2,5,16,50]), event(K)),
-    format("~n~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|~t~w~60|  ms a polygon~n",
+    format("~n~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|~t~w~60|  \c
+            ms a polygon~n",
            [polygon, vertices, triangles, rule, kernel, 'rule/krnl']),
     forall(( member(Shape, [star,ragged,comb,tilted,spiral,strip]),
              member(N, [2500,5000,10000,20000]),
@@ -49,7 +50,8 @@ event(K) :-
                Rule1 is Rule-Enter,
                Kernel1 is Kernel-Enter,
                Ratio is Rule1/Kernel1,
-               format("k=~d~t~10|~t~d~20|~t~1f~30|~t~1f~40|~t~1f~50|~t~2f~60|~n",
+               format("k=~d~t~10|~t~d~20|~t~1f~30|~t~1f~40|~t~1f~50|\c
+                       ~t~2f~60|~n",
                       [K, Count, Enter, Rule1, Kernel1, Ratio])
              )).
 
