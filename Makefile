@@ -15,6 +15,7 @@
 .SUFFIXES:
 .DEFAULT_GOAL := all
 SHELL   := /bin/bash
+# Another B is a build of another kind: see check-san.
 B       := build
 CC      ?= cc
 PREFIX  ?= /usr/local
@@ -30,7 +31,8 @@ include $(B)/deps.mk
 endif
 $(B)/deps.mk: tools/deps Makefile
 	@mkdir -p $(B)
-	@tools/deps tests $(if $(filter $(INSTALLS),$(MAKECMDGOALS)),--install)
+	@tools/deps tests $(if $(filter lint check-vg,$(MAKECMDGOALS)),lint) \
+	  $(if $(filter $(INSTALLS),$(MAKECMDGOALS)),--install)
 	@{ echo "PL_CFLAGS := $$(pkg-config --cflags-only-I swipl)" && \
 	   echo "PL_LIBS := $$(pkg-config --libs swipl)" && \
 	   echo "PL_ARCH := $$(swipl -g 'current_prolog_flag(arch, A), write(A)' \
@@ -55,7 +57,7 @@ RULES   := $(wildcard rules/*.pl)
 all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 
 .PHONY: all so demo test check check-c check-rules check-embed check-cli bless \
-        clean install uninstall bench
+        check-san san check-vg lint clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
 
@@ -137,6 +139,51 @@ check-embed: $(EMBEDS)
 	@tests/run $^
 check-cli: all $(B)/docs/example
 	@tests/run $(CLIS)
+
+# --- checkers --------------------------------------------------------------
+
+# AddressSanitizer and UndefinedBehaviorSanitizer, in a build of their own. A
+# Prolog that was not built with them wants their library loaded first and no
+# threads (its collector of atoms would run in one); its own memory is not
+# asked for leaks, the C tests are.
+SAN := -fsanitize=address,undefined -fno-sanitize-recover=undefined \
+       -fno-omit-frame-pointer
+check-san:
+	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
+	  B=$(B)/san san
+san: $(B)/sanggwan.so $(C_TESTS)
+	@B=$(B) tests/run $(C_TESTS)
+	@$(B)/tests/c_kernels/mesh_fuzz_test 20000
+	@echo 'skipped: the tests of rules that need threads'
+	@B=$(B) ASAN_OPTIONS=detect_leaks=0 SWIPL="env \
+	  LD_PRELOAD=$$($(CC) -print-file-name=libasan.so) swipl --no-threads" \
+	  tests/run $(PLTS)
+
+# Memcheck: the C tests that are not long, and the rules where Prolog holds
+# memory of ours: worlds, work, glue. Threads as above.
+VG     := valgrind -q --error-exitcode=9 --leak-check=full \
+          --errors-for-leak-kinds=definite --suppressions=tests/swipl.supp
+VG_PLT := chain decision mesh model store view work
+check-vg: $(B)/sanggwan.so $(C_TESTS)
+	@RUN='$(VG)' tests/run $(filter-out %/cut_test %/mesh_fuzz_test, \
+	  $(C_TESTS))
+	@echo 'skipped: the tests of rules that need threads'
+	@SWIPL='$(VG) swipl --no-threads' tests/run \
+	  $(filter $(VG_PLT:%=tests/rules/%.plt),$(PLTS))
+
+# Layout and flaws of the C; documentation, width and layers of all.
+# .clang-tidy and tools/cppcheck.supp say what is asked and what is not.
+FORMATTED := $(wildcard engine/*.[ch] c_kernels/*.[ch] tests/*.h \
+               tests/*/*.[ch] bench/*.c docs/*.c)
+lint: $(B)/sanggwan.so
+	@clang-format --dry-run -Werror $(FORMATTED)
+	@cppcheck -q -j 2 --enable=warning,portability,performance --std=c11 \
+	  --suppressions-list=tools/cppcheck.supp --error-exitcode=1 \
+	  engine c_kernels tests
+	@swipl -f none tools/check_layers.pl
+	@swipl -f none -p foreign=$(B) --on-warning=status --on-error=status \
+	  tools/lint.pl
+	@echo 'lint: nothing found'
 
 # --- drawings --------------------------------------------------------------
 

@@ -56,7 +56,7 @@ typedef struct sg_completion_input {
 
 /* False: no memory, or stopped (*stopped). Polygons in row order. Owner: the
  * caller calls sg_completion_clear() in any case. Exact but for the planes and
- * sizes. Source: [PL] section 4 (PL-6), DESIGN 4 for what is flat. */
+ * sizes. Source: [PL] section 4 (PL-6). */
 bool sg_complete(const sg_completion_input *in, sg_completion *out,
                  bool *stopped, const sg_poll *poll);
 void sg_completion_clear(sg_completion *out);

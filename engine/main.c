@@ -2,7 +2,7 @@
  *
  * Layer: engine. Thin: everything that a verb does is a rule (rules/cli.pl);
  * here Prolog is started on the saved rules and its answer becomes the exit
- * status (DESIGN 6).
+ * status.
  */
 #include "start.h"
 

@@ -66,7 +66,7 @@ void sg_term_big(sg_term_builder *builder, bool negative,
 void sg_term_rational(sg_term_builder *builder);
 
 /* A-B for two integers, and name(A), as origins use them. */
-void sg_term_pair(sg_term_builder *builder, int64_t a, int64_t b);
+void sg_term_pair(sg_term_builder *builder, int64_t left, int64_t right);
 void sg_term_unary(sg_term_builder *builder, int32_t symbol, int64_t a);
 
 /* The finished term, the builder's until it is closed. Null: it failed. */

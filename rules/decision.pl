@@ -31,8 +31,8 @@ and refused.
 
 How it works: the clauses written as merge_line/3 become those of
 'merge_line default'/3, and merge_line/3 itself asks the world which module
-decides. Files with decisions are known when they are compiled, so a decision has
-a fixed slot in each world's table (decision4pl.c).
+decides. Files with decisions are known when they are compiled, so a decision
+has a fixed slot in each world's table (decision4pl.c).
 */
 
 :- use_module(kernel,
@@ -224,7 +224,8 @@ rule_file(File) :-
 %   it follows already. A file it already follows is read again.
 %
 %   @error existence_error(source_sink, File)
-%   @error model_error(rules(What)) with location(File, Line, Column): the file could
+%   @error model_error(rules(What)) with location(File, Line, Column): the file
+%   could
 %          not be read, or it defines what is no decision. Nothing has changed.
 
 use_rules(Spec) :-

@@ -1,5 +1,5 @@
 :- module(sg_embedding,
-          [ embedded/5                  % +World, +What, -Status, -Text, -Warnings
+          [ embedded/5                  % +World, +What, -Status, -Text, -Ws
           ]).
 :- use_module(decision, [use_rules/1]).
 :- use_module(kernel, [world_number/1]).
@@ -13,8 +13,8 @@
 /** <module> What a C program asks for (engine/engine.c, sanggwan.h).
 
 Goals of a host are called in a module of their own, sg_host, which sees the
-facade and the module user. Answers come from a Prolog engine, so that any number
-of questions can be under way.
+facade and the module user. Answers come from a Prolog engine, so that any
+number of questions can be under way.
 */
 
 %!  embedded(+World, +What, -Status, -Text, -Warnings) is det.

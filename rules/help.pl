@@ -81,7 +81,8 @@ public(sg_store, Name/Arity, Summary) :-
 
 %!  help(+What) is semidet.
 %
-%   Show the documentation of What: a relation, a predicate, Name/Arity or a name
+%   Show the documentation of What: a relation, a predicate, Name/Arity or a
+%   name
 %   alone. What Sanggwan does not document is looked up in Prolog's own manual.
 
 help(What) :-

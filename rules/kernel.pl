@@ -229,7 +229,8 @@ glue file.
 %!  fill_drawn(+Scene, +Which, +Crease) is det.
 %
 %   Replaces drawn/7 of the current world by the drawn parts of the lines Which
-%   (`all`, `feature`, `penetration`); Crease as in edge_role/5. The fused kernel
+%   (`all`, `feature`, `penetration`); Crease as in edge_role/5. The fused
+%   kernel
 %   of hidden_lines.pl.
 
 /* - - - exact4pl.c - - - */

@@ -538,5 +538,6 @@ loading_fault(Formal) -->
                 *******************************/
 
 notice_en(lines_by_rules(Lines, Each)) -->
-    [ '~D lines drawn by the rules, not by the kernel: a decision is replaced'-[Lines], nl,
+    [ '~D lines drawn by the rules, not by the kernel: a decision is replaced'
+      -[Lines], nl,
       '  ~1f microseconds a line'-[Each] ].

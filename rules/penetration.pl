@@ -54,7 +54,7 @@ Vertices and edges made here have an origin/3; the same term in both segments:
 The triangles are named by their corners, because corners stay and triangles
 do not. line/9 has every piece once, with its vertices in both segments.
 
-@see [PL] section 5; rows PL-7, PL-8 and PL-9 of papers/DIGEST.md
+@see [PL] section 5; rows PL-7, PL-8 and PL-9 of the requirements
 */
 
 :- decision(may_cut/2, "Which segments cut each other (PL-8)").

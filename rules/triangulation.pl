@@ -43,7 +43,7 @@ Whole segments go through the fused kernel (fill_triangles/1), which gives the
 same triangles in the same order; tests/rules/triangulation.plt holds the two
 together.
 
-@see [PL] section 4, row PL-6 of papers/DIGEST.md
+@see [PL] section 4, row PL-6 of the requirements
 */
 
 %!  polygon_triangles(+S, +P, -Triangles) is det.

@@ -11,7 +11,8 @@ segment(2, surface, at([rotate(x, 90), translate(0, 0.25, 0.1)],
                        rectangle(size(2, 2)))).
 segment(3, surface, at([rotate(y, 90), translate(-0.25, 0, 0.1)],
                        rectangle(size(2, 2)))).
-segment(4, surface, at([rotate(x, 35), rotate(z, 25), translate(0.2, -0.1, 0.2)],
+segment(4, surface, at([rotate(x, 35), rotate(z, 25),
+                        translate(0.2, -0.1, 0.2)],
                        rectangle(size(2, 2)))).
 
 view(305, 62, 20).

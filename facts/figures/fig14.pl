@@ -7,7 +7,8 @@
 
 segment(1, solid, at([translate(0, 0, -2)],
                      cylinder(radius(1), height(4), facets(40)))).
-segment(2, solid, at([translate(0, 0, -2), rotate(y, 90), translate(0, -0.45, 0)],
+segment(2, solid, at([translate(0, 0, -2), rotate(y, 90),
+                      translate(0, -0.45, 0)],
                      cylinder(radius(0.75), height(4), facets(40)))).
 
 view(295, 65, 20).

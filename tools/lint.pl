@@ -1,0 +1,72 @@
+/* Finds exports of the rules without documentation, undefined or useless
+   code, tabs and lines that are too wide. Warnings of the compiler count:
+
+       swipl -f none -p foreign=build --on-warning=status --on-error=status \
+             tools/lint.pl
+*/
+:- module(sg_lint, []).
+:- use_module(library(pldoc)).
+:- doc_collect(true).
+:- use_module(library(pldoc/doc_process), [doc_comment/4]).
+:- use_module(library(check)).
+:- use_module(library(readutil)).
+
+:- prolog_load_context(directory, Tools),
+   atom_concat(Tools, '/../rules/sanggwan.pl', Facade),
+   load_files(user:Facade, [silent(true)]),
+   atom_concat(Tools, '/../rules/cli.pl', Cli),
+   load_files(sg_lint_cli:Cli, [silent(true), imports([])]).
+
+:- initialization(main, main).
+
+main :-
+    list_undefined([module_class([user])]),
+    list_void_declarations,
+    findall(What, finding(What), Findings0),
+    sort(Findings0, Findings),
+    forall(member(What, Findings), format(user_error, "~w~n", [What])),
+    (   Findings == []
+    ->  halt
+    ;   halt(1)
+    ).
+
+finding(What) :-
+    module_property(Module, exports(Exports)),
+    sub_atom(Module, 0, _, _, sg_),
+    module_property(Module, file(File)),
+    sub_atom(File, _, _, _, '/rules/'),
+    Module \== sg_sanggwan,
+    member(Name/Arity, Exports),
+    \+ documented(Module, Name, Arity),
+    format(atom(What), '~w: ~w/~w is exported without documentation',
+           [File, Name, Arity]).
+finding(What) :-
+    member(Pattern, ['rules/*.pl', 'facts/*.pl', 'facts/*/*.pl']),
+    expand_file_name(Pattern, Files),
+    member(File, Files),
+    read_file_to_string(File, Text, [encoding(utf8)]),
+    split_string(Text, "\n", "", Lines),
+    nth1(N, Lines, Line),
+    line_fault(Line, Fault),
+    format(atom(What), '~w:~d: ~w', [File, N, Fault]).
+
+documented(Module, Name, Arity) :-
+    doc_comment(Objects, _, _, _),
+    documents(Objects, Module:Described),
+    (   Described = Name/Arity
+    ;   Described = Name//Arity0,
+        Arity =:= Arity0 + 2
+    ),
+    !.
+
+documents(Objects, Object) :-
+    is_list(Objects),
+    !,
+    member(Object, Objects).
+documents(Object, Object).
+
+line_fault(Line, 'a tab') :-
+    sub_string(Line, _, _, _, "\t").
+line_fault(Line, 'wider than 80 columns') :-
+    string_length(Line, Length),
+    Length > 80.
