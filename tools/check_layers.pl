@@ -90,6 +90,6 @@ prolog_side(File) :-
     file_base_name(File, Base),
     file_name_extension(Name, _, Base),
     (   sub_atom(Name, _, _, 0, '4pl')
-    ;   memberchk(Name, [glue, install, boot, start, engine, main, sanggwan])
+    ;   memberchk(Name, [glue, install, boot, start, engine, host, main])
     ),
     !.
