@@ -172,7 +172,7 @@ check-vg: $(B)/sanggwan.so $(C_TESTS)
 	  $(filter $(VG_PLT:%=tests/rules/%.plt),$(PLTS))
 
 # Layout and flaws of the C; documentation, width and layers of all.
-# .clang-tidy and tools/cppcheck.supp say what is asked and what is not.
+# tools/cppcheck.supp says what is not asked, and why.
 FORMATTED := $(wildcard engine/*.[ch] c_kernels/*.[ch] tests/*.h \
                tests/*/*.[ch] bench/*.c docs/*.c)
 lint: $(B)/sanggwan.so
