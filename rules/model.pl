@@ -67,16 +67,25 @@ load_model(Files) :-
 
 load_model(Files0, Options) :-
     (   is_list(Files0)
-    ->  Files = Files0
-    ;   Files = [Files0]
+    ->  maplist(file_name, Files0, Files)
+    ;   file_name(Files0, File),
+        Files = [File]
     ),
-    must_be(list(atom), Files),
     facts_transaction(
         ( stage(load, maplist(sg_model:file_loaded(Options), Files)),
           (   option(triangles(false), Options)
           ->  true
           ;   complete_segments
           ) )).
+
+%   file_name(Text, File): names may be given as "text".
+
+file_name(Text, File) :-
+    (   string(Text)
+    ->  atom_string(File, Text)
+    ;   must_be(atom, Text),
+        File = Text
+    ).
 
 file_loaded(Options, File) :-
     option(from(From), Options, pl),

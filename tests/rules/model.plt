@@ -32,6 +32,11 @@ test(unknown_format, error(model_error(unknown_format(md, _)))) :-
 test(no_ending, error(model_error(unknown_format('', _)))) :-
     absolute_file_name(sanggwan('LICENSE'), Path),
     load_model(Path).
+test(text_names) :-
+    new_world(World),
+    absolute_file_name(sanggwan('facts/cube.pl'), Path),
+    atom_string(Path, Text),
+    in_world(World, ( load_model(Text), load_model([Text, Path]) )).
 test(missing, error(model_error(cannot_read(missing)))) :-
     load_model(no_such_file).
 test(folder, error(model_error(cannot_read(directory)))) :-
