@@ -225,7 +225,7 @@ binary_stl(char *out, const char *header, uint32_t says, uint32_t holds)
 static void
 test_stl_binary(void)
 {
-  char bytes[1024];
+  char bytes[1024] = {0};
   size_t n = binary_stl(bytes, "solid in name only", 3, 3);
 
   CHECK("solid is no proof", read_bytes(SG_MESH_STL, bytes, n));
