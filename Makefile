@@ -133,7 +133,7 @@ test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example
 check: test
 check-c: $(C_TESTS)
 	@tests/run $^
-check-rules: $(B)/sanggwan.so
+check-rules: $(B)/sanggwan.so $(B)/documentation.pl
 	@tests/run $(PLTS)
 check-embed: $(EMBEDS)
 	@tests/run $^

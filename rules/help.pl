@@ -5,6 +5,7 @@
           ]).
 :- use_module(store, [relation/3, column_doc/3, relation_column/5]).
 :- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(pldoc/man_index), [man_object_property/2]).
 /** <module> Help, and answers that read back, in Prolog's top level.
 
 The documentation of the rules is written to plain facts when the program is
@@ -79,18 +80,45 @@ public(sg_store, Name/Arity, Summary) :-
     documented(sg_store, Name, Arity, _, Summary, _),
     \+ relation(Name, Arity, _).
 
-%!  help(+What) is semidet.
+%!  help(+What) is det.
 %
-%   Show the documentation of What: a relation, a predicate, Name/Arity or a
-%   name
-%   alone. What Sanggwan does not document is looked up in Prolog's own manual.
+%   Show the documentation of What: a relation or a predicate, as Name/Arity,
+%   Name//Arity, a goal or a name alone; text counts as what it says. Of what is
+%   Prolog's own, say where its manual has it; on a terminal show the manual,
+%   if it is installed. Of a name that nobody knows, say so, with names that
+%   are like it. No pager is ever started away from a terminal.
+%
+%   @error instantiation_error
 
 help(What) :-
-    findall(Text, help_text(What, Text), Texts),
+    help_term(What, Term),
+    findall(Text, help_text(Term, Text), Texts),
     (   Texts \== []
     ->  forall(member(Text, Texts), format("~w~n", [Text]))
-    ;   prolog_help:help(What)
+    ;   findall(PI-Where, prolog_own(Term, PI, Where), Found),
+        sort(Found, [Own|More])
+    ->  help_of_prolog(Term, [Own|More])
+    ;   findall(Name, like(Term, Name), Names0),
+        sort(Names0, Names),
+        print_message(help, sanggwan(no_help(Term, Names)))
     ).
+
+%   help_term(What, Term): "v/5" and 'v/5' are v/5.
+
+help_term(What, _) :-
+    var(What),
+    !,
+    throw(error(instantiation_error, context(help/1, _))).
+help_term(What, Term) :-
+    ( string(What) ; atom(What) ),
+    !,
+    (   catch(term_to_atom(Term0, What), error(_, _), fail),
+        nonvar(Term0),
+        named(Term0, _, _)
+    ->  Term = Term0
+    ;   atom_string(Term, What)
+    ).
+help_term(What, What).
 
 help_text(What, Text) :-
     named(What, Name, Arity),
@@ -102,9 +130,66 @@ help_text(What, Text) :-
     \+ relation(Name, Arity, _),
     format(string(Text), "~w~n~w", [Modes, Body]).
 
-named(Name/Arity, Name, Arity) :-
+named(What, Name, Arity) :-
+    nonvar(What),
+    named_(What, Name, Arity),
+    atom(Name),
+    ( var(Arity) -> true ; integer(Arity) ).
+
+named_(Name/Arity, Name, Arity) :-
     !.
-named(Name, Name, _).
+named_(Name//Arity0, Name, Arity) :-
+    !,
+    (   integer(Arity0)
+    ->  Arity is Arity0 + 2
+    ;   true
+    ).
+named_(Head, Name, Arity) :-
+    compound(Head),
+    !,
+    functor(Head, Name, Arity).
+named_(Name, Name, _).
+
+%   prolog_own(What, PI, Where) is nondet: PI is built in or of a library.
+
+prolog_own(What, Name/Arity, system) :-
+    named(What, Name, Arity),
+    current_predicate(system:Name/Arity),
+    functor(Head, Name, Arity),
+    \+ predicate_property(system:Head, imported_from(_)).
+prolog_own(What, Name/Arity, library(Library)) :-
+    named(What, Name, Arity),
+    '$in_library'(Name, Arity, Path),
+    file_base_name(Path, Library).
+
+help_of_prolog(What, Found) :-
+    (   on_terminal,
+        member(PI-_, Found),
+        in_manual(PI)
+    ->  prolog_help:help(What)
+    ;   forall(member(PI-Where, Found),
+               print_message(help, sanggwan(prolog_help(PI, Where))))
+    ).
+
+on_terminal :-
+    stream_property(user_input, tty(true)),
+    stream_property(user_output, tty(true)).
+
+in_manual(PI) :-
+    catch(man_object_property(PI, id(_)), error(_, _), fail).
+
+%   like(What, Name) is nondet: Name is documented and much like What.
+
+like(What, Name) :-
+    ( named(What, Word, _) -> true ),
+    (   documented(_, Name, _, _, _, _)
+    ;   relation(Name, _, _)
+    ),
+    (   dwim_match(Word, Name)
+    ;   atom_length(Word, Length),
+        Length > 2,
+        sub_atom(Name, _, _, _, Word)
+    ).
 
 relation_text(Name, Arity, Doc, Text) :-
     findall(Column, relation_column(Name, _, Column, _, _), Columns),

@@ -2,10 +2,12 @@
           [ english//1,                 % +Term
             fault_en//1,                % +What
             primitive_form//1,          % +Name
-            loading_fault//1            % +Formal
+            loading_fault//1,           % +Formal
+            manual_page//1              % +PI
           ]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
+:- autoload(library(uri), [uri_encoded/3]).
 /** <module> Messages in English; messages_ko.pl has them in Korean.
 
 Every term that Sanggwan prints or raises has a clause of english//1 or, when
@@ -541,3 +543,29 @@ notice_en(lines_by_rules(Lines, Each)) -->
     [ '~D lines drawn by the rules, not by the kernel: a decision is replaced'
       -[Lines], nl,
       '  ~1f microseconds a line'-[Each] ].
+
+
+                /*******************************
+                *             help             *
+                *******************************/
+
+notice_en(no_help(What, Names)) -->
+    [ 'there is no help on ~p'-[What], nl ],
+    (   { Names == [] }
+    ->  [ '  help. lists what there is.' ]
+    ;   { atomic_list_concat(Names, ', ', All) },
+        [ '  Like it are: ~w; help. lists all.'-[All] ]
+    ).
+notice_en(prolog_help(PI, Where)) -->
+    [ '~q is Prolog\'s own (~q): see'-[PI, Where], nl ],
+    manual_page(PI).
+
+%!  manual_page(+PI)// is det.
+%
+%   Where Prolog's manual has PI.
+
+manual_page(Name/Arity) -->
+    { format(atom(Text), '~w/~d', [Name, Arity]),
+      uri_encoded(query_value, Text, Encoded)
+    },
+    [ '  https://www.swi-prolog.org/pldoc/man?predicate=~w'-[Encoded] ].

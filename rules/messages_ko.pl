@@ -3,7 +3,8 @@
           [ korean//1,                  % +Term
             fault_ko//1                 % +What
           ]).
-:- use_module(messages, [primitive_form//1, loading_fault//1]).
+:- use_module(messages,
+              [primitive_form//1, loading_fault//1, manual_page//1]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
@@ -507,3 +508,19 @@ invalid_polygon_ko(S, P, V1, V2) -->
 notice_ko(lines_by_rules(Lines, Each)) -->
     [ '선 ~D 개를 커널이 아니라 규칙으로 그렸습니다: 판단이 바뀌었습니다'-[Lines], nl,
       '  선마다 ~1f 마이크로초'-[Each] ].
+
+
+                /*******************************
+                *             help             *
+                *******************************/
+
+notice_ko(no_help(What, Names)) -->
+    [ '~p에 대한 도움말이 없습니다'-[What], nl ],
+    (   { Names == [] }
+    ->  [ '  help. 를 입력하면 목록을 볼 수 있습니다.' ]
+    ;   { atomic_list_concat(Names, ', ', All) },
+        [ '  비슷한 이름: ~w. 전체 목록은 help. 로 볼 수 있습니다.'-[All] ]
+    ).
+notice_ko(prolog_help(PI, Where)) -->
+    [ '~q은(는) Prolog 자체의 것입니다 (~q). 설명서:'-[PI, Where], nl ],
+    manual_page(PI).

@@ -195,6 +195,15 @@ X
 1'
 check repl-error has 'no_such/1'
 
+# help/1 answers at once, whatever is asked, and starts no pager in a pipe.
+printf 'help(no_such).\nhelp(append/3).\nhelp(penetrat).\nhelp("v/5").' |
+  timeout -s KILL 60 "$sanggwan" repl >"$work/out" 2>"$work/err"
+check help-ends is $? 0
+check help-unknown has 'there is no help on no_such'
+check help-prolog has "append/3 is Prolog's own"
+check help-near has 'Like it are: penetrate'
+check help-relation has 'v(S, V, X, Y, Z): ' "$work/out"
+
 "$sanggwan" query - 'v(1, V, _, _, _)' --format csv --limit 1 \
   <facts/cube.pl >"$work/out" 2>"$work/err"
 check stdin is "$(cat "$work/out")" 'V
