@@ -15,6 +15,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(triangulation, [complete_segments/0, polygon_triangles/3]).
 :- reexport(penetration).
+:- reexport(exact, [vertex_exact/5]).
 :- reexport(chain).
 :- reexport(lines_out, [write_lines/1, write_lines/2]).
 :- reexport(view).

@@ -1,0 +1,139 @@
+:- module(sg_exact,
+          [ vertex_exact/5              % ?S, ?V, -X, -Y, -Z
+          ]).
+:- use_module(store, [v/5, origin/3]).
+:- autoload(library(error), [domain_error/2, existence_error/2]).
+
+/** <module> Where a vertex is, exactly.
+
+The doubles of v/5 are where a vertex is, unless it was made by a cut. Then
+they are a point rounded once, and origin/3 says which point: it names lines
+and planes by *original* vertices, those without an origin of their own, whose
+doubles are exact. So one step leads from any vertex to its rationals, however
+many penetrations there were.
+
+@see ARCHITECTURE.md, section 5
+*/
+
+%!  vertex_exact(?S, ?V, -X, -Y, -Z) is nondet.
+%
+%   True when vertex V of segment S is at X, Y, Z: rational numbers, exact for
+%   original vertices and derived ones. v/5 has each of them correctly rounded
+%   (to the nearest double, ties to even). In the order of v/5.
+%
+%       ?- vertex_exact(1, V, X, Y, Z).
+%
+%   Origins that name no place (`crossing`, in a polygon that is flat only
+%   within the tolerance) leave a vertex where v/5 has it.
+%
+%   @error domain_error(original_vertex, S-V) if an origin names a vertex that
+%          has itself an origin; domain_error(vertex_origin, Origin) if the
+%          lines or planes of an origin do not meet in one point;
+%          existence_error(vertex, S-V) if they name one that is not there
+
+vertex_exact(S, V, X, Y, Z) :-
+    v(S, V, X0, Y0, Z0),
+    (   origin(S, v(V), Origin),
+        names_place(Origin)
+    ->  origin_point(Origin, p(X,Y,Z))
+    ;   X is rational(X0),
+        Y is rational(Y0),
+        Z is rational(Z0)
+    ).
+
+names_place(v(_, _)).
+names_place(lpi(_, _)).
+names_place(ll(_, _)).
+names_place(tpi(_, _, _)).
+
+origin_point(Origin, Point) :-
+    (   made_point(Origin, Point0)
+    ->  Point = Point0
+    ;   domain_error(vertex_origin, Origin)
+    ).
+
+%   made_point(+Origin, -Point) is semidet: Point is p(X,Y,Z), rationals. Fails
+%   when there is no such single point.
+
+made_point(v(S, V), Point) :-
+    corner(S, V, Point).
+made_point(lpi(S1-(A,B), S2-(C,D,E)), Point) :-
+    plane(S2-(C,D,E), Normal, At),
+    corner(S1, A, P),
+    corner(S1, B, Q),
+    dot(Normal, P, P0),
+    dot(Normal, Q, Q0),
+    Q0 =\= P0,
+    T is (At-P0) rdiv (Q0-P0),
+    on_line(P, Q, T, Point).
+made_point(ll(S1-(A,B), S2-(C,D)), Point) :-
+    corner(S1, A, P),
+    corner(S1, B, Q),
+    corner(S2, C, R),
+    corner(S2, D, R1),
+    less(Q, P, Along),
+    less(R1, R, Across),
+    less(R, P, Between),
+    cross(Along, Across, Normal),
+    cross(Between, Across, Part),
+    dot(Normal, Normal, Length),
+    Length =\= 0,
+    dot(Part, Normal, Share),
+    T is Share rdiv Length,
+    on_line(P, Q, T, Point).
+made_point(tpi(T1, T2, T3), p(X,Y,Z)) :-
+    plane(T1, N1, D1),
+    plane(T2, N2, D2),
+    plane(T3, N3, D3),
+    cross(N2, N3, p(X1,Y1,Z1)),
+    cross(N3, N1, p(X2,Y2,Z2)),
+    cross(N1, N2, p(X3,Y3,Z3)),
+    dot(N1, p(X1,Y1,Z1), Det),
+    Det =\= 0,
+    X is (D1*X1 + D2*X2 + D3*X3) rdiv Det,
+    Y is (D1*Y1 + D2*Y2 + D3*Y3) rdiv Det,
+    Z is (D1*Z1 + D2*Z2 + D3*Z3) rdiv Det.
+
+%   corner(+S, +V, -Point): an original vertex.
+
+corner(S, V, p(X,Y,Z)) :-
+    (   v(S, V, X0, Y0, Z0)
+    ->  true
+    ;   existence_error(vertex, S-V)
+    ),
+    (   origin(S, v(V), _)
+    ->  domain_error(original_vertex, S-V)
+    ;   true
+    ),
+    X is rational(X0),
+    Y is rational(Y0),
+    Z is rational(Z0).
+
+%   plane(+S-(A,B,C), -Normal, -At): the points P with Normal . P = At.
+
+plane(S-(A,B,C), Normal, At) :-
+    corner(S, A, P),
+    corner(S, B, Q),
+    corner(S, C, R),
+    less(Q, P, U),
+    less(R, P, W),
+    cross(U, W, Normal),
+    dot(Normal, P, At).
+
+on_line(p(X1,Y1,Z1), p(X2,Y2,Z2), T, p(X,Y,Z)) :-
+    X is X1 + T*(X2-X1),
+    Y is Y1 + T*(Y2-Y1),
+    Z is Z1 + T*(Z2-Z1).
+
+less(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
+    X is X1-X2,
+    Y is Y1-Y2,
+    Z is Z1-Z2.
+
+cross(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
+    X is Y1*Z2 - Z1*Y2,
+    Y is Z1*X2 - X1*Z2,
+    Z is X1*Y2 - Y1*X2.
+
+dot(p(X1,Y1,Z1), p(X2,Y2,Z2), D) :-
+    D is X1*X2 + Y1*Y2 + Z1*Z2.
