@@ -22,21 +22,30 @@ PREFIX  ?= /usr/local
 # It stands in rules/cli.pl.
 VERSION := $(shell sed -n "s/^version('\(.*\)')\.$$/\1/p" rules/cli.pl)
 
-# Goals that install what they need. deps.mk holds what pkg-config says; make
-# re-reads this file after making it, so the flags are right even when
-# SWI-Prolog was not there a moment ago.
-INSTALLS := demo test check-san check-vg lint bench
+# Goals that install what they need, beside what the build needs. deps.mk holds
+# what pkg-config says; make re-reads this file after making it, so the flags
+# are right even when SWI-Prolog was not there a moment ago. Packages are looked
+# for before each of these goals, whether or not deps.mk is there already.
+TESTING  := test check check-san bench
+LINTING  := lint check-vg
+INSTALLS := demo $(TESTING) $(LINTING)
+PURPOSES := $(if $(filter $(TESTING),$(MAKECMDGOALS)),tests) \
+            $(if $(filter $(LINTING),$(MAKECMDGOALS)),lint)
+LOOK     := tools/deps $(PURPOSES) \
+            $(if $(filter $(INSTALLS),$(MAKECMDGOALS)),--install)
 ifneq ($(filter-out clean uninstall,$(or $(MAKECMDGOALS),all)),)
 include $(B)/deps.mk
 endif
-$(B)/deps.mk: tools/deps Makefile
+$(B)/deps.mk: tools/deps Makefile \
+              | $(if $(filter $(INSTALLS),$(MAKECMDGOALS)),packages)
 	@mkdir -p $(B)
-	@tools/deps tests $(if $(filter lint check-vg,$(MAKECMDGOALS)),lint) \
-	  $(if $(filter $(INSTALLS),$(MAKECMDGOALS)),--install)
+	@$(LOOK)
 	@{ echo "PL_CFLAGS := $$(pkg-config --cflags-only-I swipl)" && \
 	   echo "PL_LIBS := $$(pkg-config --libs swipl)" && \
 	   echo "PL_ARCH := $$(swipl -g 'current_prolog_flag(arch, A), write(A)' \
 	                         -t halt)"; } > $@
+packages:
+	@$(LOOK)
 
 OPT     ?= -O2
 # -ffp-contract=off: no fused multiply-add may change a sign (exact.h).
@@ -56,7 +65,7 @@ RULES   := $(wildcard rules/*.pl)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 
-.PHONY: all so demo test check check-c check-rules check-embed check-cli bless \
+.PHONY: all packages so demo test check check-c check-rules check-embed check-cli bless \
         check-san san check-vg lint clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------

@@ -1,0 +1,42 @@
+# make.sh -- each goal of the Makefile looks for the packages that it needs,
+# whatever was made before it.
+. "$(dirname "$0")/../check.sh"
+
+unset MAKEFLAGS MFLAGS MAKELEVEL B
+
+# A tree in which tools/deps only writes down what it is asked for.
+tree=$TMP/tree
+mkdir -p "$tree/tools" "$tree/rules"
+cp Makefile "$tree"
+cp rules/cli.pl "$tree/rules"
+printf '#!/bin/sh\necho "$*" >>asked\n' >"$tree/tools/deps"
+chmod +x "$tree/tools/deps"
+
+# asks WORDS GOAL...: a dry run of the goals asks for the packages of WORDS, and
+# for no others beside the build's.
+asks() {
+  local words=$1
+  shift
+  rm -f "$tree/asked"
+  make -n -C "$tree" "$@" >"$TMP/log" 2>&1
+  touch "$tree/asked"
+  [ "$(sort -u "$tree/asked" | sed '/^$/d')" = "$words" ] ||
+    { echo "asked: $(cat "$tree/asked")"; cat "$TMP/log"; return 1; }
+}
+
+check "a build asks for its own" asks '' clean
+check "the first time" asks '' all
+check "it has looked" grep -q PL_LIBS "$tree/build/deps.mk"
+check "then no more" asks '' all
+for goal in test check check-san bench; do
+  check "$goal after a build" asks 'tests --install' $goal
+done
+for goal in lint check-vg; do
+  check "$goal after a build" asks 'lint --install' $goal
+done
+check "demo after a build" asks --install demo
+check "both" asks 'tests lint --install' test lint
+rm -rf "$tree/build"
+check "test first of all" asks 'tests --install' test
+check "clean looks for nothing" asks '' clean
+check_report
