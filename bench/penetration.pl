@@ -101,7 +101,7 @@ events(Facets) :-
 steps :-
     M = sg_penetration,
     step('open the cut set (trees)', cut_set_open([1-2], Set)),
-    step('find the cuts', M:find_cuts(Set)),
+    step('find the cuts', M:find_cuts_by_rule(Set)),
     step('order and name them', cut_seal(Set)),
     cut_polygons(Set, Polygons),
     length(Polygons, NP),

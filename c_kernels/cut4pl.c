@@ -21,6 +21,8 @@ close_handle(sg_cut_handle *handle)
     sg_cut_set_clear(&handle->set);
     sg_key_table_clear(&handle->next_name);
     sg_key_table_clear(&handle->line_of);
+    sg_key_table_clear(&handle->edge_type);
+    sg_key_table_clear(&handle->edges_read);
     free(handle->pair);
     handle->pair = NULL;
     handle->pairs = 0;
@@ -68,30 +70,6 @@ sg_get_cut_set_ex(term_t t, sg_cut_handle **out)
   }
   *out = data;
   return !(*out)->closed || PL_existence_error("cut_set", t);
-}
-
-/* Whether v1-v2 is a real edge, either way. */
-static bool
-is_real(void *data, int32_t s, int32_t v1, int32_t v2)
-{
-  const sg_cut_handle *handle = data;
-  bool real = false;
-
-  for (int turn = 0; turn < 2 && !real; turn++) {
-    sg_value row[SG_MAX_COLUMNS] = {
-        [0].i = s, [2].i = turn ? v2 : v1, [3].i = turn ? v1 : v2};
-    sg_walk walk;
-    sg_row found;
-
-    if (!sg_walk_open(&walk, handle->version, SG_E, 0x0d, row)) {
-      return true; /* no memory: the next step meets it too */
-    }
-    while (!real && (found = sg_walk_next(&walk)) != SG_NO_ROW) {
-      real = sg_version_value(handle->version, SG_E, found, 4).i == 1;
-    }
-    sg_walk_close(&walk);
-  }
-  return real;
 }
 
 /* ---- loading the model ---- */
@@ -262,9 +240,11 @@ cut_set_open(term_t pairs, term_t out)
   }
   handle->world = sg_world_hold(world);
   handle->version = sg_world_version(world);
-  sg_cut_set_init(&handle->set, is_real, handle);
+  sg_cut_set_init(&handle->set, sg_cut_is_real, handle);
   sg_key_table_init(&handle->next_name, 1);
   sg_key_table_init(&handle->line_of, 3);
+  sg_key_table_init(&handle->edge_type, 4);
+  sg_key_table_init(&handle->edges_read, 2);
   if (!get_pairs_ex(pairs, handle) || !load_model_ex(handle)) {
     close_handle(handle);
     free(handle);
@@ -449,6 +429,23 @@ cut_enter(term_t set, term_t t1, term_t t2, term_t count)
   return n < 0 ? sg_no_memory() : PL_unify_integer(count, n);
 }
 
+/* The join as a whole: what the rule find_cuts_by_rule/1 does pair by pair. */
+static foreign_t
+cut_find(term_t set)
+{
+  candidates c = {0};
+
+  if (!sg_get_cut_set_ex(set, &c.handle)) {
+    return FALSE;
+  }
+  while (next_candidate(&c)) {
+    if (sg_cut_set_enter(&c.handle->set, c.a, c.b) < 0) {
+      return sg_no_memory();
+    }
+  }
+  return !c.walk.pairs.stopped;
+}
+
 static foreign_t
 curve_enter(term_t set, term_t e, term_t t, term_t count)
 {
@@ -559,6 +556,7 @@ static const PL_extension predicates[] = {
     {"cut_candidate", 3, cut_candidate, PL_FA_NONDETERMINISTIC},
     {"curve_candidate", 3, curve_candidate, PL_FA_NONDETERMINISTIC},
     {"cut_side", 4, cut_side, 0},
+    {"cut_find", 1, cut_find, 0},
     {"cut_enter", 4, cut_enter, 0},
     {"curve_enter", 4, curve_enter, 0},
     {"cut_triangle", 5, cut_triangle, 0},

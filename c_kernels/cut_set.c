@@ -57,13 +57,13 @@ sg_cut_room(void **array, size_t n, size_t *room, size_t size)
 
 /* ---- real edges ---- */
 
-static bool
-edge_is_real(const sg_cut_set *set, const sg_place *place)
+/* Whether a feature of a triangle is a real edge: 1 or 0; -1: no memory. */
+static int
+is_real_edge(const sg_cut_set *set, uint32_t triangle, int f)
 {
-  const sg_leaf_vertex *vertex = set->model.vertex;
-
-  return set->is_real(set->data, vertex[place->a].s, vertex[place->a].v,
-                      vertex[place->b].v);
+  return f < SG_EDGE_0 || f > SG_EDGE_2
+             ? 0
+             : set->is_real(set->data, triangle, f - SG_EDGE_0);
 }
 
 /* The number of a real edge, made if it is new; SG_NO_KEY: no memory. */
@@ -112,10 +112,9 @@ end_point(sg_cut_set *set, const uint32_t t[2], const sg_cut_end *end)
   uint32_t point = sg_cut_points_find(&set->points, &made);
 
   for (int k = 0; point != SG_NO_KEY && k < 2; k++) {
-    const sg_place *place = &made.place[k];
+    int real = is_real_edge(set, t[k], (int)end->f[k]);
 
-    if (place->kind == SG_ON_EDGE && edge_is_real(set, place) &&
-        !put_on_edge(set, place, point)) {
+    if (real < 0 || (real && !put_on_edge(set, &made.place[k], point))) {
       return SG_NO_KEY;
     }
   }
@@ -127,19 +126,16 @@ static bool
 find_carriers(sg_cut_set *set, const sg_cut *cut, sg_cut_piece *piece)
 {
   for (int k = 0; k < 2; k++) {
-    int along = sg_cut_along(cut, k);
-    sg_place place;
+    int f = SG_EDGE_0 + sg_cut_along(cut, k);
+    int real = is_real_edge(set, piece->triangle[k], f);
 
     piece->edge[k] = SG_NO_KEY;
-    if (along < 0) {
-      continue;
-    }
-    place = sg_place_of(&set->model, piece->triangle[k], SG_EDGE_0 + along);
-    if (edge_is_real(set, &place)) {
+    if (real > 0) {
+      sg_place place = sg_place_of(&set->model, piece->triangle[k], f);
       piece->edge[k] = split_edge(set, &place);
-      if (piece->edge[k] == SG_NO_KEY) {
-        return false;
-      }
+    }
+    if (real < 0 || (real && piece->edge[k] == SG_NO_KEY)) {
+      return false;
     }
   }
   return true;
@@ -224,9 +220,12 @@ keep_curve_point(sg_cut_set *set, const sg_leaf_edge *edge, uint32_t t,
   if (end->f[0] != SG_EDGE_0) {
     return 0;
   }
-  if (coplanar && made.place[1].kind == SG_ON_EDGE &&
-      !edge_is_real(set, &made.place[1])) {
-    return 0;
+  if (coplanar && made.place[1].kind == SG_ON_EDGE) {
+    int real = is_real_edge(set, t, (int)end->f[1]);
+
+    if (real <= 0) {
+      return real;
+    }
   }
   uint32_t point = sg_cut_points_find(&set->points, &made);
 

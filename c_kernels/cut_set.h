@@ -43,8 +43,9 @@ typedef struct sg_cut_polygon {
   size_t first, n; /* its pieces: entering[first .. first + n - 1] */
 } sg_cut_polygon;
 
-/* Whether v1-v2 (ids) is a real edge of segment s, and no chord. */
-typedef bool sg_is_real(void *data, int32_t s, int32_t v1, int32_t v2);
+/* Whether edge 0..2 of a leaf triangle is an edge of its polygon, of real
+ * type, and no chord. 1, 0, or -1: no memory. */
+typedef int sg_is_real(void *data, uint32_t triangle, int edge);
 
 typedef struct sg_cut_set {
   sg_cut_model model;

@@ -15,6 +15,7 @@
             cut_set_close/1,          % +Set
             cut_candidate/3,          % +Set, -T1, -T2
             curve_candidate/3,        % +Set, -E, -T
+            cut_find/1,               % +Set
             cut_side/4,               % +Set, +T1, +T2, -Side
             cut_enter/4,              % +Set, +T1, +T2, -Count
             curve_enter/4,            % +Set, +E, +T, -Count
@@ -394,6 +395,11 @@ glue file.
 %   What T1 and T2 have in common goes into Set: Count pieces of positive
 %   length. In a common plane only pieces of real edges count, no chords.
 %   Exact.
+
+%!  cut_find(+Set) is det.
+%
+%   As cut_enter/4 for every cut_candidate/3 of Set whose triangles are on both
+%   sides of each other's planes, in that order: the whole join at once.
 
 %!  curve_enter(+Set, +E, +T, -Count) is det.
 %

@@ -6,7 +6,7 @@
 :- use_module(decision, [decision/2]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3,
-                curve_candidate/3, cut_side/4, cut_enter/4, curve_enter/4,
+                cut_find/1, curve_candidate/3, cut_side/4, cut_enter/4, curve_enter/4,
                 cut_triangle/5, cut_ends/4, cut_seal/1, cut_polygons/2,
                 cut_entering/4, cut_work/4, cut_crossing/8, cut_note/5,
                 cut_between/6, cut_divided/4, cut_agree/1, cut_joints/2,
@@ -123,7 +123,7 @@ penetrated(Pairs) :-
         cut_set_close(Set)).
 
 penetrated_(Pairs, Set) :-
-    stage(join, find_cuts(Set)),
+    stage(join, cut_find(Set)),
     stage(join, find_curve_points(Set)),
     stage(join, cut_seal(Set)),
     cut_polygons(Set, Polygons),
@@ -145,8 +145,10 @@ close_work(work(_, _, Work)) :-
 /* - - - steps 1 to 3: the cuts - - - */
 
 %   5.2 *1: a triangle of each of two segments, their boxes overlapping.
+%   cut_find/1 is the fused kernel of these two rules; a test holds them
+%   together.
 
-find_cuts(Set) :-
+find_cuts_by_rule(Set) :-
     forall(cut_candidate(Set, T1, T2),
            cut_pair(Set, T1, T2)).
 

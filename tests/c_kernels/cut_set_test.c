@@ -22,13 +22,18 @@ is_side(const int32_t q[4], int32_t v1, int32_t v2)
   return false;
 }
 
-static bool
-is_real(void *data, int32_t s, int32_t v1, int32_t v2)
+/* The set under test: the callback is told of triangles by number. */
+static const sg_cut_set *tested;
+
+static int
+is_real(void *data, uint32_t triangle, int edge)
 {
+  const uint32_t *v = tested->model.triangle[triangle].v;
+  const sg_leaf_vertex *vertex = tested->model.vertex;
+
   (void)data;
-  (void)s;
   for (int i = 0; i < 6; i++) {
-    if (is_side(quad[i], v1, v2)) {
+    if (is_side(quad[i], vertex[v[edge]].v, vertex[v[(edge + 1) % 3]].v)) {
       return true;
     }
   }
@@ -68,6 +73,7 @@ two_boxes(sg_cut_set *set, const double at[3])
   sg_candidate_pairs pairs;
   uint32_t i, j;
 
+  tested = set;
   sg_cut_set_init(set, is_real, NULL);
   if (!add_box(set, 1, (double[3]){0, 0, 0}, 2) || !add_box(set, 2, at, 2) ||
       !sg_cut_model_plant(&set->model, NULL)) {
