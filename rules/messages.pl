@@ -119,8 +119,9 @@ fault_en(no_fact(Term)) -->
       '  Write facts such as v(1, 1, 0.0, 0.0, 0.0).' ].
 fault_en(unknown_relation(Name, Arity)) -->
     [ 'there is no relation ~q/~d'-[Name, Arity], nl,
-      '  A model has v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, \c
-       line/9, curve/2, view/3 and projection/1.' ].
+      '  A model has v/5, e/5, p/3, plane/6, t/6, segment/3, \c
+       leaf_e/5, leaf_p/3, leaf_t/6, origin/3, line/9, \c
+       curve/2, view/3 and projection/1.' ].
 fault_en(arity(Name, Arity, Wanted)) -->
     [ '~w has ~d arguments here, it needs ~d'-[Name, Arity, Wanted], nl,
       '  Compare with the description of ~w/~d.'-[Name, Wanted] ].

@@ -112,8 +112,9 @@ fault_ko(no_fact(Term)) -->
       '  v(1, 1, 0.0, 0.0, 0.0). 과 같은 사실을 쓰십시오.' ].
 fault_ko(unknown_relation(Name, Arity)) -->
     [ '관계 ~q/~d 은(는) 없습니다'-[Name, Arity], nl,
-      '  모델의 관계: v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, \c
-       line/9, curve/2, view/3, projection/1.' ].
+      '  모델의 관계: v/5, e/5, p/3, plane/6, t/6, segment/3, \c
+       leaf_e/5, leaf_p/3, leaf_t/6, origin/3, line/9, \c
+       curve/2, view/3, projection/1.' ].
 fault_ko(arity(Name, Arity, Wanted)) -->
     [ '~w 의 인수가 ~d개입니다. ~d개여야 합니다'-[Name, Arity, Wanted], nl,
       '  ~w/~d 의 설명과 비교하십시오.'-[Name, Wanted] ].

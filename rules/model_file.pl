@@ -3,9 +3,9 @@
             add_primitive/2             % +Term, -S
           ]).
 :- use_module(store,
-              [ v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, line/9,
-                assert_fact/1, retractall_facts/1, facts_transaction/1,
-                relation_column/5
+              [ v/5, e/5, p/3, plane/6, t/6, leaf_e/5, leaf_p/3, leaf_t/6,
+                segment/3, origin/3, line/9, assert_fact/1,
+                retractall_facts/1, facts_transaction/1, relation_column/5
               ]).
 :- use_module(model_text,
               [ open_model_text/2, close_model_text/1, model_text_bytes/3,
@@ -183,6 +183,14 @@ ready(t(S, P, _, V1, V2, V3)) :-
     has_vertex(S, V1),
     has_vertex(S, V2),
     has_vertex(S, V3).
+ready(leaf_e(S, _, V1, V2, _)) :-
+    has_vertex(S, V1),
+    has_vertex(S, V2).
+ready(leaf_p(S, P, Es)) :-
+    has_polygon(S, P),
+    maplist(has_leaf_edge(S), Es).
+ready(leaf_t(S, P, T, V1, V2, V3)) :-
+    ready(t(S, P, T, V1, V2, V3)).
 ready(origin(_, _, _)).
 ready(line(_, _, _, _, _, _, _, _, _)).
 
@@ -192,6 +200,8 @@ has_edges(S) :-
     once(e(S, _, _, _, _)).
 has_polygon(S, P) :-
     once(p(S, P, _)).
+has_leaf_edge(S, E) :-
+    once(leaf_e(S, E, _, _, _)).
 edge_ends(S, E, V1-V2) :-
     once(e(S, E, V1, V2, _)).
 
@@ -269,6 +279,9 @@ later_added(Later) :-
     foldl(later_curve, Curves, Numbers, _),
     later_rows(Later, plane/6),
     later_rows(Later, t/6),
+    later_rows(Later, leaf_e/5),
+    later_rows(Later, leaf_p/3),
+    later_rows(Later, leaf_t/6),
     later_setting(Later, view/3),
     later_setting(Later, projection/1).
 
@@ -447,6 +460,9 @@ row_key(e(S, E, _, _, _), e, [S, E], e(S, E, _, _, _)).
 row_key(p(S, P, _), p, [S, P], p(S, P, _)).
 row_key(plane(S, P, _, _, _, _), plane, [S, P], plane(S, P, _, _, _, _)).
 row_key(t(S, _, T, _, _, _), t, [S, T], t(S, _, T, _, _, _)).
+row_key(leaf_e(S, E, _, _, _), leaf_e, [S, E], leaf_e(S, E, _, _, _)).
+row_key(leaf_p(S, P, _), leaf_p, [S, P], leaf_p(S, P, _)).
+row_key(leaf_t(S, _, T, _, _, _), leaf_t, [S, T], leaf_t(S, _, T, _, _, _)).
 row_key(origin(S, Item, _), origin, [S, Item], origin(S, Item, _)).
 row_key(segment(S, _, _), segment, [S], segment(S, _, _)).
 row_key(line(L, _, _, _, _, _, _, _, _), line, [L],

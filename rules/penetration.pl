@@ -16,17 +16,22 @@
                 work_add/6, work_delete/2, work_edge/6, work_meeting/6,
                 work_resolve/2, work_close/1
               ]).
+:- use_module(leaf,
+              [ leaves_kept/1, curve_kept/1, were_cut/2, earlier_cuts/2,
+                origin_segment/2, leaves_restored/1
+              ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, line/9,
                 assert_fact/1, retract_fact/1, retractall_facts/1,
-                facts_transaction/1, fresh_id/3
+                facts_snapshot/1, facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [work_triangles/2]).
 :- autoload(library(apply), [foldl/4, include/3, maplist/2, maplist/3,
                              partition/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [last/2, member/2, reverse/2]).
+:- autoload(library(ordsets), [ord_union/3]).
 
 /** <module> Penetration lines: where segments go through each other.
 
@@ -52,7 +57,8 @@ Vertices and edges made here have an origin/3; the same term in both segments:
     origin(S, e(E), line(L))                     an edge of a penetration line
 
 The triangles are named by their corners, because corners stay and triangles
-do not. line/9 has every piece once, with its vertices in both segments.
+do not. line/9 has every piece once, with its vertices in both segments. A
+polygon or curve that is cut keeps its leaves (leaf.pl).
 
 @see [PL] section 5; rows PL-7, PL-8 and PL-9 of the requirements
 */
@@ -62,22 +68,7 @@ do not. line/9 has every piece once, with its vertices in both segments.
 %   may_cut(+S1, +S2) is semidet, S1 < S2: those that have not done so before.
 
 may_cut(S1, S2) :-
-    \+ line(_, S1, _, _, _, S2, _, _, _),
-    \+ ( curve_and_other(S1, S2, Curve, Other),
-         origin(Curve, v(_), Origin),
-         origin_segment(Origin, Other)
-       ).
-
-curve_and_other(S1, S2, S1, S2) :-
-    segment(S1, curve, _).
-curve_and_other(S1, S2, S2, S1) :-
-    segment(S2, curve, _).
-
-origin_segment(v(S, _), S).
-origin_segment(Origin, S) :-
-    Origin =.. [Made|Places],
-    memberchk(Made, [lpi,ll]),
-    member(S-_, Places).
+    \+ were_cut(S1, S2).
 
 :- decision(merge_line/2,
             "Which collinear pieces of a line become one (PL-9)").
@@ -114,7 +105,50 @@ penetrate :-
 %          polygon P cannot be triangulated
 
 penetrate(Pairs) :-
-    facts_transaction(sg_penetration:penetrated(Pairs)).
+    facts_transaction(sg_penetration:penetrated_leaves(Pairs)).
+
+%   Cuts are taken between leaves (leaf.pl): where Pairs meet, what earlier
+%   cuts made is taken back, and all are taken at once.
+
+penetrated_leaves(Pairs) :-
+    earlier_cuts(Pairs, Earlier),
+    (   Earlier == []
+    ->  penetrated(Pairs)
+    ;   facts_snapshot(sg_penetration:met_leaves(Earlier, Pairs, Met)),
+        penetrated_again(Met)
+    ).
+
+penetrated_again([]) :-
+    !.
+penetrated_again(Met) :-
+    earlier_cuts(Met, Earlier),
+    ord_union(Earlier, Met, All),
+    leaves_restored(All),
+    penetrated(All).
+
+%   met_leaves(+Earlier, +Pairs, -Met): those of Pairs with leaves that meet.
+
+met_leaves(Earlier, Pairs, Met) :-
+    leaves_restored(Earlier),
+    setup_call_cleanup(
+        cut_set_open(Pairs, Set),
+        ( find_cuts(Set),
+          find_curve_points(Set),
+          cut_seal(Set),
+          findall(Pair, met_pair(Set, Pair), Met0)
+        ),
+        cut_set_close(Set)),
+    sort(Met0, Met).
+
+met_pair(Set, S1-S2) :-
+    cut_lines(Set, Lines),
+    member(line(_, S1, _, _, _, S2, _, _, _), Lines).
+met_pair(Set, S1-S2) :-
+    cut_vertices(Set, Vertices),
+    member(vertex(S, _, _, _, _, Origin), Vertices),
+    origin_segment(Origin, Other),
+    Other \== S,
+    msort([S,Other], [S1,S2]).
 
 penetrated(Pairs) :-
     setup_call_cleanup(
@@ -127,6 +161,7 @@ penetrated_(Pairs, Set) :-
     stage(join, find_curve_points(Set)),
     stage(join, cut_seal(Set)),
     cut_polygons(Set, Polygons),
+    leaves_kept(Polygons),
     setup_call_cleanup(
         true,
         ( maplist(enter_cuts(Set), Polygons, Works),
@@ -534,7 +569,8 @@ split_curve_edge(S, V1, V2, Vs) :-
 split_directed(S, V1, V2, Vs) :-
     findall(E-Et, e(S, E, V1, V2, Et), Es),
     forall(member(E-Et, Es),
-           ( retractall_facts(e(S, E, _, _, _)),
+           ( curve_kept(S-E),
+             retractall_facts(e(S, E, _, _, _)),
              foldl(write_part(S, E, Et), Vs, V1, V),
              write_part(S, E, Et, V2, V, _)
            )).

@@ -4,6 +4,9 @@
             p/3,                      % ?S, ?P, ?Es
             plane/6,                  % ?S, ?P, ?Nx, ?Ny, ?Nz, ?D
             t/6,                      % ?S, ?P, ?T, ?V1, ?V2, ?V3
+            leaf_e/5,                 % ?S, ?E, ?V1, ?V2, ?Et
+            leaf_p/3,                 % ?S, ?P, ?Es
+            leaf_t/6,                 % ?S, ?P, ?T, ?V1, ?V2, ?V3
             segment/3,                % ?S, ?Kind, ?Name
             origin/3,                 % ?S, ?Item, ?Origin
             line/9,                   % ?L, ?S1, ?P1, ?A1, ?B1,
@@ -103,6 +106,22 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   True when T is a triangle of polygon P, its corners counter-clockwise
 %   seen from outside.
+
+%!  leaf_e(?S, ?E, ?V1, ?V2, ?Et) is nondet.
+%
+%   True when E was an edge of segment S before its polygon, or the curve that
+%   it is of, was cut. Edges that were not divided are in e/5 too.
+
+%!  leaf_p(?S, ?P, ?Es:list(integer)) is nondet.
+%
+%   True when P is a polygon of segment S that was cut; before any cut its
+%   edges were Es, of leaf_e/5.
+
+%!  leaf_t(?S, ?P, ?T, ?V1, ?V2, ?V3) is nondet.
+%
+%   True when T was a triangle of polygon P before it was cut: a *leaf*. Cuts
+%   are taken between leaves only, so they name original vertices only. The
+%   triangles of a polygon that was not cut are its leaves.
 
 %!  segment(?S, ?Kind, ?Name) is nondet.
 %
@@ -394,6 +413,9 @@ sandbox:safe_primitive(sg_store:e(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:p(_,_,_)).
 sandbox:safe_primitive(sg_store:plane(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:t(_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:leaf_e(_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:leaf_p(_,_,_)).
+sandbox:safe_primitive(sg_store:leaf_t(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:segment(_,_,_)).
 sandbox:safe_primitive(sg_store:origin(_,_,_)).
 sandbox:safe_primitive(sg_store:line(_,_,_,_,_,_,_,_,_)).
