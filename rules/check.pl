@@ -1,17 +1,15 @@
 :- module(sg_check,
           [ check_report/1,             % -Report
-            print_report/2,             % +Format, +Report
             report_faults/2             % +Report, ?Faults
           ]).
 :- use_module(integrity, [defect_weight/2]).
 :- use_module(kernel, [census/1]).
 :- use_module(store, [segment/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(http/json), [json_write_dict/3]).
 :- autoload(library(lists), [max_list/2, min_list/2, sum_list/2]).
 /** <module> The report of `check`: what a model holds, and its faults.
 
-A report is a dict that prints as text or as JSON:
+A report is a dict; report.pl prints it as text or as JSON:
 
     _{segments: [Segment, ...], total: Total, faults: N, remarks: M}
 
@@ -151,62 +149,3 @@ columns(Pick, Rows, [X,Y,Z]) :-
     call(Pick, As, X),
     call(Pick, Bs, Y),
     call(Pick, Cs, Z).
-
-%!  print_report(+Format, +Report) is det.
-%
-%   Print Report to current output as `text` or `json`.
-
-print_report(json, Report) :-
-    json_write_dict(current_output, Report, [width(78)]),
-    nl.
-print_report(text, Report) :-
-    forall(member(S, Report.segments), print_segment(S)),
-    (   Report.faults =:= 0
-    ->  format("no faults~n")
-    ;   format("~D faults~n", [Report.faults])
-    ).
-
-print_segment(S) :-
-    format("segment ~d: ~w ~w~n", [S.segment, S.kind, S.name]),
-    format("  ~D vertices, ~D edges, ~D polygons, ~D triangles~n",
-           [S.vertices, S.edges, S.polygons, S.triangles]),
-    [[X1,Y1,Z1],[X2,Y2,Z2]] = S.box,
-    format("  box ~15|~w ~w ~w to ~w ~w ~w~n", [X1,Y1,Z1,X2,Y2,Z2]),
-    print_measure(area, S.area, S.polygons),
-    (   number(S.volume)
-    ->  print_measure(volume, S.volume, 1)
-    ;   true
-    ),
-    print_measure(length, S.length, S.curve_edges),
-    forall(member(Shell, S.shells), print_shell(Shell)),
-    (   S.border_edges > 0
-    ->  format("  ~D border edges~n", [S.border_edges])
-    ;   true
-    ),
-    print_counts('FAULT ', S.faults),
-    print_counts(remark, S.remarks).
-
-print_measure(_, _, 0) :-
-    !.
-print_measure(Name, Value, _) :-
-    format("  ~w ~15|~6g~n", [Name, Value]).
-
-print_shell(Shell) :-
-    (   Shell.closed == true
-    ->  Word = closed
-    ;   Word = open
-    ),
-    format("  shell of ~D polygons: ~w", [Shell.polygons, Word]),
-    (   integer(Shell.euler)
-    ->  format(", Euler characteristic ~d", [Shell.euler])
-    ;   true
-    ),
-    (   integer(Shell.genus)
-    ->  format(", genus ~d", [Shell.genus])
-    ;   true
-    ),
-    nl.
-
-print_counts(Word, Dict) :-
-    dict_pairs(Dict, _, Pairs),
-    forall(member(Name-N, Pairs), format("  ~w ~w: ~D~n", [Word, Name, N])).

@@ -6,6 +6,7 @@
 :- use_module(arguments, [parsed_arguments/4]).
 :- use_module(decision, [use_rules/1]).
 :- use_module(kernel, [exact_fallbacks/1]).
+:- use_module(language, [language/1]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
 :- use_module(progress, [with_progress/1]).
@@ -84,7 +85,7 @@ flushed(Status0, Status) :-
 sanggwan(Arguments, Status) :-
     retractall(quiet),
     flag(sg_cli_warnings, _, 0),
-    language(Arguments),
+    set_language(Arguments),
     setup_call_cleanup(
         asserta(running, Running),
         ( catch(command(Arguments, Status0), Error,
@@ -93,10 +94,10 @@ sanggwan(Arguments, Status) :-
         ),
         erase(Running)).
 
-%   language(Arguments): --lang, or what the environment says. The saved state
-%   would otherwise remember where it was made.
+%   set_language(Arguments): --lang, or what the environment says. The saved
+%   state would otherwise remember where it was made.
 
-language(Arguments) :-
+set_language(Arguments) :-
     (   append(_, ['--lang', Language|_], Arguments)
     ->  true
     ;   member(Argument, Arguments),
@@ -111,13 +112,6 @@ language(Arguments) :-
     (   memberchk(Language, ['C', 'POSIX'])
     ->  set_prolog_flag(message_language, en)
     ;   set_prolog_flag(message_language, Language)
-    ).
-
-usage_language(Language) :-
-    current_prolog_flag(message_language, Flag),
-    (   sub_atom(Flag, 0, _, _, ko)
-    ->  Language = ko
-    ;   Language = en
     ).
 
 command([], _) :-
@@ -160,7 +154,7 @@ usage_error(What) :-
     throw(error(usage_error(What), _)).
 
 help(Words) :-
-    usage_language(Language),
+    language(Language),
     (   member(Word, Words),
         verb(Word, _, _, _)
     ->  print_usage(Word, Language)
@@ -187,7 +181,7 @@ verb_command(Verb, Arguments, Status) :-
     verb_options(Verb, Specs),
     parsed_arguments(Specs, Arguments, Files, Options),
     (   option(help(true), Options)
-    ->  usage_language(Language),
+    ->  language(Language),
         print_usage(Verb, Language),
         Status = 0
     ;   verb_in_world(Verb, Files, Options, Status)
@@ -317,7 +311,7 @@ shown(error, Term, Lines) :-
     print_prefixed('', Term, Lines).
 shown(warning, Term, Lines) :-
     flag(sg_cli_warnings, N, N+1),
-    usage_language(Language),
+    language(Language),
     warning_word(Language, Word),
     print_prefixed(Word, Term, Lines).
 shown(informational, Term, Lines) :-

@@ -59,6 +59,12 @@ place(File, Line, Column) -->
 place(File, Line, Column) -->
     [ '~w:~d:~d: '-[File, Line, Column] ].
 
+%   counted(N, One, Many)//: 1 edge, 2 edges.
+
+counted(N, One, Many) -->
+    { N =:= 1 -> Word = One ; Word = Many },
+    [ '~D ~w'-[N, Word] ].
+
 :- discontiguous
     fault_en//1,
     notice_en//1.
@@ -123,7 +129,9 @@ fault_en(unknown_relation(Name, Arity)) -->
        leaf_e/5, leaf_p/3, leaf_t/6, origin/3, line/9, \c
        curve/2, view/3 and projection/1.' ].
 fault_en(arity(Name, Arity, Wanted)) -->
-    [ '~w has ~d arguments here, it needs ~d'-[Name, Arity, Wanted], nl,
+    [ '~w has '-[Name] ],
+    counted(Arity, argument, arguments),
+    [ ' here, it needs ~d'-[Wanted], nl,
       '  Compare with the description of ~w/~d.'-[Name, Wanted] ].
 fault_en(computed(Name)) -->
     [ '~w is computed from the view and may not stand in a file'-[Name], nl,
@@ -220,7 +228,9 @@ polygon_en(list) -->
       '  A negative number follows a closed loop and begins the next one: \c
        [1,2,3,1,-4,5,6,4].' ].
 polygon_en(edges(N)) -->
-    [ 'has ~d edges, it needs three or more'-[N] ].
+    [ 'has ' ],
+    counted(N, edge, edges),
+    [ ', it needs three or more' ].
 polygon_en(open(V)) -->
     [ 'does not close at vertex ~d'-[V], nl,
       '  As many edges must end at a vertex as start there; after a jump \c
@@ -310,6 +320,9 @@ usage_en(bad_value(Text, Value, one_of(Words))) -->
     [ 'option ~w: ~w is none of ~w'-[Text, Value, All] ].
 usage_en(bad_value(Text, Value, number(Low))) -->
     [ 'option ~w: ~w is no number from ~w on'-[Text, Value, Low] ].
+usage_en(no_size(Text, Value)) -->
+    [ 'option ~w: ~w is no size: width and height must be above 0'-
+      [Text, Value] ].
 usage_en(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ 'option ~w: ~w should look like ~w'-[Text, Value, Form] ].
@@ -349,12 +362,19 @@ notice_en(segment(S, Kind, Name)) -->
 notice_en(no_answer) -->
     [ 'no' ].
 notice_en(warnings_are_errors(N)) -->
-    [ '~d warnings, and --strict was given'-[N] ].
+    counted(N, warning, warnings),
+    [ ', and --strict was given' ].
 notice_en(progress(Stage, Seconds)) -->
     [ '~w: ~0f s'-[Stage, Seconds] ].
 notice_en(progress(Stage, Done, Total, Rate, Left)) -->
     [ '~w: ~D of ~D, ~0f a second, ~0f s left'-
       [Stage, Done, Total, Rate, Left] ].
+
+
+notice_en(not_utf8(File, Line)) -->
+    [ '~w:~d: the file holds bytes that are not UTF-8, first in the fact \c
+       that ends here'-[File, Line], nl,
+      '  Save the file as UTF-8; names in it may be wrong.' ].
 
 
                 /*******************************
@@ -431,15 +451,19 @@ fault_en(no_triangles(S, P)) -->
        complete_segments.' ].
 
 notice_en(mesh(File, degenerate(N))) -->
-    [ '~w: ~D faces without three different corners were left out'-
-      [File, N] ].
+    [ '~w: '-[File] ],
+    counted(N, face, faces),
+    [ ' left out: without three different corners' ].
 notice_en(mesh(File, ignored(N, Line))) -->
-    [ '~w: ~D items of unknown kind were passed over, the first in line ~D'-
-      [File, N, Line] ].
+    [ '~w: '-[File] ],
+    counted(N, item, items),
+    [ ' of unknown kind passed over, the first in line ~D'-[Line] ].
 notice_en(mesh(File, no_curves(N))) -->
     [ '~w: STL holds no curves: ~D left out'-[File, N] ].
 notice_en(mesh(File, trailing(Bytes))) -->
-    [ '~w: ~D bytes behind the mesh were passed over'-[File, Bytes] ].
+    [ '~w: '-[File] ],
+    counted(Bytes, byte, bytes),
+    [ ' behind the mesh passed over' ].
 
                 /*******************************
                 *            drawing           *
@@ -541,8 +565,8 @@ loading_fault(Formal) -->
                 *******************************/
 
 notice_en(lines_by_rules(Lines, Each)) -->
-    [ '~D lines drawn by the rules, not by the kernel: a decision is replaced'
-      -[Lines], nl,
+    counted(Lines, line, lines),
+    [ ' drawn by the rules, not by the kernel: a decision is replaced', nl,
       '  ~1f microseconds a line'-[Each] ].
 
 

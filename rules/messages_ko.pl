@@ -16,6 +16,17 @@ The heads are the same as in messages.pl, clause by clause
 
 prolog:message(ko, Term) -->
     korean(Term).
+prolog:message(ko, Term) -->
+    prologs_own(Term).
+
+%   prologs_own(Term)//: errors of Prolog that people meet when they ask.
+
+prologs_own(error(existence_error(procedure, PI), _)) -->
+    [ '프레디킷 ~q 이(가) 없습니다'-[PI] ].
+prologs_own(error(instantiation_error, _)) -->
+    [ '변수에 값이 있어야 합니다' ].
+prologs_own(error(type_error(Type, Value), _)) -->
+    [ '형이 맞지 않습니다: ~w 이어야 하는데 ~p 입니다'-[Type, Value] ].
 
 %!  korean(+Term)// is semidet.
 %
@@ -290,6 +301,9 @@ usage_ko(bad_value(Text, Value, one_of(Words))) -->
     [ '~w: ~w 은(는) ~w 의 하나가 아닙니다'-[Text, Value, All] ].
 usage_ko(bad_value(Text, Value, number(Low))) -->
     [ '~w: ~w 은(는) ~w 이상의 수가 아닙니다'-[Text, Value, Low] ].
+usage_ko(no_size(Text, Value)) -->
+    [ '~w: ~w 은(는) 크기가 아닙니다. 너비와 높이는 0보다 커야 합니다'-
+      [Text, Value] ].
 usage_ko(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ '~w: ~w 은(는) ~w 꼴이어야 합니다'-[Text, Value, Form] ].
@@ -334,6 +348,12 @@ notice_ko(progress(Stage, Seconds)) -->
 notice_ko(progress(Stage, Done, Total, Rate, Left)) -->
     [ '~w: ~D / ~D, 초당 ~0f, 남은 시간 ~0f초'-
       [Stage, Done, Total, Rate, Left] ].
+
+
+notice_ko(not_utf8(File, Line)) -->
+    [ '~w:~d: 파일에 UTF-8이 아닌 바이트가 있습니다. 처음은 여기서 끝나는 사실입니다'-
+      [File, Line], nl,
+      '  파일을 UTF-8로 저장하십시오. 이름이 잘못되었을 수 있습니다.' ].
 
 
                 /*******************************

@@ -54,10 +54,35 @@ open_model_text(-, Text) :-
     tmp_file_stream(Copy, Out, [encoding(binary), extension(pl)]),
     set_stream(user_input, type(binary)),
     call_cleanup(copy_stream_data(user_input, Out), close(Out)),
-    open(Copy, read, Stream, [encoding(utf8)]).
+    open(Copy, read, Stream, [encoding(utf8)]),
+    asserta(decoding(Stream, '<stdin>')).
 open_model_text(File, text(File, File, Stream)) :-
     catch(open(File, read, Stream, [encoding(utf8)]), Error,
-          cannot_read(File, Error)).
+          cannot_read(File, Error)),
+    asserta(decoding(Stream, File)).
+
+%   Prolog warns of every fact with bytes that are no UTF-8, again when it is
+%   read once more, and names temporary files. Of all that becomes one warning
+%   of ours.
+
+:- thread_local decoding/2.             % Stream, File
+
+:- multifile user:message_hook/3.
+
+user:message_hook(io_warning(Stream, _), warning, _) :-
+    sg_model_text:undecoded(Stream).
+
+:- public undecoded/1.
+
+undecoded(Stream) :-
+    retract(decoding(Stream, File)),
+    !,
+    asserta(decoding(Stream, warned)),
+    (   File == warned
+    ->  true
+    ;   line_count(Stream, Line),
+        print_message(warning, sanggwan(not_utf8(File, Line)))
+    ).
 
 cannot_read(File, error(Formal, _)) :-
     !,
@@ -76,6 +101,7 @@ cannot_read(_, Ball) :-
 %!  close_model_text(+Text) is det.
 
 close_model_text(text(Name, Path, Stream)) :-
+    retractall(decoding(Stream, _)),
     close(Stream),
     (   Name == '<stdin>'
     ->  delete_file(Path)
@@ -188,7 +214,8 @@ place_error(Place, _, What) :-
 argument_location(place(_, Path, Position), Argument, Line, Column) :-
     setup_call_cleanup(
         open(Path, read, Stream, [encoding(utf8)]),
-        ( set_stream_position(Stream, Position),
+        ( asserta(decoding(Stream, warned)),
+          set_stream_position(Stream, Position),
           read_term(Stream, _, [ module(sg_model_syntax),
                                  subterm_positions(term_position(
                                      _, _, _, _, Places)) ]),
@@ -201,7 +228,9 @@ argument_location(place(_, Path, Position), Argument, Line, Column) :-
           line_position(Stream, Column0),
           Column is Column0+1
         ),
-        close(Stream)).
+        ( retractall(decoding(Stream, _)),
+          close(Stream)
+        )).
 
 nth_place(1, [Place|_], From) :-
     !,

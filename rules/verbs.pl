@@ -4,7 +4,7 @@
             draw/2,                     % +File, +Options
             convert/2                   % +Files, +File
           ]).
-:- use_module(check, [check_report/1, print_report/2, report_faults/2]).
+:- use_module(check, [check_report/1, report_faults/2]).
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(hidden_lines, [picture/1]).
 :- use_module(lines_out, [write_lines/1]).
@@ -14,6 +14,7 @@
 :- use_module(penetration, [penetrate/0]).
 :- use_module(query, [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
+:- use_module(report, [print_report/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ segment/3, line/9, origin/3, facts_transaction/1, new_world/1,
@@ -324,16 +325,18 @@ drawing_option(Options, hidden(Hidden)) :-
     option(hidden(Hidden), Options).
 drawing_option(Options, size(Size)) :-
     option(size(Size), Options),
-    (   split_string(Size, "x", "", [W, H]),
-        positive(W, _),
-        positive(H, _)
-    ->  true
+    (   split_string(Size, "x", "", Parts),
+        maplist(number_of, Parts, [W, H])
+    ->  (   W > 0,
+            H > 0
+        ->  true
+        ;   usage_error(no_size('--size', Size))
+        )
     ;   usage_error(bad_value('--size', Size, 'WxH'))
     ).
 
-positive(Text, Number) :-
-    catch(number_string(Number, Text), error(_, _), fail),
-    Number > 0.
+number_of(Text, Number) :-
+    catch(number_string(Number, Text), error(_, _), fail).
 
 %   eye(Options, Goals): Goals set the view and the projection.
 
@@ -345,7 +348,7 @@ eye_goal(Options, Goal) :-
     (   named_view(View, _, _)
     ->  Goal = set_view(View)
     ;   split_string(View, ",", " ", Parts),
-        maplist(angle, Parts, Numbers),
+        maplist(number_of, Parts, Numbers),
         eye_numbers(Numbers, Goal)
     ->  true
     ;   usage_error(bad_value('--view', View,
@@ -357,9 +360,6 @@ eye_goal(Options, set_projection(Kind)) :-
 eye_numbers([Theta, Phi], set_view(Theta, Phi, 0)).
 eye_numbers([Theta, Phi, Rho], set_view(Theta, Phi, Rho)) :-
     Rho >= 0.
-
-angle(Text, Number) :-
-    catch(number_string(Number, Text), error(_, _), fail).
 
 query_format(Options, Format) :-
     (   option(json(true), Options)

@@ -27,11 +27,10 @@ fault(File-What) :-
     file_base_name(File, Name),
     rule_fault(Name, Path, What).
 fault(File-What) :-
-    expand_file_name('{engine,c_kernels}/*.{c,h}', Files),
+    expand_file_name('{engine,c_kernels}/*.{c,h,def}', Files),
     member(File, Files),
-    file_directory_name(File, Layer),
     include_line(File, Included),
-    include_fault(Layer, File, Included),
+    \+ may_include(File, Included),
     format(atom(What), 'may not include ~w', [Included]).
 
 %   The doors import no rule; only the top imports what stands above rules.
@@ -62,34 +61,89 @@ top('verbs.pl').
 top('repl.pl').
 top('sanggwan.pl').
 
+
+                /*******************************
+                *               C              *
+                *******************************/
+
+%   include_line(File, Included): Included is <Name>, or the path of one of our
+%   files, from the root.
+
 include_line(File, Included) :-
     read_file_to_string(File, Text, []),
     split_string(Text, "\n", "\r", Lines),
     member(Line, Lines),
     string_concat("#include ", Rest, Line),
-    split_string(Rest, "\"<>", "", [_,Included0|_]),
-    atom_string(Included, Included0).
+    split_string(Rest, "\"", "", Parts),
+    (   Parts = [_,Name|_]
+    ->  file_directory_name(File, Folder),
+        below_root(Folder, Name, Included)
+    ;   atom_string(Included, Rest)
+    ).
 
-%   Kernels know neither store nor Prolog; the store knows no geometry. What
-%   a kernel asks of its caller (poll.h) and the view of a column (column.h)
-%   are for both.
+below_root(_, Name, Path) :-
+    string_concat("../", Path0, Name),
+    !,
+    atom_string(Path, Path0).
+below_root(Folder, Name, Path) :-
+    atomic_list_concat([Folder, Name], /, Path).
 
-include_fault(_, File, Included) :-
-    sub_atom(Included, 0, _, _, 'SWI-'),
-    \+ prolog_side(File).
-include_fault(c_kernels, File, Included) :-
-    sub_atom(Included, 0, _, _, '../engine/'),
-    \+ prolog_side(File).
-include_fault(engine, File, Included) :-
-    sub_atom(Included, 0, _, After, '../c_kernels/'),
-    sub_atom(Included, _, After, 0, Header),
-    \+ memberchk(Header, ['poll.h', 'column.h']),
-    \+ prolog_side(File).
-
-prolog_side(File) :-
-    file_base_name(File, Base),
-    file_name_extension(Name, _, Base),
-    (   sub_atom(Name, _, _, 0, '4pl')
-    ;   memberchk(Name, [glue, install, boot, start, engine, host, main])
+may_include(File, Included) :-
+    layer(File, Layer),
+    (   sub_atom(Included, 0, _, _, <)
+    ->  (   sub_atom(Included, 0, _, _, '<SWI-')
+        ->  prolog_side(Layer)
+        ;   true
+        )
+    ;   layer(Included, Other),
+        below(Layer, Other)
     ),
     !.
+
+%   layer(Path, Layer): what kind of file this is. A header belongs where its C
+%   file does.
+
+layer(Path, Layer) :-
+    file_directory_name(Path, Folder),
+    file_base_name(Path, Base),
+    file_name_extension(Name, _, Base),
+    (   layer(Folder, Base, Name, Layer0)
+    ->  Layer = Layer0
+    ;   sub_atom(Name, _, _, 0, '4pl')
+    ->  Layer = glue(Folder)
+    ;   Layer = pure(Folder)
+    ).
+
+layer(engine,    'glue.def', _,    registry).
+layer(engine,    _, install,       registry).
+layer(engine,    _, sanggwan,      public).
+layer(engine,    'start.h', _,     public).
+layer(engine,    _, Name,          host) :-
+    memberchk(Name, [start, host, engine, question, main, boot]).
+layer(c_kernels, _, glue,          arguments).
+layer(c_kernels, _, poll,          shared).
+layer(c_kernels, _, column,        shared).
+
+%   prolog_side(Layer): it may know SWI-Prolog. Kernels and the store do not,
+%   nor what hosts include.
+
+prolog_side(glue(_)).
+prolog_side(arguments).
+prolog_side(registry).
+prolog_side(host).
+
+%   below(Layer, Other): a file of Layer may include one of Other. Kernels know
+%   no store and the store no geometry; what a kernel asks of its caller
+%   (poll.h) and the view of a column (column.h) are for both. The host side
+%   knows neither: it goes through the predicates.
+
+below(Layer, Layer).
+below(pure(_), shared).
+below(glue(_), shared).
+below(glue(Folder), pure(Folder)).
+below(glue(_), arguments).
+below(glue(_), registry).
+below(glue(c_kernels), glue(engine)).
+below(glue(c_kernels), pure(engine)).
+below(host, registry).
+below(host, public).

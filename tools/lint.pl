@@ -41,7 +41,9 @@ finding(What) :-
     format(atom(What), '~w: ~w/~w is exported without documentation',
            [File, Name, Arity]).
 finding(What) :-
-    member(Pattern, ['rules/*.pl', 'facts/*.pl', 'facts/*/*.pl']),
+    member(Pattern, ['rules/*.pl', 'facts/*.pl', 'facts/*/*.pl',
+                     'tests/*.pl', 'tests/rules/*.pl*', 'tools/*.pl',
+                     'bench/*.pl', 'docs/*/*.pl']),
     expand_file_name(Pattern, Files),
     member(File, Files),
     read_file_to_string(File, Text, [encoding(utf8)]),

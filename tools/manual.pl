@@ -90,15 +90,15 @@ tail :-
     forall(environment(Variable, What), tagged(Variable, What)).
 
 exit_status('0', 'Done; also when the segments do not meet.').
-exit_status('1', 'The answer is no: a check failed, a goal has no answer; with \c
---strict also a warning.').
-exit_status('2', 'Wrong usage, an output that cannot be written, or an error in \c
-a goal.').
+exit_status('1', 'The answer is no: a check failed, a goal has no answer; \c
+with --strict also a warning.').
+exit_status('2', 'Wrong usage, an output that cannot be written, or an error \c
+in a goal.').
 exit_status('3', 'The input is unreadable or invalid. The message begins with \c
 FILE:LINE:COLUMN and says what to do.').
 exit_status('4', 'The geometry cannot be done; the message has the reason.').
-exit_status('130', 'Interrupted (143: terminated); the output files are as they \c
-were.').
+exit_status('130', 'Interrupted (143: terminated); the output files are as \c
+they were.').
 
 file('share/doc/sanggwan',
      'Model files, drawings and the command line described; the paper\'s \c

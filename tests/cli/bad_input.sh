@@ -47,6 +47,18 @@ refused primitive pl 'segment(1, solid, cone(radius(-1), height(1))).' \
 refused nested pl "segment(1,solid,$(printf '[%.0s' {1..20000})$(
   printf ']%.0s' {1..20000}))." 'nested too deeply'
 
+# Bytes that are not UTF-8: one warning, in the file that was named.
+printf "segment(1, solid, '\xff').\nv(1,1,0,0,'\xff').\n" >"$work/in/bytes.pl"
+warned() { is "$(grep -c 'warning: ' "$work/err")" 1; }
+run check "$work/in/bytes.pl"
+check "bytes: exit code" status_is 3
+check "bytes: one warning" warned
+check "bytes: names the file" has "$work/in/bytes.pl:1: the file holds bytes"
+check "bytes: the fault" has "$work/in/bytes.pl:2:11: Z of v"
+"$sanggwan" check - <"$work/in/bytes.pl" >"$work/out" 2>"$work/err"
+check "bytes in standard input" warned
+check "bytes in standard input: no name of a copy" has '<stdin>:1: the file'
+
 refused stl_empty stl '' 'the file is empty'
 refused stl_truncated stl 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0' \
   '' ''

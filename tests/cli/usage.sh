@@ -26,6 +26,10 @@ run draw --help --lang=ko
 check korean-verb-help has '은선' "$work/out"
 LANG=ko_KR.UTF-8 run draw
 check korean-message has '없습니다'
+LANG=ko_KR.UTF-8 run query facts/cube.pl 'foo(1)'
+check korean-unknown-procedure has 'foo/1 이(가) 없습니다'
+LANG=ko_KR.UTF-8 run check facts/cube.pl
+check korean-report has '꼭지점 8개' "$work/out"
 
 # Any letters in words and names, whatever the locale.
 mkdir "$work/한글 폴더"
@@ -88,6 +92,7 @@ run draw facts/cube.pl --size big -o "$work/a.svg"
 check bad-size has '--size: big should look like WxH'
 run draw facts/cube.pl --size 0x10 -o "$work/a.svg"
 check zero-size status_is 2
+check zero-size-message has '0x10 is no size'
 run draw facts/cube.pl --view above -o "$work/a.svg"
 check bad-view has '--view: above should look like'
 run draw facts/cube.pl --segment one -o "$work/a.svg"

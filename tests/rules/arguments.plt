@@ -27,7 +27,8 @@ test(equals, O == [view('1,2')]) :- parsed("--view=1,2", _, O).
 test(next, O == [view('-1,2')]) :- parsed("--view -1,2", _, O).
 test(attached, O == [view('1,2')]) :- parsed("-v1,2", _, O).
 test(together, O == [quiet(true), output([x])]) :- parsed("-qo x", _, O).
-test(repeated, O == [output([x, -, z])]) :- parsed("-o x -o - --output=z", _, O).
+test(repeated, O == [output([x, -, z])]) :-
+    parsed("-o x -o - --output=z", _, O).
 test(negative, O == [quiet(false)]) :- parsed("--no-quiet", _, O).
 test(dash_is_a_file, F == [-]) :- parsed("-", F, _).
 test(end, F-O == ['-q', '--view']-[]) :- parsed("-- -q --view", F, O).
@@ -40,7 +41,8 @@ test(needs) :- refused("a --view", needs_value('--view')).
 test(needs_not_option) :- refused("--view --quiet", needs_value('--view')).
 test(needs_not_letter) :- refused("-v -q", needs_value('-v')).
 test(no_value) :- refused("--quiet=1", no_value('--quiet')).
-test(no_negative_of_values) :- refused("--no-view", unknown_option('--no-view')).
+test(no_negative_of_values) :-
+    refused("--no-view", unknown_option('--no-view')).
 test(twice) :- refused("-v 1 --view 2", option_twice('--view')).
 test(word) :-
     refused("--hidden x", bad_value('--hidden', x, one_of([dashed, removed]))).

@@ -1,9 +1,11 @@
+:- encoding(utf8).
 :- module(test_check, []).
 :- use_module(library(plunit)).
 :- use_module(library(http/json)).
 :- use_module(rules(check)).
 :- use_module(rules(integrity)).
 :- use_module(rules(mesh)).
+:- use_module(rules(report)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/0]).
 
@@ -47,6 +49,20 @@ values([Key|Keys], Dict, [Value|Values]) :-
 
 defects(Text, Defects) :-
     with(obj, Text, findall(D, model_defect(D), Defects)).
+
+% The lines of the report as text, but for the first (the name of the file) and
+% the box.
+printed(Language, Text, Lines) :-
+    current_prolog_flag(message_language, Old),
+    setup_call_cleanup(
+        set_prolog_flag(message_language, Language),
+        with(obj, Text,
+             ( check_report(R),
+               with_output_to(string(Printed), print_report(text, R)) )),
+        set_prolog_flag(message_language, Old)),
+    split_string(Printed, "\n", "", [_, Counts, _Box|Lines0]),
+    once(append(Lines1, [""], Lines0)),
+    Lines = [Counts|Lines1].
 
 :- begin_tests(check).
 
@@ -128,12 +144,30 @@ test(json, N == 0) :-
                    with_output_to(string(Text), print_report(json, R)) )),
     atom_json_dict(Text, J, []),
     get_dict(faults, J, N).
-test(text) :-
+test(text, Lines == [ "  8 vertices, 12 edges, 6 polygons, 0 triangles",
+                      "  area         24", "  volume       8",
+                      "  shell of 6 polygons: closed, \c
+                       Euler characteristic 2, genus 0",
+                      "no faults" ]) :-
     cube([], T),
-    with(obj, T, ( check_report(R),
-                   with_output_to(string(Text), print_report(text, R)) )),
-    sub_string(Text, _, _, _, "genus 0"),
-    !.
+    printed(en, T, Lines).
+test(text_of_one) :-
+    printed(en, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", Lines),
+    memberchk("  3 vertices, 3 edges, 1 polygon, 0 triangles", Lines),
+    memberchk("  3 border edges", Lines).
+test(korean, Lines == [ "  꼭지점 8개, 모서리 12개, 다각형 6개, 삼각형 0개",
+                        "  넓이           24", "  부피           8",
+                        "  껍질(다각형 6개): 닫힘, 오일러 지표 2, 종수 0",
+                        "잘못이 없습니다" ]) :-
+    cube([], T),
+    printed(ko, T, Lines).
+test(same_lines_in_korean) :-
+    cube([2], T0), string_concat(T0, "l 1 7\n", T),
+    printed(en, T, Lines),
+    printed(ko, T, LinesKo),
+    length(Lines, N),
+    length(LinesKo, N),
+    N > 5.
 test(empty) :-
     new_world(World),
     in_world(World, check_report(R)),

@@ -20,7 +20,8 @@ parts(N, Part) :-
 
 :- dynamic file/2.
 
-%   rule_file_of(+Name, +Clauses): a rule file called Name in a temporary folder.
+%   rule_file_of(+Name, +Clauses): a rule file called Name in a temporary
+%   folder.
 
 rule_file_of(Name, Text, File) :-
     folder(Folder),

@@ -4,25 +4,29 @@
 :- use_module(rules(messages)).
 :- use_module(rules(messages_ko)).
 
-% The tables that must have the same heads in both languages.
-table(english, korean).
-table(fault_en, fault_ko).
-table(usage_en, usage_ko).
-table(notice_en, notice_ko).
-table(expected_en, expected_ko).
-table(polygon_en, polygon_ko).
-table(mesh_en, mesh_ko).
-table(drawing_en, drawing_ko).
+% A table of messages in English and the one in Korean: NAME_en, NAME_ko.
+table(English/Arity, Korean/Arity) :-
+    current_predicate(sg_messages:English/Arity),
+    atom_concat(Name, '_en', English),
+    atom_concat(Name, '_ko', Korean).
+table(english/3, korean/3).
 
-% The first argument of every clause of a table, variables numbered.
-heads(Module, Name, Heads) :-
-    findall(Term,
-            ( functor(Head, Name, 3),
-              clause(Module:Head, _),
-              arg(1, Head, Term),
-              numbervars(Term, 0, _) ),
+% The heads of the clauses of a table, without text or list of text; variables
+% numbered.
+heads(Module, Name/Arity, Heads) :-
+    findall(Terms,
+            ( functor(Head, Name, Arity),
+              catch(clause(Module:Head, _), error(_, _), fail),
+              Head =.. [_|Arguments],
+              telling(Arguments, Terms),
+              numbervars(Terms, 0, _) ),
             Heads0),
-    msort(Heads0, Heads).
+    sort(Heads0, Heads).
+
+telling([What, _], [What]) :-
+    !.
+telling(Arguments, Terms) :-
+    append(Terms, [_, _], Arguments).
 
 text(Language, Term, Text) :-
     current_prolog_flag(message_language, Old),
@@ -41,17 +45,19 @@ test(both_languages, forall(table(English, Korean))) :-
     heads(sg_messages_ko, Korean, HeadsKo),
     subtract(Heads, HeadsKo, OnlyEnglish),
     subtract(HeadsKo, Heads, OnlyKorean),
-    OnlyEnglish == [],
-    OnlyKorean == [].
+    OnlyEnglish-OnlyKorean == []-[].
+test(no_other_korean,
+     forall(( current_predicate(sg_messages_ko:Korean/Arity),
+              atom_concat(_, '_ko', Korean) ))) :-
+    table(_, Korean/Arity),
+    !.
 test(something_there, forall(table(English, _))) :-
     heads(sg_messages, English, [_|_]).
-test(primitives_in_both) :-
-    heads(sg_messages, primitive_en, _),
-    findall(W, clause(sg_messages:primitive_en(W, _, _, _), _), A),
-    findall(W, clause(sg_messages_ko:primitive_ko(W, _, _, _), _), B),
-    A =@= B.
+test(all_tables, true(N >= 10)) :-
+    aggregate_all(count, table(_, _), N).
 
-test(place, Text == "a.pl:2:7: segment 1 has no vertex 9\n  Add it, or correct the number.") :-
+test(place, Text == "a.pl:2:7: segment 1 has no vertex 9\n\c
+                     \x20 Add it, or correct the number.") :-
     text(en, error(model_error(missing(v, 1, 9)), location('a.pl', 2, 7)),
          Text).
 test(no_place) :-
@@ -64,6 +70,14 @@ test(korean_of_korea) :-
     text(ko_KR, sanggwan(interrupted), "중단되었습니다").
 test(unknown_language) :-
     text(fr, sanggwan(interrupted), "interrupted").
+test(plurals, forall(member(N-Part, [1-"has 1 edge,", 2-"has 2 edges,"]))) :-
+    text(en, error(model_error(polygon(1, 1, edges(N))), _), Text),
+    once(sub_string(Text, _, _, _, Part)).
+test(unknown_procedure, Text == "프레디킷 foo/1 이(가) 없습니다") :-
+    text(ko, error(existence_error(procedure, foo/1), foo/1), Text).
+test(unknown_procedure_en) :-
+    text(en, error(existence_error(procedure, foo/1), foo/1), Text),
+    once(sub_string(Text, _, _, _, "foo/1")).
 test(other_errors) :-
     text(ko, error(type_error(integer, a), _), Text),
     once(sub_string(Text, _, _, _, "integer")).

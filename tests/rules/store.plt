@@ -173,7 +173,8 @@ test(terms_read_back, true(Back =@= Term)) :-
              -123456789012345678901234567890, 1r3, -22r7,
              1000000000000000000000r3, 0.1, -0.0, 1.0e300,
              '', a, 'A b', [], '[]', "", "text", "a\u0000b",
-             '\uAC00\U0001F600', [1,2|3], [[]], g(), -(1), 1-(2-3), {x}, 'a,b'(c)),
+             '\uAC00\U0001F600', [1,2|3], [[]], g(), -(1), 1-(2-3), {x},
+             'a,b'(c)),
     in_new(( assert_fact(segment(1,solid,Term)), segment(1,_,Back) )).
 test(long_list_in_a_term, Last == 100000) :-
     numlist(1, 100000, List),

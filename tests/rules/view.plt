@@ -51,12 +51,15 @@ test(empty_world) :-
                    \+ screen(_,_,_,_,_) )).
 
 % p(1,2,3) is corner 8: what the sides show is exact.
-test(front)  :- boxed(( set_view(front),  project_world, seen(8, 1.0, 3.0, 2.0) )).
-test(right)  :- boxed(( set_view(right),  project_world, seen(8, 2.0, 3.0, -1.0) )).
-test(top)    :- boxed(( set_view(top),    project_world, seen(8, 1.0, 2.0, -3.0) )).
-test(left)   :- boxed(( set_view(left),   project_world, seen(8, -2.0, 3.0, 1.0) )).
-test(back)   :- boxed(( set_view(back),   project_world, seen(8, -1.0, 3.0, -2.0) )).
-test(bottom) :- boxed(( set_view(bottom), project_world, seen(8, 1.0, -2.0, 3.0) )).
+test(sides, forall(shown(Side, Seen))) :-
+    boxed(( set_view(Side), project_world, call(Seen) )).
+
+shown(front, seen(8, 1.0, 3.0, 2.0)).
+shown(right, seen(8, 2.0, 3.0, -1.0)).
+shown(top, seen(8, 1.0, 2.0, -3.0)).
+shown(left, seen(8, -2.0, 3.0, 1.0)).
+shown(back, seen(8, -1.0, 3.0, -2.0)).
+shown(bottom, seen(8, 1.0, -2.0, 3.0)).
 test(no_minus_zero) :-
     in_new_world(( curve(1, [p(0,0,0), p(-0.0,1,0)]),
                    forall(named_view(Name, _, _),
@@ -75,7 +78,8 @@ same_as_rule(Kind) :-
     forall(between(1, 60, _),
            boxed(( random_view, set_projection(Kind), project_world,
                    rule_view(View),
-                   forall(screen(S, V, X, Y, Z), rule_sees(View, S, V, X, Y, Z))
+                   forall(screen(S, V, X, Y, Z),
+                          rule_sees(View, S, V, X, Y, Z))
                  ))).
 
 random_view :-

@@ -1,0 +1,46 @@
+# layers.sh -- tools/check_layers.pl finds calls that go up.
+. "$(dirname "$0")/../check.sh"
+
+here=$PWD tree=$TMP/tree
+mkdir -p "$tree"/{rules,engine,c_kernels}
+cp rules/*.pl "$tree/rules"
+cp engine/*.{c,h,def} "$tree/engine"
+cp c_kernels/*.[ch] "$tree/c_kernels"
+
+layers() { (cd "$tree" && swipl -f none "$here/tools/check_layers.pl"); }
+
+check "this tree is in order" layers
+
+# plant FILE NAME: an #include that should be found.
+planted=()
+plant() {
+  printf '#include %s\n' "$2" >>"$tree/$1"
+  local name=${2//\"/}
+  case $name in
+    ../*) name=${name#../} ;;
+    '<'*) ;;
+    *) name=${1%/*}/$name ;;
+  esac
+  planted+=("$1: may not include $name")
+}
+
+for file in c_kernels/cut.c engine/store.c engine/sanggwan.h; do
+  plant $file '<SWI-Prolog.h>'
+done
+plant c_kernels/cut.c '"../engine/store.h"'
+plant c_kernels/cut.c '"glue.h"'
+plant engine/store.c '"../c_kernels/cut.h"'
+plant engine/store.c '"store4pl.h"'
+plant engine/store4pl.c '"../c_kernels/cut.h"'
+for file in main.c engine.c question.c host.h install.c boot.c start.c; do
+  plant engine/$file '"store.h"'
+  plant engine/$file '"../c_kernels/cut.h"'
+  plant engine/$file '"../c_kernels/cut4pl.h"'
+done
+check "faults are an error" status 1 layers
+layers 2>"$TMP/found"
+for line in "${planted[@]}"; do
+  check "$line" grep -qxF "$line" "$TMP/found"
+done
+check "nothing else" test "$(wc -l <"$TMP/found")" = ${#planted[@]}
+check_report
