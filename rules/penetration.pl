@@ -132,7 +132,7 @@ met_leaves(Earlier, Pairs, Met) :-
     leaves_restored(Earlier),
     setup_call_cleanup(
         cut_set_open(Pairs, Set),
-        ( find_cuts(Set),
+        ( cut_find(Set),
           find_curve_points(Set),
           cut_seal(Set),
           findall(Pair, met_pair(Set, Pair), Met0)
