@@ -297,15 +297,20 @@ order_points(const sg_cut_points *points, const sg_point *from,
 }
 
 static void
+order_edge(sg_cut_set *set, sg_split_edge *edge)
+{
+  sg_point from, to;
+
+  sg_point_set(&from, set->model.vertex[edge->place.a].at);
+  sg_point_set(&to, set->model.vertex[edge->place.b].at);
+  edge->n = order_points(&set->points, &from, &to, edge->point, edge->n);
+}
+
+static void
 order_edges(sg_cut_set *set)
 {
   for (size_t i = 0; i < set->edges; i++) {
-    sg_split_edge *edge = &set->edge[i];
-    sg_point from, to;
-
-    sg_point_set(&from, set->model.vertex[edge->place.a].at);
-    sg_point_set(&to, set->model.vertex[edge->place.b].at);
-    edge->n = order_points(&set->points, &from, &to, edge->point, edge->n);
+    order_edge(set, &set->edge[i]);
   }
 }
 
@@ -397,10 +402,60 @@ add_divided(sg_cut_set *set, const sg_cut_piece *cut)
   return good;
 }
 
+/* Puts what is on edge `from` strictly between a and b on edge `to` as well.
+ * Notes in *changed whether that was new. False: no memory. */
+static bool
+share_points(sg_cut_set *set, uint32_t from, uint32_t to, uint32_t a,
+             uint32_t b, bool *changed)
+{
+  uint32_t *list = NULL;
+  size_t n = 0, room = 0;
+  size_t before = set->edge[to].n;
+  bool good = points_between(set, from, a, b, &list, &n, &room);
+
+  for (size_t i = 0; i < n && good; i++) {
+    sg_place place = set->edge[to].place;
+    good = put_on_edge(set, &place, list[i]);
+  }
+  if (n > 0 && good) {
+    order_edge(set, &set->edge[to]);
+    *changed = *changed || set->edge[to].n > before;
+  }
+  free(list);
+  return good;
+}
+
+/* Where a cut runs along two real edges at once, both have the same points
+ * there. A third edge may lie there too, hence until nothing is new. */
+static bool
+share_edge_points(sg_cut_set *set)
+{
+  bool changed = true;
+
+  while (changed) {
+    changed = false;
+    for (size_t i = 0; i < set->cuts; i++) {
+      const sg_cut_piece *cut = &set->cut[i];
+
+      if (cut->edge[0] != SG_NO_KEY && cut->edge[1] != SG_NO_KEY &&
+          !(share_points(set, cut->edge[0], cut->edge[1], cut->a, cut->b,
+                         &changed) &&
+            share_points(set, cut->edge[1], cut->edge[0], cut->a, cut->b,
+                         &changed))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 bool
 sg_cut_set_seal(sg_cut_set *set)
 {
   order_edges(set);
+  if (!share_edge_points(set)) {
+    return false;
+  }
   for (size_t i = 0; i < set->cuts; i++) {
     if (!add_divided(set, &set->cut[i])) {
       return false;

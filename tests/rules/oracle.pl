@@ -409,31 +409,16 @@ together([], []).
 
 %!  directed_runs(+Pieces, -Runs) is det.
 %
-%   The same for the boundary that directed Pieces form: opposite ones cancel,
-%   and Runs is a list of Line-[At-Change, ...]: at coordinate At of the line
-%   the number of pieces forward less those backward changes by Change.
+%   The same for directed Pieces: Forward-Backward, those whose P is before Q
+%   and the others.
 
-directed_runs(Pieces, Runs) :-
-    findall(Line-(At-Change),
-            ( member(P-Q, Pieces),
-              on_line(P-Q, Line-(From-To)),
-              ( P @< Q -> Sign = 1 ; Sign = -1 ),
-              ( At = From, Change = Sign ; At = To, Change is -Sign )
-            ),
-            Changes0),
-    keysort(Changes0, Changes),
-    group_pairs_by_key(Changes, Groups),
-    findall(Line-Sums,
-            ( member(Line-Pairs0, Groups),
-              keysort(Pairs0, Pairs),
-              group_pairs_by_key(Pairs, ByPlace),
-              findall(At-Sum,
-                      ( member(At-Each, ByPlace), sum_list(Each, Sum),
-                        Sum =\= 0 ),
-                      Sums),
-              Sums \== []
-            ),
-            Runs).
+directed_runs(Pieces, Forward-Backward) :-
+    partition(is_forward, Pieces, Forward0, Backward0),
+    runs(Forward0, Forward),
+    runs(Backward0, Backward).
+
+is_forward(P-Q) :-
+    P @< Q.
 
 %!  run_point(+Runs, +Point, -How) is nondet.
 %
