@@ -15,6 +15,16 @@ cross(const double u[3], const double v[3], double out[3])
   out[2] = u[0] * v[1] - u[1] * v[0];
 }
 
+/* Safe from overflow and underflow, which are rare. */
+static double
+length(const double v[3])
+{
+  double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+
+  return square > 1e-280 && square < 1e300 ? sqrt(square)
+                                           : hypot(hypot(v[0], v[1]), v[2]);
+}
+
 /* Adds a triangle, seen from `o`, to its polygon. */
 static void
 add_triangle(sg_counting *c, size_t t, const double o[3])
@@ -31,7 +41,7 @@ add_triangle(sg_counting *c, size_t t, const double o[3])
   }
   cross(u, v, n);
   c->triangles[p]++;
-  c->area[p] += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
+  c->area[p] += length(n) / 2;
   c->volume[p] += a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
 }
 

@@ -260,7 +260,8 @@ drop_outer_pairs(sg_work *work)
     done = winding(work, e, opposite, &around);
     for (size_t i = 0; done && around == 0 && i < n; i++) {
       int32_t other = opposite_of(work, pair[i]);
-      if (other) { /* an edge may be there twice, its opposite once */
+      /* An edge may be there twice: both may find the same opposite. */
+      if (other && work->edge[pair[i]].living) {
         sg_work_delete(work, pair[i]);
         sg_work_delete(work, other);
       }

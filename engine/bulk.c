@@ -54,12 +54,13 @@ ints_are_valid(const int32_t *id, size_t n, int32_t least)
 }
 
 static bool
-floats_are_valid(const double *x, size_t n)
+floats_are_valid(const double *x, size_t n, double most)
 {
+  double size = most > 0 ? most : DBL_MAX;
   bool valid = true;
 
   for (size_t i = 0; i < n; i++) {
-    valid &= fabs(x[i]) <= DBL_MAX; /* no NaN, not infinite */
+    valid &= fabs(x[i]) <= size; /* no NaN, not infinite */
   }
   return valid;
 }
@@ -72,7 +73,7 @@ column_is_valid(const load *l, unsigned c)
 
   return (type == SG_INT && ints_are_valid(l->column[c], l->n, 1)) ||
          (type == SG_ATOM && ints_are_valid(l->column[c], l->n, 0)) ||
-         (type == SG_FLOAT && floats_are_valid(l->column[c], l->n));
+         (type == SG_FLOAT && floats_are_valid(l->column[c], l->n, l->info->most[c]));
 }
 
 static sg_status

@@ -16,7 +16,8 @@ sg_value_is_valid(const sg_relation_info *info, unsigned column, sg_value value)
   case SG_ATOM:
     return value.i >= 0;
   case SG_FLOAT:
-    return isfinite(value.f);
+    return info->most[column] > 0 ? fabs(value.f) <= info->most[column]
+                                  : isfinite(value.f);
   case SG_LIST:
     for (int32_t i = 1; i <= value.list[0]; i++) {
       if (value.list[i] < 1) {

@@ -270,6 +270,14 @@ get_symbol_ex(term_t t, int32_t *out)
   return *out >= 0 || PL_resource_error("memory");
 }
 
+/* A coordinate may be so far out, and no farther (0: any). */
+static int
+check_most_ex(double most, sg_value value, term_t t)
+{
+  return most == 0 || fabs(value.f) <= most ||
+         PL_domain_error("coordinate", t);
+}
+
 int
 sg_get_value_ex(term_t t, const sg_relation_info *info, unsigned c,
                 sg_value *out, void **owned)
@@ -281,7 +289,7 @@ sg_get_value_ex(term_t t, const sg_relation_info *info, unsigned c,
     return domain ? get_id_ex(t, &out->i) && check_domain_ex(domain, t)
                   : get_positive_id_ex(t, &out->i);
   case SG_FLOAT:
-    return get_finite_ex(t, &out->f);
+    return get_finite_ex(t, &out->f) && check_most_ex(info->most[c], *out, t);
   case SG_LIST:
     return get_ids_ex(t, &out->list, owned);
   case SG_ATOM:

@@ -13,7 +13,8 @@
 
 /** <module> Chains: the pieces of penetration lines in order.
 
-The pieces line/9 of two segments form a graph on their vertices. A *chain* is
+The pieces line/9 of two segments form a graph on their points, each a vertex
+of either segment (of two vertices in one place too). A *chain* is
 a run of pieces through vertices that have exactly two: from end to end where
 there are ends (a vertex with one piece, or a branch point with three or
 more), or round, back to where it began: then it is closed. It is a list of
@@ -48,7 +49,7 @@ chain(C, S1, S2, Kind, Lines) :-
     nth1(C, Chains, chain(S1, S2, Kind, Lines)).
 
 pair_chain(S1, S2, chain(S1, S2, Kind, Lines)) :-
-    findall(L-(A-B), line(L, S1, _, A, B, S2, _, _, _), Ends0),
+    findall(L-(A1/A2-B1/B2), line(L, S1, _, A1, B1, S2, _, A2, B2), Ends0),
     sort(Ends0, Ends),
     list_to_assoc(Ends, LineEnds),
     vertex_lines(Ends, Lists),

@@ -538,7 +538,7 @@ resolve(tolerance, Work, Edges) :-
 resolve(Reach, Work, Edges) :-
     findall(E, work_edge(Work, E, _, _, _, _), Rest),
     maplist(work_delete(Work), Rest),
-    forall(member(w(V1, V2, Et, Label), Edges),
+    forall(( member(w(V1, V2, Et, Label), Edges), V1 \== V2 ),
            work_add(Work, V1, V2, Et, Label, _)),
     work_resolve(Work, Reach).
 

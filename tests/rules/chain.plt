@@ -55,6 +55,14 @@ test(one, Cs == [open-[1]]) :-
     chains_of([1-2], Cs).
 test(loop, Cs == [closed-[1,2,3]]) :-
     chains_of([1-2,2-3,3-1], Cs).
+test(two_vertices_in_one_place_are_two_points, Cs-Text == [[-1,2]]-true) :-
+    with_lines([5-1],
+               ( assert_fact(v(2, 111, 1.0, 1.0, 0.0)),
+                 assert_fact(line(2, 1, 1, 5, 1, 2, 1, 105, 111)),
+                 findall(Ls, chain(_, 1, 2, open, Ls), Cs),
+                 with_output_to(string(_),
+                                write_lines_to(current_output, csv, [])),
+                 Text = true )).
 test(loop_of_turned_pieces, Cs == [closed-[1,-3,2]]) :-
     chains_of([1-2,3-1,3-2], Cs).
 test(open_from_the_smaller_end, Cs == [open-[-1,-3,2]]) :-

@@ -201,6 +201,7 @@ refused(v(1,9,"1",0,0),    type_error(float, "1")).
 refused(v(1,9,0,X,0),      domain_error(finite_float, X)) :- X is inf.
 refused(v(1,9,0,0,X),      domain_error(finite_float, _)) :- X is nan.
 refused(v(1,1,5,5,5),      permission_error(assert, fact, v(1,1,5,5,5))).
+refused(v(1,9,0,-1.1e90,0), domain_error(coordinate, -1.1e90)).
 refused(e(1,9,1,99,1),     existence_error(v, 1-99)).
 refused(e(2,9,1,2,1),      existence_error(v, 2-1)).
 refused(e(1,9,1,2,2),      domain_error(oneof([0,1]), 2)).
