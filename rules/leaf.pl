@@ -68,16 +68,18 @@ curve_kept(S-E) :-
 %!  were_cut(?S1, ?S2) is nondet.
 %
 %   True when S1 and S2, S1 < S2, were cut by each other before: there is a
-%   line of both, or one is a curve that has a point on the other. The same
-%   pair may come more than once.
+%   line of both, or one is a curve that has a point on the other (or as a
+%   curve, for no polygon of it has area). The same pair may come more than
+%   once.
 
 were_cut(S1, S2) :-
     line(_, S1, _, _, _, S2, _, _, _).
 were_cut(S1, S2) :-
-    segment(Curve, curve, _),
     (   Curve = S1
     ;   Curve = S2
     ),
+    segment(Curve, _, _),
+    \+ t(Curve, _, _, _, _, _),
     origin(Curve, v(_), Origin),
     origin_segment(Origin, Other),
     Other \== Curve,

@@ -501,10 +501,10 @@ edge_origin(_, _, _, _, Label, e(Label)) :-
 edge_origin(Set, S, V1, V2, _, line(L)) :-
     cut_line(Set, S, V1, V2, L).
 
-%   A polygon without area has no plane and no triangles.
+%   A polygon without area or that crosses itself had no triangles.
 
 write_triangles(S, P, Work, Edges) :-
-    (   plane(S, P, _, _, _, _)
+    (   t(S, P, _, _, _, _)
     ->  retractall_facts(t(S, P, _, _, _, _)),
         polygon_triangles(S-P, Work, Edges, [none, 0.0, tolerance],
                           Triangles),

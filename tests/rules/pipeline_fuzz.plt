@@ -11,6 +11,7 @@
 :- use_module(rules(model)).
 :- use_module(rules(model_writer)).
 :- use_module(rules(penetration)).
+:- use_module(rules(report)).
 :- use_module(rules(polygon_list)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
@@ -161,8 +162,21 @@ result_fault(_, dangling(Fact)) :-
     Fact = e(S, E, V1, V2, Et).
 result_fault(_, Fault) :-
     written(Fault).
-result_fault(_, again) :-
-    \+ ( allowed(penetrate, penetrate) -> true ; true ).
+result_fault(_, again(Fault)) :-
+    places(Before),
+    (   allowed(penetrate, penetrate)
+    ->  places(After),
+        After \== Before,
+        Fault = changed
+    ;   Fault = refused
+    ).
+
+%   The model without its numbers.
+
+places(Lines-Points) :-
+    aggregate_all(count, line(_, _, _, _, _, _, _, _, _), Lines),
+    findall(at(S, X, Y, Z), v(S, _, X, Y, Z), Points0),
+    msort(Points0, Points).
 
 %   Everything that can be written is written, and the report is made.
 
