@@ -1,5 +1,7 @@
 :- module(sg_exact,
-          [ vertex_exact/5              % ?S, ?V, -X, -Y, -Z
+          [ vertex_exact/5,             % ?S, ?V, -X, -Y, -Z
+            origin_exact/4,             % +Origin, -X, -Y, -Z
+            vertex_side/4               % +S, +V, +Triangle, -Side
           ]).
 :- use_module(store, [v/5, origin/3]).
 :- autoload(library(error), [domain_error/2, existence_error/2]).
@@ -40,6 +42,32 @@ vertex_exact(S, V, X, Y, Z) :-
         Y is rational(Y0),
         Z is rational(Z0)
     ).
+
+%!  origin_exact(+Origin, -X, -Y, -Z) is semidet.
+%
+%   True when a vertex with this Origin would be at X, Y, Z, rational numbers.
+%   Fails when it names no single point.
+
+origin_exact(Origin, X, Y, Z) :-
+    names_place(Origin),
+    made_point(Origin, p(X,Y,Z)).
+
+%!  vertex_side(+S, +V, +Triangle, -Side) is semidet.
+%
+%   Side is `above` (outside), `below` or `on`: where vertex V of segment S is,
+%   exactly, to the plane of Triangle = S2-(A,B,C), three original vertices
+%   counter-clockwise from outside.
+
+vertex_side(S, V, Triangle, Side) :-
+    once(vertex_exact(S, V, X, Y, Z)),
+    plane(Triangle, Normal, At),
+    dot(Normal, p(X,Y,Z), Height),
+    Sign is sign(Height-At),
+    side(Sign, Side).
+
+side(1, above).
+side(0, on).
+side(-1, below).
 
 names_place(v(_, _)).
 names_place(lpi(_, _)).

@@ -5,6 +5,7 @@
             loading_fault//1,           % +Formal
             manual_page//1              % +PI
           ]).
+:- use_module(explain_en, [statement_en//1]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
 :- autoload(library(uri), [uri_encoded/3]).
@@ -594,3 +595,15 @@ manual_page(Name/Arity) -->
       uri_encoded(query_value, Text, Encoded)
     },
     [ '  https://www.swi-prolog.org/pldoc/man?predicate=~w'-[Encoded] ].
+
+
+                /*******************************
+                *            explain           *
+                *******************************/
+
+notice_en(because(Statement)) -->
+    statement_en(Statement).
+notice_en(nothing_to_explain(Item)) -->
+    [ 'there is nothing to explain in ~p'-[Item], nl,
+      '  Ask for line(L), vertex(S, V), edge(S, E), \c
+       pair(S1-P1, S2-P2) or pair(S1, S2), with numbers of the model.' ].

@@ -5,6 +5,7 @@
           ]).
 :- use_module(messages,
               [primitive_form//1, loading_fault//1, manual_page//1]).
+:- use_module(explain_ko, [statement_ko//1]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
@@ -545,3 +546,15 @@ notice_ko(no_help(What, Names)) -->
 notice_ko(prolog_help(PI, Where)) -->
     [ '~q은(는) Prolog 자체의 것입니다 (~q). 설명서:'-[PI, Where], nl ],
     manual_page(PI).
+
+
+                /*******************************
+                *            explain           *
+                *******************************/
+
+notice_ko(because(Statement)) -->
+    statement_ko(Statement).
+notice_ko(nothing_to_explain(Item)) -->
+    [ '~p: 설명할 것이 없습니다'-[Item], nl,
+      '  line(L), vertex(S, V), edge(S, E), pair(S1-P1, S2-P2), \c
+       pair(S1, S2) 를 모델의 번호로 물어보십시오.' ].

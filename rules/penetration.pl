@@ -1,6 +1,7 @@
 :- module(sg_penetration,
           [ penetrate/0,
             penetrate/1,                % +Pairs
+            may_cut/2,                  % +S1, +S2
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
 :- use_module(decision, [decision/2]).
@@ -65,7 +66,10 @@ polygon or curve that is cut keeps its leaves (leaf.pl).
 
 :- decision(may_cut/2, "Which segments cut each other (PL-8)").
 
-%   may_cut(+S1, +S2) is semidet, S1 < S2: those that have not done so before.
+%!  may_cut(+S1, +S2) is semidet.
+%
+%   Decision: segments S1 and S2, S1 < S2, cut each other. The default: those
+%   that have not done so before.
 
 may_cut(S1, S2) :-
     \+ were_cut(S1, S2).

@@ -37,6 +37,9 @@ verb(draw, 'MODEL... -o FILE',
 verb(query, 'MODEL... GOAL',
      'all answers of a Prolog goal about the model',
      '모델에 대한 프롤로그 목표의 모든 답').
+verb(explain, 'MODEL... ITEM',
+     'why a line, a vertex or an edge is there, or two polygons give no line',
+     '상관선, 꼭짓점, 모서리가 왜 있는지, 두 다각형이 왜 만나지 않는지').
 verb(repl, '[MODEL...]',
      'the Prolog top level with the model loaded',
      '모델을 읽은 프롤로그 최상위').
@@ -80,6 +83,8 @@ verb_option(query, option(format, '', one_of([table, csv, json, prolog]),
     'FORMAT', 'table (as is usual), csv, json or prolog')).
 verb_option(query, option(json, '', flag, '', 'the same as --format json')).
 verb_option(query, option(limit, '', number(1), 'N', 'the first N answers')).
+
+verb_option(explain, option(json, '', flag, '', 'the reasons as JSON')).
 
 %!  common_option(?Spec) is nondet.
 %
@@ -140,6 +145,10 @@ example(draw, 'sanggwan draw part.stl --view iso --hidden removed \c
 example(query, 'sanggwan query facts/cube.pl \'v(1, V, X, Y, Z)\'').
 example(query, 'sanggwan query facts/figures/fig13.pl --format csv \c
 \'penetrate, line(L, 1, P1, _, _, 2, P2, _, _)\'').
+example(explain, 'sanggwan explain facts/two_cubes.pl \'line(1)\'').
+example(explain, 'sanggwan explain facts/two_cubes.pl \'vertex(1, 9)\'').
+example(explain, 'sanggwan explain facts/two_cubes.pl \c
+\'pair(1-1, 2-2)\'').
 example(repl, 'sanggwan repl facts/figures/fig13.pl').
 
 %!  verb_options(+Verb, -Specs) is det.

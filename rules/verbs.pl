@@ -6,6 +6,8 @@
           ]).
 :- use_module(check, [check_report/1, report_faults/2]).
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
+:- use_module(explain,
+              [explain/1, explanation/2, print_explanations/1]).
 :- use_module(hidden_lines, [picture/1]).
 :- use_module(lines_out, [write_lines/1]).
 :- use_module(chain, [chain/5, chain_length/2]).
@@ -111,6 +113,20 @@ verb_run(query, Arguments, Options, Status) :-
     ;   Status = 1,
         print_message(informational, sanggwan(no_answer))
     ).
+verb_run(explain, Arguments, Options, Status) :-
+    (   append(Files, [Text], Arguments)
+    ->  true
+    ;   usage_error(no_files('ITEM'))
+    ),
+    (   Files == [],
+        exists_file(Text)
+    ->  usage_error(no_files('ITEM'))
+    ;   some_files(Files, 'MODEL')
+    ),
+    read_goal(Text, Item, _),
+    load_model(Files, Options),
+    penetrate,
+    explained(Options, Item, Status).
 verb_run(repl, Files, Options, 0) :-
     (   Files == []
     ->  true
@@ -269,6 +285,21 @@ copied_out(File) :-
 
 model_output(File) :-
     save_model(File).
+
+%   explained(Options, Item, Status): 1 if there is nothing to explain.
+
+explained(Options, Item, Status) :-
+    (   option(json(true), Options)
+    ->  findall(Item-Because, explanation(Item, Because), All),
+        print_explanations(All)
+    ;   explain(Item)
+    ->  All = [Item]
+    ;   All = []
+    ),
+    (   All == []
+    ->  Status = 1
+    ;   Status = 0
+    ).
 
 %   print_chains: a summary of the penetration lines, as JSON.
 

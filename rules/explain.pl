@@ -1,0 +1,362 @@
+:- module(sg_explain,
+          [ explain/1,                  % ?Item
+            explanation/2,              % ?Item, -Because
+            print_explanations/1        % +Explanations
+          ]).
+:- use_module(chain, [chain/5]).
+:- use_module(contact,
+              [ line_end/4, vertex_seats/3, contact_kind/3, edge_part/4 ]).
+:- use_module(exact, [vertex_exact/5, vertex_side/4]).
+:- use_module(explain_pair, [pair_because/3, segments_because/3,
+                             line_pieces/2]).
+:- use_module(explain_words, [statement_keys/2]).
+:- use_module(messages, []).
+:- use_module(messages_ko, []).
+:- use_module(store,
+              [ v/5, e/5, leaf_e/5, p/3, segment/3, origin/3, line/9,
+                edge_polygon/3
+              ]).
+:- autoload(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- autoload(library(http/json), [json_write/3]).
+:- autoload(library(lists), [append/2, append/3, member/2, nth1/3]).
+:- autoload(library(solution_sequences), [distinct/2]).
+
+/** <module> Explain: why a line, a vertex or an edge is there, or none is.
+
+An *item* is one of
+
+    line(L)              a piece of a penetration line
+    vertex(S, V)         a vertex
+    edge(S, E)           an edge
+    pair(S1-P1, S2-P2)   two polygons: why they give a line, or none
+    pair(S1, S2)         two segments
+
+Nothing is stored for it: the rule that decided runs again for the one item,
+with exact signs. What comes out is a tree of because(Statement, Because), the
+statements listed in explain_words.pl, said in English and Korean by
+explain_en.pl and explain_ko.pl.
+*/
+
+%!  explain(?Item) is semidet.
+%
+%   Print why Item is what it is, in the language of the messages. Unbound
+%   parts of Item stand for every one there is: explain(line(_)). True if there
+%   was something to explain; otherwise a message says what can be asked.
+%
+%       ?- penetrate, explain(line(1)).
+
+explain(Item) :-
+    findall(Item-Because, explanation(Item, Because), All),
+    (   All == []
+    ->  print_message(informational, sanggwan(nothing_to_explain(Item))),
+        fail
+    ;   forall(nth1(I, All, _-Because),
+               ( ( I > 1 -> nl ; true ),
+                 maplist(print_because(0), Because) ))
+    ).
+
+%!  explanation(?Item, -Because) is nondet.
+%
+%   True when Because is the list of because(Statement, Because) that explains
+%   Item. Of an Item with unbound parts, every one: lines, vertices that were
+%   made, edges that were made, polygons and segments that share a line.
+
+explanation(line(L), Because) :-
+    line(L, _, _, _, _, _, _, _, _),
+    line_because(L, Because).
+explanation(vertex(S, V), [because(Statement, Because)]) :-
+    vertex_asked(S, V),
+    vertex_because(S, V, Statement, Because).
+explanation(edge(S, E), Because) :-
+    edge_asked(S, E),
+    edge_because(S, E, Because).
+explanation(pair(A, B), Because) :-
+    pair_asked(A, B),
+    pair_explained(A, B, Because).
+
+vertex_asked(S, V) :-
+    nonvar(S),
+    nonvar(V),
+    !,
+    once(v(S, V, _, _, _)).
+vertex_asked(S, V) :-
+    v(S, V, _, _, _),
+    origin(S, v(V), _).
+
+edge_asked(S, E) :-
+    nonvar(S),
+    nonvar(E),
+    !,
+    (   e(S, E, _, _, _)
+    ->  true
+    ;   leaf_e(S, E, _, _, _)
+    ->  true
+    ).
+edge_asked(S, E) :-
+    e(S, E, _, _, _),
+    origin(S, e(E), _).
+
+pair_asked(A, B) :-
+    ground(A-B),
+    !,
+    place_there(A),
+    place_there(B).
+pair_asked(S1-P1, S2-P2) :-
+    distinct(S1-P1-S2-P2, line(_, S1, P1, _, _, S2, P2, _, _)).
+
+place_there(S-P) :-
+    !,
+    once(p(S, P, _)).
+place_there(S) :-
+    once(segment(S, _, _)).
+
+pair_explained(S1-P1, S2-P2, Because) :-
+    !,
+    (   S1 =< S2
+    ->  pair_because(S1-P1, S2-P2, Because)
+    ;   pair_because(S2-P2, S1-P1, Because)
+    ).
+pair_explained(S1, S2, Because) :-
+    S1 =< S2,
+    !,
+    segments_because(S1, S2, Because).
+pair_explained(S1, S2, Because) :-
+    segments_because(S2, S1, Because).
+
+/* - - - a line - - - */
+
+line_because(L, [because(line(L, S1, P1, S2, P2), Because)]) :-
+    line(L, S1, P1, _, _, S2, P2, _, _),
+    end_because(L, start, Start),
+    end_because(L, end, End),
+    line_pieces(L, Pieces),
+    chain_because(L, Chain),
+    append([[Start,End], Pieces, Chain], Because).
+
+end_because(L, End, because(point(End, point(X,Y,Z)), Because)) :-
+    line_end(L, End, Seat1, Seat2),
+    !,
+    Seat1 = seat(S1, V1, _),
+    Seat2 = seat(S2, _, _),
+    v(S1, V1, X, Y, Z),
+    contact(Seat1, Seat2, Contact),
+    vertex_seats_of(Seat1, Seat2, Seats),
+    findall(because(also(S,V,Place), []),
+            ( member(seat(S,V,Place), Seats), S \== S1, S \== S2 ),
+            Also),
+    exact_because(Seat1, Seat2, Exact),
+    append([[Contact], Exact, Also], Because).
+
+%   What the features are; under it the exact signs that prove it, and what
+%   made the point if it was not these features.
+
+contact(Seat1, Seat2, because(contact(Kind, Seat1, Seat2), Because)) :-
+    Seat1 = seat(_, _, Place1),
+    Seat2 = seat(_, _, Place2),
+    contact_kind(Place1, Place2, Kind),
+    (   Kind \== 'vertex-vertex',
+        seat_origin(Seat1, Seat2, Origin)
+    ->  origin_because(Origin, Facts),
+        (   made_here(Kind, Origin)
+        ->  Because = Facts
+        ;   Because = [because(made(Origin), Facts)]
+        )
+    ;   Because = []
+    ).
+
+%   seat_origin(+Seat1, +Seat2, -Origin) is nondet.
+
+seat_origin(seat(S1,V1,_), seat(S2,V2,_), Origin) :-
+    (   origin(S1, v(V1), Origin)
+    ;   origin(S2, v(V2), Origin)
+    ).
+
+made_here('edge-face', lpi(_, _)).
+made_here('edge-edge', ll(_, _)).
+made_here('vertex-edge', v(_, _)).
+made_here('vertex-face', v(_, _)).
+
+vertex_seats_of(seat(S1,V1,vertex(_)), seat(S2,V2,Place), Seats) :-
+    Place \= vertex(_),
+    !,
+    vertex_seats(S2, V2, Seats0),
+    (   memberchk(seat(S1,V1,_), Seats0)
+    ->  Seats = Seats0
+    ;   vertex_seats(S1, V1, Seats)
+    ).
+vertex_seats_of(seat(S,V,_), _, Seats) :-
+    vertex_seats(S, V, Seats).
+
+origin_because(Origin, Because) :-
+    findall(because(Statement, []), origin_fact(Origin, Statement), Because).
+
+%   origin_fact(+Origin, -Statement) is nondet: where the places named in Origin
+%   are, and on which side of a triangle its line's ends lie.
+
+origin_fact(lpi(S1-(A,B), Triangle), Statement) :-
+    member(V, [A,B]),
+    vertex_side(S1, V, Triangle, Side),
+    point(S1, V, Point),
+    Statement = side(S1, V, Point, Side, Triangle).
+origin_fact(ll(S1-(A,B), S2-(C,D)), at(S, V, Point)) :-
+    member(S-V, [S1-A, S1-B, S2-C, S2-D]),
+    point(S, V, Point).
+
+point(S, V, point(X,Y,Z)) :-
+    once(v(S, V, X, Y, Z)).
+
+%   exact_because(+Seat1, +Seat2, -Because): exact coordinates, where the
+%   doubles are not.
+
+exact_because(Seat1, Seat2, Because) :-
+    (   member(seat(S,V,_), [Seat1,Seat2]),
+        origin(S, v(V), Origin)
+    ->  findall(because(exact(X,Y,Z), []), inexact_at(S, V, Origin, X, Y, Z),
+                Because)
+    ;   Because = []
+    ).
+
+inexact_at(S, V, Origin, X, Y, Z) :-
+    Origin \= v(_, _),
+    once(vertex_exact(S, V, X, Y, Z)),
+    once(v(S, V, X1, Y1, Z1)),
+    \+ ( X =:= rational(X1), Y =:= rational(Y1), Z =:= rational(Z1) ).
+
+chain_because(L, Because) :-
+    (   chain(C, _, _, Kind, Lines),
+        nth1(I, Lines, Step),
+        L =:= abs(Step)
+    ->  length(Lines, N),
+        Because = [because(chain(C, Kind, I, N), [])]
+    ;   Because = []
+    ).
+
+/* - - - a vertex - - - */
+
+vertex_because(S, V, Statement, Because) :-
+    point(S, V, Point),
+    vertex_lines(S, V, Ls),
+    (   Ls == []
+    ->  Lines = []
+    ;   Lines = [because(vertex_lines(Ls), [])]
+    ),
+    vertex_seats(S, V, Seats),
+    findall(because(also(S1,V1,Place), []),
+            ( member(seat(S1,V1,Place), Seats), S1-V1 \== S-V ),
+            Also),
+    (   origin(S, v(V), Origin)
+    ->  memberchk(seat(S,V,Place), Seats),
+        Statement = derived(S, V, Point, Place),
+        origin_because(Origin, Facts),
+        Seat = seat(S, V, Place),
+        exact_because(Seat, Seat, Exact),
+        Made = [because(made(Origin), Facts)|Exact]
+    ;   Statement = original(S, V, Point),
+        Made = []
+    ),
+    append([Made, Also, Lines], Because).
+
+vertex_lines(S, V, Ls) :-
+    findall(L, vertex_line(S, V, L), Ls0),
+    sort(Ls0, Ls).
+
+vertex_line(S, V, L) :-
+    line(L, S, _, V, _, _, _, _, _).
+vertex_line(S, V, L) :-
+    line(L, S, _, _, V, _, _, _, _).
+vertex_line(S, V, L) :-
+    line(L, _, _, _, _, S, _, V, _).
+vertex_line(S, V, L) :-
+    line(L, _, _, _, _, S, _, _, V).
+
+/* - - - an edge - - - */
+
+edge_because(S, E, [because(edge(S,E,V1,V2), [Why|Polygons])]) :-
+    e(S, E, V1, V2, _),
+    !,
+    edge_origin(S, E, Why),
+    findall(P, edge_polygon(S, E, P), Ps0),
+    sort(Ps0, Ps),
+    (   Ps == []
+    ->  Polygons = []
+    ;   Polygons = [because(edge_polygons(S,Ps), [])]
+    ).
+edge_because(S, E, [because(edge_divided(S,E,V1,V2), Parts)]) :-
+    leaf_e(S, E, V1, V2, _),
+    !,
+    findall(because(edge_part(S,X,A,B), []),
+            ( origin(S, e(X), e(E)), e(S, X, A, B, _) ),
+            Parts).
+
+edge_origin(S, E, because(edge_of_line(L), Because)) :-
+    origin(S, e(E), line(L)),
+    !,
+    findall(because(line(L,S1,P1,S2,P2), []),
+            line(L, S1, P1, _, _, S2, P2, _, _), Because).
+edge_origin(S, E, because(part_of(S,Root,V1,V2), [])) :-
+    edge_part(S, E, Root, V1-V2),
+    !.
+edge_origin(S, E, because(edge_whole(S,E), [])).
+
+/* - - - what is printed - - - */
+
+%!  print_explanations(+Explanations) is det.
+%
+%   Print the list of Item-Because as JSON: objects with `item` and `because`, a
+%   list of objects with `says` (the name of the statement), its parts by name
+%   (explain_words.pl), the sentence as `text`, and `because` again.
+
+print_explanations(Explanations) :-
+    maplist(explanation_json, Explanations, Jsons),
+    json_write(current_output, Jsons, [width(72), tab(1000)]),
+    nl.
+
+explanation_json(Item-Because, json([item=Text, because=Jsons])) :-
+    format(string(Text), '~q', [Item]),
+    maplist(because_json, Because, Jsons).
+
+print_because(Indent, because(Statement, Because)) :-
+    statement_text(Statement, Text),
+    format("~t~*|~w~n", [Indent, Text]),
+    Indent1 is Indent+2,
+    maplist(print_because(Indent1), Because).
+
+statement_text(Statement, Text) :-
+    phrase('$messages':translate_message(sanggwan(because(Statement))), Lines),
+    with_output_to(string(Text0),
+                   print_message_lines(current_output, '', Lines)),
+    split_string(Text0, "", "\n", [Text]).
+
+because_json(because(Statement, Because), json(All)) :-
+    Statement =.. [Name|Values0],
+    statement_keys(Name, Keys),
+    maplist(json_value, Values0, Values),
+    maplist(json_pair, Keys, Values, Pairs),
+    statement_text(Statement, Text),
+    maplist(because_json, Because, Jsons),
+    (   Jsons == []
+    ->  Last = []
+    ;   Last = [because=Jsons]
+    ),
+    append([[says=Name], Pairs, [text=Text], Last], All).
+
+json_pair(Key, Value, Key=Value).
+
+json_value(point(X,Y,Z), [X,Y,Z]) :-
+    !.
+json_value(seat(S,V,Place), json([segment=S, vertex=V, place=Text])) :-
+    !,
+    json_value(Place, Text).
+json_value(Value, Value) :-
+    ( float(Value) ; integer(Value) ; atom(Value) ; string(Value) ),
+    !.
+json_value(Value, Text) :-
+    rational(Value, N, D),
+    !,
+    format(string(Text), '~d/~d', [N, D]).
+json_value(Values, Jsons) :-
+    is_list(Values),
+    !,
+    maplist(json_value, Values, Jsons).
+json_value(Term, Text) :-
+    format(string(Text), '~q', [Term]).

@@ -1,0 +1,214 @@
+:- module(sg_explain_en,
+          [ statement_en//1             % +Statement
+          ]).
+:- use_module(explain_words, 
+              [segment_word/2, in_order/4, exact_text/3, point_text/2]).
+:- autoload(library(apply), [maplist/3]).
+
+/** <module> Explanations in English; explain_ko.pl has them in Korean.
+*/
+
+%!  statement_en(+Statement)// is semidet.
+%
+%   A statement of explain_words.pl in English.
+
+statement_en(line(L, S1, P1, S2, P2)) -->
+    { segment_word(S1, W1), segment_word(S2, W2) },
+    [ 'line ~d: polygon ~d of segment ~d~w meets polygon ~d of segment ~d~w'-
+      [L, P1, S1, W1, P2, S2, W2] ].
+statement_en(point(End, Point)) -->
+    { memberchk(End-Word, [start-starts, end-ends]) },
+    [ '~w at '-[Word] ],
+    point(Point).
+statement_en(contact('vertex-vertex', seat(S1,V1,_), seat(S2,V2,_))) -->
+    [ 'vertex ~d of segment ~d and vertex ~d of segment ~d are in one place'-
+      [V1, S1, V2, S2] ].
+statement_en(contact('vertex-edge', Seat1, Seat2)) -->
+    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,V2,Place)) },
+    [ 'vertex ~d of segment ~d lies on '-[V1, S1] ],
+    place(S2, Place),
+    as_vertex(V2).
+statement_en(contact('vertex-face', Seat1, Seat2)) -->
+    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,V2,Place)) },
+    [ 'vertex ~d of segment ~d lies inside '-[V1, S1] ],
+    place(S2, Place),
+    as_vertex(V2).
+statement_en(contact('edge-edge', seat(S1,V1,Place1), seat(S2,V2,Place2))) -->
+    place(S1, Place1),
+    [ ' meets ' ],
+    place(S2, Place2),
+    as_vertices(S1, V1, S2, V2).
+statement_en(contact('edge-face', Seat1, Seat2)) -->
+    { in_order(Seat1, Seat2, seat(S1,V1,Place1), seat(S2,V2,Place2)) },
+    place(S1, Place1),
+    [ ' pierces ' ],
+    place(S2, Place2),
+    as_vertices(S1, V1, S2, V2).
+statement_en(contact('face-face', seat(S1,V1,Place1), seat(S2,V2,Place2))) -->
+    [ 'inside ' ],
+    place(S1, Place1),
+    [ ' and inside ' ],
+    place(S2, Place2),
+    as_vertices(S1, V1, S2, V2).
+statement_en(made(v(S, V))) -->
+    [ 'made by vertex ~d of segment ~d'-[V, S] ].
+statement_en(made(lpi(S1-(A,B), S2-(C,D,E)))) -->
+    [ 'made by ~d-~d of segment ~d through triangle ~d-~d-~d of segment ~d'-
+      [A, B, S1, C, D, E, S2] ].
+statement_en(made(ll(S1-(A,B), S2-(C,D)))) -->
+    [ 'made by ~d-~d of segment ~d and ~d-~d of segment ~d, which cross'-
+      [A, B, S1, C, D, S2] ].
+statement_en(made(tpi(T1, T2, T3))) -->
+    { maplist(triangle_text, [T1,T2,T3], [W1,W2,W3]) },
+    [ 'made by three planes: of ~w, ~w and ~w'-[W1, W2, W3] ].
+statement_en(made(crossing)) -->
+    [ 'made by two lines that cross within the tolerance' ].
+statement_en(at(S, V, Point)) -->
+    [ 'vertex ~d of segment ~d is at '-[V, S] ],
+    point(Point).
+statement_en(side(S, V, Point, Side, Triangle)) -->
+    { triangle_text(Triangle, Text) },
+    [ 'vertex ~d of segment ~d at '-[V, S] ],
+    point(Point),
+    [ ' is ~w the plane of ~w'-[Side, Text] ].
+statement_en(exact(X, Y, Z)) -->
+    { maplist(exact_word, [X,Y,Z], [Tx,Ty,Tz]) },
+    [ 'exactly (~w, ~w, ~w)'-[Tx, Ty, Tz] ].
+statement_en(also(S, V, Place)) -->
+    [ 'is vertex ~d of segment ~d too'-[V, S] ],
+    (   { Place = vertex(_) }
+    ->  []
+    ;   [ ', on ' ],
+        place(S, Place)
+    ).
+statement_en(pieces(1, _)) -->
+    [ 'one cut of two triangles' ].
+statement_en(pieces(N, By)) -->
+    { N \== 1 },
+    [ 'merged from ~d cuts of triangles by merge_line/2 (~w)'-[N, By] ].
+statement_en(piece(I, T1, T2)) -->
+    { maplist(triangle_text, [T1,T2], [W1,W2]) },
+    [ '~d: ~w with ~w'-[I, W1, W2] ].
+statement_en(chain(C, Kind, I, N)) -->
+    [ 'piece ~d of the ~d in chain ~d, which is ~w'-[I, N, C, Kind] ].
+statement_en(derived(S, V, Point, Place)) -->
+    { segment_word(S, Word) },
+    [ 'vertex ~d of segment ~d~w at '-[V, S, Word] ],
+    point(Point),
+    [ ', on ' ],
+    place(S, Place).
+statement_en(original(S, V, Point)) -->
+    { segment_word(S, Word) },
+    [ 'vertex ~d of segment ~d~w at '-[V, S, Word] ],
+    point(Point),
+    [ ', as the model has it' ].
+statement_en(vertex_lines(Ls)) -->
+    { atomic_list_concat(Ls, ', ', Text) },
+    [ 'an end of penetration line ~w'-[Text] ].
+statement_en(edge(S, E, V1, V2)) -->
+    { segment_word(S, Word) },
+    [ 'edge ~d of segment ~d~w from vertex ~d to vertex ~d'-
+      [E, S, Word, V1, V2] ].
+statement_en(edge_whole(_, _)) -->
+    [ 'as the model has it' ].
+statement_en(edge_of_line(_)) -->
+    [ 'made by a penetration line' ].
+statement_en(part_of(_, E, V1, V2)) -->
+    [ 'a part of edge ~d, which ran from vertex ~d to vertex ~d'-[E, V1, V2] ].
+statement_en(edge_polygons(_, Ps)) -->
+    { atomic_list_concat(Ps, ', ', Text) },
+    [ 'in polygon ~w'-[Text] ].
+statement_en(edge_divided(S, E, V1, V2)) -->
+    { segment_word(S, Word) },
+    [ 'edge ~d of segment ~d~w ran from vertex ~d to vertex ~d; \c
+       it was divided'-
+      [E, S, Word, V1, V2] ].
+statement_en(edge_part(_, E, V1, V2)) -->
+    [ 'edge ~d from vertex ~d to vertex ~d'-[E, V1, V2] ].
+statement_en(segments(S1, S2)) -->
+    { segment_word(S1, W1), segment_word(S2, W2) },
+    [ 'segment ~d~w and segment ~d~w'-[S1, W1, S2, W2] ].
+statement_en(lines_between(N)) -->
+    [ 'have ~d pieces of penetration lines in common'-[N] ].
+statement_en(same_segment) -->
+    [ 'no line: one segment is not cut by itself (see check)' ].
+statement_en(refused(S1, S2, By)) -->
+    [ 'no line: may_cut(~d, ~d) refused it, by the rules of ~w'-[S1, S2, By] ].
+statement_en(no_common_piece) -->
+    [ 'no line: no two of their triangles have a piece in common' ].
+statement_en(pair(S1, P1, S2, P2)) -->
+    { segment_word(S1, W1), segment_word(S2, W2) },
+    [ 'polygon ~d of segment ~d~w and polygon ~d of segment ~d~w'-
+      [P1, S1, W1, P2, S2, W2] ].
+statement_en(pair_lines(Ls)) -->
+    { atomic_list_concat(Ls, ', ', Text) },
+    [ 'give line ~w'-[Text] ].
+statement_en(boxes_apart(Axis, High, Low, Lower)) -->
+    { memberchk(Lower-Words, [first-[first,second], second-[second,first]]),
+      Words = [One,Other] },
+    [ 'no line: their boxes are apart, the ~w ends at ~w = ~w, \c
+       the ~w begins at ~w'-
+      [One, Axis, High, Other, Low] ].
+statement_en(triangles_apart(N)) -->
+    [ 'pairs of triangles whose boxes are apart: ~d'-[N] ].
+statement_en(triangles(Reason, N)) -->
+    { reason_en(Reason, Text) },
+    [ '~w: ~d'-[Text, N] ].
+statement_en(example(T1, T2)) -->
+    { maplist(triangle_text, [T1,T2], [W1,W2]) },
+    [ 'such as ~w with ~w'-[W1, W2] ].
+statement_en(common(_, End1, End2)) -->
+    (   { End1 == End2 }
+    ->  [ 'in common: the point of ~q'-[End1] ]
+    ;   [ 'in common: from ~q to ~q'-[End1, End2] ]
+    ).
+
+reason_en(one_side(first),
+          'no line: the first triangle is wholly on one side of the other').
+reason_en(one_side(second),
+          'no line: the second triangle is wholly on one side of the other').
+reason_en(intervals_apart,
+          'no line: each crosses the other\'s plane, but not in one place').
+reason_en(coplanar_apart, 'no line: in one plane, and apart').
+reason_en(coplanar_inside, 'in one plane, with borders inside each other').
+reason_en(point_alone, 'no line: they touch in one point alone').
+reason_en(common_piece, 'they have a piece in common').
+
+%   place(+S, +Place)//: a feature of segment S.
+
+place(S, vertex(V)) -->
+    [ 'vertex ~d of segment ~d'-[V, S] ].
+place(S, edge(A, B)) -->
+    [ 'edge ~d-~d of segment ~d'-[A, B, S] ].
+place(S, face(P, Corners)) -->
+    [ 'polygon ~d of segment ~d'-[P, S] ],
+    corners(Corners).
+
+corners(triangle(A, B, C)) -->
+    [ ' (in its triangle ~d-~d-~d)'-[A, B, C] ].
+corners(diagonal(A, B)) -->
+    [ ' (on its diagonal ~d-~d)'-[A, B] ].
+corners(none) -->
+    [].
+
+as_vertex(V) -->
+    [ ', vertex ~d there'-[V] ].
+
+as_vertices(S1, V1, S2, V2) -->
+    [ ': vertex ~d of segment ~d, vertex ~d of segment ~d'-[V1, S1, V2, S2] ].
+
+point(Point) -->
+    { point_text(Point, Text) },
+    [ '~w'-[Text] ].
+
+triangle_text(S-(A,B,C), Text) :-
+    format(atom(Text), 'triangle ~d-~d-~d of segment ~d', [A, B, C, S]).
+
+%   A rational as people write it; of a long one, how long it is.
+
+exact_word(X, Text) :-
+    exact_text(X, Length, Text0),
+    (   Length =< 60
+    ->  Text = Text0
+    ;   format(atom(Text), 'a fraction of ~d digits', [Length])
+    ).

@@ -1,0 +1,217 @@
+:- encoding(utf8).
+:- module(sg_explain_ko,
+          [ statement_ko//1             % +Statement
+          ]).
+:- use_module(explain_words, 
+              [segment_word/2, in_order/4, exact_text/3, point_text/2]).
+:- autoload(library(apply), [maplist/3]).
+
+/** <module> Explanations in Korean; explain_en.pl has them in Korean.
+*/
+
+%!  statement_ko(+Statement)// is semidet.
+%
+%   A statement of explain_words.pl in Korean.
+
+statement_ko(line(L, S1, P1, S2, P2)) -->
+    { segment_word(S1, W1), segment_word(S2, W2) },
+    [ '선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) \c
+       만난다'-[L, S1, W1, P1, S2, W2, P2] ].
+statement_ko(point(End, Point)) -->
+    { memberchk(End-Word, [start-'시작점', end-'끝점']) },
+    [ '~w '-[Word] ],
+    point(Point).
+statement_ko(contact('vertex-vertex', seat(S1,V1,_), seat(S2,V2,_))) -->
+    [ '세그먼트 ~d의 꼭짓점 ~d과(와) 세그먼트 ~d의 꼭짓점 ~d이(가) 한 곳에 있다'-
+      [S1, V1, S2, V2] ].
+statement_ko(contact('vertex-edge', Seat1, Seat2)) -->
+    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,V2,Place)) },
+    [ '세그먼트 ~d의 꼭짓점 ~d이(가) 있는 곳: '-[S1, V1] ],
+    place(S2, Place),
+    as_vertex(V2).
+statement_ko(contact('vertex-face', Seat1, Seat2)) -->
+    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,V2,Place)) },
+    [ '세그먼트 ~d의 꼭짓점 ~d이(가) 안에 있는 곳: '-[S1, V1] ],
+    place(S2, Place),
+    as_vertex(V2).
+statement_ko(contact('edge-edge', seat(S1,V1,Place1), seat(S2,V2,Place2))) -->
+    place(S1, Place1),
+    [ '이(가) 만나는 것: ' ],
+    place(S2, Place2),
+    as_vertices(S1, V1, S2, V2).
+statement_ko(contact('edge-face', Seat1, Seat2)) -->
+    { in_order(Seat1, Seat2, seat(S1,V1,Place1), seat(S2,V2,Place2)) },
+    place(S1, Place1),
+    [ '이(가) 뚫는 것: ' ],
+    place(S2, Place2),
+    as_vertices(S1, V1, S2, V2).
+statement_ko(contact('face-face', seat(S1,V1,Place1), seat(S2,V2,Place2))) -->
+    [ '안에 있는 곳: ' ],
+    place(S1, Place1),
+    [ ', ' ],
+    place(S2, Place2),
+    as_vertices(S1, V1, S2, V2).
+statement_ko(made(v(S, V))) -->
+    [ '세그먼트 ~d의 꼭짓점 ~d이(가) 만들었다'-[S, V] ].
+statement_ko(made(lpi(S1-(A,B), S2-(C,D,E)))) -->
+    [ '세그먼트 ~d의 ~d-~d이(가) 세그먼트 ~d의 삼각형 ~d-~d-~d을(를) 뚫어 \c
+       만들었다'-[S1, A, B, S2, C, D, E] ].
+statement_ko(made(ll(S1-(A,B), S2-(C,D)))) -->
+    [ '세그먼트 ~d의 ~d-~d과(와) 세그먼트 ~d의 ~d-~d이(가) 교차하여 만들었다'-
+      [S1, A, B, S2, C, D] ].
+statement_ko(made(tpi(T1, T2, T3))) -->
+    { maplist(triangle_text, [T1,T2,T3], [W1,W2,W3]) },
+    [ '세 평면이 만들었다: ~w, ~w, ~w'-[W1, W2, W3] ].
+statement_ko(made(crossing)) -->
+    [ '허용 오차 안에서 교차하는 두 선이 만들었다' ].
+statement_ko(at(S, V, Point)) -->
+    [ '세그먼트 ~d의 꼭짓점 ~d '-[S, V] ],
+    point(Point).
+statement_ko(side(S, V, Point, Side, Triangle)) -->
+    { triangle_text(Triangle, Text) },
+    { memberchk(Side-Word, [above-'위', below-'아래', on-'평면 위']) },
+    [ '세그먼트 ~d의 꼭짓점 ~d '-[S, V] ],
+    point(Point),
+    [ '은(는) ~w의 평면에 대해 ~w에 있다'-[Text, Word] ].
+statement_ko(exact(X, Y, Z)) -->
+    { maplist(exact_word, [X,Y,Z], [Tx,Ty,Tz]) },
+    [ '정확히 (~w, ~w, ~w)'-[Tx, Ty, Tz] ].
+statement_ko(also(S, V, Place)) -->
+    [ '세그먼트 ~d의 꼭짓점 ~d이기도 하다'-[S, V] ],
+    (   { Place = vertex(_) }
+    ->  []
+    ;   [ ', 있는 곳: ' ],
+        place(S, Place)
+    ).
+statement_ko(pieces(1, _)) -->
+    [ '두 삼각형의 조각 하나' ].
+statement_ko(pieces(N, By)) -->
+    { N \== 1 },
+    [ '삼각형의 조각 ~d개를 merge_line/2 (~w)가 하나로 이었다'-[N, By] ].
+statement_ko(piece(I, T1, T2)) -->
+    { maplist(triangle_text, [T1,T2], [W1,W2]) },
+    [ '~d: ~w, ~w'-[I, W1, W2] ].
+statement_ko(chain(C, Kind, I, N)) -->
+    { memberchk(Kind-Word, [open-'열린', closed-'닫힌', point-'점인']) },
+    [ '~w 사슬 ~d의 조각 ~d개 가운데 ~d번째'-[Word, C, N, I] ].
+statement_ko(derived(S, V, Point, Place)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
+    point(Point),
+    [ ', 있는 곳: ' ],
+    place(S, Place).
+statement_ko(original(S, V, Point)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
+    point(Point),
+    [ ', 모델에 있던 것' ].
+statement_ko(vertex_lines(Ls)) -->
+    { atomic_list_concat(Ls, ', ', Text) },
+    [ '상관선 ~w의 끝'-[Text] ].
+statement_ko(edge(S, E, V1, V2)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 모서리 ~d, 꼭짓점 ~d에서 ~d까지'-
+      [S, Word, E, V1, V2] ].
+statement_ko(edge_whole(_, _)) -->
+    [ '모델에 있던 것' ].
+statement_ko(edge_of_line(_)) -->
+    [ '상관선이 만들었다' ].
+statement_ko(part_of(_, E, V1, V2)) -->
+    [ '꼭짓점 ~d에서 ~d까지였던 모서리 ~d의 부분'-[V1, V2, E] ].
+statement_ko(edge_polygons(_, Ps)) -->
+    { atomic_list_concat(Ps, ', ', Text) },
+    [ '다각형 ~w에 있다'-[Text] ].
+statement_ko(edge_divided(S, E, V1, V2)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 모서리 ~d은(는) 꼭짓점 ~d에서 ~d까지였고 나뉘었다'-
+      [S, Word, E, V1, V2] ].
+statement_ko(edge_part(_, E, V1, V2)) -->
+    [ '모서리 ~d, 꼭짓점 ~d에서 ~d까지'-[E, V1, V2] ].
+statement_ko(segments(S1, S2)) -->
+    { segment_word(S1, W1), segment_word(S2, W2) },
+    [ '세그먼트 ~d~w과(와) 세그먼트 ~d~w'-[S1, W1, S2, W2] ].
+statement_ko(lines_between(N)) -->
+    [ '상관선 조각 ~d개가 있다'-[N] ].
+statement_ko(same_segment) -->
+    [ '선 없음: 한 세그먼트는 자신을 자르지 않는다 (check 참고)' ].
+statement_ko(refused(S1, S2, By)) -->
+    [ '선 없음: may_cut(~d, ~d)이(가) 거절했다, 규칙: ~w'-[S1, S2, By] ].
+statement_ko(no_common_piece) -->
+    [ '선 없음: 공통 조각이 있는 두 삼각형이 없다' ].
+statement_ko(pair(S1, P1, S2, P2)) -->
+    { segment_word(S1, W1), segment_word(S2, W2) },
+    [ '세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d'-
+      [S1, W1, P1, S2, W2, P2] ].
+statement_ko(pair_lines(Ls)) -->
+    { atomic_list_concat(Ls, ', ', Text) },
+    [ '상관선 ~w을(를) 만든다'-[Text] ].
+statement_ko(boxes_apart(Axis, High, Low, Lower)) -->
+    { memberchk(Lower-Words, [first-['첫째','둘째'],
+                        second-['둘째','첫째']]),
+      Words = [One,Other] },
+    [ '선 없음: 상자가 떨어져 있다. ~w는 ~w = ~w에서 끝나고 ~w는 ~w에서 \c
+       시작한다'-
+      [One, Axis, High, Other, Low] ].
+statement_ko(triangles_apart(N)) -->
+    [ '상자가 떨어져 있는 삼각형 쌍: ~d'-[N] ].
+statement_ko(triangles(Reason, N)) -->
+    { reason_ko(Reason, Text) },
+    [ '~w: ~d'-[Text, N] ].
+statement_ko(example(T1, T2)) -->
+    { maplist(triangle_text, [T1,T2], [W1,W2]) },
+    [ '보기: ~w, ~w'-[W1, W2] ].
+statement_ko(common(_, End1, End2)) -->
+    (   { End1 == End2 }
+    ->  [ '공통: 점 ~q'-[End1] ]
+    ;   [ '공통: ~q부터 ~q까지'-[End1, End2] ]
+    ).
+
+reason_ko(one_side(first),
+          '선 없음: 첫째 삼각형이 모두 둘째 평면의 한쪽에 있다').
+reason_ko(one_side(second),
+          '선 없음: 둘째 삼각형이 모두 첫째 평면의 한쪽에 있다').
+reason_ko(intervals_apart,
+          '선 없음: 서로의 평면을 지나지만 같은 곳이 아니다').
+reason_ko(coplanar_apart, '선 없음: 한 평면에서 떨어져 있다').
+reason_ko(coplanar_inside, '한 평면에서 경계가 서로의 안에 있다').
+reason_ko(point_alone, '선 없음: 점 하나에서만 닿는다').
+reason_ko(common_piece, '공통 조각이 있다').
+
+%   place(+S, +Place)//: a feature of segment S.
+
+place(S, vertex(V)) -->
+    [ '세그먼트 ~d의 꼭짓점 ~d'-[S, V] ].
+place(S, edge(A, B)) -->
+    [ '세그먼트 ~d의 모서리 ~d-~d'-[S, A, B] ].
+place(S, face(P, Corners)) -->
+    [ '세그먼트 ~d의 다각형 ~d'-[S, P] ],
+    corners(Corners).
+
+corners(triangle(A, B, C)) -->
+    [ ' (그 삼각형 ~d-~d-~d 안)'-[A, B, C] ].
+corners(diagonal(A, B)) -->
+    [ ' (그 대각선 ~d-~d 위)'-[A, B] ].
+corners(none) -->
+    [].
+
+as_vertex(V) -->
+    [ ' (거기서 꼭짓점 ~d)'-[V] ].
+
+as_vertices(S1, V1, S2, V2) -->
+    [ ': 세그먼트 ~d의 꼭짓점 ~d, 세그먼트 ~d의 꼭짓점 ~d'-[S1, V1, S2, V2] ].
+
+point(Point) -->
+    { point_text(Point, Text) },
+    [ '~w'-[Text] ].
+
+triangle_text(S-(A,B,C), Text) :-
+    format(atom(Text), '세그먼트 ~d의 삼각형 ~d-~d-~d', [S, A, B, C]).
+
+%   A rational as people write it; of a long one, how long it is.
+
+exact_word(X, Text) :-
+    exact_text(X, Length, Text0),
+    (   Length =< 60
+    ->  Text = Text0
+    ;   format(atom(Text), '~d자리 분수', [Length])
+    ).

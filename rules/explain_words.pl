@@ -1,0 +1,114 @@
+:- module(sg_explain_words,
+          [ statement_keys/2,           % ?Name, ?Keys
+            segment_word/2,             % +S, -Word
+            in_order/4,                 % +Seat1, +Seat2, -Small, -Large
+            exact_text/3,               % +X, -Length, -Text
+            point_text/2                % +Point, -Text
+          ]).
+:- use_module(store, [segment/3]).
+
+/** <module> The statements of an explanation.
+
+What explain.pl says, statement by statement, with the names of its parts as
+JSON has them. Each has a clause in explain_en.pl and in explain_ko.pl.
+*/
+
+%!  statement_keys(?Name, ?Keys) is nondet.
+%
+%   True when the statement Name has the parts Keys, in this order.
+
+statement_keys(line, [line, segment1, polygon1, segment2, polygon2]).
+statement_keys(point, [end, point]).
+statement_keys(contact, [kind, seat1, seat2]).
+statement_keys(made, [origin]).
+statement_keys(at, [segment, vertex, point]).
+statement_keys(side, [segment, vertex, point, side, triangle]).
+statement_keys(exact, [x, y, z]).
+statement_keys(also, [segment, vertex, place]).
+statement_keys(pieces, [count, rules]).
+statement_keys(piece, [number, triangle1, triangle2]).
+statement_keys(chain, [chain, kind, number, count]).
+statement_keys(derived, [segment, vertex, point, place]).
+statement_keys(original, [segment, vertex, point]).
+statement_keys(vertex_lines, [lines]).
+statement_keys(edge, [segment, edge, start, end]).
+statement_keys(edge_whole, [segment, edge]).
+statement_keys(edge_of_line, [line]).
+statement_keys(part_of, [segment, edge, start, end]).
+statement_keys(edge_polygons, [segment, polygons]).
+statement_keys(edge_divided, [segment, edge, start, end]).
+statement_keys(edge_part, [segment, edge, start, end]).
+statement_keys(segments, [segment1, segment2]).
+statement_keys(lines_between, [count]).
+statement_keys(same_segment, []).
+statement_keys(refused, [segment1, segment2, rules]).
+statement_keys(no_common_piece, []).
+statement_keys(pair, [segment1, polygon1, segment2, polygon2]).
+statement_keys(pair_lines, [lines]).
+statement_keys(boxes_apart, [axis, high, low, lower]).
+statement_keys(triangles_apart, [count]).
+statement_keys(triangles, [reason, count]).
+statement_keys(example, [triangle1, triangle2]).
+statement_keys(common, [kind, end1, end2]).
+
+%!  segment_word(+S, -Word) is det.
+%
+%   Word is the name of segment S, or of the primitive it was made from, in
+%   parentheses and with a space before; '' if it has none.
+
+segment_word(S, Word) :-
+    (   segment(S, _, Name0),
+        plain_name(Name0, Name),
+        Name \== ''
+    ->  format(atom(Word), ' (~w)', [Name])
+    ;   Word = ''
+    ).
+
+plain_name(at(_, Name0), Name) :-
+    !,
+    plain_name(Name0, Name).
+plain_name(Name0, Name) :-
+    (   compound(Name0)
+    ->  functor(Name0, Name, _)
+    ;   Name = Name0
+    ).
+
+%!  in_order(+Seat1, +Seat2, -Small, -Large) is det.
+%
+%   The two seats, that on the smaller feature first: a vertex, an edge, a
+%   face.
+
+in_order(Seat1, Seat2, Small, Large) :-
+    arg(3, Seat1, Place1),
+    arg(3, Seat2, Place2),
+    place_size(Place1, Size1),
+    place_size(Place2, Size2),
+    (   Size1 =< Size2
+    ->  Small = Seat1,
+        Large = Seat2
+    ;   Small = Seat2,
+        Large = Seat1
+    ).
+
+place_size(vertex(_), 0).
+place_size(edge(_, _), 1).
+place_size(face(_, _), 2).
+
+%!  exact_text(+X, -Length, -Text) is det.
+%
+%   Text is the rational X as people write it, Length characters.
+
+exact_text(X, Length, Text) :-
+    rational(X, N, D),
+    (   D =:= 1
+    ->  format(atom(Text), '~d', [N])
+    ;   format(atom(Text), '~d/~d', [N, D])
+    ),
+    atom_length(Text, Length).
+
+%!  point_text(+Point, -Text) is det.
+%
+%   Text is point(X,Y,Z) to 15 digits, for people.
+
+point_text(point(X,Y,Z), Text) :-
+    format(atom(Text), '(~15g, ~15g, ~15g)', [X, Y, Z]).

@@ -1,0 +1,31 @@
+# explain.sh -- `sanggwan explain`: what it prints, and its exit codes.
+. "$(dirname "$0")/../check.sh"
+
+cubes=facts/two_cubes.pl
+explain() { "$SANGGWAN" explain -q "$@"; }
+
+check "a line" output 'line 1: polygon 4 of segment 1 .box. meets polygon 1' \
+  explain $cubes 'line(1)'
+check "which edge pierces which face" output \
+  'edge 1-2 of segment 2 pierces polygon 4 of segment 1' \
+  explain $cubes 'line(1)'
+check "from which pieces" output 'merged from 2 cuts of triangles' \
+  explain $cubes 'line(1)'
+check "every line" output 'line 6: ' explain $cubes 'line(L)'
+check "a vertex" output 'made by 3-7 of segment 1 through triangle' \
+  explain $cubes 'vertex(1, 9)'
+check "a divided edge" output 'it was divided' explain $cubes 'edge(1, 15)'
+check "a pair without a line" output 'no line: their boxes are apart' \
+  explain $cubes 'pair(1-1, 2-2)'
+check "Korean" output '선 1: ' explain $cubes 'line(1)' --lang ko
+check "JSON" eval \
+  "explain $cubes 'line(1)' --json | python3 -m json.tool >/dev/null"
+check "nothing to explain" complains 1 'Ask for line' \
+  "$SANGGWAN" explain $cubes 'line(99)'
+check "no item" complains 2 'ITEM is missing' explain $cubes
+check "no model" complains 2 'MODEL is missing' explain 'line(1)'
+check "no term" complains 2 'no goal' explain $cubes 'line('
+check "in the repl" output 'line 1: ' \
+  eval "echo 'penetrate, explain(line(1)).' | '$SANGGWAN' repl -q $cubes"
+
+check_report
