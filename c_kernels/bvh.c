@@ -1,34 +1,44 @@
 #include "bvh.h"
 
 #include <assert.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-  AXIS_BITS = 21,
+  AXIS_BITS = 18,
   DIGIT_BITS = 11,
-  DIGITS = 6, /* 6 * 11 >= 3 * 21 */
+  DIGITS = 5, /* 5 * 11 >= 3 * 18 */
   BUCKETS = 1 << DIGIT_BITS,
-  POLL_EVERY = 1 << 16,
-  STEPS_ASKED = 1 << 14
-};
-
-/* Nodes are numbered as in a heap: the children of k are 2k and 2k + 1, the
- * root is 1, the leaves are leaves .. 2*leaves - 1. Leaf number g holds the
- * items g*GROUP .. of the Morton order. */
-struct sg_bvh {
-  size_t n;
-  uint32_t leaves; /* a power of two */
-  sg_box *node;    /* [2 * leaves] */
-  sg_box *box;     /* [n], in Morton order */
-  uint32_t *item;  /* [n], in Morton order: whose box it is */
+  BLOCK = 1 << 14, /* items of a task, at least */
+  BLOCKS = 256,    /* tasks, at most */
+  PART = 256       /* boxes asked for at a time */
 };
 
 typedef struct keyed {
   uint64_t code;
   uint32_t item;
 } keyed;
+
+/* A tree being built; blocks are the tasks. */
+typedef struct grower {
+  sg_bvh *tree;
+  sg_bvh_boxes *boxes;
+  const void *data;
+  const uint32_t *name;
+  size_t block, blocks;
+  double cells[3];  /* Morton cells in a unit */
+  double corner[3]; /* the low corner of everything, in units */
+  sg_box32 *box;    /* [n], in the order given */
+  keyed *from, *to; /* [n] */
+  uint32_t *start;  /* [blocks][BUCKETS] */
+  unsigned shift;   /* of the digit at hand */
+  unsigned level;   /* being laid */
+  size_t group;     /* boxes of that level in a task */
+} grower;
+
+/* ---- boxes ---- */
 
 sg_box
 sg_box_none(void)
@@ -41,17 +51,13 @@ void
 sg_box_add(sg_box *box, const double point[3])
 {
   for (int c = 0; c < 3; c++) {
-    if (point[c] < box->lo[c]) {
-      box->lo[c] = point[c];
-    }
-    if (point[c] > box->hi[c]) {
-      box->hi[c] = point[c];
-    }
+    box->lo[c] = point[c] < box->lo[c] ? point[c] : box->lo[c];
+    box->hi[c] = point[c] > box->hi[c] ? point[c] : box->hi[c];
   }
 }
 
-static void
-join(sg_box *box, const sg_box *other)
+void
+sg_box_join(sg_box *box, const sg_box *other)
 {
   for (int c = 0; c < 3; c++) {
     box->lo[c] = other->lo[c] < box->lo[c] ? other->lo[c] : box->lo[c];
@@ -59,18 +65,92 @@ join(sg_box *box, const sg_box *other)
   }
 }
 
-static bool
-overlap(const sg_box *a, const sg_box *b)
+bool
+sg_box_overlap(const sg_box *a, const sg_box *b, double reach)
 {
-  return a->lo[0] <= b->hi[0] && b->lo[0] <= a->hi[0] && a->lo[1] <= b->hi[1] &&
-         b->lo[1] <= a->hi[1] && a->lo[2] <= b->hi[2] && b->lo[2] <= a->hi[2];
+  for (int c = 0; c < 3; c++) {
+    if (a->lo[c] - reach > b->hi[c] || b->lo[c] - reach > a->hi[c]) {
+      return false;
+    }
+  }
+  return true;
 }
 
-/* The low 21 bits of x, two zeros between each two. */
+/* The float next to f towards -infinity (step 1) or infinity (step -1). */
+static float
+next_float(float f, int32_t step)
+{
+  union {
+    float f;
+    int32_t i;
+  } x = {f};
+
+  if (f == 0) {
+    x.i = step > 0 ? INT32_MIN + 1 : 1;
+  } else {
+    x.i -= f > 0 ? step : -step;
+  }
+  return x.f;
+}
+
+static float
+round_down(double d)
+{
+  float f = (float)d;
+
+  return (double)f > d ? next_float(f, 1) : f;
+}
+
+static float
+round_up(double d)
+{
+  float f = (float)d;
+
+  return (double)f < d ? next_float(f, -1) : f;
+}
+
+static void
+join32(sg_box32 *box, const sg_box32 *other)
+{
+  for (int c = 0; c < 3; c++) {
+    box->lo[c] = other->lo[c] < box->lo[c] ? other->lo[c] : box->lo[c];
+    box->hi[c] = other->hi[c] > box->hi[c] ? other->hi[c] : box->hi[c];
+  }
+}
+
+/* ---- the frame ---- */
+
+/* Origin, unit and Morton cells from the box round everything. The unit is the
+ * power of two above the longest half side. */
+static void
+set_frame(grower *g, const sg_box *all)
+{
+  sg_bvh *tree = g->tree;
+  double half = DBL_MIN;
+  int exponent;
+
+  tree->all = *all;
+  for (int c = 0; c < 3; c++) {
+    double side = 0.5 * all->hi[c] - 0.5 * all->lo[c];
+
+    tree->origin[c] = 0.5 * all->hi[c] + 0.5 * all->lo[c];
+    half = fmax(half, side);
+  }
+  frexp(half, &exponent);
+  tree->unit = ldexp(1, exponent > 1023 ? 1023 : exponent);
+  for (int c = 0; c < 3; c++) {
+    double side = (0.5 * all->hi[c] - 0.5 * all->lo[c]) / tree->unit;
+
+    g->corner[c] = -side;
+    g->cells[c] = side > 0 ? 0.5 * ((1 << AXIS_BITS) - 1) / side : 0;
+  }
+}
+
+/* The low 18 bits of x, two zeros between each two. */
 static uint64_t
 spread(uint64_t x)
 {
-  x &= 0x1fffff;
+  x &= (1 << AXIS_BITS) - 1;
   x = (x | x << 32) & 0x001f00000000ffff;
   x = (x | x << 16) & 0x001f0000ff0000ff;
   x = (x | x << 8) & 0x100f00f00f00f00f;
@@ -79,222 +159,285 @@ spread(uint64_t x)
   return x;
 }
 
-/* Where the centre of `box` lies in `all`, as one number. Halved before they
- * are added, so that nothing overflows. */
+/* Where the centre of a box lies, as one number. */
 static uint64_t
-morton(const sg_box *box, const sg_box *all)
+morton(const grower *g, const sg_box32 *box)
 {
   uint64_t code = 0;
 
   for (int c = 0; c < 3; c++) {
-    double width = 0.5 * all->hi[c] - 0.5 * all->lo[c];
-    double centre = 0.5 * box->lo[c] + 0.5 * box->hi[c];
-    double part = 0.5 * (centre - all->lo[c]) / width;
-    double cells = (double)((1 << AXIS_BITS) - 1);
-    uint64_t cell = part > 0.0 ? (uint64_t)(fmin(part, 1.0) * cells) : 0;
+    double centre = 0.5 * ((double)box->lo[c] + (double)box->hi[c]);
+    double cell = (centre - g->corner[c]) * g->cells[c];
+    double most = (1 << AXIS_BITS) - 1;
 
-    code |= spread(cell) << c;
+    code |= spread((uint64_t)fmax(0, fmin(cell, most))) << c;
   }
   return code;
 }
 
-/* Stable radix sort of `a` by code; `b` is as long and scratch. Returns the
- * one of the two that holds the result. */
-static keyed *
-sort_codes(keyed *a, keyed *b, size_t n)
-{
-  for (unsigned digit = 0; digit < DIGITS; digit++) {
-    size_t start[BUCKETS + 1] = {0};
-    unsigned shift = digit * DIGIT_BITS;
+/* ---- the tasks ---- */
 
-    for (size_t i = 0; i < n; i++) {
-      start[(a[i].code >> shift) % BUCKETS + 1]++;
-    }
-    for (size_t i = 1; i <= BUCKETS; i++) {
-      start[i] += start[i - 1];
-    }
-    for (size_t i = 0; i < n; i++) {
-      b[start[(a[i].code >> shift) % BUCKETS]++] = a[i];
-    }
-    keyed *sorted = b;
-    b = a;
-    a = sorted;
-  }
-  return a;
+static size_t
+block_end(const grower *g, size_t block)
+{
+  size_t end = (block + 1) * g->block;
+
+  return end < g->tree->n ? end : g->tree->n;
 }
 
-static bool
-sort_items(sg_bvh *tree, const sg_box *box, const sg_poll *poll)
+/* Asks for the boxes of a block and codes them. */
+static void
+take_boxes(void *data, size_t block)
 {
-  size_t n = tree->n;
-  keyed *keys = malloc(2 * (n + 1) * sizeof *keys);
-  sg_box all = sg_box_none();
+  grower *g = data;
+  const sg_bvh *tree = g->tree;
+  sg_box part[PART];
+  size_t end = block_end(g, block);
 
-  if (!keys) {
-    return false;
-  }
-  for (size_t i = 0; i < n; i++) {
-    join(&all, &box[i]);
-  }
-  for (size_t i = 0; i < n; i++) {
-    keys[i] = (keyed){morton(&box[i], &all), (uint32_t)i};
-    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
-      free(keys);
-      return false;
+  for (size_t i = block * g->block; i < end; i++) {
+    size_t k = (i - block * g->block) % PART;
+
+    if (k == 0) {
+      g->boxes(g->data, i, i + PART < end ? i + PART : end, part);
     }
-  }
-  const keyed *sorted = sort_codes(keys, keys + n, n);
+    for (int c = 0; c < 3; c++) {
+      double lo = (part[k].lo[c] - tree->origin[c]) / tree->unit;
+      double hi = (part[k].hi[c] - tree->origin[c]) / tree->unit;
 
-  for (size_t i = 0; i < n; i++) {
-    tree->item[i] = sorted[i].item;
-    tree->box[i] = box[sorted[i].item];
+      g->box[i].lo[c] = round_down(lo);
+      g->box[i].hi[c] = round_up(hi);
+    }
+    g->from[i] = (keyed){morton(g, &g->box[i]), (uint32_t)i};
   }
-  free(keys);
-  return true;
 }
 
 static void
-fill_nodes(sg_bvh *tree)
+count_digits(void *data, size_t block)
 {
-  for (size_t i = 0; i < 2 * (size_t)tree->leaves; i++) {
-    tree->node[i] = sg_box_none();
-  }
-  for (size_t i = 0; i < tree->n; i++) {
-    join(&tree->node[tree->leaves + i / SG_BVH_GROUP], &tree->box[i]);
-  }
-  for (size_t k = 2 * (size_t)tree->leaves - 1; k > 1; k--) {
-    join(&tree->node[k / 2], &tree->node[k]);
+  grower *g = data;
+  uint32_t *count = g->start + block * BUCKETS;
+  size_t end = block_end(g, block);
+
+  memset(count, 0, BUCKETS * sizeof *count);
+  for (size_t i = block * g->block; i < end; i++) {
+    count[(g->from[i].code >> g->shift) % BUCKETS]++;
   }
 }
 
+static void
+scatter(void *data, size_t block)
+{
+  grower *g = data;
+  uint32_t *start = g->start + block * BUCKETS;
+  size_t end = block_end(g, block);
+
+  for (size_t i = block * g->block; i < end; i++) {
+    g->to[start[(g->from[i].code >> g->shift) % BUCKETS]++] = g->from[i];
+  }
+}
+
+/* Puts the boxes of a block in order. */
+static void
+place_boxes(void *data, size_t block)
+{
+  grower *g = data;
+  size_t end = block_end(g, block);
+
+  for (size_t i = block * g->block; i < end; i++) {
+    uint32_t item = g->from[i].item;
+
+    g->tree->item[i] = g->name ? g->name[item] : item;
+    g->tree->level[0][i] = g->box[item];
+  }
+}
+
+/* Lays a part of a level over the one below. */
+static void
+lay_boxes(void *data, size_t task)
+{
+  grower *g = data;
+  const sg_box32 *below = g->tree->level[g->level - 1];
+  sg_box32 *out = g->tree->level[g->level];
+  size_t count = g->tree->count[g->level - 1];
+  size_t end = (task + 1) * g->group;
+
+  end = end < g->tree->count[g->level] ? end : g->tree->count[g->level];
+  for (size_t i = task * g->group; i < end; i++) {
+    size_t first = i * SG_BVH_WIDTH;
+
+    out[i] = below[first];
+    for (size_t k = first + 1; k < first + SG_BVH_WIDTH && k < count; k++) {
+      join32(&out[i], &below[k]);
+    }
+  }
+}
+
+/* ---- the whole ---- */
+
+/* Counts of each block and bucket become where it starts. False: all items are
+ * in one bucket, and stay where they are. */
+static bool
+find_starts(grower *g)
+{
+  uint32_t sum = 0;
+
+  for (size_t k = 0; k < BUCKETS; k++) {
+    uint32_t before = sum;
+
+    for (size_t b = 0; b < g->blocks; b++) {
+      uint32_t count = g->start[b * BUCKETS + k];
+      g->start[b * BUCKETS + k] = sum;
+      sum += count;
+    }
+    if (sum - before == g->tree->n) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Stable radix sort by code, from the last digit to the first. */
+static bool
+sort_codes(grower *g, sg_crew *crew, const sg_poll *poll)
+{
+  for (unsigned digit = 0; digit < DIGITS; digit++) {
+    g->shift = digit * DIGIT_BITS;
+    if (!sg_crew_run(crew, g->blocks, count_digits, g, poll)) {
+      return false;
+    }
+    if (find_starts(g)) {
+      if (!sg_crew_run(crew, g->blocks, scatter, g, poll)) {
+        return false;
+      }
+      keyed *sorted = g->to;
+      g->to = g->from;
+      g->from = sorted;
+    }
+  }
+  return true;
+}
+
+static bool
+lay_levels(grower *g, sg_crew *crew, const sg_poll *poll)
+{
+  g->group = g->block / SG_BVH_WIDTH;
+  for (g->level = 1; g->level < g->tree->levels; g->level++) {
+    size_t tasks = (g->tree->count[g->level] + g->group - 1) / g->group;
+
+    if (!sg_crew_run(crew, tasks, lay_boxes, g, poll)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Memory for a tree of n boxes. */
+static bool
+make_room(sg_bvh *tree, size_t n)
+{
+  size_t total = 0, count = n;
+
+  tree->n = n;
+  while (count > 0) {
+    tree->count[tree->levels++] = count;
+    total += count;
+    count = count == 1 ? 0 : (count + SG_BVH_WIDTH - 1) / SG_BVH_WIDTH;
+  }
+  tree->level[0] = malloc((total + 1) * sizeof *tree->level[0]);
+  tree->item = malloc((n + 1) * sizeof *tree->item);
+  for (unsigned k = 1; tree->level[0] && k < tree->levels; k++) {
+    tree->level[k] = tree->level[k - 1] + tree->count[k - 1];
+  }
+  return tree->level[0] && tree->item;
+}
+
+static bool
+grow(grower *g, sg_crew *crew, const sg_poll *poll)
+{
+  size_t n = g->tree->n;
+  keyed *keys = malloc(2 * (n + 1) * sizeof *keys);
+  bool done = false;
+
+  g->block = n / BLOCKS < BLOCK ? BLOCK : n / BLOCKS + 1;
+  g->blocks = (n + g->block - 1) / g->block;
+  g->box = malloc((n + 1) * sizeof *g->box);
+  g->start = malloc((g->blocks + 1) * BUCKETS * sizeof *g->start);
+  if (keys && g->box && g->start && !sg_poll_stop(poll)) {
+    g->from = keys;
+    g->to = keys + n;
+    done = sg_crew_run(crew, g->blocks, take_boxes, g, poll) &&
+           sort_codes(g, crew, poll) &&
+           sg_crew_run(crew, g->blocks, place_boxes, g, poll) &&
+           lay_levels(g, crew, poll);
+  }
+  free(keys);
+  free(g->box);
+  free(g->start);
+  return done;
+}
+
 sg_bvh *
-sg_bvh_open(const sg_box *box, size_t n, const sg_poll *poll)
+sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
+            const uint32_t *name, const sg_box *all, sg_crew *crew,
+            const sg_poll *poll)
 {
   sg_bvh *tree = calloc(1, sizeof *tree);
+  grower g = {.tree = tree, .boxes = boxes, .data = data, .name = name};
 
   assert(n < UINT32_MAX);
   if (!tree) {
     return NULL;
   }
-  tree->n = n;
-  tree->leaves = 1;
-  while ((size_t)tree->leaves * SG_BVH_GROUP < n) {
-    tree->leaves *= 2;
+  if (n == 0) {
+    tree->all = sg_box_none();
+    tree->unit = 1;
+    return tree;
   }
-  tree->node = malloc(2 * (size_t)tree->leaves * sizeof *tree->node);
-  tree->box = malloc((n + 1) * sizeof *tree->box);
-  tree->item = malloc((n + 1) * sizeof *tree->item);
-  if (!tree->node || !tree->box || !tree->item ||
-      !sort_items(tree, box, poll)) {
+  set_frame(&g, all);
+  if (!make_room(tree, n) || !grow(&g, crew, poll)) {
     sg_bvh_close(tree);
     return NULL;
   }
-  fill_nodes(tree);
   return tree;
+}
+
+static void
+copy_boxes(const void *data, size_t begin, size_t end, sg_box *out)
+{
+  const sg_box *box = data;
+
+  memcpy(out, box + begin, (end - begin) * sizeof *out);
+}
+
+sg_bvh *
+sg_bvh_open(const sg_box *box, size_t n, const sg_poll *poll)
+{
+  sg_box all = sg_box_none();
+
+  for (size_t i = 0; i < n; i++) {
+    sg_box_join(&all, &box[i]);
+  }
+  return sg_bvh_grow(n, copy_boxes, box, NULL, &all, NULL, poll);
 }
 
 void
 sg_bvh_close(sg_bvh *tree)
 {
   if (tree) {
-    free(tree->node);
-    free(tree->box);
+    free(tree->level[0]);
     free(tree->item);
     free(tree);
   }
 }
 
-sg_box
-sg_bvh_box(const sg_bvh *tree)
+size_t
+sg_bvh_bytes(const sg_bvh *tree)
 {
-  return tree->node[1];
-}
+  size_t boxes = 0;
 
-static void
-push(sg_bvh_pairs *pairs, uint32_t a, uint32_t b)
-{
-  if (overlap(&pairs->a->node[a], &pairs->b->node[b])) {
-    assert(pairs->depth < SG_BVH_STACK);
-    pairs->stack[pairs->depth][0] = a;
-    pairs->stack[pairs->depth][1] = b;
-    pairs->depth++;
+  for (unsigned k = 0; k < tree->levels; k++) {
+    boxes += tree->count[k];
   }
-}
-
-void
-sg_bvh_pairs_init(sg_bvh_pairs *pairs, const sg_bvh *a, const sg_bvh *b)
-{
-  pairs->a = a;
-  pairs->b = b;
-  pairs->poll = NULL;
-  pairs->stopped = false;
-  pairs->steps = 0;
-  pairs->depth = 0;
-  pairs->i = pairs->i_end = 0;
-  pairs->j = pairs->j_begin = pairs->j_end = 0;
-  push(pairs, 1, 1);
-}
-
-static uint32_t
-group_begin(const sg_bvh *tree, uint32_t leaf)
-{
-  size_t begin = (size_t)(leaf - tree->leaves) * SG_BVH_GROUP;
-
-  return (uint32_t)(begin < tree->n ? begin : tree->n);
-}
-
-/* Goes down from the pair on top of the stack to the next pair of leaves and
- * puts it in hand. The second of two children is pushed first, so that pairs
- * come in Morton order. */
-static bool
-next_leaves(sg_bvh_pairs *pairs)
-{
-  while (pairs->depth > 0) {
-    if (++pairs->steps % STEPS_ASKED == 0 && sg_poll_stop(pairs->poll)) {
-      pairs->stopped = true;
-      return false;
-    }
-    uint32_t a = pairs->stack[--pairs->depth][0];
-    uint32_t b = pairs->stack[pairs->depth][1];
-    bool a_leaf = a >= pairs->a->leaves;
-    bool b_leaf = b >= pairs->b->leaves;
-
-    if (a_leaf && b_leaf) {
-      pairs->i = group_begin(pairs->a, a);
-      pairs->i_end = group_begin(pairs->a, a + 1);
-      pairs->j_begin = group_begin(pairs->b, b);
-      pairs->j_end = group_begin(pairs->b, b + 1);
-      pairs->j = pairs->j_begin;
-      return true;
-    }
-    if (b_leaf || (!a_leaf && a <= b)) {
-      push(pairs, 2 * a + 1, b);
-      push(pairs, 2 * a, b);
-    } else {
-      push(pairs, a, 2 * b + 1);
-      push(pairs, a, 2 * b);
-    }
-  }
-  return false;
-}
-
-bool
-sg_bvh_pairs_next(sg_bvh_pairs *pairs, size_t *i, size_t *j)
-{
-  do {
-    for (; pairs->i < pairs->i_end; pairs->i++, pairs->j = pairs->j_begin) {
-      const sg_box *box = &pairs->a->box[pairs->i];
-
-      while (pairs->j < pairs->j_end) {
-        uint32_t k = pairs->j++;
-
-        if (overlap(box, &pairs->b->box[k])) {
-          *i = pairs->a->item[pairs->i];
-          *j = pairs->b->item[k];
-          return true;
-        }
-      }
-    }
-  } while (next_leaves(pairs));
-  return false;
+  return sizeof *tree + boxes * sizeof *tree->level[0] +
+         tree->n * sizeof *tree->item;
 }

@@ -1,22 +1,20 @@
-/* bvh.h -- a tree of boxes, and the join of two such trees.
+/* bvh.h -- a tree of boxes.
  *
  * Layer: kernel. The boxes are put in Morton order of their centres (radix
- * sort: linear time, the same result everywhere) and a complete binary tree is
- * laid over groups of them. Boxes are CLOSED: touching ones overlap.
+ * sort: linear time) and a pyramid is laid over them: each box of a level is
+ * round SG_BVH_WIDTH of the level below. Several threads may build it; the
+ * result is the same for any number of them. bvh_join.h finds what overlaps.
  *
- *   sg_bvh_pairs pairs;
- *   size_t i, j;
- *   sg_bvh_pairs_init(&pairs, a, b);
- *   while (sg_bvh_pairs_next(&pairs, &i, &j))
- *     use(i, j);                        // box i of a overlaps box j of b
+ * Boxes are kept as float32, in units of a power of two and from an origin of
+ * the tree's own, rounded OUTWARD: what overlaps is found, and now and then
+ * what misses by a few 2^-24 of the tree's size is found too. Boxes are CLOSED:
+ * touching ones overlap. 36 bytes for each box.
  */
 #ifndef SG_BVH_H
 #define SG_BVH_H
 
-#include "poll.h"
+#include "crew.h"
 
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 
 typedef struct sg_box {
@@ -26,41 +24,48 @@ typedef struct sg_box {
 /* The box of nothing: joining anything to it gives that thing. */
 sg_box sg_box_none(void);
 
-/* Grows `box` so that it holds `point`. */
+/* Grows `box` so that it holds `point`, or another box. */
 void sg_box_add(sg_box *box, const double point[3]);
+void sg_box_join(sg_box *box, const sg_box *other);
 
-typedef struct sg_bvh sg_bvh;
+/* True if they have a point in common, or are not farther apart than `reach`
+ * along each axis. */
+bool sg_box_overlap(const sg_box *a, const sg_box *b, double reach);
 
-/* A tree over n boxes (copied). Null: no memory, or the poll said stop.
- * Owner: the caller, until sg_bvh_close(). Requires n < 2^32. */
+/* The same from the tree's origin, in its unit. */
+typedef struct sg_box32 {
+  float lo[3], hi[3];
+} sg_box32;
+
+enum { SG_BVH_WIDTH = 4, SG_BVH_LEVELS = 17 };
+
+typedef struct sg_bvh {
+  size_t n;
+  unsigned levels;                /* 0: no box at all */
+  size_t count[SG_BVH_LEVELS];    /* boxes of a level; 1 in the highest */
+  sg_box32 *level[SG_BVH_LEVELS]; /* level[0]: [n], in Morton order */
+  uint32_t *item;                 /* [n], in Morton order: whose box it is */
+  sg_box all;                     /* round everything */
+  double origin[3], unit;
+} sg_bvh;
+
+/* Fills out[0 .. end - begin - 1] with boxes begin .. end - 1. Called by any
+ * thread of the crew, several at a time. An empty box overlaps nothing. */
+typedef void sg_bvh_boxes(const void *data, size_t begin, size_t end,
+                          sg_box *out);
+
+/* A tree over n boxes, all inside `all` (which need not be tight). Item i is
+ * called name[i], or i if `name` is null. Null: no memory, or the poll said
+ * stop. Owner: the caller, until sg_bvh_close(). Requires n < 2^32. */
+sg_bvh *sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
+                    const uint32_t *name, const sg_box *all, sg_crew *crew,
+                    const sg_poll *poll);
+
+/* The same over an array, by the caller alone. */
 sg_bvh *sg_bvh_open(const sg_box *box, size_t n, const sg_poll *poll);
+
 void sg_bvh_close(sg_bvh *tree);
 
-/* The box round everything in the tree. */
-sg_box sg_bvh_box(const sg_bvh *tree);
-
-enum {
-  SG_BVH_GROUP = 4,  /* boxes in a leaf */
-  SG_BVH_STACK = 128 /* deeper than any tree of 2^32 boxes needs */
-};
-
-/* A walk over the overlapping pairs of two trees (which may be the same one:
- * then each pair comes twice). Holds no memory of its own. */
-typedef struct sg_bvh_pairs {
-  const sg_bvh *a, *b;
-  const sg_poll *poll; /* asked on the way; null after init */
-  bool stopped;        /* the poll said stop: there may be more pairs */
-  unsigned steps;
-  unsigned depth; /* of the stack of node pairs */
-  uint32_t stack[SG_BVH_STACK][2];
-  uint32_t i, j, i_end, j_begin, j_end; /* the leaf pair in hand */
-} sg_bvh_pairs;
-
-void sg_bvh_pairs_init(sg_bvh_pairs *pairs, const sg_bvh *a, const sg_bvh *b);
-
-/* The next overlapping pair, as indexes into the boxes given to
- * sg_bvh_open(). False: no more, or pairs->stopped. The order depends on the
- * boxes only. */
-bool sg_bvh_pairs_next(sg_bvh_pairs *pairs, size_t *i, size_t *j);
+size_t sg_bvh_bytes(const sg_bvh *tree);
 
 #endif

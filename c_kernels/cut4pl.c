@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { ASKED = 1 << 12 }; /* candidates between questions */
+
 /* ---- the handle ---- */
 
 static void
@@ -23,9 +25,7 @@ close_handle(sg_cut_handle *handle)
     sg_key_table_clear(&handle->line_of);
     sg_key_table_clear(&handle->edge_type);
     sg_key_table_clear(&handle->edges_read);
-    free(handle->pair);
-    handle->pair = NULL;
-    handle->pairs = 0;
+    sg_cut_open_clear(handle);
     sg_version_drop(handle->version);
     sg_world_drop(handle->world);
     handle->closed = true;
@@ -72,159 +72,7 @@ sg_get_cut_set_ex(term_t t, sg_cut_handle **out)
   return !(*out)->closed || PL_existence_error("cut_set", t);
 }
 
-/* ---- loading the model ---- */
-
-/* Called for each live row; returns 1 to go on, 0 for no memory. */
-typedef int use_row(sg_cut_handle *handle, const sg_view *view, size_t page,
-                    unsigned row);
-
-static int32_t
-cell(const sg_view *view, unsigned column, size_t page, unsigned row)
-{
-  return view->column[column].page[page].i[row];
-}
-
-static bool
-is_wanted(const sg_cut_handle *handle, int32_t s)
-{
-  uint32_t key = (uint32_t)s;
-
-  return sg_key_table_get(&handle->next_name, &key) != SG_NO_KEY;
-}
-
-static int
-use_vertex(sg_cut_handle *handle, const sg_view *view, size_t page,
-           unsigned row)
-{
-  double at[3];
-
-  for (unsigned c = 0; c < 3; c++) {
-    at[c] = view->column[c + 2].page[page].f[row];
-  }
-  return sg_cut_model_vertex(&handle->set.model, cell(view, 0, page, row),
-                             cell(view, 1, page, row), at);
-}
-
-static int
-use_triangle(sg_cut_handle *handle, const sg_view *view, size_t page,
-             unsigned row)
-{
-  int32_t v[3];
-  bool known;
-
-  for (unsigned c = 0; c < 3; c++) {
-    v[c] = cell(view, c + 3, page, row);
-  }
-  return sg_cut_model_triangle(&handle->set.model, cell(view, 0, page, row),
-                               cell(view, 1, page, row),
-                               cell(view, 2, page, row), v, &known);
-}
-
-/* An edge of a segment that has no triangles belongs to a curve. */
-static int
-use_edge(sg_cut_handle *handle, const sg_view *view, size_t page, unsigned row)
-{
-  int32_t s = cell(view, 0, page, row);
-  int32_t v[2] = {cell(view, 2, page, row), cell(view, 3, page, row)};
-  const sg_leaf_segment *segment = sg_cut_model_segment(&handle->set.model, s);
-  bool known;
-
-  if (segment && !segment->curve) {
-    return 1;
-  }
-  return sg_cut_model_edge(&handle->set.model, s, cell(view, 1, page, row), v,
-                           &known);
-}
-
-/* Calls `use` for the live rows of the wanted segments. */
-static int
-each_row_ex(sg_cut_handle *handle, sg_relation relation, use_row *use)
-{
-  sg_view view;
-  int good = TRUE;
-
-  if (!sg_version_view(handle->version, relation, &view)) {
-    return sg_no_memory();
-  }
-  for (size_t page = 0; page < view.pages && good; page++) {
-    const uint64_t *live = view.live[page];
-
-    for (unsigned row = sg_live_next(live, 0); row < SG_PAGE_ROWS && good;
-         row = sg_live_next(live, row + 1)) {
-      if (is_wanted(handle, cell(&view, 0, page, row))) {
-        good = use(handle, &view, page, row) || sg_no_memory();
-      }
-    }
-    good = good && PL_handle_signals() >= 0;
-  }
-  sg_view_clear(&view);
-  return good;
-}
-
-static int
-load_model_ex(sg_cut_handle *handle)
-{
-  if (!each_row_ex(handle, SG_V, use_vertex) ||
-      !each_row_ex(handle, SG_T, use_triangle) ||
-      !each_row_ex(handle, SG_E, use_edge)) {
-    return FALSE;
-  }
-  if (!sg_cut_model_plant(&handle->set.model, &sg_prolog_poll)) {
-    return PL_exception(0) ? FALSE : sg_no_memory();
-  }
-  return TRUE;
-}
-
 /* ---- opening and closing ---- */
-
-static int
-want_segment_ex(sg_cut_handle *handle, int32_t s)
-{
-  uint32_t key = (uint32_t)s;
-  uint32_t *next = sg_key_table_put(&handle->next_name, &key);
-
-  if (!next) {
-    return sg_no_memory();
-  }
-  if (*next == SG_NO_KEY) {
-    *next = (uint32_t)sg_world_fresh(handle->world, SG_V, s);
-  }
-  return TRUE;
-}
-
-/* Reads [S1-S2, ...]. */
-static int
-get_pairs_ex(term_t list, sg_cut_handle *handle)
-{
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-  term_t arg = PL_new_term_ref();
-  size_t n;
-
-  if (PL_skip_list(list, 0, &n) != PL_LIST) {
-    return PL_type_error("list", list);
-  }
-  handle->pair = malloc((n + 1) * sizeof *handle->pair);
-  if (!handle->pair) {
-    return sg_no_memory();
-  }
-  for (size_t i = 0; i < n; i++) {
-    if (!PL_get_list_ex(tail, head, tail)) {
-      return FALSE;
-    }
-    if (!PL_is_functor(head, PL_new_functor(PL_new_atom("-"), 2))) {
-      return PL_type_error("pair", head);
-    }
-    for (int k = 0; k < 2; k++) {
-      if (!PL_get_arg(k + 1, head, arg) ||
-          !sg_get_id_ex(arg, &handle->pair[i][k]) ||
-          !want_segment_ex(handle, handle->pair[i][k])) {
-        return FALSE;
-      }
-    }
-    handle->pairs++;
-  }
-  return TRUE;
-}
 
 static foreign_t
 cut_set_open(term_t pairs, term_t out)
@@ -245,7 +93,7 @@ cut_set_open(term_t pairs, term_t out)
   sg_key_table_init(&handle->line_of, 3);
   sg_key_table_init(&handle->edge_type, 4);
   sg_key_table_init(&handle->edges_read, 2);
-  if (!get_pairs_ex(pairs, handle) || !load_model_ex(handle)) {
+  if (!sg_cut_open_ex(handle, pairs)) {
     close_handle(handle);
     free(handle);
     return FALSE;
@@ -267,94 +115,69 @@ cut_set_close(term_t set)
 
 /* ---- candidates ---- */
 
-/* A walk over all pairs of segments; the next answer is fetched before one is
- * given, so that the last one leaves no choice point. */
+/* A walk over candidates `next` .. `end` - 1. */
 typedef struct candidates {
   sg_cut_handle *handle;
-  bool curve; /* curve edges with triangles, or triangles with triangles */
-  size_t next_pair;
-  sg_candidate_pairs walk;
-  uint32_t a, b;
+  size_t next, end;
 } candidates;
 
-/* Goes to the next pair of segments of the wanted sort; false: no more. A
- * curve comes first. */
-static bool
-next_segments(candidates *c)
+/* Puts the candidates of one sort in hand; FALSE without an exception: there
+ * are none. */
+static int
+first_candidates(term_t set, bool curve, candidates *out)
 {
-  const sg_cut_model *model = &c->handle->set.model;
+  sg_cut_handle *handle;
 
-  while (c->next_pair < c->handle->pairs) {
-    const int32_t *pair = c->handle->pair[c->next_pair++];
-    const sg_leaf_segment *a = sg_cut_model_segment(model, pair[0]);
-    const sg_leaf_segment *b = sg_cut_model_segment(model, pair[1]);
-
-    if (!a || !b || (a->curve && b->curve) ||
-        (a->curve || b->curve) != c->curve) {
-      continue;
-    }
-    bool swap = c->curve ? b->curve : b->s < a->s;
-
-    sg_candidate_pairs_init(&c->walk, swap ? b : a, swap ? a : b);
-    c->walk.pairs.poll = &sg_prolog_poll;
-    return true;
+  if (!sg_get_cut_set_ex(set, &handle) || !sg_cut_join_ex(handle)) {
+    return FALSE;
   }
-  return false;
+  *out = (candidates){handle, curve ? handle->curve_candidates : 0,
+                      curve ? handle->candidates : handle->curve_candidates};
+  return out->next < out->end;
 }
 
-static bool
-next_candidate(candidates *c)
-{
-  do {
-    if (c->walk.a && sg_candidate_pairs_next(&c->walk, &c->a, &c->b)) {
-      return true;
-    }
-  } while (!c->walk.pairs.stopped && next_segments(c));
-  return false;
-}
-
-/* Gives the candidate in hand and fetches the next one. */
+/* Gives the candidate in hand; the last one leaves no choice point. */
 static foreign_t
 give_candidate(candidates *c, term_t first, term_t second)
 {
-  int given = PL_unify_integer(first, c->a) && PL_unify_integer(second, c->b);
-
-  if (given && !c->handle->closed && next_candidate(c)) {
-    PL_retry_address(c);
+  if (c->handle->closed) {
+    return FALSE;
   }
-  given = given && !c->walk.pairs.stopped;
-  free(c);
-  return given; /* false: an exception is pending */
+  const uint32_t *pair = c->handle->candidate[c->next++];
+
+  return PL_unify_integer(first, pair[0]) && PL_unify_integer(second, pair[1]);
 }
 
 static foreign_t
 candidate(term_t set, term_t first, term_t second, control_t control,
           bool curve)
 {
-  candidates *c = PL_foreign_control(control) == PL_FIRST_CALL
-                      ? NULL
-                      : PL_foreign_context_address(control);
-  sg_cut_handle *handle;
+  candidates fresh, *c = &fresh;
 
   if (PL_foreign_control(control) == PL_PRUNED) {
-    free(c);
+    free(PL_foreign_context_address(control));
     return TRUE;
   }
-  if (!c) {
-    if (!sg_get_cut_set_ex(set, &handle)) {
-      return FALSE;
-    }
-    if (!(c = calloc(1, sizeof *c))) {
-      return sg_no_memory();
-    }
-    c->handle = handle;
-    c->curve = curve;
-    if (!next_candidate(c)) {
-      free(c);
-      return FALSE;
-    }
+  if (PL_foreign_control(control) != PL_FIRST_CALL) {
+    c = PL_foreign_context_address(control);
+  } else if (!first_candidates(set, curve, c)) {
+    return FALSE;
   }
-  return give_candidate(c, first, second);
+  foreign_t given = give_candidate(c, first, second);
+
+  if (given && c->next < c->end) {
+    if (c == &fresh) {
+      if (!(c = malloc(sizeof *c))) {
+        return sg_no_memory();
+      }
+      *c = fresh;
+    }
+    PL_retry_address(c);
+  }
+  if (c != &fresh) {
+    free(c);
+  }
+  return given;
 }
 
 static foreign_t
@@ -433,17 +256,22 @@ cut_enter(term_t set, term_t t1, term_t t2, term_t count)
 static foreign_t
 cut_find(term_t set)
 {
-  candidates c = {0};
+  sg_cut_handle *handle;
 
-  if (!sg_get_cut_set_ex(set, &c.handle)) {
+  if (!sg_get_cut_set_ex(set, &handle) || !sg_cut_join_ex(handle)) {
     return FALSE;
   }
-  while (next_candidate(&c)) {
-    if (sg_cut_set_enter(&c.handle->set, c.a, c.b) < 0) {
+  for (size_t k = 0; k < handle->curve_candidates; k++) {
+    const uint32_t *pair = handle->candidate[k];
+
+    if (sg_cut_set_enter(&handle->set, pair[0], pair[1]) < 0) {
       return sg_no_memory();
     }
+    if (k % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
+      return FALSE;
+    }
   }
-  return !c.walk.pairs.stopped;
+  return TRUE;
 }
 
 static foreign_t

@@ -9,6 +9,7 @@
 #include "../engine/world4pl.h"
 
 #include "cut_set.h"
+#include "tree4pl.h"
 
 /* One penetration under way. The model, and all real edges, are those of the
  * version at which it was opened. */
@@ -18,8 +19,15 @@ typedef struct sg_cut_handle {
   const sg_version *version; /* held */
   int32_t (*pair)[2];        /* segments to be cut by each other */
   size_t pairs;
-  sg_key_table next_name;  /* segment -> next id of v/5 */
-  sg_key_table line_of;    /* segment, two points -> line */
+  int32_t *segment;    /* those of the pairs, ascending */
+  sg_kept_tree **tree; /* [segments], held */
+  size_t segments;
+  sg_leaf_views views;                 /* of the version */
+  uint32_t (*candidate)[2];            /* triangles, and then curve edges */
+  size_t candidates, curve_candidates; /* the second: where those begin */
+  bool joined;                         /* the candidates are there */
+  sg_key_table next_name;              /* segment -> next id of v/5 */
+  sg_key_table line_of;                /* segment, two points -> line */
   sg_key_table edge_type;  /* segment, polygon, two vertices -> Et */
   sg_key_table edges_read; /* segment, polygon: its edges are in edge_type */
   bool closed;
@@ -27,6 +35,12 @@ typedef struct sg_cut_handle {
 
 /* The open cut set that t names: type_error, existence_error. */
 int sg_get_cut_set_ex(term_t t, sg_cut_handle **out);
+
+/* Opening (cut_open4pl.c): reads the pairs and takes the trees; clearing also
+ * after a failure. The join is made once, when candidates are asked for. */
+int sg_cut_open_ex(sg_cut_handle *handle, term_t pairs);
+void sg_cut_open_clear(sg_cut_handle *handle);
+int sg_cut_join_ex(sg_cut_handle *handle);
 
 /* An sg_is_real for the set of this handle (cut_real4pl.c). */
 int sg_cut_is_real(void *handle, uint32_t triangle, int edge);

@@ -209,7 +209,7 @@ enter_point_ex(sg_cut_handle *handle, sg_work *work, uint32_t point, int32_t s)
 static int32_t
 enter_vertex_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t v)
 {
-  uint32_t number = sg_cut_model_find(&handle->set.model, s, v);
+  uint32_t number = sg_cut_model_fetch(&handle->set.model, s, v);
   sg_point at;
 
   if (number == SG_NO_KEY) {
@@ -460,7 +460,7 @@ get_point_ex(sg_cut_handle *handle, int32_t s, term_t v)
     return SG_NO_KEY;
   }
   uint32_t point = sg_cut_points_named(&handle->set.points, s, name);
-  uint32_t number = sg_cut_model_find(&handle->set.model, s, name);
+  uint32_t number = sg_cut_model_fetch(&handle->set.model, s, name);
 
   if (point == SG_NO_KEY && number != SG_NO_KEY) {
     sg_made made = {1, {{SG_AT_VERTEX, number, 0}}};

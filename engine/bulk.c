@@ -329,7 +329,7 @@ link_others(const load *l)
   }
 }
 
-/* The largest id of each run of rows of one segment. */
+/* Stamps, and notes the largest id of, each run of rows of one segment. */
 static bool
 note_ids(const load *l)
 {
@@ -348,7 +348,8 @@ note_ids(const load *l)
     for (i++; i < l->n && (!s || s[i] == of); i++) {
       last = id[i] > last ? id[i] : last;
     }
-    if (!sg_map_used_id(l->map, of, last)) {
+    if (!sg_map_used_id(l->map, of, last) ||
+        !sg_world_stamp(l->world, l->map, l->relation, of)) {
       return false;
     }
   }

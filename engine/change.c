@@ -191,6 +191,15 @@ sg_world_changed(sg_world *world)
 
 /* ---- adding ------------------------------------------------------------ */
 
+bool
+sg_world_stamp(sg_world *world, sg_map *map, sg_relation relation, int32_t s)
+{
+  unsigned column = sg_relation_id_column(relation);
+
+  return column == SG_MAX_COLUMNS ||
+         sg_map_set_stamp(map, column == 0 ? 0 : s, ++world->stamps);
+}
+
 static bool
 used_ids(sg_map *map, sg_relation relation, const sg_value *row)
 {
@@ -210,6 +219,7 @@ put_row(sg_world *world, sg_map *map, sg_relation relation, sg_row slot,
       sg_map_own_live(map, sg_table_page(table, slot), slot / SG_PAGE_ROWS);
 
   if (!live || !used_ids(map, relation, row) ||
+      !sg_world_stamp(world, map, relation, row[0].i) ||
       !sg_table_write(table, slot, row)) {
     return false;
   }
@@ -262,6 +272,15 @@ sg_world_add(sg_world *world, sg_relation relation, const sg_value *row,
 
 /* ---- retracting -------------------------------------------------------- */
 
+/* Column 0 of a row: its segment, if it is an id. */
+static int32_t
+first_id(const sg_table *table, sg_row row)
+{
+  return sg_page_value(sg_table_page(table, row), table->info, 0,
+                       row % SG_PAGE_ROWS)
+      .i;
+}
+
 static bool
 retract(sg_world *world, sg_relation relation, sg_row row)
 {
@@ -274,7 +293,8 @@ retract(sg_world *world, sg_relation relation, sg_row row)
   }
   if (!(map = sg_world_own_map(world, relation)) ||
       !(live = sg_map_own_live(map, sg_table_page(table, row),
-                               row / SG_PAGE_ROWS))) {
+                               row / SG_PAGE_ROWS)) ||
+      !sg_world_stamp(world, map, relation, first_id(table, row))) {
     return false;
   }
   live->word[row % SG_PAGE_ROWS / 64] &= ~(UINT64_C(1) << row % 64);
@@ -302,7 +322,7 @@ sg_world_retract(sg_world *world, sg_relation relation, sg_row row)
 
 /* An empty map that remembers the ids used. */
 static bool
-empty_map(sg_map **map)
+empty_map(sg_map **map, uint64_t stamp)
 {
   sg_map *empty = calloc(1, sizeof(*empty));
 
@@ -313,6 +333,10 @@ empty_map(sg_map **map)
   empty->ids = (*map)->ids;
   if (empty->ids) {
     empty->ids->holders++;
+  }
+  if (!sg_map_stamp_all(empty, stamp)) {
+    sg_map_drop(empty);
+    return false;
   }
   sg_map_drop(*map);
   *map = empty;
@@ -329,7 +353,7 @@ sg_world_retract_all(sg_world *world, sg_relation relation)
   if (world->current->map[relation] &&
       world->current->map[relation]->rows > 0) {
     version = sg_world_own(world);
-    done = version && empty_map(&version->map[relation]);
+    done = version && empty_map(&version->map[relation], ++world->stamps);
     if (done) {
       sg_world_sweep(world, relation);
       sg_world_changed(world);

@@ -57,7 +57,7 @@ static foreign_t
 rule_module(term_t slot_term, term_t module)
 {
   const sg_world *world = sg_current_world();
-  const rule_table *table = world ? sg_world_note(world) : NULL;
+  const rule_table *table = world ? sg_world_note(world, SG_NOTE_RULES) : NULL;
   size_t slot;
 
   return table && get_slot_ex(slot_term, &slot) && (table->taken >> slot & 1) &&
@@ -131,8 +131,8 @@ set_rule_modules(term_t pairs)
     return FALSE;
   }
   register_modules(table, keep_atom);
-  table->older = sg_world_note(world);
-  sg_world_set_note(world, table, world_ended);
+  table->older = sg_world_note(world, SG_NOTE_RULES);
+  sg_world_set_note(world, SG_NOTE_RULES, table, world_ended);
   return TRUE;
 }
 

@@ -223,8 +223,10 @@ sg_world_drop(sg_world *world)
   free(world->undo.version);
   free(world->redo.version);
   free(world->changes_at);
-  if (world->drop_note) {
-    world->drop_note(atomic_load(&world->note));
+  for (int k = 0; k < SG_NOTES; k++) {
+    if (world->drop_note[k]) {
+      world->drop_note[k](atomic_load(&world->note[k]));
+    }
   }
   pthread_cond_destroy(&world->turn);
   pthread_mutex_destroy(&world->lock);
@@ -446,14 +448,33 @@ sg_world_redo(sg_world *world)
 }
 
 void *
-sg_world_note(const sg_world *world)
+sg_world_note(const sg_world *world, sg_note which)
 {
-  return atomic_load_explicit(&world->note, memory_order_acquire);
+  return atomic_load_explicit(&world->note[which], memory_order_acquire);
 }
 
 void
-sg_world_set_note(sg_world *world, void *note, void (*drop)(void *note))
+sg_world_set_note(sg_world *world, sg_note which, void *note,
+                  void (*drop)(void *note))
 {
-  world->drop_note = drop;
-  atomic_store_explicit(&world->note, note, memory_order_release);
+  world->drop_note[which] = drop;
+  atomic_store_explicit(&world->note[which], note, memory_order_release);
+}
+
+void *
+sg_world_add_note(sg_world *world, sg_note which, void *note,
+                  void (*drop)(void *note))
+{
+  pthread_mutex_lock(&world->lock);
+  if (!atomic_load(&world->note[which])) {
+    sg_world_set_note(world, which, note, drop);
+  }
+  pthread_mutex_unlock(&world->lock);
+  return sg_world_note(world, which);
+}
+
+uint64_t
+sg_version_stamp(const sg_version *version, sg_relation relation, int32_t s)
+{
+  return sg_map_stamp(version->map[relation], s);
 }

@@ -100,10 +100,16 @@ void sg_world_drop(sg_world *world);
 /* 1, 2, 3 ... in the order of opening: names a world in messages. */
 uint64_t sg_world_number(const sg_world *world);
 void sg_world_undo_limit(sg_world *world, unsigned steps);
-/* One thing that glue keeps with the world, null at first; any thread may read
- * it at any time. `drop` is called with the last one when the world ends. */
-void *sg_world_note(const sg_world *world);
-void sg_world_set_note(sg_world *world, void *note, void (*drop)(void *note));
+/* Things that glue keeps with the world, one of each sort, null at first; any
+ * thread may read them at any time. `drop` is called with the last one of its
+ * sort when the world ends. */
+typedef enum sg_note { SG_NOTE_RULES, SG_NOTE_TREES, SG_NOTES } sg_note;
+void *sg_world_note(const sg_world *world, sg_note which);
+void sg_world_set_note(sg_world *world, sg_note which, void *note,
+                       void (*drop)(void *note));
+/* Sets it unless there is one already; returns the one that is there now. */
+void *sg_world_add_note(sg_world *world, sg_note which, void *note,
+                        void (*drop)(void *note));
 
 /* The version at this moment; drop it when done (from any thread). */
 const sg_version *sg_world_version(sg_world *world);
@@ -151,6 +157,12 @@ sg_status sg_world_redo(sg_world *world);
 size_t sg_version_count(const sg_version *version, sg_relation relation);
 bool sg_version_live(const sg_version *version, sg_relation relation,
                      sg_row row);
+/* Two versions of a world with the same stamp show the same rows, in the same
+ * slots, of segment s: what was made from them is still right. Undo brings the
+ * old stamp back. 0: there never was one. Only for relations in which
+ * sg_world_fresh() makes ids (s is 0 for the three it names). */
+uint64_t sg_version_stamp(const sg_version *version, sg_relation relation,
+                          int32_t s);
 sg_value sg_version_value(const sg_version *version, sg_relation relation,
                           sg_row row, unsigned column);
 /* Several at once: the columns of the mask, each in its place in `out`. */

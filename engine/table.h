@@ -46,12 +46,14 @@ typedef struct sg_chunk {
   sg_live *live[SG_CHUNK_PAGES]; /* null: no row of the page lives */
 } sg_chunk;
 
-/* The last id used, by segment in ascending order. */
+/* The last id used, and the stamp of the last change, by segment in ascending
+ * order. */
 typedef struct sg_ids {
   uint32_t holders;
   size_t count, room;
   struct {
     int32_t s, last;
+    uint64_t stamp;
   } of[];
 } sg_ids;
 
@@ -91,6 +93,12 @@ sg_map *sg_map_own(sg_map **map);
 sg_live *sg_map_own_live(sg_map *map, sg_page *page, size_t number);
 int32_t sg_map_last_id(const sg_map *map, int32_t s);
 bool sg_map_used_id(sg_map *map, int32_t s, int32_t id); /* false: no memory */
+/* The stamp of a segment's rows, 0: none. Changing rows of a segment in an
+ * owned map gives them a new one, changing all rows gives all one. False: no
+ * memory. */
+uint64_t sg_map_stamp(const sg_map *map, int32_t s);
+bool sg_map_set_stamp(sg_map *map, int32_t s, uint64_t stamp);
+bool sg_map_stamp_all(sg_map *map, uint64_t stamp);
 
 /* Cells. */
 static inline sg_value

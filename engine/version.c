@@ -245,25 +245,81 @@ ids_own(sg_ids **ids)
   return *ids = owned;
 }
 
+/* The entry of s in ids that are the map's own, made if it is new. Null: no
+ * memory. */
+static sg_ids *
+ids_reach(sg_map *map, int32_t s, size_t *place)
+{
+  size_t i = ids_place(map->ids, s);
+  sg_ids *ids = map->ids;
+  bool known = ids && i < ids->count && ids->of[i].s == s;
+
+  *place = i;
+  if (known && ids->holders == 1) {
+    return ids;
+  }
+  if (!(ids = ids_own(&map->ids)) || known) {
+    return ids;
+  }
+  memmove(&ids->of[i + 1], &ids->of[i], (ids->count - i) * sizeof(ids->of[0]));
+  ids->of[i].s = s;
+  ids->of[i].last = 0;
+  ids->of[i].stamp = 0;
+  ids->count++;
+  return ids;
+}
+
 bool
 sg_map_used_id(sg_map *map, int32_t s, int32_t id)
 {
-  size_t i = ids_place(map->ids, s);
-  bool known = map->ids && i < map->ids->count && map->ids->of[i].s == s;
+  size_t i;
   sg_ids *ids;
 
-  if (known && map->ids->of[i].last >= id) {
+  if (sg_map_last_id(map, s) >= id) {
     return true;
   }
-  if (!(ids = ids_own(&map->ids))) {
+  if (!(ids = ids_reach(map, s, &i))) {
     return false;
   }
-  if (!known) {
-    memmove(&ids->of[i + 1], &ids->of[i],
-            (ids->count - i) * sizeof(ids->of[0]));
-    ids->of[i].s = s;
-    ids->count++;
-  }
   ids->of[i].last = id;
+  return true;
+}
+
+/* ---- stamps ------------------------------------------------------------ */
+
+uint64_t
+sg_map_stamp(const sg_map *map, int32_t s)
+{
+  const sg_ids *ids = map ? map->ids : NULL;
+  size_t i = ids_place(ids, s);
+
+  return ids && i < ids->count && ids->of[i].s == s ? ids->of[i].stamp : 0;
+}
+
+bool
+sg_map_set_stamp(sg_map *map, int32_t s, uint64_t stamp)
+{
+  size_t i;
+  sg_ids *ids = ids_reach(map, s, &i);
+
+  if (!ids) {
+    return false;
+  }
+  ids->of[i].stamp = stamp;
+  return true;
+}
+
+bool
+sg_map_stamp_all(sg_map *map, uint64_t stamp)
+{
+  if (!map->ids) {
+    return true;
+  }
+  if (!ids_own(&map->ids)) {
+    return false;
+  }
+  for (size_t i = 0; i < map->ids->count; i++) {
+    map->ids->of[i].stamp = stamp;
+  }
   return true;
 }

@@ -35,8 +35,9 @@ struct sg_world {
   size_t undo_limit;
   pthread_t writer; /* valid while writer_depth > 0 */
   size_t writer_depth;
-  _Atomic(void *) note;
-  void (*drop_note)(void *note);
+  uint64_t stamps; /* the last one given out; never goes back */
+  _Atomic(void *) note[SG_NOTES];
+  void (*drop_note[SG_NOTES])(void *note);
 };
 
 /* Takes the lock when no other thread writes; leave releases it. */
@@ -62,6 +63,9 @@ void sg_world_sweep_if_worth(sg_world *world, sg_relation relation);
 /* What the current version shows of a relation, for writing. Null: no
  * memory. */
 sg_map *sg_world_own_map(sg_world *world, sg_relation relation);
+/* Rows of segment s are about to change in an owned map. False: no memory. */
+bool sg_world_stamp(sg_world *world, sg_map *map, sg_relation relation,
+                    int32_t s);
 /* Something was written: counts it and forgets the redo steps. */
 void sg_world_changed(sg_world *world);
 

@@ -7,9 +7,9 @@ cat >"$TMP/expected" <<'TEXT'
 segment 1, a solid, has 556 edges
 segment 2, a solid, has 556 edges
 the longest line is open, of 20 pieces, 3.816272 long
-vertex 81 at (-0.8090, -0.5878, -0.8090) comes from ll(1-(25,65),2-(37,77))
-vertex 82 at (-0.7071, -0.7071, -0.7071) comes from ll(1-(26,66),2-(36,76))
-vertex 83 at (-0.5878, -0.8090, -0.5878) comes from ll(1-(27,67),2-(35,75))
+vertex 81 at (-0.7071, -0.7071, -0.7071) comes from ll(1-(26,66),2-(36,76))
+vertex 82 at (-0.5878, -0.8090, -0.5878) comes from ll(1-(27,67),2-(35,75))
+vertex 83 at (-0.8090, -0.5878, -0.8090) comes from ll(1-(25,65),2-(37,77))
 TEXT
 answers() { "$EXAMPLE" "$1" >"$TMP/answers" && diff "$TMP/expected" "$TMP/answers"; }
 

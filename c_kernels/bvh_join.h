@@ -1,0 +1,38 @@
+/* bvh_join.h -- the join of trees of boxes: what overlaps what.
+ *
+ * Layer: kernel. Any number of pairs of trees at once, descended together by
+ * several threads. The order of the hits depends on the trees alone: pairs of
+ * trees in the order given, then boxes in Morton order.
+ */
+#ifndef SG_BVH_JOIN_H
+#define SG_BVH_JOIN_H
+
+#include "bvh.h"
+
+/* Two trees, or one with itself: then each two boxes come once, and none with
+ * itself. */
+typedef struct sg_bvh_pair {
+  const sg_bvh *a, *b;
+} sg_bvh_pair;
+
+/* Boxes that overlap: at place a and b of the trees of pair `pair`. The box
+ * itself is item[a], item[b]. */
+typedef struct sg_bvh_hit {
+  uint32_t pair, a, b;
+} sg_bvh_hit;
+
+typedef struct sg_bvh_hits {
+  size_t n;
+  sg_bvh_hit *hit;
+} sg_bvh_hits;
+
+/* All hits of n pairs of trees: boxes that overlap, or are not farther apart
+ * than `reach` along each axis, and a few that nearly do.
+ *
+ * Returns: false: no memory, or the poll said stop; *out is empty then.
+ * Owner:   out->hit is the caller's, to free().
+ * Requires n < 2^32, reach >= 0. */
+bool sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
+                 const sg_poll *poll, sg_bvh_hits *out);
+
+#endif

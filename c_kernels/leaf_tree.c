@@ -1,0 +1,272 @@
+#include "leaf_tree.h"
+
+#include <stdlib.h>
+
+enum {
+  SMALL = 1 << 15, /* a tree of fewer leaves is one task */
+  ASKED = 1 << 16  /* vertices between questions */
+};
+
+typedef struct forest {
+  const sg_leaf_views *views;
+  sg_segment_rows vertices, triangles, edges;
+  size_t *edge_place; /* which rows of `edges`; only of curves */
+  sg_leaf_tree **tree;
+  size_t n;
+  const sg_poll *poll;
+} forest;
+
+static int32_t
+int_at(const sg_view *view, unsigned column, uint32_t row)
+{
+  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
+}
+
+static void
+read_point(const sg_view *v, uint32_t row, double out[3])
+{
+  for (unsigned c = 0; c < 3; c++) {
+    out[c] = v->column[2 + c].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
+  }
+}
+
+bool
+sg_leaf_vertex_at(const sg_leaf_tree *tree, const sg_leaf_views *views,
+                  int32_t v, double out[3])
+{
+  uint32_t row = sg_id_rows_find(&tree->vertex, v);
+
+  if (row == SG_NO_ID_ROW) {
+    return false;
+  }
+  read_point(&views->v, row, out);
+  return true;
+}
+
+sg_leaf
+sg_leaf_at(const sg_leaf_tree *tree, const sg_leaf_views *views, uint32_t row)
+{
+  const sg_view *view = tree->curve ? &views->e : &views->t;
+  sg_leaf leaf = {0};
+
+  if (tree->curve) {
+    leaf.id = int_at(view, 1, row);
+    leaf.v[0] = int_at(view, 2, row);
+    leaf.v[1] = int_at(view, 3, row);
+    return leaf;
+  }
+  leaf.p = int_at(view, 1, row);
+  leaf.id = int_at(view, 2, row);
+  for (unsigned k = 0; k < 3; k++) {
+    leaf.v[k] = int_at(view, 3 + k, row);
+  }
+  return leaf;
+}
+
+/* ---- boxes ---- */
+
+typedef struct leaves {
+  const forest *forest;
+  const sg_leaf_tree *tree;
+  const uint32_t *row;
+} leaves;
+
+/* The vertices of a leaf are there: the store sees to it. One that is not
+ * would leave the box where the others are. */
+static void
+leaf_boxes(const void *data, size_t begin, size_t end, sg_box *out)
+{
+  const leaves *l = data;
+  const sg_leaf_views *views = l->forest->views;
+  const sg_view *view = l->tree->curve ? &views->e : &views->t;
+  unsigned first = l->tree->curve ? 2 : 3, n = l->tree->curve ? 2 : 3;
+
+  for (size_t i = begin; i < end; i++) {
+    sg_box *box = &out[i - begin];
+
+    *box = sg_box_none();
+    for (unsigned k = 0; k < n; k++) {
+      double p[3];
+      if (sg_leaf_vertex_at(l->tree, views, int_at(view, first + k, l->row[i]),
+                            p)) {
+        sg_box_add(box, p);
+      }
+    }
+  }
+}
+
+/* ---- one tree ---- */
+
+/* The rows to be cut of segment i: of t/6, or of e/5 for a curve. */
+static size_t
+leaf_rows(const forest *f, size_t i, const uint32_t **row)
+{
+  const sg_segment_rows *from = f->tree[i]->curve ? &f->edges : &f->triangles;
+  size_t k = f->tree[i]->curve ? f->edge_place[i] : i;
+
+  *row = from->row + from->begin[k];
+  return from->begin[k + 1] - from->begin[k];
+}
+
+/* The table of vertices and the box round them. False: no memory. */
+static bool
+take_vertices(const forest *f, size_t i)
+{
+  const sg_segment_rows *from = &f->vertices;
+  const uint32_t *row = from->row + from->begin[i];
+  size_t n = from->begin[i + 1] - from->begin[i];
+  sg_leaf_tree *tree = f->tree[i];
+
+  tree->box = sg_box_none();
+  for (size_t k = 0; k < n; k++) {
+    double p[3];
+    if (k % ASKED == ASKED - 1 && sg_crew_stopping()) {
+      return true; /* and nothing comes of it */
+    }
+    read_point(&f->views->v, row[k], p);
+    sg_box_add(&tree->box, p);
+  }
+  return sg_id_rows_make(&f->views->v, row, n, &tree->vertex);
+}
+
+/* Makes tree i but for its vertices. What is left null tells of a failure. */
+static void
+grow_one(const forest *f, size_t i, sg_crew *crew, const sg_poll *poll)
+{
+  sg_leaf_tree *tree = f->tree[i];
+  leaves l = {.forest = f, .tree = tree};
+  size_t n = leaf_rows(f, i, &l.row);
+
+  tree->boxes = sg_bvh_grow(n, leaf_boxes, &l, l.row, &tree->box, crew, poll);
+}
+
+/* ---- all ---- */
+
+static void
+vertices_task(void *data, size_t i)
+{
+  forest *f = data;
+
+  if (!take_vertices(f, i)) {
+    sg_id_rows_clear(&f->tree[i]->vertex);
+    f->tree[i]->s = 0; /* no memory */
+  }
+}
+
+static void
+small_task(void *data, size_t i)
+{
+  const forest *f = data;
+  const uint32_t *row;
+
+  if (leaf_rows(f, i, &row) < SMALL) {
+    grow_one(f, i, NULL, NULL);
+  }
+}
+
+/* Trees that are still without boxes, one after another by the whole crew. */
+static bool
+grow_large(const forest *f, sg_crew *crew)
+{
+  bool good = true;
+
+  for (size_t i = 0; i < f->n && good; i++) {
+    const uint32_t *row;
+
+    if (!f->tree[i]->boxes && leaf_rows(f, i, &row) >= SMALL) {
+      grow_one(f, i, crew, f->poll);
+    }
+    good = f->tree[i]->boxes != NULL;
+  }
+  return good;
+}
+
+/* The edges of segments without triangles. */
+static bool
+find_edges(forest *f, const int32_t *wanted)
+{
+  int32_t *curve = malloc((f->n + 1) * sizeof *curve);
+  size_t curves = 0;
+
+  f->edge_place = malloc((f->n + 1) * sizeof *f->edge_place);
+  if (!curve || !f->edge_place) {
+    free(curve);
+    return false;
+  }
+  for (size_t i = 0; i < f->n; i++) {
+    f->tree[i]->curve = f->triangles.begin[i] == f->triangles.begin[i + 1];
+    if (f->tree[i]->curve) {
+      f->edge_place[i] = curves;
+      curve[curves++] = wanted[i];
+    }
+  }
+  bool good = curves == 0 || sg_segment_rows_find(&f->views->e, curve, curves,
+                                                  f->poll, &f->edges);
+
+  free(curve);
+  return good;
+}
+
+static bool
+grow_all(forest *f, const int32_t *wanted, sg_crew *crew)
+{
+  for (size_t i = 0; i < f->n; i++) {
+    if (!(f->tree[i] = calloc(1, sizeof *f->tree[i]))) {
+      return false;
+    }
+    f->tree[i]->s = wanted[i];
+  }
+  if (!sg_segment_rows_find(&f->views->v, wanted, f->n, f->poll,
+                            &f->vertices) ||
+      !sg_segment_rows_find(&f->views->t, wanted, f->n, f->poll,
+                            &f->triangles) ||
+      !find_edges(f, wanted) ||
+      !sg_crew_run(crew, f->n, vertices_task, f, f->poll)) {
+    return false;
+  }
+  for (size_t i = 0; i < f->n; i++) {
+    if (f->tree[i]->s == 0) {
+      return false;
+    }
+  }
+  return sg_crew_run(crew, f->n, small_task, f, f->poll) && grow_large(f, crew);
+}
+
+bool
+sg_leaf_trees_grow(const sg_leaf_views *views, const int32_t *wanted, size_t n,
+                   sg_crew *crew, const sg_poll *poll, sg_leaf_tree **out)
+{
+  forest f = {.views = views, .tree = out, .n = n, .poll = poll};
+  bool good;
+
+  for (size_t i = 0; i < n; i++) {
+    out[i] = NULL;
+  }
+  good = n == 0 || grow_all(&f, wanted, crew);
+  for (size_t i = 0; i < n && !good; i++) {
+    sg_leaf_tree_close(out[i]);
+    out[i] = NULL;
+  }
+  sg_segment_rows_clear(&f.vertices);
+  sg_segment_rows_clear(&f.triangles);
+  sg_segment_rows_clear(&f.edges);
+  free(f.edge_place);
+  return good;
+}
+
+void
+sg_leaf_tree_close(sg_leaf_tree *tree)
+{
+  if (tree) {
+    sg_id_rows_clear(&tree->vertex);
+    sg_bvh_close(tree->boxes);
+    free(tree);
+  }
+}
+
+size_t
+sg_leaf_tree_bytes(const sg_leaf_tree *tree)
+{
+  return sizeof *tree + sg_id_rows_bytes(&tree->vertex) +
+         sg_bvh_bytes(tree->boxes);
+}

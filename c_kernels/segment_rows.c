@@ -1,0 +1,272 @@
+#include "segment_rows.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- rows of segments ---- */
+
+/* `n` live rows one after another, of wanted[which]. */
+typedef struct run {
+  size_t which;
+  uint32_t row, n;
+} run;
+
+typedef struct walk {
+  const int32_t *wanted;
+  size_t segments;
+  size_t which; /* of the row before; `segments`: not wanted */
+  int32_t s;    /* of the row before, 0: none */
+  run *run;
+  size_t runs, room;
+  bool failed;
+} walk;
+
+/* The place of s in a sorted list, n: it is not there. */
+static size_t
+place_of(const int32_t *list, size_t n, int32_t s)
+{
+  size_t low = 0, high = n;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if (list[middle] < s) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < n && list[low] == s ? low : n;
+}
+
+static void
+add_rows(walk *w, uint32_t row, uint32_t n)
+{
+  run *last = w->runs ? &w->run[w->runs - 1] : NULL;
+
+  if (w->which == w->segments || w->failed) {
+    return;
+  }
+  if (last && last->which == w->which && last->row + last->n == row) {
+    last->n += n;
+    return;
+  }
+  if (w->runs == w->room) {
+    size_t room = w->room ? 2 * w->room : 64;
+    run *grown = realloc(w->run, room * sizeof *grown);
+
+    if (!grown) {
+      w->failed = true;
+      return;
+    }
+    w->run = grown;
+    w->room = room;
+  }
+  w->run[w->runs++] = (run){w->which, row, n};
+}
+
+static void
+see_segment(walk *w, int32_t s)
+{
+  if (s != w->s) {
+    w->s = s;
+    w->which = place_of(w->wanted, w->segments, s);
+  }
+}
+
+static bool
+all_are(const int32_t *s, int32_t value)
+{
+  int32_t differ = 0;
+
+  for (unsigned i = 0; i < 64; i++) {
+    differ |= s[i] ^ value;
+  }
+  return differ == 0;
+}
+
+/* The live rows of a page, 64 at a time where all are of one segment. */
+static void
+walk_page(walk *w, const uint64_t *live, const int32_t *s, uint32_t first)
+{
+  for (unsigned word = 0; word < SG_LIVE_WORDS; word++) {
+    uint64_t bits = live[word];
+    const int32_t *here = s + word * 64;
+    uint32_t row = first + word * 64;
+
+    if (bits == UINT64_MAX && all_are(here, here[0])) {
+      see_segment(w, here[0]);
+      add_rows(w, row, 64);
+      continue;
+    }
+    for (; bits; bits &= bits - 1) {
+      unsigned bit = (unsigned)__builtin_ctzll(bits);
+
+      see_segment(w, here[bit]);
+      add_rows(w, row + bit, 1);
+    }
+  }
+}
+
+/* The runs, put out by segment. */
+static bool
+spread_runs(const walk *w, sg_segment_rows *out)
+{
+  size_t n = w->segments;
+  size_t *next;
+
+  out->begin = calloc(n + 2, sizeof *out->begin);
+  if (!out->begin) {
+    return false;
+  }
+  next = out->begin + 1; /* next[i] ends as begin[i + 1] */
+  for (size_t k = 0; k < w->runs; k++) {
+    next[w->run[k].which + 1] += w->run[k].n;
+  }
+  for (size_t i = 0; i < n; i++) {
+    next[i + 1] += next[i];
+  }
+  out->row = malloc((next[n] + 1) * sizeof *out->row);
+  if (!out->row) {
+    return false;
+  }
+  for (size_t k = 0; k < w->runs; k++) {
+    for (uint32_t i = 0; i < w->run[k].n; i++) {
+      out->row[next[w->run[k].which]++] = w->run[k].row + i;
+    }
+  }
+  return true;
+}
+
+bool
+sg_segment_rows_find(const sg_view *view, const int32_t *wanted, size_t n,
+                     const sg_poll *poll, sg_segment_rows *out)
+{
+  walk w = {.wanted = wanted, .segments = n, .which = n};
+  bool good = true;
+
+  *out = (sg_segment_rows){0};
+  for (size_t page = 0; page < view->pages && good; page++) {
+    walk_page(&w, view->live[page], view->column[0].page[page].i,
+              (uint32_t)page * SG_PAGE_ROWS);
+    good = !w.failed && !(page % 64 == 63 && sg_poll_stop(poll));
+  }
+  good = good && spread_runs(&w, out);
+  free(w.run);
+  return good;
+}
+
+void
+sg_segment_rows_clear(sg_segment_rows *rows)
+{
+  free(rows->begin);
+  free(rows->row);
+  *rows = (sg_segment_rows){0};
+}
+
+/* ---- rows by id ---- */
+
+typedef struct id_row {
+  int32_t id;
+  uint32_t row;
+} id_row;
+
+static int
+compare_ids(const void *x, const void *y)
+{
+  int32_t a = ((const id_row *)x)->id, b = ((const id_row *)y)->id;
+
+  return (a > b) - (a < b);
+}
+
+static int32_t
+id_of(const sg_view *view, uint32_t row)
+{
+  return view->column[1].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
+}
+
+static bool
+make_flat(const sg_view *view, const uint32_t *row, size_t n, sg_id_rows *out)
+{
+  out->row = malloc((out->places + 1) * sizeof *out->row);
+  if (!out->row) {
+    return false;
+  }
+  memset(out->row, 0xff, out->places * sizeof *out->row);
+  for (size_t i = 0; i < n; i++) {
+    out->row[id_of(view, row[i]) - out->first] = row[i];
+  }
+  return true;
+}
+
+static bool
+make_sorted(const sg_view *view, const uint32_t *row, size_t n, sg_id_rows *out)
+{
+  id_row *pair = malloc(n * sizeof *pair);
+
+  out->places = n;
+  out->row = malloc(n * sizeof *out->row);
+  out->id = malloc(n * sizeof *out->id);
+  if (!pair || !out->row || !out->id) {
+    free(pair);
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    pair[i] = (id_row){id_of(view, row[i]), row[i]};
+  }
+  qsort(pair, n, sizeof *pair, compare_ids);
+  for (size_t i = 0; i < n; i++) {
+    out->id[i] = pair[i].id;
+    out->row[i] = pair[i].row;
+  }
+  free(pair);
+  return true;
+}
+
+bool
+sg_id_rows_make(const sg_view *view, const uint32_t *row, size_t n,
+                sg_id_rows *out)
+{
+  int32_t last = 0;
+
+  *out = (sg_id_rows){0};
+  if (n == 0) {
+    return true;
+  }
+  out->first = last = id_of(view, row[0]);
+  for (size_t i = 1; i < n; i++) {
+    int32_t id = id_of(view, row[i]);
+    out->first = id < out->first ? id : out->first;
+    last = id > last ? id : last;
+  }
+  out->places = (size_t)(last - out->first) + 1;
+  return out->places <= 4 * n + 64 ? make_flat(view, row, n, out)
+                                   : make_sorted(view, row, n, out);
+}
+
+void
+sg_id_rows_clear(sg_id_rows *table)
+{
+  free(table->row);
+  free(table->id);
+  *table = (sg_id_rows){0};
+}
+
+size_t
+sg_id_rows_bytes(const sg_id_rows *table)
+{
+  return table->places *
+         (sizeof *table->row + (table->id ? sizeof *table->id : 0));
+}
+
+uint32_t
+sg_id_rows_find(const sg_id_rows *table, int32_t id)
+{
+  if (!table->id) {
+    int64_t place = (int64_t)id - table->first;
+    return place >= 0 && (size_t)place < table->places ? table->row[place]
+                                                       : SG_NO_ID_ROW;
+  }
+  size_t place = place_of(table->id, table->places, id);
+
+  return place < table->places ? table->row[place] : SG_NO_ID_ROW;
+}

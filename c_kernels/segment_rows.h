@@ -1,0 +1,50 @@
+/* segment_rows.h -- the rows of some segments, found in one walk of a relation;
+ * and rows by id.
+ *
+ * Layer: kernel.
+ */
+#ifndef SG_SEGMENT_ROWS_H
+#define SG_SEGMENT_ROWS_H
+
+#include "column.h"
+#include "poll.h"
+
+#include <stdbool.h>
+
+/* Rows are numbered as in the store: page * SG_PAGE_ROWS + place. Those of
+ * wanted[i] are row[begin[i]] .. row[begin[i + 1] - 1], ascending. */
+typedef struct sg_segment_rows {
+  size_t *begin; /* [n + 1] */
+  uint32_t *row;
+} sg_segment_rows;
+
+/* The live rows of n segments (ascending numbers); column 0 is the segment.
+ *
+ * Returns: false: no memory, or the poll said stop.
+ * Owner:   sg_segment_rows_clear() in any case. */
+bool sg_segment_rows_find(const sg_view *view, const int32_t *wanted, size_t n,
+                          const sg_poll *poll, sg_segment_rows *out);
+void sg_segment_rows_clear(sg_segment_rows *rows);
+
+/* The rows of one segment by id: a flat table from the lowest id to the highest
+ * when they are close together, else sorted ids. Places are numbers below
+ * `places`, ascending with the ids. */
+typedef struct sg_id_rows {
+  int32_t first; /* the lowest id */
+  size_t places;
+  uint32_t *row; /* [places]; SG_NO_ID_ROW: no row has this id */
+  int32_t *id;   /* [places], ascending; null: the id is first + place */
+} sg_id_rows;
+
+#define SG_NO_ID_ROW UINT32_MAX
+
+/* From n rows; column 1 is the id. False: no memory. Owner: the caller. */
+bool sg_id_rows_make(const sg_view *view, const uint32_t *row, size_t n,
+                     sg_id_rows *out);
+void sg_id_rows_clear(sg_id_rows *table);
+size_t sg_id_rows_bytes(const sg_id_rows *table);
+
+/* The row of an id, SG_NO_ID_ROW: none. */
+uint32_t sg_id_rows_find(const sg_id_rows *table, int32_t id);
+
+#endif

@@ -1,0 +1,40 @@
+/* tree4pl.h -- the trees of segments, kept with their world.
+ *
+ * Layer: glue. A tree is kept until its segment's rows have changed, and the
+ * next call wants the new ones. A version of another time has other stamps
+ * (sg_version_stamp()), so it never sees a tree that is not its own; undo
+ * brings back the stamps, and with them the tree if it is still there.
+ */
+#ifndef SG_TREE4PL_H
+#define SG_TREE4PL_H
+
+#include "../engine/world4pl.h"
+
+#include "leaf_tree.h"
+
+#include <stdatomic.h>
+
+enum { SG_TREE_STAMPS = 3 };
+
+/* A tree and what it was made from: stamps of v/5, t/6 and e/5. */
+typedef struct sg_kept_tree {
+  atomic_size_t holders;
+  int32_t s;
+  uint64_t stamp[SG_TREE_STAMPS];
+  sg_leaf_tree *tree;
+} sg_kept_tree;
+
+/* The trees of n segments (ascending numbers) as `version` of `world` shows
+ * them, kept ones and new ones; each out[i] is held and to be dropped. The
+ * views are of the same version. False: an exception is pending, nothing is
+ * held. */
+int sg_trees_hold_ex(sg_world *world, const sg_version *version,
+                     const sg_leaf_views *views, const int32_t *s, size_t n,
+                     sg_crew *crew, sg_kept_tree **out);
+void sg_kept_tree_drop(sg_kept_tree *kept);
+
+/* Views of one version; clear them. */
+int sg_leaf_views_ex(const sg_version *version, sg_leaf_views *out);
+void sg_leaf_views_clear(sg_leaf_views *views);
+
+#endif
