@@ -294,18 +294,62 @@ boxes_meet(p(X1,Y1,Z1)-p(X2,Y2,Z2), p(X3,Y3,Z3)-p(X4,Y4,Z4)) :-
     Y1 =< Y4, Y3 =< Y2,
     Z1 =< Z4, Z3 =< Z2.
 
-%   A pair of leaves and a piece they have in common, End1-End2 its features.
+%   A pair of leaves and a piece they have in common.
 
 leaf_piece(Leaves1, Leaves2, Leaf1, Leaf2, Kind, Piece) :-
-    member(Leaf1, Leaves1),
-    Leaf1 = leaf(_, T1, _, Spaces1, Box1),
-    member(Leaf2, Leaves2),
-    Leaf2 = leaf(_, T2, _, Spaces2, Box2),
-    boxes_meet(Box1, Box2),
+    leaf_pair(Leaves1, Leaves2, Leaf1, Leaf2),
+    Leaf1 = leaf(_, T1, _, Spaces1, _),
+    Leaf2 = leaf(_, T2, _, Spaces2, _),
     \+ apart(T1, Spaces2),
     \+ apart(T2, Spaces1),
     common(T1, Spaces1, T2, Spaces2, Kind, Pieces),
     member(Piece, Pieces).
+
+%   leaf_pair(+Leaves1, +Leaves2, -Leaf1, -Leaf2): their boxes meet. By a sweep
+%   along X, for segments of some thousands of triangles.
+
+leaf_pair(Leaves1, Leaves2, Leaf1, Leaf2) :-
+    by_low_x(Leaves1, Sorted1),
+    by_low_x(Leaves2, Sorted2),
+    foldl(wider, Leaves2, 0, Width),
+    sweep(Sorted1, Sorted2, Width, Leaf1, Near),
+    Leaf1 = leaf(_, _, _, _, Box1),
+    Box1 = _-p(Xmax,_,_),
+    near_leaf(Near, Xmax, Leaf2),
+    Leaf2 = leaf(_, _, _, _, Box2),
+    boxes_meet(Box1, Box2).
+
+by_low_x(Leaves, Sorted) :-
+    findall(X-Leaf, ( member(Leaf, Leaves),
+                      Leaf = leaf(_, _, _, _, p(X,_,_)-_) ),
+            Keyed),
+    keysort(Keyed, Sorted).
+
+wider(leaf(_, _, _, _, p(X1,_,_)-p(X2,_,_)), W0, W) :-
+    W is max(W0, X2-X1).
+
+%   sweep(+Sorted1, +Sorted2, +Width, -Leaf1, -Near): Near begins with the first
+%   of Sorted2 that is not wholly before Leaf1.
+
+sweep([X-Leaf|Sorted1], Sorted2, Width, Leaf1, Near) :-
+    From is X-Width,
+    begin(Sorted2, From, Near0),
+    (   Leaf1 = Leaf,
+        Near = Near0
+    ;   sweep(Sorted1, Near0, Width, Leaf1, Near)
+    ).
+
+begin([X-_|Sorted], From, Near) :-
+    X < From,
+    !,
+    begin(Sorted, From, Near).
+begin(Near, _, Near).
+
+near_leaf([X-Leaf|Sorted], High, Near) :-
+    X =< High,
+    (   Near = Leaf
+    ;   near_leaf(Sorted, High, Near)
+    ).
 
 %   All corners on one side of the other's plane.
 

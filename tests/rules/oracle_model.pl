@@ -32,7 +32,8 @@ penetration_faults(Faults) :-
 %!  model_before(-Before) is det.
 %
 %   Before is before(Segments, Lines): segment(S, Leaves, Areas, Boundary) for
-%   each segment, lines(S1, S2, Lines) for each pair.
+%   each segment, lines(S1, S2, Lines, Points) for each pair, Points those that
+%   they have in common on no line.
 
 model_before(before(Segments, Lines)) :-
     findall(segment(S, Leaves, Areas, Boundary),
@@ -43,13 +44,20 @@ model_before(before(Segments, Lines)) :-
               boundary(S, Boundary)
             ),
             Segments),
-    findall(lines(S1, S2, Common),
+    findall(lines(S1, S2, Common, Alone),
             ( member(segment(S1, Leaves1, _, _), Segments),
               member(segment(S2, Leaves2, _, _), Segments),
               S1 < S2,
-              common_lines(Leaves1, Leaves2, Common)
+              common_lines(Leaves1, Leaves2, Common),
+              common_points(Leaves1, Leaves2, Points),
+              pairs_values(Common, Pieces),
+              runs(Pieces, Runs),
+              exclude(on_a_run(Runs), Points, Alone)
             ),
             Lines).
+
+on_a_run(Runs, Point) :-
+    once(run_point(Runs, Point, _)).
 
 polygon_edges(S, P, Edges) :-
     p(S, P, Es),
@@ -116,13 +124,16 @@ less([E|Es], [F|Fs], Rest) :-
 %       origin does not say; or vertex_exact/5 says something else
 %     - lines(S1, S2, oracle(Runs), engine(Runs))
 %       the lines are not the same points
+%     - points(S1, S2, oracle(Points), engine(Points))
+%       nor the contacts in a point alone
 %     - line_not_in(L)
 %       a piece is not in both polygons it names, or no edge there
 %     - not_divided(S1, S2, Point), needlessly_divided(S1, S2, Point)
 %       see needed/5
 %     - area(S, P), turned(S, T), sides(S, P)
 %       the triangles of a polygon do not cover what the polygon was; one is
-%       turned over; their sides are not the edges of the polygon
+%       turned over; their sides are not the edges of the polygon. A polygon
+%       without area has no triangles.
 %     - boundary(S)
 %       an edge is divided in one polygon only, or has lost its opposite
 
@@ -130,17 +141,24 @@ model_fault(_, place(S, V)) :-
     v(S, V, X, Y, Z),
     \+ well_placed(S, V, p(X,Y,Z)).
 model_fault(before(_, Lines), lines(S1, S2, oracle(Oracle), engine(Engine))) :-
-    member(lines(S1, S2, Common), Lines),
+    member(lines(S1, S2, Common, _), Lines),
     pairs_values(Common, Pieces),
     runs(Pieces, Oracle),
     engine_pieces(S1, S2, EnginePieces),
     runs(EnginePieces, Engine),
     Oracle \== Engine.
+model_fault(before(_, Lines), points(S1, S2, oracle(Oracle), engine(Engine))) :-
+    member(lines(S1, S2, _, Oracle), Lines),
+    findall(A, ( line(_, S1, _, A1, A1, S2, _, _, _), at(S1, A1, A) ),
+            Engine0),
+    msort(Engine0, Engine),
+    Oracle \== Engine.
 model_fault(before(_, Lines), line_not_in(L)) :-
     line(L, S1, P1, A1, B1, S2, P2, A2, B2),
+    A1 \== B1,
     \+ ( polygon_edge(S1, P1, A1, B1),
          polygon_edge(S2, P2, A2, B2),
-         memberchk(lines(S1, S2, Common), Lines),
+         memberchk(lines(S1, S2, Common, _), Lines),
          findall(Piece, member(P1-P2-Piece, Common), Pieces),
          runs(Pieces, Runs),
          at(S1, A1, A),
@@ -149,7 +167,7 @@ model_fault(before(_, Lines), line_not_in(L)) :-
        ).
 model_fault(Before, Fault) :-
     Before = before(_, Lines),
-    member(lines(S1, S2, Common), Lines),
+    member(lines(S1, S2, Common, _), Lines),
     end_fault(Before, S1, S2, Common, Fault).
 model_fault(before(Segments, _), Fault) :-
     member(segment(S, _, Areas, _), Segments),
@@ -162,10 +180,21 @@ model_fault(before(Segments, _), boundary(S)) :-
 
 well_placed(S, V, p(Xf,Yf,Zf)) :-
     exact_vertex(S, V, p(X,Y,Z)),
-    Xf =:= float(X),
-    Yf =:= float(Y),
-    Zf =:= float(Z),
+    maplist(nearest, [Xf,Yf,Zf], [X,Y,Z]),
     vertex_exact(S, V, X, Y, Z).
+
+%   No double is nearer to rational X than F. (SWI-Prolog 9.0's own float/1
+%   does not take the even one of two that are equally near.)
+
+nearest(F, X) :-
+    Off is abs(rational(F)-X),
+    (   Off =:= 0
+    ->  true
+    ;   Up is nexttoward(F, inf),
+        Down is nexttoward(F, -inf),
+        abs(rational(Up)-X) >= Off,
+        abs(rational(Down)-X) >= Off
+    ).
 
 engine_pieces(S1, S2, Pieces) :-
     findall(A-B,
@@ -242,6 +271,9 @@ needed(Segments, S1, S2, Runs, Point) :-
 
 /* - - - polygons - - - */
 
+polygon_fault(_, _, v(0,0,0), _) :-
+    !,
+    fail.
 polygon_fault(S, P, Area, Fault) :-
     findall(T-[A-B,B-C,C-A], t(S, P, T, A, B, C), Triangles),
     pairs_values(Triangles, Sides0),

@@ -1,0 +1,97 @@
+:- module(test_oracle_meshes, []).
+:- use_module(library(plunit)).
+:- use_module(library(lists)).
+:- use_module(library(solution_sequences)).
+:- use_module(rules(decision)).
+:- use_module(rules(mesh)).
+:- use_module(rules(penetration)).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation)).
+:- use_module(tests('rules/oracle')).
+:- use_module(tests('rules/oracle_model')).
+
+/* All pairs of meshes of others, where they are, against the oracle, as they
+come: open sheets, contacts, polygons that are not flat. Collinear pieces are
+not merged, since polygons flat only within the tolerance have joints that are
+straight only within it. The one large pair (062, 15,000 triangles, some without
+area; about half a minute) is tried with ORACLE_MESHES=all. */
+
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
+user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
+
+shared(Folder) :-
+    atom_concat('../shared/data/', Folder, Path),
+    (   exists_directory(Path)
+    ->  true
+    ;   format("~nskipped: ~w is not there~n", [Path]),
+        fail
+    ).
+
+pair(mcut, First, Second) :-
+    expand_file_name('../shared/data/mcut/src-mesh*.off', Files),
+    member(First, Files),
+    \+ left_out(First),
+    atomic_list_concat([Begin,End], 'src-mesh', First),
+    atomic_list_concat([Begin,End], 'cut-mesh', Second).
+pair(booleans, First, Second) :-
+    expand_file_name('../shared/data/booleans/*_left.obj', Files),
+    member(First, Files),
+    atom_concat(Begin, '_left.obj', First),
+    atom_concat(Begin, '_right.obj', Second).
+
+left_out(File) :-
+    sub_atom(File, _, _, 0, '062.off'),
+    \+ getenv('ORACLE_MESHES', all).
+
+%   penetrated(+First, +Second, -Faults): what model_fault/2 finds, but for
+%   points in which pieces were not merged; and dead ends of closed segments: a
+%   piece that goes through one face of each goes on.
+
+penetrated(First, Second, Faults) :-
+    new_world(World),
+    in_world(World,
+             ( unmerged,
+               read_mesh(First, _),
+               read_mesh(Second, _),
+               complete_segments,
+               model_before(Before),
+               penetrate,
+               findall(Fault, limit(3, fault(Before, Fault)), Faults) )).
+
+unmerged :-
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [extension(pl), encoding(utf8)]),
+        write(Out, 'merge_line(_, _) :- fail.\n'), close(Out)),
+    use_rules(File),
+    delete_file(File).
+
+fault(Before, Fault) :-
+    model_fault(Before, Fault),
+    Fault \= needlessly_divided(_, _, _).
+fault(before(_, Lines), dead_end(S, V)) :-
+    \+ segment(_, surface, _),
+    line(L, S, _, A, B, S2, _, _, _),
+    A \== B,
+    member(V, [A,B]),
+    \+ ( line(M, S, _, C, D, _, _, _, _), M \== L, memberchk(V, [C,D]) ),
+    memberchk(lines(S, S2, Common, _), Lines),
+    exact_vertex(S, A, Pa),
+    exact_vertex(S, B, Pb),
+    msort([Pa,Pb], [P,Q]),
+    findall(x, member(_-(P-Q), Common), [_]).
+
+mesh_fault(Folder, First-Faults) :-
+    pair(Folder, First, Second),
+    catch(penetrated(First, Second, Faults), Error, Faults = [Error]),
+    Faults \== [].
+
+:- begin_tests(oracle_meshes).
+
+test(mcut, [condition(shared(mcut)), true(Bad == [])]) :-
+    findall(B, mesh_fault(mcut, B), Bad).
+test(booleans, [condition(shared(booleans)), true(Bad == [])]) :-
+    findall(B, mesh_fault(booleans, B), Bad).
+
+:- end_tests(oracle_meshes).
