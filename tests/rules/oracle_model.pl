@@ -27,7 +27,10 @@ where their origins say.
 penetration_faults(Faults) :-
     model_before(Before),
     penetrate,
-    findall(Fault, limit(3, model_fault(Before, Fault)), Faults).
+    findall(Fault,
+            limit(3, ( model_fault(Before, Fault),
+                       Fault \= points(_, _, _, _) )),
+            Faults).
 
 %!  model_before(-Before) is det.
 %
@@ -190,8 +193,8 @@ nearest(F, X) :-
     Off is abs(rational(F)-X),
     (   Off =:= 0
     ->  true
-    ;   Up is nexttoward(F, inf),
-        Down is nexttoward(F, -inf),
+    ;   Up is nexttoward(F, 1.0e300),
+        Down is nexttoward(F, -1.0e300),
         abs(rational(Up)-X) >= Off,
         abs(rational(Down)-X) >= Off
     ).
