@@ -26,6 +26,7 @@ typedef struct sg_cut_handle {
   uint32_t (*candidate)[2];            /* triangles, and then curve edges */
   size_t candidates, curve_candidates; /* the second: where those begin */
   bool joined;                         /* the candidates are there */
+  double reach;                        /* how near they are, at most */
   sg_key_table next_name;              /* segment -> next id of v/5 */
   sg_key_table line_of;                /* segment, two points -> line */
   sg_key_table edge_type;  /* segment, polygon, two vertices -> Et */

@@ -273,7 +273,7 @@ keep_hits_ex(join *j, const sg_bvh_hits *hits)
     sg_box of_a = box_of(model, handle->tree[place[0]]->tree->curve, a - 1);
     sg_box of_b = box_of(model, false, b - 1);
 
-    if (sg_box_overlap(&of_a, &of_b, 0)) {
+    if (sg_box_overlap(&of_a, &of_b, handle->reach)) {
       grown[handle->candidates][0] = a - 1;
       grown[handle->candidates++][1] = b - 1;
     }
@@ -289,7 +289,8 @@ join_ex(join *j, sg_crew *crew)
     int good;
 
     take_pairs(j, curve);
-    if (!sg_bvh_join(j->pair, j->pairs, 0, crew, &sg_prolog_poll, &hits)) {
+    if (!sg_bvh_join(j->pair, j->pairs, j->handle->reach, crew, &sg_prolog_poll,
+                     &hits)) {
       return PL_exception(0) ? FALSE : sg_no_memory();
     }
     good = keep_hits_ex(j, &hits);

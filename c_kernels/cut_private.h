@@ -12,4 +12,8 @@ bool sg_cut_room(void **array, size_t n, size_t *room, size_t size);
  * memory. */
 bool sg_cut_add_piece(sg_cut_set *set, const sg_cut_piece *piece);
 
+/* Drops the cuts along chords where polygons lie on each other. False: no
+ * memory. */
+bool sg_cut_drop_folds(sg_cut_set *set);
+
 #endif

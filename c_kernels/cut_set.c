@@ -452,6 +452,9 @@ share_edge_points(sg_cut_set *set)
 bool
 sg_cut_set_seal(sg_cut_set *set)
 {
+  if (!sg_cut_drop_folds(set)) {
+    return false;
+  }
   order_edges(set);
   if (!share_edge_points(set)) {
     return false;

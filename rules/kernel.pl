@@ -13,6 +13,7 @@
             % cut4pl.c, seam4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
+            cut_resolve/4,            % +Set, +Reach, -Vertices, -Polygons
             cut_candidate/3,          % +Set, -T1, -T2
             curve_candidate/3,        % +Set, -E, -T
             cut_find/1,               % +Set
@@ -374,6 +375,18 @@ glue file.
 %
 %   Frees what Set holds. Any later use is an existence_error(cut_set, Set);
 %   the garbage collector closes what is forgotten.
+
+%!  cut_resolve(+Set, +Reach, -Vertices, -Polygons) is det.
+%
+%   What must change in the segments of Set so that all that is within Reach
+%   (model units, positive) touches: Vertices that move or are new, as
+%   vertex(S, V, X, Y, Z, Origin), and Polygons as polygon(S, P, Edges,
+%   Triangles), Edges a list of w(V1, V2, Et, E), a part of edge E, or a seam
+%   if E is 0, and Triangles of t(V1, V2, V3). Both are empty if nothing
+%   touches but exactly. If that cannot be done Vertices is wide(S, V) (vertex
+%   V hangs together with others over more than three times Reach) or
+%   stuck(S, P) (polygon P cannot be triangulated so). Changes nothing.
+%   @see resolve.h
 
 %!  cut_candidate(+Set, -T1, -T2) is nondet.
 %

@@ -515,6 +515,10 @@ notice_en(polygon_edge(S, P, V1, V2)) -->
 notice_en(no_area(S, Count, P)) -->
     [ 'polygons without area in segment ~d: ~D (the first is ~d)'-
       [S, Count, P], nl, '  Left out.' ].
+notice_en(contacts(Why)) -->
+    contacts_en(Why),
+    [ nl,
+      '  The lines are right for the model as it is; there may be splinters.' ].
 notice_en(not_flat(S, Count, P, Off)) -->
     [ 'polygons that are not flat in segment ~d: ~D (the worst is ~d, by ~4g)'-
       [S, Count, P, Off], nl,
@@ -607,3 +611,12 @@ notice_en(nothing_to_explain(Item)) -->
     [ 'there is nothing to explain in ~p'-[Item], nl,
       '  Ask for line(L), vertex(S, V), edge(S, E), \c
        pair(S1-P1, S2-P2) or pair(S1, S2), with numbers of the model.' ].
+%   Why contacts within the tolerance were not made to touch (resolve.pl).
+
+contacts_en(wide(S, V)) -->
+    [ 'vertex ~d of segment ~d hangs together with others over more than '-
+      [V, S], 'three tolerances;', nl,
+      '  what touches within the tolerance was left as it is.' ].
+contacts_en(stuck(S, P)) -->
+    [ 'polygon ~d of segment ~d cannot take in all that touches it '-[P, S],
+      'within the tolerance;', nl, '  it was left as it is.' ].

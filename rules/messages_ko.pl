@@ -513,6 +513,9 @@ notice_ko(no_area(S, Count, P)) -->
     [ '세그먼트 ~d 의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
       [S, Count, P], nl,
       '  빼고 계속합니다.' ].
+notice_ko(contacts(Why)) -->
+    contacts_ko(Why),
+    [ nl, '  선은 모델 그대로에 대해 정확하지만, 가는 조각이 있을 수 있습니다.' ].
 notice_ko(not_flat(S, Count, P, Off)) -->
     [ '세그먼트 ~d 의 다각형 ~D개는 평평하지 않습니다 (가장 심한 ~d: ~4g)'-
       [S, Count, P, Off], nl,
@@ -558,3 +561,12 @@ notice_ko(nothing_to_explain(Item)) -->
     [ '~p: 설명할 것이 없습니다'-[Item], nl,
       '  line(L), vertex(S, V), edge(S, E), pair(S1-P1, S2-P2), \c
        pair(S1, S2) 를 모델의 번호로 물어보십시오.' ].
+%   허용 오차 안의 접촉을 맞추지 못한 까닭 (resolve.pl).
+
+contacts_ko(wide(S, V)) -->
+    [ '세그먼트 ~d 의 꼭짓점 ~d 이(가) 허용 오차의 세 배보다 넓게 다른 것과 '-
+      [S, V], '이어져 있습니다;', nl,
+      '  허용 오차 안에서 닿는 것을 그대로 두었습니다.' ].
+contacts_ko(stuck(S, P)) -->
+    [ '세그먼트 ~d 의 다각형 ~d 이(가) 허용 오차 안에서 닿는 것을 모두 '-
+      [S, P], '받아들이지 못합니다;', nl, '  그대로 두었습니다.' ].

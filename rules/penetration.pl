@@ -21,6 +21,7 @@
               [ leaves_kept/1, curve_kept/1, were_cut/2, earlier_cuts/2,
                 origin_segment/2, leaves_restored/1
               ]).
+:- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, line/9,
@@ -155,10 +156,33 @@ met_pair(Set, S1-S2) :-
     msort([S,Other], [S1,S2]).
 
 penetrated(Pairs) :-
+    with_cut_set(Pairs, resolved(Resolved)),
+    (   Resolved == true
+    ->  with_cut_set(Pairs, arranged),
+        resolved_seams
+    ;   true
+    ).
+
+:- meta_predicate with_cut_set(+, 2).
+
+with_cut_set(Pairs, Goal) :-
     setup_call_cleanup(
         stage(tree, cut_set_open(Pairs, Set)),
-        stage(rules, penetrated_(Pairs, Set)),
+        call(Goal, Pairs, Set),
         cut_set_close(Set)).
+
+%   If contacts had to be made, the arrangement starts from what that made.
+
+resolved(Resolved, Pairs, Set) :-
+    model_tolerance(Tolerance),
+    (   stage(resolve, resolve_contacts(Set, Tolerance))
+    ->  Resolved = true
+    ;   Resolved = false,
+        arranged(Pairs, Set)
+    ).
+
+arranged(Pairs, Set) :-
+    stage(rules, penetrated_(Pairs, Set)).
 
 penetrated_(Pairs, Set) :-
     stage(join, cut_find(Set)),

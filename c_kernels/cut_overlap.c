@@ -1,0 +1,131 @@
+/* cut_overlap.c -- chords inside a common part of two polygons are no lines.
+ *
+ * Polygons that resolving laid on each other (resolve.h) have the same
+ * triangles there, which need not be coplanar exactly. Two triangles a, b, p
+ * and b, a, q of the one, and the same two of the other, cut each other along
+ * their chord a-b: the first of the one with the second of the other, and the
+ * other way round. Where two polygons go THROUGH each other along a common
+ * chord, the corners p and q of one are not those of the other.
+ */
+#include "cut_private.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A cut along a chord in both polygons. The corners opposite to it, p in the
+ * first and q in the second triangle, as vertices of the model. */
+typedef struct fold {
+  uint32_t low, high; /* points of the chord */
+  const double *p, *q;
+  size_t cut;
+} fold;
+
+static int
+by_chord(const void *a, const void *b)
+{
+  const fold *x = a, *y = b;
+
+  if (x->low != y->low) {
+    return x->low < y->low ? -1 : 1;
+  }
+  if (x->high != y->high) {
+    return x->high < y->high ? -1 : 1;
+  }
+  return (x->cut > y->cut) - (x->cut < y->cut);
+}
+
+static bool
+same_place(const double a[3], const double b[3])
+{
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+static bool
+is_at(const sg_cut_set *set, const double at[3], uint32_t point)
+{
+  const sg_point *p = &set->points.point[point].at;
+
+  return !p->q && same_place(p->p, at);
+}
+
+/* The corner of a triangle that neither end of the cut is; null: an end of the
+ * cut is no corner of it. */
+static const double *
+opposite(const sg_cut_set *set, uint32_t triangle, const sg_cut_piece *cut)
+{
+  const uint32_t *v = set->model.triangle[triangle].v;
+
+  for (int k = 0; k < 3; k++) {
+    const double *a = set->model.vertex[v[k]].at;
+    const double *b = set->model.vertex[v[(k + 1) % 3]].at;
+    if ((is_at(set, a, cut->a) && is_at(set, b, cut->b)) ||
+        (is_at(set, a, cut->b) && is_at(set, b, cut->a))) {
+      return set->model.vertex[v[(k + 2) % 3]].at;
+    }
+  }
+  return NULL;
+}
+
+static size_t
+find_folds(const sg_cut_set *set, fold *out)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < set->cuts; i++) {
+    const sg_cut_piece *cut = &set->cut[i];
+
+    if (cut->edge[0] != SG_NO_KEY || cut->edge[1] != SG_NO_KEY) {
+      continue;
+    }
+    const double *p = opposite(set, cut->triangle[0], cut);
+    const double *q = p ? opposite(set, cut->triangle[1], cut) : NULL;
+
+    if (q) {
+      out[n++] = (fold){cut->a < cut->b ? cut->a : cut->b,
+                        cut->a < cut->b ? cut->b : cut->a, p, q, i};
+    }
+  }
+  return n;
+}
+
+static bool
+same_polygons(const sg_cut_piece *x, const sg_cut_piece *y)
+{
+  return memcmp(x->s, y->s, sizeof x->s) == 0 &&
+         memcmp(x->p, y->p, sizeof x->p) == 0;
+}
+
+bool
+sg_cut_drop_folds(sg_cut_set *set)
+{
+  fold *list = malloc((set->cuts + 1) * sizeof *list);
+  size_t n = list ? find_folds(set, list) : 0, kept = 0;
+
+  if (!list) {
+    return false;
+  }
+  qsort(list, n, sizeof *list, by_chord);
+  for (size_t i = 0, end; i < n; i = end) {
+    for (end = i + 1; end < n && list[end].low == list[i].low &&
+                      list[end].high == list[i].high;
+         end++) {
+    }
+    for (size_t k = i; k < end; k++) {
+      for (size_t l = i; l < end; l++) {
+        if (same_place(list[k].p, list[l].q) &&
+            same_place(list[k].q, list[l].p) &&
+            same_polygons(&set->cut[list[k].cut], &set->cut[list[l].cut])) {
+          set->cut[list[k].cut].live = false;
+        }
+      }
+    }
+  }
+  free(list);
+  for (size_t i = 0; i < set->cuts; i++) {
+    if (set->cut[i].live) {
+      set->cut[kept++] = set->cut[i];
+    }
+  }
+  set->cuts = kept;
+  return true;
+}

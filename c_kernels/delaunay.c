@@ -1,0 +1,197 @@
+/* delaunay.c -- better triangles: see delaunay.h. */
+#include "delaunay.h"
+
+#include "key_table.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- one more corner ---- */
+
+static bool
+push(sg_triangles *out, int32_t a, int32_t b, int32_t c)
+{
+  if (out->n == out->room) {
+    size_t room = out->room ? out->room * 2 : 16;
+    sg_triangle *item = realloc(out->item, room * sizeof *item);
+    if (!item) {
+      return false;
+    }
+    out->item = item;
+    out->room = room;
+  }
+  out->item[out->n++] = (sg_triangle){{a, b, c}};
+  return true;
+}
+
+/* Divides the triangle at v, which lies inside (flat < 0) or on the side that
+ * begins at corner `flat`. */
+static bool
+divide(sg_triangles *triangles, size_t i, int32_t v, int flat)
+{
+  sg_triangle t = triangles->item[i];
+  bool first = true;
+
+  for (int k = 0; k < 3; k++) {
+    int32_t a = t.v[k], b = t.v[(k + 1) % 3];
+    if (k == flat) {
+      continue;
+    }
+    if (first) {
+      triangles->item[i] = (sg_triangle){{a, b, v}};
+      first = false;
+    } else if (!push(triangles, a, b, v)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_triangles_insert(const sg_work *work, sg_triangles *triangles, int32_t v)
+{
+  size_t n = triangles->n; /* those added have v as a corner already */
+
+  for (size_t i = 0; i < n; i++) {
+    const int32_t *corner = triangles->item[i].v;
+    int flat = -1, out = 0;
+
+    for (int k = 0; k < 3; k++) {
+      int turn = sg_work_turn(work, corner[k], corner[(k + 1) % 3], v);
+      out += turn < 0;
+      flat = turn == 0 ? k : flat;
+    }
+    if (out > 0) {
+      continue;
+    }
+    if (!divide(triangles, i, v, flat)) {
+      return false;
+    }
+    if (flat < 0) {
+      break;
+    }
+  }
+  return true;
+}
+
+/* ---- turning chords ---- */
+
+typedef struct turner {
+  const sg_work *work;
+  sg_triangles *triangles;
+  sg_key_table side; /* a, b of a triangle a, b, c -> 3 i + place of a */
+  bool (*is_fixed)(void *data, int32_t a, int32_t b);
+  void *data;
+} turner;
+
+static bool
+note_sides(turner *t)
+{
+  sg_key_table_clear(&t->side);
+  sg_key_table_init(&t->side, 2);
+  for (size_t i = 0; i < t->triangles->n; i++) {
+    for (uint32_t k = 0; k < 3; k++) {
+      const int32_t *v = t->triangles->item[i].v;
+      uint32_t *place = sg_key_table_put(
+          &t->side, (uint32_t[2]){(uint32_t)v[k], (uint32_t)v[(k + 1) % 3]});
+      if (!place) {
+        return false;
+      }
+      *place = 3 * (uint32_t)i + k;
+    }
+  }
+  return true;
+}
+
+/* Sine and cosine, times the same number, of the angle at `at`. */
+static void
+angle(const turner *t, int32_t at, int32_t a, int32_t b, double out[2])
+{
+  const double *p = sg_work_point(t->work, at)->p;
+  const double *q = sg_work_point(t->work, a)->p;
+  const double *r = sg_work_point(t->work, b)->p;
+  double u[3], w[3], dot = 0, square = 0;
+
+  for (int k = 0; k < 3; k++) {
+    u[k] = q[k] - p[k];
+    w[k] = r[k] - p[k];
+    dot += u[k] * w[k];
+  }
+  for (int k = 0; k < 3; k++) {
+    double c =
+        u[(k + 1) % 3] * w[(k + 2) % 3] - u[(k + 2) % 3] * w[(k + 1) % 3];
+    square += c * c;
+  }
+  out[0] = sqrt(square);
+  out[1] = dot;
+}
+
+/* Whether the angles at c and d, opposite to a-b, add up to more than two
+ * right ones, by more than rounding. */
+static bool
+is_better(const turner *t, int32_t a, int32_t b, int32_t c, int32_t d)
+{
+  double x[2], y[2];
+
+  angle(t, c, a, b, x);
+  angle(t, d, a, b, y);
+  double sine = x[0] * y[1] + x[1] * y[0];
+
+  return sine < -1e-9 * hypot(x[0], x[1]) * hypot(y[0], y[1]);
+}
+
+/* Turns side k of triangle i if that is better. Both triangles are new then,
+ * and the sides noted of them no longer right. */
+static bool
+turn_side(turner *t, size_t i, int k, bool *fresh)
+{
+  sg_triangle *one = &t->triangles->item[i];
+  int32_t a = one->v[k], b = one->v[(k + 1) % 3], c = one->v[(k + 2) % 3];
+  uint32_t place =
+      sg_key_table_get(&t->side, (uint32_t[2]){(uint32_t)b, (uint32_t)a});
+
+  if (place == SG_NO_KEY || fresh[place / 3] || t->is_fixed(t->data, a, b)) {
+    return false;
+  }
+  sg_triangle *other = &t->triangles->item[place / 3];
+  int32_t d = other->v[(place % 3 + 2) % 3];
+
+  if (sg_work_turn(t->work, c, a, d) <= 0 ||
+      sg_work_turn(t->work, d, b, c) <= 0 || !is_better(t, a, b, c, d)) {
+    return false;
+  }
+  *one = (sg_triangle){{c, a, d}};
+  *other = (sg_triangle){{d, b, c}};
+  fresh[i] = fresh[place / 3] = true;
+  return true;
+}
+
+bool
+sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
+                      bool (*is_fixed)(void *data, int32_t a, int32_t b),
+                      void *data)
+{
+  enum {
+    ROUNDS = 64
+  }; /* each better than the one before; rounding might
+        make two of them go round */
+  turner t = {work, triangles, {0}, is_fixed, data};
+  bool *fresh = malloc(triangles->n + 1), done = fresh != NULL, turned = true;
+
+  sg_key_table_init(&t.side, 2);
+  for (int round = 0; round < ROUNDS && done && turned; round++) {
+    done = note_sides(&t);
+    turned = false;
+    for (size_t i = 0; i < triangles->n; i++) {
+      fresh[i] = false;
+    }
+    for (size_t i = 0; i < triangles->n && done; i++) {
+      for (int k = 0; k < 3 && !fresh[i]; k++) {
+        turned = turn_side(&t, i, k, fresh) || turned;
+      }
+    }
+  }
+  sg_key_table_clear(&t.side);
+  free(fresh);
+  return done;
+}

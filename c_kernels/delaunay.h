@@ -1,0 +1,24 @@
+/* delaunay.h -- better triangles for a polygon that has been triangulated.
+ *
+ * Layer: kernel. Over the vertices of a scratch relation (work.h); its edges
+ * are used up by then. What may be done is decided exactly, what is better in
+ * doubles.
+ */
+#ifndef SG_DELAUNAY_H
+#define SG_DELAUNAY_H
+
+#include "triangulate.h"
+
+/* Makes vertex v, which lies inside or on the border of a triangle, a corner:
+ * that triangle, or the two with the edge it is on, are divided. Nothing
+ * changes if it lies in none. False: no memory. Exact. */
+bool sg_triangles_insert(const sg_work *work, sg_triangles *triangles,
+                         int32_t v);
+
+/* Turns chords, none that `is_fixed`, until the angles opposite to each add up
+ * to no more than two right ones. False: no memory. */
+bool sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
+                           bool (*is_fixed)(void *data, int32_t a, int32_t b),
+                           void *data);
+
+#endif

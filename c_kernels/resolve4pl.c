@@ -1,0 +1,528 @@
+/* resolve4pl.c -- what touches but for rounding, as predicates.
+ *
+ * Layer: glue. The doors are documented in rules/kernel.pl.
+ */
+#include "cut4pl.h"
+
+#include "glue.h"
+#include "plane.h"
+#include "resolve_polygon.h"
+
+#include "../engine/install.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ASKED = 1 << 14 }; /* pairs between questions */
+
+/* A resolution under way. */
+typedef struct resolving {
+  sg_cut_handle *handle;
+  sg_resolve r;
+  SG_LIST_OF(sg_resolved_polygon) polygon;
+  sg_key_table known; /* S, P: in `polygon` */
+} resolving;
+
+static functor_t functor_minus2, functor_w4, functor_t3, functor_near1;
+
+/* ---- pairs ---- */
+
+static void
+get_leaf(const sg_cut_model *model, uint32_t triangle, sg_resolve_leaf *out)
+{
+  const sg_leaf_triangle *t = &model->triangle[triangle];
+
+  out->triangle = triangle;
+  out->s = t->s;
+  out->p = t->p;
+  for (int k = 0; k < 3; k++) {
+    out->v[k] = model->vertex[t->v[k]].v;
+  }
+  sg_cut_model_corners(model, triangle, out->at);
+}
+
+typedef bool use_pair(sg_resolve *r, const sg_resolve_leaf *a,
+                      const sg_resolve_leaf *b);
+
+static int
+each_pair_ex(resolving *job, use_pair *use)
+{
+  const sg_cut_handle *handle = job->handle;
+  sg_resolve_leaf leaf[2];
+
+  for (size_t i = 0; i < handle->curve_candidates; i++) {
+    if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
+      return FALSE;
+    }
+    get_leaf(&handle->set.model, handle->candidate[i][0], &leaf[0]);
+    get_leaf(&handle->set.model, handle->candidate[i][1], &leaf[1]);
+    if (!use(&job->r, &leaf[0], &leaf[1])) {
+      return sg_no_memory();
+    }
+  }
+  return TRUE;
+}
+
+/* The crossings found on the triangles: a chain for each triangle. */
+typedef struct chains {
+  uint32_t *first; /* [triangles]: 2 node + side, SG_NO_KEY: none */
+  uint32_t *next;  /* [2 nodes] */
+} chains;
+
+static bool
+chain_crossings(const resolving *job, chains *out)
+{
+  size_t triangles = job->handle->set.model.triangles, n = job->r.node.n;
+
+  out->first = malloc((triangles + 1) * sizeof *out->first);
+  out->next = malloc((2 * n + 1) * sizeof *out->next);
+  if (!out->first || !out->next) {
+    return false;
+  }
+  memset(out->first, 0xff, triangles * sizeof *out->first);
+  for (uint32_t i = 0; i < 2 * n; i++) {
+    const sg_resolve_node *node = &job->r.node.item[i / 2];
+    if (node->v == 0) {
+      out->next[i] = out->first[node->leaf[i % 2]];
+      out->first[node->leaf[i % 2]] = i;
+    }
+  }
+  return true;
+}
+
+/* Crossings of edges against the leaves of third segments, which lie beside
+ * the leaves that have them. */
+static int
+each_crossing_ex(resolving *job)
+{
+  const sg_cut_handle *handle = job->handle;
+  chains chain = {0};
+  bool good = chain_crossings(job, &chain);
+
+  for (size_t i = 0; i < 2 * handle->curve_candidates && good; i++) {
+    const uint32_t *pair = handle->candidate[i / 2];
+    uint32_t k = chain.first[pair[i % 2]];
+    sg_resolve_leaf leaf;
+
+    if (k != SG_NO_KEY) {
+      get_leaf(&handle->set.model, pair[!(i % 2)], &leaf);
+    }
+    for (; k != SG_NO_KEY && good; k = chain.next[k]) {
+      good = sg_resolve_crossing(&job->r, k / 2, &leaf);
+    }
+  }
+  free(chain.first);
+  free(chain.next);
+  return good || sg_no_memory();
+}
+
+/* ---- polygons ---- */
+
+/* Notes that polygon p of segment s is to be made anew. */
+static int
+want_polygon_ex(resolving *job, int32_t s, int32_t p)
+{
+  uint32_t *known =
+      sg_key_table_put(&job->known, (uint32_t[2]){(uint32_t)s, (uint32_t)p});
+
+  if (!known) {
+    return sg_no_memory();
+  }
+  if (*known == SG_NO_KEY) {
+    *known = 0;
+    return SG_PUSH(job->polygon, (sg_resolved_polygon){.s = s, .p = p}) ||
+           sg_no_memory();
+  }
+  return TRUE;
+}
+
+static int
+want_polygons_of_ex(resolving *job, int32_t s, int32_t e)
+{
+  sg_walk walk;
+  int good = TRUE;
+
+  if (!sg_walk_open_member(&walk, job->handle->version, SG_P, s, e)) {
+    return sg_no_memory();
+  }
+  for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
+    int32_t p = sg_version_value(job->handle->version, SG_P, row, 1).i;
+    good = want_polygon_ex(job, s, p);
+  }
+  sg_walk_close(&walk);
+  return good;
+}
+
+/* The polygons on both sides of a divided edge. */
+static int
+want_neighbours_ex(resolving *job, const sg_resolve_split *split)
+{
+  int good = TRUE;
+
+  for (int turn = 0; turn < 2 && good; turn++) {
+    sg_value row[SG_MAX_COLUMNS] = {
+        [0].i = split->s, [2].i = split->v[turn], [3].i = split->v[!turn]};
+    sg_walk walk;
+
+    if (!sg_walk_open(&walk, job->handle->version, SG_E, 0x0d, row)) {
+      return sg_no_memory();
+    }
+    for (sg_row found; good && (found = sg_walk_next(&walk)) != SG_NO_ROW;) {
+      int32_t e = sg_version_value(job->handle->version, SG_E, found, 1).i;
+      good = want_polygons_of_ex(job, split->s, e);
+    }
+    sg_walk_close(&walk);
+  }
+  return good;
+}
+
+static int
+by_polygon(const void *a, const void *b)
+{
+  const sg_resolve_near *x = a, *y = b;
+
+  return x->s != y->s   ? (x->s < y->s ? -1 : 1)
+         : x->p != y->p ? (x->p < y->p ? -1 : 1)
+                        : (x->n > y->n) - (x->n < y->n);
+}
+
+/* Polygons with three points or more may lie on others. */
+static int
+want_covered_ex(resolving *job)
+{
+  sg_resolve_near *near = job->r.near.item;
+  size_t n = job->r.near.n;
+  int good = TRUE;
+
+  if (n > 0) {
+    qsort(near, n, sizeof *near, by_polygon);
+  }
+  for (size_t i = 0, first = 0; i < n && good; i++) {
+    if (near[i].s != near[first].s || near[i].p != near[first].p) {
+      first = i;
+    }
+    if (i == first + 2) {
+      good = want_polygon_ex(job, near[i].s, near[i].p);
+    }
+  }
+  return good;
+}
+
+static int
+compare_results(const void *a, const void *b)
+{
+  const sg_resolved_polygon *x = a, *y = b;
+
+  return x->s != y->s ? (x->s < y->s ? -1 : 1) : (x->p > y->p) - (x->p < y->p);
+}
+
+static int
+want_polygons_ex(resolving *job)
+{
+  const sg_resolve *r = &job->r;
+  int good = want_covered_ex(job);
+
+  for (size_t i = 0; i < r->split.n && good; i++) {
+    good = want_neighbours_ex(job, &r->split.item[i]);
+  }
+  for (size_t i = r->first_inside; i < r->place.n && good; i++) {
+    good = want_polygon_ex(job, r->place.item[i].s, r->place.item[i].p);
+  }
+  for (size_t i = 0; i < r->seam.n && good; i++) {
+    good = want_polygon_ex(job, r->seam.item[i].s, r->seam.item[i].p);
+  }
+  if (good && job->polygon.n > 0) {
+    qsort(job->polygon.item, job->polygon.n, sizeof *job->polygon.item,
+          compare_results);
+  }
+  return good;
+}
+
+/* ---- making them ---- */
+
+static void
+get_position(const sg_version *version, int32_t s, int32_t v, double out[3])
+{
+  sg_row row = sg_version_find(version, SG_V,
+                               (sg_value[SG_MAX_COLUMNS]){{.i = s}, {.i = v}});
+
+  for (unsigned c = 0; c < 3; c++) {
+    out[c] = sg_version_value(version, SG_V, row, c + 2).f;
+  }
+}
+
+/* The rows of a polygon's edges: free() them. Null: no memory. */
+static sg_polygon_row *
+get_rows(const sg_version *version, int32_t s, int32_t p, size_t *n)
+{
+  sg_row row = sg_version_find(version, SG_P,
+                               (sg_value[SG_MAX_COLUMNS]){{.i = s}, {.i = p}});
+  const int32_t *list = sg_version_value(version, SG_P, row, 2).list;
+  sg_polygon_row *rows = calloc((size_t)list[0] + 1, sizeof *rows);
+
+  *n = (size_t)list[0];
+  for (size_t i = 0; rows && i < *n; i++) {
+    int32_t e = list[i + 1];
+    row = sg_version_find(version, SG_E,
+                          (sg_value[SG_MAX_COLUMNS]){{.i = s}, {.i = e}});
+    rows[i].e = e;
+    rows[i].v[0] = sg_version_value(version, SG_E, row, 2).i;
+    rows[i].v[1] = sg_version_value(version, SG_E, row, 3).i;
+    rows[i].et = sg_version_value(version, SG_E, row, 4).i;
+    for (int k = 0; k < 2; k++) {
+      get_position(version, s, rows[i].v[k], rows[i].at[k]);
+    }
+  }
+  return rows;
+}
+
+/* False: the polygon has no area, and so no plane. */
+static bool
+get_normal(const sg_version *version, int32_t s, int32_t p, double out[3])
+{
+  sg_row plane = sg_version_find(
+      version, SG_PLANE, (sg_value[SG_MAX_COLUMNS]){{.i = s}, {.i = p}});
+
+  out[0] = out[1] = 0;
+  out[2] = 1;
+  for (unsigned c = 0; c < 3 && plane != SG_NO_ROW; c++) {
+    out[c] = sg_version_value(version, SG_PLANE, plane, c + 2).f;
+  }
+  return plane != SG_NO_ROW;
+}
+
+/* Makes the polygons. *stuck: the one that cannot be triangulated so. */
+static int
+make_polygons_ex(resolving *job, const sg_resolved_polygon **stuck)
+{
+  const sg_version *version = job->handle->version;
+  sg_resolved end = SG_RESOLVED;
+
+  for (size_t i = 0; i < job->polygon.n && end == SG_RESOLVED; i++) {
+    sg_resolved_polygon *polygon = &job->polygon.item[i];
+    double normal[3];
+    size_t n;
+    sg_polygon_row *rows = get_rows(version, polygon->s, polygon->p, &n);
+
+    bool area = get_normal(version, polygon->s, polygon->p, normal);
+    polygon->no_area = !area;
+    end = rows ? sg_resolve_polygon(&job->r, normal, rows, n, polygon,
+                                    &sg_prolog_poll)
+               : SG_RESOLVE_NO_MEMORY;
+    free(rows);
+    *stuck = end == SG_UNRESOLVED ? polygon : NULL;
+  }
+  if (end == SG_RESOLVED &&
+      !sg_resolve_match(&job->r, job->polygon.item, job->polygon.n)) {
+    end = SG_RESOLVE_NO_MEMORY;
+  }
+  return end == SG_RESOLVE_NO_MEMORY ? sg_no_memory()
+                                     : end != SG_RESOLVE_STOPPED;
+}
+
+static int
+name_places_ex(resolving *job)
+{
+  for (size_t i = 0; i < job->r.place.n; i++) {
+    sg_resolve_place *place = &job->r.place.item[i];
+    uint32_t key = (uint32_t)place->s;
+
+    if (place->name == 0) {
+      uint32_t *next = sg_key_table_put(&job->handle->next_name, &key);
+      if (!next || *next == SG_NO_KEY) {
+        return sg_no_memory();
+      }
+      place->name = (int32_t)(*next)++;
+    }
+  }
+  return TRUE;
+}
+
+/* ---- as terms ---- */
+
+/* near(v(S, V)) or near(ll(S1-(A,B), S2-(C,D))). */
+static int
+put_origin(term_t t, const sg_resolve_node *node)
+{
+  if (node->v) {
+    return PL_unify_term(t, PL_FUNCTOR, functor_near1, PL_FUNCTOR_CHARS, "v", 2,
+                         PL_INT, node->s, PL_INT, node->v);
+  }
+  return PL_unify_term(t, PL_FUNCTOR, functor_near1, PL_FUNCTOR_CHARS, "ll", 2,
+                       PL_FUNCTOR, functor_minus2, PL_INT, node->line[0][0],
+                       PL_FUNCTOR_CHARS, ",", 2, PL_INT, node->line[0][1],
+                       PL_INT, node->line[0][2], PL_FUNCTOR, functor_minus2,
+                       PL_INT, node->line[1][0], PL_FUNCTOR_CHARS, ",", 2,
+                       PL_INT, node->line[1][1], PL_INT, node->line[1][2]);
+}
+
+/* Whether a place changes anything: a new vertex, or one that moves. */
+static bool
+is_change(const resolving *job, const sg_resolve_place *place)
+{
+  const double *to = job->r.point.item[place->point].at;
+  double from[3];
+
+  if (place->v == 0) {
+    return true;
+  }
+  get_position(job->handle->version, place->s, place->v, from);
+  return memcmp(from, to, sizeof from) != 0;
+}
+
+static int
+unify_vertices(resolving *job, term_t list)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  term_t origin = PL_new_term_ref();
+
+  for (size_t i = 0; i < job->r.place.n; i++) {
+    const sg_resolve_place *place = &job->r.place.item[i];
+    const sg_resolve_point *point = &job->r.point.item[place->point];
+
+    if (!is_change(job, place)) {
+      continue;
+    }
+    PL_put_variable(origin);
+    if (!put_origin(origin, &job->r.node.item[point->node]) ||
+        !PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(head, PL_FUNCTOR_CHARS, "vertex", 6, PL_INT, place->s,
+                       PL_INT, place->name, PL_FLOAT, point->at[0] + 0.0,
+                       PL_FLOAT, point->at[1] + 0.0, PL_FLOAT,
+                       point->at[2] + 0.0, PL_TERM, origin)) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+static int
+unify_edges(const sg_resolved_polygon *polygon, term_t list)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  for (size_t i = 0; i < polygon->edge.n; i++) {
+    const sg_resolved_edge *edge = &polygon->edge.item[i];
+    if (!PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(head, PL_FUNCTOR, functor_w4, PL_INT, edge->v[0], PL_INT,
+                       edge->v[1], PL_INT, edge->et, PL_INT, edge->label)) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+static int
+unify_triangles(const sg_resolved_polygon *polygon, term_t list)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  for (size_t i = 0; i < polygon->triangle.n; i++) {
+    const int32_t *v = polygon->triangle.item[i].v;
+    if (!PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(head, PL_FUNCTOR, functor_t3, PL_INT, v[0], PL_INT, v[1],
+                       PL_INT, v[2])) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+static int
+unify_polygons(resolving *job, term_t list)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  for (size_t i = 0; i < job->polygon.n; i++) {
+    const sg_resolved_polygon *polygon = &job->polygon.item[i];
+    fid_t frame = PL_open_foreign_frame();
+    term_t edges = PL_new_term_ref(), triangles = PL_new_term_ref();
+    int good =
+        unify_edges(polygon, edges) && unify_triangles(polygon, triangles) &&
+        PL_unify_list(tail, head, tail) &&
+        PL_unify_term(head, PL_FUNCTOR_CHARS, "polygon", 4, PL_INT, polygon->s,
+                      PL_INT, polygon->p, PL_TERM, edges, PL_TERM, triangles);
+    PL_close_foreign_frame(frame);
+    if (!good) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* Name(S, Id) */
+static int
+unify_place(term_t t, const char *name, int32_t s, int32_t id)
+{
+  return PL_unify_term(t, PL_FUNCTOR_CHARS, name, 2, PL_INT, s, PL_INT, id);
+}
+
+/* ---- the door ---- */
+
+static int
+resolve_ex(resolving *job, term_t vertices, term_t polygons)
+{
+  const sg_resolved_polygon *stuck = NULL;
+
+  if (!sg_cut_join_ex(job->handle) || !each_pair_ex(job, sg_resolve_see)) {
+    return FALSE;
+  }
+  if (!sg_resolve_is_needed(&job->r)) {
+    return PL_unify_nil(vertices) && PL_unify_nil(polygons);
+  }
+  if (!each_pair_ex(job, sg_resolve_pair) || !each_crossing_ex(job) ||
+      (!sg_resolve_finish(&job->r) && !sg_no_memory()) ||
+      !name_places_ex(job)) {
+    return FALSE;
+  }
+  if (job->r.wide) {
+    return unify_place(vertices, "wide", job->r.wide->s, job->r.wide->v);
+  }
+  if (!want_polygons_ex(job) || !make_polygons_ex(job, &stuck)) {
+    return FALSE;
+  }
+  return stuck ? unify_place(vertices, "stuck", stuck->s, stuck->p)
+               : unify_vertices(job, vertices) && unify_polygons(job, polygons);
+}
+
+/* cut_resolve(+Set, +Reach, -Vertices, -Polygons) is det. */
+static foreign_t
+cut_resolve(term_t set, term_t reach, term_t vertices, term_t polygons)
+{
+  resolving job = {0};
+  double r;
+
+  if (!sg_get_cut_set_ex(set, &job.handle) || !sg_get_finite_ex(reach, &r)) {
+    return FALSE;
+  }
+  if (!(r > 0)) {
+    return PL_domain_error("positive", reach);
+  }
+  if (!job.handle->joined) {
+    job.handle->reach = r;
+  }
+  sg_resolve_init(&job.r, r, job.handle->set.is_real, job.handle->set.data);
+  sg_key_table_init(&job.known, 2);
+  int done = resolve_ex(&job, vertices, polygons);
+
+  for (size_t i = 0; i < job.polygon.n; i++) {
+    sg_resolved_polygon_clear(&job.polygon.item[i]);
+  }
+  free(job.polygon.item);
+  sg_key_table_clear(&job.known);
+  sg_resolve_clear(&job.r);
+  return done;
+}
+
+void
+sg_install_resolve(void)
+{
+  static const PL_extension doors[] = {
+      {"cut_resolve", 4, (pl_function_t)cut_resolve, 0}, {NULL, 0, NULL, 0}};
+
+  functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
+  functor_w4 = PL_new_functor(PL_new_atom("w"), 4);
+  functor_t3 = PL_new_functor(PL_new_atom("t"), 3);
+  functor_near1 = PL_new_functor(PL_new_atom("near"), 1);
+  PL_register_extensions_in_module("sg_kernel", doors);
+}

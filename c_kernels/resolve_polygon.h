@@ -1,0 +1,50 @@
+/* resolve_polygon.h -- one polygon with the shared points and seams it got.
+ *
+ * Layer: kernel. See resolve.h.
+ */
+#ifndef SG_RESOLVE_POLYGON_H
+#define SG_RESOLVE_POLYGON_H
+
+#include "poll.h"
+#include "resolve.h"
+
+/* A row of e/5, with where its ends are (before anything moved). */
+typedef struct sg_polygon_row {
+  int32_t e, v[2], et;
+  double at[2][3];
+} sg_polygon_row;
+
+/* A directed edge: a part of row `label`, or a seam (label 0). */
+typedef struct sg_resolved_edge {
+  int32_t v[2], et, label;
+} sg_resolved_edge;
+
+typedef struct sg_resolved_polygon {
+  int32_t s, p;
+  bool no_area; /* then it has no triangles, before and after */
+  SG_LIST_OF(sg_resolved_edge) edge;
+  SG_LIST_OF(struct sg_corners { int32_t v[3]; }) triangle;
+} sg_resolved_polygon;
+
+typedef enum sg_resolved {
+  SG_RESOLVED,
+  SG_UNRESOLVED, /* the polygon cannot be triangulated with these points */
+  SG_RESOLVE_STOPPED,
+  SG_RESOLVE_NO_MEMORY
+} sg_resolved;
+
+/* Divides the edges of polygon out->p of segment out->s, enters its seams and
+ * triangulates it, with the points inside it as corners. Chords are chosen so
+ * that no angle is thin (Delaunay) as far as doubles tell. */
+sg_resolved sg_resolve_polygon(const sg_resolve *r, const double normal[3],
+                               const sg_polygon_row *row, size_t rows,
+                               sg_resolved_polygon *out, const sg_poll *poll);
+void sg_resolved_polygon_clear(sg_resolved_polygon *polygon);
+
+/* Where polygons of different segments have a part in common, bounded by the
+ * same points, the later one gets the triangles of the first. False: no
+ * memory. */
+bool sg_resolve_match(const sg_resolve *r, sg_resolved_polygon *polygon,
+                      size_t polygons);
+
+#endif
