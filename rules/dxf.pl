@@ -1,5 +1,9 @@
 :- module(sg_dxf,
-          [ write_dxf/3                 % +Out, +Sheet, +Strokes
+          [ write_dxf/3,                % +Out, +Sheet, +Strokes
+            group/3,                    % +Out, +Code, +Value
+            section/2,                  % +Out, +Name
+            (table)/3,                  % +Out, +Name, +N
+            line_type/4                 % +Out, +Name, +Text, +Runs
           ]).
 :- autoload(library(apply), [foldl/4]).
 :- autoload(library(lists), [member/2]).
@@ -58,14 +62,26 @@ tables(Out, Layers) :-
     group(Out, 0, 'ENDTAB'),
     group(Out, 0, 'ENDSEC').
 
+%!  section(+Out, +Name) is det.
+%
+%   Begin a section; `ENDSEC` ends it.
+
 section(Out, Name) :-
     group(Out, 0, 'SECTION'),
     group(Out, 2, Name).
+
+%!  table(+Out, +Name, +N) is det.
+%
+%   Begin a table of N entries; `ENDTAB` ends it.
 
 table(Out, Name, N) :-
     group(Out, 0, 'TABLE'),
     group(Out, 2, Name),
     group(Out, 70, N).
+
+%!  line_type(+Out, +Name, +Text, +Runs) is det.
+%
+%   An entry of the table LTYPE; Runs in thousandths, off below zero.
 
 line_type(Out, Name, Text, Runs) :-
     group(Out, 0, 'LTYPE'),
@@ -174,6 +190,8 @@ place(Out, H, X-Y0) :-
     real(Out, 10, X),
     real(Out, 20, Y).
 
+%!  group(+Out, +Code, +Value) is det.
+%
 %   A group: its code on a line, its value on the next.
 
 group(Out, Code, Value) :-

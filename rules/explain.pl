@@ -1,7 +1,8 @@
 :- module(sg_explain,
           [ explain/1,                  % ?Item
             explanation/2,              % ?Item, -Because
-            print_explanations/1        % +Explanations
+            print_explanations/1,       % +Explanations
+            statement_text/2            % +Statement, -Text
           ]).
 :- use_module(chain, [chain/5]).
 :- use_module(contact,
@@ -133,11 +134,11 @@ line_because(L, [because(line(L, S1, P1, S2, P2), Because)]) :-
     chain_because(L, Chain),
     append([[Start,End], Pieces, Chain], Because).
 
-end_because(L, End, because(point(End, point(X,Y,Z)), Because)) :-
+end_because(L, End, because(point(End, point(X,Y,Z), S1, V1, S2, V2), Because)) :-
     line_end(L, End, Seat1, Seat2),
     !,
     Seat1 = seat(S1, V1, _),
-    Seat2 = seat(S2, _, _),
+    Seat2 = seat(S2, V2, _),
     v(S1, V1, X, Y, Z),
     contact(Seat1, Seat2, Contact),
     vertex_seats_of(Seat1, Seat2, Seats),
@@ -320,6 +321,10 @@ print_because(Indent, because(Statement, Because)) :-
     format("~t~*|~w~n", [Indent, Text]),
     Indent1 is Indent+2,
     maplist(print_because(Indent1), Because).
+
+%!  statement_text(+Statement, -Text) is det.
+%
+%   Text is the sentence of a statement, in the language of the messages.
 
 statement_text(Statement, Text) :-
     phrase('$messages':translate_message(sanggwan(because(Statement))), Lines),

@@ -16,40 +16,37 @@ statement_en(line(L, S1, P1, S2, P2)) -->
     { segment_word(S1, W1), segment_word(S2, W2) },
     [ 'line ~d: polygon ~d of segment ~d~w meets polygon ~d of segment ~d~w'-
       [L, P1, S1, W1, P2, S2, W2] ].
-statement_en(point(End, Point)) -->
+statement_en(point(End, Point, S1, V1, S2, V2)) -->
     { memberchk(End-Word, [start-starts, end-ends]) },
     [ '~w at '-[Word] ],
-    point(Point).
+    point(Point),
+    [ ', vertex ~d of segment ~d and vertex ~d of segment ~d'-
+      [V1, S1, V2, S2] ].
 statement_en(contact('vertex-vertex', seat(S1,V1,_), seat(S2,V2,_))) -->
     [ 'vertex ~d of segment ~d and vertex ~d of segment ~d are in one place'-
       [V1, S1, V2, S2] ].
 statement_en(contact('vertex-edge', Seat1, Seat2)) -->
-    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,V2,Place)) },
+    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,_,Place)) },
     [ 'vertex ~d of segment ~d lies on '-[V1, S1] ],
-    place(S2, Place),
-    as_vertex(V2).
+    place(S2, Place).
 statement_en(contact('vertex-face', Seat1, Seat2)) -->
-    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,V2,Place)) },
+    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,_,Place)) },
     [ 'vertex ~d of segment ~d lies inside '-[V1, S1] ],
-    place(S2, Place),
-    as_vertex(V2).
-statement_en(contact('edge-edge', seat(S1,V1,Place1), seat(S2,V2,Place2))) -->
+    place(S2, Place).
+statement_en(contact('edge-edge', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     place(S1, Place1),
     [ ' meets ' ],
-    place(S2, Place2),
-    as_vertices(S1, V1, S2, V2).
+    place(S2, Place2).
 statement_en(contact('edge-face', Seat1, Seat2)) -->
-    { in_order(Seat1, Seat2, seat(S1,V1,Place1), seat(S2,V2,Place2)) },
+    { in_order(Seat1, Seat2, seat(S1,_,Place1), seat(S2,_,Place2)) },
     place(S1, Place1),
     [ ' pierces ' ],
-    place(S2, Place2),
-    as_vertices(S1, V1, S2, V2).
-statement_en(contact('face-face', seat(S1,V1,Place1), seat(S2,V2,Place2))) -->
+    place(S2, Place2).
+statement_en(contact('face-face', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     [ 'inside ' ],
     place(S1, Place1),
     [ ' and inside ' ],
-    place(S2, Place2),
-    as_vertices(S1, V1, S2, V2).
+    place(S2, Place2).
 statement_en(made(v(S, V))) -->
     [ 'made by vertex ~d of segment ~d'-[V, S] ].
 statement_en(made(lpi(S1-(A,B), S2-(C,D,E)))) -->
@@ -91,6 +88,10 @@ statement_en(piece(I, T1, T2)) -->
     [ '~d: ~w with ~w'-[I, W1, W2] ].
 statement_en(chain(C, Kind, I, N)) -->
     [ 'piece ~d of the ~d in chain ~d, which is ~w'-[I, N, C, Kind] ].
+statement_en(chain_head(C, Kind, S1, S2, N, Length)) -->
+    { maplist(segment_word, [S1,S2], [W1,W2]) },
+    [ 'chain ~d of segment ~d~w and segment ~d~w: ~w, ~d pieces, length ~15g'-
+      [C, S1, W1, S2, W2, Kind, N, Length] ].
 statement_en(derived(S, V, Point, Place)) -->
     { segment_word(S, Word) },
     [ 'vertex ~d of segment ~d~w at '-[V, S, Word] ],
@@ -190,12 +191,6 @@ corners(diagonal(A, B)) -->
     [ ' (on its diagonal ~d-~d)'-[A, B] ].
 corners(none) -->
     [].
-
-as_vertex(V) -->
-    [ ', vertex ~d there'-[V] ].
-
-as_vertices(S1, V1, S2, V2) -->
-    [ ': vertex ~d of segment ~d, vertex ~d of segment ~d'-[V1, S1, V2, S2] ].
 
 point(Point) -->
     { point_text(Point, Text) },

@@ -17,40 +17,37 @@ statement_ko(line(L, S1, P1, S2, P2)) -->
     { segment_word(S1, W1), segment_word(S2, W2) },
     [ '선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) \c
        만난다'-[L, S1, W1, P1, S2, W2, P2] ].
-statement_ko(point(End, Point)) -->
+statement_ko(point(End, Point, S1, V1, S2, V2)) -->
     { memberchk(End-Word, [start-'시작점', end-'끝점']) },
     [ '~w '-[Word] ],
-    point(Point).
+    point(Point),
+    [ ', 세그먼트 ~d의 꼭짓점 ~d, 세그먼트 ~d의 꼭짓점 ~d'-
+      [S1, V1, S2, V2] ].
 statement_ko(contact('vertex-vertex', seat(S1,V1,_), seat(S2,V2,_))) -->
     [ '세그먼트 ~d의 꼭짓점 ~d과(와) 세그먼트 ~d의 꼭짓점 ~d이(가) 한 곳에 있다'-
       [S1, V1, S2, V2] ].
 statement_ko(contact('vertex-edge', Seat1, Seat2)) -->
-    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,V2,Place)) },
+    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,_,Place)) },
     [ '세그먼트 ~d의 꼭짓점 ~d이(가) 있는 곳: '-[S1, V1] ],
-    place(S2, Place),
-    as_vertex(V2).
+    place(S2, Place).
 statement_ko(contact('vertex-face', Seat1, Seat2)) -->
-    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,V2,Place)) },
+    { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,_,Place)) },
     [ '세그먼트 ~d의 꼭짓점 ~d이(가) 안에 있는 곳: '-[S1, V1] ],
-    place(S2, Place),
-    as_vertex(V2).
-statement_ko(contact('edge-edge', seat(S1,V1,Place1), seat(S2,V2,Place2))) -->
+    place(S2, Place).
+statement_ko(contact('edge-edge', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     place(S1, Place1),
     [ '이(가) 만나는 것: ' ],
-    place(S2, Place2),
-    as_vertices(S1, V1, S2, V2).
+    place(S2, Place2).
 statement_ko(contact('edge-face', Seat1, Seat2)) -->
-    { in_order(Seat1, Seat2, seat(S1,V1,Place1), seat(S2,V2,Place2)) },
+    { in_order(Seat1, Seat2, seat(S1,_,Place1), seat(S2,_,Place2)) },
     place(S1, Place1),
     [ '이(가) 뚫는 것: ' ],
-    place(S2, Place2),
-    as_vertices(S1, V1, S2, V2).
-statement_ko(contact('face-face', seat(S1,V1,Place1), seat(S2,V2,Place2))) -->
+    place(S2, Place2).
+statement_ko(contact('face-face', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     [ '안에 있는 곳: ' ],
     place(S1, Place1),
     [ ', ' ],
-    place(S2, Place2),
-    as_vertices(S1, V1, S2, V2).
+    place(S2, Place2).
 statement_ko(made(v(S, V))) -->
     [ '세그먼트 ~d의 꼭짓점 ~d이(가) 만들었다'-[S, V] ].
 statement_ko(made(lpi(S1-(A,B), S2-(C,D,E)))) -->
@@ -94,6 +91,11 @@ statement_ko(piece(I, T1, T2)) -->
 statement_ko(chain(C, Kind, I, N)) -->
     { memberchk(Kind-Word, [open-'열린', closed-'닫힌', point-'점인']) },
     [ '~w 사슬 ~d의 조각 ~d개 가운데 ~d번째'-[Word, C, N, I] ].
+statement_ko(chain_head(C, Kind, S1, S2, N, Length)) -->
+    { maplist(segment_word, [S1,S2], [W1,W2]),
+      memberchk(Kind-Word, [open-'열림', closed-'닫힘', point-'점']) },
+    [ '세그먼트 ~d~w과(와) 세그먼트 ~d~w의 사슬 ~d: ~w, 조각 ~d개, 길이 ~15g'-
+      [S1, W1, S2, W2, C, Word, N, Length] ].
 statement_ko(derived(S, V, Point, Place)) -->
     { segment_word(S, Word) },
     [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
@@ -193,12 +195,6 @@ corners(diagonal(A, B)) -->
     [ ' (그 대각선 ~d-~d 위)'-[A, B] ].
 corners(none) -->
     [].
-
-as_vertex(V) -->
-    [ ' (거기서 꼭짓점 ~d)'-[V] ].
-
-as_vertices(S1, V1, S2, V2) -->
-    [ ': 세그먼트 ~d의 꼭짓점 ~d, 세그먼트 ~d의 꼭짓점 ~d'-[S1, V1, S2, V2] ].
 
 point(Point) -->
     { point_text(Point, Text) },

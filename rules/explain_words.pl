@@ -18,7 +18,7 @@ JSON has them. Each has a clause in explain_en.pl and in explain_ko.pl.
 %   True when the statement Name has the parts Keys, in this order.
 
 statement_keys(line, [line, segment1, polygon1, segment2, polygon2]).
-statement_keys(point, [end, point]).
+statement_keys(point, [end, point, segment1, vertex1, segment2, vertex2]).
 statement_keys(contact, [kind, seat1, seat2]).
 statement_keys(made, [origin]).
 statement_keys(at, [segment, vertex, point]).
@@ -28,6 +28,7 @@ statement_keys(also, [segment, vertex, place]).
 statement_keys(pieces, [count, rules]).
 statement_keys(piece, [number, triangle1, triangle2]).
 statement_keys(chain, [chain, kind, number, count]).
+statement_keys(chain_head, [chain, kind, segment1, segment2, count, length]).
 statement_keys(derived, [segment, vertex, point, place]).
 statement_keys(original, [segment, vertex, point]).
 statement_keys(vertex_lines, [lines]).

@@ -1,12 +1,15 @@
 :- module(sg_lines_out,
           [ write_lines/1,              % +File
             write_lines/2,              % +File, +Options
-            write_lines_to/3            % +Stream, +Format, +Options
+            write_lines_to/3,           % +Stream, +Format, +Options
+            line_format/1               % ?Format
           ]).
-:- use_module(chain, [chains/1, chain_vertices/3, chain_points/2]).
+:- use_module(chain, [chains/1, chain_points/2]).
+:- use_module(lines_dxf, [write_lines_dxf/2]).
 :- use_module(output, [writing/3]).
+:- use_module(point_table, [write_point_table/4]).
 :- use_module(view, [current_view/4, eye_point/4]).
-:- autoload(library(apply), [foldl/4, foldl/6, maplist/3]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(error), [domain_error/2]).
 :- autoload(library(lists), [append/3, last/2, max_list/2, member/2,
                              min_list/2, nth1/3]).
@@ -20,7 +23,8 @@ The chains of the current world (chain.pl), written as
     read, drawn and cut again;
   - `.obj`: vertices and one `l` element for each chain, in a group that names
     the two segments;
-  - `.csv`: a table, one row for each point, with the true length run so far;
+  - `.dxf`: polylines in space (lines_dxf.pl);
+  - `.csv`, `.tsv`, `.txt`: a table of their points (point_table.pl);
   - `.svg`: what the current view shows of them.
 
 Numbers are written with as many digits as it takes to read them back.
@@ -29,9 +33,10 @@ Numbers are written with as many digits as it takes to read them back.
 %!  write_lines(+File) is semidet.
 %!  write_lines(+File, +Options) is semidet.
 %
-%   Write the penetration lines to File. Options: format(pl|obj|csv|svg), else
-%   the ending of File; size(Size) for svg, Width-Height or
-%   WidthxHeight in mm (100x100).
+%   Write the penetration lines to File. Options: format(F), one of
+%   line_format/1, else the ending of File; size(Size) for svg, Width-Height or
+%   WidthxHeight in mm (100x100); exact(true) for tables: coordinates as
+%   fractions.
 %
 %   @error domain_error(line_format, Ending)
 
@@ -56,8 +61,21 @@ write_lines_to(Stream, Format, Options) :-
     chains(Chains),
     write_chains(Format, Stream, Chains, Options).
 
+%!  line_format(?Format) is nondet.
+%
+%   The endings of files that lines can be written to.
+
+line_format(pl).
+line_format(obj).
+line_format(csv).
+line_format(tsv).
+line_format(txt).
+line_format(svg).
+line_format(dxf).
+
 check_format(Format) :-
-    (   memberchk(Format, [pl, obj, csv, svg])
+    (   ground(Format),
+        line_format(Format)
     ->  true
     ;   domain_error(line_format, Format)
     ).
@@ -66,8 +84,14 @@ write_chains(pl, Out, Chains, _) :-
     write_model(Out, Chains).
 write_chains(obj, Out, Chains, _) :-
     write_obj(Out, Chains).
-write_chains(csv, Out, Chains, _) :-
-    write_table(Out, Chains).
+write_chains(dxf, Out, Chains, _) :-
+    write_lines_dxf(Out, Chains).
+write_chains(csv, Out, Chains, Options) :-
+    write_point_table(csv, Out, Chains, Options).
+write_chains(tsv, Out, Chains, Options) :-
+    write_point_table(tsv, Out, Chains, Options).
+write_chains(txt, Out, Chains, Options) :-
+    write_point_table(txt, Out, Chains, Options).
 write_chains(svg, Out, Chains, Options) :-
     write_picture(Out, Chains, Options).
 
@@ -125,29 +149,6 @@ write_polyline(Out, Chain, C0-V0, C-V) :-
     ->  format(Out, " ~d~n", [V0])
     ;   nl(Out)
     ).
-
-/* - - - table - - - */
-
-write_table(Out, Chains) :-
-    format(Out, "chain,kind,s1,s2,point,v1,v2,x,y,z,length~n", []),
-    forall(nth1(C, Chains, Chain), write_rows(Out, C, Chain)).
-
-write_rows(Out, C, chain(S1, S2, Kind, Lines)) :-
-    chain_points(Lines, Points),
-    chain_vertices(Lines, S1, V1s),
-    chain_vertices(Lines, S2, V2s),
-    Points = [First|_],
-    Row = row(Out, C, Kind, S1, S2),
-    foldl(write_row(Row), Points, V1s, V2s, at(1, First, 0.0), _).
-
-write_row(row(Out, C, Kind, S1, S2), Point, V1, V2,
-          at(I0, Last, Length0), at(I, Point, Length)) :-
-    Point = point(X,Y,Z),
-    Last = point(X0,Y0,Z0),
-    Length is Length0 + sqrt((X-X0)**2 + (Y-Y0)**2 + (Z-Z0)**2),
-    I is I0+1,
-    format(Out, "~d,~w,~d,~d,~d,~d,~d,~w,~w,~w,~w~n",
-           [C, Kind, S1, S2, I0, V1, V2, X, Y, Z, Length]).
 
 /* - - - picture - - - */
 

@@ -340,6 +340,8 @@ usage_en(no_folder(Folder)) -->
 usage_en(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ 'there is no segment ~w, only ~w'-[S, All] ].
+usage_en(exact_format(Format)) -->
+    [ '--exact is for tables (csv, tsv, txt), not for ~w'-[Format] ].
 usage_en(bad_goal(Text, Why)) -->
     [ 'this is no goal: ~w (~w)'-[Text, Why] ].
 

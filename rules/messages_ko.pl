@@ -321,6 +321,8 @@ usage_ko(no_folder(Folder)) -->
 usage_ko(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ '세그먼트 ~w 은(는) 없습니다. 있는 것: ~w'-[S, All] ].
+usage_ko(exact_format(Format)) -->
+    [ '--exact 는 표(csv, tsv, txt)에 쓰며 ~w에는 쓸 수 없습니다'-[Format] ].
 usage_ko(bad_goal(Text, Why)) -->
     [ '목표가 아닙니다: ~w (~w)'-[Text, Why] ].
 

@@ -1,6 +1,7 @@
 :- module(sg_query,
           [ query/2,                    % :Goal, +Options
-            read_goal/3                 % +Text, -Goal, -Bindings
+            read_goal/3,                % +Text, -Goal, -Bindings
+            print_table/2               % +Names, +Rows
           ]).
 :- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- autoload(library(http/json), [json_write_dict/3]).
@@ -186,8 +187,11 @@ prolog_line(Goal0) :-
     write_term(Goal, [ quoted(true), spacing(next_argument),
                        numbervars(true), fullstop(true), nl(true) ]).
 
-%   print_table(Names, Rows): columns as wide as their widest cell; numbers to
-%   the right.
+%!  print_table(+Names, +Rows) is det.
+%
+%   Print the lists of values Rows under Names on the current output: columns
+%   as wide as their widest cell, numbers to the right. A value '$text'(Text) is
+%   printed as it is, without quotes.
 
 print_table([], Rows) :-
     !,
@@ -209,6 +213,8 @@ row_texts(Values0, Cells) :-
     lettered(Values0, Values),
     maplist(value_cell, Values, Cells).
 
+value_cell('$text'(Text), cell(left, Text)) :-
+    !.
 value_cell(Value, cell(Side, Text)) :-
     (   number(Value)
     ->  Side = right

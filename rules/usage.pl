@@ -54,9 +54,13 @@ verb_option(convert, option(format, '', one_of([pl, stl, off, obj, ply]),
     'FORMAT', 'the format for -o -')).
 
 verb_option(penetrate, option(output, o, each, 'FILE',
-    'where to (.pl .obj .csv .svg); may be repeated; default: - as .pl')).
-verb_option(penetrate, option(format, '', one_of([pl, obj, csv, svg]),
+    'where to (.pl .obj .dxf .svg; tables .csv .tsv .txt); may be repeated; \c
+     default: - as .pl')).
+verb_option(penetrate, option(format, '',
+    one_of([pl, obj, csv, tsv, txt, svg, dxf]),
     'FORMAT', 'the format for -o -')).
+verb_option(penetrate, option(exact, '', flag, '',
+    'in tables coordinates as fractions, not rounded')).
 verb_option(penetrate, option(json, '', flag, '',
     'print a summary as JSON')).
 
@@ -117,6 +121,7 @@ option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임
 option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
 option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
 option_ko(size, '종이 크기 mm, .png는 점의 수').
+option_ko(exact, '표의 좌표를 반올림하지 않은 분수로').
 option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
@@ -137,6 +142,9 @@ example(convert, 'sanggwan convert part.stl -o part.pl -o part.off').
 example(convert, 'sanggwan convert --from off --format pl -o - - < part.off').
 example(penetrate, 'sanggwan penetrate facts/figures/fig13.pl -o lines.csv').
 example(penetrate, 'sanggwan penetrate cylinder.stl cone.stl -o lines.svg').
+example(penetrate, 'sanggwan penetrate facts/two_cubes.pl --format txt').
+example(penetrate, 'sanggwan penetrate facts/two_cubes.pl --format csv \c
+--exact').
 example(draw, 'sanggwan draw facts/figures/fig13.pl -o fig13.svg').
 example(draw, 'sanggwan draw facts/figures/fig12.pl --segment 1 \c
 --view 300,60 -o cone.svg').

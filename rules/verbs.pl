@@ -9,7 +9,7 @@
 :- use_module(explain,
               [explain/1, explanation/2, print_explanations/1]).
 :- use_module(hidden_lines, [picture/1]).
-:- use_module(lines_out, [write_lines/1]).
+:- use_module(lines_out, [write_lines/2, line_format/1]).
 :- use_module(chain, [chain/5, chain_length/2]).
 :- use_module(model,
               [load_model/1, load_model/2, save_model/1, save_model/2]).
@@ -68,7 +68,9 @@ verb_run(convert, Files, Options, 0) :-
     maplist(output_written(model_output), Outputs).
 verb_run(penetrate, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
-    outputs(Options, [pl, obj, csv, svg], Outputs0),
+    findall(Ending, line_format(Ending), Endings),
+    outputs(Options, Endings, Outputs0),
+    exact_outputs(Options, Outputs0),
     load_model(Files, Options),
     penetrated,
     points_alone,
@@ -78,10 +80,11 @@ verb_run(penetrate, Files, Options, 0) :-
     ;   Outputs0 == [],
         line(_, _, _, _, _, _, _, _, _)
     ->  option(format(Format), Options, pl),
-        Outputs = [output(-, Format)]
+        Outputs = [output(-, Format)],
+        exact_outputs(Options, Outputs)
     ;   Outputs = Outputs0
     ),
-    maplist(output_written(lines_output), Outputs).
+    maplist(output_written(lines_output(Options)), Outputs).
 verb_run(draw, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
     findall(Format, drawing_format(Format, _), Formats),
@@ -313,8 +316,22 @@ print_chains :-
     json_write_dict(current_output, _{pieces:Pieces, chains:Chains}),
     nl.
 
-lines_output(File) :-
-    stage(write, write_lines(File)).
+lines_output(Options, File) :-
+    (   option(exact(true), Options)
+    ->  LineOptions = [exact(true)]
+    ;   LineOptions = []
+    ),
+    stage(write, write_lines(File, LineOptions)).
+
+%   exact_outputs(Options, Outputs): --exact is for tables.
+
+exact_outputs(Options, Outputs) :-
+    (   option(exact(true), Options),
+        member(output(_, Format), Outputs),
+        \+ memberchk(Format, [csv, tsv, txt])
+    ->  usage_error(exact_format(Format))
+    ;   true
+    ).
 
 drawing_output(Options, File) :-
     stage(write, write_drawing(File, Options)).

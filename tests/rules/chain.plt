@@ -86,9 +86,12 @@ test(other_segment, fail) :-
 test(length, L =:= sqrt(10)+sqrt(26)) :-
     with_lines([1-2,2-3], chain_length([1,2], L)).
 
-test(table, Rows == ["chain,kind,s1,s2,point,v1,v2,x,y,z,length",
-                     "1,open,1,2,1,1,101,1.0,1.0,0.0,0.0",
-                     "1,open,1,2,2,2,102,2.0,4.0,0.0,3.1622776601683795"]) :-
+test(table, Rows == ["chain,kind,s1,s2,point,v1,v2,x,y,z,length,p1,p2,\c
+                      contact,place1,place2",
+                     "1,open,1,2,1,1,101,1.0,1.0,0.0,0.0,1,1,\c
+                      vertex-vertex,vertex 1,vertex 101",
+                     "1,open,1,2,2,2,102,2.0,4.0,0.0,3.1622776601683795,1,1,\c
+                      vertex-vertex,vertex 2,vertex 102"]) :-
     written([1-2], csv, Text),
     split_string(Text, "\n", "", Rows0),
     exclude(==(""), Rows0, Rows).
@@ -115,11 +118,25 @@ test(facts_read_back,
                findall(E, e(1, E, _, _, _), [_,_,_]),
                findall(p(X,Y,Z), v(1, _, X, Y, Z), Points) )),
     delete_file(File).
-test(empty_files, Text == "chain,kind,s1,s2,point,v1,v2,x,y,z,length\n") :-
-    written([], csv, Text),
-    written([], svg, _),
-    written([], pl, _),
-    written([], obj, _).
+test(table_backward, Points-Lengths =@= ["4.0","1.0","9.0"]-["0.0",_,_]) :-
+    written([2-1,1-3], tsv, Text),
+    split_string(Text, "\n", "\n", [_|Rows]),
+    maplist([Row,Y,Length]>>( split_string(Row, "\t", "", Cells),
+                              nth1(9, Cells, Y), nth1(11, Cells, Length0),
+                              ( Length0 == "0.0" -> Length = Length0 ; true )
+                            ), Rows, Points, Lengths).
+test(table_of_ring, N =:= 5) :-
+    written([1-2,2-3,3-1], csv, Text),
+    split_string(Text, "\n", "\n", Rows),
+    length(Rows, N).
+test(dxf_layers, Layers == ["PENETRATION_BRANCH","PENETRATION_CLOSED",
+                            "PENETRATION_OPEN"]) :-
+    written([1-2,2-3,2-4, 5-6, 7-8,8-9,9-7], dxf, Text),
+    split_string(Text, "\n", " ", Lines),
+    findall(Layer, append(_, ["POLYLINE","8",Layer|_], Lines), Layers0),
+    sort(Layers0, Layers).
+test(empty_files, forall(line_format(Format))) :-
+    written([], Format, _).
 test(unknown_format, error(domain_error(line_format, doc))) :-
     with_lines([], write_lines('x.doc', [])).
 
