@@ -16,6 +16,11 @@ enum {
   PART = 256       /* boxes asked for at a time */
 };
 
+/* A box from the tree's origin, in its unit. */
+typedef struct box32 {
+  float lo[3], hi[3];
+} box32;
+
 typedef struct keyed {
   uint64_t code;
   uint32_t item;
@@ -28,9 +33,10 @@ typedef struct grower {
   const void *data;
   const uint32_t *name;
   size_t block, blocks;
+  double units;     /* in one: the unit's inverse, exact */
   double cells[3];  /* Morton cells in a unit */
   double corner[3]; /* the low corner of everything, in units */
-  sg_box32 *box;    /* [n], in the order given */
+  box32 *box;       /* [n], in the order given */
   keyed *from, *to; /* [n] */
   uint32_t *start;  /* [blocks][BUCKETS] */
   unsigned shift;   /* of the digit at hand */
@@ -76,46 +82,55 @@ sg_box_overlap(const sg_box *a, const sg_box *b, double reach)
   return true;
 }
 
-/* The float next to f towards -infinity (step 1) or infinity (step -1). */
-static float
-next_float(float f, int32_t step)
-{
-  union {
-    float f;
-    int32_t i;
-  } x = {f};
-
-  if (f == 0) {
-    x.i = step > 0 ? INT32_MIN + 1 : 1;
-  } else {
-    x.i -= f > 0 ? step : -step;
-  }
-  return x.f;
-}
-
+/* Outward by 2^-24 of a unit, which is at least what rounding to float32 takes
+ * from a number of at most one unit. */
 static float
 round_down(double d)
 {
-  float f = (float)d;
-
-  return (double)f > d ? next_float(f, 1) : f;
+  return (float)(d - 0x1p-24);
 }
 
 static float
 round_up(double d)
 {
-  float f = (float)d;
-
-  return (double)f < d ? next_float(f, -1) : f;
+  return (float)(d + 0x1p-24);
 }
 
 static void
-join32(sg_box32 *box, const sg_box32 *other)
+put_lane(sg_box4 *group, size_t lane, const box32 *box)
 {
   for (int c = 0; c < 3; c++) {
-    box->lo[c] = other->lo[c] < box->lo[c] ? other->lo[c] : box->lo[c];
-    box->hi[c] = other->hi[c] > box->hi[c] ? other->hi[c] : box->hi[c];
+    group->lo[c][lane] = box->lo[c];
+    group->hi[c][lane] = box->hi[c];
   }
+}
+
+/* The box round a group. */
+static box32
+box_round(const sg_box4 *group)
+{
+  box32 box;
+
+  for (int c = 0; c < 3; c++) {
+    box.lo[c] = group->lo[c][0];
+    box.hi[c] = group->hi[c][0];
+    for (int k = 1; k < SG_BVH_WIDTH; k++) {
+      float lo = group->lo[c][k], hi = group->hi[c][k];
+      box.lo[c] = lo < box.lo[c] ? lo : box.lo[c];
+      box.hi[c] = hi > box.hi[c] ? hi : box.hi[c];
+    }
+  }
+  return box;
+}
+
+static const box32 nothing = {{INFINITY, INFINITY, INFINITY},
+                              {-INFINITY, -INFINITY, -INFINITY}};
+
+/* Groups that hold so many boxes. */
+static size_t
+groups_of(size_t count)
+{
+  return (count + SG_BVH_WIDTH - 1) / SG_BVH_WIDTH;
 }
 
 /* ---- the frame ---- */
@@ -137,7 +152,8 @@ set_frame(grower *g, const sg_box *all)
     half = fmax(half, side);
   }
   frexp(half, &exponent);
-  tree->unit = ldexp(1, exponent > 1023 ? 1023 : exponent);
+  tree->unit = ldexp(1, exponent > 1022 ? 1022 : exponent);
+  g->units = 1 / tree->unit;
   for (int c = 0; c < 3; c++) {
     double side = (0.5 * all->hi[c] - 0.5 * all->lo[c]) / tree->unit;
 
@@ -161,16 +177,17 @@ spread(uint64_t x)
 
 /* Where the centre of a box lies, as one number. */
 static uint64_t
-morton(const grower *g, const sg_box32 *box)
+morton(const grower *g, const box32 *box)
 {
+  const double most = (1 << AXIS_BITS) - 1;
   uint64_t code = 0;
 
   for (int c = 0; c < 3; c++) {
     double centre = 0.5 * ((double)box->lo[c] + (double)box->hi[c]);
     double cell = (centre - g->corner[c]) * g->cells[c];
-    double most = (1 << AXIS_BITS) - 1;
 
-    code |= spread((uint64_t)fmax(0, fmin(cell, most))) << c;
+    cell = cell < most ? cell : most;
+    code |= spread(cell > 0 ? (uint64_t)cell : 0) << c;
   }
   return code;
 }
@@ -201,8 +218,8 @@ take_boxes(void *data, size_t block)
       g->boxes(g->data, i, i + PART < end ? i + PART : end, part);
     }
     for (int c = 0; c < 3; c++) {
-      double lo = (part[k].lo[c] - tree->origin[c]) / tree->unit;
-      double hi = (part[k].hi[c] - tree->origin[c]) / tree->unit;
+      double lo = (part[k].lo[c] - tree->origin[c]) * g->units;
+      double hi = (part[k].hi[c] - tree->origin[c]) * g->units;
 
       g->box[i].lo[c] = round_down(lo);
       g->box[i].hi[c] = round_up(hi);
@@ -247,7 +264,8 @@ place_boxes(void *data, size_t block)
     uint32_t item = g->from[i].item;
 
     g->tree->item[i] = g->name ? g->name[item] : item;
-    g->tree->level[0][i] = g->box[item];
+    put_lane(&g->tree->level[0][i / SG_BVH_WIDTH], i % SG_BVH_WIDTH,
+             &g->box[item]);
   }
 }
 
@@ -256,19 +274,15 @@ static void
 lay_boxes(void *data, size_t task)
 {
   grower *g = data;
-  const sg_box32 *below = g->tree->level[g->level - 1];
-  sg_box32 *out = g->tree->level[g->level];
-  size_t count = g->tree->count[g->level - 1];
+  const sg_box4 *below = g->tree->level[g->level - 1];
+  sg_box4 *out = g->tree->level[g->level];
   size_t end = (task + 1) * g->group;
 
   end = end < g->tree->count[g->level] ? end : g->tree->count[g->level];
   for (size_t i = task * g->group; i < end; i++) {
-    size_t first = i * SG_BVH_WIDTH;
+    box32 box = box_round(&below[i]);
 
-    out[i] = below[first];
-    for (size_t k = first + 1; k < first + SG_BVH_WIDTH && k < count; k++) {
-      join32(&out[i], &below[k]);
-    }
+    put_lane(&out[i / SG_BVH_WIDTH], i % SG_BVH_WIDTH, &box);
   }
 }
 
@@ -320,7 +334,7 @@ sort_codes(grower *g, sg_crew *crew, const sg_poll *poll)
 static bool
 lay_levels(grower *g, sg_crew *crew, const sg_poll *poll)
 {
-  g->group = g->block / SG_BVH_WIDTH;
+  g->group = groups_of(g->block) / SG_BVH_WIDTH * SG_BVH_WIDTH;
   for (g->level = 1; g->level < g->tree->levels; g->level++) {
     size_t tasks = (g->tree->count[g->level] + g->group - 1) / g->group;
 
@@ -331,7 +345,7 @@ lay_levels(grower *g, sg_crew *crew, const sg_poll *poll)
   return true;
 }
 
-/* Memory for a tree of n boxes. */
+/* Memory for a tree of n boxes; the lanes that no box has are empty. */
 static bool
 make_room(sg_bvh *tree, size_t n)
 {
@@ -340,15 +354,26 @@ make_room(sg_bvh *tree, size_t n)
   tree->n = n;
   while (count > 0) {
     tree->count[tree->levels++] = count;
-    total += count;
-    count = count == 1 ? 0 : (count + SG_BVH_WIDTH - 1) / SG_BVH_WIDTH;
+    total += groups_of(count);
+    count = count == 1 ? 0 : groups_of(count);
   }
-  tree->level[0] = malloc((total + 1) * sizeof *tree->level[0]);
+  tree->level[0] =
+      aligned_alloc(sizeof(sg_float4), (total + 1) * sizeof *tree->level[0]);
   tree->item = malloc((n + 1) * sizeof *tree->item);
-  for (unsigned k = 1; tree->level[0] && k < tree->levels; k++) {
-    tree->level[k] = tree->level[k - 1] + tree->count[k - 1];
+  if (!tree->level[0] || !tree->item) {
+    return false;
   }
-  return tree->level[0] && tree->item;
+  for (unsigned k = 0; k < tree->levels; k++) {
+    size_t groups = groups_of(tree->count[k]);
+
+    if (k + 1 < tree->levels) {
+      tree->level[k + 1] = tree->level[k] + groups;
+    }
+    for (size_t i = tree->count[k]; i < groups * SG_BVH_WIDTH; i++) {
+      put_lane(&tree->level[k][groups - 1], i % SG_BVH_WIDTH, &nothing);
+    }
+  }
+  return true;
 }
 
 static bool
@@ -358,7 +383,8 @@ grow(grower *g, sg_crew *crew, const sg_poll *poll)
   keyed *keys = malloc(2 * (n + 1) * sizeof *keys);
   bool done = false;
 
-  g->block = n / BLOCKS < BLOCK ? BLOCK : n / BLOCKS + 1;
+  g->block =
+      n / BLOCKS < BLOCK ? BLOCK : groups_of(n / BLOCKS + 1) * SG_BVH_WIDTH;
   g->blocks = (n + g->block - 1) / g->block;
   g->box = malloc((n + 1) * sizeof *g->box);
   g->start = malloc((g->blocks + 1) * BUCKETS * sizeof *g->start);
@@ -433,11 +459,11 @@ sg_bvh_close(sg_bvh *tree)
 size_t
 sg_bvh_bytes(const sg_bvh *tree)
 {
-  size_t boxes = 0;
+  size_t groups = 0;
 
   for (unsigned k = 0; k < tree->levels; k++) {
-    boxes += tree->count[k];
+    groups += groups_of(tree->count[k]);
   }
-  return sizeof *tree + boxes * sizeof *tree->level[0] +
+  return sizeof *tree + groups * sizeof *tree->level[0] +
          tree->n * sizeof *tree->item;
 }

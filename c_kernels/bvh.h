@@ -6,9 +6,9 @@
  * result is the same for any number of them. bvh_join.h finds what overlaps.
  *
  * Boxes are kept as float32, in units of a power of two and from an origin of
- * the tree's own, rounded OUTWARD: what overlaps is found, and now and then
- * what misses by a few 2^-24 of the tree's size is found too. Boxes are CLOSED:
- * touching ones overlap. 36 bytes for each box.
+ * the tree's own, let OUT by 2^-24 units: what overlaps is found, and now and
+ * then what misses by a few 2^-24 of the tree's size is found too. Boxes are
+ * CLOSED: touching ones overlap. 36 bytes for each box.
  */
 #ifndef SG_BVH_H
 #define SG_BVH_H
@@ -32,20 +32,24 @@ void sg_box_join(sg_box *box, const sg_box *other);
  * along each axis. */
 bool sg_box_overlap(const sg_box *a, const sg_box *b, double reach);
 
-/* The same from the tree's origin, in its unit. */
-typedef struct sg_box32 {
-  float lo[3], hi[3];
-} sg_box32;
-
 enum { SG_BVH_WIDTH = 4, SG_BVH_LEVELS = 17 };
+
+typedef float sg_float4 __attribute__((vector_size(16)));
+
+/* Boxes 4g .. 4g + 3 of a level, from the tree's origin, in its unit; those
+ * that are not there are empty. They are what is below box g of the level
+ * above. */
+typedef struct sg_box4 {
+  sg_float4 lo[3], hi[3];
+} sg_box4;
 
 typedef struct sg_bvh {
   size_t n;
-  unsigned levels;                /* 0: no box at all */
-  size_t count[SG_BVH_LEVELS];    /* boxes of a level; 1 in the highest */
-  sg_box32 *level[SG_BVH_LEVELS]; /* level[0]: [n], in Morton order */
-  uint32_t *item;                 /* [n], in Morton order: whose box it is */
-  sg_box all;                     /* round everything */
+  unsigned levels;               /* 0: no box at all */
+  size_t count[SG_BVH_LEVELS];   /* boxes of a level; 1 in the highest */
+  sg_box4 *level[SG_BVH_LEVELS]; /* level[0]: the boxes, in Morton order */
+  uint32_t *item;                /* [n], in Morton order: whose box it is */
+  sg_box all;                    /* round everything */
   double origin[3], unit;
 } sg_bvh;
 

@@ -10,19 +10,19 @@ enum {
   STEPS_ASKED = 4096 /* pairs of nodes between questions */
 };
 
-/* Two nodes that overlap. */
-typedef struct nodes {
+/* A group of nodes of each tree, some of which may overlap. */
+typedef struct groups {
   uint32_t pair;
   uint32_t i, j;
   uint8_t level_i, level_j;
-} nodes;
+} groups;
 
-/* When a.lo * unit_a - b.hi * unit_b <= limit in each axis, and the other way
- * round, the boxes overlap. */
+/* Where boxes of both trees are compared: from the origin of a, in the larger
+ * unit. Those of b are let out by the reach and by what rounding may take. */
 typedef struct frames {
   const sg_bvh *a, *b;
-  double unit_a, unit_b;
-  double limit_a[3], limit_b[3]; /* for a.lo - b.hi, for b.lo - a.hi */
+  float scale_a, scale_b;         /* powers of two, at most 1 */
+  float shift_lo[3], shift_hi[3]; /* of b's boxes */
 } frames;
 
 /* A growing list of hits. */
@@ -35,7 +35,7 @@ typedef struct hit_list {
 typedef struct joiner {
   const sg_bvh_pair *pair;
   double reach;
-  nodes *front; /* [fronts]: what the tasks begin with, in order */
+  groups *front; /* [fronts]: what the tasks begin with, in order */
   size_t fronts;
   hit_list *found; /* [tasks] */
 } joiner;
@@ -53,31 +53,90 @@ static frames
 frames_of(const sg_bvh_pair *pair, double reach)
 {
   const sg_bvh *a = pair->a, *b = pair->b;
-  frames f = {a, b, a->unit, b->unit, {0}, {0}};
+  double unit = fmax(a->unit, b->unit);
+  frames f = {a, b, (float)(a->unit / unit), (float)(b->unit / unit), {0}, {0}};
 
   for (int c = 0; c < 3; c++) {
-    double shift = b->origin[c] - a->origin[c];
-    /* Rounding, generously: of the boxes, of the shift, of the differences. */
-    double slack = ldexp(a->unit + b->unit + fabs(shift), -48);
+    double shift = (b->origin[c] - a->origin[c]) / unit;
+    /* Twice what the float sums of numbers up to 1 + |shift| may lose. */
+    double out = reach / unit + ldexp(2 + fabs(shift) + reach / unit, -22);
 
-    f.limit_a[c] = shift + reach + slack;
-    f.limit_b[c] = -shift + reach + slack;
+    f.shift_lo[c] = (float)(shift - out);
+    f.shift_hi[c] = (float)(shift + out);
   }
   return f;
 }
 
-static bool
-overlap(const frames *f, const sg_box32 *a, const sg_box32 *b)
+/* ---- sixteen at once ---- */
+
+typedef int32_t lanes __attribute__((vector_size(16)));
+
+static inline sg_box4
+group_a(const frames *f, unsigned level, uint32_t at)
 {
-  bool good = true;
+  sg_box4 box = f->a->level[level][at];
 
   for (int c = 0; c < 3; c++) {
-    good &= ((double)a->lo[c] * f->unit_a - (double)b->hi[c] * f->unit_b <=
-             f->limit_a[c]) &
-            ((double)b->lo[c] * f->unit_b - (double)a->hi[c] * f->unit_a <=
-             f->limit_b[c]);
+    box.lo[c] = box.lo[c] * f->scale_a;
+    box.hi[c] = box.hi[c] * f->scale_a;
   }
-  return good;
+  return box;
+}
+
+static inline sg_box4
+group_b(const frames *f, unsigned level, uint32_t at)
+{
+  sg_box4 box = f->b->level[level][at];
+
+  for (int c = 0; c < 3; c++) {
+    box.lo[c] = box.lo[c] * f->scale_b + f->shift_lo[c];
+    box.hi[c] = box.hi[c] * f->scale_b + f->shift_hi[c];
+  }
+  return box;
+}
+
+/* Which boxes of b overlap box k of a: bit l for the l-th. */
+static inline unsigned
+overlaps(const sg_box4 *a, int k, const sg_box4 *b)
+{
+  lanes all = {-1, -1, -1, -1};
+
+  for (int c = 0; c < 3; c++) {
+    sg_float4 lo = {a->lo[c][k], a->lo[c][k], a->lo[c][k], a->lo[c][k]};
+    sg_float4 hi = {a->hi[c][k], a->hi[c][k], a->hi[c][k], a->hi[c][k]};
+
+    all &= (lo <= b->hi[c]) & (b->lo[c] <= hi);
+  }
+  return (unsigned)((all[0] & 1) | (all[1] & 2) | (all[2] & 4) | (all[3] & 8));
+}
+
+/* In one tree with itself each two come once, and no box with itself: bits of
+ * the lanes from which group j goes on. */
+static inline unsigned
+wanted(const frames *f, const groups *at, int k)
+{
+  if (f->a != f->b || at->i != at->j) {
+    return 15;
+  }
+  return 15u << (at->level_i == 0 ? k + 1 : k) & 15;
+}
+
+/* The groups below lane k of i and lane l of j: of the higher of the two, or of
+ * both. */
+static inline groups
+groups_below(const groups *at, int k, int l)
+{
+  groups below = *at;
+
+  if (at->level_i >= at->level_j) {
+    below.level_i--;
+    below.i = at->i * SG_BVH_WIDTH + (uint32_t)k;
+  }
+  if (at->level_j >= at->level_i) {
+    below.level_j--;
+    below.j = at->j * SG_BVH_WIDTH + (uint32_t)l;
+  }
+  return below;
 }
 
 static void
@@ -97,70 +156,49 @@ add_hit(hit_list *list, sg_bvh_hit hit)
   list->hit[list->n++] = hit;
 }
 
-/* ---- one step down ---- */
-
-/* The nodes below: the higher of the two is opened, or both. */
-typedef struct below {
-  uint32_t i, i_end, j, j_end;
-  uint8_t level_i, level_j;
-} below;
-
-static void
-open_node(const sg_bvh *tree, uint32_t node, uint8_t *level, uint32_t *begin,
-          uint32_t *end)
-{
-  size_t last = ((size_t)node + 1) * SG_BVH_WIDTH;
-
-  *level = (uint8_t)(*level - 1);
-  *begin = node * SG_BVH_WIDTH;
-  *end = (uint32_t)(last < tree->count[*level] ? last : tree->count[*level]);
-}
-
-static below
-below_of(const frames *f, const nodes *at)
-{
-  below b = {at->i, at->i + 1, at->j, at->j + 1, at->level_i, at->level_j};
-
-  if (at->level_i >= at->level_j) {
-    open_node(f->a, at->i, &b.level_i, &b.i, &b.i_end);
-  }
-  if (at->level_j >= at->level_i) {
-    open_node(f->b, at->j, &b.level_j, &b.j, &b.j_end);
-  }
-  return b;
-}
-
-/* In one tree with itself, the nodes from here on are not those before. */
-static uint32_t
-first_j(const frames *f, const below *b, uint32_t i)
-{
-  uint32_t from = b->level_i == 0 ? i + 1 : i;
-
-  return f->a == f->b && from > b->j ? from : b->j;
-}
-
 /* ---- descending ---- */
 
+static void descend(descent *d, const groups *at);
+
+/* Lane k of group i meets the lanes `bits` of group j. */
 static void
-descend(descent *d, const nodes *at)
+go_on(descent *d, const groups *at, int k, unsigned bits)
+{
+  for (; bits && !d->stopped; bits &= bits - 1) {
+    int l = __builtin_ctz(bits);
+
+    if (at->level_i == 0 && at->level_j == 0) {
+      add_hit(d->found,
+              (sg_bvh_hit){d->pair, at->i * SG_BVH_WIDTH + (uint32_t)k,
+                           at->j * SG_BVH_WIDTH + (uint32_t)l});
+      continue;
+    }
+    groups below = groups_below(at, k, l);
+
+    descend(d, &below);
+    if (at->level_i > at->level_j) {
+      return; /* all of group j are in it */
+    }
+  }
+}
+
+static void
+descend(descent *d, const groups *at)
 {
   const frames *f = &d->frames;
-  below b = below_of(f, at);
-  const sg_box32 *of_a = f->a->level[b.level_i], *of_b = f->b->level[b.level_j];
+  sg_box4 a = group_a(f, at->level_i, at->i);
+  sg_box4 b = group_b(f, at->level_j, at->j);
+  unsigned done = 0; /* lanes of j that were opened with the whole of i */
 
   if (++d->steps % STEPS_ASKED == 0 && sg_crew_stopping()) {
     d->stopped = true;
   }
-  for (uint32_t i = b.i; i < b.i_end && !d->stopped; i++) {
-    for (uint32_t j = first_j(f, &b, i); j < b.j_end; j++) {
-      if (!overlap(f, &of_a[i], &of_b[j])) {
-        continue;
-      }
-      if (b.level_i == 0 && b.level_j == 0) {
-        add_hit(d->found, (sg_bvh_hit){d->pair, i, j});
-      } else {
-        descend(d, &(nodes){d->pair, i, j, b.level_i, b.level_j});
-      }
+  for (int k = 0; k < SG_BVH_WIDTH && !d->stopped; k++) {
+    unsigned bits = overlaps(&a, k, &b) & wanted(f, at, k) & ~done;
+
+    go_on(d, at, k, bits);
+    if (at->level_i < at->level_j) {
+      done |= bits;
     }
   }
   d->stopped = d->stopped || d->found->failed;
@@ -175,31 +213,25 @@ do_share(void *data, size_t task)
 
   end = end < join->fronts ? end : join->fronts;
   for (size_t k = task * SHARE; k < end && !d.stopped; k++) {
-    const nodes *at = &join->front[k];
-
-    d.pair = at->pair;
-    d.frames = frames_of(&join->pair[at->pair], join->reach);
-    if (at->level_i == 0 && at->level_j == 0) {
-      add_hit(d.found, (sg_bvh_hit){at->pair, at->i, at->j});
-    } else {
-      descend(&d, at);
-    }
+    d.pair = join->front[k].pair;
+    d.frames = frames_of(&join->pair[d.pair], join->reach);
+    descend(&d, &join->front[k]);
   }
 }
 
 /* ---- the front ---- */
 
-typedef struct node_list {
+typedef struct group_list {
   size_t n, room;
-  nodes *at;
-} node_list;
+  groups *at;
+} group_list;
 
 static bool
-add_nodes(node_list *list, nodes at)
+add_groups(group_list *list, groups at)
 {
   if (list->n == list->room) {
     size_t room = list->room ? 2 * list->room : 64;
-    nodes *grown = realloc(list->at, room * sizeof *grown);
+    groups *grown = realloc(list->at, room * sizeof *grown);
 
     if (!grown) {
       return false;
@@ -213,39 +245,33 @@ add_nodes(node_list *list, nodes at)
 
 /* The tops of all pairs of trees. */
 static bool
-add_tops(const joiner *join, size_t n, node_list *out)
+add_tops(const joiner *join, size_t n, group_list *out)
 {
   for (size_t k = 0; k < n; k++) {
     const sg_bvh *a = join->pair[k].a, *b = join->pair[k].b;
 
-    if (a->n == 0 || b->n == 0 || (a == b && a->n == 1)) {
-      continue;
-    }
-    frames f = frames_of(&join->pair[k], join->reach);
-    uint8_t level_a = (uint8_t)(a->levels - 1);
-    uint8_t level_b = (uint8_t)(b->levels - 1);
-
-    if (overlap(&f, a->level[level_a], b->level[level_b]) &&
-        !add_nodes(out, (nodes){(uint32_t)k, 0, 0, level_a, level_b})) {
+    if (a->n > 0 && b->n > 0 &&
+        !add_groups(out, (groups){(uint32_t)k, 0, 0, (uint8_t)(a->levels - 1),
+                                  (uint8_t)(b->levels - 1)})) {
       return false;
     }
   }
   return true;
 }
 
-/* What is below, in the same order. */
+/* What is below where both are of one level, in the same order. */
 static bool
-open_one(const joiner *join, const nodes *at, node_list *out)
+open_one(const joiner *join, const groups *at, group_list *out)
 {
   frames f = frames_of(&join->pair[at->pair], join->reach);
-  below b = below_of(&f, at);
+  sg_box4 a = group_a(&f, at->level_i, at->i);
+  sg_box4 b = group_b(&f, at->level_j, at->j);
 
-  for (uint32_t i = b.i; i < b.i_end; i++) {
-    for (uint32_t j = first_j(&f, &b, i); j < b.j_end; j++) {
-      nodes next = {at->pair, i, j, b.level_i, b.level_j};
+  for (int k = 0; k < SG_BVH_WIDTH; k++) {
+    unsigned bits = overlaps(&a, k, &b) & wanted(&f, at, k);
 
-      if (overlap(&f, &f.a->level[b.level_i][i], &f.b->level[b.level_j][j]) &&
-          !add_nodes(out, next)) {
+    for (; bits; bits &= bits - 1) {
+      if (!add_groups(out, groups_below(at, k, __builtin_ctz(bits)))) {
         return false;
       }
     }
@@ -255,17 +281,17 @@ open_one(const joiner *join, const nodes *at, node_list *out)
 
 /* Opens everything once; *grew: something could be opened. */
 static bool
-open_all(const joiner *join, node_list *list, bool *grew)
+open_all(const joiner *join, group_list *list, bool *grew)
 {
-  node_list next = {0};
+  group_list next = {0};
   bool good = true;
 
   *grew = false;
   for (size_t k = 0; k < list->n && good; k++) {
-    const nodes *at = &list->at[k];
+    const groups *at = &list->at[k];
 
-    if (at->level_i == 0 && at->level_j == 0) {
-      good = add_nodes(&next, *at);
+    if (at->level_i == 0 || at->level_i != at->level_j) {
+      good = add_groups(&next, *at);
     } else {
       good = open_one(join, at, &next);
       *grew = true;
@@ -308,7 +334,7 @@ sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
             const sg_poll *poll, sg_bvh_hits *out)
 {
   joiner join = {.pair = pair, .reach = reach};
-  node_list front = {0};
+  group_list front = {0};
   bool grew = true, good = add_tops(&join, n, &front);
 
   *out = (sg_bvh_hits){0};

@@ -151,7 +151,8 @@ same_tree(const sg_bvh *a, const sg_bvh *b)
 
   for (unsigned k = 0; same && k < a->levels; k++) {
     same = memcmp(a->level[k], b->level[k],
-                  a->count[k] * sizeof *a->level[k]) == 0;
+                  (a->count[k] + SG_BVH_WIDTH - 1) / SG_BVH_WIDTH *
+                      sizeof *a->level[k]) == 0;
   }
   return same;
 }
