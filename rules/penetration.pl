@@ -1,6 +1,7 @@
 :- module(sg_penetration,
           [ penetrate/0,
             penetrate/1,                % +Pairs
+            penetrate/2,                % +Pairs, +Options
             may_cut/2,                  % +S1, +S2
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
@@ -32,7 +33,9 @@
 :- autoload(library(apply), [foldl/4, include/3, maplist/2, maplist/3,
                              partition/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- autoload(library(error), [domain_error/2, must_be/2]).
 :- autoload(library(lists), [last/2, member/2, reverse/2]).
+:- autoload(library(option), [option/2]).
 :- autoload(library(ordsets), [ord_union/3]).
 
 /** <module> Penetration lines: where segments go through each other.
@@ -93,6 +96,29 @@ merge_line(Piece, Piece).
 %   after loading more.
 
 penetrate :-
+    penetrate(all, []).
+
+%!  penetrate(+Pairs) is det.
+%
+%   The same for the segments S1-S2 of the list Pairs only.
+
+penetrate(Pairs) :-
+    penetrate(Pairs, []).
+
+%!  penetrate(+Pairs, +Options:list) is det.
+%
+%   The same, Pairs a list or `all`. Option:
+%
+%     - tolerance(Tolerance)
+%     What is nearer than this (model units, not negative) is made to touch
+%     first, see resolve.pl. 0: nothing is, the model is taken as it is.
+%     Default: as model_tolerance/1 sees the model.
+%
+%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
+%          polygon P cannot be triangulated
+
+penetrate(all, Options) :-
+    !,
     findall(S1-S2,
             ( segment(S1, _, _),
               segment(S2, _, _),
@@ -100,36 +126,36 @@ penetrate :-
               may_cut(S1, S2)
             ),
             Pairs),
-    penetrate(Pairs).
-
-%!  penetrate(+Pairs:list) is det.
-%
-%   The same for the segments S1-S2 of Pairs only.
-%
-%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
-%          polygon P cannot be triangulated
-
-penetrate(Pairs) :-
-    facts_transaction(sg_penetration:penetrated_leaves(Pairs)).
+    penetrate(Pairs, Options).
+penetrate(Pairs, Options) :-
+    (   option(tolerance(Tolerance), Options)
+    ->  must_be(number, Tolerance),
+        (   Tolerance >= 0
+        ->  true
+        ;   domain_error(not_less_than_zero, Tolerance)
+        )
+    ;   model_tolerance(Tolerance)
+    ),
+    facts_transaction(sg_penetration:penetrated_leaves(Pairs, Tolerance)).
 
 %   Cuts are taken between leaves (leaf.pl): where Pairs meet, what earlier
 %   cuts made is taken back, and all are taken at once.
 
-penetrated_leaves(Pairs) :-
+penetrated_leaves(Pairs, Tolerance) :-
     earlier_cuts(Pairs, Earlier),
     (   Earlier == []
-    ->  penetrated(Pairs)
+    ->  penetrated(Pairs, Tolerance)
     ;   facts_snapshot(sg_penetration:met_leaves(Earlier, Pairs, Met)),
-        penetrated_again(Met)
+        penetrated_again(Met, Tolerance)
     ).
 
-penetrated_again([]) :-
+penetrated_again([], _) :-
     !.
-penetrated_again(Met) :-
+penetrated_again(Met, Tolerance) :-
     earlier_cuts(Met, Earlier),
     ord_union(Earlier, Met, All),
     leaves_restored(All),
-    penetrated(All).
+    penetrated(All, Tolerance).
 
 %   met_leaves(+Earlier, +Pairs, -Met): those of Pairs with leaves that meet.
 
@@ -155,8 +181,8 @@ met_pair(Set, S1-S2) :-
     Other \== S,
     msort([S,Other], [S1,S2]).
 
-penetrated(Pairs) :-
-    with_cut_set(Pairs, resolved(Resolved)),
+penetrated(Pairs, Tolerance) :-
+    with_cut_set(Pairs, resolved(Tolerance, Resolved)),
     (   Resolved == true
     ->  with_cut_set(Pairs, arranged),
         resolved_seams
@@ -173,8 +199,7 @@ with_cut_set(Pairs, Goal) :-
 
 %   If contacts had to be made, the arrangement starts from what that made.
 
-resolved(Resolved, Pairs, Set) :-
-    model_tolerance(Tolerance),
+resolved(Tolerance, Resolved, Pairs, Set) :-
     (   stage(resolve, resolve_contacts(Set, Tolerance))
     ->  Resolved = true
     ;   Resolved = false,

@@ -61,6 +61,8 @@ verb_option(penetrate, option(format, '',
     'FORMAT', 'the format for -o -')).
 verb_option(penetrate, option(exact, '', flag, '',
     'in tables coordinates as fractions, not rounded')).
+verb_option(penetrate, option(tolerance, '', number(0), 'T',
+    'what is nearer than T (model units) touches; 0: nothing else does')).
 verb_option(penetrate, option(json, '', flag, '',
     'print a summary as JSON')).
 
@@ -83,11 +85,16 @@ verb_option(draw, option(segment, '', each, 'N',
 verb_option(draw, option(size, '', value, 'WxH',
     'size of the sheet in mm, of a .png in dots')).
 
+verb_option(draw, option(tolerance, '', number(0), 'T',
+    'what is nearer than T (model units) touches; 0: nothing else does')).
+
 verb_option(query, option(format, '', one_of([table, csv, json, prolog]),
     'FORMAT', 'table (as is usual), csv, json or prolog')).
 verb_option(query, option(json, '', flag, '', 'the same as --format json')).
 verb_option(query, option(limit, '', number(1), 'N', 'the first N answers')).
 
+verb_option(explain, option(tolerance, '', number(0), 'T',
+    'what is nearer than T (model units) touches; 0: nothing else does')).
 verb_option(explain, option(json, '', flag, '', 'the reasons as JSON')).
 
 %!  common_option(?Spec) is nondet.
@@ -122,6 +129,7 @@ option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
 option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
 option_ko(size, '종이 크기 mm, .png는 점의 수').
 option_ko(exact, '표의 좌표를 반올림하지 않은 분수로').
+option_ko(tolerance, 'T(모델 단위)보다 가까우면 닿은 것으로 본다. 0: 그대로').
 option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').

@@ -13,7 +13,7 @@
 :- use_module(chain, [chain/5, chain_length/2]).
 :- use_module(model,
               [load_model/1, load_model/2, save_model/1, save_model/2]).
-:- use_module(penetration, [penetrate/0]).
+:- use_module(penetration, [penetrate/2]).
 :- use_module(query, [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
 :- use_module(report, [print_report/2]).
@@ -72,7 +72,7 @@ verb_run(penetrate, Files, Options, 0) :-
     outputs(Options, Endings, Outputs0),
     exact_outputs(Options, Outputs0),
     load_model(Files, Options),
-    penetrated,
+    penetrated(Options),
     points_alone,
     (   option(json(true), Options)
     ->  print_chains,
@@ -95,7 +95,7 @@ verb_run(draw, Files, Options, 0) :-
     eye(Options, Eye),
     load_model(Files, Options),
     known_segments(PictureOptions),
-    facts_transaction(sg_verbs:pictured(Eye, PictureOptions)),
+    facts_transaction(sg_verbs:pictured(Options, Eye, PictureOptions)),
     maplist(output_written(drawing_output(DrawingOptions)), Outputs).
 verb_run(query, Arguments, Options, Status) :-
     (   append(Files, [Text], Arguments)
@@ -128,7 +128,7 @@ verb_run(explain, Arguments, Options, Status) :-
     ),
     read_goal(Text, Item, _),
     load_model(Files, Options),
-    penetrate,
+    penetrate(all, Options),
     explained(Options, Item, Status).
 verb_run(repl, Files, Options, 0) :-
     (   Files == []
@@ -137,15 +137,15 @@ verb_run(repl, Files, Options, 0) :-
     ),
     repl.
 
-%   pictured(Eye, Options): the picture of the current world.
+%   pictured(Options, Eye, PictureOptions): the picture of the current world.
 
-pictured(Eye, Options) :-
+pictured(Options, Eye, PictureOptions) :-
     (   several_segments
-    ->  penetrated
+    ->  penetrated(Options)
     ;   true
     ),
     maplist(call, Eye),
-    picture(Options).
+    picture(PictureOptions).
 
 %!  draw(+File) is det.
 %!  draw(+File, +Options) is det.
@@ -163,7 +163,7 @@ draw(File) :-
 
 draw(File, Options) :-
     findall(Goal, ( member(Option, Options), view_goal(Option, Goal) ), Eye),
-    facts_transaction(sg_verbs:pictured(Eye, Options)),
+    facts_transaction(sg_verbs:pictured(Options, Eye, Options)),
     drawing_output(Options, File),
     print_message(informational, sanggwan(wrote(File))).
 
@@ -195,10 +195,10 @@ several_segments :-
     A \== B,
     !.
 
-%   penetrated: the segments cut each other, or a notice says why not.
+%   penetrated(Options): the segments cut each other, or a notice says why not.
 
-penetrated :-
-    penetrate,
+penetrated(Options) :-
+    penetrate(all, Options),
     (   \+ several_segments
     ->  print_message(informational, sanggwan(one_segment))
     ;   line(_, _, _, _, _, _, _, _, _)

@@ -57,7 +57,7 @@ penetrated(First, Second, Faults) :-
                read_mesh(Second, _),
                complete_segments,
                model_before(Before),
-               penetrate,
+               penetrate(all, [tolerance(0)]),
                findall(Fault, limit(3, fault(Before, Fault)), Faults) )).
 
 unmerged :-

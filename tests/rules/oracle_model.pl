@@ -26,7 +26,7 @@ where their origins say.
 
 penetration_faults(Faults) :-
     model_before(Before),
-    penetrate,
+    penetrate(all, [tolerance(0)]),
     findall(Fault,
             limit(3, ( model_fault(Before, Fault),
                        Fault \= points(_, _, _, _) )),
