@@ -1,5 +1,7 @@
 :- module(sg_test_grid_model,
           [ random_shape/1,             % -Shape
+            random_map/1,               % -Map
+            mapped_shape/3,             % +Map, +Shape0, -Shape
             add_shape/2,                % +S, +Shape
             shape_label/2               % +Shape, -Label
           ]).
@@ -173,6 +175,34 @@ mirrors(Axes, Signs) :-
 
 times(X, Y0, Y) :-
     Y is X*Y0.
+
+%!  random_map(-Map) is det.
+%
+%   A linear map of small integers that keeps orientation: three columns. What
+%   touches goes on touching, but along no axis.
+
+random_map(Map) :-
+    repeat,
+    length(Map, 3),
+    maplist(random_column, Map),
+    Map = [X,Y,Z],
+    volume(p(0,0,0), X, Y, Z, Volume),
+    Volume > 0,
+    !.
+
+random_column(p(X,Y,Z)) :-
+    maplist(random_between(-2, 3), [X,Y,Z]).
+
+%!  mapped_shape(+Map, +Shape0, -Shape) is det.
+
+mapped_shape(Map, shape(Label, Kind, Points0, Faces),
+             shape(Label, Kind, Points, Faces)) :-
+    maplist(mapped_point(Map), Points0, Points).
+
+mapped_point([p(A,B,C),p(D,E,F),p(G,H,I)], p(X0,Y0,Z0), p(X,Y,Z)) :-
+    X is A*X0+D*Y0+G*Z0,
+    Y is B*X0+E*Y0+H*Z0,
+    Z is C*X0+F*Y0+I*Z0.
 
 /* - - - into the world - - - */
 

@@ -1,5 +1,6 @@
 :- module(sg_test_oracle_model,
           [ penetration_faults/1,       % -Faults
+            model_faults/2,             % +Before, -Faults
             model_before/1,             % -Before
             model_fault/2               % +Before, -Fault
           ]).
@@ -22,11 +23,18 @@ where their origins say.
 %!  penetration_faults(-Faults) is det.
 %
 %   Penetrate the current world, whose segments have triangles; Faults is what
-%   is wrong then, three at most, of different names if possible.
+%   is wrong then.
 
 penetration_faults(Faults) :-
     model_before(Before),
     penetrate(all, [tolerance(0)]),
+    model_faults(Before, Faults).
+
+%!  model_faults(+Before, -Faults) is det.
+%
+%   The first three solutions of model_fault/2.
+
+model_faults(Before, Faults) :-
     findall(Fault,
             limit(3, ( model_fault(Before, Fault),
                        Fault \= points(_, _, _, _) )),
@@ -302,5 +310,14 @@ polygon_fault(S, P, Area, Fault) :-
         Fault = turned(S, T)
     ).
 
-same_way(v(X1,Y1,Z1), v(X2,Y2,Z2)) :-
-    X1*X2+Y1*Y2+Z1*Z2 > 0.
+%   Seen along the largest component of the polygon's area, as polygons are
+%   that are flat only within the tolerance.
+
+same_way(Normal, Area) :-
+    Area = v(X,Y,Z),
+    Largest is max(abs(X), max(abs(Y), abs(Z))),
+    arg(I, Area, Seen),
+    abs(Seen) =:= Largest,
+    !,
+    arg(I, Normal, Part),
+    Seen*Part > 0.

@@ -5,11 +5,13 @@
 :- use_module(library(random)).
 :- use_module(library(solution_sequences)).
 :- use_module(rules(store)).
+:- use_module(rules(penetration)).
 :- use_module(rules(triangulation)).
 :- use_module(tests('rules/grid_model')).
 :- use_module(tests('rules/oracle_model')).
 
-/* Random solids and sheets on a coarse grid, two or three together: after
+/* Random solids and sheets on a coarse grid, half of them then mapped to planes
+in all directions, two to four together: after
 penetrate/0 the lines are those of the oracle, and every polygon is still
 divided rightly. Model I is made from seed I. ORACLE_MODELS=N makes N models
 (default 200), from number ORACLE_FIRST (default 1) on. */
@@ -27,28 +29,59 @@ from_environment(Name, Default, N) :-
 
 model_shapes(I, Shapes) :-
     set_random(seed(I)),
-    random_member(N, [2,2,3]),
-    length(Shapes, N),
-    maplist(random_shape, Shapes).
+    random_member(N, [2,2,3,4]),
+    length(Shapes0, N),
+    maplist(random_shape, Shapes0),
+    (   random_member(grid, [grid,map])
+    ->  Shapes = Shapes0
+    ;   random_map(Map),
+        maplist(mapped_shape(Map), Shapes0, Shapes)
+    ).
 
 shapes_faults(Shapes, Faults) :-
     new_world(World),
     in_world(World,
-             ( forall(nth1(S, Shapes, Shape), add_shape(S, Shape)),
+             ( foldl(add_next, Shapes, 1, _),
                complete_segments,
                catch(penetration_faults(Faults), Error, Faults = [Error]) )).
 
-bad_model(I-Labels-Faults) :-
+%   The same lines if the last shape comes when the others have been cut.
+
+two_steps_faults(Shapes, Faults) :-
+    new_world(Together),
+    in_world(Together,
+             ( foldl(add_next, Shapes, 1, _),
+               complete_segments,
+               model_before(Before) )),
+    append(Shapes1, [Shape], Shapes),
+    new_world(World),
+    in_world(World,
+             ( foldl(add_next, Shapes1, 1, S),
+               complete_segments,
+               catch(( penetrate,
+                       add_shape(S, Shape),
+                       complete_segments,
+                       penetrate,
+                       model_faults(Before, Faults) ),
+                     Error, Faults = [Error]) )).
+
+add_next(Shape, S, S1) :-
+    add_shape(S, Shape),
+    S1 is S+1.
+
+bad_model(Faults_, I-Labels-Faults) :-
     models(First, Last),
     between(First, Last, I),
     model_shapes(I, Shapes),
-    shapes_faults(Shapes, Faults),
+    call(Faults_, Shapes, Faults),
     Faults \== [],
     maplist(shape_label, Shapes, Labels).
 
 :- begin_tests(oracle_models).
 
 test(random_models, Bad == []) :-
-    findall(Model, limit(5, bad_model(Model)), Bad).
+    findall(Model, limit(5, bad_model(shapes_faults, Model)), Bad).
+test(in_two_steps, Bad == []) :-
+    findall(Model, limit(5, bad_model(two_steps_faults, Model)), Bad).
 
 :- end_tests(oracle_models).
