@@ -129,7 +129,8 @@ corner(S, V, p(X,Y,Z)) :-
     ->  true
     ;   existence_error(vertex, S-V)
     ),
-    (   origin(S, v(V), _)
+    (   origin(S, v(V), Origin),
+        names_place(Origin)
     ->  domain_error(original_vertex, S-V)
     ;   true
     ),

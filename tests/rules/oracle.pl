@@ -491,11 +491,12 @@ on(line(Axis, v(Dx,Dy,Dz), p(X0,Y0,Z0)), Point, At) :-
 
 %!  exact_vertex(+S, +V, -Point) is semidet.
 %
-%   Where vertex V of segment S is by its origin/3, and by v/5 if it has none.
-%   Fails if the origin does not say.
+%   Where vertex V of segment S is by its origin/3, and by v/5 if it has none,
+%   or one within the tolerance only. Fails if the origin does not say.
 
 exact_vertex(S, V, Point) :-
-    (   origin(S, v(V), Origin)
+    (   origin(S, v(V), Origin),
+        Origin \= near(_)
     ->  origin_point(Origin, Point)
     ;   vertex_point(S, V, Point)
     ).
