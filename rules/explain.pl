@@ -9,10 +9,11 @@
               [ line_end/4, vertex_seats/3, contact_kind/3, edge_part/4 ]).
 :- use_module(exact, [vertex_exact/5, vertex_side/4]).
 :- use_module(explain_pair, [pair_because/3, segments_because/3,
-                             line_pieces/2]).
+                             line_pieces/2, decided_by/2]).
 :- use_module(explain_words, [statement_keys/2]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
+:- use_module(penetration, [merge_line/2]).
 :- use_module(store,
               [ v/5, e/5, leaf_e/5, p/3, segment/3, origin/3, line/9,
                 edge_polygon/3
@@ -146,7 +147,25 @@ end_because(L, End, because(point(End, point(X,Y,Z), S1, V1, S2, V2), Because)) 
             ( member(seat(S,V,Place), Seats), S \== S1, S \== S2 ),
             Also),
     exact_because(Seat1, Seat2, Exact),
-    append([[Contact], Exact, Also], Because).
+    merge_refused(L, V1, Refused),
+    append([[Contact], Exact, Also, Refused], Because).
+
+%   merge_refused(+L, +V, -Because): the line of the same two polygons that
+%   goes on there, but must not be merged.
+
+merge_refused(L, V, Because) :-
+    findall(because(not_merged(Other,By), []), not_merged(L, V, Other, By),
+            Because).
+
+not_merged(L, V, Other, By) :-
+    line(L, S1, P1, _, _, S2, P2, _, _),
+    vertex_lines(S1, V, Ls),
+    member(Other, Ls),
+    Other =\= L,
+    line(Other, S1, P1, _, _, S2, P2, _, _),
+    Piece = piece(S1, P1, S2, P2),
+    \+ merge_line(Piece, Piece),
+    decided_by(merge_line/2, By).
 
 %   What the features are; under it the exact signs that prove it, and what
 %   made the point if it was not these features.

@@ -78,6 +78,8 @@ statement_en(also(S, V, Place)) -->
     ;   [ ', on ' ],
         place(S, Place)
     ).
+statement_en(not_merged(L, By)) -->
+    [ 'not merged with line ~d there: merge_line/2 (~w) refused it'-[L, By] ].
 statement_en(pieces(1, _)) -->
     [ 'one cut of two triangles' ].
 statement_en(pieces(N, By)) -->
@@ -144,6 +146,8 @@ statement_en(pair(S1, P1, S2, P2)) -->
 statement_en(pair_lines(Ls)) -->
     { atomic_list_concat(Ls, ', ', Text) },
     [ 'give line ~w'-[Text] ].
+statement_en(of_line(L)) -->
+    [ 'line ~d'-[L] ].
 statement_en(boxes_apart(Axis, High, Low, Lower)) -->
     { memberchk(Lower-Words, [first-[first,second], second-[second,first]]),
       Words = [One,Other] },

@@ -80,6 +80,8 @@ statement_ko(also(S, V, Place)) -->
     ;   [ ', 있는 곳: ' ],
         place(S, Place)
     ).
+statement_ko(not_merged(L, By)) -->
+    [ '거기서 선 ~d과(와) 잇지 않았다: merge_line/2 (~w)이(가) 거절했다'-[L, By] ].
 statement_ko(pieces(1, _)) -->
     [ '두 삼각형의 조각 하나' ].
 statement_ko(pieces(N, By)) -->
@@ -147,6 +149,8 @@ statement_ko(pair(S1, P1, S2, P2)) -->
 statement_ko(pair_lines(Ls)) -->
     { atomic_list_concat(Ls, ', ', Text) },
     [ '상관선 ~w을(를) 만든다'-[Text] ].
+statement_ko(of_line(L)) -->
+    [ '선 ~d'-[L] ].
 statement_ko(boxes_apart(Axis, High, Low, Lower)) -->
     { memberchk(Lower-Words, [first-['첫째','둘째'],
                         second-['둘째','첫째']]),

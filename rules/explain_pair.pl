@@ -1,7 +1,8 @@
 :- module(sg_explain_pair,
           [ pair_because/3,             % +Place1, +Place2, -Because
             segments_because/3,         % +S1, +S2, -Because
-            line_pieces/2               % +L, -Because
+            line_pieces/2,              % +L, -Because
+            decided_by/2                % +Decision, -By
           ]).
 :- use_module(decision, [decision/4]).
 :- use_module(exact, [origin_exact/4, vertex_exact/5, vertex_side/4]).
@@ -49,8 +50,10 @@ not_cut(S1, S2, refused(S1, S2, By)) :-
     decided_by(may_cut/2, By),
     !.
 
-%   decided_by(+Decision, -By): `default`, or the rule file, by its shortest
-%   name from here.
+%!  decided_by(+Decision, -By) is det.
+%
+%   By is `default`, or the rule file that decides, named from the current
+%   folder if it is in it.
 
 decided_by(Decision, By) :-
     decision(Decision, _, _, File),
@@ -73,9 +76,10 @@ decided_by(Decision, By) :-
 pair_because(S1-P1, S2-P2, [because(pair(S1,P1,S2,P2), Because)]) :-
     findall(L, line(L, S1, P1, _, _, S2, P2, _, _), Ls),
     (   Ls \== []
-    ->  findall(Piece, ( member(L, Ls), line_pieces(L, Some),
-                         member(Piece, Some) ), Pieces),
-        Because = [because(pair_lines(Ls), [])|Pieces]
+    ->  findall(because(of_line(L), Pieces),
+                ( member(L, Ls), line_pieces(L, Pieces) ),
+                Each),
+        Because = [because(pair_lines(Ls), Each)]
     ;   \+ line(_, S1, _, _, _, S2, _, _, _),
         not_cut(S1, S2, Why)
     ->  Because = [because(Why, [])]

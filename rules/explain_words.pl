@@ -25,6 +25,7 @@ statement_keys(at, [segment, vertex, point]).
 statement_keys(side, [segment, vertex, point, side, triangle]).
 statement_keys(exact, [x, y, z]).
 statement_keys(also, [segment, vertex, place]).
+statement_keys(not_merged, [line, rules]).
 statement_keys(pieces, [count, rules]).
 statement_keys(piece, [number, triangle1, triangle2]).
 statement_keys(chain, [chain, kind, number, count]).
@@ -46,6 +47,7 @@ statement_keys(refused, [segment1, segment2, rules]).
 statement_keys(no_common_piece, []).
 statement_keys(pair, [segment1, polygon1, segment2, polygon2]).
 statement_keys(pair_lines, [lines]).
+statement_keys(of_line, [line]).
 statement_keys(boxes_apart, [axis, high, low, lower]).
 statement_keys(triangles_apart, [count]).
 statement_keys(triangles, [reason, count]).
@@ -65,6 +67,8 @@ segment_word(S, Word) :-
     ;   Word = ''
     ).
 
+plain_name(named(Name, _), Name) :-
+    !.
 plain_name(at(_, Name0), Name) :-
     !,
     plain_name(Name0, Name).

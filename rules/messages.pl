@@ -243,6 +243,9 @@ polygon_en(no_edge(V)) -->
     [ 'has an edge from vertex ~d to itself'-[V], nl,
       '  Write the vertex once.' ].
 
+primitive_name(named(_, Term), Name) :-
+    !,
+    primitive_name(Term, Name).
 primitive_name(at(_, Term), Name) :-
     !,
     primitive_name(Term, Name).

@@ -238,6 +238,9 @@ polygon_ko(no_edge(V)) -->
     [ '꼭지점 ~d 에서 자기 자신으로 가는 모서리가 있습니다'-[V], nl,
       '  꼭지점을 한 번만 쓰십시오.' ].
 
+primitive_name(named(_, Term), Name) :-
+    !,
+    primitive_name(Term, Name).
 primitive_name(at(_, Term), Name) :-
     !,
     primitive_name(Term, Name).

@@ -3,6 +3,7 @@
             penetrate/1,                % +Pairs
             penetrate/2,                % +Pairs, +Options
             may_cut/2,                  % +S1, +S2
+            merge_line/2,               % +Piece1, +Piece2
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
 :- use_module(decision, [decision/2]).
@@ -81,9 +82,11 @@ may_cut(S1, S2) :-
 :- decision(merge_line/2,
             "Which collinear pieces of a line become one (PL-9)").
 
-%   merge_line(+Piece1, +Piece2) is semidet: a piece is
+%!  merge_line(+Piece1, +Piece2) is semidet.
+%
+%   Decision: two pieces become one. A piece is
 %   piece(S1, Polygon1, S2, Polygon2); the two meet in a vertex where no other
-%   edge is, and are in line. Those of the same two polygons become one.
+%   edge is, and are in line. The default: those of the same two polygons.
 
 merge_line(Piece, Piece).
 

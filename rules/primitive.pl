@@ -20,6 +20,7 @@ rises along +z:
     rectangle(size(A, B))                         surface facing +z
     line(from(X, Y, Z), to(X, Y, Z))              curve
     at(Steps, Primitive)                          placed
+    named(Name, Primitive)                        with a name for rules
 
 The arguments are named, in any order; facets(N) may be left out (40). The
 first corner of a round base lies on the +x axis. Steps of at/2 are done from
@@ -81,13 +82,13 @@ primitive_arguments(line, curve,
 
 %!  is_primitive(@Term) is semidet.
 %
-%   True when Term looks like a primitive: at/2, or a compound with the name
-%   of one. Its arguments may still be wrong.
+%   True when Term looks like a primitive: at/2, named/2, or a compound with the
+%   name of one. Its arguments may still be wrong.
 
 is_primitive(Term) :-
     compound(Term),
     compound_name_arity(Term, Name, Arity),
-    (   Name/Arity == at/2
+    (   memberchk(Name/Arity, [at/2, named/2])
     ->  true
     ;   primitive(Name)
     ->  true
@@ -113,7 +114,8 @@ primitive_shape(Term, Kind, Points, Chains) :-
     shape(Name, Values, Primitive, Points0, Chains),
     maplist(moved(Steps), Points0, Points).
 
-%   placed(Term, Primitive, Motion): at/2 taken off; the inner steps first.
+%   placed(Term, Primitive, Motion): at/2 and named/2 taken off; the inner steps
+%   first.
 
 placed(Term, _, _) :-
     \+ is_primitive(Term),
@@ -128,6 +130,9 @@ placed(at(Steps, Inner), Primitive, Motion) :-
     maplist(step_motion, Steps, Motion2),
     placed(Inner, Primitive, Motion1),
     append(Motion1, Motion2, Motion).
+placed(named(_, Inner), Primitive, Motion) :-
+    !,
+    placed(Inner, Primitive, Motion).
 placed(Primitive, Primitive, []).
 
 primitive_error(What, Term) :-

@@ -14,7 +14,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(model_file, [add_primitive/2]).
 :- reexport(mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(triangulation, [complete_segments/0, polygon_triangles/3]).
-:- reexport(penetration, except([may_cut/2])).
+:- reexport(penetration, except([may_cut/2, merge_line/2])).
 :- reexport(exact, [vertex_exact/5]).
 :- reexport(chain).
 :- reexport(explain, [explain/1, explanation/2]).

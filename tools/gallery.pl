@@ -75,8 +75,8 @@ page_written(Pictures, Out) :-
                   p([ 'The penetration figures of H.-C. Chae, ',
                       em('Drawing of Penetrating Lines Using \c
                           Personal Computer'),
-                      ', KSME Journal 12(1), 1988, each drawn by the \c
-                       command under it. Penetration lines are red on the \c
+                      ', KSME Journal 12(1), 1988, and some others, each \c
+                       drawn by the command under it. Penetration lines are red on the \c
                        screen, black on paper; hidden lines are dashed.' ]),
                   main(\figures(Pictures))
                 ]),

@@ -6,7 +6,7 @@
 % The command is `sanggwan draw` with Words and `-o Name.svg`. The figures
 % are those of H.-C. Chae, Drawing of Penetrating Lines Using Personal
 % Computer, KSME Journal 12(1), 1988; sizes are chosen, for the paper does not
-% give them.
+% give them. Others follow them.
 
 picture(fig08, 'Figure 8',
         'A cone and a straight line that goes through it.',
@@ -41,3 +41,12 @@ picture(fig14a, 'Figure 14 (a)',
 picture(fig14b, 'Figure 14 (b)',
         'The penetration lines on one of the cylinders.',
         ['facts/figures/fig14.pl', '--segment', '1']).
+
+% What rules can change: docs/rules.md.
+
+picture(pipes, 'Pipes',
+        'Three pipes and the two brackets that carry them; everything is cut.',
+        ['facts/pipes.pl']).
+picture(pipes_rules, 'Pipes, by other rules',
+        'The same by a rule file: pipes do not cut brackets.',
+        ['facts/pipes.pl', '--rules', 'docs/pipes_rules.pl']).

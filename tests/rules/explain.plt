@@ -240,6 +240,23 @@ test(refused) :-
     delete_file(File),
     By \== default.
 
+test(not_merged, N-By0 == 2-default) :-
+    tmp_file_stream(File, Out, [extension(pl), encoding(utf8)]),
+    format(Out, "merge_line(_, _) :- fail.~n", []),
+    close(Out),
+    floor(Floor),
+    through(Other),
+    with_pieces([Floor,Other], once(said(line(_), pieces(_, By0)))),
+    new_world(World),
+    in_world(World,
+             ( use_rules(File),
+               surface(1, Floor),
+               surface(2, Other),
+               complete_segments,
+               penetrate,
+               aggregate_all(count, said(line(_), not_merged(_, _)), N) )),
+    delete_file(File).
+
 %   After a second penetration the explanation is still that of the leaves.
 
 test(after_second) :-

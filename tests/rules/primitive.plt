@@ -94,6 +94,12 @@ test(inner_steps_first, Points == [point(0.0,1.0,0.0), point(0.0,2.0,0.0)]) :-
     primitive_shape(at([rotate(z, 90)],
                        at([translate(1, 0, 0)],
                           line(from(0,0,0), to(1,0,0)))), _, Points, _).
+test(named, Kind-Points == curve-[point(1.0,0.0,0.0), point(2.0,0.0,0.0)]) :-
+    primitive_shape(named(pipe(1), at([translate(1, 0, 0)],
+                                      line(from(0,0,0), to(1,0,0)))),
+                    Kind, Points, _).
+test(named_what, throws(error(model_error(primitive(unknown, ball)), _))) :-
+    primitive_shape(named(pipe(1), ball), _, _, _).
 test(right_handed, all(D-P == [x-point(0.0,0.0,1.0), y-point(1.0,0.0,0.0),
                                z-point(0.0,1.0,0.0)])) :-
     member(D-P0, [x-to(0,1,0), y-to(0,0,1), z-to(1,0,0)]),

@@ -1,0 +1,46 @@
+# rules.sh -- what docs/rules.md shows works and answers as it stands there.
+. "$(dirname "$0")/../check.sh"
+
+root=$PWD
+cp -r docs facts "$TMP"
+ln -s "$PWD/build/sanggwan" "$TMP/sanggwan"
+cd "$TMP" || exit 1
+page=docs/rules.md
+
+# shown COMMAND: the lines under it, up to the next empty one.
+shown() {
+  awk -v command="    \$ $1" '
+    on && /^$/ { exit }
+    on { print substr($0, 5) }
+    $0 == command { on = 1 }' "$page"
+}
+
+# answers COMMAND: it prints what the page shows.
+answers() {
+  bash -c "$1" >answer </dev/null && shown "$1" >wanted && diff wanted answer
+}
+
+commands=$(sed -n 's/^    \$ //p' "$page")
+check "there are commands" test "$(wc -l <<<"$commands")" -ge 8
+while read -r command; do
+  check "$command" answers "$command"
+done <<<"$commands"
+
+# The pictures are those of the gallery, and they differ.
+for picture in pipes pipes_rules; do
+  check "$picture is the gallery's" \
+    cmp "docs/gallery/$picture.svg" "$root/docs/gallery/$picture.svg"
+done
+paths() { grep -c 'class="visible penetration"' "docs/gallery/$1.svg"; }
+check "rules leave fewer lines" \
+  test "$(paths pipes_rules)" -lt "$(paths pipes)"
+
+# The rule files shown are those in the folder.
+for file in docs/pipes_rules.pl docs/pieces_rules.pl; do
+  check "$file is what the page shows" \
+    eval "sed '1,/^\*\//d; /^%/d; /^$/d' $file |
+          while IFS= read -r line; do
+            grep -qxF -- \"    \$line\" $page || exit 1; done"
+done
+
+check_report
