@@ -135,7 +135,8 @@ line_because(L, [because(line(L, S1, P1, S2, P2), Because)]) :-
     chain_because(L, Chain),
     append([[Start,End], Pieces, Chain], Because).
 
-end_because(L, End, because(point(End, point(X,Y,Z), S1, V1, S2, V2), Because)) :-
+end_because(L, End,
+            because(point(End, point(X,Y,Z), S1, V1, S2, V2), Because)) :-
     line_end(L, End, Seat1, Seat2),
     !,
     Seat1 = seat(S1, V1, _),

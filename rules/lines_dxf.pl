@@ -38,7 +38,8 @@ write_lines_dxf(Out, Chains) :-
 
 %   drawn(Layer, S1, S2, Points, V1s, V2s), the first point of a loop once.
 
-chain_drawn(chain(S1, S2, Kind, Lines), drawn(Layer, S1, S2, Points, V1s, V2s)) :-
+chain_drawn(chain(S1, S2, Kind, Lines),
+            drawn(Layer, S1, S2, Points, V1s, V2s)) :-
     chain_points(Lines, Points0),
     chain_vertices(Lines, S1, V1s0),
     chain_vertices(Lines, S2, V2s0),

@@ -76,8 +76,8 @@ page_written(Pictures, Out) :-
                       em('Drawing of Penetrating Lines Using \c
                           Personal Computer'),
                       ', KSME Journal 12(1), 1988, and some others, each \c
-                       drawn by the command under it. Penetration lines are red on the \c
-                       screen, black on paper; hidden lines are dashed.' ]),
+                       drawn by the command under it. Penetration lines are \c
+                       red on the screen, black on paper; hidden lines are dashed.' ]),
                   main(\figures(Pictures))
                 ]),
            Tokens),
