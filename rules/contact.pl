@@ -31,11 +31,11 @@ Nothing is stored for this: origin/3 and the edges say it.
 %   matters for faces only; unbound, it is found.
 
 vertex_place(S, V, _, vertex(V)) :-
-    \+ origin(S, v(V), _),
+    \+ was_made(S, V),
     !.
 vertex_place(S, V, _, edge(V1, V2)) :-
-    divided_edge_at(S, V, Edge),
-    edge_part(S, Edge, _, Start-End),
+    part_at(S, V, E),
+    edge_part(S, E, _, Start-End),
     !,
     V1 is min(Start, End),
     V2 is max(Start, End).
@@ -44,10 +44,27 @@ vertex_place(S, V, P, face(P, Corners)) :-
     !,
     face_corners(S, V, Corners).
 
-divided_edge_at(S, V, E) :-
-    (   e(S, E, V, _, 1)
-    ;   e(S, E, _, V, 1)
-    ),
+%   was_made(+S, +V): V is no vertex of the model. One that was only moved, so
+%   that it touches, is: edges of the model begin or end there.
+
+was_made(S, V) :-
+    origin(S, v(V), Origin),
+    !,
+    (   Origin = near(_)
+    ->  \+ ( edge_at(S, V, E), \+ origin(S, e(E), _) ),
+        \+ ( part_at(S, V, E),
+             edge_part(S, E, _, Start-End),
+             ( V == Start ; V == End ) )
+    ;   true
+    ).
+
+edge_at(S, V, E) :-
+    e(S, E, V, _, 1).
+edge_at(S, V, E) :-
+    e(S, E, _, V, 1).
+
+part_at(S, V, E) :-
+    edge_at(S, V, E),
     origin(S, e(E), e(_)).
 
 vertex_polygon(_, _, P) :-
@@ -60,7 +77,7 @@ vertex_polygon(S, V, P) :-
 face_corners(S, V, Corners) :-
     origin(S, v(V), Origin),
     Origin =.. [Made|Places],
-    Made \== v,
+    memberchk(Made, [lpi,ll,tpi]),
     member(S-Named, Places),
     !,
     (   Named = (A,B,C)
@@ -78,8 +95,28 @@ face_corners(_, _, none).
 edge_part(S, E, Root, V1-V2) :-
     origin(S, e(E), e(Old)),
     edge_root(S, Old, Root),
-    leaf_e(S, Root, V1, V2, _),
+    (   leaf_e(S, Root, V1, V2, _)
+    ->  true
+    ;   root_ends(S, Root, V1, V2)
+    ).
+
+%   An edge that was divided so that it touches, before any cut, is not kept:
+%   its ends are where its parts begin and end.
+
+root_ends(S, Root, Start, End) :-
+    findall(V1-V2, root_part(S, Root, V1, V2), Parts),
+    member(Start-_, Parts),
+    \+ member(_-Start, Parts),
+    member(_-End, Parts),
+    \+ member(End-_, Parts),
     !.
+
+root_part(S, Root, V1, V2) :-
+    origin(S, e(E), e(Root)),
+    (   e(S, E, V1, V2, _)
+    ->  true
+    ;   root_part(S, E, V1, V2)
+    ).
 
 edge_root(S, E, Root) :-
     (   origin(S, e(E), e(Old))
@@ -94,18 +131,21 @@ edge_root(S, E, Root) :-
 %   vertex V of S.
 
 vertex_seats(S, V, Seats) :-
-    (   origin(S, v(V), Origin)
-    ->  true
-    ;   Origin = v(S, V)
-    ),
+    findall(S1-V1, same_point(S, V, S1, V1), Names0),
+    sort([S-V|Names0], Names),
     findall(seat(S1, V1, Place),
-            ( same_point(Origin, S1, V1), vertex_place(S1, V1, _, Place) ),
-            Seats0),
-    sort(Seats0, Seats).
+            ( member(S1-V1, Names), vertex_place(S1, V1, _, Place) ),
+            Seats).
 
-same_point(v(S, V), S, V).
-same_point(Origin, S, V) :-
-    origin(S, v(V), Origin).
+%   One origin is one point, as is the vertex it names.
+
+same_point(S, V, S1, V1) :-
+    (   origin(S, v(V), Origin)
+    ;   member(Origin, [v(S, V), near(v(S, V))])
+    ),
+    (   origin(S1, v(V1), Origin)
+    ;   memberchk(Origin, [v(S1, V1), near(v(S1, V1))])
+    ).
 
 %!  line_end(+L, ?End, -Seat1, -Seat2) is nondet.
 %

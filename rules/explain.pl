@@ -219,6 +219,13 @@ origin_fact(lpi(S1-(A,B), Triangle), Statement) :-
     vertex_side(S1, V, Triangle, Side),
     point(S1, V, Point),
     Statement = side(S1, V, Point, Side, Triangle).
+origin_fact(near(Origin), Statement) :-
+    Origin =.. [_|Places],
+    member(S-(A,B), Places),
+    member(V, [A,B]),
+    integer(V),
+    point(S, V, Point),
+    Statement = at(S, V, Point).
 origin_fact(ll(S1-(A,B), S2-(C,D)), at(S, V, Point)) :-
     member(S-V, [S1-A, S1-B, S2-C, S2-D]),
     point(S, V, Point).
@@ -239,6 +246,7 @@ exact_because(Seat1, Seat2, Because) :-
 
 inexact_at(S, V, Origin, X, Y, Z) :-
     Origin \= v(_, _),
+    Origin \= near(_),
     once(vertex_exact(S, V, X, Y, Z)),
     once(v(S, V, X1, Y1, Z1)),
     \+ ( X =:= rational(X1), Y =:= rational(Y1), Z =:= rational(Z1) ).
@@ -267,7 +275,10 @@ vertex_because(S, V, Statement, Because) :-
             Also),
     (   origin(S, v(V), Origin)
     ->  memberchk(seat(S,V,Place), Seats),
-        Statement = derived(S, V, Point, Place),
+        (   Place = vertex(_)
+        ->  Statement = moved(S, V, Point)
+        ;   Statement = derived(S, V, Point, Place)
+        ),
         origin_because(Origin, Facts),
         Seat = seat(S, V, Place),
         exact_because(Seat, Seat, Exact),
@@ -316,6 +327,9 @@ edge_origin(S, E, because(edge_of_line(L), Because)) :-
             line(L, S1, P1, _, _, S2, P2, _, _), Because).
 edge_origin(S, E, because(part_of(S,Root,V1,V2), [])) :-
     edge_part(S, E, Root, V1-V2),
+    !.
+edge_origin(S, E, because(edge_near(S,E), [])) :-
+    origin(S, e(E), near),
     !.
 edge_origin(S, E, because(edge_whole(S,E), [])).
 

@@ -60,6 +60,9 @@ statement_en(made(tpi(T1, T2, T3))) -->
     [ 'made by three planes: of ~w, ~w and ~w'-[W1, W2, W3] ].
 statement_en(made(crossing)) -->
     [ 'made by two lines that cross within the tolerance' ].
+statement_en(made(near(Origin))) -->
+    [ 'made to touch, being nearer than the tolerance: ' ],
+    statement_en(made(Origin)).
 statement_en(at(S, V, Point)) -->
     [ 'vertex ~d of segment ~d is at '-[V, S] ],
     point(Point).
@@ -100,6 +103,11 @@ statement_en(derived(S, V, Point, Place)) -->
     point(Point),
     [ ', on ' ],
     place(S, Place).
+statement_en(moved(S, V, Point)) -->
+    { segment_word(S, Word) },
+    [ 'vertex ~d of segment ~d~w at '-[V, S, Word] ],
+    point(Point),
+    [ ', moved there so that it touches' ].
 statement_en(original(S, V, Point)) -->
     { segment_word(S, Word) },
     [ 'vertex ~d of segment ~d~w at '-[V, S, Word] ],
@@ -114,6 +122,8 @@ statement_en(edge(S, E, V1, V2)) -->
       [E, S, Word, V1, V2] ].
 statement_en(edge_whole(_, _)) -->
     [ 'as the model has it' ].
+statement_en(edge_near(_, _)) -->
+    [ 'made so that the polygons touch' ].
 statement_en(edge_of_line(_)) -->
     [ 'made by a penetration line' ].
 statement_en(part_of(_, E, V1, V2)) -->

@@ -61,6 +61,9 @@ statement_ko(made(tpi(T1, T2, T3))) -->
     [ '세 평면이 만들었다: ~w, ~w, ~w'-[W1, W2, W3] ].
 statement_ko(made(crossing)) -->
     [ '허용 오차 안에서 교차하는 두 선이 만들었다' ].
+statement_ko(made(near(Origin))) -->
+    [ '허용 오차보다 가까워 닿게 했다: ' ],
+    statement_ko(made(Origin)).
 statement_ko(at(S, V, Point)) -->
     [ '세그먼트 ~d의 꼭짓점 ~d '-[S, V] ],
     point(Point).
@@ -104,6 +107,11 @@ statement_ko(derived(S, V, Point, Place)) -->
     point(Point),
     [ ', 있는 곳: ' ],
     place(S, Place).
+statement_ko(moved(S, V, Point)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
+    point(Point),
+    [ ', 닿도록 옮긴 것' ].
 statement_ko(original(S, V, Point)) -->
     { segment_word(S, Word) },
     [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
@@ -118,6 +126,8 @@ statement_ko(edge(S, E, V1, V2)) -->
       [S, Word, E, V1, V2] ].
 statement_ko(edge_whole(_, _)) -->
     [ '모델에 있던 것' ].
+statement_ko(edge_near(_, _)) -->
+    [ '다각형들이 닿도록 만들었다' ].
 statement_ko(edge_of_line(_)) -->
     [ '상관선이 만들었다' ].
 statement_ko(part_of(_, E, V1, V2)) -->

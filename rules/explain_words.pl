@@ -31,10 +31,12 @@ statement_keys(piece, [number, triangle1, triangle2]).
 statement_keys(chain, [chain, kind, number, count]).
 statement_keys(chain_head, [chain, kind, segment1, segment2, count, length]).
 statement_keys(derived, [segment, vertex, point, place]).
+statement_keys(moved, [segment, vertex, point]).
 statement_keys(original, [segment, vertex, point]).
 statement_keys(vertex_lines, [lines]).
 statement_keys(edge, [segment, edge, start, end]).
 statement_keys(edge_whole, [segment, edge]).
+statement_keys(edge_near, [segment, edge]).
 statement_keys(edge_of_line, [line]).
 statement_keys(part_of, [segment, edge, start, end]).
 statement_keys(edge_polygons, [segment, polygons]).

@@ -77,7 +77,8 @@ page_written(Pictures, Out) :-
                           Personal Computer'),
                       ', KSME Journal 12(1), 1988, and some others, each \c
                        drawn by the command under it. Penetration lines are \c
-                       red on the screen, black on paper; hidden lines are dashed.' ]),
+                       red on the screen, black on paper; hidden lines \c
+                       are dashed.' ]),
                   main(\figures(Pictures))
                 ]),
            Tokens),

@@ -20,7 +20,7 @@
 /* Explanations of hand-made contacts of every kind; what must hold of the
    explanation of every line of random boxes; both languages say everything. */
 
-:- meta_predicate with_pieces(+, 0).
+:- meta_predicate with_pieces(+, 0), turned(0).
 
 %   with_pieces(+Polygons, :Goal): each of Polygons, a list of points, is a
 %   segment with one polygon; penetrated.
@@ -121,6 +121,19 @@ bad_line(L-one_side) :-
 bad_line(L-no_pieces) :-
     line(L, _, _, _, _, _, _, _, _),
     \+ said(line(L), pieces(_, _)).
+
+%   What touches but for rounding says so, with the features of the model.
+
+turned(Goal) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(at([rotate(z,33), rotate(x,17)],
+                                box(size(2,2,2))), _),
+               add_primitive(at([translate(1,0.3,2), rotate(z,33),
+                                 rotate(x,17)], box(size(2,2,2))), _),
+               complete_segments,
+               penetrate,
+               Goal )).
 
 %   unsaid(-Rule, -Name): a statement without a clause in a language.
 
@@ -256,6 +269,19 @@ test(not_merged, N-By0 == 2-default) :-
                penetrate,
                aggregate_all(count, said(line(_), not_merged(_, _)), N) )),
     delete_file(File).
+
+test(turned_contacts, Kinds == ['edge-edge','vertex-face']) :-
+    turned(findall(Kind, said(line(_), contact(Kind, _, _)), Kinds0)),
+    sort(Kinds0, Kinds).
+test(turned_made) :-
+    turned(( once(said(line(_), made(near(ll(_, _))))),
+             once(said(line(_), made(near(v(_, _))))) )).
+test(turned_seats) :-
+    turned(( once(said(line(_), contact('vertex-face', A, B))),
+             member(seat(S,V,vertex(_)), [A,B]),
+             member(seat(S1,V1,face(_,_)), [A,B]),
+             once(said(vertex(S,V), also(S1, V1, face(_,_)))),
+             once(said(vertex(S1,V1), also(S, V, vertex(V)))) )).
 
 %   After a second penetration the explanation is still that of the leaves.
 
