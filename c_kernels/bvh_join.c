@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double FAR = 1e30; /* units; no two boxes that meet are so far */
+
 enum {
   TASKS = 512,       /* pairs of nodes that are enough for all threads */
   SHARE = 16,        /* of them in a task */
@@ -49,6 +51,13 @@ typedef struct descent {
   hit_list *found;
 } descent;
 
+/* As a float, never infinite: only lanes that are empty are. */
+static float
+bounded(double d)
+{
+  return d > FAR ? (float)FAR : d < -FAR ? (float)-FAR : (float)d;
+}
+
 static frames
 frames_of(const sg_bvh_pair *pair, double reach)
 {
@@ -61,8 +70,8 @@ frames_of(const sg_bvh_pair *pair, double reach)
     /* Twice what the float sums of numbers up to 1 + |shift| may lose. */
     double out = reach / unit + ldexp(2 + fabs(shift) + reach / unit, -22);
 
-    f.shift_lo[c] = (float)(shift - out);
-    f.shift_hi[c] = (float)(shift + out);
+    f.shift_lo[c] = bounded(shift - out);
+    f.shift_hi[c] = bounded(shift + out);
   }
   return f;
 }

@@ -108,6 +108,24 @@ leaf_rows(const forest *f, size_t i, const uint32_t **row)
   return from->begin[k + 1] - from->begin[k];
 }
 
+/* The box round n rows of v/5. When the crew is stopping it is of no use, and
+ * nothing comes of it. */
+static sg_box
+box_round(const sg_view *v, const uint32_t *row, size_t n)
+{
+  sg_box box = sg_box_none();
+
+  for (size_t k = 0; k < n; k++) {
+    double p[3];
+    if (k % ASKED == ASKED - 1 && sg_crew_stopping()) {
+      break;
+    }
+    read_point(v, row[k], p);
+    sg_box_add(&box, p);
+  }
+  return box;
+}
+
 /* The table of vertices and the box round them. False: no memory. */
 static bool
 take_vertices(const forest *f, size_t i)
@@ -117,15 +135,7 @@ take_vertices(const forest *f, size_t i)
   size_t n = from->begin[i + 1] - from->begin[i];
   sg_leaf_tree *tree = f->tree[i];
 
-  tree->box = sg_box_none();
-  for (size_t k = 0; k < n; k++) {
-    double p[3];
-    if (k % ASKED == ASKED - 1 && sg_crew_stopping()) {
-      return true; /* and nothing comes of it */
-    }
-    read_point(&f->views->v, row[k], p);
-    sg_box_add(&tree->box, p);
-  }
+  tree->box = box_round(&f->views->v, row, n);
   return sg_id_rows_make(&f->views->v, row, n, &tree->vertex);
 }
 
@@ -269,4 +279,34 @@ sg_leaf_tree_bytes(const sg_leaf_tree *tree)
 {
   return sizeof *tree + sg_id_rows_bytes(&tree->vertex) +
          sg_bvh_bytes(tree->boxes);
+}
+
+/* ---- boxes alone ---- */
+
+typedef struct box_job {
+  const sg_view *vertices;
+  sg_segment_rows rows;
+  sg_box *out;
+} box_job;
+
+static void
+box_task(void *data, size_t i)
+{
+  box_job *job = data;
+  const sg_segment_rows *rows = &job->rows;
+
+  job->out[i] = box_round(job->vertices, rows->row + rows->begin[i],
+                          rows->begin[i + 1] - rows->begin[i]);
+}
+
+bool
+sg_leaf_boxes(const sg_view *vertices, const int32_t *wanted, size_t n,
+              sg_crew *crew, const sg_poll *poll, sg_box *out)
+{
+  box_job job = {.vertices = vertices, .out = out};
+  bool good = sg_segment_rows_find(vertices, wanted, n, poll, &job.rows) &&
+              sg_crew_run(crew, n, box_task, &job, poll);
+
+  sg_segment_rows_clear(&job.rows);
+  return good;
 }

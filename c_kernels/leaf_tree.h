@@ -36,6 +36,12 @@ bool sg_leaf_trees_grow(const sg_leaf_views *views, const int32_t *wanted,
                         sg_leaf_tree **out);
 void sg_leaf_tree_close(sg_leaf_tree *tree);
 
+/* The boxes round the vertices of n segments (ascending numbers), which is all
+ * that is needed to see which of them are near each other. False: no memory,
+ * or the poll said stop. */
+bool sg_leaf_boxes(const sg_view *vertices, const int32_t *wanted, size_t n,
+                   sg_crew *crew, const sg_poll *poll, sg_box *out);
+
 size_t sg_leaf_tree_bytes(const sg_leaf_tree *tree);
 
 /* What a row of t/6 or e/5 says. */

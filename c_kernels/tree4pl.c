@@ -148,6 +148,27 @@ find_tree(tree_store *store, const sg_version *version, int32_t s)
   return found;
 }
 
+bool
+sg_kept_box(sg_world *world, const sg_version *version, int32_t s, sg_box *out)
+{
+  tree_store *store = sg_world_note(world, SG_NOTE_TREES);
+  bool found = false;
+
+  if (!store) {
+    return false;
+  }
+  pthread_mutex_lock(&store->lock);
+  size_t place = place_of(store, s);
+
+  if (is_at(store, place, s) &&
+      store->kept[place]->stamp[0] == sg_version_stamp(version, SG_V, s)) {
+    *out = store->kept[place]->tree->box;
+    found = true;
+  }
+  pthread_mutex_unlock(&store->lock);
+  return found;
+}
+
 /* ---- keeping ---- */
 
 /* Puts a tree in the place of the one that was there. Without memory it is

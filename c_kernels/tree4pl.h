@@ -33,6 +33,10 @@ int sg_trees_hold_ex(sg_world *world, const sg_version *version,
                      sg_crew *crew, sg_kept_tree **out);
 void sg_kept_tree_drop(sg_kept_tree *kept);
 
+/* The box round the vertices of segment s, if its tree is kept. */
+bool sg_kept_box(sg_world *world, const sg_version *version, int32_t s,
+                 sg_box *out);
+
 /* Views of one version; clear them. */
 int sg_leaf_views_ex(const sg_version *version, sg_leaf_views *out);
 void sg_leaf_views_clear(sg_leaf_views *views);

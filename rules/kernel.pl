@@ -10,6 +10,9 @@
             mesh_write/5,             % +Stream, +Format, +Ss, +Names, -Result
             census/1,                 % -Parts
             census_defect/4,          % ?Kind, ?S, ?A, ?B
+            % tree4pl.c, near4pl.c
+            tree_statistics/1,        % -Statistics
+            near_segments/3,          % +Reach, -S1, -S2
             % cut4pl.c, seam4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
@@ -362,14 +365,34 @@ glue file.
 %   finds them one by one: the fused kernel. Uses up the edges; any that are
 %   left begin with one that has no third vertex.
 
+/* - - - tree4pl.c, near4pl.c: trees of boxes - - - */
+
+%!  tree_statistics(-Statistics:dict) is det.
+%
+%   What the current world keeps for joins: a dict with its `trees` (one for
+%   each segment that was joined and has not changed since), their `leaves`
+%   (triangles, or edges of curves) and `bytes`, and how many were `grown` and
+%   how many `found` there since the world was made.
+
+tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
+                  grown:Grown, found:Found}) :-
+    '$tree_statistics'(Trees, Leaves, Bytes, Grown, Found).
+
+%!  near_segments(+Reach, -S1, -S2) is nondet.
+%
+%   True when S1 and S2, S1 < S2, are segments whose boxes (round their
+%   vertices) overlap or are not farther apart than Reach along each axis.
+%   Ascending, as they are at the first call. Found by a tree of boxes: the
+%   other pairs are not looked at.
+
 /* - - - cut4pl.c: cut sets, the cuts of one penetration - - - */
 
 %!  cut_set_open(+Pairs, -Set) is det.
 %
-%   Set is a new cut set for the segments S1-S2 in the list Pairs. It copies
-%   their vertices, their triangles and, of a segment without triangles, the
-%   edges (a curve), as they are now, and makes a tree of boxes for each
-%   segment. Triangles and curve edges are called by handles, 0, 1, ...
+%   Set is a new cut set for the segments S1-S2 in the list Pairs, as they are
+%   now. Each has a tree of boxes round its triangles or, without triangles
+%   (a curve), round its edges; trees are kept with the world until their
+%   segment has changed. Nothing else is read yet.
 
 %!  cut_set_close(+Set) is det.
 %
@@ -392,7 +415,8 @@ glue file.
 %
 %   Triangles T1 and T2 of two segments that are to cut each other, T1 of the
 %   smaller number, have overlapping boxes. Each pair once; the order depends
-%   on the model only.
+%   on the model only. All pairs of segments are joined at the first call; it
+%   gives the triangles their handles, 0, 1, ...
 
 %!  curve_candidate(+Set, -E, -T) is nondet.
 %

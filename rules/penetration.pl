@@ -9,8 +9,9 @@
 :- use_module(decision, [decision/2]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3,
-                cut_find/1, curve_candidate/3, cut_side/4, cut_enter/4, curve_enter/4,
-                cut_triangle/5, cut_ends/4, cut_seal/1, cut_polygons/2,
+                cut_find/1, curve_candidate/3, cut_side/4, cut_enter/4,
+                curve_enter/4,
+                cut_triangle/5, near_segments/3, cut_ends/4, cut_seal/1, cut_polygons/2,
                 cut_entering/4, cut_work/4, cut_crossing/8, cut_note/5,
                 cut_between/6, cut_divided/4, cut_agree/1, cut_joints/2,
                 cut_join/2, cut_name/4, cut_gone/4, cut_lines/2, cut_line/5,
@@ -96,7 +97,8 @@ merge_line(Piece, Piece).
 %   into the polygons and write line/9. One transaction; a world whose
 %   segments do not meet stays as it is. Segments that were cut by each other
 %   before are not cut again (the decision may_cut/2), so it may be called
-%   after loading more.
+%   after loading more. The decision is asked for segments whose boxes touch
+%   within the tolerance, and for no others.
 
 penetrate :-
     penetrate(all, []).
@@ -120,17 +122,7 @@ penetrate(Pairs) :-
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
 %          polygon P cannot be triangulated
 
-penetrate(all, Options) :-
-    !,
-    findall(S1-S2,
-            ( segment(S1, _, _),
-              segment(S2, _, _),
-              S1 < S2,
-              may_cut(S1, S2)
-            ),
-            Pairs),
-    penetrate(Pairs, Options).
-penetrate(Pairs, Options) :-
+penetrate(Pairs0, Options) :-
     (   option(tolerance(Tolerance), Options)
     ->  must_be(number, Tolerance),
         (   Tolerance >= 0
@@ -138,6 +130,14 @@ penetrate(Pairs, Options) :-
         ;   domain_error(not_less_than_zero, Tolerance)
         )
     ;   model_tolerance(Tolerance)
+    ),
+    (   Pairs0 == all
+    ->  findall(S1-S2,
+                ( near_segments(Tolerance, S1, S2),
+                  may_cut(S1, S2)
+                ),
+                Pairs)
+    ;   Pairs = Pairs0
     ),
     facts_transaction(sg_penetration:penetrated_leaves(Pairs, Tolerance)).
 

@@ -84,7 +84,8 @@ random_joins(int n, double scale, double away)
     random_boxes(b, nb, 4 + (unsigned)k, scale, away);
     if (!is_right(a, na, b, nb, 0, more) || !is_right(b, nb, a, na, 0, more) ||
         !is_right(a, na, a, na, 0, more) ||
-        !is_right(a, na, b, nb, 2 * scale, more)) {
+        !is_right(a, na, b, nb, 2 * scale, more) ||
+        !is_right(a, na, b, nb, 1e300, more)) {
       return false;
     }
   }
