@@ -143,8 +143,8 @@ add_seam(maker *m, const sg_resolve_seam *seam)
   }
   int free = is_free(m, v, w);
 
-  return free == 0 || (free > 0 && sg_work_add(m->work, v, w, 1, 0) &&
-                       sg_work_add(m->work, w, v, 1, 0));
+  return free == 0 || (free > 0 && sg_work_add(m->work, v, w, 0, 0) &&
+                       sg_work_add(m->work, w, v, 0, 0));
 }
 
 static int

@@ -23,8 +23,8 @@ touch, with the same doubles on both sides:
     edge and edge       both are divided where they pass each other
     vertex and polygon  the polygon gets a corner of a triangle there
 
-A piece of an edge between two such points in a polygon enters it as an edge
-pair (a seam), and where two polygons lie on each other both get the same
+A piece of an edge between two such points in a polygon enters it as a pair of
+auxiliary edges (a seam), and where two polygons lie on each other both get the same
 triangles. Nothing else changes: what is exact already is left alone, and what
 comes after decides exactly on what stands in v/5 and t/6.
 
@@ -109,8 +109,8 @@ write_triangle(S, P, t(V1, V2, V3)) :-
 
 %!  resolved_seams is det.
 %
-%   When the lines are found: gives the seams that resolve_contacts/2 entered
-%   the lines that run along them as origin.
+%   When the lines are found: the seams that resolve_contacts/2 entered, until
+%   then auxiliary edges, become edges of the lines that run along them.
 
 resolved_seams :-
     findall(S-E, origin(S, e(E), near), Seams),
@@ -131,6 +131,8 @@ part(S, E, Part) :-
 name_part(S, E-A-B) :-
     line_along(S, A, B, L),
     !,
+    retractall_facts(e(S, E, _, _, _)),
+    assert_fact(e(S, E, A, B, 1)),
     retractall_facts(origin(S, e(E), _)),
     assert_fact(origin(S, e(E), line(L))).
 name_part(_, _).

@@ -2,7 +2,9 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(pairs)).
 :- use_module(library(random)).
+:- use_module(library(solution_sequences)).
 :- use_module(rules(chain)).
 :- use_module(rules(model_file)).
 :- use_module(rules(penetration)).
@@ -187,22 +189,30 @@ feature(S, V, Feature) :-
     ),
     by_segments(Feature0, Feature).
 
-%   The triangles that meet are named by corners, which may be others.
+%   The triangles that meet are named by corners, which may be others; and
+%   where a chord is met depends on how a polygon was triangulated.
 
+by_segments(ll(Line1, Line2), Feature) :-
+    select(S-(A,B), [Line1,Line2], [Line]),
+    \+ edge_before(S, A, B),
+    !,
+    Feature = lpi(Line, S).
 by_segments(lpi(E, S-_), lpi(E, S)) :- !.
 by_segments(tpi(S1-_, S2-_, S3-_), tpi(S1, S2, S3)) :- !.
 by_segments(Feature, Feature).
 
-:- dynamic before/2.
+:- dynamic before/2, edge_before/3.
 
 count_before(Solids) :-
     retractall(before(_, _)),
+    retractall(edge_before(_, _, _)),
     new_world(World),
     in_world(World,
              ( maplist(entered, Solids),
                forall(segment(S, _, _),
                       ( aggregate_all(max(V), v(S,V,_,_,_), Last),
-                        assertz(before(S, Last)) )) )).
+                        assertz(before(S, Last)) )),
+               forall(e(S, _, A, B, 1), assertz(edge_before(S, A, B))) )).
 
 %   different(+Solids, +Expected, +Turns, -Count): Count of that many rotations
 %   give other lines than Expected.
@@ -216,7 +226,89 @@ different(Solids, Expected, Turns, Count) :-
             Different),
     length(Different, Count).
 
+/* - - - tangles - - - */
+
+%   Random solids on a coarse grid, where most contacts are of several kinds at
+%   once. How a straight line is divided may differ when they are turned (by
+%   chords), so what counts is how long the lines of two polygons are.
+
+tangle(Seed, N, Solids) :-
+    set_random(seed(Seed)),
+    length(Solids, N),
+    maplist(random_solid, Solids).
+
+random_solid(Solid) :-
+    random_member(Kind, [box,pyramid,l,u]),
+    maplist(random_between(0, 3), [X,Y,Z]),
+    maplist(random_between(1, 3), [A,B,C]),
+    solid(Kind, X-Y-Z, A-B-C, Solid).
+
+solid(box, X-Y-Z, A-B-C, Box) :-
+    Px is X+A/2,
+    Py is Y+B/2,
+    box(A, B, C, Px, Py, Z, Box).
+solid(pyramid, X-Y-Z, A-B-C, at([translate(X,Y,Z)], Pyramid)) :-
+    A2 is 2*A,
+    B2 is 2*B,
+    Pyramid = pyramid(base(A2,B2), height(C)).
+solid(l, X-Y-Z, _, l(X,Y,Z)).
+solid(u, X-Y-Z, _, u(X,Y,Z)).
+
+%   lengths(-Lengths): of the lines of each two polygons.
+
+lengths(Lengths) :-
+    findall(at(S1, P1, S2, P2)-Length,
+            ( line(_, S1, P1, A, B, S2, P2, _, _),
+              v(S1, A, X, Y, Z),
+              v(S1, B, X1, Y1, Z1),
+              Length is sqrt((X-X1)^2+(Y-Y1)^2+(Z-Z1)^2) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    findall(Key-Sum,
+            ( member(Key-Parts, Groups),
+              sum_list(Parts, Sum0),
+              Sum is round(Sum0*1.0e6),
+              Sum > 0 ),
+            Lengths).
+
+%   edge_fault(-Fault): a polygon does not close, or an edge between two
+%   polygons of a solid is not there once each way.
+
+edge_fault(open(S, P)) :-
+    p(S, P, Es),
+    findall(V, ( member(E, Es), e(S, E, V, _, _) ), Starts0),
+    findall(V, ( member(E, Es), e(S, E, _, V, _) ), Ends0),
+    msort(Starts0, Starts),
+    msort(Ends0, Ends),
+    Starts \== Ends.
+edge_fault(unpaired(S, A, B)) :-
+    e(S, _, A, B, _),
+    aggregate_all(count, e(S, _, A, B, _), There),
+    aggregate_all(count, e(S, _, B, A, _), Back),
+    There-Back \== 1-1.
+
 :- begin_tests(resolve).
+
+test(tangles, [forall(member(N-Last, [2-40,3-40,4-20,6-8])), true(Bad == [])]) :-
+    findall(Seed-Fault,
+            ( between(1, Last, Seed),
+              tangle(Seed, N, Solids),
+              once(turned(Solids, none, lengths(Expected))),
+              rotation(Rotation),
+              once(( tangle_fault(Solids, Rotation, Expected, Fault)
+                   ; Fault = none )),
+              Fault \== none ),
+            Bad).
+
+tangle_fault(Solids, Rotation, Expected, Fault) :-
+    turned(Solids, Rotation,
+           ( lengths(Lengths),
+             findall(F, limit(1, edge_fault(F)), Faults) )),
+    (   Lengths \== Expected
+    ->  Fault = lengths(Expected, Lengths)
+    ;   Faults = [Fault]
+    ).
 
 test(turned, [forall(scene(_, Turns0, Solids)), true(Different == 0)]) :-
     set_random(seed(1988)),
