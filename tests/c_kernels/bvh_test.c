@@ -229,6 +229,7 @@ main(void)
   CHECK("touching boxes meet", is_right(&one, 1, &beside, 1, 0, 0));
   CHECK("a point meets itself", is_right(&point, 1, &point, 1, 0, 0));
   CHECK("huge coordinates", is_right(mixed, 3, mixed, 3, 0, 1e301));
+  CHECK("a reach beyond all floats", is_right(&one, 1, &beside, 1, 0, 1e60));
   CHECK("random boxes", random_joins(60, 1, 0));
   CHECK("tiny ones", random_joins(10, 1e-290, 0));
   CHECK("huge ones", random_joins(10, 1e290, 0));
