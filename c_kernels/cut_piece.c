@@ -194,11 +194,51 @@ carriers(const sg_cut_set *set, const sg_cut_piece *k, sg_place out[2])
 }
 
 static bool
-is_new_place(const sg_made *made, const sg_place *place)
+are_coplanar(const sg_cut_set *set, uint32_t t, uint32_t u)
+{
+  double a[3][3], b[3][3];
+
+  if (t == u) {
+    return true;
+  }
+  sg_cut_model_corners(&set->model, t, a);
+  sg_cut_model_corners(&set->model, u, b);
+  for (int i = 0; i < 3; i++) {
+    if (sg_orient3d(a[0], a[1], a[2], b[i]) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Whether an edge lies in the plane of a triangle. */
+static bool
+lies_in(const sg_cut_set *set, const sg_place *edge, const sg_place *face)
+{
+  double t[3][3];
+
+  sg_cut_model_corners(&set->model, face->a, t);
+  return sg_orient3d(t[0], t[1], t[2], set->model.vertex[edge->a].at) == 0 &&
+         sg_orient3d(t[0], t[1], t[2], set->model.vertex[edge->b].at) == 0;
+}
+
+/* Whether `place` leaves fewer points of what the known place has: it is not
+ * the same edge or plane, nor a plane through that edge. */
+static bool
+says_more(const sg_cut_set *set, const sg_place *known, const sg_place *place)
+{
+  if (place->kind == SG_ON_EDGE) {
+    return known->a != place->a || known->b != place->b;
+  }
+  return known->kind == SG_ON_EDGE ? !lies_in(set, known, place)
+                                   : !are_coplanar(set, known->a, place->a);
+}
+
+static bool
+is_new_place(const sg_cut_set *set, const sg_made *made, const sg_place *place)
 {
   for (int i = 0; i < made->n; i++) {
-    if (made->place[i].kind == place->kind && made->place[i].a == place->a &&
-        made->place[i].b == place->b) {
+    if (!says_more(set, &made->place[i], place)) {
       return false;
     }
   }
@@ -214,11 +254,12 @@ sg_cut_set_crossing(const sg_cut_set *set, const sg_cut_piece *k,
   sg_made made = {0};
 
   n += carriers(set, l, place + n);
-  /* Edges first: an edge and any face that is left say it all. */
+  /* Edges first: an edge and one more place say it all. A merged piece goes
+   * through several triangles of a plane; any of them will do. */
   for (int pass = 0; pass < 2; pass++) {
     for (int i = 0; i < n && made.n < 3; i++) {
       if ((place[i].kind == SG_ON_FACE) == (pass == 1) &&
-          is_new_place(&made, &place[i])) {
+          is_new_place(set, &made, &place[i])) {
         made.place[made.n++] = place[i];
       }
     }
@@ -311,24 +352,6 @@ sg_cut_set_joint(const sg_cut_set *set, uint32_t point, uint32_t *k,
   *l = set->at[point][1];
   return same_carriers(&set->piece[*k], &set->piece[*l]) &&
          is_free(set, point, &set->piece[*k]);
-}
-
-static bool
-are_coplanar(const sg_cut_set *set, uint32_t t, uint32_t u)
-{
-  double a[3][3], b[3][3];
-
-  if (t == u) {
-    return true;
-  }
-  sg_cut_model_corners(&set->model, t, a);
-  sg_cut_model_corners(&set->model, u, b);
-  for (int i = 0; i < 3; i++) {
-    if (sg_orient3d(a[0], a[1], a[2], b[i]) != 0) {
-      return false;
-    }
-  }
-  return true;
 }
 
 bool
