@@ -27,6 +27,14 @@ look_along(sg_work *work, const double normal[3])
   work->flip = normal[work->axis] < 0 ? -1 : 1;
 }
 
+static void
+forget_proven(sg_work *work)
+{
+  for (int i = 0; i < 3; i++) {
+    work->proven[i] = SG_WORK_NONE;
+  }
+}
+
 sg_work *
 sg_work_open(const double normal[3])
 {
@@ -34,6 +42,7 @@ sg_work_open(const double normal[3])
 
   if (work) {
     look_along(work, normal);
+    forget_proven(work);
   }
   return work;
 }
@@ -51,6 +60,9 @@ sg_work_clear(sg_work *work, const double normal[3])
 {
   clear_points(work);
   sg_work_grid_close(&work->grid);
+  sg_work_grid_close(&work->ends);
+  work->simple = SG_NOT_ASKED;
+  forget_proven(work);
   if (work->slots > SLOTS_KEPT) {
     free(work->slot);
     work->slot = NULL;
@@ -69,6 +81,7 @@ sg_work_close(sg_work *work)
   if (work) {
     clear_points(work);
     sg_work_grid_close(&work->grid);
+    sg_work_grid_close(&work->ends);
     free(work->vertex);
     free(work->slot);
     free(work->edge);
@@ -246,6 +259,28 @@ edge_room(sg_work *work, int32_t n)
   return done;
 }
 
+/* Is v a corner of the last triangle in whose way nothing was? */
+static bool
+is_proven(const sg_work *work, int32_t v)
+{
+  return v == work->proven[0] || v == work->proven[1] || v == work->proven[2];
+}
+
+/* A new edge may meet others and have a new vertex, unless it is a side of
+ * that triangle, and not there yet. */
+static void
+note_added(sg_work *work, int32_t start, int32_t end)
+{
+  if (!(is_proven(work, start) && is_proven(work, end)) ||
+      sg_work_pair(work, start, end)) {
+    forget_proven(work);
+    sg_work_grid_close(&work->ends);
+    if (work->simple == SG_SIMPLE) {
+      work->simple = SG_NOT_ASKED;
+    }
+  }
+}
+
 int32_t
 sg_work_add(sg_work *work, int32_t start, int32_t end, int32_t et,
             int64_t label)
@@ -261,6 +296,7 @@ sg_work_add(sg_work *work, int32_t start, int32_t end, int32_t et,
                         work->vertex[end].at)) {
     return 0;
   }
+  note_added(work, start, end);
   work->edges = e;
   work->living++;
   hang(work, e);
@@ -377,6 +413,27 @@ between_on_axis(const sg_work *work, int k, int32_t a, int32_t b, int32_t v)
   return low == 0 || high == 0 ? 0 : (low == high ? 1 : -1);
 }
 
+/* In axis k of the picture: a strict < of roundings is exact. */
+static int
+place_on_axis(const sg_work *work, int k, int32_t v, int32_t w)
+{
+  int axis = (work->axis + 1 + (k ^ (work->flip < 0))) % 3;
+  const sg_work_vertex_row *a = &work->vertex[v], *b = &work->vertex[w];
+
+  if (a->at[k] != b->at[k]) {
+    return a->at[k] < b->at[k] ? -1 : 1;
+  }
+  return sg_point_compare(axis, &a->point, &b->point);
+}
+
+int
+sg_work_place(const sg_work *work, int32_t v, int32_t w)
+{
+  int order = place_on_axis(work, 0, v, w);
+
+  return order ? order : place_on_axis(work, 1, v, w);
+}
+
 bool
 sg_work_between(const sg_work *work, int32_t a, int32_t b, int32_t v)
 {
@@ -389,9 +446,8 @@ sg_work_between(const sg_work *work, int32_t a, int32_t b, int32_t v)
 
 /* ---- searching by place ------------------------------------------------- */
 
-/* All living edges as segments, to shape the grid. */
-static sg_work_grid_segment *
-segments(const sg_work *work)
+sg_work_grid_segment *
+sg_work_segments(const sg_work *work)
 {
   sg_work_grid_segment *out = malloc(work->living * sizeof *out);
   size_t n = 0;
@@ -405,8 +461,8 @@ segments(const sg_work *work)
   return out;
 }
 
-static double
-coordinate_error(const sg_work *work)
+double
+sg_work_error(const sg_work *work)
 {
   double largest = 0;
 
@@ -420,11 +476,11 @@ coordinate_error(const sg_work *work)
 static bool
 build_grid(sg_work *work)
 {
-  sg_work_grid_segment *segment = segments(work);
+  sg_work_grid_segment *segment = sg_work_segments(work);
 
   sg_work_grid_close(&work->grid);
-  if (!segment || !sg_work_grid_open(&work->grid, segment, work->living,
-                                     coordinate_error(work))) {
+  if (!segment || !sg_work_grid_open(&work->grid, SG_GRID_OF_SEGMENTS, segment,
+                                     work->living, sg_work_error(work))) {
     free(segment);
     return false;
   }

@@ -45,22 +45,6 @@ sg_work_take(sg_work *work, int32_t edge, int32_t v3)
 
 /* ---- resolving contacts ------------------------------------------------- */
 
-static int
-by_place(const void *a, const void *b, void *context)
-{
-  const sg_work *work = context;
-  int32_t v = *(const int32_t *)a, w = *(const int32_t *)b;
-
-  for (int k = 1; k < 3; k++) {
-    int order = sg_point_compare((work->axis + k) % 3, &work->vertex[v].point,
-                                 &work->vertex[w].point);
-    if (order) {
-      return order;
-    }
-  }
-  return (v > w) - (v < w);
-}
-
 bool
 sg_work_move_edges(sg_work *work, int32_t from, int32_t to)
 {
@@ -84,29 +68,20 @@ sg_work_move_edges(sg_work *work, int32_t from, int32_t to)
   return true;
 }
 
-/* `vertex` are those with edges, in the order of by_place(). */
+/* `vertex` are those with edges, by place. */
 static bool
 merge_places(sg_work *work, const int32_t *vertex, int32_t n)
 {
   int32_t kept = 0;
 
   for (int32_t i = 1; i < n; i++) {
-    const sg_point *a = &work->vertex[vertex[kept]].point;
-    const sg_point *b = &work->vertex[vertex[i]].point;
-    if (sg_point_compare((work->axis + 1) % 3, a, b) ||
-        sg_point_compare((work->axis + 2) % 3, a, b)) {
+    if (sg_work_place(work, vertex[kept], vertex[i])) {
       kept = i;
     } else if (!sg_work_move_edges(work, vertex[i], vertex[kept])) {
       return false;
     }
   }
   return true;
-}
-
-static bool
-has_edges(const sg_work *work, int32_t v)
-{
-  return work->vertex[v].first_out || work->vertex[v].first_in;
 }
 
 /* Splits the edges that v lies inside of. */
@@ -271,29 +246,38 @@ drop_outer_pairs(sg_work *work)
   return done;
 }
 
+/* Splits every edge at the vertices inside it, unless none is. */
+static bool
+split_edges(sg_work *work, const int32_t *vertex, int32_t n)
+{
+  sg_meetings found = {0};
+  bool done = true;
+
+  if (work->living > SG_WORK_FEW) {
+    sg_work_note_simple(work, vertex, n);
+    if (work->simple == SG_SIMPLE) {
+      return true;
+    }
+  }
+  for (int32_t v = 0; done && v < work->vertices; v++) {
+    done = !sg_work_has_edges(work, v) || split_at(work, v, &found);
+  }
+  sg_meetings_clear(&found);
+  work->simple = SG_NOT_ASKED;
+  return done;
+}
+
 bool
 sg_work_resolve(sg_work *work, double reach)
 {
   int32_t *vertex = malloc(((size_t)work->vertices + 1) * sizeof *vertex);
-  sg_meetings found = {0};
-  int32_t n = 0;
+  bool done = vertex && (reach <= 0 || sg_work_join_near(work, reach));
 
-  if (!vertex || (reach > 0 && !sg_work_join_near(work, reach))) {
-    free(vertex);
-    return false;
-  }
-  for (int32_t v = 0; v < work->vertices; v++) {
-    if (has_edges(work, v)) {
-      vertex[n++] = v;
-    }
-  }
-  qsort_r(vertex, (size_t)n, sizeof *vertex, by_place, work);
-  bool done = merge_places(work, vertex, n);
-  for (int32_t v = 0; done && v < work->vertices; v++) {
-    done = !has_edges(work, v) || split_at(work, v, &found);
+  if (done) {
+    int32_t n = sg_work_by_place(work, vertex);
+    done = merge_places(work, vertex, n) && split_edges(work, vertex, n);
   }
   free(vertex);
-  sg_meetings_clear(&found);
   return done && drop_outer_pairs(work);
 }
 

@@ -9,6 +9,19 @@
 static const double CELLS = 2, ENTRIES = 1.5;
 enum { MOST_CELLS = 1 << 15 }; /* in one direction */
 
+/* fmin() and fmax() are calls. What is not a number counts as b. */
+static double
+lesser(double a, double b)
+{
+  return a < b ? a : b;
+}
+
+static double
+greater(double a, double b)
+{
+  return a > b ? a : b;
+}
+
 /* ---- the shape ---------------------------------------------------------- */
 
 /* The main direction: the sum of the segments' doubled angles, weighed by
@@ -56,17 +69,51 @@ measure(sg_work_grid *grid, const sg_work_grid_segment *segment, size_t n,
     turned(grid, segment[i].from, from);
     turned(grid, segment[i].to, to);
     for (int k = 0; k < 2; k++) {
-      out->low[k] = fmin(out->low[k], fmin(from[k], to[k]));
-      out->high[k] = fmax(out->high[k], fmax(from[k], to[k]));
+      out->low[k] = lesser(lesser(from[k], to[k]), out->low[k]);
+      out->high[k] = greater(greater(from[k], to[k]), out->high[k]);
       out->sum[k] += fabs(to[k] - from[k]);
     }
   }
 }
 
-/* Cells as small as the numbers of cells and of entries allow; squares unless
- * the segments lie mostly one way. */
+/* A cell no larger than the box and no smaller than can be counted. */
+static double
+possible(double size, double width)
+{
+  return lesser(greater(size, width / MOST_CELLS), width);
+}
+
+/* For segments: as small as the number of entries allows. */
 static void
-choose_cells(sg_work_grid *grid, const extent *box, size_t n)
+cells_of_segments(const extent *box, const double width[2], size_t n,
+                  double size[2])
+{
+  for (int k = 0; k < 2; k++) {
+    size[k] = possible(box->sum[k] / (ENTRIES * (double)n), width[k]);
+  }
+}
+
+/* For ends: as the number of cells allows; squares, unless the segments are
+ * longer than those, for then what is asked for is long the same way. */
+static void
+cells_of_ends(const extent *box, const double width[2], size_t n,
+              double size[2])
+{
+  double cell = width[0] * width[1] / (CELLS * (double)n), square = sqrt(cell);
+  double aspect = greater(box->sum[0] / (double)n, square) /
+                  greater(box->sum[1] / (double)n, square);
+
+  if (!(aspect > 0) || !isfinite(aspect)) {
+    aspect = 1;
+  }
+  size[0] = possible(sqrt(cell * aspect), width[0]);
+  size[1] = possible(cell / size[0], width[1]);
+}
+
+/* Cells as small as their number allows; squares unless the segments lie
+ * mostly one way. */
+static void
+choose_cells(sg_work_grid *grid, sg_grid_of of, const extent *box, size_t n)
 {
   double width[2], size[2];
 
@@ -75,22 +122,22 @@ choose_cells(sg_work_grid *grid, const extent *box, size_t n)
     if (!(width[k] > 0) || !isfinite(width[k])) {
       width[k] = DBL_MIN;
     }
-    size[k] = fmax(box->sum[k] / (ENTRIES * (double)n), width[k] / MOST_CELLS);
-    size[k] = fmin(size[k], width[k]);
   }
+  (of == SG_GRID_OF_ENDS ? cells_of_ends : cells_of_segments)(box, width, n,
+                                                              size);
   double most = CELLS * (double)n;
   double cells = width[0] / size[0] * (width[1] / size[1]);
   /* Too many: widen the finer direction first, to squares, then both. */
   if (cells > most) {
     int fine = size[0] < size[1] ? 0 : 1;
-    double even = fmin(size[fine] * (cells / most), size[!fine]);
+    double even = lesser(size[fine] * (cells / most), size[!fine]);
     cells /= even / size[fine];
     size[fine] = even;
   }
   double both = cells > most ? sqrt(cells / most) : 1;
   for (int k = 0; k < 2; k++) {
     double count = floor(width[k] / (size[k] * both));
-    grid->cells[k] = (int32_t)fmin(fmax(count, 1), MOST_CELLS);
+    grid->cells[k] = (int32_t)lesser(greater(count, 1), MOST_CELLS);
     grid->per[k] = grid->cells[k] / width[k];
     if (!isfinite(grid->per[k])) {
       grid->per[k] = 0;
@@ -99,8 +146,8 @@ choose_cells(sg_work_grid *grid, const extent *box, size_t n)
 }
 
 bool
-sg_work_grid_open(sg_work_grid *grid, const sg_work_grid_segment *segment,
-                  size_t n, double error)
+sg_work_grid_open(sg_work_grid *grid, sg_grid_of of,
+                  const sg_work_grid_segment *segment, size_t n, double error)
 {
   extent box;
   double low[2];
@@ -110,7 +157,7 @@ sg_work_grid_open(sg_work_grid *grid, const sg_work_grid_segment *segment,
   grid->origin[1] = n ? segment[0].from[1] : 0;
   main_direction(segment, n, grid->along);
   measure(grid, segment, n, &box);
-  choose_cells(grid, &box, n);
+  choose_cells(grid, of, &box, n);
   /* The box's corner becomes the origin. */
   low[0] = box.low[0] * grid->along[0] - box.low[1] * grid->along[1];
   low[1] = box.low[0] * grid->along[1] + box.low[1] * grid->along[0];
@@ -118,7 +165,7 @@ sg_work_grid_open(sg_work_grid *grid, const sg_work_grid_segment *segment,
     grid->origin[0] += low[0];
     grid->origin[1] += low[1];
   }
-  grid->margin = 1e-6 + 16 * error * fmax(grid->per[0], grid->per[1]);
+  grid->margin = 1e-6 + 16 * error * greater(grid->per[0], grid->per[1]);
   size_t cells = (size_t)grid->cells[0] * (size_t)grid->cells[1];
   grid->first = calloc(cells, sizeof *grid->first);
   grid->open = grid->first != NULL;
@@ -174,13 +221,13 @@ cover(const double a[2], const double b[2], double bottom, double top,
     return;
   }
   for (int i = 0; i < 2; i++) {
-    double y = fmin(fmax(end[i][1], bottom), top), x = end[i][0];
+    double y = lesser(greater(end[i][1], bottom), top), x = end[i][0];
     if (y != end[i][1]) {
       x = a[0] + (b[0] - a[0]) * ((y - a[1]) / (b[1] - a[1]));
-      x = fmin(fmax(x, fmin(a[0], b[0])), fmax(a[0], b[0]));
+      x = lesser(greater(x, lesser(a[0], b[0])), greater(a[0], b[0]));
     }
-    *low = fmin(*low, x);
-    *high = fmax(*high, x);
+    *low = lesser(x, *low);
+    *high = greater(x, *high);
   }
 }
 
@@ -214,8 +261,8 @@ sg_work_grid_walk_open(sg_work_grid_walk *walk, sg_work_grid *grid,
   walk->corners = corners;
   for (int i = 0; i < corners; i++) {
     to_cells(grid, corner[i], walk->corner[i]);
-    low = fmin(low, walk->corner[i][1]);
-    high = fmax(high, walk->corner[i][1]);
+    low = lesser(walk->corner[i][1], low);
+    high = greater(walk->corner[i][1], high);
   }
   walk->row = clamp(low - grid->margin, grid->cells[1]);
   walk->last_row = clamp(high + grid->margin, grid->cells[1]);
@@ -302,6 +349,17 @@ sg_work_grid_add(sg_work_grid *grid, int32_t number, const double from[2],
   }
   grid->held++;
   return true;
+}
+
+bool
+sg_work_grid_add_point(sg_work_grid *grid, int32_t number, const double at[2])
+{
+  int32_t cell[2];
+
+  sg_work_grid_cell(grid, at, cell);
+  grid->held++;
+  return push(grid, (size_t)cell[1] * (size_t)grid->cells[0] + (size_t)cell[0],
+              number);
 }
 
 void

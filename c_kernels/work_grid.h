@@ -35,15 +35,24 @@ typedef struct sg_work_grid {
   size_t expected; /* segments that shaped it */
 } sg_work_grid;
 
+/* What will be put in: the segments themselves, or their ends as points. */
+typedef enum sg_work_grid_of {
+  SG_GRID_OF_SEGMENTS,
+  SG_GRID_OF_ENDS
+} sg_grid_of;
+
 /* The n segments shape the grid; they are not put in. False: no memory.
  * `error` bounds the rounding error of the coordinates. */
-bool sg_work_grid_open(sg_work_grid *grid, const sg_work_grid_segment *segment,
-                       size_t n, double error);
+bool sg_work_grid_open(sg_work_grid *grid, sg_grid_of of,
+                       const sg_work_grid_segment *segment, size_t n,
+                       double error);
 void sg_work_grid_close(sg_work_grid *grid);
 
-/* False: no memory. */
+/* False: no memory. A point comes into one cell alone. */
 bool sg_work_grid_add(sg_work_grid *grid, int32_t number, const double from[2],
                       const double to[2]);
+bool sg_work_grid_add_point(sg_work_grid *grid, int32_t number,
+                            const double at[2]);
 
 /* Says that all segments are in: what comes later may be as much again, then
  * it is time for a new grid. */

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- an edge and a segment ---------------------------------------------- */
 
@@ -120,6 +121,14 @@ meet(const sg_work *work, int32_t v1, int32_t v2, const sg_work_edge *edge,
     return on_one_line(work, v1, v2, edge, out);
   }
   return out->inside != 0;
+}
+
+bool
+sg_work_meets(const sg_work *work, int32_t v1, int32_t v2, int32_t e)
+{
+  sg_meeting met;
+
+  return meet(work, v1, v2, &work->edge[e].edge, &met);
 }
 
 bool
@@ -288,18 +297,15 @@ sg_candidates_close(sg_candidates *walk)
   walk->near = NULL;
 }
 
-/* (I) and (II). The edges that blocked other candidates are asked first. */
+/* (II): nothing is in the way of the triangle. The edges that were in the way
+ * of earlier ones are asked first. */
 static bool
-fits(sg_candidates *walk, int32_t v3)
+is_free(sg_candidates *walk, const int32_t corner[3])
 {
   sg_work *work = walk->work;
-  int32_t corner[3] = {walk->v1, walk->v2, v3};
+  triangle t = triangle_of(work, corner[0], corner[1], corner[2]);
   sg_work_scan scan;
 
-  if (sg_work_turn(work, walk->v1, walk->v2, v3) <= 0) {
-    return false;
-  }
-  triangle t = triangle_of(work, walk->v1, walk->v2, v3);
   for (int i = 0; i < SG_BLOCKERS && walk->blocker[i]; i++) {
     if (blocks(work, &t, walk->blocker[i])) {
       return false;
@@ -315,6 +321,27 @@ fits(sg_candidates *walk, int32_t v3)
       return false;
     }
   }
+  return true;
+}
+
+/* (I) and (II). In a simple relation no edge crosses two sides of which one is
+ * an edge, so an ear is seen by its vertices alone. */
+static bool
+fits(sg_candidates *walk, int32_t v3)
+{
+  sg_work *work = walk->work;
+  int32_t corner[3] = {walk->v1, walk->v2, v3};
+
+  if (sg_work_turn(work, walk->v1, walk->v2, v3) <= 0) {
+    return false;
+  }
+  bool simple = work->living > SG_WORK_FEW && sg_work_is_simple(work);
+  if ((simple && sg_work_occupied(work, corner, &walk->no_memory)) ||
+      (!(simple && walk->phase != ANY) && !is_free(walk, corner)) ||
+      walk->no_memory) {
+    return false;
+  }
+  memcpy(work->proven, corner, sizeof corner);
   return true;
 }
 
@@ -359,36 +386,18 @@ push_near(sg_candidates *walk, int32_t vertex, const double from[2])
   return true;
 }
 
-/* Is e the edge by which its end `v` is counted? */
-static bool
-stands_for(const sg_work *work, int32_t e, int32_t v)
-{
-  const sg_work_vertex_row *row = &work->vertex[v];
-
-  return row->first_out ? row->first_out == e : row->first_in == e;
-}
-
-/* The vertices whose own cell is this one. */
+/* The vertices in this cell. */
 static bool
 collect_cell(sg_candidates *walk, int32_t column, int32_t row,
              const double from[2])
 {
-  sg_work *work = walk->work;
-  const sg_work_grid *grid = &work->grid;
+  const sg_work_grid *grid = &walk->work->ends;
   size_t cell = (size_t)row * (size_t)grid->cells[0] + (size_t)column;
 
   for (int32_t i = grid->first[cell]; i; i = grid->entry[i - 1].next) {
-    int32_t e = grid->entry[i - 1].number, at[2];
-    if (!work->edge[e].living) {
-      continue;
-    }
-    int32_t end[2] = {work->edge[e].edge.start, work->edge[e].edge.end};
-    for (int k = 0; k < 2; k++) {
-      sg_work_grid_cell(grid, work->vertex[end[k]].at, at);
-      if (at[0] == column && at[1] == row && stands_for(work, e, end[k]) &&
-          !push_near(walk, end[k], from)) {
-        return false;
-      }
+    int32_t v = grid->entry[i - 1].number - 1;
+    if (sg_work_has_edges(walk->work, v) && !push_near(walk, v, from)) {
+      return false;
     }
   }
   return true;
@@ -399,7 +408,7 @@ collect_cell(sg_candidates *walk, int32_t column, int32_t row,
 static bool
 collect_ring(sg_candidates *walk)
 {
-  const sg_work_grid *grid = &walk->work->grid;
+  const sg_work_grid *grid = &walk->work->ends;
   double from[2];
   int32_t centre[2], r = walk->ring++;
 
@@ -428,6 +437,15 @@ collect_ring(sg_candidates *walk)
   return true;
 }
 
+/* Is e the edge by which its end `v` is counted? */
+static bool
+stands_for(const sg_work *work, int32_t e, int32_t v)
+{
+  const sg_work_vertex_row *row = &work->vertex[v];
+
+  return row->first_out ? row->first_out == e : row->first_in == e;
+}
+
 /* All vertices that have edges: when these are few. */
 static bool
 collect_all(sg_candidates *walk)
@@ -454,14 +472,15 @@ collect_all(sg_candidates *walk)
 static int32_t
 next_of_any(sg_candidates *walk)
 {
+  bool many = walk->work->living > SG_WORK_FEW;
+
+  if (many && !sg_work_ends_ready(walk->work)) {
+    walk->no_memory = true;
+    return SG_WORK_NONE;
+  }
   while (walk->next == walk->n) {
-    bool served;
     walk->next = walk->n = 0;
-    if (!sg_work_ready(walk->work, &served)) {
-      walk->no_memory = true;
-      return SG_WORK_NONE;
-    }
-    if (!(served ? collect_ring(walk) : collect_all(walk))) {
+    if (!(many ? collect_ring(walk) : collect_all(walk))) {
       return SG_WORK_NONE;
     }
     if (walk->n) {

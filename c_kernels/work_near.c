@@ -33,12 +33,6 @@ by_along(const void *a, const void *b)
 }
 
 static bool
-has_edges(const sg_work *work, int32_t v)
-{
-  return work->vertex[v].first_out || work->vertex[v].first_in;
-}
-
-static bool
 rows_open(rows *out, const sg_work *work)
 {
   *out = (rows){malloc(((size_t)work->vertices + 1) * sizeof *out->item), 0};
@@ -46,7 +40,7 @@ rows_open(rows *out, const sg_work *work)
     return false;
   }
   for (int32_t v = 0; v < work->vertices; v++) {
-    if (has_edges(work, v)) {
+    if (sg_work_has_edges(work, v)) {
       out->item[out->n++] = (row){work->vertex[v].at[0], v};
     }
   }
@@ -88,7 +82,7 @@ merge_near(sg_work *work, const rows *in, double reach)
     for (size_t j = i + 1;
          j < in->n && in->item[j].along - in->item[i].along <= reach; j++) {
       int32_t w = in->item[j].vertex;
-      if (!has_edges(work, v) || !has_edges(work, w) ||
+      if (!sg_work_has_edges(work, v) || !sg_work_has_edges(work, w) ||
           distance(work->vertex[v].point.p, work->vertex[w].point.p) > reach) {
         continue;
       }
@@ -139,7 +133,7 @@ split_near(sg_work *work, const rows *in, int32_t edge, double reach,
        i++) {
     int32_t v = in->item[i].vertex;
     double at;
-    if (v != a && v != b && has_edges(work, v) &&
+    if (v != a && v != b && sg_work_has_edges(work, v) &&
         foot(work, a, b, v, reach, &at)) {
       found[n++] = (row){at, v};
     }

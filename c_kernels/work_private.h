@@ -37,9 +37,53 @@ struct sg_work {
   size_t living;
   uint32_t search;   /* the number of the last one */
   sg_work_grid grid; /* of living edges, when grid.open */
+  sg_work_grid ends; /* of vertices that have edges, + 1, when ends.open */
+  enum { SG_NOT_ASKED, SG_SIMPLE, SG_NOT_SIMPLE } simple;
+  int32_t proven[3]; /* the last triangle in whose way nothing was */
 };
 
 enum { SG_WORK_FEW = 48 }; /* so few edges are searched without a grid */
+
+static inline bool
+sg_work_has_edges(const sg_work *work, int32_t v)
+{
+  return work->vertex[v].first_out || work->vertex[v].first_in;
+}
+
+/* All living edges as segments [living]; null: no memory. Owner: caller. */
+sg_work_grid_segment *sg_work_segments(const sg_work *work);
+
+/* Bounds the rounding errors of the picture's coordinates. */
+double sg_work_error(const sg_work *work);
+
+/* The order of places: along the picture's first axis, then the second. Exact;
+ * 0: one place. */
+int sg_work_place(const sg_work *work, int32_t v, int32_t w);
+
+/* Fills `out` (room for all vertices) with those that have edges, by place,
+ * then by handle. Returns how many. */
+int32_t sg_work_by_place(sg_work *work, int32_t *out);
+
+/* Does edge e meet the segment v1-v2 other than in a shared end? Exact. */
+bool sg_work_meets(const sg_work *work, int32_t v1, int32_t v2, int32_t e);
+
+/* work_simple.c: the relation is simple if edges meet in shared vertices only;
+ * opposite edges may lie on each other. sg_work_note_simple() finds out, given
+ * what sg_work_by_place() gave (vertices without edges may be among them).
+ * sg_work_is_simple() finds out when it is not known. No memory counts as not
+ * simple: then the other way is gone, which can tell. */
+void sg_work_note_simple(sg_work *work, const int32_t *vertex, int32_t n);
+bool sg_work_is_simple(sg_work *work);
+
+/* Builds the grid of the vertices that have edges, if it is missing or most of
+ * them are gone. False: no memory. */
+bool sg_work_ends_ready(sg_work *work);
+
+/* Of a simple relation: is there a vertex in the closed triangle, or an edge
+ * that goes into it from one of its corners? If v1-v2 and one of the other
+ * sides are edges, then nothing else can be in its way. The triangle is
+ * counter-clockwise. *no_memory is set, or left alone. */
+bool sg_work_occupied(sg_work *work, const int32_t corner[3], bool *no_memory);
 
 /* Are there so many edges that the grid serves? Builds it or builds it anew
  * when it is missing or stale. *served tells; false: no memory. */

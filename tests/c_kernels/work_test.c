@@ -2,6 +2,7 @@
  * small grids, where everything touches everything.
  */
 #include "../../c_kernels/triangulate.h"
+#include "../../c_kernels/work_private.h"
 #include "../check.h"
 
 #include <stdlib.h>
@@ -293,6 +294,34 @@ has_edge(const scene *s, int32_t v)
   return sg_work_leaving(s->work, v, 0) || sg_work_entering(s->work, v, 0);
 }
 
+/* How often the candidates of v1 -> v2 are not those of the definition, in the
+ * paper's order; adds to *many how many there were. */
+static unsigned
+wrong_candidates(const scene *s, int v1, int v2, unsigned *many)
+{
+  int v3, order = 0, before = 0;
+  bool seen[MOST] = {false};
+  unsigned bad = 0;
+  sg_candidates walk;
+
+  sg_candidates_open(&walk, s->work, v1, v2);
+  while ((v3 = sg_candidates_next(&walk)) >= 0) {
+    int class = sg_work_pair(s->work, v2, v3)   ? 0
+                : sg_work_pair(s->work, v3, v1) ? 1
+                                                : 2;
+    bad += seen[v3];
+    order += class < before;
+    before = class;
+    seen[v3] = true;
+    ++*many;
+  }
+  sg_candidates_close(&walk);
+  for (int v = 0; v < s->n; v++) {
+    bad += seen[v] != (has_edge(s, v) && expected_candidate(s, v1, v2, v));
+  }
+  return bad + (order != 0);
+}
+
 static void
 test_candidates(int vertices, int grid, int edges, int rounds)
 {
@@ -304,31 +333,87 @@ test_candidates(int vertices, int grid, int edges, int rounds)
     for (int k = 0; k < 10; k++) {
       const sg_work_edge *edge =
           sg_work_get(s.work, 1 + pick((int)sg_work_edges(s.work)));
-      int v1 = edge->start, v2 = edge->end, v3, order = 0, before = 0;
-      bool seen[MOST] = {false};
-      sg_candidates walk;
-      sg_candidates_open(&walk, s.work, v1, v2);
-      while ((v3 = sg_candidates_next(&walk)) >= 0) {
-        int class = sg_work_pair(s.work, v2, v3)   ? 0
-                    : sg_work_pair(s.work, v3, v1) ? 1
-                                                   : 2;
-        bad += seen[v3];
-        order += class < before;
-        before = class;
-        seen[v3] = true;
-        many++;
-      }
-      sg_candidates_close(&walk);
-      bad += order != 0;
-      for (int v = 0; v < vertices; v++) {
-        bad +=
-            seen[v] != (has_edge(&s, v) && expected_candidate(&s, v1, v2, v));
-      }
+      bad += wrong_candidates(&s, edge->start, edge->end, &many);
     }
     sg_work_close(s.work);
   }
   CHECK("candidates are those of the definition", bad == 0);
   CHECK("there were candidates", many > 20);
+}
+
+/* ---- simple relations ---------------------------------------------------- */
+
+/* Does v1 -> v2 meet an edge other than in a shared end or as its opposite? */
+static bool
+in_the_way(const scene *s, int v1, int v2)
+{
+  for (int32_t e = 0; (e = sg_work_next(s->work, e)) != 0;) {
+    const sg_work_edge *edge = sg_work_get(s->work, e);
+    sg_meeting want;
+    bool meets;
+    expected_meeting(s, v1, v2, edge, &meets, &want);
+    if (meets && !(edge->start == v2 && edge->end == v1)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static bool
+near_each_other(const scene *s, int a, int b, int near)
+{
+  return labs(s->at[a].x - s->at[b].x) <= near &&
+         labs(s->at[a].y - s->at[b].y) <= near;
+}
+
+/* Tries to add `tries` edges between vertices near each other, leaving out
+ * those that would meet others. */
+static void
+open_simple(scene *s, int vertices, int grid, int near, int tries)
+{
+  open_scene(s, vertices, grid, 0);
+  for (int i = 0; i < tries; i++) {
+    int a = pick(vertices), b = pick(vertices);
+    if (a != b && near_each_other(s, a, b, near) && !in_the_way(s, a, b)) {
+      sg_work_add(s->work, a, b, 1, 1);
+      if (pick(3) == 0 && !in_the_way(s, b, a)) {
+        sg_work_add(s->work, b, a, 1, 1);
+      }
+    }
+  }
+}
+
+static void
+test_simple(int vertices, int grid, int near, int tries)
+{
+  unsigned bad = 0, bad_now = 0, bad_candidates = 0, many = 0, met = 0, few = 0;
+
+  for (int round = 0; round < 150; round++) {
+    scene s;
+    open_simple(&s, vertices, grid, near, tries);
+    few += sg_work_edges(s.work) <= SG_WORK_FEW;
+    bad += !sg_work_is_simple(s.work);
+    for (int k = 0; k < 5; k++) {
+      const sg_work_edge *edge =
+          sg_work_get(s.work, 1 + pick((int)sg_work_edges(s.work)));
+      bad_candidates += wrong_candidates(&s, edge->start, edge->end, &many);
+    }
+    int a, b;
+    do {
+      a = pick(vertices), b = pick(vertices);
+    } while (a == b || !near_each_other(&s, a, b, near));
+    bool meets = in_the_way(&s, a, b);
+    sg_work_add(s.work, a, b, 1, 1);
+    met += meets;
+    bad_now += sg_work_is_simple(s.work) == meets;
+    bad_candidates += wrong_candidates(&s, a, b, &many);
+    sg_work_close(s.work);
+  }
+  CHECK("what is simple is known to be", bad == 0);
+  CHECK("an edge more is noticed", bad_now == 0);
+  CHECK("it was in the way, or was not", met > 3 && met < 147);
+  CHECK("candidates are those of the definition", bad_candidates == 0);
+  CHECK("there were many edges", few < 75 && many > 100);
 }
 
 /* A polygon of `n` corners: random order sorted round the middle, so that it
@@ -401,6 +486,37 @@ test_triangulate(void)
   CHECK("stars with holes: areas and counts", bad == 0);
 }
 
+/* The candidates while triangles are taken off, one by one. */
+static void
+test_taking(void)
+{
+  unsigned bad = 0, many = 0, simple = 0, all = 0;
+
+  for (int round = 0; round < 40; round++) {
+    scene s;
+    int32_t e;
+    open_star(&s, 8 * (8 + pick(4)), pick(3));
+    while ((e = sg_work_next(s.work, 0)) != 0) {
+      const sg_work_edge edge = *sg_work_get(s.work, e);
+      bad += wrong_candidates(&s, edge.start, edge.end, &many);
+      sg_candidates walk;
+      sg_candidates_open(&walk, s.work, edge.start, edge.end);
+      int32_t v3 = sg_candidates_next(&walk);
+      sg_candidates_close(&walk);
+      if (v3 < 0 || sg_work_take(s.work, e, v3) != 1) {
+        bad++;
+        break;
+      }
+      all += sg_work_edges(s.work) > SG_WORK_FEW;
+      simple +=
+          sg_work_edges(s.work) > SG_WORK_FEW && s.work->simple == SG_SIMPLE;
+    }
+    sg_work_close(s.work);
+  }
+  CHECK("candidates while triangles are taken off", bad == 0);
+  CHECK("it stays known to be simple", all > 100 && simple == all);
+}
+
 int
 main(void)
 {
@@ -412,6 +528,10 @@ main(void)
   test_candidates(9, 4, 6, 300);
   test_candidates(40, 12, 12, 200);
   test_candidates(120, 60, 60, 100);
+  test_simple(70, 30, 12, 1500);
+  test_simple(150, 40, 9, 1500);
+  test_simple(90, 12, 5, 600);
   test_triangulate();
+  test_taking();
   return check_report();
 }
