@@ -73,7 +73,8 @@ column_is_valid(const load *l, unsigned c)
 
   return (type == SG_INT && ints_are_valid(l->column[c], l->n, 1)) ||
          (type == SG_ATOM && ints_are_valid(l->column[c], l->n, 0)) ||
-         (type == SG_FLOAT && floats_are_valid(l->column[c], l->n, l->info->most[c]));
+         (type == SG_FLOAT &&
+          floats_are_valid(l->column[c], l->n, l->info->most[c]));
 }
 
 static sg_status

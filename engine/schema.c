@@ -8,7 +8,7 @@ const sg_relation_info sg_relation_table[SG_RELATIONS] = {
 #define COLUMN(ID, POSITION, NAME, TYPE, REFERS, DOC)                          \
   [SG_##ID].column[POSITION] = {#NAME, SG_##TYPE, SG_##REFERS, DOC},
 #define DOMAIN(ID, POSITION, WORDS) [SG_##ID].domain[POSITION] = (WORDS),
-#define MOST(ID, POSITION, SIZE) [SG_##ID].most[POSITION] = (SIZE),
+#define MOST(ID, POSITION, SIZE)    [SG_##ID].most[POSITION] = (SIZE),
 #include "relations.def"
 };
 

@@ -274,8 +274,7 @@ get_symbol_ex(term_t t, int32_t *out)
 static int
 check_most_ex(double most, sg_value value, term_t t)
 {
-  return most == 0 || fabs(value.f) <= most ||
-         PL_domain_error("coordinate", t);
+  return most == 0 || fabs(value.f) <= most || PL_domain_error("coordinate", t);
 }
 
 int
