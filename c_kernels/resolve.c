@@ -89,8 +89,8 @@ sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
                const sg_resolve_leaf *b)
 {
   sg_contact contact[SG_CONTACT_MAX];
-  int n = sg_contacts(a->at, b->at, r->reach, contact);
-  bool inexact = false;
+  bool inexact;
+  int n = sg_contacts(a->at, b->at, r->reach, contact, &inexact);
 
   if (n == 0) {
     return true;
@@ -344,7 +344,10 @@ sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
 {
   const sg_resolve_leaf *leaf[2] = {a, b};
   sg_contact contact[SG_CONTACT_MAX];
-  int n = is_wanted(r, a->s) ? sg_contacts(a->at, b->at, r->reach, contact) : 0;
+  bool flush;
+  int n = is_wanted(r, a->s)
+              ? sg_contacts(a->at, b->at, r->reach, contact, &flush)
+              : 0;
 
   for (int i = 0; i < n; i++) {
     if (!keep(r, leaf, &contact[i])) {
