@@ -3,10 +3,10 @@
             report_faults/2             % +Report, ?Faults
           ]).
 :- use_module(integrity, [defect_weight/2]).
-:- use_module(kernel, [census/1]).
+:- use_module(kernel, [census/1, self_meetings/2]).
 :- use_module(store, [segment/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [max_list/2, min_list/2, sum_list/2]).
+:- autoload(library(lists), [append/3, max_list/2, min_list/2, sum_list/2]).
 /** <module> The report of `check`: what a model holds, and its faults.
 
 A report is a dict; report.pl prints it as text or as JSON:
@@ -16,7 +16,9 @@ A report is a dict; report.pl prints it as text or as JSON:
 Segment has segment, name, kind, vertices, half_edges, edges, polygons,
 triangles, curve_edges, box ([[X1,Y1,Z1],[X2,Y2,Z2]]), area, volume (null unless
 a solid), length (of curves), border_edges, shells, faults and remarks (dicts of
-counts). A shell has polygon (its first), vertices, edges, polygons, closed,
+counts), meetings: the first places where the segment goes through itself, dicts
+of kind, polygons ([P1,P2]) and at ([X,Y,Z]); faults and remarks count them all.
+A shell has polygon (its first), vertices, edges, polygons, closed,
 euler, genus (null unless a closed manifold), area and volume. Model units.
 */
 
@@ -26,7 +28,8 @@ euler, genus (null unless a closed manifold), area and volume. Model units.
 
 check_report(Report) :-
     census(Parts),
-    maplist(part_report, Parts, Segments),
+    self_meetings(3, Selves),
+    maplist(part_report(Selves), Parts, Segments),
     sum_of(fault_count, Segments, Faults),
     sum_of(remark_count, Segments, Remarks),
     total(Segments, Total),
@@ -55,14 +58,18 @@ dict_sum(Dict, Sum) :-
     findall(N, member(_-N, Pairs), Ns),
     sum_list(Ns, Sum).
 
-part_report(part(S, counts(Vs, Hs, Es, Ps, Ts, Cs), box(X1,Y1,Z1,X2,Y2,Z2),
+part_report(Selves,
+            part(S, counts(Vs, Hs, Es, Ps, Ts, Cs), box(X1,Y1,Z1,X2,Y2,Z2),
                  Area, Volume0, Length, Shells0, Defects0), Report) :-
     segment_kind(S, Kind, Name),
+    memberchk(self(S, SelfCounts, Meetings0), Selves),
+    maplist(meeting_report, Meetings0, Meetings),
     (   memberchk(border_edge-Border, Defects0)
     ->  true
     ;   Border = 0
     ),
-    findall(D, own_defect(Kind, Volume0, Defects0, D), Defects),
+    findall(D, own_defect(Kind, Volume0, Defects0, D), Defects1),
+    append(Defects1, SelfCounts, Defects),
     weighed(fault, Defects, Faults),
     weighed(remark, Defects, Remarks),
     (   Kind == solid
@@ -74,7 +81,10 @@ part_report(part(S, counts(Vs, Hs, Es, Ps, Ts, Cs), box(X1,Y1,Z1,X2,Y2,Z2),
                edges:Es, polygons:Ps, triangles:Ts, curve_edges:Cs,
                box:[[X1,Y1,Z1], [X2,Y2,Z2]], area:Area, volume:Volume,
                length:Length, border_edges:Border, shells:Shells,
-               faults:Faults, remarks:Remarks}.
+               faults:Faults, remarks:Remarks, meetings:Meetings}.
+
+meeting_report(meeting(Kind, P1, P2, X, Y, Z),
+               _{kind:Kind, polygons:[P1,P2], at:[X,Y,Z]}).
 
 segment_kind(S, Kind, Name) :-
     (   segment(S, Kind0, Term)

@@ -2,7 +2,7 @@
           [ model_defect/1,             % ?Defect
             defect_weight/2             % ?Name, ?Weight
           ]).
-:- use_module(kernel, [census/1, census_defect/4]).
+:- use_module(kernel, [census/1, census_defect/4, self_meetings/2]).
 :- use_module(store, [segment/3]).
 :- autoload(library(lists), [member/2]).
 /** <module> What can be wrong with a model.
@@ -34,6 +34,11 @@ A bad model is no error but a relation. The joins are one pass in C
 %       No area; off its plane; no length: all within the tolerance of the
 %       source.
 %     - twin_vertices(S, V1, V2), unused_vertex(S, V)
+%     - self_penetration(S, P1, P2), self_overlap(S, P1, P2)
+%       Two polygons of a segment (or one) go through each other, or lie in one
+%       plane and share some area.
+%     - self_touching(S, P1, P2)
+%       A point or an edge of one is on the other, and not as neighbours meet.
 %
 %   In order of the segments. A border of a surface is no defect.
 
@@ -53,6 +58,16 @@ model_defect(inside_out(S)) :-
     census(Parts),
     member(part(S, _, _, _, Volume, _, _, _), Parts),
     Volume < 0.0.
+model_defect(Defect) :-
+    \+ \+ self_defect(Defect, _, _, _, _),
+    self_meetings(2147483647, Segments),
+    member(self(S, _, Meetings), Segments),
+    member(meeting(Kind, P1, P2, _, _, _), Meetings),
+    self_defect(Defect, Kind, S, P1, P2).
+
+self_defect(self_penetration(S, P1, P2), self_penetration, S, P1, P2).
+self_defect(self_overlap(S, P1, P2),     self_overlap,     S, P1, P2).
+self_defect(self_touching(S, P1, P2),    self_touching,    S, P1, P2).
 
 %   defect_census(?Defect, ?Kind, ?S, ?A, ?B): the terms of C for Defect.
 
@@ -81,9 +96,12 @@ defect_weight(shared_half_edge, fault).
 defect_weight(open_polygon,     fault).
 defect_weight(duplicate_face,   fault).
 defect_weight(inside_out,       fault).
+defect_weight(self_penetration, fault).
+defect_weight(self_overlap,     fault).
 defect_weight(pinched_vertex,   remark).
 defect_weight(degenerate_face,  remark).
 defect_weight(bent_face,        remark).
 defect_weight(short_edge,       remark).
 defect_weight(twin_vertices,    remark).
 defect_weight(unused_vertex,    remark).
+defect_weight(self_touching,    remark).

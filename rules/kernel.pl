@@ -13,6 +13,7 @@
             % tree4pl.c, near4pl.c
             tree_statistics/1,        % -Statistics
             near_segments/3,          % +Reach, -S1, -S2
+            self_meetings/2,          % +Most, -Segments
             % cut4pl.c, seam4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
@@ -146,6 +147,17 @@ glue file.
 %
 %   True when segment S has a defect of this Kind; A and B as
 %   c_kernels/census.h says. One pass over the world a call.
+
+/* - - - self4pl.c - - - */
+
+%!  self_meetings(+Most:integer, -Segments:list) is det.
+%
+%   Where segments go through themselves: Segments has a
+%   self(S, Counts, Meetings) for each segment, by number. Counts are
+%   Kind-Count, Kind one of self_penetration, self_overlap and self_touching
+%   (c_kernels/self_cut.h), a pair of polygons counted once; Meetings are the
+%   first Most of each as meeting(Kind, P1, P2, X, Y, Z), P1 =< P2, in the order
+%   of the polygons: something they have in common is at X, Y, Z.
 
 /* - - - raster4pl.c - - - */
 

@@ -55,7 +55,8 @@ print_segment(Language, S) :-
         say(Language, borders, [Borders])
     ),
     print_defects(Language, fault, S.faults),
-    print_defects(Language, remark, S.remarks).
+    print_defects(Language, remark, S.remarks),
+    forall(member(Meeting, S.meetings), print_meeting(Language, Meeting)).
 
 print_shell(Language, Shell) :-
     (   Shell.closed == true
@@ -80,6 +81,11 @@ print_defects(Language, Weight, Dict) :-
     word(Language, Weight, Word),
     forall(member(Name-N, Pairs),
            format("  ~w~t~8| ~w: ~D~n", [Word, Name, N])).
+
+print_meeting(Language, Meeting) :-
+    [P1,P2] = Meeting.polygons,
+    [X,Y,Z] = Meeting.at,
+    say(Language, meeting, [Meeting.kind, P1, P2, X, Y, Z]).
 
 say(Language, Line, Arguments) :-
     text(Language, Line, Format),
@@ -144,3 +150,5 @@ text(ko, euler,     ", 오일러 지표 ~d").
 text(en, genus,     ", genus ~d").
 text(ko, genus,     ", 종수 ~d").
 text(_,  borders,   "  ~w").
+text(en, meeting,   "  ~w: polygons ~d and ~d at ~6g ~6g ~6g").
+text(ko, meeting,   "  ~w: 다각형 ~d, ~d, 위치 ~6g ~6g ~6g").
