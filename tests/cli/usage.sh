@@ -219,4 +219,21 @@ check stdout has 'p(1, 6, [4, 1, 5, 8]).' "$work/out"
   head -n 1 >"$work/out"
 check closed-pipe is "${PIPESTATUS[0]}" 141
 check closed-pipe-quiet silent err
+# A segment that goes through itself.
+cat >"$work/self.obj" <<'END'
+v 0 0 0
+v 3 0 0
+v 0 3 0
+v 1 1 -1
+v 1 1 1
+v 5 5 0
+f 1 2 3
+f 4 5 6
+END
+run check "$work/self.obj"
+check self-status status_is 1
+check self-text has 'self_penetration: polygons 1 and 2 at ' "$work/out"
+run check "$work/self.obj" --json
+check self-json has '"kind":"self_penetration"' "$work/out"
+
 finish
