@@ -163,6 +163,11 @@ divide_piece(sg_cut_set *set, size_t i)
   first.b = x;
   second.a = x;
   set->piece[i].live = false;
+  for (int k = 0; k < 2; k++) {
+    if (piece.edge[k] != SG_NO_KEY && !sg_cut_put_late(set, piece.edge[k], x)) {
+      return false;
+    }
+  }
   return sg_cut_add_piece(set, &first) && sg_cut_add_piece(set, &second);
 }
 

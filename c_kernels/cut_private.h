@@ -16,4 +16,8 @@ bool sg_cut_add_piece(sg_cut_set *set, const sg_cut_piece *piece);
  * memory. */
 bool sg_cut_drop_folds(sg_cut_set *set);
 
+/* Puts a point on a split edge, in order, if it is not there yet; that makes
+ * the edge late. False: no memory. */
+bool sg_cut_put_late(sg_cut_set *set, uint32_t edge, uint32_t point);
+
 #endif

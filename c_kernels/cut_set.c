@@ -80,7 +80,7 @@ split_edge(sg_cut_set *set, const sg_place *place)
   if (*number == SG_NO_KEY) {
     *number = (uint32_t)set->edges;
     set->edge[set->edges++] = (sg_split_edge){
-        *place, sg_place_segment(&set->model, place), 0, 0, NULL};
+        *place, sg_place_segment(&set->model, place), false, 0, 0, NULL};
   }
   return *number;
 }
@@ -356,6 +356,25 @@ rank_on_edge(const sg_cut_set *set, const sg_split_edge *edge, uint32_t point)
   return sg_cut_points_name(&set->points, point, start->s) == start->v
              ? 0
              : edge->n + 1;
+}
+
+bool
+sg_cut_put_late(sg_cut_set *set, uint32_t number, uint32_t point)
+{
+  const sg_split_edge *edge = &set->edge[number];
+  sg_place place = edge->place;
+
+  for (size_t i = 0; i < edge->n; i++) {
+    if (edge->point[i] == point) {
+      return true;
+    }
+  }
+  if (!put_on_edge(set, &place, point)) {
+    return false;
+  }
+  order_edge(set, &set->edge[number]);
+  set->edge[number].late = true;
+  return true;
 }
 
 /* Appends the points of an edge strictly between a and b to `list`. */

@@ -33,6 +33,7 @@ typedef struct sg_cut_piece {
 typedef struct sg_split_edge {
   sg_place place;
   int32_t s;
+  bool late; /* got a point by sg_cut_set_agree() */
   size_t n, room;
   uint32_t *point;
 } sg_split_edge;
@@ -94,7 +95,9 @@ sg_cut_polygon *sg_cut_set_polygon(const sg_cut_set *set, int32_t s, int32_t p);
 bool sg_cut_set_split(sg_cut_set *set, uint32_t a, uint32_t b, uint32_t x);
 /* A point that was noted between a and b; SG_NO_KEY: none. */
 uint32_t sg_cut_set_between(const sg_cut_set *set, uint32_t a, uint32_t b);
-/* Divides all pieces at the points noted between their ends. */
+/* Divides all pieces at the points noted between their ends. Real edges that
+ * a divided piece runs along get the point, and are `late`: polygons that have
+ * one of these may not be among those listed. */
 bool sg_cut_set_agree(sg_cut_set *set);
 
 /* Where two pieces cross in polygons of a third segment, or of one of their

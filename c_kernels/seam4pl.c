@@ -582,12 +582,44 @@ cut_agree(term_t t)
          name_all_ex(handle);
 }
 
+/* The polygons, S-P, with edges that were divided while others were entered. */
+static foreign_t
+cut_late_polygons(term_t t, term_t list)
+{
+  sg_cut_handle *handle;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_cut_set_ex(t, &handle)) {
+    return FALSE;
+  }
+  sg_cut_set *set = &handle->set;
+  size_t listed = set->polygons;
+  int good = TRUE;
+
+  for (size_t i = 0; good && i < set->edges; i++) {
+    good = !set->edge[i].late || add_neighbours_ex(handle, &set->edge[i]);
+  }
+  for (size_t i = listed; good && i < set->polygons; i++) {
+    good = PL_unify_list(tail, head, tail) &&
+           PL_unify_term(head, PL_FUNCTOR_CHARS, "-", 2, PL_INT,
+                         set->polygon[i].s, PL_INT, set->polygon[i].p);
+  }
+  set->polygons = listed;
+  return good && PL_unify_nil(tail);
+}
+
 static const PL_extension predicates[] = {
-    {"cut_seal", 1, cut_seal, 0},         {"cut_polygons", 2, cut_polygons, 0},
-    {"cut_entering", 4, cut_entering, 0}, {"cut_work", 4, cut_work, 0},
-    {"cut_crossing", 8, cut_crossing, 0}, {"cut_note", 5, cut_note, 0},
-    {"cut_between", 6, cut_between, 0},   {"cut_divided", 4, cut_divided, 0},
-    {"cut_agree", 1, cut_agree, 0},       {NULL, 0, NULL, 0},
+    {"cut_late_polygons", 2, cut_late_polygons, 0},
+    {"cut_seal", 1, cut_seal, 0},
+    {"cut_polygons", 2, cut_polygons, 0},
+    {"cut_entering", 4, cut_entering, 0},
+    {"cut_work", 4, cut_work, 0},
+    {"cut_crossing", 8, cut_crossing, 0},
+    {"cut_note", 5, cut_note, 0},
+    {"cut_between", 6, cut_between, 0},
+    {"cut_divided", 4, cut_divided, 0},
+    {"cut_agree", 1, cut_agree, 0},
+    {NULL, 0, NULL, 0},
 };
 
 void

@@ -34,7 +34,8 @@
             cut_note/5,               % +Set, +S, +V1, +V2, +X
             cut_between/6,            % +Set, +Work, +S, +V1, +V2, -X
             cut_divided/4,            % +Set, +Work, +S, -Divided
-            cut_agree/1,              % +Set
+            cut_agree/1,                % +Set
+            cut_late_polygons/2,        % +Set, -Polygons
             cut_joints/2,             % +Set, -Joints
             cut_join/2,               % +Set, +Point
             cut_name/4,               % +Set, +Point, +S, -V
@@ -511,7 +512,12 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 
 %!  cut_agree(+Set) is det.
 %
-%   Divides the pieces at all points noted.
+%   Divides the pieces at all points noted, and the real edges they run along.
+
+%!  cut_late_polygons(+Set, -Polygons) is det.
+%
+%   Polygons is the list of S-P, in no order, maybe repeated, that have a real
+%   edge which cut_agree/1 divided.
 
 /* - - - line4pl.c: lines - - - */
 

@@ -13,7 +13,8 @@
                 curve_enter/4,
                 cut_triangle/5, near_segments/3, cut_ends/4, cut_seal/1, cut_polygons/2,
                 cut_entering/4, cut_work/4, cut_crossing/8, cut_note/5,
-                cut_between/6, cut_divided/4, cut_agree/1, cut_joints/2,
+                cut_between/6, cut_divided/4, cut_agree/1,
+                cut_late_polygons/2, cut_joints/2,
                 cut_join/2, cut_name/4, cut_gone/4, cut_lines/2, cut_line/5,
                 cut_vertices/2, cut_split_edges/3,
                 model_tolerance/1,
@@ -32,11 +33,11 @@
                 facts_snapshot/1, facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [work_triangles/2]).
-:- autoload(library(apply), [foldl/4, include/3, maplist/2, maplist/3,
+:- autoload(library(apply), [exclude/3, foldl/4, include/3, maplist/2, maplist/3,
                              partition/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [last/2, member/2, reverse/2]).
+:- autoload(library(lists), [append/3, last/2, member/2, reverse/2]).
 :- autoload(library(option), [option/2]).
 :- autoload(library(ordsets), [ord_union/3]).
 
@@ -220,8 +221,8 @@ penetrated_(Pairs, Set) :-
     leaves_kept(Polygons),
     setup_call_cleanup(
         true,
-        ( maplist(enter_cuts(Set), Polygons, Works),
-          agree(Set, Works),
+        ( maplist(enter_cuts(Set), Polygons, Works0),
+          agree(Set, Works0, Works),
           merge_lines(Set, Works),
           write_vertices(Set),
           write_lines(Set),
@@ -399,11 +400,24 @@ divide_at(Work, E-X) :-
 
 /* - - - the same pieces everywhere - - - */
 
-%   A segment that was divided in one polygon is divided in every other one.
+%   A segment that was divided in one polygon is divided in every other one: in
+%   those that are open, and in those beside a real edge that no cut had opened.
 
-agree(Set, Works) :-
+agree(Set, Works0, Works) :-
     cut_agree(Set),
-    maplist(agree_polygon(Set), Works).
+    maplist(agree_polygon(Set), Works0),
+    late_polygons(Set, Works0, Polygons),
+    leaves_kept(Polygons),
+    maplist(enter_cuts(Set), Polygons, Late),
+    append(Works0, Late, Works).
+
+late_polygons(Set, Works, Polygons) :-
+    cut_late_polygons(Set, Polygons0),
+    sort(Polygons0, Polygons1),
+    exclude(is_open(Works), Polygons1, Polygons).
+
+is_open(Works, S-P) :-
+    memberchk(work(S, P, _), Works).
 
 agree_polygon(Set, work(S, P, Work)) :-
     cut_divided(Set, Work, S, Divided),

@@ -4,6 +4,7 @@
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(library(solution_sequences)).
+:- use_module(rules(decision)).
 :- use_module(rules(store)).
 :- use_module(rules(penetration)).
 :- use_module(rules(triangulation)).
@@ -83,5 +84,42 @@ test(random_models, Bad == []) :-
     findall(Model, limit(5, bad_model(shapes_faults, Model)), Bad).
 test(in_two_steps, Bad == []) :-
     findall(Model, limit(5, bad_model(two_steps_faults, Model)), Bad).
+
+% A box stands on a table, a sheet hangs under it and does not cut the box: where
+% its line crosses the edges of the box, these are divided on both sides.
+test(late_points, Faults == []) :-
+    new_world(World),
+    in_world(World,
+             ( follow("may_cut(S1, S2) :- S1-S2 \\== 1-3."),
+               add_shape(1, shape(box, solid,
+                                  [ p(1,1,0), p(3,1,0), p(3,3,0), p(1,3,0),
+                                    p(1,1,2), p(3,1,2), p(3,3,2), p(1,3,2) ],
+                                  [ [[4,3,2,1]], [[5,6,7,8]], [[1,2,6,5]],
+                                    [[2,3,7,6]], [[3,4,8,7]], [[4,1,5,8]] ])),
+               add_shape(2, shape(table, surface,
+                                  [p(0,0,0), p(4,0,0), p(4,4,0), p(0,4,0)],
+                                  [[[1,2,3,4]]])),
+               add_shape(3, shape(sheet, surface,
+                                  [ p(2,0,-2), p(2,4,-2), p(2,4,0), p(2,0,0) ],
+                                  [[[1,2,3,4]]])),
+               complete_segments,
+               model_before(Before0),
+               without(1, 3, Before0, Before),
+               penetrate,
+               model_faults(Before, Faults) )).
+
+without(S1, S2, before(Segments, Lines0), before(Segments, Lines)) :-
+    exclude(is_of(S1, S2), Lines0, Lines).
+
+is_of(S1, S2, lines(S1, S2, _, _)).
+
+%   follow(+Rules): the current world follows the rules in a text.
+
+follow(Rules) :-
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [extension(pl), encoding(utf8)]),
+        write(Out, Rules), close(Out)),
+    use_rules(File),
+    delete_file(File).
 
 :- end_tests(oracle_models).
