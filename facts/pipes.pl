@@ -1,6 +1,6 @@
 % Three pipes and the two brackets that carry them. Pipe 3 joins the other two:
-% where pipes meet they are to be cut. What a rule file can say about the rest is
-% in docs/rules.md.
+% where pipes meet they are to be cut. What a rule file can say about the rest
+% is in docs/rules.md.
 %
 % Source: made for this file.
 % Units:  model units, right-handed; polygons counter-clockwise from outside.

@@ -2,15 +2,17 @@
           [ explain/1,                  % ?Item
             explanation/2,              % ?Item, -Because
             print_explanations/1,       % +Explanations
-            statement_text/2            % +Statement, -Text
+            statement_text/2,           % +Statement, -Text
+            contact_statement/3         % +Seat1, +Seat2, -Statement
           ]).
 :- use_module(chain, [chain/5]).
 :- use_module(contact,
               [ line_end/4, vertex_seats/3, contact_kind/3, edge_part/4 ]).
 :- use_module(exact, [vertex_exact/5, vertex_side/4]).
 :- use_module(explain_pair, [pair_because/3, segments_because/3,
-                             line_pieces/2, decided_by/2]).
-:- use_module(explain_words, [statement_keys/2]).
+                             line_pieces/2, decided_by/2,
+                             leaf_corners/3]).
+:- use_module(explain_words, [statement_keys/2, in_order/4]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
 :- use_module(penetration, [merge_line/2]).
@@ -171,11 +173,12 @@ not_merged(L, V, Other, By) :-
 %   What the features are; under it the exact signs that prove it, and what
 %   made the point if it was not these features.
 
-contact(Seat1, Seat2, because(contact(Kind, Seat1, Seat2), Because)) :-
-    Seat1 = seat(_, _, Place1),
-    Seat2 = seat(_, _, Place2),
-    contact_kind(Place1, Place2, Kind),
-    (   Kind \== 'vertex-vertex',
+contact(Seat1, Seat2, because(Contact, Because)) :-
+    contact_statement(Seat1, Seat2, Contact),
+    Contact = contact(Kind, _, _),
+    (   Kind == 'edge-face'
+    ->  edge_sides(Seat1, Seat2, Because)
+    ;   Kind \== 'vertex-vertex',
         seat_origin(Seat1, Seat2, Origin)
     ->  origin_because(Origin, Facts),
         (   made_here(Kind, Origin)
@@ -185,6 +188,45 @@ contact(Seat1, Seat2, because(contact(Kind, Seat1, Seat2), Because)) :-
     ;   Because = []
     ).
 
+%!  contact_statement(+Seat1, +Seat2, -Statement) is det.
+%
+%   Statement is contact(Kind, Seat1, Seat2), Kind as of contact_kind/3, but
+%   `edge-in-face` where the edge does not pierce the face but runs in it.
+
+contact_statement(Seat1, Seat2, contact(Kind, Seat1, Seat2)) :-
+    arg(3, Seat1, Place1),
+    arg(3, Seat2, Place2),
+    contact_kind(Place1, Place2, Kind0),
+    (   Kind0 == 'edge-face',
+        \+ edge_sides(Seat1, Seat2, _)
+    ->  Kind = 'edge-in-face'
+    ;   Kind = Kind0
+    ).
+
+%   edge_sides(+Seat1, +Seat2, -Because) is semidet: the ends of the edge are on
+%   different sides of a triangle of the face, the one that made the point if
+%   it is known.
+
+edge_sides(Seat1, Seat2, [because(FactA, []), because(FactB, [])]) :-
+    in_order(Seat1, Seat2, seat(S1,_,edge(A,B)), seat(S2,_,face(P,Corners))),
+    face_triangle(Corners, S2, P, Triangle),
+    FactA = side(S1, A, PointA, SideA, Triangle),
+    FactB = side(S1, B, PointB, SideB, Triangle),
+    vertex_side(S1, A, Triangle, SideA),
+    vertex_side(S1, B, Triangle, SideB),
+    msort([SideA,SideB], [above,below]),
+    !,
+    point(S1, A, PointA),
+    point(S1, B, PointB).
+
+face_triangle(triangle(A, B, C), S, _, S-(A,B,C)).
+face_triangle(diagonal(A, B), S, P, S-(C,D,E)) :-
+    leaf_corners(S, P, S-(C,D,E)),
+    memberchk(A, [C,D,E]),
+    memberchk(B, [C,D,E]).
+face_triangle(none, S, P, Triangle) :-
+    leaf_corners(S, P, Triangle).
+
 %   seat_origin(+Seat1, +Seat2, -Origin) is nondet.
 
 seat_origin(seat(S1,V1,_), seat(S2,V2,_), Origin) :-
@@ -192,7 +234,6 @@ seat_origin(seat(S1,V1,_), seat(S2,V2,_), Origin) :-
     ;   origin(S2, v(V2), Origin)
     ).
 
-made_here('edge-face', lpi(_, _)).
 made_here('edge-edge', ll(_, _)).
 made_here('vertex-edge', v(_, _)).
 made_here('vertex-face', v(_, _)).

@@ -42,6 +42,11 @@ statement_en(contact('edge-face', Seat1, Seat2)) -->
     place(S1, Place1),
     [ ' pierces ' ],
     place(S2, Place2).
+statement_en(contact('edge-in-face', Seat1, Seat2)) -->
+    { in_order(Seat1, Seat2, seat(S1,_,Place1), seat(S2,_,Place2)) },
+    place(S1, Place1),
+    [ ' runs inside ' ],
+    place(S2, Place2).
 statement_en(contact('face-face', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     [ 'inside ' ],
     place(S1, Place1),

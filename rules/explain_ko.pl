@@ -43,6 +43,11 @@ statement_ko(contact('edge-face', Seat1, Seat2)) -->
     place(S1, Place1),
     [ '이(가) 뚫는 것: ' ],
     place(S2, Place2).
+statement_ko(contact('edge-in-face', Seat1, Seat2)) -->
+    { in_order(Seat1, Seat2, seat(S1,_,Place1), seat(S2,_,Place2)) },
+    place(S1, Place1),
+    [ '이(가) 안을 지나는 것: ' ],
+    place(S2, Place2).
 statement_ko(contact('face-face', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     [ '안에 있는 곳: ' ],
     place(S1, Place1),

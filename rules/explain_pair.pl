@@ -2,7 +2,8 @@
           [ pair_because/3,             % +Place1, +Place2, -Because
             segments_because/3,         % +S1, +S2, -Because
             line_pieces/2,              % +L, -Because
-            decided_by/2                % +Decision, -By
+            decided_by/2,               % +Decision, -By
+            leaf_corners/3              % +S, +P, -Triangle
           ]).
 :- use_module(decision, [decision/4]).
 :- use_module(exact, [origin_exact/4, vertex_exact/5, vertex_side/4]).
@@ -195,6 +196,13 @@ place_fact(S-P, t(S, P, T, A, B, C)) :-
     ->  leaf_t(S, P, T, A, B, C)
     ;   t(S, P, T, A, B, C)
     ).
+
+%!  leaf_corners(+S, +P, -Triangle) is nondet.
+%
+%   Triangle = S-(A,B,C) is one of those that polygon P of S had before any cut.
+
+leaf_corners(S, P, S-(A,B,C)) :-
+    place_fact(S-P, t(_, _, _, A, B, C)).
 
 leaf_list(S, P, Es) :-
     (   leaf_p(S, P, Es0)

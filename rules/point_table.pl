@@ -4,7 +4,7 @@
 :- use_module(chain, [chain_length/2]).
 :- use_module(contact, [line_end/4, contact_kind/3]).
 :- use_module(exact, [vertex_exact/5]).
-:- use_module(explain, [statement_text/2]).
+:- use_module(explain, [statement_text/2, contact_statement/3]).
 :- use_module(explain_words, [exact_text/3]).
 :- use_module(query, [print_table/2]).
 :- use_module(store, [v/5, line/9]).
@@ -159,12 +159,12 @@ print_chain(C, Chain, Options) :-
     print_table([point, v1, v2, x, y, z, contact], Rows).
 
 printed_row(Options, Seat1, Seat2, [V1,V2,X,Y,Z,Words]) :-
-    Seat1 = seat(_, V1, Place1),
-    Seat2 = seat(_, V2, Place2),
+    Seat1 = seat(_, V1, _),
+    Seat2 = seat(_, V2, _),
     coordinates(Options, Seat1, Coordinates),
     maplist(readable, Coordinates, [X,Y,Z]),
-    contact_kind(Place1, Place2, Kind),
-    statement_text(contact(Kind, Seat1, Seat2), Words).
+    contact_statement(Seat1, Seat2, Statement),
+    statement_text(Statement, Words).
 
 %   To 15 digits, so that 0.1+0.2 is 0.3.
 

@@ -15,6 +15,7 @@
 :- use_module(rules(model_file)).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).
+:- use_module(tests('rules/grid_model')).
 :- use_module(rules(triangulation)).
 
 /* Explanations of hand-made contacts of every kind; what must hold of the
@@ -97,30 +98,57 @@ boxes(Seed) :-
     complete_segments,
     penetrate.
 
-%   bad_line(-Fault): a line whose explanation does not hold: an end whose
-%   features are not those of its polygons or not where it is, or pieces that
-%   do not cover it.
+%   shapes(+Seed): three solids or sheets on the integer grid of grid_model.pl,
+%   penetrated.
 
-bad_line(L-no_ends) :-
-    line(L, _, _, _, _, _, _, _, _),
-    aggregate_all(count, said(line(L), contact(_, _, _)), N),
+shapes(Seed) :-
+    set_random(seed(Seed)),
+    random_map(Map),
+    forall(between(1, 3, S),
+           ( random_shape(Shape0),
+             mapped_shape(Map, Shape0, Shape),
+             add_shape(S, Shape) )),
+    complete_segments,
+    penetrate.
+
+%   bad_line(-Fault): a line whose explanation does not hold: an end whose
+%   features are not where it is, a side that proves nothing, or pieces that do
+%   not reach from end to end.
+
+bad_line(L-Fault) :-
+    explanation(line(L), [because(_, Because)]),
+    bad_reason(L, Because, Fault).
+
+bad_reason(_, Because, no_ends(N)) :-
+    aggregate_all(count, ( member(because(point(_,_,_,_,_,_), Facts), Because),
+                           memberchk(because(contact(_,_,_), _), Facts) ),
+                  N),
     N =\= 2.
-bad_line(L-wrong_polygon(S, P)) :-
-    line(L, S1, P1, _, _, S2, P2, _, _),
-    line_end(L, _, Seat1, Seat2),
-    member(seat(S,_,face(P,_)), [Seat1,Seat2]),
-    \+ memberchk(S-P, [S1-P1, S2-P2]).
-bad_line(L-side(S, V)) :-
-    said(line(L), side(S, V, _, on, _)).
-bad_line(L-one_side) :-
-    explanation(line(L), Because),
+bad_reason(_, Because, Seat) :-
+    sub_term(because(contact(_, Seat1, Seat2), _), Because),
+    member(Seat, [Seat1,Seat2]),
+    bad_seat(Seat).
+bad_reason(_, Because, one_side(Facts)) :-
     sub_term(because(contact('edge-face', _, _), Facts), Because),
-    memberchk(because(side(_, _, _, Side, _), _), Facts),
-    \+ ( member(because(side(_, _, _, Other, _), _), Facts),
-         Other \== Side ).
-bad_line(L-no_pieces) :-
-    line(L, _, _, _, _, _, _, _, _),
-    \+ said(line(L), pieces(_, _)).
+    findall(Side, member(because(side(_,_,_,Side,_), _), Facts), Sides0),
+    sort(Sides0, Sides),
+    Sides \== [above,below].
+bad_reason(_, Because, no_pieces) :-
+    \+ memberchk(because(pieces(_, _), _), Because).
+
+%   The vertex is, exactly, on the line of its edge, between its ends; or on
+%   the plane of its triangle.
+
+bad_seat(seat(S, V, edge(A, B))) :-
+    once(vertex_exact(S, V, X, Y, Z)),
+    once(vertex_exact(S, A, Xa, Ya, Za)),
+    once(vertex_exact(S, B, Xb, Yb, Zb)),
+    \+ ( (X-Xa)*(Yb-Ya) =:= (Y-Ya)*(Xb-Xa),
+         (Y-Ya)*(Zb-Za) =:= (Z-Za)*(Yb-Ya),
+         (Z-Za)*(Xb-Xa) =:= (X-Xa)*(Zb-Za),
+         (X-Xa)*(Xb-X) + (Y-Ya)*(Yb-Y) + (Z-Za)*(Zb-Z) > 0 ).
+bad_seat(seat(S, V, face(_, triangle(A, B, C)))) :-
+    \+ vertex_side(S, V, S-(A,B,C), on).
 
 %   What touches but for rounding says so, with the features of the model.
 
@@ -313,6 +341,11 @@ test(three_planes) :-
 test(random_boxes, forall(between(1, 10, Seed))) :-
     new_world(World),
     in_world(World, ( boxes(Seed), findall(F, bad_line(F), Faults) )),
+    assertion(Seed-Faults == Seed-[]).
+
+test(grid_models, forall(between(1, 40, Seed))) :-
+    new_world(World),
+    in_world(World, ( shapes(Seed), findall(F, bad_line(F), Faults) )),
     assertion(Seed-Faults == Seed-[]).
 
 test(text, Lines == ["line 1: polygon 1 of segment 1 (sheet) meets polygon 1 \c
