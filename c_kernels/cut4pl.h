@@ -31,6 +31,7 @@ typedef struct sg_cut_handle {
   sg_key_table line_of;                /* segment, two points -> line */
   sg_key_table edge_type;  /* segment, polygon, two vertices -> Et */
   sg_key_table edges_read; /* segment, polygon: its edges are in edge_type */
+  bool grouped;            /* its polygons are listed, its points have names */
   bool closed;
 } sg_cut_handle;
 
@@ -42,6 +43,9 @@ int sg_get_cut_set_ex(term_t t, sg_cut_handle **out);
 int sg_cut_open_ex(sg_cut_handle *handle, term_t pairs);
 void sg_cut_open_clear(sg_cut_handle *handle);
 int sg_cut_join_ex(sg_cut_handle *handle);
+
+/* What made a point, as in origin/3 (line4pl.c). */
+int sg_unify_origin(term_t t, const sg_cut_points *points, uint32_t point);
 
 /* An sg_is_real for the set of this handle (cut_real4pl.c). */
 int sg_cut_is_real(void *handle, uint32_t triangle, int edge);

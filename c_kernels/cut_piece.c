@@ -389,6 +389,39 @@ sg_cut_set_join(sg_cut_set *set, uint32_t point)
   set->degree[point] = 0;
 }
 
+static void
+forget_gone(const sg_cut_set *set, sg_split_edge *edge)
+{
+  size_t kept = 0;
+
+  for (size_t i = 0; i < edge->n; i++) {
+    if (!set->gone[edge->point[i]]) {
+      edge->point[kept++] = edge->point[i];
+    }
+  }
+  edge->n = kept;
+}
+
+bool
+sg_cut_set_settle(sg_cut_set *set)
+{
+  size_t pieces = set->pieces;
+
+  for (size_t i = 0; i < set->edges; i++) {
+    forget_gone(set, &set->edge[i]);
+  }
+  sg_key_table_clear(&set->piece_number);
+  set->pieces = 0;
+  for (size_t i = 0; i < pieces; i++) {
+    sg_cut_piece piece = set->piece[i]; /* its place may be written again */
+
+    if (piece.live && !sg_cut_add_piece(set, &piece)) {
+      return false;
+    }
+  }
+  return sg_cut_set_link(set);
+}
+
 uint32_t
 sg_cut_set_find(const sg_cut_set *set, int32_t s1, int32_t s2, uint32_t a,
                 uint32_t b)

@@ -6,9 +6,11 @@
  *                        known by their features and the real edges they split
  *   sg_cut_set_seal()    real edges are ordered, cuts that run along them are
  *                        divided where they are, equal ones become one PIECE
+ *   sg_cut_set_joint(), sg_cut_set_join()   straight runs become one piece
+ *   sg_cut_set_settle()  now the pieces are the lines, if polygons are flat
+ *   sg_cut_set_group()   the polygons that they enter, and whose edges split
  *   sg_cut_set_split()   while pieces enter polygons, some meet others
  *   sg_cut_set_agree()   what was split in one polygon is split everywhere
- *   sg_cut_set_joint(), sg_cut_set_join()   straight runs become one piece
  *
  * A piece belongs to two segments, smaller number first. In each it runs
  * through the face of a polygon (it will be a seam there) or along a real
@@ -105,7 +107,7 @@ bool sg_cut_set_agree(sg_cut_set *set);
 sg_made sg_cut_set_crossing(const sg_cut_set *set, const sg_cut_piece *k,
                             const sg_cut_piece *l);
 
-/* Makes ready for joints, after sg_cut_set_agree(). */
+/* Makes ready for joints, after sg_cut_set_seal() and sg_cut_set_agree(). */
 bool sg_cut_set_link(sg_cut_set *set);
 /* True if exactly two pieces end in `point`, both carried by the same two
  * polygons or edges (so they are in line), and no other real edge is there:
@@ -118,6 +120,10 @@ bool sg_cut_set_joint(const sg_cut_set *set, uint32_t point, uint32_t *k,
 bool sg_cut_set_is_straight(const sg_cut_set *set, uint32_t k, uint32_t l);
 /* Makes one piece of the two at a joint: k grows, l is no longer live. */
 void sg_cut_set_join(sg_cut_set *set, uint32_t point);
+/* After joints, before polygons: only living pieces are left, numbered anew in
+ * the same order, and points that were joined away are no longer on edges.
+ * Makes ready for joints. False: no memory. */
+bool sg_cut_set_settle(sg_cut_set *set);
 
 /* The piece of segment s between two points, whichever way round, with the
  * smallest number; SG_NO_KEY: none. For pieces that live. */

@@ -5,30 +5,47 @@
 #include "cut4pl.h"
 
 #include "glue.h"
-#include "work4pl.h"
 
 #include "../engine/install.h"
 
 #include <stdlib.h>
+
+static functor_t functor_piece4, functor_joint3, functor_minus2, functor_comma2,
+    functor_v2, functor_lpi2, functor_ll2, functor_tpi3, functor_vertex6;
+static atom_t atom_straight, atom_near;
 
 /* ---- joints ---- */
 
 static int
 unify_piece(term_t t, const sg_cut_piece *piece)
 {
-  return PL_unify_term(t, PL_FUNCTOR_CHARS, "piece", 4, PL_INT, piece->s[0],
+  return PL_unify_term(t, PL_FUNCTOR, functor_piece4, PL_INT, piece->s[0],
                        PL_INT, piece->p[0], PL_INT, piece->s[1], PL_INT,
                        piece->p[1]);
 }
 
+static int
+get_how_ex(term_t t, bool *straight)
+{
+  atom_t how;
+
+  if (!PL_get_atom_ex(t, &how)) {
+    return FALSE;
+  }
+  *straight = how == atom_straight;
+  return how == atom_straight || how == atom_near ||
+         PL_domain_error("joint", t);
+}
+
 static foreign_t
-cut_joints(term_t t, term_t list)
+cut_joints(term_t t, term_t how, term_t list)
 {
   sg_cut_handle *handle;
+  bool straight;
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
   term_t piece = PL_new_term_refs(2);
 
-  if (!sg_get_cut_set_ex(t, &handle)) {
+  if (!sg_get_cut_set_ex(t, &handle) || !get_how_ex(how, &straight)) {
     return FALSE;
   }
   const sg_cut_set *set = &handle->set;
@@ -36,7 +53,8 @@ cut_joints(term_t t, term_t list)
   for (uint32_t i = 0; i < set->linked; i++) {
     uint32_t k, l;
 
-    if (!sg_cut_set_joint(set, i, &k, &l)) {
+    if (!sg_cut_set_joint(set, i, &k, &l) ||
+        sg_cut_set_is_straight(set, k, l) != straight) {
       continue;
     }
     PL_put_variable(piece);
@@ -44,9 +62,7 @@ cut_joints(term_t t, term_t list)
     if (!unify_piece(piece, &set->piece[k]) ||
         !unify_piece(piece + 1, &set->piece[l]) ||
         !PL_unify_list(tail, head, tail) ||
-        !PL_unify_term(head, PL_FUNCTOR_CHARS, "joint", 4, PL_INT, (int)i,
-                       PL_CHARS,
-                       sg_cut_set_is_straight(set, k, l) ? "straight" : "near",
+        !PL_unify_term(head, PL_FUNCTOR, functor_joint3, PL_INT, (int)i,
                        PL_TERM, piece, PL_TERM, piece + 1)) {
       return FALSE;
     }
@@ -84,6 +100,16 @@ cut_join(term_t t, term_t point)
   return TRUE;
 }
 
+/* After the straight joints: the points joined away are forgotten. */
+static foreign_t
+cut_settle(term_t t)
+{
+  sg_cut_handle *handle;
+
+  return sg_get_cut_set_ex(t, &handle) &&
+         (sg_cut_set_settle(&handle->set) || sg_no_memory());
+}
+
 static bool
 is_gone(const sg_cut_set *set, uint32_t point)
 {
@@ -104,30 +130,6 @@ cut_name(term_t t, term_t point, term_t s, term_t name)
   }
   v = sg_cut_points_name(&handle->set.points, number, segment);
   return v != 0 && PL_unify_integer(name, v);
-}
-
-static foreign_t
-cut_gone(term_t t, term_t work_term, term_t s, term_t list)
-{
-  sg_cut_handle *handle;
-  sg_work *work;
-  int32_t segment;
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-
-  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &segment) ||
-      !sg_get_work_ex(work_term, &work)) {
-    return FALSE;
-  }
-  for (int32_t i = 0; i < sg_work_vertices(work); i++) {
-    int32_t name = sg_work_id(work, i);
-    uint32_t point = sg_cut_points_named(&handle->set.points, segment, name);
-
-    if (point != SG_NO_KEY && is_gone(&handle->set, point) &&
-        (!PL_unify_list(tail, head, tail) || !PL_unify_integer(head, name))) {
-      return FALSE;
-    }
-  }
-  return PL_unify_nil(tail);
 }
 
 /* ---- lines ---- */
@@ -214,8 +216,8 @@ put_edge(term_t t, int32_t s, int32_t a, int32_t b)
   int32_t low = a < b ? a : b, high = a < b ? b : a;
 
   return PL_put_variable(t) &&
-         PL_unify_term(t, PL_FUNCTOR_CHARS, "-", 2, PL_INT, s, PL_FUNCTOR_CHARS,
-                       ",", 2, PL_INT, low, PL_INT, high);
+         PL_unify_term(t, PL_FUNCTOR, functor_minus2, PL_INT, s, PL_FUNCTOR,
+                       functor_comma2, PL_INT, low, PL_INT, high);
 }
 
 /* S-(A,B) for an edge, S-(A,B,C) for a leaf triangle. */
@@ -228,10 +230,10 @@ put_place(term_t t, const sg_cut_model *model, const sg_place *place)
     const uint32_t *v = model->triangle[place->a].v;
 
     return PL_put_variable(t) &&
-           PL_unify_term(
-               t, PL_FUNCTOR_CHARS, "-", 2, PL_INT, s, PL_FUNCTOR_CHARS, ",", 2,
-               PL_INT, model->vertex[v[0]].v, PL_FUNCTOR_CHARS, ",", 2, PL_INT,
-               model->vertex[v[1]].v, PL_INT, model->vertex[v[2]].v);
+           PL_unify_term(t, PL_FUNCTOR, functor_minus2, PL_INT, s, PL_FUNCTOR,
+                         functor_comma2, PL_INT, model->vertex[v[0]].v,
+                         PL_FUNCTOR, functor_comma2, PL_INT,
+                         model->vertex[v[1]].v, PL_INT, model->vertex[v[2]].v);
   }
   return put_edge(t, s, model->vertex[place->a].v, model->vertex[place->b].v);
 }
@@ -276,8 +278,8 @@ order_places(const sg_cut_model *model, sg_made *made)
   }
 }
 
-static int
-unify_origin(term_t t, const sg_cut_points *points, uint32_t point)
+int
+sg_unify_origin(term_t t, const sg_cut_points *points, uint32_t point)
 {
   const sg_cut_model *model = points->model;
   const sg_place *vertex = first_vertex(points, point);
@@ -285,7 +287,7 @@ unify_origin(term_t t, const sg_cut_points *points, uint32_t point)
   term_t place = PL_new_term_refs(3);
 
   if (vertex) {
-    return PL_unify_term(t, PL_FUNCTOR_CHARS, "v", 2, PL_INT,
+    return PL_unify_term(t, PL_FUNCTOR, functor_v2, PL_INT,
                          model->vertex[vertex->a].s, PL_INT,
                          model->vertex[vertex->a].v);
   }
@@ -296,12 +298,13 @@ unify_origin(term_t t, const sg_cut_points *points, uint32_t point)
     }
   }
   if (made.n == 3) {
-    return PL_unify_term(t, PL_FUNCTOR_CHARS, "tpi", 3, PL_TERM, place, PL_TERM,
+    return PL_unify_term(t, PL_FUNCTOR, functor_tpi3, PL_TERM, place, PL_TERM,
                          place + 1, PL_TERM, place + 2);
   }
   if (made.n == 2) {
-    return PL_unify_term(t, PL_FUNCTOR_CHARS,
-                         made.place[1].kind == SG_ON_FACE ? "lpi" : "ll", 2,
+    return PL_unify_term(t, PL_FUNCTOR,
+                         made.place[1].kind == SG_ON_FACE ? functor_lpi2
+                                                          : functor_ll2,
                          PL_TERM, place, PL_TERM, place + 1);
   }
   return PL_unify_atom_chars(t, "crossing");
@@ -314,10 +317,10 @@ unify_vertex(term_t t, const sg_cut_points *points, uint32_t point,
   term_t origin = PL_new_term_ref();
   const double *p = points->point[point].at.p;
 
-  return unify_origin(origin, points, point) &&
-         PL_unify_term(t, PL_FUNCTOR_CHARS, "vertex", 6, PL_INT, seat->s,
-                       PL_INT, seat->v, PL_DOUBLE, p[0] + 0.0, PL_DOUBLE,
-                       p[1] + 0.0, PL_DOUBLE, p[2] + 0.0, PL_TERM, origin);
+  return sg_unify_origin(origin, points, point) &&
+         PL_unify_term(t, PL_FUNCTOR, functor_vertex6, PL_INT, seat->s, PL_INT,
+                       seat->v, PL_DOUBLE, p[0] + 0.0, PL_DOUBLE, p[1] + 0.0,
+                       PL_DOUBLE, p[2] + 0.0, PL_TERM, origin);
 }
 
 /* All vertices that are new: vertex(S, V, X, Y, Z, Origin). */
@@ -391,10 +394,10 @@ cut_split_edges(term_t t, term_t s, term_t list)
 }
 
 static const PL_extension predicates[] = {
-    {"cut_joints", 2, cut_joints, 0},
+    {"cut_joints", 3, cut_joints, 0},
     {"cut_join", 2, cut_join, 0},
+    {"cut_settle", 1, cut_settle, 0},
     {"cut_name", 4, cut_name, 0},
-    {"cut_gone", 4, cut_gone, 0},
     {"cut_lines", 2, cut_lines, 0},
     {"cut_line", 5, cut_line, 0},
     {"cut_vertices", 2, cut_vertices, 0},
@@ -405,5 +408,16 @@ static const PL_extension predicates[] = {
 void
 sg_install_line(void)
 {
+  functor_piece4 = PL_new_functor(PL_new_atom("piece"), 4);
+  functor_joint3 = PL_new_functor(PL_new_atom("joint"), 3);
+  functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
+  functor_comma2 = PL_new_functor(PL_new_atom(","), 2);
+  functor_v2 = PL_new_functor(PL_new_atom("v"), 2);
+  functor_lpi2 = PL_new_functor(PL_new_atom("lpi"), 2);
+  functor_ll2 = PL_new_functor(PL_new_atom("ll"), 2);
+  functor_tpi3 = PL_new_functor(PL_new_atom("tpi"), 3);
+  functor_vertex6 = PL_new_functor(PL_new_atom("vertex"), 6);
+  atom_straight = PL_new_atom("straight");
+  atom_near = PL_new_atom("near");
   PL_register_extensions_in_module("sg_kernel", predicates);
 }

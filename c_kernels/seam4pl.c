@@ -121,19 +121,28 @@ cut_seal(term_t t)
 {
   sg_cut_handle *handle;
 
-  if (!sg_get_cut_set_ex(t, &handle)) {
-    return FALSE;
-  }
+  return sg_get_cut_set_ex(t, &handle) &&
+         ((sg_cut_set_seal(&handle->set) && sg_cut_set_link(&handle->set)) ||
+          sg_no_memory());
+}
+
+/* ---- the polygons ---- */
+
+/* Lists the polygons and names the points, once. */
+static int
+group_ex(sg_cut_handle *handle)
+{
   sg_cut_set *set = &handle->set;
 
-  if (!sg_cut_set_seal(set) || !sg_cut_set_link(set)) {
-    return sg_no_memory();
+  if (handle->grouped) {
+    return TRUE;
   }
   for (size_t i = 0; i < set->edges; i++) {
     if (set->edge[i].n > 0 && !add_neighbours_ex(handle, &set->edge[i])) {
       return FALSE;
     }
   }
+  handle->grouped = true;
   return (sg_cut_set_group(set) || sg_no_memory()) && name_all_ex(handle);
 }
 
@@ -143,7 +152,7 @@ cut_polygons(term_t t, term_t list)
   sg_cut_handle *handle;
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
 
-  if (!sg_get_cut_set_ex(t, &handle)) {
+  if (!sg_get_cut_set_ex(t, &handle) || !group_ex(handle)) {
     return FALSE;
   }
   for (size_t i = 0; i < handle->set.polygons; i++) {

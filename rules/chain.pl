@@ -1,10 +1,12 @@
 :- module(sg_chain,
           [ chains/1,                   % -Chains
+            chains_by_rule/1,           % -Chains
             chain/5,                    % ?C, ?S1, ?S2, ?Kind, ?Lines
             chain_vertices/3,           % +Lines, +S, -Vs
             chain_points/2,             % +Lines, -Points
             chain_length/2              % +Lines, -Length
           ]).
+:- use_module(kernel, [line_chains/1]).
 :- use_module(store, [v/5, line/9]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
@@ -31,9 +33,17 @@ line at one, then the others from their smallest line, in its direction.
 %!  chains(-Chains:list) is det.
 %
 %   Chains is a list of chain(S1, S2, Kind, Lines), by S1 and S2, then in the
-%   order above; Kind is `open` or `closed`. In near-linear time.
+%   order above; Kind is `open` or `closed`. Through the fused kernel, in
+%   linear time but for sorting.
 
 chains(Chains) :-
+    line_chains(Chains).
+
+%!  chains_by_rule(-Chains:list) is det.
+%
+%   The same by the rule; tests/rules/chain.plt holds the two together.
+
+chains_by_rule(Chains) :-
     findall(S1-S2, line(_, S1, _, _, _, S2, _, _, _), Pairs0),
     sort(Pairs0, Pairs),
     findall(Chain, ( member(S1-S2, Pairs), pair_chain(S1, S2, Chain) ),

@@ -34,12 +34,14 @@
             cut_note/5,               % +Set, +S, +V1, +V2, +X
             cut_between/6,            % +Set, +Work, +S, +V1, +V2, -X
             cut_divided/4,            % +Set, +Work, +S, -Divided
-            cut_agree/1,                % +Set
-            cut_late_polygons/2,        % +Set, -Polygons
-            cut_joints/2,             % +Set, -Joints
+            cut_agree/1,              % +Set
+            cut_late_polygons/2,      % +Set, -Polygons
+            cut_joints/3,             % +Set, +How, -Joints
             cut_join/2,               % +Set, +Point
+            cut_settle/1,             % +Set
+            cut_chains/2,             % +Set, -Chains
+            line_chains/1,            % -Chains
             cut_name/4,               % +Set, +Point, +S, -V
-            cut_gone/4,               % +Set, +Work, +S, -Vs
             cut_lines/2,              % +Set, -Lines
             cut_line/5,               % +Set, +S, +V1, +V2, -L
             cut_vertices/2,           % +Set, -Vertices
@@ -470,13 +472,14 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %!  cut_seal(+Set) is det.
 %
 %   When all cuts are entered: orders the points on each real edge, divides
-%   the cuts that run along it, makes equal cuts one piece, and names every
-%   point in its segments. The pieces have numbers K, 0, 1, ...
+%   the cuts that run along it, and makes equal cuts one piece. The pieces have
+%   numbers K, 0, 1, ...
 
 %!  cut_polygons(+Set, -Polygons) is det.
 %
 %   Polygons is the list of S-P, ascending, of all polygons that pieces enter
-%   or whose edges are split.
+%   or whose edges are split. The first call also names every point in its
+%   segments.
 
 %!  cut_entering(+Set, +S, +P, -Pieces) is det.
 %
@@ -521,13 +524,13 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 
 /* - - - line4pl.c: lines - - - */
 
-%!  cut_joints(+Set, -Joints) is det.
+%!  cut_joints(+Set, +How, -Joints) is det.
 %
-%   Joints is the list of joint(Point, How, Piece1, Piece2): exactly two
-%   pieces end in Point, they are in line, and no other real edge is there. How
-%   is `straight` if they are on one line exactly, `near` if only within the
-%   tolerance to which their polygons are flat. A piece is
-%   piece(S1, P1, S2, P2). To be asked after cut_agree/1.
+%   Joints is the list of joint(Point, Piece1, Piece2): exactly two pieces end
+%   in Point, they are in line, and no other real edge is there. How is
+%   `straight` for those on one line exactly, `near` for those that are only
+%   within the tolerance to which their polygons are flat. A piece is
+%   piece(S1, P1, S2, P2). To be asked after cut_seal/1 or cut_agree/1.
 
 %!  cut_join(+Set, +Point) is det.
 %
@@ -535,14 +538,14 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %
 %   @error domain_error(joint, Point)
 
+%!  cut_settle(+Set) is det.
+%
+%   After joints and before cut_polygons/2: forgets the points that were joined
+%   away; K is numbered anew.
+
 %!  cut_name(+Set, +Point, +S, -V) is semidet.
 %
 %   Point is vertex V of segment S.
-
-%!  cut_gone(+Set, +Work, +S, -Vs) is det.
-%
-%   Vs are the vertices of Work, a scratch relation of segment S, at which
-%   pieces were joined.
 
 %!  cut_lines(+Set, -Lines) is det.
 %
@@ -556,6 +559,15 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %!  cut_vertices(+Set, -Vertices) is det.
 %
 %   Vertices is the list of vertex(S, V, X, Y, Z, Origin) that are new.
+
+%!  cut_chains(+Set, -Chains) is det.
+%
+%   Chains is the list of chain(S1, S2, Kind, Points, Polygons), as in
+%   penetration.pl, penetration_chains/2, of the pieces that Set has now.
+
+%!  line_chains(-Chains) is det.
+%
+%   As chain.pl, chains_by_rule/1.
 
 %!  cut_split_edges(+Set, +S, -Splits) is det.
 %

@@ -4,19 +4,21 @@
             penetrate/2,                % +Pairs, +Options
             may_cut/2,                  % +S1, +S2
             merge_line/2,               % +Piece1, +Piece2
+            penetration_chains/1,       % -Chains
+            penetration_chains/3,       % +Pairs, +Options, -Chains
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
 :- use_module(decision, [decision/2]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3,
-                cut_find/1, curve_candidate/3, cut_side/4, cut_enter/4,
-                curve_enter/4,
-                cut_triangle/5, near_segments/3, cut_ends/4, cut_seal/1, cut_polygons/2,
-                cut_entering/4, cut_work/4, cut_crossing/8, cut_note/5,
-                cut_between/6, cut_divided/4, cut_agree/1,
-                cut_late_polygons/2, cut_joints/2,
-                cut_join/2, cut_name/4, cut_gone/4, cut_lines/2, cut_line/5,
-                cut_vertices/2, cut_split_edges/3,
+                curve_candidate/3, cut_find/1, cut_side/4, cut_enter/4,
+                curve_enter/4, cut_triangle/5, cut_ends/4,
+                near_segments/3, cut_seal/1,
+                cut_joints/3, cut_join/2, cut_settle/1, cut_chains/2,
+                cut_polygons/2, cut_entering/4, cut_work/4, cut_crossing/8,
+                cut_note/5, cut_between/6, cut_divided/4, cut_agree/1,
+                cut_late_polygons/2, cut_name/4, cut_lines/2, cut_line/5, cut_vertices/2,
+                cut_split_edges/3,
                 model_tolerance/1,
                 work_add/6, work_delete/2, work_edge/6, work_meeting/6,
                 work_resolve/2, work_close/1
@@ -33,8 +35,8 @@
                 facts_snapshot/1, facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [work_triangles/2]).
-:- autoload(library(apply), [exclude/3, foldl/4, include/3, maplist/2, maplist/3,
-                             partition/4]).
+:- autoload(library(apply), [exclude/3, foldl/4, include/3, maplist/2,
+                             maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
 :- autoload(library(lists), [append/3, last/2, member/2, reverse/2]).
@@ -123,7 +125,21 @@ penetrate(Pairs) :-
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
 %          polygon P cannot be triangulated
 
-penetrate(Pairs0, Options) :-
+penetrate(Which, Options) :-
+    touching(Options, Tolerance),
+    pairs_to_cut(Which, Tolerance, Pairs),
+    facts_transaction(sg_penetration:penetrated_leaves(Pairs, Tolerance)).
+
+pairs_to_cut(all, Tolerance, Pairs) :-
+    !,
+    findall(S1-S2,
+            ( near_segments(Tolerance, S1, S2),
+              may_cut(S1, S2)
+            ),
+            Pairs).
+pairs_to_cut(Pairs, _, Pairs).
+
+touching(Options, Tolerance) :-
     (   option(tolerance(Tolerance), Options)
     ->  must_be(number, Tolerance),
         (   Tolerance >= 0
@@ -131,16 +147,7 @@ penetrate(Pairs0, Options) :-
         ;   domain_error(not_less_than_zero, Tolerance)
         )
     ;   model_tolerance(Tolerance)
-    ),
-    (   Pairs0 == all
-    ->  findall(S1-S2,
-                ( near_segments(Tolerance, S1, S2),
-                  may_cut(S1, S2)
-                ),
-                Pairs)
-    ;   Pairs = Pairs0
-    ),
-    facts_transaction(sg_penetration:penetrated_leaves(Pairs, Tolerance)).
+    ).
 
 %   Cuts are taken between leaves (leaf.pl): where Pairs meet, what earlier
 %   cuts made is taken back, and all are taken at once.
@@ -162,6 +169,7 @@ penetrated_again(Met, Tolerance) :-
     penetrated(All, Tolerance).
 
 %   met_leaves(+Earlier, +Pairs, -Met): those of Pairs with leaves that meet.
+%   Points have names only when the polygons are known.
 
 met_leaves(Earlier, Pairs, Met) :-
     leaves_restored(Earlier),
@@ -170,6 +178,7 @@ met_leaves(Earlier, Pairs, Met) :-
         ( cut_find(Set),
           find_curve_points(Set),
           cut_seal(Set),
+          cut_polygons(Set, _),
           findall(Pair, met_pair(Set, Pair), Met0)
         ),
         cut_set_close(Set)),
@@ -186,7 +195,7 @@ met_pair(Set, S1-S2) :-
     msort([S,Other], [S1,S2]).
 
 penetrated(Pairs, Tolerance) :-
-    with_cut_set(Pairs, resolved(Tolerance, Resolved)),
+    with_cut_set(Pairs, resolved(arranged, Tolerance, Resolved)),
     (   Resolved == true
     ->  with_cut_set(Pairs, arranged),
         resolved_seams
@@ -201,35 +210,100 @@ with_cut_set(Pairs, Goal) :-
         call(Goal, Pairs, Set),
         cut_set_close(Set)).
 
-%   If contacts had to be made, the arrangement starts from what that made.
+%   If contacts had to be made, what comes Next starts from what that made.
 
-resolved(Tolerance, Resolved, Pairs, Set) :-
+resolved(Next, Tolerance, Resolved, Pairs, Set) :-
     (   stage(resolve, resolve_contacts(Set, Tolerance))
     ->  Resolved = true
     ;   Resolved = false,
-        arranged(Pairs, Set)
+        call(Next, Pairs, Set)
     ).
 
 arranged(Pairs, Set) :-
-    stage(rules, penetrated_(Pairs, Set)).
+    stage(rules, ( find_lines(Set),
+                   enter_lines(Set),
+                   split_curves(Pairs, Set)
+                 )).
 
-penetrated_(Pairs, Set) :-
+%!  penetration_chains(-Chains:list) is det.
+%!  penetration_chains(+Pairs, +Options:list, -Chains:list) is det.
+%
+%   Chains are the penetration lines that penetrate/0 (or penetrate/2) would
+%   enter, in order; the world stays as it is. A list of
+%
+%       chain(S1, S2, Kind, Points, Polygons)
+%
+%   where Kind is `open` or `closed`, Points are the point(X, Y, Z, Origin) from
+%   end to end (of a closed one the last is the first again), and Polygons the
+%   P1-P2 of each piece from one point to the next, polygons of S1 and S2.
+%   Origin is as in origin/3. The order is that of chains/1.
+%
+%   This is the first stage of penetrate/1. Entering the lines into polygons may
+%   still divide them, where lines of three segments meet, and keeps joints that
+%   are only nearly straight (polygons are flat within a tolerance) where the
+%   straight edge would meet another.
+
+penetration_chains(Chains) :-
+    penetration_chains(all, [], Chains).
+
+penetration_chains(Which, Options, Chains) :-
+    touching(Options, Tolerance),
+    pairs_to_cut(Which, Tolerance, Pairs),
+    facts_snapshot(
+        sg_penetration:chains_of_leaves(Pairs, Tolerance, Chains)).
+
+chains_of_leaves(Pairs, Tolerance, Chains) :-
+    earlier_cuts(Pairs, Earlier),
+    (   Earlier == []
+    ->  true
+    ;   leaves_restored(Earlier)
+    ),
+    with_cut_set(Pairs, resolved(chained(Chains), Tolerance, Resolved)),
+    (   Resolved == true
+    ->  with_cut_set(Pairs, chained(Chains))
+    ;   true
+    ).
+
+chained(Chains, _, Set) :-
+    stage(rules, ( find_lines(Set),
+                   merge_joints(Set, near),
+                   stage(chain, cut_chains(Set, Chains))
+                 )).
+
+find_lines(Set) :-
     stage(join, cut_find(Set)),
     stage(join, find_curve_points(Set)),
     stage(join, cut_seal(Set)),
+    merge_joints(Set, straight).
+
+merge_joints(Set, How) :-
+    stage(join, cut_joints(Set, How, Joints)),
+    stage(rules, include(is_merged, Joints, Merged)),
+    stage(join, settle(Set, Merged)).
+
+settle(Set, Joints) :-
+    (   Joints == []
+    ->  true
+    ;   maplist(join(Set), Joints),
+        cut_settle(Set)
+    ).
+
+enter_lines(Set) :-
     cut_polygons(Set, Polygons),
-    leaves_kept(Polygons),
+    stage(write, leaves_kept(Polygons)),
     setup_call_cleanup(
         true,
-        ( maplist(enter_cuts(Set), Polygons, Works0),
-          agree(Set, Works0, Works),
-          merge_lines(Set, Works),
-          write_vertices(Set),
-          write_lines(Set),
-          maplist(write_polygon(Set), Works)
+        ( stage(enter, enter_polygons(Set, Polygons, Works)),
+          stage(write, write_vertices(Set)),
+          stage(write, write_lines(Set)),
+          stage(write, maplist(write_polygon(Set), Works))
         ),
-        ( ground(Works) -> maplist(close_work, Works) ; true )),
-    split_curves(Pairs, Set).
+        ( ground(Works) -> maplist(close_work, Works) ; true )).
+
+enter_polygons(Set, Polygons, Works) :-
+    maplist(enter_cuts(Set), Polygons, Works0),
+    agree(Set, Works0, Works),
+    merge_near_lines(Set, Works).
 
 close_work(work(_, _, Work)) :-
     work_close(Work).
@@ -429,42 +503,31 @@ agree_polygon(Set, work(S, P, Work)) :-
 
 /* - - - 5.3: straight parts become one - - - */
 
-%   Joints that are straight exactly are merged all at once. The others, in
-%   polygons flat within the tolerance only, are merged one by one, where the
-%   new edge meets nothing.
+%   Joints that are straight exactly are merged all at once, before anything
+%   enters a polygon; there, lines may cross and be divided again. The others,
+%   in polygons flat within the tolerance only, are merged one by one at the
+%   end, where the new edge meets nothing.
 
-merge_lines(Set, Works) :-
-    cut_joints(Set, Joints),
-    include(is_merged, Joints, Merged),
-    partition(is_straight, Merged, Straight, Near),
-    maplist(join_straight(Set), Straight),
-    (   Straight == []
-    ->  true
-    ;   maplist(merge_polygon(Set), Works)
-    ),
-    (   Near == []
-    ->  true
-    ;   works_by_polygon(Works, ByPolygon),
-        maplist(merge_near(Set, ByPolygon), Near)
-    ).
-
-is_merged(joint(_, _, Piece1, Piece2)) :-
+is_merged(joint(_, Piece1, Piece2)) :-
     merge_line(Piece1, Piece2).
 
-is_straight(joint(_, straight, _, _)).
-
-join_straight(Set, joint(Point, _, _, _)) :-
+join(Set, joint(Point, _, _)) :-
     cut_join(Set, Point).
 
-merge_polygon(Set, work(S, _, Work)) :-
-    cut_gone(Set, Work, S, Vs),
-    maplist(merge_at(Work), Vs).
+merge_near_lines(Set, Works) :-
+    cut_joints(Set, near, Joints),
+    include(is_merged, Joints, Merged),
+    (   Merged == []
+    ->  true
+    ;   works_by_polygon(Works, ByPolygon),
+        maplist(merge_near(Set, ByPolygon), Merged)
+    ).
 
 works_by_polygon(Works, ByPolygon) :-
     findall(S-P-Work, member(work(S, P, Work), Works), Pairs),
     list_to_assoc(Pairs, ByPolygon).
 
-merge_near(Set, ByPolygon, joint(Point, _, piece(S1, P1, S2, P2), _)) :-
+merge_near(Set, ByPolygon, joint(Point, piece(S1, P1, S2, P2), _)) :-
     get_assoc(S1-P1, ByPolygon, Work1),
     get_assoc(S2-P2, ByPolygon, Work2),
     cut_name(Set, Point, S1, V1),

@@ -134,6 +134,25 @@ corner_in(void)
   sg_cut_set_clear(&set);
 }
 
+/* The quads' chords leave points on lines and on edges; they are forgotten. */
+static void
+settled(void)
+{
+  sg_cut_set set;
+  size_t on_edges = 0;
+
+  CHECK("settled", two_boxes(&set, (double[3]){1, 0, 0}));
+  CHECK("settled: twelve edges", joined(&set) == 12);
+  CHECK("settled: done", sg_cut_set_settle(&set));
+  CHECK("settled: only the living", set.pieces == 12 && living(&set) == 12);
+  CHECK("settled: nothing to join", joined(&set) == 12);
+  for (size_t i = 0; i < set.edges; i++) {
+    on_edges += set.edge[i].n;
+  }
+  CHECK("settled: an end of a line on each edge that is split", on_edges == 8);
+  sg_cut_set_clear(&set);
+}
+
 static void
 face_on_face(void)
 {
@@ -238,6 +257,7 @@ int
 main(void)
 {
   corner_in();
+  settled();
   face_on_face();
   identical();
   only_a_corner();

@@ -1,6 +1,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
 :- use_module(library(apply)).
+:- use_module(library(random)).
 :- use_module(library(readutil)).
 :- use_module(rules(store)).
 :- use_module(rules(chain)).
@@ -46,6 +47,28 @@ written(Ends, Format, Text) :-
     with_lines(Ends,
                with_output_to(string(Text),
                               write_lines_to(current_output, Format, []))).
+
+%   Up to 15 lines between up to 9 vertices, some from a vertex to itself.
+
+random_ends(Ends) :-
+    random_between(0, 15, N),
+    random_between(2, 9, Most),
+    findall(A-B,
+            ( between(1, N, _),
+              random_between(1, Most, A),
+              random_between(1, Most, B) ),
+            Ends).
+
+%   Every other line again, backwards and between segments 1 and 3, with
+%   numbers that descend.
+
+third_segment(Ends) :-
+    assert_fact(segment(3, surface, three)),
+    forall(between(1, 9, V),
+           ( X is float(V), assert_fact(v(3, V, X, 0.0, 0.0)) )),
+    forall(( nth1(N, Ends, A-B), N mod 2 =:= 0 ),
+           ( L is 100-N,
+             assert_fact(line(L, 1, 1, B, A, 3, 1, B, A)) )).
 
 :- begin_tests(chain).
 
@@ -135,6 +158,17 @@ test(dxf_layers, Layers == ["PENETRATION_BRANCH","PENETRATION_CLOSED",
     split_string(Text, "\n", " ", Lines),
     findall(Layer, append(_, ["POLYLINE","8",Layer|_], Lines), Layers0),
     sort(Layers0, Layers).
+% The kernel gives what the rule gives, on random graphs of two pairs.
+test(by_rule, Bad == []) :-
+    set_random(seed(11)),
+    findall(Ends,
+            ( between(1, 400, _),
+              random_ends(Ends),
+              with_lines(Ends, ( third_segment(Ends),
+                                 chains(Kernel),
+                                 chains_by_rule(Rule) )),
+              Kernel \== Rule ),
+            Bad).
 test(empty_files, forall(line_format(Format))) :-
     written([], Format, _).
 test(unknown_format, error(domain_error(line_format, doc))) :-

@@ -350,8 +350,8 @@ test(grid_models, forall(between(1, 40, Seed))) :-
 
 test(text, Lines == ["line 1: polygon 1 of segment 1 (sheet) meets polygon 1 \c
                       of segment 2 (sheet)",
-                     "  starts at (1, 1, 0), vertex 6 of segment 1 and \c
-                      vertex 6 of segment 2"]) :-
+                     "  starts at (1, 1, 0), vertex 5 of segment 1 and \c
+                      vertex 5 of segment 2"]) :-
     floor(Floor),
     through(Other),
     with_pieces([Floor,Other], explained(line(1), Text)),

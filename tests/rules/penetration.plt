@@ -10,7 +10,7 @@
 :- use_module(rules(model_file)).
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_side/4,
-                cut_find/1, cut_seal/1, cut_polygons/2, cut_entering/4
+                cut_seal/1
               ]).
 :- use_module(rules(mesh)).
 :- use_module(rules(penetration)).
@@ -459,33 +459,6 @@ test(random_solids, Bad == []) :-
               catch(solids(Ps, _-Fs), E, Fs = [E]),
               Fs \== [] ),
             Bad).
-
-% The join: the kernel finds what the rules find, in the same order.
-test(join_by_rule, Bad == []) :-
-    findall(Seed,
-            ( between(1, 60, Seed),
-              random_solids(Seed, Ps),
-              found(cut_find, Ps, Kernel),
-              found(sg_penetration:find_cuts_by_rule, Ps, Rule),
-              Kernel \== Rule ),
-            Bad).
-
-:- meta_predicate found(1, +, -).
-
-found(Join, Primitives, Pieces) :-
-    new_world(World),
-    in_world(World,
-             ( forall(member(P, Primitives), add_primitive(P, _)),
-               complete_segments,
-               findall(S1-S2, ( segment(S1, _, _), segment(S2, _, _),
-                                S1 < S2 ), Pairs),
-               cut_set_open(Pairs, Set),
-               call(Join, Set),
-               cut_seal(Set),
-               findall(S-P-Vs, ( cut_polygons(Set, Polygons),
-                                 member(S-P, Polygons),
-                                 cut_entering(Set, S, P, Vs) ), Pieces),
-               cut_set_close(Set) )).
 
 % The order of the segments, and where the model stands, do not matter.
 test(swapped, Bad == []) :-

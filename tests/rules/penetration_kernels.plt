@@ -1,0 +1,132 @@
+:- use_module(library(plunit)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(random)).
+:- use_module(rules(store)).
+:- use_module(rules(chain)).
+:- use_module(rules(kernel),
+              [ cut_set_open/2, cut_set_close/1, cut_find/1, cut_seal/1,
+                cut_polygons/2, cut_entering/4
+              ]).
+:- use_module(rules(model_file)).
+:- use_module(rules(penetration)).
+:- use_module(rules(triangulation)).
+
+/* The fused kernels of a penetration against their rules: seeded random solids
+   on a coarse grid, where most contacts are degenerate, and in between. */
+
+%   with_solids(+Seed, :Goal): Goal holds in a new world with the solids of
+%   this seed: of an even one on the grid.
+
+:- meta_predicate with_solids(+, 0).
+
+with_solids(Seed, Goal) :-
+    set_random(seed(Seed)),
+    N is 2 + Seed mod 3,
+    findall(P, ( between(1, N, _), random_solid(Seed, P) ), Ps),
+    new_world(World),
+    in_world(World,
+             ( forall(member(P, Ps), add_primitive(P, _)),
+               complete_segments,
+               Goal )).
+
+random_solid(Seed, at([Turn, translate(X,Y,Z)], Shape)) :-
+    (   Seed mod 2 =:= 0
+    ->  findall(K, ( between(1, 3, _), random_between(0, 3, K0), K is K0/2.0 ),
+                [X,Y,Z]),
+        random_member(Turn, [rotate(z,0), rotate(x,90), rotate(y,180)])
+    ;   findall(K, ( between(1, 3, _), random(0.0, 1.5, K) ), [X,Y,Z]),
+        random(0.0, 360.0, Angle),
+        random_member(Axis, [x,y,z]),
+        Turn = rotate(Axis, Angle)
+    ),
+    findall(I, ( between(1, 3, _), random_between(1, 3, I) ), [A,B,C]),
+    random_member(Shape,
+                  [ box(size(A,B,C)), pyramid(base(A,B), height(C)),
+                    cylinder(radius(A), height(B), facets(4)),
+                    cylinder(radius(A), height(B), facets(7)),
+                    cone(radius(A), height(C), facets(5)),
+                    rectangle(size(A,B))
+                  ]).
+
+segment_pairs(Pairs) :-
+    findall(S1-S2, ( segment(S1, _, _), segment(S2, _, _), S1 < S2 ), Pairs).
+
+%   found(:Join, -Pieces): the pieces that enter polygons after this join.
+
+:- meta_predicate found(1, -).
+
+found(Join, Pieces) :-
+    segment_pairs(Pairs),
+    setup_call_cleanup(
+        cut_set_open(Pairs, Set),
+        ( call(Join, Set),
+          cut_seal(Set),
+          cut_polygons(Set, Polygons),
+          findall(S-P-Ks, ( member(S-P, Polygons),
+                            cut_entering(Set, S, P, Ks) ), Pieces)
+        ),
+        cut_set_close(Set)).
+
+%   line_shape(-Shape): the chains of line/9 as penetration_chains/1 has them.
+
+line_shape(Shape) :-
+    chains(Chains),
+    maplist(chain_shape, Chains, Shape).
+
+chain_shape(chain(S1, S2, Kind, Lines), chain(S1, S2, Kind, Points, Ps)) :-
+    chain_vertices(Lines, S1, Vs),
+    findall(point(X,Y,Z),
+            ( member(V, Vs), v(S1, V, X, Y, Z) ), Points),
+    findall(P1-P2,
+            ( member(Step, Lines),
+              L is abs(Step),
+              line(L, _, P1, _, _, _, P2, _, _) ), Ps).
+
+without_origins(chain(S1, S2, Kind, Points0, Ps),
+                chain(S1, S2, Kind, Points, Ps)) :-
+    findall(point(X,Y,Z), member(point(X,Y,Z,_), Points0), Points).
+
+:- begin_tests(penetration_kernels).
+
+test(join, Bad == []) :-
+    findall(Seed,
+            ( between(1, 200, Seed),
+              with_solids(Seed, found(cut_find, Kernel)),
+              with_solids(Seed,
+                          found(sg_penetration:find_cuts_by_rule, Rule)),
+              Kernel \== Rule ),
+            Bad).
+
+% Two segments: nothing that enters polygons changes the lines found before.
+test(chains_before_and_after, Bad == []) :-
+    findall(Seed,
+            ( between(1, 66, N),
+              Seed is 3*N,
+              with_solids(Seed,
+                          ( penetration_chains(Chains0),
+                            maplist(without_origins, Chains0, Chains),
+                            penetrate,
+                            line_shape(Shape) )),
+              Chains \== Shape ),
+            Bad).
+
+% Asking changes nothing; every point has an origin that names its segments.
+test(chain_of_a_corner, Kinds-N == [closed]-6) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(2,2,2)), _),
+               add_primitive(at([translate(1,1.25,0.75)], box(size(2,2,2))), _),
+               complete_segments,
+               penetration_chains(Chains),
+               \+ line(_, _, _, _, _, _, _, _, _) )),
+    findall(K, member(chain(1, 2, K, _, _), Chains), Kinds),
+    Chains = [chain(_, _, _, Points, Polygons)],
+    length(Polygons, N),
+    Points = [First|_],
+    last(Points, First),
+    forall(member(point(_,_,_,Origin), Points),
+           ( Origin =.. [How,S1-_,S2-_], memberchk(How, [lpi,ll]),
+             S1 \== S2 )).
+
+:- end_tests(penetration_kernels).
