@@ -12,7 +12,7 @@ check "which edge pierces which face" output \
 check "from which pieces" output 'merged from 2 cuts of triangles' \
   explain $cubes 'line(1)'
 check "every line" output 'line 6: ' explain $cubes 'line(L)'
-check "a vertex" output 'made by 3-7 of segment 1 through triangle' \
+check "a vertex" output 'made by 1-2 of segment 2 through triangle' \
   explain $cubes 'vertex(1, 9)'
 check "a divided edge" output 'it was divided' explain $cubes 'edge(1, 15)'
 check "a pair without a line" output 'no line: their boxes are apart' \
