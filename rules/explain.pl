@@ -129,17 +129,25 @@ pair_explained(S1, S2, Because) :-
 
 /* - - - a line - - - */
 
-line_because(L, [because(line(L, S1, P1, S2, P2), Because)]) :-
-    line(L, S1, P1, _, _, S2, P2, _, _),
-    end_because(L, start, Start),
-    end_because(L, end, End),
+line_because(L, [because(Statement, Because)]) :-
+    line(L, S1, P1, A, B, S2, P2, _, _),
+    (   A == B
+    ->  Statement = touch(L, S1, P1, S2, P2),
+        findall(End, end_because(L, point, End), Ends)
+    ;   Statement = line(L, S1, P1, S2, P2),
+        findall(End, ( end_because(L, start, End)
+                     ; end_because(L, end, End) ), Ends)
+    ),
     line_pieces(L, Pieces),
     chain_because(L, Chain),
-    append([[Start,End], Pieces, Chain], Because).
+    append([Ends, Pieces, Chain], Because).
 
 end_because(L, End,
             because(point(End, point(X,Y,Z), S1, V1, S2, V2), Because)) :-
-    line_end(L, End, Seat1, Seat2),
+    (   End == point
+    ->  line_end(L, start, Seat1, Seat2)
+    ;   line_end(L, End, Seat1, Seat2)
+    ),
     !,
     Seat1 = seat(S1, V1, _),
     Seat2 = seat(S2, V2, _),

@@ -16,9 +16,14 @@ statement_en(line(L, S1, P1, S2, P2)) -->
     { segment_word(S1, W1), segment_word(S2, W2) },
     [ 'line ~d: polygon ~d of segment ~d~w meets polygon ~d of segment ~d~w'-
       [L, P1, S1, W1, P2, S2, W2] ].
+statement_en(touch(L, S1, P1, S2, P2)) -->
+    { segment_word(S1, W1), segment_word(S2, W2) },
+    [ 'line ~d: polygon ~d of segment ~d~w touches polygon ~d of segment ~d~w \c
+       in one point'-
+      [L, P1, S1, W1, P2, S2, W2] ].
 statement_en(point(End, Point, S1, V1, S2, V2)) -->
-    { memberchk(End-Word, [start-starts, end-ends]) },
-    [ '~w at '-[Word] ],
+    { memberchk(End-Word, [start-'starts at', end-'ends at', point-at]) },
+    [ '~w '-[Word] ],
     point(Point),
     [ ', vertex ~d of segment ~d and vertex ~d of segment ~d'-
       [V1, S1, V2, S2] ].
@@ -96,12 +101,20 @@ statement_en(pieces(N, By)) -->
 statement_en(piece(I, T1, T2)) -->
     { maplist(triangle_text, [T1,T2], [W1,W2]) },
     [ '~d: ~w with ~w'-[I, W1, W2] ].
+statement_en(chain(C, point, _, _)) -->
+    [ 'alone in chain ~d, which is a point'-[C] ].
 statement_en(chain(C, Kind, I, N)) -->
+    { Kind \== point },
     [ 'piece ~d of the ~d in chain ~d, which is ~w'-[I, N, C, Kind] ].
 statement_en(chain_head(C, Kind, S1, S2, N, Length)) -->
     { maplist(segment_word, [S1,S2], [W1,W2]) },
-    [ 'chain ~d of segment ~d~w and segment ~d~w: ~w, ~d pieces, length ~15g'-
-      [C, S1, W1, S2, W2, Kind, N, Length] ].
+    [ 'chain ~d of segment ~d~w and segment ~d~w: '-[C, S1, W1, S2, W2] ],
+    (   { Kind == point }
+    ->  [ 'a point' ]
+    ;   { N =:= 1 }
+    ->  [ '~w, 1 piece, length ~15g'-[Kind, Length] ]
+    ;   [ '~w, ~d pieces, length ~15g'-[Kind, N, Length] ]
+    ).
 statement_en(derived(S, V, Point, Place)) -->
     { segment_word(S, Word) },
     [ 'vertex ~d of segment ~d~w at '-[V, S, Word] ],

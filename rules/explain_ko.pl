@@ -17,8 +17,12 @@ statement_ko(line(L, S1, P1, S2, P2)) -->
     { segment_word(S1, W1), segment_word(S2, W2) },
     [ '선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) \c
        만난다'-[L, S1, W1, P1, S2, W2, P2] ].
+statement_ko(touch(L, S1, P1, S2, P2)) -->
+    { segment_word(S1, W1), segment_word(S2, W2) },
+    [ '선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) 한 \c
+       점에서 닿는다'-[L, S1, W1, P1, S2, W2, P2] ].
 statement_ko(point(End, Point, S1, V1, S2, V2)) -->
-    { memberchk(End-Word, [start-'시작점', end-'끝점']) },
+    { memberchk(End-Word, [start-'시작점', end-'끝점', point-'점']) },
     [ '~w '-[Word] ],
     point(Point),
     [ ', 세그먼트 ~d의 꼭짓점 ~d, 세그먼트 ~d의 꼭짓점 ~d'-
@@ -98,14 +102,20 @@ statement_ko(pieces(N, By)) -->
 statement_ko(piece(I, T1, T2)) -->
     { maplist(triangle_text, [T1,T2], [W1,W2]) },
     [ '~d: ~w, ~w'-[I, W1, W2] ].
+statement_ko(chain(C, point, _, _)) -->
+    [ '한 점인 사슬 ~d'-[C] ].
 statement_ko(chain(C, Kind, I, N)) -->
-    { memberchk(Kind-Word, [open-'열린', closed-'닫힌', point-'점인']) },
+    { memberchk(Kind-Word, [open-'열린', closed-'닫힌']) },
     [ '~w 사슬 ~d의 조각 ~d개 가운데 ~d번째'-[Word, C, N, I] ].
 statement_ko(chain_head(C, Kind, S1, S2, N, Length)) -->
     { maplist(segment_word, [S1,S2], [W1,W2]),
       memberchk(Kind-Word, [open-'열림', closed-'닫힘', point-'점']) },
-    [ '세그먼트 ~d~w과(와) 세그먼트 ~d~w의 사슬 ~d: ~w, 조각 ~d개, 길이 ~15g'-
-      [S1, W1, S2, W2, C, Word, N, Length] ].
+    [ '세그먼트 ~d~w과(와) 세그먼트 ~d~w의 사슬 ~d: ~w'-
+      [S1, W1, S2, W2, C, Word] ],
+    (   { Kind == point }
+    ->  []
+    ;   [ ', 조각 ~d개, 길이 ~15g'-[N, Length] ]
+    ).
 statement_ko(derived(S, V, Point, Place)) -->
     { segment_word(S, Word) },
     [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],

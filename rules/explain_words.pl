@@ -18,6 +18,7 @@ JSON has them. Each has a clause in explain_en.pl and in explain_ko.pl.
 %   True when the statement Name has the parts Keys, in this order.
 
 statement_keys(line, [line, segment1, polygon1, segment2, polygon2]).
+statement_keys(touch, [line, segment1, polygon1, segment2, polygon2]).
 statement_keys(point, [end, point, segment1, vertex1, segment2, vertex2]).
 statement_keys(contact, [kind, seat1, seat2]).
 statement_keys(made, [origin]).
