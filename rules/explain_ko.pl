@@ -25,18 +25,18 @@ statement_ko(point(End, Point, S1, V1, S2, V2)) -->
     { memberchk(End-Word, [start-'시작점', end-'끝점', point-'점']) },
     [ '~w '-[Word] ],
     point(Point),
-    [ ', 세그먼트 ~d의 꼭짓점 ~d, 세그먼트 ~d의 꼭짓점 ~d'-
+    [ ', 세그먼트 ~d의 꼭지점 ~d, 세그먼트 ~d의 꼭지점 ~d'-
       [S1, V1, S2, V2] ].
 statement_ko(contact('vertex-vertex', seat(S1,V1,_), seat(S2,V2,_))) -->
-    [ '세그먼트 ~d의 꼭짓점 ~d과(와) 세그먼트 ~d의 꼭짓점 ~d이(가) 한 곳에 있다'-
+    [ '세그먼트 ~d의 꼭지점 ~d과(와) 세그먼트 ~d의 꼭지점 ~d이(가) 한 곳에 있다'-
       [S1, V1, S2, V2] ].
 statement_ko(contact('vertex-edge', Seat1, Seat2)) -->
     { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,_,Place)) },
-    [ '세그먼트 ~d의 꼭짓점 ~d이(가) 있는 곳: '-[S1, V1] ],
+    [ '세그먼트 ~d의 꼭지점 ~d이(가) 있는 곳: '-[S1, V1] ],
     place(S2, Place).
 statement_ko(contact('vertex-face', Seat1, Seat2)) -->
     { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,_,Place)) },
-    [ '세그먼트 ~d의 꼭짓점 ~d이(가) 안에 있는 곳: '-[S1, V1] ],
+    [ '세그먼트 ~d의 꼭지점 ~d이(가) 안에 있는 곳: '-[S1, V1] ],
     place(S2, Place).
 statement_ko(contact('edge-edge', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     place(S1, Place1),
@@ -58,7 +58,7 @@ statement_ko(contact('face-face', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     [ ', ' ],
     place(S2, Place2).
 statement_ko(made(v(S, V))) -->
-    [ '세그먼트 ~d의 꼭짓점 ~d이(가) 만들었다'-[S, V] ].
+    [ '세그먼트 ~d의 꼭지점 ~d이(가) 만들었다'-[S, V] ].
 statement_ko(made(lpi(S1-(A,B), S2-(C,D,E)))) -->
     [ '세그먼트 ~d의 ~d-~d이(가) 세그먼트 ~d의 삼각형 ~d-~d-~d을(를) 뚫어 \c
        만들었다'-[S1, A, B, S2, C, D, E] ].
@@ -74,19 +74,19 @@ statement_ko(made(near(Origin))) -->
     [ '허용 오차보다 가까워 닿게 했다: ' ],
     statement_ko(made(Origin)).
 statement_ko(at(S, V, Point)) -->
-    [ '세그먼트 ~d의 꼭짓점 ~d '-[S, V] ],
+    [ '세그먼트 ~d의 꼭지점 ~d '-[S, V] ],
     point(Point).
 statement_ko(side(S, V, Point, Side, Triangle)) -->
     { triangle_text(Triangle, Text) },
     { memberchk(Side-Word, [above-'위', below-'아래', on-'평면 위']) },
-    [ '세그먼트 ~d의 꼭짓점 ~d '-[S, V] ],
+    [ '세그먼트 ~d의 꼭지점 ~d '-[S, V] ],
     point(Point),
     [ '은(는) ~w의 평면에 대해 ~w에 있다'-[Text, Word] ].
 statement_ko(exact(X, Y, Z)) -->
     { maplist(exact_word, [X,Y,Z], [Tx,Ty,Tz]) },
     [ '정확히 (~w, ~w, ~w)'-[Tx, Ty, Tz] ].
 statement_ko(also(S, V, Place)) -->
-    [ '세그먼트 ~d의 꼭짓점 ~d이기도 하다'-[S, V] ],
+    [ '세그먼트 ~d의 꼭지점 ~d이기도 하다'-[S, V] ],
     (   { Place = vertex(_) }
     ->  []
     ;   [ ', 있는 곳: ' ],
@@ -118,18 +118,18 @@ statement_ko(chain_head(C, Kind, S1, S2, N, Length)) -->
     ).
 statement_ko(derived(S, V, Point, Place)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
+    [ '세그먼트 ~d~w의 꼭지점 ~d '-[S, Word, V] ],
     point(Point),
     [ ', 있는 곳: ' ],
     place(S, Place).
 statement_ko(moved(S, V, Point)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
+    [ '세그먼트 ~d~w의 꼭지점 ~d '-[S, Word, V] ],
     point(Point),
     [ ', 닿도록 옮긴 것' ].
 statement_ko(original(S, V, Point)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
+    [ '세그먼트 ~d~w의 꼭지점 ~d '-[S, Word, V] ],
     point(Point),
     [ ', 모델에 있던 것' ].
 statement_ko(vertex_lines(Ls)) -->
@@ -137,7 +137,7 @@ statement_ko(vertex_lines(Ls)) -->
     [ '상관선 ~w의 끝'-[Text] ].
 statement_ko(edge(S, E, V1, V2)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 모서리 ~d, 꼭짓점 ~d에서 ~d까지'-
+    [ '세그먼트 ~d~w의 모서리 ~d, 꼭지점 ~d에서 ~d까지'-
       [S, Word, E, V1, V2] ].
 statement_ko(edge_whole(_, _)) -->
     [ '모델에 있던 것' ].
@@ -146,16 +146,16 @@ statement_ko(edge_near(_, _)) -->
 statement_ko(edge_of_line(_)) -->
     [ '상관선이 만들었다' ].
 statement_ko(part_of(_, E, V1, V2)) -->
-    [ '꼭짓점 ~d에서 ~d까지였던 모서리 ~d의 부분'-[V1, V2, E] ].
+    [ '꼭지점 ~d에서 ~d까지였던 모서리 ~d의 부분'-[V1, V2, E] ].
 statement_ko(edge_polygons(_, Ps)) -->
     { atomic_list_concat(Ps, ', ', Text) },
     [ '다각형 ~w에 있다'-[Text] ].
 statement_ko(edge_divided(S, E, V1, V2)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 모서리 ~d은(는) 꼭짓점 ~d에서 ~d까지였고 나뉘었다'-
+    [ '세그먼트 ~d~w의 모서리 ~d은(는) 꼭지점 ~d에서 ~d까지였고 나뉘었다'-
       [S, Word, E, V1, V2] ].
 statement_ko(edge_part(_, E, V1, V2)) -->
-    [ '모서리 ~d, 꼭짓점 ~d에서 ~d까지'-[E, V1, V2] ].
+    [ '모서리 ~d, 꼭지점 ~d에서 ~d까지'-[E, V1, V2] ].
 statement_ko(segments(S1, S2)) -->
     { segment_word(S1, W1), segment_word(S2, W2) },
     [ '세그먼트 ~d~w과(와) 세그먼트 ~d~w'-[S1, W1, S2, W2] ].
@@ -211,7 +211,7 @@ reason_ko(common_piece, '공통 조각이 있다').
 %   place(+S, +Place)//: a feature of segment S.
 
 place(S, vertex(V)) -->
-    [ '세그먼트 ~d의 꼭짓점 ~d'-[S, V] ].
+    [ '세그먼트 ~d의 꼭지점 ~d'-[S, V] ].
 place(S, edge(A, B)) -->
     [ '세그먼트 ~d의 모서리 ~d-~d'-[S, A, B] ].
 place(S, face(P, Corners)) -->
