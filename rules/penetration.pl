@@ -364,10 +364,10 @@ set_cut(Set, S1-T1, S2-T2, Cut) :-
 enter_cuts(Set, S-P, work(S, P, Work)) :-
     cut_work(Set, S, P, Work),
     cut_entering(Set, S, P, Pieces),
-    maplist(enter_piece(Set, S, Work), Pieces).
+    maplist(enter_piece(Set, S, P, Work), Pieces).
 
-enter_piece(Set, S, Work, piece(K, V1, V2)) :-
-    enter(auxiliary(Set, S, Work, K), V1, V2).
+enter_piece(Set, S, P, Work, piece(K, V1, V2)) :-
+    enter(auxiliary(Set, S, Work, K, P-[]), V1, V2).
 
 %   (1) V1-V2 is an auxiliary segment, (2) the one chosen. (3-1) While an edge
 %   contains or crosses it, it is divided and its parts are entered; (3-2)
@@ -376,10 +376,9 @@ enter_piece(Set, S, Work, piece(K, V1, V2)) :-
 %   divided in the same points and in the same order, wherever it is.
 
 enter(Auxiliary, V1, V2) :-
-    Auxiliary = auxiliary(Set, S, Work, _),
+    Auxiliary = auxiliary(Set, S, Work, _, _),
     (   cut_between(Set, Work, S, V1, V2, X)
-    ->  enter(Auxiliary, V1, X),
-        enter(Auxiliary, X, V2)
+    ->  enter_both(Auxiliary, V1, X, V2)
     ;   work_meeting(Work, V1, V2, E, How, Inside),
         meeting_step(How, Inside, Step)
     ->  enter_step(Step, E, Auxiliary, V1, V2)
@@ -404,7 +403,7 @@ meeting_step(contained, _, drop).
 
 enter_step(Step, E, Auxiliary, V1, V2) :-
     edge_to_divide(Step),
-    Auxiliary = auxiliary(Set, S, Work, _),
+    Auxiliary = auxiliary(Set, S, Work, _, _),
     work_edge(Work, E, A, B, _, _),
     cut_between(Set, Work, S, A, B, X),
     !,
@@ -414,7 +413,7 @@ enter_step(Step, E, Auxiliary, V1, V2) :-
 %   2-2: both are cut in the point where they cross.
 
 enter_step(crossing, E, Auxiliary, V1, V2) :-
-    Auxiliary = auxiliary(Set, S, Work, K),
+    Auxiliary = auxiliary(Set, S, Work, K, _),
     cut_crossing(Set, Work, S, K, E, V1, V2, X),
     divide_pair(Auxiliary, E, X),
     enter_parts(Auxiliary, V1, X, V2).
@@ -426,7 +425,7 @@ enter_step(divide_edge(End), E, Auxiliary, V1, V2) :-
     divide_pair(Auxiliary, E, X),
     enter(Auxiliary, V1, V2).
 enter_step(divide_segment(End), E, Auxiliary, V1, V2) :-
-    Auxiliary = auxiliary(_, _, Work, _),
+    Auxiliary = auxiliary(_, _, Work, _, _),
     work_edge(Work, E, Start, Finish, _, _),
     (   End == start
     ->  X = Start
@@ -442,15 +441,25 @@ edge_to_divide(crossing).
 edge_to_divide(divide_edge(_)).
 
 enter_parts(Auxiliary, V1, X, V2) :-
-    Auxiliary = auxiliary(Set, S, _, _),
+    Auxiliary = auxiliary(Set, S, _, _, _),
     cut_note(Set, S, V1, V2, X),
-    enter(Auxiliary, V1, X),
-    enter(Auxiliary, X, V2).
+    enter_both(Auxiliary, V1, X, V2).
+
+%   In a polygon that is far from flat the points on a piece need not be in
+%   line, and then have no order: no end of a part may come back inside it.
+
+enter_both(auxiliary(Set, S, Work, K, P-Ends), V1, X, V2) :-
+    (   memberchk(X, [V1,V2|Ends])
+    ->  throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))
+    ;   Auxiliary = auxiliary(Set, S, Work, K, P-[V1,V2|Ends]),
+        enter(Auxiliary, V1, X),
+        enter(Auxiliary, X, V2)
+    ).
 
 %   The edges of a cut have the number of its piece as label, below zero; the
 %   polygon's own have the number of the edge they are or were part of.
 
-add_pair(auxiliary(_, _, Work, K), V1, V2) :-
+add_pair(auxiliary(_, _, Work, K, _), V1, V2) :-
     Label is -1-K,
     work_add(Work, V1, V2, 1, Label, _),
     work_add(Work, V2, V1, 1, Label, _).
@@ -458,7 +467,7 @@ add_pair(auxiliary(_, _, Work, K), V1, V2) :-
 %   divide_pair(+Auxiliary, +E, +X): E, and the opposite edge if it is there
 %   too, gets X between its ends.
 
-divide_pair(auxiliary(Set, S, Work, _), E, X) :-
+divide_pair(auxiliary(Set, S, Work, _, _), E, X) :-
     work_edge(Work, E, V1, V2, _, _),
     cut_note(Set, S, V1, V2, X),
     divide_at(Work, E-X),
