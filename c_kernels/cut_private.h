@@ -20,4 +20,16 @@ bool sg_cut_drop_folds(sg_cut_set *set);
  * the edge late. False: no memory. */
 bool sg_cut_put_late(sg_cut_set *set, uint32_t edge, uint32_t point);
 
+/* The point of one end of a cut of triangles t[0], t[1]; notes it on the real
+ * edges it lies on. SG_NO_KEY: no memory. */
+uint32_t sg_cut_end_point(sg_cut_set *set, const uint32_t t[2],
+                          const sg_cut_end *end);
+
+/* Keeps a point that the triangles have in common: 0, or -1: no memory. */
+int sg_cut_touch(sg_cut_set *set, const uint32_t t[2], const sg_cut_end *end);
+
+/* Drops the contacts at which a piece of their segments ends, and repeated
+ * ones; orders the others. False: no memory. */
+bool sg_cut_settle_contacts(sg_cut_set *set);
+
 #endif

@@ -28,6 +28,7 @@ sg_cut_set_clear(sg_cut_set *set)
   sg_key_table_clear(&set->edge_number);
   sg_key_table_clear(&set->late);
   free(set->cut);
+  free(set->contact);
   free(set->piece);
   free(set->edge);
   free(set->polygon);
@@ -102,9 +103,8 @@ put_on_edge(sg_cut_set *set, const sg_place *place, uint32_t point)
 
 /* ---- entering cuts ---- */
 
-/* The point of one end; notes the real edges it splits. */
-static uint32_t
-end_point(sg_cut_set *set, const uint32_t t[2], const sg_cut_end *end)
+uint32_t
+sg_cut_end_point(sg_cut_set *set, const uint32_t t[2], const sg_cut_end *end)
 {
   sg_made made = {2,
                   {sg_place_of(&set->model, t[0], (int)end->f[0]),
@@ -161,8 +161,8 @@ keep_cut(sg_cut_set *set, const uint32_t t[2], const sg_cut *cut, bool coplanar)
   if (coplanar && piece.edge[0] == SG_NO_KEY && piece.edge[1] == SG_NO_KEY) {
     return 0;
   }
-  piece.a = end_point(set, t, &cut->end[0]);
-  piece.b = end_point(set, t, &cut->end[1]);
+  piece.a = sg_cut_end_point(set, t, &cut->end[0]);
+  piece.b = sg_cut_end_point(set, t, &cut->end[1]);
   if (piece.a == SG_NO_KEY || piece.b == SG_NO_KEY ||
       !sg_cut_room((void **)&set->cut, set->cuts, &set->cut_room,
                    sizeof *set->cut)) {
@@ -188,14 +188,15 @@ sg_cut_set_enter(sg_cut_set *set, uint32_t t1, uint32_t t2)
       sg_cut_triangles((const double(*)[3])a, (const double(*)[3])b, cut, &n);
 
   for (int i = 0; i < n; i++) {
-    if (!sg_cut_is_point(&cut[i])) {
-      int one = keep_cut(set, (uint32_t[2]){t1, t2}, &cut[i],
-                         kind == SG_CUT_COPLANAR);
-      if (one < 0) {
-        return -1;
-      }
-      kept += one;
+    const uint32_t t[2] = {t1, t2};
+    int one = sg_cut_is_point(&cut[i])
+                  ? sg_cut_touch(set, t, &cut[i].end[0])
+                  : keep_cut(set, t, &cut[i], kind == SG_CUT_COPLANAR);
+
+    if (one < 0) {
+      return -1;
     }
+    kept += one;
   }
   return kept;
 }
@@ -483,5 +484,5 @@ sg_cut_set_seal(sg_cut_set *set)
       return false;
     }
   }
-  return true;
+  return sg_cut_settle_contacts(set);
 }

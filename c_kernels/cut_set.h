@@ -14,7 +14,9 @@
  *
  * A piece belongs to two segments, smaller number first. In each it runs
  * through the face of a polygon (it will be a seam there) or along a real
- * edge (it is there already).
+ * edge (it is there already). A contact is a point that two segments have in
+ * common and no piece: it splits the real edges it lies on and enters nothing
+ * else.
  */
 #ifndef SG_CUT_SET_H
 #define SG_CUT_SET_H
@@ -29,6 +31,12 @@ typedef struct sg_cut_piece {
   uint32_t a, b;        /* points, a != b */
   bool live;
 } sg_cut_piece;
+
+/* A contact in a point alone: no piece of the two segments ends there. */
+typedef struct sg_cut_contact {
+  int32_t s[2], p[2]; /* the smallest polygons that have the point */
+  uint32_t point;
+} sg_cut_contact;
 
 /* A real edge and the points on it, in order from place.a to place.b once
  * sealed. Of a curve: place.a, place.b by number, not by direction. */
@@ -58,6 +66,8 @@ typedef struct sg_cut_set {
   sg_cut_piece *cut;   /* as entered */
   sg_cut_piece *piece; /* as sealed, split, joined */
   size_t cuts, cut_room, pieces, piece_room;
+  sg_cut_contact *contact; /* as entered; once sealed those alone, by s, p */
+  size_t contacts, contact_room;
   sg_key_table piece_number; /* of (s1, s2, a, b), a < b */
   sg_split_edge *edge;
   size_t edges, edge_room;
@@ -76,14 +86,16 @@ void sg_cut_set_init(sg_cut_set *set, sg_is_real *is_real, void *data);
 void sg_cut_set_clear(sg_cut_set *set);
 
 /* Cuts triangle t1 by t2 (of different segments, smaller one first) and keeps
- * the pieces of positive length. Returns how many, -1: no memory. */
+ * the pieces of positive length, and single points as contacts. Returns how
+ * many pieces, -1: no memory. */
 int sg_cut_set_enter(sg_cut_set *set, uint32_t t1, uint32_t t2);
 
 /* Cuts curve edge e by triangle t: the points are noted on the edge. Returns
  * how many, -1: no memory. PL-7. */
 int sg_cut_set_enter_curve(sg_cut_set *set, uint32_t e, uint32_t t);
 
-/* Orders the edges and makes the pieces. False: no memory. */
+/* Orders the edges, makes the pieces and finds the contacts that are alone.
+ * False: no memory. */
 bool sg_cut_set_seal(sg_cut_set *set);
 
 /* Notes a polygon whose edges are split (before sg_cut_set_group()). */

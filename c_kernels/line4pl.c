@@ -173,6 +173,20 @@ cut_line(term_t t, term_t s, term_t v1, term_t v2, term_t line)
   return number != SG_NO_KEY && PL_unify_integer(line, number);
 }
 
+/* line(L, S1, P1, A1, B1, S2, P2, A2, B2): from point a to b. */
+static int
+unify_line(term_t t, const sg_cut_points *points, int32_t number,
+           const int32_t s[2], const int32_t p[2], uint32_t a, uint32_t b)
+{
+  return PL_unify_term(
+      t, PL_FUNCTOR_CHARS, "line", 9, PL_INT, number, PL_INT, s[0], PL_INT,
+      p[0], PL_INT, sg_cut_points_name(points, a, s[0]), PL_INT,
+      sg_cut_points_name(points, b, s[0]), PL_INT, s[1], PL_INT, p[1], PL_INT,
+      sg_cut_points_name(points, a, s[1]), PL_INT,
+      sg_cut_points_name(points, b, s[1]));
+}
+
+/* All living pieces; then the contacts, from a point to itself. */
 static foreign_t
 cut_lines(term_t t, term_t list)
 {
@@ -182,11 +196,11 @@ cut_lines(term_t t, term_t list)
   if (!sg_get_cut_set_ex(t, &handle)) {
     return FALSE;
   }
-  const sg_cut_points *points = &handle->set.points;
+  const sg_cut_set *set = &handle->set;
   int32_t number = sg_world_fresh(handle->world, SG_LINE, 0);
 
-  for (size_t i = 0; i < handle->set.pieces; i++) {
-    const sg_cut_piece *k = &handle->set.piece[i];
+  for (size_t i = 0; i < set->pieces; i++) {
+    const sg_cut_piece *k = &set->piece[i];
 
     if (!k->live) {
       continue;
@@ -194,16 +208,19 @@ cut_lines(term_t t, term_t list)
     if (!note_line(handle, k, number)) {
       return sg_no_memory();
     }
-    if ((!PL_unify_list(tail, head, tail) ||
-         !PL_unify_term(
-             head, PL_FUNCTOR_CHARS, "line", 9, PL_INT, number, PL_INT, k->s[0],
-             PL_INT, k->p[0], PL_INT, sg_cut_points_name(points, k->a, k->s[0]),
-             PL_INT, sg_cut_points_name(points, k->b, k->s[0]), PL_INT, k->s[1],
-             PL_INT, k->p[1], PL_INT, sg_cut_points_name(points, k->a, k->s[1]),
-             PL_INT, sg_cut_points_name(points, k->b, k->s[1])))) {
+    if (!PL_unify_list(tail, head, tail) ||
+        !unify_line(head, &set->points, number++, k->s, k->p, k->a, k->b)) {
       return FALSE;
     }
-    number++;
+  }
+  for (size_t i = 0; i < set->contacts; i++) {
+    const sg_cut_contact *k = &set->contact[i];
+
+    if (!PL_unify_list(tail, head, tail) ||
+        !unify_line(head, &set->points, number++, k->s, k->p, k->point,
+                    k->point)) {
+      return FALSE;
+    }
   }
   return PL_unify_nil(tail);
 }

@@ -41,8 +41,9 @@ is_joint(const sg_cut_set *set, uint32_t point)
   return sg_cut_set_joint(set, point, &k, &l);
 }
 
-/* Names all ends of pieces, and all points on edges. Those that will likely
- * be joined away come last, so that the others are numbered without gaps. */
+/* Names all ends of pieces, all points on edges and all contacts. Those that
+ * will likely be joined away come last, so that the others are numbered without
+ * gaps. */
 static int
 name_all_ex(sg_cut_handle *handle)
 {
@@ -66,6 +67,14 @@ name_all_ex(sg_cut_handle *handle)
       if (!name_ex(handle, set->edge[i].point[k], set->edge[i].s)) {
         return FALSE;
       }
+    }
+  }
+  for (size_t i = 0; i < set->contacts; i++) {
+    const sg_cut_contact *contact = &set->contact[i];
+
+    if (!name_ex(handle, contact->point, contact->s[0]) ||
+        !name_ex(handle, contact->point, contact->s[1])) {
+      return FALSE;
     }
   }
   return TRUE;

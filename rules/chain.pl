@@ -21,7 +21,8 @@ a run of pieces through vertices that have exactly two: from end to end where
 there are ends (a vertex with one piece, or a branch point with three or
 more), or round, back to where it began: then it is closed. It is a list of
 line numbers, with a minus sign where a line is walked from its end to its
-start.
+start. A contact in a point alone, a piece whose start is its end, is a chain of
+its own: one point.
 
 Two closed solids in general position have closed chains only. The order is
 settled by line numbers alone: chains with ends first, each from the smaller
@@ -33,8 +34,8 @@ line at one, then the others from their smallest line, in its direction.
 %!  chains(-Chains:list) is det.
 %
 %   Chains is a list of chain(S1, S2, Kind, Lines), by S1 and S2, then in the
-%   order above; Kind is `open` or `closed`. Through the fused kernel, in
-%   linear time but for sorting.
+%   order above; Kind is `open`, `closed` or `point`. Through the fused kernel,
+%   in linear time but for sorting.
 
 chains(Chains) :-
     line_chains(Chains).
@@ -75,15 +76,18 @@ pair_chain(S1, S2, chain(S1, S2, Kind, Lines)) :-
     chain_kind(Lines, Graph, Kind).
 
 %   A chain that comes back to where it began is closed, also if that is a
-%   branch point.
+%   branch point; one that never left is a point.
 
 chain_kind(Lines, Graph, Kind) :-
     Lines = [First|_],
     last(Lines, Last),
     Back is -First,
     step_end(Back, Graph, Start),
+    step_end(First, Graph, Next),
     step_end(Last, Graph, End),
-    (   Start == End
+    (   Start == Next
+    ->  Kind = point
+    ;   Start == End
     ->  Kind = closed
     ;   Kind = open
     ).
@@ -159,11 +163,20 @@ next_step(V, graph(LineEnds, VertexLines, Seen), Step) :-
 %!  chain_vertices(+Lines, +S, -Vs) is semidet.
 %
 %   Vs are the vertices of segment S along the chain; of a closed one the last
-%   is the first again. Fails when S is not one of the chain's two segments.
+%   is the first again, of a point there is one. Fails when S is not one of the
+%   chain's two segments.
 
 chain_vertices([Step|Steps], S, [V|Vs]) :-
     step_vertices(Step, S, V, V1),
-    chain_vertices_(Steps, S, V1, Vs).
+    (   Steps == [],
+        is_point(Step)
+    ->  Vs = []
+    ;   chain_vertices_(Steps, S, V1, Vs)
+    ).
+
+is_point(Step) :-
+    L is abs(Step),
+    line(L, _, _, A1, A1, _, _, A2, A2).
 
 chain_vertices_([], _, V, [V]).
 chain_vertices_([Step|Steps], S, V, [V|Vs]) :-

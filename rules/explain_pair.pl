@@ -328,13 +328,17 @@ piece_part(A, B, T1-T2, End1, End2, From) :-
     From < 1,
     max(T3, T4) > 0.
 
+on_line(A, A, A, 1r2) :-
+    !.
 on_line(p(X0,Y0,Z0), p(X1,Y1,Z1), p(X,Y,Z), T) :-
     Dx is X1-X0, Dy is Y1-Y0, Dz is Z1-Z0,
     Ux is X-X0, Uy is Y-Y0, Uz is Z-Z0,
     Dx*Uy =:= Dy*Ux,
     Dy*Uz =:= Dz*Uy,
     Dz*Ux =:= Dx*Uz,
-    T is (Dx*Ux + Dy*Uy + Dz*Uz) rdiv (Dx*Dx + Dy*Dy + Dz*Dz).
+    Length is Dx*Dx + Dy*Dy + Dz*Dz,
+    Length =\= 0,
+    T is (Dx*Ux + Dy*Uy + Dz*Uz) rdiv Length.
 
 %   end_point(+Triangles, +End, -Point): where two features meet, exactly.
 

@@ -21,8 +21,8 @@ The chains of the current world (chain.pl), written as
 
   - `.pl`: a model file of curves, one segment for each chain, which can be
     read, drawn and cut again;
-  - `.obj`: vertices and one `l` element for each chain, in a group that names
-    the two segments;
+  - `.obj`: vertices and one `l` element for each chain, `p` for a contact in
+    a point, in a group that names the two segments;
   - `.dxf`: polylines in space (lines_dxf.pl);
   - `.csv`, `.tsv`, `.txt`: a table of their points (point_table.pl);
   - `.svg`: what the current view shows of them.
@@ -140,7 +140,10 @@ write_polyline(Out, Chain, C0-V0, C-V) :-
     format(Out, "g chain_~d_of_~d_and_~d~n", [C0, S1, S2]),
     forall(member(point(X,Y,Z), Points),
            format(Out, "v ~w ~w ~w~n", [X, Y, Z])),
-    format(Out, "l", []),
+    (   Kind == point
+    ->  format(Out, "p", [])
+    ;   format(Out, "l", [])
+    ),
     C is C0+1,
     V is V0+N,
     Last is V-1,
@@ -216,7 +219,11 @@ write_path(Out, Scale, C, seen(S1, S2, Kind, Points)) :-
     format(Out, "<path id=\"chain-~d\" class=\"visible penetration\" \c
                  data-segment=\"~d\" data-other=\"~d\" d=\"",
            [C, S1, S2]),
-    foldl(write_move(Out, Scale), Points, 'M', _),
+    foldl(write_move(Out, Scale), Points, 'M', Next),
+    (   Kind == point
+    ->  foldl(write_move(Out, Scale), Points, Next, _)
+    ;   true
+    ),
     (   Kind == closed
     ->  format(Out, "Z\"/>~n", [])
     ;   format(Out, "\"/>~n", [])

@@ -193,7 +193,7 @@ expected_en(steps) -->
       '  Write the vertices of the polygon, as in [1, 2, 3]; a negative \c
        number is a jump.' ].
 expected_en(chain) -->
-    [ 'a list of two or more vertex numbers' ].
+    [ 'a list of one or more vertex numbers' ].
 expected_en(float) -->
     [ 'a number', nl, '  Write it in digits, such as -1.5 or 2.0e-3.' ].
 expected_en(distance) -->

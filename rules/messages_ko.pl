@@ -190,7 +190,7 @@ expected_ko(steps) -->
     [ '정수의 리스트', nl,
       '  [1, 2, 3] 처럼 다각형의 꼭지점을 쓰십시오. 음수는 건너뜀입니다.' ].
 expected_ko(chain) -->
-    [ '둘 이상의 꼭지점 번호의 리스트' ].
+    [ '하나 이상의 꼭지점 번호의 리스트' ].
 expected_ko(float) -->
     [ '수', nl, '  -1.5 나 2.0e-3 처럼 숫자로 쓰십시오.' ].
 expected_ko(distance) -->

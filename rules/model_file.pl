@@ -29,7 +29,8 @@ A file holds facts of the relations (model_text.pl), in any order, and:
     `[1,2,3,4,1,-5,6,7,8,5]` has no edge from 1 to 5. A list without jumps
     closes itself (PL-2). Where the file gives e/5 of S, List is a list of
     edges.
-  - `curve(S, [V1,V2,...])`: edges from each vertex to the next.
+  - `curve(S, [V1,V2,...])`: edges from each vertex to the next; `[V]` says
+    that S is a point.
   - `segment(S, Kind, Name)`. Without it the kind follows from the rows:
     `curve` without polygons, `solid` if every edge has its opposite, else
     `surface`; the name is the file's. Where the file gives no vertices of S,
@@ -472,6 +473,8 @@ row_key(line(L, _, _, _, _, _, _, _, _), line, [L],
 
 segment_completed(Later, File, S) :-
     (   has_edges(S)
+    ->  true
+    ;   member(later(curve(S, [_]), _), Later)
     ->  true
     ;   member(later(Row, Place), Later),
         segment_of(Row, S)

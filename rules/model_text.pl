@@ -359,7 +359,7 @@ typed(steps, Steps, Steps) :-
     maplist(is_step, Steps).
 typed(chain, Chain, Chain) :-
     is_list(Chain),
-    Chain = [_, _|_],
+    Chain = [_|_],
     maplist(is_id, Chain).
 typed(ids, Ids, Ids) :-
     is_list(Ids),

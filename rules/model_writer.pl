@@ -23,7 +23,8 @@ relations.
 
 Where the edges of a segment are just what read_model/1 makes from vertex
 lists, as after reading vertex lists or a mesh, its polygons are written as
-vertex lists and e/5 is left out. The picture (screen/5, drawn/7) is computed
+vertex lists and e/5 is left out. Vertices of a segment that has no edges are
+written as curves of one point. The picture (screen/5, drawn/7) is computed
 and never written.
 */
 
@@ -60,7 +61,8 @@ write_segment(Stream, S) :-
     (   listed_polygons(S, Lists)
     ->  forall(member(Row, Lists), write_fact(Stream, Row))
     ;   write_rows(Stream, E, e(S, E, _, _, _)),
-        write_rows(Stream, P, p(S, P, _))
+        write_rows(Stream, P, p(S, P, _)),
+        write_points(Stream, S)
     ),
     write_rows(Stream, P2, plane(S, P2, _, _, _, _)),
     write_rows(Stream, T, t(S, _, T, _, _, _)),
@@ -87,6 +89,14 @@ write_fact(Stream, Fact) :-
 
 write_line(Stream, Text) :-
     format(Stream, '~w~n', [Text]).
+
+%   write_points(Stream, S): a segment without edges is points.
+
+write_points(Stream, S) :-
+    (   e(S, _, _, _, _)
+    ->  true
+    ;   forall(v(S, V, _, _, _), write_fact(Stream, curve(S, [V])))
+    ).
 
 %   listed_polygons(S, Rows): Rows are p(S, P, VertexList), in order, if they
 %   say all about the edges of S: real, numbered 1, 2, ... in their order.

@@ -136,7 +136,8 @@ refers to any more is freed with its handle by atom garbage collection.
 %!  line(?L, ?S1, ?P1, ?A1, ?B1, ?S2, ?P2, ?A2, ?B2) is nondet.
 %
 %   True when L is a piece of a penetration line from A1 to B1 in polygon P1
-%   of segment S1, the same as A2 to B2 in polygon P2 of segment S2.
+%   of segment S1, the same as A2 to B2 in polygon P2 of segment S2. A contact
+%   in a point alone is a piece with A1 = B1 and A2 = B2.
 
 %!  view(?Theta, ?Phi, ?Rho) is nondet.
 %

@@ -7,6 +7,7 @@
 :- use_module(rules(chain)).
 :- use_module(rules(lines_out)).
 :- use_module(rules(model_file)).
+:- use_module(rules(model_writer)).
 
 /* Chains of lines, written by hand: only line/9 and v/5 matter here. */
 
@@ -171,6 +172,39 @@ test(by_rule, Bad == []) :-
             Bad).
 test(empty_files, forall(line_format(Format))) :-
     written([], Format, _).
+
+% A contact in a point: a piece from a vertex to itself.
+test(point, Cs == [point-[2],closed-[1,3,4]]) :-
+    chains_of([1-2,5-5,2-3,3-1], Cs).
+test(point_vertices, V1s-V2s-L == [5]-[105]-0.0) :-
+    with_lines([5-5],
+               ( chain_vertices([1], 1, V1s),
+                 chain_vertices([1], 2, V2s),
+                 chain_length([1], L) )).
+test(point_table, true) :-
+    written([5-5], csv, Text),
+    sub_string(Text, _, _, 0, "\n1,point,1,2,1,5,105,5.0,25.0,0.0,0.0\n").
+test(point_obj, true) :-
+    written([1-2,5-5], obj, Text),
+    sub_string(Text, _, _, 0, "\np 3\n").
+test(point_svg, nondet) :-
+    written([5-5], svg, Text),
+    sub_string(Text, _, _, _, "\"M50.000 50.000L50.000 50.000\"").
+test(point_reads_back, Points-Text1 == [p(5.0,25.0,0.0)]-Text2) :-
+    written([5-5], pl, Text),
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [extension(pl), encoding(utf8)]),
+        write(Out, Text), close(Out)),
+    new_world(World1),
+    in_world(World1,
+             ( read_model(File),
+               findall(p(X,Y,Z), v(1, _, X, Y, Z), Points),
+               write_model(File) )),
+    read_file_to_string(File, Text1, []),
+    new_world(World2),
+    in_world(World2, ( read_model(File), write_model(File) )),
+    read_file_to_string(File, Text2, []),
+    delete_file(File).
 test(unknown_format, error(domain_error(line_format, doc))) :-
     with_lines([], write_lines('x.doc', [])).
 

@@ -7,6 +7,7 @@
 :- use_module(rules(decision)).
 :- use_module(rules(store)).
 :- use_module(rules(chain)).
+:- use_module(rules(exact)).
 :- use_module(rules(model_file)).
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_side/4,
@@ -78,10 +79,25 @@ edge_fault(Fault) :-
         Fault = unused(S, E, V1, V2)
     ).
 
-%   A piece is a real edge in both segments, at the same places.
+%   A piece is a real edge in both segments, at the same places. A contact in a
+%   point alone is at no piece's end, in both its polygons or their planes.
 
 line_fault(Fault) :-
+    line(L, S1, P1, A, A, S2, P2, B, B),
+    (   \+ same_place(S1, A, S2, B),
+        Fault = elsewhere(L)
+    ;   line(M, S1, _, A1, B1, S2, _, A2, B2),
+        M \== L,
+        ( memberchk(A, [A1,B1]) ; memberchk(B, [A2,B2]) ),
+        Fault = not_alone(L, M)
+    ;   member(S-P-V, [S1-P1-A,S2-P2-B]),
+        \+ polygon_edge(S, P, V, _),
+        \+ isolated_in(S, P, V),
+        Fault = not_in(L, S, P)
+    ).
+line_fault(Fault) :-
     line(L, S1, P1, A1, B1, S2, P2, A2, B2),
+    A1 \== B1,
     (   \+ edge_pair(S1, A1, B1),
         Fault = no_edge(L, S1)
     ;   \+ edge_pair(S2, A2, B2),
@@ -95,6 +111,16 @@ line_fault(Fault) :-
     ;   \+ polygon_edge(S2, P2, A2, B2),
         Fault = not_in(L, S2, P2)
     ).
+
+same_place(S1, A, S2, B) :-
+    vertex_exact(S1, A, X, Y, Z),
+    vertex_exact(S2, B, X, Y, Z).
+
+isolated_in(S, P, V) :-
+    \+ e(S, _, V, _, _),
+    v(S, V, X, Y, Z),
+    plane(S, P, Nx, Ny, Nz, D),
+    abs(X*Nx + Y*Ny + Z*Nz + D) < 1.0e-9.
 
 edge_pair(S, A, B) :-
     (   e(S, _, A, B, 1)
@@ -158,7 +184,9 @@ origin_fault(no_edge(S, E)) :-
     \+ e(S, E, _, _, _).
 origin_fault(unused(S, V)) :-
     origin(S, v(V), _),
-    \+ e(S, _, V, _, _).
+    \+ e(S, _, V, _, _),
+    \+ line(_, S, _, V, V, _, _, _, _),
+    \+ line(_, _, _, _, _, S, _, V, V).
 
 %   The lines of a chain follow each other, and each line is in one chain.
 
@@ -231,9 +259,55 @@ test(shared_edge, R == [open-2.0]-[]) :-
 test(part_of_an_edge, R == [open-1.0]-[]) :-
     box(2,2,2, 2,2,1, B),
     solids([box(size(2,2,2)), B], R).
-test(shared_vertex, R == []-[]) :-
+test(shared_vertex, R == [point-0.0]-[]) :-
     box(2,2,2, 2,2,2, B),
     solids([box(size(2,2,2)), B], R).
+% Contacts in a point alone: an edge is split where it is touched, a face gets
+% a vertex that is named by its origin and nothing else.
+test(vertex_on_vertex, R == at([point-0.0]-[], [], 0)) :-
+    tip_at(1, 1, R).
+test(vertex_on_edge, R == at([point-0.0]-[], [1-v], 4)) :-
+    tip_at(0, 1, R).
+test(vertex_on_face, R == at([point-0.0]-[], [1-v], 0)) :-
+    tip_at(0.25, 0.125, R).
+test(edge_on_edge, R == at([point-0.0]-[], [1-ll,2-ll], 4)) :-
+    new_world(World),
+    in_world(World,
+             ( triangle(1, [(-1)-0-0, 1-0-0, 0-0-(-1)]),
+               triangle(2, [0-(-1)-0, 0-1-0, 0-0-1]),
+               complete_segments,
+               penetrate,
+               touching(R) )).
+
+% Contacts of several pairs in one place, and of one pair in several.
+test(contacts, Ks == [1-2-point,1-3-point,1-4-point,2-3-point]) :-
+    Tip = at([rotate(x,180)], pyramid(base(1,1), height(1))),
+    penetrated([at([translate(0,0,-2)], rectangle(size(4,4))),
+                at([translate(-1,0,-1)], Tip),
+                at([translate(-1,0,-3)], pyramid(base(1,1), height(1))),
+                at([translate(1,0,-1)], Tip)],
+               ( chains(Cs),
+                 findall(S1-S2-K, member(chain(S1,S2,K,_), Cs), Ks),
+                 faults([]) )).
+
+%   tip_at(+X, +Y, -At): a pyramid stands on its tip on a box of 2, at X, Y.
+
+tip_at(X, Y, At) :-
+    Tip = at([rotate(x,180),translate(X,Y,3)], pyramid(base(1,1), height(1))),
+    penetrated([box(size(2,2,2)), Tip], touching(At)).
+
+%   touching(-At): the chains and faults, the origins of vertices, and how many
+%   edges have them.
+
+touching(at(Shape-Faults, Origins, Edges)) :-
+    shape(Shape),
+    faults(Faults),
+    findall(S-Made, ( origin(S, v(_), O), functor(O, Made, _) ), Origins0),
+    msort(Origins0, Origins),
+    aggregate_all(count,
+                  ( origin(S, v(V), _), ( e(S,_,V,_,_) ; e(S,_,_,V,_) ) ),
+                  Edges).
+
 test(edge_on_face, Faults == []) :-
     Prism = at([rotate(y,45),translate(0,0,2+sqrt(2))], box(size(2,1,2))),
     catch(solids([box(size(2,2,2)), Prism], _-Faults), _, Faults = []).
