@@ -25,8 +25,9 @@ many penetrations there were.
 %
 %       ?- vertex_exact(1, V, X, Y, Z).
 %
-%   Origins that name no place (`crossing`, in a polygon that is flat only
-%   within the tolerance) leave a vertex where v/5 has it.
+%   Origins that name no place leave a vertex where v/5 has it: near(_), of
+%   one that was moved or made to touch (resolve.pl), and `crossing`, in a
+%   polygon that is flat only within the tolerance.
 %
 %   @error domain_error(original_vertex, S-V) if an origin names a vertex that
 %          has itself an origin; domain_error(vertex_origin, Origin) if the

@@ -1,5 +1,6 @@
 :- module(sg_leaf,
           [ leaves_kept/1,              % +Polygons
+            place_kept/1,               % +Vertex
             curve_kept/1,               % +S
             were_cut/2,                 % ?S1, ?S2
             origin_segment/2,           % +Origin, -S
@@ -7,8 +8,8 @@
             leaves_restored/1           % +Pairs
           ]).
 :- use_module(store,
-              [ v/5, e/5, p/3, t/6, leaf_e/5, leaf_p/3, leaf_t/6, segment/3,
-                origin/3, line/9, edge_polygon/3,
+              [ v/5, e/5, p/3, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6,
+                segment/3, origin/3, line/9, edge_polygon/3,
                 assert_fact/1, retract_fact/1, retractall_facts/1
               ]).
 :- autoload(library(apply), [exclude/3, maplist/2]).
@@ -56,6 +57,18 @@ leaf_edge_kept(S, E) :-
     ->  true
     ;   e(S, E, V1, V2, Et)
     ->  assert_fact(leaf_e(S, E, V1, V2, Et))
+    ).
+
+%!  place_kept(+Vertex) is det.
+%
+%   Writes leaf_v/5 of the vertex S-V, which is about to be moved.
+
+place_kept(S-V) :-
+    (   leaf_v(S, V, _, _, _)
+    ->  true
+    ;   v(S, V, X, Y, Z)
+    ->  assert_fact(leaf_v(S, V, X, Y, Z))
+    ;   true
     ).
 
 %!  curve_kept(+Curve) is det.
@@ -172,7 +185,7 @@ has_leaf(S, _, e(Old)) :-
 %!  leaves_restored(+Pairs:list) is det.
 %
 %   The segments of Pairs are as they were before any cut: their polygons,
-%   curves, triangles. Vertices, edges, origins, lines and leaves that the cuts
+%   curves, triangles, and where vertices were. Vertices, edges, origins, lines and leaves that the cuts
 %   made are gone.
 
 leaves_restored(Pairs) :-
@@ -188,6 +201,10 @@ leaves_restored(Pairs) :-
             ( leaf_e(S, E, V1, V2, Et), get_assoc(S, In, _) ),
             Edges),
     maplist(leaf_edge_dropped, Edges),
+    findall(place(S, V, X, Y, Z),
+            ( leaf_v(S, V, X, Y, Z), get_assoc(S, In, _) ),
+            Places),
+    maplist(place_restored, Places),
     findall(S-V, ( origin(S, v(V), _), get_assoc(S, In, _) ), Vertices),
     maplist(unused_dropped, Vertices).
 
@@ -221,6 +238,12 @@ triangles_restored(S, P) :-
     forall(leaf_t(S, P, T, V1, V2, V3),
            assert_fact(t(S, P, T, V1, V2, V3))),
     retractall_facts(leaf_t(S, P, _, _, _, _)).
+
+place_restored(place(S, V, X, Y, Z)) :-
+    retractall_facts(v(S, V, _, _, _)),
+    assert_fact(v(S, V, X, Y, Z)),
+    retractall_facts(origin(S, v(V), _)),
+    retractall_facts(leaf_v(S, V, _, _, _)).
 
 %   An edge of a curve comes back here; of a polygon it is there.
 

@@ -3,8 +3,8 @@
             add_primitive/2             % +Term, -S
           ]).
 :- use_module(store,
-              [ v/5, e/5, p/3, plane/6, t/6, leaf_e/5, leaf_p/3, leaf_t/6,
-                segment/3, origin/3, line/9, assert_fact/1,
+              [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
+                leaf_t/6, segment/3, origin/3, line/9, assert_fact/1,
                 retractall_facts/1, facts_transaction/1, relation_column/5
               ]).
 :- use_module(model_text,
@@ -184,6 +184,8 @@ ready(t(S, P, _, V1, V2, V3)) :-
     has_vertex(S, V1),
     has_vertex(S, V2),
     has_vertex(S, V3).
+ready(leaf_v(S, V, _, _, _)) :-
+    has_vertex(S, V).
 ready(leaf_e(S, _, V1, V2, _)) :-
     has_vertex(S, V1),
     has_vertex(S, V2).
@@ -280,6 +282,7 @@ later_added(Later) :-
     foldl(later_curve, Curves, Numbers, _),
     later_rows(Later, plane/6),
     later_rows(Later, t/6),
+    later_rows(Later, leaf_v/5),
     later_rows(Later, leaf_e/5),
     later_rows(Later, leaf_p/3),
     later_rows(Later, leaf_t/6),
@@ -461,6 +464,7 @@ row_key(e(S, E, _, _, _), e, [S, E], e(S, E, _, _, _)).
 row_key(p(S, P, _), p, [S, P], p(S, P, _)).
 row_key(plane(S, P, _, _, _, _), plane, [S, P], plane(S, P, _, _, _, _)).
 row_key(t(S, _, T, _, _, _), t, [S, T], t(S, _, T, _, _, _)).
+row_key(leaf_v(S, V, _, _, _), leaf_v, [S, V], leaf_v(S, V, _, _, _)).
 row_key(leaf_e(S, E, _, _, _), leaf_e, [S, E], leaf_e(S, E, _, _, _)).
 row_key(leaf_p(S, P, _), leaf_p, [S, P], leaf_p(S, P, _)).
 row_key(leaf_t(S, _, T, _, _, _), leaf_t, [S, T], leaf_t(S, _, T, _, _, _)).

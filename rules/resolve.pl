@@ -3,6 +3,7 @@
             resolved_seams/0
           ]).
 :- use_module(kernel, [cut_resolve/4]).
+:- use_module(leaf, [leaves_kept/1, place_kept/1]).
 :- use_module(store,
               [ v/5, e/5, p/3, t/6, origin/3, line/9,
                 assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3
@@ -29,7 +30,8 @@ triangles. Nothing else changes: what is exact already is left alone, and what
 comes after decides exactly on what stands in v/5 and t/6.
 
 A vertex that moved or was made here has the origin `near(Origin)`, Origin as
-in penetration.pl; it is not exact.
+in penetration.pl; it is not exact. What was there before is kept
+(leaf.pl).
 
 @see c_kernels/resolve.h
 */
@@ -48,6 +50,10 @@ resolve_contacts(Set, Tolerance) :-
     closed_contacts([1, 2 ** -8, 2 ** -16], Set, Tolerance, Changes),
     Changes = changes(Vertices, Polygons),
     Vertices-Polygons \== []-[],
+    findall(S-V, member(vertex(S, V, _, _, _, _), Vertices), Places),
+    maplist(place_kept, Places),
+    findall(S-P, member(polygon(S, P, _, _), Polygons), Cut),
+    leaves_kept(Cut),
     maplist(write_vertex, Vertices),
     maplist(write_polygon, Polygons).
 

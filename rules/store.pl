@@ -4,6 +4,7 @@
             p/3,                      % ?S, ?P, ?Es
             plane/6,                  % ?S, ?P, ?Nx, ?Ny, ?Nz, ?D
             t/6,                      % ?S, ?P, ?T, ?V1, ?V2, ?V3
+            leaf_v/5,                 % ?S, ?V, ?X, ?Y, ?Z
             leaf_e/5,                 % ?S, ?E, ?V1, ?V2, ?Et
             leaf_p/3,                 % ?S, ?P, ?Es
             leaf_t/6,                 % ?S, ?P, ?T, ?V1, ?V2, ?V3
@@ -106,6 +107,11 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   True when T is a triangle of polygon P, its corners counter-clockwise
 %   seen from outside.
+
+%!  leaf_v(?S, ?V, ?X, ?Y, ?Z) is nondet.
+%
+%   True when vertex V of segment S was at X, Y, Z before it was moved, within
+%   the tolerance, to touch another segment (resolve.pl).
 
 %!  leaf_e(?S, ?E, ?V1, ?V2, ?Et) is nondet.
 %
@@ -414,6 +420,7 @@ sandbox:safe_primitive(sg_store:e(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:p(_,_,_)).
 sandbox:safe_primitive(sg_store:plane(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:t(_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:leaf_v(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:leaf_e(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:leaf_p(_,_,_)).
 sandbox:safe_primitive(sg_store:leaf_t(_,_,_,_,_,_)).

@@ -120,7 +120,7 @@ isolated_in(S, P, V) :-
     \+ e(S, _, V, _, _),
     v(S, V, X, Y, Z),
     plane(S, P, Nx, Ny, Nz, D),
-    abs(X*Nx + Y*Ny + Z*Nz + D) < 1.0e-9.
+    abs(X*Nx + Y*Ny + Z*Nz + D) < 1.0e-9*(1+abs(X)+abs(Y)+abs(Z)).
 
 edge_pair(S, A, B) :-
     (   e(S, _, A, B, 1)
