@@ -89,12 +89,15 @@ exact_word(X, Text) :-
 %   chain_rows(+Chain, -Rows): row(Seat1, Seat2, P1-P2, Length) of each point,
 %   Length what was run so far.
 
-chain_rows(chain(_, _, _, Lines), Rows) :-
+chain_rows(chain(_, _, Kind, Lines), Rows) :-
     Lines = [First|_],
     maplist(step_row(start), Lines, Starts),
-    last(Lines, Last),
-    step_row(end, Last, End),
-    append(Starts, [End], Ends),
+    (   Kind == point
+    ->  Ends = Starts
+    ;   last(Lines, Last),
+        step_row(end, Last, End),
+        append(Starts, [End], Ends)
+    ),
     step_row(start, First, row(seat(S,V,_), _, _)),
     place(S, V, Point),
     foldl(measured, Ends, Rows-Point-0.0, []-_-_).
