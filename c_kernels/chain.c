@@ -127,10 +127,12 @@ walk(graph *g, sg_chains *out, size_t *steps, int32_t step)
     out->step[(*steps)++] = next;
     g->walked[(next > 0 ? next : -next) - 1] = true;
   }
-  bool closed = step_end(g, -step) == step_end(g, out->step[*steps - 1]);
+  uint32_t start = step_end(g, -step);
+  bool closed = start == step_end(g, out->step[*steps - 1]);
+  bool point = start == step_end(g, step);
 
   out->item[out->n++] =
-      (sg_chain){g->line[i].group, closed, first, *steps - first};
+      (sg_chain){g->line[i].group, closed, point, first, *steps - first};
 }
 
 /* The chains of the group of lines from .. to - 1. */

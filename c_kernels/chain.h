@@ -33,6 +33,7 @@ typedef struct sg_chain_line {
 typedef struct sg_chain {
   uint32_t group;
   bool closed;     /* it ends where it begins */
+  bool point;      /* it is one line, from a vertex to itself */
   size_t first, n; /* its steps: step[first .. first + n - 1] */
 } sg_chain;
 

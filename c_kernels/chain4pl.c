@@ -13,12 +13,14 @@
 #include <string.h>
 
 static functor_t functor_chain4, functor_chain5, functor_point4, functor_minus2;
-static atom_t atom_open, atom_closed;
+static atom_t atom_open, atom_closed, atom_point;
 
 static bool
 put_kind(term_t t, const sg_chain *chain)
 {
-  return PL_put_atom(t, chain->closed ? atom_closed : atom_open);
+  return PL_put_atom(t, chain->point    ? atom_point
+                        : chain->closed ? atom_closed
+                                        : atom_open);
 }
 
 /* ---- the lines of a world ---- */
@@ -159,9 +161,11 @@ line_chains(term_t list)
 
 /* ---- the pieces of a cut set ---- */
 
-/* The live pieces by segments and number, and the graph of them. */
+/* The live pieces by segments and number, contacts after them, as pieces from
+ * a point to itself; and the graph of them. */
 typedef struct piece_graph {
   const sg_cut_points *points;
+  sg_cut_piece *contact;
   const sg_cut_piece **piece; /* [n] */
   sg_chain_line *line;        /* [n] */
   size_t n;
@@ -178,12 +182,16 @@ compare_pieces(const void *x, const void *y)
       return p->s[k] < q->s[k] ? -1 : 1;
     }
   }
+  if ((p->a == p->b) != (q->a == q->b)) {
+    return p->a == p->b ? 1 : -1;
+  }
   return (p > q) - (p < q);
 }
 
 static void
 graph_clear(piece_graph *g)
 {
+  free(g->contact);
   free(g->piece);
   free(g->line);
 }
@@ -191,17 +199,28 @@ graph_clear(piece_graph *g)
 static bool
 graph_init(piece_graph *g, const sg_cut_set *set)
 {
+  size_t room = set->pieces + set->contacts + 1;
   uint32_t group = 0;
 
-  *g = (piece_graph){&set->points, malloc((set->pieces + 1) * sizeof *g->piece),
-                     malloc((set->pieces + 1) * sizeof *g->line), 0};
-  if (!g->piece || !g->line) {
+  *g = (piece_graph){
+      &set->points, malloc((set->contacts + 1) * sizeof *g->contact),
+      malloc(room * sizeof *g->piece), malloc(room * sizeof *g->line), 0};
+  if (!g->contact || !g->piece || !g->line) {
     return false;
   }
   for (size_t i = 0; i < set->pieces; i++) {
     if (set->piece[i].live) {
       g->piece[g->n++] = &set->piece[i];
     }
+  }
+  for (size_t i = 0; i < set->contacts; i++) {
+    const sg_cut_contact *k = &set->contact[i];
+
+    g->contact[i] = (sg_cut_piece){.s = {k->s[0], k->s[1]},
+                                   .p = {k->p[0], k->p[1]},
+                                   .a = k->point,
+                                   .b = k->point};
+    g->piece[g->n++] = &g->contact[i];
   }
   qsort(g->piece, g->n, sizeof *g->piece, compare_pieces);
   for (size_t i = 0; i < g->n; i++) {
@@ -241,7 +260,8 @@ put_point(term_t t, const sg_cut_points *points, uint32_t number)
   return good;
 }
 
-/* chain(S1, S2, Kind, Points, Polygons): one P1-P2 less than points. */
+/* chain(S1, S2, Kind, Points, Polygons): one P1-P2 less than points; of a
+ * point alone one of each. */
 static int
 put_piece_chain(term_t t, const piece_graph *g, const sg_chains *chains,
                 const sg_chain *chain)
@@ -253,8 +273,9 @@ put_piece_chain(term_t t, const piece_graph *g, const sg_chains *chains,
 
   PL_put_nil(arg + 4);
   PL_put_nil(arg + 3);
-  if (!put_point(head, g->points, step_start(g, -step[chain->n - 1])) ||
-      !PL_cons_list(arg + 3, head, arg + 3)) {
+  if (!chain->point &&
+      (!put_point(head, g->points, step_start(g, -step[chain->n - 1])) ||
+       !PL_cons_list(arg + 3, head, arg + 3))) {
     return FALSE;
   }
   for (size_t i = chain->n; i > 0; i--) {
@@ -324,5 +345,6 @@ sg_install_chain(void)
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   atom_open = PL_new_atom("open");
   atom_closed = PL_new_atom("closed");
+  atom_point = PL_new_atom("point");
   PL_register_extensions_in_module("sg_kernel", predicates);
 }

@@ -4,7 +4,8 @@
           ]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_find/1, curve_candidate/3,
-                curve_enter/4, cut_seal/1, cut_polygons/2, cut_lines/2, cut_vertices/2
+                curve_enter/4, cut_seal/1, cut_polygons/2, cut_lines/2,
+                cut_vertices/2
               ]).
 :- use_module(leaf, [origin_segment/2]).
 :- use_module(resolve, [resolve_contacts/2]).

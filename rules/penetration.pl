@@ -11,6 +11,164 @@
 :- use_module(decision, [decision/2]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3,
+                cut_find/1, cut_side/4, cut_enter/4, cut_triangle/5,
+                cut_ends/4, near_segments/3, cut_seal/1,
+                cut_joints/3, cut_join/2, cut_settle/1, cut_chains/2,
+                cut_polygons/2, cut_entering/4, cut_work/4, cut_crossing/8,
+                cut_note/5, cut_between/6, cut_divided/4, cut_agree/1,
+                cut_late_polygons/2, cut_name/4, cut_lines/2, cut_line/5,
+                cut_vertices/2, cut_split_edges/3,
+                model_tolerance/1,
+                work_add/6, work_delete/2, work_edge/6, work_meeting/6,
+                work_resolve/2, work_close/1
+              ]).
+:- use_module(leaf,
+              [ leaves_kept/1, curve_kept/1, were_cut/2, earlier_cuts/2,
+                leaves_restored/1
+              ]).
+:- use_module(meeting, [find_curve_points/1, met_pairs/3]).
+:- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
+:- use_module(stage, [stage/2]).
+:- use_module(store,
+              [ v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, line/9,
+                assert_fact/1, retract_fact/1, retractall_facts/1,
+                facts_snapshot/1, facts_transaction/1, fresh_id/3
+              ]).
+:- use_module(triangulation, [work_triangles/2]).
+:- autoload(library(apply), [exclude/3, foldl/4, include/3, maplist/2,
+                             maplist/3]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- autoload(library(error), [domain_error/2, must_be/2]).
+:- autoload(library(lists), [append/3, last/2, member/2, reverse/2]).
+:- autoload(library(option), [option/2]).
+:- autoload(library(ordsets), [ord_union/3]).
+
+/** <module> Penetration lines: where segments go through each other.
+
+The rules of section 5 of the paper, over the joins of kernel.pl:
+
+  1. Candidate pairs of leaf triangles come from trees of boxes; what a pair
+     has in common is a *cut*, exact, its ends known by their features.
+  2. Each piece of a cut enters both its polygons as an edge pair, so that the
+     polygons stay what they are: sets of directed edges. Against the edges
+     that are there it is divided, dropped where it is contained (step 4).
+  3. What was divided in one polygon is divided in all, so that a line has the
+     same pieces in both its segments.
+  4. Straight runs of pieces that nothing else meets become one (PL-9), and
+     the polygons are triangulated again (PL-6).
+
+Vertices and edges made here have an origin/3; the same term in both segments:
+
+    origin(S, v(V), lpi(S1-(A,B), S2-(C,D,E)))   line A-B, triangle C,D,E
+    origin(S, v(V), ll(S1-(A,B), S2-(C,D)))      two lines in one plane
+    origin(S, v(V), tpi(S1-(A,B,C), S2-(...), S3-(...)))   three planes
+    origin(S, v(V), v(S1, V1))                   a vertex of the other segment
+    origin(S, e(E), e(Old))                      a part of an edge that was
+    origin(S, e(E), line(L))                     an edge of a penetration line
+
+The triangles are named by their corners, because corners stay and triangles
+do not. line/9 has every piece once, with its vertices in both segments. A
+polygon or curve that is cut keeps its leaves (leaf.pl).
+
+@see [PL] section 5; rows PL-7, PL-8 and PL-9 of the requirements
+*/
+
+:- decision(may_cut/2, "Which segments cut each other (PL-8)").
+
+%!  may_cut(+S1, +S2) is semidet.
+%
+%   Decision: segments S1 and S2, S1 < S2, cut each other. The default: those
+%   that have not done so before.
+
+may_cut(S1, S2) :-
+    \+ were_cut(S1, S2).
+
+:- decision(merge_line/2,
+            "Which collinear pieces of a line become one (PL-9)").
+
+%!  merge_line(+Piece1, +Piece2) is semidet.
+%
+%   Decision: two pieces become one. A piece is
+%   piece(S1, Polygon1, S2, Polygon2); the two meet in a vertex where no other
+%   edge is, and are in line. The default: those of the same two polygons.
+
+merge_line(Piece, Piece).
+
+%!  penetrate is det.
+%
+%   Find all penetration lines of the segments of the current world, put them
+%   into the polygons and write line/9. One transaction; a world whose
+%   segments do not meet stays as it is. Segments that were cut by each other
+%   before are not cut again (the decision may_cut/2), so it may be called
+%   after loading more. The decision is asked for segments whose boxes touch
+%   within the tolerance, and for no others.
+
+penetrate :-
+    penetrate(all, []).
+
+%!  penetrate(+Pairs) is det.
+%
+%   The same for the segments S1-S2 of the list Pairs only.
+
+penetrate(Pairs) :-
+    penetrate(Pairs, []).
+
+%!  penetrate(+Pairs, +Options:list) is det.
+%
+%   The same, Pairs a list or `all`. Option:
+%
+%     - tolerance(Tolerance)
+%     What is nearer than this (model units, not negative) is made to touch
+%     first, see resolve.pl. 0: nothing is, the model is taken as it is.
+%     Default: as model_tolerance/1 sees the model.
+%
+%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
+%          polygon P cannot be triangulated
+
+penetrate(Which, Options) :-
+    touching(Options, Tolerance),
+    pairs_to_cut(Which, Tolerance, Pairs),
+    facts_transaction(sg_penetration:penetrated_leaves(Pairs, Tolerance)).
+
+pairs_to_cut(all, Tolerance, Pairs) :-
+    !,
+    findall(S1-S2,
+            ( near_segments(Tolerance, S1, S2),
+              may_cut(S1, S2)
+            ),
+            Pairs).
+pairs_to_cut(Pairs, _, Pairs).
+
+touching(Options, Tolerance) :-
+    (   option(tolerance(Tolerance), Options)
+    ->  must_be(number, Tolerance),
+        (   Tolerance >= 0
+        ->  true
+        ;   domain_error(not_less_than_zero, Tolerance)
+        )
+    ;   model_tolerance(Tolerance)
+    ).
+
+%   Cuts are taken between leaves (leaf.pl): where Pairs meet, what earlier
+%   cuts made is taken back, and all are taken at once.
+
+penetrated_leaves(Pairs, Tolerance) :-
+    earlier_cuts(Pairs, Earlier),
+    (   Earlier == []
+    ->  penetrated(Pairs, Tolerance)
+    ;   facts_snapshot(
+            sg_penetration:met_leaves(Earlier, Pairs, Tolerance, Met)),
+        penetrated_again(Met, Tolerance)
+    ).
+
+penetrated_again([], _) :-
+    !.
+penetrated_again(Met, Tolerance) :-
+    earlier_cuts(Met, Earlier),
+    ord_union(Earlier, Met, All),
+    leaves_restored(All),
+    penetrated(All, Tolerance).
+
 %   met_leaves(+Earlier, +Pairs, +Tolerance, -Met): those of Pairs with leaves
 %   that meet.
 
@@ -57,9 +215,10 @@ arranged(Pairs, Set) :-
 %
 %       chain(S1, S2, Kind, Points, Polygons)
 %
-%   where Kind is `open` or `closed`, Points are the point(X, Y, Z, Origin) from
-%   end to end (of a closed one the last is the first again), and Polygons the
-%   P1-P2 of each piece from one point to the next, polygons of S1 and S2.
+%   where Kind is `open`, `closed` or `point`, Points are the point(X, Y, Z,
+%   Origin) from end to end (of a closed one the last is the first again), and
+%   Polygons the P1-P2 of each piece from one point to the next, polygons of S1
+%   and S2; a point alone has those two that touch.
 %   Origin is as in origin/3. The order is that of chains/1.
 %
 %   This is the first stage of penetrate/1. Entering the lines into polygons may

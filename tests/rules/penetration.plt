@@ -290,6 +290,17 @@ test(contacts, Ks == [1-2-point,1-3-point,1-4-point,2-3-point]) :-
                  findall(S1-S2-K, member(chain(S1,S2,K,_), Cs), Ks),
                  faults([]) )).
 
+% The chains before anything enters know them too.
+test(contact_chain, Chains == [chain(1, 2, point, [point(0.25,0.125,2.0,v(2,5))],
+                                     [2-2])]) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(2,2,2)), _),
+               add_primitive(at([rotate(x,180),translate(0.25,0.125,3)],
+                                pyramid(base(1,1), height(1))), _),
+               complete_segments,
+               penetration_chains(Chains) )).
+
 %   tip_at(+X, +Y, -At): a pyramid stands on its tip on a box of 2, at X, Y.
 
 tip_at(X, Y, At) :-
