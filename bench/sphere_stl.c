@@ -1,5 +1,6 @@
 /* sphere_stl.c -- writes a binary STL of a wavy sphere with about N triangles
- * to standard output: sphere_stl N > FILE. Closed; the same bytes every time.
+ * to standard output: sphere_stl N [X [Y [Z]]] > FILE. Its radius is about 10,
+ * its centre X, Y, Z. Closed; the same bytes every time.
  */
 #include <math.h>
 #include <stdint.h>
@@ -7,6 +8,7 @@
 #include <stdlib.h>
 
 static unsigned rows, columns;
+static double centre[3];
 
 /* The corner at this row (0: north pole, `rows`: south pole) and column. */
 static void
@@ -30,6 +32,9 @@ put_triangle(const unsigned at[3][2])
     float p[3];
     corner(at[c][0], at[c][1], p);
     for (int k = 0; k < 3; k++) {
+      p[k] = (float)(p[k] + centre[k]);
+    }
+    for (int k = 0; k < 3; k++) {
       union {
         float f;
         uint32_t bits;
@@ -46,6 +51,10 @@ int
 main(int argc, char **argv)
 {
   double wanted = argc > 1 ? atof(argv[1]) : 1000;
+
+  for (int k = 0; k < 3 && k + 2 < argc; k++) {
+    centre[k] = atof(argv[k + 2]);
+  }
 
   rows = (unsigned)fmax(2, round(sqrt(wanted / 4) + 0.5));
   columns = 2 * rows;
