@@ -1,7 +1,7 @@
 /* cut4pl.h -- the cut set behind a Prolog handle.
  *
- * Layer: glue. Shared by cut4pl.c (finding cuts) and seam4pl.c (putting them
- * into polygons).
+ * Layer: glue. Shared by cut4pl.c (finding cuts), seam4pl.c (putting them into
+ * polygons) and split4pl.c (where they cross there).
  */
 #ifndef SG_CUT4PL_H
 #define SG_CUT4PL_H
@@ -10,6 +10,7 @@
 
 #include "cut_set.h"
 #include "tree4pl.h"
+#include "work.h"
 
 /* One penetration under way. The model, and all real edges, are those of the
  * version at which it was opened. */
@@ -43,6 +44,11 @@ int sg_get_cut_set_ex(term_t t, sg_cut_handle **out);
 int sg_cut_open_ex(sg_cut_handle *handle, term_t pairs);
 void sg_cut_open_clear(sg_cut_handle *handle);
 int sg_cut_join_ex(sg_cut_handle *handle);
+
+/* The handle in `work`, of segment s, of a point of the set, which gets a name
+ * there if it has none (seam4pl.c). SG_WORK_NONE: an exception. */
+int32_t sg_cut_enter_point_ex(sg_cut_handle *handle, sg_work *work,
+                              uint32_t point, int32_t s);
 
 /* What made a point, as in origin/3 (line4pl.c). */
 int sg_unify_origin(term_t t, const sg_cut_points *points, uint32_t point);

@@ -14,7 +14,7 @@
             tree_statistics/1,        % -Statistics
             near_segments/3,          % +Reach, -S1, -S2
             self_meetings/2,          % +Most, -Segments
-            % cut4pl.c, seam4pl.c, line4pl.c
+            % cut4pl.c, seam4pl.c, split4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
             cut_resolve/4,            % +Set, +Reach, -Vertices, -Polygons
@@ -467,7 +467,7 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   Cuts is the list of cut(Kind, End1, End2) that T1 and T2 have in common, as
 %   in penetration.pl, triangle_cut/5. Exact; changes nothing.
 
-/* - - - seam4pl.c: cuts into polygons - - - */
+/* - - - seam4pl.c, split4pl.c: cuts into polygons - - - */
 
 %!  cut_seal(+Set) is det.
 %
