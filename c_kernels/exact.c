@@ -4,7 +4,8 @@
  *   1. doubles with a bound of the rounding error;
  *   2. for double points whose differences are exact: error-free sums and
  *      products of doubles (so that grids and axis-parallel models, where
- *      zeros are common, stay fast);
+ *      zeros are common, stay fast); for a plane of other double points,
+ *      twice the digits with a bound;
  *   3. integers: all points of the question times one common denominator.
  * Stage 3 is counted. Source of the idea of 1 and 2: J. R. Shewchuk, Adaptive
  * precision floating-point arithmetic, 1997, sections 2 and 4.
@@ -157,6 +158,79 @@ sign_of_determinant(const double d[9])
   return n ? sign(sum[n - 1]) : 0;
 }
 
+/* ---- stage 2 for any doubles: twice the digits ------------------------- */
+
+/* A number as hi + lo, lo at most half a unit in the last place of hi. */
+typedef struct pair {
+  double hi, lo;
+} pair;
+
+static pair
+pair_sum(pair x, pair y)
+{
+  double s, t, lo;
+
+  two_sum(x.hi, y.hi, &s, &t);
+  two_sum(s, t + (x.lo + y.lo), &s, &lo);
+  return (pair){s, lo};
+}
+
+static pair
+pair_product(pair x, pair y)
+{
+  double h, l;
+  pair p;
+
+  two_product(x.hi, y.hi, &h, &l);
+  two_sum(h, l + (x.hi * y.lo + x.lo * y.hi), &p.hi, &p.lo);
+  return p;
+}
+
+/* x * y - z * w */
+static pair
+pair_minor(pair x, pair y, pair z, pair w)
+{
+  pair right = pair_product(z, w);
+
+  return pair_sum(pair_product(x, y), (pair){-right.hi, -right.lo});
+}
+
+static bool
+is_same_row(const double *a, const double *b)
+{
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+/* The sign of the determinant whose rows are the points less d; m: the same
+ * rounded, in range. Points in one place give 0. Else each product and sum is
+ * wrong by less than 2^-100 of its terms' sizes, so that the whole is by less
+ * than 2^-95 of theirs. 2: undecided. */
+static int
+sign_of_pairs(const double *const point[3], const double d[3],
+              const double m[9])
+{
+  pair x[9], det = {0, 0};
+  double size = 0;
+
+  if (is_same_row(point[0], d) || is_same_row(point[1], d) ||
+      is_same_row(point[2], d) || is_same_row(point[0], point[1]) ||
+      is_same_row(point[1], point[2]) || is_same_row(point[2], point[0])) {
+    return 0;
+  }
+  for (int i = 0; i < 9; i++) {
+    two_sum(point[i / 3][i % 3], -d[i % 3], &x[i].hi, &x[i].lo);
+  }
+  for (int r = 0; r < 3; r++) {
+    int p = 3 * ((r + 1) % 3), q = 3 * ((r + 2) % 3);
+    pair minor = pair_minor(x[p], x[q + 1], x[q], x[p + 1]);
+
+    det = pair_sum(det, pair_product(minor, x[3 * r + 2]));
+    size +=
+        (fabs(m[p] * m[q + 1]) + fabs(m[q] * m[p + 1])) * fabs(m[3 * r + 2]);
+  }
+  return fabs(det.hi) > 0x1p-95 * size ? sign(det.hi) : 2;
+}
+
 /* ---- stage 3: integers -------------------------------------------------- */
 
 static int
@@ -278,7 +352,8 @@ static int
 orient3d_carefully(const double a[3], const double b[3], const double c[3],
                    const double d[3], const double difference[9])
 {
-  bool exact = in_range(difference, 9);
+  const double *const point[3] = {a, b, c};
+  bool fit = in_range(difference, 9), exact = fit;
 
   for (int k = 0; exact && k < 3; k++) {
     exact = difference_is_exact(a[k], d[k], difference[k]) &&
@@ -287,6 +362,11 @@ orient3d_carefully(const double a[3], const double b[3], const double c[3],
   }
   if (exact) {
     return sign_of_determinant(difference);
+  }
+  int answer = fit ? sign_of_pairs(point, d, difference) : 2;
+
+  if (answer != 2) {
+    return answer;
   }
   sg_point p = plain(a[0], a[1], a[2]), q = plain(b[0], b[1], b[2]),
            r = plain(c[0], c[1], c[2]), s = plain(d[0], d[1], d[2]);
