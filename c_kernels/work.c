@@ -61,6 +61,7 @@ sg_work_clear(sg_work *work, const double normal[3])
   clear_points(work);
   sg_work_grid_close(&work->grid);
   sg_work_grid_close(&work->ends);
+  sg_work_grid_close(&work->tips);
   work->simple = SG_NOT_ASKED;
   forget_proven(work);
   if (work->slots > SLOTS_KEPT) {
@@ -82,6 +83,7 @@ sg_work_close(sg_work *work)
     clear_points(work);
     sg_work_grid_close(&work->grid);
     sg_work_grid_close(&work->ends);
+    sg_work_grid_close(&work->tips);
     free(work->vertex);
     free(work->slot);
     free(work->edge);
@@ -275,6 +277,7 @@ note_added(sg_work *work, int32_t start, int32_t end)
       sg_work_pair(work, start, end)) {
     forget_proven(work);
     sg_work_grid_close(&work->ends);
+    sg_work_grid_close(&work->tips);
     if (work->simple == SG_SIMPLE) {
       work->simple = SG_NOT_ASKED;
     }

@@ -123,8 +123,11 @@ choose_cells(sg_work_grid *grid, sg_grid_of of, const extent *box, size_t n)
       width[k] = DBL_MIN;
     }
   }
-  (of == SG_GRID_OF_ENDS ? cells_of_ends : cells_of_segments)(box, width, n,
-                                                              size);
+  if (of == SG_GRID_OF_ENDS) {
+    cells_of_ends(box, width, n, size);
+  } else {
+    cells_of_segments(box, width, n, size);
+  }
   double most = CELLS * (double)n;
   double cells = width[0] / size[0] * (width[1] / size[1]);
   /* Too many: widen the finer direction first, to squares, then both. */

@@ -324,8 +324,7 @@ is_free(sg_candidates *walk, const int32_t corner[3])
   return true;
 }
 
-/* (I) and (II). In a simple relation no edge crosses two sides of which one is
- * an edge, so an ear is seen by its vertices alone. */
+/* (I) and (II). In a simple relation it is quicker to see if an ear is free. */
 static bool
 fits(sg_candidates *walk, int32_t v3)
 {
@@ -335,10 +334,12 @@ fits(sg_candidates *walk, int32_t v3)
   if (sg_work_turn(work, walk->v1, walk->v2, v3) <= 0) {
     return false;
   }
-  bool simple = work->living > SG_WORK_FEW && sg_work_is_simple(work);
-  if ((simple && sg_work_occupied(work, corner, &walk->no_memory)) ||
-      (!(simple && walk->phase != ANY) && !is_free(walk, corner)) ||
-      walk->no_memory) {
+  if (walk->phase != ANY && work->living > SG_WORK_FEW &&
+      sg_work_is_simple(work)) {
+    if (sg_work_occupied(work, corner, &walk->no_memory)) {
+      return false;
+    }
+  } else if (!is_free(walk, corner)) {
     return false;
   }
   memcpy(work->proven, corner, sizeof corner);

@@ -38,7 +38,9 @@ struct sg_work {
   uint32_t search;   /* the number of the last one */
   sg_work_grid grid; /* of living edges, when grid.open */
   sg_work_grid ends; /* of vertices that have edges, + 1, when ends.open */
+  sg_work_grid tips; /* of those that can be in an ear, when tips.open */
   enum { SG_NOT_ASKED, SG_SIMPLE, SG_NOT_SIMPLE } simple;
+  bool orderly;      /* and if simple: the inside is left of every edge */
   int32_t proven[3]; /* the last triangle in whose way nothing was */
 };
 
@@ -68,10 +70,11 @@ int32_t sg_work_by_place(sg_work *work, int32_t *out);
 bool sg_work_meets(const sg_work *work, int32_t v1, int32_t v2, int32_t e);
 
 /* work_simple.c: the relation is simple if edges meet in shared vertices only;
- * opposite edges may lie on each other. sg_work_note_simple() finds out, given
- * what sg_work_by_place() gave (vertices without edges may be among them).
- * sg_work_is_simple() finds out when it is not known. No memory counts as not
- * simple: then the other way is gone, which can tell. */
+ * opposite edges may lie on each other. It is orderly if there are none of
+ * these and every edge has the inside on its left. sg_work_note_simple() finds
+ * out, given what sg_work_by_place() gave (vertices without edges may be among
+ * them). sg_work_is_simple() finds out when it is not known. No memory counts
+ * as not simple: then the other way is gone, which can tell. */
 void sg_work_note_simple(sg_work *work, const int32_t *vertex, int32_t n);
 bool sg_work_is_simple(sg_work *work);
 
@@ -79,10 +82,11 @@ bool sg_work_is_simple(sg_work *work);
  * them are gone. False: no memory. */
 bool sg_work_ends_ready(sg_work *work);
 
-/* Of a simple relation: is there a vertex in the closed triangle, or an edge
- * that goes into it from one of its corners? If v1-v2 and one of the other
- * sides are edges, then nothing else can be in its way. The triangle is
- * counter-clockwise. *no_memory is set, or left alone. */
+/* Of a simple relation and a triangle, counter-clockwise, that has edge v1-v2
+ * and another edge for sides: is anything in its way? No edge can cross it, so
+ * something is only if a vertex is in it, or if an edge goes into it from one
+ * of its corners. If the relation is also orderly, then one of these vertices
+ * is reflex. *no_memory is set, or left alone. */
 bool sg_work_occupied(sg_work *work, const int32_t corner[3], bool *no_memory);
 
 /* Are there so many edges that the grid serves? Builds it or builds it anew

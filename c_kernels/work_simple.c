@@ -22,6 +22,8 @@ typedef struct sweep {
   int32_t *order; /* [vertices]: which place a vertex has */
   node *node;     /* [edges + 1] */
   int32_t root;
+  int32_t before, after; /* of the gap where edges ended last */
+  bool orderly;
 } sweep;
 
 /* ---- the tree ----------------------------------------------------------- */
@@ -157,21 +159,64 @@ static bool
 end(sweep *s, int32_t e)
 {
   unhang(s, e);
-  return apart(s, s->node[e].before, s->node[e].after);
+  s->before = s->node[e].before;
+  s->after = s->node[e].after;
+  return apart(s, s->before, s->after);
 }
 
 /* Of opposite edges one stands for both; false in *simple: there is an edge
  * twice. */
 static bool
-stands(const sweep *s, int32_t e, bool *simple)
+stands(sweep *s, int32_t e, bool *simple)
 {
   const sg_work_edge *edge = &s->work->edge[e].edge;
+  bool opposite = sg_work_pair(s->work, edge->end, edge->start) != 0;
 
   if (sg_work_pair(s->work, edge->start, edge->end) != e) {
     *simple = false;
   }
-  return first_end(s, e) == edge->start ||
-         !sg_work_pair(s->work, edge->end, edge->start);
+  if (opposite) {
+    s->orderly = false;
+  }
+  return !opposite || first_end(s, e) == edge->start;
+}
+
+/* What lies between two neighbours is inside of both or outside of both. */
+static void
+note_order(sweep *s, int32_t before, int32_t after)
+{
+  bool left =
+      before && first_end(s, before) == s->work->edge[before].edge.start;
+  bool right = after && first_end(s, after) != s->work->edge[after].edge.start;
+
+  if (left != right) {
+    s->orderly = false;
+  }
+}
+
+/* After all changes at v. */
+static void
+note_orders(sweep *s, int32_t v)
+{
+  int32_t last = 0;
+  bool begun = false;
+
+  for (int leaving = 0; leaving < 2; leaving++) {
+    int32_t e = 0;
+    while (s->orderly && (e = leaving ? sg_work_leaving(s->work, v, e)
+                                      : sg_work_entering(s->work, v, e)) != 0) {
+      if (first_end(s, e) == v) {
+        note_order(s, s->node[e].before, e);
+        note_order(s, e, s->node[e].after);
+        begun = true;
+      } else {
+        last = e;
+      }
+    }
+  }
+  if (last && !begun && s->orderly) {
+    note_order(s, s->before, s->after);
+  }
 }
 
 /* The edges of v that end there, or those that begin there. */
@@ -210,6 +255,7 @@ swept(sweep *s, const int32_t *vertex, int32_t n)
         !each_edge(s, v, true) || !each_edge(s, v, false)) {
       return false;
     }
+    note_orders(s, v);
     last = v;
   }
   return true;
@@ -218,12 +264,13 @@ swept(sweep *s, const int32_t *vertex, int32_t n)
 void
 sg_work_note_simple(sg_work *work, const int32_t *vertex, int32_t n)
 {
-  sweep s = {.work = work};
+  sweep s = {.work = work, .orderly = true};
 
   s.order = malloc(((size_t)work->vertices + 1) * sizeof *s.order);
   s.node = malloc(((size_t)work->edges + 1) * sizeof *s.node);
   bool simple = s.order && s.node && swept(&s, vertex, n);
   work->simple = simple ? SG_SIMPLE : SG_NOT_SIMPLE;
+  work->orderly = s.orderly;
   free(s.order);
   free(s.node);
 }
@@ -269,12 +316,33 @@ sg_work_by_place(sg_work *work, int32_t *out)
 
 /* ---- what is in a triangle ---------------------------------------------- */
 
-bool
-sg_work_ends_ready(sg_work *work)
-{
-  sg_work_grid *grid = &work->ends;
+/* Why vertices tell all: in a simple relation an edge that meets the triangle,
+ * but begins in none of its corners, cannot leave it again, for two of its
+ * sides are edges; so an end of it is in the triangle. In an orderly one, of
+ * the vertices in the triangle one farthest from the third side has no edge to
+ * farther away, so the inside of the polygon goes more than half round it (or
+ * goes half round it and more round another at the same distance): reflex. */
 
-  if (grid->open && grid->held <= 2 * work->living + SG_WORK_FEW) {
+/* Of an orderly relation: v is no corner, a convex or a straight one. It will
+ * not be reflex later, when triangles have been taken off. */
+static bool
+is_convex(const sg_work *work, int32_t v)
+{
+  int32_t in = work->vertex[v].first_in, out = work->vertex[v].first_out;
+
+  if (!in || !out || work->edge[in].in_younger || work->edge[out].out_younger) {
+    return !in && !out;
+  }
+  return sg_work_turn(work, work->edge[in].edge.start, v,
+                      work->edge[out].edge.end) >= 0;
+}
+
+/* The grid of all vertices that have edges, or of those that are not convex;
+ * built anew when most of it is gone. False: no memory. */
+static bool
+vertices_ready(sg_work *work, sg_work_grid *grid, bool all)
+{
+  if (grid->open && grid->expected <= 2 * work->living + SG_WORK_FEW) {
     return true;
   }
   sg_work_grid_segment *segment = sg_work_segments(work);
@@ -283,11 +351,17 @@ sg_work_ends_ready(sg_work *work)
                                            work->living, sg_work_error(work));
   free(segment);
   for (int32_t v = 0; done && v < work->vertices; v++) {
-    const double *at = work->vertex[v].at;
-    done =
-        !sg_work_has_edges(work, v) || sg_work_grid_add_point(grid, v + 1, at);
+    if (all ? sg_work_has_edges(work, v) : !is_convex(work, v)) {
+      done = sg_work_grid_add_point(grid, v + 1, work->vertex[v].at);
+    }
   }
   return done;
+}
+
+bool
+sg_work_ends_ready(sg_work *work)
+{
+  return vertices_ready(work, &work->ends, true);
 }
 
 /* v is certainly beside the triangle: a cheap question first. */
@@ -350,18 +424,21 @@ sg_work_occupied(sg_work *work, const int32_t corner[3], bool *no_memory)
       return true;
     }
   }
-  if (!sg_work_ends_ready(work)) {
+  if (!vertices_ready(work, &work->tips, !work->orderly)) {
     *no_memory = true;
     return true;
   }
-  sg_work_grid_walk_open(&walk, &work->ends, (const double(*)[2])at, 3);
+  sg_work_grid_walk_open(&walk, &work->tips, (const double(*)[2])at, 3);
   for (int32_t v; (v = sg_work_grid_walk_next(&walk) - 1) >= 0;) {
     if (!sg_work_has_edges(work, v)) {
       sg_work_grid_walk_drop(&walk);
-    } else if (v != corner[0] && v != corner[1] && v != corner[2] &&
-               !beside((const double(*)[2])at, work->vertex[v].at) &&
-               covers(work, corner, v)) {
+    } else if (v == corner[0] || v == corner[1] || v == corner[2] ||
+               beside((const double(*)[2])at, work->vertex[v].at)) {
+      continue;
+    } else if (covers(work, corner, v)) {
       return true;
+    } else if (work->orderly && is_convex(work, v)) {
+      sg_work_grid_walk_drop(&walk);
     }
   }
   return false;
