@@ -61,10 +61,7 @@ penetrated(How, First, Second, Faults) :-
                made_ready(How),
                model_before(Before),
                penetrate(all, [tolerance(0)]),
-               findall(Fault,
-                       limit(3, ( fault(Before, Fault),
-                                  Fault \= points(_, _, _, _) )),
-                       Faults) )).
+               findall(Fault, limit(3, fault(Before, Fault)), Faults) )).
 
 %   As it is, or so that what is meant to touch does.
 

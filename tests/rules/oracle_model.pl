@@ -35,10 +35,7 @@ penetration_faults(Faults) :-
 %   The first three solutions of model_fault/2.
 
 model_faults(Before, Faults) :-
-    findall(Fault,
-            limit(3, ( model_fault(Before, Fault),
-                       Fault \= points(_, _, _, _) )),
-            Faults).
+    findall(Fault, limit(3, model_fault(Before, Fault)), Faults).
 
 %!  model_before(-Before) is det.
 %
