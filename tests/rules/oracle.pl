@@ -9,6 +9,7 @@
             directed_runs/2,            % +Pieces, -Runs
             run_point/3,                % +Runs, +Point, -How
             exact_vertex/3,             % +S, +V, -Point
+            origin_point/2,             % +Origin, -Point
             vertex_point/3,             % +S, +V, -Point
             vector_area/2               % +Edges, -Vector
           ]).
@@ -500,6 +501,10 @@ exact_vertex(S, V, Point) :-
     ->  origin_point(Origin, Point)
     ;   vertex_point(S, V, Point)
     ).
+
+%!  origin_point(+Origin, -Point) is semidet.
+%
+%   Where a vertex with this origin is.
 
 origin_point(v(S, V), Point) :-
     exact_vertex(S, V, Point).

@@ -23,12 +23,45 @@ where their origins say.
 %!  penetration_faults(-Faults) is det.
 %
 %   Penetrate the current world, whose segments have triangles; Faults is what
-%   is wrong then.
+%   is wrong then, and before with what penetration_chains/3 says.
 
 penetration_faults(Faults) :-
     model_before(Before),
+    penetration_chains(all, [tolerance(0)], Chains),
+    findall(Fault, chains_fault(Before, Chains, Fault), Faults1),
     penetrate(all, [tolerance(0)]),
-    model_faults(Before, Faults).
+    model_faults(Before, Faults2),
+    append(Faults1, Faults2, Faults).
+
+%   chains_fault(+Before, +Chains, -Fault): the lines before they enter anything
+%   are the same points; a chain is closed that ends where it begins.
+
+chains_fault(before(_, Lines), Chains, Fault) :-
+    member(lines(S1, S2, Common, Alone), Lines),
+    pairs_values(Common, Pieces),
+    runs(Pieces, Oracle),
+    findall(Kind-Points,
+            ( member(chain(S1, S2, Kind, Points0, _), Chains),
+              maplist(chain_point, Points0, Points) ),
+            Own),
+    findall(A-B, ( member(_-Points, Own), append(_, [A,B|_], Points) ),
+            EnginePieces),
+    findall(A, member(point-[A], Own), EngineAlone0),
+    msort(EngineAlone0, EngineAlone),
+    (   runs(EnginePieces, Engine),
+        Engine \== Oracle,
+        Fault = chains(S1, S2, oracle(Oracle), engine(Engine))
+    ;   EngineAlone \== Alone,
+        Fault = chains(S1, S2, oracle(Alone), engine(EngineAlone))
+    ;   member(Kind-[First|Points], Own),
+        Points \== [],
+        last(Points, Last),
+        \+ ( First == Last -> Kind == closed ; Kind == open ),
+        Fault = chain_kind(S1, S2, Kind)
+    ).
+
+chain_point(point(_, _, _, Origin), Point) :-
+    origin_point(Origin, Point).
 
 %!  model_faults(+Before, -Faults) is det.
 %

@@ -88,20 +88,34 @@ test(in_two_steps, Bad == []) :-
 % A box stands on a table, a sheet hangs under it and does not cut the box: where
 % its line crosses the edges of the box, these are divided on both sides.
 test(late_points, Faults == []) :-
+    box(Box),
+    sheet([p(0,0,0), p(4,0,0), p(4,4,0), p(0,4,0)], Table),
+    sheet([p(2,0,-2), p(2,4,-2), p(2,4,0), p(2,0,0)], Sheet),
+    not_first_and_third([Box,Table,Sheet], Faults).
+
+% Two sheets have an edge in common; the third divides it, but only that of the
+% second.
+test(edges_on_each_other, Faults == []) :-
+    sheet([p(0,0,0), p(4,0,0), p(4,0,2), p(0,0,2)], Upper),
+    sheet([p(0,0,-2), p(4,0,-2), p(4,0,0), p(0,0,0)], Lower),
+    sheet([p(2,-1,-2), p(2,1,-2), p(2,1,0), p(2,-1,0)], Across),
+    not_first_and_third([Upper,Lower,Across], Faults).
+
+box(shape(box, solid,
+          [ p(1,1,0), p(3,1,0), p(3,3,0), p(1,3,0),
+            p(1,1,2), p(3,1,2), p(3,3,2), p(1,3,2) ],
+          [ [[4,3,2,1]], [[5,6,7,8]], [[1,2,6,5]], [[2,3,7,6]], [[3,4,8,7]],
+            [[4,1,5,8]] ])).
+
+sheet(Points, shape(sheet, surface, Points, [[[1,2,3,4]]])).
+
+%   not_first_and_third(+Shapes, -Faults): of three, these do not cut each other.
+
+not_first_and_third(Shapes, Faults) :-
     new_world(World),
     in_world(World,
              ( follow("may_cut(S1, S2) :- S1-S2 \\== 1-3."),
-               add_shape(1, shape(box, solid,
-                                  [ p(1,1,0), p(3,1,0), p(3,3,0), p(1,3,0),
-                                    p(1,1,2), p(3,1,2), p(3,3,2), p(1,3,2) ],
-                                  [ [[4,3,2,1]], [[5,6,7,8]], [[1,2,6,5]],
-                                    [[2,3,7,6]], [[3,4,8,7]], [[4,1,5,8]] ])),
-               add_shape(2, shape(table, surface,
-                                  [p(0,0,0), p(4,0,0), p(4,4,0), p(0,4,0)],
-                                  [[[1,2,3,4]]])),
-               add_shape(3, shape(sheet, surface,
-                                  [ p(2,0,-2), p(2,4,-2), p(2,4,0), p(2,0,0) ],
-                                  [[[1,2,3,4]]])),
+               foldl(add_next, Shapes, 1, _),
                complete_segments,
                model_before(Before0),
                without(1, 3, Before0, Before),
