@@ -167,6 +167,8 @@ write_picture(Out, Chains, Options) :-
     format(Out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"~wmm\" \c
                  height=\"~wmm\" viewBox=\"0 0 ~w ~w\">~n",
            [Width, Height, Width, Height]),
+    format(Out, "<rect width=\"~w\" height=\"~w\" fill=\"white\"/>~n",
+           [Width, Height]),
     format(Out, "<g fill=\"none\" stroke=\"black\" stroke-width=\"0.35\" \c
                  stroke-linecap=\"round\" stroke-linejoin=\"round\">~n", []),
     forall(nth1(C, Seen, Chain), write_path(Out, Scale, C, Chain)),
