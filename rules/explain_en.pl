@@ -93,6 +93,11 @@ statement_en(also(S, V, Place)) -->
     ).
 statement_en(not_merged(L, By)) -->
     [ 'not merged with line ~d there: merge_line/2 (~w) refused it'-[L, By] ].
+statement_en(touching(1)) -->
+    [ 'one pair of triangles touches there' ].
+statement_en(touching(N)) -->
+    { N \== 1 },
+    [ '~d pairs of triangles touch there'-[N] ].
 statement_en(pieces(1, _)) -->
     [ 'one cut of two triangles' ].
 statement_en(pieces(N, By)) -->

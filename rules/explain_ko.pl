@@ -94,6 +94,11 @@ statement_ko(also(S, V, Place)) -->
     ).
 statement_ko(not_merged(L, By)) -->
     [ '거기서 선 ~d과(와) 잇지 않았다: merge_line/2 (~w)이(가) 거절했다'-[L, By] ].
+statement_ko(touching(1)) -->
+    [ '삼각형 쌍 하나가 거기서 닿는다' ].
+statement_ko(touching(N)) -->
+    { N \== 1 },
+    [ '삼각형 쌍 ~d개가 거기서 닿는다'-[N] ].
 statement_ko(pieces(1, _)) -->
     [ '두 삼각형의 조각 하나' ].
 statement_ko(pieces(N, By)) -->

@@ -307,10 +307,13 @@ line_pieces(L, Because) :-
     length(Pieces, N),
     (   N =:= 0
     ->  Because = []
-    ;   decided_by(merge_line/2, By),
-        findall(because(piece(I,T1,T2), []),
+    ;   findall(because(piece(I,T1,T2), []),
                 nth1(I, Pieces, _-piece(T1,T2,_,_)), Each),
-        Because = [because(pieces(N, By), Each)]
+        (   A == B
+        ->  Because = [because(touching(N), Each)]
+        ;   decided_by(merge_line/2, By),
+            Because = [because(pieces(N, By), Each)]
+        )
     ).
 
 vertex_point(S, V, p(X,Y,Z)) :-

@@ -44,6 +44,25 @@ check "in Korean" output '닫힘, 조각 6개' penetrate $cubes --format txt --l
 check "exact is for tables" complains 2 'exact is for tables' \
   penetrate $cubes --exact -o "$TMP/x.obj"
 
+# A spike whose tip stands in a floor: one point, in every format.
+cat >"$TMP/tip.pl" <<'MODEL'
+segment(1, surface, floor).
+v(1, 1, 0, 0, 0). v(1, 2, 4, 0, 0). v(1, 3, 4, 4, 0). v(1, 4, 0, 4, 0).
+p(1, 1, [1, 2, 3, 4]).
+segment(2, solid, at([rotate(x, 180), translate(1, 1, 2)],
+                     pyramid(base(1, 1), height(2)))).
+MODEL
+tip() { penetrate "$TMP/tip.pl" --format "$1"; }
+check "a point: pl" output '^curve\(1, \[1\]\)' tip pl
+check "a point: obj" output '^p 1$' tip obj
+check "a point: csv" output '^1,point,1,2,1,.*,vertex-face,face 1,vertex 5$' \
+  tip csv
+check "a point: txt" output 'vertex 5 of segment 2 lies inside polygon 1' tip txt
+check "a point: svg" output 'id="chain-1"' tip svg
+check "a point: dxf" output '^PENETRATION_POINT' tip dxf
+check "a point is explained" output 'touches polygon 2 of segment 2' \
+  "$SANGGWAN" explain -q "$TMP/tip.pl" 'line(1)'
+
 if /usr/bin/python3 -c 'import ezdxf' 2>/dev/null; then
   cat >"$TMP/dxf.py" <<'PYTHON'
 import ezdxf, sys
@@ -60,6 +79,15 @@ points = sorted(tuple(v.dxf.location) for v in line.vertices)
 assert points[-1] == (1.0, 1.0, 0.6), points
 assert drawing.header['$EXTMAX'] == (1.0, 1.0, 2.0)
 PYTHON
+  cat >"$TMP/point.py" <<'PYTHON'
+import ezdxf, sys
+drawing = ezdxf.readfile(sys.argv[1])
+point, = drawing.modelspace()
+assert not drawing.audit().errors
+assert point.dxftype() == 'POINT' and tuple(point.dxf.location) == (1, 1, 0)
+PYTHON
+  check "dxf of a tip" penetrate "$TMP/tip.pl" -o "$TMP/tip.dxf"
+  check "ezdxf reads the point" /usr/bin/python3 "$TMP/point.py" "$TMP/tip.dxf"
   check "dxf of cubes" penetrate $cubes -o "$TMP/cubes.dxf"
   check "ezdxf reads it" /usr/bin/python3 "$TMP/dxf.py" "$TMP/cubes.dxf"
 else

@@ -116,14 +116,17 @@ shapes(Seed) :-
 %   not reach from end to end.
 
 bad_line(L-Fault) :-
-    explanation(line(L), [because(_, Because)]),
-    bad_reason(L, Because, Fault).
+    explanation(line(L), [because(Statement, Because)]),
+    bad_reason(Statement, Because, Fault).
 
-bad_reason(_, Because, no_ends(N)) :-
+bad_reason(Statement, Because, no_ends(N)) :-
     aggregate_all(count, ( member(because(point(_,_,_,_,_,_), Facts), Because),
                            memberchk(because(contact(_,_,_), _), Facts) ),
                   N),
-    N =\= 2.
+    (   functor(Statement, touch, _)
+    ->  N =\= 1
+    ;   N =\= 2
+    ).
 bad_reason(_, Because, Seat) :-
     sub_term(because(contact(_, Seat1, Seat2), _), Because),
     member(Seat, [Seat1,Seat2]),
@@ -134,7 +137,8 @@ bad_reason(_, Because, one_side(Facts)) :-
     sort(Sides0, Sides),
     Sides \== [above,below].
 bad_reason(_, Because, no_pieces) :-
-    \+ memberchk(because(pieces(_, _), _), Because).
+    \+ memberchk(because(pieces(_, _), _), Because),
+    \+ memberchk(because(touching(_), _), Because).
 
 %   The vertex is, exactly, on the line of its edge, between its ends; or on
 %   the plane of its triangle.
@@ -310,6 +314,13 @@ test(turned_seats) :-
              member(seat(S1,V1,face(_,_)), [A,B]),
              once(said(vertex(S,V), also(S1, V1, face(_,_)))),
              once(said(vertex(S1,V1), also(S, V, vertex(V)))) )).
+
+test(apex, Kind-N == 'vertex-face'-2) :-
+    with_pieces([[[0,0,0],[4,0,0],[4,4,0],[0,4,0]],
+                 [[1,1,0],[2,1,2],[1,2,2]]],
+                ( once(said(line(L), touch(L, 1, 1, 2, 1))),
+                  once(said(line(L), contact(Kind, _, _))),
+                  once(said(line(L), touching(N))) )).
 
 %   After a second penetration the explanation is still that of the leaves.
 
