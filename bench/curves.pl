@@ -1,0 +1,83 @@
+/* The table of bench/curves: swipl bench/curves.pl -- RESULTS
+
+   RESULTS has a JSON object a line, as peers/boolean/bench.py writes them:
+   medians of seconds, `op` with everything, `warm` again in the same process.
+*/
+:- use_module(library(apply)).
+:- use_module(library(http/json)).
+:- use_module(library(lists)).
+
+:- initialization(main, main).
+
+main :-
+    current_prolog_flag(argv, [File]),
+    setup_call_cleanup(open(File, read, In), records(In, Records),
+                       close(In)),
+    format("~w~t~10|~w~t~22|~t~w~32|~t~w~42|~t~w~52|~t~w~62|~t~w~72|~t~w~80|~n",
+           [case,peer,'ms','ms warm','ratio','its warm',pieces,chains]),
+    maplist(print_record(Records), Records),
+    forall(growth(Records, From, To, Exponent),
+           format("~w: growth from ~w to ~w: n^~2f~n",
+                  [sanggwan,From,To,Exponent])),
+    (   ours(Records, "cyl2r", Turned),
+        ours(Records, "cyl2", Straight)
+    ->  Ratio is Turned.op/Straight.op,
+        format("sanggwan: cyl2 turned to straight: ~2f~n", [Ratio])
+    ;   true
+    ).
+
+records(In, Records) :-
+    (   at_end_of_stream(In)
+    ->  Records = []
+    ;   json_read_dict(In, Record, [end_of_file(end)]),
+        (   Record == end
+        ->  Records = []
+        ;   Records = [Record|Records1],
+            records(In, Records1)
+        )
+    ).
+
+ours(Records, Case, Record) :-
+    member(Record, Records),
+    Record.case == Case,
+    Record.peer == "sanggwan",
+    number(Record.op),
+    !.
+
+%   The ratio is ours to the peer's: in `ratio` with trees built, in `its warm`
+%   ours with trees kept to what the peer takes in the same process.
+
+print_record(Records, R) :-
+    (   number(R.op)
+    ->  ms(R.op, Op),
+        ms(R.warm, Warm),
+        ratio(Records, R, op, Ratio),
+        ratio(Records, R, warm, WarmRatio),
+        format("~w~t~10|~w~t~22|~t~w~32|~t~w~42|~t~w~52|~t~w~62|~t~w~72|~t~w~80|~n",
+               [R.case,R.peer,Op,Warm,Ratio,WarmRatio,R.segs,R.lines])
+    ;   format("~w~t~10|~w~t~22|~w~n", [R.case,R.peer,R.fail])
+    ).
+
+ms(Seconds, Text) :-
+    (   number(Seconds)
+    ->  Ms is Seconds*1000,
+        format(atom(Text), "~1f", [Ms])
+    ;   Text = '-'
+    ).
+
+ratio(Records, R, Key, Text) :-
+    (   R.peer \== "sanggwan",
+        ours(Records, R.case, Ours),
+        number(R.get(Key)),
+        number(Ours.get(Key))
+    ->  Ratio is Ours.get(Key)/R.get(Key),
+        format(atom(Text), "~3f", [Ratio])
+    ;   Text = ''
+    ).
+
+%   Triangles grow by 64 from sph20k to sph1300k.
+
+growth(Records, sph20k, sph1300k, Exponent) :-
+    ours(Records, "sph20k", Small),
+    ours(Records, "sph1300k", Large),
+    Exponent is log(Large.op/Small.op)/log(64).
