@@ -9,6 +9,7 @@
 #include "flatness.h"
 #include "glue.h"
 
+#include <pthread.h>
 #include <stdlib.h>
 
 static atom_t atom_not_closed, atom_no_area, atom_not_simple, atom_not_flat;
@@ -162,29 +163,99 @@ fill_triangles(term_t faults)
   return ok;
 }
 
+/* ---- the tolerance ---- */
+
+enum { ASKED = 64 }; /* pages between questions */
+
+/* The last tolerance of a world, and the vertices it is of: its note
+ * SG_NOTE_TOLERANCE. */
+typedef struct kept_tolerance {
+  pthread_mutex_t lock;
+  uint64_t stamp; /* 0: none yet */
+  double tolerance;
+} kept_tolerance;
+
+static void
+drop_tolerance(void *note)
+{
+  kept_tolerance *kept = note;
+
+  pthread_mutex_destroy(&kept->lock);
+  free(kept);
+}
+
+/* Null: no memory, and nothing is kept. */
+static kept_tolerance *
+tolerance_of(sg_world *world)
+{
+  kept_tolerance *kept = sg_world_note(world, SG_NOTE_TOLERANCE);
+  kept_tolerance *there;
+
+  if (kept || !(kept = calloc(1, sizeof *kept))) {
+    return kept;
+  }
+  pthread_mutex_init(&kept->lock, NULL);
+  there = sg_world_add_note(world, SG_NOTE_TOLERANCE, kept, drop_tolerance);
+  if (there != kept) {
+    drop_tolerance(kept);
+  }
+  return there;
+}
+
+/* Looks at every vertex. */
+static int
+see_tolerance_ex(const sg_version *version, double *out)
+{
+  sg_flatness flatness;
+  sg_view view;
+
+  if (!sg_version_view(version, SG_V, &view)) {
+    return sg_no_memory();
+  }
+  sg_flatness_init(&flatness);
+  for (size_t i = 0; i < view.pages; i++) {
+    sg_flatness_page(&flatness, &view, i);
+    if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
+      sg_view_clear(&view);
+      return FALSE;
+    }
+  }
+  sg_view_clear(&view);
+  *out = sg_flatness_tolerance(&flatness);
+  return TRUE;
+}
+
 /* model_tolerance(-Tolerance) is det. */
 static foreign_t
 model_tolerance(term_t tolerance)
 {
   sg_world *world = sg_current_world_ex();
-  sg_flatness flatness;
-  sg_view view;
 
   if (!world) {
     return FALSE;
   }
   const sg_version *version = sg_world_version(world);
-  int ok = sg_version_view(version, SG_V, &view) || sg_no_memory();
-  if (ok) {
-    sg_flatness_init(&flatness);
-    for (size_t i = 0; i < view.pages; i++) {
-      sg_flatness_page(&flatness, &view, i);
-    }
-    sg_view_clear(&view);
-    ok = sg_unify_double(tolerance, sg_flatness_tolerance(&flatness));
+  kept_tolerance *kept = tolerance_of(world);
+  uint64_t stamp = sg_version_last_stamp(version, SG_V);
+  double value = 0;
+  bool known = false;
+
+  if (kept) {
+    pthread_mutex_lock(&kept->lock);
+    known = stamp != 0 && kept->stamp == stamp;
+    value = kept->tolerance;
+    pthread_mutex_unlock(&kept->lock);
+  }
+  int ok = known || see_tolerance_ex(version, &value);
+
+  if (ok && kept) {
+    pthread_mutex_lock(&kept->lock);
+    kept->stamp = stamp;
+    kept->tolerance = value;
+    pthread_mutex_unlock(&kept->lock);
   }
   sg_version_drop(version);
-  return ok;
+  return ok && sg_unify_double(tolerance, value);
 }
 
 void

@@ -478,3 +478,9 @@ sg_version_stamp(const sg_version *version, sg_relation relation, int32_t s)
 {
   return sg_map_stamp(version->map[relation], s);
 }
+
+uint64_t
+sg_version_last_stamp(const sg_version *version, sg_relation relation)
+{
+  return sg_map_last_stamp(version->map[relation]);
+}

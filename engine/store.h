@@ -103,7 +103,12 @@ void sg_world_undo_limit(sg_world *world, unsigned steps);
 /* Things that glue keeps with the world, one of each sort, null at first; any
  * thread may read them at any time. `drop` is called with the last one of its
  * sort when the world ends. */
-typedef enum sg_note { SG_NOTE_RULES, SG_NOTE_TREES, SG_NOTES } sg_note;
+typedef enum sg_note {
+  SG_NOTE_RULES,
+  SG_NOTE_TREES,
+  SG_NOTE_TOLERANCE,
+  SG_NOTES
+} sg_note;
 void *sg_world_note(const sg_world *world, sg_note which);
 void sg_world_set_note(sg_world *world, sg_note which, void *note,
                        void (*drop)(void *note));
@@ -163,6 +168,8 @@ bool sg_version_live(const sg_version *version, sg_relation relation,
  * sg_world_fresh() makes ids (s is 0 for the three it names). */
 uint64_t sg_version_stamp(const sg_version *version, sg_relation relation,
                           int32_t s);
+/* The newest stamp of all segments: the same for the whole relation. */
+uint64_t sg_version_last_stamp(const sg_version *version, sg_relation relation);
 sg_value sg_version_value(const sg_version *version, sg_relation relation,
                           sg_row row, unsigned column);
 /* Several at once: the columns of the mask, each in its place in `out`. */

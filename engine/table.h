@@ -97,6 +97,7 @@ bool sg_map_used_id(sg_map *map, int32_t s, int32_t id); /* false: no memory */
  * owned map gives them a new one, changing all rows gives all one. False: no
  * memory. */
 uint64_t sg_map_stamp(const sg_map *map, int32_t s);
+uint64_t sg_map_last_stamp(const sg_map *map); /* the newest */
 bool sg_map_set_stamp(sg_map *map, int32_t s, uint64_t stamp);
 bool sg_map_stamp_all(sg_map *map, uint64_t stamp);
 

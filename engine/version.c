@@ -296,6 +296,18 @@ sg_map_stamp(const sg_map *map, int32_t s)
   return ids && i < ids->count && ids->of[i].s == s ? ids->of[i].stamp : 0;
 }
 
+uint64_t
+sg_map_last_stamp(const sg_map *map)
+{
+  const sg_ids *ids = map ? map->ids : NULL;
+  uint64_t last = 0;
+
+  for (size_t i = 0; ids && i < ids->count; i++) {
+    last = ids->of[i].stamp > last ? ids->of[i].stamp : last;
+  }
+  return last;
+}
+
 bool
 sg_map_set_stamp(sg_map *map, int32_t s, uint64_t stamp)
 {

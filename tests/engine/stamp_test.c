@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 4000, SEGMENTS = 3, MOST = 200, SEEN = 3 * STEPS };
+enum { STEPS = 4000, SEGMENTS = 3, MOST = 200, SEEN = 4 * STEPS };
 
 static uint64_t state = 5;
 
@@ -48,14 +48,20 @@ rows_of(const sg_version *version, int32_t s)
   return sum;
 }
 
-/* Notes the stamps of a version, and compares with what they stood for. */
+/* Notes the stamps of a version, and compares with what they stood for;
+ * segment 0 is all of them. */
 static bool
 agrees(const sg_version *version)
 {
-  for (int32_t s = 1; s <= SEGMENTS; s++) {
-    uint64_t stamp = sg_version_stamp(version, SG_V, s);
-    uint64_t rows = rows_of(version, s);
+  uint64_t all = 0;
+
+  for (int32_t s = SEGMENTS; s >= 0; s--) {
+    uint64_t stamp = s == 0 ? sg_version_last_stamp(version, SG_V)
+                            : sg_version_stamp(version, SG_V, s);
+    uint64_t rows = s == 0 ? all : rows_of(version, s);
     size_t i = 0;
+
+    all = 3 * all + rows;
 
     while (i < knowns && (known[i].s != s || known[i].stamp != stamp)) {
       i++;
