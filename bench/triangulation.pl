@@ -4,7 +4,8 @@
 
    Event: a triangle cut by an open chain of K segments from side to side; its
    edges entered into a scratch relation, then triangulated, microseconds.
-   Growth: polygons of N vertices, milliseconds, the best of three.
+   Growth: polygons of N vertices, milliseconds, the best of three; exponent:
+   the kernel's time grows with this power of N, from the line before.
 */
 :- use_module('../rules/store').
 :- use_module('../rules/kernel').
@@ -25,14 +26,15 @@ main :-
     format("~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|~t~w~60|  us an event~n",
            [event, triangles, enter, rule, kernel, 'rule/krnl']),
     forall(member(K, [1,2,5,16,50]), event(K)),
-    format("~n~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|~t~w~60|  \c
+    format("~n~w~t~10|~t~w~20|~t~w~30|~t~w~40|~t~w~50|~t~w~60|~t~w~70|  \c
             ms a polygon~n",
-           [polygon, vertices, triangles, rule, kernel, 'rule/krnl']),
-    forall(( member(Shape, [star,ragged,comb,tilted,spiral,strip]),
-             member(N, [2500,5000,10000,20000]),
-             N =< Largest
-           ),
-           growth(Shape, N)).
+           [polygon, vertices, triangles, rule, kernel, 'rule/krnl',
+            exponent]),
+    forall(member(Shape, [star,ragged,comb,tilted,spiral,strip]),
+           ( findall(N, ( member(N, [2500,5000,10000,20000]), N =< Largest ),
+                     Ns),
+             foldl(growth(Shape), Ns, none, _)
+           )).
 
 /* - - - events - - - */
 
@@ -103,12 +105,14 @@ place(V, X0, Y0) :-
 
 /* - - - growth - - - */
 
-growth(Shape, N) :-
+%   growth(+Shape, +N, +Before, -Now): both are N-Kernel, or `none`.
+
+growth(Shape, N, Before, N-Kernel) :-
     shape(Shape, N, Points),
     new_world(World),
-    in_world(World, grown(Shape, N, Points)).
+    in_world(World, grown(Shape, N, Points, Before, Kernel)).
 
-grown(Shape, N, Points) :-
+grown(Shape, N, Points, Before, Kernel) :-
     assert_fact(segment(1, surface, Shape)),
     forall(nth1(V, Points, X-Y), place(V, X, Y)),
     numlist(1, N, Es),
@@ -119,8 +123,13 @@ grown(Shape, N, Points) :-
     best(kernel_triangles(Triangles), Kernel),
     length(Triangles, Count),
     Ratio is Rule/Kernel,
-    format("~w~t~10|~t~d~20|~t~d~30|~t~1f~40|~t~1f~50|~t~2f~60|~n",
-           [Shape, N, Count, Rule, Kernel, Ratio]).
+    (   Before = N0-Kernel0
+    ->  Power is log(Kernel/Kernel0)/log(N/N0),
+        format(string(Exponent), "~2f", [Power])
+    ;   Exponent = '-'
+    ),
+    format("~w~t~10|~t~d~20|~t~d~30|~t~1f~40|~t~1f~50|~t~2f~60|~t~w~70|~n",
+           [Shape, N, Count, Rule, Kernel, Ratio, Exponent]).
 
 kernel_triangles(Triangles) :-
     work_open(1, 1, Work),

@@ -126,12 +126,32 @@ last_end(const sweep *s, int32_t e)
   return s->order[edge->start] < s->order[edge->end] ? edge->end : edge->start;
 }
 
+/* The vertex that both edges have, or SG_WORK_NONE; *x and *y are the others.
+ */
+static int32_t
+shared(const sg_work_edge *a, const sg_work_edge *b, int32_t *x, int32_t *y)
+{
+  bool at_start = a->start == b->start || a->start == b->end;
+  int32_t v = at_start ? a->start : a->end;
+
+  *x = at_start ? a->end : a->start;
+  *y = b->start == v ? b->end : b->start;
+  return b->start == v || b->end == v ? v : SG_WORK_NONE;
+}
+
 static bool
 apart(const sweep *s, int32_t e, int32_t other)
 {
-  const sg_work_edge *edge = &s->work->edge[e].edge;
+  const sg_work_edge *a = &s->work->edge[e].edge,
+                     *b = &s->work->edge[other].edge;
+  int32_t x, y;
 
-  return !e || !other || !sg_work_meets(s->work, edge->start, edge->end, other);
+  if (!e || !other) {
+    return true;
+  }
+  int32_t v = shared(a, b, &x, &y);
+  return (v != SG_WORK_NONE && x != y && sg_work_turn(s->work, v, x, y)) ||
+         !sg_work_meets(s->work, a->start, a->end, other);
 }
 
 /* The line reaches the first end of e. False: e meets another edge. */
