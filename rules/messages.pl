@@ -351,7 +351,7 @@ usage_en(bad_goal(Text, Why)) -->
 notice_en(do_not_meet) -->
     [ 'the segments do not meet: there are no penetration lines' ].
 notice_en(points_alone(N)) -->
-    [ 'the segments meet in points alone (~D): see origin(S, v(V), Origin)'-
+    [ 'the segments meet in points alone (~D): see explain vertex(S, V)'-
       [N] ].
 notice_en(one_segment) -->
     [ 'one segment alone has no penetration lines' ].

@@ -332,7 +332,7 @@ usage_ko(bad_goal(Text, Why)) -->
 notice_ko(do_not_meet) -->
     [ '세그먼트들이 만나지 않아 상관선이 없습니다' ].
 notice_ko(points_alone(N)) -->
-    [ '세그먼트들이 점 ~D개에서만 만납니다: origin(S, v(V), Origin)'-[N] ].
+    [ '세그먼트들이 점 ~D개에서만 만납니다: explain vertex(S, V)'-[N] ].
 notice_ko(one_segment) -->
     [ '세그먼트가 하나뿐이라 상관선이 없습니다' ].
 notice_ko(wrote(File)) -->
