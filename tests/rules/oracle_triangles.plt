@@ -12,15 +12,20 @@
 
 /* Two triangles with corners on a small grid: the engine and the oracle see
 the same pieces, their ends in the same features. The classes that occurred are
-counted, and each must occur. ORACLE_PAIRS=N makes N pairs (default 40000). */
+counted, and each must occur. ORACLE_PAIRS=N makes N pairs (default 40000),
+ORACLE_SEED=N other ones. */
 
 pairs(N) :-
-    (   getenv('ORACLE_PAIRS', Text)
-    ->  atom_number(Text, N)
-    ;   N = 40000
-    ).
+    from_environment('ORACLE_PAIRS', 40000, N).
 
-seed(19880301).
+seed(Seed) :-
+    from_environment('ORACLE_SEED', 19880301, Seed).
+
+from_environment(Name, Default, N) :-
+    (   getenv(Name, Text)
+    ->  atom_number(Text, N)
+    ;   N = Default
+    ).
 
 /* - - - sampling - - - */
 
