@@ -1,5 +1,6 @@
 :- module(sg_test_oracle,
           [ triangles_common/4,         % +T1, +T2, -Kind, -Pieces
+            segment_common/3,           % +Segment, +T, -Piece
             pieces_ends/4,              % +T1, +T2, +Pieces, -Ends
             piece_ends/4,               % +T1, +T2, +Piece, -End-End
             leaves/2,                   % +S, -Leaves
@@ -199,6 +200,15 @@ sorted_piece(P-Q, Piece) :-
     ).
 
 is_point(P-P).
+
+%!  segment_common(+U-W, +T, -P-Q) is semidet.
+%
+%   Of the segment from U to W, the points from P to Q are in triangle T. Fails
+%   if there are none, or T has no area.
+
+segment_common(Segment, T, Piece) :-
+    spaces(T, Spaces),
+    part(Segment, Spaces, Piece).
 
 %!  piece_ends(+T1, +T2, +Piece, -Ends) is det.
 %

@@ -404,6 +404,33 @@ public_cuts(T1, T2, Cuts) :-
                findall(cut(K, A, B), triangle_cut(1-1, 2-1, K, A, B), Cuts)
              )).
 
+% A curve is divided where it meets the face or comes to the border (PL-7).
+test(curves, Bad == []) :-
+    findall(U-W-T,
+            ( between(1, 1500, _),
+              random_pair(_, T, tri(U,W,_)),
+              U \== W,
+              curve_points(U, W, T, Points),
+              ( segment_common(U-W, T, P-Q) -> Ends = [P,Q] ; Ends = [] ),
+              sort(Ends, Expected0),
+              subtract(Expected0, [U,W], Expected),
+              Points \== Expected ),
+            Bad).
+
+curve_points(U, W, T, Points) :-
+    new_world(World),
+    in_world(World,
+             ( add_triangle(1, T),
+               assert_fact(segment(2, curve, line)),
+               forall(nth1(V, [U,W], p(X0,Y0,Z0)),
+                      ( X is float(X0), Y is float(Y0), Z is float(Z0),
+                        assert_fact(v(2, V, X, Y, Z)) )),
+               assert_fact(e(2, 1, 1, 2, 1)),
+               penetrate(all, [tolerance(0)]),
+               findall(P, ( origin(2, v(V), _), exact_vertex(2, V, P) ),
+                       Points0),
+               msort(Points0, Points) )).
+
 % The oracle itself, by hand.
 test(oracle_crossing, Kind-Pieces == crossing-[p(0,0,0)-p(1r2,0,0)]) :-
     triangles_common(tri(p(0,0,0), p(2,0,0), p(0,2,0)),
