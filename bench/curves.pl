@@ -53,7 +53,8 @@ print_record(Records, R) :-
         ms(R.warm, Warm),
         ratio(Records, R, op, Ratio),
         ratio(Records, R, warm, WarmRatio),
-        format("~w~t~10|~w~t~22|~t~w~32|~t~w~42|~t~w~52|~t~w~62|~t~w~72|~t~w~80|~n",
+        format("~w~t~10|~w~t~22|~t~w~32|~t~w~42|~t~w~52|~t~w~62|~t~w~72|\c
+                ~t~w~80|~n",
                [R.case,R.peer,Op,Warm,Ratio,WarmRatio,R.segs,R.lines])
     ;   format("~w~t~10|~w~t~22|~w~n", [R.case,R.peer,R.fail])
     ).

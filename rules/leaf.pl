@@ -185,8 +185,8 @@ has_leaf(S, _, e(Old)) :-
 %!  leaves_restored(+Pairs:list) is det.
 %
 %   The segments of Pairs are as they were before any cut: their polygons,
-%   curves, triangles, and where vertices were. Vertices, edges, origins, lines and leaves that the cuts
-%   made are gone.
+%   curves, triangles, and where vertices were. Vertices, edges, origins, lines
+%   and leaves that the cuts made are gone.
 
 leaves_restored(Pairs) :-
     pair_segments(Pairs, Group),

@@ -25,8 +25,8 @@ find_curve_points(Set) :-
 %!  met_pairs(+Pairs:list, +Tolerance, -Met:list) is det.
 %
 %   Met are those of Pairs that have a line, a contact or a point of a curve in
-%   common, in order. What is nearer than Tolerance is made to touch (resolve.pl)
-%   and is so afterwards: call it in a facts_snapshot/1.
+%   common, in order. What is nearer than Tolerance is made to touch
+%   (resolve.pl) and is so afterwards: call it in a facts_snapshot/1.
 
 met_pairs(Pairs, Tolerance, Met) :-
     setup_call_cleanup(

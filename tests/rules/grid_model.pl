@@ -143,7 +143,8 @@ volume(p(X0,Y0,Z0), p(X1,Y1,Z1), p(X2,Y2,Z2), p(X3,Y3,Z3), V) :-
 
 %   Axes are exchanged and turned round; what that mirrors is turned inside out.
 
-placed(shape(Label, Kind, Points0, Faces0), shape(Label, Kind, Points, Faces)) :-
+placed(shape(Label, Kind, Points0, Faces0),
+       shape(Label, Kind, Points, Faces)) :-
     random_permutation([1,2,3], Axes),
     length(Signs, 3),
     maplist(random_sign, Signs),

@@ -85,8 +85,8 @@ test(random_models, Bad == []) :-
 test(in_two_steps, Bad == []) :-
     findall(Model, limit(5, bad_model(two_steps_faults, Model)), Bad).
 
-% A box stands on a table, a sheet hangs under it and does not cut the box: where
-% its line crosses the edges of the box, these are divided on both sides.
+% A box stands on a table, a sheet hangs under it and does not cut the box:
+% where its line crosses the edges of the box, these are divided on both sides.
 test(late_points, Faults == []) :-
     box(Box),
     sheet([p(0,0,0), p(4,0,0), p(4,4,0), p(0,4,0)], Table),
@@ -109,7 +109,8 @@ box(shape(box, solid,
 
 sheet(Points, shape(sheet, surface, Points, [[[1,2,3,4]]])).
 
-%   not_first_and_third(+Shapes, -Faults): of three, these do not cut each other.
+%   not_first_and_third(+Shapes, -Faults): of three, these do not cut each
+%   other.
 
 not_first_and_third(Shapes, Faults) :-
     new_world(World),

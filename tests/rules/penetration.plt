@@ -291,8 +291,8 @@ test(contacts, Ks == [1-2-point,1-3-point,1-4-point,2-3-point]) :-
                  faults([]) )).
 
 % The chains before anything enters know them too.
-test(contact_chain, Chains == [chain(1, 2, point, [point(0.25,0.125,2.0,v(2,5))],
-                                     [2-2])]) :-
+test(contact_chain,
+     Chains == [chain(1, 2, point, [point(0.25,0.125,2.0,v(2,5))], [2-2])]) :-
     new_world(World),
     in_world(World,
              ( add_primitive(box(size(2,2,2)), _),

@@ -47,7 +47,8 @@ scene(edge_on_edge, 100,
     box(2,2,2, 0,0,-1, A),
     H is 2*sqrt(2).
 scene(equal_cylinders, 60,
-      [ at([translate(0,0,-2)], A), at([translate(0,0,-2),rotate(x,90)], A) ]) :-
+      [ at([translate(0,0,-2)], A),
+        at([translate(0,0,-2),rotate(x,90)], A) ]) :-
     A = cylinder(radius(1), height(4), facets(12)).
 scene(pyramid_flush_on_a_box, 100,
       [ A, at([translate(0,0,2)], pyramid(base(2,2), height(1))) ]) :-
@@ -63,7 +64,8 @@ scene(tower_of_cylinders, 20,
         at([translate(0,0,1)], A), at([rotate(z,7.5),translate(0,0,2)], A) ]) :-
     A = cylinder(radius(0.8), height(1), facets(16)).
 scene(chain_of_boxes, 20, Boxes) :-
-    findall(Box, ( between(0, 9, I), Y is 0.25*(I mod 3), box(1,1,1, I,Y,0, Box) ),
+    findall(Box, ( between(0, 9, I), Y is 0.25*(I mod 3),
+                   box(1,1,1, I,Y,0, Box) ),
             Boxes).
 scene(boxes_on_a_floor, 5, [Floor|Boxes]) :-
     box(12,12,1, 0,0,-1, Floor),
@@ -290,7 +292,8 @@ edge_fault(unpaired(S, A, B)) :-
 
 :- begin_tests(resolve).
 
-test(tangles, [forall(member(N-Last, [2-40,3-40,4-20,6-8])), true(Bad == [])]) :-
+test(tangles, [ forall(member(N-Last, [2-40,3-40,4-20,6-8])),
+                true(Bad == []) ]) :-
     findall(Seed-Fault,
             ( between(1, Last, Seed),
               tangle(Seed, N, Solids),
