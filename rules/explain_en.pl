@@ -187,6 +187,11 @@ statement_en(boxes_apart(Axis, High, Low, Lower)) -->
     [ 'no line: their boxes are apart, the ~w ends at ~w = ~w, \c
        the ~w begins at ~w'-
       [One, Axis, High, Other, Low] ].
+statement_en(no_line) -->
+    [ 'give no line' ].
+statement_en(elsewhere(L, S1, P1, S2, P2)) -->
+    [ 'where they meet is line ~d, of polygon ~d of segment ~d and polygon ~d \c
+       of segment ~d; along an edge one polygon has it'-[L, P1, S1, P2, S2] ].
 statement_en(triangles_apart(N)) -->
     [ 'pairs of triangles whose boxes are apart: ~d'-[N] ].
 statement_en(triangles(Reason, N)) -->
@@ -202,14 +207,14 @@ statement_en(common(_, End1, End2)) -->
     ).
 
 reason_en(one_side(first),
-          'no line: the first triangle is wholly on one side of the other').
+          'the first triangle is wholly on one side of the other').
 reason_en(one_side(second),
-          'no line: the second triangle is wholly on one side of the other').
+          'the second triangle is wholly on one side of the other').
 reason_en(intervals_apart,
-          'no line: each crosses the other\'s plane, but not in one place').
-reason_en(coplanar_apart, 'no line: in one plane, and apart').
+          'each crosses the other\'s plane, but not in one place').
+reason_en(coplanar_apart, 'in one plane, and apart').
 reason_en(coplanar_inside, 'in one plane, with borders inside each other').
-reason_en(point_alone, 'no line: they touch in one point alone').
+reason_en(point_alone, 'they touch in one point alone').
 reason_en(common_piece, 'they have a piece in common').
 
 %   place(+S, +Place)//: a feature of segment S.

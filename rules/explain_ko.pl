@@ -188,6 +188,11 @@ statement_ko(boxes_apart(Axis, High, Low, Lower)) -->
     [ '선 없음: 상자가 떨어져 있다. ~w는 ~w = ~w에서 끝나고 ~w는 ~w에서 \c
        시작한다'-
       [One, Axis, High, Other, Low] ].
+statement_ko(no_line) -->
+    [ '선을 만들지 않는다' ].
+statement_ko(elsewhere(L, S1, P1, S2, P2)) -->
+    [ '만나는 곳은 세그먼트 ~d의 다각형 ~d과(와) 세그먼트 ~d의 다각형 ~d의 선 \c
+       ~d이다. 모서리를 따라가는 선은 한 다각형이 가진다'-[S1, P1, S2, P2, L] ].
 statement_ko(triangles_apart(N)) -->
     [ '상자가 떨어져 있는 삼각형 쌍: ~d'-[N] ].
 statement_ko(triangles(Reason, N)) -->
@@ -203,14 +208,14 @@ statement_ko(common(_, End1, End2)) -->
     ).
 
 reason_ko(one_side(first),
-          '선 없음: 첫째 삼각형이 모두 둘째 평면의 한쪽에 있다').
+          '첫째 삼각형이 모두 둘째 평면의 한쪽에 있다').
 reason_ko(one_side(second),
-          '선 없음: 둘째 삼각형이 모두 첫째 평면의 한쪽에 있다').
+          '둘째 삼각형이 모두 첫째 평면의 한쪽에 있다').
 reason_ko(intervals_apart,
-          '선 없음: 서로의 평면을 지나지만 같은 곳이 아니다').
-reason_ko(coplanar_apart, '선 없음: 한 평면에서 떨어져 있다').
+          '서로의 평면을 지나지만 같은 곳이 아니다').
+reason_ko(coplanar_apart, '한 평면에서 떨어져 있다').
 reason_ko(coplanar_inside, '한 평면에서 경계가 서로의 안에 있다').
-reason_ko(point_alone, '선 없음: 점 하나에서만 닿는다').
+reason_ko(point_alone, '점 하나에서만 닿는다').
 reason_ko(common_piece, '공통 조각이 있다').
 
 %   place(+S, +Place)//: a feature of segment S.

@@ -86,8 +86,56 @@ pair_because(S1-P1, S2-P2, [because(pair(S1,P1,S2,P2), Because)]) :-
     ->  Because = [because(Why, [])]
     ;   boxes_apart(S1-P1, S2-P2, Apart)
     ->  Because = [because(Apart, [])]
-    ;   triangles_because(S1-P1, S2-P2, Because)
+    ;   triangles_because(S1-P1, S2-P2, Reasons),
+        elsewhere(S1-P1, S2-P2, Reasons, First),
+        append(First, Reasons, Because)
     ).
+
+%   elsewhere(+Place1, +Place2, +Reasons, -First): what is said first of two
+%   polygons without a line. A piece along an edge is a line of one of the
+%   polygons there only, and a contact in a point one of two polygons there.
+
+elsewhere(Place1, Place2, Reasons, First) :-
+    (   member(because(triangles(Group,_), _), Reasons),
+        memberchk(Group, [common_piece, coplanar_inside, point_alone]),
+        findall(because(elsewhere(L,S1,P1,S2,P2), []),
+                line_there(Place1, Place2, line(L,S1,P1,S2,P2)),
+                First),
+        First \== []
+    ->  true
+    ;   First = [because(no_line, [])]
+    ).
+
+%   line_there(+Place1, +Place2, -Line) is nondet: a line of the two segments
+%   that lies where the two polygons meet.
+
+line_there(S1-P1, S2-P2, line(L,S1,P3,S2,P4)) :-
+    with_candidates(S1-P1, S2-P2, Candidates),
+    place_box(S1-P1, Box1),
+    place_box(S2-P2, Box2),
+    line(L, S1, P3, A, B, S2, P4, _, _),
+    \+ ( member(V, [A,B]),
+         member(Box, [Box1,Box2]),
+         \+ in_box(S1, V, Box) ),
+    vertex_point(S1, A, Pa),
+    vertex_point(S1, B, Pb),
+    once(( member(candidate(T1, T2, _, Cuts), Candidates),
+           member(cut(_, End1, End2), Cuts),
+           piece_part(Pa, Pb, T1-T2, End1, End2, _) )).
+
+place_box(Place, [X1-X2,Y1-Y2,Z1-Z2]) :-
+    place_corners(Place, Points),
+    range(1, Points, X1, X2),
+    range(2, Points, Y1, Y2),
+    range(3, Points, Z1, Z2).
+
+in_box(S, V, Box) :-
+    once(v(S, V, X, Y, Z)),
+    maplist(in_range, [X,Y,Z], Box).
+
+in_range(X, Low-High) :-
+    X >= Low,
+    X =< High.
 
 /* - - - boxes - - - */
 

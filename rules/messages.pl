@@ -615,7 +615,8 @@ notice_en(because(Statement)) -->
 notice_en(nothing_to_explain(Item)) -->
     [ 'there is nothing to explain in ~p'-[Item], nl,
       '  Ask for line(L), vertex(S, V), edge(S, E), \c
-       pair(S1-P1, S2-P2) or pair(S1, S2), with numbers of the model.' ].
+       pair(S1-P1, S2-P2) or pair(S1, S2), with numbers of the model; \c
+       lines are there after penetrate.' ].
 %   Why contacts within the tolerance were not made to touch (resolve.pl).
 
 contacts_en(wide(S, V)) -->

@@ -213,6 +213,25 @@ test(intervals_apart) :-
 test(point_alone, Kinds == ['vertex-face']) :-
     kinds(pointing, Kinds).
 
+test(no_line) :-
+    pair_says(flat_corner, no_line).
+
+%   A sheet that stands against an edge of a box meets both its faces there; the
+%   line is that of one.
+
+test(elsewhere, L == 1) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(2,2,2)), _),
+               surface(2, [[1,-1,0.5],[2,-2,0.5],[2,-2,1.5],[1,-1,1.5]]),
+               complete_segments,
+               penetrate,
+               line(1, 1, P1, _, _, 2, 1, _, _),
+               p(1, P2, _),
+               P2 \== P1,
+               said(pair(1-P2, 2-1), elsewhere(L, 1, P1, 2, 1)),
+               ! )).
+
 test(same_segment) :-
     floor(Floor),
     with_pieces([Floor], said(pair(1, 1), same_segment)).
