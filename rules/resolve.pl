@@ -26,8 +26,8 @@ touch, with the same doubles on both sides:
 
 A piece of an edge between two such points in a polygon enters it as a pair of
 auxiliary edges (a seam), and where two polygons lie on each other both get the
-same triangles. Nothing else changes: what is exact already is left alone, and what
-comes after decides exactly on what stands in v/5 and t/6.
+same triangles. Nothing else changes: what is exact already is left alone, and
+what comes after decides exactly on what stands in v/5 and t/6.
 
 A vertex that moved or was made here has the origin `near(Origin)`, Origin as
 in penetration.pl; it is not exact. What was there before is kept

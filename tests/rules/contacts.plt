@@ -13,7 +13,8 @@
 :- use_module(tests('rules/oracle')).
 
 /* Contacts in a point alone, against the oracle: those points that two
-triangles of two segments have in common alone, and that are on no line of these segments.
+triangles of two segments have in common alone, and that are on no line of
+these segments.
 Random solids and sheets on a coarse grid, two or three together. */
 
 contact_fault(I, Fault) :-
