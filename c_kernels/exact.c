@@ -24,18 +24,29 @@
 #endif
 
 static const double UNIT = DBL_EPSILON / 2; /* 2^-53: half an ulp of 1 */
-static atomic_uint_fast64_t fallbacks;
+static atomic_uint_fast64_t fallbacks[SG_EXACT_QUESTIONS];
+
+uint64_t
+sg_exact_fallbacks_of(sg_exact_question question)
+{
+  return atomic_load_explicit(&fallbacks[question], memory_order_relaxed);
+}
 
 uint64_t
 sg_exact_fallbacks(void)
 {
-  return atomic_load_explicit(&fallbacks, memory_order_relaxed);
+  uint64_t sum = 0;
+
+  for (int i = 0; i < SG_EXACT_QUESTIONS; i++) {
+    sum += sg_exact_fallbacks_of((sg_exact_question)i);
+  }
+  return sum;
 }
 
 static void
-count_fallback(void)
+count_fallback(sg_exact_question question)
 {
-  atomic_fetch_add_explicit(&fallbacks, 1, memory_order_relaxed);
+  atomic_fetch_add_explicit(&fallbacks[question], 1, memory_order_relaxed);
 }
 
 static int
@@ -234,13 +245,14 @@ sign_of_pairs(const double *const point[3], const double d[3],
 /* ---- stage 3: integers -------------------------------------------------- */
 
 static int
-turn_exactly(int axis, const sg_point *a, const sg_point *b, const sg_point *c)
+turn_exactly(sg_exact_question question, int axis, const sg_point *a,
+             const sg_point *b, const sg_point *c)
 {
   const sg_point *point[3] = {a, b, c};
   mpz_t room[3][3], s[3], t[3], det;
   sg_integers in;
 
-  count_fallback();
+  count_fallback(question);
   sg_integers_open(&in, room, point, 3);
   sg_integers_init3(s);
   sg_integers_init3(t);
@@ -257,14 +269,14 @@ turn_exactly(int axis, const sg_point *a, const sg_point *b, const sg_point *c)
 }
 
 static int
-orient3d_exactly(const sg_point *a, const sg_point *b, const sg_point *c,
-                 const sg_point *d)
+orient3d_exactly(sg_exact_question question, const sg_point *a,
+                 const sg_point *b, const sg_point *c, const sg_point *d)
 {
   const sg_point *point[4] = {a, b, c, d};
   mpz_t room[4][3], n[3], s[3], t[3], det;
   sg_integers in;
 
-  count_fallback();
+  count_fallback(question);
   sg_integers_open(&in, room, point, 4);
   sg_integers_init3(n);
   sg_integers_init3(s);
@@ -290,7 +302,7 @@ along_exactly(const sg_point *from, const sg_point *to, const sg_point *a,
   mpz_t room[4][3], s[3], t[3], product;
   sg_integers in;
 
-  count_fallback();
+  count_fallback(SG_ASKED_ALONG);
   sg_integers_open(&in, room, point, 4);
   sg_integers_init3(s);
   sg_integers_init3(t);
@@ -342,7 +354,7 @@ sg_orient2d(const double a[2], const double b[2], const double c[2])
   if (answer == 2) {
     sg_point p = plain(a[0], a[1], 0), q = plain(b[0], b[1], 0),
              r = plain(c[0], c[1], 0);
-    answer = turn_exactly(2, &p, &q, &r);
+    answer = turn_exactly(SG_ASKED_ORIENT2D, 2, &p, &q, &r);
   }
   return answer;
 }
@@ -370,7 +382,7 @@ orient3d_carefully(const double a[3], const double b[3], const double c[3],
   }
   sg_point p = plain(a[0], a[1], a[2]), q = plain(b[0], b[1], b[2]),
            r = plain(c[0], c[1], c[2]), s = plain(d[0], d[1], d[2]);
-  return orient3d_exactly(&p, &q, &r, &s);
+  return orient3d_exactly(SG_ASKED_ORIENT3D, &p, &q, &r, &s);
 }
 
 int
@@ -462,7 +474,7 @@ sg_point_turn(int axis, const sg_point *a, const sg_point *b, const sg_point *c)
   int answer =
       sign_of_approx(minus(times(difference(a, c, u), difference(b, c, v)),
                            times(difference(a, c, v), difference(b, c, u))));
-  return answer != 2 ? answer : turn_exactly(axis, a, b, c);
+  return answer != 2 ? answer : turn_exactly(SG_ASKED_TURN, axis, a, b, c);
 }
 
 int
@@ -483,7 +495,7 @@ sg_point_orient3d(const sg_point *a, const sg_point *b, const sg_point *c,
   approx z = minus(times(m[0][0], m[1][1]), times(m[1][0], m[0][1]));
   int answer = sign_of_approx(
       plus(plus(times(m[0][2], x), times(m[1][2], y)), times(m[2][2], z)));
-  return answer != 2 ? answer : orient3d_exactly(a, b, c, d);
+  return answer != 2 ? answer : orient3d_exactly(SG_ASKED_SIDE, a, b, c, d);
 }
 
 int
@@ -512,7 +524,7 @@ sg_point_compare(int axis, const sg_point *a, const sg_point *b)
     return 0;
   }
   mpq_t other;
-  count_fallback();
+  count_fallback(SG_ASKED_COMPARE);
   mpq_init(other);
   mpq_set_d(other, a->p[axis]);
   int answer = mpq_cmp(a->q ? a->q[axis] : other, b->q ? b->q[axis] : other);

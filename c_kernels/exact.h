@@ -65,7 +65,20 @@ bool sg_point_ll(sg_point *out, int axis, const sg_point *a, const sg_point *b,
 /* The point common to three planes, each given by three points. */
 bool sg_point_tpi(sg_point *out, const sg_point *const plane[3][3]);
 
-/* How often the filter did not suffice, since the process started. */
+/* The predicates whose falls back are counted. */
+typedef enum sg_exact_question {
+  SG_ASKED_ORIENT2D, /* sg_orient2d() */
+  SG_ASKED_ORIENT3D, /* sg_orient3d() */
+  SG_ASKED_TURN,     /* sg_point_turn() */
+  SG_ASKED_SIDE,     /* sg_point_orient3d() */
+  SG_ASKED_ALONG,    /* sg_point_along() */
+  SG_ASKED_COMPARE,  /* sg_point_compare() */
+  SG_EXACT_QUESTIONS
+} sg_exact_question;
+
+/* How often the filters of a predicate did not suffice and integers decided,
+ * since the process started; of all of them. */
+uint64_t sg_exact_fallbacks_of(sg_exact_question question);
 uint64_t sg_exact_fallbacks(void);
 
 #endif

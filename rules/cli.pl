@@ -5,7 +5,8 @@
           ]).
 :- use_module(arguments, [parsed_arguments/4]).
 :- use_module(decision, [use_rules/1]).
-:- use_module(kernel, [exact_fallbacks/1, tree_statistics/1]).
+:- use_module(kernel, [exact_fallbacks/1, exact_statistics/1,
+                        tree_statistics/1]).
 :- use_module(language, [language/1]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
@@ -222,9 +223,11 @@ measured(Options, Start) :-
     ),
     (   option(stats(true), Options)
     ->  exact_fallbacks(Fallbacks),
+        exact_statistics(Exact),
         tree_statistics(Trees),
         findall(Relation-Dict, facts_statistics(Relation, Dict), Pairs1),
-        json_line([exact_fallbacks-Fallbacks,trees-Trees|Pairs1])
+        json_line([exact_fallbacks-Fallbacks,exact-Exact,
+                   trees-Trees|Pairs1])
     ;   true
     ).
 

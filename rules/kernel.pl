@@ -62,6 +62,7 @@
             fill_drawn/3,             % +Scene, +Which, +Crease
             % exact4pl.c
             exact_fallbacks/1,        % -Count
+            exact_statistics/1,       % -Statistics
             % complete4pl.c
             fill_triangles/1,         % -Faults
             model_tolerance/1,        % -Tolerance
@@ -259,6 +260,16 @@ glue file.
 %
 %   How many exact decisions have needed integers since the process started,
 %   because doubles could not decide.
+
+%!  exact_statistics(-Statistics:dict) is det.
+%
+%   The same for each predicate of the kernels (c_kernels/exact.h): a dict with
+%   `orient2d` and `orient3d`, asked of doubles; `turn`, `side`, `along` and
+%   `compare`, asked of derived points too.
+
+exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
+                   along:Along, compare:Compare}) :-
+    '$exact_fallbacks'(Orient2d, Orient3d, Turn, Side, Along, Compare).
 
 /* - - - complete4pl.c - - - */
 

@@ -438,6 +438,28 @@ test_none(void)
   CHECK("parallel lines", !sg_point_ll(&out, 2, &p[0], &p[1], &p[2], &p[3]));
 }
 
+/* Each predicate has its own count. */
+static void
+test_counts(void)
+{
+  uint64_t before[SG_EXACT_QUESTIONS], sum = 0;
+  const double tiny = 1e-300;
+
+  for (int i = 0; i < SG_EXACT_QUESTIONS; i++) {
+    before[i] = sg_exact_fallbacks_of((sg_exact_question)i);
+  }
+  sg_orient2d((double[2]){0, 0}, (double[2]){tiny, tiny},
+              (double[2]){2 * tiny, 2 * tiny});
+  for (int i = 0; i < SG_EXACT_QUESTIONS; i++) {
+    uint64_t now = sg_exact_fallbacks_of((sg_exact_question)i);
+
+    CHECK("one fall-back, of the one that was asked",
+          now - before[i] == (i == SG_ASKED_ORIENT2D));
+    sum += now;
+  }
+  CHECK("all of them", sum == sg_exact_fallbacks());
+}
+
 int
 main(void)
 {
@@ -453,5 +475,6 @@ main(void)
     CHECK("fall-backs are counted",
           family == 1 || sg_exact_fallbacks() > before);
   }
+  test_counts();
   return check_report();
 }

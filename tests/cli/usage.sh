@@ -149,6 +149,7 @@ check timings-json is "$(sed 's/[0-9.]\{1,\}/0/g' "$work/err")" \
   '{"load":0, "tree":0, "join":0, "rules":0, "write":0, "total":0}'
 run query facts/cube.pl 'v(1,1,_,_,_)' --stats
 check stats has '"rows":8'
+check stats has '"exact": {"along":'
 
 # The report.
 run check facts/hollow_block.pl
