@@ -213,9 +213,9 @@ is_same_row(const double *a, const double *b)
 }
 
 /* The sign of the determinant whose rows are the points less d; m: the same
- * rounded, in range. Points in one place give 0. Else each product and sum is
- * wrong by less than 2^-100 of its terms' sizes, so that the whole is by less
- * than 2^-95 of theirs. 2: undecided. */
+ * rounded, in range. Each product and sum is wrong by less than 2^-100 of its
+ * terms' sizes, so that the whole is by less than 2^-95 of theirs. 2:
+ * undecided. */
 static int
 sign_of_pairs(const double *const point[3], const double d[3],
               const double m[9])
@@ -223,11 +223,6 @@ sign_of_pairs(const double *const point[3], const double d[3],
   pair x[9], det = {0, 0};
   double size = 0;
 
-  if (is_same_row(point[0], d) || is_same_row(point[1], d) ||
-      is_same_row(point[2], d) || is_same_row(point[0], point[1]) ||
-      is_same_row(point[1], point[2]) || is_same_row(point[2], point[0])) {
-    return 0;
-  }
   for (int i = 0; i < 9; i++) {
     two_sum(point[i / 3][i % 3], -d[i % 3], &x[i].hi, &x[i].lo);
   }
@@ -359,7 +354,7 @@ sg_orient2d(const double a[2], const double b[2], const double c[2])
   return answer;
 }
 
-/* Stages 2 and 3 of sg_orient3d(). */
+/* Stages 2 and 3 of sg_orient3d(). Points in one place need neither. */
 static int
 orient3d_carefully(const double a[3], const double b[3], const double c[3],
                    const double d[3], const double difference[9])
@@ -367,6 +362,10 @@ orient3d_carefully(const double a[3], const double b[3], const double c[3],
   const double *const point[3] = {a, b, c};
   bool fit = in_range(difference, 9), exact = fit;
 
+  if (is_same_row(a, d) || is_same_row(b, d) || is_same_row(c, d) ||
+      is_same_row(a, b) || is_same_row(b, c) || is_same_row(c, a)) {
+    return 0;
+  }
   for (int k = 0; exact && k < 3; k++) {
     exact = difference_is_exact(a[k], d[k], difference[k]) &&
             difference_is_exact(b[k], d[k], difference[3 + k]) &&
