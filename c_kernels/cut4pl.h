@@ -53,6 +53,11 @@ int32_t sg_cut_enter_point_ex(sg_cut_handle *handle, sg_work *work,
 /* What made a point, as in origin/3 (line4pl.c). */
 int sg_unify_origin(term_t t, const sg_cut_points *points, uint32_t point);
 
+/* The first line between vertices v1 and v2 of segment s, after cut_lines/2;
+ * SG_NO_KEY: none. */
+uint32_t sg_cut_line_of(const sg_cut_handle *handle, int32_t s, int32_t v1,
+                        int32_t v2);
+
 /* An sg_is_real for the set of this handle (cut_real4pl.c). */
 int sg_cut_is_real(void *handle, uint32_t triangle, int edge);
 

@@ -155,6 +155,16 @@ note_line(sg_cut_handle *handle, const sg_cut_piece *piece, int32_t number)
   return true;
 }
 
+uint32_t
+sg_cut_line_of(const sg_cut_handle *handle, int32_t s, int32_t v1, int32_t v2)
+{
+  uint32_t a = sg_cut_points_named(&handle->set.points, s, v1);
+  uint32_t b = sg_cut_points_named(&handle->set.points, s, v2);
+  uint32_t key[3] = {(uint32_t)s, a < b ? a : b, a < b ? b : a};
+
+  return sg_key_table_get(&handle->line_of, key);
+}
+
 static foreign_t
 cut_line(term_t t, term_t s, term_t v1, term_t v2, term_t line)
 {
@@ -165,10 +175,7 @@ cut_line(term_t t, term_t s, term_t v1, term_t v2, term_t line)
       !sg_get_id_ex(v1, &id[1]) || !sg_get_id_ex(v2, &id[2])) {
     return FALSE;
   }
-  uint32_t a = sg_cut_points_named(&handle->set.points, id[0], id[1]);
-  uint32_t b = sg_cut_points_named(&handle->set.points, id[0], id[2]);
-  uint32_t key[3] = {(uint32_t)id[0], a < b ? a : b, a < b ? b : a};
-  uint32_t number = sg_key_table_get(&handle->line_of, key);
+  uint32_t number = sg_cut_line_of(handle, id[0], id[1], id[2]);
 
   return number != SG_NO_KEY && PL_unify_integer(line, number);
 }

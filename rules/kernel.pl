@@ -40,6 +40,7 @@
             cut_join/2,               % +Set, +Point
             cut_settle/1,             % +Set
             cut_chains/2,             % +Set, -Chains
+            cut_write/4,              % +Set, +S, +P, +Work
             line_chains/1,            % -Chains
             cut_name/4,               % +Set, +Point, +S, -V
             cut_lines/2,              % +Set, -Lines
@@ -575,6 +576,12 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %
 %   Chains is the list of chain(S1, S2, Kind, Points, Polygons), as in
 %   penetration.pl, penetration_chains/2, of the pieces that Set has now.
+
+%!  cut_write(+Set, +S, +P, +Work) is semidet.
+%
+%   As penetration.pl, write_polygon_by_rule/2, for polygon P of S, whose edges
+%   are in Work, after cut_lines/2. Fails, and has changed nothing, if these
+%   edges cannot be triangulated as they are.
 
 %!  line_chains(-Chains) is det.
 %

@@ -17,7 +17,7 @@
                 cut_polygons/2, cut_entering/4, cut_work/4, cut_crossing/8,
                 cut_note/5, cut_between/6, cut_divided/4, cut_agree/1,
                 cut_late_polygons/2, cut_name/4, cut_lines/2, cut_line/5,
-                cut_vertices/2, cut_split_edges/3,
+                cut_vertices/2, cut_split_edges/3, cut_write/4,
                 model_tolerance/1,
                 work_add/6, work_delete/2, work_edge/6, work_meeting/6,
                 work_resolve/2, work_close/1
@@ -202,8 +202,13 @@ resolved(Next, Tolerance, Resolved, Pairs, Set) :-
     ).
 
 arranged(Pairs, Set) :-
+    arranged(write_polygon, Pairs, Set).
+
+%   Write is how a polygon is written.
+
+arranged(Write, Pairs, Set) :-
     stage(rules, ( find_lines(Set),
-                   enter_lines(Set),
+                   enter_lines(Write, Set),
                    split_curves(Pairs, Set)
                  )).
 
@@ -271,7 +276,7 @@ settle(Set, Joints) :-
         cut_settle(Set)
     ).
 
-enter_lines(Set) :-
+enter_lines(Write, Set) :-
     cut_polygons(Set, Polygons),
     stage(write, leaves_kept(Polygons)),
     setup_call_cleanup(
@@ -279,7 +284,7 @@ enter_lines(Set) :-
         ( stage(enter, enter_polygons(Set, Polygons, Works)),
           stage(write, write_vertices(Set)),
           stage(write, write_lines(Set)),
-          stage(write, maplist(write_polygon(Set), Works))
+          stage(write, maplist(call(Write, Set), Works))
         ),
         ( ground(Works) -> maplist(close_work, Works) ; true )).
 
@@ -573,8 +578,16 @@ write_line(line(L, S1, P1, A1, B1, S2, P2, A2, B2)) :-
     assert_fact(line(L, S1, P1, A1, B1, S2, P2, A2, B2)).
 
 %   The polygon keeps its number; its edges and triangles are replaced.
+%   cut_write/4 is the fused kernel of the rule, for what needs no resolving; a
+%   test holds the two together.
 
 write_polygon(Set, work(S, P, Work)) :-
+    (   cut_write(Set, S, P, Work)
+    ->  true
+    ;   write_polygon_by_rule(Set, work(S, P, Work))
+    ).
+
+write_polygon_by_rule(Set, work(S, P, Work)) :-
     findall(w(V1, V2, Et, Label),
             work_edge(Work, _, V1, V2, Et, Label),
             Edges),

@@ -68,6 +68,19 @@ found(Join, Pieces) :-
         ),
         cut_set_close(Set)).
 
+%   written_by(+Write, -Rows): all that is in the world after this.
+
+written_by(Write, Rows) :-
+    segment_pairs(Pairs),
+    facts_transaction(
+        sg_penetration:with_cut_set(Pairs, arranged(Write))),
+    findall(Row, ( member(Row, [ v(_, _, _, _, _), e(_, _, _, _, _),
+                                 p(_, _, _), t(_, _, _, _, _, _),
+                                 origin(_, _, _),
+                                 line(_, _, _, _, _, _, _, _, _) ]),
+                   call(Row) ),
+            Rows).
+
 %   line_shape(-Shape): the chains of line/9 as penetration_chains/1 has them.
 
 line_shape(Shape) :-
@@ -95,6 +108,15 @@ test(join, Bad == []) :-
               with_solids(Seed, found(cut_find, Kernel)),
               with_solids(Seed,
                           found(sg_penetration:find_cuts_by_rule, Rule)),
+              Kernel \== Rule ),
+            Bad).
+
+% Writing a polygon by the kernel, and by the rule: the same rows, in order.
+test(write, Bad == []) :-
+    findall(Seed,
+            ( between(1, 150, Seed),
+              with_solids(Seed, written_by(write_polygon, Kernel)),
+              with_solids(Seed, written_by(write_polygon_by_rule, Rule)),
               Kernel \== Rule ),
             Bad).
 
