@@ -1,6 +1,6 @@
 /* cut_write4pl.c -- a polygon that was cut, back into the world.
  *
- * Layer: glue. The fused kernel of penetration.pl, write_polygon_by_rule/2: the
+ * Layer: glue. The fused kernel of cut_rows.pl, write_polygon_by_rule/2: the
  * same rows in the same order with the same numbers; a test holds the two
  * together. The door is documented in rules/kernel.pl.
  */

@@ -579,7 +579,7 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 
 %!  cut_write(+Set, +S, +P, +Work) is semidet.
 %
-%   As penetration.pl, write_polygon_by_rule/2, for polygon P of S, whose edges
+%   As cut_rows.pl, write_polygon_by_rule/2, for polygon P of S, whose edges
 %   are in Work, after cut_lines/2. Fails, and has changed nothing, if these
 %   edges cannot be triangulated as they are.
 

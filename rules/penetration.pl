@@ -8,38 +8,34 @@
             penetration_chains/3,       % +Pairs, +Options, -Chains
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
+:- use_module(cut_rows,
+              [ write_vertices/1, write_lines/1, write_polygon/2, split_curves/2
+              ]).
 :- use_module(decision, [decision/2]).
 :- use_module(kernel,
-              [ cut_set_open/2, cut_set_close/1, cut_candidate/3,
-                cut_find/1, cut_side/4, cut_enter/4, cut_triangle/5,
-                cut_ends/4, near_segments/3, cut_seal/1,
-                cut_joints/3, cut_join/2, cut_settle/1, cut_chains/2,
-                cut_polygons/2, cut_entering/4, cut_work/4, cut_crossing/8,
-                cut_note/5, cut_between/6, cut_divided/4, cut_agree/1,
-                cut_late_polygons/2, cut_name/4, cut_lines/2, cut_line/5,
-                cut_vertices/2, cut_split_edges/3, cut_write/4,
-                model_tolerance/1,
-                work_add/6, work_delete/2, work_edge/6, work_meeting/6,
-                work_resolve/2, work_close/1
+              [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_find/1,
+                cut_side/4, cut_enter/4, cut_triangle/5, cut_ends/4,
+                near_segments/3, cut_seal/1, cut_joints/3, cut_join/2,
+                cut_settle/1, cut_chains/2, cut_polygons/2, cut_entering/4,
+                cut_work/4, cut_crossing/8, cut_note/5, cut_between/6,
+                cut_divided/4, cut_agree/1, cut_late_polygons/2, cut_name/4,
+                model_tolerance/1, work_add/6, work_delete/2, work_edge/6,
+                work_meeting/6, work_close/1
               ]).
 :- use_module(leaf,
-              [ leaves_kept/1, curve_kept/1, were_cut/2, earlier_cuts/2,
-                leaves_restored/1
+              [ leaves_kept/1, were_cut/2, earlier_cuts/2, leaves_restored/1
               ]).
 :- use_module(meeting, [find_curve_points/1, met_pairs/3]).
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, line/9,
-                assert_fact/1, retract_fact/1, retractall_facts/1,
-                facts_snapshot/1, facts_transaction/1, fresh_id/3
+              [ v/5, e/5, plane/6, t/6, segment/3, origin/3, line/9,
+                facts_snapshot/1, facts_transaction/1
               ]).
-:- use_module(triangulation, [work_triangles/2]).
-:- autoload(library(apply), [exclude/3, foldl/4, include/3, maplist/2,
-                             maplist/3]).
+:- autoload(library(apply), [exclude/3, include/3, maplist/2, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [append/3, last/2, member/2, reverse/2]).
+:- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2]).
 :- autoload(library(ordsets), [ord_union/3]).
 
@@ -559,155 +555,3 @@ merge_through(Work, V, E1-V1) :-
     work_delete(Work, E1),
     work_delete(Work, E2),
     work_add(Work, V1, V2, Et, Label, _).
-
-/* - - - what comes out - - - */
-
-write_vertices(Set) :-
-    cut_vertices(Set, Vertices),
-    maplist(write_vertex, Vertices).
-
-write_vertex(vertex(S, V, X, Y, Z, Origin)) :-
-    assert_fact(v(S, V, X, Y, Z)),
-    assert_fact(origin(S, v(V), Origin)).
-
-write_lines(Set) :-
-    cut_lines(Set, Lines),
-    maplist(write_line, Lines).
-
-write_line(line(L, S1, P1, A1, B1, S2, P2, A2, B2)) :-
-    assert_fact(line(L, S1, P1, A1, B1, S2, P2, A2, B2)).
-
-%   The polygon keeps its number; its edges and triangles are replaced.
-%   cut_write/4 is the fused kernel of the rule, for what needs no resolving; a
-%   test holds the two together.
-
-write_polygon(Set, work(S, P, Work)) :-
-    (   cut_write(Set, S, P, Work)
-    ->  true
-    ;   write_polygon_by_rule(Set, work(S, P, Work))
-    ).
-
-write_polygon_by_rule(Set, work(S, P, Work)) :-
-    findall(w(V1, V2, Et, Label),
-            work_edge(Work, _, V1, V2, Et, Label),
-            Edges),
-    p(S, P, Es0),
-    !,
-    retract_once(p(S, P, Es0)),
-    drop_divided(S, Es0, Edges),
-    maplist(write_edge(Set, S), Edges, Es),
-    assert_fact(p(S, P, Es)),
-    write_triangles(S, P, Work, Edges).
-
-retract_once(Fact) :-
-    retract_fact(Fact),
-    !.
-
-%   The edges of the polygon that are there no more as they were.
-
-drop_divided(S, Es, Edges) :-
-    forall(( member(E, Es),
-             e(S, E, V1, V2, _),
-             \+ memberchk(w(V1, V2, _, E), Edges)
-           ),
-           retractall_facts(e(S, E, _, _, _))).
-
-write_edge(_, S, w(V1, V2, _, Label), Label) :-
-    Label > 0,
-    e(S, Label, V1, V2, _),
-    !.
-write_edge(_, S, w(V1, V2, _, Label), E) :-
-    Label > 0,
-    e(S, E, V1, V2, _),
-    origin(S, e(E), e(Label)),
-    !.
-write_edge(Set, S, w(V1, V2, Et, Label), E) :-
-    edge_origin(Set, S, V1, V2, Label, Origin),
-    fresh_id(e, S, E),
-    assert_fact(e(S, E, V1, V2, Et)),
-    assert_fact(origin(S, e(E), Origin)).
-
-edge_origin(_, _, _, _, Label, e(Label)) :-
-    Label > 0,
-    !.
-edge_origin(Set, S, V1, V2, _, line(L)) :-
-    cut_line(Set, S, V1, V2, L).
-
-%   A polygon without area or that crosses itself had no triangles.
-
-write_triangles(S, P, Work, Edges) :-
-    (   t(S, P, _, _, _, _)
-    ->  retractall_facts(t(S, P, _, _, _, _)),
-        polygon_triangles(S-P, Work, Edges, [none, 0.0, tolerance],
-                          Triangles),
-        maplist(write_triangle(S, P), Triangles)
-    ;   true
-    ).
-
-%   A polygon that touches itself must be resolved before, as it was when it
-%   was triangulated for the first time. That is rare, so it is tried only
-%   when the exact way got stuck: with what touches exactly, then with what
-%   does so within the tolerance.
-
-polygon_triangles(S-P, Work, Edges, [Reach|Reaches], Triangles) :-
-    resolve(Reach, Work, Edges),
-    catch(work_triangles(Work, Triangles0),
-          error(geometry_error(no_third_vertex(V1, V2)), _),
-          Stuck = true),
-    (   Stuck \== true
-    ->  Triangles = Triangles0
-    ;   Reaches == []
-    ->  throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))
-    ;   polygon_triangles(S-P, Work, Edges, Reaches, Triangles)
-    ).
-
-resolve(none, _, _) :-
-    !.
-resolve(tolerance, Work, Edges) :-
-    !,
-    model_tolerance(Reach),
-    resolve(Reach, Work, Edges).
-resolve(Reach, Work, Edges) :-
-    findall(E, work_edge(Work, E, _, _, _, _), Rest),
-    maplist(work_delete(Work), Rest),
-    forall(( member(w(V1, V2, Et, Label), Edges), V1 \== V2 ),
-           work_add(Work, V1, V2, Et, Label, _)),
-    work_resolve(Work, Reach).
-
-write_triangle(S, P, t(V1, V2, V3)) :-
-    fresh_id(t, S, T),
-    assert_fact(t(S, P, T, V1, V2, V3)).
-
-/* - - - 5.1: curves - - - */
-
-%   A curve's edges are divided at their points; the others are left alone.
-
-split_curves(Pairs, Set) :-
-    findall(S, ( member(S1-S2, Pairs), member(S, [S1,S2]),
-                 segment(S, curve, _) ),
-            Ss0),
-    sort(Ss0, Ss),
-    forall(( member(S, Ss),
-             cut_split_edges(Set, S, Splits),
-             member(split(V1, V2, Vs), Splits)
-           ),
-           split_curve_edge(S, V1, V2, Vs)).
-
-split_curve_edge(S, V1, V2, Vs) :-
-    reverse(Vs, Back),
-    split_directed(S, V1, V2, Vs),
-    split_directed(S, V2, V1, Back).
-
-split_directed(S, V1, V2, Vs) :-
-    findall(E-Et, e(S, E, V1, V2, Et), Es),
-    forall(member(E-Et, Es),
-           ( curve_kept(S-E),
-             retractall_facts(e(S, E, _, _, _)),
-             foldl(write_part(S, E, Et), Vs, V1, V),
-             write_part(S, E, Et, V2, V, _)
-           )).
-
-write_part(S, Old, Et, V2, V1, V2) :-
-    fresh_id(e, S, E),
-    assert_fact(e(S, E, V1, V2, Et)),
-    assert_fact(origin(S, e(E), e(Old))).

@@ -116,7 +116,8 @@ test(write, Bad == []) :-
     findall(Seed,
             ( between(1, 150, Seed),
               with_solids(Seed, written_by(write_polygon, Kernel)),
-              with_solids(Seed, written_by(write_polygon_by_rule, Rule)),
+              with_solids(Seed,
+                          written_by(sg_cut_rows:write_polygon_by_rule, Rule)),
               Kernel \== Rule ),
             Bad).
 
