@@ -2,7 +2,8 @@
 
    grow: opening the cut set of two segments whose rows have just changed.
    kept: the same once more. join: all candidates, nothing cut. The medians of
-   five.
+   five. cpu is the time of all threads together, which other work on the
+   machine hardly changes.
 */
 :- use_module('../rules/store').
 :- use_module('../rules/kernel').
@@ -10,8 +11,8 @@
 :- use_module('../rules/model_file').
 :- use_module('../rules/triangulation').
 :- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [foldl/4, maplist/2]).
-:- autoload(library(lists), [last/2, member/2, nth0/3, sum_list/2]).
+:- autoload(library(apply), [maplist/2, maplist/3]).
+:- autoload(library(lists), [last/2, member/2, nth0/3]).
 :- autoload(library(readutil), [read_file_to_string/3]).
 
 :- initialization(main, main).
@@ -23,15 +24,15 @@ main :-
 /* - - - two spheres - - - */
 
 pairs(Files) :-
-    format("~w~t~14|~t~w~24|~t~w~34|~t~w~44|~t~w~56|~t~w~66|~n",
-           ['triangles', 'grow, ms', 'kept, ms', 'join, ms', candidates,
-            'bytes each']),
+    format("~w~t~12|~t~w~22|~t~w~30|~t~w~40|~t~w~50|~t~w~58|~t~w~70|~t~w~81|~n",
+           ['triangles', 'grow, ms', cpu, 'kept, ms', 'join, ms', cpu,
+            candidates, 'bytes each']),
     pair_rows(Files, Rows),
     Rows = [N1-T1|_],
     last(Rows, N2-T2),
     (   N2 > N1
     ->  Exponent is log(T2/T1)/log(N2/N1),
-        format("grow and join: time grows as n^~2f~n", [Exponent])
+        format("cpu of grow and join together grows as n^ ~2f~n", [Exponent])
     ;   true
     ).
 
@@ -47,20 +48,21 @@ pair_row(A, B, N-T) :-
     complete_segments,
     aggregate_all(count, t(_, _, _, _, _, _), N),
     findall(Trial, ( between(1, 5, _), trial(Trial) ), Trials),
-    maplist(median(Trials), [1,2,3], [Grow,Kept,Join]),
+    maplist(median(Trials), [1,2,3,4,5], [Grow,GrowCPU,Kept,Join,JoinCPU]),
     aggregate_all(count, trial_candidate, Candidates),
     tree_statistics(Statistics),
     Bytes is Statistics.bytes/Statistics.leaves,
-    format("~D~t~14|~t~2f~24|~t~2f~34|~t~2f~44|~t~D~56|~t~1f~66|~n",
-           [N, Grow, Kept, Join, Candidates, Bytes]),
-    T is Grow+Join.
+    format("~D~t~12|~t~2f~22|~t~2f~30|~t~2f~40|~t~2f~50|~t~2f~58|~t~D~70|\c
+            ~t~1f~81|~n",
+           [N, Grow, GrowCPU, Kept, Join, JoinCPU, Candidates, Bytes]),
+    T is GrowCPU+JoinCPU.
 
-trial(trial(Grow, Kept, Join)) :-
+trial(trial(Grow, GrowCPU, Kept, Join, JoinCPU)) :-
     maplist(touch, [1,2]),
-    milliseconds(cut_set_open([1-2], Set1), Grow),
+    milliseconds(cut_set_open([1-2], Set1), Grow, GrowCPU),
     cut_set_close(Set1),
-    milliseconds(cut_set_open([1-2], Set2), Kept),
-    milliseconds(joined(Set2), Join),
+    milliseconds(cut_set_open([1-2], Set2), Kept, _),
+    milliseconds(joined(Set2), Join, JoinCPU),
     cut_set_close(Set2).
 
 joined(Set) :-
@@ -89,12 +91,15 @@ median(Trials, K, Median) :-
     Middle is N//2,
     nth0(Middle, Sorted, Median).
 
-milliseconds(Goal, T) :-
+milliseconds(Goal, Wall, CPU) :-
     get_time(T0),
+    statistics(process_cputime, C0),
     call(Goal),
     !,
     get_time(T1),
-    T is (T1-T0)*1000.
+    statistics(process_cputime, C1),
+    Wall is (T1-T0)*1000,
+    CPU is (C1-C0)*1000.
 
 /* - - - a scene - - - */
 
@@ -109,14 +114,14 @@ scene_(Files) :-
     complete_segments,
     aggregate_all(count, t(_, _, _, _, _, _), N),
     aggregate_all(count, segment(_, _, _), Segments),
-    milliseconds(findall(S1-S2, near_segments(0, S1, S2), Pairs), Near),
+    milliseconds(findall(S1-S2, near_segments(0, S1, S2), Pairs), _, Near),
     length(Pairs, Count),
-    milliseconds(cut_set_open(Pairs, Set), Open),
-    milliseconds(joined(Set), Join),
-    milliseconds(cut_find(Set), Find),
+    milliseconds(cut_set_open(Pairs, Set), _, Open),
+    milliseconds(joined(Set), _, Join),
+    milliseconds(cut_find(Set), _, Find),
     cut_set_close(Set),
-    format("~n~D spheres, ~D triangles: ~D pairs near in ~2f ms, \c
-            trees ~2f ms, join ~2f ms, cuts ~2f ms~n",
+    format("~n~D spheres, ~D triangles: ~D of the pairs are near~n\c
+            cpu, ms: near ~2f , trees ~2f , join ~2f , cuts ~2f~n",
            [Segments, N, Count, Near, Open, Join, Find]).
 
 /* - - - a large mesh and a box - - - */
@@ -126,34 +131,36 @@ big([File]) :-
     in_world(World, big_(File)).
 
 big_(File) :-
-    milliseconds(read_mesh(File, _), Read),
+    milliseconds(read_mesh(File, _), _, Read),
     add_primitive(at([translate(7, 1, 1)], box(size(5, 5, 5))), _),
-    milliseconds(complete_segments, Complete),
+    milliseconds(complete_segments, _, Complete),
     aggregate_all(count, t(1, _, _, _, _, _), N),
     peak(Loaded),
-    findall(B, ( member(R, [v,e,p,plane,t]), facts_statistics(R, S),
-                 get_dict(bytes, S, B1), get_dict(index_bytes, S, B2),
-                 B is B1+B2 ), Bytes),
-    sum_list(Bytes, Relations),
-    milliseconds(cut_set_open([1-2], Set), Open),
+    aggregate_all(sum(B), relation_bytes(B), Relations),
+    milliseconds(cut_set_open([1-2], Set), _, Open),
     peak(Grown),
-    milliseconds(cut_find(Set), Find),
+    milliseconds(cut_find(Set), _, Find),
     peak(Found),
     cut_set_close(Set),
     tree_statistics(Trees),
-    milliseconds(cut_set_open([1-2], Set2), Open2),
-    milliseconds(cut_find(Set2), Find2),
+    milliseconds(cut_set_open([1-2], Set2), _, Open2),
+    milliseconds(cut_find(Set2), _, Find2),
     cut_set_close(Set2),
     Each is Relations/N,
     EachTree is Trees.bytes/N,
-    format("~D triangles and a box: read ~2f s, complete ~2f s~n",
-           [N, Read/1000, Complete/1000]),
-    format("  trees ~1f ms, cuts ~1f ms; again ~2f ms, ~1f ms~n",
-           [Open, Find, Open2, Find2]),
-    format("  bytes a triangle: relations and indexes ~1f, tree ~1f~n",
+    Total is Read+Complete,
+    format("~D triangles and a box~n\c
+            cpu, ms: load ~0f , trees ~1f , cuts ~1f ; again ~2f , ~1f~n",
+           [N, Total, Open, Find, Open2, Find2]),
+    format("bytes a triangle: relations and indexes ~1f , tree ~1f~n",
            [Each, EachTree]),
-    format("  most memory, MB: loaded ~D, with trees ~D, with cuts ~D~n",
+    format("most memory, MB: loaded ~D , with trees ~D , with cuts ~D~n",
            [Loaded, Grown, Found]).
+
+relation_bytes(Bytes) :-
+    member(Relation, [v,e,p,plane,t]),
+    facts_statistics(Relation, S),
+    Bytes is S.bytes+S.index_bytes.
 
 %   The most memory the process has had so far, in MB.
 
