@@ -6,7 +6,7 @@
             edge_part/4                 % +S, +E, -Root, -Way
           ]).
 :- use_module(store, 
-              [ e/5, t/6, leaf_e/5, origin/3, line/9, vertex_triangle/3 ]).
+              [ e/5, t/6, leaf_v/5, leaf_e/5, origin/3, line/9, vertex_triangle/3 ]).
 :- autoload(library(lists), [member/2]).
 
 /** <module> Which features touch in a point of a penetration line.
@@ -45,16 +45,13 @@ vertex_place(S, V, P, face(P, Corners)) :-
     face_corners(S, V, Corners).
 
 %   was_made(+S, +V): V is no vertex of the model. One that was only moved, so
-%   that it touches, is: edges of the model begin or end there.
+%   that it touches, is.
 
 was_made(S, V) :-
     origin(S, v(V), Origin),
     !,
     (   Origin = near(_)
-    ->  \+ ( edge_at(S, V, E), \+ origin(S, e(E), _) ),
-        \+ ( part_at(S, V, E),
-             edge_part(S, E, _, Start-End),
-             ( V == Start ; V == End ) )
+    ->  \+ leaf_v(S, V, _, _, _)
     ;   true
     ).
 
@@ -95,28 +92,8 @@ face_corners(_, _, none).
 edge_part(S, E, Root, V1-V2) :-
     origin(S, e(E), e(Old)),
     edge_root(S, Old, Root),
-    (   leaf_e(S, Root, V1, V2, _)
-    ->  true
-    ;   root_ends(S, Root, V1, V2)
-    ).
-
-%   An edge that was divided so that it touches, before any cut, is not kept:
-%   its ends are where its parts begin and end.
-
-root_ends(S, Root, Start, End) :-
-    findall(V1-V2, root_part(S, Root, V1, V2), Parts),
-    member(Start-_, Parts),
-    \+ member(_-Start, Parts),
-    member(_-End, Parts),
-    \+ member(End-_, Parts),
+    leaf_e(S, Root, V1, V2, _),
     !.
-
-root_part(S, Root, V1, V2) :-
-    origin(S, e(E), e(Root)),
-    (   e(S, E, V1, V2, _)
-    ->  true
-    ;   root_part(S, E, V1, V2)
-    ).
 
 edge_root(S, E, Root) :-
     (   origin(S, e(E), e(Old))

@@ -94,6 +94,8 @@ statement_ko(also(S, V, Place)) -->
     ).
 statement_ko(not_merged(L, By)) -->
     [ '거기서 선 ~d과(와) 잇지 않았다: merge_line/2 (~w)이(가) 거절했다'-[L, By] ].
+statement_ko(made_to_touch) -->
+    [ '다각형들이 허용 오차보다 가까워 먼저 닿게 했다' ].
 statement_ko(touching(1)) -->
     [ '삼각형 쌍 하나가 거기서 닿는다' ].
 statement_ko(touching(N)) -->

@@ -13,7 +13,7 @@
 :- use_module(penetration, [may_cut/2]).
 :- use_module(store, 
               [ v/5, e/5, p/3, t/6, leaf_e/5, leaf_p/3, leaf_t/6, segment/3,
-                line/9, assert_fact/1, new_world/1, in_world/2 ]).
+                origin/3, line/9, assert_fact/1, new_world/1, in_world/2 ]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(lists), [append/3, max_list/2, member/2,
@@ -119,9 +119,7 @@ line_there(S1-P1, S2-P2, line(L,S1,P3,S2,P4)) :-
          \+ in_box(S1, V, Box) ),
     vertex_point(S1, A, Pa),
     vertex_point(S1, B, Pb),
-    once(( member(candidate(T1, T2, _, Cuts), Candidates),
-           member(cut(_, End1, End2), Cuts),
-           piece_part(Pa, Pb, T1-T2, End1, End2, _) )).
+    once(piece_on(straight, Candidates, Pa, Pb, _)).
 
 place_box(Place, [X1-X2,Y1-Y2,Z1-Z2]) :-
     place_corners(Place, Points),
@@ -338,25 +336,28 @@ side_facts(S-(A,B,C), T2, Facts) :-
 
 %!  line_pieces(+L, -Because) is det.
 %
-%   The cuts of leaf triangles that line L was made of. Empty where no leaf
-%   triangles are there.
+%   The cuts of leaf triangles that line L was made of. None where these do not
+%   meet as they are, because the polygons had to be made to touch first.
 
 line_pieces(L, Because) :-
     line(L, S1, P1, A, B, S2, P2, _, _),
     with_candidates(S1-P1, S2-P2, Candidates),
     vertex_point(S1, A, Pa),
     vertex_point(S1, B, Pb),
-    findall(From-piece(T1, T2, End1, End2),
-            ( member(candidate(T1, T2, _, Cuts), Candidates),
-              member(cut(_, End1, End2), Cuts),
-              piece_part(Pa, Pb, T1-T2, End1, End2, From) ),
-            Pieces0),
+    (   member(How, [straight,near]),
+        findall(Piece, piece_on(How, Candidates, Pa, Pb, Piece), Pieces0),
+        Pieces0 \== []
+    ->  true
+    ;   Pieces0 = []
+    ),
     sort(Pieces0, Pieces),
     length(Pieces, N),
     (   N =:= 0
-    ->  Because = []
+    ->  findall(because(made_to_touch, []),
+                once(( member(S, [S1,S2]), origin(S, v(_), near(_)) )),
+                Because)
     ;   findall(because(piece(I,T1,T2), []),
-                nth1(I, Pieces, _-piece(T1,T2,_,_)), Each),
+                nth1(I, Pieces, _-piece(T1,T2)), Each),
         (   A == B
         ->  Because = [because(touching(N), Each)]
         ;   decided_by(merge_line/2, By),
@@ -367,29 +368,43 @@ line_pieces(L, Because) :-
 vertex_point(S, V, p(X,Y,Z)) :-
     once(vertex_exact(S, V, X, Y, Z)).
 
-%   piece_part(+A, +B, +Triangles, +End1, +End2, -From) is semidet: the cut from
-%   End1 to End2 covers a part of A-B, from From (0 at A, 1 at B) on.
+%   piece_on(+How, +Candidates, +A, +B, -Piece) is nondet: Piece is
+%   From-piece(T1, T2), a cut that covers a part of A-B from From (0 at A, 1 at
+%   B) on: `straight` on its line exactly, or `near` it, as in polygons that
+%   are flat only within the tolerance.
 
-piece_part(A, B, T1-T2, End1, End2, From) :-
+piece_on(How, Candidates, A, B, From-piece(T1,T2)) :-
+    member(candidate(T1, T2, _, Cuts), Candidates),
+    member(cut(Kind, End1, End2), Cuts),
+    (   How == near
+    ->  Kind == crossing
+    ;   true
+    ),
     end_point(T1-T2, End1, C),
     end_point(T1-T2, End2, D),
-    on_line(A, B, C, T3),
-    on_line(A, B, D, T4),
+    along(How, A, B, C, T3),
+    along(How, A, B, D, T4),
     From is min(T3, T4),
     From < 1,
     max(T3, T4) > 0.
 
-on_line(A, A, A, 1r2) :-
-    !.
-on_line(p(X0,Y0,Z0), p(X1,Y1,Z1), p(X,Y,Z), T) :-
+%   along(+How, +A, +B, +Point, -T) is semidet: Point is at T on the line A-B; a
+%   line that is a point has it in its middle.
+
+along(_, A, A, Point, T) :-
+    !,
+    Point == A,
+    T = 1r2.
+along(How, p(X0,Y0,Z0), p(X1,Y1,Z1), p(X,Y,Z), T) :-
     Dx is X1-X0, Dy is Y1-Y0, Dz is Z1-Z0,
     Ux is X-X0, Uy is Y-Y0, Uz is Z-Z0,
-    Dx*Uy =:= Dy*Ux,
-    Dy*Uz =:= Dz*Uy,
-    Dz*Ux =:= Dx*Uz,
-    Length is Dx*Dx + Dy*Dy + Dz*Dz,
-    Length =\= 0,
-    T is (Dx*Ux + Dy*Uy + Dz*Uz) rdiv Length.
+    (   How == near
+    ->  true
+    ;   Dx*Uy =:= Dy*Ux,
+        Dy*Uz =:= Dz*Uy,
+        Dz*Ux =:= Dx*Uz
+    ),
+    T is (Dx*Ux + Dy*Uy + Dz*Uz) rdiv (Dx*Dx + Dy*Dy + Dz*Dz).
 
 %   end_point(+Triangles, +End, -Point): where two features meet, exactly.
 

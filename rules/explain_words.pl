@@ -27,6 +27,7 @@ statement_keys(side, [segment, vertex, point, side, triangle]).
 statement_keys(exact, [x, y, z]).
 statement_keys(also, [segment, vertex, place]).
 statement_keys(not_merged, [line, rules]).
+statement_keys(made_to_touch, []).
 statement_keys(touching, [count]).
 statement_keys(pieces, [count, rules]).
 statement_keys(piece, [number, triangle1, triangle2]).
