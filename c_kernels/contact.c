@@ -247,7 +247,8 @@ corner(finder *find, int k, int i)
 /* ---- edges ---- */
 
 /* Edge i of the first against edge j of the second: contact if they pass each
- * other within reach, away from all four ends. */
+ * other within reach, and no end of either is within reach of the other (then
+ * that is the contact). */
 static void
 edges(finder *find, int i, int j)
 {
@@ -281,9 +282,9 @@ edges(finder *find, int i, int j)
   }
   double apart = distance(p, q);
 
-  if (apart <= find->reach && distance(at, a) > find->reach &&
-      distance(at, b) > find->reach && distance(at, c) > find->reach &&
-      distance(at, d) > find->reach) {
+  if (apart <= find->reach && to_segment(c, d, a) > find->reach &&
+      to_segment(c, d, b) > find->reach && to_segment(a, b, c) > find->reach &&
+      to_segment(a, b, d) > find->reach) {
     add(find, (sg_feature)(SG_EDGE_0 + i), (sg_feature)(SG_EDGE_0 + j), apart,
         at, sg_orient3d(a, b, c, d) == 0);
   }

@@ -1,6 +1,6 @@
 :- module(sg_meeting,
           [ find_curve_points/1,        % +Set
-            met_pairs/3                 % +Pairs, +Tolerance, -Met
+            met_pairs/4                 % +All, +Pairs, +Tolerance, -Met
           ]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_find/1, curve_candidate/3,
@@ -22,28 +22,32 @@ find_curve_points(Set) :-
     forall(curve_candidate(Set, E, T),
            curve_enter(Set, E, T, _)).
 
-%!  met_pairs(+Pairs:list, +Tolerance, -Met:list) is det.
+%!  met_pairs(+All:list, +Pairs:list, +Tolerance, -Met:list) is det.
 %
 %   Met are those of Pairs that have a line, a contact or a point of a curve in
-%   common, in order. What is nearer than Tolerance is made to touch
-%   (resolve.pl) and is so afterwards: call it in a facts_snapshot/1.
+%   common, in order. What is nearer than Tolerance in All pairs is made to
+%   touch (resolve.pl) and is so afterwards: call it in a
+%   facts_snapshot/1.
 
-met_pairs(Pairs, Tolerance, Met) :-
+met_pairs(All, Pairs, Tolerance, Met) :-
+    with_set(All, touching(Tolerance)),
+    with_set(Pairs, exactly_met(Met)).
+
+:- meta_predicate with_set(+, 1).
+
+with_set(Pairs, Goal) :-
     setup_call_cleanup(
         cut_set_open(Pairs, Set),
-        met_pairs(Pairs, Set, Tolerance, Met),
+        call(Goal, Set),
         cut_set_close(Set)).
 
-met_pairs(Pairs, Set, Tolerance, Met) :-
+touching(Tolerance, Set) :-
     (   resolve_contacts(Set, Tolerance)
-    ->  setup_call_cleanup(
-            cut_set_open(Pairs, Resolved),
-            exactly_met(Resolved, Met),
-            cut_set_close(Resolved))
-    ;   exactly_met(Set, Met)
+    ->  true
+    ;   true
     ).
 
-exactly_met(Set, Met) :-
+exactly_met(Met, Set) :-
     cut_find(Set),
     find_curve_points(Set),
     cut_seal(Set),

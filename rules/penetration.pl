@@ -25,7 +25,7 @@
 :- use_module(leaf,
               [ leaves_kept/1, were_cut/2, earlier_cuts/2, leaves_restored/1
               ]).
-:- use_module(meeting, [find_curve_points/1, met_pairs/3]).
+:- use_module(meeting, [find_curve_points/1, met_pairs/4]).
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -148,29 +148,29 @@ touching(Options, Tolerance) :-
 %   Cuts are taken between leaves (leaf.pl): where Pairs meet, what earlier
 %   cuts made is taken back, and all are taken at once.
 
-penetrated_leaves(Pairs, Tolerance) :-
+penetrated_leaves(Pairs0, Tolerance) :-
+    sort(Pairs0, Pairs),
     earlier_cuts(Pairs, Earlier),
     (   Earlier == []
     ->  penetrated(Pairs, Tolerance)
-    ;   facts_snapshot(
-            sg_penetration:met_leaves(Earlier, Pairs, Tolerance, Met)),
-        penetrated_again(Met, Tolerance)
+    ;   ord_union(Earlier, Pairs, All),
+        facts_snapshot(sg_penetration:met_leaves(All, Pairs, Tolerance, Met)),
+        penetrated_again(Met, All, Tolerance)
     ).
 
-penetrated_again([], _) :-
+penetrated_again([], _, _) :-
     !.
-penetrated_again(Met, Tolerance) :-
-    earlier_cuts(Met, Earlier),
-    ord_union(Earlier, Met, All),
+penetrated_again(_, All, Tolerance) :-
     leaves_restored(All),
     penetrated(All, Tolerance).
 
-%   met_leaves(+Earlier, +Pairs, +Tolerance, -Met): those of Pairs with leaves
-%   that meet.
+%   met_leaves(+All, +Pairs, +Tolerance, -Met): those of Pairs with leaves that
+%   meet. Contacts hang together, so they are made to touch in All pairs, as
+%   they will be then.
 
-met_leaves(Earlier, Pairs, Tolerance, Met) :-
-    leaves_restored(Earlier),
-    met_pairs(Pairs, Tolerance, Met).
+met_leaves(All, Pairs, Tolerance, Met) :-
+    leaves_restored(All),
+    met_pairs(All, Pairs, Tolerance, Met).
 
 penetrated(Pairs, Tolerance) :-
     with_cut_set(Pairs, resolved(arranged, Tolerance, Resolved)),

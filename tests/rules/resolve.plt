@@ -304,6 +304,34 @@ test(tangles, [ forall(member(N-Last, [2-40,3-40,4-20,6-8])),
               Fault \== none ),
             Bad).
 
+test(in_two_steps, Bad == []) :-
+    findall(Seed,
+            ( between(1, 20, Seed),
+              tangle(Seed, 3, Solids),
+              rotation(Rotation),
+              once(turned(Solids, Rotation, lengths(Expected))),
+              \+ ( turned_in_two_steps(Solids, Rotation, lengths(Lengths)),
+                   Lengths == Expected ) ),
+            Bad).
+
+:- meta_predicate turned_in_two_steps(+, +, 0).
+
+turned_in_two_steps(Solids, Rotation, Goal) :-
+    append(First, [Last], Solids),
+    new_world(World),
+    in_world(World,
+             ( maplist(entered, First),
+               forall(v(S, V, X, Y, Z), move(Rotation, S, V, X-Y-Z)),
+               complete_segments,
+               penetrate,
+               aggregate_all(count, segment(_, _, _), Before),
+               entered(Last),
+               forall(( v(S, V, X, Y, Z), S > Before ),
+                      move(Rotation, S, V, X-Y-Z)),
+               complete_segments,
+               penetrate,
+               Goal )).
+
 tangle_fault(Solids, Rotation, Expected, Fault) :-
     turned(Solids, Rotation,
            ( lengths(Lengths),
