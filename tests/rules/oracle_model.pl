@@ -7,7 +7,6 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(pairs)).
-:- use_module(library(solution_sequences)).
 :- use_module(rules(exact)).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).
@@ -65,10 +64,10 @@ chain_point(point(_, _, _, Origin), Point) :-
 
 %!  model_faults(+Before, -Faults) is det.
 %
-%   The first three solutions of model_fault/2.
+%   All solutions of model_fault/2.
 
 model_faults(Before, Faults) :-
-    findall(Fault, limit(3, model_fault(Before, Fault)), Faults).
+    findall(Fault, model_fault(Before, Fault), Faults).
 
 %!  model_before(-Before) is det.
 %

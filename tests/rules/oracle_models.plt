@@ -15,11 +15,11 @@
 in all directions, two to four together: after
 penetrate/0 the lines are those of the oracle, and every polygon is still
 divided rightly. Model I is made from seed I. ORACLE_MODELS=N makes N models
-(default 200), from number ORACLE_FIRST (default 1) on. */
+(default 150), from number ORACLE_FIRST (default 1) on. */
 
 models(First, Last) :-
     from_environment('ORACLE_FIRST', 1, First),
-    from_environment('ORACLE_MODELS', 200, N),
+    from_environment('ORACLE_MODELS', 150, N),
     Last is First+N-1.
 
 from_environment(Name, Default, N) :-
@@ -66,24 +66,62 @@ two_steps_faults(Shapes, Faults) :-
                        model_faults(Before, Faults) ),
                      Error, Faults = [Error]) )).
 
+%   Turned in decimals, so that almost nothing that touched still does, but is
+%   off by a rounding; and polygons are no longer flat. Without a tolerance, and
+%   without merging, since joints are straight only within one.
+
+turned_faults(Shapes0, Faults) :-
+    Turn = [p(0.36,0.48,-0.8), p(-0.8,0.6,0.0), p(0.48,0.64,0.6)],
+    maplist(mapped_shape(Turn), Shapes0, Shapes),
+    new_world(World),
+    in_world(World,
+             ( follow("merge_line(_, _) :- fail."),
+               foldl(add_next, Shapes, 1, _),
+               complete_segments,
+               catch(( penetration_faults(Faults0),
+                       exclude(is_needless, Faults0, Faults) ),
+                     Error, Faults = [Error]) )).
+
+is_needless(needlessly_divided(_, _, _)).
+
 add_next(Shape, S, S1) :-
     add_shape(S, Shape),
     S1 is S+1.
 
-bad_model(Faults_, I-Labels-Faults) :-
-    models(First, Last),
+%   bad_model(:Faults, +Share, -Bad): of the models, one in Share is tried.
+
+bad_model(Faults_, Share, I-Labels-Faults) :-
+    models(First, Last0),
+    Last is First+(Last0-First)//Share,
     between(First, Last, I),
     model_shapes(I, Shapes),
-    call(Faults_, Shapes, Faults),
+    call(Faults_, Shapes, Faults0),
+    findall(Fault, limit(3, member(Fault, Faults0)), Faults),
     Faults \== [],
     maplist(shape_label, Shapes, Labels).
+
+%   follow(+Rules): the current world follows the rules in a text.
+
+follow(Rules) :-
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [extension(pl), encoding(utf8)]),
+        write(Out, Rules), close(Out)),
+    use_rules(File),
+    delete_file(File).
+
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
 
 :- begin_tests(oracle_models).
 
 test(random_models, Bad == []) :-
-    findall(Model, limit(5, bad_model(shapes_faults, Model)), Bad).
+    findall(Model, limit(5, bad_model(shapes_faults, 1, Model)), Bad).
 test(in_two_steps, Bad == []) :-
-    findall(Model, limit(5, bad_model(two_steps_faults, Model)), Bad).
+    findall(Model, limit(5, bad_model(two_steps_faults, 1, Model)), Bad).
+
+test(turned, Bad == []) :-
+    findall(Model, limit(5, bad_model(turned_faults, 4, Model)), Bad).
 
 % A box stands on a table, a sheet hangs under it and does not cut the box:
 % where its line crosses the edges of the box, these are divided on both sides.
@@ -127,14 +165,5 @@ without(S1, S2, before(Segments, Lines0), before(Segments, Lines)) :-
     exclude(is_of(S1, S2), Lines0, Lines).
 
 is_of(S1, S2, lines(S1, S2, _, _)).
-
-%   follow(+Rules): the current world follows the rules in a text.
-
-follow(Rules) :-
-    setup_call_cleanup(
-        tmp_file_stream(File, Out, [extension(pl), encoding(utf8)]),
-        write(Out, Rules), close(Out)),
-    use_rules(File),
-    delete_file(File).
 
 :- end_tests(oracle_models).

@@ -12,11 +12,11 @@
 
 /* Two triangles with corners on a small grid: the engine and the oracle see
 the same pieces, their ends in the same features. The classes that occurred are
-counted, and each must occur. ORACLE_PAIRS=N makes N pairs (default 40000),
+counted, and each must occur. ORACLE_PAIRS=N makes N pairs (default 30000),
 ORACLE_SEED=N other ones. */
 
 pairs(N) :-
-    from_environment('ORACLE_PAIRS', 40000, N).
+    from_environment('ORACLE_PAIRS', 30000, N).
 
 seed(Seed) :-
     from_environment('ORACLE_SEED', 19880301, Seed).
