@@ -17,7 +17,7 @@
 :- use_module(messages_ko, []).
 :- use_module(penetration, [merge_line/2]).
 :- use_module(store,
-              [ v/5, e/5, leaf_e/5, p/3, segment/3, origin/3, line/9,
+              [ v/5, e/5, leaf_v/5, leaf_e/5, p/3, segment/3, origin/3, line/9,
                 edge_polygon/3
               ]).
 :- autoload(library(apply), [maplist/2, maplist/3, maplist/4]).
@@ -186,8 +186,7 @@ contact(Seat1, Seat2, because(Contact, Because)) :-
     Contact = contact(Kind, _, _),
     (   Kind == 'edge-face'
     ->  edge_sides(Seat1, Seat2, Because)
-    ;   Kind \== 'vertex-vertex',
-        seat_origin(Seat1, Seat2, Origin)
+    ;   seat_origin(Seat1, Seat2, Origin)
     ->  origin_because(Origin, Facts),
         (   made_here(Kind, Origin)
         ->  Because = Facts
@@ -331,7 +330,9 @@ vertex_because(S, V, Statement, Because) :-
         origin_because(Origin, Facts),
         Seat = seat(S, V, Place),
         exact_because(Seat, Seat, Exact),
-        Made = [because(made(Origin), Facts)|Exact]
+        findall(because(was_at(S,V,point(X,Y,Z)), []), leaf_v(S, V, X, Y, Z),
+                Was),
+        append([Was, [because(made(Origin), Facts)], Exact], Made)
     ;   Statement = original(S, V, Point),
         Made = []
     ),

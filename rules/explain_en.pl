@@ -133,6 +133,9 @@ statement_en(moved(S, V, Point)) -->
     [ 'vertex ~d of segment ~d~w at '-[V, S, Word] ],
     point(Point),
     [ ', moved there so that it touches' ].
+statement_en(was_at(_, _, Point)) -->
+    [ 'was at ' ],
+    point(Point).
 statement_en(original(S, V, Point)) -->
     { segment_word(S, Word) },
     [ 'vertex ~d of segment ~d~w at '-[V, S, Word] ],

@@ -134,6 +134,9 @@ statement_ko(moved(S, V, Point)) -->
     [ '세그먼트 ~d~w의 꼭지점 ~d '-[S, Word, V] ],
     point(Point),
     [ ', 닿도록 옮긴 것' ].
+statement_ko(was_at(_, _, Point)) -->
+    [ '원래 있던 곳: ' ],
+    point(Point).
 statement_ko(original(S, V, Point)) -->
     { segment_word(S, Word) },
     [ '세그먼트 ~d~w의 꼭지점 ~d '-[S, Word, V] ],

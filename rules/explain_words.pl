@@ -35,6 +35,7 @@ statement_keys(chain, [chain, kind, number, count]).
 statement_keys(chain_head, [chain, kind, segment1, segment2, count, length]).
 statement_keys(derived, [segment, vertex, point, place]).
 statement_keys(moved, [segment, vertex, point]).
+statement_keys(was_at, [segment, vertex, point]).
 statement_keys(original, [segment, vertex, point]).
 statement_keys(vertex_lines, [lines]).
 statement_keys(edge, [segment, edge, start, end]).

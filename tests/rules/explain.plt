@@ -341,6 +341,17 @@ test(apex, Kind-N == 'vertex-face'-2) :-
                   once(said(line(L), contact(Kind, _, _))),
                   once(said(line(L), touching(N))) )).
 
+test(moved, Z == 2.000000000001) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(2,2,2)), _),
+               add_primitive(at([translate(0,0,2.000000000001)],
+                                box(size(2,2,2))), _),
+               complete_segments,
+               penetrate,
+               once(said(vertex(2,1), moved(2, 1, point(_,_,2.0)))),
+               once(said(vertex(2,1), was_at(2, 1, point(_,_,Z)))) )).
+
 %   After a second penetration the explanation is still that of the leaves.
 
 test(after_second) :-
