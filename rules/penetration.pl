@@ -28,10 +28,7 @@
 :- use_module(meeting, [find_curve_points/1, met_pairs/4]).
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
-:- use_module(store,
-              [ v/5, e/5, plane/6, t/6, segment/3, origin/3, line/9,
-                facts_snapshot/1, facts_transaction/1
-              ]).
+:- use_module(store, [facts_snapshot/1, facts_transaction/1]).
 :- autoload(library(apply), [exclude/3, include/3, maplist/2, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
