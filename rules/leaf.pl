@@ -92,11 +92,19 @@ were_cut(S1, S2) :-
     ;   Curve = S2
     ),
     segment(Curve, _, _),
+    has_origin(Curve),
     \+ t(Curve, _, _, _, _, _),
     origin(Curve, v(_), Origin),
     origin_segment(Origin, Other),
     Other \== Curve,
     msort([Curve,Other], [S1,S2]).
+
+%   Most segments have not been cut at all, and looking for their triangles may
+%   mean looking at all triangles.
+
+has_origin(S) :-
+    origin(S, v(_), _),
+    !.
 
 %!  origin_segment(+Origin, -S) is nondet.
 %
