@@ -26,15 +26,15 @@ turns(N0, N) :-
 
 /* - - - scenes - - - */
 
-scene(boxes_sharing_part_of_a_face, 200, [A, B]) :-
+scene(boxes_sharing_part_of_a_face, 1000, [A, B]) :-
     box(2,2,2, 0,0,0, A), box(2,2,2, 2,1,0.5, B).
 scene(box_beside_box_flush, 100, [A, B]) :-
     box(3,1,1, 0,0,0, A), box(1,1,2, 1,0,1, B).
 scene(same_box_twice, 100, [A, A]) :-
     box(2,3,4, 0,0,0, A).
-scene(box_on_a_plane, 200, [rectangle(size(6,6)), A]) :-
+scene(box_on_a_plane, 1000, [rectangle(size(6,6)), A]) :-
     box(1,1,1, 0.25,0,0, A).
-scene(apex_on_an_edge, 200,
+scene(apex_on_an_edge, 1000,
       [ A, at([rotate(x,180),translate(1,0.25,3)],
               pyramid(base(1,1), height(1))) ]) :-
     box(2,2,2, 0,0,0, A).
@@ -46,7 +46,7 @@ scene(edge_on_edge, 100,
       [ at([rotate(x,45)], A), at([rotate(y,45),translate(0,0,H)], A) ]) :-
     box(2,2,2, 0,0,-1, A),
     H is 2*sqrt(2).
-scene(equal_cylinders, 60,
+scene(equal_cylinders, 1000,
       [ at([translate(0,0,-2)], A),
         at([translate(0,0,-2),rotate(x,90)], A) ]) :-
     A = cylinder(radius(1), height(4), facets(12)).
