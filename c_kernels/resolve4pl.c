@@ -142,6 +142,9 @@ want_polygons_of_ex(resolving *job, int32_t s, int32_t e)
   sg_walk walk;
   int good = TRUE;
 
+  if (!sg_index_ready(job->handle->version, SG_P, 0, &sg_prolog_poll)) {
+    return FALSE;
+  }
   if (!sg_walk_open_member(&walk, job->handle->version, SG_P, s, e)) {
     return sg_no_memory();
   }
@@ -164,6 +167,9 @@ want_neighbours_ex(resolving *job, const sg_resolve_split *split)
         [0].i = split->s, [2].i = split->v[turn], [3].i = split->v[!turn]};
     sg_walk walk;
 
+    if (!sg_index_ready(job->handle->version, SG_E, 0x0d, &sg_prolog_poll)) {
+      return FALSE;
+    }
     if (!sg_walk_open(&walk, job->handle->version, SG_E, 0x0d, row)) {
       return sg_no_memory();
     }

@@ -89,6 +89,9 @@ add_polygons_of_ex(sg_cut_handle *handle, int32_t s, int32_t e)
   sg_walk walk;
   int good = TRUE;
 
+  if (!sg_index_ready(handle->version, SG_P, 0, &sg_prolog_poll)) {
+    return FALSE;
+  }
   if (!sg_walk_open_member(&walk, handle->version, SG_P, s, e)) {
     return sg_no_memory();
   }
@@ -113,6 +116,9 @@ add_neighbours_ex(sg_cut_handle *handle, const sg_split_edge *edge)
         [0].i = edge->s, [2].i = v[turn], [3].i = v[!turn]};
     sg_walk walk;
 
+    if (!sg_index_ready(handle->version, SG_E, 0x0d, &sg_prolog_poll)) {
+      return FALSE;
+    }
     if (!sg_walk_open(&walk, handle->version, SG_E, 0x0d, row)) {
       return sg_no_memory();
     }

@@ -270,6 +270,7 @@ show(const load *l)
   l->map->rows += l->n;
   l->table->slots += (sg_row)l->n;
   l->table->written += l->n;
+  l->table->changes += l->n;
 }
 
 /* Takes the rows back; `linked` of them are in the key's index. */

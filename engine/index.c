@@ -134,6 +134,7 @@ sg_index_clear(sg_index *index)
   index->built = false;
   index->bits = 0;
   index->links = index->pages = index->link_room = index->link_used = 0;
+  index->linked = 0;
   index->free = SG_NO_ROW;
 }
 
@@ -416,19 +417,31 @@ sg_index_remove(sg_index *index, const sg_table *table, sg_row row)
 }
 
 bool
-sg_index_build(sg_index *index, const sg_table *table)
+sg_index_build_some(sg_index *index, const sg_table *table, sg_row rows)
 {
-  sg_index_clear(index);
-  if (!reserve_heads(index, table, table->slots)) {
-    return false;
+  if (index->linked == 0 || index->changes != table->changes) {
+    sg_index_clear(index);
+    if (!reserve_heads(index, table, table->slots)) {
+      return false;
+    }
+    index->changes = table->changes;
   }
-  for (sg_row row = 0; row < table->slots; row++) {
-    if (sg_table_taken(table, row) && !sg_index_add(index, table, row)) {
+  for (; index->linked < table->slots && rows > 0; rows--) {
+    if (sg_table_taken(table, index->linked) &&
+        !sg_index_add(index, table, index->linked)) {
       sg_index_clear(index);
       return false;
     }
+    index->linked++;
   }
-  return index->built = true;
+  index->built = index->linked == table->slots;
+  return true;
+}
+
+bool
+sg_index_build(sg_index *index, const sg_table *table)
+{
+  return sg_index_build_some(index, table, SG_NO_ROW);
 }
 
 size_t

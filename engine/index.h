@@ -36,9 +36,15 @@ typedef struct sg_index {
   size_t link_room;
   size_t link_used; /* links below were used once */
   uint32_t free;    /* first link to use again, SG_NO_ROW: none */
+  sg_row linked;    /* of an index half built: rows below are linked */
+  uint64_t changes; /* and the table's were then */
 } sg_index;
 
-/* Links every taken row. False: no memory, the index stays unbuilt. */
+/* Links `rows` more of the taken rows, or begins anew if the table changed
+ * since; the last ones make it built. False: no memory, it stays unbuilt. */
+bool sg_index_build_some(sg_index *index, const struct sg_table *table,
+                         sg_row rows);
+/* All of them. */
 bool sg_index_build(sg_index *index, const struct sg_table *table);
 void sg_index_clear(sg_index *index);
 

@@ -196,6 +196,11 @@ void sg_view_clear(sg_view *view);
  * that have id `member` in a column of a MEMBERS index. The walk does not hold
  * the version: the caller does. */
 typedef struct sg_walk sg_walk;
+/* Builds the index that a walk by `mask` will look into (0: a member walk) if
+ * that would take long, asking the poll every few ms, without the lock. False:
+ * it said stop. Not needed, but for the poll. */
+bool sg_index_ready(const sg_version *version, sg_relation relation,
+                    uint16_t mask, const sg_poll *poll);
 bool sg_walk_open(sg_walk *walk, const sg_version *version,
                   sg_relation relation, uint16_t mask, const sg_value *row);
 bool sg_walk_open_member(sg_walk *walk, const sg_version *version,

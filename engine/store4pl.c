@@ -84,10 +84,15 @@ asking_open(asking *a, term_t args)
   }
   if (bound != SG_NOWHERE) {
     a->version = sg_world_version(world);
-    if (sg_walk_open(&a->walk, a->version, a->relation, mask, row)) {
+    bool ready = mask == 0 ||
+                 sg_index_ready(a->version, a->relation, mask, &sg_prolog_poll);
+
+    if (ready && sg_walk_open(&a->walk, a->version, a->relation, mask, row)) {
       return TRUE;
     }
-    PL_resource_error("memory");
+    if (ready) { /* if not, an exception is pending */
+      PL_resource_error("memory");
+    }
   }
   a->walk.rows = NULL;
   asking_close(a);
@@ -434,11 +439,15 @@ member_open(asking *a, term_t args, unsigned column)
   a->first = 2 - (int)column;
   a->strict = !PL_is_variable(args + 2);
   a->version = sg_world_version(world);
-  if (sg_walk_open_member(&a->walk, a->version, a->relation, s.i, id.i)) {
+  bool ready = sg_index_ready(a->version, a->relation, 0, &sg_prolog_poll);
+
+  if (ready &&
+      sg_walk_open_member(&a->walk, a->version, a->relation, s.i, id.i)) {
     return TRUE;
   }
+  a->walk.rows = NULL;
   asking_close(a);
-  return PL_resource_error("memory");
+  return ready && PL_resource_error("memory");
 }
 
 static foreign_t

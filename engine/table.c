@@ -218,6 +218,7 @@ sg_table_write(sg_table *table, sg_row row, const sg_value *value)
   }
   page->taken[place / 64] |= UINT64_C(1) << place % 64;
   table->written++;
+  table->changes++;
   return true;
 }
 
@@ -229,6 +230,7 @@ sg_table_vacate(sg_table *table, sg_row row)
 
   give_refs(table, page, place, table->info->arity);
   page->taken[place / 64] &= ~(UINT64_C(1) << place % 64);
+  table->changes++;
 }
 
 /* Vacates what no map shows; returns how many. */

@@ -70,10 +70,11 @@ typedef struct sg_table {
   const sg_relation_info *info;
   sg_page **page; /* [pages], of room page_room */
   size_t pages, page_room;
-  sg_row slots;   /* all slots ever written lie below */
-  size_t emptied; /* slots on empty stacks */
-  size_t open;    /* no page before this one has an empty slot */
-  size_t written; /* rows since the last sweep */
+  sg_row slots;     /* all slots ever written lie below */
+  size_t emptied;   /* slots on empty stacks */
+  size_t open;      /* no page before this one has an empty slot */
+  size_t written;   /* rows since the last sweep */
+  uint64_t changes; /* rows written and slots made empty, ever */
   sg_arena arena;
   sg_index index[SG_MAX_INDEXES];
   unsigned indexes;

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { SOME_ROWS = 1 << 16 }; /* linked into an index between two questions */
+
 /* ---- rows -------------------------------------------------------------- */
 
 size_t
@@ -229,6 +231,41 @@ walk_init(sg_walk *walk, const sg_version *version, sg_relation relation,
   walk->count = walk->given = 0;
 }
 
+/* The index of members; null: there is none. */
+static sg_index *
+member_index(sg_table *table)
+{
+  sg_index *index = NULL;
+
+  for (unsigned i = 0; i < table->indexes; i++) {
+    index = table->index[i].members ? &table->index[i] : index;
+  }
+  return index;
+}
+
+bool
+sg_index_ready(const sg_version *version, sg_relation relation, uint16_t mask,
+               const sg_poll *poll)
+{
+  sg_world *world = version->world;
+  sg_table *table = &world->table[relation];
+  const sg_map *map = version->map[relation];
+  bool done = !map || map->rows < SOME_ROWS;
+
+  while (!done) {
+    pthread_mutex_lock(&world->lock);
+    sg_index *index = mask ? best_index(table, mask) : member_index(table);
+
+    done = !index || index->built ||
+           !sg_index_build_some(index, table, SOME_ROWS) || index->built;
+    pthread_mutex_unlock(&world->lock);
+    if (!done && sg_poll_stop(poll)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool
 sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
              uint16_t mask, const sg_value *row)
@@ -269,12 +306,9 @@ sg_walk_open_member(sg_walk *walk, const sg_version *version,
 {
   sg_world *world = version->world;
   sg_table *table = &world->table[relation];
-  sg_index *index = NULL;
+  sg_index *index = member_index(table);
   bool done;
 
-  for (unsigned i = 0; i < table->indexes; i++) {
-    index = table->index[i].members ? &table->index[i] : index;
-  }
   if (!index) {
     return false;
   }

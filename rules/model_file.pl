@@ -62,8 +62,9 @@ Errors besides those of model_text.pl:
 %   is then as before.
 
 read_model(File) :-
+    open_model_text(File, Text), % may wait for input: no signals in a setup
     setup_call_cleanup(
-        open_model_text(File, Text),
+        true,
         ( progress_by(model_text_bytes(Text)),
           facts_transaction(sg_model_file:text_added(Text))
         ),

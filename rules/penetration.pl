@@ -180,8 +180,9 @@ penetrated(Pairs, Tolerance) :-
 :- meta_predicate with_cut_set(+, 2).
 
 with_cut_set(Pairs, Goal) :-
+    stage(tree, cut_set_open(Pairs, Set)), % long: no signals in a setup
     setup_call_cleanup(
-        stage(tree, cut_set_open(Pairs, Set)),
+        true,
         call(Goal, Pairs, Set),
         cut_set_close(Set)).
 
@@ -318,8 +319,9 @@ cut_pair(Set, T1, T2) :-
 %   Feature1-Feature2, each one of vertex(V), edge(V1,V2) and face(T). Exact.
 
 triangle_cut(S1-T1, S2-T2, Kind, End1, End2) :-
+    cut_set_open([S1-S2], Set),
     setup_call_cleanup(
-        cut_set_open([S1-S2], Set),
+        true,
         findall(cut(K, A, B), set_cut(Set, S1-T1, S2-T2, cut(K, A, B)), Cuts),
         cut_set_close(Set)),
     member(cut(Kind, End1, End2), Cuts).

@@ -1,0 +1,165 @@
+:- module(test_interrupt, []).
+:- use_module(library(plunit)).
+:- use_module(library(apply)).
+:- use_module(library(time)).
+:- use_module(rules(model)).
+:- use_module(rules(penetration)).
+:- use_module(rules(store)).
+
+/* An interrupt ends the whole way of the data soon, wherever it is, and leaves
+   the world as it was. What counts is the work done after the signal, in
+   seconds of the processor: a busy machine is no fault. INTERRUPT_RINGS=N makes
+   spheres of 4*N*N triangles, INTERRUPT_TIMES=N more moments. */
+
+setting(Name, Default, Value) :-
+    (   getenv(Name, Text),
+        atom_number(Text, Value0)
+    ->  Value = Value0
+    ;   Value = Default
+    ).
+
+%   sphere(+File, +N, +X): an OBJ file of a sphere of N rings of 2N pieces, its
+%   middle at X, 0, 0; each ring is 4N triangles.
+
+sphere(File, N, X) :-
+    setup_call_cleanup(open(File, write, Out), sphere_written(Out, N, X),
+                       close(Out)).
+
+sphere_written(Out, N, X) :-
+    Around is 2*N,
+    forall(( between(0, N, I), between(1, Around, J) ),
+           ( A is pi*I/N, B is 2*pi*J/Around,
+             Px is X+sin(A)*cos(B), Py is sin(A)*sin(B), Pz is cos(A),
+             format(Out, "v ~15f ~15f ~15f~n", [Px,Py,Pz]) )),
+    forall(( between(1, N, I), between(1, Around, J) ),
+           ( Low is (I-1)*Around, High is I*Around,
+             J1 is J mod Around+1,
+             A is Low+J, B is High+J, C is High+J1, D is Low+J1,
+             ( I < N -> format(Out, "f ~d ~d ~d~n", [A,B,C]) ; true ),
+             ( I > 1 -> format(Out, "f ~d ~d ~d~n", [A,C,D]) ; true ) )).
+
+:- dynamic file/1, signal_at/1, over/0.
+
+make_files :-
+    setting('INTERRUPT_RINGS', 40, N),
+    forall(member(X, [0, 0.7]),
+           ( tmp_file_stream(File, Out, [extension(obj)]),
+             close(Out),
+             sphere(File, N, X),
+             assertz(file(File)) )).
+
+drop_files :-
+    forall(retract(file(File)), delete_file(File)).
+
+files(Files) :-
+    findall(File, file(File), Files).
+
+rows(Rows) :-
+    findall(Relation-N,
+            ( relation(Relation, _, _),
+              facts_statistics(Relation, Statistics),
+              get_dict(rows, Statistics, N) ),
+            Rows).
+
+%   interrupted(:Goal, +Seconds, -Took): Goal gets a signal after Seconds; Took
+%   is what the processor did from then on, or `done`.
+
+:- meta_predicate interrupted(0, +, -).
+
+interrupted(Goal, Seconds, Took) :-
+    retractall(over),
+    retractall(signal_at(_)),
+    thread_self(Me),
+    thread_create(interrupt_after(Me, Seconds), Id),
+    catch(( call(Goal), How = done ), interrupt, How = stopped),
+    statistics(process_cputime, End),
+    assertz(over),
+    thread_join(Id),
+    (   How == stopped
+    ->  signal_at(Begin),
+        Took is End-Begin
+    ;   Took = done
+    ).
+
+interrupt_after(Thread, Seconds) :-
+    sleep(Seconds),
+    (   over
+    ->  true
+    ;   statistics(process_cputime, Now),
+        assertz(signal_at(Now)),
+        thread_signal(Thread, (test_interrupt:over -> true ; throw(interrupt)))
+    ).
+
+%   moment(+Whole, -Seconds): moments over the time that all of it takes.
+
+moment(Whole, Seconds) :-
+    setting('INTERRUPT_TIMES', 12, N),
+    between(1, N, I),
+    Seconds is Whole*I/(N+1).
+
+seconds_of(Goal, Seconds) :-
+    get_time(T0),
+    call(Goal),
+    get_time(T1),
+    Seconds is T1-T0.
+
+load_and_penetrate(Files) :-
+    load_model(Files),
+    penetrate.
+
+lines(N) :-
+    aggregate_all(count, line(_, _, _, _, _, _, _, _, _), N).
+
+has_threads :-
+    current_prolog_flag(threads, true).
+
+:- begin_tests(interrupt, [setup(make_files), cleanup(drop_files),
+                           condition(test_interrupt:has_threads)]).
+
+test(loading, Bad == []) :-
+    files(Files),
+    new_world(World0),
+    seconds_of(in_world(World0, load_model(Files)), Whole),
+    findall(late(Seconds, Took),
+            ( moment(Whole, Seconds),
+              new_world(World),
+              in_world(World, ( rows(Before),
+                                interrupted(load_model(Files), Seconds, Took),
+                                rows(After) )),
+              Took \== done,
+              ( Took > 0.2 -> true ; Before \== After ) ),
+            Bad).
+test(penetrating, Bad-Again == []-yes) :-
+    files(Files),
+    new_world(World0),
+    in_world(World0, ( load_model(Files),
+                       seconds_of(penetrate, Whole),
+                       lines(Lines) )),
+    new_world(World),
+    in_world(World,
+             ( load_model(Files),
+               rows(Before),
+               findall(late(Seconds, Took),
+                       ( moment(Whole, Seconds),
+                         interrupted(facts_snapshot(penetrate), Seconds, Took),
+                         rows(After),
+                         Took \== done,
+                         ( Took > 0.2 -> true ; Before \== After ) ),
+                       Bad),
+               penetrate,
+               lines(Lines1) )),
+    (   Lines == Lines1
+    ->  Again = yes
+    ;   Again = Lines-Lines1
+    ).
+test(time_limit, Rows == Before) :-
+    files(Files),
+    new_world(World),
+    in_world(World,
+             ( load_model(Files),
+               rows(Before),
+               catch(call_with_time_limit(0.01, penetrate),
+                     time_limit_exceeded, true),
+               rows(Rows) )).
+
+:- end_tests(interrupt).
