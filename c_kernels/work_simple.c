@@ -185,14 +185,15 @@ end(sweep *s, int32_t e)
 }
 
 /* Of opposite edges one stands for both; false in *simple: there is an edge
- * twice. */
+ * twice, or from a vertex to itself. */
 static bool
 stands(sweep *s, int32_t e, bool *simple)
 {
   const sg_work_edge *edge = &s->work->edge[e].edge;
   bool opposite = sg_work_pair(s->work, edge->end, edge->start) != 0;
 
-  if (sg_work_pair(s->work, edge->start, edge->end) != e) {
+  if (edge->start == edge->end ||
+      sg_work_pair(s->work, edge->start, edge->end) != e) {
     *simple = false;
   }
   if (opposite) {
