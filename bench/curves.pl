@@ -1,7 +1,8 @@
-/* The table of bench/curves: swipl bench/curves.pl -- RESULTS
+/* The table of bench/curves: swipl bench/curves.pl -- RESULTS STAGES...
 
    RESULTS has a JSON object a line, as peers/boolean/bench.py writes them:
    medians of seconds, `op` with everything, `warm` again in the same process.
+   Each of STAGES is what our driver printed for one case.
 */
 :- use_module(library(apply)).
 :- use_module(library(http/json)).
@@ -10,7 +11,7 @@
 :- initialization(main, main).
 
 main :-
-    current_prolog_flag(argv, [File]),
+    current_prolog_flag(argv, [File|StageFiles]),
     setup_call_cleanup(open(File, read, In), records(In, Records),
                        close(In)),
     format("~w~t~10|~w~t~22|~t~w~32|~t~w~42|~t~w~52|~t~w~62|~t~w~72|~t~w~80|~n",
@@ -24,7 +25,23 @@ main :-
     ->  Ratio is Turned.op/Straight.op,
         format("sanggwan: cyl2 turned to straight: ~2f~n", [Ratio])
     ;   true
-    ).
+    ),
+    format("~nour stages with trees built, and the share of the rules~n"),
+    maplist(print_stages, StageFiles).
+
+print_stages(File) :-
+    setup_call_cleanup(open(File, read, In), json_read_dict(In, Run),
+                       close(In)),
+    file_name_extension(_, Case, File),
+    [Whole|_] = Run.op,
+    Stages = Run.stages,
+    dict_pairs(Stages, _, Pairs),
+    format("~w~t~10|", [Case]),
+    forall(member(Stage-Seconds, Pairs),
+           ( Ms is Seconds*1000,
+             format("~w ~1f  ", [Stage,Ms]) )),
+    Share is Stages.rules/Whole*100,
+    format("rules ~2f %~n", [Share]).
 
 records(In, Records) :-
     (   at_end_of_stream(In)

@@ -152,4 +152,35 @@ test(chain_of_a_corner, Kinds-N == [closed]-6) :-
            ( Origin =.. [How,S1-_,S2-_], memberchk(How, [lpi,ll]),
              S1 \== S2 )).
 
+% Equal cylinders: four arcs of 20 pieces from branch point to branch point,
+% however they are turned; spheres: one closed line.
+test(arcs, Shapes == [Arcs,Arcs,Arcs]) :-
+    Arcs = [open-20,open-20,open-20,open-20],
+    Pipe = cylinder(radius(1), height(4), facets(40)),
+    findall(Shape,
+            ( member(Turns, [ [], [rotate(x,40),rotate(z,23)],
+                              [rotate(y,77),rotate(x,-3)] ]),
+              chain_lengths([ at([translate(0,0,-2)|Turns], Pipe),
+                              at([translate(0,0,-2),rotate(x,90)|Turns], Pipe)
+                            ], Shape) ),
+            Shapes).
+test(loop, Kinds == [closed]) :-
+    Bar = cylinder(radius(1), height(4), facets(40)),
+    chain_lengths([ at([translate(0,0,-2)], Bar),
+                    at([rotate(x,85),translate(0.3,0.2,1.1)], Bar) ], Shape),
+    findall(Kind, member(Kind-_, Shape), Kinds).
+
+chain_lengths(Primitives, Shape) :-
+    new_world(World),
+    in_world(World,
+             ( forall(member(P, Primitives), add_primitive(P, _)),
+               complete_segments,
+               penetration_chains(Chains) )),
+    findall(Kind-N,
+            ( member(chain(_, _, Kind, Points, Ps), Chains),
+              length(Ps, N),
+              length(Points, M),
+              M =:= N+1 ),
+            Shape).
+
 :- end_tests(penetration_kernels).
