@@ -10,8 +10,9 @@ Goals are wrapped as `stage(join, Goal)`. Stages nest, and the time of an
 inner stage does not count for the outer one: with the calls of kernels
 wrapped, `stage(rules, Goal)` measures the rules alone. The names are `load`,
 `tree` (search structures), `join` (kernels that walk relations), `rules`,
-`write`; of a penetration also `resolve` (contacts), `chain` (lines in order) and
-`enter` (lines into polygons). --timings prints the sums. Everything is per thread.
+`write`; of a penetration also `resolve` (contacts), `chain` (lines in order)
+and `enter` (lines into polygons). --timings prints the sums. Everything is per
+thread.
 */
 
 :- meta_predicate stage(+, 0).
