@@ -1,15 +1,18 @@
 :- module(sg_meeting,
-          [ find_curve_points/1,        % +Set
+          [ contact_pairs/3,            % +Pairs, +Tolerance, -Contacts
+            find_curve_points/1,        % +Set
             met_pairs/4                 % +All, +Pairs, +Tolerance, -Met
           ]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_find/1, curve_candidate/3,
                 curve_enter/4, cut_seal/1, cut_polygons/2, cut_lines/2,
-                cut_vertices/2
+                cut_vertices/2, near_segments/3
               ]).
 :- use_module(leaf, [origin_segment/2]).
 :- use_module(resolve, [resolve_contacts/2]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [member/2]).
+:- autoload(library(ordsets), [ord_union/3]).
 
 /** <module> Which segments meet, without cutting them.
 */
@@ -22,15 +25,36 @@ find_curve_points(Set) :-
     forall(curve_candidate(Set, E, T),
            curve_enter(Set, E, T, _)).
 
+%!  contact_pairs(+Pairs:list, +Tolerance, -Contacts:list) is det.
+%
+%   Contacts are Pairs, in order, and the other pairs of the same segments whose
+%   boxes are not farther apart than Tolerance.
+
+contact_pairs([Pair], _, [Pair]) :-
+    !.
+contact_pairs(Pairs, Tolerance, Contacts) :-
+    findall(S-in, ( member(S1-S2, Pairs), member(S, [S1,S2]) ), Segments0),
+    sort(Segments0, Segments),
+    list_to_assoc(Segments, In),
+    findall(S1-S2,
+            ( near_segments(Tolerance, S1, S2),
+              get_assoc(S1, In, _),
+              get_assoc(S2, In, _)
+            ),
+            Near0),
+    sort(Near0, Near),
+    ord_union(Pairs, Near, Contacts).
+
 %!  met_pairs(+All:list, +Pairs:list, +Tolerance, -Met:list) is det.
 %
 %   Met are those of Pairs that have a line, a contact or a point of a curve in
-%   common, in order. What is nearer than Tolerance in All pairs is made to
-%   touch (resolve.pl) and is so afterwards: call it in a
+%   common, in order. What is nearer than Tolerance in the segments of All pairs
+%   is made to touch (resolve.pl) and is so afterwards: call it in a
 %   facts_snapshot/1.
 
 met_pairs(All, Pairs, Tolerance, Met) :-
-    with_set(All, touching(Tolerance)),
+    contact_pairs(All, Tolerance, Contacts),
+    with_set(Contacts, touching(Tolerance)),
     with_set(Pairs, exactly_met(Met)).
 
 :- meta_predicate with_set(+, 1).

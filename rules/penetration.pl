@@ -25,7 +25,7 @@
 :- use_module(leaf,
               [ leaves_kept/1, were_cut/2, earlier_cuts/2, leaves_restored/1
               ]).
-:- use_module(meeting, [find_curve_points/1, met_pairs/4]).
+:- use_module(meeting, [find_curve_points/1, contact_pairs/3, met_pairs/4]).
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [facts_snapshot/1, facts_transaction/1]).
@@ -162,20 +162,32 @@ penetrated_again(_, All, Tolerance) :-
     penetrated(All, Tolerance).
 
 %   met_leaves(+All, +Pairs, +Tolerance, -Met): those of Pairs with leaves that
-%   meet. Contacts hang together, so they are made to touch in All pairs, as
-%   they will be then.
+%   meet when All are cut.
 
 met_leaves(All, Pairs, Tolerance, Met) :-
     leaves_restored(All),
     met_pairs(All, Pairs, Tolerance, Met).
 
+%   Contacts hang together, so they are made to touch in all pairs of these
+%   segments. Mostly those are the pairs that are to be cut.
+
 penetrated(Pairs, Tolerance) :-
-    with_cut_set(Pairs, resolved(arranged, Tolerance, Resolved)),
+    contact_pairs(Pairs, Tolerance, Contacts),
+    (   Contacts == Pairs
+    ->  with_cut_set(Pairs, resolved(arranged, Tolerance, Resolved))
+    ;   with_cut_set(Contacts, resolved(nothing, Tolerance, Resolved)),
+        (   Resolved == true
+        ->  true
+        ;   with_cut_set(Pairs, arranged)
+        )
+    ),
     (   Resolved == true
     ->  with_cut_set(Pairs, arranged),
         resolved_seams
     ;   true
     ).
+
+nothing(_, _).
 
 :- meta_predicate with_cut_set(+, 2).
 

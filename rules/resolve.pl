@@ -5,11 +5,11 @@
 :- use_module(kernel, [cut_resolve/4]).
 :- use_module(leaf, [leaves_kept/1, place_kept/1]).
 :- use_module(store,
-              [ v/5, e/5, p/3, t/6, origin/3, line/9,
+              [ v/5, e/5, p/3, t/6, origin/3, line/9, edge_polygon/3,
                 assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3
               ]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(lists), [member/2]).
+:- autoload(library(lists), [member/2, selectchk/3]).
 
 /** <module> Resolving contacts: what was meant to touch is made to touch.
 
@@ -116,7 +116,8 @@ write_triangle(S, P, t(V1, V2, V3)) :-
 %!  resolved_seams is det.
 %
 %   When the lines are found: the seams that resolve_contacts/2 entered, until
-%   then auxiliary edges, become edges of the lines that run along them.
+%   then auxiliary edges, become edges of the lines that run along them. Those
+%   without a line (of segments that do not cut each other) go.
 
 resolved_seams :-
     findall(S-E, origin(S, e(E), near), Seams),
@@ -141,7 +142,15 @@ name_part(S, E-A-B) :-
     assert_fact(e(S, E, A, B, 1)),
     retractall_facts(origin(S, e(E), _)),
     assert_fact(origin(S, e(E), line(L))).
-name_part(_, _).
+name_part(S, E-_-_) :-
+    edge_polygon(S, E, P),
+    p(S, P, Es0),
+    !,
+    selectchk(E, Es0, Es),
+    retract_one(p(S, P, Es0)),
+    assert_fact(p(S, P, Es)),
+    retractall_facts(e(S, E, _, _, _)),
+    retractall_facts(origin(S, e(E), _)).
 
 line_along(S, A, B, L) :-
     line(L, S, _, A, B, _, _, _, _).

@@ -120,17 +120,21 @@ edge(S, A, B, E) :-
 /* - - - turning - - - */
 
 %   turned(+Solids, +Rotation, :Goal): Goal holds where Solids, rotated, have
-%   cut each other. Rotation is the rows of a matrix.
+%   cut each other; with Pairs, where those have. Rotation is the rows of a
+%   matrix.
 
-:- meta_predicate turned(+, +, 0).
+:- meta_predicate turned(+, +, 0), turned(+, +, +, 0).
 
 turned(Solids, Rotation, Goal) :-
+    turned(Solids, Rotation, all, Goal).
+
+turned(Solids, Rotation, Pairs, Goal) :-
     new_world(World),
     in_world(World,
              ( maplist(entered, Solids),
                forall(v(S, V, X, Y, Z), move(Rotation, S, V, X-Y-Z)),
                complete_segments,
-               penetrate,
+               penetrate(Pairs, []),
                Goal )).
 
 move(none, _, _, _) :-
@@ -302,6 +306,20 @@ test(tangles, [ forall(member(N-Last, [2-40,3-40,4-20,6-8])),
               once(( tangle_fault(Solids, Rotation, Expected, Fault)
                    ; Fault = none )),
               Fault \== none ),
+            Bad).
+
+% Some pairs only: contacts hang together all the same.
+test(some_pairs, Bad == []) :-
+    findall(Seed-Pairs,
+            ( between(1, 20, Seed),
+              tangle(Seed, 3, Solids),
+              rotation(Rotation),
+              random_member(Pairs, [[1-2,1-3], [1-2], [1-3,2-3]]),
+              once(turned(Solids, none, Pairs, lengths(Expected))),
+              \+ ( turned(Solids, Rotation, Pairs,
+                          ( lengths(Lengths), \+ edge_fault(_),
+                            \+ origin(_, e(_), near) )),
+                   Lengths == Expected ) ),
             Bad).
 
 test(in_two_steps, Bad == []) :-
