@@ -5,8 +5,10 @@
             line_end/4,                 % +L, ?End, -Seat1, -Seat2
             edge_part/4                 % +S, +E, -Root, -Way
           ]).
-:- use_module(store, 
-              [ e/5, t/6, leaf_v/5, leaf_e/5, origin/3, line/9, vertex_triangle/3 ]).
+:- use_module(store,
+              [ e/5, t/6, leaf_v/5, leaf_e/5, origin/3, line/9,
+                vertex_triangle/3
+              ]).
 :- autoload(library(lists), [member/2]).
 
 /** <module> Which features touch in a point of a penetration line.

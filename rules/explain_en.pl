@@ -94,7 +94,8 @@ statement_en(also(S, V, Place)) -->
 statement_en(not_merged(L, By)) -->
     [ 'not merged with line ~d there: merge_line/2 (~w) refused it'-[L, By] ].
 statement_en(made_to_touch) -->
-    [ 'its polygons were made to touch first, being nearer than the tolerance' ].
+    [ 'its polygons were made to touch first, being nearer than the \c
+       tolerance' ].
 statement_en(touching(1)) -->
     [ 'one pair of triangles touches there' ].
 statement_en(touching(N)) -->
