@@ -55,6 +55,11 @@ if [ "$passed" -gt 0 ]; then
   interrupted 'interrupted load' convert "$work/big.pl" -o "$work/to/b.pl"
   check 'interrupted load: nothing left' holds "$work/to" a.svg
 fi
+# While it waits for a model that does not come: a pipe that stays open.
+mkfifo "$work/pipe"
+exec 8<>"$work/pipe"
+interrupted 'interrupted wait' check - <"$work/pipe"
+exec 8>&-
 
 # Nothing runs over two seconds silently; -q is silent.
 "$sanggwan" query facts/cube.pl 'sleep(2.4)' >"$work/out" 2>"$work/err"
