@@ -186,7 +186,9 @@ written(no_report) :-
 
 test(were_wrong, Wrong == []) :-
     findall(Seed-Why,
-            ( member(Seed, [46, 1033, 2838, 7409, 228517, 406326, 428994]), wrong(Seed, Why) ),
+            ( member(Seed, [46, 1033, 2838, 7409, 228517, 406326, 428994]),
+              wrong(Seed, Why)
+            ),
             Wrong).
 test(soups) :-
     setting('PIPELINE_FUZZ', 800, Count),
