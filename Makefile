@@ -172,7 +172,7 @@ san: $(B)/sanggwan.so $(C_TESTS)
 # memory of ours: worlds, work, glue. Threads as above.
 VG     := valgrind -q --error-exitcode=9 --leak-check=full \
           --errors-for-leak-kinds=definite --suppressions=tests/swipl.supp
-VG_PLT := chain decision mesh model store view work
+VG_PLT := chain decision mesh model store tree view work
 check-vg: $(B)/sanggwan.so $(C_TESTS)
 	@RUN='$(VG)' tests/run $(filter-out %/cut_test %/mesh_fuzz_test, \
 	  $(C_TESTS))
