@@ -15,7 +15,7 @@
 :- autoload(library(apply), [exclude/3, maplist/2]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(ordsets), [ord_subtract/3, ord_union/3]).
+:- autoload(library(ordsets), [ord_memberchk/2, ord_subtract/3, ord_union/3]).
 :- autoload(library(pairs), [pairs_keys_values/3]).
 
 /** <module> Leaves: what the segments were before any cut.
@@ -88,23 +88,20 @@ curve_kept(S-E) :-
 were_cut(S1, S2) :-
     line(_, S1, _, _, _, S2, _, _, _).
 were_cut(S1, S2) :-
-    (   Curve = S1
-    ;   Curve = S2
+    (   Curve = S1,
+        Other = S2
+    ;   Curve = S2,
+        Other = S1
     ),
-    segment(Curve, _, _),
-    has_origin(Curve),
-    \+ t(Curve, _, _, _, _, _),
     origin(Curve, v(_), Origin),
     origin_segment(Origin, Other),
-    Other \== Curve,
-    msort([Curve,Other], [S1,S2]).
+    S1 < S2,
+    is_curve(Curve).
 
-%   Most segments have not been cut at all, and looking for their triangles may
-%   mean looking at all triangles.
+%   is_curve(+S): it has no triangles. That is looked for among all, so last.
 
-has_origin(S) :-
-    origin(S, v(_), _),
-    !.
+is_curve(S) :-
+    \+ t(S, _, _, _, _, _).
 
 %!  origin_segment(+Origin, -S) is nondet.
 %
@@ -124,8 +121,7 @@ origin_segment(lpi(_, S-_), S).
 %   them): then what is there now is what is cut.
 
 earlier_cuts(Pairs, Earlier) :-
-    findall(S1-S2, were_cut(S1, S2), Cuts0),
-    sort(Cuts0, Cuts),
+    all_cuts(Cuts),
     pair_segments(Pairs, Group0),
     connected(Cuts, Group0, Group),
     exclude(is_outside(Group), Cuts, Earlier0),
@@ -134,6 +130,26 @@ earlier_cuts(Pairs, Earlier) :-
     ->  Earlier = Earlier0
     ;   Earlier = []
     ).
+
+%   all_cuts(-Cuts): all S1-S2 that were_cut/2, each once, in order.
+
+all_cuts(Cuts) :-
+    findall(S1-S2, line(_, S1, _, _, _, S2, _, _, _), Lines0),
+    sort(Lines0, Lines),
+    findall(Curve-Other,
+            ( origin(Curve, v(_), Origin),
+              origin_segment(Origin, Other),
+              Other \== Curve ),
+            Points0),
+    sort(Points0, Points),
+    findall(S1-S2,
+            ( member(Curve-Other, Points),
+              msort([Curve,Other], [S1,S2]),
+              \+ ord_memberchk(S1-S2, Lines),
+              is_curve(Curve) ),
+            Curves0),
+    sort(Curves0, Curves),
+    ord_union(Lines, Curves, Cuts).
 
 pair_segments(Pairs, Ss) :-
     pairs_keys_values(Pairs, S1s, S2s),
