@@ -161,10 +161,10 @@ check-san:
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san san
 san: $(B)/sanggwan.so $(C_TESTS)
-	@B=$(B) tests/run $(C_TESTS)
+	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
 	@$(B)/tests/c_kernels/mesh_fuzz_test 20000
 	@echo 'skipped: the tests of rules that need threads'
-	@B=$(B) ASAN_OPTIONS=detect_leaks=0 SWIPL="env \
+	@B=$(B) TEST_SECONDS=1200 ASAN_OPTIONS=detect_leaks=0 SWIPL="env \
 	  LD_PRELOAD=$$($(CC) -print-file-name=libasan.so) swipl --no-threads" \
 	  tests/run $(PLTS)
 
@@ -174,10 +174,10 @@ VG     := valgrind -q --error-exitcode=9 --leak-check=full \
           --errors-for-leak-kinds=definite --suppressions=tests/swipl.supp
 VG_PLT := chain decision mesh model store tree view work
 check-vg: $(B)/sanggwan.so $(C_TESTS)
-	@RUN='$(VG)' tests/run $(filter-out %/cut_test %/mesh_fuzz_test, \
+	@RUN='$(VG)' TEST_SECONDS=1200 tests/run $(filter-out %/cut_test %/mesh_fuzz_test, \
 	  $(C_TESTS))
 	@echo 'skipped: the tests of rules that need threads'
-	@SWIPL='$(VG) swipl --no-threads' tests/run \
+	@SWIPL='$(VG) swipl --no-threads' TEST_SECONDS=1200 tests/run \
 	  $(filter $(VG_PLT:%=tests/rules/%.plt),$(PLTS))
 
 # Layout and flaws of the C; documentation, width and layers of all.
