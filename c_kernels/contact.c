@@ -290,6 +290,36 @@ edges(finder *find, int i, int j)
   }
 }
 
+/* Whether b is wholly beyond the reach on one side of the plane of a, which is
+ * not thin: most pairs end here, without a root. */
+static bool
+is_apart(const double a[3][3], const double b[3][3], double reach)
+{
+  double u[3], w[3], n[3];
+  int above = 0, below = 0;
+
+  minus(a[1], a[0], u);
+  minus(a[2], a[0], w);
+  cross(u, w, n);
+  double square = dot(n, n), limit = reach * reach * square;
+
+  if (!(square > 4 * reach * reach * (dot(u, u) + dot(w, w)))) {
+    return false;
+  }
+  for (int i = 0; i < 3; i++) {
+    double from[3];
+
+    minus(b[i], a[0], from);
+    double h = dot(n, from);
+    if (!(h * h > limit)) {
+      return false;
+    }
+    above += h > 0;
+    below += h < 0;
+  }
+  return above == 3 || below == 3;
+}
+
 static bool
 is_flush(const double a[3][3], const double b[3][3], const double h[3],
          double reach)
@@ -313,6 +343,9 @@ sg_contacts(const double a[3][3], const double b[3][3], double reach,
   double h[2][3] = {{0}};
 
   *flush = false;
+  if (is_apart(a, b, reach) || is_apart(b, a, reach)) {
+    return 0;
+  }
 
   if (!set_side(&find.side[0], a, reach) ||
       !set_side(&find.side[1], b, reach)) {
