@@ -184,6 +184,73 @@ cut_polygons(term_t t, term_t list)
 
 /* ---- the scratch relation of one polygon ---- */
 
+/* Enters piece k of segment s into `work`: 1; 0 if it meets anything there, or
+ * has been divided elsewhere; -1: no memory. */
+static int
+enter_free(sg_cut_handle *handle, sg_work *work, int32_t s, uint32_t k,
+           sg_meetings *met)
+{
+  const sg_cut_set *set = &handle->set;
+  const sg_cut_piece *piece = &set->piece[k];
+  int32_t v = sg_work_find(work, sg_cut_points_name(&set->points, piece->a, s));
+  int32_t w = sg_work_find(work, sg_cut_points_name(&set->points, piece->b, s));
+
+  if (v == SG_WORK_NONE || w == SG_WORK_NONE || v == w ||
+      sg_cut_set_between(set, piece->a, piece->b) != SG_NO_KEY) {
+    return 0;
+  }
+  if (!sg_work_meeting(work, v, w, met)) {
+    return -1;
+  }
+  if (met->n > 0) {
+    return 0;
+  }
+  return sg_work_add(work, v, w, 1, -1 - (int64_t)k) &&
+                 sg_work_add(work, w, v, 1, -1 - (int64_t)k)
+             ? 1
+             : -1;
+}
+
+/* Takes out what was added after edge `last`. */
+static void
+take_out_after(sg_work *work, int32_t last)
+{
+  for (int32_t e = sg_work_newest(work); e > last; e--) {
+    if (sg_work_get(work, e)) {
+      sg_work_delete(work, e);
+    }
+  }
+}
+
+/* cut_enter_free(+Set, +S, +P, +Work) is semidet. */
+static foreign_t
+cut_enter_free(term_t t, term_t s, term_t p, term_t w)
+{
+  sg_cut_handle *handle;
+  sg_work *work;
+  int32_t key[2];
+  sg_meetings met = {0};
+  int entered = 1;
+
+  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &key[0]) ||
+      !sg_get_id_ex(p, &key[1]) || !sg_get_work_ex(w, &work)) {
+    return FALSE;
+  }
+  const sg_cut_set *set = &handle->set;
+  const sg_cut_polygon *polygon = sg_cut_set_polygon(set, key[0], key[1]);
+  int32_t last = sg_work_newest(work);
+
+  for (size_t i = 0; polygon && i < polygon->n && entered > 0; i++) {
+    entered = enter_free(handle, work, key[0],
+                         set->entering[polygon->first + i], &met);
+  }
+  sg_meetings_clear(&met);
+  if (entered <= 0) {
+    take_out_after(work, last);
+  }
+  return entered < 0 ? sg_no_memory() : entered;
+}
+
 /* The pieces that enter polygon p: piece(K, V1, V2), V1-V2 in its segment. */
 static foreign_t
 cut_entering(term_t t, term_t s, term_t p, term_t list)
@@ -414,6 +481,7 @@ static const PL_extension predicates[] = {
     {"cut_seal", 1, cut_seal, 0},
     {"cut_polygons", 2, cut_polygons, 0},
     {"cut_entering", 4, cut_entering, 0},
+    {"cut_enter_free", 4, cut_enter_free, 0},
     {"cut_work", 4, cut_work, 0},
     {"cut_agree", 1, cut_agree, 0},
     {"cut_late_polygons", 2, cut_late_polygons, 0},

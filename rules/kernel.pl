@@ -29,6 +29,7 @@
             cut_seal/1,               % +Set
             cut_polygons/2,           % +Set, -Polygons
             cut_entering/4,           % +Set, +S, +P, -Pieces
+            cut_enter_free/4,         % +Set, +S, +P, +Work
             cut_work/4,               % +Set, +S, +P, -Work
             cut_crossing/8,           % +Set, +Work, +S, +K, +E, +V1, +V2, -X
             cut_note/5,               % +Set, +S, +V1, +V2, +X
@@ -497,6 +498,12 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %
 %   Pieces is the list of piece(K, V1, V2) that run through the face of polygon
 %   P of S, in the order of K; V1 and V2 are vertices of S, many of them new.
+
+%!  cut_enter_free(+Set, +S, +P, +Work) is semidet.
+%
+%   Enters all pieces of polygon P of S into Work, as enter_cuts/3 of
+%   penetration.pl does, if they meet nothing but in shared vertices, which is
+%   commonest. Else fails, with Work as it was.
 
 %!  cut_work(+Set, +S, +P, -Work) is det.
 %

@@ -17,6 +17,7 @@
                 cut_side/4, cut_enter/4, cut_triangle/5, cut_ends/4,
                 near_segments/3, cut_seal/1, cut_joints/3, cut_join/2,
                 cut_settle/1, cut_chains/2, cut_polygons/2, cut_entering/4,
+                cut_enter_free/4,
                 cut_work/4, cut_crossing/8, cut_note/5, cut_between/6,
                 cut_divided/4, cut_agree/1, cut_late_polygons/2, cut_name/4,
                 model_tolerance/1, work_add/6, work_delete/2, work_edge/6,
@@ -350,8 +351,16 @@ set_cut(Set, S1-T1, S2-T2, Cut) :-
 %   A polygon's edges, those on which an end of a cut lies already divided
 %   there, go into a scratch relation, and then the pieces of cuts one by one.
 
+%   cut_enter_free/4 is the fused kernel for those that meet nothing.
+
 enter_cuts(Set, S-P, work(S, P, Work)) :-
     cut_work(Set, S, P, Work),
+    (   cut_enter_free(Set, S, P, Work)
+    ->  true
+    ;   enter_by_rule(Set, S, P, Work)
+    ).
+
+enter_by_rule(Set, S, P, Work) :-
     cut_entering(Set, S, P, Pieces),
     maplist(enter_piece(Set, S, P, Work), Pieces).
 

@@ -6,7 +6,8 @@
 :- use_module(rules(chain)).
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_find/1, cut_seal/1,
-                cut_polygons/2, cut_entering/4
+                cut_polygons/2, cut_entering/4, cut_enter_free/4, cut_work/4,
+                work_edge/6, work_close/1
               ]).
 :- use_module(rules(model_file)).
 :- use_module(rules(penetration)).
@@ -68,6 +69,50 @@ found(Join, Pieces) :-
         ),
         cut_set_close(Set)).
 
+%   entered(-Different, -Free): the polygons in which the kernel enters other
+%   edges than the rule, and how many it enters at all. What the rule divides
+%   is known to the polygons after it, so all are entered by rule too.
+
+entered(Different, Free) :-
+    segment_pairs(Pairs),
+    setup_call_cleanup(
+        cut_set_open(Pairs, Set),
+        ( cut_find(Set),
+          cut_seal(Set),
+          cut_polygons(Set, Polygons),
+          foldl(entered_alike(Set), Polygons, []-0, Different-Free)
+        ),
+        cut_set_close(Set)).
+
+entered_alike(Set, S-P, Different-Free0, Different1-Free) :-
+    work_edges(Set, S-P, cut_enter_free(Set, S, P), Kernel),
+    work_edges(Set, S-P, sg_penetration:enter_by_rule(Set, S, P), Rule),
+    (   Kernel == none
+    ->  Different1 = Different,
+        Free = Free0
+    ;   Free is Free0+1,
+        (   Kernel == Rule
+        ->  Different1 = Different
+        ;   Different1 = [S-P|Different]
+        )
+    ).
+
+:- meta_predicate work_edges(+, +, 1, -).
+
+work_edges(Set, S-P, Enter, Edges) :-
+    cut_work(Set, S, P, Work),
+    findall(E, work_row(Work, E), Before),
+    (   call(Enter, Work)
+    ->  findall(E, work_row(Work, E), Edges)
+    ;   findall(E, work_row(Work, E), After),
+        After == Before,
+        Edges = none
+    ),
+    work_close(Work).
+
+work_row(Work, V1-V2-Et-Label) :-
+    work_edge(Work, _, V1, V2, Et, Label).
+
 %   written_by(+Write, -Rows): all that is in the world after this.
 
 written_by(Write, Rows) :-
@@ -110,6 +155,21 @@ test(join, Bad == []) :-
                           found(sg_penetration:find_cuts_by_rule, Rule)),
               Kernel \== Rule ),
             Bad).
+
+% Entering what meets nothing: the same edges in the same order; most polygons
+% of solids in general position are of that sort.
+test(enter, Bad-true == []-Enough) :-
+    findall(Seed-Different-Free,
+            ( between(1, 200, Seed),
+              with_solids(Seed, entered(Different, Free)) ),
+            All),
+    findall(Seed, ( member(Seed-Different-_, All), Different \== [] ), Bad),
+    findall(Free, member(_-_-Free, All), Frees),
+    sum_list(Frees, Sum),
+    (   Sum > 1000
+    ->  Enough = true
+    ;   Enough = Sum
+    ).
 
 % Writing a polygon by the kernel, and by the rule: the same rows, in order.
 test(write, Bad == []) :-
