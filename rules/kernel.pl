@@ -14,6 +14,7 @@
             tree_statistics/1,        % -Statistics
             near_segments/3,          % +Reach, -S1, -S2
             self_meetings/2,          % +Most, -Segments
+            windings/3,               % +S, +Points, -Windings
             % cut4pl.c, seam4pl.c, split4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
@@ -412,6 +413,12 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   vertices) overlap or are not farther apart than Reach along each axis.
 %   Ascending, as they are at the first call. Found by a tree of boxes: the
 %   other pairs are not looked at.
+
+%!  windings(+S, +Points, -Windings) is det.
+%
+%   How often the triangles of segment S go round each point(X, Y, Z) of the
+%   list, `on` if it lies on one. Numbers of any sort count exactly. Exact.
+%   @see winding.h
 
 /* - - - cut4pl.c: cut sets, the cuts of one penetration - - - */
 

@@ -16,6 +16,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(triangulation, [complete_segments/0, polygon_triangles/3]).
 :- reexport(penetration, except([may_cut/2, merge_line/2])).
 :- reexport(exact, [vertex_exact/5]).
+:- reexport(inside, [inside/2, winding/3]).
 :- reexport(kernel, [exact_statistics/1]).
 :- reexport(chain).
 :- reexport(explain, [explain/1, explanation/2]).
