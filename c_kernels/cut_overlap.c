@@ -45,7 +45,7 @@ is_at(const sg_cut_set *set, const double at[3], uint32_t point)
 {
   const sg_point *p = &set->points.point[point].at;
 
-  return !p->q && same_place(p->p, at);
+  return !p->exactly && same_place(p->p, at);
 }
 
 /* The corner of a triangle that neither end of the cut is; null: an end of the

@@ -290,9 +290,7 @@ new_point(sg_cut_points *points, const sg_point *at, const sg_made *made,
   uint32_t number = (uint32_t)points->n;
   sg_cut_point *point = &points->point[number];
 
-  if (!sg_point_copy(&point->at, at)) {
-    return SG_NO_KEY;
-  }
+  sg_point_copy(&point->at, at);
   point->made = *made;
   point->seat = SG_NO_KEY;
   point->same_place = *bucket;

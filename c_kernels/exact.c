@@ -12,6 +12,7 @@
  */
 #include "exact.h"
 #include "integers.h"
+#include "twofold.h"
 
 #include <float.h>
 #include <math.h>
@@ -80,35 +81,6 @@ difference_is_exact(double a, double b, double d)
   return a - aa == 0 && bb - b == 0;
 }
 
-static void
-two_sum(double a, double b, double *hi, double *lo)
-{
-  double s = a + b, bb = s - a;
-
-  *lo = (a - (s - bb)) + (b - bb);
-  *hi = s;
-}
-
-static void
-split(double a, double *hi, double *lo)
-{
-  double c = 134217729.0 * a; /* 2^27 + 1 */
-
-  *hi = c - (c - a);
-  *lo = a - *hi;
-}
-
-static void
-two_product(double a, double b, double *hi, double *lo)
-{
-  double ah, al, bh, bl, p = a * b;
-
-  split(a, &ah, &al);
-  split(b, &bh, &bl);
-  *lo = al * bl - (((p - ah * bh) - al * bh) - ah * bl);
-  *hi = p;
-}
-
 /* The sign of a*b - c*d: rounding keeps order, so unequal roundings decide,
  * and equal ones leave it to the tails. */
 static int
@@ -116,8 +88,8 @@ sign_of_minor(double a, double b, double c, double d)
 {
   double lh, ll, rh, rl;
 
-  two_product(a, b, &lh, &ll);
-  two_product(c, d, &rh, &rl);
+  sg_two_product(a, b, &lh, &ll);
+  sg_two_product(c, d, &rh, &rl);
   return lh != rh ? sign(lh - rh) : (ll > rl) - (ll < rl);
 }
 
@@ -129,7 +101,7 @@ grow(double *sum, int n, double x)
 
   for (int i = 0; i < n; i++) {
     double lo;
-    two_sum(x, sum[i], &x, &lo);
+    sg_two_sum(x, sum[i], &x, &lo);
     if (lo != 0) {
       sum[m++] = lo;
     }
@@ -146,10 +118,10 @@ grow_product(double *sum, int n, double a, double b, double c)
 {
   double hi, lo, p, q;
 
-  two_product(a, b, &hi, &lo);
-  two_product(lo, c, &p, &q);
+  sg_two_product(a, b, &hi, &lo);
+  sg_two_product(lo, c, &p, &q);
   n = grow(sum, grow(sum, n, q), p);
-  two_product(hi, c, &p, &q);
+  sg_two_product(hi, c, &p, &q);
   return grow(sum, grow(sum, n, q), p);
 }
 
@@ -181,8 +153,8 @@ pair_sum(pair x, pair y)
 {
   double s, t, lo;
 
-  two_sum(x.hi, y.hi, &s, &t);
-  two_sum(s, t + (x.lo + y.lo), &s, &lo);
+  sg_two_sum(x.hi, y.hi, &s, &t);
+  sg_two_sum(s, t + (x.lo + y.lo), &s, &lo);
   return (pair){s, lo};
 }
 
@@ -192,8 +164,8 @@ pair_product(pair x, pair y)
   double h, l;
   pair p;
 
-  two_product(x.hi, y.hi, &h, &l);
-  two_sum(h, l + (x.hi * y.lo + x.lo * y.hi), &p.hi, &p.lo);
+  sg_two_product(x.hi, y.hi, &h, &l);
+  sg_two_sum(h, l + (x.hi * y.lo + x.lo * y.hi), &p.hi, &p.lo);
   return p;
 }
 
@@ -224,7 +196,7 @@ sign_of_pairs(const double *const point[3], const double d[3],
   double size = 0;
 
   for (int i = 0; i < 9; i++) {
-    two_sum(point[i / 3][i % 3], -d[i % 3], &x[i].hi, &x[i].lo);
+    sg_two_sum(point[i / 3][i % 3], -d[i % 3], &x[i].hi, &x[i].lo);
   }
   for (int r = 0; r < 3; r++) {
     int p = 3 * ((r + 1) % 3), q = 3 * ((r + 2) % 3);
@@ -417,7 +389,7 @@ typedef struct approx {
 static inline approx
 coordinate(const sg_point *p, int k)
 {
-  return (approx){p->p[k], p->q ? fabs(p->p[k]) * UNIT + DBL_MIN : 0};
+  return (approx){p->p[k], p->exactly ? fabs(p->p[k]) * UNIT + DBL_MIN : 0};
 }
 
 static inline approx
@@ -465,7 +437,7 @@ sg_point_turn(int axis, const sg_point *a, const sg_point *b, const sg_point *c)
   if (a == b || b == c || c == a) {
     return 0;
   }
-  if (!a->q && !b->q && !c->q) {
+  if (!a->exactly && !b->exactly && !c->exactly) {
     return sg_orient2d((const double[2]){a->p[u], a->p[v]},
                        (const double[2]){b->p[u], b->p[v]},
                        (const double[2]){c->p[u], c->p[v]});
@@ -480,7 +452,7 @@ int
 sg_point_orient3d(const sg_point *a, const sg_point *b, const sg_point *c,
                   const sg_point *d)
 {
-  if (!a->q && !b->q && !c->q && !d->q) {
+  if (!a->exactly && !b->exactly && !c->exactly && !d->exactly) {
     return sg_orient3d(a->p, b->p, c->p, d->p);
   }
   approx m[3][3];
@@ -501,8 +473,7 @@ int
 sg_point_along(const sg_point *from, const sg_point *to, const sg_point *a,
                const sg_point *b)
 {
-  if (a == b || (!a->q && !b->q && a->p[0] == b->p[0] && a->p[1] == b->p[1] &&
-                 a->p[2] == b->p[2])) {
+  if (a == b || (a->exactly == b->exactly && is_same_row(a->p, b->p))) {
     return 0;
   }
   approx sum = times(difference(a, b, 0), difference(to, from, 0));
@@ -519,14 +490,15 @@ sg_point_compare(int axis, const sg_point *a, const sg_point *b)
   if (a->p[axis] != b->p[axis]) { /* rounding keeps order */
     return a->p[axis] < b->p[axis] ? -1 : 1;
   }
-  if (!a->q && !b->q) {
+  if (a->exactly == b->exactly) { /* both null, or copies */
     return 0;
   }
   mpq_t other;
   count_fallback(SG_ASKED_COMPARE);
   mpq_init(other);
   mpq_set_d(other, a->p[axis]);
-  int answer = mpq_cmp(a->q ? a->q[axis] : other, b->q ? b->q[axis] : other);
+  mpq_t *of_a = sg_point_q(a), *of_b = sg_point_q(b);
+  int answer = mpq_cmp(of_a ? of_a[axis] : other, of_b ? of_b[axis] : other);
   mpq_clear(other);
   return (answer > 0) - (answer < 0);
 }
@@ -535,6 +507,6 @@ bool
 sg_point_equal(const sg_point *a, const sg_point *b)
 {
   return a == b ||
-         (sg_point_compare(0, a, b) == 0 && sg_point_compare(1, a, b) == 0 &&
-          sg_point_compare(2, a, b) == 0);
+         (!a->exactly == !b->exactly && sg_point_compare(0, a, b) == 0 &&
+          sg_point_compare(1, a, b) == 0 && sg_point_compare(2, a, b) == 0);
 }

@@ -12,18 +12,29 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* A point: its nearest double position, and, where that is not the point
- * itself, the point as rationals. `q` null: the doubles ARE the point.
- * Owner: whoever made it calls sg_point_clear(). */
+/* What a point is exactly, where doubles are not enough: its rationals, or what
+ * made it until somebody asks for them. */
+typedef struct sg_exactly sg_exactly;
+
+/* A point: its nearest double position, and, only where that is not the point
+ * itself, what it is. `exactly` null: the doubles ARE the point.
+ * Owner: whoever made it calls sg_point_clear(), also of a copy. Copies share
+ * `exactly`; all of them may be asked by one thread at a time only, and cleared
+ * by any. */
 typedef struct sg_point {
   double p[3];
-  mpq_t *q; /* null or [3] */
+  sg_exactly *exactly;
 } sg_point;
 
 void sg_point_set(sg_point *out, const double p[3]);
+/* False: out of the range of doubles, or no memory. */
 bool sg_point_set_q(sg_point *out, mpq_srcptr x, mpq_srcptr y, mpq_srcptr z);
-bool sg_point_copy(sg_point *out, const sg_point *from);
+void sg_point_copy(sg_point *out, const sg_point *from);
 void sg_point_clear(sg_point *point);
+
+/* The three rationals of a point, made at the first call; null: the doubles are
+ * the point. They live as long as a copy of it, and are not to be written. */
+mpq_t *sg_point_q(const sg_point *point);
 
 /* > 0 when d lies BELOW the plane abc, below being where a, b, c look
  * clockwise from: a=(0,0,0) b=(1,0,0) c=(0,1,0) d=(0,0,-1) gives +1. So for a

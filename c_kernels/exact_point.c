@@ -1,16 +1,44 @@
 /* exact_point.c -- exact points and their constructions: see exact.h.
  *
- * Layer: kernel. Constructions are done in integers over the common
- * denominator of their arguments, then made rational, then rounded once.
+ * Layer: kernel. A construction is done with twice the digits first: if that
+ * proves which doubles are nearest, they are the position, and the rationals
+ * wait until somebody asks. Else, and then, it is done in integers over the
+ * common denominator of its arguments, made rational, and rounded once.
  */
 #include "exact.h"
 #include "integers.h"
+#include "twofold.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { LINE_AND_PLANE = -1, MADE_OF = 5 };
+
+/* A point that is no point of doubles. */
+struct sg_exactly {
+  atomic_uint holders; /* points that share this */
+  bool known;          /* the rationals are there */
+  mpq_t q[3];
+  int how; /* LINE_AND_PLANE, or two lines seen along this axis */
+  double from[MADE_OF][3];
+};
+
+/* Held once, nothing known; null: no memory. */
+static sg_exactly *
+new_exactly(void)
+{
+  sg_exactly *out = malloc(sizeof *out);
+
+  if (out) {
+    atomic_init(&out->holders, 1);
+    out->known = false;
+  }
+  return out;
+}
 
 void
 sg_point_set(sg_point *out, const double p[3])
@@ -18,7 +46,7 @@ sg_point_set(sg_point *out, const double p[3])
   for (int k = 0; k < 3; k++) {
     out->p[k] = p[k] + 0.0; /* never -0.0 */
   }
-  out->q = NULL;
+  out->exactly = NULL;
 }
 
 /* Bits of the quotient to be found are 55 or 56, or fewer where doubles have
@@ -93,24 +121,13 @@ is_double(mpq_srcptr q, double value)
   return same;
 }
 
-static mpq_t *
-new_rationals(void)
-{
-  mpq_t *q = malloc(3 * sizeof *q);
-
-  for (int k = 0; q && k < 3; k++) {
-    mpq_init(q[k]);
-  }
-  return q;
-}
-
 bool
 sg_point_set_q(sg_point *out, mpq_srcptr x, mpq_srcptr y, mpq_srcptr z)
 {
   mpq_srcptr q[3] = {x, y, z};
   bool doubles = true;
 
-  out->q = NULL;
+  out->exactly = NULL;
   for (int k = 0; k < 3; k++) {
     out->p[k] = nearest_double(q[k]);
     if (!isfinite(out->p[k])) {
@@ -121,93 +138,95 @@ sg_point_set_q(sg_point *out, mpq_srcptr x, mpq_srcptr y, mpq_srcptr z)
   if (doubles) {
     return true;
   }
-  if (!(out->q = new_rationals())) {
+  if (!(out->exactly = new_exactly())) {
     return false;
   }
   for (int k = 0; k < 3; k++) {
-    mpq_set(out->q[k], q[k]);
+    mpq_init(out->exactly->q[k]);
+    mpq_set(out->exactly->q[k], q[k]);
   }
+  out->exactly->known = true;
   return true;
 }
 
-bool
+void
 sg_point_copy(sg_point *out, const sg_point *from)
 {
-  memcpy(out->p, from->p, sizeof out->p);
-  out->q = NULL;
-  if (!from->q) {
-    return true;
+  *out = *from;
+  if (out->exactly) {
+    atomic_fetch_add_explicit(&out->exactly->holders, 1, memory_order_relaxed);
   }
-  if (!(out->q = new_rationals())) {
-    return false;
-  }
-  for (int k = 0; k < 3; k++) {
-    mpq_set(out->q[k], from->q[k]);
-  }
-  return true;
 }
 
 void
 sg_point_clear(sg_point *point)
 {
-  if (point->q) {
-    for (int k = 0; k < 3; k++) {
-      mpq_clear(point->q[k]);
-    }
-    free(point->q);
-    point->q = NULL;
+  sg_exactly *exactly = point->exactly;
+
+  point->exactly = NULL;
+  if (!exactly || atomic_fetch_sub(&exactly->holders, 1) != 1) {
+    return;
   }
+  for (int k = 0; k < 3 && exactly->known; k++) {
+    mpq_clear(exactly->q[k]);
+  }
+  free(exactly);
+}
+
+/* ---- in rationals ------------------------------------------------------- */
+
+static void
+init_q(mpq_t q[3])
+{
+  mpq_inits(q[0], q[1], q[2], NULL);
+}
+
+static void
+clear_q(mpq_t q[3])
+{
+  mpq_clears(q[0], q[1], q[2], NULL);
 }
 
 /* out := numerator / (denominator * w). Requires denominator != 0. */
-static bool
-set_quotients(sg_point *out, mpz_t numerator[3], mpz_srcptr denominator,
+static void
+set_quotients(mpq_t out[3], mpz_t numerator[3], mpz_srcptr denominator,
               mpz_srcptr w)
 {
-  mpq_t q[3];
-
   for (int k = 0; k < 3; k++) {
-    mpq_init(q[k]);
-    mpz_set(mpq_numref(q[k]), numerator[k]);
-    mpz_mul(mpq_denref(q[k]), denominator, w);
-    mpq_canonicalize(q[k]);
+    mpz_set(mpq_numref(out[k]), numerator[k]);
+    mpz_mul(mpq_denref(out[k]), denominator, w);
+    mpq_canonicalize(out[k]);
   }
-  bool done = sg_point_set_q(out, q[0], q[1], q[2]);
-  for (int k = 0; k < 3; k++) {
-    mpq_clear(q[k]);
-  }
-  return done;
 }
 
 /* The point of line a-b where a quantity linear along it, `at_a` at a and
  * `at_b` at b, is 0: (at_a b - at_b a) / (at_a - at_b). False: it is constant.
  * Uses up at_a and at_b. */
 static bool
-set_zero(sg_point *out, mpz_t a[3], mpz_t b[3], mpz_ptr at_a, mpz_ptr at_b,
+set_zero(mpq_t out[3], mpz_t a[3], mpz_t b[3], mpz_ptr at_a, mpz_ptr at_b,
          mpz_srcptr w)
 {
   mpz_t numerator[3];
-  bool done = false;
 
-  out->q = NULL;
   sg_integers_init3(numerator);
   for (int k = 0; k < 3; k++) {
     mpz_mul(numerator[k], b[k], at_a);
     mpz_submul(numerator[k], a[k], at_b);
   }
   mpz_sub(at_a, at_a, at_b);
-  if (mpz_sgn(at_a) != 0) {
-    done = set_quotients(out, numerator, at_a, w);
+  bool found = mpz_sgn(at_a) != 0;
+
+  if (found) {
+    set_quotients(out, numerator, at_a, w);
   }
   sg_integers_clear3(numerator);
-  return done;
+  return found;
 }
 
-bool
-sg_point_lpi(sg_point *out, const sg_point *a, const sg_point *b,
-             const sg_point *c, const sg_point *d, const sg_point *e)
+/* Line 0-1 and plane 2, 3, 4. False: parallel. */
+static bool
+line_meets_plane(mpq_t out[3], const sg_point *const point[5])
 {
-  const sg_point *point[5] = {a, b, c, d, e};
   mpz_t room[5][3], n[3], s[3], t[3], at_a, at_b;
   sg_integers in;
 
@@ -230,11 +249,10 @@ sg_point_lpi(sg_point *out, const sg_point *a, const sg_point *b,
   return done;
 }
 
-bool
-sg_point_ll(sg_point *out, int axis, const sg_point *a, const sg_point *b,
-            const sg_point *c, const sg_point *d)
+/* Lines 0-1 and 2-3, seen along `axis`. False: parallel. */
+static bool
+line_meets_line(mpq_t out[3], int axis, const sg_point *const point[4])
 {
-  const sg_point *point[4] = {a, b, c, d};
   mpz_t room[4][3], n[3], s[3], at_a, at_b;
   sg_integers in;
   int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -259,10 +277,9 @@ sg_point_ll(sg_point *out, int axis, const sg_point *a, const sg_point *b,
 /* The three planes n[i] . x = at[i], by Cramer: x = (sum of at[i] times the
  * cross product of the other two normals) / determinant. */
 static bool
-solve_planes(sg_point *out, mpz_t n[3][3], mpz_t at[3], mpz_srcptr w)
+solve_planes(mpq_t out[3], mpz_t n[3][3], mpz_t at[3], mpz_srcptr w)
 {
   mpz_t numerator[3], cross[3], det;
-  bool done = false;
 
   sg_integers_init3(numerator);
   sg_integers_init3(cross);
@@ -275,23 +292,206 @@ solve_planes(sg_point *out, mpz_t n[3][3], mpz_t at[3], mpz_srcptr w)
     }
   }
   sg_integers_dot(det, n[2], cross); /* of n[0] and n[1] */
-  out->q = NULL;
-  if (mpz_sgn(det) != 0) {
-    done = set_quotients(out, numerator, det, w);
+  bool found = mpz_sgn(det) != 0;
+
+  if (found) {
+    set_quotients(out, numerator, det, w);
   }
   mpz_clear(det);
   sg_integers_clear3(cross);
   sg_integers_clear3(numerator);
+  return found;
+}
+
+/* ---- with twice the digits ---------------------------------------------- */
+
+/* Differences and products of them are far from over- and underflow. */
+static bool
+in_range(const sg_point *const *point, int n)
+{
+  for (int i = 0; i < n; i++) {
+    for (int k = 0; k < 3; k++) {
+      double size = fabs(point[i]->p[k]);
+
+      if (point[i]->exactly || !(size == 0 || (size > 1e-70 && size < 1e70))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+static void
+subtract(sg_twofold out[3], const double a[3], const double b[3])
+{
+  for (int k = 0; k < 3; k++) {
+    out[k] = sg_twofold_difference(a[k], b[k]);
+  }
+}
+
+static sg_twofold
+minor(const sg_twofold a[3], const sg_twofold b[3], int u, int v)
+{
+  return sg_twofold_minus(sg_twofold_times(a[u], b[v]),
+                          sg_twofold_times(a[v], b[u]));
+}
+
+static sg_twofold
+dot(const sg_twofold a[3], const sg_twofold b[3])
+{
+  return sg_twofold_plus(sg_twofold_plus(sg_twofold_times(a[0], b[0]),
+                                         sg_twofold_times(a[1], b[1])),
+                         sg_twofold_times(a[2], b[2]));
+}
+
+/* The quantities of set_zero(), of a line and a plane. */
+static void
+heights_over_plane(const sg_point *const point[5], sg_twofold at[2])
+{
+  sg_twofold s[3], t[3], n[3];
+
+  subtract(s, point[3]->p, point[2]->p);
+  subtract(t, point[4]->p, point[2]->p);
+  for (int k = 0; k < 3; k++) {
+    n[k] = minor(s, t, (k + 1) % 3, (k + 2) % 3);
+  }
+  for (int i = 0; i < 2; i++) {
+    subtract(s, point[i]->p, point[2]->p);
+    at[i] = dot(n, s);
+  }
+}
+
+/* The same of two lines. */
+static void
+heights_beside_line(int axis, const sg_point *const point[4], sg_twofold at[2])
+{
+  sg_twofold n[3], s[3];
+
+  subtract(n, point[3]->p, point[2]->p);
+  for (int i = 0; i < 2; i++) {
+    subtract(s, point[i]->p, point[2]->p);
+    at[i] = minor(n, s, (axis + 1) % 3, (axis + 2) % 3);
+  }
+}
+
+/* The nearest doubles of the point where the quantity is 0; false: that is not
+ * proved, or they may be the point itself. */
+static bool
+round_zero(const double a[3], const double b[3], const sg_twofold at[2],
+           double out[3])
+{
+  sg_twofold part = sg_twofold_quotient(at[0], sg_twofold_minus(at[0], at[1]));
+  bool is_double = true;
+
+  for (int k = 0; k < 3; k++) {
+    sg_twofold x = sg_twofold_plus(
+        (sg_twofold){a[k], 0, 0},
+        sg_twofold_times(part, sg_twofold_difference(b[k], a[k])));
+
+    if (!sg_twofold_is_rounded(x)) {
+      return false;
+    }
+    out[k] = x.hi;
+    is_double = is_double && sg_twofold_may_be_double(x);
+  }
+  return !is_double;
+}
+
+/* ---- points that are made ----------------------------------------------- */
+
+/* Keeps what made a point. False: no memory. */
+static bool
+keep_made(sg_point *out, int how, const sg_point *const *point, int n)
+{
+  if (!(out->exactly = new_exactly())) {
+    return false;
+  }
+  out->exactly->how = how;
+  for (int i = 0; i < n; i++) {
+    memcpy(out->exactly->from[i], point[i]->p, sizeof point[i]->p);
+  }
+  return true;
+}
+
+static bool
+make_q(mpq_t out[3], int how, const sg_point *const *point)
+{
+  return how == LINE_AND_PLANE ? line_meets_plane(out, point)
+                               : line_meets_line(out, how, point);
+}
+
+static bool
+make(sg_point *out, int how, const sg_point *const *point)
+{
+  int n = how == LINE_AND_PLANE ? 5 : 4;
+  mpq_t q[3];
+
+  out->exactly = NULL;
+  if (in_range(point, n)) {
+    sg_twofold at[2];
+
+    if (how == LINE_AND_PLANE) {
+      heights_over_plane(point, at);
+    } else {
+      heights_beside_line(how, point, at);
+    }
+    if (round_zero(point[0]->p, point[1]->p, at, out->p)) {
+      return keep_made(out, how, point, n);
+    }
+  }
+  init_q(q);
+  bool done = make_q(q, how, point) && sg_point_set_q(out, q[0], q[1], q[2]);
+  clear_q(q);
   return done;
+}
+
+mpq_t *
+sg_point_q(const sg_point *point)
+{
+  sg_exactly *exactly = point->exactly;
+
+  if (exactly && !exactly->known) {
+    sg_point from[MADE_OF];
+    const sg_point *of[MADE_OF];
+
+    for (int i = 0; i < (exactly->how == LINE_AND_PLANE ? 5 : 4); i++) {
+      sg_point_set(&from[i], exactly->from[i]);
+      of[i] = &from[i];
+    }
+    init_q(exactly->q);
+    make_q(exactly->q, exactly->how, of);
+    exactly->known = true;
+  }
+  return exactly ? exactly->q : NULL;
+}
+
+bool
+sg_point_lpi(sg_point *out, const sg_point *a, const sg_point *b,
+             const sg_point *c, const sg_point *d, const sg_point *e)
+{
+  const sg_point *const point[5] = {a, b, c, d, e};
+
+  return make(out, LINE_AND_PLANE, point);
+}
+
+bool
+sg_point_ll(sg_point *out, int axis, const sg_point *a, const sg_point *b,
+            const sg_point *c, const sg_point *d)
+{
+  const sg_point *const point[4] = {a, b, c, d};
+
+  return make(out, axis, point);
 }
 
 bool
 sg_point_tpi(sg_point *out, const sg_point *const plane[3][3])
 {
   mpz_t room[9][3], n[3][3], at[3], s[3], t[3];
+  mpq_t q[3];
   const sg_point *point[9];
   sg_integers in;
 
+  out->exactly = NULL;
   for (int i = 0; i < 9; i++) {
     point[i] = plane[i / 3][i % 3];
   }
@@ -305,7 +505,10 @@ sg_point_tpi(sg_point *out, const sg_point *const plane[3][3])
     sg_integers_normal(n[i], x[0], x[1], x[2], s, t);
     sg_integers_dot(at[i], n[i], x[0]);
   }
-  bool done = solve_planes(out, n, at, in.w);
+  init_q(q);
+  bool done =
+      solve_planes(q, n, at, in.w) && sg_point_set_q(out, q[0], q[1], q[2]);
+  clear_q(q);
   for (int i = 0; i < 3; i++) {
     sg_integers_clear3(n[i]);
   }

@@ -26,9 +26,11 @@ common_denominator(mpz_ptr w, const sg_point *const *point, int n)
 
   mpz_set_ui(w, 1);
   for (int i = 0; i < n; i++) {
+    mpq_t *q = sg_point_q(point[i]);
+
     for (int k = 0; k < 3; k++) {
-      if (point[i]->q) {
-        mpz_lcm(w, w, mpq_denref(point[i]->q[k]));
+      if (q) {
+        mpz_lcm(w, w, mpq_denref(q[k]));
       } else {
         int exponent;
         mantissa(point[i]->p[k], &exponent);
@@ -65,11 +67,13 @@ sg_integers_open(sg_integers *out, mpz_t (*room)[3],
   out->x = room;
   out->n = n;
   for (int i = 0; i < n; i++) {
+    mpq_t *q = sg_point_q(point[i]);
+
     for (int k = 0; k < 3; k++) {
       mpz_init(room[i][k]);
-      if (point[i]->q) {
-        mpz_divexact(room[i][k], out->w, mpq_denref(point[i]->q[k]));
-        mpz_mul(room[i][k], room[i][k], mpq_numref(point[i]->q[k]));
+      if (q) {
+        mpz_divexact(room[i][k], out->w, mpq_denref(q[k]));
+        mpz_mul(room[i][k], room[i][k], mpq_numref(q[k]));
       } else {
         scale_double(room[i][k], point[i]->p[k], out->w);
       }

@@ -176,9 +176,7 @@ sg_work_vertex(sg_work *work, int32_t id, const sg_point *point)
   work->vertex = rows;
   sg_work_vertex_row *row = &work->vertex[work->vertices];
   *row = (sg_work_vertex_row){.id = id};
-  if (!sg_point_copy(&row->point, point)) {
-    return SG_WORK_NONE;
-  }
+  sg_point_copy(&row->point, point);
   row->at[work->flip < 0] = point->p[(work->axis + 1) % 3];
   row->at[work->flip > 0] = point->p[(work->axis + 2) % 3];
   work->slot[slot_of(work, id)] = work->vertices + 1;
@@ -396,7 +394,7 @@ sg_work_turn(const sg_work *work, int32_t a, int32_t b, int32_t c)
 {
   const sg_work_vertex_row *v = work->vertex;
 
-  if (!v[a].point.q && !v[b].point.q && !v[c].point.q) {
+  if (!v[a].point.exactly && !v[b].point.exactly && !v[c].point.exactly) {
     return sg_orient2d(v[a].at, v[b].at, v[c].at);
   }
   return work->flip *

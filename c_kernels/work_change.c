@@ -123,8 +123,9 @@ middle(const sg_work *work, const sg_work_edge *edge, sg_point *out)
   for (int k = 0; k < 3; k++) {
     mpq_init(q[k]);
     for (int i = 0; i < 2; i++) {
-      if (end[i]->q) {
-        mpq_set(x, end[i]->q[k]);
+      mpq_t *of_end = sg_point_q(end[i]);
+      if (of_end) {
+        mpq_set(x, of_end[k]);
       } else {
         mpq_set_d(x, end[i]->p[k]);
       }
