@@ -12,6 +12,12 @@
 #include "tree4pl.h"
 #include "work.h"
 
+/* Where a row of a segment was found. */
+typedef struct sg_cut_row {
+  int32_t s, id; /* 0: nowhere yet */
+  sg_row row;
+} sg_cut_row;
+
 /* One penetration under way. The model, and all real edges, are those of the
  * version at which it was opened. */
 typedef struct sg_cut_handle {
@@ -30,9 +36,12 @@ typedef struct sg_cut_handle {
   double reach;                        /* how near they are, at most */
   sg_key_table next_name;              /* segment -> next id of v/5 */
   sg_key_table line_of;                /* segment, two points -> line */
-  sg_key_table edge_type;  /* segment, polygon, two vertices -> Et */
-  sg_key_table edges_read; /* segment, polygon: its edges are in edge_type */
-  bool grouped;            /* its polygons are listed, its points have names */
+  uint8_t *real; /* [real_room]: the real edges of triangles that were asked */
+  size_t real_room;
+  sg_key_table edge_type;    /* segment, polygon, two vertices -> Et */
+  sg_key_table edges_read;   /* segment, polygon: edges are in edge_type */
+  sg_cut_row last_row[2][2]; /* of e/5 and p/3, of an even and an odd segment */
+  bool grouped; /* its polygons are listed, its points have names */
   bool closed;
 } sg_cut_handle;
 
