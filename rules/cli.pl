@@ -72,6 +72,9 @@ interrupt(Signal) :-
 
 %   What is still in the buffers may not fit on the disk.
 
+flushed(Status, Status) :-
+    output_lost,
+    !.
 flushed(Status0, Status) :-
     catch(( flush_output(user_output),
             Status = Status0
@@ -85,6 +88,7 @@ flushed(Status0, Status) :-
 
 sanggwan(Arguments, Status) :-
     retractall(quiet),
+    retractall(output_lost),
     flag(sg_cli_warnings, _, 0),
     set_language(Arguments),
     setup_call_cleanup(
@@ -272,7 +276,22 @@ failed_status(Error, Status) :-
     ;   broken_pipe(Error)
     ->  Status = 141
     ;   error_status(Error, Status),
-        print_message(error, Error)
+        said(Error, Message),
+        print_message(error, Message)
+    ).
+
+%   said(Error, Message): what is printed of it.
+
+said(error(io_error(write, Stream), context(_, Why)), Message) :-
+    is_stream(Stream),
+    stream_property(Stream, alias(user_output)),
+    !,
+    assertz(output_lost),
+    Message = error(cannot_write(output, Why), _).
+said(Error, Message) :-
+    (   subsumes_term(error(_, _), Error)
+    ->  Message = Error
+    ;   Message = sanggwan(uncaught(Error))
     ).
 
 signal_status(int, 130).
@@ -301,16 +320,24 @@ strict_status(Arguments, Status0, Status) :-
 %   Messages of the program look like those of others: a line that begins with
 %   `sanggwan: `, or with the place in a file so that editors jump there.
 
-:- dynamic quiet/0, running/0.
+%   When the output is lost, Prolog fails to flush it again as it ends.
+
+:- dynamic quiet/0, running/0, output_lost/0.
 
 :- multifile user:message_hook/3.
 
+user:message_hook(error(io_error(write, _), _), error, _) :-
+    sg_cli:output_lost.
 user:message_hook(Term, Kind, Lines) :-
     sg_cli:running,
     sg_cli:shown(Kind, Term, Lines).
 
 :- public shown/3.
 
+%   Prolog has no words for some of its warnings.
+
+shown(_, _, []) :-
+    !.
 shown(error, Term, Lines) :-
     print_prefixed('', Term, Lines).
 shown(warning, Term, Lines) :-
@@ -330,6 +357,8 @@ warning_word(ko, '경고: ').
 print_prefixed(Word, Term, Lines) :-
     (   Term = error(model_error(_), location(_, _, _))
     ->  format(atom(Prefix), '~~N~w', [Word])
+    ;   source_location(File, Line)
+    ->  format(atom(Prefix), '~~N~w:~d: ~w', [File, Line, Word])
     ;   format(atom(Prefix), '~~Nsanggwan: ~w', [Word])
     ),
     print_message_lines(user_error, '', [Prefix-[]|Lines]).

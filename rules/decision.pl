@@ -223,15 +223,31 @@ rule_file(File) :-
 %   Make the current world follow the rule file File, in one step, before those
 %   it follows already. A file it already follows is read again.
 %
-%   @error existence_error(source_sink, File)
-%   @error model_error(rules(What)) with location(File, Line, Column): the file
-%   could
-%          not be read, or it defines what is no decision. Nothing has changed.
+%   @error model_error(cannot_read(Why)) with location(Spec, 0, 0): Why is
+%          `missing`, `directory` or `permission`.
+%   @error model_error(rules(What)) with location(File, Line, Column): it is no
+%          Prolog, or it defines what is no decision. Nothing has changed.
 
 use_rules(Spec) :-
-    absolute_file_name(Spec, File, [extensions(['', pl]), access(read)]),
+    readable_file(Spec, File),
     world_number(World),
     with_mutex(sg_rules, follow(World, File)).
+
+readable_file(Spec, File) :-
+    absolute_file_name(Spec, File0,
+                       [extensions(['', pl]), access(read),
+                        file_errors(fail)]),
+    !,
+    File = File0.
+readable_file(Spec, _) :-
+    absolute_file_name(Spec, Path),
+    (   exists_directory(Path)
+    ->  Why = directory
+    ;   exists_file(Path)
+    ->  Why = permission
+    ;   Why = missing
+    ),
+    throw(error(model_error(cannot_read(Why)), location(Spec, 0, 0))).
 
 follow(World, File) :-
     forget_ended,
@@ -340,12 +356,17 @@ not_a_module(File, Id) :-
 :- thread_local watching/0, first_error/1.
 :- multifile user:message_hook/3.
 
-%   Errors while loading are messages: keep the first, print none.
+%   Errors while loading are messages: keep the first, print none. One that does
+%   not know its place is kept as at(Error, Line).
 
 user:message_hook(Error, error, _) :-
     watching,
     (   first_error(_)
     ->  true
+    ;   Error = error(_, Context),
+        var(Context),
+        source_location(_, Line)
+    ->  assertz(first_error(at(Error, Line)))
     ;   assertz(first_error(Error))
     ).
 
@@ -363,8 +384,11 @@ with_first_error(Goal, Error) :-
 
 throw_rules_error(Error, File) :-
     (   Error = error(Formal, Context),
+        nonvar(Context),
         error_place(Context, Line, Column)
     ->  true
+    ;   Error = at(error(Formal, _), Line)
+    ->  Column = 0
     ;   Formal = Error,
         Line = 0,
         Column = 0

@@ -1,8 +1,10 @@
 :- module(sg_messages,
           [ english//1,                 % +Term
             fault_en//1,                % +What
+            shown_value/2,              % +Value, -Shown
             primitive_form//1,          % +Name
             loading_fault//1,           % +Formal
+            syntax_words//1,            % +What
             manual_page//1              % +PI
           ]).
 :- use_module(explain_en, [statement_en//1]).
@@ -42,6 +44,8 @@ english(error(usage_error(What), _)) -->
     usage_en(What).
 english(error(domain_error(Domain, Value), _)) -->
     drawing_en(domain(Domain, Value)).
+english(error(cannot_write(File, Why), _)) -->
+    usage_en(cannot_write(File, Why)).
 english(sanggwan_interrupt(_)) -->
     notice_en(interrupted).
 english(sanggwan(What)) -->
@@ -106,7 +110,9 @@ fault_en(syntax(too_deep)) -->
 fault_en(syntax(Message)) -->
     { \+ memberchk(Message, [end_of_file, end_of_file_in_quoted(_),
                              too_deep]) },
-    [ 'this is no Prolog text: ~w'-[Message], nl,
+    [ 'this is no Prolog text: ' ],
+    syntax_words(Message),
+    [ nl,
       '  Write facts such as v(1, 1, 0.0, 0.0, 0.0). with a full stop.' ].
 fault_en(too_long(Most)) -->
     [ 'a fact is longer than ~D characters'-[Most], nl,
@@ -138,7 +144,8 @@ fault_en(computed(Name)) -->
     [ '~w is computed from the view and may not stand in a file'-[Name], nl,
       '  Remove it; draw makes it again.' ].
 fault_en(value(Relation, Column, Value, Expected)) -->
-    [ '~w of ~w is ~p, it should be '-[Column, Relation, Value] ],
+    { shown_value(Value, Shown) },
+    [ '~w of ~w is ~p, it should be '-[Column, Relation, Shown] ],
     expected_en(Expected).
 fault_en(missing(Relation, S, Id)) -->
     { relation_word(Relation, Word) },
@@ -183,8 +190,18 @@ fault_en(unknown_format(Format, Formats)) -->
     [ 'models of the format .~w are not known'-[Format], nl,
       '  The ending of a model is .~w.'-[All] ].
 
+%!  shown_value(+Value, -Shown) is det.
+%
+%   Variables have no names that people gave them.
+
+shown_value(Value, Shown) :-
+    (   var(Value)
+    ->  Shown = '$VAR'('_')
+    ;   Shown = Value
+    ).
+
 expected_en(id) -->
-    [ 'a positive whole number', nl,
+    [ 'a whole number from 1 to 2147483647', nl,
       '  Numbers of segments, vertices, edges and polygons begin with 1.' ].
 expected_en(ids) -->
     [ 'a list of positive whole numbers' ].
@@ -284,7 +301,7 @@ primitive_en(no_length, Term) -->
 
 type_en(length, 'a length above 0').
 type_en(radius, 'a radius from 0').
-type_en(facets, 'a whole number from 3').
+type_en(facets, 'a whole number from 3 to 1000000').
 type_en(number, 'a number').
 
 %!  primitive_form(+Name)// is semidet.
@@ -312,7 +329,8 @@ usage_en(no_verb) -->
 usage_en(unknown_verb(Verb)) -->
     [ 'there is no verb ~w'-[Verb], nl, '  Try sanggwan --help.' ].
 usage_en(unknown_option(Text)) -->
-    [ 'unknown option ~w'-[Text] ].
+    [ 'unknown option ~w'-[Text], nl,
+      '  sanggwan VERB --help lists those of a verb.' ].
 usage_en(no_value(Text)) -->
     [ 'option ~w takes no value'-[Text] ].
 usage_en(needs_value(Text)) -->
@@ -331,7 +349,8 @@ usage_en(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ 'option ~w: ~w should look like ~w'-[Text, Value, Form] ].
 usage_en(no_files(What)) -->
-    [ '~w is missing'-[What] ].
+    [ '~w is missing'-[What], nl,
+      '  sanggwan VERB --help says what belongs there.' ].
 usage_en(no_output) -->
     [ 'where should the result go? Give -o FILE (- is standard output)' ].
 usage_en(ending(File, Endings)) -->
@@ -340,13 +359,21 @@ usage_en(ending(File, Endings)) -->
 usage_en(no_folder(Folder)) -->
     [ 'there is no folder ~w for the result'-[Folder], nl,
       '  Make it first.' ].
+usage_en(cannot_write(File, permission)) -->
+    [ '~w: the result may not be written there'-[File], nl,
+      '  Check the permissions of the folder, or name another.' ].
+usage_en(cannot_write(output, Why)) -->
+    [ 'the result cannot be written: ~w'-[Why], nl,
+      '  Make room, or send it elsewhere.' ].
 usage_en(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ 'there is no segment ~w, only ~w'-[S, All] ].
 usage_en(exact_format(Format)) -->
     [ '--exact is for tables (csv, tsv, txt), not for ~w'-[Format] ].
 usage_en(bad_goal(Text, Why)) -->
-    [ 'this is no goal: ~w (~w)'-[Text, Why] ].
+    [ 'this is no goal: ~w ('-[Text] ],
+    syntax_words(Why),
+    [ ')' ].
 
 notice_en(do_not_meet) -->
     [ 'the segments do not meet: there are no penetration lines' ].
@@ -365,6 +392,9 @@ notice_en(greeting) -->
        draw(\'a.svg\'). show. rules.' ].
 notice_en(segment(S, Kind, Name)) -->
     [ 'segment ~d: ~w ~p'-[S, Kind, Name] ].
+notice_en(uncaught(What)) -->
+    [ 'a goal or a rule ended with throw(~p)'-[What], nl,
+      '  Catch it there, or throw error(Formal, Context).' ].
 notice_en(no_answer) -->
     [ 'no' ].
 notice_en(warnings_are_errors(N)) -->
@@ -559,13 +589,26 @@ notice_en(decision(Name/Arity, Doc, By)) -->
     [ '~q/~d: ~w'-[Name, Arity, Doc], nl,
       '    defined by: ~w'-[By] ].
 
+%!  syntax_words(+What)// is det.
+%
+%   What is wrong with a text that Prolog cannot read, in Prolog's words.
+
+syntax_words(float_overflow) -->
+    !,
+    [ 'the number is too large' ].
+syntax_words(What) -->
+    '$messages':syntax_error(What),
+    !.
+syntax_words(What) -->
+    [ '~w'-[What] ].
+
 %!  loading_fault(+Formal)// is det.
 %
 %   What Prolog says of an error in a rule file.
 
 loading_fault(syntax_error(What)) -->
     !,
-    [ '~w'-[What] ].
+    syntax_words(What).
 loading_fault(Formal) -->
     '$messages':translate_message(error(Formal, _)).
 

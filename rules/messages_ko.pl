@@ -4,7 +4,8 @@
             fault_ko//1                 % +What
           ]).
 :- use_module(messages,
-              [primitive_form//1, loading_fault//1, manual_page//1]).
+              [primitive_form//1, loading_fault//1, syntax_words//1,
+               shown_value/2, manual_page//1]).
 :- use_module(explain_ko, [statement_ko//1]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
@@ -48,6 +49,8 @@ korean(error(usage_error(What), _)) -->
     usage_ko(What).
 korean(error(domain_error(Domain, Value), _)) -->
     drawing_ko(domain(Domain, Value)).
+korean(error(cannot_write(File, Why), _)) -->
+    usage_ko(cannot_write(File, Why)).
 korean(sanggwan_interrupt(_)) -->
     notice_ko(interrupted).
 korean(sanggwan(What)) -->
@@ -104,7 +107,9 @@ fault_ko(syntax(too_deep)) -->
 fault_ko(syntax(Message)) -->
     { \+ memberchk(Message, [end_of_file, end_of_file_in_quoted(_),
                              too_deep]) },
-    [ '프롤로그 글이 아닙니다: ~w'-[Message], nl,
+    [ '프롤로그 글이 아닙니다: ' ],
+    syntax_words(Message),
+    [ nl,
       '  v(1, 1, 0.0, 0.0, 0.0). 과 같은 사실을 마침표와 함께 쓰십시오.' ].
 fault_ko(too_long(Most)) -->
     [ '사실 하나가 ~D 글자보다 깁니다'-[Most], nl,
@@ -134,8 +139,9 @@ fault_ko(computed(Name)) -->
     [ '~w 은(는) 시점에서 계산되므로 파일에 둘 수 없습니다'-[Name], nl,
       '  지우십시오. draw 가 다시 만듭니다.' ].
 fault_ko(value(Relation, Column, Value, Expected)) -->
+    { shown_value(Value, Shown) },
     [ '~w 의 ~w 이(가) ~p 입니다. 있어야 할 것: '-
-      [Relation, Column, Value] ],
+      [Relation, Column, Shown] ],
     expected_ko(Expected).
 fault_ko(missing(Relation, S, Id)) -->
     { relation_word(Relation, Word) },
@@ -182,7 +188,7 @@ fault_ko(unknown_format(Format, Formats)) -->
       '  모델의 확장자는 .~w 입니다.'-[All] ].
 
 expected_ko(id) -->
-    [ '양의 정수', nl,
+    [ '1 에서 2147483647 까지의 정수', nl,
       '  세그먼트, 꼭지점, 모서리, 다각형의 번호는 1부터입니다.' ].
 expected_ko(ids) -->
     [ '양의 정수의 리스트' ].
@@ -279,7 +285,7 @@ primitive_ko(no_length, Term) -->
 
 type_ko(length, '0보다 큰 길이').
 type_ko(radius, '0 이상의 반지름').
-type_ko(facets, '3 이상의 정수').
+type_ko(facets, '3 이상 1000000 이하의 정수').
 type_ko(number, '수').
 
 
@@ -293,7 +299,8 @@ usage_ko(unknown_verb(Verb)) -->
     [ '~w 이라는 동사는 없습니다'-[Verb], nl,
       '  sanggwan --help 를 보십시오.' ].
 usage_ko(unknown_option(Text)) -->
-    [ '모르는 선택 사항 ~w'-[Text] ].
+    [ '모르는 선택 사항 ~w'-[Text], nl,
+      '  sanggwan VERB --help 를 보십시오.' ].
 usage_ko(no_value(Text)) -->
     [ '~w 에는 값이 없습니다'-[Text] ].
 usage_ko(needs_value(Text)) -->
@@ -312,7 +319,8 @@ usage_ko(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ '~w: ~w 은(는) ~w 꼴이어야 합니다'-[Text, Value, Form] ].
 usage_ko(no_files(What)) -->
-    [ '~w 이(가) 없습니다'-[What] ].
+    [ '~w 이(가) 없습니다'-[What], nl,
+      '  sanggwan VERB --help 를 보십시오.' ].
 usage_ko(no_output) -->
     [ '결과를 어디에 둘까요? -o FILE 을 주십시오 (- 는 표준 출력)' ].
 usage_ko(ending(File, Endings)) -->
@@ -321,13 +329,21 @@ usage_ko(ending(File, Endings)) -->
 usage_ko(no_folder(Folder)) -->
     [ '결과를 둘 폴더가 없습니다: ~w'-[Folder], nl,
       '  먼저 만드십시오.' ].
+usage_ko(cannot_write(File, permission)) -->
+    [ '~w: 결과를 거기에 쓸 수 없습니다'-[File], nl,
+      '  폴더의 권한을 확인하거나 다른 폴더를 쓰십시오.' ].
+usage_ko(cannot_write(output, Why)) -->
+    [ '결과를 쓸 수 없습니다: ~w'-[Why], nl,
+      '  자리를 만들거나 다른 곳으로 보내십시오.' ].
 usage_ko(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ '세그먼트 ~w 은(는) 없습니다. 있는 것: ~w'-[S, All] ].
 usage_ko(exact_format(Format)) -->
     [ '--exact 는 표(csv, tsv, txt)에 쓰며 ~w에는 쓸 수 없습니다'-[Format] ].
 usage_ko(bad_goal(Text, Why)) -->
-    [ '목표가 아닙니다: ~w (~w)'-[Text, Why] ].
+    [ '목표가 아닙니다: ~w ('-[Text] ],
+    syntax_words(Why),
+    [ ')' ].
 
 notice_ko(do_not_meet) -->
     [ '세그먼트들이 만나지 않아 상관선이 없습니다' ].
@@ -345,6 +361,9 @@ notice_ko(greeting) -->
        draw(\'a.svg\'). show. rules.' ].
 notice_ko(segment(S, Kind, Name)) -->
     [ '세그먼트 ~d: ~w ~p'-[S, Kind, Name] ].
+notice_ko(uncaught(What)) -->
+    [ '목표나 규칙이 throw(~p) 로 끝났습니다'-[What], nl,
+      '  거기에서 잡거나 error(Formal, Context) 를 던지십시오.' ].
 notice_ko(no_answer) -->
     [ '아니오' ].
 notice_ko(warnings_are_errors(N)) -->

@@ -137,9 +137,9 @@ next_fact(Text, Fact, Place) :-
         checked_fact(Term, Place, Fact)
     ).
 
-syntax_failure(error(syntax_error(Message), Where), Name, _) :-
+syntax_failure(error(syntax_error(Message), Where), Name, Stream) :-
     !,
-    stream_location(Where, Line, Column),
+    stream_location(Where, Stream, Line, Column),
     throw(error(model_error(syntax(Message)),
                 location(Name, Line, Column))).
 syntax_failure(error(resource_error(_), _), Name, Stream) :-
@@ -156,13 +156,17 @@ syntax_failure(error(io_error(read, _), _), Name, _) :-
 syntax_failure(Error, _, _) :-
     throw(Error).
 
-stream_location(Where, Line, Column) :-
+%   Of a comment without an end Prolog says no line: it is the file's last one.
+
+stream_location(Where, _, Line, Column) :-
     (   Where = stream(_, Line, Column0, _)
     ;   Where = file(_, Line, Column0, _)
     ),
+    Line > 0,
     !,
     Column is Column0+1.
-stream_location(_, 0, 0).
+stream_location(_, Stream, Line, 0) :-
+    line_count(Stream, Line).
 
 %   A fact `end_of_file.` in the middle would hide the rest of the file.
 

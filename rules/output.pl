@@ -19,8 +19,8 @@ place.
 %   so does this, and File is as it was. A link is followed; what is no
 %   regular file (a device, a pipe) is written in place.
 %
-%   @error existence_error(directory, Folder), permission_error(_, _, File),
-%   io_error(write, File): the disk is full.
+%   @error existence_error(directory, Folder), permission_error(_, _, Folder),
+%   cannot_write(File, permission), io_error(write, File): the disk is full.
 
 writing(File, Type, Goal) :-
     must_be(oneof([text,binary]), Type),
@@ -110,7 +110,7 @@ blame(_, _, Error) :-
     throw(Error).
 
 blamed(io_error(write, _), _, Path, io_error(write, Path)).
-blamed(permission_error(Action, Type, Temporary), Temporary, Path,
-       permission_error(Action, Type, Path)).
-blamed(existence_error(Type, Temporary), Temporary, Path,
-       existence_error(Type, Path)).
+blamed(permission_error(_, _, Temporary), Temporary, Path,
+       cannot_write(Path, permission)).
+blamed(existence_error(_, Temporary), Temporary, Path,
+       cannot_write(Path, permission)).

@@ -21,6 +21,16 @@ check 'nothing beside it' holds "$work/to" a.svg
 status=$?
 check 'full standard output' status_is 2
 check 'full standard output: message' has 'No space left'
+check 'full standard output: once' is "$(grep -c 'No space left' "$work/err")" 1
+"$sanggwan" --help >&- 2>"$work/err"
+status=$?
+check 'closed standard output' status_is 2
+check 'closed standard output: message' has 'cannot be written'
+
+run draw facts/cube.pl -o /proc/a.svg
+check 'folder that takes nothing' status_is 2
+check 'folder that takes nothing: message' \
+  has '/proc/a.svg: the result may not be written there'
 
 # A full disk: a tiny one, where the machine lets us mount it.
 if mkdir "$work/disk" && mount -t tmpfs -o size=4k none "$work/disk" \

@@ -200,7 +200,7 @@ test(module_file, error(model_error(rules(module_file)), _)) :-
     rule_file_of('module.pl', ":- module(m, [pick/3]).\npick(_, B, B).\n",
                  File),
     in_new_world(use_rules(File)).
-test(no_file, error(existence_error(source_sink, _), _)) :-
+test(no_file, error(model_error(cannot_read(missing)), _)) :-
     in_new_world(use_rules('no_such_file.pl')).
 test(no_world,
      [ condition(current_prolog_flag(threads, true)),
