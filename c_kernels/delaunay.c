@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+enum { ASKED = 1 << 12 }; /* triangles between questions */
+
 /* ---- one more corner ---- */
 
 static bool
@@ -166,32 +168,46 @@ turn_side(turner *t, size_t i, int k, bool *fresh)
   return true;
 }
 
-bool
+/* Turns what is better turned, once over all. *turned: something was. */
+static sg_outcome
+turn_sides(turner *t, bool *fresh, bool *turned, const sg_poll *poll)
+{
+  if (!note_sides(t)) {
+    return SG_NO_SPACE;
+  }
+  *turned = false;
+  for (size_t i = 0; i < t->triangles->n; i++) {
+    fresh[i] = false;
+  }
+  for (size_t i = 0; i < t->triangles->n; i++) {
+    if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+      return SG_STOPPED;
+    }
+    for (int k = 0; k < 3 && !fresh[i]; k++) {
+      *turned = turn_side(t, i, k, fresh) || *turned;
+    }
+  }
+  return SG_DONE;
+}
+
+sg_outcome
 sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
                       bool (*is_fixed)(void *data, int32_t a, int32_t b),
-                      void *data)
+                      void *data, const sg_poll *poll)
 {
   enum {
     ROUNDS = 64
   }; /* each better than the one before; rounding might
         make two of them go round */
   turner t = {work, triangles, {0}, is_fixed, data};
-  bool *fresh = malloc(triangles->n + 1), done = fresh != NULL, turned = true;
+  bool *fresh = malloc(triangles->n + 1), turned = true;
+  sg_outcome end = fresh ? SG_DONE : SG_NO_SPACE;
 
   sg_key_table_init(&t.side, 2);
-  for (int round = 0; round < ROUNDS && done && turned; round++) {
-    done = note_sides(&t);
-    turned = false;
-    for (size_t i = 0; i < triangles->n; i++) {
-      fresh[i] = false;
-    }
-    for (size_t i = 0; i < triangles->n && done; i++) {
-      for (int k = 0; k < 3 && !fresh[i]; k++) {
-        turned = turn_side(&t, i, k, fresh) || turned;
-      }
-    }
+  for (int round = 0; round < ROUNDS && end == SG_DONE && turned; round++) {
+    end = turn_sides(&t, fresh, &turned, poll);
   }
   sg_key_table_clear(&t.side);
   free(fresh);
-  return done;
+  return end;
 }

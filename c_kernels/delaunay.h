@@ -16,9 +16,10 @@ bool sg_triangles_insert(const sg_work *work, sg_triangles *triangles,
                          int32_t v);
 
 /* Turns chords, none that `is_fixed`, until the angles opposite to each add up
- * to no more than two right ones. False: no memory. */
-bool sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
-                           bool (*is_fixed)(void *data, int32_t a, int32_t b),
-                           void *data);
+ * to no more than two right ones. SG_DONE, SG_STOPPED or SG_NO_SPACE. */
+sg_outcome sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
+                                 bool (*is_fixed)(void *data, int32_t a,
+                                                  int32_t b),
+                                 void *data, const sg_poll *poll);
 
 #endif

@@ -25,9 +25,10 @@ sg_list_grow(void *item, size_t n, size_t *room, size_t size)
 
 void
 sg_resolve_init(sg_resolve *r, double reach, sg_is_real_side *is_real,
-                void *data)
+                void *data, const sg_poll *poll)
 {
-  *r = (sg_resolve){.reach = reach, .is_real = is_real, .data = data};
+  *r = (sg_resolve){
+      .reach = reach, .poll = poll, .is_real = is_real, .data = data};
   sg_key_table_init(&r->segment, 1);
   sg_key_table_init(&r->known, 3);
   sg_key_table_init(&r->node_number, 6);
@@ -221,18 +222,22 @@ vertex_node(sg_resolve *r, const sg_resolve_leaf *leaf, int corner)
   return node_of(r, &node);
 }
 
-/* How far along the edge from corner a to corner b of the leaf `at` is. */
-static double
-along_edge(const sg_resolve_leaf *leaf, const place *edge, const double at[3])
+/* How far along the edge of the leaf `at` is. */
+static void
+set_along(sg_resolve_touch *touch, const sg_resolve_leaf *leaf,
+          const place *edge, const double at[3])
 {
   const double *a = leaf->at[edge->corner[0]], *b = leaf->at[edge->corner[1]];
-  double dot = 0, square = 0;
+  double square = 0;
 
   for (int k = 0; k < 3; k++) {
-    dot += (at[k] - a[k]) * (b[k] - a[k]);
-    square += (b[k] - a[k]) * (b[k] - a[k]);
+    touch->step[k] = b[k] - a[k];
+    square += touch->step[k] * touch->step[k];
   }
-  return dot / square;
+  for (int k = 0; k < 3; k++) {
+    touch->step[k] /= square;
+    touch->along += (at[k] - a[k]) * touch->step[k];
+  }
 }
 
 /* Notes that a node is on the edge or face `where` of the leaf. */
@@ -255,7 +260,7 @@ add_touch(sg_resolve *r, uint32_t node, const sg_resolve_leaf *leaf,
   if (!face) {
     touch.v[0] = where->v[0];
     touch.v[1] = where->v[1];
-    touch.along = along_edge(leaf, where, r->node.item[node].at);
+    set_along(&touch, leaf, where, r->node.item[node].at);
   }
   return SG_PUSH(r->touch, touch);
 }

@@ -10,7 +10,7 @@
  * triangles. So contacts are shared corners, edges and triangles afterwards,
  * and the exact arrangement needs no tolerance.
  *
- *   sg_resolve_init(&r, reach, is_real, data);
+ *   sg_resolve_init(&r, reach, is_real, data, poll);
  *   for all pairs with boxes within reach:  sg_resolve_see(&r, &a, &b);
  *   if (sg_resolve_is_needed(&r)) {
  *     for the same pairs:                   sg_resolve_pair(&r, &a, &b);
@@ -27,6 +27,7 @@
 
 #include "contact.h"
 #include "key_table.h"
+#include "poll.h"
 
 /* Whether side `side` (from corner `side` on) of a leaf triangle is a real
  * edge, and no chord: 1 or 0; -1: no memory. */
@@ -54,6 +55,7 @@ typedef struct sg_resolve_touch {
   uint32_t node;
   int32_t s, v[2], p;
   double apart, along; /* along: 0 at v[0], 1 at v[1] */
+  double step[3];      /* how along grows with the coordinates */
 } sg_resolve_touch;
 
 /* A shared point in one segment: vertex v, or still to be made on an edge or
@@ -96,8 +98,18 @@ typedef struct sg_resolve_near {
     size_t n, room;                                                            \
   }
 
+typedef enum sg_resolved {
+  SG_RESOLVED,
+  SG_UNRESOLVED, /* a polygon cannot be triangulated with its points */
+  SG_RESOLVE_STOPPED,
+  SG_RESOLVE_NO_MEMORY
+} sg_resolved;
+
 typedef struct sg_resolve {
   double reach;
+  const sg_poll *poll;
+  unsigned steps; /* since poll was asked */
+  bool stopped;   /* by poll */
   sg_is_real_side *is_real;
   void *data;
   sg_key_table segment;       /* s -> number */
@@ -127,8 +139,9 @@ typedef struct sg_resolve {
   const sg_resolve_node *wide; /* a vertex too far from its point, or null */
 } sg_resolve;
 
+/* `poll` may be null; it is asked in sg_resolve_finish() only. */
 void sg_resolve_init(sg_resolve *r, double reach, sg_is_real_side *is_real,
-                     void *data);
+                     void *data, const sg_poll *poll);
 void sg_resolve_clear(sg_resolve *r);
 
 /* Looks whether a pair touches inexactly. False: no memory. */
@@ -143,9 +156,9 @@ bool sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
  * segment (of any other segment: nothing is kept). False: no memory. */
 bool sg_resolve_crossing(sg_resolve *r, uint32_t i,
                          const sg_resolve_leaf *leaf);
-/* Makes the points and what follows from them. False: no memory. With
+/* Makes the points and what follows from them; never SG_UNRESOLVED. With
  * r->wide, nothing should be changed. */
-bool sg_resolve_finish(sg_resolve *r);
+sg_resolved sg_resolve_finish(sg_resolve *r);
 
 /* Where a point is in segment s; null: nowhere. */
 sg_resolve_place *sg_resolve_place_of(const sg_resolve *r, uint32_t point,

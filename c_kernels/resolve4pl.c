@@ -7,13 +7,17 @@
 #include "glue.h"
 #include "plane.h"
 #include "resolve_polygon.h"
+#include "sort.h"
 
 #include "../engine/install.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { ASKED = 1 << 14 }; /* pairs between questions */
+enum {
+  ASKED = 1 << 14, /* pairs between questions */
+  FEW = 1 << 10    /* polygons, or rows looked up */
+};
 
 /* A resolution under way. */
 typedef struct resolving {
@@ -97,9 +101,13 @@ each_crossing_ex(resolving *job)
 {
   const sg_cut_handle *handle = job->handle;
   chains chain = {0};
-  bool good = chain_crossings(job, &chain);
+  bool good = chain_crossings(job, &chain), stopped = false;
 
   for (size_t i = 0; i < 2 * handle->curve_candidates && good; i++) {
+    if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
+      stopped = true;
+      break;
+    }
     const uint32_t *pair = handle->candidate[i / 2];
     uint32_t k = chain.first[pair[i % 2]];
     sg_resolve_leaf leaf;
@@ -113,7 +121,7 @@ each_crossing_ex(resolving *job)
   }
   free(chain.first);
   free(chain.next);
-  return good || sg_no_memory();
+  return !stopped && (good || sg_no_memory());
 }
 
 /* ---- polygons ---- */
@@ -182,6 +190,21 @@ want_neighbours_ex(resolving *job, const sg_resolve_split *split)
   return good;
 }
 
+/* False, with an exception: a signal stops it. To be asked at each step. */
+static int
+go_on_ex(size_t i)
+{
+  return i % FEW != FEW - 1 || PL_handle_signals() >= 0;
+}
+
+static int
+sort_ex(void *item, size_t n, size_t size, sg_sort_compare *compare)
+{
+  sg_sort_end end = sg_sort(item, n, size, compare, &sg_prolog_poll);
+
+  return end == SG_SORTED || (end == SG_SORT_NO_MEMORY && sg_no_memory());
+}
+
 static int
 by_polygon(const void *a, const void *b)
 {
@@ -198,11 +221,8 @@ want_covered_ex(resolving *job)
 {
   sg_resolve_near *near = job->r.near.item;
   size_t n = job->r.near.n;
-  int good = TRUE;
+  int good = sort_ex(near, n, sizeof *near, by_polygon);
 
-  if (n > 0) {
-    qsort(near, n, sizeof *near, by_polygon);
-  }
   for (size_t i = 0, first = 0; i < n && good; i++) {
     if (near[i].s != near[first].s || near[i].p != near[first].p) {
       first = i;
@@ -229,7 +249,7 @@ want_polygons_ex(resolving *job)
   int good = want_covered_ex(job);
 
   for (size_t i = 0; i < r->split.n && good; i++) {
-    good = want_neighbours_ex(job, &r->split.item[i]);
+    good = go_on_ex(i) && want_neighbours_ex(job, &r->split.item[i]);
   }
   for (size_t i = r->first_inside; i < r->place.n && good; i++) {
     good = want_polygon_ex(job, r->place.item[i].s, r->place.item[i].p);
@@ -237,11 +257,8 @@ want_polygons_ex(resolving *job)
   for (size_t i = 0; i < r->seam.n && good; i++) {
     good = want_polygon_ex(job, r->seam.item[i].s, r->seam.item[i].p);
   }
-  if (good && job->polygon.n > 0) {
-    qsort(job->polygon.item, job->polygon.n, sizeof *job->polygon.item,
-          compare_results);
-  }
-  return good;
+  return good && sort_ex(job->polygon.item, job->polygon.n,
+                         sizeof *job->polygon.item, compare_results);
 }
 
 /* ---- making them ---- */
@@ -308,6 +325,10 @@ make_polygons_ex(resolving *job, const sg_resolved_polygon **stuck)
     sg_resolved_polygon *polygon = &job->polygon.item[i];
     double normal[3];
     size_t n;
+
+    if (!go_on_ex(i)) {
+      return FALSE;
+    }
     sg_polygon_row *rows = get_rows(version, polygon->s, polygon->p, &n);
 
     bool area = get_normal(version, polygon->s, polygon->p, normal);
@@ -318,9 +339,9 @@ make_polygons_ex(resolving *job, const sg_resolved_polygon **stuck)
     free(rows);
     *stuck = end == SG_UNRESOLVED ? polygon : NULL;
   }
-  if (end == SG_RESOLVED &&
-      !sg_resolve_match(&job->r, job->polygon.item, job->polygon.n)) {
-    end = SG_RESOLVE_NO_MEMORY;
+  if (end == SG_RESOLVED) {
+    end = sg_resolve_match(&job->r, job->polygon.item, job->polygon.n,
+                           &sg_prolog_poll);
   }
   return end == SG_RESOLVE_NO_MEMORY ? sg_no_memory()
                                      : end != SG_RESOLVE_STOPPED;
@@ -386,6 +407,9 @@ unify_vertices(resolving *job, term_t list)
     const sg_resolve_place *place = &job->r.place.item[i];
     const sg_resolve_point *point = &job->r.point.item[place->point];
 
+    if (!go_on_ex(i)) {
+      return FALSE;
+    }
     if (!is_change(job, place)) {
       continue;
     }
@@ -441,6 +465,9 @@ unify_polygons(resolving *job, term_t list)
 
   for (size_t i = 0; i < job->polygon.n; i++) {
     const sg_resolved_polygon *polygon = &job->polygon.item[i];
+    if (!go_on_ex(i)) {
+      return FALSE;
+    }
     fid_t frame = PL_open_foreign_frame();
     term_t edges = PL_new_term_ref(), triangles = PL_new_term_ref();
     int good =
@@ -466,6 +493,14 @@ unify_place(term_t t, const char *name, int32_t s, int32_t id)
 /* ---- the door ---- */
 
 static int
+finish_ex(resolving *job)
+{
+  sg_resolved end = sg_resolve_finish(&job->r);
+
+  return end == SG_RESOLVED || (end == SG_RESOLVE_NO_MEMORY && sg_no_memory());
+}
+
+static int
 resolve_ex(resolving *job, term_t vertices, term_t polygons)
 {
   const sg_resolved_polygon *stuck = NULL;
@@ -477,8 +512,7 @@ resolve_ex(resolving *job, term_t vertices, term_t polygons)
     return PL_unify_nil(vertices) && PL_unify_nil(polygons);
   }
   if (!each_pair_ex(job, sg_resolve_pair) || !each_crossing_ex(job) ||
-      (!sg_resolve_finish(&job->r) && !sg_no_memory()) ||
-      !name_places_ex(job)) {
+      !finish_ex(job) || !name_places_ex(job)) {
     return FALSE;
   }
   if (job->r.wide) {
@@ -507,7 +541,8 @@ cut_resolve(term_t set, term_t reach, term_t vertices, term_t polygons)
   if (!job.handle->joined) {
     job.handle->reach = r;
   }
-  sg_resolve_init(&job.r, r, job.handle->set.is_real, job.handle->set.data);
+  sg_resolve_init(&job.r, r, job.handle->set.is_real, job.handle->set.data,
+                  &sg_prolog_poll);
   sg_key_table_init(&job.known, 2);
   int done = resolve_ex(&job, vertices, polygons);
 

@@ -7,8 +7,12 @@
  */
 #include "resolve_polygon.h"
 
+#include "sort.h"
+
 #include <stdlib.h>
 #include <string.h>
+
+enum { ASKED = 1 << 10 }; /* polygons between questions */
 
 typedef struct side {
   uint32_t a, b; /* points */
@@ -17,6 +21,7 @@ typedef struct side {
 typedef struct cell {
   size_t polygon;
   size_t first_side, sides; /* of the border, sorted */
+  const side *border;       /* the same, when all cells are there */
   size_t first_triangle, triangles;
   bool turned; /* the border is that of the other way round */
 } cell;
@@ -29,7 +34,19 @@ typedef struct matcher {
   SG_LIST_OF(side) side;
   SG_LIST_OF(size_t) triangle; /* of cells */
   SG_LIST_OF(cell) cell;
+  const sg_poll *poll;
+  bool stopped;
 } matcher;
+
+/* False: no memory, or stopped. */
+static bool
+sort(matcher *m, void *item, size_t n, size_t size, sg_sort_compare *compare)
+{
+  sg_sort_end end = sg_sort(item, n, size, compare, m->poll);
+
+  m->stopped = m->stopped || end == SG_SORT_STOPPED;
+  return end == SG_SORTED;
+}
 
 static uint32_t
 point_of(const matcher *m, int32_t s, int32_t v)
@@ -60,15 +77,29 @@ typedef struct joiner {
   sg_key_table edge; /* vertex ids, smaller first: an edge or seam */
   sg_key_table side; /* vertex ids in order -> triangle */
   size_t *root;      /* [triangles] */
+  size_t *next;      /* [triangles]: in the same cell, ascending; 0: none */
 } joiner;
 
 static size_t
-root(const joiner *j, size_t i)
+root(joiner *j, size_t i)
 {
   while (j->root[i] != i) {
-    i = j->root[i];
+    i = j->root[i] = j->root[j->root[i]];
   }
   return i;
+}
+
+/* Chains the triangles of each cell from the root on, which is the first. */
+static void
+chain_cells(joiner *j)
+{
+  for (size_t i = j->polygon->triangle.n; i-- > 0;) {
+    size_t first = root(j, i);
+    if (first != i) {
+      j->next[i] = j->next[first];
+      j->next[first] = i;
+    }
+  }
 }
 
 static bool
@@ -151,8 +182,11 @@ settle_border(matcher *m, cell *c)
   for (size_t i = 0; i < c->sides; i++) {
     other[i] = (side){one[i].b, one[i].a};
   }
-  qsort(one, c->sides, sizeof *one, by_side);
-  qsort(other, c->sides, sizeof *other, by_side);
+  if (!sort(m, one, c->sides, sizeof *one, by_side) ||
+      !sort(m, other, c->sides, sizeof *other, by_side)) {
+    free(other);
+    return false;
+  }
   for (size_t i = 0; i < c->sides; i++) {
     int order = by_side(&one[i], &other[i]);
     if (order != 0) {
@@ -177,12 +211,10 @@ add_cell(matcher *m, const joiner *j, size_t polygon, size_t first)
             .first_side = m->side.n,
             .first_triangle = m->triangle.n};
   bool shared = true;
+  size_t i = first;
 
-  for (size_t i = first; i < of->triangle.n; i++) {
+  do {
     const int32_t *v = of->triangle.item[i].v;
-    if (root(j, i) != first) {
-      continue;
-    }
     if (!SG_PUSH(m->triangle, i)) {
       return false;
     }
@@ -198,7 +230,8 @@ add_cell(matcher *m, const joiner *j, size_t polygon, size_t first)
         c.sides++;
       }
     }
-  }
+    i = j->next[i];
+  } while (i != 0);
   if (!shared) {
     m->side.n = c.first_side;
     m->triangle.n = c.first_triangle;
@@ -212,11 +245,16 @@ add_cells(matcher *m, size_t polygon)
 {
   joiner j = {.polygon = &m->polygon[polygon]};
   size_t n = j.polygon->triangle.n;
-  bool done = (j.root = malloc((n + 1) * sizeof *j.root)) != NULL;
 
   sg_key_table_init(&j.edge, 2);
   sg_key_table_init(&j.side, 2);
-  done = done && join_triangles(&j);
+  j.root = malloc((n + 1) * sizeof *j.root);
+  j.next = calloc(n + 1, sizeof *j.next);
+  bool done = j.root && j.next && join_triangles(&j);
+
+  if (done) {
+    chain_cells(&j);
+  }
   for (size_t i = 0; i < n && done; i++) {
     if (j.root[i] == i) {
       done = add_cell(m, &j, polygon, i);
@@ -225,24 +263,20 @@ add_cells(matcher *m, size_t polygon)
   sg_key_table_clear(&j.edge);
   sg_key_table_clear(&j.side);
   free(j.root);
+  free(j.next);
   return done;
 }
 
 /* ---- matching ---- */
 
-static _Thread_local const matcher *sorting; /* for qsort() */
-
 static int
 compare_cells(const cell *x, const cell *y)
 {
-  const side *a = sorting->side.item + x->first_side;
-  const side *b = sorting->side.item + y->first_side;
-
   if (x->sides != y->sides) {
     return x->sides < y->sides ? -1 : 1;
   }
   for (size_t i = 0; i < x->sides; i++) {
-    int order = by_side(&a[i], &b[i]);
+    int order = by_side(&x->border[i], &y->border[i]);
     if (order != 0) {
       return order;
     }
@@ -288,34 +322,58 @@ copy_triangles(matcher *m, const cell *from, const cell *to)
   }
 }
 
-bool
-sg_resolve_match(const sg_resolve *r, sg_resolved_polygon *polygon,
-                 size_t polygons)
+/* All cells, with their borders. */
+static bool
+find_cells(matcher *m)
 {
-  matcher m = {.r = r, .polygon = polygon, .polygons = polygons};
+  for (size_t i = 0; i < m->polygons; i++) {
+    if (i % ASKED == ASKED - 1 && sg_poll_stop(m->poll)) {
+      m->stopped = true;
+      return false;
+    }
+    if (!add_cells(m, i)) {
+      return false;
+    }
+  }
+  for (size_t i = 0; i < m->cell.n; i++) {
+    m->cell.item[i].border = m->side.item + m->cell.item[i].first_side;
+  }
+  return true;
+}
+
+static void
+match_cells(matcher *m)
+{
+  for (size_t i = 1, first = 0; i < m->cell.n; i++) {
+    const cell *from = &m->cell.item[first], *to = &m->cell.item[i];
+
+    if (compare_cells(from, to) != 0) {
+      first = i;
+    } else if (from->triangles == to->triangles &&
+               m->polygon[from->polygon].s != m->polygon[to->polygon].s) {
+      copy_triangles(m, from, to);
+    }
+  }
+}
+
+sg_resolved
+sg_resolve_match(const sg_resolve *r, sg_resolved_polygon *polygon,
+                 size_t polygons, const sg_poll *poll)
+{
+  matcher m = {.r = r, .polygon = polygon, .polygons = polygons, .poll = poll};
 
   sg_key_table_init(&m.point, 2);
-  bool done = note_points(&m);
+  bool done = note_points(&m) && find_cells(&m) &&
+              sort(&m, m.cell.item, m.cell.n, sizeof *m.cell.item, by_border);
 
-  for (size_t i = 0; i < polygons && done; i++) {
-    done = add_cells(&m, i);
-  }
-  if (done && m.cell.n > 0) {
-    sorting = &m;
-    qsort(m.cell.item, m.cell.n, sizeof *m.cell.item, by_border);
-    for (size_t i = 1, first = 0; i < m.cell.n; i++) {
-      const cell *from = &m.cell.item[first], *to = &m.cell.item[i];
-      if (compare_cells(from, to) != 0) {
-        first = i;
-      } else if (from->triangles == to->triangles &&
-                 polygon[from->polygon].s != polygon[to->polygon].s) {
-        copy_triangles(&m, from, to);
-      }
-    }
+  if (done) {
+    match_cells(&m);
   }
   sg_key_table_clear(&m.point);
   free(m.side.item);
   free(m.triangle.item);
   free(m.cell.item);
-  return done;
+  return done        ? SG_RESOLVED
+         : m.stopped ? SG_RESOLVE_STOPPED
+                     : SG_RESOLVE_NO_MEMORY;
 }

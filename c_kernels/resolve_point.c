@@ -2,6 +2,8 @@
  * each segment, and the seams between them. See resolve.h. */
 #include "resolve.h"
 
+#include "sort.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +25,33 @@ distance(const double a[3], const double b[3])
 
   return sqrt(x * x + y * y + z * z);
 }
+
+/* ---- signals ---- */
+
+enum { ASKED = 1 << 13 }; /* steps between questions */
+
+/* Whether to stop; to be asked at each step of a long loop. */
+static bool
+is_stopped(sg_resolve *r)
+{
+  if (++r->steps % ASKED == 0 && sg_poll_stop(r->poll)) {
+    r->stopped = true;
+  }
+  return r->stopped;
+}
+
+/* False: no memory, or stopped. */
+static bool
+sort(sg_resolve *r, void *item, size_t n, size_t size, sg_sort_compare *compare)
+{
+  sg_sort_end end = sg_sort(item, n, size, compare, r->poll);
+
+  r->stopped = r->stopped || end == SG_SORT_STOPPED;
+  return end == SG_SORTED;
+}
+
+#define SORT(r, list, compare)                                                 \
+  sort(r, (list).item, (list).n, sizeof *(list).item, compare)
 
 /* ---- clusters of nodes ---- */
 
@@ -108,25 +137,26 @@ same_edge(const sg_resolve_touch *x, const sg_resolve_touch *y)
 
 /* Nodes within reach of each other, and next to each other on an edge, are one
  * point. */
-static void
+static bool
 unite_all(sg_resolve *r)
 {
-  if (r->join.n > 0) {
-    qsort(r->join.item, r->join.n, sizeof *r->join.item, by_apart);
+  if (!SORT(r, r->join, by_apart)) {
+    return false;
   }
-  for (size_t i = 0; i < r->join.n; i++) {
+  for (size_t i = 0; i < r->join.n && !is_stopped(r); i++) {
     unite(r, r->join.item[i].a, r->join.item[i].b);
   }
-  if (r->touch.n > 0) {
-    qsort(r->touch.item, r->touch.n, sizeof *r->touch.item, by_place_on_edge);
+  if (r->stopped || !SORT(r, r->touch, by_place_on_edge)) {
+    return false;
   }
-  for (size_t i = 1; i < r->touch.n; i++) {
+  for (size_t i = 1; i < r->touch.n && !is_stopped(r); i++) {
     const sg_resolve_touch *x = &r->touch.item[i - 1], *y = x + 1;
     if (same_edge(x, y) && distance(r->node.item[x->node].at,
                                     r->node.item[y->node].at) <= r->reach) {
       unite(r, x->node, y->node);
     }
   }
+  return !r->stopped;
 }
 
 /* ---- points ---- */
@@ -154,7 +184,7 @@ leader(const sg_resolve *r, uint32_t node)
 static bool
 make_points(sg_resolve *r)
 {
-  for (uint32_t i = 0; i < r->node.n; i++) {
+  for (uint32_t i = 0; i < r->node.n && !is_stopped(r); i++) {
     uint32_t first = root(r, i);
     sg_resolve_node *node = &r->node.item[i];
 
@@ -172,7 +202,7 @@ make_points(sg_resolve *r)
       r->wide = node;
     }
   }
-  return true;
+  return !r->stopped;
 }
 
 /* ---- where they are ---- */
@@ -233,12 +263,26 @@ by_segment(const void *a, const void *b)
   return 0;
 }
 
+/* How far along its edge a node is, where its point is now. */
+static double
+along_now(const sg_resolve *r, const sg_resolve_touch *touch)
+{
+  const sg_resolve_node *node = &r->node.item[touch->node];
+  const double *to = r->point.item[node->point].at;
+  double along = touch->along;
+
+  for (int k = 0; k < 3; k++) {
+    along += (to[k] - node->at[k]) * touch->step[k];
+  }
+  return along;
+}
+
 /* In each segment a point is the vertex it has there, else on the nearest
  * edge, else in the nearest face. */
 static bool
 make_places(sg_resolve *r)
 {
-  for (size_t i = 0; i < r->node.n; i++) {
+  for (size_t i = 0; i < r->node.n && !is_stopped(r); i++) {
     const sg_resolve_node *node = &r->node.item[i];
     sg_resolve_place place = {
         .point = node->point, .s = node->s, .v = node->v, .name = node->v};
@@ -246,29 +290,29 @@ make_places(sg_resolve *r)
       return false;
     }
   }
-  if (r->touch.n > 0) {
-    qsort(r->touch.item, r->touch.n, sizeof *r->touch.item, by_nearness);
+  if (r->stopped || !SORT(r, r->touch, by_nearness)) {
+    return false;
   }
-  for (size_t i = 0; i < r->touch.n; i++) {
+  for (size_t i = 0; i < r->touch.n && !is_stopped(r); i++) {
     const sg_resolve_touch *t = &r->touch.item[i];
     sg_resolve_place place = {.point = r->node.item[t->node].point,
                               .s = t->s,
                               .edge = {t->v[0], t->v[1]},
                               .p = t->p,
-                              .along = t->along};
+                              .along = along_now(r, t)};
     if (!add_place(r, &place)) {
       return false;
     }
   }
-  if (r->place.n > 0) {
-    qsort(r->place.item, r->place.n, sizeof *r->place.item, by_segment);
+  if (r->stopped || !SORT(r, r->place, by_segment)) {
+    return false;
   }
-  for (size_t i = 0; i < r->place.n; i++) {
+  for (size_t i = 0; i < r->place.n && !is_stopped(r); i++) {
     const sg_resolve_place *place = &r->place.item[i];
     uint32_t key[2] = {place->point, (uint32_t)place->s};
     *sg_key_table_put(&r->place_number, key) = (uint32_t)i; /* it is there */
   }
-  return true;
+  return !r->stopped;
 }
 
 uint32_t
@@ -373,10 +417,10 @@ has_span(const spans *in, int32_t s, uint32_t a, uint32_t b)
 static bool
 find_spans(sg_resolve *r, spans *out)
 {
-  if (r->edge.n > 0) {
-    qsort(r->edge.item, r->edge.n, sizeof *r->edge.item, by_edge);
+  if (!SORT(r, r->edge, by_edge)) {
+    return false;
   }
-  for (size_t i = 0; i < r->edge.n; i++) {
+  for (size_t i = 0; i < r->edge.n && !is_stopped(r); i++) {
     const sg_resolve_split *edge = &r->edge.item[i];
     const sg_resolve_split *split =
         sg_resolve_split_of(r, edge->s, edge->v[0], edge->v[1]);
@@ -394,7 +438,7 @@ find_spans(sg_resolve *r, spans *out)
       return false;
     }
   }
-  return true;
+  return !r->stopped;
 }
 
 static int
@@ -421,7 +465,7 @@ by_seam(const void *a, const void *b)
 }
 
 /* From nodes to points; each once. */
-static void
+static bool
 near_of_points(sg_resolve *r)
 {
   size_t n = 0;
@@ -429,8 +473,8 @@ near_of_points(sg_resolve *r)
   for (size_t i = 0; i < r->near.n; i++) {
     r->near.item[i].n = r->node.item[r->near.item[i].n].point;
   }
-  if (r->near.n > 0) {
-    qsort(r->near.item, r->near.n, sizeof *r->near.item, by_near);
+  if (!SORT(r, r->near, by_near)) {
+    return false;
   }
   for (size_t i = 0; i < r->near.n; i++) {
     if (n == 0 || by_near(&r->near.item[n - 1], &r->near.item[i]) != 0) {
@@ -438,6 +482,7 @@ near_of_points(sg_resolve *r)
     }
   }
   r->near.n = n;
+  return true;
 }
 
 static size_t
@@ -498,29 +543,29 @@ make_seams(sg_resolve *r)
   size_t n = 0;
 
   sg_key_table_init(&all.known, 3);
-  bool done = find_spans(r, &all);
+  bool done = find_spans(r, &all) && near_of_points(r);
 
-  near_of_points(r);
   for (size_t i = 0; i < all.n && done; i++) {
-    done = add_seams(r, &all, &all.item[i]);
+    done = !is_stopped(r) && add_seams(r, &all, &all.item[i]);
   }
-  if (r->seam.n > 0) {
-    qsort(r->seam.item, r->seam.n, sizeof *r->seam.item, by_seam);
-  }
-  for (size_t i = 0; i < r->seam.n; i++) {
+  done = done && SORT(r, r->seam, by_seam);
+  for (size_t i = 0; i < r->seam.n && done; i++) {
     if (n == 0 || by_seam(&r->seam.item[n - 1], &r->seam.item[i]) != 0) {
       r->seam.item[n++] = r->seam.item[i];
     }
   }
-  r->seam.n = n;
+  r->seam.n = done ? n : 0;
   sg_key_table_clear(&all.known);
   free(all.item);
   return done;
 }
 
-bool
+sg_resolved
 sg_resolve_finish(sg_resolve *r)
 {
-  unite_all(r);
-  return make_points(r) && make_places(r) && make_splits(r) && make_seams(r);
+  if (unite_all(r) && make_points(r) && make_places(r) && make_splits(r) &&
+      make_seams(r)) {
+    return SG_RESOLVED;
+  }
+  return r->stopped ? SG_RESOLVE_STOPPED : SG_RESOLVE_NO_MEMORY;
 }

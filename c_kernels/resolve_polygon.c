@@ -19,8 +19,20 @@ typedef struct maker {
   const sg_resolve *r;
   int32_t s, p;
   sg_work *work;
+  int32_t own; /* the polygon's edges are those up to this one; then seams */
+  const sg_poll *poll;
   sg_meetings met;
+  bool stopped;
 } maker;
+
+enum { ASKED = 1 << 6 }; /* seams or points of a polygon between questions */
+
+static bool
+is_stopped(maker *m, size_t i)
+{
+  m->stopped = m->stopped || (i % ASKED == ASKED - 1 && sg_poll_stop(m->poll));
+  return m->stopped;
+}
 
 /* ---- vertices ---- */
 
@@ -91,11 +103,13 @@ seen_from(int axis, const double at[3], double out[2])
 
 /* How often the polygon goes round a point of the picture. */
 static int
-turns_round(const sg_work *work, const double at[2])
+turns_round(const maker *m, const double at[2])
 {
+  const sg_work *work = m->work;
   int axis = sg_work_axis(work), turns = 0;
 
-  for (int32_t e = sg_work_next(work, 0); e; e = sg_work_next(work, e)) {
+  for (int32_t e = sg_work_next(work, 0); e && e <= m->own;
+       e = sg_work_next(work, e)) {
     const sg_work_edge *edge = sg_work_get(work, e);
     double a[2], b[2];
 
@@ -127,7 +141,7 @@ is_free(maker *m, int32_t v, int32_t w)
   for (int k = 0; k < 2; k++) {
     middle[k] = 0.5 * a[k] + 0.5 * b[k];
   }
-  return m->met.n == 0 && turns_round(m->work, middle) != 0;
+  return m->met.n == 0 && turns_round(m, middle) != 0;
 }
 
 static bool
@@ -171,7 +185,7 @@ add_seams(maker *m)
   for (;
        a < r->seam.n && r->seam.item[a].s == m->s && r->seam.item[a].p == m->p;
        a++) {
-    if (!add_seam(m, &r->seam.item[a])) {
+    if (is_stopped(m, a) || !add_seam(m, &r->seam.item[a])) {
       return false;
     }
   }
@@ -222,7 +236,8 @@ add_inside(maker *m, const bool *used, sg_triangles *out)
 {
   for (size_t i = first_inside(m->r, m->s, m->p); is_inside_place(m, i); i++) {
     int32_t v = sg_work_find(m->work, m->r->place.item[i].name);
-    if (!used[v] && !sg_triangles_insert(m->work, out, v)) {
+    if (is_stopped(m, i) ||
+        (!used[v] && !sg_triangles_insert(m->work, out, v))) {
       return false;
     }
   }
@@ -275,8 +290,14 @@ note_edges(const maker *m, sg_key_table *edges)
 }
 
 static sg_resolved
+failed(const maker *m)
+{
+  return m->stopped ? SG_RESOLVE_STOPPED : SG_RESOLVE_NO_MEMORY;
+}
+
+static sg_resolved
 triangulate(maker *m, const bool *used, sg_key_table *edges,
-            sg_resolved_polygon *out, const sg_poll *poll)
+            sg_resolved_polygon *out)
 {
   sg_triangles triangles = {0};
   int32_t stuck;
@@ -284,9 +305,13 @@ triangulate(maker *m, const bool *used, sg_key_table *edges,
   if (!note_edges(m, edges)) {
     return SG_RESOLVE_NO_MEMORY;
   }
-  sg_outcome end = sg_work_triangulate(m->work, &triangles, &stuck, poll);
-  bool done = end == SG_DONE && add_inside(m, used, &triangles) &&
-              sg_triangles_delaunay(m->work, &triangles, is_edge, edges);
+  sg_outcome end = sg_work_triangulate(m->work, &triangles, &stuck, m->poll);
+  bool done = end == SG_DONE && add_inside(m, used, &triangles);
+
+  if (done) {
+    end = sg_triangles_delaunay(m->work, &triangles, is_edge, edges, m->poll);
+    done = end == SG_DONE;
+  }
 
   for (size_t i = 0; i < triangles.n && done; i++) {
     struct sg_corners corners;
@@ -299,20 +324,22 @@ triangulate(maker *m, const bool *used, sg_key_table *edges,
   return done                ? SG_RESOLVED
          : end == SG_STUCK   ? SG_UNRESOLVED
          : end == SG_STOPPED ? SG_RESOLVE_STOPPED
-                             : SG_RESOLVE_NO_MEMORY;
+                             : failed(m);
 }
 
 static sg_resolved
-make(maker *m, const sg_polygon_row *row, size_t rows, sg_resolved_polygon *out,
-     const sg_poll *poll)
+make(maker *m, const sg_polygon_row *row, size_t rows, sg_resolved_polygon *out)
 {
   bool done = true;
 
   for (size_t i = 0; i < rows && done; i++) {
     done = add_row(m, &row[i]);
   }
+  for (int32_t e = 0; (e = sg_work_next(m->work, e));) {
+    m->own = e;
+  }
   if (!done || (!out->no_area && (!enter_inside(m) || !add_seams(m)))) {
-    return SG_RESOLVE_NO_MEMORY;
+    return failed(m);
   }
   bool *used = calloc((size_t)sg_work_vertices(m->work) + 1, sizeof *used);
   sg_key_table edges;
@@ -323,7 +350,7 @@ make(maker *m, const sg_polygon_row *row, size_t rows, sg_resolved_polygon *out,
   sg_key_table_init(&edges, 2);
   sg_resolved end = !keep_edges(m, out, used) ? SG_RESOLVE_NO_MEMORY
                     : out->no_area            ? SG_RESOLVED
-                                   : triangulate(m, used, &edges, out, poll);
+                                   : triangulate(m, used, &edges, out);
 
   sg_key_table_clear(&edges);
   free(used);
@@ -335,12 +362,16 @@ sg_resolve_polygon(const sg_resolve *r, const double normal[3],
                    const sg_polygon_row *row, size_t rows,
                    sg_resolved_polygon *out, const sg_poll *poll)
 {
-  maker m = {.r = r, .s = out->s, .p = out->p, .work = sg_work_open(normal)};
+  maker m = {.r = r,
+             .s = out->s,
+             .p = out->p,
+             .work = sg_work_open(normal),
+             .poll = poll};
 
   if (!m.work) {
     return SG_RESOLVE_NO_MEMORY;
   }
-  sg_resolved end = make(&m, row, rows, out, poll);
+  sg_resolved end = make(&m, row, rows, out);
 
   sg_meetings_clear(&m.met);
   sg_work_close(m.work);

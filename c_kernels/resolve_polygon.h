@@ -5,7 +5,6 @@
 #ifndef SG_RESOLVE_POLYGON_H
 #define SG_RESOLVE_POLYGON_H
 
-#include "poll.h"
 #include "resolve.h"
 
 /* A row of e/5, with where its ends are (before anything moved). */
@@ -26,13 +25,6 @@ typedef struct sg_resolved_polygon {
   SG_LIST_OF(struct sg_corners { int32_t v[3]; }) triangle;
 } sg_resolved_polygon;
 
-typedef enum sg_resolved {
-  SG_RESOLVED,
-  SG_UNRESOLVED, /* the polygon cannot be triangulated with these points */
-  SG_RESOLVE_STOPPED,
-  SG_RESOLVE_NO_MEMORY
-} sg_resolved;
-
 /* Divides the edges of polygon out->p of segment out->s, enters its seams and
  * triangulates it, with the points inside it as corners. Chords are chosen so
  * that no angle is thin (Delaunay) as far as doubles tell. */
@@ -42,9 +34,9 @@ sg_resolved sg_resolve_polygon(const sg_resolve *r, const double normal[3],
 void sg_resolved_polygon_clear(sg_resolved_polygon *polygon);
 
 /* Where polygons of different segments have a part in common, bounded by the
- * same points, the later one gets the triangles of the first. False: no
- * memory. */
-bool sg_resolve_match(const sg_resolve *r, sg_resolved_polygon *polygon,
-                      size_t polygons);
+ * same points, the later one gets the triangles of the first. Never
+ * SG_UNRESOLVED. */
+sg_resolved sg_resolve_match(const sg_resolve *r, sg_resolved_polygon *polygon,
+                             size_t polygons, const sg_poll *poll);
 
 #endif
