@@ -2,12 +2,10 @@
  *
  * Layer: glue. The doors are documented in rules/kernel.pl.
  */
-#include "cut4pl.h"
+#include "resolve4pl.h"
 
 #include "glue.h"
 #include "plane.h"
-#include "resolve_polygon.h"
-#include "sort.h"
 
 #include "../engine/install.h"
 
@@ -18,14 +16,6 @@ enum {
   ASKED = 1 << 14, /* pairs between questions */
   FEW = 1 << 10    /* polygons, or rows looked up */
 };
-
-/* A resolution under way. */
-typedef struct resolving {
-  sg_cut_handle *handle;
-  sg_resolve r;
-  SG_LIST_OF(sg_resolved_polygon) polygon;
-  sg_key_table known; /* S, P: in `polygon` */
-} resolving;
 
 static functor_t functor_minus2, functor_w4, functor_t3, functor_near1;
 
@@ -49,7 +39,7 @@ typedef bool use_pair(sg_resolve *r, const sg_resolve_leaf *a,
                       const sg_resolve_leaf *b);
 
 static int
-each_pair_ex(resolving *job, use_pair *use)
+each_pair_ex(sg_resolving *job, use_pair *use)
 {
   const sg_cut_handle *handle = job->handle;
   sg_resolve_leaf leaf[2];
@@ -74,7 +64,7 @@ typedef struct chains {
 } chains;
 
 static bool
-chain_crossings(const resolving *job, chains *out)
+chain_crossings(const sg_resolving *job, chains *out)
 {
   size_t triangles = job->handle->set.model.triangles, n = job->r.node.n;
 
@@ -97,7 +87,7 @@ chain_crossings(const resolving *job, chains *out)
 /* Crossings of edges against the leaves of third segments, which lie beside
  * the leaves that have them. */
 static int
-each_crossing_ex(resolving *job)
+each_crossing_ex(sg_resolving *job)
 {
   const sg_cut_handle *handle = job->handle;
   chains chain = {0};
@@ -126,142 +116,11 @@ each_crossing_ex(resolving *job)
 
 /* ---- polygons ---- */
 
-/* Notes that polygon p of segment s is to be made anew. */
-static int
-want_polygon_ex(resolving *job, int32_t s, int32_t p)
-{
-  uint32_t *known =
-      sg_key_table_put(&job->known, (uint32_t[2]){(uint32_t)s, (uint32_t)p});
-
-  if (!known) {
-    return sg_no_memory();
-  }
-  if (*known == SG_NO_KEY) {
-    *known = 0;
-    return SG_PUSH(job->polygon, (sg_resolved_polygon){.s = s, .p = p}) ||
-           sg_no_memory();
-  }
-  return TRUE;
-}
-
-static int
-want_polygons_of_ex(resolving *job, int32_t s, int32_t e)
-{
-  sg_walk walk;
-  int good = TRUE;
-
-  if (!sg_index_ready(job->handle->version, SG_P, 0, &sg_prolog_poll)) {
-    return FALSE;
-  }
-  if (!sg_walk_open_member(&walk, job->handle->version, SG_P, s, e)) {
-    return sg_no_memory();
-  }
-  for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
-    int32_t p = sg_version_value(job->handle->version, SG_P, row, 1).i;
-    good = want_polygon_ex(job, s, p);
-  }
-  sg_walk_close(&walk);
-  return good;
-}
-
-/* The polygons on both sides of a divided edge. */
-static int
-want_neighbours_ex(resolving *job, const sg_resolve_split *split)
-{
-  int good = TRUE;
-
-  for (int turn = 0; turn < 2 && good; turn++) {
-    sg_value row[SG_MAX_COLUMNS] = {
-        [0].i = split->s, [2].i = split->v[turn], [3].i = split->v[!turn]};
-    sg_walk walk;
-
-    if (!sg_index_ready(job->handle->version, SG_E, 0x0d, &sg_prolog_poll)) {
-      return FALSE;
-    }
-    if (!sg_walk_open(&walk, job->handle->version, SG_E, 0x0d, row)) {
-      return sg_no_memory();
-    }
-    for (sg_row found; good && (found = sg_walk_next(&walk)) != SG_NO_ROW;) {
-      int32_t e = sg_version_value(job->handle->version, SG_E, found, 1).i;
-      good = want_polygons_of_ex(job, split->s, e);
-    }
-    sg_walk_close(&walk);
-  }
-  return good;
-}
-
-/* False, with an exception: a signal stops it. To be asked at each step. */
-static int
-go_on_ex(size_t i)
+int
+sg_resolving_goes_on_ex(size_t i)
 {
   return i % FEW != FEW - 1 || PL_handle_signals() >= 0;
 }
-
-static int
-sort_ex(void *item, size_t n, size_t size, sg_sort_compare *compare)
-{
-  sg_sort_end end = sg_sort(item, n, size, compare, &sg_prolog_poll);
-
-  return end == SG_SORTED || (end == SG_SORT_NO_MEMORY && sg_no_memory());
-}
-
-static int
-by_polygon(const void *a, const void *b)
-{
-  const sg_resolve_near *x = a, *y = b;
-
-  return x->s != y->s   ? (x->s < y->s ? -1 : 1)
-         : x->p != y->p ? (x->p < y->p ? -1 : 1)
-                        : (x->n > y->n) - (x->n < y->n);
-}
-
-/* Polygons with three points or more may lie on others. */
-static int
-want_covered_ex(resolving *job)
-{
-  sg_resolve_near *near = job->r.near.item;
-  size_t n = job->r.near.n;
-  int good = sort_ex(near, n, sizeof *near, by_polygon);
-
-  for (size_t i = 0, first = 0; i < n && good; i++) {
-    if (near[i].s != near[first].s || near[i].p != near[first].p) {
-      first = i;
-    }
-    if (i == first + 2) {
-      good = want_polygon_ex(job, near[i].s, near[i].p);
-    }
-  }
-  return good;
-}
-
-static int
-compare_results(const void *a, const void *b)
-{
-  const sg_resolved_polygon *x = a, *y = b;
-
-  return x->s != y->s ? (x->s < y->s ? -1 : 1) : (x->p > y->p) - (x->p < y->p);
-}
-
-static int
-want_polygons_ex(resolving *job)
-{
-  const sg_resolve *r = &job->r;
-  int good = want_covered_ex(job);
-
-  for (size_t i = 0; i < r->split.n && good; i++) {
-    good = go_on_ex(i) && want_neighbours_ex(job, &r->split.item[i]);
-  }
-  for (size_t i = r->first_inside; i < r->place.n && good; i++) {
-    good = want_polygon_ex(job, r->place.item[i].s, r->place.item[i].p);
-  }
-  for (size_t i = 0; i < r->seam.n && good; i++) {
-    good = want_polygon_ex(job, r->seam.item[i].s, r->seam.item[i].p);
-  }
-  return good && sort_ex(job->polygon.item, job->polygon.n,
-                         sizeof *job->polygon.item, compare_results);
-}
-
-/* ---- making them ---- */
 
 static void
 get_position(const sg_version *version, int32_t s, int32_t v, double out[3])
@@ -316,7 +175,7 @@ get_normal(const sg_version *version, int32_t s, int32_t p, double out[3])
 
 /* Makes the polygons. *stuck: the one that cannot be triangulated so. */
 static int
-make_polygons_ex(resolving *job, const sg_resolved_polygon **stuck)
+make_polygons_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
 {
   const sg_version *version = job->handle->version;
   sg_resolved end = SG_RESOLVED;
@@ -326,7 +185,7 @@ make_polygons_ex(resolving *job, const sg_resolved_polygon **stuck)
     double normal[3];
     size_t n;
 
-    if (!go_on_ex(i)) {
+    if (!sg_resolving_goes_on_ex(i)) {
       return FALSE;
     }
     sg_polygon_row *rows = get_rows(version, polygon->s, polygon->p, &n);
@@ -348,7 +207,7 @@ make_polygons_ex(resolving *job, const sg_resolved_polygon **stuck)
 }
 
 static int
-name_places_ex(resolving *job)
+name_places_ex(sg_resolving *job)
 {
   for (size_t i = 0; i < job->r.place.n; i++) {
     sg_resolve_place *place = &job->r.place.item[i];
@@ -383,9 +242,8 @@ put_origin(term_t t, const sg_resolve_node *node)
                        PL_INT, node->line[1][1], PL_INT, node->line[1][2]);
 }
 
-/* Whether a place changes anything: a new vertex, or one that moves. */
-static bool
-is_change(const resolving *job, const sg_resolve_place *place)
+bool
+sg_resolving_changes(const sg_resolving *job, const sg_resolve_place *place)
 {
   const double *to = job->r.point.item[place->point].at;
   double from[3];
@@ -398,7 +256,7 @@ is_change(const resolving *job, const sg_resolve_place *place)
 }
 
 static int
-unify_vertices(resolving *job, term_t list)
+unify_vertices(sg_resolving *job, term_t list)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
   term_t origin = PL_new_term_ref();
@@ -407,10 +265,10 @@ unify_vertices(resolving *job, term_t list)
     const sg_resolve_place *place = &job->r.place.item[i];
     const sg_resolve_point *point = &job->r.point.item[place->point];
 
-    if (!go_on_ex(i)) {
+    if (!sg_resolving_goes_on_ex(i)) {
       return FALSE;
     }
-    if (!is_change(job, place)) {
+    if (!sg_resolving_changes(job, place)) {
       continue;
     }
     PL_put_variable(origin);
@@ -459,13 +317,13 @@ unify_triangles(const sg_resolved_polygon *polygon, term_t list)
 }
 
 static int
-unify_polygons(resolving *job, term_t list)
+unify_polygons(sg_resolving *job, term_t list)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
 
   for (size_t i = 0; i < job->polygon.n; i++) {
     const sg_resolved_polygon *polygon = &job->polygon.item[i];
-    if (!go_on_ex(i)) {
+    if (!sg_resolving_goes_on_ex(i)) {
       return FALSE;
     }
     fid_t frame = PL_open_foreign_frame();
@@ -493,65 +351,132 @@ unify_place(term_t t, const char *name, int32_t s, int32_t id)
 /* ---- the door ---- */
 
 static int
-finish_ex(resolving *job)
+finish_ex(sg_resolving *job)
 {
   sg_resolved end = sg_resolve_finish(&job->r);
 
   return end == SG_RESOLVED || (end == SG_RESOLVE_NO_MEMORY && sg_no_memory());
 }
 
+/* All that must change; nothing if everything touches exactly. *wide, *stuck:
+ * why it cannot be done. */
 static int
-resolve_ex(resolving *job, term_t vertices, term_t polygons)
+resolve_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
 {
-  const sg_resolved_polygon *stuck = NULL;
-
   if (!sg_cut_join_ex(job->handle) || !each_pair_ex(job, sg_resolve_see)) {
     return FALSE;
   }
   if (!sg_resolve_is_needed(&job->r)) {
-    return PL_unify_nil(vertices) && PL_unify_nil(polygons);
+    return TRUE;
   }
-  if (!each_pair_ex(job, sg_resolve_pair) || !each_crossing_ex(job) ||
-      !finish_ex(job) || !name_places_ex(job)) {
+  return each_pair_ex(job, sg_resolve_pair) && each_crossing_ex(job) &&
+         finish_ex(job) && name_places_ex(job) &&
+         (job->r.wide ||
+          (sg_resolving_want_ex(job) && make_polygons_ex(job, stuck)));
+}
+
+/* vertices, polygons: lists, or why not, as cut_resolve/4 says. */
+static int
+unify_result(sg_resolving *job, const sg_resolved_polygon *stuck,
+             term_t vertices, term_t polygons)
+{
+  const sg_resolve_node *wide = job->r.wide;
+
+  return wide ? unify_place(vertices, "wide", wide->s, wide->v)
+         : stuck
+             ? unify_place(vertices, "stuck", stuck->s, stuck->p)
+             : unify_vertices(job, vertices) && unify_polygons(job, polygons);
+}
+
+static bool
+changes_any(const sg_resolving *job)
+{
+  for (size_t i = 0; i < job->r.place.n; i++) {
+    if (sg_resolving_changes(job, &job->r.place.item[i])) {
+      return true;
+    }
+  }
+  return job->polygon.n > 0;
+}
+
+/* Writes what changes; what: `changed` or `same`, or why not. */
+static int
+write_result_ex(sg_resolving *job, const sg_resolved_polygon *stuck,
+                term_t what)
+{
+  const sg_resolve_node *wide = job->r.wide;
+
+  if (wide || stuck) {
+    return wide ? unify_place(what, "wide", wide->s, wide->v)
+                : unify_place(what, "stuck", stuck->s, stuck->p);
+  }
+  if (!changes_any(job)) {
+    return PL_unify_atom_chars(what, "same");
+  }
+  return sg_resolving_write_ex(job) && PL_unify_atom_chars(what, "changed");
+}
+
+static int
+open_ex(sg_resolving *job, term_t set, term_t reach)
+{
+  double r;
+
+  if (!sg_get_cut_set_ex(set, &job->handle) || !sg_get_finite_ex(reach, &r)) {
     return FALSE;
   }
-  if (job->r.wide) {
-    return unify_place(vertices, "wide", job->r.wide->s, job->r.wide->v);
+  if (!(r > 0)) {
+    return PL_domain_error("positive", reach);
   }
-  if (!want_polygons_ex(job) || !make_polygons_ex(job, &stuck)) {
-    return FALSE;
+  if (!job->handle->joined) {
+    job->handle->reach = r;
   }
-  return stuck ? unify_place(vertices, "stuck", stuck->s, stuck->p)
-               : unify_vertices(job, vertices) && unify_polygons(job, polygons);
+  sg_resolve_init(&job->r, r, job->handle->set.is_real, job->handle->set.data,
+                  &sg_prolog_poll);
+  sg_key_table_init(&job->known, 2);
+  return TRUE;
+}
+
+static void
+clear(sg_resolving *job)
+{
+  for (size_t i = 0; i < job->polygon.n; i++) {
+    sg_resolved_polygon_clear(&job->polygon.item[i]);
+  }
+  free(job->polygon.item);
+  sg_key_table_clear(&job->known);
+  sg_resolve_clear(&job->r);
 }
 
 /* cut_resolve(+Set, +Reach, -Vertices, -Polygons) is det. */
 static foreign_t
 cut_resolve(term_t set, term_t reach, term_t vertices, term_t polygons)
 {
-  resolving job = {0};
-  double r;
+  sg_resolving job = {0};
+  const sg_resolved_polygon *stuck = NULL;
 
-  if (!sg_get_cut_set_ex(set, &job.handle) || !sg_get_finite_ex(reach, &r)) {
+  if (!open_ex(&job, set, reach)) {
     return FALSE;
   }
-  if (!(r > 0)) {
-    return PL_domain_error("positive", reach);
-  }
-  if (!job.handle->joined) {
-    job.handle->reach = r;
-  }
-  sg_resolve_init(&job.r, r, job.handle->set.is_real, job.handle->set.data,
-                  &sg_prolog_poll);
-  sg_key_table_init(&job.known, 2);
-  int done = resolve_ex(&job, vertices, polygons);
+  int done =
+      resolve_ex(&job, &stuck) && unify_result(&job, stuck, vertices, polygons);
 
-  for (size_t i = 0; i < job.polygon.n; i++) {
-    sg_resolved_polygon_clear(&job.polygon.item[i]);
+  clear(&job);
+  return done;
+}
+
+/* cut_touch(+Set, +Reach, -What) is det. */
+static foreign_t
+cut_touch(term_t set, term_t reach, term_t what)
+{
+  sg_resolving job = {0};
+  const sg_resolved_polygon *stuck = NULL;
+
+  if (!open_ex(&job, set, reach)) {
+    return FALSE;
   }
-  free(job.polygon.item);
-  sg_key_table_clear(&job.known);
-  sg_resolve_clear(&job.r);
+  int done = resolve_ex(&job, &stuck) && write_result_ex(&job, stuck, what);
+
+  clear(&job);
   return done;
 }
 
@@ -559,7 +484,9 @@ void
 sg_install_resolve(void)
 {
   static const PL_extension doors[] = {
-      {"cut_resolve", 4, (pl_function_t)cut_resolve, 0}, {NULL, 0, NULL, 0}};
+      {"cut_resolve", 4, (pl_function_t)cut_resolve, 0},
+      {"cut_touch", 3, (pl_function_t)cut_touch, 0},
+      {NULL, 0, NULL, 0}};
 
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   functor_w4 = PL_new_functor(PL_new_atom("w"), 4);

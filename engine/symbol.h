@@ -36,7 +36,9 @@
   SYMBOL(PENETRATION, "penetration")                                           \
   SYMBOL(BORDER, "border")                                                     \
   SYMBOL(SECTION, "section")                                                   \
-  SYMBOL(MESH, "mesh")
+  SYMBOL(MESH, "mesh")                                                         \
+  SYMBOL(NEAR, "near")                                                         \
+  SYMBOL(COMMA, ",")
 
 enum {
 #define SG_SYMBOL_ID(ID, text) SG_SYMBOL_##ID,

@@ -19,6 +19,7 @@
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
             cut_resolve/4,            % +Set, +Reach, -Vertices, -Polygons
+            cut_touch/3,              % +Set, +Reach, -What
             cut_candidate/3,          % +Set, -T1, -T2
             curve_candidate/3,        % +Set, -E, -T
             cut_find/1,               % +Set
@@ -445,6 +446,13 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   V hangs together with others over more than three times Reach) or
 %   stuck(S, P) (polygon P cannot be triangulated so). Changes nothing.
 %   @see resolve.h
+
+%!  cut_touch(+Set, +Reach, -What) is det.
+%
+%   Does what cut_resolve/4 says, as resolve.pl, resolve_contacts_by_rule/2
+%   would: What is `changed`. It is `same` if there is nothing to do, else
+%   wide(S, V) or stuck(S, P), and nothing was done. After an exception some of
+%   it may be: call it in a transaction.
 
 %!  cut_candidate(+Set, -T1, -T2) is nondet.
 %

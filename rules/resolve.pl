@@ -1,8 +1,9 @@
 :- module(sg_resolve,
           [ resolve_contacts/2,         % +Set, +Tolerance
+            resolve_contacts_by_rule/2, % +Set, +Tolerance
             resolved_seams/0
           ]).
-:- use_module(kernel, [cut_resolve/4]).
+:- use_module(kernel, [cut_resolve/4, cut_touch/3]).
 :- use_module(leaf, [leaves_kept/1, place_kept/1]).
 :- use_module(store,
               [ v/5, e/5, p/3, t/6, origin/3, line/9, edge_polygon/3,
@@ -37,17 +38,38 @@ in penetration.pl; it is not exact. What was there before is kept
 */
 
 %!  resolve_contacts(+Set, +Tolerance) is semidet.
+%!  resolve_contacts_by_rule(+Set, +Tolerance) is semidet.
 %
 %   True if something was made to touch in the segments of cut set Set: then
 %   the world has changed, and Set no longer shows it. Tolerance is in model
 %   units, positive. Contacts that hang together over more than three
 %   tolerances, or that a polygon cannot take in, are tried again with less;
 %   in the end nothing is changed, with a warning: the lines are right for the
-%   model as it is, but may have splinters.
+%   model as it is, but may have splinters. cut_touch/3 is the fused kernel of
+%   the rule; a test holds the two together.
 
 resolve_contacts(Set, Tolerance) :-
     Tolerance > 0,
-    closed_contacts([1, 2 ** -8, 2 ** -16], Set, Tolerance, Changes),
+    parts(Parts),
+    closed_contacts(Parts, Set, Tolerance).
+
+closed_contacts([Part|Parts], Set, Tolerance) :-
+    Reach is Part*Tolerance,
+    cut_touch(Set, Reach, What),
+    (   atom(What)
+    ->  What == changed
+    ;   Parts == []
+    ->  print_message(warning, sanggwan(contacts(What))),
+        fail
+    ;   closed_contacts(Parts, Set, Tolerance)
+    ).
+
+parts([1, 2 ** -8, 2 ** -16]).
+
+resolve_contacts_by_rule(Set, Tolerance) :-
+    Tolerance > 0,
+    parts(Parts),
+    closed_contacts(Parts, Set, Tolerance, Changes),
     Changes = changes(Vertices, Polygons),
     Vertices-Polygons \== []-[],
     findall(S-V, member(vertex(S, V, _, _, _, _), Vertices), Places),

@@ -7,7 +7,10 @@
 :- use_module(library(solution_sequences)).
 :- use_module(rules(chain)).
 :- use_module(rules(model_file)).
+:- use_module(rules(kernel),
+              [cut_set_open/2, cut_set_close/1, model_tolerance/1]).
 :- use_module(rules(penetration)).
+:- use_module(rules(resolve)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
 
@@ -358,6 +361,50 @@ tangle_fault(Solids, Rotation, Expected, Fault) :-
     ->  Fault = lengths(Expected, Lengths)
     ;   Faults = [Fault]
     ).
+
+% Writing by the kernel, and by the rule: the same rows, in order.
+test(write, [forall(written_case(Solids)), true(Kernel == Rule)]) :-
+    set_random(seed(7)),
+    rotation(Rotation),
+    rows_of(resolve_contacts, Solids, Rotation, Kernel),
+    rows_of(resolve_contacts_by_rule, Solids, Rotation, Rule).
+
+written_case(Solids) :-
+    scene(_, _, Solids).
+written_case(Solids) :-
+    between(1, 30, Seed),
+    N is 2+Seed mod 4,
+    tangle(Seed, N, Solids).
+
+%   rows_of(+Resolve, +Solids, +Rotation, -Rows): all that is in the world when
+%   all contacts are resolved, and whether there were any.
+
+rows_of(Resolve, Solids, Rotation, Done-Rows) :-
+    new_world(World),
+    in_world(World,
+             ( maplist(entered, Solids),
+               forall(v(S, V, X, Y, Z), move(Rotation, S, V, X-Y-Z)),
+               complete_segments,
+               facts_transaction(resolved_all(Resolve, Done)),
+               findall(Row, world_row(Row), Rows) )).
+
+resolved_all(Resolve, Done) :-
+    findall(S1-S2, ( segment(S1, _, _), segment(S2, _, _), S1 < S2 ), Pairs),
+    model_tolerance(Tolerance),
+    setup_call_cleanup(
+        cut_set_open(Pairs, Set),
+        (   call(Resolve, Set, Tolerance)
+        ->  Done = true
+        ;   Done = false
+        ),
+        cut_set_close(Set)).
+
+world_row(Row) :-
+    member(Row, [ v(_, _, _, _, _), e(_, _, _, _, _), p(_, _, _),
+                  t(_, _, _, _, _, _), origin(_, _, _), leaf_v(_, _, _, _, _),
+                  leaf_e(_, _, _, _, _), leaf_p(_, _, _),
+                  leaf_t(_, _, _, _, _, _) ]),
+    call(Row).
 
 test(turned, [forall(scene(_, Turns0, Solids)), true(Different == 0)]) :-
     set_random(seed(1988)),
