@@ -504,8 +504,20 @@ agree_polygon(Set, work(S, P, Work)) :-
     cut_divided(Set, Work, S, Divided),
     (   Divided == []
     ->  true
-    ;   maplist(divide_at(Work), Divided),
+    ;   maplist(agree_at(S, P, Work), Divided),
         agree_polygon(Set, work(S, P, Work))
+    ).
+
+%   As in enter_both/4: a part that is there already comes back for ever.
+
+agree_at(S, P, Work, E-X) :-
+    work_edge(Work, E, V1, V2, _, Label),
+    !,
+    (   (   work_edge(Work, _, V1, X, _, Label)
+        ;   work_edge(Work, _, X, V2, _, Label)
+        )
+    ->  throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))
+    ;   divide_at(Work, E-X)
     ).
 
 /* - - - 5.3: straight parts become one - - - */

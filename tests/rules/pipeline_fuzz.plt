@@ -190,6 +190,9 @@ test(were_wrong, Wrong == []) :-
               wrong(Seed, Why)
             ),
             Wrong).
+% Found by tests/fuzz: what crashed, hung or came out wrong once.
+test(found, [forall(member(Seed, [20048585])), fail]) :-
+    wrong(Seed, _).
 test(soups) :-
     setting('PIPELINE_FUZZ', 800, Count),
     setting('PIPELINE_FUZZ_FROM', 1, From),
