@@ -2,12 +2,13 @@
           [ english//1,                 % +Term
             fault_en//1,                % +What
             shown_value/2,              % +Value, -Shown
-            primitive_form//1,          % +Name
             loading_fault//1,           % +Formal
             syntax_words//1,            % +What
             manual_page//1              % +PI
           ]).
 :- use_module(explain_en, [statement_en//1]).
+:- use_module(primitive, [primitive_name/2]).
+:- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
 :- autoload(library(uri), [uri_encoded/3]).
@@ -169,8 +170,8 @@ fault_en(kind(Term, Kind, Wanted)) -->
       '  Write segment(S, ~w, ~w(...)).'-[Wanted, Name] ].
 fault_en(no_vertices(S, Name)) -->
     [ 'segment ~d has no vertices, and ~p is no primitive'-[S, Name], nl,
-      '  Give facts v/5 and p/3, or box, cylinder, cone, pyramid, \c
-       rectangle, line or at([...], ...).' ].
+      '  Give facts v/5 and p/3, or a primitive: ' ],
+    primitive_names.
 fault_en(no_edges(S)) -->
     [ 'segment ~d has neither polygons nor edges'-[S], nl,
       '  Add p/3, e/5 or curve/2.' ].
@@ -259,65 +260,6 @@ polygon_en(twice(V1, V2)) -->
 polygon_en(no_edge(V)) -->
     [ 'has an edge from vertex ~d to itself'-[V], nl,
       '  Write the vertex once.' ].
-
-primitive_name(named(_, Term), Name) :-
-    !,
-    primitive_name(Term, Name).
-primitive_name(at(_, Term), Name) :-
-    !,
-    primitive_name(Term, Name).
-primitive_name(Term, Name) :-
-    functor(Term, Name, _).
-
-primitive_en(unknown, Term) -->
-    [ '~p is no primitive'-[Term], nl,
-      '  There are box, cylinder, cone, pyramid, rectangle, line and \c
-       at([Step, ...], Primitive).' ].
-primitive_en(unknown_argument(A), Term) -->
-    { primitive_name(Term, Name) },
-    [ 'a ~w has no argument ~p'-[Name, A], nl ],
-    primitive_form(Name).
-primitive_en(missing(Argument), Term) -->
-    { primitive_name(Term, Name) },
-    [ 'a ~w needs ~w(...)'-[Name, Argument], nl ],
-    primitive_form(Name).
-primitive_en(twice(Argument), Term) -->
-    { primitive_name(Term, Name) },
-    [ 'the ~w has ~w(...) twice'-[Name, Argument], nl ],
-    primitive_form(Name).
-primitive_en(wrong_argument(A, Types), _) -->
-    { functor(A, Name, _),
-      maplist(type_en, Types, Words),
-      atomic_list_concat(Words, ', ', Text) },
-    [ '~p should be ~w(~w)'-[A, Name, Text] ].
-primitive_en(no_step(Step), _) -->
-    [ '~p is no step'-[Step], nl,
-      '  There are translate(X, Y, Z) and rotate(Axis, Degrees), with Axis \c
-       x, y or z.' ].
-primitive_en(no_list(Steps), _) -->
-    [ 'at/2 needs a list of steps, not ~p'-[Steps] ].
-primitive_en(no_length, Term) -->
-    [ '~p begins where it ends'-[Term] ].
-
-type_en(length, 'a length above 0').
-type_en(radius, 'a radius from 0').
-type_en(facets, 'a whole number from 3 to 1000000').
-type_en(number, 'a number').
-
-%!  primitive_form(+Name)// is semidet.
-%
-%   How the primitive is written, in every language.
-
-primitive_form(Name) -->
-    { primitive_text(Name, Text) },
-    [ '  ~w'-[Text] ].
-
-primitive_text(box, 'box(size(A, B, C))').
-primitive_text(cylinder, 'cylinder(radius(R), height(H), facets(N))').
-primitive_text(cone, 'cone(radius(R), top(R2), height(H), facets(N))').
-primitive_text(pyramid, 'pyramid(base(A, B), height(H))').
-primitive_text(rectangle, 'rectangle(size(A, B))').
-primitive_text(line, 'line(from(X, Y, Z), to(X, Y, Z))').
 
 
                 /*******************************

@@ -4,9 +4,12 @@
             fault_ko//1                 % +What
           ]).
 :- use_module(messages,
-              [primitive_form//1, loading_fault//1, syntax_words//1,
-               shown_value/2, manual_page//1]).
+              [loading_fault//1, syntax_words//1, shown_value/2,
+               manual_page//1]).
 :- use_module(explain_ko, [statement_ko//1]).
+:- use_module(primitive, [primitive_name/2]).
+:- use_module(primitive_en, [primitive_names//0]).
+:- use_module(primitive_ko, [primitive_ko//2]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
@@ -166,8 +169,8 @@ fault_ko(kind(Term, Kind, Wanted)) -->
 fault_ko(no_vertices(S, Name)) -->
     [ '세그먼트 ~d 에 꼭지점이 없고 ~p 은(는) 기본 입체가 아닙니다'-[S, Name],
       nl,
-      '  v/5 와 p/3 을 주거나 box, cylinder, cone, pyramid, rectangle, \c
-       line, at([...], ...) 를 쓰십시오.' ].
+      '  v/5 와 p/3 을 주거나 기본 입체를 쓰십시오: ' ],
+    primitive_names.
 fault_ko(no_edges(S)) -->
     [ '세그먼트 ~d 에 다각형도 모서리도 없습니다'-[S], nl,
       '  p/3, e/5 또는 curve/2 를 추가하십시오.' ].
@@ -243,50 +246,6 @@ polygon_ko(twice(V1, V2)) -->
 polygon_ko(no_edge(V)) -->
     [ '꼭지점 ~d 에서 자기 자신으로 가는 모서리가 있습니다'-[V], nl,
       '  꼭지점을 한 번만 쓰십시오.' ].
-
-primitive_name(named(_, Term), Name) :-
-    !,
-    primitive_name(Term, Name).
-primitive_name(at(_, Term), Name) :-
-    !,
-    primitive_name(Term, Name).
-primitive_name(Term, Name) :-
-    functor(Term, Name, _).
-
-primitive_ko(unknown, Term) -->
-    [ '~p 은(는) 기본 입체가 아닙니다'-[Term], nl,
-      '  box, cylinder, cone, pyramid, rectangle, line 과 \c
-       at([Step, ...], Primitive) 가 있습니다.' ].
-primitive_ko(unknown_argument(A), Term) -->
-    { primitive_name(Term, Name) },
-    [ '~w 에는 인수 ~p 이(가) 없습니다'-[Name, A], nl ],
-    primitive_form(Name).
-primitive_ko(missing(Argument), Term) -->
-    { primitive_name(Term, Name) },
-    [ '~w 에 ~w(...) 이(가) 필요합니다'-[Name, Argument], nl ],
-    primitive_form(Name).
-primitive_ko(twice(Argument), Term) -->
-    { primitive_name(Term, Name) },
-    [ '~w 에 ~w(...) 이(가) 둘 있습니다'-[Name, Argument], nl ],
-    primitive_form(Name).
-primitive_ko(wrong_argument(A, Types), _) -->
-    { functor(A, Name, _),
-      maplist(type_ko, Types, Words),
-      atomic_list_concat(Words, ', ', Text) },
-    [ '~p 은(는) ~w(~w) 이어야 합니다'-[A, Name, Text] ].
-primitive_ko(no_step(Step), _) -->
-    [ '~p 은(는) 배치 단계가 아닙니다'-[Step], nl,
-      '  translate(X, Y, Z) 와 rotate(Axis, Degrees) 가 있으며 Axis 는 \c
-       x, y, z 입니다.' ].
-primitive_ko(no_list(Steps), _) -->
-    [ 'at/2 에는 ~p 이(가) 아니라 단계의 리스트가 필요합니다'-[Steps] ].
-primitive_ko(no_length, Term) -->
-    [ '~p 은(는) 시작한 곳에서 끝납니다'-[Term] ].
-
-type_ko(length, '0보다 큰 길이').
-type_ko(radius, '0 이상의 반지름').
-type_ko(facets, '3 이상 1000000 이하의 정수').
-type_ko(number, '수').
 
 
                 /*******************************

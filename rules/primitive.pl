@@ -1,84 +1,225 @@
 :- module(sg_primitive,
           [ primitive/1,                % ?Name
+            primitive_form/2,           % ?Name, -Form
+            primitive_name/2,           % +Term, -Name
             is_primitive/1,             % @Term
             primitive_shape/4,          % +Term, -Kind, -Points, -Chains
-            exact_sin_cos/3             % +Degrees, -Sin, -Cos
+            primitive_faces/3           % +Term, -Whats, -Surfaces
           ]).
-:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- autoload(library(lists),
-            [append/3, member/2, numlist/3, reverse/2, selectchk/3]).
-/** <module> Primitive terms: box, cylinder, cone, pyramid, rectangle, line.
+:- use_module(bezier, [bezier_shape/2]).
+:- use_module(placing,
+              [ motion_mirrors/1, motion_stretch/2, moved/3, moved_vector/3,
+                step_motion/2
+              ]).
+:- use_module(primitive_argument, [given_values/4, primitive_error/2]).
+:- use_module(primitive_flat,
+              [ box_shape/2, line_shape/2, polyhedron_shape/2, prism_shape/2,
+                pyramid_shape/2, rectangle_shape/2, sheet_shape/2
+              ]).
+:- use_module(primitive_globe,
+              [egg_shape/2, hemisphere_shape/2, sphere_shape/2, torus_shape/2]).
+:- use_module(primitive_round,
+              [ circle_shape/2, cone_shape/2, cylinder_shape/2,
+                hollow_cylinder_shape/2
+              ]).
+:- use_module(primitive_turning, [turning_shape/2]).
+:- use_module(shape, [loops_vertex_list/2, mirrored_faces/2]).
+:- autoload(library(apply), [maplist/2, maplist/3]).
+:- autoload(library(lists), [append/3]).
+/** <module> Primitives: the table of them, and how they are placed.
 
-A primitive stands on the plane z = 0, its base centred on the z axis, and
-rises along +z:
+A primitive is a term with named arguments, in any order (the table below;
+docs/model_files.md has an example of each), and
 
-    box(size(A, B, C))                            solid
-    cylinder(radius(R), height(H), facets(N))     solid
-    cone(radius(R), height(H), facets(N))         solid, apex up
-    cone(radius(R), top(R2), height(H), facets(N))  solid, apex cut off
-    pyramid(base(A, B), height(H))                solid
-    rectangle(size(A, B))                         surface facing +z
-    line(from(X, Y, Z), to(X, Y, Z))              curve
-    at(Steps, Primitive)                          placed
-    named(Name, Primitive)                        with a name for rules
+    at(Steps, Primitive)        placed: placing.pl
+    named(Name, Primitive)      with a name for rules
 
-The arguments are named, in any order; facets(N) may be left out (40). The
-first corner of a round base lies on the +x axis. Steps of at/2 are done from
-left to right, each about the fixed axes of the model:
-
-    translate(X, Y, Z)
-    rotate(x, Degrees)   rotate(y, Degrees)   rotate(z, Degrees)
-
-counter-clockwise seen from the positive end of the axis. So
-`at([rotate(x, 90), translate(0, 0, 1)], cylinder(radius(1), height(4)))` lies
-along -y at height 1.
+It stands on the plane z = 0, its base centred on the z axis, and rises along
++z; sphere, egg and torus have their centre in the origin; prism, turning,
+polyhedron, sheet and bezier are where their points are. The first corner of
+what is round lies on the +x axis.
 
 Solids are closed, of true polygons (a cap is one polygon), counter-clockwise
-seen from outside (PL-2, PL-3). The same term gives the same coordinates on
-every machine: sines are rounded to 2^-48, multiples of 90 degrees are exact,
-and angles that mirror each other have the same sine and cosine.
+seen from outside (PL-2, PL-3), also when mirrored. The same term gives the
+same coordinates on every machine (angle.pl).
 
-To add a primitive: a clause of primitive_arguments/3 and one of shape/5.
+What is round is divided by facets(N), or by tolerance(T): no farther than T
+from the smooth surface, in units of the model, after placing.
+
+To add a primitive: a row of the table, and a maker (shape.pl). Its arguments
+are typed in primitive_argument.pl; its faces are named in primitive_face.pl.
+
+@see [DV] row DV-2
 */
 
-default_facets(40).
-most_facets(1_000_000).
+%   primitive_row(Name, Kind, Arguments, Maker, Form)
+
+primitive_row(line, curve,
+              [ argument(from, [[number, number, number]], needed),
+                argument(to, [[number, number, number]], needed)
+              ],
+              line_shape, 'line(from(X, Y, Z), to(X, Y, Z))').
+primitive_row(rectangle, surface,
+              [ argument(size, [[length, length]], needed) ],
+              rectangle_shape, 'rectangle(size(A, B))').
+primitive_row(circle, surface,
+              [ argument(radius, [[length]], needed) | Fineness ],
+              circle_shape, 'circle(radius(R), facets(N))') :-
+    fineness(Fineness).
+primitive_row(ellipse, surface,
+              [ argument(radius, [[length, length]], needed) | Fineness ],
+              circle_shape, 'ellipse(radius(A, B), facets(N))') :-
+    fineness(Fineness).
+primitive_row(box, solid,
+              [ argument(size, [[length, length, length]], needed) ],
+              box_shape, 'box(size(A, B, C))').
+primitive_row(cylinder, solid,
+              [ argument(radius, [[length], [length, length]], needed),
+                argument(height, [[length]], needed),
+                Shift | Fineness
+              ],
+              cylinder_shape,
+              'cylinder(radius(R), height(H), facets(N), shift(X, Y)), \c
+               or radius(A, B)') :-
+    shift(Shift),
+    fineness(Fineness).
+primitive_row(hollow_cylinder, solid,
+              [ argument(radius, [[length], [length, length]], needed),
+                argument(inner, [[length], [length, length]], needed),
+                argument(height, [[length]], needed),
+                Shift | Fineness
+              ],
+              hollow_cylinder_shape,
+              'hollow_cylinder(radius(R), inner(R2), height(H), facets(N), \c
+               shift(X, Y)), or radius(A, B), inner(A2, B2)') :-
+    shift(Shift),
+    fineness(Fineness).
+primitive_row(cone, solid,
+              [ argument(radius, [[length], [length, length]], needed),
+                argument(top, [[radius], [radius, radius]], [0.0]),
+                argument(height, [[length]], needed),
+                Shift | Fineness
+              ],
+              cone_shape,
+              'cone(radius(R), top(R2), height(H), facets(N), shift(X, Y)), \c
+               or radius(A, B), top(A2, B2)') :-
+    shift(Shift),
+    fineness(Fineness).
+primitive_row(sphere, solid, [Radius, Bands | Fineness],
+              sphere_shape,
+              'sphere(radius(R), facets(N), bands(M)), or radius(A, B, C)') :-
+    globe(Radius, Bands, Fineness).
+primitive_row(egg, solid,
+              [ argument(radius, [[length]], needed),
+                argument(up, [[length]], needed),
+                argument(down, [[length]], needed),
+                Bands | Fineness
+              ],
+              egg_shape,
+              'egg(radius(R), up(H1), down(H2), facets(N), bands(M))') :-
+    globe(_, Bands, Fineness).
+primitive_row(hemisphere, solid, [Radius, Bands | Fineness],
+              hemisphere_shape,
+              'hemisphere(radius(R), facets(N), bands(M)), \c
+               or radius(A, B, C)') :-
+    globe(Radius, Bands, Fineness).
+primitive_row(torus, solid,
+              [ argument(radius, [[length]], needed),
+                argument(tube, [[length]], needed),
+                argument(sides, [[facets]], none) | Fineness
+              ],
+              torus_shape,
+              'torus(radius(R), tube(R2), facets(N), sides(M))') :-
+    fineness(Fineness).
+primitive_row(pyramid, solid,
+              [ argument(base, [[length, length]], none),
+                argument(outline, [[points2]], none),
+                argument(height, [[length]], needed),
+                Shift
+              ],
+              pyramid_shape,
+              'pyramid(base(A, B), height(H), shift(X, Y)), \c
+               or outline([[X, Y], ...])') :-
+    shift(Shift).
+primitive_row(prism, solid,
+              [ argument(outline, [[points2]], needed),
+                argument(holes, [[loops2]], [[]]),
+                argument(height, [[length]], needed),
+                Shift
+              ],
+              prism_shape,
+              'prism(outline([[X, Y], ...]), holes([[[X, Y], ...], ...]), \c
+               height(H), shift(X, Y))') :-
+    shift(Shift).
+primitive_row(turning, solid,
+              [ argument(outline, [[points2]], needed),
+                argument(holes, [[loops2]], [[]]),
+                argument(angle, [[turn]], [360.0]),
+                argument(facets, [[count]], none),
+                argument(tolerance, [[length]], none)
+              ],
+              turning_shape,
+              'turning(outline([[R, Z], ...]), holes([[[R, Z], ...], ...]), \c
+               angle(Degrees), facets(N))').
+primitive_row(polyhedron, solid, Arguments,
+              polyhedron_shape,
+              'polyhedron(points([[X, Y, Z], ...]), faces([[1, 2, 3], ...]))'
+             ) :-
+    points_and_faces(Arguments).
+primitive_row(sheet, surface, Arguments,
+              sheet_shape,
+              'sheet(points([[X, Y, Z], ...]), faces([[1, 2, 3], ...]))') :-
+    points_and_faces(Arguments).
+primitive_row(bezier, surface,
+              [ argument(points, [[points3]], needed),
+                argument(patches, [[faces]], none),
+                argument(facets, [[count]], none),
+                argument(tolerance, [[length]], none)
+              ],
+              bezier_shape,
+              'bezier(points([[X, Y, Z], ...]), patches([[1, ..., 16], ...]), \c
+               facets(N))').
+
+fineness([ argument(facets, [[facets]], none),
+           argument(tolerance, [[length]], none)
+         ]).
+
+shift(argument(shift, [[number, number]], [0.0, 0.0])).
+
+globe(argument(radius, [[length], [length, length, length]], needed),
+      argument(bands, [[count]], none), Fineness) :-
+    fineness(Fineness).
+
+points_and_faces([ argument(points, [[points3]], needed),
+                   argument(faces, [[faces]], needed)
+                 ]).
 
 %!  primitive(?Name) is nondet.
 %
 %   True when Name is the functor name of a primitive.
 
 primitive(Name) :-
-    primitive_arguments(Name, _, _).
+    primitive_row(Name, _, _, _, _).
 
-%   primitive_arguments(Name, Kind, Arguments): Arguments lists
-%   argument(Name, Types) or argument(Name, Types, Default).
+%!  primitive_form(?Name, -Form) is nondet.
+%
+%   Form is an atom that says how the primitive Name is written.
 
-primitive_arguments(box, solid,
-                    [ argument(size, [length, length, length]) ]).
-primitive_arguments(cylinder, solid,
-                    [ argument(radius, [length]),
-                      argument(height, [length]),
-                      argument(facets, [facets], [N])
-                    ]) :-
-    default_facets(N).
-primitive_arguments(cone, solid,
-                    [ argument(radius, [length]),
-                      argument(top, [radius], [0.0]),
-                      argument(height, [length]),
-                      argument(facets, [facets], [N])
-                    ]) :-
-    default_facets(N).
-primitive_arguments(pyramid, solid,
-                    [ argument(base, [length, length]),
-                      argument(height, [length])
-                    ]).
-primitive_arguments(rectangle, surface,
-                    [ argument(size, [length, length]) ]).
-primitive_arguments(line, curve,
-                    [ argument(from, [number, number, number]),
-                      argument(to, [number, number, number])
-                    ]).
+primitive_form(Name, Form) :-
+    primitive_row(Name, _, _, _, Form).
+
+%!  primitive_name(+Term, -Name) is det.
+%
+%   Name is the functor name of the primitive that Term places or names, or of
+%   Term.
+
+primitive_name(Term, Name) :-
+    (   ( Term = named(_, Inner) ; Term = at(_, Inner) )
+    ->  primitive_name(Inner, Name)
+    ;   callable(Term)
+    ->  functor(Term, Name, _)
+    ;   Name = Term
+    ).
 
 %!  is_primitive(@Term) is semidet.
 %
@@ -102,274 +243,100 @@ is_primitive(Term) :-
 %   PL-2, or, of a curve, the open chains of its edges.
 %
 %   @error model_error(primitive(What, Term)), where What is
-%     unknown, unknown_argument(A), missing(Name), twice(Name),
-%     wrong_argument(A, Type), no_step(Step) or no_list(Steps)
+%     unknown, no_step(Step), no_list(Steps), too_large, collapsed, or what the
+%     modules of arguments and makers raise
 
 primitive_shape(Term, Kind, Points, Chains) :-
-    placed(Term, Primitive, Steps),
+    made(Term, Kind, Motions, shape(Points0, Faces0, _)),
+    catch(maplist(moved(Motions), Points0, Points),
+          error(evaluation_error(_), _), primitive_error(too_large, Term)),
+    still_distinct(Points0, Points, Term),
+    (   Kind \== curve,
+        motion_mirrors(Motions)
+    ->  mirrored_faces(Faces0, Faces)
+    ;   Faces = Faces0
+    ),
+    maplist(face_list, Faces, Chains).
+
+face_list(face(_, Loops), List) :-
+    loops_vertex_list(Loops, List).
+
+%   made(Term, Kind, Motions, Shape): before placing.
+
+made(Term, Kind, Motions, Shape) :-
+    placed(Term, Primitive, Motions),
     compound_name_arguments(Primitive, Name, Given),
-    primitive_arguments(Name, Kind, Wanted),
+    primitive_row(Name, Kind, Wanted, Maker, _),
     !,
     given_values(Given, Wanted, Primitive, Values),
-    shape(Name, Values, Primitive, Points0, Chains),
-    maplist(moved(Steps), Points0, Points).
+    catch(( motion_stretch(Motions, Stretch),
+            call(Maker, given(Primitive, Stretch, Values), Shape)
+          ),
+          error(evaluation_error(_), _), primitive_error(too_large, Term)).
 
-%   placed(Term, Primitive, Motion): at/2 and named/2 taken off; the inner steps
-%   first.
+%   placed(Term, Primitive, Motions): at/2 and named/2 taken off; the inner
+%   steps first.
 
 placed(Term, _, _) :-
     \+ is_primitive(Term),
     !,
     primitive_error(unknown, Term).
-placed(at(Steps, Inner), Primitive, Motion) :-
+placed(at(Steps, Inner), Primitive, Motions) :-
     !,
     (   is_list(Steps)
     ->  true
     ;   primitive_error(no_list(Steps), at(Steps, Inner))
     ),
-    maplist(step_motion, Steps, Motion2),
-    placed(Inner, Primitive, Motion1),
-    append(Motion1, Motion2, Motion).
-placed(named(_, Inner), Primitive, Motion) :-
+    maplist(known_step, Steps, Motions2),
+    placed(Inner, Primitive, Motions1),
+    append(Motions1, Motions2, Motions).
+placed(named(_, Inner), Primitive, Motions) :-
     !,
-    placed(Inner, Primitive, Motion).
+    placed(Inner, Primitive, Motions).
 placed(Primitive, Primitive, []).
 
-primitive_error(What, Term) :-
-    throw(error(model_error(primitive(What, Term)), _)).
-
-
-                /*******************************
-                *           ARGUMENTS          *
-                *******************************/
-
-%   given_values(Given, Wanted, Term, Values): Values has Name-Numbers for
-%   every wanted argument, in the order of primitive_arguments/3.
-
-given_values(Given, Wanted, Term, Values) :-
-    maplist(known_argument(Wanted, Term), Given, Named),
-    no_argument_twice(Named, Term),
-    maplist(argument_value(Named, Term), Wanted, Values).
-
-known_argument(Wanted, Term, Argument, Name-Numbers) :-
-    (   compound(Argument),
-        compound_name_arguments(Argument, Name, Values),
-        argument_types(Wanted, Name, Types)
-    ->  (   maplist(argument_number, Types, Values, Numbers)
-        ->  true
-        ;   primitive_error(wrong_argument(Argument, Types), Term)
-        )
-    ;   primitive_error(unknown_argument(Argument), Term)
-    ).
-
-argument_types(Wanted, Name, Types) :-
-    (   member(argument(Name, Types), Wanted)
-    ;   member(argument(Name, Types, _), Wanted)
-    ),
-    !.
-
-no_argument_twice(Named, Term) :-
-    (   append(_, [Name-_|Rest], Named),
-        member(Name-_, Rest)
-    ->  primitive_error(twice(Name), Term)
-    ;   true
-    ).
-
-argument_value(Named, Term, Wanted, Name-Numbers) :-
-    arg(1, Wanted, Name),
-    (   member(Name-Given, Named)
-    ->  Numbers = Given
-    ;   Wanted = argument(_, _, Default)
-    ->  Numbers = Default
-    ;   primitive_error(missing(Name), Term)
-    ).
-
-argument_number(facets, N, N) :-
-    integer(N),
-    N >= 3,
-    most_facets(Most),
-    N =< Most.
-argument_number(length, Value, Number) :-
-    finite_number(Value, Number),
-    Number > 0.0.
-argument_number(radius, Value, Number) :-
-    finite_number(Value, Number),
-    Number >= 0.0.
-argument_number(number, Value, Number) :-
-    finite_number(Value, Number).
-
-%   finite_number(Value, Float): as in a column of coordinates: an integer or
-%   a finite float, never a rational, never -0.0.
-
-finite_number(Value, Float) :-
-    integer(Value),
-    !,
-    catch(Float is float(Value), error(evaluation_error(_), _), fail).
-finite_number(Value, Float) :-
-    float(Value),
-    float_class(Value, Class),
-    finite_class(Class),
-    Float is Value + 0.0.
-
-finite_class(zero).
-finite_class(normal).
-finite_class(subnormal).
-
-
-                /*******************************
-                *            SHAPES            *
-                *******************************/
-
-%   shape(Name, Values, Term, Points, Chains)
-
-shape(box, [size-[A, B, H]], _, Points,
-      [ [4, 3, 2, 1], [5, 6, 7, 8],
-        [1, 2, 6, 5], [2, 3, 7, 6], [3, 4, 8, 7], [4, 1, 5, 8]
-      ]) :-
-    rectangle_points(A, B, 0.0, Bottom),
-    rectangle_points(A, B, H, Top),
-    append(Bottom, Top, Points).
-shape(pyramid, [base-[A, B], height-[H]], _, Points,
-      [ [4, 3, 2, 1], [1, 2, 5], [2, 3, 5], [3, 4, 5], [4, 1, 5] ]) :-
-    rectangle_points(A, B, 0.0, Base),
-    append(Base, [point(0.0, 0.0, H)], Points).
-shape(rectangle, [size-[A, B]], _, Points, [[1, 2, 3, 4]]) :-
-    rectangle_points(A, B, 0.0, Points).
-shape(line, [from-[X1, Y1, Z1], to-[X2, Y2, Z2]], Term,
-      [point(X1, Y1, Z1), point(X2, Y2, Z2)], [[1, 2]]) :-
-    (   [X1, Y1, Z1] == [X2, Y2, Z2]
-    ->  primitive_error(no_length, Term)
-    ;   true
-    ).
-shape(cylinder, [radius-[R], height-[H], facets-[N]], _, Points, Polygons) :-
-    frustum(R, R, H, N, Points, Polygons).
-shape(cone, [radius-[R], top-[Top], height-[H], facets-[N]], _, Points,
-      Polygons) :-
-    (   Top =:= 0.0
-    ->  pointed_cone(R, H, N, Points, Polygons)
-    ;   frustum(R, Top, H, N, Points, Polygons)
-    ).
-
-rectangle_points(A, B, Z,
-                 [ point(X0, Y0, Z), point(X1, Y0, Z),
-                   point(X1, Y1, Z), point(X0, Y1, Z)
-                 ]) :-
-    X1 is A/2.0,
-    X0 is -X1,
-    Y1 is B/2.0,
-    Y0 is -Y1.
-
-%   frustum(...): base ring 1..N, top ring N+1..2N; polygon 1 is the base, 2
-%   the top, then the sides in order.
-
-frustum(R, Top, H, N, Points, [Base, Cap|Sides]) :-
-    ring(R, 0.0, N, Points1),
-    ring(Top, H, N, Points2),
-    append(Points1, Points2, Points),
-    base_ring(N, Base),
-    First is N+1,
-    Last is 2*N,
-    numlist(First, Last, Cap),
-    numlist(1, N, Is),
-    maplist(frustum_side(N), Is, Sides).
-
-frustum_side(N, I, [I, J, J2, I2]) :-
-    J is I mod N + 1,
-    I2 is N+I,
-    J2 is N+J.
-
-pointed_cone(R, H, N, Points, [Base|Sides]) :-
-    ring(R, 0.0, N, Points1),
-    append(Points1, [point(0.0, 0.0, H)], Points),
-    base_ring(N, Base),
-    numlist(1, N, Is),
-    maplist(cone_side(N), Is, Sides).
-
-cone_side(N, I, [I, J, Apex]) :-
-    J is I mod N + 1,
-    Apex is N+1.
-
-base_ring(N, Base) :-
-    numlist(1, N, Ring),
-    reverse(Ring, Base).
-
-ring(R, Z, N, Points) :-
-    numlist(1, N, Is),
-    maplist(ring_point(R, Z, N), Is, Points).
-
-ring_point(R, Z, N, I, point(X, Y, Z)) :-
-    Angle is (I-1)*360 rdiv N,
-    exact_sin_cos(Angle, Sin, Cos),
-    X is R*Cos + 0.0,
-    Y is R*Sin + 0.0.
-
-
-                /*******************************
-                *            PLACING           *
-                *******************************/
-
-%   step_motion(Step, Motion): Step checked, its sine and cosine worked out.
-
-step_motion(Step, Motion) :-
-    (   motion(Step, Motion0)
+known_step(Step, Motion) :-
+    (   step_motion(Step, Motion0)
     ->  Motion = Motion0
     ;   primitive_error(no_step(Step), Step)
     ).
 
-motion(translate(X0, Y0, Z0), translate(X, Y, Z)) :-
-    finite_number(X0, X),
-    finite_number(Y0, Y),
-    finite_number(Z0, Z).
-motion(rotate(Axis, Degrees), rotate(Axis, Sin, Cos)) :-
-    nonvar(Axis),
-    member(Axis, [x, y, z]),
-    finite_number(Degrees, _),
-    exact_sin_cos(Degrees, Sin, Cos),
-    !.
+%   still_distinct(Points0, Points, Term): vertices that were apart are not in
+%   one place because they are so small, or so far away.
 
-moved(Motion, Point0, Point) :-
-    foldl(moved_once, Motion, Point0, Point).
+still_distinct(Points0, Points, Term) :-
+    sort(Points0, Set0),
+    sort(Points, Set),
+    (   same_length(Set0, Set)
+    ->  true
+    ;   primitive_error(collapsed, Term)
+    ).
 
-moved_once(translate(A, B, C), point(X0, Y0, Z0), point(X, Y, Z)) :-
-    X is X0 + A + 0.0,
-    Y is Y0 + B + 0.0,
-    Z is Z0 + C + 0.0.
-moved_once(rotate(x, Sin, Cos), point(X, Y0, Z0), point(X, Y, Z)) :-
-    turned(Y0, Z0, Sin, Cos, Y, Z).
-moved_once(rotate(y, Sin, Cos), point(X0, Y, Z0), point(X, Y, Z)) :-
-    turned(Z0, X0, Sin, Cos, Z, X).
-moved_once(rotate(z, Sin, Cos), point(X0, Y0, Z), point(X, Y, Z)) :-
-    turned(X0, Y0, Sin, Cos, X, Y).
-
-turned(A0, B0, Sin, Cos, A, B) :-
-    A is A0*Cos - B0*Sin + 0.0,
-    B is A0*Sin + B0*Cos + 0.0.
-
-%!  exact_sin_cos(+Degrees, -Sin, -Cos) is det.
+%!  primitive_faces(+Term, -Whats, -Surfaces) is det.
 %
-%   Sine and cosine of an angle given as a number of Degrees, each a multiple
-%   of 2^-48, so that they do not depend on the machine's library. The angle
-%   is reduced exactly (as a rational) to 0..45 degrees: multiples of 90 are
-%   exact, and sin(A) = cos(90-A) holds to the last bit.
+%   Whats are what the polygons 1, 2, ... of the primitive Term are, Surfaces
+%   the Part-Surface of its smooth surfaces, as placed (primitive_face.pl).
+%
+%   @error as primitive_shape/4
 
-exact_sin_cos(Degrees, Sin, Cos) :-
-    Turn is rational(Degrees),
-    Quarter is floor(Turn rdiv 90),
-    Rest is Turn - 90*Quarter,
-    quarter_sin_cos(Rest, S, C),
-    Place is Quarter mod 4,
-    quarter_turned(Place, S, C, Sin, Cos).
+primitive_faces(Term, Whats, Surfaces) :-
+    made(Term, _, Motions, shape(_, Faces, Surfaces0)),
+    maplist(face_what, Faces, Whats),
+    maplist(moved_surface(Motions), Surfaces0, Surfaces).
 
-quarter_turned(0, S, C, S, C).
-quarter_turned(1, S, C, C, Cos) :- Cos is 0.0 - S.
-quarter_turned(2, S, C, Sin, Cos) :- Sin is 0.0 - S, Cos is 0.0 - C.
-quarter_turned(3, S, C, Sin, S) :- Sin is 0.0 - C.
+face_what(face(What, _), What).
 
-quarter_sin_cos(Degrees, Sin, Cos) :-
-    (   Degrees =< 45
-    ->  Radians is float(Degrees)*pi/180.0,
-        Sin is round(sin(Radians)*2.0**48)/2.0**48,
-        Cos is round(cos(Radians)*2.0**48)/2.0**48
-    ;   Other is 90 - Degrees,
-        quarter_sin_cos(Other, Cos, Sin)
+moved_surface(Motions, Part-Surface0, Part-Surface) :-
+    compound_name_arguments(Surface0, Name, Items0),
+    maplist(moved_item(Motions), Items0, Items),
+    compound_name_arguments(Surface, Name, Items).
+
+moved_item(Motions, Item0, Item) :-
+    (   Item0 = point(_, _, _)
+    ->  moved(Motions, Item0, Item)
+    ;   Item0 = vector(_, _, _)
+    ->  moved_vector(Motions, Item0, Item)
+    ;   is_list(Item0)
+    ->  maplist(moved(Motions), Item0, Item)
+    ;   Item = Item0
     ).

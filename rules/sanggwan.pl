@@ -10,7 +10,8 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(model).
 % The way of the data.
 :- reexport(integrity, [model_defect/1]).
-:- reexport(primitive, [primitive/1]).
+:- reexport(primitive, [primitive/1, primitive_form/2]).
+:- reexport(primitive_face).
 :- reexport(model_file, [add_primitive/2]).
 :- reexport(mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(triangulation, [complete_segments/0, polygon_triangles/3]).

@@ -50,3 +50,9 @@ picture(pipes, 'Pipes',
 picture(pipes_rules, 'Pipes, by other rules',
         'The same by a rule file: pipes do not cut brackets.',
         ['facts/pipes.pl', '--rules', 'docs/pipes_rules.pl']).
+
+% The primitives: docs/model_files.md.
+
+picture(primitives, 'Primitives',
+        'Every primitive, the last a net of 32 Bezier patches.',
+        ['facts/primitives.pl', '--size', '280x200']).

@@ -1,5 +1,6 @@
 :- module(test_primitive, []).
 :- use_module(library(plunit)).
+:- use_module(rules(angle)).
 :- use_module(rules(primitive)).
 :- use_module(rules(polygon_list)).
 
@@ -128,7 +129,7 @@ test(equal_cylinders_share_levels) :-
     setof(Y, X^Z^member(point(X, Y, Z), Qs), Ys).
 
 test(unknown) :-
-    refused(sphere(radius(1)), unknown).
+    refused(ball(radius(1)), unknown).
 test(variable) :-
     refused(_, unknown).
 test(missing) :-
@@ -153,7 +154,7 @@ test(no_number) :-
     refused(cylinder(radius(r), height(1)),
             wrong_argument(radius(r), [length])).
 test(no_step) :-
-    refused(at([scale(2)], box(size(1,1,1))), no_step(scale(2))).
+    refused(at([scale(0)], box(size(1,1,1))), no_step(scale(0))).
 test(no_list) :-
     refused(at(rotate(x, 1), box(size(1,1,1))), no_list(rotate(x, 1))).
 test(no_length) :-

@@ -1,0 +1,266 @@
+:- module(test_primitive_solids, []).
+:- use_module(library(plunit)).
+:- use_module(library(random)).
+:- use_module(rules(angle)).
+:- use_module(rules(check)).
+:- use_module(rules(model_file)).
+:- use_module(rules(polygon_list)).
+:- use_module(rules(primitive)).
+:- use_module(rules(primitive_face)).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation)).
+:- use_module(polyhedron, [in_new_world/1]).
+
+% The area of a regular polygon of radius 1 with N corners.
+ring(N, Area) :-
+    Area is N/2*sin(2*pi/N).
+
+% solid(Term, Volume, Vertices, Polygons, Euler): the closed form of the faceted
+% solid.
+solid(cylinder(radius(2,1), height(3), facets(20)), V, 40, 22, 2) :-
+    ring(20, A),
+    V is 2*A*3.
+solid(cylinder(radius(2), height(3), shift(5,1), facets(20)), V, 40, 22, 2) :-
+    ring(20, A),
+    V is 4*A*3.
+solid(hollow_cylinder(radius(2), inner(1), height(3), facets(12)),
+      V, 48, 26, 0) :-
+    ring(12, A),
+    V is (4-1)*A*3.
+solid(hollow_cylinder(radius(2,3), inner(1,2.5), height(3), shift(-4,2),
+                      facets(12)), V, 48, 26, 0) :-
+    ring(12, A),
+    V is (6-2.5)*A*3.
+solid(cone(radius(2,1), height(3), shift(1,1), facets(9)), V, 10, 10, 2) :-
+    ring(9, A),
+    V is 2*A*3/3.
+solid(cone(radius(2), top(1), height(3), shift(0,-4), facets(9)),
+      V, 18, 11, 2) :-
+    ring(9, A),
+    V is A*(4+2+1)*3/3.
+solid(cone(radius(2,1), top(1), height(3), facets(9)), V, 18, 11, 2) :-
+    ring(9, A),
+    V is A*(2+1+0.5)*3/3.
+solid(sphere(radius(1), facets(4), bands(2)), V, 6, 8, 2) :-
+    V is 4/3.
+solid(sphere(radius(1,2,3), facets(4), bands(2)), 8.0, 6, 8, 2).
+solid(sphere(radius(1), facets(12), bands(6)), V, 62, 72, 2) :-
+    ring(12, A),
+    globe_volume(-90, 30, 6, 1, 1, A, V).
+solid(egg(radius(1), up(3), down(2), facets(12), bands(6)), V, 62, 72, 2) :-
+    ring(12, A),
+    globe_volume(-90, 30, 3, 1, 2, A, V1),
+    globe_volume(0, 30, 3, 1, 3, A, V2),
+    V is V1+V2.
+solid(hemisphere(radius(2), facets(12), bands(3)), V, 37, 37, 2) :-
+    ring(12, A),
+    globe_volume(0, 30, 3, 2, 2, A, V).
+solid(hemisphere(radius(1), facets(4), bands(1)), V, 5, 5, 2) :-
+    V is 2/3.
+solid(torus(radius(3), tube(1), facets(10), sides(8)), V, 80, 80, 0) :-
+    V is 8/2*sin(2*pi/8)*10*sin(2*pi/10)*3.
+solid(prism(outline([[0,0],[2,0],[2,1],[1,1],[1,2],[0,2]]), height(2)),
+      6.0, 12, 8, 2).
+solid(prism(outline([[0,0],[0,4],[4,4],[4,0]]),
+            holes([[[1,1],[2,1],[2,2]], [[3,3],[3,3.5],[3.5,3]]]),
+            height(2), shift(1,1)), V, 20, 12, -2) :-
+    V is 2*(16-0.5-0.125).
+solid(pyramid(outline([[0,0],[2,0],[2,1],[1,1],[1,2],[0,2]]), height(2),
+              shift(5,5)), 2.0, 7, 7, 2).
+solid(turning(outline([[0,0],[2,0],[2,3],[0,3]]), facets(9)), V, 18, 11, 2) :-
+    ring(9, A),
+    V is 4*A*3.
+solid(turning(outline([[0,0],[2,0],[0,3]]), facets(9)), V, 10, 10, 2) :-
+    ring(9, A),
+    V is 4*A*3/3.
+solid(turning(outline([[1,3],[2,3],[2,0],[1,0]]), facets(9)), V, 36, 20, 0) :-
+    ring(9, A),
+    V is 3*A*3.
+solid(turning(outline([[0,0],[2,0],[2,2],[0,2],[0,1]]), angle(90), facets(1)),
+      4.0, 7, 5, 2).
+solid(turning(outline([[1,0],[5,0],[5,4],[1,4]]),
+              holes([[[2,1],[3,1],[3,3],[2,3]]]), facets(4)), V, 32, 20, 0) :-
+    V is 2*((25-1)*4 - (9-4)*2).
+solid(turning(outline([[1,0],[5,0],[5,4],[1,4]]),
+              holes([[[2,1],[3,1],[3,3],[2,3]]]), angle(180), facets(2)),
+      V, 24, 14, 0) :-
+    V is (25-1)*4 - (9-4)*2.
+solid(polyhedron(points([[0,0,0],[1,0,0],[0,1,0],[0,0,1]]),
+                 faces([[1,3,2],[1,2,4],[2,3,4],[1,4,3]])), V, 4, 4, 2) :-
+    V is 1/6.
+solid(polyhedron(points([[0,0,0],[4,0,0],[4,4,0],[0,4,0],
+                         [0,0,1],[4,0,1],[4,4,1],[0,4,1],
+                         [1,1,0],[3,1,0],[3,3,0],[1,3,0],
+                         [1,1,1],[3,1,1],[3,3,1],[1,3,1]]),
+                 faces([[4,3,2,1,4,-9,10,11,12,9],
+                        [5,6,7,8,5,-16,15,14,13,16],
+                        [1,2,6,5],[2,3,7,6],[3,4,8,7],[4,1,5,8],
+                        [10,9,13,14],[11,10,14,15],[12,11,15,16],
+                        [9,12,16,13]])), 12.0, 16, 10, 0).
+
+% Frusta between the latitudes of a globe.
+globe_volume(_, _, 0, _, _, _, 0.0) :-
+    !.
+globe_volume(Lat1, Step, N, R, C, A, V) :-
+    Lat2 is Lat1+Step,
+    R1 is R*cos(Lat1*pi/180),
+    R2 is R*cos(Lat2*pi/180),
+    H is C*(sin(Lat2*pi/180) - sin(Lat1*pi/180)),
+    N1 is N-1,
+    globe_volume(Lat2, Step, N1, R, C, A, V1),
+    V is V1 + A*H/3*(R1*R1 + R1*R2 + R2*R2).
+
+% What `check` says of Term alone.
+checked(Term, Segment) :-
+    in_new_world(( add_primitive(Term, _),
+                   complete_segments,
+                   check_report(Report) )),
+    [Segment] = Report.segments.
+
+sound(Term, Volume) :-
+    checked(Term, Segment),
+    faultless(Segment),
+    near(Segment.volume, Volume).
+
+faultless(Segment) :-
+    dict_pairs(Segment.faults, _, []),
+    dict_pairs(Segment.remarks, _, []),
+    Segment.border_edges =:= 0.
+
+near(A, B) :-
+    abs(A-B) =< 1.0e-11*(abs(A)+abs(B)).
+
+refused(Term, What) :-
+    catch(primitive_shape(Term, _, _, _),
+          error(model_error(primitive(What0, _)), _), true),
+    nonvar(What0),
+    What0 = What.
+
+point_distance(point(X1, Y1, Z1), point(X2, Y2, Z2), D) :-
+    D is sqrt((X1-X2)**2 + (Y1-Y2)**2 + (Z1-Z2)**2).
+
+:- begin_tests(primitive_solids).
+
+test(closed_form, forall(solid(Term, Volume, Vertices, Polygons, Euler))) :-
+    checked(Term, Segment),
+    faultless(Segment),
+    near(Segment.volume, Volume),
+    Segment.vertices =:= Vertices,
+    Segment.polygons =:= Polygons,
+    findall(E, ( member(Shell, Segment.shells), Shell.closed == true,
+                 E = Shell.euler ),
+            Es),
+    sum_list(Es, Euler).
+test(mirrored, forall(( solid(Term, V, _, _, _),
+                        member(Step-F, [ mirror(x)-1, mirror(y)-1,
+                                         mirror(z)-1, scale(-1)-1,
+                                         mirror(normal(1,2,3))-1,
+                                         scale(2,-1,3)-6,
+                                         matrix([[0,1,0,3], [1,0,0,4],
+                                                 [0.5,0,2,5]])-2
+                                       ]) ))) :-
+    W is F*V,
+    sound(at([Step], Term), W).
+test(mirrored_surface, Chains == [[1,4,3,2]]) :-
+    primitive_shape(at([mirror(x)], rectangle(size(1,2))), _, _, Chains).
+test(not_mirrored_twice, Chains == [[1,2,3,4]]) :-
+    primitive_shape(at([mirror(x), scale(1,-1,1)], rectangle(size(1,2))), _,
+                    _, Chains).
+test(curve_keeps_its_way, Chains == [[1,2]]) :-
+    primitive_shape(at([mirror(x)], line(from(1,0,0), to(2,0,0))), _, _,
+                    Chains).
+
+:- end_tests(primitive_solids).
+
+:- begin_tests(placing).
+
+moved_to(Steps, X, Y, Z) :-
+    primitive_shape(at(Steps, line(from(0,0,0), to(1,2,3))), _, [_, P], _),
+    point_distance(P, point(X, Y, Z), D),
+    D < 1.0e-14.
+
+test(any_axis) :-
+    moved_to([rotate(axis(1,1,1), 120)], 3, 1, 2).
+test(axis_of_any_length) :-
+    moved_to([rotate(axis(1.0e-80,1.0e-80,1.0e-80), 120)], 3, 1, 2).
+test(axis_is_an_axis, forall(member(A-V, [ x-axis(7,0,0), y-axis(0,2,0),
+                                           z-axis(0,0,0.1) ]))) :-
+    primitive_shape(at([rotate(A, 33)], box(size(1,2,3))), _, Ps, _),
+    primitive_shape(at([rotate(V, 33)], box(size(1,2,3))), _, Qs, _),
+    forall(nth1(I, Ps, P), ( nth1(I, Qs, Q), point_distance(P, Q, D),
+                             D < 1.0e-14 )).
+test(any_line) :-
+    moved_to([rotate(from(1,2,0), to(1,2,5), 70)], 1, 2, 3).
+test(half_turn_about_a_line) :-
+    moved_to([rotate(from(2,0,0), to(2,1,0), 180)], 3, 2, -3).
+test(scaled) :-
+    moved_to([scale(2), scale(1,2,-1)], 2, 8, -6).
+test(mirror_in_a_plane) :-
+    moved_to([mirror(normal(1,-1,0))], 2, 1, 3).
+test(matrix) :-
+    moved_to([matrix([[1,0,0,10], [0,0,1,20], [0,1,0,30]])], 11, 23, 32).
+test(no_step, forall(member(Step, [ scale(0), scale(1,0,1), mirror(w),
+                                    mirror(normal(0,0,0)), rotate(w, 1),
+                                    rotate(axis(0,0,0), 1),
+                                    rotate(from(1,1,1), to(1,1,1), 5),
+                                    rotate(x, a), scale(a), translate(1,2),
+                                    matrix([[1,0,0,0], [0,1,0,0]]),
+                                    matrix([[1,2,3,0], [4,5,6,0],
+                                            [7,8,9,0]]), turn
+                                  ]))) :-
+    refused(at([Step], box(size(1,1,1))), no_step(Step)).
+test(too_far) :-
+    refused(at([translate(1.0e30,0,0)], box(size(1,1,1))), collapsed).
+test(too_large) :-
+    refused(at([scale(1.0e300), scale(1.0e300)], box(size(1,1,1))),
+            too_large).
+
+:- end_tests(placing).
+
+:- begin_tests(tolerance).
+
+% The chords of N facets are within T, those of N-1 are not.
+test(chords, forall(( member(R, [0.001, 1, 7.3, 1.0e6]),
+                      member(K, [1.0e-9, 1.0e-6, 1.0e-3, 0.01, 0.3]),
+                      member(D, [360, 90, 200.5]) ))) :-
+    T is R*K,
+    chord_facets(R, T, D, N),
+    Sagitta is R*2*sin(D*pi/720/N)**2,
+    Sagitta =< T*(1+1.0e-4),
+    Least is floor(D/180)+1,
+    (   N =:= Least
+    ->  true
+    ;   R*2*sin(D*pi/720/(N-1))**2 > T*(1-1.0e-4)
+    ).
+% The midpoints of edges and polygons are within T of the smooth surface.
+test(respected, forall(member(Term, [ sphere(radius(2), tolerance(0.01)),
+                                      hemisphere(radius(2), tolerance(0.01))
+                                    ]))) :-
+    primitive_shape(Term, _, Ps, Chains),
+    Table =.. [t|Ps],
+    forall(( member(Chain, Chains), length(Chain, N), N =< 4,
+             append(_, [A|Cs], Chain), member(B, Cs) ),
+           ( arg(A, Table, point(X1,Y1,Z1)),
+             arg(B, Table, point(X2,Y2,Z2)),
+             2 - sqrt((X1+X2)**2 + (Y1+Y2)**2 + (Z1+Z2)**2)/2 =< 0.01 )).
+test(in_units_of_the_model, N1 == N2) :-
+    primitive_shape(cylinder(radius(10), height(1), tolerance(0.1)), _, _, P),
+    primitive_shape(at([rotate(x, 10), scale(10), translate(1,2,3)],
+                       cylinder(radius(1), height(1), tolerance(0.1))), _, _,
+                    Q),
+    length(P, N1),
+    length(Q, N2).
+test(finer, true(N1 < N2)) :-
+    primitive_shape(torus(radius(2), tube(1), tolerance(0.1)), _, _, P),
+    primitive_shape(torus(radius(2), tube(1), tolerance(0.01)), _, _, Q),
+    length(P, N1),
+    length(Q, N2).
+test(both) :-
+    refused(circle(radius(1), facets(9), tolerance(1)),
+            both(facets, tolerance)).
+test(absurd, forall(member(T, [1.0e-300, 5.0e-324, 1.0e-17]))) :-
+    refused(circle(radius(1), tolerance(T)), too_many(_)).
+test(too_many_facets) :-
+    refused(sphere(radius(1), facets(1_000_000_000)), wrong_argument(_, _)).
+
+:- end_tests(tolerance).
