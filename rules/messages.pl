@@ -45,6 +45,9 @@ english(error(usage_error(What), _)) -->
     usage_en(What).
 english(error(domain_error(Domain, Value), _)) -->
     drawing_en(domain(Domain, Value)).
+english(error(existence_error(directory, Folder), context(Writer, _))) -->
+    { Writer == sg_output:writing/3 },
+    usage_en(no_folder(Folder)).
 english(error(cannot_write(File, Why), _)) -->
     usage_en(cannot_write(File, Why)).
 english(sanggwan_interrupt(_)) -->
@@ -378,8 +381,8 @@ mesh_en(unsupported(Text)) -->
     [ '~w is a kind of this format that is not read'-[Text], nl,
       '  Save it in plain text form.' ].
 mesh_en(expected(Wanted, '')) -->
-    [ 'the file ends where ~w should come'-[Wanted], nl,
-      '  It may be cut off: get the whole file.' ].
+    [ 'nothing stands where ~w should come'-[Wanted], nl,
+      '  Complete the line; if the file ends here, get the whole file.' ].
 mesh_en(expected(Wanted, Text)) -->
     { Text \== '' },
     [ 'here stands ~w, where ~w should come'-[Text, Wanted], nl,

@@ -52,6 +52,9 @@ korean(error(usage_error(What), _)) -->
     usage_ko(What).
 korean(error(domain_error(Domain, Value), _)) -->
     drawing_ko(domain(Domain, Value)).
+korean(error(existence_error(directory, Folder), context(Writer, _))) -->
+    { Writer == sg_output:writing/3 },
+    usage_ko(no_folder(Folder)).
 korean(error(cannot_write(File, Why), _)) -->
     usage_ko(cannot_write(File, Why)).
 korean(sanggwan_interrupt(_)) -->
@@ -363,8 +366,8 @@ mesh_ko(unsupported(Text)) -->
     [ '~w 은(는) 이 형식 가운데 읽지 않는 종류입니다'-[Text], nl,
       '  보통의 텍스트 형식으로 저장하십시오.' ].
 mesh_ko(expected(Wanted, '')) -->
-    [ '~w 이(가) 와야 할 곳에서 파일이 끝납니다'-[Wanted], nl,
-      '  잘렸을 수 있으니 온전한 파일을 구하십시오.' ].
+    [ '~w 이(가) 와야 할 곳에 아무것도 없습니다'-[Wanted], nl,
+      '  줄을 채우십시오. 파일이 여기서 끝나면 온전한 파일을 구하십시오.' ].
 mesh_ko(expected(Wanted, Text)) -->
     { Text \== '' },
     [ '~w 이(가) 와야 할 곳에 ~w 이(가) 있습니다'-[Wanted, Text], nl,

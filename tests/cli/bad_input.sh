@@ -76,6 +76,7 @@ refused off_index off 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' \
 refused off_inf off 'OFF\n3 1 0\n0 0 inf\n1 0 0\n0 1 0\n3 0 1 2\n' 'finite' '3:'
 refused obj_index obj 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' 'no vertex 9' '4:'
 refused obj_word obj 'v 0 0 x\n' 'no number' '1:'
+refused obj_line obj 'v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n' 'nothing stands where' '2:'
 refused obj_empty obj '# nothing\n' 'neither a polygon nor a curve'
 refused ply_header ply 'ply\nformat ascii 1.0\nelement vertex 3\n' '' ''
 refused ply_truncated ply 'ply\nformat ascii 1.0\nelement vertex 3

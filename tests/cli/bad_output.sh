@@ -11,6 +11,9 @@ check 'no folder: not made' absent "$work/none"
 run convert facts/cube.pl -o "$work/to"/a.pl/b.pl
 check 'folder below nothing' status_is 2
 
+"$sanggwan" repl <<<"draw('$work/none/a.svg')." >"$work/out" 2>"$work/err"
+check 'no folder, from a goal' has "there is no folder $work/none"
+
 # An output that fails leaves the old file as it was.
 echo old >"$work/to/a.svg"
 run draw facts/no_such.pl -o "$work/to/a.svg"
