@@ -17,9 +17,9 @@ main :-
     format("~w~t~10|~w~t~22|~t~w~32|~t~w~42|~t~w~52|~t~w~62|~t~w~72|~t~w~80|~n",
            [case,peer,'ms','ms warm','ratio','its warm',pieces,chains]),
     maplist(print_record(Records), Records),
-    forall(growth(Records, From, To, Exponent),
-           format("~w: growth from ~w to ~w: n^~2f~n",
-                  [sanggwan,From,To,Exponent])),
+    forall(growth(Records, Peer, Key, Exponent),
+           format("~w: growth of ~w from sph20k to sph1300k: n^~2f~n",
+                  [Peer,Key,Exponent])),
     (   ours(Records, "cyl2r", Turned),
         ours(Records, "cyl2", Straight)
     ->  Ratio is Turned.op/Straight.op,
@@ -95,7 +95,14 @@ ratio(Records, R, Key, Text) :-
 
 %   Triangles grow by 64 from sph20k to sph1300k.
 
-growth(Records, sph20k, sph1300k, Exponent) :-
-    ours(Records, "sph20k", Small),
-    ours(Records, "sph1300k", Large),
-    Exponent is log(Large.op/Small.op)/log(64).
+growth(Records, Peer, Key, Exponent) :-
+    member(Small, Records),
+    Small.case == "sph20k",
+    Peer = Small.peer,
+    member(Large, Records),
+    Large.case == "sph1300k",
+    Large.peer == Peer,
+    member(Key, [op, warm]),
+    number(Small.get(Key)),
+    number(Large.get(Key)),
+    Exponent is log(Large.get(Key)/Small.get(Key))/log(64).

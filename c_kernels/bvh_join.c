@@ -7,9 +7,10 @@
 static const double FAR = 1e30; /* units; no two boxes that meet are so far */
 
 enum {
-  TASKS = 512,       /* pairs of nodes that are enough for all threads */
-  SHARE = 16,        /* of them in a task */
-  STEPS_ASKED = 4096 /* pairs of nodes between questions */
+  TASKS = 512,        /* pairs of nodes that are enough for all threads */
+  SHARE = 16,         /* of them in a task */
+  STEPS_ASKED = 4096, /* pairs of nodes between questions */
+  FEW = 1 << 17       /* boxes: threads would not be there in time */
 };
 
 /* A group of nodes of each tree, some of which may overlap. */
@@ -338,6 +339,18 @@ collect(const joiner *join, size_t tasks, sg_bvh_hits *out)
   return true;
 }
 
+/* Whether the caller alone does the join: it is small. */
+static bool
+is_small(const sg_bvh_pair *pair, size_t n)
+{
+  size_t boxes = 0;
+
+  for (size_t k = 0; k < n && boxes < FEW; k++) {
+    boxes += pair[k].a->n + pair[k].b->n;
+  }
+  return boxes < FEW;
+}
+
 bool
 sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
             const sg_poll *poll, sg_bvh_hits *out)
@@ -356,7 +369,8 @@ sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
   join.fronts = front.n;
   join.found = calloc(tasks + 1, sizeof *join.found);
   good = good && join.found &&
-         sg_crew_run(crew, tasks, do_share, &join, poll) &&
+         sg_crew_run(is_small(pair, n) ? NULL : crew, tasks, do_share, &join,
+                     poll) &&
          collect(&join, tasks, out);
   for (size_t k = 0; join.found && k < tasks; k++) {
     free(join.found[k].hit);

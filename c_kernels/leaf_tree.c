@@ -3,7 +3,8 @@
 #include <stdlib.h>
 
 enum {
-  SMALL = 1 << 15, /* a tree of fewer leaves is one task */
+  SMALL = 1 << 15, /* a tree of fewer leaves is one task, and so is less
+                    * than so many rows in all */
   ASKED = 1 << 16  /* vertices between questions */
 };
 
@@ -217,6 +218,13 @@ find_edges(forest *f, const int32_t *wanted)
   return good;
 }
 
+/* The rows of n segments. */
+static size_t
+rows_of(const sg_segment_rows *rows, size_t n)
+{
+  return rows->begin[n] - rows->begin[0];
+}
+
 static bool
 grow_all(forest *f, const int32_t *wanted, sg_crew *crew)
 {
@@ -230,8 +238,13 @@ grow_all(forest *f, const int32_t *wanted, sg_crew *crew)
                             &f->vertices) ||
       !sg_segment_rows_find(&f->views->t, wanted, f->n, f->poll,
                             &f->triangles) ||
-      !find_edges(f, wanted) ||
-      !sg_crew_run(crew, f->n, vertices_task, f, f->poll)) {
+      !find_edges(f, wanted)) {
+    return false;
+  }
+  if (rows_of(&f->vertices, f->n) + rows_of(&f->triangles, f->n) < SMALL) {
+    crew = NULL;
+  }
+  if (!sg_crew_run(crew, f->n, vertices_task, f, f->poll)) {
     return false;
   }
   for (size_t i = 0; i < f->n; i++) {
@@ -304,8 +317,10 @@ sg_leaf_boxes(const sg_view *vertices, const int32_t *wanted, size_t n,
               sg_crew *crew, const sg_poll *poll, sg_box *out)
 {
   box_job job = {.vertices = vertices, .out = out};
-  bool good = sg_segment_rows_find(vertices, wanted, n, poll, &job.rows) &&
-              sg_crew_run(crew, n, box_task, &job, poll);
+  bool good = sg_segment_rows_find(vertices, wanted, n, poll, &job.rows);
+
+  good = good && sg_crew_run(rows_of(&job.rows, n) < SMALL ? NULL : crew, n,
+                             box_task, &job, poll);
 
   sg_segment_rows_clear(&job.rows);
   return good;
