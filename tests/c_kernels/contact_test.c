@@ -175,7 +175,8 @@ test_delaunay(void)
   CHECK("a point inside", sg_triangles_insert(work, &list, N) && list.n == N);
   CHECK("one in the middle",
         sg_triangles_insert(work, &list, N + 1) && list.n == N + 2);
-  CHECK("better", sg_triangles_delaunay(work, &list, is_side, &n));
+  CHECK("better",
+        sg_triangles_delaunay(work, &list, is_side, &n, NULL) == SG_DONE);
   for (size_t i = 0; i < list.n; i++) {
     const int32_t *v = list.item[i].v;
     const double *a = sg_work_point(work, v[0])->p;
