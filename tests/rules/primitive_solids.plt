@@ -1,6 +1,7 @@
 :- module(test_primitive_solids, []).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
+:- use_module(library(readutil)).
 :- use_module(rules(angle)).
 :- use_module(rules(check)).
 :- use_module(rules(model_file)).
@@ -264,3 +265,280 @@ test(too_many_facets) :-
     refused(sphere(radius(1), facets(1_000_000_000)), wrong_argument(_, _)).
 
 :- end_tests(tolerance).
+
+:- begin_tests(bezier).
+
+flat_patch([[0,0,0],[1,0,0],[2,0,0],[3,0,0], [0,1,0],[1,1,0],[2,1,0],[3,1,0],
+            [0,2,0],[1,2,0],[2,2,0],[3,2,0], [0,3,0],[1,3,0],[2,3,0],[3,3,0]]).
+
+pot(Term) :-
+    in_new_world(( absolute_file_name(sanggwan('facts/primitives.pl'), File),
+                   read_model(File),
+                   once(segment(_, _, named(pot, at(_, Term)))) )).
+
+test(flat) :-
+    flat_patch(Ps),
+    checked(bezier(points(Ps), facets(4)), Segment),
+    Segment.vertices =:= 25,
+    Segment.polygons =:= 32,
+    Segment.border_edges =:= 16,
+    near(Segment.area, 9).
+test(points_are_on_the_surface) :-
+    flat_patch(Ps),
+    primitive_shape(bezier(points(Ps), facets(3)), surface, Points, _),
+    memberchk(point(1.0,2.0,0.0), Points).
+test(one_surface) :-
+    pot(Term),
+    checked(Term, Segment),
+    faultless(Segment),
+    [Shell] = Segment.shells,
+    Shell.closed == true,
+    Shell.euler =:= 2,
+    Shell.volume > 2.5,
+    Segment.vertices =:= 31*24 + 15*24 + 2 + 24.
+test(borders_either_way, true(N =:= 16+16-4)) :-
+    % the second patch begins at the other end of the common side
+    Ps = [[0,0,0],[1,0,1],[2,0,1],[3,0,0.3], [0,1,0],[1,1,0],[2,1,0],[3,1,0],
+          [0,2,0],[1,2,0],[2,2,0],[3,2,0], [0,3,0],[1,3,0],[2,3,0],[3,3,0],
+          [0,-1,0],[1,-1,0],[2,-1,0],[3,-1,0],
+          [0,-2,0],[1,-2,0],[2,-2,0],[3,-2,0],
+          [0,-3,0],[1,-3,0],[2,-3,0],[3,-3,0]],
+    primitive_shape(bezier(points(Ps), facets(3),
+                           patches([[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16],
+                                    [4,3,2,1,20,19,18,17,24,23,22,21,28,27,
+                                     26,25]])), _, Points, _),
+    length(Points, N).
+test(clash) :-
+    flat_patch(Ps),
+    numlist(1, 16, L),
+    refused(bezier(points(Ps), patches([L,L])), patches_clash(1, 2)).
+test(collapsed_side, Lengths-N == [3]-6) :-
+    Ps = [[0,0,0],[0,0,0],[0,0,0],[0,0,0], [0,1,0],[1,1,0],[2,1,0],[3,1,0],
+          [0,2,0],[1,2,0],[2,2,0],[3,2,0], [0,3,0],[1,3,0],[2,3,0],[3,3,0]],
+    primitive_shape(bezier(points(Ps), facets(2)), _, Points, Chains),
+    findall(L, ( member(C, Chains), length(C, L) ), Ls),
+    sort(Ls, Lengths),
+    length(Chains, N),
+    length(Points, 7).
+% Points between the corners of a triangle are within T of some point of the
+% patch: those of the cell, taken finely.
+test(tolerance, true(Worst =< 0.01)) :-
+    Ps = [[0,0,0],[1,0,2],[2,0,-1],[3,0,0], [0,1,1],[1,1,3],[2,1,0],[3,1,2],
+          [0,2,0],[1,2,-2],[2,2,1],[3,2,0], [0,3,1],[1,3,0],[2,3,2],[3,3,0]],
+    in_new_world(( add_primitive(bezier(points(Ps), tolerance(0.01)), S),
+                   findall(D, centre_distance(S, D), Ds) )),
+    max_list(Ds, Worst).
+
+% The middle of a diagonal and the surface at the middle of its cell.
+centre_distance(S, D) :-
+    smooth_surface(S, Part, Surface),
+    face_of(S, P, curved(Part, [U1-U2, V1-V2])),
+    p(S, P, Es),
+    U is (U1+U2)/2,
+    V is (V1+V2)/2,
+    surface_point(Surface, U, V, Point),
+    findall(D0, ( member(E, Es),
+                  e(S, E, A, B, _),
+                  v(S, A, X1, Y1, Z1),
+                  v(S, B, X2, Y2, Z2),
+                  X is (X1+X2)/2,
+                  Y is (Y1+Y2)/2,
+                  Z is (Z1+Z2)/2,
+                  point_distance(point(X,Y,Z), Point, D0) ),
+            Ds),
+    min_list(Ds, D).
+
+:- end_tests(bezier).
+
+:- begin_tests(faces).
+
+round_term(cylinder(radius(2,1), height(3), shift(1,2))).
+round_term(cone(radius(2), height(3))).
+round_term(cone(radius(2), top(1), height(3), shift(0,1))).
+round_term(cone(radius(2,1), top(1,1), height(3))).
+round_term(hollow_cylinder(radius(2), inner(1), height(3))).
+round_term(turning(outline([[0,0],[3,1],[3,2],[1,5],[0,5]]))).
+round_term(turning(outline([[1,0],[3,1],[3,2],[1,5]]), angle(100))).
+round_term(sphere(radius(1,2,3))).
+round_term(egg(radius(1), up(2), down(1))).
+round_term(hemisphere(radius(2))).
+round_term(torus(radius(3), tube(1))).
+
+% Every corner of a curved facet is on its surface, at an end of its ranges.
+test(on_the_surface, forall(round_term(Term))) :-
+    Placed = named(x, at([rotate(axis(1,2,3), 40), scale(1,-2,1),
+                          translate(1,2,3)], Term)),
+    in_new_world(( add_primitive(Placed, S),
+                   forall(curved_corner(S, What, Surface, Point),
+                          corner_on(What, Surface, Point)),
+                   once(curved_corner(S, _, _, _)) )).
+test(flat_faces, all(What == [base,top,side(1),side(2),side(3),side(4)])) :-
+    in_new_world(( add_primitive(box(size(1,1,1)), S),
+                   findall(W, face_of(S, _, W), Whats) )),
+    member(What, Whats).
+test(one_face, What == curved(side, [90.0-180.0])) :-
+    in_new_world(( add_primitive(cylinder(radius(1), height(1), facets(4)),
+                                 S),
+                   face_of(S, 4, What) )).
+test(generators, all(P == [3,4,5])) :-
+    in_new_world(( add_primitive(cylinder(radius(1), height(1), facets(3)),
+                                 S),
+                   findall(P0, face_of(S, P0, curved(side, _)), Ps) )),
+    member(P, Ps).
+test(axis_and_radius, Surface == cylinder(point(1.0,0.0,0.0),
+                                          vector(0.0,2.0,0.0),
+                                          vector(-2.0,0.0,0.0),
+                                          vector(0.0,0.0,3.0))) :-
+    in_new_world(( add_primitive(at([rotate(z,90), translate(1,0,0)],
+                                    cylinder(radius(2), height(3))), S),
+                   smooth_surface(S, side, Surface) )).
+test(not_of_others, fail) :-
+    in_new_world(( assert_fact(segment(1, solid, cube)),
+                   face_of(1, _, _) )).
+
+curved_corner(S, What, Surface, point(X, Y, Z)) :-
+    face_of(S, P, What),
+    What = curved(Part, _),
+    once(smooth_surface(S, Part, Surface)),
+    p(S, P, Es),
+    member(E, Es),
+    e(S, E, V, _, _),
+    v(S, V, X, Y, Z).
+
+corner_on(curved(_, [T1-T2]), Surface, Point) :-
+    member(T, [T1, T2]),
+    member(H, [0.0, 1.0]),
+    close_to(Surface, T, H, Point),
+    !.
+corner_on(curved(_, [T1-T2, S1-S2]), Surface, Point) :-
+    member(T, [T1, T2]),
+    member(S, [S1, S2]),
+    close_to(Surface, T, S, Point),
+    !.
+
+close_to(Surface, T, H, Point) :-
+    surface_point(Surface, T, H, Point2),
+    point_distance(Point, Point2, D),
+    D < 1.0e-12.
+
+:- end_tests(faces).
+
+:- begin_tests(sweep).
+
+% Random primitives, placed at random, through `check`.
+test(random, [ setup(set_random(seed(1988))), forall(between(1, 150, I)) ]) :-
+    random_term(I, Term),
+    random_between(-9, 9, A),
+    random_between(1, 359, D),
+    random_member(F, [-3, -0.5, 0.25, 2]),
+    random_member(G, [-1, 1, 1.5]),
+    Placed = at([rotate(axis(A, 2, 5), D), scale(F, G, 1),
+                 translate(A, D, F)], Term),
+    checked(Term, Segment),
+    checked(Placed, Moved),
+    told_if_wrong(Term, Segment, Moved),
+    Volume is abs(F*G)*Segment.volume,
+    Segment.volume > 0.0,
+    abs(Moved.volume - Volume) < 1.0e-9*Volume.
+
+told_if_wrong(Term, Segment, Moved) :-
+    (   faultless(Segment),
+        faultless(Moved)
+    ->  true
+    ;   format(user_error, "~p: ~p ~p~n", [Term, Segment.faults,
+                                          Moved.faults]),
+        fail
+    ).
+
+length_of(R) :-
+    random_between(1, 40, N),
+    R is N/8.
+
+random_term(I, Term) :-
+    K is I mod 9,
+    random_between(3, 17, N),
+    random_between(3, 9, M),
+    maplist(length_of, [A, B, C]),
+    random_between(-8, 8, X),
+    random_between(-8, 8, Y),
+    once(random_term(K, N, M, A, B, C, X, Y, Term)).
+
+random_term(0, N, _, A, B, C, X, Y,
+            cylinder(radius(A,B), height(C), shift(X,Y), facets(N))).
+random_term(1, N, _, A, B, C, X, Y,
+            cone(radius(A), top(B), height(C), shift(X,Y), facets(N))).
+random_term(2, N, _, A, B, C, X, Y,
+            hollow_cylinder(radius(R), inner(A), height(C), shift(X,Y),
+                            facets(N))) :-
+    R is A+B.
+random_term(3, N, M, A, B, C, _, _,
+            sphere(radius(A,B,C), facets(N), bands(M))).
+random_term(4, N, M, A, B, _, _, _,
+            torus(radius(R), tube(A), facets(N), sides(M))) :-
+    R is A+B.
+random_term(5, N, M, A, B, C, _, _,
+            egg(radius(A), up(B), down(C), facets(N), bands(K))) :-
+    K is 2*M.
+random_term(6, N, M, A, B, C, _, _,
+            turning(outline(Points), angle(D), facets(N))) :-
+    star(M, A, B, C, Points),
+    D is 360*(1 - (M mod 3)/4).
+random_term(7, _, M, A, B, C, X, Y,
+            prism(outline(Points), height(C), shift(X,Y))) :-
+    star(M, A, B, 0, Points).
+random_term(8, _, M, A, B, C, X, Y,
+            pyramid(outline(Points), height(C), shift(X,Y))) :-
+    star(M, A, B, 0, Points).
+
+% A star of 2*M points, right of the axis.
+star(M, A, B, C, Points) :-
+    N is 2*M,
+    findall([X, Y],
+            ( between(1, N, I),
+              T is I*360/N,
+              exact_sin_cos(T, Sin, Cos),
+              (   I mod 2 =:= 0 -> R = A ; R = B ),
+              X is C + max(A, B) + R*Cos,
+              Y is R*Sin ),
+            Points).
+
+:- end_tests(sweep).
+
+:- begin_tests(documented_primitives).
+
+% The rows of the table in docs/model_files.md: name and example.
+documented(Name, Example) :-
+    absolute_file_name(sanggwan('docs/model_files.md'), File),
+    read_file_to_string(File, Text, [encoding(utf8)]),
+    split_string(Text, "\n", "", Lines),
+    member(Line, Lines),
+    split_string(Line, "|", " ", ["", Form, Kind, Cell, ""]),
+    memberchk(Kind, ["solid", "surface", "curve"]),
+    split_string(Form, "`(", "", ["", Name0|_]),
+    atom_string(Name, Name0),
+    split_string(Cell, "`", "", ["", Example0|_]),
+    Example = Kind-Example0.
+
+test(all, Names == Documented) :-
+    findall(Name, primitive(Name), Names0),
+    sort(Names0, Names),
+    findall(Name, documented(Name, _), Documented0),
+    sort(Documented0, Documented).
+test(examples, forall(( documented(Name, Kind-Text), Name \== bezier ))) :-
+    term_string(Term, Text),
+    primitive_name(Term, Name),
+    primitive_shape(Term, Kind0, _, _),
+    atom_string(Kind0, Kind).
+test(model_of_all, Left == []) :-
+    in_new_world(( absolute_file_name(sanggwan('facts/primitives.pl'), File),
+                   read_model(File),
+                   complete_segments,
+                   check_report(Report),
+                   findall(Name, ( segment(_, _, Term),
+                                   primitive_name(Term, Name) ),
+                           Shown) )),
+    Report.faults =:= 0,
+    Report.remarks =:= 0,
+    findall(Name, ( primitive(Name), \+ memberchk(Name, Shown) ), Left).
+
+:- end_tests(documented_primitives).
