@@ -138,8 +138,9 @@ is_better(const turner *t, int32_t a, int32_t b, int32_t c, int32_t d)
   angle(t, c, a, b, x);
   angle(t, d, a, b, y);
   double sine = x[0] * y[1] + x[1] * y[0];
+  bool both_flat = x[1] < 0 && y[1] < 0 && x[1] * y[1] > x[0] * y[0];
 
-  return sine < -1e-9 * hypot(x[0], x[1]) * hypot(y[0], y[1]);
+  return both_flat || sine < -1e-9 * hypot(x[0], x[1]) * hypot(y[0], y[1]);
 }
 
 /* Turns side k of triangle i if that is better. Both triangles are new then,

@@ -406,6 +406,21 @@ world_row(Row) :-
                   leaf_t(_, _, _, _, _, _) ]),
     call(Row).
 
+% Many tips on a floor, in straight rows: one contact each, no thin triangle of
+% the floor that another tip pierces.
+test(tips_in_rows, N-Points == 576-576) :-
+    findall(at([ rotate(x,180), rotate(z,A), translate(X,Y,1) ],
+               pyramid(base(0.5,0.5), height(1))),
+            ( between(0, 23, I), between(0, 23, J),
+              X is 2*I-23.5, Y is 2*J-23.7, A is (6*I+J)*3.7 ),
+            Tips),
+    box(50,50,1, 0,0,-1, Floor),
+    set_random(seed(3)),
+    rotation(Rotation),
+    turned([Floor|Tips], Rotation,
+           ( aggregate_all(count, line(_, _, _, _, _, _, _, _, _), N),
+             aggregate_all(count, line(_, _, _, A1, A1, _, _, _, _), Points) )).
+
 test(turned, [forall(scene(_, Turns0, Solids)), true(Different == 0)]) :-
     set_random(seed(1988)),
     count_before(Solids),
