@@ -236,7 +236,8 @@ measured(Options, Start) :-
     ).
 
 timing(Name, Seconds) :-
-    member(Name, [load, tree, join, rules, write]),
+    member(Name,
+           [load, tree, resolve, join, chain, rules, enter, write]),
     (   stage_seconds(Name, Seconds0)
     ->  Seconds = Seconds0
     ;   Seconds = 0.0
