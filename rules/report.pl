@@ -28,7 +28,8 @@ print_report(text, Report) :-
 
 print_segment(Language, S) :-
     word(Language, S.kind, Kind),
-    say(Language, segment, [S.segment, Kind, S.name]),
+    shortened(S.name, Name),
+    say(Language, segment, [S.segment, Kind, Name]),
     counted(Language, vertex, S.vertices, Vs),
     counted(Language, edge, S.edges, Es),
     counted(Language, polygon, S.polygons, Ps),
@@ -57,6 +58,16 @@ print_segment(Language, S) :-
     print_defects(Language, fault, S.faults),
     print_defects(Language, remark, S.remarks),
     forall(member(Meeting, S.meetings), print_meeting(Language, Meeting)).
+
+%   A primitive's name is its term, which may be a page long.
+
+shortened(Name0, Name) :-
+    Most = 64,
+    (   sub_string(Name0, 0, Most, Rest, Start),
+        Rest > 3
+    ->  string_concat(Start, "...", Name)
+    ;   Name = Name0
+    ).
 
 print_shell(Language, Shell) :-
     (   Shell.closed == true
