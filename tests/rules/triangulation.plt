@@ -377,10 +377,10 @@ test(bent_is_named, true(N == 2)) :-
 test(stopped, true(E-N == time_limit_exceeded-0)) :-
     comb(Loop),
     with_polygon([Loop], flat,
-                 ( get_time(T0),
+                 ( statistics(cputime, T0),
                    catch(call_with_time_limit(0.02, complete_segments),
                          E, true),
-                   get_time(T1),
+                   statistics(cputime, T1),
                    count_triangles(N)
                  )),
     assertion(T1-T0 < 3).
