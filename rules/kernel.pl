@@ -15,6 +15,10 @@
             near_segments/3,          % +Reach, -S1, -S2
             self_meetings/2,          % +Most, -Segments
             windings/3,               % +S, +Points, -Windings
+            % solid4pl.c
+            solid_take/2,             % +Segments, -Solid
+            solid_counts/4,           % +Solid, -Vertices, -Faces, -Triangles
+            solid_close/1,            % +Solid
             % cut4pl.c, seam4pl.c, split4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
@@ -155,6 +159,27 @@ glue file.
 %
 %   True when segment S has a defect of this Kind; A and B as
 %   c_kernels/census.h says. One pass over the world a call.
+
+/* - - - solid4pl.c - - - */
+
+%!  solid_take(+Segments, -Solid) is det.
+%
+%   Solid is a new handle of a boundary under way (c_kernels/solid.h): the
+%   polygons of Segments as they are in t/6, e/5 and v/5, one face for each that
+%   has triangles. Segments are taken in ascending order, each once; vertices of
+%   different segments stay apart. The handle is freed by atom garbage
+%   collection, or at once by solid_close/1.
+
+%!  solid_counts(+Solid, -Vertices, -Faces, -Triangles) is det.
+%
+%   How many Solid has.
+%
+%   @error type_error(solid, Solid)
+%   @error existence_error(solid, Solid): closed
+
+%!  solid_close(+Solid) is det.
+%
+%   Frees what Solid holds; it cannot be used any more.
 
 /* - - - self4pl.c - - - */
 

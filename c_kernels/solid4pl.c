@@ -1,0 +1,201 @@
+/* solid4pl.c -- a solid under way behind a Prolog handle: taking, counting.
+ *
+ * Layer: glue. The doors are documented in rules/kernel.pl.
+ */
+#include "solid4pl.h"
+
+#include "glue.h"
+#include "solid_take.h"
+
+#include "../engine/install.h"
+
+#include <SWI-Stream.h>
+#include <stdlib.h>
+
+/* ---- the handle ---- */
+
+typedef struct handle {
+  sg_solid solid;
+  bool closed;
+} handle;
+
+static int
+release_handle(atom_t atom)
+{
+  handle *h = PL_blob_data(atom, NULL, NULL);
+
+  sg_solid_clear(&h->solid);
+  free(h);
+  return TRUE;
+}
+
+static int
+write_handle(IOSTREAM *out, atom_t atom, int flags)
+{
+  const handle *h = PL_blob_data(atom, NULL, NULL);
+
+  (void)flags;
+  if (h->closed) {
+    Sfprintf(out, "<sg_solid>(closed)");
+  } else {
+    Sfprintf(out, "<sg_solid>(%zu)", h->solid.faces);
+  }
+  return TRUE;
+}
+
+static PL_blob_t solid_blob = {.magic = PL_BLOB_MAGIC,
+                               .flags = PL_BLOB_UNIQUE | PL_BLOB_NOCOPY,
+                               .name = "sg_solid",
+                               .release = release_handle,
+                               .write = write_handle};
+
+int
+sg_unify_solid(term_t t, sg_solid *moved_in)
+{
+  handle *h = calloc(1, sizeof *h);
+
+  if (!h) {
+    sg_solid_clear(moved_in);
+    return sg_no_memory();
+  }
+  h->solid = *moved_in;
+  *moved_in = (sg_solid){0};
+  return PL_unify_blob(t, h, sizeof *h, &solid_blob);
+}
+
+static int
+get_handle_ex(term_t t, handle **out)
+{
+  PL_blob_t *type;
+  void *data;
+
+  if (!PL_get_blob(t, &data, NULL, &type) || type != &solid_blob) {
+    return PL_is_variable(t) ? PL_instantiation_error(t)
+                             : PL_type_error("solid", t);
+  }
+  *out = data;
+  return !(*out)->closed || PL_existence_error("solid", t);
+}
+
+int
+sg_get_solid_ex(term_t t, sg_solid **out)
+{
+  handle *h;
+
+  if (!get_handle_ex(t, &h)) {
+    return FALSE;
+  }
+  *out = &h->solid;
+  return TRUE;
+}
+
+/* solid_close(+Solid) is det. */
+static foreign_t
+solid_close(term_t solid)
+{
+  handle *h;
+
+  if (!get_handle_ex(solid, &h)) {
+    return FALSE;
+  }
+  sg_solid_clear(&h->solid);
+  h->closed = true;
+  return TRUE;
+}
+
+/* ---- taking ---- */
+
+static int
+compare_ids(const void *x, const void *y)
+{
+  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
+
+  return (a > b) - (a < b);
+}
+
+/* Ascending, each once; returns how many are left. */
+static size_t
+make_set(int32_t *id, size_t n)
+{
+  size_t kept = 0;
+
+  if (n > 1) {
+    qsort(id, n, sizeof *id, compare_ids);
+  }
+  for (size_t i = 0; i < n; i++) {
+    if (kept == 0 || id[kept - 1] != id[i]) {
+      id[kept++] = id[i];
+    }
+  }
+  return kept;
+}
+
+static int
+take_ex(const sg_version *version, const int32_t *segment, size_t n,
+        sg_solid *out)
+{
+  static const sg_relation read[3] = {SG_V, SG_E, SG_T};
+  sg_view view[3] = {{0}};
+  int good = TRUE;
+
+  *out = (sg_solid){0};
+  for (int i = 0; i < 3 && good; i++) {
+    good = sg_version_view(version, read[i], &view[i]);
+  }
+  good = good && sg_solid_take(&(sg_solid_input){&view[0], &view[1], &view[2]},
+                               segment, n, &sg_prolog_poll, out);
+  for (int i = 0; i < 3; i++) {
+    sg_view_clear(&view[i]);
+  }
+  return good || (PL_exception(0) ? FALSE : sg_no_memory());
+}
+
+/* solid_take(+Segments, -Solid) is det. */
+static foreign_t
+solid_take(term_t segments, term_t solid)
+{
+  sg_world *world = sg_current_world_ex();
+  int32_t *segment;
+  sg_solid taken;
+  size_t n;
+
+  if (!world || !sg_get_ids_ex(segments, &segment, &n)) {
+    return FALSE;
+  }
+  n = make_set(segment, n);
+  const sg_version *version = sg_world_version(world);
+  int good = take_ex(version, segment, n, &taken);
+
+  sg_version_drop(version);
+  free(segment);
+  if (!good) {
+    sg_solid_clear(&taken);
+    return FALSE;
+  }
+  return sg_unify_solid(solid, &taken);
+}
+
+/* solid_counts(+Solid, -Vertices, -Faces, -Triangles) is det. */
+static foreign_t
+solid_counts(term_t t, term_t vertices, term_t faces, term_t triangles)
+{
+  sg_solid *solid;
+
+  return sg_get_solid_ex(t, &solid) &&
+         PL_unify_uint64(vertices, solid->vertices) &&
+         PL_unify_uint64(faces, solid->faces) &&
+         PL_unify_uint64(triangles, solid->triangles);
+}
+
+static const PL_extension predicates[] = {
+    {"solid_close", 1, solid_close, 0},
+    {"solid_take", 2, solid_take, 0},
+    {"solid_counts", 4, solid_counts, 0},
+    {NULL, 0, NULL, 0},
+};
+
+void
+sg_install_solid(void)
+{
+  PL_register_extensions_in_module("sg_kernel", predicates);
+}
