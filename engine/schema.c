@@ -12,15 +12,16 @@ const sg_relation_info sg_relation_table[SG_RELATIONS] = {
 #include "relations.def"
 };
 
-/* The column that a relation's ids are in: the last of its key, when nothing
- * else gives it its values. SG_MAX_COLUMNS: the relation has no ids. */
+/* The column that a relation's ids are in: the last of its key, an id or a
+ * segment and an id, when nothing else gives it its values. SG_MAX_COLUMNS: the
+ * relation has no ids. */
 unsigned
 sg_relation_id_column(sg_relation relation)
 {
   const sg_relation_info *info = &sg_relation_table[relation];
   unsigned last;
 
-  if (info->key == 0) {
+  if (info->key == 0 || __builtin_popcount(info->key) > 2) {
     return SG_MAX_COLUMNS;
   }
   last = 31 - (unsigned)__builtin_clz(info->key);

@@ -186,7 +186,7 @@ check_domain_ex(const char *words, term_t t)
 }
 
 static int
-get_id_ex(term_t t, int32_t *out)
+get_int_ex(term_t t, int32_t *out)
 {
   int64_t i;
 
@@ -194,11 +194,8 @@ get_id_ex(term_t t, int32_t *out)
     return PL_is_variable(t) ? PL_instantiation_error(t)
                              : PL_type_error("integer", t);
   }
-  if (!PL_get_int64(t, &i) || i > INT32_MAX) {
+  if (!PL_get_int64(t, &i) || i > INT32_MAX || i < INT32_MIN) {
     return PL_representation_error("int32");
-  }
-  if (i < 0) {
-    return PL_type_error("nonneg", t);
   }
   *out = (int32_t)i;
   return TRUE;
@@ -207,7 +204,7 @@ get_id_ex(term_t t, int32_t *out)
 static int
 get_positive_id_ex(term_t t, int32_t *out)
 {
-  return get_id_ex(t, out) &&
+  return get_int_ex(t, out) && (*out >= 0 || PL_type_error("nonneg", t)) &&
          (*out > 0 || PL_domain_error("positive_integer", t));
 }
 
@@ -285,7 +282,7 @@ sg_get_value_ex(term_t t, const sg_relation_info *info, unsigned c,
 
   switch (info->column[c].type) {
   case SG_INT:
-    return domain ? get_id_ex(t, &out->i) && check_domain_ex(domain, t)
+    return domain ? get_int_ex(t, &out->i) && check_domain_ex(domain, t)
                   : get_positive_id_ex(t, &out->i);
   case SG_FLOAT:
     return get_finite_ex(t, &out->f) && check_most_ex(info->most[c], *out, t);

@@ -137,8 +137,8 @@ fault_en(no_fact(Term)) -->
 fault_en(unknown_relation(Name, Arity)) -->
     [ 'there is no relation ~q/~d'-[Name, Arity], nl,
       '  A model has v/5, e/5, p/3, plane/6, t/6, segment/3, \c
-       leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, line/9, \c
-       curve/2, view/3 and projection/1.' ].
+       leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
+       from_p/5, line/9, curve/2, view/3 and projection/1.' ].
 fault_en(arity(Name, Arity, Wanted)) -->
     [ '~w has '-[Name] ],
     counted(Arity, argument, arguments),

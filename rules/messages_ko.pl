@@ -136,8 +136,8 @@ fault_ko(no_fact(Term)) -->
 fault_ko(unknown_relation(Name, Arity)) -->
     [ '관계 ~q/~d 은(는) 없습니다'-[Name, Arity], nl,
       '  모델의 관계: v/5, e/5, p/3, plane/6, t/6, segment/3, \c
-       leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, line/9, \c
-       curve/2, view/3, projection/1.' ].
+       leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
+       from_p/5, line/9, curve/2, view/3, projection/1.' ].
 fault_ko(arity(Name, Arity, Wanted)) -->
     [ '~w 의 인수가 ~d개입니다. ~d개여야 합니다'-[Name, Arity, Wanted], nl,
       '  ~w/~d 의 설명과 비교하십시오.'-[Name, Wanted] ].

@@ -196,6 +196,10 @@ ready(leaf_p(S, P, Es)) :-
 ready(leaf_t(S, P, T, V1, V2, V3)) :-
     ready(t(S, P, T, V1, V2, V3)).
 ready(origin(_, _, _)).
+ready(from_v(S, V, _, _)) :-
+    has_vertex(S, V).
+ready(from_p(S, P, _, _, _)) :-
+    has_polygon(S, P).
 ready(line(_, _, _, _, _, _, _, _, _)).
 
 has_vertex(S, V) :-
@@ -228,6 +232,14 @@ shifted(shift(DS, DL), origin(S0, Item0, Origin0), origin(S, Item, Origin)) :-
     ;   Item = Item0
     ),
     origin_shifted(Origin0, DS, DL, Origin).
+shifted(shift(DS, _), from_v(S0, V, T0, W), from_v(S, V, T, W)) :-
+    !,
+    S is S0+DS,
+    T is T0+DS.
+shifted(shift(DS, _), from_p(S0, P, T0, Q, Sense), from_p(S, P, T, Q, Sense)) :-
+    !,
+    S is S0+DS,
+    T is T0+DS.
 shifted(shift(DS, _), Fact, Row) :-
     segment_relation(Fact),
     !,
@@ -287,6 +299,8 @@ later_added(Later) :-
     later_rows(Later, leaf_e/5),
     later_rows(Later, leaf_p/3),
     later_rows(Later, leaf_t/6),
+    later_rows(Later, from_v/4),
+    later_rows(Later, from_p/5),
     later_setting(Later, view/3),
     later_setting(Later, projection/1).
 
@@ -470,6 +484,8 @@ row_key(leaf_e(S, E, _, _, _), leaf_e, [S, E], leaf_e(S, E, _, _, _)).
 row_key(leaf_p(S, P, _), leaf_p, [S, P], leaf_p(S, P, _)).
 row_key(leaf_t(S, _, T, _, _, _), leaf_t, [S, T], leaf_t(S, _, T, _, _, _)).
 row_key(origin(S, Item, _), origin, [S, Item], origin(S, Item, _)).
+row_key(from_v(S, V, _, _), from_v, [S, V], from_v(S, V, _, _)).
+row_key(from_p(S, P, T, Q, _), from_p, [S, P, T, Q], from_p(S, P, T, Q, _)).
 row_key(segment(S, _, _), segment, [S], segment(S, _, _)).
 row_key(line(L, _, _, _, _, _, _, _, _), line, [L],
         line(L, _, _, _, _, _, _, _, _)).

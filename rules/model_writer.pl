@@ -6,7 +6,8 @@
 :- use_module(polygon_list, [edges_vertex_list/2]).
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
-                leaf_t/6, segment/3, origin/3, line/9, view/3, projection/1
+                leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9, view/3,
+                projection/1
               ]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).
@@ -15,8 +16,8 @@
 /** <module> Model files written: canonical, one fact a line.
 
 Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,
-plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, every relation
-in the order of its key; then line/9, view/3 and projection/1. Floats have the
+plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4,
+from_p/5, every relation in the order of its key; then line/9, view/3 and projection/1. Floats have the
 fewest digits that read back to the same float. So equal worlds give equal
 bytes, a small change gives a small difference, and read_model/1 brings back the
 same relations.
@@ -70,7 +71,9 @@ write_segment(Stream, S) :-
     write_rows(Stream, E3, leaf_e(S, E3, _, _, _)),
     write_rows(Stream, P3, leaf_p(S, P3, _)),
     write_rows(Stream, T3, leaf_t(S, _, T3, _, _, _)),
-    write_rows(Stream, Item, origin(S, Item, _)).
+    write_rows(Stream, Item, origin(S, Item, _)),
+    write_rows(Stream, V4, from_v(S, V4, _, _)),
+    write_rows(Stream, P4-S0-P0, from_p(S, P4, S0, P0, _)).
 
 :- meta_predicate write_rows(+, ?, 0).
 

@@ -10,6 +10,8 @@
             leaf_t/6,                 % ?S, ?P, ?T, ?V1, ?V2, ?V3
             segment/3,                % ?S, ?Kind, ?Name
             origin/3,                 % ?S, ?Item, ?Origin
+            from_v/4,                 % ?S, ?V, ?S0, ?V0
+            from_p/5,                 % ?S, ?P, ?S0, ?P0, ?Sense
             line/9,                   % ?L, ?S1, ?P1, ?A1, ?B1,
                                       % ?S2, ?P2, ?A2, ?B2
             view/3,                   % ?Theta, ?Phi, ?Rho
@@ -138,6 +140,17 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   True when Item, one of v(V), e(E) and p(P), of segment S was made as
 %   Origin says. Indexed by S with Item, and by Origin.
+
+%!  from_v(?S, ?V, ?S0, ?V0) is nondet.
+%
+%   True when vertex V of segment S, the result of an operation on solids, was
+%   vertex V0 of segment S0. A vertex that a cut made has an origin/3 instead.
+
+%!  from_p(?S, ?P, ?S0, ?P0, ?Sense) is nondet.
+%
+%   True when polygon P of segment S, a result, has a part of polygon P0 of
+%   segment S0, or all of it. Sense is 1 if it looks the same way, -1 if it was
+%   turned over. Coplanar parts of several polygons can be one polygon.
 
 %!  line(?L, ?S1, ?P1, ?A1, ?B1, ?S2, ?P2, ?A2, ?B2) is nondet.
 %
@@ -426,6 +439,8 @@ sandbox:safe_primitive(sg_store:leaf_p(_,_,_)).
 sandbox:safe_primitive(sg_store:leaf_t(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:segment(_,_,_)).
 sandbox:safe_primitive(sg_store:origin(_,_,_)).
+sandbox:safe_primitive(sg_store:from_v(_,_,_,_)).
+sandbox:safe_primitive(sg_store:from_p(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:line(_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:view(_,_,_)).
 sandbox:safe_primitive(sg_store:projection(_)).

@@ -127,6 +127,18 @@ test(origins_follow, O == lpi(2-(1,2), 3-1)) :-
       with_file(Text1, B,
         in_new_world(( read_model(A), read_model(B),
                        origin(2, v(1), O) )))).
+test(sources_follow, Sources == [2-3, 3-1, 2-1]) :-
+    triangle(Text),
+    string_concat(Text, "segment(2,surface,x). v(2,1,0,0,0). v(2,2,1,0,0).
+                         v(2,3,0,1,0). p(2,1,[1,2,3]).
+                         from_p(2,1,1,1,-1). from_p(2,1,2,1,1).
+                         from_v(2,3,1,2).", Text1),
+    with_file(Text, A,
+      with_file(Text1, B,
+        in_new_world(( read_model(A), read_model(B),
+                       from_v(3, 3, S1, 2),
+                       findall(S-1, from_p(3, 1, S, _, _), Ss),
+                       Sources = [S1-3|Ss1], reverse(Ss, Ss1) )))).
 test(korean_name, Name == '상관') :-
     after_triangle("segment(1, surface, '상관').", Text),
     with_model(Text, segment(1, _, Name)).
@@ -144,6 +156,8 @@ test(written_rows) :-
         e(2,9,1,2,1). e(2,7,2,3,1). e(2,8,3,1,0).
         p(2,4,[9,7,8]). plane(2,4,0,0,1,0). t(2,4,11,1,2,3).
         origin(2, v(3), lpi(1-(1,2), 2-1)). origin(2, p(4), p(1)).
+        from_v(2,3,1,1). from_v(2,1,1,7). from_p(2,4,1,2,1).
+        from_p(2,4,1,1,-1).
         line(3,1,1,1,2,2,4,1,2). view(1,2,3). projection(central).",
         same_after_writing).
 test(canonical_line, Line == "v(1, 1, 0.1, -2.0e-7, 3.0)") :-
@@ -189,6 +203,13 @@ test(id_too_big, W == value(v,'V',2147483648,id)) :-
     after_triangle("v(1,2147483648,0,0,0).", Text), fault(Text, W, _).
 test(edge_type, W == value(e,'Et',2,one_of([0,1]))) :-
     after_triangle("e(1,1,1,2,2).", Text), fault(Text, W, _).
+test(sense, W == value(from_p,'Sense',0,one_of([1,-1]))) :-
+    after_triangle("from_p(1,1,1,1,0).", Text), fault(Text, W, _).
+test(source_twice, W == twice(from_p,[1,1,2,1])) :-
+    after_triangle("from_p(1,1,2,1,1). from_p(1,1,2,1,-1).", Text),
+    fault(Text, W, _).
+test(source_without_polygon, W == missing(p,1,9)) :-
+    after_triangle("from_p(1,9,2,1,1).", Text), fault(Text, W, _).
 test(kind, W == value(segment,'Kind',blob,
                       one_of([solid,surface,curve,cells]))) :-
     after_triangle("segment(1,blob,x).", Text), fault(Text, W, _).

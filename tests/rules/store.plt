@@ -58,6 +58,8 @@ rows([ segment(1, solid, cube), segment(2, surface, "a name"),
        t(2,1,2,1,1,1),
        origin(1,v(2),lpi(1-(3-4),2-7)), origin(1,e(2),e(1)),
        origin(2,v(2),lpi(1-(3-4),2-7)), origin(2,p(1),[x,1r3,-0.5,"s"]),
+       from_v(2,1,1,1), from_v(2,2,1,3),
+       from_p(2,1,1,1,1), from_p(2,1,1,2,1), from_p(2,2,1,1,-1),
        line(1, 1,1,1,2, 2,1,1,2), line(2, 1,1,2,3, 2,2,1,2),
        line(3, 1,2,1,2, 2,1,2,1),
        view(30.0,60.0,10.0), view(30.0,45.0,10.0), view(30.0,60.0,10.0),
@@ -211,6 +213,11 @@ refused(p(1,9,[1|_]),      instantiation_error).
 refused(p(1,9,[1,_]),      instantiation_error).
 refused(p(1,9,x),          type_error(list, x)).
 refused(p(1,9,[x]),        type_error(integer, x)).
+refused(from_p(1,1,2,1,0),
+        domain_error(oneof([1,-1]), 0)).
+refused(from_p(1,1,2,1,-2),
+        domain_error(oneof([1,-1]), -2)).
+refused(from_v(1,99,2,1),  existence_error(v, 1-99)).
 refused(p(1,9,[-1]),       type_error(nonneg, -1)).
 refused(t(1,9,1,1,2,2),    existence_error(p, 1-9)).
 refused(segment(9,blob,x), domain_error(oneof([solid,surface,curve,cells]),
