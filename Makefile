@@ -129,6 +129,12 @@ $(B)/tests/%_test: tests/%_test.c tests/check.h $(CORE)
 	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) -MMD -MP $< $(CORE) -o $@ $(LIBS)
 -include $(C_TESTS:%=%.d)
 
+# The checker of results: shares nothing with the engine.
+CHECKER := $(B)/tests/solid_checker
+$(CHECKER): $(wildcard tests/checker/*.c) $(wildcard tests/checker/*.h)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $(filter %.c,$^) -o $@ -lgmp -lm
+
 # Programs that use the library as a host does: tests and the example.
 EMBEDS  := $(patsubst %.c,$(B)/%,$(wildcard tests/embed/*$(T)*_test.c))
 $(EMBEDS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
@@ -137,16 +143,16 @@ $(EMBEDS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
 	$(CC) $(CFLAGS) $(WARN) -Wno-sign-conversion $(PL_CFLAGS) -Iengine \
 	  $(EXTRA_CFLAGS) $< $(B)/libsanggwan.a -o $@ $(PL_LIBS) $(LIBS)
 
-test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example
+test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKER)
 	@tests/run $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
 check: test
 check-c: $(C_TESTS)
 	@tests/run $^
-check-rules: $(B)/sanggwan.so $(B)/documentation.pl
+check-rules: $(B)/sanggwan.so $(B)/documentation.pl $(CHECKER)
 	@tests/run $(PLTS)
 check-embed: $(EMBEDS)
 	@tests/run $^
-check-cli: all $(B)/docs/example
+check-cli: all $(B)/docs/example $(CHECKER)
 	@tests/run $(CLIS)
 
 # --- checkers --------------------------------------------------------------
@@ -160,7 +166,7 @@ SAN := -fsanitize=address,undefined -fno-sanitize-recover=undefined \
 check-san:
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san san
-san: $(B)/sanggwan.so $(C_TESTS)
+san: $(B)/sanggwan.so $(C_TESTS) $(CHECKER)
 	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
 	@$(B)/tests/c_kernels/mesh_fuzz_test 20000
 	@echo 'skipped: the tests of rules that need threads'
