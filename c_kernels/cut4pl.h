@@ -59,6 +59,11 @@ int sg_cut_join_ex(sg_cut_handle *handle);
 int32_t sg_cut_enter_point_ex(sg_cut_handle *handle, sg_work *work,
                               uint32_t point, int32_t s);
 
+/* The name that a point has in polygon p of segment s: of several the one that
+ * is a vertex of it, else the smallest. 0: none (seam4pl.c). */
+int32_t sg_cut_name_in(sg_cut_handle *handle, uint32_t point, int32_t s,
+                       int32_t p);
+
 /* What made a point, as in origin/3 (line4pl.c). */
 int sg_unify_origin(term_t t, const sg_cut_points *points, uint32_t point);
 

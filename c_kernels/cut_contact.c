@@ -15,8 +15,11 @@ sg_cut_touch(sg_cut_set *set, const uint32_t t[2], const sg_cut_end *end)
                    sizeof *set->contact)) {
     return -1;
   }
-  set->contact[set->contacts++] = (sg_cut_contact){
-      {leaf[t[0]].s, leaf[t[1]].s}, {leaf[t[0]].p, leaf[t[1]].p}, point};
+  int swap = leaf[t[0]].s == leaf[t[1]].s && leaf[t[1]].p < leaf[t[0]].p;
+  const sg_leaf_triangle *a = &leaf[t[swap]], *b = &leaf[t[!swap]];
+
+  set->contact[set->contacts++] =
+      (sg_cut_contact){{a->s, b->s}, {a->p, b->p}, point};
   return 0;
 }
 

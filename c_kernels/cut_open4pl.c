@@ -9,6 +9,7 @@
 
 #include "bvh_join.h"
 #include "glue.h"
+#include "self_leaf.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -62,6 +63,10 @@ get_pairs_ex(term_t list, sg_cut_handle *handle)
           !want_segment_ex(handle, handle->pair[i][k])) {
         return FALSE;
       }
+    }
+    if (handle->pair[i][0] == handle->pair[i][1] &&
+        !sg_cut_points_set_by_itself(&handle->set.points, handle->pair[i][0])) {
+      return sg_no_memory();
     }
     handle->pairs++;
   }
@@ -159,8 +164,8 @@ typedef struct join {
 
 enum { REFUSED = UINT32_MAX }; /* a leaf without one of its corners */
 
-/* The pairs of trees of one sort. A curve comes first, else the smaller
- * segment. */
+/* The pairs of trees of one sort, of two segments. A curve comes first, else
+ * the smaller segment. */
 static void
 take_pairs(join *j, bool curve)
 {
@@ -173,7 +178,8 @@ take_pairs(join *j, bool curve)
     const sg_leaf_tree *of_a = handle->tree[a]->tree;
     const sg_leaf_tree *of_b = handle->tree[b]->tree;
 
-    if ((of_a->curve && of_b->curve) || (of_a->curve || of_b->curve) != curve) {
+    if (a == b || (of_a->curve && of_b->curve) ||
+        (of_a->curve || of_b->curve) != curve) {
       continue;
     }
     bool swap = curve ? of_b->curve : b < a;
@@ -281,6 +287,31 @@ keep_hits_ex(join *j, const sg_bvh_hits *hits)
   return TRUE;
 }
 
+/* The candidates of segments with themselves: they are never let out. */
+static int
+join_selves_ex(join *j, sg_crew *crew)
+{
+  sg_cut_handle *handle = j->handle;
+  int good = TRUE;
+
+  for (size_t i = 0; i < handle->pairs && good; i++) {
+    size_t at = place_of(handle, handle->pair[i][0]);
+    sg_bvh_hits hits;
+
+    if (handle->pair[i][0] != handle->pair[i][1]) {
+      continue;
+    }
+    if (!sg_self_leaf_join(handle->tree[at]->tree, &handle->views, crew,
+                           &sg_prolog_poll, &hits)) {
+      return PL_exception(0) ? FALSE : sg_no_memory();
+    }
+    j->place[0][0] = j->place[0][1] = at;
+    good = keep_hits_ex(j, &hits); /* all of pair 0 */
+    free(hits.hit);
+  }
+  return good;
+}
+
 static int
 join_ex(join *j, sg_crew *crew)
 {
@@ -296,6 +327,9 @@ join_ex(join *j, sg_crew *crew)
     good = keep_hits_ex(j, &hits);
     free(hits.hit);
     if (!good) {
+      return FALSE;
+    }
+    if (!curve && !join_selves_ex(j, crew)) {
       return FALSE;
     }
     if (!curve) {

@@ -436,10 +436,9 @@ uint32_t
 sg_cut_set_find(const sg_cut_set *set, int32_t s1, int32_t s2, uint32_t a,
                 uint32_t b)
 {
-  uint32_t ends[2];
+  const sg_cut_piece piece = {.s = {s1, s2}, .a = a, .b = b};
+  uint32_t key[SG_KEY_WORDS];
 
-  pair_key(a, b, ends);
-  return sg_key_table_get(
-      &set->piece_number,
-      (uint32_t[4]){(uint32_t)s1, (uint32_t)s2, ends[0], ends[1]});
+  sg_cut_piece_key(set, &piece, key);
+  return sg_key_table_get(&set->piece_number, key);
 }

@@ -13,6 +13,7 @@ sg_cut_points_init(sg_cut_points *points, const sg_cut_model *model)
   sg_key_table_init(&points->of_made, 6);
   sg_key_table_init(&points->of_place, 6);
   sg_key_table_init(&points->of_name, 2);
+  sg_key_table_init(&points->by_itself, 1);
 }
 
 void
@@ -26,7 +27,29 @@ sg_cut_points_clear(sg_cut_points *points)
   sg_key_table_clear(&points->of_made);
   sg_key_table_clear(&points->of_place);
   sg_key_table_clear(&points->of_name);
+  sg_key_table_clear(&points->by_itself);
   sg_cut_points_init(points, points->model);
+}
+
+bool
+sg_cut_points_set_by_itself(sg_cut_points *points, int32_t s)
+{
+  uint32_t key = (uint32_t)s;
+  uint32_t *known = sg_key_table_put(&points->by_itself, &key);
+
+  if (known) {
+    *known = 1;
+  }
+  return known != NULL;
+}
+
+bool
+sg_cut_points_is_by_itself(const sg_cut_points *points, int32_t s)
+{
+  uint32_t key = (uint32_t)s;
+
+  return points->by_itself.n > 0 &&
+         sg_key_table_get(&points->by_itself, &key) != SG_NO_KEY;
 }
 
 int32_t
@@ -120,15 +143,26 @@ seat_all(sg_cut_points *points, uint32_t point, const sg_made *made)
 }
 
 int32_t
-sg_cut_points_name(const sg_cut_points *points, uint32_t point, int32_t s)
+sg_cut_points_next_name(const sg_cut_points *points, uint32_t point, int32_t s,
+                        int32_t v)
 {
+  int32_t least = 0;
+
   for (uint32_t i = points->point[point].seat; i != SG_NO_KEY;
        i = points->seat[i].next) {
-    if (points->seat[i].s == s && points->seat[i].v != 0) {
-      return points->seat[i].v;
+    const sg_seat *seat = &points->seat[i];
+
+    if (seat->s == s && seat->v > v && (least == 0 || seat->v < least)) {
+      least = seat->v;
     }
   }
-  return 0;
+  return least;
+}
+
+int32_t
+sg_cut_points_name(const sg_cut_points *points, uint32_t point, int32_t s)
+{
+  return sg_cut_points_next_name(points, point, s, 0);
 }
 
 bool
@@ -254,7 +288,7 @@ construct(const sg_cut_model *model, const sg_made *made, sg_point *out)
 /* ---- one point, however made ---- */
 
 /* Whether a point made so may be this one: not if it is another vertex of a
- * segment in which this one is a vertex. */
+ * segment in which this one is a vertex, unless that is cut by itself. */
 static bool
 may_be(const sg_cut_points *points, uint32_t point, const sg_made *made)
 {
@@ -265,7 +299,8 @@ may_be(const sg_cut_points *points, uint32_t point, const sg_made *made)
       const sg_leaf_vertex *vertex = &points->model->vertex[place->a];
       int32_t name = sg_cut_points_name(points, point, vertex->s);
 
-      if (name != 0 && name != vertex->v) {
+      if (name != 0 && name != vertex->v &&
+          !sg_cut_points_is_by_itself(points, vertex->s)) {
         return false;
       }
     }

@@ -5,9 +5,11 @@
  * The same pair is the same point, without arithmetic. Points made in
  * different ways are one point when they are EXACTLY in one place: their
  * doubles are correctly rounded, so equal points meet in one bucket and are
- * compared as rationals there. Two vertices of one segment stay two points.
+ * compared as rationals there. Two vertices of one segment stay two points;
+ * of a segment that is cut by itself they are one.
  *
- * A point has a name (the store's V) in every segment that it belongs to.
+ * A point has a name (the store's V) in every segment that it belongs to, and
+ * in one that is cut by itself the names of all vertices in its place.
  */
 #ifndef SG_CUT_POINT_H
 #define SG_CUT_POINT_H
@@ -54,13 +56,19 @@ typedef struct sg_cut_points {
   sg_cut_point *point;
   sg_seat *seat;
   size_t n, room, seats, seat_room;
-  sg_key_table of_made;  /* pairs of places -> point */
-  sg_key_table of_place; /* three doubles -> first point there */
-  sg_key_table of_name;  /* (s, v) -> point */
+  sg_key_table of_made;   /* pairs of places -> point */
+  sg_key_table of_place;  /* three doubles -> first point there */
+  sg_key_table of_name;   /* (s, v) -> point */
+  sg_key_table by_itself; /* the segments that are cut by themselves */
 } sg_cut_points;
 
 void sg_cut_points_init(sg_cut_points *points, const sg_cut_model *model);
 void sg_cut_points_clear(sg_cut_points *points);
+
+/* Says that segment s is cut by itself, before any point is made. False: no
+ * memory. */
+bool sg_cut_points_set_by_itself(sg_cut_points *points, int32_t s);
+bool sg_cut_points_is_by_itself(const sg_cut_points *points, int32_t s);
 
 /* The segment of a place. */
 int32_t sg_place_segment(const sg_cut_model *model, const sg_place *place);
@@ -77,9 +85,13 @@ uint32_t sg_cut_points_find(sg_cut_points *points, const sg_made *made);
 uint32_t sg_cut_points_at(sg_cut_points *points, const sg_point *at,
                           const sg_made *made);
 
-/* The name of a point in segment s, 0: none. */
+/* The name of a point in segment s, 0: none; the smallest, if it has several.
+ */
 int32_t sg_cut_points_name(const sg_cut_points *points, uint32_t point,
                            int32_t s);
+/* Its smallest name in segment s above v, 0: no more. */
+int32_t sg_cut_points_next_name(const sg_cut_points *points, uint32_t point,
+                                int32_t s, int32_t v);
 /* Gives it one; it must have none. False: no memory. */
 bool sg_cut_points_set_name(sg_cut_points *points, uint32_t point, int32_t s,
                             int32_t v);

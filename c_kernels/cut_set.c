@@ -11,7 +11,7 @@ sg_cut_set_init(sg_cut_set *set, sg_is_real *is_real, void *data)
   set->data = data;
   sg_cut_model_init(&set->model);
   sg_cut_points_init(&set->points, &set->model);
-  sg_key_table_init(&set->piece_number, 4);
+  sg_key_table_init(&set->piece_number, SG_KEY_WORDS);
   sg_key_table_init(&set->edge_number, 2);
   sg_key_table_init(&set->late, 2);
 }
@@ -141,6 +141,32 @@ find_carriers(sg_cut_set *set, const sg_cut *cut, sg_cut_piece *piece)
   return true;
 }
 
+static void
+swap_sides(sg_cut_piece *piece)
+{
+  sg_cut_piece was = *piece;
+
+  for (int k = 0; k < 2; k++) {
+    piece->s[k] = was.s[!k];
+    piece->p[k] = was.p[!k];
+    piece->edge[k] = was.edge[!k];
+    piece->triangle[k] = was.triangle[!k];
+  }
+}
+
+/* Of a segment with itself: an edge first, the smaller one; else the smaller
+ * polygon. */
+static void
+order_sides(sg_cut_piece *piece)
+{
+  const uint32_t *edge = piece->edge;
+
+  if (piece->s[0] == piece->s[1] &&
+      (edge[0] == edge[1] ? piece->p[1] < piece->p[0] : edge[1] < edge[0])) {
+    swap_sides(piece);
+  }
+}
+
 /* Keeps one cut of positive length: 1; 0: a chord in a common plane, which is
  * no line; -1: no memory. */
 static int
@@ -171,25 +197,57 @@ keep_cut(sg_cut_set *set, const uint32_t t[2], const sg_cut *cut, bool coplanar)
   if (piece.a == piece.b) {
     return 0;
   }
+  order_sides(&piece);
   set->cut[set->cuts++] = piece;
   return 1;
+}
+
+/* Whether an end of a cut of two triangles is a corner that they share. */
+static bool
+is_shared_corner(const sg_cut_model *model, const uint32_t t[2],
+                 const sg_cut_end *end)
+{
+  const uint32_t *v = model->triangle[t[0]].v, *w = model->triangle[t[1]].v;
+
+  return end->f[0] <= SG_CORNER_2 && end->f[1] <= SG_CORNER_2 &&
+         v[end->f[0]] == w[end->f[1]];
+}
+
+/* A corner or an edge that two triangles of one segment share is no cut. */
+static bool
+is_shared(const sg_cut_model *model, const uint32_t t[2], const sg_cut *cut)
+{
+  return model->triangle[t[0]].s == model->triangle[t[1]].s &&
+         is_shared_corner(model, t, &cut->end[0]) &&
+         is_shared_corner(model, t, &cut->end[1]);
+}
+
+static bool
+of_one_polygon(const sg_leaf_triangle *a, const sg_leaf_triangle *b)
+{
+  return a->s == b->s && a->p == b->p;
 }
 
 int
 sg_cut_set_enter(sg_cut_set *set, uint32_t t1, uint32_t t2)
 {
+  const sg_leaf_triangle *leaf = set->model.triangle;
+  const uint32_t t[2] = {t1, t2};
   double a[3][3], b[3][3];
   sg_cut cut[SG_CUT_MAX];
   int n, kept = 0;
 
+  if (of_one_polygon(&leaf[t1], &leaf[t2])) {
+    return 0;
+  }
   sg_cut_model_corners(&set->model, t1, a);
   sg_cut_model_corners(&set->model, t2, b);
   sg_cut_kind kind =
       sg_cut_triangles((const double(*)[3])a, (const double(*)[3])b, cut, &n);
 
   for (int i = 0; i < n; i++) {
-    const uint32_t t[2] = {t1, t2};
-    int one = sg_cut_is_point(&cut[i])
+    int one = is_shared(&set->model, t, &cut[i]) ? 0
+              : sg_cut_is_point(&cut[i])
                   ? sg_cut_touch(set, t, &cut[i].end[0])
                   : keep_cut(set, t, &cut[i], kind == SG_CUT_COPLANAR);
 
@@ -315,12 +373,38 @@ order_edges(sg_cut_set *set)
   }
 }
 
+/* What carries a piece in side k: 1 + twice an edge, or twice a polygon. */
+static uint32_t
+carrier(const sg_cut_piece *piece, int k)
+{
+  return piece->edge[k] == SG_NO_KEY ? 2 * (uint32_t)piece->p[k]
+                                     : 2 * piece->edge[k] + 1;
+}
+
+/* Pieces of one pair of segments between the same points are one. Where sheets
+ * of a segment that is cut by itself lie on each other, or more than two meet
+ * in a line, they are so only in the same polygons or along the same edges. */
+void
+sg_cut_piece_key(const sg_cut_set *set, const sg_cut_piece *piece,
+                 uint32_t key[SG_KEY_WORDS])
+{
+  bool each = sg_cut_points_is_by_itself(&set->points, piece->s[0]) ||
+              sg_cut_points_is_by_itself(&set->points, piece->s[1]);
+
+  for (int k = 0; k < 2; k++) {
+    key[k] = (uint32_t)piece->s[k];
+    key[2 + k] = each ? carrier(piece, k) : 0;
+  }
+  key[4] = piece->a < piece->b ? piece->a : piece->b;
+  key[5] = piece->a < piece->b ? piece->b : piece->a;
+}
+
 bool
 sg_cut_add_piece(sg_cut_set *set, const sg_cut_piece *piece)
 {
-  uint32_t low = piece->a < piece->b ? piece->a : piece->b;
-  uint32_t high = piece->a < piece->b ? piece->b : piece->a;
-  uint32_t key[4] = {(uint32_t)piece->s[0], (uint32_t)piece->s[1], low, high};
+  uint32_t key[SG_KEY_WORDS];
+
+  sg_cut_piece_key(set, piece, key);
   uint32_t *number = sg_key_table_put(&set->piece_number, key);
 
   if (!number || !sg_cut_room((void **)&set->piece, set->pieces,
@@ -348,13 +432,14 @@ static size_t
 rank_on_edge(const sg_cut_set *set, const sg_split_edge *edge, uint32_t point)
 {
   const sg_leaf_vertex *start = &set->model.vertex[edge->place.a];
+  int32_t v = start->v - 1;
 
   for (size_t i = 0; i < edge->n; i++) {
     if (edge->point[i] == point) {
       return i + 1;
     }
   }
-  return sg_cut_points_name(&set->points, point, start->s) == start->v
+  return sg_cut_points_next_name(&set->points, point, start->s, v) == start->v
              ? 0
              : edge->n + 1;
 }

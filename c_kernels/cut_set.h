@@ -14,9 +14,11 @@
  *
  * A piece belongs to two segments, smaller number first. In each it runs
  * through the face of a polygon (it will be a seam there) or along a real
- * edge (it is there already). A contact is a point that two segments have in
- * common and no piece: it splits the real edges it lies on and enters nothing
- * else.
+ * edge (it is there already). A segment may be cut by itself: then a piece
+ * belongs twice to it, in different polygons, an edge first, else the smaller
+ * polygon. What its triangles share as neighbours is no cut. A contact is a
+ * point that two segments have in common and no piece: it splits the real edges
+ * it lies on and enters nothing else.
  */
 #ifndef SG_CUT_SET_H
 #define SG_CUT_SET_H
@@ -68,7 +70,7 @@ typedef struct sg_cut_set {
   size_t cuts, cut_room, pieces, piece_room;
   sg_cut_contact *contact; /* as entered; once sealed those alone, by s, p */
   size_t contacts, contact_room;
-  sg_key_table piece_number; /* of (s1, s2, a, b), a < b */
+  sg_key_table piece_number; /* cut_set.c says of what */
   sg_split_edge *edge;
   size_t edges, edge_room;
   sg_key_table edge_number; /* of (place.a, place.b) */
@@ -85,9 +87,10 @@ typedef struct sg_cut_set {
 void sg_cut_set_init(sg_cut_set *set, sg_is_real *is_real, void *data);
 void sg_cut_set_clear(sg_cut_set *set);
 
-/* Cuts triangle t1 by t2 (of different segments, smaller one first) and keeps
- * the pieces of positive length, and single points as contacts. Returns how
- * many pieces, -1: no memory. */
+/* Cuts triangle t1 by t2 (the smaller segment first; of one segment that is cut
+ * by itself in any order) and keeps the pieces of positive length, and single
+ * points as contacts. Triangles of one polygon do not cut each other: they
+ * cover it, seen along its normal. Returns how many pieces, -1: no memory. */
 int sg_cut_set_enter(sg_cut_set *set, uint32_t t1, uint32_t t2);
 
 /* Cuts curve edge e by triangle t: the points are noted on the edge. Returns
@@ -137,8 +140,8 @@ void sg_cut_set_join(sg_cut_set *set, uint32_t point);
  * Makes ready for joints. False: no memory. */
 bool sg_cut_set_settle(sg_cut_set *set);
 
-/* The piece of segment s between two points, whichever way round, with the
- * smallest number; SG_NO_KEY: none. For pieces that live. */
+/* The piece of two segments, neither cut by itself, between two points,
+ * whichever way round; SG_NO_KEY: none. For pieces that live. */
 uint32_t sg_cut_set_find(const sg_cut_set *set, int32_t s1, int32_t s2,
                          uint32_t a, uint32_t b);
 

@@ -182,15 +182,15 @@ cut_line(term_t t, term_t s, term_t v1, term_t v2, term_t line)
 
 /* line(L, S1, P1, A1, B1, S2, P2, A2, B2): from point a to b. */
 static int
-unify_line(term_t t, const sg_cut_points *points, int32_t number,
-           const int32_t s[2], const int32_t p[2], uint32_t a, uint32_t b)
+unify_line(term_t t, sg_cut_handle *handle, int32_t number, const int32_t s[2],
+           const int32_t p[2], uint32_t a, uint32_t b)
 {
   return PL_unify_term(
       t, PL_FUNCTOR_CHARS, "line", 9, PL_INT, number, PL_INT, s[0], PL_INT,
-      p[0], PL_INT, sg_cut_points_name(points, a, s[0]), PL_INT,
-      sg_cut_points_name(points, b, s[0]), PL_INT, s[1], PL_INT, p[1], PL_INT,
-      sg_cut_points_name(points, a, s[1]), PL_INT,
-      sg_cut_points_name(points, b, s[1]));
+      p[0], PL_INT, sg_cut_name_in(handle, a, s[0], p[0]), PL_INT,
+      sg_cut_name_in(handle, b, s[0], p[0]), PL_INT, s[1], PL_INT, p[1], PL_INT,
+      sg_cut_name_in(handle, a, s[1], p[1]), PL_INT,
+      sg_cut_name_in(handle, b, s[1], p[1]));
 }
 
 /* All living pieces; then the contacts, from a point to itself. */
@@ -216,7 +216,7 @@ cut_lines(term_t t, term_t list)
       return sg_no_memory();
     }
     if (!PL_unify_list(tail, head, tail) ||
-        !unify_line(head, &set->points, number++, k->s, k->p, k->a, k->b)) {
+        !unify_line(head, handle, number++, k->s, k->p, k->a, k->b)) {
       return FALSE;
     }
   }
@@ -224,8 +224,7 @@ cut_lines(term_t t, term_t list)
     const sg_cut_contact *k = &set->contact[i];
 
     if (!PL_unify_list(tail, head, tail) ||
-        !unify_line(head, &set->points, number++, k->s, k->p, k->point,
-                    k->point)) {
+        !unify_line(head, handle, number++, k->s, k->p, k->point, k->point)) {
       return FALSE;
     }
   }
@@ -262,23 +261,24 @@ put_place(term_t t, const sg_cut_model *model, const sg_place *place)
   return put_edge(t, s, model->vertex[place->a].v, model->vertex[place->b].v);
 }
 
-/* The vertex place among those of a point that comes first by segment. */
+/* The vertex place among those of a point that comes first by segment and
+ * vertex. */
 static const sg_place *
 first_vertex(const sg_cut_points *points, uint32_t point)
 {
-  const sg_place *found = NULL;
-  int32_t least = 0;
+  const sg_seat *found = NULL;
 
   for (uint32_t i = points->point[point].seat; i != SG_NO_KEY;
        i = points->seat[i].next) {
     const sg_seat *seat = &points->seat[i];
 
-    if (seat->place.kind == SG_AT_VERTEX && (!found || seat->s < least)) {
-      found = &seat->place;
-      least = seat->s;
+    if (seat->place.kind == SG_AT_VERTEX &&
+        (!found || seat->s < found->s ||
+         (seat->s == found->s && seat->v < found->v))) {
+      found = seat;
     }
   }
-  return found;
+  return found ? &found->place : NULL;
 }
 
 /* The places in the order of the origin term: an edge before a face, then by

@@ -33,6 +33,60 @@ name_ex(sg_cut_handle *handle, uint32_t point, int32_t s)
   return (int32_t)(*next)++;
 }
 
+/* Whether vertex v is one of polygon p. */
+static bool
+is_in_polygon(const sg_cut_handle *handle, int32_t s, int32_t p, int32_t v)
+{
+  sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = p};
+  sg_row row = sg_version_find(handle->version, SG_P, key);
+  const int32_t *list =
+      row == SG_NO_ROW ? NULL
+                       : sg_version_value(handle->version, SG_P, row, 2).list;
+
+  for (int32_t i = 1; list && i <= list[0]; i++) {
+    sg_value edge[SG_MAX_COLUMNS] = {[0].i = s, [1].i = list[i]};
+    sg_row at = sg_version_find(handle->version, SG_E, edge);
+
+    if (at != SG_NO_ROW &&
+        (sg_version_value(handle->version, SG_E, at, 2).i == v ||
+         sg_version_value(handle->version, SG_E, at, 3).i == v)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+int32_t
+sg_cut_name_in(sg_cut_handle *handle, uint32_t point, int32_t s, int32_t p)
+{
+  const sg_cut_points *points = &handle->set.points;
+  int32_t first = sg_cut_points_name(points, point, s);
+  int32_t v = first;
+
+  if (sg_cut_points_next_name(points, point, s, first) == 0) {
+    return first;
+  }
+  while (v != 0 && !is_in_polygon(handle, s, p, v)) {
+    v = sg_cut_points_next_name(points, point, s, v);
+  }
+  return v != 0 ? v : first;
+}
+
+/* The same for a polygon whose edges are in `work`; made if it has none. 0: an
+ * exception. */
+static int32_t
+name_in_work_ex(sg_cut_handle *handle, const sg_work *work, uint32_t point,
+                int32_t s)
+{
+  const sg_cut_points *points = &handle->set.points;
+  int32_t first = name_ex(handle, point, s), v = first;
+
+  while (v != 0 && sg_work_find(work, v) == SG_WORK_NONE) {
+    v = sg_cut_points_next_name(points, point, s, v);
+  }
+  return v != 0 ? v : first;
+}
+
 static bool
 is_joint(const sg_cut_set *set, uint32_t point)
 {
@@ -192,8 +246,8 @@ enter_free(sg_cut_handle *handle, sg_work *work, int32_t s, uint32_t k,
 {
   const sg_cut_set *set = &handle->set;
   const sg_cut_piece *piece = &set->piece[k];
-  int32_t v = sg_work_find(work, sg_cut_points_name(&set->points, piece->a, s));
-  int32_t w = sg_work_find(work, sg_cut_points_name(&set->points, piece->b, s));
+  int32_t v = sg_work_find(work, name_in_work_ex(handle, work, piece->a, s));
+  int32_t w = sg_work_find(work, name_in_work_ex(handle, work, piece->b, s));
 
   if (v == SG_WORK_NONE || w == SG_WORK_NONE || v == w ||
       sg_cut_set_between(set, piece->a, piece->b) != SG_NO_KEY) {
@@ -271,10 +325,10 @@ cut_entering(term_t t, term_t s, term_t p, term_t list)
     const sg_cut_piece *piece = &set->piece[k];
 
     if (!PL_unify_list(tail, head, tail) ||
-        !PL_unify_term(
-            head, PL_FUNCTOR_CHARS, "piece", 3, PL_INT, (int)k, PL_INT,
-            sg_cut_points_name(&set->points, piece->a, key[0]), PL_INT,
-            sg_cut_points_name(&set->points, piece->b, key[0]))) {
+        !PL_unify_term(head, PL_FUNCTOR_CHARS, "piece", 3, PL_INT, (int)k,
+                       PL_INT, sg_cut_name_in(handle, piece->a, key[0], key[1]),
+                       PL_INT,
+                       sg_cut_name_in(handle, piece->b, key[0], key[1]))) {
       return FALSE;
     }
   }
@@ -285,7 +339,7 @@ int32_t
 sg_cut_enter_point_ex(sg_cut_handle *handle, sg_work *work, uint32_t point,
                       int32_t s)
 {
-  int32_t name = name_ex(handle, point, s);
+  int32_t name = name_in_work_ex(handle, work, point, s);
   int32_t vertex =
       name ? sg_work_vertex(work, name, &handle->set.points.point[point].at)
            : SG_WORK_NONE;

@@ -14,13 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Two triangles and what corners they share: shared[k] of a is same[k] of b. */
-typedef struct pair {
-  double a[3][3], b[3][3];
-  uint32_t a_at[3], b_at[3];
-  int n, shared[3], same[3];
-} pair;
-
+typedef sg_self_two pair;
 typedef const double (*corners)[3];
 
 static void
@@ -368,18 +362,65 @@ meet(const sg_self_model *m, const pair *p, const int32_t t[2],
   return true;
 }
 
-/* Of two that share an edge or three corners. */
+/* Of two that share an edge or three corners, and may meet. */
 static bool
 lie_over(const sg_self_model *m, const pair *p, sg_self_meeting *out)
 {
-  if (p->n == 2 ? !folded(p) : sg_cut_axis((corners)p->a) < 0) {
-    return false;
-  }
   out->kind = kind_within(p, SG_SELF_OVERLAP, m->tolerance);
   for (int k = 0; k < 3; k++) {
     out->at[k] = p->a[0][k] / 3 + p->a[1][k] / 3 + p->a[2][k] / 3;
   }
   return out->kind == SG_SELF_OVERLAP; /* else a sliver at what they share */
+}
+
+bool
+sg_self_may_meet(sg_self_two *p)
+{
+  if (is_flat(p->a_at) || is_flat(p->b_at)) {
+    return false;
+  }
+  find_shared(p);
+  return p->n == 2   ? folded(p)
+         : p->n == 3 ? sg_cut_axis((corners)p->a) >= 0
+                     : !plainly_apart(p);
+}
+
+/* Whether the cut, along an edge of either, is longer than the tolerance, and
+ * they do not lie in one plane within it. */
+static bool
+reaches_in(const pair *p, const sg_cut *cut, double tolerance)
+{
+  sg_depth a = sg_shape_depth((corners)p->a, (corners)p->b);
+  sg_depth b = sg_shape_depth((corners)p->b, (corners)p->a);
+  double end[2][3], way[3];
+
+  for (int k = 0; k < 2; k++) {
+    sg_shape_end((corners)p->a, (corners)p->b, &cut->end[k], end[k]);
+  }
+  sg_shape_minus(end[1], end[0], way);
+  return fmax(a.above, a.below) > tolerance &&
+         fmax(b.above, b.below) > tolerance &&
+         hypot(hypot(way[0], way[1]), way[2]) > tolerance;
+}
+
+bool
+sg_self_goes_through(const sg_self_two *p, double tolerance)
+{
+  sg_cut cut[SG_CUT_MAX];
+  int n;
+
+  if (p->n >= 2) {
+    return kind_within(p, SG_SELF_OVERLAP, tolerance) == SG_SELF_OVERLAP;
+  }
+  sg_cut_kind how = sg_cut_triangles((corners)p->a, (corners)p->b, cut, &n);
+
+  if (how == SG_CUT_NONE || is_shared_corner(p, cut, n)) {
+    return false;
+  }
+  return kind_within(p, exact_kind(p, how, cut), tolerance) !=
+             SG_SELF_TOUCHING ||
+         (how == SG_CUT_CROSSING && !sg_cut_is_point(cut) &&
+          reaches_in(p, cut, tolerance));
 }
 
 bool
@@ -392,12 +433,8 @@ sg_self_pair(const sg_self_model *model, int32_t a, int32_t b,
   *edge = (sg_self_edge){.face = -1};
   fill(model, a, p.a, p.a_at);
   fill(model, b, p.b, p.b_at);
-  if (is_flat(p.a_at) || is_flat(p.b_at)) {
+  if (!sg_self_may_meet(&p)) {
     return false;
   }
-  find_shared(&p);
-  if (p.n >= 2) {
-    return lie_over(model, &p, out);
-  }
-  return !plainly_apart(&p) && meet(model, &p, t, out, edge);
+  return p.n >= 2 ? lie_over(model, &p, out) : meet(model, &p, t, out, edge);
 }

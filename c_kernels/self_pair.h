@@ -1,6 +1,6 @@
 /* self_pair.h -- two triangles of one segment: do they meet, and how.
  *
- * Layer: kernel, private to self_cut.c.
+ * Layer: kernel, private to self_cut.c and self_leaf.c.
  */
 #ifndef SG_SELF_PAIR_H
 #define SG_SELF_PAIR_H
@@ -22,6 +22,22 @@ typedef struct sg_self_edge {
   uint32_t u, w;
   int side;
 } sg_self_edge;
+
+/* Two triangles; corners with one number are one corner. */
+typedef struct sg_self_two {
+  double a[3][3], b[3][3];
+  uint32_t a_at[3], b_at[3];
+  int n, shared[3], same[3]; /* shared[k] of a is same[k] of b; set here */
+} sg_self_two;
+
+/* False: they have nothing in common but corners that they share and the edge
+ * between them (or one has a corner twice). True: they may have. */
+bool sg_self_may_meet(sg_self_two *two);
+
+/* Whether they go through each other or overlap, or one reaches with an edge
+ * into the face of the other: each by more than the tolerance. Requires
+ * sg_self_may_meet(). */
+bool sg_self_goes_through(const sg_self_two *two, double tolerance);
 
 /* True if triangles a and b meet. Sets `kind` and `at`, not `t`. */
 bool sg_self_pair(const sg_self_model *model, int32_t a, int32_t b,

@@ -16,12 +16,20 @@
 
 enum { SG_TREE_STAMPS = 3 };
 
+/* Whether a segment goes through itself (self_leaf.h), once that was asked. */
+typedef enum sg_self_known {
+  SG_SELF_NOT_ASKED,
+  SG_SELF_APART,
+  SG_SELF_MEETS
+} sg_self_known;
+
 /* A tree and what it was made from: stamps of v/5, t/6 and e/5. */
 typedef struct sg_kept_tree {
   atomic_size_t holders;
   int32_t s;
   uint64_t stamp[SG_TREE_STAMPS];
   sg_leaf_tree *tree;
+  atomic_int self; /* sg_self_known */
 } sg_kept_tree;
 
 /* The trees of n segments (ascending numbers) as `version` of `world` shows

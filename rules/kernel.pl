@@ -14,6 +14,7 @@
             tree_statistics/1,        % -Statistics
             near_segments/3,          % +Reach, -S1, -S2
             self_meetings/2,          % +Most, -Segments
+            segment_meets_itself/1,   % +S
             windings/3,               % +S, +Points, -Windings
             % solid4pl.c
             solid_take/2,             % +Segments, -Solid
@@ -191,6 +192,13 @@ glue file.
 %   (c_kernels/self_cut.h), a pair of polygons counted once; Meetings are the
 %   first Most of each as meeting(Kind, P1, P2, X, Y, Z), P1 =< P2, in the order
 %   of the polygons: something they have in common is at X, Y, Z.
+
+%!  segment_meets_itself(+S) is semidet.
+%
+%   True when the triangles of segment S go through each other or lie on each
+%   other, by more than the tolerance of its source; so its own cuts count.
+%   What neighbours share does not, and vertices in one place are two. Known
+%   afterwards, until the segment changes.
 
 /* - - - raster4pl.c - - - */
 

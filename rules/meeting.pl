@@ -1,6 +1,7 @@
 :- module(sg_meeting,
           [ contact_pairs/3,            % +Pairs, +Tolerance, -Contacts
             find_curve_points/1,        % +Set
+            is_self/1,                  % +Pair
             met_pairs/4                 % +All, +Pairs, +Tolerance, -Met
           ]).
 :- use_module(kernel,
@@ -10,6 +11,7 @@
               ]).
 :- use_module(leaf, [origin_segment/2]).
 :- use_module(resolve, [resolve_contacts/2]).
+:- autoload(library(apply), [exclude/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(ordsets), [ord_union/3]).
@@ -28,11 +30,17 @@ find_curve_points(Set) :-
 %!  contact_pairs(+Pairs:list, +Tolerance, -Contacts:list) is det.
 %
 %   Contacts are Pairs, in order, and the other pairs of the same segments whose
-%   boxes are not farther apart than Tolerance.
+%   boxes are not farther apart than Tolerance. A segment with itself is none.
 
-contact_pairs([Pair], _, [Pair]) :-
+contact_pairs(Pairs0, Tolerance, Contacts) :-
+    exclude(is_self, Pairs0, Pairs),
+    pairs_contacts(Pairs, Tolerance, Contacts).
+
+pairs_contacts([], _, []) :-
     !.
-contact_pairs(Pairs, Tolerance, Contacts) :-
+pairs_contacts([Pair], _, [Pair]) :-
+    !.
+pairs_contacts(Pairs, Tolerance, Contacts) :-
     findall(S-in, ( member(S1-S2, Pairs), member(S, [S1,S2]) ), Segments0),
     sort(Segments0, Segments),
     list_to_assoc(Segments, In),
@@ -44,6 +52,12 @@ contact_pairs(Pairs, Tolerance, Contacts) :-
             Near0),
     sort(Near0, Near),
     ord_union(Pairs, Near, Contacts).
+
+%!  is_self(+Pair) is semidet.
+%
+%   True when Pair is S-S.
+
+is_self(S-S).
 
 %!  met_pairs(+All:list, +Pairs:list, +Tolerance, -Met:list) is det.
 %

@@ -26,7 +26,8 @@
 :- use_module(leaf,
               [ leaves_kept/1, were_cut/2, earlier_cuts/2, leaves_restored/1
               ]).
-:- use_module(meeting, [find_curve_points/1, contact_pairs/3, met_pairs/4]).
+:- use_module(meeting,
+              [ contact_pairs/3, find_curve_points/1, is_self/1, met_pairs/4 ]).
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [facts_snapshot/1, facts_transaction/1]).
@@ -102,7 +103,10 @@ penetrate :-
 
 %!  penetrate(+Pairs) is det.
 %
-%   The same for the segments S1-S2 of the list Pairs only.
+%   The same for the segments S1-S2 of the list Pairs only. S-S is the segment S
+%   with itself: where it goes through itself or lies on itself, but not where
+%   its triangles are neighbours (share vertices). Nothing inside S is made to
+%   touch first. Its lines have S1 = S2, and an edge pair in each polygon.
 
 penetrate(Pairs) :-
     penetrate(Pairs, []).
@@ -174,17 +178,24 @@ met_leaves(All, Pairs, Tolerance, Met) :-
 
 penetrated(Pairs, Tolerance) :-
     contact_pairs(Pairs, Tolerance, Contacts),
-    (   Contacts == Pairs
-    ->  with_cut_set(Pairs, resolved(arranged, Tolerance, Resolved))
-    ;   with_cut_set(Contacts, resolved(nothing, Tolerance, Resolved)),
-        (   Resolved == true
-        ->  true
-        ;   with_cut_set(Pairs, arranged)
-        )
-    ),
+    touched(Pairs, Contacts, Tolerance, arranged, Resolved),
     (   Resolved == true
-    ->  with_cut_set(Pairs, arranged),
-        resolved_seams
+    ->  resolved_seams
+    ;   true
+    ).
+
+%   touched(+Pairs, +Contacts, +Tolerance, :Next, -Resolved): Next is done with
+%   the cut set of Pairs after the contacts of Contacts were made.
+
+touched(Pairs, Contacts, Tolerance, Next, Resolved) :-
+    (   Contacts == Pairs
+    ->  with_cut_set(Pairs, resolved(Next, Tolerance, Resolved)),
+        Done = Resolved
+    ;   with_cut_set(Contacts, resolved(nothing, Tolerance, Resolved)),
+        Done = true
+    ),
+    (   Done == true
+    ->  with_cut_set(Pairs, Next)
     ;   true
     ).
 
@@ -253,11 +264,8 @@ chains_of_leaves(Pairs, Tolerance, Chains) :-
     ->  true
     ;   leaves_restored(Earlier)
     ),
-    with_cut_set(Pairs, resolved(chained(Chains), Tolerance, Resolved)),
-    (   Resolved == true
-    ->  with_cut_set(Pairs, chained(Chains))
-    ;   true
-    ).
+    exclude(is_self, Pairs, Contacts),
+    touched(Pairs, Contacts, Tolerance, chained(Chains), _).
 
 chained(Chains, _, Set) :-
     stage(rules, ( find_lines(Set),

@@ -1,0 +1,31 @@
+/* self_leaf.h -- the join of a leaf tree with itself.
+ *
+ * Layer: kernel. What self_cut.h does for reports, for the triangles of a tree
+ * that is there, and by their vertices: two vertices in one place are two
+ * here. Triangles of one polygon are not compared: seen along its normal they
+ * cover it, so they cannot go through each other.
+ */
+#ifndef SG_SELF_LEAF_H
+#define SG_SELF_LEAF_H
+
+#include "bvh_join.h"
+#include "leaf_tree.h"
+
+/* Pairs of leaves (places in the tree) that may have more in common than the
+ * corners and the edge they share: what is left out has not, exactly. In the
+ * order of the join, the same for any crew.
+ *
+ * Returns: false: no memory, or the poll said stop; *out is empty then.
+ * Owner:   out->hit is the caller's, to free(). */
+bool sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
+                       sg_crew *crew, const sg_poll *poll, sg_bvh_hits *out);
+
+/* Whether the segment goes through itself or lies on itself, by more than the
+ * tolerance of its source (flatness.h). What only touches in points does not.
+ *
+ * Returns: false: no memory, or the poll said stop.
+ * Cost:    as the join; it ends at the first such pair. */
+bool sg_self_leaf_meets(const sg_leaf_tree *tree, const sg_leaf_views *views,
+                        sg_crew *crew, const sg_poll *poll, bool *out);
+
+#endif

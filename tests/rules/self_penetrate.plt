@@ -1,0 +1,229 @@
+:- use_module(library(plunit)).
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(random)).
+:- use_module(rules(check)).
+:- use_module(rules(exact)).
+:- use_module(rules(integrity)).
+
+:- use_module(rules(mesh)).
+:- use_module(rules(penetration)).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation)).
+
+/* Segments that are cut by themselves. The oracle: the same shells as segments
+   of their own have the same lines. */
+
+%   shells(+Primitives, :Goal): Goal holds in a new world where these
+%   primitives are segments 1, 2, ...
+
+:- meta_predicate
+    shells(+, 0),
+    one_segment(+, 0).
+
+shells(Primitives, Goal) :-
+    new_world(World),
+    in_world(World,
+             ( forall(member(Primitive, Primitives), add_primitive(Primitive, _)),
+               complete_segments,
+               Goal )).
+
+%   one_segment(+Primitives, :Goal): Goal holds in a new world where they are
+%   the shells of segment 1.
+
+one_segment(Primitives, Goal) :-
+    shells(Primitives, findall(S-Vs-Es-Ps, shell_rows(S, Vs, Es, Ps), Shells)),
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, solid, shells)),
+               foldl(shell_put, Shells, 0-0-0, _),
+               complete_segments,
+               Goal )).
+
+shell_rows(S, Vs, Es, Ps) :-
+    segment(S, _, _),
+    findall(v(V,X,Y,Z), v(S, V, X, Y, Z), Vs),
+    findall(e(E,A,B,T), e(S, E, A, B, T), Es),
+    findall(p(P,List), p(S, P, List), Ps).
+
+shell_put(_-Vs-Es-Ps, V0-E0-P0, V1-E1-P1) :-
+    forall(member(v(V,X,Y,Z), Vs),
+           ( V2 is V+V0, assert_fact(v(1, V2, X, Y, Z)) )),
+    forall(member(e(E,A,B,T), Es),
+           ( E2 is E+E0, A2 is A+V0, B2 is B+V0,
+             assert_fact(e(1, E2, A2, B2, T)) )),
+    forall(member(p(P,List), Ps),
+           ( P2 is P+P0, maplist([E,E2]>>(E2 is E+E0), List, List2),
+             assert_fact(p(1, P2, List2)) )),
+    aggregate_all(max(V), member(v(V,_,_,_), Vs), MaxV),
+    aggregate_all(max(E), member(e(E,_,_,_), Es), MaxE),
+    aggregate_all(max(P), member(p(P,_), Ps), MaxP),
+    V1 is V0+MaxV,
+    E1 is E0+MaxE,
+    P1 is P0+MaxP.
+
+%   lines(-Lines): all pieces and contacts by their places, exactly; the ends of
+%   each in order. A contact where two shells touch at a piece of others is
+%   alone only as long as they are segments: it does not count.
+
+lines(Lines) :-
+    findall(Line,
+            ( line(_, S, _, A, B, _, _, _, _),
+              vertex_exact(S, A, X1, Y1, Z1),
+              vertex_exact(S, B, X2, Y2, Z2),
+              msort([p(X1,Y1,Z1),p(X2,Y2,Z2)], Line) ),
+            Lines0),
+    msort(Lines0, Lines1),
+    exclude(at_an_end(Lines1), Lines1, Lines).
+
+at_an_end(Lines, [P,P]) :-
+    member([A,B], Lines),
+    A \== B,
+    ( P == A ; P == B ),
+    !.
+
+%   Every pair of segments, and nothing made to touch.
+
+separate(Primitives, Lines) :-
+    shells(Primitives,
+           ( findall(S1-S2,
+                     ( segment(S1, _, _), segment(S2, _, _), S1 < S2 ),
+                     Pairs),
+             penetrate(Pairs, [tolerance(0)]),
+             lines(Lines) )).
+
+together(Primitives, Lines, Faults) :-
+    one_segment(Primitives,
+                ( penetrate([1-1]),
+                  lines(Lines),
+                  findall(F, limit(5, fault(F)), Faults) )).
+
+same_lines(Primitives) :-
+    separate(Primitives, Lines),
+    together(Primitives, Lines2, Faults),
+    Lines == Lines2,
+    Faults == [].
+
+/* - - - what must hold of a segment that was cut by itself - - - */
+
+fault(unbalanced(A, B)) :-
+    findall(A-B, ( p(1, _, Es), member(E, Es), e(1, E, A, B, _) ), Edges),
+    sort(Edges, Each),
+    member(A-B, Each),
+    aggregate_all(count, member(A-B, Edges), N),
+    aggregate_all(count, member(B-A, Edges), M),
+    N =\= M.
+fault(line(L, S, P)) :-
+    line(L, S1, P1, A1, B1, S2, P2, A2, B2),
+    A1 \== B1,
+    member(S-P-A-B, [S1-P1-A1-B1,S2-P2-A2-B2]),
+    \+ polygon_edge(S, P, A, B).
+fault(ends(L)) :-
+    line(L, S1, _, A1, B1, S2, _, A2, B2),
+    \+ ( vertex_exact(S1, A1, X, Y, Z), vertex_exact(S2, A2, X, Y, Z),
+         vertex_exact(S1, B1, U, V, W), vertex_exact(S2, B2, U, V, W) ).
+fault(one_polygon(L)) :-
+    line(L, S, P, _, _, S, P, _, _).
+fault(area(P, Area, Sum)) :-
+    p(1, P, Es),
+    findall(C, ( member(E, Es), e(1, E, A, B, _), cross(A, B, C) ), Cs),
+    vector_sum(Cs, Area),
+    findall(C, ( t(1, P, _, V1, V2, V3),
+                 member(A-B, [V1-V2,V2-V3,V3-V1]),
+                 cross(A, B, C) ), Ts),
+    vector_sum(Ts, Sum),
+    \+ near(Area, Sum).
+fault(still_through(P1, P2)) :-
+    model_defect(self_penetration(1, P1, P2)).
+
+polygon_edge(S, P, A, B) :-
+    p(S, P, Es),
+    member(E, Es),
+    ( e(S, E, A, B, _) ; e(S, E, B, A, _) ),
+    !.
+
+cross(A, B, v(X,Y,Z)) :-
+    v(1, A, X1, Y1, Z1),
+    v(1, B, X2, Y2, Z2),
+    X is Y1*Z2-Z1*Y2,
+    Y is Z1*X2-X1*Z2,
+    Z is X1*Y2-Y1*X2.
+
+vector_sum(Vs, v(X,Y,Z)) :-
+    aggregate_all(sum(A), member(v(A,_,_), Vs), X),
+    aggregate_all(sum(A), member(v(_,A,_), Vs), Y),
+    aggregate_all(sum(A), member(v(_,_,A), Vs), Z).
+
+near(v(X1,Y1,Z1), v(X2,Y2,Z2)) :-
+    abs(X1-X2) =< 1.0e-9,
+    abs(Y1-Y2) =< 1.0e-9,
+    abs(Z1-Z2) =< 1.0e-9.
+
+box(A, B, C, X, Y, Z, at([translate(X,Y,Z)], box(size(A,B,C)))).
+
+random_box(at([translate(X,Y,Z)], box(size(A,B,C)))) :-
+    maplist([N]>>random_between(1, 3, N), [A,B,C]),
+    maplist([N]>>random_between(0, 3, N), [X,Y,Z]).
+
+%   A turned box has no coordinate in common with another.
+
+turned_box(at([rotate(x,U), rotate(z,V), translate(X,Y,Z)],
+              box(size(A,B,C)))) :-
+    maplist([N]>>random_between(1, 3, N), [A,B,C]),
+    maplist([N]>>( N is 3*random_float ), [X,Y,Z]),
+    U is 360*random_float,
+    V is 360*random_float.
+
+random_shells(Seed, Make, Shells) :-
+    set_random(seed(Seed)),
+    random_between(2, 4, N),
+    length(Shells, N),
+    maplist(Make, Shells).
+
+:- begin_tests(self_penetrate).
+
+test(corner_in) :-
+    box(2,2,2, 1,1,1, B),
+    same_lines([box(size(2,2,2)), B]).
+test(apart) :-
+    box(2,2,2, 5,1,1, B),
+    same_lines([box(size(2,2,2)), B]).
+test(bar_through) :-
+    box(1,1,4, 0,0,-1, B),
+    same_lines([box(size(2,2,2)), B]).
+test(standing_on) :-
+    box(1,1,1, 0,0,2, B),
+    same_lines([box(size(2,2,2)), B]).
+test(shared_face) :-
+    box(2,2,2, 2,0,0, B),
+    same_lines([box(size(2,2,2)), B]).
+test(shared_edge) :-
+    box(2,2,2, 2,2,0, B),
+    same_lines([box(size(2,2,2)), B]).
+test(shared_vertex) :-
+    box(2,2,2, 2,2,2, B),
+    same_lines([box(size(2,2,2)), B]).
+test(copy) :-
+    same_lines([box(size(2,2,2)), box(size(2,2,2))]).
+test(three_boxes_cross) :-
+    same_lines([box(size(6,2,2)), box(size(2,6,2)), box(size(2,2,6))]).
+test(three_planes) :-
+    box(2,2,2, 1,0.5,0.25, B),
+    box(2,2,2, 0.5,1,0.75, C),
+    same_lines([box(size(2,2,2)), B, C]).
+
+test(random_boxes, Bad == []) :-
+    findall(Seed,
+            ( between(1, 60, Seed),
+              random_shells(Seed, random_box, Shells),
+              \+ same_lines(Shells) ),
+            Bad).
+test(random_turned_boxes, Bad == []) :-
+    findall(Seed,
+            ( between(1, 40, Seed),
+              random_shells(Seed, turned_box, Shells),
+              \+ same_lines(Shells) ),
+            Bad).
+
+:- end_tests(self_penetrate).
