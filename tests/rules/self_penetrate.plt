@@ -7,6 +7,7 @@
 :- use_module(rules(exact)).
 :- use_module(rules(integrity)).
 
+:- use_module(rules(kernel), [segment_meets_itself/1]).
 :- use_module(rules(mesh)).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).
@@ -225,5 +226,105 @@ test(random_turned_boxes, Bad == []) :-
               random_shells(Seed, turned_box, Shells),
               \+ same_lines(Shells) ),
             Bad).
+
+%   The shells of segment 1 and one more segment: all pairs at once, also in two
+%   steps, are as with all shells apart.
+
+test(with_another_segment, Bad == []) :-
+    findall(Seed-Steps,
+            ( between(101, 130, Seed),
+              random_shells(Seed, random_box, Shells),
+              random_box(Other),
+              append(Shells, [Other], All),
+              separate(All, Lines),
+              member(Steps, [[[1-1,1-2]], [[1-1],[1-2]], [[1-2],[1-1]]]),
+              \+ with_other(Shells, Other, Steps, Lines) ),
+            Bad).
+
+with_other(Shells, Other, Steps, Lines) :-
+    one_segment(Shells,
+                ( add_primitive(Other, 2),
+                  complete_segments,
+                  forall(member(Pairs, Steps),
+                         penetrate(Pairs, [tolerance(0)])),
+                  lines(Lines2),
+                  findall(F, limit(1, fault(F)), Faults) )),
+    Lines == Lines2,
+    Faults == [].
+
+test(not_by_default, Ls == []) :-
+    box(2,2,2, 1,1,1, B),
+    one_segment([box(size(2,2,2)), B],
+                ( penetrate, findall(L, line(L,_,_,_,_,_,_,_,_), Ls) )).
+test(chains, Kinds-Sorted == [closed]-true) :-
+    box(2,2,2, 1,1,1, B),
+    one_segment([box(size(2,2,2)), B],
+                penetration_chains([1-1], [], Chains)),
+    findall(K, member(chain(1,1,K,_,_), Chains), Kinds),
+    Chains = [chain(_, _, _, Points, _)],
+    (   length(Points, 7)
+    ->  Sorted = true
+    ;   Sorted = Points
+    ).
+test(undone_by_a_snapshot, N == 0) :-
+    box(2,2,2, 1,1,1, B),
+    one_segment([box(size(2,2,2)), B],
+                ( facts_snapshot(penetrate([1-1])),
+                  aggregate_all(count, line(_,_,_,_,_,_,_,_,_), N) )).
+
+%   Neighbours have nothing to cut but what goes beyond what they share.
+
+test(fold, N == 0) :-
+    one_segment([box(size(1,2,3)), at([translate(5,0,0)], sphere(radius(1), facets(12)))],
+                ( penetrate([1-1]),
+                  aggregate_all(count, line(_,_,_,_,_,_,_,_,_), N) )).
+test(through_a_neighbour, Ends == [p(0,0,0)-p(2,1,0)]) :-
+    triangles([0-0-0, 4-0-0, 0-4-0, 2-1-(-1), 2-1-1], [[1,2,3], [1,4,5]],
+              Ends).
+test(folded_over, Ends == [p(0,0,0)-p(1,1,0), p(1,1,0)-p(4,0,0)]) :-
+    triangles([0-0-0, 4-0-0, 0-4-0, 1-1-0], [[1,2,3], [2,1,4]], Ends).
+test(folded_at_a_corner,
+     Ends == [p(0,0,0)-p(1,2,0), p(0,0,0)-p(2,1,0), p(1,2,0)-p(2,1,0)]) :-
+    triangles([0-0-0, 4-0-0, 0-4-0, 2-1-0, 1-2-0], [[1,2,3], [1,4,5]], Ends).
+test(one_face_twice, Ends == []) :-
+    triangles([0-0-0, 4-0-0, 0-4-0], [[1,2,3], [1,2,3]], Ends).
+
+triangles(Points, Faces, Ends) :-
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, surface, soup)),
+               forall(nth1(V, Points, X-Y-Z), assert_fact(v(1, V, X, Y, Z))),
+               foldl(triangle, Faces, 1-1, _),
+               complete_segments,
+               penetrate([1-1]),
+               lines(Lines) )),
+    findall(A-B, member([A,B], Lines), Ends0),
+    msort(Ends0, Ends).
+
+triangle([A,B,C], P-E, P1-E3) :-
+    E1 is E+1,
+    E2 is E+2,
+    E3 is E+3,
+    assert_fact(e(1, E, A, B, 1)),
+    assert_fact(e(1, E1, B, C, 1)),
+    assert_fact(e(1, E2, C, A, 1)),
+    assert_fact(p(1, P, [E,E1,E2])),
+    P1 is P+1.
+
+%   Whether a segment goes through itself: as the report says.
+
+test(meets_itself, Meets == [apart,apart,crossing,lying,touching_edge]) :-
+    box(2,2,2, 5,0,0, Apart),
+    box(2,2,2, 1,1,1, Crossing),
+    box(2,2,2, 1,0,2, Lying),
+    box(2,2,2, 2,2,0, Edge),
+    box(2,2,2, 2,2,2, Vertex),
+    findall(What,
+            ( member(What-B, [apart-Apart,apart-Vertex,crossing-Crossing,
+                              lying-Lying,touching_edge-Edge]),
+              one_segment([box(size(2,2,2)), B],
+                          ( segment_meets_itself(1) -> M = true ; M = false )),
+              ( What == apart -> M == false ; M == true ) ),
+            Meets).
 
 :- end_tests(self_penetrate).
