@@ -104,27 +104,31 @@ slots_are_valid(const sg_table *table)
          table->slots <= table->pages * SG_PAGE_ROWS;
 }
 
-/* No two rows of the map have the same key. */
+/* No two rows of the map have the same key. By an index of its own: that of the
+ * table may have rows that wait. */
 static bool
 keys_are_valid(sg_table *table, const sg_map *map)
 {
   const sg_relation_info *info = table->info;
+  sg_index kept = table->index[0];
+  bool valid = true;
 
-  if (info->key == 0 || !table->index[0].built) {
+  if (info->key == 0) {
     return true;
   }
-  for (sg_row row = 0; row < table->slots; row++) {
+  table->index[0] = (sg_index){.mask = info->key, .free = SG_NO_ROW};
+  valid = sg_index_build(&table->index[0], table);
+  for (sg_row row = 0; valid && row < table->slots; row++) {
     sg_value value[SG_MAX_COLUMNS];
-    if (!sg_map_shows(map, row)) {
-      continue;
-    }
-    sg_page_row(sg_table_page(table, row), info, info->key, row % SG_PAGE_ROWS,
-                value);
-    if (sg_table_find(table, map, value) != row) {
-      return false;
+    if (sg_map_shows(map, row)) {
+      sg_page_row(sg_table_page(table, row), info, info->key,
+                  row % SG_PAGE_ROWS, value);
+      valid = sg_table_find(table, map, value) == row;
     }
   }
-  return true;
+  sg_index_clear(&table->index[0]);
+  table->index[0] = kept;
+  return valid;
 }
 
 bool
@@ -141,8 +145,7 @@ sg_world_is_valid(sg_world *world)
       valid = map_is_valid(table, v->map[r]);
     }
     for (unsigned i = 0; valid && i < table->indexes; i++) {
-      valid =
-          !table->index[i].built || sg_index_is_valid(&table->index[i], table);
+      valid = sg_index_is_valid(&table->index[i], table);
     }
   }
   pthread_mutex_unlock(&world->lock);

@@ -12,7 +12,6 @@ typedef struct load {
   const sg_relation_info *info;
   size_t n;
   const void *const *column;
-  sg_map *map;  /* owned */
   sg_row first; /* the first slot; the others follow it */
   sg_fault *fault;
 } load;
@@ -117,245 +116,112 @@ check_references(const load *l)
 
 /* ---- writing ----------------------------------------------------------- */
 
-/* Rows of the load that lie on one page. */
-typedef struct part {
-  sg_page *page;
-  sg_live *live;
-  unsigned place, count; /* places of the page */
-  size_t from;           /* rows of the load */
-} part;
-
-/* The part that begins with row `from`; false: there is none. */
-static bool
-part_at(const load *l, size_t from, part *out)
-{
-  sg_row row = l->first + (sg_row)from;
-
-  if (from >= l->n) {
-    return false;
-  }
-  out->page = sg_table_page(l->table, row);
-  out->place = row % SG_PAGE_ROWS;
-  out->count = SG_PAGE_ROWS - out->place;
-  if (out->count > l->n - from) {
-    out->count = (unsigned)(l->n - from);
-  }
-  out->from = from;
-  out->live = NULL;
-  return true;
-}
-
-/* Room for everything but lists and terms; after it only they can fail. */
-static bool
-reserve(load *l)
-{
-  part p;
-
-  if (!sg_table_reserve(l->table, l->n)) {
-    return false;
-  }
-  for (size_t i = 0; part_at(l, i, &p); i += p.count) {
-    if (!sg_map_own_live(l->map, p.page, (l->first + i) / SG_PAGE_ROWS)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 static void
-copy_ints(const part *p, unsigned c, const int32_t *from)
-{
-  memcpy(p->page->cells[c].i + p->place, from + p->from,
-         p->count * sizeof(*from));
-}
-
-static void
-copy_floats(const part *p, unsigned c, const double *from)
-{
-  double *to = p->page->cells[c].f + p->place;
-
-  for (unsigned i = 0; i < p->count; i++) {
-    to[i] = from[p->from + i] + 0.0; /* no -0.0 */
-  }
-}
-
-static void
-forget_refs(const load *l, unsigned c, size_t n)
+copy_floats(double *to, const double *from, size_t n)
 {
   for (size_t i = 0; i < n; i++) {
-    sg_row row = l->first + (sg_row)i;
-    sg_arena_give(
-        &l->table->arena,
-        sg_table_page(l->table, row)->cells[c].ref[row % SG_PAGE_ROWS]);
+    to[i] = from[i] + 0.0; /* no -0.0 */
   }
 }
 
-/* False: no memory, nothing of the column is left. */
+/* False: no memory; the append knows what it has. */
 static bool
-copy_refs(const load *l, unsigned c)
+copy_refs(const load *l, unsigned c, const sg_sheet_page *page)
 {
-  for (size_t i = 0; i < l->n; i++) {
-    sg_row row = l->first + (sg_row)i;
-    const uint32_t *copy =
-        sg_table_keep(l->table, l->info->column[c].type, load_value(l, c, i));
+  for (size_t i = 0; i < page->n; i++) {
+    const uint32_t *copy = sg_table_keep(l->table, l->info->column[c].type,
+                                         load_value(l, c, page->from + i));
     if (!copy) {
-      forget_refs(l, c, i);
       return false;
     }
-    sg_table_page(l->table, row)->cells[c].ref[row % SG_PAGE_ROWS] = copy;
+    page->column[c].list[i] = (int32_t *)copy;
   }
   return true;
 }
 
 static bool
-is_ref(const load *l, unsigned c)
-{
-  return l->info->column[c].type == SG_LIST ||
-         l->info->column[c].type == SG_TERM;
-}
-
-static bool
-copy_cells(const load *l)
+copy_page(const load *l, const sg_sheet_page *page)
 {
   for (unsigned c = 0; c < l->info->arity; c++) {
-    part p;
-    if (is_ref(l, c)) {
-      if (!copy_refs(l, c)) {
-        while (c-- > 0) {
-          if (is_ref(l, c)) {
-            forget_refs(l, c, l->n);
-          }
-        }
+    switch (l->info->column[c].type) {
+    case SG_INT:
+    case SG_ATOM:
+      memcpy(page->column[c].i, (const int32_t *)l->column[c] + page->from,
+             page->n * sizeof(int32_t));
+      break;
+    case SG_FLOAT:
+      copy_floats(page->column[c].f, (const double *)l->column[c] + page->from,
+                  page->n);
+      break;
+    case SG_LIST:
+    case SG_TERM:
+      if (!copy_refs(l, c, page)) {
         return false;
-      }
-      continue;
-    }
-    for (size_t i = 0; part_at(l, i, &p); i += p.count) {
-      if (l->info->column[c].type == SG_FLOAT) {
-        copy_floats(&p, c, l->column[c]);
-      } else {
-        copy_ints(&p, c, l->column[c]);
       }
     }
   }
   return true;
 }
 
-/* Makes `count` bits from `place` on 1. */
-static void
-set_bits(uint64_t *word, unsigned place, unsigned count)
+/* The rows are there and live, but in no index. */
+static sg_status
+write_rows(load *l)
 {
-  while (count > 0) {
-    unsigned bit = place % 64;
-    unsigned n = 64 - bit < count ? 64 - bit : count;
-    uint64_t ones = n == 64 ? ~UINT64_C(0) : (UINT64_C(1) << n) - 1;
-    word[place / 64] |= ones << bit;
-    place += n;
-    count -= n;
+  sg_append a;
+  bool good = sg_append_begin(&a, l->world, l->relation, l->n);
+
+  l->first = a.first;
+  for (size_t k = 0; good && k < a.sheet.pages; k++) {
+    good = copy_page(l, &a.sheet.page[k]);
   }
+  good = good && sg_append_show(&a);
+  sg_append_end(&a);
+  return good ? SG_OK : SG_NO_MEMORY;
 }
 
-/* The rows are taken and live. */
+/* Takes the rows back. */
 static void
-show(const load *l)
+hide(const load *l)
 {
-  part p;
+  sg_map *map = sg_world_own_map(l->world, l->relation); /* it is owned */
 
-  for (size_t i = 0; part_at(l, i, &p); i += p.count) {
-    sg_live *live =
-        sg_map_own_live(l->map, p.page, (l->first + i) / SG_PAGE_ROWS);
-    set_bits(p.page->taken, p.place, p.count);
-    set_bits(live->word, p.place, p.count);
-  }
-  l->map->rows += l->n;
-  l->table->slots += (sg_row)l->n;
-  l->table->written += l->n;
-  l->table->changes += l->n;
-}
-
-/* Takes the rows back; `linked` of them are in the key's index. */
-static void
-hide(const load *l, size_t linked)
-{
   for (size_t i = l->n; i-- > 0;) {
     sg_row row = l->first + (sg_row)i;
-    sg_live *live = sg_map_own_live(l->map, sg_table_page(l->table, row),
-                                    row / SG_PAGE_ROWS);
+    sg_live *live =
+        sg_map_own_live(map, sg_table_page(l->table, row), row / SG_PAGE_ROWS);
     live->word[row % SG_PAGE_ROWS / 64] &= ~(UINT64_C(1) << row % 64);
-    if (i < linked) {
-      sg_index_remove(&l->table->index[0], l->table, row);
-    }
+    sg_index_unlink(&l->table->index[0], l->table, row);
     sg_table_vacate(l->table, row);
   }
-  l->map->rows -= l->n;
+  map->rows -= l->n;
   l->table->slots = l->first;
+  sg_index_wait(&l->table->index[0], l->first);
 }
 
-/* ---- keys, indexes, ids ------------------------------------------------ */
-
-/* Enters the rows in the key's index, each with a key of its own. */
+/* Enters the rows in the key's index, each with a key of its own. The other
+ * indexes take them in when they are used. */
 static sg_status
 link_keys(const load *l)
 {
   sg_index *index = &l->table->index[0];
+  const sg_map *map = l->world->current->map[l->relation];
 
   if (l->info->key == 0) {
     return SG_OK;
   }
   if (!sg_index_reserve(index, l->table, l->n)) {
-    hide(l, 0);
+    hide(l);
     return SG_NO_MEMORY;
   }
   for (size_t i = 0; i < l->n; i++) {
-    if (!sg_table_link_key(l->table, l->map, l->first + (sg_row)i)) {
-      hide(l, i);
+    if (!sg_table_link_key(l->table, map, l->first + (sg_row)i)) {
+      hide(l);
       *l->fault = (sg_fault){.row = i};
       return SG_EXISTS;
     }
+    index->linked++;
   }
   return SG_OK;
-}
-
-/* The other indexes; one for which there is no memory is built again when it
- * is used. */
-static void
-link_others(const load *l)
-{
-  for (unsigned k = l->info->key ? 1 : 0; k < l->table->indexes; k++) {
-    sg_index *index = &l->table->index[k];
-    for (size_t i = 0; index->built && i < l->n; i++) {
-      if (!sg_index_add(index, l->table, l->first + (sg_row)i)) {
-        sg_index_clear(index);
-      }
-    }
-  }
-}
-
-/* Stamps, and notes the largest id of, each run of rows of one segment. */
-static bool
-note_ids(const load *l)
-{
-  unsigned column = sg_relation_id_column(l->relation);
-  const int32_t *id;
-  const int32_t *s;
-
-  if (column == SG_MAX_COLUMNS) {
-    return true;
-  }
-  id = l->column[column];
-  s = column == 0 ? NULL : l->column[0];
-  for (size_t i = 0; i < l->n;) {
-    int32_t of = s ? s[i] : 0;
-    int32_t last = id[i];
-    for (i++; i < l->n && (!s || s[i] == of); i++) {
-      last = id[i] > last ? id[i] : last;
-    }
-    if (!sg_map_used_id(l->map, of, last) ||
-        !sg_world_stamp(l->world, l->map, l->relation, of)) {
-      return false;
-    }
-  }
-  return true;
 }
 
 /* ---- together ---------------------------------------------------------- */
@@ -366,24 +232,14 @@ add_many(load *l)
   sg_status status = check_values(l);
 
   status = status == SG_OK ? check_references(l) : status;
-  if (status != SG_OK) {
+  if (status != SG_OK || l->n == 0) {
     return status;
   }
-  if (!(l->map = sg_world_own_map(l->world, l->relation)) ||
-      !sg_world_key_ready(l->world, l->relation)) {
+  if (!sg_world_key_ready(l->world, l->relation)) {
     return SG_NO_MEMORY;
   }
-  sg_world_sweep_if_worth(l->world, l->relation);
-  l->first = l->table->slots;
-  if (!reserve(l) || !note_ids(l) || !copy_cells(l)) {
-    return SG_NO_MEMORY;
-  }
-  show(l);
-  status = link_keys(l);
-  if (status == SG_OK) {
-    link_others(l);
-  }
-  return status;
+  status = write_rows(l);
+  return status == SG_OK ? link_keys(l) : status;
 }
 
 sg_status

@@ -31,18 +31,12 @@ sg_value_is_valid(const sg_relation_info *info, unsigned column, sg_value value)
   return false;
 }
 
-static bool
-index_ready(sg_table *table)
-{
-  return table->index[0].built || sg_index_build(&table->index[0], table);
-}
-
 bool
 sg_world_key_ready(sg_world *world, sg_relation relation)
 {
   sg_table *table = &world->table[relation];
 
-  return table->info->key == 0 || index_ready(table);
+  return table->info->key == 0 || sg_index_build(&table->index[0], table);
 }
 
 /* True if row (s, id) of a relation whose key is two ids lives. */
@@ -64,7 +58,8 @@ sg_world_check_reference(sg_world *world, sg_relation relation, unsigned column,
   const int32_t *id = list ? value.list + 1 : &value.i;
   int32_t n = list ? value.list[0] : 1;
 
-  if (!index_ready(&world->table[info->refers])) {
+  if (!sg_index_build(&world->table[info->refers].index[0],
+                      &world->table[info->refers])) {
     return SG_NO_MEMORY;
   }
   for (int32_t i = 0; i < n; i++) {
@@ -104,7 +99,7 @@ check_row(sg_world *world, sg_relation relation, const sg_value *row,
   if (info->key == 0) {
     return SG_OK;
   }
-  if (!index_ready(table)) {
+  if (!sg_index_build(&table->index[0], table)) {
     return SG_NO_MEMORY;
   }
   if (sg_table_find(table, world->current->map[relation], row) != SG_NO_ROW) {

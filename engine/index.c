@@ -131,7 +131,6 @@ sg_index_clear(sg_index *index)
   index->next = NULL;
   index->link = NULL;
   index->head = NULL;
-  index->built = false;
   index->bits = 0;
   index->links = index->pages = index->link_room = index->link_used = 0;
   index->linked = 0;
@@ -184,6 +183,8 @@ members_next(members *m)
 }
 
 /* ---- adding ------------------------------------------------------------ */
+
+static void remove_row(sg_index *index, const sg_table *table, sg_row row);
 
 static void
 chain(const sg_index *index, uint64_t hash, uint32_t at)
@@ -360,8 +361,9 @@ sg_index_chain(sg_index *index, uint64_t hash, sg_row row)
   index->links++;
 }
 
-bool
-sg_index_add(sg_index *index, const sg_table *table, sg_row row)
+/* Links one more row, already written. False: no memory. */
+static bool
+add_row(sg_index *index, const sg_table *table, sg_row row)
 {
   if (!index->members) {
     if (!reserve_next(index, row / SG_PAGE_ROWS + 1) ||
@@ -373,7 +375,7 @@ sg_index_add(sg_index *index, const sg_table *table, sg_row row)
   }
   for (members m = members_of(index, table, row); members_next(&m);) {
     if (!add_member(index, table, row, m.s, m.id)) {
-      sg_index_remove(index, table, row);
+      remove_row(index, table, row);
       return false;
     }
   }
@@ -404,8 +406,9 @@ unchain(sg_index *index, uint64_t hash, sg_row row)
   return true;
 }
 
-void
-sg_index_remove(sg_index *index, const sg_table *table, sg_row row)
+/* Unlinks a row, if it is there. */
+static void
+remove_row(sg_index *index, const sg_table *table, sg_row row)
 {
   if (!index->members) {
     unchain(index, sg_index_hash_row(index, table, row), row);
@@ -416,32 +419,68 @@ sg_index_remove(sg_index *index, const sg_table *table, sg_row row)
   }
 }
 
+/* ---- rows that come and go --------------------------------------------- */
+
+void
+sg_index_link(sg_index *index, const sg_table *table, sg_row row)
+{
+  if (!index->head || row > index->linked) {
+    return;
+  }
+  if (!add_row(index, table, row)) {
+    sg_index_clear(index);
+  } else if (row == index->linked) {
+    index->linked++;
+  }
+}
+
+void
+sg_index_unlink(sg_index *index, const sg_table *table, sg_row row)
+{
+  if (index->head && row < index->linked) {
+    remove_row(index, table, row);
+  }
+}
+
+void
+sg_index_wait(sg_index *index, sg_row first)
+{
+  if (index->linked > first) {
+    index->linked = first;
+  }
+}
+
+bool
+sg_index_is_whole(const sg_index *index, const sg_table *table)
+{
+  return index->head && index->linked >= table->slots;
+}
+
 bool
 sg_index_build_some(sg_index *index, const sg_table *table, sg_row rows)
 {
-  if (index->linked == 0 || index->changes != table->changes) {
+  sg_row wait = table->slots > index->linked ? table->slots - index->linked : 0;
+
+  if (!reserve_heads(index, table, index->links + wait)) {
     sg_index_clear(index);
-    if (!reserve_heads(index, table, table->slots)) {
-      return false;
-    }
-    index->changes = table->changes;
+    return false;
   }
   for (; index->linked < table->slots && rows > 0; rows--) {
     if (sg_table_taken(table, index->linked) &&
-        !sg_index_add(index, table, index->linked)) {
+        !add_row(index, table, index->linked)) {
       sg_index_clear(index);
       return false;
     }
     index->linked++;
   }
-  index->built = index->linked == table->slots;
   return true;
 }
 
 bool
 sg_index_build(sg_index *index, const sg_table *table)
 {
-  return sg_index_build_some(index, table, SG_NO_ROW);
+  return sg_index_is_whole(index, table) ||
+         sg_index_build_some(index, table, SG_NO_ROW);
 }
 
 size_t
@@ -472,7 +511,10 @@ sg_index_is_valid(const sg_index *index, const sg_table *table)
 {
   size_t links = 0;
 
-  for (sg_row row = 0; row < table->slots; row++) {
+  if (!index->head) {
+    return index->linked == 0 && index->links == 0;
+  }
+  for (sg_row row = 0; row < table->slots && row < index->linked; row++) {
     if (!sg_table_taken(table, row)) {
       continue;
     }

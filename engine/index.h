@@ -1,8 +1,10 @@
 /* index.h -- hash indexes: which rows MAY have these values.
  *
- * Layer: store, private. An index holds hints: every taken row of its table,
- * whatever version shows it; the caller checks row and version. Growing
- * rebuilds the heads and moves no row. Ids next to one another share a cache
+ * Layer: store, private. An index holds hints: every taken row of its table
+ * below `linked`, whatever version shows it; the caller checks row and version.
+ * Rows that are written behind those in bulk wait until the index is used, so
+ * that nobody pays for an index that nobody asks. Growing rebuilds the heads
+ * and moves no row. Ids next to one another share a cache
  * line of heads, so that loading and walking in id order is fast.
  *
  * Two kinds. A row index chains rows that agree in the columns of its mask. A
@@ -26,9 +28,9 @@ typedef struct sg_index {
   const char *name; /* these three never change: read without a lock */
   uint16_t mask;
   bool members;
-  bool built;
+  sg_row linked;   /* the taken rows below are linked, no others */
   unsigned bits;   /* 2^bits heads */
-  uint32_t *head;  /* row or link, SG_NO_ROW: none */
+  uint32_t *head;  /* row or link, SG_NO_ROW: none; null: nothing is linked */
   size_t links;    /* chained at present */
   uint32_t **next; /* row index: [pages][SG_PAGE_ROWS] */
   size_t pages;
@@ -36,17 +38,25 @@ typedef struct sg_index {
   size_t link_room;
   size_t link_used; /* links below were used once */
   uint32_t free;    /* first link to use again, SG_NO_ROW: none */
-  sg_row linked;    /* of an index half built: rows below are linked */
-  uint64_t changes; /* and the table's were then */
 } sg_index;
 
-/* Links `rows` more of the taken rows, or begins anew if the table changed
- * since; the last ones make it built. False: no memory, it stays unbuilt. */
+/* True if every taken row is linked: it may be asked. */
+bool sg_index_is_whole(const sg_index *index, const struct sg_table *table);
+/* Links the rows that wait, `rows` slots more. False: no memory, nothing is
+ * linked any more. */
 bool sg_index_build_some(sg_index *index, const struct sg_table *table,
                          sg_row rows);
-/* All of them. */
+/* All of them: it is whole, at no cost if it was. */
 bool sg_index_build(sg_index *index, const struct sg_table *table);
 void sg_index_clear(sg_index *index);
+
+/* A row was just written; one behind those that wait waits too. Without memory
+ * nothing is linked any more. */
+void sg_index_link(sg_index *index, const struct sg_table *table, sg_row row);
+/* A row is about to be vacated. */
+void sg_index_unlink(sg_index *index, const struct sg_table *table, sg_row row);
+/* Slots from here on are free, and get new rows, which wait. */
+void sg_index_wait(sg_index *index, sg_row first);
 
 /* Room for every slot of the table, and n links more. False: no memory. */
 bool sg_index_reserve(sg_index *index, const struct sg_table *table, size_t n);
@@ -54,10 +64,6 @@ bool sg_index_reserve(sg_index *index, const struct sg_table *table, size_t n);
 void sg_index_chain(sg_index *index, uint64_t hash, sg_row row);
 uint64_t sg_index_hash_row(const sg_index *index, const struct sg_table *table,
                            sg_row row);
-/* Links one more row, already written. False: no memory. */
-bool sg_index_add(sg_index *index, const struct sg_table *table, sg_row row);
-/* Unlinks a row, if it is there. */
-void sg_index_remove(sg_index *index, const struct sg_table *table, sg_row row);
 
 /* A walk along the chain of some values; SG_NO_ROW ends it.
  *   for (uint32_t at = sg_index_first(index, hash); at != SG_NO_ROW;
@@ -71,7 +77,8 @@ uint64_t sg_index_hash(const sg_relation_info *info, uint16_t mask,
 uint64_t sg_index_hash_member(int32_t s, int32_t member);
 
 size_t sg_index_bytes(const sg_index *index);
-/* True if every taken row is chained where it belongs, once. */
+/* True if every taken row below `linked` is chained where it belongs, once,
+ * and nothing else is. */
 bool sg_index_is_valid(const sg_index *index, const struct sg_table *table);
 
 #endif

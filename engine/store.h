@@ -20,6 +20,7 @@
 
 #include "../c_kernels/column.h"
 #include "../c_kernels/poll.h"
+#include "../c_kernels/sheet.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -128,6 +129,46 @@ sg_status sg_world_add(sg_world *world, sg_relation relation,
  * const int32_t *[n] or const uint32_t *[n] by type. All or nothing. */
 sg_status sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
                             const void *const *column, sg_fault *fault);
+
+/* Many rows that are right by construction: their maker writes the cells in
+ * place, with several threads if it likes, and then all are shown at once. Keys
+ * and references are not looked at, indexes take the rows in when they are used
+ * next, so a row costs what writing its cells costs. For rows that a kernel
+ * made itself; what a user wrote goes through sg_world_add_many().
+ *
+ *   sg_append a;
+ *   if (sg_append_open(&a, world, SG_V, n)) {
+ *     ... fill every cell of a.sheet ...
+ *     if (!sg_append_commit(&a)) no_memory();
+ *     sg_append_close(&a);
+ *   }
+ *
+ * The maker promises what sg_world_add_many() checks: values within their
+ * column's bounds, no -0.0 or NaN, no key that a row or another of these has,
+ * no reference to a row that is not there. From opening to closing the world is
+ * claimed by this thread, which makes no other change of this relation. */
+typedef struct sg_append {
+  sg_world *world;
+  sg_relation relation;
+  sg_row first; /* the slot of row 0; the others follow it */
+  sg_sheet sheet;
+} sg_append;
+
+/* Room for n rows. False: no memory, and it is closed. */
+bool sg_append_open(sg_append *append, sg_world *world, sg_relation relation,
+                    size_t n);
+/* Gives the rows of a page of the sheet lists of length[i] ids in an SG_LIST
+ * column; their ids are still to be written. False: no memory. */
+bool sg_append_lists(sg_append *append, size_t page, unsigned column,
+                     const int32_t *length);
+/* Only the first n rows are wanted. */
+void sg_append_shorten(sg_append *append, size_t n);
+/* Shows the rows: a change like any other. False: no memory, nothing is
+ * shown. */
+bool sg_append_commit(sg_append *append);
+/* After a commit, or instead of it: nothing is left. */
+void sg_append_close(sg_append *append);
+
 /* True if the row lived in the current version, and now does not. */
 bool sg_world_retract(sg_world *world, sg_relation relation, sg_row row);
 /* False: no memory. */

@@ -18,8 +18,8 @@ static const struct {
 static void
 declare(sg_table *table, const char *name, uint16_t mask, bool members)
 {
-  table->index[table->indexes++] =
-      (sg_index){.name = name, .mask = mask, .members = members};
+  table->index[table->indexes++] = (sg_index){
+      .name = name, .mask = mask, .members = members, .free = SG_NO_ROW};
 }
 
 void
@@ -218,7 +218,6 @@ sg_table_write(sg_table *table, sg_row row, const sg_value *value)
   }
   page->taken[place / 64] |= UINT64_C(1) << place % 64;
   table->written++;
-  table->changes++;
   return true;
 }
 
@@ -230,7 +229,6 @@ sg_table_vacate(sg_table *table, sg_row row)
 
   give_refs(table, page, place, table->info->arity);
   page->taken[place / 64] &= ~(UINT64_C(1) << place % 64);
-  table->changes++;
 }
 
 /* Vacates what no map shows; returns how many. */
@@ -327,10 +325,7 @@ void
 sg_table_link(sg_table *table, sg_row row)
 {
   for (unsigned i = 0; i < table->indexes; i++) {
-    sg_index *index = &table->index[i];
-    if (index->built && !sg_index_add(index, table, row)) {
-      sg_index_clear(index);
-    }
+    sg_index_link(&table->index[i], table, row);
   }
 }
 
@@ -362,9 +357,7 @@ void
 sg_table_unlink(sg_table *table, sg_row row)
 {
   for (unsigned i = 0; i < table->indexes; i++) {
-    if (table->index[i].built) {
-      sg_index_remove(&table->index[i], table, row);
-    }
+    sg_index_unlink(&table->index[i], table, row);
   }
 }
 

@@ -70,11 +70,10 @@ typedef struct sg_table {
   const sg_relation_info *info;
   sg_page **page; /* [pages], of room page_room */
   size_t pages, page_room;
-  sg_row slots;     /* all slots ever written lie below */
-  size_t emptied;   /* slots on empty stacks */
-  size_t open;      /* no page before this one has an empty slot */
-  size_t written;   /* rows since the last sweep */
-  uint64_t changes; /* rows written and slots made empty, ever */
+  sg_row slots;   /* all slots ever written lie below */
+  size_t emptied; /* slots on empty stacks */
+  size_t open;    /* no page before this one has an empty slot */
+  size_t written; /* rows since the last sweep */
   sg_arena arena;
   sg_index index[SG_MAX_INDEXES];
   unsigned indexes;
@@ -166,7 +165,7 @@ void sg_table_sweep(sg_table *table, sg_map *const *map, size_t maps);
 
 /* The first index with exactly this mask, null: none. */
 sg_index *sg_table_index(sg_table *table, uint16_t mask, bool members);
-/* Links or unlinks a row in every index that is built. An index for which
+/* Links or unlinks a row in every index that was asked before. One for which
  * there is no memory is cleared, and built again when it is used. */
 void sg_table_link(sg_table *table, sg_row row);
 void sg_table_unlink(sg_table *table, sg_row row);

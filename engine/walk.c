@@ -55,7 +55,7 @@ sg_version_find(const sg_version *version, sg_relation relation,
   }
   pthread_mutex_lock(&world->lock);
   table->lookups++;
-  if (table->index[0].built || sg_index_build(&table->index[0], table)) {
+  if (sg_index_build(&table->index[0], table)) {
     found = sg_table_find(table, version->map[relation], row);
   }
   pthread_mutex_unlock(&world->lock);
@@ -256,8 +256,9 @@ sg_index_ready(const sg_version *version, sg_relation relation, uint16_t mask,
     pthread_mutex_lock(&world->lock);
     sg_index *index = mask ? best_index(table, mask) : member_index(table);
 
-    done = !index || index->built ||
-           !sg_index_build_some(index, table, SOME_ROWS) || index->built;
+    done = !index || sg_index_is_whole(index, table) ||
+           !sg_index_build_some(index, table, SOME_ROWS) ||
+           sg_index_is_whole(index, table);
     pthread_mutex_unlock(&world->lock);
     if (!done && sg_poll_stop(poll)) {
       return false;
@@ -286,7 +287,7 @@ sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
     return true;
   }
   pthread_mutex_lock(&world->lock);
-  if (index->built || sg_index_build(index, table)) {
+  if (sg_index_build(index, table)) {
     table->lookups++;
     walk->gathered = true;
     done = gather(walk, index, sg_index_hash(walk->info, index->mask, row));
@@ -318,7 +319,7 @@ sg_walk_open_member(sg_walk *walk, const sg_version *version,
   walk->gathered = true;
   pthread_mutex_lock(&world->lock);
   table->lookups++;
-  done = (index->built || sg_index_build(index, table)) &&
+  done = sg_index_build(index, table) &&
          gather(walk, index, sg_index_hash_member(s, member));
   pthread_mutex_unlock(&world->lock);
   if (!done) {

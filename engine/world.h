@@ -69,6 +69,13 @@ bool sg_world_stamp(sg_world *world, sg_map *map, sg_relation relation,
 /* Something was written: counts it and forgets the redo steps. */
 void sg_world_changed(sg_world *world);
 
+/* sg_append_open(), _commit() and _close() without lock and claim. End it also
+ * after a failure. */
+bool sg_append_begin(sg_append *append, sg_world *world, sg_relation relation,
+                     size_t n);
+bool sg_append_show(sg_append *append);
+void sg_append_end(sg_append *append);
+
 /* Checks of one value: its type's bounds; that the rows it refers to live. */
 bool sg_value_is_valid(const sg_relation_info *info, unsigned column,
                        sg_value value);

@@ -6,8 +6,8 @@
 :- use_module(polygon_list, [edges_vertex_list/2]).
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
-                leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9, view/3,
-                projection/1
+                leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9,
+                view/3, projection/1
               ]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).
