@@ -237,7 +237,9 @@ measured(Options, Start) :-
 
 timing(Name, Seconds) :-
     member(Name,
-           [load, tree, resolve, join, chain, rules, enter, write]),
+           [ load, tree, resolve, join, chain, rules, enter, pieces, faces,
+             write
+           ]),
     (   stage_seconds(Name, Seconds0)
     ->  Seconds = Seconds0
     ;   Seconds = 0.0

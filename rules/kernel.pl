@@ -20,6 +20,16 @@
             solid_take/2,             % +Segments, -Solid
             solid_counts/4,           % +Solid, -Vertices, -Faces, -Triangles
             solid_close/1,            % +Solid
+            solid_vertices/2,         % +Solid, -Vertices
+            solid_faces/2,            % +Solid, -Faces
+            solid_parts/2,            % +Solid, -Parts
+            % arrangement4pl.c
+            arrangement_open/3,       % +Set, +Segments, -Arrangement
+            arrangement_close/1,      % +Arrangement
+            arrangement_polygon/5,    % +Arrangement, +S, +P, +Work, +Reach
+            arrangement_seal/1,       % +Arrangement
+            arrangement_components/2, % +Arrangement, -Components
+            arrangement_select/3,     % +Arrangement, +Senses, -Solid
             % cut4pl.c, seam4pl.c, split4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
@@ -447,6 +457,42 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   vertices) overlap or are not farther apart than Reach along each axis.
 %   Ascending, as they are at the first call. Found by a tree of boxes: the
 %   other pairs are not looked at.
+
+%!  solid_vertices(+Solid, -Vertices:list) is det.
+%!  solid_faces(+Solid, -Faces:list) is det.
+%!  solid_parts(+Solid, -Parts:list) is det.
+%
+%   What is in a solid: vertex(V, X, Y, Z, From), V from 1, From S0-V0 or
+%   made(Origin); face(S0, P0, Sense, Triangles), Sense -1 if it looks the other
+%   way than polygon P0, with its t(V1, V2, V3, Auxiliary), where bit 0 of
+%   Auxiliary is for the edge V1-V2, and so on; and after merging
+%   part(Face, S0, P0, Sense), Face from 1.
+
+%!  arrangement_open(+Set, +Segments:list, -Arrangement) is det.
+%!  arrangement_close(+Arrangement) is det.
+%!  arrangement_polygon(+Arrangement, +S, +P, +Work, +Reach) is det.
+%!  arrangement_seal(+Arrangement) is det.
+%!  arrangement_components(+Arrangement, -Components:list) is det.
+%!  arrangement_select(+Arrangement, +Senses:list, -Solid) is det.
+%
+%   The Segments in pieces along the lines of cut set Set, which is sealed and
+%   must stay open. Polygons that were entered are told one by one, with what
+%   they became; what touches within Reach is made one where nothing else helps.
+%   Sealing finds what hangs together, and on which side of each segment that
+%   is. A component is
+%
+%       component(C, S, P, point(X, Y, Z), Sides, Which)
+%
+%   with a polygon P of it and a point in that (rounded), and Sides a list of
+%   side(S1, Below, Above): how often S1 goes round the points just below and
+%   just above it; of segments that are not there, 0. Which is `second` if it
+%   lies on a piece of an earlier segment (or on an earlier one of its own),
+%   `unknown` if it has no area, else `only`. Senses are C-1 for components to
+%   be chosen, and C-(-1) for those to be turned over. Exact.
+%
+%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
+%          be triangulated
+%   @see c_kernels/arrangement.h; rows CB-3 and CB-4
 
 %!  windings(+S, +Points, -Windings) is det.
 %

@@ -6,6 +6,8 @@
             merge_line/2,               % +Piece1, +Piece2
             penetration_chains/1,       % -Chains
             penetration_chains/3,       % +Pairs, +Options, -Chains
+            leaves_entered/3,           % +Pairs, +Tolerance, :Goal
+            touching/2,                 % +Options, -Tolerance
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
 :- use_module(cut_rows,
@@ -137,6 +139,10 @@ pairs_to_cut(all, Tolerance, Pairs) :-
             Pairs).
 pairs_to_cut(Pairs, _, Pairs).
 
+%!  touching(+Options:list, -Tolerance) is det.
+%
+%   Tolerance is what option tolerance(T) says, or else model_tolerance/1.
+
 touching(Options, Tolerance) :-
     (   option(tolerance(Tolerance), Options)
     ->  must_be(number, Tolerance),
@@ -266,6 +272,38 @@ chains_of_leaves(Pairs, Tolerance, Chains) :-
     ),
     exclude(is_self, Pairs, Contacts),
     touched(Pairs, Contacts, Tolerance, chained(Chains), _).
+
+%!  leaves_entered(+Pairs:list, +Tolerance, :Goal) is semidet.
+%
+%   The lines of Pairs enter their polygons, but nothing of that is written:
+%   call(Goal, Set, Works) gets the cut set and a list of work(S, P, Work).
+%   What touches within Tolerance is made to touch first, in the world, and
+%   earlier cuts of these segments are taken back: call it in a
+%   facts_snapshot/1.
+
+:- meta_predicate leaves_entered(+, +, 2).
+
+leaves_entered(Pairs, Tolerance, Goal) :-
+    earlier_cuts(Pairs, Earlier),
+    (   Earlier == []
+    ->  true
+    ;   leaves_restored(Earlier)
+    ),
+    with_cut_set(Pairs, resolved(entered(Goal), Tolerance, Resolved)),
+    (   Resolved == true
+    ->  with_cut_set(Pairs, entered(Goal))
+    ;   true
+    ).
+
+entered(Goal, _, Set) :-
+    stage(rules, find_lines(Set)),
+    cut_polygons(Set, Polygons),
+    setup_call_cleanup(
+        true,
+        ( stage(enter, enter_polygons(Set, Polygons, Works)),
+          call(Goal, Set, Works)
+        ),
+        ( ground(Works) -> maplist(close_work, Works) ; true )).
 
 chained(Chains, _, Set) :-
     stage(rules, ( find_lines(Set),

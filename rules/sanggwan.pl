@@ -15,7 +15,10 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(model_file, [add_primitive/2]).
 :- reexport(mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(triangulation, [complete_segments/0, polygon_triangles/3]).
-:- reexport(penetration, except([may_cut/2, merge_line/2])).
+:- reexport(arrangement, [with_arrangement/3, components/2]).
+:- reexport(boolean, except([stays/3])).
+:- reexport(penetration,
+            except([ may_cut/2, merge_line/2, leaves_entered/3, touching/2 ])).
 :- reexport(exact, [vertex_exact/5]).
 :- reexport(inside, [inside/2, winding/3]).
 :- reexport(kernel, [exact_statistics/1]).

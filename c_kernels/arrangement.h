@@ -1,0 +1,82 @@
+/* arrangement.h -- leaves in pieces, and on which side of the others each is.
+ *
+ * Layer: kernel. After a penetration is found (cut_set.h) and has entered the
+ * polygons (work.h), the leaves are cut along all their lines. What hangs
+ * together without a line between is a COMPONENT: the same holds for all of
+ * it. One exact question, how often each segment goes round a point of it,
+ * says on which side it is of every other leaf, and of its own. Just below the
+ * piece (inside, as it looks) and just above it, since these differ in the
+ * leaves it lies on.
+ *
+ * What stays is not decided here: sg_arrangement_select() is told.
+ *
+ * Source: rows CB-3 and CB-4; the winding numbers of winding.h.
+ */
+#ifndef SG_ARRANGEMENT_H
+#define SG_ARRANGEMENT_H
+
+#include "cut_set.h"
+#include "leaf_tree.h"
+#include "solid.h"
+#include "triangulate.h"
+
+typedef struct sg_arrangement sg_arrangement;
+
+/* How often a segment goes round the points just below and just above a
+ * component. Of an open surface the numbers mean nothing. */
+typedef struct sg_side {
+  int32_t s;
+  int below, above;
+} sg_side;
+
+/* A component, and the point of it that was asked for. */
+typedef struct sg_component {
+  int32_t s, p;        /* a polygon of it */
+  const sg_point *at;  /* inside a piece of that polygon, exact */
+  const sg_side *side; /* [sides]: of the segments that go round it, and of
+                          those it lies on, by segment. All others: 0, 0 */
+  size_t sides;
+  bool second;  /* it lies on a piece of a segment with a smaller number, or of
+                   its own with a smaller triangle: one of the two is enough */
+  bool unknown; /* it has no area: nobody could say */
+} sg_component;
+
+/* What the leaves are taken from: all borrowed, until the arrangement closes.
+ * Segments ascending; near pairs are those that the set has cut. */
+typedef struct sg_leaves {
+  const sg_cut_set *set;
+  const sg_leaf_views *views;
+  const int32_t *s;                /* [n] */
+  const sg_leaf_tree *const *tree; /* [n] */
+  size_t n;
+  const int32_t (*near)[2]; /* [pairs]: segments */
+  size_t pairs;
+} sg_leaves;
+
+/* Null: no memory. The set is sealed, and nothing enters it any more. */
+sg_arrangement *sg_arrangement_open(const sg_leaves *leaves);
+void sg_arrangement_close(sg_arrangement *a);
+
+/* Takes in polygon p of segment s as it stands in `work`, which is used up;
+ * before sealing. `reach`: how far apart may be what touches, for polygons that
+ * can be triangulated only then (sg_work_resolve). SG_STUCK: it cannot be;
+ * *edge (may be null) then is an edge, still living, that proves it. */
+sg_outcome sg_arrangement_polygon(sg_arrangement *a, int32_t s, int32_t p,
+                                  sg_work *work, double reach, int32_t *edge,
+                                  const sg_poll *poll);
+
+/* Finds the components, and their sides. False: no memory, or stopped. */
+bool sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll);
+
+size_t sg_arrangement_components(const sg_arrangement *a);
+sg_component sg_arrangement_component(const sg_arrangement *a, size_t c);
+
+/* The components with sense[c] 1, and turned over those with -1, as a solid.
+ * What made its made vertices is point_of[vertex - plain], a point of the set;
+ * origins are not filled in. False: no memory, or stopped. Owner: the caller,
+ * also of *point_of (free()). */
+bool sg_arrangement_select(const sg_arrangement *a, const int8_t *sense,
+                           const sg_poll *poll, sg_solid *out,
+                           uint32_t **point_of);
+
+#endif

@@ -1,0 +1,344 @@
+/* arrangement_part.c -- what hangs together: see arrangement.h.
+ *
+ * Layer: kernel. A vertex that is on no other leaf is on one side of each of
+ * them, and so is everything that has it. Beside that, cells hang together
+ * over edges that are no lines.
+ */
+#include "arrangement_private.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ASKED = 1 << 14 }; /* rows between questions */
+
+sg_leaf
+sg_arranged_row(const sg_arrangement *a, uint32_t row)
+{
+  const sg_view *t = &a->leaves.views->t;
+  size_t page = row / SG_PAGE_ROWS, at = row % SG_PAGE_ROWS;
+  sg_leaf leaf = {
+      t->column[2].page[page].i[at], t->column[1].page[page].i[at], {0}};
+
+  for (unsigned c = 0; c < 3; c++) {
+    leaf.v[c] = t->column[3 + c].page[page].i[at];
+  }
+  return leaf;
+}
+
+/* ---- which rows are there ---- */
+
+static int
+compare_cells(const void *x, const void *y)
+{
+  const sg_cell *a = x, *b = y;
+
+  return a->leaf != b->leaf ? (a->leaf > b->leaf) - (a->leaf < b->leaf)
+         : a->p != b->p     ? (a->p > b->p) - (a->p < b->p)
+                            : (a->first > b->first) - (a->first < b->first);
+}
+
+/* The polygons that are cut, for each leaf. */
+static bool
+list_cut(sg_arrangement *a)
+{
+  int32_t *p = malloc((a->cells + 1) * sizeof *p);
+  bool good = p != NULL;
+
+  if (a->cells > 0) {
+    qsort(a->cell, a->cells, sizeof *a->cell, compare_cells);
+  }
+  for (size_t i = 0, c = 0; i < a->leaves.n && good; i++) {
+    size_t n = 0;
+
+    for (; c < a->cells && a->cell[c].leaf == i; c++) {
+      p[n++] = a->cell[c].p;
+    }
+    good = sg_id_set_make(&a->leaf[i].cut, p, n);
+  }
+  free(p);
+  return good;
+}
+
+static bool
+find_rows(sg_arrangement *a, const sg_poll *poll)
+{
+  if (!sg_segment_rows_find(&a->leaves.views->t, a->leaves.s, a->leaves.n, poll,
+                            &a->rows)) {
+    return false;
+  }
+  for (size_t i = 0; i < a->leaves.n; i++) {
+    a->leaf[i].row = a->rows.row + a->rows.begin[i];
+    a->leaf[i].rows = a->rows.begin[i + 1] - a->rows.begin[i];
+    a->leaf[i].component =
+        malloc((a->leaf[i].rows + 1) * sizeof *a->leaf[i].component);
+    if (!a->leaf[i].component) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ---- polygons that are not cut ---- */
+
+static bool
+keep_cut_row(sg_arrangement *a, uint32_t leaf, int32_t p, uint32_t row)
+{
+  if (a->cut_rows == a->cut_row_room) {
+    size_t room = 2 * a->cut_row_room + 64;
+    sg_cut_row_of *grown = realloc(a->cut_row, room * sizeof *grown);
+
+    if (!grown) {
+      return false;
+    }
+    a->cut_row = grown;
+    a->cut_row_room = room;
+  }
+  a->cut_row[a->cut_rows++] = (sg_cut_row_of){leaf, p, row};
+  return true;
+}
+
+/* The node of a polygon with a touched vertex. */
+static uint32_t
+polygon_node(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
+             int32_t p)
+{
+  uint32_t key[2] = {leaf, (uint32_t)p};
+  uint32_t *node = sg_key_table_put(of_polygon, key);
+
+  if (node && *node == SG_NO_KEY) {
+    *node = sg_arrangement_new_node(a);
+  }
+  return node ? *node : SG_NO_KEY;
+}
+
+/* Hangs a triangle's free vertices together, and if it has another one, what is
+ * left of its polygon. Its node goes to *out; false: no memory. */
+static bool
+hang_triangle(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
+              const sg_leaf *t, uint32_t *out)
+{
+  uint32_t first = SG_NO_KEY;
+  int vertices = 0;
+
+  for (int c = 0; c < 3; c++) {
+    uint32_t node = sg_arrangement_node(&a->leaf[leaf], t->v[c]);
+
+    if (node == SG_NO_KEY || a->touched[node]) {
+      continue;
+    }
+    vertices++;
+    if (first == SG_NO_KEY) {
+      first = node;
+    } else if (a->parent[first] != a->parent[node]) {
+      sg_arrangement_hang(a, first, node);
+    }
+  }
+  if (vertices < 3) {
+    uint32_t node = polygon_node(a, of_polygon, leaf, t->p);
+
+    if (node == SG_NO_KEY) {
+      return false;
+    }
+    if (first == SG_NO_KEY) {
+      first = node;
+    } else {
+      sg_arrangement_hang(a, first, node);
+    }
+  }
+  *out = first;
+  return true;
+}
+
+/* leaf->component is a node at first. */
+static bool
+flood_leaf(sg_arrangement *a, uint32_t number, sg_key_table *of_polygon,
+           const sg_poll *poll)
+{
+  sg_arranged *leaf = &a->leaf[number];
+
+  for (size_t i = 0; i < leaf->rows; i++) {
+    sg_leaf t = sg_arranged_row(a, leaf->row[i]);
+
+    if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+      return false;
+    }
+    if (sg_id_set_has(&leaf->cut, t.p)) {
+      leaf->component[i] = SG_NO_KEY;
+      if (!keep_cut_row(a, number, t.p, leaf->row[i])) {
+        return false;
+      }
+    } else if (!hang_triangle(a, of_polygon, number, &t, &leaf->component[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ---- cells ---- */
+
+static bool
+hang_cell(sg_arrangement *a, sg_key_table *over, const sg_cell *cell)
+{
+  for (size_t i = cell->first; i < cell->first + cell->n; i++) {
+    const sg_cell_triangle *t = &a->triangle[i];
+
+    for (int c = 0; c < 3; c++) {
+      int32_t v1 = t->v[c], v2 = t->v[(c + 1) % 3];
+      uint32_t node = sg_arrangement_node(&a->leaf[cell->leaf], v1);
+      uint32_t key[3] = {cell->leaf, (uint32_t)(v1 < v2 ? v1 : v2),
+                         (uint32_t)(v1 < v2 ? v2 : v1)};
+
+      if (node != SG_NO_KEY && !a->touched[node]) {
+        sg_arrangement_hang(a, cell->node, node);
+      }
+      if (sg_arrangement_is_line(a, cell->leaf, v1, v2)) {
+        continue;
+      }
+      uint32_t *other = sg_key_table_put(over, key);
+
+      if (!other) {
+        return false;
+      }
+      if (*other == SG_NO_KEY) {
+        *other = cell->node;
+      } else {
+        sg_arrangement_hang(a, cell->node, *other);
+      }
+    }
+  }
+  return true;
+}
+
+static int
+compare_cut_rows(const void *x, const void *y)
+{
+  const sg_cut_row_of *a = x, *b = y;
+
+  return a->leaf != b->leaf ? (a->leaf > b->leaf) - (a->leaf < b->leaf)
+         : a->p != b->p     ? (a->p > b->p) - (a->p < b->p)
+                            : (a->row > b->row) - (a->row < b->row);
+}
+
+bool
+sg_arrangement_flood(sg_arrangement *a, const sg_poll *poll)
+{
+  sg_key_table of_polygon, over;
+  bool good = list_cut(a) && find_rows(a, poll);
+
+  sg_key_table_init(&of_polygon, 2);
+  sg_key_table_init(&over, 3);
+  for (uint32_t i = 0; i < a->leaves.n && good; i++) {
+    good = flood_leaf(a, i, &of_polygon, poll);
+  }
+  for (size_t i = 0; i < a->cells && good; i++) {
+    good = hang_cell(a, &over, &a->cell[i]);
+  }
+  if (a->cut_rows > 0) {
+    qsort(a->cut_row, a->cut_rows, sizeof *a->cut_row, compare_cut_rows);
+  }
+  sg_key_table_clear(&of_polygon);
+  sg_key_table_clear(&over);
+  return good;
+}
+
+/* ---- components ---- */
+
+static bool
+new_part(sg_arrangement *a)
+{
+  if (a->parts == a->part_room) {
+    size_t room = 2 * a->part_room + 16;
+    sg_part *grown = realloc(a->part, room * sizeof *grown);
+
+    if (!grown) {
+      return false;
+    }
+    a->part = grown;
+    a->part_room = room;
+  }
+  a->part[a->parts++] = (sg_part){.unknown = true};
+  return true;
+}
+
+/* The component of a node, new if it has none: *of_root[root]. */
+static uint32_t
+part_of(sg_arrangement *a, uint32_t *of_root, uint32_t node)
+{
+  uint32_t root = sg_arrangement_root(a, node);
+
+  if (of_root[root] == SG_NO_KEY) {
+    of_root[root] = new_part(a) ? (uint32_t)(a->parts - 1) : SG_NO_KEY;
+  }
+  return of_root[root];
+}
+
+/* If the component has no point yet, one inside this piece. False: no memory.
+ */
+static bool
+give_point(sg_arrangement *a, uint32_t number, const sg_part *piece)
+{
+  sg_part *part = &a->part[number];
+
+  if (!part->unknown) {
+    return true;
+  }
+  *part = *piece;
+  return sg_arrangement_point(a, part);
+}
+
+static bool
+find_row_parts(sg_arrangement *a, uint32_t number, uint32_t *of_root,
+               const sg_poll *poll)
+{
+  sg_arranged *leaf = &a->leaf[number];
+
+  for (size_t i = 0; i < leaf->rows; i++) {
+    if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+      return false;
+    }
+    if (leaf->component[i] == SG_NO_KEY) {
+      continue;
+    }
+    uint32_t c = part_of(a, of_root, leaf->component[i]);
+    sg_part piece = {.leaf = number, .of = i, .row = leaf->row[i]};
+
+    if (c == SG_NO_KEY || !give_point(a, c, &piece)) {
+      return false;
+    }
+    leaf->component[i] = c;
+  }
+  return true;
+}
+
+static bool
+find_cell_parts(sg_arrangement *a, uint32_t *of_root)
+{
+  for (size_t i = 0; i < a->cells; i++) {
+    sg_cell *cell = &a->cell[i];
+    uint32_t c = part_of(a, of_root, cell->node);
+    sg_part piece = {.leaf = cell->leaf, .cut = true, .of = i};
+
+    if (c == SG_NO_KEY || !give_point(a, c, &piece)) {
+      return false;
+    }
+    cell->component = c;
+  }
+  return true;
+}
+
+bool
+sg_arrangement_find_parts(sg_arrangement *a, const sg_poll *poll)
+{
+  uint32_t *of_root = malloc((a->nodes + 1) * sizeof *of_root);
+  bool good = of_root != NULL;
+
+  if (good) {
+    memset(of_root, 0xff, (a->nodes + 1) * sizeof *of_root);
+  }
+  for (uint32_t i = 0; i < a->leaves.n && good; i++) {
+    good = find_row_parts(a, i, of_root, poll);
+  }
+  good = good && find_cell_parts(a, of_root);
+  free(of_root);
+  return good;
+}

@@ -1,0 +1,115 @@
+/* arrangement_private.h -- the inside of arrangement.h.
+ *
+ * Layer: kernel. What hangs together is found by union of NODES: first one for
+ * each vertex of each leaf, by its place in the leaf's table of ids, then one
+ * for each polygon that is not cut but has a vertex on another leaf, and one
+ * for each cell of those that are cut.
+ */
+#ifndef SG_ARRANGEMENT_PRIVATE_H
+#define SG_ARRANGEMENT_PRIVATE_H
+
+#include "arrangement.h"
+#include "id_set.h"
+
+/* A leaf. */
+typedef struct sg_arranged {
+  int32_t s;
+  const sg_leaf_tree *tree;
+  uint32_t node;       /* of its first vertex */
+  const uint32_t *row; /* [rows]: its leaf triangles, rows of t/6 */
+  size_t rows;
+  uint32_t *component; /* [rows], SG_NO_KEY: of a polygon that is cut */
+  sg_id_set cut;       /* polygons */
+} sg_arranged;
+
+/* A triangle of a cell, corners by name in the leaf. */
+typedef struct sg_cell_triangle {
+  int32_t v[3];
+  uint8_t auxiliary; /* bit k: the edge after corner k */
+} sg_cell_triangle;
+
+/* A piece of a polygon that is cut. */
+typedef struct sg_cell {
+  uint32_t leaf; /* place */
+  int32_t p;
+  int axis;        /* along which its polygon is seen */
+  size_t first, n; /* triangles */
+  uint32_t node, component;
+} sg_cell;
+
+/* A leaf triangle of a polygon that is cut. */
+typedef struct sg_cut_row_of {
+  uint32_t leaf;
+  int32_t p;
+  uint32_t row;
+} sg_cut_row_of;
+
+/* A component under way. */
+typedef struct sg_part {
+  uint32_t leaf;
+  bool cut; /* `of` is a cell, else the place of a row */
+  size_t of;
+  int32_t p;
+  uint32_t row; /* the leaf triangle that `at` is inside */
+  sg_point at;
+  int normal[3]; /* signs of the leaf triangle's normal */
+  unsigned tries;
+  bool unknown, second, again;
+  size_t side, sides;
+} sg_part;
+
+struct sg_arrangement {
+  sg_leaves leaves;
+  sg_arranged *leaf; /* [leaves.n] */
+  sg_segment_rows rows;
+  uint8_t *touched; /* [vertex_nodes]: on another leaf, or on a line */
+  size_t vertex_nodes;
+  sg_key_table barrier;       /* leaf, two names: a line runs there */
+  sg_key_table has_triangles; /* leaf, polygon: that are in the cut model */
+  sg_cell *cell;
+  sg_cell_triangle *triangle;
+  size_t cells, cell_room, triangles, triangle_room;
+  sg_cut_row_of *cut_row; /* by leaf, polygon */
+  size_t cut_rows, cut_row_room;
+  uint32_t *parent; /* [nodes] */
+  size_t nodes, node_room;
+  sg_part *part; /* [parts]: the components */
+  size_t parts, part_room;
+  sg_side *side;
+  size_t sides, side_room;
+};
+
+/* The place of a segment among the leaves; SG_NO_KEY: it is none. */
+uint32_t sg_arrangement_leaf(const sg_arrangement *a, int32_t s);
+
+/* The node of vertex v of a leaf; SG_NO_KEY: a cut made it. */
+uint32_t sg_arrangement_node(const sg_arranged *leaf, int32_t v);
+
+bool sg_arrangement_is_line(const sg_arrangement *a, uint32_t leaf, int32_t v1,
+                            int32_t v2);
+
+/* What a row of t/6 says. */
+sg_leaf sg_arranged_row(const sg_arrangement *a, uint32_t row);
+
+/* The corners of a cell's triangle: copies, to be cleared. */
+void sg_cell_corners(const sg_arrangement *a, const sg_cell *cell,
+                     const sg_cell_triangle *triangle, sg_point out[3]);
+
+/* A new node that hangs together with nothing; SG_NO_KEY: no memory. */
+uint32_t sg_arrangement_new_node(sg_arrangement *a);
+uint32_t sg_arrangement_root(sg_arrangement *a, uint32_t node);
+void sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other);
+
+/* Components from what hangs together (arrangement_part.c). */
+bool sg_arrangement_flood(sg_arrangement *a, const sg_poll *poll);
+bool sg_arrangement_find_parts(sg_arrangement *a, const sg_poll *poll);
+
+/* The sides of all components (arrangement_side.c). */
+bool sg_arrangement_find_sides(sg_arrangement *a, sg_crew *crew,
+                               const sg_poll *poll);
+
+/* Another point inside a component, by part->tries (arrangement_point.c).
+ * False: no memory. */
+bool sg_arrangement_point(const sg_arrangement *a, sg_part *part);
+
+#endif

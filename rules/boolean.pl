@@ -1,0 +1,188 @@
+:- module(sg_boolean,
+          [ boolean/2,                  % +Expression, +S
+            boolean/3,                  % +Expression, +S, +Options
+            stays/3,                    % +Expression, +Component, -Sense
+            expression_leaves/2,        % +Expression, -Leaves
+            select_boundary/3           % +Arrangement, +Expression, -Solid
+          ]).
+:- use_module(arrangement, [with_arrangement/3, components/2]).
+:- use_module(decision, [decision/2]).
+:- use_module(kernel, [arrangement_select/3, solid_close/1]).
+:- use_module(solid_rows, [solid_written/2]).
+:- use_module(stage, [stage/2]).
+:- use_module(store,
+              [ v/5, segment/3, assert_fact/1, facts_transaction/1 ]).
+:- autoload(library(apply), [convlist/3, maplist/2, partition/4]).
+:- autoload(library(error), [domain_error/2, existence_error/2, type_error/2]).
+:- autoload(library(lists), [member/2]).
+:- autoload(library(ordsets), [ord_memberchk/2, ord_subset/2]).
+/** <module> Union, intersection, difference: what stays of the pieces.
+
+An expression is the number of a segment, or union(Es), intersection(Es) or
+difference(Es) of a list of expressions (the first without all the others). A
+piece stays if just one of its two sides is inside: so the rule is the same for
+any number of operands, for hollows and for shells in each other, and a face
+that two operands have in common stays or goes by how it looks in each.
+
+@see [CB] rows CB-1 to CB-4
+*/
+
+%!  boolean(+Expression, +S) is det.
+%!  boolean(+Expression, +S, +Options:list) is det.
+%
+%   The boundary of Expression becomes the rows of segment S, which must have
+%   none yet; a solid of that number is made if there is none. One transaction;
+%   the operands stay as they are. Options: as of with_arrangement/3.
+%
+%   @error existence_error(segment, S1): an operand is not there
+%   @error geometry_error(polygon_edge(S1, P, V1, V2)): with its lines, polygon
+%          P cannot be triangulated
+
+boolean(Expression, S) :-
+    boolean(Expression, S, []).
+
+boolean(Expression, S, Options) :-
+    expression_leaves(Expression, Leaves),
+    with_arrangement(Leaves, Options,
+                     sg_boolean:selected(Expression, Solid)),
+    facts_transaction(sg_boolean:written(Solid, S, Expression)),
+    solid_close(Solid).
+
+selected(Expression, Solid, Arrangement) :-
+    select_boundary(Arrangement, Expression, Solid).
+
+written(Solid, S, Expression) :-
+    (   segment(S, _, _)
+    ->  true
+    ;   assert_fact(segment(S, solid, Expression))
+    ),
+    stage(write, solid_written(Solid, S)).
+
+%!  select_boundary(+Arrangement, +Expression, -Solid) is det.
+%
+%   Solid is a handle of the boundary of Expression, from an open arrangement
+%   that has all its leaves.
+
+select_boundary(Arrangement, Expression, Solid) :-
+    stage(pieces, components(Arrangement, Components)),
+    stage(rules, ( compiled(Expression, Compiled),
+                   convlist(kept(Compiled), Components, Senses)
+                 )),
+    stage(pieces, arrangement_select(Arrangement, Senses, Solid)).
+
+kept(Expression, Component, C-Sense) :-
+    Component = component(C, _, _, _, _, _),
+    stays(Expression, Component, Sense).
+
+:- decision(stays/3, "Which pieces of solids stay in a result (CB-4)").
+
+%!  stays(+Expression, +Component, -Sense) is semidet.
+%
+%   Decision: a component of an arrangement stays in the boundary of
+%   Expression, as it is (Sense 1) or turned over (-1). The default: if just one
+%   of its sides is inside, and no other piece in its place stays for it.
+
+stays(Expression, component(_, _, _, _, Sides, Which), Sense) :-
+    Which == only,
+    inside(below, Sides, Expression, Below),
+    inside(above, Sides, Expression, Above),
+    boundary(Below, Above, Sense).
+
+boundary(true, false, 1).
+boundary(false, true, -1).
+
+inside(Where, Sides, Expression, Inside) :-
+    findall(S, goes_round(Where, Sides, S), Ss),
+    (   holds(Expression, Ss)
+    ->  Inside = true
+    ;   Inside = false
+    ).
+
+goes_round(below, Sides, S) :-
+    member(side(S, Below, _), Sides),
+    Below > 0.
+goes_round(above, Sides, S) :-
+    member(side(S, _, Above), Sides),
+    Above > 0.
+
+%   holds(+Compiled, +Ss): true inside just the segments Ss, in order. Leaves of
+%   an operation are sets, so that it takes no longer the more there are.
+
+holds(or(Leaves, _), Ss) :-
+    member(S, Ss),
+    ord_memberchk(S, Leaves),
+    !.
+holds(or(_, Others), Ss) :-
+    member(Other, Others),
+    holds(Other, Ss),
+    !.
+holds(and(Leaves, Others), Ss) :-
+    ord_subset(Leaves, Ss),
+    \+ ( member(Other, Others),
+         \+ holds(Other, Ss)
+       ).
+holds(minus(First, Others), Ss) :-
+    holds(First, Ss),
+    \+ holds(Others, Ss).
+
+%   compiled(+Expression, -Compiled)
+
+compiled(S, or([S], [])) :-
+    integer(S),
+    !.
+compiled(union(Es), or(Leaves, Others)) :-
+    operands(Es, Leaves, Others).
+compiled(intersection(Es), and(Leaves, Others)) :-
+    operands(Es, Leaves, Others).
+compiled(difference([E|Es]), minus(First, or(Leaves, Others))) :-
+    compiled(E, First),
+    operands(Es, Leaves, Others).
+
+operands(Es, Leaves, Others) :-
+    partition(integer, Es, Leaves0, Others0),
+    sort(Leaves0, Leaves),
+    maplist(compiled, Others0, Others).
+
+%!  expression_leaves(+Expression, -Leaves:list) is det.
+%
+%   Leaves are the segments of Expression, each once, in order.
+%
+%   @error existence_error(segment, S)
+
+expression_leaves(Expression, Leaves) :-
+    findall(S, leaf_of(Expression, S), Leaves0),
+    sort(Leaves0, Leaves),
+    maplist(is_there, Leaves).
+
+leaf_of(Expression, _) :-
+    var(Expression),
+    !,
+    instantiation_error(Expression).
+leaf_of(S, S) :-
+    integer(S),
+    !.
+leaf_of(Expression, S) :-
+    compound(Expression),
+    Expression =.. [Operation, Es],
+    operation(Operation),
+    !,
+    (   is_list(Es),
+        Es = [_|_]
+    ->  member(E, Es),
+        leaf_of(E, S)
+    ;   domain_error(operands, Es)
+    ).
+leaf_of(Expression, _) :-
+    type_error(expression, Expression).
+
+operation(union).
+operation(intersection).
+operation(difference).
+
+is_there(S) :-
+    (   segment(S, _, _)
+    ->  true
+    ;   v(S, _, _, _, _)
+    ->  true
+    ;   existence_error(segment, S)
+    ).

@@ -1,0 +1,138 @@
+/* Union, intersection and difference: rules/boolean.pl. */
+:- use_module(library(plunit)).
+:- use_module('../../rules/arrangement').
+:- use_module('../../rules/boolean').
+:- use_module('../../rules/model_file').
+:- use_module('../../rules/store').
+:- use_module('../../rules/triangulation').
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+
+:- begin_tests(boolean).
+
+%   result(+Terms, +Expression, -Volume, -Counts): of solids 1, 2, ...
+
+result(Terms, Expression, Volume, counts(Vertices, Polygons, Open)) :-
+    new_world(World),
+    in_world(World,
+             ( maplist(added, Terms),
+               complete_segments,
+               boolean(Expression, 100),
+               volume(100, Volume),
+               aggregate_all(count, v(100, _, _, _, _), Vertices),
+               aggregate_all(count, p(100, _, _), Polygons),
+               aggregate_all(count, open_edge(100), Open)
+             )).
+
+added(Term) :-
+    add_primitive(Term, _).
+
+open_edge(S) :-
+    e(S, _, A, B, _),
+    aggregate_all(count, e(S, _, A, B, _), N),
+    aggregate_all(count, e(S, _, B, A, _), M),
+    N =\= M.
+
+volume(S, Volume) :-
+    aggregate_all(sum(Part), part_volume(S, Part), Volume).
+
+part_volume(S, Part) :-
+    t(S, _, _, A, B, C),
+    v(S, A, X1, Y1, Z1),
+    v(S, B, X2, Y2, Z2),
+    v(S, C, X3, Y3, Z3),
+    Part is (X1*(Y2*Z3-Z2*Y3) + Y1*(Z2*X3-X2*Z3) + Z1*(X2*Y3-Y2*X3)) / 6.
+
+near(X, Y) :-
+    abs(X-Y) < 1.0e-12.
+
+boxes([ box(size(2, 2, 2)),
+        at([translate(1, 0.5, 0.7)], box(size(2, 2, 2)))
+      ]).
+
+test(union, [true((near(V, 14.05), Open =:= 0, Vs =:= 20))]) :-
+    boxes(Boxes),
+    result(Boxes, union([1,2]), V, counts(Vs, _, Open)).
+test(intersection, [true((near(V, 1.95), Open =:= 0, Counts == 8-6))]) :-
+    boxes(Boxes),
+    result(Boxes, intersection([1,2]), V, counts(Vs, Ps, Open)),
+    Counts = Vs-Ps.
+test(difference, [true((near(V, 6.05), Open =:= 0, Counts == 14-9))]) :-
+    boxes(Boxes),
+    result(Boxes, difference([1,2]), V, counts(Vs, Ps, Open)),
+    Counts = Vs-Ps.
+test(nothing_left, [true(V-Counts == 0-counts(0, 0, 0))]) :-
+    result([box(size(2, 2, 2))], difference([1,1]), V, Counts).
+test(itself, [true((near(V, 8.0), Open =:= 0))]) :-
+    result([box(size(2, 2, 2)), box(size(2, 2, 2))], union([1,2]), V,
+           counts(_, _, Open)).
+test(common_face_goes, [true((near(V, 16.0), Ps =:= 10, Open =:= 0))]) :-
+    result([box(size(2, 2, 2)), at([translate(2, 0, 0)], box(size(2, 2, 2)))],
+           union([1,2]), V, counts(_, Ps, Open)).
+test(hollow, [true((near(V, 7.0), Counts == 16-12, Open =:= 0))]) :-
+    result([ box(size(2, 2, 2)),
+             at([translate(0, 0, 0.5)], box(size(1, 1, 1)))
+           ], difference([1,2]), V, counts(Vs, Ps, Open)),
+    Counts = Vs-Ps.
+test(any_number, [true((near(V, 17.0), Open =:= 0))]) :-
+    findall(at([translate(X, 0, 0)], box(size(2, 2, 2))),
+            ( between(0, 15, I), X is 0.15*I ),
+            Boxes),
+    numlist(1, 16, Ss),
+    result(Boxes, union(Ss), V, counts(_, _, Open)).
+test(nested_expression, [true((near(V, 6.05), Open =:= 0))]) :-
+    boxes(Boxes),
+    result(Boxes, intersection([1, difference([union([1,2]), 2])]), V,
+           counts(_, _, Open)).
+test(operands_stay_as_they_are) :-
+    boxes(Boxes),
+    new_world(World),
+    in_world(World,
+             ( maplist(added, Boxes),
+               complete_segments,
+               findall(t(S, P, T, A, B, C), t(S, P, T, A, B, C), Before),
+               boolean(union([1,2]), 3),
+               findall(t(S, P, T, A, B, C),
+                       ( t(S, P, T, A, B, C), S < 3 ), After)
+             )),
+    Before == After.
+test(polygons_know_their_origin) :-
+    boxes(Boxes),
+    new_world(World),
+    in_world(World,
+             ( maplist(added, Boxes),
+               complete_segments,
+               boolean(difference([1,2]), 3),
+               findall(S0-Sense, ( p(3, P, _), from_p(3, P, S0, _, Sense) ),
+                       From0),
+               findall(O, origin(3, v(_), O), Made)
+             )),
+    msort(From0, From),
+    From == [1-1,1-1,1-1,1-1,1-1,1-1,2-(-1),2-(-1),2-(-1)],
+    length(Made, 6).
+test(sides_of_a_component, [true(Sides == [[side(1, 1, 0)],
+                                           [side(1, 1, 0), side(2, 1, 1)],
+                                           [side(1, 1, 1), side(2, 1, 0)],
+                                           [side(2, 1, 0)]])]) :-
+    boxes(Boxes),
+    new_world(World),
+    in_world(World,
+             ( maplist(added, Boxes),
+               complete_segments,
+               with_arrangement([1,2], [], components_of(Cs))
+             )),
+    findall(Sides0, member(component(_, _, _, _, Sides0, only), Cs), Sides1),
+    msort(Sides1, Sides).
+
+components_of(Cs, Arrangement) :-
+    components(Arrangement, Cs).
+
+test(no_such_segment, [error(existence_error(segment, 7))]) :-
+    result([box(size(1, 1, 1))], union([1,7]), _, _).
+test(no_such_operation, [error(type_error(expression, glue([1])))]) :-
+    result([box(size(1, 1, 1))], glue([1]), _, _).
+test(no_operands, [error(domain_error(operands, []))]) :-
+    result([box(size(1, 1, 1))], union([]), _, _).
+
+:- end_tests(boolean).
