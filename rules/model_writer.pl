@@ -17,10 +17,10 @@
 
 Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,
 plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4,
-from_p/5, every relation in the order of its key; then line/9, view/3 and projection/1. Floats have the
-fewest digits that read back to the same float. So equal worlds give equal
-bytes, a small change gives a small difference, and read_model/1 brings back the
-same relations.
+from_p/5, every relation in the order of its key; then line/9, view/3 and
+projection/1. Floats have the fewest digits that read back to the same float. So
+equal worlds give equal bytes, a small change gives a small difference, and
+read_model/1 brings back the same relations.
 
 Where the edges of a segment are just what read_model/1 makes from vertex
 lists, as after reading vertex lists or a mesh, its polygons are written as

@@ -123,6 +123,7 @@ layer(engine,    _, Name,          host) :-
 layer(c_kernels, _, glue,          arguments).
 layer(c_kernels, _, poll,          shared).
 layer(c_kernels, _, column,        shared).
+layer(c_kernels, _, sheet,         shared).
 
 %   prolog_side(Layer): it may know SWI-Prolog. Kernels and the store do not,
 %   nor what hosts include.
@@ -134,7 +135,8 @@ prolog_side(host).
 
 %   below(Layer, Other): a file of Layer may include one of Other. Kernels know
 %   no store and the store no geometry; what a kernel asks of its caller
-%   (poll.h) and the view of a column (column.h) are for both. The host side
+%   (poll.h), the view of a column (column.h) and rows being written (sheet.h)
+%   are for both. The host side
 %   knows neither: it goes through the predicates.
 
 below(Layer, Layer).
