@@ -1,0 +1,211 @@
+/* face_merge.c -- coplanar neighbours become one face: see face_merge.h. */
+#include "face_merge_private.h"
+
+#include <stdlib.h>
+
+static void
+clear(sg_merge *m)
+{
+  for (size_t i = 0; i < m->groups; i++) {
+    free(m->group[i].triangle);
+    free(m->group[i].auxiliary);
+  }
+  free(m->face_of);
+  free(m->first);
+  free(m->leaving);
+  free(m->twin);
+  free(m->weak);
+  free(m->label);
+  free(m->group_of);
+  free(m->member);
+  free(m->group);
+  free(m->fate);
+  free(m->beside);
+}
+
+/* ---- which pairs -------------------------------------------------------- */
+
+static int
+compare_sides(const sg_merge_side *x, const sg_merge_side *y)
+{
+  if (x->s != y->s) {
+    return (x->s > y->s) - (x->s < y->s);
+  }
+  return x->p != y->p ? (x->p > y->p) - (x->p < y->p)
+                      : x->reversed - y->reversed;
+}
+
+int
+sg_merge_pair_compare(const void *a, const void *b)
+{
+  const sg_merge_pair *x = a, *y = b;
+  int order = compare_sides(&x->one, &y->one);
+
+  return order ? order : compare_sides(&x->other, &y->other);
+}
+
+void
+sg_merge_pair_order(sg_merge_pair *pair)
+{
+  if (compare_sides(&pair->one, &pair->other) > 0) {
+    sg_merge_side kept = pair->one;
+    pair->one = pair->other;
+    pair->other = kept;
+  }
+}
+
+static sg_merge_side
+side_of(const sg_merge *m, uint32_t face)
+{
+  const sg_solid_face *f = &m->solid->face[face];
+
+  return (sg_merge_side){f->s, f->p, f->reversed};
+}
+
+/* The sides of the weak edges, those of one side left out. */
+static bool
+list_pairs(const sg_merge *m, sg_merge_pair **out, size_t *n)
+{
+  sg_merge_pair *list = malloc((m->weaks + 1) * sizeof *list);
+  size_t all = 0;
+
+  *n = 0;
+  *out = list;
+  for (size_t i = 0; list && i < m->weaks; i++) {
+    list[all] =
+        (sg_merge_pair){side_of(m, m->weak[i][0]), side_of(m, m->weak[i][1])};
+    sg_merge_pair_order(&list[all]);
+    all += compare_sides(&list[all].one, &list[all].other) != 0;
+  }
+  if (all) {
+    qsort(list, all, sizeof *list, sg_merge_pair_compare);
+  }
+  for (size_t i = 0; i < all; i++) {
+    if (*n == 0 || sg_merge_pair_compare(&list[*n - 1], &list[i]) != 0) {
+      list[(*n)++] = list[i];
+    }
+  }
+  return list;
+}
+
+sg_merge_end
+sg_face_merge_pairs(const sg_solid *solid, const sg_merge_options *options,
+                    sg_merge_pair **out, size_t *n)
+{
+  sg_merge m = {.solid = solid, .options = options};
+  sg_merge_end end = sg_merge_mesh(&m);
+
+  if (end == SG_MERGE_DONE && !list_pairs(&m, out, n)) {
+    end = SG_MERGE_NO_MEMORY;
+  }
+  clear(&m);
+  return end;
+}
+
+/* ---- all of it ---------------------------------------------------------- */
+
+/* Every face is one triangle: then it cannot lose a vertex. */
+static bool
+only_triangles(const sg_solid *solid)
+{
+  return solid->faces == solid->triangles;
+}
+
+static bool
+all_used(const sg_merge *m)
+{
+  for (size_t v = 0; v < m->solid->vertices; v++) {
+    if (m->first[v] == m->first[v + 1]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Vertices and triangles, until all faces can be had. */
+static sg_merge_end
+settle(sg_merge *m)
+{
+  bool again = true;
+  sg_merge_end end = SG_MERGE_DONE;
+
+  m->fate = malloc(m->solid->vertices + 1);
+  m->beside = malloc((m->solid->vertices + 1) * sizeof *m->beside);
+  if (!m->fate || !m->beside) {
+    return SG_MERGE_NO_MEMORY;
+  }
+  while (again && end == SG_MERGE_DONE) {
+    end = sg_merge_vertices(m);
+    if (end == SG_MERGE_DONE) {
+      end = sg_merge_fill(m, &again);
+    }
+  }
+  return end;
+}
+
+/* True if something is other than it was. */
+static bool
+is_changed(const sg_merge *m)
+{
+  for (size_t i = 0; i < m->groups; i++) {
+    const sg_group *group = &m->group[i];
+    if (group->state != SG_AS_IT_WAS && (group->n > 1 || group->triangle)) {
+      return true;
+    }
+  }
+  return !all_used(m);
+}
+
+static void
+count(const sg_merge *m, const sg_solid *after, sg_merge_counts *out)
+{
+  const sg_solid *before = m->solid;
+
+  *out = (sg_merge_counts){before->faces,
+                           after->faces,
+                           before->vertices,
+                           after->vertices,
+                           before->triangles,
+                           after->triangles,
+                           0};
+  for (size_t i = 0; i < m->groups; i++) {
+    out->refused += m->group[i].n > 1 && m->group[i].state == SG_AS_IT_WAS;
+  }
+}
+
+static sg_merge_end
+merge(sg_merge *m)
+{
+  sg_merge_end end = sg_merge_mesh(m);
+
+  if (end == SG_MERGE_DONE) {
+    end = sg_merge_grow(m);
+  }
+  if (end == SG_MERGE_DONE && (m->groups || !only_triangles(m->solid))) {
+    end = settle(m);
+  }
+  return end;
+}
+
+sg_merge_end
+sg_face_merge(sg_solid *solid, const sg_merge_options *options,
+              sg_merge_counts *counts)
+{
+  sg_merge m = {.solid = solid, .options = options};
+  sg_merge_end end = merge(&m);
+  sg_solid out = {0};
+  bool changed = end == SG_MERGE_DONE && is_changed(&m);
+
+  if (changed) {
+    end = sg_merge_write(&m, &out);
+  }
+  if (end == SG_MERGE_DONE && counts) {
+    count(&m, changed ? &out : solid, counts);
+  }
+  if (changed && end == SG_MERGE_DONE) {
+    sg_solid_clear(solid);
+    *solid = out;
+  }
+  clear(&m);
+  return end;
+}

@@ -1,0 +1,373 @@
+/* face_merge_grow.c -- which faces become one: see face_merge_private.h.
+ *
+ * Layer: kernel. Faces that might be one hang together in patches. Mostly one
+ * plane fits all of a patch; else groups grow in it, the largest face first.
+ */
+#include "face_merge_private.h"
+
+#include "sort.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+  ROUNDS = 8, /* at most as often a growing group looks for a better plane */
+  OFTEN = 64  /* patches between questions */
+};
+
+enum { UNSEEN, SEEN, PLACED }; /* of faces */
+
+typedef struct growth {
+  sg_merge *m;
+  uint32_t *first;    /* [faces + 2]: of a face in `other` */
+  uint32_t *other;    /* [2 * weaks] */
+  sg_face_size *size; /* [faces], of those that have neighbours */
+  uint8_t *state;     /* [faces] */
+  uint32_t *patch;    /* [n]: of the faces that hang together */
+  size_t n;
+} growth;
+
+typedef struct seed {
+  double area, centre[3];
+  uint32_t face;
+} seed;
+
+/* ---- groups ------------------------------------------------------------- */
+
+static sg_group *
+add_group(sg_merge *m, uint32_t first, uint32_t n)
+{
+  if (m->groups == m->room) {
+    size_t room = m->room ? m->room * 2 : 64;
+    sg_group *group = realloc(m->group, room * sizeof *group);
+    if (!group) {
+      return NULL;
+    }
+    m->group = group;
+    m->room = room;
+  }
+  sg_group *group = &m->group[m->groups];
+  *group = (sg_group){.label = m->member[first], .first = first, .n = n};
+  for (uint32_t i = first; i < first + n; i++) {
+    group->label = m->member[i] < group->label ? m->member[i] : group->label;
+  }
+  for (uint32_t i = first; i < first + n; i++) {
+    m->label[m->member[i]] = group->label;
+  }
+  m->group_of[group->label] = (uint32_t)m->groups++;
+  return group;
+}
+
+sg_group *
+sg_merge_alone(sg_merge *m, uint32_t face)
+{
+  m->member[m->members] = face;
+  sg_group *group = add_group(m, (uint32_t)m->members, 1);
+  if (group) {
+    sg_face_size size;
+    m->members++;
+    group->largest = face;
+    sg_merge_size(m, face, &size);
+    if (m->solid->face[face].n < 2 || sg_merge_is_thin(m, &size) ||
+        !sg_merge_fit(m, &face, 1, &group->plane)) {
+      group->state = SG_AS_IT_WAS;
+    }
+  }
+  return group;
+}
+
+/* ---- one patch ---------------------------------------------------------- */
+
+static bool
+looks_as(const growth *g, const sg_plane *plane, uint32_t face)
+{
+  const sg_face_size *size = &g->size[face];
+
+  return sg_merge_is_thin(g->m, size) || size->vector[0] * plane->n[0] +
+                                                 size->vector[1] * plane->n[1] +
+                                                 size->vector[2] * plane->n[2] >
+                                             0;
+}
+
+/* All faces from `from` on are one group, if there are several. */
+static bool
+place(growth *g, size_t from, const sg_plane *plane)
+{
+  sg_merge *m = g->m;
+  uint32_t n = (uint32_t)(m->members - from);
+  sg_group *group;
+
+  for (size_t i = from; i < m->members; i++) {
+    g->state[m->member[i]] = PLACED;
+  }
+  if (n < 2) {
+    m->members = from;
+    return true;
+  }
+  group = add_group(m, (uint32_t)from, n);
+  if (!group) {
+    return false;
+  }
+  group->plane = *plane;
+  group->largest = m->member[from];
+  for (size_t i = from; i < m->members; i++) {
+    uint32_t face = m->member[i];
+    double more = g->size[face].area - g->size[group->largest].area;
+    if (more > 0 || (more == 0 && face < group->largest)) {
+      group->largest = face;
+    }
+    group->thin = group->thin || sg_merge_is_thin(m, &g->size[face]);
+  }
+  return true;
+}
+
+/* One plane for all of the patch. */
+static bool
+is_whole(const growth *g, sg_plane *plane)
+{
+  if (!sg_merge_fit(g->m, g->patch, g->n, plane)) {
+    return false;
+  }
+  for (size_t i = 0; i < g->n; i++) {
+    if (!looks_as(g, plane, g->patch[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Takes the neighbours of member i that lie in the plane. */
+static void
+take_neighbours(growth *g, size_t i, const sg_plane *plane)
+{
+  sg_merge *m = g->m;
+  uint32_t face = m->member[i];
+
+  for (uint32_t k = g->first[face]; k < g->first[face + 1]; k++) {
+    uint32_t other = g->other[k];
+    if (g->state[other] == SEEN && sg_merge_is_near(m, plane, other) &&
+        looks_as(g, plane, other)) {
+      g->state[other] = PLACED;
+      m->member[m->members++] = other;
+    }
+  }
+}
+
+/* The group that grows from a seed. What is found in the plane of the seed
+ * gives a better plane: small faces know theirs badly. */
+static bool
+grow_from(growth *g, uint32_t face)
+{
+  sg_merge *m = g->m;
+  size_t from = m->members, before = 0;
+  sg_plane plane, better;
+
+  if (!sg_merge_fit(m, &face, 1, &plane)) {
+    return true;
+  }
+  m->member[m->members++] = face;
+  g->state[face] = PLACED;
+  for (int round = 0; round < ROUNDS && before != m->members; round++) {
+    before = m->members;
+    for (size_t i = from; i < m->members; i++) {
+      take_neighbours(g, i, &plane);
+    }
+    if (m->members == from + 1 ||
+        !sg_merge_fit(m, m->member + from, m->members - from, &better)) {
+      break;
+    }
+    plane = better;
+  }
+  return place(g, from, &plane);
+}
+
+/* The largest first; equal ones by where they are. */
+static int
+compare_seeds(const void *a, const void *b)
+{
+  const seed *x = a, *y = b;
+
+  if (x->area != y->area) {
+    return x->area > y->area ? -1 : 1;
+  }
+  for (int k = 0; k < 3; k++) {
+    if (x->centre[k] != y->centre[k]) {
+      return x->centre[k] < y->centre[k] ? -1 : 1;
+    }
+  }
+  return (x->face > y->face) - (x->face < y->face);
+}
+
+static sg_merge_end
+grow_all(growth *g, seed *seeds, size_t n)
+{
+  switch (
+      sg_sort(seeds, n, sizeof *seeds, compare_seeds, g->m->options->poll)) {
+  case SG_SORT_STOPPED:
+    return SG_MERGE_STOPPED;
+  case SG_SORT_NO_MEMORY:
+    return SG_MERGE_NO_MEMORY;
+  case SG_SORTED:
+    break;
+  }
+  for (size_t i = 0; i < n; i++) {
+    if (i % OFTEN == 0 && sg_poll_stop(g->m->options->poll)) {
+      return SG_MERGE_STOPPED;
+    }
+    if (g->state[seeds[i].face] == SEEN && !grow_from(g, seeds[i].face)) {
+      return SG_MERGE_NO_MEMORY;
+    }
+  }
+  return SG_MERGE_DONE;
+}
+
+/* Those of the patch that may be seeds. */
+static sg_merge_end
+divide(growth *g)
+{
+  seed *seeds = malloc(g->n * sizeof *seeds);
+  size_t n = 0;
+
+  if (!seeds) {
+    return SG_MERGE_NO_MEMORY;
+  }
+  for (size_t i = 0; i < g->n; i++) {
+    uint32_t face = g->patch[i];
+    const sg_face_size *size = &g->size[face];
+    if (!sg_merge_is_thin(g->m, size)) {
+      seeds[n++] = (seed){size->area,
+                          {size->centre[0], size->centre[1], size->centre[2]},
+                          face};
+    }
+  }
+  sg_merge_end end = n ? grow_all(g, seeds, n) : SG_MERGE_DONE;
+  free(seeds);
+  return end;
+}
+
+static bool
+has_seed(const growth *g)
+{
+  for (size_t i = 0; i < g->n; i++) {
+    if (!sg_merge_is_thin(g->m, &g->size[g->patch[i]])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static sg_merge_end
+do_patch(growth *g)
+{
+  sg_merge *m = g->m;
+  sg_plane plane;
+
+  if (!has_seed(g)) {
+    return SG_MERGE_DONE;
+  }
+  if (!is_whole(g, &plane)) {
+    return divide(g);
+  }
+  size_t from = m->members;
+  for (size_t i = 0; i < g->n; i++) {
+    m->member[m->members++] = g->patch[i];
+  }
+  return place(g, from, &plane) ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
+}
+
+/* ---- all patches -------------------------------------------------------- */
+
+static void
+list_neighbours(growth *g)
+{
+  const sg_merge *m = g->m;
+
+  for (size_t i = 0; i < m->weaks; i++) {
+    g->first[m->weak[i][0] + 2]++;
+    g->first[m->weak[i][1] + 2]++;
+  }
+  for (size_t f = 0; f < m->solid->faces; f++) {
+    g->first[f + 2] += g->first[f + 1];
+  }
+  for (size_t i = 0; i < m->weaks; i++) {
+    uint32_t a = m->weak[i][0], b = m->weak[i][1];
+    g->other[g->first[a + 1]++] = b;
+    g->other[g->first[b + 1]++] = a;
+  }
+}
+
+/* The faces that hang together with this one. */
+static void
+find_patch(growth *g, uint32_t face)
+{
+  g->n = 0;
+  g->patch[g->n++] = face;
+  g->state[face] = SEEN;
+  for (size_t i = 0; i < g->n; i++) {
+    uint32_t f = g->patch[i];
+    sg_merge_size(g->m, f, &g->size[f]);
+    for (uint32_t k = g->first[f]; k < g->first[f + 1]; k++) {
+      if (g->state[g->other[k]] == UNSEEN) {
+        g->state[g->other[k]] = SEEN;
+        g->patch[g->n++] = g->other[k];
+      }
+    }
+  }
+}
+
+static sg_merge_end
+do_patches(growth *g)
+{
+  sg_merge_end end = SG_MERGE_DONE;
+
+  list_neighbours(g);
+  for (uint32_t f = 0; f < g->m->solid->faces && end == SG_MERGE_DONE; f++) {
+    if (f % OFTEN == 0 && sg_poll_stop(g->m->options->poll)) {
+      return SG_MERGE_STOPPED;
+    }
+    if (g->state[f] == UNSEEN && g->first[f + 1] > g->first[f]) {
+      find_patch(g, f);
+      end = do_patch(g);
+    }
+  }
+  return end;
+}
+
+static sg_merge_end
+grow(sg_merge *m)
+{
+  size_t faces = m->solid->faces;
+  growth g = {.m = m,
+              .first = calloc(faces + 2, sizeof *g.first),
+              .other = malloc((2 * m->weaks + 1) * sizeof *g.other),
+              .size = malloc((faces + 1) * sizeof *g.size),
+              .state = calloc(faces + 1, sizeof *g.state),
+              .patch = malloc((faces + 1) * sizeof *g.patch)};
+  bool memory = g.first && g.other && g.size && g.state && g.patch;
+  sg_merge_end end = memory ? do_patches(&g) : SG_MERGE_NO_MEMORY;
+
+  free(g.first);
+  free(g.other);
+  free(g.size);
+  free(g.state);
+  free(g.patch);
+  return end;
+}
+
+sg_merge_end
+sg_merge_grow(sg_merge *m)
+{
+  size_t faces = m->solid->faces;
+
+  m->label = malloc((faces + 1) * sizeof *m->label);
+  m->group_of = malloc((faces + 1) * sizeof *m->group_of);
+  m->member = malloc((faces + 1) * sizeof *m->member);
+  if (!m->label || !m->group_of || !m->member) {
+    return SG_MERGE_NO_MEMORY;
+  }
+  for (size_t f = 0; f < faces; f++) {
+    m->label[f] = (uint32_t)f;
+    m->group_of[f] = SG_NOTHING;
+  }
+  return m->weaks ? grow(m) : SG_MERGE_DONE;
+}

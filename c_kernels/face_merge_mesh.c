@@ -1,0 +1,342 @@
+/* face_merge_mesh.c -- half-edges, their twins, and neighbours that might be
+ * one face: see face_merge_private.h.
+ *
+ * Layer: kernel. Everything a million triangles need that stay as they are; so
+ * it goes by the places of vertices, each thread at its own.
+ */
+#include "face_merge_private.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  RANGES = 4,      /* of vertices, for threads that go over all triangles */
+  BLOCK = 1 << 12, /* vertices a task */
+  LONG = 24,       /* lists longer than this are sorted */
+};
+
+/* The weak edges a task has found. */
+typedef struct weak_list {
+  uint32_t (*pair)[2];
+  size_t n, room;
+  bool no_memory;
+} weak_list;
+
+typedef struct pairing {
+  sg_merge *m;
+  weak_list *found; /* [blocks] */
+} pairing;
+
+/* ---- lists of half-edges ------------------------------------------------ */
+
+static uint32_t
+range_from(const sg_merge *m, size_t range)
+{
+  return (uint32_t)(m->solid->vertices * range / RANGES);
+}
+
+static void
+count_leaving(void *data, size_t range)
+{
+  const sg_merge *m = data;
+  uint32_t low = range_from(m, range), width = range_from(m, range + 1) - low;
+  const uint32_t *corner = (const uint32_t *)m->solid->triangle;
+
+  for (size_t i = 0; i < 3 * m->solid->triangles; i++) {
+    if (corner[i] - low < width) {
+      m->first[corner[i] + 2]++;
+    }
+  }
+}
+
+static void
+list_leaving(void *data, size_t range)
+{
+  const sg_merge *m = data;
+  uint32_t low = range_from(m, range), width = range_from(m, range + 1) - low;
+
+  for (size_t t = 0; t < m->solid->triangles; t++) {
+    const uint32_t *corner = m->solid->triangle[t];
+    for (uint32_t k = 0; k < 3; k++) {
+      if (corner[k] - low < width) {
+        m->leaving[m->first[corner[k] + 1]++] =
+            (sg_leaving){corner[k == 2 ? 0 : k + 1], 3 * (uint32_t)t + k};
+      }
+    }
+  }
+}
+
+/* By end, then by number. */
+static int
+compare_leaving(const void *a, const void *b)
+{
+  const sg_leaving *x = a, *y = b;
+
+  return x->to != y->to ? (x->to > y->to) - (x->to < y->to)
+                        : (x->half > y->half) - (x->half < y->half);
+}
+
+static void
+sort_long(void *data, size_t block)
+{
+  const sg_merge *m = data;
+  size_t to = (block + 1) * BLOCK;
+
+  for (size_t v = block * BLOCK; v < to && v < m->solid->vertices; v++) {
+    size_t n = m->first[v + 1] - m->first[v];
+    if (n > LONG && !sg_crew_stopping()) {
+      qsort(m->leaving + m->first[v], n, sizeof *m->leaving, compare_leaving);
+    }
+  }
+}
+
+/* How many half-edges go from -> to; *half: one of them. */
+static unsigned
+count_between(const sg_merge *m, uint32_t from, uint32_t to, uint32_t *half)
+{
+  const sg_leaving *list = m->leaving + m->first[from];
+  size_t n = m->first[from + 1] - m->first[from], low = 0;
+  unsigned count = 0;
+
+  if (n > LONG) {
+    for (size_t high = n; low < high;) {
+      size_t middle = low + (high - low) / 2;
+      if (list[middle].to < to) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    for (; low < n && list[low].to == to; low++) {
+      *half = list[low].half;
+      count++;
+    }
+    return count;
+  }
+  for (size_t i = 0; i < n; i++) {
+    if (list[i].to == to) {
+      *half = list[i].half;
+      count++;
+    }
+  }
+  return count;
+}
+
+/* ---- neighbours --------------------------------------------------------- */
+
+static void
+cross(const double a[3], const double b[3], double out[3])
+{
+  for (int k = 0; k < 3; k++) {
+    out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+  }
+}
+
+static double
+dot(const double a[3], const double b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Whether the four corners of two triangles may lie between two planes that are
+ * two tolerances apart. Then the parts of u, v and w along the planes' normal
+ * are not longer than that, so the volume that they span is no larger than this
+ * times the three areas; no normal is asked, which slivers do not have. */
+static bool
+is_flat(const sg_merge *m, uint32_t half, uint32_t twin)
+{
+  const double *a = sg_merge_at(m, sg_half_start(m, half));
+  const double *p[3] = {
+      sg_merge_at(m, sg_half_end(m, half)),
+      sg_merge_at(m, sg_half_end(m, sg_half_next(half))),
+      sg_merge_at(m, sg_half_end(m, sg_half_next(twin))),
+  };
+  double side[3][3], uv[3], vw[3], uw[3];
+
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      side[i][k] = p[i][k] - a[k];
+    }
+  }
+  cross(side[0], side[1], uv);
+  cross(side[1], side[2], vw);
+  cross(side[0], side[2], uw);
+  double volume = dot(uv, side[2]);
+  double areas = dot(uv, uv) + dot(vw, vw) + dot(uw, uw);
+  /* (x + y + z)^2 <= 3 (x^2 + y^2 + z^2); twice of it for rounding */
+  return volume * volume <= 24 * m->tolerance * m->tolerance * areas;
+}
+
+/* Whether what made the faces lets them be one. */
+static bool
+may_join(const sg_merge *m, uint32_t f, uint32_t g)
+{
+  const sg_solid_face *a = &m->solid->face[f], *b = &m->solid->face[g];
+  const sg_merge_options *options = m->options;
+  sg_merge_pair pair = {{a->s, a->p, a->reversed}, {b->s, b->p, b->reversed}};
+
+  if (options->separate && a->s != b->s) {
+    return false;
+  }
+  if (options->aparts == 0) {
+    return true;
+  }
+  sg_merge_pair_order(&pair);
+  return !bsearch(&pair, options->apart, options->aparts, sizeof pair,
+                  sg_merge_pair_compare);
+}
+
+static void
+note_weak(const sg_merge *m, weak_list *found, uint32_t half, uint32_t twin)
+{
+  uint32_t f = m->face_of[half / 3], g = m->face_of[twin / 3];
+
+  if (f == g || !is_flat(m, half, twin) || !may_join(m, f, g)) {
+    return;
+  }
+  if (found->n == found->room) {
+    size_t room = found->room ? found->room * 2 : 64;
+    uint32_t(*pair)[2] = realloc(found->pair, room * sizeof *pair);
+    if (!pair) {
+      found->no_memory = true;
+      return;
+    }
+    found->pair = pair;
+    found->room = room;
+  }
+  found->pair[found->n][0] = f;
+  found->pair[found->n++][1] = g;
+}
+
+/* Finds the twins of the half-edges between v and later vertices. */
+static void
+pair_halves(const pairing *mesh, uint32_t v, weak_list *found)
+{
+  const sg_merge *m = mesh->m;
+
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    uint32_t to = m->leaving[i].to, half = m->leaving[i].half, twin = 0;
+    uint32_t other = 0;
+    if (to > v && count_between(m, to, v, &twin) == 1 &&
+        count_between(m, v, to, &other) == 1) {
+      m->twin[half] = twin;
+      m->twin[twin] = half;
+      note_weak(m, found, half, twin);
+    }
+  }
+}
+
+static void
+pair_block(void *data, size_t block)
+{
+  const pairing *mesh = data;
+  const sg_merge *m = mesh->m;
+  size_t to = (block + 1) * BLOCK;
+
+  for (size_t v = block * BLOCK; v < to && v < m->solid->vertices; v++) {
+    if (v % 256 == 0 && sg_crew_stopping()) {
+      return;
+    }
+    pair_halves(mesh, (uint32_t)v, &mesh->found[block]);
+  }
+}
+
+/* ---- all of it ---------------------------------------------------------- */
+
+static bool
+run(const sg_merge *m, size_t tasks, sg_crew_task *task, void *data)
+{
+  return sg_crew_run(m->options->crew, tasks, task, data, m->options->poll);
+}
+
+static void
+note_faces(sg_merge *m)
+{
+  for (size_t f = 0; f < m->solid->faces; f++) {
+    const sg_solid_face *face = &m->solid->face[f];
+    for (uint32_t i = 0; i < face->n; i++) {
+      m->face_of[face->first + i] = (uint32_t)f;
+    }
+  }
+}
+
+static bool
+lists_made(sg_merge *m, size_t blocks)
+{
+  if (!run(m, RANGES, count_leaving, m)) {
+    return false;
+  }
+  for (size_t v = 0; v < m->solid->vertices; v++) {
+    m->first[v + 2] += m->first[v + 1];
+  }
+  return run(m, RANGES, list_leaving, m) && run(m, blocks, sort_long, m);
+}
+
+/* The finds of all blocks, in their order. */
+static sg_merge_end
+gather(sg_merge *m, const weak_list *found, size_t blocks)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < blocks; i++) {
+    n += found[i].n;
+    if (found[i].no_memory) {
+      return SG_MERGE_NO_MEMORY;
+    }
+  }
+  m->weak = malloc((n + 1) * sizeof *m->weak);
+  if (!m->weak) {
+    return SG_MERGE_NO_MEMORY;
+  }
+  for (size_t i = 0; i < blocks; i++) {
+    if (found[i].n) {
+      memcpy(m->weak + m->weaks, found[i].pair, found[i].n * sizeof *m->weak);
+    }
+    m->weaks += found[i].n;
+  }
+  return SG_MERGE_DONE;
+}
+
+static double
+largest_coordinate(const sg_solid *solid)
+{
+  double largest = 0;
+
+  for (size_t v = 0; v < solid->vertices; v++) {
+    for (int k = 0; k < 3; k++) {
+      largest = fmax(largest, fabs(solid->vertex[v].at[k]));
+    }
+  }
+  return largest;
+}
+
+sg_merge_end
+sg_merge_mesh(sg_merge *m)
+{
+  const sg_solid *solid = m->solid;
+  size_t blocks = (solid->vertices + BLOCK - 1) / BLOCK;
+  size_t halves = 3 * solid->triangles;
+  pairing mesh = {m, calloc(blocks + 1, sizeof *mesh.found)};
+  sg_merge_end end = SG_MERGE_NO_MEMORY;
+
+  m->tolerance =
+      fmax(m->options->tolerance, 4 * DBL_EPSILON * largest_coordinate(solid));
+  m->face_of = malloc((solid->triangles + 1) * sizeof *m->face_of);
+  m->first = calloc(solid->vertices + 2, sizeof *m->first);
+  m->leaving = malloc((halves + 1) * sizeof *m->leaving);
+  m->twin = malloc((halves + 1) * sizeof *m->twin);
+  if (mesh.found && m->face_of && m->first && m->leaving && m->twin) {
+    memset(m->twin, 0xff, halves * sizeof *m->twin);
+    note_faces(m);
+    end = lists_made(m, blocks) && run(m, blocks, pair_block, &mesh)
+              ? gather(m, mesh.found, blocks)
+              : SG_MERGE_STOPPED;
+  }
+  for (size_t i = 0; mesh.found && i < blocks; i++) {
+    free(mesh.found[i].pair);
+  }
+  free(mesh.found);
+  return end;
+}

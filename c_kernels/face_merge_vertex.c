@@ -1,0 +1,236 @@
+/* face_merge_vertex.c -- which vertices may vanish: see face_merge_private.h.
+ *
+ * Layer: kernel. Exact: it looks at numbers of vertices and labels alone.
+ */
+#include "face_merge_private.h"
+
+#include <stdlib.h>
+
+enum {
+  BLOCK = 1 << 12, /* vertices a task */
+  MOST = 16        /* border half-edges at a vertex that may vanish */
+};
+
+/* What there is round a vertex. */
+typedef struct around {
+  uint32_t label[3]; /* different ones; the third stands for all others */
+  unsigned labels;
+  bool regular; /* all half-edges have twins */
+  uint32_t beside[2];
+  unsigned besides;
+  unsigned borders;
+  struct {
+    uint32_t label;
+    bool second;  /* to or from beside[1] */
+    bool leaving; /* from the vertex */
+  } border[MOST];
+} around;
+
+static void
+note_label(around *a, uint32_t label)
+{
+  for (unsigned i = 0; i < a->labels; i++) {
+    if (a->label[i] == label) {
+      return;
+    }
+  }
+  if (a->labels < 3) {
+    a->label[a->labels++] = label;
+  }
+}
+
+/* False: there are too many edges for a vertex that vanishes. */
+static bool
+note_border(around *a, uint32_t label, uint32_t other, bool leaving)
+{
+  unsigned i = 0;
+
+  while (i < a->besides && a->beside[i] != other) {
+    i++;
+  }
+  if (i == 2 || a->borders == MOST) {
+    return false;
+  }
+  if (i == a->besides) {
+    a->beside[a->besides++] = other;
+  }
+  a->border[a->borders].label = label;
+  a->border[a->borders].second = i == 1;
+  a->border[a->borders++].leaving = leaving;
+  return true;
+}
+
+/* As many half-edges of a label come from either neighbour as go on to the
+ * other. */
+static bool
+goes_through(const around *a, uint32_t label)
+{
+  int balance[2] = {0, 0};
+  bool any = false;
+
+  for (unsigned i = 0; i < a->borders; i++) {
+    if (a->border[i].label == label) {
+      bool way = a->border[i].second == a->border[i].leaving;
+      balance[way] += a->border[i].leaving ? 1 : -1;
+      any = true;
+    }
+  }
+  return any && balance[0] == 0 && balance[1] == 0;
+}
+
+static void
+look_round(const sg_merge *m, uint32_t v, around *a)
+{
+  a->regular = true;
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    uint32_t out = m->leaving[i].half, in = sg_half_next(sg_half_next(out));
+    note_label(a, sg_half_label(m, out));
+    a->regular =
+        a->regular && m->twin[out] != SG_NOTHING && m->twin[in] != SG_NOTHING;
+  }
+}
+
+static bool
+borders_found(const sg_merge *m, uint32_t v, around *a)
+{
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    uint32_t out = m->leaving[i].half, in = sg_half_next(sg_half_next(out));
+    uint32_t label = sg_half_label(m, out);
+    if ((sg_half_is_border(m, out) &&
+         !note_border(a, label, sg_half_end(m, out), true)) ||
+        (sg_half_is_border(m, in) &&
+         !note_border(a, label, sg_half_start(m, in), false))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static uint8_t
+fate_of(const sg_merge *m, uint32_t v, uint32_t beside[2])
+{
+  around a = {0};
+
+  look_round(m, v, &a);
+  if (a.labels == 0 || (a.labels > 2 && a.regular) ||
+      !borders_found(m, v, &a)) {
+    return SG_KEPT;
+  }
+  if (a.borders == 0) {
+    return a.labels == 1 ? SG_INNER : SG_KEPT;
+  }
+  if (a.besides != 2 || a.beside[0] == v || a.beside[1] == v) {
+    return SG_KEPT;
+  }
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    if (!goes_through(&a, sg_half_label(m, m->leaving[i].half))) {
+      return SG_KEPT;
+    }
+  }
+  beside[0] = a.beside[0];
+  beside[1] = a.beside[1];
+  return SG_STRAIGHT;
+}
+
+static void
+do_block(void *data, size_t block)
+{
+  sg_merge *m = data;
+  size_t to = (block + 1) * BLOCK;
+
+  for (size_t v = block * BLOCK; v < to && v < m->solid->vertices; v++) {
+    if (v % 256 == 0 && sg_crew_stopping()) {
+      return;
+    }
+    m->fate[v] = fate_of(m, (uint32_t)v, m->beside[v]);
+  }
+}
+
+/* ---- what groups allow -------------------------------------------------- */
+
+static sg_group *
+group_at(sg_merge *m, uint32_t half)
+{
+  uint32_t label = sg_half_label(m, half);
+
+  return m->group_of[label] == SG_NOTHING ? sg_merge_alone(m, label)
+                                          : &m->group[m->group_of[label]];
+}
+
+/* 1: all groups round v let it go, 0: some do not, -1: no memory. */
+static int
+is_let_go(sg_merge *m, uint32_t v)
+{
+  uint32_t last = SG_NOTHING;
+  sg_group_state most = m->fate[v] == SG_INNER ? SG_BORDER_STAYS : SG_FREE;
+
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    uint32_t half = m->leaving[i].half, label = sg_half_label(m, half);
+    if (label == last) {
+      continue;
+    }
+    const sg_group *group = group_at(m, half);
+    if (!group) {
+      return -1;
+    }
+    if (group->state > most) {
+      return 0;
+    }
+    last = label;
+  }
+  return 1;
+}
+
+/* The groups round the vertices that vanish want new triangles. */
+static void
+note_losses(sg_merge *m)
+{
+  for (size_t i = 0; i < m->groups; i++) {
+    m->group[i].losing = false;
+  }
+  for (size_t v = 0; v < m->solid->vertices; v++) {
+    if (m->fate[v] != SG_INNER && m->fate[v] != SG_DROPPED) {
+      continue;
+    }
+    for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+      uint32_t label = sg_half_label(m, m->leaving[i].half);
+      m->group[m->group_of[label]].losing = true;
+    }
+  }
+}
+
+static sg_merge_end
+ask_groups(sg_merge *m)
+{
+  for (uint32_t v = 0; v < m->solid->vertices; v++) {
+    if (v % BLOCK == 0 && sg_poll_stop(m->options->poll)) {
+      return SG_MERGE_STOPPED;
+    }
+    if (m->fate[v] != SG_KEPT) {
+      int let_go = is_let_go(m, v);
+      if (let_go < 0) {
+        return SG_MERGE_NO_MEMORY;
+      }
+      m->fate[v] = let_go ? m->fate[v] : SG_KEPT;
+    }
+  }
+  return SG_MERGE_DONE;
+}
+
+sg_merge_end
+sg_merge_vertices(sg_merge *m)
+{
+  size_t blocks = (m->solid->vertices + BLOCK - 1) / BLOCK;
+
+  if (!sg_crew_run(m->options->crew, blocks, do_block, m, m->options->poll)) {
+    return SG_MERGE_STOPPED;
+  }
+  sg_merge_end end = ask_groups(m);
+  if (end == SG_MERGE_DONE) {
+    end = sg_merge_runs(m);
+  }
+  if (end == SG_MERGE_DONE) {
+    note_losses(m);
+  }
+  return end;
+}
