@@ -342,6 +342,30 @@ undo_limit(term_t steps)
   return TRUE;
 }
 
+/* ---- stamps ------------------------------------------------------------ */
+
+/* segment_stamp(+S, -Stamp) is det. */
+static foreign_t
+segment_stamp(term_t s, term_t t)
+{
+  static const sg_relation rows[] = {SG_V, SG_E, SG_P, SG_T};
+  sg_world *world = sg_current_world_ex();
+  const sg_version *version;
+  uint64_t last = 0;
+  int n;
+
+  if (!world || !PL_get_integer_ex(s, &n)) {
+    return FALSE;
+  }
+  version = sg_world_version(world);
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    uint64_t stamp = sg_version_stamp(version, rows[i], n);
+    last = stamp > last ? stamp : last;
+  }
+  sg_version_drop(version);
+  return PL_unify_uint64(t, last);
+}
+
 /* ---- installing -------------------------------------------------------- */
 
 static const PL_extension predicates[] = {
@@ -356,6 +380,7 @@ static const PL_extension predicates[] = {
     {"facts_undo", 0, undo, 0},
     {"facts_redo", 0, redo, 0},
     {"facts_undo_limit", 1, undo_limit, 0},
+    {"segment_stamp", 2, segment_stamp, 0},
     {NULL, 0, NULL, 0},
 };
 

@@ -12,6 +12,8 @@
                 next_fact/3,
                 place_error/2, place_error/3
               ]).
+:- use_module(csg, [complete_tree/1, is_node/1]).
+:- use_module(csg_term, [is_node_term/1, map_operands/3]).
 :- use_module(polygon_list, [vertex_list_edges/2, polygon_fault/2]).
 :- use_module(progress, [progress_by/1]).
 :- use_module(primitive, [is_primitive/1, primitive_shape/4]).
@@ -19,6 +21,7 @@
 :- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
 :- autoload(library(lists), [member/2]).
+:- autoload(library(pairs), [pairs_keys/2]).
 /** <module> Model files: the paper's facts read into the world.
 
 A file holds facts of the relations (model_text.pl), in any order, and:
@@ -34,7 +37,9 @@ A file holds facts of the relations (model_text.pl), in any order, and:
   - `segment(S, Kind, Name)`. Without it the kind follows from the rows:
     `curve` without polygons, `solid` if every edge has its opposite, else
     `surface`; the name is the file's. Where the file gives no vertices of S,
-    Name is a primitive term that makes them (primitive.pl).
+    Name is a primitive term that makes them (primitive.pl), or a node of the
+    CSG tree (csg_term.pl), whose nested operands get segments of their own
+    after those of the file.
   - `view(Theta, Phi, Rho)` and `projection(Kind)`, once each; they replace
     those of the world.
 
@@ -49,6 +54,7 @@ Errors besides those of model_text.pl:
                                no_edge(V)
     chain(S, V)                two equal neighbours in a curve
     primitive(What, Term)      see primitive.pl
+    csg(What)                  see csg_term.pl
     kind(Term, Kind, Wanted)   a cylinder is no surface
     no_vertices(S, Name)   no_edges(S)   empty
     refused(Row, Error)        anything else the store does not take
@@ -82,7 +88,8 @@ text_added(Text, Shift) :-
     sort(Ss0, Ss),
     (   Ss == []
     ->  throw(error(model_error(empty), location(Name, 0, 0)))
-    ;   maplist(segment_completed(Later, Name), Ss)
+    ;   maplist(segment_completed(Later, Name), Ss),
+        nodes_completed(Later)
     ).
 
 %   own_numbers(What, Location, Shift): raise What with the file's segment
@@ -104,13 +111,28 @@ segment_place(polygon(_, _, _), 1).
 segment_place(chain(_, _), 1).
 segment_place(no_vertices(_, _), 1).
 segment_place(no_edges(_), 1).
+segment_place(csg(_), 1).
 
 less([S0|Key], DS, [S|Key]) :-
     !,
     S is S0-DS.
 less(S0, DS, S) :-
     integer(S0),
+    !,
     S is S0-DS.
+less(Fault0, DS, Fault) :-
+    compound_name_arguments(Fault0, Name, Parts0),
+    memberchk(Name, [missing, cycle, curve, surface]),
+    maplist(part_less(DS), Parts0, Parts),
+    compound_name_arguments(Fault, Name, Parts).
+
+part_less(DS, Part0, Part) :-
+    (   integer(Part0)
+    ->  Part is Part0-DS
+    ;   is_list(Part0)
+    ->  maplist(part_less(DS), Part0, Part)
+    ;   Part = Part0
+    ).
 
 %   shifts(Shift): Shift is shift(DS, DL), what is added to the segment and
 %   line numbers of the file.
@@ -240,6 +262,12 @@ shifted(shift(DS, _), from_p(S0, P, T0, Q, Sense), from_p(S, P, T, Q, Sense)) :-
     !,
     S is S0+DS,
     T is T0+DS.
+shifted(shift(DS, _), segment(S0, Kind, Term0), Row) :-
+    is_node_term(Term0),
+    !,
+    Row = segment(S, Kind, Term),
+    S is S0+DS,
+    operand_shifted(DS, Term0, Term).
 shifted(shift(DS, _), Fact, Row) :-
     segment_relation(Fact),
     !,
@@ -251,6 +279,18 @@ shifted(_, Fact, Fact).
 segment_relation(Fact) :-
     functor(Fact, Name, Arity),
     \+ memberchk(Name/Arity, [view/3, projection/1]).
+
+%   operand_shifted(DS, Operand0, Operand): one that is no good stays, and is
+%   found later.
+
+operand_shifted(DS, Operand0, Operand) :-
+    (   integer(Operand0)
+    ->  Operand is Operand0+DS
+    ;   is_node_term(Operand0),
+        map_operands(operand_shifted(DS), Operand0, Operand1)
+    ->  Operand = Operand1
+    ;   Operand = Operand0
+    ).
 
 origin_shifted(line(L0), _, DL, line(L)) :-
     integer(L0),
@@ -335,6 +375,8 @@ later_setting(Later, Relation) :-
 later_segment(later(segment(S, Kind, Name), Place)) :-
     row_added(segment(S, Kind, Name), Place),
     (   has_vertex(S, _)
+    ->  true
+    ;   is_node_term(Name)
     ->  true
     ;   is_primitive(Name)
     ->  catch(primitive_shape(Name, Wanted, Points, Chains),
@@ -495,6 +537,8 @@ row_key(line(L, _, _, _, _, _, _, _, _), line, [L],
 segment_completed(Later, File, S) :-
     (   has_edges(S)
     ->  true
+    ;   is_node(S)
+    ->  true
     ;   member(later(curve(S, [_]), _), Later)
     ->  true
     ;   member(later(Row, Place), Later),
@@ -520,6 +564,21 @@ segment_kind(S, Kind) :-
 file_name(File, Name) :-
     file_base_name(File, Base),
     file_name_extension(Name, _, Base).
+
+%   nodes_completed(Later): the CSG tree of the file. A fault is where the
+%   node is, or the one that it was written in.
+
+nodes_completed(Later) :-
+    findall(N-Place,
+            ( member(later(segment(N, _, Term), Place), Later),
+              is_node_term(Term) ),
+            Places),
+    pairs_keys(Places, Nodes),
+    catch(complete_tree(Nodes), error(model_error(What), nodes(Ns)),
+          ( member(N, Ns),
+            memberchk(N-Place, Places),
+            place_error(Place, 3, What)
+          )).
 
 %!  add_primitive(+Term, -S) is det.
 %

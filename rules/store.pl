@@ -38,6 +38,7 @@
             current_world/1,          % -World
             set_world/1,              % +World
             fresh_id/3,               % +Relation, +S, -Id
+            segment_stamp/2,          % +S, -Stamp
             relation/3,               % ?Name, ?Arity, ?Doc
             relation_column/5,        % ?Relation, ?Position, ?Column, ?Type,
                                       % ?Refers
@@ -337,6 +338,12 @@ in_world(World, Goal) :-
 %
 %   @error domain_error(relation_with_ids, Relation)
 
+%!  segment_stamp(+S, -Stamp:integer) is det.
+%
+%   Stamp stands for the vertices, edges, polygons and triangles of segment S as
+%   they are: while it is the same, so are they, and undo brings the old one
+%   back. It means nothing in another world. 0: there never were any.
+
 /* ---- the schema -------------------------------------------------------- */
 
 %!  relation(?Name, ?Arity, ?Doc:string) is nondet.
@@ -451,6 +458,7 @@ sandbox:safe_primitive(sg_store:vertex_triangle(_,_,_)).
 sandbox:safe_primitive(sg_store:fact_row(_,_)).
 sandbox:safe_primitive(sg_store:row_value(_,_,_,_)).
 sandbox:safe_primitive(sg_store:current_world(_)).
+sandbox:safe_primitive(sg_store:segment_stamp(_,_)).
 sandbox:safe_primitive(sg_store:relation(_,_,_)).
 sandbox:safe_primitive(sg_store:relation_column(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:relation_key(_,_)).

@@ -1,0 +1,200 @@
+:- module(sg_csg,
+          [ node/4,                     % ?N, ?Operation, ?Children, ?Placement
+            root_segment/1,             % ?S
+            operand_segment/2,          % ?S, ?N
+            is_node/1,                  % +S
+            is_helper/1,                % +S
+            complete_tree/1             % +Nodes
+          ]).
+:- use_module(csg_term,
+              [ is_node_term/1, node_parts/4, map_operands/3,
+                check_node_term/1
+              ]).
+:- use_module(model_file, [add_primitive/2]).
+:- use_module(store,
+              [ segment/3, origin/3, assert_fact/1, retractall_facts/1,
+                facts_transaction/1, fresh_id/3
+              ]).
+:- autoload(library(apply), [foldl/4]).
+:- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
+:- autoload(library(lists), [append/3, member/2, reverse/2]).
+:- autoload(library(ordsets), [ord_memberchk/2]).
+/** <module> The CSG tree: nodes, operands, roots.
+
+A segment whose term is an operation (csg_term.pl) is a *node*; its boundary is
+its own rows, made by csg_evaluate.pl. Other segments are *leaves*. A segment may
+be an operand of several nodes, so the tree is a graph without cycles. What is no
+operand is a *root*: the model that is drawn, checked and written.
+
+Helpers are leaves that evaluation makes: a leaf placed elsewhere, a half-space.
+They have origin(S, node(S), helper(From)) and are neither roots nor written.
+
+@see row CB-1
+*/
+
+%!  node(?N, ?Operation, ?Children, ?Placement) is nondet.
+%
+%   True when segment N is a node: Operation of Children, a list of segments in
+%   order, placed by Placement, a list of steps. Operation is `union`,
+%   `intersection`, `difference`, `join`, `same` (its child once more),
+%   split(plane(A,B,C,D), Side), or split(Side): of the first child by the
+%   second. Of a leaf it is `leaf`, without children. An operand that has no
+%   number yet (complete_tree/1) is its term.
+%
+%   @see CB-1
+
+node(N, Operation, Children, Placement) :-
+    segment(N, _, Term),
+    \+ is_helper(N),
+    (   is_node_term(Term)
+    ->  node_parts(Term, Operation, Children, Placement)
+    ;   Operation = leaf,
+        Children = [],
+        Placement = []
+    ).
+
+%!  is_node(+S) is semidet.
+
+is_node(S) :-
+    segment(S, _, Term),
+    is_node_term(Term),
+    !.
+
+%!  is_helper(+S) is semidet.
+%
+%   True when segment S was made by evaluation alone.
+
+is_helper(S) :-
+    origin(S, node(S), helper(_)),
+    !.
+
+%!  operand_segment(?S, ?N) is nondet.
+%
+%   True when segment S is an operand of node N; once for each place.
+
+operand_segment(S, N) :-
+    node(N, _, Children, _),
+    member(S, Children),
+    integer(S).
+
+%!  root_segment(?S) is nondet.
+%
+%   True when segment S is an operand of no node. Ascending.
+
+root_segment(S) :-
+    findall(Operand, operand_segment(Operand, _), Operands0),
+    sort(Operands0, Operands),
+    findall(Root,
+            ( segment(Root, _, _),
+              \+ ord_memberchk(Root, Operands),
+              \+ is_helper(Root) ),
+            Roots0),
+    sort(Roots0, Roots),
+    (   integer(S)
+    ->  ord_memberchk(S, Roots)
+    ;   member(S, Roots)
+    ).
+
+
+                /*******************************
+                *          COMPLETING          *
+                *******************************/
+
+%!  complete_tree(+Nodes) is det.
+%
+%   Give every operand under Nodes, a list of segments, that has no number yet a
+%   segment of its own, after those that are there, left to right. Nodes get the
+%   kind that their operands give them: `solid`, or `surface` if there is one
+%   among them.
+%
+%   @error error(model_error(What), nodes(Ns)): a fault of the first node of the
+%   list Ns, which is an operand of the second, and so on; What as in
+%   csg_term.pl, or primitive(What, Term). The world is then as before.
+
+complete_tree(Nodes) :-
+    facts_transaction(sg_csg:completed_tree(Nodes)).
+
+completed_tree(Nodes) :-
+    empty_assoc(Kinds),
+    foldl(visit([]), Nodes, Kinds, _).
+
+%   visit(Above, N, Kinds0, Kinds): Kinds has N-Kind of all that were visited.
+%   Above are the nodes above N, the nearest first.
+
+visit(_, N, Kinds, Kinds) :-
+    get_assoc(N, Kinds, _),
+    !.
+visit(Above, N, _, _) :-
+    append(Between, [N|_], Above),
+    !,
+    reverse([N|Between], Down),
+    node_error(Above, csg(cycle([N|Down]))).
+visit(Above, N, _, _) :-
+    \+ segment(N, _, _),
+    !,
+    Above = [Parent|_],
+    node_error(Above, csg(missing(Parent, N))).
+visit(Above, N, Kinds0, Kinds) :-
+    segment(N, Kind0, Term0),
+    !,
+    (   is_node_term(Term0)
+    ->  Nodes = [N|Above],
+        catch(numbered(N, Kind0, Term0, Term), error(model_error(What), _),
+              node_error(Nodes, What)),
+        node_parts(Term, Operation, Children, _),
+        foldl(visit(Nodes), Children, Kinds0, Kinds1),
+        foldl(joined_kind(Nodes, Operation, Kinds1), Children, solid, Kind),
+        (   Kind == Kind0
+        ->  true
+        ;   replaced_segment(N, Kind, Term)
+        )
+    ;   Kinds1 = Kinds0,
+        Kind = Kind0
+    ),
+    put_assoc(N, Kinds1, Kind, Kinds).
+
+node_error(Nodes, What) :-
+    throw(error(model_error(What), nodes(Nodes))).
+
+%   numbered(N, Kind, Term0, Term): the term of node N, its operands numbers.
+
+numbered(N, Kind, Term0, Term) :-
+    check_node_term(Term0),
+    map_operands(operand_number, Term0, Term),
+    (   Term == Term0
+    ->  true
+    ;   replaced_segment(N, Kind, Term)
+    ).
+
+replaced_segment(N, Kind, Term) :-
+    retractall_facts(segment(N, _, _)),
+    assert_fact(segment(N, Kind, Term)).
+
+operand_number(Operand, Operand) :-
+    integer(Operand),
+    !.
+operand_number(Operand, S) :-
+    is_node_term(Operand),
+    !,
+    fresh_id(segment, 0, S),
+    assert_fact(segment(S, solid, Operand)),
+    numbered(S, solid, Operand, _).
+operand_number(Operand, S) :-
+    add_primitive(Operand, S).
+
+%   joined_kind(Nodes, Operation, Kinds, Child, Kind0, Kind): of the first of
+%   Nodes, with one more child (CB-2).
+
+joined_kind(Nodes, Operation, Kinds, Child, Kind0, Kind) :-
+    get_assoc(Child, Kinds, ChildKind),
+    Nodes = [N|_],
+    (   ChildKind == solid
+    ->  Kind = Kind0
+    ;   ChildKind == surface
+    ->  (   memberchk(Operation, [union, join, same])
+        ->  Kind = surface
+        ;   functor(Operation, Name, _),
+            node_error(Nodes, csg(surface(N, Child, Name)))
+        )
+    ;   node_error(Nodes, csg(curve(N, Child)))
+    ).
