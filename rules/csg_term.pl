@@ -108,9 +108,12 @@ node_parts(split(Operand, By, Side), Operation, Operands, Steps) :-
     ;   Operation = split(Side),
         Operands = [Operand, By]
     ).
-node_parts(Operand, same, [Operand], []) :-
+node_parts(Operand, Operation, Operands, Steps) :-
     integer(Operand),
-    !.
+    !,
+    Operation = same,
+    Operands = [Operand],
+    Steps = [].
 node_parts(Term, Operation, Operands, []) :-
     compound_name_arguments(Term, Operation, [Operands]).
 

@@ -6,6 +6,7 @@
             syntax_words//1,            % +What
             manual_page//1              % +PI
           ]).
+:- use_module(csg_en, [csg_en//1]).
 :- use_module(explain_en, [statement_en//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
@@ -167,6 +168,8 @@ fault_en(chain(S, V)) -->
       '  Write every vertex of a chain once.' ].
 fault_en(primitive(What, Term)) -->
     primitive_en(What, Term).
+fault_en(csg(What)) -->
+    csg_en(What).
 fault_en(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ 'a ~w is a ~w, not a ~w'-[Name, Wanted, Kind], nl,

@@ -6,6 +6,7 @@
 :- use_module(messages,
               [loading_fault//1, syntax_words//1, shown_value/2,
                manual_page//1]).
+:- use_module(csg_ko, [csg_ko//1]).
 :- use_module(explain_ko, [statement_ko//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
@@ -165,6 +166,8 @@ fault_ko(chain(S, V)) -->
       '  꼭지점을 한 번씩만 쓰십시오.' ].
 fault_ko(primitive(What, Term)) -->
     primitive_ko(What, Term).
+fault_ko(csg(What)) -->
+    csg_ko(What).
 fault_ko(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ '~w 의 종류는 ~w 이며 ~w 이(가) 아닙니다'-[Name, Wanted, Kind], nl,

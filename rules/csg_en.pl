@@ -1,0 +1,55 @@
+:- module(sg_csg_en,
+          [ csg_en//1                   % +What
+          ]).
+:- use_module(csg_term, [operation_form/2, operation_names/1]).
+:- use_module(primitive_en, [primitive_names//0]).
+/** <module> What is wrong with a CSG tree, in English.
+
+csg_ko.pl has the same heads in Korean (tests/rules/csg_faults.plt).
+*/
+
+%!  csg_en(+What)// is det.
+%
+%   The message for model_error(csg(What)), see csg_term.pl.
+
+csg_en(no_list(Name, Operands)) -->
+    { operation_form(Name, Form) },
+    [ 'the operands of ~w should be a list, not ~p'-[Name, Operands], nl,
+      '  Write ~w.'-[Form] ].
+csg_en(no_operands(Name)) -->
+    [ '~w has no operands'-[Name], nl,
+      '  Give one or more: numbers of segments, primitives, or operations.' ].
+csg_en(unknown(Operand)) -->
+    { operation_names(Names) },
+    [ '~p is no operand'-[Operand], nl,
+      '  An operand is the number of a segment, an operation (~w), or a \c
+       primitive:'-[Names] ],
+    primitive_names.
+csg_en(side(Side, Sides)) -->
+    { atomic_list_concat(Sides, ' or ', Text) },
+    [ 'a solid is split on the side ~w, not ~p'-[Text, Side], nl,
+      '  Of plane(A, B, C, D), below is where A*X + B*Y + C*Z + D < 0.' ].
+csg_en(plane(By)) -->
+    [ '~p is no plane'-[By], nl,
+      '  Write plane(A, B, C, D) for A*X + B*Y + C*Z + D = 0, with A, B or C \c
+       other than 0.' ].
+csg_en(missing(S, Child)) -->
+    [ 'segment ~d has the operand ~d, and there is no such segment'-[S, Child],
+      nl,
+      '  Add segment ~d, or correct the number.'-[Child] ].
+csg_en(cycle(Path)) -->
+    { atomic_list_concat(Path, ' -> ', Text) },
+    [ 'a segment is its own operand: ~w'-[Text], nl,
+      '  Take one of these out of the operands of the one before it.' ].
+csg_en(curve(S, Child)) -->
+    [ 'operand ~d of segment ~d is no solid but a curve'-[Child, S], nl,
+      '  Operations are on solids; penetrate shows where a curve goes \c
+       through.' ].
+csg_en(surface(S, Child, Name)) -->
+    [ 'operand ~d of segment ~d is an open surface: ~w needs an inside and an \c
+       outside'-[Child, S, Name], nl,
+      '  An open surface can only be united or joined; close it, or give a \c
+       solid.' ].
+csg_en(no_volume(S)) -->
+    [ 'segment ~d has no volume within the tolerance'-[S], nl,
+      '  An operation needs solids: give it a thickness, or leave it out.' ].

@@ -1,0 +1,217 @@
+:- module(sg_csg_evaluate,
+          [ evaluate/0,
+            evaluate/1,                 % +S
+            evaluated/1,                % ?S
+            csg_statistics/1,           % -Statistics
+            csg_statistics_reset/0
+          ]).
+:- use_module(boolean, [boolean/2]).
+:- use_module(csg,
+              [node/4, root_segment/1, is_node/1, complete_tree/1]).
+:- use_module(csg_flat, [flat_expression/4, expression_leaves/2]).
+:- use_module(csg_matrix,
+              [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
+:- use_module(csg_operands, [check_operands/1]).
+:- use_module(csg_record,
+              [ up_to_date/2, record/2, drop_record/1, recorded/2,
+                segment_stamps/2
+              ]).
+:- use_module(csg_rows, [copy_segment/3, drop_boundary/1]).
+:- use_module(stage, [stage/2]).
+:- use_module(store,
+              [ segment/3, retractall_facts/1, facts_transaction/1,
+                facts_snapshot/1
+              ]).
+:- use_module(triangulation, [complete_segments/0]).
+:- autoload(library(aggregate), [aggregate_all/3]).
+:- autoload(library(apply), [maplist/2]).
+:- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(ordsets), [ord_memberchk/2]).
+/** <module> Evaluating the CSG tree: the boundaries of nodes.
+
+A node is flattened (csg_flat.pl): placements are multiplied down to the leaves,
+what is left is a Boolean expression over segments. boolean/2 makes its boundary
+from the leaves, at once and exactly: nothing is rounded between nodes. The
+boundary is the node's own rows.
+
+With it is remembered what it was made from: the expression, and the stamps of
+the leaves in it (csg_record.pl). While these are the same nothing is done again.
+So editing a leaf, or a placement, makes those nodes stale that it is under, and
+no others; and undo, which brings back rows and stamps, needs no evaluation.
+
+A `join` puts the boundaries of its operands side by side. Under another
+operation it is their union: the same solid.
+
+@see row CB-1; ARCHITECTURE.md, section 6
+*/
+
+%!  evaluate is det.
+%!  evaluate(+S) is det.
+%
+%   The boundary of every root, or of node S, is made anew if it is stale. One
+%   transaction. A leaf is its own boundary.
+%
+%   @error existence_error(segment, S); model_error(What) of csg_term.pl;
+%   geometry_error(What) where the geometry cannot be done
+
+evaluate :-
+    findall(S, root_segment(S), Roots),
+    evaluate_all(Roots).
+
+evaluate(S) :-
+    (   segment(S, _, _)
+    ->  evaluate_all([S])
+    ;   throw(error(existence_error(segment, S), _))
+    ).
+
+evaluate_all(Ss) :-
+    catch(facts_transaction(sg_csg_evaluate:all_evaluated(Ss)),
+          error(model_error(What), nodes(_)),
+          throw(error(model_error(What), _))).
+
+all_evaluated(Ss) :-
+    complete_tree(Ss),
+    maplist(evaluated_node, Ss),
+    unused_helpers_dropped.
+
+evaluated_node(S) :-
+    (   node(S, Operation, Children, _),
+        Operation \== leaf
+    ->  (   Operation == join
+        ->  maplist(evaluated_node, Children)
+        ;   true
+        ),
+        made_from(S, From),
+        (   up_to_date(S, From)
+        ->  counted(reused)
+        ;   stage(rules, renewed(S, From)),
+            counted(evaluated)
+        )
+    ;   true
+    ).
+
+%   made_from(S, From): what the boundary of node S is to be made from, a term
+%   with the stamps of its leaves:
+%
+%     - join(Stamps, Matrix)                 the shells of other segments
+%     - placed(Leaf-Stamp, Matrix)           a leaf once more (csg_flat.pl)
+%     - of(Expression, Surfaces, Stamps)
+
+made_from(S, From) :-
+    node(S, join, Children, Steps),
+    !,
+    steps_matrix(Steps, Matrix0),
+    rounded_matrix(Matrix0, Matrix),
+    segment_stamps(Children, Stamps),
+    From = join(Stamps, Matrix).
+made_from(S, From) :-
+    identity_matrix(Identity),
+    flat_expression(S, Identity, Expression, Surfaces),
+    (   Expression == S
+    ->  recorded(S, evaluated(From))    % an instance: made already
+    ;   expression_leaves(Expression, Leaves),
+        append(Leaves, Surfaces, All),
+        segment_stamps(All, Stamps),
+        From = of(Expression, Surfaces, Stamps)
+    ).
+
+renewed(S, From) :-
+    drop_record(S),
+    drop_boundary(S),
+    made(From, S),
+    complete_segments,
+    record(S, evaluated(From)).
+
+%   made(From, S): a segment alone is copied, nothing is nothing. Open surfaces
+%   are added to a union as they are (CB-2).
+
+made(join(Stamps, Matrix), S) :-
+    forall(member(Child-_, Stamps), copy_segment(Child, Matrix, S)).
+made(of(Expression, Surfaces, _), S) :-
+    rounded_identity(Identity),
+    (   integer(Expression)
+    ->  copy_segment(Expression, Identity, S)
+    ;   Expression == union([])
+    ->  true
+    ;   expression_leaves(Expression, Leaves),
+        check_operands(Leaves),
+        boolean(Expression, S)
+    ),
+    forall(member(Surface, Surfaces), copy_segment(Surface, Identity, S)).
+
+rounded_identity(Rounded) :-
+    identity_matrix(Identity),
+    rounded_matrix(Identity, Rounded).
+
+%   Helpers that no boundary was made from are no longer needed.
+
+unused_helpers_dropped :-
+    findall(S, ( recorded(_, evaluated(From)), from_segment(From, S) ), Used0),
+    sort(Used0, Used),
+    findall(S, ( recorded(S, helper(_)), \+ ord_memberchk(S, Used) ), Unused),
+    maplist(segment_dropped, Unused).
+
+from_segment(of(_, _, Stamps), S) :-
+    member(S-_, Stamps).
+from_segment(join(Stamps, _), S) :-
+    member(S-_, Stamps).
+
+segment_dropped(S) :-
+    drop_record(S),
+    drop_boundary(S),
+    retractall_facts(segment(S, _, _)).
+
+%!  evaluated(?S) is nondet.
+%
+%   True when node S has a boundary, and it is that of its operands as they are
+%   now. Ascending.
+
+evaluated(S) :-
+    findall(N, ( node(N, Operation, _, _), Operation \== leaf ), Ns0),
+    sort(Ns0, Ns),
+    member(S, Ns),
+    facts_snapshot(sg_csg_evaluate:is_current(S)).
+
+is_current(S) :-
+    recorded(S, evaluated(_)),
+    made_from(S, From),
+    up_to_date(S, From),
+    (   node(S, join, Children, _)
+    ->  forall(( member(Child, Children), is_node(Child) ), is_current(Child))
+    ;   true
+    ).
+
+
+                /*******************************
+                *          STATISTICS          *
+                *******************************/
+
+%!  csg_statistics(-Statistics:dict) is det.
+%
+%   How many `nodes` the current world has, and how often in this thread a
+%   boundary was `evaluated` or `reused` since csg_statistics_reset/0.
+
+csg_statistics(_{nodes:Nodes, evaluated:Evaluated, reused:Reused}) :-
+    aggregate_all(count,
+                  ( node(_, Operation, _, _), Operation \== leaf ), Nodes),
+    count_of(evaluated, Evaluated),
+    count_of(reused, Reused).
+
+%!  csg_statistics_reset is det.
+
+csg_statistics_reset :-
+    nb_setval(sg_csg_evaluated, 0),
+    nb_setval(sg_csg_reused, 0).
+
+counted(What) :-
+    count_of(What, N0),
+    N is N0+1,
+    atom_concat(sg_csg_, What, Key),
+    nb_setval(Key, N).
+
+count_of(What, N) :-
+    atom_concat(sg_csg_, What, Key),
+    (   nb_current(Key, N0)
+    ->  N = N0
+    ;   N = 0
+    ).

@@ -1,0 +1,274 @@
+:- module(sg_csg_flat,
+          [ flat_expression/4,          % +S, +Matrix, -Expression, -Surfaces
+            expression_leaves/2         % +Expression, -Leaves
+          ]).
+:- use_module(csg, [node/4]).
+:- use_module(csg_half_space, [half_space/3]).
+:- use_module(csg_matrix,
+              [ identity_matrix/1, steps_matrix/2, matrix_product/3,
+                matrix_plane/3, rounded_matrix/2
+              ]).
+:- use_module(csg_record, [record/2, recorded/2, up_to_date/2]).
+:- use_module(csg_rows, [copy_segment/3, drop_boundary/1, segment_box/2]).
+:- use_module(model_file, [add_primitive/2]).
+:- use_module(store,
+              [segment/3, segment_stamp/2, assert_fact/1, fresh_id/3]).
+:- use_module(triangulation, [complete_segments/0]).
+:- autoload(library(apply), [foldl/4, foldl/5]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- autoload(library(lists), [append/3, list_to_set/2, member/2]).
+/** <module> A CSG tree flattened to an expression over leaves.
+
+Placements are multiplied down. A leaf in its own place stands for itself;
+placed elsewhere it is an *instance*, a segment of its own, made once for equal
+placements: a `same` node of the user, or a helper. A half-space is a helper too.
+
+An expression is the number of a segment, union(List), intersection(List) or
+difference(List). union([]) is nothing, and then the whole expression.
+*/
+
+%!  flat_expression(+S, +Matrix, -Expression, -Surfaces) is det.
+%
+%   Expression is what segment S is, placed by Matrix (csg_matrix.pl); Surfaces
+%   are the open surfaces that are united with it. Makes the instances that it
+%   needs, or makes them anew.
+
+flat_expression(S, Matrix, Expression, Surfaces) :-
+    known_instances(Known),
+    flat(S, Matrix, Expression, Known-[], _-Surfaces0),
+    sort(Surfaces0, Surfaces).
+
+flat(S, Matrix0, Expression, State0, State) :-
+    node(S, Operation, Children, Steps),
+    Operation \== leaf,
+    !,
+    steps_matrix(Steps, Placement),
+    matrix_product(Matrix0, Placement, Matrix),
+    foldl(flat_child(Matrix), Children, Expressions, State0, State1),
+    combined(Operation, Expressions, Matrix, Expression, State1, State).
+flat(S, Matrix, Expression, Known0-Surfaces0, Known-Surfaces) :-
+    rounded_matrix(Matrix, Rounded),
+    instance(S, Rounded, K, Known0, Known),
+    (   segment(S, surface, _)
+    ->  Expression = union([]),
+        Surfaces = [K|Surfaces0]
+    ;   Expression = K,
+        Surfaces = Surfaces0
+    ).
+
+flat_child(Matrix, Child, Expression, State0, State) :-
+    flat(Child, Matrix, Expression, State0, State).
+
+%   combined(Operation, Expressions, Matrix, Expression, State0, State)
+
+combined(same, [Expression], _, Expression, State, State).
+combined(union, Es, _, Expression, State, State) :-
+    united(Es, Expression).
+combined(join, Es, _, Expression, State, State) :-
+    united(Es, Expression).
+combined(intersection, Es, _, Expression, State, State) :-
+    common(Es, Expression).
+combined(difference, [E|Es], _, Expression, State, State) :-
+    less(E, Es, Expression).
+combined(split(inside), [E1,E2], _, Expression, State, State) :-
+    common([E1,E2], Expression).
+combined(split(outside), [E1,E2], _, Expression, State, State) :-
+    less(E1, [E2], Expression).
+combined(split(Plane0, Side), [E], Matrix, Expression, Known0-Surfaces,
+         Known-Surfaces) :-
+    matrix_plane(Matrix, Plane0, Plane),
+    expression_leaves(E, Leaves),
+    leaves_half(Leaves, Plane, Half),
+    half_expression(Half, HalfExpression, Known0, Known),
+    (   Side == below
+    ->  below(HalfExpression, E, Expression)
+    ;   above(HalfExpression, E, Expression)
+    ).
+
+united(Es0, Expression) :-
+    foldl(terms_of(union), Es0, [], Reversed),
+    reversed_unique(Reversed, Es),
+    Expression = union(Es).
+
+common(Es0, Expression) :-
+    (   memberchk(union([]), Es0)
+    ->  Expression = union([])
+    ;   foldl(terms_of(intersection), Es0, [], Reversed),
+        reversed_unique(Reversed, Es),
+        (   Es = [E]
+        ->  Expression = E
+        ;   Expression = intersection(Es)
+        )
+    ).
+
+less(union([]), _, union([])) :-
+    !.
+less(E, Es0, Expression) :-
+    foldl(terms_of(union), Es0, [], Reversed),
+    reversed_unique(Reversed, Es),
+    (   Es == []
+    ->  Expression = E
+    ;   E = difference([E1|Es1])
+    ->  append(Es1, Es, Es2),
+        Expression = difference([E1|Es2])
+    ;   Expression = difference([E|Es])
+    ).
+
+%   terms_of(Operation, E, Reversed0, Reversed): unions in a union are one.
+
+terms_of(Operation, E, Reversed0, Reversed) :-
+    (   E =.. [Operation, Es]
+    ->  foldl(terms_of(Operation), Es, Reversed0, Reversed)
+    ;   E == union([])
+    ->  Reversed = Reversed0
+    ;   Reversed = [E|Reversed0]
+    ).
+
+%   reversed_unique(Reversed, Es): in order, each once.
+
+reversed_unique(Reversed, Es) :-
+    foldl([E,L,[E|L]]>>true, Reversed, [], Es0),
+    list_to_set(Es0, Es).
+
+below(all, E, E).
+below(none, _, union([])).
+below(half(K), E, Expression) :-
+    common([E,K], Expression).
+
+above(all, _, union([])).
+above(none, E, E).
+above(half(K), E, Expression) :-
+    less(E, [K], Expression).
+
+%!  expression_leaves(+Expression, -Leaves) is det.
+%
+%   Leaves are the segments in Expression, ascending.
+
+expression_leaves(Expression, Leaves) :-
+    leaves(Expression, Leaves0, []),
+    sort(Leaves0, Leaves).
+
+leaves(S, [S|Leaves], Leaves) :-
+    integer(S),
+    !.
+leaves(Expression, Leaves0, Leaves) :-
+    arg(1, Expression, Es),
+    foldl(leaves, Es, Leaves0, Leaves).
+
+
+                /*******************************
+                *           INSTANCES          *
+                *******************************/
+
+%   known_instances(Known): an association of Leaf-Rounded with the `same` node
+%   or the helper that is Leaf placed by it, and of the terms of half-spaces
+%   with the helpers that they are.
+
+known_instances(Known) :-
+    findall(Key-K, known_instance(Key, K), Pairs0),
+    sort(1, @<, Pairs0, Pairs),         % of equal ones the first
+    list_to_assoc(Pairs, Known).
+
+known_instance(Leaf-Rounded, N) :-
+    identity_matrix(Identity),
+    node(N, same, _, _),
+    same_leaf(N, Identity, Leaf, Matrix),
+    rounded_matrix(Matrix, Rounded).
+known_instance(Key, K) :-
+    recorded(K, helper(From)),
+    (   From = placed(Leaf-_, Rounded)
+    ->  Key = Leaf-Rounded
+    ;   From = half(Key)
+    ).
+
+%   same_leaf(S, Matrix0, Leaf, Matrix): S, placed by Matrix0, is Leaf placed by
+%   Matrix.
+
+same_leaf(S, Matrix0, Leaf, Matrix) :-
+    node(S, Operation, Children, Steps),
+    (   Operation == leaf
+    ->  Leaf = S,
+        Matrix = Matrix0
+    ;   Operation == same
+    ->  Children = [Child],
+        steps_matrix(Steps, Placement),
+        matrix_product(Matrix0, Placement, Matrix1),
+        same_leaf(Child, Matrix1, Leaf, Matrix)
+    ).
+
+%   instance(Leaf, Rounded, K, Known0, Known): K is Leaf placed by Rounded, with
+%   rows that are right.
+
+instance(Leaf, Rounded, K, Known, Known) :-
+    identity_matrix(Identity),
+    rounded_matrix(Identity, Rounded),
+    !,
+    K = Leaf.
+instance(Leaf, Rounded, K, Known0, Known) :-
+    segment_stamp(Leaf, Stamp),
+    From = placed(Leaf-Stamp, Rounded),
+    (   get_assoc(Leaf-Rounded, Known0, K0)
+    ->  K = K0,
+        Known = Known0,
+        (   up_to_date(K, From)
+        ->  true
+        ;   (   recorded(K, helper(_))
+            ->  Record = helper(From)
+            ;   Record = evaluated(From)
+            ),
+            instance_rows(Leaf, Rounded, K, Record)
+        )
+    ;   segment(Leaf, Kind, _),
+        fresh_id(segment, 0, K),
+        assert_fact(segment(K, Kind, at([matrix(Rounded)], Leaf))),
+        instance_rows(Leaf, Rounded, K, helper(From)),
+        put_assoc(Leaf-Rounded, Known0, K, Known)
+    ).
+
+instance_rows(Leaf, Rounded, K, Record) :-
+    drop_boundary(K),
+    copy_segment(Leaf, Rounded, K),
+    complete_segments,
+    record(K, Record).
+
+
+                /*******************************
+                *          HALF-SPACES         *
+                *******************************/
+
+%   leaves_half(Leaves, Plane, Half): for half_expression/4.
+
+leaves_half(Leaves, Plane, Half) :-
+    findall(Box, ( member(Leaf, Leaves), segment_box(Leaf, Box) ), Boxes),
+    (   Boxes == []
+    ->  Half = all
+    ;   foldl(box_union, Boxes, none, Box),
+        half_space(Plane, Box, Half)
+    ).
+
+box_union(Box, none, Box) :-
+    !.
+box_union(box(A1,B1,C1,D1,E1,F1), box(A2,B2,C2,D2,E2,F2),
+          box(A,B,C,D,E,F)) :-
+    A is min(A1, A2),
+    B is min(B1, B2),
+    C is min(C1, C2),
+    D is max(D1, D2),
+    E is max(E1, E2),
+    F is max(F1, F2).
+
+%   half_expression(Half, What, Known0, Known): What is `all`, `none` or half(K),
+%   K the helper that is the primitive Half.
+
+half_expression(Half, What, Known, Known) :-
+    atom(Half),
+    !,
+    What = Half.
+half_expression(Half, half(K), Known0, Known) :-
+    (   get_assoc(Half, Known0, K)
+    ->  Known = Known0
+    ;   add_primitive(Half, K),
+        complete_segments,
+        record(K, helper(half(Half))),
+        put_assoc(Half, Known0, K, Known)
+    ).

@@ -1,0 +1,110 @@
+:- module(sg_csg_half_space,
+          [ half_space/3                % +Plane, +Box, -Half
+          ]).
+:- autoload(library(apply), [maplist/3]).
+/** <module> A half-space as a solid that is large enough.
+
+To split a solid by a plane it is cut with a tetrahedron: one face lies in the
+plane, and all of the solid that is below the plane is inside.
+
+The corners of that face are rounded, so the plane through them is off the
+given one by less than 2^-48 of the solid's size; a plane square to an axis is
+met exactly if its place on the axis is a double. The face is one triangle, so
+it is flat whatever the rounding.
+
+@see row DV-3
+*/
+
+%!  half_space(+Plane, +Box, -Half) is det.
+%
+%   Half is a primitive, polyhedron(...), for what is below Plane = plane(A, B,
+%   C, D) (rationals) within Box; or `all` or `none`, if Plane passes Box at a
+%   distance.
+
+half_space(plane(A,B,C,D), box(X1,Y1,Z1,X2,Y2,Z2), Half) :-
+    maplist(middle, [X1-X2, Y1-Y2, Z1-Z2], [X,Y,Z]),
+    R is max(sqrt((X2-X1)**2 + (Y2-Y1)**2 + (Z2-Z1)**2)*0.55, 1.0e-80),
+    Length is sqrt(float(A*A + B*B + C*C)),
+    Height is float(A*rational(X) + B*rational(Y) + C*rational(Z) + D)/Length,
+    (   Height > R
+    ->  Half = none
+    ;   Height < -R
+    ->  Half = all
+    ;   maplist(part(Length), [A,B,C], N),
+        tetrahedron(N, plane(A,B,C,D), [X,Y,Z], Height, R, Half)
+    ).
+
+middle(Low-High, Middle) :-
+    Middle is (Low+High)/2.0.
+
+part(Length, A, X) :-
+    X is float(A)/Length.
+
+%   tetrahedron(N, Plane, Centre, Height, R, Half): its face is the triangle in
+%   Plane round the foot of Centre with a circle of radius 2 R in it; its apex
+%   lies 5 R below. So a ball of radius R round Centre is inside, as far as it is
+%   below Plane.
+
+tetrahedron(N, Plane, Centre, Height, R, Half) :-
+    frame(N, U, V),
+    Foot is -Height,
+    along(Centre, Foot, N, Middle),
+    Far is 4.0*R,
+    Near is -2.0*R,
+    Wide is 2.0*sqrt(3.0)*R,
+    Back is -Wide,
+    maplist(corner(Plane, Middle, U, V), [Far-0.0, Near-Wide, Near-Back],
+            [P1,P2,P3]),
+    Deep is -5.0*R,
+    along(Middle, Deep, N, P4),
+    Half = polyhedron(points([P1,P2,P3,P4]),
+                      faces([[1,2,3], [1,4,2], [2,4,3], [3,4,1]])).
+
+%   frame(N, U, V): unit vectors with U x V = N. U is square to the axis that N
+%   has least of.
+
+frame([A,B,C], U, V) :-
+    (   abs(A) =< abs(B),
+        abs(A) =< abs(C)
+    ->  unit([0.0, C, -B], U0)
+    ;   abs(B) =< abs(C)
+    ->  unit([-C, 0.0, A], U0)
+    ;   unit([B, -A, 0.0], U0)
+    ),
+    U = U0,
+    cross([A,B,C], U, V).
+
+unit([X,Y,Z], [U,V,W]) :-
+    L is sqrt(X*X + Y*Y + Z*Z),
+    U is X/L,
+    V is Y/L,
+    W is Z/L.
+
+cross([A,B,C], [X,Y,Z], [U,V,W]) :-
+    U is B*Z - C*Y,
+    V is C*X - A*Z,
+    W is A*Y - B*X.
+
+along([X0,Y0,Z0], T, [A,B,C], [X,Y,Z]) :-
+    X is X0 + T*A,
+    Y is Y0 + T*B,
+    Z is Z0 + T*C.
+
+%   corner(Plane, Middle, U, V, S-T, Corner): brought into Plane along the axis
+%   that is nearest to its normal, exactly but for the rounding of that
+%   coordinate.
+
+corner(plane(A,B,C,D), Middle, U, V, S-T, Corner) :-
+    along(Middle, S, U, M),
+    along(M, T, V, [X0,Y0,Z0]),
+    maplist([N,F]>>(F is rational(N)), [X0,Y0,Z0], [X,Y,Z]),
+    (   abs(C) >= abs(A),
+        abs(C) >= abs(B)
+    ->  Z1 is float(-(A*X + B*Y + D)/C) + 0.0,
+        Corner = [X0,Y0,Z1]
+    ;   abs(B) >= abs(A)
+    ->  Y1 is float(-(A*X + C*Z + D)/B) + 0.0,
+        Corner = [X0,Y1,Z0]
+    ;   X1 is float(-(B*Y + C*Z + D)/A) + 0.0,
+        Corner = [X1,Y0,Z0]
+    ).

@@ -1,0 +1,53 @@
+:- encoding(utf8).
+:- module(sg_csg_ko,
+          [ csg_ko//1                   % +What
+          ]).
+:- use_module(csg_term, [operation_form/2, operation_names/1]).
+:- use_module(primitive_en, [primitive_names//0]).
+/** <module> What is wrong with a CSG tree, in Korean.
+
+The heads are those of csg_en.pl (tests/rules/csg_faults.plt).
+*/
+
+%!  csg_ko(+What)// is det.
+%
+%   The message for model_error(csg(What)).
+
+csg_ko(no_list(Name, Operands)) -->
+    { operation_form(Name, Form) },
+    [ '~w 의 피연산자는 리스트여야 하는데 ~p 입니다'-[Name, Operands], nl,
+      '  이렇게 쓰십시오: ~w'-[Form] ].
+csg_ko(no_operands(Name)) -->
+    [ '~w 에 피연산자가 없습니다'-[Name], nl,
+      '  세그먼트 번호, 기본 입체, 연산을 하나 이상 주십시오.' ].
+csg_ko(unknown(Operand)) -->
+    { operation_names(Names) },
+    [ '~p 은(는) 피연산자가 아닙니다'-[Operand], nl,
+      '  피연산자는 세그먼트 번호, 연산(~w), 기본 입체입니다:'-[Names] ],
+    primitive_names.
+csg_ko(side(Side, Sides)) -->
+    { atomic_list_concat(Sides, ', ', Text) },
+    [ '나눌 때의 쪽은 ~w 가운데 하나이며 ~p 은(는) 아닙니다'-[Text, Side], nl,
+      '  plane(A, B, C, D) 의 below 는 A*X + B*Y + C*Z + D < 0 인 쪽입니다.' ].
+csg_ko(plane(By)) -->
+    [ '~p 은(는) 평면이 아닙니다'-[By], nl,
+      '  A*X + B*Y + C*Z + D = 0 을 plane(A, B, C, D) 로 쓰십시오. A, B, C 가 \c
+       모두 0일 수는 없습니다.' ].
+csg_ko(missing(S, Child)) -->
+    [ '세그먼트 ~d 의 피연산자 ~d 이(가) 없습니다'-[S, Child], nl,
+      '  세그먼트 ~d 을(를) 추가하거나 번호를 고치십시오.'-[Child] ].
+csg_ko(cycle(Path)) -->
+    { atomic_list_concat(Path, ' -> ', Text) },
+    [ '세그먼트가 자기 자신의 피연산자입니다: ~w'-[Text], nl,
+      '  이 가운데 하나를 앞 세그먼트의 피연산자에서 빼십시오.' ].
+csg_ko(curve(S, Child)) -->
+    [ '세그먼트 ~d 의 피연산자 ~d 은(는) 입체가 아니라 곡선입니다'-[S, Child],
+      nl,
+      '  연산은 입체에 합니다. 곡선이 지나는 곳은 penetrate 가 보여 줍니다.' ].
+csg_ko(surface(S, Child, Name)) -->
+    [ '세그먼트 ~d 의 피연산자 ~d 은(는) 열린 곡면입니다. ~w 에는 안과 밖이 \c
+       있어야 합니다'-[S, Child, Name], nl,
+      '  열린 곡면은 union 이나 join 만 할 수 있습니다. 닫거나 입체를 주십시오.' ].
+csg_ko(no_volume(S)) -->
+    [ '세그먼트 ~d 은(는) 허용 오차 안에서 부피가 없습니다'-[S], nl,
+      '  연산에는 입체가 필요합니다. 두께를 주거나 빼십시오.' ].

@@ -1,0 +1,71 @@
+:- module(sg_csg_record,
+          [ record/2,                   % +S, +What
+            recorded/2,                 % ?S, ?What
+            up_to_date/2,               % +S, +From
+            drop_record/1,              % +S
+            segment_stamps/2            % +Ss, -Stamps
+          ]).
+:- use_module(store,
+              [ segment/3, origin/3, segment_stamp/2, assert_fact/1,
+                retractall_facts/1
+              ]).
+:- autoload(library(apply), [maplist/3]).
+/** <module> What rows were made from, remembered beside them.
+
+    origin(S, node(S), evaluated(made(From, Stamp)))     a node
+    origin(S, node(S), helper(made(From, Stamp)))        a helper (csg.pl)
+
+From is a ground term with the stamps of what the rows were made from; Stamp is
+that of the rows themselves. Rows and record are of one version, so undo takes
+both back. Stamps mean nothing in another world: records are not written to
+files.
+*/
+
+%!  record(+S, +What) is det.
+%
+%   Remember that the rows of segment S, as they are now, were made from From:
+%   What is evaluated(From) or helper(From).
+
+record(S, What0) :-
+    What0 =.. [Name, From],
+    segment_stamp(S, Stamp),
+    What =.. [Name, made(From, Stamp)],
+    drop_record(S),
+    assert_fact(origin(S, node(S), What)).
+
+%!  recorded(?S, ?What) is nondet.
+%
+%   True when it is remembered of segment S that What; its rows, or what they
+%   were made from, may have changed since.
+
+recorded(S, What) :-
+    segment(S, _, _),
+    origin(S, node(S), What0),
+    What0 =.. [Name, made(From, _)],
+    What =.. [Name, From].
+
+%!  up_to_date(+S, +From) is semidet.
+%
+%   True when the rows of segment S were made from From, and nothing changed
+%   them since.
+
+up_to_date(S, From) :-
+    origin(S, node(S), What),
+    arg(1, What, made(From0, Stamp0)),
+    From0 == From,
+    segment_stamp(S, Stamp0).
+
+%!  drop_record(+S) is det.
+
+drop_record(S) :-
+    retractall_facts(origin(S, node(S), _)).
+
+%!  segment_stamps(+Ss, -Stamps) is det.
+%
+%   Stamps is the list of S-Stamp for the segments Ss.
+
+segment_stamps(Ss, Stamps) :-
+    maplist(stamped, Ss, Stamps).
+
+stamped(S, S-Stamp) :-
+    segment_stamp(S, Stamp).
