@@ -4,6 +4,7 @@
             sanggwan/2                  % +Arguments, -Status
           ]).
 :- use_module(arguments, [parsed_arguments/4]).
+:- use_module(csg_evaluate, [csg_statistics/1, csg_statistics_reset/0]).
 :- use_module(decision, [use_rules/1]).
 :- use_module(kernel, [exact_fallbacks/1, exact_statistics/1,
                         tree_statistics/1]).
@@ -198,6 +199,7 @@ verb_in_world(Verb, Files, Options, Status) :-
     ;   true
     ),
     stages_reset,
+    csg_statistics_reset,
     get_time(Start),
     new_world(World),
     in_world(World,
@@ -229,9 +231,10 @@ measured(Options, Start) :-
     ->  exact_fallbacks(Fallbacks),
         exact_statistics(Exact),
         tree_statistics(Trees),
+        csg_statistics(Csg),
         findall(Relation-Dict, facts_statistics(Relation, Dict), Pairs1),
         json_line([exact_fallbacks-Fallbacks,exact-Exact,
-                   trees-Trees|Pairs1])
+                   trees-Trees,csg-Csg|Pairs1])
     ;   true
     ).
 

@@ -3,7 +3,7 @@
             operation_names/1,          % -Names
             is_node_term/1,             % @Term
             node_parts/4,               % +Term, -Operation, -Operands, -Steps
-            node_name/2,                % +Term, -Name
+            plain_name/2,               % +Term, -Name
             map_operands/3,             % :Map, +Term0, -Term
             check_node_term/1,          % +Term
             csg_error/1                 % +What
@@ -117,14 +117,20 @@ node_parts(Operand, Operation, Operands, Steps) :-
 node_parts(Term, Operation, Operands, []) :-
     compound_name_arguments(Term, Operation, [Operands]).
 
-%!  node_name(+Term, -Name) is det.
+%!  plain_name(+Term, -Name) is det.
 %
-%   Name is how people call the operation of Term: `union`, `split`, `at`, ...
+%   Name is what the result of the node Term is called: the outermost name in
+%   it, else its operation, else `placed`.
 
-node_name(Term, Name) :-
-    (   wrapped(Term, Inner),
-        is_node_term(Inner)
-    ->  node_name(Inner, Name)
+plain_name(named(Name0, _), Name) :-
+    !,
+    Name = Name0.
+plain_name(at(_, Inner), Name) :-
+    !,
+    plain_name(Inner, Name).
+plain_name(Term, Name) :-
+    (   integer(Term)
+    ->  Name = placed
     ;   functor(Term, Name, _)
     ).
 

@@ -299,6 +299,14 @@ usage_en(bad_value(Text, Value, Form)) -->
 usage_en(no_files(What)) -->
     [ '~w is missing'-[What], nl,
       '  sanggwan VERB --help says what belongs there.' ].
+usage_en(one_operand(Verb)) -->
+    [ '~w needs two models or more'-[Verb], nl,
+      '  Name the other ones too; each file is one operand.' ].
+usage_en(both_options(A, B)) -->
+    [ 'options ~w and ~w do not go together'-[A, B] ].
+usage_en(needs_one_of(Options)) -->
+    { atomic_list_concat(Options, ' or ', Text) },
+    [ 'option ~w is missing'-[Text] ].
 usage_en(no_output) -->
     [ 'where should the result go? Give -o FILE (- is standard output)' ].
 usage_en(ending(File, Endings)) -->
@@ -330,6 +338,8 @@ notice_en(points_alone(N)) -->
       [N] ].
 notice_en(one_segment) -->
     [ 'one segment alone has no penetration lines' ].
+notice_en(empty_result(S, Name)) -->
+    [ 'segment ~d (~p) is empty: nothing is left of its operands'-[S, Name] ].
 notice_en(wrote(File)) -->
     [ 'wrote ~w'-[File] ].
 notice_en(interrupted) -->

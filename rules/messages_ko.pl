@@ -286,6 +286,14 @@ usage_ko(bad_value(Text, Value, Form)) -->
 usage_ko(no_files(What)) -->
     [ '~w 이(가) 없습니다'-[What], nl,
       '  sanggwan VERB --help 를 보십시오.' ].
+usage_ko(one_operand(Verb)) -->
+    [ '~w 에는 모델이 둘 이상 필요합니다'-[Verb], nl,
+      '  다른 모델도 지정하십시오. 파일 하나가 피연산자 하나입니다.' ].
+usage_ko(both_options(A, B)) -->
+    [ '~w 와(과) ~w 은(는) 함께 쓸 수 없습니다'-[A, B] ].
+usage_ko(needs_one_of(Options)) -->
+    { atomic_list_concat(Options, ', ', Text) },
+    [ '선택 사항이 빠졌습니다: ~w 가운데 하나'-[Text] ].
 usage_ko(no_output) -->
     [ '결과를 어디에 둘까요? -o FILE 을 주십시오 (- 는 표준 출력)' ].
 usage_ko(ending(File, Endings)) -->
@@ -316,6 +324,8 @@ notice_ko(points_alone(N)) -->
     [ '세그먼트들이 점 ~D개에서만 만납니다: explain vertex(S, V)'-[N] ].
 notice_ko(one_segment) -->
     [ '세그먼트가 하나뿐이라 상관선이 없습니다' ].
+notice_ko(empty_result(S, Name)) -->
+    [ '세그먼트 ~d(~p) 이(가) 비었습니다. 피연산자에서 남은 것이 없습니다'-[S, Name] ].
 notice_ko(wrote(File)) -->
     [ '~w 을(를) 썼습니다'-[File] ].
 notice_ko(interrupted) -->

@@ -2,6 +2,7 @@
           [ write_model/1,              % +File
             write_model_to/1            % +Stream
           ]).
+:- use_module(csg, [is_node/1, is_helper/1]).
 :- use_module(output, [writing/3]).
 :- use_module(polygon_list, [edges_vertex_list/2]).
 :- use_module(store,
@@ -25,7 +26,8 @@ read_model/1 brings back the same relations.
 Where the edges of a segment are just what read_model/1 makes from vertex
 lists, as after reading vertex lists or a mesh, its polygons are written as
 vertex lists and e/5 is left out. Vertices of a segment that has no edges are
-written as curves of one point. The picture (screen/5, drawn/7) is computed
+written as curves of one point. Of a node of the CSG tree only segment/3 is
+written, as its boundary follows from it. The picture (screen/5, drawn/7) is computed
 and never written.
 */
 
@@ -55,6 +57,14 @@ all_segments(Ss) :-
     findall(S, segment(S, _, _), Ss0),
     sort(Ss0, Ss).
 
+write_segment(_, S) :-
+    is_helper(S),
+    !.
+write_segment(Stream, S) :-
+    is_node(S),
+    !,
+    nl(Stream),
+    write_rows(Stream, 1, segment(S, _, _)).
 write_segment(Stream, S) :-
     nl(Stream),
     write_rows(Stream, 1, segment(S, _, _)),
@@ -71,9 +81,19 @@ write_segment(Stream, S) :-
     write_rows(Stream, E3, leaf_e(S, E3, _, _, _)),
     write_rows(Stream, P3, leaf_p(S, P3, _)),
     write_rows(Stream, T3, leaf_t(S, _, T3, _, _, _)),
-    write_rows(Stream, Item, origin(S, Item, _)),
+    write_origins(Stream, S),
     write_rows(Stream, V4, from_v(S, V4, _, _)),
     write_rows(Stream, P4-S0-P0, from_p(S, P4, S0, P0, _)).
+
+%   write_origins(Stream, S): but for what is remembered of this world alone
+%   (csg_record.pl).
+
+write_origins(Stream, S) :-
+    findall(Item-origin(S, Item, Origin),
+            ( origin(S, Item, Origin), Item \= node(_) ),
+            Rows0),
+    keysort(Rows0, Rows),
+    forall(member(_-Fact, Rows), write_fact(Stream, Fact)).
 
 :- meta_predicate write_rows(+, ?, 0).
 

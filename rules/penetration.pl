@@ -10,6 +10,7 @@
             touching/2,                 % +Options, -Tolerance
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
+:- use_module(csg_roots, [aside_segments/1]).
 :- use_module(cut_rows,
               [ write_vertices/1, write_lines/1, write_polygon/2, split_curves/2
               ]).
@@ -38,7 +39,7 @@
 :- autoload(library(error), [domain_error/2, must_be/2]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2]).
-:- autoload(library(ordsets), [ord_union/3]).
+:- autoload(library(ordsets), [ord_memberchk/2, ord_union/3]).
 
 /** <module> Penetration lines: where segments go through each other.
 
@@ -95,7 +96,8 @@ merge_line(Piece, Piece).
 %
 %   Find all penetration lines of the segments of the current world, put them
 %   into the polygons and write line/9. One transaction; a world whose
-%   segments do not meet stays as it is. Segments that were cut by each other
+%   segments do not meet stays as it is. Operands of a CSG tree are no part of
+%   the model (root_segment/1). Segments that were cut by each other
 %   before are not cut again (the decision may_cut/2), so it may be called
 %   after loading more. The decision is asked for segments whose boxes touch
 %   within the tolerance, and for no others.
@@ -132,8 +134,11 @@ penetrate(Which, Options) :-
 
 pairs_to_cut(all, Tolerance, Pairs) :-
     !,
+    aside_segments(Aside),
     findall(S1-S2,
             ( near_segments(Tolerance, S1, S2),
+              \+ ord_memberchk(S1, Aside),
+              \+ ord_memberchk(S2, Aside),
               may_cut(S1, S2)
             ),
             Pairs).

@@ -1,6 +1,7 @@
 :- encoding(utf8).
 :- module(sg_report,
-          [ print_report/2              % +Format, +Report
+          [ print_report/2,             % +Format, +Report
+            counted/4                   % +Language, +What, +N, -Text
           ]).
 :- use_module(language, [language/1]).
 :- autoload(library(http/json), [json_write_dict/3]).
@@ -103,7 +104,10 @@ say(Language, Line, Arguments) :-
     format(Format, Arguments),
     nl.
 
-%   counted(Language, What, N, Text): "1 edge", "2 edges".
+%!  counted(+Language, +What, +N, -Text) is det.
+%
+%   Text is a string such as "1 edge", "2 edges", "모서리 2개"; What is `vertex`,
+%   `edge`, ...
 
 counted(en, What, N, Text) :-
     noun(What, One, Many, _),
@@ -121,6 +125,7 @@ noun(edge,        edge,          edges,          '모서리').
 noun(polygon,     polygon,       polygons,       '다각형').
 noun(triangle,    triangle,      triangles,      '삼각형').
 noun(border_edge, 'border edge', 'border edges', '경계 모서리').
+noun(shell,       shell,         shells,         '껍질').
 noun(fault,       fault,         faults,         '잘못').
 
 word(Language, Word, Text) :-

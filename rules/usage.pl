@@ -34,6 +34,21 @@ verb(penetrate, 'MODEL... [-o FILE]',
 verb(draw, 'MODEL... -o FILE',
      'a drawing with its hidden lines',
      '은선을 처리한 그림').
+verb(union, 'MODEL MODEL...',
+     'the solid of all that is in any of the models',
+     '모델들 가운데 어느 하나에라도 있는 것의 입체').
+verb(intersection, 'MODEL MODEL...',
+     'the solid of what is in all of the models',
+     '모든 모델에 공통으로 있는 것의 입체').
+verb(difference, 'MODEL MODEL...',
+     'the solid of what is in the first model and in no other',
+     '첫 모델에서 다른 모델들을 뺀 입체').
+verb(split, 'MODEL... --plane A,B,C,D | --by MODEL',
+     'a solid in two, by a plane or by another solid',
+     '평면이나 다른 입체로 둘로 나눈 입체').
+verb(eval, 'TREE...',
+     'the solids of a CSG tree',
+     'CSG 트리의 입체').
 verb(query, 'MODEL... GOAL',
      'all answers of a Prolog goal about the model',
      '모델에 대한 프롤로그 목표의 모든 답').
@@ -88,6 +103,23 @@ verb_option(draw, option(size, '', value, 'WxH',
 verb_option(draw, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
 
+verb_option(Verb, option(output, o, each, 'FILE',
+    'where to (.pl .stl .off .obj .ply); may be repeated; without it: a line \c
+     of counts and measures')) :-
+    solid_verb(Verb).
+verb_option(Verb, option(format, '', one_of([pl, stl, off, obj, ply]),
+    'FORMAT', 'the format for -o -')) :-
+    solid_verb(Verb).
+verb_option(split, option(plane, '', value, 'A,B,C,D',
+    'the plane A*X + B*Y + C*Z + D = 0')).
+verb_option(split, option(by, '', value, 'MODEL', 'a solid')).
+verb_option(split, option(side, '', value, 'SIDE',
+    'of a plane below (A*X + B*Y + C*Z + D < 0) or above; of a solid inside \c
+     or outside; both as is usual')).
+verb_option(Verb, option(json, '', flag, '',
+    'counts and measures as JSON')) :-
+    solid_verb(Verb).
+
 verb_option(query, option(format, '', one_of([table, csv, json, prolog]),
     'FORMAT', 'table (as is usual), csv, json or prolog')).
 verb_option(query, option(json, '', flag, '', 'the same as --format json')).
@@ -96,6 +128,12 @@ verb_option(query, option(limit, '', number(1), 'N', 'the first N answers')).
 verb_option(explain, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
 verb_option(explain, option(json, '', flag, '', 'the reasons as JSON')).
+
+solid_verb(union).
+solid_verb(intersection).
+solid_verb(difference).
+solid_verb(split).
+solid_verb(eval).
 
 %!  common_option(?Spec) is nondet.
 %
@@ -130,6 +168,11 @@ option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
 option_ko(size, '종이 크기 mm, .png는 점의 수').
 option_ko(exact, '표의 좌표를 반올림하지 않은 분수로').
 option_ko(tolerance, 'T(모델 단위)보다 가까우면 닿은 것으로 본다. 0: 그대로').
+option_ko(plane, '평면 A*X + B*Y + C*Z + D = 0').
+option_ko(by, '나누는 입체').
+option_ko(side,
+    '평면의 below(A*X + B*Y + C*Z + D < 0) 또는 above, 입체의 inside 또는 \c
+outside. 보통 둘 다').
 option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
@@ -158,6 +201,14 @@ example(draw, 'sanggwan draw facts/figures/fig12.pl --segment 1 \c
 --view 300,60 -o cone.svg').
 example(draw, 'sanggwan draw part.stl --view iso --hidden removed \c
 --size 640x400 -o part.png').
+example(union, 'sanggwan union a.stl b.stl c.stl -o all.stl').
+example(union, 'sanggwan union facts/cube.pl facts/hollow_block.pl').
+example(intersection, 'sanggwan intersection a.off b.off -o common.obj').
+example(difference, 'sanggwan difference block.stl drill.stl -o part.stl').
+example(split, 'sanggwan split part.stl --plane 0,0,1,-2.5 -o halves.obj').
+example(split, 'sanggwan split part.stl --by tool.stl --side inside \c
+-o core.stl').
+example(eval, 'sanggwan eval facts/pipe_tee.pl -o pipe_tee.stl').
 example(query, 'sanggwan query facts/cube.pl \'v(1, V, X, Y, Z)\'').
 example(query, 'sanggwan query facts/figures/fig13.pl --format csv \c
 \'penetrate, line(L, 1, P1, _, _, 2, P2, _, _)\'').

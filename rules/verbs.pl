@@ -5,6 +5,9 @@
             convert/2                   % +Files, +File
           ]).
 :- use_module(check, [check_report/1, report_faults/2]).
+:- use_module(csg, [root_segment/1]).
+:- use_module(csg_evaluate, [evaluate/0]).
+:- use_module(csg_roots, [aside_segments/1, roots_alone/0]).
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(explain,
               [explain/1, explanation/2, print_explanations/1]).
@@ -17,13 +20,18 @@
 :- use_module(query, [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
 :- use_module(report, [print_report/2]).
+:- use_module(solid_verbs, [solid_verb/1, solid_verb_run/4]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ segment/3, line/9, origin/3, facts_transaction/1, new_world/1,
                 in_world/2
               ]).
+:- use_module(verb_output,
+              [ some_files/2, outputs/3, some_outputs/1, output_written/2,
+                usage_error/1
+              ]).
 :- use_module(view, [set_view/1, set_view/3, set_projection/1, named_view/3]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
+:- autoload(library(apply), [maplist/2, maplist/3, partition/4]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(http/json), [json_write_dict/2]).
 :- autoload(library(lists), [append/3, member/2]).
@@ -43,6 +51,7 @@ when the answer is no.
 verb_run(check, Files, Options, Status) :-
     some_files(Files, 'MODEL'),
     load_model(Files, Options),
+    roots_alone,
     check_report(Report),
     (   option(json(true), Options)
     ->  print_report(json, Report)
@@ -64,14 +73,22 @@ verb_run(convert, Files, Options, 0) :-
     ->  Triangles = true
     ;   Triangles = false
     ),
-    load_model(Files, [triangles(Triangles)|Options]),
-    maplist(output_written(model_output), Outputs).
+    load_model(Files, [triangles(Triangles),evaluate(false)|Options]),
+    partition([output(_, pl)]>>true, Outputs, Trees, Meshes),
+    maplist(output_written(model_output), Trees),
+    (   Meshes == []
+    ->  true
+    ;   evaluate,
+        roots_alone,
+        maplist(output_written(model_output), Meshes)
+    ).
 verb_run(penetrate, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
     findall(Ending, line_format(Ending), Endings),
     outputs(Options, Endings, Outputs0),
     exact_outputs(Options, Outputs0),
     load_model(Files, Options),
+    roots_alone,
     penetrated(Options),
     points_alone,
     (   option(json(true), Options)
@@ -94,6 +111,7 @@ verb_run(draw, Files, Options, 0) :-
     drawing_options(Options, DrawingOptions),
     eye(Options, Eye),
     load_model(Files, Options),
+    roots_alone,
     known_segments(PictureOptions),
     facts_transaction(sg_verbs:pictured(Options, Eye, PictureOptions)),
     maplist(output_written(drawing_output(DrawingOptions)), Outputs).
@@ -130,6 +148,9 @@ verb_run(explain, Arguments, Options, Status) :-
     load_model(Files, Options),
     penetrate(all, Options),
     explained(Options, Item, Status).
+verb_run(Verb, Files, Options, Status) :-
+    solid_verb(Verb),
+    solid_verb_run(Verb, Files, Options, Status).
 verb_run(repl, Files, Options, 0) :-
     (   Files == []
     ->  true
@@ -145,7 +166,12 @@ pictured(Options, Eye, PictureOptions) :-
     ;   true
     ),
     maplist(call, Eye),
-    picture(PictureOptions).
+    (   aside_segments([_|_]),
+        \+ option(segments(_), PictureOptions)
+    ->  findall(S, root_segment(S), Roots),
+        picture([segments(Roots)|PictureOptions])
+    ;   picture(PictureOptions)
+    ).
 
 %!  draw(+File) is det.
 %!  draw(+File, +Options) is det.
@@ -181,14 +207,6 @@ convert(Files, File) :-
     new_world(World),
     in_world(World, ( load_model(Files), save_model(File) )).
 
-some_files([], What) :-
-    !,
-    usage_error(no_files(What)).
-some_files(_, _).
-
-usage_error(What) :-
-    throw(error(usage_error(What), _)).
-
 several_segments :-
     segment(A, _, _),
     segment(B, _, _),
@@ -221,70 +239,8 @@ points_alone :-
 
 
                 /*******************************
-                *            OUTPUTS           *
+                *            WRITERS           *
                 *******************************/
-
-%   outputs(Options, Formats, Outputs): output(File, Format) of every -o, the
-%   ending checked before any work is done; the first of Formats is the
-%   default of standard output.
-
-outputs(Options, Formats, Outputs) :-
-    option(output(Files), Options, []),
-    Formats = [First|_],
-    option(format(Default), Options, First),
-    maplist(output(Formats, Default), Files, Outputs).
-
-output(_, Default, -, output(-, Default)) :-
-    !.
-output(Formats, _, File, output(File, Format)) :-
-    file_name_extension(_, Ending, File),
-    downcase_atom(Ending, Format),
-    (   memberchk(Format, Formats)
-    ->  folder_exists(File)
-    ;   usage_error(ending(File, Formats))
-    ).
-
-%   A missing folder is found out before the work, not after it.
-
-folder_exists(File) :-
-    file_directory_name(File, Folder),
-    (   exists_directory(Folder)
-    ->  true
-    ;   usage_error(no_folder(Folder))
-    ).
-
-some_outputs([]) :-
-    !,
-    usage_error(no_output).
-some_outputs(_).
-
-:- meta_predicate output_written(1, +).
-
-%   output_written(Writer, Output): Writer gets a file name with the ending of
-%   the format. Standard output gets the bytes of a temporary file, so every
-%   writer knows files only.
-
-output_written(Writer, output(-, Format)) :-
-    !,
-    setup_call_cleanup(
-        tmp_file_stream(File, Temporary,
-                        [encoding(binary), extension(Format)]),
-        ( close(Temporary),
-          call(Writer, File),
-          copied_out(File)
-        ),
-        delete_file(File)).
-output_written(Writer, output(File, _)) :-
-    call(Writer, File),
-    print_message(informational, sanggwan(wrote(File))).
-
-copied_out(File) :-
-    set_stream(user_output, type(binary)),
-    setup_call_cleanup(
-        open(File, read, In, [type(binary)]),
-        copy_stream_data(In, user_output),
-        close(In)),
-    flush_output(user_output).
 
 model_output(File) :-
     save_model(File).

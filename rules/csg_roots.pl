@@ -1,0 +1,65 @@
+:- module(sg_csg_roots,
+          [ aside_segments/1,           % -Ss
+            roots_alone/0
+          ]).
+:- use_module(csg, [node/4, root_segment/1, is_node/1, is_helper/1]).
+:- use_module(csg_record, [drop_record/1]).
+:- use_module(csg_rows, [drop_boundary/1]).
+:- use_module(csg_term, [plain_name/2]).
+:- use_module(store,
+              [ segment/3, origin/3, from_v/4, from_p/5, assert_fact/1,
+                retractall_facts/1, facts_transaction/1
+              ]).
+:- autoload(library(apply), [maplist/2]).
+:- autoload(library(lists), [member/2]).
+:- autoload(library(ordsets), [ord_subtract/3]).
+/** <module> Looking at roots only: operands put aside.
+
+Drawing, checking, cutting and meshes look at the roots of the CSG tree. What is
+put aside are their operands and the helpers.
+*/
+
+%!  aside_segments(-Ss) is det.
+%
+%   Ss are the segments that are no roots, ascending.
+
+aside_segments(Ss) :-
+    findall(S, segment(S, _, _), All0),
+    sort(All0, All),
+    (   member(S, All),
+        is_node(S)
+    ->  findall(Root, root_segment(Root), Roots),
+        ord_subtract(All, Roots, Ss)
+    ;   Ss = []
+    ).
+
+%!  roots_alone is det.
+%
+%   Take all that is no root out of the current world. Roots that are nodes
+%   become plain segments: their name is that of named/2, or of the operation,
+%   and what names segments that are gone (origin/3, from_v/4, from_p/5) goes
+%   too. One transaction.
+
+roots_alone :-
+    aside_segments(Aside),
+    facts_transaction(sg_csg_roots:left_alone(Aside)).
+
+left_alone(Aside) :-
+    findall(S, ( root_segment(S), is_node(S) ), Nodes),
+    maplist(segment_dropped, Aside),
+    maplist(made_plain, Nodes).
+
+segment_dropped(S) :-
+    drop_record(S),
+    drop_boundary(S),
+    retractall_facts(segment(S, _, _)).
+
+made_plain(S) :-
+    segment(S, Kind, Term),
+    plain_name(Term, Name),
+    retractall_facts(segment(S, _, _)),
+    assert_fact(segment(S, Kind, Name)),
+    retractall_facts(from_v(S, _, _, _)),
+    retractall_facts(from_p(S, _, _, _, _)),
+    findall(Item, origin(S, Item, _), Items),
+    forall(member(Item, Items), retractall_facts(origin(S, Item, _))).
