@@ -361,7 +361,7 @@ warning_word(en, 'warning: ').
 warning_word(ko, '경고: ').
 
 print_prefixed(Word, Term, Lines) :-
-    (   Term = error(model_error(_), location(_, _, _))
+    (   subsumes_term(error(model_error(_), location(_, _, _)), Term)
     ->  format(atom(Prefix), '~~N~w', [Word])
     ;   source_location(File, Line)
     ->  format(atom(Prefix), '~~N~w:~d: ~w', [File, Line, Word])

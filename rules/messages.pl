@@ -176,7 +176,8 @@ fault_en(kind(Term, Kind, Wanted)) -->
       '  Write segment(S, ~w, ~w(...)).'-[Wanted, Name] ].
 fault_en(no_vertices(S, Name)) -->
     [ 'segment ~d has no vertices, and ~p is no primitive'-[S, Name], nl,
-      '  Give facts v/5 and p/3, or a primitive: ' ],
+      '  Give facts v/5 and p/3, an operation (docs/model_files.md), or a \c
+       primitive: ' ],
     primitive_names.
 fault_en(no_edges(S)) -->
     [ 'segment ~d has neither polygons nor edges'-[S], nl,

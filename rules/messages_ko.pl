@@ -175,7 +175,7 @@ fault_ko(kind(Term, Kind, Wanted)) -->
 fault_ko(no_vertices(S, Name)) -->
     [ '세그먼트 ~d 에 꼭지점이 없고 ~p 은(는) 기본 입체가 아닙니다'-[S, Name],
       nl,
-      '  v/5 와 p/3 을 주거나 기본 입체를 쓰십시오: ' ],
+      '  v/5 와 p/3, 연산(docs/model_files.md), 또는 기본 입체를 쓰십시오: ' ],
     primitive_names.
 fault_ko(no_edges(S)) -->
     [ '세그먼트 ~d 에 다각형도 모서리도 없습니다'-[S], nl,

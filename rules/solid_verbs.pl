@@ -6,7 +6,7 @@
 :- use_module(csg, [root_segment/1, is_node/1]).
 :- use_module(csg_evaluate, [evaluate/0]).
 :- use_module(csg_roots, [roots_alone/0]).
-:- use_module(csg_term, [csg_error/1]).
+:- use_module(csg_term, [csg_error/1, plain_name/2]).
 :- use_module(kernel, [census/1]).
 :- use_module(language, [language/1]).
 :- use_module(model, [load_model/2, save_model/1]).
@@ -41,9 +41,9 @@ solid_verb_run(Verb, Files, Options, 0) :-
     outputs(Options, [pl, stl, off, obj, ply], Outputs),
     asked_nodes(Verb, Files, Options),
     evaluate,
-    roots_alone,
     findall(S, root_segment(S), Ss),
     maplist(empty_warned, Ss),
+    roots_alone,
     (   Outputs == []
     ->  summary(Options, Ss)
     ;   maplist(output_written(sg_solid_verbs:solids_output), Outputs)
@@ -141,10 +141,12 @@ by_operand(file(File), Options, By) :-
     file_operand(Options, File, By).
 
 empty_warned(S) :-
-    (   p(S, _, _)
-    ->  true
-    ;   segment(S, _, Name),
+    (   is_node(S),
+        \+ p(S, _, _)
+    ->  segment(S, _, Term),
+        plain_name(Term, Name),
         print_message(warning, sanggwan(empty_result(S, Name)))
+    ;   true
     ).
 
 

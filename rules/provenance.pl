@@ -1,0 +1,161 @@
+:- module(sg_provenance,
+          [ vertex_from/4,              % ?S, ?V, ?S0, ?V0
+            polygon_from/5,             % ?S, ?P, ?S0, ?P0, ?Sense
+            edge_from/3                 % ?S, ?E, ?From
+          ]).
+:- use_module(csg, [is_node/1, is_helper/1]).
+:- use_module(exact, [vertex_exact/5]).
+:- use_module(store,
+              [ e/5, p/3, from_v/4, from_p/5, origin/3, edge_polygon/3 ]).
+:- autoload(library(apply), [maplist/2, maplist/3]).
+:- autoload(library(lists), [member/2]).
+/** <module> Where the vertices, edges and faces of a result come from.
+
+Over from_v/4 and from_p/5, which name the segments that were combined, also
+those that only evaluation made; here these are followed to the leaves of the
+tree. A placed leaf has the numbers of the leaf itself.
+*/
+
+%!  vertex_from(?S, ?V, ?S0, ?V0) is nondet.
+%
+%   True when vertex V of S, a node's boundary, was vertex V0 of the leaf S0.
+%   A vertex that a cut made has an origin/3 instead.
+
+vertex_from(S, V, S0, V0) :-
+    from_v(S, V, S1, V1),
+    (   made(S1)
+    ->  vertex_from(S1, V1, S0, V0)
+    ;   S0 = S1,
+        V0 = V1
+    ).
+
+%!  polygon_from(?S, ?P, ?S0, ?P0, ?Sense) is nondet.
+%
+%   True when polygon P of S, a node's boundary, has a part of polygon P0 of the
+%   leaf S0, or all of it. Sense is 1 if its outside is the same, -1 if it was
+%   turned over, as that of a hole is.
+
+polygon_from(S, P, S0, P0, Sense) :-
+    from_p(S, P, S1, P1, Sense1),
+    (   made(S1)
+    ->  polygon_from(S1, P1, S0, P0, Sense2),
+        Sense is Sense1*Sense2
+    ;   S0 = S1,
+        P0 = P1,
+        Sense = Sense1
+    ).
+
+made(S) :-
+    (   is_helper(S)
+    ->  true
+    ;   is_node(S)
+    ),
+    once(from_p(S, _, _, _, _)).
+
+%!  edge_from(?S, ?E, ?From) is nondet.
+%
+%   True when the half-edge E of S, a node's boundary, came about as From says:
+%
+%     - edge(S0, E0)
+%       it is a part of the edge E0 of the leaf S0, or of its twin, or all of it
+%     - cut(S1-P1, S2-P2)
+%       the polygons P1 and P2 of leaves meet there; that of P1 is the one whose
+%       part E borders
+%
+%   Decided by the origins of its ends, or else exactly by where they are.
+
+edge_from(S, E, From) :-
+    e(S, E, V1, V2, _),
+    twin_polygon(S, E, V1, V2, P, Q),
+    from_p(S, P, S1, P1, _),
+    from_p(S, Q, S2, P2, _),
+    S1-P1 \== S2-P2,
+    (   S1 == S2,
+        common_edge(S1, P1, P2, E1),
+        on_edge(S, V1, S1, E1),
+        on_edge(S, V2, S1, E1),
+        leaf_edge(S1, E1, S0, E0)
+    ->  From = edge(S0, E0)
+    ;   leaf_polygon(S1, P1, Place1),
+        leaf_polygon(S2, P2, Place2),
+        From = cut(Place1, Place2)
+    ).
+
+leaf_polygon(S1, P1, S0-P0) :-
+    (   made(S1)
+    ->  polygon_from(S1, P1, S0, P0, _)
+    ;   S0 = S1,
+        P0 = P1
+    ).
+
+%   leaf_edge(S1, E1, S0, E0): E1 of S1 is edge E0 of the leaf S0, or its twin.
+
+leaf_edge(S1, E1, S0, E0) :-
+    (   made(S1)
+    ->  e(S1, E1, A1, B1, _),
+        from_v(S1, A1, S2, A2),
+        from_v(S1, B1, S2, B2),
+        once(( e(S2, E2, A2, B2, _) ; e(S2, E2, B2, A2, _) )),
+        leaf_edge(S2, E2, S0, E0)
+    ;   S0 = S1,
+        E0 = E1
+    ).
+
+twin_polygon(S, E, V1, V2, P, Q),
+    polygon_from(S, P, S1, P1, _),
+    polygon_from(S, Q, S2, P2, _),
+    S1-P1 \== S2-P2,
+    (   S1 == S2,
+        common_edge(S1, P1, P2, E0),
+        on_edge(S, V1, S1, E0),
+        on_edge(S, V2, S1, E0)
+    ->  From = edge(S1, E0)
+    ;   From = cut(S1-P1, S2-P2)
+    ).
+
+twin_polygon(S, E, V1, V2, P, Q) :-
+    edge_polygon(S, E, P),
+    e(S, Twin, V2, V1, _),
+    edge_polygon(S, Twin, Q).
+
+%   common_edge(S, P, Q, E): E of P has its twin in Q.
+
+common_edge(S, P, Q, E) :-
+    p(S, P, Es),
+    member(E, Es),
+    e(S, E, V1, V2, _),
+    e(S, Twin, V2, V1, _),
+    edge_polygon(S, Twin, Q).
+
+%   on_edge(S, V, S0, E0): V of S lies on the line of edge E0 of S0.
+
+on_edge(S, V, S0, E0) :-
+    e(S0, E0, A, B, _),
+    (   from_v(S, V, S0, V0),
+        ( V0 == A ; V0 == B )
+    ->  true
+    ;   origin(S, v(V), Origin),
+        names_edge(Origin, S0, A, B)
+    ->  true
+    ;   maplist(exact_place, [S-V, S0-A, S0-B], [P, P1, P2]),
+        collinear(P, P1, P2)
+    ).
+
+names_edge(Origin, S0, A, B) :-
+    Origin =.. [_|Parts],
+    member(S0-(C,D), Parts),
+    ( C-D == A-B ; C-D == B-A ).
+
+exact_place(S-V, p(X,Y,Z)) :-
+    once(vertex_exact(S, V, X, Y, Z)).
+
+collinear(p(X0,Y0,Z0), p(X1,Y1,Z1), p(X2,Y2,Z2)) :-
+    A1 is X1-X0,
+    B1 is Y1-Y0,
+    C1 is Z1-Z0,
+    A2 is X2-X0,
+    B2 is Y2-Y0,
+    C2 is Z2-Z0,
+    A1*B2 =:= A2*B1,
+    B1*C2 =:= B2*C1,
+    C1*A2 =:= C2*A1.
