@@ -1,14 +1,15 @@
 :- module(sg_csg_evaluate,
           [ evaluate/0,
             evaluate/1,                 % +S
+            evaluate/2,                 % +Which, +Options
             evaluated/1,                % ?S
             csg_statistics/1,           % -Statistics
             csg_statistics_reset/0
           ]).
-:- use_module(boolean, [boolean/2]).
+:- use_module(boolean, [boolean/3]).
 :- use_module(csg,
               [node/4, root_segment/1, is_node/1, complete_tree/1]).
-:- use_module(csg_flat, [flat_expression/4, expression_leaves/2]).
+:- use_module(csg_flat, [flat_expression/4, flat_leaves/2]).
 :- use_module(csg_matrix,
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module(csg_operands, [check_operands/1]).
@@ -25,7 +26,9 @@
 :- use_module(triangulation, [complete_segments/0]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/2]).
+:- autoload(library(error), [existence_error/2]).
 :- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(option), [option/3]).
 :- autoload(library(ordsets), [ord_memberchk/2]).
 /** <module> Evaluating the CSG tree: the boundaries of nodes.
 
@@ -47,41 +50,50 @@ operation it is their union: the same solid.
 
 %!  evaluate is det.
 %!  evaluate(+S) is det.
+%!  evaluate(+Which, +Options:list) is det.
 %
-%   The boundary of every root, or of node S, is made anew if it is stale. One
-%   transaction. A leaf is its own boundary.
+%   The boundary of every root, or of the node S, is made anew if it is stale.
+%   Which is a segment or `all`. One transaction. A leaf is its own boundary.
+%   Option:
+%
+%     - tolerance(Tolerance)
+%       What is nearer than this (model units) is made to touch first. Default:
+%       as model_tolerance/1 sees the model.
 %
 %   @error existence_error(segment, S); model_error(What) of csg_term.pl;
 %   geometry_error(What) where the geometry cannot be done
 
 evaluate :-
-    findall(S, root_segment(S), Roots),
-    evaluate_all(Roots).
+    evaluate(all, []).
 
 evaluate(S) :-
-    (   segment(S, _, _)
-    ->  evaluate_all([S])
-    ;   throw(error(existence_error(segment, S), _))
-    ).
+    evaluate(S, []).
 
-evaluate_all(Ss) :-
-    catch(facts_transaction(sg_csg_evaluate:all_evaluated(Ss)),
+evaluate(Which, Options) :-
+    (   Which == all
+    ->  findall(S, root_segment(S), Ss)
+    ;   segment(Which, _, _)
+    ->  Ss = [Which]
+    ;   existence_error(segment, Which)
+    ),
+    option(tolerance(Tolerance), Options, default),
+    catch(facts_transaction(sg_csg_evaluate:all_evaluated(Ss, Tolerance)),
           error(model_error(What), nodes(_)),
           throw(error(model_error(What), _))).
 
-all_evaluated(Ss) :-
+all_evaluated(Ss, Tolerance) :-
     complete_tree(Ss),
-    maplist(evaluated_node, Ss),
+    maplist(evaluated_node(Tolerance), Ss),
     unused_helpers_dropped.
 
-evaluated_node(S) :-
+evaluated_node(Tolerance, S) :-
     (   node(S, Operation, Children, _),
         Operation \== leaf
     ->  (   Operation == join
-        ->  maplist(evaluated_node, Children)
+        ->  maplist(evaluated_node(Tolerance), Children)
         ;   true
         ),
-        made_from(S, From),
+        made_from(S, Tolerance, From),
         (   up_to_date(S, From)
         ->  counted(reused)
         ;   stage(rules, renewed(S, From)),
@@ -90,29 +102,29 @@ evaluated_node(S) :-
     ;   true
     ).
 
-%   made_from(S, From): what the boundary of node S is to be made from, a term
+%   made_from(S, Tolerance, From): what the boundary of node S is to be made from, a term
 %   with the stamps of its leaves:
 %
 %     - join(Stamps, Matrix)                 the shells of other segments
 %     - placed(Leaf-Stamp, Matrix)           a leaf once more (csg_flat.pl)
-%     - of(Expression, Surfaces, Stamps)
+%     - of(Expression, Surfaces, Stamps, Tolerance)
 
-made_from(S, From) :-
+made_from(S, _, From) :-
     node(S, join, Children, Steps),
     !,
     steps_matrix(Steps, Matrix0),
     rounded_matrix(Matrix0, Matrix),
     segment_stamps(Children, Stamps),
     From = join(Stamps, Matrix).
-made_from(S, From) :-
+made_from(S, Tolerance, From) :-
     identity_matrix(Identity),
     flat_expression(S, Identity, Expression, Surfaces),
     (   Expression == S
     ->  recorded(S, evaluated(From))    % an instance: made already
-    ;   expression_leaves(Expression, Leaves),
+    ;   flat_leaves(Expression, Leaves),
         append(Leaves, Surfaces, All),
         segment_stamps(All, Stamps),
-        From = of(Expression, Surfaces, Stamps)
+        From = of(Expression, Surfaces, Stamps, Tolerance)
     ).
 
 renewed(S, From) :-
@@ -127,17 +139,22 @@ renewed(S, From) :-
 
 made(join(Stamps, Matrix), S) :-
     forall(member(Child-_, Stamps), copy_segment(Child, Matrix, S)).
-made(of(Expression, Surfaces, _), S) :-
+made(of(Expression, Surfaces, _, Tolerance), S) :-
     rounded_identity(Identity),
     (   integer(Expression)
     ->  copy_segment(Expression, Identity, S)
     ;   Expression == union([])
     ->  true
-    ;   expression_leaves(Expression, Leaves),
+    ;   flat_leaves(Expression, Leaves),
         check_operands(Leaves),
-        boolean(Expression, S)
+        tolerance_options(Tolerance, Options),
+        boolean(Expression, S, Options)
     ),
     forall(member(Surface, Surfaces), copy_segment(Surface, Identity, S)).
+
+tolerance_options(default, []) :-
+    !.
+tolerance_options(Tolerance, [tolerance(Tolerance)]).
 
 rounded_identity(Rounded) :-
     identity_matrix(Identity),
@@ -151,7 +168,7 @@ unused_helpers_dropped :-
     findall(S, ( recorded(S, helper(_)), \+ ord_memberchk(S, Used) ), Unused),
     maplist(segment_dropped, Unused).
 
-from_segment(of(_, _, Stamps), S) :-
+from_segment(of(_, _, Stamps, _), S) :-
     member(S-_, Stamps).
 from_segment(join(Stamps, _), S) :-
     member(S-_, Stamps).
@@ -173,8 +190,12 @@ evaluated(S) :-
     facts_snapshot(sg_csg_evaluate:is_current(S)).
 
 is_current(S) :-
-    recorded(S, evaluated(_)),
-    made_from(S, From),
+    recorded(S, evaluated(From0)),
+    (   From0 = of(_, _, _, Tolerance)
+    ->  true
+    ;   Tolerance = default
+    ),
+    made_from(S, Tolerance, From),
     up_to_date(S, From),
     (   node(S, join, Children, _)
     ->  forall(( member(Child, Children), is_node(Child) ), is_current(Child))

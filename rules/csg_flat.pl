@@ -1,6 +1,6 @@
 :- module(sg_csg_flat,
           [ flat_expression/4,          % +S, +Matrix, -Expression, -Surfaces
-            expression_leaves/2         % +Expression, -Leaves
+            flat_leaves/2         % +Expression, -Leaves
           ]).
 :- use_module(csg, [node/4]).
 :- use_module(csg_half_space, [half_space/3]).
@@ -77,7 +77,7 @@ combined(split(outside), [E1,E2], _, Expression, State, State) :-
 combined(split(Plane0, Side), [E], Matrix, Expression, Known0-Surfaces,
          Known-Surfaces) :-
     matrix_plane(Matrix, Plane0, Plane),
-    expression_leaves(E, Leaves),
+    flat_leaves(E, Leaves),
     leaves_half(Leaves, Plane, Half),
     half_expression(Half, HalfExpression, Known0, Known),
     (   Side == below
@@ -140,11 +140,11 @@ above(none, E, E).
 above(half(K), E, Expression) :-
     less(E, [K], Expression).
 
-%!  expression_leaves(+Expression, -Leaves) is det.
+%!  flat_leaves(+Expression, -Leaves) is det.
 %
 %   Leaves are the segments in Expression, ascending.
 
-expression_leaves(Expression, Leaves) :-
+flat_leaves(Expression, Leaves) :-
     leaves(Expression, Leaves0, []),
     sort(Leaves0, Leaves).
 

@@ -17,7 +17,7 @@
             edge_facets/2,              % ?Edge, -Facets
             shell_facets/2              % +Facet, -Facets
           ]).
-:- use_module(csg_evaluate, [evaluate/0]).
+:- use_module(csg_evaluate, [evaluate/2]).
 :- use_module(mesh, [read_mesh/3, write_mesh/3, mesh_ending/2]).
 :- use_module(model_file, [read_model/1]).
 :- use_module(model_writer, [write_model/1]).
@@ -54,12 +54,14 @@ words of GLOSSARY.md. A thing is named by its segment and its number:
 %
 %   Add the models in Files, one name or a list of names, to the current
 %   world: their segments side by side, each polygon with its plane and
-%   triangles, the roots of CSG trees with their boundaries. The ending says what a file is: `.pl` facts, or a mesh (`.stl`,
-%   `.off`, `.obj`, `.ply`). `-` is standard input. All of them, or none.
+%   triangles, the roots of CSG trees with their boundaries. The ending says
+%   what a file is: `.pl` facts, or a mesh (`.stl`, `.off`, `.obj`, `.ply`). `-`
+%   is standard input. All of them, or none.
 %   Options:
 %
 %     - from(Format): what standard input is (default `pl`)
 %     - triangles(false): do without planes and triangles
+%     - tolerance(T): see evaluate/2
 %     - evaluate(false): do without the boundaries of nodes (csg.pl)
 %
 %   @error error(model_error(What), location(File, Line, Column))
@@ -81,7 +83,7 @@ load_model(Files0, Options) :-
           ),
           (   option(evaluate(false), Options)
           ->  true
-          ;   evaluate
+          ;   evaluate(all, Options)
           ) )).
 
 %   file_name(Text, File): names may be given as "text".

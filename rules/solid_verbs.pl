@@ -4,7 +4,7 @@
             solid_verb_run/4            % +Verb, +Files, +Options, -Status
           ]).
 :- use_module(csg, [root_segment/1, is_node/1]).
-:- use_module(csg_evaluate, [evaluate/0]).
+:- use_module(csg_evaluate, [evaluate/2]).
 :- use_module(csg_roots, [roots_alone/0]).
 :- use_module(csg_term, [csg_error/1, plain_name/2]).
 :- use_module(kernel, [census/1]).
@@ -40,7 +40,7 @@ solid_verb_run(Verb, Files, Options, 0) :-
     enough_files(Verb, Files),
     outputs(Options, [pl, stl, off, obj, ply], Outputs),
     asked_nodes(Verb, Files, Options),
-    evaluate,
+    evaluate(all, Options),
     findall(S, root_segment(S), Ss),
     maplist(empty_warned, Ss),
     roots_alone,

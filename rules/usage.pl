@@ -110,6 +110,9 @@ verb_option(Verb, option(output, o, each, 'FILE',
 verb_option(Verb, option(format, '', one_of([pl, stl, off, obj, ply]),
     'FORMAT', 'the format for -o -')) :-
     solid_verb(Verb).
+verb_option(Verb, option(tolerance, '', number(0), 'T',
+    'what is nearer than T (model units) touches; 0: nothing else does')) :-
+    solid_verb(Verb).
 verb_option(split, option(plane, '', value, 'A,B,C,D',
     'the plane A*X + B*Y + C*Z + D = 0')).
 verb_option(split, option(by, '', value, 'MODEL', 'a solid')).
