@@ -22,9 +22,9 @@
 /** <module> The CSG tree: nodes, operands, roots.
 
 A segment whose term is an operation (csg_term.pl) is a *node*; its boundary is
-its own rows, made by csg_evaluate.pl. Other segments are *leaves*. A segment may
-be an operand of several nodes, so the tree is a graph without cycles. What is no
-operand is a *root*: the model that is drawn, checked and written.
+its own rows, made by csg_evaluate.pl. Other segments are *leaves*. A segment
+may be an operand of several nodes, so the tree is a graph without cycles. What
+is no operand is a *root*: the model that is drawn, checked and written.
 
 Helpers are leaves that evaluation makes: a leaf placed elsewhere, a half-space.
 They have origin(S, node(S), helper(From)) and are neither roots nor written.

@@ -38,9 +38,10 @@ from the leaves, at once and exactly: nothing is rounded between nodes. The
 boundary is the node's own rows.
 
 With it is remembered what it was made from: the expression, and the stamps of
-the leaves in it (csg_record.pl). While these are the same nothing is done again.
-So editing a leaf, or a placement, makes those nodes stale that it is under, and
-no others; and undo, which brings back rows and stamps, needs no evaluation.
+the leaves in it (csg_record.pl). While these are the same nothing is done
+again. So editing a leaf, or a placement, makes those nodes stale that it is
+under, and no others; and undo, which brings back rows and stamps, needs no
+evaluation.
 
 A `join` puts the boundaries of its operands side by side. Under another
 operation it is their union: the same solid.
@@ -102,8 +103,8 @@ evaluated_node(Tolerance, S) :-
     ;   true
     ).
 
-%   made_from(S, Tolerance, From): what the boundary of node S is to be made from, a term
-%   with the stamps of its leaves:
+%   made_from(S, Tolerance, From): what the boundary of node S is to be made
+%   from, a term with the stamps of its leaves:
 %
 %     - join(Stamps, Matrix)                 the shells of other segments
 %     - placed(Leaf-Stamp, Matrix)           a leaf once more (csg_flat.pl)

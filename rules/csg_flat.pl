@@ -21,7 +21,8 @@
 
 Placements are multiplied down. A leaf in its own place stands for itself;
 placed elsewhere it is an *instance*, a segment of its own, made once for equal
-placements: a `same` node of the user, or a helper. A half-space is a helper too.
+placements: a `same` node of the user, or a helper. A half-space is a helper
+too.
 
 An expression is the number of a segment, union(List), intersection(List) or
 difference(List). union([]) is nothing, and then the whole expression.
@@ -257,8 +258,8 @@ box_union(box(A1,B1,C1,D1,E1,F1), box(A2,B2,C2,D2,E2,F2),
     E is max(E1, E2),
     F is max(F1, F2).
 
-%   half_expression(Half, What, Known0, Known): What is `all`, `none` or half(K),
-%   K the helper that is the primitive Half.
+%   half_expression(Half, What, Known0, Known): What is `all`, `none` or
+%   half(K), K the helper that is the primitive Half.
 
 half_expression(Half, What, Known, Known) :-
     atom(Half),

@@ -42,8 +42,8 @@ part(Length, A, X) :-
 
 %   tetrahedron(N, Plane, Centre, Height, R, Half): its face is the triangle in
 %   Plane round the foot of Centre with a circle of radius 2 R in it; its apex
-%   lies 5 R below. So a ball of radius R round Centre is inside, as far as it is
-%   below Plane.
+%   lies 5 R below. So a ball of radius R round Centre is inside, as far as it
+%   is below Plane.
 
 tetrahedron(N, Plane, Centre, Height, R, Half) :-
     frame(N, U, V),

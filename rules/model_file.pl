@@ -121,6 +121,7 @@ less(S0, DS, S) :-
     !,
     S is S0-DS.
 less(Fault0, DS, Fault) :-
+    compound(Fault0),
     compound_name_arguments(Fault0, Name, Parts0),
     memberchk(Name, [missing, cycle, curve, surface]),
     maplist(part_less(DS), Parts0, Parts),

@@ -25,10 +25,10 @@ read_model/1 brings back the same relations.
 
 Where the edges of a segment are just what read_model/1 makes from vertex
 lists, as after reading vertex lists or a mesh, its polygons are written as
-vertex lists and e/5 is left out. Vertices of a segment that has no edges are
-written as curves of one point. Of a node of the CSG tree only segment/3 is
-written, as its boundary follows from it. The picture (screen/5, drawn/7) is computed
-and never written.
+vertex lists and e/5 is left out. Vertices of a segment that has no edges
+are written as curves of one point. Of a node of the CSG tree only segment/3 is
+written, as its boundary follows from it. The picture (screen/5, drawn/7) is
+computed and never written.
 */
 
 %!  write_model(+File) is det.
@@ -49,7 +49,7 @@ write_model_to(Stream) :-
     write_line(Stream, '% Sanggwan model. One fact a line, in order.'),
     all_segments(Ss),
     forall(member(S, Ss), write_segment(Stream, S)),
-    write_rows(Stream, L, line(L, _, _, _, _, _, _, _, _)),
+    write_lines(Stream),
     write_rows(Stream, 1, view(_, _, _)),
     write_rows(Stream, 1, projection(_)).
 
@@ -84,6 +84,18 @@ write_segment(Stream, S) :-
     write_origins(Stream, S),
     write_rows(Stream, V4, from_v(S, V4, _, _)),
     write_rows(Stream, P4-S0-P0, from_p(S, P4, S0, P0, _)).
+
+%   write_lines(Stream): but for those of nodes, whose polygons are not written.
+
+write_lines(Stream) :-
+    findall(S, ( segment(S, _, _), is_node(S) ), Nodes),
+    findall(L-line(L, S1, P1, A1, B1, S2, P2, A2, B2),
+            ( line(L, S1, P1, A1, B1, S2, P2, A2, B2),
+              \+ memberchk(S1, Nodes),
+              \+ memberchk(S2, Nodes) ),
+            Rows0),
+    keysort(Rows0, Rows),
+    forall(member(_-Fact, Rows), write_fact(Stream, Fact)).
 
 %   write_origins(Stream, S): but for what is remembered of this world alone
 %   (csg_record.pl).

@@ -106,7 +106,7 @@ say(Language, Line, Arguments) :-
 
 %!  counted(+Language, +What, +N, -Text) is det.
 %
-%   Text is a string such as "1 edge", "2 edges", "모서리 2개"; What is `vertex`,
+%   Text is a string such as "1 edge", "2 edges"; What is `vertex`,
 %   `edge`, ...
 
 counted(en, What, N, Text) :-
