@@ -1,7 +1,8 @@
 :- module(sg_bezier,
           [ bezier_shape/2              % +Given, -Shape
           ]).
-:- use_module(primitive_argument, [given/3, primitive_error/2]).
+:- use_module(primitive_argument,
+              [given/3, primitive_error/2, vertices_within/2]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
 :- autoload(library(lists),
@@ -27,7 +28,8 @@ most_facets(1000).
 %
 %   @error patch_points(K, N) of a patch of N points, not 16;
 %   unknown_point(K, V), no_faces, patches_clash(K, L) of patches that run
-%   along an edge the same way, both(facets, tolerance), too_many(N)
+%   along an edge the same way, both(facets, tolerance), too_many(N),
+%   too_many_vertices(N, Most)
 
 bezier_shape(Given, shape(Points, Faces, Surfaces)) :-
     Given = given(Term, _, _),
@@ -35,6 +37,9 @@ bezier_shape(Given, shape(Points, Faces, Surfaces)) :-
     patch_lists(Given, Controls, Lists),
     control_points(Lists, 1, Controls, Term, Patches),
     patch_facets(Given, Patches, N),
+    length(Patches, Count),
+    Vertices is Count*(N+1)*(N+1),
+    vertices_within(Vertices, Given),
     weights(N, Weights),
     empty_assoc(Known),
     patches_added(Patches, 1, N-Weights, net(1, Known, []), Net, FaceLists),

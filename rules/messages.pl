@@ -8,6 +8,7 @@
           ]).
 :- use_module(csg_en, [csg_en//1]).
 :- use_module(explain_en, [statement_en//1]).
+:- use_module(openscad_en, [openscad_en//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
 :- autoload(library(apply), [maplist/3]).
@@ -376,6 +377,8 @@ notice_en(not_utf8(File, Line)) -->
                 *             mesh             *
                 *******************************/
 
+fault_en(openscad(What)) -->
+    openscad_en(What).
 fault_en(mesh(Fault)) -->
     mesh_en(Fault).
 fault_en(mesh(Fault, Byte)) -->

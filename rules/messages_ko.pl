@@ -8,6 +8,7 @@
                manual_page//1]).
 :- use_module(csg_ko, [csg_ko//1]).
 :- use_module(explain_ko, [statement_ko//1]).
+:- use_module(openscad_ko, [openscad_ko//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(primitive_ko, [primitive_ko//2]).
@@ -360,6 +361,8 @@ notice_ko(not_utf8(File, Line)) -->
                 *             mesh             *
                 *******************************/
 
+fault_ko(openscad(What)) -->
+    openscad_ko(What).
 fault_ko(mesh(Fault)) -->
     mesh_ko(Fault).
 fault_ko(mesh(Fault, Byte)) -->

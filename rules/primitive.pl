@@ -12,9 +12,10 @@
                 step_motion/2
               ]).
 :- use_module(primitive_argument, [given_values/4, primitive_error/2]).
+:- use_module(primitive_extrusion, [prism_shape/2, pyramid_shape/2]).
 :- use_module(primitive_flat,
-              [ box_shape/2, line_shape/2, polyhedron_shape/2, prism_shape/2,
-                pyramid_shape/2, rectangle_shape/2, sheet_shape/2
+              [ box_shape/2, line_shape/2, polyhedron_shape/2,
+                rectangle_shape/2, sheet_shape/2
               ]).
 :- use_module(primitive_globe,
               [egg_shape/2, hemisphere_shape/2, sphere_shape/2, torus_shape/2]).
@@ -134,22 +135,27 @@ primitive_row(torus, solid,
 primitive_row(pyramid, solid,
               [ argument(base, [[length, length]], none),
                 argument(outline, [[points2]], none),
+                argument(holes, [[loops2]], [[]]),
                 argument(height, [[length]], needed),
                 Shift
               ],
               pyramid_shape,
               'pyramid(base(A, B), height(H), shift(X, Y)), \c
-               or outline([[X, Y], ...])') :-
+               or outline([[X, Y], ...]), holes([[[X, Y], ...], ...])') :-
     shift(Shift).
 primitive_row(prism, solid,
               [ argument(outline, [[points2]], needed),
                 argument(holes, [[loops2]], [[]]),
                 argument(height, [[length]], needed),
+                argument(twist, [[number]], [0.0]),
+                argument(scale, [[factor], [factor, factor]], [1.0]),
+                argument(slices, [[count]], none),
                 Shift
               ],
               prism_shape,
               'prism(outline([[X, Y], ...]), holes([[[X, Y], ...], ...]), \c
-               height(H), shift(X, Y))') :-
+               height(H), shift(X, Y), twist(Degrees), scale(FX, FY), \c
+               slices(N))') :-
     shift(Shift).
 primitive_row(turning, solid,
               [ argument(outline, [[points2]], needed),

@@ -5,6 +5,7 @@
             given/3,                    % +Given, +Name, -Value
             given_one/3,                % +Given, +Names, -NameValue
             given_facets/4,             % +Given, +Radius, +Degrees, -N
+            vertices_within/2,          % +Count, +Given
             primitive_error/2           % +What, +Term
           ]).
 :- use_module(angle, [chord_facets/4]).
@@ -27,6 +28,7 @@ out and has no default); Stretch is the greatest factor of the placing.
 
 default_facets(40).
 most_facets(1_000_000).
+most_vertices(10_000_000).
 
 %!  given_values(+Given, +Wanted, +Term, -Values) is det.
 %
@@ -106,6 +108,9 @@ argument_number(length, Value, _, Number) :-
     finite_number(Value, Number),
     Number > 0.0.
 argument_number(radius, Value, _, Number) :-
+    finite_number(Value, Number),
+    Number >= 0.0.
+argument_number(factor, Value, _, Number) :-
     finite_number(Value, Number),
     Number >= 0.0.
 argument_number(number, Value, _, Number) :-
@@ -234,6 +239,19 @@ given_facets(Given, Radius, Degrees, N) :-
     ;   N > Most
     ->  primitive_error(too_many(N), Term)
     ;   true
+    ).
+
+%!  vertices_within(+Count, +Given) is det.
+%
+%   Called before any vertices are made.
+%
+%   @error too_many_vertices(Count, Most)
+
+vertices_within(Count, given(Term, _, _)) :-
+    most_vertices(Most),
+    (   Count =< Most
+    ->  true
+    ;   primitive_error(too_many_vertices(Count, Most), Term)
     ).
 
 %!  primitive_error(+What, +Term) is failure.

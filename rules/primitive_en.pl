@@ -78,6 +78,17 @@ primitive_en(too_many(N), Term) -->
     { primitive_name(Term, Name) },
     [ 'this ~w would have ~d facets in one way'-[Name, N], nl,
       '  Give a larger tolerance, or fewer facets.' ].
+primitive_en(too_many_vertices(N, Most), Term) -->
+    { primitive_name(Term, Name) },
+    [ 'this ~w would have ~D vertices; a primitive may have ~D'-
+          [Name, N, Most], nl,
+      '  Give a larger tolerance, or fewer facets, bands or slices.' ].
+primitive_en(few_slices(N, Least), _) -->
+    [ 'this twist needs ~d slices or more, not ~d'-[Least, N], nl,
+      '  A slice turns less than half a turn.' ].
+primitive_en(flat_scale, Term) -->
+    [ 'one factor of scale(...) is 0, the other is not: ~p'-[Term], nl,
+      '  Give two above 0, or scale(0) for an apex.' ].
 primitive_en(no_step(Step), _) -->
     [ '~p is no step'-[Step], nl,
       '  There are translate(X, Y, Z), rotate(x, Degrees), \c
@@ -187,6 +198,7 @@ type_en(length, 'a length above 0').
 type_en(radius, 'a radius from 0').
 type_en(facets, 'a whole number from 3 to 1000000').
 type_en(count, 'a whole number from 1 to 1000000').
+type_en(factor, 'a factor from 0').
 type_en(number, 'a number').
 type_en(turn, 'an angle above 0, to 360').
 type_en(points2, 'a list of points [X, Y]').

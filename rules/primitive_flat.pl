@@ -2,19 +2,16 @@
           [ box_shape/2,                % +Given, -Shape
             rectangle_shape/2,          % +Given, -Shape
             line_shape/2,               % +Given, -Shape
-            prism_shape/2,              % +Given, -Shape
-            pyramid_shape/2,            % +Given, -Shape
             polyhedron_shape/2,         % +Given, -Shape
             sheet_shape/2               % +Given, -Shape
           ]).
 :- use_module(primitive_argument,
-              [given/3, given_one/3, primitive_error/2]).
-:- use_module(outline, [outline_loops/4]).
+              [given/3, primitive_error/2]).
 :- use_module(polygon_list, [polygon_fault/2, vertex_list_edges/2]).
-:- use_module(shape, [layer_faces/4, vertex_loops/3]).
+:- use_module(shape, [layer_faces/4, rectangle_loop/3]).
 :- autoload(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- autoload(library(lists),
-            [append/2, append/3, member/2, numlist/3, reverse/2, sum_list/2]).
+            [append/2, append/3, member/2, numlist/3, sum_list/2]).
 :- autoload(library(ordsets), [ord_subtract/3]).
 /** <module> Primitives with flat faces. For shapes see shape.pl.
 */
@@ -44,78 +41,22 @@ rectangle_shape(Given, shape(Points, [face(front, [[1, 2, 3, 4]])], [])) :-
     rectangle_loop(A, B, Loop),
     maplist(lifted([0.0, 0.0, 0.0]), Loop, Points).
 
-rectangle_loop(A, B, [X0-Y0, X1-Y0, X1-Y1, X0-Y1]) :-
-    X1 is A/2.0,
-    X0 is -X1,
-    Y1 is B/2.0,
-    Y0 is -Y1.
-
 lifted([X0, Y0, Z], X1-Y1, point(X, Y, Z)) :-
     X is X1 + X0,
     Y is Y1 + Y0.
 
 %!  box_shape(+Given, -Shape) is det.
 
-box_shape(Given, Shape) :-
+box_shape(Given, shape(Points, Faces, [])) :-
     given(Given, size, [A, B, H]),
     rectangle_loop(A, B, Loop),
-    layered([Loop], [0.0, 0.0], H, Shape).
-
-%   layered(Loops, Shift, H, Shape): a base at z = 0 and the same at z = H.
-
-layered(Loops, [X, Y], H, shape(Points, Faces, [])) :-
-    append(Loops, Flat),
-    maplist(lifted([0.0, 0.0, 0.0]), Flat, Low),
-    maplist(lifted([X, Y, H]), Flat, High),
+    maplist(lifted([0.0, 0.0, 0.0]), Loop, Low),
+    maplist(lifted([0.0, 0.0, H]), Loop, High),
     append(Low, High, Points),
-    vertex_loops(Loops, Numbers, Count),
-    side_labels(Count, Labels),
-    layer_faces(Numbers, Count, Labels, Faces).
-
-side_labels(Count, Labels) :-
-    numlist(1, Count, Is),
-    maplist(side_label, Is, Labels).
+    maplist(side_label, [1, 2, 3, 4], Labels),
+    layer_faces([[1, 2, 3, 4]], 4, Labels, Faces).
 
 side_label(I, side(I)).
-
-%!  prism_shape(+Given, -Shape) is det.
-%
-%   The outline with its holes, drawn up.
-%
-%   @error see outline_loops/4
-
-prism_shape(Given, Shape) :-
-    Given = given(Term, _, _),
-    given(Given, outline, [Outline]),
-    given(Given, holes, [Holes]),
-    given(Given, height, [H]),
-    given(Given, shift, Shift),
-    outline_loops(Outline, Holes, Term, Loops),
-    layered(Loops, Shift, H, Shape).
-
-%!  pyramid_shape(+Given, -Shape) is det.
-%
-%   @error see outline_loops/4
-
-pyramid_shape(Given, shape(Points, [face(base, [Base])|Sides], [])) :-
-    given_one(Given, [base, outline], What),
-    given(Given, height, [H]),
-    given(Given, shift, [X, Y]),
-    base_loop(What, Given, Loop),
-    maplist(lifted([0.0, 0.0, 0.0]), Loop, Low),
-    append(Low, [point(X, Y, H)], Points),
-    vertex_loops([Loop], [Numbers], N),
-    reverse(Numbers, Base),
-    Apex is N+1,
-    maplist(pyramid_side(N, Apex), Numbers, Sides).
-
-base_loop(base-[A, B], _, Loop) :-
-    rectangle_loop(A, B, Loop).
-base_loop(outline-[Outline], given(Term, _, _), Loop) :-
-    outline_loops(Outline, [], Term, [Loop]).
-
-pyramid_side(N, Apex, I, face(side(I), [[I, J, Apex]])) :-
-    J is I mod N + 1.
 
 
                 /*******************************

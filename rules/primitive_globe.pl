@@ -6,7 +6,7 @@
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
 :- use_module(primitive_argument,
-              [given/3, given_facets/4, primitive_error/2]).
+              [given/3, given_facets/4, primitive_error/2, vertices_within/2]).
 :- use_module(shape, [ring_points/6, round_angle/4]).
 :- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- autoload(library(lists), [append/2, append/3, numlist/3, reverse/2]).
@@ -55,7 +55,9 @@ counts(Given, A, B, Heights, Degrees, N, M) :-
     ;   given(Given, tolerance, none)
     ->  M is max(1, ceiling(N*Degrees rdiv 360))
     ;   given_facets(Half, Greatest, Degrees, M)
-    ).
+    ),
+    Vertices is N*M,
+    vertices_within(Vertices, Given).
 
 greater(A, B, C) :-
     C is max(A, B).
@@ -210,6 +212,8 @@ torus_shape(Given, shape(Points, Faces, [torus-Surface])) :-
     Outermost is R+Tube,
     given_facets(Half, Outermost, 360, N),
     tube_sides(Given, Half, Tube, N, M),
+    Vertices is N*M,
+    vertices_within(Vertices, Given),
     numlist(1, M, Js),
     maplist(torus_row(R, Tube, N, M), Js, Rows),
     append(Rows, Points),

@@ -57,6 +57,17 @@ primitive_ko(too_many(N), Term) -->
     { primitive_name(Term, Name) },
     [ '이 ~w 은(는) 한 방향으로 면이 ~d 개가 됩니다'-[Name, N], nl,
       '  허용 오차를 키우거나 면의 수를 줄이십시오.' ].
+primitive_ko(too_many_vertices(N, Most), Term) -->
+    { primitive_name(Term, Name) },
+    [ '이 ~w 은(는) 꼭짓점이 ~D 개가 됩니다. 프리미티브에는 ~D 개까지 됩니다'-
+          [Name, N, Most], nl,
+      '  허용 오차를 키우거나 면, 띠, 층의 수를 줄이십시오.' ].
+primitive_ko(few_slices(N, Least), _) -->
+    [ '이 twist 에는 층이 ~d 개 아니라 ~d 개 이상 있어야 합니다'-[N, Least],
+      nl, '  한 층은 반 바퀴보다 적게 돕니다.' ].
+primitive_ko(flat_scale, Term) -->
+    [ 'scale(...) 의 배율 하나만 0 입니다: ~p'-[Term], nl,
+      '  둘 다 0보다 크게 하거나, 꼭대기가 점이면 scale(0) 을 주십시오.' ].
 primitive_ko(no_step(Step), _) -->
     [ '~p 은(는) 배치 단계가 아닙니다'-[Step], nl,
       '  translate(X, Y, Z), rotate(x, Degrees), \c
@@ -167,6 +178,7 @@ type_ko(length, '0보다 큰 길이').
 type_ko(radius, '0 이상의 반지름').
 type_ko(facets, '3에서 1000000까지의 정수').
 type_ko(count, '1에서 1000000까지의 정수').
+type_ko(factor, '0 이상의 배율').
 type_ko(number, '수').
 type_ko(turn, '0보다 크고 360 이하인 각').
 type_ko(points2, '점 [X, Y] 의 리스트').

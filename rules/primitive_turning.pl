@@ -3,7 +3,7 @@
           ]).
 :- use_module(outline, [outline_loops/4]).
 :- use_module(primitive_argument,
-              [given/3, given_facets/4, primitive_error/2]).
+              [given/3, given_facets/4, primitive_error/2, vertices_within/2]).
 :- use_module(angle, [exact_sin_cos/3]).
 :- use_module(shape, [round_angle/4]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
@@ -24,7 +24,8 @@ For shapes see shape.pl.
 
 %!  turning_shape(+Given, -Shape) is det.
 %
-%   @error those of outline_loops/4; across_axis(R, Z), point_on_axis(Z)
+%   @error those of outline_loops/4; across_axis(R, Z), point_on_axis(Z),
+%   too_many_vertices(N, Most)
 
 turning_shape(Given, shape(Points, Faces, Surfaces)) :-
     Given = given(Term, _, _),
@@ -37,6 +38,9 @@ turning_shape(Given, shape(Points, Faces, Surfaces)) :-
     findall(R, ( member(Loop, Loops), member(R-_, Loop) ), Rs),
     max_list(Rs, Greatest),
     given_facets(Given, Greatest, Degrees, N),
+    length(Rs, Count),
+    Vertices is Count*(N+1),
+    vertices_within(Vertices, Given),
     Turn = turn(N, Degrees),
     foldl(loop_rows(Turn), Loops, RowLoops, 1, _),
     row_points(Turn, RowLoops, Points),

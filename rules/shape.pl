@@ -1,5 +1,6 @@
 :- module(sg_shape,
           [ ring_points/6,              % +Radii, +Centre, +N, +From, +To, -Ps
+            rectangle_loop/3,           % +A, +B, -Loop
             round_angle/4,              % +N, +Degrees, +I, -Angle
             layer_faces/4,              % +Loops, +Shift, +Labels, -Faces
             vertex_loops/3,             % +Loops, -Numbers, -Count
@@ -38,6 +39,17 @@ ring_point(A-B, point(X0, Y0, Z), N, I, point(X, Y, Z)) :-
     exact_sin_cos(Angle, Sin, Cos),
     X is A*Cos + X0,
     Y is B*Sin + Y0.
+
+%!  rectangle_loop(+A, +B, -Loop) is det.
+%
+%   Loop are the corners X-Y of a rectangle, A along x and B along y, round the
+%   origin.
+
+rectangle_loop(A, B, [X0-Y0, X1-Y0, X1-Y1, X0-Y1]) :-
+    X1 is A/2.0,
+    X0 is -X1,
+    Y1 is B/2.0,
+    Y0 is -Y1.
 
 %!  round_angle(+N, +Degrees, +I, -Angle) is det.
 %

@@ -1,0 +1,267 @@
+:- module(sg_region,
+          [ region_islands/2,           % +Region, -Islands
+            region_moved/3              % +Matrix, +Region0, -Region
+          ]).
+:- use_module(planar_map, [planar_map/2, map_border/3, map_point/3]).
+:- autoload(library(apply),
+            [exclude/3, foldl/4, maplist/2, maplist/3, partition/4]).
+:- autoload(library(lists),
+            [append/2, append/3, last/2, member/2, reverse/2, sum_list/2]).
+/** <module> Regions of the plane: Boolean operations on polygons.
+
+A region is
+
+    loops([Loop, ...])         what the loops, lists of X-Y, go round oddly often
+    union([Region, ...])   intersection([Region, ...])
+    difference([Region, ...])  the first without the others
+
+Its border is found exactly, all edges at once (planar_map.pl), and rounded
+once; if rounding makes anything cross, that is resolved in the same way.
+*/
+
+%!  region_moved(+Matrix, +Region0, -Region) is det.
+%
+%   Region is Region0 after X' = A*X + B*Y + C, Y' = D*X + E*Y + F, with Matrix
+%   = [[A, B, C], [D, E, F]]. Rounded.
+
+region_moved(Matrix, loops(Loops0), Region) :-
+    !,
+    Region = loops(Loops),
+    maplist(maplist(point_moved(Matrix)), Loops0, Loops).
+region_moved(Matrix, Region0, Region) :-
+    Region0 =.. [Operation, Regions0],
+    maplist(region_moved(Matrix), Regions0, Regions),
+    Region =.. [Operation, Regions].
+
+point_moved([[A, B, C], [D, E, F]], X0-Y0, X-Y) :-
+    X is A*X0 + B*Y0 + C + 0.0,
+    Y is D*X0 + E*Y0 + F + 0.0.
+
+%!  region_islands(+Region, -Islands) is det.
+%
+%   Islands are the parts of Region that hang together, each island(Outline,
+%   Holes, Bays): Outline a counter-clockwise loop, Holes the clockwise loops of
+%   its holes. Bays are those of holes that touch another loop in a point. No
+%   loop meets itself, and no three points in a row are on one line. Of a region
+%   without area, none.
+
+region_islands(Region, Islands) :-
+    region_loops(Region, 5, Loops),
+    partition(counter_clockwise, Loops, Outlines, Holes),
+    maplist(hole_place(Outlines), Holes, Places),
+    maplist(island(Places), Outlines, Islands).
+
+counter_clockwise(loop(Points, _, _)) :-
+    area2(Points, Area),
+    Area > 0.
+
+%   region_loops(Region, Rounds, Loops): Loops are loop(Points, Touching,
+%   Middle): points of rationals that are floats; whether it touches; a point of
+%   it that no other loop has.
+
+region_loops(Region, Rounds, Loops) :-
+    figures(Region, Figures, Inside),
+    planar_map(Figures, Map),
+    map_border(Map, holds(Inside), Cycles),
+    maplist(simple_cycles, Cycles, Simple0),
+    append(Simple0, Simple),
+    shared_points(Simple, Shared),
+    maplist(cycle_loop(Map, Shared), Simple, Loops0),
+    (   Rounds > 0,
+        member(loop(Points, _, _), Loops0),
+        \+ maplist(is_rounded, Points)
+    ->  maplist(rounded_loop, Loops0, Rounded),
+        Rounds1 is Rounds-1,
+        region_loops(loops(Rounded), Rounds1, Loops)
+    ;   Loops = Loops0
+    ).
+
+is_rounded(p(X, Y)) :-
+    rational(float(X)) =:= X,
+    rational(float(Y)) =:= Y.
+
+rounded_loop(loop(Points, _, _), Loop) :-
+    maplist(rounded_point, Points, Loop).
+
+rounded_point(p(X0, Y0), X-Y) :-
+    X is float(X0) + 0.0,
+    Y is float(Y0) + 0.0.
+
+
+                /*******************************
+                *            INSIDE            *
+                *******************************/
+
+%   figures(Region, Figures, Inside): Figures are the leaves of Region, and
+%   Inside says with their bits what is inside: all(Mask, Others),
+%   any(Mask, Others), minus(One, Other).
+
+figures(Region, Figures, Inside) :-
+    inside(Region, Inside, 0, _, Figures, []).
+
+inside(loops(Loops), all(Mask, []), N0, N, [Loops|Figures], Figures) :-
+    Mask is 1<<N0,
+    N is N0+1.
+inside(union(Regions), any(Mask, Others), N0, N, Figures0, Figures) :-
+    insides(Regions, Insides, N0, N, Figures0, Figures),
+    gathered(Insides, Mask, Others).
+inside(intersection(Regions), all(Mask, Others), N0, N, Figures0, Figures) :-
+    insides(Regions, Insides, N0, N, Figures0, Figures),
+    gathered(Insides, Mask, Others).
+inside(difference([First|Rest]), minus(Inside1, any(Mask, Others)), N0, N,
+       Figures0, Figures) :-
+    inside(First, Inside1, N0, N1, Figures0, Figures1),
+    insides(Rest, Insides, N1, N, Figures1, Figures),
+    gathered(Insides, Mask, Others).
+
+insides([], [], N, N, Figures, Figures).
+insides([Region|Regions], [Inside|Insides], N0, N, Figures0, Figures) :-
+    inside(Region, Inside, N0, N1, Figures0, Figures1),
+    insides(Regions, Insides, N1, N, Figures1, Figures).
+
+%   gathered(Insides, Mask, Others): the leaves in one mask.
+
+gathered(Insides, Mask, Others) :-
+    partition(is_leaf, Insides, Leaves, Others),
+    foldl(with_mask, Leaves, 0, Mask).
+
+is_leaf(all(Mask, [])) :-
+    Mask /\ (Mask-1) =:= 0.
+
+with_mask(all(Mask, _), Mask0, Mask1) :-
+    Mask1 is Mask0 \/ Mask.
+
+%   holds(Inside, Bits)
+
+holds(all(Mask, Others), Bits) :-
+    Bits /\ Mask =:= Mask,
+    \+ ( member(Other, Others), \+ holds(Other, Bits) ).
+holds(any(Mask, Others), Bits) :-
+    (   Bits /\ Mask =\= 0
+    ->  true
+    ;   member(Other, Others),
+        holds(Other, Bits)
+    ->  true
+    ).
+holds(minus(One, Other), Bits) :-
+    holds(One, Bits),
+    \+ holds(Other, Bits).
+
+
+                /*******************************
+                *             LOOPS            *
+                *******************************/
+
+%   simple_cycles(Cycle, Cycles): at a point where it comes by again, a cycle is
+%   two.
+
+simple_cycles(Cycle, Cycles) :-
+    simple(Cycle, [], Cycles).
+
+%   simple(Vs, Path, Cycles): Path is the way so far, the last point first.
+
+simple([], Path, [Cycle]) :-
+    reverse(Path, Cycle).
+simple([V|Vs], Path0, Cycles) :-
+    (   append(Before, [V|Path], Path0)
+    ->  reverse([V|Before], Cycle),
+        Cycles = [Cycle|Cycles1],
+        simple(Vs, [V|Path], Cycles1)
+    ;   simple(Vs, [V|Path0], Cycles)
+    ).
+
+shared_points(Cycles, Shared) :-
+    append(Cycles, Vs0),
+    msort(Vs0, Vs),
+    repeated(Vs, Shared0),
+    sort(Shared0, Shared).
+
+repeated([V, V|Vs], [V|Repeated]) :-
+    !,
+    repeated([V|Vs], Repeated).
+repeated([_|Vs], Repeated) :-
+    !,
+    repeated(Vs, Repeated).
+repeated([], []).
+
+cycle_loop(Map, Shared, Vs, loop(Points, Touching, Middle)) :-
+    (   member(V, Vs),
+        memberchk(V, Shared)
+    ->  Touching = true
+    ;   Touching = false
+    ),
+    maplist(map_point(Map), Vs, Points0),
+    Points0 = [p(X1, Y1), p(X2, Y2)|_],
+    Middle = p(X, Y),
+    X is (X1+X2) rdiv 2,
+    Y is (Y1+Y2) rdiv 2,
+    without_straight(Points0, Points).
+
+%   without_straight(Points0, Points): without points between their neighbours.
+
+without_straight(Points0, Points) :-
+    last(Points0, Last),
+    Points0 = [First|_],
+    append(Points0, [First], Round),
+    bends(Round, Last, Points).
+
+bends([P, Q|Round], Before, Points) :-
+    !,
+    (   side(Before, P, Q, 0)
+    ->  Points = Points1
+    ;   Points = [P|Points1]
+    ),
+    bends([Q|Round], P, Points1).
+bends(_, _, []).
+
+side(p(X1, Y1), p(X2, Y2), p(X3, Y3), Sign) :-
+    Sign is sign((X2-X1)*(Y3-Y1) - (Y2-Y1)*(X3-X1)).
+
+area2(Points, Area) :-
+    last(Points, Last),
+    foldl(trapezoid, Points, Last-0, _-Area).
+
+trapezoid(P, p(X0, Y0)-Area0, P-Area) :-
+    P = p(X, Y),
+    Area is Area0 + X0*Y - X*Y0.
+
+
+                /*******************************
+                *            ISLANDS           *
+                *******************************/
+
+%   hole_place(Outlines, Hole, Outline-Hole): the least outline round it.
+
+hole_place(Outlines, Hole, Outline-Hole) :-
+    Hole = loop(_, _, Middle),
+    findall(Area-Points,
+            ( member(loop(Points, _, _), Outlines),
+              goes_round(Points, Middle),
+              area2(Points, Area) ),
+            Found0),
+    keysort(Found0, [_-Outline|_]).
+
+goes_round(Points, Point) :-
+    last(Points, Last),
+    foldl(ray_crossed(Point), Points, Last-0, _-Count),
+    Count mod 2 =:= 1.
+
+ray_crossed(P, B, A-Count0, B-Count) :-
+    P = p(_, Y),
+    A = p(_, Y1),
+    B = p(_, Y2),
+    (   Y1 =< Y, Y < Y2,
+        side(A, B, P, 1)
+    ->  Count is Count0+1
+    ;   Y2 =< Y, Y < Y1,
+        side(A, B, P, -1)
+    ->  Count is Count0+1
+    ;   Count = Count0
+    ).
+
+island(Places, loop(Points, _, _), island(Outline, Holes, Bays)) :-
+    maplist(rounded_point, Points, Outline),
+    findall(Hole, member(Points-loop(Hole, false, _), Places), Holes0),
+    findall(Hole, member(Points-loop(Hole, true, _), Places), Bays0),
+    maplist(maplist(rounded_point), Holes0, Holes),
+    maplist(maplist(rounded_point), Bays0, Bays).
