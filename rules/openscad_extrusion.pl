@@ -77,7 +77,8 @@ extrusion(node(_, _, _, _, Place), H, Turn, [A, B], Slices, Outline, Holes,
     ->  Term =.. [prism, outline(Outline)|Arguments]
     ;   append(Arguments, [twist(Turn), scale(A, B), slices(Slices)], More),
         Term =.. [prism, outline(Outline)|More]
-    ).
+    ),
+    sound_primitive(Term, Place).
 
 :- meta_predicate island_term(3, +, -).
 

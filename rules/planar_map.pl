@@ -3,11 +3,10 @@
             map_border/3,               % +Map, :Inside, -Cycles
             map_point/3                 % +Map, +V, -Point
           ]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- autoload(library(lists),
-            [append/2, append/3, last/2, member/2, nth1/3, numlist/3]).
-:- autoload(library(pairs),
-            [group_pairs_by_key/2, pairs_keys/2, pairs_values/2]).
+:- autoload(library(apply), [foldl/4, include/3, maplist/3]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- autoload(library(lists), [append/3, last/2, member/2, nth1/3]).
+:- autoload(library(pairs), [group_pairs_by_key/2]).
 /** <module> The planar map of figures: what the plane is divided into.
 
 A figure is a list of loops, a loop a list of X-Y of floats that closes itself.
@@ -205,12 +204,15 @@ steps(_, _) -->
 odd_pieces([]) -->
     [].
 odd_pieces([Piece-Bits0|Groups]) -->
-    { foldl([A,B,C]>>(C is A xor B), Bits0, 0, Bits) },
+    { foldl(toggled, Bits0, 0, Bits) },
     (   { Bits =:= 0 }
     ->  []
     ;   [Piece-Bits]
     ),
     odd_pieces(Groups).
+
+toggled(Bits, Before, After) :-
+    After is Before xor Bits.
 
 %   point_numbers(Pieces0, Points, Pieces): Pieces are piece(U, V, Bits).
 
@@ -218,15 +220,9 @@ point_numbers(Pieces0, Array, Pieces) :-
     findall(P, ( member((A-B)-_, Pieces0), member(P, [A, B]) ), Points0),
     sort(Points0, Points),
     array(points, Points, Array),
-    length(Points, Count),
-    numlist(1, Count, Vs),
-    pairs(Points, Vs, Pairs),
+    findall(P-V, arg(V, Array, P), Pairs),
     list_to_assoc(Pairs, Numbers),
     maplist(piece_numbered(Numbers), Pieces0, Pieces).
-
-pairs([], [], []).
-pairs([P|Ps], [V|Vs], [P-V|Pairs]) :-
-    pairs(Ps, Vs, Pairs).
 
 piece_numbered(Numbers, (P-Q)-Bits, piece(U, V, Bits)) :-
     get_assoc(P, Numbers, U),
@@ -249,13 +245,13 @@ twin(H, Twin) :-
 %   half-edges from V counter-clockwise, beginning behind the ray downwards.
 
 clockwise(Points, Ends, Outgoing, Clockwise) :-
-    functor(Ends, _, Count),
+    compound_name_arity(Ends, _, Count),
     findall(V-H, ( between(1, Count, H), twin(H, Twin), arg(Twin, Ends, V) ),
             Pairs0),
     keysort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
     maplist(ordered_round(Points, Ends), Groups, Outgoing),
-    functor(Clockwise, clockwise, Count),
+    compound_name_arity(Clockwise, clockwise, Count),
     forall_linked(Outgoing, Clockwise).
 
 ordered_round(Points, Ends, V-Hs0, V-Hs) :-
@@ -304,8 +300,8 @@ linked([H|Hs], Before, Clockwise) :-
 %   is below it: nothing of its own part is.
 
 sides(Points, Pieces, Ends, Clockwise, Outgoing, Sides) :-
-    functor(Ends, _, Count),
-    functor(Sides, sides, Count),
+    compound_name_arity(Ends, _, Count),
+    compound_name_arity(Sides, sides, Count),
     findall(Bits, member(piece(_, _, Bits), Pieces), List),
     array(bits, List, Bits),
     Map = m(Bits, Clockwise, Sides),
@@ -376,9 +372,9 @@ round_face(H, Side, Map, Queue0, Queue) :-
 %   cycle does not cross itself or another one; it may touch.
 
 map_border(map(_, Ends, Clockwise, Sides), Inside, Cycles) :-
-    functor(Ends, _, Count),
-    functor(Kept, kept, Count),
-    Sides =.. [_|List],
+    compound_name_arity(Ends, _, Count),
+    compound_name_arity(Kept, kept, Count),
+    compound_name_arguments(Sides, _, List),
     sort(List, Different),
     include(Inside, Different, Ins),
     forall_kept(Count, Sides, Ins, Kept),

@@ -47,6 +47,26 @@ wrong(prism(outline([[0,0],[9,0],[9,9],[0,9]]), height(1),
       hole_in_hole(hole(2), hole(1))).
 wrong(prism(outline([[0,0],[9,0],[9,9],[0,9]]), height(1),
             holes([[[1,1],[8,1],[8,9]]])), crossing(outline, 3, hole(1), _)).
+wrong(prism(outline([[0,0],[1,0],[2,0]]), height(1)), crossing(_, _, _, _)).
+wrong(prism(outline([[0,0],[1,0],[0,1]]), height(0)),
+      wrong_argument(height(0), [length])).
+wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), scale(1,0)), flat_scale).
+wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), scale(-1)),
+      wrong_argument(scale(-1), [factor])).
+wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), twist(360), slices(2)),
+      few_slices(2, 3)).
+wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), twist(-1.0e9)),
+      too_many_vertices(_, 10_000_000)).
+wrong(sphere(radius(1), facets(1_000_000_000)), wrong_argument(_, [facets])).
+wrong(sphere(radius(1), facets(1_000_000)), too_many_vertices(_, _)).
+wrong(sphere(radius(1), tolerance(1.0e-9)), too_many_vertices(_, _)).
+wrong(sphere(radius(1), tolerance(1.0e-12)), too_many(_)).
+wrong(torus(radius(3), tube(1), facets(100_000)), too_many_vertices(_, _)).
+wrong(turning(outline([[1,0],[2,0],[2,1],[1,1],[1,0.9],[1,0.8],[1,0.7],[1,0.6],
+                       [1,0.5],[1,0.4],[1,0.3]]), facets(1_000_000)),
+      too_many_vertices(_, _)).
+wrong(pyramid(base(1,1), height(1), holes([[[0,0],[1,0],[0,1]]])),
+      both(base, holes)).
 wrong(pyramid(height(1)), missing(base)).
 wrong(pyramid(base(1,1), outline([[0,0],[1,0],[0,1]]), height(1)),
       both(base, outline)).

@@ -66,6 +66,18 @@ solid(prism(outline([[0,0],[0,4],[4,4],[4,0]]),
             holes([[[1,1],[2,1],[2,2]], [[3,3],[3,3.5],[3.5,3]]]),
             height(2), shift(1,1)), V, 20, 12, -2) :-
     V is 2*(16-0.5-0.125).
+solid(prism(outline([[-1,-1],[1,-1],[1,1],[-1,1]]), height(3), scale(0.5)),
+      7.0, 8, 6, 2).
+solid(prism(outline([[-1,-1],[1,-1],[1,1],[-1,1]]), height(3), scale(0.5,2),
+            shift(7,1)), 13.0, 8, 6, 2).
+solid(prism(outline([[-1,0],[0,-1],[1,0],[0,1]]), height(3), twist(Degrees),
+            slices(10)), V, 44, 82, 2) :-
+    member(Degrees, [90, -200]),
+    Turn is abs(Degrees)/10*pi/180,
+    Middle is 4*cos(Turn/2)*cos((pi/2-Turn)/2)*sin(pi/4),
+    V is 3/6*(2+4*Middle+2).
+solid(prism(outline([[-1,0],[0,-1],[1,0],[0,1]]), height(3), twist(90),
+            scale(0), slices(1)), 2.0, 5, 5, 2).
 solid(pyramid(outline([[0,0],[2,0],[2,1],[1,1],[1,2],[0,2]]), height(2),
               shift(5,5)), 2.0, 7, 7, 2).
 solid(turning(outline([[0,0],[2,0],[2,3],[0,3]]), facets(9)), V, 18, 11, 2) :-
@@ -162,6 +174,13 @@ test(mirrored, forall(( solid(Term, V, _, _, _),
                                        ]) ))) :-
     W is F*V,
     sound(at([Step], Term), W).
+% All walls meet in the apex.
+test(pyramid_with_a_hole, Remarks == [pinched_vertex-1]) :-
+    checked(pyramid(outline([[0,0],[10,0],[10,10],[0,10]]), height(3),
+                    holes([[[2,2],[8,2],[8,8],[2,8]]])), Segment),
+    dict_pairs(Segment.faults, _, []),
+    dict_pairs(Segment.remarks, _, Remarks),
+    near(Segment.volume, 64.0).
 test(mirrored_surface, Chains == [[1,4,3,2]]) :-
     primitive_shape(at([mirror(x)], rectangle(size(1,2))), _, _, Chains).
 test(not_mirrored_twice, Chains == [[1,2,3,4]]) :-
