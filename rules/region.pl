@@ -9,7 +9,8 @@
 
 A region is
 
-    loops([Loop, ...])         what the loops, lists of X-Y, go round oddly often
+    loops([Loop, ...])         what the loops, lists of X-Y, go round oddly
+                               often
     union([Region, ...])   intersection([Region, ...])
     difference([Region, ...])  the first without the others
 
