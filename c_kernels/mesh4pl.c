@@ -268,9 +268,14 @@ sg_unify_mesh_fault_ex(term_t result, const sg_mesh_error *error)
                        error->limit);
 }
 
-static int
-put_parts_ex(sg_world *world, const sg_mesh *mesh, int32_t first, term_t list)
+int
+sg_add_mesh_ex(const sg_mesh *mesh, int32_t first, term_t list)
 {
+  sg_world *world = sg_current_world_ex();
+
+  if (!world) {
+    return FALSE;
+  }
   sg_mesh_parts *parts = sg_mesh_parts_open(mesh);
   chunk *c = malloc(sizeof *c);
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
@@ -301,7 +306,6 @@ put_parts_ex(sg_world *world, const sg_mesh *mesh, int32_t first, term_t list)
 static foreign_t
 mesh_add(term_t a0, int arity, void *context)
 {
-  sg_world *world = sg_current_world_ex();
   sg_mesh_options options = {.poll = &sg_prolog_poll};
   sg_mesh_format format;
   sg_mesh_error error;
@@ -311,7 +315,7 @@ mesh_add(term_t a0, int arity, void *context)
   int one;
 
   (void)arity, (void)context;
-  if (!world || !sg_get_mesh_format_ex(a0 + 1, &format) ||
+  if (!sg_get_mesh_format_ex(a0 + 1, &format) ||
       !get_weld_ex(a0 + 2, &options.weld) || !PL_get_bool_ex(a0 + 3, &one) ||
       !sg_get_id_ex(a0 + 4, &first)) {
     return FALSE;
@@ -325,7 +329,7 @@ mesh_add(term_t a0, int arity, void *context)
     return done && sg_unify_mesh_fault_ex(a0 + 5, &error);
   }
   term_t parts = PL_new_term_ref();
-  done = put_parts_ex(world, &mesh, first, parts) &&
+  done = sg_add_mesh_ex(&mesh, first, parts) &&
          unify_loaded_ex(a0 + 5, &mesh, parts);
   sg_mesh_clear(&mesh);
   return done;

@@ -21,9 +21,8 @@ write_bytes(void *data, const char *bytes, size_t n)
   return Sfwrite(bytes, 1, n, data) == n;
 }
 
-/* The name of each segment, from a list of as many atoms or texts. */
-static int
-name_segments_ex(term_t names, sg_mesh *mesh)
+int
+sg_name_segments_ex(term_t names, sg_mesh *mesh)
 {
   term_t tail = PL_copy_term_ref(names), head = PL_new_term_ref();
   char *text;
@@ -54,9 +53,9 @@ unify_missing(term_t result, const sg_dense *dense, size_t polygon)
                        (int)dense->polygon_id[polygon]);
 }
 
-static int
-write_mesh_ex(term_t stream, sg_mesh_format format, const sg_mesh *mesh,
-              term_t result)
+int
+sg_write_mesh_ex(term_t stream, sg_mesh_format format, const sg_mesh *mesh,
+                 term_t result)
 {
   sg_mesh_error error;
   IOSTREAM *out;
@@ -134,8 +133,8 @@ mesh_write(term_t stream, term_t format_term, term_t segments, term_t names,
     bool triangles = format == SG_MESH_STL || format == SG_MESH_STL_BINARY;
     switch (sg_mesh_export(&dense, triangles, &mesh, &polygon)) {
     case SG_EXPORT_DONE:
-      done = name_segments_ex(names, &mesh) &&
-             write_mesh_ex(stream, format, &mesh, result);
+      done = sg_name_segments_ex(names, &mesh) &&
+             sg_write_mesh_ex(stream, format, &mesh, result);
       break;
     case SG_EXPORT_NO_MEMORY:
       done = sg_no_memory();

@@ -38,7 +38,10 @@ typedef struct joiner {
   int32_t first; /* triangle */
   size_t triangles;
   uint32_t *place;
-  sg_bvh *tree;
+  const unsigned char *changed; /* [triangles], or null */
+  uint32_t *some; /* [some_n] the triangles to ask, from first; null: all */
+  size_t some_n;
+  sg_bvh *tree, *some_tree;
   sg_bvh_hits hits;
   block *block;
   size_t blocks;
@@ -77,19 +80,33 @@ number_places(joiner *j, size_t vertices, const sg_poll *poll)
 
 /* ---- candidates --------------------------------------------------------- */
 
+static sg_box
+box_of(const joiner *j, size_t triangle)
+{
+  const sg_dense *d = j->model.d;
+  sg_box box = sg_box_none();
+
+  for (int k = 0; k < 3; k++) {
+    sg_box_add(&box, d->at[d->corner[(size_t)j->first + triangle][k]]);
+  }
+  return box;
+}
+
 static void
 fill_boxes(const void *data, size_t begin, size_t end, sg_box *out)
 {
+  for (size_t i = begin; i < end; i++) {
+    out[i - begin] = box_of(data, i);
+  }
+}
+
+static void
+fill_some_boxes(const void *data, size_t begin, size_t end, sg_box *out)
+{
   const joiner *j = data;
-  const sg_dense *d = j->model.d;
 
   for (size_t i = begin; i < end; i++) {
-    sg_box box = sg_box_none();
-
-    for (int k = 0; k < 3; k++) {
-      sg_box_add(&box, d->at[d->corner[(size_t)j->first + i][k]]);
-    }
-    out[i - begin] = box;
+    out[i - begin] = box_of(j, j->some[i]);
   }
 }
 
@@ -102,8 +119,22 @@ find_candidates(joiner *j, size_t vertices, sg_crew *crew, const sg_poll *poll)
     sg_box_add(&all, j->model.d->at[j->model.first + v]);
   }
   j->tree = sg_bvh_grow(j->triangles, fill_boxes, j, NULL, &all, crew, poll);
-  return j->tree && sg_bvh_join(&(sg_bvh_pair){j->tree, j->tree}, 1, 0.0, crew,
-                                poll, &j->hits);
+  if (j->tree && j->some) {
+    j->some_tree =
+        sg_bvh_grow(j->some_n, fill_some_boxes, j, j->some, &all, crew, poll);
+  }
+  const sg_bvh *tree = j->some ? j->some_tree : j->tree;
+
+  return j->tree && tree &&
+         sg_bvh_join(&(sg_bvh_pair){tree, j->tree}, 1, 0.0, crew, poll,
+                     &j->hits);
+}
+
+/* Of two triangles that are both asked, the hit that is left out. */
+static bool
+is_second(const joiner *j, uint32_t t, uint32_t u)
+{
+  return j->some && (t == u || (t > u && j->changed[t] && j->changed[u]));
 }
 
 static void
@@ -132,13 +163,16 @@ test_block(void *data, size_t task)
 
   end = end < j->hits.n ? end : j->hits.n;
   for (size_t i = task * BLOCK; i < end && !b->failed; i++) {
-    int32_t t = j->first + (int32_t)j->tree->item[j->hits.hit[i].a];
-    int32_t u = j->first + (int32_t)j->tree->item[j->hits.hit[i].b];
+    const sg_bvh *tree = j->some ? j->some_tree : j->tree;
+    uint32_t one = tree->item[j->hits.hit[i].a];
+    uint32_t other = j->tree->item[j->hits.hit[i].b];
+    int32_t t = j->first + (int32_t)one, u = j->first + (int32_t)other;
     found item;
 
     item.meeting.t[0] = t < u ? t : u;
     item.meeting.t[1] = t < u ? u : t;
-    if (sg_self_pair(&j->model, item.meeting.t[0], item.meeting.t[1],
+    if (!is_second(j, one, other) &&
+        sg_self_pair(&j->model, item.meeting.t[0], item.meeting.t[1],
                      &item.meeting, &item.edge)) {
       keep(b, &item);
     }
@@ -260,24 +294,51 @@ clear(joiner *j)
   free(j->block);
   free(j->hits.hit);
   free(j->place);
+  free(j->some);
   sg_bvh_close(j->tree);
+  sg_bvh_close(j->some_tree);
+}
+
+static bool
+find_some(joiner *j)
+{
+  if (!j->changed) {
+    return true;
+  }
+  j->some = malloc((j->triangles + 1) * sizeof *j->some);
+  for (size_t i = 0; j->some && i < j->triangles; i++) {
+    if (j->changed[i]) {
+      j->some[j->some_n++] = (uint32_t)i;
+    }
+  }
+  return j->some != NULL;
 }
 
 bool
 sg_self_cut(const sg_dense *dense, size_t s, double tolerance, sg_crew *crew,
             const sg_poll *poll, sg_self_meetings *out)
 {
+  return sg_self_cut_changed(dense, s, NULL, tolerance, crew, poll, out);
+}
+
+bool
+sg_self_cut_changed(const sg_dense *dense, size_t s,
+                    const unsigned char *changed, double tolerance,
+                    sg_crew *crew, const sg_poll *poll, sg_self_meetings *out)
+{
   size_t vertices = dense->vertex_begin[s + 1] - dense->vertex_begin[s];
   joiner j = {.model = {dense, dense->vertex_begin[s], NULL, tolerance},
               .first = (int32_t)dense->triangle_begin[s],
               .triangles =
-                  dense->triangle_begin[s + 1] - dense->triangle_begin[s]};
+                  dense->triangle_begin[s + 1] - dense->triangle_begin[s],
+              .changed = changed};
 
   *out = (sg_self_meetings){0};
   bool done =
-      j.triangles == 0 || (number_places(&j, vertices, poll) &&
-                           find_candidates(&j, vertices, crew, poll) &&
-                           test_candidates(&j, crew, poll) && gather(&j, out));
+      find_some(&j) && (j.triangles == 0 || (changed && j.some_n == 0) ||
+                        (number_places(&j, vertices, poll) &&
+                         find_candidates(&j, vertices, crew, poll) &&
+                         test_candidates(&j, crew, poll) && gather(&j, out)));
 
   clear(&j);
   return done;

@@ -48,6 +48,13 @@ typedef struct sg_self_meetings {
 bool sg_self_cut(const sg_dense *dense, size_t s, double tolerance,
                  sg_crew *crew, const sg_poll *poll, sg_self_meetings *out);
 
+/* Those of them that a triangle has part in that is `changed` (of the triangles
+ * of s): for a segment whose other triangles are known not to meet. */
+bool sg_self_cut_changed(const sg_dense *dense, size_t s,
+                         const unsigned char *changed, double tolerance,
+                         sg_crew *crew, const sg_poll *poll,
+                         sg_self_meetings *out);
+
 /* Keeps one meeting of each two polygons, of the first kind there is, in the
  * order of the polygons. */
 void sg_self_by_polygon(sg_self_meetings *meetings);

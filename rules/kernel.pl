@@ -8,6 +8,16 @@
             mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
                                       % -Result
             mesh_write/5,             % +Stream, +Format, +Ss, +Names, -Result
+            % boundary4pl.c
+            boundary_open/7,          % +Ss, +Made, +Single, +Grid, +Triangles,
+                                      % +Copies, -Boundary
+            boundary_close/1,         % +Boundary
+            boundary_counts/2,        % +Boundary, -Counts
+            boundary_meetings/4,      % +Boundary, +All, +Exact, -Meetings
+            boundary_add/2,           % +Boundary, +S
+            boundary_write/5,         % +Boundary, +Stream, +Format, +Names,
+                                      % -Result
+            % census4pl.c
             census/1,                 % -Parts
             census_defect/4,          % ?Kind, ?S, ?A, ?B
             % tree4pl.c, near4pl.c
@@ -155,6 +165,48 @@ glue file.
 %   `ply_binary`). Segments ascend; Names are theirs, '' for none. Result is
 %   `ok`, no_triangles(S, P): polygon P must be written as triangles and has
 %   none (nothing was written), or a fault/8 as of mesh_add/6.
+
+/* - - - boundary4pl.c - - - */
+
+%!  boundary_open(+Segments, +Made, +Single, +Grid, +Triangles, +Copies,
+%!                -Boundary) is det.
+%
+%   Boundary is a handle for the polygons of the segments in the list, as a file
+%   will hold them: coordinates as multiples of Grid (a power of two; 0.0: as
+%   they are), then as float32 if Single; without what that has collapsed; in an
+%   order that depends on where things are alone. See c_kernels/boundary.h and
+%   boundary_mesh.h. Made lists S-V of vertices that cuts made: their
+%   coordinates are rounded already. If Triangles, all faces are triangles; if
+%   Copies, every edge has two faces and every vertex one fan.
+%
+%   @error representation_error(float32): a coordinate is too large
+
+%!  boundary_close(+Boundary) is det.
+
+%!  boundary_counts(+Boundary, -Counts) is det.
+%
+%   Counts = counts(Vertices, Faces, Triangles, Open, Crossing, Touching,
+%   Copies, Stuck, Cancelled): Open edges lack an opposite; at Crossing edges
+%   four or more faces go through each other, at Touching ones not; Copies
+%   vertices were added; for Stuck faces no triangles were found; Cancelled
+%   faces lay on each other, back to back.
+
+%!  boundary_meetings(+Boundary, +All, +Exact, -Meetings) is det.
+%
+%   Meetings are meeting(Kind, X, Y, Z), where triangles go through each other
+%   (`self_penetration`) or share some area (`self_overlap`), as self_meetings/2
+%   says: exactly if Exact, else beyond the tolerance. Unless All, only those
+%   where one of the two is not as the segment has it: rounding, a cut, or
+%   dividing a polygon has made it.
+
+%!  boundary_add(+Boundary, +S) is det.
+%
+%   Add the vertices, edges and polygons of Boundary as segment S, of several
+%   segments as S, S+1, ...
+
+%!  boundary_write(+Boundary, +Stream, +Format, +Names, -Result) is det.
+%
+%   As mesh_write/5.
 
 /* - - - census4pl.c - - - */
 

@@ -1,0 +1,243 @@
+/* boundary.c -- see boundary.h. */
+#include "boundary.h"
+#include "sort.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { POLL_EVERY = 65536 };
+
+/* A vertex on its way to its number. */
+typedef struct placed {
+  double at[3];
+  uint32_t v; /* from 0, in the segment */
+  bool moved;
+} placed;
+
+static int
+compare_places(const double a[3], const double b[3])
+{
+  for (int k = 0; k < 3; k++) {
+    if (a[k] != b[k]) {
+      return a[k] < b[k] ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+static int
+compare_placed(const void *x, const void *y)
+{
+  const placed *a = x, *b = y;
+  int order = compare_places(a->at, b->at);
+
+  return order ? order : (a->v > b->v) - (a->v < b->v);
+}
+
+/* ---- vertices ------------------------------------------------------------ */
+
+static double
+rounded(double x, const sg_rounding *rounding)
+{
+  if (rounding->grid > 0) {
+    x = nearbyint(x / rounding->grid) * rounding->grid;
+  }
+  return (rounding->single ? (double)(float)x : x) + 0.0; /* no -0.0 */
+}
+
+/* False: out of range. */
+static bool
+place(const sg_dense *d, size_t first, size_t n, const sg_rounding *rounding,
+      const unsigned char *made, placed *out)
+{
+  for (size_t i = 0; i < n; i++) {
+    out[i].v = (uint32_t)i;
+    out[i].moved = made && made[first + i];
+    for (int k = 0; k < 3; k++) {
+      out[i].at[k] = rounded(d->at[first + i][k], rounding);
+      out[i].moved |= out[i].at[k] != d->at[first + i][k];
+      if (!isfinite(out[i].at[k])) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/* Numbers the sorted vertices; number[v] becomes that of v. */
+static void
+number_vertices(const placed *sorted, size_t n, uint32_t *number,
+                sg_boundary *out)
+{
+  for (size_t i = 0; i < n; i++) {
+    if (i == 0 || compare_places(sorted[i - 1].at, sorted[i].at) != 0) {
+      out->moved[out->vertices] = 0;
+      memcpy(out->at[out->vertices++], sorted[i].at, sizeof sorted[i].at);
+    }
+    out->moved[out->vertices - 1] |= sorted[i].moved;
+    number[sorted[i].v] = (uint32_t)out->vertices - 1;
+  }
+}
+
+static sg_boundary_end
+make_vertices(const sg_dense *d, size_t s, const sg_rounding *rounding,
+              const unsigned char *made, const sg_poll *poll, uint32_t *number,
+              sg_boundary *out)
+{
+  size_t first = d->vertex_begin[s], n = d->vertex_begin[s + 1] - first;
+  placed *sorted = malloc((n + 1) * sizeof *sorted);
+
+  out->at = malloc((n + 1) * sizeof *out->at);
+  out->moved = malloc(n + 1);
+  if (!sorted || !out->at || !out->moved) {
+    free(sorted);
+    return SG_BOUNDARY_NO_MEMORY;
+  }
+  if (!place(d, first, n, rounding, made, sorted)) {
+    free(sorted);
+    return SG_BOUNDARY_TOO_FAR;
+  }
+  sg_sort_end end = sg_sort(sorted, n, sizeof *sorted, compare_placed, poll);
+  if (end == SG_SORTED) {
+    number_vertices(sorted, n, number, out);
+  }
+  free(sorted);
+  return end == SG_SORTED         ? SG_BOUNDARY_DONE
+         : end == SG_SORT_STOPPED ? SG_BOUNDARY_STOPPED
+                                  : SG_BOUNDARY_NO_MEMORY;
+}
+
+/* ---- faces --------------------------------------------------------------- */
+
+static int
+low(const int32_t edge[2])
+{
+  return edge[0] < edge[1] ? edge[0] : edge[1];
+}
+
+/* By the two vertices, then the direction. */
+static int
+compare_edges(const void *x, const void *y)
+{
+  const int32_t *a = x, *b = y;
+  int la = low(a), lb = low(b), ha = a[0] + a[1] - la, hb = b[0] + b[1] - lb;
+
+  return la != lb   ? (la > lb) - (la < lb)
+         : ha != hb ? (ha > hb) - (ha < hb)
+                    : (a[0] > b[0]) - (a[0] < b[0]);
+}
+
+size_t
+sg_edges_cancel(int32_t (*edge)[2], size_t n)
+{
+  size_t kept = 0;
+
+  qsort(edge, n, sizeof *edge, compare_edges);
+  /* Equal edges come together, those from the lower vertex first: the others
+   * take them back from the end. */
+  for (size_t i = 0; i < n; i++) {
+    if (kept > 0 && edge[kept - 1][0] == edge[i][1] &&
+        edge[kept - 1][1] == edge[i][0]) {
+      kept--;
+    } else {
+      memmove(edge[kept++], edge[i], sizeof *edge);
+    }
+  }
+  return kept;
+}
+
+enum { FEW = 8 };
+
+/* True if there are few edges, and no two of them are opposite. */
+static bool
+is_plain(int32_t (*edge)[2], size_t n)
+{
+  for (size_t i = 0; i < n && n <= FEW; i++) {
+    for (size_t j = 0; j < i; j++) {
+      if (edge[i][0] == edge[j][1] && edge[i][1] == edge[j][0]) {
+        return false;
+      }
+    }
+  }
+  return n <= FEW;
+}
+
+/* The edges of polygon p behind those that are there. */
+static void
+take_face(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
+          sg_boundary *out)
+{
+  uint32_t begin = out->begin[out->faces];
+  int32_t(*edge)[2] = out->edge + begin;
+  size_t all = d->list_begin[p + 1] - d->list_begin[p], n = 0;
+  bool moved = false;
+
+  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+    int32_t e = d->list[k];
+    edge[n][0] = (int32_t)number[(size_t)d->from[e] - first];
+    edge[n][1] = (int32_t)number[(size_t)d->to[e] - first];
+    moved |= out->moved[edge[n][0]] != 0;
+    n += edge[n][0] != edge[n][1];
+  }
+  if (!is_plain(edge, n)) {
+    n = sg_edges_cancel(edge, n);
+  }
+  if (n > 0) {
+    out->changed[out->faces++] = moved || all != 3 || n != 3;
+    out->begin[out->faces] = begin + (uint32_t)n;
+  }
+}
+
+static sg_boundary_end
+make_faces(const sg_dense *d, size_t s, const uint32_t *number,
+           const sg_poll *poll, sg_boundary *out)
+{
+  size_t first = d->polygon_begin[s], end = d->polygon_begin[s + 1];
+  size_t edges = d->list_begin[end] - d->list_begin[first];
+
+  out->begin = malloc((end - first + 1) * sizeof *out->begin);
+  out->edge = malloc((edges + 1) * sizeof *out->edge);
+  out->changed = malloc(end - first + 1);
+  if (!out->begin || !out->edge || !out->changed) {
+    return SG_BOUNDARY_NO_MEMORY;
+  }
+  out->begin[0] = 0;
+  for (size_t p = first; p < end; p++) {
+    if (p % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      return SG_BOUNDARY_STOPPED;
+    }
+    take_face(d, p, d->vertex_begin[s], number, out);
+  }
+  return SG_BOUNDARY_DONE;
+}
+
+sg_boundary_end
+sg_boundary_make(const sg_dense *dense, size_t s, const sg_rounding *rounding,
+                 const unsigned char *made, const sg_poll *poll,
+                 sg_boundary *out)
+{
+  size_t n = dense->vertex_begin[s + 1] - dense->vertex_begin[s];
+  uint32_t *number = malloc((n + 1) * sizeof *number);
+
+  *out = (sg_boundary){0};
+  sg_boundary_end end =
+      number ? make_vertices(dense, s, rounding, made, poll, number, out)
+             : SG_BOUNDARY_NO_MEMORY;
+  if (end == SG_BOUNDARY_DONE) {
+    end = make_faces(dense, s, number, poll, out);
+  }
+  free(number);
+  return end;
+}
+
+void
+sg_boundary_clear(sg_boundary *boundary)
+{
+  free(boundary->at);
+  free(boundary->moved);
+  free(boundary->begin);
+  free(boundary->edge);
+  free(boundary->changed);
+  *boundary = (sg_boundary){0};
+}

@@ -1,0 +1,68 @@
+/* boundary.h -- the boundary of a segment as a file will hold it: rounded,
+ * without what rounding has collapsed, and as closed as it was.
+ *
+ * Layer: kernel. A face is a set of directed edges, as a polygon is in p/3, so
+ * holes and islands need no special form. Vertices that are in one place after
+ * rounding are one vertex. That cannot open anything: where every directed edge
+ * had its opposite it still has, whichever vertices are put together; edges of
+ * no length and pairs of opposite edges in one face can go, since they add
+ * nothing to that sum, and with them the faces that have no others.
+ *
+ * Vertices are numbered by their coordinates, so what is made from a boundary
+ * does not depend on ids, nor on how the segment was made.
+ */
+#ifndef SG_BOUNDARY_H
+#define SG_BOUNDARY_H
+
+#include "dense.h"
+
+/* Where coordinates are rounded to: multiples of `grid` (a power of two; 0: as
+ * they are), then to float32 if `single`. */
+typedef struct sg_rounding {
+  double grid;
+  bool single;
+} sg_rounding;
+
+typedef struct sg_boundary {
+  size_t vertices;
+  double (*at)[3];      /* [vertices] ascending by x, y, z; all different */
+  unsigned char *moved; /* [vertices] not where the vertex was, or it was
+                           made by a cut and so rounded before */
+  size_t faces;
+  uint32_t *begin;        /* [faces + 1] */
+  int32_t (*edge)[2];     /* [begin[faces]] from, to; never equal, and no face
+                             has an edge and its opposite */
+  unsigned char *changed; /* [faces] it has a moved vertex, other edges than
+                             before, or more than three: not the triangle that
+                             the segment has */
+} sg_boundary;
+
+typedef enum sg_boundary_end {
+  SG_BOUNDARY_DONE,
+  SG_BOUNDARY_NO_MEMORY,
+  SG_BOUNDARY_STOPPED,
+  SG_BOUNDARY_TOO_FAR /* a coordinate is out of the range of float32 */
+} sg_boundary_end;
+
+/* The polygons of segment s (a place). made[v] of all vertices (places), or
+ * null: v was made by a cut, its coordinates are rounded.
+ *
+ * Cost:  n log n for the vertices, else linear.
+ * Owner: sg_boundary_clear() in any case. */
+sg_boundary_end sg_boundary_make(const sg_dense *dense, size_t s,
+                                 const sg_rounding *rounding,
+                                 const unsigned char *made, const sg_poll *poll,
+                                 sg_boundary *out);
+void sg_boundary_clear(sg_boundary *boundary);
+
+/* Takes out the faces whose vertices are all on one line. What lay along a long
+ * edge of such a face gets the vertices in between: the edge is turned over.
+ * Faces keep their places in space, and edges their opposites. Exact.
+ * False: no memory. */
+bool sg_boundary_drop_flat(sg_boundary *boundary);
+
+/* Puts n edges in an order of their own without those that are opposite in
+ * pairs; returns how many are left. For the files of a boundary. */
+size_t sg_edges_cancel(int32_t (*edge)[2], size_t n);
+
+#endif

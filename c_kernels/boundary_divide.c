@@ -1,0 +1,135 @@
+/* boundary_divide.c -- the triangles of one face (boundary_mesh.h). */
+#include "boundary_private.h"
+
+#include "flatness.h"
+#include "plane.h"
+
+#include <math.h>
+
+static double
+reach_of(sg_boundary_maker *m)
+{
+  if (m->reach < 0) {
+    sg_flatness flatness;
+    sg_flatness_init(&flatness);
+    for (size_t v = 0; v < m->b->vertices; v++) {
+      sg_flatness_see(&flatness, m->b->at[v]);
+    }
+    m->reach = sg_flatness_tolerance(&flatness);
+  }
+  return m->reach;
+}
+
+static bool
+fill_work(sg_boundary_maker *m, const double (*at)[3], size_t n,
+          const double normal[3])
+{
+  if (!m->work && !(m->work = sg_work_open(normal))) {
+    return false;
+  }
+  sg_work_clear(m->work, normal);
+  for (size_t i = 0; i < n; i++) {
+    sg_point ends[2];
+    sg_point_set(&ends[0], at[m->from[i]]);
+    sg_point_set(&ends[1], at[m->to[i]]);
+    int32_t a = sg_work_vertex(m->work, m->from[i] + 1, &ends[0]);
+    int32_t b = sg_work_vertex(m->work, m->to[i] + 1, &ends[1]);
+    if (a < 0 || b < 0 || !sg_work_add(m->work, a, b, 1, 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* As a reader of the file will divide it (complete.h): contacts are taken
+ * exactly, and if that gets stuck within the tolerance. */
+static sg_outcome
+divide(sg_boundary_maker *m, const double (*at)[3], size_t n)
+{
+  sg_newell sum;
+  sg_plane plane;
+  sg_outcome outcome = SG_STUCK;
+  int32_t edge;
+
+  m->found.n = 0;
+  sg_newell_init(&sum);
+  for (size_t i = 0; i < n; i++) {
+    sg_newell_edge(&sum, at[m->from[i]], at[m->to[i]]);
+  }
+  if (!sg_newell_plane(&sum, &plane)) {
+    return SG_STUCK;
+  }
+  for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
+    if (!fill_work(m, at, n, plane.n) ||
+        !sg_work_resolve(m->work, i == 0 ? 0 : reach_of(m))) {
+      return SG_NO_SPACE;
+    }
+    m->found.n = 0;
+    outcome = sg_work_triangulate(m->work, &m->found, &edge, m->poll);
+  }
+  return outcome;
+}
+
+/* A convex quadrilateral needs no scratch relation; the rule takes the corner
+ * that follows its first edge. */
+static bool
+divide_quad(sg_boundary_maker *m, const double (*at)[3])
+{
+  sg_newell sum;
+  sg_plane plane;
+  int axis = 0;
+
+  sg_newell_init(&sum);
+  for (int i = 0; i < 4; i++) {
+    sg_newell_edge(&sum, at[m->from[i]], at[m->to[i]]);
+  }
+  if (!sg_newell_plane(&sum, &plane)) {
+    return false;
+  }
+  for (int k = 1; k < 3; k++) {
+    axis = fabs(plane.n[k]) > fabs(plane.n[axis]) ? k : axis;
+  }
+  int x = (axis + 1) % 3, y = (axis + 2) % 3;
+  for (int i = 0; i < 4; i++) {
+    const double *a = at[m->from[i]], *b = at[m->from[(i + 1) % 4]],
+                 *c = at[m->from[(i + 2) % 4]];
+    if (sg_orient2d((double[2]){a[x], a[y]}, (double[2]){b[x], b[y]},
+                    (double[2]){c[x], c[y]}) != (plane.n[axis] < 0 ? -1 : 1)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_boundary_each_triangle(sg_boundary_maker *m, const double (*at)[3], size_t n,
+                          bool ring, sg_boundary_take *take)
+{
+  if (ring && n == 4 && divide_quad(m, at)) {
+    const int32_t *v = m->from;
+    return take(m, (int32_t[3]){v[0], v[1], v[2]}) &&
+           take(m, (int32_t[3]){v[2], v[3], v[0]});
+  }
+  switch (divide(m, at, n)) {
+  case SG_DONE:
+    break;
+  case SG_STUCK:
+    m->out->stuck++;
+    return true;
+  case SG_STOPPED:
+    m->end = SG_BOUNDARY_STOPPED;
+    return false;
+  case SG_NO_SPACE:
+    return sg_boundary_no_memory(m);
+  }
+  for (size_t i = 0; i < m->found.n; i++) {
+    int32_t v[3];
+    for (int k = 0; k < 3; k++) {
+      v[k] = sg_work_id(m->work, m->found.item[i].v[k]) - 1;
+    }
+    if (!take(m, v)) {
+      return false;
+    }
+  }
+  return true;
+}

@@ -1,0 +1,59 @@
+/* boundary_mesh.h -- a boundary as a mesh in an order of its own, and what is
+ * wrong with it.
+ *
+ * Layer: kernel. The mesh depends on where things are alone: vertices ascend by
+ * x, y, z, each face begins with its lowest vertex, and faces ascend by their
+ * vertices.
+ *
+ * Where bodies touch in a point or an edge, formats with numbered vertices get
+ * copies: one of a vertex for each fan of faces round it. Of four or more faces
+ * at an edge those go together that have matter between them, so that the
+ * copies bound the parts of the solid; but where such a part would use both
+ * copies of an edge with the same two vertices, those that have none between
+ * them. After that every edge has two faces.
+ */
+#ifndef SG_BOUNDARY_MESH_H
+#define SG_BOUNDARY_MESH_H
+
+#include "boundary.h"
+#include "crew.h"
+#include "mesh.h"
+#include "self_cut.h"
+
+typedef struct sg_form {
+  bool triangles; /* no face has more than three corners */
+  bool copies;    /* see above; else such vertices stay one */
+} sg_form;
+
+/* One segment of a mesh, as it will be written. */
+typedef struct sg_boundary_mesh {
+  sg_mesh mesh;           /* of one unnamed segment; owned */
+  int32_t (*triangle)[3]; /* [triangles] of its faces, in their order */
+  int32_t *face_of;       /* [triangles] */
+  unsigned char *changed; /* [triangles] as in a boundary */
+  size_t triangles;
+  size_t open;      /* edges with more faces on one side than on the other */
+  size_t crossing;  /* edges with four or more faces where sheets cross, as the
+                       order round the edge tells. Exact */
+  size_t touching;  /* the others with four or more */
+  size_t copies;    /* vertices added */
+  size_t stuck;     /* faces that no triangles were found for */
+  size_t cancelled; /* faces that lay on each other, back to back, and went */
+} sg_boundary_mesh;
+
+/* A face that is one loop, passing each of its vertices once, stays a polygon
+ * unless form->triangles; others become triangles, chosen by geometry alone.
+ * Faces on each other, back to back, cancel. Returns: DONE, NO_MEMORY or
+ * STOPPED. Owner: sg_boundary_mesh_clear() in any case. */
+sg_boundary_end sg_boundary_mesh_make(const sg_boundary *boundary,
+                                      const sg_form *form, const sg_poll *poll,
+                                      sg_boundary_mesh *out);
+void sg_boundary_mesh_clear(sg_boundary_mesh *mesh);
+
+/* Where it goes through itself: meetings of its triangles with those that are
+ * changed, or of all. False: no memory, or stopped. See self_cut.h. */
+bool sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all,
+                               double tolerance, sg_crew *crew,
+                               const sg_poll *poll, sg_self_meetings *out);
+
+#endif

@@ -1,0 +1,289 @@
+:- encoding(utf8).
+:- module(test_solid_file, []).
+:- use_module(library(plunit)).
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(random)).
+:- use_module(library(readutil)).
+:- use_module(rules(check)).
+:- use_module(rules(mesh)).
+:- use_module(rules(model)).
+:- use_module(rules(model_file)).
+:- use_module(rules(solid_file)).
+:- use_module(rules(store)).
+:- use_module(rules(written_en), []).
+:- use_module(rules(written_ko), []).
+:- use_module(tests('rules/polyhedron')).
+:- use_module(tests('rules/checked')).
+
+/* Solids to files: every file is read back by the engine, and by the checker
+that shares nothing with it. */
+
+:- meta_predicate with_file(+, -, 0).
+
+with_file(Ending, File, Goal) :-
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Stream, [extension(Ending)]),
+          close(Stream)
+        ),
+        once(Goal),
+        delete_file(File)).
+
+%   read_back(+File, -V, -P, -Faults, -Volume): of the first segment.
+
+read_back(File, V, P, Faults, Volume) :-
+    in_new_world(( load_model(File), check_report(R) )),
+    [S] = R.segments,
+    V = S.vertices,
+    P = S.polygons,
+    Volume = S.volume,
+    report_faults(R, Faults).
+
+%   good(+File, +Options): the checker says so; it reads OFF and binary STL.
+
+good(File, Options) :-
+    checked(Options, [File], [Result]),
+    (   Result.good == yes
+    ->  true
+    ;   format("~w: ~p~n", [File,Result]),
+        fail
+    ).
+
+%   joined(+Solids, -S): the boundaries of some prisms or boxes as one segment.
+
+joined(Parts, 1) :-
+    foldl(behind, Parts, []-[], Points-Faces),
+    polyhedron(1, solid, Points, Faces).
+
+behind(Points1-Faces1, Points0-Faces0, Points-Faces) :-
+    length(Points0, N),
+    maplist(maplist(plus(N)), Faces1, Moved),
+    append(Points0, Points1, Points),
+    append(Faces0, Moved, Faces).
+
+box(Low, High, Points-Faces) :-
+    box_points(Low, High, Points),
+    box_faces(Faces).
+
+scaled(K, Points0-Faces, Points-Faces) :-
+    maplist(scaled_point(K), Points0, Points).
+
+scaled_point(K, p(X0,Y0,Z0), p(X,Y,Z)) :-
+    X is K*X0,
+    Y is K*Y0,
+    Z is K*Z0.
+
+inside_out(Points-Faces0, Points-Faces) :-
+    maplist(reverse, Faces0, Faces).
+
+mesh_format(stl, []).
+mesh_format(stl, [binary(false)]).
+mesh_format(off, []).
+mesh_format(obj, []).
+mesh_format(ply, []).
+mesh_format(ply, [binary(true)]).
+
+%   model(?Name, -Parts, -Volume)
+
+model(box, [B], 24) :-
+    box(p(0,0,0), p(2,3,4), B).
+model(touch_in_a_point, [A,B], 2) :-
+    box(p(0,0,0), p(1,1,1), A),
+    box(p(1,1,1), p(2,2,2), B).
+model(touch_in_an_edge, [A,B], 2) :-
+    box(p(0,0,0), p(1,1,1), A),
+    box(p(1,1,0), p(2,2,1), B).
+model(touch_all_round, [A,B,C], 3) :-
+    box(p(0,0,0), p(1,1,1), A),
+    box(p(1,1,0), p(2,2,1), B),
+    box(p(0,1,1), p(1,2,2), C).
+model(shells, [A,C,D], V) :-
+    box(p(0,0,0), p(9,9,9), A),
+    box(p(1,1,1), p(8,8,8), B),
+    inside_out(B, C),
+    box(p(2,2,2), p(3,3,3), D),
+    V is 729-343+1.
+model(small, [C], 6.0e-24) :-
+    box(p(0,0,0), p(1,2,3), B),
+    scaled(1.0e-8, B, C).
+model(large, [C], 6.0e15) :-
+    box(p(0,0,0), p(1,2,3), B),
+    scaled(1.0e5, B, C).
+model(prism, [Points-Faces], _) :-
+    prism(17, 1, 2, Points, Faces).
+model(small_prism, [C], _) :-
+    prism(7, 1, 2, Points, Faces),
+    scaled(1.0e-8, Points-Faces, C).
+model(large_prism, [C], _) :-
+    prism(7, 1, 2, Points, Faces),
+    scaled(1.0e5, Points-Faces, C).
+% Thinner than float32 can say: in STL one side lies on the other.
+model(wedge, [Points-Faces, B], _) :-
+    Points = [p(3,0,5), p(4,0,5), p(4,1,5), p(3,1,5),
+              p(4,0,5.000000001), p(4,1,5.000000001)],
+    Faces = [[1,4,3,2], [1,2,5], [3,4,6], [2,3,6,5], [4,1,5,6]],
+    box(p(0,0,0), p(1,1,1), B).
+model(needle, [Points-Faces, B], _) :-
+    Points = [p(2,0.1,0.1), p(2,0.1000000000001,0.1), p(2,0.1,0.1000000000001),
+              p(3,0.1,0.1)],
+    Faces = [[1,3,2], [1,2,4], [2,3,4], [3,1,4]],
+    box(p(0,0,0), p(1,1,1), B).
+
+:- begin_tests(solid_file).
+
+test(read_back, forall(( model(Name, Parts, Volume),
+                         mesh_format(Ending, Options) ))) :-
+    with_file(Ending, File,
+              ( in_new_world(( joined(Parts, S),
+                               write_solid(File, S, Options) )),
+                read_back(File, _, _, Faults, V) )),
+    ( Faults == 0 -> true ; format("~w ~w~n", [Name,Ending]), fail ),
+    (   var(Volume)
+    ->  true
+    ;   abs(V-Volume) =< 1.0e-6*Volume
+    ).
+test(checker_stl, forall(model(_, Parts, _))) :-
+    with_file(stl, File,
+              ( in_new_world(( joined(Parts, S), write_solid(File, S) )),
+                good(File, []) )).
+test(checker_off, forall(model(_, Parts, _))) :-
+    with_file(off, File,
+              ( in_new_world(( joined(Parts, S), write_solid(File, S) )),
+                good(File, ['-i']) )).
+test(polygons_stay, V-P == 34-19) :-
+    model(prism, Parts, _),
+    with_file(off, File,
+              ( in_new_world(( joined(Parts, S), write_solid(File, S) )),
+                read_back(File, V, P, _, _) )).
+test(copies, V == 16) :-
+    model(touch_in_an_edge, Parts, _),
+    with_file(off, File,
+              ( in_new_world(( joined(Parts, S), write_solid(File, S) )),
+                read_back(File, V, _, 0, _) )).
+test(shared, V == 14) :-
+    model(touch_in_an_edge, Parts, _),
+    with_file(ply, File,
+              ( in_new_world(( joined(Parts, S),
+                               write_solid(File, S, [shared(true)]) )),
+                read_back(File, V, _, 0, _) )).
+test(model_file_keeps_all, Vs == 16) :-
+    model(touch_in_an_edge, Parts, _),
+    with_file(pl, File,
+              ( in_new_world(( joined(Parts, S), write_solid(File, S) )),
+                in_new_world(( load_model(File),
+                               aggregate_all(count, v(_,_,_,_,_), Vs) )) )).
+test(wedge_goes, T == 12) :-
+    model(wedge, Parts, _),
+    with_file(stl, File,
+              ( in_new_world(( joined(Parts, S), write_solid(File, S) )),
+                read_back(File, _, T, 0, _) )).
+
+%   The same bytes in any order.
+
+bytes(Ending, Options, Parts, Bytes) :-
+    with_file(Ending, File,
+              ( in_new_world(( joined(Parts, S),
+                               write_solid(File, S, [name(x)|Options]) )),
+                read_file_to_codes(File, Bytes, [type(binary)]) )).
+
+rotated_faces(Points-Faces0, Points-Faces) :-
+    random_permutation(Faces0, Faces1),
+    maplist(rotated, Faces1, Faces).
+
+rotated(List, Rotated) :-
+    length(List, N),
+    random_between(1, N, K),
+    length(Front, K),
+    append(Front, Back, List),
+    append(Back, Front, Rotated).
+
+test(any_order, [forall(( model(_, Parts, _), mesh_format(Ending, Options) )),
+                 setup(set_random(seed(7)))]) :-
+    bytes(Ending, Options, Parts, Bytes),
+    forall(between(1, 3, _),
+           ( random_permutation(Parts, Parts1),
+             maplist(rotated_faces, Parts1, Parts2),
+             bytes(Ending, Options, Parts2, Bytes) )).
+test(again, true(Bytes1 == Bytes2)) :-
+    model(prism, Parts, _),
+    bytes(off, [], Parts, Bytes1),
+    with_file(off, File,
+              ( in_new_world(( joined(Parts, S), write_solid(File, S) )),
+                in_new_world(( load_model(File),
+                               write_solid(File, 1) )),
+                read_file_to_codes(File, Bytes2, [type(binary)]) )).
+test(convert_keeps_the_order, true(Xs == [2.0,0.0,0.0,0.0])) :-
+    with_file(off, File,
+              ( in_new_world(( polyhedron(1, solid,
+                                  [p(2,0,0),p(0,0,0),p(0,2,0),p(0,0,2)],
+                                  [[1,2,3],[1,3,4],[2,1,4],[3,2,4]]),
+                               write_mesh(File, all) )),
+                in_new_world(( load_model(File),
+                               findall(X, v(1,_,X,_,_), Xs) )) )).
+test(canonical_mesh, true(Xs == [0.0,0.0,0.0,2.0])) :-
+    with_file(off, File,
+              ( in_new_world(( polyhedron(1, solid,
+                                  [p(2,0,0),p(0,0,0),p(0,2,0),p(0,0,2)],
+                                  [[1,2,3],[1,3,4],[2,1,4],[3,2,4]]),
+                               write_mesh(File, all, [canonical(true)]) )),
+                in_new_world(( load_model(File),
+                               findall(X, v(1,_,X,_,_), Xs) )) )).
+test(canonical_segments, N == 2) :-
+    with_file(obj, File,
+              ( in_new_world(( add_primitive(named(a, box(size(1,1,1))), _),
+                               add_primitive(named(b, box(size(2,1,1))), _),
+                               write_mesh(File, all, [canonical(true)]) )),
+ XX
+
+%   What cannot be written, and no file then.
+
+test(open, F == open(3)) :-
+    in_new_world(( polyhedron(1, solid,
+                              [p(2,0,0),p(0,0,0),p(0,2,0),p(0,0,2)],
+                              [[1,2,3],[1,3,4],[2,1,4]]),
+                   catch(write_solid('/tmp/sg_never.off', 1, [rounds(0)]),
+                         error(geometry_error(written(faulty(1, 0, F))), _),
+                         true) )),
+    \+ exists_file('/tmp/sg_never.off').
+test(two_through_each_other, N-K == 6-self_penetration) :-
+    box(p(0,0,0), p(2,2,2), A),
+    box(p(1,1,1), p(3,3,3), B),
+    in_new_world(( joined([A,B], S),
+                   catch(write_solid('/tmp/sg_never.off', S,
+                                     [rounds(0), check(all)]),
+                         error(geometry_error(written(faulty(1, 0,
+                                 penetrates(N, meeting(K, _, _, _))))), _),
+                         true) )),
+    \+ exists_file('/tmp/sg_never.off').
+test(no_check) :-
+    box(p(0,0,0), p(2,2,2), A),
+    box(p(1,1,1), p(3,3,3), B),
+    with_file(off, File,
+              ( in_new_world(( joined([A,B], S),
+                               write_solid(File, S, [check(none)]) )),
+                read_back(File, 16, 12, _, _) )).
+test(no_segment, error(existence_error(segment, 5))) :-
+    in_new_world(write_solid('/tmp/sg_never.off', 5)).
+test(bad_ending, error(domain_error(mesh_ending, _))) :-
+    in_new_world(( joined_box(S), write_solid('/tmp/sg_never.xyz', S) )).
+
+joined_box(S) :-
+    model(box, Parts, _),
+    joined(Parts, S).
+
+%   Messages in both languages.
+
+heads(Module:Name, Heads) :-
+    Head =.. [Name,A,_,_],
+    findall(A, ( clause(Module:Head, _), numbervars(A, 0, _) ), Heads0),
+    sort(Heads0, Heads).
+
+test(languages, true(En == Ko)) :-
+    heads(sg_written_en:written_en, En),
+    heads(sg_written_ko:written_ko, Ko).
+test(languages_of_faults, true(En == Ko)) :-
+    heads(sg_written_en:unwritten_en, En),
+    heads(sg_written_ko:unwritten_ko, Ko).
+
+:- end_tests(solid_file).
