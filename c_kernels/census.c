@@ -8,6 +8,7 @@ const char *const sg_defect_name[SG_DEFECTS] = {
     [SG_DEFECT_BORDER] = "border_edge",
     [SG_DEFECT_TURNED] = "turned_edge",
     [SG_DEFECT_NONMANIFOLD] = "nonmanifold_edge",
+    [SG_DEFECT_CROWDED] = "touching_edge",
     [SG_DEFECT_SHARED] = "shared_half_edge",
     [SG_DEFECT_OPEN] = "open_polygon",
     [SG_DEFECT_FLAT] = "degenerate_face",
@@ -99,7 +100,8 @@ unite(sg_counting *c, int32_t p, int32_t q)
   c->shell_of[p > q ? p : q] = p < q ? p : q;
 }
 
-/* One undirected edge of polygons; `edge` are its half-edges, places. */
+/* One undirected edge of polygons; `edge` are its half-edges, places. Bodies
+ * that touch along it leave their shells closed. */
 static bool
 note_group(sg_counting *c, const int32_t *edge, size_t n, size_t forward)
 {
@@ -113,6 +115,9 @@ note_group(sg_counting *c, const int32_t *edge, size_t n, size_t forward)
     c->opposite[edge[0]] = edge[1];
     c->opposite[edge[1]] = edge[0];
     return true;
+  }
+  if (2 * forward == n) {
+    return sg_census_note(c, SG_DEFECT_CROWDED, id[edge[0]], (int32_t)n);
   }
   for (size_t i = 0; i < n; i++) {
     c->bad[c->owner[edge[i]]] = true;

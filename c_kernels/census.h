@@ -11,7 +11,9 @@
 typedef enum sg_defect_kind {
   SG_DEFECT_BORDER,      /* half-edge a has no opposite */
   SG_DEFECT_TURNED,      /* half-edges a and b run the same way */
-  SG_DEFECT_NONMANIFOLD, /* b half-edges between the ends of half-edge a */
+  SG_DEFECT_NONMANIFOLD, /* b > 2 half-edges between the ends of half-edge a,
+                            not as many one way as the other */
+  SG_DEFECT_CROWDED,     /* the same, as many one way as the other */
   SG_DEFECT_SHARED,      /* half-edge a is in polygons b and another */
   SG_DEFECT_OPEN,        /* polygon a: b edges lead nowhere */
   SG_DEFECT_FLAT,        /* polygon a has no area */

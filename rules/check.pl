@@ -116,6 +116,7 @@ shell_report(Defects, shell(P, Vs, Es, Ps, Euler0, Closed, Pinched, Area,
                             Volume), Report) :-
     (   ( memberchk(turned_edge-_, Defects)
         ; memberchk(nonmanifold_edge-_, Defects)
+        ; memberchk(touching_edge-_, Defects)
         ; memberchk(open_polygon-_, Defects)
         )
     ->  Euler = null

@@ -19,8 +19,9 @@ A bad model is no error but a relation. The joins are one pass in C
 %       A half-edge of a solid that has no opposite.
 %     - turned_edge(S, E1, E2)
 %       Two polygons use an edge in the same direction: one faces the wrong way.
-%     - nonmanifold_edge(S, E, N)
-%       N > 2 half-edges between the ends of E.
+%     - nonmanifold_edge(S, E, N), touching_edge(S, E, N)
+%       N > 2 half-edges between the ends of E; of a touching_edge as many one
+%       way as the other, as where bodies touch along it.
 %     - shared_half_edge(S, E, P)
 %       E is in P and in another polygon.
 %     - open_polygon(S, P, N)
@@ -74,6 +75,7 @@ self_defect(self_touching(S, P1, P2),    self_touching,    S, P1, P2).
 defect_census(open_edge(S, E),            border_edge,      S, E, _).
 defect_census(turned_edge(S, E1, E2),     turned_edge,      S, E1, E2).
 defect_census(nonmanifold_edge(S, E, N),  nonmanifold_edge, S, E, N).
+defect_census(touching_edge(S, E, N),     touching_edge,    S, E, N).
 defect_census(shared_half_edge(S, E, P),  shared_half_edge, S, E, P).
 defect_census(open_polygon(S, P, N),      open_polygon,     S, P, N).
 defect_census(duplicate_face(S, P1, P2),  duplicate_face,   S, P1, P2).
@@ -98,6 +100,7 @@ defect_weight(duplicate_face,   fault).
 defect_weight(inside_out,       fault).
 defect_weight(self_penetration, fault).
 defect_weight(self_overlap,     fault).
+defect_weight(touching_edge,    remark).
 defect_weight(pinched_vertex,   remark).
 defect_weight(degenerate_face,  remark).
 defect_weight(bent_face,        remark).

@@ -3,9 +3,15 @@
             read_mesh/3,                % +File, -Segments, +Options
             write_mesh/2,               % +File, +Segments
             write_mesh/3,               % +File, +Segments, +Options
-            mesh_ending/2               % ?Ending, ?Format
+            mesh_ending/2,              % ?Ending, ?Format
+            mesh_file_format/3,         % +File, +Options, -Format
+            mesh_to_file/2,             % +File, :Goal
+            mesh_outcome/1              % +Outcome
           ]).
-:- use_module(kernel, [mesh_add/6, mesh_write/5]).
+:- use_module(kernel,
+              [ mesh_add/6, mesh_write/5, boundary_open/7, boundary_write/5,
+                boundary_close/1
+              ]).
 :- use_module(output, [writing/3]).
 :- use_module(store,
               [ segment/3, assert_fact/1, facts_transaction/1, fresh_id/3 ]).
@@ -192,6 +198,10 @@ warned(_, What) :-
 %       `stl`, `off`, `obj` or `ply`, by default by the file's ending.
 %     - binary(Bool)
 %       Of STL (rounds to float32) and PLY (doubles); default `false`.
+%     - canonical(true)
+%       Each segment in an order that depends on where things are alone, and
+%       cleaned, as write_solid/3 does; its curves are left out. By default
+%       vertices and faces stay in the order they have.
 %
 %   A polygon with holes is written as its triangles, in STL every polygon; so
 %   complete_segments/0 must have been called for these. STL and OBJ keep
@@ -206,16 +216,31 @@ write_mesh(File, Segments) :-
     write_mesh(File, Segments, []).
 
 write_mesh(File, Segments0, Options) :-
-    written_format(File, Options, Format),
+    mesh_file_format(File, Options, Format),
     segments_names(Segments0, Segments, Names),
-    (   File == (-)
-    ->  setup_call_cleanup(
-            set_stream(user_output, type(binary)),
-            mesh_written(Format, Segments, Names, user_output),
-            set_stream(user_output, type(text)))
-    ;   writing(File, binary, sg_mesh:mesh_written(Format, Segments, Names))
-    ),
-    without_curves(Format, File, Segments).
+    option(canonical(Canonical), Options, false),
+    must_be(boolean, Canonical),
+    (   Canonical == true
+    ->  mesh_to_file(File, sg_mesh:canonical_written(Format, Segments, Names))
+    ;   mesh_to_file(File, sg_mesh:mesh_written(Format, Segments, Names)),
+        without_curves(Format, File, Segments)
+    ).
+
+:- meta_predicate mesh_to_file(+, 1).
+
+%!  mesh_to_file(+File, :Goal) is det.
+%
+%   Call Goal with one more argument, a binary stream that is File (`-`: standard
+%   output) afterwards.
+
+mesh_to_file(-, Goal) :-
+    !,
+    setup_call_cleanup(
+        set_stream(user_output, type(binary)),
+        call(Goal, user_output),
+        set_stream(user_output, type(text))).
+mesh_to_file(File, Goal) :-
+    writing(File, binary, Goal).
 
 %   without_curves(Format, File, Segments): warn of what STL cannot hold.
 
@@ -227,7 +252,14 @@ without_curves(Format, File, Segments) :-
     warned(Curves, mesh(File, no_curves(Curves))).
 without_curves(_, _, _).
 
-written_format(File, Options, Format) :-
+%!  mesh_file_format(+File, +Options, -Format) is det.
+%
+%   Format, as mesh_write/5 knows it, is that of File by its ending and the
+%   options format(_) and binary(_).
+%
+%   @error domain_error(mesh_ending, File)
+
+mesh_file_format(File, Options, Format) :-
     file_format(File, Format0),
     option(format(Format1), Options, Format0),
     (   mesh_ending(_, Format1)
@@ -262,6 +294,32 @@ segment_name(S, Name) :-
 
 mesh_written(Format, Segments, Names, Stream) :-
     mesh_write(Stream, Format, Segments, Names, Result),
+    mesh_outcome(Result).
+
+%   canonical_written(Format, Segments, Names, Stream)
+
+canonical_written(Format, Segments, Names, Stream) :-
+    (   memberchk(Format, [stl, stl_binary])
+    ->  Triangles = true,
+        Copies = false
+    ;   Triangles = false,
+        Copies = true
+    ),
+    (   Format == stl_binary
+    ->  Single = true
+    ;   Single = false
+    ),
+    setup_call_cleanup(
+        boundary_open(Segments, [], Single, 0.0, Triangles, Copies, Boundary),
+        boundary_write(Boundary, Stream, Format, Names, Result),
+        boundary_close(Boundary)),
+    mesh_outcome(Result).
+
+%!  mesh_outcome(+Outcome) is det.
+%
+%   Raise what went wrong, as mesh_write/5 gives it.
+
+mesh_outcome(Result) :-
     (   Result == ok
     ->  true
     ;   Result = no_triangles(_, _)

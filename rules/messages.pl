@@ -11,6 +11,7 @@
 :- use_module(openscad_en, [openscad_en//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
+:- use_module(written_en, [written_en//1, unwritten_en//1]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
 :- autoload(library(uri), [uri_encoded/3]).
@@ -443,6 +444,9 @@ fault_en(mesh_write(unsupported(Text))) -->
     [ 'this format cannot hold ~w'-[Text], nl,
       '  Write .obj or .ply instead.' ].
 
+fault_en(written(faulty(S, Rounds, What))) -->
+    [ 'segment ~d is not written, after ~D rounds: '-[S, Rounds] ],
+    unwritten_en(What).
 fault_en(no_triangles(S, P)) -->
     [ 'polygon ~d of segment ~d has no triangles'-[P, S], nl,
       '  It may be invalid: see what check says; else call \c
@@ -458,6 +462,9 @@ notice_en(mesh(File, ignored(N, Line))) -->
     [ ' of unknown kind passed over, the first in line ~D'-[Line] ].
 notice_en(mesh(File, no_curves(N))) -->
     [ '~w: STL holds no curves: ~D left out'-[File, N] ].
+notice_en(written(File, What)) -->
+    [ '~w: '-[File] ],
+    written_en(What).
 notice_en(mesh(File, trailing(Bytes))) -->
     [ '~w: '-[File] ],
     counted(Bytes, byte, bytes),

@@ -11,6 +11,7 @@
 :- use_module(openscad_ko, [openscad_ko//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
+:- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
 :- use_module(primitive_ko, [primitive_ko//2]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
@@ -427,6 +428,9 @@ fault_ko(mesh_write(unsupported(Text))) -->
     [ '이 형식은 ~w 을(를) 담을 수 없습니다'-[Text], nl,
       '  .obj 나 .ply 로 쓰십시오.' ].
 
+fault_ko(written(faulty(S, Rounds, What))) -->
+    [ '세그먼트 ~d을(를) 쓰지 않았다, ~D번 뒤: '-[S, Rounds] ],
+    unwritten_ko(What).
 fault_ko(no_triangles(S, P)) -->
     [ '세그먼트 ~d의 다각형 ~d에 삼각형이 없습니다'-[S, P], nl,
       '  잘못된 다각형일 수 있습니다: check로 살펴보거나 complete_segments를 \c
@@ -439,6 +443,9 @@ notice_ko(mesh(File, ignored(N, Line))) -->
       [File, N, Line] ].
 notice_ko(mesh(File, no_curves(N))) -->
     [ '~w: STL에는 곡선이 없어 ~D개를 뺐습니다'-[File, N] ].
+notice_ko(written(File, What)) -->
+    [ '~w: '-[File] ],
+    written_ko(What).
 notice_ko(mesh(File, trailing(Bytes))) -->
     [ '~w: 메시 뒤의 ~D 바이트를 건너뛰었습니다'-[File, Bytes] ].
 

@@ -1,0 +1,269 @@
+:- module(sg_solid_file,
+          [ write_solid/2,              % +File, +S
+            write_solid/3,              % +File, +S, +Options
+            output_statistics/1         % -Statistics
+          ]).
+:- use_module(kernel,
+              [ boundary_open/7, boundary_close/1, boundary_counts/2,
+                boundary_meetings/4, boundary_add/2, boundary_write/5
+              ]).
+:- use_module(mesh, [mesh_file_format/3, mesh_to_file/2, mesh_outcome/1]).
+:- use_module(model_writer, [write_model/1]).
+:- use_module(stage, [stage/2]).
+:- use_module(store,
+              [ v/5, segment/3, origin/3, assert_fact/1, facts_snapshot/1,
+                fresh_id/3
+              ]).
+:- use_module(triangulation, [complete_segments/0]).
+:- autoload(library(aggregate), [aggregate_all/3]).
+:- autoload(library(error), [existence_error/2, must_be/2]).
+:- autoload(library(option), [option/3]).
+/** <module> Solids to files: what is read back is closed and clean.
+
+The numbers of a file are not those of the model: STL has float32. Rounding can
+put vertices together, make triangles collapse and fold thin parts over. So a
+solid goes to a mesh file in these steps.
+
+ 1. Coordinates are rounded as the format stores them. Vertices in one place
+    become one, and what has collapsed goes, so that nothing opens
+    (c_kernels/boundary.h).
+ 2. The rounded numbers are checked: every edge has its opposite, and no
+    triangle goes through another one. What rounding, a cut or the division of a
+    polygon has made is checked against everything; the rest is as the solid has
+    it.
+ 3. If something is wrong, the rounded mesh is united with itself, the result
+    rounded to a coarser grid, and checked again: five times at most
+    (output_round/4 below says how coarse).
+ 4. The file is written beside, and takes its name.
+
+The bytes depend on where the solid is alone: vertices ascend by their
+coordinates, each face begins with its lowest vertex, and faces ascend. Where
+bodies touch in a point or an edge the formats with numbered vertices get copies
+(c_kernels/boundary_mesh.h); in the relations, and in model files, they share.
+*/
+
+%!  write_solid(+File, +S) is det.
+%!  write_solid(+File, +S, +Options) is det.
+%
+%   Write solid S of the current world to File (`-`: standard output): `.stl`,
+%   `.off`, `.obj`, `.ply` or, with all of the world as it is, `.pl`. Options:
+%
+%     - format(Format), binary(Bool)
+%       As of write_mesh/3; STL is binary unless binary(false). Text STL has
+%       float32 numbers too, all their digits.
+%     - name(Name)
+%       What the solid is called in the file; by default as in segment/3.
+%     - shared(true)
+%       No copies: vertices and edges in which bodies touch stay shared.
+%     - check(Which)
+%       `changed`, as step 2 says; `all`: every triangle; or `none`.
+%     - rounds(N)
+%       Of step 3; default 5.
+%
+%   OFF, OBJ and PLY have polygons; one with holes, or that meets itself, is
+%   divided into triangles. An empty solid gives a file without faces, with a
+%   warning.
+%
+%   @error existence_error(segment, S),
+%   geometry_error(written(faulty(S, Rounds, Fault))): Fault is one of open(N)
+%   edges, undivided(N) faces, crossing(N) edges, penetrates(N, Meeting) as of
+%   boundary_meetings/4. No file then, nor is an old one touched
+
+write_solid(File, S) :-
+    write_solid(File, S, []).
+
+write_solid(File, S, Options) :-
+    (   segment(S, _, Name0)
+    ->  option(name(Name), Options, Name0)
+    ;   existence_error(segment, S)
+    ),
+    solid_format(File, Options, Format),
+    stage(write, written(Format, File, S, Name, Options)).
+
+solid_format(File, Options, Format) :-
+    file_name_extension(_, Ending0, File),
+    downcase_atom(Ending0, Ending),
+    option(format(Format0), Options, Ending),
+    (   Format0 == pl
+    ->  Format = pl
+    ;   mesh_file_format(File, Options, stl),
+        \+ option(binary(_), Options)
+    ->  Format = stl_binary
+    ;   mesh_file_format(File, Options, Format)
+    ).
+
+written(pl, File, _, _, _) :-
+    !,
+    write_model(File).
+written(Format, File, S, Name, Options) :-
+    format_manner(Format, Options, Manner),
+    clean_boundary(S, Manner, Options, Boundary, Rounds),
+    call_cleanup(
+        ( mesh_to_file(File,
+                       sg_solid_file:boundary_written(Boundary, Format, Name)),
+          boundary_counts(Boundary, Counts)
+        ),
+        boundary_close(Boundary)),
+    said_rounds(File, Rounds),
+    said_empty(File, Counts).
+
+boundary_written(Boundary, Format, Name, Stream) :-
+    boundary_write(Boundary, Stream, Format, [Name], Outcome),
+    mesh_outcome(Outcome).
+
+said_rounds(File, Rounds) :-
+    flag(sg_solid_files, Files, Files+1),
+    flag(sg_solid_rounds, Sum, Sum+Rounds),
+    (   Rounds =:= 0
+    ->  true
+    ;   print_message(informational, sanggwan(written(File, rounds(Rounds))))
+    ).
+
+said_empty(File, Counts) :-
+    (   arg(2, Counts, 0)
+    ->  print_message(warning, sanggwan(written(File, empty)))
+    ;   true
+    ).
+
+%!  output_statistics(-Statistics) is det.
+%
+%   A dict: solids written since the process started, and the rounds these
+%   needed.
+
+output_statistics(_{solids:Solids, rounds:Rounds}) :-
+    flag(sg_solid_files, Solids, Solids),
+    flag(sg_solid_rounds, Rounds, Rounds).
+
+
+                /*******************************
+                *       ROUND, CHECK, UNITE    *
+                *******************************/
+
+%   format_manner(Format, Options, Manner): manner(Single, Triangles, Copies) as
+%   boundary_open/7 wants them.
+
+format_manner(Format, Options, manner(Single, Triangles, Copies)) :-
+    (   memberchk(Format, [stl, stl_binary])
+    ->  Single = true,
+        Triangles = true,
+        Copies = false
+    ;   Single = false,
+        Triangles = false,
+        option(shared(Shared), Options, false),
+        must_be(boolean, Shared),
+        (   Shared == true
+        ->  Copies = false
+        ;   Copies = true
+        )
+    ).
+
+%   clean_boundary(S, Manner, Options, Boundary, Rounds): Boundary has no fault,
+%   after as many rounds.
+
+clean_boundary(S, Manner, Options, Boundary, Rounds) :-
+    option(check(Which), Options, changed),
+    must_be(oneof([changed,all,none]), Which),
+    option(rounds(Most), Options, 5),
+    must_be(nonneg, Most),
+    rounded(S, Manner, 0.0, Boundary0),
+    (   Which == none
+    ->  Boundary = Boundary0,
+        Rounds = 0
+    ;   boundary_fault(Boundary0, Which, true, Fault)
+    ->  boundary_close(Boundary0),
+        next_round(Fault, S, 0.0, 1, Most, task(S, Manner, Which),
+                   Boundary, Rounds)
+    ;   Boundary = Boundary0,
+        Rounds = 0
+    ).
+
+rounded(S, manner(Single, Triangles, Copies), Grid, Boundary) :-
+    findall(S-V, origin(S, v(V), _), Made),
+    boundary_open([S], Made, Single, Grid, Triangles, Copies, Boundary).
+
+%   boundary_fault(Boundary, Which, Exact, Fault): the first fault there is.
+
+boundary_fault(Boundary, Which, Exact, Fault) :-
+    boundary_counts(Boundary, Counts),
+    Counts = counts(_, _, _, Open, Crossing, _, _, Stuck, _),
+    (   Stuck > 0
+    ->  Fault = undivided(Stuck)
+    ;   Open > 0
+    ->  Fault = open(Open)
+    ;   Crossing > 0
+    ->  Fault = crossing(Crossing)
+    ;   (   Which == all
+        ->  All = true
+        ;   All = false
+        ),
+        boundary_meetings(Boundary, All, Exact, Meetings),
+        Meetings = [First|_],
+        length(Meetings, N),
+        Fault = penetrates(N, First)
+    ).
+
+%   next_round(Fault, S, Grid, Round, Most, Task, Boundary, Rounds): S, rounded
+%   to Grid, has Fault; it is united with itself, and Boundary is what comes out
+%   on a coarser grid.
+
+next_round(Fault, _, _, Round, Most, task(S, _, _), _, _) :-
+    Round > Most,
+    !,
+    Rounds is Round-1,
+    throw(error(geometry_error(written(faulty(S, Rounds, Fault))), _)).
+next_round(_, S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
+    facts_snapshot(
+        sg_solid_file:united_round(S0, Grid0, Round, Most, Task, Boundary,
+                                   Rounds)).
+
+united_round(S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
+    Task = task(_, Manner, Which),
+    Manner = manner(Single, _, _),
+    rounded_copy(S0, Single, Grid0, S1),
+    united(S1, S2),
+    output_round(Single, Round, S1, Grid),
+    rounded(S2, Manner, Grid, Boundary0),
+    (   boundary_fault(Boundary0, Which, true, Fault)
+    ->  (   Round >= Most,
+            \+ boundary_fault(Boundary0, Which, false, _)
+        ->  Boundary = Boundary0,
+            Rounds = Round
+        ;   boundary_close(Boundary0),
+            Next is Round+1,
+            next_round(Fault, S2, Grid, Next, Most, Task, Boundary, Rounds)
+        )
+    ;   Boundary = Boundary0,
+        Rounds = Round
+    ).
+
+%   rounded_copy(S, Single, Grid, Copy): the rounded polygons as a segment.
+
+rounded_copy(S, Single, Grid, Copy) :-
+    boundary_open([S], [], Single, Grid, false, false, Boundary),
+    fresh_id(segment, 0, Copy),
+    boundary_add(Boundary, Copy),
+    assert_fact(segment(Copy, solid, rounded)),
+    boundary_close(Boundary),
+    complete_segments.
+
+%   output_round(Single, Round, S, Grid): round 1 has a grid as fine as the
+%   numbers of the file are at the largest coordinate of S; each is 4 times
+%   (float32) or 16 times (doubles) as coarse as the one before.
+
+output_round(Single, Round, S, Grid) :-
+    aggregate_all(max(Size),
+                  ( v(S, _, X, Y, Z),
+                    Size is max(abs(X), max(abs(Y), abs(Z))) ),
+                  Largest),
+    Exponent is ceiling(log2(Largest)),
+    (   Single == true
+    ->  Grid is 2.0**(Exponent-25+2*Round)
+    ;   Grid is 2.0**(Exponent-54+4*Round)
+    ).
+
+%   united(S, Union): Union is the solid that S bounds, no part of it inside.
+
+united(S, Union) :-
+    current_predicate(sg_boolean:boolean/2),
+    fresh_id(segment, 0, Union),
+    sg_boolean:boolean(union([S]), Union).

@@ -1,0 +1,36 @@
+:- encoding(utf8).
+:- module(sg_written_ko,
+          [ written_ko//1,              % +What
+            unwritten_ko//1             % +What
+          ]).
+/** <module> Messages about solids written to files, in Korean.
+*/
+
+%!  written_ko(+What)// is det.
+%
+%   As written_en//1.
+
+written_ko(rounds(1)) -->
+    [ '반올림으로 자신을 뚫고 지나가서, 더 성긴 격자에서 자신과 한 번 합했다' ].
+written_ko(rounds(N)) -->
+    { N > 1 },
+    [ '반올림으로 자신을 뚫고 지나가서, 더 성긴 격자에서 자신과 ~D번 합했다'-[N] ].
+written_ko(empty) -->
+    [ '입체가 비어 있다: 면이 없는 파일' ].
+
+%!  unwritten_ko(+What)// is det.
+%
+%   As unwritten_en//1.
+
+unwritten_ko(open(N)) -->
+    [ '모서리 ~D개에서 열려 있다'-[N], nl,
+      '  닫힌 경계만 입체로 쓸 수 있다. check를 보라.' ].
+unwritten_ko(undivided(N)) -->
+    [ '면 ~D개를 삼각형으로 나눌 수 없다'-[N], nl,
+      '  .pl이나 배정도 형식(.off, .ply)으로 쓰라.' ].
+unwritten_ko(crossing(N)) -->
+    [ '모서리 ~D개를 따라 면들이 서로 엇갈린다'-[N], nl,
+      '  .pl이나 배정도 형식(.off, .ply)으로 쓰라.' ].
+unwritten_ko(penetrates(N, meeting(_, X, Y, Z))) -->
+    [ '~D곳에서 자신을 뚫고 지나간다. 처음은 ~g ~g ~g 근처다'-[N,X,Y,Z], nl,
+      '  .pl이나 배정도 형식(.off, .ply)으로 쓰라.' ].
