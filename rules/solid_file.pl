@@ -3,6 +3,7 @@
             write_solid/3,              % +File, +S, +Options
             output_statistics/1         % -Statistics
           ]).
+:- use_module(boolean, [boolean/2]).
 :- use_module(kernel,
               [ boundary_open/7, boundary_close/1, boundary_counts/2,
                 boundary_meetings/4, boundary_add/2, boundary_write/5
@@ -264,6 +265,5 @@ output_round(Single, Round, S, Grid) :-
 %   united(S, Union): Union is the solid that S bounds, no part of it inside.
 
 united(S, Union) :-
-    current_predicate(sg_boolean:boolean/2),
     fresh_id(segment, 0, Union),
-    sg_boolean:boolean(union([S]), Union).
+    boolean(union([S]), Union).

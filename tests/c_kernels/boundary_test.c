@@ -300,7 +300,7 @@ static void
 shuffle(unsigned seed)
 {
   static struct model old;
-  int32_t number[MOST];
+  int32_t number[MOST] = {0};
   size_t order[MOST];
 
   srand(seed);
@@ -406,62 +406,54 @@ test_touching(void)
                                         mesh.mesh.vertices == 24);
 }
 
+/* Unit cells; walls between two of them are left out. */
+typedef struct cells {
+  bool full[5][4][4]; /* z, y, x; a rim of empty ones */
+  int32_t v[4][3][3];
+} cells;
+
+/* The wall of cell `at` across an axis, below it or above it. */
+static void
+wall(const cells *c, const int at[3], int axis, bool above)
+{
+  int next[3] = {at[0], at[1], at[2]};
+
+  next[axis] += above ? 1 : -1;
+  if (c->full[next[2] + 1][next[1] + 1][next[0] + 1]) {
+    return;
+  }
+  int32_t ring[4];
+  for (int i = 0; i < 4; i++) {
+    int k[3] = {at[0], at[1], at[2]};
+    k[axis] += above;
+    k[(axis + 1) % 3] += i == 1 || i == 2;
+    k[(axis + 2) % 3] += i >= 2;
+    ring[above ? i : 3 - i] = c->v[k[2]][k[1]][k[0]];
+  }
+  polygon(4, ring);
+}
+
 /* One body that touches itself along an edge, both ends inside it: copies of
  * the ends cannot part it by matter, so they part it by what is between. */
 static void
 test_one_body_touches_itself(void)
 {
-  /* Columns of a 2 x 2 board, layers 0 and 3 full, in the middle a diagonal:
-   * unit cells, inner walls left out. */
-  static const int layer[3][2][2] = {
-      {{1, 1}, {1, 1}}, {{1, 0}, {0, 1}}, {{1, 1}, {1, 1}}};
-  int32_t v[4][3][3];
+  /* Layers of 2 x 2 cells, full but for two in the middle. */
+  cells c = {0};
 
   clear_model();
-  for (int z = 0; z < 4; z++) {
-    for (int y = 0; y < 3; y++) {
-      for (int x = 0; x < 3; x++) {
-        v[z][y][x] = point(x, y, z);
-      }
+  for (int i = 0; i < 36; i++) {
+    c.v[i / 9][i / 3 % 3][i % 3] = point(i % 3, i / 3 % 3, i / 9);
+  }
+  for (int i = 0; i < 12; i++) {
+    c.full[i / 4 + 1][i / 2 % 2 + 1][i % 2 + 1] = i != 5 && i != 6;
+  }
+  for (int i = 0; i < 12; i++) {
+    const int at[3] = {i % 2, i / 2 % 2, i / 4};
+    for (int k = 0; k < 6 && i != 5 && i != 6; k++) {
+      wall(&c, at, k / 2, k % 2);
     }
   }
-#define CELL(z, y, x)                                                          \
-  ((z) >= 0 && (z) < 3 && (y) >= 0 && (y) < 2 && (x) >= 0 && (x) < 2 &&        \
-   layer[z][y][x])
-  for (int z = 0; z < 3; z++) {
-    for (int y = 0; y < 2; y++) {
-      for (int x = 0; x < 2; x++) {
-        if (!CELL(z, y, x)) {
-          continue;
-        }
-        if (!CELL(z - 1, y, x)) {
-          POLYGON(v[z][y][x], v[z][y + 1][x], v[z][y + 1][x + 1],
-                  v[z][y][x + 1]);
-        }
-        if (!CELL(z + 1, y, x)) {
-          POLYGON(v[z + 1][y][x], v[z + 1][y][x + 1], v[z + 1][y + 1][x + 1],
-                  v[z + 1][y + 1][x]);
-        }
-        if (!CELL(z, y - 1, x)) {
-          POLYGON(v[z][y][x], v[z][y][x + 1], v[z + 1][y][x + 1],
-                  v[z + 1][y][x]);
-        }
-        if (!CELL(z, y + 1, x)) {
-          POLYGON(v[z][y + 1][x], v[z + 1][y + 1][x], v[z + 1][y + 1][x + 1],
-                  v[z][y + 1][x + 1]);
-        }
-        if (!CELL(z, y, x - 1)) {
-          POLYGON(v[z][y][x], v[z + 1][y][x], v[z + 1][y + 1][x],
-                  v[z][y + 1][x]);
-        }
-        if (!CELL(z, y, x + 1)) {
-          POLYGON(v[z][y][x + 1], v[z][y + 1][x + 1], v[z + 1][y + 1][x + 1],
-                  v[z + 1][y][x + 1]);
-        }
-      }
-    }
-  }
-#undef CELL
   CHECK("it touches itself along one edge",
         make(0, false, false, false) && mesh.touching == 1 && is_closed(false));
   CHECK("with copies every edge has two faces",

@@ -234,7 +234,9 @@ test(canonical_segments, N == 2) :-
               ( in_new_world(( add_primitive(named(a, box(size(1,1,1))), _),
                                add_primitive(named(b, box(size(2,1,1))), _),
                                write_mesh(File, all, [canonical(true)]) )),
- XX
+                in_new_world(( load_model(File),
+                               aggregate_all(count, segment(_,solid,_), N) ))
+              )).
 
 %   What cannot be written, and no file then.
 
