@@ -12,6 +12,7 @@
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
 :- use_module(progress, [with_progress/1]).
+:- use_module(solid_file, [output_statistics/1]).
 :- use_module(stage, [stages_reset/0, stage_seconds/2]).
 :- use_module(status, [error_status/2]).
 :- use_module(store, [new_world/1, in_world/2, facts_statistics/2]).
@@ -232,9 +233,10 @@ measured(Options, Start) :-
         exact_statistics(Exact),
         tree_statistics(Trees),
         csg_statistics(Csg),
+        output_statistics(Output),
         findall(Relation-Dict, facts_statistics(Relation, Dict), Pairs1),
         json_line([exact_fallbacks-Fallbacks,exact-Exact,
-                   trees-Trees,csg-Csg|Pairs1])
+                   trees-Trees,csg-Csg,output-Output|Pairs1])
     ;   true
     ).
 

@@ -17,6 +17,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(model_file, [add_primitive/2]).
 :- reexport(mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(openscad, [read_csg/2]).
+:- reexport(solid_file, [write_solid/2, write_solid/3]).
 :- reexport(triangulation, [complete_segments/0, polygon_triangles/3]).
 :- reexport(arrangement, [with_arrangement/3, components/2]).
 :- reexport(boolean, except([stays/3])).
