@@ -256,10 +256,20 @@ output_round(Single, Round, S, Grid) :-
                   ( v(S, _, X, Y, Z),
                     Size is max(abs(X), max(abs(Y), abs(Z))) ),
                   Largest),
-    Exponent is ceiling(log2(Largest)),
+    Start is truncate(log(Largest)/log(2))-1,
+    power_above(Start, Largest, Exponent),
     (   Single == true
     ->  Grid is 2.0**(Exponent-25+2*Round)
     ;   Grid is 2.0**(Exponent-54+4*Round)
+    ).
+
+%   power_above(E0, X, E): the first E from E0 on with 2**E >= X.
+
+power_above(E0, X, E) :-
+    (   2.0**E0 >= X
+    ->  E = E0
+    ;   E1 is E0+1,
+        power_above(E1, X, E)
     ).
 
 %   united(S, Union): Union is the solid that S bounds, no part of it inside.
