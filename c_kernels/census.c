@@ -392,7 +392,8 @@ count_segment(sg_counting *c)
     }
   }
   return pair_edges(c) && count_fans(c) && sg_census_vertices(c) &&
-         sg_census_faces(c) && sg_census_doubles(c) && count_shells(c);
+         sg_census_faces(c) && sg_census_doubles(c) && count_shells(c) &&
+         sg_census_depths(c);
 }
 
 static bool

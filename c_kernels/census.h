@@ -40,7 +40,8 @@ typedef struct sg_shell {
   int32_t polygon; /* the lowest id in it */
   size_t vertices, edges, polygons;
   int64_t euler; /* vertices - edges + faces; a face with h holes counts 1-h */
-  bool closed;   /* every edge is a pair of opposite half-edges */
+  size_t depth;  /* how many other shells of the segment go round it */
+  bool closed;   /* as many half-edges one way as the other on every edge */
   bool pinched;  /* some vertex has several fans */
   double area, volume; /* volume > 0: normals point outward */
 } sg_shell;

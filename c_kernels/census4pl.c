@@ -32,12 +32,12 @@ get_census_ex(sg_census *out)
 static int
 unify_shell(term_t t, const sg_shell *s)
 {
-  return PL_unify_term(t, PL_FUNCTOR_CHARS, "shell", 9, PL_INT, (int)s->polygon,
-                       PL_INT64, (int64_t)s->vertices, PL_INT64,
-                       (int64_t)s->edges, PL_INT64, (int64_t)s->polygons,
-                       PL_INT64, s->euler, PL_BOOL, (int)s->closed, PL_BOOL,
-                       (int)s->pinched, PL_FLOAT, s->area + 0.0, PL_FLOAT,
-                       s->volume + 0.0);
+  return PL_unify_term(
+      t, PL_FUNCTOR_CHARS, "shell", 10, PL_INT, (int)s->polygon, PL_INT64,
+      (int64_t)s->vertices, PL_INT64, (int64_t)s->edges, PL_INT64,
+      (int64_t)s->polygons, PL_INT64, s->euler, PL_BOOL, (int)s->closed,
+      PL_BOOL, (int)s->pinched, PL_FLOAT, s->area + 0.0, PL_FLOAT,
+      s->volume + 0.0, PL_INT64, (int64_t)s->depth);
 }
 
 /* [Name-Count, ...] of the kinds that there are. */

@@ -35,4 +35,8 @@ bool sg_census_faces(sg_counting *c);
 bool sg_census_doubles(sg_counting *c);
 bool sg_census_vertices(sg_counting *c);
 
+/* How deep the shells of the segment are in each other. False: no memory, or
+ * stopped. */
+bool sg_census_depths(sg_counting *c);
+
 #endif

@@ -5,8 +5,6 @@
 #include "glue.h"
 #include "mesh4pl.h"
 #include "self_cut.h"
-#include "self_leaf.h"
-#include "tree4pl.h"
 
 #include "../engine/install.h"
 #include "../engine/world4pl.h"
@@ -108,56 +106,7 @@ self_meetings(term_t most, term_t segments)
   return done;
 }
 
-/* Whether the segment of a kept tree goes through itself; kept with it. */
-static int
-ask_self_ex(sg_kept_tree *kept, const sg_leaf_views *views, sg_crew *crew,
-            bool *out)
-{
-  int known = atomic_load(&kept->self);
-
-  if (known == SG_SELF_NOT_ASKED) {
-    if (!sg_self_leaf_meets(kept->tree, views, crew, &sg_prolog_poll, out)) {
-      return PL_exception(0) ? FALSE : sg_no_memory();
-    }
-    known = *out ? SG_SELF_MEETS : SG_SELF_APART;
-    atomic_store(&kept->self, known);
-  }
-  *out = known == SG_SELF_MEETS;
-  return TRUE;
-}
-
-/* segment_meets_itself(+S) is semidet. */
-static foreign_t
-segment_meets_itself(term_t s)
-{
-  sg_world *world = sg_current_world_ex();
-  const sg_version *version;
-  sg_leaf_views views = {0};
-  sg_kept_tree *kept = NULL;
-  sg_crew *crew;
-  int32_t id;
-  bool meets = false;
-
-  if (!world || !sg_get_id_ex(s, &id)) {
-    return FALSE;
-  }
-  if (!(crew = sg_crew_open(0))) {
-    return sg_no_memory();
-  }
-  version = sg_world_version(world);
-  int good = sg_leaf_views_ex(version, &views) &&
-             sg_trees_hold_ex(world, version, &views, &id, 1, crew, &kept) &&
-             ask_self_ex(kept, &views, crew, &meets);
-
-  sg_kept_tree_drop(kept);
-  sg_leaf_views_clear(&views);
-  sg_version_drop(version);
-  sg_crew_close(crew);
-  return good && meets;
-}
-
 static const PL_extension predicates[] = {
-    {"segment_meets_itself", 1, segment_meets_itself, 0},
     {"self_meetings", 2, self_meetings, 0},
     {NULL, 0, NULL, 0},
 };

@@ -27,6 +27,7 @@ sg_kept_tree_drop(sg_kept_tree *kept)
 {
   if (kept && atomic_fetch_sub(&kept->holders, 1) == 1) {
     sg_leaf_tree_close(kept->tree);
+    free(atomic_load(&kept->operand));
     free(kept);
   }
 }

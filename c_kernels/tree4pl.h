@@ -11,6 +11,7 @@
 #include "../engine/world4pl.h"
 
 #include "leaf_tree.h"
+#include "operand.h"
 
 #include <stdatomic.h>
 
@@ -23,13 +24,20 @@ typedef enum sg_self_known {
   SG_SELF_MEETS
 } sg_self_known;
 
+/* What was seen of it as an operand, under this stamp of e/5. */
+typedef struct sg_kept_operand {
+  sg_operand operand;
+  uint64_t stamp;
+} sg_kept_operand;
+
 /* A tree and what it was made from: stamps of v/5, t/6 and e/5. */
 typedef struct sg_kept_tree {
   atomic_size_t holders;
   int32_t s;
   uint64_t stamp[SG_TREE_STAMPS];
   sg_leaf_tree *tree;
-  atomic_int self; /* sg_self_known */
+  atomic_int self;                    /* sg_self_known */
+  _Atomic(sg_kept_operand *) operand; /* null: not asked yet */
 } sg_kept_tree;
 
 /* The trees of n segments (ascending numbers) as `version` of `world` shows

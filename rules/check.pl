@@ -2,11 +2,12 @@
           [ check_report/1,             % -Report
             report_faults/2             % +Report, ?Faults
           ]).
-:- use_module(integrity, [defect_weight/2]).
+:- use_module(integrity, [defect_weight/2, shell_defect/3]).
 :- use_module(kernel, [census/1, self_meetings/2]).
 :- use_module(store, [segment/3]).
+:- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/3, max_list/2, min_list/2, sum_list/2]).
+:- autoload(library(lists), [append/2, max_list/2, min_list/2, sum_list/2]).
 /** <module> The report of `check`: what a model holds, and its faults.
 
 A report is a dict; report.pl prints it as text or as JSON:
@@ -18,8 +19,9 @@ triangles, curve_edges, box ([[X1,Y1,Z1],[X2,Y2,Z2]]), area, volume (null unless
 a solid), length (of curves), border_edges, shells, faults and remarks (dicts of
 counts), meetings: the first places where the segment goes through itself, dicts
 of kind, polygons ([P1,P2]) and at ([X,Y,Z]); faults and remarks count them all.
-A shell has polygon (its first), vertices, edges, polygons, closed,
-euler, genus (null unless a closed manifold), area and volume. Model units.
+A shell has polygon (its first), vertices, edges, polygons, closed, euler, genus
+(null unless a closed manifold), area, volume and depth (how many other shells of
+its segment go round it). Model units.
 */
 
 %!  check_report(-Report) is det.
@@ -69,7 +71,8 @@ part_report(Selves,
     ;   Border = 0
     ),
     findall(D, own_defect(Kind, Volume0, Defects0, D), Defects1),
-    append(Defects1, SelfCounts, Defects),
+    shell_defects(Kind, Shells0, ShellCounts),
+    append([Defects1,SelfCounts,ShellCounts], Defects),
     weighed(fault, Defects, Faults),
     weighed(remark, Defects, Remarks),
     (   Kind == solid
@@ -107,13 +110,24 @@ own_defect(Kind, _, Counts, Name-N) :-
 own_defect(solid, Volume, _, inside_out-1) :-
     Volume < 0.0.
 
+shell_defects(Kind, Shells, Counts) :-
+    findall(Name-N,
+            ( Kind == solid,
+              member(Name, [nested_shell,turned_shell]),
+              aggregate_all(count,
+                            ( member(Shell, Shells),
+                              shell_defect(Name, Shells, Shell) ),
+                            N),
+              N > 0 ),
+            Counts).
+
 weighed(Weight, Defects, Dict) :-
     findall(Name-N, ( member(Name-N, Defects), defect_weight(Name, Weight) ),
             Pairs),
     dict_pairs(Dict, _, Pairs).
 
 shell_report(Defects, shell(P, Vs, Es, Ps, Euler0, Closed, Pinched, Area,
-                            Volume), Report) :-
+                            Volume, Depth), Report) :-
     (   ( memberchk(turned_edge-_, Defects)
         ; memberchk(nonmanifold_edge-_, Defects)
         ; memberchk(touching_edge-_, Defects)
@@ -130,7 +144,8 @@ shell_report(Defects, shell(P, Vs, Es, Ps, Euler0, Closed, Pinched, Area,
     ;   Genus = null
     ),
     Report = _{polygon:P, vertices:Vs, edges:Es, polygons:Ps, closed:Closed,
-               euler:Euler, genus:Genus, area:Area, volume:Volume}.
+               euler:Euler, genus:Genus, area:Area, volume:Volume,
+               depth:Depth}.
 
 total(Segments, Total) :-
     maplist([K,N]>>sum_key(Segments, K, N),

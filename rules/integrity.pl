@@ -1,6 +1,7 @@
 :- module(sg_integrity,
           [ model_defect/1,             % ?Defect
-            defect_weight/2             % ?Name, ?Weight
+            defect_weight/2,            % ?Name, ?Weight
+            shell_defect/3              % ?Name, +Shells, +Shell
           ]).
 :- use_module(kernel, [census/1, census_defect/4, self_meetings/2]).
 :- use_module(store, [segment/3]).
@@ -29,6 +30,11 @@ A bad model is no error but a relation. The joins are one pass in C
 %     - duplicate_face(S, P1, P2)
 %     - inside_out(S)
 %       A solid whose volume is negative: its normals point inward.
+%     - nested_shell(S, P, Depth)
+%       Depth other shells of solid S go round the shell that has polygon P.
+%     - turned_shell(S, P)
+%       One of several shells of S is inside out, and no hollow: an even number
+%       of others go round it.
 %     - pinched_vertex(S, V, N)
 %       N separate fans of polygons meet at V.
 %     - degenerate_face(S, P), bent_face(S, P), short_edge(S, E)
@@ -60,11 +66,41 @@ model_defect(inside_out(S)) :-
     member(part(S, _, _, _, Volume, _, _, _), Parts),
     Volume < 0.0.
 model_defect(Defect) :-
+    \+ \+ memberchk(Defect, [nested_shell(_,_,_),turned_shell(_,_)]),
+    segment(S, solid, _),
+    census(Parts),
+    member(part(S, _, _, _, _, _, Shells, _), Parts),
+    member(Shell, Shells),
+    shell_defect(Name, Shells, Shell),
+    defect_shell(Defect, Name, S, Shell).
+model_defect(Defect) :-
     \+ \+ self_defect(Defect, _, _, _, _),
     self_meetings(2147483647, Segments),
     member(self(S, _, Meetings), Segments),
     member(meeting(Kind, P1, P2, _, _, _), Meetings),
     self_defect(Defect, Kind, S, P1, P2).
+
+%   defect_shell(?Defect, +Name, +S, +Shell).
+
+defect_shell(nested_shell(S, P, Depth), nested_shell, S, Shell) :-
+    arg(1, Shell, P),
+    arg(10, Shell, Depth).
+defect_shell(turned_shell(S, P), turned_shell, S, Shell) :-
+    arg(1, Shell, P).
+
+%!  shell_defect(?Name, +Shells, +Shell) is nondet.
+%
+%   True when Shell, a shell/10 of census/1 among the Shells of a solid, has the
+%   defect called Name: nested_shell or turned_shell.
+
+shell_defect(nested_shell, _, Shell) :-
+    arg(10, Shell, Depth),
+    Depth > 0.
+shell_defect(turned_shell, [_,_|_], Shell) :-
+    arg(9, Shell, Volume),
+    Volume < 0.0,
+    arg(10, Shell, Depth),
+    Depth mod 2 =:= 0.
 
 self_defect(self_penetration(S, P1, P2), self_penetration, S, P1, P2).
 self_defect(self_overlap(S, P1, P2),     self_overlap,     S, P1, P2).
@@ -101,6 +137,8 @@ defect_weight(inside_out,       fault).
 defect_weight(self_penetration, fault).
 defect_weight(self_overlap,     fault).
 defect_weight(touching_edge,    remark).
+defect_weight(nested_shell,     remark).
+defect_weight(turned_shell,     remark).
 defect_weight(pinched_vertex,   remark).
 defect_weight(degenerate_face,  remark).
 defect_weight(bent_face,        remark).

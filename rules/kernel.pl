@@ -25,6 +25,8 @@
             near_segments/3,          % +Reach, -S1, -S2
             self_meetings/2,          % +Most, -Segments
             segment_meets_itself/1,   % +S
+            segment_operand/2,        % +S, -Operand
+            segment_edges/4,          % +S, +Most, -Counts, -Edges
             windings/3,               % +S, +Points, -Windings
             % solid4pl.c
             solid_take/2,             % +Segments, -Solid
@@ -215,8 +217,9 @@ glue file.
 %   Parts counts and measures the segments of the current world, in order:
 %   part(S, counts(Vertices, HalfEdges, Edges, Polygons, Triangles, CurveEdges),
 %   box(X1,Y1,Z1, X2,Y2,Z2), Area, Volume, Length, Shells, Defects). Shells are
-%   shell(P, Vertices, Edges, Polygons, Euler, Closed, Pinched, Area, Volume), P
-%   the lowest polygon; Defects are Kind-Count of census_defect/4.
+%   shell(P, Vertices, Edges, Polygons, Euler, Closed, Pinched, Area, Volume,
+%   Depth), P the lowest polygon, Depth how many other shells of the segment go
+%   round it; Defects are Kind-Count of census_defect/4.
 
 %!  census_defect(?Kind, ?S, ?A, ?B) is nondet.
 %
@@ -255,12 +258,32 @@ glue file.
 %   first Most of each as meeting(Kind, P1, P2, X, Y, Z), P1 =< P2, in the order
 %   of the polygons: something they have in common is at X, Y, Z.
 
+/* - - - operand4pl.c - - - */
+
 %!  segment_meets_itself(+S) is semidet.
 %
 %   True when the triangles of segment S go through each other or lie on each
 %   other, by more than the tolerance of its source; so its own cuts count.
 %   What neighbours share does not, and vertices in one place are two. Known
 %   afterwards, until the segment changes.
+
+%!  segment_operand(+S, -Operand) is det.
+%
+%   What a Boolean must know of segment S each time: Operand is
+%   operand(Triangles, HalfEdges, Balanced, Volume, Error, Star). Balanced: there
+%   are as many half-edges one way as the other between any two vertices. Volume
+%   is negative where S is inside out as a whole; by rounding it is off by Error
+%   at most, seen from the middle. Star: all of its surface is seen
+%   from the middle of its box, so it does not go through itself; `false` says
+%   nothing. Known afterwards, until the segment changes.
+
+%!  segment_edges(+S, +Most, -Counts, -Edges) is det.
+%
+%   The edges of segment S that are no pairs of half-edges: Counts is
+%   edges(Open, Unbalanced, Crowded), how many are of one half-edge; of more,
+%   and not balanced; balanced, and of more than two. Edges are the first Most
+%   of the first two sorts by their vertices, edge(V1, V2, Forward, Backward),
+%   V1 < V2 or the same: how many half-edges run from V1 to V2, and back.
 
 /* - - - raster4pl.c - - - */
 

@@ -10,6 +10,7 @@
 :- use_module(explain_en, [statement_en//1]).
 :- use_module(openscad_en, [openscad_en//1]).
 :- use_module(primitive, [primitive_name/2]).
+:- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
 :- autoload(library(apply), [maplist/3]).
@@ -172,6 +173,8 @@ fault_en(primitive(What, Term)) -->
     primitive_en(What, Term).
 fault_en(csg(What)) -->
     csg_en(What).
+fault_en(operand(S, Faults)) -->
+    operand_en(S, Faults).
 fault_en(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ 'a ~w is a ~w, not a ~w'-[Name, Wanted, Kind], nl,
@@ -339,6 +342,8 @@ notice_en(do_not_meet) -->
 notice_en(points_alone(N)) -->
     [ 'the segments meet in points alone (~D): see explain vertex(S, V)'-
       [N] ].
+notice_en(operand(What, S)) -->
+    operand_notice_en(What, S).
 notice_en(one_segment) -->
     [ 'one segment alone has no penetration lines' ].
 notice_en(empty_result(S, Name)) -->

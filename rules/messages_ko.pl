@@ -12,6 +12,7 @@
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
+:- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
 :- use_module(primitive_ko, [primitive_ko//2]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
@@ -170,6 +171,8 @@ fault_ko(primitive(What, Term)) -->
     primitive_ko(What, Term).
 fault_ko(csg(What)) -->
     csg_ko(What).
+fault_ko(operand(S, Faults)) -->
+    operand_ko(S, Faults).
 fault_ko(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ '~w 의 종류는 ~w 이며 ~w 이(가) 아닙니다'-[Name, Wanted, Kind], nl,
@@ -324,6 +327,8 @@ notice_ko(do_not_meet) -->
     [ '세그먼트들이 만나지 않아 상관선이 없습니다' ].
 notice_ko(points_alone(N)) -->
     [ '세그먼트들이 점 ~D개에서만 만납니다: explain vertex(S, V)'-[N] ].
+notice_ko(operand(What, S)) -->
+    operand_notice_ko(What, S).
 notice_ko(one_segment) -->
     [ '세그먼트가 하나뿐이라 상관선이 없습니다' ].
 notice_ko(empty_result(S, Name)) -->

@@ -86,7 +86,12 @@ print_shell(Language, Shell) :-
         format(string(Genus), Format2, [Shell.genus])
     ;   Genus = ""
     ),
-    say(Language, shell, [Ps, Word, Euler, Genus]).
+    (   Shell.depth > 0
+    ->  text(Language, depth, Format3),
+        format(string(Depth), Format3, [Shell.depth])
+    ;   Depth = ""
+    ),
+    say(Language, shell, [Ps, Word, Euler, Genus, Depth]).
 
 print_defects(Language, Weight, Dict) :-
     dict_pairs(Dict, _, Pairs),
@@ -159,8 +164,10 @@ text(en, volume,    "  volume ~15|~6g").
 text(ko, volume,    "  부피 ~15|~6g").
 text(en, length,    "  length ~15|~6g").
 text(ko, length,    "  길이 ~15|~6g").
-text(en, shell,     "  shell of ~w: ~w~w~w").
-text(ko, shell,     "  껍질(~w): ~w~w~w").
+text(en, shell,     "  shell of ~w: ~w~w~w~w").
+text(ko, shell,     "  껍질(~w): ~w~w~w~w").
+text(en, depth,     ", inside ~d other").
+text(ko, depth,     ", 다른 껍질 ~d개 안").
 text(en, euler,     ", Euler characteristic ~d").
 text(ko, euler,     ", 오일러 지표 ~d").
 text(en, genus,     ", genus ~d").

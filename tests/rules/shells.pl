@@ -1,0 +1,60 @@
+:- module(test_shells,
+          [ shells/2,                   % +Primitives, :Goal
+            one_segment/2               % +Primitives, :Goal
+          ]).
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation), [complete_segments/0]).
+
+/* Primitives as segments of their own, and as the shells of one. */
+
+%   shells(+Primitives, :Goal): Goal holds in a new world where these
+%   primitives are segments 1, 2, ...
+
+:- meta_predicate
+    shells(+, 0),
+    one_segment(+, 0).
+
+shells(Primitives, Goal) :-
+    new_world(World),
+    in_world(World,
+             ( forall(member(Primitive, Primitives), add_primitive(Primitive, _)),
+               complete_segments,
+               Goal )).
+
+%   one_segment(+Primitives, :Goal): Goal holds in a new world where they are
+%   the shells of segment 1.
+
+one_segment(Primitives, Goal) :-
+    shells(Primitives, findall(S-Vs-Es-Ps, shell_rows(S, Vs, Es, Ps), Shells)),
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, solid, shells)),
+               foldl(shell_put, Shells, 0-0-0, _),
+               complete_segments,
+               Goal )).
+
+shell_rows(S, Vs, Es, Ps) :-
+    segment(S, _, _),
+    findall(v(V,X,Y,Z), v(S, V, X, Y, Z), Vs),
+    findall(e(E,A,B,T), e(S, E, A, B, T), Es),
+    findall(p(P,List), p(S, P, List), Ps).
+
+shell_put(_-Vs-Es-Ps, V0-E0-P0, V1-E1-P1) :-
+    forall(member(v(V,X,Y,Z), Vs),
+           ( V2 is V+V0, assert_fact(v(1, V2, X, Y, Z)) )),
+    forall(member(e(E,A,B,T), Es),
+           ( E2 is E+E0, A2 is A+V0, B2 is B+V0,
+             assert_fact(e(1, E2, A2, B2, T)) )),
+    forall(member(p(P,List), Ps),
+           ( P2 is P+P0, maplist([E,E2]>>(E2 is E+E0), List, List2),
+             assert_fact(p(1, P2, List2)) )),
+    aggregate_all(max(V), member(v(V,_,_,_), Vs), MaxV),
+    aggregate_all(max(E), member(e(E,_,_,_), Es), MaxE),
+    aggregate_all(max(P), member(p(P,_), Ps), MaxP),
+    V1 is V0+MaxV,
+    E1 is E0+MaxE,
+    P1 is P0+MaxP.
