@@ -270,10 +270,10 @@ glue file.
 %!  segment_operand(+S, -Operand) is det.
 %
 %   What a Boolean must know of segment S each time: Operand is
-%   operand(Triangles, HalfEdges, Balanced, Volume, Error, Star). Balanced: there
-%   are as many half-edges one way as the other between any two vertices. Volume
-%   is negative where S is inside out as a whole; by rounding it is off by Error
-%   at most, seen from the middle. Star: all of its surface is seen
+%   operand(Triangles, HalfEdges, Balanced, Volume, Error, Star). Balanced:
+%   there are as many half-edges one way as the other between any two vertices.
+%   Volume is negative where S is inside out as a whole; by rounding it is off
+%   by Error at most, seen from the middle. Star: all of its surface is seen
 %   from the middle of its box, so it does not go through itself; `false` says
 %   nothing. Known afterwards, until the segment changes.
 

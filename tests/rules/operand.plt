@@ -15,8 +15,8 @@
 :- use_module(rules(triangulation)).
 :- use_module(tests('rules/shells')).
 
-/* What makes a segment unfit for a Boolean, what does not, and what `check` says
-   of it. */
+/* What makes a segment unfit for a Boolean, what does not, and what `check`
+   says of it. */
 
 faults(Shells, Faults) :-
     one_segment(Shells, operand_faults(1, Faults)).
@@ -262,14 +262,12 @@ heads(Module, Name//N, Notice//M, Heads) :-
             Heads).
 
 test(message) :-
-    phrase(operand_en(1, [open_edges(1, [edge(1,2,[0.0,0.0,0.0],[1.0,0.0,0.0],1)]),
-                          zero_volume]),
-           Lines),
-    print_message_lines_to_string(Lines, Text),
-    once(sub_string(Text, _, _, _, "1-2 from (0.00000, 0.00000, 0.00000)")).
-
-print_message_lines_to_string(Lines, Text) :-
+    Edge = edge(1, 2, [0.0,0.0,0.0], [1.5,0.0,0.0], 1),
+    Faults = [open_edges(1, [Edge]),zero_volume],
+    phrase(prolog:message(error(geometry_error(operand(7, Faults)), _)), Lines),
     with_output_to(string(Text),
-                   print_message_lines(current_output, '', Lines)).
+                   print_message_lines(current_output, '', Lines)),
+    forall(member(Part, ["segment 7", "1-2 from (", "1.5", "no volume"]),
+           once(sub_string(Text, _, _, _, Part))).
 
 :- end_tests(operand).

@@ -228,7 +228,8 @@ test(undone_by_a_snapshot, N == 0) :-
 %   Neighbours have nothing to cut but what goes beyond what they share.
 
 test(fold, N == 0) :-
-    one_segment([box(size(1,2,3)), at([translate(5,0,0)], sphere(radius(1), facets(12)))],
+    one_segment([box(size(1,2,3)),
+                 at([translate(5,0,0)], sphere(radius(1), facets(12)))],
                 ( penetrate([1-1]),
                   aggregate_all(count, line(_,_,_,_,_,_,_,_,_), N) )).
 test(through_a_neighbour, Ends == [p(0,0,0)-p(2,1,0)]) :-

@@ -21,7 +21,8 @@
 shells(Primitives, Goal) :-
     new_world(World),
     in_world(World,
-             ( forall(member(Primitive, Primitives), add_primitive(Primitive, _)),
+             ( forall(member(Primitive, Primitives),
+                      add_primitive(Primitive, _)),
                complete_segments,
                Goal )).
 
