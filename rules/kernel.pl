@@ -31,6 +31,7 @@
             % solid4pl.c
             solid_take/2,             % +Segments, -Solid
             solid_counts/4,           % +Solid, -Vertices, -Faces, -Triangles
+            solid_write/2,            % +Solid, +S
             solid_close/1,            % +Solid
             solid_vertices/2,         % +Solid, -Vertices
             solid_faces/2,            % +Solid, -Faces
@@ -242,6 +243,13 @@ glue file.
 %
 %   @error type_error(solid, Solid)
 %   @error existence_error(solid, Solid): closed
+
+%!  solid_write(+Solid, +S) is det.
+%
+%   As solid_rows.pl, solid_written_by_rule/2: Solid as rows of segment S. Call
+%   it in a transaction.
+%
+%   @error permission_error(write, segment, S): it has rows
 
 %!  solid_close(+Solid) is det.
 %

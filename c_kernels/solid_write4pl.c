@@ -1,0 +1,248 @@
+/* solid_write4pl.c -- a solid as rows of a segment, as a predicate.
+ *
+ * Layer: glue. The door is documented in rules/kernel.pl.
+ */
+#include "solid4pl.h"
+
+#include "glue.h"
+#include "segment_rows.h"
+#include "solid_rows.h"
+
+#include "../engine/install.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What is written in place; origin/3 is short and goes the usual way. */
+enum { V, E, P, PLANE, T, FROM_V, FROM_P, RELATIONS };
+
+static const sg_relation written[RELATIONS] = {
+    SG_V, SG_E, SG_P, SG_PLANE, SG_T, SG_FROM_V, SG_FROM_P};
+
+/* ---- a segment without rows --------------------------------------------- */
+
+/* True if a row of this relation is of segment s; -1: an exception. */
+static int
+has_rows_ex(const sg_version *version, sg_relation relation, int32_t s)
+{
+  sg_segment_rows rows = {0};
+  sg_view view;
+  int has = -1;
+
+  if (!sg_version_view(version, relation, &view)) {
+    sg_no_memory();
+    return -1;
+  }
+  if (sg_segment_rows_find(&view, &s, 1, &sg_prolog_poll, &rows)) {
+    has = rows.begin[1] > 0;
+  } else if (!PL_exception(0)) {
+    sg_no_memory();
+  }
+  sg_segment_rows_clear(&rows);
+  sg_view_clear(&view);
+  return has;
+}
+
+/* A segment whose vertices never had a stamp is new. */
+static int
+is_empty_ex(sg_world *world, int32_t s, term_t culprit)
+{
+  const sg_version *version = sg_world_version(world);
+  bool fresh = sg_version_stamp(version, SG_V, s) == 0;
+  int has = 0;
+
+  for (int k = 0; !fresh && has == 0 && k < RELATIONS; k++) {
+    has = has_rows_ex(version, written[k], s);
+  }
+  sg_version_drop(version);
+  return has == 0 ||
+         (has > 0 && PL_permission_error("write", "segment", culprit));
+}
+
+/* ---- room --------------------------------------------------------------- */
+
+static int
+open_all_ex(sg_world *world, const sg_solid_rows *rows,
+            sg_append append[RELATIONS])
+{
+  const sg_solid *solid = rows->solid;
+  const size_t n[RELATIONS] = {[V] = rows->vertices,
+                               [E] = rows->edge[solid->faces],
+                               [P] = solid->faces,
+                               [PLANE] = solid->faces,
+                               [T] = solid->triangles,
+                               [FROM_V] = rows->plain,
+                               [FROM_P] = solid->faces + solid->parts};
+
+  for (int k = 0; k < RELATIONS; k++) {
+    if (!sg_append_open(&append[k], world, written[k], n[k])) {
+      while (k-- > 0) {
+        sg_append_close(&append[k]);
+      }
+      return sg_no_memory();
+    }
+  }
+  return TRUE;
+}
+
+static int
+make_lists_ex(const sg_solid_rows *rows, sg_append *p)
+{
+  int32_t length[SG_PAGE_ROWS];
+
+  for (size_t k = 0; k < p->sheet.pages; k++) {
+    const sg_sheet_page *page = &p->sheet.page[k];
+    const uint32_t *edge = rows->edge + page->from;
+    for (size_t i = 0; i < page->n; i++) {
+      length[i] = (int32_t)(edge[i + 1] - edge[i]);
+    }
+    if (!sg_append_lists(p, k, 2, length)) {
+      return sg_no_memory();
+    }
+    if (PL_handle_signals() < 0) {
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+/* ---- origins ------------------------------------------------------------ */
+
+enum { CHUNK = 4096, ITEM_WORDS = 8 };
+
+typedef struct origins {
+  size_t n;
+  int32_t s[CHUNK];
+  uint32_t word[CHUNK][ITEM_WORDS];
+  const uint32_t *item[CHUNK], *origin[CHUNK];
+} origins;
+
+static int
+flush_origins_ex(sg_world *world, origins *o)
+{
+  const void *const column[] = {o->s, o->item, o->origin};
+  sg_fault fault = {0};
+  sg_status status = sg_world_add_many(world, SG_ORIGIN, o->n, column, &fault);
+
+  o->n = 0;
+  return PL_handle_signals() >= 0 && sg_raise_status(status, SG_ORIGIN, &fault);
+}
+
+/* origin(S, v(V), Origin). */
+static int
+add_origin_ex(sg_world *world, origins *o, int32_t s, int32_t v,
+              const uint32_t *origin)
+{
+  sg_term_builder b;
+
+  sg_term_open(&b);
+  sg_term_unary(&b, SG_SYMBOL_V, v);
+  const uint32_t *item = sg_term_words(&b); /* short: it cannot fail */
+
+  memcpy(o->word[o->n], item, sg_term_length(item) * sizeof *item);
+  o->s[o->n] = s;
+  o->item[o->n] = o->word[o->n];
+  o->origin[o->n++] = origin;
+  sg_term_close(&b);
+  return o->n < CHUNK || flush_origins_ex(world, o);
+}
+
+static int
+add_origins_ex(sg_world *world, const sg_solid_rows *rows, int32_t s)
+{
+  const sg_solid *solid = rows->solid;
+  origins *o = malloc(sizeof *o);
+  int good = o != NULL || sg_no_memory();
+
+  if (o) {
+    o->n = 0;
+  }
+  for (size_t i = rows->plain; i < rows->vertices && good; i++) {
+    const uint32_t *origin =
+        solid->origin ? solid->origin[rows->vertex[i] - solid->plain] : NULL;
+    good = !origin || add_origin_ex(world, o, s, (int32_t)i + 1, origin);
+  }
+  good = good && flush_origins_ex(world, o);
+  free(o);
+  return good;
+}
+
+/* ---- the door ----------------------------------------------------------- */
+
+static int
+commit_all_ex(sg_append append[RELATIONS], size_t planes, size_t sources)
+{
+  sg_append_shorten(&append[PLANE], planes);
+  sg_append_shorten(&append[FROM_P], sources);
+  for (int k = 0; k < RELATIONS; k++) {
+    if (!sg_append_commit(&append[k])) {
+      return sg_no_memory();
+    }
+  }
+  return TRUE;
+}
+
+static int
+write_rows_ex(sg_world *world, const sg_solid_rows *rows, int32_t s,
+              sg_crew *crew)
+{
+  sg_append a[RELATIONS];
+  size_t planes, sources;
+  int good;
+
+  if (!open_all_ex(world, rows, a)) {
+    return FALSE;
+  }
+  const sg_solid_sheets out = {&a[V].sheet,     &a[E].sheet, &a[P].sheet,
+                               &a[PLANE].sheet, &a[T].sheet, &a[FROM_V].sheet,
+                               &a[FROM_P].sheet};
+  good = make_lists_ex(rows, &a[P]);
+  if (good && !sg_solid_rows_write(rows, s, crew, &sg_prolog_poll, &out,
+                                   &planes, &sources)) {
+    good = PL_exception(0) ? FALSE : sg_no_memory();
+  }
+  good = good && commit_all_ex(a, planes, sources) &&
+         add_origins_ex(world, rows, s);
+  for (int k = 0; k < RELATIONS; k++) {
+    sg_append_close(&a[k]);
+  }
+  return good;
+}
+
+/* solid_write(+Solid, +S) is det. */
+static foreign_t
+solid_write(term_t solid_term, term_t s_term)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_solid_rows rows;
+  sg_solid *solid;
+  sg_crew *crew;
+  int32_t s;
+
+  if (!world || !sg_get_solid_ex(solid_term, &solid) ||
+      !sg_get_id_ex(s_term, &s) || !is_empty_ex(world, s, s_term)) {
+    return FALSE;
+  }
+  if (!(crew = sg_crew_open(0))) {
+    return sg_no_memory();
+  }
+  int good = sg_solid_rows_make(solid, crew, &sg_prolog_poll, &rows);
+
+  good = good              ? write_rows_ex(world, &rows, s, crew)
+         : PL_exception(0) ? FALSE
+                           : sg_no_memory();
+  sg_solid_rows_clear(&rows);
+  sg_crew_close(crew);
+  return good;
+}
+
+static const PL_extension predicates[] = {
+    {"solid_write", 2, solid_write, 0},
+    {NULL, 0, NULL, 0},
+};
+
+void
+sg_install_solid_write(void)
+{
+  PL_register_extensions_in_module("sg_kernel", predicates);
+}
