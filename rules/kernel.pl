@@ -36,6 +36,9 @@
             solid_vertices/2,         % +Solid, -Vertices
             solid_faces/2,            % +Solid, -Faces
             solid_parts/2,            % +Solid, -Parts
+            % face_merge4pl.c
+            solid_merge/3,            % +Solid, +Tolerance, +Options
+            solid_neighbours/3,       % +Solid, +Tolerance, -Pairs
             % arrangement4pl.c
             arrangement_open/3,       % +Set, +Segments, -Arrangement
             arrangement_close/1,      % +Arrangement
@@ -254,6 +257,22 @@ glue file.
 %!  solid_close(+Solid) is det.
 %
 %   Frees what Solid holds; it cannot be used any more.
+
+/* - - - face_merge4pl.c - - - */
+
+%!  solid_merge(+Solid, +Tolerance, +Options:list) is det.
+%
+%   Makes coplanar neighbours in Solid one face each and drops vertices that lie
+%   straight (c_kernels/face_merge.h). Options: origins(separate): never faces
+%   of different segments; apart(Pairs): never these, as of solid_neighbours/3.
+%   Others are ignored.
+
+%!  solid_neighbours(+Solid, +Tolerance, -Pairs:list) is det.
+%
+%   Pairs are the Part1-Part2 of which faces in Solid are neighbours and may lie
+%   in one plane. A part is part(S0, P0, Sense), Sense -1 if the face looks the
+%   other way than polygon P0 of S0. Sorted by S0, P0 and Sense, 1 before -1,
+%   each pair once, the lesser part first.
 
 /* - - - self4pl.c - - - */
 

@@ -21,6 +21,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(triangulation, [complete_segments/0, polygon_triangles/3]).
 :- reexport(arrangement, [with_arrangement/3, components/2]).
 :- reexport(boolean, except([stays/3])).
+:- reexport(faces, [faces_merged/2]).
 :- reexport(penetration,
             except([ may_cut/2, merge_line/2, leaves_entered/3, touching/2 ])).
 :- reexport(exact, [vertex_exact/5]).
