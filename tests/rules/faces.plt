@@ -61,7 +61,7 @@ pair(cube2, [box(size(2, 2, 2)), at([translate(2, 0, 1)], box(size(2, 2, 2)))],
      10/16/24).
 pair(on_top, [box(size(2, 2, 2)), at([translate(0, 0, 2)], box(size(1, 1, 1)))],
      11/16/24).
-pair(stacked, [box(size(2, 2, 2)), at([translate(0, 0, 2)], box(size(2, 2, 1)))],
+pair(stack, [box(size(2, 2, 2)), at([translate(0, 0, 2)], box(size(2, 2, 1)))],
      6/8/12).
 pair(pyramid, [ box(size(2, 2, 2)),
                 at([translate(0, 0, 2)], pyramid(base(2, 2), height(1)))
