@@ -24,7 +24,6 @@
                 facts_snapshot/1
               ]).
 :- use_module(triangulation, [complete_segments/0]).
-:- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/2]).
 :- autoload(library(error), [existence_error/2]).
 :- autoload(library(lists), [append/3, member/2]).
@@ -210,12 +209,10 @@ is_current(S) :-
 
 %!  csg_statistics(-Statistics:dict) is det.
 %
-%   How many `nodes` the current world has, and how often in this thread a
-%   boundary was `evaluated` or `reused` since csg_statistics_reset/0.
+%   How often in this thread the boundary of a node was `evaluated`, or `reused`
+%   as it was, since csg_statistics_reset/0.
 
-csg_statistics(_{nodes:Nodes, evaluated:Evaluated, reused:Reused}) :-
-    aggregate_all(count,
-                  ( node(_, Operation, _, _), Operation \== leaf ), Nodes),
+csg_statistics(_{evaluated:Evaluated, reused:Reused}) :-
     count_of(evaluated, Evaluated),
     count_of(reused, Reused).
 

@@ -27,8 +27,9 @@ csg_ko(unknown(Operand)) -->
     primitive_names.
 csg_ko(side(Side, Sides)) -->
     { atomic_list_concat(Sides, ', ', Text) },
-    [ '나눌 때의 쪽은 ~w 가운데 하나이며 ~p 은(는) 아닙니다'-[Text, Side], nl,
-      '  plane(A, B, C, D) 의 below 는 A*X + B*Y + C*Z + D < 0 인 쪽입니다.' ].
+    [ '여기서 나눈 쪽은 ~w 가운데 하나이며 ~p 은(는) 아닙니다'-[Text, Side], nl,
+      '  평면에는 below(A*X + B*Y + C*Z + D < 0) 와 above, 입체에는 inside 와 \c
+       outside 가 있습니다.' ].
 csg_ko(plane(By)) -->
     [ '~p 은(는) 평면이 아닙니다'-[By], nl,
       '  A*X + B*Y + C*Z + D = 0 을 plane(A, B, C, D) 로 쓰십시오. A, B, C 가 \c

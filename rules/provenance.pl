@@ -101,18 +101,6 @@ leaf_edge(S1, E1, S0, E0) :-
         E0 = E1
     ).
 
-twin_polygon(S, E, V1, V2, P, Q),
-    polygon_from(S, P, S1, P1, _),
-    polygon_from(S, Q, S2, P2, _),
-    S1-P1 \== S2-P2,
-    (   S1 == S2,
-        common_edge(S1, P1, P2, E0),
-        on_edge(S, V1, S1, E0),
-        on_edge(S, V2, S1, E0)
-    ->  From = edge(S1, E0)
-    ;   From = cut(S1-P1, S2-P2)
-    ).
-
 twin_polygon(S, E, V1, V2, P, Q) :-
     edge_polygon(S, E, P),
     e(S, Twin, V2, V1, _),

@@ -11,6 +11,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 % The way of the data.
 :- reexport(csg, [node/4, root_segment/1, operand_segment/2]).
 :- reexport(csg_evaluate, except([csg_statistics_reset/0])).
+:- reexport(provenance).
 :- reexport(integrity, [model_defect/1]).
 :- reexport(primitive, [primitive/1, primitive_form/2]).
 :- reexport(primitive_face).

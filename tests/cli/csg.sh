@@ -1,0 +1,149 @@
+# csg.sh -- trees and the verbs of solids: union, intersection, difference,
+# split, eval; what is wrong with a tree is said at its place in the file.
+. "$(dirname "$0")/../check.sh"
+
+sanggwan() { "$SANGGWAN" "$@"; }
+cat >"$TMP/cube.pl" <<'MODEL'
+segment(1, solid, box(size(2, 2, 2))).
+MODEL
+cat >"$TMP/moved.pl" <<'MODEL'
+segment(1, solid, at([translate(1, 0, 0)], box(size(2, 2, 2)))).
+MODEL
+cat >"$TMP/tree.pl" <<'MODEL'
+segment(1, solid, box(size(2, 2, 2))).
+segment(2, solid, named(stairs, difference([1, at([translate(1, 0, 1)], 1)]))).
+MODEL
+cube=$TMP/cube.pl moved=$TMP/moved.pl tree=$TMP/tree.pl
+
+# The verbs, with closed forms: cubes of side 2 that share half.
+check "union" output '^union: .*volume 12$' sanggwan union $cube $moved
+check "intersection" output '^intersection: .*volume 4$' \
+  sanggwan intersection $cube $moved
+check "difference" output '^difference: .*volume 4$' \
+  sanggwan difference $cube $moved
+check "difference with itself is empty" complains 0 \
+  'warning: .*\(difference\) is empty' sanggwan difference $cube $cube
+check "which --strict does not take" complains 1 'strict' \
+  sanggwan difference $cube $cube --strict
+check "four operands" output 'volume 12$' \
+  sanggwan union $cube $moved $tree $moved
+check "eval" output '^stairs: 8 polygons, 12 vertices, 18 edges.* volume 6$' \
+  sanggwan eval $tree
+check "eval as JSON" eval "sanggwan eval $tree --json |
+  python3 -c 'import json,sys; d, = json.load(sys.stdin)
+assert d[\"volume\"] == 6 and d[\"faces\"] == 8 and d[\"name\"] == \"stairs\"'"
+check "Korean" output '다각형 8개, 꼭지점 12개.*부피 6$' \
+  sanggwan eval $tree --lang ko
+check "split by a plane" output 'volume 1$' \
+  sanggwan split $cube --plane 0,0,1,-0.25
+check "the other part" output 'volume 7$' \
+  sanggwan split $cube --plane 0,0,1,-0.25 --side above
+check "one part alone" eval \
+  "[ \$(sanggwan split $cube --plane 0,0,1,-1 --side above | wc -l) = 1 ]"
+check "split by a solid" output 'volume 4$' \
+  sanggwan split $cube --by $moved --side inside
+
+# Files out, read back.
+for format in stl off obj ply pl; do
+  check "$format" sanggwan eval -q $tree -o "$TMP/out.$format"
+  check "$format is a sound solid" output 'volume +6$' \
+    sanggwan check "$TMP/out.$format"
+done
+check "again to standard output" eval "sanggwan eval -q $tree --format off \
+  -o - | cmp - '$TMP/out.off'"
+check "an empty solid is an empty file" eval \
+  "sanggwan difference -q $cube $cube -o '$TMP/empty.stl' && 
+   grep -q endsolid '$TMP/empty.stl' && ! grep -q facet '$TMP/empty.stl'"
+check "the result is one operand of the next" output 'volume 8$' \
+  sanggwan union "$TMP/out.stl" $cube
+check "several segments of a file are one operand" output 'volume 12$' \
+  eval "sanggwan split -q $cube --plane 1,0,0,0 -o '$TMP/halves.obj' &&
+        '$SANGGWAN' union '$TMP/halves.obj' $moved"
+
+# Other verbs look at roots.
+check "check sees the root alone" eval \
+  "[ \$(sanggwan check $tree | grep -c '^segment') = 1 ]"
+check "draw" output '"segment":2' sanggwan draw -q $tree --format json -o -
+check "and the root alone" eval \
+  "! sanggwan draw -q $tree --format json -o - | grep -q '\"segment\":1,'"
+check "convert keeps a tree" output '^segment\(2, solid, named\(stairs, diff' \
+  sanggwan convert $tree -o -
+check "convert to a mesh evaluates it" output 'volume +6$' \
+  eval "sanggwan convert -q $tree -o '$TMP/converted.obj' &&
+        sanggwan check '$TMP/converted.obj'"
+check "query sees all" output '^3 +same +\[1\]' \
+  sanggwan query $tree 'node(N, Operation, Children, _)'
+check "--stats" complains 0 '"csg":.*"evaluated": ?1, *"reused": ?0' \
+  sanggwan eval $tree --stats
+
+# What is wrong, with its place. The line after that says what to do.
+wrong() {
+  local regex=$1
+  shift
+  { printf 'segment(1, solid, box(size(1, 1, 1))).\n'
+    printf 'segment(8, surface, rectangle(size(1, 1))).\n'
+    printf 'segment(9, curve, line(from(0, 0, 0), to(1, 1, 1))).\n'
+    printf '%s\n' "$@"; } >"$TMP/wrong.pl"
+  for language in en ko; do
+    complains 3 '^  ' sanggwan eval "$TMP/wrong.pl" --lang $language \
+      -o "$TMP/wrong.stl" && [ ! -e "$TMP/wrong.stl" ] || return 1
+  done
+  complains 3 "^$TMP/wrong.pl:[0-9]+:[0-9]+: $regex" \
+    sanggwan eval "$TMP/wrong.pl"
+}
+check "unknown operation" wrong 'segment 2 .*unoin\(\[1\]\) is no primitive' \
+  'segment(2, solid, unoin([1])).'
+check "unknown operand" wrong 'foo\(2\) is no operand' \
+  'segment(2, solid, union([1, foo(2)])).'
+check "unknown placed operand" wrong 'foo is no operand' \
+  'segment(2, solid, union([1, at([scale(2)], foo)])).'
+check "unknown step" wrong 'shift\(1\) is no step' \
+  'segment(2, solid, union([1, at([shift(1)], 1)])).'
+check "no operands" wrong 'difference has no operands' \
+  'segment(2, solid, difference([])).'
+check "no list" wrong 'the operands of union should be a list, not 1' \
+  'segment(2, solid, union(1)).'
+check "missing child" wrong 'segment 2 has the operand 7, and there is no' \
+  'segment(2, solid, union([1, 7])).'
+check "a cycle" wrong 'a segment is its own operand: 2 -> 3 -> 2' \
+  'segment(2, solid, union([1, 3])).' 'segment(3, solid, union([2, 1])).'
+check "itself" wrong 'a segment is its own operand: 2 -> 2' \
+  'segment(2, solid, union([1, 2])).'
+check "a curve" wrong 'operand 9 of segment 2 is no solid but a curve' \
+  'segment(2, solid, union([1, 9])).'
+check "an open surface" wrong 'operand 8 of segment 2 is an open surface: int' \
+  'segment(2, solid, intersection([1, 8])).'
+check "no plane" wrong 'plane\(0,0,0,1\) is no plane' \
+  'segment(2, solid, split(1, plane(0, 0, 0, 1), below)).'
+check "no side of a plane" wrong 'a solid is split on the side below or above here, not left' \
+  'segment(2, solid, split(1, plane(0, 0, 1, 1), left)).'
+check "no side of a solid" wrong 'a solid .* inside or outside here, not below' \
+  'segment(2, solid, split(1, 1, below)).'
+check "a wrong primitive" wrong 'radius\(0\) should be' \
+  'segment(2, solid, union([1, sphere(radius(0))])).'
+echo 'segment(2, solid, union([7])).' >"$TMP/missing.pl"
+check "in the second file, by its own numbers" complains 3 \
+  "^$TMP/missing.pl:1:19: segment 2 has the operand 7" \
+  sanggwan union $tree "$TMP/missing.pl"
+cat >"$TMP/flat.pl" <<'MODEL'
+v(1, 1, 0, 0, 0). v(1, 2, 1, 0, 0). v(1, 3, 0, 1, 0).
+p(1, 1, [1, 2, 3]). p(1, 2, [1, 3, 2]).
+MODEL
+check "no volume" complains 3 'sanggwan: segment 2 has no volume' \
+  sanggwan union $cube "$TMP/flat.pl"
+check "one operand" complains 2 'difference needs two models' \
+  sanggwan difference $cube
+check "no plane given" complains 2 'option --plane or --by is missing' \
+  sanggwan split $cube
+check "both given" complains 2 'do not go together' \
+  sanggwan split $cube --plane 0,0,1,0 --by $moved
+check "a side of the other" complains 2 'none of below, above' \
+  sanggwan split $cube --plane 0,0,1,0 --side inside
+check "a plane that is none" complains 2 'should look like A,B,C,D' \
+  sanggwan split $cube --plane 0,0,1
+check "or has no normal" complains 3 'is no plane' \
+  sanggwan split $cube --plane 0,0,0,1
+check "an ending that is none" complains 2 'the ending decides' \
+  sanggwan union $cube $moved -o "$TMP/x.svg"
+
+check_report

@@ -1,0 +1,468 @@
+/* The CSG tree: nodes, evaluation, what is done again and what is not. */
+:- module(test_csg, []).
+:- use_module(library(plunit)).
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(rules(boolean), [boolean/2]).
+:- use_module(rules(csg)).
+:- use_module(rules(csg_evaluate)).
+:- use_module(rules(csg_half_space)).
+:- use_module(rules(csg_matrix)).
+:- use_module(rules(csg_roots)).
+:- use_module(rules(kernel), [census/1]).
+:- use_module(rules(integrity), [model_defect/1, defect_weight/2]).
+:- use_module(rules(model)).
+:- use_module(rules(placing), [step_motion/2, moved/3]).
+:- use_module(rules(provenance)).
+:- use_module(rules(store)).
+
+:- meta_predicate with_tree(+, 0).
+
+%   with_tree(Terms, Goal): in a world whose segments 1, 2, ... are Terms (or
+%   Kind-Term), evaluated.
+
+with_tree(Terms, Goal) :-
+    new_world(World),
+    in_world(World,
+             ( tmp_file_stream(File, Stream, [extension(pl)]),
+               forall(nth1(S, Terms, Term), written(Stream, S, Term)),
+               close(Stream),
+               call_cleanup(load_model(File), delete_file(File)),
+               csg_statistics_reset,
+               Goal )).
+
+written(Stream, S, Kind-Term) :-
+    !,
+    format(Stream, '~q.~n', [segment(S, Kind, Term)]).
+written(Stream, S, Term) :-
+    written(Stream, S, solid-Term).
+
+volume(S, Volume) :-
+    census(Parts),
+    (   memberchk(part(S, _, _, _, Volume0, _, _, _), Parts)
+    ->  Volume = Volume0
+    ;   segment(S, _, _),               % it is empty
+        Volume = 0.0
+    ).
+
+near(X, Y) :-
+    abs(X-Y) < 1.0e-12*max(1.0, abs(Y)).
+
+%   faults(N): how many the model has.
+
+faults(N) :-
+    aggregate_all(count,
+                  ( model_defect(Defect), functor(Defect, Name, _),
+                    defect_weight(Name, fault) ),
+                  N).
+
+statistics(Evaluated, Reused) :-
+    csg_statistics(Dict),
+    Evaluated = Dict.evaluated,
+    Reused = Dict.reused,
+    csg_statistics_reset.
+
+helpers(N) :-
+    aggregate_all(count, ( segment(S, _, _), is_helper(S) ), N).
+
+:- begin_tests(csg).
+
+test(node, all(N-Operation-Children-Steps ==
+               [ 1-leaf-[]-[], 2-leaf-[]-[], 3-difference-[1,4,2]-[scale(2)],
+                 4-same-[2]-[translate(1,0,0)] ])) :-
+    with_tree([ box(size(4,4,4)), sphere(radius(1), facets(8)),
+                at([scale(2)], difference([1, at([translate(1,0,0)], 2), 2])) ],
+              findall(n(N0,O0,C0,P0), node(N0, O0, C0, P0), Nodes)),
+    sort(Nodes, Sorted),
+    member(n(N,Operation,Children,Steps), Sorted).
+test(roots, Roots == [3,5]) :-
+    with_tree([ box(size(1,1,1)), box(size(2,2,2)), union([1,4]),
+                intersection([2,1]), box(size(3,3,3)) ],
+              findall(S, root_segment(S), Roots)).
+test(nested_get_numbers, Terms == [ 4-difference([1,6]), 5-sphere(radius(1)),
+                                    6-union([7,8]), 7-at([translate(1,0,0)],1),
+                                    8-box(size(1,1,2)) ]) :-
+    with_tree([ box(size(4,4,4)), box(size(1,1,1)), box(size(1,1,1)),
+                difference([1, union([at([translate(1,0,0)], 1),
+                                      box(size(1,1,2))])]),
+                sphere(radius(1)) ],
+              findall(S-Term, ( between(4, 8, S), segment(S, _, Term) ),
+                      Terms)).
+test(second_file_is_renumbered, Children == [4,6]) :-
+    Terms = [box(size(1,1,1)), difference([1, box(size(1,1,2))])],
+    new_world(World),
+    in_world(World,
+             ( maplist(loaded(Terms), [a,b]),
+               node(5, _, Children, _) )).
+
+loaded(Terms, _) :-
+    tmp_file_stream(File, Stream, [extension(pl)]),
+    forall(nth1(S, Terms, Term), written(Stream, S, Term)),
+    close(Stream),
+    call_cleanup(load_model(File, [evaluate(false)]), delete_file(File)).
+
+%   volume_of(Term, Volume): of segment 4; 1 is a cube of side 2, 2 the same
+%   moved by 1, 3 a slab that holds the lower half of 1.
+
+volume_of(union([1,2]), 12.0).
+volume_of(intersection([1,2]), 4.0).
+volume_of(difference([1,2]), 4.0).
+volume_of(difference([1,2,3]), 2.0).
+volume_of(union([1]), 8.0).
+volume_of(intersection([1,2,3]), 2.0).
+volume_of(difference([union([1,2]),3]), 6.0).
+volume_of(difference([1,union([2,3])]), 2.0).
+volume_of(difference([1,1]), 0.0).
+volume_of(intersection([1,difference([1,1])]), 0.0).
+volume_of(union([1,difference([1,1])]), 8.0).
+volume_of(difference([1,difference([1,1])]), 8.0).
+volume_of(at([scale(2)], difference([1,2])), 32.0).
+volume_of(at([mirror(x)], difference([1,3])), 4.0).
+volume_of(named(part, at([rotate(z,90)], difference([1,2]))), 4.0).
+volume_of(union([1,at([translate(0,0,1)],1)]), 12.0).
+volume_of(difference([1,at([mirror(x), translate(1,0,0)],2)]), 0.0).
+volume_of(difference([at([translate(1,0,0)],union([1,2])),2]), 4.0).
+volume_of(at([translate(5,0,0)], 1), 8.0).
+volume_of(named(again, 1), 8.0).
+volume_of(join([1,2]), 16.0).
+volume_of(at([scale(2)], join([1,at([translate(9,0,0)],2)])), 128.0).
+volume_of(union([join([1,2])]), 12.0).
+volume_of(difference([join([1,2]),3]), 6.0).
+volume_of(split(1, plane(0,0,1,-0.5), below), 2.0).
+volume_of(split(1, plane(0,0,1,-0.5), above), 6.0).
+volume_of(split(1, plane(0,0,-1,0.5), below), 6.0).
+volume_of(split(1, plane(1,1,0,0), below), 4.0).
+volume_of(split(1, plane(1,0,0,-9), below), 8.0).
+volume_of(split(1, plane(1,0,0,-9), above), 0.0).
+volume_of(split(1, plane(1,0,0,-1), below), 8.0).
+volume_of(split(1, plane(1,0,0,1), below), 0.0).
+volume_of(at([rotate(z,90)], split(1, plane(1,0,0,-0.5), above)), 2.0).
+volume_of(split(1, 2, inside), 4.0).
+volume_of(split(1, 2, outside), 4.0).
+volume_of(split(union([1,2]), plane(0,0,1,-0.5), below), 3.0).
+
+test(volume, [forall(volume_of(Term, Volume)), true(near(Found, Volume))]) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                box(size(9,9,1)), Term ],
+              ( volume(4, Found), faults(Faults) )),
+    (   Term = join(_)                  % its shells may meet
+    ->  true
+    ;   Faults =:= 0
+    ).
+test(empty, N == 0) :-
+    with_tree([box(size(1,1,1)), difference([1,1])],
+              aggregate_all(count, v(2, _, _, _, _), N)).
+test(surface_joins_a_union, Kind-Border == surface-3) :-
+    with_tree([ box(size(1,1,1)),
+                surface-sheet(points([[5,0,0],[6,0,0],[5,1,0]]),
+                              faces([[1,2,3]])),
+                union([1, 2]) ],
+              ( segment(3, Kind, _),
+                aggregate_all(count,
+                              ( e(3, _, A, B, _), \+ e(3, _, B, A, _) ),
+                              Border) )).
+
+:- end_tests(csg).
+
+:- begin_tests(csg_again).
+
+%   A tree of three levels: 5 and 6 share the leaf 2.
+
+tree([ box(size(4,4,4)), at([translate(2,0,0)], cylinder(radius(1), height(9),
+                                                         facets(8))),
+       box(size(1,1,9)), at([translate(0,9,0)], sphere(radius(2), facets(8))),
+       difference([1,2]), union([4,3]), difference([5,3]) ]).
+
+test(nothing_twice, [E1-R1, E2-R2] == [0-2, 1-1]) :-
+    tree(Terms),
+    with_tree(Terms,
+              ( evaluate, statistics(E1, R1),
+                evaluate(5), evaluate(5), statistics(E2, R2) )).
+test(leaf_edited, [E-R, Stale] == [1-1, [6]]) :-
+    tree(Terms),
+    with_tree(Terms,
+              ( evaluate(5),
+                once(retract_fact(v(4, 1, X, Y, Z))),
+                Z1 is Z+0.125,
+                assert_fact(v(4, 1, X, Y, Z1)),
+                stale(Stale),
+                csg_statistics_reset,
+                evaluate,
+                statistics(E, R) )).
+
+%   stale(Ss): nodes that had a boundary which is not right now.
+
+stale(Ss) :-
+    findall(S, ( node(S, Operation, _, _), Operation \== leaf,
+                 once(p(S, _, _)), \+ evaluated(S) ),
+            Ss0),
+    sort(Ss0, Ss).
+
+test(placement_edited, [Stale, V1, V2] == [[4,5], 6.0, 4.0]) :-
+    with_tree([ box(size(2,2,2)), box(size(9,9,9)), at([translate(1,0,1)], 1),
+                difference([1,3]), union([4]), difference([2,1]) ],
+              ( evaluate(4), volume(4, V1),
+                retract_fact(segment(3, _, _)),
+                assert_fact(segment(3, solid, at([translate(1,0,0)], 1))),
+                stale(Stale0),
+                subtract(Stale0, [3], Stale),
+                evaluate(4), volume(4, V2) )).
+test(undo, [E-R, V1, V2] == [0-1, 4.0, 4.0]) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                difference([1,2]) ],
+              ( volume(3, V1),
+                facts_transaction(
+                    ( retractall_facts(segment(3, _, _)),
+                      assert_fact(segment(3, solid, union([1,2]))) )),
+                evaluate,
+                facts_undo,
+                facts_undo,
+                csg_statistics_reset,
+                evaluate,
+                statistics(E, R),
+                volume(3, V2) )).
+test(rolled_back, V == 4.0) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                difference([1,2]) ],
+              ( \+ facts_transaction(
+                       ( retractall_facts(segment(3, _, _)),
+                         assert_fact(segment(3, solid, union([1,2]))),
+                         evaluate,
+                         fail )),
+                evaluated(3),
+                volume(3, V) )).
+test(own_rows_edited, V == 4.0) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                difference([1,2]) ],
+              ( once(retract_fact(p(3, _, _))),
+                evaluate,
+                volume(3, V) )).
+test(equal_placements_are_one_instance, [N1, N2] == [1, 0]) :-
+    with_tree([ box(size(1,1,1)), box(size(1,1,2)),
+                at([translate(3,0,0)], union([1,2])),
+                at([translate(1,0,0), translate(2,0,0)], difference([1,2])),
+                at([translate(3,0,0)], 2) ],
+              ( helpers(N1),
+                retractall_facts(segment(3, _, _)),
+                retractall_facts(segment(4, _, _)),
+                evaluate,
+                helpers(N2) )).
+test(no_placement_is_the_leaf, N == 0) :-
+    with_tree([ box(size(1,1,1)), box(size(1,1,2)),
+                at([translate(3,0,0), translate(-3,0,0)], union([1,2])) ],
+              helpers(N)).
+test(edited_leaf_moves_its_instances, [V1, V2] == [8.0, 12.0]) :-
+    with_tree([ box(size(1,1,1)), at([scale(2)], union([1])) ],
+              ( volume(2, V1),
+                forall(( v(1, V, X, Y, Z), Z > 0.5 ),
+                       ( retract_fact(v(1, V, X, Y, Z)),
+                         assert_fact(v(1, V, X, Y, 1.5)) )),
+                evaluate,
+                volume(2, V2) )).
+test(leaves_stay, Same == true) :-
+    Terms = [ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))) ],
+    with_tree(Terms, rows(Rows1)),
+    append(Terms, [union([1,2])], Terms3),
+    with_tree(Terms3, rows(Rows2)),
+    (   Rows1 == Rows2
+    ->  Same = true
+    ;   Same = false
+    ).
+
+rows(Rows) :-
+    findall(Row, ( member(S, [1,2]),
+                   member(Row, [ v(S, _, _, _, _), e(S, _, _, _, _),
+                                 p(S, _, _), t(S, _, _, _, _, _) ]),
+                   call(Row) ),
+            Rows).
+
+test(penetrated_leaves_count_as_they_were, V == 12.0) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                at([translate(0,0,5)], union([1,2])) ],
+              ( penetrate([1-2]),
+                evaluate,
+                volume(3, V) )).
+test(cut_roots_are_made_anew, [L, V] == [0, 4.0]) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                difference([1,2]), box(size(9,9,1)) ],
+              ( penetrate,
+                line(_, 3, _, _, _, 4, _, _, _),
+                !,
+                evaluate,
+                aggregate_all(count, line(_, _, _, _, _, _, _, _, _), L),
+                volume(3, V) )).
+test(operands_are_not_cut, Pairs == [3-4]) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                difference([1,2]), box(size(9,9,1)) ],
+              ( penetrate,
+                findall(A-B, line(_, A, _, _, _, B, _, _, _), Pairs0),
+                sort(Pairs0, Pairs) )).
+test(roots_alone, Segments == [3-solid-lens]) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                at([translate(7,7,7)], named(lens, intersection([1,2]))) ],
+              ( roots_alone,
+                findall(S-K-T, segment(S, K, T), Segments),
+                \+ origin(_, _, _),
+                \+ from_p(_, _, _, _, _),
+                \+ ( v(S1, _, _, _, _), S1 =\= 3 ),
+                volume(3, V),
+                near(V, 4.0) )).
+test(written_and_read, V1 == V2) :-
+    tree(Terms),
+    tmp_file_stream(File, Stream, [extension(pl)]),
+    close(Stream),
+    with_tree(Terms, ( save_model(File), volume(7, V1) )),
+    new_world(World),
+    in_world(World,
+             ( load_model(File),
+               node(7, difference, [5,3], []),
+               volume(7, V2) )),
+    delete_file(File).
+test(same_as_boolean, true(near(V1, V2))) :-
+    tree(Terms),
+    with_tree(Terms,
+              ( volume(7, V1),
+                boolean(difference([difference([1,2]),3]), 100),
+                volume(100, V2) )).
+
+:- end_tests(csg_again).
+
+:- begin_tests(csg_matrix).
+
+%   steps(Steps): each kind of step.
+
+steps([translate(1,2,3)]).
+steps([rotate(x,30), rotate(y,40), rotate(z,50)]).
+steps([scale(2), scale(1,-1,3), mirror(y)]).
+steps([rotate(axis(1,2,3),77), translate(1,0,0), rotate(z,90)]).
+steps([rotate(from(1,2,3),to(4,4,4),20), mirror(normal(1,1,0))]).
+steps([matrix([[1,2,0,4],[0,1,1,5],[1,0,1,6]]), translate(0.1,0.2,0.3)]).
+
+test(as_placing, [forall(steps(Steps)), true(Far < 1.0e-14)]) :-
+    Points = [point(1.0,0.0,0.0), point(0.3,-2.0,5.0), point(0.0,0.0,0.0)],
+    steps_matrix(Steps, Matrix),
+    maplist(step_motion, Steps, Motions),
+    findall(D, ( member(P, Points), moved(Motions, P, Q),
+                 by_matrix(Matrix, P, R), apart(Q, R, D) ),
+            Ds),
+    max_list(Ds, Far).
+
+by_matrix(Matrix, point(X,Y,Z), Point) :-
+    maplist(row(X, Y, Z), Matrix, Values),
+    Point =.. [point|Values].
+
+row(X, Y, Z, [A,B,C,D], W) :-
+    W is float(A*rational(X) + B*rational(Y) + C*rational(Z) + D).
+
+apart(point(X1,Y1,Z1), point(X2,Y2,Z2), D) :-
+    D is max(abs(X1-X2), max(abs(Y1-Y2), abs(Z1-Z2)))/10.
+
+test(undone, Matrix == Identity) :-
+    steps_matrix([translate(0.1,0.2,0.3), rotate(z,90), rotate(z,-90),
+                  translate(-0.1,-0.2,-0.3)], Matrix),
+    identity_matrix(Identity).
+test(sign, Signs == [1, 1, 1, 1, -1, 1]) :-
+    findall(Sign, ( steps(Steps), steps_matrix(Steps, Matrix),
+                    matrix_sign(Matrix, Sign) ),
+            Signs).
+test(plane_goes_along, forall(steps(Steps))) :-
+    steps_matrix(Steps, Matrix),
+    matrix_plane(Matrix, plane(1,-2,3,0.5), plane(A,B,C,D)),
+    forall(member(X-Y-Z, [0-0-0, 1-2-1, -7-1-2, 3-3-3]),
+           ( Side0 is sign(X - 2*Y + 3*Z + 1r2),
+             maplist(exact_row(X, Y, Z), Matrix, [X1,Y1,Z1]),
+             Side is sign(A*X1 + B*Y1 + C*Z1 + D),
+             Side =:= Side0 )).
+
+exact_row(X, Y, Z, [A,B,C,D], W) :-
+    W is A*X + B*Y + C*Z + D.
+
+%   Every point of the box below the plane is in the tetrahedron, every one
+%   above is not: the corners and the middle, of random planes and boxes.
+
+test(half_space, forall(between(1, 300, Seed))) :-
+    set_random(seed(Seed)),
+    length(Numbers, 3),
+    maplist([N]>>(N is random(2001)-1000), Numbers),
+    Numbers = [A,B,C],
+    ( A =\= 0 ; B =\= 0 ; C =\= 0 ),
+    !,
+    length(Corner, 3),
+    maplist([N]>>(N is random_float*10-5), Corner),
+    length(Size, 3),
+    maplist([N]>>(N is random_float*3+0.01), Size),
+    maplist([P,S,Q]>>(Q is P+S), Corner, Size, Far),
+    D is -(A*random_float + B*random_float + C*random_float),
+    Corner = [X1,Y1,Z1],
+    Far = [X2,Y2,Z2],
+    maplist([N,M]>>(M is rational(N)), [A,B,C,D], [E,F,G,H]),
+    half_space(plane(E,F,G,H), box(X1,Y1,Z1,X2,Y2,Z2), Half),
+    forall(( member(X, [X1,X2]), member(Y, [Y1,Y2]), member(Z, [Z1,Z2]) ),
+           rightly(Half, plane(E,F,G,H), X, Y, Z)).
+
+rightly(Half, plane(A,B,C,D), X, Y, Z) :-
+    Height is A*rational(X) + B*rational(Y) + C*rational(Z) + D,
+    (   Half == all
+    ->  Height < 0
+    ;   Half == none
+    ->  Height > 0
+    ;   abs(Height) < 1.0e-10           % as near as its rounding
+    ->  true
+    ;   Half = polyhedron(points(Points), faces(Faces)),
+        (   forall(member(Face, Faces), behind(Face, Points, X, Y, Z))
+        ->  Height < 0
+        ;   Height > 0
+        )
+    ).
+
+behind(Face, Points, X, Y, Z) :-
+    maplist([I,P]>>nth1(I, Points, P), Face, [[A1,B1,C1],[A2,B2,C2],[A3,B3,C3]]),
+    U1 is A2-A1, V1 is B2-B1, W1 is C2-C1,
+    U2 is A3-A1, V2 is B3-B1, W2 is C3-C1,
+    (V1*W2-W1*V2)*(X-A1) + (W1*U2-U1*W2)*(Y-B1) + (U1*V2-V1*U2)*(Z-C1) < 0.
+
+:- end_tests(csg_matrix).
+
+
+:- begin_tests(provenance).
+
+%   A hole bored through a box by a placed prism: 3 is the result.
+
+bored([ box(size(4,4,1)), box(size(1,1,9)),
+        difference([1, at([translate(1,0,-2)], 2)]) ]).
+
+test(vertices, all(S0-V0s == [1-[1,2,3,4,5,6,7,8]])) :-
+    bored(Terms),
+    with_tree(Terms, findall(S0-V0, vertex_from(3, _, S0, V0), All0)),
+    sort(All0, All),
+    setof(V0, member(S0-V0, All), V0s).
+test(polygons, Froms == [1-1-1, 1-2-1, 1-3-1, 1-4-1, 1-5-1, 1-6-1,
+                         2-3-(-1), 2-4-(-1), 2-5-(-1), 2-6-(-1)]) :-
+    bored(Terms),
+    with_tree(Terms,
+              findall(S0-P0-Sense, polygon_from(3, _, S0, P0, Sense),
+                      Froms0)),
+    sort(Froms0, Froms).
+test(edges, [Boxes, Bored, Rims] == [12, 4, 8]) :-
+    bored(Terms),
+    with_tree(Terms,
+              findall(From-(A-B),
+                      ( e(3, E, A, B, _), A < B, edge_from(3, E, From) ),
+                      All)),
+    aggregate_all(count, member(edge(1,_)-_, All), Boxes),
+    aggregate_all(count, member(edge(2,_)-_, All), Bored),
+    aggregate_all(count, member(cut(_,_)-_, All), Rims).
+test(edge_is_on_its_origin) :-
+    bored(Terms),
+    with_tree(Terms,
+              forall(( e(3, E, A, B, _), edge_from(3, E, edge(1, E0)) ),
+                     ( e(1, E0, A0, B0, _),
+                       maplist(place, [3-A,3-B,1-A0,1-B0], [P,Q,P0,Q0]),
+                       ( [P,Q] == [P0,Q0] ; [P,Q] == [Q0,P0] )
+                     ))).
+
+place(S-V, X-Y-Z) :-
+    v(S, V, X, Y, Z).
+
+:- end_tests(provenance).
