@@ -56,7 +56,7 @@ static double
 middle(const box *boxes, size_t n, int k)
 {
   enum { SOME = 101 };
-  double low[SOME];
+  double low[SOME] = {0};
   size_t m = n < SOME ? n : SOME;
 
   for (size_t i = 0; i < m; i++) {

@@ -190,7 +190,24 @@ faults_of_edges(faults *f, const soup *s)
 typedef struct pairs {
   faults *faults;
   const soup *soup;
+  FILE *out;
 } pairs;
+
+static void
+print_pair(const pairs *p, int t1, int t2, meeting common)
+{
+  static const char *const NAME[] = {"apart", "in_point", "in_line", "crossing",
+                                     "overlap"};
+
+  fprintf(p->out, "  %s:", NAME[common]);
+  for (int i = 0; i < 6; i++) {
+    const double *at = corner_at(p->soup, i < 3 ? t1 : t2, i % 3);
+
+    fprintf(p->out, "%s (%.17g %.17g %.17g)", i == 3 ? " and" : "", at[0],
+            at[1], at[2]);
+  }
+  fputc('\n', p->out);
+}
 
 /* Puts the corners that both have first; returns how many. */
 static int
@@ -221,6 +238,7 @@ visit_pair(void *data, int t1, int t2)
   const soup *s = p->soup;
   const double *at1[3], *at2[3];
   int a[3], b[3], shared;
+  meeting common;
 
   memcpy(a, s->corner[t1], sizeof a);
   memcpy(b, s->corner[t2], sizeof b);
@@ -229,7 +247,11 @@ visit_pair(void *data, int t1, int t2)
     at1[k] = s->point[a[k]];
     at2[k] = s->point[b[k]];
   }
-  p->faults->meeting[meeting_of(at1, at2, shared)]++;
+  common = meeting_of(at1, at2, shared);
+  p->faults->meeting[common]++;
+  if (p->out && common != APART) {
+    print_pair(p, t1, t2, common);
+  }
 }
 
 static box
@@ -250,10 +272,10 @@ box_of(const soup *s, int t)
 }
 
 void
-faults_of_pairs(faults *f, const soup *s)
+faults_of_pairs(faults *f, const soup *s, FILE *out)
 {
   box *boxes = room(s->triangles, sizeof *boxes);
-  pairs data = {f, s};
+  pairs data = {f, s, out};
   size_t n = 0;
 
   for (size_t t = 0; t < s->triangles; t++) {

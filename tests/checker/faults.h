@@ -4,6 +4,8 @@
 
 #include "soup.h"
 
+#include <stdio.h>
+
 typedef struct faults {
   /* Edges by their uses in both directions. */
   size_t edges;
@@ -21,7 +23,8 @@ typedef struct faults {
 } faults;
 
 void faults_of_edges(faults *f, const soup *s);
-void faults_of_pairs(faults *f, const soup *s);
+/* Prints each pair that has something in common to `out`, unless it is null. */
+void faults_of_pairs(faults *f, const soup *s, FILE *out);
 void measures_of(faults *f, const soup *s);
 
 /* Requires faults_of_edges() before. Rounded: solid angles. */

@@ -1,11 +1,12 @@
 /* solid_checker -- is a mesh the boundary of a solid? Independent of the
  * engine.
  *
- *   solid_checker [-i] [-q] FILE...
+ *   solid_checker [-i] [-q] [-v] FILE...
  *
- * One line for each file, OFF or binary STL. Points in one place are one; with
+ * One line for each file, OFF or STL. Points in one place are one; with
  * -i they are what the file says, and the surface must be a 2-manifold. With -q
- * pairs of triangles and turning are left out. Exit status: 0 if no file has a
+ * pairs of triangles and turning are left out; with -v the pairs that meet are
+ * printed. Exit status: 0 if no file has a
  * fault, 1 if one has, 2 if one cannot be read.
  *
  * A line is FILE: then words KEY=VALUE: counts of triangles, faces, vertices -
@@ -45,7 +46,7 @@ print_line(const char *file, const soup *s, const faults *f, bool good)
 }
 
 static int
-check_file(const char *file, bool by_number, bool quick)
+check_file(const char *file, bool by_number, bool quick, FILE *pairs)
 {
   soup s;
   faults f = {0};
@@ -66,7 +67,7 @@ check_file(const char *file, bool by_number, bool quick)
     if (by_number) {
       soup_merge(&s); /* copies of a point are no crossing */
     }
-    faults_of_pairs(&f, &s);
+    faults_of_pairs(&f, &s, pairs);
     faults_of_turning(&f, &s);
   }
   good = is_good(&f, by_number);
@@ -79,14 +80,16 @@ int
 main(int argc, char **argv)
 {
   bool by_number = false, quick = false;
+  FILE *pairs = NULL;
   int worst = 0, first = 1;
 
   for (; first < argc && argv[first][0] == '-'; first++) {
     by_number = by_number || strcmp(argv[first], "-i") == 0;
     quick = quick || strcmp(argv[first], "-q") == 0;
+    pairs = strcmp(argv[first], "-v") == 0 ? stdout : pairs;
   }
   for (int i = first; i < argc; i++) {
-    int status = check_file(argv[i], by_number, quick);
+    int status = check_file(argv[i], by_number, quick, pairs);
 
     worst = status > worst ? status : worst;
   }

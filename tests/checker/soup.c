@@ -227,6 +227,36 @@ read_off(soup *s, char *at)
   return read_faces(s, at, faces);
 }
 
+/* Three times `vertex X Y Z` after another are a triangle. */
+static bool
+read_stl_text(soup *s, char *at)
+{
+  size_t space = 0;
+
+  while ((at = strstr(at, "vertex"))) {
+    at += strlen("vertex");
+    if (s->points == space) {
+      space = 2 * space + 3072;
+      s->point = realloc(s->point, space * sizeof *s->point);
+    }
+    for (int k = 0; k < 3; k++) {
+      double value;
+
+      if (!s->point || !next_number(&at, &value)) {
+        return false;
+      }
+      s->point[s->points][k] = value;
+    }
+    s->points++;
+  }
+  s->triangles = s->faces = s->points / 3;
+  s->corner = room(s->triangles, sizeof *s->corner);
+  for (size_t i = 0; i < 3 * s->triangles; i++) {
+    s->corner[i / 3][i % 3] = (int)i;
+  }
+  return s->points % 3 == 0;
+}
+
 static bool
 read_stl(soup *s, const char *bytes, size_t size)
 {
@@ -255,6 +285,19 @@ read_stl(soup *s, const char *bytes, size_t size)
   return true;
 }
 
+/* What says `facet` after `solid` is text. */
+static bool
+read_bytes(soup *s, char *bytes, size_t size)
+{
+  if (strncmp(bytes, "OFF", 3) == 0) {
+    return read_off(s, bytes);
+  }
+  if (strncmp(bytes, "solid", 5) == 0 && strstr(bytes, "facet")) {
+    return read_stl_text(s, bytes);
+  }
+  return size >= 84 && read_stl(s, bytes, size);
+}
+
 bool
 soup_read(soup *s, const char *file, const char **problem)
 {
@@ -263,10 +306,8 @@ soup_read(soup *s, const char *file, const char **problem)
   bool good;
 
   *s = (soup){0};
-  *problem = bytes ? "neither OFF nor binary STL" : "cannot be opened";
-  good = bytes && (size > 3 && strncmp(bytes, "OFF", 3) == 0
-                       ? read_off(s, bytes)
-                       : size >= 84 && read_stl(s, bytes, size));
+  *problem = bytes ? "neither OFF nor STL" : "cannot be opened";
+  good = bytes && read_bytes(s, bytes, size);
   free(bytes);
   return good;
 }

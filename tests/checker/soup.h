@@ -13,8 +13,8 @@ typedef struct soup {
   size_t unclear; /* polygons that are no simple outline seen along an axis */
 } soup;
 
-/* Reads an OFF file (faces of any number of corners, cut into ears) or a binary
- * STL file. False: *problem says why. Owner: soup_clear(). */
+/* Reads an OFF file (faces of any number of corners, cut into ears) or an STL
+ * file, binary or text. False: *problem says why. Owner: soup_clear(). */
 bool soup_read(soup *s, const char *file, const char **problem);
 
 /* Makes points in one place one point; the others stay, unused. */

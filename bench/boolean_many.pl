@@ -1,0 +1,136 @@
+/* Many operands:
+
+       swipl -p foreign=build bench/boolean_many.pl -- many|tree
+
+   many: 700 spheres on a jittered grid, each meeting some others, in one call.
+   tree: 1,000 primitives, each meeting at most 10 others, in one expression;
+   the first evaluation, then each leaf moved in turn and the tree evaluated
+   again.
+   MOVES of the leaves (all unless told) are moved.
+*/
+:- use_module('../rules/boolean').
+:- use_module('../rules/model_file').
+:- use_module('../rules/stage').
+:- use_module('../rules/store').
+:- use_module('../rules/triangulation').
+:- use_module(rows_off).
+:- use_module('../tests/rules/checked').
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(random)).
+
+:- initialization(main, main).
+
+main :-
+    set_random(seed(1)),
+    current_prolog_flag(argv, [Part]),
+    new_world(World),
+    in_world(World, call(Part)).
+
+timed(Goal, Seconds) :-
+    get_time(T0),
+    call(Goal),
+    get_time(T),
+    Seconds is T-T0.
+
+/* - - - 700 spheres - - - */
+
+many :-
+    forall(between(0, 699, I), add_sphere(I)),
+    complete_segments,
+    aggregate_all(count, t(_, _, _, _, _, _), Triangles),
+    numlist(1, 700, Leaves),
+    stages_reset,
+    timed(boolean(union(Leaves), 701), Seconds),
+    said(701, Text),
+    format("700 spheres, ~d triangles, in ~3f s: ~w~n",
+           [Triangles,Seconds,Text]),
+    forall(stage_seconds(Name, Part),
+           format("  ~w ~3f s~n", [Name,Part])).
+
+%   10 x 10 x 7 places 1 apart; radius 0.6, so that neighbours meet.
+
+add_sphere(I) :-
+    X0 is I mod 10, Y0 is I//10 mod 10, Z0 is I//100,
+    maplist(jittered, [X0,Y0,Z0], [X,Y,Z]),
+    random(R),
+    Degrees is 90*R,
+    add_primitive(at([rotate(axis(1,2,3),Degrees),translate(X,Y,Z)],
+                     sphere(radius(0.6), facets(24), bands(12))), _).
+
+jittered(X0, X) :-
+    random(R),
+    X is X0+0.1*R.
+
+said(S, Text) :-
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Stream, [extension(off)]), close(Stream) ),
+        ( write_rows_off(S, File), checked([File], [R]) ),
+        delete_file(File)),
+    format(atom(Text), "~d triangles, good=~w, volume ~6f",
+           [R.triangles,R.good,R.volume]).
+
+/* - - - a tree of 1,000 - - - */
+
+%   Solids of some kinds at 10 x 10 x 10 places 1 apart, no wider than 1.4: each
+%   meets at most its 6 neighbours and some on the diagonal. Every third is taken
+%   away from the union of the others.
+
+tree :-
+    forall(between(0, 999, I), add_leaf(I, 0)),
+    complete_segments,
+    findall(S, ( between(1, 1000, S), S mod 3 =\= 0 ), Added),
+    findall(S, ( between(1, 1000, S), S mod 3 =:= 0 ), Removed),
+    Expression = difference([union(Added)|Removed]),
+    timed(boolean(Expression, 1001), First),
+    said(1001, Text),
+    format("1,000 primitives: first evaluation ~3f s: ~w~n", [First,Text]),
+    moves(Leaves),
+    maplist(moved_seconds(Expression), Leaves, Seconds),
+    sum_list(Seconds, Sum),
+    length(Seconds, N),
+    max_list(Seconds, Worst),
+    Mean is Sum/N/First*100,
+    WorstPart is Worst/First*100,
+    format("one leaf moved, mean of ~d: ~2f % of the first; the worst ~2f %~n",
+           [N,Mean,WorstPart]).
+
+moves(Leaves) :-
+    (   getenv('MOVES', Text)
+    ->  atom_number(Text, N)
+    ;   N = 1000
+    ),
+    Step is max(1, 1000//N),
+    findall(S, ( between(1, 1000, S), S mod Step =:= 0 ), Leaves).
+
+add_leaf(I, By) :-
+    S is I+1,
+    X is I mod 10+By, Y is I//10 mod 10, Z is I//100,
+    leaf(I, Primitive),
+    add_primitive(at([rotate(axis(1,2,3),I),translate(X,Y,Z)], Primitive), S0),
+    S0 == S.
+
+leaf(I, Primitive) :-
+    Kind is I mod 4,
+    nth0(Kind,
+         [ box(size(0.75,0.75,0.75)),
+           cylinder(radius(0.4), height(0.9), facets(16)),
+           sphere(radius(0.6), facets(12), bands(6)),
+           cone(radius(0.5), height(1), facets(12)) ],
+         Primitive).
+
+%   moved_seconds(Expression, S, Seconds): leaf S moved a little, and evaluated.
+
+moved_seconds(Expression, S, Seconds) :-
+    facts_snapshot(( move(S),
+                     timed(boolean(Expression, 1002), Seconds),
+                     nb_setval(seconds, Seconds) )),
+    nb_getval(seconds, Seconds).
+
+move(S) :-
+    forall(v(S, V, X, Y, Z),
+           ( retract_fact(v(S, V, X, Y, Z)),
+             X1 is X+0.03125,
+             assert_fact(v(S, V, X1, Y, Z)) )),
+    complete_segments.
