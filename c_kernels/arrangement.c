@@ -133,7 +133,7 @@ note_lines(sg_arrangement *a)
     for (int k = 0; piece->live && k < 2; k++) {
       uint32_t leaf = sg_arrangement_leaf(a, piece->s[k]), key[3];
 
-      if (leaf == SG_NO_KEY) {
+      if (leaf == SG_NO_KEY || !a->leaf[leaf].wanted) {
         continue;
       }
       line_key(leaf, sg_cut_points_name(&set->points, piece->a, piece->s[k]),
@@ -172,7 +172,7 @@ note_touched(sg_arrangement *a)
   for (size_t i = 0; i < points->seats; i++) {
     uint32_t leaf = sg_arrangement_leaf(a, points->seat[i].s);
     uint32_t node =
-        leaf == SG_NO_KEY || points->seat[i].v == 0
+        leaf == SG_NO_KEY || !a->leaf[leaf].wanted || points->seat[i].v == 0
             ? SG_NO_KEY
             : sg_arrangement_node(&a->leaf[leaf], points->seat[i].v);
 
@@ -191,9 +191,11 @@ lay_leaves(sg_arrangement *a)
   size_t nodes = 0;
 
   for (size_t i = 0; i < leaves->n; i++) {
-    a->leaf[i] = (sg_arranged){
-        .s = leaves->s[i], .tree = leaves->tree[i], .node = (uint32_t)nodes};
-    nodes += leaves->tree[i]->vertex.places;
+    a->leaf[i] = (sg_arranged){.s = leaves->s[i],
+                               .tree = leaves->tree[i],
+                               .node = (uint32_t)nodes,
+                               .wanted = leaves->wanted[i]};
+    nodes += leaves->wanted[i] ? leaves->tree[i]->vertex.places : 0;
   }
   a->vertex_nodes = nodes;
   a->touched = calloc(nodes + 1, 1);
@@ -220,6 +222,7 @@ sg_arrangement_open(const sg_leaves *leaves)
   a->leaf = calloc(leaves->n + 1, sizeof *a->leaf);
   sg_key_table_init(&a->barrier, 3);
   sg_key_table_init(&a->has_triangles, 2);
+  sg_key_table_init(&a->auxiliary, 3);
   if (!a->leaf || !lay_leaves(a) || !note_lines(a) || !note_triangles(a)) {
     sg_arrangement_close(a);
     return NULL;
@@ -244,6 +247,7 @@ sg_arrangement_close(sg_arrangement *a)
   sg_segment_rows_clear(&a->rows);
   sg_key_table_clear(&a->barrier);
   sg_key_table_clear(&a->has_triangles);
+  sg_key_table_clear(&a->auxiliary);
   free(a->leaf);
   free(a->touched);
   free(a->cell);
@@ -470,7 +474,7 @@ sg_arrangement_polygon(sg_arrangement *a, int32_t s, int32_t p, sg_work *work,
   uint32_t key[2] = {k.leaf, (uint32_t)p};
   sg_outcome outcome = SG_NO_SPACE;
 
-  if (k.leaf == SG_NO_KEY ||
+  if (k.leaf == SG_NO_KEY || !a->leaf[k.leaf].wanted ||
       sg_key_table_get(&a->has_triangles, key) == SG_NO_KEY) {
     return SG_DONE;
   }

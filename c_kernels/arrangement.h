@@ -8,7 +8,10 @@
  * piece (inside, as it looks) and just above it, since these differ in the
  * leaves it lies on.
  *
- * What stays is not decided here: sg_arrangement_select() is told.
+ * What stays is not decided here: sg_arrangement_select() is told. The pieces
+ * of a leaf depend on that leaf and on those near it, and on nothing else; so
+ * an arrangement may be of some leaves only, and a solid be selected from
+ * several.
  *
  * Source: rows CB-3 and CB-4; the winding numbers of winding.h.
  */
@@ -42,12 +45,14 @@ typedef struct sg_component {
 } sg_component;
 
 /* What the leaves are taken from: all borrowed, until the arrangement closes.
- * Segments ascending; near pairs are those that the set has cut. */
+ * Segments ascending. Near pairs are those that the set has cut: all that a
+ * wanted leaf is in. The others are there to be looked at. */
 typedef struct sg_leaves {
   const sg_cut_set *set;
   const sg_leaf_views *views;
   const int32_t *s;                /* [n] */
   const sg_leaf_tree *const *tree; /* [n] */
+  const bool *wanted;              /* [n]: in pieces */
   size_t n;
   const int32_t (*near)[2]; /* [pairs]: segments */
   size_t pairs;
@@ -68,15 +73,29 @@ sg_outcome sg_arrangement_polygon(sg_arrangement *a, int32_t s, int32_t p,
 /* Finds the components, and their sides. False: no memory, or stopped. */
 bool sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll);
 
-size_t sg_arrangement_components(const sg_arrangement *a);
-sg_component sg_arrangement_component(const sg_arrangement *a, size_t c);
+/* How many components a wanted leaf has; and one of them. */
+size_t sg_arrangement_components(const sg_arrangement *a, int32_t s);
+sg_component sg_arrangement_component(const sg_arrangement *a, int32_t s,
+                                      size_t c);
 
-/* The components with sense[c] 1, and turned over those with -1, as a solid.
- * What made its made vertices is point_of[vertex - plain], a point of the set;
- * origins are not filled in. False: no memory, or stopped. Owner: the caller,
- * also of *point_of (free()). */
-bool sg_arrangement_select(const sg_arrangement *a, const int8_t *sense,
+/* What is chosen of one leaf: its components with sense[c] 1, and turned over
+ * those with -1. */
+typedef struct sg_chosen {
+  const sg_arrangement *a;
+  int32_t s;
+  const int8_t *sense;
+} sg_chosen;
+
+/* Point `point` of the set of the arrangement of choice `chosen`. */
+typedef struct sg_made_by {
+  uint32_t chosen, point;
+} sg_made_by;
+
+/* A solid from what is chosen of n leaves, each once. What made its made
+ * vertices is (*made_by)[vertex - plain]; origins are not filled in. False: no
+ * memory, or stopped. Owner: the caller, also of *made_by (free()). */
+bool sg_arrangement_select(const sg_chosen *chosen, size_t n,
                            const sg_poll *poll, sg_solid *out,
-                           uint32_t **point_of);
+                           sg_made_by **made_by);
 
 #endif

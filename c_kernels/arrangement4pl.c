@@ -1,7 +1,7 @@
 /* arrangement4pl.c -- arrangements behind a Prolog handle.
  *
  * Layer: glue. The doors are documented in rules/kernel.pl. An arrangement
- * looks into its cut set, so it is good for nothing once that is closed.
+ * looks into its cut set, and keeps it from being closed.
  */
 #include "cut4pl.h"
 
@@ -18,11 +18,13 @@
 
 typedef struct handle {
   sg_arrangement *arrangement; /* null: closed */
-  sg_cut_handle *set;
-  atom_t set_atom;          /* registered: it lives as long as this */
-  int32_t *s;               /* [n]: the leaves */
-  sg_kept_tree **tree;      /* [n], held */
-  const sg_leaf_tree **own; /* [n]: the same, as the kernel wants them */
+  atomic_uint holders;         /* arrangement_hold/1 less arrangement_drop/1 */
+  sg_cut_handle *set;          /* kept */
+  atom_t set_atom;             /* registered: it lives as long as this */
+  int32_t *s;                  /* [n]: the leaves */
+  bool *wanted;                /* [n] */
+  sg_kept_tree **tree;         /* [n], held */
+  const sg_leaf_tree **own;    /* [n]: the same, as the kernel wants them */
   size_t n;
 } handle;
 
@@ -45,11 +47,14 @@ close_handle(handle *h)
   free(h->tree);
   free(h->own);
   free(h->s);
+  free(h->wanted);
   h->tree = NULL;
   h->own = NULL;
   h->s = NULL;
+  h->wanted = NULL;
   h->n = 0;
   if (h->set_atom) {
+    sg_cut_set_let_go(h->set);
     PL_unregister_atom(h->set_atom);
     h->set_atom = 0;
   }
@@ -92,8 +97,7 @@ get_handle_ex(term_t t, handle **out)
     return PL_type_error("arrangement", t);
   }
   *out = data;
-  return ((*out)->arrangement && !(*out)->set->closed) ||
-         PL_existence_error("arrangement", t);
+  return (*out)->arrangement || PL_existence_error("arrangement", t);
 }
 
 /* ---- opening ---- */
@@ -106,32 +110,52 @@ compare_segments(const void *x, const void *y)
   return (a > b) - (a < b);
 }
 
-/* Reads the segments, each once, ascending. */
+/* Reads segments, each once, ascending. */
 static int
-get_segments_ex(term_t list, handle *h)
+get_segments_ex(term_t list, int32_t **out, size_t *n)
 {
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-  size_t n, kept = 0;
+  size_t all, kept = 0;
 
-  if (PL_skip_list(list, 0, &n) != PL_LIST) {
-    return PL_type_error("list", list);
+  if (!sg_get_ids_ex(list, out, &all)) {
+    return FALSE;
   }
-  if (!(h->s = malloc((n + 1) * sizeof *h->s))) {
-    return sg_no_memory();
+  if (all > 1) {
+    qsort(*out, all, sizeof **out, compare_segments);
   }
-  for (size_t i = 0; i < n; i++) {
-    if (!PL_get_list_ex(tail, head, tail) || !sg_get_id_ex(head, &h->s[i])) {
-      return FALSE;
+  for (size_t i = 0; i < all; i++) {
+    if (i == 0 || (*out)[i] != (*out)[i - 1]) {
+      (*out)[kept++] = (*out)[i];
     }
   }
-  qsort(h->s, n, sizeof *h->s, compare_segments);
-  for (size_t i = 0; i < n; i++) {
-    if (i == 0 || h->s[i] != h->s[i - 1]) {
-      h->s[kept++] = h->s[i];
-    }
-  }
-  h->n = kept;
+  *n = kept;
   return TRUE;
+}
+
+/* The leaves, and which of them are wanted. */
+static int
+get_leaves_ex(term_t segments, term_t wanted, handle *h)
+{
+  int32_t *list = NULL;
+  size_t n = 0;
+  int good = get_segments_ex(segments, &h->s, &h->n) &&
+             get_segments_ex(wanted, &list, &n);
+
+  if (good) {
+    h->wanted = calloc(h->n + 1, sizeof *h->wanted);
+    good = h->wanted || sg_no_memory();
+  }
+  for (size_t i = 0, k = 0; good && i < n; i++) {
+    while (k < h->n && h->s[k] < list[i]) {
+      k++;
+    }
+    if (k < h->n && h->s[k] == list[i]) {
+      h->wanted[k] = true;
+    } else {
+      good = PL_domain_error("segments", wanted);
+    }
+  }
+  free(list);
+  return good;
 }
 
 static int
@@ -153,8 +177,9 @@ hold_trees_ex(handle *h)
   return good;
 }
 
+/* arrangement_open(+Set, +Segments, +Wanted, -Arrangement) is det. */
 static foreign_t
-arrangement_open(term_t set, term_t segments, term_t out)
+arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
 {
   handle *h = calloc(1, sizeof *h);
 
@@ -166,7 +191,8 @@ arrangement_open(term_t set, term_t segments, term_t out)
     return FALSE;
   }
   PL_register_atom(h->set_atom);
-  int good = get_segments_ex(segments, h) && hold_trees_ex(h);
+  sg_cut_set_keep(h->set);
+  int good = get_leaves_ex(segments, wanted, h) && hold_trees_ex(h);
 
   if (good) {
     h->arrangement = sg_arrangement_open(
@@ -174,6 +200,7 @@ arrangement_open(term_t set, term_t segments, term_t out)
                      .views = &h->set->views,
                      .s = h->s,
                      .tree = h->own,
+                     .wanted = h->wanted,
                      .n = h->n,
                      .near = (const int32_t(*)[2])h->set->pair,
                      .pairs = h->set->pairs});
@@ -184,18 +211,33 @@ arrangement_open(term_t set, term_t segments, term_t out)
     free(h);
     return FALSE;
   }
+  atomic_init(&h->holders, 1);
   return PL_unify_blob(out, h, sizeof *h, &arrangement_blob);
 }
 
 static foreign_t
-arrangement_close(term_t t)
+arrangement_hold(term_t t)
 {
   handle *h;
 
   if (!get_handle_ex(t, &h)) {
     return FALSE;
   }
-  close_handle(h);
+  atomic_fetch_add(&h->holders, 1);
+  return TRUE;
+}
+
+static foreign_t
+arrangement_drop(term_t t)
+{
+  handle *h;
+
+  if (!get_handle_ex(t, &h)) {
+    return FALSE;
+  }
+  if (atomic_fetch_sub(&h->holders, 1) == 1) {
+    close_handle(h);
+  }
   return TRUE;
 }
 
@@ -300,50 +342,119 @@ unify_component(term_t t, size_t number, const sg_component *c)
                                    : atom_only);
 }
 
+/* ---- pieces: [S-Arrangement, ...] ---- */
+
+/* The leaves of a list of pieces. Components are counted through. */
+typedef struct pieces {
+  sg_chosen *of; /* [n]; the senses are a part of sense[] */
+  handle **from; /* [n] */
+  size_t n, components;
+  int8_t *sense; /* [components] */
+} pieces;
+
+static void
+clear_pieces(pieces *p)
+{
+  free(p->of);
+  free(p->from);
+  free(p->sense);
+}
+
+static int
+get_piece_ex(term_t t, sg_chosen *out, handle **from)
+{
+  term_t arg = PL_new_term_ref();
+
+  if (!PL_is_functor(t, functor_minus2)) {
+    return PL_type_error("pair", t);
+  }
+  if (!PL_get_arg(1, t, arg) || !sg_get_id_ex(arg, &out->s) ||
+      !PL_get_arg(2, t, arg) || !get_handle_ex(arg, from)) {
+    return FALSE;
+  }
+  out->a = (*from)->arrangement;
+  for (size_t i = 0; i < (*from)->n; i++) {
+    if ((*from)->s[i] == out->s) {
+      return (*from)->wanted[i] || PL_existence_error("pieces", t);
+    }
+  }
+  return PL_existence_error("pieces", t);
+}
+
+static int
+get_pieces_ex(term_t list, pieces *out)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  size_t n;
+
+  *out = (pieces){0};
+  if (PL_skip_list(list, 0, &n) != PL_LIST) {
+    return PL_type_error("list", list);
+  }
+  out->of = calloc(n + 1, sizeof *out->of);
+  out->from = calloc(n + 1, sizeof(handle *));
+  if (!out->of || !out->from) {
+    return sg_no_memory();
+  }
+  for (; out->n < n; out->n++) {
+    if (!PL_get_list_ex(tail, head, tail) ||
+        !get_piece_ex(head, &out->of[out->n], &out->from[out->n])) {
+      return FALSE;
+    }
+    out->components +=
+        sg_arrangement_components(out->of[out->n].a, out->of[out->n].s);
+  }
+  return TRUE;
+}
+
 static foreign_t
 arrangement_components(term_t t, term_t list)
 {
-  handle *h;
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  pieces p;
+  size_t number = 0;
+  int good = get_pieces_ex(t, &p);
 
-  if (!get_handle_ex(t, &h)) {
-    return FALSE;
-  }
-  size_t n = sg_arrangement_components(h->arrangement);
+  for (size_t i = 0; good && i < p.n; i++) {
+    size_t n = sg_arrangement_components(p.of[i].a, p.of[i].s);
 
-  for (size_t i = 0; i < n; i++) {
-    sg_component c = sg_arrangement_component(h->arrangement, i);
-    fid_t frame = PL_open_foreign_frame();
-    int good = frame && PL_unify_list(tail, head, tail) &&
-               unify_component(head, i, &c);
+    for (size_t k = 0; good && k < n; k++) {
+      sg_component c = sg_arrangement_component(p.of[i].a, p.of[i].s, k);
+      fid_t frame = PL_open_foreign_frame();
 
-    PL_close_foreign_frame(frame);
-    if (!good) {
-      return FALSE;
+      good = frame && PL_unify_list(tail, head, tail) &&
+             unify_component(head, number++, &c);
+      PL_close_foreign_frame(frame);
     }
   }
-  return PL_unify_nil(tail);
+  clear_pieces(&p);
+  return good && PL_unify_nil(tail);
 }
 
 /* ---- choosing ---- */
 
-/* Reads [C-Sense, ...] into sense[]. */
+/* Reads [C-Sense, ...]. */
 static int
-get_senses_ex(term_t list, size_t n, int8_t *sense)
+get_senses_ex(term_t list, pieces *p)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
   term_t arg = PL_new_term_ref();
 
-  while (PL_get_list_ex(list, head, tail)) {
+  p->sense = calloc(p->components + 1, 1);
+  if (!p->sense) {
+    return sg_no_memory();
+  }
+  while (PL_get_list(tail, head, tail)) {
     int64_t c;
     int turn;
 
-    list = tail;
-    if (!PL_is_functor(head, functor_minus2) || !PL_get_arg(1, head, arg) ||
-        !PL_get_int64_ex(arg, &c)) {
-      return PL_exception(0) ? FALSE : PL_type_error("pair", head);
+    if (!PL_is_functor(head, functor_minus2)) {
+      return PL_type_error("pair", head);
     }
-    if (c < 0 || (uint64_t)c >= n) {
+    if (!PL_get_arg(1, head, arg) || !PL_get_int64_ex(arg, &c)) {
+      return FALSE;
+    }
+    if (c < 0 || (uint64_t)c >= p->components) {
       return PL_existence_error("component", arg);
     }
     if (!PL_get_arg(2, head, arg) || !PL_get_integer_ex(arg, &turn)) {
@@ -352,13 +463,17 @@ get_senses_ex(term_t list, size_t n, int8_t *sense)
     if (turn != 1 && turn != -1) {
       return PL_domain_error("sense", arg);
     }
-    sense[c] = (int8_t)turn;
+    p->sense[c] = (int8_t)turn;
   }
-  return PL_exception(0) ? FALSE : PL_get_nil_ex(list);
+  for (size_t i = 0, at = 0; i < p->n; i++) {
+    p->of[i].sense = p->sense + at;
+    at += sg_arrangement_components(p->of[i].a, p->of[i].s);
+  }
+  return PL_get_nil_ex(tail);
 }
 
 static int
-give_origins_ex(handle *h, sg_solid *solid, const uint32_t *point_of)
+give_origins_ex(const pieces *p, sg_solid *solid, const sg_made_by *made_by)
 {
   size_t made = solid->vertices - solid->plain;
 
@@ -367,9 +482,11 @@ give_origins_ex(handle *h, sg_solid *solid, const uint32_t *point_of)
     return sg_no_memory();
   }
   for (size_t i = 0; i < made; i++) {
+    const handle *from = p->from[made_by[i].chosen];
     fid_t frame = PL_open_foreign_frame();
     term_t t = PL_new_term_ref();
-    int good = frame && sg_unify_origin(t, &h->set->set.points, point_of[i]) &&
+    int good = frame &&
+               sg_unify_origin(t, &from->set->set.points, made_by[i].point) &&
                sg_get_term_ex(t, &solid->origin[i]);
 
     PL_discard_foreign_frame(frame);
@@ -383,24 +500,18 @@ give_origins_ex(handle *h, sg_solid *solid, const uint32_t *point_of)
 static foreign_t
 arrangement_select(term_t t, term_t senses, term_t out)
 {
-  handle *h;
+  pieces p;
   sg_solid solid = {0};
-  uint32_t *point_of = NULL;
+  sg_made_by *made_by = NULL;
+  int good = get_pieces_ex(t, &p) && get_senses_ex(senses, &p);
 
-  if (!get_handle_ex(t, &h)) {
-    return FALSE;
-  }
-  size_t n = sg_arrangement_components(h->arrangement);
-  int8_t *sense = calloc(n + 1, 1);
-  int good = sense ? get_senses_ex(senses, n, sense) : sg_no_memory();
-
-  if (good && !sg_arrangement_select(h->arrangement, sense, &sg_prolog_poll,
-                                     &solid, &point_of)) {
+  if (good &&
+      !sg_arrangement_select(p.of, p.n, &sg_prolog_poll, &solid, &made_by)) {
     good = PL_exception(0) ? FALSE : sg_no_memory();
   }
-  good = good && give_origins_ex(h, &solid, point_of);
-  free(sense);
-  free(point_of);
+  good = good && give_origins_ex(&p, &solid, made_by);
+  free(made_by);
+  clear_pieces(&p);
   if (!good) {
     sg_solid_clear(&solid);
     return FALSE;
@@ -409,8 +520,9 @@ arrangement_select(term_t t, term_t senses, term_t out)
 }
 
 static const PL_extension predicates[] = {
-    {"arrangement_open", 3, arrangement_open, 0},
-    {"arrangement_close", 1, arrangement_close, 0},
+    {"arrangement_open", 4, arrangement_open, 0},
+    {"arrangement_hold", 1, arrangement_hold, 0},
+    {"arrangement_drop", 1, arrangement_drop, 0},
     {"arrangement_polygon", 5, arrangement_polygon, 0},
     {"arrangement_seal", 1, arrangement_seal, 0},
     {"arrangement_components", 2, arrangement_components, 0},

@@ -50,29 +50,86 @@ list_cut(sg_arrangement *a)
   for (size_t i = 0, c = 0; i < a->leaves.n && good; i++) {
     size_t n = 0;
 
+    a->leaf[i].first_cell = c;
     for (; c < a->cells && a->cell[c].leaf == i; c++) {
       p[n++] = a->cell[c].p;
     }
+    a->leaf[i].cells = n;
     good = sg_id_set_make(&a->leaf[i].cut, p, n);
   }
   free(p);
   return good;
 }
 
+/* The rows of the wanted leaves. */
 static bool
 find_rows(sg_arrangement *a, const sg_poll *poll)
 {
-  if (!sg_segment_rows_find(&a->leaves.views->t, a->leaves.s, a->leaves.n, poll,
-                            &a->rows)) {
-    return false;
+  int32_t *s = malloc((a->leaves.n + 1) * sizeof *s);
+  size_t n = 0;
+
+  for (size_t i = 0; s && i < a->leaves.n; i++) {
+    if (a->leaf[i].wanted) {
+      s[n++] = a->leaf[i].s;
+    }
   }
-  for (size_t i = 0; i < a->leaves.n; i++) {
-    a->leaf[i].row = a->rows.row + a->rows.begin[i];
-    a->leaf[i].rows = a->rows.begin[i + 1] - a->rows.begin[i];
-    a->leaf[i].component =
-        malloc((a->leaf[i].rows + 1) * sizeof *a->leaf[i].component);
-    if (!a->leaf[i].component) {
+  bool good =
+      s && sg_segment_rows_find(&a->leaves.views->t, s, n, poll, &a->rows);
+
+  free(s);
+  for (size_t i = 0, k = 0; i < a->leaves.n && good; i++) {
+    sg_arranged *leaf = &a->leaf[i];
+
+    if (!leaf->wanted) {
+      continue;
+    }
+    leaf->row = a->rows.row + a->rows.begin[k];
+    leaf->rows = a->rows.begin[k + 1] - a->rows.begin[k];
+    leaf->component = malloc((leaf->rows + 1) * sizeof *leaf->component);
+    good = leaf->component != NULL;
+    k++;
+  }
+  return good;
+}
+
+/* ---- auxiliary edges ---- */
+
+static bool
+note_auxiliary(sg_arrangement *a, const sg_view *e, size_t page, unsigned r)
+{
+  uint32_t leaf = sg_arrangement_leaf(a, e->column[0].page[page].i[r]);
+  int32_t v1 = e->column[2].page[page].i[r];
+  int32_t v2 = e->column[3].page[page].i[r];
+  uint32_t key[3] = {leaf, (uint32_t)v1, (uint32_t)v2};
+
+  if (leaf == SG_NO_KEY || !a->leaf[leaf].wanted ||
+      sg_arrangement_is_line(a, leaf, v1, v2)) {
+    return true;
+  }
+  uint32_t *known = sg_key_table_put(&a->auxiliary, key);
+
+  if (known) {
+    *known = 1;
+  }
+  return known != NULL;
+}
+
+bool
+sg_arrangement_find_auxiliary(sg_arrangement *a, const sg_poll *poll)
+{
+  const sg_view *e = &a->leaves.views->e;
+
+  for (size_t page = 0; page < e->pages; page++) {
+    const int32_t *et = e->column[4].page[page].i;
+
+    if (page % 16 == 15 && sg_poll_stop(poll)) {
       return false;
+    }
+    for (unsigned r = sg_live_next(e->live[page], 0); r < SG_PAGE_ROWS;
+         r = sg_live_next(e->live[page], r + 1)) {
+      if (et[r] == 0 && !note_auxiliary(a, e, page, r)) {
+        return false;
+      }
     }
   }
   return true;
@@ -311,12 +368,14 @@ find_row_parts(sg_arrangement *a, uint32_t number, uint32_t *of_root,
 }
 
 static bool
-find_cell_parts(sg_arrangement *a, uint32_t *of_root)
+find_cell_parts(sg_arrangement *a, uint32_t number, uint32_t *of_root)
 {
-  for (size_t i = 0; i < a->cells; i++) {
+  const sg_arranged *leaf = &a->leaf[number];
+
+  for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
     sg_cell *cell = &a->cell[i];
     uint32_t c = part_of(a, of_root, cell->node);
-    sg_part piece = {.leaf = cell->leaf, .cut = true, .of = i};
+    sg_part piece = {.leaf = number, .cut = true, .of = i};
 
     if (c == SG_NO_KEY || !give_point(a, c, &piece)) {
       return false;
@@ -336,9 +395,11 @@ sg_arrangement_find_parts(sg_arrangement *a, const sg_poll *poll)
     memset(of_root, 0xff, (a->nodes + 1) * sizeof *of_root);
   }
   for (uint32_t i = 0; i < a->leaves.n && good; i++) {
-    good = find_row_parts(a, i, of_root, poll);
+    a->leaf[i].first_part = a->parts;
+    good =
+        find_row_parts(a, i, of_root, poll) && find_cell_parts(a, i, of_root);
+    a->leaf[i].parts = a->parts - a->leaf[i].first_part;
   }
-  good = good && find_cell_parts(a, of_root);
   free(of_root);
   return good;
 }

@@ -20,6 +20,9 @@ typedef struct sg_arranged {
   size_t rows;
   uint32_t *component; /* [rows], SG_NO_KEY: of a polygon that is cut */
   sg_id_set cut;       /* polygons */
+  bool wanted;
+  size_t first_cell, cells;
+  size_t first_part, parts; /* its components */
 } sg_arranged;
 
 /* A triangle of a cell, corners by name in the leaf. */
@@ -65,6 +68,7 @@ struct sg_arrangement {
   uint8_t *touched; /* [vertex_nodes]: on another leaf, or on a line */
   size_t vertex_nodes;
   sg_key_table barrier;       /* leaf, two names: a line runs there */
+  sg_key_table auxiliary;     /* leaf, two names: an edge, and no line */
   sg_key_table has_triangles; /* leaf, polygon: that are in the cut model */
   sg_cell *cell;
   sg_cell_triangle *triangle;
@@ -101,6 +105,7 @@ uint32_t sg_arrangement_root(sg_arrangement *a, uint32_t node);
 void sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other);
 
 /* Components from what hangs together (arrangement_part.c). */
+bool sg_arrangement_find_auxiliary(sg_arrangement *a, const sg_poll *poll);
 bool sg_arrangement_flood(sg_arrangement *a, const sg_poll *poll);
 bool sg_arrangement_find_parts(sg_arrangement *a, const sg_poll *poll);
 

@@ -10,74 +10,40 @@
 
 enum { ASKED = 1 << 14 }; /* rows between questions */
 
+/* A leaf that something is chosen of. */
+typedef struct source {
+  const sg_arrangement *a;
+  const sg_arranged *leaf;
+  uint32_t place;
+  const int8_t *sense; /* of its components */
+  uint32_t *number;    /* [places]: of its vertices, in the solid */
+} source;
+
 /* A solid under way. */
 typedef struct choice {
-  const sg_arrangement *a;
-  const int8_t *sense;
+  source *from; /* [n] */
+  size_t n;
   sg_solid *out;
-  uint32_t *number;       /* [vertex_nodes]: of a vertex of the solid */
-  sg_key_table at;        /* three doubles -> vertex of the solid */
-  sg_key_table auxiliary; /* segment, two names: of polygons not cut */
-  uint32_t *point_of;     /* [vertices - plain] */
+  sg_key_table at;     /* three doubles -> vertex of the solid */
+  sg_made_by *made_by; /* [vertices - plain] */
   size_t vertex_room, triangle_room, face_room, made_room;
 } choice;
 
-/* ---- auxiliary edges ---- */
-
-static bool
-note_auxiliary(choice *k, uint32_t row)
+static int
+sense_of(const source *from, uint32_t component)
 {
-  const sg_view *e = &k->a->leaves.views->e;
-  size_t page = row / SG_PAGE_ROWS, at = row % SG_PAGE_ROWS;
-  uint32_t key[3];
-
-  for (unsigned c = 0; c < 3; c++) {
-    key[c] = (uint32_t)e->column[c == 0 ? 0 : c + 1].page[page].i[at];
-  }
-  uint32_t leaf = sg_arrangement_leaf(k->a, (int32_t)key[0]);
-
-  if (leaf == SG_NO_KEY ||
-      sg_arrangement_is_line(k->a, leaf, (int32_t)key[1], (int32_t)key[2])) {
-    return true;
-  }
-  uint32_t *known = sg_key_table_put(&k->auxiliary, key);
-
-  if (known) {
-    *known = 1;
-  }
-  return known != NULL;
-}
-
-static bool
-find_auxiliary(choice *k, const sg_poll *poll)
-{
-  const sg_view *e = &k->a->leaves.views->e;
-
-  for (size_t page = 0; page < e->pages; page++) {
-    const int32_t *et = e->column[4].page[page].i;
-
-    if (page % 16 == 15 && sg_poll_stop(poll)) {
-      return false;
-    }
-    for (unsigned r = sg_live_next(e->live[page], 0); r < SG_PAGE_ROWS;
-         r = sg_live_next(e->live[page], r + 1)) {
-      if (et[r] == 0 && !note_auxiliary(k, (uint32_t)page * SG_PAGE_ROWS + r)) {
-        return false;
-      }
-    }
-  }
-  return true;
+  return from->sense[component - from->leaf->first_part];
 }
 
 static uint8_t
-auxiliary_of(const choice *k, int32_t s, const int32_t v[3])
+auxiliary_of(const sg_arrangement *a, uint32_t leaf, const int32_t v[3])
 {
   uint8_t bits = 0;
 
-  for (int c = 0; c < 3 && k->auxiliary.n > 0; c++) {
-    uint32_t key[3] = {(uint32_t)s, (uint32_t)v[c], (uint32_t)v[(c + 1) % 3]};
+  for (int c = 0; c < 3 && a->auxiliary.n > 0; c++) {
+    uint32_t key[3] = {leaf, (uint32_t)v[c], (uint32_t)v[(c + 1) % 3]};
 
-    if (sg_key_table_get(&k->auxiliary, key) != SG_NO_KEY) {
+    if (sg_key_table_get(&a->auxiliary, key) != SG_NO_KEY) {
       bits |= (uint8_t)(1 << c);
     }
   }
@@ -157,46 +123,46 @@ new_vertex(choice *k, const double at[3], int32_t s, int32_t v)
 
 /* The vertex of the solid for vertex v, which is a leaf's own. */
 static uint32_t
-plain_vertex(choice *k, const sg_arranged *leaf, uint32_t node, int32_t v)
+plain_vertex(choice *k, const source *from, uint32_t node, int32_t v)
 {
-  uint32_t *number = &k->number[node];
+  uint32_t *number = &from->number[node - from->leaf->node];
   double at[3] = {0};
 
   if (*number != SG_NO_KEY) {
     return *number;
   }
-  sg_leaf_vertex_at(leaf->tree, k->a->leaves.views, v, at);
-  if (!k->a->touched[node]) {
-    return *number = new_vertex(k, at, leaf->s, v);
+  sg_leaf_vertex_at(from->leaf->tree, from->a->leaves.views, v, at);
+  if (!from->a->touched[node]) {
+    return *number = new_vertex(k, at, from->leaf->s, v);
   }
   uint32_t *same = place_of(k, at);
 
   if (same && *same == SG_NO_KEY) {
-    *same = new_vertex(k, at, leaf->s, v);
+    *same = new_vertex(k, at, from->leaf->s, v);
   }
   return *number = same ? *same : SG_NO_KEY;
 }
 
 /* The same for one that a cut made, after all plain ones. */
 static uint32_t
-made_vertex(choice *k, const sg_arranged *leaf, int32_t v)
+made_vertex(choice *k, const source *from, int32_t v)
 {
-  const sg_cut_points *points = &k->a->leaves.set->points;
-  uint32_t point = sg_cut_points_named(points, leaf->s, v);
+  const sg_cut_points *points = &from->a->leaves.set->points;
+  uint32_t point = sg_cut_points_named(points, from->leaf->s, v);
   uint32_t *same = place_of(k, points->point[point].at.p);
 
   if (!same || *same != SG_NO_KEY) {
     return same ? *same : SG_NO_KEY;
   }
   size_t made = k->out->vertices - k->out->plain;
-  uint32_t *all = grown(k->point_of, made, &k->made_room, sizeof *k->point_of);
+  sg_made_by *all = grown(k->made_by, made, &k->made_room, sizeof *all);
 
   if (!all) {
     return SG_NO_KEY;
   }
-  k->point_of = all;
-  all[made] = point;
-  return *same = new_vertex(k, points->point[point].at.p, leaf->s, 0);
+  k->made_by = all;
+  all[made] = (sg_made_by){(uint32_t)(from - k->from), point};
+  return *same = new_vertex(k, points->point[point].at.p, from->leaf->s, 0);
 }
 
 /* ---- triangles and faces ---- */
@@ -271,8 +237,9 @@ compare_chosen(const void *x, const void *y)
 
 /* The chosen triangles of polygons that are not cut, polygon by polygon. */
 static chosen *
-choose_rows(const choice *k, const sg_arranged *leaf, size_t *n)
+choose_rows(const source *from, size_t *n)
 {
+  const sg_arranged *leaf = from->leaf;
   chosen *list = malloc((leaf->rows + 1) * sizeof *list);
   bool sorted = true;
 
@@ -280,8 +247,9 @@ choose_rows(const choice *k, const sg_arranged *leaf, size_t *n)
   for (size_t i = 0; list && i < leaf->rows; i++) {
     uint32_t c = leaf->component[i];
 
-    if (c != SG_NO_KEY && k->sense[c] != 0) {
-      list[*n] = (chosen){sg_arranged_row(k->a, leaf->row[i]).p, (uint32_t)i};
+    if (c != SG_NO_KEY && sense_of(from, c) != 0) {
+      list[*n] =
+          (chosen){sg_arranged_row(from->a, leaf->row[i]).p, (uint32_t)i};
       sorted = sorted && (*n == 0 || list[*n - 1].p <= list[*n].p);
       ++*n;
     }
@@ -293,35 +261,37 @@ choose_rows(const choice *k, const sg_arranged *leaf, size_t *n)
 }
 
 static bool
-add_row(choice *k, const sg_arranged *leaf, const chosen *one)
+add_row(choice *k, const source *from, const chosen *one)
 {
-  sg_leaf t = sg_arranged_row(k->a, leaf->row[one->row]);
+  const sg_arranged *leaf = from->leaf;
+  sg_leaf t = sg_arranged_row(from->a, leaf->row[one->row]);
   uint32_t v[3];
 
   for (int c = 0; c < 3; c++) {
-    v[c] = plain_vertex(k, leaf, sg_arrangement_node(leaf, t.v[c]), t.v[c]);
+    v[c] = plain_vertex(k, from, sg_arrangement_node(leaf, t.v[c]), t.v[c]);
     if (v[c] == SG_NO_KEY) {
       return false;
     }
   }
-  return add_triangle(k, v, auxiliary_of(k, leaf->s, t.v),
-                      k->sense[leaf->component[one->row]] < 0);
+  return add_triangle(k, v, auxiliary_of(from->a, from->place, t.v),
+                      sense_of(from, leaf->component[one->row]) < 0);
 }
 
 static bool
-add_rows(choice *k, const sg_arranged *leaf, const sg_poll *poll)
+add_rows(choice *k, const source *from, const sg_poll *poll)
 {
+  const sg_arranged *leaf = from->leaf;
   size_t n;
-  chosen *list = choose_rows(k, leaf, &n);
+  chosen *list = choose_rows(from, &n);
   bool good = list != NULL;
 
   for (size_t i = 0; i < n && good; i++) {
     if (i == 0 || list[i - 1].p != list[i].p) {
       good = open_face(k, leaf->s, list[i].p,
-                       k->sense[leaf->component[list[i].row]] < 0);
+                       sense_of(from, leaf->component[list[i].row]) < 0);
     }
     good = good && (i % ASKED != ASKED - 1 || !sg_poll_stop(poll)) &&
-           add_row(k, leaf, &list[i]);
+           add_row(k, from, &list[i]);
     if (good && (i + 1 == n || list[i + 1].p != list[i].p)) {
       close_face(k);
     }
@@ -334,50 +304,48 @@ add_rows(choice *k, const sg_arranged *leaf, const sg_poll *poll)
 
 /* The plain corners of chosen cells, before any made one. */
 static bool
-number_plain(choice *k)
+number_plain(choice *k, const source *from)
 {
-  const sg_arrangement *a = k->a;
+  const sg_arranged *leaf = from->leaf;
 
-  for (size_t i = 0; i < a->cells; i++) {
-    const sg_cell *cell = &a->cell[i];
-    const sg_arranged *leaf = &a->leaf[cell->leaf];
+  for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
+    const sg_cell *cell = &from->a->cell[i];
 
-    if (k->sense[cell->component] == 0) {
+    if (sense_of(from, cell->component) == 0) {
       continue;
     }
     for (size_t j = cell->first; j < cell->first + cell->n; j++) {
       for (int c = 0; c < 3; c++) {
-        int32_t v = a->triangle[j].v[c];
+        int32_t v = from->a->triangle[j].v[c];
         uint32_t node = sg_arrangement_node(leaf, v);
 
-        if (node != SG_NO_KEY && plain_vertex(k, leaf, node, v) == SG_NO_KEY) {
+        if (node != SG_NO_KEY && plain_vertex(k, from, node, v) == SG_NO_KEY) {
           return false;
         }
       }
     }
   }
-  k->out->plain = k->out->vertices;
   return true;
 }
 
 static bool
-add_cell(choice *k, const sg_cell *cell)
+add_cell(choice *k, const source *from, const sg_cell *cell)
 {
-  const sg_arranged *leaf = &k->a->leaf[cell->leaf];
-  bool reversed = k->sense[cell->component] < 0;
+  const sg_arranged *leaf = from->leaf;
+  bool reversed = sense_of(from, cell->component) < 0;
 
   if (!open_face(k, leaf->s, cell->p, reversed)) {
     return false;
   }
   for (size_t j = cell->first; j < cell->first + cell->n; j++) {
-    const sg_cell_triangle *t = &k->a->triangle[j];
+    const sg_cell_triangle *t = &from->a->triangle[j];
     uint32_t v[3];
 
     for (int c = 0; c < 3; c++) {
       uint32_t node = sg_arrangement_node(leaf, t->v[c]);
 
-      v[c] =
-          node == SG_NO_KEY ? made_vertex(k, leaf, t->v[c]) : k->number[node];
+      v[c] = node == SG_NO_KEY ? made_vertex(k, from, t->v[c])
+                               : from->number[node - leaf->node];
       if (v[c] == SG_NO_KEY) {
         return false;
       }
@@ -391,45 +359,83 @@ add_cell(choice *k, const sg_cell *cell)
 }
 
 static bool
+add_cells(choice *k, const source *from, const sg_poll *poll)
+{
+  const sg_arranged *leaf = from->leaf;
+
+  for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
+    const sg_cell *cell = &from->a->cell[i];
+
+    if ((i % ASKED == ASKED - 1 && sg_poll_stop(poll)) ||
+        (sense_of(from, cell->component) != 0 && !add_cell(k, from, cell))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ---- everything ---- */
+
+static bool
 add_all(choice *k, const sg_poll *poll)
 {
-  const sg_arrangement *a = k->a;
-  bool good = find_auxiliary(k, poll);
+  bool good = true;
 
-  for (size_t i = 0; i < a->leaves.n && good; i++) {
-    good = add_rows(k, &a->leaf[i], poll);
+  for (size_t i = 0; i < k->n && good; i++) {
+    good = add_rows(k, &k->from[i], poll);
   }
-  good = good && number_plain(k);
-  for (size_t i = 0; i < a->cells && good; i++) {
-    good = (i % ASKED != ASKED - 1 || !sg_poll_stop(poll)) &&
-           (k->sense[a->cell[i].component] == 0 || add_cell(k, &a->cell[i]));
+  for (size_t i = 0; i < k->n && good; i++) {
+    good = number_plain(k, &k->from[i]);
+  }
+  k->out->plain = k->out->vertices;
+  for (size_t i = 0; i < k->n && good; i++) {
+    good = add_cells(k, &k->from[i], poll);
   }
   return good;
 }
 
-bool
-sg_arrangement_select(const sg_arrangement *a, const int8_t *sense,
-                      const sg_poll *poll, sg_solid *out, uint32_t **point_of)
+static bool
+open_sources(choice *k, const sg_chosen *chosen_of)
 {
-  choice k = {.a = a, .sense = sense, .out = out};
+  k->from = calloc(k->n + 1, sizeof *k->from);
+  for (size_t i = 0; k->from && i < k->n; i++) {
+    source *from = &k->from[i];
+
+    from->a = chosen_of[i].a;
+    from->place = sg_arrangement_leaf(from->a, chosen_of[i].s);
+    from->leaf = &from->a->leaf[from->place];
+    from->sense = chosen_of[i].sense;
+    size_t places = from->leaf->tree->vertex.places + 1;
+
+    from->number = malloc(places * sizeof *from->number);
+    if (!from->number) {
+      return false;
+    }
+    memset(from->number, 0xff, places * sizeof *from->number);
+  }
+  return k->from != NULL;
+}
+
+bool
+sg_arrangement_select(const sg_chosen *chosen_of, size_t n, const sg_poll *poll,
+                      sg_solid *out, sg_made_by **made_by)
+{
+  choice k = {.n = n, .out = out};
   bool good;
 
   *out = (sg_solid){0};
-  *point_of = NULL;
+  *made_by = NULL;
   sg_key_table_init(&k.at, 6);
-  sg_key_table_init(&k.auxiliary, 3);
-  k.number = malloc((a->vertex_nodes + 1) * sizeof *k.number);
-  if (k.number) {
-    memset(k.number, 0xff, (a->vertex_nodes + 1) * sizeof *k.number);
+  good = open_sources(&k, chosen_of) && add_all(&k, poll);
+  for (size_t i = 0; k.from && i < n; i++) {
+    free(k.from[i].number);
   }
-  good = k.number && add_all(&k, poll);
-  free(k.number);
+  free(k.from);
   sg_key_table_clear(&k.at);
-  sg_key_table_clear(&k.auxiliary);
   if (good) {
-    *point_of = k.point_of;
+    *made_by = k.made_by;
   } else {
-    free(k.point_of);
+    free(k.made_by);
     sg_solid_clear(out);
   }
   return good;

@@ -415,22 +415,26 @@ sg_arrangement_find_sides(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 bool
 sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 {
-  return sg_arrangement_flood(a, poll) && sg_arrangement_find_parts(a, poll) &&
+  return sg_arrangement_find_auxiliary(a, poll) &&
+         sg_arrangement_flood(a, poll) && sg_arrangement_find_parts(a, poll) &&
          sg_arrangement_find_sides(a, crew, poll);
 }
 
 size_t
-sg_arrangement_components(const sg_arrangement *a)
+sg_arrangement_components(const sg_arrangement *a, int32_t s)
 {
-  return a->parts;
+  uint32_t leaf = sg_arrangement_leaf(a, s);
+
+  return leaf == SG_NO_KEY ? 0 : a->leaf[leaf].parts;
 }
 
 sg_component
-sg_arrangement_component(const sg_arrangement *a, size_t c)
+sg_arrangement_component(const sg_arrangement *a, int32_t s, size_t c)
 {
-  const sg_part *part = &a->part[c];
+  const sg_arranged *leaf = &a->leaf[sg_arrangement_leaf(a, s)];
+  const sg_part *part = &a->part[leaf->first_part + c];
 
-  return (sg_component){.s = a->leaf[part->leaf].s,
+  return (sg_component){.s = s,
                         .p = part->p,
                         .at = &part->at,
                         .side = a->side + part->side,

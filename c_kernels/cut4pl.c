@@ -33,6 +33,20 @@ close_handle(sg_cut_handle *handle)
   }
 }
 
+void
+sg_cut_set_keep(sg_cut_handle *handle)
+{
+  handle->keepers++;
+}
+
+void
+sg_cut_set_let_go(sg_cut_handle *handle)
+{
+  if (--handle->keepers == 0 && handle->shut) {
+    close_handle(handle);
+  }
+}
+
 static int
 release_handle(atom_t atom)
 {
@@ -49,7 +63,7 @@ write_handle(IOSTREAM *out, atom_t atom, int flags)
   const sg_cut_handle *handle = PL_blob_data(atom, NULL, NULL);
 
   (void)flags;
-  Sfprintf(out, handle->closed ? "<cut_set>(closed)" : "<cut_set>(%zu)",
+  Sfprintf(out, handle->shut ? "<cut_set>(closed)" : "<cut_set>(%zu)",
            handle->set.pieces);
   return TRUE;
 }
@@ -70,7 +84,7 @@ sg_get_cut_set_ex(term_t t, sg_cut_handle **out)
     return PL_type_error("cut_set", t);
   }
   *out = data;
-  return !(*out)->closed || PL_existence_error("cut_set", t);
+  return !(*out)->shut || PL_existence_error("cut_set", t);
 }
 
 /* ---- opening and closing ---- */
@@ -110,7 +124,10 @@ cut_set_close(term_t set)
   if (!sg_get_cut_set_ex(set, &handle)) {
     return FALSE;
   }
-  close_handle(handle);
+  handle->shut = true;
+  if (handle->keepers == 0) {
+    close_handle(handle);
+  }
   return TRUE;
 }
 
@@ -141,7 +158,7 @@ first_candidates(term_t set, bool curve, candidates *out)
 static foreign_t
 give_candidate(candidates *c, term_t first, term_t second)
 {
-  if (c->handle->closed) {
+  if (c->handle->shut) {
     return FALSE;
   }
   const uint32_t *pair = c->handle->candidate[c->next++];

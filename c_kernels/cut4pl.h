@@ -42,11 +42,17 @@ typedef struct sg_cut_handle {
   sg_key_table edges_read;   /* segment, polygon: edges are in edge_type */
   sg_cut_row last_row[2][2]; /* of e/5 and p/3, of an even and an odd segment */
   bool grouped; /* its polygons are listed, its points have names */
+  bool shut;    /* for Prolog: cut_set_close/1 was called */
   bool closed;
+  unsigned keepers; /* glue that looks into it, also when it is shut */
 } sg_cut_handle;
 
 /* The open cut set that t names: type_error, existence_error. */
 int sg_get_cut_set_ex(term_t t, sg_cut_handle **out);
+
+/* A set that is kept is not closed before it is let go. Once a keep. */
+void sg_cut_set_keep(sg_cut_handle *handle);
+void sg_cut_set_let_go(sg_cut_handle *handle);
 
 /* Opening (cut_open4pl.c): reads the pairs and takes the trees; clearing also
  * after a failure. The join is made once, when candidates are asked for. */

@@ -1,32 +1,47 @@
 :- module(sg_arrangement,
           [ with_arrangement/3,         % +Leaves, +Options, :Goal
-            components/2                % +Arrangement, -Components
+            components/2,               % +Arrangement, -Components
+            arranged_solid/3,           % +Arrangement, +Senses, -Solid
+            pieces_statistics/1         % -Statistics
           ]).
 :- use_module(kernel,
-              [ arrangement_open/3, arrangement_close/1, arrangement_polygon/5,
-                arrangement_seal/1, arrangement_components/2, near_segments/3
+              [ arrangement_open/4, arrangement_hold/1, arrangement_drop/1,
+                arrangement_polygon/5, arrangement_seal/1,
+                arrangement_components/2, arrangement_select/3, pieces_kept/1,
+                keep_pieces/1, near_segments/3
               ]).
 :- use_module(penetration, [leaves_entered/3, touching/2]).
 :- use_module(stage, [stage/2]).
-:- use_module(store, [facts_snapshot/1]).
-:- autoload(library(apply), [maplist/2]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [member/2]).
+:- use_module(store, [facts_snapshot/1, segment_stamp/2]).
+:- autoload(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
+:- autoload(library(assoc),
+            [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
+              put_assoc/4
+            ]).
+:- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(ordsets), [ord_memberchk/2, ord_subtract/3, ord_union/3]).
+:- autoload(library(pairs), [pairs_keys_values/3]).
 /** <module> Arrangements: leaves cut along all their lines, in pieces.
 
 The leaves of a CSG tree are arranged once, and any expression over them then
 only selects: nothing is rounded between two operations, and no cut is made
 twice.
 
-@see c_kernels/arrangement.h; rows CB-3 and CB-4
+The pieces of a leaf depend on that leaf and on those near it. They are kept
+with the world under the stamps of these; a leaf that is edited, or moved, makes
+stale what it is near to and was near to, and nothing else. Where leaves were
+made to touch (resolve.pl) they hang together: all of them are stale at once,
+since a vertex that they share is shared by moving it.
+
+@see c_kernels/arrangement.h; rows CB-1, CB-3 and CB-4
 */
 
 :- meta_predicate with_arrangement(+, +, 1).
 
 %!  with_arrangement(+Leaves:list, +Options:list, :Goal) is semidet.
 %
-%   Call Goal with an arrangement of the segments Leaves added. The world stays
-%   as it is; the arrangement is closed afterwards. Option:
+%   Call Goal with an arrangement of the segments Leaves added, which is good for
+%   this call only. The world stays as it is. Option:
 %
 %     - tolerance(Tolerance)
 %     What is nearer than this (model units) is made to touch first. Default:
@@ -35,46 +50,265 @@ twice.
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
 %          be triangulated
 
-with_arrangement(Leaves, Options, Goal) :-
+with_arrangement(Leaves0, Options, Goal) :-
     touching(Options, Tolerance),
-    facts_snapshot(sg_arrangement:arranged(Leaves, Tolerance, Goal)).
+    sort(Leaves0, Leaves),
+    near_leaves(Leaves, Tolerance, Pairs, Near),
+    maplist(leaf_key(Tolerance, Near), Leaves, Keys),
+    kept(Kept0),
+    current(Leaves, Keys, Kept0, Current0, Stale0),
+    hanging_together(Stale0, Near, Kept0, Stale),
+    include_current(Current0, Stale, Current),
+    setup_call_cleanup(
+        maplist(hold, Current),
+        ( fresh_pieces(Stale, Pairs, Near, Tolerance, Fresh, Clusters),
+          setup_call_cleanup(
+              true,
+              ( keep(Leaves, Keys, Fresh, Clusters, Kept0),
+                append(Current, Fresh, Pieces0),
+                sort(1, @<, Pieces0, Pieces),
+                call(Goal, arrangement(Pieces))
+              ),
+              drop_fresh(Fresh))
+        ),
+        maplist(drop, Current)).
 
-arranged(Leaves, Tolerance, Goal) :-
-    near_pairs(Leaves, Tolerance, Pairs),
-    leaves_entered(Pairs, Tolerance,
-                   sg_arrangement:in_pieces(Leaves, Tolerance, Goal)).
+hold(_-Arrangement) :-
+    arrangement_hold(Arrangement).
 
-near_pairs(Leaves, Tolerance, Pairs) :-
-    findall(S-in, member(S, Leaves), In0),
-    list_to_assoc(In0, In),
+drop(_-Arrangement) :-
+    arrangement_drop(Arrangement).
+
+drop_fresh([_-Arrangement|_]) :-        % all the same one
+    arrangement_drop(Arrangement).
+drop_fresh([]).
+
+/* - - - what is near what - - - */
+
+%   near_leaves(+Leaves, +Tolerance, -Pairs, -Near): the pairs of Leaves that may
+%   meet, and an assoc from each leaf to those near it, in order.
+
+near_leaves(Leaves, Tolerance, Pairs, Near) :-
+    findall(S-[], member(S, Leaves), Nothing),
+    list_to_assoc(Nothing, In),
     findall(S1-S2,
             ( near_segments(Tolerance, S1, S2),
               get_assoc(S1, In, _),
               get_assoc(S2, In, _)
             ),
             Pairs0),
-    sort(Pairs0, Pairs).
+    sort(Pairs0, Pairs),
+    findall(Pair, ( member(A-B, Pairs), member(Pair, [A-B,B-A]) ), Both0),
+    sort(Both0, Both),
+    foldl(note_near, Both, In, Near).
 
-in_pieces(Leaves, Tolerance, Goal, Set, Works) :-
-    arrangement_open(Set, Leaves, Arrangement),
-    setup_call_cleanup(
-        true,
-        ( stage(pieces, filled(Arrangement, Tolerance, Works)),
-          call(Goal, Arrangement)
-        ),
-        arrangement_close(Arrangement)).
+note_near(A-B, Near0, Near) :-
+    get_assoc(A, Near0, Bs),
+    put_assoc(A, Near0, [B|Bs], Near).
 
-filled(Arrangement, Tolerance, Works) :-
-    maplist(taken_in(Arrangement, Tolerance), Works),
-    arrangement_seal(Arrangement).
+leaf_key(Tolerance, Near, S, key(Tolerance, Stamp, Stamps)) :-
+    segment_stamp(S, Stamp),
+    get_assoc(S, Near, Others),
+    maplist(stamped, Others, Stamps).
+
+stamped(S, S-Stamp) :-
+    segment_stamp(S, Stamp).
+
+/* - - - what is kept - - - */
+
+%   kept(-Kept): an assoc from leaves to their last two
+%   entry(Key, Arrangement, Cluster), the newest first.
+
+kept(Kept) :-
+    (   pieces_kept(Kept0)
+    ->  Kept = Kept0
+    ;   empty_assoc(Kept)
+    ).
+
+entries(S, Kept, Entries) :-
+    (   get_assoc(S, Kept, Entries0)
+    ->  Entries = Entries0
+    ;   Entries = []
+    ).
+
+current([], [], _, [], []).
+current([S|Ss], [Key|Keys], Kept, Current, Stale) :-
+    entries(S, Kept, Entries),
+    (   memberchk(entry(Key, Arrangement, _), Entries)
+    ->  Current = [S-Arrangement|Current1],
+        Stale = Stale1
+    ;   Current = Current1,
+        Stale = [S|Stale1]
+    ),
+    current(Ss, Keys, Kept, Current1, Stale1).
+
+%   hanging_together(+Stale0, +Near, +Kept, -Stale): with every leaf, and every
+%   one near it, those it was made to touch.
+
+hanging_together(Stale0, Near, Kept, Stale) :-
+    around(Stale0, Near, Around),
+    findall(S,
+            ( member(A, Around),
+              entries(A, Kept, Entries),
+              member(entry(_, _, Cluster), Entries),
+              member(S, Cluster),
+              get_assoc(S, Near, _)
+            ),
+            Touching0),
+    sort(Touching0, Touching),
+    ord_union(Stale0, Touching, Stale1),
+    (   Stale1 == Stale0
+    ->  Stale = Stale0
+    ;   hanging_together(Stale1, Near, Kept, Stale)
+    ).
+
+around(Ss, Near, Around) :-
+    findall(A,
+            ( member(S, Ss),
+              (   A = S
+              ;   get_assoc(S, Near, Others),
+                  member(A, Others)
+              )
+            ),
+            Around0),
+    sort(Around0, Around).
+
+include_current(Current0, Stale, Current) :-
+    exclude(is_among(Stale), Current0, Current).
+
+is_among(Stale, S-_) :-
+    ord_memberchk(S, Stale).
+
+keep(_, _, [], _, _) :-
+    !.
+keep(Leaves, Keys, Fresh, Clusters, Kept0) :-
+    pairs_keys_values(Pairs, Leaves, Keys),
+    list_to_assoc(Pairs, KeyOf),
+    foldl(keep_leaf(KeyOf, Clusters), Fresh, Kept0-[], Kept-Old),
+    keep_pieces(Kept),
+    maplist(arrangement_drop, Old).
+
+keep_leaf(KeyOf, Clusters, S-Arrangement, Kept0-Old0, Kept-Old) :-
+    get_assoc(S, KeyOf, Key),
+    cluster(S, Clusters, Cluster),
+    entries(S, Kept0, Entries0),
+    arrangement_hold(Arrangement),
+    (   Entries0 = [Last,entry(_, Gone, _)|_]
+    ->  Entries = [entry(Key, Arrangement, Cluster),Last],
+        Old = [Gone|Old0]
+    ;   Entries = [entry(Key, Arrangement, Cluster)|Entries0],
+        Old = Old0
+    ),
+    put_assoc(S, Kept0, Entries, Kept).
+
+cluster(S, Clusters, Cluster) :-
+    (   member(Cluster, Clusters),
+        ord_memberchk(S, Cluster)
+    ->  true
+    ;   Cluster = []
+    ).
+
+/* - - - new pieces - - - */
+
+%   fresh_pieces(+Stale, +Pairs, +Near, +Tolerance, -Fresh, -Clusters): what is
+%   near stale leaves is cut with them, so that all lines that meet one of theirs
+%   are there. Clusters: those that were made to touch, as lists.
+
+fresh_pieces([], _, _, _, [], []) :-
+    !.
+fresh_pieces(Stale, Pairs0, Near, Tolerance, Fresh, Clusters) :-
+    around(Stale, Near, Segments),
+    findall(A-B,
+            ( member(A-B, Pairs0),
+              ord_memberchk(A, Segments),
+              ord_memberchk(B, Segments)
+            ),
+            Pairs),
+    maplist(segment_stamp, Segments, Stamps),
+    facts_snapshot(sg_arrangement:arranged(Pairs, Segments-Stamps, Stale,
+                                           Tolerance, Arrangement, Changed)),
+    findall(S-Arrangement, member(S, Stale), Fresh),
+    clusters(Changed, Near, Clusters).
+
+arranged(Pairs, Segments, Wanted, Tolerance, Arrangement, Changed) :-
+    leaves_entered(Pairs, Tolerance,
+                   sg_arrangement:in_pieces(Segments, Wanted, Tolerance,
+                                            Arrangement, Changed)).
+
+in_pieces(Segments-Stamps, Wanted, Tolerance, Arrangement, Changed, Set,
+          Works) :-
+    changed(Segments, Stamps, Changed),
+    stage(pieces, ( arrangement_open(Set, Segments, Wanted, Arrangement),
+                    maplist(taken_in(Arrangement, Tolerance), Works),
+                    arrangement_seal(Arrangement)
+                  )).
 
 taken_in(Arrangement, Tolerance, work(S, P, Work)) :-
     arrangement_polygon(Arrangement, S, P, Work, Tolerance).
 
+%   changed(+Segments, +Stamps, -Changed): those that resolving has changed.
+
+changed([], [], []).
+changed([S|Ss], [Stamp|Stamps], Changed) :-
+    (   segment_stamp(S, Stamp)
+    ->  Changed = Changed1
+    ;   Changed = [S|Changed1]
+    ),
+    changed(Ss, Stamps, Changed1).
+
+%   clusters(+Changed, +Near, -Clusters): what is connected by being near.
+
+clusters([], _, []).
+clusters([S|Ss], Near, [Cluster|Clusters]) :-
+    connected([S], Near, [S|Ss], [S], Cluster),
+    ord_subtract([S|Ss], Cluster, Rest),
+    clusters(Rest, Near, Clusters).
+
+connected([], _, _, Cluster, Cluster).
+connected([S|Ss], Near, In, Cluster0, Cluster) :-
+    get_assoc(S, Near, Others),
+    findall(A,
+            ( member(A, Others),
+              ord_memberchk(A, In),
+              \+ ord_memberchk(A, Cluster0)
+            ),
+            New0),
+    sort(New0, New),
+    ord_union(Cluster0, New, Cluster1),
+    append(New, Ss, Next),
+    connected(Next, Near, In, Cluster1, Cluster).
+
+/* - - - using it - - - */
+
 %!  components(+Arrangement, -Components:list) is det.
 %
-%   Components are the component(C, S, P, Point, Sides, Which) of an open
-%   arrangement: arrangement_components/2.
+%   Components are the component(C, S, P, Point, Sides, Which) of an arrangement:
+%   arrangement_components/2.
 
-components(Arrangement, Components) :-
-    arrangement_components(Arrangement, Components).
+components(arrangement(Pieces), Components) :-
+    arrangement_components(Pieces, Components).
+
+%!  arranged_solid(+Arrangement, +Senses:list, -Solid) is det.
+%
+%   Solid is a handle of the boundary that the components C with C-Sense in Senses
+%   make, turned over where Sense is -1: arrangement_select/3.
+
+arranged_solid(arrangement(Pieces), Senses, Solid) :-
+    arrangement_select(Pieces, Senses, Solid).
+
+%!  pieces_statistics(-Statistics:dict) is det.
+%
+%   Of how many leaves the world keeps the pieces, in how many arrangements.
+
+pieces_statistics(_{leaves:Leaves, arrangements:Arrangements}) :-
+    kept(Kept),
+    assoc_to_keys(Kept, Ss),
+    length(Ss, Leaves),
+    findall(A,
+            ( member(S, Ss),
+              entries(S, Kept, Entries),
+              member(entry(_, A, _), Entries)
+            ),
+            As0),
+    sort(As0, As),
+    length(As, Arrangements).

@@ -5,9 +5,10 @@
             expression_leaves/2,        % +Expression, -Leaves
             select_boundary/3           % +Arrangement, +Expression, -Solid
           ]).
-:- use_module(arrangement, [with_arrangement/3, components/2]).
+:- use_module(arrangement,
+              [with_arrangement/3, components/2, arranged_solid/3]).
 :- use_module(decision, [decision/2]).
-:- use_module(kernel, [arrangement_select/3, solid_close/1]).
+:- use_module(kernel, [solid_close/1]).
 :- use_module(solid_rows, [solid_written/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -68,7 +69,7 @@ select_boundary(Arrangement, Expression, Solid) :-
     stage(rules, ( compiled(Expression, Compiled),
                    convlist(kept(Compiled), Components, Senses)
                  )),
-    stage(pieces, arrangement_select(Arrangement, Senses, Solid)).
+    stage(pieces, arranged_solid(Arrangement, Senses, Solid)).
 
 kept(Expression, Component, C-Sense) :-
     Component = component(C, _, _, _, _, _),

@@ -40,12 +40,15 @@
             solid_merge/3,            % +Solid, +Tolerance, +Options
             solid_neighbours/3,       % +Solid, +Tolerance, -Pairs
             % arrangement4pl.c
-            arrangement_open/3,       % +Set, +Segments, -Arrangement
-            arrangement_close/1,      % +Arrangement
+            arrangement_open/4,       % +Set, +Segments, +Wanted, -Arrangement
+            arrangement_hold/1,       % +Arrangement
+            arrangement_drop/1,       % +Arrangement
             arrangement_polygon/5,    % +Arrangement, +S, +P, +Work, +Reach
             arrangement_seal/1,       % +Arrangement
-            arrangement_components/2, % +Arrangement, -Components
-            arrangement_select/3,     % +Arrangement, +Senses, -Solid
+            arrangement_components/2, % +Pieces, -Components
+            arrangement_select/3,     % +Pieces, +Senses, -Solid
+            pieces_kept/1,            % -Kept
+            keep_pieces/1,            % +Kept
             % cut4pl.c, seam4pl.c, split4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
@@ -570,18 +573,24 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   Auxiliary is for the edge V1-V2, and so on; and after merging
 %   part(Face, S0, P0, Sense), Face from 1.
 
-%!  arrangement_open(+Set, +Segments:list, -Arrangement) is det.
-%!  arrangement_close(+Arrangement) is det.
+%!  arrangement_open(+Set, +Segments:list, +Wanted:list, -Arrangement) is det.
 %!  arrangement_polygon(+Arrangement, +S, +P, +Work, +Reach) is det.
 %!  arrangement_seal(+Arrangement) is det.
-%!  arrangement_components(+Arrangement, -Components:list) is det.
-%!  arrangement_select(+Arrangement, +Senses:list, -Solid) is det.
+%!  arrangement_hold(+Arrangement) is det.
+%!  arrangement_drop(+Arrangement) is det.
 %
-%   The Segments in pieces along the lines of cut set Set, which is sealed and
-%   must stay open. Polygons that were entered are told one by one, with what
-%   they became; what touches within Reach is made one where nothing else helps.
-%   Sealing finds what hangs together, and on which side of each segment that
-%   is. A component is
+%   The segments Wanted, which are among Segments, in pieces along the lines of
+%   cut set Set, which is sealed. Polygons that were entered are told one by one,
+%   with what they became; what touches within Reach is made one where nothing
+%   else helps. Sealing finds what hangs together, and on which side of each
+%   segment that is. An arrangement is held once when it is opened, and closed
+%   when it is dropped as often as it was held.
+
+%!  arrangement_components(+Pieces:list, -Components:list) is det.
+%!  arrangement_select(+Pieces:list, +Senses:list, -Solid) is det.
+%
+%   Pieces are S-Arrangement, for each segment S an arrangement in which it was
+%   wanted. A component is
 %
 %       component(C, S, P, point(X, Y, Z), Sides, Which)
 %
@@ -589,12 +598,18 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   side(S1, Below, Above): how often S1 goes round the points just below and
 %   just above it; of segments that are not there, 0. Which is `second` if it
 %   lies on a piece of an earlier segment (or on an earlier one of its own),
-%   `unknown` if it has no area, else `only`. Senses are C-1 for components to
-%   be chosen, and C-(-1) for those to be turned over. Exact.
+%   `unknown` if it has no area, else `only`. C counts through. Senses are C-1
+%   for components to be chosen, and C-(-1) for those to be turned over. Exact.
 %
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
 %          be triangulated
 %   @see c_kernels/arrangement.h; rows CB-3 and CB-4
+
+%!  pieces_kept(-Kept) is semidet.
+%!  keep_pieces(+Kept) is det.
+%
+%   Kept is the term that was kept last with the current world (arrangement.pl),
+%   a copy. What it holds, arrangements too, lives as long.
 
 %!  windings(+S, +Points, -Windings) is det.
 %

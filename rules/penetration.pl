@@ -294,11 +294,8 @@ leaves_entered(Pairs, Tolerance, Goal) :-
     ->  true
     ;   leaves_restored(Earlier)
     ),
-    with_cut_set(Pairs, resolved(entered(Goal), Tolerance, Resolved)),
-    (   Resolved == true
-    ->  with_cut_set(Pairs, entered(Goal))
-    ;   true
-    ).
+    contact_pairs(Pairs, Tolerance, Contacts),
+    touched(Pairs, Contacts, Tolerance, entered(Goal), _).
 
 entered(Goal, _, Set) :-
     stage(rules, find_lines(Set)),
