@@ -8,6 +8,7 @@
 :- use_module(arrangement,
               [with_arrangement/3, components/2, arranged_solid/3]).
 :- use_module(decision, [decision/2]).
+:- use_module(faces, [faces_merged/2]).
 :- use_module(kernel, [solid_close/1]).
 :- use_module(solid_rows, [solid_written/2]).
 :- use_module(stage, [stage/2]).
@@ -16,6 +17,7 @@
 :- autoload(library(apply), [convlist/3, maplist/2, partition/4]).
 :- autoload(library(error), [domain_error/2, existence_error/2, type_error/2]).
 :- autoload(library(lists), [member/2]).
+:- autoload(library(option), [option/2]).
 :- autoload(library(ordsets), [ord_memberchk/2, ord_subset/2]).
 /** <module> Union, intersection, difference: what stays of the pieces.
 
@@ -33,7 +35,11 @@ that two operands have in common stays or goes by how it looks in each.
 %
 %   The boundary of Expression becomes the rows of segment S, which must have
 %   none yet; a solid of that number is made if there is none. One transaction;
-%   the operands stay as they are. Options: as of with_arrangement/3.
+%   the operands stay as they are. Options: those of with_arrangement/3 and of
+%   faces_merged/2, and
+%
+%     - faces(pieces)
+%     Coplanar neighbours are left as they are (CB-5).
 %
 %   @error existence_error(segment, S1): an operand is not there
 %   @error geometry_error(polygon_edge(S1, P, V1, V2)): with its lines, polygon
@@ -46,11 +52,18 @@ boolean(Expression, S, Options) :-
     expression_leaves(Expression, Leaves),
     with_arrangement(Leaves, Options,
                      sg_boolean:selected(Expression, Solid)),
+    merged(Solid, Options),
     facts_transaction(sg_boolean:written(Solid, S, Expression)),
     solid_close(Solid).
 
 selected(Expression, Solid, Arrangement) :-
     select_boundary(Arrangement, Expression, Solid).
+
+merged(Solid, Options) :-
+    (   option(faces(pieces), Options)
+    ->  true
+    ;   stage(faces, faces_merged(Solid, Options))
+    ).
 
 written(Solid, S, Expression) :-
     (   segment(S, _, _)
