@@ -122,6 +122,28 @@ note(sg_key_table *table, const uint32_t *key)
   return known != NULL;
 }
 
+/* A line in leaf s, between all names that its ends have there. */
+static bool
+note_line(sg_arrangement *a, int32_t s, const sg_cut_piece *piece)
+{
+  const sg_cut_points *points = &a->leaves.set->points;
+  uint32_t leaf = sg_arrangement_leaf(a, s), key[3];
+
+  if (leaf == SG_NO_KEY || !a->leaf[leaf].wanted) {
+    return true;
+  }
+  for (int32_t v = 0; (v = sg_cut_points_next_name(points, piece->a, s, v));) {
+    for (int32_t w = 0;
+         (w = sg_cut_points_next_name(points, piece->b, s, w));) {
+      line_key(leaf, v, w, key);
+      if (!note(&a->barrier, key)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 static bool
 note_lines(sg_arrangement *a)
 {
@@ -131,14 +153,7 @@ note_lines(sg_arrangement *a)
     const sg_cut_piece *piece = &set->piece[i];
 
     for (int k = 0; piece->live && k < 2; k++) {
-      uint32_t leaf = sg_arrangement_leaf(a, piece->s[k]), key[3];
-
-      if (leaf == SG_NO_KEY || !a->leaf[leaf].wanted) {
-        continue;
-      }
-      line_key(leaf, sg_cut_points_name(&set->points, piece->a, piece->s[k]),
-               sg_cut_points_name(&set->points, piece->b, piece->s[k]), key);
-      if (!note(&a->barrier, key)) {
+      if (!note_line(a, piece->s[k], piece)) {
         return false;
       }
     }
@@ -270,6 +285,7 @@ typedef struct taking {
   sg_work_edge *edge; /* [edges]: as they were */
   size_t edges;
   sg_key_table auxiliary; /* two names: an edge that is no line */
+  sg_key_table border;    /* two names, the lower first: a real edge */
   sg_triangles found;
   uint32_t *cell; /* [found.n]: which of the cells, by union */
 } taking;
@@ -281,19 +297,34 @@ taking_clear(taking *k)
   free(k->found.item);
   free(k->cell);
   sg_key_table_clear(&k->auxiliary);
+  sg_key_table_clear(&k->border);
+}
+
+static void
+border_key(int32_t v1, int32_t v2, uint32_t key[2])
+{
+  key[0] = (uint32_t)(v1 < v2 ? v1 : v2);
+  key[1] = (uint32_t)(v1 < v2 ? v2 : v1);
 }
 
 static bool
 copy_edges(taking *k)
 {
   sg_key_table_init(&k->auxiliary, 2);
+  sg_key_table_init(&k->border, 2);
   k->edge = malloc((sg_work_edges(k->work) + 1) * sizeof *k->edge);
   for (int32_t e = 0; k->edge && (e = sg_work_next(k->work, e));) {
     const sg_work_edge *edge = sg_work_get(k->work, e);
     int32_t v1 = sg_work_id(k->work, edge->start);
     int32_t v2 = sg_work_id(k->work, edge->end);
 
+    uint32_t key[2];
+
     k->edge[k->edges++] = *edge;
+    border_key(v1, v2, key);
+    if (edge->et != 0 && !note(&k->border, key)) {
+      return false;
+    }
     if (edge->et == 0 && !sg_arrangement_is_line(k->a, k->leaf, v1, v2) &&
         !note(&k->auxiliary, (uint32_t[2]){(uint32_t)v1, (uint32_t)v2})) {
       return false;
@@ -418,7 +449,7 @@ add_triangle(taking *k, const sg_triangle *found)
 {
   sg_cell_triangle *out = &k->a->triangle[k->a->triangles++];
 
-  out->auxiliary = 0;
+  out->auxiliary = out->chord = 0;
   for (int c = 0; c < 3; c++) {
     out->v[c] = sg_work_id(k->work, found->v[c]);
   }
@@ -427,6 +458,10 @@ add_triangle(taking *k, const sg_triangle *found)
 
     if (sg_key_table_get(&k->auxiliary, key) != SG_NO_KEY) {
       out->auxiliary |= (uint8_t)(1 << c);
+    }
+    border_key(out->v[c], out->v[(c + 1) % 3], key);
+    if (sg_key_table_get(&k->border, key) == SG_NO_KEY) {
+      out->chord |= (uint8_t)(1 << c);
     }
   }
 }

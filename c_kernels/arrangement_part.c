@@ -248,7 +248,10 @@ hang_cell(sg_arrangement *a, sg_key_table *over, const sg_cell *cell)
       if (node != SG_NO_KEY && !a->touched[node]) {
         sg_arrangement_hang(a, cell->node, node);
       }
-      if (sg_arrangement_is_line(a, cell->leaf, v1, v2)) {
+      /* A chord is inside its cell, even if cells that lie on each other have
+       * the same one. */
+      if ((t->chord & 1 << c) ||
+          sg_arrangement_is_line(a, cell->leaf, v1, v2)) {
         continue;
       }
       uint32_t *other = sg_key_table_put(over, key);

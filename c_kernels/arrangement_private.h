@@ -29,6 +29,7 @@ typedef struct sg_arranged {
 typedef struct sg_cell_triangle {
   int32_t v[3];
   uint8_t auxiliary; /* bit k: the edge after corner k */
+  uint8_t chord;     /* the same: it is no real edge of the polygon */
 } sg_cell_triangle;
 
 /* A piece of a polygon that is cut. */

@@ -8,8 +8,9 @@
               [ arrangement_open/4, arrangement_hold/1, arrangement_drop/1,
                 arrangement_polygon/5, arrangement_seal/1,
                 arrangement_components/2, arrangement_select/3, pieces_kept/1,
-                keep_pieces/1, near_segments/3
+                keep_pieces/1, near_segments/3, segment_meets_itself/1
               ]).
+:- use_module(leaf, [were_cut/2]).
 :- use_module(penetration, [leaves_entered/3, touching/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [facts_snapshot/1, segment_stamp/2]).
@@ -223,12 +224,23 @@ fresh_pieces(Stale, Pairs0, Near, Tolerance, Fresh, Clusters) :-
               ord_memberchk(A, Segments),
               ord_memberchk(B, Segments)
             ),
-            Pairs),
+            Different),
+    findall(S-S, ( member(S, Segments), meets_itself(S) ), Selves),
+    ord_union(Different, Selves, Pairs),
     maplist(segment_stamp, Segments, Stamps),
     facts_snapshot(sg_arrangement:arranged(Pairs, Segments-Stamps, Stale,
                                            Tolerance, Arrangement, Changed)),
     findall(S-Arrangement, member(S, Stale), Fresh),
     clusters(Changed, Near, Clusters).
+
+%   meets_itself(+S): it is cut by itself, so that winding decides what of it is
+%   inside.
+
+meets_itself(S) :-
+    were_cut(S, S),
+    !.
+meets_itself(S) :-
+    stage(self, segment_meets_itself(S)).
 
 arranged(Pairs, Segments, Wanted, Tolerance, Arrangement, Changed) :-
     leaves_entered(Pairs, Tolerance,
