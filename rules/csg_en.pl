@@ -51,6 +51,3 @@ csg_en(surface(S, Child, Name)) -->
        outside'-[Child, S, Name], nl,
       '  An open surface can only be united or joined; close it, or give a \c
        solid.' ].
-csg_en(no_volume(S)) -->
-    [ 'segment ~d has no volume within the tolerance'-[S], nl,
-      '  An operation needs solids: give it a thickness, or leave it out.' ].

@@ -12,12 +12,12 @@
 :- use_module(csg_flat, [flat_expression/4, flat_leaves/2]).
 :- use_module(csg_matrix,
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
-:- use_module(csg_operands, [check_operands/1]).
 :- use_module(csg_record,
               [ up_to_date/2, record/2, drop_record/1, recorded/2,
                 segment_stamps/2
               ]).
 :- use_module(csg_rows, [copy_segment/3, drop_boundary/1]).
+:- use_module(operand, [checked_operand/1]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ segment/3, retractall_facts/1, facts_transaction/1,
@@ -146,7 +146,7 @@ made(of(Expression, Surfaces, _, Tolerance), S) :-
     ;   Expression == union([])
     ->  true
     ;   flat_leaves(Expression, Leaves),
-        check_operands(Leaves),
+        maplist(checked_operand, Leaves),
         tolerance_options(Tolerance, Options),
         boolean(Expression, S, Options)
     ),

@@ -35,7 +35,7 @@ Errors are model_error(csg(What)), What being
     no_list(Name, Operands)  no_operands(Name)  unknown(Operand)
     side(Side, Sides)        plane(By)
     missing(S, Child)        cycle(Path)
-    curve(S, Child)          surface(S, Child, Name)    no_volume(Child)
+    curve(S, Child)          surface(S, Child, Name)
 
 and those of primitives.
 */

@@ -17,14 +17,17 @@
             edge_facets/2,              % ?Edge, -Facets
             shell_facets/2              % +Facet, -Facets
           ]).
+:- use_module(csg, [complete_tree/1]).
+:- use_module(csg_term, [is_node_term/1]).
 :- use_module(csg_evaluate, [evaluate/2]).
 :- use_module(mesh, [read_mesh/3, write_mesh/3, mesh_ending/2]).
-:- use_module(model_file, [read_model/1]).
+:- use_module(model_file, [read_model/1, add_primitive/2]).
 :- use_module(model_writer, [write_model/1]).
+:- use_module(openscad, [read_csg/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, edge_polygon/3,
-                facts_transaction/1
+                assert_fact/1, facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/0]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
@@ -55,8 +58,8 @@ words of GLOSSARY.md. A thing is named by its segment and its number:
 %   Add the models in Files, one name or a list of names, to the current
 %   world: their segments side by side, each polygon with its plane and
 %   triangles, the roots of CSG trees with their boundaries. The ending says
-%   what a file is: `.pl` facts, or a mesh (`.stl`, `.off`, `.obj`, `.ply`). `-`
-%   is standard input. All of them, or none.
+%   what a file is: `.pl` facts, `.csg` a tree of OpenSCAD (openscad.pl), or a
+%   mesh (`.stl`, `.off`, `.obj`, `.ply`). `-` is standard input. All of them, or none.
 %   Options:
 %
 %     - from(Format): what standard input is (default `pl`)
@@ -100,11 +103,30 @@ file_loaded(Options, File) :-
     file_format(File, From, Format),
     (   Format == pl
     ->  read_model(File)
+    ;   Format == csg
+    ->  csg_added(File)
     ;   mesh_ending(Format, Mesh)
     ->  read_mesh(File, _, [format(Mesh)])
     ;   no_model(File, Format, Why),
         throw(error(model_error(Why), location(File, 0, 0)))
     ).
+
+%   csg_added(File): the tree in a file of OpenSCAD, under the file's name. A
+%   fault of a node has no place in the file.
+
+csg_added(File) :-
+    read_csg(File, Term),
+    file_base_name(File, Base),
+    file_name_extension(Name, _, Base),
+    (   is_node_term(Term)
+    ->  fresh_id(segment, 0, S),
+        assert_fact(segment(S, solid, named(Name, Term))),
+        Made = [S],
+        Goal = complete_tree(Made)
+    ;   Goal = add_primitive(named(Name, Term), _)
+    ),
+    catch(Goal, error(model_error(What), _),
+          throw(error(model_error(What), location(File, 0, 0)))).
 
 %   no_model(File, Format, Why): Why a file with the ending Format is none.
 
@@ -118,6 +140,7 @@ no_model(_, Format, unknown_format(Format, Formats)) :-
     findall(F, known_format(F), Formats).
 
 known_format(pl).
+known_format(csg).
 known_format(Format) :-
     mesh_ending(Format, _).
 

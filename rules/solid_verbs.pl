@@ -1,6 +1,7 @@
 :- encoding(utf8).
 :- module(sg_solid_verbs,
           [ solid_verb/1,               % ?Verb
+            solids_output/2,            % +Ss, +File
             solid_verb_run/4            % +Verb, +Files, +Options, -Status
           ]).
 :- use_module(csg, [root_segment/1, is_node/1]).
@@ -11,6 +12,7 @@
 :- use_module(language, [language/1]).
 :- use_module(model, [load_model/2, save_model/1]).
 :- use_module(report, [counted/4]).
+:- use_module(solid_file, [write_solid/2]).
 :- use_module(store, [p/3, segment/3, assert_fact/1, fresh_id/3]).
 :- use_module(verb_output,
               [some_files/2, outputs/3, output_written/2, usage_error/1]).
@@ -42,11 +44,15 @@ solid_verb_run(Verb, Files, Options, 0) :-
     asked_nodes(Verb, Files, Options),
     evaluate(all, Options),
     findall(S, root_segment(S), Ss),
-    maplist(empty_warned, Ss),
+    (   member(output(_, Format), Outputs),
+        Format \== pl
+    ->  true                            % who writes it will say that it is empty
+    ;   maplist(empty_warned, Ss)
+    ),
     roots_alone,
     (   Outputs == []
     ->  summary(Options, Ss)
-    ;   maplist(output_written(sg_solid_verbs:solids_output), Outputs)
+    ;   maplist(output_written(sg_solid_verbs:solids_output(Ss)), Outputs)
     ).
 
 enough_files(Verb, Files) :-
@@ -57,7 +63,16 @@ enough_files(Verb, Files) :-
     ;   true
     ).
 
-solids_output(File) :-
+%!  solids_output(+Ss, +File) is det.
+%
+%   Write the segments Ss, which are all of the world, to File: one solid to a
+%   mesh as solid_file.pl does.
+
+solids_output([S], File) :-
+    segment(S, solid, _),
+    !,
+    write_solid(File, S).
+solids_output(_, File) :-
     save_model(File).
 
 %   asked_nodes(Verb, Files, Options): the world has what the files have, and on

@@ -142,7 +142,7 @@ solid_verb(eval).
 %
 %   The options of every verb, in the order of the usage text.
 
-common_option(option(from, '', one_of([pl, stl, off, obj, ply]), 'FORMAT',
+common_option(option(from, '', one_of([pl, csg, stl, off, obj, ply]), 'FORMAT',
     'what - (standard input) is; default pl')).
 common_option(option(rules, '', each, 'FILE',
     'rules that replace decisions; may be repeated')).
@@ -212,6 +212,7 @@ example(split, 'sanggwan split part.stl --plane 0,0,1,-2.5 -o halves.obj').
 example(split, 'sanggwan split part.stl --by tool.stl --side inside \c
 -o core.stl').
 example(eval, 'sanggwan eval facts/pipe_tee.pl -o pipe_tee.stl').
+example(eval, 'sanggwan eval bracket.csg -o bracket.stl').
 example(query, 'sanggwan query facts/cube.pl \'v(1, V, X, Y, Z)\'').
 example(query, 'sanggwan query facts/figures/fig13.pl --format csv \c
 \'penetrate, line(L, 1, P1, _, _, 2, P2, _, _)\'').

@@ -51,14 +51,31 @@ for format in stl off obj ply pl; do
 done
 check "again to standard output" eval "sanggwan eval -q $tree --format off \
   -o - | cmp - '$TMP/out.off'"
-check "an empty solid is an empty file" eval \
-  "sanggwan difference -q $cube $cube -o '$TMP/empty.stl' && 
-   grep -q endsolid '$TMP/empty.stl' && ! grep -q facet '$TMP/empty.stl'"
+check "an empty solid is a file without faces" complains 0 \
+  'warning: .*empty.off: the solid is empty' \
+  sanggwan difference $cube $cube -o "$TMP/empty.off"
+check "really" output '^0 0 0$' cat "$TMP/empty.off"
 check "the result is one operand of the next" output 'volume 8$' \
   sanggwan union "$TMP/out.stl" $cube
 check "several segments of a file are one operand" output 'volume 12$' \
   eval "sanggwan split -q $cube --plane 1,0,0,0 -o '$TMP/halves.obj' &&
         '$SANGGWAN' union '$TMP/halves.obj' $moved"
+
+cat >"$TMP/bored.csg" <<'MODEL'
+difference() {
+  cube(size = [4, 4, 1], center = false);
+  multmatrix([[1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, -1], [0, 0, 0, 1]]) {
+    cube(size = [2, 2, 3], center = false);
+  }
+}
+MODEL
+check "a tree of OpenSCAD" output '^bored: 10 polygons, 16 vert.*volume 12$' \
+  sanggwan eval "$TMP/bored.csg"
+check "its faults are named with the file" complains 3 'bad.csg' eval \
+  "echo 'hull() { cube(size = 1); }' >'$TMP/bad.csg';
+   sanggwan eval '$TMP/bad.csg'"
+check "from standard input" output 'volume 12$' \
+  eval "sanggwan eval --from csg - <'$TMP/bored.csg'"
 
 # Other verbs look at roots.
 check "check sees the root alone" eval \
@@ -129,8 +146,17 @@ cat >"$TMP/flat.pl" <<'MODEL'
 v(1, 1, 0, 0, 0). v(1, 2, 1, 0, 0). v(1, 3, 0, 1, 0).
 p(1, 1, [1, 2, 3]). p(1, 2, [1, 3, 2]).
 MODEL
-check "no volume" complains 3 'sanggwan: segment 2 has no volume' \
+check "no volume" complains 4 'sanggwan: segment 2 cannot be an operand' \
   sanggwan union $cube "$TMP/flat.pl"
+cat >"$TMP/open.pl" <<'MODEL'
+v(1, 1, 0, 0, 0). v(1, 2, 1, 0, 0). v(1, 3, 0, 1, 0). v(1, 4, 0, 0, 1).
+p(1, 1, [1, 3, 2]). p(1, 2, [1, 2, 4]). p(1, 3, [2, 3, 4]).
+segment(1, solid, roof).
+MODEL
+check "an open solid is refused, its edges named" complains 4 \
+  '(1-3|3-4|4-1|3-1|4-3|1-4) from' \
+  sanggwan union $cube "$TMP/open.pl" -o "$TMP/no.stl"
+check "no file then" test ! -e "$TMP/no.stl"
 check "one operand" complains 2 'difference needs two models' \
   sanggwan difference $cube
 check "no plane given" complains 2 'option --plane or --by is missing' \
