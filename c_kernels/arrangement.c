@@ -209,7 +209,8 @@ lay_leaves(sg_arrangement *a)
     a->leaf[i] = (sg_arranged){.s = leaves->s[i],
                                .tree = leaves->tree[i],
                                .node = (uint32_t)nodes,
-                               .wanted = leaves->wanted[i]};
+                               .wanted = leaves->wanted[i],
+                               .surface = leaves->surface[i]};
     nodes += leaves->wanted[i] ? leaves->tree[i]->vertex.places : 0;
   }
   a->vertex_nodes = nodes;

@@ -26,7 +26,7 @@
 typedef struct sg_arrangement sg_arrangement;
 
 /* How often a segment goes round the points just below and just above a
- * component. Of an open surface the numbers mean nothing. */
+ * component. A surface goes round nothing: 0, 0. */
 typedef struct sg_side {
   int32_t s;
   int below, above;
@@ -40,7 +40,8 @@ typedef struct sg_component {
                           those it lies on, by segment. All others: 0, 0 */
   size_t sides;
   bool second;  /* it lies on a piece of a segment with a smaller number, or of
-                   its own with a smaller triangle: one of the two is enough */
+                   its own with a smaller triangle: one of the two is enough.
+                   A solid's is never second to a surface's */
   bool unknown; /* it has no area: nobody could say */
 } sg_component;
 
@@ -53,6 +54,7 @@ typedef struct sg_leaves {
   const int32_t *s;                /* [n] */
   const sg_leaf_tree *const *tree; /* [n] */
   const bool *wanted;              /* [n]: in pieces */
+  const bool *surface;             /* [n]: it has no inside */
   size_t n;
   const int32_t (*near)[2]; /* [pairs]: segments */
   size_t pairs;

@@ -3,9 +3,8 @@
  * Layer: glue. The doors are documented in rules/kernel.pl. An arrangement
  * looks into its cut set, and keeps it from being closed.
  */
-#include "cut4pl.h"
+#include "arrangement4pl.h"
 
-#include "arrangement.h"
 #include "glue.h"
 #include "solid4pl.h"
 #include "work4pl.h"
@@ -16,26 +15,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct handle {
-  sg_arrangement *arrangement; /* null: closed */
-  atomic_uint holders;         /* arrangement_hold/1 less arrangement_drop/1 */
-  sg_cut_handle *set;          /* kept */
-  atom_t set_atom;             /* registered: it lives as long as this */
-  int32_t *s;                  /* [n]: the leaves */
-  bool *wanted;                /* [n] */
-  sg_kept_tree **tree;         /* [n], held */
-  const sg_leaf_tree **own;    /* [n]: the same, as the kernel wants them */
-  size_t n;
-} handle;
-
 static functor_t functor_component6, functor_side3, functor_point3,
     functor_minus2;
-static atom_t atom_only, atom_second, atom_unknown;
+static atom_t atom_only, atom_second, atom_unknown, atom_surface;
 
 /* ---- the handle ---- */
 
 static void
-close_handle(handle *h)
+close_handle(sg_arrangement_handle *h)
 {
   sg_arrangement_close(h->arrangement);
   h->arrangement = NULL;
@@ -48,10 +35,12 @@ close_handle(handle *h)
   free(h->own);
   free(h->s);
   free(h->wanted);
+  free(h->surface);
   h->tree = NULL;
   h->own = NULL;
   h->s = NULL;
   h->wanted = NULL;
+  h->surface = NULL;
   h->n = 0;
   if (h->set_atom) {
     sg_cut_set_let_go(h->set);
@@ -63,7 +52,7 @@ close_handle(handle *h)
 static int
 release_handle(atom_t atom)
 {
-  handle *h = PL_blob_data(atom, NULL, NULL);
+  sg_arrangement_handle *h = PL_blob_data(atom, NULL, NULL);
 
   close_handle(h);
   free(h);
@@ -73,7 +62,7 @@ release_handle(atom_t atom)
 static int
 write_handle(IOSTREAM *out, atom_t atom, int flags)
 {
-  const handle *h = PL_blob_data(atom, NULL, NULL);
+  const sg_arrangement_handle *h = PL_blob_data(atom, NULL, NULL);
 
   (void)flags;
   Sfprintf(out, h->arrangement ? "<arrangement>(%zu)" : "<arrangement>(closed)",
@@ -88,7 +77,7 @@ static PL_blob_t arrangement_blob = {.magic = PL_BLOB_MAGIC,
                                      .write = write_handle};
 
 static int
-get_handle_ex(term_t t, handle **out)
+get_handle_ex(term_t t, sg_arrangement_handle **out)
 {
   PL_blob_t *type;
   void *data;
@@ -133,7 +122,7 @@ get_segments_ex(term_t list, int32_t **out, size_t *n)
 
 /* The leaves, and which of them are wanted. */
 static int
-get_leaves_ex(term_t segments, term_t wanted, handle *h)
+get_leaves_ex(term_t segments, term_t wanted, sg_arrangement_handle *h)
 {
   int32_t *list = NULL;
   size_t n = 0;
@@ -158,8 +147,27 @@ get_leaves_ex(term_t segments, term_t wanted, handle *h)
   return good;
 }
 
+/* Which leaves are surfaces, by segment/3. */
 static int
-hold_trees_ex(handle *h)
+find_surfaces_ex(sg_arrangement_handle *h)
+{
+  const sg_version *version = h->set->version;
+
+  h->surface = calloc(h->n + 1, sizeof *h->surface);
+  for (size_t i = 0; h->surface && i < h->n; i++) {
+    sg_value key[SG_MAX_COLUMNS] = {[0].i = h->s[i]};
+    sg_row row = sg_version_find(version, SG_SEGMENT, key);
+
+    h->surface[i] =
+        row != SG_NO_ROW &&
+        sg_symbol_atom(sg_version_value(version, SG_SEGMENT, row, 1).i) ==
+            atom_surface;
+  }
+  return h->surface || sg_no_memory();
+}
+
+static int
+hold_trees_ex(sg_arrangement_handle *h)
 {
   sg_crew *crew = sg_crew_open(0);
   int good;
@@ -181,7 +189,7 @@ hold_trees_ex(handle *h)
 static foreign_t
 arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
 {
-  handle *h = calloc(1, sizeof *h);
+  sg_arrangement_handle *h = calloc(1, sizeof *h);
 
   if (!h) {
     return sg_no_memory();
@@ -192,7 +200,8 @@ arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
   }
   PL_register_atom(h->set_atom);
   sg_cut_set_keep(h->set);
-  int good = get_leaves_ex(segments, wanted, h) && hold_trees_ex(h);
+  int good = get_leaves_ex(segments, wanted, h) && find_surfaces_ex(h) &&
+             hold_trees_ex(h);
 
   if (good) {
     h->arrangement = sg_arrangement_open(
@@ -201,6 +210,7 @@ arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
                      .s = h->s,
                      .tree = h->own,
                      .wanted = h->wanted,
+                     .surface = h->surface,
                      .n = h->n,
                      .near = (const int32_t(*)[2])h->set->pair,
                      .pairs = h->set->pairs});
@@ -218,7 +228,7 @@ arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
 static foreign_t
 arrangement_hold(term_t t)
 {
-  handle *h;
+  sg_arrangement_handle *h;
 
   if (!get_handle_ex(t, &h)) {
     return FALSE;
@@ -230,7 +240,7 @@ arrangement_hold(term_t t)
 static foreign_t
 arrangement_drop(term_t t)
 {
-  handle *h;
+  sg_arrangement_handle *h;
 
   if (!get_handle_ex(t, &h)) {
     return FALSE;
@@ -262,7 +272,7 @@ raise_stuck(int32_t s, int32_t p, const sg_work *work, int32_t e)
 static foreign_t
 arrangement_polygon(term_t t, term_t s, term_t p, term_t w, term_t r)
 {
-  handle *h;
+  sg_arrangement_handle *h;
   int32_t segment, polygon, edge;
   sg_work *work;
   double reach;
@@ -289,7 +299,7 @@ arrangement_polygon(term_t t, term_t s, term_t p, term_t w, term_t r)
 static foreign_t
 arrangement_seal(term_t t)
 {
-  handle *h;
+  sg_arrangement_handle *h;
   sg_crew *crew;
 
   if (!get_handle_ex(t, &h)) {
@@ -344,16 +354,8 @@ unify_component(term_t t, size_t number, const sg_component *c)
 
 /* ---- pieces: [S-Arrangement, ...] ---- */
 
-/* The leaves of a list of pieces. Components are counted through. */
-typedef struct pieces {
-  sg_chosen *of; /* [n]; the senses are a part of sense[] */
-  handle **from; /* [n] */
-  size_t n, components;
-  int8_t *sense; /* [components] */
-} pieces;
-
-static void
-clear_pieces(pieces *p)
+void
+sg_pieces_clear(sg_pieces *p)
 {
   free(p->of);
   free(p->from);
@@ -361,7 +363,7 @@ clear_pieces(pieces *p)
 }
 
 static int
-get_piece_ex(term_t t, sg_chosen *out, handle **from)
+get_piece_ex(term_t t, sg_chosen *out, sg_arrangement_handle **from)
 {
   term_t arg = PL_new_term_ref();
 
@@ -381,18 +383,18 @@ get_piece_ex(term_t t, sg_chosen *out, handle **from)
   return PL_existence_error("pieces", t);
 }
 
-static int
-get_pieces_ex(term_t list, pieces *out)
+int
+sg_get_pieces_ex(term_t list, sg_pieces *out)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
   size_t n;
 
-  *out = (pieces){0};
+  *out = (sg_pieces){0};
   if (PL_skip_list(list, 0, &n) != PL_LIST) {
     return PL_type_error("list", list);
   }
   out->of = calloc(n + 1, sizeof *out->of);
-  out->from = calloc(n + 1, sizeof(handle *));
+  out->from = calloc(n + 1, sizeof(sg_arrangement_handle *));
   if (!out->of || !out->from) {
     return sg_no_memory();
   }
@@ -411,9 +413,9 @@ static foreign_t
 arrangement_components(term_t t, term_t list)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-  pieces p;
+  sg_pieces p;
   size_t number = 0;
-  int good = get_pieces_ex(t, &p);
+  int good = sg_get_pieces_ex(t, &p);
 
   for (size_t i = 0; good && i < p.n; i++) {
     size_t n = sg_arrangement_components(p.of[i].a, p.of[i].s);
@@ -427,7 +429,7 @@ arrangement_components(term_t t, term_t list)
       PL_close_foreign_frame(frame);
     }
   }
-  clear_pieces(&p);
+  sg_pieces_clear(&p);
   return good && PL_unify_nil(tail);
 }
 
@@ -435,7 +437,7 @@ arrangement_components(term_t t, term_t list)
 
 /* Reads [C-Sense, ...]. */
 static int
-get_senses_ex(term_t list, pieces *p)
+get_senses_ex(term_t list, sg_pieces *p)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
   term_t arg = PL_new_term_ref();
@@ -473,7 +475,7 @@ get_senses_ex(term_t list, pieces *p)
 }
 
 static int
-give_origins_ex(const pieces *p, sg_solid *solid, const sg_made_by *made_by)
+give_origins_ex(const sg_pieces *p, sg_solid *solid, const sg_made_by *made_by)
 {
   size_t made = solid->vertices - solid->plain;
 
@@ -482,7 +484,7 @@ give_origins_ex(const pieces *p, sg_solid *solid, const sg_made_by *made_by)
     return sg_no_memory();
   }
   for (size_t i = 0; i < made; i++) {
-    const handle *from = p->from[made_by[i].chosen];
+    const sg_arrangement_handle *from = p->from[made_by[i].chosen];
     fid_t frame = PL_open_foreign_frame();
     term_t t = PL_new_term_ref();
     int good = frame &&
@@ -500,10 +502,10 @@ give_origins_ex(const pieces *p, sg_solid *solid, const sg_made_by *made_by)
 static foreign_t
 arrangement_select(term_t t, term_t senses, term_t out)
 {
-  pieces p;
+  sg_pieces p;
   sg_solid solid = {0};
   sg_made_by *made_by = NULL;
-  int good = get_pieces_ex(t, &p) && get_senses_ex(senses, &p);
+  int good = sg_get_pieces_ex(t, &p) && get_senses_ex(senses, &p);
 
   if (good &&
       !sg_arrangement_select(p.of, p.n, &sg_prolog_poll, &solid, &made_by)) {
@@ -511,7 +513,7 @@ arrangement_select(term_t t, term_t senses, term_t out)
   }
   good = good && give_origins_ex(&p, &solid, made_by);
   free(made_by);
-  clear_pieces(&p);
+  sg_pieces_clear(&p);
   if (!good) {
     sg_solid_clear(&solid);
     return FALSE;
@@ -537,6 +539,7 @@ sg_install_arrangement(void)
   functor_side3 = PL_new_functor(PL_new_atom("side"), 3);
   functor_point3 = PL_new_functor(PL_new_atom("point"), 3);
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
+  atom_surface = PL_new_atom("surface");
   atom_only = PL_new_atom("only");
   atom_second = PL_new_atom("second");
   atom_unknown = PL_new_atom("unknown");

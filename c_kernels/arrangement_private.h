@@ -20,7 +20,7 @@ typedef struct sg_arranged {
   size_t rows;
   uint32_t *component; /* [rows], SG_NO_KEY: of a polygon that is cut */
   sg_id_set cut;       /* polygons */
-  bool wanted;
+  bool wanted, surface;
   size_t first_cell, cells;
   size_t first_part, parts; /* its components */
 } sg_arranged;

@@ -124,6 +124,17 @@ begins(const int normal[3])
   return normal[1] != 0 ? normal[1] : normal[2] != 0 ? normal[2] : -normal[0];
 }
 
+/* Whether pieces of the ray's leaf are there for those of another, where both
+ * lie on each other. */
+static bool
+is_before(const rays *r, const sg_part *part)
+{
+  const sg_arranged *leaf = r->a->leaf;
+
+  return r->leaf < part->leaf &&
+         (!leaf[r->leaf].surface || leaf[part->leaf].surface);
+}
+
 /* A triangle that has the point. */
 static void
 lies_on(rays *r, size_t i, const sg_point corner[3], uint32_t row)
@@ -141,7 +152,7 @@ lies_on(rays *r, size_t i, const sg_point corner[3], uint32_t row)
   if (begins(part->normal) * part->normal[0] < 0) {
     r->turns[i] += part->normal[0] * same;
   }
-  if (r->leaf < part->leaf || (r->leaf == part->leaf && row < part->row)) {
+  if (r->leaf == part->leaf ? row < part->row : is_before(r, part)) {
     part->second = true;
   }
 }
@@ -264,9 +275,12 @@ keep_sides(const rays *r, founds *f)
   for (size_t i = 0; i < r->n; i++) {
     const sg_part *part = &r->a->part[r->part[i]];
     bool above = begins(part->normal) > 0;
-    sg_side side = {r->a->leaf[r->leaf].s, r->turns[i], r->turns[i]};
+    const sg_arranged *leaf = &r->a->leaf[r->leaf];
+    sg_side side = {leaf->s, r->turns[i], r->turns[i]};
 
-    if (above) {
+    if (leaf->surface) {
+      side.below = side.above = 0;
+    } else if (above) {
       side.below += r->across[i];
     } else {
       side.above -= r->across[i];

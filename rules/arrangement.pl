@@ -2,13 +2,16 @@
           [ with_arrangement/3,         % +Leaves, +Options, :Goal
             components/2,               % +Arrangement, -Components
             arranged_solid/3,           % +Arrangement, +Senses, -Solid
+            default_senses/4,           % +Arrangement, +Expression, +Open,
+                                        % -Senses
             pieces_statistics/1         % -Statistics
           ]).
 :- use_module(kernel,
               [ arrangement_open/4, arrangement_hold/1, arrangement_drop/1,
                 arrangement_polygon/5, arrangement_seal/1,
-                arrangement_components/2, arrangement_select/3, pieces_kept/1,
-                keep_pieces/1, near_segments/3, segment_meets_itself/1
+                arrangement_components/2, arrangement_select/3,
+                arrangement_senses/4, pieces_kept/1, keep_pieces/1,
+                near_segments/3, segment_meets_itself/1
               ]).
 :- use_module(leaf, [were_cut/2]).
 :- use_module(penetration, [leaves_entered/3, touching/2]).
@@ -307,6 +310,13 @@ components(arrangement(Pieces), Components) :-
 
 arranged_solid(arrangement(Pieces), Senses, Solid) :-
     arrangement_select(Pieces, Senses, Solid).
+
+%!  default_senses(+Arrangement, +Expression, +Open:list, -Senses:list) is det.
+%
+%   Senses as the default of stays/3 says (boolean.pl): its fused kernel.
+
+default_senses(arrangement(Pieces), Expression, Open, Senses) :-
+    arrangement_senses(Pieces, Expression, Open, Senses).
 
 %!  pieces_statistics(-Statistics:dict) is det.
 %

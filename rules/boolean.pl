@@ -2,23 +2,24 @@
           [ boolean/2,                  % +Expression, +S
             boolean/3,                  % +Expression, +S, +Options
             stays/3,                    % +Expression, +Component, -Sense
+            senses_by_rule/3,           % +Arrangement, +Expression, -Senses
             expression_leaves/2,        % +Expression, -Leaves
             select_boundary/3           % +Arrangement, +Expression, -Solid
           ]).
 :- use_module(arrangement,
-              [with_arrangement/3, components/2, arranged_solid/3]).
-:- use_module(decision, [decision/2]).
+              [ with_arrangement/3, components/2, arranged_solid/3, default_senses/4
+              ]).
+:- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
 :- use_module(kernel, [solid_close/1]).
 :- use_module(solid_rows, [solid_written/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ v/5, segment/3, assert_fact/1, facts_transaction/1 ]).
-:- autoload(library(apply), [convlist/3, maplist/2, partition/4]).
+:- autoload(library(apply), [convlist/3, include/3, maplist/2]).
 :- autoload(library(error), [domain_error/2, existence_error/2, type_error/2]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/2]).
-:- autoload(library(ordsets), [ord_memberchk/2, ord_subset/2]).
 /** <module> Union, intersection, difference: what stays of the pieces.
 
 An expression is the number of a segment, or union(Es), intersection(Es) or
@@ -78,29 +79,53 @@ written(Solid, S, Expression) :-
 %   that has all its leaves.
 
 select_boundary(Arrangement, Expression, Solid) :-
-    stage(pieces, components(Arrangement, Components)),
-    stage(rules, ( compiled(Expression, Compiled),
-                   convlist(kept(Compiled), Components, Senses)
-                 )),
+    stage(rules, senses(Arrangement, Expression, Senses)),
     stage(pieces, arranged_solid(Arrangement, Senses, Solid)).
+
+senses(Arrangement, Expression, Senses) :-
+    decision_is_default(stays/3),
+    !,
+    expression_leaves(Expression, Leaves),
+    include(is_surface, Leaves, Open),
+    default_senses(Arrangement, Expression, Open, Senses).
+senses(Arrangement, Expression, Senses) :-
+    senses_by_rule(Arrangement, Expression, Senses).
+
+%!  senses_by_rule(+Arrangement, +Expression, -Senses:list) is det.
+%
+%   Senses are C-Sense of the components for which stays/3 holds.
+
+senses_by_rule(Arrangement, Expression, Senses) :-
+    components(Arrangement, Components),
+    convlist(kept(Expression), Components, Senses).
 
 kept(Expression, Component, C-Sense) :-
     Component = component(C, _, _, _, _, _),
     stays(Expression, Component, Sense).
 
+is_surface(S) :-
+    segment(S, surface, _),
+    !.
+
 :- decision(stays/3, "Which pieces of solids stay in a result (CB-4)").
 
 %!  stays(+Expression, +Component, -Sense) is semidet.
 %
-%   Decision: a component of an arrangement stays in the boundary of
-%   Expression, as it is (Sense 1) or turned over (-1). The default: if just one
-%   of its sides is inside, and no other piece in its place stays for it.
+%   Decision: a component of an arrangement (arrangement_components/2) stays in
+%   the boundary of Expression, as it is (Sense 1) or turned over (-1). The
+%   default: if just one of its sides is inside, and no other piece in its place
+%   stays for it. A surface has no inside; of one, what is outside of everything
+%   else stays (CB-2).
 
-stays(Expression, component(_, _, _, _, Sides, Which), Sense) :-
-    Which == only,
+stays(Expression, component(_, S, _, _, Sides, only), Sense) :-
     inside(below, Sides, Expression, Below),
     inside(above, Sides, Expression, Above),
-    boundary(Below, Above, Sense).
+    (   is_surface(S)
+    ->  once(leaf_of(Expression, S)),
+        Below-Above == false-false,
+        Sense = 1
+    ;   boundary(Below, Above, Sense)
+    ).
 
 boundary(true, false, 1).
 boundary(false, true, -1).
@@ -119,43 +144,22 @@ goes_round(above, Sides, S) :-
     member(side(S, _, Above), Sides),
     Above > 0.
 
-%   holds(+Compiled, +Ss): true inside just the segments Ss, in order. Leaves of
-%   an operation are sets, so that it takes no longer the more there are.
+%   holds(+Expression, +Ss): it is true of a point that is inside just Ss.
 
-holds(or(Leaves, _), Ss) :-
-    member(S, Ss),
-    ord_memberchk(S, Leaves),
-    !.
-holds(or(_, Others), Ss) :-
-    member(Other, Others),
-    holds(Other, Ss),
-    !.
-holds(and(Leaves, Others), Ss) :-
-    ord_subset(Leaves, Ss),
-    \+ ( member(Other, Others),
-         \+ holds(Other, Ss)
-       ).
-holds(minus(First, Others), Ss) :-
-    holds(First, Ss),
-    \+ holds(Others, Ss).
-
-%   compiled(+Expression, -Compiled)
-
-compiled(S, or([S], [])) :-
+holds(S, Ss) :-
     integer(S),
+    memberchk(S, Ss).
+holds(union(Es), Ss) :-
+    member(E, Es),
+    holds(E, Ss),
     !.
-compiled(union(Es), or(Leaves, Others)) :-
-    operands(Es, Leaves, Others).
-compiled(intersection(Es), and(Leaves, Others)) :-
-    operands(Es, Leaves, Others).
-compiled(difference([E|Es]), minus(First, or(Leaves, Others))) :-
-    compiled(E, First),
-    operands(Es, Leaves, Others).
-
-operands(Es, Leaves, Others) :-
-    partition(integer, Es, Leaves0, Others0),
-    sort(Leaves0, Leaves),
-    maplist(compiled, Others0, Others).
+holds(intersection(Es), Ss) :-
+    \+ ( member(E, Es),
+         \+ holds(E, Ss)
+       ).
+holds(difference([First|Others]), Ss) :-
+    holds(First, Ss),
+    \+ holds(union(Others), Ss).
 
 %!  expression_leaves(+Expression, -Leaves:list) is det.
 %
@@ -172,9 +176,10 @@ leaf_of(Expression, _) :-
     var(Expression),
     !,
     instantiation_error(Expression).
-leaf_of(S, S) :-
-    integer(S),
-    !.
+leaf_of(Leaf, S) :-
+    integer(Leaf),
+    !,
+    S = Leaf.
 leaf_of(Expression, S) :-
     compound(Expression),
     Expression =.. [Operation, Es],

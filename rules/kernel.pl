@@ -47,6 +47,7 @@
             arrangement_seal/1,       % +Arrangement
             arrangement_components/2, % +Pieces, -Components
             arrangement_select/3,     % +Pieces, +Senses, -Solid
+            arrangement_senses/4,     % +Pieces, +Expression, +Open, -Senses
             pieces_kept/1,            % -Kept
             keep_pieces/1,            % +Kept
             % cut4pl.c, seam4pl.c, split4pl.c, line4pl.c
@@ -604,6 +605,12 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
 %          be triangulated
 %   @see c_kernels/arrangement.h; rows CB-3 and CB-4
+
+%!  arrangement_senses(+Pieces:list, +Expression, +Open:list, -Senses:list) is det.
+%
+%   The fused kernel of boolean.pl, stays/3: Senses are the C-Sense of the
+%   components that stay in the boundary of Expression; Open are the segments
+%   among its leaves that are surfaces.
 
 %!  pieces_kept(-Kept) is semidet.
 %!  keep_pieces(+Kept) is det.

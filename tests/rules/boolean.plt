@@ -128,6 +128,43 @@ test(sides_of_a_component, [true(Sides == [[side(1, 1, 0)],
 components_of(Cs, Arrangement) :-
     components(Arrangement, Cs).
 
+%   The rule and its fused kernel, on expressions over some that overlap, touch,
+%   lie in each other and coincide, and on an open surface.
+
+test(rule_and_kernel, [forall(some_expression(Expression))]) :-
+    new_world(World),
+    in_world(World,
+             ( maplist(added,
+                       [ box(size(2, 2, 2)),
+                         at([translate(1, 0.5, 0.7)], box(size(2, 2, 2))),
+                         at([translate(2, 0, 0)], box(size(2, 2, 2))),
+                         box(size(2, 2, 2)),
+                         at([translate(0, 0, 0.5)], box(size(1, 1, 1))),
+                         at([translate(0, 0, 1)], rectangle(size(5, 5)))
+                       ]),
+               complete_segments,
+               with_arrangement([1,2,3,4,5,6], [], both_senses(Expression))
+             )).
+
+both_senses(Expression, Arrangement) :-
+    senses_by_rule(Arrangement, Expression, ByRule),
+    expression_leaves(Expression, Leaves),
+    include(==(6), Leaves, Open),
+    default_senses(Arrangement, Expression, Open, Senses),
+    assertion(Senses == ByRule).
+
+some_expression(union([1,2,3,4,5])).
+some_expression(intersection([1,2])).
+some_expression(intersection([1,2,4])).
+some_expression(difference([1,2,5])).
+some_expression(difference([union([1,3]), intersection([2,4])])).
+some_expression(union([1,6])).
+some_expression(3).
+
+test(surface_outside_stays, [true(Vs-Ps-Open == 16-11-16)]) :-
+    result([ box(size(2, 2, 2)),
+             at([translate(0, 0, 1)], rectangle(size(5, 5)))
+           ], union([1,2]), _, counts(Vs, Ps, Open)).
 test(no_such_segment, [error(existence_error(segment, 7))]) :-
     result([box(size(1, 1, 1))], union([1,7]), _, _).
 test(no_such_operation, [error(type_error(expression, glue([1])))]) :-

@@ -1,0 +1,37 @@
+/* arrangement4pl.h -- arrangements behind a Prolog handle, and lists of them.
+ *
+ * Layer: glue. Include it before SWI-Prolog.h.
+ */
+#ifndef SG_ARRANGEMENT4PL_H
+#define SG_ARRANGEMENT4PL_H
+
+#include "cut4pl.h"
+
+#include "arrangement.h"
+
+typedef struct sg_arrangement_handle {
+  sg_arrangement *arrangement; /* null: closed */
+  atomic_uint holders;         /* arrangement_hold/1 less arrangement_drop/1 */
+  sg_cut_handle *set;          /* kept */
+  atom_t set_atom;             /* registered: it lives as long as this */
+  int32_t *s;                  /* [n]: the leaves */
+  bool *wanted;                /* [n] */
+  bool *surface;               /* [n] */
+  sg_kept_tree **tree;         /* [n], held */
+  const sg_leaf_tree **own;    /* [n]: the same, as the kernel wants them */
+  size_t n;
+} sg_arrangement_handle;
+
+/* The leaves of a list [S-Arrangement, ...]. Components are counted through. */
+typedef struct sg_pieces {
+  sg_chosen *of;                /* [n]; sense: null, or a part of sense[] */
+  sg_arrangement_handle **from; /* [n] */
+  size_t n, components;
+  int8_t *sense; /* [components], or null */
+} sg_pieces;
+
+/* Reads such a list; clear it also after a failure. */
+int sg_get_pieces_ex(term_t list, sg_pieces *out);
+void sg_pieces_clear(sg_pieces *p);
+
+#endif

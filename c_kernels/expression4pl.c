@@ -1,0 +1,187 @@
+/* expression4pl.c -- which components stay for an expression.
+ *
+ * Layer: glue. The fused kernel of boolean.pl, stays/3: a test holds the two
+ * together. The door is documented in rules/kernel.pl.
+ */
+#include "arrangement4pl.h"
+
+#include "expression.h"
+#include "glue.h"
+
+#include "../engine/install.h"
+
+#include <stdlib.h>
+
+static functor_t functor_minus2;
+static functor_t functor_of[SG_DIFFERENCE + 1];
+
+/* ---- expressions ---- */
+
+static int get_expression_ex(term_t t, sg_expression *out);
+
+static int
+get_operands_ex(term_t list, sg_expression *out)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  while (PL_get_list(tail, head, tail)) {
+    if (!get_expression_ex(head, out)) {
+      return FALSE;
+    }
+  }
+  return PL_get_nil_ex(tail);
+}
+
+static int
+get_operation_ex(term_t t, sg_operation operation, sg_expression *out)
+{
+  term_t operands = PL_new_term_ref();
+  size_t at = sg_expression_add(out, operation, 0);
+
+  if (at == SIZE_MAX) {
+    return sg_no_memory();
+  }
+  if (!PL_get_arg(1, t, operands) || !get_operands_ex(operands, out)) {
+    return FALSE;
+  }
+  out->node[at].next = out->n;
+  return operation != SG_DIFFERENCE || out->n > at + 1 ||
+         PL_domain_error("operands", operands);
+}
+
+static int
+get_expression_ex(term_t t, sg_expression *out)
+{
+  for (int i = SG_UNION; i <= SG_DIFFERENCE; i++) {
+    if (PL_is_functor(t, functor_of[i])) {
+      return get_operation_ex(t, (sg_operation)i, out);
+    }
+  }
+  int32_t s;
+
+  return sg_get_id_ex(t, &s) &&
+         (sg_expression_add(out, SG_LEAF, s) != SIZE_MAX || sg_no_memory());
+}
+
+/* ---- senses ---- */
+
+/* What is asked of all components. */
+typedef struct asking {
+  sg_expression expression;
+  int32_t *open; /* [opens]: surfaces without an inside */
+  size_t opens;
+  int32_t *in; /* segments a point is inside */
+  size_t room;
+} asking;
+
+static bool
+is_open(const asking *k, int32_t s)
+{
+  for (size_t i = 0; i < k->opens; i++) {
+    if (k->open[i] == s) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static bool
+is_inside(const asking *k, const sg_component *c, bool above)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < c->sides; i++) {
+    const sg_side *side = &c->side[i];
+
+    if ((above ? side->above : side->below) > 0) {
+      k->in[n++] = side->s;
+    }
+  }
+  return sg_expression_holds(&k->expression, k->in, n);
+}
+
+/* 1, -1, or 0: it goes. */
+static int
+sense_of(const asking *k, const sg_component *c)
+{
+  if (c->unknown || c->second) {
+    return 0;
+  }
+  bool below = is_inside(k, c, false), above = is_inside(k, c, true);
+
+  return is_open(k, c->s) ? !below && !above : (int)below - (int)above;
+}
+
+static bool
+room_for(asking *k, size_t sides)
+{
+  if (sides >= k->room) {
+    int32_t *grown = realloc(k->in, 2 * (sides + 1) * sizeof *grown);
+
+    if (!grown) {
+      return false;
+    }
+    k->in = grown;
+    k->room = 2 * (sides + 1);
+  }
+  return true;
+}
+
+static int
+unify_senses(term_t list, const sg_pieces *p, asking *k)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  int64_t number = 0;
+
+  for (size_t i = 0; i < p->n; i++) {
+    size_t n = sg_arrangement_components(p->of[i].a, p->of[i].s);
+
+    for (size_t c = 0; c < n; c++, number++) {
+      sg_component one = sg_arrangement_component(p->of[i].a, p->of[i].s, c);
+
+      if (!room_for(k, one.sides)) {
+        return sg_no_memory();
+      }
+      int sense = sense_of(k, &one);
+
+      if (sense != 0 && (!PL_unify_list(tail, head, tail) ||
+                         !PL_unify_term(head, PL_FUNCTOR, functor_minus2,
+                                        PL_INT64, number, PL_INT, sense))) {
+        return FALSE;
+      }
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* arrangement_senses(+Pieces, +Expression, +Open, -Senses) is det. */
+static foreign_t
+arrangement_senses(term_t t, term_t expression, term_t open, term_t senses)
+{
+  sg_pieces p;
+  asking k = {.opens = 0};
+  int good =
+      sg_get_pieces_ex(t, &p) && get_expression_ex(expression, &k.expression) &&
+      sg_get_ids_ex(open, &k.open, &k.opens) && unify_senses(senses, &p, &k);
+
+  free(k.expression.node);
+  free(k.open);
+  free(k.in);
+  sg_pieces_clear(&p);
+  return good;
+}
+
+static const PL_extension predicates[] = {
+    {"arrangement_senses", 4, arrangement_senses, 0},
+    {NULL, 0, NULL, 0},
+};
+
+void
+sg_install_expression(void)
+{
+  functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
+  functor_of[SG_UNION] = PL_new_functor(PL_new_atom("union"), 1);
+  functor_of[SG_INTERSECTION] = PL_new_functor(PL_new_atom("intersection"), 1);
+  functor_of[SG_DIFFERENCE] = PL_new_functor(PL_new_atom("difference"), 1);
+  PL_register_extensions_in_module("sg_kernel", predicates);
+}
