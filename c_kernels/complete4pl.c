@@ -2,8 +2,9 @@
  *
  * Layer: glue. Doors in rules/kernel.pl.
  */
+#include "append4pl.h"
+
 #include "../engine/install.h"
-#include "../engine/world4pl.h"
 
 #include "complete.h"
 #include "flatness.h"
@@ -66,32 +67,6 @@ number_triangles_ex(sg_world *world, sg_triangle_rows *rows)
   return TRUE;
 }
 
-enum { ROWS_AT_ONCE = 65536, COLUMNS = 6 };
-
-/* The rows of a relation, some at a time: Prolog's signals come in between. */
-static int
-add_columns_ex(sg_world *world, sg_relation relation, size_t n,
-               const void *const column[COLUMNS])
-{
-  for (size_t at = 0; at < n; at += ROWS_AT_ONCE) {
-    size_t some = n - at < ROWS_AT_ONCE ? n - at : ROWS_AT_ONCE;
-    const void *part[COLUMNS];
-    sg_fault where = {0};
-    for (int k = 0; k < COLUMNS; k++) {
-      size_t size = sg_relation_table[relation].column[k].type == SG_FLOAT
-                        ? sizeof(double)
-                        : sizeof(int32_t);
-      part[k] = (const char *)column[k] + at * size;
-    }
-    if (sg_poll_stop(&sg_prolog_poll) ||
-        !sg_raise_status(sg_world_add_many(world, relation, some, part, &where),
-                         relation, &where)) {
-      return FALSE;
-    }
-  }
-  return TRUE;
-}
-
 static int
 add_rows_ex(sg_world *world, sg_completion *found)
 {
@@ -100,9 +75,9 @@ add_rows_ex(sg_world *world, sg_completion *found)
   const void *const plane[] = {p->s, p->p, p->c[0], p->c[1], p->c[2], p->c[3]};
   const void *const triangle[] = {t->s, t->p, t->t, t->v[0], t->v[1], t->v[2]};
 
-  return add_columns_ex(world, SG_PLANE, p->n, plane) &&
+  return sg_append_columns_ex(world, SG_PLANE, p->n, plane) &&
          number_triangles_ex(world, t) &&
-         add_columns_ex(world, SG_T, t->n, triangle);
+         sg_append_columns_ex(world, SG_T, t->n, triangle);
 }
 
 static int
@@ -141,16 +116,15 @@ unify_faults(term_t list, const sg_completion *found)
   return PL_unify_nil(tail);
 }
 
-/* fill_triangles(-Faults) is det. */
-static foreign_t
-fill_triangles(term_t faults)
+/* In a world that is claimed: what is missing stays so until it is added. */
+static int
+complete_ex(sg_world *world, term_t faults)
 {
-  sg_world *world = sg_current_world_ex();
   sg_completion found;
   views v;
   bool stopped;
 
-  if (!world || !views_open_ex(&v, world)) {
+  if (!views_open_ex(&v, world)) {
     return FALSE;
   }
   const sg_completion_input in = {&v.view[0], &v.view[1], &v.view[2],
@@ -160,6 +134,20 @@ fill_triangles(term_t faults)
   ok = ok ? add_rows_ex(world, &found) && unify_faults(faults, &found)
           : !stopped && sg_no_memory();
   sg_completion_clear(&found);
+  return ok;
+}
+
+/* fill_triangles(-Faults) is det. */
+static foreign_t
+fill_triangles(term_t faults)
+{
+  sg_world *world = sg_current_world_ex();
+
+  if (!world || !sg_claim_ex(world)) {
+    return FALSE;
+  }
+  int ok = complete_ex(world, faults);
+  sg_world_release(world);
   return ok;
 }
 

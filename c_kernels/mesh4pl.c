@@ -4,9 +4,13 @@
  * added, so a bad file changes nothing; the caller's transaction takes care of
  * the rest.
  */
+#include "append4pl.h"
+
 #include "mesh4pl.h"
+
 #include "glue.h"
 #include "mesh_part.h"
+#include "mesh_rows.h"
 
 #include "../engine/install.h"
 #include "../engine/world4pl.h"
@@ -106,96 +110,59 @@ get_bytes_ex(term_t stream, bytes *out)
 
 /* Rows ------------------------------------------------------------------- */
 
-/* A chunk of rows on its way to the store, as columns. */
-typedef struct chunk {
-  sg_world *world;
-  size_t n;
-  int32_t s[CHUNK], id[CHUNK], a[CHUNK], b[CHUNK], et[CHUNK];
-  double x[CHUNK], y[CHUNK], z[CHUNK];
-  const int32_t *list[CHUNK];
-} chunk;
+/* What a relation gets from a part, in place. */
+typedef struct filling {
+  const sg_mesh *mesh;
+  const sg_mesh_part *part;
+  int32_t s;
+} filling;
 
-static int
-flush_ex(chunk *c, sg_relation relation)
+static bool
+fill_page(sg_append *a, size_t k, const filling *from)
 {
-  const void *const v[] = {c->s, c->id, c->x, c->y, c->z};
-  const void *const e[] = {c->s, c->id, c->a, c->b, c->et};
-  const void *const p[] = {c->s, c->id, c->list};
-  const void *const *column = relation == SG_V ? v : relation == SG_E ? e : p;
-  sg_fault fault;
-  sg_status status =
-      sg_world_add_many(c->world, relation, c->n, column, &fault);
+  const sg_sheet_page *page = &a->sheet.page[k];
+  int32_t length[SG_PAGE_ROWS];
 
-  c->n = 0;
-  return PL_handle_signals() >= 0 && sg_raise_status(status, relation, &fault);
+  if (a->relation == SG_V) {
+    sg_mesh_rows_vertices(from->mesh, from->part, from->s, page);
+  } else if (a->relation == SG_E) {
+    sg_mesh_rows_edges(from->part, from->s, page);
+  } else {
+    sg_mesh_rows_lengths(from->part, page, length);
+    if (!sg_append_lists(a, k, 2, length)) {
+      return false;
+    }
+    sg_mesh_rows_polygons(from->part, from->s, page);
+  }
+  return true;
 }
 
 static int
-put_vertices_ex(chunk *c, const sg_mesh *mesh, const sg_mesh_part *part,
-                int32_t s)
+add_rows_ex(sg_world *world, sg_relation relation, size_t n,
+            const filling *from)
 {
-  for (size_t i = 0; i < part->vertices; i++) {
-    const double *p = mesh->vertex[part->vertex[i]];
-    c->s[c->n] = s;
-    c->id[c->n] = (int32_t)i + 1;
-    c->x[c->n] = p[0];
-    c->y[c->n] = p[1];
-    c->z[c->n] = p[2];
-    if (++c->n == CHUNK && !flush_ex(c, SG_V)) {
-      return FALSE;
-    }
+  sg_append a;
+  int good = TRUE;
+
+  if (!sg_append_open(&a, world, relation, n)) {
+    return sg_no_memory();
   }
-  return flush_ex(c, SG_V);
+  for (size_t k = 0; k < a.sheet.pages && good; k++) {
+    good = fill_page(&a, k, from) || sg_no_memory();
+    good = good && (k % 32 != 31 || PL_handle_signals() >= 0);
+  }
+  good = good && (sg_append_commit(&a) || sg_no_memory());
+  sg_append_close(&a);
+  return good;
 }
 
 static int
-put_edges_ex(chunk *c, const sg_mesh_part *part, int32_t s)
+add_part_ex(sg_world *world, const filling *from)
 {
-  for (size_t i = 0; i < part->edges; i++) {
-    c->s[c->n] = s;
-    c->id[c->n] = (int32_t)i + 1;
-    c->a[c->n] = part->from[i] + 1;
-    c->b[c->n] = part->to[i] + 1;
-    c->et[c->n] = 1;
-    if (++c->n == CHUNK && !flush_ex(c, SG_E)) {
-      return FALSE;
-    }
-  }
-  return flush_ex(c, SG_E);
-}
-
-/* Polygon i has the edges start[i] + 1 .. start[i + 1]. */
-static int
-put_polygons_ex(chunk *c, const sg_mesh_part *part, int32_t s)
-{
-  size_t begin = 0;
-  int32_t *lists = NULL;
-  int done = TRUE;
-
-  while (done && begin < part->faces) {
-    size_t end = begin + CHUNK < part->faces ? begin + CHUNK : part->faces;
-    size_t words = part->start[end] - part->start[begin] + (end - begin);
-    int32_t *more = realloc(lists, words * sizeof *lists);
-    if (!more) {
-      free(lists);
-      return sg_no_memory();
-    }
-    lists = more;
-    int32_t *list = lists;
-    for (size_t i = begin; i < end; i++) {
-      c->s[c->n] = s;
-      c->id[c->n] = (int32_t)i + 1;
-      c->list[c->n++] = list;
-      *list++ = (int32_t)(part->start[i + 1] - part->start[i]);
-      for (uint32_t e = part->start[i]; e < part->start[i + 1]; e++) {
-        *list++ = (int32_t)e + 1;
-      }
-    }
-    done = flush_ex(c, SG_P);
-    begin = end;
-  }
-  free(lists);
-  return done;
+  return sg_segment_is_empty_ex(world, from->s) &&
+         add_rows_ex(world, SG_V, from->part->vertices, from) &&
+         add_rows_ex(world, SG_E, from->part->edges, from) &&
+         add_rows_ex(world, SG_P, from->part->faces, from);
 }
 
 /* Answers ---------------------------------------------------------------- */
@@ -268,24 +235,14 @@ sg_unify_mesh_fault_ex(term_t result, const sg_mesh_error *error)
                        error->limit);
 }
 
-int
-sg_add_mesh_ex(const sg_mesh *mesh, int32_t first, term_t list)
+static int
+add_parts_ex(sg_world *world, const sg_mesh *mesh, int32_t first, term_t list)
 {
-  sg_world *world = sg_current_world_ex();
-
-  if (!world) {
-    return FALSE;
-  }
   sg_mesh_parts *parts = sg_mesh_parts_open(mesh);
-  chunk *c = malloc(sizeof *c);
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-  int done = parts && c ? TRUE : sg_no_memory();
+  int done = parts ? TRUE : sg_no_memory();
   bool stopped = false;
 
-  if (done) {
-    c->world = world;
-    c->n = 0;
-  }
   for (size_t i = 0; done && i < mesh->segments; i++) {
     int32_t s = first + (int32_t)i;
     sg_mesh_part part;
@@ -293,13 +250,24 @@ sg_add_mesh_ex(const sg_mesh *mesh, int32_t first, term_t list)
       done = stopped ? FALSE : sg_no_memory();
       break;
     }
-    done = put_vertices_ex(c, mesh, &part, s) && put_edges_ex(c, &part, s) &&
-           put_polygons_ex(c, &part, s) && PL_unify_list(tail, head, tail) &&
-           put_part_ex(head, &part, s);
+    done = add_part_ex(world, &(filling){mesh, &part, s}) &&
+           PL_unify_list(tail, head, tail) && put_part_ex(head, &part, s);
   }
-  free(c);
   sg_mesh_parts_close(parts);
   return done && PL_unify_nil(tail);
+}
+
+int
+sg_add_mesh_ex(const sg_mesh *mesh, int32_t first, term_t list)
+{
+  sg_world *world = sg_current_world_ex();
+
+  if (!world || !sg_claim_ex(world)) {
+    return FALSE;
+  }
+  int done = add_parts_ex(world, mesh, first, list);
+  sg_world_release(world);
+  return done;
 }
 
 /* mesh_add(+Stream, +Format, +Weld, +One, +S, -Result) is det. */

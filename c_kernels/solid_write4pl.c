@@ -2,10 +2,10 @@
  *
  * Layer: glue. The door is documented in rules/kernel.pl.
  */
+#include "append4pl.h"
 #include "solid4pl.h"
 
 #include "glue.h"
-#include "segment_rows.h"
 #include "solid_rows.h"
 
 #include "../engine/install.h"
@@ -18,46 +18,6 @@ enum { V, E, P, PLANE, T, FROM_V, FROM_P, RELATIONS };
 
 static const sg_relation written[RELATIONS] = {
     SG_V, SG_E, SG_P, SG_PLANE, SG_T, SG_FROM_V, SG_FROM_P};
-
-/* ---- a segment without rows --------------------------------------------- */
-
-/* True if a row of this relation is of segment s; -1: an exception. */
-static int
-has_rows_ex(const sg_version *version, sg_relation relation, int32_t s)
-{
-  sg_segment_rows rows = {0};
-  sg_view view;
-  int has = -1;
-
-  if (!sg_version_view(version, relation, &view)) {
-    sg_no_memory();
-    return -1;
-  }
-  if (sg_segment_rows_find(&view, &s, 1, &sg_prolog_poll, &rows)) {
-    has = rows.begin[1] > 0;
-  } else if (!PL_exception(0)) {
-    sg_no_memory();
-  }
-  sg_segment_rows_clear(&rows);
-  sg_view_clear(&view);
-  return has;
-}
-
-/* A segment whose vertices never had a stamp is new. */
-static int
-is_empty_ex(sg_world *world, int32_t s, term_t culprit)
-{
-  const sg_version *version = sg_world_version(world);
-  bool fresh = sg_version_stamp(version, SG_V, s) == 0;
-  int has = 0;
-
-  for (int k = 0; !fresh && has == 0 && k < RELATIONS; k++) {
-    has = has_rows_ex(version, written[k], s);
-  }
-  sg_version_drop(version);
-  return has == 0 ||
-         (has > 0 && PL_permission_error("write", "segment", culprit));
-}
 
 /* ---- room --------------------------------------------------------------- */
 
@@ -209,21 +169,14 @@ write_rows_ex(sg_world *world, const sg_solid_rows *rows, int32_t s,
   return good;
 }
 
-/* solid_write(+Solid, +S) is det. */
-static foreign_t
-solid_write(term_t solid_term, term_t s_term)
+/* In a world that is claimed. */
+static int
+write_solid_ex(sg_world *world, const sg_solid *solid, int32_t s)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_crew *crew = sg_crew_open(0);
   sg_solid_rows rows;
-  sg_solid *solid;
-  sg_crew *crew;
-  int32_t s;
 
-  if (!world || !sg_get_solid_ex(solid_term, &solid) ||
-      !sg_get_id_ex(s_term, &s) || !is_empty_ex(world, s, s_term)) {
-    return FALSE;
-  }
-  if (!(crew = sg_crew_open(0))) {
+  if (!crew) {
     return sg_no_memory();
   }
   int good = sg_solid_rows_make(solid, crew, &sg_prolog_poll, &rows);
@@ -233,6 +186,24 @@ solid_write(term_t solid_term, term_t s_term)
                            : sg_no_memory();
   sg_solid_rows_clear(&rows);
   sg_crew_close(crew);
+  return good;
+}
+
+/* solid_write(+Solid, +S) is det. */
+static foreign_t
+solid_write(term_t solid_term, term_t s_term)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_solid *solid;
+  int32_t s;
+
+  if (!world || !sg_get_solid_ex(solid_term, &solid) ||
+      !sg_get_id_ex(s_term, &s) || !sg_claim_ex(world)) {
+    return FALSE;
+  }
+  int good =
+      sg_segment_is_empty_ex(world, s) && write_solid_ex(world, solid, s);
+  sg_world_release(world);
   return good;
 }
 

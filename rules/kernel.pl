@@ -168,6 +168,8 @@ glue file.
 %       unit in the last place of the coordinates, 0.0 if they are exact.
 %     - fault(Code, Line, Column, Byte, Text, Wanted, Got, Limit)
 %       The file is bad, and nothing was added; see c_kernels/mesh.h.
+%
+%   @error permission_error(write, segment, S1): one of the segments has rows
 
 %!  mesh_write(+Stream, +Format, +Segments, +Names, -Result) is det.
 %

@@ -1,5 +1,6 @@
 :- encoding(utf8).
 :- use_module(library(plunit)).
+:- use_module('../../rules/kernel', [mesh_add/6]).
 :- use_module('../../rules/mesh').
 :- use_module('../../rules/messages').
 :- use_module('../../rules/store').
@@ -51,6 +52,24 @@ test(cube, Kind-V-E-P == solid-8-24-6) :-
     cube_off(Text),
     with_text(off, Text, File,
               ( read_mesh(File, [S]), segment(S, Kind, _), counts(V, E, P) )).
+test(only_into_an_empty_segment, error(permission_error(write, segment, 1))) :-
+    cube_off(Text),
+    with_text(off, Text, File,
+              ( read_mesh(File, [1]),
+                setup_call_cleanup(open(File, read, In, [type(binary)]),
+                                   mesh_add(In, off, auto, true, 1, _),
+                                   close(In)) )).
+test(into_an_emptied_segment, Counts == counts(8, 24, 6)) :-
+    cube_off(Text),
+    with_text(off, Text, File,
+              ( read_mesh(File, [1]),
+                maplist(retractall_facts,
+                        [p(1,_,_), e(1,_,_,_,_), v(1,_,_,_,_)]),
+                setup_call_cleanup(open(File, read, In, [type(binary)]),
+                                   mesh_add(In, off, auto, true, 1, _),
+                                   close(In)),
+                counts(V, E, P) )),
+    Counts = counts(V, E, P).
 test(name, Name == Base) :-
     cube_off(Text),
     with_text(off, Text, File, ( read_mesh(File, _), segment(1, _, Name) )),
