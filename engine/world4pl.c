@@ -348,7 +348,7 @@ undo_limit(term_t steps)
 static foreign_t
 segment_stamp(term_t s, term_t t)
 {
-  static const sg_relation rows[] = {SG_V, SG_E, SG_P, SG_T};
+  static const sg_relation rows[] = {SG_V, SG_E, SG_P};
   sg_world *world = sg_current_world_ex();
   const sg_version *version;
   uint64_t last = 0;

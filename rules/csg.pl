@@ -10,7 +10,10 @@
               [ is_node_term/1, node_parts/4, map_operands/3,
                 check_node_term/1
               ]).
-:- use_module(model_file, [add_primitive/2]).
+:- use_module(model_file, [add_primitive/2, primitive_rows/3]).
+:- use_module(csg_record, [record/2, recorded/2, up_to_date/2]).
+:- use_module(csg_rows, [drop_boundary/1]).
+:- use_module(primitive, [is_primitive/1]).
 :- use_module(store,
               [ segment/3, origin/3, assert_fact/1, retractall_facts/1,
                 facts_transaction/1, fresh_id/3
@@ -149,9 +152,34 @@ visit(Above, N, Kinds0, Kinds) :-
         ;   replaced_segment(N, Kind, Term)
         )
     ;   Kinds1 = Kinds0,
-        Kind = Kind0
+        leaf_completed(Above, N, Kind0, Term0, Kind)
     ),
     put_assoc(N, Kinds1, Kind, Kinds).
+
+%   leaf_completed(Above, N, Kind0, Term, Kind): a leaf under a node whose term
+%   has become another primitive gets the rows of that. If somebody changed the
+%   rows, they count.
+
+leaf_completed([_|_], N, Kind0, Term, Kind) :-
+    is_primitive(Term),
+    !,
+    From = primitive(Term),
+    (   recorded(N, What)
+    ->  arg(1, What, From0),
+        (   From0 == From
+        ->  Kind = Kind0
+        ;   up_to_date(N, From0)
+        ->  drop_boundary(N),
+            primitive_rows(Term, N, Kind),
+            replaced_segment(N, Kind, Term),
+            record(N, leaf(From))
+        ;   Kind = Kind0,
+            record(N, leaf(From))
+        )
+    ;   Kind = Kind0,
+        record(N, leaf(From))
+    ).
+leaf_completed(_, _, Kind, _, Kind).
 
 node_error(Nodes, What) :-
     throw(error(model_error(What), nodes(Nodes))).

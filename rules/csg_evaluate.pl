@@ -83,6 +83,7 @@ evaluate(Which, Options) :-
 
 all_evaluated(Ss, Tolerance) :-
     complete_tree(Ss),
+    complete_segments,
     maplist(evaluated_node(Tolerance), Ss),
     unused_helpers_dropped.
 

@@ -14,6 +14,7 @@
 
     origin(S, node(S), evaluated(made(From, Stamp)))     a node
     origin(S, node(S), helper(made(From, Stamp)))        a helper (csg.pl)
+    origin(S, node(S), leaf(made(primitive(Term), Stamp)))
 
 From is a ground term with the stamps of what the rows were made from; Stamp is
 that of the rows themselves. Rows and record are of one version, so undo takes
@@ -24,7 +25,7 @@ files.
 %!  record(+S, +What) is det.
 %
 %   Remember that the rows of segment S, as they are now, were made from From:
-%   What is evaluated(From) or helper(From).
+%   What is evaluated(From), helper(From) or leaf(From).
 
 record(S, What0) :-
     What0 =.. [Name, From],

@@ -7,9 +7,7 @@
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(csg_term, [plain_name/2]).
 :- use_module(store,
-              [ segment/3, origin/3, from_v/4, from_p/5, assert_fact/1,
-                retractall_facts/1, facts_transaction/1
-              ]).
+              [segment/3, assert_fact/1, retractall_facts/1, facts_transaction/1]).
 :- autoload(library(apply), [maplist/2]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(ordsets), [ord_subtract/3]).
@@ -61,5 +59,4 @@ made_plain(S) :-
     assert_fact(segment(S, Kind, Name)),
     retractall_facts(from_v(S, _, _, _)),
     retractall_facts(from_p(S, _, _, _, _)),
-    findall(Item, origin(S, Item, _), Items),
-    forall(member(Item, Items), retractall_facts(origin(S, Item, _))).
+    retractall_facts(origin(S, _, _)).

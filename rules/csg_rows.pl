@@ -11,7 +11,7 @@
               ]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [reverse/2]).
+:- autoload(library(lists), [member/2, reverse/2]).
 /** <module> Rows of segments that evaluation copies and drops.
 */
 
@@ -114,11 +114,11 @@ polygon_copied(Sign, S0, P0, Es0, DE, DP, S) :-
 %   node or a helper. What it cut, or was cut by, is as before the cuts.
 
 drop_boundary(S) :-
-    findall(S1-S2, ( were_cut(S1, S2), ( S1 == S ; S2 == S ) ), Pairs0),
-    sort(Pairs0, Pairs),
-    (   Pairs == []
-    ->  true
-    ;   leaves_restored(Pairs)
+    (   was_cut(S)
+    ->  findall(S1-S2, ( were_cut(S1, S2), ( S1 == S ; S2 == S ) ), Pairs0),
+        sort(Pairs0, Pairs),
+        leaves_restored(Pairs)
+    ;   true
     ),
     retractall_facts(drawn(_, S, _, _, _, _, _)),
     retractall_facts(screen(S, _, _, _, _)),
@@ -135,8 +135,22 @@ drop_boundary(S) :-
     retractall_facts(p(S, _, _)),
     retractall_facts(e(S, _, _, _, _)),
     retractall_facts(v(S, _, _, _, _)),
-    findall(Item, ( origin(S, Item, _), Item \= node(_) ), Items),
-    forall(member(Item, Items), retractall_facts(origin(S, Item, _))).
+    findall(Origin, origin(S, node(S), Origin), Origins),
+    retractall_facts(origin(S, _, _)),
+    forall(member(Origin, Origins), assert_fact(origin(S, node(S), Origin))).
+
+was_cut(S) :-
+    leaf_p(S, _, _),
+    !.
+was_cut(S) :-
+    leaf_e(S, _, _, _, _),
+    !.
+was_cut(S) :-
+    line(_, S, _, _, _, _, _, _, _),
+    !.
+was_cut(S) :-
+    line(_, _, _, _, _, S, _, _, _),
+    !.
 
 %!  segment_box(+S, -Box) is semidet.
 %

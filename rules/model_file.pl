@@ -1,6 +1,7 @@
 :- module(sg_model_file,
           [ read_model/1,               % +File
-            add_primitive/2             % +Term, -S
+            add_primitive/2,            % +Term, -S
+            primitive_rows/3            % +Term, +S, -Kind
           ]).
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
@@ -592,6 +593,17 @@ add_primitive(Term, S) :-
     primitive_shape(Term, Kind, Points, Chains),
     facts_transaction(
         sg_model_file:new_segment(Kind, Term, Points, Chains, S)).
+
+%!  primitive_rows(+Term, +S, -Kind) is det.
+%
+%   Add the rows of the primitive Term, which is of this Kind, to segment S, that
+%   has none; but for segment/3.
+%
+%   @error model_error(primitive(What, Term))
+
+primitive_rows(Term, S, Kind) :-
+    primitive_shape(Term, Kind, Points, Chains),
+    shape_added(Kind, S, Points, Chains, none).
 
 new_segment(Kind, Term, Points, Chains, S) :-
     greatest(Last, segment(Last, _, _), Last0),

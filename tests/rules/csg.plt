@@ -326,6 +326,43 @@ test(same_as_boolean, true(near(V1, V2))) :-
                 boolean(difference([difference([1,2]),3]), 100),
                 volume(100, V2) )).
 
+test(primitive_edited, [V1, V2, V3] == [4.0, 6.0, 7.0]) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                difference([1,2]) ],
+              ( volume(3, V1),
+                term_changed(2, at([translate(1.5,0,0)], box(size(2,2,2)))),
+                evaluate,
+                volume(3, V2),
+                term_changed(2, at([translate(0,0,1)], box(size(1,1,1)))),
+                evaluate,
+                volume(3, V3) )).
+test(primitive_edited_and_rows_edited, V == 4.0) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                difference([1,2]) ],
+              ( once(retract_fact(v(2, 1, X, Y, Z))),
+                assert_fact(v(2, 1, X, Y, Z)),
+                term_changed(2, at([translate(1.5,0,0)], box(size(2,2,2)))),
+                evaluate,
+                volume(3, V) )).
+test(edited_in_steps_undone, [V1, V2, E] == [6.0, 4.0, 0]) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                difference([1,2]) ],
+              ( facts_transaction(
+                    ( term_changed(2, at([translate(1.5,0,0)],
+                                         box(size(2,2,2)))),
+                      evaluate )),
+                volume(3, V1),
+                facts_undo,
+                csg_statistics_reset,
+                evaluate,
+                statistics(E, _),
+                volume(3, V2) )).
+
+term_changed(S, Term) :-
+    retract_fact(segment(S, Kind, _)),
+    !,
+    assert_fact(segment(S, Kind, Term)).
+
 :- end_tests(csg_again).
 
 :- begin_tests(csg_matrix).
