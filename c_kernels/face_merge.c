@@ -15,7 +15,6 @@ clear(sg_merge *m)
   free(m->leaving);
   free(m->twin);
   free(m->weak);
-  free(m->label);
   free(m->group_of);
   free(m->member);
   free(m->group);
@@ -157,17 +156,8 @@ is_changed(const sg_merge *m)
 }
 
 static void
-count(const sg_merge *m, const sg_solid *after, sg_merge_counts *out)
+count_refused(const sg_merge *m, sg_merge_counts *out)
 {
-  const sg_solid *before = m->solid;
-
-  *out = (sg_merge_counts){before->faces,
-                           after->faces,
-                           before->vertices,
-                           after->vertices,
-                           before->triangles,
-                           after->triangles,
-                           0};
   for (size_t i = 0; i < m->groups; i++) {
     out->refused += m->group[i].n > 1 && m->group[i].state == SG_AS_IT_WAS;
   }
@@ -178,7 +168,7 @@ merge(sg_merge *m)
 {
   sg_merge_end end = sg_merge_mesh(m);
 
-  if (end == SG_MERGE_DONE) {
+  if (end == SG_MERGE_DONE && (m->weaks || !only_triangles(m->solid))) {
     end = sg_merge_grow(m);
   }
   if (end == SG_MERGE_DONE && (m->groups || !only_triangles(m->solid))) {
@@ -192,19 +182,20 @@ sg_face_merge(sg_solid *solid, const sg_merge_options *options,
               sg_merge_counts *counts)
 {
   sg_merge m = {.solid = solid, .options = options};
+  sg_merge_counts done = {.faces_before = solid->faces,
+                          .vertices_before = solid->vertices,
+                          .triangles_before = solid->triangles};
   sg_merge_end end = merge(&m);
-  sg_solid out = {0};
-  bool changed = end == SG_MERGE_DONE && is_changed(&m);
 
-  if (changed) {
-    end = sg_merge_write(&m, &out);
+  if (end == SG_MERGE_DONE && is_changed(&m)) {
+    end = sg_merge_write(&m, solid);
   }
-  if (end == SG_MERGE_DONE && counts) {
-    count(&m, changed ? &out : solid, counts);
-  }
-  if (changed && end == SG_MERGE_DONE) {
-    sg_solid_clear(solid);
-    *solid = out;
+  count_refused(&m, &done);
+  done.faces_after = solid->faces;
+  done.vertices_after = solid->vertices;
+  done.triangles_after = solid->triangles;
+  if (counts) {
+    *counts = done;
   }
   clear(&m);
   return end;

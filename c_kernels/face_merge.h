@@ -67,10 +67,11 @@ typedef struct sg_merge_counts {
 
 /* Merges the faces of `solid`, drops vertices, also those in no triangle, and
  * numbers the rest again, in the same order; faces come in the order of the
- * first of their parts. A merged face is named after its largest part, and the
+ * last of their parts. A merged face is named after its largest part, and the
  * others are in `part`. `counts` may be null. Stopped, or without memory: the
  * solid is as it was.
- * Requires: every triangle belongs to one face. */
+ * Requires: every triangle belongs to one face, and faces stand in the order of
+ * their triangles. */
 sg_merge_end sg_face_merge(sg_solid *solid, const sg_merge_options *options,
                            sg_merge_counts *counts);
 

@@ -12,7 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { AT_ONCE = 16 }; /* groups a task */
+enum {
+  AT_ONCE = 16, /* groups a task, if there are many */
+  OFTEN = 64    /* faces between questions */
+};
 
 /* An edge of the polygon. */
 typedef struct side {
@@ -37,11 +40,18 @@ typedef struct filler {
 typedef struct filling {
   sg_merge *m;
   uint32_t *wanted; /* [n]: groups */
-  size_t n;
+  size_t n, at_once;
   bool *no_memory; /* [tasks] */
 } filling;
 
 /* ---- the polygon -------------------------------------------------------- */
+
+/* That of the half-edges of the group at hand. */
+static uint32_t
+label_of(const filler *f)
+{
+  return (uint32_t)(f->m->solid->faces + (size_t)(f->group - f->m->group));
+}
 
 /* The border half-edge of the group from v to w. */
 static uint32_t
@@ -70,7 +80,7 @@ add_side(filler *f, uint32_t half)
   while (m->fate[to] == SG_DROPPED) {
     uint32_t next =
         m->beside[to][0] == before ? m->beside[to][1] : m->beside[to][0];
-    half = border_between(m, f->group->label, to, next);
+    half = border_between(m, label_of(f), to, next);
     if (half == SG_NOTHING) {
       return false;
     }
@@ -118,7 +128,7 @@ each_half(filler *f, bool (*see)(filler *f, uint32_t half))
 
   for (uint32_t i = 0; i < f->group->n; i++) {
     const sg_solid_face *face = &m->solid->face[m->member[f->group->first + i]];
-    if (sg_crew_stopping()) {
+    if (i % OFTEN == 0 && sg_crew_stopping()) {
       return false;
     }
     for (uint32_t half = 3 * face->first; half < 3 * (face->first + face->n);
@@ -149,7 +159,7 @@ sides_are_apart(const filler *f)
       return false;
     }
     if (find_side(f, s->to, s->from)) {
-      uint32_t half = border_between(f->m, f->group->label, s->from, s->to);
+      uint32_t half = border_between(f->m, label_of(f), s->from, s->to);
       if (half == SG_NOTHING || f->m->twin[half] != SG_NOTHING) {
         return false;
       }
@@ -427,9 +437,10 @@ do_groups(void *data, size_t task)
 {
   filling *fill = data;
   filler f = {.m = fill->m};
-  size_t to = (task + 1) * AT_ONCE;
+  size_t to = (task + 1) * fill->at_once;
 
-  for (size_t i = task * AT_ONCE; i < to && i < fill->n && !f.no_memory; i++) {
+  for (size_t i = task * fill->at_once; i < to && i < fill->n && !f.no_memory;
+       i++) {
     f.group = &fill->m->group[fill->wanted[i]];
     do_group(&f);
   }
@@ -438,18 +449,6 @@ do_groups(void *data, size_t task)
   free(f.triangles.item);
   free(f.side);
   free(f.inside);
-}
-
-static void
-set_apart(sg_merge *m, sg_group *group)
-{
-  uint32_t number = m->group_of[group->label];
-
-  group->state = SG_AS_IT_WAS;
-  for (uint32_t i = group->first; i < group->first + group->n; i++) {
-    m->label[m->member[i]] = m->member[i];
-    m->group_of[m->member[i]] = number;
-  }
 }
 
 /* What has failed may change less; the others stay to be done again. */
@@ -465,11 +464,7 @@ give_way(sg_merge *m)
     }
     any = true;
     group->failed = false;
-    if (group->state == SG_FREE) {
-      group->state = SG_BORDER_STAYS;
-    } else {
-      set_apart(m, group);
-    }
+    group->state = group->state == SG_FREE ? SG_BORDER_STAYS : SG_AS_IT_WAS;
   }
   return any;
 }
@@ -478,7 +473,8 @@ static sg_merge_end
 fill_all(filling *fill)
 {
   sg_merge *m = fill->m;
-  size_t tasks = (fill->n + AT_ONCE - 1) / AT_ONCE;
+  fill->at_once = fill->n > AT_ONCE * AT_ONCE ? AT_ONCE : 1;
+  size_t tasks = (fill->n + fill->at_once - 1) / fill->at_once;
 
   if (!sg_crew_run(m->options->crew, tasks, do_groups, fill,
                    m->options->poll)) {
@@ -500,7 +496,7 @@ sg_merge_fill(sg_merge *m, bool *again)
 
   *again = false;
   fill.wanted = malloc((m->groups + 1) * sizeof *fill.wanted);
-  fill.no_memory = calloc(m->groups / AT_ONCE + 2, sizeof *fill.no_memory);
+  fill.no_memory = calloc(m->groups + 1, sizeof *fill.no_memory);
   if (fill.wanted && fill.no_memory) {
     for (size_t i = 0; i < m->groups; i++) {
       sg_group *group = &m->group[i];

@@ -9,10 +9,12 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
   ROUNDS = 8, /* at most as often a growing group looks for a better plane */
-  OFTEN = 64  /* patches between questions */
+  OFTEN = 64, /* patches between questions */
+  BLOCK = 1 << 11 /* faces a task */
 };
 
 enum { UNSEEN, SEEN, PLACED }; /* of faces */
@@ -47,26 +49,42 @@ add_group(sg_merge *m, uint32_t first, uint32_t n)
     m->room = room;
   }
   sg_group *group = &m->group[m->groups];
-  *group = (sg_group){.label = m->member[first], .first = first, .n = n};
+  *group = (sg_group){.first = first, .n = n, .largest = m->member[first]};
   for (uint32_t i = first; i < first + n; i++) {
-    group->label = m->member[i] < group->label ? m->member[i] : group->label;
+    m->group_of[m->member[i]] = (uint32_t)m->groups;
   }
-  for (uint32_t i = first; i < first + n; i++) {
-    m->label[m->member[i]] = group->label;
-  }
-  m->group_of[group->label] = (uint32_t)m->groups++;
+  m->groups++;
   return group;
+}
+
+/* Makes room for n members more. */
+static bool
+reserve(sg_merge *m, size_t n)
+{
+  if (m->members + n <= m->member_room) {
+    return true;
+  }
+  size_t room = 2 * (m->members + n);
+  uint32_t *member = realloc(m->member, room * sizeof *member);
+  if (member) {
+    m->member = member;
+    m->member_room = room;
+  }
+  return member;
 }
 
 sg_group *
 sg_merge_alone(sg_merge *m, uint32_t face)
 {
+  sg_face_size size;
+
+  if (!reserve(m, 1)) {
+    return NULL;
+  }
   m->member[m->members] = face;
   sg_group *group = add_group(m, (uint32_t)m->members, 1);
   if (group) {
-    sg_face_size size;
     m->members++;
-    group->largest = face;
     sg_merge_size(m, face, &size);
     if (m->solid->face[face].n < 2 || sg_merge_is_thin(m, &size) ||
         !sg_merge_fit(m, &face, 1, &group->plane)) {
@@ -109,7 +127,6 @@ place(growth *g, size_t from, const sg_plane *plane)
     return false;
   }
   group->plane = *plane;
-  group->largest = m->member[from];
   for (size_t i = from; i < m->members; i++) {
     uint32_t face = m->member[i];
     double more = g->size[face].area - g->size[group->largest].area;
@@ -265,6 +282,9 @@ do_patch(growth *g)
   if (!has_seed(g)) {
     return SG_MERGE_DONE;
   }
+  if (!reserve(m, g->n)) {
+    return SG_MERGE_NO_MEMORY;
+  }
   if (!is_whole(g, &plane)) {
     return divide(g);
   }
@@ -296,6 +316,19 @@ list_neighbours(growth *g)
   }
 }
 
+static void
+find_sizes(void *data, size_t block)
+{
+  const growth *g = data;
+  uint32_t to = (uint32_t)(block + 1) * BLOCK;
+
+  for (uint32_t f = to - BLOCK; f < to && f < g->m->solid->faces; f++) {
+    if (g->first[f + 1] > g->first[f]) {
+      sg_merge_size(g->m, f, &g->size[f]);
+    }
+  }
+}
+
 /* The faces that hang together with this one. */
 static void
 find_patch(growth *g, uint32_t face)
@@ -305,7 +338,6 @@ find_patch(growth *g, uint32_t face)
   g->state[face] = SEEN;
   for (size_t i = 0; i < g->n; i++) {
     uint32_t f = g->patch[i];
-    sg_merge_size(g->m, f, &g->size[f]);
     for (uint32_t k = g->first[f]; k < g->first[f + 1]; k++) {
       if (g->state[g->other[k]] == UNSEEN) {
         g->state[g->other[k]] = SEEN;
@@ -321,6 +353,11 @@ do_patches(growth *g)
   sg_merge_end end = SG_MERGE_DONE;
 
   list_neighbours(g);
+  if (!sg_crew_run(g->m->options->crew,
+                   (g->m->solid->faces + BLOCK - 1) / BLOCK, find_sizes, g,
+                   g->m->options->poll)) {
+    return SG_MERGE_STOPPED;
+  }
   for (uint32_t f = 0; f < g->m->solid->faces && end == SG_MERGE_DONE; f++) {
     if (f % OFTEN == 0 && sg_poll_stop(g->m->options->poll)) {
       return SG_MERGE_STOPPED;
@@ -354,20 +391,38 @@ grow(sg_merge *m)
   return end;
 }
 
+/* The members of each group in ascending order. */
+static bool
+order_members(sg_merge *m)
+{
+  uint32_t *next = malloc((m->groups + 1) * sizeof *next);
+
+  for (size_t i = 0; next && i < m->groups; i++) {
+    next[i] = m->group[i].first;
+  }
+  for (uint32_t f = 0; next && f < m->solid->faces; f++) {
+    uint32_t number = m->group_of[f];
+    if (number != SG_NOTHING) {
+      m->member[next[number]++] = f;
+    }
+  }
+  bool done = next;
+  free(next);
+  return done;
+}
+
 sg_merge_end
 sg_merge_grow(sg_merge *m)
 {
   size_t faces = m->solid->faces;
 
-  m->label = malloc((faces + 1) * sizeof *m->label);
   m->group_of = malloc((faces + 1) * sizeof *m->group_of);
-  m->member = malloc((faces + 1) * sizeof *m->member);
-  if (!m->label || !m->group_of || !m->member) {
+  if (!m->group_of) {
     return SG_MERGE_NO_MEMORY;
   }
-  for (size_t f = 0; f < faces; f++) {
-    m->label[f] = (uint32_t)f;
-    m->group_of[f] = SG_NOTHING;
-  }
-  return m->weaks ? grow(m) : SG_MERGE_DONE;
+  memset(m->group_of, 0xff, faces * sizeof *m->group_of);
+  sg_merge_end end = m->weaks ? grow(m) : SG_MERGE_DONE;
+  return end == SG_MERGE_DONE && m->groups && !order_members(m)
+             ? SG_MERGE_NO_MEMORY
+             : end;
 }

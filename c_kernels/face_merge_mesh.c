@@ -126,15 +126,15 @@ count_between(const sg_merge *m, uint32_t from, uint32_t to, uint32_t *half)
 
 /* ---- neighbours --------------------------------------------------------- */
 
-static void
+static inline void
 cross(const double a[3], const double b[3], double out[3])
 {
-  for (int k = 0; k < 3; k++) {
-    out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-  }
+  out[0] = a[1] * b[2] - a[2] * b[1];
+  out[1] = a[2] * b[0] - a[0] * b[2];
+  out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-static double
+static inline double
 dot(const double a[3], const double b[3])
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -143,30 +143,32 @@ dot(const double a[3], const double b[3])
 /* Whether the four corners of two triangles may lie between two planes that are
  * two tolerances apart. Then the parts of u, v and w along the planes' normal
  * are not longer than that, so the volume that they span is no larger than this
- * times the three areas; no normal is asked, which slivers do not have. */
+ * times the three areas; no normal is asked, which slivers do not have. Areas
+ * are no larger than the products of their sides, which mostly tell enough. */
 static bool
 is_flat(const sg_merge *m, uint32_t half, uint32_t twin)
 {
   const double *a = sg_merge_at(m, sg_half_start(m, half));
-  const double *p[3] = {
-      sg_merge_at(m, sg_half_end(m, half)),
-      sg_merge_at(m, sg_half_end(m, sg_half_next(half))),
-      sg_merge_at(m, sg_half_end(m, sg_half_next(twin))),
-  };
-  double side[3][3], uv[3], vw[3], uw[3];
-
-  for (int i = 0; i < 3; i++) {
-    for (int k = 0; k < 3; k++) {
-      side[i][k] = p[i][k] - a[k];
-    }
-  }
-  cross(side[0], side[1], uv);
-  cross(side[1], side[2], vw);
-  cross(side[0], side[2], uw);
-  double volume = dot(uv, side[2]);
-  double areas = dot(uv, uv) + dot(vw, vw) + dot(uw, uw);
+  const double *b = sg_merge_at(m, sg_half_end(m, half));
+  const double *c = sg_merge_at(m, sg_half_end(m, sg_half_next(half)));
+  const double *d = sg_merge_at(m, sg_half_end(m, sg_half_next(twin)));
+  double u[3], v[3], w[3], uv[3], vw[3], uw[3];
   /* (x + y + z)^2 <= 3 (x^2 + y^2 + z^2); twice of it for rounding */
-  return volume * volume <= 24 * m->tolerance * m->tolerance * areas;
+  double factor = 24 * m->tolerance * m->tolerance;
+
+  for (int k = 0; k < 3; k++) {
+    u[k] = b[k] - a[k];
+    v[k] = c[k] - a[k];
+    w[k] = d[k] - a[k];
+  }
+  cross(u, v, uv);
+  double volume = dot(uv, w), uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
+  if (volume * volume > factor * (uu * vv + vv * ww + uu * ww)) {
+    return false;
+  }
+  cross(v, w, vw);
+  cross(u, w, uw);
+  return volume * volume <= factor * (dot(uv, uv) + dot(vw, vw) + dot(uw, uw));
 }
 
 /* Whether what made the faces lets them be one. */
@@ -306,7 +308,8 @@ largest_coordinate(const sg_solid *solid)
 
   for (size_t v = 0; v < solid->vertices; v++) {
     for (int k = 0; k < 3; k++) {
-      largest = fmax(largest, fabs(solid->vertex[v].at[k]));
+      double x = fabs(solid->vertex[v].at[k]);
+      largest = x > largest ? x : largest;
     }
   }
   return largest;

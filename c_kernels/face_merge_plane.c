@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-static void
+static inline void
 less(const double a[3], const double b[3], double out[3])
 {
   for (int k = 0; k < 3; k++) {
@@ -15,7 +15,7 @@ less(const double a[3], const double b[3], double out[3])
   }
 }
 
-static double
+static inline double
 dot(const double a[3], const double b[3])
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -29,10 +29,9 @@ add_area(const sg_merge *m, const uint32_t corner[3], double sum[3])
 
   less(sg_merge_at(m, corner[1]), sg_merge_at(m, corner[0]), u);
   less(sg_merge_at(m, corner[2]), sg_merge_at(m, corner[0]), v);
-  for (int k = 0; k < 3; k++) {
-    int i = (k + 1) % 3, j = (k + 2) % 3;
-    sum[k] += (u[i] * v[j] - u[j] * v[i]) / 2;
-  }
+  sum[0] += (u[1] * v[2] - u[2] * v[1]) / 2;
+  sum[1] += (u[2] * v[0] - u[0] * v[2]) / 2;
+  sum[2] += (u[0] * v[1] - u[1] * v[0]) / 2;
 }
 
 void
@@ -84,7 +83,7 @@ sg_merge_is_near(const sg_merge *m, const sg_plane *plane, uint32_t face)
 
 /* ---- fitting ------------------------------------------------------------ */
 
-/* The faces, and the mean of their corners. */
+/* Faces, and the mean of their corners. */
 typedef struct face_set {
   const sg_merge *m;
   const uint32_t *face;
@@ -92,69 +91,32 @@ typedef struct face_set {
   double centre[3];
 } face_set;
 
-typedef void visit(void *data, const double from_centre[3]);
-
-/* Of all corners, from the centre. */
+/* Sums of areas and places, these from a corner, so that they are right far
+ * from the origin too. */
 static void
-each_corner(const face_set *set, visit *see, void *data)
+find_centre(face_set *set, double normal[3])
 {
   const sg_solid *solid = set->m->solid;
+  const uint32_t *first = solid->triangle[solid->face[set->face[0]].first];
+  const double *from = sg_merge_at(set->m, first[0]);
+  double sum[3] = {0, 0, 0}, corners = 0;
 
   for (size_t i = 0; i < set->n; i++) {
     const sg_solid_face *row = &solid->face[set->face[i]];
+    corners += 3 * (double)row->n;
     for (uint32_t t = row->first; t < row->first + row->n; t++) {
+      const uint32_t *corner = solid->triangle[t];
+      add_area(set->m, corner, normal);
       for (int k = 0; k < 3; k++) {
-        double at[3];
-        less(sg_merge_at(set->m, solid->triangle[t][k]), set->centre, at);
-        see(data, at);
+        sum[k] += sg_merge_at(set->m, corner[0])[k] - from[k];
+        sum[k] += sg_merge_at(set->m, corner[1])[k] - from[k];
+        sum[k] += sg_merge_at(set->m, corner[2])[k] - from[k];
       }
     }
   }
-}
-
-typedef struct vector_sum {
-  double sum[3], n;
-} vector_sum;
-
-static void
-see_mean(void *data, const double at[3])
-{
-  vector_sum *mean = data;
-
   for (int k = 0; k < 3; k++) {
-    mean->sum[k] += at[k];
+    set->centre[k] = from[k] + sum[k] / corners;
   }
-  mean->n++;
-}
-
-/* Sums run from a corner, so that they are right far from the origin too. */
-static void
-find_centre(face_set *set)
-{
-  const sg_merge *m = set->m;
-  uint32_t t = m->solid->face[set->face[0]].first;
-  vector_sum mean = {{0, 0, 0}, 0};
-
-  memcpy(set->centre, sg_merge_at(m, m->solid->triangle[t][0]),
-         sizeof set->centre);
-  each_corner(set, see_mean, &mean);
-  for (int k = 0; k < 3; k++) {
-    set->centre[k] += mean.sum[k] / mean.n;
-  }
-}
-
-typedef struct extent {
-  double normal[3], low, high;
-} extent;
-
-static void
-see_range(void *data, const double at[3])
-{
-  extent *range = data;
-  double x = dot(range->normal, at);
-
-  range->low = x < range->low ? x : range->low;
-  range->high = x > range->high ? x : range->high;
 }
 
 /* The plane of this normal in the middle of all corners; returns how far off
@@ -162,12 +124,24 @@ see_range(void *data, const double at[3])
 static double
 middle_plane(const face_set *set, const double normal[3], sg_plane *out)
 {
-  extent range = {{normal[0], normal[1], normal[2]}, INFINITY, -INFINITY};
+  const sg_solid *solid = set->m->solid;
+  double low = INFINITY, high = -INFINITY;
 
-  each_corner(set, see_range, &range);
+  for (size_t i = 0; i < set->n; i++) {
+    const sg_solid_face *row = &solid->face[set->face[i]];
+    for (uint32_t t = row->first; t < row->first + row->n; t++) {
+      for (int k = 0; k < 3; k++) {
+        double from[3];
+        less(sg_merge_at(set->m, solid->triangle[t][k]), set->centre, from);
+        double x = dot(normal, from);
+        low = x < low ? x : low;
+        high = x > high ? x : high;
+      }
+    }
+  }
   memcpy(out->n, normal, sizeof out->n);
-  out->d = -dot(normal, set->centre) - (range.low + range.high) / 2;
-  return (range.high - range.low) / 2;
+  out->d = -dot(normal, set->centre) - (low + high) / 2;
+  return (high - low) / 2;
 }
 
 /* Moments in a frame whose third axis is the normal. */
@@ -177,9 +151,8 @@ typedef struct moments {
 } moments;
 
 static void
-see_moments(void *data, const double at[3])
+add_moments(moments *s, const double at[3])
 {
-  moments *s = data;
   double x = dot(s->axis[0], at), y = dot(s->axis[1], at);
   double z = dot(s->axis[2], at);
 
@@ -188,6 +161,23 @@ see_moments(void *data, const double at[3])
   s->yy += y * y;
   s->xz += x * z;
   s->yz += y * z;
+}
+
+static void
+find_moments(const face_set *set, moments *out)
+{
+  const sg_solid *solid = set->m->solid;
+
+  for (size_t i = 0; i < set->n; i++) {
+    const sg_solid_face *row = &solid->face[set->face[i]];
+    for (uint32_t t = row->first; t < row->first + row->n; t++) {
+      for (int k = 0; k < 3; k++) {
+        double from[3];
+        less(sg_merge_at(set->m, solid->triangle[t][k]), set->centre, from);
+        add_moments(out, from);
+      }
+    }
+  }
 }
 
 static bool
@@ -228,7 +218,7 @@ tilt(const face_set *set, double normal[3])
 
   memcpy(s.axis[2], normal, sizeof s.axis[2]);
   make_frame(s.axis);
-  each_corner(set, see_moments, &s);
+  find_moments(set, &s);
   double determinant = s.xx * s.yy - s.xy * s.xy;
   if (!(determinant > 1e-20 * s.xx * s.yy)) {
     return false; /* all on a line */
@@ -244,17 +234,10 @@ tilt(const face_set *set, double normal[3])
 bool
 sg_merge_fit(const sg_merge *m, const uint32_t *face, size_t n, sg_plane *out)
 {
-  const sg_solid *solid = m->solid;
   face_set set = {m, face, n, {0, 0, 0}};
   double normal[3] = {0, 0, 0};
 
-  for (size_t i = 0; i < n; i++) {
-    const sg_solid_face *row = &solid->face[face[i]];
-    for (uint32_t t = row->first; t < row->first + row->n; t++) {
-      add_area(m, solid->triangle[t], normal);
-    }
-  }
-  find_centre(&set);
+  find_centre(&set, normal);
   return to_unit(normal) && (middle_plane(&set, normal, out) <= m->tolerance ||
                              (tilt(&set, normal) &&
                               middle_plane(&set, normal, out) <= m->tolerance));

@@ -24,7 +24,8 @@ enum {
   SG_KEPT,
   SG_INNER,    /* only triangles of one group round it */
   SG_STRAIGHT, /* two edges end there: perhaps it goes */
-  SG_DROPPED   /* such a one that goes */
+  SG_DROPPED,  /* such a one that goes */
+  SG_ASKED     /* to be decided: some face round it may lose vertices */
 };
 
 /* How much of a group may change. */
@@ -36,9 +37,9 @@ typedef enum sg_group_state {
 
 /* Faces that become one, or one face that loses vertices. */
 typedef struct sg_group {
-  uint32_t label;    /* its least face */
-  uint32_t first, n; /* in merge->member */
+  uint32_t first, n; /* in merge->member: its faces, ascending */
   uint32_t largest;  /* face */
+  sg_solid_face name;
   sg_plane plane;
   sg_group_state state;
   bool thin;   /* some of its faces are not wider than the tolerance */
@@ -60,10 +61,9 @@ typedef struct sg_merge {
                           one half-edge each way */
   uint32_t (*weak)[2]; /* [weaks]: neighbours that might be one face */
   size_t weaks;
-  uint32_t *label;    /* [faces]: the least face of the group, mostly itself */
-  uint32_t *group_of; /* [faces]: by label, or SG_NOTHING */
-  uint32_t *member;   /* [faces]: of groups */
-  size_t members;
+  uint32_t *group_of; /* [faces]: or SG_NOTHING */
+  uint32_t *member;   /* [members]: the faces of groups */
+  size_t members, member_room;
   sg_group *group; /* [groups] */
   size_t groups, room;
   uint8_t *fate;         /* [vertices]: SG_KEPT ... */
@@ -88,10 +88,15 @@ sg_half_end(const sg_merge *m, uint32_t half)
   return sg_half_start(m, sg_half_next(half));
 }
 
+/* A number for the group of the half-edge's face, or for the face itself. */
 static inline uint32_t
 sg_half_label(const sg_merge *m, uint32_t half)
 {
-  return m->label[m->face_of[half / 3]];
+  uint32_t face = m->face_of[half / 3], group = m->group_of[face];
+
+  return group == SG_NOTHING || m->group[group].state == SG_AS_IT_WAS
+             ? face
+             : (uint32_t)m->solid->faces + group;
 }
 
 /* The half-edge is an edge of its group's polygon. */
@@ -139,7 +144,7 @@ bool sg_merge_fit(const sg_merge *m, const uint32_t *face, size_t n,
 
 /* ---- face_merge_grow.c ---- */
 
-/* label, and the groups of two faces and more. */
+/* The groups of two faces and more. */
 sg_merge_end sg_merge_grow(sg_merge *m);
 /* A group of one face; null: no memory. */
 sg_group *sg_merge_alone(sg_merge *m, uint32_t face);
@@ -163,6 +168,7 @@ sg_merge_end sg_merge_fill(sg_merge *m, bool *again);
 
 /* ---- face_merge_write.c ---- */
 
-sg_merge_end sg_merge_write(const sg_merge *m, sg_solid *out);
+/* In place; without memory nothing is changed. */
+sg_merge_end sg_merge_write(sg_merge *m, sg_solid *solid);
 
 #endif

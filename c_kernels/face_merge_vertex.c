@@ -4,7 +4,7 @@
  */
 #include "face_merge_private.h"
 
-#include <stdlib.h>
+#include <string.h>
 
 enum {
   BLOCK = 1 << 12, /* vertices a task */
@@ -142,7 +142,9 @@ do_block(void *data, size_t block)
     if (v % 256 == 0 && sg_crew_stopping()) {
       return;
     }
-    m->fate[v] = fate_of(m, (uint32_t)v, m->beside[v]);
+    if (m->fate[v] == SG_ASKED) {
+      m->fate[v] = fate_of(m, (uint32_t)v, m->beside[v]);
+    }
   }
 }
 
@@ -151,10 +153,9 @@ do_block(void *data, size_t block)
 static sg_group *
 group_at(sg_merge *m, uint32_t half)
 {
-  uint32_t label = sg_half_label(m, half);
+  uint32_t face = m->face_of[half / 3], group = m->group_of[face];
 
-  return m->group_of[label] == SG_NOTHING ? sg_merge_alone(m, label)
-                                          : &m->group[m->group_of[label]];
+  return group == SG_NOTHING ? sg_merge_alone(m, face) : &m->group[group];
 }
 
 /* 1: all groups round v let it go, 0: some do not, -1: no memory. */
@@ -162,9 +163,11 @@ static int
 is_let_go(sg_merge *m, uint32_t v)
 {
   uint32_t last = SG_NOTHING;
-  sg_group_state most = m->fate[v] == SG_INNER ? SG_BORDER_STAYS : SG_FREE;
+  bool inner = m->fate[v] == SG_INNER; /* then they have one label */
+  uint32_t end = inner ? m->first[v] + 1 : m->first[v + 1];
+  sg_group_state most = inner ? SG_BORDER_STAYS : SG_FREE;
 
-  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+  for (uint32_t i = m->first[v]; i < end; i++) {
     uint32_t half = m->leaving[i].half, label = sg_half_label(m, half);
     if (label == last) {
       continue;
@@ -192,9 +195,10 @@ note_losses(sg_merge *m)
     if (m->fate[v] != SG_INNER && m->fate[v] != SG_DROPPED) {
       continue;
     }
-    for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
-      uint32_t label = sg_half_label(m, m->leaving[i].half);
-      m->group[m->group_of[label]].losing = true;
+    uint32_t end = m->fate[v] == SG_INNER ? m->first[v] + 1 : m->first[v + 1];
+    for (uint32_t i = m->first[v]; i < end; i++) {
+      uint32_t face = m->face_of[m->leaving[i].half / 3];
+      m->group[m->group_of[face]].losing = true;
     }
   }
 }
@@ -217,11 +221,32 @@ ask_groups(sg_merge *m)
   return SG_MERGE_DONE;
 }
 
+/* Asks about the vertices of faces that are not one triangle, or in a group. */
+static void
+ask_about(sg_merge *m)
+{
+  const sg_solid *solid = m->solid;
+
+  memset(m->fate, SG_KEPT, solid->vertices);
+  for (size_t f = 0; f < solid->faces; f++) {
+    const sg_solid_face *face = &solid->face[f];
+    if (face->n == 1 && m->group_of[f] == SG_NOTHING) {
+      continue;
+    }
+    for (uint32_t t = face->first; t < face->first + face->n; t++) {
+      for (int k = 0; k < 3; k++) {
+        m->fate[solid->triangle[t][k]] = SG_ASKED;
+      }
+    }
+  }
+}
+
 sg_merge_end
 sg_merge_vertices(sg_merge *m)
 {
   size_t blocks = (m->solid->vertices + BLOCK - 1) / BLOCK;
 
+  ask_about(m);
   if (!sg_crew_run(m->options->crew, blocks, do_block, m, m->options->poll)) {
     return SG_MERGE_STOPPED;
   }

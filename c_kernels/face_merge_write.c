@@ -1,30 +1,41 @@
 /* face_merge_write.c -- the solid anew: see face_merge_private.h.
  *
- * Layer: kernel.
+ * Layer: kernel. In place: a face is written where the last of its parts stood,
+ * so nothing is written over that is still to be read; what parts are to keep
+ * is set aside first.
  */
 #include "face_merge_private.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* The solid that is being written; everything in it fits. */
-typedef struct writer {
-  const sg_merge *m;
-  sg_solid *out;
-  uint32_t *number; /* [vertices]: new ones, SG_NOTHING: in no triangle */
-  const struct sg_solid_part *part; /* the old ones, by face */
-  size_t parts, next;               /* the first of the face at hand */
-} writer;
-
 typedef struct sg_solid_part part;
 
-static const sg_group *
+typedef struct writer {
+  sg_merge *m;
+  sg_solid *solid;
+  size_t triangles, faces; /* written */
+  uint32_t (*kept)[3];     /* [kepts]: what was set aside */
+  uint8_t *kept_auxiliary;
+  size_t kepts, taken;
+  uint32_t *number; /* [vertices]: new ones, or SG_NOTHING */
+  part *part;       /* [parts]: new ones */
+  size_t parts;
+} writer;
+
+static sg_group *
 group_at(const sg_merge *m, uint32_t face)
 {
-  uint32_t number = m->group_of[m->label[face]];
-  const sg_group *group = number == SG_NOTHING ? NULL : &m->group[number];
+  uint32_t number = m->group_of ? m->group_of[face] : SG_NOTHING;
+  sg_group *group = number == SG_NOTHING ? NULL : &m->group[number];
 
   return group && group->state != SG_AS_IT_WAS ? group : NULL;
+}
+
+static uint32_t
+last_member(const sg_merge *m, const sg_group *group)
+{
+  return m->member[group->first + group->n - 1];
 }
 
 /* ---- parts -------------------------------------------------------------- */
@@ -58,203 +69,276 @@ first_part(const sg_solid *solid, uint32_t face)
   return low;
 }
 
-static void
-add_part(writer *w, int32_t s, int32_t p, bool reversed)
-{
-  w->out->part[w->out->parts++] =
-      (part){(uint32_t)w->out->faces - 1, s, p, reversed};
-}
-
-/* What face `old` came from becomes what the last face written came from. */
+/* What face `old` came from becomes what the face at hand came from. */
 static void
 add_parts(writer *w, uint32_t old)
 {
-  const sg_solid *solid = w->m->solid;
+  const sg_solid *solid = w->solid;
 
   for (size_t i = first_part(solid, old);
        i < solid->parts && solid->part[i].face == old; i++) {
-    add_part(w, solid->part[i].s, solid->part[i].p, solid->part[i].reversed);
+    w->part[w->parts] = solid->part[i];
+    w->part[w->parts++].face = (uint32_t)w->faces;
   }
 }
 
 /* Sorts the parts from `from` on and leaves out the face's own name and what is
  * there twice. */
 static void
-settle_parts(writer *w, size_t from)
+settle_parts(writer *w, size_t from, const sg_solid_face *face)
 {
-  sg_solid *out = w->out;
-  const sg_solid_face *face = &out->face[out->faces - 1];
   part own = {0, face->s, face->p, face->reversed};
-  size_t n = from;
+  size_t n = from, sorted = from + 1;
 
-  qsort(out->part + from, out->parts - from, sizeof *out->part, compare_parts);
-  for (size_t i = from; i < out->parts; i++) {
-    if (compare_parts(&out->part[i], &own) != 0 &&
-        (n == from || compare_parts(&out->part[n - 1], &out->part[i]) != 0)) {
-      out->part[n++] = out->part[i];
+  while (sorted < w->parts &&
+         compare_parts(&w->part[sorted - 1], &w->part[sorted]) <= 0) {
+    sorted++;
+  }
+  if (sorted < w->parts) {
+    qsort(w->part + from, w->parts - from, sizeof *w->part, compare_parts);
+  }
+  for (size_t i = from; i < w->parts; i++) {
+    if (compare_parts(&w->part[i], &own) != 0 &&
+        (n == from || compare_parts(&w->part[n - 1], &w->part[i]) != 0)) {
+      w->part[n++] = w->part[i];
     }
   }
-  out->parts = n;
+  w->parts = n;
 }
 
-/* ---- faces -------------------------------------------------------------- */
-
+/* The parts of all faces there will be, while the old faces are there. */
 static void
-copy_triangles(writer *w, const sg_solid_face *face)
-{
-  const sg_solid *solid = w->m->solid;
-  sg_solid *out = w->out;
-
-  memcpy(out->triangle + out->triangles, solid->triangle + face->first,
-         face->n * sizeof *out->triangle);
-  memcpy(out->auxiliary + out->triangles, solid->auxiliary + face->first,
-         face->n);
-  out->triangles += face->n;
-}
-
-/* A face as it was. */
-static void
-write_face(writer *w, uint32_t f)
-{
-  const sg_solid_face *face = &w->m->solid->face[f];
-  uint32_t first = (uint32_t)w->out->triangles;
-
-  copy_triangles(w, face);
-  w->out->face[w->out->faces++] =
-      (sg_solid_face){face->s, face->p, face->reversed, first, face->n};
-  if (w->m->solid->parts) {
-    add_parts(w, f);
-  }
-}
-
-static void
-write_group(writer *w, const sg_group *group)
-{
-  const sg_merge *m = w->m;
-  sg_solid *out = w->out;
-  const sg_solid_face *largest = &m->solid->face[group->largest];
-  uint32_t first = (uint32_t)out->triangles;
-  size_t parts = out->parts;
-
-  if (group->triangle) {
-    memcpy(out->triangle + first, group->triangle,
-           group->triangles * sizeof *out->triangle);
-    memcpy(out->auxiliary + first, group->auxiliary, group->triangles);
-    out->triangles += group->triangles;
-  }
-  out->face[out->faces++] =
-      (sg_solid_face){largest->s, largest->p, largest->reversed, first, 0};
-  for (uint32_t i = group->first; i < group->first + group->n; i++) {
-    uint32_t f = m->member[i];
-    const sg_solid_face *face = &m->solid->face[f];
-    if (!group->triangle) {
-      copy_triangles(w, face);
-    }
-    add_part(w, face->s, face->p, face->reversed);
-    add_parts(w, f);
-  }
-  settle_parts(w, parts);
-  out->face[out->faces - 1].n = (uint32_t)(out->triangles - first);
-}
-
-static void
-write_faces(writer *w)
+list_parts(writer *w)
 {
   const sg_merge *m = w->m;
 
   for (uint32_t f = 0; f < m->solid->faces; f++) {
     const sg_group *group = group_at(m, f);
+    size_t from = w->parts;
     if (!group) {
-      write_face(w, f);
-    } else if (group->label == f) {
+      add_parts(w, f);
+    } else if (f != last_member(m, group)) {
+      continue;
+    } else {
+      for (uint32_t i = group->first; i < group->first + group->n; i++) {
+        const sg_solid_face *face = &m->solid->face[m->member[i]];
+        w->part[w->parts++] =
+            (part){(uint32_t)w->faces, face->s, face->p, face->reversed};
+        add_parts(w, m->member[i]);
+      }
+      settle_parts(w, from, &m->solid->face[group->largest]);
+    }
+    w->faces++;
+  }
+  w->faces = 0;
+}
+
+/* ---- faces -------------------------------------------------------------- */
+
+static void
+keep(writer *w, uint32_t f)
+{
+  const sg_solid_face *face = &w->solid->face[f];
+
+  memcpy(w->kept + w->kepts, w->solid->triangle + face->first,
+         face->n * sizeof *w->kept);
+  memcpy(w->kept_auxiliary + w->kepts, w->solid->auxiliary + face->first,
+         face->n);
+  w->kepts += face->n;
+}
+
+/* Sets aside what groups are called, and the triangles of those that keep
+ * theirs, in the order in which they will be written. */
+static void
+set_aside(writer *w)
+{
+  const sg_merge *m = w->m;
+
+  for (uint32_t f = 0; f < w->solid->faces; f++) {
+    sg_group *group = group_at(m, f);
+    if (!group || f != last_member(m, group)) {
+      continue;
+    }
+    group->name = w->solid->face[group->largest];
+    for (uint32_t i = 0; !group->triangle && i < group->n; i++) {
+      uint32_t member = m->member[group->first + i];
+      group->triangles += w->solid->face[member].n;
+      keep(w, member);
+    }
+  }
+}
+
+static void
+write_face(writer *w, const sg_solid_face *name, const uint32_t (*triangle)[3],
+           const uint8_t *auxiliary, uint32_t n)
+{
+  sg_solid *solid = w->solid;
+  sg_solid_face face = *name;
+
+  face.first = (uint32_t)w->triangles;
+  face.n = n;
+  memmove(solid->triangle + w->triangles, triangle,
+          n * sizeof *solid->triangle);
+  memmove(solid->auxiliary + w->triangles, auxiliary, n);
+  solid->face[w->faces++] = face;
+  w->triangles += n;
+}
+
+static void
+write_group(writer *w, const sg_group *group)
+{
+  uint32_t n = (uint32_t)group->triangles;
+
+  if (group->triangle) {
+    write_face(w, &group->name, (const uint32_t(*)[3])group->triangle,
+               group->auxiliary, n);
+  } else {
+    write_face(w, &group->name, (const uint32_t(*)[3])(w->kept + w->taken),
+               w->kept_auxiliary + w->taken, n);
+    w->taken += n;
+  }
+}
+
+static void
+write_faces(writer *w)
+{
+  sg_solid *solid = w->solid;
+
+  for (uint32_t f = 0; f < solid->faces; f++) {
+    const sg_group *group = group_at(w->m, f);
+    const sg_solid_face face = solid->face[f];
+    if (!group) {
+      write_face(w, &face, (const uint32_t(*)[3])(solid->triangle + face.first),
+                 solid->auxiliary + face.first, face.n);
+    } else if (f == last_member(w->m, group)) {
       write_group(w, group);
     }
   }
+  solid->faces = w->faces;
+  solid->triangles = w->triangles;
 }
 
 /* ---- vertices ----------------------------------------------------------- */
 
-/* Copies the vertices that are in triangles, in their order, and what the made
- * ones are called. */
-static void
-write_vertices(writer *w)
+static bool
+is_gone(const sg_merge *m, size_t v)
 {
-  const sg_solid *solid = w->m->solid;
-  sg_solid *out = w->out;
-  const uint32_t *corner = (const uint32_t *)out->triangle;
+  return m->first[v] == m->first[v + 1] ||
+         (m->fate && (m->fate[v] == SG_INNER || m->fate[v] == SG_DROPPED));
+}
 
-  memset(w->number, 0xff, solid->vertices * sizeof *w->number);
-  for (size_t i = 0; i < 3 * out->triangles; i++) {
-    w->number[corner[i]] = 0;
+/* Numbers what is left, in its order; false: all of it is. */
+static bool
+number_vertices(writer *w)
+{
+  uint32_t n = 0;
+
+  for (size_t v = 0; v < w->solid->vertices; v++) {
+    w->number[v] = is_gone(w->m, v) ? SG_NOTHING : n++;
+  }
+  return n < w->solid->vertices;
+}
+
+/* Moves the vertices that are left, and what the made ones are called. */
+static void
+move_vertices(writer *w)
+{
+  sg_solid *solid = w->solid;
+  size_t plain = 0, n = 0;
+
+  for (size_t v = 0; v < solid->plain; v++) {
+    plain += w->number[v] != SG_NOTHING;
   }
   for (size_t v = 0; v < solid->vertices; v++) {
-    out->plain = v == solid->plain ? out->vertices : out->plain;
-    if (w->number[v] != SG_NOTHING) {
-      w->number[v] = (uint32_t)out->vertices;
-      out->vertex[out->vertices++] = solid->vertex[v];
+    uint32_t *name = v < solid->plain ? NULL : solid->origin[v - solid->plain];
+    if (w->number[v] == SG_NOTHING) {
+      free(name);
+      continue;
     }
+    solid->vertex[n] = solid->vertex[v];
+    if (v >= solid->plain) {
+      solid->origin[n - plain] = name;
+    }
+    n++;
   }
-  out->plain = solid->plain == solid->vertices ? out->vertices : out->plain;
-  for (size_t t = 0; t < out->triangles; t++) {
+  solid->plain = plain;
+  solid->vertices = n;
+}
+
+static void
+number_corners(const writer *w)
+{
+  for (size_t t = 0; t < w->solid->triangles; t++) {
     for (int k = 0; k < 3; k++) {
-      out->triangle[t][k] = w->number[out->triangle[t][k]];
+      uint32_t *corner = &w->solid->triangle[t][k];
+      *corner = w->number[*corner];
     }
   }
 }
 
-/* Hands the names of made vertices over; those of others are freed. */
-static void
-hand_over_names(const writer *w)
-{
-  const sg_solid *solid = w->m->solid;
-  uint32_t **origin = w->out->origin;
+/* ---- all of it ---------------------------------------------------------- */
 
-  for (size_t v = solid->plain; solid->origin && v < solid->vertices; v++) {
-    uint32_t **name = &solid->origin[v - solid->plain];
-    if (w->number[v] == SG_NOTHING) {
-      free(*name);
-    } else {
-      origin[w->number[v] - w->out->plain] = *name;
-    }
-    *name = NULL;
+/* Whether the solid will have parts. */
+static bool
+has_parts(const sg_merge *m)
+{
+  bool any = m->solid->parts > 0;
+
+  for (size_t i = 0; !any && i < m->groups; i++) {
+    any = m->group[i].n > 1 && m->group[i].state != SG_AS_IT_WAS;
   }
+  return any;
 }
 
 static bool
-make_room(const sg_merge *m, sg_solid *out)
+make_room(writer *w)
 {
-  const sg_solid *solid = m->solid;
-  size_t triangles = solid->triangles;
+  const sg_merge *m = w->m;
+  size_t kept = 0;
 
-  for (size_t i = 0; i < m->groups; i++) {
-    triangles += m->group[i].triangles;
+  for (size_t i = 0; i < m->members; i++) {
+    const sg_group *group = group_at(m, m->member[i]);
+    kept += group && !group->triangle ? m->solid->face[m->member[i]].n : 0;
   }
-  out->vertex = malloc((solid->vertices + 1) * sizeof *out->vertex);
-  out->origin = calloc(solid->vertices - solid->plain + 1, sizeof *out->origin);
-  out->triangle = malloc((triangles + 1) * sizeof *out->triangle);
-  out->auxiliary = malloc(triangles + 1);
-  out->face = malloc((solid->faces + 1) * sizeof *out->face);
-  out->part = malloc((solid->parts + m->members + 1) * sizeof *out->part);
-  return out->vertex && out->origin && out->triangle && out->auxiliary &&
-         out->face && out->part;
+  w->kept = malloc((kept + 1) * sizeof *w->kept);
+  w->kept_auxiliary = malloc(kept + 1);
+  w->number = malloc((m->solid->vertices + 1) * sizeof *w->number);
+  w->part = malloc((m->solid->parts + m->members + 1) * sizeof *w->part);
+  return w->kept && w->kept_auxiliary && w->number && w->part;
+}
+
+static void
+write_all(writer *w)
+{
+  sg_solid *solid = w->solid;
+
+  if (has_parts(w->m)) {
+    list_parts(w);
+  }
+  set_aside(w);
+  write_faces(w);
+  free(solid->part);
+  solid->part = w->part;
+  solid->parts = w->parts;
+  w->part = NULL;
+  if (number_vertices(w)) {
+    move_vertices(w);
+    number_corners(w);
+  }
 }
 
 sg_merge_end
-sg_merge_write(const sg_merge *m, sg_solid *out)
+sg_merge_write(sg_merge *m, sg_solid *solid)
 {
-  writer w = {.m = m, .out = out};
+  writer w = {.m = m, .solid = solid};
+  bool room = make_room(&w);
 
-  *out = (sg_solid){0};
-  w.number = malloc((m->solid->vertices + 1) * sizeof *w.number);
-  bool written = w.number && make_room(m, out);
-  if (written) {
-    write_faces(&w);
-    write_vertices(&w);
-    hand_over_names(&w);
-  } else {
-    out->plain = out->vertices = 0;
-    sg_solid_clear(out);
+  if (room) {
+    write_all(&w);
   }
+  free(w.kept);
+  free(w.kept_auxiliary);
   free(w.number);
-  return written ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
+  free(w.part);
+  return room ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
 }
