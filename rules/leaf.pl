@@ -88,14 +88,14 @@ curve_kept(S-E) :-
 were_cut(S1, S2) :-
     line(_, S1, _, _, _, S2, _, _, _).
 were_cut(S1, S2) :-
-    (   Curve = S1,
-        Other = S2
-    ;   Curve = S2,
-        Other = S1
-    ),
-    origin(Curve, v(_), Origin),
-    origin_segment(Origin, Other),
-    S1 < S2,
+    findall(Curve-(S1-S2),
+            ( ( Curve = S1, Other = S2 ; Curve = S2, Other = S1 ),
+              origin(Curve, v(_), Origin),
+              origin_segment(Origin, Other),
+              S1 < S2 ),
+            Named0),
+    sort(Named0, Named),                % is_curve/1 is dear: once for each
+    member(Curve-(S1-S2), Named),
     is_curve(Curve).
 
 %   is_curve(+S): it has no triangles. That is looked for among all, so last.
