@@ -3,37 +3,15 @@
 
 #include <math.h>
 
-void
-sg_newell_init(sg_newell *sum)
-{
-  *sum = (sg_newell){.n = 0};
-}
-
-void
-sg_newell_edge(sg_newell *sum, const double start[3], const double end[3])
-{
-  double a[3], b[3];
-
-  for (int k = 0; k < 3; k++) {
-    if (sum->n == 0) {
-      sum->origin[k] = start[k];
-    }
-    a[k] = start[k] - sum->origin[k];
-    b[k] = end[k] - sum->origin[k];
-    sum->mean[k] += a[k];
-  }
-  sum->doubled[0] += a[1] * b[2] - a[2] * b[1];
-  sum->doubled[1] += a[2] * b[0] - a[0] * b[2];
-  sum->doubled[2] += a[0] * b[1] - a[1] * b[0];
-  sum->n++;
-}
-
 /* The length, safe from overflow and underflow. */
 static double
 length(const double v[3])
 {
-  double most = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+  double most = fabs(v[0]);
 
+  for (int k = 1; k < 3; k++) {
+    most = fabs(v[k]) > most ? fabs(v[k]) : most; /* fmax() is a call */
+  }
   if (!(most > 0) || !isfinite(most)) {
     return most;
   }

@@ -29,8 +29,31 @@ typedef struct sg_newell {
   size_t n;
 } sg_newell;
 
-void sg_newell_init(sg_newell *sum);
-void sg_newell_edge(sg_newell *sum, const double start[3], const double end[3]);
+static inline void
+sg_newell_init(sg_newell *sum)
+{
+  *sum = (sg_newell){.n = 0};
+}
+
+/* Here, since every edge of a model goes through it. */
+static inline void
+sg_newell_edge(sg_newell *sum, const double start[3], const double end[3])
+{
+  double a[3], b[3];
+
+  for (int k = 0; k < 3; k++) {
+    if (sum->n == 0) {
+      sum->origin[k] = start[k];
+    }
+    a[k] = start[k] - sum->origin[k];
+    b[k] = end[k] - sum->origin[k];
+    sum->mean[k] += a[k];
+  }
+  sum->doubled[0] += a[1] * b[2] - a[2] * b[1];
+  sum->doubled[1] += a[2] * b[0] - a[0] * b[2];
+  sum->doubled[2] += a[0] * b[1] - a[1] * b[0];
+  sum->n++;
+}
 
 /* The plane through the mean of the vertices. False: no edges, an area of
  * exactly 0, or numbers out of range. Components are never -0.0. */

@@ -231,11 +231,23 @@ sg_table_vacate(sg_table *table, sg_row row)
   page->taken[place / 64] &= ~(UINT64_C(1) << place % 64);
 }
 
+static bool
+has_refs(const sg_table *table)
+{
+  for (unsigned c = 0; c < table->info->arity; c++) {
+    if (is_ref(table->info->column[c].type)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /* Vacates what no map shows; returns how many. */
 static size_t
 sweep_page(sg_table *table, size_t number, sg_map *const *map, size_t maps)
 {
   sg_page *page = table->page[number];
+  bool refs = has_refs(table);
   size_t vacated = 0;
 
   for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
@@ -244,10 +256,12 @@ sweep_page(sg_table *table, size_t number, sg_map *const *map, size_t maps)
       const sg_live *live = sg_map_live(map[m], number);
       gone &= live ? ~live->word[w] : ~UINT64_C(0);
     }
-    for (; gone; gone &= gone - 1, vacated++) {
-      sg_table_vacate(table, (sg_row)(number * SG_PAGE_ROWS + w * 64 +
-                                      (unsigned)__builtin_ctzll(gone)));
+    vacated += (size_t)__builtin_popcountll(gone);
+    for (uint64_t left = gone; refs && left; left &= left - 1) {
+      give_refs(table, page, w * 64 + (unsigned)__builtin_ctzll(left),
+                table->info->arity);
     }
+    page->taken[w] &= ~gone;
   }
   return vacated;
 }
@@ -257,7 +271,10 @@ static void
 trim_slots(sg_table *table)
 {
   while (table->slots > 0 && !sg_table_taken(table, table->slots - 1)) {
-    table->slots--;
+    sg_row last = table->slots - 1;
+    bool none =
+        table->page[last / SG_PAGE_ROWS]->taken[last % SG_PAGE_ROWS / 64] == 0;
+    table->slots = none ? last / 64 * 64 : last;
   }
 }
 
