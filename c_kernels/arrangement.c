@@ -197,6 +197,36 @@ note_touched(sg_arrangement *a)
   }
 }
 
+/* Where a leaf is not one sheet, nothing hangs together, and its edges of more
+ * than two triangles are as lines. */
+static bool
+note_knots(sg_arrangement *a)
+{
+  for (uint32_t i = 0; i < a->leaves.n; i++) {
+    const sg_knots *knots = a->leaves.knots[i];
+
+    if (!a->leaf[i].wanted) {
+      continue;
+    }
+    for (size_t k = 0; k < knots->vertices; k++) {
+      uint32_t node = sg_arrangement_node(&a->leaf[i], knots->vertex[k]);
+
+      if (node != SG_NO_KEY) {
+        a->touched[node] = 1;
+      }
+    }
+    for (size_t k = 0; k < knots->edges; k++) {
+      uint32_t key[3];
+
+      line_key(i, knots->edge[k][0], knots->edge[k][1], key);
+      if (!note(&a->barrier, key)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /* ---- opening ---- */
 
 static bool
@@ -244,6 +274,10 @@ sg_arrangement_open(const sg_leaves *leaves)
     return NULL;
   }
   note_touched(a);
+  if (!note_knots(a)) {
+    sg_arrangement_close(a);
+    return NULL;
+  }
   return a;
 }
 

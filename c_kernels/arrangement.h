@@ -19,6 +19,7 @@
 #define SG_ARRANGEMENT_H
 
 #include "cut_set.h"
+#include "knots.h"
 #include "leaf_tree.h"
 #include "solid.h"
 #include "triangulate.h"
@@ -56,7 +57,8 @@ typedef struct sg_leaves {
   const bool *wanted;              /* [n]: in pieces */
   const bool *surface;             /* [n]: it has no inside */
   size_t n;
-  const int32_t (*near)[2]; /* [pairs]: segments */
+  const sg_knots *const *knots; /* [n]: of the trees */
+  const int32_t (*near)[2];     /* [pairs]: segments */
   size_t pairs;
 } sg_leaves;
 

@@ -33,11 +33,13 @@ close_handle(sg_arrangement_handle *h)
   }
   free(h->tree);
   free(h->own);
+  free(h->knots);
   free(h->s);
   free(h->wanted);
   free(h->surface);
   h->tree = NULL;
   h->own = NULL;
+  h->knots = NULL;
   h->s = NULL;
   h->wanted = NULL;
   h->surface = NULL;
@@ -174,14 +176,18 @@ hold_trees_ex(sg_arrangement_handle *h)
 
   h->tree = calloc(h->n + 1, sizeof(sg_kept_tree *));
   h->own = calloc(h->n + 1, sizeof(sg_leaf_tree *));
-  good = h->tree && h->own && crew
+  h->knots = calloc(h->n + 1, sizeof(sg_knots *));
+  good = h->tree && h->own && h->knots && crew
              ? sg_trees_hold_ex(h->set->world, h->set->version, &h->set->views,
                                 h->s, h->n, crew, h->tree)
              : sg_no_memory();
-  sg_crew_close(crew);
   for (size_t i = 0; good && i < h->n; i++) {
     h->own[i] = h->tree[i]->tree;
+    good =
+        !h->wanted[i] || sg_kept_knots_ex(h->tree[i], h->set->version,
+                                          &h->set->views, crew, &h->knots[i]);
   }
+  sg_crew_close(crew);
   return good;
 }
 
@@ -212,6 +218,7 @@ arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
                      .wanted = h->wanted,
                      .surface = h->surface,
                      .n = h->n,
+                     .knots = h->knots,
                      .near = (const int32_t(*)[2])h->set->pair,
                      .pairs = h->set->pairs});
     good = h->arrangement || sg_no_memory();

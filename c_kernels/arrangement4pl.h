@@ -19,6 +19,7 @@ typedef struct sg_arrangement_handle {
   bool *surface;               /* [n] */
   sg_kept_tree **tree;         /* [n], held */
   const sg_leaf_tree **own;    /* [n]: the same, as the kernel wants them */
+  const sg_knots **knots;      /* [n]: theirs */
   size_t n;
 } sg_arrangement_handle;
 

@@ -154,18 +154,51 @@ keep_cut_row(sg_arrangement *a, uint32_t leaf, int32_t p, uint32_t row)
   return true;
 }
 
-/* The node of a polygon with a touched vertex. */
+/* Joins `node` (SG_NO_KEY: none yet) with what has the key. False: no memory.
+ */
+static bool
+join_by_key(sg_arrangement *a, sg_key_table *of_polygon, const uint32_t key[4],
+            uint32_t *node)
+{
+  uint32_t *other = sg_key_table_put(of_polygon, key);
+
+  if (!other) {
+    return false;
+  }
+  if (*other == SG_NO_KEY) {
+    *node = *node == SG_NO_KEY ? sg_arrangement_new_node(a) : *node;
+    *other = *node;
+  } else if (*node == SG_NO_KEY) {
+    *node = *other;
+  } else {
+    sg_arrangement_hang(a, *node, *other);
+  }
+  return *node != SG_NO_KEY;
+}
+
+/* The node of a triangle with a touched vertex: that of its polygon, or where
+ * edges of more than two triangles may run through that, of what is on its side
+ * of them. */
 static uint32_t
 polygon_node(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
-             int32_t p)
+             const sg_leaf *t)
 {
-  uint32_t key[2] = {leaf, (uint32_t)p};
-  uint32_t *node = sg_key_table_put(of_polygon, key);
+  uint32_t key[4] = {leaf, (uint32_t)t->p, 0, 0}, node = SG_NO_KEY;
 
-  if (node && *node == SG_NO_KEY) {
-    *node = sg_arrangement_new_node(a);
+  if (a->leaves.knots[leaf]->edges == 0) {
+    return join_by_key(a, of_polygon, key, &node) ? node : SG_NO_KEY;
   }
-  return node ? *node : SG_NO_KEY;
+  for (int c = 0; c < 3; c++) {
+    int32_t v1 = t->v[c], v2 = t->v[(c + 1) % 3];
+
+    key[2] = (uint32_t)(v1 < v2 ? v1 : v2);
+    key[3] = (uint32_t)(v1 < v2 ? v2 : v1);
+    if (!sg_arrangement_is_line(a, leaf, v1, v2) &&
+        !join_by_key(a, of_polygon, key, &node)) {
+      return SG_NO_KEY;
+    }
+  }
+  return node != SG_NO_KEY ? node : sg_arrangement_new_node(a);
 }
 
 /* Hangs a triangle's free vertices together, and if it has another one, what is
@@ -191,7 +224,7 @@ hang_triangle(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
     }
   }
   if (vertices < 3) {
-    uint32_t node = polygon_node(a, of_polygon, leaf, t->p);
+    uint32_t node = polygon_node(a, of_polygon, leaf, t);
 
     if (node == SG_NO_KEY) {
       return false;
@@ -285,7 +318,7 @@ sg_arrangement_flood(sg_arrangement *a, const sg_poll *poll)
   sg_key_table of_polygon, over;
   bool good = list_cut(a) && find_rows(a, poll);
 
-  sg_key_table_init(&of_polygon, 2);
+  sg_key_table_init(&of_polygon, 4);
   sg_key_table_init(&over, 3);
   for (uint32_t i = 0; i < a->leaves.n && good; i++) {
     good = flood_leaf(a, i, &of_polygon, poll);

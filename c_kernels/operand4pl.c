@@ -61,25 +61,63 @@ close_asking(asking *a)
 /* The operand as this version shows it. It is kept if it is the first; edges
  * that change alone, without vertices and triangles, are rare. */
 static int
-operand_ex(asking *a, sg_operand *out)
+operand_of_ex(sg_kept_tree *kept, const sg_version *version,
+              const sg_leaf_views *views, sg_crew *crew, sg_operand *out)
 {
-  uint64_t stamp = sg_version_stamp(a->version, SG_E, a->s);
-  sg_kept_operand *there = atomic_load(&a->kept->operand), *fresh;
+  uint64_t stamp = sg_version_stamp(version, SG_E, kept->s);
+  sg_kept_operand *there = atomic_load(&kept->operand), *fresh;
 
   if (there && there->stamp == stamp) {
     *out = there->operand;
     return TRUE;
   }
-  if (!sg_operand_see(a->kept->tree, &a->views, a->crew, &sg_prolog_poll,
-                      out)) {
+  if (!sg_operand_see(kept->tree, views, crew, &sg_prolog_poll, out)) {
     return failed_ex();
   }
   if (!there && (fresh = malloc(sizeof *fresh))) {
     *fresh = (sg_kept_operand){*out, stamp};
-    if (!atomic_compare_exchange_strong(&a->kept->operand, &there, fresh)) {
+    if (!atomic_compare_exchange_strong(&kept->operand, &there, fresh)) {
       free(fresh); /* another thread was first */
     }
   }
+  return TRUE;
+}
+
+static int
+operand_ex(asking *a, sg_operand *out)
+{
+  return operand_of_ex(a->kept, a->version, &a->views, a->crew, out);
+}
+
+int
+sg_kept_knots_ex(sg_kept_tree *kept, const sg_version *version,
+                 const sg_leaf_views *views, sg_crew *crew,
+                 const sg_knots **out)
+{
+  sg_knots *there = atomic_load(&kept->knots), *fresh;
+  sg_operand operand;
+
+  if (!there) {
+    if (!operand_of_ex(kept, version, views, crew, &operand)) {
+      return FALSE;
+    }
+    if (!(fresh = calloc(1, sizeof *fresh))) {
+      return sg_no_memory();
+    }
+    if (!operand.star &&
+        !sg_knots_find(kept->tree, views, &sg_prolog_poll, fresh)) {
+      sg_knots_clear(fresh);
+      free(fresh);
+      return failed_ex();
+    }
+    if (atomic_compare_exchange_strong(&kept->knots, &there, fresh)) {
+      there = fresh;
+    } else { /* another thread was first */
+      sg_knots_clear(fresh);
+      free(fresh);
+    }
+  }
+  *out = there;
   return TRUE;
 }
 

@@ -28,6 +28,10 @@ sg_kept_tree_drop(sg_kept_tree *kept)
   if (kept && atomic_fetch_sub(&kept->holders, 1) == 1) {
     sg_leaf_tree_close(kept->tree);
     free(atomic_load(&kept->operand));
+    if (atomic_load(&kept->knots)) {
+      sg_knots_clear(atomic_load(&kept->knots));
+      free(atomic_load(&kept->knots));
+    }
     free(kept);
   }
 }

@@ -10,6 +10,7 @@
 
 #include "../engine/world4pl.h"
 
+#include "knots.h"
 #include "leaf_tree.h"
 #include "operand.h"
 
@@ -38,6 +39,7 @@ typedef struct sg_kept_tree {
   sg_leaf_tree *tree;
   atomic_int self;                    /* sg_self_known */
   _Atomic(sg_kept_operand *) operand; /* null: not asked yet */
+  _Atomic(sg_knots *) knots;          /* the same */
 } sg_kept_tree;
 
 /* The trees of n segments (ascending numbers) as `version` of `world` shows
@@ -48,6 +50,12 @@ int sg_trees_hold_ex(sg_world *world, const sg_version *version,
                      const sg_leaf_views *views, const int32_t *s, size_t n,
                      sg_crew *crew, sg_kept_tree **out);
 void sg_kept_tree_drop(sg_kept_tree *kept);
+
+/* Where the surface of a kept tree is not one sheet; kept with it, so it is
+ * good as long as the tree is held. False: an exception is pending. */
+int sg_kept_knots_ex(sg_kept_tree *kept, const sg_version *version,
+                     const sg_leaf_views *views, sg_crew *crew,
+                     const sg_knots **out);
 
 /* The box round the vertices of segment s, if its tree is kept. */
 bool sg_kept_box(sg_world *world, const sg_version *version, int32_t s,

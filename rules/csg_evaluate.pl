@@ -17,7 +17,8 @@
                 segment_stamps/2
               ]).
 :- use_module(csg_rows, [copy_segment/3, drop_boundary/1]).
-:- use_module(operand, [checked_operand/1]).
+:- use_module(kernel, [segment_meets_itself/1]).
+:- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ segment/3, retractall_facts/1, facts_transaction/1,
@@ -135,14 +136,16 @@ renewed(S, From) :-
     complete_segments,
     record(S, evaluated(From)).
 
-%   made(From, S): a segment alone is copied, nothing is nothing. Open surfaces
+%   made(From, S): a segment alone is copied if it does not go through itself,
+%   nothing is nothing. Open surfaces
 %   are added to a union as they are (CB-2).
 
 made(join(Stamps, Matrix), S) :-
     forall(member(Child-_, Stamps), copy_segment(Child, Matrix, S)).
 made(of(Expression, Surfaces, _, Tolerance), S) :-
     rounded_identity(Identity),
-    (   integer(Expression)
+    (   integer(Expression),
+        \+ meets_itself(Expression)
     ->  copy_segment(Expression, Identity, S)
     ;   Expression == union([])
     ->  true
@@ -152,6 +155,13 @@ made(of(Expression, Surfaces, _, Tolerance), S) :-
         boolean(Expression, S, Options)
     ),
     forall(member(Surface, Surfaces), copy_segment(Surface, Identity, S)).
+
+%   A solid that goes through itself is united with itself.
+
+meets_itself(Leaf) :-
+    segment(Leaf, solid, _),
+    operand_faults(Leaf, []),
+    segment_meets_itself(Leaf).
 
 tolerance_options(default, []) :-
     !.

@@ -200,23 +200,6 @@ test(touching_edge, Ds == [touching_edge]) :-
     findall(Name, ( member(D, Ds0), functor(D, Name, _),
                     Name \== pinched_vertex ), Ds).
 
-welded :-
-    findall(p(X,Y,Z)-V, v(1, V, X, Y, Z), Vs0),
-    msort(Vs0, Vs),
-    forall(( nextto(At-V, At-W, Vs) ), renamed(W, V)).
-
-renamed(W, V) :-
-    forall(( member(A-B, [W-_,_-W]), e(1, E, A, B, T) ),
-           ( retractall_facts(e(1, E, _, _, _)),
-             ( A == W -> assert_fact(e(1, E, V, B, T))
-             ; assert_fact(e(1, E, A, V, T)) ) )),
-    findall(T, ( member(A-B-C, [W-_-_,_-W-_,_-_-W]), t(1, _, T, A, B, C) ), Ts),
-    forall(member(T, Ts),
-           ( t(1, P, T, _, _, _),
-             retractall_facts(t(1, P, _, _, _, _)) -> true ; true )),
-    retractall_facts(v(1, W, _, _, _)),
-    complete_segments.
-
 test(nested, Ds == [nested_shell(1, 7, 1), nested_shell(1, 13, 2)]) :-
     box(2,2,2, 0,0,0.5, B),
     box(1,1,1, 0,0,1, C),

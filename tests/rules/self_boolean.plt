@@ -117,4 +117,35 @@ test(cut_before, V-Fs == 15.0-[]) :-
                 ( penetrate([1-1]), result(union([1]), V0, Fs) )),
     V is round(V0*1.0e9)/1.0e9.
 
+%   Shells that have vertices in common, and edges; and a segment that is cut
+%   already where it goes through itself, but nothing says so.
+
+test(welded, Bad == []) :-
+    findall(Seed, ( between(1, 30, Seed),
+                    random_shells(Seed, random_box, Shells),
+                    \+ as_apart(Shells, welded) ), Bad).
+test(cut_and_forgotten, Bad == []) :-
+    findall(Seed, ( between(31, 60, Seed),
+                    random_shells(Seed, random_box, Shells),
+                    \+ as_apart(Shells, cut_and_forgotten) ), Bad).
+
+:- meta_predicate as_apart(+, 0).
+
+as_apart(Shells, First) :-
+    one_segment(Shells, ( First, result(union([1]), Volume, Faults) )),
+    length(Shells, N),
+    numlist(1, N, Ss),
+    shells(Shells, result(union(Ss), Volume2, _)),
+    Faults == [],
+    abs(Volume-Volume2) =< 1.0e-9.
+
+cut_and_forgotten :-
+    penetrate([1-1]),
+    retractall_facts(line(_, _, _, _, _, _, _, _, _)),
+    retractall_facts(origin(_, _, _)),
+    retractall_facts(leaf_e(_, _, _, _, _)),
+    retractall_facts(leaf_p(_, _, _)),
+    retractall_facts(leaf_t(_, _, _, _, _, _)),
+    welded.
+
 :- end_tests(self_boolean).

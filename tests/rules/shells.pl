@@ -1,6 +1,7 @@
 :- module(test_shells,
           [ shells/2,                   % +Primitives, :Goal
-            one_segment/2               % +Primitives, :Goal
+            one_segment/2,              % +Primitives, :Goal
+            welded/0                    %
           ]).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
@@ -59,3 +60,36 @@ shell_put(_-Vs-Es-Ps, V0-E0-P0, V1-E1-P1) :-
     V1 is V0+MaxV,
     E1 is E0+MaxE,
     P1 is P0+MaxP.
+
+%   welded: vertices of segment 1 in one place are one.
+
+welded :-
+    findall(p(X,Y,Z)-V, v(1, V, X, Y, Z), Vs0),
+    msort(Vs0, Vs),
+    findall(W-V, same(Vs, W, V), Renamed),
+    maplist(renamed, Renamed),
+    retractall_facts(t(1, _, _, _, _, _)),
+    complete_segments.
+
+same([At-V|Vs], W, V1) :-
+    same(Vs, At, V, W, V1).
+
+same([At-V2|Vs], At0, V0, W, V) :-
+    (   At == At0
+    ->  (   W = V2,
+            V = V0
+        ;   same(Vs, At0, V0, W, V)
+        )
+    ;   same(Vs, At, V2, W, V)
+    ).
+
+renamed(W-V) :-
+    forall(( member(A-B, [W-_,_-W]), e(1, E, A, B, T) ),
+           ( retractall_facts(e(1, E, _, _, _)),
+             (   A == W
+             ->  assert_fact(e(1, E, V, B, T))
+             ;   assert_fact(e(1, E, A, V, T))
+             ) )),
+    forall(member(A-B-C, [W-_-_,_-W-_,_-_-W]),
+           retractall_facts(t(1, _, _, A, B, C))),
+    retractall_facts(v(1, W, _, _, _)).
