@@ -125,7 +125,7 @@ sg_kept_knots_ex(sg_kept_tree *kept, const sg_version *version,
 static int
 self_ex(asking *a, bool *out)
 {
-  int known = atomic_load(&a->kept->self);
+  sg_self_known known = sg_self_known_of(a->world, a->kept);
   sg_operand operand;
 
   if (known == SG_SELF_NOT_ASKED) {
@@ -138,7 +138,7 @@ self_ex(asking *a, bool *out)
       return failed_ex();
     }
     known = *out ? SG_SELF_MEETS : SG_SELF_APART;
-    atomic_store(&a->kept->self, known);
+    sg_self_keep(a->world, a->kept, known);
   }
   *out = known == SG_SELF_MEETS;
   return TRUE;

@@ -12,9 +12,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { CONTENTS = 4 }; /* of a segment that are remembered */
+
+/* What is known of some contents of a segment. */
+typedef struct self_entry {
+  int32_t s;
+  uint64_t stamp[2]; /* of v/5 and t/6 */
+  sg_self_known known;
+} self_entry;
+
 /* What a world keeps: its note SG_NOTE_TREES. */
 typedef struct tree_store {
   pthread_mutex_t lock;
+  self_entry *self; /* by segment, then the oldest first */
+  size_t selves, self_room;
   sg_kept_tree **kept; /* by segment, ascending */
   size_t n, room;
   uint64_t grown, found;
@@ -46,6 +57,7 @@ close_store(void *note)
       sg_kept_tree_drop(store->kept[i]);
     }
     free(store->kept);
+    free(store->self);
     pthread_mutex_destroy(&store->lock);
     free(store);
   }
@@ -302,6 +314,106 @@ sg_trees_hold_ex(sg_world *world, const sg_version *version,
     out[i] = NULL;
   }
   return FALSE;
+}
+
+/* ---- whether segments go through themselves ---- */
+
+/* Where the entries of segment s begin, or would. Under the lock. */
+static size_t
+selves_of(const tree_store *store, int32_t s)
+{
+  size_t low = 0, high = store->selves;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if (store->self[middle].s < s) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+static const self_entry *
+find_self(const tree_store *store, const sg_kept_tree *kept)
+{
+  for (size_t i = selves_of(store, kept->s);
+       i < store->selves && store->self[i].s == kept->s; i++) {
+    const self_entry *entry = &store->self[i];
+
+    if (entry->stamp[0] == kept->stamp[0] &&
+        entry->stamp[1] == kept->stamp[1]) {
+      return entry;
+    }
+  }
+  return NULL;
+}
+
+sg_self_known
+sg_self_known_of(sg_world *world, const sg_kept_tree *kept)
+{
+  tree_store *store = store_of(world);
+  sg_self_known known = SG_SELF_NOT_ASKED;
+
+  if (store) {
+    pthread_mutex_lock(&store->lock);
+    const self_entry *entry = find_self(store, kept);
+
+    known = entry ? entry->known : known;
+    pthread_mutex_unlock(&store->lock);
+  }
+  return known;
+}
+
+/* Makes room for one more entry of s, its newest; SIZE_MAX: no memory. */
+static size_t
+new_self(tree_store *store, int32_t s)
+{
+  size_t first = selves_of(store, s), end = first;
+
+  while (end < store->selves && store->self[end].s == s) {
+    end++;
+  }
+  if (end - first == CONTENTS) { /* the oldest goes */
+    memmove(store->self + first, store->self + first + 1,
+            (CONTENTS - 1) * sizeof *store->self);
+    return end - 1;
+  }
+  if (store->selves == store->self_room) {
+    size_t room = 2 * store->self_room + 16;
+    self_entry *more = realloc(store->self, room * sizeof *more);
+
+    if (!more) {
+      return SIZE_MAX;
+    }
+    store->self = more;
+    store->self_room = room;
+  }
+  memmove(store->self + end + 1, store->self + end,
+          (store->selves - end) * sizeof *store->self);
+  store->selves++;
+  return end;
+}
+
+void
+sg_self_keep(sg_world *world, const sg_kept_tree *kept, sg_self_known known)
+{
+  tree_store *store = store_of(world);
+
+  if (!store) {
+    return;
+  }
+  pthread_mutex_lock(&store->lock);
+  if (!find_self(store, kept)) {
+    size_t place = new_self(store, kept->s);
+
+    if (place != SIZE_MAX) {
+      store->self[place] =
+          (self_entry){kept->s, {kept->stamp[0], kept->stamp[1]}, known};
+    }
+  }
+  pthread_mutex_unlock(&store->lock);
 }
 
 /* ---- statistics ---- */

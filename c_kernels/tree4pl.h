@@ -18,7 +18,9 @@
 
 enum { SG_TREE_STAMPS = 3 };
 
-/* Whether a segment goes through itself (self_leaf.h), once that was asked. */
+/* Whether a segment goes through itself (self_leaf.h), once that was asked.
+ * Known for the last few contents of each segment: an operation may change it
+ * for its own time, and another tree takes the place of its tree. */
 typedef enum sg_self_known {
   SG_SELF_NOT_ASKED,
   SG_SELF_APART,
@@ -37,7 +39,6 @@ typedef struct sg_kept_tree {
   int32_t s;
   uint64_t stamp[SG_TREE_STAMPS];
   sg_leaf_tree *tree;
-  atomic_int self;                    /* sg_self_known */
   _Atomic(sg_kept_operand *) operand; /* null: not asked yet */
   _Atomic(sg_knots *) knots;          /* the same */
 } sg_kept_tree;
@@ -50,6 +51,11 @@ int sg_trees_hold_ex(sg_world *world, const sg_version *version,
                      const sg_leaf_views *views, const int32_t *s, size_t n,
                      sg_crew *crew, sg_kept_tree **out);
 void sg_kept_tree_drop(sg_kept_tree *kept);
+
+sg_self_known sg_self_known_of(sg_world *world, const sg_kept_tree *kept);
+/* Without memory it is not known. */
+void sg_self_keep(sg_world *world, const sg_kept_tree *kept,
+                  sg_self_known known);
 
 /* Where the surface of a kept tree is not one sheet; kept with it, so it is
  * good as long as the tree is held. False: an exception is pending. */
