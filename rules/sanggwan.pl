@@ -27,6 +27,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
             except([ may_cut/2, merge_line/2, leaves_entered/3, touching/2 ])).
 :- reexport(exact, [vertex_exact/5]).
 :- reexport(operand).
+:- reexport(repair).
 :- reexport(inside, [inside/2, winding/3]).
 :- reexport(kernel, [exact_statistics/1]).
 :- reexport(chain).
