@@ -17,10 +17,10 @@ enum {
   LONG = 24,       /* lists longer than this are sorted */
 };
 
-/* The weak edges a task has found. */
+/* The weak edges a task has found, and how many pairs of twins. */
 typedef struct weak_list {
   uint32_t (*pair)[2];
-  size_t n, room;
+  size_t n, room, twins;
   bool no_memory;
 } weak_list;
 
@@ -225,6 +225,7 @@ pair_halves(const pairing *mesh, uint32_t v, weak_list *found)
         count_between(m, v, to, &other) == 1) {
       m->twin[half] = twin;
       m->twin[twin] = half;
+      found->twins++;
       note_weak(m, found, half, twin);
     }
   }
@@ -280,14 +281,16 @@ lists_made(sg_merge *m, size_t blocks)
 static sg_merge_end
 gather(sg_merge *m, const weak_list *found, size_t blocks)
 {
-  size_t n = 0;
+  size_t n = 0, twins = 0;
 
   for (size_t i = 0; i < blocks; i++) {
     n += found[i].n;
+    twins += found[i].twins;
     if (found[i].no_memory) {
       return SG_MERGE_NO_MEMORY;
     }
   }
+  m->regular = 2 * twins == 3 * m->solid->triangles;
   m->weak = malloc((n + 1) * sizeof *m->weak);
   if (!m->weak) {
     return SG_MERGE_NO_MEMORY;

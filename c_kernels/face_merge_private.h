@@ -59,6 +59,7 @@ typedef struct sg_merge {
   sg_leaving *leaving; /* [3 * triangles] */
   uint32_t *twin;      /* [3 * triangles]: SG_NOTHING where there is not just
                           one half-edge each way */
+  bool regular;        /* all have twins */
   uint32_t (*weak)[2]; /* [weaks]: neighbours that might be one face */
   size_t weaks;
   uint32_t *group_of; /* [faces]: or SG_NOTHING */

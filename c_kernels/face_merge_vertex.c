@@ -85,8 +85,12 @@ look_round(const sg_merge *m, uint32_t v, around *a)
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
     uint32_t out = m->leaving[i].half, in = sg_half_next(sg_half_next(out));
     note_label(a, sg_half_label(m, out));
-    a->regular =
-        a->regular && m->twin[out] != SG_NOTHING && m->twin[in] != SG_NOTHING;
+    if (!m->regular) {
+      a->regular =
+          a->regular && m->twin[out] != SG_NOTHING && m->twin[in] != SG_NOTHING;
+    } else if (a->labels > 2) {
+      return; /* that is enough to keep it */
+    }
   }
 }
 

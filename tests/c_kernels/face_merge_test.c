@@ -510,6 +510,85 @@ test_touching(void)
   sg_solid_clear(&solid);
 }
 
+/* ---- what is no closed solid, or not flat ------------------------------- */
+
+static void
+test_sheet(void)
+{
+  sg_solid solid = {0};
+  uint32_t v[5][5];
+
+  for (int i = 0; i < 5; i++) {
+    for (int j = 0; j < 5; j++) {
+      v[i][j] = add_vertex(&solid, i, j, 0);
+    }
+  }
+  for (int i = 0; i < 4; i++) {
+    for (int j = 0; j < 4; j++) {
+      if (i == 1 && j == 1) { /* a hole */
+        continue;
+      }
+      add_face(&solid, 1, 4 * i + j + 1);
+      add_triangle(&solid, v[i][j], v[i + 1][j], v[i + 1][j + 1]);
+      add_triangle(&solid, v[i][j], v[i + 1][j + 1], v[i][j + 1]);
+    }
+  }
+  place_at_random(&solid, 1);
+  CHECK("a sheet is merged", merge(&solid, TOLERANCE) == SG_MERGE_DONE);
+  CHECK("it is one face with a hole",
+        solid.faces == 1 && solid.vertices == 8 && solid.triangles == 8);
+  sg_solid_clear(&solid);
+}
+
+/* A box whose top is bent along a diagonal and has a vertex in the middle of
+ * one edge: it keeps its triangles and that vertex. */
+static void
+test_bent(void)
+{
+  cube_lump lump = {0};
+
+  fill_box(&lump, 0, 0, 0, 2, 1, 1);
+  sg_solid solid = lump_solid(&lump, EACH_SQUARE);
+  uint32_t corner = vertex_near(&solid, 0, 0, 1);
+  uint32_t kept = vertex_near(&solid, 0, 1, 1);
+  solid.vertex[corner].at[2] += 0.01;
+  solid.vertex[kept].at[2] += 0.02;
+  CHECK("a bent box is merged", merge(&solid, TOLERANCE) == SG_MERGE_DONE);
+  CHECK("nothing is opened", is_closed(&solid));
+  CHECK("what is flat is one face", solid.faces == 7);
+  CHECK("what is bent keeps its corners",
+        vertex_near(&solid, 1, 0, 1) != UINT32_MAX &&
+            vertex_near(&solid, 1, 1, 1) != UINT32_MAX &&
+            vertex_near(&solid, 1, 0, 0) == UINT32_MAX);
+  sg_solid_clear(&solid);
+}
+
+/* A cone with very many sides under a tip. */
+static void
+test_fan(void)
+{
+  const uint32_t n = 100000;
+  sg_solid solid = {0};
+  uint32_t tip = add_vertex(&solid, 0, 0, 1),
+           foot = add_vertex(&solid, 0, 0, 0);
+
+  for (uint32_t i = 0; i < n; i++) {
+    double angle = 6.283185307179586 * i / n;
+    add_vertex(&solid, cos(angle), sin(angle), 0);
+  }
+  for (uint32_t i = 0; i < n; i++) {
+    uint32_t a = 2 + i, b = 2 + (i + 1) % n;
+    add_face(&solid, 1, (int32_t)i + 1);
+    add_triangle(&solid, a, b, tip);
+    add_face(&solid, 1, (int32_t)(n + i) + 1);
+    add_triangle(&solid, b, a, foot);
+  }
+  CHECK("a cone of many sides", merge(&solid, TOLERANCE) == SG_MERGE_DONE);
+  CHECK("its base is one face",
+        solid.faces == n + 1 && solid.vertices == n + 1 && is_closed(&solid));
+  sg_solid_clear(&solid);
+}
+
 /* ---- what may be said ---------------------------------------------------- */
 
 /* Two boxes side by side, of segments 1 and 2: flush all round. */
@@ -665,6 +744,9 @@ main(void)
   test_sphere();
   test_cylinder();
   test_touching();
+  test_sheet();
+  test_bent();
+  test_fan();
   test_options();
   test_names();
   test_threads();
