@@ -1,18 +1,18 @@
 :- encoding(utf8).
 :- module(sg_solid_verbs,
           [ solid_verb/1,               % ?Verb
-            solids_output/2,            % +Ss, +File
+            solids_written/2,           % +Ss, +Outputs
             solid_verb_run/4            % +Verb, +Files, +Options, -Status
           ]).
 :- use_module(csg, [root_segment/1, is_node/1]).
 :- use_module(csg_evaluate, [evaluate/2]).
 :- use_module(csg_roots, [roots_alone/0]).
-:- use_module(csg_term, [csg_error/1, plain_name/2]).
+:- use_module(csg_term, [csg_error/1, is_node_term/1, plain_name/2]).
 :- use_module(kernel, [census/1]).
 :- use_module(language, [language/1]).
 :- use_module(model, [load_model/2, save_model/1]).
 :- use_module(report, [counted/4]).
-:- use_module(solid_file, [write_solid/2]).
+:- use_module(solid_file, [write_solid/3]).
 :- use_module(store, [p/3, segment/3, assert_fact/1, fresh_id/3]).
 :- use_module(verb_output,
               [some_files/2, outputs/3, output_written/2, usage_error/1]).
@@ -49,10 +49,38 @@ solid_verb_run(Verb, Files, Options, 0) :-
     ->  true                            % who writes it will say that it is empty
     ;   maplist(empty_warned, Ss)
     ),
-    roots_alone,
     (   Outputs == []
     ->  summary(Options, Ss)
-    ;   maplist(output_written(sg_solid_verbs:solids_output(Ss)), Outputs)
+    ;   solids_written(Ss, Outputs)
+    ).
+
+%!  solids_written(+Ss, +Outputs) is det.
+%
+%   Write the roots Ss to Outputs: one solid to a mesh as solid_file.pl does.
+%   The rest of the world may be gone afterwards.
+
+solids_written([S], Outputs) :-
+    segment(S, solid, Term),
+    \+ member(output(_, pl), Outputs),
+    !,
+    result_name(Term, Name),
+    maplist(output_written(sg_solid_verbs:solid_output(S, Name)), Outputs).
+solids_written(_, Outputs) :-
+    roots_alone,
+    maplist(output_written(sg_solid_verbs:world_output), Outputs).
+
+solid_output(S, Name, File) :-
+    write_solid(File, S, [name(Name)]).
+
+world_output(File) :-
+    save_model(File).
+
+%   result_name(Term, Name): what a segment with this Term is called in a file.
+
+result_name(Term, Name) :-
+    (   is_node_term(Term)
+    ->  plain_name(Term, Name)
+    ;   Name = Term
     ).
 
 enough_files(Verb, Files) :-
@@ -62,18 +90,6 @@ enough_files(Verb, Files) :-
     ->  usage_error(one_operand(Verb))
     ;   true
     ).
-
-%!  solids_output(+Ss, +File) is det.
-%
-%   Write the segments Ss, which are all of the world, to File: one solid to a
-%   mesh as solid_file.pl does.
-
-solids_output([S], File) :-
-    segment(S, solid, _),
-    !,
-    write_solid(File, S).
-solids_output(_, File) :-
-    save_model(File).
 
 %   asked_nodes(Verb, Files, Options): the world has what the files have, and on
 %   top the nodes that Verb makes of it.
@@ -182,7 +198,8 @@ summary(Options, Ss) :-
     ).
 
 measured(Parts, S, Dict) :-
-    segment(S, _, Name0),
+    segment(S, _, Term),
+    result_name(Term, Name0),
     format(string(Name), '~w', [Name0]),
     (   memberchk(part(S, counts(Vs, _, Es, Ps, Ts, _), _, Area, Volume, _,
                        Shells, _), Parts)

@@ -20,7 +20,7 @@
 :- use_module(query, [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
 :- use_module(report, [print_report/2]).
-:- use_module(solid_verbs, [solid_verb/1, solid_verb_run/4, solids_output/2]).
+:- use_module(solid_verbs, [solid_verb/1, solid_verb_run/4, solids_written/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ segment/3, line/9, origin/3, facts_transaction/1, new_world/1,
@@ -80,9 +80,8 @@ verb_run(convert, Files, Options, 0) :-
     ->  true
     ;   aside_segments([_|_])
     ->  evaluate,
-        roots_alone,
         findall(S, root_segment(S), Roots),
-        maplist(output_written(solids_output(Roots)), Meshes)
+        solids_written(Roots, Meshes)
     ;   maplist(output_written(model_output), Meshes)
     ).
 verb_run(penetrate, Files, Options, 0) :-
