@@ -9,7 +9,7 @@
 :- use_module(boolean, [boolean/3]).
 :- use_module(csg,
               [node/4, root_segment/1, is_node/1, complete_tree/1]).
-:- use_module(csg_flat, [flat_expression/4, flat_leaves/2]).
+:- use_module(csg_flat, [flat_expression/3, flat_leaves/2]).
 :- use_module(csg_matrix,
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module(csg_record,
@@ -25,9 +25,9 @@
                 facts_snapshot/1
               ]).
 :- use_module(triangulation, [complete_segments/0]).
-:- autoload(library(apply), [maplist/2]).
+:- autoload(library(apply), [exclude/3, maplist/2]).
 :- autoload(library(error), [existence_error/2]).
-:- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/3]).
 :- autoload(library(ordsets), [ord_memberchk/2]).
 /** <module> Evaluating the CSG tree: the boundaries of nodes.
@@ -109,7 +109,7 @@ evaluated_node(Tolerance, S) :-
 %
 %     - join(Stamps, Matrix)                 the shells of other segments
 %     - placed(Leaf-Stamp, Matrix)           a leaf once more (csg_flat.pl)
-%     - of(Expression, Surfaces, Stamps, Tolerance)
+%     - of(Expression, Stamps, Tolerance)
 
 made_from(S, _, From) :-
     node(S, join, Children, Steps),
@@ -120,13 +120,12 @@ made_from(S, _, From) :-
     From = join(Stamps, Matrix).
 made_from(S, Tolerance, From) :-
     identity_matrix(Identity),
-    flat_expression(S, Identity, Expression, Surfaces),
+    flat_expression(S, Identity, Expression),
     (   Expression == S
     ->  recorded(S, evaluated(From))    % an instance: made already
     ;   flat_leaves(Expression, Leaves),
-        append(Leaves, Surfaces, All),
-        segment_stamps(All, Stamps),
-        From = of(Expression, Surfaces, Stamps, Tolerance)
+        segment_stamps(Leaves, Stamps),
+        From = of(Expression, Stamps, Tolerance)
     ).
 
 renewed(S, From) :-
@@ -137,24 +136,27 @@ renewed(S, From) :-
     record(S, evaluated(From)).
 
 %   made(From, S): a segment alone is copied if it does not go through itself,
-%   nothing is nothing. Open surfaces
-%   are added to a union as they are (CB-2).
+%   nothing is nothing.
 
 made(join(Stamps, Matrix), S) :-
     forall(member(Child-_, Stamps), copy_segment(Child, Matrix, S)).
-made(of(Expression, Surfaces, _, Tolerance), S) :-
-    rounded_identity(Identity),
+made(of(Expression, _, Tolerance), S) :-
     (   integer(Expression),
         \+ meets_itself(Expression)
-    ->  copy_segment(Expression, Identity, S)
+    ->  rounded_identity(Identity),
+        copy_segment(Expression, Identity, S)
     ;   Expression == union([])
     ->  true
     ;   flat_leaves(Expression, Leaves),
-        maplist(checked_operand, Leaves),
+        exclude(is_surface, Leaves, Solids),
+        maplist(checked_operand, Solids),
         tolerance_options(Tolerance, Options),
         boolean(Expression, S, Options)
-    ),
-    forall(member(Surface, Surfaces), copy_segment(Surface, Identity, S)).
+    ).
+
+is_surface(S) :-
+    segment(S, surface, _),
+    !.
 
 %   A solid that goes through itself is united with itself.
 
@@ -179,7 +181,7 @@ unused_helpers_dropped :-
     findall(S, ( recorded(S, helper(_)), \+ ord_memberchk(S, Used) ), Unused),
     maplist(segment_dropped, Unused).
 
-from_segment(of(_, _, Stamps, _), S) :-
+from_segment(of(_, Stamps, _), S) :-
     member(S-_, Stamps).
 from_segment(join(Stamps, _), S) :-
     member(S-_, Stamps).
@@ -202,7 +204,7 @@ evaluated(S) :-
 
 is_current(S) :-
     recorded(S, evaluated(From0)),
-    (   From0 = of(_, _, _, Tolerance)
+    (   From0 = of(_, _, Tolerance)
     ->  true
     ;   Tolerance = default
     ),

@@ -1,5 +1,5 @@
 :- module(sg_csg_flat,
-          [ flat_expression/4,          % +S, +Matrix, -Expression, -Surfaces
+          [ flat_expression/3,          % +S, +Matrix, -Expression
             flat_leaves/2         % +Expression, -Leaves
           ]).
 :- use_module(csg, [node/4]).
@@ -28,55 +28,48 @@ An expression is the number of a segment, union(List), intersection(List) or
 difference(List). union([]) is nothing, and then the whole expression.
 */
 
-%!  flat_expression(+S, +Matrix, -Expression, -Surfaces) is det.
+%!  flat_expression(+S, +Matrix, -Expression) is det.
 %
-%   Expression is what segment S is, placed by Matrix (csg_matrix.pl); Surfaces
-%   are the open surfaces that are united with it. Makes the instances that it
-%   needs, or makes them anew.
+%   Expression is what segment S is, placed by Matrix (csg_matrix.pl). Makes the
+%   instances that it needs, or makes them anew.
 
-flat_expression(S, Matrix, Expression, Surfaces) :-
+flat_expression(S, Matrix, Expression) :-
     known_instances(Known),
-    flat(S, Matrix, Expression, Known-[], _-Surfaces0),
-    sort(Surfaces0, Surfaces).
+    flat(S, Matrix, Expression, Known, _).
 
-flat(S, Matrix0, Expression, State0, State) :-
+%   flat(S, Matrix, Expression, Known0, Known): Known are known_instances/1.
+
+flat(S, Matrix0, Expression, Known0, Known) :-
     node(S, Operation, Children, Steps),
     Operation \== leaf,
     !,
     steps_matrix(Steps, Placement),
     matrix_product(Matrix0, Placement, Matrix),
-    foldl(flat_child(Matrix), Children, Expressions, State0, State1),
-    combined(Operation, Expressions, Matrix, Expression, State1, State).
-flat(S, Matrix, Expression, Known0-Surfaces0, Known-Surfaces) :-
+    foldl(flat_child(Matrix), Children, Expressions, Known0, Known1),
+    combined(Operation, Expressions, Matrix, Expression, Known1, Known).
+flat(S, Matrix, K, Known0, Known) :-
     rounded_matrix(Matrix, Rounded),
-    instance(S, Rounded, K, Known0, Known),
-    (   segment(S, surface, _)
-    ->  Expression = union([]),
-        Surfaces = [K|Surfaces0]
-    ;   Expression = K,
-        Surfaces = Surfaces0
-    ).
+    instance(S, Rounded, K, Known0, Known).
 
-flat_child(Matrix, Child, Expression, State0, State) :-
-    flat(Child, Matrix, Expression, State0, State).
+flat_child(Matrix, Child, Expression, Known0, Known) :-
+    flat(Child, Matrix, Expression, Known0, Known).
 
-%   combined(Operation, Expressions, Matrix, Expression, State0, State)
+%   combined(Operation, Expressions, Matrix, Expression, Known0, Known)
 
-combined(same, [Expression], _, Expression, State, State).
-combined(union, Es, _, Expression, State, State) :-
+combined(same, [Expression], _, Expression, Known, Known).
+combined(union, Es, _, Expression, Known, Known) :-
     united(Es, Expression).
-combined(join, Es, _, Expression, State, State) :-
+combined(join, Es, _, Expression, Known, Known) :-
     united(Es, Expression).
-combined(intersection, Es, _, Expression, State, State) :-
+combined(intersection, Es, _, Expression, Known, Known) :-
     common(Es, Expression).
-combined(difference, [E|Es], _, Expression, State, State) :-
+combined(difference, [E|Es], _, Expression, Known, Known) :-
     less(E, Es, Expression).
-combined(split(inside), [E1,E2], _, Expression, State, State) :-
+combined(split(inside), [E1,E2], _, Expression, Known, Known) :-
     common([E1,E2], Expression).
-combined(split(outside), [E1,E2], _, Expression, State, State) :-
+combined(split(outside), [E1,E2], _, Expression, Known, Known) :-
     less(E1, [E2], Expression).
-combined(split(Plane0, Side), [E], Matrix, Expression, Known0-Surfaces,
-         Known-Surfaces) :-
+combined(split(Plane0, Side), [E], Matrix, Expression, Known0, Known) :-
     matrix_plane(Matrix, Plane0, Plane),
     flat_leaves(E, Leaves),
     leaves_half(Leaves, Plane, Half),

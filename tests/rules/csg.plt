@@ -163,6 +163,14 @@ test(surface_joins_a_union, Kind-Border == surface-3) :-
                               ( e(3, _, A, B, _), \+ e(3, _, B, A, _) ),
                               Border) )).
 
+test(surface_outside_alone_stays, true(near(Area, 6.0+0.5))) :-
+    with_tree([ box(size(1,1,1)),
+                surface-at([translate(0.5,0,0.5)], rectangle(size(1,0.5))),
+                union([1, 2]) ],
+              ( census(Parts),
+                memberchk(part(3, _, _, Area0, _, _, _, _), Parts) )),
+    Area is Area0+0.25.
+
 :- end_tests(csg).
 
 :- begin_tests(csg_again).
