@@ -28,8 +28,8 @@ csg_en(unknown(Operand)) -->
 csg_en(side(Side, Sides)) -->
     { atomic_list_concat(Sides, ' or ', Text) },
     [ 'a solid is split on the side ~w here, not ~p'-[Text, Side], nl,
-      '  A plane has below (A*X + B*Y + C*Z + D < 0) and above, a solid inside \c
-       and outside.' ].
+      '  A plane has below (A*X + B*Y + C*Z + D < 0) and above, a solid \c
+       inside and outside.' ].
 csg_en(plane(By)) -->
     [ '~p is no plane'-[By], nl,
       '  Write plane(A, B, C, D) for A*X + B*Y + C*Z + D = 0, with A, B or C \c

@@ -7,7 +7,9 @@
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(csg_term, [plain_name/2]).
 :- use_module(store,
-              [segment/3, assert_fact/1, retractall_facts/1, facts_transaction/1]).
+              [ segment/3, assert_fact/1, retractall_facts/1,
+                facts_transaction/1
+              ]).
 :- autoload(library(apply), [maplist/2]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(ordsets), [ord_subtract/3]).

@@ -12,6 +12,7 @@
 :- use_module(explain_pair, [pair_because/3, segments_because/3,
                              line_pieces/2, decided_by/2,
                              leaf_corners/3]).
+:- use_module(explain_piece, [piece_asked/2, piece_because/3]).
 :- use_module(explain_words, [statement_keys/2, in_order/4]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
@@ -34,6 +35,8 @@ An *item* is one of
     edge(S, E)           an edge
     pair(S1-P1, S2-P2)   two polygons: why they give a line, or none
     pair(S1, S2)         two segments
+    piece(S, P)          polygon P of the boundary of a node: why it stayed
+    piece(S, S0-P0)      what became of polygon P0 of its operand S0
 
 Nothing is stored for it: the rule that decided runs again for the one item,
 with exact signs. What comes out is a tree of because(Statement, Because), the
@@ -77,6 +80,10 @@ explanation(edge(S, E), Because) :-
 explanation(pair(A, B), Because) :-
     pair_asked(A, B),
     pair_explained(A, B, Because).
+
+explanation(piece(S, Piece), Because) :-
+    piece_asked(S, Piece),
+    piece_because(S, Piece, Because).
 
 vertex_asked(S, V) :-
     nonvar(S),

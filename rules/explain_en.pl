@@ -206,10 +206,60 @@ statement_en(triangles(Reason, N)) -->
 statement_en(example(T1, T2)) -->
     { maplist(triangle_text, [T1,T2], [W1,W2]) },
     [ 'such as ~w with ~w'-[W1, W2] ].
+statement_en(piece(S, P)) -->
+    { segment_word(S, Word) },
+    [ 'polygon ~d of segment ~d~w'-[P, S, Word] ].
+statement_en(piece_of(S, P, Sense)) -->
+    { segment_word(S, Word) },
+    [ 'has a part of polygon ~d of segment ~d~w'-[P, S, Word] ],
+    sense(Sense).
+statement_en(polygon_in(S0, P0, S)) -->
+    { segment_word(S0, W0), segment_word(S, W) },
+    [ 'polygon ~d of segment ~d~w in segment ~d~w'-[P0, S0, W0, S, W] ].
+statement_en(became(S, P, Sense)) -->
+    [ 'a part of it, or all, is in polygon ~d of segment ~d'-[P, S] ],
+    sense(Sense).
+statement_en(triangles_of(N, Verdict)) -->
+    { verdict_en(Verdict, Text) },
+    [ 'triangles of it, after the cuts, that are ~w: ~d; the largest:'-
+      [Text, N] ].
+statement_en(witness(Point)) -->
+    [ 'its witness is ' ],
+    point(Point).
+statement_en(round(S, Below, Above)) -->
+    { segment_word(S, Word),
+      maplist(inside_en, [Below,Above], [B,A]) },
+    [ 'just below it is ~w segment ~d~w, just above it ~w'-[B, S, Word, A] ].
+statement_en(verdict(kept(Sense), By)) -->
+    [ 'kept' ],
+    sense(Sense),
+    [ ', since one side alone is inside (stays/3, ~w)'-[By] ].
+statement_en(verdict(covered(S), _)) -->
+    { segment_word(S, Word) },
+    [ 'in the place of a piece of segment ~d~w, which stands for both'-
+      [S, Word] ].
+statement_en(verdict(dropped, By)) -->
+    [ 'dropped, since both sides are inside or both outside (stays/3, ~w)'-
+      [By] ].
 statement_en(common(_, End1, End2)) -->
     (   { End1 == End2 }
     ->  [ 'in common: the point of ~q'-[End1] ]
     ;   [ 'in common: from ~q to ~q'-[End1, End2] ]
+    ).
+
+sense(1) -->
+    [].
+sense(-1) -->
+    [ ', turned over' ].
+
+verdict_en(kept(_), kept).
+verdict_en(dropped, dropped).
+verdict_en(covered(_), 'in the place of others').
+
+inside_en(N, Word) :-
+    (   N > 0
+    ->  Word = inside
+    ;   Word = outside
     ).
 
 reason_en(one_side(first),

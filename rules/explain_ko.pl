@@ -206,10 +206,58 @@ statement_ko(triangles(Reason, N)) -->
 statement_ko(example(T1, T2)) -->
     { maplist(triangle_text, [T1,T2], [W1,W2]) },
     [ '보기: ~w, ~w'-[W1, W2] ].
+statement_ko(piece(S, P)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w 의 다각형 ~d'-[S, Word, P] ].
+statement_ko(piece_of(S, P, Sense)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w 의 다각형 ~d 의 부분이 있다'-[S, Word, P] ],
+    sense(Sense).
+statement_ko(polygon_in(S0, P0, S)) -->
+    { segment_word(S0, W0), segment_word(S, W) },
+    [ '세그먼트 ~d~w 안에서 세그먼트 ~d~w 의 다각형 ~d'-[S, W, S0, W0, P0] ].
+statement_ko(became(S, P, Sense)) -->
+    [ '그 부분이나 전체가 세그먼트 ~d 의 다각형 ~d 에 있다'-[S, P] ],
+    sense(Sense).
+statement_ko(triangles_of(N, Verdict)) -->
+    { verdict_ko(Verdict, Text) },
+    [ '자른 뒤의 삼각형 가운데 ~w 것: ~d개. 가장 큰 것:'-[Text, N] ].
+statement_ko(witness(Point)) -->
+    [ '증거점은 ' ],
+    point(Point).
+statement_ko(round(S, Below, Above)) -->
+    { segment_word(S, Word),
+      maplist(inside_ko, [Below,Above], [B,A]) },
+    [ '바로 아래는 세그먼트 ~d~w 의 ~w, 바로 위는 ~w'-[S, Word, B, A] ].
+statement_ko(verdict(kept(Sense), By)) -->
+    [ '남았다' ],
+    sense(Sense),
+    [ '. 한쪽만 안이기 때문이다 (stays/3, ~w)'-[By] ].
+statement_ko(verdict(covered(S), _)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w 의 조각과 같은 곳에 있으며 그 조각이 둘을 대신한다'-
+      [S, Word] ].
+statement_ko(verdict(dropped, By)) -->
+    [ '버렸다. 두 쪽 모두 안이거나 모두 밖이기 때문이다 (stays/3, ~w)'-[By] ].
 statement_ko(common(_, End1, End2)) -->
     (   { End1 == End2 }
     ->  [ '공통: 점 ~q'-[End1] ]
     ;   [ '공통: ~q부터 ~q까지'-[End1, End2] ]
+    ).
+
+sense(1) -->
+    [].
+sense(-1) -->
+    [ ' (뒤집힘)' ].
+
+verdict_ko(kept(_), '남은').
+verdict_ko(dropped, '버린').
+verdict_ko(covered(_), '다른 조각과 같은 곳에 있는').
+
+inside_ko(N, Word) :-
+    (   N > 0
+    ->  Word = '안'
+    ;   Word = '밖'
     ).
 
 reason_ko(one_side(first),

@@ -61,6 +61,14 @@ statement_keys(triangles_apart, [count]).
 statement_keys(triangles, [reason, count]).
 statement_keys(example, [triangle1, triangle2]).
 statement_keys(common, [kind, end1, end2]).
+statement_keys(piece, [segment, polygon]).
+statement_keys(piece_of, [segment, polygon, sense]).
+statement_keys(polygon_in, [segment, polygon, node]).
+statement_keys(became, [segment, polygon, sense]).
+statement_keys(triangles_of, [count, verdict]).
+statement_keys(witness, [point]).
+statement_keys(round, [segment, below, above]).
+statement_keys(verdict, [verdict, rules]).
 
 %!  segment_word(+S, -Word) is det.
 %
@@ -80,6 +88,10 @@ plain_name(named(Name, _), Name) :-
 plain_name(at(_, Name0), Name) :-
     !,
     plain_name(Name0, Name).
+plain_name(S, Name) :-
+    integer(S),
+    !,
+    format(atom(Name), 'segment ~d, placed', [S]).
 plain_name(Name0, Name) :-
     (   compound(Name0)
     ->  functor(Name0, Name, _)

@@ -632,7 +632,8 @@ notice_en(because(Statement)) -->
 notice_en(nothing_to_explain(Item)) -->
     [ 'there is nothing to explain in ~p'-[Item], nl,
       '  Ask for line(L), vertex(S, V), edge(S, E), \c
-       pair(S1-P1, S2-P2) or pair(S1, S2), with numbers of the model; \c
+       pair(S1-P1, S2-P2), pair(S1, S2), piece(S, P) or piece(S, S0-P0), with \c
+       numbers of the model; \c
        lines are there after penetrate.' ].
 %   Why contacts within the tolerance were not made to touch (resolve.pl).
 

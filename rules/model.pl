@@ -59,7 +59,8 @@ words of GLOSSARY.md. A thing is named by its segment and its number:
 %   world: their segments side by side, each polygon with its plane and
 %   triangles, the roots of CSG trees with their boundaries. The ending says
 %   what a file is: `.pl` facts, `.csg` a tree of OpenSCAD (openscad.pl), or a
-%   mesh (`.stl`, `.off`, `.obj`, `.ply`). `-` is standard input. All of them, or none.
+%   mesh (`.stl`, `.off`, `.obj`, `.ply`). `-` is standard input. All of them,
+%   or none.
 %   Options:
 %
 %     - from(Format): what standard input is (default `pl`)

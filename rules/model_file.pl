@@ -596,8 +596,8 @@ add_primitive(Term, S) :-
 
 %!  primitive_rows(+Term, +S, -Kind) is det.
 %
-%   Add the rows of the primitive Term, which is of this Kind, to segment S, that
-%   has none; but for segment/3.
+%   Add the rows of the primitive Term, which is of this Kind, to segment S,
+%   that has none; but for segment/3.
 %
 %   @error model_error(primitive(What, Term))
 

@@ -46,7 +46,7 @@ solid_verb_run(Verb, Files, Options, 0) :-
     findall(S, root_segment(S), Ss),
     (   member(output(_, Format), Outputs),
         Format \== pl
-    ->  true                            % who writes it will say that it is empty
+    ->  true                            % who writes it will say so
     ;   maplist(empty_warned, Ss)
     ),
     (   Outputs == []

@@ -341,7 +341,8 @@ in_world(World, Goal) :-
 %!  segment_stamp(+S, -Stamp:integer) is det.
 %
 %   Stamp stands for the vertices, edges and polygons of segment S as they are:
-%   while it is the same, so are they, and undo brings the old one back. It means nothing in another world. 0: there never were any.
+%   while it is the same, so are they, and undo brings the old one back. It
+%   means nothing in another world. 0: there never were any.
 
 /* ---- the schema -------------------------------------------------------- */
 

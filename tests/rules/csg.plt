@@ -10,6 +10,7 @@
 :- use_module(rules(csg_half_space)).
 :- use_module(rules(csg_matrix)).
 :- use_module(rules(csg_roots)).
+:- use_module(rules(explain)).
 :- use_module(rules(kernel), [census/1]).
 :- use_module(rules(integrity), [model_defect/1, defect_weight/2]).
 :- use_module(rules(model)).
@@ -462,7 +463,8 @@ rightly(Half, plane(A,B,C,D), X, Y, Z) :-
     ).
 
 behind(Face, Points, X, Y, Z) :-
-    maplist([I,P]>>nth1(I, Points, P), Face, [[A1,B1,C1],[A2,B2,C2],[A3,B3,C3]]),
+    maplist([I,P]>>nth1(I, Points, P), Face, Corners),
+    Corners = [[A1,B1,C1],[A2,B2,C2],[A3,B3,C3]],
     U1 is A2-A1, V1 is B2-B1, W1 is C2-C1,
     U2 is A3-A1, V2 is B3-B1, W2 is C3-C1,
     (V1*W2-W1*V2)*(X-A1) + (W1*U2-U1*W2)*(Y-B1) + (U1*V2-V1*U2)*(Z-C1) < 0.
@@ -509,5 +511,43 @@ test(edge_is_on_its_origin) :-
 
 place(S-V, X-Y-Z) :-
     v(S, V, X, Y, Z).
+
+%   Every polygon of the result is said to be kept, with the sense that
+%   polygon_from/5 has; and what became of polygons of operands.
+
+test(kept, Bad == []) :-
+    bored(Terms),
+    with_tree(Terms,
+              findall(P-Sense,
+                      ( from_p(3, P, K, P0, Sense),
+                        \+ ( explanation(piece(3, P), [because(_, Parts)]),
+                             memberchk(because(piece_of(K, P0, Sense), Facts),
+                                       Parts),
+                             last(Facts, because(verdict(kept(Sense), default),
+                                                 [])) ) ),
+                      Bad)).
+test(became, Verdicts-Polygons == [dropped, kept(1)]-1) :-
+    bored(Terms),
+    with_tree(Terms,
+              explanation(piece(3, 1-1), [because(_, Facts)])),
+    findall(Verdict, member(because(triangles_of(_, Verdict), _), Facts),
+            Verdicts),
+    aggregate_all(count, member(because(became(3, _, 1), _), Facts),
+                  Polygons).
+test(covered, Verdict == covered(1)) :-
+    with_tree([ box(size(2,2,2)), box(size(2,2,1)), union([1,2]) ],
+              explanation(piece(3, 2-1), [because(_, Facts)])),
+    Facts = [because(triangles_of(_, Verdict), _)].
+test(said, forall(member(Language, [en, ko]))) :-
+    bored(Terms),
+    current_prolog_flag(message_language, Old),
+    setup_call_cleanup(
+        set_prolog_flag(message_language, Language),
+        with_tree(Terms,
+                  with_output_to(string(Text), explain(piece(3, _)))),
+        set_prolog_flag(message_language, Old)),
+    \+ sub_string(Text, _, _, _, "because("),
+    string_length(Text, Length),
+    Length > 1000.
 
 :- end_tests(provenance).
