@@ -8,6 +8,9 @@
 
 enum { ASKED = 1 << 12 }; /* triangles between questions */
 
+/* Thinner than this for its length: too thin. */
+#define THIN 0x1p-30
+
 /* ---- one more corner ---- */
 
 static bool
@@ -211,4 +214,76 @@ sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
   sg_key_table_clear(&t.side);
   free(fresh);
   return end;
+}
+
+/* ---- thin triangles ---- */
+
+static bool
+is_thin(const sg_work *work, const sg_triangle *t)
+{
+  double u[3], w[3], x = 0, y = 0, z = 0, square = 0;
+
+  for (int k = 0; k < 3; k++) {
+    const double *p = sg_work_point(work, t->v[0])->p;
+
+    u[k] = sg_work_point(work, t->v[1])->p[k] - p[k];
+    w[k] = sg_work_point(work, t->v[2])->p[k] - p[k];
+    x += u[k] * u[k];
+    y += w[k] * w[k];
+    z += (w[k] - u[k]) * (w[k] - u[k]);
+  }
+  for (int k = 0; k < 3; k++) {
+    double c =
+        u[(k + 1) % 3] * w[(k + 2) % 3] - u[(k + 2) % 3] * w[(k + 1) % 3];
+    square += c * c;
+  }
+  double longest = fmax(x, fmax(y, z));
+
+  return square < THIN * THIN * longest * longest;
+}
+
+static bool
+is_edge(void *data, int32_t a, int32_t b)
+{
+  uint32_t key[2] = {(uint32_t)(a < b ? a : b), (uint32_t)(a < b ? b : a)};
+
+  return sg_key_table_get(data, key) != SG_NO_KEY;
+}
+
+static sg_outcome
+turn_all(const sg_work *work, const int32_t (*edge)[2], size_t edges,
+         sg_triangles *triangles, const sg_poll *poll)
+{
+  sg_key_table fixed;
+  sg_outcome outcome = SG_DONE;
+
+  sg_key_table_init(&fixed, 2);
+  for (size_t i = 0; i < edges && outcome == SG_DONE; i++) {
+    int32_t a = edge[i][0], b = edge[i][1];
+    uint32_t key[2] = {(uint32_t)(a < b ? a : b), (uint32_t)(a < b ? b : a)};
+    uint32_t *known = sg_key_table_put(&fixed, key);
+
+    if (known) {
+      *known = 1;
+    } else {
+      outcome = SG_NO_SPACE;
+    }
+  }
+  if (outcome == SG_DONE) {
+    outcome = sg_triangles_delaunay(work, triangles, is_edge, &fixed, poll);
+  }
+  sg_key_table_clear(&fixed);
+  return outcome;
+}
+
+sg_outcome
+sg_triangles_thicken(const sg_work *work, const int32_t (*edge)[2],
+                     size_t edges, sg_triangles *triangles, const sg_poll *poll)
+{
+  for (size_t i = 0; i < triangles->n && triangles->n > 1; i++) {
+    if (is_thin(work, &triangles->item[i])) {
+      return turn_all(work, edge, edges, triangles, poll);
+    }
+  }
+  return SG_DONE;
 }

@@ -22,4 +22,12 @@ sg_outcome sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
                                                   int32_t b),
                                  void *data, const sg_poll *poll);
 
+/* A triangle of a polygon can be so thin that rounding has turned it over:
+ * where a chord passes a vertex that was meant to lie on it. If there is one
+ * among the triangles, chords are turned, none that is an edge (a, b) of
+ * edge[], either way. SG_DONE, SG_STOPPED or SG_NO_SPACE. */
+sg_outcome sg_triangles_thicken(const sg_work *work, const int32_t (*edge)[2],
+                                size_t edges, sg_triangles *triangles,
+                                const sg_poll *poll);
+
 #endif

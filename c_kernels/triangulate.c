@@ -1,6 +1,8 @@
 /* triangulate.c -- a whole polygon into triangles: see triangulate.h. */
 #include "triangulate.h"
 
+#include "delaunay.h"
+
 #include <stdlib.h>
 
 static bool
@@ -40,9 +42,23 @@ one_triangle(sg_work *work, int32_t edge, sg_triangles *out)
   return taken ? SG_DONE : SG_STUCK;
 }
 
-sg_outcome
-sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
-                    const sg_poll *poll)
+/* The edges, start and end, by handle; null: no memory. */
+static int32_t (*note_edges(const sg_work *work, size_t *n))[2]
+{
+  int32_t(*edge)[2] = malloc((sg_work_edges(work) + 1) * sizeof *edge);
+
+  *n = 0;
+  for (int32_t e = 0; edge && (e = sg_work_next(work, e));) {
+    const sg_work_edge *row = sg_work_get(work, e);
+
+    edge[*n][0] = row->start;
+    edge[(*n)++][1] = row->end;
+  }
+  return edge;
+}
+
+static sg_outcome
+take_all(sg_work *work, sg_triangles *out, int32_t *edge, const sg_poll *poll)
 {
   while ((*edge = sg_work_next(work, 0)) != 0) { /* steps 2 and 6 */
     if (sg_poll_stop(poll)) {
@@ -54,4 +70,27 @@ sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
     }
   }
   return SG_DONE;
+}
+
+sg_outcome
+sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
+                    const sg_poll *poll)
+{
+  size_t before = out->n, edges;
+  int32_t(*of)[2] = note_edges(work, &edges);
+
+  if (!of) {
+    return SG_NO_SPACE;
+  }
+  sg_outcome outcome = take_all(work, out, edge, poll);
+
+  if (outcome == SG_DONE) {
+    sg_triangles fresh = {out->item ? out->item + before : NULL,
+                          out->n - before, out->n - before};
+
+    outcome = sg_triangles_thicken(work, (const int32_t(*)[2])of, edges, &fresh,
+                                   poll);
+  }
+  free(of);
+  return outcome;
 }

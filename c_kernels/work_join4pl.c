@@ -8,10 +8,12 @@
 
 #include "work4pl.h"
 
+#include "delaunay.h"
 #include "glue.h"
 #include "triangulate.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- edges -------------------------------------------------------------- */
 
@@ -323,7 +325,7 @@ work_candidate(term_t a0, int arity, void *context)
 
 /* ---- the fused kernel --------------------------------------------------- */
 
-static functor_t functor_t3;
+static functor_t functor_t3, functor_minus2;
 
 static int
 unify_triangles(term_t list, const sg_work *work, const sg_triangles *found)
@@ -369,6 +371,77 @@ work_triangulate(term_t work_term, term_t triangles)
   return ok;
 }
 
+/* ---- thin triangles ---- */
+
+/* Reads [V1-V2, ...], or [t(V1, V2, V3), ...], as handles; n numbers a term. */
+static int
+get_corners_ex(sg_work *work, term_t list, functor_t functor, int n,
+               int32_t **out, size_t *count)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  term_t arg = PL_new_term_ref();
+
+  if (PL_skip_list(list, 0, count) != PL_LIST) {
+    return PL_type_error("list", list);
+  }
+  if (!(*out = malloc((*count + 1) * (size_t)n * sizeof **out))) {
+    return sg_no_memory();
+  }
+  for (size_t i = 0; PL_get_list(tail, head, tail); i++) {
+    if (!PL_is_functor(head, functor)) {
+      return PL_type_error(n == 2 ? "pair" : "triangle", head);
+    }
+    for (int k = 0; k < n; k++) {
+      if (!PL_get_arg(k + 1, head, arg) ||
+          !sg_get_work_vertex_ex(work, arg,
+                                 &(*out)[i * (size_t)n + (size_t)k])) {
+        return FALSE;
+      }
+    }
+  }
+  return TRUE;
+}
+
+/* work_thicken(+Work, +Edges, +Triangles0, -Triangles) is det. */
+static foreign_t
+work_thicken(term_t work_term, term_t edges, term_t before, term_t after)
+{
+  sg_work *work;
+  int32_t *edge = NULL, *corner = NULL;
+  size_t n = 0;
+  sg_triangles all = {0};
+  int good = sg_get_work_ex(work_term, &work) &&
+             get_corners_ex(work, edges, functor_minus2, 2, &edge, &n) &&
+             get_corners_ex(work, before, functor_t3, 3, &corner, &all.n);
+
+  if (good) {
+    all.item = malloc((all.n + 1) * sizeof *all.item);
+    good = all.item || sg_no_memory();
+  }
+  for (size_t i = 0; good && i < all.n; i++) {
+    memcpy(all.item[i].v, corner + 3 * i, sizeof all.item[i].v);
+  }
+  if (good) {
+    switch (sg_triangles_thicken(work, (const int32_t(*)[2])(void *)edge, n,
+                                 &all, &sg_prolog_poll)) {
+    case SG_DONE:
+      good = unify_triangles(after, work, &all);
+      break;
+    case SG_STUCK:
+    case SG_STOPPED:
+      good = FALSE;
+      break;
+    case SG_NO_SPACE:
+      good = sg_no_memory();
+      break;
+    }
+  }
+  free(edge);
+  free(corner);
+  free(all.item);
+  return good;
+}
+
 /* ---- registration ------------------------------------------------------- */
 
 void
@@ -384,8 +457,10 @@ sg_install_work_join(void)
       {"work_meeting", 6, (pl_function_t)work_meeting, nondet},
       {"work_candidate", 4, (pl_function_t)work_candidate, nondet},
       {"work_triangulate", 2, (pl_function_t)work_triangulate, 0},
+      {"work_thicken", 4, (pl_function_t)work_thicken, 0},
       {NULL, 0, NULL, 0}};
 
+  functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   functor_t3 = PL_new_functor(PL_new_atom("t"), 3);
   atom_how[SG_CROSSES] = PL_new_atom("crosses");
   atom_how[SG_TOUCHES] = PL_new_atom("touches");

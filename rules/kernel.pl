@@ -118,7 +118,8 @@
             work_oldest/4,            % +Work, -E, -V1, -V2
             work_meeting/6,           % +Work, +V1, +V2, ?E, ?How, ?Inside
             work_candidate/4,         % +Work, +V1, +V2, ?V3
-            work_triangulate/2        % +Work, -Triangles
+            work_triangulate/2,       % +Work, -Triangles
+            work_thicken/4            % +Work, +Edges, +Triangles0, -Triangles
           ]).
 
 :- if(\+ predicate_property(sg_kernel:raster_dots(_,_,_,_), foreign)).
@@ -545,6 +546,12 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %   Triangles are terms t(V1, V2, V3), as work_triangles/2 of triangulation.pl
 %   finds them one by one: the fused kernel. Uses up the edges; any that are
 %   left begin with one that has no third vertex.
+
+%!  work_thicken(+Work, +Edges:list, +Triangles0:list, -Triangles:list) is det.
+%
+%   If one of Triangles0 is so thin that rounding may have turned it over, chords
+%   between them are turned: all sides but those of Edges, the V1-V2 that Work
+%   had. What may be turned is decided exactly.
 
 /* - - - tree4pl.c, near4pl.c: trees of boxes - - - */
 

@@ -8,7 +8,8 @@
               [ fill_triangles/1, model_tolerance/1,
                 work_open/3, work_close/1, work_resolve/2, work_gap/2,
                 work_edge/6, work_oldest/4, work_candidate/4,
-                work_add/6, work_delete/2, work_triangulate/2
+                work_add/6, work_delete/2, work_triangulate/2,
+                work_thicken/4
               ]).
 :- use_module(store, [facts_transaction/1]).
 :- autoload(library(lists), [last/2, member/2]).
@@ -38,6 +39,10 @@ itself, or a hole is outside or turned the wrong way).
 
 Edges are taken oldest first, and added edges are the youngest. So the polygon
 is worn off evenly all round, and no long fans arise.
+
+Where a vertex was meant to lie on a line between two others, and does but for
+rounding, a triangle may be thinner than rounding and look either way. Then
+chords are turned (work_thicken/4).
 
 Whole segments go through the fused kernel (fill_triangles/1), which gives the
 same triangles in the same order; tests/rules/triangulation.plt holds the two
@@ -92,10 +97,15 @@ resolved_triangles(Work, _, _, Reach, Triangles) :-
 %   @error geometry_error(no_third_vertex(V1, V2)): see polygon_triangles/3
 
 work_triangles_by_rule(Work, Triangles) :-
+    findall(V1-V2, work_edge(Work, _, V1, V2, _, _), Edges),
+    taken_off(Work, Triangles0),
+    work_thicken(Work, Edges, Triangles0, Triangles).
+
+taken_off(Work, Triangles) :-
     (   work_oldest(Work, E, V1, V2)                            % step 2
     ->  third_vertex(Work, E, V1, V2, V3),                      % steps 3, 4
         Triangles = [t(V1, V2, V3)|Triangles1],                 % step 5
-        work_triangles_by_rule(Work, Triangles1)                % step 6-1
+        taken_off(Work, Triangles1)                             % step 6-1
     ;   Triangles = []                                          % step 6-2
     ).
 
