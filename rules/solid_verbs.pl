@@ -11,6 +11,7 @@
 :- use_module(kernel, [census/1]).
 :- use_module(language, [language/1]).
 :- use_module(model, [load_model/2, save_model/1]).
+:- use_module(repair, [repair_operand/1]).
 :- use_module(report, [counted/4]).
 :- use_module(solid_file, [write_solid/3]).
 :- use_module(store, [p/3, segment/3, assert_fact/1, fresh_id/3]).
@@ -42,6 +43,7 @@ solid_verb_run(Verb, Files, Options, 0) :-
     enough_files(Verb, Files),
     outputs(Options, [pl, stl, off, obj, ply], Outputs),
     asked_nodes(Verb, Files, Options),
+    repaired_leaves(Options),
     evaluate(all, Options),
     findall(S, root_segment(S), Ss),
     (   member(output(_, Format), Outputs),
@@ -88,6 +90,14 @@ enough_files(Verb, Files) :-
     (   memberchk(Verb, [intersection, difference]),
         Files = [_]
     ->  usage_error(one_operand(Verb))
+    ;   true
+    ).
+
+%   repaired_leaves(Options): with --repair, before anything is made of them.
+
+repaired_leaves(Options) :-
+    (   option(repair(true), Options)
+    ->  forall(( segment(S, solid, _), \+ is_node(S) ), repair_operand(S))
     ;   true
     ).
 

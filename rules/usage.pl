@@ -113,6 +113,10 @@ verb_option(Verb, option(format, '', one_of([pl, stl, off, obj, ply]),
 verb_option(Verb, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')) :-
     solid_verb(Verb).
+verb_option(Verb, option(repair, '', flag, '',
+    'mend operands first: weld vertices, drop faces that are there twice or \c
+     have no sides, turn shells that are inside out')) :-
+    solid_verb(Verb).
 verb_option(split, option(plane, '', value, 'A,B,C,D',
     'the plane A*X + B*Y + C*Z + D = 0')).
 verb_option(split, option(by, '', value, 'MODEL', 'a solid')).
@@ -171,6 +175,9 @@ option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
 option_ko(size, '종이 크기 mm, .png는 점의 수').
 option_ko(exact, '표의 좌표를 반올림하지 않은 분수로').
 option_ko(tolerance, 'T(모델 단위)보다 가까우면 닿은 것으로 본다. 0: 그대로').
+option_ko(repair,
+    '먼저 입체를 고친다: 꼭지점 합치기, 겹치거나 변이 없는 면 버리기, \c
+뒤집힌 껍질 바로잡기').
 option_ko(plane, '평면 A*X + B*Y + C*Z + D = 0').
 option_ko(by, '나누는 입체').
 option_ko(side,
