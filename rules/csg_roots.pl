@@ -1,14 +1,16 @@
 :- module(sg_csg_roots,
           [ aside_segments/1,           % -Ss
-            roots_alone/0
+            roots_alone/0,
+            roots_with_lines/0
           ]).
 :- use_module(csg, [node/4, root_segment/1, is_node/1, is_helper/1]).
 :- use_module(csg_record, [drop_record/1]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(csg_term, [plain_name/2]).
 :- use_module(store,
-              [ segment/3, assert_fact/1, retractall_facts/1,
-                facts_transaction/1
+              [ e/5, segment/3, origin/3, from_p/5, edge_polygon/3,
+                assert_fact/1, retractall_facts/1, facts_transaction/1,
+                fresh_id/3
               ]).
 :- autoload(library(apply), [maplist/2]).
 :- autoload(library(lists), [member/2]).
@@ -43,6 +45,43 @@ aside_segments(Ss) :-
 roots_alone :-
     aside_segments(Aside),
     facts_transaction(sg_csg_roots:left_alone(Aside)).
+
+%!  roots_with_lines is det.
+%
+%   The same, and where the boundary of a node turns from one operand to another
+%   is a line/9 of it with itself: so it is drawn as a penetration line, however
+%   little it bends.
+
+roots_with_lines :-
+    findall(Line,
+            ( root_segment(S), is_node(S), operands_meet(S, Line) ),
+            Lines),
+    roots_alone,
+    facts_transaction(maplist(sg_csg_roots:line_added, Lines)).
+
+%   operands_meet(S, Line): an edge from or to a vertex that a cut made, between
+%   polygons that have no operand in common.
+
+operands_meet(S, line(S, P, V1, V2, Q)) :-
+    findall(V1-V2,
+            ( origin(S, v(V), _),
+              (   e(S, _, V, W, _)
+              ;   e(S, _, W, V, _)
+              ),
+              msort([V,W], [V1,V2]) ),
+            Edges0),
+    sort(Edges0, Edges),
+    member(V1-V2, Edges),
+    e(S, E, V1, V2, _),
+    e(S, Twin, V2, V1, _),
+    edge_polygon(S, E, P),
+    edge_polygon(S, Twin, Q),
+    \+ ( from_p(S, P, K, _, _),
+         from_p(S, Q, K, _, _) ).
+
+line_added(line(S, P, V1, V2, Q)) :-
+    fresh_id(line, 0, L),
+    assert_fact(line(L, S, P, V1, V2, S, Q, V1, V2)).
 
 left_alone(Aside) :-
     findall(S, ( root_segment(S), is_node(S) ), Nodes),

@@ -7,7 +7,7 @@
 :- use_module(check, [check_report/1, report_faults/2]).
 :- use_module(csg, [root_segment/1]).
 :- use_module(csg_evaluate, [evaluate/0]).
-:- use_module(csg_roots, [aside_segments/1, roots_alone/0]).
+:- use_module(csg_roots, [aside_segments/1, roots_alone/0, roots_with_lines/0]).
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(explain,
               [explain/1, explanation/2, print_explanations/1]).
@@ -113,7 +113,7 @@ verb_run(draw, Files, Options, 0) :-
     drawing_options(Options, DrawingOptions),
     eye(Options, Eye),
     load_model(Files, Options),
-    roots_alone,
+    roots_with_lines,
     known_segments(PictureOptions),
     facts_transaction(sg_verbs:pictured(Options, Eye, PictureOptions)),
     maplist(output_written(drawing_output(DrawingOptions)), Outputs).
