@@ -200,7 +200,11 @@ evaluated(S) :-
     findall(N, ( node(N, Operation, _, _), Operation \== leaf ), Ns0),
     sort(Ns0, Ns),
     member(S, Ns),
-    facts_snapshot(sg_csg_evaluate:is_current(S)).
+    facts_snapshot(sg_csg_evaluate:completed_and_current(S)).
+
+completed_and_current(S) :-
+    catch(complete_tree([S]), error(model_error(_), _), fail),
+    is_current(S).
 
 is_current(S) :-
     recorded(S, evaluated(From0)),

@@ -51,6 +51,12 @@ picture(pipes_rules, 'Pipes, by other rules',
         'The same by a rule file: pipes do not cut brackets.',
         ['facts/pipes.pl', '--rules', 'docs/pipes_rules.pl']).
 
+% A CSG tree: docs/model_files.md.
+
+picture(pipe_tee, 'Pipe tee',
+        'Pipes and flanges united, bores and bolt holes taken out of them.',
+        ['facts/pipe_tee.pl']).
+
 % The primitives: docs/model_files.md.
 
 picture(primitives, 'Primitives',
