@@ -212,6 +212,63 @@ note_weak(const sg_merge *m, weak_list *found, uint32_t half, uint32_t twin)
   found->pair[found->n++][1] = g;
 }
 
+static void
+make_twins(const sg_merge *m, weak_list *found, uint32_t half, uint32_t twin)
+{
+  m->twin[half] = twin;
+  m->twin[twin] = half;
+  found->twins++;
+  note_weak(m, found, half, twin);
+}
+
+/* A half-edge a -> b that has no twin yet, of a face if that is not
+ * SG_NOTHING; *more: there are others. */
+static uint32_t
+next_single(const sg_merge *m, uint32_t a, uint32_t b, uint32_t face,
+            bool *more)
+{
+  uint32_t half = SG_NOTHING;
+
+  *more = false;
+  for (uint32_t i = m->first[a]; i < m->first[a + 1]; i++) {
+    uint32_t h = m->leaving[i].half;
+    if (m->leaving[i].to != b || m->twin[h] != SG_NOTHING ||
+        (face != SG_NOTHING && m->face_of[h / 3] != face)) {
+      continue;
+    }
+    if (half != SG_NOTHING) {
+      *more = true;
+      break;
+    }
+    half = h;
+  }
+  return half;
+}
+
+/* Where there are more than two: those that are opposite in one face are a
+ * chord of it, and no edge. Of what remains there may be one each way. */
+static void
+pair_many(const sg_merge *m, uint32_t v, uint32_t to, weak_list *found)
+{
+  uint32_t half, twin;
+  bool more, more_twins;
+
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    half = m->leaving[i].half;
+    if (m->leaving[i].to == to && m->twin[half] == SG_NOTHING) {
+      twin = next_single(m, to, v, m->face_of[half / 3], &more);
+      if (twin != SG_NOTHING) {
+        make_twins(m, found, half, twin);
+      }
+    }
+  }
+  half = next_single(m, v, to, SG_NOTHING, &more);
+  twin = next_single(m, to, v, SG_NOTHING, &more_twins);
+  if (half != SG_NOTHING && twin != SG_NOTHING && !more && !more_twins) {
+    make_twins(m, found, half, twin);
+  }
+}
+
 /* Finds the twins of the half-edges between v and later vertices. */
 static void
 pair_halves(const pairing *mesh, uint32_t v, weak_list *found)
@@ -221,12 +278,15 @@ pair_halves(const pairing *mesh, uint32_t v, weak_list *found)
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
     uint32_t to = m->leaving[i].to, half = m->leaving[i].half, twin = 0;
     uint32_t other = 0;
-    if (to > v && count_between(m, to, v, &twin) == 1 &&
-        count_between(m, v, to, &other) == 1) {
-      m->twin[half] = twin;
-      m->twin[twin] = half;
-      found->twins++;
-      note_weak(m, found, half, twin);
+    if (to <= v || m->twin[half] != SG_NOTHING) {
+      continue;
+    }
+    unsigned back = count_between(m, to, v, &twin);
+    unsigned there = count_between(m, v, to, &other);
+    if (back == 1 && there == 1) {
+      make_twins(m, found, half, twin);
+    } else if (back > 0 && other == half) { /* once, at the last of them */
+      pair_many(m, v, to, found);
     }
   }
 }

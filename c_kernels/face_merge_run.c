@@ -89,7 +89,7 @@ push_shortcut(runner *r, uint32_t a, uint32_t b, uint32_t farthest)
 /* ---- places ------------------------------------------------------------- */
 
 /* How far v is from the line a-b, squared (from a, if that is no line), and
- * how far along it, 1 being b. */
+ * how far along it from a. */
 static double
 off_line(const sg_merge *m, uint32_t a, uint32_t b, uint32_t v, double *along)
 {
@@ -101,11 +101,12 @@ off_line(const sg_merge *m, uint32_t a, uint32_t b, uint32_t v, double *along)
     line += (q[k] - p[k]) * (q[k] - p[k]);
     product += (q[k] - p[k]) * (x[k] - p[k]);
   }
-  *along = line > 0 ? product / line : 0;
+  double part = line > 0 ? product / line : 0;
   for (int k = 0; k < 3; k++) {
-    double d = x[k] - p[k] - *along * (q[k] - p[k]);
+    double d = x[k] - p[k] - part * (q[k] - p[k]);
     off += d * d;
   }
+  *along = part * sqrt(line);
   return off;
 }
 
@@ -126,14 +127,16 @@ is_before(const sg_merge *m, uint32_t v, uint32_t w)
 /* ---- one run ------------------------------------------------------------ */
 
 /* The vertex where the part of a run has to be divided; 0: it is straight, and
- * *farthest the one that is off most. */
+ * *farthest the one that is off most. It may turn back by the tolerance, for
+ * vertices that are nearer to each other than that have no order. */
 static size_t
 where_bent(const runner *r, size_t from, size_t to, size_t *farthest)
 {
   const sg_merge *m = r->m;
-  double most = -1, last = 0, along;
+  double most = -1, reached = 0, along, end;
   size_t back = 0;
 
+  off_line(m, r->vertex[from], r->vertex[to], r->vertex[to], &end);
   for (size_t i = from + 1; i < to; i++) {
     double off =
         off_line(m, r->vertex[from], r->vertex[to], r->vertex[i], &along);
@@ -141,10 +144,11 @@ where_bent(const runner *r, size_t from, size_t to, size_t *farthest)
       most = off;
       *farthest = i;
     }
-    if (!back && !(along > last && along < 1)) {
+    if (!back &&
+        !(along > reached - m->tolerance && along < end + m->tolerance)) {
       back = i;
     }
-    last = along;
+    reached = along > reached ? along : reached;
   }
   return !(most <= m->tolerance * m->tolerance) ? *farthest : back;
 }

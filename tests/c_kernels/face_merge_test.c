@@ -589,6 +589,38 @@ test_fan(void)
   sg_solid_clear(&solid);
 }
 
+/* A box with a vertex in the middle of an edge, whose two faces there have a
+ * triangle without area each, in the same place: the chords are no edge. */
+static void
+test_slivers(void)
+{
+  static const uint32_t quad[4][4] = {
+      {0, 2, 3, 1}, {0, 4, 6, 2}, {1, 3, 7, 5}, {2, 6, 7, 3}};
+  sg_solid solid = {0};
+
+  for (uint32_t i = 0; i < 8; i++) {
+    add_vertex(&solid, i & 1, i >> 1 & 1, i >> 2);
+  }
+  uint32_t m = add_vertex(&solid, 0.5, 0, 1); /* between 4 and 5 */
+  for (int i = 0; i < 4; i++) {
+    add_face(&solid, 1, i + 1);
+    add_triangle(&solid, quad[i][0], quad[i][1], quad[i][2]);
+    add_triangle(&solid, quad[i][0], quad[i][2], quad[i][3]);
+  }
+  add_face(&solid, 1, 5); /* below in the picture: y = 0 */
+  add_triangle(&solid, 0, 1, 5);
+  add_triangle(&solid, 0, 5, 4);
+  add_triangle(&solid, 5, m, 4);
+  add_face(&solid, 1, 6); /* z = 1 */
+  add_triangle(&solid, 4, m, 5);
+  add_triangle(&solid, 4, 5, 7);
+  add_triangle(&solid, 4, 7, 6);
+  CHECK("slivers in one place", is_closed(&solid));
+  CHECK("they vanish with their vertex",
+        merged_is(&solid, TOLERANCE, 6, 8, 12) && solid.triangles == 12);
+  sg_solid_clear(&solid);
+}
+
 /* ---- what may be said ---------------------------------------------------- */
 
 /* Two boxes side by side, of segments 1 and 2: flush all round. */
@@ -747,6 +779,7 @@ main(void)
   test_sheet();
   test_bent();
   test_fan();
+  test_slivers();
   test_options();
   test_names();
   test_threads();

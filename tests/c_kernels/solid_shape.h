@@ -418,8 +418,24 @@ is_closed(const sg_solid *solid)
   return closed;
 }
 
-/* Edges are those that are not between two triangles of one face alone.
- * Vertices that no triangle has, and such as are on no edge, are counted in
+/* Rows from..to are of one edge, and one face has it more often one way than
+ * the other: it is not just a chord. */
+static inline bool
+is_edge(const half_row *row, size_t from, size_t to)
+{
+  for (size_t i = from; i < to; i++) {
+    int balance = 0;
+    for (size_t j = from; j < to; j++) {
+      balance += row[j].face == row[i].face ? (row[j].way ? 1 : -1) : 0;
+    }
+    if (balance != 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Edges are those that are no chords. Vertices on no edge are counted in
  * *loose. */
 static inline feature_counts
 solid_counts(const sg_solid *solid, size_t *loose)
@@ -437,7 +453,7 @@ solid_counts(const sg_solid *solid, size_t *loose)
          j < n && row[j].low == row[i].low && row[j].high == row[i].high;) {
       j++;
     }
-    if (j - i != 2 || row[i].face != row[i + 1].face) {
+    if (is_edge(row, i, j)) {
       out.edges++;
       on_edge[row[i].low] = on_edge[row[i].high] = true;
     }
