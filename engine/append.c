@@ -241,10 +241,12 @@ sg_append_lists(sg_append *a, size_t page, unsigned column,
 bool
 sg_append_commit(sg_append *a)
 {
-  bool some = a->sheet.rows > 0, good = true;
+  sg_sheet sheet = a->sheet;
+  bool good = true;
 
   sg_world_enter(a->world);
-  if (some && (good = sg_append_show(a))) {
+  if (sheet.rows > 0 && (good = sg_append_show(a))) {
+    sg_runs_add(table_of(a), &sheet, a->first);
     sg_world_changed(a->world);
   }
   sg_world_leave(a->world);

@@ -104,19 +104,21 @@ slots_are_valid(const sg_table *table)
          table->slots <= table->pages * SG_PAGE_ROWS;
 }
 
-/* No two rows of the map have the same key. By an index of its own: that of the
- * table may have rows that wait. */
+/* No two rows of the map have the same key. By an index of its own, which has
+ * all of them. */
 static bool
 keys_are_valid(sg_table *table, const sg_map *map)
 {
   const sg_relation_info *info = table->info;
   sg_index kept = table->index[0];
+  sg_runs runs = table->keys;
   bool valid = true;
 
   if (info->key == 0) {
     return true;
   }
   table->index[0] = (sg_index){.mask = info->key, .free = SG_NO_ROW};
+  table->keys = (sg_runs){0};
   valid = sg_index_build(&table->index[0], table);
   for (sg_row row = 0; valid && row < table->slots; row++) {
     sg_value value[SG_MAX_COLUMNS];
@@ -128,7 +130,34 @@ keys_are_valid(sg_table *table, const sg_map *map)
   }
   sg_index_clear(&table->index[0]);
   table->index[0] = kept;
+  table->keys = runs;
   return valid;
+}
+
+static int32_t
+int_at(const sg_table *table, sg_row row, unsigned column)
+{
+  return sg_table_page(table, row)->cells[column].i[row % SG_PAGE_ROWS];
+}
+
+/* The rows of a run that are taken have the keys that it says. */
+static bool
+runs_are_valid(const sg_table *table)
+{
+  unsigned last =
+      table->info->key ? 31 - (unsigned)__builtin_clz(table->info->key) : 0;
+
+  for (size_t i = 0; i < table->keys.count; i++) {
+    const sg_run *run = &table->keys.run[i];
+    for (sg_row k = 0; k < run->n; k++) {
+      if (sg_table_taken(table, run->row + k) &&
+          (int_at(table, run->row + k, 0) != run->s ||
+           int_at(table, run->row + k, last) != run->id + (int32_t)k)) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 bool
@@ -139,8 +168,8 @@ sg_world_is_valid(sg_world *world)
   pthread_mutex_lock(&world->lock);
   for (int r = 0; valid && r < SG_RELATIONS; r++) {
     sg_table *table = &world->table[r];
-    valid =
-        slots_are_valid(table) && keys_are_valid(table, world->current->map[r]);
+    valid = slots_are_valid(table) && runs_are_valid(table) &&
+            keys_are_valid(table, world->current->map[r]);
     for (const sg_version *v = world->versions; valid && v; v = v->next) {
       valid = map_is_valid(table, v->map[r]);
     }

@@ -456,16 +456,42 @@ sg_index_is_whole(const sg_index *index, const sg_table *table)
   return index->head && index->linked >= table->slots;
 }
 
+/* Rows in runs are not in the key's index. */
+static bool
+leaves_runs_out(const sg_index *index, const sg_table *table)
+{
+  return index == &table->index[0] && table->keys.count > 0;
+}
+
+/* How many rows wait, at most. */
+static size_t
+waiting(const sg_index *index, const sg_table *table)
+{
+  size_t rows = table->slots > index->linked ? table->slots - index->linked : 0;
+
+  return leaves_runs_out(index, table)
+             ? rows - sg_runs_rows(table, index->linked)
+             : rows;
+}
+
 bool
 sg_index_build_some(sg_index *index, const sg_table *table, sg_row rows)
 {
-  sg_row wait = table->slots > index->linked ? table->slots - index->linked : 0;
+  sg_row begin = SG_NO_ROW, end = SG_NO_ROW; /* of the next run */
 
-  if (!reserve_heads(index, table, index->links + wait)) {
+  if (!reserve_heads(index, table, index->links + waiting(index, table))) {
     sg_index_clear(index);
     return false;
   }
+  if (leaves_runs_out(index, table)) {
+    sg_runs_next(table, index->linked, &begin, &end);
+  }
   for (; index->linked < table->slots && rows > 0; rows--) {
+    if (index->linked == begin) {
+      index->linked = end;
+      sg_runs_next(table, end, &begin, &end);
+      continue;
+    }
     if (sg_table_taken(table, index->linked) &&
         !add_row(index, table, index->linked)) {
       sg_index_clear(index);
@@ -510,12 +536,19 @@ bool
 sg_index_is_valid(const sg_index *index, const sg_table *table)
 {
   size_t links = 0;
+  sg_row begin = SG_NO_ROW, end = SG_NO_ROW; /* of the next run */
 
+  if (leaves_runs_out(index, table)) {
+    sg_runs_next(table, 0, &begin, &end);
+  }
   if (!index->head) {
     return index->linked == 0 && index->links == 0;
   }
   for (sg_row row = 0; row < table->slots && row < index->linked; row++) {
-    if (!sg_table_taken(table, row)) {
+    if (row >= end) {
+      sg_runs_next(table, row, &begin, &end);
+    }
+    if (!sg_table_taken(table, row) || (row >= begin && row < end)) {
       continue;
     }
     if (!index->members) {

@@ -134,7 +134,8 @@ sg_status sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
 /* Many rows that are right by construction: their maker writes the cells in
  * place, with several threads if it likes, and then all are shown at once. Keys
  * and references are not looked at, indexes take the rows in when they are used
- * next, so a row costs what writing its cells costs. For rows that a kernel
+ * next (that of keys only those without dense ids, runs.h), so a row costs what
+ * writing its cells costs. For rows that a kernel
  * made itself; what a user wrote goes through sg_world_add_many().
  *
  *   sg_append a;

@@ -57,6 +57,7 @@ sg_table_clear(sg_table *table)
     page_close(table->page[i], table->info);
   }
   free(table->page);
+  sg_runs_clear(&table->keys);
   sg_arena_clear(&table->arena);
 }
 
@@ -314,6 +315,9 @@ sg_table_sweep(sg_table *table, sg_map *const *map, size_t maps)
   for (size_t i = 0; i < table->pages; i++) {
     vacated += sweep_page(table, i, map, maps);
   }
+  if (sg_runs_sweep(table)) {
+    sg_index_clear(&table->index[0]);
+  }
   trim_slots(table);
   table->emptied = 0;
   table->open = 0;
@@ -346,6 +350,17 @@ sg_table_link(sg_table *table, sg_row row)
   }
 }
 
+/* A run has the key of this row, which is in none. */
+static bool
+in_run(const sg_table *table, const sg_map *map, sg_row row)
+{
+  const sg_page *page = sg_table_page(table, row);
+  unsigned last = 31 - (unsigned)__builtin_clz(table->info->key);
+
+  return sg_runs_find(table, map, page->cells[0].i[row % SG_PAGE_ROWS],
+                      page->cells[last].i[row % SG_PAGE_ROWS]) != SG_NO_ROW;
+}
+
 bool
 sg_table_link_key(sg_table *table, const sg_map *map, sg_row row)
 {
@@ -354,6 +369,9 @@ sg_table_link_key(sg_table *table, const sg_map *map, sg_row row)
   uint64_t hash = sg_index_hash_row(index, table, row);
   uint32_t other = sg_index_first(index, hash);
 
+  if (table->keys.count > 0 && in_run(table, map, row)) {
+    return false;
+  }
   if (other != SG_NO_ROW) {
     sg_value key[SG_MAX_COLUMNS];
     sg_page_row(sg_table_page(table, row), info, info->key, row % SG_PAGE_ROWS,
@@ -379,14 +397,26 @@ sg_table_unlink(sg_table *table, sg_row row)
 }
 
 sg_row
+sg_table_find_run(const sg_table *table, const sg_map *map, const sg_value *row)
+{
+  unsigned last = 31 - (unsigned)__builtin_clz(table->info->key);
+
+  return table->keys.count > 0 ? sg_runs_find(table, map, row[0].i, row[last].i)
+                               : SG_NO_ROW;
+}
+
+sg_row
 sg_table_find(sg_table *table, const sg_map *map, const sg_value *row)
 {
   const sg_relation_info *info = table->info;
   sg_index *index = &table->index[0];
-  uint64_t hash = sg_index_hash(info, info->key, row);
+  sg_row found = sg_table_find_run(table, map, row);
 
-  for (uint32_t r = sg_index_first(index, hash); r != SG_NO_ROW;
-       r = sg_index_next(index, r)) {
+  if (found != SG_NO_ROW) {
+    return found;
+  }
+  for (uint32_t r = sg_index_first(index, sg_index_hash(info, info->key, row));
+       r != SG_NO_ROW; r = sg_index_next(index, r)) {
     if (sg_map_shows(map, r) &&
         sg_page_match(sg_table_page(table, r), info, info->key,
                       r % SG_PAGE_ROWS, row)) {

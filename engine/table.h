@@ -17,6 +17,7 @@
 
 #include "arena.h"
 #include "index.h"
+#include "runs.h"
 #include "store.h"
 #include "term.h"
 
@@ -74,6 +75,7 @@ typedef struct sg_table {
   size_t emptied; /* slots on empty stacks */
   size_t open;    /* no page before this one has an empty slot */
   size_t written; /* rows since the last sweep */
+  sg_runs keys;   /* rows that the key's index does not have */
   sg_arena arena;
   sg_index index[SG_MAX_INDEXES];
   unsigned indexes;
@@ -173,7 +175,10 @@ void sg_table_unlink(sg_table *table, sg_row row);
  * shows another row with this key, nothing was done. */
 bool sg_table_link_key(sg_table *table, const sg_map *map, sg_row row);
 
-/* The live row that has row's values in the key's columns. */
+/* The live row that has row's values in the key's columns: if it is in a run;
+ * in a run or in the key's index, which is whole. */
+sg_row sg_table_find_run(const sg_table *table, const sg_map *map,
+                         const sg_value *row);
 sg_row sg_table_find(sg_table *table, const sg_map *map, const sg_value *row);
 
 #endif

@@ -55,7 +55,8 @@ sg_version_find(const sg_version *version, sg_relation relation,
   }
   pthread_mutex_lock(&world->lock);
   table->lookups++;
-  if (sg_index_build(&table->index[0], table)) {
+  found = sg_table_find_run(table, version->map[relation], row);
+  if (found == SG_NO_ROW && sg_index_build(&table->index[0], table)) {
     found = sg_table_find(table, version->map[relation], row);
   }
   pthread_mutex_unlock(&world->lock);
@@ -215,6 +216,26 @@ gather(sg_walk *walk, const sg_index *index, uint64_t hash)
   return true;
 }
 
+/* The row with the key that is asked for, if it is in a run. */
+static bool
+gather_run(sg_walk *walk, const sg_table *table, const sg_index *index)
+{
+  const sg_map *map = walk->version->map[walk->relation];
+  sg_row row = index == &table->index[0] && walk->info->key
+                   ? sg_table_find_run(table, map, walk->row)
+                   : SG_NO_ROW;
+
+  if (row == SG_NO_ROW) {
+    return false;
+  }
+  walk->gathered = true;
+  if (sg_page_match(sg_table_page(table, row), walk->info, walk->mask,
+                    row % SG_PAGE_ROWS, walk->row)) {
+    walk->few[walk->count++] = row;
+  }
+  return true;
+}
+
 static void
 walk_init(sg_walk *walk, const sg_version *version, sg_relation relation,
           uint16_t mask)
@@ -287,7 +308,9 @@ sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
     return true;
   }
   pthread_mutex_lock(&world->lock);
-  if (sg_index_build(index, table)) {
+  if (gather_run(walk, table, index)) {
+    table->lookups++;
+  } else if (sg_index_build(index, table)) {
     table->lookups++;
     walk->gathered = true;
     done = gather(walk, index, sg_index_hash(walk->info, index->mask, row));

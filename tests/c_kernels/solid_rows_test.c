@@ -48,8 +48,9 @@ random_solid(size_t triangles, uint32_t vertices, uint32_t largest)
     n = solid.triangles + n > triangles
             ? (uint32_t)(triangles - solid.triangles)
             : n;
-    face[solid.faces++] = (sg_solid_face){7, (int32_t)solid.faces + 1, draw(2),
-                                          (uint32_t)solid.triangles, n};
+    face[solid.faces] = (sg_solid_face){7, (int32_t)solid.faces + 1, draw(2),
+                                        (uint32_t)solid.triangles, n};
+    solid.faces++;
     for (uint32_t i = 0; i < n; i++) {
       uint32_t a = draw(few), b = (a + 1 + draw(few - 1)) % few, c;
       do {

@@ -505,6 +505,71 @@ test_shortened(void)
   sg_world_drop(world);
 }
 
+static sg_row
+find_vertex(sg_world *world, int32_t v)
+{
+  const sg_version *version = sg_world_version(world);
+  sg_value key[SG_MAX_COLUMNS] = {{.i = 1}, {.i = v}};
+  sg_row row = sg_version_find(version, SG_V, key);
+
+  sg_version_drop(version);
+  return row;
+}
+
+static size_t
+index_bytes(sg_world *world, sg_relation relation)
+{
+  sg_statistics statistics;
+
+  sg_world_statistics(world, relation, &statistics);
+  return statistics.index_bytes;
+}
+
+/* A long stretch, and every other one of some. */
+static bool
+goes(int32_t v)
+{
+  return (v >= 100 && v < 3100) || (v >= 5000 && v < 5100 && v % 2);
+}
+
+/* Rows with dense ids are found without an index; also after some of them went
+ * and their slots are used again. */
+static void
+test_runs(void)
+{
+  enum { ROWS = 2 * SG_PAGE_ROWS };
+  sg_world *world = sg_world_open();
+  sg_value row[SG_MAX_COLUMNS] = {{.i = 1}, {.i = 7}, {.f = 0.5}};
+  sg_row again = SG_NO_ROW;
+  bool right = true;
+
+  make_rows(&some, SG_V, 1, 1, ROWS, (const int32_t[3]){1, 1, 1});
+  append(world, &some);
+  for (int32_t v = 1; v <= ROWS; v++) {
+    right = right && find_vertex(world, v) == (sg_row)v - 1;
+  }
+  CHECK("all are found", right);
+  CHECK("without an index", index_bytes(world, SG_V) == 0);
+  CHECK("no others", find_vertex(world, ROWS + 1) == SG_NO_ROW);
+  for (int32_t v = 1; right && v <= ROWS; v++) {
+    right = !goes(v) || sg_world_retract(world, SG_V, find_vertex(world, v));
+  }
+  CHECK("some are retracted", right && sg_world_is_valid(world));
+  CHECK("a key twice", sg_world_add(world, SG_V, row, NULL, NULL) == SG_EXISTS);
+  row[1].i = 150;
+  CHECK("one is added again",
+        sg_world_add(world, SG_V, row, &again, NULL) == SG_OK);
+  CHECK("in a slot that was used", again < ROWS);
+  CHECK("it is found", find_vertex(world, 150) == again);
+  for (int32_t v = 1; v <= ROWS; v++) {
+    bool there = !goes(v) || v == 150;
+    right = right && (find_vertex(world, v) != SG_NO_ROW) == there;
+  }
+  CHECK("the others are, and those gone are not", right);
+  CHECK("valid", sg_world_is_valid(world));
+  sg_world_drop(world);
+}
+
 /* A key that is not right by construction: the audit finds it. */
 static void
 test_a_broken_promise(void)
@@ -526,6 +591,7 @@ main(void)
   test_transactions();
   test_closed_without_commit();
   test_shortened();
+  test_runs();
   test_a_broken_promise();
   for (uint64_t start = 1; start <= 5; start++) {
     test_twins(start);

@@ -1,0 +1,196 @@
+/* runs.c -- rows that need no place in the index of keys: see runs.h. */
+#include "table.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  SHORTEST = 64, /* rows of a run */
+  MOST = 2048    /* runs of a table */
+};
+
+void
+sg_runs_clear(sg_runs *runs)
+{
+  free(runs->run);
+  *runs = (sg_runs){0};
+}
+
+/* The column of the id in a key of a segment and an id; 0: it is another. */
+static unsigned
+id_column(const sg_table *table)
+{
+  const sg_relation_info *info = table->info;
+  unsigned last = info->key ? 31 - (unsigned)__builtin_clz(info->key) : 0;
+
+  return (info->key & 1) && __builtin_popcount(info->key) == 2 &&
+                 info->column[last].type == SG_INT
+             ? last
+             : 0;
+}
+
+/* The first run that is not before (s, row). */
+static size_t
+place_of(const sg_runs *runs, int32_t s, sg_row row)
+{
+  size_t low = 0, high = runs->count;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    const sg_run *run = &runs->run[middle];
+    if (run->s < s || (run->s == s && run->row < row)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+static void
+insert(sg_runs *runs, const sg_run *run)
+{
+  size_t place = place_of(runs, run->s, run->row);
+
+  if (run->n < SHORTEST || runs->count == MOST) {
+    return;
+  }
+  if (runs->count == runs->room) {
+    size_t room = runs->room ? 2 * runs->room : 8;
+    sg_run *more = realloc(runs->run, room * sizeof(*more));
+    if (!more) {
+      return; /* the index takes them */
+    }
+    runs->run = more;
+    runs->room = room;
+  }
+  memmove(&runs->run[place + 1], &runs->run[place],
+          (runs->count - place) * sizeof(*run));
+  runs->run[place] = *run;
+  runs->count++;
+}
+
+/* Segment and ids of a page's rows go on from the first. */
+static bool
+is_run(const int32_t *s, const int32_t *id, size_t n)
+{
+  uint32_t differ = 0;
+
+  for (size_t i = 0; i < n; i++) {
+    differ |= (uint32_t)(s[i] ^ s[0]);
+    differ |= ((uint32_t)id[i] - (uint32_t)id[0]) ^ (uint32_t)i;
+  }
+  return differ == 0;
+}
+
+void
+sg_runs_add(sg_table *table, const sg_sheet *sheet, sg_row first)
+{
+  unsigned column = id_column(table);
+  sg_run run = {0};
+
+  for (size_t k = 0; column && k < sheet->pages; k++) {
+    const sg_sheet_page *page = &sheet->page[k];
+    const int32_t *s = page->column[0].i, *id = page->column[column].i;
+    if (!is_run(s, id, page->n)) {
+      insert(&table->keys, &run);
+      run = (sg_run){0};
+    } else if (run.n > 0 && run.s == s[0] && run.id + (int32_t)run.n == id[0]) {
+      run.n += (sg_row)page->n;
+    } else {
+      insert(&table->keys, &run);
+      run = (sg_run){s[0], id[0], first + (sg_row)page->from, (sg_row)page->n};
+    }
+  }
+  insert(&table->keys, &run);
+}
+
+sg_row
+sg_runs_find(const sg_table *table, const sg_map *map, int32_t s, int32_t id)
+{
+  const sg_runs *runs = &table->keys;
+
+  for (size_t i = place_of(runs, s, 0); i < runs->count && runs->run[i].s == s;
+       i++) {
+    const sg_run *run = &runs->run[i];
+    int64_t at = (int64_t)id - run->id;
+    if (at >= 0 && at < run->n && sg_map_shows(map, run->row + (sg_row)at)) {
+      return run->row + (sg_row)at;
+    }
+  }
+  return SG_NO_ROW;
+}
+
+void
+sg_runs_next(const sg_table *table, sg_row row, sg_row *begin, sg_row *end)
+{
+  *begin = *end = SG_NO_ROW;
+  for (size_t i = 0; i < table->keys.count; i++) {
+    const sg_run *run = &table->keys.run[i];
+    sg_row from = run->row > row ? run->row : row;
+    if (run->row + run->n > row && from < *begin) {
+      *begin = from;
+      *end = run->row + run->n;
+    }
+  }
+}
+
+size_t
+sg_runs_rows(const sg_table *table, sg_row row)
+{
+  size_t rows = 0;
+
+  for (size_t i = 0; i < table->keys.count; i++) {
+    const sg_run *run = &table->keys.run[i];
+    sg_row from = run->row > row ? run->row : row;
+    rows += run->row + run->n > row ? run->row + run->n - from : 0;
+  }
+  return rows;
+}
+
+/* The end of the rows from `row` on that are all taken, or all not. */
+static sg_row
+same_until(const sg_table *table, sg_row row, sg_row end)
+{
+  bool taken = sg_table_taken(table, row);
+
+  while (row < end && sg_table_taken(table, row) == taken) {
+    uint64_t word = sg_table_page(table, row)->taken[row % SG_PAGE_ROWS / 64];
+    bool same = row % 64 == 0 && word == (taken ? ~UINT64_C(0) : 0);
+    row += same ? 64 : 1;
+  }
+  return row < end ? row : end;
+}
+
+/* What is left of a run; true: some of its rows are in none any more. */
+static bool
+sweep_run(const sg_table *table, const sg_run *run, sg_runs *left)
+{
+  sg_row end = run->row + run->n;
+  bool lost = false;
+
+  for (sg_row row = run->row, next; row < end; row = next) {
+    size_t before = left->count;
+    next = same_until(table, row, end);
+    if (sg_table_taken(table, row)) {
+      insert(left, &(sg_run){run->s, run->id + (int32_t)(row - run->row), row,
+                             next - row});
+      lost = lost || left->count == before;
+    }
+  }
+  return lost;
+}
+
+bool
+sg_runs_sweep(sg_table *table)
+{
+  sg_runs left = {0};
+  bool lost = false;
+
+  for (size_t i = 0; i < table->keys.count; i++) {
+    lost = sweep_run(table, &table->keys.run[i], &left) || lost;
+  }
+  sg_runs_clear(&table->keys);
+  table->keys = left;
+  return lost;
+}
