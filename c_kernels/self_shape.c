@@ -26,10 +26,14 @@ sg_shape_minus(const double a[3], const double b[3], double out[3])
   }
 }
 
+/* Safe from overflow and underflow, which are rare. */
 static double
 length(const double v[3])
 {
-  return hypot(hypot(v[0], v[1]), v[2]);
+  double square = dot(v, v);
+
+  return square > 1e-280 && square < 1e300 ? sqrt(square)
+                                           : hypot(hypot(v[0], v[1]), v[2]);
 }
 
 void
