@@ -197,6 +197,48 @@ note_touched(sg_arrangement *a)
   }
 }
 
+/* The points on an edge of a leaf, from v1 to v2 if *forward; null: there are
+ * none. */
+static const sg_split_edge *
+points_on(const sg_arrangement *a, int32_t s, int32_t v1, int32_t v2,
+          bool *forward)
+{
+  const sg_cut_set *set = a->leaves.set;
+  uint32_t x = sg_cut_model_find(&set->model, s, v1);
+  uint32_t y = sg_cut_model_find(&set->model, s, v2);
+  uint32_t key[2] = {x < y ? x : y, x < y ? y : x};
+  uint32_t number = sg_key_table_get(&set->edge_number, key);
+
+  *forward = x < y;
+  return number == SG_NO_KEY ? NULL : &set->edge[number];
+}
+
+/* An edge of a leaf is as a line, in all parts that it is divided into. */
+static bool
+note_edge(sg_arrangement *a, uint32_t leaf, int32_t v1, int32_t v2)
+{
+  const sg_cut_points *points = &a->leaves.set->points;
+  int32_t s = a->leaf[leaf].s, from = v1;
+  bool forward;
+  const sg_split_edge *edge = points_on(a, s, v1, v2, &forward);
+  size_t n = edge ? edge->n : 0;
+  uint32_t key[3];
+
+  for (size_t i = 0; i <= n; i++) {
+    int32_t to = v2;
+
+    if (i < n) {
+      to = sg_cut_points_name(points, edge->point[forward ? i : n - 1 - i], s);
+    }
+    line_key(leaf, from, to, key);
+    if (!note(&a->barrier, key)) {
+      return false;
+    }
+    from = to;
+  }
+  return true;
+}
+
 /* Where a leaf is not one sheet, nothing hangs together, and its edges of more
  * than two triangles are as lines. */
 static bool
@@ -216,10 +258,7 @@ note_knots(sg_arrangement *a)
       }
     }
     for (size_t k = 0; k < knots->edges; k++) {
-      uint32_t key[3];
-
-      line_key(i, knots->edge[k][0], knots->edge[k][1], key);
-      if (!note(&a->barrier, key)) {
+      if (!note_edge(a, i, knots->edge[k][0], knots->edge[k][1])) {
         return false;
       }
     }

@@ -124,6 +124,10 @@ test(welded, Bad == []) :-
     findall(Seed, ( between(1, 30, Seed),
                     random_shells(Seed, random_box, Shells),
                     \+ as_apart(Shells, welded) ), Bad).
+test(welded_solids, Bad == []) :-
+    findall(Seed, ( between(1030, 1045, Seed),
+                    random_shells(Seed, random_solid, Shells),
+                    \+ as_apart(Shells, welded) ), Bad).
 test(cut_and_forgotten, Bad == []) :-
     findall(Seed, ( between(31, 60, Seed),
                     random_shells(Seed, random_box, Shells),
