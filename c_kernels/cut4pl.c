@@ -26,6 +26,7 @@ close_handle(sg_cut_handle *handle)
     sg_key_table_clear(&handle->edge_type);
     sg_key_table_clear(&handle->edges_read);
     free(handle->real);
+    sg_cut_rows_clear(handle);
     sg_cut_open_clear(handle);
     sg_version_drop(handle->version);
     sg_world_drop(handle->world);

@@ -12,11 +12,13 @@
 #include "tree4pl.h"
 #include "work.h"
 
-/* Where a row of a segment was found. */
-typedef struct sg_cut_row {
-  int32_t s, id; /* 0: nowhere yet */
-  sg_row row;
-} sg_cut_row;
+/* Rows of a relation by id, made when one is asked for the first time. */
+typedef struct sg_cut_rows_by_id {
+  sg_id_rows *of; /* [segments], or null */
+  bool failed;    /* there was no memory for it */
+} sg_cut_rows_by_id;
+
+enum { SG_CUT_TABLES = 3 }; /* of e/5, p/3 and plane/6 */
 
 /* One penetration under way. The model, and all real edges, are those of the
  * version at which it was opened. */
@@ -38,9 +40,9 @@ typedef struct sg_cut_handle {
   sg_key_table line_of;                /* segment, two points -> line */
   uint8_t *real; /* [real_room]: the real edges of triangles that were asked */
   size_t real_room;
-  sg_key_table edge_type;    /* segment, polygon, two vertices -> Et */
-  sg_key_table edges_read;   /* segment, polygon: edges are in edge_type */
-  sg_cut_row last_row[2][2]; /* of e/5 and p/3, of an even and an odd segment */
+  sg_key_table edge_type;  /* segment, polygon, two vertices -> Et */
+  sg_key_table edges_read; /* segment, polygon: edges are in edge_type */
+  sg_cut_rows_by_id by_id[SG_CUT_TABLES];
   bool grouped; /* its polygons are listed, its points have names */
   bool shut;    /* for Prolog: cut_set_close/1 was called */
   bool closed;
@@ -49,6 +51,17 @@ typedef struct sg_cut_handle {
 
 /* The open cut set that t names: type_error, existence_error. */
 int sg_get_cut_set_ex(term_t t, sg_cut_handle **out);
+
+/* The row (s, id) of e/5, p/3 or plane/6, SG_NO_ROW: there is none
+ * (cut_ids4pl.c). */
+sg_row sg_cut_row_of(sg_cut_handle *handle, sg_relation relation, int32_t s,
+                     int32_t id);
+void sg_cut_rows_clear(sg_cut_handle *handle);
+
+/* Notes the polygons of all split edges, or of those that are late: each has a
+ * triangle beside the edge, which is in the model, since the point is in it.
+ * False: no memory. */
+bool sg_cut_add_beside(sg_cut_handle *handle, bool late);
 
 /* A set that is kept is not closed before it is let go. Once a keep. */
 void sg_cut_set_keep(sg_cut_handle *handle);

@@ -1,8 +1,7 @@
 /* cut_real4pl.c -- cut sets: which edges of leaf triangles are real.
  *
  * Layer: glue; no predicates of its own. The edges of a polygon are read when
- * the first cut comes near it, by their keys; so nothing is indexed or walked
- * that is far from the lines. What is found for a triangle is kept with its
+ * the first cut comes near it. What is found for a triangle is kept with its
  * number, what is found for a polygon of many edges in a table.
  */
 #include "cut4pl.h"
@@ -16,34 +15,11 @@ enum {
   EDGE = 0x1c /* columns of e/5: its vertices and type */
 };
 
-/* The row (s, id) of e/5 or p/3; SG_NO_ROW: there is none. Mostly it is as far
- * from the one that was found last as their ids are apart. */
-static sg_row
-find_row(sg_cut_handle *handle, sg_relation relation, int32_t s, int32_t id)
-{
-  const sg_version *version = handle->version;
-  sg_cut_row *last = &handle->last_row[relation == SG_P][s % 2];
-  int64_t guess = (int64_t)last->row + id - last->id;
-  sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = id};
-  sg_row row = (sg_row)guess;
-
-  if (last->s != s || guess < 0 || guess >= SG_NO_ROW ||
-      !sg_version_live(version, relation, row) ||
-      sg_version_value(version, relation, row, 0).i != s ||
-      sg_version_value(version, relation, row, 1).i != id) {
-    row = sg_version_find(version, relation, key);
-  }
-  if (row != SG_NO_ROW) {
-    *last = (sg_cut_row){s, id, row};
-  }
-  return row;
-}
-
 /* The vertices and type of an edge, in their columns. False: there is none. */
 static bool
 read_edge(sg_cut_handle *handle, int32_t s, int32_t e, sg_value *out)
 {
-  sg_row row = find_row(handle, SG_E, s, e);
+  sg_row row = sg_cut_row_of(handle, SG_E, s, e);
 
   if (row != SG_NO_ROW) {
     sg_version_row(handle->version, SG_E, row, EDGE, out);
@@ -151,7 +127,7 @@ find_bits(sg_cut_handle *handle, uint32_t triangle)
 {
   const sg_cut_model *model = &handle->set.model;
   const sg_leaf_triangle *leaf = &model->triangle[triangle];
-  sg_row row = find_row(handle, SG_P, leaf->s, leaf->p);
+  sg_row row = sg_cut_row_of(handle, SG_P, leaf->s, leaf->p);
   int32_t v[3];
 
   if (row == SG_NO_ROW) {

@@ -35,17 +35,15 @@ name_ex(sg_cut_handle *handle, uint32_t point, int32_t s)
 
 /* Whether vertex v is one of polygon p. */
 static bool
-is_in_polygon(const sg_cut_handle *handle, int32_t s, int32_t p, int32_t v)
+is_in_polygon(sg_cut_handle *handle, int32_t s, int32_t p, int32_t v)
 {
-  sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = p};
-  sg_row row = sg_version_find(handle->version, SG_P, key);
+  sg_row row = sg_cut_row_of(handle, SG_P, s, p);
   const int32_t *list =
       row == SG_NO_ROW ? NULL
                        : sg_version_value(handle->version, SG_P, row, 2).list;
 
   for (int32_t i = 1; list && i <= list[0]; i++) {
-    sg_value edge[SG_MAX_COLUMNS] = {[0].i = s, [1].i = list[i]};
-    sg_row at = sg_version_find(handle->version, SG_E, edge);
+    sg_row at = sg_cut_row_of(handle, SG_E, s, list[i]);
 
     if (at != SG_NO_ROW &&
         (sg_version_value(handle->version, SG_E, at, 2).i == v ||
@@ -136,55 +134,6 @@ name_all_ex(sg_cut_handle *handle)
 
 /* ---- sealing ---- */
 
-/* Notes the polygons that have edge e. */
-static int
-add_polygons_of_ex(sg_cut_handle *handle, int32_t s, int32_t e)
-{
-  sg_walk walk;
-  int good = TRUE;
-
-  if (!sg_index_ready(handle->version, SG_P, 0, &sg_prolog_poll)) {
-    return FALSE;
-  }
-  if (!sg_walk_open_member(&walk, handle->version, SG_P, s, e)) {
-    return sg_no_memory();
-  }
-  for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
-    int32_t p = sg_version_value(handle->version, SG_P, row, 1).i;
-    good = sg_cut_set_add_polygon(&handle->set, s, p) || sg_no_memory();
-  }
-  sg_walk_close(&walk);
-  return good;
-}
-
-/* Notes the polygons on both sides of a split edge. */
-static int
-add_neighbours_ex(sg_cut_handle *handle, const sg_split_edge *edge)
-{
-  const sg_leaf_vertex *vertex = handle->set.model.vertex;
-  int32_t v[2] = {vertex[edge->place.a].v, vertex[edge->place.b].v};
-  int good = TRUE;
-
-  for (int turn = 0; turn < 2 && good; turn++) {
-    sg_value row[SG_MAX_COLUMNS] = {
-        [0].i = edge->s, [2].i = v[turn], [3].i = v[!turn]};
-    sg_walk walk;
-
-    if (!sg_index_ready(handle->version, SG_E, 0x0d, &sg_prolog_poll)) {
-      return FALSE;
-    }
-    if (!sg_walk_open(&walk, handle->version, SG_E, 0x0d, row)) {
-      return sg_no_memory();
-    }
-    for (sg_row found; good && (found = sg_walk_next(&walk)) != SG_NO_ROW;) {
-      int32_t e = sg_version_value(handle->version, SG_E, found, 1).i;
-      good = add_polygons_of_ex(handle, edge->s, e);
-    }
-    sg_walk_close(&walk);
-  }
-  return good;
-}
-
 static foreign_t
 cut_seal(term_t t)
 {
@@ -206,10 +155,8 @@ group_ex(sg_cut_handle *handle)
   if (handle->grouped) {
     return TRUE;
   }
-  for (size_t i = 0; i < set->edges; i++) {
-    if (set->edge[i].n > 0 && !add_neighbours_ex(handle, &set->edge[i])) {
-      return FALSE;
-    }
+  if (!sg_cut_add_beside(handle, false)) {
+    return sg_no_memory();
   }
   handle->grouped = true;
   return (sg_cut_set_group(set) || sg_no_memory()) && name_all_ex(handle);
@@ -418,8 +365,7 @@ fill_work_ex(sg_cut_handle *handle, sg_work *work, int32_t s, sg_row polygon)
       sg_version_value(handle->version, SG_P, polygon, 2).list;
 
   for (int32_t i = 0; i < list[0]; i++) {
-    sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = list[i + 1]};
-    sg_row row = sg_version_find(handle->version, SG_E, key);
+    sg_row row = sg_cut_row_of(handle, SG_E, s, list[i + 1]);
 
     if (row != SG_NO_ROW && !add_split_edge_ex(handle, work, row)) {
       return PL_exception(0) ? FALSE : PL_representation_error("vertex");
@@ -448,9 +394,9 @@ enter_piece_ends_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t p)
 /* The polygon's normal. One without area has no plane; nothing enters it, so
  * any direction will do. */
 static void
-get_normal(const sg_cut_handle *handle, const sg_value *key, double out[3])
+get_normal(sg_cut_handle *handle, int32_t s, int32_t p, double out[3])
 {
-  sg_row plane = sg_version_find(handle->version, SG_PLANE, key);
+  sg_row plane = sg_cut_row_of(handle, SG_PLANE, s, p);
 
   out[0] = out[1] = 0;
   out[2] = 1;
@@ -470,13 +416,12 @@ cut_work(term_t t, term_t s, term_t p, term_t out)
       !sg_get_id_ex(p, &key[1])) {
     return FALSE;
   }
-  sg_value row[SG_MAX_COLUMNS] = {[0].i = key[0], [1].i = key[1]};
-  sg_row polygon = sg_version_find(handle->version, SG_P, row);
+  sg_row polygon = sg_cut_row_of(handle, SG_P, key[0], key[1]);
 
   if (polygon == SG_NO_ROW) {
     return PL_existence_error("polygon", p);
   }
-  get_normal(handle, row, normal);
+  get_normal(handle, key[0], key[1], normal);
   sg_work *work = sg_work_open(normal);
 
   if (!work) {
@@ -517,11 +462,8 @@ cut_late_polygons(term_t t, term_t list)
   }
   sg_cut_set *set = &handle->set;
   size_t listed = set->polygons;
-  int good = TRUE;
+  int good = sg_cut_add_beside(handle, true) || sg_no_memory();
 
-  for (size_t i = 0; good && i < set->edges; i++) {
-    good = !set->edge[i].late || add_neighbours_ex(handle, &set->edge[i]);
-  }
   for (size_t i = listed; good && i < set->polygons; i++) {
     good = PL_unify_list(tail, head, tail) &&
            PL_unify_term(head, PL_FUNCTOR_CHARS, "-", 2, PL_INT,

@@ -1,0 +1,128 @@
+/* cut_ids4pl.c -- cut sets: rows by id, and what is beside a split edge.
+ *
+ * Layer: glue; no predicates of its own. A cut set asks for some thousand rows
+ * of what may be millions, just once: to walk the segments is cheaper than to
+ * build the indexes of the relations.
+ */
+#include "cut4pl.h"
+
+#include "glue.h"
+
+#include <stdlib.h>
+
+/* The table of a relation; -1: it has none. */
+static int
+place_of(sg_relation relation)
+{
+  return relation == SG_E       ? 0
+         : relation == SG_P     ? 1
+         : relation == SG_PLANE ? 2
+                                : -1;
+}
+
+static bool
+fill_table(const sg_cut_handle *handle, sg_relation relation,
+           sg_cut_rows_by_id *out)
+{
+  sg_view view;
+  sg_segment_rows rows = {0};
+  bool good = sg_version_view(handle->version, relation, &view);
+
+  if (!good) {
+    return false;
+  }
+  out->of = calloc(handle->segments + 1, sizeof *out->of);
+  good = out->of && sg_segment_rows_find(&view, handle->segment,
+                                         handle->segments, NULL, &rows);
+  for (size_t i = 0; i < handle->segments && good; i++) {
+    good = sg_id_rows_make(&view, rows.row + rows.begin[i],
+                           rows.begin[i + 1] - rows.begin[i], &out->of[i]);
+  }
+  sg_segment_rows_clear(&rows);
+  sg_view_clear(&view);
+  return good;
+}
+
+void
+sg_cut_rows_clear(sg_cut_handle *handle)
+{
+  for (int k = 0; k < SG_CUT_TABLES; k++) {
+    for (size_t i = 0; handle->by_id[k].of && i < handle->segments; i++) {
+      sg_id_rows_clear(&handle->by_id[k].of[i]);
+    }
+    free(handle->by_id[k].of);
+    handle->by_id[k].of = NULL;
+  }
+}
+
+/* Where segment s is among those of the set, SIZE_MAX: it is not. */
+static size_t
+segment_place(const sg_cut_handle *handle, int32_t s)
+{
+  size_t low = 0, high = handle->segments;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if (handle->segment[middle] < s) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < handle->segments && handle->segment[low] == s ? low : SIZE_MAX;
+}
+
+sg_row
+sg_cut_row_of(sg_cut_handle *handle, sg_relation relation, int32_t s,
+              int32_t id)
+{
+  size_t place = segment_place(handle, s);
+  int k = place_of(relation);
+  sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = id};
+
+  if (k >= 0 && place != SIZE_MAX && !handle->by_id[k].failed &&
+      !handle->by_id[k].of) {
+    handle->by_id[k].failed = !fill_table(handle, relation, &handle->by_id[k]);
+  }
+  if (k < 0 || place == SIZE_MAX || handle->by_id[k].failed) {
+    return sg_version_find(handle->version, relation, key);
+  }
+  uint32_t row = sg_id_rows_find(&handle->by_id[k].of[place], id);
+
+  return row == SG_NO_ID_ROW ? SG_NO_ROW : row;
+}
+
+/* ---- beside split edges ---- */
+
+/* The split edge between two vertices of the model, null: it is none. */
+static const sg_split_edge *
+find_split(const sg_cut_set *set, uint32_t a, uint32_t b)
+{
+  uint32_t key[2] = {a < b ? a : b, a < b ? b : a};
+  uint32_t number = sg_key_table_get(&set->edge_number, key);
+
+  return number == SG_NO_KEY || set->edge[number].n == 0 ? NULL
+                                                         : &set->edge[number];
+}
+
+bool
+sg_cut_add_beside(sg_cut_handle *handle, bool late)
+{
+  sg_cut_set *set = &handle->set;
+  const sg_cut_model *model = &set->model;
+
+  for (size_t i = 0; i < model->triangles; i++) {
+    const sg_leaf_triangle *t = &model->triangle[i];
+    bool beside = false;
+
+    for (int k = 0; k < 3 && !beside; k++) {
+      const sg_split_edge *edge = find_split(set, t->v[k], t->v[(k + 1) % 3]);
+
+      beside = edge && (edge->late || !late);
+    }
+    if (beside && !sg_cut_set_add_polygon(set, t->s, t->p)) {
+      return false;
+    }
+  }
+  return true;
+}
