@@ -28,6 +28,8 @@
             segment_operand/2,        % +S, -Operand
             segment_edges/4,          % +S, +Most, -Counts, -Edges
             windings/3,               % +S, +Points, -Windings
+            % leaf4pl.c
+            leaves_keep/1,            % +Polygons
             % solid4pl.c
             solid_take/2,             % +Segments, -Solid
             solid_counts/4,           % +Solid, -Vertices, -Faces, -Triangles
@@ -236,6 +238,12 @@ glue file.
 %
 %   True when segment S has a defect of this Kind; A and B as
 %   c_kernels/census.h says. One pass over the world a call.
+
+/* - - - leaf4pl.c - - - */
+
+%!  leaves_keep(+Polygons:list) is semidet.
+%
+%   As leaf.pl, leaves_kept_by_rule/1. Fails if one is not there.
 
 /* - - - solid4pl.c - - - */
 

@@ -1,5 +1,6 @@
 :- module(sg_leaf,
           [ leaves_kept/1,              % +Polygons
+            leaves_kept_by_rule/1,      % +Polygons
             place_kept/1,               % +Vertex
             curve_kept/1,               % +S
             were_cut/2,                 % ?S1, ?S2
@@ -7,6 +8,7 @@
             earlier_cuts/2,             % +Pairs, -Earlier
             leaves_restored/1           % +Pairs
           ]).
+:- use_module(kernel, [leaves_keep/1]).
 :- use_module(store,
               [ v/5, e/5, p/3, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6,
                 segment/3, origin/3, line/9, edge_polygon/3,
@@ -36,10 +38,17 @@ others are left alone.
 
 %!  leaves_kept(+Polygons:list) is det.
 %
+%   What leaves_kept_by_rule/1 says, all at once.
+
+leaves_kept(Polygons) :-
+    leaves_keep(Polygons).
+
+%!  leaves_kept_by_rule(+Polygons:list) is det.
+%
 %   Writes leaf_e/5, leaf_p/3 and leaf_t/6 of the polygons S-P, which are
 %   about to be cut; those that have them keep them.
 
-leaves_kept(Polygons) :-
+leaves_kept_by_rule(Polygons) :-
     maplist(leaf_kept, Polygons).
 
 leaf_kept(S-P) :-

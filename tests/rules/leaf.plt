@@ -198,6 +198,36 @@ test(restored, After == Before) :-
                \+ origin(_, _, _),
                \+ leaf_row(_) )).
 
+% The kernel keeps what the rule keeps, in the same order; what is kept stays.
+test(kernel_and_rule, Rows1-Again == Rows2-Rows1) :-
+    kept(leaves_kept, Rows1, Again),
+    kept(leaves_kept_by_rule, Rows2, _),
+    length(Rows1, N),
+    N > 100.
+test(no_polygon, fail) :-
+    in_steps([[box(size(2,2,2))]], leaves_kept([1-1, 1-99])).
+test(no_polygon_to_keep, error(type_error(integer, a))) :-
+    in_steps([[box(size(2,2,2))]], leaves_kept([1-a])).
+
+kept(How, Rows, Again) :-
+    new_world(World),
+    in_world(World,
+             ( add([ box(size(2,2,2)), sphere(radius(1), facets(6), bands(4)),
+                     prism(outline([[0,0],[4,0],[0,4]]),
+                           holes([[[1,1],[2,1],[1,2]]]), height(1)) ]),
+               findall(S-P, p(S, P, _), Polygons0),
+               reverse(Polygons0, Polygons1),
+               Polygons1 = [One|_],
+               call(How, [One]),
+               append(Polygons1, [One], Polygons),
+               call(How, Polygons),
+               leaf_rows(Rows),
+               call(How, Polygons),
+               leaf_rows(Again) )).
+
+leaf_rows(Rows) :-
+    findall(Row, leaf_row(Row), Rows).
+
 leaf_row(v(S, V, X, Y, Z)) :- leaf_v(S, V, X, Y, Z).
 leaf_row(e(S, E, A, B, Et)) :- leaf_e(S, E, A, B, Et).
 leaf_row(p(S, P, Es)) :- leaf_p(S, P, Es).
