@@ -1,8 +1,8 @@
 :- module(sg_meeting,
           [ contact_pairs/3,            % +Pairs, +Tolerance, -Contacts
             find_curve_points/1,        % +Set
-            is_self/1,                  % +Pair
-            met_pairs/4                 % +All, +Pairs, +Tolerance, -Met
+            met_pairs/4,                % +All, +Pairs, +Tolerance, -Met
+            touching_pairs/2            % +Pairs, -Contacts
           ]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_find/1, curve_candidate/3,
@@ -11,10 +11,10 @@
               ]).
 :- use_module(leaf, [origin_segment/2]).
 :- use_module(resolve, [resolve_contacts/2]).
-:- autoload(library(apply), [exclude/3]).
+:- autoload(library(apply), [exclude/3, partition/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [member/2]).
-:- autoload(library(ordsets), [ord_union/3]).
+:- autoload(library(ordsets), [ord_memberchk/2, ord_union/3]).
 
 /** <module> Which segments meet, without cutting them.
 */
@@ -30,11 +30,19 @@ find_curve_points(Set) :-
 %!  contact_pairs(+Pairs:list, +Tolerance, -Contacts:list) is det.
 %
 %   Contacts are Pairs, in order, and the other pairs of the same segments whose
-%   boxes are not farther apart than Tolerance. A segment with itself is none.
+%   boxes are not farther apart than Tolerance. Those of a segment S with S-S in
+%   Pairs are left out: its own sheets are not made to touch each other, so they
+%   are not moved to others either, and what is decided of it stays exact.
 
 contact_pairs(Pairs0, Tolerance, Contacts) :-
-    exclude(is_self, Pairs0, Pairs),
+    touching_pairs(Pairs0, Pairs),
     pairs_contacts(Pairs, Tolerance, Contacts).
+
+has_self(Selves, S1-S2) :-
+    (   ord_memberchk(S1-S1, Selves)
+    ;   ord_memberchk(S2-S2, Selves)
+    ),
+    !.
 
 pairs_contacts([], _, []) :-
     !.
@@ -53,9 +61,14 @@ pairs_contacts(Pairs, Tolerance, Contacts) :-
     sort(Near0, Near),
     ord_union(Pairs, Near, Contacts).
 
-%!  is_self(+Pair) is semidet.
+%!  touching_pairs(+Pairs:list, -Contacts:list) is det.
 %
-%   True when Pair is S-S.
+%   Contacts are those of Pairs that may be made to touch, as contact_pairs/3
+%   says.
+
+touching_pairs(Pairs, Contacts) :-
+    partition(is_self, Pairs, Selves, Different),
+    exclude(has_self(Selves), Different, Contacts).
 
 is_self(S-S).
 

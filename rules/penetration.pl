@@ -30,7 +30,9 @@
               [ leaves_kept/1, were_cut/2, earlier_cuts/2, leaves_restored/1
               ]).
 :- use_module(meeting,
-              [ contact_pairs/3, find_curve_points/1, is_self/1, met_pairs/4 ]).
+              [ contact_pairs/3, find_curve_points/1, met_pairs/4,
+                touching_pairs/2
+              ]).
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [facts_snapshot/1, facts_transaction/1]).
@@ -109,8 +111,9 @@ penetrate :-
 %
 %   The same for the segments S1-S2 of the list Pairs only. S-S is the segment S
 %   with itself: where it goes through itself or lies on itself, but not where
-%   its triangles are neighbours (share vertices). Nothing inside S is made to
-%   touch first. Its lines have S1 = S2, and an edge pair in each polygon.
+%   its triangles are neighbours (share vertices). Nothing is made to touch
+%   inside S first, nor with S. Its lines have S1 = S2, and an edge pair in each
+%   polygon.
 
 penetrate(Pairs) :-
     penetrate(Pairs, []).
@@ -275,7 +278,7 @@ chains_of_leaves(Pairs, Tolerance, Chains) :-
     ->  true
     ;   leaves_restored(Earlier)
     ),
-    exclude(is_self, Pairs, Contacts),
+    touching_pairs(Pairs, Contacts),
     touched(Pairs, Contacts, Tolerance, chained(Chains), _).
 
 %!  leaves_entered(+Pairs:list, +Tolerance, :Goal) is semidet.
