@@ -9,6 +9,7 @@
    MOVES of the leaves (all unless told) are moved.
 */
 :- use_module('../rules/boolean').
+:- use_module('../rules/csg_evaluate').
 :- use_module('../rules/model_file').
 :- use_module('../rules/stage').
 :- use_module('../rules/store').
@@ -73,28 +74,31 @@ said(S, Text) :-
 
 /* - - - a tree of 1,000 - - - */
 
-%   Solids of some kinds at 10 x 10 x 10 places 1 apart, no wider than 1.4: each
-%   meets at most its 6 neighbours and some on the diagonal. Every third is taken
-%   away from the union of the others.
+%   Solids of some kinds at 10 x 10 x 10 places 1 apart, no wider than 1.4:
+%   each meets at most its 6 neighbours and some on the diagonal. Every third is
+%   taken away from the union of the others.
 
 tree :-
-    forall(between(0, 999, I), add_leaf(I, 0)),
-    complete_segments,
+    forall(between(0, 999, I), ( leaf(I, 0, Leaf), add_primitive(Leaf, _) )),
     findall(S, ( between(1, 1000, S), S mod 3 =\= 0 ), Added),
     findall(S, ( between(1, 1000, S), S mod 3 =:= 0 ), Removed),
-    Expression = difference([union(Added)|Removed]),
-    timed(boolean(Expression, 1001), First),
+    assert_fact(segment(1001, solid, difference([union(Added)|Removed]))),
+    complete_segments,
+    timed(evaluate(1001), First),
     said(1001, Text),
     format("1,000 primitives: first evaluation ~3f s: ~w~n", [First,Text]),
+    stages_reset,
     moves(Leaves),
-    maplist(moved_seconds(Expression), Leaves, Seconds),
+    maplist(moved_seconds, Leaves, Seconds),
     sum_list(Seconds, Sum),
     length(Seconds, N),
     max_list(Seconds, Worst),
     Mean is Sum/N/First*100,
     WorstPart is Worst/First*100,
     format("one leaf moved, mean of ~d: ~2f % of the first; the worst ~2f %~n",
-           [N,Mean,WorstPart]).
+           [N,Mean,WorstPart]),
+    forall(stage_seconds(Name, Part),
+           ( Ms is Part/N/2*1000, format("  ~w ~1f ms~n", [Name,Ms]) )).
 
 moves(Leaves) :-
     (   getenv('MOVES', Text)
@@ -104,14 +108,10 @@ moves(Leaves) :-
     Step is max(1, 1000//N),
     findall(S, ( between(1, 1000, S), S mod Step =:= 0 ), Leaves).
 
-add_leaf(I, By) :-
-    S is I+1,
-    X is I mod 10+By, Y is I//10 mod 10, Z is I//100,
-    leaf(I, Primitive),
-    add_primitive(at([rotate(axis(1,2,3),I),translate(X,Y,Z)], Primitive), S0),
-    S0 == S.
+%   leaf(I, By, Leaf): the term of leaf I, moved along x.
 
-leaf(I, Primitive) :-
+leaf(I, By, at([rotate(axis(1,2,3),I),translate(X,Y,Z)], Primitive)) :-
+    X is I mod 10+By, Y is I//10 mod 10, Z is I//100,
     Kind is I mod 4,
     nth0(Kind,
          [ box(size(0.75,0.75,0.75)),
@@ -120,17 +120,18 @@ leaf(I, Primitive) :-
            cone(radius(0.5), height(1), facets(12)) ],
          Primitive).
 
-%   moved_seconds(Expression, S, Seconds): leaf S moved a little, and evaluated.
+%   moved_seconds(S, Seconds): leaf S moved a little, and the tree evaluated.
 
-moved_seconds(Expression, S, Seconds) :-
-    facts_snapshot(( move(S),
-                     timed(boolean(Expression, 1002), Seconds),
-                     nb_setval(seconds, Seconds) )),
-    nb_getval(seconds, Seconds).
+moved_seconds(S, Seconds) :-
+    I is S-1,
+    leaf(I, 0, Old),
+    leaf(I, 0.03125, New),
+    replaced(S, Old, New),
+    timed(evaluate(1001), Seconds),
+    replaced(S, New, Old),
+    evaluate(1001).
 
-move(S) :-
-    forall(v(S, V, X, Y, Z),
-           ( retract_fact(v(S, V, X, Y, Z)),
-             X1 is X+0.03125,
-             assert_fact(v(S, V, X1, Y, Z)) )),
-    complete_segments.
+replaced(S, Old, New) :-
+    retract_fact(segment(S, solid, Old)),
+    !,
+    assert_fact(segment(S, solid, New)).

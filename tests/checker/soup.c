@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CORNERS = 100000 };
+enum { MOST_CORNERS = 100000, MANY_CORNERS = 400 };
 
 static void *
 room(size_t n, size_t size)
@@ -82,6 +82,64 @@ is_ear(const soup *s, const int *loop, int n, int i, int axis, int turn)
   return true;
 }
 
+/* The distance of p from the segment from a to c. */
+static double
+distance(const double *p, const double *a, const double *c)
+{
+  double along = 0, length = 0, square = 0;
+
+  for (int k = 0; k < 3; k++) {
+    along += (p[k] - a[k]) * (c[k] - a[k]);
+    length += (c[k] - a[k]) * (c[k] - a[k]);
+  }
+  along = length > 0 ? along / length : 0;
+  along = along < 0 ? 0 : along > 1 ? 1 : along;
+  for (int k = 0; k < 3; k++) {
+    double d = p[k] - a[k] - along * (c[k] - a[k]);
+
+    square += d * d;
+  }
+  return sqrt(square);
+}
+
+/* How near the other corners come to the edge that cutting off corner i leaves:
+ * one that goes through a corner but for rounding would fold the polygon. */
+static double
+clearance(const soup *s, const int *loop, int n, int i)
+{
+  const double *a = s->point[loop[(i + n - 1) % n]];
+  const double *c = s->point[loop[(i + 1) % n]];
+  double least = INFINITY;
+
+  for (int k = 0; k < n; k++) {
+    const double *p = s->point[loop[k]];
+
+    if (memcmp(p, a, sizeof(double[3])) != 0 &&
+        memcmp(p, c, sizeof(double[3])) != 0) {
+      least = fmin(least, distance(p, a, c));
+    }
+  }
+  return least;
+}
+
+/* The ear with most clearance, or -1; of large polygons any ear. */
+static int
+best_ear(const soup *s, const int *loop, int n, int axis, int turn)
+{
+  double most = -1;
+  int best = -1;
+
+  for (int i = 0; i < n && (n <= MANY_CORNERS || best < 0); i++) {
+    double room_left = clearance(s, loop, n, i);
+
+    if (room_left > most && is_ear(s, loop, n, i, axis, turn)) {
+      most = room_left;
+      best = i;
+    }
+  }
+  return best;
+}
+
 static void
 add_triangle(soup *s, int a, int b, int c)
 {
@@ -97,24 +155,18 @@ static void
 add_polygon(soup *s, int *loop, int n)
 {
   int axis = 0, turn = n > 3 ? axis_of(s, loop, n, &axis) : 0;
-  bool clear = n == 3;
 
   while (n > 3) {
-    int i = 0;
+    int i = best_ear(s, loop, n, axis, turn);
 
-    while (i < n && !is_ear(s, loop, n, i, axis, turn)) {
-      i++;
+    if (i < 0) {
+      s->unclear++;
+      break;
     }
-    clear = i < n;
-    i = clear ? i : 0;
     add_triangle(s, loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]);
     memmove(loop + i, loop + i + 1, (size_t)(n - i - 1) * sizeof *loop);
     n--;
-    if (!clear) {
-      break;
-    }
   }
-  s->unclear += !clear && n > 3;
   for (int i = 2; i < n; i++) {
     add_triangle(s, loop[0], loop[i - 1], loop[i]);
   }
