@@ -145,7 +145,8 @@ primitive_en(across_axis(R, Z), _) -->
     [ 'the point [~w, ~w] of the outline is beyond the axis'-[R, Z], nl,
       '  Points are [R, Z] with R from 0: the distance from the axis.' ].
 primitive_en(point_on_axis(Z), _) -->
-    [ 'the outline touches the axis in a single point, at ~w'-[Z], nl,
+    [ 'the outline touches the axis in a single point, at ~w, where its edge \c
+       is level'-[Z], nl,
       '  Keep it clear of the axis, or let an edge run along the axis.' ].
 primitive_en(no_faces, _) -->
     [ 'there are no faces', nl,

@@ -58,14 +58,16 @@ right_of_axis(Outline, Term) :-
     ;   true
     ).
 
-%   beside_axis(Term, Loop): where it touches the axis it runs along it.
+%   beside_axis(Term, Loop): where it touches the axis it runs along it, or
+%   comes in and goes out slantwise: all facets there meet in one vertex.
 
 beside_axis(Term, Loop) :-
     (   loop_step(Loop, A, B, C),
         B = R-Z,
         R =:= 0.0,
         \+ on_axis(A),
-        \+ on_axis(C)
+        \+ on_axis(C),
+        ( A = _-ZA, ZA =:= Z ; C = _-ZC, ZC =:= Z )
     ->  primitive_error(point_on_axis(Z), Term)
     ;   true
     ).

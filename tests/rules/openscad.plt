@@ -232,7 +232,7 @@ faulty("linear_extrude(height = 1, slices = 9e5, twist = 3) { circle(r = 1, \c
         $fn = 50); }", primitive(too_many_vertices(_, _), _), 1, 1).
 faulty("rotate_extrude() { square(size = 2, center = true); }",
        openscad(across_axis(-1.0, 1.0)), 1, 1).
-faulty("rotate_extrude() { polygon(points = [[0,0],[1,-1],[1,1]]); }",
+faulty("rotate_extrude() { polygon(points = [[0,0],[1,0],[1,1]]); }",
        primitive(point_on_axis(0.0), _), 1, 1).
 
 % measured(Text, Volume): what OpenSCAD 2021.01 makes of it has this volume
@@ -267,6 +267,8 @@ measured("rotate_extrude(angle=-200, $fn=0, $fa=12, $fs=2) { \c
 measured("rotate_extrude(angle=77, $fn=7) { \c
           multmatrix([[1,0,0,3],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { \c
           square(); } }", 3.410295).
+measured("rotate_extrude(angle=360, $fn=6) { \c
+          polygon(points=[[0,0],[2,-1],[2,1]]); }", 13.8564065).
 measured("rotate_extrude(angle=360, $fn=0, $fa=12, $fs=2) { intersection() { \c
           circle(r=5); \c
           multmatrix([[1,0,0,0],[0,1,0,-10],[0,0,1,0],[0,0,0,1]]) { \c

@@ -71,7 +71,7 @@ wrong(pyramid(height(1)), missing(base)).
 wrong(pyramid(base(1,1), outline([[0,0],[1,0],[0,1]]), height(1)),
       both(base, outline)).
 wrong(turning(outline([[0,0],[1,0],[-1,1]])), across_axis(-1.0, 1.0)).
-wrong(turning(outline([[0,0],[1,-1],[1,1]])), point_on_axis(0.0)).
+wrong(turning(outline([[0,0],[1,0],[1,1]])), point_on_axis(0.0)).
 wrong(turning(outline([[0,0],[1,0],[0,1]]), facets(2)), few_facets(2, 3)).
 wrong(turning(outline([[0,0],[1,0],[0,1]]), angle(200), facets(1)),
       few_facets(1, 2)).

@@ -189,6 +189,17 @@ test(pyramid_with_a_hole, Remarks == [pinched_vertex-1]) :-
     dict_pairs(Segment.faults, _, []),
     dict_pairs(Segment.remarks, _, Remarks),
     near(Segment.volume, 64.0).
+test(outline_touching_the_axis,
+     [ forall(member(r(Degrees, N, Expected), [ r(360, 8, [pinched_vertex-1]),
+                                                r(90, 3, []),
+                                                r(200, 5, []) ])),
+       true(Remarks == Expected) ]) :-
+    checked(turning(outline([[0,0],[2,-1],[2,1]]), angle(Degrees), facets(N)),
+            Segment),
+    dict_pairs(Segment.faults, _, []),
+    dict_pairs(Segment.remarks, _, Remarks),
+    Area is N/2*sin(Degrees/N*pi/180),
+    near(Segment.volume, 4*Area*4/3).
 test(mirrored_surface, Chains == [[1,4,3,2]]) :-
     primitive_shape(at([mirror(x)], rectangle(size(1,2))), _, _, Chains).
 test(not_mirrored_twice, Chains == [[1,2,3,4]]) :-
