@@ -379,6 +379,8 @@ is_most_general(term_t args, unsigned arity)
   return true;
 }
 
+enum { RETRACTED = 1 << 14 }; /* rows between questions for signals */
+
 static int
 retract_answers(asking *a, term_t args)
 {
@@ -386,8 +388,11 @@ retract_answers(asking *a, term_t args)
   sg_row row;
 
   a->strict = a->strict || a->open; /* a variable may stand twice */
-  while ((row = next_answer(a, args)) != SG_NO_ROW) {
+  for (size_t n = 1; (row = next_answer(a, args)) != SG_NO_ROW; n++) {
     sg_world_retract(world, a->relation, row);
+    if (n % RETRACTED == 0 && PL_handle_signals() < 0) {
+      return FALSE;
+    }
   }
   return !PL_exception(0);
 }
