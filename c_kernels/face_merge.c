@@ -10,11 +10,7 @@ clear(sg_merge *m)
     free(m->group[i].triangle);
     free(m->group[i].auxiliary);
   }
-  free(m->face_of);
-  free(m->first);
-  free(m->leaving);
-  free(m->twin);
-  free(m->weak);
+  sg_merge_mesh_clear(m);
   free(m->group_of);
   free(m->member);
   free(m->group);
@@ -163,10 +159,27 @@ count_refused(const sg_merge *m, sg_merge_counts *out)
   }
 }
 
+/* Half-edges, once vertices in one place are one. */
 static sg_merge_end
-merge(sg_merge *m)
+make_mesh(sg_merge *m, sg_solid *solid, sg_contracted *before)
 {
   sg_merge_end end = sg_merge_mesh(m);
+
+  if (end == SG_MERGE_DONE &&
+      (m->briefs || solid->vertices - solid->plain > 1)) {
+    end = sg_merge_contract(m, solid, before);
+    if (end == SG_MERGE_DONE && before->triangle) {
+      sg_merge_mesh_clear(m);
+      end = sg_merge_mesh(m);
+    }
+  }
+  return end;
+}
+
+static sg_merge_end
+merge(sg_merge *m, sg_solid *solid, sg_contracted *before)
+{
+  sg_merge_end end = make_mesh(m, solid, before);
 
   if (end == SG_MERGE_DONE && (m->weaks || !only_triangles(m->solid))) {
     end = sg_merge_grow(m);
@@ -185,11 +198,16 @@ sg_face_merge(sg_solid *solid, const sg_merge_options *options,
   sg_merge_counts done = {.faces_before = solid->faces,
                           .vertices_before = solid->vertices,
                           .triangles_before = solid->triangles};
-  sg_merge_end end = merge(&m);
+  sg_contracted before = {0};
+  sg_merge_end end = merge(&m, solid, &before);
 
   if (end == SG_MERGE_DONE && is_changed(&m)) {
     end = sg_merge_write(&m, solid);
   }
+  if (end != SG_MERGE_DONE) {
+    sg_merge_restore(solid, &before);
+  }
+  sg_merge_forget(&before);
   count_refused(&m, &done);
   done.faces_after = solid->faces;
   done.vertices_after = solid->vertices;

@@ -17,6 +17,8 @@
  *   - Faces that lose vertices are triangulated again, n + 2 h - 2 triangles
  *     for n corners and h holes (and 2 for each vertex inside that belongs to
  *     another face too). Faces that lose none keep their triangles.
+ *   - Ends of an edge no longer than the tolerance are one vertex, and so are
+ *     vertices made by cuts no farther apart; what that leaves nothing of goes.
  *   - Where the polygon that would come out is invalid (parts thinner than the
  *     tolerance), its vertices stay, and if that does not help its faces stay
  *     apart.

@@ -17,16 +17,22 @@ enum {
   LONG = 24,       /* lists longer than this are sorted */
 };
 
-/* The weak edges a task has found, and how many pairs of twins. */
-typedef struct weak_list {
+typedef struct edge_list {
   uint32_t (*pair)[2];
-  size_t n, room, twins;
+  size_t n, room;
+} edge_list;
+
+/* What a task has found. */
+typedef struct finds {
+  edge_list weak;  /* faces */
+  edge_list brief; /* vertices */
+  size_t twins;    /* pairs */
   bool no_memory;
-} weak_list;
+} finds;
 
 typedef struct pairing {
   sg_merge *m;
-  weak_list *found; /* [blocks] */
+  finds *found; /* [blocks] */
 } pairing;
 
 /* ---- lists of half-edges ------------------------------------------------ */
@@ -191,34 +197,41 @@ may_join(const sg_merge *m, uint32_t f, uint32_t g)
 }
 
 static void
-note_weak(const sg_merge *m, weak_list *found, uint32_t half, uint32_t twin)
+note(finds *found, edge_list *list, uint32_t a, uint32_t b)
 {
-  uint32_t f = m->face_of[half / 3], g = m->face_of[twin / 3];
-
-  if (f == g || !is_flat(m, half, twin) || !may_join(m, f, g)) {
-    return;
-  }
-  if (found->n == found->room) {
-    size_t room = found->room ? found->room * 2 : 64;
-    uint32_t(*pair)[2] = realloc(found->pair, room * sizeof *pair);
+  if (list->n == list->room) {
+    size_t room = list->room ? list->room * 2 : 64;
+    uint32_t(*pair)[2] = realloc(list->pair, room * sizeof *pair);
     if (!pair) {
       found->no_memory = true;
       return;
     }
-    found->pair = pair;
-    found->room = room;
+    list->pair = pair;
+    list->room = room;
   }
-  found->pair[found->n][0] = f;
-  found->pair[found->n++][1] = g;
+  list->pair[list->n][0] = a;
+  list->pair[list->n++][1] = b;
+}
+
+static bool
+is_brief(const sg_merge *m, uint32_t v, uint32_t w)
+{
+  const double *a = sg_merge_at(m, v), *b = sg_merge_at(m, w);
+  double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+
+  return dot(d, d) <= m->tolerance * m->tolerance;
 }
 
 static void
-make_twins(const sg_merge *m, weak_list *found, uint32_t half, uint32_t twin)
+make_twins(const sg_merge *m, finds *found, uint32_t half, uint32_t twin)
 {
   m->twin[half] = twin;
   m->twin[twin] = half;
   found->twins++;
-  note_weak(m, found, half, twin);
+  uint32_t f = m->face_of[half / 3], g = m->face_of[twin / 3];
+  if (f != g && is_flat(m, half, twin) && may_join(m, f, g)) {
+    note(found, &found->weak, f, g);
+  }
 }
 
 /* A half-edge a -> b that has no twin yet, of a face if that is not
@@ -248,7 +261,7 @@ next_single(const sg_merge *m, uint32_t a, uint32_t b, uint32_t face,
 /* Where there are more than two: those that are opposite in one face are a
  * chord of it, and no edge. Of what remains there may be one each way. */
 static void
-pair_many(const sg_merge *m, uint32_t v, uint32_t to, weak_list *found)
+pair_many(const sg_merge *m, uint32_t v, uint32_t to, finds *found)
 {
   uint32_t half, twin;
   bool more, more_twins;
@@ -271,7 +284,7 @@ pair_many(const sg_merge *m, uint32_t v, uint32_t to, weak_list *found)
 
 /* Finds the twins of the half-edges between v and later vertices. */
 static void
-pair_halves(const pairing *mesh, uint32_t v, weak_list *found)
+pair_halves(const pairing *mesh, uint32_t v, finds *found)
 {
   const sg_merge *m = mesh->m;
 
@@ -280,6 +293,9 @@ pair_halves(const pairing *mesh, uint32_t v, weak_list *found)
     uint32_t other = 0;
     if (to <= v || m->twin[half] != SG_NOTHING) {
       continue;
+    }
+    if (is_brief(m, v, to)) {
+      note(found, &found->brief, v, to);
     }
     unsigned back = count_between(m, to, v, &twin);
     unsigned there = count_between(m, v, to, &other);
@@ -337,31 +353,44 @@ lists_made(sg_merge *m, size_t blocks)
   return run(m, RANGES, list_leaving, m) && run(m, blocks, sort_long, m);
 }
 
-/* The finds of all blocks, in their order. */
-static sg_merge_end
-gather(sg_merge *m, const weak_list *found, size_t blocks)
+/* The lists of all blocks, in their order: the weak ones, or the brief. Null:
+ * no memory. */
+static uint32_t (*gather(const finds *found, size_t blocks, bool brief,
+                         size_t *n))[2]
 {
-  size_t n = 0, twins = 0;
+  uint32_t(*all)[2];
+
+  *n = 0;
+  for (size_t i = 0; i < blocks; i++) {
+    *n += brief ? found[i].brief.n : found[i].weak.n;
+  }
+  all = malloc((*n + 1) * sizeof *all);
+  *n = 0;
+  for (size_t i = 0; all && i < blocks; i++) {
+    const edge_list *list = brief ? &found[i].brief : &found[i].weak;
+    if (list->n) {
+      memcpy(all + *n, list->pair, list->n * sizeof *all);
+    }
+    *n += list->n;
+  }
+  return all;
+}
+
+static sg_merge_end
+gather_all(sg_merge *m, const finds *found, size_t blocks)
+{
+  size_t twins = 0;
 
   for (size_t i = 0; i < blocks; i++) {
-    n += found[i].n;
     twins += found[i].twins;
     if (found[i].no_memory) {
       return SG_MERGE_NO_MEMORY;
     }
   }
   m->regular = 2 * twins == 3 * m->solid->triangles;
-  m->weak = malloc((n + 1) * sizeof *m->weak);
-  if (!m->weak) {
-    return SG_MERGE_NO_MEMORY;
-  }
-  for (size_t i = 0; i < blocks; i++) {
-    if (found[i].n) {
-      memcpy(m->weak + m->weaks, found[i].pair, found[i].n * sizeof *m->weak);
-    }
-    m->weaks += found[i].n;
-  }
-  return SG_MERGE_DONE;
+  m->weak = gather(found, blocks, false, &m->weaks);
+  m->brief = gather(found, blocks, true, &m->briefs);
+  return m->weak && m->brief ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
 }
 
 static double
@@ -397,12 +426,28 @@ sg_merge_mesh(sg_merge *m)
     memset(m->twin, 0xff, halves * sizeof *m->twin);
     note_faces(m);
     end = lists_made(m, blocks) && run(m, blocks, pair_block, &mesh)
-              ? gather(m, mesh.found, blocks)
+              ? gather_all(m, mesh.found, blocks)
               : SG_MERGE_STOPPED;
   }
   for (size_t i = 0; mesh.found && i < blocks; i++) {
-    free(mesh.found[i].pair);
+    free(mesh.found[i].weak.pair);
+    free(mesh.found[i].brief.pair);
   }
   free(mesh.found);
   return end;
+}
+
+void
+sg_merge_mesh_clear(sg_merge *m)
+{
+  free(m->face_of);
+  free(m->first);
+  free(m->leaving);
+  free(m->twin);
+  free(m->weak);
+  free(m->brief);
+  m->face_of = m->first = m->twin = NULL;
+  m->leaving = NULL;
+  m->weak = m->brief = NULL;
+  m->weaks = m->briefs = 0;
 }

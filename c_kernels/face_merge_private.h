@@ -1,8 +1,9 @@
 /* face_merge_private.h -- what the files of face_merge.h share.
  *
  * Layer: kernel. A half-edge is 3 t + k: that of triangle t from corner k to
- * the next. The way is: half-edges and their twins (face_merge_mesh.c), groups
- * of faces (face_merge_grow.c), which vertices vanish (face_merge_vertex.c,
+ * the next. The way is: half-edges and their twins (face_merge_mesh.c), edges
+ * without length (face_merge_contract.c), groups of faces (face_merge_grow.c),
+ * which vertices vanish (face_merge_vertex.c,
  * face_merge_run.c), new triangles (face_merge_fill.c), the solid anew
  * (face_merge_write.c).
  */
@@ -62,6 +63,8 @@ typedef struct sg_merge {
   bool regular;        /* all have twins */
   uint32_t (*weak)[2]; /* [weaks]: neighbours that might be one face */
   size_t weaks;
+  uint32_t (*brief)[2]; /* [briefs]: edges no longer than the tolerance */
+  size_t briefs;
   uint32_t *group_of; /* [faces]: or SG_NOTHING */
   uint32_t *member;   /* [members]: the faces of groups */
   size_t members, member_room;
@@ -123,8 +126,31 @@ sg_merge_at(const sg_merge *m, uint32_t vertex)
 
 /* ---- face_merge_mesh.c ---- */
 
-/* face_of, first, leaving, twin and weak. */
+/* face_of, first, leaving, twin, weak and brief. */
 sg_merge_end sg_merge_mesh(sg_merge *m);
+void sg_merge_mesh_clear(sg_merge *m);
+
+/* ---- face_merge_contract.c ---- */
+
+/* What a solid was before vertices were put together. */
+typedef struct sg_contracted {
+  uint32_t (*triangle)[3];
+  uint8_t *auxiliary;
+  sg_solid_face *face;
+  struct sg_solid_part *part;
+  size_t triangles, faces, parts;
+} sg_contracted;
+
+/* Puts the ends of brief edges together, and vertices made by cuts that are
+ * within the tolerance of each other: of each the first vertex stays.
+ * Triangles, and faces, of which nothing is left go; every half-edge that is
+ * left has the opposite that it had. *before is empty if nothing changed, else
+ * what sg_merge_restore() needs. */
+sg_merge_end sg_merge_contract(const sg_merge *m, sg_solid *solid,
+                               sg_contracted *before);
+/* Undoes it; or frees what it would need. */
+void sg_merge_restore(sg_solid *solid, sg_contracted *before);
+void sg_merge_forget(sg_contracted *before);
 
 /* ---- face_merge_plane.c ---- */
 

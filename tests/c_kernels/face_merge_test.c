@@ -621,6 +621,61 @@ test_slivers(void)
   sg_solid_clear(&solid);
 }
 
+/* A cube one of whose vertices is there twice, a hair apart: as an edge of no
+ * length, with the triangle on either side of it. */
+static void
+test_brief_edge(void)
+{
+  cube_lump lump = pair_lump(0);
+  sg_solid solid = lump_solid(&lump, EACH_TRIANGLE);
+  uint32_t v = solid.triangle[0][0], a = solid.triangle[0][1];
+  const double *at = solid.vertex[v].at;
+  uint32_t twin = add_vertex(&solid, at[0], at[1] + 1e-15, at[2]);
+  uint32_t third = solid.triangle[0][2];
+
+  /* the first triangle gets the twin; two slivers fill the gaps */
+  solid.triangle[0][0] = twin;
+  add_face(&solid, 1, 100);
+  add_triangle(&solid, v, a, twin);
+  add_face(&solid, 1, 101);
+  add_triangle(&solid, v, twin, third);
+  CHECK("a cube with a vertex twice", is_closed(&solid));
+  CHECK("it has it once", merged_is(&solid, TOLERANCE, 6, 8, 12));
+  sg_solid_clear(&solid);
+}
+
+/* Two cubes side by side that share no vertex: those made by cuts are in one
+ * place, so they are one. */
+static void
+test_made_twice(void)
+{
+  cube_lump lump = pair_lump(0);
+  sg_solid solid = lump_solid(&lump, EACH_SQUARE), other = copy_of(&solid);
+  size_t n = solid.vertices;
+
+  for (size_t i = 0; i < n; i++) {
+    const double *at = other.vertex[i].at;
+    add_vertex(&solid, at[0] + 1, at[1], at[2]);
+  }
+  for (size_t f = 0; f < other.faces; f++) {
+    add_face(&solid, 2, (int32_t)f + 1);
+    for (size_t t = 0; t < other.triangles; t++) {
+      const uint32_t *c = other.triangle[t];
+      if (t >= other.face[f].first && t < other.face[f].first + 2) {
+        add_triangle(&solid, c[0] + (uint32_t)n, c[1] + (uint32_t)n,
+                     c[2] + (uint32_t)n);
+      }
+    }
+  }
+  solid.plain = 0;
+  solid.origin = calloc(solid.vertices, sizeof *solid.origin);
+  CHECK("two cubes with vertices of their own",
+        merge(&solid, TOLERANCE) == SG_MERGE_DONE);
+  CHECK("they share four", solid.vertices == 12 && is_closed(&solid));
+  sg_solid_clear(&solid);
+  sg_solid_clear(&other);
+}
+
 /* ---- what may be said ---------------------------------------------------- */
 
 /* Two boxes side by side, of segments 1 and 2: flush all round. */
@@ -780,6 +835,8 @@ main(void)
   test_bent();
   test_fan();
   test_slivers();
+  test_brief_edge();
+  test_made_twice();
   test_options();
   test_names();
   test_threads();

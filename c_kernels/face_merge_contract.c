@@ -1,0 +1,222 @@
+/* face_merge_contract.c -- vertices in one place: see face_merge_private.h.
+ *
+ * Layer: kernel. Putting vertices together opens nothing: a triangle that then
+ * has a vertex twice has, of what is left, an edge and its opposite.
+ */
+#include "face_merge_private.h"
+
+#include <stdlib.h>
+
+static uint32_t
+root_of(uint32_t *up, uint32_t v)
+{
+  while (up[v] != v) {
+    v = up[v] = up[up[v]];
+  }
+  return v;
+}
+
+static bool
+are_near(const sg_merge *m, uint32_t v, uint32_t w)
+{
+  double square = 0;
+
+  for (int k = 0; k < 3; k++) {
+    double d = sg_merge_at(m, v)[k] - sg_merge_at(m, w)[k];
+    square += d * d;
+  }
+  return square <= m->tolerance * m->tolerance;
+}
+
+/* Puts two vertices together, if those that stand for them are near too. */
+static bool
+join(const sg_merge *m, uint32_t *up, uint32_t v, uint32_t w)
+{
+  uint32_t a = root_of(up, v), b = root_of(up, w);
+
+  if (a == b || !are_near(m, a, b)) {
+    return false;
+  }
+  up[a < b ? b : a] = a < b ? a : b;
+  return true;
+}
+
+/* A vertex made by a cut, and how far it is along a direction that planes of
+ * models are hardly ever perpendicular to. */
+typedef struct made_vertex {
+  double along;
+  uint32_t vertex;
+} made_vertex;
+
+static int
+compare_made(const void *a, const void *b)
+{
+  const made_vertex *x = a, *y = b;
+
+  if (x->along != y->along) {
+    return x->along < y->along ? -1 : 1;
+  }
+  return (x->vertex > y->vertex) - (x->vertex < y->vertex);
+}
+
+static size_t
+list_made(const sg_merge *m, made_vertex *out)
+{
+  static const double direction[3] = {0.5366, 0.6247, 0.5673};
+  size_t n = 0;
+
+  for (size_t v = m->solid->plain; v < m->solid->vertices; v++) {
+    const double *at = sg_merge_at(m, (uint32_t)v);
+    if (m->first[v] < m->first[v + 1]) {
+      out[n].vertex = (uint32_t)v;
+      out[n++].along =
+          direction[0] * at[0] + direction[1] * at[1] + direction[2] * at[2];
+    }
+  }
+  if (n) {
+    qsort(out, n, sizeof *out, compare_made);
+  }
+  return n;
+}
+
+/* Cuts make some vertices twice, by different planes, where rounding of a
+ * turned model has parted what is one place. *any: some were put together. */
+static bool
+join_made(const sg_merge *m, uint32_t *up, bool *any)
+{
+  size_t made = m->solid->vertices - m->solid->plain;
+  made_vertex *list = malloc((made + 1) * sizeof *list);
+  size_t n = list ? list_made(m, list) : 0;
+
+  for (size_t i = 0; i < n; i++) {
+    for (size_t j = i + 1;
+         j < n && list[j].along - list[i].along <= 2 * m->tolerance; j++) {
+      if (are_near(m, list[i].vertex, list[j].vertex)) {
+        *any = join(m, up, list[i].vertex, list[j].vertex) || *any;
+      }
+    }
+  }
+  bool memory = list;
+  free(list);
+  return memory;
+}
+
+/* The vertex that stands for each; *any: not each for itself. False: no
+ * memory. */
+static bool
+join_vertices(const sg_merge *m, uint32_t *up, bool *any)
+{
+  *any = false;
+  for (uint32_t v = 0; v < m->solid->vertices; v++) {
+    up[v] = v;
+  }
+  for (size_t i = 0; i < m->briefs; i++) {
+    *any = join(m, up, m->brief[i][0], m->brief[i][1]) || *any;
+  }
+  return join_made(m, up, any);
+}
+
+static bool
+make_room(const sg_solid *solid, sg_contracted *out)
+{
+  out->triangle = malloc((solid->triangles + 1) * sizeof *out->triangle);
+  out->auxiliary = malloc(solid->triangles + 1);
+  out->face = malloc((solid->faces + 1) * sizeof *out->face);
+  out->part = malloc((solid->parts + 1) * sizeof *out->part);
+  return out->triangle && out->auxiliary && out->face && out->part;
+}
+
+/* The triangles of a face that still have three corners. */
+static void
+write_triangles(const sg_solid *solid, const sg_solid_face *face, uint32_t *up,
+                sg_contracted *out)
+{
+  for (uint32_t t = face->first; t < face->first + face->n; t++) {
+    uint32_t *corner = out->triangle[out->triangles];
+    for (int k = 0; k < 3; k++) {
+      corner[k] = root_of(up, solid->triangle[t][k]);
+    }
+    if (corner[0] != corner[1] && corner[1] != corner[2] &&
+        corner[2] != corner[0]) {
+      out->auxiliary[out->triangles++] = solid->auxiliary[t];
+    }
+  }
+}
+
+static void
+write_faces(const sg_solid *solid, uint32_t *up, sg_contracted *out)
+{
+  size_t next = 0;
+
+  for (uint32_t f = 0; f < solid->faces; f++) {
+    uint32_t first = (uint32_t)out->triangles, number = (uint32_t)out->faces;
+    write_triangles(solid, &solid->face[f], up, out);
+    bool left = out->triangles > first;
+    if (left) {
+      out->face[out->faces] = solid->face[f];
+      out->face[out->faces].first = first;
+      out->face[out->faces++].n = (uint32_t)out->triangles - first;
+    }
+    for (; next < solid->parts && solid->part[next].face == f; next++) {
+      if (left) {
+        out->part[out->parts] = solid->part[next];
+        out->part[out->parts++].face = number;
+      }
+    }
+  }
+}
+
+/* Exchanges what the solid has for what is in *other. */
+static void
+exchange(sg_solid *solid, sg_contracted *other)
+{
+  sg_contracted kept = *other;
+
+  *other = (sg_contracted){solid->triangle, solid->auxiliary, solid->face,
+                           solid->part,     solid->triangles, solid->faces,
+                           solid->parts};
+  solid->triangle = kept.triangle;
+  solid->auxiliary = kept.auxiliary;
+  solid->face = kept.face;
+  solid->part = kept.part;
+  solid->triangles = kept.triangles;
+  solid->faces = kept.faces;
+  solid->parts = kept.parts;
+}
+
+sg_merge_end
+sg_merge_contract(const sg_merge *m, sg_solid *solid, sg_contracted *before)
+{
+  uint32_t *up = malloc((solid->vertices + 1) * sizeof *up);
+  bool any = false, memory = up && join_vertices(m, up, &any);
+
+  if (memory && any) {
+    memory = make_room(solid, before);
+    if (memory) {
+      write_faces(solid, up, before);
+      exchange(solid, before);
+    } else {
+      sg_merge_forget(before);
+    }
+  }
+  free(up);
+  return memory ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
+}
+
+void
+sg_merge_restore(sg_solid *solid, sg_contracted *before)
+{
+  if (before->triangle) {
+    exchange(solid, before);
+  }
+}
+
+void
+sg_merge_forget(sg_contracted *before)
+{
+  free(before->triangle);
+  free(before->auxiliary);
+  free(before->face);
+  free(before->part);
+  *before = (sg_contracted){0};
+}
