@@ -1,7 +1,7 @@
 % A pipe tee with three flanges, each with six bolt holes: a CSG tree. Nodes are
 % segments whose term is an operation; an operand is the number of a segment, a
-% primitive, an operation, or one of these placed by at/2. The segment that is no
-% operand, 10, is the model.
+% primitive, an operation, or one of these placed by at/2. The segment that is
+% no operand, 10, is the model.
 %
 % Source: made up.
 % Units:  model units, right-handed.

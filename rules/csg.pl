@@ -105,10 +105,10 @@ root_segment(S) :-
 
 %!  complete_tree(+Nodes) is det.
 %
-%   Give every operand under Nodes, a list of segments, that has no number yet a
-%   segment of its own, after those that are there, left to right. Nodes get the
-%   kind that their operands give them: `solid`, or `surface` if there is one
-%   among them.
+%   Give every operand under Nodes, a list of segments, that has no number yet
+%   a segment of its own, after those that are there, left to right. Nodes get
+%   the kind that their operands give them: `solid`, or `surface` if there is one
+%   among them. Leaves whose primitive was replaced get its rows.
 %
 %   @error error(model_error(What), nodes(Ns)): a fault of the first node of the
 %   list Ns, which is an operand of the second, and so on; What as in
@@ -121,8 +121,13 @@ completed_tree(Nodes) :-
     empty_assoc(Kinds),
     foldl(visit([]), Nodes, Kinds, _).
 
-%   visit(Above, N, Kinds0, Kinds): Kinds has N-Kind of all that were visited.
-%   Above are the nodes above N, the nearest first.
+%   most_leaves(Most): of one node, each counted as often as it is placed.
+
+most_leaves(1_000_000).
+
+%   visit(Above, N, Kinds0, Kinds): Kinds has N-(Kind-Count) of all that were
+%   visited, Count the number of leaves. Above are the nodes above N, the
+%   nearest first.
 
 visit(_, N, Kinds, Kinds) :-
     get_assoc(N, Kinds, _),
@@ -146,15 +151,43 @@ visit(Above, N, Kinds0, Kinds) :-
               node_error(Nodes, What)),
         node_parts(Term, Operation, Children, _),
         foldl(visit(Nodes), Children, Kinds0, Kinds1),
-        foldl(joined_kind(Nodes, Operation, Kinds1), Children, solid, Kind),
+        foldl(joined_kind(Nodes, Operation, Kinds1), Children, solid-0,
+              Kind-Count),
+        right_side(Nodes, Operation, Children, Kinds1),
+        few_leaves(Nodes, Count),
         (   Kind == Kind0
         ->  true
         ;   replaced_segment(N, Kind, Term)
         )
     ;   Kinds1 = Kinds0,
-        leaf_completed(Above, N, Kind0, Term0, Kind)
+        leaf_completed(Above, N, Kind0, Term0, Kind),
+        Count = 1
     ),
-    put_assoc(N, Kinds1, Kind, Kinds).
+    put_assoc(N, Kinds1, Kind-Count, Kinds).
+
+%   right_side(Nodes, Operation, Children, Kinds): a solid has an inside, a
+%   surface has not.
+
+right_side(Nodes, split(Side), [_,By], Kinds) :-
+    !,
+    get_assoc(By, Kinds, Kind-_),
+    sides_of(Kind, Sides),
+    (   memberchk(Side, Sides)
+    ->  true
+    ;   node_error(Nodes, csg(side(Side, Sides)))
+    ).
+right_side(_, _, _, _).
+
+sides_of(solid, [inside,outside]).
+sides_of(surface, [below,above]).
+
+few_leaves(Nodes, Count) :-
+    most_leaves(Most),
+    (   Count =< Most
+    ->  true
+    ;   Nodes = [N|_],
+        node_error(Nodes, csg(too_many(N, Count)))
+    ).
 
 %   leaf_completed(Above, N, Kind0, Term, Kind): a leaf under a node whose term
 %   has become another primitive gets the rows of that. If somebody changed the
@@ -210,17 +243,24 @@ operand_number(Operand, S) :-
 operand_number(Operand, S) :-
     add_primitive(Operand, S).
 
-%   joined_kind(Nodes, Operation, Kinds, Child, Kind0, Kind): of the first of
-%   Nodes, with one more child (CB-2).
+%   joined_kind(Nodes, Operation, Kinds, Child, Kind0-Count0, Kind-Count): of
+%   the first of Nodes, with one more child (CB-2).
 
-joined_kind(Nodes, Operation, Kinds, Child, Kind0, Kind) :-
-    get_assoc(Child, Kinds, ChildKind),
+joined_kind(Nodes, Operation, Kinds, Child, Kind0-Count0, Kind-Count) :-
+    get_assoc(Child, Kinds, ChildKind-ChildCount),
+    Count is Count0+ChildCount,
     Nodes = [N|_],
     (   ChildKind == solid
     ->  Kind = Kind0
     ;   ChildKind == surface
     ->  (   memberchk(Operation, [union, join, same])
         ->  Kind = surface
+        ;   Operation = split(Side),
+            memberchk(Side, [below, above]),
+            Count0 > 0,                 % what it is split by
+            node(Child, Inner, _, _),
+            memberchk(Inner, [leaf, same])
+        ->  Kind = Kind0
         ;   functor(Operation, Name, _),
             node_error(Nodes, csg(surface(N, Child, Name)))
         )

@@ -28,8 +28,8 @@ csg_en(unknown(Operand)) -->
 csg_en(side(Side, Sides)) -->
     { atomic_list_concat(Sides, ' or ', Text) },
     [ 'a solid is split on the side ~w here, not ~p'-[Text, Side], nl,
-      '  A plane has below (A*X + B*Y + C*Z + D < 0) and above, a solid \c
-       inside and outside.' ].
+      '  Planes and open surfaces have below and above, solids inside and \c
+       outside.' ].
 csg_en(plane(By)) -->
     [ '~p is no plane'-[By], nl,
       '  Write plane(A, B, C, D) for A*X + B*Y + C*Z + D = 0, with A, B or C \c
@@ -42,6 +42,16 @@ csg_en(cycle(Path)) -->
     { atomic_list_concat(Path, ' -> ', Text) },
     [ 'a segment is its own operand: ~w'-[Text], nl,
       '  Take one of these out of the operands of the one before it.' ].
+csg_en(too_many(S, Leaves)) -->
+    [ 'segment ~d would be made of ~D leaves'-[S, Leaves], nl,
+      '  A million is the most: use its operands less often.' ].
+csg_en(no_front(S)) -->
+    [ 'segment ~d cannot split a solid: its sides face all ways'-[S], nl,
+      '  Give a surface that has a front on the whole.' ].
+csg_en(not_through(S)) -->
+    [ 'the open surface ~d does not go all the way through the solid'-[S], nl,
+      '  Its border, and what is straight behind it, must be outside of the \c
+       solid.' ].
 csg_en(curve(S, Child)) -->
     [ 'operand ~d of segment ~d is no solid but a curve'-[Child, S], nl,
       '  Operations are on solids; penetrate shows where a curve goes \c
@@ -49,5 +59,5 @@ csg_en(curve(S, Child)) -->
 csg_en(surface(S, Child, Name)) -->
     [ 'operand ~d of segment ~d is an open surface: ~w needs an inside and an \c
        outside'-[Child, S, Name], nl,
-      '  An open surface can only be united or joined; close it, or give a \c
-       solid.' ].
+      '  An open surface can be united or joined, or split a solid; close it, \c
+       or give a solid.' ].

@@ -70,6 +70,9 @@ evaluate :-
 evaluate(S) :-
     evaluate(S, []).
 
+evaluate(all, _) :-
+    \+ ( segment(S, _, _), is_node(S) ),
+    !.
 evaluate(Which, Options) :-
     (   Which == all
     ->  findall(S, root_segment(S), Ss)

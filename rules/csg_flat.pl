@@ -3,6 +3,7 @@
             flat_leaves/2         % +Expression, -Leaves
           ]).
 :- use_module(csg, [node/4]).
+:- use_module(csg_behind, [behind_surface/4]).
 :- use_module(csg_half_space, [half_space/3]).
 :- use_module(csg_matrix,
               [ identity_matrix/1, steps_matrix/2, matrix_product/3,
@@ -10,13 +11,17 @@
               ]).
 :- use_module(csg_record, [record/2, recorded/2, up_to_date/2]).
 :- use_module(csg_rows, [copy_segment/3, drop_boundary/1, segment_box/2]).
+:- use_module(csg_term, [csg_error/1]).
+:- use_module(penetration, [penetration_chains/3]).
 :- use_module(model_file, [add_primitive/2]).
 :- use_module(store,
-              [segment/3, segment_stamp/2, assert_fact/1, fresh_id/3]).
+              [ v/5, t/6, segment/3, from_p/5, segment_stamp/2, assert_fact/1,
+                facts_snapshot/1, fresh_id/3
+              ]).
 :- use_module(triangulation, [complete_segments/0]).
 :- autoload(library(apply), [foldl/4, foldl/5]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- autoload(library(lists), [append/3, list_to_set/2, member/2]).
+:- autoload(library(lists), [append/3, list_to_set/2, member/2, nth1/3]).
 /** <module> A CSG tree flattened to an expression over leaves.
 
 Placements are multiplied down. A leaf in its own place stands for itself;
@@ -74,10 +79,17 @@ combined(split(Plane0, Side), [E], Matrix, Expression, Known0, Known) :-
     flat_leaves(E, Leaves),
     leaves_half(Leaves, Plane, Half),
     half_expression(Half, HalfExpression, Known0, Known),
-    (   Side == below
-    ->  below(HalfExpression, E, Expression)
-    ;   above(HalfExpression, E, Expression)
-    ).
+    half_of(Side, HalfExpression, E, Expression).
+combined(split(Side), [E,Surface], _, Expression, Known0, Known) :-
+    memberchk(Side, [below,above]),
+    flat_leaves(E, Leaves),
+    surface_half(Leaves, Surface, Half),
+    half_expression(Half, HalfExpression, Known0, Known),
+    (   HalfExpression = half(K)
+    ->  front_noted(K, Surface)
+    ;   true
+    ),
+    half_of(Side, HalfExpression, E, Expression).
 
 united(Es0, Expression) :-
     foldl(terms_of(union), Es0, [], Reversed),
@@ -123,6 +135,11 @@ terms_of(Operation, E, Reversed0, Reversed) :-
 reversed_unique(Reversed, Es) :-
     foldl([E,L,[E|L]]>>true, Reversed, [], Es0),
     list_to_set(Es0, Es).
+
+half_of(below, Half, E, Expression) :-
+    below(Half, E, Expression).
+half_of(above, Half, E, Expression) :-
+    above(Half, E, Expression).
 
 below(all, E, E).
 below(none, _, union([])).
@@ -233,11 +250,48 @@ instance_rows(Leaf, Rounded, K, Record) :-
 %   leaves_half(Leaves, Plane, Half): for half_expression/4.
 
 leaves_half(Leaves, Plane, Half) :-
-    findall(Box, ( member(Leaf, Leaves), segment_box(Leaf, Box) ), Boxes),
-    (   Boxes == []
-    ->  Half = all
-    ;   foldl(box_union, Boxes, none, Box),
-        half_space(Plane, Box, Half)
+    (   leaves_box(Leaves, Box)
+    ->  half_space(Plane, Box, Half)
+    ;   Half = all
+    ).
+
+leaves_box(Leaves, Box) :-
+    findall(Box0, ( member(Leaf, Leaves), segment_box(Leaf, Box0) ), Boxes),
+    Boxes \== [],
+    foldl(box_union, Boxes, none, Box).
+
+%   surface_half(Leaves, Surface, Half): the same for what is behind the segment
+%   Surface, which has to go all the way through.
+
+surface_half(Leaves, Surface, Half) :-
+    (   leaves_box(Leaves, Box)
+    ->  behind_surface(Surface, Box, Half, Skirt),
+        (   facts_snapshot(sg_csg_flat:meets(Skirt, Leaves))
+        ->  csg_error(not_through(Surface))
+        ;   true
+        )
+    ;   Half = all
+    ).
+
+meets(Skirt, Leaves) :-
+    add_primitive(Skirt, S),
+    complete_segments,
+    findall(Leaf-S, member(Leaf, Leaves), Pairs),
+    penetration_chains(Pairs, [tolerance(0)], [_|_]).
+
+%   front_noted(K, Surface): the helper K, made by behind_surface/4, has
+%   Surface as its front; for provenance.pl.
+
+front_noted(K, Surface) :-
+    (   from_p(K, _, _, _, _)
+    ->  true
+    ;   findall(T-P, t(Surface, P, T, _, _, _), Triangles0),
+        keysort(Triangles0, Triangles),
+        forall(nth1(I, Triangles, _-P),
+               assert_fact(from_p(K, I, Surface, P, 1))),
+        findall(V, v(Surface, V, _, _, _), Vs0),
+        sort(Vs0, Vs),
+        forall(nth1(I, Vs, V), assert_fact(from_v(K, I, Surface, V)))
     ).
 
 box_union(Box, none, Box) :-

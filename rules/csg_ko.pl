@@ -28,8 +28,8 @@ csg_ko(unknown(Operand)) -->
 csg_ko(side(Side, Sides)) -->
     { atomic_list_concat(Sides, ', ', Text) },
     [ '여기서 나눈 쪽은 ~w 가운데 하나이며 ~p 은(는) 아닙니다'-[Text, Side], nl,
-      '  평면에는 below(A*X + B*Y + C*Z + D < 0) 와 above, 입체에는 inside 와 \c
-       outside 가 있습니다.' ].
+      '  평면과 열린 곡면에는 below 와 above, 입체에는 inside 와 outside 가 \c
+       있습니다.' ].
 csg_ko(plane(By)) -->
     [ '~p 은(는) 평면이 아닙니다'-[By], nl,
       '  A*X + B*Y + C*Z + D = 0 을 plane(A, B, C, D) 로 쓰십시오. A, B, C 가 \c
@@ -41,6 +41,15 @@ csg_ko(cycle(Path)) -->
     { atomic_list_concat(Path, ' -> ', Text) },
     [ '세그먼트가 자기 자신의 피연산자입니다: ~w'-[Text], nl,
       '  이 가운데 하나를 앞 세그먼트의 피연산자에서 빼십시오.' ].
+csg_ko(too_many(S, Leaves)) -->
+    [ '세그먼트 ~d 은(는) 리프 ~D개로 이루어지게 됩니다'-[S, Leaves], nl,
+      '  백만 개까지입니다. 피연산자를 덜 쓰십시오.' ].
+csg_ko(no_front(S)) -->
+    [ '세그먼트 ~d 은(는) 사방을 향하므로 입체를 나눌 수 없습니다'-[S], nl,
+      '  전체로 보아 앞이 있는 곡면을 주십시오.' ].
+csg_ko(not_through(S)) -->
+    [ '열린 곡면 ~d 이(가) 입체를 끝까지 가르지 않습니다'-[S], nl,
+      '  그 경계와 경계의 바로 뒤쪽은 입체 밖에 있어야 합니다.' ].
 csg_ko(curve(S, Child)) -->
     [ '세그먼트 ~d 의 피연산자 ~d 은(는) 입체가 아니라 곡선입니다'-[S, Child],
       nl,
@@ -48,4 +57,5 @@ csg_ko(curve(S, Child)) -->
 csg_ko(surface(S, Child, Name)) -->
     [ '세그먼트 ~d 의 피연산자 ~d 은(는) 열린 곡면입니다. ~w 에는 안과 밖이 \c
        있어야 합니다'-[S, Child, Name], nl,
-      '  열린 곡면은 union 이나 join 만 할 수 있습니다. 닫거나 입체를 주십시오.' ].
+      '  열린 곡면은 union, join 을 하거나 입체를 나눌 수 있습니다. 닫거나 \c
+       입체를 주십시오.' ].

@@ -26,8 +26,9 @@ A node is a segment whose term, in the third place of segment/3, is
     named(Name, Node)           with a name for rules
 
 An operand is the number of a segment, a primitive, or such a term. By is
-plane(A, B, C, D), with the Side `below` (A*X + B*Y + C*Z + D < 0) or `above`,
-or an operand, with the Side `inside` or `outside`. In at/2 and named/2 a Node
+plane(A, B, C, D), with the Side `below` (A*X + B*Y + C*Z + D < 0) or `above`;
+or a solid operand, with the Side `inside` or `outside`; or an open surface,
+with the Side `below` (behind it) or `above`. In at/2 and named/2 a Node
 may be the number of a segment too: that segment once more, placed.
 
 Errors are model_error(csg(What)), What being
@@ -36,6 +37,7 @@ Errors are model_error(csg(What)), What being
     side(Side, Sides)        plane(By)
     missing(S, Child)        cycle(Path)
     curve(S, Child)          surface(S, Child, Name)
+    too_many(S, Leaves)      no_front(S)                not_through(S)
 
 and those of primitives.
 */
@@ -234,7 +236,7 @@ check_split(By, Side) :-
     ->  check_plane([A, B, C, D], By),
         check_side(Side, [below, above])
     ;   check_operand(By),
-        check_side(Side, [inside, outside])
+        check_side(Side, [inside, outside, below, above])
     ).
 
 check_plane(Numbers, By) :-

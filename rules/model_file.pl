@@ -121,6 +121,9 @@ less(S0, DS, S) :-
     integer(S0),
     !,
     S is S0-DS.
+less(too_many(S0, Count), DS, too_many(S, Count)) :-
+    !,
+    S is S0-DS.
 less(Fault0, DS, Fault) :-
     compound(Fault0),
     compound_name_arguments(Fault0, Name, Parts0),

@@ -109,10 +109,11 @@ asked_nodes(eval, Files, Options) :-
     load_model(Files, [evaluate(false)|Options]).
 asked_nodes(split, Files, Options) :-
     !,
-    split_by(Options, By0, Sides),
+    split_by(Options, By0),
     file_operands(Files, Options, Operands),
     joined(Operands, Operand),
-    by_operand(By0, Options, By),
+    by_operand(By0, Options, By, Known),
+    split_sides(Options, Known, Sides),
     forall(member(Side, Sides), new_node(split(Operand, By, Side), _)).
 asked_nodes(Verb, Files, Options) :-
     file_operands(Files, Options, Operands),
@@ -140,21 +141,24 @@ new_node(Term, S) :-
     fresh_id(segment, 0, S),
     assert_fact(segment(S, solid, Term)).
 
-%   split_by(Options, By, Sides): By is plane(A, B, C, D) or file(File).
+%   split_by(Options, By): By is plane(A, B, C, D) or file(File).
 
-split_by(Options, By, Sides) :-
+split_by(Options, By) :-
     (   option(plane(Text), Options)
     ->  (   option(by(_), Options)
         ->  usage_error(both_options('--plane', '--by'))
         ;   true
         ),
-        plane_option(Text, By),
-        Known = [below, above]
+        plane_option(Text, By)
     ;   option(by(File), Options)
-    ->  By = file(File),
-        Known = [inside, outside]
+    ->  By = file(File)
     ;   usage_error(needs_one_of(['--plane', '--by']))
-    ),
+    ).
+
+%   split_sides(Options, Known, Sides): both that are Known, or the one that is
+%   asked for.
+
+split_sides(Options, Known, Sides) :-
     (   option(side(Side), Options)
     ->  (   memberchk(Side, Known)
         ->  Sides = [Side]
@@ -177,9 +181,15 @@ plane_option(Text, plane(A, B, C, D)) :-
 number_of(Text, Number) :-
     catch(number_string(Number, Text), error(_, _), fail).
 
-by_operand(plane(A, B, C, D), _, plane(A, B, C, D)).
-by_operand(file(File), Options, By) :-
-    file_operand(Options, File, By).
+%   by_operand(By0, Options, By, Sides): By is an operand with these Sides.
+
+by_operand(plane(A, B, C, D), _, plane(A, B, C, D), [below, above]).
+by_operand(file(File), Options, By, Sides) :-
+    file_operand(Options, File, By),
+    (   segment(By, surface, _)
+    ->  Sides = [below, above]
+    ;   Sides = [inside, outside]
+    ).
 
 empty_warned(S) :-
     (   is_node(S),

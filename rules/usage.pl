@@ -44,8 +44,8 @@ verb(difference, 'MODEL MODEL...',
      'the solid of what is in the first model and in no other',
      '첫 모델에서 다른 모델들을 뺀 입체').
 verb(split, 'MODEL... --plane A,B,C,D | --by MODEL',
-     'a solid in two, by a plane or by another solid',
-     '평면이나 다른 입체로 둘로 나눈 입체').
+     'a solid in two, by a plane, another solid or a surface',
+     '평면, 다른 입체, 곡면으로 둘로 나눈 입체').
 verb(eval, 'TREE...',
      'the solids of a CSG tree',
      'CSG 트리의 입체').
@@ -119,10 +119,11 @@ verb_option(Verb, option(repair, '', flag, '',
     solid_verb(Verb).
 verb_option(split, option(plane, '', value, 'A,B,C,D',
     'the plane A*X + B*Y + C*Z + D = 0')).
-verb_option(split, option(by, '', value, 'MODEL', 'a solid')).
+verb_option(split, option(by, '', value, 'MODEL',
+    'a solid, or an open surface that goes all the way through')).
 verb_option(split, option(side, '', value, 'SIDE',
-    'of a plane below (A*X + B*Y + C*Z + D < 0) or above; of a solid inside \c
-     or outside; both as is usual')).
+    'of a plane below (A*X + B*Y + C*Z + D < 0) or above, of a surface below \c
+     (behind it) or above, of a solid inside or outside; without it both')).
 verb_option(Verb, option(json, '', flag, '',
     'counts and measures as JSON')) :-
     solid_verb(Verb).
@@ -179,10 +180,10 @@ option_ko(repair,
     '먼저 입체를 고친다: 꼭지점 합치기, 겹치거나 변이 없는 면 버리기, \c
 뒤집힌 껍질 바로잡기').
 option_ko(plane, '평면 A*X + B*Y + C*Z + D = 0').
-option_ko(by, '나누는 입체').
+option_ko(by, '나누는 입체, 또는 끝까지 가르는 열린 곡면').
 option_ko(side,
-    '평면의 below(A*X + B*Y + C*Z + D < 0) 또는 above, 입체의 inside 또는 \c
-outside. 보통 둘 다').
+    '평면의 below(A*X + B*Y + C*Z + D < 0)나 above, 곡면의 below(뒤)나 above, \c
+입체의 inside나 outside. 없으면 둘 다').
 option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').

@@ -43,6 +43,19 @@ check "one part alone" eval \
 check "split by a solid" output 'volume 4$' \
   sanggwan split $cube --by $moved --side inside
 
+cat >"$TMP/sheet.pl" <<'MODEL'
+segment(1, surface, at([translate(0, 0, 0.5)], rectangle(size(3, 3)))).
+MODEL
+check "split by a surface" output 'volume 2$' \
+  sanggwan split $cube --by "$TMP/sheet.pl"
+check "above it" output 'volume 6$' \
+  sanggwan split $cube --by "$TMP/sheet.pl" --side above
+check "has no inside" complains 2 'none of below, above' \
+  sanggwan split $cube --by "$TMP/sheet.pl" --side inside
+sed 's/3, 3/3, 1/' "$TMP/sheet.pl" >"$TMP/short.pl"
+check "and must go through" complains 3 'does not go all the way through' \
+  sanggwan split $cube --by "$TMP/short.pl"
+
 # Files out, read back.
 for format in stl off obj ply pl; do
   check "$format" sanggwan eval -q $tree -o "$TMP/out.$format"
@@ -126,6 +139,11 @@ check "a cycle" wrong 'a segment is its own operand: 2 -> 3 -> 2' \
   'segment(2, solid, union([1, 3])).' 'segment(3, solid, union([2, 1])).'
 check "itself" wrong 'a segment is its own operand: 2 -> 2' \
   'segment(2, solid, union([1, 2])).'
+check "absurdly many leaves" wrong 'segment 31 would be made of 1,048,576' \
+  "$(for i in $(seq 12 31); do
+       echo "segment($i, solid, union([$((i == 12 ? 1 : i - 1)), \
+         at([translate($i, 0, 0)], $((i == 12 ? 1 : i - 1)))]))."
+     done)"
 check "a curve" wrong 'operand 9 of segment 2 is no solid but a curve' \
   'segment(2, solid, union([1, 9])).'
 check "an open surface" wrong 'operand 8 of segment 2 is an open surface: int' \

@@ -151,6 +151,45 @@ test(volume, [forall(volume_of(Term, Volume)), true(near(Found, Volume))]) :-
     ->  true
     ;   Faults =:= 0
     ).
+%   A roof of two faces, and a wavy one, through a cube of side 2; a bent one
+%   that is placed. Volumes below are those of prisms.
+
+roof(sheet(points([[-2,-2,0.5],[2,-2,0.5],[2,0,1.5],[-2,0,1.5],
+                   [2,2,0.5],[-2,2,0.5]]),
+           faces([[1,2,3,4],[4,3,5,6]]))).
+
+split_by_surface(surface-Roof, split(1, 2, below), 5.0) :-
+    roof(Roof).
+split_by_surface(surface-Roof, split(1, 2, above), 3.0) :-
+    roof(Roof).
+split_by_surface(surface-at([translate(0,0,5)], Roof), split(1, 2, below),
+                 8.0) :-
+    roof(Roof).
+split_by_surface(surface-at([translate(0,0,5)], Roof), split(1, 2, above),
+                 0.0) :-
+    roof(Roof).
+split_by_surface(surface-Roof, at([rotate(x,90)], split(1, 2, above)), 3.0) :-
+    roof(Roof).
+split_by_surface(surface-Roof,
+                 split(1, at([translate(0,0,0.25)], 2), below), 6.0) :-
+    roof(Roof).
+
+test(split_by_surface,
+     [ forall(split_by_surface(Surface, Term, Volume)),
+       true((abs(Found-Volume) < 1.0e-9, Faults == 0)) ]) :-
+    with_tree([ box(size(2,2,2)), Surface, Term ],
+              ( volume(3, Found), faults(Faults) )).
+test(faces_of_the_surface, Ps == [1,2]) :-
+    roof(Roof),
+    with_tree([ box(size(2,2,2)), surface-Roof, split(1, 2, below) ],
+              findall(P, polygon_from(3, _, 2, P, 1), Ps0)),
+    sort(Ps0, Ps).
+test(not_through, error(model_error(csg(not_through(2))), _)) :-
+    with_tree([ box(size(2,2,2)),
+                surface-at([translate(0,0,1)], rectangle(size(1,9))),
+                split(1, 2, below) ],
+              true).
+
 test(empty, N == 0) :-
     with_tree([box(size(1,1,1)), difference([1,1])],
               aggregate_all(count, v(2, _, _, _, _), N)).
