@@ -48,12 +48,14 @@ after_triangle(More, Text) :-
 world_text(Text) :-
     with_output_to(string(Text), write_model_to(current_output)).
 
+% But for the picture, and what csg_record.pl remembers of this world alone.
 rows(Rows) :-
     findall(Row,
             ( relation(Name, Arity, _),
               \+ memberchk(Name, [screen, drawn]),
               functor(Row, Name, Arity),
-              call(sg_store:Row) ),
+              call(sg_store:Row),
+              Row \= origin(_, node(_), _) ),
             Rows0),
     msort(Rows0, Rows).
 
