@@ -145,20 +145,21 @@ earlier_cuts(Pairs, Earlier) :-
 all_cuts(Cuts) :-
     findall(S1-S2, line(_, S1, _, _, _, S2, _, _, _), Lines0),
     sort(Lines0, Lines),
-    findall(Curve-Other,
-            ( origin(Curve, v(_), Origin),
-              origin_segment(Origin, Other),
-              Other \== Curve ),
-            Points0),
-    sort(Points0, Points),
-    findall(S1-S2,
-            ( member(Curve-Other, Points),
-              msort([Curve,Other], [S1,S2]),
-              \+ ord_memberchk(S1-S2, Lines),
-              is_curve(Curve) ),
-            Curves0),
+    findall(S1-S2, curve_cut(S1, S2), Curves0),
     sort(Curves0, Curves),
     ord_union(Lines, Curves, Cuts).
+
+%   curve_cut(-S1, -S2): one of them is a curve that has a point on the other.
+%   Solids are no curves, so what results were made from is not looked at.
+
+curve_cut(S1, S2) :-
+    segment(Curve, Kind, _),
+    Kind \== solid,
+    is_curve(Curve),
+    origin(Curve, v(_), Origin),
+    origin_segment(Origin, Other),
+    Other \== Curve,
+    msort([Curve,Other], [S1,S2]).
 
 pair_segments(Pairs, Ss) :-
     pairs_keys_values(Pairs, S1s, S2s),

@@ -305,7 +305,7 @@ entered(Goal, _, Set) :-
     cut_polygons(Set, Polygons),
     setup_call_cleanup(
         true,
-        ( stage(enter, enter_polygons(Set, Polygons, Works)),
+        ( stage(enter, enter_polygons(is_list, Set, Polygons, Works)),
           call(Goal, Set, Works)
         ),
         ( ground(Works) -> maplist(close_work, Works) ; true )).
@@ -339,16 +339,18 @@ enter_lines(Write, Set) :-
     stage(write, leaves_kept(Polygons)),
     setup_call_cleanup(
         true,
-        ( stage(enter, enter_polygons(Set, Polygons, Works)),
+        ( stage(enter, enter_polygons(leaves_kept, Set, Polygons, Works)),
           stage(write, write_vertices(Set)),
           stage(write, write_lines(Set)),
           stage(write, maplist(call(Write, Set), Works))
         ),
         ( ground(Works) -> maplist(close_work, Works) ; true )).
 
-enter_polygons(Set, Polygons, Works) :-
+%   Keep is told, as a list, which polygons are opened beside Polygons.
+
+enter_polygons(Keep, Set, Polygons, Works) :-
     maplist(enter_cuts(Set), Polygons, Works0),
-    agree(Set, Works0, Works),
+    agree(Keep, Set, Works0, Works),
     merge_near_lines(Set, Works).
 
 close_work(work(_, _, Work)) :-
@@ -535,21 +537,20 @@ divide_at(Work, E-X) :-
 %   A segment that was divided in one polygon is divided in every other one: in
 %   those that are open, and in those beside a real edge that no cut had opened.
 
-agree(Set, Works0, Works) :-
+agree(Keep, Set, Works0, Works) :-
     cut_agree(Set),
     maplist(agree_polygon(Set), Works0),
     late_polygons(Set, Works0, Polygons),
-    leaves_kept(Polygons),
+    call(Keep, Polygons),
     maplist(enter_cuts(Set), Polygons, Late),
     append(Works0, Late, Works).
 
 late_polygons(Set, Works, Polygons) :-
     cut_late_polygons(Set, Polygons0),
     sort(Polygons0, Polygons1),
-    exclude(is_open(Works), Polygons1, Polygons).
-
-is_open(Works, S-P) :-
-    memberchk(work(S, P, _), Works).
+    findall(S-P, member(work(S, P, _), Works), Open0),
+    sort(Open0, Open),
+    ord_subtract(Polygons1, Open, Polygons).
 
 agree_polygon(Set, work(S, P, Work)) :-
     cut_divided(Set, Work, S, Divided),
