@@ -492,15 +492,20 @@ give_origins_ex(const sg_pieces *p, sg_solid *solid, const sg_made_by *made_by)
   }
   for (size_t i = 0; i < made; i++) {
     const sg_arrangement_handle *from = p->from[made_by[i].chosen];
-    fid_t frame = PL_open_foreign_frame();
-    term_t t = PL_new_term_ref();
-    int good = frame &&
-               sg_unify_origin(t, &from->set->set.points, made_by[i].point) &&
-               sg_get_term_ex(t, &solid->origin[i]);
+    sg_term_builder b;
 
-    PL_discard_foreign_frame(frame);
-    if (!good) {
-      return FALSE;
+    sg_term_open(&b);
+    sg_cut_build_origin(&b, &from->set->set.points, made_by[i].point);
+    const uint32_t *words = sg_term_words(&b);
+    size_t size = words ? sg_term_length(words) * sizeof *words : 0;
+
+    solid->origin[i] = words ? malloc(size) : NULL;
+    if (solid->origin[i]) {
+      memcpy(solid->origin[i], words, size);
+    }
+    sg_term_close(&b);
+    if (!solid->origin[i]) {
+      return sg_no_memory();
     }
   }
   return TRUE;

@@ -83,7 +83,10 @@ int32_t sg_cut_enter_point_ex(sg_cut_handle *handle, sg_work *work,
 int32_t sg_cut_name_in(sg_cut_handle *handle, uint32_t point, int32_t s,
                        int32_t p);
 
-/* What made a point, as in origin/3 (line4pl.c). */
+/* What made a point that has a place or more, as in origin/3
+ * (cut_origin4pl.c). */
+void sg_cut_build_origin(sg_term_builder *b, const sg_cut_points *points,
+                         uint32_t point);
 int sg_unify_origin(term_t t, const sg_cut_points *points, uint32_t point);
 
 /* The first line between vertices v1 and v2 of segment s, after cut_lines/2;

@@ -4,7 +4,8 @@
 #include <stdlib.h>
 
 size_t
-sg_expression_add(sg_expression *e, sg_operation operation, int32_t s)
+sg_expression_add(sg_expression *e, size_t parent, sg_operation operation,
+                  int32_t s)
 {
   if (e->n == e->room) {
     size_t room = 2 * e->room + 16;
@@ -16,49 +17,132 @@ sg_expression_add(sg_expression *e, sg_operation operation, int32_t s)
     e->node = grown;
     e->room = room;
   }
-  e->node[e->n] = (sg_expression_node){operation, s, e->n + 1};
+  e->node[e->n] = (sg_expression_node){
+      .operation = operation, .s = s, .parent = (uint32_t)parent};
+  if (e->n > 0) {
+    e->node[e->n].first = e->node[parent].operands++ == 0;
+  }
   return e->n++;
 }
 
-static bool
-is_there(const int32_t *s, size_t n, int32_t wanted)
+void
+sg_expression_clear(sg_expression *e)
 {
-  for (size_t i = 0; i < n && s[i] <= wanted; i++) {
-    if (s[i] == wanted) {
-      return true;
-    }
+  free(e->node);
+  free(e->leaf);
+  *e = (sg_expression){0};
+}
+
+/* ---- what holds ---- */
+
+static bool
+value_of(const sg_expression_node *node)
+{
+  switch (node->operation) {
+  case SG_LEAF:
+    return node->holds;
+  case SG_UNION:
+    return node->true_operands > 0;
+  case SG_INTERSECTION:
+    return node->true_operands == node->operands;
+  case SG_DIFFERENCE:
+    return node->first_holds && node->true_operands == 0;
   }
   return false;
 }
 
-static bool
-holds(const sg_expression *e, size_t at, const int32_t *s, size_t n)
+/* An operand of a node has changed to `holds`. */
+static void
+see_operand(sg_expression_node *node, const sg_expression_node *operand)
 {
-  const sg_expression_node *node = &e->node[at];
-  /* What decides when an operand has it: one that holds in a union, one that
-   * does not in an intersection; of a difference, the first is asked apart. */
-  bool decides = node->operation != SG_INTERSECTION;
-  size_t operand = at + 1;
+  if (node->operation == SG_DIFFERENCE && operand->first) {
+    node->first_holds = operand->holds;
+  } else {
+    node->true_operands += operand->holds ? 1U : UINT32_MAX;
+  }
+}
 
-  if (node->operation == SG_LEAF) {
-    return is_there(s, n, node->s);
-  }
-  if (node->operation == SG_DIFFERENCE) {
-    if (!holds(e, operand, s, n)) {
-      return false;
+/* A node is `holds` now, and what is above it may change. */
+static void
+set_node(sg_expression *e, uint32_t at, bool holds)
+{
+  while (e->node[at].holds != holds) {
+    sg_expression_node *node = &e->node[at];
+
+    node->holds = holds;
+    if (at == 0) {
+      return;
     }
-    operand = e->node[operand].next;
+    see_operand(&e->node[node->parent], node);
+    at = node->parent;
+    holds = value_of(&e->node[at]);
   }
-  for (; operand < node->next; operand = e->node[operand].next) {
-    if (holds(e, operand, s, n) == decides) {
-      return node->operation == SG_UNION;
-    }
-  }
-  return node->operation != SG_UNION;
+}
+
+/* ---- leaves ---- */
+
+static int
+compare_leaves(const void *x, const void *y)
+{
+  const sg_expression_leaf *a = x, *b = y;
+
+  return a->s != b->s ? (a->s > b->s) - (a->s < b->s)
+                      : (a->node > b->node) - (a->node < b->node);
 }
 
 bool
-sg_expression_holds(const sg_expression *e, const int32_t *s, size_t n)
+sg_expression_seal(sg_expression *e)
 {
-  return e->n > 0 && holds(e, 0, s, n);
+  e->leaf = malloc((e->n + 1) * sizeof *e->leaf);
+  if (!e->leaf) {
+    return false;
+  }
+  for (size_t i = e->n; i > 0; i--) { /* operands before what is above them */
+    sg_expression_node *node = &e->node[i - 1];
+
+    node->holds = value_of(node);
+    if (i > 1 && node->holds) {
+      see_operand(&e->node[node->parent], node);
+    }
+    if (node->operation == SG_LEAF) {
+      e->leaf[e->leaves++] = (sg_expression_leaf){node->s, (uint32_t)(i - 1)};
+    }
+  }
+  if (e->leaves > 1) {
+    qsort(e->leaf, e->leaves, sizeof *e->leaf, compare_leaves);
+  }
+  return true;
+}
+
+/* All leaves of segment s are `holds` now. */
+static void
+set_segment(sg_expression *e, int32_t s, bool holds)
+{
+  size_t low = 0, high = e->leaves;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if (e->leaf[middle].s < s) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  for (; low < e->leaves && e->leaf[low].s == s; low++) {
+    set_node(e, e->leaf[low].node, holds);
+  }
+}
+
+bool
+sg_expression_holds(sg_expression *e, const int32_t *s, size_t n)
+{
+  for (size_t i = 0; i < n; i++) {
+    set_segment(e, s[i], true);
+  }
+  bool holds = e->n > 0 && e->node[0].holds;
+
+  for (size_t i = 0; i < n; i++) {
+    set_segment(e, s[i], false);
+  }
+  return holds;
 }

@@ -1,6 +1,8 @@
 /* expression.h -- Boolean expressions over segments.
  *
  * Layer: kernel. True or false of a point, from the segments that it is inside.
+ * These are few and the leaves may be many: so what is asked goes up from them,
+ * and an expression takes no longer the wider it is.
  */
 #ifndef SG_EXPRESSION_H
 #define SG_EXPRESSION_H
@@ -16,23 +18,38 @@ typedef enum sg_operation {
   SG_DIFFERENCE /* the first without all the others */
 } sg_operation;
 
-/* A node; its operands follow it, each with all that is below it. */
 typedef struct sg_expression_node {
   sg_operation operation;
-  int32_t s;   /* of a leaf */
-  size_t next; /* the node after everything below this one */
+  int32_t s;       /* of a leaf */
+  uint32_t parent; /* the root is its own */
+  bool first;      /* the first operand of its parent */
+  bool holds;
+  uint32_t operands;
+  uint32_t true_operands; /* of a difference: but the first */
+  bool first_holds;       /* the first operand of a difference */
 } sg_expression_node;
 
+typedef struct sg_expression_leaf {
+  int32_t s;
+  uint32_t node;
+} sg_expression_leaf;
+
 typedef struct sg_expression {
-  sg_expression_node *node; /* [n]; free(node) */
+  sg_expression_node *node; /* [n]; the root is 0 */
   size_t n, room;
+  sg_expression_leaf *leaf; /* [leaves], by segment; once sealed */
+  size_t leaves;
 } sg_expression;
 
-/* Adds a node and returns its number; the caller sets its `next` when its
- * operands are there. SIZE_MAX: no memory. */
-size_t sg_expression_add(sg_expression *e, sg_operation operation, int32_t s);
+/* Adds a node below `parent` (the first one: below itself) and returns its
+ * number; SIZE_MAX: no memory. */
+size_t sg_expression_add(sg_expression *e, size_t parent,
+                         sg_operation operation, int32_t s);
+/* When all nodes are there. False: no memory. */
+bool sg_expression_seal(sg_expression *e);
+void sg_expression_clear(sg_expression *e);
 
-/* Whether it holds where just segments s[0 .. n - 1], ascending, are. */
-bool sg_expression_holds(const sg_expression *e, const int32_t *s, size_t n);
+/* Whether it holds where just segments s[0 .. n - 1] are; each once. */
+bool sg_expression_holds(sg_expression *e, const int32_t *s, size_t n);
 
 #endif

@@ -17,15 +17,15 @@ static functor_t functor_of[SG_DIFFERENCE + 1];
 
 /* ---- expressions ---- */
 
-static int get_expression_ex(term_t t, sg_expression *out);
+static int get_expression_ex(term_t t, size_t parent, sg_expression *out);
 
 static int
-get_operands_ex(term_t list, sg_expression *out)
+get_operands_ex(term_t list, size_t parent, sg_expression *out)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
 
   while (PL_get_list(tail, head, tail)) {
-    if (!get_expression_ex(head, out)) {
+    if (!get_expression_ex(head, parent, out)) {
       return FALSE;
     }
   }
@@ -33,34 +33,33 @@ get_operands_ex(term_t list, sg_expression *out)
 }
 
 static int
-get_operation_ex(term_t t, sg_operation operation, sg_expression *out)
+get_operation_ex(term_t t, size_t parent, sg_operation operation,
+                 sg_expression *out)
 {
   term_t operands = PL_new_term_ref();
-  size_t at = sg_expression_add(out, operation, 0);
+  size_t at = sg_expression_add(out, parent, operation, 0);
 
   if (at == SIZE_MAX) {
     return sg_no_memory();
   }
-  if (!PL_get_arg(1, t, operands) || !get_operands_ex(operands, out)) {
-    return FALSE;
-  }
-  out->node[at].next = out->n;
-  return operation != SG_DIFFERENCE || out->n > at + 1 ||
-         PL_domain_error("operands", operands);
+  return PL_get_arg(1, t, operands) && get_operands_ex(operands, at, out) &&
+         (operation != SG_DIFFERENCE || out->node[at].operands > 0 ||
+          PL_domain_error("operands", operands));
 }
 
 static int
-get_expression_ex(term_t t, sg_expression *out)
+get_expression_ex(term_t t, size_t parent, sg_expression *out)
 {
-  for (int i = SG_UNION; i <= SG_DIFFERENCE; i++) {
-    if (PL_is_functor(t, functor_of[i])) {
-      return get_operation_ex(t, (sg_operation)i, out);
-    }
-  }
   int32_t s;
 
+  for (int i = SG_UNION; i <= SG_DIFFERENCE; i++) {
+    if (PL_is_functor(t, functor_of[i])) {
+      return get_operation_ex(t, parent, (sg_operation)i, out);
+    }
+  }
   return sg_get_id_ex(t, &s) &&
-         (sg_expression_add(out, SG_LEAF, s) != SIZE_MAX || sg_no_memory());
+         (sg_expression_add(out, parent, SG_LEAF, s) != SIZE_MAX ||
+          sg_no_memory());
 }
 
 /* ---- senses ---- */
@@ -86,7 +85,7 @@ is_open(const asking *k, int32_t s)
 }
 
 static bool
-is_inside(const asking *k, const sg_component *c, bool above)
+is_inside(asking *k, const sg_component *c, bool above)
 {
   size_t n = 0;
 
@@ -102,7 +101,7 @@ is_inside(const asking *k, const sg_component *c, bool above)
 
 /* 1, -1, or 0: it goes. */
 static int
-sense_of(const asking *k, const sg_component *c)
+sense_of(asking *k, const sg_component *c)
 {
   if (c->unknown || c->second) {
     return 0;
@@ -160,11 +159,13 @@ arrangement_senses(term_t t, term_t expression, term_t open, term_t senses)
 {
   sg_pieces p;
   asking k = {.opens = 0};
-  int good =
-      sg_get_pieces_ex(t, &p) && get_expression_ex(expression, &k.expression) &&
-      sg_get_ids_ex(open, &k.open, &k.opens) && unify_senses(senses, &p, &k);
+  int good = sg_get_pieces_ex(t, &p) &&
+             get_expression_ex(expression, 0, &k.expression) &&
+             (sg_expression_seal(&k.expression) || sg_no_memory()) &&
+             sg_get_ids_ex(open, &k.open, &k.opens) &&
+             unify_senses(senses, &p, &k);
 
-  free(k.expression.node);
+  sg_expression_clear(&k.expression);
   free(k.open);
   free(k.in);
   sg_pieces_clear(&p);

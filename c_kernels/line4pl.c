@@ -10,8 +10,7 @@
 
 #include <stdlib.h>
 
-static functor_t functor_piece4, functor_joint3, functor_minus2, functor_comma2,
-    functor_v2, functor_lpi2, functor_ll2, functor_tpi3, functor_vertex6;
+static functor_t functor_piece4, functor_joint3, functor_vertex6;
 static atom_t atom_straight, atom_near;
 
 /* ---- joints ---- */
@@ -231,108 +230,7 @@ cut_lines(term_t t, term_t list)
   return PL_unify_nil(tail);
 }
 
-/* ---- origins ---- */
-
-static int
-put_edge(term_t t, int32_t s, int32_t a, int32_t b)
-{
-  int32_t low = a < b ? a : b, high = a < b ? b : a;
-
-  return PL_put_variable(t) &&
-         PL_unify_term(t, PL_FUNCTOR, functor_minus2, PL_INT, s, PL_FUNCTOR,
-                       functor_comma2, PL_INT, low, PL_INT, high);
-}
-
-/* S-(A,B) for an edge, S-(A,B,C) for a leaf triangle. */
-static int
-put_place(term_t t, const sg_cut_model *model, const sg_place *place)
-{
-  int32_t s = sg_place_segment(model, place);
-
-  if (place->kind == SG_ON_FACE) {
-    const uint32_t *v = model->triangle[place->a].v;
-
-    return PL_put_variable(t) &&
-           PL_unify_term(t, PL_FUNCTOR, functor_minus2, PL_INT, s, PL_FUNCTOR,
-                         functor_comma2, PL_INT, model->vertex[v[0]].v,
-                         PL_FUNCTOR, functor_comma2, PL_INT,
-                         model->vertex[v[1]].v, PL_INT, model->vertex[v[2]].v);
-  }
-  return put_edge(t, s, model->vertex[place->a].v, model->vertex[place->b].v);
-}
-
-/* The vertex place among those of a point that comes first by segment and
- * vertex. */
-static const sg_place *
-first_vertex(const sg_cut_points *points, uint32_t point)
-{
-  const sg_seat *found = NULL;
-
-  for (uint32_t i = points->point[point].seat; i != SG_NO_KEY;
-       i = points->seat[i].next) {
-    const sg_seat *seat = &points->seat[i];
-
-    if (seat->place.kind == SG_AT_VERTEX &&
-        (!found || seat->s < found->s ||
-         (seat->s == found->s && seat->v < found->v))) {
-      found = seat;
-    }
-  }
-  return found ? &found->place : NULL;
-}
-
-/* The places in the order of the origin term: an edge before a face, then by
- * segment. */
-static void
-order_places(const sg_cut_model *model, sg_made *made)
-{
-  for (int i = 1; i < made->n; i++) {
-    for (int k = i; k > 0; k--) {
-      sg_place *p = &made->place[k - 1], *q = &made->place[k];
-      int by_kind = (int)p->kind - (int)q->kind;
-      bool swap = by_kind
-                      ? by_kind > 0
-                      : sg_place_segment(model, p) > sg_place_segment(model, q);
-      if (swap) {
-        sg_place keep = *p;
-        *p = *q;
-        *q = keep;
-      }
-    }
-  }
-}
-
-int
-sg_unify_origin(term_t t, const sg_cut_points *points, uint32_t point)
-{
-  const sg_cut_model *model = points->model;
-  const sg_place *vertex = first_vertex(points, point);
-  sg_made made = points->point[point].made;
-  term_t place = PL_new_term_refs(3);
-
-  if (vertex) {
-    return PL_unify_term(t, PL_FUNCTOR, functor_v2, PL_INT,
-                         model->vertex[vertex->a].s, PL_INT,
-                         model->vertex[vertex->a].v);
-  }
-  order_places(model, &made);
-  for (int i = 0; i < made.n; i++) {
-    if (!put_place(place + i, model, &made.place[i])) {
-      return FALSE;
-    }
-  }
-  if (made.n == 3) {
-    return PL_unify_term(t, PL_FUNCTOR, functor_tpi3, PL_TERM, place, PL_TERM,
-                         place + 1, PL_TERM, place + 2);
-  }
-  if (made.n == 2) {
-    return PL_unify_term(t, PL_FUNCTOR,
-                         made.place[1].kind == SG_ON_FACE ? functor_lpi2
-                                                          : functor_ll2,
-                         PL_TERM, place, PL_TERM, place + 1);
-  }
-  return PL_unify_atom_chars(t, "crossing");
-}
+/* ---- vertices ---- */
 
 static int
 unify_vertex(term_t t, const sg_cut_points *points, uint32_t point,
@@ -434,12 +332,6 @@ sg_install_line(void)
 {
   functor_piece4 = PL_new_functor(PL_new_atom("piece"), 4);
   functor_joint3 = PL_new_functor(PL_new_atom("joint"), 3);
-  functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
-  functor_comma2 = PL_new_functor(PL_new_atom(","), 2);
-  functor_v2 = PL_new_functor(PL_new_atom("v"), 2);
-  functor_lpi2 = PL_new_functor(PL_new_atom("lpi"), 2);
-  functor_ll2 = PL_new_functor(PL_new_atom("ll"), 2);
-  functor_tpi3 = PL_new_functor(PL_new_atom("tpi"), 3);
   functor_vertex6 = PL_new_functor(PL_new_atom("vertex"), 6);
   atom_straight = PL_new_atom("straight");
   atom_near = PL_new_atom("near");

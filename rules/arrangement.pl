@@ -24,7 +24,7 @@
             ]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(ordsets), [ord_memberchk/2, ord_subtract/3, ord_union/3]).
-:- autoload(library(pairs), [pairs_keys_values/3]).
+:- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Arrangements: leaves cut along all their lines, in pieces.
 
 The leaves of a CSG tree are arranged once, and any expression over them then
@@ -93,8 +93,8 @@ drop_fresh([]).
 %   meet, and an assoc from each leaf to those near it, in order.
 
 near_leaves(Leaves, Tolerance, Pairs, Near) :-
-    findall(S-[], member(S, Leaves), Nothing),
-    list_to_assoc(Nothing, In),
+    findall(S-in, member(S, Leaves), Leaves1),
+    list_to_assoc(Leaves1, In),
     findall(S1-S2,
             ( near_segments(Tolerance, S1, S2),
               get_assoc(S1, In, _),
@@ -104,11 +104,20 @@ near_leaves(Leaves, Tolerance, Pairs, Near) :-
     sort(Pairs0, Pairs),
     findall(Pair, ( member(A-B, Pairs), member(Pair, [A-B,B-A]) ), Both0),
     sort(Both0, Both),
-    foldl(note_near, Both, In, Near).
+    group_pairs_by_key(Both, Grouped),
+    with_alone(Leaves, Grouped, All),
+    list_to_assoc(All, Near).
 
-note_near(A-B, Near0, Near) :-
-    get_assoc(A, Near0, Bs),
-    put_assoc(A, Near0, [B|Bs], Near).
+%   with_alone(+Leaves, +Grouped, -All): leaves that nothing is near are there too.
+
+with_alone([], [], []).
+with_alone([S|Ss], Grouped, [S-Others|All]) :-
+    (   Grouped = [S-Others0|Rest]
+    ->  Others = Others0
+    ;   Others = [],
+        Rest = Grouped
+    ),
+    with_alone(Ss, Rest, All).
 
 leaf_key(Tolerance, Near, S, key(Tolerance, Stamp, Stamps)) :-
     segment_stamp(S, Stamp),
