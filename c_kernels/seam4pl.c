@@ -183,6 +183,76 @@ cut_polygons(term_t t, term_t list)
   return PL_unify_nil(tail);
 }
 
+static bool
+is_among(const int32_t *s, size_t n, int32_t one)
+{
+  for (size_t i = 0; i < n; i++) {
+    if (s[i] == one) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* The polygons that carry a piece of one of n segments. */
+static bool
+note_carriers(const sg_cut_set *set, const int32_t *s, size_t n,
+              sg_key_table *out)
+{
+  for (size_t i = 0; i < set->pieces; i++) {
+    const sg_cut_piece *piece = &set->piece[i];
+
+    if (!piece->live ||
+        !(is_among(s, n, piece->s[0]) || is_among(s, n, piece->s[1]))) {
+      continue;
+    }
+    for (int k = 0; k < 2; k++) {
+      uint32_t key[2] = {(uint32_t)piece->s[k], (uint32_t)piece->p[k]};
+      uint32_t *known = sg_key_table_put(out, key);
+
+      if (!known) {
+        return false;
+      }
+      *known = 1;
+    }
+  }
+  return true;
+}
+
+/* cut_polygons_of(+Set, +Segments, -Polygons) is det. */
+static foreign_t
+cut_polygons_of(term_t t, term_t segments, term_t list)
+{
+  sg_cut_handle *handle;
+  int32_t *s;
+  size_t n;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_cut_set_ex(t, &handle) || !group_ex(handle) ||
+      !sg_get_ids_ex(segments, &s, &n)) {
+    return FALSE;
+  }
+  sg_key_table carrier;
+
+  sg_key_table_init(&carrier, 2);
+  int good = note_carriers(&handle->set, s, n, &carrier) || sg_no_memory();
+
+  for (size_t i = 0; i < handle->set.polygons && good; i++) {
+    const sg_cut_polygon *polygon = &handle->set.polygon[i];
+    uint32_t key[2] = {(uint32_t)polygon->s, (uint32_t)polygon->p};
+
+    if (is_among(s, n, polygon->s) ||
+        sg_key_table_get(&carrier, key) != SG_NO_KEY) {
+      good = PL_unify_list(tail, head, tail) &&
+             PL_unify_term(head, PL_FUNCTOR_CHARS, "-", 2, PL_INT, polygon->s,
+                           PL_INT, polygon->p);
+    }
+  }
+  sg_key_table_clear(&carrier);
+  free(s);
+  return good && PL_unify_nil(tail);
+}
+
 /* ---- the scratch relation of one polygon ---- */
 
 /* Enters piece k of segment s into `work`: 1; 0 if it meets anything there, or
@@ -476,6 +546,7 @@ cut_late_polygons(term_t t, term_t list)
 static const PL_extension predicates[] = {
     {"cut_seal", 1, cut_seal, 0},
     {"cut_polygons", 2, cut_polygons, 0},
+    {"cut_polygons_of", 3, cut_polygons_of, 0},
     {"cut_entering", 4, cut_entering, 0},
     {"cut_enter_free", 4, cut_enter_free, 0},
     {"cut_work", 4, cut_work, 0},

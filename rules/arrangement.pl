@@ -14,7 +14,7 @@
                 near_segments/3, segment_meets_itself/1
               ]).
 :- use_module(leaf, [were_cut/2]).
-:- use_module(penetration, [leaves_entered/3, touching/2]).
+:- use_module(penetration, [leaves_entered/4, touching/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [facts_snapshot/1, segment_stamp/2]).
 :- autoload(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
@@ -255,7 +255,7 @@ meets_itself(S) :-
     stage(self, segment_meets_itself(S)).
 
 arranged(Pairs, Segments, Wanted, Tolerance, Arrangement, Changed) :-
-    leaves_entered(Pairs, Tolerance,
+    leaves_entered(Pairs, Wanted, Tolerance,
                    sg_arrangement:in_pieces(Segments, Wanted, Tolerance,
                                             Arrangement, Changed)).
 

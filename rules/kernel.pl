@@ -67,6 +67,7 @@
             cut_ends/4,               % +Set, +T1, +T2, -Cuts
             cut_seal/1,               % +Set
             cut_polygons/2,           % +Set, -Polygons
+            cut_polygons_of/3,        % +Set, +Segments, -Polygons
             cut_entering/4,           % +Set, +S, +P, -Pieces
             cut_enter_free/4,         % +Set, +S, +P, +Work
             cut_work/4,               % +Set, +S, +P, -Work
@@ -728,6 +729,10 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   Polygons is the list of S-P, ascending, of all polygons that pieces enter
 %   or whose edges are split. The first call also names every point in its
 %   segments.
+
+%!  cut_polygons_of(+Set, +Segments:list, -Polygons) is det.
+%
+%   The same, of those that are of Segments, or carry a piece of one.
 
 %!  cut_entering(+Set, +S, +P, -Pieces) is det.
 %

@@ -6,7 +6,7 @@
             merge_line/2,               % +Piece1, +Piece2
             penetration_chains/1,       % -Chains
             penetration_chains/3,       % +Pairs, +Options, -Chains
-            leaves_entered/3,           % +Pairs, +Tolerance, :Goal
+            leaves_entered/4,           % +Pairs, +Wanted, +Tolerance, :Goal
             touching/2,                 % +Options, -Tolerance
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
@@ -19,7 +19,8 @@
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_find/1,
                 cut_side/4, cut_enter/4, cut_triangle/5, cut_ends/4,
                 near_segments/3, cut_seal/1, cut_joints/3, cut_join/2,
-                cut_settle/1, cut_chains/2, cut_polygons/2, cut_entering/4,
+                cut_settle/1, cut_chains/2, cut_polygons/2, cut_polygons_of/3,
+                cut_entering/4,
                 cut_enter_free/4,
                 cut_work/4, cut_crossing/8, cut_note/5, cut_between/6,
                 cut_divided/4, cut_agree/1, cut_late_polygons/2, cut_name/4,
@@ -281,28 +282,29 @@ chains_of_leaves(Pairs, Tolerance, Chains) :-
     touching_pairs(Pairs, Contacts),
     touched(Pairs, Contacts, Tolerance, chained(Chains), _).
 
-%!  leaves_entered(+Pairs:list, +Tolerance, :Goal) is semidet.
+%!  leaves_entered(+Pairs:list, +Wanted:list, +Tolerance, :Goal) is semidet.
 %
-%   The lines of Pairs enter their polygons, but nothing of that is written:
+%   The lines of Pairs enter the polygons of the segments Wanted, and those in
+%   which lines of these run, but nothing of that is written:
 %   call(Goal, Set, Works) gets the cut set and a list of work(S, P, Work).
 %   What touches within Tolerance is made to touch first, in the world, and
 %   earlier cuts of these segments are taken back: call it in a
 %   facts_snapshot/1.
 
-:- meta_predicate leaves_entered(+, +, 2).
+:- meta_predicate leaves_entered(+, +, +, 2).
 
-leaves_entered(Pairs, Tolerance, Goal) :-
+leaves_entered(Pairs, Wanted, Tolerance, Goal) :-
     earlier_cuts(Pairs, Earlier),
     (   Earlier == []
     ->  true
     ;   leaves_restored(Earlier)
     ),
     contact_pairs(Pairs, Tolerance, Contacts),
-    touched(Pairs, Contacts, Tolerance, entered(Goal), _).
+    touched(Pairs, Contacts, Tolerance, entered(Wanted, Goal), _).
 
-entered(Goal, _, Set) :-
+entered(Wanted, Goal, _, Set) :-
     stage(rules, find_lines(Set)),
-    cut_polygons(Set, Polygons),
+    cut_polygons_of(Set, Wanted, Polygons),
     setup_call_cleanup(
         true,
         ( stage(enter, enter_polygons(is_list, Set, Polygons, Works)),
@@ -599,11 +601,11 @@ works_by_polygon(Works, ByPolygon) :-
     list_to_assoc(Pairs, ByPolygon).
 
 merge_near(Set, ByPolygon, joint(Point, piece(S1, P1, S2, P2), _)) :-
-    get_assoc(S1-P1, ByPolygon, Work1),
-    get_assoc(S2-P2, ByPolygon, Work2),
-    cut_name(Set, Point, S1, V1),
-    cut_name(Set, Point, S2, V2),
-    (   is_free_without(Work1, V1),
+    (   get_assoc(S1-P1, ByPolygon, Work1),
+        get_assoc(S2-P2, ByPolygon, Work2),
+        cut_name(Set, Point, S1, V1),
+        cut_name(Set, Point, S2, V2),
+        is_free_without(Work1, V1),
         is_free_without(Work2, V2)
     ->  cut_join(Set, Point),
         merge_at(Work1, V1),

@@ -24,7 +24,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(boolean, except([stays/3])).
 :- reexport(faces, [faces_merged/2]).
 :- reexport(penetration,
-            except([ may_cut/2, merge_line/2, leaves_entered/3, touching/2 ])).
+            except([ may_cut/2, merge_line/2, leaves_entered/4, touching/2 ])).
 :- reexport(exact, [vertex_exact/5]).
 :- reexport(operand).
 :- reexport(repair).
