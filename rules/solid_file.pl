@@ -237,15 +237,21 @@ united_round(S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
         Rounds = Round
     ).
 
-%   rounded_copy(S, Single, Grid, Copy): the rounded polygons as a segment.
+%   rounded_copy(S, Single, Grid, Copy): the rounded triangles as a segment. They
+%   are divided before they are rounded: whatever rounding does to triangles, they
+%   stay triangles, and closed.
 
 rounded_copy(S, Single, Grid, Copy) :-
-    boundary_open([S], [], Single, Grid, false, false, Boundary),
+    triangle_copy(S, false, 0.0, Triangles),
+    triangle_copy(Triangles, Single, Grid, Copy),
+    complete_segments.
+
+triangle_copy(S, Single, Grid, Copy) :-
+    boundary_open([S], [], Single, Grid, true, false, Boundary),
     fresh_id(segment, 0, Copy),
     boundary_add(Boundary, Copy),
     assert_fact(segment(Copy, solid, rounded)),
-    boundary_close(Boundary),
-    complete_segments.
+    boundary_close(Boundary).
 
 %   output_round(Single, Round, S, Grid): round 1 has a grid as fine as the
 %   numbers of the file are at the largest coordinate of S; each is 4 times
