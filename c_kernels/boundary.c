@@ -163,6 +163,52 @@ is_plain(int32_t (*edge)[2], size_t n)
   return n <= FEW;
 }
 
+/* The vertex of polygon p (a place) with the lowest number. */
+static size_t
+lowest_vertex(const sg_dense *d, size_t p, size_t first, const uint32_t *number)
+{
+  size_t low = (size_t)d->from[d->list[d->list_begin[p]]];
+
+  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+    size_t v = (size_t)d->from[d->list[k]];
+    low = number[v - first] < number[low - first] ? v : low;
+  }
+  return low;
+}
+
+/* Twice the area of polygon p as a vector: of its vertices where they were or,
+ * if `at`, where they are now. From its lowest vertex, so that a triangle is
+ * summed in one way only. */
+static void
+area_of(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
+        const double (*at)[3], double out[3])
+{
+  size_t low = lowest_vertex(d, p, first, number);
+  const double *o = at ? at[number[low - first]] : d->at[low];
+
+  out[0] = out[1] = out[2] = 0;
+  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+    size_t from = (size_t)d->from[d->list[k]], to = (size_t)d->to[d->list[k]];
+    const double *a = at ? at[number[from - first]] : d->at[from];
+    const double *b = at ? at[number[to - first]] : d->at[to];
+    for (int i = 0; i < 3; i++) {
+      int x = (i + 1) % 3, y = (i + 2) % 3;
+      out[i] += (a[x] - o[x]) * (b[y] - o[y]) - (a[y] - o[y]) * (b[x] - o[x]);
+    }
+  }
+}
+
+static bool
+is_turned(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
+          const sg_boundary *b)
+{
+  double was[3], is[3];
+
+  area_of(d, p, first, number, NULL, was);
+  area_of(d, p, first, number, (const double(*)[3])b->at, is);
+  return was[0] * is[0] + was[1] * is[1] + was[2] * is[2] < 0;
+}
+
 /* The edges of polygon p behind those that are there. */
 static void
 take_face(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
@@ -184,6 +230,7 @@ take_face(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
     n = sg_edges_cancel(edge, n);
   }
   if (n > 0) {
+    out->turned[out->faces] = moved && is_turned(d, p, first, number, out);
     out->changed[out->faces++] = moved || all != 3 || n != 3;
     out->begin[out->faces] = begin + (uint32_t)n;
   }
@@ -199,7 +246,8 @@ make_faces(const sg_dense *d, size_t s, const uint32_t *number,
   out->begin = malloc((end - first + 1) * sizeof *out->begin);
   out->edge = malloc((edges + 1) * sizeof *out->edge);
   out->changed = malloc(end - first + 1);
-  if (!out->begin || !out->edge || !out->changed) {
+  out->turned = malloc(end - first + 1);
+  if (!out->begin || !out->edge || !out->changed || !out->turned) {
     return SG_BOUNDARY_NO_MEMORY;
   }
   out->begin[0] = 0;
@@ -239,5 +287,6 @@ sg_boundary_clear(sg_boundary *boundary)
   free(boundary->begin);
   free(boundary->edge);
   free(boundary->changed);
+  free(boundary->turned);
   *boundary = (sg_boundary){0};
 }

@@ -35,6 +35,8 @@ typedef struct sg_boundary {
   unsigned char *changed; /* [faces] it has a moved vertex, other edges than
                              before, or more than three: not the triangle that
                              the segment has */
+  unsigned char *turned;  /* [faces] rounding has turned it over, so it is
+                             thinner than that. Inexact */
 } sg_boundary;
 
 typedef enum sg_boundary_end {
@@ -55,9 +57,10 @@ sg_boundary_end sg_boundary_make(const sg_dense *dense, size_t s,
                                  sg_boundary *out);
 void sg_boundary_clear(sg_boundary *boundary);
 
-/* Takes out the faces whose vertices are all on one line. What lay along a long
- * edge of such a face gets the vertices in between: the edge is turned over.
- * Faces keep their places in space, and edges their opposites. Exact.
+/* Takes out the faces whose vertices are all on one line (exact), or that were
+ * turned over. What lay along a long edge of such a face gets the vertices in
+ * between: the edge is turned. Other faces keep their places in space, but for
+ * what was thinner than the rounding, and edges their opposites.
  * False: no memory. */
 bool sg_boundary_drop_flat(sg_boundary *boundary);
 

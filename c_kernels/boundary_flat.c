@@ -5,6 +5,10 @@
  * is on the other side of each of its edges is divided in the same way. Faces
  * go one by one, and what is on the other side may be another one without area;
  * no face becomes one, for it stays where it is.
+ *
+ * A face that rounding has turned over is so thin that its vertices pass for
+ * points on a line. They need not be: for any order of the vertices the edges,
+ * divided, cancel.
  */
 #include "boundary.h"
 #include "exact.h"
@@ -40,7 +44,7 @@ typedef struct cleaner {
   size_t n, room;
   int32_t (*at_hand)[2]; /* the edges of the face at work */
   size_t hand_room;
-  int32_t *line; /* its vertices along the line */
+  struct along *line; /* its vertices along the line */
   size_t line_room;
 } cleaner;
 
@@ -82,7 +86,7 @@ find_flat(cleaner *c)
   const sg_boundary *b = c->b;
 
   for (size_t f = 0; f < b->faces; f++) {
-    c->flat[f] = is_flat(b, f);
+    c->flat[f] = b->turned[f] || is_flat(b, f);
     if (c->flat[f]) {
       c->flat_face[c->flat_faces++] = (uint32_t)f;
     }
@@ -252,67 +256,123 @@ take_in_hand(cleaner *c, size_t face, size_t *n)
 /* ---- one flat face --------------------------------------------------------
  */
 
-static int
-compare_ids(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
+/* A vertex of the face at work, and how far along it is. */
+typedef struct along {
+  double at;
+  int32_t v;
+} along;
 
-  return (a > b) - (a < b);
+static int
+compare_along(const void *x, const void *y)
+{
+  const along *a = x, *b = y;
+
+  return a->at != b->at ? (a->at > b->at) - (a->at < b->at)
+                        : (a->v > b->v) - (a->v < b->v);
 }
 
-/* Its vertices in the order along the line, which is that of their numbers: the
- * order by coordinates is the order along any line. */
-static bool
-order_line(cleaner *c, size_t n, size_t *count)
+/* The vertices farthest apart, about: the farthest one from the first, and the
+ * farthest one from that. */
+static void
+find_direction(const cleaner *c, size_t n, double out[3])
 {
-  *count = 0;
-  if (2 * n > c->line_room) {
-    int32_t *more = realloc(c->line, 4 * n * sizeof *more);
+  const double(*at)[3] = (const double(*)[3])c->b->at;
+  int32_t end[2] = {c->at_hand[0][0], c->at_hand[0][0]};
+
+  for (int round = 0; round < 2; round++) {
+    const double *o = at[end[0]];
+    double most = -1;
+    for (size_t i = 0; i < n; i++) {
+      const double *p = at[c->at_hand[i][0]];
+      double u[3] = {p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+      double size = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+      if (size > most) {
+        most = size;
+        end[1] = c->at_hand[i][0];
+        memcpy(out, u, sizeof u);
+      }
+    }
+    end[0] = end[1];
+  }
+}
+
+static bool
+line_room(cleaner *c, size_t n)
+{
+  if (n > c->line_room) {
+    along *more = realloc(c->line, 2 * n * sizeof *more);
     if (!more) {
       return false;
     }
     c->line = more;
-    c->line_room = 4 * n;
+    c->line_room = 2 * n;
   }
-  for (size_t i = 0; i < n; i++) {
-    c->line[2 * i] = c->at_hand[i][0];
-    c->line[2 * i + 1] = c->at_hand[i][1];
+  return true;
+}
+
+/* Its vertices in their order along the line. If they are on one exactly, that
+ * is the order of their numbers: the order by coordinates is that along any
+ * line. */
+static bool
+order_line(cleaner *c, bool exact, size_t n, size_t *count)
+{
+  double direction[3] = {0};
+
+  *count = 0;
+  if (!line_room(c, 2 * n)) {
+    return false;
   }
-  if (n > 0) {
-    qsort(c->line, 2 * n, sizeof *c->line, compare_ids);
+  if (!exact && n > 0) {
+    find_direction(c, n, direction);
   }
   for (size_t i = 0; i < 2 * n; i++) {
-    if (i == 0 || c->line[i] != c->line[i - 1]) {
+    int32_t v = c->at_hand[i / 2][i % 2];
+    const double *p = c->b->at[v];
+    c->line[i] = (along){
+        p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2], v};
+  }
+  if (n > 0) {
+    qsort(c->line, 2 * n, sizeof *c->line, compare_along);
+  }
+  for (size_t i = 0; i < 2 * n; i++) {
+    if (i == 0 || c->line[i].v != c->line[i - 1].v) {
       c->line[(*count)++] = c->line[i];
     }
   }
   return true;
 }
 
-/* What is on the other side of the edge from -> to of a flat face gets the
- * vertices in between. */
-static bool
-divide_opposite(cleaner *c, size_t face, const int32_t edge[2], size_t count)
+static size_t
+place_on_line(const cleaner *c, int32_t v)
 {
-  int32_t a = edge[0] < edge[1] ? edge[0] : edge[1], b = edge[0] + edge[1] - a;
   size_t i = 0;
-  record *other = NULL;
 
-  while (c->line[i] != a) {
+  while (c->line[i].v != v) {
     i++;
   }
-  if (i + 1 == count || c->line[i + 1] == b ||
+  return i;
+}
+
+/* What is on the other side of an edge of a flat face gets the vertices in
+ * between. */
+static bool
+divide_opposite(cleaner *c, size_t face, const int32_t edge[2])
+{
+  size_t to = place_on_line(c, edge[0]), at = place_on_line(c, edge[1]);
+  record *other = NULL;
+
+  if (at + 1 == to || to + 1 == at ||
       !(other = opposite(c, (uint32_t)face, edge[1], edge[0]))) {
     return true; /* nothing in between, or a border */
   }
   uint32_t in = other->face;
   take_away(c, other);
-  for (; c->line[i] != b; i++) {
-    int32_t from = c->line[i], to = c->line[i + 1];
-    if (edge[0] == a ? !add_record(c, in, to, from, NOTHING)
-                     : !add_record(c, in, from, to, NOTHING)) {
+  while (at != to) {
+    size_t next = at < to ? at + 1 : at - 1;
+    if (!add_record(c, in, c->line[at].v, c->line[next].v, NOTHING)) {
       return false;
     }
+    at = next;
   }
   return true;
 }
@@ -323,11 +383,12 @@ drop_face(cleaner *c, size_t face)
   const sg_boundary *b = c->b;
   size_t n, count;
 
-  if (!take_in_hand(c, face, &n) || !order_line(c, n, &count)) {
+  if (!take_in_hand(c, face, &n) ||
+      !order_line(c, is_flat(b, face), n, &count)) {
     return false;
   }
   for (size_t i = 0; i < n; i++) {
-    if (!divide_opposite(c, face, c->at_hand[i], count)) {
+    if (!divide_opposite(c, face, c->at_hand[i])) {
       return false;
     }
   }
@@ -374,6 +435,7 @@ rebuild(cleaner *c)
     }
     n += (uint32_t)some;
     b->changed[faces] = b->changed[f] || c->fresh[f] != NOTHING;
+    b->turned[faces] = 0;
     begin[++faces] = n;
   }
   free(b->begin);

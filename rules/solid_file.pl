@@ -172,7 +172,7 @@ clean_boundary(S, Manner, Options, Boundary, Rounds) :-
         Rounds = 0
     ;   boundary_fault(Boundary0, Which, true, Fault)
     ->  boundary_close(Boundary0),
-        next_round(Fault, S, 0.0, 1, Most, task(S, Manner, Which),
+        next_round(Fault, S, 0.0, 1, Most, task(S, Manner),
                    Boundary, Rounds)
     ;   Boundary = Boundary0,
         Rounds = 0
@@ -207,7 +207,7 @@ boundary_fault(Boundary, Which, Exact, Fault) :-
 %   to Grid, has Fault; it is united with itself, and Boundary is what comes out
 %   on a coarser grid.
 
-next_round(Fault, _, _, Round, Most, task(S, _, _), _, _) :-
+next_round(Fault, _, _, Round, Most, task(S, _), _, _) :-
     Round > Most,
     !,
     Rounds is Round-1,
@@ -218,15 +218,15 @@ next_round(_, S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
                                    Rounds)).
 
 united_round(S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
-    Task = task(_, Manner, Which),
+    Task = task(_, Manner),
     Manner = manner(Single, _, _),
     rounded_copy(S0, Single, Grid0, S1),
     united(S1, S2),
     output_round(Single, Round, S1, Grid),
     rounded(S2, Manner, Grid, Boundary0),
-    (   boundary_fault(Boundary0, Which, true, Fault)
+    (   boundary_fault(Boundary0, all, true, Fault)
     ->  (   Round >= Most,
-            \+ boundary_fault(Boundary0, Which, false, _)
+            \+ boundary_fault(Boundary0, all, false, _)
         ->  Boundary = Boundary0,
             Rounds = Round
         ;   boundary_close(Boundary0),

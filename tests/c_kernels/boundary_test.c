@@ -269,6 +269,36 @@ test_slivers(void)
         fabs(volume() - 32.0 / 3) < 1e-12);
 }
 
+/* A thin triangle in a face that rounding turns over: without care it lies on
+ * its neighbour. */
+static void
+test_turned(void)
+{
+  sg_self_meetings met;
+
+  clear_model();
+  /* The square below is divided round b, a hair from the diagonal a-c, which
+   * rounds to the other side of it. */
+  int32_t a = point(0, 0, 0), c = point(8, 7, 0), d = point(0, 7, 0),
+          f = point(8, 0, 0), e = point(4, 4, 8), b = point(2.55, 2.4, 0);
+  POLYGON(a, d, c);
+  POLYGON(a, c, b);
+  POLYGON(a, b, f);
+  POLYGON(b, c, f);
+  POLYGON(d, e, c);
+  POLYGON(c, e, f);
+  POLYGON(f, e, a);
+  POLYGON(a, e, d);
+  CHECK("before", make(0, false, true, false) && is_clean());
+  double was = volume();
+  CHECK("turned over", make(1, false, true, false) && is_clean());
+  CHECK("nothing lies on anything",
+        sg_boundary_mesh_meetings(&mesh, true, 0, NULL, NULL, &met) &&
+            met.n == 0);
+  CHECK("the volume", fabs(volume() - was) < 1e-12);
+  free(met.item);
+}
+
 /* A fan of slivers on one edge, each the neighbour of the next. */
 static void
 test_rows_of_slivers(void)
@@ -485,6 +515,7 @@ main(void)
 {
   test_rounding();
   test_slivers();
+  test_turned();
   test_rows_of_slivers();
   test_order();
   test_touching();
