@@ -81,11 +81,12 @@ number_vertices(const placed *sorted, size_t n, uint32_t *number,
 }
 
 static sg_boundary_end
-make_vertices(const sg_dense *d, size_t s, const sg_rounding *rounding,
-              const unsigned char *made, const sg_poll *poll, uint32_t *number,
-              sg_boundary *out)
+make_vertices(const sg_boundary_source *source, const sg_rounding *rounding,
+              const sg_poll *poll, uint32_t *number, sg_boundary *out)
 {
-  size_t first = d->vertex_begin[s], n = d->vertex_begin[s + 1] - first;
+  const sg_dense *d = source->dense;
+  size_t first = d->vertex_begin[source->s];
+  size_t n = d->vertex_begin[source->s + 1] - first;
   placed *sorted = malloc((n + 1) * sizeof *sorted);
 
   out->at = malloc((n + 1) * sizeof *out->at);
@@ -94,7 +95,7 @@ make_vertices(const sg_dense *d, size_t s, const sg_rounding *rounding,
     free(sorted);
     return SG_BOUNDARY_NO_MEMORY;
   }
-  if (!place(d, first, n, rounding, made, sorted)) {
+  if (!place(d, first, n, rounding, source->made, sorted)) {
     free(sorted);
     return SG_BOUNDARY_TOO_FAR;
   }
@@ -199,21 +200,28 @@ area_of(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
 }
 
 static bool
-is_turned(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
-          const sg_boundary *b)
+is_turned(const sg_boundary_source *source, size_t p, size_t first,
+          const uint32_t *number, const sg_boundary *b)
 {
-  double was[3], is[3];
+  double was[3] = {0}, is[3];
 
-  area_of(d, p, first, number, NULL, was);
-  area_of(d, p, first, number, (const double(*)[3])b->at, is);
+  if (source->normal) {
+    memcpy(was, source->normal[p], sizeof was);
+  }
+  if (was[0] == 0 && was[1] == 0 && was[2] == 0) {
+    area_of(source->dense, p, first, number, NULL, was);
+  }
+  area_of(source->dense, p, first, number, (const double(*)[3])b->at, is);
   return was[0] * is[0] + was[1] * is[1] + was[2] * is[2] < 0;
 }
 
 /* The edges of polygon p behind those that are there. */
 static void
-take_face(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
+take_face(const sg_boundary_source *source, size_t p, const uint32_t *number,
           sg_boundary *out)
 {
+  const sg_dense *d = source->dense;
+  size_t first = d->vertex_begin[source->s];
   uint32_t begin = out->begin[out->faces];
   int32_t(*edge)[2] = out->edge + begin;
   size_t all = d->list_begin[p + 1] - d->list_begin[p], n = 0;
@@ -230,17 +238,19 @@ take_face(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
     n = sg_edges_cancel(edge, n);
   }
   if (n > 0) {
-    out->turned[out->faces] = moved && is_turned(d, p, first, number, out);
+    out->turned[out->faces] = moved && is_turned(source, p, first, number, out);
     out->changed[out->faces++] = moved || all != 3 || n != 3;
     out->begin[out->faces] = begin + (uint32_t)n;
   }
 }
 
 static sg_boundary_end
-make_faces(const sg_dense *d, size_t s, const uint32_t *number,
+make_faces(const sg_boundary_source *source, const uint32_t *number,
            const sg_poll *poll, sg_boundary *out)
 {
-  size_t first = d->polygon_begin[s], end = d->polygon_begin[s + 1];
+  const sg_dense *d = source->dense;
+  size_t first = d->polygon_begin[source->s];
+  size_t end = d->polygon_begin[source->s + 1];
   size_t edges = d->list_begin[end] - d->list_begin[first];
 
   out->begin = malloc((end - first + 1) * sizeof *out->begin);
@@ -255,25 +265,24 @@ make_faces(const sg_dense *d, size_t s, const uint32_t *number,
     if (p % POLL_EVERY == 0 && sg_poll_stop(poll)) {
       return SG_BOUNDARY_STOPPED;
     }
-    take_face(d, p, d->vertex_begin[s], number, out);
+    take_face(source, p, number, out);
   }
   return SG_BOUNDARY_DONE;
 }
 
 sg_boundary_end
-sg_boundary_make(const sg_dense *dense, size_t s, const sg_rounding *rounding,
-                 const unsigned char *made, const sg_poll *poll,
-                 sg_boundary *out)
+sg_boundary_make(const sg_boundary_source *source, const sg_rounding *rounding,
+                 const sg_poll *poll, sg_boundary *out)
 {
-  size_t n = dense->vertex_begin[s + 1] - dense->vertex_begin[s];
-  uint32_t *number = malloc((n + 1) * sizeof *number);
+  const uint32_t *begin = source->dense->vertex_begin + source->s;
+  uint32_t *number = malloc((begin[1] - begin[0] + 1u) * sizeof *number);
 
   *out = (sg_boundary){0};
-  sg_boundary_end end =
-      number ? make_vertices(dense, s, rounding, made, poll, number, out)
-             : SG_BOUNDARY_NO_MEMORY;
+  sg_boundary_end end = number
+                            ? make_vertices(source, rounding, poll, number, out)
+                            : SG_BOUNDARY_NO_MEMORY;
   if (end == SG_BOUNDARY_DONE) {
-    end = make_faces(dense, s, number, poll, out);
+    end = make_faces(source, number, poll, out);
   }
   free(number);
   return end;

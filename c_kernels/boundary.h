@@ -46,15 +46,21 @@ typedef enum sg_boundary_end {
   SG_BOUNDARY_TOO_FAR /* a coordinate is out of the range of float32 */
 } sg_boundary_end;
 
-/* The polygons of segment s (a place). made[v] of all vertices (places), or
- * null: v was made by a cut, its coordinates are rounded.
- *
- * Cost:  n log n for the vertices, else linear.
+/* The polygons of segment s (a place of dense), and what else is known. */
+typedef struct sg_boundary_source {
+  const sg_dense *dense;
+  size_t s;
+  const unsigned char *made; /* [vertices] made by a cut, so its coordinates
+                                are rounded; or null */
+  const double (*normal)[3]; /* [polygons] which side is out; 0 0 0: as its
+                                vertices say; or null */
+} sg_boundary_source;
+
+/* Cost:  n log n for the vertices, else linear.
  * Owner: sg_boundary_clear() in any case. */
-sg_boundary_end sg_boundary_make(const sg_dense *dense, size_t s,
+sg_boundary_end sg_boundary_make(const sg_boundary_source *source,
                                  const sg_rounding *rounding,
-                                 const unsigned char *made, const sg_poll *poll,
-                                 sg_boundary *out);
+                                 const sg_poll *poll, sg_boundary *out);
 void sg_boundary_clear(sg_boundary *boundary);
 
 /* Takes out the faces whose vertices are all on one line (exact), or that were

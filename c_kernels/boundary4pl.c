@@ -130,13 +130,71 @@ get_made_ex(term_t list, const sg_dense *d, unsigned char *made)
   return PL_get_nil_ex(tail);
 }
 
+/* The place of polygon p of segment s, or SIZE_MAX. */
+static size_t
+polygon_place(const sg_dense *d, int32_t s, int32_t p, size_t *last)
+{
+  if (*last + 1 < d->polygons && d->polygon_id[*last + 1] == p &&
+      d->segment[sg_dense_segment_of(d, d->polygon_begin,
+                                     (uint32_t)*last + 1)] == s) {
+    return ++*last;
+  }
+  for (size_t i = 0; i < d->segments; i++) {
+    size_t low = d->polygon_begin[i], end = d->polygon_begin[i + 1];
+
+    if (d->segment[i] != s) {
+      continue;
+    }
+    for (size_t high = end; low < high;) {
+      size_t middle = low + (high - low) / 2;
+      if (d->polygon_id[middle] < p) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    if (low < end && d->polygon_id[low] == p) {
+      return *last = low;
+    }
+  }
+  return SIZE_MAX;
+}
+
+/* Fills normal[] of all polygons that have a row in plane/6. */
+static int
+get_normals_ex(const sg_dense *d, double (*normal)[3])
+{
+  sg_world *world = sg_current_world_ex();
+  const sg_version *version = world ? sg_world_version(world) : NULL;
+  sg_view view;
+  size_t last = SIZE_MAX - 1;
+
+  if (!version || !sg_version_view(version, SG_PLANE, &view)) {
+    sg_version_drop(version);
+    return world ? sg_no_memory() : FALSE;
+  }
+  for (size_t i = 0; i < view.pages; i++) {
+    for (unsigned r = sg_live_next(view.live[i], 0); r < SG_PAGE_ROWS;
+         r = sg_live_next(view.live[i], r + 1)) {
+      size_t at = polygon_place(d, view.column[0].page[i].i[r],
+                                view.column[1].page[i].i[r], &last);
+      for (int k = 0; at != SIZE_MAX && k < 3; k++) {
+        normal[at][k] = view.column[2 + k].page[i].f[r];
+      }
+    }
+  }
+  sg_view_clear(&view);
+  sg_version_drop(version);
+  return TRUE;
+}
+
 static sg_boundary_end
-make_part(const sg_dense *d, size_t s, const unsigned char *made,
-          const manner *how, sg_boundary_mesh *out)
+make_part(const sg_boundary_source *source, const manner *how,
+          sg_boundary_mesh *out)
 {
   sg_boundary boundary;
   sg_boundary_end end =
-      sg_boundary_make(d, s, &how->rounding, made, &sg_prolog_poll, &boundary);
+      sg_boundary_make(source, &how->rounding, &sg_prolog_poll, &boundary);
 
   if (end == SG_BOUNDARY_DONE) {
     end =
@@ -149,33 +207,44 @@ make_part(const sg_dense *d, size_t s, const unsigned char *made,
 }
 
 static int
-make_parts_ex(handle *h, const sg_dense *d, term_t made_list, const manner *how)
+make_parts_ex(handle *h, sg_boundary_source *source, const manner *how)
 {
-  unsigned char *made = calloc(d->vertices + 1, 1);
+  size_t segments = source->dense->segments;
 
-  h->part = calloc(d->segments + 1, sizeof *h->part);
-  if (!made || !h->part) {
-    free(made);
+  h->part = calloc(segments + 1, sizeof *h->part);
+  if (!h->part) {
     return sg_no_memory();
   }
-  int done = get_made_ex(made_list, d, made);
-  for (size_t s = 0; done && s < d->segments; s++) {
+  for (source->s = 0; source->s < segments; source->s++) {
     h->segments++;
-    switch (make_part(d, s, made, how, &h->part[s])) {
+    switch (make_part(source, how, &h->part[source->s])) {
     case SG_BOUNDARY_DONE:
       break;
     case SG_BOUNDARY_STOPPED:
-      done = FALSE;
-      break;
+      return FALSE;
     case SG_BOUNDARY_NO_MEMORY:
-      done = sg_no_memory();
-      break;
+      return sg_no_memory();
     case SG_BOUNDARY_TOO_FAR:
-      done = PL_representation_error("float32");
-      break;
+      return PL_representation_error("float32");
     }
   }
+  return TRUE;
+}
+
+static int
+read_parts_ex(handle *h, const sg_dense *d, term_t made_list, const manner *how)
+{
+  unsigned char *made = calloc(d->vertices + 1, 1);
+  double(*normal)[3] = calloc(d->polygons + 1, sizeof *normal);
+  sg_boundary_source source = {
+      .dense = d, .made = made, .normal = (const double(*)[3])normal};
+  int done = made && normal ? get_made_ex(made_list, d, made) &&
+                                  get_normals_ex(d, normal) &&
+                                  make_parts_ex(h, &source, how)
+                            : sg_no_memory();
+
   free(made);
+  free(normal);
   return done;
 }
 
@@ -206,7 +275,7 @@ boundary_open(term_t a0, int arity, void *context)
     return sg_no_memory();
   }
   int done = sg_get_dense_ex(segment ? segment : &none, n, &dense) &&
-             make_parts_ex(h, &dense, a0 + 1, &how);
+             read_parts_ex(h, &dense, a0 + 1, &how);
   sg_dense_clear(&dense);
   free(segment);
   if (!done) {

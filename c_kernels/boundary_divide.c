@@ -34,7 +34,28 @@ fill_work(sg_boundary_maker *m, const double (*at)[3], size_t n,
     sg_point_set(&ends[1], at[m->to[i]]);
     int32_t a = sg_work_vertex(m->work, m->from[i] + 1, &ends[0]);
     int32_t b = sg_work_vertex(m->work, m->to[i] + 1, &ends[1]);
-    if (a < 0 || b < 0 || !sg_work_add(m->work, a, b, 1, 0)) {
+    if (a < 0 || b < 0 || !sg_work_add(m->work, a, b, 1, (int64_t)i + 1)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Notes the edges at work that have been divided: their pieces have labels.
+ * False: no memory. */
+static bool
+note_splits(sg_boundary_maker *m)
+{
+  for (int32_t e = sg_work_next(m->work, 0); e; e = sg_work_next(m->work, e)) {
+    const sg_work_edge *piece = sg_work_get(m->work, e);
+    int32_t start = sg_work_id(m->work, piece->start) - 1;
+    int32_t end = sg_work_id(m->work, piece->end) - 1;
+    size_t i = (size_t)piece->label - 1;
+    if (piece->label > 0 &&
+        ((start != m->from[i] && start != m->to[i] &&
+          !sg_boundary_note_split(&m->splits, m->from[i], m->to[i], start)) ||
+         (end != m->from[i] && end != m->to[i] &&
+          !sg_boundary_note_split(&m->splits, m->from[i], m->to[i], end)))) {
       return false;
     }
   }
@@ -61,7 +82,8 @@ divide(sg_boundary_maker *m, const double (*at)[3], size_t n)
   }
   for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
     if (!fill_work(m, at, n, plane.n) ||
-        !sg_work_resolve(m->work, i == 0 ? 0 : reach_of(m))) {
+        !sg_work_resolve(m->work, i == 0 ? 0 : reach_of(m)) ||
+        !note_splits(m)) {
       return SG_NO_SPACE;
     }
     m->found.n = 0;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 65536, SMALL = 12 };
+enum { POLL_EVERY = 65536, SMALL = 12, MOST_SPLITS = 5 };
 
 /* ---- in order ---------------------------------------------------------------
  */
@@ -264,6 +264,27 @@ open_maker(sg_boundary_maker *m)
   return m->seen || sg_boundary_no_memory(m);
 }
 
+/* Divided edges are edges of other faces, in which they may need dividing
+ * again. */
+static bool
+add_and_split(sg_boundary_maker *m)
+{
+  for (int round = 0;; round++) {
+    if (!sg_boundary_add_faces(m)) {
+      return false;
+    }
+    if (m->splits.n == 0 || round == MOST_SPLITS) {
+      return true;
+    }
+    if (!sg_boundary_split(m->b, &m->splits)) {
+      return sg_boundary_no_memory(m);
+    }
+    m->splits.n = 0;
+    m->loop.count = m->loop.corners = 0;
+    m->out->stuck = 0;
+  }
+}
+
 static void
 close_maker(sg_boundary_maker *m)
 {
@@ -279,19 +300,20 @@ close_maker(sg_boundary_maker *m)
   free(m->to);
   free(m->seen);
   free(m->found.item);
+  free(m->splits.item);
   sg_loops_clear(&m->loops);
   sg_work_close(m->work);
 }
 
 sg_boundary_end
-sg_boundary_mesh_make(const sg_boundary *boundary, const sg_form *form,
+sg_boundary_mesh_make(sg_boundary *boundary, const sg_form *form,
                       const sg_poll *poll, sg_boundary_mesh *out)
 {
   sg_boundary_maker m = {
       .b = boundary, .form = form, .poll = poll, .out = out, .reach = -1};
 
   *out = (sg_boundary_mesh){0};
-  bool done = open_maker(&m) && sg_boundary_add_faces(&m) && order_loops(&m) &&
+  bool done = open_maker(&m) && add_and_split(&m) && order_loops(&m) &&
               cancel_all(&m) && put_vertices(&m) && put_faces(&m) &&
               put_triangles(&m);
   close_maker(&m);

@@ -43,9 +43,11 @@ typedef struct sg_boundary_mesh {
 
 /* A face that is one loop, passing each of its vertices once, stays a polygon
  * unless form->triangles; others become triangles, chosen by geometry alone.
- * Faces on each other, back to back, cancel. Returns: DONE, NO_MEMORY or
- * STOPPED. Owner: sg_boundary_mesh_clear() in any case. */
-sg_boundary_end sg_boundary_mesh_make(const sg_boundary *boundary,
+ * Faces on each other, back to back, cancel. Where a vertex of a face that is
+ * divided lies on one of its edges, this edge is divided in the boundary, in
+ * all its faces. Returns: DONE, NO_MEMORY or STOPPED. Owner:
+ * sg_boundary_mesh_clear() in any case. */
+sg_boundary_end sg_boundary_mesh_make(sg_boundary *boundary,
                                       const sg_form *form, const sg_poll *poll,
                                       sg_boundary_mesh *out);
 void sg_boundary_mesh_clear(sg_boundary_mesh *mesh);

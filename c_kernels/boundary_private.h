@@ -9,9 +9,20 @@
 #include "loops.h"
 #include "triangulate.h"
 
+/* Vertex v is inside the edge between low and high; `at` is private. */
+typedef struct sg_edge_split {
+  int32_t low, high, v;
+  double at;
+} sg_edge_split;
+
+typedef struct sg_edge_splits {
+  sg_edge_split *item; /* [n]; free(item) */
+  size_t n, room;
+} sg_edge_splits;
+
 /* A boundary_mesh under way. */
 typedef struct sg_boundary_maker {
-  const sg_boundary *b;
+  sg_boundary *b;
   const sg_form *form;
   const sg_poll *poll;
   sg_boundary_mesh *out;
@@ -27,7 +38,8 @@ typedef struct sg_boundary_maker {
   size_t room;
   uint32_t *seen; /* [vertices] a stamp */
   uint32_t stamp;
-  double reach; /* the tolerance, or -1: not needed yet */
+  sg_edge_splits splits; /* edges of faces with a vertex of the face inside */
+  double reach;          /* the tolerance, or -1: not needed yet */
   sg_loops loops;
   sg_work *work;
   sg_triangles found;
@@ -44,6 +56,13 @@ bool sg_boundary_room(sg_boundary_maker *m, size_t n);
 typedef bool sg_boundary_take(sg_boundary_maker *m, const int32_t v[3]);
 bool sg_boundary_each_triangle(sg_boundary_maker *m, const double (*at)[3],
                                size_t n, bool ring, sg_boundary_take *take);
+
+/* Notes that v is inside the edge from -> to. False: no memory. */
+bool sg_boundary_note_split(sg_edge_splits *splits, int32_t from, int32_t to,
+                            int32_t v);
+/* Divides all edges between these vertices, in every face: as many one way as
+ * the other. Sorts the splits. False: no memory. */
+bool sg_boundary_split(sg_boundary *boundary, sg_edge_splits *splits);
 
 /* Fills m->loop with the faces of m->b. */
 bool sg_boundary_add_faces(sg_boundary_maker *m);

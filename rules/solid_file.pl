@@ -3,13 +3,14 @@
             write_solid/3,              % +File, +S, +Options
             output_statistics/1         % -Statistics
           ]).
-:- use_module(boolean, [boolean/2]).
+:- use_module(boolean, [boolean/3]).
 :- use_module(kernel,
               [ boundary_open/7, boundary_close/1, boundary_counts/2,
                 boundary_meetings/4, boundary_add/2, boundary_write/5
               ]).
 :- use_module(mesh, [mesh_file_format/3, mesh_to_file/2, mesh_outcome/1]).
 :- use_module(model_writer, [write_model/1]).
+:- use_module(penetration, [penetrate/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ v/5, segment/3, origin/3, assert_fact/1, facts_snapshot/1,
@@ -253,9 +254,9 @@ triangle_copy(S, Single, Grid, Copy) :-
     assert_fact(segment(Copy, solid, rounded)),
     boundary_close(Boundary).
 
-%   output_round(Single, Round, S, Grid): round 1 has a grid as fine as the
-%   numbers of the file are at the largest coordinate of S; each is 4 times
-%   (float32) or 16 times (doubles) as coarse as the one before.
+%   output_round(Single, Round, S, Grid): round 1 has the grid of the numbers in
+%   the file, at the largest coordinate of S; each is 4 times (float32) or 16
+%   times (doubles) as coarse as the one before.
 
 output_round(Single, Round, S, Grid) :-
     aggregate_all(max(Size),
@@ -265,8 +266,8 @@ output_round(Single, Round, S, Grid) :-
     Start is truncate(log(Largest)/log(2))-1,
     power_above(Start, Largest, Exponent),
     (   Single == true
-    ->  Grid is 2.0**(Exponent-25+2*Round)
-    ;   Grid is 2.0**(Exponent-54+4*Round)
+    ->  Grid is 2.0**(Exponent-26+2*Round)
+    ;   Grid is 2.0**(Exponent-57+4*Round)
     ).
 
 %   power_above(E0, X, E): the first E from E0 on with 2**E >= X.
@@ -278,8 +279,11 @@ power_above(E0, X, E) :-
         power_above(E1, X, E)
     ).
 
-%   united(S, Union): Union is the solid that S bounds, no part of it inside.
+%   united(S, Union): Union is the solid that S bounds, no part of it inside. What
+%   goes through itself by less than the tolerance counts too, so S is cut by
+%   itself first.
 
 united(S, Union) :-
     fresh_id(segment, 0, Union),
-    boolean(union([S]), Union).
+    penetrate([S-S], [tolerance(0)]),
+    boolean(union([S]), Union, [tolerance(0)]).
