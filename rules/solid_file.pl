@@ -254,21 +254,30 @@ triangle_copy(S, Single, Grid, Copy) :-
     assert_fact(segment(Copy, solid, rounded)),
     boundary_close(Boundary).
 
-%   output_round(Single, Round, S, Grid): round 1 has the grid of the numbers in
-%   the file, at the largest coordinate of S; each is 4 times (float32) or 16
-%   times (doubles) as coarse as the one before.
+%   output_round(Single, Round, S, Grid): the first rounds have the grid of the
+%   format: only what the union made moves then, which is less each time. The
+%   others have coarser ones: that of the largest coordinate of S, then 4 times
+%   (float32) or 16 times (doubles) as coarse.
 
 output_round(Single, Round, S, Grid) :-
+    (   Round =< 3
+    ->  Grid = 0.0
+    ;   largest_power(S, Exponent),
+        (   Single == true
+        ->  Grid is 2.0**(Exponent-32+2*Round)
+        ;   Grid is 2.0**(Exponent-69+4*Round)
+        )
+    ).
+
+%   largest_power(S, E): no coordinate of S is larger than 2**E.
+
+largest_power(S, E) :-
     aggregate_all(max(Size),
                   ( v(S, _, X, Y, Z),
                     Size is max(abs(X), max(abs(Y), abs(Z))) ),
                   Largest),
     Start is truncate(log(Largest)/log(2))-1,
-    power_above(Start, Largest, Exponent),
-    (   Single == true
-    ->  Grid is 2.0**(Exponent-26+2*Round)
-    ;   Grid is 2.0**(Exponent-57+4*Round)
-    ).
+    power_above(Start, Largest, E).
 
 %   power_above(E0, X, E): the first E from E0 on with 2**E >= X.
 
