@@ -63,12 +63,12 @@ sg_boundary_end sg_boundary_make(const sg_boundary_source *source,
                                  const sg_poll *poll, sg_boundary *out);
 void sg_boundary_clear(sg_boundary *boundary);
 
-/* Takes out the faces whose vertices are all on one line (exact), or that were
- * turned over. What lay along a long edge of such a face gets the vertices in
- * between: the edge is turned. Other faces keep their places in space, but for
- * what was thinner than the rounding, and edges their opposites.
- * False: no memory. */
-bool sg_boundary_drop_flat(sg_boundary *boundary);
+/* Takes out the faces whose vertices are all on one line (exact) and, if
+ * `turned`, those that were turned over. What lay along a long edge of such a
+ * face gets the vertices in between: the edge is turned. Other faces keep their
+ * places in space, but for what was thinner than the rounding, and edges their
+ * opposites. False: no memory. */
+bool sg_boundary_drop_flat(sg_boundary *boundary, bool turned);
 
 /* Puts n edges in an order of their own without those that are opposite in
  * pairs; returns how many are left. For the files of a boundary. */

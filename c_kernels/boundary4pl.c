@@ -81,6 +81,7 @@ get_boundary_ex(term_t t, handle **out)
 typedef struct manner {
   sg_rounding rounding;
   sg_form form;
+  bool keep_turned; /* faces that rounding turned over stay */
 } manner;
 
 /* Marks vertex v of segment s, if there are such. */
@@ -198,7 +199,7 @@ make_part(const sg_boundary_source *source, const manner *how,
 
   if (end == SG_BOUNDARY_DONE) {
     end =
-        sg_boundary_drop_flat(&boundary)
+        sg_boundary_drop_flat(&boundary, !how->keep_turned)
             ? sg_boundary_mesh_make(&boundary, &how->form, &sg_prolog_poll, out)
             : SG_BOUNDARY_NO_MEMORY;
   }
@@ -248,13 +249,28 @@ read_parts_ex(handle *h, const sg_dense *d, term_t made_list, const manner *how)
   return done;
 }
 
-/* boundary_open(+Segments, +Made, +Single, +Grid, +Triangles, +Copies,
- * -Boundary) is det. */
+/* polygons, triangles or soup. */
+static int
+get_form_ex(term_t t, manner *out)
+{
+  char *name;
+
+  if (!PL_get_chars(t, &name, CVT_ATOM | CVT_EXCEPTION)) {
+    return FALSE;
+  }
+  out->keep_turned = !strcmp(name, "soup");
+  out->form.triangles = out->keep_turned || !strcmp(name, "triangles");
+  return out->form.triangles || !strcmp(name, "polygons") ||
+         PL_domain_error("boundary_form", t);
+}
+
+/* boundary_open(+Segments, +Made, +Single, +Grid, +Form, +Copies, -Boundary)
+ * is det. */
 static foreign_t
 boundary_open(term_t a0, int arity, void *context)
 {
   manner how;
-  int single, triangles, copies;
+  int single, copies;
   int32_t *segment = NULL;
   size_t n;
   sg_dense dense;
@@ -263,12 +279,12 @@ boundary_open(term_t a0, int arity, void *context)
   (void)arity, (void)context;
   if (!PL_get_bool_ex(a0 + 2, &single) ||
       !sg_get_finite_ex(a0 + 3, &how.rounding.grid) ||
-      !PL_get_bool_ex(a0 + 4, &triangles) || !PL_get_bool_ex(a0 + 5, &copies) ||
+      !get_form_ex(a0 + 4, &how) || !PL_get_bool_ex(a0 + 5, &copies) ||
       !sg_get_ids_ex(a0, &segment, &n)) {
     return FALSE;
   }
   how.rounding.single = single;
-  how.form = (sg_form){triangles, copies};
+  how.form.copies = copies;
   int32_t none = 0;
   if (!(h = calloc(1, sizeof *h))) {
     free(segment);

@@ -81,12 +81,12 @@ is_flat(const sg_boundary *b, size_t face)
 }
 
 static void
-find_flat(cleaner *c)
+find_flat(cleaner *c, bool turned)
 {
   const sg_boundary *b = c->b;
 
   for (size_t f = 0; f < b->faces; f++) {
-    c->flat[f] = b->turned[f] || is_flat(b, f);
+    c->flat[f] = (turned && b->turned[f]) || is_flat(b, f);
     if (c->flat[f]) {
       c->flat_face[c->flat_faces++] = (uint32_t)f;
     }
@@ -463,7 +463,7 @@ drop_all(cleaner *c)
 }
 
 bool
-sg_boundary_drop_flat(sg_boundary *boundary)
+sg_boundary_drop_flat(sg_boundary *boundary, bool turned)
 {
   cleaner c = {.b = boundary};
 
@@ -475,7 +475,7 @@ sg_boundary_drop_flat(sg_boundary *boundary)
   c.gone = calloc(boundary->begin[boundary->faces] + 1u, 1);
   bool done = c.flat && c.flat_face && c.known && c.fresh && c.gone;
   if (done) {
-    find_flat(&c);
+    find_flat(&c, turned);
     done = c.flat_faces == 0 || drop_all(&c);
   }
   free(c.flat);

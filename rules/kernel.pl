@@ -9,7 +9,7 @@
                                       % -Result
             mesh_write/5,             % +Stream, +Format, +Ss, +Names, -Result
             % boundary4pl.c
-            boundary_open/7,          % +Ss, +Made, +Single, +Grid, +Triangles,
+            boundary_open/7,          % +Ss, +Made, +Single, +Grid, +Form,
                                       % +Copies, -Boundary
             boundary_close/1,         % +Boundary
             boundary_counts/2,        % +Boundary, -Counts
@@ -184,15 +184,16 @@ glue file.
 
 /* - - - boundary4pl.c - - - */
 
-%!  boundary_open(+Segments, +Made, +Single, +Grid, +Triangles, +Copies,
-%!                -Boundary) is det.
+%!  boundary_open(+Segments, +Made, +Single, +Grid, +Form, +Copies, -Boundary)
+%!                is det.
 %
 %   Boundary is a handle for the polygons of the segments in the list, as a file
 %   will hold them: coordinates as multiples of Grid (a power of two; 0.0: as
 %   they are), then as float32 if Single; without what that has collapsed; in an
 %   order that depends on where things are alone. See c_kernels/boundary.h and
 %   boundary_mesh.h. Made lists S-V of vertices that cuts made: their
-%   coordinates are rounded already. If Triangles, all faces are triangles; if
+%   coordinates are rounded already. Form is `polygons`, `triangles` or `soup`:
+%   triangles, also those that rounding turned over, which else are taken out. If
 %   Copies, every edge has two faces and every vertex one fan.
 %
 %   @error representation_error(float32): a coordinate is too large

@@ -300,9 +300,9 @@ mesh_written(Format, Segments, Names, Stream) :-
 
 canonical_written(Format, Segments, Names, Stream) :-
     (   memberchk(Format, [stl, stl_binary])
-    ->  Triangles = true,
+    ->  Form = triangles,
         Copies = false
-    ;   Triangles = false,
+    ;   Form = polygons,
         Copies = true
     ),
     (   Format == stl_binary
@@ -310,7 +310,7 @@ canonical_written(Format, Segments, Names, Stream) :-
     ;   Single = false
     ),
     setup_call_cleanup(
-        boundary_open(Segments, [], Single, 0.0, Triangles, Copies, Boundary),
+        boundary_open(Segments, [], Single, 0.0, Form, Copies, Boundary),
         boundary_write(Boundary, Stream, Format, Names, Result),
         boundary_close(Boundary)),
     mesh_outcome(Result).

@@ -141,16 +141,16 @@ output_statistics(_{solids:Solids, rounds:Rounds}) :-
                 *       ROUND, CHECK, UNITE    *
                 *******************************/
 
-%   format_manner(Format, Options, Manner): manner(Single, Triangles, Copies) as
+%   format_manner(Format, Options, Manner): manner(Single, Form, Copies) as
 %   boundary_open/7 wants them.
 
-format_manner(Format, Options, manner(Single, Triangles, Copies)) :-
+format_manner(Format, Options, manner(Single, Form, Copies)) :-
     (   memberchk(Format, [stl, stl_binary])
     ->  Single = true,
-        Triangles = true,
+        Form = triangles,
         Copies = false
     ;   Single = false,
-        Triangles = false,
+        Form = polygons,
         option(shared(Shared), Options, false),
         must_be(boolean, Shared),
         (   Shared == true
@@ -179,9 +179,9 @@ clean_boundary(S, Manner, Options, Boundary, Rounds) :-
         Rounds = 0
     ).
 
-rounded(S, manner(Single, Triangles, Copies), Grid, Boundary) :-
+rounded(S, manner(Single, Form, Copies), Grid, Boundary) :-
     findall(S-V, origin(S, v(V), _), Made),
-    boundary_open([S], Made, Single, Grid, Triangles, Copies, Boundary).
+    boundary_open([S], Made, Single, Grid, Form, Copies, Boundary).
 
 %   boundary_fault(Boundary, Which, Exact, Fault): the first fault there is.
 
@@ -248,7 +248,7 @@ rounded_copy(S, Single, Grid, Copy) :-
     complete_segments.
 
 triangle_copy(S, Single, Grid, Copy) :-
-    boundary_open([S], [], Single, Grid, true, false, Boundary),
+    boundary_open([S], [], Single, Grid, soup, false, Boundary),
     fresh_id(segment, 0, Copy),
     boundary_add(Boundary, Copy),
     assert_fact(segment(Copy, solid, rounded)),
