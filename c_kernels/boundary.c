@@ -65,18 +65,26 @@ place(const sg_dense *d, size_t first, size_t n, const sg_rounding *rounding,
   return true;
 }
 
-/* Numbers the sorted vertices; number[v] becomes that of v. */
+/* Numbers the sorted vertices, which were at `was`; number[v] becomes that of
+ * v.
+ */
 static void
-number_vertices(const placed *sorted, size_t n, uint32_t *number,
-                sg_boundary *out)
+number_vertices(const placed *sorted, size_t n, const double (*was)[3],
+                uint32_t *number, sg_boundary *out)
 {
   for (size_t i = 0; i < n; i++) {
+    const double *at = was[sorted[i].v];
     if (i == 0 || compare_places(sorted[i - 1].at, sorted[i].at) != 0) {
+      memcpy(out->was[out->vertices], at, sizeof *was);
       out->moved[out->vertices] = 0;
       memcpy(out->at[out->vertices++], sorted[i].at, sizeof sorted[i].at);
     }
-    out->moved[out->vertices - 1] |= sorted[i].moved;
-    number[sorted[i].v] = (uint32_t)out->vertices - 1;
+    size_t last = out->vertices - 1;
+    if (compare_places(at, out->was[last]) < 0) {
+      memcpy(out->was[last], at, sizeof *was);
+    }
+    out->moved[last] |= sorted[i].moved;
+    number[sorted[i].v] = (uint32_t)last;
   }
 }
 
@@ -90,8 +98,9 @@ make_vertices(const sg_boundary_source *source, const sg_rounding *rounding,
   placed *sorted = malloc((n + 1) * sizeof *sorted);
 
   out->at = malloc((n + 1) * sizeof *out->at);
+  out->was = malloc((n + 1) * sizeof *out->was);
   out->moved = malloc(n + 1);
-  if (!sorted || !out->at || !out->moved) {
+  if (!sorted || !out->at || !out->was || !out->moved) {
     free(sorted);
     return SG_BOUNDARY_NO_MEMORY;
   }
@@ -101,7 +110,7 @@ make_vertices(const sg_boundary_source *source, const sg_rounding *rounding,
   }
   sg_sort_end end = sg_sort(sorted, n, sizeof *sorted, compare_placed, poll);
   if (end == SG_SORTED) {
-    number_vertices(sorted, n, number, out);
+    number_vertices(sorted, n, (const double(*)[3])d->at + first, number, out);
   }
   free(sorted);
   return end == SG_SORTED         ? SG_BOUNDARY_DONE
@@ -292,6 +301,7 @@ void
 sg_boundary_clear(sg_boundary *boundary)
 {
   free(boundary->at);
+  free(boundary->was);
   free(boundary->moved);
   free(boundary->begin);
   free(boundary->edge);

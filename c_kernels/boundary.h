@@ -26,6 +26,7 @@ typedef struct sg_rounding {
 typedef struct sg_boundary {
   size_t vertices;
   double (*at)[3];      /* [vertices] ascending by x, y, z; all different */
+  double (*was)[3];     /* [vertices] before rounding; of several the lowest */
   unsigned char *moved; /* [vertices] not where the vertex was, or it was
                            made by a cut and so rounded before */
   size_t faces;

@@ -62,14 +62,13 @@ note_splits(sg_boundary_maker *m)
   return true;
 }
 
-/* As a reader of the file will divide it (complete.h): contacts are taken
- * exactly, and if that gets stuck within the tolerance. */
+/* One try, with contacts taken exactly or, if reach > 0, within that. */
 static sg_outcome
-divide(sg_boundary_maker *m, const double (*at)[3], size_t n)
+try_to_divide(sg_boundary_maker *m, const double (*at)[3], size_t n,
+              double reach)
 {
   sg_newell sum;
   sg_plane plane;
-  sg_outcome outcome = SG_STUCK;
   int32_t edge;
 
   m->found.n = 0;
@@ -80,16 +79,60 @@ divide(sg_boundary_maker *m, const double (*at)[3], size_t n)
   if (!sg_newell_plane(&sum, &plane)) {
     return SG_STUCK;
   }
-  for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
-    if (!fill_work(m, at, n, plane.n) ||
-        !sg_work_resolve(m->work, i == 0 ? 0 : reach_of(m)) ||
-        !note_splits(m)) {
-      return SG_NO_SPACE;
+  return fill_work(m, at, n, plane.n) && sg_work_resolve(m->work, reach) &&
+                 note_splits(m)
+             ? sg_work_triangulate(m->work, &m->found, &edge, m->poll)
+             : SG_NO_SPACE;
+}
+
+/* True if the triangles have all vertices of the face: none was taken for
+ * another one. */
+static bool
+have_all(sg_boundary_maker *m, size_t n)
+{
+  m->stamp++;
+  for (size_t i = 0; i < m->found.n; i++) {
+    for (int k = 0; k < 3; k++) {
+      m->seen[sg_work_id(m->work, m->found.item[i].v[k]) - 1] = m->stamp;
     }
-    m->found.n = 0;
-    outcome = sg_work_triangulate(m->work, &m->found, &edge, m->poll);
+  }
+  for (size_t i = 0; i < n; i++) {
+    if (m->seen[m->from[i]] != m->stamp) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Where things are now, or else where they were: the triangles may lie over
+ * each other then, by no more than the rounding. */
+static sg_outcome
+divide(sg_boundary_maker *m, size_t n)
+{
+  const double(*at[2])[3] = {(const double(*)[3])m->b->at,
+                             (const double(*)[3])m->b->was};
+  sg_outcome outcome = SG_STUCK;
+
+  for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
+    size_t splits = m->splits.n;
+    outcome = try_to_divide(m, at[i], n, 0);
+    if (outcome == SG_DONE && !have_all(m, n)) {
+      outcome = SG_STUCK;
+    }
+    m->splits.n = outcome == SG_STUCK ? splits : m->splits.n;
   }
   return outcome;
+}
+
+/* As a reader of the file will divide it (complete.h): contacts are taken
+ * exactly, and if that gets stuck within the tolerance. */
+static sg_outcome
+divide_as_reader(sg_boundary_maker *m, size_t n)
+{
+  const double(*at)[3] = (const double(*)[3])m->out->mesh.vertex;
+  sg_outcome outcome = try_to_divide(m, at, n, 0);
+
+  return outcome == SG_STUCK ? try_to_divide(m, at, n, reach_of(m)) : outcome;
 }
 
 /* A convex quadrilateral needs no scratch relation; the rule takes the corner
@@ -124,15 +167,18 @@ divide_quad(sg_boundary_maker *m, const double (*at)[3])
 }
 
 bool
-sg_boundary_each_triangle(sg_boundary_maker *m, const double (*at)[3], size_t n,
+sg_boundary_each_triangle(sg_boundary_maker *m, bool reader, size_t n,
                           bool ring, sg_boundary_take *take)
 {
+  const double(*at)[3] =
+      (const double(*)[3])(reader ? m->out->mesh.vertex : m->b->at);
+
   if (ring && n == 4 && divide_quad(m, at)) {
     const int32_t *v = m->from;
     return take(m, (int32_t[3]){v[0], v[1], v[2]}) &&
            take(m, (int32_t[3]){v[2], v[3], v[0]});
   }
-  switch (divide(m, at, n)) {
+  switch (reader ? divide_as_reader(m, n) : divide(m, n)) {
   case SG_DONE:
     break;
   case SG_STUCK:

@@ -129,8 +129,7 @@ add_knot(sg_boundary_maker *m, const int32_t (*edge)[2], size_t n)
     m->to[i] = sorted[i][1];
   }
   free(sorted);
-  return sg_boundary_each_triangle(m, (const double(*)[3])m->b->at, n, false,
-                                   take_loop_triangle);
+  return sg_boundary_each_triangle(m, false, n, false, take_loop_triangle);
 }
 
 static bool
@@ -154,8 +153,7 @@ add_polygon(sg_boundary_maker *m, size_t f)
   }
   follow_loop(m, n);
   return m->form->triangles
-             ? sg_boundary_each_triangle(m, (const double(*)[3])m->b->at, n,
-                                         true, take_loop_triangle)
+             ? sg_boundary_each_triangle(m, false, n, true, take_loop_triangle)
              : add_loop(m, n);
 }
 

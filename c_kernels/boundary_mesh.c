@@ -223,8 +223,7 @@ put_triangles_of(sg_boundary_maker *m, const int32_t *v, size_t n)
     m->from[i] = v[i];
     m->to[i] = v[(i + 1) % n];
   }
-  return sg_boundary_each_triangle(m, (const double(*)[3])m->out->mesh.vertex,
-                                   n, true, take_triangle_of_face);
+  return sg_boundary_each_triangle(m, true, n, true, take_triangle_of_face);
 }
 
 static bool

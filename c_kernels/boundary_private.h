@@ -51,11 +51,12 @@ bool sg_boundary_no_memory(sg_boundary_maker *m);
 bool sg_boundary_room(sg_boundary_maker *m, size_t n);
 
 /* Gives the triangles of the n edges at work, in loop order if `ring`, to
- * `take`; vertices are places in `at`. A face that none are found for is
- * counted. False: `take` said so, or m->end says why. */
+ * `take`: of a face of m->b, or (reader) as a reader will divide one of
+ * m->out->mesh. A face that none are found for is counted. False: `take` said
+ * so, or m->end says why. */
 typedef bool sg_boundary_take(sg_boundary_maker *m, const int32_t v[3]);
-bool sg_boundary_each_triangle(sg_boundary_maker *m, const double (*at)[3],
-                               size_t n, bool ring, sg_boundary_take *take);
+bool sg_boundary_each_triangle(sg_boundary_maker *m, bool reader, size_t n,
+                               bool ring, sg_boundary_take *take);
 
 /* Notes that v is inside the edge from -> to. False: no memory. */
 bool sg_boundary_note_split(sg_edge_splits *splits, int32_t from, int32_t to,

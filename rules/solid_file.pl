@@ -213,15 +213,19 @@ next_round(Fault, _, _, Round, Most, task(S, _), _, _) :-
     !,
     Rounds is Round-1,
     throw(error(geometry_error(written(faulty(S, Rounds, Fault))), _)).
-next_round(_, S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
+next_round(Fault, S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
     facts_snapshot(
-        sg_solid_file:united_round(S0, Grid0, Round, Most, Task, Boundary,
+        sg_solid_file:united_round(Fault, S0, Grid0, Round, Most, Task, Boundary,
                                    Rounds)).
 
-united_round(S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
-    Task = task(_, Manner),
+united_round(Fault0, S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
+    Task = task(S, Manner),
     Manner = manner(Single, _, _),
-    rounded_copy(S0, Single, Grid0, S1),
+    (   rounded_copy(S0, Single, Grid0, S1)
+    ->  true
+    ;   Done is Round-1,
+        throw(error(geometry_error(written(faulty(S, Done, Fault0))), _))
+    ),
     united(S1, S2),
     output_round(Single, Round, S1, Grid),
     rounded(S2, Manner, Grid, Boundary0),
@@ -238,21 +242,30 @@ united_round(S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
         Rounds = Round
     ).
 
-%   rounded_copy(S, Single, Grid, Copy): the rounded triangles as a segment. They
-%   are divided before they are rounded: whatever rounding does to triangles, they
+%   rounded_copy(S, Single, Grid, Copy): the rounded triangles as a segment,
+%   without those that rounding turned over if the others close. If not, they are
+%   divided before they are rounded: whatever rounding does to triangles, they
 %   stay triangles, and closed.
 
 rounded_copy(S, Single, Grid, Copy) :-
-    triangle_copy(S, false, 0.0, Triangles),
-    triangle_copy(Triangles, Single, Grid, Copy),
+    (   triangle_copy(S, Single, Grid, triangles, Copy0)
+    ->  Copy = Copy0
+    ;   triangle_copy(S, false, 0.0, soup, Triangles),
+        triangle_copy(Triangles, Single, Grid, soup, Copy)
+    ),
     complete_segments.
 
-triangle_copy(S, Single, Grid, Copy) :-
-    boundary_open([S], [], Single, Grid, soup, false, Boundary),
-    fresh_id(segment, 0, Copy),
-    boundary_add(Boundary, Copy),
-    assert_fact(segment(Copy, solid, rounded)),
-    boundary_close(Boundary).
+%   triangle_copy(S, Single, Grid, Form, Copy) is semidet: it is closed.
+
+triangle_copy(S, Single, Grid, Form, Copy) :-
+    boundary_open([S], [], Single, Grid, Form, false, Boundary),
+    call_cleanup(
+        ( boundary_counts(Boundary, counts(_, _, _, 0, _, _, _, 0, _)),
+          fresh_id(segment, 0, Copy),
+          boundary_add(Boundary, Copy),
+          assert_fact(segment(Copy, solid, rounded))
+        ),
+        boundary_close(Boundary)).
 
 %   output_round(Single, Round, S, Grid): the first rounds have the grid of the
 %   format: only what the union made moves then, which is less each time. The
