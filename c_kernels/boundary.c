@@ -208,9 +208,9 @@ area_of(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
   }
 }
 
-static bool
-is_turned(const sg_boundary_source *source, size_t p, size_t first,
-          const uint32_t *number, const sg_boundary *b)
+static unsigned char
+turn_of(const sg_boundary_source *source, size_t p, size_t first,
+        const uint32_t *number, const sg_boundary *b)
 {
   double was[3] = {0}, is[3];
 
@@ -221,7 +221,11 @@ is_turned(const sg_boundary_source *source, size_t p, size_t first,
     area_of(source->dense, p, first, number, NULL, was);
   }
   area_of(source->dense, p, first, number, (const double(*)[3])b->at, is);
-  return was[0] * is[0] + was[1] * is[1] + was[2] * is[2] < 0;
+  if (is[0] == 0 && is[1] == 0 && is[2] == 0) {
+    return SG_NO_AREA;
+  }
+  return was[0] * is[0] + was[1] * is[1] + was[2] * is[2] < 0 ? SG_TURNED
+                                                              : SG_UPRIGHT;
 }
 
 /* The edges of polygon p behind those that are there. */
@@ -247,7 +251,8 @@ take_face(const sg_boundary_source *source, size_t p, const uint32_t *number,
     n = sg_edges_cancel(edge, n);
   }
   if (n > 0) {
-    out->turned[out->faces] = moved && is_turned(source, p, first, number, out);
+    out->turned[out->faces] =
+        moved ? turn_of(source, p, first, number, out) : SG_UPRIGHT;
     out->changed[out->faces++] = moved || all != 3 || n != 3;
     out->begin[out->faces] = begin + (uint32_t)n;
   }

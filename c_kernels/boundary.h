@@ -23,6 +23,13 @@ typedef struct sg_rounding {
   bool single;
 } sg_rounding;
 
+/* Whether a face looks to the side it did. Inexact. */
+enum sg_turn {
+  SG_UPRIGHT,
+  SG_TURNED, /* turned over, so it is thinner than the rounding */
+  SG_NO_AREA /* none that doubles can tell */
+};
+
 typedef struct sg_boundary {
   size_t vertices;
   double (*at)[3];      /* [vertices] ascending by x, y, z; all different */
@@ -36,8 +43,7 @@ typedef struct sg_boundary {
   unsigned char *changed; /* [faces] it has a moved vertex, other edges than
                              before, or more than three: not the triangle that
                              the segment has */
-  unsigned char *turned;  /* [faces] rounding has turned it over, so it is
-                             thinner than that. Inexact */
+  unsigned char *turned;  /* [faces] what rounding did to it: sg_turn */
 } sg_boundary;
 
 typedef enum sg_boundary_end {
@@ -64,11 +70,11 @@ sg_boundary_end sg_boundary_make(const sg_boundary_source *source,
                                  const sg_poll *poll, sg_boundary *out);
 void sg_boundary_clear(sg_boundary *boundary);
 
-/* Takes out the faces whose vertices are all on one line (exact) and, if
- * `turned`, those that were turned over. What lay along a long edge of such a
- * face gets the vertices in between: the edge is turned. Other faces keep their
- * places in space, but for what was thinner than the rounding, and edges their
- * opposites. False: no memory. */
+/* Takes out the faces whose vertices are all on one line (exact), those of
+ * SG_NO_AREA and, if `turned`, of SG_TURNED. What lay along a long edge of such
+ * a face gets the vertices in between: the edge is turned. Other faces keep
+ * their places in space, but for what was thinner than the rounding, and edges
+ * their opposites. False: no memory. */
 bool sg_boundary_drop_flat(sg_boundary *boundary, bool turned);
 
 /* Puts n edges in an order of their own without those that are opposite in

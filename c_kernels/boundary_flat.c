@@ -86,7 +86,8 @@ find_flat(cleaner *c, bool turned)
   const sg_boundary *b = c->b;
 
   for (size_t f = 0; f < b->faces; f++) {
-    c->flat[f] = (turned && b->turned[f]) || is_flat(b, f);
+    c->flat[f] = b->turned[f] == SG_NO_AREA ||
+                 (turned && b->turned[f] == SG_TURNED) || is_flat(b, f);
     if (c->flat[f]) {
       c->flat_face[c->flat_faces++] = (uint32_t)f;
     }
@@ -435,7 +436,7 @@ rebuild(cleaner *c)
     }
     n += (uint32_t)some;
     b->changed[faces] = b->changed[f] || c->fresh[f] != NOTHING;
-    b->turned[faces] = 0;
+    b->turned[faces] = SG_UPRIGHT;
     begin[++faces] = n;
   }
   free(b->begin);
