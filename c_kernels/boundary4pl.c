@@ -189,6 +189,34 @@ get_normals_ex(const sg_dense *d, double (*normal)[3])
   return TRUE;
 }
 
+enum { MOST_AGAIN = 4 };
+
+/* Dividing faces may leave triangles without area: these go like others. */
+static sg_boundary_end
+make_again(const manner *how, sg_boundary_mesh *mesh)
+{
+  sg_boundary_end end = SG_BOUNDARY_DONE;
+  bool any = how->form.triangles;
+
+  for (int i = 0; i < MOST_AGAIN && any && end == SG_BOUNDARY_DONE; i++) {
+    sg_boundary boundary;
+
+    end = SG_BOUNDARY_NO_MEMORY;
+    if (sg_boundary_of_mesh(mesh, &boundary, &any)) {
+      end = SG_BOUNDARY_DONE;
+    }
+    if (any && end == SG_BOUNDARY_DONE) {
+      sg_boundary_mesh_clear(mesh);
+      end = sg_boundary_drop_flat(&boundary, false)
+                ? sg_boundary_mesh_make(&boundary, &how->form, &sg_prolog_poll,
+                                        mesh)
+                : SG_BOUNDARY_NO_MEMORY;
+    }
+    sg_boundary_clear(&boundary);
+  }
+  return end;
+}
+
 static sg_boundary_end
 make_part(const sg_boundary_source *source, const manner *how,
           sg_boundary_mesh *out)
@@ -204,7 +232,7 @@ make_part(const sg_boundary_source *source, const manner *how,
             : SG_BOUNDARY_NO_MEMORY;
   }
   sg_boundary_clear(&boundary);
-  return end;
+  return end == SG_BOUNDARY_DONE ? make_again(how, out) : end;
 }
 
 static int

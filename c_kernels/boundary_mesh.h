@@ -50,6 +50,11 @@ typedef struct sg_boundary_mesh {
 sg_boundary_end sg_boundary_mesh_make(sg_boundary *boundary,
                                       const sg_form *form, const sg_poll *poll,
                                       sg_boundary_mesh *out);
+/* The triangles of a mesh without copies as a boundary again, if some of them
+ * have no area that doubles can tell (else *any is false, and *out empty): for
+ * sg_boundary_drop_flat(). False: no memory. Owner: sg_boundary_clear(). */
+bool sg_boundary_of_mesh(const sg_boundary_mesh *mesh, sg_boundary *out,
+                         bool *any);
 void sg_boundary_mesh_clear(sg_boundary_mesh *mesh);
 
 /* Where it goes through itself: meetings of its triangles with those that are
