@@ -48,15 +48,21 @@ rounded(double x, const sg_rounding *rounding)
 
 /* False: out of range. */
 static bool
-place(const sg_dense *d, size_t first, size_t n, const sg_rounding *rounding,
-      const unsigned char *made, placed *out)
+place(const sg_boundary_source *source, size_t first, size_t n,
+      const sg_rounding *rounding, placed *out)
 {
+  const sg_rounding fine = {0, rounding->single};
+
   for (size_t i = 0; i < n; i++) {
+    size_t v = first + i;
+    bool coarse = !source->coarse || source->coarse[v];
+
     out[i].v = (uint32_t)i;
-    out[i].moved = made && made[first + i];
+    out[i].moved = source->made && source->made[v];
     for (int k = 0; k < 3; k++) {
-      out[i].at[k] = rounded(d->at[first + i][k], rounding);
-      out[i].moved |= out[i].at[k] != d->at[first + i][k];
+      double x = source->dense->at[v][k];
+      out[i].at[k] = rounded(x, coarse ? rounding : &fine);
+      out[i].moved |= out[i].at[k] != x;
       if (!isfinite(out[i].at[k])) {
         return false;
       }
@@ -104,7 +110,7 @@ make_vertices(const sg_boundary_source *source, const sg_rounding *rounding,
     free(sorted);
     return SG_BOUNDARY_NO_MEMORY;
   }
-  if (!place(d, first, n, rounding, source->made, sorted)) {
+  if (!place(source, first, n, rounding, sorted)) {
     free(sorted);
     return SG_BOUNDARY_TOO_FAR;
   }

@@ -57,10 +57,12 @@ typedef enum sg_boundary_end {
 typedef struct sg_boundary_source {
   const sg_dense *dense;
   size_t s;
-  const unsigned char *made; /* [vertices] made by a cut, so its coordinates
-                                are rounded; or null */
-  const double (*normal)[3]; /* [polygons] which side is out; 0 0 0: as its
-                                vertices say; or null */
+  const unsigned char *made;   /* [vertices] made by a cut, so its coordinates
+                                  are rounded; or null */
+  const double (*normal)[3];   /* [polygons] which side is out; 0 0 0: as its
+                                  vertices say; or null */
+  const unsigned char *coarse; /* [vertices] only these go to the grid; or
+                                  null: all */
 } sg_boundary_source;
 
 /* Cost:  n log n for the vertices, else linear.

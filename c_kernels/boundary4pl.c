@@ -21,6 +21,8 @@
 typedef struct handle {
   size_t segments;
   sg_boundary_mesh *part; /* [segments] */
+  sg_form form;
+  bool single;
   bool closed;
 } handle;
 
@@ -235,6 +237,23 @@ make_part(const sg_boundary_source *source, const manner *how,
   return end == SG_BOUNDARY_DONE ? make_again(how, out) : end;
 }
 
+/* Raises what `end` means. */
+static int
+raise_end_ex(sg_boundary_end end)
+{
+  switch (end) {
+  case SG_BOUNDARY_DONE:
+    return TRUE;
+  case SG_BOUNDARY_STOPPED:
+    return FALSE;
+  case SG_BOUNDARY_NO_MEMORY:
+    return PL_exception(0) ? FALSE : sg_no_memory();
+  case SG_BOUNDARY_TOO_FAR:
+    return PL_representation_error("float32");
+  }
+  return FALSE;
+}
+
 static int
 make_parts_ex(handle *h, sg_boundary_source *source, const manner *how)
 {
@@ -246,15 +265,8 @@ make_parts_ex(handle *h, sg_boundary_source *source, const manner *how)
   }
   for (source->s = 0; source->s < segments; source->s++) {
     h->segments++;
-    switch (make_part(source, how, &h->part[source->s])) {
-    case SG_BOUNDARY_DONE:
-      break;
-    case SG_BOUNDARY_STOPPED:
+    if (!raise_end_ex(make_part(source, how, &h->part[source->s]))) {
       return FALSE;
-    case SG_BOUNDARY_NO_MEMORY:
-      return sg_no_memory();
-    case SG_BOUNDARY_TOO_FAR:
-      return PL_representation_error("float32");
     }
   }
   return TRUE;
@@ -318,6 +330,8 @@ boundary_open(term_t a0, int arity, void *context)
     free(segment);
     return sg_no_memory();
   }
+  h->form = how.form;
+  h->single = single;
   int done = sg_get_dense_ex(segment ? segment : &none, n, &dense) &&
              read_parts_ex(h, &dense, a0 + 1, &how);
   sg_dense_clear(&dense);
@@ -328,6 +342,47 @@ boundary_open(term_t a0, int arity, void *context)
     return FALSE;
   }
   return PL_unify_blob(a0 + 6, h, sizeof *h, &boundary_blob);
+}
+
+/* boundary_coarsen(+Boundary, +Grid, -Coarser) is det. */
+static foreign_t
+boundary_coarsen(term_t boundary, term_t grid, term_t coarser)
+{
+  handle *from, *h;
+  sg_crew *crew;
+  manner how = {.keep_turned = false};
+  int done = TRUE;
+
+  if (!get_boundary_ex(boundary, &from) ||
+      !sg_get_finite_ex(grid, &how.rounding.grid)) {
+    return FALSE;
+  }
+  how.rounding.single = from->single;
+  how.form = from->form;
+  h = calloc(1, sizeof *h);
+  crew = sg_crew_open(0);
+  if (!h || !crew || !(h->part = calloc(from->segments + 1, sizeof *h->part))) {
+    sg_crew_close(crew);
+    free(h);
+    return sg_no_memory();
+  }
+  h->form = from->form;
+  h->single = from->single;
+  for (size_t i = 0; done && i < from->segments; i++) {
+    h->segments++;
+    sg_boundary_end end =
+        sg_boundary_mesh_coarsen(&from->part[i], &how.rounding, &how.form, crew,
+                                 &sg_prolog_poll, &h->part[i]);
+    end = end == SG_BOUNDARY_DONE ? make_again(&how, &h->part[i]) : end;
+    done = raise_end_ex(end);
+  }
+  sg_crew_close(crew);
+  if (!done) {
+    close_handle(h);
+    free(h);
+    return FALSE;
+  }
+  return PL_unify_blob(coarser, h, sizeof *h, &boundary_blob);
 }
 
 static foreign_t
@@ -504,6 +559,7 @@ boundary_write(term_t boundary, term_t stream, term_t format_term, term_t names,
 
 static const PL_extension predicates[] = {
     {"boundary_open", 7, boundary_open, PL_FA_VARARGS},
+    {"boundary_coarsen", 3, boundary_coarsen, 0},
     {"boundary_close", 1, boundary_close, 0},
     {"boundary_counts", 2, boundary_counts, 0},
     {"boundary_meetings", 4, boundary_meetings, 0},

@@ -3,41 +3,62 @@
 
 #include <stdlib.h>
 
-/* A mesh as a segment: the arrays stay the mesh's. */
-static sg_dense
-segment_of(const sg_boundary_mesh *m, uint32_t begin[4][2], int32_t *ids,
-           int32_t *places, int32_t *to)
+/* A mesh as a segment: some arrays stay the mesh's, the others are here. */
+typedef struct as_segment {
+  sg_dense dense;
+  uint32_t begin[4][2];
+  int32_t *ids, *places, *to;
+} as_segment;
+
+static bool
+open_segment(const sg_boundary_mesh *m, as_segment *s)
 {
   const sg_mesh_lists *face = &m->mesh.face;
 
+  *s = (as_segment){.ids = malloc((face->count + 1) * sizeof *s->ids),
+                    .places = malloc((face->corners + 1) * sizeof *s->places),
+                    .to = malloc((face->corners + 1) * sizeof *s->to)};
+  if (!s->ids || !s->places || !s->to) {
+    return false;
+  }
   for (size_t f = 0; f < face->count; f++) {
     for (uint32_t i = face->start[f]; i < face->start[f + 1]; i++) {
-      to[i] = face->corner[i + 1 < face->start[f + 1] ? i + 1 : face->start[f]];
-      places[i] = (int32_t)i;
+      uint32_t next = i + 1 < face->start[f + 1] ? i + 1 : face->start[f];
+      s->to[i] = face->corner[next];
+      s->places[i] = (int32_t)i;
     }
-    ids[f] = (int32_t)f + 1;
+    s->ids[f] = (int32_t)f + 1;
   }
-  begin[0][1] = (uint32_t)m->mesh.vertices;
-  begin[1][1] = (uint32_t)face->corners;
-  begin[2][1] = (uint32_t)face->count;
-  begin[3][1] = (uint32_t)m->triangles;
-  return (sg_dense){.segments = 1,
-                    .vertex_begin = begin[0],
-                    .edge_begin = begin[1],
-                    .polygon_begin = begin[2],
-                    .triangle_begin = begin[3],
-                    .vertices = m->mesh.vertices,
-                    .at = m->mesh.vertex,
-                    .edges = face->corners,
-                    .from = face->corner,
-                    .to = to,
-                    .polygons = face->count,
-                    .polygon_id = ids,
-                    .list_begin = face->start,
-                    .list = places,
-                    .triangles = m->triangles,
-                    .polygon_of = m->face_of,
-                    .corner = m->triangle};
+  s->begin[0][1] = (uint32_t)m->mesh.vertices;
+  s->begin[1][1] = (uint32_t)face->corners;
+  s->begin[2][1] = (uint32_t)face->count;
+  s->begin[3][1] = (uint32_t)m->triangles;
+  s->dense = (sg_dense){.segments = 1,
+                        .vertex_begin = s->begin[0],
+                        .edge_begin = s->begin[1],
+                        .polygon_begin = s->begin[2],
+                        .triangle_begin = s->begin[3],
+                        .vertices = m->mesh.vertices,
+                        .at = m->mesh.vertex,
+                        .edges = face->corners,
+                        .from = face->corner,
+                        .to = s->to,
+                        .polygons = face->count,
+                        .polygon_id = s->ids,
+                        .list_begin = face->start,
+                        .list = s->places,
+                        .triangles = m->triangles,
+                        .polygon_of = m->face_of,
+                        .corner = m->triangle};
+  return true;
+}
+
+static void
+close_segment(as_segment *s)
+{
+  free(s->ids);
+  free(s->places);
+  free(s->to);
 }
 
 bool
@@ -45,22 +66,62 @@ sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all,
                           double tolerance, sg_crew *crew, const sg_poll *poll,
                           sg_self_meetings *out)
 {
-  size_t corners = mesh->mesh.face.corners, faces = mesh->mesh.face.count;
-  uint32_t begin[4][2] = {{0}};
-  int32_t *ids = malloc((faces + 1) * sizeof *ids);
-  int32_t *places = malloc((corners + 1) * sizeof *places);
-  int32_t *to = malloc((corners + 1) * sizeof *to);
-  bool done = ids && places && to;
+  as_segment s;
+  bool done = open_segment(mesh, &s);
 
   *out = (sg_self_meetings){0};
-  if (done && faces > 0) {
-    sg_dense dense = segment_of(mesh, begin, ids, places, to);
-    done = all ? sg_self_cut(&dense, 0, tolerance, crew, poll, out)
-               : sg_self_cut_changed(&dense, 0, mesh->changed, tolerance, crew,
-                                     poll, out);
+  if (done && mesh->mesh.face.count > 0) {
+    done = all ? sg_self_cut(&s.dense, 0, tolerance, crew, poll, out)
+               : sg_self_cut_changed(&s.dense, 0, mesh->changed, tolerance,
+                                     crew, poll, out);
   }
-  free(ids);
-  free(places);
-  free(to);
+  close_segment(&s);
   return done;
+}
+
+/* Marks the vertices of triangles that go through each other. */
+static bool
+find_coarse(const sg_boundary_mesh *mesh, sg_crew *crew, const sg_poll *poll,
+            unsigned char *coarse)
+{
+  sg_self_meetings met;
+
+  if (!sg_boundary_mesh_meetings(mesh, true, 0, crew, poll, &met)) {
+    return false;
+  }
+  for (size_t i = 0; i < met.n; i++) {
+    for (int k = 0; k < 6 && met.item[i].kind != SG_SELF_TOUCHING; k++) {
+      coarse[mesh->triangle[met.item[i].t[k / 3]][k % 3]] = 1;
+    }
+  }
+  free(met.item);
+  return true;
+}
+
+sg_boundary_end
+sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
+                         const sg_rounding *rounding, const sg_form *form,
+                         sg_crew *crew, const sg_poll *poll,
+                         sg_boundary_mesh *out)
+{
+  unsigned char *coarse = calloc(mesh->mesh.vertices + 1, 1);
+  sg_boundary boundary = {0};
+  as_segment s = {.ids = NULL};
+  sg_boundary_end end = SG_BOUNDARY_NO_MEMORY;
+
+  *out = (sg_boundary_mesh){0};
+  if (coarse && mesh->mesh.face.count > 0 && open_segment(mesh, &s) &&
+      find_coarse(mesh, crew, poll, coarse)) {
+    sg_boundary_source source = {.dense = &s.dense, .coarse = coarse};
+    end = sg_boundary_make(&source, rounding, poll, &boundary);
+  }
+  if (end == SG_BOUNDARY_DONE) {
+    end = sg_boundary_drop_flat(&boundary, true)
+              ? sg_boundary_mesh_make(&boundary, form, poll, out)
+              : SG_BOUNDARY_NO_MEMORY;
+  }
+  sg_boundary_clear(&boundary);
+  close_segment(&s);
+  free(coarse);
+  return end;
 }

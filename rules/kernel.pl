@@ -11,6 +11,7 @@
             % boundary4pl.c
             boundary_open/7,          % +Ss, +Made, +Single, +Grid, +Form,
                                       % +Copies, -Boundary
+            boundary_coarsen/3,       % +Boundary, +Grid, -Coarser
             boundary_close/1,         % +Boundary
             boundary_counts/2,        % +Boundary, -Counts
             boundary_meetings/4,      % +Boundary, +All, +Exact, -Meetings
@@ -197,6 +198,11 @@ glue file.
 %   Copies, every edge has two faces and every vertex one fan.
 %
 %   @error representation_error(float32): a coordinate is too large
+
+%!  boundary_coarsen(+Boundary, +Grid, -Coarser) is det.
+%
+%   Coarser is another handle for Boundary, with the vertices of those triangles
+%   that go through each other on multiples of Grid.
 
 %!  boundary_close(+Boundary) is det.
 

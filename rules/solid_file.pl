@@ -5,7 +5,8 @@
           ]).
 :- use_module(boolean, [boolean/3]).
 :- use_module(kernel,
-              [ boundary_open/7, boundary_close/1, boundary_counts/2,
+              [ boundary_open/7, boundary_coarsen/3, boundary_close/1,
+                boundary_counts/2,
                 boundary_meetings/4, boundary_add/2, boundary_write/5
               ]).
 :- use_module(mesh, [mesh_file_format/3, mesh_to_file/2, mesh_outcome/1]).
@@ -33,9 +34,10 @@ solid goes to a mesh file in these steps.
     triangle goes through another one. What rounding, a cut or the division of a
     polygon has made is checked against everything; the rest is as the solid has
     it.
- 3. If something is wrong, the rounded mesh is united with itself, the result
-    rounded to a coarser grid, and checked again: five times at most
-    (output_round/4 below says how coarse).
+ 3. If something is wrong, the rounded mesh is united with itself, rounded, and
+    checked again. What goes through itself even then goes to a coarser grid:
+    the triangles concerned, no others (output_grid/4 below says how coarse).
+    Five times at most.
  4. The file is written beside, and takes its name.
 
 The bytes depend on where the solid is alone: vertices ascend by their
@@ -173,7 +175,7 @@ clean_boundary(S, Manner, Options, Boundary, Rounds) :-
         Rounds = 0
     ;   boundary_fault(Boundary0, Which, true, Fault)
     ->  boundary_close(Boundary0),
-        next_round(Fault, S, 0.0, 1, Most, task(S, Manner),
+        next_round(Fault, S, 1, Most, task(S, Manner),
                    Boundary, Rounds)
     ;   Boundary = Boundary0,
         Rounds = 0
@@ -204,82 +206,93 @@ boundary_fault(Boundary, Which, Exact, Fault) :-
         Fault = penetrates(N, First)
     ).
 
-%   next_round(Fault, S, Grid, Round, Most, Task, Boundary, Rounds): S, rounded
-%   to Grid, has Fault; it is united with itself, and Boundary is what comes out
-%   on a coarser grid.
+%   next_round(Fault, S, Round, Most, Task, Boundary, Rounds): S, rounded, has
+%   Fault; it is united with itself, and Boundary is what comes out: with what
+%   still goes through itself on a coarser grid.
 
-next_round(Fault, _, _, Round, Most, task(S, _), _, _) :-
+next_round(Fault, _, Round, Most, task(S, _), _, _) :-
     Round > Most,
     !,
     Rounds is Round-1,
     throw(error(geometry_error(written(faulty(S, Rounds, Fault))), _)).
-next_round(Fault, S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
+next_round(Fault, S0, Round, Most, Task, Boundary, Rounds) :-
     facts_snapshot(
-        sg_solid_file:united_round(Fault, S0, Grid0, Round, Most, Task, Boundary,
+        sg_solid_file:united_round(Fault, S0, Round, Most, Task, Boundary,
                                    Rounds)).
 
-united_round(Fault0, S0, Grid0, Round, Most, Task, Boundary, Rounds) :-
+united_round(Fault0, S0, Round, Most, Task, Boundary, Rounds) :-
     Task = task(S, Manner),
     Manner = manner(Single, _, _),
-    (   rounded_copy(S0, Single, Grid0, S1)
+    (   rounded_copy(S0, Single, S1)
     ->  true
     ;   Done is Round-1,
         throw(error(geometry_error(written(faulty(S, Done, Fault0))), _))
     ),
     united(S1, S2),
-    output_round(Single, Round, S1, Grid),
-    rounded(S2, Manner, Grid, Boundary0),
-    (   boundary_fault(Boundary0, all, true, Fault)
-    ->  (   Round >= Most,
-            \+ boundary_fault(Boundary0, all, false, _)
-        ->  Boundary = Boundary0,
-            Rounds = Round
-        ;   boundary_close(Boundary0),
-            Next is Round+1,
-            next_round(Fault, S2, Grid, Next, Most, Task, Boundary, Rounds)
-        )
+    rounded(S2, Manner, 0.0, Boundary0),
+    (   boundary_fault(Boundary0, all, true, _)
+    ->  output_grid(Single, Round, S1, Grid),
+        boundary_coarsen(Boundary0, Grid, Boundary1),
+        boundary_close(Boundary0),
+        judged(Boundary1, S2, Round, Most, Task, Boundary, Rounds)
     ;   Boundary = Boundary0,
         Rounds = Round
     ).
 
-%   rounded_copy(S, Single, Grid, Copy): the rounded triangles as a segment,
-%   without those that rounding turned over if the others close. If not, they are
-%   divided before they are rounded: whatever rounding does to triangles, they
-%   stay triangles, and closed.
+%   judged(Boundary0, S, Round, Most, Task, Boundary, Rounds): what the last round
+%   leaves may go through itself within the tolerance that check allows.
 
-rounded_copy(S, Single, Grid, Copy) :-
-    (   triangle_copy(S, Single, Grid, triangles, Copy0)
+judged(Boundary0, S, Round, Most, Task, Boundary, Rounds) :-
+    (   Round < Most
+    ->  Exact = true
+    ;   Exact = false
+    ),
+    (   boundary_fault(Boundary0, all, Exact, Fault)
+    ->  (   closed_copy(Boundary0, Copy)
+        ->  true
+        ;   Copy = S
+        ),
+        boundary_close(Boundary0),
+        Next is Round+1,
+        next_round(Fault, Copy, Next, Most, Task, Boundary, Rounds)
+    ;   Boundary = Boundary0,
+        Rounds = Round
+    ).
+
+%   rounded_copy(S, Single, Copy): the rounded triangles as a segment, without
+%   those that rounding turned over if the others close. If not, they are divided
+%   before they are rounded: whatever rounding does to triangles, they stay
+%   triangles, and closed.
+
+rounded_copy(S, Single, Copy) :-
+    (   triangle_copy(S, Single, triangles, Copy0)
     ->  Copy = Copy0
-    ;   triangle_copy(S, false, 0.0, soup, Triangles),
-        triangle_copy(Triangles, Single, Grid, soup, Copy)
+    ;   triangle_copy(S, false, soup, Triangles),
+        triangle_copy(Triangles, Single, soup, Copy)
     ),
     complete_segments.
 
-%   triangle_copy(S, Single, Grid, Form, Copy) is semidet: it is closed.
+triangle_copy(S, Single, Form, Copy) :-
+    boundary_open([S], [], Single, 0.0, Form, false, Boundary),
+    call_cleanup(closed_copy(Boundary, Copy), boundary_close(Boundary)).
 
-triangle_copy(S, Single, Grid, Form, Copy) :-
-    boundary_open([S], [], Single, Grid, Form, false, Boundary),
-    call_cleanup(
-        ( boundary_counts(Boundary, counts(_, _, _, 0, _, _, _, 0, _)),
-          fresh_id(segment, 0, Copy),
-          boundary_add(Boundary, Copy),
-          assert_fact(segment(Copy, solid, rounded))
-        ),
-        boundary_close(Boundary)).
+%   closed_copy(Boundary, Copy) is semidet: a segment, if it is closed.
 
-%   output_round(Single, Round, S, Grid): the first rounds have the grid of the
-%   format: only what the union made moves then, which is less each time. The
-%   others have coarser ones: that of the largest coordinate of S, then 4 times
-%   (float32) or 16 times (doubles) as coarse.
+closed_copy(Boundary, Copy) :-
+    boundary_counts(Boundary, counts(_, _, _, 0, _, _, _, 0, _)),
+    fresh_id(segment, 0, Copy),
+    boundary_add(Boundary, Copy),
+    assert_fact(segment(Copy, solid, rounded)).
 
-output_round(Single, Round, S, Grid) :-
-    (   Round =< 3
-    ->  Grid = 0.0
-    ;   largest_power(S, Exponent),
-        (   Single == true
-        ->  Grid is 2.0**(Exponent-32+2*Round)
-        ;   Grid is 2.0**(Exponent-69+4*Round)
-        )
+%   output_grid(Single, Round, S, Grid): how coarse it is where S goes through
+%   itself: from 4 units (float32) or 16 (doubles) in the last place of the
+%   largest coordinate, and as many times that in each round.
+
+output_grid(Single, Round, S, Grid) :-
+    largest_power(S, Exponent),
+    (   Single == true
+    ->  Grid is 2.0**(Exponent-24+2*Round)
+    ;   Grid is 2.0**(Exponent-53+4*Round)
     ).
 
 %   largest_power(S, E): no coordinate of S is larger than 2**E.

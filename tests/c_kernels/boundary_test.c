@@ -118,8 +118,8 @@ make(double grid, bool single, bool triangles, bool copies)
 
   sg_boundary_mesh_clear(&mesh);
   bool done =
-      sg_boundary_make(&(sg_boundary_source){&d, 0, NULL, NULL}, &rounding,
-                       NULL, &boundary) == SG_BOUNDARY_DONE &&
+      sg_boundary_make(&(sg_boundary_source){.dense = &d}, &rounding, NULL,
+                       &boundary) == SG_BOUNDARY_DONE &&
       sg_boundary_drop_flat(&boundary, drop_turned) &&
       sg_boundary_mesh_make(&boundary, &form, NULL, &mesh) == SG_BOUNDARY_DONE;
   sg_boundary_clear(&boundary);

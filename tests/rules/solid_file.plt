@@ -6,12 +6,14 @@
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).
+:- use_module(rules(boolean)).
 :- use_module(rules(check)).
 :- use_module(rules(mesh)).
 :- use_module(rules(model)).
 :- use_module(rules(model_file)).
 :- use_module(rules(solid_file)).
 :- use_module(rules(store)).
+:- use_module(rules(triangulation), [complete_segments/0]).
 :- use_module(rules(written_en), []).
 :- use_module(rules(written_ko), []).
 :- use_module(tests('rules/polyhedron')).
@@ -237,6 +239,115 @@ test(canonical_segments, N == 2) :-
                 in_new_world(( load_model(File),
                                aggregate_all(count, segment(_,solid,_), N) ))
               )).
+
+%   Results of Booleans, small and far from the origin, where float32 is coarse:
+%   closed and clean in every format.
+
+shape(sphere(radius(R), facets(24), bands(12))) :-
+    random(0.5, 1.5, R).
+shape(cylinder(radius(R), height(2))) :-
+    random(0.2, 1.0, R).
+shape(box(size(A, B, C))) :-
+    maplist(random(0.2, 2.0), [A,B,C]).
+
+placed_shape(Away, at([rotate(axis(X,Y,Z), Degrees), translate(U,V,W)],
+                      Shape)) :-
+    findall(Some, shape(Some), Shapes),
+    random_member(Shape, Shapes),
+    maplist(random(-1.0, 1.0), [X,Y,Z,U0,V0,W0]),
+    random(0.0, 360.0, Degrees),
+    maplist(plus_float(Away), [U0,V0,W0], [U,V,W]).
+
+plus_float(A, B, C) :-
+    C is A+B.
+
+result(Seed, Away, N, Operation, 100) :-
+    set_random(seed(Seed)),
+    numlist(1, N, Ss),
+    forall(member(_, Ss),
+           ( placed_shape(Away, Term), add_primitive(Term, _) )),
+    complete_segments,
+    Expression =.. [Operation,Ss],
+    boolean(Expression, 100).
+
+sample(Seed, Away, N, Operation) :-
+    member(Away, [0, 100, 1000]),
+    member(N-Operation, [5-union, 3-difference]),
+    member(Seed, [1, 2, 3]).
+
+test(results, forall(sample(Seed, Away, N, Operation))) :-
+    with_file(stl, Stl,
+              with_file(off, Off,
+                        ( in_new_world(( result(Seed, Away, N, Operation, S),
+                                         write_solid(Stl, S),
+                                         write_solid(Off, S) )),
+                          good(Stl, []),
+                          good(Off, ['-i']),
+                          read_back(Stl, _, _, 0, _),
+                          read_back(Off, _, _, 0, _) ))).
+test(any_order_of_operands, true(Bytes1 == Bytes2)) :-
+    result_bytes([1,2,3,4], Bytes1),
+    result_bytes([3,1,4,2], Bytes2).
+
+result_bytes(Order, Bytes) :-
+    set_random(seed(5)),
+    findall(Term, ( member(_, [1,2,3,4]), placed_shape(0, Term) ), Terms),
+    with_file(stl, File,
+              ( in_new_world(( forall(member(K, Order),
+                                      ( nth1(K, Terms, Term),
+                                        add_primitive(Term, _) )),
+                               complete_segments,
+                               boolean(union([1,2,3,4]), 100),
+                               write_solid(File, 100, [name(x)]) )),
+                read_file_to_codes(File, Bytes, [type(binary)]) )).
+
+%   Rounds: two boxes through each other are united on the way.
+
+test(united_on_the_way, true(abs(V-15) =< 1.0e-9)) :-
+    box(p(0,0,0), p(2,2,2), A),
+    box(p(1,1,1), p(3,3,3), B),
+    output_statistics(Before),
+    with_file(off, File,
+              ( in_new_world(( joined([A,B], S),
+                               write_solid(File, S, [check(all)]) )),
+                good(File, ['-i']),
+                read_back(File, 20, 12, 0, V) )),
+    output_statistics(After),
+    After.rounds =:= Before.rounds+1,
+    After.solids =:= Before.solids+1.
+
+%   A chain through files: each on the written result of the one before.
+
+chain_step(File, I) :-
+    (   I mod 3 =:= 0
+    ->  Operation = difference
+    ;   Operation = union
+    ),
+    placed_shape(0, Term),
+    in_new_world(( load_model(File),
+                   add_primitive(at([scale(0.4)], Term), _),
+                   complete_segments,
+                   Expression =.. [Operation,[1,2]],
+                   boolean(Expression, 100),
+                   write_solid(File, 100) )),
+    read_back(File, _, _, 0, _),
+    good(File, []).
+
+chain(Ending, Steps) :-
+    set_random(seed(11)),
+    with_file(Ending, File,
+              ( in_new_world(( add_primitive(box(size(1,1,1)), S),
+                               complete_segments,
+                               write_solid(File, S) )),
+                forall(between(1, Steps, I),
+                       (   chain_step(File, I)
+                       ->  true
+                       ;   format("step ~d~n", [I]),
+                           fail
+                       )) )).
+
+test(chain_off) :- chain(off, 12).
+test(chain_stl) :- chain(stl, 12).
 
 %   What cannot be written, and no file then.
 
