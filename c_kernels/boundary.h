@@ -80,7 +80,7 @@ void sg_boundary_clear(sg_boundary *boundary);
 bool sg_boundary_drop_flat(sg_boundary *boundary, bool turned);
 
 /* Puts n edges in an order of their own without those that are opposite in
- * pairs; returns how many are left. For the files of a boundary. */
+ * pairs; returns how many are left. */
 size_t sg_edges_cancel(int32_t (*edge)[2], size_t n);
 
 #endif

@@ -110,7 +110,11 @@ sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
   sg_boundary_end end = SG_BOUNDARY_NO_MEMORY;
 
   *out = (sg_boundary_mesh){0};
-  if (coarse && mesh->mesh.face.count > 0 && open_segment(mesh, &s) &&
+  if (mesh->mesh.face.count == 0) {
+    free(coarse);
+    return SG_BOUNDARY_DONE;
+  }
+  if (coarse && open_segment(mesh, &s) &&
       find_coarse(mesh, crew, poll, coarse)) {
     sg_boundary_source source = {.dense = &s.dense, .coarse = coarse};
     end = sg_boundary_make(&source, rounding, poll, &boundary);

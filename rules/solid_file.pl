@@ -6,8 +6,8 @@
 :- use_module(boolean, [boolean/3]).
 :- use_module(kernel,
               [ boundary_open/7, boundary_coarsen/3, boundary_close/1,
-                boundary_counts/2,
-                boundary_meetings/4, boundary_add/2, boundary_write/5
+                boundary_counts/2, boundary_meetings/4, boundary_add/2,
+                boundary_write/5
               ]).
 :- use_module(mesh, [mesh_file_format/3, mesh_to_file/2, mesh_outcome/1]).
 :- use_module(model_writer, [write_model/1]).
@@ -169,21 +169,20 @@ clean_boundary(S, Manner, Options, Boundary, Rounds) :-
     must_be(oneof([changed,all,none]), Which),
     option(rounds(Most), Options, 5),
     must_be(nonneg, Most),
-    rounded(S, Manner, 0.0, Boundary0),
+    rounded(S, Manner, Boundary0),
     (   Which == none
     ->  Boundary = Boundary0,
         Rounds = 0
     ;   boundary_fault(Boundary0, Which, true, Fault)
     ->  boundary_close(Boundary0),
-        next_round(Fault, S, 1, Most, task(S, Manner),
-                   Boundary, Rounds)
+        next_round(Fault, S, 1, Most, task(S, Manner), Boundary, Rounds)
     ;   Boundary = Boundary0,
         Rounds = 0
     ).
 
-rounded(S, manner(Single, Form, Copies), Grid, Boundary) :-
+rounded(S, manner(Single, Form, Copies), Boundary) :-
     findall(S-V, origin(S, v(V), _), Made),
-    boundary_open([S], Made, Single, Grid, Form, Copies, Boundary).
+    boundary_open([S], Made, Single, 0.0, Form, Copies, Boundary).
 
 %   boundary_fault(Boundary, Which, Exact, Fault): the first fault there is.
 
@@ -229,7 +228,7 @@ united_round(Fault0, S0, Round, Most, Task, Boundary, Rounds) :-
         throw(error(geometry_error(written(faulty(S, Done, Fault0))), _))
     ),
     united(S1, S2),
-    rounded(S2, Manner, 0.0, Boundary0),
+    rounded(S2, Manner, Boundary0),
     (   boundary_fault(Boundary0, all, true, _)
     ->  output_grid(Single, Round, S1, Grid),
         boundary_coarsen(Boundary0, Grid, Boundary1),
