@@ -21,7 +21,7 @@
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ segment/3, retractall_facts/1, facts_transaction/1,
+              [ p/3, t/6, segment/3, retractall_facts/1, facts_transaction/1,
                 facts_snapshot/1
               ]).
 :- use_module(triangulation, [complete_segments/0]).
@@ -29,7 +29,8 @@
 :- autoload(library(error), [existence_error/2]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/3]).
-:- autoload(library(ordsets), [ord_memberchk/2]).
+:- autoload(library(ordsets), [ord_memberchk/2, ord_subtract/3]).
+:- autoload(library(pairs), [pairs_keys/2]).
 /** <module> Evaluating the CSG tree: the boundaries of nodes.
 
 A node is flattened (csg_flat.pl): placements are multiplied down to the leaves,
@@ -87,9 +88,20 @@ evaluate(Which, Options) :-
 
 all_evaluated(Ss, Tolerance) :-
     complete_tree(Ss),
-    complete_segments,
+    (   without_triangles(_)
+    ->  complete_segments
+    ;   true
+    ),
     maplist(evaluated_node(Tolerance), Ss),
     unused_helpers_dropped.
+
+%   without_triangles(S): a segment that complete_tree/1 has just made. These
+%   have a polygon 1.
+
+without_triangles(S) :-
+    segment(S, _, _),
+    p(S, 1, _),
+    \+ t(S, 1, _, _, _, _).
 
 evaluated_node(Tolerance, S) :-
     (   node(S, Operation, Children, _),
@@ -132,25 +144,32 @@ made_from(S, Tolerance, From) :-
     ).
 
 renewed(S, From) :-
+    (   recorded(S, evaluated(of(_, Known0, _)))
+    ->  Known = Known0
+    ;   Known = []
+    ),
     drop_record(S),
     drop_boundary(S),
-    made(From, S),
-    complete_segments,
+    made(From, Known, S),
     record(S, evaluated(From)).
 
-%   made(From, S): a segment alone is copied if it does not go through itself,
-%   nothing is nothing.
+%   made(From, Known, S): a segment alone is copied if it does not go through
+%   itself, nothing is nothing. Operands that are Known, with their stamps, were
+%   checked before.
 
-made(join(Stamps, Matrix), S) :-
-    forall(member(Child-_, Stamps), copy_segment(Child, Matrix, S)).
-made(of(Expression, _, Tolerance), S) :-
+made(join(Stamps, Matrix), _, S) :-
+    forall(member(Child-_, Stamps), copy_segment(Child, Matrix, S)),
+    complete_segments.
+made(of(Expression, Stamps, Tolerance), Known, S) :-
     (   integer(Expression),
         \+ meets_itself(Expression)
     ->  rounded_identity(Identity),
-        copy_segment(Expression, Identity, S)
+        copy_segment(Expression, Identity, S),
+        complete_segments
     ;   Expression == union([])
     ->  true
-    ;   flat_leaves(Expression, Leaves),
+    ;   ord_subtract(Stamps, Known, New),
+        pairs_keys(New, Leaves),
         exclude(is_surface, Leaves, Solids),
         maplist(checked_operand, Solids),
         tolerance_options(Tolerance, Options),
