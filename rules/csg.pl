@@ -107,8 +107,8 @@ root_segment(S) :-
 %
 %   Give every operand under Nodes, a list of segments, that has no number yet
 %   a segment of its own, after those that are there, left to right. Nodes get
-%   the kind that their operands give them: `solid`, or `surface` if there is one
-%   among them. Leaves whose primitive was replaced get its rows.
+%   the kind that their operands give them: `solid`, or `surface` if there is
+%   one among them. Leaves whose primitive was replaced get its rows.
 %
 %   @error error(model_error(What), nodes(Ns)): a fault of the first node of the
 %   list Ns, which is an operand of the second, and so on; What as in

@@ -1,7 +1,8 @@
 :- module(sg_csg_roots,
           [ aside_segments/1,           % -Ss
             roots_alone/0,
-            roots_with_lines/0
+            operand_lines/1,            % -Lines
+            with_operand_lines/2        % +Lines, :Goal
           ]).
 :- use_module(csg, [node/4, root_segment/1, is_node/1, is_helper/1]).
 :- use_module(csg_record, [drop_record/1]).
@@ -20,6 +21,8 @@
 Drawing, checking, cutting and meshes look at the roots of the CSG tree. What is
 put aside are their operands and the helpers.
 */
+
+:- meta_predicate with_operand_lines(+, 0).
 
 %!  aside_segments(-Ss) is det.
 %
@@ -46,18 +49,23 @@ roots_alone :-
     aside_segments(Aside),
     facts_transaction(sg_csg_roots:left_alone(Aside)).
 
-%!  roots_with_lines is det.
+%!  operand_lines(-Lines) is det.
+%!  with_operand_lines(+Lines, :Goal) is semidet.
 %
-%   The same, and where the boundary of a node turns from one operand to another
-%   is a line/9 of it with itself: so it is drawn as a penetration line, however
-%   little it bends.
+%   Lines are where the boundaries of root nodes turn from one operand to
+%   another. While Goal runs, once, they are line/9 of these segments with
+%   themselves, as far as their edges are there: so they are drawn as
+%   penetration lines, however little they bend.
 
-roots_with_lines :-
+operand_lines(Lines) :-
     findall(Line,
             ( root_segment(S), is_node(S), operands_meet(S, Line) ),
-            Lines),
-    roots_alone,
-    facts_transaction(maplist(sg_csg_roots:line_added, Lines)).
+            Lines).
+
+with_operand_lines(Lines, Goal) :-
+    findall(L, ( member(Line, Lines), line_added(Line, L) ), Ls),
+    once(Goal),
+    forall(member(L, Ls), retractall_facts(line(L, _, _, _, _, _, _, _, _))).
 
 %   operands_meet(S, Line): an edge from or to a vertex that a cut made, between
 %   polygons that have no operand in common.
@@ -79,7 +87,8 @@ operands_meet(S, line(S, P, V1, V2, Q)) :-
     \+ ( from_p(S, P, K, _, _),
          from_p(S, Q, K, _, _) ).
 
-line_added(line(S, P, V1, V2, Q)) :-
+line_added(line(S, P, V1, V2, Q), L) :-
+    once(e(S, _, V1, V2, _)),
     fresh_id(line, 0, L),
     assert_fact(line(L, S, P, V1, V2, S, Q, V1, V2)).
 

@@ -7,7 +7,10 @@
 :- use_module(check, [check_report/1, report_faults/2]).
 :- use_module(csg, [root_segment/1]).
 :- use_module(csg_evaluate, [evaluate/0]).
-:- use_module(csg_roots, [aside_segments/1, roots_alone/0, roots_with_lines/0]).
+:- use_module(csg_roots, 
+              [ aside_segments/1, roots_alone/0, operand_lines/1,
+                with_operand_lines/2
+              ]).
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(explain,
               [explain/1, explanation/2, print_explanations/1]).
@@ -113,9 +116,11 @@ verb_run(draw, Files, Options, 0) :-
     drawing_options(Options, DrawingOptions),
     eye(Options, Eye),
     load_model(Files, Options),
-    roots_with_lines,
+    operand_lines(Lines),
+    roots_alone,
     known_segments(PictureOptions),
-    facts_transaction(sg_verbs:pictured(Options, Eye, PictureOptions)),
+    facts_transaction(
+        sg_verbs:pictured(Lines, Options, Eye, PictureOptions)),
     maplist(output_written(drawing_output(DrawingOptions)), Outputs).
 verb_run(query, Arguments, Options, Status) :-
     (   append(Files, [Text], Arguments)
@@ -160,9 +165,10 @@ verb_run(repl, Files, Options, 0) :-
     ),
     repl.
 
-%   pictured(Options, Eye, PictureOptions): the picture of the current world.
+%   pictured(Lines, Options, Eye, PictureOptions): the picture of the current
+%   world, with the Lines of operands.
 
-pictured(Options, Eye, PictureOptions) :-
+pictured(Lines, Options, Eye, PictureOptions) :-
     (   several_segments
     ->  penetrated(Options)
     ;   true
@@ -171,9 +177,10 @@ pictured(Options, Eye, PictureOptions) :-
     (   aside_segments([_|_]),
         \+ option(segments(_), PictureOptions)
     ->  findall(S, root_segment(S), Roots),
-        picture([segments(Roots)|PictureOptions])
-    ;   picture(PictureOptions)
-    ).
+        Picture = [segments(Roots)|PictureOptions]
+    ;   Picture = PictureOptions
+    ),
+    with_operand_lines(Lines, picture(Picture)).
 
 %!  draw(+File) is det.
 %!  draw(+File, +Options) is det.
@@ -191,7 +198,8 @@ draw(File) :-
 
 draw(File, Options) :-
     findall(Goal, ( member(Option, Options), view_goal(Option, Goal) ), Eye),
-    facts_transaction(sg_verbs:pictured(Options, Eye, Options)),
+    operand_lines(Lines),
+    facts_transaction(sg_verbs:pictured(Lines, Options, Eye, Options)),
     drawing_output(Options, File),
     print_message(informational, sanggwan(wrote(File))).
 

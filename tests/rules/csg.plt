@@ -17,6 +17,7 @@
 :- use_module(rules(placing), [step_motion/2, moved/3]).
 :- use_module(rules(provenance)).
 :- use_module(rules(store)).
+:- use_module(rules(verbs), [draw/2]).
 
 :- meta_predicate with_tree(+, 0).
 
@@ -356,6 +357,18 @@ test(roots_alone, Segments == [3-solid-lens]) :-
                 \+ ( v(S1, _, _, _, _), S1 =\= 3 ),
                 volume(3, V),
                 near(V, 4.0) )).
+test(operands_meet_in_penetration_lines,
+     Roles-Lines == [crease,outline,penetration]-0) :-
+    with_tree([ box(size(4,4,1)), cylinder(radius(1), height(3)),
+                union([1,2]) ],
+              ( setup_call_cleanup(
+                    tmp_file_stream(File, Stream, [extension(svg)]),
+                    ( close(Stream), draw(File, [view(300,60)]) ),
+                    delete_file(File)),
+                findall(Role, ( drawn(_, S, _, _, _, visible, Role), S == 3 ),
+                        Roles0),
+                aggregate_all(count, line(_, _, _, _, _, _, _, _, _), Lines) )),
+    sort(Roles0, Roles).
 test(written_and_read, V1 == V2) :-
     tree(Terms),
     tmp_file_stream(File, Stream, [extension(pl)]),

@@ -73,11 +73,13 @@ test(same_heads, English == Korean) :-
     heads(sg_csg_ko:csg_ko(_, _, _), Korean).
 test(refused, [forall(wrong(Term, What)), true(Found = What)]) :-
     fault(tree_read(Term), Found, location(_, 4, 17)).
-test(in_the_second_file, [forall(wrong(Term, What)), true(Found = What)]) :-
+test(in_the_second_file,
+     [forall(wrong(Term, What)), true(Found = What)]) :-
     new_world(World),
     in_world(World,
              ( tree_read(union([1])),
-               catch(tree_read(Term), error(model_error(csg(Found)), _), true) )).
+               catch(tree_read(Term), error(model_error(csg(Found)), _),
+                     true) )).
 test(told, forall(( wrong(Term, _), member(Language, [en,ko]) ))) :-
     fault(tree_read(Term), What, Where),
     told(Language, error(model_error(csg(What)), Where), Text),
