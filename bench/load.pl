@@ -1,6 +1,8 @@
 /* Reading and checking a mesh: see bench/load. */
 :- use_module('../rules/store').
+:- use_module('../rules/kernel', [solid_take/2]).
 :- use_module('../rules/mesh').
+:- use_module('../rules/solid_rows', [solid_written/2]).
 :- use_module('../rules/triangulation').
 :- use_module('../rules/check').
 :- autoload(library(lists), [sum_list/2]).
@@ -26,8 +28,26 @@ measured(File) :-
     format("~D triangles: read ~3f s, complete ~3f s, check ~3f s \c
             (~d faults); ~D bytes in relations, ~1f a triangle~n",
            [Polygons, Read, Complete, Check, Faults, Sum, PerPolygon]),
+    written,
     peak(Peak),
     format("  most memory: ~w~n", [Peak]).
+
+%   written: what rows cost that a kernel has made.
+
+written :-
+    rows(Rows0),
+    solid_take([1], Solid),
+    seconds(facts_transaction(solid_written(Solid, 2)), Write),
+    rows(Rows),
+    Written is Rows-Rows0,
+    PerRow is Write*1.0e9/Written,
+    format("  written as ~D rows of a segment: ~3f s, ~0f ns a row~n",
+           [Written, Write, PerRow]).
+
+rows(Rows) :-
+    findall(N, ( relation(R, _, _), facts_statistics(R, S),
+                 get_dict(rows, S, N) ), Ns),
+    sum_list(Ns, Rows).
 
 seconds(Goal, Seconds) :-
     get_time(T0),

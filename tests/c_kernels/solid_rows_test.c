@@ -195,11 +195,22 @@ float_of(const room *r, int c, size_t i)
 }
 
 static bool
+write_cells(result *r, sg_crew *crew, const sg_poll *poll)
+{
+  const sg_solid_sheets sheets = {&r->room[0].sheet, &r->room[1].sheet,
+                                  &r->room[2].sheet, &r->room[3].sheet,
+                                  &r->room[4].sheet, &r->room[5].sheet,
+                                  &r->room[6].sheet};
+
+  return sg_solid_rows_write(&r->rows, 9, crew, poll, &sheets, &r->planes,
+                             &r->sources);
+}
+
+static bool
 make_result(const sg_solid *solid, unsigned threads, unsigned place,
             result *out)
 {
   sg_crew *crew = sg_crew_open(threads);
-  sg_solid_sheets sheets;
   bool good = sg_solid_rows_make(solid, crew, NULL, &out->rows);
   size_t edges = out->rows.edge[solid->faces];
   const size_t n[7] = {out->rows.vertices,
@@ -219,12 +230,7 @@ make_result(const sg_solid *solid, unsigned threads, unsigned place,
     list[0] = (int32_t)(out->rows.edge[f + 1] - out->rows.edge[f]);
     memcpy(out->room[2].memory[2] + f * sizeof list, &list, sizeof list);
   }
-  sheets = (sg_solid_sheets){&out->room[0].sheet, &out->room[1].sheet,
-                             &out->room[2].sheet, &out->room[3].sheet,
-                             &out->room[4].sheet, &out->room[5].sheet,
-                             &out->room[6].sheet};
-  good = good && sg_solid_rows_write(&out->rows, 9, crew, NULL, &sheets,
-                                     &out->planes, &out->sources);
+  good = good && write_cells(out, crew, NULL);
   sg_crew_close(crew);
   return good;
 }
@@ -347,10 +353,15 @@ test_stopped(void)
   sg_solid_rows rows;
   int asked = 0;
   sg_poll poll = {stop, &asked};
+  result r;
 
   CHECK("stopped", !sg_solid_rows_make(&solid, NULL, &poll, &rows));
   CHECK("asked", asked > 1);
   sg_solid_rows_clear(&rows);
+  asked = 0;
+  CHECK("made", make_result(&solid, 1, 0, &r));
+  CHECK("stopped when writing", !write_cells(&r, NULL, &poll) && asked > 1);
+  drop_result(&r);
 }
 
 int
