@@ -3,8 +3,10 @@
             region_moved/3              % +Matrix, +Region0, -Region
           ]).
 :- use_module(planar_map, [planar_map/2, map_border/3, map_point/3]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3, partition/4]).
-:- autoload(library(lists), [append/2, append/3, last/2, member/2, reverse/2]).
+:- autoload(library(apply),
+            [convlist/3, exclude/3, foldl/4, maplist/2, maplist/3, partition/4]).
+:- autoload(library(lists),
+            [append/2, append/3, last/2, max_list/2, member/2, reverse/2]).
 /** <module> Regions of the plane: Boolean operations on polygons.
 
 A region is
@@ -42,17 +44,42 @@ point_moved([[A, B, C], [D, E, F]], X0-Y0, X-Y) :-
 %   Holes, Bays): Outline a counter-clockwise loop, Holes the clockwise loops of
 %   its holes. Bays are those of holes that touch another loop in a point. No
 %   loop meets itself, and no three points in a row are on one line. Of a region
-%   without area, none.
+%   without area, none; splinters no wider than 2^-33 of how far the region
+%   reaches, which rounding leaves where figures were to meet, are passed over.
 
 region_islands(Region, Islands) :-
-    region_loops(Region, 5, Loops),
+    region_loops(Region, 5, Loops0),
+    splinter_width(Loops0, Width),
+    exclude(is_splinter(Width), Loops0, Loops),
     partition(counter_clockwise, Loops, Outlines, Holes),
-    maplist(hole_place(Outlines), Holes, Places),
+    convlist(hole_place(Outlines), Holes, Places),
     maplist(island(Places), Outlines, Islands).
 
 counter_clockwise(loop(Points, _, _)) :-
     area2(Points, Area),
     Area > 0.
+
+splinter_width(Loops, Width) :-
+    findall(Reach,
+            ( member(loop(Points, _, _), Loops),
+              member(p(X, Y), Points),
+              Reach is max(abs(X), abs(Y)) ),
+            Reaches),
+    max_list([0|Reaches], Most),
+    Width is float(Most)*2.0** -33.
+
+%   is_splinter(Width, Loop): the area is that of a strip as long as half the
+%   way round, and no wider than Width.
+
+is_splinter(Width, loop(Points, _, _)) :-
+    area2(Points, Area),
+    last(Points, Last),
+    foldl(with_length, Points, Last-0.0, _-Length),
+    abs(float(Area)) =< Width*Length.
+
+with_length(P, p(X0, Y0)-Length0, P-Length) :-
+    P = p(X, Y),
+    Length is Length0 + sqrt(float((X-X0)**2 + (Y-Y0)**2)).
 
 %   region_loops(Region, Rounds, Loops): Loops are loop(Points, Touching,
 %   Middle): points of rationals that are floats; whether it touches; a point of
@@ -229,7 +256,8 @@ trapezoid(P, p(X0, Y0)-Area0, P-Area) :-
                 *            ISLANDS           *
                 *******************************/
 
-%   hole_place(Outlines, Hole, Outline-Hole): the least outline round it.
+%   hole_place(Outlines, Hole, Outline-Hole): the least outline round it; none
+%   if that was a splinter.
 
 hole_place(Outlines, Hole, Outline-Hole) :-
     Hole = loop(_, _, Middle),

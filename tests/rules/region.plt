@@ -81,6 +81,15 @@ test(touching_from_outside, Islands == []) :-
     square(0, 0, 3, A),
     square(3, 0, 3, B),
     islands(intersection([A, B]), Islands).
+test(splinter) :-
+    Splinter = loops([[5.0-0.0, 5.000000000000001-1.0, 5.0-2.0]]),
+    Hole = loops([[0.5-0.5, 0.5000000000000001-1.0, 0.5-2.0]]),
+    square(0, 0, 3, A),
+    islands(union([difference([A, Hole]), Splinter]), [island(_, [], [])]),
+    islands(Splinter, []).
+test(no_splinter, N == 1) :-
+    islands(loops([[5.0-0.0, 5.0001-1.0, 5.0-2.0]]), Islands),
+    length(Islands, N).
 test(moved, Area =:= 18) :-
     square(0, 0, 3, A),
     region_moved([[1, 1, 7], [-1, 1, 3]], A, B),
