@@ -230,8 +230,8 @@ write_mesh(File, Segments0, Options) :-
 
 %!  mesh_to_file(+File, :Goal) is det.
 %
-%   Call Goal with one more argument, a binary stream that is File (`-`: standard
-%   output) afterwards.
+%   Call Goal with one more argument, a binary stream that is File (`-`:
+%   standard output) afterwards.
 
 mesh_to_file(-, Goal) :-
     !,

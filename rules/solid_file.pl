@@ -238,8 +238,8 @@ united_round(Fault0, S0, Round, Most, Task, Boundary, Rounds) :-
         Rounds = Round
     ).
 
-%   judged(Boundary0, S, Round, Most, Task, Boundary, Rounds): what the last round
-%   leaves may go through itself within the tolerance that check allows.
+%   judged(Boundary0, S, Round, Most, Task, Boundary, Rounds): what the last
+%   round leaves may go through itself within the tolerance that check allows.
 
 judged(Boundary0, S, Round, Most, Task, Boundary, Rounds) :-
     (   Round < Most
@@ -259,9 +259,9 @@ judged(Boundary0, S, Round, Most, Task, Boundary, Rounds) :-
     ).
 
 %   rounded_copy(S, Single, Copy): the rounded triangles as a segment, without
-%   those that rounding turned over if the others close. If not, they are divided
-%   before they are rounded: whatever rounding does to triangles, they stay
-%   triangles, and closed.
+%   those that rounding turned over if the others close. If not, they are
+%   divided before they are rounded: whatever rounding does to triangles, they
+%   stay triangles, and closed.
 
 rounded_copy(S, Single, Copy) :-
     (   triangle_copy(S, Single, triangles, Copy0)
@@ -313,9 +313,9 @@ power_above(E0, X, E) :-
         power_above(E1, X, E)
     ).
 
-%   united(S, Union): Union is the solid that S bounds, no part of it inside. What
-%   goes through itself by less than the tolerance counts too, so S is cut by
-%   itself first.
+%   united(S, Union): Union is the solid that S bounds, no part of it inside.
+%   What goes through itself by less than the tolerance counts too, so S is cut
+%   by itself first.
 
 united(S, Union) :-
     fresh_id(segment, 0, Union),
