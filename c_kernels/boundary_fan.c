@@ -152,6 +152,19 @@ keep_crowd(fans *x, const sg_page_at_edge *page, size_t n)
   return true;
 }
 
+static bool
+note_crossing(sg_boundary_mesh *out, const sg_edge_group *group)
+{
+  if (!out->crossed) {
+    out->crossed = calloc(out->mesh.vertices + 1, 1);
+  }
+  if (out->crossed) {
+    out->crossed[group->low] = out->crossed[group->high] = 1;
+    out->crossing++;
+  }
+  return out->crossed != NULL;
+}
+
 /* A group of edges with as many one way as the other, four or more. */
 static bool
 add_crowd(fans *x, const sg_edge_pairs *pairs, const sg_edge_group *group)
@@ -173,7 +186,9 @@ add_crowd(fans *x, const sg_edge_pairs *pairs, const sg_edge_group *group)
   }
   bool alternating = sg_pages_order(u, w, x->page, n);
   x->out->touching += alternating;
-  x->out->crossing += !alternating;
+  if (!alternating && !note_crossing(x->out, group)) {
+    return false;
+  }
   match_pages(x, x->page, n, alternating);
   return keep_crowd(x, x->page, n);
 }
@@ -342,6 +357,26 @@ rename_triangles(fans *x, const int32_t *name)
   }
 }
 
+/* Copies of vertices that are crossed are crossed. */
+static bool
+copy_crossed(fans *x, const int32_t *name, size_t n)
+{
+  unsigned char *old = x->out->crossed;
+
+  if (!old) {
+    return true;
+  }
+  unsigned char *crossed = calloc(n + 1, 1);
+  for (uint32_t i = 0; crossed && i < x->corners; i++) {
+    crossed[name[root(x->fan, i)]] = old[x->from[i]];
+  }
+  if (crossed) {
+    free(old);
+    x->out->crossed = crossed;
+  }
+  return crossed != NULL;
+}
+
 static bool
 make_copies(fans *x)
 {
@@ -355,7 +390,8 @@ make_copies(fans *x)
     n = number_fans(x, count, name);
     at = malloc((n + 1) * sizeof *at);
   }
-  if (at && n > mesh->vertices) {
+  bool done = count && name && at;
+  if (done && n > mesh->vertices && (done = copy_crossed(x, name, n))) {
     rename_triangles(x, name);
     for (uint32_t i = 0; i < x->corners; i++) {
       memcpy(at[name[root(x->fan, i)]], mesh->vertex[x->from[i]], sizeof *at);
@@ -369,7 +405,6 @@ make_copies(fans *x)
     mesh->vertices = mesh->vertex_room = n;
     at = old;
   }
-  bool done = count && name && at;
   free(count);
   free(name);
   free(at);

@@ -79,7 +79,8 @@ sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all,
   return done;
 }
 
-/* Marks the vertices of triangles that go through each other. */
+/* Marks the vertices of triangles that go through each other, and of edges
+ * along which they do. */
 static bool
 find_coarse(const sg_boundary_mesh *mesh, sg_crew *crew, const sg_poll *poll,
             unsigned char *coarse)
@@ -88,6 +89,9 @@ find_coarse(const sg_boundary_mesh *mesh, sg_crew *crew, const sg_poll *poll,
 
   if (!sg_boundary_mesh_meetings(mesh, true, 0, crew, poll, &met)) {
     return false;
+  }
+  for (size_t v = 0; mesh->crossed && v < mesh->mesh.vertices; v++) {
+    coarse[v] = mesh->crossed[v];
   }
   for (size_t i = 0; i < met.n; i++) {
     for (int k = 0; k < 6 && met.item[i].kind != SG_SELF_TOUCHING; k++) {
@@ -98,6 +102,25 @@ find_coarse(const sg_boundary_mesh *mesh, sg_crew *crew, const sg_poll *poll,
   return true;
 }
 
+static sg_boundary_end
+coarsen(const sg_boundary_source *source, const sg_rounding *rounding,
+        const sg_form *form, bool turned, const sg_poll *poll,
+        sg_boundary_mesh *out)
+{
+  sg_boundary boundary;
+  sg_boundary_end end = sg_boundary_make(source, rounding, poll, &boundary);
+
+  if (end == SG_BOUNDARY_DONE) {
+    end = sg_boundary_drop_flat(&boundary, turned)
+              ? sg_boundary_mesh_make(&boundary, form, poll, out)
+              : SG_BOUNDARY_NO_MEMORY;
+  }
+  sg_boundary_clear(&boundary);
+  return end;
+}
+
+/* Faces that were turned over go, unless that leaves some that cannot be
+ * divided. */
 sg_boundary_end
 sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
                          const sg_rounding *rounding, const sg_form *form,
@@ -105,7 +128,6 @@ sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
                          sg_boundary_mesh *out)
 {
   unsigned char *coarse = calloc(mesh->mesh.vertices + 1, 1);
-  sg_boundary boundary = {0};
   as_segment s = {.ids = NULL};
   sg_boundary_end end = SG_BOUNDARY_NO_MEMORY;
 
@@ -117,14 +139,12 @@ sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
   if (coarse && open_segment(mesh, &s) &&
       find_coarse(mesh, crew, poll, coarse)) {
     sg_boundary_source source = {.dense = &s.dense, .coarse = coarse};
-    end = sg_boundary_make(&source, rounding, poll, &boundary);
+    end = coarsen(&source, rounding, form, true, poll, out);
+    if (end == SG_BOUNDARY_DONE && (out->stuck > 0 || out->open > 0)) {
+      sg_boundary_mesh_clear(out);
+      end = coarsen(&source, rounding, form, false, poll, out);
+    }
   }
-  if (end == SG_BOUNDARY_DONE) {
-    end = sg_boundary_drop_flat(&boundary, true)
-              ? sg_boundary_mesh_make(&boundary, form, poll, out)
-              : SG_BOUNDARY_NO_MEMORY;
-  }
-  sg_boundary_clear(&boundary);
   close_segment(&s);
   free(coarse);
   return end;

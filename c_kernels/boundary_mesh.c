@@ -326,5 +326,6 @@ sg_boundary_mesh_clear(sg_boundary_mesh *mesh)
   free(mesh->triangle);
   free(mesh->face_of);
   free(mesh->changed);
+  free(mesh->crossed);
   *mesh = (sg_boundary_mesh){0};
 }

@@ -32,12 +32,14 @@ typedef struct sg_boundary_mesh {
   int32_t *face_of;       /* [triangles] */
   unsigned char *changed; /* [triangles] as in a boundary */
   size_t triangles;
-  size_t open;      /* edges with more faces on one side than on the other */
-  size_t crossing;  /* edges with four or more faces where sheets cross, as the
-                       order round the edge tells. Exact */
-  size_t touching;  /* the others with four or more */
-  size_t copies;    /* vertices added */
-  size_t stuck;     /* faces that no triangles were found for */
+  size_t open;     /* edges with more faces on one side than on the other */
+  size_t crossing; /* edges with four or more faces where sheets cross, as the
+                      order round the edge tells. Exact */
+  unsigned char *crossed; /* [mesh.vertices] an end of such an edge; null: there
+                             is none */
+  size_t touching;        /* the others with four or more */
+  size_t copies;          /* vertices added */
+  size_t stuck;           /* faces that no triangles were found for */
   size_t cancelled; /* faces that lay on each other, back to back, and went */
 } sg_boundary_mesh;
 
