@@ -10,6 +10,9 @@
  *     face in it is farther from than the tolerance, and all of them look the
  *     same way. A face no wider than the tolerance looks any way, and begins
  *     nothing. The largest face begins.
+ *   - All round such a group the surface must end or bend off by more than 16
+ *     tolerances. Else it is a part of something smooth that is finer than the
+ *     tolerance, and only what is flat but for rounding becomes one.
  *   - A vertex in the middle of one face vanishes; so does one that lies
  *     straight between the only two edges that end there: all such vertices of
  *     a run are within the tolerance of the edge that replaces it, and none

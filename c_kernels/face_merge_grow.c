@@ -12,12 +12,15 @@
 #include <string.h>
 
 enum {
+  GAP = 16,   /* tolerances by which what is next to a group must bend off */
   ROUNDS = 8, /* at most as often a growing group looks for a better plane */
   OFTEN = 64, /* patches between questions */
   BLOCK = 1 << 11 /* faces a task */
 };
 
-enum { UNSEEN, SEEN, PLACED }; /* of faces */
+/* Of faces. Those of a smooth surface become one only where they are flat but
+ * for rounding. */
+enum { UNSEEN, SEEN, SMOOTH, PLACED };
 
 typedef struct growth {
   sg_merge *m;
@@ -25,7 +28,9 @@ typedef struct growth {
   uint32_t *other;    /* [2 * weaks] */
   sg_face_size *size; /* [faces], of those that have neighbours */
   uint8_t *state;     /* [faces] */
-  uint32_t *patch;    /* [n]: of the faces that hang together */
+  uint32_t *mark;     /* [faces]: the last attempt that had the face */
+  uint32_t attempt;
+  uint32_t *patch; /* [n]: of the faces that hang together */
   size_t n;
 } growth;
 
@@ -153,16 +158,64 @@ is_whole(const growth *g, sg_plane *plane)
   return true;
 }
 
-/* Takes the neighbours of member i that lie in the plane. */
+/* Whether `other`, next to the group, bends off so little that both may be
+ * parts of one smooth surface. */
+static bool
+goes_on(const growth *g, const sg_plane *plane, uint32_t face, uint32_t other)
+{
+  const sg_merge *m = g->m;
+  sg_face_size size;
+
+  if (g->mark[other] == g->attempt ||
+      !sg_merge_is_near(m, plane, other, GAP * m->tolerance) ||
+      !sg_merge_may_join(m, face, other)) {
+    return false;
+  }
+  sg_merge_size(m, other, &size);
+  return !sg_merge_is_thin(m, &size) && size.vector[0] * plane->n[0] +
+                                                size.vector[1] * plane->n[1] +
+                                                size.vector[2] * plane->n[2] >
+                                            0;
+}
+
+/* Whether the surface ends or bends clearly all round the members from `from`
+ * on. Else they are a part of something curved that is finer than the
+ * tolerance, and where they end would be chance. */
+static bool
+stands_out(growth *g, size_t from, const sg_plane *plane)
+{
+  const sg_merge *m = g->m;
+
+  g->attempt++;
+  for (size_t i = from; i < m->members; i++) {
+    g->mark[m->member[i]] = g->attempt;
+  }
+  for (size_t i = from; i < m->members; i++) {
+    const sg_solid_face *face = &m->solid->face[m->member[i]];
+    for (uint32_t half = 3 * face->first; half < 3 * (face->first + face->n);
+         half++) {
+      uint32_t twin = m->twin[half];
+      if (twin != SG_NOTHING &&
+          goes_on(g, plane, m->member[i], m->face_of[twin / 3])) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/* Takes the neighbours of member i that lie in the plane and are in no group,
+ * nor in more than `most` of a state. */
 static void
-take_neighbours(growth *g, size_t i, const sg_plane *plane)
+take_neighbours(growth *g, size_t i, const sg_plane *plane, uint8_t most)
 {
   sg_merge *m = g->m;
   uint32_t face = m->member[i];
 
   for (uint32_t k = g->first[face]; k < g->first[face + 1]; k++) {
     uint32_t other = g->other[k];
-    if (g->state[other] == SEEN && sg_merge_is_near(m, plane, other) &&
+    if (g->state[other] <= most &&
+        sg_merge_is_near(m, plane, other, m->tolerance) &&
         looks_as(g, plane, other)) {
       g->state[other] = PLACED;
       m->member[m->members++] = other;
@@ -170,32 +223,61 @@ take_neighbours(growth *g, size_t i, const sg_plane *plane)
   }
 }
 
-/* The group that grows from a seed. What is found in the plane of the seed
- * gives a better plane: small faces know theirs badly. */
+/* Adds a seed and what grows from it to the members. What is found in the plane
+ * of the seed gives a better plane: small faces know theirs badly. False: the
+ * seed has no plane, and there is nothing. */
 static bool
-grow_from(growth *g, uint32_t face)
+gather(growth *g, uint32_t face, uint8_t most, sg_plane *plane)
 {
   sg_merge *m = g->m;
   size_t from = m->members, before = 0;
-  sg_plane plane, better;
+  sg_plane better;
 
-  if (!sg_merge_fit(m, &face, 1, &plane)) {
-    return true;
+  if (!sg_merge_fit(m, &face, 1, plane)) {
+    return false;
   }
   m->member[m->members++] = face;
   g->state[face] = PLACED;
   for (int round = 0; round < ROUNDS && before != m->members; round++) {
     before = m->members;
     for (size_t i = from; i < m->members; i++) {
-      take_neighbours(g, i, &plane);
+      take_neighbours(g, i, plane, most);
     }
     if (m->members == from + 1 ||
         !sg_merge_fit(m, m->member + from, m->members - from, &better)) {
       break;
     }
-    plane = better;
+    *plane = better;
   }
-  return place(g, from, &plane);
+  return true;
+}
+
+/* The group of a seed: all in one plane within the tolerance; or, if that is a
+ * part of a smooth surface, all that are flat but for rounding. */
+static bool
+grow_from(growth *g, uint32_t face)
+{
+  sg_merge *m = g->m;
+  size_t from = m->members;
+  double tolerance = m->tolerance;
+  sg_plane plane;
+
+  if (g->state[face] == SEEN) {
+    if (!gather(g, face, SEEN, &plane)) {
+      return true;
+    }
+    if (m->members == from + 1 || stands_out(g, from, &plane)) {
+      return place(g, from, &plane);
+    }
+    for (size_t i = from; i < m->members; i++) {
+      g->state[m->member[i]] = SMOOTH;
+    }
+    m->members = from;
+  }
+  m->tolerance = m->rounding;
+  bool any = gather(g, face, SMOOTH, &plane);
+  m->tolerance = tolerance;
+  return !any || place(g, from, &plane);
 }
 
 /* The largest first; equal ones by where they are. */
@@ -231,7 +313,7 @@ grow_all(growth *g, seed *seeds, size_t n)
     if (i % OFTEN == 0 && sg_poll_stop(g->m->options->poll)) {
       return SG_MERGE_STOPPED;
     }
-    if (g->state[seeds[i].face] == SEEN && !grow_from(g, seeds[i].face)) {
+    if (g->state[seeds[i].face] != PLACED && !grow_from(g, seeds[i].face)) {
       return SG_MERGE_NO_MEMORY;
     }
   }
@@ -277,6 +359,7 @@ static sg_merge_end
 do_patch(growth *g)
 {
   sg_merge *m = g->m;
+  size_t from = m->members;
   sg_plane plane;
 
   if (!has_seed(g)) {
@@ -288,11 +371,13 @@ do_patch(growth *g)
   if (!is_whole(g, &plane)) {
     return divide(g);
   }
-  size_t from = m->members;
-  for (size_t i = 0; i < g->n; i++) {
-    m->member[m->members++] = g->patch[i];
+  memcpy(m->member + from, g->patch, g->n * sizeof *g->patch);
+  m->members += g->n;
+  if (stands_out(g, from, &plane)) {
+    return place(g, from, &plane) ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
   }
-  return place(g, from, &plane) ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
+  m->members = from;
+  return divide(g);
 }
 
 /* ---- all patches -------------------------------------------------------- */
@@ -329,8 +414,8 @@ find_sizes(void *data, size_t block)
   }
 }
 
-/* The faces that hang together with this one. */
-static void
+/* The faces that hang together with this one; false: stopped. */
+static bool
 find_patch(growth *g, uint32_t face)
 {
   g->n = 0;
@@ -338,6 +423,9 @@ find_patch(growth *g, uint32_t face)
   g->state[face] = SEEN;
   for (size_t i = 0; i < g->n; i++) {
     uint32_t f = g->patch[i];
+    if (i % BLOCK == BLOCK - 1 && sg_poll_stop(g->m->options->poll)) {
+      return false;
+    }
     for (uint32_t k = g->first[f]; k < g->first[f + 1]; k++) {
       if (g->state[g->other[k]] == UNSEEN) {
         g->state[g->other[k]] = SEEN;
@@ -345,6 +433,7 @@ find_patch(growth *g, uint32_t face)
       }
     }
   }
+  return true;
 }
 
 static sg_merge_end
@@ -363,8 +452,7 @@ do_patches(growth *g)
       return SG_MERGE_STOPPED;
     }
     if (g->state[f] == UNSEEN && g->first[f + 1] > g->first[f]) {
-      find_patch(g, f);
-      end = do_patch(g);
+      end = find_patch(g, f) ? do_patch(g) : SG_MERGE_STOPPED;
     }
   }
   return end;
@@ -379,14 +467,16 @@ grow(sg_merge *m)
               .other = malloc((2 * m->weaks + 1) * sizeof *g.other),
               .size = malloc((faces + 1) * sizeof *g.size),
               .state = calloc(faces + 1, sizeof *g.state),
+              .mark = calloc(faces + 1, sizeof *g.mark),
               .patch = malloc((faces + 1) * sizeof *g.patch)};
-  bool memory = g.first && g.other && g.size && g.state && g.patch;
+  bool memory = g.first && g.other && g.size && g.state && g.mark && g.patch;
   sg_merge_end end = memory ? do_patches(&g) : SG_MERGE_NO_MEMORY;
 
   free(g.first);
   free(g.other);
   free(g.size);
   free(g.state);
+  free(g.mark);
   free(g.patch);
   return end;
 }

@@ -177,9 +177,8 @@ is_flat(const sg_merge *m, uint32_t half, uint32_t twin)
   return volume * volume <= factor * (dot(uv, uv) + dot(vw, vw) + dot(uw, uw));
 }
 
-/* Whether what made the faces lets them be one. */
-static bool
-may_join(const sg_merge *m, uint32_t f, uint32_t g)
+bool
+sg_merge_may_join(const sg_merge *m, uint32_t f, uint32_t g)
 {
   const sg_solid_face *a = &m->solid->face[f], *b = &m->solid->face[g];
   const sg_merge_options *options = m->options;
@@ -229,7 +228,7 @@ make_twins(const sg_merge *m, finds *found, uint32_t half, uint32_t twin)
   m->twin[twin] = half;
   found->twins++;
   uint32_t f = m->face_of[half / 3], g = m->face_of[twin / 3];
-  if (f != g && is_flat(m, half, twin) && may_join(m, f, g)) {
+  if (f != g && is_flat(m, half, twin) && sg_merge_may_join(m, f, g)) {
     note(found, &found->weak, f, g);
   }
 }
@@ -416,8 +415,8 @@ sg_merge_mesh(sg_merge *m)
   pairing mesh = {m, calloc(blocks + 1, sizeof *mesh.found)};
   sg_merge_end end = SG_MERGE_NO_MEMORY;
 
-  m->tolerance =
-      fmax(m->options->tolerance, 4 * DBL_EPSILON * largest_coordinate(solid));
+  m->rounding = 4 * DBL_EPSILON * largest_coordinate(solid);
+  m->tolerance = fmax(m->options->tolerance, m->rounding);
   m->face_of = malloc((solid->triangles + 1) * sizeof *m->face_of);
   m->first = calloc(solid->vertices + 2, sizeof *m->first);
   m->leaving = malloc((halves + 1) * sizeof *m->leaving);

@@ -66,14 +66,15 @@ sg_merge_is_thin(const sg_merge *m, const sg_face_size *size)
 }
 
 bool
-sg_merge_is_near(const sg_merge *m, const sg_plane *plane, uint32_t face)
+sg_merge_is_near(const sg_merge *m, const sg_plane *plane, uint32_t face,
+                 double most)
 {
   const sg_solid_face *row = &m->solid->face[face];
 
   for (uint32_t t = row->first; t < row->first + row->n; t++) {
     for (int i = 0; i < 3; i++) {
       const double *at = sg_merge_at(m, m->solid->triangle[t][i]);
-      if (!(fabs(sg_plane_distance(plane, at)) <= m->tolerance)) {
+      if (!(fabs(sg_plane_distance(plane, at)) <= most)) {
         return false;
       }
     }

@@ -55,6 +55,7 @@ typedef struct sg_merge {
   const sg_solid *solid;
   const sg_merge_options *options;
   double tolerance;
+  double rounding;     /* what places may be off by rounding alone */
   uint32_t *face_of;   /* [triangles] */
   uint32_t *first;     /* [vertices + 2]: of a vertex in `leaving` */
   sg_leaving *leaving; /* [3 * triangles] */
@@ -128,6 +129,8 @@ sg_merge_at(const sg_merge *m, uint32_t vertex)
 
 /* face_of, first, leaving, twin, weak and brief. */
 sg_merge_end sg_merge_mesh(sg_merge *m);
+/* Whether what made two faces lets them be one. */
+bool sg_merge_may_join(const sg_merge *m, uint32_t f, uint32_t g);
 void sg_merge_mesh_clear(sg_merge *m);
 
 /* ---- face_merge_contract.c ---- */
@@ -162,8 +165,9 @@ typedef struct sg_face_size {
 
 void sg_merge_size(const sg_merge *m, uint32_t face, sg_face_size *out);
 bool sg_merge_is_thin(const sg_merge *m, const sg_face_size *size);
-/* All vertices of a face are within the tolerance of the plane. */
-bool sg_merge_is_near(const sg_merge *m, const sg_plane *plane, uint32_t face);
+/* All vertices of a face are within `most` of the plane. */
+bool sg_merge_is_near(const sg_merge *m, const sg_plane *plane, uint32_t face,
+                      double most);
 /* A plane that all vertices of n faces are within the tolerance of; false: none
  * was found. Its normal looks as the faces do. */
 bool sg_merge_fit(const sg_merge *m, const uint32_t *face, size_t n,
