@@ -346,8 +346,8 @@ chain(Ending, Steps) :-
                            fail
                        )) )).
 
-test(chain_off) :- chain(off, 12).
-test(chain_stl) :- chain(stl, 12).
+test(chain_off) :- chain(off, 8).
+test(chain_stl) :- chain(stl, 8).
 
 %   What cannot be written, and no file then.
 
