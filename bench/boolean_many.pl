@@ -19,6 +19,7 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(pairs)).
 :- use_module(library(random)).
 
 :- initialization(main, main).
@@ -92,11 +93,12 @@ tree :-
     maplist(moved_seconds, Leaves, Seconds),
     sum_list(Seconds, Sum),
     length(Seconds, N),
-    max_list(Seconds, Worst),
+    pairs_keys_values(Pairs, Seconds, Leaves),
+    max_member(Worst-WorstLeaf, Pairs),
     Mean is Sum/N/First*100,
     WorstPart is Worst/First*100,
-    format("one leaf moved, mean of ~d: ~2f % of the first; the worst ~2f %~n",
-           [N,Mean,WorstPart]),
+    format("one leaf moved, mean of ~d: ~2f % of the first; the worst ~2f % (leaf ~d)~n",
+           [N,Mean,WorstPart,WorstLeaf]),
     forall(stage_seconds(Name, Part),
            ( Ms is Part/N/2*1000, format("  ~w ~1f ms~n", [Name,Ms]) )).
 
