@@ -284,14 +284,14 @@ closed_copy(Boundary, Copy) :-
     assert_fact(segment(Copy, solid, rounded)).
 
 %   output_grid(Single, Round, S, Grid): how coarse it is where S goes through
-%   itself: from 4 units (float32) or 16 (doubles) in the last place of the
-%   largest coordinate, and as many times that in each round.
+%   itself: 8 units (float32) or 16 (doubles) in the last place of the largest
+%   coordinate, and as many times that in each round; never above 2**-12 of it.
 
 output_grid(Single, Round, S, Grid) :-
     largest_power(S, Exponent),
     (   Single == true
-    ->  Grid is 2.0**(Exponent-24+2*Round)
-    ;   Grid is 2.0**(Exponent-53+4*Round)
+    ->  Grid is 2.0**(Exponent-24+min(12, 3*Round))
+    ;   Grid is 2.0**(Exponent-53+min(41, 4*Round))
     ).
 
 %   largest_power(S, E): no coordinate of S is larger than 2**E.
