@@ -436,9 +436,13 @@ uint32_t
 sg_cut_set_find(const sg_cut_set *set, int32_t s1, int32_t s2, uint32_t a,
                 uint32_t b)
 {
-  const sg_cut_piece piece = {.s = {s1, s2}, .a = a, .b = b};
-  uint32_t key[SG_KEY_WORDS];
+  for (uint32_t i = 0; i < set->pieces; i++) {
+    const sg_cut_piece *k = &set->piece[i];
 
-  sg_cut_piece_key(set, &piece, key);
-  return sg_key_table_get(&set->piece_number, key);
+    if (k->live && k->s[0] == s1 && k->s[1] == s2 &&
+        ((k->a == a && k->b == b) || (k->a == b && k->b == a))) {
+      return i;
+    }
+  }
+  return SG_NO_KEY;
 }

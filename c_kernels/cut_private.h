@@ -7,10 +7,6 @@
 /* Makes room for one more in a growing array; false: no memory. */
 bool sg_cut_room(void **array, size_t n, size_t *room, size_t size);
 
-/* The key of a piece in piece_number: what makes two pieces one. */
-void sg_cut_piece_key(const sg_cut_set *set, const sg_cut_piece *piece,
-                      uint32_t key[SG_KEY_WORDS]);
-
 /* Adds a piece, or finds the same one. Along an edge the smaller polygon
  * counts. False: no memory. */
 bool sg_cut_add_piece(sg_cut_set *set, const sg_cut_piece *piece);

@@ -373,27 +373,29 @@ order_edges(sg_cut_set *set)
   }
 }
 
-/* What carries a piece in side k: 1 + twice an edge, or twice a polygon. */
+/* What carries a piece in side k: twice a polygon, or along an edge 1, of a
+ * segment that is cut by itself and twice the edge. */
 static uint32_t
-carrier(const sg_cut_piece *piece, int k)
+carrier(const sg_cut_set *set, const sg_cut_piece *piece, int k)
 {
-  return piece->edge[k] == SG_NO_KEY ? 2 * (uint32_t)piece->p[k]
-                                     : 2 * piece->edge[k] + 1;
+  if (piece->edge[k] == SG_NO_KEY) {
+    return 2 * (uint32_t)piece->p[k];
+  }
+  return sg_cut_points_is_by_itself(&set->points, piece->s[k])
+             ? 2 * piece->edge[k] + 1
+             : 1;
 }
 
-/* Pieces of one pair of segments between the same points are one. Where sheets
- * of a segment that is cut by itself lie on each other, or more than two meet
- * in a line, they are so only in the same polygons or along the same edges. */
-void
-sg_cut_piece_key(const sg_cut_set *set, const sg_cut_piece *piece,
-                 uint32_t key[SG_KEY_WORDS])
+/* Pieces of one pair of segments between the same points are one if they run
+ * along edges, or through the same polygons: sheets of a segment may lie on
+ * each other, or touch in a line. */
+static void
+piece_key(const sg_cut_set *set, const sg_cut_piece *piece,
+          uint32_t key[SG_KEY_WORDS])
 {
-  bool each = sg_cut_points_is_by_itself(&set->points, piece->s[0]) ||
-              sg_cut_points_is_by_itself(&set->points, piece->s[1]);
-
   for (int k = 0; k < 2; k++) {
     key[k] = (uint32_t)piece->s[k];
-    key[2 + k] = each ? carrier(piece, k) : 0;
+    key[2 + k] = carrier(set, piece, k);
   }
   key[4] = piece->a < piece->b ? piece->a : piece->b;
   key[5] = piece->a < piece->b ? piece->b : piece->a;
@@ -404,7 +406,7 @@ sg_cut_add_piece(sg_cut_set *set, const sg_cut_piece *piece)
 {
   uint32_t key[SG_KEY_WORDS];
 
-  sg_cut_piece_key(set, piece, key);
+  piece_key(set, piece, key);
   uint32_t *number = sg_key_table_put(&set->piece_number, key);
 
   if (!number || !sg_cut_room((void **)&set->piece, set->pieces,
