@@ -122,23 +122,13 @@ sg_cut_set_between(const sg_cut_set *set, uint32_t a, uint32_t b)
   return sg_key_table_get(&set->late, key);
 }
 
-/* Two vertices of one segment in one place are two points; neither is between
- * the other and anything, or dividing there would never end. */
-static bool
-in_place(const sg_cut_set *set, uint32_t x, uint32_t y)
-{
-  const sg_cut_point *point = set->points.point;
-
-  return x == y || sg_point_equal(&point[x].at, &point[y].at);
-}
-
 bool
 sg_cut_set_split(sg_cut_set *set, uint32_t a, uint32_t b, uint32_t x)
 {
   const sg_cut_point *point = set->points.point;
   uint32_t key[2], *known;
 
-  while (!in_place(set, x, a) && !in_place(set, x, b)) {
+  while (x != a && x != b) {
     pair_key(a, b, key);
     known = sg_key_table_put(&set->late, key);
     if (!known) {
@@ -147,7 +137,7 @@ sg_cut_set_split(sg_cut_set *set, uint32_t a, uint32_t b, uint32_t x)
     if (*known == SG_NO_KEY) {
       *known = x;
     }
-    if (in_place(set, *known, x)) {
+    if (*known == x) {
       return true;
     }
     int side = sg_point_along(&point[a].at, &point[b].at, &point[x].at,

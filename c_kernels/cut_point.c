@@ -287,27 +287,6 @@ construct(const sg_cut_model *model, const sg_made *made, sg_point *out)
 
 /* ---- one point, however made ---- */
 
-/* Whether a point made so may be this one: not if it is another vertex of a
- * segment in which this one is a vertex, unless that is cut by itself. */
-static bool
-may_be(const sg_cut_points *points, uint32_t point, const sg_made *made)
-{
-  for (int i = 0; i < made->n; i++) {
-    const sg_place *place = &made->place[i];
-
-    if (place->kind == SG_AT_VERTEX) {
-      const sg_leaf_vertex *vertex = &points->model->vertex[place->a];
-      int32_t name = sg_cut_points_name(points, point, vertex->s);
-
-      if (name != 0 && name != vertex->v &&
-          !sg_cut_points_is_by_itself(points, vertex->s)) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 static uint32_t
 new_point(sg_cut_points *points, const sg_point *at, const sg_made *made,
           uint32_t *bucket)
@@ -347,7 +326,7 @@ sg_cut_points_at(sg_cut_points *points, const sg_point *at, const sg_made *made)
     return SG_NO_KEY;
   }
   for (uint32_t i = *bucket; i != SG_NO_KEY; i = points->point[i].same_place) {
-    if (sg_point_equal(&points->point[i].at, at) && may_be(points, i, made)) {
+    if (sg_point_equal(&points->point[i].at, at)) {
       return seat_all(points, i, made) ? i : SG_NO_KEY;
     }
   }

@@ -5,11 +5,10 @@
  * The same pair is the same point, without arithmetic. Points made in
  * different ways are one point when they are EXACTLY in one place: their
  * doubles are correctly rounded, so equal points meet in one bucket and are
- * compared as rationals there. Two vertices of one segment stay two points;
- * of a segment that is cut by itself they are one.
+ * compared as rationals there.
  *
- * A point has a name (the store's V) in every segment that it belongs to, and
- * in one that is cut by itself the names of all vertices in its place.
+ * A point has a name (the store's V) in every segment that it belongs to;
+ * several where vertices of the segment are in its place.
  */
 #ifndef SG_CUT_POINT_H
 #define SG_CUT_POINT_H

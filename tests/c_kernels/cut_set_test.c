@@ -227,7 +227,7 @@ late_splits(void)
   sg_cut_set_clear(&set);
 }
 
-/* A point made in two ways is one; two vertices in one place stay two. */
+/* A point made in two ways is one, and so are two vertices in one place. */
 static void
 points(void)
 {
@@ -249,7 +249,10 @@ points(void)
                           sg_cut_points_named(&set.points, 3, 77) == p);
   CHECK("a second vertex there",
         sg_cut_model_vertex(&set.model, 1, 9, (double[3]){0, 0, 0}));
-  CHECK("stays another point", vertex_point(&set, 1, 9) != p);
+  CHECK("the same point", vertex_point(&set, 1, 9) == p);
+  CHECK("with both names",
+        sg_cut_points_name(&set.points, p, 1) < 9 &&
+            sg_cut_points_next_name(&set.points, p, 1, 8) == 9);
   sg_cut_set_clear(&set);
 }
 
