@@ -11,10 +11,10 @@
               ]).
 :- use_module(leaf, [origin_segment/2]).
 :- use_module(resolve, [resolve_contacts/2]).
-:- autoload(library(apply), [exclude/3, partition/4]).
+:- autoload(library(apply), [exclude/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [member/2]).
-:- autoload(library(ordsets), [ord_memberchk/2, ord_union/3]).
+:- autoload(library(ordsets), [ord_union/3]).
 
 /** <module> Which segments meet, without cutting them.
 */
@@ -30,19 +30,11 @@ find_curve_points(Set) :-
 %!  contact_pairs(+Pairs:list, +Tolerance, -Contacts:list) is det.
 %
 %   Contacts are Pairs, in order, and the other pairs of the same segments whose
-%   boxes are not farther apart than Tolerance. Those of a segment S with S-S in
-%   Pairs are left out: its own sheets are not made to touch each other, so they
-%   are not moved to others either, and what is decided of it stays exact.
+%   boxes are not farther apart than Tolerance. A segment with itself is none.
 
 contact_pairs(Pairs0, Tolerance, Contacts) :-
     touching_pairs(Pairs0, Pairs),
     pairs_contacts(Pairs, Tolerance, Contacts).
-
-has_self(Selves, S1-S2) :-
-    (   ord_memberchk(S1-S1, Selves)
-    ;   ord_memberchk(S2-S2, Selves)
-    ),
-    !.
 
 pairs_contacts([], _, []) :-
     !.
@@ -67,8 +59,7 @@ pairs_contacts(Pairs, Tolerance, Contacts) :-
 %   says.
 
 touching_pairs(Pairs, Contacts) :-
-    partition(is_self, Pairs, Selves, Different),
-    exclude(has_self(Selves), Different, Contacts).
+    exclude(is_self, Pairs, Contacts).
 
 is_self(S-S).
 

@@ -113,8 +113,7 @@ penetrate :-
 %   The same for the segments S1-S2 of the list Pairs only. S-S is the segment S
 %   with itself: where it goes through itself or lies on itself, but not where
 %   its triangles are neighbours (share vertices). Nothing is made to touch
-%   inside S first, nor with S. Its lines have S1 = S2, and an edge pair in each
-%   polygon.
+%   inside S first. Its lines have S1 = S2, and an edge pair in each polygon.
 
 penetrate(Pairs) :-
     penetrate(Pairs, []).
