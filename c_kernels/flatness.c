@@ -59,6 +59,7 @@ double
 sg_flatness_tolerance(const sg_flatness *model)
 {
   double size = 0, unit = 0;
+  int exponent;
 
   for (int k = 0; k < 3; k++) {
     size = fmax(size, model->high[k] - model->low[k]);
@@ -70,5 +71,7 @@ sg_flatness_tolerance(const sg_flatness *model)
   if (model->single) {
     unit = fmax(unit, model->largest * FLT_EPSILON);
   }
-  return fmax(ldexp(size, -33), 4 * unit);
+  bool whole = frexp(size, &exponent) == 0.5; /* a power of two itself */
+
+  return fmax(size > 0 ? ldexp(1, exponent - whole - 33) : 0, 4 * unit);
 }

@@ -1,7 +1,8 @@
 /* flatness.h -- how far off its plane a polygon may be and still be one face.
  *
  * Layer: kernel. Inexact. The tolerance is the larger of 2^-33 of the model's
- * size and 4 units in the last place of its source. What the source
+ * size, made a power of two (upwards, so that an edit seldom changes it), and 4
+ * units in the last place of its source. What the source
  * was is seen from the coordinates: they are all single precision numbers, or
  * all decimals with a few places.
  */

@@ -63,6 +63,8 @@ with_arrangement(Leaves0, Options, Goal) :-
     current(Leaves, Keys, Kept0, Current0, Stale0),
     hanging_together(Stale0, Near, Kept0, Stale),
     include_current(Current0, Stale, Current),
+    counted(sg_pieces_made, Stale),
+    counted(sg_pieces_found, Current),
     setup_call_cleanup(
         maplist(hold, Current),
         ( fresh_pieces(Stale, Pairs, Near, Tolerance, Fresh, Clusters),
@@ -76,6 +78,10 @@ with_arrangement(Leaves0, Options, Goal) :-
               drop_fresh(Fresh))
         ),
         maplist(drop, Current)).
+
+counted(Flag, Leaves) :-
+    length(Leaves, N),
+    flag(Flag, N0, N0+N).
 
 hold(_-Arrangement) :-
     arrangement_hold(Arrangement).
@@ -329,9 +335,13 @@ default_senses(arrangement(Pieces), Expression, Open, Senses) :-
 
 %!  pieces_statistics(-Statistics:dict) is det.
 %
-%   Of how many leaves the world keeps the pieces, in how many arrangements.
+%   Of how many leaves the world keeps the pieces, in how many arrangements; and
+%   how many were made, and found as they were, since the process started.
 
-pieces_statistics(_{leaves:Leaves, arrangements:Arrangements}) :-
+pieces_statistics(_{leaves:Leaves, arrangements:Arrangements, made:Made,
+                    found:Found}) :-
+    flag(sg_pieces_made, Made, Made),
+    flag(sg_pieces_found, Found, Found),
     kept(Kept),
     assoc_to_keys(Kept, Ss),
     length(Ss, Leaves),

@@ -468,7 +468,8 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %!  model_tolerance(-Tolerance) is det.
 %
 %   How far off a place may be that is meant to be there: the larger of 2^-33
-%   of the model's size and 4 units in the last place of its coordinates, as
+%   of the model's size, made a power of two (so that an edit seldom changes
+%   it), and 4 units in the last place of its coordinates, as
 %   far as these show where they come from (single precision, or decimals).
 
 /* - - - work4pl.c, work_join4pl.c - - - */
