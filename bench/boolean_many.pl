@@ -97,7 +97,8 @@ tree :-
     max_member(Worst-WorstLeaf, Pairs),
     Mean is Sum/N/First*100,
     WorstPart is Worst/First*100,
-    format("one leaf moved, mean of ~d: ~2f % of the first; the worst ~2f % (leaf ~d)~n",
+    format("one leaf moved, mean of ~d: ~2f % of the first; \c
+            the worst ~2f % (leaf ~d)~n",
            [N,Mean,WorstPart,WorstLeaf]),
     forall(stage_seconds(Name, Part),
            ( Ms is Part/N/2*1000, format("  ~w ~1f ms~n", [Name,Ms]) )).
