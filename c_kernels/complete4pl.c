@@ -9,7 +9,9 @@
 #include "complete.h"
 #include "flatness.h"
 #include "glue.h"
+#include "segment_rows.h"
 
+#include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
 
@@ -246,12 +248,88 @@ model_tolerance(term_t tolerance)
   return ok && sg_unify_double(tolerance, value);
 }
 
+/* What the segments' own vertices say, of those of `row`. */
+static int
+see_segments_ex(const sg_view *view, const sg_segment_rows *rows, size_t n,
+                double *out)
+{
+  sg_flatness all;
+  double source = 0;
+
+  sg_flatness_init(&all);
+  for (size_t i = 0; i < n; i++) {
+    sg_flatness one;
+
+    sg_flatness_init(&one);
+    for (size_t k = rows->begin[i]; k < rows->begin[i + 1]; k++) {
+      size_t page = rows->row[k] / SG_PAGE_ROWS,
+             r = rows->row[k] % SG_PAGE_ROWS;
+
+      if (k % (1 << 16) == 0 && PL_handle_signals() < 0) {
+        return FALSE;
+      }
+      sg_flatness_see(&one, (const double[3]){view->column[2].page[page].f[r],
+                                              view->column[3].page[page].f[r],
+                                              view->column[4].page[page].f[r]});
+    }
+    source = fmax(source, sg_flatness_of_source(&one));
+    sg_flatness_enlarge(&all, &one);
+  }
+  *out = fmax(sg_flatness_of_size(&all), source);
+  return TRUE;
+}
+
+static int
+compare_ids(const void *x, const void *y)
+{
+  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
+
+  return (a > b) - (a < b);
+}
+
+/* segments_tolerance(+Segments, -Tolerance) is det. */
+static foreign_t
+segments_tolerance(term_t segments, term_t tolerance)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_segment_rows rows = {0};
+  sg_view view = {0};
+  int32_t *s = NULL;
+  size_t n = 0, kept = 0;
+  double value = 0;
+
+  if (!world || !sg_get_ids_ex(segments, &s, &n)) {
+    return FALSE;
+  }
+  if (n > 1) {
+    qsort(s, n, sizeof *s, compare_ids);
+  }
+  for (size_t i = 0; i < n; i++) {
+    if (i == 0 || s[i] != s[i - 1]) {
+      s[kept++] = s[i];
+    }
+  }
+  const sg_version *version = sg_world_version(world);
+  int good = sg_version_view(version, SG_V, &view) || sg_no_memory();
+
+  if (good && !sg_segment_rows_find(&view, s, kept, &sg_prolog_poll, &rows)) {
+    good = PL_exception(0) ? FALSE : sg_no_memory();
+  }
+  good = good && see_segments_ex(&view, &rows, kept, &value);
+  sg_segment_rows_clear(&rows);
+  sg_view_clear(&view);
+  sg_version_drop(version);
+  free(s);
+  return good && sg_unify_double(tolerance, value);
+}
+
 void
 sg_install_complete(void)
 {
   static const PL_extension doors[] = {
       {"fill_triangles", 1, (pl_function_t)fill_triangles, 0},
       {"model_tolerance", 1, (pl_function_t)model_tolerance, 0},
+      {"segments_tolerance", 2, (pl_function_t)segments_tolerance, 0},
       {NULL, 0, NULL, 0}};
 
   atom_not_closed = PL_new_atom("not_closed");

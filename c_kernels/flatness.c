@@ -18,6 +18,17 @@ has_places(double x, int places)
   return fabs(scaled - nearbyint(scaled)) <= fabs(scaled) * 4 * DBL_EPSILON;
 }
 
+/* Whether x has a bit set below the 15 highest: 0.5, 40 and 12.375 have none.
+ */
+static bool
+is_fine(double x)
+{
+  int exponent;
+  double bits = ldexp(frexp(x, &exponent), 15);
+
+  return bits != nearbyint(bits);
+}
+
 void
 sg_flatness_see(sg_flatness *model, const double point[3])
 {
@@ -31,6 +42,7 @@ sg_flatness_see(sg_flatness *model, const double point[3])
     }
     model->largest = fmax(model->largest, fabs(x));
     model->single = model->single && (double)(float)x == x;
+    model->fine = model->fine || is_fine(x);
     while (model->places <= SG_PLACES && !has_places(x, model->places)) {
       model->places++;
     }
@@ -56,10 +68,23 @@ sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page)
 }
 
 double
-sg_flatness_tolerance(const sg_flatness *model)
+sg_flatness_of_size(const sg_flatness *model)
+{
+  double size = 0;
+  int exponent;
+
+  for (int k = 0; k < 3; k++) {
+    size = fmax(size, model->high[k] - model->low[k]);
+  }
+  bool whole = frexp(size, &exponent) == 0.5; /* a power of two itself */
+
+  return size > 0 ? ldexp(1, exponent - whole - 33) : 0;
+}
+
+double
+sg_flatness_of_source(const sg_flatness *model)
 {
   double size = 0, unit = 0;
-  int exponent;
 
   for (int k = 0; k < 3; k++) {
     size = fmax(size, model->high[k] - model->low[k]);
@@ -68,10 +93,26 @@ sg_flatness_tolerance(const sg_flatness *model)
     double place = pow(10, -model->places);
     unit = place <= COARSEST * size ? place : 0;
   }
-  if (model->single) {
+  if (model->single && model->fine) {
     unit = fmax(unit, model->largest * FLT_EPSILON);
   }
-  bool whole = frexp(size, &exponent) == 0.5; /* a power of two itself */
+  return 4 * unit;
+}
 
-  return fmax(size > 0 ? ldexp(1, exponent - whole - 33) : 0, 4 * unit);
+double
+sg_flatness_tolerance(const sg_flatness *model)
+{
+  return fmax(sg_flatness_of_size(model), sg_flatness_of_source(model));
+}
+
+void
+sg_flatness_enlarge(sg_flatness *model, const sg_flatness *other)
+{
+  for (int k = 0; k < 3 && other->any; k++) {
+    model->low[k] =
+        model->any ? fmin(model->low[k], other->low[k]) : other->low[k];
+    model->high[k] =
+        model->any ? fmax(model->high[k], other->high[k]) : other->high[k];
+  }
+  model->any = model->any || other->any;
 }

@@ -15,8 +15,10 @@
 
 typedef struct sg_flatness {
   double low[3], high[3], largest;
-  bool any, single;
-  int places; /* decimal places, or more than SG_PLACES: not decimals */
+  bool any;
+  bool single; /* all are single precision numbers */
+  bool fine;   /* and some have so many bits that it is no chance */
+  int places;  /* decimal places, or more than SG_PLACES: not decimals */
 } sg_flatness;
 
 enum { SG_PLACES = 9 };
@@ -26,5 +28,12 @@ void sg_flatness_init(sg_flatness *out);
 void sg_flatness_see(sg_flatness *model, const double point[3]);
 void sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page);
 double sg_flatness_tolerance(const sg_flatness *model); /* model units */
+
+/* The two parts of it: from the size, and from the source. */
+double sg_flatness_of_size(const sg_flatness *model);
+double sg_flatness_of_source(const sg_flatness *model);
+
+/* Makes *model as large as both; sources are not joined. */
+void sg_flatness_enlarge(sg_flatness *model, const sg_flatness *other);
 
 #endif

@@ -1,6 +1,8 @@
 /* operand.c -- see operand.h. */
 #include "operand.h"
 
+#include "edge_print.h"
+
 #include "edge_pairs.h"
 #include "exact.h"
 
@@ -27,26 +29,6 @@ typedef struct balance {
   edge_sum *sum; /* [tasks] */
 } balance;
 
-/* Spreads 64 bits: the finaliser of a well-known generator (splitmix64). */
-static uint64_t
-spread(uint64_t x)
-{
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ x >> 27) * 0x94d049bb133111ebu;
-  return x ^ x >> 31;
-}
-
-/* Half-edges there and back cancel. */
-static uint64_t
-edge_print(int32_t a, int32_t b)
-{
-  uint64_t low = (uint32_t)(a < b ? a : b), high = (uint32_t)(a < b ? b : a);
-  uint64_t print = spread(low << 32 | high);
-
-  return a < b ? print : 0 - print;
-}
-
 static void
 sum_edges(void *data, size_t task)
 {
@@ -63,7 +45,7 @@ sum_edges(void *data, size_t task)
     for (unsigned r = sg_live_next(e->live[i], 0); r < SG_PAGE_ROWS;
          r = sg_live_next(e->live[i], r + 1)) {
       if (s[r] == b->s) {
-        sum.sum += edge_print(from[r], to[r]);
+        sum.sum += sg_edge_print((uint32_t)from[r], (uint32_t)to[r]);
         sum.n++;
       }
     }

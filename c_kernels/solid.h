@@ -56,4 +56,8 @@ typedef struct sg_solid {
 
 void sg_solid_clear(sg_solid *solid);
 
+/* Whether each edge runs as often back as there: it bounds something. By a
+ * fingerprint: wrong once in 2^64. */
+bool sg_solid_is_closed(const sg_solid *solid);
+
 #endif

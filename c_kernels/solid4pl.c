@@ -103,6 +103,15 @@ solid_close(term_t solid)
   return TRUE;
 }
 
+/* solid_is_closed(+Solid) is semidet. */
+static foreign_t
+solid_is_closed(term_t solid)
+{
+  sg_solid *s;
+
+  return sg_get_solid_ex(solid, &s) && sg_solid_is_closed(s);
+}
+
 /* ---- taking ---- */
 
 static int
@@ -189,6 +198,7 @@ solid_counts(term_t t, term_t vertices, term_t faces, term_t triangles)
 
 static const PL_extension predicates[] = {
     {"solid_close", 1, solid_close, 0},
+    {"solid_is_closed", 1, solid_is_closed, 0},
     {"solid_take", 2, solid_take, 0},
     {"solid_counts", 4, solid_counts, 0},
     {NULL, 0, NULL, 0},

@@ -11,7 +11,7 @@
                 arrangement_polygon/5, arrangement_seal/1,
                 arrangement_components/2, arrangement_select/3,
                 arrangement_senses/4, pieces_kept/1, keep_pieces/1,
-                near_segments/3, segment_meets_itself/1
+                near_segments/3, segment_meets_itself/1, segments_tolerance/2
               ]).
 :- use_module(leaf, [were_cut/2]).
 :- use_module(penetration, [leaves_entered/4, touching/2]).
@@ -23,6 +23,7 @@
               put_assoc/4
             ]).
 :- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(option), [option/2]).
 :- autoload(library(ordsets), [ord_memberchk/2, ord_subtract/3, ord_union/3]).
 :- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Arrangements: leaves cut along all their lines, in pieces.
@@ -49,14 +50,14 @@ since a vertex that they share is shared by moving it.
 %
 %     - tolerance(Tolerance)
 %     What is nearer than this (model units) is made to touch first. Default:
-%     as model_tolerance/1 sees the model.
+%     as segments_tolerance/2 sees the leaves.
 %
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
 %          be triangulated
 
 with_arrangement(Leaves0, Options, Goal) :-
-    touching(Options, Tolerance),
     sort(Leaves0, Leaves),
+    leaves_tolerance(Leaves, Options, Tolerance),
     near_leaves(Leaves, Tolerance, Pairs, Near),
     maplist(leaf_key(Tolerance, Near), Leaves, Keys),
     kept(Kept0),
@@ -78,6 +79,12 @@ with_arrangement(Leaves0, Options, Goal) :-
               drop_fresh(Fresh))
         ),
         maplist(drop, Current)).
+
+leaves_tolerance(Leaves, Options, Tolerance) :-
+    (   option(tolerance(_), Options)
+    ->  touching(Options, Tolerance)
+    ;   segments_tolerance(Leaves, Tolerance)
+    ).
 
 counted(Flag, Leaves) :-
     length(Leaves, N),

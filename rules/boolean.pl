@@ -11,7 +11,9 @@
               ]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
-:- use_module(kernel, [solid_close/1]).
+:- use_module(kernel,
+              [solid_close/1, solid_is_closed/1, segments_tolerance/2]).
+:- use_module(operand, [checked_operand/1]).
 :- use_module(solid_rows, [solid_written/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -43,22 +45,83 @@ that two operands have in common stays or goes by how it looks in each.
 %     Coplanar neighbours are left as they are (CB-5).
 %
 %   @error existence_error(segment, S1): an operand is not there
+%     - tolerance(Tolerance)
+%     Default: as segments_tolerance/2 sees the operands.
+%
+%   @error geometry_error(operand(S1, Faults)): the result would be open, and so
+%          is operand S1
+%   @error geometry_error(result_open): no way was found to a closed result
 %   @error geometry_error(polygon_edge(S1, P, V1, V2)): with its lines, polygon
 %          P cannot be triangulated
 
 boolean(Expression, S) :-
     boolean(Expression, S, []).
 
-boolean(Expression, S, Options) :-
+boolean(Expression, S, Options0) :-
     expression_leaves(Expression, Leaves),
-    with_arrangement(Leaves, Options,
-                     sg_boolean:selected(Expression, Solid)),
-    merged(Solid, Options),
+    tolerance(Leaves, Options0, Options),
+    made(Expression, Leaves, Options, Solid),
     facts_transaction(sg_boolean:written(Solid, S, Expression)),
     solid_close(Solid).
 
+%   What the operands say, not what else is in the world.
+
+tolerance(Leaves, Options, [tolerance(Tolerance)|Options]) :-
+    (   option(tolerance(Tolerance0), Options)
+    ->  Tolerance = Tolerance0
+    ;   segments_tolerance(Leaves, Tolerance)
+    ).
+
+%   made(+Expression, +Leaves, +Options, -Solid): it must be closed, if its
+%   operands are. Where sheets of one operand nearly lie on each other, what was
+%   made to touch may have come apart, and one face of many may be opened by
+%   merging: then the one or the other is not done.
+
+made(Expression, Leaves, Options, Solid) :-
+    attempt(Options, Attempt, What),
+    selected_solid(Expression, Leaves, Attempt, Solid0),
+    (   is_open(Leaves, Solid0)
+    ->  solid_close(Solid0),
+        maplist(checked_leaf, Leaves),
+        fail
+    ;   What == first
+    ->  true
+    ;   print_message(warning, sanggwan(opened(What)))
+    ),
+    !,
+    Solid = Solid0.
+made(_, _, _, _) :-
+    throw(error(geometry_error(result_open), _)).
+
+attempt(Options, Options, first).
+attempt(Options, [faces(pieces)|Options], faces) :-
+    \+ option(faces(pieces), Options).
+attempt(Options, [tolerance(0)|Options], contacts) :-
+    option(tolerance(Tolerance), Options),
+    Tolerance > 0.
+
+selected_solid(Expression, Leaves, Options, Solid) :-
+    with_arrangement(Leaves, Options,
+                     sg_boolean:selected(Expression, Solid)),
+    merged(Solid, Options).
+
 selected(Expression, Solid, Arrangement) :-
     select_boundary(Arrangement, Expression, Solid).
+
+%   A decision of the user's may open what it likes.
+
+is_open(Leaves, Solid) :-
+    decision_is_default(stays/3),
+    \+ solid_is_closed(Solid),
+    \+ ( member(S, Leaves),
+         is_surface(S)
+       ).
+
+checked_leaf(S) :-
+    (   is_surface(S)
+    ->  true
+    ;   checked_operand(S)
+    ).
 
 merged(Solid, Options) :-
     (   option(faces(pieces), Options)

@@ -36,6 +36,7 @@
             solid_counts/4,           % +Solid, -Vertices, -Faces, -Triangles
             solid_write/2,            % +Solid, +S
             solid_close/1,            % +Solid
+            solid_is_closed/1,        % +Solid
             solid_vertices/2,         % +Solid, -Vertices
             solid_faces/2,            % +Solid, -Faces
             solid_parts/2,            % +Solid, -Parts
@@ -108,6 +109,7 @@
             exact_statistics/1,       % -Statistics
             % complete4pl.c
             fill_triangles/1,         % -Faults
+            segments_tolerance/2,     % +Segments, -Tolerance
             model_tolerance/1,        % -Tolerance
             % work4pl.c, work_join4pl.c
             work_open/3,              % +S, +P, -Work
@@ -472,6 +474,11 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %   it), and 4 units in the last place of its coordinates, as
 %   far as these show where they come from (single precision, or decimals).
 
+%!  segments_tolerance(+Segments:list, -Tolerance) is det.
+%
+%   The same for Segments alone: by the size of all of them, and the coarsest
+%   source of any.
+
 /* - - - work4pl.c, work_join4pl.c - - - */
 
 %!  work_open(+S, +P, -Work) is det.
@@ -589,6 +596,10 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   vertices) overlap or are not farther apart than Reach along each axis.
 %   Ascending, as they are at the first call. Found by a tree of boxes: the
 %   other pairs are not looked at.
+
+%!  solid_is_closed(+Solid) is semidet.
+%
+%   True when every edge of its triangles runs as often back as there.
 
 %!  solid_vertices(+Solid, -Vertices:list) is det.
 %!  solid_faces(+Solid, -Faces:list) is det.

@@ -524,6 +524,15 @@ notice_en(polygon_edge(S, P, V1, V2)) -->
 notice_en(no_area(S, Count, P)) -->
     [ 'polygons without area in segment ~d: ~D (the first is ~d)'-
       [S, Count, P], nl, '  Left out.' ].
+fault_en(result_open) -->
+    [ 'the result would not be closed', nl,
+      '  Give a larger or smaller --tolerance, or --repair the operands.' ].
+
+notice_en(opened(contacts)) -->
+    [ 'what nearly touches was left as it is: else the result were open', nl,
+      '  There may be splinters.' ].
+notice_en(opened(faces)) -->
+    [ 'coplanar faces were left apart: as one, the result were open' ].
 notice_en(contacts(Why)) -->
     contacts_en(Why),
     [ nl,

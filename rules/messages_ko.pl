@@ -527,6 +527,15 @@ notice_ko(no_area(S, Count, P)) -->
     [ '세그먼트 ~d 의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
       [S, Count, P], nl,
       '  빼고 계속합니다.' ].
+fault_ko(result_open) -->
+    [ '결과가 닫히지 않습니다', nl,
+      '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
+
+notice_ko(opened(contacts)) -->
+    [ '거의 닿는 곳을 그대로 두었습니다: 아니면 결과가 열립니다', nl,
+      '  부스러기가 남을 수 있습니다.' ].
+notice_ko(opened(faces)) -->
+    [ '한 평면의 면들을 나눈 채 두었습니다: 합치면 결과가 열립니다' ].
 notice_ko(contacts(Why)) -->
     contacts_ko(Why),
     [ nl, '  선은 모델 그대로에 대해 정확하지만, 가는 조각이 있을 수 있습니다.' ].
