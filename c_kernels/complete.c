@@ -28,6 +28,10 @@ typedef struct polygon_key {
 } polygon_key;
 
 typedef struct model {
+  const int32_t *segment; /* [segments], ascending; null: all */
+  size_t segments;
+  int32_t last; /* the segment that was asked for last; 0: none was */
+  bool last_wanted;
   vertex *v;
   edge *e;
   polygon_key *with_plane, *with_triangles;
@@ -37,23 +41,53 @@ typedef struct model {
   bool stopped;
 } model;
 
-static size_t
-count_rows(const sg_view *view)
-{
-  size_t n = 0;
-
-  for (size_t i = 0; i < view->pages; i++) {
-    for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
-      n += (size_t)__builtin_popcountll(view->live[i][w]);
-    }
-  }
-  return n;
-}
-
 /* For every live row r of page i of a view. */
 #define EACH_ROW(view, i, r)                                                   \
   for (unsigned r = sg_live_next((view)->live[i], 0); r < SG_PAGE_ROWS;        \
        r = sg_live_next((view)->live[i], r + 1))
+
+static bool
+is_listed(const model *m, int32_t s)
+{
+  size_t low = 0, high = m->segments;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if (m->segment[middle] < s) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < m->segments && m->segment[low] == s;
+}
+
+/* The row is of a segment that is to be completed. */
+static bool
+is_wanted(model *m, const sg_view *view, size_t i, unsigned r)
+{
+  int32_t s = view->column[0].page[i].i[r];
+
+  if (m->segment && s != m->last) {
+    m->last = s;
+    m->last_wanted = is_listed(m, s);
+  }
+  return !m->segment || m->last_wanted;
+}
+
+static size_t
+count_rows(model *m, const sg_view *view)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < view->pages; i++) {
+    EACH_ROW(view, i, r)
+    {
+      n += is_wanted(m, view, i, r);
+    }
+  }
+  return n;
+}
 
 static bool
 stops(model *m)
@@ -86,13 +120,16 @@ read_vertices(const sg_view *view, model *out)
 {
   size_t n = 0;
 
-  out->v = malloc((count_rows(view) + 1) * sizeof *out->v);
+  out->v = malloc((count_rows(out, view) + 1) * sizeof *out->v);
   if (!out->v) {
     return false;
   }
   for (size_t i = 0; i < view->pages && !stops(out); i++) {
     EACH_ROW(view, i, r)
     {
+      if (!is_wanted(out, view, i, r)) {
+        continue;
+      }
       vertex *v = &out->v[n++];
       v->s = int_at(view, 0, i, r);
       v->id = int_at(view, 1, i, r);
@@ -110,15 +147,17 @@ read_edges(const sg_view *view, model *out)
 {
   size_t n = 0;
 
-  out->e = malloc((count_rows(view) + 1) * sizeof *out->e);
+  out->e = malloc((count_rows(out, view) + 1) * sizeof *out->e);
   if (!out->e) {
     return false;
   }
   for (size_t i = 0; i < view->pages && !stops(out); i++) {
     EACH_ROW(view, i, r)
     {
-      out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
-                           int_at(view, 2, i, r), int_at(view, 3, i, r)};
+      if (is_wanted(out, view, i, r)) {
+        out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
+                             int_at(view, 2, i, r), int_at(view, 3, i, r)};
+      }
     }
   }
   return sort_keys(out, out->e, sizeof *out->e, n, &out->edges);
@@ -130,14 +169,17 @@ read_polygons(const sg_view *view, model *m, polygon_key **out, sg_keys *keys)
 {
   size_t n = 0;
 
-  *out = malloc((count_rows(view) + 1) * sizeof **out);
+  *out = malloc((count_rows(m, view) + 1) * sizeof **out);
   if (!*out) {
     return false;
   }
   for (size_t i = 0; i < view->pages && !stops(m); i++) {
     EACH_ROW(view, i, r)
     {
-      (*out)[n++] = (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
+      if (is_wanted(m, view, i, r)) {
+        (*out)[n++] =
+            (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
+      }
     }
   }
   return sort_keys(m, *out, sizeof **out, n, keys);
@@ -552,7 +594,7 @@ do_polygons(task *t, const sg_view *view)
         t->stopped = true;
         return false;
       }
-      if (!do_row(t, view, i, r)) {
+      if (is_wanted(t->model, view, i, r) && !do_row(t, view, i, r)) {
         return false;
       }
     }
@@ -564,7 +606,7 @@ bool
 sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
             const sg_poll *poll)
 {
-  model m = {.poll = poll};
+  model m = {.segment = in->segment, .segments = in->segments, .poll = poll};
   task t = {.model = &m, .out = out, .poll = poll};
 
   *out = (sg_completion){0};

@@ -50,8 +50,12 @@ typedef struct sg_completion {
   size_t faults, fault_room;
 } sg_completion;
 
+/* What is read; of the polygons, those of `segments` segments (ascending), or
+ * of all (null). */
 typedef struct sg_completion_input {
   const sg_view *v, *e, *p, *plane, *t;
+  const int32_t *segment;
+  size_t segments;
 } sg_completion_input;
 
 /* False: no memory, or stopped (*stopped). Polygons in row order. Owner: the

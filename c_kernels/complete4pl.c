@@ -120,7 +120,8 @@ unify_faults(term_t list, const sg_completion *found)
 
 /* In a world that is claimed: what is missing stays so until it is added. */
 static int
-complete_ex(sg_world *world, term_t faults)
+complete_ex(sg_world *world, const int32_t *segment, size_t segments,
+            term_t faults)
 {
   sg_completion found;
   views v;
@@ -130,7 +131,8 @@ complete_ex(sg_world *world, term_t faults)
     return FALSE;
   }
   const sg_completion_input in = {&v.view[0], &v.view[1], &v.view[2],
-                                  &v.view[3], &v.view[4]};
+                                  &v.view[3], &v.view[4], segment,
+                                  segments};
   int ok = sg_complete(&in, &found, &stopped, &sg_prolog_poll);
   views_close(&v);
   ok = ok ? add_rows_ex(world, &found) && unify_faults(faults, &found)
@@ -139,17 +141,39 @@ complete_ex(sg_world *world, term_t faults)
   return ok;
 }
 
-/* fill_triangles(-Faults) is det. */
-static foreign_t
-fill_triangles(term_t faults)
+static int
+fill_ex(const int32_t *segment, size_t segments, term_t faults)
 {
   sg_world *world = sg_current_world_ex();
 
   if (!world || !sg_claim_ex(world)) {
     return FALSE;
   }
-  int ok = complete_ex(world, faults);
+  int ok = complete_ex(world, segment, segments, faults);
   sg_world_release(world);
+  return ok;
+}
+
+/* fill_triangles(-Faults) is det. */
+static foreign_t
+fill_triangles(term_t faults)
+{
+  return fill_ex(NULL, 0, faults);
+}
+
+/* fill_triangles(+Ss, -Faults) is det. */
+static foreign_t
+fill_triangles_of(term_t list, term_t faults)
+{
+  int32_t *segment;
+  size_t n;
+
+  if (!sg_get_id_set_ex(list, &segment, &n)) {
+    return FALSE;
+  }
+  int ok = n > 0 ? fill_ex(segment, n, faults) : PL_unify_nil(faults);
+
+  free(segment);
   return ok;
 }
 
@@ -328,6 +352,7 @@ sg_install_complete(void)
 {
   static const PL_extension doors[] = {
       {"fill_triangles", 1, (pl_function_t)fill_triangles, 0},
+      {"fill_triangles", 2, (pl_function_t)fill_triangles_of, 0},
       {"model_tolerance", 1, (pl_function_t)model_tolerance, 0},
       {"segments_tolerance", 2, (pl_function_t)segments_tolerance, 0},
       {NULL, 0, NULL, 0}};

@@ -23,7 +23,9 @@ int sg_get_finite_ex(term_t t, double *out);
 int sg_get_finites_ex(term_t first, size_t n, double *out);
 /* A proper list of ids into a fresh array (*out null when empty); free() it. */
 int sg_get_ids_ex(term_t list, int32_t **out, size_t *n);
-/* The same for a list of finite numbers. */
+/* The same for a set of ids: ascending, each once. */
+int sg_get_id_set_ex(term_t list, int32_t **out, size_t *n);
+/* A proper list of finite numbers into a fresh array, as sg_get_ids_ex(). */
 int sg_get_doubles_ex(term_t list, double **out, size_t *n);
 
 /* Adds 0.0, so that -0.0 is never seen in Prolog. */

@@ -115,31 +115,6 @@ solid_is_closed(term_t solid)
 /* ---- taking ---- */
 
 static int
-compare_ids(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
-/* Ascending, each once; returns how many are left. */
-static size_t
-make_set(int32_t *id, size_t n)
-{
-  size_t kept = 0;
-
-  if (n > 1) {
-    qsort(id, n, sizeof *id, compare_ids);
-  }
-  for (size_t i = 0; i < n; i++) {
-    if (kept == 0 || id[kept - 1] != id[i]) {
-      id[kept++] = id[i];
-    }
-  }
-  return kept;
-}
-
-static int
 take_ex(const sg_version *version, const int32_t *segment, size_t n,
         sg_solid *out)
 {
@@ -168,10 +143,9 @@ solid_take(term_t segments, term_t solid)
   sg_solid taken;
   size_t n;
 
-  if (!world || !sg_get_ids_ex(segments, &segment, &n)) {
+  if (!world || !sg_get_id_set_ex(segments, &segment, &n)) {
     return FALSE;
   }
-  n = make_set(segment, n);
   const sg_version *version = sg_world_version(world);
   int good = take_ex(version, segment, n, &taken);
 

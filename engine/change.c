@@ -358,6 +358,103 @@ sg_world_retract_all(sg_world *world, sg_relation relation)
   return done;
 }
 
+/* ---- retracting many --------------------------------------------------- */
+
+/* Of 64 rows those with an id. */
+static uint64_t
+with_id(const int32_t *cell, int32_t id)
+{
+  uint64_t bits = 0;
+
+  for (unsigned i = 0; i < 64; i++) {
+    bits |= (uint64_t)(cell[i] == id) << i;
+  }
+  return bits;
+}
+
+/* Rows of a page by their bits, `gone`. */
+static bool
+find_gone(const sg_live *live, unsigned column, int32_t id, uint64_t *gone)
+{
+  const int32_t *cell = live->page->cells[column].i;
+  uint64_t any = 0;
+
+  for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
+    gone[w] = live->word[w] ? live->word[w] & with_id(cell + w * 64, id) : 0;
+    any |= gone[w];
+  }
+  return any != 0;
+}
+
+/* A new stamp for each segment that loses rows. */
+static bool
+stamp_gone(sg_world *world, sg_map *map, sg_relation relation,
+           const sg_page *page, const uint64_t *gone)
+{
+  int32_t stamped = 0;
+
+  for (unsigned r = sg_live_next(gone, 0); r < SG_PAGE_ROWS;
+       r = sg_live_next(gone, r + 1)) {
+    int32_t s = page->cells[0].i[r];
+    if (s != stamped && !sg_world_stamp(world, map, relation, s)) {
+      return false;
+    }
+    stamped = s;
+  }
+  return true;
+}
+
+/* Their slots are found by a sweep. */
+static bool
+hide_rows(sg_world *world, sg_relation relation, size_t number,
+          const uint64_t *gone)
+{
+  sg_page *page = world->table[relation].page[number];
+  sg_map *map = sg_world_own_map(world, relation);
+  sg_live *live = map ? sg_map_own_live(map, page, number) : NULL;
+
+  if (!live || !stamp_gone(world, map, relation, page, gone)) {
+    return false;
+  }
+  for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
+    live->word[w] &= ~gone[w];
+    map->rows -= (size_t)__builtin_popcountll(gone[w]);
+  }
+  return true;
+}
+
+static bool
+retract_with(sg_world *world, sg_relation relation, unsigned column, int32_t id)
+{
+  size_t pages = world->table[relation].pages;
+  bool changed = false, good = true;
+
+  for (size_t i = 0; i < pages && good; i++) {
+    const sg_live *live = sg_map_live(world->current->map[relation], i);
+    uint64_t gone[SG_LIVE_WORDS];
+    if (live && find_gone(live, column, id, gone)) {
+      good = hide_rows(world, relation, i, gone);
+      changed = true;
+    }
+  }
+  if (changed) {
+    sg_world_changed(world);
+  }
+  return good;
+}
+
+bool
+sg_world_retract_with(sg_world *world, sg_relation relation, unsigned column,
+                      int32_t id)
+{
+  bool good;
+
+  sg_world_enter(world);
+  good = retract_with(world, relation, column, id);
+  sg_world_leave(world);
+  return good;
+}
+
 int32_t
 sg_world_fresh(sg_world *world, sg_relation relation, int32_t s)
 {

@@ -175,6 +175,10 @@ void sg_append_close(sg_append *append);
 bool sg_world_retract(sg_world *world, sg_relation relation, sg_row row);
 /* False: no memory. */
 bool sg_world_retract_all(sg_world *world, sg_relation relation);
+/* All rows with this id in an SG_INT column: one look at the column. False: no
+ * memory, some of them may live. */
+bool sg_world_retract_with(sg_world *world, sg_relation relation,
+                           unsigned column, int32_t id);
 
 /* The next id never yet used in relation (column 1, or column 2 of t, or
  * column 0 of segment, line, drawn) of segment s (0 for those three). Follows

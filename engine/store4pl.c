@@ -362,21 +362,38 @@ fact_row(term_t fact, term_t row, control_t control)
                : fact_call(fact, row, false, control);
 }
 
-/* A head of which every argument is a variable, no two the same. */
+/* The arguments from `from` on are variables, none of them twice. */
 static bool
-is_most_general(term_t args, unsigned arity)
+are_free(term_t args, unsigned from, unsigned to)
 {
-  for (unsigned i = 0; i < arity; i++) {
+  for (unsigned i = from; i < to; i++) {
     if (!PL_is_variable(args + i)) {
       return false;
     }
-    for (unsigned j = 0; j < i; j++) {
+    for (unsigned j = from; j < i; j++) {
       if (PL_compare(args + i, args + j) == 0) {
         return false;
       }
     }
   }
   return true;
+}
+
+/* A fact of which the first argument alone is given: a segment, and its rows
+ * are many. */
+static bool
+is_of_segment(sg_relation relation, term_t args, int32_t *s)
+{
+  const sg_relation_info *info = &sg_relation_table[relation];
+  int64_t number;
+
+  if (info->key == 1 || info->column[0].type != SG_INT || info->domain[0] ||
+      !PL_is_integer(args) || !PL_get_int64(args, &number) || number < 1 ||
+      number > INT32_MAX) {
+    return false;
+  }
+  *s = (int32_t)number;
+  return are_free(args, 1, info->arity);
 }
 
 enum { RETRACTED = 1 << 14 }; /* rows between questions for signals */
@@ -405,6 +422,7 @@ retractall_facts(term_t fact)
   sg_relation relation;
   term_t args;
   asking a;
+  int32_t s;
   int done;
 
   if (!world || !sg_get_fact_ex(fact, 0, &relation, &args) ||
@@ -412,8 +430,11 @@ retractall_facts(term_t fact)
     return FALSE;
   }
   a = asking_of(relation);
-  if (is_most_general(args, sg_relation_table[relation].arity)) {
+  if (are_free(args, 0, sg_relation_table[relation].arity)) {
     done = sg_world_retract_all(world, relation) || PL_resource_error("memory");
+  } else if (is_of_segment(relation, args, &s)) {
+    done = sg_world_retract_with(world, relation, 0, s) ||
+           PL_resource_error("memory");
   } else if (asking_open(&a, args)) {
     done = retract_answers(&a, args);
     asking_close(&a);

@@ -4,19 +4,21 @@
             operand_segment/2,          % ?S, ?N
             is_node/1,                  % +S
             is_helper/1,                % +S
-            complete_tree/1             % +Nodes
+            complete_tree/1,            % +Nodes
+            complete_tree/2             % +Nodes, -Incomplete
           ]).
 :- use_module(csg_term,
               [ is_node_term/1, node_parts/4, map_operands/3,
                 check_node_term/1
               ]).
 :- use_module(model_file, [add_primitive/2, primitive_rows/3]).
-:- use_module(csg_record, [record/2, recorded/2, up_to_date/2]).
+:- use_module(csg_record,
+              [record/2, recorded/2, up_to_date/2, made_and_kept/2]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(primitive, [is_primitive/1]).
 :- use_module(store,
-              [ segment/3, origin/3, assert_fact/1, retractall_facts/1,
-                facts_transaction/1, fresh_id/3
+              [ p/3, t/6, segment/3, origin/3, assert_fact/1,
+                retractall_facts/1, facts_transaction/1, fresh_id/3
               ]).
 :- autoload(library(apply), [foldl/4]).
 :- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
@@ -104,66 +106,75 @@ root_segment(S) :-
                 *******************************/
 
 %!  complete_tree(+Nodes) is det.
+%!  complete_tree(+Nodes, -Incomplete:list) is det.
 %
 %   Give every operand under Nodes, a list of segments, that has no number yet
 %   a segment of its own, after those that are there, left to right. Nodes get
 %   the kind that their operands give them: `solid`, or `surface` if there is
-%   one among them. Leaves whose primitive was replaced get its rows.
+%   one among them. Leaves whose primitive was replaced get its rows. Incomplete
+%   are the leaves that have no triangles yet, new ones and others.
 %
 %   @error error(model_error(What), nodes(Ns)): a fault of the first node of the
 %   list Ns, which is an operand of the second, and so on; What as in
 %   csg_term.pl, or primitive(What, Term). The world is then as before.
 
 complete_tree(Nodes) :-
-    facts_transaction(sg_csg:completed_tree(Nodes)).
+    complete_tree(Nodes, _).
 
-completed_tree(Nodes) :-
+complete_tree(Nodes, Incomplete) :-
+    facts_transaction(sg_csg:completed_tree(Nodes, Incomplete)).
+
+completed_tree(Nodes, Incomplete) :-
     empty_assoc(Kinds),
-    foldl(visit([]), Nodes, Kinds, _).
+    foldl(visit([]), Nodes, seen(Kinds, []), seen(_, Incomplete)).
 
 %   most_leaves(Most): of one node, each counted as often as it is placed.
 
 most_leaves(1_000_000).
 
-%   visit(Above, N, Kinds0, Kinds): Kinds has N-(Kind-Count) of all that were
-%   visited, Count the number of leaves. Above are the nodes above N, the
-%   nearest first.
+%   visit(Above, N, Seen0, Seen): Seen is seen(Kinds, Incomplete): Kinds has
+%   N-(Kind-Count) of all that were visited, Count the number of leaves. Above
+%   are the nodes above N, the nearest first.
 
-visit(_, N, Kinds, Kinds) :-
+visit(_, N, Seen0, Seen) :-
+    arg(1, Seen0, Kinds),
     get_assoc(N, Kinds, _),
-    !.
+    !,
+    Seen = Seen0.
 visit(Above, N, _, _) :-
+    memberchk(N, Above),
     append(Between, [N|_], Above),
     !,
     reverse([N|Between], Down),
     node_error(Above, csg(cycle([N|Down]))).
-visit(Above, N, _, _) :-
-    \+ segment(N, _, _),
-    !,
-    Above = [Parent|_],
-    node_error(Above, csg(missing(Parent, N))).
-visit(Above, N, Kinds0, Kinds) :-
+visit(Above, N, Seen0, seen(Kinds, Incomplete)) :-
     segment(N, Kind0, Term0),
     !,
     (   is_node_term(Term0)
-    ->  Nodes = [N|Above],
-        catch(numbered(N, Kind0, Term0, Term), error(model_error(What), _),
-              node_error(Nodes, What)),
-        node_parts(Term, Operation, Children, _),
-        foldl(visit(Nodes), Children, Kinds0, Kinds1),
-        foldl(joined_kind(Nodes, Operation, Kinds1), Children, solid-0,
-              Kind-Count),
-        right_side(Nodes, Operation, Children, Kinds1),
-        few_leaves(Nodes, Count),
-        (   Kind == Kind0
-        ->  true
-        ;   replaced_segment(N, Kind, Term)
-        )
-    ;   Kinds1 = Kinds0,
-        leaf_completed(Above, N, Kind0, Term0, Kind),
-        Count = 1
+    ->  visit_node([N|Above], Kind0, Term0, Seen0, seen(Kinds1, Incomplete),
+                   Known)
+    ;   Seen0 = seen(Kinds1, Incomplete0),
+        leaf_completed(Above, N, Kind0, Term0, Kind, Incomplete0, Incomplete),
+        Known = Kind-1
     ),
-    put_assoc(N, Kinds1, Kind-Count, Kinds).
+    put_assoc(N, Kinds1, Known, Kinds).
+visit([Parent|Above], N, _, _) :-
+    node_error([Parent|Above], csg(missing(Parent, N))).
+
+visit_node(Nodes, Kind0, Term0, Seen0, Seen, Kind-Count) :-
+    Nodes = [N|_],
+    catch(numbered(N, Kind0, Term0, Term), error(model_error(What), _),
+          node_error(Nodes, What)),
+    node_parts(Term, Operation, Children, _),
+    foldl(visit(Nodes), Children, Seen0, Seen),
+    arg(1, Seen, Kinds),
+    foldl(joined_kind(Nodes, Operation, Kinds), Children, solid-0, Kind-Count),
+    right_side(Nodes, Operation, Children, Kinds),
+    few_leaves(Nodes, Count),
+    (   Kind == Kind0
+    ->  true
+    ;   replaced_segment(N, Kind, Term)
+    ).
 
 %   right_side(Nodes, Operation, Children, Kinds): a solid has an inside, a
 %   surface has not.
@@ -189,30 +200,40 @@ few_leaves(Nodes, Count) :-
         node_error(Nodes, csg(too_many(N, Count)))
     ).
 
-%   leaf_completed(Above, N, Kind0, Term, Kind): a leaf under a node whose term
-%   has become another primitive gets the rows of that. If somebody changed the
-%   rows, they count.
+%   leaf_completed(Above, N, Kind0, Term, Kind, Incomplete0, Incomplete): a leaf
+%   under a node whose term has become another primitive gets the rows of that.
+%   If somebody changed the rows, they count.
 
-leaf_completed([_|_], N, Kind0, Term, Kind) :-
+leaf_completed([_|_], N, Kind, Term, Kind, Incomplete, Incomplete) :-
+    made_and_kept(N, leaf(primitive(Term))),
+    !.
+leaf_completed([_|_], N, Kind0, Term, Kind, Incomplete0, Incomplete) :-
     is_primitive(Term),
     !,
     From = primitive(Term),
-    (   recorded(N, What)
-    ->  arg(1, What, From0),
-        (   From0 == From
-        ->  Kind = Kind0
-        ;   up_to_date(N, From0)
-        ->  drop_boundary(N),
-            primitive_rows(Term, N, Kind),
-            replaced_segment(N, Kind, Term),
-            record(N, leaf(From))
-        ;   Kind = Kind0,
-            record(N, leaf(From))
-        )
+    (   recorded(N, leaf(From0)),
+        From0 \== From,
+        up_to_date(N, From0)
+    ->  drop_boundary(N),
+        primitive_rows(Term, N, Kind),
+        replaced_segment(N, Kind, Term),
+        Incomplete = [N|Incomplete0]
     ;   Kind = Kind0,
-        record(N, leaf(From))
+        lacking(N, Incomplete0, Incomplete)
+    ),
+    record(N, leaf(From)).
+leaf_completed(_, N, Kind, _, Kind, Incomplete0, Incomplete) :-
+    lacking(N, Incomplete0, Incomplete).
+
+%   lacking(N, Incomplete0, Incomplete): with N if its first polygon has no
+%   triangle.
+
+lacking(N, Incomplete0, Incomplete) :-
+    (   p(N, P, _),
+        \+ t(N, P, _, _, _, _)
+    ->  Incomplete = [N|Incomplete0]
+    ;   Incomplete = Incomplete0
     ).
-leaf_completed(_, _, Kind, _, Kind).
 
 node_error(Nodes, What) :-
     throw(error(model_error(What), nodes(Nodes))).

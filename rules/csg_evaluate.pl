@@ -8,28 +8,30 @@
           ]).
 :- use_module(boolean, [boolean/3]).
 :- use_module(csg,
-              [node/4, root_segment/1, is_node/1, complete_tree/1]).
-:- use_module(csg_flat, [flat_expression/3, flat_leaves/2]).
+              [ node/4, root_segment/1, is_node/1, complete_tree/1,
+                complete_tree/2
+              ]).
+:- use_module(csg_flat, [flat_expression/2, flat_leaves/2, helpers/1]).
 :- use_module(csg_matrix,
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module(csg_record,
               [ up_to_date/2, record/2, drop_record/1, recorded/2,
                 segment_stamps/2
               ]).
-:- use_module(csg_rows, [copy_segment/3, drop_boundary/1]).
+:- use_module(csg_rows, [copy_segments/3, drop_boundary/1]).
 :- use_module(kernel, [segment_meets_itself/1]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ p/3, t/6, segment/3, retractall_facts/1, facts_transaction/1,
+              [ segment/3, retractall_facts/1, facts_transaction/1,
                 facts_snapshot/1
               ]).
-:- use_module(triangulation, [complete_segments/0]).
+:- use_module(triangulation, [complete_segments/1]).
 :- autoload(library(apply), [exclude/3, maplist/2]).
 :- autoload(library(error), [existence_error/2]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/3]).
-:- autoload(library(ordsets), [ord_memberchk/2, ord_subtract/3]).
+:- autoload(library(ordsets), [ord_subtract/3]).
 :- autoload(library(pairs), [pairs_keys/2]).
 /** <module> Evaluating the CSG tree: the boundaries of nodes.
 
@@ -87,21 +89,10 @@ evaluate(Which, Options) :-
           throw(error(model_error(What), _))).
 
 all_evaluated(Ss, Tolerance) :-
-    complete_tree(Ss),
-    (   without_triangles(_)
-    ->  complete_segments
-    ;   true
-    ),
+    complete_tree(Ss, Incomplete),
+    complete_segments(Incomplete),
     maplist(evaluated_node(Tolerance), Ss),
     unused_helpers_dropped.
-
-%   without_triangles(S): a segment that complete_tree/1 has just made. These
-%   have a polygon 1.
-
-without_triangles(S) :-
-    segment(S, _, _),
-    p(S, 1, _),
-    \+ t(S, 1, _, _, _, _).
 
 evaluated_node(Tolerance, S) :-
     (   node(S, Operation, Children, _),
@@ -134,8 +125,7 @@ made_from(S, _, From) :-
     segment_stamps(Children, Stamps),
     From = join(Stamps, Matrix).
 made_from(S, Tolerance, From) :-
-    identity_matrix(Identity),
-    flat_expression(S, Identity, Expression),
+    flat_expression(S, Expression),
     (   Expression == S
     ->  recorded(S, evaluated(From))    % an instance: made already
     ;   flat_leaves(Expression, Leaves),
@@ -158,14 +148,13 @@ renewed(S, From) :-
 %   checked before.
 
 made(join(Stamps, Matrix), _, S) :-
-    forall(member(Child-_, Stamps), copy_segment(Child, Matrix, S)),
-    complete_segments.
+    pairs_keys(Stamps, Children),
+    copy_segments(Children, Matrix, S).
 made(of(Expression, Stamps, Tolerance), Known, S) :-
     (   integer(Expression),
         \+ meets_itself(Expression)
     ->  rounded_identity(Identity),
-        copy_segment(Expression, Identity, S),
-        complete_segments
+        copy_segments([Expression], Identity, S)
     ;   Expression == union([])
     ->  true
     ;   ord_subtract(Stamps, Known, New),
@@ -198,10 +187,16 @@ rounded_identity(Rounded) :-
 %   Helpers that no boundary was made from are no longer needed.
 
 unused_helpers_dropped :-
-    findall(S, ( recorded(_, evaluated(From)), from_segment(From, S) ), Used0),
-    sort(Used0, Used),
-    findall(S, ( recorded(S, helper(_)), \+ ord_memberchk(S, Used) ), Unused),
-    maplist(segment_dropped, Unused).
+    helpers(Helpers0),
+    (   Helpers0 == []
+    ->  true
+    ;   findall(S, ( recorded(_, evaluated(From)), from_segment(From, S) ),
+                Used0),
+        sort(Used0, Used),
+        sort(Helpers0, Helpers),
+        ord_subtract(Helpers, Used, Unused),
+        maplist(segment_dropped, Unused)
+    ).
 
 from_segment(of(_, Stamps, _), S) :-
     member(S-_, Stamps).

@@ -1,8 +1,9 @@
 :- module(sg_csg_flat,
-          [ flat_expression/3,          % +S, +Matrix, -Expression
-            flat_leaves/2         % +Expression, -Leaves
+          [ flat_expression/2,          % +S, -Expression
+            flat_leaves/2,              % +Expression, -Leaves
+            helpers/1                   % -Helpers
           ]).
-:- use_module(csg, [node/4]).
+:- use_module(csg, [node/4, is_helper/1]).
 :- use_module(csg_behind, [behind_surface/4]).
 :- use_module(csg_half_space, [half_space/3]).
 :- use_module(csg_matrix,
@@ -10,16 +11,17 @@
                 matrix_plane/3, rounded_matrix/2
               ]).
 :- use_module(csg_record, [record/2, recorded/2, up_to_date/2]).
-:- use_module(csg_rows, [copy_segment/3, drop_boundary/1, segment_box/2]).
-:- use_module(csg_term, [csg_error/1]).
+:- use_module(csg_rows, [copy_segments/3, drop_boundary/1, segment_box/2]).
+:- use_module(csg_term, [csg_error/1, is_node_term/1, node_parts/4]).
 :- use_module(penetration, [penetration_chains/3]).
 :- use_module(model_file, [add_primitive/2]).
 :- use_module(store,
               [ v/5, t/6, segment/3, from_p/5, segment_stamp/2, assert_fact/1,
                 facts_snapshot/1, fresh_id/3
               ]).
-:- use_module(triangulation, [complete_segments/0]).
-:- autoload(library(apply), [foldl/4, foldl/5]).
+:- use_module(triangulation, [complete_segments/1]).
+:- autoload(library(apply),
+            [foldl/4, foldl/5, include/3, maplist/3, partition/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- autoload(library(lists), [append/3, list_to_set/2, member/2, nth1/3]).
 /** <module> A CSG tree flattened to an expression over leaves.
@@ -33,31 +35,48 @@ An expression is the number of a segment, union(List), intersection(List) or
 difference(List). union([]) is nothing, and then the whole expression.
 */
 
-%!  flat_expression(+S, +Matrix, -Expression) is det.
+%!  flat_expression(+S, -Expression) is det.
 %
-%   Expression is what segment S is, placed by Matrix (csg_matrix.pl). Makes the
-%   instances that it needs, or makes them anew.
+%   Expression is what segment S is. Makes the instances that it needs, or makes
+%   them anew.
 
-flat_expression(S, Matrix, Expression) :-
+flat_expression(S, Expression) :-
     known_instances(Known),
-    flat(S, Matrix, Expression, Known, _).
+    identity_matrix(Identity),
+    placement(Identity, Place),
+    flat(Place, S, Expression, Known, _).
 
-%   flat(S, Matrix, Expression, Known0, Known): Known are known_instances/1.
+%   placement(Matrix, Place): Place is place(Matrix, Rounded), Rounded being
+%   `same` if it moves nothing.
 
-flat(S, Matrix0, Expression, Known0, Known) :-
-    node(S, Operation, Children, Steps),
-    Operation \== leaf,
+placement(Matrix, place(Matrix, Rounded)) :-
+    identity_matrix(Identity),
+    maplist(rounded_matrix, [Matrix, Identity], [Rounded0, RoundedIdentity]),
+    (   Rounded0 == RoundedIdentity
+    ->  Rounded = same
+    ;   Rounded = Rounded0
+    ).
+
+%   flat(Place, S, Expression, Known0, Known): Known are known_instances/1.
+
+flat(Place0, S, Expression, Known0, Known) :-
+    segment(S, _, Term),
+    is_node_term(Term),
     !,
+    node_parts(Term, Operation, Children, Steps),
+    moved_on(Steps, Place0, Place),
+    foldl(flat(Place), Children, Expressions, Known0, Known1),
+    arg(1, Place, Matrix),
+    combined(Operation, Expressions, Matrix, Expression, Known1, Known).
+flat(place(_, Rounded), S, K, Known0, Known) :-
+    instance(Rounded, S, K, Known0, Known).
+
+moved_on([], Place, Place) :-
+    !.
+moved_on(Steps, place(Matrix0, _), Place) :-
     steps_matrix(Steps, Placement),
     matrix_product(Matrix0, Placement, Matrix),
-    foldl(flat_child(Matrix), Children, Expressions, Known0, Known1),
-    combined(Operation, Expressions, Matrix, Expression, Known1, Known).
-flat(S, Matrix, K, Known0, Known) :-
-    rounded_matrix(Matrix, Rounded),
-    instance(S, Rounded, K, Known0, Known).
-
-flat_child(Matrix, Child, Expression, Known0, Known) :-
-    flat(Child, Matrix, Expression, Known0, Known).
+    placement(Matrix, Place).
 
 %   combined(Operation, Expressions, Matrix, Expression, Known0, Known)
 
@@ -176,16 +195,47 @@ leaves(Expression, Leaves0, Leaves) :-
 %   with the helpers that they are.
 
 known_instances(Known) :-
-    findall(Key-K, known_instance(Key, K), Pairs0),
-    sort(1, @<, Pairs0, Pairs),         % of equal ones the first
-    list_to_assoc(Pairs, Known).
+    may_be_instances(Ss),
+    partition(is_helper, Ss, Helpers, Nodes),
+    findall(Key-N, ( member(N, Nodes), same_key(N, Key) ), Pairs, Pairs1),
+    findall(Key-K, ( member(K, Helpers), helper_key(K, Key) ), Pairs1),
+    sort(1, @<, Pairs, Unique),         % of equal ones the first
+    list_to_assoc(Unique, Known).
 
-known_instance(Leaf-Rounded, N) :-
+%!  helpers(-Helpers:list) is det.
+%
+%   Helpers are the segments that evaluation made (csg.pl).
+
+helpers(Helpers) :-
+    may_be_instances(Ss),
+    include(is_helper, Ss, Helpers).
+
+%   may_be_instances(Ss): the segments that have terms of instances: nothing but
+%   a segment placed, or a polyhedron. In the order of their rows.
+
+may_be_instances(Ss) :-
+    findall(S, ( segment(S, _, Term), instance_term(Term) ), Ss).
+
+instance_term(polyhedron(_, _)).
+instance_term(at(_, Inner)) :-
+    instance_term_(Inner).
+instance_term(named(_, Inner)) :-
+    instance_term_(Inner).
+
+instance_term_(Inner) :-
+    (   integer(Inner)
+    ->  true
+    ;   Inner \= polyhedron(_, _),
+        instance_term(Inner)
+    ).
+
+same_key(N, Leaf-Rounded) :-
     identity_matrix(Identity),
     node(N, same, _, _),
     same_leaf(N, Identity, Leaf, Matrix),
     rounded_matrix(Matrix, Rounded).
-known_instance(Key, K) :-
+
+helper_key(K, Key) :-
     recorded(K, helper(From)),
     (   From = placed(Leaf-_, Rounded)
     ->  Key = Leaf-Rounded
@@ -207,39 +257,37 @@ same_leaf(S, Matrix0, Leaf, Matrix) :-
         same_leaf(Child, Matrix1, Leaf, Matrix)
     ).
 
-%   instance(Leaf, Rounded, K, Known0, Known): K is Leaf placed by Rounded, with
+%   instance(Rounded, Leaf, K, Known0, Known): K is Leaf placed by Rounded, with
 %   rows that are right.
 
-instance(Leaf, Rounded, K, Known, Known) :-
-    identity_matrix(Identity),
-    rounded_matrix(Identity, Rounded),
+instance(same, Leaf, K, Known, Known) :-
     !,
     K = Leaf.
-instance(Leaf, Rounded, K, Known0, Known) :-
-    segment_stamp(Leaf, Stamp),
-    From = placed(Leaf-Stamp, Rounded),
-    (   get_assoc(Leaf-Rounded, Known0, K0)
-    ->  K = K0,
-        Known = Known0,
-        (   up_to_date(K, From)
-        ->  true
-        ;   (   recorded(K, helper(_))
-            ->  Record = helper(From)
-            ;   Record = evaluated(From)
-            ),
-            instance_rows(Leaf, Rounded, K, Record)
-        )
-    ;   segment(Leaf, Kind, _),
-        fresh_id(segment, 0, K),
-        assert_fact(segment(K, Kind, at([matrix(Rounded)], Leaf))),
-        instance_rows(Leaf, Rounded, K, helper(From)),
-        put_assoc(Leaf-Rounded, Known0, K, Known)
+instance(Rounded, Leaf, K, Known, Known) :-
+    get_assoc(Leaf-Rounded, Known, K0),
+    !,
+    K = K0,
+    placed_from(Leaf, Rounded, From),
+    (   up_to_date(K, From)
+    ->  true
+    ;   is_helper(K)
+    ->  instance_rows(Leaf, Rounded, K, helper(From))
+    ;   instance_rows(Leaf, Rounded, K, evaluated(From))
     ).
+instance(Rounded, Leaf, K, Known0, Known) :-
+    placed_from(Leaf, Rounded, From),
+    segment(Leaf, Kind, _),
+    fresh_id(segment, 0, K),
+    assert_fact(segment(K, Kind, at([matrix(Rounded)], Leaf))),
+    instance_rows(Leaf, Rounded, K, helper(From)),
+    put_assoc(Leaf-Rounded, Known0, K, Known).
+
+placed_from(Leaf, Rounded, placed(Leaf-Stamp, Rounded)) :-
+    segment_stamp(Leaf, Stamp).
 
 instance_rows(Leaf, Rounded, K, Record) :-
     drop_boundary(K),
-    copy_segment(Leaf, Rounded, K),
-    complete_segments,
+    copy_segments([Leaf], Rounded, K),
     record(K, Record).
 
 
@@ -275,7 +323,7 @@ surface_half(Leaves, Surface, Half) :-
 
 meets(Skirt, Leaves) :-
     add_primitive(Skirt, S),
-    complete_segments,
+    complete_segments([S]),
     findall(Leaf-S, member(Leaf, Leaves), Pairs),
     penetration_chains(Pairs, [tolerance(0)], [_|_]).
 
@@ -316,7 +364,7 @@ half_expression(Half, half(K), Known0, Known) :-
     (   get_assoc(Half, Known0, K)
     ->  Known = Known0
     ;   add_primitive(Half, K),
-        complete_segments,
+        complete_segments([K]),
         record(K, helper(half(Half))),
         put_assoc(Half, Known0, K, Known)
     ).

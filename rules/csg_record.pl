@@ -2,6 +2,7 @@
           [ record/2,                   % +S, +What
             recorded/2,                 % ?S, ?What
             up_to_date/2,               % +S, +From
+            made_and_kept/2,            % +S, +What
             drop_record/1,              % +S
             segment_stamps/2            % +Ss, -Stamps
           ]).
@@ -55,6 +56,18 @@ up_to_date(S, From) :-
     arg(1, What, made(From0, Stamp0)),
     From0 == From,
     segment_stamp(S, Stamp0).
+
+%!  made_and_kept(+S, +What) is semidet.
+%
+%   True when it is remembered of segment S that What, and nothing changed its
+%   rows since: recorded/2 and up_to_date/2 at once.
+
+made_and_kept(S, What0) :-
+    What0 =.. [Name, From],
+    What =.. [Name, made(From, Stamp)],
+    origin(S, node(S), What),
+    segment_stamp(S, Stamp),
+    !.
 
 %!  drop_record(+S) is det.
 

@@ -1,5 +1,5 @@
 :- module(sg_csg_rows,
-          [ copy_segment/3,             % +S0, +Matrix, +S
+          [ copy_segments/3,            % +Ss, +Matrix, +S
             drop_boundary/1,            % +S
             segment_box/2               % +S, -Box
           ]).
@@ -9,19 +9,24 @@
               [ v/5, e/5, p/3, leaf_v/5, leaf_e/5, leaf_p/3, origin/3, line/9,
                 assert_fact/1, retractall_facts/1
               ]).
+:- use_module(triangulation, [complete_segments/1]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [member/2, reverse/2]).
 /** <module> Rows of segments that evaluation copies and drops.
 */
 
-%!  copy_segment(+S0, +Matrix, +S) is det.
+%!  copy_segments(+Ss:list, +Matrix, +S) is det.
 %
-%   Add the vertices, edges and polygons of segment S0 to segment S, moved by
-%   Matrix (three rows of four floats), numbered on from what S has; with
-%   from_v/4 and from_p/5. What a penetration cut is copied as it was before. If
-%   Matrix mirrors, polygons turn round, so that outside stays outside.
-%   Inexact: places are rounded.
+%   Add the vertices, edges, polygons and triangles of segments Ss, in order, to
+%   segment S, moved by Matrix (three rows of four floats), numbered on from
+%   what S has; with from_v/4 and from_p/5. What a penetration cut is copied as
+%   it was before. If Matrix mirrors, polygons turn round, so that outside stays
+%   outside. Inexact: places are rounded.
+
+copy_segments(Ss, Matrix, S) :-
+    forall(member(S0, Ss), copy_segment(S0, Matrix, S)),
+    complete_segments([S]).
 
 copy_segment(S0, Matrix, S) :-
     greatest(V, v(S, V, _, _, _), DV),

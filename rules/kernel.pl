@@ -109,6 +109,7 @@
             exact_statistics/1,       % -Statistics
             % complete4pl.c
             fill_triangles/1,         % -Faults
+            fill_triangles/2,         % +Ss, -Faults
             segments_tolerance/2,     % +Segments, -Tolerance
             model_tolerance/1,        % -Tolerance
             % work4pl.c, work_join4pl.c
@@ -448,11 +449,12 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 /* - - - complete4pl.c - - - */
 
 %!  fill_triangles(-Faults) is det.
+%!  fill_triangles(+Ss:list, -Faults) is det.
 %
-%   Adds plane/6 for every polygon of the current world that has none, and t/6
-%   for every polygon that has none, in row order; computes what
-%   polygon_triangles/3 of triangulation.pl says. Faults is a list of
-%   fault(S, P, What) in the order of the polygons, What being
+%   Adds plane/6 for every polygon of the current world, or of the segments Ss,
+%   that has none, and t/6 for every polygon that has none, in row order;
+%   computes what polygon_triangles/3 of triangulation.pl says. Faults is a list
+%   of fault(S, P, What) in the order of the polygons, What being
 %
 %     - not_closed(V)
 %       more edges end in vertex V than start there, or fewer: no plane, no

@@ -1,11 +1,12 @@
 :- module(sg_triangulation,
           [ complete_segments/0,
+            complete_segments/1,        % +Ss
             polygon_triangles/3,        % +S, +P, -Triangles
             work_triangles/2,           % +Work, -Triangles
             work_triangles_by_rule/2    % +Work, -Triangles
           ]).
 :- use_module(kernel,
-              [ fill_triangles/1, model_tolerance/1,
+              [ fill_triangles/1, fill_triangles/2, model_tolerance/1,
                 work_open/3, work_close/1, work_resolve/2, work_gap/2,
                 work_edge/6, work_oldest/4, work_candidate/4,
                 work_add/6, work_delete/2, work_triangulate/2,
@@ -156,20 +157,33 @@ work_triangles(Work, Triangles) :-
     ).
 
 %!  complete_segments is det.
+%!  complete_segments(+Ss:list) is det.
 %
-%   Gives every polygon that has no plane/6 its plane, and every polygon that
-%   has no t/6 its triangles. A polygon that has no area or is invalid is left
-%   without and named in a warning; polygons that are not flat are used as
-%   their triangles, with one warning a segment.
+%   Gives every polygon (of the segments Ss) that has no plane/6 its plane, and
+%   every one that has no t/6 its triangles. A polygon that has no area or is
+%   invalid is left without and named in a warning; polygons that are not flat
+%   are used as their triangles, with one warning a segment.
 %
 %   @error model_error(polygon(S, P, open(V))): polygon P of segment S does
 %          not close at V; nothing is changed
 
 complete_segments :-
-    facts_transaction(( fill_triangles(Faults),
+    filled(all).
+
+complete_segments(Ss) :-
+    filled(Ss).
+
+filled(Which) :-
+    facts_transaction(( filled(Which, Faults),
                         refuse_open(Faults)
                       )),
     warn(Faults).
+
+filled(all, Faults) :-
+    !,
+    fill_triangles(Faults).
+filled(Ss, Faults) :-
+    fill_triangles(Ss, Faults).
 
 refuse_open(Faults) :-
     (   member(fault(S, P, not_closed(V)), Faults)

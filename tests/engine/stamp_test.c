@@ -123,6 +123,8 @@ change(sg_world *world)
   case 5:
     if (draw(40) == 0) {
       sg_world_retract_all(world, SG_V);
+    } else if (draw(8) == 0) {
+      sg_world_retract_with(world, SG_V, 0, 1 + (int32_t)draw(SEGMENTS));
     }
     break;
   case 6:

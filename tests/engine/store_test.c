@@ -304,6 +304,27 @@ play_all(play *g)
   return sg_world_retract_all(g->world, relation_of[r]);
 }
 
+/* All rows of a segment, or all edges from a vertex. */
+static bool
+play_with(play *g)
+{
+  int r = draw(3) == 0 ? 0 : 1;
+  bool start = r == 1 && draw(2) == 0;
+  int32_t id = (int32_t)draw(start ? 12 : 3) + 1;
+  size_t n = g->now.n[r];
+
+  for (size_t i = n; i-- > 0;) {
+    const plain_row *row = &g->now.row[r][i];
+    if ((start ? row->a : row->s) == id) {
+      plain_delete(&g->now, r, i);
+    }
+  }
+  if (g->now.n[r] < n) {
+    note_change(g);
+  }
+  return sg_world_retract_with(g->world, relation_of[r], start ? 2 : 0, id);
+}
+
 static bool
 play_step(play *g)
 {
@@ -316,7 +337,8 @@ play_step(play *g)
          : what < 89 ? play_rollback(g)
          : what < 91 ? play_undo(g)
          : what < 92 ? play_redo(g)
-         : what < 99 ? play_hold(g)
+         : what < 97 ? play_hold(g)
+         : what < 99 ? play_with(g)
                      : play_all(g);
 }
 

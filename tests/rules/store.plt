@@ -263,6 +263,25 @@ test(retractall_by_pattern, Left == [e(1,1,1,2,1)]) :-
              assert_fact(e(1,2,2,2,1)),
              retractall_facts(e(_,_,V,V,_)),
              findall(e(A,B,C,D,E), e(A,B,C,D,E), Left) )).
+test(retractall_of_segment, Left == [e(2,1,1,2,1)]) :-
+    in_new(( forall(member(S, [1,2]),
+                    ( assert_fact(v(S,1,0,0,0)), assert_fact(v(S,2,1,0,0)),
+                      assert_fact(e(S,1,1,2,1)) )),
+             assert_fact(e(1,2,2,1,1)),
+             retractall_facts(e(1,_,_,_,_)),
+             findall(e(S,E,A,B,T), e(S,E,A,B,T), Left),
+             \+ e(1,_,1,_,_),
+             v(1,2,_,_,_) )).
+test(retractall_of_segment_twice_a_variable, N == 1) :-
+    in_new(( assert_fact(v(1,1,0,0,0)), assert_fact(v(1,2,1,0,0)),
+             assert_fact(e(1,1,1,2,1)),
+             retractall_facts(e(1,_,V,V,_)),
+             aggregate_all(count, e(_,_,_,_,_), N) )).
+test(retractall_of_no_segment) :-
+    in_new(( assert_fact(v(1,1,0,0,0)),
+             forall(member(S, [0,-1,9,2147483648,1.0,a]),
+                    retractall_facts(v(S,_,_,_,_))),
+             v(1,1,_,_,_) )).
 test(retractall_of_nothing) :-
     in_new(retractall_facts(v(1,foo,_,_,_))).
 test(retractall_unknown, error(existence_error(relation, w/1), _)) :-

@@ -337,6 +337,20 @@ test(only_triangles, true(Planes-N == 1-2)) :-
                    count_triangles(N),
                    aggregate_all(count, plane(_, _, _, _, _, _), Planes)
                  )).
+test(of_some_segments, true(Ts == [[], [2,2], [1,1,2,2]])) :-
+    sample(square, Loops),
+    with_polygon(Loops, flat,
+                 ( forall(v(1, V, X, Y, Z), assert_fact(v(2, V, X, Y, Z))),
+                   forall(e(1, E, A, B, T), assert_fact(e(2, E, A, B, T))),
+                   assert_fact(segment(2, surface, again)),
+                   forall(p(1, P, Es), assert_fact(p(2, P, Es))),
+                   findall(Segments,
+                           ( member(Ss, [[], [9,2,2], [1]]),
+                             complete_segments(Ss),
+                             findall(S, t(S, _, _, _, _, _), Segments0),
+                             msort(Segments0, Segments) ),
+                           Ts)
+                 )).
 test(open_changes_nothing, true(N-M == 0-0)) :-
     with_edges([0-0, 4-0, 4-4, 0-4], [1-2, 2-3, 4-1], flat,
                ( catch(complete_segments,
