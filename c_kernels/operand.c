@@ -29,6 +29,18 @@ typedef struct balance {
   edge_sum *sum; /* [tasks] */
 } balance;
 
+/* Whether a page may have rows of a segment: a loop that takes many at once. */
+static bool
+is_in_page(const int32_t *s, int32_t wanted)
+{
+  unsigned found = 0;
+
+  for (unsigned i = 0; i < SG_PAGE_ROWS; i++) {
+    found |= s[i] == wanted;
+  }
+  return found != 0;
+}
+
 static void
 sum_edges(void *data, size_t task)
 {
@@ -42,6 +54,9 @@ sum_edges(void *data, size_t task)
     const int32_t *from = e->column[2].page[i].i;
     const int32_t *to = e->column[3].page[i].i;
 
+    if (!is_in_page(s, b->s)) {
+      continue;
+    }
     for (unsigned r = sg_live_next(e->live[i], 0); r < SG_PAGE_ROWS;
          r = sg_live_next(e->live[i], r + 1)) {
       if (s[r] == b->s) {
