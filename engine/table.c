@@ -86,7 +86,11 @@ page_open(const sg_relation_info *info)
     return NULL;
   }
   for (unsigned c = 0; c < info->arity; c++) {
-    page->cells[c].i = malloc(SG_PAGE_ROWS * cell_bytes(info->column[c].type));
+    size_t bytes = cell_bytes(info->column[c].type);
+
+    /* Segments are looked for in whole pages, dead rows and all. */
+    page->cells[c].i =
+        c == 0 ? calloc(SG_PAGE_ROWS, bytes) : malloc(SG_PAGE_ROWS * bytes);
     if (!page->cells[c].i) {
       page_close(page, info);
       return NULL;
