@@ -98,7 +98,7 @@ typedef struct sg_made_by {
 /* A solid from what is chosen of n leaves, each once. What made its made
  * vertices is (*made_by)[vertex - plain]; origins are not filled in. False: no
  * memory, or stopped. Owner: the caller, also of *made_by (free()). */
-bool sg_arrangement_select(const sg_chosen *chosen, size_t n,
+bool sg_arrangement_select(const sg_chosen *chosen, size_t n, sg_crew *crew,
                            const sg_poll *poll, sg_solid *out,
                            sg_made_by **made_by);
 

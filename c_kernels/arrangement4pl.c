@@ -519,10 +519,13 @@ arrangement_select(term_t t, term_t senses, term_t out)
   sg_made_by *made_by = NULL;
   int good = sg_get_pieces_ex(t, &p) && get_senses_ex(senses, &p);
 
-  if (good &&
-      !sg_arrangement_select(p.of, p.n, &sg_prolog_poll, &solid, &made_by)) {
+  sg_crew *crew = good ? sg_crew_open(0) : NULL;
+
+  if (good && (!crew || !sg_arrangement_select(p.of, p.n, crew, &sg_prolog_poll,
+                                               &solid, &made_by))) {
     good = PL_exception(0) ? FALSE : sg_no_memory();
   }
+  sg_crew_close(crew);
   good = good && give_origins_ex(&p, &solid, made_by);
   free(made_by);
   sg_pieces_clear(&p);

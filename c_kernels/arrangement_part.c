@@ -114,6 +114,25 @@ note_auxiliary(sg_arrangement *a, const sg_view *e, size_t page, unsigned r)
   return known != NULL;
 }
 
+/* Whether a page has an auxiliary edge; a full one is looked at as a whole. */
+static bool
+has_auxiliary(const uint64_t *live, const int32_t *et)
+{
+  uint64_t all = UINT64_MAX;
+  unsigned found = 0;
+
+  for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
+    all &= live[w];
+  }
+  if (all != UINT64_MAX) {
+    return true;
+  }
+  for (unsigned i = 0; i < SG_PAGE_ROWS; i++) {
+    found |= et[i] == 0;
+  }
+  return found != 0;
+}
+
 bool
 sg_arrangement_find_auxiliary(sg_arrangement *a, const sg_poll *poll)
 {
@@ -124,6 +143,9 @@ sg_arrangement_find_auxiliary(sg_arrangement *a, const sg_poll *poll)
 
     if (page % 16 == 15 && sg_poll_stop(poll)) {
       return false;
+    }
+    if (!has_auxiliary(e->live[page], et)) {
+      continue;
     }
     for (unsigned r = sg_live_next(e->live[page], 0); r < SG_PAGE_ROWS;
          r = sg_live_next(e->live[page], r + 1)) {
@@ -239,19 +261,53 @@ hang_triangle(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
   return true;
 }
 
-/* leaf->component is a node at first. */
+/* Hangs free vertices of triangles that have no others together, leaf by leaf:
+ * nodes of one leaf never meet those of another, so leaves are tasks. What is
+ * left is LATE. leaf->component is a node at first. */
+enum { LATE = SG_NO_KEY - 1 };
+
+static void
+flood_free(void *data, size_t number)
+{
+  sg_arrangement *a = data;
+  sg_arranged *leaf = &a->leaf[number];
+
+  for (size_t i = 0; i < leaf->rows; i++) {
+    sg_leaf t = sg_arranged_row(a, leaf->row[i]);
+    uint32_t node[3];
+    bool is_free = !sg_id_set_has(&leaf->cut, t.p);
+
+    if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
+      return;
+    }
+    for (int c = 0; c < 3 && is_free; c++) {
+      node[c] = sg_arrangement_node(leaf, t.v[c]);
+      is_free = node[c] != SG_NO_KEY && !a->touched[node[c]];
+    }
+    leaf->component[i] = is_free ? node[0] : LATE;
+    for (int c = 1; c < 3 && is_free; c++) {
+      if (a->parent[node[0]] != a->parent[node[c]]) {
+        sg_arrangement_hang(a, node[0], node[c]);
+      }
+    }
+  }
+}
+
 static bool
-flood_leaf(sg_arrangement *a, uint32_t number, sg_key_table *of_polygon,
+flood_late(sg_arrangement *a, uint32_t number, sg_key_table *of_polygon,
            const sg_poll *poll)
 {
   sg_arranged *leaf = &a->leaf[number];
 
   for (size_t i = 0; i < leaf->rows; i++) {
-    sg_leaf t = sg_arranged_row(a, leaf->row[i]);
-
     if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
       return false;
     }
+    if (leaf->component[i] != LATE) {
+      continue;
+    }
+    sg_leaf t = sg_arranged_row(a, leaf->row[i]);
+
     if (sg_id_set_has(&leaf->cut, t.p)) {
       leaf->component[i] = SG_NO_KEY;
       if (!keep_cut_row(a, number, t.p, leaf->row[i])) {
@@ -313,15 +369,16 @@ compare_cut_rows(const void *x, const void *y)
 }
 
 bool
-sg_arrangement_flood(sg_arrangement *a, const sg_poll *poll)
+sg_arrangement_flood(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 {
   sg_key_table of_polygon, over;
-  bool good = list_cut(a) && find_rows(a, poll);
+  bool good = list_cut(a) && find_rows(a, poll) &&
+              sg_crew_run(crew, a->leaves.n, flood_free, a, poll);
 
   sg_key_table_init(&of_polygon, 4);
   sg_key_table_init(&over, 3);
   for (uint32_t i = 0; i < a->leaves.n && good; i++) {
-    good = flood_leaf(a, i, &of_polygon, poll);
+    good = flood_late(a, i, &of_polygon, poll);
   }
   for (size_t i = 0; i < a->cells && good; i++) {
     good = hang_cell(a, &over, &a->cell[i]);

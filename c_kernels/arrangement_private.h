@@ -107,7 +107,8 @@ void sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other);
 
 /* Components from what hangs together (arrangement_part.c). */
 bool sg_arrangement_find_auxiliary(sg_arrangement *a, const sg_poll *poll);
-bool sg_arrangement_flood(sg_arrangement *a, const sg_poll *poll);
+bool sg_arrangement_flood(sg_arrangement *a, sg_crew *crew,
+                          const sg_poll *poll);
 bool sg_arrangement_find_parts(sg_arrangement *a, const sg_poll *poll);
 
 /* The sides of all components (arrangement_side.c). */

@@ -3,57 +3,13 @@
  * Layer: kernel. Vertices that touch another leaf are one vertex where their
  * doubles are the same; all others keep theirs.
  */
-#include "arrangement_private.h"
+#include "arrangement_choice.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { ASKED = 1 << 14 }; /* rows between questions */
-
-/* A leaf that something is chosen of. */
-typedef struct source {
-  const sg_arrangement *a;
-  const sg_arranged *leaf;
-  uint32_t place;
-  const int8_t *sense; /* of its components */
-  uint32_t *number;    /* [places]: of its vertices, in the solid */
-} source;
-
-/* A solid under way. */
-typedef struct choice {
-  source *from; /* [n] */
-  size_t n;
-  sg_solid *out;
-  sg_key_table at;     /* three doubles -> vertex of the solid */
-  sg_made_by *made_by; /* [vertices - plain] */
-  size_t vertex_room, triangle_room, face_room, made_room;
-} choice;
-
-static int
-sense_of(const source *from, uint32_t component)
-{
-  return from->sense[component - from->leaf->first_part];
-}
-
-static uint8_t
-auxiliary_of(const sg_arrangement *a, uint32_t leaf, const int32_t v[3])
-{
-  uint8_t bits = 0;
-
-  for (int c = 0; c < 3 && a->auxiliary.n > 0; c++) {
-    uint32_t key[3] = {leaf, (uint32_t)v[c], (uint32_t)v[(c + 1) % 3]};
-
-    if (sg_key_table_get(&a->auxiliary, key) != SG_NO_KEY) {
-      bits |= (uint8_t)(1 << c);
-    }
-  }
-  return bits;
-}
-
-/* ---- room ---- */
-
-static void *
-grown(void *array, size_t n, size_t *room, size_t size)
+void *
+sg_choice_grown(void *array, size_t n, size_t *room, size_t size)
 {
   if (n < *room) {
     return array;
@@ -68,10 +24,10 @@ grown(void *array, size_t n, size_t *room, size_t size)
 }
 
 static bool
-room_for_vertex(choice *k)
+room_for_vertex(sg_choice *k)
 {
-  void *out = grown(k->out->vertex, k->out->vertices, &k->vertex_room,
-                    sizeof *k->out->vertex);
+  void *out = sg_choice_grown(k->out->vertex, k->out->vertices, &k->vertex_room,
+                              sizeof *k->out->vertex);
 
   if (out) {
     k->out->vertex = out;
@@ -80,18 +36,18 @@ room_for_vertex(choice *k)
 }
 
 static bool
-room_for_triangle(choice *k)
+room_for_triangle(sg_choice *k)
 {
   size_t room = k->triangle_room;
-  void *out = grown(k->out->triangle, k->out->triangles, &room,
-                    sizeof *k->out->triangle);
+  void *out = sg_choice_grown(k->out->triangle, k->out->triangles, &room,
+                              sizeof *k->out->triangle);
 
   if (!out) {
     return false;
   }
   k->out->triangle = out;
-  out = grown(k->out->auxiliary, k->out->triangles, &k->triangle_room,
-              sizeof *k->out->auxiliary);
+  out = sg_choice_grown(k->out->auxiliary, k->out->triangles, &k->triangle_room,
+                        sizeof *k->out->auxiliary);
   if (out) {
     k->out->auxiliary = out;
   }
@@ -101,7 +57,7 @@ room_for_triangle(choice *k)
 /* ---- vertices ---- */
 
 static uint32_t *
-place_of(choice *k, const double at[3])
+place_of(sg_choice *k, const double at[3])
 {
   double p[3] = {at[0] + 0.0, at[1] + 0.0, at[2] + 0.0}; /* never -0.0 */
   uint32_t key[6];
@@ -111,7 +67,7 @@ place_of(choice *k, const double at[3])
 }
 
 static uint32_t
-new_vertex(choice *k, const double at[3], int32_t s, int32_t v)
+new_vertex(sg_choice *k, const double at[3], int32_t s, int32_t v)
 {
   if (!room_for_vertex(k)) {
     return SG_NO_KEY;
@@ -122,8 +78,9 @@ new_vertex(choice *k, const double at[3], int32_t s, int32_t v)
 }
 
 /* The vertex of the solid for vertex v, which is a leaf's own. */
-static uint32_t
-plain_vertex(choice *k, const source *from, uint32_t node, int32_t v)
+uint32_t
+sg_choice_plain_vertex(sg_choice *k, const sg_source *from, uint32_t node,
+                       int32_t v)
 {
   uint32_t *number = &from->number[node - from->leaf->node];
   double at[3] = {0};
@@ -145,7 +102,7 @@ plain_vertex(choice *k, const source *from, uint32_t node, int32_t v)
 
 /* The same for one that a cut made, after all plain ones. */
 static uint32_t
-made_vertex(choice *k, const source *from, int32_t v)
+made_vertex(sg_choice *k, const sg_source *from, int32_t v)
 {
   const sg_cut_points *points = &from->a->leaves.set->points;
   uint32_t point = sg_cut_points_named(points, from->leaf->s, v);
@@ -155,7 +112,8 @@ made_vertex(choice *k, const source *from, int32_t v)
     return same ? *same : SG_NO_KEY;
   }
   size_t made = k->out->vertices - k->out->plain;
-  sg_made_by *all = grown(k->made_by, made, &k->made_room, sizeof *all);
+  sg_made_by *all =
+      sg_choice_grown(k->made_by, made, &k->made_room, sizeof *all);
 
   if (!all) {
     return SG_NO_KEY;
@@ -167,36 +125,43 @@ made_vertex(choice *k, const source *from, int32_t v)
 
 /* ---- triangles and faces ---- */
 
+void
+sg_choice_set_triangle(sg_solid *out, size_t at, const uint32_t v[3],
+                       uint8_t auxiliary, bool reversed)
+{
+  uint32_t *corners = out->triangle[at];
+
+  corners[0] = v[0];
+  corners[1] = v[reversed ? 2 : 1];
+  corners[2] = v[reversed ? 1 : 2];
+  if (reversed) {
+    auxiliary = (uint8_t)((auxiliary & 2) | ((auxiliary & 1) << 2) |
+                          ((auxiliary & 4) >> 2));
+  }
+  out->auxiliary[at] = auxiliary;
+}
+
 /* Adds a triangle to the last face, if its corners are three. */
 static bool
-add_triangle(choice *k, const uint32_t v[3], uint8_t auxiliary, bool reversed)
+add_triangle(sg_choice *k, const uint32_t v[3], uint8_t auxiliary,
+             bool reversed)
 {
-  sg_solid *out = k->out;
-
-  if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
+  if (sg_is_collapsed(v)) {
     return true;
   }
   if (!room_for_triangle(k)) {
     return false;
   }
-  uint32_t *corner = out->triangle[out->triangles];
-
-  corner[0] = v[0];
-  corner[1] = v[reversed ? 2 : 1];
-  corner[2] = v[reversed ? 1 : 2];
-  if (reversed) {
-    auxiliary = (uint8_t)((auxiliary & 2) | ((auxiliary & 1) << 2) |
-                          ((auxiliary & 4) >> 2));
-  }
-  out->auxiliary[out->triangles++] = auxiliary;
+  sg_choice_set_triangle(k->out, k->out->triangles++, v, auxiliary, reversed);
   return true;
 }
 
 static bool
-open_face(choice *k, int32_t s, int32_t p, bool reversed)
+open_face(sg_choice *k, int32_t s, int32_t p, bool reversed)
 {
   sg_solid *out = k->out;
-  void *more = grown(out->face, out->faces, &k->face_room, sizeof *out->face);
+  void *more =
+      sg_choice_grown(out->face, out->faces, &k->face_room, sizeof *out->face);
 
   if (!more) {
     return false;
@@ -209,7 +174,7 @@ open_face(choice *k, int32_t s, int32_t p, bool reversed)
 
 /* A face whose triangles all collapsed is none. */
 static void
-close_face(choice *k)
+close_face(sg_choice *k)
 {
   sg_solid *out = k->out;
   sg_solid_face *face = &out->face[out->faces - 1];
@@ -220,98 +185,18 @@ close_face(choice *k)
   }
 }
 
-/* A chosen leaf triangle. */
-typedef struct chosen {
-  int32_t p;
-  uint32_t row; /* place among the leaf's rows */
-} chosen;
-
-static int
-compare_chosen(const void *x, const void *y)
-{
-  const chosen *a = x, *b = y;
-
-  return a->p != b->p ? (a->p > b->p) - (a->p < b->p)
-                      : (a->row > b->row) - (a->row < b->row);
-}
-
-/* The chosen triangles of polygons that are not cut, polygon by polygon. */
-static chosen *
-choose_rows(const source *from, size_t *n)
-{
-  const sg_arranged *leaf = from->leaf;
-  chosen *list = malloc((leaf->rows + 1) * sizeof *list);
-  bool sorted = true;
-
-  *n = 0;
-  for (size_t i = 0; list && i < leaf->rows; i++) {
-    uint32_t c = leaf->component[i];
-
-    if (c != SG_NO_KEY && sense_of(from, c) != 0) {
-      list[*n] =
-          (chosen){sg_arranged_row(from->a, leaf->row[i]).p, (uint32_t)i};
-      sorted = sorted && (*n == 0 || list[*n - 1].p <= list[*n].p);
-      ++*n;
-    }
-  }
-  if (list && !sorted) {
-    qsort(list, *n, sizeof *list, compare_chosen);
-  }
-  return list;
-}
-
-static bool
-add_row(choice *k, const source *from, const chosen *one)
-{
-  const sg_arranged *leaf = from->leaf;
-  sg_leaf t = sg_arranged_row(from->a, leaf->row[one->row]);
-  uint32_t v[3];
-
-  for (int c = 0; c < 3; c++) {
-    v[c] = plain_vertex(k, from, sg_arrangement_node(leaf, t.v[c]), t.v[c]);
-    if (v[c] == SG_NO_KEY) {
-      return false;
-    }
-  }
-  return add_triangle(k, v, auxiliary_of(from->a, from->place, t.v),
-                      sense_of(from, leaf->component[one->row]) < 0);
-}
-
-static bool
-add_rows(choice *k, const source *from, const sg_poll *poll)
-{
-  const sg_arranged *leaf = from->leaf;
-  size_t n;
-  chosen *list = choose_rows(from, &n);
-  bool good = list != NULL;
-
-  for (size_t i = 0; i < n && good; i++) {
-    if (i == 0 || list[i - 1].p != list[i].p) {
-      good = open_face(k, leaf->s, list[i].p,
-                       sense_of(from, leaf->component[list[i].row]) < 0);
-    }
-    good = good && (i % ASKED != ASKED - 1 || !sg_poll_stop(poll)) &&
-           add_row(k, from, &list[i]);
-    if (good && (i + 1 == n || list[i + 1].p != list[i].p)) {
-      close_face(k);
-    }
-  }
-  free(list);
-  return good;
-}
-
 /* ---- cells ---- */
 
 /* The plain corners of chosen cells, before any made one. */
 static bool
-number_plain(choice *k, const source *from)
+number_plain(sg_choice *k, const sg_source *from)
 {
   const sg_arranged *leaf = from->leaf;
 
   for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
     const sg_cell *cell = &from->a->cell[i];
 
-    if (sense_of(from, cell->component) == 0) {
+    if (sg_sense_of(from, cell->component) == 0) {
       continue;
     }
     for (size_t j = cell->first; j < cell->first + cell->n; j++) {
@@ -319,7 +204,8 @@ number_plain(choice *k, const source *from)
         int32_t v = from->a->triangle[j].v[c];
         uint32_t node = sg_arrangement_node(leaf, v);
 
-        if (node != SG_NO_KEY && plain_vertex(k, from, node, v) == SG_NO_KEY) {
+        if (node != SG_NO_KEY &&
+            sg_choice_plain_vertex(k, from, node, v) == SG_NO_KEY) {
           return false;
         }
       }
@@ -329,10 +215,10 @@ number_plain(choice *k, const source *from)
 }
 
 static bool
-add_cell(choice *k, const source *from, const sg_cell *cell)
+add_cell(sg_choice *k, const sg_source *from, const sg_cell *cell)
 {
   const sg_arranged *leaf = from->leaf;
-  bool reversed = sense_of(from, cell->component) < 0;
+  bool reversed = sg_sense_of(from, cell->component) < 0;
 
   if (!open_face(k, leaf->s, cell->p, reversed)) {
     return false;
@@ -359,15 +245,15 @@ add_cell(choice *k, const source *from, const sg_cell *cell)
 }
 
 static bool
-add_cells(choice *k, const source *from, const sg_poll *poll)
+add_cells(sg_choice *k, const sg_source *from, const sg_poll *poll)
 {
   const sg_arranged *leaf = from->leaf;
 
   for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
     const sg_cell *cell = &from->a->cell[i];
 
-    if ((i % ASKED == ASKED - 1 && sg_poll_stop(poll)) ||
-        (sense_of(from, cell->component) != 0 && !add_cell(k, from, cell))) {
+    if ((i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_poll_stop(poll)) ||
+        (sg_sense_of(from, cell->component) != 0 && !add_cell(k, from, cell))) {
       return false;
     }
   }
@@ -377,13 +263,10 @@ add_cells(choice *k, const source *from, const sg_poll *poll)
 /* ---- everything ---- */
 
 static bool
-add_all(choice *k, const sg_poll *poll)
+add_all(sg_choice *k, sg_crew *crew, const sg_poll *poll)
 {
-  bool good = true;
+  bool good = sg_choice_add_rows(k, crew, poll);
 
-  for (size_t i = 0; i < k->n && good; i++) {
-    good = add_rows(k, &k->from[i], poll);
-  }
   for (size_t i = 0; i < k->n && good; i++) {
     good = number_plain(k, &k->from[i]);
   }
@@ -395,11 +278,11 @@ add_all(choice *k, const sg_poll *poll)
 }
 
 static bool
-open_sources(choice *k, const sg_chosen *chosen_of)
+open_sources(sg_choice *k, const sg_chosen *chosen_of)
 {
   k->from = calloc(k->n + 1, sizeof *k->from);
   for (size_t i = 0; k->from && i < k->n; i++) {
-    source *from = &k->from[i];
+    sg_source *from = &k->from[i];
 
     from->a = chosen_of[i].a;
     from->place = sg_arrangement_leaf(from->a, chosen_of[i].s);
@@ -416,21 +299,30 @@ open_sources(choice *k, const sg_chosen *chosen_of)
   return k->from != NULL;
 }
 
-bool
-sg_arrangement_select(const sg_chosen *chosen_of, size_t n, const sg_poll *poll,
-                      sg_solid *out, sg_made_by **made_by)
+static void
+close_sources(sg_choice *k)
 {
-  choice k = {.n = n, .out = out};
+  for (size_t i = 0; k->from && i < k->n; i++) {
+    free(k->from[i].number);
+    free(k->from[i].list);
+    free(k->from[i].fresh);
+    free(k->from[i].touching);
+  }
+  free(k->from);
+}
+
+bool
+sg_arrangement_select(const sg_chosen *chosen_of, size_t n, sg_crew *crew,
+                      const sg_poll *poll, sg_solid *out, sg_made_by **made_by)
+{
+  sg_choice k = {.n = n, .out = out};
   bool good;
 
   *out = (sg_solid){0};
   *made_by = NULL;
   sg_key_table_init(&k.at, 6);
-  good = open_sources(&k, chosen_of) && add_all(&k, poll);
-  for (size_t i = 0; k.from && i < n; i++) {
-    free(k.from[i].number);
-  }
-  free(k.from);
+  good = open_sources(&k, chosen_of) && add_all(&k, crew, poll);
+  close_sources(&k);
   sg_key_table_clear(&k.at);
   if (good) {
     *made_by = k.made_by;

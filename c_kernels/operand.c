@@ -29,12 +29,16 @@ typedef struct balance {
   edge_sum *sum; /* [tasks] */
 } balance;
 
-/* Whether a page may have rows of a segment: a loop that takes many at once. */
+/* Whether a page (null: there is none) may have rows of a segment: a loop that
+ * takes many at once. */
 static bool
 is_in_page(const int32_t *s, int32_t wanted)
 {
   unsigned found = 0;
 
+  if (!s) {
+    return false;
+  }
   for (unsigned i = 0; i < SG_PAGE_ROWS; i++) {
     found |= s[i] == wanted;
   }
