@@ -18,6 +18,7 @@
 :- use_module(rules(written_ko), []).
 :- use_module(tests('rules/polyhedron')).
 :- use_module(tests('rules/checked')).
+:- use_module(tests('rules/random_shape')).
 
 /* Solids to files: every file is read back by the engine, and by the checker
 that shares nothing with it. */
@@ -243,29 +244,11 @@ test(canonical_segments, N == 2) :-
 %   Results of Booleans, small and far from the origin, where float32 is coarse:
 %   closed and clean in every format.
 
-shape(sphere(radius(R), facets(24), bands(12))) :-
-    random(0.5, 1.5, R).
-shape(cylinder(radius(R), height(2))) :-
-    random(0.2, 1.0, R).
-shape(box(size(A, B, C))) :-
-    maplist(random(0.2, 2.0), [A,B,C]).
-
-placed_shape(Away, at([rotate(axis(X,Y,Z), Degrees), translate(U,V,W)],
-                      Shape)) :-
-    findall(Some, shape(Some), Shapes),
-    random_member(Shape, Shapes),
-    maplist(random(-1.0, 1.0), [X,Y,Z,U0,V0,W0]),
-    random(0.0, 360.0, Degrees),
-    maplist(plus_float(Away), [U0,V0,W0], [U,V,W]).
-
-plus_float(A, B, C) :-
-    C is A+B.
-
 result(Seed, Away, N, Operation, 100) :-
     set_random(seed(Seed)),
     numlist(1, N, Ss),
     forall(member(_, Ss),
-           ( placed_shape(Away, Term), add_primitive(Term, _) )),
+           ( random_shape(24, Away, Term), add_primitive(Term, _) )),
     complete_segments,
     Expression =.. [Operation,Ss],
     boolean(Expression, 100).
@@ -291,7 +274,7 @@ test(any_order_of_operands, true(Bytes1 == Bytes2)) :-
 
 result_bytes(Order, Bytes) :-
     set_random(seed(5)),
-    findall(Term, ( member(_, [1,2,3,4]), placed_shape(0, Term) ), Terms),
+    findall(Term, ( member(_, [1,2,3,4]), random_shape(24, 0, Term) ), Terms),
     with_file(stl, File,
               ( in_new_world(( forall(member(K, Order),
                                       ( nth1(K, Terms, Term),
@@ -315,39 +298,6 @@ test(united_on_the_way, true(abs(V-15) =< 1.0e-9)) :-
     output_statistics(After),
     After.rounds =:= Before.rounds+1,
     After.solids =:= Before.solids+1.
-
-%   A chain through files: each on the written result of the one before.
-
-chain_step(File, I) :-
-    (   I mod 3 =:= 0
-    ->  Operation = difference
-    ;   Operation = union
-    ),
-    placed_shape(0, Term),
-    in_new_world(( load_model(File),
-                   add_primitive(at([scale(0.4)], Term), _),
-                   complete_segments,
-                   Expression =.. [Operation,[1,2]],
-                   boolean(Expression, 100),
-                   write_solid(File, 100) )),
-    read_back(File, _, _, 0, _),
-    good(File, []).
-
-chain(Ending, Steps) :-
-    set_random(seed(11)),
-    with_file(Ending, File,
-              ( in_new_world(( add_primitive(box(size(1,1,1)), S),
-                               complete_segments,
-                               write_solid(File, S) )),
-                forall(between(1, Steps, I),
-                       (   chain_step(File, I)
-                       ->  true
-                       ;   format("step ~d~n", [I]),
-                           fail
-                       )) )).
-
-test(chain_off) :- chain(off, 8).
-test(chain_stl) :- chain(stl, 8).
 
 %   What cannot be written, and no file then.
 
