@@ -24,7 +24,10 @@
  *     vertices made by cuts no farther apart; what that leaves nothing of goes.
  *   - Where the polygon that would come out is invalid (parts thinner than the
  *     tolerance), its vertices stay, and if that does not help its faces stay
- *     apart.
+ *     apart. So it is where its triangles would go through others, or lie on
+ *     them, that the faces did not meet before: of sheets that are nearer than
+ *     the tolerance. And vertices are not put together where that would come of
+ *     it.
  *
  * What comes out depends on neither the number of threads nor, but for equal
  * areas in equal places, on the order of faces.

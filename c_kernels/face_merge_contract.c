@@ -3,9 +3,21 @@
  * Layer: kernel. Putting vertices together opens nothing: a triangle that then
  * has a vertex twice has, of what is left, an edge and its opposite.
  */
-#include "face_merge_private.h"
+#include "face_merge_sheet.h"
 
 #include <stdlib.h>
+
+enum {
+  ROUNDS = 16, /* at most as often some vertices are left where they were */
+  OFTEN = 1 << 12
+};
+
+/* Which vertex stands for each, and which have to stand for themselves. */
+typedef struct joining {
+  const sg_merge *m;
+  uint32_t *up;  /* [vertices] */
+  bool *blocked; /* [vertices] */
+} joining;
 
 static uint32_t
 root_of(uint32_t *up, uint32_t v)
@@ -30,14 +42,14 @@ are_near(const sg_merge *m, uint32_t v, uint32_t w)
 
 /* Puts two vertices together, if those that stand for them are near too. */
 static bool
-join(const sg_merge *m, uint32_t *up, uint32_t v, uint32_t w)
+join(joining *j, uint32_t v, uint32_t w)
 {
-  uint32_t a = root_of(up, v), b = root_of(up, w);
+  uint32_t a = root_of(j->up, v), b = root_of(j->up, w);
 
-  if (a == b || !are_near(m, a, b)) {
+  if (a == b || j->blocked[v] || j->blocked[w] || !are_near(j->m, a, b)) {
     return false;
   }
-  up[a < b ? b : a] = a < b ? a : b;
+  j->up[a < b ? b : a] = a < b ? a : b;
   return true;
 }
 
@@ -82,8 +94,9 @@ list_made(const sg_merge *m, made_vertex *out)
 /* Cuts make some vertices twice, by different planes, where rounding of a
  * turned model has parted what is one place. *any: some were put together. */
 static bool
-join_made(const sg_merge *m, uint32_t *up, bool *any)
+join_made(joining *joins, bool *any)
 {
+  const sg_merge *m = joins->m;
   size_t made = m->solid->vertices - m->solid->plain;
   made_vertex *list = malloc((made + 1) * sizeof *list);
   size_t n = list ? list_made(m, list) : 0;
@@ -92,7 +105,7 @@ join_made(const sg_merge *m, uint32_t *up, bool *any)
     for (size_t j = i + 1;
          j < n && list[j].along - list[i].along <= 2 * m->tolerance; j++) {
       if (are_near(m, list[i].vertex, list[j].vertex)) {
-        *any = join(m, up, list[i].vertex, list[j].vertex) || *any;
+        *any = join(joins, list[i].vertex, list[j].vertex) || *any;
       }
     }
   }
@@ -104,17 +117,145 @@ join_made(const sg_merge *m, uint32_t *up, bool *any)
 /* The vertex that stands for each; *any: not each for itself. False: no
  * memory. */
 static bool
-join_vertices(const sg_merge *m, uint32_t *up, bool *any)
+join_vertices(joining *j, bool *any)
 {
+  const sg_merge *m = j->m;
+
   *any = false;
   for (uint32_t v = 0; v < m->solid->vertices; v++) {
-    up[v] = v;
+    j->up[v] = v;
   }
   for (size_t i = 0; i < m->briefs; i++) {
-    *any = join(m, up, m->brief[i][0], m->brief[i][1]) || *any;
+    *any = join(j, m->brief[i][0], m->brief[i][1]) || *any;
   }
-  return join_made(m, up, any);
+  return join_made(j, any);
 }
+
+/* ---- what meets then ---------------------------------------------------- */
+
+/* Where the corners of a triangle are now; *left: it still has three. Returns
+ * whether it is another triangle than it was. */
+static bool
+is_moved(const joining *j, size_t triangle, uint32_t corner[3], bool *left)
+{
+  const uint32_t *was = j->m->solid->triangle[triangle];
+  bool moved = false;
+
+  for (int k = 0; k < 3; k++) {
+    corner[k] = root_of(j->up, was[k]);
+    moved = moved || corner[k] != was[k];
+  }
+  *left = corner[0] != corner[1] && corner[1] != corner[2] &&
+          corner[2] != corner[0];
+  return moved;
+}
+
+/* Adds the triangles that were moved, or the others that are near. */
+static sg_merge_end
+add_triangles(const joining *j, bool moved, sg_sheet *sheet)
+{
+  const sg_merge *m = j->m;
+  uint32_t corner[3];
+  bool left;
+
+  for (size_t t = 0; t < m->solid->triangles; t++) {
+    if (t % OFTEN == 0 && sg_poll_stop(m->options->poll)) {
+      return SG_MERGE_STOPPED;
+    }
+    if (is_moved(j, t, corner, &left) == moved && left &&
+        (moved || sg_sheet_is_near(sheet, corner)) &&
+        !sg_sheet_add(sheet, corner, (uint32_t)t)) {
+      return SG_MERGE_NO_MEMORY;
+    }
+  }
+  return SG_MERGE_DONE;
+}
+
+/* The triangles that meet, one of them moved. */
+static sg_merge_end
+find_after(const joining *j, sg_key_pairs *out)
+{
+  sg_sheet sheet = {.m = j->m};
+  sg_merge_end end = add_triangles(j, true, &sheet);
+
+  if (end == SG_MERGE_DONE) {
+    end = sg_sheet_mark(&sheet) ? add_triangles(j, false, &sheet)
+                                : SG_MERGE_NO_MEMORY;
+  }
+  if (end == SG_MERGE_DONE) {
+    end = sg_sheet_meet(&sheet, out);
+  }
+  sg_sheet_clear(&sheet);
+  return end;
+}
+
+/* Those triangles of `after` that met where they were. */
+static sg_merge_end
+find_before(const joining *j, const sg_key_pairs *after, sg_key_pairs *out)
+{
+  sg_sheet sheet = {.m = j->m};
+  bool memory = true;
+
+  for (size_t i = 0; memory && i < 2 * after->n; i++) {
+    const sg_key_pair *pair = &after->item[i / 2];
+    uint32_t t = i % 2 ? pair->high : pair->low;
+    memory = sg_sheet_add(&sheet, j->m->solid->triangle[t], t);
+  }
+  sheet.asked = sheet.n;
+  sg_merge_end end = memory ? sg_sheet_meet(&sheet, out) : SG_MERGE_NO_MEMORY;
+  sg_sheet_clear(&sheet);
+  return end;
+}
+
+/* Triangles that meet, and did not before, get their corners back. *again:
+ * there were any. */
+static sg_merge_end
+block(joining *j, bool *again)
+{
+  sg_key_pairs after = {0}, before = {0};
+  sg_merge_end end = find_after(j, &after);
+
+  *again = false;
+  if (end == SG_MERGE_DONE && after.n) {
+    end = find_before(j, &after, &before);
+  }
+  for (size_t i = 0; end == SG_MERGE_DONE && i < 2 * after.n; i++) {
+    const sg_key_pair *pair = &after.item[i / 2];
+    const uint32_t *corner =
+        j->m->solid->triangle[i % 2 ? pair->high : pair->low];
+    for (int k = 0; k < 3 && !sg_key_pairs_have(&before, pair); k++) {
+      *again = true;
+      j->blocked[corner[k]] |= root_of(j->up, corner[k]) != corner[k];
+    }
+  }
+  free(after.item);
+  free(before.item);
+  return end;
+}
+
+/* Puts vertices together so that nothing meets by it. *any: some were. */
+static sg_merge_end
+settle(joining *j, bool *any)
+{
+  bool again = true;
+
+  for (int round = 0; again; round++) {
+    if (!join_vertices(j, any)) {
+      return SG_MERGE_NO_MEMORY;
+    }
+    if (!*any || round == ROUNDS) {
+      *any = false;
+      return SG_MERGE_DONE;
+    }
+    sg_merge_end end = block(j, &again);
+    if (end != SG_MERGE_DONE) {
+      return end;
+    }
+  }
+  return SG_MERGE_DONE;
+}
+
+/* ---- triangles and faces ------------------------------------------------ */
 
 static bool
 make_room(const sg_solid *solid, sg_contracted *out)
@@ -187,20 +328,23 @@ exchange(sg_solid *solid, sg_contracted *other)
 sg_merge_end
 sg_merge_contract(const sg_merge *m, sg_solid *solid, sg_contracted *before)
 {
-  uint32_t *up = malloc((solid->vertices + 1) * sizeof *up);
-  bool any = false, memory = up && join_vertices(m, up, &any);
+  joining j = {m, malloc((solid->vertices + 1) * sizeof *j.up),
+               calloc(solid->vertices + 1, sizeof *j.blocked)};
+  bool any = false;
+  sg_merge_end end = j.up && j.blocked ? settle(&j, &any) : SG_MERGE_NO_MEMORY;
 
-  if (memory && any) {
-    memory = make_room(solid, before);
-    if (memory) {
-      write_faces(solid, up, before);
+  if (end == SG_MERGE_DONE && any) {
+    if (make_room(solid, before)) {
+      write_faces(solid, j.up, before);
       exchange(solid, before);
     } else {
       sg_merge_forget(before);
+      end = SG_MERGE_NO_MEMORY;
     }
   }
-  free(up);
-  return memory ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
+  free(j.up);
+  free(j.blocked);
+  return end;
 }
 
 void

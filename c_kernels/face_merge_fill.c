@@ -451,7 +451,7 @@ do_groups(void *data, size_t task)
   free(f.inside);
 }
 
-/* What has failed may change less; the others stay to be done again. */
+/* What has failed may change less; the others are to be done again. */
 static bool
 give_way(sg_merge *m)
 {
@@ -507,6 +507,10 @@ sg_merge_fill(sg_merge *m, bool *again)
     }
     end = fill_all(&fill);
     *again = end == SG_MERGE_DONE && give_way(m);
+    if (end == SG_MERGE_DONE && !*again) {
+      end = sg_merge_meet(m);
+      *again = end == SG_MERGE_DONE && give_way(m);
+    }
   }
   free(fill.wanted);
   free(fill.no_memory);

@@ -3,9 +3,9 @@
  * Layer: kernel. A half-edge is 3 t + k: that of triangle t from corner k to
  * the next. The way is: half-edges and their twins (face_merge_mesh.c), edges
  * without length (face_merge_contract.c), groups of faces (face_merge_grow.c),
- * which vertices vanish (face_merge_vertex.c,
- * face_merge_run.c), new triangles (face_merge_fill.c), the solid anew
- * (face_merge_write.c).
+ * which vertices vanish (face_merge_vertex.c, face_merge_run.c), new triangles
+ * (face_merge_fill.c), what they meet (face_merge_meet.c, face_merge_sheet.c),
+ * the solid anew (face_merge_write.c).
  */
 #ifndef SG_FACE_MERGE_PRIVATE_H
 #define SG_FACE_MERGE_PRIVATE_H
@@ -145,7 +145,8 @@ typedef struct sg_contracted {
 } sg_contracted;
 
 /* Puts the ends of brief edges together, and vertices made by cuts that are
- * within the tolerance of each other: of each the first vertex stays.
+ * within the tolerance of each other: of each the first vertex stays. Not so
+ * where triangles would meet that did not before.
  * Triangles, and faces, of which nothing is left go; every half-edge that is
  * left has the opposite that it had. *before is empty if nothing changed, else
  * what sg_merge_restore() needs. */
@@ -196,6 +197,12 @@ sg_merge_end sg_merge_runs(sg_merge *m);
  * cannot be is made to stay (state); *again: vertices are to be decided once
  * more. */
 sg_merge_end sg_merge_fill(sg_merge *m, bool *again);
+
+/* ---- face_merge_meet.c ---- */
+
+/* Groups whose new triangles go through others, or lie on them, where the old
+ * ones did not, have failed. */
+sg_merge_end sg_merge_meet(sg_merge *m);
 
 /* ---- face_merge_write.c ---- */
 

@@ -1,7 +1,12 @@
 :- module(test_boolean_meshes, []).
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
-:- use_module(tests('rules/boolean_case'), [sample/3]).
+:- use_module(rules(boolean), [boolean/3]).
+:- use_module(rules(kernel), [model_tolerance/1]).
+:- use_module(rules(mesh), [read_mesh/2]).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation), [complete_segments/0]).
+:- use_module(tests('rules/boolean_case'), [measured/2, sample/3]).
 :- use_module(tests('rules/mesh_pair')).
 
 /* Booleans of meshes of others, where they are: every pair with each operation.
@@ -42,6 +47,29 @@ placed_fault(Seed-Name-Faults) :-
     placed_pair(Seed, Name, [First,Second]),
     outcome_faults(Name, First, Second, Faults).
 
+%   Whatever the tolerance, what merging makes goes through nothing.
+
+tolerance_fault(Name, Factor-Operation-Measure) :-
+    mesh_pair(booleans, Name, file(First), file(Second)),
+    new_world(World),
+    in_world(World,
+             ( read_mesh(First, _),
+               read_mesh(Second, _),
+               complete_segments,
+               model_tolerance(Least),
+               findall(Fault, made_fault(Least, Fault), Faults) )),
+    member(Factor-Operation-Measure, Faults).
+
+made_fault(Least, Factor-Operation-Measure) :-
+    nth1(I, [0.5,16,64,256,1024], Factor),
+    nth1(J, [union,intersection,difference], Operation),
+    Tolerance is Factor*Least,
+    Expression =.. [Operation,[1,2]],
+    S is 10*I+J,
+    boolean(Expression, S, [tolerance(Tolerance)]),
+    measured([S], [Measure]),
+    Measure.good \== yes.
+
 outcome_faults(Name, First, Second, Faults) :-
     catch(pair_outcome(First, Second, Outcome), Error,
           Outcome = outcome(unread, [], [Error])),
@@ -74,6 +102,8 @@ test(mcut, [condition(shared), true(Faults == [])]) :-
     findall(F, fault(mcut, F), Faults).
 test(booleans, [condition(shared), true(Faults == [])]) :-
     findall(F, fault(booleans, F), Faults).
+test(tolerances, [condition(shared), true(Faults == [])]) :-
+    findall(F, tolerance_fault('Generic_Twin_7863.1.t0', F), Faults).
 test(mcut_all, [condition(( shared, all )), true(Faults == [])]) :-
     findall(F, fault(mcut_all, F), Faults).
 test(placed, [condition(shared), true(Faults == [])]) :-
