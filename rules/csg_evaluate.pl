@@ -6,6 +6,7 @@
             csg_statistics/1,           % -Statistics
             csg_statistics_reset/0
           ]).
+:- use_module(arrangement, [pieces_statistics/1]).
 :- use_module(boolean, [boolean/3]).
 :- use_module(csg,
               [ node/4, root_segment/1, is_node/1, complete_tree/1,
@@ -244,11 +245,12 @@ is_current(S) :-
 %!  csg_statistics(-Statistics:dict) is det.
 %
 %   How often in this thread the boundary of a node was `evaluated`, or `reused`
-%   as it was, since csg_statistics_reset/0.
+%   as it was, since csg_statistics_reset/0; and `pieces`: pieces_statistics/1.
 
-csg_statistics(_{evaluated:Evaluated, reused:Reused}) :-
+csg_statistics(_{evaluated:Evaluated, reused:Reused, pieces:Pieces}) :-
     count_of(evaluated, Evaluated),
-    count_of(reused, Reused).
+    count_of(reused, Reused),
+    pieces_statistics(Pieces).
 
 %!  csg_statistics_reset is det.
 

@@ -1,6 +1,7 @@
 :- module(sg_solid_file,
           [ write_solid/2,              % +File, +S
             write_solid/3,              % +File, +S, +Options
+            write_solids/3,             % +File, +Pairs, +Options
             output_statistics/1         % -Statistics
           ]).
 :- use_module(boolean, [boolean/3]).
@@ -14,13 +15,15 @@
 :- use_module(penetration, [penetrate/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ v/5, segment/3, origin/3, assert_fact/1, facts_snapshot/1,
+              [ v/5, p/3, segment/3, origin/3, assert_fact/1, facts_snapshot/1,
                 fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/0]).
 :- autoload(library(aggregate), [aggregate_all/3]).
+:- autoload(library(apply), [foldl/6]).
 :- autoload(library(error), [existence_error/2, must_be/2]).
 :- autoload(library(option), [option/3]).
+:- autoload(library(pairs), [pairs_keys_values/3]).
 /** <module> Solids to files: what is read back is closed and clean.
 
 The numbers of a file are not those of the model: STL has float32. Rounding can
@@ -104,15 +107,16 @@ written(Format, File, S, Name, Options) :-
     clean_boundary(S, Manner, Options, Boundary, Rounds),
     call_cleanup(
         ( mesh_to_file(File,
-                       sg_solid_file:boundary_written(Boundary, Format, Name)),
+                       sg_solid_file:boundary_written(Boundary, Format,
+                                                      [Name])),
           boundary_counts(Boundary, Counts)
         ),
         boundary_close(Boundary)),
     said_rounds(File, Rounds),
     said_empty(File, Counts).
 
-boundary_written(Boundary, Format, Name, Stream) :-
-    boundary_write(Boundary, Stream, Format, [Name], Outcome),
+boundary_written(Boundary, Format, Names, Stream) :-
+    boundary_write(Boundary, Stream, Format, Names, Outcome),
     mesh_outcome(Outcome).
 
 said_rounds(File, Rounds) :-
@@ -128,6 +132,59 @@ said_empty(File, Counts) :-
     ->  print_message(warning, sanggwan(written(File, empty)))
     ;   true
     ).
+
+%!  write_solids(+File, +Pairs:list, +Options:list) is det.
+%
+%   Write segments of the current world to one mesh file, S-Name in Pairs: each
+%   solid is rounded, checked and, if need be, united with itself alone, as
+%   write_solid/3 does it; what two of them have in common stays. Surfaces are
+%   rounded, curves left out. Options but for name(_) as there.
+%
+%   @error as write_solid/3
+
+write_solids(File, [S-Name], Options) :-
+    segment(S, solid, _),
+    !,
+    write_solid(File, S, [name(Name)|Options]).
+write_solids(File, Pairs, Options) :-
+    solid_format(File, Options, Format),
+    stage(write, facts_snapshot(
+                     sg_solid_file:all_written(Format, File, Pairs, Options))).
+
+all_written(Format, File, Pairs, Options) :-
+    pairs_keys_values(Pairs, Ss, Names),
+    format_manner(Format, Options, Manner),
+    foldl(clean_segment(Manner, Options), Ss, CleanSs, 0, Rounds),
+    Manner = manner(Single, Form, Copies),
+    boundary_open(CleanSs, [], Single, 0.0, Form, Copies, Boundary),
+    call_cleanup(
+        mesh_to_file(File, sg_solid_file:boundary_written(Boundary, Format,
+                                                          Names)),
+        boundary_close(Boundary)),
+    said_rounds(File, Rounds).
+
+%   clean_segment(Manner, Options, S, Clean, Rounds0, Rounds): Clean is S, or
+%   what became of it in more rounds.
+
+clean_segment(Manner, Options, S, Clean, Rounds0, Rounds) :-
+    (   segment(S, solid, _),
+        p(S, _, _)
+    ->  clean_boundary(S, Manner, Options, Boundary, N),
+        call_cleanup(rounds_kept(N, S, Boundary, Clean),
+                     boundary_close(Boundary)),
+        Rounds is max(Rounds0, N)
+    ;   Clean = S,
+        Rounds = Rounds0
+    ).
+
+rounds_kept(0, S, _, Clean) :-
+    !,
+    Clean = S.
+rounds_kept(_, _, Boundary, Clean) :-
+    fresh_id(segment, 0, Clean),
+    boundary_add(Boundary, Clean),
+    assert_fact(segment(Clean, solid, rounded)),
+    complete_segments.
 
 %!  output_statistics(-Statistics) is det.
 %

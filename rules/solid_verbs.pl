@@ -13,11 +13,11 @@
 :- use_module(model, [load_model/2, save_model/1]).
 :- use_module(repair, [repair_operand/1]).
 :- use_module(report, [counted/4]).
-:- use_module(solid_file, [write_solid/3]).
+:- use_module(solid_file, [write_solids/3]).
 :- use_module(store, [p/3, segment/3, assert_fact/1, fresh_id/3]).
 :- use_module(verb_output,
               [some_files/2, outputs/3, output_written/2, usage_error/1]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- autoload(library(apply), [maplist/2, maplist/3, partition/4]).
 :- autoload(library(http/json), [json_write_dict/3]).
 :- autoload(library(lists), [append/2, member/2, subtract/3]).
 :- autoload(library(option), [option/2, option/3]).
@@ -58,24 +58,23 @@ solid_verb_run(Verb, Files, Options, 0) :-
 
 %!  solids_written(+Ss, +Outputs) is det.
 %
-%   Write the roots Ss to Outputs: one solid to a mesh as solid_file.pl does.
-%   The rest of the world may be gone afterwards.
+%   Write the roots Ss to Outputs; to meshes as solid_file.pl does. The rest of
+%   the world may be gone afterwards.
 
-solids_written([S], Outputs) :-
-    segment(S, solid, Term),
-    \+ member(output(_, pl), Outputs),
-    !,
-    result_name(Term, Name),
-    maplist(output_written(sg_solid_verbs:solid_output(S, Name)), Outputs).
-solids_written(_, Outputs) :-
-    roots_alone,
-    maplist(output_written(sg_solid_verbs:world_output), Outputs).
+solids_written(Ss, Outputs) :-
+    partition([output(_, pl)]>>true, Outputs, Models, Meshes),
+    findall(S-Name,
+            ( member(S, Ss), segment(S, _, Term), result_name(Term, Name) ),
+            Pairs),
+    maplist(output_written(sg_solid_verbs:solids_output(Pairs)), Meshes),
+    (   Models == []
+    ->  true
+    ;   roots_alone,
+        maplist(output_written(save_model), Models)
+    ).
 
-solid_output(S, Name, File) :-
-    write_solid(File, S, [name(Name)]).
-
-world_output(File) :-
-    save_model(File).
+solids_output(Pairs, File) :-
+    write_solids(File, Pairs, []).
 
 %   result_name(Term, Name): what a segment with this Term is called in a file.
 

@@ -299,6 +299,39 @@ test(united_on_the_way, true(abs(V-15) =< 1.0e-9)) :-
     After.rounds =:= Before.rounds+1,
     After.solids =:= Before.solids+1.
 
+%   Several solids in one file: each is checked, and united with itself, alone.
+
+test(several, [forall(member(Ending, [off,stl,obj,ply])),
+               true(abs(V-16) =< 1.0e-6)]) :-
+    box(p(0,0,0), p(2,2,2), A),
+    box(p(1,1,1), p(3,3,3), B),
+    box(p(5,0,0), p(6,1,1), C-Faces),
+    output_statistics(Before),
+    with_file(Ending, File,
+              ( in_new_world(( joined([A,B], S),
+                               polyhedron(2, solid, C, Faces),
+                               write_solids(File, [S-both,2-'far off'],
+                                            [check(all)]) )),
+                in_new_world(( load_model(File), check_report(R) )),
+                report_faults(R, 0),
+                aggregate_all(sum(Volume),
+                              ( member(Part, R.segments),
+                                Volume = Part.volume ),
+                              V) )),
+    output_statistics(After),
+    After.rounds =:= Before.rounds+1.
+test(one_of_several_open, F == open(3)) :-
+    box(p(5,0,0), p(6,1,1), C-Faces),
+    in_new_world(( polyhedron(1, solid, C, Faces),
+                   polyhedron(2, solid,
+                              [p(2,0,0),p(0,0,0),p(0,2,0),p(0,0,2)],
+                              [[1,2,3],[1,3,4],[2,1,4]]),
+                   catch(write_solids('/tmp/sg_never.off', [1-a,2-b],
+                                      [rounds(0)]),
+                         error(geometry_error(written(faulty(2, 0, F))), _),
+                         true) )),
+    \+ exists_file('/tmp/sg_never.off').
+
 %   What cannot be written, and no file then.
 
 test(open, F == open(3)) :-
