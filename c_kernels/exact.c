@@ -211,27 +211,35 @@ sign_of_pairs(const double *const point[3], const double d[3],
 
 /* ---- stage 3: integers -------------------------------------------------- */
 
+/* The determinant of the rows (x, y, w) has the sign of the turn. */
 static int
 turn_exactly(sg_exact_question question, int axis, const sg_point *a,
              const sg_point *b, const sg_point *c)
 {
   const sg_point *point[3] = {a, b, c};
-  mpz_t room[3][3], s[3], t[3], det;
-  sg_integers in;
+  mpz_t x[3], y[3], w[3], minor, det;
 
   count_fallback(question);
-  sg_integers_open(&in, room, point, 3);
-  sg_integers_init3(s);
-  sg_integers_init3(t);
+  for (int i = 0; i < 3; i++) {
+    sg_integers_of_two(point[i], (axis + 1) % 3, (axis + 2) % 3, x[i], y[i],
+                       w[i]);
+  }
+  mpz_init(minor);
   mpz_init(det);
-  sg_integers_subtract(s, in.x[1], in.x[0]);
-  sg_integers_subtract(t, in.x[2], in.x[0]);
-  sg_integers_minor(det, s, t, (axis + 1) % 3, (axis + 2) % 3);
+  for (int i = 0; i < 3; i++) {
+    int k = (i + 1) % 3, l = (i + 2) % 3;
+
+    mpz_mul(minor, x[k], y[l]);
+    mpz_submul(minor, x[l], y[k]);
+    mpz_addmul(det, minor, w[i]);
+  }
   int answer = mpz_sgn(det);
+
   mpz_clear(det);
-  sg_integers_clear3(s);
-  sg_integers_clear3(t);
-  sg_integers_close(&in);
+  mpz_clear(minor);
+  for (int i = 0; i < 3; i++) {
+    mpz_clears(x[i], y[i], w[i], NULL);
+  }
   return answer;
 }
 

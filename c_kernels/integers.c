@@ -58,6 +58,43 @@ scale_double(mpz_ptr out, double x, mpz_srcptr w)
   }
 }
 
+/* x and y over 2^-lowest, from doubles. */
+static void
+of_two_doubles(double p, double q, mpz_ptr x, mpz_ptr y, mpz_ptr w)
+{
+  int of_p, of_q;
+  int64_t m = mantissa(p, &of_p), n = mantissa(q, &of_q);
+  int lowest = of_p < of_q ? of_p : of_q;
+
+  lowest = lowest < 0 ? lowest : 0;
+  mpz_set_si(x, (long)m);
+  mpz_mul_2exp(x, x, (mp_bitcnt_t)(of_p - lowest));
+  mpz_set_si(y, (long)n);
+  mpz_mul_2exp(y, y, (mp_bitcnt_t)(of_q - lowest));
+  mpz_set_ui(w, 1);
+  mpz_mul_2exp(w, w, (mp_bitcnt_t)-lowest);
+}
+
+void
+sg_integers_of_two(const sg_point *point, int u, int v, mpz_ptr x, mpz_ptr y,
+                   mpz_ptr w)
+{
+  mpq_t *q = sg_point_q(point);
+
+  mpz_inits(x, y, w, NULL);
+  if (!q) {
+    of_two_doubles(point->p[u], point->p[v], x, y, w);
+  } else if (mpz_cmp(mpq_denref(q[u]), mpq_denref(q[v])) == 0) {
+    mpz_set(x, mpq_numref(q[u]));
+    mpz_set(y, mpq_numref(q[v]));
+    mpz_set(w, mpq_denref(q[u]));
+  } else {
+    mpz_mul(x, mpq_numref(q[u]), mpq_denref(q[v]));
+    mpz_mul(y, mpq_numref(q[v]), mpq_denref(q[u]));
+    mpz_mul(w, mpq_denref(q[u]), mpq_denref(q[v]));
+  }
+}
+
 void
 sg_integers_open(sg_integers *out, mpz_t (*room)[3],
                  const sg_point *const *point, int n)

@@ -15,6 +15,13 @@ typedef struct sg_integers {
   int n;
 } sg_integers;
 
+/* The coordinates u and v of a point over a denominator of their own: x / w and
+ * y / w, w > 0. All three are initialised, and the caller's to clear. Where
+ * only signs of determinants are wanted, no common denominator has to be found.
+ */
+void sg_integers_of_two(const sg_point *point, int u, int v, mpz_ptr x,
+                        mpz_ptr y, mpz_ptr w);
+
 /* Initialises room[n][3] too; sg_integers_close() clears it. */
 void sg_integers_open(sg_integers *out, mpz_t (*room)[3],
                       const sg_point *const *point, int n);
