@@ -1,7 +1,8 @@
 :- module(sg_arguments,
-          [ parsed_arguments/4          % +Specs, +Arguments, -Files, -Options
+          [ parsed_arguments/4,         % +Specs, +Arguments, -Files, -Options
+            decimal_number/2            % +Text, -Number
           ]).
-:- autoload(library(apply), [foldl/4]).
+:- autoload(library(apply), [foldl/4, maplist/2]).
 :- autoload(library(lists), [append/3, member/2, reverse/2]).
 :- autoload(library(option), [option/2]).
 /** <module> Command-line arguments.
@@ -148,12 +149,37 @@ typed_value(one_of(Words), Text, Value, Value) :-
     ).
 typed_value(number(Low), Text, Value0, Value) :-
     !,
-    (   atom_number(Value0, Value),
+    (   decimal_number(Value0, Value),
         Value >= Low
     ->  true
     ;   usage_error(bad_value(Text, Value0, number(Low)))
     ).
 typed_value(_, _, Value, Value).
+
+%!  decimal_number(+Text, -Number) is semidet.
+%
+%   Text is Number as people write it, such as -12.5, .5 or 1e-3; Prolog's other
+%   ways (0x1F, 1r3, inf) are none here.
+
+decimal_number(Text, Number) :-
+    split_string(Text, "", " ", [Trimmed]),
+    string_chars(Trimmed, Chars0),
+    maplist(decimal_char, Chars0),
+    with_whole_part(Chars0, Chars),
+    catch(number_chars(Number, Chars), error(_, _), fail).
+
+decimal_char(Char) :-
+    (   char_type(Char, digit)
+    ->  true
+    ;   memberchk(Char, ['.',e,'E',+,-])
+    ).
+
+with_whole_part([Sign,'.'|Chars], [Sign,'0','.'|Chars]) :-
+    memberchk(Sign, [+,-]),
+    !.
+with_whole_part(['.'|Chars], ['0','.'|Chars]) :-
+    !.
+with_whole_part(Chars, Chars).
 
 %   gathered(Given, Options0, Options): repeated ones into one list.
 

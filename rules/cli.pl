@@ -363,7 +363,8 @@ warning_word(en, 'warning: ').
 warning_word(ko, '경고: ').
 
 print_prefixed(Word, Term, Lines) :-
-    (   subsumes_term(error(model_error(_), location(_, _, _)), Term)
+    (   member(Fault, [model_error(_),geometry_error(_)]),
+        subsumes_term(error(Fault, location(_, _, _)), Term)
     ->  format(atom(Prefix), '~~N~w', [Word])
     ;   source_location(File, Line)
     ->  format(atom(Prefix), '~~N~w:~d: ~w', [File, Line, Word])

@@ -1,7 +1,7 @@
 :- module(sg_csg_en,
           [ csg_en//1                   % +What
           ]).
-:- use_module(csg_term, [operation_form/2, operation_names/1]).
+:- use_module(csg_term, [operation_form/2, misshapen/2, operation_names/1]).
 :- use_module(primitive_en, [primitive_names//0]).
 /** <module> What is wrong with a CSG tree, in English.
 
@@ -19,6 +19,12 @@ csg_en(no_list(Name, Operands)) -->
 csg_en(no_operands(Name)) -->
     [ '~w has no operands'-[Name], nl,
       '  Give one or more: numbers of segments, primitives, or operations.' ].
+csg_en(unknown(Operand)) -->
+    { misshapen(Operand, Form) },
+    !,
+    [ '~p should look like ~w'-[Operand, Form], nl,
+      '  An operand is the number of a segment, a primitive, or an \c
+       operation.' ].
 csg_en(unknown(Operand)) -->
     { operation_names(Names) },
     [ '~p is no operand'-[Operand], nl,

@@ -2,7 +2,7 @@
 :- module(sg_csg_ko,
           [ csg_ko//1                   % +What
           ]).
-:- use_module(csg_term, [operation_form/2, operation_names/1]).
+:- use_module(csg_term, [operation_form/2, misshapen/2, operation_names/1]).
 :- use_module(primitive_en, [primitive_names//0]).
 /** <module> What is wrong with a CSG tree, in Korean.
 
@@ -20,6 +20,11 @@ csg_ko(no_list(Name, Operands)) -->
 csg_ko(no_operands(Name)) -->
     [ '~w 에 피연산자가 없습니다'-[Name], nl,
       '  세그먼트 번호, 기본 입체, 연산을 하나 이상 주십시오.' ].
+csg_ko(unknown(Operand)) -->
+    { misshapen(Operand, Form) },
+    !,
+    [ '~p 은(는) ~w 꼴이어야 합니다'-[Operand, Form], nl,
+      '  피연산자는 세그먼트 번호, 기본 입체, 연산입니다.' ].
 csg_ko(unknown(Operand)) -->
     { operation_names(Names) },
     [ '~p 은(는) 피연산자가 아닙니다'-[Operand], nl,

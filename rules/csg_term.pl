@@ -1,5 +1,6 @@
 :- module(sg_csg_term,
           [ operation_form/2,           % ?Name, -Form
+            misshapen/2,                % @Term, -Form
             operation_names/1,          % -Names
             is_node_term/1,             % @Term
             node_parts/4,               % +Term, -Operation, -Operands, -Steps
@@ -54,6 +55,17 @@ operation_form(difference, 'difference([Operand, ...])').
 operation_form(join, 'join([Operand, ...])').
 operation_form(split, 'split(Operand, plane(A, B, C, D), below), or above; \c
                        split(Operand, Operand, inside), or outside').
+
+%!  misshapen(@Term, -Form) is semidet.
+%
+%   True when Term has the name of an operation, but not its arguments, which
+%   are as Form says.
+
+misshapen(Term, Form) :-
+    compound(Term),
+    \+ is_node_term(Term),
+    functor(Term, Name, _),
+    operation_form(Name, Form).
 
 %!  operation_names(-Names) is det.
 %

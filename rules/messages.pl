@@ -7,6 +7,7 @@
             manual_page//1              % +PI
           ]).
 :- use_module(csg_en, [csg_en//1]).
+:- use_module(csg_term, [misshapen/2]).
 :- use_module(explain_en, [statement_en//1]).
 :- use_module(openscad_en, [openscad_en//1]).
 :- use_module(primitive, [primitive_name/2]).
@@ -43,7 +44,11 @@ english(error(model_error(What), Context)) -->
 english(error(model_error(What), Context)) -->
     { var(Context) },
     fault_en(What).
-english(error(geometry_error(What), _)) -->
+english(error(geometry_error(What), Context)) -->
+    (   { nonvar(Context), Context = location(File, Line, Column) }
+    ->  place(File, Line, Column)
+    ;   []
+    ),
     fault_en(What).
 english(error(usage_error(What), _)) -->
     usage_en(What).
@@ -179,6 +184,10 @@ fault_en(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ 'a ~w is a ~w, not a ~w'-[Name, Wanted, Kind], nl,
       '  Write segment(S, ~w, ~w(...)).'-[Wanted, Name] ].
+fault_en(no_vertices(_, Name)) -->
+    { misshapen(Name, _) },
+    !,
+    csg_en(unknown(Name)).
 fault_en(no_vertices(S, Name)) -->
     [ 'segment ~d has no vertices, and ~p is no primitive'-[S, Name], nl,
       '  Give facts v/5 and p/3, an operation (docs/model_files.md), or a \c
@@ -299,6 +308,11 @@ usage_en(bad_value(Text, Value, number(Low))) -->
 usage_en(no_size(Text, Value)) -->
     [ 'option ~w: ~w is no size: width and height must be above 0'-
       [Text, Value] ].
+usage_en(bad_value(Text, Value, no_normal)) -->
+    !,
+    [ 'option ~w: ~w is no plane'-[Text, Value], nl,
+      '  A,B,C,D is the plane A*X + B*Y + C*Z + D = 0, with A, B or C other \c
+       than 0.' ].
 usage_en(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ 'option ~w: ~w should look like ~w'-[Text, Value, Form] ].

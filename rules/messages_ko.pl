@@ -7,6 +7,7 @@
               [loading_fault//1, syntax_words//1, shown_value/2,
                manual_page//1]).
 :- use_module(csg_ko, [csg_ko//1]).
+:- use_module(csg_term, [misshapen/2]).
 :- use_module(explain_ko, [statement_ko//1]).
 :- use_module(openscad_ko, [openscad_ko//1]).
 :- use_module(primitive, [primitive_name/2]).
@@ -50,7 +51,11 @@ korean(error(model_error(What), Context)) -->
 korean(error(model_error(What), Context)) -->
     { var(Context) },
     fault_ko(What).
-korean(error(geometry_error(What), _)) -->
+korean(error(geometry_error(What), Context)) -->
+    (   { nonvar(Context), Context = location(File, Line, Column) }
+    ->  place(File, Line, Column)
+    ;   []
+    ),
     fault_ko(What).
 korean(error(usage_error(What), _)) -->
     usage_ko(What).
@@ -177,6 +182,10 @@ fault_ko(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ '~w 의 종류는 ~w 이며 ~w 이(가) 아닙니다'-[Name, Wanted, Kind], nl,
       '  segment(S, ~w, ~w(...)) 로 쓰십시오.'-[Wanted, Name] ].
+fault_ko(no_vertices(_, Name)) -->
+    { misshapen(Name, _) },
+    !,
+    csg_ko(unknown(Name)).
 fault_ko(no_vertices(S, Name)) -->
     [ '세그먼트 ~d 에 꼭지점이 없고 ~p 은(는) 기본 입체가 아닙니다'-[S, Name],
       nl,
@@ -285,6 +294,11 @@ usage_ko(bad_value(Text, Value, number(Low))) -->
 usage_ko(no_size(Text, Value)) -->
     [ '~w: ~w 은(는) 크기가 아닙니다. 너비와 높이는 0보다 커야 합니다'-
       [Text, Value] ].
+usage_ko(bad_value(Text, Value, no_normal)) -->
+    !,
+    [ '~w: ~w 은(는) 평면이 아닙니다'-[Text, Value], nl,
+      '  A,B,C,D 는 평면 A*X + B*Y + C*Z + D = 0 이고, A, B, C 가운데 하나는 \c
+       0이 아니어야 합니다.' ].
 usage_ko(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ '~w: ~w 은(는) ~w 꼴이어야 합니다'-[Text, Value, Form] ].

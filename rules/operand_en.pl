@@ -2,6 +2,7 @@
           [ operand_en//2,              % +S, +Faults
             operand_notice_en//2        % +What, +S
           ]).
+:- use_module(explain_words, [segment_word/2]).
 /** <module> What is wrong with an operand of a Boolean, in English.
 
 operand_ko.pl has the same heads in Korean (tests/rules/operand.plt).
@@ -12,7 +13,8 @@ operand_ko.pl has the same heads in Korean (tests/rules/operand.plt).
 %   The message for geometry_error(operand(S, Faults)).
 
 operand_en(S, Faults) -->
-    [ 'segment ~d cannot be an operand:'-[S] ],
+    { segment_word(S, Name) },
+    [ 'segment ~d~w cannot be an operand:'-[S, Name] ],
     faults_en(Faults),
     [ nl, '  Mend it where it comes from; the option repair mends what \c
            can be mended.' ].
@@ -47,8 +49,16 @@ edges_en([edge(V1, V2, [X1,Y1,Z1], [X2,Y2,Z2], N)|Edges]) -->
 %   The message for sanggwan(operand(What, S)).
 
 operand_notice_en(inside_out, S) -->
-    [ 'segment ~d is inside out, so nothing is inside it'-[S], nl,
+    { segment_word(S, Name) },
+    [ 'segment ~d~w is inside out, so nothing is inside it'-[S, Name], nl,
       '  Turn its polygons round; the option repair does that.' ].
+operand_notice_en(surface(Faults), S) -->
+    { segment_word(S, Name) },
+    [ 'segment ~d~w is taken for a surface; what is outside of the solids \c
+       stays of it'-[S, Name] ],
+    faults_en(Faults),
+    [ nl, '  If it should be a solid, mend it where it comes from; the option \c
+           repair mends what can be mended.' ].
 operand_notice_en(repaired(welded, N), S) -->
     [ 'segment ~d: ~D vertex(es) in the place of others welded'-[S, N] ].
 operand_notice_en(repaired(no_area, N), S) -->

@@ -2,22 +2,29 @@
 :- module(sg_solid_verbs,
           [ solid_verb/1,               % ?Verb
             solids_written/2,           % +Ss, +Outputs
+            empty_roots_warned/0,
             solid_verb_run/4            % +Verb, +Files, +Options, -Status
           ]).
+:- use_module(arguments, [decimal_number/2]).
 :- use_module(csg, [root_segment/1, is_node/1]).
 :- use_module(csg_evaluate, [evaluate/2]).
 :- use_module(csg_roots, [roots_alone/0]).
-:- use_module(csg_term, [csg_error/1, is_node_term/1, plain_name/2]).
+:- use_module(csg_term, [is_node_term/1, plain_name/2]).
 :- use_module(kernel, [census/1]).
 :- use_module(language, [language/1]).
 :- use_module(model, [load_model/2, save_model/1]).
+:- use_module(operand, [operand_faults/2]).
+:- use_module(primitive, [is_primitive/1]).
 :- use_module(repair, [repair_operand/1]).
 :- use_module(report, [counted/4]).
 :- use_module(solid_file, [write_solids/3]).
-:- use_module(store, [p/3, segment/3, assert_fact/1, fresh_id/3]).
+:- use_module(store,
+              [p/3, segment/3, assert_fact/1, retractall_facts/1, fresh_id/3]).
+:- use_module(triangulation, [complete_segments/0]).
 :- use_module(verb_output,
               [some_files/2, outputs/3, output_written/2, usage_error/1]).
-:- autoload(library(apply), [maplist/2, maplist/3, partition/4]).
+:- autoload(library(aggregate), [aggregate_all/3]).
+:- autoload(library(apply), [maplist/2, maplist/3, maplist/4, partition/4]).
 :- autoload(library(http/json), [json_write_dict/3]).
 :- autoload(library(lists), [append/2, member/2, subtract/3]).
 :- autoload(library(option), [option/2, option/3]).
@@ -42,15 +49,17 @@ solid_verb(eval).
 solid_verb_run(Verb, Files, Options, 0) :-
     enough_files(Verb, Files),
     outputs(Options, [pl, stl, off, obj, ply], Outputs),
-    asked_nodes(Verb, Files, Options),
+    asked_nodes(Verb, Files, Options, Sources),
+    complete_segments,
     repaired_leaves(Options),
-    evaluate(all, Options),
-    findall(S, root_segment(S), Ss),
+    catch(evaluate(all, Options), error(Fault, Context),
+          throw_with_file(Fault, Context, Sources)),
     (   member(output(_, Format), Outputs),
         Format \== pl
     ->  true                            % who writes it will say so
-    ;   maplist(empty_warned, Ss)
+    ;   empty_roots_warned
     ),
+    findall(S, root_segment(S), Ss),
     (   Outputs == []
     ->  summary(Options, Ss)
     ;   solids_written(Ss, Outputs)
@@ -100,36 +109,88 @@ repaired_leaves(Options) :-
     ;   true
     ).
 
-%   asked_nodes(Verb, Files, Options): the world has what the files have, and on
-%   top the nodes that Verb makes of it.
+%   throw_with_file(Fault, Context, Sources): an operand is named with its file.
 
-asked_nodes(eval, Files, Options) :-
+throw_with_file(Fault, Context0, Sources) :-
+    (   Fault = geometry_error(operand(S, _)),
+        var(Context0),
+        member(File-Last, Sources),
+        S =< Last
+    ->  Context = location(File, 0, 0)
+    ;   Context = Context0
+    ),
+    throw(error(Fault, Context)).
+
+%   asked_nodes(Verb, Files, Options, Sources): the world has what the files
+%   have, and on top the nodes that Verb makes of it. Sources are pairs
+%   File-Last, Last the greatest segment of File, in the order of the files.
+
+asked_nodes(eval, Files, Options, Sources) :-
     !,
+    (   Files = [File]
+    ->  Sources = [File-inf]
+    ;   Sources = []
+    ),
     load_model(Files, [evaluate(false)|Options]).
-asked_nodes(split, Files, Options) :-
+asked_nodes(split, Files, Options, Sources) :-
     !,
     split_by(Options, By0),
-    file_operands(Files, Options, Operands),
+    file_operands(Files, split, Options, Operands, Sources1),
     joined(Operands, Operand),
-    by_operand(By0, Options, By, Known),
+    by_operand(By0, Options, By, Known, Sources2),
+    append(Sources1, Sources2, Sources),
     split_sides(Options, Known, Sides),
-    forall(member(Side, Sides), new_node(split(Operand, By, Side), _)).
-asked_nodes(Verb, Files, Options) :-
-    file_operands(Files, Options, Operands),
+    forall(member(Side, Sides),
+           new_node(named(Side, split(Operand, By, Side)), _)).
+asked_nodes(Verb, Files, Options, Sources) :-
+    file_operands(Files, Verb, Options, Operands, Sources),
     Term =.. [Verb, Operands],
     new_node(Term, _).
 
-%   file_operands(Files, Options, Operands): a segment for each file.
+%   file_operands(Files, Verb, Options, Operands, Sources): a segment for each
+%   file.
 
-file_operands(Files, Options, Operands) :-
-    maplist(file_operand(Options), Files, Operands).
+file_operands(Files, Verb, Options, Operands, Sources) :-
+    maplist(file_operand(Verb, Options), Files, Operands, Sources).
 
-file_operand(Options, File, Operand) :-
+file_operand(Verb, Options, File, Operand, File-Last) :-
     findall(S, root_segment(S), Before),
-    load_model([File], [evaluate(false)|Options]),
+    load_model([File], [evaluate(false),triangles(false)|Options]),
     findall(S, root_segment(S), After),
     subtract(After, Before, Roots),
+    aggregate_all(max(S), segment(S, _, _), Last),
+    catch(maplist(open_checked(Verb, Options), Roots), error(Fault, Context),
+          throw_with_file(Fault, Context, [File-Last])),
     joined(Roots, Operand).
+
+%   open_checked(Verb, Options, S): what is open is mended if that was asked
+%   for and can be. If it is still open, Verb has to be one that takes surfaces;
+%   of a mesh, which is seldom meant to be one, there is a warning.
+
+open_checked(Verb, Options, S) :-
+    (   segment(S, surface, Name),
+        \+ is_node(S)
+    ->  (   option(repair(true), Options)
+        ->  repair_operand(S)
+        ;   complete_segments
+        ),
+        operand_faults(S, Faults),
+        open_taken(Faults, Verb, S, Name)
+    ;   true
+    ).
+
+open_taken([], _, S, Name) :-
+    !,
+    retractall_facts(segment(S, _, _)),
+    assert_fact(segment(S, solid, Name)).
+open_taken(Faults, Verb, S, Name) :-
+    (   memberchk(Verb, [intersection,difference,split])
+    ->  throw(error(geometry_error(operand(S, Faults)), _))
+    ;   Verb == union,
+        \+ is_primitive(Name)
+    ->  print_message(warning, sanggwan(operand(surface(Faults), S)))
+    ;   true
+    ).
 
 joined([Operand], Operand) :-
     !.
@@ -168,27 +229,32 @@ split_sides(Options, Known, Sides) :-
 
 plane_option(Text, plane(A, B, C, D)) :-
     (   split_string(Text, ",", " ", Parts),
-        maplist(number_of, Parts, [A, B, C, D])
+        maplist(decimal_number, Parts, [A, B, C, D])
     ->  (   member(N, [A, B, C]),
             N =\= 0
         ->  true
-        ;   csg_error(plane(plane(A, B, C, D)))
+        ;   usage_error(bad_value('--plane', Text, no_normal))
         )
     ;   usage_error(bad_value('--plane', Text, 'A,B,C,D'))
     ).
 
-number_of(Text, Number) :-
-    catch(number_string(Number, Text), error(_, _), fail).
+%   by_operand(By0, Options, By, Sides, Sources): By is an operand with these
+%   Sides.
 
-%   by_operand(By0, Options, By, Sides): By is an operand with these Sides.
-
-by_operand(plane(A, B, C, D), _, plane(A, B, C, D), [below, above]).
-by_operand(file(File), Options, By, Sides) :-
-    file_operand(Options, File, By),
+by_operand(plane(A, B, C, D), _, plane(A, B, C, D), [below, above], []).
+by_operand(file(File), Options, By, Sides, [Source]) :-
+    file_operand(by, Options, File, By, Source),
     (   segment(By, surface, _)
     ->  Sides = [below, above]
     ;   Sides = [inside, outside]
     ).
+
+%!  empty_roots_warned is det.
+%
+%   A warning for every root that is a node of which nothing is left.
+
+empty_roots_warned :-
+    forall(root_segment(S), empty_warned(S)).
 
 empty_warned(S) :-
     (   is_node(S),

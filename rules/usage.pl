@@ -213,7 +213,7 @@ example(draw, 'sanggwan draw facts/figures/fig12.pl --segment 1 \c
 example(draw, 'sanggwan draw part.stl --view iso --hidden removed \c
 --size 640x400 -o part.png').
 example(union, 'sanggwan union a.stl b.stl c.stl -o all.stl').
-example(union, 'sanggwan union facts/cube.pl facts/hollow_block.pl').
+example(union, 'sanggwan union facts/cube.pl facts/pipe_tee.pl').
 example(intersection, 'sanggwan intersection a.off b.off -o common.obj').
 example(difference, 'sanggwan difference block.stl drill.stl -o part.stl').
 example(split, 'sanggwan split part.stl --plane 0,0,1,-2.5 -o halves.obj').
@@ -251,7 +251,7 @@ print_usage(Language) :-
     format("        sanggwan --help | --version~n~n"),
     forall(verb(Verb, _, Summary, SummaryKo),
            ( in_language(Language, Summary, SummaryKo, Text),
-             format("  ~w~t~14|~w~n", [Verb, Text]) )),
+             format("  ~w~t~16|~w~n", [Verb, Text]) )),
     heading(Language, more, More),
     format("~n~w~n", [More]).
 

@@ -23,7 +23,9 @@
 :- use_module(query, [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
 :- use_module(report, [print_report/2]).
-:- use_module(solid_verbs, [solid_verb/1, solid_verb_run/4, solids_written/2]).
+:- use_module(solid_verbs,
+              [ solid_verb/1, solid_verb_run/4, solids_written/2,
+                empty_roots_warned/0 ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ segment/3, line/9, origin/3, facts_transaction/1, new_world/1,
@@ -54,6 +56,7 @@ when the answer is no.
 verb_run(check, Files, Options, Status) :-
     some_files(Files, 'MODEL'),
     load_model(Files, Options),
+    empty_roots_warned,
     roots_alone,
     check_report(Report),
     (   option(json(true), Options)
@@ -116,6 +119,7 @@ verb_run(draw, Files, Options, 0) :-
     drawing_options(Options, DrawingOptions),
     eye(Options, Eye),
     load_model(Files, Options),
+    empty_roots_warned,
     operand_lines(Lines),
     roots_alone,
     known_segments(PictureOptions),

@@ -36,6 +36,10 @@ check "Korean" output '다각형 8개, 꼭지점 12개.*부피 6$' \
   sanggwan eval $tree --lang ko
 check "split by a plane" output 'volume 1$' \
   sanggwan split $cube --plane 0,0,1,-0.25
+check "the parts have names" output '^above: .*volume 7$' \
+  sanggwan split $cube --plane 0,0,1,-0.25
+check "also in a file" eval "sanggwan split -q $cube --plane 1,0,0,0 -o - \
+  --format obj | grep '^o ' | tr '\n' ' ' | grep -x 'o below o above '"
 check "the other part" output 'volume 7$' \
   sanggwan split $cube --plane 0,0,1,-0.25 --side above
 check "one part alone" eval \
@@ -166,7 +170,7 @@ cat >"$TMP/flat.pl" <<'MODEL'
 v(1, 1, 0, 0, 0). v(1, 2, 1, 0, 0). v(1, 3, 0, 1, 0).
 p(1, 1, [1, 2, 3]). p(1, 2, [1, 3, 2]).
 MODEL
-check "no volume" complains 4 'sanggwan: segment 2 cannot be an operand' \
+check "no volume" complains 4 "^$TMP/flat.pl: segment 2 cannot be an operand" \
   sanggwan union $cube "$TMP/flat.pl"
 cat >"$TMP/open.pl" <<'MODEL'
 v(1, 1, 0, 0, 0). v(1, 2, 1, 0, 0). v(1, 3, 0, 1, 0). v(1, 4, 0, 0, 1).
@@ -177,6 +181,59 @@ check "an open solid is refused, its edges named" complains 4 \
   '(1-3|3-4|4-1|3-1|4-3|1-4) from' \
   sanggwan union $cube "$TMP/open.pl" -o "$TMP/no.stl"
 check "no file then" test ! -e "$TMP/no.stl"
+cat >"$TMP/open.off" <<'MESH'
+OFF
+4 3 0
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+3 0 2 1
+3 0 1 3
+3 1 2 3
+MESH
+check "so is an open mesh, by its file" complains 4 \
+  "^$TMP/open.off: segment 2 cannot be an operand" \
+  sanggwan difference $cube "$TMP/open.off"
+check "its edges named" complains 4 '1-3 from .*, faces: 1' \
+  sanggwan split "$TMP/open.off" --plane 0,0,1,-.5
+check "united it is a surface, with a warning" complains 0 \
+  'segment 2 \(open\) is taken for a surface' \
+  sanggwan union $cube "$TMP/open.off"
+check "a surface that is meant needs none" eval \
+  "! sanggwan union $cube $TMP/sheet.pl 2>&1 >/dev/null | grep ."
+cat >"$TMP/soup.off" <<'MESH'
+OFF
+12 4 0
+0 0 0
+0 1 0
+1 0 0
+0 0 0
+1 0 0
+0 0 1
+1 0 0
+0 1 0
+0 0 1
+0 1 0
+0 0 0
+0 0 1
+3 0 1 2
+3 3 4 5
+3 6 7 8
+3 9 10 11
+MESH
+check "--repair makes a solid of one whose faces share nothing" \
+  output 'volume 0.166667$' sanggwan intersection --repair $cube "$TMP/soup.off"
+echo 'segment(1, solid, union(box(size(1,1,1)), box(size(2,1,1)))).' \
+  >"$TMP/shape.pl"
+check "operands without brackets" complains 3 \
+  'should look like union\(\[Operand, \.\.\.\]\)' sanggwan eval "$TMP/shape.pl"
+echo 'segment(1, solid, difference([box(size(1,1,1)), box(size(2,2,2))])).' \
+  >"$TMP/nothing.pl"
+check "an empty node is named by check" complains 0 'is empty: nothing is left' \
+  sanggwan check "$TMP/nothing.pl"
+check "and when it is drawn" complains 0 'is empty: nothing is left' \
+  sanggwan draw "$TMP/nothing.pl" -o "$TMP/nothing.svg"
 check "one operand" complains 2 'difference needs two models' \
   sanggwan difference $cube
 check "no plane given" complains 2 'option --plane or --by is missing' \
@@ -187,8 +244,14 @@ check "a side of the other" complains 2 'none of below, above' \
   sanggwan split $cube --plane 0,0,1,0 --side inside
 check "a plane that is none" complains 2 'should look like A,B,C,D' \
   sanggwan split $cube --plane 0,0,1
-check "or has no normal" complains 3 'is no plane' \
+check "or has no normal" complains 2 'option --plane: 0,0,0,1 is no plane' \
   sanggwan split $cube --plane 0,0,0,1
+check "a plane as people write it" output '^below: .*volume 1$' \
+  sanggwan split $cube --plane 0,0,1,-.25
+check "not as Prolog does" complains 2 'should look like A,B,C,D' \
+  sanggwan split $cube --plane 0,0,1,0x1
+check "nor a tolerance" complains 2 '1.0Inf is no number from 0 on' \
+  sanggwan union $cube $moved --tolerance 1.0Inf
 check "an ending that is none" complains 2 'the ending decides' \
   sanggwan union $cube $moved -o "$TMP/x.svg"
 
