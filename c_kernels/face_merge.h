@@ -19,7 +19,9 @@
  *     turns back. A vertex vanishes from all faces or from none.
  *   - Faces that lose vertices are triangulated again, n + 2 h - 2 triangles
  *     for n corners and h holes (and 2 for each vertex inside that belongs to
- *     another face too). Faces that lose none keep their triangles.
+ *     another face too). Faces that lose none keep their triangles. An edge of
+ *     another face in the middle, or a vertex, is no edge or vertex of the
+ *     polygon, but stays one of its triangles.
  *   - Ends of an edge no longer than the tolerance are one vertex, and so are
  *     vertices made by cuts no farther apart; what that leaves nothing of goes.
  *   - Where the polygon that would come out is invalid (parts thinner than the

@@ -5,7 +5,7 @@
  * seen along the main axis of the face. Whatever comes out is used only if its
  * border is, edge for edge, the one that the other faces know.
  */
-#include "face_merge_private.h"
+#include "face_merge_hold.h"
 
 #include "delaunay.h"
 
@@ -31,6 +31,7 @@ typedef struct filler {
   sg_triangles triangles; /* of handles */
   side *side;             /* [sides]: by from and to */
   size_t sides, room;
+  sg_holds holds;
   uint32_t *inside; /* [insides]: kept vertices in the middle */
   size_t insides, inside_room;
   uint32_t (*chord)[3]; /* [chords]: low, high, way */
@@ -267,6 +268,14 @@ enter_sides(filler *f)
       return false;
     }
   }
+  for (size_t i = 0; i < f->holds.n; i++) {
+    int32_t a = enter(f, f->holds.pair[i][0]);
+    int32_t b = enter(f, f->holds.pair[i][1]);
+    if (f->no_memory || !sg_work_add(f->work, a, b, 1, 0)) {
+      f->no_memory = true;
+      return false;
+    }
+  }
   return true;
 }
 
@@ -274,6 +283,9 @@ static bool
 insert_inside(filler *f)
 {
   for (size_t i = 0; i < f->insides; i++) {
+    if (sg_holds_reach(&f->holds, f->inside[i])) {
+      continue;
+    }
     int32_t v = enter(f, f->inside[i]);
     if (f->no_memory || !sg_triangles_insert(f->work, &f->triangles, v)) {
       f->no_memory = true;
@@ -283,14 +295,16 @@ insert_inside(filler *f)
   return true;
 }
 
-/* A border edge with the polygon on both sides stays. */
+/* A border edge with the polygon on both sides stays, and so does what lies
+ * along others. */
 static bool
 is_fixed(void *data, int32_t a, int32_t b)
 {
   const filler *f = data;
+  uint32_t v = (uint32_t)sg_work_id(f->work, a) - 1;
+  uint32_t w = (uint32_t)sg_work_id(f->work, b) - 1;
 
-  return find_side(f, (uint32_t)sg_work_id(f->work, a) - 1,
-                   (uint32_t)sg_work_id(f->work, b) - 1);
+  return find_side(f, v, w) || sg_holds_have(&f->holds, v, w);
 }
 
 /* Vertices that are straight but for rounding make slivers, and two faces might
@@ -415,20 +429,28 @@ forget(sg_group *group)
 
 /* ---- groups ------------------------------------------------------------- */
 
-static void
-do_group(filler *f)
+static bool
+polygon_found(filler *f)
 {
-  forget(f->group);
-  f->group->failed = false;
   f->sides = 0;
   bool found = each_half(f, see_border);
   if (found && f->sides) {
     qsort(f->side, f->sides, sizeof *f->side, compare_sides);
   }
-  if (!found || !sides_are_apart(f) || !find_inside(f) || !triangulated(f) ||
-      !fits_in(f)) {
+  if (!found || !sides_are_apart(f) || !find_inside(f)) {
+    return false;
+  }
+  f->no_memory = !sg_holds_find(f->m, f->group, &f->holds);
+  return !f->no_memory;
+}
+
+static void
+do_group(filler *f)
+{
+  forget(f->group);
+  f->group->failed = !polygon_found(f) || !triangulated(f) || !fits_in(f);
+  if (f->group->failed) {
     forget(f->group);
-    f->group->failed = true;
   }
 }
 
@@ -448,6 +470,7 @@ do_groups(void *data, size_t task)
   sg_work_close(f.work);
   free(f.triangles.item);
   free(f.side);
+  free(f.holds.pair);
   free(f.inside);
 }
 

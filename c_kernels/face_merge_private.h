@@ -4,8 +4,8 @@
  * the next. The way is: half-edges and their twins (face_merge_mesh.c), edges
  * without length (face_merge_contract.c), groups of faces (face_merge_grow.c),
  * which vertices vanish (face_merge_vertex.c, face_merge_run.c), new triangles
- * (face_merge_fill.c), what they meet (face_merge_meet.c, face_merge_sheet.c),
- * the solid anew (face_merge_write.c).
+ * (face_merge_fill.c, face_merge_hold.c), what they meet (face_merge_meet.c,
+ * face_merge_sheet.c), the solid anew (face_merge_write.c).
  */
 #ifndef SG_FACE_MERGE_PRIVATE_H
 #define SG_FACE_MERGE_PRIVATE_H

@@ -1,4 +1,5 @@
 /* Faces that become one: rules/faces.pl. */
+:- use_module(library(aggregate)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(arrangement)).
@@ -9,6 +10,7 @@
 :- use_module(rules(model_file)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
+:- use_module(tests('rules/boolean_case'), [measured/2]).
 
 %   merged(+Terms, +Expression, +Options, -Counts): of solids 1, 2, ..., Counts
 %   being Faces/Vertices/Edges.
@@ -94,6 +96,11 @@ turned(Terms, Turned) :-
             member(Term, Terms),
             Turned).
 
+wedge(polyhedron(points([ [-2.5,0,0], [2.5,0,0], [-2.5,-1,2], [2.5,-1,2],
+                          [-2.5,1,2], [2.5,1,2]
+                        ]),
+                 faces([ [1,2,4,3], [2,1,5,6], [3,4,6,5], [1,3,5], [2,6,4] ]))).
+
 test(difference, [true(Got == 10/16/24)]) :- % a tunnel
     merged([ box(size(4, 4, 4)),
              at([translate(0, 0, 1)], box(size(2, 4, 2)))
@@ -101,6 +108,24 @@ test(difference, [true(Got == 10/16/24)]) :- % a tunnel
 test(origins_separate, [true(Got == 12/16/26)]) :-
     pair(cube2, Terms, _),
     merged(Terms, union([1,2]), [origins(separate)], Got).
+%   A wedge stands with its edge on two slabs that become one face, beside pegs
+%   that are nearer to the edge than its ends are: it stays a chord of the face.
+
+test(edge_in_the_middle, [true(Faces-Good-InLine-Shared == 26-yes-0-2)]) :-
+    wedge(Wedge),
+    Terms = [ at([translate(-1.5, 0, -1)], box(size(3, 6, 1))),
+              at([translate(1.5, 0, -1)], box(size(3, 6, 1))),
+              Wedge,
+              at([translate(1.2, 0.4, 0)], box(size(0.1, 0.4, 0.3))),
+              at([translate(-1.2, -0.4, 0)], box(size(0.1, 0.4, 0.3))),
+              at([translate(1.3, -0.4, 0)], box(size(0.1, 0.4, 0.3)))
+            ],
+    in_model(Terms, ( boolean(union([1,2,3,4,5,6]), 7),
+                      measured([7], [Measure]),
+                      aggregate_all(count, p(7, _, _), Faces) )),
+    Good = Measure.good,
+    InLine = Measure.in_line,
+    Shared = Measure.shared.
 test(parts) :-
     pair(l, Terms, _),
     in_model(Terms, ( solid_of(union([1,2]), Solid),
