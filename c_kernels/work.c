@@ -122,7 +122,7 @@ slot_of(const sg_work *work, int32_t id)
 static bool
 more_slots(sg_work *work)
 {
-  uint32_t slots = work->slots ? work->slots * 2 : 64;
+  uint32_t slots = work->slots ? work->slots * 2 : 32;
   int32_t *slot = calloc(slots, sizeof *slot);
 
   if (!slot) {
@@ -147,7 +147,7 @@ make_room(void **rows, int32_t *room, int32_t need, size_t size)
   if (need >= INT32_MAX / 2) {
     return false;
   }
-  int32_t more = *room < 32 ? 64 : *room * 2;
+  int32_t more = *room < 8 ? 16 : *room * 2; /* most polygons are small */
   void *grown = realloc(*rows, (size_t)more * size);
   if (!grown) {
     return false;
