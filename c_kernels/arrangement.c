@@ -1,5 +1,4 @@
-/* arrangement.c -- opening an arrangement, and the cells of cut polygons: see
- * arrangement.h.
+/* arrangement.c -- nodes, lines, and opening an arrangement: see arrangement.h.
  */
 #include "arrangement_private.h"
 
@@ -112,18 +111,6 @@ sg_arrangement_is_line(const sg_arrangement *a, uint32_t leaf, int32_t v1,
 }
 
 static bool
-note(sg_key_table *table, const uint32_t *key)
-{
-  uint32_t *known = sg_key_table_put(table, key);
-
-  if (known) {
-    *known = 1;
-  }
-  return known != NULL;
-}
-
-/* A line in leaf s, between all names that its ends have there. */
-static bool
 note_line(sg_arrangement *a, int32_t s, const sg_cut_piece *piece)
 {
   const sg_cut_points *points = &a->leaves.set->points;
@@ -136,7 +123,7 @@ note_line(sg_arrangement *a, int32_t s, const sg_cut_piece *piece)
     for (int32_t w = 0;
          (w = sg_cut_points_next_name(points, piece->b, s, w));) {
       line_key(leaf, v, w, key);
-      if (!note(&a->barrier, key)) {
+      if (!sg_key_table_add(&a->barrier, key)) {
         return false;
       }
     }
@@ -172,7 +159,7 @@ note_triangles(sg_arrangement *a)
     uint32_t key[2] = {sg_arrangement_leaf(a, model->triangle[i].s),
                        (uint32_t)model->triangle[i].p};
 
-    if (!note(&a->has_triangles, key)) {
+    if (!sg_key_table_add(&a->has_triangles, key)) {
       return false;
     }
   }
@@ -231,7 +218,7 @@ note_edge(sg_arrangement *a, uint32_t leaf, int32_t v1, int32_t v2)
       to = sg_cut_points_name(points, edge->point[forward ? i : n - 1 - i], s);
     }
     line_key(leaf, from, to, key);
-    if (!note(&a->barrier, key)) {
+    if (!sg_key_table_add(&a->barrier, key)) {
       return false;
     }
     from = to;
@@ -346,253 +333,4 @@ sg_arrangement_close(sg_arrangement *a)
   free(a->part);
   free(a->side);
   free(a);
-}
-
-/* ---- the cells of a polygon ---- */
-
-/* A polygon that is being taken in. */
-typedef struct taking {
-  sg_arrangement *a;
-  uint32_t leaf;
-  int32_t p;
-  sg_work *work;
-  sg_work_edge *edge; /* [edges]: as they were */
-  size_t edges;
-  sg_key_table auxiliary; /* two names: an edge that is no line */
-  sg_key_table border;    /* two names, the lower first: a real edge */
-  sg_triangles found;
-  uint32_t *cell; /* [found.n]: which of the cells, by union */
-} taking;
-
-static void
-taking_clear(taking *k)
-{
-  free(k->edge);
-  free(k->found.item);
-  free(k->cell);
-  sg_key_table_clear(&k->auxiliary);
-  sg_key_table_clear(&k->border);
-}
-
-static void
-border_key(int32_t v1, int32_t v2, uint32_t key[2])
-{
-  key[0] = (uint32_t)(v1 < v2 ? v1 : v2);
-  key[1] = (uint32_t)(v1 < v2 ? v2 : v1);
-}
-
-static bool
-copy_edges(taking *k)
-{
-  sg_key_table_init(&k->auxiliary, 2);
-  sg_key_table_init(&k->border, 2);
-  k->edge = malloc((sg_work_edges(k->work) + 1) * sizeof *k->edge);
-  for (int32_t e = 0; k->edge && (e = sg_work_next(k->work, e));) {
-    const sg_work_edge *edge = sg_work_get(k->work, e);
-    int32_t v1 = sg_work_id(k->work, edge->start);
-    int32_t v2 = sg_work_id(k->work, edge->end);
-
-    uint32_t key[2];
-
-    k->edge[k->edges++] = *edge;
-    border_key(v1, v2, key);
-    if (edge->et != 0 && !note(&k->border, key)) {
-      return false;
-    }
-    if (edge->et == 0 && !sg_arrangement_is_line(k->a, k->leaf, v1, v2) &&
-        !note(&k->auxiliary, (uint32_t[2]){(uint32_t)v1, (uint32_t)v2})) {
-      return false;
-    }
-  }
-  return k->edge != NULL;
-}
-
-static bool
-restore_edges(taking *k)
-{
-  for (int32_t e; (e = sg_work_next(k->work, 0));) {
-    sg_work_delete(k->work, e);
-  }
-  for (size_t i = 0; i < k->edges; i++) {
-    const sg_work_edge *edge = &k->edge[i];
-
-    if (!sg_work_add(k->work, edge->start, edge->end, edge->et, edge->label)) {
-      return false;
-    }
-  }
-  k->found.n = 0;
-  return true;
-}
-
-/* A polygon that touches itself is stuck until what touches is one vertex:
- * first what does so exactly, then within the reach. */
-static sg_outcome
-triangulate(taking *k, double reach, int32_t *edge, const sg_poll *poll)
-{
-  double reaches[2] = {0, reach};
-  int32_t stuck;
-  sg_outcome outcome = sg_work_triangulate(k->work, &k->found, &stuck, poll);
-
-  for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
-    if (!restore_edges(k) || !sg_work_resolve(k->work, reaches[i])) {
-      return SG_NO_SPACE;
-    }
-    outcome = sg_work_triangulate(k->work, &k->found, &stuck, poll);
-  }
-  if (edge) {
-    *edge = stuck;
-  }
-  return outcome;
-}
-
-static uint32_t
-cell_root(uint32_t *cell, uint32_t i)
-{
-  while (cell[i] != i) {
-    i = cell[i] = cell[cell[i]];
-  }
-  return i;
-}
-
-/* Joins triangles of the polygon that have an edge in common which is no
- * line. */
-static bool
-join_cells(taking *k)
-{
-  sg_key_table at; /* two names of an edge -> triangle */
-  bool good = true;
-
-  k->cell = malloc((k->found.n + 1) * sizeof *k->cell);
-  sg_key_table_init(&at, 2);
-  for (uint32_t i = 0; k->cell && i < k->found.n; i++) {
-    k->cell[i] = i;
-  }
-  for (uint32_t i = 0; k->cell && i < k->found.n && good; i++) {
-    for (int c = 0; c < 3 && good; c++) {
-      int32_t v1 = sg_work_id(k->work, k->found.item[i].v[c]);
-      int32_t v2 = sg_work_id(k->work, k->found.item[i].v[(c + 1) % 3]);
-      uint32_t key[2] = {(uint32_t)(v1 < v2 ? v1 : v2),
-                         (uint32_t)(v1 < v2 ? v2 : v1)};
-
-      if (sg_arrangement_is_line(k->a, k->leaf, v1, v2)) {
-        continue;
-      }
-      uint32_t *other = sg_key_table_put(&at, key);
-
-      good = other != NULL;
-      if (good && *other == SG_NO_KEY) {
-        *other = i;
-      } else if (good) {
-        uint32_t x = cell_root(k->cell, i), y = cell_root(k->cell, *other);
-        k->cell[x < y ? y : x] = x < y ? x : y;
-      }
-    }
-  }
-  sg_key_table_clear(&at);
-  return good && k->cell != NULL;
-}
-
-static bool
-room_for(sg_arrangement *a, size_t cells, size_t triangles)
-{
-  if (a->cells + cells > a->cell_room) {
-    size_t room = 2 * a->cell_room + cells + 64;
-    sg_cell *grown = realloc(a->cell, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    a->cell = grown;
-    a->cell_room = room;
-  }
-  if (a->triangles + triangles > a->triangle_room) {
-    size_t room = 2 * a->triangle_room + triangles + 64;
-    sg_cell_triangle *grown = realloc(a->triangle, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    a->triangle = grown;
-    a->triangle_room = room;
-  }
-  return true;
-}
-
-static void
-add_triangle(taking *k, const sg_triangle *found)
-{
-  sg_cell_triangle *out = &k->a->triangle[k->a->triangles++];
-
-  out->auxiliary = out->chord = 0;
-  for (int c = 0; c < 3; c++) {
-    out->v[c] = sg_work_id(k->work, found->v[c]);
-  }
-  for (int c = 0; c < 3; c++) {
-    uint32_t key[2] = {(uint32_t)out->v[c], (uint32_t)out->v[(c + 1) % 3]};
-
-    if (sg_key_table_get(&k->auxiliary, key) != SG_NO_KEY) {
-      out->auxiliary |= (uint8_t)(1 << c);
-    }
-    border_key(out->v[c], out->v[(c + 1) % 3], key);
-    if (sg_key_table_get(&k->border, key) == SG_NO_KEY) {
-      out->chord |= (uint8_t)(1 << c);
-    }
-  }
-}
-
-/* The cells in the order of their first triangles. */
-static bool
-add_cells(taking *k)
-{
-  sg_arrangement *a = k->a;
-
-  if (!room_for(a, k->found.n, k->found.n)) {
-    return false;
-  }
-  for (uint32_t i = 0; i < k->found.n; i++) {
-    if (k->cell[i] != i) {
-      continue;
-    }
-    uint32_t node = sg_arrangement_new_node(a);
-
-    if (node == SG_NO_KEY) {
-      return false;
-    }
-    sg_cell *cell = &a->cell[a->cells++];
-
-    *cell = (sg_cell){.leaf = k->leaf,
-                      .p = k->p,
-                      .axis = sg_work_axis(k->work),
-                      .first = a->triangles,
-                      .node = node};
-    for (uint32_t j = i; j < k->found.n; j++) {
-      if (cell_root(k->cell, j) == i) {
-        add_triangle(k, &k->found.item[j]);
-      }
-    }
-    cell->n = a->triangles - cell->first;
-  }
-  return true;
-}
-
-sg_outcome
-sg_arrangement_polygon(sg_arrangement *a, int32_t s, int32_t p, sg_work *work,
-                       double reach, int32_t *edge, const sg_poll *poll)
-{
-  taking k = {.a = a, .leaf = sg_arrangement_leaf(a, s), .p = p, .work = work};
-  uint32_t key[2] = {k.leaf, (uint32_t)p};
-  sg_outcome outcome = SG_NO_SPACE;
-
-  if (k.leaf == SG_NO_KEY || !a->leaf[k.leaf].wanted ||
-      sg_key_table_get(&a->has_triangles, key) == SG_NO_KEY) {
-    return SG_DONE;
-  }
-  if (copy_edges(&k)) {
-    outcome = triangulate(&k, reach, edge, poll);
-  }
-  if (outcome == SG_DONE && (!join_cells(&k) || !add_cells(&k))) {
-    outcome = SG_NO_SPACE;
-  }
-  taking_clear(&k);
-  return outcome;
 }

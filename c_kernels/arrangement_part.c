@@ -106,12 +106,7 @@ note_auxiliary(sg_arrangement *a, const sg_view *e, size_t page, unsigned r)
       sg_arrangement_is_line(a, leaf, v1, v2)) {
     return true;
   }
-  uint32_t *known = sg_key_table_put(&a->auxiliary, key);
-
-  if (known) {
-    *known = 1;
-  }
-  return known != NULL;
+  return sg_key_table_add(&a->auxiliary, key);
 }
 
 /* Whether a page has an auxiliary edge; a full one is looked at as a whole. */

@@ -22,12 +22,8 @@ sg_id_set_make(sg_id_set *set, const int32_t *id, size_t n)
   if (span > SPARSE * n + (1 << 16)) {
     for (size_t i = 0; i < n && good; i++) {
       uint32_t key = (uint32_t)id[i];
-      uint32_t *known = sg_key_table_put(&set->table, &key);
 
-      good = known != NULL;
-      if (good) {
-        *known = 1;
-      }
+      good = sg_key_table_add(&set->table, &key);
     }
     return good;
   }

@@ -90,3 +90,14 @@ sg_key_table_put(sg_key_table *table, const uint32_t *key)
   }
   return slot + table->words;
 }
+
+bool
+sg_key_table_add(sg_key_table *table, const uint32_t *key)
+{
+  uint32_t *number = sg_key_table_put(table, key);
+
+  if (number) {
+    *number = 1;
+  }
+  return number != NULL;
+}

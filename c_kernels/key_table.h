@@ -12,6 +12,7 @@
 #ifndef SG_KEY_TABLE_H
 #define SG_KEY_TABLE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -33,5 +34,9 @@ uint32_t sg_key_table_get(const sg_key_table *table, const uint32_t *key);
 /* Where the number of a key stands; a new key starts with SG_NO_KEY and must
  * be given another number. Valid until the next put. Null: no memory. */
 uint32_t *sg_key_table_put(sg_key_table *table, const uint32_t *key);
+
+/* Puts a key of a set: its number does not matter, and is 1. False: no memory.
+ */
+bool sg_key_table_add(sg_key_table *table, const uint32_t *key);
 
 #endif
