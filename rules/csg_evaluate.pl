@@ -12,7 +12,10 @@
               [ node/4, root_segment/1, is_node/1, complete_tree/1,
                 complete_tree/2
               ]).
-:- use_module(csg_flat, [flat_expression/2, flat_leaves/2, helpers/1]).
+:- use_module(csg_flat,
+              [ flat_expression/2, flat_leaves/2, helpers/1, is_half/1,
+                half_surface/2
+              ]).
 :- use_module(csg_matrix,
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module(csg_record,
@@ -20,7 +23,7 @@
                 segment_stamps/2
               ]).
 :- use_module(csg_rows, [copy_segments/3, drop_boundary/1]).
-:- use_module(kernel, [segment_meets_itself/1]).
+:- use_module(kernel, [segment_meets_itself/1, segments_tolerance/2]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -30,7 +33,7 @@
 :- use_module(triangulation, [complete_segments/1]).
 :- autoload(library(apply), [exclude/3, maplist/2]).
 :- autoload(library(error), [existence_error/2]).
-:- autoload(library(lists), [member/2]).
+:- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/3]).
 :- autoload(library(ordsets), [ord_subtract/3]).
 :- autoload(library(pairs), [pairs_keys/2]).
@@ -63,7 +66,7 @@ operation it is their union: the same solid.
 %
 %     - tolerance(Tolerance)
 %       What is nearer than this (model units) is made to touch first. Default:
-%       as model_tolerance/1 sees the model.
+%       as segments_tolerance/2 sees the leaves of a node.
 %
 %   @error existence_error(segment, S); model_error(What) of csg_term.pl;
 %   geometry_error(What) where the geometry cannot be done
@@ -162,7 +165,7 @@ made(of(Expression, Stamps, Tolerance), Known, S) :-
         pairs_keys(New, Leaves),
         exclude(is_surface, Leaves, Solids),
         maplist(checked_operand, Solids),
-        tolerance_options(Tolerance, Options),
+        tolerance_options(Tolerance, Stamps, Options),
         boolean(Expression, S, Options)
     ).
 
@@ -177,9 +180,24 @@ meets_itself(Leaf) :-
     operand_faults(Leaf, []),
     segment_meets_itself(Leaf).
 
-tolerance_options(default, []) :-
-    !.
-tolerance_options(Tolerance, [tolerance(Tolerance)]).
+%   tolerance_options(Tolerance, Stamps, Options): a half-space is as large as it
+%   has to be and says nothing about the model; a surface that one was made from
+%   does.
+
+tolerance_options(default, Stamps, Options) :-
+    !,
+    pairs_keys(Stamps, Leaves),
+    findall(Leaf, ( member(Leaf, Leaves), \+ is_half(Leaf) ), Own),
+    (   Own == Leaves
+    ->  Options = []
+    ;   findall(Surface, ( member(Half, Leaves), is_half(Half),
+                           half_surface(Half, Surface) ),
+                Surfaces),
+        append(Own, Surfaces, Real),
+        segments_tolerance(Real, Tolerance),
+        Options = [tolerance(Tolerance)]
+    ).
+tolerance_options(Tolerance, _, [tolerance(Tolerance)]).
 
 rounded_identity(Rounded) :-
     identity_matrix(Identity),

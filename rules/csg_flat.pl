@@ -1,7 +1,9 @@
 :- module(sg_csg_flat,
           [ flat_expression/2,          % +S, -Expression
             flat_leaves/2,              % +Expression, -Leaves
-            helpers/1                   % -Helpers
+            helpers/1,                  % -Helpers
+            is_half/1,                  % +S
+            half_surface/2              % +S, -Surface
           ]).
 :- use_module(csg, [node/4, is_helper/1]).
 :- use_module(csg_behind, [behind_surface/4]).
@@ -341,6 +343,24 @@ front_noted(K, Surface) :-
         sort(Vs0, Vs),
         forall(nth1(I, Vs, V), assert_fact(from_v(K, I, Surface, V)))
     ).
+
+%!  is_half(+S) is semidet.
+%
+%   True when segment S is the helper for a half-space, or for what is behind a
+%   surface.
+
+is_half(S) :-
+    segment(S, _, polyhedron(_, _)),
+    is_helper(S),
+    !.
+
+%!  half_surface(+S, -Surface) is semidet.
+%
+%   S is the helper for what is behind Surface.
+
+half_surface(S, Surface) :-
+    from_p(S, 1, Surface, _, _),
+    !.
 
 box_union(Box, none, Box) :-
     !.

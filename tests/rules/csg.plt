@@ -191,6 +191,17 @@ test(not_through, error(model_error(csg(not_through(2))), _)) :-
                 split(1, 2, below) ],
               true).
 
+%   The helper of a split is larger than the model; what is near is not.
+
+test(near_by_the_operands_alone,
+     [forall(member(Gap-Ps, [1.0e-10-5, 1.0e-9-10])), true(N == Ps)]) :-
+    Turned = rotate(axis(1,2,3),33),
+    Z is 1+Gap,
+    with_tree([ at([Turned], box(size(1,1,1))),
+                at([translate(0,0,Z),Turned], box(size(1,1,1))),
+                split(union([1,2]), plane(1,0,0,0.1), below) ],
+              aggregate_all(count, p(3, _, _), N)).
+
 test(empty, N == 0) :-
     with_tree([box(size(1,1,1)), difference([1,1])],
               aggregate_all(count, v(2, _, _, _, _), N)).
@@ -420,6 +431,37 @@ test(edited_in_steps_undone, [V1, V2, E] == [6.0, 4.0, 0]) :-
                 evaluate,
                 statistics(E, _),
                 volume(3, V2) )).
+
+test(undone_without_evaluating, Same == [true,true]) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
+                difference([1,2]) ],
+              ( node_rows(3, Rows0),
+                facts_transaction(
+                    ( term_changed(2, at([translate(1.5,0,0)],
+                                         box(size(2,2,2)))),
+                      evaluate )),
+                node_rows(3, Rows1),
+                Rows1 \== Rows0,
+                findall(Is,
+                        ( member(Step-Rows, [facts_undo-Rows0,
+                                             facts_redo-Rows1]),
+                          call(Step),
+                          node_rows(3, Rows2),
+                          (   Rows2 == Rows,
+                              evaluated(3)
+                          ->  Is = true
+                          ;   Is = false
+                          ) ),
+                        Same) )).
+
+%   node_rows(S, Rows): its vertices, polygons and triangles, and its record.
+
+node_rows(S, Rows) :-
+    findall(Row,
+            ( member(Row, [ v(S, _, _, _, _), p(S, _, _), t(S, _, _, _, _, _),
+                            origin(S, node(S), _) ]),
+              call(Row) ),
+            Rows).
 
 term_changed(S, Term) :-
     retract_fact(segment(S, Kind, _)),
