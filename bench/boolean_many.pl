@@ -1,12 +1,13 @@
 /* Many operands:
 
-       swipl -p foreign=build bench/boolean_many.pl -- many|tree
+       swipl -p foreign=build bench/boolean_many.pl -- many|tree|instance
 
    many: 700 spheres on a jittered grid, each meeting some others, in one call.
    tree: 1,000 primitives, each meeting at most 10 others, in one expression;
    the first evaluation, then each leaf moved in turn and the tree evaluated
    again.
    MOVES of the leaves (all unless told) are moved.
+   instance: a sphere of 300,000 triangles once more, turned.
 */
 :- use_module('../rules/boolean').
 :- use_module('../rules/csg_evaluate').
@@ -72,6 +73,17 @@ said(S, Text) :-
         delete_file(File)),
     format(atom(Text), "~d triangles, good=~w, volume ~6f",
            [R.triangles,R.good,R.volume]).
+
+/* - - - an instance - - - */
+
+instance :-
+    add_primitive(sphere(radius(1), facets(550), bands(276)), _),
+    complete_segments,
+    Steps = [rotate(axis(1,2,3),40),translate(3,0,0)],
+    assert_fact(segment(2, solid, at(Steps, 1))),
+    timed(evaluate(2), Seconds),
+    aggregate_all(count, t(2, _, _, _, _, _), Triangles),
+    format("an instance of ~D triangles: ~3f s~n", [Triangles,Seconds]).
 
 /* - - - a tree of 1,000 - - - */
 

@@ -5,6 +5,7 @@
 #include "solid4pl.h"
 
 #include "glue.h"
+#include "solid_move.h"
 #include "solid_take.h"
 
 #include "../engine/install.h"
@@ -158,6 +159,69 @@ solid_take(term_t segments, term_t solid)
   return sg_unify_solid(solid, &taken);
 }
 
+/* ---- moving ---- */
+
+static int
+get_rows_ex(term_t matrix, double row[3][4])
+{
+  term_t tail = PL_copy_term_ref(matrix), head = PL_new_term_ref();
+  double *numbers;
+  size_t n;
+
+  for (int k = 0; k < 3; k++) {
+    if (!PL_get_list_ex(tail, head, tail) ||
+        !sg_get_doubles_ex(head, &numbers, &n)) {
+      return FALSE;
+    }
+    for (size_t i = 0; i < 4 && n == 4; i++) {
+      row[k][i] = numbers[i];
+    }
+    free(numbers);
+    if (n != 4) {
+      return PL_type_error("matrix", matrix);
+    }
+  }
+  return PL_get_nil_ex(tail);
+}
+
+/* The numbers, from 1, of the faces that are marked. */
+static int
+unify_marked(term_t list, const bool *marked, size_t n)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  for (size_t i = 0; i < n; i++) {
+    if (marked[i] &&
+        (!PL_unify_list(tail, head, tail) || !PL_unify_uint64(head, i + 1))) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* solid_move(+Solid, +Matrix, -Again) is semidet: fails if it goes too far. */
+static foreign_t
+solid_move(term_t t, term_t matrix, term_t list)
+{
+  sg_solid *solid;
+  double row[3][4];
+  bool *again;
+  int done = FALSE;
+
+  if (!sg_get_solid_ex(t, &solid) || !get_rows_ex(matrix, row)) {
+    return FALSE;
+  }
+  if (!(again = malloc(solid->faces + 1))) {
+    return sg_no_memory();
+  }
+  if (sg_solid_move(solid, (const double(*)[4])row, &sg_prolog_poll, again) ==
+      SG_MOVED) {
+    done = unify_marked(list, again, solid->faces);
+  }
+  free(again);
+  return done;
+}
+
 /* solid_counts(+Solid, -Vertices, -Faces, -Triangles) is det. */
 static foreign_t
 solid_counts(term_t t, term_t vertices, term_t faces, term_t triangles)
@@ -174,6 +238,7 @@ static const PL_extension predicates[] = {
     {"solid_close", 1, solid_close, 0},
     {"solid_is_closed", 1, solid_is_closed, 0},
     {"solid_take", 2, solid_take, 0},
+    {"solid_move", 3, solid_move, 0},
     {"solid_counts", 4, solid_counts, 0},
     {NULL, 0, NULL, 0},
 };

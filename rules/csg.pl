@@ -225,12 +225,13 @@ leaf_completed([_|_], N, Kind0, Term, Kind, Incomplete0, Incomplete) :-
 leaf_completed(_, N, Kind, _, Kind, Incomplete0, Incomplete) :-
     lacking(N, Incomplete0, Incomplete).
 
-%   lacking(N, Incomplete0, Incomplete): with N if its first polygon has no
-%   triangle.
+%   lacking(N, Incomplete0, Incomplete): with N if it has polygons and no
+%   triangles. Triangle 1, mostly there, needs no index.
 
 lacking(N, Incomplete0, Incomplete) :-
-    (   p(N, P, _),
-        \+ t(N, P, _, _, _, _)
+    (   \+ t(N, _, 1, _, _, _),
+        \+ t(N, _, _, _, _, _),
+        p(N, _, _)
     ->  Incomplete = [N|Incomplete0]
     ;   Incomplete = Incomplete0
     ).

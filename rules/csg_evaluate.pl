@@ -180,9 +180,9 @@ meets_itself(Leaf) :-
     operand_faults(Leaf, []),
     segment_meets_itself(Leaf).
 
-%   tolerance_options(Tolerance, Stamps, Options): a half-space is as large as it
-%   has to be and says nothing about the model; a surface that one was made from
-%   does.
+%   tolerance_options(Tolerance, Stamps, Options): a half-space is as large as
+%   it has to be and says nothing about the model; a surface that one was made
+%   from does.
 
 tolerance_options(default, Stamps, Options) :-
     !,

@@ -1,9 +1,12 @@
 :- module(sg_csg_rows,
           [ copy_segments/3,            % +Ss, +Matrix, +S
+            copied_by_rule/3,           % +Ss, +Matrix, +S
             drop_boundary/1,            % +S
             segment_box/2               % +S, -Box
           ]).
 :- use_module(csg_matrix, [matrix_sign/2]).
+:- use_module(kernel,
+              [solid_take/2, solid_move/3, solid_write/2, solid_close/1]).
 :- use_module(leaf, [were_cut/2, leaves_restored/1]).
 :- use_module(store,
               [ v/5, e/5, p/3, leaf_v/5, leaf_e/5, leaf_p/3, origin/3, line/9,
@@ -12,21 +15,46 @@
 :- use_module(triangulation, [complete_segments/1]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [member/2, reverse/2]).
+:- autoload(library(lists), [is_set/1, member/2, reverse/2]).
 /** <module> Rows of segments that evaluation copies and drops.
 */
 
 %!  copy_segments(+Ss:list, +Matrix, +S) is det.
 %
-%   Add the vertices, edges, polygons and triangles of segments Ss, in order, to
-%   segment S, moved by Matrix (three rows of four floats), numbered on from
-%   what S has; with from_v/4 and from_p/5. What a penetration cut is copied as
-%   it was before. If Matrix mirrors, polygons turn round, so that outside stays
+%   Give segment S, which has no rows, those of the segments Ss, moved by Matrix
+%   (three rows of four floats), with from_v/4 and from_p/5; polygons that have
+%   no triangles may be left out. What a penetration cut is copied as it was
+%   before. If Matrix mirrors, polygons turn round, so that outside stays
 %   outside. Inexact: places are rounded.
 
 copy_segments(Ss, Matrix, S) :-
+    (   is_set(Ss),
+        \+ ( member(S0, Ss), was_changed(S0) ),
+        solid_take(Ss, Solid)
+    ->  call_cleanup(( solid_move(Solid, Matrix, Again)
+                     ->  solid_write(Solid, S),
+                         triangulated_again(S, Again)
+                     ;   copied_by_rule(Ss, Matrix, S)
+                     ),
+                     solid_close(Solid))
+    ;   copied_by_rule(Ss, Matrix, S)
+    ).
+
+triangulated_again(_, []) :-
+    !.
+triangulated_again(S, Ps) :-
+    forall(member(P, Ps), retractall_facts(t(S, P, _, _, _, _))),
+    complete_segments([S]).
+
+%!  copied_by_rule(+Ss:list, +Matrix, +S) is det.
+%
+%   What copy_segments/3 does, row by row.
+
+copied_by_rule(Ss, Matrix, S) :-
     forall(member(S0, Ss), copy_segment(S0, Matrix, S)),
     complete_segments([S]).
+
+%   copy_segment(S0, Matrix, S): numbered on from what S has.
 
 copy_segment(S0, Matrix, S) :-
     greatest(V, v(S, V, _, _, _), DV),
@@ -143,6 +171,13 @@ drop_boundary(S) :-
     findall(Origin, origin(S, node(S), Origin), Origins),
     retractall_facts(origin(S, _, _)),
     forall(member(Origin, Origins), assert_fact(origin(S, node(S), Origin))).
+
+was_changed(S) :-
+    (   was_cut(S)
+    ->  true
+    ;   leaf_v(S, _, _, _, _)
+    ->  true
+    ).
 
 was_cut(S) :-
     leaf_p(S, _, _),

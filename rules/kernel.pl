@@ -33,6 +33,7 @@
             leaves_keep/1,            % +Polygons
             % solid4pl.c
             solid_take/2,             % +Segments, -Solid
+            solid_move/3,             % +Solid, +Matrix, -Again
             solid_counts/4,           % +Solid, -Vertices, -Faces, -Triangles
             solid_write/2,            % +Solid, +S
             solid_close/1,            % +Solid
@@ -265,6 +266,14 @@ glue file.
 %   has triangles. Segments are taken in ascending order, each once; vertices of
 %   different segments stay apart. The handle is freed by atom garbage
 %   collection, or at once by solid_close/1.
+
+%!  solid_move(+Solid, +Matrix, -Again:list) is semidet.
+%
+%   Put Solid somewhere else: three rows [A,B,C,D] of Matrix give the new
+%   coordinates, A*X+B*Y+C*Z+D. If Matrix mirrors, triangles turn round. Again
+%   are the numbers, from 1, of faces whose triangles no longer cover them, for
+%   rounding turned one over. Fails if a coordinate is larger than v/5 takes;
+%   Solid is then good for nothing.
 
 %!  solid_counts(+Solid, -Vertices, -Faces, -Triangles) is det.
 %

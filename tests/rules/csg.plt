@@ -8,8 +8,9 @@
 :- use_module(rules(csg)).
 :- use_module(rules(csg_evaluate)).
 :- use_module(rules(csg_half_space)).
-:- use_module(rules(csg_matrix)).
 :- use_module(rules(csg_roots)).
+:- use_module(rules(csg_rows)).
+:- use_module(rules(csg_matrix)).
 :- use_module(rules(explain)).
 :- use_module(rules(kernel), [census/1]).
 :- use_module(rules(integrity), [model_defect/1, defect_weight/2]).
@@ -469,6 +470,86 @@ term_changed(S, Term) :-
     assert_fact(segment(S, Kind, Term)).
 
 :- end_tests(csg_again).
+
+:- begin_tests(csg_copies).
+
+%   copied(Terms): segments that are copied, the last as a node.
+
+copied([hollow_cylinder(radius(2), inner(1), height(3), facets(9))]).
+copied([sphere(radius(1), facets(8), bands(4)), box(size(1,2,3))]).
+copied([ box(size(2,2,2)), at([translate(1,0,0)], box(size(1,1,9))),
+         difference([1,2]) ]).
+
+placed([]).
+placed([rotate(axis(1,2,3),77), translate(1,0,0), scale(3)]).
+placed([mirror(normal(1,1,0)), translate(0.1,0.2,0.3)]).
+placed([matrix([[1,2,0,4],[0,1,1,5],[1,0,1,6]])]).
+
+%   The kernel says what the rule says: the same vertices, the same edges round
+%   the polygons they come from, and triangles that cover these.
+
+test(as_by_rule, [ forall(( copied(Terms), placed(Steps) )),
+                   true(Kernel == Rule) ]) :-
+    steps_matrix(Steps, Matrix0),
+    rounded_matrix(Matrix0, Matrix),
+    with_tree(Terms,
+              ( findall(S, segment(S, _, _), Ss),
+                forall(member(K, [100,101]),
+                       assert_fact(segment(K, solid, copy))),
+                copy_segments(Ss, Matrix, 100),
+                copied_by_rule(Ss, Matrix, 101),
+                copy_seen(100, Kernel),
+                copy_seen(101, Rule) )).
+
+copy_seen(S, seen(Vertices, Polygons, Edges)) :-
+    findall(S0-V0-p(X,Y,Z), ( v(S, V, X, Y, Z), from_v(S, V, S0, V0) ),
+            Vertices0),
+    sort(Vertices0, Vertices),
+    findall(S0-P0-Sense-N,
+            ( from_p(S, P, S0, P0, Sense),
+              aggregate_all(count, t(S, P, _, _, _, _), N) ),
+            Polygons0),
+    msort(Polygons0, Polygons),
+    findall(S0-P0-(A0-B0-Et),
+            ( p(S, P, Es), from_p(S, P, S0, P0, _), member(E, Es),
+              e(S, E, A, B, Et), from_v(S, A, _, A0), from_v(S, B, _, B0) ),
+            Edges0),
+    msort(Edges0, Edges).
+
+test(planes, Bad == []) :-
+    with_tree([ box(size(2,3,4)),
+                at([mirror(x), rotate(axis(1,2,3),20)], 1) ],
+              findall(P, ( plane(2, P, A, B, C, D),
+                           t(2, P, _, V1, V2, V3),
+                           plane_fault(A, B, C, D, 2, [V1,V2,V3]) ), Bad)).
+
+plane_fault(A, B, C, D, S, Vs) :-
+    (   member(V, Vs),
+        v(S, V, X, Y, Z),
+        abs(A*X + B*Y + C*Z + D) > 1.0e-12
+    ;   maplist([V,p(X,Y,Z)]>>v(S, V, X, Y, Z), Vs,
+                [p(X1,Y1,Z1),p(X2,Y2,Z2),p(X3,Y3,Z3)]),
+        A*((Y2-Y1)*(Z3-Z1)-(Z2-Z1)*(Y3-Y1)) +
+        B*((Z2-Z1)*(X3-X1)-(X2-X1)*(Z3-Z1)) +
+        C*((X2-X1)*(Y3-Y1)-(Y2-Y1)*(X3-X1)) =< 0
+    ).
+
+%   A face nearly on a line when it is there: rounding may turn triangles, which
+%   are found anew.
+
+test(flattened, [forall(between(1, 40, I)), true(Faults == 0)]) :-
+    Degrees is 9*I,
+    with_tree([ polyhedron(points([[0,0,0],[1,0,0],[2,0,0],[2,1,0],[1,1,0],
+                                   [0,1,0],[1,0.5,1]]),
+                           faces([[6,5,4,3,2,1],[1,2,7],[2,3,7],[3,4,7],
+                                  [4,5,7],[5,6,7],[6,1,7]])),
+                at([scale(1,1,0.000001), rotate(axis(3,1,2),Degrees)], 1) ],
+              faults(Faults)).
+test(too_far, error(_)) :-
+    with_tree([ box(size(1,1,1)), at([scale(1.0e60), scale(1.0e60)], 1) ],
+              true).
+
+:- end_tests(csg_copies).
 
 :- begin_tests(csg_matrix).
 
