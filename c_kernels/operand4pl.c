@@ -156,6 +156,69 @@ segment_meets_itself(term_t s)
   return good && meets;
 }
 
+static int
+compare_ids(const void *x, const void *y)
+{
+  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
+
+  return (a > b) - (a < b);
+}
+
+/* Asks of all trees in turn, and gives those that do. */
+static int
+unify_meeting_ex(term_t list, asking *a, const int32_t *s, sg_kept_tree **tree,
+                 size_t n)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  for (size_t i = 0; i < n; i++) {
+    bool meets = false;
+
+    a->s = s[i];
+    a->kept = tree[i];
+    if (!self_ex(a, &meets) || (meets && (!PL_unify_list(tail, head, tail) ||
+                                          !PL_unify_integer(head, s[i])))) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* segments_meeting_themselves(+Segments, -Which) is det. */
+static foreign_t
+segments_meeting_themselves(term_t segments, term_t which)
+{
+  asking a = {.world = sg_current_world_ex()};
+  sg_kept_tree **tree = NULL;
+  int32_t *s = NULL;
+  size_t n = 0;
+
+  if (!a.world || !sg_get_ids_ex(segments, &s, &n)) {
+    return FALSE;
+  }
+  if (n > 1) {
+    qsort(s, n, sizeof *s, compare_ids);
+  }
+  a.version = sg_world_version(a.world);
+  a.crew = sg_crew_open(0);
+  tree = calloc(n + 1, sizeof(sg_kept_tree *));
+  int good = (a.crew && tree) || sg_no_memory();
+
+  good = good && sg_leaf_views_ex(a.version, &a.views) &&
+         sg_trees_hold_ex(a.world, a.version, &a.views, s, n, a.crew, tree) &&
+         unify_meeting_ex(which, &a, s, tree, n);
+  for (size_t i = 0; tree && i < n; i++) {
+    if (tree[i]) {
+      sg_kept_tree_drop(tree[i]);
+    }
+  }
+  free(tree);
+  free(s);
+  a.kept = NULL;
+  close_asking(&a);
+  return good;
+}
+
 /* segment_operand(+S, -Operand) is det. */
 static foreign_t
 segment_operand(term_t s, term_t out)
@@ -224,6 +287,7 @@ segment_edges(term_t s, term_t most, term_t counts, term_t list)
 
 static const PL_extension predicates[] = {
     {"segment_meets_itself", 1, segment_meets_itself, 0},
+    {"segments_meeting_themselves", 2, segments_meeting_themselves, 0},
     {"segment_operand", 2, segment_operand, 0},
     {"segment_edges", 4, segment_edges, 0},
     {NULL, 0, NULL, 0},

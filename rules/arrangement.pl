@@ -11,7 +11,8 @@
                 arrangement_polygon/5, arrangement_seal/1,
                 arrangement_components/2, arrangement_select/3,
                 arrangement_senses/4, pieces_kept/1, keep_pieces/1,
-                near_segments/3, segment_meets_itself/1, segments_tolerance/2
+                near_segments/3, segments_meeting_themselves/2,
+                segments_tolerance/2
               ]).
 :- use_module(leaf, [were_cut/2]).
 :- use_module(penetration, [leaves_entered/4, touching/2]).
@@ -250,7 +251,7 @@ fresh_pieces(Stale, Pairs0, Near, Tolerance, Fresh, Clusters) :-
               ord_memberchk(B, Segments)
             ),
             Different),
-    findall(S-S, ( member(S, Segments), meets_itself(S) ), Selves),
+    selves(Segments, Selves),
     ord_union(Different, Selves, Pairs),
     maplist(segment_stamp, Segments, Stamps),
     facts_snapshot(sg_arrangement:arranged(Pairs, Segments-Stamps, Stale,
@@ -258,14 +259,19 @@ fresh_pieces(Stale, Pairs0, Near, Tolerance, Fresh, Clusters) :-
     findall(S-Arrangement, member(S, Stale), Fresh),
     clusters(Changed, Near, Clusters).
 
-%   meets_itself(+S): it is cut by itself, so that winding decides what of it is
-%   inside.
+%   selves(+Segments, -Selves): S-S of those that are to be cut by themselves: then
+%   winding decides what of them is inside.
 
-meets_itself(S) :-
-    were_cut(S, S),
-    !.
-meets_itself(S) :-
-    stage(self, segment_meets_itself(S)).
+selves(Segments, Selves) :-
+    stage(self, segments_meeting_themselves(Segments, Meeting)),
+    findall(S-S,
+            ( member(S, Segments),
+              (   ord_memberchk(S, Meeting)
+              ->  true
+              ;   were_cut(S, S)
+              )
+            ),
+            Selves).
 
 arranged(Pairs, Segments, Wanted, Tolerance, Arrangement, Changed) :-
     leaves_entered(Pairs, Wanted, Tolerance,

@@ -26,6 +26,7 @@
             near_segments/3,          % +Reach, -S1, -S2
             self_meetings/2,          % +Most, -Segments
             segment_meets_itself/1,   % +S
+            segments_meeting_themselves/2, % +Segments, -Which
             segment_operand/2,        % +S, -Operand
             segment_edges/4,          % +S, +Most, -Counts, -Edges
             windings/3,               % +S, +Points, -Windings
@@ -321,6 +322,11 @@ glue file.
 %   of the polygons: something they have in common is at X, Y, Z.
 
 /* - - - operand4pl.c - - - */
+
+%!  segments_meeting_themselves(+Segments:list, -Which:list) is det.
+%
+%   Which are those of Segments, each there once, for which
+%   segment_meets_itself/1 is true; ascending. Cheaper than one by one.
 
 %!  segment_meets_itself(+S) is semidet.
 %
