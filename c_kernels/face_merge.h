@@ -54,6 +54,8 @@ typedef struct sg_merge_pair {
 typedef struct sg_merge_options {
   double tolerance;           /* model units, >= 0; 4 units in the last place of
                                  the largest coordinate are the least */
+  bool by_size;               /* no more than 2^-13 of the solid's own size: the
+                                 tolerance may be that of a far larger model */
   bool separate;              /* never faces of different segments */
   const sg_merge_pair *apart; /* [aparts]: sorted, never these */
   size_t aparts;

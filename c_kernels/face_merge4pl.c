@@ -13,7 +13,7 @@
 
 static atom_t atom_separate, atom_together;
 static functor_t functor_part3, functor_minus2, functor_origins1,
-    functor_apart1;
+    functor_apart1, functor_by_size1;
 
 static int
 failed(sg_merge_end end)
@@ -101,6 +101,16 @@ get_origins_ex(term_t t, bool *separate)
   return *separate || atom == atom_together || PL_domain_error("origins", t);
 }
 
+static int
+get_flag_ex(term_t t, bool *out)
+{
+  int flag = 0;
+  int good = PL_get_bool_ex(t, &flag);
+
+  *out = flag;
+  return good;
+}
+
 /* Those that are ours; others are somebody else's. */
 static int
 get_options_ex(term_t list, sg_merge_options *out, sg_merge_pair **apart)
@@ -113,7 +123,9 @@ get_options_ex(term_t list, sg_merge_options *out, sg_merge_pair **apart)
          (!PL_get_arg(1, head, arg) || !get_origins_ex(arg, &out->separate))) ||
         (PL_is_functor(head, functor_apart1) &&
          (!PL_get_arg(1, head, arg) ||
-          !get_pairs_ex(arg, apart, &out->aparts)))) {
+          !get_pairs_ex(arg, apart, &out->aparts))) ||
+        (PL_is_functor(head, functor_by_size1) &&
+         (!PL_get_arg(1, head, arg) || !get_flag_ex(arg, &out->by_size)))) {
       return FALSE;
     }
   }
@@ -196,6 +208,7 @@ sg_install_face_merge(void)
   functor_part3 = PL_new_functor(PL_new_atom("part"), 3);
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   functor_origins1 = PL_new_functor(PL_new_atom("origins"), 1);
+  functor_by_size1 = PL_new_functor(PL_new_atom("by_size"), 1);
   functor_apart1 = PL_new_functor(PL_new_atom("apart"), 1);
   PL_register_extensions_in_module("sg_kernel", predicates);
 }

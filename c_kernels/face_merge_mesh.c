@@ -15,6 +15,7 @@ enum {
   RANGES = 4,      /* of vertices, for threads that go over all triangles */
   BLOCK = 1 << 12, /* vertices a task */
   LONG = 24,       /* lists longer than this are sorted */
+  SIZE = 13 /* the tolerance is at most 2^-SIZE of the size, if by_size */
 };
 
 typedef struct edge_list {
@@ -392,18 +393,32 @@ gather_all(sg_merge *m, const finds *found, size_t blocks)
   return m->weak && m->brief ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
 }
 
-static double
-largest_coordinate(const sg_solid *solid)
+/* What is used by triangles counts. */
+static void
+find_tolerance(sg_merge *m)
 {
-  double largest = 0;
+  const sg_solid *solid = m->solid;
+  double low[3] = {INFINITY, INFINITY, INFINITY};
+  double high[3] = {-INFINITY, -INFINITY, -INFINITY};
+  double largest = 0, size = 0;
 
-  for (size_t v = 0; v < solid->vertices; v++) {
+  for (size_t i = 0; i < 3 * solid->triangles; i++) {
+    const double *at = sg_merge_at(m, solid->triangle[i / 3][i % 3]);
     for (int k = 0; k < 3; k++) {
-      double x = fabs(solid->vertex[v].at[k]);
-      largest = x > largest ? x : largest;
+      low[k] = at[k] < low[k] ? at[k] : low[k];
+      high[k] = at[k] > high[k] ? at[k] : high[k];
     }
   }
-  return largest;
+  for (int k = 0; k < 3 && solid->triangles; k++) {
+    largest = fmax(largest, fmax(fabs(low[k]), fabs(high[k])));
+    size = fmax(size, high[k] - low[k]);
+  }
+  m->rounding = 4 * DBL_EPSILON * largest;
+  m->tolerance = m->options->tolerance;
+  if (m->options->by_size) {
+    m->tolerance = fmin(m->tolerance, ldexp(size, -SIZE));
+  }
+  m->tolerance = fmax(m->tolerance, m->rounding);
 }
 
 sg_merge_end
@@ -415,8 +430,7 @@ sg_merge_mesh(sg_merge *m)
   pairing mesh = {m, calloc(blocks + 1, sizeof *mesh.found)};
   sg_merge_end end = SG_MERGE_NO_MEMORY;
 
-  m->rounding = 4 * DBL_EPSILON * largest_coordinate(solid);
-  m->tolerance = fmax(m->options->tolerance, m->rounding);
+  find_tolerance(m);
   m->face_of = malloc((solid->triangles + 1) * sizeof *m->face_of);
   m->first = calloc(solid->vertices + 2, sizeof *m->first);
   m->leaving = malloc((halves + 1) * sizeof *m->leaving);

@@ -64,13 +64,15 @@ boolean(Expression, S, Options0) :-
     facts_transaction(sg_boolean:written(Solid, S, Expression)),
     solid_close(Solid).
 
-%   What the operands say, not what else is in the world.
+%   What the operands say, not what else is in the world; and of merging, what
+%   the result does, where an operand is far larger.
 
-tolerance(Leaves, Options, [tolerance(Tolerance)|Options]) :-
-    (   option(tolerance(Tolerance0), Options)
-    ->  Tolerance = Tolerance0
-    ;   segments_tolerance(Leaves, Tolerance)
-    ).
+tolerance(_, Options, Options) :-
+    option(tolerance(_), Options),
+    !.
+tolerance(Leaves, Options,
+          [tolerance(Tolerance),by_size(true)|Options]) :-
+    segments_tolerance(Leaves, Tolerance).
 
 %   made(+Expression, +Leaves, +Options, -Solid): it must be closed, if its
 %   operands are. Where sheets of one operand nearly lie on each other, what was

@@ -25,6 +25,9 @@ left at them vanish. Bodies that touch in an edge keep it.
 %     - tolerance(Tolerance)
 %     What is not farther than this (model units) from a plane or a line lies in
 %     it. Default: model_tolerance/1.
+%     - by_size(Bool)
+%     No more than 2^-13 of the size of Solid, which may be a small part of the
+%     model. Default: `true` if no tolerance is given, else `false`.
 %     - origins(Which)
 %     `separate`: faces that come from different segments never become one.
 %     Default: `together`.
@@ -33,12 +36,15 @@ left at them vanish. Bodies that touch in an edge keep it.
 
 faces_merged(Solid, Options) :-
     (   option(tolerance(Tolerance), Options)
-    ->  true
-    ;   model_tolerance(Tolerance)
+    ->  BySize0 = false
+    ;   model_tolerance(Tolerance),
+        BySize0 = true
     ),
+    option(by_size(BySize), Options, BySize0),
     option(origins(Origins), Options, together),
     kept_apart(Solid, Tolerance, Apart),
-    solid_merge(Solid, Tolerance, [origins(Origins), apart(Apart)]).
+    solid_merge(Solid, Tolerance,
+                [origins(Origins), apart(Apart), by_size(BySize)]).
 
 kept_apart(_, _, []) :-
     decision_is_default(merge_faces/2),

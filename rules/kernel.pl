@@ -300,8 +300,9 @@ glue file.
 %
 %   Makes coplanar neighbours in Solid one face each and drops vertices that lie
 %   straight (c_kernels/face_merge.h). Options: origins(separate): never faces
-%   of different segments; apart(Pairs): never these, as of solid_neighbours/3.
-%   Others are ignored.
+%   of different segments; apart(Pairs): never these, as of solid_neighbours/3;
+%   by_size(true): a Tolerance no larger than 2^-13 of the size of Solid. Others
+%   are ignored.
 
 %!  solid_neighbours(+Solid, +Tolerance, -Pairs:list) is det.
 %

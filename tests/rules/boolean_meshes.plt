@@ -32,15 +32,7 @@ all :-
 fault(Source, Name-Faults) :-
     mesh_pair(Source, Name, First, Second),
     \+ ( Name == 'src-mesh062.off', \+ all ),
-    \+ too_small(Name),
     outcome_faults(Name, First, Second, Faults).
-
-%   In Cray the first solid is smaller than the tolerance that the second, which
-%   is 10^34 times as large, brings: merging its faces makes them overlap.
-
-too_small('Cray') :-
-    \+ all,
-    format("~nskipped: Cray: a part smaller than the tolerance~n", []).
 
 placed_fault(Seed-Name-Faults) :-
     sample(placed, 4, Seed),
