@@ -1,6 +1,8 @@
 /* boundary_meet.c -- where a boundary_mesh goes through itself. */
 #include "boundary_mesh.h"
+#include "key_table.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* A mesh as a segment: some arrays stay the mesh's, the others are here. */
@@ -102,6 +104,59 @@ find_coarse(const sg_boundary_mesh *mesh, sg_crew *crew, const sg_poll *poll,
   return true;
 }
 
+/* The cell of the grid that a place is in, moved by dx, dy, dz cells. */
+static void
+cell_key(const double at[3], double grid, const int move[3],
+         uint32_t key[SG_KEY_WORDS])
+{
+  for (int k = 0; k < 3; k++) {
+    uint64_t i = (uint64_t)((int64_t)nearbyint(at[k] / grid) + move[k]);
+    key[2 * k] = (uint32_t)i;
+    key[2 * k + 1] = (uint32_t)(i >> 32);
+  }
+}
+
+/* Puts the cell of a place and the 26 around it into cells. */
+static bool
+put_cells(sg_key_table *cells, const double at[3], double grid)
+{
+  for (int i = 0; i < 27; i++) {
+    uint32_t key[SG_KEY_WORDS], *number;
+
+    cell_key(at, grid, (int[3]){i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1}, key);
+    if (!(number = sg_key_table_put(cells, key))) {
+      return false;
+    }
+    *number = 0;
+  }
+  return true;
+}
+
+/* Marks also what is in the same cell of the grid as a marked vertex, or in one
+ * next to it: between places on the grid and places near them that are not,
+ * faces would be thinner than the grid again. */
+static bool
+spread_coarse(const sg_boundary_mesh *mesh, double grid, unsigned char *coarse)
+{
+  const double(*at)[3] = (const double(*)[3])mesh->mesh.vertex;
+  size_t n = mesh->mesh.vertices;
+  sg_key_table cells;
+  bool done = true;
+
+  sg_key_table_init(&cells, SG_KEY_WORDS);
+  for (size_t v = 0; v < n && done; v++) {
+    done = !coarse[v] || put_cells(&cells, at[v], grid);
+  }
+  for (size_t v = 0; v < n && done && cells.n > 0; v++) {
+    uint32_t key[SG_KEY_WORDS];
+
+    cell_key(at[v], grid, (int[3]){0, 0, 0}, key);
+    coarse[v] = sg_key_table_get(&cells, key) != SG_NO_KEY;
+  }
+  sg_key_table_clear(&cells);
+  return done;
+}
+
 static sg_boundary_end
 coarsen(const sg_boundary_source *source, const sg_rounding *rounding,
         const sg_form *form, bool turned, const sg_poll *poll,
@@ -137,7 +192,8 @@ sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
     return SG_BOUNDARY_DONE;
   }
   if (coarse && open_segment(mesh, &s) &&
-      find_coarse(mesh, crew, poll, coarse)) {
+      find_coarse(mesh, crew, poll, coarse) &&
+      (rounding->grid == 0 || spread_coarse(mesh, rounding->grid, coarse))) {
     sg_boundary_source source = {.dense = &s.dense, .coarse = coarse};
     end = coarsen(&source, rounding, form, true, poll, out);
     if (end == SG_BOUNDARY_DONE && (out->stuck > 0 || out->open > 0)) {

@@ -66,7 +66,8 @@ bool sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all,
                                const sg_poll *poll, sg_self_meetings *out);
 
 /* The mesh with the vertices of those triangles that go through each other, by
- * any distance, on the grid of `rounding`; then in the same form. */
+ * any distance, on the grid of `rounding`, and those no farther from them than
+ * a cell of it; then in the same form. */
 sg_boundary_end sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
                                          const sg_rounding *rounding,
                                          const sg_form *form, sg_crew *crew,

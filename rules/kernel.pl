@@ -207,7 +207,7 @@ glue file.
 %!  boundary_coarsen(+Boundary, +Grid, -Coarser) is det.
 %
 %   Coarser is another handle for Boundary, with the vertices of those triangles
-%   that go through each other on multiples of Grid.
+%   that go through each other on multiples of Grid, and what is near these.
 
 %!  boundary_close(+Boundary) is det.
 

@@ -39,7 +39,8 @@ solid goes to a mesh file in these steps.
     it.
  3. If something is wrong, the rounded mesh is united with itself, rounded, and
     checked again. What goes through itself even then goes to a coarser grid:
-    the triangles concerned, no others (output_grid/4 below says how coarse).
+    the triangles concerned and what is near their corners, no others
+    (output_grid/4 below says how coarse).
     Five times at most.
  4. The file is written beside, and takes its name.
 
