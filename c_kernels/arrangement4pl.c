@@ -44,10 +44,9 @@ close_handle(sg_arrangement_handle *h)
   h->wanted = NULL;
   h->surface = NULL;
   h->n = 0;
-  if (h->set_atom) {
+  if (h->set) {
     sg_cut_set_let_go(h->set);
-    PL_unregister_atom(h->set_atom);
-    h->set_atom = 0;
+    h->set = NULL;
   }
 }
 
@@ -200,11 +199,10 @@ arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
   if (!h) {
     return sg_no_memory();
   }
-  if (!sg_get_cut_set_ex(set, &h->set) || !PL_get_atom(set, &h->set_atom)) {
+  if (!sg_get_cut_set_ex(set, &h->set)) {
     free(h);
     return FALSE;
   }
-  PL_register_atom(h->set_atom);
   sg_cut_set_keep(h->set);
   int good = get_leaves_ex(segments, wanted, h) && find_surfaces_ex(h) &&
              hold_trees_ex(h);

@@ -13,7 +13,6 @@ typedef struct sg_arrangement_handle {
   sg_arrangement *arrangement; /* null: closed */
   atomic_uint holders;         /* arrangement_hold/1 less arrangement_drop/1 */
   sg_cut_handle *set;          /* kept */
-  atom_t set_atom;             /* registered: it lives as long as this */
   int32_t *s;                  /* [n]: the leaves */
   bool *wanted;                /* [n] */
   bool *surface;               /* [n] */

@@ -19,32 +19,54 @@ enum { ASKED = 1 << 12 }; /* candidates between questions */
 static void
 close_handle(sg_cut_handle *handle)
 {
-  if (!handle->closed) {
-    sg_cut_set_clear(&handle->set);
-    sg_key_table_clear(&handle->next_name);
-    sg_key_table_clear(&handle->line_of);
-    sg_key_table_clear(&handle->edge_type);
-    sg_key_table_clear(&handle->edges_read);
-    free(handle->real);
-    sg_cut_rows_clear(handle);
-    sg_cut_open_clear(handle);
-    sg_version_drop(handle->version);
-    sg_world_drop(handle->world);
-    handle->closed = true;
+  sg_cut_set_clear(&handle->set);
+  sg_key_table_clear(&handle->next_name);
+  sg_key_table_clear(&handle->line_of);
+  sg_key_table_clear(&handle->edge_type);
+  sg_key_table_clear(&handle->edges_read);
+  free(handle->real);
+  sg_cut_rows_clear(handle);
+  sg_cut_open_clear(handle);
+  sg_version_drop(handle->version);
+  sg_world_let_go(handle->world);
+}
+
+static void
+drop_opener(sg_cut_handle *handle)
+{
+  if (atomic_fetch_sub(&handle->openers, 1) == 1) {
+    close_handle(handle);
+  }
+}
+
+static void
+drop_holder(sg_cut_handle *handle)
+{
+  if (atomic_fetch_sub(&handle->holders, 1) == 1) {
+    free(handle);
   }
 }
 
 void
 sg_cut_set_keep(sg_cut_handle *handle)
 {
-  handle->keepers++;
+  atomic_fetch_add(&handle->openers, 1);
+  atomic_fetch_add(&handle->holders, 1);
 }
 
 void
 sg_cut_set_let_go(sg_cut_handle *handle)
 {
-  if (--handle->keepers == 0 && handle->shut) {
-    close_handle(handle);
+  drop_opener(handle);
+  drop_holder(handle);
+}
+
+static void
+shut_handle(sg_cut_handle *handle)
+{
+  if (!handle->shut) {
+    handle->shut = true;
+    drop_opener(handle);
   }
 }
 
@@ -53,8 +75,8 @@ release_handle(atom_t atom)
 {
   sg_cut_handle *handle = PL_blob_data(atom, NULL, NULL);
 
-  close_handle(handle);
-  free(handle);
+  shut_handle(handle);
+  drop_holder(handle);
   return TRUE;
 }
 
@@ -102,7 +124,9 @@ cut_set_open(term_t pairs, term_t out)
   if (!(handle = calloc(1, sizeof *handle))) {
     return sg_no_memory();
   }
-  handle->world = sg_world_hold(world);
+  atomic_init(&handle->openers, 1);
+  atomic_init(&handle->holders, 1);
+  handle->world = sg_world_keep(world);
   handle->version = sg_world_version(world);
   sg_cut_set_init(&handle->set, sg_cut_is_real, handle);
   sg_key_table_init(&handle->next_name, 1);
@@ -110,8 +134,8 @@ cut_set_open(term_t pairs, term_t out)
   sg_key_table_init(&handle->edge_type, 4);
   sg_key_table_init(&handle->edges_read, 2);
   if (!sg_cut_open_ex(handle, pairs)) {
-    close_handle(handle);
-    free(handle);
+    shut_handle(handle);
+    drop_holder(handle);
     return FALSE;
   }
   return PL_unify_blob(out, handle, sizeof *handle, &cut_set_blob);
@@ -125,10 +149,7 @@ cut_set_close(term_t set)
   if (!sg_get_cut_set_ex(set, &handle)) {
     return FALSE;
   }
-  handle->shut = true;
-  if (handle->keepers == 0) {
-    close_handle(handle);
-  }
+  shut_handle(handle);
   return TRUE;
 }
 

@@ -24,7 +24,7 @@ enum { SG_CUT_TABLES = 3 }; /* of e/5, p/3 and plane/6 */
  * version at which it was opened. */
 typedef struct sg_cut_handle {
   sg_cut_set set;
-  sg_world *world;           /* held */
+  sg_world *world;           /* kept */
   const sg_version *version; /* held */
   int32_t (*pair)[2];        /* segments to be cut by each other */
   size_t pairs;
@@ -45,8 +45,9 @@ typedef struct sg_cut_handle {
   sg_cut_rows_by_id by_id[SG_CUT_TABLES];
   bool grouped; /* its polygons are listed, its points have names */
   bool shut;    /* for Prolog: cut_set_close/1 was called */
-  bool closed;
-  unsigned keepers; /* glue that looks into it, also when it is shut */
+  atomic_uint
+      openers; /* glue that looks into it, and Prolog until it is shut */
+  atomic_uint holders; /* the same glue, and Prolog's atom */
 } sg_cut_handle;
 
 /* The open cut set that t names: type_error, existence_error. */
@@ -63,7 +64,8 @@ void sg_cut_rows_clear(sg_cut_handle *handle);
  * False: no memory. */
 bool sg_cut_add_beside(sg_cut_handle *handle, bool late);
 
-/* A set that is kept is not closed before it is let go. Once a keep. */
+/* A set that is kept is neither closed nor freed before it is let go, by
+ * whatever thread. Once a keep. */
 void sg_cut_set_keep(sg_cut_handle *handle);
 void sg_cut_set_let_go(sg_cut_handle *handle);
 

@@ -80,7 +80,7 @@ sg_world_version(sg_world *world)
   pthread_mutex_lock(&world->lock);
   version = version_hold(sg_world_visible(world));
   pthread_mutex_unlock(&world->lock);
-  sg_world_hold(world);
+  sg_world_keep(world);
   return version;
 }
 
@@ -105,7 +105,7 @@ sg_version_drop(const sg_version *version)
     version_free(held);
     pthread_mutex_unlock(&world->lock);
   }
-  sg_world_drop(world);
+  sg_world_let_go(world);
 }
 
 sg_version *
@@ -182,6 +182,7 @@ sg_world_open(void)
     return NULL;
   }
   atomic_init(&world->holders, 1);
+  atomic_init(&world->keepers, 1);
   world->number = atomic_fetch_add(&opened, 1) + 1;
   pthread_mutex_init(&world->lock, NULL);
   pthread_condattr_init(&attributes);
@@ -206,11 +207,39 @@ sg_world_hold(sg_world *world)
   return world;
 }
 
+sg_world *
+sg_world_keep(sg_world *world)
+{
+  atomic_fetch_add_explicit(&world->keepers, 1, memory_order_relaxed);
+  return world;
+}
+
+static void
+drop_note(sg_world *world, sg_note which)
+{
+  void *note = atomic_exchange(&world->note[which], NULL);
+
+  if (note && world->drop_note[which]) {
+    world->drop_note[which](note);
+  }
+}
+
+/* Pieces keep the world: without this they and it would never end. */
 void
 sg_world_drop(sg_world *world)
 {
-  if (!world || atomic_fetch_sub_explicit(&world->holders, 1,
-                                          memory_order_acq_rel) != 1) {
+  if (world && atomic_fetch_sub_explicit(&world->holders, 1,
+                                         memory_order_acq_rel) == 1) {
+    drop_note(world, SG_NOTE_PIECES);
+    sg_world_let_go(world);
+  }
+}
+
+void
+sg_world_let_go(sg_world *world)
+{
+  if (atomic_fetch_sub_explicit(&world->keepers, 1, memory_order_acq_rel) !=
+      1) {
     return;
   }
   while (world->versions) {
@@ -224,9 +253,7 @@ sg_world_drop(sg_world *world)
   free(world->redo.version);
   free(world->changes_at);
   for (int k = 0; k < SG_NOTES; k++) {
-    if (world->drop_note[k]) {
-      world->drop_note[k](atomic_load(&world->note[k]));
-    }
+    drop_note(world, (sg_note)k);
   }
   pthread_cond_destroy(&world->turn);
   pthread_mutex_destroy(&world->lock);

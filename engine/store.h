@@ -93,17 +93,22 @@ typedef struct sg_fault {
 typedef struct sg_world sg_world;
 typedef struct sg_version sg_version;
 
-/* Life. A world is reference counted: open gives one reference. Undo keeps
+/* Life. A world is reference counted: open gives one reference. Versions, and
+ * what looks into them, do not hold a world but keep it, since it may keep them
+ * itself, in a note: its memory lasts until all have let go. Undo keeps
  * `undo_limit` steps (64 by default, set with sg_world_undo_limit). */
 sg_world *sg_world_open(void);
 sg_world *sg_world_hold(sg_world *world);
 void sg_world_drop(sg_world *world);
+sg_world *sg_world_keep(sg_world *world);
+void sg_world_let_go(sg_world *world);
 /* 1, 2, 3 ... in the order of opening: names a world in messages. */
 uint64_t sg_world_number(const sg_world *world);
 void sg_world_undo_limit(sg_world *world, unsigned steps);
 /* Things that glue keeps with the world, one of each sort, null at first; any
  * thread may read them at any time. `drop` is called with the last one of its
- * sort when the world ends. */
+ * sort when the world ends; of the pieces already when nobody holds the world
+ * but what keeps it. */
 typedef enum sg_note {
   SG_NOTE_RULES,
   SG_NOTE_TREES,

@@ -159,14 +159,14 @@ retract_answer(asking *a, sg_row row)
   if (!sg_claim_ex(world)) {
     return FALSE;
   }
-  sg_world_hold(world);
+  sg_world_keep(world);
   if (a->next == SG_NO_ROW) {
     sg_version_drop(a->version);
     a->version = NULL;
   }
   done = sg_world_retract(world, a->relation, row);
   sg_world_release(world);
-  sg_world_drop(world);
+  sg_world_let_go(world);
   return done;
 }
 

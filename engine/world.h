@@ -21,7 +21,8 @@ typedef struct sg_stack {
 } sg_stack;
 
 struct sg_world {
-  atomic_size_t holders;
+  atomic_size_t holders; /* by hold */
+  atomic_size_t keepers; /* by keep, and all holders together */
   uint64_t number;
   pthread_mutex_t lock;
   pthread_cond_t turn; /* a transaction or claim of another thread ended */

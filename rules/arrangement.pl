@@ -17,11 +17,12 @@
 :- use_module(leaf, [were_cut/2]).
 :- use_module(penetration, [leaves_entered/4, touching/2]).
 :- use_module(stage, [stage/2]).
-:- use_module(store, [facts_snapshot/1, segment_stamp/2]).
-:- autoload(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
+:- use_module(store, [v/5, segment/3, facts_snapshot/1, segment_stamp/2]).
+:- autoload(library(apply),
+            [exclude/3, foldl/4, maplist/2, maplist/3, partition/4]).
 :- autoload(library(assoc),
-            [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
-              put_assoc/4
+            [ assoc_to_keys/2, assoc_to_list/2, assoc_to_values/2, empty_assoc/1,
+              get_assoc/3, list_to_assoc/2, put_assoc/4
             ]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2]).
@@ -46,8 +47,8 @@ since a vertex that they share is shared by moving it.
 
 %!  with_arrangement(+Leaves:list, +Options:list, :Goal) is semidet.
 %
-%   Call Goal with an arrangement of the segments Leaves added, which is good for
-%   this call only. The world stays as it is. Option:
+%   Call Goal with an arrangement of the segments Leaves added, which is good
+%   for this call only. The world stays as it is. Option:
 %
 %     - tolerance(Tolerance)
 %     What is nearer than this (model units) is made to touch first. Default:
@@ -61,25 +62,24 @@ with_arrangement(Leaves0, Options, Goal) :-
     leaves_tolerance(Leaves, Options, Tolerance),
     near_leaves(Leaves, Tolerance, Pairs, Near),
     maplist(leaf_key(Tolerance, Near), Leaves, Keys),
-    kept(Kept0),
-    current(Leaves, Keys, Kept0, Current0, Stale0),
-    hanging_together(Stale0, Near, Kept0, Stale),
-    include_current(Current0, Stale, Current),
-    counted(sg_pieces_made, Stale),
-    counted(sg_pieces_found, Current),
     setup_call_cleanup(
-        maplist(hold, Current),
-        ( fresh_pieces(Stale, Pairs, Near, Tolerance, Fresh, Clusters),
+        with_mutex(sg_pieces, held(Kept, Held)),
+        ( current(Leaves, Keys, Kept, Current0, Stale0),
+          hanging_together(Stale0, Near, Kept, Stale),
+          include_current(Current0, Stale, Current),
+          counted(sg_pieces_made, Stale),
+          counted(sg_pieces_found, Current),
+          fresh_pieces(Stale, Pairs, Near, Tolerance, Fresh, Clusters),
           setup_call_cleanup(
               true,
-              ( keep(Leaves, Keys, Fresh, Clusters, Kept0),
+              ( keep(Leaves, Keys, Fresh, Clusters),
                 append(Current, Fresh, Pieces0),
                 sort(1, @<, Pieces0, Pieces),
                 call(Goal, arrangement(Pieces))
               ),
               drop_fresh(Fresh))
         ),
-        maplist(drop, Current)).
+        maplist(arrangement_drop, Held)).
 
 leaves_tolerance(Leaves, Options, Tolerance) :-
     (   option(tolerance(_), Options)
@@ -91,20 +91,14 @@ counted(Flag, Leaves) :-
     length(Leaves, N),
     flag(Flag, N0, N0+N).
 
-hold(_-Arrangement) :-
-    arrangement_hold(Arrangement).
-
-drop(_-Arrangement) :-
-    arrangement_drop(Arrangement).
-
 drop_fresh([_-Arrangement|_]) :-        % all the same one
     arrangement_drop(Arrangement).
 drop_fresh([]).
 
 /* - - - what is near what - - - */
 
-%   near_leaves(+Leaves, +Tolerance, -Pairs, -Near): the pairs of Leaves that may
-%   meet, and an assoc from each leaf to those near it, in order.
+%   near_leaves(+Leaves, +Tolerance, -Pairs, -Near): the pairs of Leaves that
+%   may meet, and an assoc from each leaf to those near it, in order.
 
 near_leaves(Leaves, Tolerance, Pairs, Near) :-
     findall(S-in, member(S, Leaves), Leaves1),
@@ -122,7 +116,8 @@ near_leaves(Leaves, Tolerance, Pairs, Near) :-
     with_alone(Leaves, Grouped, All),
     list_to_assoc(All, Near).
 
-%   with_alone(+Leaves, +Grouped, -All): leaves that nothing is near are there too.
+%   with_alone(+Leaves, +Grouped, -All): leaves that nothing is near are there
+%   too.
 
 with_alone([], [], []).
 with_alone([S|Ss], Grouped, [S-Others|All]) :-
@@ -146,11 +141,24 @@ stamped(S, S-Stamp) :-
 %   kept(-Kept): an assoc from leaves to their last two
 %   entry(Key, Arrangement, Cluster), the newest first.
 
+%
+%   What is kept is held, once for each entry. Two threads may be at it in one
+%   world, so it is only looked at or exchanged under the mutex sg_pieces.
+
 kept(Kept) :-
     (   pieces_kept(Kept0)
     ->  Kept = Kept0
     ;   empty_assoc(Kept)
     ).
+
+%   held(-Kept, -Held): all arrangements in Kept are held; Held: to be dropped.
+
+held(Kept, Held) :-
+    kept(Kept),
+    assoc_to_values(Kept, Entries),
+    findall(A, ( member(Es, Entries), member(entry(_, A, _), Es) ), As),
+    sort(As, Held),
+    maplist(arrangement_hold, Held).
 
 entries(S, Kept, Entries) :-
     (   get_assoc(S, Kept, Entries0)
@@ -206,14 +214,35 @@ include_current(Current0, Stale, Current) :-
 is_among(Stale, S-_) :-
     ord_memberchk(S, Stale).
 
-keep(_, _, [], _, _) :-
+%   keep(+Leaves, +Keys, +Fresh, +Clusters): Fresh is kept, for the third last
+%   of a leaf, and for those of segments that are there no more.
+
+keep(_, _, [], _) :-
     !.
-keep(Leaves, Keys, Fresh, Clusters, Kept0) :-
+keep(Leaves, Keys, Fresh, Clusters) :-
     pairs_keys_values(Pairs, Leaves, Keys),
     list_to_assoc(Pairs, KeyOf),
-    foldl(keep_leaf(KeyOf, Clusters), Fresh, Kept0-[], Kept-Old),
-    keep_pieces(Kept),
+    with_mutex(sg_pieces, exchanged(KeyOf, Clusters, Fresh, Old)),
     maplist(arrangement_drop, Old).
+
+exchanged(KeyOf, Clusters, Fresh, Old) :-
+    kept(Kept0),
+    assoc_to_list(Kept0, Pairs0),
+    partition(is_alive, Pairs0, Pairs, Gone),
+    (   Gone == []
+    ->  Kept1 = Kept0
+    ;   list_to_assoc(Pairs, Kept1)
+    ),
+    findall(A, ( member(_-Es, Gone), member(entry(_, A, _), Es) ), Old0),
+    foldl(keep_leaf(KeyOf, Clusters), Fresh, Kept1-Old0, Kept-Old),
+    keep_pieces(Kept).
+
+is_alive(S-_) :-
+    segment(S, _, _),
+    !.
+is_alive(S-_) :-
+    v(S, _, _, _, _),
+    !.
 
 keep_leaf(KeyOf, Clusters, S-Arrangement, Kept0-Old0, Kept-Old) :-
     get_assoc(S, KeyOf, Key),
@@ -238,8 +267,8 @@ cluster(S, Clusters, Cluster) :-
 /* - - - new pieces - - - */
 
 %   fresh_pieces(+Stale, +Pairs, +Near, +Tolerance, -Fresh, -Clusters): what is
-%   near stale leaves is cut with them, so that all lines that meet one of theirs
-%   are there. Clusters: those that were made to touch, as lists.
+%   near stale leaves is cut with them, so that all lines that meet one of
+%   theirs are there. Clusters: those that were made to touch, as lists.
 
 fresh_pieces([], _, _, _, [], []) :-
     !.
@@ -282,9 +311,16 @@ in_pieces(Segments-Stamps, Wanted, Tolerance, Arrangement, Changed, Set,
           Works) :-
     changed(Segments, Stamps, Changed),
     stage(pieces, ( arrangement_open(Set, Segments, Wanted, Arrangement),
-                    maplist(taken_in(Arrangement, Tolerance), Works),
-                    arrangement_seal(Arrangement)
+                    catch(filled(Arrangement, Works, Tolerance),
+                          Error,
+                          ( arrangement_drop(Arrangement),
+                            throw(Error)
+                          ))
                   )).
+
+filled(Arrangement, Works, Tolerance) :-
+    maplist(taken_in(Arrangement, Tolerance), Works),
+    arrangement_seal(Arrangement).
 
 taken_in(Arrangement, Tolerance, work(S, P, Work)) :-
     arrangement_polygon(Arrangement, S, P, Work, Tolerance).
@@ -325,16 +361,16 @@ connected([S|Ss], Near, In, Cluster0, Cluster) :-
 
 %!  components(+Arrangement, -Components:list) is det.
 %
-%   Components are the component(C, S, P, Point, Sides, Which) of an arrangement:
-%   arrangement_components/2.
+%   Components are the component(C, S, P, Point, Sides, Which) of an
+%   arrangement: arrangement_components/2.
 
 components(arrangement(Pieces), Components) :-
     arrangement_components(Pieces, Components).
 
 %!  arranged_solid(+Arrangement, +Senses:list, -Solid) is det.
 %
-%   Solid is a handle of the boundary that the components C with C-Sense in Senses
-%   make, turned over where Sense is -1: arrangement_select/3.
+%   Solid is a handle of the boundary that the components C with C-Sense in
+%   Senses make, turned over where Sense is -1: arrangement_select/3.
 
 arranged_solid(arrangement(Pieces), Senses, Solid) :-
     arrangement_select(Pieces, Senses, Solid).

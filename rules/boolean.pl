@@ -7,7 +7,8 @@
             select_boundary/3           % +Arrangement, +Expression, -Solid
           ]).
 :- use_module(arrangement,
-              [ with_arrangement/3, components/2, arranged_solid/3, default_senses/4
+              [ with_arrangement/3, components/2, arranged_solid/3,
+                default_senses/4
               ]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
@@ -61,8 +62,10 @@ boolean(Expression, S, Options0) :-
     expression_leaves(Expression, Leaves),
     tolerance(Leaves, Options0, Options),
     made(Expression, Leaves, Options, Solid),
-    facts_transaction(sg_boolean:written(Solid, S, Expression)),
-    solid_close(Solid).
+    setup_call_cleanup(
+        true,
+        facts_transaction(sg_boolean:written(Solid, S, Expression)),
+        solid_close(Solid)).
 
 %   What the operands say, not what else is in the world; and of merging, what
 %   the result does, where an operand is far larger.
@@ -105,7 +108,11 @@ attempt(Options, [tolerance(0)|Options], contacts) :-
 selected_solid(Expression, Leaves, Options, Solid) :-
     with_arrangement(Leaves, Options,
                      sg_boolean:selected(Expression, Solid)),
-    merged(Solid, Options).
+    catch(merged(Solid, Options),
+          Error,
+          ( solid_close(Solid),
+            throw(Error)
+          )).
 
 selected(Expression, Solid, Arrangement) :-
     select_boundary(Arrangement, Expression, Solid).

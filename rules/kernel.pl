@@ -661,7 +661,8 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %          be triangulated
 %   @see c_kernels/arrangement.h; rows CB-3 and CB-4
 
-%!  arrangement_senses(+Pieces:list, +Expression, +Open:list, -Senses:list) is det.
+%!  arrangement_senses(+Pieces:list, +Expression, +Open:list,
+%!                     -Senses:list) is det.
 %
 %   The fused kernel of boolean.pl, stays/3: Senses are the C-Sense of the
 %   components that stay in the boundary of Expression; Open are the segments

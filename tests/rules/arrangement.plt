@@ -5,6 +5,7 @@
 :- use_module('../../rules/model_file').
 :- use_module('../../rules/store').
 :- use_module('../../rules/triangulation').
+:- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(random)).
@@ -141,5 +142,57 @@ made(Leaves, N) :-
 
 components_there(Arrangement) :-
     components(Arrangement, [_|_]).
+
+%   Pieces are forgotten with segments that are there no more.
+
+test(forgotten_with_the_segment, [true(Kept == [2,2,2])]) :-
+    in_new_world(findall(N, ( between(1, 3, I), kept_of_two(I, N) ), Kept)).
+
+kept_of_two(I, N) :-
+    add_primitive(box(size(1,1,1)), A),
+    add_primitive(at([translate(0.5,0.5,I)], box(size(1,1,2))), B),
+    complete_segments,
+    with_arrangement([A,B], [], components_there),
+    pieces_statistics(Statistics),
+    N = Statistics.leaves,
+    maplist(segment_dropped, [A,B]).
+
+segment_dropped(S) :-
+    retractall_facts(t(S, _, _, _, _, _)),
+    retractall_facts(plane(S, _, _, _, _, _)),
+    retractall_facts(p(S, _, _)),
+    retractall_facts(e(S, _, _, _, _)),
+    retractall_facts(v(S, _, _, _, _)),
+    retractall_facts(segment(S, _, _)).
+
+%   Pieces look into their world, and the world keeps them: it ends all the
+%   same when nobody has it, and they with it.
+
+test(world_ends, [true(Left =< 2)]) :-
+    forall(between(1, 6, _),
+           in_new_world(( scene(apart, 1), evaluated(_) ))),
+    forall(between(1, 4, _),
+           ( garbage_collect,
+             garbage_collect_atoms )),
+    aggregate_all(count, current_blob(_, arrangement), Left).
+
+%   Two threads that make stale, and use, the same pieces.
+
+test(threads, [ condition(current_prolog_flag(threads, true)),
+                true(Ends == [true,true]) ]) :-
+    in_new_world(( scene(apart, 2),
+                   current_world(World),
+                   findall(Id,
+                           ( member(T, [1.0e-9,1.0e-8]),
+                             thread_create(in_world(World, asked_often(T)),
+                                           Id) ),
+                           Ids),
+                   maplist(thread_join, Ids, Ends) )).
+
+asked_often(Tolerance) :-
+    numlist(1, 10, Leaves),
+    forall(between(1, 12, I),
+           ( T is Tolerance*(1+I mod 3),
+             with_arrangement(Leaves, [tolerance(T)], components_there) )).
 
 :- end_tests(arrangement).
