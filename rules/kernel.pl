@@ -591,9 +591,9 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 
 %!  work_thicken(+Work, +Edges:list, +Triangles0:list, -Triangles:list) is det.
 %
-%   If one of Triangles0 is so thin that rounding may have turned it over, chords
-%   between them are turned: all sides but those of Edges, the V1-V2 that Work
-%   had. What may be turned is decided exactly.
+%   If one of Triangles0 is so thin that rounding may have turned it over,
+%   chords between them are turned: all sides but those of Edges, the V1-V2 that
+%   Work had. What may be turned is decided exactly.
 
 /* - - - tree4pl.c, near4pl.c: trees of boxes - - - */
 
@@ -636,9 +636,9 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %!  arrangement_drop(+Arrangement) is det.
 %
 %   The segments Wanted, which are among Segments, in pieces along the lines of
-%   cut set Set, which is sealed. Polygons that were entered are told one by one,
-%   with what they became; what touches within Reach is made one where nothing
-%   else helps. Sealing finds what hangs together, and on which side of each
+%   cut set Set, which is sealed. Polygons that were entered are told one by
+%   one, with what they became; what touches within Reach is made one where
+%   nothing else helps. Sealing finds what hangs together, and on which side of each
 %   segment that is. An arrangement is held once when it is opened, and closed
 %   when it is dropped as often as it was held.
 

@@ -157,7 +157,8 @@ point_distance(point(X1, Y1, Z1), point(X2, Y2, Z2), D) :-
 
 %   Chords pass the inner corners of the rings but for rounding.
 
-test(turned_rings, [forall(member(Degrees, [301.9460226322922,17,33,71,123]))]) :-
+test(turned_rings,
+     [forall(member(Degrees, [301.9460226322922,17,33,71,123]))]) :-
     sound(at([rotate(axis(-876.5, -752, 516), Degrees)],
              hollow_cylinder(radius(1.2), inner(0.6), height(0.73),
                              facets(12))),
