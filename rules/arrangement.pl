@@ -21,8 +21,8 @@
 :- autoload(library(apply),
             [exclude/3, foldl/4, maplist/2, maplist/3, partition/4]).
 :- autoload(library(assoc),
-            [ assoc_to_keys/2, assoc_to_list/2, assoc_to_values/2, empty_assoc/1,
-              get_assoc/3, list_to_assoc/2, put_assoc/4
+            [ assoc_to_keys/2, assoc_to_list/2, assoc_to_values/2,
+              empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4
             ]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2]).
