@@ -288,8 +288,8 @@ fresh_pieces(Stale, Pairs0, Near, Tolerance, Fresh, Clusters) :-
     findall(S-Arrangement, member(S, Stale), Fresh),
     clusters(Changed, Near, Clusters).
 
-%   selves(+Segments, -Selves): S-S of those that are to be cut by themselves: then
-%   winding decides what of them is inside.
+%   selves(+Segments, -Selves): S-S of those that are to be cut by themselves:
+%   then winding decides what of them is inside.
 
 selves(Segments, Selves) :-
     stage(self, segments_meeting_themselves(Segments, Meeting)),
