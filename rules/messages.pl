@@ -337,7 +337,7 @@ usage_en(no_folder(Folder)) -->
       '  Make it first.' ].
 usage_en(cannot_write(File, permission)) -->
     [ '~w: the result may not be written there'-[File], nl,
-      '  Check the permissions of the folder, or name another.' ].
+      '  Check the permissions of the file and its folder, or name another.' ].
 usage_en(cannot_write(output, Why)) -->
     [ 'the result cannot be written: ~w'-[Why], nl,
       '  Make room, or send it elsewhere.' ].
@@ -652,6 +652,11 @@ manual_page(Name/Arity) -->
 
 notice_en(because(Statement)) -->
     statement_en(Statement).
+notice_en(nothing_to_explain(piece(S, P))) -->
+    !,
+    [ 'there is nothing to explain in ~p'-[piece(S, P)], nl,
+      '  piece(S, P) is polygon P of S, a segment that is an operation on \c
+       solids; piece(S, S0-P0) is polygon P0 of its operand S0.' ].
 notice_en(nothing_to_explain(Item)) -->
     [ 'there is nothing to explain in ~p'-[Item], nl,
       '  Ask for line(L), vertex(S, V), edge(S, E), \c

@@ -323,7 +323,7 @@ usage_ko(no_folder(Folder)) -->
       '  먼저 만드십시오.' ].
 usage_ko(cannot_write(File, permission)) -->
     [ '~w: 결과를 거기에 쓸 수 없습니다'-[File], nl,
-      '  폴더의 권한을 확인하거나 다른 폴더를 쓰십시오.' ].
+      '  파일과 폴더의 권한을 확인하거나 다른 폴더를 쓰십시오.' ].
 usage_ko(cannot_write(output, Why)) -->
     [ '결과를 쓸 수 없습니다: ~w'-[Why], nl,
       '  자리를 만들거나 다른 곳으로 보내십시오.' ].
@@ -594,6 +594,11 @@ notice_ko(prolog_help(PI, Where)) -->
 
 notice_ko(because(Statement)) -->
     statement_ko(Statement).
+notice_ko(nothing_to_explain(piece(S, P))) -->
+    !,
+    [ '~p 에는 설명할 것이 없습니다'-[piece(S, P)], nl,
+      '  piece(S, P) 는 입체의 연산인 세그먼트 S 의 다각형 P 이고, \c
+       piece(S, S0-P0) 는 그 피연산자 S0 의 다각형 P0 입니다.' ].
 notice_ko(nothing_to_explain(Item)) -->
     [ '~p: 설명할 것이 없습니다'-[Item], nl,
       '  line(L), vertex(S, V), edge(S, E), pair(S1-P1, S2-P2), \c

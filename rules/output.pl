@@ -54,6 +54,9 @@ file_target(File, Path) :-
     (   exists_directory(Path)
     ->  throw(error(permission_error(write, directory, Path),
                     context(sg_output:writing/3, _)))
+    ;   exists_file(Path),
+        \+ access_file(Path, write)
+    ->  throw(error(cannot_write(Path, permission), _))
     ;   true
     ).
 

@@ -35,6 +35,30 @@ check 'folder that takes nothing' status_is 2
 check 'folder that takes nothing: message' \
   has '/proc/a.svg: the result may not be written there'
 
+# A file that may not be written is not replaced; root may write all.
+if [ "$(id -u)" = 0 ]; then
+  chmod 755 "$work"
+  chmod 777 "$work/to"
+  as_nobody=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+else
+  as_nobody=()
+fi
+cp build/sanggwan facts/cube.pl "$work"
+if "${as_nobody[@]}" "$work/sanggwan" --version >/dev/null 2>&1; then
+  chmod 444 "$work/to/a.svg"
+  "${as_nobody[@]}" "$work/sanggwan" draw "$work/cube.pl" -o "$work/to/a.svg" \
+    >"$work/out" 2>"$work/err"
+  status=$?
+  check 'read-only file' status_is 2
+  check 'read-only file: message' \
+    has 'to/a.svg: the result may not be written there'
+  check 'read-only file: as it was' is "$(cat "$work/to/a.svg")" old
+  chmod 644 "$work/to/a.svg"
+else
+  skip 'no way to run as another user'
+fi
+rm -f "$work/sanggwan" "$work/cube.pl"
+
 # A full disk: a tiny one, where the machine lets us mount it.
 if mkdir "$work/disk" && mount -t tmpfs -o size=4k none "$work/disk" \
   2>/dev/null; then
