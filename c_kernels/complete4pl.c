@@ -275,10 +275,12 @@ model_tolerance(term_t tolerance)
 /* What the segments' own vertices say, of those of `row`. */
 static int
 see_segments_ex(const sg_view *view, const sg_segment_rows *rows, size_t n,
-                double *out)
+                double *out, double *smallest)
 {
   sg_flatness all;
   double source = 0;
+
+  *smallest = HUGE_VAL;
 
   sg_flatness_init(&all);
   for (size_t i = 0; i < n; i++) {
@@ -297,6 +299,7 @@ see_segments_ex(const sg_view *view, const sg_segment_rows *rows, size_t n,
                                               view->column[4].page[page].f[r]});
     }
     source = fmax(source, sg_flatness_of_source(&one));
+    *smallest = fmin(*smallest, sg_flatness_size(&one));
     sg_flatness_enlarge(&all, &one);
   }
   *out = fmax(sg_flatness_of_size(&all), source);
@@ -311,16 +314,16 @@ compare_ids(const void *x, const void *y)
   return (a > b) - (a < b);
 }
 
-/* segments_tolerance(+Segments, -Tolerance) is det. */
+/* segments_tolerance(+Segments, -Tolerance, -Smallest) is det. */
 static foreign_t
-segments_tolerance(term_t segments, term_t tolerance)
+segments_tolerance(term_t segments, term_t tolerance, term_t smallest)
 {
   sg_world *world = sg_current_world_ex();
   sg_segment_rows rows = {0};
   sg_view view = {0};
   int32_t *s = NULL;
   size_t n = 0, kept = 0;
-  double value = 0;
+  double value = 0, least = 0;
 
   if (!world || !sg_get_ids_ex(segments, &s, &n)) {
     return FALSE;
@@ -339,12 +342,13 @@ segments_tolerance(term_t segments, term_t tolerance)
   if (good && !sg_segment_rows_find(&view, s, kept, &sg_prolog_poll, &rows)) {
     good = PL_exception(0) ? FALSE : sg_no_memory();
   }
-  good = good && see_segments_ex(&view, &rows, kept, &value);
+  good = good && see_segments_ex(&view, &rows, kept, &value, &least);
   sg_segment_rows_clear(&rows);
   sg_view_clear(&view);
   sg_version_drop(version);
   free(s);
-  return good && sg_unify_double(tolerance, value);
+  return good && sg_unify_double(tolerance, value) &&
+         sg_unify_double(smallest, kept > 0 ? least : 0);
 }
 
 void
@@ -354,7 +358,7 @@ sg_install_complete(void)
       {"fill_triangles", 1, (pl_function_t)fill_triangles, 0},
       {"fill_triangles", 2, (pl_function_t)fill_triangles_of, 0},
       {"model_tolerance", 1, (pl_function_t)model_tolerance, 0},
-      {"segments_tolerance", 2, (pl_function_t)segments_tolerance, 0},
+      {"segments_tolerance", 3, (pl_function_t)segments_tolerance, 0},
       {NULL, 0, NULL, 0}};
 
   atom_not_closed = PL_new_atom("not_closed");

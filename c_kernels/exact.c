@@ -220,6 +220,9 @@ turn_exactly(sg_exact_question question, int axis, const sg_point *a,
   mpz_t x[3], y[3], w[3], minor, det;
 
   count_fallback(question);
+  sg_integers_init3(x);
+  sg_integers_init3(y);
+  sg_integers_init3(w);
   for (int i = 0; i < 3; i++) {
     sg_integers_of_two(point[i], (axis + 1) % 3, (axis + 2) % 3, x[i], y[i],
                        w[i]);
@@ -237,9 +240,9 @@ turn_exactly(sg_exact_question question, int axis, const sg_point *a,
 
   mpz_clear(det);
   mpz_clear(minor);
-  for (int i = 0; i < 3; i++) {
-    mpz_clears(x[i], y[i], w[i], NULL);
-  }
+  sg_integers_clear3(x);
+  sg_integers_clear3(y);
+  sg_integers_clear3(w);
   return answer;
 }
 

@@ -68,14 +68,21 @@ sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page)
 }
 
 double
-sg_flatness_of_size(const sg_flatness *model)
+sg_flatness_size(const sg_flatness *model)
 {
   double size = 0;
-  int exponent;
 
   for (int k = 0; k < 3; k++) {
     size = fmax(size, model->high[k] - model->low[k]);
   }
+  return size;
+}
+
+double
+sg_flatness_of_size(const sg_flatness *model)
+{
+  double size = sg_flatness_size(model);
+  int exponent;
   bool whole = frexp(size, &exponent) == 0.5; /* a power of two itself */
 
   return size > 0 ? ldexp(1, exponent - whole - 33) : 0;
@@ -84,11 +91,8 @@ sg_flatness_of_size(const sg_flatness *model)
 double
 sg_flatness_of_source(const sg_flatness *model)
 {
-  double size = 0, unit = 0;
+  double size = sg_flatness_size(model), unit = 0;
 
-  for (int k = 0; k < 3; k++) {
-    size = fmax(size, model->high[k] - model->low[k]);
-  }
   if (model->places <= SG_PLACES) {
     double place = pow(10, -model->places);
     unit = place <= COARSEST * size ? place : 0;

@@ -29,6 +29,9 @@ void sg_flatness_see(sg_flatness *model, const double point[3]);
 void sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page);
 double sg_flatness_tolerance(const sg_flatness *model); /* model units */
 
+/* The longest side of the box. */
+double sg_flatness_size(const sg_flatness *model);
+
 /* The two parts of it: from the size, and from the source. */
 double sg_flatness_of_size(const sg_flatness *model);
 double sg_flatness_of_source(const sg_flatness *model);

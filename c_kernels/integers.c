@@ -81,7 +81,6 @@ sg_integers_of_two(const sg_point *point, int u, int v, mpz_ptr x, mpz_ptr y,
 {
   mpq_t *q = sg_point_q(point);
 
-  mpz_inits(x, y, w, NULL);
   if (!q) {
     of_two_doubles(point->p[u], point->p[v], x, y, w);
   } else if (mpz_cmp(mpq_denref(q[u]), mpq_denref(q[v])) == 0) {

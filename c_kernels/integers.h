@@ -16,7 +16,8 @@ typedef struct sg_integers {
 } sg_integers;
 
 /* The coordinates u and v of a point over a denominator of their own: x / w and
- * y / w, w > 0. All three are initialised, and the caller's to clear. Where
+ * y / w, w > 0. All three are
+ * initialised. Where
  * only signs of determinants are wanted, no common denominator has to be found.
  */
 void sg_integers_of_two(const sg_point *point, int u, int v, mpz_ptr x,

@@ -12,7 +12,7 @@
                 arrangement_components/2, arrangement_select/3,
                 arrangement_senses/4, pieces_kept/1, keep_pieces/1,
                 near_segments/3, segments_meeting_themselves/2,
-                segments_tolerance/2
+                segments_tolerance/3
               ]).
 :- use_module(leaf, [were_cut/2]).
 :- use_module(penetration, [leaves_entered/4, touching/2]).
@@ -52,7 +52,7 @@ since a vertex that they share is shared by moving it.
 %
 %     - tolerance(Tolerance)
 %     What is nearer than this (model units) is made to touch first. Default:
-%     as segments_tolerance/2 sees the leaves.
+%     as segments_tolerance/3 sees the leaves.
 %
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
 %          be triangulated
@@ -84,7 +84,7 @@ with_arrangement(Leaves0, Options, Goal) :-
 leaves_tolerance(Leaves, Options, Tolerance) :-
     (   option(tolerance(_), Options)
     ->  touching(Options, Tolerance)
-    ;   segments_tolerance(Leaves, Tolerance)
+    ;   segments_tolerance(Leaves, Tolerance, _)
     ).
 
 counted(Flag, Leaves) :-

@@ -13,7 +13,7 @@
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
 :- use_module(kernel,
-              [solid_close/1, solid_is_closed/1, segments_tolerance/2]).
+              [solid_close/1, solid_is_closed/1, segments_tolerance/3]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module(solid_rows, [solid_written/2]).
 :- use_module(stage, [stage/2]).
@@ -47,10 +47,12 @@ that two operands have in common stays or goes by how it looks in each.
 %
 %   @error existence_error(segment, S1): an operand is not there
 %     - tolerance(Tolerance)
-%     Default: as segments_tolerance/2 sees the operands.
+%     Default: as segments_tolerance/3 sees the operands.
 %
 %   @error geometry_error(operand(S1, Faults)): the result would be open, and so
 %          is operand S1
+%   @error geometry_error(tolerance(T, Most)): T is more than a sixteenth of the
+%          smallest operand
 %   @error geometry_error(result_open): no way was found to a closed result
 %   @error geometry_error(polygon_edge(S1, P, V1, V2)): with its lines, polygon
 %          P cannot be triangulated
@@ -70,12 +72,23 @@ boolean(Expression, S, Options0) :-
 %   What the operands say, not what else is in the world; and of merging, what
 %   the result does, where an operand is far larger.
 
-tolerance(_, Options, Options) :-
-    option(tolerance(_), Options),
-    !.
-tolerance(Leaves, Options,
-          [tolerance(Tolerance),by_size(true)|Options]) :-
-    segments_tolerance(Leaves, Tolerance).
+tolerance(Leaves, Options0, Options) :-
+    segments_tolerance(Leaves, Tolerance, Smallest),
+    (   option(tolerance(Given), Options0)
+    ->  refuse_large(Given, Smallest),
+        Options = Options0
+    ;   Options = [tolerance(Tolerance),by_size(true)|Options0]
+    ).
+
+%   With a tolerance as large as the parts, everything is one point.
+
+refuse_large(Tolerance, Smallest) :-
+    Most is Smallest/16,
+    (   Tolerance > Most,
+        Tolerance > 0
+    ->  throw(error(geometry_error(tolerance(Tolerance, Most)), _))
+    ;   true
+    ).
 
 %   made(+Expression, +Leaves, +Options, -Solid): it must be closed, if its
 %   operands are. Where sheets of one operand nearly lie on each other, what was

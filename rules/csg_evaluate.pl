@@ -23,7 +23,7 @@
                 segment_stamps/2
               ]).
 :- use_module(csg_rows, [copy_segments/3, drop_boundary/1]).
-:- use_module(kernel, [segment_meets_itself/1, segments_tolerance/2]).
+:- use_module(kernel, [segment_meets_itself/1, segments_tolerance/3]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -66,7 +66,7 @@ operation it is their union: the same solid.
 %
 %     - tolerance(Tolerance)
 %       What is nearer than this (model units) is made to touch first. Default:
-%       as segments_tolerance/2 sees the leaves of a node.
+%       as segments_tolerance/3 sees the leaves of a node.
 %
 %   @error existence_error(segment, S); model_error(What) of csg_term.pl;
 %   geometry_error(What) where the geometry cannot be done
@@ -194,7 +194,7 @@ tolerance_options(default, Stamps, Options) :-
                            half_surface(Half, Surface) ),
                 Surfaces),
         append(Own, Surfaces, Real),
-        segments_tolerance(Real, Tolerance),
+        segments_tolerance(Real, Tolerance, _),
         Options = [tolerance(Tolerance)]
     ).
 tolerance_options(Tolerance, _, [tolerance(Tolerance)]).

@@ -112,7 +112,7 @@
             % complete4pl.c
             fill_triangles/1,         % -Faults
             fill_triangles/2,         % +Ss, -Faults
-            segments_tolerance/2,     % +Segments, -Tolerance
+            segments_tolerance/3,     % +Segments, -Tolerance, -Smallest
             model_tolerance/1,        % -Tolerance
             % work4pl.c, work_join4pl.c
             work_open/3,              % +S, +P, -Work
@@ -492,10 +492,10 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %   it), and 4 units in the last place of its coordinates, as
 %   far as these show where they come from (single precision, or decimals).
 
-%!  segments_tolerance(+Segments:list, -Tolerance) is det.
+%!  segments_tolerance(+Segments:list, -Tolerance, -Smallest) is det.
 %
 %   The same for Segments alone: by the size of all of them, and the coarsest
-%   source of any.
+%   source of any. Smallest is the longest side of the smallest one's box.
 
 /* - - - work4pl.c, work_join4pl.c - - - */
 

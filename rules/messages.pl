@@ -538,6 +538,10 @@ notice_en(polygon_edge(S, P, V1, V2)) -->
 notice_en(no_area(S, Count, P)) -->
     [ 'polygons without area in segment ~d: ~D (the first is ~d)'-
       [S, Count, P], nl, '  Left out.' ].
+fault_en(tolerance(Tolerance, Most)) -->
+    [ 'a tolerance of ~4g is too large: a part is hardly larger'-[Tolerance],
+      nl,
+      '  Give --tolerance ~4g or less, or none.'-[Most] ].
 fault_en(result_open) -->
     [ 'the result would not be closed', nl,
       '  Give a larger or smaller --tolerance, or --repair the operands.' ].

@@ -541,6 +541,10 @@ notice_ko(no_area(S, Count, P)) -->
     [ '세그먼트 ~d 의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
       [S, Count, P], nl,
       '  빼고 계속합니다.' ].
+fault_ko(tolerance(Tolerance, Most)) -->
+    [ '허용 오차 ~4g 는 너무 큽니다: 그보다 별로 크지 않은 부분이 있습니다'-
+      [Tolerance], nl,
+      '  --tolerance 를 ~4g 이하로 주거나 빼십시오.'-[Most] ].
 fault_ko(result_open) -->
     [ '결과가 닫히지 않습니다', nl,
       '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].

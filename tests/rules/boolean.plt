@@ -165,6 +165,19 @@ test(surface_outside_stays, [true(Vs-Ps-Open == 16-11-16)]) :-
     result([ box(size(2, 2, 2)),
              at([translate(0, 0, 1)], rectangle(size(5, 5)))
            ], union([1,2]), _, counts(Vs, Ps, Open)).
+test(tolerance_as_large_as_a_part,
+     [error(geometry_error(tolerance(1, 0.125)))]) :-
+    boxes(Boxes),
+    in_new_world_of(Boxes, boolean(union([1,2]), 100, [tolerance(1)])).
+
+in_new_world_of(Terms, Goal) :-
+    new_world(World),
+    in_world(World,
+             ( maplist(added, Terms),
+               complete_segments,
+               call(Goal)
+             )).
+
 test(no_such_segment, [error(existence_error(segment, 7))]) :-
     result([box(size(1, 1, 1))], union([1,7]), _, _).
 test(no_such_operation, [error(type_error(expression, glue([1])))]) :-
