@@ -17,49 +17,82 @@ static functor_t functor_of[SG_DIFFERENCE + 1];
 
 /* ---- expressions ---- */
 
-static int get_expression_ex(term_t t, size_t parent, sg_expression *out);
+/* An operation of which operands are still to be read. Expressions may be
+ * deeper than the stack of C. */
+typedef struct level {
+  term_t tail, head;
+  size_t node;
+} level;
+
+typedef struct levels {
+  level *item; /* [room]; terms of those above n are used again */
+  size_t n, used, room;
+} levels;
 
 static int
-get_operands_ex(term_t list, size_t parent, sg_expression *out)
+push_ex(levels *all, term_t t, size_t node)
 {
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  if (all->n == all->room) {
+    size_t room = 2 * all->room + 16;
+    level *grown = realloc(all->item, room * sizeof *grown);
 
-  while (PL_get_list(tail, head, tail)) {
-    if (!get_expression_ex(head, parent, out)) {
-      return FALSE;
+    if (!grown) {
+      return sg_no_memory();
     }
+    all->item = grown;
+    all->room = room;
   }
-  return PL_get_nil_ex(tail);
+  level *top = &all->item[all->n++];
+
+  if (all->n > all->used) {
+    top->tail = PL_new_term_ref();
+    top->head = PL_new_term_ref();
+    all->used = all->n;
+  }
+  top->node = node;
+  return top->tail && top->head && PL_get_arg(1, t, top->tail);
 }
 
+/* Reads t: a leaf, or an operation, whose operands are to be read next. */
 static int
-get_operation_ex(term_t t, size_t parent, sg_operation operation,
-                 sg_expression *out)
+get_node_ex(term_t t, size_t parent, sg_expression *out, levels *all)
 {
-  term_t operands = PL_new_term_ref();
-  size_t at = sg_expression_add(out, parent, operation, 0);
-
-  if (at == SIZE_MAX) {
-    return sg_no_memory();
-  }
-  return PL_get_arg(1, t, operands) && get_operands_ex(operands, at, out) &&
-         (operation != SG_DIFFERENCE || out->node[at].operands > 0 ||
-          PL_domain_error("operands", operands));
-}
-
-static int
-get_expression_ex(term_t t, size_t parent, sg_expression *out)
-{
-  int32_t s;
-
   for (int i = SG_UNION; i <= SG_DIFFERENCE; i++) {
     if (PL_is_functor(t, functor_of[i])) {
-      return get_operation_ex(t, parent, (sg_operation)i, out);
+      size_t at = sg_expression_add(out, parent, (sg_operation)i, 0);
+
+      return at == SIZE_MAX ? sg_no_memory() : push_ex(all, t, at);
     }
   }
+  int32_t s;
+
   return sg_get_id_ex(t, &s) &&
          (sg_expression_add(out, parent, SG_LEAF, s) != SIZE_MAX ||
           sg_no_memory());
+}
+
+static int
+get_expression_ex(term_t t, sg_expression *out)
+{
+  levels all = {0};
+  int good = get_node_ex(t, 0, out, &all);
+
+  while (good && all.n > 0) {
+    level *top = &all.item[all.n - 1];
+
+    if (PL_get_list(top->tail, top->head, top->tail)) {
+      good = get_node_ex(top->head, top->node, out, &all);
+      continue;
+    }
+    const sg_expression_node *node = &out->node[top->node];
+
+    good = PL_get_nil_ex(top->tail) &&
+           (node->operation != SG_DIFFERENCE || node->operands > 0 ||
+            PL_domain_error("operands", top->tail));
+    all.n--;
+  }
+  free(all.item);
+  return good;
 }
 
 /* ---- senses ---- */
@@ -159,11 +192,10 @@ arrangement_senses(term_t t, term_t expression, term_t open, term_t senses)
 {
   sg_pieces p;
   asking k = {.opens = 0};
-  int good = sg_get_pieces_ex(t, &p) &&
-             get_expression_ex(expression, 0, &k.expression) &&
-             (sg_expression_seal(&k.expression) || sg_no_memory()) &&
-             sg_get_ids_ex(open, &k.open, &k.opens) &&
-             unify_senses(senses, &p, &k);
+  int good =
+      sg_get_pieces_ex(t, &p) && get_expression_ex(expression, &k.expression) &&
+      (sg_expression_seal(&k.expression) || sg_no_memory()) &&
+      sg_get_ids_ex(open, &k.open, &k.opens) && unify_senses(senses, &p, &k);
 
   sg_expression_clear(&k.expression);
   free(k.open);

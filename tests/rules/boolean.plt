@@ -185,4 +185,20 @@ test(no_such_operation, [error(type_error(expression, glue([1])))]) :-
 test(no_operands, [error(domain_error(operands, []))]) :-
     result([box(size(1, 1, 1))], union([]), _, _).
 
+%   Deeper than the stack of C.
+
+test(deep_expression, [true(Polygons == 6)]) :-
+    new_world(World),
+    in_world(World,
+             ( added(box(size(1, 1, 1))),
+               complete_segments,
+               numlist(1, 150_000, Ns),
+               foldl(nested, Ns, 1, Expression),
+               assert_fact(segment(2, solid, deep)),
+               boolean(Expression, 2),
+               aggregate_all(count, p(2, _, _), Polygons)
+             )).
+
+nested(_, Expression, union([Expression])).
+
 :- end_tests(boolean).
