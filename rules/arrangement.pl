@@ -4,6 +4,7 @@
             arranged_solid/3,           % +Arrangement, +Senses, -Solid
             default_senses/4,           % +Arrangement, +Expression, +Open,
                                         % -Senses
+            touching_leaves/2,          % +Leaves, -Touching
             pieces_statistics/1         % -Statistics
           ]).
 :- use_module(kernel,
@@ -19,7 +20,8 @@
 :- use_module(stage, [stage/2]).
 :- use_module(store, [v/5, segment/3, facts_snapshot/1, segment_stamp/2]).
 :- autoload(library(apply),
-            [exclude/3, foldl/4, maplist/2, maplist/3, partition/4]).
+            [ exclude/3, foldl/4, include/3, maplist/2, maplist/3, partition/4
+            ]).
 :- autoload(library(assoc),
             [ assoc_to_keys/2, assoc_to_list/2, assoc_to_values/2,
               empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4
@@ -374,6 +376,18 @@ components(arrangement(Pieces), Components) :-
 
 arranged_solid(arrangement(Pieces), Senses, Solid) :-
     arrangement_select(Pieces, Senses, Solid).
+
+%!  touching_leaves(+Leaves:list, -Touching:list) is det.
+%
+%   Touching are those of Leaves that were made to touch others, when their pieces
+%   were made last.
+
+touching_leaves(Leaves, Touching) :-
+    kept(Kept),
+    include(was_touched(Kept), Leaves, Touching).
+
+was_touched(Kept, S) :-
+    entries(S, Kept, [entry(_, _, [_|_])|_]).
 
 %!  default_senses(+Arrangement, +Expression, +Open:list, -Senses:list) is det.
 %

@@ -8,7 +8,7 @@
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
-                default_senses/4
+                default_senses/4, touching_leaves/2
               ]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
@@ -18,7 +18,9 @@
 :- use_module(solid_rows, [solid_written/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ v/5, segment/3, assert_fact/1, facts_transaction/1 ]).
+              [ v/5, segment/3, from_v/4, origin/3, assert_fact/1, retract_fact/1,
+                facts_transaction/1
+              ]).
 :- autoload(library(apply), [convlist/3, include/3, maplist/2]).
 :- autoload(library(error), [domain_error/2, existence_error/2, type_error/2]).
 :- autoload(library(lists), [member/2]).
@@ -156,7 +158,57 @@ written(Solid, S, Expression) :-
     ->  true
     ;   assert_fact(segment(S, solid, Expression))
     ),
-    stage(write, solid_written(Solid, S)).
+    stage(write, ( solid_written(Solid, S),
+                   expression_leaves(Expression, Leaves),
+                   forget_passing(S, Leaves)
+                 )).
+
+%   Vertices that leaves got only for this, where they were made to touch, are
+%   vertices of none; and what was made by them is where v/5 has it.
+
+forget_passing(S, Leaves) :-
+    touching_leaves(Leaves, Touching),
+    (   Touching == []
+    ->  true
+    ;   findall(from_v(S,V,S0,V0),
+                ( from_v(S, V, S0, V0),
+                  memberchk(S0, Touching),
+                  \+ v(S0, V0, _, _, _)
+                ),
+                Gone),
+        maplist(retract_once, Gone),
+        findall(V-Origin,
+                ( origin(S, v(V), Origin),
+                  names_none(Origin, Touching)
+                ),
+                Made),
+        maplist(made_near(S), Made)
+    ).
+
+made_near(S, V-Origin) :-
+    retract_once(origin(S, v(V), Origin)),
+    assert_fact(origin(S, v(V), near(Origin))).
+
+%   names_none(+Origin, +Touching): a vertex that Origin names is not there.
+
+names_none(Origin, Touching) :-
+    Origin =.. [_|Places],
+    member(S0-Vertices, Places),
+    memberchk(S0, Touching),
+    comma_member(V0, Vertices),
+    \+ v(S0, V0, _, _, _),
+    !.
+
+comma_member(V, (V0,Vs)) :-
+    !,
+    (   V = V0
+    ;   comma_member(V, Vs)
+    ).
+comma_member(V, V).
+
+retract_once(Fact) :-
+    retract_fact(Fact),
+    !.
 
 %!  select_boundary(+Arrangement, +Expression, -Solid) is det.
 %

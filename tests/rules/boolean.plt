@@ -8,6 +8,7 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(occurs)).
 
 :- begin_tests(boolean).
 
@@ -165,6 +166,20 @@ test(surface_outside_stays, [true(Vs-Ps-Open == 16-11-16)]) :-
     result([ box(size(2, 2, 2)),
              at([translate(0, 0, 1)], rectangle(size(5, 5)))
            ], union([1,2]), _, counts(Vs, Ps, Open)).
+%   Boxes that share part of a face, turned: they are made to touch in vertices
+%   that they have only for that.
+
+test(no_origin_names_what_is_not_there, [true(Gone-Named == []-[])]) :-
+    Turn = rotate(axis(3,1,2), 37),
+    in_new_world_of([ at([Turn], box(size(2, 2, 2))),
+                      at([translate(0.5,0.3,2),Turn], box(size(1, 1, 1))) ],
+                    ( boolean(union([1,2]), 3, [faces(pieces)]),
+                      findall(V, ( from_v(3, V, S0, V0),
+                                   \+ v(S0, V0, _, _, _) ), Gone),
+                      findall(O, ( origin(3, v(_), O),
+                                   sub_term(S1-(A,_), O),
+                                   \+ O = near(_),
+                                   \+ v(S1, A, _, _, _) ), Named) )).
 test(tolerance_as_large_as_a_part,
      [error(geometry_error(tolerance(1, 0.125)))]) :-
     boxes(Boxes),
