@@ -89,7 +89,7 @@ static sg_outcome
 triangulate(taking *k, double reach, int32_t *edge, const sg_poll *poll)
 {
   double reaches[2] = {0, reach};
-  int32_t stuck;
+  int32_t stuck = 0;
   sg_outcome outcome = sg_work_triangulate(k->work, &k->found, &stuck, poll);
 
   for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {

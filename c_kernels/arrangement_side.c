@@ -23,7 +23,6 @@ typedef struct rays {
   uint32_t *part; /* [n] */
   int *turns;     /* [n]: round where the ray begins */
   int *across;    /* [n]: how many more below than above */
-  bool *hit;      /* [n] */
   size_t n;
 } rays;
 
@@ -171,7 +170,6 @@ count(rays *r, size_t i, uint32_t row)
     sg_leaf_vertex_at(a->leaf[r->leaf].tree, a->leaves.views, t.v[k], place);
     sg_point_set(&corner[k], place);
   }
-  r->hit[i] = true;
   if (sg_is_on_triangle(&corner[0], &corner[1], &corner[2], at)) {
     lies_on(r, i, corner, row);
   } else {
@@ -303,12 +301,9 @@ sides_of_leaf(rays *r, founds *f, sg_crew *crew, const sg_poll *poll)
   }
   r->turns = calloc(r->n, sizeof *r->turns);
   r->across = calloc(r->n, sizeof *r->across);
-  r->hit = calloc(r->n, sizeof *r->hit);
-  good = r->turns && r->across && r->hit && shoot(r, crew, poll) &&
-         keep_sides(r, f);
+  good = r->turns && r->across && shoot(r, crew, poll) && keep_sides(r, f);
   free(r->turns);
   free(r->across);
-  free(r->hit);
   return good;
 }
 
@@ -420,6 +415,9 @@ sg_arrangement_find_sides(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 
     free(f.item);
     left = good ? move_points(a) : -1;
+  }
+  for (size_t i = 0; i < a->parts; i++) { /* no point was good */
+    a->part[i].unknown = a->part[i].unknown || a->part[i].sides == 0;
   }
   return left >= 0;
 }

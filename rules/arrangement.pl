@@ -379,8 +379,8 @@ arranged_solid(arrangement(Pieces), Senses, Solid) :-
 
 %!  touching_leaves(+Leaves:list, -Touching:list) is det.
 %
-%   Touching are those of Leaves that were made to touch others, when their pieces
-%   were made last.
+%   Touching are those of Leaves that were made to touch others, when their
+%   pieces were made last.
 
 touching_leaves(Leaves, Touching) :-
     kept(Kept),

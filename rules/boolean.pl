@@ -18,8 +18,8 @@
 :- use_module(solid_rows, [solid_written/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ v/5, segment/3, from_v/4, origin/3, assert_fact/1, retract_fact/1,
-                facts_transaction/1
+              [ v/5, segment/3, from_v/4, origin/3,
+                assert_fact/1, retract_fact/1, facts_transaction/1
               ]).
 :- autoload(library(apply), [convlist/3, include/3, maplist/2]).
 :- autoload(library(error), [domain_error/2, existence_error/2, type_error/2]).
