@@ -92,43 +92,14 @@ get_handle_ex(term_t t, sg_arrangement_handle **out)
 
 /* ---- opening ---- */
 
-static int
-compare_segments(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
-/* Reads segments, each once, ascending. */
-static int
-get_segments_ex(term_t list, int32_t **out, size_t *n)
-{
-  size_t all, kept = 0;
-
-  if (!sg_get_ids_ex(list, out, &all)) {
-    return FALSE;
-  }
-  if (all > 1) {
-    qsort(*out, all, sizeof **out, compare_segments);
-  }
-  for (size_t i = 0; i < all; i++) {
-    if (i == 0 || (*out)[i] != (*out)[i - 1]) {
-      (*out)[kept++] = (*out)[i];
-    }
-  }
-  *n = kept;
-  return TRUE;
-}
-
 /* The leaves, and which of them are wanted. */
 static int
 get_leaves_ex(term_t segments, term_t wanted, sg_arrangement_handle *h)
 {
   int32_t *list = NULL;
   size_t n = 0;
-  int good = get_segments_ex(segments, &h->s, &h->n) &&
-             get_segments_ex(wanted, &list, &n);
+  int good = sg_get_id_set_ex(segments, &h->s, &h->n) &&
+             sg_get_id_set_ex(wanted, &list, &n);
 
   if (good) {
     h->wanted = calloc(h->n + 1, sizeof *h->wanted);

@@ -306,14 +306,6 @@ see_segments_ex(const sg_view *view, const sg_segment_rows *rows, size_t n,
   return TRUE;
 }
 
-static int
-compare_ids(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
 /* segments_tolerance(+Segments, -Tolerance, -Smallest) is det. */
 static foreign_t
 segments_tolerance(term_t segments, term_t tolerance, term_t smallest)
@@ -322,33 +314,25 @@ segments_tolerance(term_t segments, term_t tolerance, term_t smallest)
   sg_segment_rows rows = {0};
   sg_view view = {0};
   int32_t *s = NULL;
-  size_t n = 0, kept = 0;
+  size_t n = 0;
   double value = 0, least = 0;
 
-  if (!world || !sg_get_ids_ex(segments, &s, &n)) {
+  if (!world || !sg_get_id_set_ex(segments, &s, &n)) {
     return FALSE;
-  }
-  if (n > 1) {
-    qsort(s, n, sizeof *s, compare_ids);
-  }
-  for (size_t i = 0; i < n; i++) {
-    if (i == 0 || s[i] != s[i - 1]) {
-      s[kept++] = s[i];
-    }
   }
   const sg_version *version = sg_world_version(world);
   int good = sg_version_view(version, SG_V, &view) || sg_no_memory();
 
-  if (good && !sg_segment_rows_find(&view, s, kept, &sg_prolog_poll, &rows)) {
+  if (good && !sg_segment_rows_find(&view, s, n, &sg_prolog_poll, &rows)) {
     good = PL_exception(0) ? FALSE : sg_no_memory();
   }
-  good = good && see_segments_ex(&view, &rows, kept, &value, &least);
+  good = good && see_segments_ex(&view, &rows, n, &value, &least);
   sg_segment_rows_clear(&rows);
   sg_view_clear(&view);
   sg_version_drop(version);
   free(s);
   return good && sg_unify_double(tolerance, value) &&
-         sg_unify_double(smallest, kept > 0 ? least : 0);
+         sg_unify_double(smallest, n > 0 ? least : 0);
 }
 
 void

@@ -156,14 +156,6 @@ segment_meets_itself(term_t s)
   return good && meets;
 }
 
-static int
-compare_ids(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
 /* Asks of all trees in turn, and gives those that do. */
 static int
 unify_meeting_ex(term_t list, asking *a, const int32_t *s, sg_kept_tree **tree,
@@ -193,11 +185,8 @@ segments_meeting_themselves(term_t segments, term_t which)
   int32_t *s = NULL;
   size_t n = 0;
 
-  if (!a.world || !sg_get_ids_ex(segments, &s, &n)) {
+  if (!a.world || !sg_get_id_set_ex(segments, &s, &n)) {
     return FALSE;
-  }
-  if (n > 1) {
-    qsort(s, n, sizeof *s, compare_ids);
   }
   a.version = sg_world_version(a.world);
   a.crew = sg_crew_open(0);
