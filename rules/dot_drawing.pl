@@ -3,10 +3,10 @@
             picture_dots/4              % +Pens, +Options, -Size, -Dots
           ]).
 :- use_module(kernel, [raster_dots/4, raster_png/5]).
-:- use_module(sheet, [sheet_strokes/4]).
+:- use_module(sheet, [sheet_drawing/3, drawing_strokes/2, scaled_drawing/3]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(error), [domain_error/2]).
-:- autoload(library(option), [option/3]).
+:- autoload(library(option), [option/2, option/3]).
 /** <module> Drawings in dots: Bresenham's lines, as on the paper's screen.
 
 640 x 400 dots unless another size is wanted; pens and patterns grow with it.
@@ -46,7 +46,7 @@ palette([Paper,Line,Penetration,Hidden,Line,Penetration]) :-
 %   line is one dot wide; a penetration line is Bold times as wide as others.
 %   Inks: 0 paper, 1 visible, 2 penetration line, 3 hidden but drawn solid,
 %   4 hidden, 5 hidden penetration line. Options: size(Size), margin(M),
-%   hidden(How), pattern(P).
+%   hidden(How), pattern(P), drawing(D) with dots(N).
 %
 %   @error domain_error(raster_size, W-H), domain_error(dot_pattern, P)
 
@@ -54,12 +54,24 @@ picture_dots(pens(W0,H0,Bold), Options, W-H, Dots) :-
     option(hidden(Hidden), Options, dashed),
     option(pattern(Pattern), Options, 3),
     pattern_runs(Pattern, Runs),
-    sheet_strokes(W0-H0, Options, sheet(Width,Height,_), Strokes),
+    sheet_drawing(W0-H0, Options, Drawing0),
+    in_dots(Options, Drawing0, Drawing),
+    Drawing = drawing(sheet(Width,Height,_), _),
+    drawing_strokes(Drawing, Strokes),
     W is Width//1000,
     H is Height//1000,
     Nib is max(1, min(64, round(min(W/W0, H/H0)))),
     maplist(dot_stroke(pen(Hidden,Nib,Bold,Runs)), Strokes, DotStrokes),
     raster_dots(W, H, DotStrokes, Dots).
+
+%   A drawing that was laid out in millimetres.
+
+in_dots(Options, Drawing0, Drawing) :-
+    (   option(drawing(_), Options)
+    ->  option(dots(Dots), Options, 6),
+        scaled_drawing(Dots, Drawing0, Drawing)
+    ;   Drawing = Drawing0
+    ).
 
 pattern_runs(Pattern, Runs) :-
     (   integer(Pattern),

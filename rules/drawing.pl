@@ -4,14 +4,15 @@
             drawing_format/2            % ?Format, ?Type
           ]).
 :- use_module(dot_drawing, [write_png/2]).
-:- use_module(dxf, [write_dxf/3]).
-:- use_module(hpgl, [write_hpgl/3]).
+:- use_module(dxf, [write_dxf/2]).
+:- use_module(hpgl, [write_hpgl/2]).
 :- use_module(output, [writing/3]).
-:- use_module(sheet, [sheet_strokes/4]).
-:- use_module(svg, [write_svg/4]).
+:- use_module(sheet, [sheet_drawing/3]).
+:- use_module(svg, [write_svg/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(error), [domain_error/2]).
 :- autoload(library(http/json), [json_write/3]).
+:- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/3]).
 /** <module> Drawings: the picture of the current world, written to files.
 
@@ -38,16 +39,18 @@ drawing_format(hpgl, text).
 %
 %     - size(Size): `WxH`, or W-H, in millimetres, default 210x148; for PNG in
 %       dots, default 640x400
-%     - margin(M), scale(S): see sheet_strokes/4
+%     - margin(M), scale(S): see sheet_drawing/3
 %     - hidden(H): `dashed` (default; dotted in PNG), `removed`, or `shown`:
 %       not dashed, in SVG and PNG
 %     - pattern(P): dots on and off of hidden lines in PNG: N, or a list
 %     - title(Text): in SVG and JSON
+%     - drawing(Drawing): this one (sheet.pl), not the picture of the world;
+%       for PNG with dots(N) dots to a millimetre, default 6
 %
 %   A world without a picture gives a valid, empty drawing.
 %
 %   @error domain_error(drawing_format, Ending), and those of writing/3 and
-%   sheet_strokes/4.
+%   sheet_drawing/3.
 
 write_drawing(File, Options) :-
     file_name_extension(_, Ending, File),
@@ -73,24 +76,26 @@ write_drawing_stream(Format, Out, Options) :-
     format_type(Format, _),
     write_format(Format, Out, Options).
 
-write_format(svg, Out, Options) :-
-    sheet_strokes(210-148, Options, Sheet, Strokes),
-    write_svg(Out, Sheet, Strokes, Options).
-write_format(json, Out, Options) :-
-    sheet_strokes(210-148, Options, Sheet, Strokes),
-    write_json(Out, Sheet, Strokes, Options).
-write_format(dxf, Out, Options) :-
-    sheet_strokes(210-148, Options, Sheet, Strokes),
-    write_dxf(Out, Sheet, Strokes).
-write_format(hpgl, Out, Options) :-
-    sheet_strokes(210-148, Options, Sheet, Strokes),
-    write_hpgl(Out, Sheet, Strokes).
 write_format(png, Out, Options) :-
+    !,
     write_png(Out, Options).
+write_format(Format, Out, Options) :-
+    sheet_drawing(210-148, Options, Drawing),
+    write_lines(Format, Out, Drawing, Options).
+
+write_lines(svg, Out, Drawing, Options) :-
+    write_svg(Out, Drawing, Options).
+write_lines(json, Out, Drawing, Options) :-
+    write_json(Out, Drawing, Options).
+write_lines(dxf, Out, Drawing, _) :-
+    write_dxf(Out, Drawing).
+write_lines(hpgl, Out, Drawing, _) :-
+    write_hpgl(Out, Drawing).
 
 %   The same lines as the SVG has, for programs; one to a line of text.
 
-write_json(Out, sheet(W,H,Scale), Strokes, Options) :-
+write_json(Out, Drawing, Options) :-
+    Drawing = drawing(sheet(W,H,Scale), _),
     maplist(thousand, [W,H], [Width,Height]),
     option(title(Title), Options, ''),
     text_to_string(Title, TitleString),
@@ -99,12 +104,38 @@ write_json(Out, sheet(W,H,Scale), Strokes, Options) :-
     format(Out, ',~n  "unit": "mm", "width": ~w, "height": ~w, ',
            [Width, Height]),
     format(Out, '"scale": ~w,~n', [Scale]),
+    findall(Json, drawing_json(line, Drawing, Json), Lines),
+    findall(Json, drawing_json(text, Drawing, Json), Texts),
     format(Out, '  "lines": [', []),
-    foldl(write_json_line(Out), Strokes, "\n    ", _),
-    format(Out, '~n  ]~n}~n', []).
+    foldl(write_json_line(Out), Lines, "\n    ", _),
+    format(Out, '~n  ]', []),
+    (   Texts == []
+    ->  true
+    ;   format(Out, ',~n  "texts": [', []),
+        foldl(write_json_line(Out), Texts, "\n    ", _),
+        format(Out, '~n  ]', [])
+    ),
+    format(Out, '~n}~n', []).
 
-write_json_line(Out, Stroke, Before, ",\n    ") :-
-    stroke_json(Stroke, Json),
+%   Of several views each line and text has its own.
+
+drawing_json(What, drawing(_,Views), json(Members)) :-
+    member(view(Name,Strokes,Texts), Views),
+    (   Name == ''
+    ->  Members = Own
+    ;   Members = [view=Name|Own]
+    ),
+    view_json(What, Strokes, Texts, json(Own)).
+
+view_json(line, Strokes, _, Json) :-
+    member(Stroke, Strokes),
+    stroke_json(Stroke, Json).
+view_json(text, _, Texts, json([ text=Text, at=[X,Y], height=Height,
+                                 anchor=Anchor ])) :-
+    member(text(X0,Y0,Height0,Anchor,Text), Texts),
+    maplist(thousand, [X0,Y0,Height0], [X,Y,Height]).
+
+write_json_line(Out, Json, Before, ",\n    ") :-
     write(Out, Before),
     json_on_a_line(Out, Json).
 

@@ -1,12 +1,13 @@
 :- module(sg_dxf,
-          [ write_dxf/3,                % +Out, +Sheet, +Strokes
+          [ write_dxf/2,                % +Out, +Drawing
             group/3,                    % +Out, +Code, +Value
             section/2,                  % +Out, +Name
             (table)/3,                  % +Out, +Name, +N
             line_type/4                 % +Out, +Name, +Text, +Runs
           ]).
-:- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [member/2]).
+:- use_module(sheet, [drawing_strokes/2]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(lists), [list_to_set/2, member/2]).
 /** <module> DXF: strokes as polylines on layers, for CAD programs.
 
 DXF R12 (AC1009), as text: every program reads it. One unit is one millimetre
@@ -16,16 +17,20 @@ HIDDEN. Extended data of application SANGGWAN says at the start of each
 straight piece which segment and edge it belongs to.
 */
 
-%!  write_dxf(+Out, +Sheet, +Strokes) is det.
+%!  write_dxf(+Out, +Drawing) is det.
 %
-%   Write Strokes on Sheet (sheet.pl) to stream Out.
+%   Write Drawing (sheet.pl) to stream Out.
 
-write_dxf(Out, sheet(W,H,_), Strokes) :-
+write_dxf(Out, Drawing) :-
+    Drawing = drawing(sheet(W,H,_), Views),
+    drawing_strokes(Drawing, Strokes),
     layers(Strokes, Layers),
     header(Out, W, H),
     tables(Out, Layers),
     section(Out, 'ENTITIES'),
     forall(member(Stroke, Strokes), polyline(Out, H, Stroke)),
+    forall(( member(view(_,_,Texts), Views), member(Text, Texts) ),
+           text(Out, H, Text)),
     group(Out, 0, 'ENDSEC'),
     group(Out, 0, 'EOF').
 
@@ -101,15 +106,12 @@ longer(Run, Length0, Length) :-
 %   Every layer in use, and layer 0, which R12 wants.
 
 layers(Strokes, [layer('0',visible,none)|Layers]) :-
-    foldl(stroke_layer, Strokes, none-Layers, _-[]).
+    maplist(stroke_layer, Strokes, All),
+    list_to_set(All, Layers).
 
-stroke_layer(stroke(Visibility,Role,_,_,_,_,_), Last-Layers, Layer-Rest) :-
-    layer_name(Visibility, Role, Name),
-    Layer = layer(Name, Visibility, Role),
-    (   Layer == Last
-    ->  Rest = Layers
-    ;   Layers = [Layer|Rest]
-    ).
+stroke_layer(stroke(Visibility,Role,_,_,_,_,_),
+             layer(Name,Visibility,Role)) :-
+    layer_name(Visibility, Role, Name).
 
 layer_name(Visibility, Role, Name) :-
     atomic_list_concat([Visibility,Role], '_', Name0),
@@ -160,10 +162,14 @@ flags(Start, Flags) :-
 
 %   A ring does not say its first point again.
 
-vertices([Point|Points], [E|Edges], How) :-
+vertices([Point,Next|Points], Edges, How) :-
     !,
-    vertex(How, Point, [E]),
-    vertices(Points, Edges, How).
+    (   Edges = [E|Edges1]
+    ->  vertex(How, Point, [E])
+    ;   Edges1 = [],
+        vertex(How, Point, [])
+    ),
+    vertices([Next|Points], Edges1, How).
 vertices([Point], [], How) :-
     (   How = vertex(_, _, _, _, ring)
     ->  true
@@ -180,6 +186,28 @@ vertex(vertex(Out,H,Layer,S,_), Point, Edge) :-
         group(Out, 1071, E)
     ;   true
     ).
+
+%   11 is where a text is fixed that does not start there, by 72.
+
+text(Out, H, text(X,Y0,Height,Anchor,Text)) :-
+    group(Out, 0, 'TEXT'),
+    group(Out, 8, '0'),
+    point(Out, H, X-Y0),
+    real(Out, 40, Height),
+    group(Out, 1, Text),
+    text_anchor(Anchor, Place),
+    (   Place =:= 0
+    ->  true
+    ;   Y is H-Y0,
+        group(Out, 72, Place),
+        real(Out, 11, X),
+        real(Out, 21, Y),
+        real(Out, 31, 0)
+    ).
+
+text_anchor(start, 0).
+text_anchor(middle, 1).
+text_anchor(end, 2).
 
 point(Out, H, Point) :-
     place(Out, H, Point),

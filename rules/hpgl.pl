@@ -1,7 +1,8 @@
 :- module(sg_hpgl,
-          [ write_hpgl/3                % +Out, +Sheet, +Strokes
+          [ write_hpgl/2                % +Out, +Drawing
           ]).
 :- use_module(dash, [stroke_dashes/2]).
+:- use_module(sheet, [drawing_strokes/2]).
 :- use_module(travel, [short_travel/2]).
 :- autoload(library(apply), [foldl/4, include/3]).
 :- autoload(library(lists), [member/2]).
@@ -13,12 +14,14 @@ are fitted to each line (dash.pl). A unit is 0.025 mm, the origin the lower
 left corner of the sheet.
 */
 
-%!  write_hpgl(+Out, +Sheet, +Strokes) is det.
+%!  write_hpgl(+Out, +Drawing) is det.
 %
-%   Write Strokes on Sheet (sheet.pl) to stream Out, pen by pen, the pen's
-%   travel between them short (travel.pl).
+%   Write Drawing (sheet.pl) to stream Out, pen by pen, the pen's travel
+%   between them short (travel.pl). Texts are not drawn.
 
-write_hpgl(Out, sheet(_,H,_), Strokes) :-
+write_hpgl(Out, Drawing) :-
+    Drawing = drawing(sheet(_,H,_), _),
+    drawing_strokes(Drawing, Strokes),
     format(Out, 'IN;~n', []),
     forall(member(Pen, [2,1,3]), plot_pen(Out, H, Strokes, Pen)),
     format(Out, 'PU;SP0;~n', []).
@@ -36,8 +39,11 @@ stroke_pen(Pen, stroke(Visibility,Role,_,_,_,_,_)) :-
     pen(Visibility, Role, Pen).
 
 plot(Out, H, Stroke) :-
-    Stroke = stroke(Visibility, Role, S, [E|_], Points, _, _),
-    format(Out, 'CO "s~de~d ~w ~w";~n', [S, E, Visibility, Role]),
+    Stroke = stroke(Visibility, Role, S, Edges, Points, _, _),
+    (   Edges = [E|_]
+    ->  format(Out, 'CO "s~de~d ~w ~w";~n', [S, E, Visibility, Role])
+    ;   format(Out, 'CO "~w ~w";~n', [Visibility, Role])
+    ),
     (   Visibility == hidden
     ->  stroke_dashes(Stroke, Dashes)
     ;   Dashes = [Points]

@@ -1,10 +1,15 @@
 :- module(sg_sheet,
-          [ sheet_strokes/4             % +Default, +Options, -Sheet, -Strokes
+          [ sheet_drawing/3,            % +Default, +Options, -Drawing
+            sheet_strokes/4,            % +Default, +Options, -Sheet, -Strokes
+            drawing_strokes/2,          % +Drawing, -Strokes
+            scaled_drawing/3,           % +Factor, +Drawing, -Scaled
+            picture_parts/1             % -Parts
           ]).
 :- use_module(store, [drawn/7, e/5, screen/5]).
 :- use_module(stroke, [strokes/2]).
 :- autoload(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
+:- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/2, option/3]).
 /** <module> The sheet: the picture laid on paper.
 
@@ -13,15 +18,39 @@ millimetre, or a dot of a raster), x to the right and y DOWN from the upper
 left corner; Scale is how many units a unit of the picture is. Everything
 after this is integer: numbers print the same everywhere, and -0 does not
 exist.
+
+What writers write is a *drawing*, which does not know the world:
+
+    drawing(Sheet, Views)
+    view(Name, Strokes, Texts)
+
+Views in painting order. Name is an atom, '' if there is one view alone.
+Strokes are as stroke.pl says; those that show no edge (frames, hatching) have
+no Edges, and segment 0 if they show no segment either. Their roles are
+
+  - `frame`: round the sheet and the title block; centring marks
+  - `field`: lines between the fields of the title block and of the frame
+  - `hatching`: of the faces of a section
+  - `cutting`, `cutting_end`, `arrow`: the line of a cutting plane, its thick
+    ends and corners, its arrows
+  - `symbol`, `axis`: the symbol of the projection method and its axes
+
+The dashes of such lines are drawn already. A text is
+
+    text(X, Y, Height, Anchor, Text)
+
+Text, a string, is Height high (capitals, in thousandths), with the start, the
+middle or the end of its baseline at X,Y: Anchor is `start`, `middle` or `end`.
 */
 
 :- set_prolog_flag(optimise, true).
 
-%!  sheet_strokes(+Default, +Options, -Sheet, -Strokes) is det.
+%!  sheet_drawing(+Default, +Options, -Drawing) is det.
 %
-%   Strokes (stroke.pl) are what drawn/7 holds, on Sheet. The picture fills
-%   the sheet, its aspect kept; a picture without extent is a point in the
-%   middle, an empty one has no strokes. Options:
+%   Drawing is what drawn/7 holds as one view, or what Options name with
+%   drawing(Drawing). The picture fills the sheet, its aspect kept; a picture
+%   without extent is a point in the middle, an empty one has no strokes. Other
+%   options:
 %
 %     - size(Size): `W-H`, or text like `210x148`; otherwise Default, W-H
 %     - margin(M): free all round; a tenth of the shorter side if not given
@@ -31,9 +60,59 @@ exist.
 %
 %   @error domain_error(sheet_size, Size), domain_error(hidden_lines, H)
 
+sheet_drawing(Default, Options, Drawing) :-
+    (   option(drawing(Drawing0), Options)
+    ->  Drawing = Drawing0
+    ;   Drawing = drawing(Sheet, [view('', Strokes, [])]),
+        sheet_strokes(Default, Options, Sheet, Strokes)
+    ).
+
+%!  drawing_strokes(+Drawing, -Strokes) is det.
+%
+%   The strokes of all views, in painting order.
+
+drawing_strokes(drawing(_, Views), Strokes) :-
+    findall(Stroke,
+            ( member(view(_, Own, _), Views), member(Stroke, Own) ),
+            Strokes).
+
+%!  scaled_drawing(+Factor, +Drawing, -Scaled) is det.
+%
+%   Scaled is Drawing in another unit: Factor of it are one of Drawing's.
+
+scaled_drawing(Factor, drawing(sheet(W0,H0,Scale0),Views0),
+               drawing(sheet(W,H,Scale),Views)) :-
+    maplist(scaled(Factor), [W0,H0], [W,H]),
+    Scale is Scale0*Factor,
+    maplist(scaled_view(Factor), Views0, Views).
+
+scaled_view(Factor, view(Name,Strokes0,Texts0), view(Name,Strokes,Texts)) :-
+    maplist(scaled_stroke(Factor), Strokes0, Strokes),
+    maplist(scaled_text(Factor), Texts0, Texts).
+
+scaled_stroke(Factor, stroke(Visibility,Role,S,Es,Points0,Start,End),
+              stroke(Visibility,Role,S,Es,Points,Start,End)) :-
+    maplist(scaled_point(Factor), Points0, Points).
+
+scaled_text(Factor, text(X0,Y0,Height0,Anchor,Text),
+            text(X,Y,Height,Anchor,Text)) :-
+    maplist(scaled(Factor), [X0,Y0,Height0], [X,Y,Height]).
+
+scaled_point(Factor, X0-Y0, X-Y) :-
+    scaled(Factor, X0, X),
+    scaled(Factor, Y0, Y).
+
+scaled(Factor, X0, X) :-
+    X is round(X0*Factor).
+
+%!  sheet_strokes(+Default, +Options, -Sheet, -Strokes) is det.
+%
+%   The Sheet and the Strokes of what drawn/7 holds, as sheet_drawing/3 lays
+%   them out.
+
 sheet_strokes(Default, Options, Sheet, Strokes) :-
     hidden_option(Options, Hidden),
-    findall(Part, drawn_part(Part), Parts),
+    picture_parts(Parts),
     parts_box(Parts, Box),
     box_place(Box, Default, Options, Sheet, Place),
     (   Hidden == removed
@@ -43,6 +122,14 @@ sheet_strokes(Default, Options, Sheet, Strokes) :-
     maplist(placed(Place), Kept, Placed),
     strokes(Placed, Strokes).
 
+%!  picture_parts(-Parts) is det.
+%
+%   Parts are the parts (stroke.pl) that drawn/7 of the current world has,
+%   their ends in the picture's own coordinates.
+
+picture_parts(Parts) :-
+    findall(Part, drawn_part(Part), Parts).
+
 hidden_option(Options, Hidden) :-
     option(hidden(Hidden), Options, dashed),
     (   memberchk(Hidden, [dashed,removed,shown])
@@ -51,8 +138,6 @@ hidden_option(Options, Hidden) :-
     ).
 
 hidden_part(part(hidden,_,_,_,_,_,_,_)).
-
-%   A part in the picture's own coordinates.
 
 drawn_part(part(Visibility,Role,S,E,From,To,XA-YA,XB-YB)) :-
     drawn(_, S, E, From, To, Visibility, Role),

@@ -1,8 +1,9 @@
 :- module(sg_svg,
-          [ write_svg/4                 % +Out, +Sheet, +Strokes, +Options
+          [ write_svg/3                 % +Out, +Drawing, +Options
           ]).
 :- use_module(dash, [stroke_dash/3]).
 :- autoload(library(apply), [foldl/4]).
+:- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/2, option/3]).
 :- autoload(library(dcg/high_order), [sequence//3]).
 :- autoload(library(rbtrees),
@@ -24,16 +25,44 @@ which are fitted to each line (dash.pl).
 
 :- set_prolog_flag(optimise, true).
 
-%!  write_svg(+Out, +Sheet, +Strokes, +Options) is det.
+%!  write_svg(+Out, +Drawing, +Options) is det.
 %
-%   Write Strokes on Sheet to stream Out. Options: title(Text), hidden(How),
+%   Write Drawing (sheet.pl) to stream Out. Options: title(Text), hidden(How),
 %   as for write_drawing/2.
 
-write_svg(Out, Sheet, Strokes, Options) :-
+write_svg(Out, drawing(Sheet,Views), Options) :-
     option(hidden(Hidden), Options, dashed),
-    emit(Out, svg_head(Sheet, Options)),
-    foldl(write_stroke(Out, Hidden), Strokes, state(none,ids), State),
-    emit(Out, svg_tail(State)).
+    emit(Out, svg_head(Sheet, Views, Options)),
+    forall(member(View, Views), write_view(Out, Hidden, View)),
+    emit(Out, "</svg>\n").
+
+%   A view alone needs no group of its own; of several each has one, and its
+%   name before all its ids.
+
+write_view(Out, Hidden, view(Name,Strokes,Texts)) :-
+    view_prefix(Name, Prefix),
+    emit(Out, view_head(Name)),
+    foldl(write_stroke(Out, Prefix-Hidden), Strokes, state(none,ids), State),
+    emit(Out, strokes_tail(State)),
+    forall(member(Text, Texts), emit(Out, text(Text))),
+    emit(Out, view_tail(Name)).
+
+view_prefix('', '') :-
+    !.
+view_prefix(Name, Prefix) :-
+    atom_concat(Name, '-', Prefix).
+
+view_head('') -->
+    !,
+    "".
+view_head(Name) -->
+    "<g id=\"", name(Name), "\" class=\"view\">\n".
+
+view_tail('') -->
+    !,
+    "".
+view_tail(_) -->
+    "</g>\n".
 
 :- meta_predicate emit(+, //).
 
@@ -41,14 +70,14 @@ emit(Out, Body) :-
     phrase(Body, Codes),
     format(Out, '~s', [Codes]).
 
-svg_head(sheet(W,H,Scale), Options) -->
+svg_head(sheet(W,H,Scale), Views, Options) -->
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
     "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"sanggwan\" width=\"",
     thousandths(W), "mm\" height=\"", thousandths(H), "mm\" viewBox=\"0 0 ",
     thousandths(W), " ", thousandths(H), "\" data-scale=\"", scale(Scale),
     "\">\n",
     title(Options),
-    "<style>\n", style, "</style>\n",
+    "<style>\n", style, sheet_style(Views), "</style>\n",
     "<rect class=\"paper\" width=\"", thousandths(W), "\" height=\"",
     thousandths(H), "\"/>\n".
 
@@ -74,25 +103,45 @@ style -->
     ".sanggwan .hidden.penetration{stroke-width:.35}\n",
     "@media print{.sanggwan .penetration{stroke:#000}}\n".
 
-svg_tail(state(none,_)) -->
+%   Of what only a laid-out sheet has.
+
+sheet_style([view('',_,_)]) -->
     !,
-    "</svg>\n".
-svg_tail(_) -->
-    "</g>\n</svg>\n".
+    "".
+sheet_style(_) -->
+    ".sanggwan .frame{stroke-width:.7;stroke-linecap:square;",
+    "stroke-linejoin:miter}\n",
+    ".sanggwan .field,.sanggwan .hatching,.sanggwan .cutting,",
+    ".sanggwan .axis{stroke-width:.25;stroke-linecap:butt}\n",
+    ".sanggwan .symbol{stroke-width:.35}\n",
+    ".sanggwan text{fill:#000;stroke:none;white-space:pre;",
+    "font-family:'Noto Sans','Noto Sans CJK KR','Noto Sans KR',",
+    "'DejaVu Sans',sans-serif}\n".
+
+strokes_tail(state(none,_)) -->
+    !,
+    "".
+strokes_tail(_) -->
+    "</g>\n".
 
 /* - - - strokes - - - */
 
 %   state(Group,Ids): the open group, and how often each id was given.
 
-write_stroke(Out, Hidden, Stroke, state(Group0,Ids0), state(Group,Ids)) :-
-    Stroke = stroke(Visibility, Role, S, [E|_], _, _, _),
+write_stroke(Out, Prefix-Hidden, Stroke, state(Group0,Ids0),
+             state(Group,Ids)) :-
+    Stroke = stroke(Visibility, Role, S, Edges, _, _, _),
     Group = Visibility-Role,
-    new_id(S, E, Ids0, Ids, N),
+    (   Edges = [E|_]
+    ->  new_id(S, E, Ids0, Ids, N)
+    ;   Ids = Ids0,
+        N = none
+    ),
     (   Group == Group0
     ->  true
-    ;   emit(Out, group(Group0, Group))
+    ;   emit(Out, group(Prefix, Group0, Group))
     ),
-    emit(Out, stroke(Stroke, Hidden, N)).
+    emit(Out, stroke(Stroke, Prefix, Hidden, N)).
 
 new_id(S, E, Ids0, Ids, N) :-
     (   Ids0 == ids
@@ -106,21 +155,38 @@ new_id(S, E, Ids0, Ids, N) :-
         rb_insert_new(Ids1, S-E, 1, Ids)
     ).
 
-group(Before, Visibility-Role) -->
+group(Prefix, Before, Visibility-Role) -->
     (   { Before == none }
     ->  ""
     ;   "</g>\n"
     ),
-    "<g id=\"", name(Visibility), "-", name(Role), "\">\n".
+    "<g id=\"", name(Prefix), name(Visibility), "-", name(Role), "\">\n".
 
-stroke(Stroke, Hidden, N) -->
-    { Stroke = stroke(Visibility, Role, S, [E|Es], Points, _, _) },
-    "<polyline id=\"s", number(S), "e", number(E), id_count(N),
-    "\" class=\"", name(Visibility), " ", name(Role),
-    "\" data-segment=\"", number(S),
-    "\" data-edge=\"", sequence(number, " ", [E|Es]), "\"",
+stroke(Stroke, Prefix, Hidden, N) -->
+    { Stroke = stroke(Visibility, Role, S, Edges, Points, _, _) },
+    "<polyline", id(Edges, Prefix, S, N),
+    " class=\"", name(Visibility), " ", name(Role), "\"",
+    shown(Edges, S),
     dashes(Stroke, Hidden),
     " points=\"", sequence(point, " ", Points), "\"/>\n".
+
+id([], _, _, _) -->
+    !,
+    "".
+id([E|_], Prefix, S, N) -->
+    " id=\"", name(Prefix), "s", number(S), "e", number(E), id_count(N), "\"".
+
+%   What a line shows: of its segment, and which edges.
+
+shown(_, 0) -->
+    !,
+    "".
+shown([], S) -->
+    !,
+    " data-segment=\"", number(S), "\"".
+shown(Edges, S) -->
+    " data-segment=\"", number(S),
+    "\" data-edge=\"", sequence(number, " ", Edges), "\"".
 
 id_count(1) -->
     !,
@@ -150,6 +216,15 @@ dash_start(_, _) -->
     "".
 
 /* - - - text - - - */
+
+%   A capital is about 0.72 of the size of a font.
+
+text(text(X,Y,Height,Anchor,Text)) -->
+    { Size is Height*100//72,
+      string_codes(Text, Codes) },
+    "<text x=\"", thousandths(X), "\" y=\"", thousandths(Y),
+    "\" font-size=\"", thousandths(Size), "\" text-anchor=\"", name(Anchor),
+    "\">", escaped(Codes), "</text>\n".
 
 %   An integer as thousandths: 12340 is `12.34`, never `-0`.
 
