@@ -50,6 +50,7 @@ typedef struct sg_relation_info {
   sg_column_info column[SG_MAX_COLUMNS];
   const char *domain[SG_MAX_COLUMNS]; /* its words, or null: any value */
   double most[SG_MAX_COLUMNS];        /* size of a float, or 0: any */
+  bool with_sign[SG_MAX_COLUMNS];     /* ids may be negative */
 } sg_relation_info;
 
 extern const sg_relation_info sg_relation_table[SG_RELATIONS];

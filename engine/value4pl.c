@@ -208,6 +208,13 @@ get_positive_id_ex(term_t t, int32_t *out)
          (*out > 0 || PL_domain_error("positive_integer", t));
 }
 
+/* An id other than 0. */
+static int
+get_signed_id_ex(term_t t, int32_t *out)
+{
+  return get_int_ex(t, out) && (*out != 0 || PL_domain_error("not_zero", t));
+}
+
 static int
 get_finite_ex(term_t t, double *out)
 {
@@ -283,7 +290,8 @@ sg_get_value_ex(term_t t, const sg_relation_info *info, unsigned c,
   switch (info->column[c].type) {
   case SG_INT:
     return domain ? get_int_ex(t, &out->i) && check_domain_ex(domain, t)
-                  : get_positive_id_ex(t, &out->i);
+           : info->with_sign[c] ? get_signed_id_ex(t, &out->i)
+                                : get_positive_id_ex(t, &out->i);
   case SG_FLOAT:
     return get_finite_ex(t, &out->f) && check_most_ex(info->most[c], *out, t);
   case SG_LIST:

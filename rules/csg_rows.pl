@@ -154,6 +154,7 @@ drop_boundary(S) :-
     ;   true
     ),
     retractall_facts(drawn(_, S, _, _, _, _, _)),
+    retractall_facts(contour(S, _, _, _, _, _, _, _, _)),
     retractall_facts(screen(S, _, _, _, _)),
     retractall_facts(line(_, S, _, _, _, _, _, _, _)),
     retractall_facts(line(_, _, _, _, _, S, _, _, _)),

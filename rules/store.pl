@@ -17,6 +17,8 @@
             view/3,                   % ?Theta, ?Phi, ?Rho
             projection/1,             % ?Kind
             screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
+            contour/9,                % ?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2,
+                                      % ?To, ?Ts
             drawn/7,                  % ?D, ?S, ?E, ?From, ?To,
                                       % ?Visibility, ?Role
             assert_fact/1,            % +Fact
@@ -171,10 +173,17 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   True when vertex V of segment S is at Xs, Ys in the picture, Zs away.
 
+%!  contour(?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2, ?To, ?Ts) is nondet.
+%
+%   True when piece K of the outline of the smooth surface of segment S runs
+%   across triangle T, from F1 on its side I1 to F2 on I2 (contour.pl). The part
+%   from 0 to To is not behind the surface next to it; the triangles Ts do not
+%   hide it either.
+
 %!  drawn(?D, ?S, ?E, ?From, ?To, ?Visibility, ?Role) is nondet.
 %
 %   True when part D of the picture is edge E of segment S from From to To (0
-%   at its start, 1 at its end).
+%   at its start, 1 at its end); if E is negative, piece -E of contour/9.
 
 /* ---- changing -----------------------------------------------------------
 
@@ -452,6 +461,7 @@ sandbox:safe_primitive(sg_store:line(_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:view(_,_,_)).
 sandbox:safe_primitive(sg_store:projection(_)).
 sandbox:safe_primitive(sg_store:screen(_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:contour(_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:drawn(_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:edge_polygon(_,_,_)).
 sandbox:safe_primitive(sg_store:vertex_triangle(_,_,_)).
