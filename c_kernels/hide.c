@@ -88,31 +88,58 @@ apart(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
          sg_smaller(a[1], b[1]) > mask->high[1] + e;
 }
 
-bool
-sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
-              const sg_scene_line *line, sg_hidden *out)
+/* The part of line a-b that the mask's three sides keep. */
+static bool
+covered(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
+        const double b[3], double t[2])
 {
   double(*at)[3] = scene->at;
-  const double *a = at[line->a], *b = at[line->b];
   double e = scene->tolerance;
-  double t[2] = {0.0, 1.0};
 
-  if (apart(scene, mask, a, b) ||
-      (has_corner(mask, line->a) && has_corner(mask, line->b))) {
-    return false;
-  }
+  t[0] = 0.0;
+  t[1] = 1.0;
   for (int k = 0; k < 3; k++) {
     const double *p = at[mask->v[k]], *q = at[mask->v[(k + 1) % 3]];
     if (!keep(snap(left_of(p, q, a), e), snap(left_of(p, q, b), e), t)) {
       return false;
     }
   }
-  if (!depth_test(e, behind(scene, mask, a, b, t[0]),
+  return true;
+}
+
+bool
+sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
+              const sg_scene_line *line, sg_hidden *out)
+{
+  const double *a = scene->at[line->a], *b = scene->at[line->b];
+  double t[2];
+
+  if (apart(scene, mask, a, b) ||
+      (has_corner(mask, line->a) && has_corner(mask, line->b)) ||
+      !covered(scene, mask, a, b, t) ||
+      !depth_test(scene->tolerance, behind(scene, mask, a, b, t[0]),
                   behind(scene, mask, a, b, t[1]), t)) {
     return false;
   }
   out->from = t[0];
   out->to = t[1];
+  return true;
+}
+
+bool
+sg_mask_covers(const sg_scene *scene, const sg_scene_mask *mask,
+               const sg_scene_line *line, sg_cover *out)
+{
+  const double *a = scene->at[line->a], *b = scene->at[line->b];
+  double t[2];
+
+  if (!covered(scene, mask, a, b, t)) {
+    return false;
+  }
+  *out = (sg_cover){.from = t[0], .to = t[1]};
+  for (int k = 0; k < 2; k++) {
+    out->behind[k] = behind(scene, mask, a, b, t[k]) / mask->normal[2];
+  }
   return true;
 }
 

@@ -21,6 +21,12 @@ typedef struct sg_hidden {
   uint32_t mask;   /* place in scene->mask */
 } sg_hidden;
 
+/* A mask and a line that lie on one another in the picture. */
+typedef struct sg_cover {
+  double from, to;  /* of the line */
+  double behind[2]; /* there: how far the line is behind the mask, along z */
+} sg_cover;
+
 typedef struct sg_overlap {
   double from, to;   /* of the line asked for */
   double from2, to2; /* the same points on the other line, from2 at from */
@@ -55,6 +61,11 @@ void sg_hide_clear(sg_hide *hide);
  * a line between two of its own corners, nor one in its plane. */
 bool sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
                    const sg_scene_line *line, sg_hidden *out);
+
+/* The part of the line that the mask lies on in the picture, whichever of them
+ * is in front; false: none. It is what sg_mask_hides() asks the depth of. */
+bool sg_mask_covers(const sg_scene *scene, const sg_scene_mask *mask,
+                    const sg_scene_line *line, sg_cover *out);
 
 /* All masks that hide a part of line `at`, sorted by from, to and mask.
  * `enough`: stop at the first that hides all of it. False: no memory.

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static functor_t FUNCTOR_look8;
+static functor_t FUNCTOR_look8, FUNCTOR_covers6;
 static atom_t ATOM_all, ATOM_feature, ATOM_penetration, ATOM_true, ATOM_false;
 
 /* ---------------------------------------------------------- the handle */
@@ -423,6 +423,41 @@ overlap(term_t a0, int arity, control_t control)
   return join(a0, true, control);
 }
 
+/* covers(S, T, From, To, Behind1, Behind2): the last two in units of Zs. */
+static int
+unify_cover(term_t t, const sg_scene_mask *mask, const sg_cover *cover,
+            double scale)
+{
+  return PL_unify_term(t, PL_FUNCTOR, FUNCTOR_covers6, PL_INT, (int)mask->s,
+                       PL_INT, (int)mask->t, PL_FLOAT, cover->from, PL_FLOAT,
+                       cover->to, PL_FLOAT, cover->behind[0] * scale + 0.0,
+                       PL_FLOAT, cover->behind[1] * scale + 0.0);
+}
+
+/* line_covers(+Scene, +S, +E, -Covers) is det: one pass over the masks. */
+static foreign_t
+line_covers(term_t scene, term_t s, term_t e, term_t covers)
+{
+  term_t list = PL_copy_term_ref(covers), head = PL_new_term_ref();
+  handle *h = NULL;
+  size_t at;
+  sg_cover cover;
+
+  if (!get_scene_ex(scene, &h) || !get_line_ex(h, s, e, &at)) {
+    return FALSE;
+  }
+  for (size_t m = 0; m < h->scene->masks; m++) {
+    const sg_scene_mask *mask = &h->scene->mask[m];
+
+    if (sg_mask_covers(h->scene, mask, &h->scene->line[at], &cover) &&
+        (!PL_unify_list(list, head, list) ||
+         !unify_cover(head, mask, &cover, h->scene->scale))) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(list);
+}
+
 /* -------------------------------------------------------------- drawing */
 
 static int
@@ -545,10 +580,12 @@ sg_install_scene(void)
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
       {"overlap", 9, (pl_function_t)overlap,
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
+      {"line_covers", 4, (pl_function_t)line_covers, 0},
       {"fill_drawn", 3, (pl_function_t)fill_drawn, 0},
       {NULL, 0, NULL, 0}};
 
   FUNCTOR_look8 = PL_new_functor(PL_new_atom("look"), 8);
+  FUNCTOR_covers6 = PL_new_functor(PL_new_atom("covers"), 6);
   ATOM_all = PL_new_atom("all");
   ATOM_feature = PL_new_atom("feature");
   ATOM_penetration = PL_new_atom("penetration");

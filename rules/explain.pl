@@ -1,6 +1,8 @@
 :- module(sg_explain,
           [ explain/1,                  % ?Item
+            explain/2,                  % ?Item, +Options
             explanation/2,              % ?Item, -Because
+            explanation/3,              % ?Item, +Options, -Because
             print_explanations/1,       % +Explanations
             statement_text/2,           % +Statement, -Text
             contact_statement/3         % +Seat1, +Seat2, -Statement
@@ -9,6 +11,7 @@
 :- use_module(contact,
               [ line_end/4, vertex_seats/3, contact_kind/3, edge_part/4 ]).
 :- use_module(exact, [vertex_exact/5, vertex_side/4]).
+:- use_module(explain_hidden, [hidden_because/4]).
 :- use_module(explain_pair, [pair_because/3, segments_because/3,
                              line_pieces/2, decided_by/2,
                              leaf_corners/3]).
@@ -37,6 +40,9 @@ An *item* is one of
     pair(S1, S2)         two segments
     piece(S, P)          polygon P of the boundary of a node: why it stayed
     piece(S, S0-P0)      what became of polygon P0 of its operand S0
+    hidden(S, E)         a line of the picture: where it is hidden, by what
+    hidden(Name)         the same: `s1e7` is what drawings call the line
+    why_not(hidden(...)) where such a line is visible, and why
 
 Nothing is stored for it: the rule that decided runs again for the one item,
 with exact signs. What comes out is a tree of because(Statement, Because), the
@@ -45,15 +51,20 @@ explain_en.pl and explain_ko.pl.
 */
 
 %!  explain(?Item) is semidet.
+%!  explain(?Item, +Options) is semidet.
 %
 %   Print why Item is what it is, in the language of the messages. Unbound
 %   parts of Item stand for every one there is: explain(line(_)). True if there
 %   was something to explain; otherwise a message says what can be asked.
+%   Options: those of picture/1 that the picture was made with.
 %
 %       ?- penetrate, explain(line(1)).
 
 explain(Item) :-
-    findall(Item-Because, explanation(Item, Because), All),
+    explain(Item, []).
+
+explain(Item, Options) :-
+    findall(Item-Because, explanation(Item, Options, Because), All),
     (   All == []
     ->  print_message(informational, sanggwan(nothing_to_explain(Item))),
         fail
@@ -63,27 +74,41 @@ explain(Item) :-
     ).
 
 %!  explanation(?Item, -Because) is nondet.
+%!  explanation(?Item, +Options, -Because) is nondet.
 %
 %   True when Because is the list of because(Statement, Because) that explains
 %   Item. Of an Item with unbound parts, every one: lines, vertices that were
-%   made, edges that were made, polygons and segments that share a line.
+%   made, edges that were made, polygons and segments that share a line, lines
+%   of the picture. Options as for explain/2.
 
-explanation(line(L), Because) :-
+explanation(Item, Because) :-
+    explanation(Item, [], Because).
+
+explanation(line(L), _, Because) :-
     line(L, _, _, _, _, _, _, _, _),
     line_because(L, Because).
-explanation(vertex(S, V), [because(Statement, Because)]) :-
+explanation(vertex(S, V), _, [because(Statement, Because)]) :-
     vertex_asked(S, V),
     vertex_because(S, V, Statement, Because).
-explanation(edge(S, E), Because) :-
+explanation(edge(S, E), _, Because) :-
     edge_asked(S, E),
     edge_because(S, E, Because).
-explanation(pair(A, B), Because) :-
+explanation(pair(A, B), _, Because) :-
     pair_asked(A, B),
     pair_explained(A, B, Because).
-
-explanation(piece(S, Piece), Because) :-
+explanation(piece(S, Piece), _, Because) :-
     piece_asked(S, Piece),
     piece_because(S, Piece, Because).
+explanation(hidden(S, E), Options, Because) :-
+    hidden_because(S-E, all, Options, Because).
+explanation(hidden(Name), Options, Because) :-
+    nonvar(Name),
+    hidden_because(Name, all, Options, Because).
+explanation(why_not(hidden(S, E)), Options, Because) :-
+    hidden_because(S-E, visible, Options, Because).
+explanation(why_not(hidden(Name)), Options, Because) :-
+    nonvar(Name),
+    hidden_because(Name, visible, Options, Because).
 
 vertex_asked(S, V) :-
     nonvar(S),

@@ -1,5 +1,6 @@
 :- module(sg_explain_en,
-          [ statement_en//1             % +Statement
+          [ statement_en//1,            % +Statement
+            hidden_en//1                % +What
           ]).
 :- use_module(explain_words, 
               [segment_word/2, in_order/4, exact_text/3, point_text/2]).
@@ -241,11 +242,80 @@ statement_en(verdict(covered(S), _)) -->
 statement_en(verdict(dropped, By)) -->
     [ 'dropped, since both sides are inside or both outside (stays/3, ~w)'-
       [By] ].
+statement_en(hidden_line(S, E, V1, V2)) -->
+    { segment_word(S, Word) },
+    [ 'line s~de~d: edge ~d of segment ~d~w, in the picture from vertex ~d \c
+       (0) to vertex ~d (1)'-[S, E, E, S, Word, V1, V2] ].
+statement_en(same_line(S1, E1, S2, E2)) -->
+    [ 'edge ~d of segment ~d is drawn as edge ~d of segment ~d'-
+      [E1, S1, E2, S2] ].
+statement_en(line_role(Role)) -->
+    [ 'its role is ~w'-[Role] ].
+statement_en(not_drawn(Role, Which)) -->
+    [ 'not drawn: of the lines of a drawing with lines ~w none is ~w'-
+      [Which, Role] ].
+statement_en(end_on) -->
+    [ 'seen end-on: a point in the picture, which is not drawn' ].
+statement_en(backs(S, N)) -->
+    { segment_word(S, Word) },
+    [ 'segment ~d~w is a closed solid, and of the faces at the line none \c
+       looks towards the eye (away: ~d)'-[S, Word, N] ].
+statement_en(hidden_part(From, To)) -->
+    [ 'hidden from ~6g to ~6g'-[From, To] ].
+statement_en(hiding_face(S, P, From, To, Behind)) -->
+    { segment_word(S, Word) },
+    [ 'polygon ~d of segment ~d~w hides it from ~6g to ~6g; in the middle it \c
+       is nearer to the eye by ~6g'-[P, S, Word, From, To, Behind] ].
+statement_en(ends_with_line(Which, At)) -->
+    which_end(Which, At),
+    [ ', where the line ends' ].
+statement_en(ends_at_edge(Which, At, S, E, V1, V2)) -->
+    which_end(Which, At),
+    [ ', where it crosses edge ~d of segment ~d (~d-~d) in the picture'-
+      [E, S, V1, V2] ].
+statement_en(ends_in_face(Which, At, S, P)) -->
+    which_end(Which, At),
+    [ ', where the line goes through polygon ~d of segment ~d'-[P, S] ].
+statement_en(visible_part(From, To)) -->
+    [ 'visible from ~6g to ~6g'-[From, To] ].
+statement_en(nothing_over) -->
+    [ 'no other face that could hide it lies on it in the picture' ].
+statement_en(face_behind(S, P, From, To, Before)) -->
+    { segment_word(S, Word) },
+    [ 'polygon ~d of segment ~d~w lies on it in the picture from ~6g to ~6g, \c
+       but behind it, in the middle by ~6g'-[P, S, Word, From, To, Before] ].
+statement_en(line_in_face(S, P)) -->
+    { segment_word(S, Word) },
+    [ 'it lies on polygon ~d of segment ~d~w: that never hides it'-
+      [P, S, Word] ].
+statement_en(let_through(S, P, From, To, By)) -->
+    { segment_word(S, Word) },
+    [ 'polygon ~d of segment ~d~w lies before it from ~6g to ~6g, but hides/4 \c
+       (~w) lets it be seen'-[P, S, Word, From, To, By] ].
+statement_en(drawn_instead(From, To, Visibility, S, E, Role)) -->
+    { segment_word(S, Word) },
+    [ 'from ~6g to ~6g edge ~d of segment ~d~w is drawn, which lies there in \c
+       the picture: ~w, ~w'-[From, To, E, S, Word, Visibility, Role] ].
 statement_en(common(_, End1, End2)) -->
     (   { End1 == End2 }
     ->  [ 'in common: the point of ~q'-[End1] ]
     ;   [ 'in common: from ~q to ~q'-[End1, End2] ]
     ).
+
+%!  hidden_en(+What)// is det.
+%
+%   What is said where no line of the picture was asked for.
+
+hidden_en(nothing(Item)) -->
+    [ 'there is nothing to explain in ~p'-[Item], nl,
+      '  hidden(S, E) is a real edge E of segment S, as in data-segment and \c
+       data-edge of a drawing; hidden(s1e7) is its id there. From Prolog, \c
+       make the picture first: picture, or draw(File).' ].
+
+which_end(from, At) -->
+    [ 'from ~6g'-[At] ].
+which_end(to, At) -->
+    [ 'to ~6g'-[At] ].
 
 sense(1) -->
     [].

@@ -1,12 +1,13 @@
 :- encoding(utf8).
 :- module(sg_explain_ko,
-          [ statement_ko//1             % +Statement
+          [ statement_ko//1,            % +Statement
+            hidden_ko//1                % +What
           ]).
 :- use_module(explain_words, 
               [segment_word/2, in_order/4, exact_text/3, point_text/2]).
 :- autoload(library(apply), [maplist/3]).
 
-/** <module> Explanations in Korean; explain_en.pl has them in Korean.
+/** <module> Explanations in Korean; explain_en.pl has them in English.
 */
 
 %!  statement_ko(+Statement)// is semidet.
@@ -239,11 +240,79 @@ statement_ko(verdict(covered(S), _)) -->
       [S, Word] ].
 statement_ko(verdict(dropped, By)) -->
     [ '버렸다. 두 쪽 모두 안이거나 모두 밖이기 때문이다 (stays/3, ~w)'-[By] ].
+statement_ko(hidden_line(S, E, V1, V2)) -->
+    { segment_word(S, Word) },
+    [ '선 s~de~d: 세그먼트 ~d~w의 모서리 ~d, 그림에서 꼭지점 ~d (0) 부터 꼭지점 ~d \c
+       (1) 까지'-[S, E, S, Word, E, V1, V2] ].
+statement_ko(same_line(S1, E1, S2, E2)) -->
+    [ '세그먼트 ~d의 모서리 ~d은(는) 세그먼트 ~d의 모서리 ~d(으)로 그려진다'-
+      [S1, E1, S2, E2] ].
+statement_ko(line_role(Role)) -->
+    [ '역할: ~w'-[Role] ].
+statement_ko(not_drawn(Role, Which)) -->
+    [ '그리지 않는다: lines ~w 그림에는 ~w 선이 없다'-[Which, Role] ].
+statement_ko(end_on) -->
+    [ '선의 방향으로 본다: 그림에서 점이므로 그리지 않는다' ].
+statement_ko(backs(S, N)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w은(는) 닫힌 입체이고, 이 선에서 만나는 면 중 눈을 향한 것이 \c
+       없다 (뒷면: ~d)'-[S, Word, N] ].
+statement_ko(hidden_part(From, To)) -->
+    [ '가려진 부분: ~6g 부터 ~6g 까지'-[From, To] ].
+statement_ko(hiding_face(S, P, From, To, Behind)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g 부터 ~6g 까지 가린다. 가운데에서 ~6g \c
+       만큼 눈에 더 가깝다'-[S, Word, P, From, To, Behind] ].
+statement_ko(ends_with_line(Which, At)) -->
+    which_end(Which, At),
+    [ ': 선이 끝나는 곳' ].
+statement_ko(ends_at_edge(Which, At, S, E, V1, V2)) -->
+    which_end(Which, At),
+    [ ': 그림에서 세그먼트 ~d의 모서리 ~d (~d-~d)과(와) 엇갈리는 곳'-
+      [S, E, V1, V2] ].
+statement_ko(ends_in_face(Which, At, S, P)) -->
+    which_end(Which, At),
+    [ ': 선이 세그먼트 ~d의 다각형 ~d을(를) 뚫는 곳'-[S, P] ].
+statement_ko(visible_part(From, To)) -->
+    [ '보이는 부분: ~6g 부터 ~6g 까지'-[From, To] ].
+statement_ko(nothing_over) -->
+    [ '그림에서 그 위에 놓인, 선을 가릴 수 있는 다른 면이 없다' ].
+statement_ko(face_behind(S, P, From, To, Before)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 다각형 ~d이(가) 그림에서 ~6g 부터 ~6g 까지 겹치지만, 선보다 \c
+       뒤에 있다 (가운데에서 ~6g)'-[S, Word, P, From, To, Before] ].
+statement_ko(line_in_face(S, P)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 다각형 ~d 위에 놓여 있다: 그 면은 이 선을 가리지 않는다'-
+      [S, Word, P] ].
+statement_ko(let_through(S, P, From, To, By)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g 부터 ~6g 까지 앞에 있지만, hides/4 \c
+       (~w) 때문에 비쳐 보인다'-[S, Word, P, From, To, By] ].
+statement_ko(drawn_instead(From, To, Visibility, S, E, Role)) -->
+    { segment_word(S, Word) },
+    [ '~6g 부터 ~6g 까지는 그림에서 같은 곳에 있는 세그먼트 ~d~w의 모서리 ~d이(가) \c
+       그려진다: ~w, ~w'-[From, To, S, Word, E, Visibility, Role] ].
 statement_ko(common(_, End1, End2)) -->
     (   { End1 == End2 }
     ->  [ '공통: 점 ~q'-[End1] ]
     ;   [ '공통: ~q부터 ~q까지'-[End1, End2] ]
     ).
+
+%!  hidden_ko(+What)// is det.
+%
+%   What is said where no line of the picture was asked for.
+
+hidden_ko(nothing(Item)) -->
+    [ '~p: 설명할 것이 없습니다'-[Item], nl,
+      '  hidden(S, E) 는 세그먼트 S 의 실제 모서리 E 이고 (그림의 data-segment, \c
+       data-edge), hidden(s1e7) 은 그림에 쓰인 id 입니다. Prolog 에서는 먼저 \c
+       picture 나 draw(File) 로 그림을 만드십시오.' ].
+
+which_end(from, At) -->
+    [ '~6g 부터'-[At] ].
+which_end(to, At) -->
+    [ '~6g 까지'-[At] ].
 
 sense(1) -->
     [].

@@ -69,6 +69,23 @@ statement_keys(triangles_of, [count, verdict]).
 statement_keys(witness, [point]).
 statement_keys(round, [segment, below, above]).
 statement_keys(verdict, [verdict, rules]).
+statement_keys(hidden_line, [segment, edge, start, end]).
+statement_keys(same_line, [segment1, edge1, segment2, edge2]).
+statement_keys(line_role, [role]).
+statement_keys(not_drawn, [role, lines]).
+statement_keys(end_on, []).
+statement_keys(backs, [segment, count]).
+statement_keys(hidden_part, [from, to]).
+statement_keys(hiding_face, [segment, polygon, from, to, distance]).
+statement_keys(ends_with_line, [which, at]).
+statement_keys(ends_at_edge, [which, at, segment, edge, start, end]).
+statement_keys(ends_in_face, [which, at, segment, polygon]).
+statement_keys(visible_part, [from, to]).
+statement_keys(nothing_over, []).
+statement_keys(face_behind, [segment, polygon, from, to, distance]).
+statement_keys(line_in_face, [segment, polygon]).
+statement_keys(let_through, [segment, polygon, from, to, rules]).
+statement_keys(drawn_instead, [from, to, visibility, segment, edge, role]).
 
 %!  segment_word(+S, -Word) is det.
 %

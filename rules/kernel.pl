@@ -105,6 +105,7 @@
             occluder/7,               % +Scene, +S, +E, ?S2, ?T, -From, -To
             overlap/9,                % +Scene, +S, +E, ?S2, ?E2, -From, -To,
                                       % -From2, -To2
+            line_covers/4,            % +Scene, +S, +E, -Covers
             fill_drawn/3,             % +Scene, +Which, +Crease
             % exact4pl.c
             exact_fallbacks/1,        % -Count
@@ -435,6 +436,15 @@ glue file.
 %
 %   True when the part of edge E of segment S from From to To lies, in the
 %   picture, on the part of edge E2 of S2 from From2 to To2. Inexact.
+%
+%   @error existence_error(drawn_edge, E)
+
+%!  line_covers(+Scene, +S, +E, -Covers:list) is det.
+%
+%   Covers has a covers(S2, T, From, To, Behind1, Behind2) for each triangle T
+%   of S2 that hides lines and lies on edge E of S in the picture, from From to To,
+%   be it before it or behind. Behind1, Behind2: how far the edge is behind it
+%   at these ends, in units of Zs. Nearest triangles first. Inexact.
 %
 %   @error existence_error(drawn_edge, E)
 

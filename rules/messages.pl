@@ -8,7 +8,7 @@
           ]).
 :- use_module(csg_en, [csg_en//1]).
 :- use_module(csg_term, [misshapen/2]).
-:- use_module(explain_en, [statement_en//1]).
+:- use_module(explain_en, [statement_en//1, hidden_en//1]).
 :- use_module(openscad_en, [openscad_en//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
@@ -662,11 +662,16 @@ notice_en(nothing_to_explain(piece(S, P))) -->
       '  piece(S, P) is polygon P of S, a segment that is an operation on \c
        solids; piece(S, S0-P0) is polygon P0 of its operand S0.' ].
 notice_en(nothing_to_explain(Item)) -->
+    { memberchk(Item, [hidden(_), hidden(_, _), why_not(_)]) },
+    !,
+    hidden_en(nothing(Item)).
+notice_en(nothing_to_explain(Item)) -->
     [ 'there is nothing to explain in ~p'-[Item], nl,
       '  Ask for line(L), vertex(S, V), edge(S, E), \c
        pair(S1-P1, S2-P2), pair(S1, S2), piece(S, P) or piece(S, S0-P0), with \c
        numbers of the model; \c
-       lines are there after penetrate.' ].
+       lines are there after penetrate. hidden(S, E) and \c
+       why_not(hidden(S, E)) are of the picture.' ].
 %   Why contacts within the tolerance were not made to touch (resolve.pl).
 
 contacts_en(wide(S, V)) -->

@@ -8,7 +8,7 @@
                manual_page//1]).
 :- use_module(csg_ko, [csg_ko//1]).
 :- use_module(csg_term, [misshapen/2]).
-:- use_module(explain_ko, [statement_ko//1]).
+:- use_module(explain_ko, [statement_ko//1, hidden_ko//1]).
 :- use_module(openscad_ko, [openscad_ko//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
@@ -603,6 +603,10 @@ notice_ko(nothing_to_explain(piece(S, P))) -->
     [ '~p 에는 설명할 것이 없습니다'-[piece(S, P)], nl,
       '  piece(S, P) 는 입체의 연산인 세그먼트 S 의 다각형 P 이고, \c
        piece(S, S0-P0) 는 그 피연산자 S0 의 다각형 P0 입니다.' ].
+notice_ko(nothing_to_explain(Item)) -->
+    { memberchk(Item, [hidden(_), hidden(_, _), why_not(_)]) },
+    !,
+    hidden_ko(nothing(Item)).
 notice_ko(nothing_to_explain(Item)) -->
     [ '~p: 설명할 것이 없습니다'-[Item], nl,
       '  line(L), vertex(S, V), edge(S, E), pair(S1-P1, S2-P2), \c

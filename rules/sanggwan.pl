@@ -31,7 +31,8 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(inside, [inside/2, winding/3]).
 :- reexport(kernel, [exact_statistics/1]).
 :- reexport(chain).
-:- reexport(explain, [explain/1, explanation/2]).
+:- reexport(explain,
+            [explain/1, explain/2, explanation/2, explanation/3]).
 :- reexport(lines_out, [write_lines/1, write_lines/2]).
 :- reexport(view).
 :- reexport(role, [edge_role/5]).

@@ -86,17 +86,21 @@ verb_option(draw, option(output, o, each, 'FILE',
 verb_option(draw, option(format, '', one_of([svg, png, dxf, hpgl, json]),
     'FORMAT',
     'the format for -o -')).
-verb_option(draw, option(view, '', value, 'VIEW',
+verb_option(Verb, option(view, '', value, 'VIEW',
     'front, back, left, right, top, bottom, iso, or THETA,PHI[,RHO] in \c
-     degrees')).
-verb_option(draw, option(projection, '', one_of([parallel, central]), 'KIND',
-    'parallel or central')).
+     degrees')) :-
+    picture_verb(Verb).
+verb_option(Verb, option(projection, '', one_of([parallel, central]), 'KIND',
+    'parallel or central')) :-
+    picture_verb(Verb).
 verb_option(draw, option(hidden, '', one_of([dashed, removed, shown]), 'HOW',
     'hidden lines dashed (as is usual), removed or shown')).
-verb_option(draw, option(lines, '', one_of([feature, all, penetration]),
-    'WHICH', 'feature (as is usual), all, or penetration lines alone')).
-verb_option(draw, option(segment, '', each, 'N',
-    'only segment N; may be repeated')).
+verb_option(Verb, option(lines, '', one_of([feature, all, penetration]),
+    'WHICH', 'feature (as is usual), all, or penetration lines alone')) :-
+    picture_verb(Verb).
+verb_option(Verb, option(segment, '', each, 'N',
+    'only segment N; may be repeated')) :-
+    picture_verb(Verb).
 verb_option(draw, option(size, '', value, 'WxH',
     'size of the sheet in mm, of a .png in dots')).
 
@@ -136,6 +140,11 @@ verb_option(query, option(limit, '', number(1), 'N', 'the first N answers')).
 verb_option(explain, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
 verb_option(explain, option(json, '', flag, '', 'the reasons as JSON')).
+
+%   What makes a picture: explain hidden(S, E) does as well.
+
+picture_verb(draw).
+picture_verb(explain).
 
 solid_verb(union).
 solid_verb(intersection).
@@ -228,6 +237,8 @@ example(explain, 'sanggwan explain facts/two_cubes.pl \'line(1)\'').
 example(explain, 'sanggwan explain facts/two_cubes.pl \'vertex(1, 9)\'').
 example(explain, 'sanggwan explain facts/two_cubes.pl \c
 \'pair(1-1, 2-2)\'').
+example(explain, 'sanggwan explain facts/two_cubes.pl \'hidden(1, 7)\' \c
+--view iso').
 example(repl, 'sanggwan repl facts/figures/fig13.pl').
 
 %!  verb_options(+Verb, -Specs) is det.

@@ -13,7 +13,7 @@
               ]).
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(explain,
-              [explain/1, explanation/2, print_explanations/1]).
+              [explain/2, explanation/3, print_explanations/1]).
 :- use_module(hidden_lines, [picture/1]).
 :- use_module(lines_out, [write_lines/2, line_format/1]).
 :- use_module(chain, [chain/5, chain_length/2]).
@@ -119,12 +119,7 @@ verb_run(draw, Files, Options, 0) :-
     drawing_options(Options, DrawingOptions),
     eye(Options, Eye),
     load_model(Files, Options),
-    empty_roots_warned,
-    operand_lines(Lines),
-    roots_alone,
-    known_segments(PictureOptions),
-    facts_transaction(
-        sg_verbs:pictured(Lines, Options, Eye, PictureOptions)),
+    picture_made(Options, Eye, PictureOptions, _),
     maplist(output_written(drawing_output(DrawingOptions)), Outputs).
 verb_run(query, Arguments, Options, Status) :-
     (   append(Files, [Text], Arguments)
@@ -156,9 +151,7 @@ verb_run(explain, Arguments, Options, Status) :-
     ;   some_files(Files, 'MODEL')
     ),
     read_goal(Text, Item, _),
-    load_model(Files, Options),
-    penetrate(all, Options),
-    explained(Options, Item, Status).
+    item_explained(Item, Files, Options, Status).
 verb_run(Verb, Files, Options, Status) :-
     solid_verb(Verb),
     solid_verb_run(Verb, Files, Options, Status).
@@ -168,6 +161,17 @@ verb_run(repl, Files, Options, 0) :-
     ;   load_model(Files, Options)
     ),
     repl.
+
+%   picture_made(Options, Eye, PictureOptions, Lines): the picture of what was
+%   loaded, roots alone; Lines as of operand_lines/1.
+
+picture_made(Options, Eye, PictureOptions, Lines) :-
+    empty_roots_warned,
+    operand_lines(Lines),
+    roots_alone,
+    known_segments(PictureOptions),
+    facts_transaction(
+        sg_verbs:pictured(Lines, Options, Eye, PictureOptions)).
 
 %   pictured(Lines, Options, Eye, PictureOptions): the picture of the current
 %   world, with the Lines of operands.
@@ -259,13 +263,35 @@ points_alone :-
 model_output(File) :-
     save_model(File).
 
-%   explained(Options, Item, Status): 1 if there is nothing to explain.
+%   item_explained(Item, Files, Options, Status): of a line of the picture, in
+%   the picture that draw would make.
 
-explained(Options, Item, Status) :-
+item_explained(Item, Files, Options, Status) :-
+    (   of_picture(Item)
+    ->  picture_options(Options, PictureOptions),
+        eye(Options, Eye),
+        load_model(Files, Options),
+        picture_made(Options, Eye, PictureOptions, Lines),
+        with_operand_lines(Lines,
+                           explained(Options, Item, PictureOptions, Status))
+    ;   load_model(Files, Options),
+        penetrate(all, Options),
+        explained(Options, Item, [], Status)
+    ).
+
+of_picture(Item) :-
+    nonvar(Item),
+    functor(Item, Name, _),
+    memberchk(Name, [hidden,why_not]).
+
+%   explained(Options, Item, PictureOptions, Status): 1 if there is nothing to
+%   explain.
+
+explained(Options, Item, PictureOptions, Status) :-
     (   option(json(true), Options)
-    ->  findall(Item-Because, explanation(Item, Because), All),
+    ->  findall(Item-Because, explanation(Item, PictureOptions, Because), All),
         print_explanations(All)
-    ;   explain(Item)
+    ;   explain(Item, PictureOptions)
     ->  All = [Item]
     ;   All = []
     ),

@@ -8,7 +8,8 @@
             eye_point/4,                % +Theta, +Phi, +Point, -EyePoint
             screen_point/3,             % +View, +EyePoint, -ScreenPoint
             screen_plane/5,             % +S, +T, -A, -B, -D
-            screen_depth/1              % -Depth
+            screen_depth/1,             % -Depth
+            screen_distance/2           % +Zs, -Ze
           ]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
 :- use_module(library(lists), [memberchk/2]).
@@ -201,3 +202,19 @@ screen_plane(S, T, A, B, D) :-
 screen_depth(Depth) :-
     current_view(Theta, Phi, Rho, Kind),
     view_depth(Theta, Phi, Rho, Kind, Depth).
+
+%!  screen_distance(+Zs, -Ze) is det.
+%
+%   True when what is at depth Zs in the picture of the current world is Ze away
+%   from the eye along its line of sight, counted from the origin: PL-11
+%   backwards, in model units.
+
+screen_distance(Zs, Ze) :-
+    current_view(Theta, Phi, Rho, Kind),
+    (   Kind == parallel
+    ->  Ze = Zs
+    ;   view_range(Theta, Phi, Near, Far, _),
+        D is Near+Rho,
+        F is Far+Rho,
+        Ze is D/(1 - Zs*(1-D/F)) - Rho
+    ).

@@ -17,6 +17,16 @@ check "a vertex" output 'made by 1-2 of segment 2 through triangle' \
 check "a divided edge" output 'it was divided' explain $cubes 'edge(1, 15)'
 check "a pair without a line" output 'no line: their boxes are apart' \
   explain $cubes 'pair(1-1, 2-2)'
+check "a line of the picture" output \
+  'polygon 2 of segment 2 .box. hides it from 0 to 0.472377' \
+  explain $cubes 'hidden(s1e28)'
+check "from another side" output \
+  'to 0.545455, where it crosses edge 8 of segment 2' \
+  explain $cubes 'hidden(1, 28)' --view iso
+check "alone it is visible" output 'no other face that could hide it' \
+  explain $cubes 'why_not(hidden(1, 7))' --segment 1
+check "no such line" complains 1 'data-edge' \
+  "$SANGGWAN" explain $cubes 'hidden(1, 99)'
 check "Korean" output '선 1: ' explain $cubes 'line(1)' --lang ko
 check "JSON" eval \
   "explain $cubes 'line(1)' --json | python3 -m json.tool >/dev/null"
