@@ -155,15 +155,19 @@ note_triangles(sg_arrangement *a)
 {
   const sg_cut_model *model = &a->leaves.set->model;
 
-  for (size_t i = 0; i < model->triangles; i++) {
+  a->next_of_polygon = malloc((model->triangles + 1) * sizeof(uint32_t));
+  for (uint32_t i = 0; a->next_of_polygon && i < model->triangles; i++) {
     uint32_t key[2] = {sg_arrangement_leaf(a, model->triangle[i].s),
                        (uint32_t)model->triangle[i].p};
+    uint32_t *last = sg_key_table_put(&a->has_triangles, key);
 
-    if (!sg_key_table_add(&a->has_triangles, key)) {
+    if (!last) {
       return false;
     }
+    a->next_of_polygon[i] = *last;
+    *last = i;
   }
-  return true;
+  return a->next_of_polygon != NULL;
 }
 
 static void
@@ -326,6 +330,7 @@ sg_arrangement_close(sg_arrangement *a)
   sg_key_table_clear(&a->auxiliary);
   free(a->leaf);
   free(a->touched);
+  free(a->next_of_polygon);
   free(a->cell);
   free(a->triangle);
   free(a->cut_row);

@@ -4,6 +4,8 @@
  */
 #include "arrangement_private.h"
 
+#include "delaunay.h"
+
 #include <stdlib.h>
 
 enum { FEW = 12 }; /* triangles of most polygons that are cut */
@@ -103,6 +105,88 @@ triangulate(taking *k, double reach, int32_t *edge, const sg_poll *poll)
   }
   return outcome;
 }
+
+/* ---- vertices in the middle ---- */
+
+/* Makes vertex v of the leaf a corner, unless it is one. */
+static bool
+insert_corner(taking *k, sg_key_table *corners, uint32_t number)
+{
+  const sg_leaf_vertex *vertex = &k->a->leaves.set->model.vertex[number];
+  uint32_t key = (uint32_t)vertex->v;
+  sg_point at;
+
+  if (sg_key_table_get(corners, &key) != SG_NO_KEY) {
+    return true;
+  }
+  sg_point_set(&at, vertex->at);
+  int32_t handle = sg_work_vertex(k->work, vertex->v, &at);
+
+  return handle != SG_WORK_NONE && sg_key_table_add(corners, &key) &&
+         sg_triangles_insert(k->work, &k->found, handle);
+}
+
+/* The corners there are: those of the edges as they came, too. */
+static bool
+list_corners(const taking *k, sg_key_table *corners)
+{
+  for (size_t i = 0; i < 2 * k->edges; i++) {
+    const sg_work_edge *edge = &k->edge[i / 2];
+    uint32_t key =
+        (uint32_t)sg_work_id(k->work, i % 2 ? edge->end : edge->start);
+
+    if (!sg_key_table_add(corners, &key)) {
+      return false;
+    }
+  }
+  for (size_t i = 0; i < 3 * k->found.n; i++) {
+    uint32_t key = (uint32_t)sg_work_id(k->work, k->found.item[i / 3].v[i % 3]);
+
+    if (!sg_key_table_add(corners, &key)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool
+insert_corners(taking *k, sg_key_table *corners, uint32_t last)
+{
+  const sg_cut_model *model = &k->a->leaves.set->model;
+
+  if (!list_corners(k, corners)) {
+    return false;
+  }
+  for (uint32_t i = last; i != SG_NO_KEY; i = k->a->next_of_polygon[i]) {
+    for (int c = 0; c < 3; c++) {
+      if (!insert_corner(k, corners, model->triangle[i].v[c])) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/* A vertex in the middle of the polygon, where another leaf was made to touch
+ * it, is a corner of three triangles or more, all of which were asked: it stays
+ * one. */
+static bool
+insert_inside(taking *k, uint32_t last)
+{
+  const uint32_t *next = k->a->next_of_polygon;
+  sg_key_table corners;
+
+  if (next[last] == SG_NO_KEY || next[next[last]] == SG_NO_KEY) {
+    return true;
+  }
+  sg_key_table_init(&corners, 1);
+  bool good = insert_corners(k, &corners, last);
+
+  sg_key_table_clear(&corners);
+  return good;
+}
+
+/* ---- cells ---- */
 
 static uint32_t
 cell_root(uint32_t *cell, uint32_t i)
@@ -286,16 +370,17 @@ sg_arrangement_polygon(sg_arrangement *a, int32_t s, int32_t p, sg_work *work,
 {
   taking k = {.a = a, .leaf = sg_arrangement_leaf(a, s), .p = p, .work = work};
   uint32_t key[2] = {k.leaf, (uint32_t)p};
+  uint32_t last = sg_key_table_get(&a->has_triangles, key);
   sg_outcome outcome = SG_NO_SPACE;
 
-  if (k.leaf == SG_NO_KEY || !a->leaf[k.leaf].wanted ||
-      sg_key_table_get(&a->has_triangles, key) == SG_NO_KEY) {
+  if (k.leaf == SG_NO_KEY || !a->leaf[k.leaf].wanted || last == SG_NO_KEY) {
     return SG_DONE;
   }
   if (copy_edges(&k)) {
     outcome = triangulate(&k, reach, edge, poll);
   }
-  if (outcome == SG_DONE && (!join_cells(&k) || !add_cells(&k))) {
+  if (outcome == SG_DONE &&
+      (!insert_inside(&k, last) || !join_cells(&k) || !add_cells(&k))) {
     outcome = SG_NO_SPACE;
   }
   taking_clear(&k);

@@ -70,7 +70,10 @@ struct sg_arrangement {
   size_t vertex_nodes;
   sg_key_table barrier;       /* leaf, two names: a line runs there */
   sg_key_table auxiliary;     /* leaf, two names: an edge, and no line */
-  sg_key_table has_triangles; /* leaf, polygon: that are in the cut model */
+  sg_key_table has_triangles; /* leaf, polygon: the last of its triangles in the
+                                 cut model */
+  uint32_t *next_of_polygon;  /* [model.triangles] the one before; SG_NO_KEY:
+                                 there is none */
   sg_cell *cell;
   sg_cell_triangle *triangle;
   size_t cells, cell_room, triangles, triangle_room;

@@ -1,5 +1,6 @@
 /* boundary.c -- see boundary.h. */
 #include "boundary.h"
+#include "boundary_touched.h"
 #include "sort.h"
 
 #include <math.h>
@@ -179,54 +180,70 @@ is_plain(int32_t (*edge)[2], size_t n)
   return n <= FEW;
 }
 
-/* The vertex of polygon p (a place) with the lowest number. */
-static size_t
-lowest_vertex(const sg_dense *d, size_t p, size_t first, const uint32_t *number)
-{
-  size_t low = (size_t)d->from[d->list[d->list_begin[p]]];
+/* A polygon, or one of its triangles, on its way to a face. */
+typedef struct outline {
+  size_t polygon;     /* a place */
+  int32_t (*side)[2]; /* [n] from, to: places of vertices */
+  size_t n;
+} outline;
 
-  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
-    size_t v = (size_t)d->from[d->list[k]];
-    low = number[v - first] < number[low - first] ? v : low;
+/* What faces are made with. */
+typedef struct face_maker {
+  const sg_boundary_source *source;
+  size_t first;           /* vertex */
+  const uint32_t *number; /* [vertices] */
+  sg_boundary *out;
+} face_maker;
+
+/* The vertex of an outline with the lowest number. */
+static size_t
+lowest_vertex(const face_maker *m, const outline *o)
+{
+  size_t low = (size_t)o->side[0][0];
+
+  for (size_t i = 0; i < o->n; i++) {
+    size_t v = (size_t)o->side[i][0];
+    low = m->number[v - m->first] < m->number[low - m->first] ? v : low;
   }
   return low;
 }
 
-/* Twice the area of polygon p as a vector: of its vertices where they were or,
+/* Twice the area of an outline as a vector: of its vertices where they were or,
  * if `at`, where they are now. From its lowest vertex, so that a triangle is
  * summed in one way only. */
 static void
-area_of(const sg_dense *d, size_t p, size_t first, const uint32_t *number,
-        const double (*at)[3], double out[3])
+area_of(const face_maker *m, const outline *o, const double (*at)[3],
+        double out[3])
 {
-  size_t low = lowest_vertex(d, p, first, number);
-  const double *o = at ? at[number[low - first]] : d->at[low];
+  const sg_dense *d = m->source->dense;
+  size_t low = lowest_vertex(m, o);
+  const double *c = at ? at[m->number[low - m->first]] : d->at[low];
 
   out[0] = out[1] = out[2] = 0;
-  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
-    size_t from = (size_t)d->from[d->list[k]], to = (size_t)d->to[d->list[k]];
-    const double *a = at ? at[number[from - first]] : d->at[from];
-    const double *b = at ? at[number[to - first]] : d->at[to];
-    for (int i = 0; i < 3; i++) {
-      int x = (i + 1) % 3, y = (i + 2) % 3;
-      out[i] += (a[x] - o[x]) * (b[y] - o[y]) - (a[y] - o[y]) * (b[x] - o[x]);
+  for (size_t i = 0; i < o->n; i++) {
+    size_t from = (size_t)o->side[i][0], to = (size_t)o->side[i][1];
+    const double *a = at ? at[m->number[from - m->first]] : d->at[from];
+    const double *b = at ? at[m->number[to - m->first]] : d->at[to];
+    for (int k = 0; k < 3; k++) {
+      int x = (k + 1) % 3, y = (k + 2) % 3;
+      out[k] += (a[x] - c[x]) * (b[y] - c[y]) - (a[y] - c[y]) * (b[x] - c[x]);
     }
   }
 }
 
 static unsigned char
-turn_of(const sg_boundary_source *source, size_t p, size_t first,
-        const uint32_t *number, const sg_boundary *b)
+turn_of(const face_maker *m, const outline *o)
 {
+  const double(*normal)[3] = m->source->normal;
   double was[3] = {0}, is[3];
 
-  if (source->normal) {
-    memcpy(was, source->normal[p], sizeof was);
+  if (normal) {
+    memcpy(was, normal[o->polygon], sizeof was);
   }
   if (was[0] == 0 && was[1] == 0 && was[2] == 0) {
-    area_of(source->dense, p, first, number, NULL, was);
+    area_of(m, o, NULL, was);
   }
-  area_of(source->dense, p, first, number, (const double(*)[3])b->at, is);
+  area_of(m, o, (const double(*)[3])m->out->at, is);
   if (is[0] == 0 && is[1] == 0 && is[2] == 0) {
     return SG_NO_AREA;
   }
@@ -234,22 +251,19 @@ turn_of(const sg_boundary_source *source, size_t p, size_t first,
                                                               : SG_UPRIGHT;
 }
 
-/* The edges of polygon p behind those that are there. */
+/* The edges of an outline behind those that are there. */
 static void
-take_face(const sg_boundary_source *source, size_t p, const uint32_t *number,
-          sg_boundary *out)
+take_face(const face_maker *m, const outline *o, bool part)
 {
-  const sg_dense *d = source->dense;
-  size_t first = d->vertex_begin[source->s];
+  sg_boundary *out = m->out;
   uint32_t begin = out->begin[out->faces];
   int32_t(*edge)[2] = out->edge + begin;
-  size_t all = d->list_begin[p + 1] - d->list_begin[p], n = 0;
+  size_t n = 0;
   bool moved = false;
 
-  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
-    int32_t e = d->list[k];
-    edge[n][0] = (int32_t)number[(size_t)d->from[e] - first];
-    edge[n][1] = (int32_t)number[(size_t)d->to[e] - first];
+  for (size_t i = 0; i < o->n; i++) {
+    edge[n][0] = (int32_t)m->number[(size_t)o->side[i][0] - m->first];
+    edge[n][1] = (int32_t)m->number[(size_t)o->side[i][1] - m->first];
     moved |= out->moved[edge[n][0]] != 0;
     n += edge[n][0] != edge[n][1];
   }
@@ -257,11 +271,85 @@ take_face(const sg_boundary_source *source, size_t p, const uint32_t *number,
     n = sg_edges_cancel(edge, n);
   }
   if (n > 0) {
-    out->turned[out->faces] =
-        moved ? turn_of(source, p, first, number, out) : SG_UPRIGHT;
-    out->changed[out->faces++] = moved || all != 3 || n != 3;
+    out->turned[out->faces] = moved ? turn_of(m, o) : SG_UPRIGHT;
+    out->changed[out->faces++] = part || moved || o->n != 3 || n != 3;
     out->begin[out->faces] = begin + (uint32_t)n;
   }
+}
+
+static void
+take_polygon(const face_maker *m, size_t p, outline *o)
+{
+  const sg_dense *d = m->source->dense;
+
+  *o = (outline){p, o->side, 0};
+  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+    o->side[o->n][0] = d->from[d->list[k]];
+    o->side[o->n++][1] = d->to[d->list[k]];
+  }
+  take_face(m, o, false);
+}
+
+static void
+take_triangle(const face_maker *m, uint32_t t, outline *o)
+{
+  const sg_dense *d = m->source->dense;
+
+  *o = (outline){(size_t)d->polygon_of[t], o->side, 3};
+  for (int k = 0; k < 3; k++) {
+    o->side[k][0] = d->corner[t][k];
+    o->side[k][1] = d->corner[t][(k + 1) % 3];
+  }
+  take_face(m, o, true);
+}
+
+/* Room for all faces: those polygons that are touched inside become triangles.
+ * Returns the most sides of any, or 0: no memory. */
+static size_t
+face_room(const sg_dense *d, size_t s, const sg_touched *touched,
+          sg_boundary *out)
+{
+  size_t first = d->polygon_begin[s], end = d->polygon_begin[s + 1];
+  size_t more = touched->begin ? touched->begin[end - first] : 0;
+  size_t edges = d->list_begin[end] - d->list_begin[first] + 3 * more;
+  size_t faces = end - first + more, most = 3;
+
+  out->begin = malloc((faces + 1) * sizeof *out->begin);
+  out->edge = malloc((edges + 1) * sizeof *out->edge);
+  out->changed = malloc(faces + 1);
+  out->turned = malloc(faces + 1);
+  for (size_t p = first; p < end; p++) {
+    size_t n = d->list_begin[p + 1] - d->list_begin[p];
+    most = n > most ? n : most;
+  }
+  return out->begin && out->edge && out->changed && out->turned ? most : 0;
+}
+
+static sg_boundary_end
+take_faces(const face_maker *m, const sg_touched *touched, const sg_poll *poll,
+           outline *o)
+{
+  const sg_dense *d = m->source->dense;
+  size_t first = d->polygon_begin[m->source->s];
+  size_t end = d->polygon_begin[m->source->s + 1];
+
+  m->out->begin[0] = 0;
+  for (size_t p = first; p < end; p++) {
+    const uint32_t *begin =
+        touched->begin ? touched->begin + (p - first) : NULL;
+
+    if (p % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      return SG_BOUNDARY_STOPPED;
+    }
+    if (!begin || begin[0] == begin[1]) {
+      take_polygon(m, p, o);
+      continue;
+    }
+    for (uint32_t i = begin[0]; i < begin[1]; i++) {
+      take_triangle(m, touched->triangle[i], o);
+    }
+  }
+  return SG_BOUNDARY_DONE;
 }
 
 static sg_boundary_end
@@ -269,25 +357,22 @@ make_faces(const sg_boundary_source *source, const uint32_t *number,
            const sg_poll *poll, sg_boundary *out)
 {
   const sg_dense *d = source->dense;
-  size_t first = d->polygon_begin[source->s];
-  size_t end = d->polygon_begin[source->s + 1];
-  size_t edges = d->list_begin[end] - d->list_begin[first];
+  const face_maker m = {source, d->vertex_begin[source->s], number, out};
+  outline o = {0};
+  sg_touched touched;
+  bool stopped;
 
-  out->begin = malloc((end - first + 1) * sizeof *out->begin);
-  out->edge = malloc((edges + 1) * sizeof *out->edge);
-  out->changed = malloc(end - first + 1);
-  out->turned = malloc(end - first + 1);
-  if (!out->begin || !out->edge || !out->changed || !out->turned) {
-    return SG_BOUNDARY_NO_MEMORY;
+  if (!sg_touched_find(d, source->s, number, poll, &touched, &stopped)) {
+    return stopped ? SG_BOUNDARY_STOPPED : SG_BOUNDARY_NO_MEMORY;
   }
-  out->begin[0] = 0;
-  for (size_t p = first; p < end; p++) {
-    if (p % POLL_EVERY == 0 && sg_poll_stop(poll)) {
-      return SG_BOUNDARY_STOPPED;
-    }
-    take_face(source, p, number, out);
-  }
-  return SG_BOUNDARY_DONE;
+  size_t most = face_room(d, source->s, &touched, out);
+
+  o.side = malloc((most + 1) * sizeof *o.side);
+  sg_boundary_end end = most > 0 && o.side ? take_faces(&m, &touched, poll, &o)
+                                           : SG_BOUNDARY_NO_MEMORY;
+  free(o.side);
+  sg_touched_clear(&touched);
+  return end;
 }
 
 sg_boundary_end

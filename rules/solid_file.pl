@@ -68,8 +68,8 @@ bodies touch in a point or an edge the formats with numbered vertices get copies
 %     - rounds(N)
 %       Of step 3; default 5.
 %
-%   OFF, OBJ and PLY have polygons; one with holes, or that meets itself, is
-%   divided into triangles. An empty solid gives a file without faces, with a
+%   OFF, OBJ and PLY have polygons; one with holes, or that meets itself, or that
+%   another part of the solid touches inside, is divided into triangles. An empty solid gives a file without faces, with a
 %   warning.
 %
 %   @error existence_error(segment, S),
