@@ -3,17 +3,15 @@
             write_drawing_stream/3,     % +Format, +Out, +Options
             drawing_format/2            % ?Format, ?Type
           ]).
-:- use_module(dot_drawing, [write_png/2]).
-:- use_module(dxf, [write_dxf/2]).
-:- use_module(hpgl, [write_hpgl/2]).
+:- use_module(png, [write_png/2]).
+:- use_module(drawing_json, [write_json/3]).
+:- use_module(dxf, [write_dxf/3]).
+:- use_module(hpgl, [write_hpgl/3]).
+:- use_module(ink, [inked/3]).
 :- use_module(output, [writing/3]).
 :- use_module(sheet, [sheet_drawing/3]).
 :- use_module(svg, [write_svg/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(error), [domain_error/2]).
-:- autoload(library(http/json), [json_write/3]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/3]).
 /** <module> Drawings: the picture of the current world, written to files.
 
 What drawn/7 and screen/5 hold (hidden_lines.pl fills them) is laid on a sheet
@@ -81,78 +79,14 @@ write_format(png, Out, Options) :-
     write_png(Out, Options).
 write_format(Format, Out, Options) :-
     sheet_drawing(210-148, Options, Drawing),
-    write_lines(Format, Out, Drawing, Options).
+    inked(Drawing, Options, Inked),
+    write_inked(Format, Out, Inked, Options).
 
-write_lines(svg, Out, Drawing, Options) :-
-    write_svg(Out, Drawing, Options).
-write_lines(json, Out, Drawing, Options) :-
-    write_json(Out, Drawing, Options).
-write_lines(dxf, Out, Drawing, _) :-
-    write_dxf(Out, Drawing).
-write_lines(hpgl, Out, Drawing, _) :-
-    write_hpgl(Out, Drawing).
-
-%   The same lines as the SVG has, for programs; one to a line of text.
-
-write_json(Out, Drawing, Options) :-
-    Drawing = drawing(sheet(W,H,Scale), _),
-    maplist(thousand, [W,H], [Width,Height]),
-    option(title(Title), Options, ''),
-    text_to_string(Title, TitleString),
-    format(Out, '{ "title": ', []),
-    json_on_a_line(Out, TitleString),
-    format(Out, ',~n  "unit": "mm", "width": ~w, "height": ~w, ',
-           [Width, Height]),
-    format(Out, '"scale": ~w,~n', [Scale]),
-    findall(Json, drawing_json(line, Drawing, Json), Lines),
-    findall(Json, drawing_json(text, Drawing, Json), Texts),
-    format(Out, '  "lines": [', []),
-    foldl(write_json_line(Out), Lines, "\n    ", _),
-    format(Out, '~n  ]', []),
-    (   Texts == []
-    ->  true
-    ;   format(Out, ',~n  "texts": [', []),
-        foldl(write_json_line(Out), Texts, "\n    ", _),
-        format(Out, '~n  ]', [])
-    ),
-    format(Out, '~n}~n', []).
-
-%   Of several views each line and text has its own.
-
-drawing_json(What, drawing(_,Views), json(Members)) :-
-    member(view(Name,Strokes,Texts), Views),
-    (   Name == ''
-    ->  Members = Own
-    ;   Members = [view=Name|Own]
-    ),
-    view_json(What, Strokes, Texts, json(Own)).
-
-view_json(line, Strokes, _, Json) :-
-    member(Stroke, Strokes),
-    stroke_json(Stroke, Json).
-view_json(text, _, Texts, json([ text=Text, at=[X,Y], height=Height,
-                                 anchor=Anchor ])) :-
-    member(text(X0,Y0,Height0,Anchor,Text), Texts),
-    maplist(thousand, [X0,Y0,Height0], [X,Y,Height]).
-
-write_json_line(Out, Json, Before, ",\n    ") :-
-    write(Out, Before),
-    json_on_a_line(Out, Json).
-
-json_on_a_line(Out, Json) :-
-    json_write(Out, Json, [width(1 000 000 000)]).
-
-stroke_json(stroke(Visibility,Role,S,Edges,Points,Start,End),
-            json([ visibility=Visibility, role=Role, segment=S, edges=Edges,
-                   points=Pairs, start=Start, end=End
-                 ])) :-
-    maplist(point_pair, Points, Pairs).
-
-point_pair(X0-Y0, [X,Y]) :-
-    thousand(X0, X),
-    thousand(Y0, Y).
-
-%   As a float it prints as short as reads back: 0.1, not 0.10000000000000001.
-
-thousand(N, X) :-
-    X is N/1000.0.
+write_inked(svg, Out, Inked, Options) :-
+    write_svg(Out, Inked, Options).
+write_inked(json, Out, Inked, Options) :-
+    write_json(Out, Inked, Options).
+write_inked(dxf, Out, Inked, Options) :-
+    write_dxf(Out, Inked, Options).
+write_inked(hpgl, Out, Inked, Options) :-
+    write_hpgl(Out, Inked, Options).

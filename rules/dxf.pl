@@ -1,38 +1,111 @@
 :- module(sg_dxf,
-          [ write_dxf/2,                % +Out, +Drawing
+          [ write_dxf/3,                % +Out, +Inked, +Options
             group/3,                    % +Out, +Code, +Value
             section/2,                  % +Out, +Name
             (table)/3,                  % +Out, +Name, +N
             line_type/4                 % +Out, +Name, +Text, +Runs
           ]).
-:- use_module(sheet, [drawing_strokes/2]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [list_to_set/2, member/2]).
+:- use_module(dxf_colour, [dxf_colour/2]).
+:- use_module(ink,
+              [ inked_lines/3, inked_texts/2, dashes_option/3, ink_colour/3,
+                ink_layer/2, ink_type/2, ink_runs/2, ink_lines/4
+              ]).
+:- autoload(library(apply), [foldl/4]).
+:- autoload(library(lists), [list_to_set/2, member/2, nth1/3]).
 /** <module> DXF: strokes as polylines on layers, for CAD programs.
 
 DXF R12 (AC1009), as text: every program reads it. One unit is one millimetre
 of the sheet, the origin its lower left corner. A layer for each visibility
-and role, in capitals (`HIDDEN_OUTLINE`); hidden layers have the line type
-HIDDEN. Extended data of application SANGGWAN says at the start of each
+and role, in capitals (`HIDDEN_OUTLINE`), with its colour and line type, by the
+style (style.pl); a line of another look says so itself. Extended data of application SANGGWAN says at the start of each
 straight piece which segment and edge it belongs to.
 */
 
-%!  write_dxf(+Out, +Drawing) is det.
+%!  write_dxf(+Out, +Inked, +Options) is det.
 %
-%   Write Drawing (sheet.pl) to stream Out.
+%   Write Inked (ink.pl) to stream Out. Options: dashes(How), line types as is
+%   usual, or `geometry`: a polyline for each dash, and drawn letters in place
+%   of texts.
 
-write_dxf(Out, Drawing) :-
-    Drawing = drawing(sheet(W,H,_), Views),
-    drawing_strokes(Drawing, Strokes),
-    layers(Strokes, Layers),
+write_dxf(Out, Inked, Options) :-
+    Inked = inked(sheet(W,H,_), _, _),
+    dashes_option(Options, type, How),
+    written(How, Inked, Lines, Texts),
+    findall(Ink, line_ink(Lines, Texts, Ink), Inks0),
+    list_to_set(Inks0, Inks),
+    looks(How, Inks, 1, Looks, Types),
+    findall(Layer, first_look(Looks, Layer), Layers),
     header(Out, W, H),
-    tables(Out, Layers),
+    tables(Out, Types, Layers),
     section(Out, 'ENTITIES'),
-    forall(member(Stroke, Strokes), polyline(Out, H, Stroke)),
-    forall(( member(view(_,_,Texts), Views), member(Text, Texts) ),
-           text(Out, H, Text)),
+    DXF = dxf(Out, H, Looks, Layers),
+    forall(member(Line, Lines), line(DXF, How, Line)),
+    forall(member(Text, Texts), text(DXF, Text)),
     group(Out, 0, 'ENDSEC'),
     group(Out, 0, 'EOF').
+
+written(geometry, Inked, Lines, []) :-
+    !,
+    inked_lines(drawn, Inked, Lines).
+written(_, Inked, Lines, Texts) :-
+    inked_lines(left, Inked, Lines),
+    inked_texts(Inked, Texts).
+
+%   Each ink where another comes.
+
+line_ink(Lines, Texts, Ink) :-
+    (   changed_ink(Lines, none, Ink)
+    ;   member(text(Ink,_), Texts)
+    ).
+
+changed_ink([line(Ink0,_)|Lines], Last, Ink) :-
+    (   Ink0 \== Last,
+        Ink = Ink0
+    ;   changed_ink(Lines, Ink0, Ink)
+    ).
+
+%   looks(How, Inks, N, Looks, Types): Looks are Ink-look(Layer,Colour,Type),
+%   Types the line types they use, type(Name,Runs); N counts those that have no
+%   name of their own.
+
+looks(_, [], _, [], []).
+looks(How, [Ink|Inks], N0, [Ink-look(Layer,Colour,Type)|Looks], Types) :-
+    ink_layer(Ink, Layer),
+    ink_colour(screen, Ink, RGB),
+    dxf_colour(RGB, Colour),
+    ink_runs(Ink, Runs),
+    (   ( How == geometry ; Runs == [] )
+    ->  Type = 'CONTINUOUS',
+        N = N0,
+        Types = Types1
+    ;   line_type_name(Ink, Runs, N0, N, Type),
+        Types = [type(Type,Runs)|Types1]
+    ),
+    looks(How, Inks, N, Looks, Types1).
+
+%   `dashed` is longer where the line is wider, so its name has the length.
+
+line_type_name(Ink, Runs, N0, N, Name) :-
+    ink_type(Ink, Type),
+    (   Type == hidden
+    ->  Name = 'HIDDEN',
+        N = N0
+    ;   atom(Type)
+    ->  Runs = [Run|_],
+        upcase_atom(Type, Upper),
+        atomic_list_concat([Upper,Run], '_', Name),
+        N = N0
+    ;   atom_concat('DASHES_', N0, Name),
+        N is N0+1
+    ).
+
+%   A layer looks as the first line on it does.
+
+first_look(Looks, layer(Layer,Colour,Type)) :-
+    nth1(N, Looks, _-look(Layer,Colour,Type)),
+    \+ ( nth1(Before, Looks, _-look(Layer,_,_)),
+         Before < N
+       ).
 
 header(Out, W, H) :-
     section(Out, 'HEADER'),
@@ -50,11 +123,15 @@ header(Out, W, H) :-
     group(Out, 40, '1.0'),
     group(Out, 0, 'ENDSEC').
 
-tables(Out, Layers) :-
+tables(Out, Types0, Layers0) :-
+    sort(Types0, Types),
+    length(Types, TypeCount),
+    AllTypes is TypeCount+1,
+    Layers = [layer('0',7,'CONTINUOUS')|Layers0],
     section(Out, 'TABLES'),
-    table(Out, 'LTYPE', 2),
+    table(Out, 'LTYPE', AllTypes),
     line_type(Out, 'CONTINUOUS', 'Solid line', []),
-    line_type(Out, 'HIDDEN', '__ __ __', [3000,-900]),
+    forall(member(type(Name,Runs), Types), dashed_type(Out, Name, Runs)),
     group(Out, 0, 'ENDTAB'),
     length(Layers, N),
     table(Out, 'LAYER', N),
@@ -103,47 +180,50 @@ line_type(Out, Name, Text, Runs) :-
 longer(Run, Length0, Length) :-
     Length is Length0+abs(Run).
 
-%   Every layer in use, and layer 0, which R12 wants.
+%   Runs of an ink; what is off is below zero.
 
-layers(Strokes, [layer('0',visible,none)|Layers]) :-
-    maplist(stroke_layer, Strokes, All),
-    list_to_set(All, Layers).
+dashed_type(Out, Name, Runs0) :-
+    signed(Runs0, Runs),
+    runs_text(Runs0, Text),
+    line_type(Out, Name, Text, Runs).
 
-stroke_layer(stroke(Visibility,Role,_,_,_,_,_),
-             layer(Name,Visibility,Role)) :-
-    layer_name(Visibility, Role, Name).
+signed([], []).
+signed([On,Off0|Runs0], [On,Off|Runs]) :-
+    Off is -Off0,
+    signed(Runs0, Runs).
 
-layer_name(Visibility, Role, Name) :-
-    atomic_list_concat([Visibility,Role], '_', Name0),
-    upcase_atom(Name0, Name).
+runs_text([_,_], '__ __ __') :-
+    !.
+runs_text(_, '____ . ____').
 
-layer(Out, layer(Name,Visibility,Role)) :-
+layer(Out, layer(Name,Colour,Type)) :-
     group(Out, 0, 'LAYER'),
     group(Out, 2, Name),
     group(Out, 70, 0),
-    layer_colour(Visibility, Role, Colour),
     group(Out, 62, Colour),
-    layer_line_type(Visibility, Type),
     group(Out, 6, Type).
 
-%   7: black on white paper, white on a black screen; 1: red; 8: grey.
+/* - - - entities - - -
 
-layer_colour(_, penetration, 1) :-
-    !.
-layer_colour(hidden, _, 8) :-
-    !.
-layer_colour(_, _, 7).
+dxf(Out, H, Looks, Layers): the stream, the height of the sheet, what inks look
+like and what layers do.
+*/
 
-layer_line_type(hidden, 'HIDDEN').
-layer_line_type(visible, 'CONTINUOUS').
+line(DXF, How, line(Ink,Stroke)) :-
+    ink_lines(How, Ink, Stroke, Lines),
+    (   Lines = [Points],
+        Stroke = stroke(_, _, _, _, Points, _, _)
+    ->  polyline(DXF, Ink, Stroke)
+    ;   forall(member(Line, Lines), dash(DXF, Ink, Stroke, Line))
+    ).
 
-/* - - - entities - - - */
+dash(DXF, Ink, stroke(Visibility,Role,S,_,_,_,_), Points) :-
+    polyline(DXF, Ink, stroke(Visibility,Role,S,[],Points,joint,joint)).
 
-polyline(Out, H, Stroke) :-
-    Stroke = stroke(Visibility, Role, S, Edges, Points, Start, _),
-    layer_name(Visibility, Role, Layer),
+polyline(DXF, Ink, stroke(_,_,S,Edges,Points,Start,_)) :-
+    DXF = dxf(Out, H, _, _),
     group(Out, 0, 'POLYLINE'),
-    group(Out, 8, Layer),
+    look(DXF, Ink, Layer),
     group(Out, 66, 1),
     point(Out, H, 0-H),
     flags(Start, Flags),
@@ -151,6 +231,21 @@ polyline(Out, H, Stroke) :-
     vertices(Points, Edges, vertex(Out,H,Layer,S,Start)),
     group(Out, 0, 'SEQEND'),
     group(Out, 8, Layer).
+
+%   On its layer, and what of its look is not as the layer's.
+
+look(dxf(Out,_,Looks,Layers), Ink, Layer) :-
+    memberchk(Ink-look(Layer,Colour,Type), Looks),
+    memberchk(layer(Layer,LayerColour,LayerType), Layers),
+    group(Out, 8, Layer),
+    (   Colour == LayerColour
+    ->  true
+    ;   group(Out, 62, Colour)
+    ),
+    (   Type == LayerType
+    ->  true
+    ;   group(Out, 6, Type)
+    ).
 
 %   128: the dashes run on round the vertices; 1: closed.
 
@@ -189,12 +284,14 @@ vertex(vertex(Out,H,Layer,S,_), Point, Edge) :-
 
 %   11 is where a text is fixed that does not start there, by 72.
 
-text(Out, H, text(X,Y0,Height,Anchor,Text)) :-
+text(DXF, text(Ink,text(X,Y0,Height,Anchor,Text))) :-
+    DXF = dxf(Out, H, _, _),
     group(Out, 0, 'TEXT'),
-    group(Out, 8, '0'),
+    look(DXF, Ink, _),
     point(Out, H, X-Y0),
     real(Out, 40, Height),
-    group(Out, 1, Text),
+    dxf_text(Text, Written),
+    group(Out, 1, Written),
     text_anchor(Anchor, Place),
     (   Place =:= 0
     ->  true
@@ -203,6 +300,21 @@ text(Out, H, text(X,Y0,Height,Anchor,Text)) :-
         real(Out, 11, X),
         real(Out, 21, Y),
         real(Out, 31, 0)
+    ).
+
+%   R12 is ASCII: other characters as \U+XXXX, a caret or a line's end never.
+
+dxf_text(Text, Written) :-
+    string_codes(Text, Codes),
+    foldl(dxf_code, Codes, Parts, []),
+    atomic_list_concat(Parts, Written).
+
+dxf_code(Code, [Part|Parts], Parts) :-
+    (   ( Code < 32 ; Code =:= 0'^ )
+    ->  Part = ' '
+    ;   Code < 127
+    ->  char_code(Part, Code)
+    ;   format(atom(Part), '\\U+~|~`0t~16R~4+', [Code])
     ).
 
 text_anchor(start, 0).

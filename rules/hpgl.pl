@@ -1,61 +1,120 @@
 :- module(sg_hpgl,
-          [ write_hpgl/2                % +Out, +Drawing
+          [ write_hpgl/3                % +Out, +Inked, +Options
           ]).
-:- use_module(dash, [stroke_dashes/2]).
-:- use_module(sheet, [drawing_strokes/2]).
+:- use_module(ink,
+              [ inked_lines/3, dashes_option/3, ink_pen/2, ink_runs/2,
+                ink_type/2, ink_lines/4
+              ]).
 :- use_module(travel, [short_travel/2]).
-:- autoload(library(apply), [foldl/4, include/3]).
-:- autoload(library(lists), [member/2]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- autoload(library(lists), [list_to_set/2, member/2, sum_list/2]).
 /** <module> HPGL: strokes for pen plotters.
 
-Pen 1 draws visible lines, pen 2 hidden ones, pen 3 penetration lines. Dashes
-are drawn as such, for many plotters and all cutters know no line types; they
-are fitted to each line (dash.pl). A unit is 0.025 mm, the origin the lower
-left corner of the sheet.
+The style (style.pl) says which pen draws what; each pen is taken once. Dashes
+are drawn as such, for many plotters and all cutters know no line types; with
+dashes(type) they are the plotter's own, `LT`. Texts are drawn letter by letter
+(lettering.pl). A unit is 0.025 mm, the origin the lower left corner of the
+sheet.
 */
 
-%!  write_hpgl(+Out, +Drawing) is det.
+%!  write_hpgl(+Out, +Inked, +Options) is det.
 %
-%   Write Drawing (sheet.pl) to stream Out, pen by pen, the pen's travel
-%   between them short (travel.pl). Texts are not drawn.
+%   Write Inked (ink.pl) to stream Out, pen by pen in painting order, the
+%   pen's travel between lines short (travel.pl). Options: dashes(How),
+%   `geometry` as is usual, or `type`.
 
-write_hpgl(Out, Drawing) :-
-    Drawing = drawing(sheet(_,H,_), _),
-    drawing_strokes(Drawing, Strokes),
+write_hpgl(Out, Inked, Options) :-
+    Inked = inked(sheet(W,H,_), _, _),
+    dashes_option(Options, geometry, How),
+    inked_lines(drawn, Inked, Lines),
+    findall(Pen, ( member(line(Ink,_), Lines), ink_pen(Ink, Pen) ), Pens0),
+    list_to_set(Pens0, Pens),
     format(Out, 'IN;~n', []),
-    forall(member(Pen, [2,1,3]), plot_pen(Out, H, Strokes, Pen)),
+    scaling_points(How, Out, W, H),
+    forall(member(Pen, Pens), plot_pen(Out, plot(How,W,H), Lines, Pen)),
     format(Out, 'PU;SP0;~n', []).
 
-plot_pen(Out, H, Strokes, Pen) :-
-    include(stroke_pen(Pen), Strokes, Own),
-    (   Own == []
-    ->  true
-    ;   format(Out, 'PU;SP~d;~n', [Pen]),
-        short_travel(Own, Ordered),
-        forall(member(Stroke, Ordered), plot(Out, H, Stroke))
-    ).
+%   Line types are as long as the diagonal of P1 and P2 says: the sheet's.
 
-stroke_pen(Pen, stroke(Visibility,Role,_,_,_,_,_)) :-
-    pen(Visibility, Role, Pen).
+scaling_points(type, Out, W, H) :-
+    !,
+    units(H, W-0, X, Y),
+    format(Out, 'IP0,0,~d,~d;~n', [X,Y]).
+scaling_points(_, _, _, _).
 
-plot(Out, H, Stroke) :-
-    Stroke = stroke(Visibility, Role, S, Edges, Points, _, _),
-    (   Edges = [E|_]
-    ->  format(Out, 'CO "s~de~d ~w ~w";~n', [S, E, Visibility, Role])
-    ;   format(Out, 'CO "~w ~w";~n', [Visibility, Role])
-    ),
-    (   Visibility == hidden
-    ->  stroke_dashes(Stroke, Dashes)
-    ;   Dashes = [Points]
-    ),
-    forall(member(Dash, Dashes), plot_line(Out, H, Dash)).
+plot_pen(Out, How, Lines, Pen) :-
+    format(Out, 'PU;SP~d;~n', [Pen]),
+    findall(Key-Ink,
+            ( member(line(Ink,Stroke), Lines),
+              ink_pen(Ink, Pen),
+              stroke_key(Stroke, Key)
+            ),
+            Keys0),
+    sort(1, @<, Keys0, Keys),
+    list_to_assoc(Keys, Inks),
+    findall(Stroke,
+            ( member(line(Ink,Stroke), Lines),
+              ink_pen(Ink, Pen)
+            ),
+            Strokes),
+    short_travel(Strokes, Ordered),
+    foldl(plot(Out, How, Inks), Ordered, solid, Type),
+    line_type(Out, How, Type, solid).
 
-pen(visible, Role, Pen) :-
-    (   Role == penetration
-    ->  Pen = 3
-    ;   Pen = 1
-    ).
-pen(hidden, _, 2).
+%   A line's ink is the same as that of all lines with its key.
+
+stroke_key(stroke(Visibility,Role,S,_,_,_,_), key(Visibility,Role,S)).
+
+plot(Out, How, Inks, Stroke, Type0, Type) :-
+    stroke_key(Stroke, Key),
+    get_assoc(Key, Inks, Ink),
+    comment(Out, Stroke),
+    pen_type(How, Ink, Type),
+    line_type(Out, How, Type0, Type),
+    How = plot(Dashes, _, H),
+    ink_lines(Dashes, Ink, Stroke, Lines),
+    forall(member(Line, Lines), plot_line(Out, H, Line)).
+
+comment(_, stroke(_,text,_,_,_,_,_)) :-
+    !.
+comment(Out, stroke(Visibility,Role,S,[E|_],_,_,_)) :-
+    !,
+    format(Out, 'CO "s~de~d ~w ~w";~n', [S, E, Visibility, Role]).
+comment(Out, stroke(Visibility,Role,_,_,_,_,_)) :-
+    format(Out, 'CO "~w ~w";~n', [Visibility, Role]).
+
+pen_type(plot(type,_,_), Ink, Type) :-
+    ink_runs(Ink, Runs),
+    Runs = [_|_],
+    !,
+    ink_type(Ink, Name),
+    type_number(Name, Runs, N),
+    sum_list(Runs, Length),
+    Type = dashes(N, Length).
+pen_type(_, _, solid).
+
+%   The line type of HPGL that looks most like it: 1 dots, 2 half and half, 3
+%   seven tenths, 4 dash and dot, 6 dash and two dots.
+
+type_number(dotted, _, N) =>
+    N = 1.
+type_number(dashed_spaced, _, N) =>
+    N = 2.
+type_number(_, [_,_], N) =>
+    N = 3.
+type_number(_, [_,_,_,_], N) =>
+    N = 4.
+type_number(_, _, N) =>
+    N = 6.
+
+line_type(_, _, Type, Type) :-
+    !.
+line_type(Out, _, _, solid) :-
+    format(Out, 'LT;~n', []).
+line_type(Out, plot(_,W,H), _, dashes(N,Length)) :-
+    Percent is 100*Length/sqrt(W*W+H*H),
+    format(Out, 'LT~d,~3f;~n', [N,Percent]).
 
 plot_line(Out, H, [Point|Points]) :-
     units(H, Point, X, Y),

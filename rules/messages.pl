@@ -13,6 +13,7 @@
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
+:- use_module(style_en, [style_en//1]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
@@ -180,6 +181,8 @@ fault_en(csg(What)) -->
     csg_en(What).
 fault_en(operand(S, Faults)) -->
     operand_en(S, Faults).
+fault_en(style(What)) -->
+    style_en(What).
 fault_en(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ 'a ~w is a ~w, not a ~w'-[Name, Wanted, Kind], nl,
@@ -506,7 +509,11 @@ drawing_en(domain(dot_pattern, Pattern)) -->
       '  Give N, for N on and N off, or a list [On, Off, ...].' ].
 drawing_en(domain(drawing_format, Ending)) -->
     [ 'no drawing has the ending .~w'-[Ending], nl,
-      '  Drawings are .svg .png .json .dxf .hpgl files.' ].
+      '  Drawings are .svg .pdf .eps .ps .png .dxf .hpgl .json .pl files.' ].
+drawing_en(domain(dashes, How)) -->
+    [ 'dashes are auto, geometry or type, not ~p'-[How] ].
+drawing_en(domain(png, How)) -->
+    [ 'a PNG is smooth or dots, not ~p'-[How] ].
 
 notice_en(nothing_drawn) -->
     [ 'there is nothing to draw' ].

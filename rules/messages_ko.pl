@@ -12,6 +12,7 @@
 :- use_module(openscad_ko, [openscad_ko//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
+:- use_module(style_ko, [style_ko//1]).
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
 :- use_module(primitive_ko, [primitive_ko//2]).
@@ -178,6 +179,8 @@ fault_ko(csg(What)) -->
     csg_ko(What).
 fault_ko(operand(S, Faults)) -->
     operand_ko(S, Faults).
+fault_ko(style(What)) -->
+    style_ko(What).
 fault_ko(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ '~w 의 종류는 ~w 이며 ~w 이(가) 아닙니다'-[Name, Wanted, Kind], nl,
@@ -484,7 +487,11 @@ drawing_ko(domain(dot_pattern, Pattern)) -->
       '  N개 찍고 N개 비우는 N이나 목록 [찍음, 비움, ...]으로 쓴다.' ].
 drawing_ko(domain(drawing_format, Ending)) -->
     [ '확장자 .~w인 그림은 없다'-[Ending], nl,
-      '  그림은 .svg .png .json .dxf .hpgl 파일이다.' ].
+      '  그림은 .svg .pdf .eps .ps .png .dxf .hpgl .json .pl 파일이다.' ].
+drawing_ko(domain(dashes, How)) -->
+    [ '점선은 auto, geometry, type 가운데 하나이며 ~p 은(는) 아니다'-[How] ].
+drawing_ko(domain(png, How)) -->
+    [ 'PNG 는 smooth 또는 dots 이며 ~p 은(는) 아니다'-[How] ].
 
 notice_ko(nothing_drawn) -->
     [ '그릴 것이 없습니다' ].

@@ -3,6 +3,8 @@
             close_model_text/1,         % +Text
             model_text_bytes/3,         % +Text, -Done, -Total
             next_fact/3,                % +Text, -Fact, -Place
+            next_term/3,                % +Text, -Term, -Place
+            no_fact/2,                  % +Term, -What
             place_error/2,              % +Place, +What
             place_error/3,              % +Place, +Argument, +What
             model_float/2               % +Value, -Float
@@ -122,6 +124,17 @@ model_text_bytes(text(_, Path, Stream), Done, Total) :-
 %   or `end_of_file`. Place is where it stands, for place_error/2,3.
 
 next_fact(Text, Fact, Place) :-
+    next_term(Text, Term, Place),
+    (   Term == end_of_file
+    ->  Fact = end_of_file
+    ;   checked_fact(Term, Place, Fact)
+    ).
+
+%!  next_term(+Text, -Term, -Place) is det.
+%
+%   The same, whatever Term is.
+
+next_term(Text, Term, Place) :-
     Text = text(Name, Path, Stream),
     catch(read_term(Stream, Term,
                     [ module(sg_model_syntax), term_position(Position),
@@ -131,10 +144,8 @@ next_fact(Text, Fact, Place) :-
           Error, syntax_failure(Error, Name, Stream)),
     Place = place(Name, Path, Position),
     (   Term == end_of_file
-    ->  at_real_end(Stream, Place),
-        Fact = end_of_file
-    ;   not_too_long(Stream, Position, Place),
-        checked_fact(Term, Place, Fact)
+    ->  at_real_end(Stream, Place)
+    ;   not_too_long(Stream, Position, Place)
     ).
 
 syntax_failure(error(syntax_error(Message), Where), Name, Stream) :-
@@ -261,6 +272,10 @@ checked_fact(Term, Place, Fact) :-
 checked_fact(Term, Place, _) :-
     no_fact(Term, What),
     place_error(Place, What).
+
+%!  no_fact(+Term, -What) is det.
+%
+%   Term is no fact of the schema; What says why not.
 
 no_fact(Term, no_fact(Term)) :-
     \+ callable(Term),

@@ -1,11 +1,15 @@
 :- module(sg_svg,
           [ write_svg/3                 % +Out, +Drawing, +Options
           ]).
-:- use_module(dash, [stroke_dash/3]).
+:- use_module(dash, [stroke_runs/4]).
+:- use_module(ink,
+              [ ink_width/2, ink_colour/3, ink_runs/2, ink_lines/4,
+                dashes_option/3
+              ]).
 :- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(dcg/high_order), [sequence//3]).
+:- autoload(library(lists), [list_to_set/2, member/2]).
+:- autoload(library(option), [option/2]).
+:- autoload(library(dcg/high_order), [sequence//2, sequence//3]).
 :- autoload(library(rbtrees),
             [rb_insert_new/4, rb_lookup/3, rb_new/1, rb_update/4]).
 /** <module> SVG: strokes as polylines that say what they are.
@@ -20,29 +24,30 @@ The class list begins with `visible` or `hidden`, then the role. The k-th
 number of data-edge is the edge that the k-th straight piece belongs to. An id
 names segment and first edge; when an edge is drawn in several parts, `-2`,
 `-3` follow. How things look is in the style block alone, except for dashes,
-which are fitted to each line (dash.pl).
+which are fitted to each line (dash.pl): a property of the polyline, or, with
+dashes(geometry), the pieces of a `path` in its place.
 */
 
 :- set_prolog_flag(optimise, true).
 
-%!  write_svg(+Out, +Drawing, +Options) is det.
+%!  write_svg(+Out, +Inked, +Options) is det.
 %
-%   Write Drawing (sheet.pl) to stream Out. Options: title(Text), hidden(How),
-%   as for write_drawing/2.
+%   Write Inked (ink.pl) to stream Out. Options: title(Text), dashes(How), as
+%   for write_drawing/2.
 
-write_svg(Out, drawing(Sheet,Views), Options) :-
-    option(hidden(Hidden), Options, dashed),
-    emit(Out, svg_head(Sheet, Views, Options)),
-    forall(member(View, Views), write_view(Out, Hidden, View)),
+write_svg(Out, inked(Sheet,Paper,Views), Options) :-
+    dashes_option(Options, fitted, How),
+    emit(Out, svg_head(Sheet, Paper, Views, Options)),
+    forall(member(View, Views), write_view(Out, How, View)),
     emit(Out, "</svg>\n").
 
 %   A view alone needs no group of its own; of several each has one, and its
 %   name before all its ids.
 
-write_view(Out, Hidden, view(Name,Strokes,Texts)) :-
+write_view(Out, How, view(Name,Lines,Texts)) :-
     view_prefix(Name, Prefix),
     emit(Out, view_head(Name)),
-    foldl(write_stroke(Out, Prefix-Hidden), Strokes, state(none,ids), State),
+    foldl(write_line(Out, Prefix-How), Lines, state(none,ids), State),
     emit(Out, strokes_tail(State)),
     forall(member(Text, Texts), emit(Out, text(Text))),
     emit(Out, view_tail(Name)).
@@ -70,14 +75,14 @@ emit(Out, Body) :-
     phrase(Body, Codes),
     format(Out, '~s', [Codes]).
 
-svg_head(sheet(W,H,Scale), Views, Options) -->
+svg_head(sheet(W,H,Scale), Paper, Views, Options) -->
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
     "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"sanggwan\" width=\"",
     thousandths(W), "mm\" height=\"", thousandths(H), "mm\" viewBox=\"0 0 ",
     thousandths(W), " ", thousandths(H), "\" data-scale=\"", scale(Scale),
     "\">\n",
     title(Options),
-    "<style>\n", style, sheet_style(Views), "</style>\n",
+    "<style>\n", style(Paper, Views), "</style>\n",
     "<rect class=\"paper\" width=\"", thousandths(W), "\" height=\"",
     thousandths(H), "\"/>\n".
 
@@ -89,34 +94,114 @@ title(Options) -->
 title(_) -->
     "".
 
-%   Line widths and their order: ISO 128-2, 0.5 and 0.25; a penetration line
-%   is what the drawing is about, so it is wider, and red on a screen.
+/* - - - looks - - - */
 
-style -->
-    ".sanggwan .paper{fill:#fff}\n",
-    ".sanggwan polyline{fill:none;stroke:#000;stroke-width:.5;",
-    "stroke-linecap:round;stroke-linejoin:round}\n",
-    ".sanggwan .smooth,.sanggwan .mesh{stroke-width:.25}\n",
-    ".sanggwan .penetration{stroke:#a00;stroke-width:.7}\n",
-    ".sanggwan .hidden{stroke-width:.25;stroke-linecap:butt}\n",
-    ".sanggwan .hidden.mesh,.sanggwan .hidden.smooth{stroke-width:.18}\n",
-    ".sanggwan .hidden.penetration{stroke-width:.35}\n",
-    "@media print{.sanggwan .penetration{stroke:#000}}\n".
+%   A rule for each visibility and role, by the ink that comes first, and one
+%   for each segment whose lines have another.
 
-%   Of what only a laid-out sheet has.
+style(Paper, Views) -->
+    { findall(Look, view_look(Views, Look), Looks0),
+      list_to_set(Looks0, Looks),
+      style_rules(Looks, [], Rules)
+    },
+    ".sanggwan .paper{fill:", colour(Paper), "}\n",
+    ".sanggwan polyline,.sanggwan path{fill:none;stroke-linecap:round;",
+    "stroke-linejoin:round}\n",
+    sequence(style_rule, Rules),
+    text_style(Views),
+    print_style(Rules).
 
-sheet_style([view('',_,_)]) -->
+%   look(Visibility,Role,Segment,Ink) of neighbours that differ.
+
+view_look(Views, Look) :-
+    member(view(_,Lines,_), Views),
+    differing(Lines, none, Look).
+
+differing([line(Ink,stroke(Visibility,Role,S,_,_,_,_))|Lines], Last, Look) :-
+    Next = look(Visibility, Role, S, Ink),
+    (   Next == Last
+    ->  differing(Lines, Last, Look)
+    ;   Look = Next
+    ;   differing(Lines, Next, Look)
+    ).
+
+style_rules([], _, []).
+style_rules([look(Visibility,Role,S,Ink)|Looks], Known, Rules) :-
+    (   memberchk(Visibility-Role-First, Known)
+    ->  (   First == Ink
+        ->  Rules = Rules1
+        ;   Rules = [rule(Visibility,Role,S,Ink)|Rules1]
+        ),
+        style_rules(Looks, Known, Rules1)
+    ;   Rules = [rule(Visibility,Role,any,Ink)|Rules1],
+        style_rules(Looks, [Visibility-Role-Ink|Known], Rules1)
+    ).
+
+style_rule(Rule) -->
+    { Rule = rule(_, _, _, Ink),
+      ink_colour(screen, Ink, Colour),
+      ink_width(Ink, Width)
+    },
+    selector(Rule),
+    "{stroke:", colour(Colour), ";stroke-width:", thousandths(Width),
+    line_cap(Ink), "}\n".
+
+selector(rule(Visibility,Role,S,_)) -->
+    ".sanggwan .", name(Visibility), ".", name(Role), selected_segment(S).
+
+selected_segment(any) -->
     !,
     "".
-sheet_style(_) -->
-    ".sanggwan .frame{stroke-width:.7;stroke-linecap:square;",
-    "stroke-linejoin:miter}\n",
-    ".sanggwan .field,.sanggwan .hatching,.sanggwan .cutting,",
-    ".sanggwan .axis{stroke-width:.25;stroke-linecap:butt}\n",
-    ".sanggwan .symbol{stroke-width:.35}\n",
-    ".sanggwan text{fill:#000;stroke:none;white-space:pre;",
+selected_segment(S) -->
+    "[data-segment=\"", number(S), "\"]".
+
+%   Round ends would fill the gaps.
+
+line_cap(Ink) -->
+    { ink_runs(Ink, [_|_]) },
+    !,
+    ";stroke-linecap:butt".
+line_cap(_) -->
+    "".
+
+text_style(Views) -->
+    { member(view(_,_,[text(Ink,_)|_]), Views),
+      !,
+      ink_colour(screen, Ink, Colour)
+    },
+    ".sanggwan text{fill:", colour(Colour), ";stroke:none;white-space:pre;",
     "font-family:'Noto Sans','Noto Sans CJK KR','Noto Sans KR',",
     "'DejaVu Sans',sans-serif}\n".
+text_style(_) -->
+    "".
+
+%   Colours that are others in print.
+
+print_style(Rules) -->
+    { findall(Rule, other_in_print(Rules, Rule), Others),
+      Others \== []
+    },
+    !,
+    "@media print{", sequence(print_rule, Others), "}\n".
+print_style(_) -->
+    "".
+
+other_in_print(Rules, Rule) :-
+    member(Rule, Rules),
+    Rule = rule(_, _, _, Ink),
+    ink_colour(screen, Ink, Screen),
+    ink_colour(print, Ink, Print),
+    Screen \== Print.
+
+print_rule(Rule) -->
+    { Rule = rule(_, _, _, Ink),
+      ink_colour(print, Ink, Colour)
+    },
+    selector(Rule), "{stroke:", colour(Colour), "}".
+
+colour(rgb(R,G,B)) -->
+    { format(codes(Codes), '#~|~`0t~16r~2+~`0t~16r~2+~`0t~16r~2+', [R,G,B]) },
+    list(Codes).
 
 strokes_tail(state(none,_)) -->
     !,
@@ -128,9 +213,8 @@ strokes_tail(_) -->
 
 %   state(Group,Ids): the open group, and how often each id was given.
 
-write_stroke(Out, Prefix-Hidden, Stroke, state(Group0,Ids0),
-             state(Group,Ids)) :-
-    Stroke = stroke(Visibility, Role, S, Edges, _, _, _),
+write_line(Out, Prefix-How, Line, state(Group0,Ids0), state(Group,Ids)) :-
+    Line = line(_, stroke(Visibility,Role,S,Edges,_,_,_)),
     Group = Visibility-Role,
     (   Edges = [E|_]
     ->  new_id(S, E, Ids0, Ids, N)
@@ -141,7 +225,7 @@ write_stroke(Out, Prefix-Hidden, Stroke, state(Group0,Ids0),
     ->  true
     ;   emit(Out, group(Prefix, Group0, Group))
     ),
-    emit(Out, stroke(Stroke, Prefix, Hidden, N)).
+    emit(Out, line(Line, Prefix, How, N)).
 
 new_id(S, E, Ids0, Ids, N) :-
     (   Ids0 == ids
@@ -162,13 +246,31 @@ group(Prefix, Before, Visibility-Role) -->
     ),
     "<g id=\"", name(Prefix), name(Visibility), "-", name(Role), "\">\n".
 
-stroke(Stroke, Prefix, Hidden, N) -->
-    { Stroke = stroke(Visibility, Role, S, Edges, Points, _, _) },
-    "<polyline", id(Edges, Prefix, S, N),
+line(line(Ink,Stroke), Prefix, How, N) -->
+    { Stroke = stroke(Visibility, Role, S, Edges, _, _, _),
+      drawn_as(How, Ink, Element)
+    },
+    "<", name(Element), id(Edges, Prefix, S, N),
     " class=\"", name(Visibility), " ", name(Role), "\"",
     shown(Edges, S),
-    dashes(Stroke, Hidden),
-    " points=\"", sequence(point, " ", Points), "\"/>\n".
+    way(Element, Ink, Stroke), "/>\n".
+
+drawn_as(How, Ink, Element) :-
+    (   How == geometry,
+        ink_runs(Ink, [_|_])
+    ->  Element = path
+    ;   Element = polyline
+    ).
+
+way(polyline, Ink, Stroke) -->
+    { Stroke = stroke(_, _, _, _, Points, _, _) },
+    dashes(Ink, Stroke), " points=\"", sequence(point, " ", Points), "\"".
+way(path, Ink, Stroke) -->
+    { ink_lines(geometry, Ink, Stroke, Lines) },
+    " d=\"", sequence(subpath, Lines), "\"".
+
+subpath(Points) -->
+    "M", sequence(point, " ", Points).
 
 id([], _, _, _) -->
     !,
@@ -199,27 +301,28 @@ point(X-Y) -->
 
 %   In the element itself: its dashes are its own.
 
-dashes(Stroke, dashed) -->
-    { Stroke = stroke(hidden, _, _, _, _, Start, _) },
+dashes(Ink, Stroke) -->
+    { ink_runs(Ink, Runs),
+      Runs = [_|_]
+    },
     !,
-    { stroke_dash(Stroke, Dash, Gap) },
-    " style=\"stroke-dasharray:", thousandths(Dash), " ", thousandths(Gap),
-    dash_start(Start, Dash),
-    "\"".
+    { stroke_runs(Stroke, Runs, Fitted, Offset) },
+    " style=\"stroke-dasharray:", sequence(thousandths, " ", Fitted),
+    dash_offset(Offset), "\"".
 dashes(_, _) -->
     "".
 
-dash_start(cut, Dash) -->
+dash_offset(0) -->
     !,
-    ";stroke-dashoffset:", thousandths(Dash).
-dash_start(_, _) -->
     "".
+dash_offset(Offset) -->
+    ";stroke-dashoffset:", thousandths(Offset).
 
 /* - - - text - - - */
 
 %   A capital is about 0.72 of the size of a font.
 
-text(text(X,Y,Height,Anchor,Text)) -->
+text(text(_, text(X,Y,Height,Anchor,Text))) -->
     { Size is Height*100//72,
       string_codes(Text, Codes) },
     "<text x=\"", thousandths(X), "\" y=\"", thousandths(Y),

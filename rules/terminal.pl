@@ -45,7 +45,7 @@ show_drawn(Options) :-
     Width is 2*Columns,
     Height is 4*Rows,
     merge_options([size(Width-Height),margin(1)], Options, DotOptions),
-    picture_dots(pens(Width,Height,1), DotOptions, _, Dots),
+    picture_dots(pens(Width,Height,plain), DotOptions, _, Dots),
     glyphs(Options, Glyphs),
     findall(Cells, cell_row(Columns, Rows, Dots, Cells), Lines0),
     without_margin(Lines0, Lines),

@@ -104,6 +104,12 @@ verb_option(Verb, option(segment, '', each, 'N',
 verb_option(draw, option(size, '', value, 'WxH',
     'size of the sheet in mm, of a .png in dots')).
 
+verb_option(draw, option(style, '', value, 'FILE',
+    'how lines look: a file of facts (docs/drawings.md)')).
+verb_option(draw, option(dashes, '', one_of([auto, geometry, type]), 'HOW',
+    'dashes as suits the format (auto), as lines of their own (geometry, for \c
+     cutters), or as line types of plotters (type)')).
+
 verb_option(draw, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
 
@@ -183,6 +189,10 @@ option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임
 option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
 option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
 option_ko(size, '종이 크기 mm, .png는 점의 수').
+option_ko(style, '선의 모양을 정하는 사실 파일 (docs/drawings.md)').
+option_ko(dashes,
+    '점선: auto(형식에 맞게, 보통), geometry(한 선씩 따로, 절단기), \c
+type(플로터의 선 종류)').
 option_ko(exact, '표의 좌표를 반올림하지 않은 분수로').
 option_ko(tolerance, 'T(모델 단위)보다 가까우면 닿은 것으로 본다. 0: 그대로').
 option_ko(repair,

@@ -31,6 +31,7 @@
               [ segment/3, line/9, origin/3, facts_transaction/1, new_world/1,
                 in_world/2
               ]).
+:- use_module(style_file, [style_rows/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, output_written/2,
                 usage_error/1
@@ -367,6 +368,11 @@ drawing_options(Options, Drawing) :-
 
 drawing_option(Options, hidden(Hidden)) :-
     option(hidden(Hidden), Options).
+drawing_option(Options, style(Rows)) :-
+    option(style(File), Options),
+    style_rows(File, Rows).
+drawing_option(Options, dashes(How)) :-
+    option(dashes(How), Options).
 drawing_option(Options, size(Size)) :-
     option(size(Size), Options),
     (   split_string(Size, "x", "", Parts),

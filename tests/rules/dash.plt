@@ -35,34 +35,34 @@ near(A, B, Most) :-
 
 test(one_short, true(Dashes == [[0-0,100-0]])) :-
     hidden([0-0,100-0], joint, joint, Stroke),
-    stroke_dashes(Stroke, Dashes).
+    stroke_dashes(Stroke, [3000,900], Dashes).
 test(three, true(Dashes == [ [0-0,3000-0], [3900-0,6900-0],
                              [7800-0,10800-0] ])) :-
     hidden([0-0,10800-0], joint, joint, Stroke),
-    stroke_dashes(Stroke, Dashes).
+    stroke_dashes(Stroke, [3000,900], Dashes).
 test(gap_where_it_goes_on, true(Dashes == [ [900-0,3900-0],
                                             [4800-0,7800-0] ])) :-
     hidden([0-0,8700-0], cut, cut, Stroke),
-    stroke_dashes(Stroke, Dashes).
+    stroke_dashes(Stroke, [3000,900], Dashes).
 test(round_a_joint, true(Dashes == [ [0-0,2000-0,2000-1000],
                                      [2000-1900,2000-4900] ])) :-
     hidden([0-0,2000-0,2000-4900], joint, joint, Stroke),
-    stroke_dashes(Stroke, Dashes).
+    stroke_dashes(Stroke, [3000,900], Dashes).
 test(many_small_pieces, true(N == 3)) :-
     findall(X-0, ( between(0, 108, I), X is 100*I ), Points),
     hidden(Points, joint, joint, Stroke),
-    stroke_dashes(Stroke, Dashes),
+    stroke_dashes(Stroke, [3000,900], Dashes),
     length(Dashes, N).
 test(ring, true((Dash =:= 3000, Gap =:= 900))) :-
     hidden([0-0,7800-0,0-0], ring, ring, Stroke),
-    stroke_dash(Stroke, Dash, Gap).
+    stroke_runs(Stroke, [3000,900], [Dash,Gap], _).
 test(random, [forall(between(1, 100, Seed)), true]) :-
     random_stroke(Seed, Stroke),
     Stroke = stroke(_, _, _, _, Points, Start, End),
     Points = [First|_],
     last(Points, Last),
-    stroke_dash(Stroke, Dash, Gap),
-    stroke_dashes(Stroke, Dashes),
+    stroke_runs(Stroke, [3000,900], [Dash,Gap], _),
+    stroke_dashes(Stroke, [3000,900], Dashes),
     Dashes = [[From|_]|_],
     last(Dashes, LastDash),
     last(LastDash, To),
@@ -78,5 +78,21 @@ test(random, [forall(between(1, 100, Seed)), true]) :-
     ; Gaps = N
     ),
     near(Length, N*Dash+Gaps*Gap, 2*N).
+
+% A chain of long dashes and dots: a long dash at both ends, dots between.
+test(chain, true(Dashes == [ [0-0,6000-0], [6750-0,7250-0],
+                             [8000-0,14000-0] ])) :-
+    hidden([0-0,14000-0], joint, joint, Stroke),
+    stroke_dashes(Stroke, [6000,750,500,750], Dashes).
+test(chain_cut, true(Fitted-Offset == [6000,750,500,750]-7250)) :-
+    hidden([0-0,14750-0], cut, joint, Stroke),
+    stroke_runs(Stroke, [6000,750,500,750], Fitted, Offset).
+test(offset, [forall(member(Start-Offset, [joint-0, cut-3000, ring-0])),
+              true(Found == Offset)]) :-
+    ( Start == ring -> Length = 7800 ; Start == cut -> Length = 7800
+    ; Length = 6900
+    ),
+    hidden([0-0,Length-0], Start, joint, Stroke),
+    stroke_runs(Stroke, [3000,900], _, Found).
 
 :- end_tests(dash).
