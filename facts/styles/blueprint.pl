@@ -1,6 +1,6 @@
 % A blueprint: white lines on blue paper, thin ones paler.
 %
-%     sanggwan draw facts/figures/fig13.pl --style facts/styles/blueprint.pl -o fig13.svg
+%     sanggwan draw MODEL --style facts/styles/blueprint.pl -o fig13.svg
 
 paper(rgb(24,62,120)).
 
