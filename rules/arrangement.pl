@@ -19,17 +19,19 @@
 :- use_module(penetration, [leaves_entered/4, touching/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [v/5, segment/3, facts_snapshot/1, segment_stamp/2]).
+% Loaded with this file, not by the first Boolean that calls them.
+:- use_module(library(assoc),
+              [ assoc_to_keys/2, assoc_to_list/2, assoc_to_values/2,
+                empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4
+              ]).
+:- use_module(library(ordsets),
+              [ ord_memberchk/2, ord_subtract/3, ord_union/3 ]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 :- autoload(library(apply),
             [ exclude/3, foldl/4, include/3, maplist/2, maplist/3, partition/4
             ]).
-:- autoload(library(assoc),
-            [ assoc_to_keys/2, assoc_to_list/2, assoc_to_values/2,
-              empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4
-            ]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2]).
-:- autoload(library(ordsets), [ord_memberchk/2, ord_subtract/3, ord_union/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Arrangements: leaves cut along all their lines, in pieces.
 
 The leaves of a CSG tree are arranged once, and any expression over them then
