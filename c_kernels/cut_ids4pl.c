@@ -1,8 +1,8 @@
 /* cut_ids4pl.c -- cut sets: rows by id, and what is beside a split edge.
  *
  * Layer: glue; no predicates of its own. A cut set asks for some thousand rows
- * of what may be millions, just once: to walk the segments is cheaper than to
- * build the indexes of the relations.
+ * of what may be millions, just once. Most are found by counting; for the others
+ * to walk the segments is cheaper than to build the indexes of the relations.
  */
 #include "cut4pl.h"
 
@@ -79,7 +79,11 @@ sg_cut_row_of(sg_cut_handle *handle, sg_relation relation, int32_t s,
   size_t place = segment_place(handle, s);
   int k = place_of(relation);
   sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = id};
+  sg_row counted = sg_version_find_counted(handle->version, relation, key);
 
+  if (counted != SG_NO_ROW) {
+    return counted;
+  }
   if (k >= 0 && place != SIZE_MAX && !handle->by_id[k].failed &&
       !handle->by_id[k].of) {
     handle->by_id[k].failed = !fill_table(handle, relation, &handle->by_id[k]);

@@ -231,6 +231,10 @@ void sg_version_row(const sg_version *version, sg_relation relation, sg_row row,
 /* The row with this key (values in column order, others ignored). */
 sg_row sg_version_find(const sg_version *version, sg_relation relation,
                        const sg_value *row);
+/* The same, among the rows that are found by counting (runs.h): no index is
+ * built. SG_NO_ROW: it is none of these. */
+sg_row sg_version_find_counted(const sg_version *version, sg_relation relation,
+                               const sg_value *row);
 /* A view for kernels, valid while the version is held. False: no memory.
  * sg_view_clear() frees its arrays. */
 bool sg_version_view(const sg_version *version, sg_relation relation,

@@ -63,6 +63,23 @@ sg_version_find(const sg_version *version, sg_relation relation,
   return found;
 }
 
+sg_row
+sg_version_find_counted(const sg_version *version, sg_relation relation,
+                        const sg_value *row)
+{
+  sg_world *world = version->world;
+  sg_table *table = &world->table[relation];
+  sg_row found = SG_NO_ROW;
+
+  if (table->info->key != 0) {
+    pthread_mutex_lock(&world->lock);
+    table->lookups++;
+    found = sg_table_find_run(table, version->map[relation], row);
+    pthread_mutex_unlock(&world->lock);
+  }
+  return found;
+}
+
 /* ---- views for kernels ------------------------------------------------- */
 
 bool
