@@ -52,7 +52,9 @@ OPT     ?= -O2
 # Glue: Prolog's own types mix signs, hence -Wno-sign-conversion there.
 WARN    := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
            -Wmissing-prototypes -Wswitch-enum -Werror
-CFLAGS  := -std=c11 -D_GNU_SOURCE $(OPT) -g -fPIC -ffp-contract=off
+# No SLP vectors: points that go through memory as pairs wait for their halves.
+CFLAGS  := -std=c11 -D_GNU_SOURCE $(OPT) -g -fPIC -ffp-contract=off \
+           -fno-tree-slp-vectorize
 LIBS    := -lgmp -lz -lm -lpthread
 
 C_SRC   := $(wildcard engine/*.c c_kernels/*.c)

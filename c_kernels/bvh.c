@@ -8,9 +8,11 @@
 
 enum {
   AXIS_BITS = 18,
+  LOW_BITS = 3 * AXIS_BITS - 32, /* of a code, beside the 32 that are sorted */
   DIGIT_BITS = 11,
-  DIGITS = 5, /* 5 * 11 >= 3 * 18 */
+  DIGITS = 3, /* 3 * 11 >= 32 */
   BUCKETS = 1 << DIGIT_BITS,
+  SHORT = 24,      /* a run that is sorted by insertion */
   BLOCK = 1 << 14, /* items of a task, at least */
   BLOCKS = 256,    /* tasks, at most */
   PART = 256       /* boxes asked for at a time */
@@ -21,11 +23,6 @@ typedef struct box32 {
   float lo[3], hi[3];
 } box32;
 
-typedef struct keyed {
-  uint64_t code;
-  uint32_t item;
-} keyed;
-
 /* A tree being built; blocks are the tasks. */
 typedef struct grower {
   sg_bvh *tree;
@@ -33,15 +30,16 @@ typedef struct grower {
   const void *data;
   const uint32_t *name;
   size_t block, blocks;
-  double units;     /* in one: the unit's inverse, exact */
-  double cells[3];  /* Morton cells in a unit */
-  double corner[3]; /* the low corner of everything, in units */
-  box32 *box;       /* [n], in the order given */
-  keyed *from, *to; /* [n] */
-  uint32_t *start;  /* [blocks][BUCKETS] */
-  unsigned shift;   /* of the digit at hand */
-  unsigned level;   /* being laid */
-  size_t group;     /* boxes of that level in a task */
+  double units;        /* in one: the unit's inverse, exact */
+  double cells[3];     /* Morton cells in a unit */
+  double corner[3];    /* the low corner of everything, in units */
+  box32 *box;          /* [n], in the order given */
+  uint64_t *code;      /* [n]: where their centres are */
+  uint64_t *from, *to; /* [n]: the high half of a code, above an item */
+  uint32_t *start;     /* [blocks][BUCKETS] */
+  unsigned shift;      /* of the digit at hand */
+  unsigned level;      /* being laid */
+  size_t group;        /* boxes of that level in a task */
 } grower;
 
 /* ---- boxes ---- */
@@ -224,7 +222,8 @@ take_boxes(void *data, size_t block)
       g->box[i].lo[c] = round_down(lo);
       g->box[i].hi[c] = round_up(hi);
     }
-    g->from[i] = (keyed){morton(g, &g->box[i]), (uint32_t)i};
+    g->code[i] = morton(g, &g->box[i]);
+    g->from[i] = g->code[i] >> LOW_BITS << 32 | i;
   }
 }
 
@@ -237,7 +236,7 @@ count_digits(void *data, size_t block)
 
   memset(count, 0, BUCKETS * sizeof *count);
   for (size_t i = block * g->block; i < end; i++) {
-    count[(g->from[i].code >> g->shift) % BUCKETS]++;
+    count[(g->from[i] >> g->shift) % BUCKETS]++;
   }
 }
 
@@ -249,7 +248,57 @@ scatter(void *data, size_t block)
   size_t end = block_end(g, block);
 
   for (size_t i = block * g->block; i < end; i++) {
-    g->to[start[(g->from[i].code >> g->shift) % BUCKETS]++] = g->from[i];
+    g->to[start[(g->from[i] >> g->shift) % BUCKETS]++] = g->from[i];
+  }
+}
+
+static int
+compare_keys(const void *x, const void *y)
+{
+  uint64_t a = *(const uint64_t *)x, b = *(const uint64_t *)y;
+
+  return (a > b) - (a < b);
+}
+
+/* Sorts n items with the same high half by the low one. */
+static void
+sort_run(const grower *g, const uint64_t *from, uint64_t *to, size_t n)
+{
+  for (size_t i = 0; i < n; i++) {
+    uint64_t item = (uint32_t)from[i];
+    uint64_t key = g->code[item] % (1 << LOW_BITS) << 32 | item;
+    size_t j = i;
+
+    for (; n <= SHORT && j > 0 && to[j - 1] > key; j--) {
+      to[j] = to[j - 1];
+    }
+    to[j] = key;
+  }
+  if (n > SHORT) {
+    qsort(to, n, sizeof *to, compare_keys);
+  }
+}
+
+/* Puts the runs that begin in a block in order: what else they are is seen in
+ * `from`, which does not change. */
+static void
+order_runs(void *data, size_t block)
+{
+  grower *g = data;
+  const uint64_t *from = g->from;
+  size_t n = g->tree->n, i = block * g->block, end = block_end(g, block);
+
+  while (i > 0 && i < end && from[i] >> 32 == from[i - 1] >> 32) {
+    i++;
+  }
+  while (i < end) {
+    size_t last = i + 1;
+
+    while (last < n && from[last] >> 32 == from[i] >> 32) {
+      last++;
+    }
+    sort_run(g, from + i, g->to + i, last - i);
+    i = last;
   }
 }
 
@@ -261,7 +310,7 @@ place_boxes(void *data, size_t block)
   size_t end = block_end(g, block);
 
   for (size_t i = block * g->block; i < end; i++) {
-    uint32_t item = g->from[i].item;
+    uint32_t item = (uint32_t)g->from[i];
 
     g->tree->item[i] = g->name ? g->name[item] : item;
     put_lane(&g->tree->level[0][i / SG_BVH_WIDTH], i % SG_BVH_WIDTH,
@@ -310,12 +359,22 @@ find_starts(grower *g)
   return true;
 }
 
-/* Stable radix sort by code, from the last digit to the first. */
+static void
+swap_keys(grower *g)
+{
+  uint64_t *sorted = g->to;
+
+  g->to = g->from;
+  g->from = sorted;
+}
+
+/* Stable radix sort by the high half of the codes, from the last digit to the
+ * first; then by the low half, where that is the same. */
 static bool
 sort_codes(grower *g, sg_crew *crew, const sg_poll *poll)
 {
   for (unsigned digit = 0; digit < DIGITS; digit++) {
-    g->shift = digit * DIGIT_BITS;
+    g->shift = 32 + digit * DIGIT_BITS;
     if (!sg_crew_run(crew, g->blocks, count_digits, g, poll)) {
       return false;
     }
@@ -323,11 +382,13 @@ sort_codes(grower *g, sg_crew *crew, const sg_poll *poll)
       if (!sg_crew_run(crew, g->blocks, scatter, g, poll)) {
         return false;
       }
-      keyed *sorted = g->to;
-      g->to = g->from;
-      g->from = sorted;
+      swap_keys(g);
     }
   }
+  if (!sg_crew_run(crew, g->blocks, order_runs, g, poll)) {
+    return false;
+  }
+  swap_keys(g);
   return true;
 }
 
@@ -380,7 +441,7 @@ static bool
 grow(grower *g, sg_crew *crew, const sg_poll *poll)
 {
   size_t n = g->tree->n;
-  keyed *keys = malloc(2 * (n + 1) * sizeof *keys);
+  uint64_t *keys = malloc(3 * (n + 1) * sizeof *keys);
   bool done = false;
 
   g->block =
@@ -391,6 +452,7 @@ grow(grower *g, sg_crew *crew, const sg_poll *poll)
   if (keys && g->box && g->start && !sg_poll_stop(poll)) {
     g->from = keys;
     g->to = keys + n;
+    g->code = g->to + n;
     done = sg_crew_run(crew, g->blocks, take_boxes, g, poll) &&
            sort_codes(g, crew, poll) &&
            sg_crew_run(crew, g->blocks, place_boxes, g, poll) &&

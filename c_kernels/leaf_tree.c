@@ -17,51 +17,12 @@ typedef struct forest {
   const sg_poll *poll;
 } forest;
 
-static int32_t
-int_at(const sg_view *view, unsigned column, uint32_t row)
-{
-  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
-}
-
 static void
 read_point(const sg_view *v, uint32_t row, double out[3])
 {
   for (unsigned c = 0; c < 3; c++) {
     out[c] = v->column[2 + c].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
   }
-}
-
-bool
-sg_leaf_vertex_at(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                  int32_t v, double out[3])
-{
-  uint32_t row = sg_id_rows_find(&tree->vertex, v);
-
-  if (row == SG_NO_ID_ROW) {
-    return false;
-  }
-  read_point(&views->v, row, out);
-  return true;
-}
-
-sg_leaf
-sg_leaf_at(const sg_leaf_tree *tree, const sg_leaf_views *views, uint32_t row)
-{
-  const sg_view *view = tree->curve ? &views->e : &views->t;
-  sg_leaf leaf = {0};
-
-  if (tree->curve) {
-    leaf.id = int_at(view, 1, row);
-    leaf.v[0] = int_at(view, 2, row);
-    leaf.v[1] = int_at(view, 3, row);
-    return leaf;
-  }
-  leaf.p = int_at(view, 1, row);
-  leaf.id = int_at(view, 2, row);
-  for (unsigned k = 0; k < 3; k++) {
-    leaf.v[k] = int_at(view, 3 + k, row);
-  }
-  return leaf;
 }
 
 /* ---- boxes ---- */
@@ -88,8 +49,8 @@ leaf_boxes(const void *data, size_t begin, size_t end, sg_box *out)
     *box = sg_box_none();
     for (unsigned k = 0; k < n; k++) {
       double p[3];
-      if (sg_leaf_vertex_at(l->tree, views, int_at(view, first + k, l->row[i]),
-                            p)) {
+      if (sg_leaf_vertex_at(l->tree, views,
+                            sg_view_int(view, first + k, l->row[i]), p)) {
         sg_box_add(box, p);
       }
     }
@@ -148,6 +109,8 @@ grow_one(const forest *f, size_t i, sg_crew *crew, const sg_poll *poll)
   leaves l = {.forest = f, .tree = tree};
   size_t n = leaf_rows(f, i, &l.row);
 
+  tree->begin = n > 0 ? l.row[0] : 0;
+  tree->end = n > 0 ? l.row[n - 1] + 1 : 0;
   tree->boxes = sg_bvh_grow(n, leaf_boxes, &l, l.row, &tree->box, crew, poll);
 }
 

@@ -19,10 +19,11 @@ typedef struct sg_leaf_views {
 
 typedef struct sg_leaf_tree {
   int32_t s;
-  bool curve;        /* edges, not triangles */
-  sg_box box;        /* round all its vertices; empty: it has none */
-  sg_id_rows vertex; /* rows of v/5 */
-  sg_bvh *boxes;     /* items: rows of t/6, or of e/5 */
+  bool curve;          /* edges, not triangles */
+  sg_box box;          /* round all its vertices; empty: it has none */
+  sg_id_rows vertex;   /* rows of v/5 */
+  sg_bvh *boxes;       /* items: rows of t/6, or of e/5 */
+  uint32_t begin, end; /* all of them are from row `begin` to before `end` */
 } sg_leaf_tree;
 
 /* The trees of n segments (ascending numbers), in out[0 .. n - 1]. A segment
@@ -49,11 +50,48 @@ typedef struct sg_leaf {
   int32_t id, p; /* of the triangle and its polygon; of the edge, and 0 */
   int32_t v[3];  /* corners; of an edge start and end */
 } sg_leaf;
-sg_leaf sg_leaf_at(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                   uint32_t row);
+
+static inline int32_t
+sg_view_int(const sg_view *view, unsigned column, uint32_t row)
+{
+  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
+}
+
+static inline sg_leaf
+sg_leaf_at(const sg_leaf_tree *tree, const sg_leaf_views *views, uint32_t row)
+{
+  const sg_view *view = tree->curve ? &views->e : &views->t;
+  sg_leaf leaf = {0};
+
+  if (tree->curve) {
+    leaf.id = sg_view_int(view, 1, row);
+    leaf.v[0] = sg_view_int(view, 2, row);
+    leaf.v[1] = sg_view_int(view, 3, row);
+    return leaf;
+  }
+  leaf.p = sg_view_int(view, 1, row);
+  leaf.id = sg_view_int(view, 2, row);
+  for (unsigned k = 0; k < 3; k++) {
+    leaf.v[k] = sg_view_int(view, 3 + k, row);
+  }
+  return leaf;
+}
 
 /* Where vertex v of the tree's segment is. False: there is none. */
-bool sg_leaf_vertex_at(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                       int32_t v, double out[3]);
+static inline bool
+sg_leaf_vertex_at(const sg_leaf_tree *tree, const sg_leaf_views *views,
+                  int32_t v, double out[3])
+{
+  uint32_t row = sg_id_rows_find(&tree->vertex, v);
+
+  if (row == SG_NO_ID_ROW) {
+    return false;
+  }
+  for (unsigned c = 0; c < 3; c++) {
+    out[c] =
+        views->v.column[2 + c].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
+  }
+  return true;
+}
 
 #endif

@@ -11,23 +11,9 @@
 #include <stdlib.h>
 
 enum {
-  BLOCK = 8192, /* triangles in a task */
-  PAGES = 16    /* of e/5 in a task */
+  EDGE_PAGES = 16, /* of e/5 in a task */
+  FACE_PAGES = 2   /* of t/6 in a task */
 };
-
-/* ---- balance: a fingerprint ---------------------------------------------- */
-
-/* What one task has found. */
-typedef struct edge_sum {
-  uint64_t sum;
-  size_t n;
-} edge_sum;
-
-typedef struct balance {
-  const sg_view *e;
-  int32_t s;
-  edge_sum *sum; /* [tasks] */
-} balance;
 
 /* Whether a page (null: there is none) may have rows of a segment: a loop that
  * takes many at once. */
@@ -45,29 +31,74 @@ is_in_page(const int32_t *s, int32_t wanted)
   return found != 0;
 }
 
+/* Whether all rows of a page live and are of one segment. */
+static bool
+is_whole_page(const int32_t *s, const uint64_t *live, int32_t wanted)
+{
+  uint64_t all = UINT64_MAX;
+  int32_t differ = 0;
+
+  for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
+    all &= live[w];
+  }
+  for (unsigned i = 0; i < SG_PAGE_ROWS && all == UINT64_MAX; i++) {
+    differ |= s[i] ^ wanted;
+  }
+  return all == UINT64_MAX && differ == 0;
+}
+
+/* ---- balance: a fingerprint ---------------------------------------------- */
+
+/* What one task has found. */
+typedef struct edge_sum {
+  uint64_t sum;
+  size_t n;
+} edge_sum;
+
+typedef struct balance {
+  const sg_view *e;
+  int32_t s;
+  edge_sum *sum; /* [tasks] */
+} balance;
+
+/* The edges of a page. */
+static void
+sum_page(const balance *b, size_t page, edge_sum *sum)
+{
+  const sg_view *e = b->e;
+  const int32_t *s = e->column[0].page[page].i;
+  const int32_t *from = e->column[2].page[page].i;
+  const int32_t *to = e->column[3].page[page].i;
+  const uint64_t *live = e->live[page];
+
+  if (!is_in_page(s, b->s)) {
+    return;
+  }
+  if (is_whole_page(s, live, b->s)) {
+    for (unsigned r = 0; r < SG_PAGE_ROWS; r++) {
+      sum->sum += sg_edge_print((uint32_t)from[r], (uint32_t)to[r]);
+    }
+    sum->n += SG_PAGE_ROWS;
+    return;
+  }
+  for (unsigned r = sg_live_next(live, 0); r < SG_PAGE_ROWS;
+       r = sg_live_next(live, r + 1)) {
+    if (s[r] == b->s) {
+      sum->sum += sg_edge_print((uint32_t)from[r], (uint32_t)to[r]);
+      sum->n++;
+    }
+  }
+}
+
 static void
 sum_edges(void *data, size_t task)
 {
   balance *b = data;
-  const sg_view *e = b->e;
   edge_sum sum = {0};
-  size_t end = (task + 1) * PAGES;
+  size_t end = (task + 1) * EDGE_PAGES;
 
-  for (size_t i = task * PAGES; i < end && i < e->pages; i++) {
-    const int32_t *s = e->column[0].page[i].i;
-    const int32_t *from = e->column[2].page[i].i;
-    const int32_t *to = e->column[3].page[i].i;
-
-    if (!is_in_page(s, b->s)) {
-      continue;
-    }
-    for (unsigned r = sg_live_next(e->live[i], 0); r < SG_PAGE_ROWS;
-         r = sg_live_next(e->live[i], r + 1)) {
-      if (s[r] == b->s) {
-        sum.sum += sg_edge_print((uint32_t)from[r], (uint32_t)to[r]);
-        sum.n++;
-      }
-    }
+  for (size_t i = task * EDGE_PAGES; i < end && i < b->e->pages; i++) {
+    sum_page(b, i, &sum);
   }
   b->sum[task] = sum;
 }
@@ -76,7 +107,7 @@ static bool
 see_edges(const sg_view *e, int32_t s, sg_crew *crew, const sg_poll *poll,
           sg_operand *out)
 {
-  size_t tasks = (e->pages + PAGES - 1) / PAGES;
+  size_t tasks = (e->pages + EDGE_PAGES - 1) / EDGE_PAGES;
   balance b = {e, s, calloc(tasks + 1, sizeof *b.sum)};
   uint64_t sum = 0;
   bool done = b.sum && sg_crew_run(crew, tasks, sum_edges, &b, poll);
@@ -127,6 +158,29 @@ determinant(const double a[3], const double b[3], const double c[3],
   return sum;
 }
 
+/* Whether a triangle is on one side of one of two planes through the ray: then
+ * it is not before it. The planes' normals are at right angles to the ray
+ * exactly. */
+static bool
+is_beside(const double d[3], const double at[3][3])
+{
+  for (int k = 0; k < 2; k++) {
+    int above = 0, below = 0;
+
+    for (int i = 0; i < 3; i++) {
+      double p = d[k + 1] * at[i][k], q = d[k] * at[i][k + 1];
+      double error = 8 * DBL_EPSILON * (fabs(p) + fabs(q)) + DBL_MIN;
+
+      above += p - q > error;
+      below += q - p > error;
+    }
+    if (above == 3 || below == 3) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /* Whether the ray leaves through a triangle that looks outward: 1, 0, or -1:
  * not plain. */
 static int
@@ -134,6 +188,9 @@ is_hit(const double d[3], const double at[3][3])
 {
   bool plain = true;
 
+  if (is_beside(d, at)) {
+    return 0;
+  }
   for (int i = 0; i < 3; i++) {
     double error, side = determinant(d, at[i], at[(i + 1) % 3], &error);
 
@@ -148,11 +205,12 @@ is_hit(const double d[3], const double at[3][3])
 static void
 see_triangle(const faces *f, uint32_t row, triangle_sum *sum)
 {
-  sg_leaf leaf = sg_leaf_at(f->tree, f->views, row);
   double at[3][3], error;
 
-  for (int i = 0; i < 3; i++) {
-    sg_leaf_vertex_at(f->tree, f->views, leaf.v[i], at[i]);
+  for (unsigned i = 0; i < 3; i++) {
+    int32_t v = sg_view_int(&f->views->t, 3 + i, row);
+
+    sg_leaf_vertex_at(f->tree, f->views, v, at[i]);
     for (int k = 0; k < 3; k++) {
       at[i][k] -= f->middle[k];
     }
@@ -169,16 +227,25 @@ see_triangle(const faces *f, uint32_t row, triangle_sum *sum)
   }
 }
 
+/* The triangles of some pages, in the order of rows. */
 static void
-see_block(void *data, size_t task)
+see_pages(void *data, size_t task)
 {
   faces *f = data;
-  const sg_bvh *boxes = f->tree->boxes;
+  const sg_view *t = &f->views->t;
   triangle_sum sum = {.outward = true};
-  size_t end = (task + 1) * BLOCK;
+  size_t first = f->tree->begin / SG_PAGE_ROWS + task * FACE_PAGES;
 
-  for (size_t i = task * BLOCK; i < end && i < boxes->n; i++) {
-    see_triangle(f, boxes->item[i], &sum);
+  for (size_t i = first; i < first + FACE_PAGES && i < t->pages; i++) {
+    const int32_t *s = t->column[0].page[i].i;
+
+    for (unsigned r = is_in_page(s, f->tree->s) ? sg_live_next(t->live[i], 0)
+                                                : SG_PAGE_ROWS;
+         r < SG_PAGE_ROWS; r = sg_live_next(t->live[i], r + 1)) {
+      if (s[r] == f->tree->s) {
+        see_triangle(f, (uint32_t)(i * SG_PAGE_ROWS + r), &sum);
+      }
+    }
   }
   f->sum[task] = sum;
 }
@@ -202,14 +269,16 @@ static bool
 see_faces(const sg_leaf_tree *tree, const sg_leaf_views *views, sg_crew *crew,
           const sg_poll *poll, sg_operand *out)
 {
-  size_t tasks = (out->triangles + BLOCK - 1) / BLOCK;
+  size_t pages =
+      (tree->end - 1) / SG_PAGE_ROWS - tree->begin / SG_PAGE_ROWS + 1;
+  size_t tasks = (pages + FACE_PAGES - 1) / FACE_PAGES;
   faces f = {
       .tree = tree, .views = views, .sum = calloc(tasks + 1, sizeof *f.sum)};
 
   for (int k = 0; k < 3; k++) {
     f.middle[k] = tree->box.lo[k] / 2 + tree->box.hi[k] / 2;
   }
-  bool done = f.sum && sg_crew_run(crew, tasks, see_block, &f, poll);
+  bool done = f.sum && sg_crew_run(crew, tasks, see_pages, &f, poll);
 
   for (size_t i = 0; i < tasks && done; i++) {
     out->volume += f.sum[i].volume / 6;

@@ -259,13 +259,8 @@ sg_id_rows_bytes(const sg_id_rows *table)
 }
 
 uint32_t
-sg_id_rows_find(const sg_id_rows *table, int32_t id)
+sg_id_rows_search(const sg_id_rows *table, int32_t id)
 {
-  if (!table->id) {
-    int64_t place = (int64_t)id - table->first;
-    return place >= 0 && (size_t)place < table->places ? table->row[place]
-                                                       : SG_NO_ID_ROW;
-  }
   size_t place = place_of(table->id, table->places, id);
 
   return place < table->places ? table->row[place] : SG_NO_ID_ROW;

@@ -44,7 +44,20 @@ bool sg_id_rows_make(const sg_view *view, const uint32_t *row, size_t n,
 void sg_id_rows_clear(sg_id_rows *table);
 size_t sg_id_rows_bytes(const sg_id_rows *table);
 
+/* Where ids are sorted. */
+uint32_t sg_id_rows_search(const sg_id_rows *table, int32_t id);
+
 /* The row of an id, SG_NO_ID_ROW: none. */
-uint32_t sg_id_rows_find(const sg_id_rows *table, int32_t id);
+static inline uint32_t
+sg_id_rows_find(const sg_id_rows *table, int32_t id)
+{
+  int64_t place = (int64_t)id - table->first;
+
+  if (table->id) {
+    return sg_id_rows_search(table, id);
+  }
+  return place >= 0 && (size_t)place < table->places ? table->row[place]
+                                                     : SG_NO_ID_ROW;
+}
 
 #endif
