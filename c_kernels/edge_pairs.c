@@ -98,6 +98,21 @@ sg_edge_pairs_clear(sg_edge_pairs *pairs)
   *pairs = (sg_edge_pairs){0};
 }
 
+/* The group that begins at this place of the bucket of group->low. */
+static void
+take_group(const sg_edge_pairs *pairs, size_t at, sg_edge_group *group)
+{
+  size_t last = pairs->bucket[group->low + 1];
+
+  group->begin = at;
+  group->high = (uint32_t)(pairs->key[at] >> UPPER_BIT);
+  group->forward = 0;
+  for (; at < last && pairs->key[at] >> UPPER_BIT == group->high; at++) {
+    group->forward += !(pairs->key[at] >> DIRECTION_BIT & 1);
+  }
+  group->end = at;
+}
+
 bool
 sg_edge_group_next(const sg_edge_pairs *pairs, sg_edge_group *group)
 {
@@ -109,14 +124,31 @@ sg_edge_group_next(const sg_edge_pairs *pairs, sg_edge_group *group)
   while (pairs->bucket[group->low + 1] <= at) {
     group->low++;
   }
-  size_t last = pairs->bucket[group->low + 1];
-  group->begin = at;
-  group->high = (uint32_t)(pairs->key[at] >> UPPER_BIT);
-  group->forward = 0;
-  for (; at < last && pairs->key[at] >> UPPER_BIT == group->high; at++) {
-    group->forward += !(pairs->key[at] >> DIRECTION_BIT & 1);
+  take_group(pairs, at, group);
+  return true;
+}
+
+bool
+sg_edge_group_find(const sg_edge_pairs *pairs, uint32_t v, uint32_t w,
+                   sg_edge_group *group)
+{
+  uint32_t low = v < w ? v : w, high = v < w ? w : v;
+  size_t from = pairs->bucket[low], to = pairs->bucket[low + 1];
+  size_t last = to;
+
+  while (from < to) {
+    size_t middle = from + (to - from) / 2;
+    if (pairs->key[middle] >> UPPER_BIT < high) {
+      from = middle + 1;
+    } else {
+      to = middle;
+    }
   }
-  group->end = at;
+  if (from == last || pairs->key[from] >> UPPER_BIT != high) {
+    return false;
+  }
+  group->low = low;
+  take_group(pairs, from, group);
   return true;
 }
 

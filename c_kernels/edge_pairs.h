@@ -44,6 +44,10 @@ typedef struct sg_edge_group {
 
 bool sg_edge_group_next(const sg_edge_pairs *pairs, sg_edge_group *group);
 
+/* The group of the edges between two vertices; false: there are none. */
+bool sg_edge_group_find(const sg_edge_pairs *pairs, uint32_t v, uint32_t w,
+                        sg_edge_group *group);
+
 static inline uint32_t
 sg_edge_group_edge(const sg_edge_pairs *pairs, size_t place)
 {

@@ -75,6 +75,26 @@ has_corner(const sg_scene_mask *mask, uint32_t v)
   return mask->v[0] == v || mask->v[1] == v || mask->v[2] == v;
 }
 
+/* Whether the line lies on the triangle, as the model has it: as its side, or
+ * as an added line that says so. */
+static bool
+lies_on(const sg_scene *scene, const sg_scene_line *line,
+        const sg_scene_mask *mask)
+{
+  size_t k = (size_t)(line - scene->line);
+
+  if (has_corner(mask, line->a) && has_corner(mask, line->b)) {
+    return true;
+  }
+  for (uint32_t i = scene->lies_begin ? scene->lies_begin[k] : 0;
+       scene->lies_begin && i < scene->lies_begin[k + 1]; i++) {
+    if (scene->lies_on[i] == mask->triangle) {
+      return true;
+    }
+  }
+  return false;
+}
+
 static bool
 apart(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
       const double b[3])
@@ -114,8 +134,7 @@ sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
   const double *a = scene->at[line->a], *b = scene->at[line->b];
   double t[2];
 
-  if (apart(scene, mask, a, b) ||
-      (has_corner(mask, line->a) && has_corner(mask, line->b)) ||
+  if (apart(scene, mask, a, b) || lies_on(scene, line, mask) ||
       !covered(scene, mask, a, b, t) ||
       !depth_test(scene->tolerance, behind(scene, mask, a, b, t[0]),
                   behind(scene, mask, a, b, t[1]), t)) {

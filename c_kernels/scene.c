@@ -1,352 +1,410 @@
-/* scene.c -- see scene.h */
+/* scene.c -- see scene.h. What the eye changes: places, the side of each
+ * polygon that is seen, how lines look, and the triangles that hide.
+ */
+#include "scene.h"
+
 #include "bounds.h"
+#include "keys.h"
 #include "scene_private.h"
+#include "sort.h"
 
 #include <float.h>
-#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A face is edge-on when its normal leans less than this towards the eye. */
 #define EDGE_ON 1e-9
 
-static void
-cross_at(const double a[3], const double b[3], const double c[3], double out[3])
-{
-  double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  double w[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+typedef struct viewing {
+  const sg_scene_input *in;
+  const sg_scene_model *model;
+  const sg_poll *poll;
+  sg_scene *scene;
+  int8_t *facing; /* [polygons] 1 towards the eye, -1 away, 0 edge-on */
+  uint64_t *key;  /* [masks] of the triangles that hide: order, then place */
+  bool stopped;
+} viewing;
 
-  out[0] = u[1] * w[2] - u[2] * w[1];
-  out[1] = u[2] * w[0] - u[0] * w[2];
-  out[2] = u[0] * w[1] - u[1] * w[0];
-}
-
-static double
-dot(const double a[3], const double b[3])
+static bool
+stop(viewing *w, size_t i)
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static double
-length(const double a[3])
-{
-  return sqrt(dot(a, a));
+  return i % SG_SCENE_POLL == 0 && (w->stopped |= sg_poll_stop(w->poll));
 }
 
 static int
 facing_of(const double normal[3])
 {
-  double edge = EDGE_ON * length(normal);
+  double edge = EDGE_ON * sg_length(normal);
 
   return (normal[2] > edge) - (normal[2] < -edge);
 }
 
+static bool
+is_shown(const viewing *w, uint32_t vertex)
+{
+  return !w->in->shown || w->in->shown[vertex];
+}
+
+/* Whether all corners of a triangle have a place. */
+static bool
+is_whole(const viewing *w, const int32_t v[3])
+{
+  return !w->in->shown ||
+         (w->in->shown[v[0]] && w->in->shown[v[1]] && w->in->shown[v[2]]);
+}
+
 /* ------------------------------------------------------------- places */
 
-/* Centre and scale of the picture: PL-5, by a power of two. */
-static double
-standard_of(const sg_scene_input *in, double centre[3], double *largest)
+typedef struct extent {
+  double low[3], high[3];
+  double largest; /* absolute coordinate */
+} extent;
+
+static void
+extent_add(extent *x, const double at[3], double depth)
 {
-  double low[3] = {DBL_MAX, DBL_MAX, DBL_MAX};
-  double high[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
+  for (int k = 0; k < 3; k++) {
+    double c = at[k] * (k == 2 ? depth : 1.0);
+    x->low[k] = sg_smaller(x->low[k], c);
+    x->high[k] = sg_larger(x->high[k], c);
+    x->largest = sg_larger(x->largest, fabs(c));
+  }
+}
+
+static extent
+extent_of(const viewing *w)
+{
+  const sg_scene_input *in = w->in;
+  extent x = {{DBL_MAX, DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX, -DBL_MAX}, 0};
+
+  for (size_t i = 0; i < w->model->dense.vertices; i++) {
+    if (is_shown(w, (uint32_t)i)) {
+      extent_add(&x, in->screen[i], in->depth);
+    }
+  }
+  for (size_t i = 0; i < in->addeds; i++) {
+    extent_add(&x, in->added[i].screen[0], in->depth);
+    extent_add(&x, in->added[i].screen[1], in->depth);
+  }
+  return x;
+}
+
+/* The scale and centre of the picture: PL-5, by a power of two. */
+static double
+standard_of(const extent *x, double centre[3])
+{
   double half = 0;
   int power;
 
-  *largest = 0;
-  for (size_t i = 0; i < in->vertices; i++) {
-    for (int k = 0; k < 3; k++) {
-      double x = in->vertex[i].screen[k] * (k == 2 ? in->depth : 1.0);
-      low[k] = sg_smaller(low[k], x);
-      high[k] = sg_larger(high[k], x);
-      *largest = sg_larger(*largest, fabs(x));
-    }
-  }
   for (int k = 0; k < 3; k++) {
-    centre[k] = in->vertices ? low[k] + (high[k] - low[k]) / 2 : 0.0;
-    half = in->vertices ? sg_larger(half, (high[k] - low[k]) / 2) : 0.0;
+    bool some = x->low[k] <= x->high[k];
+    centre[k] = some ? x->low[k] + (x->high[k] - x->low[k]) / 2 : 0.0;
+    half = some ? sg_larger(half, (x->high[k] - x->low[k]) / 2) : 0.0;
   }
   frexp(half, &power);
   return half > 0 ? ldexp(1.0, power) : 1.0;
 }
 
 static bool
-make_places(sg_scene_builder *b)
+make_places(viewing *w)
 {
-  const sg_scene_input *in = b->in;
-  sg_scene *scene = b->scene;
-  double centre[3], largest;
-  double scale = standard_of(in, centre, &largest);
+  const sg_scene_input *in = w->in;
+  sg_scene *scene = w->scene;
+  size_t vertices = w->model->dense.vertices;
+  extent x = extent_of(w);
+  double centre[3], scale = standard_of(&x, centre);
 
   scene->scale = scale;
   scene->tolerance =
-      sg_larger(in->tolerance, 8 * DBL_EPSILON * largest / scale);
-  scene->vertices = in->vertices;
-  scene->at = malloc((in->vertices + 1) * sizeof *scene->at);
-  if (!scene->at) {
-    return false;
-  }
-  for (size_t i = 0; i < in->vertices && !sg_scene_stop(b, i); i++) {
+      sg_larger(in->tolerance, 8 * DBL_EPSILON * x.largest / scale);
+  scene->vertices = vertices + 2 * in->addeds;
+  scene->at = malloc((scene->vertices + 1) * sizeof *scene->at);
+  for (size_t i = 0; scene->at && i < scene->vertices && !stop(w, i); i++) {
+    size_t added = i - vertices; /* or meaningless */
+    const double *at =
+        i < vertices ? in->screen[i] : in->added[added / 2].screen[added % 2];
     for (int k = 0; k < 3; k++) {
-      double x = in->vertex[i].screen[k] * (k == 2 ? in->depth : 1.0);
-      scene->at[i][k] = (x - centre[k]) / scale;
+      scene->at[i][k] =
+          (at[k] * (k == 2 ? in->depth : 1.0) - centre[k]) / scale;
     }
   }
-  return true;
+  return scene->at != NULL;
 }
 
-/* -------------------------------------------------------------- faces */
+/* ------------------------------------------------- faces and triangles */
 
-static int
-triangle_compare(const void *a, const void *b)
+/* Keys that have the order of floats as integers. */
+static uint32_t
+order_of(double x)
 {
-  const sg_scene_triangle *x = a, *y = b;
-  int order = sg_key_compare(a, b);
+  float rounded = (float)x;
+  uint32_t bits;
 
-  return order ? order : (x->t > y->t) - (x->t < y->t);
+  memcpy(&bits, &rounded, sizeof bits);
+  bits = bits >> 31 ? ~bits : bits | UINT32_C(1) << 31;
+  return (double)rounded > x ? bits - 1 : bits; /* down */
 }
 
-/* False: a corner is not among the vertices. */
-static bool
-corners(sg_scene_builder *b, const sg_scene_triangle *t, uint32_t out[3])
-{
-  for (int k = 0; k < 3; k++) {
-    size_t place = sg_keys_find(&b->vertices, t->s, t->v[k]);
-    if (place == SG_NOWHERE) {
-      return false;
-    }
-    out[k] = (uint32_t)place;
-  }
-  return true;
-}
-
+/* Steps 1 and 2 of PL-13: triangles seen edge-on hide nothing, nor do backs of
+ * solids. */
 static void
-face_add(sg_scene_builder *b, sg_scene_face *f, const uint32_t v[3])
+look_at_triangle(viewing *w, size_t i, bool solid, const double n[3])
 {
-  const sg_scene_vertex *vertex = b->in->vertex;
-  double(*at)[3] = b->scene->at;
-  double n[3];
+  const int32_t *v = w->model->dense.corner[i];
+  double(*at)[3] = w->scene->at;
+  int facing = facing_of(n);
 
-  cross_at(vertex[v[0]].model, vertex[v[1]].model, vertex[v[2]].model, n);
-  for (int k = 0; k < 3; k++) {
-    f->model[k] += n[k];
-  }
-  cross_at(at[v[0]], at[v[1]], at[v[2]], n);
-  for (int k = 0; k < 3; k++) {
-    f->screen[k] += n[k];
+  if (facing > 0 || (facing < 0 && !solid)) {
+    double near = sg_smaller(at[v[0]][2], sg_smaller(at[v[1]][2], at[v[2]][2]));
+    w->key[w->scene->masks++] = (uint64_t)order_of(near) << 32 | (uint32_t)i;
   }
 }
 
+/* Which polygons are seen from outside, and which triangles hide. */
 static bool
-make_faces(sg_scene_builder *b)
+look_at_faces(viewing *w)
 {
-  const sg_scene_input *in = b->in;
-  size_t n = 0;
+  const sg_dense *d = &w->model->dense;
+  double(*at)[3] = w->scene->at;
+  double(*normal)[3] = calloc(d->polygons + 1, sizeof *normal);
+  size_t s = 0;
+  bool done;
 
-  b->face = malloc((in->triangles + 1) * sizeof *b->face);
-  if (!b->face) {
-    return false;
-  }
-  for (size_t i = 0; i < in->triangles && !sg_scene_stop(b, i); i++) {
-    const sg_scene_triangle *t = &in->triangle[i];
-    uint32_t v[3];
-    if (n == 0 || b->face[n - 1].s != t->s || b->face[n - 1].p != t->p) {
-      b->face[n++] = (sg_scene_face){.s = t->s, .p = t->p};
+  w->facing = malloc(d->polygons + 1);
+  w->key = malloc((d->triangles + 1) * sizeof *w->key);
+  for (size_t i = 0; normal && w->facing && w->key && i < d->triangles; i++) {
+    const int32_t *v = d->corner[i];
+    double *sum = normal[d->polygon_of[i]], n[3];
+
+    while (i >= d->triangle_begin[s + 1]) {
+      s++;
     }
-    if (corners(b, t, v)) {
-      face_add(b, &b->face[n - 1], v);
+    if (stop(w, i)) {
+      break;
     }
-  }
-  for (size_t i = 0; i < n; i++) {
-    b->face[i].facing = facing_of(b->face[i].screen);
-  }
-  b->faces = (sg_keys){b->face, sizeof *b->face, n, 0};
-  return true;
-}
-
-/* -------------------------------------------------------------- solids */
-
-static sg_scene_segment *
-segment_of(sg_scene_builder *b, int32_t s)
-{
-  size_t place = sg_keys_find(&b->segments, s, 0);
-
-  return place == SG_NOWHERE ? NULL : &b->in->segment[place];
-}
-
-static bool
-is_solid(sg_scene_builder *b, int32_t s)
-{
-  const sg_scene_segment *segment = segment_of(b, s);
-
-  return segment && segment->solid;
-}
-
-/* Six times the volume below a triangle, seen from `from`. */
-static double
-volume_below(const double from[3], const double a[3], const double c[3],
-             const double d[3])
-{
-  double n[3], u[3] = {a[0] - from[0], a[1] - from[1], a[2] - from[2]};
-
-  cross_at(a, c, d, n);
-  return dot(u, n);
-}
-
-/* A segment of kind solid that is inside out is none. */
-static void
-check_volumes(sg_scene_builder *b)
-{
-  const sg_scene_input *in = b->in;
-  const double *from = NULL;
-  double volume = 0.0;
-  uint32_t v[3];
-
-  for (size_t i = 0; i < in->triangles && !sg_scene_stop(b, i); i++) {
-    const sg_scene_triangle *t = &in->triangle[i];
-    if (!corners(b, t, v)) {
-      continue;
-    }
-    if (!from) {
-      from = in->vertex[v[0]].model;
-    }
-    volume += volume_below(from, in->vertex[v[0]].model, in->vertex[v[1]].model,
-                           in->vertex[v[2]].model);
-    if (i + 1 == in->triangles || in->triangle[i + 1].s != t->s) {
-      sg_scene_segment *segment = segment_of(b, t->s);
-      if (segment && volume <= 0.0) {
-        segment->solid = false;
-      }
-      from = NULL;
-      volume = 0.0;
+    if (is_whole(w, v)) {
+      sg_cross_at(at[v[0]], at[v[1]], at[v[2]], n);
+      sum[0] += n[0], sum[1] += n[1], sum[2] += n[2];
+      look_at_triangle(w, i, w->model->solid[s], n);
     }
   }
-}
-
-/* Nor is one that has a border. */
-static void
-check_solids(sg_scene_builder *b)
-{
-  sg_scene *scene = b->scene;
-
-  check_volumes(b);
-  for (size_t k = 0; k < scene->lines; k++) {
-    sg_scene_segment *segment = segment_of(b, scene->line[k].s);
-    if (segment && scene->line[k].look.faces == 1) {
-      segment->solid = false;
-    }
+  for (size_t p = 0; normal && w->facing && p < d->polygons; p++) {
+    w->facing[p] = (int8_t)facing_of(normal[p]);
   }
-  for (size_t k = 0; k < scene->lines; k++) {
-    scene->line[k].look.solid = is_solid(b, scene->line[k].s);
-  }
+  done = normal && w->facing && w->key;
+  free(normal);
+  return done;
 }
 
 /* -------------------------------------------------------------- masks */
 
-static int
-mask_compare(const void *a, const void *b)
-{
-  const sg_scene_mask *x = a, *y = b;
+enum { DIGIT_BITS = 11, DIGITS = 1 << DIGIT_BITS };
 
-  if (x->low[2] != y->low[2]) {
-    return x->low[2] < y->low[2] ? -1 : 1;
+/* Sorts by the upper half of the keys: by three digits, each kept stable. */
+static bool
+sort_keys(uint64_t **key, size_t n)
+{
+  uint64_t *from = *key, *to = malloc((n + 1) * sizeof *to);
+  size_t(*begin)[DIGITS + 1] = calloc(3, sizeof *begin);
+  bool good = to && begin;
+
+  for (size_t i = 0; good && i < n; i++) {
+    for (unsigned k = 0; k < 3; k++) {
+      begin[k][(from[i] >> (32 + k * DIGIT_BITS) & (DIGITS - 1)) + 1]++;
+    }
   }
-  if (x->s != y->s) {
-    return x->s < y->s ? -1 : 1;
+  for (unsigned k = 0; good && k < 3; k++) {
+    uint64_t *swap = from;
+    for (size_t d = 0; d < DIGITS; d++) {
+      begin[k][d + 1] += begin[k][d];
+    }
+    for (size_t i = 0; i < n; i++) {
+      to[begin[k][from[i] >> (32 + k * DIGIT_BITS) & (DIGITS - 1)]++] = from[i];
+    }
+    from = to;
+    to = swap;
   }
-  return (x->t > y->t) - (x->t < y->t);
+  *key = from;
+  free(to);
+  free(begin);
+  return good;
 }
 
-/* Steps 1 and 2: false for a triangle seen edge-on and for the back of a
- * solid; the back of a surface is turned over. */
-static bool
-mask_of(sg_scene_builder *b, const sg_scene_triangle *t, sg_scene_mask *out)
+/* A triangle as a mask; the back of a surface is turned over. */
+static sg_scene_mask
+mask_of(const viewing *w, uint32_t place)
 {
-  double(*at)[3] = b->scene->at;
+  const sg_dense *d = &w->model->dense;
+  const int32_t *v = d->corner[place];
+  double(*at)[3] = w->scene->at;
+  sg_scene_mask mask = {.t = d->triangle_id[place], .triangle = (int32_t)place};
   double n[3], size;
-  uint32_t v[3];
-  int facing;
+  bool front;
 
-  if (!corners(b, t, v)) {
-    return false;
-  }
-  cross_at(at[v[0]], at[v[1]], at[v[2]], n);
-  facing = facing_of(n);
-  if (facing == 0 || (facing < 0 && is_solid(b, t->s))) {
-    return false;
-  }
-  size = length(n) * facing;
-  *out = (sg_scene_mask){
-      .s = t->s,
-      .t = t->t,
-      .v = {v[0], v[facing > 0 ? 1 : 2], v[facing > 0 ? 2 : 1]}};
+  sg_cross_at(at[v[0]], at[v[1]], at[v[2]], n);
+  front = n[2] > 0.0;
+  size = front ? sg_length(n) : -sg_length(n);
+  mask.v[0] = (uint32_t)v[0];
+  mask.v[1] = (uint32_t)v[front ? 1 : 2];
+  mask.v[2] = (uint32_t)v[front ? 2 : 1];
   for (int k = 0; k < 3; k++) {
-    out->normal[k] = n[k] / size;
-    out->low[k] = sg_smaller(at[v[0]][k], sg_smaller(at[v[1]][k], at[v[2]][k]));
-    out->high[k] = sg_larger(at[v[0]][k], sg_larger(at[v[1]][k], at[v[2]][k]));
+    double x = at[v[0]][k], y = at[v[1]][k], z = at[v[2]][k];
+    mask.normal[k] = n[k] / size;
+    mask.low[k] = sg_smaller(x, sg_smaller(y, z));
+    mask.high[k] = sg_larger(x, sg_larger(y, z));
+  }
+  return mask;
+}
+
+static bool
+make_masks(viewing *w)
+{
+  const sg_dense *d = &w->model->dense;
+  sg_scene *scene = w->scene;
+
+  scene->mask = malloc((scene->masks + 1) * sizeof *scene->mask);
+  if (!scene->mask || !sort_keys(&w->key, scene->masks)) {
+    return false;
+  }
+  for (size_t i = 0; i < scene->masks && !stop(w, i); i++) {
+    uint32_t place = (uint32_t)w->key[i];
+    scene->mask[i] = mask_of(w, place);
+    scene->mask[i].s =
+        d->segment[sg_dense_segment_of(d, d->triangle_begin, place)];
   }
   return true;
 }
 
-static bool
-make_masks(sg_scene_builder *b)
-{
-  const sg_scene_input *in = b->in;
-  sg_scene *scene = b->scene;
+/* -------------------------------------------------------------- lines */
 
-  check_solids(b);
-  scene->mask = malloc((in->triangles + 1) * sizeof *scene->mask);
-  if (!scene->mask) {
-    return false;
+static void
+look_at_line(const viewing *w, size_t k, sg_look *look)
+{
+  const sg_scene_model *m = w->model;
+
+  for (uint32_t u = m->use_begin[k]; u < m->use_begin[k + 1]; u++) {
+    int facing = w->facing[m->use[u].polygon];
+    int side = facing * m->use[u].along;
+    look->towards += facing > 0;
+    look->away += facing < 0;
+    look->left += side > 0;
+    look->right += side < 0;
   }
-  for (size_t i = 0; i < in->triangles && !sg_scene_stop(b, i); i++) {
-    scene->masks += mask_of(b, &in->triangle[i], &scene->mask[scene->masks]);
+}
+
+static int
+compare_added(const void *a, const void *b)
+{
+  return sg_key_compare(*(const sg_scene_added *const *)a,
+                        *(const sg_scene_added *const *)b);
+}
+
+/* Enters an added line, and what it lies on. */
+static void
+enter_added(const viewing *w, const sg_scene_added *added)
+{
+  sg_scene *scene = w->scene;
+  uint32_t a =
+      (uint32_t)(w->model->dense.vertices + 2 * (size_t)(added - w->in->added));
+  uint32_t end = scene->lies_begin[scene->lines];
+
+  memcpy(scene->lies_on + end, added->lies_on,
+         added->triangles * sizeof *scene->lies_on);
+  scene->line[scene->lines++] = (sg_scene_line){
+      .s = added->s, .e = added->e, .a = a, .b = a + 1, .look = added->look};
+  scene->lies_begin[scene->lines] = end + (uint32_t)added->triangles;
+}
+
+static void
+enter_line(const viewing *w, size_t k)
+{
+  sg_scene *scene = w->scene;
+  sg_scene_line *line = &scene->line[scene->lines];
+
+  *line = w->model->line[k];
+  look_at_line(w, k, &line->look);
+  scene->lines++;
+  if (scene->lies_begin) {
+    scene->lies_begin[scene->lines] = scene->lies_begin[scene->lines - 1];
   }
-  return sg_scene_sort(b, scene->mask, scene->masks, sizeof *scene->mask,
-                       mask_compare);
+}
+
+/* Lines of the model and added ones, merged by segment and id. */
+static void
+merge_lines(viewing *w, const sg_scene_added **added)
+{
+  const sg_scene_model *m = w->model;
+  size_t i = 0;
+
+  for (size_t k = 0; k <= m->lines && !stop(w, k); k++) {
+    for (; i < w->in->addeds &&
+           (k == m->lines || sg_key_compare(added[i], &m->line[k]) < 0);
+         i++) {
+      enter_added(w, added[i]);
+    }
+    if (k < m->lines && is_shown(w, m->line[k].a) &&
+        is_shown(w, m->line[k].b)) {
+      enter_line(w, k);
+    }
+  }
+}
+
+/* Room for all lines; `added` becomes the added ones in order. */
+static bool
+line_room(viewing *w, const sg_scene_added **added)
+{
+  size_t n = w->in->addeds, lies = 0;
+  size_t most = w->model->lines + n;
+  sg_scene *scene = w->scene;
+
+  for (size_t i = 0; i < n; i++) {
+    added[i] = &w->in->added[i];
+    lies += added[i]->triangles;
+  }
+  if (n > 1) {
+    qsort(added, n, sizeof *added, compare_added);
+  }
+  scene->line = malloc((most + 1) * sizeof *scene->line);
+  if (n > 0) {
+    scene->lies_begin = calloc(most + 1, sizeof *scene->lies_begin);
+    scene->lies_on = malloc((lies + 1) * sizeof *scene->lies_on);
+  }
+  return scene->line && (n == 0 || (scene->lies_begin && scene->lies_on));
+}
+
+static bool
+make_lines(viewing *w)
+{
+  const sg_scene_added **added =
+      malloc((w->in->addeds + 1) * sizeof(sg_scene_added *));
+  bool good = added && line_room(w, added);
+
+  if (good) {
+    merge_lines(w, added);
+  }
+  free(added);
+  return good;
 }
 
 /* -------------------------------------------------------------- scene */
 
-static bool
-sort_input(sg_scene_builder *b)
-{
-  sg_scene_input *in = b->in;
-
-  b->segments = (sg_keys){in->segment, sizeof *in->segment, in->segments, 0};
-  b->vertices = (sg_keys){in->vertex, sizeof *in->vertex, in->vertices, 0};
-  b->edges = (sg_keys){in->edge, sizeof *in->edge, in->edges, 0};
-  return sg_scene_sort(b, in->segment, in->segments, sizeof *in->segment,
-                       sg_key_compare) &&
-         sg_scene_sort(b, in->vertex, in->vertices, sizeof *in->vertex,
-                       sg_key_compare) &&
-         sg_scene_sort(b, in->edge, in->edges, sizeof *in->edge,
-                       sg_key_compare) &&
-         sg_scene_sort(b, in->triangle, in->triangles, sizeof *in->triangle,
-                       triangle_compare);
-}
-
 sg_scene *
-sg_scene_open(sg_scene_input *input, const sg_poll *poll, bool *memory)
+sg_scene_open(const sg_scene_input *input, const sg_poll *poll, bool *memory)
 {
-  sg_scene_builder b = {
-      .in = input, .poll = poll, .scene = calloc(1, sizeof(sg_scene))};
+  viewing w = {.in = input,
+               .model = input->model,
+               .poll = poll,
+               .scene = calloc(1, sizeof(sg_scene))};
 
-  *memory = b.scene != NULL;
-  if (!b.scene) {
+  *memory = w.scene && make_places(&w) && look_at_faces(&w) && make_lines(&w) &&
+            make_masks(&w);
+  free(w.facing);
+  free(w.key);
+  if (!*memory || w.stopped) {
+    sg_scene_close(w.scene);
     return NULL;
   }
-  *memory = sort_input(&b) && make_places(&b) && make_faces(&b) &&
-            sg_scene_make_lines(&b) && sg_scene_make_looks(&b) &&
-            make_masks(&b);
-  free(b.face);
-  free(b.pair);
-  free(b.line_of);
-  free(b.use_at);
-  free(b.user);
-  if (!*memory || b.stopped) {
-    sg_scene_close(b.scene);
-    return NULL;
-  }
-  return b.scene;
+  return w.scene;
 }
 
 void
@@ -355,6 +413,8 @@ sg_scene_close(sg_scene *scene)
   if (scene) {
     free(scene->at);
     free(scene->line);
+    free(scene->lies_begin);
+    free(scene->lies_on);
     free(scene->mask);
     free(scene);
   }

@@ -106,7 +106,7 @@ unify_scene(term_t t, handle *h)
 /* A scene of the input, with its search structures. Null: stopped, or no
  * memory. */
 static handle *
-new_handle(sg_scene_input *in, bool *memory)
+new_handle(const sg_scene_input *in, bool *memory)
 {
   handle *h = calloc(1, sizeof *h);
 
@@ -122,32 +122,51 @@ new_handle(sg_scene_input *in, bool *memory)
   return NULL;
 }
 
+/* What a version shows of a model. Null: an exception is pending. */
+static handle *
+view_model_ex(const sg_version *version, const sg_scene_model *model,
+              double depth, double tolerance)
+{
+  sg_scene_screen screen = {0};
+  handle *h = NULL;
+  bool memory;
+
+  if (sg_scene_screen_read(&screen, version, model, &sg_prolog_poll, &memory)) {
+    sg_scene_input in = {.model = model,
+                         .screen = (const double(*)[3])screen.at,
+                         .shown = screen.shown,
+                         .depth = depth,
+                         .tolerance = tolerance};
+    h = new_handle(&in, &memory);
+  }
+  sg_scene_screen_clear(&screen);
+  if (!memory) {
+    sg_no_memory();
+  }
+  return h;
+}
+
 /* What the current world shows of the chosen segments. Null: an exception. */
 static handle *
 open_handle_ex(const sg_chosen *chosen, double depth, double tolerance)
 {
   sg_world *world = sg_current_world_ex();
-  const sg_version *version;
-  sg_scene_input in = {0};
+  const sg_version *version = world ? sg_world_version(world) : NULL;
+  sg_kept_model *kept;
   handle *h = NULL;
-  bool memory;
 
-  if (!world) {
+  if (!version) {
+    if (world) {
+      sg_no_memory();
+    }
     return NULL;
   }
-  version = sg_world_version(world);
-  memory = version != NULL;
-  if (memory &&
-      sg_scene_input_read(&in, version, chosen, &sg_prolog_poll, &memory)) {
-    in.depth = depth;
-    in.tolerance = tolerance;
-    h = new_handle(&in, &memory);
+  kept = sg_kept_model_hold_ex(world, version, chosen);
+  if (kept) {
+    h = view_model_ex(version, kept->model, depth, tolerance);
   }
-  sg_scene_input_clear(&in);
+  sg_kept_model_drop(kept);
   sg_version_drop(version);
-  if (!memory) {
-    sg_no_memory();
-  }
   return h;
 }
 

@@ -1,28 +1,58 @@
-/* scene4pl.h -- the arrays of a scene, read from one version of a world.
+/* scene4pl.h -- what a scene is made from, read from one version of a world.
  *
- * Layer: glue.
+ * Layer: glue. Include it before SWI-Prolog.h. The model of a world (what no
+ * eye changes) is kept with it under the stamps of the rows it was made from,
+ * as trees are (tree4pl.h): a picture from another eye reads screen/5 only.
  */
 #ifndef SG_SCENE4PL_H
 #define SG_SCENE4PL_H
 
-#include "../engine/store.h"
+#include "../engine/world4pl.h"
+
 #include "scene.h"
 
-/* Which segments take part: all when `all`, else the sorted ids. */
+#include <stdatomic.h>
+
+/* Which segments take part: all when `all`, else the ids, ascending. */
 typedef struct sg_chosen {
   bool all;
   int32_t *s;
   size_t n;
 } sg_chosen;
 
-bool sg_is_chosen(const sg_chosen *chosen, int32_t s);
+/* The model of the chosen segments. Null: stopped by the poll, or no memory
+ * (then *memory is false). */
+sg_scene_model *sg_scene_model_read(const sg_version *version,
+                                    const sg_chosen *chosen,
+                                    const sg_poll *poll, bool *memory);
 
-/* Fills the arrays of `in` from the chosen segments. False: stopped by the
- * poll, or no memory (then *memory is false). The caller calls
- * sg_scene_input_clear() in any case. */
-bool sg_scene_input_read(sg_scene_input *in, const sg_version *version,
-                         const sg_chosen *chosen, const sg_poll *poll,
-                         bool *memory);
-void sg_scene_input_clear(sg_scene_input *in);
+/* Where screen/5 says that the vertices of a model are. */
+typedef struct sg_scene_screen {
+  double (*at)[3]; /* [vertices] */
+  bool *shown;     /* [vertices], or null: all are */
+} sg_scene_screen;
+
+/* False: stopped by the poll, or no memory (then *memory is false). The caller
+ * calls sg_scene_screen_clear() in any case. */
+bool sg_scene_screen_read(sg_scene_screen *screen, const sg_version *version,
+                          const sg_scene_model *model, const sg_poll *poll,
+                          bool *memory);
+void sg_scene_screen_clear(sg_scene_screen *screen);
+
+/* A model that is kept, or was: it lasts while somebody holds it. */
+enum { SG_SCENE_STAMPS = 6 };
+
+typedef struct sg_kept_model {
+  atomic_size_t holders;
+  sg_chosen chosen; /* its ids are its own */
+  uint64_t stamp[SG_SCENE_STAMPS];
+  sg_scene_model *model;
+} sg_kept_model;
+
+/* The model of the chosen segments as `version` of `world` shows them, held
+ * and to be dropped. Null: an exception is pending. */
+sg_kept_model *sg_kept_model_hold_ex(sg_world *world, const sg_version *version,
+                                     const sg_chosen *chosen);
+void sg_kept_model_drop(sg_kept_model *kept);
 
 #endif

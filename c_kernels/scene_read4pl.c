@@ -1,31 +1,9 @@
 /* scene_read4pl.c -- see scene4pl.h */
 #include "scene4pl.h"
 
-#include "keys.h"
-#include "sort.h"
-
 #include "../engine/symbol.h"
 
 #include <stdlib.h>
-
-bool
-sg_is_chosen(const sg_chosen *chosen, int32_t s)
-{
-  size_t low = 0, high = chosen->n;
-
-  if (chosen->all) {
-    return true;
-  }
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (chosen->s[middle] < s) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < chosen->n && chosen->s[low] == s;
-}
 
 /* One live row of a view. */
 typedef struct row {
@@ -46,33 +24,29 @@ number(const row *r, unsigned column)
   return r->view->column[column].page[r->page].f[r->at];
 }
 
-static const int32_t *
-list(const row *r, unsigned column)
-{
-  return r->view->column[column].page[r->page].list[r->at];
-}
-
 /* Where the rows of each relation go. */
 typedef struct reading {
-  sg_scene_input *in;
-  const sg_chosen *chosen;
+  const sg_version *version;
   const sg_poll *poll;
-  sg_keys vertices;
   bool memory;
+  sg_dense dense;
+  bool *solid;       /* [segments] of kind solid */
+  sg_scene_cut *cut; /* [cuts] */
+  size_t cuts;
 } reading;
 
-typedef void read_row(reading *reader, const row *r);
+typedef void read_row(void *reader, const row *r);
 
-/* False: stopped, or no memory (then reader->memory is false). */
+/* False: stopped, or no memory (then *memory is false). */
 static bool
-each_row(reading *reader, const sg_version *version, sg_relation relation,
-         read_row *read)
+each_row(const sg_version *version, sg_relation relation, const sg_poll *poll,
+         read_row *read, void *reader, bool *memory)
 {
   sg_view view;
   bool stopped = false;
 
-  reader->memory = sg_version_view(version, relation, &view);
-  if (!reader->memory) {
+  *memory = sg_version_view(version, relation, &view);
+  if (!*memory) {
     return false;
   }
   for (size_t page = 0; page < view.pages && !stopped; page++) {
@@ -81,183 +55,182 @@ each_row(reading *reader, const sg_version *version, sg_relation relation,
       row r = {&view, page, i};
       read(reader, &r);
     }
-    stopped = sg_poll_stop(reader->poll);
+    stopped = sg_poll_stop(poll);
   }
   sg_view_clear(&view);
   return !stopped;
 }
 
-static void
-read_segment(reading *reader, const row *r)
-{
-  if (sg_is_chosen(reader->chosen, integer(r, 0))) {
-    reader->in->segment[reader->in->segments++] = (sg_scene_segment){
-        .s = integer(r, 0), .solid = integer(r, 1) == SG_SYMBOL_SOLID};
-  }
-}
-
-static void
-read_screen(reading *reader, const row *r)
-{
-  if (sg_is_chosen(reader->chosen, integer(r, 0))) {
-    reader->in->vertex[reader->in->vertices++] =
-        (sg_scene_vertex){.s = integer(r, 0),
-                          .v = integer(r, 1),
-                          .screen = {number(r, 2), number(r, 3), number(r, 4)}};
-  }
-}
-
-/* The model's coordinates of a vertex that is on the screen. */
-static void
-read_model(reading *reader, const row *r)
-{
-  size_t at = sg_keys_find(&reader->vertices, integer(r, 0), integer(r, 1));
-
-  for (unsigned k = 0; k < 3 && at != SG_NOWHERE; k++) {
-    reader->in->vertex[at].model[k] = number(r, k + 2);
-  }
-}
+/* ---------------------------------------------------------------- model */
 
 static bool
-read_vertices(reading *reader, const sg_version *version)
+read_dense(reading *reader, const sg_chosen *chosen)
 {
-  sg_scene_input *in = reader->in;
-  sg_sort_end end;
+  static const int32_t none;
+  const int32_t *wanted = chosen->n ? chosen->s : &none;
+  sg_dense_views views = {0};
+  bool stopped = false;
+  bool done = sg_version_view(reader->version, SG_V, &views.v) &&
+              sg_version_view(reader->version, SG_E, &views.e) &&
+              sg_version_view(reader->version, SG_P, &views.p) &&
+              sg_version_view(reader->version, SG_T, &views.t) &&
+              sg_dense_make(&views, chosen->all ? NULL : wanted, chosen->n,
+                            reader->poll, &reader->dense, &stopped);
 
-  if (!each_row(reader, version, SG_SCREEN, read_screen)) {
-    return false;
-  }
-  reader->vertices = (sg_keys){in->vertex, sizeof *in->vertex, in->vertices, 0};
-  end = sg_sort(in->vertex, in->vertices, sizeof *in->vertex, sg_key_compare,
-                reader->poll);
-  reader->memory = end != SG_SORT_NO_MEMORY;
-  return end == SG_SORTED && each_row(reader, version, SG_V, read_model);
+  reader->memory = done || stopped;
+  sg_view_clear(&views.v);
+  sg_view_clear(&views.e);
+  sg_view_clear(&views.p);
+  sg_view_clear(&views.t);
+  return done;
+}
+
+static int
+compare_ids(const void *a, const void *b)
+{
+  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
+
+  return (x > y) - (x < y);
 }
 
 static void
-read_triangle(reading *reader, const row *r)
+read_segment(void *data, const row *r)
 {
-  if (sg_is_chosen(reader->chosen, integer(r, 0))) {
-    reader->in->triangle[reader->in->triangles++] =
-        (sg_scene_triangle){.s = integer(r, 0),
-                            .p = integer(r, 1),
-                            .t = integer(r, 2),
-                            .v = {integer(r, 3), integer(r, 4), integer(r, 5)}};
-  }
-}
+  reading *reader = data;
+  const sg_dense *d = &reader->dense;
+  int32_t s = integer(r, 0);
+  const int32_t *at =
+      d->segments ? bsearch(&s, d->segment, d->segments, sizeof s, compare_ids)
+                  : NULL;
 
-static void
-read_edge(reading *reader, const row *r)
-{
-  if (sg_is_chosen(reader->chosen, integer(r, 0))) {
-    reader->in->edge[reader->in->edges++] =
-        (sg_scene_edge){.s = integer(r, 0),
-                        .e = integer(r, 1),
-                        .v1 = integer(r, 2),
-                        .v2 = integer(r, 3),
-                        .real = integer(r, 4) == 1};
-  }
-}
-
-static void
-count_uses(reading *reader, const row *r)
-{
-  if (sg_is_chosen(reader->chosen, integer(r, 0))) {
-    reader->in->uses += (size_t)list(r, 2)[0];
-  }
-}
-
-static void
-read_uses(reading *reader, const row *r)
-{
-  const int32_t *edges = list(r, 2);
-
-  if (!sg_is_chosen(reader->chosen, integer(r, 0))) {
-    return;
-  }
-  for (int32_t i = 1; i <= edges[0]; i++) {
-    reader->in->use[reader->in->uses++] =
-        (sg_scene_use){.s = integer(r, 0), .e = edges[i], .p = integer(r, 1)};
+  if (at) {
+    reader->solid[at - d->segment] = integer(r, 1) == SG_SYMBOL_SOLID;
   }
 }
 
 /* A line is a cut in both its segments, a copy in the second. */
 static void
-read_cut(reading *reader, const row *r)
+read_cut(void *data, const row *r)
 {
+  reading *reader = data;
+  const sg_dense *d = &reader->dense;
   int32_t s1 = integer(r, 1), s2 = integer(r, 5);
-  bool first = sg_is_chosen(reader->chosen, s1);
-  sg_scene_cut *cut = &reader->in->cut[reader->in->cuts];
+  int32_t a1 = sg_dense_vertex(d, s1, integer(r, 3));
+  int32_t b1 = sg_dense_vertex(d, s1, integer(r, 4));
+  int32_t a2 = sg_dense_vertex(d, s2, integer(r, 7));
+  int32_t b2 = sg_dense_vertex(d, s2, integer(r, 8));
 
-  if (first) {
-    *cut++ = (sg_scene_cut){.s = s1, .a = integer(r, 3), .b = integer(r, 4)};
+  if (a1 >= 0 && b1 >= 0) {
+    reader->cut[reader->cuts++] = (sg_scene_cut){a1, b1, -1, -1};
   }
-  if (sg_is_chosen(reader->chosen, s2)) {
-    *cut++ = (sg_scene_cut){.s = s2,
-                            .a = integer(r, 7),
-                            .b = integer(r, 8),
-                            .s2 = first ? s1 : 0,
-                            .a2 = integer(r, 3),
-                            .b2 = integer(r, 4)};
+  if (a2 >= 0 && b2 >= 0) {
+    reader->cut[reader->cuts++] = (sg_scene_cut){a2, b2, a1, b1};
   }
-  reader->in->cuts = (size_t)(cut - reader->in->cut);
 }
 
 static bool
-make_room(sg_scene_input *in, const sg_version *version)
+read_rows(reading *reader, const sg_chosen *chosen)
 {
-  size_t n[] = {
-      sg_version_count(version, SG_SEGMENT),
-      sg_version_count(version, SG_SCREEN), sg_version_count(version, SG_T),
-      sg_version_count(version, SG_E), sg_version_count(version, SG_LINE)};
+  const sg_version *version = reader->version;
+  size_t lines = sg_version_count(version, SG_LINE);
 
-  in->segment = malloc((n[0] + 1) * sizeof *in->segment);
-  in->vertex = malloc((n[1] + 1) * sizeof *in->vertex);
-  in->triangle = malloc((n[2] + 1) * sizeof *in->triangle);
-  in->edge = malloc((n[3] + 1) * sizeof *in->edge);
-  in->cut = malloc((2 * n[4] + 2) * sizeof *in->cut);
-  in->use = malloc((in->uses + 1) * sizeof *in->use);
-  in->uses = 0;
-  return in->segment && in->vertex && in->triangle && in->edge && in->cut &&
-         in->use;
-}
-
-static bool
-read_all(reading *r, const sg_version *version)
-{
-  if (!each_row(r, version, SG_P, count_uses)) {
+  if (!read_dense(reader, chosen)) {
     return false;
   }
-  r->memory = make_room(r->in, version);
-  return r->memory && each_row(r, version, SG_SEGMENT, read_segment) &&
-         read_vertices(r, version) &&
-         each_row(r, version, SG_T, read_triangle) &&
-         each_row(r, version, SG_E, read_edge) &&
-         each_row(r, version, SG_P, read_uses) &&
-         each_row(r, version, SG_LINE, read_cut);
+  reader->solid = calloc(reader->dense.segments + 1, sizeof *reader->solid);
+  reader->cut = malloc((2 * lines + 1) * sizeof *reader->cut);
+  reader->memory = reader->solid && reader->cut;
+  return reader->memory &&
+         each_row(version, SG_SEGMENT, reader->poll, read_segment, reader,
+                  &reader->memory) &&
+         each_row(version, SG_LINE, reader->poll, read_cut, reader,
+                  &reader->memory);
+}
+
+sg_scene_model *
+sg_scene_model_read(const sg_version *version, const sg_chosen *chosen,
+                    const sg_poll *poll, bool *memory)
+{
+  reading r = {.version = version, .poll = poll};
+  sg_scene_model *model = NULL;
+
+  if (read_rows(&r, chosen)) {
+    model =
+        sg_scene_model_open(&r.dense, r.solid, r.cut, r.cuts, poll, &r.memory);
+  } else {
+    sg_dense_clear(&r.dense);
+    free(r.solid);
+  }
+  free(r.cut);
+  *memory = r.memory;
+  return model;
+}
+
+/* --------------------------------------------------------------- screen */
+
+typedef struct placing {
+  const sg_dense *dense;
+  sg_scene_screen *screen;
+  size_t next;   /* where the next row belongs, as a rule */
+  size_t placed; /* how many vertices have a place */
+} placing;
+
+/* The place of vertex v of segment s; rows mostly come in the order of the
+ * model's vertices. */
+static int32_t
+place_of(placing *p, int32_t s, int32_t v)
+{
+  const sg_dense *d = p->dense;
+  size_t next = p->next;
+
+  if (next < d->vertices && d->vertex_id[next] == v &&
+      d->segment[sg_dense_segment_of(d, d->vertex_begin, (uint32_t)next)] ==
+          s) {
+    return (int32_t)next;
+  }
+  return sg_dense_vertex(d, s, v);
+}
+
+static void
+read_screen(void *data, const row *r)
+{
+  placing *p = data;
+  int32_t at = place_of(p, integer(r, 0), integer(r, 1));
+
+  if (at >= 0) {
+    for (unsigned k = 0; k < 3; k++) {
+      p->screen->at[at][k] = number(r, k + 2);
+    }
+    p->screen->shown[at] = true;
+    p->next = (size_t)at + 1;
+    p->placed++;
+  }
 }
 
 bool
-sg_scene_input_read(sg_scene_input *in, const sg_version *version,
-                    const sg_chosen *chosen, const sg_poll *poll, bool *memory)
+sg_scene_screen_read(sg_scene_screen *screen, const sg_version *version,
+                     const sg_scene_model *model, const sg_poll *poll,
+                     bool *memory)
 {
-  reading r = {.in = in, .chosen = chosen, .poll = poll, .memory = true};
+  placing p = {.dense = &model->dense, .screen = screen};
+  size_t n = model->dense.vertices;
   bool done;
 
-  *in = (sg_scene_input){0};
-  done = read_all(&r, version);
-  *memory = r.memory;
+  screen->at = malloc((n + 1) * sizeof *screen->at);
+  screen->shown = calloc(n + 1, sizeof *screen->shown);
+  *memory = screen->at && screen->shown;
+  done = *memory && each_row(version, SG_SCREEN, poll, read_screen, &p, memory);
+  if (done && p.placed == n) {
+    free(screen->shown);
+    screen->shown = NULL;
+  }
   return done;
 }
 
 void
-sg_scene_input_clear(sg_scene_input *in)
+sg_scene_screen_clear(sg_scene_screen *screen)
 {
-  free(in->segment);
-  free(in->vertex);
-  free(in->triangle);
-  free(in->edge);
-  free(in->use);
-  free(in->cut);
-  *in = (sg_scene_input){0};
+  free(screen->at);
+  free(screen->shown);
+  *screen = (sg_scene_screen){0};
 }

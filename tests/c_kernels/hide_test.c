@@ -19,7 +19,7 @@ picture_open(picture *p, model *m, sg_which which)
 {
   bool memory;
 
-  p->scene = sg_scene_open(&m->in, NULL, &memory);
+  p->scene = model_scene(m, NULL);
   if (!p->scene || !sg_hide_init(&p->hide, p->scene, NULL, &memory) ||
       !sg_parts_of(&p->hide, which, 30.0, NULL, &p->part, &p->parts, &memory)) {
     abort();
@@ -130,8 +130,8 @@ det(const long double a[3], const long double b[3], const long double c[3])
 
 /* Does the ray from point p towards the eye meet the triangle? */
 static verdict
-ray_meets(const eye *e, const long double p[3], const sg_scene_vertex *a,
-          const sg_scene_vertex *b, const sg_scene_vertex *c)
+ray_meets(const eye *e, const long double p[3], const model_corner *a,
+          const model_corner *b, const model_corner *c)
 {
   const long double close = 1e-6L;
   long double u[3], w[3], r[3], q[3], d, x, y, t;
@@ -156,10 +156,10 @@ ray_meets(const eye *e, const long double p[3], const sg_scene_vertex *a,
                                                                   : UNSURE;
 }
 
-static const sg_scene_vertex *
+static const model_corner *
 vertex_of(const model *m, int32_t s, int32_t v)
 {
-  for (size_t i = 0; i < m->in.vertices; i++) {
+  for (size_t i = 0; i < m->vertices; i++) {
     if (m->vertex[i].s == s && m->vertex[i].v == v) {
       return &m->vertex[i];
     }
@@ -169,7 +169,7 @@ vertex_of(const model *m, int32_t s, int32_t v)
 
 /* True if the line runs between two corners of the triangle. */
 static bool
-is_side(const model *m, const sg_scene_triangle *t, const sg_scene_line *line)
+is_side(const model *m, const model_triangle *t, const sg_scene_line *line)
 {
   int ends = 0;
 
@@ -186,8 +186,8 @@ cast(const model *m, const eye *e, const sg_scene_line *line,
 {
   verdict all = CLEAR;
 
-  for (size_t i = 0; i < m->in.triangles && all != BLOCKED; i++) {
-    const sg_scene_triangle *t = &m->triangle[i];
+  for (size_t i = 0; i < m->triangles && all != BLOCKED; i++) {
+    const model_triangle *t = &m->triangle[i];
     verdict one = CLEAR;
     if (!is_side(m, t, line)) {
       one = ray_meets(e, p, vertex_of(m, t->s, t->v[0]),
@@ -203,7 +203,7 @@ static void
 point_at(const model *m, const eye *e, const sg_scene_line *line, double t,
          long double out[3])
 {
-  const sg_scene_vertex *a = &m->vertex[line->a], *b = &m->vertex[line->b];
+  const model_corner *a = &m->vertex[line->a], *b = &m->vertex[line->b];
   long double za = 0, zb = 0, u = t;
 
   for (int k = 0; k < 3 && e->central; k++) {
@@ -611,9 +611,9 @@ cuts(void)
     model_vertex(m, 0, s ? 1 : -1, 1);
     model_polygon(m, 3, (int32_t[]){1, 2, 3});
   }
-  m->cut[0] = (sg_scene_cut){1, 1, 2, 0, 0, 0};
-  m->cut[1] = (sg_scene_cut){2, 1, 2, 1, 1, 2};
-  m->in.cuts = 2;
+  m->cut[0] = (sg_scene_cut){0, 1, -1, -1};
+  m->cut[1] = (sg_scene_cut){3, 4, 0, 1};
+  m->cuts = 2;
   m->edge[1].real = false;
   model_project(m, 280, 20, 9, false);
   picture_open(&p, m, SG_LINES_FEATURE);
@@ -637,8 +637,8 @@ static bool
 finishes(model *m, int asks)
 {
   sg_poll poll = {stop_at_zero, &asks};
-  bool memory, done = false;
-  sg_scene *scene = sg_scene_open(&m->in, &poll, &memory);
+  bool memory = true, done = false;
+  sg_scene *scene = model_scene(m, &poll);
   sg_hide hide;
   sg_part *part = NULL;
   size_t n;

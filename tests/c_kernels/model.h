@@ -13,15 +13,33 @@
 
 enum { MODEL_MOST = 60000 };
 
+typedef struct model_corner {
+  int32_t s, v;
+  double model[3], screen[3];
+} model_corner;
+
+typedef struct model_triangle {
+  int32_t s, p, t;
+  int32_t v[3];
+} model_triangle;
+
+typedef struct model_side {
+  int32_t s, e, v1, v2;
+  bool real;
+  int32_t p; /* 0: of no polygon */
+} model_side;
+
+/* Segments 1, 2, ...; vertices begin with 1 in each, polygons, edges and
+ * triangles run through. */
 typedef struct model {
-  sg_scene_segment segment[64];
-  sg_scene_vertex vertex[MODEL_MOST];
-  sg_scene_triangle triangle[MODEL_MOST];
-  sg_scene_edge edge[MODEL_MOST];
-  sg_scene_use use[MODEL_MOST];
-  sg_scene_cut cut[MODEL_MOST];
-  sg_scene_input in;
-  int32_t s, v, p; /* the last ids given; e and t run through */
+  bool solid[64]; /* by segment */
+  model_corner vertex[MODEL_MOST];
+  model_triangle triangle[MODEL_MOST];
+  model_side edge[MODEL_MOST];
+  sg_scene_cut cut[MODEL_MOST]; /* of places: the order of model_vertex() */
+  size_t vertices, triangles, edges, cuts;
+  double depth;
+  int32_t s, v, p; /* the last ids given */
 } model;
 
 static inline model *
@@ -29,38 +47,29 @@ model_new(void)
 {
   model *m = calloc(1, sizeof *m);
 
-  m->in = (sg_scene_input){.segment = m->segment,
-                           .vertex = m->vertex,
-                           .triangle = m->triangle,
-                           .edge = m->edge,
-                           .use = m->use,
-                           .cut = m->cut,
-                           .depth = 1.0,
-                           .tolerance = 1e-9};
+  m->depth = 1.0;
   return m;
 }
 
 static inline void
 model_segment(model *m, bool solid)
 {
-  m->segment[m->in.segments++] = (sg_scene_segment){++m->s, 0, solid};
+  m->solid[++m->s] = solid;
   m->v = 0;
 }
 
 static inline int32_t
 model_vertex(model *m, double x, double y, double z)
 {
-  m->vertex[m->in.vertices++] =
-      (sg_scene_vertex){m->s, ++m->v, {x, y, z}, {0, 0, 0}};
+  m->vertex[m->vertices++] = (model_corner){m->s, ++m->v, {x, y, z}, {0, 0, 0}};
   return m->v;
 }
 
 static inline void
 model_edge(model *m, int32_t a, int32_t b)
 {
-  m->edge[m->in.edges] =
-      (sg_scene_edge){m->s, (int32_t)m->in.edges + 1, a, b, true};
-  m->in.edges++;
+  m->edge[m->edges] = (model_side){m->s, (int32_t)m->edges + 1, a, b, true, 0};
+  m->edges++;
 }
 
 /* A convex polygon. */
@@ -70,11 +79,11 @@ model_polygon(model *m, int n, const int32_t *v)
   m->p++;
   for (int i = 0; i < n; i++) {
     model_edge(m, v[i], v[(i + 1) % n]);
-    m->use[m->in.uses++] = (sg_scene_use){m->s, (int32_t)m->in.edges, m->p};
+    m->edge[m->edges - 1].p = m->p;
     if (i >= 2) {
-      m->triangle[m->in.triangles] = (sg_scene_triangle){
-          m->s, m->p, (int32_t)m->in.triangles + 1, {v[0], v[i - 1], v[i]}};
-      m->in.triangles++;
+      m->triangle[m->triangles] = (model_triangle){
+          m->s, m->p, (int32_t)m->triangles + 1, {v[0], v[i - 1], v[i]}};
+      m->triangles++;
     }
   }
 }
@@ -137,14 +146,136 @@ model_project(model *m, double theta, double phi, double rho, bool central)
   sg_eye eye;
 
   sg_eye_init(&eye, theta, phi, rho);
-  for (size_t i = 0; i < m->in.vertices; i++) {
+  for (size_t i = 0; i < m->vertices; i++) {
     sg_eye_point(&eye, m->vertex[i].model, m->vertex[i].screen);
     sg_range_add(&range, &eye, m->vertex[i].screen[2]);
   }
-  for (size_t i = 0; central && i < m->in.vertices; i++) {
+  for (size_t i = 0; central && i < m->vertices; i++) {
     sg_central_point(&eye, &range, m->vertex[i].screen);
   }
-  m->in.depth = central ? sg_central_depth(&range) : 1.0;
+  m->depth = central ? sg_central_depth(&range) : 1.0;
+}
+
+/* Where the things of each segment begin, from the segment of each. */
+static inline uint32_t *
+model_begins(const model *m, const int32_t *s, size_t size, size_t n)
+{
+  uint32_t *begin = calloc((size_t)m->s + 1, sizeof *begin);
+
+  for (size_t i = 0; i < n; i++) {
+    begin[*(const int32_t *)((const char *)s + i * size)]++;
+  }
+  for (int32_t i = 0; i < m->s; i++) {
+    begin[i + 1] += begin[i];
+  }
+  return begin;
+}
+
+static inline int32_t
+model_place(const sg_dense *d, int32_t s, int32_t v)
+{
+  return (int32_t)d->vertex_begin[s - 1] + v - 1;
+}
+
+static inline void
+model_dense_vertices(const model *m, sg_dense *d)
+{
+  d->vertex_id = malloc((m->vertices + 1) * sizeof *d->vertex_id);
+  d->at = malloc((m->vertices + 1) * sizeof *d->at);
+  d->vertex_begin =
+      model_begins(m, &m->vertex[0].s, sizeof m->vertex[0], m->vertices);
+  for (; d->vertices < m->vertices; d->vertices++) {
+    d->vertex_id[d->vertices] = m->vertex[d->vertices].v;
+    memcpy(d->at[d->vertices], m->vertex[d->vertices].model, sizeof d->at[0]);
+  }
+}
+
+/* Edges, and the lists of the polygons, which have them one after another. */
+static inline void
+model_dense_edges(const model *m, sg_dense *d)
+{
+  d->edge_id = malloc((m->edges + 1) * sizeof *d->edge_id);
+  d->from = malloc((m->edges + 1) * sizeof *d->from);
+  d->to = malloc((m->edges + 1) * sizeof *d->to);
+  d->real = malloc(m->edges + 1);
+  d->list = malloc((m->edges + 1) * sizeof *d->list);
+  d->list_begin = calloc((size_t)m->p + 2, sizeof *d->list_begin);
+  d->polygon_id = malloc(((size_t)m->p + 1) * sizeof *d->polygon_id);
+  d->edge_begin = model_begins(m, &m->edge[0].s, sizeof m->edge[0], m->edges);
+  for (; d->polygons < (size_t)m->p; d->polygons++) {
+    d->polygon_id[d->polygons] = (int32_t)d->polygons + 1;
+  }
+  for (size_t i = 0, listed = 0; i < m->edges; i++, d->edges++) {
+    const model_side *e = &m->edge[i];
+    d->edge_id[i] = e->e;
+    d->from[i] = model_place(d, e->s, e->v1);
+    d->to[i] = model_place(d, e->s, e->v2);
+    d->real[i] = e->real;
+    if (e->p) {
+      d->list[listed++] = (int32_t)i;
+      d->list_begin[e->p] = (uint32_t)listed;
+    }
+  }
+}
+
+static inline void
+model_dense_triangles(const model *m, sg_dense *d)
+{
+  d->triangle_id = malloc((m->triangles + 1) * sizeof *d->triangle_id);
+  d->polygon_of = malloc((m->triangles + 1) * sizeof *d->polygon_of);
+  d->corner = malloc((m->triangles + 1) * sizeof *d->corner);
+  d->triangle_begin =
+      model_begins(m, &m->triangle[0].s, sizeof m->triangle[0], m->triangles);
+  for (size_t i = 0; i < m->triangles; i++, d->triangles++) {
+    const model_triangle *t = &m->triangle[i];
+    d->triangle_id[i] = t->t;
+    d->polygon_of[i] = t->p - 1;
+    for (int k = 0; k < 3; k++) {
+      d->corner[i][k] = model_place(d, t->s, t->v[k]);
+    }
+  }
+}
+
+/* What no eye changes; null: stopped. */
+static inline sg_scene_model *
+model_scene_model(const model *m, const sg_poll *poll)
+{
+  sg_dense d = {.segments = (size_t)m->s};
+  bool *solid = malloc((size_t)m->s + 1);
+  bool memory;
+
+  d.segment = malloc(((size_t)m->s + 1) * sizeof *d.segment);
+  d.polygon_begin = calloc((size_t)m->s + 1, sizeof *d.polygon_begin);
+  for (int32_t s = 1; s <= m->s; s++) {
+    d.segment[s - 1] = s;
+    solid[s - 1] = m->solid[s];
+  }
+  model_dense_vertices(m, &d);
+  model_dense_edges(m, &d);
+  model_dense_triangles(m, &d);
+  return sg_scene_model_open(&d, solid, m->cut, m->cuts, poll, &memory);
+}
+
+/* What is seen of it as it is projected; null: stopped. */
+static inline sg_scene *
+model_scene(const model *m, const sg_poll *poll)
+{
+  sg_scene_model *seen = model_scene_model(m, poll);
+  double(*screen)[3] = malloc((m->vertices + 1) * sizeof *screen);
+  sg_scene_input in = {.model = seen,
+                       .screen = (const double(*)[3])screen,
+                       .depth = m->depth,
+                       .tolerance = 1e-9};
+  bool memory;
+  sg_scene *scene;
+
+  for (size_t i = 0; i < m->vertices; i++) {
+    memcpy(screen[i], m->vertex[i].screen, sizeof *screen);
+  }
+  scene = seen ? sg_scene_open(&in, poll, &memory) : NULL;
+  sg_scene_model_close(seen);
+  free(screen);
+  return scene;
 }
 
 #endif

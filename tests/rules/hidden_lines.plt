@@ -50,6 +50,34 @@ test(again) :-
     in_new_world(( box(1, p(0,0,0), p(1,1,1)), set_view(top), picture,
                    set_view(front), picture, parts(_, _, 4),
                    findall(x, screen(_,_,_,_,_), Xs), length(Xs, 8) )).
+% What is kept of a model is used for the rows it was made from only.
+test(changed_model, Ns == [4,5,4,8]) :-
+    in_new_world(( box(1, p(0,0,0), p(1,1,1)), set_view(front), picture,
+                   parts(_, _, N1),
+                   facts_transaction(curve(2, [p(2,0,0), p(3,0,0)])), picture,
+                   parts(_, _, N2), facts_undo, facts_undo, picture,
+                   parts(_, _, N3),
+                   facts_transaction(box(2, p(2,0,0), p(3,1,1))), picture,
+                   parts(_, _, N4) )),
+    Ns = [N1,N2,N3,N4].
+test(changed_edge, Ns == [4,3,4]) :-
+    in_new_world(( polyhedron(1, surface, [p(0,0,0),p(1,0,0),p(1,0,1),p(0,0,1)],
+                              [[1,2,3,4]]),
+                   set_view(front), picture, parts(_, _, N1),
+                   facts_transaction(( retract_fact(p(1,1,Es)),
+                                       retract_fact(e(1,2,V1,V2,1)),
+                                       assert_fact(e(1,2,V1,V2,0)),
+                                       assert_fact(p(1,1,Es)) )), picture,
+                   parts(_, _, N2), facts_undo, facts_undo, picture,
+                   parts(_, _, N3) )),
+    Ns = [N1,N2,N3].
+test(other_segments, Ns == [4,8,4]) :-
+    in_new_world(( box(1, p(0,0,0), p(1,1,1)), box(2, p(2,0,0), p(3,1,1)),
+                   set_view(front),
+                   forall(member(_, [1,2]), picture([segments([1])])),
+                   parts(_, _, N1), picture, parts(_, _, N2),
+                   picture([segments([2])]), parts(_, _, N3) )),
+    Ns = [N1,N2,N3].
 test(one_operation) :-
     in_new_world(( box(1, p(0,0,0), p(1,1,1)), picture, facts_undo,
                    parts(_, _, 0), \+ screen(_,_,_,_,_) )).

@@ -1,0 +1,71 @@
+/* scene_model.h -- what a scene knows of a model whatever the eye: its lines,
+ * one for the directed edges between two vertices, the polygons that use them
+ * and how they bend there, and which segments are solid.
+ *
+ * Layer: kernel. Made once and kept (scene_kept4pl.c); every picture takes its
+ * places and sides from the screen and the rest from here.
+ */
+#ifndef SG_SCENE_MODEL_H
+#define SG_SCENE_MODEL_H
+
+#include "dense.h"
+#include "poll.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* How the faces at an edge lie to the eye. A face is on the edge's left or
+ * right in the picture; seen edge-on it is on neither side. */
+typedef struct sg_look {
+  unsigned faces;         /* how often polygons use the edge, both ways */
+  unsigned towards, away; /* faces turned to the eye, turned from it */
+  unsigned left, right;   /* of the line from a to b */
+  double bend;            /* degrees from flat, the largest; 0 to 180 */
+  bool solid;             /* its segment is one, closed and not inside out */
+  bool cut;               /* it is (part of) a penetration line */
+} sg_look;
+
+/* One real edge, drawn for all its directed ones; or, with a negative id, a
+ * line that was added (scene.h). */
+typedef struct sg_scene_line {
+  int32_t s, e;  /* the smallest id of the real directed edges */
+  uint32_t a, b; /* its start and end: places in sg_scene.at */
+  sg_look look;
+} sg_scene_line;
+
+/* A polygon uses a line: from a to b (along 1) or from b to a (-1). */
+typedef struct sg_scene_use {
+  int32_t polygon; /* a place */
+  int32_t along;
+} sg_scene_use;
+
+typedef struct sg_scene_model {
+  sg_dense dense;
+  bool *solid; /* [segments] closed, and not inside out */
+  size_t lines;
+  sg_scene_line *line; /* sorted by (s, e); a and b are places of vertices;
+                          towards, away, left and right are not known */
+  uint32_t *use_begin; /* [lines + 1] */
+  sg_scene_use *use;   /* line by line, in the order of the polygons */
+} sg_scene_model;
+
+/* A penetration line runs from vertex a to b. Where it is the second copy of a
+ * line of another segment, a2 and b2 are that one's ends; else -1. Places. */
+typedef struct sg_scene_cut {
+  int32_t a, b;
+  int32_t a2, b2;
+} sg_scene_cut;
+
+/* The model of some segments; solid[]: which of them are of kind solid. Second
+ * copies of penetration lines and edges without a real one are left out.
+ *
+ * Returns: null: stopped by the poll, or no memory (then *memory is false).
+ * Owner:   takes the arrays of `dense` and `solid` over, in any case; the
+ *          model is the caller's, sg_scene_model_close(). */
+sg_scene_model *sg_scene_model_open(sg_dense *dense, bool *solid,
+                                    const sg_scene_cut *cut, size_t cuts,
+                                    const sg_poll *poll, bool *memory);
+void sg_scene_model_close(sg_scene_model *model);
+
+#endif

@@ -1,0 +1,154 @@
+/* scene_test.c -- what a scene takes from its model, and lines that are added
+ * to it.
+ */
+#include "../../c_kernels/parts.h"
+#include "../check.h"
+#include "model.h"
+
+/* The scene of a model with added lines, from its projection. */
+static sg_scene *
+scene_with(const sg_scene_model *seen, const model *m, const bool *shown,
+           const sg_scene_added *added, size_t addeds)
+{
+  double(*screen)[3] = malloc((m->vertices + 1) * sizeof *screen);
+  sg_scene_input in = {.model = seen,
+                       .screen = (const double(*)[3])screen,
+                       .shown = shown,
+                       .added = added,
+                       .addeds = addeds,
+                       .depth = m->depth,
+                       .tolerance = 1e-9};
+  bool memory;
+  sg_scene *scene;
+
+  for (size_t i = 0; i < m->vertices; i++) {
+    memcpy(screen[i], m->vertex[i].screen, sizeof *screen);
+  }
+  scene = sg_scene_open(&in, NULL, &memory);
+  free(screen);
+  return scene;
+}
+
+/* Whether all of a line is drawn visible. */
+static bool
+is_visible(const sg_scene *scene, int32_t s, int32_t e)
+{
+  size_t line = sg_scene_find(scene, s, e), n;
+  sg_part *part;
+  sg_hide hide;
+  bool memory, visible = false;
+
+  if (!sg_hide_init(&hide, scene, NULL, &memory) ||
+      !sg_parts_of(&hide, SG_LINES_ALL, 30.0, NULL, &part, &n, &memory)) {
+    abort();
+  }
+  for (size_t i = 0; i < n; i++) {
+    visible |= part[i].line == line && !part[i].hidden && part[i].from == 0.0 &&
+               part[i].to == 1.0;
+  }
+  free(part);
+  sg_hide_clear(&hide);
+  return visible;
+}
+
+/* A triangle seen from above, and lines below it. */
+static void
+added_lines(void)
+{
+  model *m = model_new();
+  sg_scene_added line[2] = {
+      {.s = 1, .e = -2, .screen = {{0.2, 0.2, 0.5}, {0.4, 0.2, 0.5}}},
+      {.s = 1, .e = -1, .screen = {{0.2, 0.3, 0.5}, {0.4, 0.3, 0.5}}}};
+  const int32_t triangle = 0;
+  sg_scene_model *seen;
+  sg_scene *scene;
+
+  model_segment(m, false);
+  model_vertex(m, 0, 0, 0);
+  model_vertex(m, 1, 0, 0);
+  model_vertex(m, 0, 1, 0);
+  model_polygon(m, 3, (int32_t[]){1, 2, 3});
+  model_project(m, 270, 0, 9, false);
+  seen = model_scene_model(m, NULL);
+  line[1].lies_on = &triangle;
+  line[1].triangles = 1;
+  scene = scene_with(seen, m, NULL, line, 2);
+  CHECK("added lines come first, by number",
+        scene->lines == 5 && scene->line[0].e == -2 && scene->line[1].e == -1 &&
+            scene->line[2].e > 0);
+  CHECK("a triangle hides it", !is_visible(scene, 1, -2));
+  CHECK("not one that it lies on", is_visible(scene, 1, -1));
+  CHECK("edges are as without", is_visible(scene, 1, 1));
+  sg_scene_close(scene);
+  sg_scene_model_close(seen);
+  free(m);
+}
+
+/* One model, two eyes, and a vertex that has no place in the picture. */
+static void
+views(void)
+{
+  model *m = model_new();
+  bool shown[8] = {false, true, true, true, true, true, true, true};
+  sg_scene_model *seen;
+  sg_scene *scene;
+  size_t masks;
+
+  model_box(m, 0, 0, 0, 1, 1, 1);
+  seen = model_scene_model(m, NULL);
+  CHECK("a box has 12 lines", seen->lines == 12 && seen->solid[0]);
+  model_project(m, 270, 90, 9, false);
+  scene = scene_with(seen, m, NULL, NULL, 0);
+  masks = scene->masks;
+  sg_scene_close(scene);
+  CHECK("seen squarely, one face hides", masks == 2);
+  model_project(m, 300, 60, 9, false);
+  scene = scene_with(seen, m, NULL, NULL, 0);
+  masks = scene->masks;
+  sg_scene_close(scene);
+  CHECK("three faces hide", masks == 6);
+  scene = scene_with(seen, m, shown, NULL, 0);
+  CHECK("no line to a vertex without a place", scene->lines == 9);
+  CHECK("and no triangle", scene->masks < 6);
+  sg_scene_close(scene);
+  sg_scene_model_close(seen);
+  free(m);
+}
+
+/* Nearest first, and in the order of the model where equally near. */
+static void
+order_of_masks(void)
+{
+  model *m = model_new();
+  bool sorted = true;
+  sg_scene *scene;
+
+  model_segment(m, false);
+  srand(1);
+  for (int i = 0; i < 500; i++) {
+    double x = rand() % 50 - 25, y = rand() % 50, z = (rand() % 41 - 20) / 8.0;
+    int32_t a = model_vertex(m, x, y, z);
+    int32_t b = model_vertex(m, x + 1, y, z + 0.5);
+    int32_t c = model_vertex(m, x, y + 1, z + 1);
+    model_polygon(m, 3, (int32_t[]){a, b, c});
+  }
+  model_project(m, 270, 0, 9, false);
+  scene = model_scene(m, NULL);
+  for (size_t i = 1; i < scene->masks; i++) {
+    const sg_scene_mask *x = &scene->mask[i - 1], *y = &scene->mask[i];
+    sorted &= x->low[2] < y->low[2] ||
+              (x->low[2] == y->low[2] && x->triangle < y->triangle);
+  }
+  CHECK("masks are sorted", sorted && scene->masks == 500);
+  sg_scene_close(scene);
+  free(m);
+}
+
+int
+main(void)
+{
+  added_lines();
+  views();
+  order_of_masks();
+  return check_report();
+}
