@@ -54,7 +54,7 @@ first_real(const sg_dense *d, const sg_edge_pairs *pairs,
 
   for (size_t i = group->begin; i < group->end; i++) {
     uint32_t e = sg_edge_group_edge(pairs, i);
-    if (d->real[e] && e < first) {
+    if (e < first && d->real[e]) {
       first = e;
     }
   }
