@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is written in place; origin/3 is short and goes the usual way. */
+/* What the kernel writes in place; origin/3 follows. */
 enum { V, E, P, PLANE, T, FROM_V, FROM_P, RELATIONS };
 
 static const sg_relation written[RELATIONS] = {
@@ -68,30 +68,17 @@ make_lists_ex(const sg_solid_rows *rows, sg_append *p)
 
 /* ---- origins ------------------------------------------------------------ */
 
-enum { CHUNK = 4096, ITEM_WORDS = 8 };
+enum { ITEM_WORDS = 8 };
 
+/* The rows of a page: origin(S, v(V), Origin). */
 typedef struct origins {
   size_t n;
-  int32_t s[CHUNK];
-  uint32_t word[CHUNK][ITEM_WORDS];
-  const uint32_t *item[CHUNK], *origin[CHUNK];
+  uint32_t word[SG_PAGE_ROWS][ITEM_WORDS];
+  const uint32_t *item[SG_PAGE_ROWS], *origin[SG_PAGE_ROWS];
 } origins;
 
-static int
-flush_origins_ex(sg_world *world, origins *o)
-{
-  const void *const column[] = {o->s, o->item, o->origin};
-  sg_fault fault = {0};
-  sg_status status = sg_world_add_many(world, SG_ORIGIN, o->n, column, &fault);
-
-  o->n = 0;
-  return PL_handle_signals() >= 0 && sg_raise_status(status, SG_ORIGIN, &fault);
-}
-
-/* origin(S, v(V), Origin). */
-static int
-add_origin_ex(sg_world *world, origins *o, int32_t s, int32_t v,
-              const uint32_t *origin)
+static void
+add_origin(origins *o, int32_t v, const uint32_t *origin)
 {
   sg_term_builder b;
 
@@ -100,29 +87,92 @@ add_origin_ex(sg_world *world, origins *o, int32_t s, int32_t v,
   const uint32_t *item = sg_term_words(&b); /* short: it cannot fail */
 
   memcpy(o->word[o->n], item, sg_term_length(item) * sizeof *item);
-  o->s[o->n] = s;
   o->item[o->n] = o->word[o->n];
   o->origin[o->n++] = origin;
   sg_term_close(&b);
-  return o->n < CHUNK || flush_origins_ex(world, o);
 }
 
+static const uint32_t *
+origin_of(const sg_solid_rows *rows, size_t i)
+{
+  const sg_solid *solid = rows->solid;
+
+  return solid->origin ? solid->origin[rows->vertex[i] - solid->plain] : NULL;
+}
+
+/* Page k of the sheet gets the origins of vertices *i and on. */
+static int
+fill_origins_ex(const sg_solid_rows *rows, int32_t s, sg_append *a, size_t k,
+                origins *o, size_t *i)
+{
+  const sg_sheet_page *page = &a->sheet.page[k];
+
+  for (o->n = 0; o->n < page->n; (*i)++) {
+    const uint32_t *origin = origin_of(rows, *i);
+
+    if (origin) {
+      page->column[0].i[o->n] = s;
+      add_origin(o, (int32_t)*i + 1, origin);
+    }
+  }
+  if (!sg_append_terms(a, k, 1, o->item) ||
+      !sg_append_terms(a, k, 2, o->origin)) {
+    return sg_no_memory();
+  }
+  return PL_handle_signals() >= 0;
+}
+
+/* The item is v(V). */
+static bool
+is_vertex(const uint32_t *item)
+{
+  return item[0] >= 3 * sizeof *item &&
+         item[1] == (SG_TERM_COMPOUND | 1U << 4) && item[2] == SG_SYMBOL_V;
+}
+
+/* Somebody may have said where a vertex came from that was not there. */
+static int
+no_origins_ex(sg_world *world, int32_t s)
+{
+  const sg_version *version = sg_world_version(world);
+  sg_walk walk;
+  int none = TRUE;
+
+  if (!sg_walk_open(&walk, version, SG_ORIGIN, 1, &(sg_value){.i = s})) {
+    none = sg_no_memory();
+  } else {
+    for (sg_row row; (row = sg_walk_next(&walk)) != SG_NO_ROW && none;) {
+      none = !is_vertex(sg_version_value(version, SG_ORIGIN, row, 1).term);
+    }
+    sg_walk_close(&walk);
+    none = none || sg_raise_status(SG_EXISTS, SG_ORIGIN, &(sg_fault){0});
+  }
+  sg_version_drop(version);
+  return none;
+}
+
+/* As no vertex of s had an origin, these are all. */
 static int
 add_origins_ex(sg_world *world, const sg_solid_rows *rows, int32_t s)
 {
-  const sg_solid *solid = rows->solid;
+  size_t n = 0, next = rows->plain;
   origins *o = malloc(sizeof *o);
-  int good = o != NULL || sg_no_memory();
+  sg_append a;
 
-  if (o) {
-    o->n = 0;
+  for (size_t i = rows->plain; i < rows->vertices; i++) {
+    n += origin_of(rows, i) != NULL;
   }
-  for (size_t i = rows->plain; i < rows->vertices && good; i++) {
-    const uint32_t *origin =
-        solid->origin ? solid->origin[rows->vertex[i] - solid->plain] : NULL;
-    good = !origin || add_origin_ex(world, o, s, (int32_t)i + 1, origin);
+  if (!o || !sg_append_open(&a, world, SG_ORIGIN, n)) {
+    free(o);
+    return sg_no_memory();
   }
-  good = good && flush_origins_ex(world, o);
+  int good = TRUE;
+
+  for (size_t k = 0; k < a.sheet.pages && good; k++) {
+    good = fill_origins_ex(rows, s, &a, k, o, &next);
+  }
+  good = good && (sg_append_commit(&a) || sg_no_memory());
+  sg_append_close(&a);
   free(o);
   return good;
 }
@@ -201,8 +251,8 @@ solid_write(term_t solid_term, term_t s_term)
       !sg_get_id_ex(s_term, &s) || !sg_claim_ex(world)) {
     return FALSE;
   }
-  int good =
-      sg_segment_is_empty_ex(world, s) && write_solid_ex(world, solid, s);
+  int good = sg_segment_is_empty_ex(world, s) && no_origins_ex(world, s) &&
+             write_solid_ex(world, solid, s);
   sg_world_release(world);
   return good;
 }

@@ -239,6 +239,24 @@ sg_append_lists(sg_append *a, size_t page, unsigned column,
 }
 
 bool
+sg_append_terms(sg_append *a, size_t page, unsigned column,
+                const uint32_t *const *term)
+{
+  const sg_sheet_page *of = &a->sheet.page[page];
+  bool good = true;
+
+  sg_world_enter(a->world);
+  for (size_t i = 0; good && i < of->n; i++) {
+    const uint32_t *copy =
+        sg_table_keep(table_of(a), SG_TERM, (sg_value){.term = term[i]});
+    good = copy != NULL;
+    of->column[column].list[i] = (int32_t *)copy;
+  }
+  sg_world_leave(a->world);
+  return good;
+}
+
+bool
 sg_append_commit(sg_append *a)
 {
   sg_sheet sheet = a->sheet;

@@ -170,6 +170,10 @@ bool sg_append_open(sg_append *append, sg_world *world, sg_relation relation,
  * column; their ids are still to be written. False: no memory. */
 bool sg_append_lists(sg_append *append, size_t page, unsigned column,
                      const int32_t *length);
+/* Gives the rows of a page of the sheet copies of term[i] in an SG_TERM column.
+ * False: no memory. */
+bool sg_append_terms(sg_append *append, size_t page, unsigned column,
+                     const uint32_t *const *term);
 /* Only the first n rows are wanted. */
 void sg_append_shorten(sg_append *append, size_t n);
 /* Shows the rows: a change like any other. False: no memory, nothing is

@@ -344,26 +344,69 @@ undo_limit(term_t steps)
 
 /* ---- stamps ------------------------------------------------------------ */
 
+static uint64_t
+stamp_of(const sg_version *version, int32_t s)
+{
+  static const sg_relation rows[] = {SG_V, SG_E, SG_P};
+  uint64_t last = 0;
+
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    uint64_t stamp = sg_version_stamp(version, rows[i], s);
+    last = stamp > last ? stamp : last;
+  }
+  return last;
+}
+
 /* segment_stamp(+S, -Stamp) is det. */
 static foreign_t
 segment_stamp(term_t s, term_t t)
 {
-  static const sg_relation rows[] = {SG_V, SG_E, SG_P};
   sg_world *world = sg_current_world_ex();
-  const sg_version *version;
-  uint64_t last = 0;
   int n;
 
   if (!world || !PL_get_integer_ex(s, &n)) {
     return FALSE;
   }
-  version = sg_world_version(world);
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    uint64_t stamp = sg_version_stamp(version, rows[i], n);
-    last = stamp > last ? stamp : last;
-  }
+  const sg_version *version = sg_world_version(world);
+  uint64_t stamp = stamp_of(version, n);
+
   sg_version_drop(version);
-  return PL_unify_uint64(t, last);
+  return PL_unify_uint64(t, stamp);
+}
+
+/* Each of a list, into `out`. */
+static int
+unify_stamps_ex(const sg_version *version, term_t list, term_t out)
+{
+  functor_t pair = PL_new_functor(PL_new_atom("-"), 2);
+  term_t rest = PL_copy_term_ref(list), tail = PL_copy_term_ref(out),
+         s = PL_new_term_ref(), head = PL_new_term_ref();
+  int n;
+
+  while (PL_get_list_ex(rest, s, rest)) {
+    if (!PL_get_integer_ex(s, &n) || !PL_unify_list(tail, head, tail) ||
+        !PL_unify_term(head, PL_FUNCTOR, pair, PL_INT, n, PL_INT64,
+                       (int64_t)stamp_of(version, n))) {
+      return FALSE;
+    }
+  }
+  return PL_get_nil_ex(rest) && PL_unify_nil(tail);
+}
+
+/* segment_stamps(+Ss, -Stamps) is det. */
+static foreign_t
+segment_stamps(term_t list, term_t out)
+{
+  sg_world *world = sg_current_world_ex();
+
+  if (!world) {
+    return FALSE;
+  }
+  const sg_version *version = sg_world_version(world);
+  int good = unify_stamps_ex(version, list, out);
+
+  sg_version_drop(version);
+  return good;
 }
 
 /* ---- installing -------------------------------------------------------- */
@@ -381,6 +424,7 @@ static const PL_extension predicates[] = {
     {"facts_redo", 0, redo, 0},
     {"facts_undo_limit", 1, undo_limit, 0},
     {"segment_stamp", 2, segment_stamp, 0},
+    {"segment_stamps", 2, segment_stamps, 0},
     {NULL, 0, NULL, 0},
 };
 

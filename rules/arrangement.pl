@@ -12,21 +12,27 @@
                 arrangement_polygon/5, arrangement_seal/1,
                 arrangement_components/2, arrangement_select/3,
                 arrangement_senses/4, pieces_kept/1, keep_pieces/1,
-                near_segments/3, segments_meeting_themselves/2,
+                near_segments_of/3, segments_meeting_themselves/2,
                 segments_tolerance/3
               ]).
 :- use_module(leaf, [were_cut/2]).
 :- use_module(penetration, [leaves_entered/4, touching/2]).
 :- use_module(stage, [stage/2]).
-:- use_module(store, [v/5, segment/3, facts_snapshot/1, segment_stamp/2]).
+:- use_module(store,
+              [ v/5, segment/3, segment_stamp/2, segment_stamps/2,
+                facts_snapshot/1
+              ]).
 % Loaded with this file, not by the first Boolean that calls them.
 :- use_module(library(assoc),
               [ assoc_to_keys/2, assoc_to_list/2, assoc_to_values/2,
-                empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4
+                empty_assoc/1, get_assoc/3, list_to_assoc/2,
+                ord_list_to_assoc/2, put_assoc/4
               ]).
 :- use_module(library(ordsets),
-              [ ord_memberchk/2, ord_subtract/3, ord_union/3 ]).
-:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
+              [ ord_intersection/3, ord_memberchk/2, ord_subtract/3,
+                ord_union/3
+              ]).
+:- use_module(library(pairs), [pairs_keys/2, pairs_keys_values/3]).
 :- autoload(library(apply),
             [ exclude/3, foldl/4, include/3, maplist/2, maplist/3, partition/4
             ]).
@@ -64,7 +70,7 @@ since a vertex that they share is shared by moving it.
 with_arrangement(Leaves0, Options, Goal) :-
     sort(Leaves0, Leaves),
     leaves_tolerance(Leaves, Options, Tolerance),
-    near_leaves(Leaves, Tolerance, Pairs, Near),
+    near_leaves(Leaves, Tolerance, Near),
     maplist(leaf_key(Tolerance, Near), Leaves, Keys),
     setup_call_cleanup(
         with_mutex(sg_pieces, held(Kept, Held)),
@@ -73,7 +79,7 @@ with_arrangement(Leaves0, Options, Goal) :-
           include_current(Current0, Stale, Current),
           counted(sg_pieces_made, Stale),
           counted(sg_pieces_found, Current),
-          fresh_pieces(Stale, Pairs, Near, Tolerance, Fresh, Clusters),
+          fresh_pieces(Stale, Near, Tolerance, Fresh, Clusters),
           setup_call_cleanup(
               true,
               ( keep(Leaves, Keys, Fresh, Clusters),
@@ -101,44 +107,17 @@ drop_fresh([]).
 
 /* - - - what is near what - - - */
 
-%   near_leaves(+Leaves, +Tolerance, -Pairs, -Near): the pairs of Leaves that
-%   may meet, and an assoc from each leaf to those near it, in order.
+%   near_leaves(+Leaves, +Tolerance, -Near): an assoc from each of Leaves to
+%   those near it, in order.
 
-near_leaves(Leaves, Tolerance, Pairs, Near) :-
-    findall(S-in, member(S, Leaves), Leaves1),
-    list_to_assoc(Leaves1, In),
-    findall(S1-S2,
-            ( near_segments(Tolerance, S1, S2),
-              get_assoc(S1, In, _),
-              get_assoc(S2, In, _)
-            ),
-            Pairs0),
-    sort(Pairs0, Pairs),
-    findall(Pair, ( member(A-B, Pairs), member(Pair, [A-B,B-A]) ), Both0),
-    sort(Both0, Both),
-    group_pairs_by_key(Both, Grouped),
-    with_alone(Leaves, Grouped, All),
-    list_to_assoc(All, Near).
-
-%   with_alone(+Leaves, +Grouped, -All): leaves that nothing is near are there
-%   too.
-
-with_alone([], [], []).
-with_alone([S|Ss], Grouped, [S-Others|All]) :-
-    (   Grouped = [S-Others0|Rest]
-    ->  Others = Others0
-    ;   Others = [],
-        Rest = Grouped
-    ),
-    with_alone(Ss, Rest, All).
+near_leaves(Leaves, Tolerance, Near) :-
+    near_segments_of(Tolerance, Leaves, Pairs),
+    ord_list_to_assoc(Pairs, Near).
 
 leaf_key(Tolerance, Near, S, key(Tolerance, Stamp, Stamps)) :-
     segment_stamp(S, Stamp),
     get_assoc(S, Near, Others),
-    maplist(stamped, Others, Stamps).
-
-stamped(S, S-Stamp) :-
-    segment_stamp(S, Stamp).
+    segment_stamps(Others, Stamps).
 
 /* - - - what is kept - - - */
 
@@ -270,24 +249,26 @@ cluster(S, Clusters, Cluster) :-
 
 /* - - - new pieces - - - */
 
-%   fresh_pieces(+Stale, +Pairs, +Near, +Tolerance, -Fresh, -Clusters): what is
-%   near stale leaves is cut with them, so that all lines that meet one of
-%   theirs are there. Clusters: those that were made to touch, as lists.
+%   fresh_pieces(+Stale, +Near, +Tolerance, -Fresh, -Clusters): what is near
+%   stale leaves is cut with them, so that all lines that meet one of theirs are
+%   there. Clusters: those that were made to touch, as lists.
 
-fresh_pieces([], _, _, _, [], []) :-
+fresh_pieces([], _, _, [], []) :-
     !.
-fresh_pieces(Stale, Pairs0, Near, Tolerance, Fresh, Clusters) :-
+fresh_pieces(Stale, Near, Tolerance, Fresh, Clusters) :-
     around(Stale, Near, Segments),
     findall(A-B,
-            ( member(A-B, Pairs0),
-              ord_memberchk(A, Segments),
-              ord_memberchk(B, Segments)
+            ( member(A, Segments),
+              get_assoc(A, Near, Others0),
+              ord_intersection(Others0, Segments, Others),
+              member(B, Others),
+              A < B
             ),
             Different),
     selves(Segments, Selves),
     ord_union(Different, Selves, Pairs),
-    maplist(segment_stamp, Segments, Stamps),
-    facts_snapshot(sg_arrangement:arranged(Pairs, Segments-Stamps, Stale,
+    segment_stamps(Segments, Stamps),
+    facts_snapshot(sg_arrangement:arranged(Pairs, Stamps, Stale,
                                            Tolerance, Arrangement, Changed)),
     findall(S-Arrangement, member(S, Stale), Fresh),
     clusters(Changed, Near, Clusters).
@@ -306,14 +287,16 @@ selves(Segments, Selves) :-
             ),
             Selves).
 
-arranged(Pairs, Segments, Wanted, Tolerance, Arrangement, Changed) :-
+arranged(Pairs, Stamps, Wanted, Tolerance, Arrangement, Changed) :-
     leaves_entered(Pairs, Wanted, Tolerance,
-                   sg_arrangement:in_pieces(Segments, Wanted, Tolerance,
+                   sg_arrangement:in_pieces(Stamps, Wanted, Tolerance,
                                             Arrangement, Changed)).
 
-in_pieces(Segments-Stamps, Wanted, Tolerance, Arrangement, Changed, Set,
-          Works) :-
-    changed(Segments, Stamps, Changed),
+in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed, Set, Works) :-
+    pairs_keys(Stamps0, Segments),
+    segment_stamps(Segments, Stamps),
+    ord_subtract(Stamps, Stamps0, ChangedStamps),
+    pairs_keys(ChangedStamps, Changed),
     stage(pieces, ( arrangement_open(Set, Segments, Wanted, Arrangement),
                     catch(filled(Arrangement, Works, Tolerance),
                           Error,
@@ -328,16 +311,6 @@ filled(Arrangement, Works, Tolerance) :-
 
 taken_in(Arrangement, Tolerance, work(S, P, Work)) :-
     arrangement_polygon(Arrangement, S, P, Work, Tolerance).
-
-%   changed(+Segments, +Stamps, -Changed): those that resolving has changed.
-
-changed([], [], []).
-changed([S|Ss], [Stamp|Stamps], Changed) :-
-    (   segment_stamp(S, Stamp)
-    ->  Changed = Changed1
-    ;   Changed = [S|Changed1]
-    ),
-    changed(Ss, Stamps, Changed1).
 
 %   clusters(+Changed, +Near, -Clusters): what is connected by being near.
 

@@ -19,16 +19,14 @@
 :- use_module(csg_matrix,
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module(csg_record,
-              [ up_to_date/2, record/2, drop_record/1, recorded/2,
-                segment_stamps/2
-              ]).
+              [up_to_date/2, record/2, drop_record/1, recorded/2]).
 :- use_module(csg_rows, [copy_segments/3, drop_boundary/1]).
 :- use_module(kernel, [segment_meets_itself/1, segments_tolerance/3]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ segment/3, retractall_facts/1, facts_transaction/1,
-                facts_snapshot/1
+              [ segment/3, segment_stamps/2, retractall_facts/1,
+                facts_transaction/1, facts_snapshot/1
               ]).
 :- use_module(triangulation, [complete_segments/1]).
 :- autoload(library(apply), [exclude/3, maplist/2]).

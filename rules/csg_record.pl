@@ -3,14 +3,12 @@
             recorded/2,                 % ?S, ?What
             up_to_date/2,               % +S, +From
             made_and_kept/2,            % +S, +What
-            drop_record/1,              % +S
-            segment_stamps/2            % +Ss, -Stamps
+            drop_record/1               % +S
           ]).
 :- use_module(store,
               [ segment/3, origin/3, segment_stamp/2, assert_fact/1,
                 retractall_facts/1
               ]).
-:- autoload(library(apply), [maplist/3]).
 /** <module> What rows were made from, remembered beside them.
 
     origin(S, node(S), evaluated(made(From, Stamp)))     a node
@@ -73,13 +71,3 @@ made_and_kept(S, What0) :-
 
 drop_record(S) :-
     retractall_facts(origin(S, node(S), _)).
-
-%!  segment_stamps(+Ss, -Stamps) is det.
-%
-%   Stamps is the list of S-Stamp for the segments Ss.
-
-segment_stamps(Ss, Stamps) :-
-    maplist(stamped, Ss, Stamps).
-
-stamped(S, S-Stamp) :-
-    segment_stamp(S, Stamp).

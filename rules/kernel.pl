@@ -24,6 +24,7 @@
             % tree4pl.c, near4pl.c
             tree_statistics/1,        % -Statistics
             near_segments/3,          % +Reach, -S1, -S2
+            near_segments_of/3,       % +Reach, +Ss, -Near
             self_meetings/2,          % +Most, -Segments
             segment_meets_itself/1,   % +S
             segments_meeting_themselves/2, % +Segments, -Which
@@ -624,6 +625,11 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   vertices) overlap or are not farther apart than Reach along each axis.
 %   Ascending, as they are at the first call. Found by a tree of boxes: the
 %   other pairs are not looked at.
+
+%!  near_segments_of(+Reach, +Ss:list, -Near:list) is det.
+%
+%   Near has S-Others for each of the segments Ss, each once, ascending: Others
+%   are those of Ss that near_segments/3 has with S, ascending.
 
 %!  solid_is_closed(+Solid) is semidet.
 %

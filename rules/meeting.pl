@@ -7,12 +7,11 @@
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_find/1, curve_candidate/3,
                 curve_enter/4, cut_seal/1, cut_polygons/2, cut_lines/2,
-                cut_vertices/2, near_segments/3
+                cut_vertices/2, near_segments_of/3
               ]).
 :- use_module(leaf, [origin_segment/2]).
 :- use_module(resolve, [resolve_contacts/2]).
 :- autoload(library(apply), [exclude/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(ordsets), [ord_union/3]).
 
@@ -41,17 +40,11 @@ pairs_contacts([], _, []) :-
 pairs_contacts([Pair], _, [Pair]) :-
     !.
 pairs_contacts(Pairs, Tolerance, Contacts) :-
-    findall(S-in, ( member(S1-S2, Pairs), member(S, [S1,S2]) ), Segments0),
-    sort(Segments0, Segments),
-    list_to_assoc(Segments, In),
-    findall(S1-S2,
-            ( near_segments(Tolerance, S1, S2),
-              get_assoc(S1, In, _),
-              get_assoc(S2, In, _)
-            ),
-            Near0),
-    sort(Near0, Near),
-    ord_union(Pairs, Near, Contacts).
+    findall(S, ( member(S1-S2, Pairs), member(S, [S1,S2]) ), Segments),
+    near_segments_of(Tolerance, Segments, Near),
+    findall(S1-S2, ( member(S1-Others, Near), member(S2, Others), S1 < S2 ),
+            NearPairs),
+    ord_union(Pairs, NearPairs, Contacts).
 
 %!  touching_pairs(+Pairs:list, -Contacts:list) is det.
 %

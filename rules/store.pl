@@ -41,6 +41,7 @@
             set_world/1,              % +World
             fresh_id/3,               % +Relation, +S, -Id
             segment_stamp/2,          % +S, -Stamp
+            segment_stamps/2,         % +Ss, -Stamps
             relation/3,               % ?Name, ?Arity, ?Doc
             relation_column/5,        % ?Relation, ?Position, ?Column, ?Type,
                                       % ?Refers
@@ -353,6 +354,11 @@ in_world(World, Goal) :-
 %   while it is the same, so are they, and undo brings the old one back. It
 %   means nothing in another world. 0: there never were any.
 
+%!  segment_stamps(+Ss:list, -Stamps:list) is det.
+%
+%   Stamps is the list of S-Stamp for the segments Ss, as segment_stamp/2 has
+%   them.
+
 /* ---- the schema -------------------------------------------------------- */
 
 %!  relation(?Name, ?Arity, ?Doc:string) is nondet.
@@ -469,6 +475,7 @@ sandbox:safe_primitive(sg_store:fact_row(_,_)).
 sandbox:safe_primitive(sg_store:row_value(_,_,_,_)).
 sandbox:safe_primitive(sg_store:current_world(_)).
 sandbox:safe_primitive(sg_store:segment_stamp(_,_)).
+sandbox:safe_primitive(sg_store:segment_stamps(_,_)).
 sandbox:safe_primitive(sg_store:relation(_,_,_)).
 sandbox:safe_primitive(sg_store:relation_column(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:relation_key(_,_)).

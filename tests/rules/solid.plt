@@ -192,6 +192,12 @@ test(nothing, Rows == []) :-
 test(has_rows, error(permission_error(write, segment, 1))) :-
     with_primitives([box(size(1,1,1))],
                     ( solid_take([1], Solid), solid_written(Solid, 1) )).
+test(has_origins, error(permission_error(assert, fact, origin/3))) :-
+    with_primitives([box(size(1,1,1))],
+                    ( assert_fact(origin(2, node(2), n)),
+                      assert_fact(origin(2, v(1), mine)),
+                      solid_take([1], Solid),
+                      solid_written(Solid, 2) )).
 test(has_no_rows_any_more, Rows1 == Rows2) :-
     with_primitives([box(size(1,1,1))],
                     ( solid_take([1], Solid),

@@ -134,6 +134,15 @@ test(reach_negative, error(domain_error(not_less_than_zero, -1))) :-
     in_new_world(near(-1, _)).
 test(bound, error(uninstantiation_error(1))) :-
     in_new_world(near_segments(0, 1, _)).
+test(near_of_some, Near == [1-[2],2-[1],3-[],9-[]]) :-
+    in_new_world(( boxes([0-0-0, 1-0-0, 9-0-0, 0-1-0]),
+                   near_segments_of(0, [3,9,1,2,1], Near) )).
+test(near_of_none, Near == []) :-
+    in_new_world(near_segments_of(0, [], Near)).
+test(near_of_negative, error(domain_error(not_less_than_zero, -1))) :-
+    in_new_world(near_segments_of(-1, [], _)).
+test(near_of_list, error(type_error(list, 1))) :-
+    in_new_world(near_segments_of(0, 1, _)).
 test(random, Wrong == []) :-
     set_random(seed(17)),
     findall(I, ( between(1, 20, I), \+ right_scene ), Wrong).
