@@ -24,32 +24,6 @@ sg_arrangement_leaf(const sg_arrangement *a, int32_t s)
 }
 
 uint32_t
-sg_arrangement_node(const sg_arranged *leaf, int32_t v)
-{
-  const sg_id_rows *table = &leaf->tree->vertex;
-
-  if (!table->id) {
-    size_t at = (size_t)((int64_t)v - table->first); /* below first: huge */
-
-    return at < table->places && table->row[at] != SG_NO_ID_ROW
-               ? leaf->node + (uint32_t)at
-               : SG_NO_KEY;
-  }
-  size_t low = 0, high = table->places;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (table->id[middle] < v) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < table->places && table->id[low] == v ? leaf->node + (uint32_t)low
-                                                    : SG_NO_KEY;
-}
-
-uint32_t
 sg_arrangement_new_node(sg_arrangement *a)
 {
   if (a->nodes == a->node_room) {
@@ -64,17 +38,6 @@ sg_arrangement_new_node(sg_arrangement *a)
   }
   a->parent[a->nodes] = (uint32_t)a->nodes;
   return (uint32_t)a->nodes++;
-}
-
-uint32_t
-sg_arrangement_root(sg_arrangement *a, uint32_t node)
-{
-  uint32_t *parent = a->parent;
-
-  while (parent[node] != node) {
-    node = parent[node] = parent[parent[node]];
-  }
-  return node;
 }
 
 /* The smaller node is the root, so nothing depends on the order of hanging. */

@@ -11,20 +11,6 @@
 
 enum { ASKED = 1 << 14 }; /* rows between questions */
 
-sg_leaf
-sg_arranged_row(const sg_arrangement *a, uint32_t row)
-{
-  const sg_view *t = &a->leaves.views->t;
-  size_t page = row / SG_PAGE_ROWS, at = row % SG_PAGE_ROWS;
-  sg_leaf leaf = {
-      t->column[2].page[page].i[at], t->column[1].page[page].i[at], {0}};
-
-  for (unsigned c = 0; c < 3; c++) {
-    leaf.v[c] = t->column[3 + c].page[page].i[at];
-  }
-  return leaf;
-}
-
 /* ---- which rows are there ---- */
 
 static int
@@ -198,15 +184,15 @@ join_by_key(sg_arrangement *a, sg_key_table *of_polygon, const uint32_t key[4],
  * of them. */
 static uint32_t
 polygon_node(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
-             const sg_leaf *t)
+             int32_t p, const int32_t v[3])
 {
-  uint32_t key[4] = {leaf, (uint32_t)t->p, 0, 0}, node = SG_NO_KEY;
+  uint32_t key[4] = {leaf, (uint32_t)p, 0, 0}, node = SG_NO_KEY;
 
   if (a->leaves.knots[leaf]->edges == 0) {
     return join_by_key(a, of_polygon, key, &node) ? node : SG_NO_KEY;
   }
   for (int c = 0; c < 3; c++) {
-    int32_t v1 = t->v[c], v2 = t->v[(c + 1) % 3];
+    int32_t v1 = v[c], v2 = v[(c + 1) % 3];
 
     key[2] = (uint32_t)(v1 < v2 ? v1 : v2);
     key[3] = (uint32_t)(v1 < v2 ? v2 : v1);
@@ -222,13 +208,15 @@ polygon_node(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
  * left of its polygon. Its node goes to *out; false: no memory. */
 static bool
 hang_triangle(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
-              const sg_leaf *t, uint32_t *out)
+              uint32_t row, uint32_t *out)
 {
   uint32_t first = SG_NO_KEY;
+  int32_t v[3], p = sg_arranged_polygon(a, row);
   int vertices = 0;
 
+  sg_arranged_corners(a, row, v);
   for (int c = 0; c < 3; c++) {
-    uint32_t node = sg_arrangement_node(&a->leaf[leaf], t->v[c]);
+    uint32_t node = sg_arrangement_node(&a->leaf[leaf], v[c]);
 
     if (node == SG_NO_KEY || a->touched[node]) {
       continue;
@@ -241,7 +229,7 @@ hang_triangle(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
     }
   }
   if (vertices < 3) {
-    uint32_t node = polygon_node(a, of_polygon, leaf, t);
+    uint32_t node = polygon_node(a, of_polygon, leaf, p, v);
 
     if (node == SG_NO_KEY) {
       return false;
@@ -261,6 +249,23 @@ hang_triangle(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
  * left is LATE. leaf->component is a node at first. */
 enum { LATE = SG_NO_KEY - 1 };
 
+/* The nodes of a triangle; false: not all of its vertices are free. */
+static bool
+free_nodes(const sg_arrangement *a, const sg_arranged *leaf, uint32_t row,
+           uint32_t node[3])
+{
+  int32_t v[3];
+
+  sg_arranged_corners(a, row, v);
+  for (int c = 0; c < 3; c++) {
+    node[c] = sg_arrangement_node(leaf, v[c]);
+    if (node[c] == SG_NO_KEY || a->touched[node[c]]) {
+      return false;
+    }
+  }
+  return true;
+}
+
 static void
 flood_free(void *data, size_t number)
 {
@@ -268,19 +273,18 @@ flood_free(void *data, size_t number)
   sg_arranged *leaf = &a->leaf[number];
 
   for (size_t i = 0; i < leaf->rows; i++) {
-    sg_leaf t = sg_arranged_row(a, leaf->row[i]);
-    uint32_t node[3];
-    bool is_free = !sg_id_set_has(&leaf->cut, t.p);
+    uint32_t row = leaf->row[i], node[3];
 
     if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
       return;
     }
-    for (int c = 0; c < 3 && is_free; c++) {
-      node[c] = sg_arrangement_node(leaf, t.v[c]);
-      is_free = node[c] != SG_NO_KEY && !a->touched[node[c]];
+    if (sg_id_set_has(&leaf->cut, sg_arranged_polygon(a, row)) ||
+        !free_nodes(a, leaf, row, node)) {
+      leaf->component[i] = LATE;
+      continue;
     }
-    leaf->component[i] = is_free ? node[0] : LATE;
-    for (int c = 1; c < 3 && is_free; c++) {
+    leaf->component[i] = node[0];
+    for (int c = 1; c < 3; c++) {
       if (a->parent[node[0]] != a->parent[node[c]]) {
         sg_arrangement_hang(a, node[0], node[c]);
       }
@@ -301,14 +305,16 @@ flood_late(sg_arrangement *a, uint32_t number, sg_key_table *of_polygon,
     if (leaf->component[i] != LATE) {
       continue;
     }
-    sg_leaf t = sg_arranged_row(a, leaf->row[i]);
+    uint32_t row = leaf->row[i];
+    int32_t p = sg_arranged_polygon(a, row);
 
-    if (sg_id_set_has(&leaf->cut, t.p)) {
+    if (sg_id_set_has(&leaf->cut, p)) {
       leaf->component[i] = SG_NO_KEY;
-      if (!keep_cut_row(a, number, t.p, leaf->row[i])) {
+      if (!keep_cut_row(a, number, p, row)) {
         return false;
       }
-    } else if (!hang_triangle(a, of_polygon, number, &t, &leaf->component[i])) {
+    } else if (!hang_triangle(a, of_polygon, number, row,
+                              &leaf->component[i])) {
       return false;
     }
   }
@@ -405,12 +411,28 @@ new_part(sg_arrangement *a)
   return true;
 }
 
-/* The component of a node, new if it has none: *of_root[root]. */
-static uint32_t
-part_of(sg_arrangement *a, uint32_t *of_root, uint32_t node)
+/* leaf->component becomes the root of what was its node. Leaves are tasks, as
+ * in flooding. */
+static void
+find_roots(void *data, size_t number)
 {
-  uint32_t root = sg_arrangement_root(a, node);
+  sg_arrangement *a = data;
+  sg_arranged *leaf = &a->leaf[number];
 
+  for (size_t i = 0; i < leaf->rows; i++) {
+    if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
+      return;
+    }
+    if (leaf->component[i] != SG_NO_KEY) {
+      leaf->component[i] = sg_arrangement_root(a, leaf->component[i]);
+    }
+  }
+}
+
+/* The component of a root, new if it has none: *of_root[root]. */
+static uint32_t
+part_of(sg_arrangement *a, uint32_t *of_root, uint32_t root)
+{
   if (of_root[root] == SG_NO_KEY) {
     of_root[root] = new_part(a) ? (uint32_t)(a->parts - 1) : SG_NO_KEY;
   }
@@ -462,7 +484,7 @@ find_cell_parts(sg_arrangement *a, uint32_t number, uint32_t *of_root)
 
   for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
     sg_cell *cell = &a->cell[i];
-    uint32_t c = part_of(a, of_root, cell->node);
+    uint32_t c = part_of(a, of_root, sg_arrangement_root(a, cell->node));
     sg_part piece = {.leaf = number, .cut = true, .of = i};
 
     if (c == SG_NO_KEY || !give_point(a, c, &piece)) {
@@ -474,10 +496,10 @@ find_cell_parts(sg_arrangement *a, uint32_t number, uint32_t *of_root)
 }
 
 bool
-sg_arrangement_find_parts(sg_arrangement *a, const sg_poll *poll)
+sg_arrangement_find_parts(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 {
   uint32_t *of_root = malloc((a->nodes + 1) * sizeof *of_root);
-  bool good = of_root != NULL;
+  bool good = of_root && sg_crew_run(crew, a->leaves.n, find_roots, a, poll);
 
   if (good) {
     memset(of_root, 0xff, (a->nodes + 1) * sizeof *of_root);

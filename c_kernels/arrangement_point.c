@@ -69,12 +69,13 @@ static bool
 leaf_corners(const sg_arrangement *a, uint32_t leaf, uint32_t row,
              sg_point corner[3], int normal[3])
 {
-  sg_leaf t = sg_arranged_row(a, row);
+  int32_t v[3];
 
+  sg_arranged_corners(a, row, v);
   for (int c = 0; c < 3; c++) {
     double at[3] = {0};
 
-    sg_leaf_vertex_at(a->leaf[leaf].tree, a->leaves.views, t.v[c], at);
+    sg_leaf_vertex_at(a->leaf[leaf].tree, a->leaves.views, v[c], at);
     sg_point_set(&corner[c], at);
   }
   for (int k = 0; k < 3; k++) {
@@ -96,7 +97,7 @@ row_point(const sg_arrangement *a, sg_part *part)
       part->tries >= WEIGHTS) {
     return true;
   }
-  part->p = sg_arranged_row(a, part->row).p;
+  part->p = sg_arranged_polygon(a, part->row);
   init3(q);
   weigh(corner, weight[part->tries++], q);
   good = sg_point_set_q(&part->at, q[0], q[1], q[2]);

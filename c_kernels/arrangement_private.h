@@ -91,13 +91,31 @@ struct sg_arrangement {
 uint32_t sg_arrangement_leaf(const sg_arrangement *a, int32_t s);
 
 /* The node of vertex v of a leaf; SG_NO_KEY: a cut made it. */
-uint32_t sg_arrangement_node(const sg_arranged *leaf, int32_t v);
+static inline uint32_t
+sg_arrangement_node(const sg_arranged *leaf, int32_t v)
+{
+  size_t place = sg_id_rows_place(&leaf->tree->vertex, v);
+
+  return place == SG_NO_ID_PLACE ? SG_NO_KEY : leaf->node + (uint32_t)place;
+}
 
 bool sg_arrangement_is_line(const sg_arrangement *a, uint32_t leaf, int32_t v1,
                             int32_t v2);
 
-/* What a row of t/6 says. */
-sg_leaf sg_arranged_row(const sg_arrangement *a, uint32_t row);
+/* What a row of t/6 says: the polygon, and the corners. */
+static inline int32_t
+sg_arranged_polygon(const sg_arrangement *a, uint32_t row)
+{
+  return sg_view_int(&a->leaves.views->t, 1, row);
+}
+
+static inline void
+sg_arranged_corners(const sg_arrangement *a, uint32_t row, int32_t v[3])
+{
+  for (unsigned c = 0; c < 3; c++) {
+    v[c] = sg_view_int(&a->leaves.views->t, 3 + c, row);
+  }
+}
 
 /* The corners of a cell's triangle: copies, to be cleared. */
 void sg_cell_corners(const sg_arrangement *a, const sg_cell *cell,
@@ -105,14 +123,24 @@ void sg_cell_corners(const sg_arrangement *a, const sg_cell *cell,
 
 /* A new node that hangs together with nothing; SG_NO_KEY: no memory. */
 uint32_t sg_arrangement_new_node(sg_arrangement *a);
-uint32_t sg_arrangement_root(sg_arrangement *a, uint32_t node);
+static inline uint32_t
+sg_arrangement_root(sg_arrangement *a, uint32_t node)
+{
+  uint32_t *parent = a->parent;
+
+  while (parent[node] != node) {
+    node = parent[node] = parent[parent[node]];
+  }
+  return node;
+}
 void sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other);
 
 /* Components from what hangs together (arrangement_part.c). */
 bool sg_arrangement_find_auxiliary(sg_arrangement *a, const sg_poll *poll);
 bool sg_arrangement_flood(sg_arrangement *a, sg_crew *crew,
                           const sg_poll *poll);
-bool sg_arrangement_find_parts(sg_arrangement *a, const sg_poll *poll);
+bool sg_arrangement_find_parts(sg_arrangement *a, sg_crew *crew,
+                               const sg_poll *poll);
 
 /* The sides of all components (arrangement_side.c). */
 bool sg_arrangement_find_sides(sg_arrangement *a, sg_crew *crew,

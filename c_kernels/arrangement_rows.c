@@ -40,17 +40,18 @@ choose_rows(sg_source *from)
 {
   const sg_arranged *leaf = from->leaf;
   bool sorted = true;
+  int32_t last = INT32_MIN;
 
   from->list = malloc((leaf->rows + 1) * sizeof *from->list);
   for (size_t i = 0; from->list && i < leaf->rows; i++) {
     uint32_t c = leaf->component[i];
 
     if (c != SG_NO_KEY && sg_sense_of(from, c) != 0) {
-      sg_chosen_row *one = &from->list[from->n++];
+      int32_t p = sg_arranged_polygon(from->a, leaf->row[i]);
 
-      *one = (sg_chosen_row){sg_arranged_row(from->a, leaf->row[i]).p,
-                             (uint32_t)i};
-      sorted = sorted && (from->n == 1 || one[-1].p <= one->p);
+      from->list[from->n++] = (sg_chosen_row){p, (uint32_t)i};
+      sorted = sorted && last <= p;
+      last = p;
     }
   }
   if (from->list && !sorted) {
@@ -98,17 +99,18 @@ look_at_rows(void *data, size_t task)
     from->failed = !from->fresh;
   }
   for (size_t i = 0; i < from->n && !from->failed; i++) {
-    sg_leaf t = sg_arranged_row(from->a, leaf->row[from->list[i].row]);
+    int32_t v[3];
 
     if (i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_crew_stopping()) {
       return;
     }
+    sg_arranged_corners(from->a, leaf->row[from->list[i].row], v);
     from->faces += i == 0 || from->list[i - 1].p != from->list[i].p;
     for (int c = 0; c < 3 && !from->failed; c++) {
-      uint32_t node = sg_arrangement_node(leaf, t.v[c]);
+      uint32_t node = sg_arrangement_node(leaf, v[c]);
 
       if (from->number[node - leaf->node] == SG_NO_KEY) {
-        from->failed = !note_vertex(from, node, t.v[c]);
+        from->failed = !note_vertex(from, node, v[c]);
       }
     }
   }
@@ -190,17 +192,18 @@ static void
 place_triangle(const sg_choice *k, sg_source *from, size_t i)
 {
   const sg_arranged *leaf = from->leaf;
-  sg_leaf t = sg_arranged_row(from->a, leaf->row[from->list[i].row]);
   bool reversed = sg_sense_of(from, leaf->component[from->list[i].row]) < 0;
   size_t at = from->first_triangle + i;
+  int32_t name[3];
   uint32_t v[3];
 
+  sg_arranged_corners(from->a, leaf->row[from->list[i].row], name);
   for (int c = 0; c < 3; c++) {
-    v[c] = from->number[sg_arrangement_node(leaf, t.v[c]) - leaf->node];
+    v[c] = from->number[sg_arrangement_node(leaf, name[c]) - leaf->node];
   }
   from->collapsed = from->collapsed || sg_is_collapsed(v);
-  sg_choice_set_triangle(k->out, at, v, auxiliary_of(from->a, from->place, t.v),
-                         reversed);
+  sg_choice_set_triangle(k->out, at, v,
+                         auxiliary_of(from->a, from->place, name), reversed);
 }
 
 /* Second task: vertices, triangles and faces in their places. */

@@ -161,13 +161,14 @@ count(rays *r, size_t i, uint32_t row)
 {
   sg_arrangement *a = r->a;
   const sg_point *at = &a->part[r->part[i]].at;
-  sg_leaf t = sg_arranged_row(a, row);
   sg_point corner[3];
+  int32_t v[3];
 
+  sg_arranged_corners(a, row, v);
   for (int k = 0; k < 3; k++) {
     double place[3] = {0};
 
-    sg_leaf_vertex_at(a->leaf[r->leaf].tree, a->leaves.views, t.v[k], place);
+    sg_leaf_vertex_at(a->leaf[r->leaf].tree, a->leaves.views, v[k], place);
     sg_point_set(&corner[k], place);
   }
   if (sg_is_on_triangle(&corner[0], &corner[1], &corner[2], at)) {
@@ -429,7 +430,7 @@ sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 {
   return sg_arrangement_find_auxiliary(a, poll) &&
          sg_arrangement_flood(a, crew, poll) &&
-         sg_arrangement_find_parts(a, poll) &&
+         sg_arrangement_find_parts(a, crew, poll) &&
          sg_arrangement_find_sides(a, crew, poll);
 }
 

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-enum { SPARSE = 64 }; /* more bits than this for an id are too many */
+enum { SPARSE = 256 }; /* more bits than this for an id are too many */
 
 bool
 sg_id_set_make(sg_id_set *set, const int32_t *id, size_t n)

@@ -258,10 +258,10 @@ sg_id_rows_bytes(const sg_id_rows *table)
          (sizeof *table->row + (table->id ? sizeof *table->id : 0));
 }
 
-uint32_t
+size_t
 sg_id_rows_search(const sg_id_rows *table, int32_t id)
 {
   size_t place = place_of(table->id, table->places, id);
 
-  return place < table->places ? table->row[place] : SG_NO_ID_ROW;
+  return place < table->places ? place : SG_NO_ID_PLACE;
 }

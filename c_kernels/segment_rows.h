@@ -44,20 +44,32 @@ bool sg_id_rows_make(const sg_view *view, const uint32_t *row, size_t n,
 void sg_id_rows_clear(sg_id_rows *table);
 size_t sg_id_rows_bytes(const sg_id_rows *table);
 
+#define SG_NO_ID_PLACE SIZE_MAX
+
 /* Where ids are sorted. */
-uint32_t sg_id_rows_search(const sg_id_rows *table, int32_t id);
+size_t sg_id_rows_search(const sg_id_rows *table, int32_t id);
+
+/* The place of an id, SG_NO_ID_PLACE: no row has it. */
+static inline size_t
+sg_id_rows_place(const sg_id_rows *table, int32_t id)
+{
+  size_t place = (size_t)((int64_t)id - table->first); /* below first: huge */
+
+  if (table->id) {
+    return sg_id_rows_search(table, id);
+  }
+  return place < table->places && table->row[place] != SG_NO_ID_ROW
+             ? place
+             : SG_NO_ID_PLACE;
+}
 
 /* The row of an id, SG_NO_ID_ROW: none. */
 static inline uint32_t
 sg_id_rows_find(const sg_id_rows *table, int32_t id)
 {
-  int64_t place = (int64_t)id - table->first;
+  size_t place = sg_id_rows_place(table, id);
 
-  if (table->id) {
-    return sg_id_rows_search(table, id);
-  }
-  return place >= 0 && (size_t)place < table->places ? table->row[place]
-                                                     : SG_NO_ID_ROW;
+  return place == SG_NO_ID_PLACE ? SG_NO_ID_ROW : table->row[place];
 }
 
 #endif
