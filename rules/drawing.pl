@@ -3,6 +3,8 @@
             write_drawing_stream/3,     % +Format, +Out, +Options
             drawing_format/2            % ?Format, ?Type
           ]).
+:- use_module(pdf, [write_pdf/3]).
+:- use_module(ps, [write_ps/4]).
 :- use_module(png, [write_png/2]).
 :- use_module(drawing_json, [write_json/3]).
 :- use_module(dxf, [write_dxf/3]).
@@ -25,6 +27,9 @@ bytes: no times, no names of users, no hash order.
 %   such files; Type is `text` or `binary`.
 
 drawing_format(svg, text).
+drawing_format(pdf, text).
+drawing_format(eps, text).
+drawing_format(ps, text).
 drawing_format(png, binary).
 drawing_format(json, text).
 drawing_format(dxf, text).
@@ -84,6 +89,12 @@ write_format(Format, Out, Options) :-
 
 write_inked(svg, Out, Inked, Options) :-
     write_svg(Out, Inked, Options).
+write_inked(pdf, Out, Inked, Options) :-
+    write_pdf(Out, Inked, Options).
+write_inked(eps, Out, Inked, Options) :-
+    write_ps(eps, Out, Inked, Options).
+write_inked(ps, Out, Inked, Options) :-
+    write_ps(ps, Out, Inked, Options).
 write_inked(json, Out, Inked, Options) :-
     write_json(Out, Inked, Options).
 write_inked(dxf, Out, Inked, Options) :-

@@ -82,9 +82,9 @@ verb_option(penetrate, option(json, '', flag, '',
     'print a summary as JSON')).
 
 verb_option(draw, option(output, o, each, 'FILE',
-    'where to (.svg .png .dxf .hpgl .json); may be repeated')).
-verb_option(draw, option(format, '', one_of([svg, png, dxf, hpgl, json]),
-    'FORMAT',
+    'where to (.svg .pdf .eps .ps .png .dxf .hpgl .json); may be repeated')).
+verb_option(draw, option(format, '',
+    one_of([svg, pdf, eps, ps, png, dxf, hpgl, json]), 'FORMAT',
     'the format for -o -')).
 verb_option(Verb, option(view, '', value, 'VIEW',
     'front, back, left, right, top, bottom, iso, or THETA,PHI[,RHO] in \c
