@@ -13,9 +13,21 @@
 enum {
   CHUNK = 12,     /* length, type and check sum round a chunk's data */
   HEADER = 13,    /* data bytes of IHDR */
-  INDEXED = 3,    /* colour type */
+  PHYSICAL = 9,   /* data bytes of pHYs */
+  TRUECOLOUR = 2, /* colour types */
+  INDEXED = 3,
   POLL_LINES = 64 /* lines packed between two polls */
 };
+
+/* What is written: dots as numbers in a palette, or, without one, as three
+ * bytes each. */
+typedef struct image {
+  int32_t width, height;
+  const uint8_t *dot;
+  size_t colours; /* of the palette; 0: none */
+  const sg_colour *palette;
+  uint32_t per_metre; /* dots; 0: not said */
+} image;
 
 /* Bytes being written; `n` counts them. */
 typedef struct buffer {
@@ -55,16 +67,29 @@ put_chunk(buffer *out, const char *type, const uint8_t *data, size_t n)
   put_number(out, crc32(0, out->byte + checked, (uInt)(n + 4)));
 }
 
-static unsigned
-bits_for(size_t colours)
+static unsigned /* bits of a sample: of a dot, if there is a palette */
+sample_bits(const image *in)
 {
+  size_t colours = in->colours;
+
+  if (colours == 0) {
+    return 8;
+  }
   return colours <= 2 ? 1 : colours <= 4 ? 2 : colours <= 16 ? 4 : 8;
 }
 
 static size_t
-line_bytes(const sg_raster *raster, unsigned bits)
+dot_bytes(const image *in) /* in memory */
 {
-  return 1 + ((size_t)raster->width * bits + 7) / 8;
+  return in->colours == 0 ? sizeof(sg_colour) : 1;
+}
+
+static size_t
+line_bytes(const image *in)
+{
+  size_t bits = sample_bits(in) * dot_bytes(in);
+
+  return 1 + ((size_t)in->width * bits + 7) / 8;
 }
 
 /* One line of dots, high bits first, after its filter byte 0. */
@@ -87,16 +112,26 @@ pack_line(const uint8_t *dot, int32_t width, unsigned bits, size_t colours,
   return SG_PNG_OK;
 }
 
-/* All lines through deflate, into `out`, which is large enough. */
 static sg_png_status
-pack(const sg_raster *raster, size_t colours, const sg_poll *poll,
-     z_stream *zip, uint8_t *line)
+pack_any_line(const image *in, int32_t y, uint8_t *line)
 {
-  unsigned bits = bits_for(colours);
+  size_t length = (size_t)in->width * dot_bytes(in);
+  const uint8_t *dot = in->dot + (size_t)y * length;
 
-  for (int32_t y = 0; y < raster->height; y++) {
-    const uint8_t *dot = raster->dot + (size_t)y * (size_t)raster->width;
-    sg_png_status status = pack_line(dot, raster->width, bits, colours, line);
+  if (in->colours > 0) {
+    return pack_line(dot, in->width, sample_bits(in), in->colours, line);
+  }
+  line[0] = 0;
+  memcpy(line + 1, dot, length);
+  return SG_PNG_OK;
+}
+
+/* All lines through deflate, into `zip`'s room, which is large enough. */
+static sg_png_status
+pack(const image *in, const sg_poll *poll, z_stream *zip, uint8_t *line)
+{
+  for (int32_t y = 0; y < in->height; y++) {
+    sg_png_status status = pack_any_line(in, y, line);
 
     if (status != SG_PNG_OK) {
       return status;
@@ -105,7 +140,7 @@ pack(const sg_raster *raster, size_t colours, const sg_poll *poll,
       return SG_PNG_STOPPED;
     }
     zip->next_in = line;
-    zip->avail_in = (uInt)line_bytes(raster, bits);
+    zip->avail_in = (uInt)line_bytes(in);
     if (deflate(zip, Z_NO_FLUSH) != Z_OK) {
       return SG_PNG_NO_MEMORY;
     }
@@ -114,19 +149,18 @@ pack(const sg_raster *raster, size_t colours, const sg_poll *poll,
   return deflate(zip, Z_FINISH) == Z_STREAM_END ? SG_PNG_OK : SG_PNG_NO_MEMORY;
 }
 
-/* Deflates the raster to out->byte + out->n; *n is the length. */
+/* Deflates the image to `room`; *n is how much there is, then the length. */
 static sg_png_status
-deflate_raster(const sg_raster *raster, size_t colours, const sg_poll *poll,
-               uint8_t *room, size_t *n)
+deflate_image(const image *in, const sg_poll *poll, uint8_t *room, size_t *n)
 {
   z_stream zip = {0};
-  uint8_t *line = malloc(line_bytes(raster, bits_for(colours)));
+  uint8_t *line = malloc(line_bytes(in));
   sg_png_status status = SG_PNG_NO_MEMORY;
 
   if (line && deflateInit(&zip, Z_BEST_COMPRESSION) == Z_OK) {
     zip.next_out = room;
     zip.avail_out = (uInt)*n;
-    status = pack(raster, colours, poll, &zip, line);
+    status = pack(in, poll, &zip, line);
     *n = zip.total_out;
     (void)deflateEnd(&zip);
   }
@@ -135,38 +169,54 @@ deflate_raster(const sg_raster *raster, size_t colours, const sg_poll *poll,
 }
 
 static void
-put_header(buffer *out, const sg_raster *raster, size_t colours)
+put_header(buffer *out, const image *in)
 {
   static const uint8_t signature[8] = {137, 80, 78, 71, 13, 10, 26, 10};
   uint8_t header[HEADER] = {0};
   buffer size = {header, 0};
 
   put_bytes(out, signature, sizeof signature);
-  put_number(&size, (size_t)raster->width);
-  put_number(&size, (size_t)raster->height);
-  header[8] = (uint8_t)bits_for(colours);
-  header[9] = INDEXED;
+  put_number(&size, (size_t)in->width);
+  put_number(&size, (size_t)in->height);
+  header[8] = (uint8_t)sample_bits(in);
+  header[9] = in->colours == 0 ? TRUECOLOUR : INDEXED;
   put_chunk(out, "IHDR", header, HEADER);
 }
 
-sg_png_status
-sg_png_write(const sg_raster *raster, size_t colours, const sg_colour *palette,
-             const sg_poll *poll, uint8_t **bytes, size_t *n)
+/* How many dots a metre has, which makes the picture as large as it is. */
+static void
+put_physical(buffer *out, uint32_t per_metre)
 {
-  size_t raw = line_bytes(raster, bits_for(colours)) * (size_t)raster->height;
+  uint8_t physical[PHYSICAL];
+  buffer size = {physical, 0};
+
+  put_number(&size, per_metre);
+  put_number(&size, per_metre);
+  physical[PHYSICAL - 1] = 1; /* the unit is the metre */
+  put_chunk(out, "pHYs", physical, PHYSICAL);
+}
+
+static sg_png_status
+write_image(const image *in, const sg_poll *poll, uint8_t **bytes, size_t *n)
+{
+  size_t raw = line_bytes(in) * (size_t)in->height;
   size_t packed = compressBound(raw) + 64;
-  size_t room = 8 + CHUNK + HEADER + CHUNK + 3 * colours + CHUNK + CHUNK;
+  size_t room = 8 + 5 * CHUNK + HEADER + PHYSICAL + 3 * in->colours;
   buffer out = {malloc(room + packed), 0};
   sg_png_status status;
 
-  assert(colours >= 1 && colours <= 256);
   *bytes = NULL;
   if (!out.byte) {
     return SG_PNG_NO_MEMORY;
   }
-  put_header(&out, raster, colours);
-  put_chunk(&out, "PLTE", (const uint8_t *)palette, 3 * colours);
-  status = deflate_raster(raster, colours, poll, out.byte + out.n + 8, &packed);
+  put_header(&out, in);
+  if (in->per_metre > 0) {
+    put_physical(&out, in->per_metre);
+  }
+  if (in->colours > 0) {
+    put_chunk(&out, "PLTE", (const uint8_t *)in->palette, 3 * in->colours);
+  }
+  status = deflate_image(in, poll, out.byte + out.n + 8, &packed);
   if (status != SG_PNG_OK) {
     free(out.byte);
     return status;
@@ -176,4 +226,24 @@ sg_png_write(const sg_raster *raster, size_t colours, const sg_colour *palette,
   *bytes = out.byte;
   *n = out.n;
   return SG_PNG_OK;
+}
+
+sg_png_status
+sg_png_write(const sg_raster *raster, size_t colours, const sg_colour *palette,
+             const sg_poll *poll, uint8_t **bytes, size_t *n)
+{
+  image in = {raster->width, raster->height, raster->dot, colours, palette, 0};
+
+  assert(colours >= 1 && colours <= 256);
+  return write_image(&in, poll, bytes, n);
+}
+
+sg_png_status
+sg_png_write_canvas(const sg_canvas *canvas, uint32_t per_metre,
+                    const sg_poll *poll, uint8_t **bytes, size_t *n)
+{
+  image in = {canvas->width, canvas->height, (const uint8_t *)canvas->dot, 0,
+              NULL,          per_metre};
+
+  return write_image(&in, poll, bytes, n);
 }

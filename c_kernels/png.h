@@ -1,4 +1,4 @@
-/* png.h -- a raster as a PNG file in memory: indexed colours, zlib.
+/* png.h -- a raster, or a canvas, as a PNG file in memory, by zlib.
  *
  * Layer: kernel. No time and no name in the file: same dots, same bytes.
  * Source: PNG specification (third edition), sections 5, 9 and 11.
@@ -6,10 +6,8 @@
 #ifndef SG_PNG_H
 #define SG_PNG_H
 
+#include "canvas.h"
 #include "raster.h"
-
-/* One colour: red, green, blue. */
-typedef uint8_t sg_colour[3];
 
 typedef enum sg_png_status {
   SG_PNG_OK,
@@ -24,5 +22,11 @@ typedef enum sg_png_status {
 sg_png_status sg_png_write(const sg_raster *raster, size_t colours,
                            const sg_colour *palette, const sg_poll *poll,
                            uint8_t **bytes, size_t *n);
+
+/* The same of a canvas: three bytes a dot. `per_metre` dots are a metre; 0:
+ * the file does not say how large it is. */
+sg_png_status sg_png_write_canvas(const sg_canvas *canvas, uint32_t per_metre,
+                                  const sg_poll *poll, uint8_t **bytes,
+                                  size_t *n);
 
 #endif

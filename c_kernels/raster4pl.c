@@ -3,10 +3,9 @@
  * Layer: glue: converts, checks, raises; computes nothing. A raster passes
  * through Prolog as a string with one code a dot, so nothing needs closing.
  */
+#include "raster4pl.h"
 #include "../engine/install.h"
 #include "../engine/world4pl.h"
-#include "glue.h"
-#include "png.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -139,17 +138,21 @@ get_size_ex(term_t width, term_t height, sg_raster *out)
       !sg_get_int32_ex(height, &out->height)) {
     return FALSE;
   }
-  if (!sg_raster_size_is_valid(out->width, out->height)) {
-    term_t size = PL_new_term_ref();
-
-    return PL_cons_functor(size, FUNCTOR_minus2, width, height) &&
-           PL_domain_error("raster_size", size);
-  }
-  return TRUE;
+  return sg_raster_size_is_valid(out->width, out->height) ||
+         sg_raster_size_error(width, height);
 }
 
-static int
-unify_bytes(term_t t, const uint8_t *bytes, size_t n)
+int
+sg_raster_size_error(term_t width, term_t height)
+{
+  term_t size = PL_new_term_ref();
+
+  return PL_cons_functor(size, FUNCTOR_minus2, width, height) &&
+         PL_domain_error("raster_size", size);
+}
+
+int
+sg_unify_bytes(term_t t, const uint8_t *bytes, size_t n)
 {
   return PL_unify_chars(t, PL_STRING | REP_ISO_LATIN_1, n, (const char *)bytes);
 }
@@ -168,14 +171,14 @@ raster_dots(term_t width, term_t height, term_t strokes, term_t dots)
     return sg_no_memory();
   }
   ok = draw_strokes_ex(&raster, strokes) &&
-       unify_bytes(dots, raster.dot,
-                   (size_t)raster.width * (size_t)raster.height);
+       sg_unify_bytes(dots, raster.dot,
+                      (size_t)raster.width * (size_t)raster.height);
   sg_raster_clear(&raster);
   return ok;
 }
 
-static int
-get_colour_ex(term_t rgb, sg_colour out)
+int
+sg_get_colour_ex(term_t rgb, sg_colour out)
 {
   term_t t = PL_new_term_ref();
 
@@ -205,7 +208,7 @@ get_palette_ex(term_t list, sg_colour palette[256], size_t *n)
     if (*n == 256) {
       return PL_domain_error("palette", list);
     }
-    if (!get_colour_ex(head, palette[*n])) {
+    if (!sg_get_colour_ex(head, palette[*n])) {
       return FALSE;
     }
   }
@@ -261,7 +264,7 @@ raster_png(term_t width, term_t height, term_t dots, term_t palette,
     return FALSE;
   }
 
-  int ok = unify_bytes(bytes, file, n);
+  int ok = sg_unify_bytes(bytes, file, n);
 
   free(file);
   return ok;

@@ -95,6 +95,9 @@
             cut_split_edges/3,        % +Set, +S, -Splits
             raster_dots/4,            % +Width, +Height, +Strokes, -Dots
             raster_png/5,             % +Width, +Height, +Dots, +Palette, -Bytes
+            % canvas4pl.c
+            canvas_png/6,             % +Width, +Height, +Scale, +Paper, +Lines,
+                                      % -Bytes
             % view4pl.c
             fill_screen/4,            % +Theta, +Phi, +Rho, +Kind
             view_range/5,             % +Theta, +Phi, -Near, -Far, -Reach
@@ -378,6 +381,19 @@ glue file.
 %   N-th colour of Palette, a list of rgb(Red,Green,Blue), counted from 0.
 %
 %   @error domain_error(palette, Palette): empty, too long, or too short
+
+/* - - - canvas4pl.c - - - */
+
+%!  canvas_png(+Width, +Height, +Scale, +Paper, +Lines, -Bytes) is det.
+%
+%   Bytes are a PNG file, Width x Height dots, three bytes each, of Lines with
+%   smooth edges on paper of the colour Paper, rgb(R,G,B). Each of Lines is
+%   line(RGB, LineWidth, Round, Points): Round is true if its ends are round;
+%   Points are X-Y, X to the right, Y DOWN. Lengths are in a unit that is Scale
+%   dots, and a thousandth of a millimetre; the file says so. Inexact.
+%
+%   @error domain_error(raster_size, Width-Height), domain_error(pen_width, W),
+%          domain_error(raster_coordinate, X): farther than 2^20 dots
 
 /* - - - view4pl.c - - - */
 

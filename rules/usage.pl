@@ -102,13 +102,18 @@ verb_option(Verb, option(segment, '', each, 'N',
     'only segment N; may be repeated')) :-
     picture_verb(Verb).
 verb_option(draw, option(size, '', value, 'WxH',
-    'size of the sheet in mm, of a .png in dots')).
+    'size of the sheet in mm')).
 
 verb_option(draw, option(style, '', value, 'FILE',
     'how lines look: a file of facts (docs/drawings.md)')).
 verb_option(draw, option(dashes, '', one_of([auto, geometry, type]), 'HOW',
     'dashes as suits the format (auto), as lines of their own (geometry, for \c
      cutters), or as line types of plotters (type)')).
+verb_option(draw, option(png, '', one_of([smooth, dots]), 'HOW',
+    'a .png with smooth lines, as is usual, or in dots, as on the screens of \c
+     1988; --size is then in dots')).
+verb_option(draw, option(dpi, '', number(1), 'N',
+    'dots to the inch of a smooth .png')).
 
 verb_option(draw, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
@@ -188,11 +193,13 @@ option_ko(projection, 'parallel(평행) 또는 central(중심)').
 option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임)').
 option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
 option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
-option_ko(size, '종이 크기 mm, .png는 점의 수').
+option_ko(size, '종이 크기 mm').
 option_ko(style, '선의 모양을 정하는 사실 파일 (docs/drawings.md)').
 option_ko(dashes,
     '점선: auto(형식에 맞게, 보통), geometry(한 선씩 따로, 절단기), \c
 type(플로터의 선 종류)').
+option_ko(png, '.png: smooth(매끈한 선, 보통), dots(1988년 화면의 점. --size는 점의 수)').
+option_ko(dpi, '매끈한 .png의 인치당 점의 수').
 option_ko(exact, '표의 좌표를 반올림하지 않은 분수로').
 option_ko(tolerance, 'T(모델 단위)보다 가까우면 닿은 것으로 본다. 0: 그대로').
 option_ko(repair,
@@ -230,7 +237,7 @@ example(draw, 'sanggwan draw facts/figures/fig13.pl -o fig13.svg').
 example(draw, 'sanggwan draw facts/figures/fig12.pl --segment 1 \c
 --view 300,60 -o cone.svg').
 example(draw, 'sanggwan draw part.stl --view iso --hidden removed \c
---size 640x400 -o part.png').
+--png dots --size 640x400 -o part.png').
 example(union, 'sanggwan union a.stl b.stl c.stl -o all.stl').
 example(union, 'sanggwan union facts/cube.pl facts/pipe_tee.pl').
 example(intersection, 'sanggwan intersection a.off b.off -o common.obj').

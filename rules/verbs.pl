@@ -373,6 +373,11 @@ drawing_option(Options, style(Rows)) :-
     style_rows(File, Rows).
 drawing_option(Options, dashes(How)) :-
     option(dashes(How), Options).
+drawing_option(Options, png(How)) :-
+    option(png(How), Options).
+drawing_option(Options, dots(Dots)) :-
+    option(dpi(DotsPerInch), Options),
+    Dots is DotsPerInch/25.4.
 drawing_option(Options, size(Size)) :-
     option(size(Size), Options),
     (   split_string(Size, "x", "", Parts),

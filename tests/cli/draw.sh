@@ -23,7 +23,7 @@ ink() {
     [ "$(wc -c <"$TMP/ink.png")" -gt 3000 ]
 }
 
-for format in svg png json dxf hpgl; do
+for format in svg pdf eps ps png json dxf hpgl; do
   check "$format" draw $figure -o "$TMP/a.$format"
   check "$format again" draw $figure -o "$TMP/b.$format"
   check "$format: same bytes" same "$TMP/a.$format" "$TMP/b.$format"
@@ -71,10 +71,16 @@ fi
 check "size" output 'width="100mm" height="70mm" viewBox="0 0 100 70"' \
   draw $figure --size 100x70 -o -
 check "size in dots" \
-  eval "draw $figure --size 123x45 -o '$TMP/s.png' &&
+  eval "draw $figure --png dots --size 123x45 -o '$TMP/s.png' &&
         python3 -c \"
 import struct
 print(struct.unpack('>II', open('$TMP/s.png', 'rb').read(24)[16:]) == (123, 45)
+      or 1 / 0)\""
+check "size in dots to the inch" \
+  eval "draw $figure --size 127x63.5 --dpi 20 -o '$TMP/s.png' &&
+        python3 -c \"
+import struct
+print(struct.unpack('>II', open('$TMP/s.png', 'rb').read(24)[16:]) == (100, 50)
       or 1 / 0)\""
 check "a size that is none" complains 2 'size' draw $figure --size 12 -o -
 check "too many dots" complains 2 '16384' \

@@ -188,22 +188,30 @@ test(json_empty, true(Lines == [])) :-
     get_dict(lines, Dict, Lines).
 test(png, true(Codes == [137,80,78,71,13,10,26,10,0,0,0,13])) :-
     square(Square),
-    in_picture(Square, png_codes([size(64-40)], All)),
+    in_picture(Square, dots_codes([size(64-40)], All)),
     length(Codes, 12),
     append(Codes, _, All),
     nth0(19, All, 64),
     nth0(23, All, 40).
-test(png_same_bytes, true(A == B)) :-
+test(png_same_bytes, [forall(member(How, [smooth,dots])), true(A == B)]) :-
     square(Square),
-    in_picture(Square, ( png_codes([], A), png_codes([], B) )).
-test(png_empty) :-
-    in_picture(picture([],[],[]), png_codes([], [_|_])).
+    in_picture(Square, ( png_codes([png(How)], A), png_codes([png(How)], B) )).
+test(png_empty, forall(member(How, [smooth,dots]))) :-
+    in_picture(picture([],[],[]), png_codes([png(How)], [_|_])).
+test(png_smooth_size, true(W-H == 210-74)) :-
+    square(Square),
+    in_picture(Square, png_codes([size(105-37),dots(2)], Codes)),
+    nth0(19, Codes, W),
+    nth0(23, Codes, H).
+test(bad_png, error(domain_error(png, rough))) :-
+    square(Square),
+    in_picture(Square, png_codes([png(rough)], _)).
 test(bad_pattern, [forall(member(P, [0, -1, a, [1], [1,0], []])),
                    error(domain_error(dot_pattern, P))]) :-
     square(Square),
-    in_picture(Square, png_codes([pattern(P)], _)).
+    in_picture(Square, dots_codes([pattern(P)], _)).
 test(png_too_large, error(domain_error(raster_size, _))) :-
-    in_picture(picture([],[],[]), png_codes([size(50000-50000)], _)).
+    in_picture(picture([],[],[]), dots_codes([size(50000-50000)], _)).
 
 % Code-Value of each group of a DXF file.
 dxf_groups(Options, Groups) :-
@@ -245,6 +253,9 @@ test(hpgl, true(Lines == [ "IN;", "PU;SP1;", "CO \"s1e1 visible outline\";",
     one_edge(-1.0-2.5, 7.0-2.5, Edge),
     in_picture(Edge, drawing(hpgl, [margin(10)], Text)),
     split_string(Text, "\n", "", Lines).
+
+dots_codes(Options, Codes) :-
+    png_codes([png(dots)|Options], Codes).
 
 png_codes(Options, Codes) :-
     setup_call_cleanup(
