@@ -8,7 +8,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { POLL_PIECES = 256 /* pieces drawn between two polls */ };
 
@@ -35,8 +34,8 @@ sg_canvas_open(sg_canvas *out, int32_t width, int32_t height,
     sg_canvas_clear(out);
     return false;
   }
-  for (size_t i = 0; i < n; i++) {
-    memcpy(out->dot[i], paper, sizeof *out->dot);
+  for (size_t i = 0; i < 3 * n; i++) {
+    out->dot[i / 3][i % 3] = paper[i % 3];
   }
   return true;
 }
