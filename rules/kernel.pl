@@ -111,6 +111,9 @@
                                       % -From2, -To2
             line_covers/4,            % +Scene, +S, +E, -Covers
             fill_drawn/3,             % +Scene, +Which, +Crease
+            % stroke4pl.c
+            stroke_looks/2,           % +Parts, -Looks
+            stroke_chains/3,          % +Parts, +Looks, -Strokes
             % exact4pl.c
             exact_fallbacks/1,        % -Count
             exact_statistics/1,       % -Statistics
@@ -471,6 +474,18 @@ glue file.
 %   (`all`, `feature`, `penetration`); Crease as in edge_role/5. The fused
 %   kernel
 %   of hidden_lines.pl.
+
+/* - - - stroke4pl.c - - - */
+
+%!  stroke_looks(+Parts:list, -Looks:list) is det.
+%
+%   Looks are the Visibility-Role that Parts (stroke.pl) have, each once.
+
+%!  stroke_chains(+Parts:list, +Looks:list, -Strokes:list) is det.
+%
+%   As strokes/2 of stroke.pl: the fused kernel. Looks are look(Visibility,Role,
+%   Rank), in standard order, all that Parts have; Rank is their place in
+%   painting.
 
 /* - - - exact4pl.c - - - */
 

@@ -1,9 +1,12 @@
 :- module(sg_stroke,
           [ strokes/2,                  % +Parts, -Strokes
+            strokes_by_rule/2,          % +Parts, -Strokes
             stroke_length/2             % +Stroke, -Length
           ]).
+:- use_module(kernel, [stroke_looks/2, stroke_chains/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/2, member/2, nth1/3]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- autoload(library(lists), [append/2, last/2, member/2, nth1/3]).
 :- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Strokes: drawn parts put end to end.
 
@@ -16,12 +19,14 @@ So parts of one visibility, role and segment that meet are chained.
         X-Y, integers; From and To say where on the edge, 0 to 1.
     stroke(Visibility, Role, S, Edges, Points, Start, End)
         a chain; the k-th of Edges goes from the k-th of Points to the next.
-        Start and End: `joint`, where an edge begins or ends; `cut`, where the
-        edge goes on, but no longer as this; `ring`, both, if it closes.
+        Start and End: `cut`, where the line goes on visible instead of hidden
+        or the other way; `ring`, both, if it closes; else `joint`.
 
 At each point the parts are joined in pairs, the straightest pair first. The
 pen follows a visible line round any corner; a hidden line ends at a corner,
-so that its dashes can meet there.
+so that its dashes can meet there. A line goes on as the same edge; or, where no
+other line of its visibility ends, as one that goes straight on: one of the same
+segment and role may bend as much as a hidden line, any other may not.
 */
 
 :- set_prolog_flag(optimise, true).
@@ -35,10 +40,24 @@ so that its dashes can meet there.
 %   line hides the dashes under it.
 
 strokes(Parts, Strokes) :-
+    stroke_looks(Parts, Looks0),
+    msort(Looks0, Looks1),
+    maplist(ranked_look, Looks1, Looks),
+    stroke_chains(Parts, Looks, Strokes).
+
+ranked_look(Visibility-Role, look(Visibility,Role,Rank)) :-
+    paint_rank(Visibility, Role, Rank).
+
+%!  strokes_by_rule(+Parts, -Strokes) is det.
+%
+%   The same: what strokes/2 means. The kernel stroke_chains/3 stands in for it.
+
+strokes_by_rule(Parts, Strokes) :-
     whole_parts(Parts, Whole),
     single_parts(Whole, Single),
+    part_leavings(Single, Leavings),
     painting_groups(Single, Groups),
-    maplist(group_strokes, Groups, Chains),
+    maplist(group_strokes(Leavings), Groups, Chains),
     append(Chains, Strokes).
 
 %   Neighbouring parts of one edge that look alike become one part.
@@ -103,11 +122,36 @@ paint_rank(Visibility, Role, Rank) :-
     !,
     Rank is Below+Place.
 
-group_strokes(g(_,Visibility,Role,S)-Keyed, Strokes) :-
+group_strokes(Leavings, g(_,Visibility,Role,S)-Keyed, Strokes) :-
     maplist(arg(3), Keyed, Parts),
     part_net(Parts, Visibility, Net),
     net_chains(Net, Chains),
-    maplist(chain_stroke(Visibility, Role, S), Chains, Strokes).
+    maplist(chain_stroke(Leavings, Visibility, Role, S), Chains, Strokes).
+
+/* - - - what leaves a point - - - */
+
+%   part_leavings(Parts, Leavings): for each point an end of a part, the
+%   leave(Visibility,Role,S,E,DX,DY) there, DX,DY its direction.
+
+part_leavings(Parts, Leavings) :-
+    foldl(leaving, Parts, Pairs0, []),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Leavings).
+
+leaving(part(Visibility,Role,S,E,_,_,A,B),
+        [ A-leave(Visibility,Role,S,E,DX,DY),
+          B-leave(Visibility,Role,S,E,BackX,BackY)|Pairs], Pairs) :-
+    direction(A, B, DX, DY),
+    BackX is -DX,
+    BackY is -DY.
+
+direction(XA-YA, XB-YB, DX, DY) :-
+    X is float(XB-XA),
+    Y is float(YB-YA),
+    Length is sqrt(X*X + Y*Y),
+    DX is X/Length,
+    DY is Y/Length.
 
 /* - - - chains - - -
 
@@ -132,13 +176,9 @@ part_net(Parts, Visibility, net(Array,Mates,Used)) :-
 
 part_ends([], _, []).
 part_ends([part(_,_,_,_,_,_,A,B)|Parts], I, [A-EndA,B-EndB|Ends]) :-
-    A = XA-YA,
-    B = XB-YB,
     Start is 2*I-1,
     End is 2*I,
-    Length is sqrt((XB-XA)**2 + (YB-YA)**2),
-    DX is (XB-XA)/Length,
-    DY is (YB-YA)/Length,
+    direction(A, B, DX, DY),
     BackX is -DX,
     BackY is -DY,
     EndA = end(Start,DX,DY),
@@ -146,10 +186,12 @@ part_ends([part(_,_,_,_,_,_,A,B)|Parts], I, [A-EndA,B-EndB|Ends]) :-
     I1 is I+1,
     part_ends(Parts, I1, Ends).
 
-%   The cosine of the sharpest turn that a pen follows.
+%   The cosine of the sharpest turn that a pen follows; and of one that is no
+%   turn.
 
 straightest(visible, -1.1).
 straightest(hidden, 0.766).             % 40 degrees
+straightest(other, 0.99985).            % 1 degree
 
 node_mated(Least, _-Ends, Mates, Mates) :-
     node_pairs(Ends, Pairs0),
@@ -261,43 +303,61 @@ chain(End, Net, Steps) :-
     ;   Steps = []
     ).
 
-chain_stroke(Visibility, Role, S, [Step|Steps],
+chain_stroke(Leavings, Visibility, Role, S, [Step|Steps],
              stroke(Visibility,Role,S,Edges,[Point|Points],Start,End)) :-
-    step_ends(Step, Point, _, Start0, _),
-    steps_line([Step|Steps], Edges, Points, LastPoint, End0),
-    (   Point == LastPoint
+    step_points(Step, Point, Second),
+    steps_line([Step|Steps], Edges, Points, Before-Last),
+    (   Point == Last
     ->  Start = ring,
         End = ring
-    ;   Start = Start0,
-        End = End0
+    ;   Edges = [E1|_],
+        last(Edges, E2),
+        Look = look(Visibility, Role, S),
+        end_kind(Leavings, Look, E1, Point, Second, Start),
+        end_kind(Leavings, Look, E2, Last, Before, End)
     ).
 
-steps_line([Step|Steps], [E|Edges], [B|Points], Last, End) :-
+steps_line([Step|Steps], [E|Edges], [B|Points], Last) :-
     step_edge(Step, E),
-    step_ends(Step, _, B, _, End0),
+    step_points(Step, A, B),
     (   Steps == []
-    ->  Last = B,
-        End = End0,
+    ->  Last = A-B,
         Edges = [],
         Points = []
-    ;   steps_line(Steps, Edges, Points, Last, End)
+    ;   steps_line(Steps, Edges, Points, Last)
     ).
 
 step_edge(forward(part(_,_,_,E,_,_,_,_)), E).
 step_edge(back(part(_,_,_,E,_,_,_,_)), E).
 
-step_ends(forward(part(_,_,_,_,From,To,A,B)), A, B, Start, End) :-
-    end_kind(From, 0.0, Start),
-    end_kind(To, 1.0, End).
-step_ends(back(part(_,_,_,_,From,To,A,B)), B, A, Start, End) :-
-    end_kind(To, 1.0, Start),
-    end_kind(From, 0.0, End).
+step_points(forward(part(_,_,_,_,_,_,A,B)), A, B).
+step_points(back(part(_,_,_,_,_,_,A,B)), B, A).
 
-end_kind(At, Limit, Kind) :-
-    (   At =:= Limit
-    ->  Kind = joint
-    ;   Kind = cut
+%   end_kind(Leavings, Look, E, Point, Next, Kind): of a stroke that comes from
+%   Next along edge E and ends at Point.
+
+end_kind(Leavings, Look, E, Point, Next, Kind) :-
+    get_assoc(Point, Leavings, Others),
+    (   goes_on(Look, E, Point, Next, Others)
+    ->  Kind = cut
+    ;   Kind = joint
     ).
+
+goes_on(look(Visibility,_,S), E, _, _, Others) :-
+    member(leave(Visibility2,_,S,E,_,_), Others),
+    Visibility2 \== Visibility,
+    !.
+goes_on(look(Visibility,Role,S), _, Point, Next, Others) :-
+    findall(x, member(leave(Visibility,_,_,_,_,_), Others), [x]),
+    direction(Point, Next, DX, DY),
+    member(leave(Visibility2,Role2,S2,_,DX2,DY2), Others),
+    Visibility2 \== Visibility,
+    Straight is -(DX*DX2 + DY*DY2),
+    (   Role2-S2 == Role-S
+    ->  straightest(hidden, Least)
+    ;   straightest(other, Least)
+    ),
+    Straight >= Least.
 
 %!  stroke_length(+Stroke, -Length) is det.
 %

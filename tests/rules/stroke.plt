@@ -5,6 +5,9 @@
 % A whole edge.
 line(Visibility, E, A, B, part(Visibility,outline,1,E,0.0,1.0,A,B)).
 
+stroke_ends(Strokes, Ends) :-
+    findall(Start-End, member(stroke(_,_,_,_,_,Start,End), Strokes), Ends).
+
 edges_of(Strokes, Edges) :-
     findall(Es, member(stroke(_,_,_,Es,_,_,_), Strokes), Edges).
 
@@ -19,6 +22,25 @@ random_parts(Seed, N, Parts) :-
               maplist(random_between(0, 4), [XA,YA,XB,YB])
             ),
             Parts).
+
+% N parts of a few edges, cut at tenths, on a grid so small that many meet in
+% a point: what the kernel and the rule must put in the same order.
+tangled_parts(Seed, N, Parts) :-
+    set_random(seed(Seed)),
+    random_member(Size, [1,2,4,9]),
+    findall(Part, ( between(1, N, _), tangled_part(Size, Part) ), Parts).
+
+tangled_part(Size, part(Visibility,Role,S,E,From,To,XA-YA,XB-YB)) :-
+    random_member(Visibility, [visible,hidden]),
+    random_member(Role, [outline,penetration,made_up,other]),
+    random_between(1, 3, S),
+    random_between(1, 9, E),
+    random_between(0, 9, From0),
+    random_between(From0, 9, To0),
+    From is From0/10.0,
+    To is (To0+1)/10.0,
+    Least is -Size,
+    maplist(random_between(Least, Size), [XA,YA,XB,YB]).
 
 % The straight pieces of strokes, as parts, in whatever direction.
 piece(Strokes, piece(Visibility,Role,S,E,Low,High)) :-
@@ -108,6 +130,39 @@ test(not_across_kinds, true(N == 4)) :-
               part(hidden,crease,2,4,0.0,1.0,12-0,15-0)
             ], Strokes),
     length(Strokes, N).
+test(goes_on_hidden, true(Ends == [cut-joint,joint-cut])) :-
+    line(visible, 1, 0-0, 5-0, P1),
+    line(hidden, 2, 5-0, 10-1, P2),
+    strokes([P1,P2], Strokes),
+    stroke_ends(Strokes, Ends).
+test(ends_at_corner, true(Ends == [joint-joint,joint-joint])) :-
+    line(visible, 1, 0-0, 5-0, P1),
+    line(hidden, 2, 5-0, 5-5, P2),
+    strokes([P1,P2], Strokes),
+    stroke_ends(Strokes, Ends).
+test(another_goes_straight_on, true(Ends == [cut-joint,joint-cut])) :-
+    strokes([ part(visible,outline,1,1,0.0,1.0,0-0,5-0),
+              part(hidden,crease,2,1,0.0,1.0,5-0,9-0) ], Strokes),
+    stroke_ends(Strokes, Ends).
+test(another_bends, true(Ends == [joint-joint,joint-joint])) :-
+    strokes([ part(visible,outline,1,1,0.0,1.0,0-0,5-0),
+              part(hidden,crease,2,1,0.0,1.0,5-0,9-1) ], Strokes),
+    stroke_ends(Strokes, Ends).
+test(dashes_meet, true(Ends == [joint-joint,joint-joint,joint-cut])) :-
+    line(visible, 1, 0-0, 5-0, P1),
+    line(hidden, 2, 5-0, 10-0, P2),
+    line(hidden, 3, 5-0, 5-5, P3),
+    strokes([P1,P2,P3], Strokes),
+    stroke_ends(Strokes, Ends).
+test(same_edge_goes_on, true(Ends == [cut-joint,joint-joint,joint-cut])) :-
+    line(hidden, 3, 5-0, 5-5, P3),
+    strokes([ part(visible,outline,1,1,0.0,0.5,0-0,5-0),
+              part(hidden,outline,1,1,0.5,1.0,5-0,10-0),
+              P3 ], Strokes),
+    stroke_ends(Strokes, Ends).
+test(hidden_by_a_line_alone, true(Ends == [joint-joint])) :-
+    strokes([part(hidden,outline,1,1,0.5,0.75,5-0,10-0)], Strokes),
+    stroke_ends(Strokes, Ends).
 test(cut_ends, true(Strokes ==
         [ stroke(hidden,outline,1,[1],[5-0,10-0],cut,joint),
           stroke(visible,outline,1,[1],[0-0,5-0],joint,cut) ])) :-
@@ -147,6 +202,34 @@ test(order_of_input, [ forall(between(1, 10, Seed)),
     strokes(Parts, Strokes),
     random_permutation(Parts, Shuffled),
     strokes(Shuffled, Again).
+test(kernel_is_rule, [forall(between(1, 300, Seed))]) :-
+    N is 1 + Seed mod 90,
+    tangled_parts(Seed, N, Parts),
+    strokes(Parts, Kernel),
+    strokes_by_rule(Parts, Rule),
+    assertion(Seed-Kernel == Seed-Rule).
+test(kernel_is_rule_at_an_apex) :-
+    findall(part(Visibility,outline,1,E,0.0,1.0,0-0,X-Y),
+            ( between(1, 61, E),
+              nth0(V, [visible,hidden], Visibility),
+              V =:= E mod 2,
+              Angle is E*E*pi/200,
+              X is round(1000*cos(Angle)),
+              Y is round(1000*sin(Angle)) ),
+            Parts),
+    strokes(Parts, Kernel),
+    strokes_by_rule(Parts, Rule),
+    assertion(Kernel == Rule).
+test(bad_parts, [forall(member(Parts-Error,
+                               [ x-type_error(list, x),
+                                 [x]-type_error(part, x),
+                                 [part(visible,outline,1,1,0.0,1.0,x,0-0)]
+                                 - type_error(pair, x),
+                                 [part(1,outline,1,1,0.0,1.0,0-0,1-0)]
+                                 - type_error(_, 1)
+                               ])),
+                 throws(error(Error, _))]) :-
+    strokes(Parts, _).
 test(length, true(Length =:= 9.0)) :-
     stroke_length(stroke(visible,outline,1,[1,2],[0-0,5-0,5-4],
                          joint,joint),
