@@ -66,13 +66,20 @@ typedef struct sg_leaves {
 sg_arrangement *sg_arrangement_open(const sg_leaves *leaves);
 void sg_arrangement_close(sg_arrangement *a);
 
-/* Takes in polygon p of segment s as it stands in `work`, which is used up;
- * before sealing. `reach`: how far apart may be what touches, for polygons that
- * can be triangulated only then (sg_work_resolve). SG_STUCK: it cannot be;
- * *edge (may be null) then is an edge, still living, that proves it. */
-sg_outcome sg_arrangement_polygon(sg_arrangement *a, int32_t s, int32_t p,
-                                  sg_work *work, double reach, int32_t *edge,
-                                  const sg_poll *poll);
+/* A polygon that lines have entered, as it stands in its scratch relation. */
+typedef struct sg_entered {
+  int32_t s, p;
+  sg_work *work;
+} sg_entered;
+
+/* Takes in n polygons, whose works are used up; before sealing. `reach`: how
+ * far apart may be what touches, for polygons that can be triangulated only
+ * then (sg_work_resolve). SG_STUCK: polygon *stuck cannot be, and *edge is an
+ * edge, still living, that proves it. */
+sg_outcome sg_arrangement_polygons(sg_arrangement *a, const sg_entered *polygon,
+                                   size_t n, double reach, sg_crew *crew,
+                                   const sg_poll *poll, size_t *stuck,
+                                   int32_t *edge);
 
 /* Finds the components, and their sides. False: no memory, or stopped. */
 bool sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll);

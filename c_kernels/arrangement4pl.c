@@ -16,7 +16,7 @@
 #include <string.h>
 
 static functor_t functor_component6, functor_side3, functor_point3,
-    functor_minus2;
+    functor_minus2, functor_work3;
 static atom_t atom_only, atom_second, atom_unknown, atom_surface;
 
 /* ---- the handle ---- */
@@ -244,32 +244,81 @@ raise_stuck(int32_t s, int32_t p, const sg_work *work, int32_t e)
          PL_raise_exception(t);
 }
 
-/* arrangement_polygon(+Arrangement, +S, +P, +Work, +Reach) is det. */
-static foreign_t
-arrangement_polygon(term_t t, term_t s, term_t p, term_t w, term_t r)
+/* Reads [work(S, P, Work), ...]. Owner: the caller, also of a part. */
+static int
+get_entered_ex(term_t list, sg_entered **out, size_t *n)
 {
-  sg_arrangement_handle *h;
-  int32_t segment, polygon, edge;
-  sg_work *work;
-  double reach;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  term_t arg = PL_new_term_ref();
+  size_t length;
 
-  if (!get_handle_ex(t, &h) || !sg_get_id_ex(s, &segment) ||
-      !sg_get_id_ex(p, &polygon) || !sg_get_work_ex(w, &work) ||
-      !sg_get_finite_ex(r, &reach)) {
-    return FALSE;
+  if (PL_skip_list(list, 0, &length) != PL_LIST) {
+    return PL_type_error("list", list);
   }
-  switch (sg_arrangement_polygon(h->arrangement, segment, polygon, work, reach,
-                                 &edge, &sg_prolog_poll)) {
+  if (!(*out = calloc(length + 1, sizeof **out))) {
+    return sg_no_memory();
+  }
+  for (*n = 0; *n < length; ++*n) {
+    sg_entered *one = &(*out)[*n];
+
+    if (!PL_get_list_ex(tail, head, tail)) {
+      return FALSE;
+    }
+    if (!PL_is_functor(head, functor_work3)) {
+      return PL_type_error("work", head);
+    }
+    if (!PL_get_arg(1, head, arg) || !sg_get_id_ex(arg, &one->s) ||
+        !PL_get_arg(2, head, arg) || !sg_get_id_ex(arg, &one->p) ||
+        !PL_get_arg(3, head, arg) || !sg_get_work_ex(arg, &one->work)) {
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+static int
+take_in_ex(sg_arrangement *a, const sg_entered *polygon, size_t n, double reach)
+{
+  sg_crew *crew = sg_crew_open(0);
+  size_t stuck = 0;
+  int32_t edge = 0;
+  sg_outcome outcome =
+      crew ? sg_arrangement_polygons(a, polygon, n, reach, crew,
+                                     &sg_prolog_poll, &stuck, &edge)
+           : SG_NO_SPACE;
+
+  sg_crew_close(crew);
+  switch (outcome) {
   case SG_DONE:
     return TRUE;
   case SG_STUCK:
-    return raise_stuck(segment, polygon, work, edge);
+    return raise_stuck(polygon[stuck].s, polygon[stuck].p, polygon[stuck].work,
+                       edge);
   case SG_STOPPED:
     return FALSE;
   case SG_NO_SPACE:
     break;
   }
   return sg_no_memory();
+}
+
+/* arrangement_polygons(+Arrangement, +Works, +Reach) is det. */
+static foreign_t
+arrangement_polygons(term_t t, term_t works, term_t r)
+{
+  sg_arrangement_handle *h;
+  sg_entered *polygon = NULL;
+  double reach;
+  size_t n = 0;
+
+  if (!get_handle_ex(t, &h) || !sg_get_finite_ex(r, &reach)) {
+    return FALSE;
+  }
+  int good = get_entered_ex(works, &polygon, &n) &&
+             take_in_ex(h->arrangement, polygon, n, reach);
+
+  free(polygon);
+  return good;
 }
 
 static foreign_t
@@ -509,7 +558,7 @@ static const PL_extension predicates[] = {
     {"arrangement_open", 4, arrangement_open, 0},
     {"arrangement_hold", 1, arrangement_hold, 0},
     {"arrangement_drop", 1, arrangement_drop, 0},
-    {"arrangement_polygon", 5, arrangement_polygon, 0},
+    {"arrangement_polygons", 3, arrangement_polygons, 0},
     {"arrangement_seal", 1, arrangement_seal, 0},
     {"arrangement_components", 2, arrangement_components, 0},
     {"arrangement_select", 3, arrangement_select, 0},
@@ -523,6 +572,7 @@ sg_install_arrangement(void)
   functor_side3 = PL_new_functor(PL_new_atom("side"), 3);
   functor_point3 = PL_new_functor(PL_new_atom("point"), 3);
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
+  functor_work3 = PL_new_functor(PL_new_atom("work"), 3);
   atom_surface = PL_new_atom("surface");
   atom_only = PL_new_atom("only");
   atom_second = PL_new_atom("second");

@@ -1,20 +1,38 @@
 /* arrangement_cell.c -- the cells of polygons that are cut: see arrangement.h.
  *
- * Layer: kernel.
+ * Layer: kernel. Each polygon is a task, which only reads the arrangement; then
+ * its cells are put there, in the order of polygons.
  */
 #include "arrangement_private.h"
 
 #include "delaunay.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { FEW = 12 }; /* triangles of most polygons that are cut */
 
-/* A polygon that is being taken in. */
-typedef struct taking {
+/* What a polygon became. */
+typedef struct divided {
+  sg_outcome outcome;
+  int32_t stuck;
+  sg_cell_triangle *triangle; /* [triangles]: cell by cell */
+  size_t triangles;
+  uint32_t *end; /* [cells]: behind the triangles of a cell */
+  size_t cells;
+} divided;
+
+typedef struct dividing {
   sg_arrangement *a;
+  const sg_entered *polygon; /* [n] */
+  double reach;
+  divided *out; /* [n] */
+} dividing;
+
+/* A polygon that is being divided. */
+typedef struct taking {
+  const sg_arrangement *a;
   uint32_t leaf;
-  int32_t p;
   sg_work *work;
   sg_work_edge *edge; /* [edges]: as they were */
   size_t edges;
@@ -100,9 +118,7 @@ triangulate(taking *k, double reach, int32_t *edge, const sg_poll *poll)
     }
     outcome = sg_work_triangulate(k->work, &k->found, &stuck, poll);
   }
-  if (edge) {
-    *edge = stuck;
-  }
+  *edge = stuck;
   return outcome;
 }
 
@@ -281,6 +297,82 @@ join_cells(taking *k)
   return true;
 }
 
+static void
+add_triangle(const taking *k, const sg_triangle *found, divided *to)
+{
+  sg_cell_triangle *out = &to->triangle[to->triangles++];
+
+  *out = (sg_cell_triangle){0};
+  for (int c = 0; c < 3; c++) {
+    out->v[c] = sg_work_id(k->work, found->v[c]);
+  }
+  for (int c = 0; c < 3; c++) {
+    uint32_t key[2] = {(uint32_t)out->v[c], (uint32_t)out->v[(c + 1) % 3]};
+
+    if (sg_key_table_get(&k->auxiliary, key) != SG_NO_KEY) {
+      out->auxiliary |= (uint8_t)(1 << c);
+    }
+    border_key(out->v[c], out->v[(c + 1) % 3], key);
+    if (sg_key_table_get(&k->border, key) == SG_NO_KEY) {
+      out->chord |= (uint8_t)(1 << c);
+    }
+  }
+}
+
+/* The cells in the order of their first triangles. */
+static bool
+list_cells(const taking *k, divided *out)
+{
+  out->triangle = malloc((k->found.n + 1) * sizeof *out->triangle);
+  out->end = malloc((k->found.n + 1) * sizeof *out->end);
+  for (uint32_t i = 0; out->triangle && out->end && i < k->found.n; i++) {
+    if (k->cell[i] != i) {
+      continue;
+    }
+    for (uint32_t j = i; j < k->found.n; j++) {
+      if (cell_root(k->cell, j) == i) {
+        add_triangle(k, &k->found.item[j], out);
+      }
+    }
+    out->end[out->cells++] = (uint32_t)out->triangles;
+  }
+  return out->triangle && out->end;
+}
+
+static bool
+stopping(void *data)
+{
+  (void)data;
+  return sg_crew_stopping();
+}
+
+static void
+divide(void *data, size_t task)
+{
+  const sg_poll poll = {stopping, NULL};
+  dividing *d = data;
+  const sg_entered *polygon = &d->polygon[task];
+  divided *out = &d->out[task];
+  taking k = {.a = d->a,
+              .leaf = sg_arrangement_leaf(d->a, polygon->s),
+              .work = polygon->work};
+  uint32_t key[2] = {k.leaf, (uint32_t)polygon->p};
+  uint32_t last = sg_key_table_get(&d->a->has_triangles, key);
+
+  if (k.leaf == SG_NO_KEY || !d->a->leaf[k.leaf].wanted || last == SG_NO_KEY) {
+    return;
+  }
+  out->outcome = copy_edges(&k) ? triangulate(&k, d->reach, &out->stuck, &poll)
+                                : SG_NO_SPACE;
+  if (out->outcome == SG_DONE &&
+      (!insert_inside(&k, last) || !join_cells(&k) || !list_cells(&k, out))) {
+    out->outcome = SG_NO_SPACE;
+  }
+  taking_clear(&k);
+}
+
+/* ---- putting them into the arrangement ---- */
+
 static bool
 room_for(sg_arrangement *a, size_t cells, size_t triangles)
 {
@@ -307,82 +399,68 @@ room_for(sg_arrangement *a, size_t cells, size_t triangles)
   return true;
 }
 
-static void
-add_triangle(taking *k, const sg_triangle *found)
-{
-  sg_cell_triangle *out = &k->a->triangle[k->a->triangles++];
-
-  out->auxiliary = out->chord = 0;
-  for (int c = 0; c < 3; c++) {
-    out->v[c] = sg_work_id(k->work, found->v[c]);
-  }
-  for (int c = 0; c < 3; c++) {
-    uint32_t key[2] = {(uint32_t)out->v[c], (uint32_t)out->v[(c + 1) % 3]};
-
-    if (sg_key_table_get(&k->auxiliary, key) != SG_NO_KEY) {
-      out->auxiliary |= (uint8_t)(1 << c);
-    }
-    border_key(out->v[c], out->v[(c + 1) % 3], key);
-    if (sg_key_table_get(&k->border, key) == SG_NO_KEY) {
-      out->chord |= (uint8_t)(1 << c);
-    }
-  }
-}
-
-/* The cells in the order of their first triangles. */
 static bool
-add_cells(taking *k)
+put_cells(sg_arrangement *a, const sg_entered *polygon, const divided *from)
 {
-  sg_arrangement *a = k->a;
-
-  if (!room_for(a, k->found.n, k->found.n)) {
+  if (!room_for(a, from->cells, from->triangles)) {
     return false;
   }
-  for (uint32_t i = 0; i < k->found.n; i++) {
-    if (k->cell[i] != i) {
-      continue;
-    }
+  for (size_t i = 0, begin = 0; i < from->cells; begin = from->end[i++]) {
     uint32_t node = sg_arrangement_new_node(a);
 
     if (node == SG_NO_KEY) {
       return false;
     }
-    sg_cell *cell = &a->cell[a->cells++];
-
-    *cell = (sg_cell){.leaf = k->leaf,
-                      .p = k->p,
-                      .axis = sg_work_axis(k->work),
-                      .first = a->triangles,
-                      .node = node};
-    for (uint32_t j = i; j < k->found.n; j++) {
-      if (cell_root(k->cell, j) == i) {
-        add_triangle(k, &k->found.item[j]);
-      }
-    }
-    cell->n = a->triangles - cell->first;
+    a->cell[a->cells++] = (sg_cell){.leaf = sg_arrangement_leaf(a, polygon->s),
+                                    .p = polygon->p,
+                                    .axis = sg_work_axis(polygon->work),
+                                    .first = a->triangles + begin,
+                                    .n = from->end[i] - begin,
+                                    .node = node};
   }
+  if (from->triangles > 0) {
+    memcpy(a->triangle + a->triangles, from->triangle,
+           from->triangles * sizeof *from->triangle);
+  }
+  a->triangles += from->triangles;
   return true;
 }
 
-sg_outcome
-sg_arrangement_polygon(sg_arrangement *a, int32_t s, int32_t p, sg_work *work,
-                       double reach, int32_t *edge, const sg_poll *poll)
+static sg_outcome
+put_all(const dividing *d, size_t n, size_t *stuck, int32_t *edge)
 {
-  taking k = {.a = a, .leaf = sg_arrangement_leaf(a, s), .p = p, .work = work};
-  uint32_t key[2] = {k.leaf, (uint32_t)p};
-  uint32_t last = sg_key_table_get(&a->has_triangles, key);
+  for (size_t i = 0; i < n; i++) {
+    const divided *one = &d->out[i];
+
+    if (one->outcome != SG_DONE) {
+      *stuck = i;
+      *edge = one->stuck;
+      return one->outcome;
+    }
+    if (!put_cells(d->a, &d->polygon[i], one)) {
+      return SG_NO_SPACE;
+    }
+  }
+  return SG_DONE;
+}
+
+sg_outcome
+sg_arrangement_polygons(sg_arrangement *a, const sg_entered *polygon, size_t n,
+                        double reach, sg_crew *crew, const sg_poll *poll,
+                        size_t *stuck, int32_t *edge)
+{
+  dividing d = {a, polygon, reach, calloc(n + 1, sizeof *d.out)};
   sg_outcome outcome = SG_NO_SPACE;
 
-  if (k.leaf == SG_NO_KEY || !a->leaf[k.leaf].wanted || last == SG_NO_KEY) {
-    return SG_DONE;
+  if (d.out) {
+    outcome = sg_crew_run(crew, n, divide, &d, poll)
+                  ? put_all(&d, n, stuck, edge)
+                  : SG_STOPPED;
   }
-  if (copy_edges(&k)) {
-    outcome = triangulate(&k, reach, edge, poll);
+  for (size_t i = 0; d.out && i < n; i++) {
+    free(d.out[i].triangle);
+    free(d.out[i].end);
   }
-  if (outcome == SG_DONE &&
-      (!insert_inside(&k, last) || !join_cells(&k) || !add_cells(&k))) {
-    outcome = SG_NO_SPACE;
-  }
-  taking_clear(&k);
+  free(d.out);
   return outcome;
 }

@@ -10,6 +10,7 @@
 #include "twofold.h"
 
 #include <math.h>
+#include <sched.h>
 #include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -18,10 +19,13 @@
 
 enum { LINE_AND_PLANE = -1, MADE_OF = 5 };
 
-/* A point that is no point of doubles. */
+enum { UNKNOWN, BEING_PUT, KNOWN };
+
+/* A point that is no point of doubles. Threads may ask for its rationals at the
+ * same time: each makes them, the first puts its own here. */
 struct sg_exactly {
   atomic_uint holders; /* points that share this */
-  bool known;          /* the rationals are there */
+  atomic_int state;    /* of q */
   mpq_t q[3];
   int how; /* LINE_AND_PLANE, or two lines seen along this axis */
   double from[MADE_OF][3];
@@ -35,7 +39,7 @@ new_exactly(void)
 
   if (out) {
     atomic_init(&out->holders, 1);
-    out->known = false;
+    atomic_init(&out->state, UNKNOWN);
   }
   return out;
 }
@@ -145,7 +149,7 @@ sg_point_set_q(sg_point *out, mpq_srcptr x, mpq_srcptr y, mpq_srcptr z)
     mpq_init(out->exactly->q[k]);
     mpq_set(out->exactly->q[k], q[k]);
   }
-  out->exactly->known = true;
+  atomic_init(&out->exactly->state, KNOWN);
   return true;
 }
 
@@ -167,7 +171,7 @@ sg_point_clear(sg_point *point)
   if (!exactly || atomic_fetch_sub(&exactly->holders, 1) != 1) {
     return;
   }
-  for (int k = 0; k < 3 && exactly->known; k++) {
+  for (int k = 0; k < 3 && atomic_load(&exactly->state) == KNOWN; k++) {
     mpq_clear(exactly->q[k]);
   }
   free(exactly);
@@ -445,22 +449,40 @@ make(sg_point *out, int how, const sg_point *const *point)
   return done;
 }
 
+/* The rationals of a point, from what it was made of. */
+static void
+make_known(sg_exactly *exactly)
+{
+  sg_point from[MADE_OF];
+  const sg_point *of[MADE_OF];
+  int unknown = UNKNOWN;
+  mpq_t q[3];
+
+  for (int i = 0; i < (exactly->how == LINE_AND_PLANE ? 5 : 4); i++) {
+    sg_point_set(&from[i], exactly->from[i]);
+    of[i] = &from[i];
+  }
+  init_q(q);
+  make_q(q, exactly->how, of);
+  if (atomic_compare_exchange_strong(&exactly->state, &unknown, BEING_PUT)) {
+    memcpy(exactly->q, q, sizeof q);
+    atomic_store_explicit(&exactly->state, KNOWN, memory_order_release);
+    return;
+  }
+  clear_q(q);
+  while (atomic_load_explicit(&exactly->state, memory_order_acquire) != KNOWN) {
+    sched_yield(); /* for as long as three numbers are put there */
+  }
+}
+
 mpq_t *
 sg_point_q(const sg_point *point)
 {
   sg_exactly *exactly = point->exactly;
 
-  if (exactly && !exactly->known) {
-    sg_point from[MADE_OF];
-    const sg_point *of[MADE_OF];
-
-    for (int i = 0; i < (exactly->how == LINE_AND_PLANE ? 5 : 4); i++) {
-      sg_point_set(&from[i], exactly->from[i]);
-      of[i] = &from[i];
-    }
-    init_q(exactly->q);
-    make_q(exactly->q, exactly->how, of);
-    exactly->known = true;
+  if (exactly &&
+      atomic_load_explicit(&exactly->state, memory_order_acquire) != KNOWN) {
+    make_known(exactly);
   }
   return exactly ? exactly->q : NULL;
 }

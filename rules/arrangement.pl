@@ -9,7 +9,7 @@
           ]).
 :- use_module(kernel,
               [ arrangement_open/4, arrangement_hold/1, arrangement_drop/1,
-                arrangement_polygon/5, arrangement_seal/1,
+                arrangement_polygons/3, arrangement_seal/1,
                 arrangement_components/2, arrangement_select/3,
                 arrangement_senses/4, pieces_kept/1, keep_pieces/1,
                 near_segments_of/3, segments_meeting_themselves/2,
@@ -306,11 +306,8 @@ in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed, Set, Works) :-
                   )).
 
 filled(Arrangement, Works, Tolerance) :-
-    maplist(taken_in(Arrangement, Tolerance), Works),
+    arrangement_polygons(Arrangement, Works, Tolerance),
     arrangement_seal(Arrangement).
-
-taken_in(Arrangement, Tolerance, work(S, P, Work)) :-
-    arrangement_polygon(Arrangement, S, P, Work, Tolerance).
 
 %   clusters(+Changed, +Near, -Clusters): what is connected by being near.
 

@@ -50,7 +50,7 @@
             arrangement_open/4,       % +Set, +Segments, +Wanted, -Arrangement
             arrangement_hold/1,       % +Arrangement
             arrangement_drop/1,       % +Arrangement
-            arrangement_polygon/5,    % +Arrangement, +S, +P, +Work, +Reach
+            arrangement_polygons/3,   % +Arrangement, +Works, +Reach
             arrangement_seal/1,       % +Arrangement
             arrangement_components/2, % +Pieces, -Components
             arrangement_select/3,     % +Pieces, +Senses, -Solid
@@ -677,15 +677,15 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   part(Face, S0, P0, Sense), Face from 1.
 
 %!  arrangement_open(+Set, +Segments:list, +Wanted:list, -Arrangement) is det.
-%!  arrangement_polygon(+Arrangement, +S, +P, +Work, +Reach) is det.
+%!  arrangement_polygons(+Arrangement, +Works:list, +Reach) is det.
 %!  arrangement_seal(+Arrangement) is det.
 %!  arrangement_hold(+Arrangement) is det.
 %!  arrangement_drop(+Arrangement) is det.
 %
 %   The segments Wanted, which are among Segments, in pieces along the lines of
-%   cut set Set, which is sealed. Polygons that were entered are told one by
-%   one, with what they became; what touches within Reach is made one where
-%   nothing else helps. Sealing finds what hangs together, and on which side of
+%   cut set Set, which is sealed. Polygons that were entered are told with what
+%   they became, as work(S, P, Work), all at once; what touches within Reach is
+%   made one where nothing else helps. Sealing finds what hangs together, and on which side of
 %   each segment that is. An arrangement is held once when it is opened, and
 %   closed when it is dropped as often as it was held.
 
