@@ -4,7 +4,7 @@
             arranged_solid/3,           % +Arrangement, +Senses, -Solid
             default_senses/4,           % +Arrangement, +Expression, +Open,
                                         % -Senses
-            touching_leaves/2,          % +Leaves, -Touching
+            passing_vertices/2,         % +Arrangement, -Passing
             pieces_statistics/1         % -Statistics
           ]).
 :- use_module(kernel,
@@ -17,6 +17,7 @@
               ]).
 :- use_module(leaf, [were_cut/2]).
 :- use_module(penetration, [leaves_entered/4, touching/2]).
+:- use_module(passing, [passing_places/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ v/5, segment/3, segment_stamp/2, segment_stamps/2,
@@ -79,13 +80,14 @@ with_arrangement(Leaves0, Options, Goal) :-
           include_current(Current0, Stale, Current),
           counted(sg_pieces_made, Stale),
           counted(sg_pieces_found, Current),
-          fresh_pieces(Stale, Near, Tolerance, Fresh, Clusters),
+          fresh_pieces(Stale, Near, Tolerance, Fresh, Touch),
           setup_call_cleanup(
               true,
-              ( keep(Leaves, Keys, Fresh, Clusters),
+              ( keep(Leaves, Keys, Fresh, Touch),
                 append(Current, Fresh, Pieces0),
                 sort(1, @<, Pieces0, Pieces),
-                call(Goal, arrangement(Pieces))
+                passing(Current, Kept, Fresh, Touch, Passing),
+                call(Goal, arrangement(Pieces, Passing))
               ),
               drop_fresh(Fresh))
         ),
@@ -122,7 +124,7 @@ leaf_key(Tolerance, Near, S, key(Tolerance, Stamp, Stamps)) :-
 /* - - - what is kept - - - */
 
 %   kept(-Kept): an assoc from leaves to their last two
-%   entry(Key, Arrangement, Cluster), the newest first.
+%   entry(Key, Arrangement, Cluster, Passing), the newest first.
 
 %
 %   What is kept is held, once for each entry. Two threads may be at it in one
@@ -139,7 +141,7 @@ kept(Kept) :-
 held(Kept, Held) :-
     kept(Kept),
     assoc_to_values(Kept, Entries),
-    findall(A, ( member(Es, Entries), member(entry(_, A, _), Es) ), As),
+    findall(A, ( member(Es, Entries), member(entry(_, A, _, _), Es) ), As),
     sort(As, Held),
     maplist(arrangement_hold, Held).
 
@@ -152,7 +154,7 @@ entries(S, Kept, Entries) :-
 current([], [], _, [], []).
 current([S|Ss], [Key|Keys], Kept, Current, Stale) :-
     entries(S, Kept, Entries),
-    (   memberchk(entry(Key, Arrangement, _), Entries)
+    (   memberchk(entry(Key, Arrangement, _, _), Entries)
     ->  Current = [S-Arrangement|Current1],
         Stale = Stale1
     ;   Current = Current1,
@@ -168,7 +170,7 @@ hanging_together(Stale0, Near, Kept, Stale) :-
     findall(S,
             ( member(A, Around),
               entries(A, Kept, Entries),
-              member(entry(_, _, Cluster), Entries),
+              member(entry(_, _, Cluster, _), Entries),
               member(S, Cluster),
               get_assoc(S, Near, _)
             ),
@@ -197,18 +199,18 @@ include_current(Current0, Stale, Current) :-
 is_among(Stale, S-_) :-
     ord_memberchk(S, Stale).
 
-%   keep(+Leaves, +Keys, +Fresh, +Clusters): Fresh is kept, for the third last
+%   keep(+Leaves, +Keys, +Fresh, +Touch): Fresh is kept, for the third last
 %   of a leaf, and for those of segments that are there no more.
 
 keep(_, _, [], _) :-
     !.
-keep(Leaves, Keys, Fresh, Clusters) :-
+keep(Leaves, Keys, Fresh, Touch) :-
     pairs_keys_values(Pairs, Leaves, Keys),
     list_to_assoc(Pairs, KeyOf),
-    with_mutex(sg_pieces, exchanged(KeyOf, Clusters, Fresh, Old)),
+    with_mutex(sg_pieces, exchanged(KeyOf, Touch, Fresh, Old)),
     maplist(arrangement_drop, Old).
 
-exchanged(KeyOf, Clusters, Fresh, Old) :-
+exchanged(KeyOf, Touch, Fresh, Old) :-
     kept(Kept0),
     assoc_to_list(Kept0, Pairs0),
     partition(is_alive, Pairs0, Pairs, Gone),
@@ -216,8 +218,8 @@ exchanged(KeyOf, Clusters, Fresh, Old) :-
     ->  Kept1 = Kept0
     ;   list_to_assoc(Pairs, Kept1)
     ),
-    findall(A, ( member(_-Es, Gone), member(entry(_, A, _), Es) ), Old0),
-    foldl(keep_leaf(KeyOf, Clusters), Fresh, Kept1-Old0, Kept-Old),
+    findall(A, ( member(_-Es, Gone), member(entry(_, A, _, _), Es) ), Old0),
+    foldl(keep_leaf(KeyOf, Touch), Fresh, Kept1-Old0, Kept-Old),
     keep_pieces(Kept).
 
 is_alive(S-_) :-
@@ -227,15 +229,17 @@ is_alive(S-_) :-
     v(S, _, _, _, _),
     !.
 
-keep_leaf(KeyOf, Clusters, S-Arrangement, Kept0-Old0, Kept-Old) :-
+keep_leaf(KeyOf, touch(Clusters, Passings), S-Arrangement, Kept0-Old0,
+          Kept-Old) :-
     get_assoc(S, KeyOf, Key),
     cluster(S, Clusters, Cluster),
+    passing_of(S, Passings, Passing),
     entries(S, Kept0, Entries0),
     arrangement_hold(Arrangement),
-    (   Entries0 = [Last,entry(_, Gone, _)|_]
-    ->  Entries = [entry(Key, Arrangement, Cluster),Last],
+    (   Entries0 = [Last,entry(_, Gone, _, _)|_]
+    ->  Entries = [entry(Key, Arrangement, Cluster, Passing),Last],
         Old = [Gone|Old0]
-    ;   Entries = [entry(Key, Arrangement, Cluster)|Entries0],
+    ;   Entries = [entry(Key, Arrangement, Cluster, Passing)|Entries0],
         Old = Old0
     ),
     put_assoc(S, Kept0, Entries, Kept).
@@ -247,15 +251,39 @@ cluster(S, Clusters, Cluster) :-
     ;   Cluster = []
     ).
 
+passing_of(S, Passings, Passing) :-
+    (   memberchk(S-Passing0, Passings)
+    ->  Passing = Passing0
+    ;   Passing = []
+    ).
+
+%   passing(+Current, +Kept, +Fresh, +Touch, -Passing): the vertices that leaves
+%   have in pieces alone, as S-Places, of those that have some (passing.pl).
+
+passing(Current, Kept, Fresh, touch(_, Passings), Passing) :-
+    findall(S-[Place|Places],
+            ( member(S-Arrangement, Current),
+              entries(S, Kept, Entries),
+              memberchk(entry(_, Arrangement, _, [Place|Places]), Entries)
+            ),
+            Old),
+    findall(S-Places,
+            ( member(S-Places, Passings),
+              memberchk(S-_, Fresh)
+            ),
+            New),
+    append(Old, New, Passing).
+
 /* - - - new pieces - - - */
 
-%   fresh_pieces(+Stale, +Near, +Tolerance, -Fresh, -Clusters): what is near
-%   stale leaves is cut with them, so that all lines that meet one of theirs are
-%   there. Clusters: those that were made to touch, as lists.
+%   fresh_pieces(+Stale, +Near, +Tolerance, -Fresh, -Touch): what is near stale
+%   leaves is cut with them, so that all lines that meet one of theirs are there.
+%   Touch: touch(Clusters, Passings), those that were made to touch, as lists,
+%   and the vertices they got for that.
 
-fresh_pieces([], _, _, [], []) :-
+fresh_pieces([], _, _, [], touch([], [])) :-
     !.
-fresh_pieces(Stale, Near, Tolerance, Fresh, Clusters) :-
+fresh_pieces(Stale, Near, Tolerance, Fresh, touch(Clusters, Passings)) :-
     around(Stale, Near, Segments),
     findall(A-B,
             ( member(A, Segments),
@@ -269,7 +297,8 @@ fresh_pieces(Stale, Near, Tolerance, Fresh, Clusters) :-
     ord_union(Different, Selves, Pairs),
     segment_stamps(Segments, Stamps),
     facts_snapshot(sg_arrangement:arranged(Pairs, Stamps, Stale,
-                                           Tolerance, Arrangement, Changed)),
+                                           Tolerance, Arrangement,
+                                           Changed-Passings)),
     findall(S-Arrangement, member(S, Stale), Fresh),
     clusters(Changed, Near, Clusters).
 
@@ -292,11 +321,18 @@ arranged(Pairs, Stamps, Wanted, Tolerance, Arrangement, Changed) :-
                    sg_arrangement:in_pieces(Stamps, Wanted, Tolerance,
                                             Arrangement, Changed)).
 
-in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed, Set, Works) :-
+in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Passings, Set,
+          Works) :-
     pairs_keys(Stamps0, Segments),
     segment_stamps(Segments, Stamps),
     ord_subtract(Stamps, Stamps0, ChangedStamps),
     pairs_keys(ChangedStamps, Changed),
+    findall(S-Passing,
+            ( member(S, Changed),
+              passing_places(S, Passing),
+              Passing \== []
+            ),
+            Passings),
     stage(pieces, ( arrangement_open(Set, Segments, Wanted, Arrangement),
                     catch(filled(Arrangement, Works, Tolerance),
                           Error,
@@ -338,7 +374,7 @@ connected([S|Ss], Near, In, Cluster0, Cluster) :-
 %   Components are the component(C, S, P, Point, Sides, Which) of an
 %   arrangement: arrangement_components/2.
 
-components(arrangement(Pieces), Components) :-
+components(arrangement(Pieces, _), Components) :-
     arrangement_components(Pieces, Components).
 
 %!  arranged_solid(+Arrangement, +Senses:list, -Solid) is det.
@@ -346,26 +382,21 @@ components(arrangement(Pieces), Components) :-
 %   Solid is a handle of the boundary that the components C with C-Sense in
 %   Senses make, turned over where Sense is -1: arrangement_select/3.
 
-arranged_solid(arrangement(Pieces), Senses, Solid) :-
+arranged_solid(arrangement(Pieces, _), Senses, Solid) :-
     arrangement_select(Pieces, Senses, Solid).
 
-%!  touching_leaves(+Leaves:list, -Touching:list) is det.
+%!  passing_vertices(+Arrangement, -Passing:list) is det.
 %
-%   Touching are those of Leaves that were made to touch others, when their
-%   pieces were made last.
+%   Passing are S-Places of the leaves that were made to touch others, as of
+%   passing_places/2: vertices that they have in pieces alone.
 
-touching_leaves(Leaves, Touching) :-
-    kept(Kept),
-    include(was_touched(Kept), Leaves, Touching).
-
-was_touched(Kept, S) :-
-    entries(S, Kept, [entry(_, _, [_|_])|_]).
+passing_vertices(arrangement(_, Passing), Passing).
 
 %!  default_senses(+Arrangement, +Expression, +Open:list, -Senses:list) is det.
 %
 %   Senses as the default of stays/3 says (boolean.pl): its fused kernel.
 
-default_senses(arrangement(Pieces), Expression, Open, Senses) :-
+default_senses(arrangement(Pieces, _), Expression, Open, Senses) :-
     arrangement_senses(Pieces, Expression, Open, Senses).
 
 %!  pieces_statistics(-Statistics:dict) is det.
@@ -383,7 +414,7 @@ pieces_statistics(_{leaves:Leaves, arrangements:Arrangements, made:Made,
     findall(A,
             ( member(S, Ss),
               entries(S, Kept, Entries),
-              member(entry(_, A, _), Entries)
+              member(entry(_, A, _, _), Entries)
             ),
             As0),
     sort(As0, As),

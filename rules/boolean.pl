@@ -8,19 +8,18 @@
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
-                default_senses/4, touching_leaves/2
+                default_senses/4, passing_vertices/2
               ]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
 :- use_module(kernel,
               [solid_close/1, solid_is_closed/1, segments_tolerance/3]).
 :- use_module(operand, [checked_operand/1]).
+:- use_module(passing, [passing_named/2]).
 :- use_module(solid_rows, [solid_written/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ v/5, segment/3, from_v/4, origin/3,
-                assert_fact/1, retract_fact/1, facts_transaction/1
-              ]).
+              [v/5, segment/3, assert_fact/1, facts_transaction/1]).
 :- autoload(library(apply), [convlist/3, include/3, maplist/2]).
 :- autoload(library(error), [domain_error/2, existence_error/2, type_error/2]).
 :- autoload(library(lists), [member/2]).
@@ -65,10 +64,10 @@ boolean(Expression, S) :-
 boolean(Expression, S, Options0) :-
     expression_leaves(Expression, Leaves),
     tolerance(Leaves, Options0, Options),
-    made(Expression, Leaves, Options, Solid),
+    made(Expression, Leaves, Options, Solid, Passing),
     setup_call_cleanup(
         true,
-        facts_transaction(sg_boolean:written(Solid, S, Expression)),
+        facts_transaction(sg_boolean:written(Solid, S, Expression, Passing)),
         solid_close(Solid)).
 
 %   What the operands say, not what else is in the world; and of merging, what
@@ -92,14 +91,14 @@ refuse_large(Tolerance, Smallest) :-
     ;   true
     ).
 
-%   made(+Expression, +Leaves, +Options, -Solid): it must be closed, if its
+%   made(+Expression, +Leaves, +Options, -Solid, -Passing): it must be closed, if its
 %   operands are. Where sheets of one operand nearly lie on each other, what was
 %   made to touch may have come apart, and one face of many may be opened by
 %   merging: then the one or the other is not done.
 
-made(Expression, Leaves, Options, Solid) :-
+made(Expression, Leaves, Options, Solid, Passing) :-
     attempt(Options, Attempt, What),
-    selected_solid(Expression, Leaves, Attempt, Solid0),
+    selected_solid(Expression, Leaves, Attempt, Solid0, Passing0),
     (   is_open(Leaves, Solid0)
     ->  solid_close(Solid0),
         maplist(checked_leaf, Leaves),
@@ -109,8 +108,9 @@ made(Expression, Leaves, Options, Solid) :-
     ;   print_message(warning, sanggwan(opened(What)))
     ),
     !,
-    Solid = Solid0.
-made(_, _, _, _) :-
+    Solid = Solid0,
+    Passing = Passing0.
+made(_, _, _, _, _) :-
     throw(error(geometry_error(result_open), _)).
 
 attempt(Options, Options, first).
@@ -120,16 +120,17 @@ attempt(Options, [tolerance(0)|Options], contacts) :-
     option(tolerance(Tolerance), Options),
     Tolerance > 0.
 
-selected_solid(Expression, Leaves, Options, Solid) :-
+selected_solid(Expression, Leaves, Options, Solid, Passing) :-
     with_arrangement(Leaves, Options,
-                     sg_boolean:selected(Expression, Solid)),
+                     sg_boolean:selected(Expression, Solid, Passing)),
     catch(merged(Solid, Options),
           Error,
           ( solid_close(Solid),
             throw(Error)
           )).
 
-selected(Expression, Solid, Arrangement) :-
+selected(Expression, Solid, Passing, Arrangement) :-
+    passing_vertices(Arrangement, Passing),
     select_boundary(Arrangement, Expression, Solid).
 
 %   A decision of the user's may open what it likes.
@@ -153,62 +154,14 @@ merged(Solid, Options) :-
     ;   stage(faces, faces_merged(Solid, Options))
     ).
 
-written(Solid, S, Expression) :-
+written(Solid, S, Expression, Passing) :-
     (   segment(S, _, _)
     ->  true
     ;   assert_fact(segment(S, solid, Expression))
     ),
     stage(write, ( solid_written(Solid, S),
-                   expression_leaves(Expression, Leaves),
-                   forget_passing(S, Leaves)
+                   passing_named(S, Passing)
                  )).
-
-%   Vertices that leaves got only for this, where they were made to touch, are
-%   vertices of none; and what was made by them is where v/5 has it.
-
-forget_passing(S, Leaves) :-
-    touching_leaves(Leaves, Touching),
-    (   Touching == []
-    ->  true
-    ;   findall(from_v(S,V,S0,V0),
-                ( from_v(S, V, S0, V0),
-                  memberchk(S0, Touching),
-                  \+ v(S0, V0, _, _, _)
-                ),
-                Gone),
-        maplist(retract_once, Gone),
-        findall(V-Origin,
-                ( origin(S, v(V), Origin),
-                  names_none(Origin, Touching)
-                ),
-                Made),
-        maplist(made_near(S), Made)
-    ).
-
-made_near(S, V-Origin) :-
-    retract_once(origin(S, v(V), Origin)),
-    assert_fact(origin(S, v(V), near(Origin))).
-
-%   names_none(+Origin, +Touching): a vertex that Origin names is not there.
-
-names_none(Origin, Touching) :-
-    Origin =.. [_|Places],
-    member(S0-Vertices, Places),
-    memberchk(S0, Touching),
-    comma_member(V0, Vertices),
-    \+ v(S0, V0, _, _, _),
-    !.
-
-comma_member(V, (V0,Vs)) :-
-    !,
-    (   V = V0
-    ;   comma_member(V, Vs)
-    ).
-comma_member(V, V).
-
-retract_once(Fact) :-
-    retract_fact(Fact),
-    !.
 
 %!  select_boundary(+Arrangement, +Expression, -Solid) is det.
 %
