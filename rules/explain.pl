@@ -20,6 +20,7 @@
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
 :- use_module(penetration, [merge_line/2]).
+:- use_module(provenance, [vertex_from/4, vertex_on/4]).
 :- use_module(store,
               [ v/5, e/5, leaf_v/5, leaf_e/5, p/3, segment/3, origin/3, line/9,
                 edge_polygon/3
@@ -368,7 +369,10 @@ vertex_because(S, V, Statement, Because) :-
     ;   Statement = original(S, V, Point),
         Made = []
     ),
-    append([Made, Also, Lines], Because).
+    findall(because(vertex_of(S0,V0), []), vertex_from(S, V, S0, V0), From),
+    findall(because(lies_on(S0,Feature), []), vertex_on(S, V, S0, Feature),
+            On),
+    append([From, Made, On, Also, Lines], Because).
 
 vertex_lines(S, V, Ls) :-
     findall(L, vertex_line(S, V, L), Ls0),

@@ -60,12 +60,27 @@ statement_en(contact('face-face', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     place(S2, Place2).
 statement_en(made(v(S, V))) -->
     [ 'made by vertex ~d of segment ~d'-[V, S] ].
+statement_en(made(on(S-V, _))) -->
+    [ 'at vertex ~d of segment ~d'-[V, S] ].
+statement_en(made(lpi(S1-(A,B), S2-p(P)))) -->
+    [ 'made by ~d-~d of segment ~d through polygon ~d of segment ~d'-
+      [A, B, S1, P, S2] ].
+statement_en(made(lpi(S1-p(P), Face))) -->
+    { triangle_text(Face, Text) },
+    [ 'made by a line in polygon ~d of segment ~d through ~w'-[P, S1, Text] ].
 statement_en(made(lpi(S1-(A,B), S2-(C,D,E)))) -->
     [ 'made by ~d-~d of segment ~d through triangle ~d-~d-~d of segment ~d'-
       [A, B, S1, C, D, E, S2] ].
 statement_en(made(ll(S1-(A,B), S2-(C,D)))) -->
     [ 'made by ~d-~d of segment ~d and ~d-~d of segment ~d, which cross'-
       [A, B, S1, C, D, S2] ].
+statement_en(made(ll(S1-p(P), Place))) -->
+    { triangle_text(Place, Text) },
+    [ 'made by a line in polygon ~d of segment ~d and ~w, which cross'-
+      [P, S1, Text] ].
+statement_en(made(ll(S1-(A,B), S2-p(P)))) -->
+    [ 'made by ~d-~d of segment ~d and a line in polygon ~d of segment ~d, \c
+       which cross'-[A, B, S1, P, S2] ].
 statement_en(made(tpi(T1, T2, T3))) -->
     { maplist(triangle_text, [T1,T2,T3], [W1,W2,W3]) },
     [ 'made by three planes: of ~w, ~w and ~w'-[W1, W2, W3] ].
@@ -143,6 +158,14 @@ statement_en(original(S, V, Point)) -->
     [ 'vertex ~d of segment ~d~w at '-[V, S, Word] ],
     point(Point),
     [ ', as the model has it' ].
+statement_en(vertex_of(S, V)) -->
+    [ 'was vertex ~d of segment ~d'-[V, S] ].
+statement_en(lies_on(S, v(V))) -->
+    [ 'on vertex ~d of segment ~d'-[V, S] ].
+statement_en(lies_on(S, e(E))) -->
+    [ 'on edge ~d of segment ~d'-[E, S] ].
+statement_en(lies_on(S, p(P))) -->
+    [ 'on polygon ~d of segment ~d'-[P, S] ].
 statement_en(vertex_lines(Ls)) -->
     { atomic_list_concat(Ls, ', ', Text) },
     [ 'an end of penetration line ~w'-[Text] ].
@@ -364,6 +387,11 @@ point(Point) -->
     { point_text(Point, Text) },
     [ '~w'-[Text] ].
 
+triangle_text(S-p(P), Text) :-
+    format(atom(Text), 'polygon ~d of segment ~d', [P, S]).
+triangle_text(S-(A,B), Text) :-
+    integer(B),
+    format(atom(Text), '~d-~d of segment ~d', [A, B, S]).
 triangle_text(S-(A,B,C), Text) :-
     format(atom(Text), 'triangle ~d-~d-~d of segment ~d', [A, B, C, S]).
 

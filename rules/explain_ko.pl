@@ -60,12 +60,27 @@ statement_ko(contact('face-face', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     place(S2, Place2).
 statement_ko(made(v(S, V))) -->
     [ '세그먼트 ~d의 꼭지점 ~d이(가) 만들었다'-[S, V] ].
+statement_ko(made(on(S-V, _))) -->
+    [ '세그먼트 ~d의 꼭지점 ~d 자리'-[S, V] ].
+statement_ko(made(lpi(S1-(A,B), S2-p(P)))) -->
+    [ '세그먼트 ~d의 ~d-~d이(가) 세그먼트 ~d의 다각형 ~d을(를) 뚫어 만들었다'-
+      [S1, A, B, S2, P] ].
+statement_ko(made(lpi(S1-p(P), Face))) -->
+    { triangle_text(Face, Text) },
+    [ '세그먼트 ~d의 다각형 ~d 안의 선이 ~w을(를) 뚫어 만들었다'-[S1, P, Text] ].
 statement_ko(made(lpi(S1-(A,B), S2-(C,D,E)))) -->
     [ '세그먼트 ~d의 ~d-~d이(가) 세그먼트 ~d의 삼각형 ~d-~d-~d을(를) 뚫어 \c
        만들었다'-[S1, A, B, S2, C, D, E] ].
 statement_ko(made(ll(S1-(A,B), S2-(C,D)))) -->
     [ '세그먼트 ~d의 ~d-~d과(와) 세그먼트 ~d의 ~d-~d이(가) 교차하여 만들었다'-
       [S1, A, B, S2, C, D] ].
+statement_ko(made(ll(S1-p(P), Place))) -->
+    { triangle_text(Place, Text) },
+    [ '세그먼트 ~d의 다각형 ~d 안의 선과 ~w이(가) 교차하여 만들었다'-
+      [S1, P, Text] ].
+statement_ko(made(ll(S1-(A,B), S2-p(P)))) -->
+    [ '세그먼트 ~d의 ~d-~d과(와) 세그먼트 ~d의 다각형 ~d 안의 선이 교차하여 \c
+       만들었다'-[S1, A, B, S2, P] ].
 statement_ko(made(tpi(T1, T2, T3))) -->
     { maplist(triangle_text, [T1,T2,T3], [W1,W2,W3]) },
     [ '세 평면이 만들었다: ~w, ~w, ~w'-[W1, W2, W3] ].
@@ -143,6 +158,14 @@ statement_ko(original(S, V, Point)) -->
     [ '세그먼트 ~d~w의 꼭지점 ~d '-[S, Word, V] ],
     point(Point),
     [ ', 모델에 있던 것' ].
+statement_ko(vertex_of(S, V)) -->
+    [ '세그먼트 ~d의 꼭지점 ~d이었다'-[S, V] ].
+statement_ko(lies_on(S, v(V))) -->
+    [ '세그먼트 ~d의 꼭지점 ~d 위'-[S, V] ].
+statement_ko(lies_on(S, e(E))) -->
+    [ '세그먼트 ~d의 모서리 ~d 위'-[S, E] ].
+statement_ko(lies_on(S, p(P))) -->
+    [ '세그먼트 ~d의 다각형 ~d 위'-[S, P] ].
 statement_ko(vertex_lines(Ls)) -->
     { atomic_list_concat(Ls, ', ', Text) },
     [ '상관선 ~w의 끝'-[Text] ].
@@ -361,6 +384,11 @@ point(Point) -->
     { point_text(Point, Text) },
     [ '~w'-[Text] ].
 
+triangle_text(S-p(P), Text) :-
+    format(atom(Text), '세그먼트 ~d의 다각형 ~d', [S, P]).
+triangle_text(S-(A,B), Text) :-
+    integer(B),
+    format(atom(Text), '세그먼트 ~d의 ~d-~d', [S, A, B]).
 triangle_text(S-(A,B,C), Text) :-
     format(atom(Text), '세그먼트 ~d의 삼각형 ~d-~d-~d', [S, A, B, C]).
 

@@ -38,6 +38,8 @@ statement_keys(moved, [segment, vertex, point]).
 statement_keys(was_at, [segment, vertex, point]).
 statement_keys(original, [segment, vertex, point]).
 statement_keys(vertex_lines, [lines]).
+statement_keys(vertex_of, [segment, vertex]).
+statement_keys(lies_on, [segment, feature]).
 statement_keys(edge, [segment, edge, start, end]).
 statement_keys(edge_whole, [segment, edge]).
 statement_keys(edge_near, [segment, edge]).

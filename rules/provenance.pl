@@ -1,12 +1,15 @@
 :- module(sg_provenance,
           [ vertex_from/4,              % ?S, ?V, ?S0, ?V0
+            vertex_on/4,                % ?S, ?V, ?S0, ?Feature
             polygon_from/5,             % ?S, ?P, ?S0, ?P0, ?Sense
             edge_from/3                 % ?S, ?E, ?From
           ]).
 :- use_module(csg, [is_node/1, is_helper/1]).
 :- use_module(exact, [vertex_exact/5]).
 :- use_module(store,
-              [ e/5, p/3, from_v/4, from_p/5, origin/3, edge_polygon/3 ]).
+              [ e/5, p/3, t/6, from_v/4, from_p/5, origin/3, edge_polygon/3,
+                vertex_triangle/3
+              ]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(lists), [member/2]).
 /** <module> Where the vertices, edges and faces of a result come from.
@@ -19,7 +22,7 @@ tree. A placed leaf has the numbers of the leaf itself.
 %!  vertex_from(?S, ?V, ?S0, ?V0) is nondet.
 %
 %   True when vertex V of S, a node's boundary, was vertex V0 of the leaf S0.
-%   A vertex that a cut made has an origin/3 instead.
+%   A vertex that a cut made has an origin/3 instead: vertex_on/4.
 
 vertex_from(S, V, S0, V0) :-
     from_v(S, V, S1, V1),
@@ -28,6 +31,56 @@ vertex_from(S, V, S0, V0) :-
     ;   S0 = S1,
         V0 = V1
     ).
+
+%!  vertex_on(?S, ?V, ?S0, ?Feature) is nondet.
+%
+%   True when vertex V of S, a node's boundary, came to lie on Feature of the
+%   leaf S0: the vertex v(V0) or edge e(E0) or polygon p(P0) that a cut met
+%   there, or that it was made to touch (passing.pl).
+
+vertex_on(S, V, S0, Feature) :-
+    origin(S, v(V), Origin),
+    origin_feature(Origin, S1, Feature1),
+    (   made(S1)
+    ->  leaf_feature(Feature1, S1, S0, Feature)
+    ;   S0 = S1,
+        Feature = Feature1
+    ).
+
+origin_feature(near(Origin), S, Feature) :-
+    !,
+    origin_feature(Origin, S, Feature).
+origin_feature(on(_, Places), S, Feature) :-
+    !,
+    member(S-Feature, Places).
+origin_feature(Origin, S, Feature) :-
+    Origin =.. [_|Places],
+    member(S-Place, Places),
+    place_feature(Place, S, Feature).
+
+place_feature((A,B), S, Feature) :-
+    integer(B),
+    (   ( e(S, E, A, B, _) ; e(S, E, B, A, _) )
+    ->  Feature = e(E)
+    ;   vertex_triangle(S, A, T),       % between triangles of a polygon
+        vertex_triangle(S, B, T)
+    ->  t(S, P, T, _, _, _),
+        Feature = p(P)
+    ).
+place_feature((A,B,C), S, p(P)) :-
+    integer(B),
+    once(( vertex_triangle(S, A, T),
+           t(S, P, T, X, Y, Z),
+           memberchk(X-Y-Z, [A-B-C,B-C-A,C-A-B]) )).
+place_feature(p(P), _, p(P)).
+place_feature(e(E), _, e(E)).
+
+leaf_feature(v(V), S, S0, v(V0)) :-
+    vertex_from(S, V, S0, V0).
+leaf_feature(e(E), S, S0, e(E0)) :-
+    leaf_edge(S, E, S0, E0).
+leaf_feature(p(P), S, S0, p(P0)) :-
+    once(polygon_from(S, P, S0, P0, _)).
 
 %!  polygon_from(?S, ?P, ?S0, ?P0, ?Sense) is nondet.
 %
@@ -123,13 +176,24 @@ on_edge(S, V, S0, E0) :-
         ( V0 == A ; V0 == B )
     ->  true
     ;   origin(S, v(V), Origin),
-        names_edge(Origin, S0, A, B)
+        names_edge(Origin, S0, E0, A, B)
     ->  true
     ;   maplist(exact_place, [S-V, S0-A, S0-B], [P, P1, P2]),
         collinear(P, P1, P2)
     ).
 
-names_edge(Origin, S0, A, B) :-
+names_edge(near(Origin), S0, E0, A, B) :-
+    !,
+    names_edge(Origin, S0, E0, A, B).
+names_edge(on(_, Places), S0, E0, A, B) :-
+    !,
+    member(S0-Feature, Places),
+    (   Feature = e(E1)
+    ->  ( E1 == E0 ; e(S0, E1, B, A, _) )
+    ;   Feature = v(V),
+        ( V == A ; V == B )
+    ).
+names_edge(Origin, S0, _, A, B) :-
     Origin =.. [_|Parts],
     member(S0-(C,D), Parts),
     ( C-D == A-B ; C-D == B-A ).

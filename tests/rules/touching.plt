@@ -3,7 +3,11 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(random)).
+:- use_module(library(occurs)).
+:- use_module(rules(explain)).
+:- use_module(rules(provenance)).
 :- use_module(rules(solid_file), [output_statistics/1]).
+:- use_module(rules(store)).
 :- use_module(tests('rules/boolean_case')).
 :- use_module(tests('rules/random_solid')).
 
@@ -80,6 +84,44 @@ clean(Name, Solids, Expression) :-
         fail
     ).
 
+%   named(+S): every vertex of S says where it comes from, by vertices, edges and
+%   polygons that are there; one that is no vertex of a leaf lies on two of its
+%   features, or of those of another.
+
+named(S) :-
+    forall(v(S, V, _, _, _), vertex_named(S, V)),
+    forall(from_v(S, _, S0, V0), v(S0, V0, _, _, _)).
+
+vertex_named(S, V) :-
+    findall(S0-Feature, vertex_on(S, V, S0, Feature), Places),
+    forall(member(Place, Places), is_there(Place)),
+    forall(( origin(S, v(V), Origin),
+             sub_term(S0-(A,B), Origin),
+             comma_member(V0, (A,B)) ),
+           v(S0, V0, _, _, _)),
+    (   vertex_from(S, V, _, _)
+    ->  true
+    ;   Places = [_,_|_]
+    ),
+    explanation(vertex(S, V), _),
+    !.
+vertex_named(S, V) :-
+    findall(Origin, origin(S, v(V), Origin), Origins),
+    format("vertex ~w of ~w: ~w~n", [V,S,Origins]),
+    fail.
+
+is_there(S-v(V)) :-
+    v(S, V, _, _, _).
+is_there(S-e(E)) :-
+    e(S, E, _, _, _).
+is_there(S-p(P)) :-
+    p(S, P, _).
+
+comma_member(V, (A,B)) :-
+    !,
+    ( V = A ; comma_member(V, B) ).
+comma_member(V, V).
+
 %   What touches with an edge or an apex in the middle of a face.
 
 one(edge, 10).
@@ -112,6 +154,12 @@ test(one, [ forall(( one(Kind, N), sample(Kind, N, Seed) )),
                       files_measured([S], off, [Off]),
                       M.good+Off.good == yes+yes ))),
     rounds(After).
+test(origins, forall(sample(origins, 12, Seed))) :-
+    scene(Seed, Solids),
+    length(Solids, N),
+    in_scene(Solids,
+             forall(operation(N, Expression),
+                    ( result(Expression, S), named(S) ))).
 test(several, forall(sample(touching, 25, Seed))) :-
     scene(Seed, Solids),
     length(Solids, N),
