@@ -3,7 +3,8 @@
             sheet_strokes/4,            % +Default, +Options, -Sheet, -Strokes
             drawing_strokes/2,          % +Drawing, -Strokes
             scaled_drawing/3,           % +Factor, +Drawing, -Scaled
-            picture_parts/1             % -Parts
+            picture_parts/1,            % -Parts
+            placed_part/3               % +Place, +Part0, -Part
           ]).
 :- use_module(store, [drawn/7, e/5, screen/5]).
 :- use_module(stroke, [strokes/2]).
@@ -119,7 +120,7 @@ sheet_strokes(Default, Options, Sheet, Strokes) :-
     ->  exclude(hidden_part, Parts, Kept)
     ;   Kept = Parts
     ),
-    maplist(placed(Place), Kept, Placed),
+    maplist(placed_part(Place), Kept, Placed),
     strokes(Placed, Strokes).
 
 %!  picture_parts(-Parts) is det.
@@ -247,8 +248,13 @@ size_sides(Text, W, H) :-
     catch(number_string(W, TextW), error(syntax_error(_), _), fail),
     catch(number_string(H, TextH), error(syntax_error(_), _), fail).
 
-placed(place(Scale,X0,Y0,Left,Top), part(Vis,Role,S,E,F,T,XA-YA,XB-YB),
-       part(Vis,Role,S,E,F,T,A1-A2,B1-B2)) :-
+%!  placed_part(+Place, +Part0, -Part) is det.
+%
+%   Part is Part0 with its ends on the sheet. Place is place(Scale,X,Y,Left,
+%   Top), in thousandths: the point X,Y of the picture comes to Left,Top.
+
+placed_part(place(Scale,X0,Y0,Left,Top), part(Vis,Role,S,E,F,T,XA-YA,XB-YB),
+            part(Vis,Role,S,E,F,T,A1-A2,B1-B2)) :-
     A1 is round((XA-X0)*Scale + Left),
     A2 is round((Y0-YA)*Scale + Top),
     B1 is round((XB-X0)*Scale + Left),

@@ -1,0 +1,235 @@
+:- module(sg_sheet_marks,
+          [ plane_marks/5,              % +View, +Section, +Box, +Scale, -Marks
+            label_marks/4,              % +Letter, +Box, +Scale, -Marks
+            marks_pads/4,               % +Marks, +Box, +Scale, -Pads
+            hatching_strokes/3,         % +Regions, -Spacing, -Strokes
+            chain_line/5                % +A, +B, +Dash, +Role, -Lines
+          ]).
+:- use_module(hatching, [hatch_lines/4, region_area/2]).
+:- use_module(sheet_view, [view_axes/4]).
+:- autoload(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
+:- autoload(library(lists),
+            [append/2, max_list/2, member/2, nth1/3, sum_list/2]).
+/** <module> Marks on a sheet: cutting planes, their names, hatching.
+
+A mark is line(Role,Points) or text(X,Y,Height,Text), in millimetres of the
+sheet from the origin of the picture, y up; the text has the middle of its
+baseline at X,Y. Forms and sizes follow ISO 128: a thin chain line with thick
+ends, arrows on them that show which way one looks, and letters.
+*/
+
+% Millimetres.
+beyond(7.0).                            % the view, the line reaches
+thick(6.0).                             % the length of its thick ends
+shaft(10.0).                            % of an arrow
+head(3.5).
+letter(5.0).                            % how high
+
+%!  plane_marks(+View, +Section, +Box, +Scale, -Marks) is semidet.
+%
+%   Marks show where the plane of Section, a view, cuts what View shows within
+%   Box. Fails if View does not see the plane edge-on, or its line goes past
+%   Box.
+
+plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
+            box(X1,Y1,X2,Y2), Scale, Marks) :-
+    view_axes(View, Right, Up, Away),
+    maplist(product([A,B,C]), [Right,Up,Away], [U0,V0,W]),
+    Length is sqrt(U0*U0+V0*V0),
+    abs(W) =< 1.0e-9*Length,
+    U is U0/Length,
+    V is V0/Length,
+    At is D/Length*Scale,
+    line_ends(U, V, At, X1*Scale, Y1*Scale, X2*Scale, Y2*Scale, P, Q),
+    chain_marks(P, Q, U-V, Letter, Marks).
+
+product(Xs, Ys, Product) :-
+    maplist([X,Y,Z]>>(Z is X*Y), Xs, Ys, Zs),
+    sum_list(Zs, Product).
+
+%   line_ends(U, V, At, X1, Y1, X2, Y2, P, Q): the line U*X + V*Y + At = 0
+%   within the box, and beyond it.
+
+line_ends(U, V, At, X1, Y1, X2, Y2, PX-PY, QX-QY) :-
+    MX is (X1+X2)/2,
+    MY is (Y1+Y2)/2,
+    Off is U*MX + V*MY + At,
+    FX is MX - Off*U,
+    FY is MY - Off*V,
+    beyond(Beyond),
+    range(FX, V, X1, X2, LowX, HighX),
+    Back is -U,
+    range(FY, Back, Y1, Y2, LowY, HighY),
+    Low is max(LowX, LowY),
+    High is min(HighX, HighY),
+    Low < High,
+    PX is FX + (Low-Beyond)*V,
+    PY is FY - (Low-Beyond)*U,
+    QX is FX + (High+Beyond)*V,
+    QY is FY - (High+Beyond)*U.
+
+%   range(F, Step, X1, X2, Low, High): F + T*Step is from X1 to X2.
+
+range(F, Step, X1, X2, Low, High) :-
+    (   abs(Step) < 1.0e-9
+    ->  F >= X1 - 1.0e-6,
+        F =< X2 + 1.0e-6,
+        Low = -1.0e30,
+        High = 1.0e30
+    ;   A is (X1-F)/Step,
+        B is (X2-F)/Step,
+        Low is min(A, B),
+        High is max(A, B)
+    ).
+
+%   chain_marks(P, Q, Normal, Letter, Marks): the eye is on the side of Normal.
+
+chain_marks(P, Q, Normal, Letter, Marks) :-
+    thick(Thick),
+    towards(P, Q, Thick, P1),
+    towards(Q, P, Thick, Q1),
+    chain_line(P1, Q1, 9.0, cutting, Chain),
+    maplist(end_marks(Normal, Letter), [P,Q], Ends),
+    append([ [line(cutting_end,[P,P1]), line(cutting_end,[Q,Q1])|Chain]
+           | Ends
+           ], Marks).
+
+end_marks(U-V, Letter, X-Y, [line(arrow,[Tail,X-Y]), line(arrow,[A,X-Y,B]),
+                             text(TextX,TextY,High,Letter)]) :-
+    shaft(Shaft),
+    head(Head),
+    letter(High),
+    shifted(X-Y, U, V, Shaft, Tail),
+    shifted(X-Y, U, V, Head, HX-HY),
+    Wide is Head*0.27,
+    AX is HX - Wide*V,
+    AY is HY + Wide*U,
+    BX is HX + Wide*V,
+    BY is HY - Wide*U,
+    A = AX-AY,
+    B = BX-BY,
+    Far is Shaft + 1.5 + High*0.5,
+    shifted(X-Y, U, V, Far, TextX-MiddleY),
+    TextY is MiddleY - High/2.
+
+shifted(X0-Y0, U, V, Far, X-Y) :-
+    X is X0 + Far*U,
+    Y is Y0 + Far*V.
+
+towards(X1-Y1, X2-Y2, Far, X-Y) :-
+    Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
+    T is Far/Length,
+    X is X1 + T*(X2-X1),
+    Y is Y1 + T*(Y2-Y1).
+
+%!  chain_line(+A, +B, +Dash, +Role, -Lines) is det.
+%
+%   Lines, line(Role,Points), are a chain line from A to B: long dashes and
+%   points between them, fitted so that it begins and ends with a dash of about
+%   Dash; what is too short for two dashes is one.
+
+chain_line(A, B, Dash, Role, Lines) :-
+    A = X1-Y1,
+    B = X2-Y2,
+    Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
+    Gap is Dash/6,
+    Dot is Dash/18,
+    Period is Dash + 2*Gap + Dot,
+    N is max(0, round((Length-Dash)/Period)),
+    (   N =:= 0
+    ->  Lines = [line(Role,[A,B])]
+    ;   Fit is Length/(N*Period + Dash),
+        findall(line(Role,[P,Q]),
+                ( between(0, N, I),
+                  From is I*Period*Fit,
+                  (   To is From + Dash*Fit
+                  ->  ( Start = From, End = To
+                      ; I < N,
+                        Start is To + Gap*Fit,
+                        End is Start + Dot*Fit
+                      )
+                  ),
+                  towards(A, B, Start, P),
+                  towards(A, B, End, Q)
+                ),
+                Lines)
+    ).
+
+%!  label_marks(+Letter, +Box, +Scale, -Marks) is det.
+%
+%   The name of a section, above its view.
+
+label_marks(Letter, box(X1,_,X2,Y2), Scale, [text(X,Y,High,Text)]) :-
+    letter(High),
+    X is (X1+X2)/2*Scale,
+    Y is Y2*Scale + High,
+    format(string(Text), '~w-~w', [Letter, Letter]).
+
+%!  marks_pads(+Marks, +Box, +Scale, -Pads) is det.
+%
+%   Pads, for sheet_layout.pl, is how far Marks reach beyond Box.
+
+marks_pads(Marks, box(X1,Y1,X2,Y2), Scale, pads(L,A,R,B)) :-
+    findall(X-Y, ( member(Mark, Marks), mark_point(Mark, X-Y) ), Points),
+    foldl(farther, Points,
+          box(X1*Scale,Y1*Scale,X2*Scale,Y2*Scale), box(X3,Y3,X4,Y4)),
+    L is X1*Scale-X3,
+    R is X4-X2*Scale,
+    A is Y4-Y2*Scale,
+    B is Y1*Scale-Y3.
+
+mark_point(line(_,Points), Point) :-
+    member(Point, Points).
+mark_point(text(X,Y,High,Text), Point) :-
+    string_length(Text, N),
+    Half is N*High*0.45,
+    (   X1 is X-Half,
+        Point = X1-Y
+    ;   X1 is X+Half,
+        Y1 is Y+High,
+        Point = X1-Y1
+    ).
+
+farther(X-Y, box(X1,Y1,X2,Y2), box(X3,Y3,X4,Y4)) :-
+    X3 is min(X1, X),
+    Y3 is min(Y1, Y),
+    X4 is max(X2, X),
+    Y4 is max(Y2, Y).
+
+%!  hatching_strokes(+Regions, -Spacing, -Strokes) is det.
+%
+%   Strokes (sheet.pl), Spacing apart, hatch Regions, region(S,Edges), whose points are
+%   thousandths of a millimetre on the sheet. The hatching of neighbours in the
+%   list leans the other way; every third and fourth is closer.
+
+hatching_strokes([], 0, []) :-
+    !.
+hatching_strokes(Regions, Spacing, Strokes) :-
+    maplist([region(_,Edges),Area]>>region_area(Edges, Area), Regions, Areas),
+    max_list(Areas, Largest),
+    hatch_spacing(Largest, Spacing),
+    findall(Stroke,
+            ( nth1(I, Regions, Region),
+              hatch_stroke(I, Spacing, Region, Stroke)
+            ),
+            Strokes).
+
+%   About twelve lines across the largest region, from 1.5 to 6 mm apart, in
+%   half millimetres.
+
+hatch_spacing(Area, Spacing) :-
+    Fine is sqrt(Area)/12,
+    Spacing is max(1500, min(6000, round(Fine/500)*500)).
+
+hatch_stroke(I, Spacing0, region(S,Edges), stroke(visible,hatching,S,[],[A,B],
+                                                  joint,joint)) :-
+    (   I mod 2 =:= 1
+    ->  Way = rising
+    ;   Way = falling
+    ),
+    (   (I-1) mod 4 < 2
+    ->  Spacing = Spacing0
+    ;   Spacing is Spacing0*0.7
+    ),
+    hatch_lines(Edges, Way, Spacing, Lines),
+    member(A-B, Lines).

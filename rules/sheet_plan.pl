@@ -1,0 +1,372 @@
+:- module(sg_sheet_plan,
+          [ views_drawing/4             % +Request, +Lines, :Cuts, -Drawing
+          ]).
+:- use_module(section, [model_box/1, section_plane/3]).
+:- use_module(sheet, [placed_part/3]).
+:- use_module(sheet_frame, [frame/5, bare_room/3]).
+:- use_module(sheet_layout, [layout/4]).
+:- use_module(sheet_marks,
+              [ plane_marks/5, label_marks/4, marks_pads/4,
+                hatching_strokes/3
+              ]).
+:- use_module(sheet_paper,
+              [ paper_name/3, paper_size/3, standard_scale/1, scale_factor/2 ]).
+:- use_module(sheet_view,
+              [ section_view/5, view_seen/5, view_cell/4, seen_box/2 ]).
+:- use_module(store, [facts_snapshot/1]).
+:- use_module(stroke, [strokes/2]).
+:- autoload(library(apply),
+            [convlist/3, exclude/3, foldl/4, maplist/3, partition/4]).
+:- autoload(library(lists),
+            [append/2, append/3, member/2, memberchk/2, nth1/3]).
+:- autoload(library(option), [option/2]).
+/** <module> A sheet of several views, from the model to a drawing.
+
+What is asked for is a list:
+
+  - paper(Width,Height): millimetres
+  - views(Views): of sheet_view.pl, not sections
+  - sections(Texts): where to cut, see section_plane/3
+  - angle(Angle): `first` or `third`
+  - scale(Scale): N:M; `standard`, the largest one with which everything fits;
+    or `fit`, as large as there is room
+  - unit(U): millimetres of a unit of the model
+  - frame(Bool): frame and title block
+  - facts(Facts): for sheet_frame.pl
+  - hidden(How): as for write_drawing/2; `usual` leaves hidden lines out of
+    sections and pictorial views
+  - picture(Options): for picture/1
+*/
+
+:- meta_predicate views_drawing(+, +, :, -).
+
+%!  views_drawing(+Request, +Lines, :Cuts, -Drawing) is det.
+%
+%   Drawing (sheet.pl) shows the current world, whose segments are roots, as
+%   Request says. Lines are operand_lines/1. Cuts is cuts(First,Again), goals
+%   that cut the segments by each other: First for the model, Again for what is
+%   left of it in a section. The world stays as it is.
+%
+%   @error usage_error(sheet(What)): section(Text), section_past(Text,Box),
+%   too_large(Scale,Paper,Fitting,Papers), no_room(Paper)
+
+views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
+    option(views(Views), Request),
+    option(sections(Texts), Request),
+    option(picture(Picture), Request),
+    sections(Texts, Sections),
+    maplist(section_seen(Lines, Module:Again, Picture), Sections, SeenCut),
+    facts_snapshot(( call(Module:First),
+                     maplist([View,Seen]>>view_seen(View, Lines, true,
+                                                    Picture, Seen),
+                             Views, SeenWhole) )),
+    append(SeenWhole, SeenCut, All),
+    option(hidden(Hidden), Request),
+    maplist(shown(Hidden), All, Shown),
+    boxed_views(Shown, Boxed),
+    warned_if_empty(Boxed),
+    sheet_laid(Request, Sections, Boxed, Drawing).
+
+warned_if_empty(Boxed) :-
+    (   Boxed == []
+    ->  print_message(informational, sanggwan(nothing_drawn))
+    ;   true
+    ).
+
+%   sections(Texts, Sections): views A, B, ...
+
+sections(Texts, Sections) :-
+    findall(Section,
+            ( nth1(I, Texts, Text), section_of(I, Text, Section) ),
+            Sections).
+
+section_of(I, Text, Section) :-
+    (   section_plane(Text, Plane, Axis)
+    ->  sub_atom('ABCDEFGHJKLMNPQRSTUVWXYZ', B, 1, _, Letter),
+        B =:= I-1,
+        section_view(Letter, Plane, Axis, Text, Section)
+    ;   sheet_error(section(Text))
+    ).
+
+section_seen(Lines, Again, Picture, View, Seen) :-
+    (   view_seen(View, Lines, Again, Picture, Seen0)
+    ->  Seen = Seen0
+    ;   View = view(_, _, _, section(_,_,Text)),
+        (   model_box(Box)
+        ->  true
+        ;   Box = none
+        ),
+        sheet_error(section_past(Text, Box))
+    ).
+
+sheet_error(What) :-
+    throw(error(usage_error(sheet(What)), _)).
+
+%   shown(Hidden, Seen0, Seen): without the hidden lines that are not to be
+%   drawn.
+
+shown(Hidden, seen(View,Parts0,Regions), seen(View,Parts,Regions)) :-
+    View = view(_, _, _, Kind),
+    (   ( Hidden == removed ; Hidden == usual, Kind \== side )
+    ->  exclude(hidden_part, Parts0, Parts)
+    ;   Parts = Parts0
+    ).
+
+hidden_part(part(hidden,_,_,_,_,_,_,_)).
+
+%   boxed_views(Seen, Boxed): Seen-Box of those in which there is something.
+
+boxed_views(All, Boxed) :-
+    convlist([Seen,Seen-Box]>>seen_box(Seen, Box), All, Boxed).
+
+
+                /*******************************
+                *            LAYOUT            *
+                *******************************/
+
+sheet_laid(Request, Sections, Boxed, Drawing) :-
+    option(paper(Width,Height), Request),
+    option(angle(Angle), Request),
+    option(unit(Unit), Request),
+    celled(Boxed, Angle, Celled),
+    marking(Sections, Celled, Marking),
+    sheet_room(Request, Width, Height, "", _, Room),
+    option(scale(Wanted), Request),
+    chosen_scale(Wanted, Request, layout_of(Celled,Marking,Unit), Room, Scale,
+                 Places),
+    scale_text(Scale, ScaleText),
+    sheet_room(Request, Width, Height, ScaleText, FrameMarks, _),
+    scale_value(Scale, Factor),
+    PerUnit is Factor*Unit,
+    maplist(view_drawn(PerUnit, Marking, Places), Celled, Views),
+    frame_view(FrameMarks, Frame),
+    append(Views, Frame, AllViews),
+    W is round(Width*1000),
+    H is round(Height*1000),
+    Drawing = drawing(sheet(W,H,PerUnit), AllViews).
+
+sheet_room(Request, Width, Height, ScaleText, Marks, Room) :-
+    (   option(frame(true), Request)
+    ->  option(facts(Facts), Request),
+        option(angle(Angle), Request),
+        paper_name(Width, Height, Paper),
+        atom_string(Paper, PaperText),
+        frame(Width, Height,
+              [scale-ScaleText,paper-PaperText,angle-Angle|Facts],
+              Marks, Room)
+    ;   Marks = [],
+        bare_room(Width, Height, Room)
+    ).
+
+%   celled(Boxed, Angle, Celled): cell(Seen,Box,Cell) of each; the six sides
+%   choose first.
+
+celled(Boxed, Angle, Celled) :-
+    partition([seen(view(_,_,_,side),_,_)-_]>>true, Boxed, Sides, Others),
+    foldl(cell_taken(Angle), Sides, []-Celled, Taken-Rest),
+    foldl(cell_taken(Angle), Others, Taken-Rest, _-[]).
+
+cell_taken(Angle, Seen-Box, Taken-[cell(Seen,Box,Cell)|Rest],
+           [Cell|Taken]-Rest) :-
+    Seen = seen(View, _, _),
+    view_cell(View, Angle, Taken, Cell).
+
+%   marking(Sections, Celled, Marking): in which view the plane of each section
+%   is shown, Section-Name: the first that sees it edge-on.
+
+marking(Sections, Celled, Marking) :-
+    findall(Section-Name,
+            ( member(Section, Sections),
+              once(( member(cell(Seen,Box,_), Celled),
+                     Seen = seen(View, _, _),
+                     View = view(Name, _, _, Kind),
+                     Kind \== pictorial,
+                     View \== Section,
+                     plane_marks(View, Section, Box, 1.0, _) ))
+            ),
+            Marking).
+
+%   view_marks(Marking, Cell, PerUnit, Marks): what is written round a view.
+
+view_marks(Marking, cell(seen(View,_,_),Box,_), PerUnit, Marks) :-
+    View = view(Name, _, _, Kind),
+    findall(Own, ( member(Section-Name, Marking),
+                   plane_marks(View, Section, Box, PerUnit, Own) ),
+            Planes),
+    append(Planes, Marks0),
+    (   Kind = section(_, _, _)
+    ->  marks_pads(Marks0, Box, PerUnit, pads(_,Above,_,_)),
+        label_marks(Name, Box, Above, PerUnit, Label),
+        append(Marks0, Label, Marks)
+    ;   Marks = Marks0
+    ).
+
+label_marks(Name, box(X1,Y1,X2,Y2), Above, PerUnit, Label) :-
+    Y is Y2 + Above/PerUnit,
+    label_marks(Name, box(X1,Y1,X2,Y), PerUnit, Label).
+
+sight(Marking, PerUnit, Celled, sight(Name,Cell,Box,Pads)) :-
+    Celled = cell(seen(view(Name,_,_,_),_,_), Box, Cell),
+    view_marks(Marking, Celled, PerUnit, Marks),
+    marks_pads(Marks, Box, PerUnit, Pads).
+
+
+                /*******************************
+                *            SCALE             *
+                *******************************/
+
+%   chosen_scale(Wanted, Request, Layout, Room, Scale, Places)
+
+chosen_scale(standard, Request, Layout, Room, Scale, Places) :-
+    !,
+    (   standard_scale(Scale0),
+        scale_value(Scale0, Factor),
+        laid_out(Layout, Room, Factor, Places0)
+    ->  Scale = Scale0,
+        Places = Places0
+    ;   request_paper(Request, Paper),
+        sheet_error(no_room(Paper))
+    ).
+chosen_scale(fit, Request, Layout, Room, factor(Scale), Places) :-
+    !,
+    chosen_scale(standard, Request, Layout, Room, Standard, _),
+    scale_value(Standard, Low),
+    High is Low*2.5,
+    largest(24, Low, High, Layout, Room, Scale),
+    laid_out(Layout, Room, Scale, Places),
+    !.
+chosen_scale(Scale, Request, Layout, Room, Scale, Places) :-
+    scale_value(Scale, Factor),
+    (   laid_out(Layout, Room, Factor, Places0)
+    ->  Places = Places0
+    ;   chosen_scale(standard, Request, Layout, Room, Fitting, _),
+        request_paper(Request, Paper),
+        larger_papers(Request, Layout, Factor, Papers),
+        sheet_error(too_large(Scale, Paper, Fitting, Papers))
+    ).
+
+scale_value(factor(Factor), Factor) :-
+    !.
+scale_value(Scale, Factor) :-
+    scale_factor(Scale, Factor).
+
+laid_out(layout_of(Celled,Marking,Unit), Room, Factor, Places) :-
+    PerUnit is Factor*Unit,
+    maplist(sight(Marking, PerUnit), Celled, Sights),
+    layout(Sights, Room, PerUnit, Places).
+
+%   largest(N, Low, High, Layout, Room, Scale): by halving, N times.
+
+largest(0, Low, _, _, _, Low) :-
+    !.
+largest(N, Low, High, Layout, Room, Scale) :-
+    Middle is (Low+High)/2,
+    N1 is N-1,
+    (   laid_out(Layout, Room, Middle, _)
+    ->  largest(N1, Middle, High, Layout, Room, Scale)
+    ;   largest(N1, Low, Middle, Layout, Room, Scale)
+    ).
+
+request_paper(Request, Paper) :-
+    option(paper(Width,Height), Request),
+    paper_name(Width, Height, Paper).
+
+%   larger_papers(Request, Layout, Factor, Papers): the smallest on which it
+%   fits, in a list; none if even A0 is too small.
+
+larger_papers(Request, Layout, Factor, Papers) :-
+    option(paper(Width,Height), Request),
+    (   paper_size(Name, Long, Short),
+        Long > max(Width, Height),
+        (   Width >= Height
+        ->  W = Long, H = Short
+        ;   W = Short, H = Long
+        ),
+        sheet_room(Request, W, H, "", _, Room),
+        laid_out(Layout, Room, Factor, _)
+    ->  Papers = [Name]
+    ;   Papers = []
+    ).
+
+scale_text(N:M, Text) :-
+    !,
+    format(string(Text), '~w:~w', [N, M]).
+scale_text(factor(Factor), Text) :-
+    (   Factor >= 1
+    ->  format(string(Text), '~4g:1', [Factor])
+    ;   M is 1/Factor,
+        format(string(Text), '1:~4g', [M])
+    ).
+
+
+                /*******************************
+                *           DRAWING            *
+                *******************************/
+
+view_drawn(PerUnit, Marking, Places, Celled, view(Name,Strokes,Texts)) :-
+    Celled = cell(seen(view(Name,_,_,_),Parts,Regions), _, _),
+    memberchk(place(Name,X,Y,Left,Top), Places),
+    Scale is PerUnit*1000,
+    Left1 is Left*1000,
+    Top1 is Top*1000,
+    Place = place(Scale,X,Y,Left1,Top1),
+    maplist(placed_part(Place), Parts, Placed),
+    strokes(Placed, Own),
+    maplist(placed_region(Place), Regions, Placed1),
+    hatching_strokes(Placed1, _, Hatching),
+    view_marks(Marking, Celled, PerUnit, Marks),
+    marks_drawn(place(1000,X*PerUnit,Y*PerUnit,Left1,Top1), Marks, Lines,
+                Texts),
+    append([Hatching, Own, Lines], Strokes).
+
+placed_region(Place, region(S,Edges0), region(S,Edges)) :-
+    maplist(placed_edge(Place), Edges0, Edges).
+
+placed_edge(Place, A0-B0, A-B) :-
+    placed_point(Place, A0, A),
+    placed_point(Place, B0, B).
+
+placed_point(place(Scale,X0,Y0,Left,Top), X-Y, A-B) :-
+    A is round((X-X0)*Scale + Left),
+    B is round((Y0-Y)*Scale + Top).
+
+%   marks_drawn(Place, Marks, Strokes, Texts)
+
+marks_drawn(Place, Marks, Strokes, Texts) :-
+    findall(Stroke,
+            ( member(line(Role,Points), Marks),
+              line_stroke(Place, Role, Points, Stroke)
+            ),
+            Strokes),
+    findall(Text, ( member(Mark, Marks), mark_text(Place, Mark, Text) ),
+            Texts).
+
+line_stroke(Place, Role, Points0,
+            stroke(visible,Role,0,[],Points,End,End)) :-
+    maplist(placed_point(Place), Points0, Points),
+    Points = [First|_],
+    (   append(_, [Last], Points),
+        Last == First
+    ->  End = ring
+    ;   End = joint
+    ).
+
+mark_text(Place, text(X,Y,High,Text), Mark) :-
+    mark_text(Place, text(X,Y,High,middle,Text), Mark).
+mark_text(Place, text(X,Y,High0,Anchor,Text0), text(A,B,High,Anchor,Text)) :-
+    placed_point(Place, X-Y, A-B),
+    High is round(High0*1000),
+    text_to_string(Text0, Text).
+
+%   frame_view(Marks, Views): y runs down in its marks.
+
+frame_view([], []) :-
+    !.
+frame_view(Marks0, [view(frame,Strokes,Texts)]) :-
+    maplist(upturned, Marks0, Marks),
+    marks_drawn(place(1000,0,0,0,0), Marks, Strokes, Texts).
+
+upturned(line(Role,Points0), line(Role,Points)) :-
+    maplist([X-Y0,X-Y]>>(Y is -Y0), Points0, Points).
+upturned(text(X,Y0,High,Anchor,Text), text(X,Y,High,Anchor,Text)) :-
+    Y is -Y0.

@@ -1,0 +1,35 @@
+:- encoding(utf8).
+:- module(sg_sheet_words,
+          [ sheet_word/3                % ?Item, ?Language, -Word
+          ]).
+/** <module> What the fields of a title block are called.
+*/
+
+%!  sheet_word(?Item, ?Language, -Word) is nondet.
+%
+%   Word, a string, stands above the field for Item in a drawing in Language.
+
+sheet_word(drawn_by,   en, "Drawn by").
+sheet_word(drawn_by,   ko, "제도").
+sheet_word(checked_by, en, "Checked by").
+sheet_word(checked_by, ko, "검도").
+sheet_word(date,       en, "Date").
+sheet_word(date,       ko, "날짜").
+sheet_word(material,   en, "Material").
+sheet_word(material,   ko, "재질").
+sheet_word(company,    en, "Company").
+sheet_word(company,    ko, "소속").
+sheet_word(name,       en, "Name").
+sheet_word(name,       ko, "도명").
+sheet_word(number,     en, "Drawing number").
+sheet_word(number,     ko, "도면 번호").
+sheet_word(scale,      en, "Scale").
+sheet_word(scale,      ko, "척도").
+sheet_word(angle,      en, "Projection").
+sheet_word(angle,      ko, "투상법").
+sheet_word(paper,      en, "Size").
+sheet_word(paper,      ko, "크기").
+sheet_word(revision,   en, "Revision").
+sheet_word(revision,   ko, "개정").
+sheet_word(sheet,      en, "Sheet").
+sheet_word(sheet,      ko, "매수").
