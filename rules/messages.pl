@@ -14,6 +14,7 @@
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
 :- use_module(style_en, [style_en//1]).
+:- use_module(sheet_en, [sheet_en//1]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
@@ -148,7 +149,8 @@ fault_en(unknown_relation(Name, Arity)) -->
     [ 'there is no relation ~q/~d'-[Name, Arity], nl,
       '  A model has v/5, e/5, p/3, plane/6, t/6, segment/3, \c
        leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
-       from_p/5, line/9, curve/2, view/3 and projection/1.' ].
+       from_p/5, line/9, curve/2, view/3, projection/1 and \c
+       title_block/2.' ].
 fault_en(arity(Name, Arity, Wanted)) -->
     [ '~w has '-[Name] ],
     counted(Arity, argument, arguments),
@@ -199,6 +201,10 @@ fault_en(no_vertices(S, Name)) -->
 fault_en(no_edges(S)) -->
     [ 'segment ~d has neither polygons nor edges'-[S], nl,
       '  Add p/3, e/5 or curve/2.' ].
+fault_en(title_block_only(Name)) -->
+    [ 'a file for the title block has no ~w facts'-[Name], nl,
+      '  Write title_block(Item, Text), such as \c
+       title_block(name, "Bracket").' ].
 fault_en(empty) -->
     [ 'the model is empty', nl,
       '  Give at least one segment with vertices and polygons.' ].
@@ -347,6 +353,8 @@ usage_en(cannot_write(output, Why)) -->
 usage_en(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ 'there is no segment ~w, only ~w'-[S, All] ].
+usage_en(sheet(What)) -->
+    sheet_en(What).
 usage_en(exact_format(Format)) -->
     [ '--exact is for tables (csv, tsv, txt), not for ~w'-[Format] ].
 usage_en(bad_goal(Text, Why)) -->

@@ -13,6 +13,7 @@
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(style_ko, [style_ko//1]).
+:- use_module(sheet_ko, [sheet_ko//1]).
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
 :- use_module(primitive_ko, [primitive_ko//2]).
@@ -147,7 +148,8 @@ fault_ko(unknown_relation(Name, Arity)) -->
     [ '관계 ~q/~d 은(는) 없습니다'-[Name, Arity], nl,
       '  모델의 관계: v/5, e/5, p/3, plane/6, t/6, segment/3, \c
        leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
-       from_p/5, line/9, curve/2, view/3, projection/1.' ].
+       from_p/5, line/9, curve/2, view/3, projection/1, \c
+       title_block/2.' ].
 fault_ko(arity(Name, Arity, Wanted)) -->
     [ '~w 의 인수가 ~d개입니다. ~d개여야 합니다'-[Name, Arity, Wanted], nl,
       '  ~w/~d 의 설명과 비교하십시오.'-[Name, Wanted] ].
@@ -197,6 +199,10 @@ fault_ko(no_vertices(S, Name)) -->
 fault_ko(no_edges(S)) -->
     [ '세그먼트 ~d 에 다각형도 모서리도 없습니다'-[S], nl,
       '  p/3, e/5 또는 curve/2 를 추가하십시오.' ].
+fault_ko(title_block_only(Name)) -->
+    [ '표제란 파일에 ~w 사실은 쓸 수 없습니다'-[Name], nl,
+      '  title_block(Item, Text) 만 쓰십시오. 보기: \c
+       title_block(name, "받침대").' ].
 fault_ko(empty) -->
     [ '모델이 비어 있습니다', nl,
       '  꼭지점과 다각형이 있는 세그먼트를 하나 이상 주십시오.' ].
@@ -333,6 +339,8 @@ usage_ko(cannot_write(output, Why)) -->
 usage_ko(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ '세그먼트 ~w 은(는) 없습니다. 있는 것: ~w'-[S, All] ].
+usage_ko(sheet(What)) -->
+    sheet_ko(What).
 usage_ko(exact_format(Format)) -->
     [ '--exact 는 표(csv, tsv, txt)에 쓰며 ~w에는 쓸 수 없습니다'-[Format] ].
 usage_ko(bad_goal(Text, Why)) -->

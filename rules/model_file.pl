@@ -41,8 +41,9 @@ A file holds facts of the relations (model_text.pl), in any order, and:
     Name is a primitive term that makes them (primitive.pl), or a node of the
     CSG tree (csg_term.pl), whose nested operands get segments of their own
     after those of the file.
-  - `view(Theta, Phi, Rho)` and `projection(Kind)`, once each; they replace
-    those of the world.
+  - `view(Theta, Phi, Rho)` and `projection(Kind)`, once each, and
+    `title_block(Item, Text)`, once for an item; they replace those of the
+    world.
 
 Reading adds to the world: the segments of a file come after those that are
 there, keeping their own numbers if there are none. It is all or nothing.
@@ -283,7 +284,7 @@ shifted(_, Fact, Fact).
 
 segment_relation(Fact) :-
     functor(Fact, Name, Arity),
-    \+ memberchk(Name/Arity, [view/3, projection/1]).
+    \+ memberchk(Name/Arity, [view/3, projection/1, title_block/2]).
 
 %   operand_shifted(DS, Operand0, Operand): one that is no good stays, and is
 %   found later.
@@ -347,7 +348,8 @@ later_added(Later) :-
     later_rows(Later, from_v/4),
     later_rows(Later, from_p/5),
     later_setting(Later, view/3),
-    later_setting(Later, projection/1).
+    later_setting(Later, projection/1),
+    later_title(Later).
 
 later_of([], _, []).
 later_of([Item|Later], Name/Arity, Items) :-
@@ -374,6 +376,14 @@ later_setting(Later, Relation) :-
         row_added(Row, Place)
     ;   true
     ).
+
+%   later_title(Later): what the last file says of an item holds.
+
+later_title(Later) :-
+    later_of(Later, title_block/2, Items),
+    findall(Item, member(later(title_block(Item, _), _), Items), Names),
+    forall(member(Item, Names), retractall_facts(title_block(Item, _))),
+    forall(member(later(Row, Place), Items), row_added(Row, Place)).
 
 %   later_segment(Item): the row, and what its primitive makes.
 

@@ -8,7 +8,7 @@
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9,
-                view/3, projection/1
+                view/3, projection/1, title_block/2
               ]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).
@@ -18,10 +18,10 @@
 
 Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,
 plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4,
-from_p/5, every relation in the order of its key; then line/9, view/3 and
-projection/1. Floats have the fewest digits that read back to the same float. So
-equal worlds give equal bytes, a small change gives a small difference, and
-read_model/1 brings back the same relations.
+from_p/5, every relation in the order of its key; then line/9, view/3,
+projection/1 and title_block/2. Floats have the fewest digits that read back to
+the same float. So equal worlds give equal bytes, a small change gives a small
+difference, and read_model/1 brings back the same relations.
 
 Where the edges of a segment are just what read_model/1 makes from vertex
 lists, as after reading vertex lists or a mesh, its polygons are written as
@@ -51,7 +51,8 @@ write_model_to(Stream) :-
     forall(member(S, Ss), write_segment(Stream, S)),
     write_lines(Stream),
     write_rows(Stream, 1, view(_, _, _)),
-    write_rows(Stream, 1, projection(_)).
+    write_rows(Stream, 1, projection(_)),
+    write_rows(Stream, Item, title_block(Item, _)).
 
 all_segments(Ss) :-
     findall(S, segment(S, _, _), Ss0),

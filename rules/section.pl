@@ -20,15 +20,16 @@
                 assert_fact/1, retractall_facts/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
+:- autoload(library(apply),
+            [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- autoload(library(lists), [append/2, member/2]).
 :- autoload(library(ordsets), [ord_memberchk/2]).
 /** <module> Sections: the model cut open by a plane.
 
 What is above the plane, where the eye stands, is taken away, exactly: a solid
 is split by it as rows DV-3 and CB-1 say, and the faces that come to lie in
-the plane are its *caps*. Of an open surface, which has no inside, the part below
-stays, and where it ends is a line; of a curve the pieces below.
+the plane are its *caps*. Of an open surface, which has no inside, the part
+below stays, and where it ends is a line; of a curve the pieces below.
 
     section(Plane, Pieces)
     piece(S, N, Kind, Caps)     what is left of segment S is segment N; its

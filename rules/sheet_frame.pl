@@ -74,7 +74,12 @@ border_marks(Width, Height, Rectangle, Marks) :-
     rectangle_line(field, rect(XA,YA,XB,YB), Grid),
     MX is Width/2,
     MY is Height/2,
-    centring(MX, MY, Rectangle, Centring),
+    block(BlockWidth, _),
+    (   MX > X2-BlockWidth
+    ->  Inside = 0                      % the title block is there
+    ;   Inside = 5
+    ),
+    centring(MX, MY, Rectangle, Inside, Centring),
     zones(Width, MX, X1, X2, Xs),
     zones(Height, MY, Y1, Y2, Ys),
     findall(Mark,
@@ -89,12 +94,15 @@ border_marks(Width, Height, Rectangle, Marks) :-
 rectangle_line(Role, rect(X1,Y1,X2,Y2),
                line(Role,[X1-Y1,X2-Y1,X2-Y2,X1-Y2,X1-Y1])).
 
-centring(MX, MY, rect(X1,Y1,X2,Y2), [line(frame,[MX-T1,MX-T2]),
+%   centring(MX, MY, Rectangle, Inside, Marks): the lower one reaches Inside mm
+%   into the frame, the others 5.
+
+centring(MX, MY, rect(X1,Y1,X2,Y2), Inside, [line(frame,[MX-T1,MX-T2]),
                                      line(frame,[MX-B1,MX-B2]),
                                      line(frame,[L1-MY,L2-MY]),
                                      line(frame,[R1-MY,R2-MY])]) :-
     T1 is Y1-5, T2 is Y1+5,
-    B1 is Y2-5, B2 is Y2+5,
+    B1 is Y2-Inside, B2 is Y2+5,
     L1 is X1-5, L2 is X1+5,
     R1 is X2-5, R2 is X2+5.
 
@@ -146,8 +154,8 @@ zone_text(letter, I, Text) :-
                 *          TITLE BLOCK         *
                 *******************************/
 
-%   field(Item, X, Y, Width, Height, TextHeight): millimetres from the upper left
-%   corner of the block.
+%   field(Item, X, Y, Width, Height, TextHeight): millimetres from the upper
+%   left corner of the block.
 
 field(drawn_by,     0,  0,  45,  9, 3.5).
 field(date,        45,  0,  35,  9, 3.5).

@@ -198,9 +198,10 @@ farther(X-Y, box(X1,Y1,X2,Y2), box(X3,Y3,X4,Y4)) :-
 
 %!  hatching_strokes(+Regions, -Spacing, -Strokes) is det.
 %
-%   Strokes (sheet.pl), Spacing apart, hatch Regions, region(S,Edges), whose points are
-%   thousandths of a millimetre on the sheet. The hatching of neighbours in the
-%   list leans the other way; every third and fourth is closer.
+%   Strokes (sheet.pl), Spacing apart, hatch Regions, region(S,Edges), whose
+%   points are thousandths of a millimetre on the sheet. The hatching of
+%   neighbours in the list leans the other way; that of every third and fourth
+%   is closer.
 
 hatching_strokes([], 0, []) :-
     !.

@@ -182,9 +182,15 @@ marking(Sections, Celled, Marking) :-
                      View = view(Name, _, _, Kind),
                      Kind \== pictorial,
                      View \== Section,
-                     plane_marks(View, Section, Box, 1.0, _) ))
+                     handy_scale(Box, Scale),
+                     plane_marks(View, Section, Box, Scale, _) ))
             ),
             Marking).
+
+%   handy_scale(Box, Scale): with which Box is 100 mm large.
+
+handy_scale(box(X1,Y1,X2,Y2), Scale) :-
+    Scale is 100/max(1.0e-90, max(X2-X1, Y2-Y1)).
 
 %   view_marks(Marking, Cell, PerUnit, Marks): what is written round a view.
 
@@ -252,8 +258,15 @@ scale_value(Scale, Factor) :-
 
 laid_out(layout_of(Celled,Marking,Unit), Room, Factor, Places) :-
     PerUnit is Factor*Unit,
+    \+ ( member(cell(_,Box,_), Celled), larger_than_room(Box, PerUnit, Room) ),
     maplist(sight(Marking, PerUnit), Celled, Sights),
     layout(Sights, Room, PerUnit, Places).
+
+larger_than_room(box(X1,Y1,X2,Y2), PerUnit, room(rect(A,B,C,D),_)) :-
+    (   (X2-X1)*PerUnit > C-A
+    ;   (Y2-Y1)*PerUnit > D-B
+    ),
+    !.
 
 %   largest(N, Low, High, Layout, Room, Scale): by halving, N times.
 

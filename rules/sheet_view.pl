@@ -46,8 +46,8 @@ view_named(Name, view(Name,Theta,Phi,Kind)) :-
 
 %!  view_towards(+Direction, +Name, -View) is semidet.
 %
-%   View, called Name, looks along Direction, d(X,Y,Z), which is not zero. Up and
-%   down it has x to the right, as the top view.
+%   View, called Name, looks along Direction, d(X,Y,Z), which is not zero.
+%   Straight up and down it has x to the right, as the top view.
 
 view_towards(d(X,Y,Z), Name, view(Name,Theta,Phi,pictorial)) :-
     Level is sqrt(float(X*X+Y*Y)),

@@ -16,6 +16,7 @@
                                       % ?S2, ?P2, ?A2, ?B2
             view/3,                   % ?Theta, ?Phi, ?Rho
             projection/1,             % ?Kind
+            title_block/2,            % ?Item, ?Text
             screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
             contour/9,                % ?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2,
                                       % ?To, ?Ts
@@ -169,6 +170,12 @@ refers to any more is freed with its handle by atom garbage collection.
 %!  projection(?Kind) is nondet.
 %
 %   True when the model is projected so: parallel or central.
+
+%!  title_block(?Item, ?Text) is nondet.
+%
+%   True when the title block of a sheet says Text, text, a number or an atom,
+%   for Item: one of `name number material drawn_by checked_by date company
+%   revision sheet`.
 
 %!  screen(?S, ?V, ?Xs, ?Ys, ?Zs) is nondet.
 %
@@ -466,6 +473,7 @@ sandbox:safe_primitive(sg_store:from_p(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:line(_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:view(_,_,_)).
 sandbox:safe_primitive(sg_store:projection(_)).
+sandbox:safe_primitive(sg_store:title_block(_,_)).
 sandbox:safe_primitive(sg_store:screen(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:contour(_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:drawn(_,_,_,_,_,_,_)).

@@ -87,9 +87,15 @@ verb_option(draw, option(format, '',
     one_of([svg, pdf, eps, ps, png, dxf, hpgl, json]), 'FORMAT',
     'the format for -o -')).
 verb_option(Verb, option(view, '', value, 'VIEW',
-    'front, back, left, right, top, bottom, iso, or THETA,PHI[,RHO] in \c
-     degrees')) :-
+    'front, back, left, right, top, bottom, isometric, dimetric, \c
+     trimetric, or THETA,PHI[,RHO] in degrees')) :-
     picture_verb(Verb).
+verb_option(draw, option(direction, '', value, 'X,Y,Z',
+    'look in this direction')).
+verb_option(draw, option(eye, '', value, 'X,Y,Z',
+    'look from this point')).
+verb_option(draw, option(target, '', value, 'X,Y,Z',
+    'with --eye: towards this point; without it 0,0,0')).
 verb_option(Verb, option(projection, '', one_of([parallel, central]), 'KIND',
     'parallel or central')) :-
     picture_verb(Verb).
@@ -101,6 +107,28 @@ verb_option(Verb, option(lines, '', one_of([feature, all, penetration]),
 verb_option(Verb, option(segment, '', each, 'N',
     'only segment N; may be repeated')) :-
     picture_verb(Verb).
+verb_option(draw, option(scale, '', value, 'N:M',
+    'true scale, such as 1:2 or 5:1; or fit, as large as there is room')).
+verb_option(draw, option(unit, '', one_of([mm, cm, m, inch]), 'UNIT',
+    'what one is in the model, for the scale; default mm')).
+verb_option(draw, option(sheet, '', value, 'PAPER',
+    'a framed sheet, A4 to A0, also A3-portrait or A4-landscape; default of \c
+     the options below: A3')).
+verb_option(draw, option(views, '', value, 'VIEWS',
+    'the views on it, such as front,top,right,isometric (those if nothing \c
+     else is said)')).
+verb_option(draw, option(angle, '', one_of([first, third]), 'ANGLE',
+    'first-angle or third-angle projection (third, as is usual)')).
+verb_option(draw, option(section, '', each, 'PLANE',
+    'also cut open and hatched at x=5, y=5 or z=5; at x, y or z, through the \c
+     middle; or at A,B,C,D, seen from where A*X + B*Y + C*Z + D > 0; may be \c
+     repeated')).
+verb_option(draw, option('title-block', '', value, 'FILE',
+    'facts for the title block, such as title_block(name, "Bracket").')).
+verb_option(draw, option(language, '', one_of([en, ko]), 'LANGUAGE',
+    'language of the title block; default en')).
+verb_option(draw, option(frame, '', flag, '',
+    'with --no-frame a sheet without frame and title block')).
 verb_option(draw, option(size, '', value, 'WxH',
     'size of the sheet in mm')).
 
@@ -188,7 +216,26 @@ option_ko(json, '보고를 JSON으로').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
 option_ko(view,
-    'front back left right top bottom iso 또는 THETA,PHI[,RHO] (도)').
+    'front back left right top bottom isometric dimetric trimetric 또는 \c
+THETA,PHI[,RHO] (도)').
+option_ko(direction, '이 방향으로 본다').
+option_ko(eye, '이 점에서 본다').
+option_ko(target, '--eye 와 함께: 이 점을 본다. 없으면 0,0,0').
+option_ko(scale, '척도. 1:2, 5:1 등, 또는 fit(자리에 맞추어 가장 크게)').
+option_ko(unit, '척도를 위한 모델의 단위. 보통 mm').
+option_ko(sheet,
+    '테두리가 있는 도면. A4~A0, A3-portrait(세로), A4-landscape(가로) 등. \c
+아래 선택 사항만 있으면 A3').
+option_ko(views,
+    '도면의 그림들. front,top,right,isometric 등(따로 말하지 않으면 이것)').
+option_ko(angle, 'first(제1각법) 또는 third(제3각법, 보통)').
+option_ko(section,
+    '단면도. x=5, y=5, z=5에서, x, y, z는 가운데에서, A,B,C,D는 \c
+A*X + B*Y + C*Z + D > 0 인 쪽에서 본다. 여러 번 쓸 수 있다').
+option_ko('title-block',
+    '표제란의 사실 파일. 보기: title_block(name, "받침대").').
+option_ko(language, '표제란의 언어. 보통 en').
+option_ko(frame, '--no-frame: 테두리와 표제란 없이').
 option_ko(projection, 'parallel(평행) 또는 central(중심)').
 option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임)').
 option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
@@ -238,6 +285,10 @@ example(draw, 'sanggwan draw facts/figures/fig12.pl --segment 1 \c
 --view 300,60 -o cone.svg').
 example(draw, 'sanggwan draw part.stl --view iso --hidden removed \c
 --png dots --size 640x400 -o part.png').
+example(draw, 'sanggwan draw facts/pipe_tee.pl --sheet A3 --unit cm \c
+--section y -o tee.pdf').
+example(draw, 'sanggwan draw part.stl --sheet A4 \c
+--views front,top,isometric --angle first --scale 1:2 -o part.svg').
 example(union, 'sanggwan union a.stl b.stl c.stl -o all.stl').
 example(union, 'sanggwan union facts/cube.pl facts/pipe_tee.pl').
 example(intersection, 'sanggwan intersection a.off b.off -o common.obj').

@@ -23,12 +23,18 @@
 :- use_module(query, [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
 :- use_module(report, [print_report/2]).
+:- use_module(sheet_options,
+              [ sheet_wanted/1, sheet_request/3, request_facts/4, looking/2,
+                scale_option/2
+              ]).
+:- use_module(sheet_plan, [views_drawing/4]).
 :- use_module(solid_verbs,
               [ solid_verb/1, solid_verb_run/4, solids_written/2,
                 empty_roots_warned/0 ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ segment/3, line/9, origin/3, facts_transaction/1, new_world/1,
+              [ segment/3, line/9, origin/3, facts_snapshot/1,
+                facts_transaction/1, new_world/1,
                 in_world/2
               ]).
 :- use_module(style_file, [style_rows/2]).
@@ -36,7 +42,7 @@
               [ some_files/2, outputs/3, some_outputs/1, output_written/2,
                 usage_error/1
               ]).
-:- use_module(view, [set_view/1, set_view/3, set_projection/1, named_view/3]).
+:- use_module(view, [set_view/1, set_view/3, set_projection/1]).
 :- autoload(library(apply), [maplist/2, maplist/3, partition/4]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(http/json), [json_write_dict/2]).
@@ -118,10 +124,19 @@ verb_run(draw, Files, Options, 0) :-
     some_outputs(Outputs),
     picture_options(Options, PictureOptions),
     drawing_options(Options, DrawingOptions),
-    eye(Options, Eye),
-    load_model(Files, Options),
-    picture_made(Options, Eye, PictureOptions, _),
-    maplist(output_written(drawing_output(DrawingOptions)), Outputs).
+    (   sheet_wanted(Options)
+    ->  sheet_request(Options, PictureOptions, Request),
+        load_model(Files, Options),
+        request_facts(Options, Files, Request, Full),
+        roots_ready(PictureOptions, Lines),
+        sheet_made(Options, Full, Lines, Drawing),
+        WriteOptions = [drawing(Drawing)|DrawingOptions]
+    ;   eye(Options, Eye),
+        load_model(Files, Options),
+        picture_made(Options, Eye, PictureOptions, _),
+        WriteOptions = DrawingOptions
+    ),
+    maplist(output_written(drawing_output(WriteOptions)), Outputs).
 verb_run(query, Arguments, Options, Status) :-
     (   append(Files, [Text], Arguments)
     ->  true
@@ -167,21 +182,28 @@ verb_run(repl, Files, Options, 0) :-
 %   loaded, roots alone; Lines as of operand_lines/1.
 
 picture_made(Options, Eye, PictureOptions, Lines) :-
+    roots_ready(PictureOptions, Lines),
+    facts_transaction(
+        sg_verbs:pictured(Lines, Options, Eye, PictureOptions)).
+
+roots_ready(PictureOptions, Lines) :-
     empty_roots_warned,
     operand_lines(Lines),
     roots_alone,
-    known_segments(PictureOptions),
-    facts_transaction(
-        sg_verbs:pictured(Lines, Options, Eye, PictureOptions)).
+    known_segments(PictureOptions).
+
+%   sheet_made(Options, Request, Lines, Drawing): see views_drawing/4.
+
+sheet_made(Options, Request, Lines, Drawing) :-
+    views_drawing(Request, Lines,
+                  sg_verbs:cuts(segments_cut(Options), pieces_cut(Options)),
+                  Drawing).
 
 %   pictured(Lines, Options, Eye, PictureOptions): the picture of the current
 %   world, with the Lines of operands.
 
 pictured(Lines, Options, Eye, PictureOptions) :-
-    (   several_segments
-    ->  penetrated(Options)
-    ;   true
-    ),
+    segments_cut(Options),
     maplist(call, Eye),
     (   aside_segments([_|_]),
         \+ option(segments(_), PictureOptions)
@@ -201,10 +223,24 @@ pictured(Lines, Options, Eye, PictureOptions) :-
 %     - projection(Kind): `parallel` or `central`
 %     - lines(Which), segments(List): see picture/1
 %     - hidden(How), size(Size), ...: see write_drawing/2
+%     - sheet(Paper), views(Names), section(Planes), angle(Angle), scale(Scale),
+%       unit(Unit), 'title-block'(File), language(Language), frame(Bool): a
+%       sheet, as the verb draw makes it; the values are atoms as after the
+%       options of that name, Planes a list of such. The world stays as it is.
 
 draw(File) :-
     draw(File, []).
 
+draw(File, Options) :-
+    sheet_wanted(Options),
+    !,
+    sheet_request(Options, Options, Request),
+    request_facts(Options, [], Request, Full),
+    facts_snapshot(( operand_lines(Lines),
+                     roots_alone,
+                     sheet_made(Options, Full, Lines, Drawing) )),
+    drawing_output([drawing(Drawing)|Options], File),
+    print_message(informational, sanggwan(wrote(File))).
 draw(File, Options) :-
     findall(Goal, ( member(Option, Options), view_goal(Option, Goal) ), Eye),
     operand_lines(Lines),
@@ -231,6 +267,21 @@ several_segments :-
     segment(B, _, _),
     A \== B,
     !.
+
+%   segments_cut(Options): the segments cut each other, if there are several.
+%   pieces_cut(Options): those of a section, which needs no notice.
+
+segments_cut(Options) :-
+    (   several_segments
+    ->  penetrated(Options)
+    ;   true
+    ).
+
+pieces_cut(Options) :-
+    (   several_segments
+    ->  penetrate(all, Options)
+    ;   true
+    ).
 
 %   penetrated(Options): the segments cut each other, or a notice says why not.
 
@@ -378,6 +429,8 @@ drawing_option(Options, png(How)) :-
 drawing_option(Options, dots(Dots)) :-
     option(dpi(DotsPerInch), Options),
     Dots is DotsPerInch/25.4.
+drawing_option(Options, scale(Scale)) :-
+    scale_option(Options, Scale).
 drawing_option(Options, size(Size)) :-
     option(size(Size), Options),
     (   split_string(Size, "x", "", Parts),
@@ -398,23 +451,21 @@ number_of(Text, Number) :-
 eye(Options, Goals) :-
     findall(Goal, eye_goal(Options, Goal), Goals).
 
-eye_goal(Options, Goal) :-
-    option(view(View), Options),
-    (   named_view(View, _, _)
-    ->  Goal = set_view(View)
-    ;   split_string(View, ",", " ", Parts),
-        maplist(number_of, Parts, Numbers),
-        eye_numbers(Numbers, Goal)
-    ->  true
-    ;   usage_error(bad_value('--view', View,
-                              'front, iso, ... or THETA,PHI[,RHO]'))
-    ).
+eye_goal(Options, set_view(Theta, Phi, Rho)) :-
+    looking(Options, view(_, Theta, Phi, _)),
+    eye_distance(Options, Rho).
 eye_goal(Options, set_projection(Kind)) :-
     option(projection(Kind), Options).
 
-eye_numbers([Theta, Phi], set_view(Theta, Phi, 0)).
-eye_numbers([Theta, Phi, Rho], set_view(Theta, Phi, Rho)) :-
-    Rho >= 0.
+%   eye_distance(Options, Rho): 0 is as far as needed.
+
+eye_distance(Options, Rho) :-
+    (   option(view(View), Options),
+        split_string(View, ",", " ", [_, _, Text]),
+        number_of(Text, Rho0)
+    ->  Rho = Rho0
+    ;   Rho = 0
+    ).
 
 query_format(Options, Format) :-
     (   option(json(true), Options)

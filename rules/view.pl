@@ -75,8 +75,10 @@ set_view(Name) :-
 
 %!  named_view(?Name, ?Theta, ?Phi) is nondet.
 %
-%   The sides that have a name. The front is seen from -y; iso looks along a
-%   diagonal of a cube, from the right, the front and above.
+%   The sides that have a name. The front is seen from -y; iso (isometric)
+%   looks along a diagonal of a cube, from the right, the front and above;
+%   dimetric is nearer to the front, so that depths are half as long as widths
+%   and heights; trimetric is how a model is seen that says nothing.
 
 named_view(front,  270.0,  90.0).
 named_view(right,    0.0,  90.0).
@@ -85,6 +87,9 @@ named_view(left,   180.0,  90.0).
 named_view(back,    90.0,  90.0).
 named_view(bottom, 270.0, 180.0).
 named_view(iso,    315.0,  54.735610317245346).
+named_view(isometric, 315.0, 54.735610317245346).
+named_view(dimetric, 290.7048110546354, 70.52877936550931).
+named_view(trimetric, 300.0, 65.0).
 
 %!  set_projection(+Kind) is det.
 %

@@ -25,7 +25,8 @@ test(set) :-
                    current_view(10.0, 20.0, 30.0, parallel),
                    findall(x, view(_,_,_), [x]),
                    findall(x, projection(_), [x]) )).
-test(names, all(Name == [front,right,top,left,back,bottom,iso])) :-
+test(names, all(Name == [front,right,top,left,back,bottom,iso,isometric,
+                          dimetric,trimetric])) :-
     named_view(Name, _, _).
 test(distance) :-
     boxed(( set_view(front), current_view(270.0, 90.0, Rho, _),

@@ -1,0 +1,55 @@
+:- module(sg_sheet_en,
+          [ sheet_en//1                 % +What
+          ]).
+:- autoload(library(apply), [maplist/3]).
+/** <module> What is wrong with what was asked of a sheet, in English.
+
+sheet_ko.pl has the same heads in Korean (tests/rules/sheet_options.plt).
+*/
+
+%!  sheet_en(+What)// is det.
+%
+%   The message for usage_error(sheet(What)).
+
+sheet_en(paper(Text, Names)) -->
+    { atomic_list_concat(Names, ' ', All) },
+    [ '--sheet ~w: there is no such paper'-[Text], nl,
+      '  Take one of ~w, perhaps with -portrait or -landscape.'-[All] ].
+sheet_en(view(Text, Names)) -->
+    { atomic_list_concat(Names, ' ', All) },
+    [ '--views: no view is called ~w'-[Text], nl,
+      '  There are: ~w.'-[All] ].
+sheet_en(view_twice(Name)) -->
+    [ '--views: the view ~w is there twice'-[Name] ].
+sheet_en(scale(Text)) -->
+    [ '--scale ~w is no scale'-[Text], nl,
+      '  Write 1:2 for half the size, 5:1 for five times, or fit.' ].
+sheet_en(too_large(N:M, Paper, Fitting, Papers)) -->
+    [ 'at ~w:~w the views do not fit on ~w'-[N, M, Paper], nl ],
+    fitting_en(Fitting, Papers).
+sheet_en(no_room(Paper)) -->
+    [ 'the views do not fit on ~w at any scale'-[Paper], nl,
+      '  Take a larger --sheet, or fewer --views.' ].
+sheet_en(section(Text)) -->
+    [ '--section ~w is no plane'-[Text], nl,
+      '  Write x=5, y=5 or z=5; x, y or z alone to cut through the middle; \c
+       or A,B,C,D', nl,
+      '  for the plane A*X + B*Y + C*Z + D = 0, seen from where that is \c
+       above 0.' ].
+sheet_en(section_past(Text, none)) -->
+    [ '--section ~w: there is nothing to cut'-[Text] ].
+sheet_en(section_past(Text, box(X1,Y1,Z1,X2,Y2,Z2))) -->
+    { maplist(short, [X1,X2,Y1,Y2,Z1,Z2], Numbers) },
+    [ '--section ~w goes past the model'-[Text], nl,
+      '  It has x from ~w to ~w, y from ~w to ~w, z from ~w to ~w.'-Numbers ].
+sheet_en(no_direction(Name, Text)) -->
+    [ '~w ~w: that is no direction to look in'-[Name, Text], nl,
+      '  The eye has to be elsewhere than what it looks at.' ].
+
+fitting_en(N:M, []) -->
+    [ '  --scale ~w:~w does fit.'-[N, M] ].
+fitting_en(N:M, [Paper]) -->
+    [ '  --scale ~w:~w does fit, or take --sheet ~w.'-[N, M, Paper] ].
+
+short(Number, Text) :-
+    format(atom(Text), '~4g', [Number]).

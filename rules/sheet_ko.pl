@@ -1,0 +1,58 @@
+:- encoding(utf8).
+:- module(sg_sheet_ko,
+          [ sheet_ko//1                 % +What
+          ]).
+:- autoload(library(apply), [maplist/3]).
+/** <module> What is wrong with what was asked of a sheet, in Korean.
+
+sheet_en.pl has the same heads in English.
+*/
+
+%!  sheet_ko(+What)// is det.
+%
+%   The message for usage_error(sheet(What)).
+
+sheet_ko(paper(Text, Names)) -->
+    { atomic_list_concat(Names, ' ', All) },
+    [ '--sheet ~w: 그런 종이는 없습니다'-[Text], nl,
+      '  ~w 가운데 고르십시오. 뒤에 -portrait(세로)나 -landscape(가로)를 \c
+       붙일 수 있습니다.'-[All] ].
+sheet_ko(view(Text, Names)) -->
+    { atomic_list_concat(Names, ' ', All) },
+    [ '--views: ~w 라는 그림은 없습니다'-[Text], nl,
+      '  있는 것: ~w.'-[All] ].
+sheet_ko(view_twice(Name)) -->
+    [ '--views: ~w 가 두 번 있습니다'-[Name] ].
+sheet_ko(scale(Text)) -->
+    [ '--scale ~w 는 척도가 아닙니다'-[Text], nl,
+      '  절반은 1:2, 다섯 배는 5:1, 종이에 맞추려면 fit 이라고 쓰십시오.' ].
+sheet_ko(too_large(N:M, Paper, Fitting, Papers)) -->
+    [ '척도 ~w:~w 로는 ~w 에 그림이 다 들어가지 않습니다'-[N, M, Paper], nl ],
+    fitting_ko(Fitting, Papers).
+sheet_ko(no_room(Paper)) -->
+    [ '어떤 척도로도 ~w 에 그림이 다 들어가지 않습니다'-[Paper], nl,
+      '  더 큰 --sheet 나 더 적은 --views 를 쓰십시오.' ].
+sheet_ko(section(Text)) -->
+    [ '--section ~w 는 평면이 아닙니다'-[Text], nl,
+      '  x=5, y=5, z=5, 또는 가운데를 자르려면 x, y, z 만, 또는 A,B,C,D 를 \c
+       쓰십시오.', nl,
+      '  A,B,C,D 는 평면 A*X + B*Y + C*Z + D = 0 이고, 이 값이 0보다 큰 \c
+       쪽에서 봅니다.' ].
+sheet_ko(section_past(Text, none)) -->
+    [ '--section ~w: 자를 것이 없습니다'-[Text] ].
+sheet_ko(section_past(Text, box(X1,Y1,Z1,X2,Y2,Z2))) -->
+    { maplist(short, [X1,X2,Y1,Y2,Z1,Z2], Numbers) },
+    [ '--section ~w 는 모델을 지나지 않습니다'-[Text], nl,
+      '  모델의 x는 ~w~~~w, y는 ~w~~~w, z는 ~w~~~w 입니다.'-Numbers ].
+sheet_ko(no_direction(Name, Text)) -->
+    [ '~w ~w: 보는 방향이 없습니다'-[Name, Text], nl,
+      '  눈은 보는 것과 다른 곳에 있어야 합니다.' ].
+
+fitting_ko(N:M, []) -->
+    [ '  --scale ~w:~w 는 들어갑니다.'-[N, M] ].
+fitting_ko(N:M, [Paper]) -->
+    [ '  --scale ~w:~w 는 들어갑니다. 아니면 --sheet ~w 를 쓰십시오.'
+      -[N, M, Paper] ].
+
+short(Number, Text) :-
+    format(atom(Text), '~4g', [Number]).
