@@ -137,6 +137,12 @@ $(CHECKER): $(wildcard tests/checker/*.c) $(wildcard tests/checker/*.h)
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $(filter %.c,$^) -o $@ -lgmp -lm
 
+# The checker of pictures: shares nothing with the engine either.
+PICTURE_CHECKER := $(B)/tests/picture_checker
+$(PICTURE_CHECKER): $(wildcard tests/picture_checker/*.[ch])
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $(filter %.c,$^) -o $@ -lgmp -lm
+
 # Programs that use the library as a host does: tests and the example.
 EMBEDS  := $(patsubst %.c,$(B)/%,$(wildcard tests/embed/*$(T)*_test.c))
 $(EMBEDS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
@@ -145,16 +151,16 @@ $(EMBEDS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
 	$(CC) $(CFLAGS) $(WARN) -Wno-sign-conversion $(PL_CFLAGS) -Iengine \
 	  $(EXTRA_CFLAGS) $< $(B)/libsanggwan.a -o $@ $(PL_LIBS) $(LIBS)
 
-test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKER)
+test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKER) $(PICTURE_CHECKER)
 	@tests/run $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
 check: test
 check-c: $(C_TESTS)
 	@tests/run $^
-check-rules: $(B)/sanggwan.so $(B)/documentation.pl $(CHECKER)
+check-rules: $(B)/sanggwan.so $(B)/documentation.pl $(CHECKER) $(PICTURE_CHECKER)
 	@tests/run $(PLTS)
 check-embed: $(EMBEDS)
 	@tests/run $^
-check-cli: all $(B)/docs/example $(CHECKER)
+check-cli: all $(B)/docs/example $(CHECKER) $(PICTURE_CHECKER)
 	@tests/run $(CLIS)
 
 # --- checkers --------------------------------------------------------------
@@ -168,7 +174,7 @@ SAN := -fsanitize=address,undefined -fno-sanitize-recover=undefined \
 check-san:
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san san
-san: $(B)/sanggwan.so $(C_TESTS) $(CHECKER)
+san: $(B)/sanggwan.so $(C_TESTS) $(CHECKER) $(PICTURE_CHECKER)
 	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
 	@$(B)/tests/c_kernels/mesh_fuzz_test 20000
 	@echo 'skipped: the tests of rules that need threads'

@@ -1,0 +1,282 @@
+:- module(sg_test_picture_scene,
+          [ random_scene/1,             % ?Class
+            random_view/2               % +Class, -View
+          ]).
+/** <module> Random scenes to be drawn, entered into the current world.
+
+Seed the generator first: set_random(seed(N)). The coordinates of the classes
+that begin with `grid` are whole numbers from 0 to 3 and they are looked at
+along whole directions, so that lines lie behind lines, in faces and on each
+other, faces are seen edge-on, and solids touch.
+*/
+
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(random)).
+:- use_module(rules(boolean)).
+:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation), [complete_segments/0]).
+:- use_module(tests('rules/polyhedron')).
+:- use_module(tests('rules/random_solid')).
+
+%!  random_scene(?Class) is nondet.
+%
+%   Enter a scene of Class into the current world.
+
+random_scene(grid_boxes) :-
+    several(2, 4, grid_box).
+random_scene(grid_solids) :-
+    several(2, 4, grid_solid).
+random_scene(grid_sheets) :-
+    several(1, 4, grid_sheet).
+random_scene(grid_mixed) :-
+    several(1, 2, grid_solid),
+    several(1, 2, grid_sheet),
+    several(1, 2, grid_curve).
+random_scene(grid_shells) :-
+    grid_shells,
+    several(0, 1, grid_curve).
+random_scene(grid_united) :-
+    several(2, 3, grid_box),
+    united.
+random_scene(solids) :-
+    several(2, 3, placed_solid),
+    complete_segments.
+random_scene(united) :-
+    several(2, 3, placed_solid),
+    complete_segments,
+    united.
+random_scene(mixed) :-
+    several(1, 2, placed_solid),
+    complete_segments,
+    several(1, 2, sheet),
+    several(1, 2, curve).
+random_scene(shells) :-
+    random_between(2, 3, N),
+    findall(Points-Faces, ( between(1, N, _), any_prism(Points, Faces) ),
+            Shells),
+    shells(Shells).
+
+%   several(+Least, +Most, :Goal): Goal(S) for so many new segments.
+
+:- meta_predicate several(+, +, 1).
+
+several(Least, Most, Goal) :-
+    random_between(Least, Most, N),
+    forall(between(1, N, _), ( next_segment(S), call(Goal, S) )).
+
+next_segment(S) :-
+    findall(S0, segment(S0, _, _), Ss),
+    max_list([0|Ss], Last),
+    S is Last+1.
+
+%   The segments there are become one solid; nothing else is left.
+
+united :-
+    findall(S, segment(S, _, _), Ss),
+    next_segment(New),
+    boolean(union(Ss), New),
+    forall(member(S, Ss), dropped(S)).
+
+dropped(S) :-
+    retractall_facts(t(S, _, _, _, _, _)),
+    retractall_facts(plane(S, _, _, _, _, _)),
+    retractall_facts(p(S, _, _)),
+    retractall_facts(e(S, _, _, _, _)),
+    retractall_facts(v(S, _, _, _, _)),
+    retractall_facts(segment(S, _, _)).
+
+                /*******************************
+                *          ON THE GRID         *
+                *******************************/
+
+grid_point(p(X,Y,Z)) :-
+    maplist(random_between(0, 3), [X,Y,Z]).
+
+grid_box(S) :-
+    box_corners(Low, High),
+    box_points(Low, High, Points),
+    box_faces(Faces),
+    polyhedron(S, solid, Points, Faces).
+
+box_corners(p(X,Y,Z), p(X1,Y1,Z1)) :-
+    maplist(random_side, [X-X1,Y-Y1,Z-Z1]).
+
+random_side(Low-High) :-
+    random_between(0, 2, Low),
+    Least is Low+1,
+    random_between(Least, 3, High).
+
+grid_solid(S) :-
+    random_member(Shape, [box,box,wedge,tetrahedron,pyramid]),
+    solid_shape(Shape, Points, Faces),
+    polyhedron(S, solid, Points, Faces).
+
+solid_shape(box, Points, Faces) :-
+    box_corners(Low, High),
+    box_points(Low, High, Points),
+    box_faces(Faces).
+solid_shape(wedge, Points, Faces) :-
+    box_corners(Low, High),
+    box_points(Low, High, [P1,P2,P3,P4,P5,P6|_]),
+    Points = [P1,P2,P3,P4,P5,P6],
+    Faces = [[1,3,4,2],[1,2,6,5],[1,5,3],[2,4,6],[3,5,6,4]].
+solid_shape(tetrahedron, [A,B,C,D], Faces) :-
+    repeat,
+    grid_point(A),
+    grid_point(B),
+    grid_point(C),
+    grid_point(D),
+    volume(A, B, C, D, Volume),
+    Volume =\= 0,
+    !,
+    (   Volume > 0
+    ->  Faces = [[1,3,2],[1,2,4],[2,3,4],[3,1,4]]
+    ;   Faces = [[1,2,3],[1,4,2],[2,4,3],[3,4,1]]
+    ).
+solid_shape(pyramid, [P1,P2,P3,P4,Top], Faces) :-
+    box_corners(p(X,Y,Z), p(X1,Y1,Z1)),
+    P1 = p(X,Y,Z),
+    P2 = p(X1,Y,Z),
+    P3 = p(X1,Y1,Z),
+    P4 = p(X,Y1,Z),
+    random_between(0, 3, U),
+    random_between(0, 3, V),
+    Top = p(U,V,Z1),
+    Faces = [[1,4,3,2],[1,2,5],[2,3,5],[3,4,5],[4,1,5]].
+
+volume(p(X,Y,Z), p(X1,Y1,Z1), p(X2,Y2,Z2), p(X3,Y3,Z3), Volume) :-
+    A is X1-X, B is Y1-Y, C is Z1-Z,
+    D is X2-X, E is Y2-Y, F is Z2-Z,
+    G is X3-X, H is Y3-Y, I is Z3-Z,
+    Volume is A*(E*I-F*H) - B*(D*I-F*G) + C*(D*H-E*G).
+
+%   A few triangles over a few points of the grid, not edge on edge always.
+
+grid_sheet(S) :-
+    length(Points0, 5),
+    maplist(grid_point, Points0),
+    sort(Points0, Points),
+    length(Points, N),
+    findall([A,B,C],
+            ( between(1, 3, _),
+              random_between(1, N, A),
+              random_between(1, N, B),
+              random_between(1, N, C),
+              triangle(Points, A, B, C) ),
+            Faces0),
+    sort(Faces0, Faces),
+    (   Faces == []
+    ->  grid_sheet(S)
+    ;   polyhedron(S, surface, Points, Faces)
+    ).
+
+triangle(Points, A, B, C) :-
+    nth1(A, Points, p(X,Y,Z)),
+    nth1(B, Points, p(X1,Y1,Z1)),
+    nth1(C, Points, p(X2,Y2,Z2)),
+    \+ ( (X1-X)*(Y2-Y) =:= (X2-X)*(Y1-Y),
+         (Y1-Y)*(Z2-Z) =:= (Y2-Y)*(Z1-Z),
+         (Z1-Z)*(X2-X) =:= (Z2-Z)*(X1-X) ).
+
+grid_curve(S) :-
+    length(Points0, 4),
+    maplist(grid_point, Points0),
+    without_steps(Points0, Points),
+    (   Points = [_,_|_]
+    ->  curve(S, Points)
+    ;   grid_curve(S)
+    ).
+
+%   No point twice in a row.
+
+without_steps([P,P|Ps0], Ps) :-
+    !,
+    without_steps([P|Ps0], Ps).
+without_steps([P|Ps0], [P|Ps]) :-
+    without_steps(Ps0, Ps).
+without_steps([], []).
+
+%   Several solids as one segment.
+
+grid_shells :-
+    random_between(2, 3, N),
+    findall(Points-Faces,
+            ( between(1, N, _),
+              random_member(Shape, [box,tetrahedron,pyramid]),
+              solid_shape(Shape, Points, Faces) ),
+            Shells),
+    shells(Shells).
+
+shells(Shells) :-
+    foldl(with_shell, Shells, []-[], Points-Faces),
+    random_member(Kind, [solid,surface]),
+    next_segment(S),
+    polyhedron(S, Kind, Points, Faces).
+
+with_shell(Points1-Faces1, Points0-Faces0, Points-Faces) :-
+    length(Points0, N),
+    maplist(maplist(plus(N)), Faces1, Moved),
+    append(Points0, Points1, Points),
+    append(Faces0, Moved, Faces).
+
+                /*******************************
+                *           ANYWHERE           *
+                *******************************/
+
+placed_solid(_) :-
+    random_placed(Term),
+    add_primitive(Term, _).
+
+any_prism(Points, Faces) :-
+    random_between(3, 7, N),
+    R is 0.5+0.5*random_float,
+    prism(N, R, 2.0, Points0, Faces),
+    random_member(Move, [axes,by(0,0,0)]),
+    moved(Move, Points0, Points1),
+    any_point(p(X,Y,Z)),
+    moved(by(X,Y,Z), Points1, Points).
+
+any_point(p(X,Y,Z)) :-
+    X is 2*random_float-1,
+    Y is 2*random_float-1,
+    Z is 2*random_float-1.
+
+sheet(S) :-
+    length(Points, 5),
+    maplist(any_point, Points),
+    polyhedron(S, surface, Points, [[1,2,3],[3,2,4],[4,2,5]]).
+
+curve(S) :-
+    length(Points, 5),
+    maplist(any_point, Points),
+    curve(S, Points).
+
+%!  random_view(+Class, -View) is det.
+%
+%   View is a view for a scene of Class: along whole directions, or any.
+
+random_view(Class, View) :-
+    (   sub_atom(Class, 0, _, _, grid)
+    ->  random_member(How, [name,direction,direction])
+    ;   random_member(How, [angles,angles,central])
+    ),
+    view_of(How, View).
+
+view_of(name, Name) :-
+    random_member(Name, [front,right,top,left,back,bottom,iso]).
+view_of(direction, direction(X,Y,Z)) :-
+    maplist(random_between(-2, 2), [X,Y,Z]),
+    [X,Y,Z] \== [0,0,0],
+    !.
+view_of(direction, direction(1,-2,2)).
+view_of(angles, angles(Theta,Phi)) :-
+    any_angles(Theta, Phi).
+view_of(central, central(Theta,Phi,Rho)) :-
+    any_angles(Theta, Phi),
+    Rho is 6+4*random_float.
+
+any_angles(Theta, Phi) :-
+    Theta is 360*random_float,
+    Phi is 180*random_float.
