@@ -1,9 +1,14 @@
 /* view.c -- see view.h */
 #include "view.h"
 
+#include "twofold.h"
+
 #include <math.h>
 
 #define GRID 0x1p48
+
+/* The rows of an eye are whole numbers of this. */
+#define UNIT 0x1p-30
 
 /* Ranges narrower than this part of their distance are flat: a double holds
  * only 2^-52 of it. */
@@ -55,14 +60,35 @@ sg_eye_init(sg_eye *eye, double theta, double phi, double rho)
                           {-ct * cp, -st * cp, sp},
                           {-sp * ct, -st * sp, -cp}},
                   .rho = rho};
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      eye->row[i][k] = rint(eye->row[i][k] / UNIT) * UNIT + 0.0;
+    }
+  }
+}
+
+/* r . p, rounded once: products without error, and the errors of sums summed
+ * apart. */
+static double
+exact_dot(const double r[3], const double p[3])
+{
+  double sum = 0.0, rest = 0.0;
+
+  for (int k = 0; k < 3; k++) {
+    double high, low, off;
+    sg_two_product(r[k], p[k], &high, &low);
+    sg_two_sum(sum, high, &sum, &off);
+    rest += off;
+    rest += low;
+  }
+  return sum + rest + 0.0;
 }
 
 void
 sg_eye_point(const sg_eye *eye, const double p[3], double out[3])
 {
   for (int i = 0; i < 3; i++) {
-    const double *r = eye->row[i];
-    out[i] = p[0] * r[0] + p[1] * r[1] + p[2] * r[2] + 0.0;
+    out[i] = exact_dot(eye->row[i], p);
   }
 }
 

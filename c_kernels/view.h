@@ -12,8 +12,10 @@
 
 #include <stdbool.h>
 
+/* The rows are whole numbers of 2^-30, and so not quite unit and at right
+ * angles: what is seen is that matrix times a point, exactly. */
 typedef struct sg_eye {
-  double row[3][3]; /* right, up, away: unit, at right angles */
+  double row[3][3]; /* right, up, away */
   double rho;       /* model units */
 } sg_eye;
 
@@ -29,7 +31,9 @@ void sg_sine_cosine(double degrees, double *sine, double *cosine);
 void sg_eye_init(sg_eye *eye, double theta, double phi, double rho);
 
 /* (Xe, Ye, Ze - rho) of a model point: the eye's coordinates, with depth
- * counted from the origin (the paper's parallel projection). Inexact. */
+ * counted from the origin (the paper's parallel projection). The products
+ * with the rows of the eye, rounded once: exact but for 2^-100 of their terms,
+ * then the nearest double (where nothing underflows). */
 void sg_eye_point(const sg_eye *eye, const double p[3], double out[3]);
 
 /* An empty range, and the range that also holds depth (Ze - rho). */

@@ -3,6 +3,7 @@
  * Layer: glue.
  */
 #include "glue.h"
+#include "picture_points.h"
 #include "view.h"
 
 #include "../engine/install.h"
@@ -137,6 +138,18 @@ make_central(screen *out, const sg_eye *eye)
   }
 }
 
+/* Makes points in one place of the picture one. */
+static int
+merge_ex(screen *rows)
+{
+  double side = sg_picture_side(rows->x, rows->y, rows->n);
+  bool memory;
+
+  return sg_picture_merge(rows->x, rows->y, rows->n, SG_ONE_PLACE * side,
+                          &sg_prolog_poll, &memory) ||
+         (!memory && sg_no_memory());
+}
+
 static int
 replace_screen_ex(sg_world *world, const screen *rows)
 {
@@ -170,7 +183,7 @@ fill_screen(term_t a0, int arity, void *context)
       make_central(&rows, &eye);
     }
   }
-  ok = ok && replace_screen_ex(world, &rows);
+  ok = ok && merge_ex(&rows) && replace_screen_ex(world, &rows);
   screen_clear(&rows);
   return ok;
 }

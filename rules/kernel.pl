@@ -403,8 +403,8 @@ glue file.
 %!  fill_screen(+Theta, +Phi, +Rho, +Kind) is det.
 %
 %   Replaces screen/5 of the current world by where each vertex is seen from
-%   there; Kind is `parallel` or `central`. Computes what eye_point/4 and
-%   screen_point/3 of view.pl define. Inexact.
+%   there; Kind is `parallel` or `central`. Computes what eye_point/4,
+%   screen_point/3 and in_one_place/3 of view.pl define.
 %
 %   @error domain_error(rho, Rho): in a central projection something is not in
 %          front of the eye

@@ -1,18 +1,22 @@
 :- module(sg_view,
           [ set_view/3,                 % +Theta, +Phi, +Rho
             set_view/1,                 % +Name
+            set_direction/3,            % +X, +Y, +Z
             set_projection/1,           % +Kind
             current_view/4,             % -Theta, -Phi, -Rho, -Kind
             named_view/3,               % ?Name, ?Theta, ?Phi
             project_world/0,
+            view_matrix/3,              % +Theta, +Phi, -Matrix
             eye_point/4,                % +Theta, +Phi, +Point, -EyePoint
             screen_point/3,             % +View, +EyePoint, -ScreenPoint
+            in_one_place/3,             % +Close, +Points0, -Points
             screen_plane/5,             % +S, +T, -A, -B, -D
             screen_depth/1,             % -Depth
             screen_distance/2           % +Zs, -Ze
           ]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
-:- use_module(library(lists), [memberchk/2]).
+:- use_module(library(apply), [foldl/6]).
+:- use_module(library(lists), [append/3, member/2, memberchk/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ view/3, projection/1, screen/5, t/6,
@@ -28,8 +32,15 @@ at the origin. In the picture x runs to the right, y up and z away from the
 eye (a left-handed system). A parallel picture is in model units; a central one
 too, as large as the model is at its nearest point.
 
-The rules eye_point/4 and screen_point/3 say where one point is seen; the
-kernel fill_screen/4 does the same for a whole world and fills screen/5.
+The view is a matrix, rounded to 30 bits after the point; where a point is seen
+by it is exact, rounded once. So what lies behind one another is seen in one
+place but for that rounding, and in_one_place/3 makes it one: points of the
+picture that are nearer than 1e-7 of its longer side. A turned box that is seen
+squarely is square.
+
+The rules eye_point/4, screen_point/3 and in_one_place/3 say where points are
+seen; the kernel fill_screen/4 does the same for a whole world and fills
+screen/5.
 
 @see [PL] section 6.1 and 6.2: PL-11, PL-12.
 */
@@ -72,6 +83,34 @@ set_view(Name) :-
     ->  set_view(Theta, Phi, 0.0)
     ;   domain_error(view_name, Name)
     ).
+
+%!  set_direction(+X, +Y, +Z) is det.
+%
+%   Look from there, as from infinitely far away: from (X,Y,Z) to the origin, of
+%   any length, with +z upwards. In a central projection the eye is as far away
+%   as needed.
+%
+%   @error domain_error(direction, p(X,Y,Z)) if all are 0
+
+set_direction(X, Y, Z) :-
+    direction_angles(X, Y, Z, Theta, Phi),
+    set_view(Theta, Phi, 0.0).
+
+%   Straight from above or below the picture is that of `top` and `bottom`.
+
+direction_angles(X, Y, Z, Theta, Phi) :-
+    must_be(number, X),
+    must_be(number, Y),
+    must_be(number, Z),
+    Largest is max(abs(X), max(abs(Y), abs(Z))),
+    (   Largest =:= 0
+    ->  domain_error(direction, p(X,Y,Z))
+    ;   X =:= 0,
+        Y =:= 0
+    ->  Theta = 270.0
+    ;   Theta is atan2(Y/Largest, X/Largest)*(180/pi)
+    ),
+    Phi is atan2(sqrt((X/Largest)**2+(Y/Largest)**2), Z/Largest)*(180/pi).
 
 %!  named_view(?Name, ?Theta, ?Phi) is nondet.
 %
@@ -155,17 +194,45 @@ check_distance(central, Theta, Phi, Rho) :-
     throw(error(geometry_error(eye_in_model(D)), _)).
 check_distance(_, _, _, _).
 
-%!  eye_point(+Theta, +Phi, +Point, -EyePoint) is det.
+%!  view_matrix(+Theta, +Phi, -Matrix) is det.
 %
-%   PL-11: where p(X,Y,Z) is for the eye: p(Xe,Ye,Ze-Rho). Depth is counted from
-%   the origin, so that Rho cannot spoil its last digits.
+%   Matrix is [Right,Up,Away], each row r(A,B,C), rational numbers: what is to
+%   the right in the picture, up in it, and away from the eye, in the model. The
+%   numbers are those of PL-11, rounded to 30 bits after the point.
 
-eye_point(Theta, Phi, p(X,Y,Z), p(Xe,Ye,Ze)) :-
+view_matrix(Theta, Phi, [ r(Rx,Ry,0), r(Ux,Uy,Uz), r(Ax,Ay,Az) ]) :-
     sine_cosine(Theta, St, Ct),
     sine_cosine(Phi, Sp, Cp),
-    Xe is -X*St + Y*Ct,
-    Ye is -X*Ct*Cp - Y*St*Cp + Z*Sp,
-    Ze is -X*Sp*Ct - Y*St*Sp - Z*Cp.
+    rounded(-St, Rx),
+    rounded(Ct, Ry),
+    rounded(-Ct*Cp, Ux),
+    rounded(-St*Cp, Uy),
+    rounded(Sp, Uz),
+    rounded(-Sp*Ct, Ax),
+    rounded(-St*Sp, Ay),
+    rounded(-Cp, Az).
+
+rounded(Expression, Number) :-
+    Number is round(Expression*2**30) rdiv 2**30.
+
+%!  eye_point(+Theta, +Phi, +Point, -EyePoint) is det.
+%
+%   PL-11: where p(X,Y,Z) is for the eye: p(Xe,Ye,Ze-Rho), by view_matrix/3,
+%   rounded once. Depth is counted from the origin, so that Rho cannot spoil its
+%   last digits.
+
+eye_point(Theta, Phi, p(X0,Y0,Z0), p(Xe,Ye,Ze)) :-
+    view_matrix(Theta, Phi, [Right,Up,Away]),
+    Point = p(X,Y,Z),
+    X is rational(X0),
+    Y is rational(Y0),
+    Z is rational(Z0),
+    along(Right, Point, Xe),
+    along(Up, Point, Ye),
+    along(Away, Point, Ze).
+
+along(r(A,B,C), p(X,Y,Z), Coordinate) :-
+    Coordinate is float(A*X + B*Y + C*Z).
 
 %!  screen_point(+View, +EyePoint, -ScreenPoint) is det.
 %
@@ -183,6 +250,24 @@ screen_point(central(Rho,D,F), p(Xe,Ye,Ze0), p(Xs,Ys,Zs)) :-
     ->  Zs = 0.0
     ;   Zs is (Ze/D-1)/(1-D/F)/W
     ).
+
+%!  in_one_place(+Close, +Points0, -Points) is det.
+%
+%   Points are Points0, p(X,Y) of the picture in their order, each moved to the
+%   first before it that was not moved itself and is not farther than Close.
+
+in_one_place(Close, Points0, Points) :-
+    foldl(placed(Close), Points0, Points, [], _).
+
+placed(Close, Point, Place, Places, Places) :-
+    member(Place, Places),
+    near(Close, Point, Place),
+    !.
+placed(_, Point, Point, Places0, Places) :-
+    append(Places0, [Point], Places).
+
+near(Close, p(X0,Y0), p(X,Y)) :-
+    (X-X0)*(X-X0) + (Y-Y0)*(Y-Y0) =< Close*Close.
 
 %!  screen_plane(+S, +T, -A, -B, -D) is semidet.
 %

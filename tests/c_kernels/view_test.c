@@ -86,7 +86,7 @@ uniform(void)
 static void
 against_formula(void)
 {
-  double p[3], out[3], want[3], worst = 0;
+  double p[3], out[3], want[3], worst = 0, rounded = 0, off = 0;
   sg_eye eye;
 
   srand(8);
@@ -99,10 +99,19 @@ against_formula(void)
     sg_eye_point(&eye, p, out);
     eye_by_formula(theta, phi, p, want);
     for (int k = 0; k < 3; k++) {
+      const double *r = eye.row[k];
+      long double sum = (long double)p[0] * r[0] + (long double)p[1] * r[1] +
+                        (long double)p[2] * r[2];
       worst = fmax(worst, fabs(out[k] - want[k]));
+      off = fmax(off, fabs(out[k] - (double)sum));
+      for (int j = 0; j < 3; j++) {
+        rounded = fmax(rounded, fabs(rint(r[j] * 0x1p30) - r[j] * 0x1p30));
+      }
     }
   }
-  CHECK("PL-11 as printed", worst < 1e-13);
+  CHECK("PL-11 as printed, to 30 bits", worst < 2e-9);
+  CHECK("the matrix has 30 bits after the point", rounded == 0);
+  CHECK("and then it is exact", off < 1.2e-16);
 }
 
 static void

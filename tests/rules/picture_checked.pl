@@ -74,9 +74,7 @@ model_triangle([X1,Y1,Z1,X2,Y2,Z2,X3,Y3,Z3]) :-
 
 looked_from(direction(X,Y,Z)) :-
     !,
-    Theta is atan2(Y, X)*180/pi,
-    Phi is atan2(sqrt(X*X+Y*Y), Z)*180/pi,
-    set_view(Theta, Phi, 0).
+    set_direction(X, Y, Z).
 looked_from(angles(Theta,Phi)) :-
     !,
     set_view(Theta, Phi, 0).
@@ -98,7 +96,7 @@ view_rows(direction(X,Y,Z), parallel(Rows)) :-
         Y =:= 0
     ->  Up is sign(Z),
         Away is -Up,
-        Rows = [0,1,0, -Up,0,0, 0,0,Away]
+        Rows = [1,0,0, 0,Up,0, 0,0,Away]
     ;   A is -Y,
         B is -X*Z,
         C is -Y*Z,

@@ -1,3 +1,7 @@
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(random)).
 :- use_module(rules(view)).
 :- use_module(rules(kernel)).
 :- use_module(rules(store)).
@@ -104,7 +108,108 @@ rule_sees(Theta-Phi-How, S, V, X, Y, Z) :-
     screen_point(How, Eye, p(X1,Y1,Z1)),
     abs(X1-X) < 1e-14,
     abs(Y1-Y) < 1e-14,
-    abs(Z1-Z) < 1e-13.
+    abs(Z1-Z) < 1e-13,
+    (   How == parallel
+    ->  X1-Y1-Z1 == X-Y-Z
+    ;   true
+    ).
+
+% Rounded to 30 bits after the point, and then exact.
+test(matrix, M == [ r(1,0,0), r(0,0,1), r(0,1,0) ]) :-
+    view_matrix(270.0, 90.0, M).
+test(matrix_rounded) :-
+    view_matrix(123.4, 56.7, Rows),
+    forall(( member(r(A,B,C), Rows), member(X, [A,B,C]) ),
+           ( N is X*2**30, integer(N) )),
+    forall(( member(R1, Rows), member(R2, Rows) ),
+           ( dot(R1, R2, Dot),
+             ( R1 == R2 -> Want = 1 ; Want = 0 ),
+             abs(Dot-Want) < 4.0e-9 )).
+test(exact, all(E == [p(0.0,0.0,-3.0e40)])) :-
+    eye_point(300.0, 35.0, p(1.0e40,1.0e40,1.0e40), _),
+    eye_point(270.0, 0.0, p(0.0,0.0,3.0e40), E).
+
+dot(r(A,B,C), r(D,E,F), Dot) :-
+    Dot is A*D+B*E+C*F.
+
+% Directions: as named views; any length; from above as `top`.
+test(directions) :-
+    forall(member(Name-(X,Y,Z), [ front-(0,-2,0), right-(3,0,0), top-(0,0,5),
+                                  left-(-1.0e-300,0,0), back-(0,1.0e300,0),
+                                  bottom-(0,0,-1), iso-(1,-1,1) ]),
+           in_new_world(( set_direction(X, Y, Z), view(Theta, Phi, 0.0),
+                          named_view(Name, Theta1, Phi1),
+                          view_matrix(Theta, Phi, M),
+                          view_matrix(Theta1, Phi1, M) ))).
+test(no_direction, error(domain_error(direction, p(0,0.0,0)))) :-
+    set_direction(0, 0.0, 0).
+
+% What is nearly in one place is in one place: the kernel against the rule.
+test(one_place,
+     Ps == [p(0.0,0.0),p(3.0,0.0),p(0.0,0.0),p(3.0,0.0),p(1.9,0.0)]) :-
+    in_one_place(1.0, [p(0.0,0.0),p(3.0,0.0),p(0.6,0.6),p(3.5,0.0),p(1.9,0.0)],
+                 Ps).
+test(kernel_is_rule_in_one_place) :-
+    set_random(seed(12)),
+    forall(between(1, 40, _),
+           in_new_world(( clustered_points(Points), curve(1, Points),
+                          set_view(front), project_world,
+                          findall(p(X,Y), screen(1,_,X,Y,_), Seen),
+                          findall(p(X,Z), v(1,_,X,_,Z), Points0),
+                          picture_side(Points0, Side),
+                          Close is 1.0e-7*Side,
+                          in_one_place(Close, Points0, Seen0),
+                          Seen == Seen0,
+                          sort(Seen, Places),
+                          length(Places, N), N < 200 ))).
+
+clustered_points(Points) :-
+    findall(p(X,Y,Z),
+            ( between(1, 300, _),
+              random_between(0, 3, I),
+              random_between(0, 3, J),
+              X is I+3.0e-7*random_float,
+              Y is random_float,
+              Z is J+3.0e-7*random_float ),
+            Points).
+
+picture_side(Points, Side) :-
+    aggregate_all(r(max(X),min(X),max(Y),min(Y)), member(p(X,Y), Points),
+                  r(X1,X0,Y1,Y0)),
+    Side is max(X1-X0, Y1-Y0).
+
+% A box turned anyhow and seen squarely is square, also with the numbers of a
+% file of floats of 32 bits.
+test(turned_square, [forall(member(Digits, [all,single]))]) :-
+    set_random(seed(13)),
+    forall(between(1, 50, _), square_when_turned(Digits)).
+
+square_when_turned(Digits) :-
+    Theta is 360*random_float,
+    Phi is 180*random_float,
+    turned_box(Theta, Phi, Digits, Points),
+    box_faces(Faces),
+    in_new_world(( polyhedron(1, solid, Points, Faces),
+                   set_view(Theta, Phi, 0), project_world,
+                   findall(X-Y, screen(1,_,X,Y,_), Seen),
+                   sort(Seen, Places), length(Places, 4) )).
+
+%   A box of which the rows of PL-11 are the directions of its sides.
+turned_box(Theta, Phi, Digits, Points) :-
+    box_points(p(-1.0,-0.5,-0.75), p(1.0,0.5,0.75), Points0),
+    T is Theta*pi/180,
+    P is Phi*pi/180,
+    maplist(turned_point(T, P, Digits), Points0, Points).
+
+turned_point(T, P, Digits, p(X,Y,Z), p(X1,Y1,Z1)) :-
+    X0 is -X*sin(T) - Y*cos(T)*cos(P) - Z*sin(P)*cos(T),
+    Y0 is X*cos(T) - Y*sin(T)*cos(P) - Z*sin(T)*sin(P),
+    Z0 is Y*sin(P) - Z*cos(P),
+    maplist(digits(Digits), [X0,Y0,Z0], [X1,Y1,Z1]).
+
+digits(all, X, X).
+digits(single, X, Y) :-
+    Y is round(X*2**24)/2.0**24.
 
 % PL-12: the plane of a triangle, also in a central picture.
 test(screen_plane) :-
