@@ -25,7 +25,7 @@
                 cut_work/4, cut_crossing/8, cut_note/5, cut_between/6,
                 cut_divided/4, cut_agree/1, cut_late_polygons/2, cut_name/4,
                 model_tolerance/1, work_add/6, work_delete/2, work_edge/6,
-                work_meeting/6, work_close/1
+                work_meeting/6, work_close/1, segments_meeting_themselves/2
               ]).
 :- use_module(leaf,
               [ leaves_kept/1, were_cut/2, earlier_cuts/2, leaves_restored/1
@@ -36,7 +36,7 @@
               ]).
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
-:- use_module(store, [facts_snapshot/1, facts_transaction/1]).
+:- use_module(store, [segment/3, facts_snapshot/1, facts_transaction/1]).
 :- autoload(library(apply), [exclude/3, include/3, maplist/2, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
@@ -127,13 +127,37 @@ penetrate(Pairs) :-
 %     first, see resolve.pl. 0: nothing is, the model is taken as it is.
 %     Default: as model_tolerance/1 sees the model.
 %
+%     - themselves(true)
+%     With `all`: the segments that go through themselves
+%     (segment_meets_itself/1) are also cut by themselves.
+%
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
 %          polygon P cannot be triangulated
 
 penetrate(Which, Options) :-
     touching(Options, Tolerance),
-    pairs_to_cut(Which, Tolerance, Pairs),
+    pairs_to_cut(Which, Tolerance, Pairs0),
+    (   Which == all,
+        option(themselves(true), Options)
+    ->  pairs_with_themselves(Selves),
+        append(Selves, Pairs0, Pairs)
+    ;   Pairs = Pairs0
+    ),
     facts_transaction(sg_penetration:penetrated_leaves(Pairs, Tolerance)).
+
+%   pairs_with_themselves(-Pairs): S-S for what is to be cut by itself.
+
+pairs_with_themselves(Pairs) :-
+    aside_segments(Aside),
+    findall(S,
+            ( segment(S, Kind, _),
+              Kind \== curve,
+              \+ ord_memberchk(S, Aside),
+              \+ were_cut(S, S)
+            ),
+            Ss),
+    segments_meeting_themselves(Ss, Meeting),
+    findall(S-S, member(S, Meeting), Pairs).
 
 pairs_to_cut(all, Tolerance, Pairs) :-
     !,

@@ -203,7 +203,14 @@ sheet_made(Options, Request, Lines, Drawing) :-
 %   world, with the Lines of operands.
 
 pictured(Lines, Options, Eye, PictureOptions) :-
+<<<<<<< HEAD
     segments_cut(Options),
+=======
+    (   several_segments
+    ->  penetrated([themselves(true)|Options])
+    ;   penetrate(all, [themselves(true)|Options])
+    ),
+>>>>>>> f9bd07d (FIXED: draw: segments that go through themselves are cut by themselves first)
     maplist(call, Eye),
     (   aside_segments([_|_]),
         \+ option(segments(_), PictureOptions)
