@@ -4,7 +4,8 @@
           ]).
 :- use_module(store,
               [ e/5, t/6, leaf_v/5, leaf_e/5, from_v/4, origin/3,
-                edge_polygon/3, vertex_triangle/3, assert_fact/1, retractall_facts/1
+                edge_polygon/3, vertex_triangle/3,
+                assert_fact/1, retractall_facts/1
               ]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).

@@ -68,9 +68,9 @@ bodies touch in a point or an edge the formats with numbered vertices get copies
 %     - rounds(N)
 %       Of step 3; default 5.
 %
-%   OFF, OBJ and PLY have polygons; one with holes, or that meets itself, or that
-%   another part of the solid touches inside, is divided into triangles. An empty solid gives a file without faces, with a
-%   warning.
+%   OFF, OBJ and PLY have polygons; one with holes, or that meets itself, or
+%   that another part of the solid touches inside, is divided into triangles. An
+%   empty solid gives a file without faces, with a warning.
 %
 %   @error existence_error(segment, S),
 %   geometry_error(written(faulty(S, Rounds, Fault))): Fault is one of open(N)

@@ -62,8 +62,28 @@ solid_verb_run(Verb, Files, Options, 0) :-
     findall(S, root_segment(S), Ss),
     (   Outputs == []
     ->  summary(Options, Ss)
-    ;   solids_written(Ss, Outputs)
+    ;   partition(takes_one(Verb, Ss), Outputs, Apart, Together),
+        forall(( member(Output, Apart), member(S, Ss) ),
+               part_written(S, Output)),
+        solids_written(Ss, Together)
     ).
+
+%   takes_one(Verb, Ss, Output): the format does not tell the parts Ss of split
+%   apart, so each gets a file.
+
+takes_one(split, [_,_|_], output(File, Format)) :-
+    File \== (-),
+    memberchk(Format, [stl, off, ply]).
+
+%   part_written(S, Output): S goes to the file with its name before the ending.
+
+part_written(S, output(File0, Format)) :-
+    segment(S, _, Term),
+    result_name(Term, Name),
+    file_name_extension(Base, Ending, File0),
+    format(atom(Base1), '~w-~w', [Base,Name]),
+    file_name_extension(Base1, Ending, File),
+    solids_written([S], [output(File, Format)]).
 
 %!  solids_written(+Ss, +Outputs) is det.
 %

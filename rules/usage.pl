@@ -166,7 +166,8 @@ verb_option(split, option(by, '', value, 'MODEL',
     'a solid, or an open surface that goes all the way through')).
 verb_option(split, option(side, '', value, 'SIDE',
     'of a plane below (A*X + B*Y + C*Z + D < 0) or above, of a surface below \c
-     (behind it) or above, of a solid inside or outside; without it both')).
+     (behind it) or above, of a solid inside or outside; without it both, \c
+     -o x.stl as x-below.stl and x-above.stl, likewise .off and .ply')).
 verb_option(Verb, option(json, '', flag, '',
     'counts and measures as JSON')) :-
     solid_verb(Verb).

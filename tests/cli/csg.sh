@@ -78,6 +78,20 @@ check "several segments of a file are one operand" output 'volume 12$' \
   eval "sanggwan split -q $cube --plane 1,0,0,0 -o '$TMP/halves.obj' &&
         '$SANGGWAN' union '$TMP/halves.obj' $moved"
 
+for ending in stl off ply; do
+  check "each part of a split is a file: $ending" output 'volume  *2$' \
+    eval "sanggwan split -q $cube --plane 0,0,1,-0.5 -o '$TMP/part.$ending' &&
+          [ ! -e '$TMP/part.$ending' ] &&
+          '$SANGGWAN' check '$TMP/part-below.$ending'"
+  check "also the other one: $ending" output 'volume  *6$' \
+    sanggwan check "$TMP/part-above.$ending"
+  check "one side is the file: $ending" output 'volume  *6$' \
+    eval "sanggwan split -q $cube --plane 0,0,1,-0.5 --side above \
+            -o '$TMP/one.$ending' && '$SANGGWAN' check '$TMP/one.$ending'"
+done
+check "standard output has both parts" output '^16 12 0$' \
+  sanggwan split -q $cube --plane 0,0,1,-0.5 --format off -o -
+
 cat >"$TMP/bored.csg" <<'MODEL'
 difference() {
   cube(size = [4, 4, 1], center = false);

@@ -84,9 +84,9 @@ clean(Name, Solids, Expression) :-
         fail
     ).
 
-%   named(+S): every vertex of S says where it comes from, by vertices, edges and
-%   polygons that are there; one that is no vertex of a leaf lies on two of its
-%   features, or of those of another.
+%   named(+S): every vertex of S says where it comes from, by vertices, edges
+%   and polygons that are there; one that is no vertex of a leaf lies on two
+%   features of leaves.
 
 named(S) :-
     forall(v(S, V, _, _, _), vertex_named(S, V)),
