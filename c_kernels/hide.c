@@ -75,8 +75,8 @@ has_corner(const sg_scene_mask *mask, uint32_t v)
   return mask->v[0] == v || mask->v[1] == v || mask->v[2] == v;
 }
 
-/* Whether the line lies on the triangle, as the model has it: as its side, or
- * as an added line that says so. */
+/* Whether the line lies on the triangle, as the model has it: as its side, as
+ * an edge of its polygon, or as an added line that says so. */
 static bool
 lies_on(const sg_scene *scene, const sg_scene_line *line,
         const sg_scene_mask *mask)
@@ -86,8 +86,11 @@ lies_on(const sg_scene *scene, const sg_scene_line *line,
   if (has_corner(mask, line->a) && has_corner(mask, line->b)) {
     return true;
   }
-  for (uint32_t i = scene->lies_begin ? scene->lies_begin[k] : 0;
-       scene->lies_begin && i < scene->lies_begin[k + 1]; i++) {
+  if (line->number != UINT32_MAX) {
+    return sg_scene_lies_on(scene->model, line->number,
+                            scene->model->dense.polygon_of[mask->triangle]);
+  }
+  for (uint32_t i = scene->lies_begin[k]; i < scene->lies_begin[k + 1]; i++) {
     if (scene->lies_on[i] == mask->triangle) {
       return true;
     }

@@ -58,8 +58,9 @@ bool sg_hide_init(sg_hide *hide, const sg_scene *scene, const sg_poll *poll,
 void sg_hide_clear(sg_hide *hide);
 
 /* The part of the line that the mask hides; false: none. The line is one of
- * scene->line. The mask never hides a line between two of its own corners, nor
- * one that was added as lying on it, nor one in its plane. */
+ * scene->line. The mask never hides a line that lies on it: between two of its
+ * corners, an edge of its polygon (or a copy of one, by a penetration line), or
+ * added as lying on it; nor one in its plane. */
 bool sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
                    const sg_scene_line *line, sg_hidden *out);
 

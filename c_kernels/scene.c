@@ -121,8 +121,8 @@ make_places(viewing *w)
   scene->at = malloc((scene->vertices + 1) * sizeof *scene->at);
   for (size_t i = 0; scene->at && i < scene->vertices && !stop(w, i); i++) {
     size_t added = i - vertices; /* or meaningless */
-    const double *at =
-        i < vertices ? in->screen[i] : in->added[added / 2].screen[added % 2];
+    const double *at = i < vertices ? in->screen[w->model->same[i]]
+                                    : in->added[added / 2].screen[added % 2];
     for (int k = 0; k < 3; k++) {
       scene->at[i][k] =
           (at[k] * (k == 2 ? in->depth : 1.0) - centre[k]) / scale;
@@ -235,7 +235,9 @@ static sg_scene_mask
 mask_of(const viewing *w, uint32_t place)
 {
   const sg_dense *d = &w->model->dense;
-  const int32_t *v = d->corner[place];
+  const uint32_t *same = w->model->same;
+  const int32_t *c = d->corner[place];
+  const uint32_t v[3] = {same[c[0]], same[c[1]], same[c[2]]};
   double(*at)[3] = w->scene->at;
   sg_scene_mask mask = {.t = d->triangle_id[place], .triangle = (int32_t)place};
   double n[3], size;
@@ -244,9 +246,9 @@ mask_of(const viewing *w, uint32_t place)
   sg_cross_at(at[v[0]], at[v[1]], at[v[2]], n);
   front = n[2] > 0.0;
   size = front ? sg_length(n) : -sg_length(n);
-  mask.v[0] = (uint32_t)v[0];
-  mask.v[1] = (uint32_t)v[front ? 1 : 2];
-  mask.v[2] = (uint32_t)v[front ? 2 : 1];
+  mask.v[0] = v[0];
+  mask.v[1] = v[front ? 1 : 2];
+  mask.v[2] = v[front ? 2 : 1];
   for (int k = 0; k < 3; k++) {
     double x = at[v[0]][k], y = at[v[1]][k], z = at[v[2]][k];
     mask.normal[k] = n[k] / size;
@@ -310,8 +312,12 @@ enter_added(const viewing *w, const sg_scene_added *added)
 
   memcpy(scene->lies_on + end, added->lies_on,
          added->triangles * sizeof *scene->lies_on);
-  scene->line[scene->lines++] = (sg_scene_line){
-      .s = added->s, .e = added->e, .a = a, .b = a + 1, .look = added->look};
+  scene->line[scene->lines++] = (sg_scene_line){.s = added->s,
+                                                .e = added->e,
+                                                .a = a,
+                                                .b = a + 1,
+                                                .number = UINT32_MAX,
+                                                .look = added->look};
   scene->lies_begin[scene->lines] = end + (uint32_t)added->triangles;
 }
 
@@ -322,6 +328,8 @@ enter_line(const viewing *w, size_t k)
   sg_scene_line *line = &scene->line[scene->lines];
 
   *line = w->model->line[k];
+  line->a = w->model->same[line->a];
+  line->b = w->model->same[line->b];
   look_at_line(w, k, &line->look);
   scene->lines++;
   if (scene->lies_begin) {
@@ -400,6 +408,9 @@ sg_scene_open(const sg_scene_input *input, const sg_poll *poll, bool *memory)
             make_masks(&w);
   free(w.facing);
   free(w.key);
+  if (w.scene) {
+    w.scene->model = input->model;
+  }
   if (!*memory || w.stopped) {
     sg_scene_close(w.scene);
     return NULL;

@@ -45,6 +45,7 @@ typedef struct sg_scene_mask {
 } sg_scene_mask;
 
 typedef struct sg_scene {
+  const sg_scene_model *model; /* what it was made from */
   double (*at)[3];      /* [vertices], standardised; the model's come first */
   sg_scene_line *line;  /* sorted by (s, e) */
   uint32_t *lies_begin; /* [lines + 1] null: no lines were added */
@@ -57,8 +58,9 @@ typedef struct sg_scene {
   double scale; /* picture units in one standardised unit, a power of 2 */
 } sg_scene;
 
-/* Lines and triangles that have a vertex without a place are left out. The
- * scene does not need its input any more.
+/* Lines and triangles that have a vertex without a place are left out. Vertices
+ * that penetration lines say are one point have one place. The scene needs the
+ * model as long as it is used, and nothing else of its input.
  *
  * Returns: null: stopped by the poll, or no memory (then *memory is false).
  * Owner:   the caller, sg_scene_close(). */

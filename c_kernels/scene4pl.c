@@ -21,6 +21,7 @@ static atom_t ATOM_all, ATOM_feature, ATOM_penetration, ATOM_true, ATOM_false;
 /* ---------------------------------------------------------- the handle */
 
 typedef struct handle {
+  sg_kept_model *model; /* held */
   sg_scene *scene;
   sg_hide hide;
 } handle;
@@ -32,6 +33,7 @@ release_handle(atom_t atom)
 
   sg_hide_clear(&h->hide);
   sg_scene_close(h->scene);
+  sg_kept_model_drop(h->model);
   free(h);
   return TRUE;
 }
@@ -165,7 +167,11 @@ open_handle_ex(const sg_chosen *chosen, double depth, double tolerance)
   if (kept) {
     h = view_model_ex(version, kept->model, depth, tolerance);
   }
-  sg_kept_model_drop(kept);
+  if (h) {
+    h->model = kept;
+  } else {
+    sg_kept_model_drop(kept);
+  }
   sg_version_drop(version);
   return h;
 }

@@ -16,33 +16,101 @@ enum { MOST_FACES = 64 };
  * place where it begins. */
 typedef struct joined {
   sg_edge_pairs pairs;
-  uint8_t *mark;     /* [edges] by group: what the cuts say */
-  uint32_t *number;  /* [edges] by group: its line */
+  uint32_t *set;     /* [edges] by group: one nearer to the first copy of it */
+  bool *cut;         /* [edges] by group: it is a penetration line */
+  uint32_t *first;   /* [edges] by first copy: the first real edge of all */
   uint32_t *line_of; /* [edges] */
+  uint32_t *copy_of; /* [edges] for copies that are left out */
 } joined;
-
-enum { CUT = 1, COPY = 2 };
 
 static void
 joined_clear(joined *j)
 {
   sg_edge_pairs_clear(&j->pairs);
-  free(j->mark);
-  free(j->number);
+  free(j->set);
+  free(j->cut);
+  free(j->first);
   free(j->line_of);
+  free(j->copy_of);
 }
 
 static bool
 joined_init(joined *j, sg_scene_builder *b)
 {
   const sg_dense *d = &b->model->dense;
+  size_t bytes = (d->edges + 1) * sizeof(uint32_t);
 
-  *j = (joined){.mark = calloc(d->edges + 1, 1),
-                .number = malloc((d->edges + 1) * sizeof *j->number),
-                .line_of = malloc((d->edges + 1) * sizeof *j->line_of)};
-  return j->mark && j->number && j->line_of &&
+  *j = (joined){.set = malloc(bytes),
+                .cut = calloc(d->edges + 1, sizeof(bool)),
+                .first = malloc(bytes),
+                .line_of = malloc(bytes),
+                .copy_of = malloc(bytes)};
+  for (size_t i = 0; j->set && i < d->edges; i++) {
+    j->set[i] = (uint32_t)i;
+  }
+  return j->set && j->cut && j->first && j->line_of && j->copy_of &&
          sg_edge_pairs_make(d->edges, d->from, d->to, d->vertices, b->poll,
                             &j->pairs, &b->stopped);
+}
+
+/* -------------------------------------------------------------- copies */
+
+/* The first of the set of i: sets are trees that go down to it. */
+static uint32_t
+first_of(uint32_t *set, uint32_t i)
+{
+  while (set[i] != i) {
+    set[i] = set[set[i]];
+    i = set[i];
+  }
+  return i;
+}
+
+static void
+unite(uint32_t *set, uint32_t i, uint32_t k)
+{
+  i = first_of(set, i);
+  k = first_of(set, k);
+  set[i > k ? i : k] = i > k ? k : i;
+}
+
+static bool
+find_group(const joined *j, int32_t a, int32_t b, sg_edge_group *group)
+{
+  return a >= 0 && b >= 0 &&
+         sg_edge_group_find(&j->pairs, (uint32_t)a, (uint32_t)b, group);
+}
+
+/* What the cuts say: which edges are penetration lines, which of them and which
+ * vertices are the same. False: no memory. */
+static bool
+enter_cuts(sg_scene_builder *b, joined *j)
+{
+  sg_scene_model *m = b->model;
+  sg_edge_group own, other;
+
+  m->same = malloc((m->dense.vertices + 1) * sizeof *m->same);
+  for (size_t i = 0; m->same && i < m->dense.vertices; i++) {
+    m->same[i] = (uint32_t)i;
+  }
+  for (size_t i = 0; m->same && i < b->cuts && !sg_scene_stop(b, i); i++) {
+    const sg_scene_cut *c = &b->cut[i];
+    bool found = find_group(j, c->a, c->b, &own);
+    if (found) {
+      j->cut[own.begin] = true;
+    }
+    if (c->a >= 0 && c->b >= 0 && c->a2 >= 0 && c->b2 >= 0) {
+      unite(m->same, (uint32_t)c->a, (uint32_t)c->a2);
+      unite(m->same, (uint32_t)c->b, (uint32_t)c->b2);
+      if (found && find_group(j, c->a2, c->b2, &other)) {
+        unite(j->set, (uint32_t)own.begin, (uint32_t)other.begin);
+      }
+    }
+  }
+  for (size_t i = 0; m->same && i < m->dense.vertices; i++) {
+    m->same[i] = first_of(m->same, (uint32_t)i);
+  }
+  return m->same != NULL;
 }
 
 /* The first real edge of a group, NO_LINE: there is none. */
@@ -61,33 +129,8 @@ first_real(const sg_dense *d, const sg_edge_pairs *pairs,
   return first;
 }
 
-static bool
-find_group(const joined *j, int32_t a, int32_t b, sg_edge_group *group)
-{
-  return a >= 0 && b >= 0 &&
-         sg_edge_group_find(&j->pairs, (uint32_t)a, (uint32_t)b, group);
-}
-
-static void
-mark_cuts(sg_scene_builder *b, joined *j)
-{
-  const sg_dense *d = &b->model->dense;
-  sg_edge_group own, other;
-
-  for (size_t i = 0; i < b->cuts && !sg_scene_stop(b, i); i++) {
-    const sg_scene_cut *c = &b->cut[i];
-    if (find_group(j, c->a, c->b, &own)) {
-      j->mark[own.begin] |= CUT;
-      if (find_group(j, c->a2, c->b2, &other) && other.begin != own.begin &&
-          first_real(d, &j->pairs, &other) != NO_LINE) {
-        j->mark[own.begin] |= COPY;
-      }
-    }
-  }
-}
-
-/* line_of[e] for the first real edge of each line: where its group begins; for
- * all others NO_LINE. Returns how many lines there are. */
+/* The first real edge of each line: of all its copies. Returns how many lines
+ * there are. */
 static size_t
 find_lines(sg_scene_builder *b, joined *j)
 {
@@ -96,66 +139,102 @@ find_lines(sg_scene_builder *b, joined *j)
   size_t lines = 0, groups = 0;
 
   for (size_t e = 0; e < d->edges; e++) {
-    j->line_of[e] = j->number[e] = NO_LINE;
+    j->first[e] = NO_LINE;
   }
   while (sg_edge_group_next(&j->pairs, &group) && !sg_scene_stop(b, groups++)) {
     uint32_t e = first_real(d, &j->pairs, &group);
-    if (e != NO_LINE && group.low != group.high &&
-        !(j->mark[group.begin] & COPY)) {
-      j->line_of[e] = (uint32_t)group.begin;
-      lines++;
+    uint32_t set = first_of(j->set, (uint32_t)group.begin);
+    if (e != NO_LINE && group.low != group.high) {
+      lines += j->first[set] == NO_LINE;
+      j->first[set] = e < j->first[set] ? e : j->first[set];
     }
+    j->cut[set] |= j->cut[group.begin];
   }
   return lines;
 }
 
-/* The lines, in the order of their edges; then line_of for all edges. */
+/* line_of[e] becomes the set of the line whose first real edge e is, NO_LINE
+ * for all other edges. */
 static void
-number_lines(sg_scene_builder *b, joined *j)
+mark_first(const sg_dense *d, joined *j)
+{
+  for (size_t e = 0; e < d->edges; e++) {
+    j->line_of[e] = NO_LINE;
+  }
+  for (size_t set = 0; set < d->edges; set++) {
+    if (j->first[set] != NO_LINE) {
+      j->line_of[j->first[set]] = (uint32_t)set;
+    }
+  }
+}
+
+/* The lines, in the order of their edges; first[] becomes their numbers. */
+static void
+enter_lines(sg_scene_builder *b, joined *j)
 {
   sg_scene_model *m = b->model;
   const sg_dense *d = &m->dense;
-  sg_edge_group group = {0};
   size_t s = 0;
 
+  mark_first(d, j);
   for (size_t e = 0; e < d->edges && !sg_scene_stop(b, e); e++) {
-    uint32_t begin = j->line_of[e];
+    uint32_t set = j->line_of[e];
     while (e >= d->edge_begin[s + 1]) {
       s++;
     }
-    if (begin != NO_LINE) {
-      j->number[begin] = (uint32_t)m->lines;
-      m->line[m->lines++] = (sg_scene_line){.s = d->segment[s],
-                                            .e = d->edge_id[e],
-                                            .a = (uint32_t)d->from[e],
-                                            .b = (uint32_t)d->to[e],
-                                            .look.cut = j->mark[begin] & CUT};
+    if (set != NO_LINE) {
+      j->first[set] = (uint32_t)m->lines;
+      m->line[m->lines] = (sg_scene_line){.s = d->segment[s],
+                                          .e = d->edge_id[e],
+                                          .a = (uint32_t)d->from[e],
+                                          .b = (uint32_t)d->to[e],
+                                          .number = (uint32_t)m->lines,
+                                          .look.cut = j->cut[set]};
+      m->lines++;
     }
   }
+}
+
+/* line_of for the edges of a line, copy_of for those of its copies. */
+static void
+number_edges(const sg_scene_builder *b, joined *j)
+{
+  const sg_scene_model *m = b->model;
+  sg_edge_group group = {0};
+
   while (sg_edge_group_next(&j->pairs, &group)) {
+    uint32_t line = j->first[first_of(j->set, (uint32_t)group.begin)];
+    bool own = line != NO_LINE &&
+               (m->line[line].a == group.low || m->line[line].b == group.low);
+    own =
+        own && (m->line[line].a == group.high || m->line[line].b == group.high);
     for (size_t i = group.begin; i < group.end; i++) {
-      j->line_of[sg_edge_group_edge(&j->pairs, i)] = j->number[group.begin];
+      uint32_t e = sg_edge_group_edge(&j->pairs, i);
+      j->line_of[e] = own ? line : NO_LINE;
+      j->copy_of[e] = own ? NO_LINE : line;
     }
   }
 }
 
 /* ---------------------------------------------------------------- uses */
 
-/* The uses by line: counted, then entered (a counting sort). */
+/* The uses of lines by polygons: counted, then entered (a counting sort).
+ * line_of: of each edge. */
 static bool
-make_uses(sg_scene_builder *b, const joined *j)
+make_uses(sg_scene_builder *b, const uint32_t *line_of, uint32_t **use_begin,
+          sg_scene_use **use)
 {
   sg_scene_model *m = b->model;
   const sg_dense *d = &m->dense;
   uint32_t *begin = calloc(m->lines + 2, sizeof *begin);
 
-  m->use_begin = begin;
-  m->use = malloc((d->list_begin[d->polygons] + 1) * sizeof *m->use);
-  if (!begin || !m->use) {
+  *use_begin = begin;
+  *use = malloc((d->list_begin[d->polygons] + 1) * sizeof **use);
+  if (!begin || !*use) {
     return false;
   }
   for (size_t i = 0; i < d->list_begin[d->polygons]; i++) {
-    uint32_t line = j->line_of[d->list[i]];
+    uint32_t line = line_of[d->list[i]];
     if (line != NO_LINE) {
       begin[line + 2]++;
     }
@@ -165,10 +244,10 @@ make_uses(sg_scene_builder *b, const joined *j)
   }
   for (size_t p = 0; p < d->polygons && !sg_scene_stop(b, p); p++) {
     for (uint32_t i = d->list_begin[p]; i < d->list_begin[p + 1]; i++) {
-      uint32_t line = j->line_of[d->list[i]];
+      uint32_t line = line_of[d->list[i]];
       if (line != NO_LINE) {
         bool along = d->from[d->list[i]] == (int32_t)m->line[line].a;
-        m->use[begin[line + 1]++] = (sg_scene_use){(int32_t)p, along ? 1 : -1};
+        (*use)[begin[line + 1]++] = (sg_scene_use){(int32_t)p, along ? 1 : -1};
       }
     }
   }
@@ -219,14 +298,18 @@ sg_scene_make_lines(sg_scene_builder *b)
   joined j;
   bool done = joined_init(&j, b);
 
-  if (done) {
-    mark_cuts(b, &j);
+  if (done && (done = enter_cuts(b, &j))) {
     m->line = malloc((find_lines(b, &j) + 1) * sizeof *m->line);
     done = m->line != NULL;
   }
   if (done) {
-    number_lines(b, &j);
-    done = make_uses(b, &j);
+    enter_lines(b, &j);
+    done = !b->stopped;
+  }
+  if (done) {
+    number_edges(b, &j);
+    done = make_uses(b, j.line_of, &m->use_begin, &m->use) &&
+           (b->cuts == 0 || make_uses(b, j.copy_of, &m->copy_begin, &m->copy));
   }
   if (done) {
     make_bends(b);

@@ -1,7 +1,11 @@
 /* scene_model.c -- see scene_model.h */
+#include "bounds.h"
 #include "scene_private.h"
 
 #include <stdlib.h>
+
+/* A polygon is flat if it is no thicker than this part of the model. */
+#define FLAT 1e-7
 
 /* The normals of the polygons. False: no memory, or stopped. */
 static bool
@@ -23,6 +27,56 @@ make_normals(sg_scene_builder *b)
     }
   }
   return b->normal != NULL;
+}
+
+/* The half of the longest side of the model. */
+static double
+size_of(const sg_dense *d)
+{
+  double half = 0.0;
+
+  for (int k = 0; k < 3; k++) {
+    double low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < d->vertices; i++) {
+      low = sg_smaller(low, d->at[i][k]);
+      high = sg_larger(high, d->at[i][k]);
+    }
+    half = sg_larger(half, (high - low) / 2);
+  }
+  return half;
+}
+
+/* Which polygons are flat: none of their corners is farther than that from the
+ * plane through the first corner of the first triangle. */
+static bool
+find_flat(sg_scene_builder *b)
+{
+  sg_scene_model *m = b->model;
+  const sg_dense *d = &m->dense;
+  double most = FLAT * size_of(d);
+  const double *apex = NULL;
+
+  m->flat = malloc(d->polygons + 1);
+  for (size_t p = 0; m->flat && p < d->polygons; p++) {
+    m->flat[p] = true;
+  }
+  for (size_t i = 0; m->flat && i < d->triangles; i++) {
+    int32_t p = d->polygon_of[i];
+    const double *n = b->normal[p];
+
+    if (i == 0 || p != d->polygon_of[i - 1]) {
+      apex = d->at[d->corner[i][0]];
+    }
+    for (int k = 0; k < 3; k++) {
+      const double *c = d->at[d->corner[i][k]];
+      double u[3] = {c[0] - apex[0], c[1] - apex[1], c[2] - apex[2]};
+      m->flat[p] &= fabs(sg_dot(n, u)) <= most * sg_length(n);
+    }
+    if (sg_scene_stop(b, i)) {
+      return false;
+    }
+  }
+  return m->flat != NULL;
 }
 
 /* Six times the volume inside the triangles from .. to - 1: of the pyramids
@@ -91,7 +145,7 @@ sg_scene_model_open(sg_dense *dense, bool *solid, const sg_scene_cut *cut,
   b.model->dense = *dense;
   b.model->solid = solid;
   *dense = (sg_dense){0};
-  done = make_normals(&b) && sg_scene_make_lines(&b);
+  done = make_normals(&b) && find_flat(&b) && sg_scene_make_lines(&b);
   if (done) {
     check_solids(&b);
   }
@@ -104,12 +158,36 @@ sg_scene_model_open(sg_dense *dense, bool *solid, const sg_scene_cut *cut,
   return b.model;
 }
 
+static bool
+has_user(const uint32_t *begin, const sg_scene_use *use, uint32_t line,
+         int32_t polygon)
+{
+  for (uint32_t i = begin[line]; i < begin[line + 1]; i++) {
+    if (use[i].polygon == polygon) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool
+sg_scene_lies_on(const sg_scene_model *m, uint32_t line, int32_t polygon)
+{
+  return m->flat[polygon] &&
+         (has_user(m->use_begin, m->use, line, polygon) ||
+          (m->copy_begin && has_user(m->copy_begin, m->copy, line, polygon)));
+}
+
 void
 sg_scene_model_close(sg_scene_model *model)
 {
   if (model) {
     sg_dense_clear(&model->dense);
     free(model->solid);
+    free(model->flat);
+    free(model->same);
+    free(model->copy_begin);
+    free(model->copy);
     free(model->line);
     free(model->use_begin);
     free(model->use);

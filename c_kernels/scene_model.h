@@ -29,8 +29,9 @@ typedef struct sg_look {
 /* One real edge, drawn for all its directed ones; or, with a negative id, a
  * line that was added (scene.h). */
 typedef struct sg_scene_line {
-  int32_t s, e;  /* the smallest id of the real directed edges */
-  uint32_t a, b; /* its start and end: places in sg_scene.at */
+  int32_t s, e;    /* the smallest id of the real directed edges */
+  uint32_t a, b;   /* its start and end: places in sg_scene.at */
+  uint32_t number; /* its place in the model; UINT32_MAX: an added one */
   sg_look look;
 } sg_scene_line;
 
@@ -42,23 +43,29 @@ typedef struct sg_scene_use {
 
 typedef struct sg_scene_model {
   sg_dense dense;
-  bool *solid; /* [segments] closed, and not inside out */
+  bool *solid;    /* [segments] closed, and not inside out */
+  bool *flat;     /* [polygons] its triangles lie in one plane */
+  uint32_t *same; /* [vertices] the first of those that penetration lines say
+                     are one point */
   size_t lines;
-  sg_scene_line *line; /* sorted by (s, e); a and b are places of vertices;
-                          towards, away, left and right are not known */
-  uint32_t *use_begin; /* [lines + 1] */
-  sg_scene_use *use;   /* line by line, in the order of the polygons */
+  sg_scene_line *line;  /* sorted by (s, e); a and b are places of vertices;
+                           towards, away, left and right are not known */
+  uint32_t *use_begin;  /* [lines + 1] */
+  sg_scene_use *use;    /* line by line, in the order of the polygons */
+  uint32_t *copy_begin; /* [lines + 1]; null: no line has copies */
+  sg_scene_use *copy;   /* the same for polygons that use copies of a line */
 } sg_scene_model;
 
 /* A penetration line runs from vertex a to b. Where it is the second copy of a
- * line of another segment, a2 and b2 are that one's ends; else -1. Places. */
+ * line, a2 and b2 are that one's ends; else -1. Places. */
 typedef struct sg_scene_cut {
   int32_t a, b;
   int32_t a2, b2;
 } sg_scene_cut;
 
-/* The model of some segments; solid[]: which of them are of kind solid. Second
- * copies of penetration lines and edges without a real one are left out.
+/* The model of some segments; solid[]: which of them are of kind solid. Of the
+ * copies of a penetration line all but the first are left out, and edges
+ * without a real one.
  *
  * Returns: null: stopped by the poll, or no memory (then *memory is false).
  * Owner:   takes the arrays of `dense` and `solid` over, in any case; the
@@ -66,6 +73,11 @@ typedef struct sg_scene_cut {
 sg_scene_model *sg_scene_model_open(sg_dense *dense, bool *solid,
                                     const sg_scene_cut *cut, size_t cuts,
                                     const sg_poll *poll, bool *memory);
+/* True if the polygon (a place) is flat and uses the line or a copy of it: then
+ * the line lies on all of its triangles. */
+bool sg_scene_lies_on(const sg_scene_model *model, uint32_t line,
+                      int32_t polygon);
+
 void sg_scene_model_close(sg_scene_model *model);
 
 #endif

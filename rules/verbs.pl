@@ -203,14 +203,7 @@ sheet_made(Options, Request, Lines, Drawing) :-
 %   world, with the Lines of operands.
 
 pictured(Lines, Options, Eye, PictureOptions) :-
-<<<<<<< HEAD
     segments_cut(Options),
-=======
-    (   several_segments
-    ->  penetrated([themselves(true)|Options])
-    ;   penetrate(all, [themselves(true)|Options])
-    ),
->>>>>>> f9bd07d (FIXED: draw: segments that go through themselves are cut by themselves first)
     maplist(call, Eye),
     (   aside_segments([_|_]),
         \+ option(segments(_), PictureOptions)
@@ -275,20 +268,18 @@ several_segments :-
     A \== B,
     !.
 
-%   segments_cut(Options): the segments cut each other, if there are several.
-%   pieces_cut(Options): those of a section, which needs no notice.
+%   segments_cut(Options): the segments cut each other, if there are several,
+%   and themselves. pieces_cut(Options): those of a section, which needs no
+%   notice.
 
 segments_cut(Options) :-
     (   several_segments
-    ->  penetrated(Options)
-    ;   true
+    ->  penetrated([themselves(true)|Options])
+    ;   pieces_cut(Options)
     ).
 
 pieces_cut(Options) :-
-    (   several_segments
-    ->  penetrate(all, Options)
-    ;   true
-    ).
+    penetrate(all, [themselves(true)|Options]).
 
 %   penetrated(Options): the segments cut each other, or a notice says why not.
 

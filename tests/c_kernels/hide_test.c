@@ -8,6 +8,7 @@
 /* ---------------------------------------------------------------- pictures */
 
 typedef struct picture {
+  sg_scene_model *model;
   sg_scene *scene;
   sg_hide hide;
   sg_part *part;
@@ -19,7 +20,7 @@ picture_open(picture *p, model *m, sg_which which)
 {
   bool memory;
 
-  p->scene = model_scene(m, NULL);
+  p->scene = model_scene(m, NULL, &p->model);
   if (!p->scene || !sg_hide_init(&p->hide, p->scene, NULL, &memory) ||
       !sg_parts_of(&p->hide, which, 30.0, NULL, &p->part, &p->parts, &memory)) {
     abort();
@@ -32,6 +33,7 @@ picture_close(picture *p)
   free(p->part);
   sg_hide_clear(&p->hide);
   sg_scene_close(p->scene);
+  sg_scene_model_close(p->model);
 }
 
 /* The total length in model units of the parts that are (not) hidden. */
@@ -638,7 +640,8 @@ finishes(model *m, int asks)
 {
   sg_poll poll = {stop_at_zero, &asks};
   bool memory = true, done = false;
-  sg_scene *scene = model_scene(m, &poll);
+  sg_scene_model *seen;
+  sg_scene *scene = model_scene(m, &poll, &seen);
   sg_hide hide;
   sg_part *part = NULL;
   size_t n;
@@ -649,6 +652,7 @@ finishes(model *m, int asks)
     sg_hide_clear(&hide);
   }
   sg_scene_close(scene);
+  sg_scene_model_close(seen);
   return done && memory;
 }
 

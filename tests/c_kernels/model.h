@@ -256,9 +256,10 @@ model_scene_model(const model *m, const sg_poll *poll)
   return sg_scene_model_open(&d, solid, m->cut, m->cuts, poll, &memory);
 }
 
-/* What is seen of it as it is projected; null: stopped. */
+/* What is seen of it as it is projected; null: stopped. *model_seen is to be
+ * closed after it, in any case. */
 static inline sg_scene *
-model_scene(const model *m, const sg_poll *poll)
+model_scene(const model *m, const sg_poll *poll, sg_scene_model **model_seen)
 {
   sg_scene_model *seen = model_scene_model(m, poll);
   double(*screen)[3] = malloc((m->vertices + 1) * sizeof *screen);
@@ -273,7 +274,7 @@ model_scene(const model *m, const sg_poll *poll)
     memcpy(screen[i], m->vertex[i].screen, sizeof *screen);
   }
   scene = seen ? sg_scene_open(&in, poll, &memory) : NULL;
-  sg_scene_model_close(seen);
+  *model_seen = seen;
   free(screen);
   return scene;
 }

@@ -121,6 +121,7 @@ order_of_masks(void)
 {
   model *m = model_new();
   bool sorted = true;
+  sg_scene_model *seen;
   sg_scene *scene;
 
   model_segment(m, false);
@@ -133,7 +134,7 @@ order_of_masks(void)
     model_polygon(m, 3, (int32_t[]){a, b, c});
   }
   model_project(m, 270, 0, 9, false);
-  scene = model_scene(m, NULL);
+  scene = model_scene(m, NULL, &seen);
   for (size_t i = 1; i < scene->masks; i++) {
     const sg_scene_mask *x = &scene->mask[i - 1], *y = &scene->mask[i];
     sorted &= x->low[2] < y->low[2] ||
@@ -141,6 +142,7 @@ order_of_masks(void)
   }
   CHECK("masks are sorted", sorted && scene->masks == 500);
   sg_scene_close(scene);
+  sg_scene_model_close(seen);
   free(m);
 }
 
