@@ -79,8 +79,15 @@ item_key(text(_,_,_,_,_), key(visible,text,0)).
 
 inked_item(Stroke, Ink, line(Ink,Stroke)) :-
     Stroke = stroke(_, _, _, _, _, _, _).
-inked_item(Text, Ink, text(Ink,Text)) :-
-    Text = text(_, _, _, _, _).
+inked_item(Text, Ink0, text(Ink,Text)) :-
+    Text = text(_, _, Height, _, _),
+    letter_ink(Ink0, Height, Ink).
+
+%   Letters are drawn no wider than a tenth of their height (ISO 3098).
+
+letter_ink(ink(Width0,Colours,Type,Runs,Pen,Layer), Height,
+           ink(Width,Colours,Type,Runs,Pen,Layer)) :-
+    Width is max(1, min(Width0, round(Height/10))).
 
 key_ink(how(Rows,Hidden), key(Visibility,Role,S), Ink) :-
     decided_style(Visibility, Role, S, Style0),

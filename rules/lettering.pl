@@ -1,12 +1,102 @@
 :- module(sg_lettering,
-          [ lettering/2                 % +Text, -Lines
+          [ lettering/2,                % +Text, -Lines
+            lettering_width/3           % +String, +Height, -Width
           ]).
+:- use_module(hangul, [syllable/3]).
+:- use_module(letter, [letter/3]).
+:- autoload(library(apply), [maplist/3]).
+:- autoload(library(lists), [append/2, append/3]).
 /** <module> Lettering: texts as lines of a pen.
+
+Where a format has no texts of its own (a plotter, a cutter), or only with
+fonts that have to come along (PDF), texts are drawn: letters of a single stroke
+(letter.pl), Korean too (hangul.pl). So they look the same everywhere. A
+character that is not known is drawn as a box.
 */
+
+:- set_prolog_flag(optimise, true).
 
 %!  lettering(+Text, -Lines) is det.
 %
-%   Lines are the letters of Text, text(X,Y,Height,Anchor,Text): lists of
-%   points, X-Y, in its unit.
+%   Lines are the letters of Text, text(X,Y,Height,Anchor,String), see
+%   sheet.pl: lists of points, X-Y, integers in its unit, y DOWN.
 
-lettering(_, []).
+lettering(text(X,Y,Height,Anchor,String), Lines) :-
+    Scale is Height/6,
+    placed(String, Glyphs, Width),
+    start(Anchor, X, Width*Scale, Start),
+    maplist(glyph_lines(place(Start,Y,Scale)), Glyphs, Liness),
+    append(Liness, Lines).
+
+start(start, X, _, X).
+start(middle, X, Width, Start) :-
+    Start is X - Width/2.
+start(end, X, Width, Start) :-
+    Start is X - Width.
+
+%!  lettering_width(+String, +Height, -Width) is det.
+%
+%   Width is how wide String is when its capitals are Height high.
+
+lettering_width(String, Height, Width) :-
+    placed(String, _, Width0),
+    Width is Width0*Height/6.
+
+%   placed(String, Glyphs, Width): Glyphs are At-Strokes; between letters there
+%   is a quarter of the height of a capital.
+
+placed(String, Glyphs, Width) :-
+    string_codes(String, Codes),
+    placed_codes(Codes, 0, Glyphs, Width).
+
+placed_codes([], _, [], 0).
+placed_codes([Code|Codes], At, [At-Strokes|Glyphs], Width) :-
+    glyph(Code, Own, Strokes),
+    (   Codes == []
+    ->  Glyphs = [],
+        Width is At+Own
+    ;   Next is At+Own+1.5,
+        placed_codes(Codes, Next, Glyphs, Width)
+    ).
+
+glyph(Code, Width, Strokes) :-
+    (   letter(Code, Width0, Strokes0)
+    ->  Width = Width0,
+        Strokes = Strokes0
+    ;   syllable(Code, Width0, Strokes0)
+    ->  Width = Width0,
+        Strokes = Strokes0
+    ;   Width = 4,
+        Strokes = [[0-0,0-6,4-6,4-0,0-0]]
+    ).
+
+glyph_lines(Place, At-Strokes, Lines) :-
+    maplist(stroke_line(Place, At), Strokes, Lines).
+
+stroke_line(Place, At, [Point|Points], Line) :-
+    on_paper(Place, At, Point, First),
+    bent(Points, Point, Place, At, Rest),
+    Line = [First|Rest].
+
+%   A curve becomes four straight pieces.
+
+bent([], _, _, _, []).
+bent([c(CX,CY),B|Points], A, Place, At, Line) :-
+    !,
+    Control = CX-CY,
+    maplist(curve_point(A, Control, B), [0.25,0.5,0.75,1.0], Curve),
+    maplist(on_paper(Place, At), Curve, Line0),
+    append(Line0, Line1, Line),
+    bent(Points, B, Place, At, Line1).
+bent([Point|Points], _, Place, At, [First|Rest]) :-
+    on_paper(Place, At, Point, First),
+    bent(Points, Point, Place, At, Rest).
+
+curve_point(AX-AY, CX-CY, BX-BY, T, X-Y) :-
+    S is 1-T,
+    X is S*S*AX + 2*S*T*CX + T*T*BX,
+    Y is S*S*AY + 2*S*T*CY + T*T*BY.
+
+on_paper(place(Start,Base,Scale), At, X0-Y0, X-Y) :-
+    X is round(Start + (At+X0)*Scale),
+    Y is round(Base - Y0*Scale).

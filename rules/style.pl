@@ -59,7 +59,7 @@ width(visible, mesh,        0.25).
 width(visible, frame,       0.7).
 width(visible, cutting_end, 0.7).
 width(visible, symbol,      0.35).
-width(visible, text,        0.35).
+width(visible, text,        0.7).     % at most, see ink.pl
 width(visible, field,       0.25).
 width(visible, hatching,    0.25).
 width(visible, cutting,     0.25).
