@@ -30,7 +30,7 @@ measured(File, Lines) :-
     set_view(Theta, Phi, 9.0),
     project_world,
     best(open_scene(Scene, []), SceneTime),
-    best(fill_drawn(Scene, Lines, 30), KernelTime),
+    best(fill_drawn(Scene, Lines, 30, []), KernelTime),
     lengths(Visible, Hidden),
     aggregate_all(count, drawn(_,_,_,_,_,_,_), Parts),
     aggregate_all(count, drawn(_,_,_,_,_,visible,_), Seen),

@@ -338,6 +338,24 @@ overlap_compare(const void *a, const void *b)
   return (x->line > y->line) - (x->line < y->line);
 }
 
+bool
+sg_hide_sees_through(const sg_hide *hide, int32_t s, int32_t s2)
+{
+  size_t low = 0, high = hide->throughs;
+
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    const sg_hide_through *k = &hide->through[middle];
+    if (k->s < s || (k->s == s && k->s2 < s2)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < hide->throughs && hide->through[low].s == s &&
+         hide->through[low].s2 == s2;
+}
+
 /* The masks of one cell, nearest first, up to the line's far end. */
 static bool
 cell_masks(sg_hide *hide, const sg_scene_line *line, size_t cell,
@@ -357,7 +375,8 @@ cell_masks(sg_hide *hide, const sg_scene_line *line, size_t cell,
       continue;
     }
     hide->mask_seen[m] = hide->question;
-    if (sg_mask_hides(scene, &scene->mask[m], line, &part)) {
+    if (sg_mask_hides(scene, &scene->mask[m], line, &part) &&
+        !sg_hide_sees_through(hide, line->s, scene->mask[m].s)) {
       part.mask = m;
       *whole |= part.from == 0.0 && part.to == 1.0;
       if (!add_hidden(out, &part)) {

@@ -43,12 +43,19 @@ typedef struct sg_overlaps {
   size_t n, room;
 } sg_overlaps;
 
+/* Segment s2 lets the lines of segment s be seen. */
+typedef struct sg_hide_through {
+  int32_t s, s2;
+} sg_hide_through;
+
 /* The search structures of a scene. One thread at a time. */
 typedef struct sg_hide {
   const sg_scene *scene;
   sg_grid masks, lines;
   uint32_t *mask_seen, *line_seen; /* [masks], [lines]: by which question */
   uint32_t question;
+  const sg_hide_through *through; /* [throughs], sorted; of the caller */
+  size_t throughs;
 } sg_hide;
 
 /* Requires: the scene stays open as long. False: stopped by the poll, or no
@@ -56,6 +63,10 @@ typedef struct sg_hide {
 bool sg_hide_init(sg_hide *hide, const sg_scene *scene, const sg_poll *poll,
                   bool *memory);
 void sg_hide_clear(sg_hide *hide);
+
+/* True if segment s2 lets the lines of segment s be seen: then none of its
+ * masks hides them, nor does step 2 if they are one (sg_look_is_back()). */
+bool sg_hide_sees_through(const sg_hide *hide, int32_t s, int32_t s2);
 
 /* The part of the line that the mask hides; false: none. The line is one of
  * scene->line. The mask never hides a line that lies on it: between two of its
@@ -69,9 +80,10 @@ bool sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
 bool sg_mask_covers(const sg_scene *scene, const sg_scene_mask *mask,
                     const sg_scene_line *line, sg_cover *out);
 
-/* All masks that hide a part of line `at`, sorted by from, to and mask.
- * `enough`: stop at the first that hides all of it. False: no memory.
- * `out` is used again; its array belongs to the caller, who frees it. */
+/* All masks that hide a part of line `at` and do not let it be seen, sorted by
+ * from, to and mask. `enough`: stop at the first that hides all of it. False:
+ * no memory. `out` is used again; its array belongs to the caller, who frees
+ * it. */
 bool sg_hide_masks(sg_hide *hide, size_t at, bool enough, sg_hiddens *out);
 
 /* The part of line a that lies on line b in the picture; false: none longer

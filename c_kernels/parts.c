@@ -186,11 +186,14 @@ choose(drawing *d, size_t k, sg_which which, double crease)
 static bool
 find_hidden(drawing *d, size_t k)
 {
+  const sg_scene_line *line = &d->scene->line[k];
+
   d->first[k] = d->hidden.n;
   if (d->role[k] == SG_ROLES) {
     return true;
   }
-  if (sg_look_is_back(&d->scene->line[k].look)) {
+  if (sg_look_is_back(&line->look) &&
+      !sg_hide_sees_through(d->hide, line->s, line->s)) {
     return push(&d->hidden, 0.0, 1.0);
   }
   return sg_hide_masks(d->hide, k, true, &d->masks) &&

@@ -569,10 +569,11 @@ replace_drawn_ex(const sg_scene *scene, const sg_part *part, size_t n)
   return sg_raise_status(status, SG_DRAWN, &fault);
 }
 
-/* fill_drawn(+Scene, +Which, +Crease) is det. */
+/* fill_drawn(+Scene, +Which, +Crease, +Through) is det. */
 static foreign_t
-fill_drawn(term_t scene, term_t which_lines, term_t crease)
+fill_drawn(term_t scene, term_t which_lines, term_t crease, term_t through)
 {
+  sg_hide_through *pair;
   handle *h = NULL;
   sg_which which;
   double bend;
@@ -582,11 +583,16 @@ fill_drawn(term_t scene, term_t which_lines, term_t crease)
   int ok;
 
   if (!get_scene_ex(scene, &h) || !get_which_ex(which_lines, &which) ||
-      !sg_get_finite_ex(crease, &bend)) {
+      !sg_get_finite_ex(crease, &bend) ||
+      !sg_get_through_ex(through, &pair, &h->hide.throughs)) {
     return FALSE;
   }
-  if (!sg_parts_of(&h->hide, which, bend, &sg_prolog_poll, &part, &n,
-                   &memory)) {
+  h->hide.through = pair;
+  ok = sg_parts_of(&h->hide, which, bend, &sg_prolog_poll, &part, &n, &memory);
+  h->hide.through = NULL;
+  h->hide.throughs = 0;
+  free(pair);
+  if (!ok) {
     return memory ? FALSE : sg_no_memory();
   }
   ok = replace_drawn_ex(h->scene, part, n);
@@ -606,7 +612,7 @@ sg_install_scene(void)
       {"overlap", 9, (pl_function_t)overlap,
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
       {"line_covers", 4, (pl_function_t)line_covers, 0},
-      {"fill_drawn", 3, (pl_function_t)fill_drawn, 0},
+      {"fill_drawn", 4, (pl_function_t)fill_drawn, 0},
       {NULL, 0, NULL, 0}};
 
   FUNCTOR_look8 = PL_new_functor(PL_new_atom("look"), 8);

@@ -9,7 +9,10 @@
 
 #include "../engine/world4pl.h"
 
+#include "hide.h"
 #include "scene.h"
+
+#include <SWI-Prolog.h>
 
 #include <stdatomic.h>
 
@@ -54,5 +57,8 @@ typedef struct sg_kept_model {
 sg_kept_model *sg_kept_model_hold_ex(sg_world *world, const sg_version *version,
                                      const sg_chosen *chosen);
 void sg_kept_model_drop(sg_kept_model *kept);
+
+/* A list of S-S2, S2 lets the lines of S be seen, sorted; free(*out). */
+int sg_get_through_ex(term_t list, sg_hide_through **out, size_t *n);
 
 #endif

@@ -311,10 +311,10 @@ statement_en(line_in_face(S, P)) -->
     { segment_word(S, Word) },
     [ 'it lies on polygon ~d of segment ~d~w: that never hides it'-
       [P, S, Word] ].
-statement_en(let_through(S, P, From, To, By)) -->
+statement_en(let_through(S, P, From, To, Decision, By)) -->
     { segment_word(S, Word) },
-    [ 'polygon ~d of segment ~d~w lies before it from ~6g to ~6g, but hides/4 \c
-       (~w) lets it be seen'-[P, S, Word, From, To, By] ].
+    [ 'polygon ~d of segment ~d~w lies before it from ~6g to ~6g, but ~w (~w) \c
+       lets it be seen'-[P, S, Word, From, To, Decision, By] ].
 statement_en(drawn_instead(From, To, Visibility, S, E, Role)) -->
     { segment_word(S, Word) },
     [ 'from ~6g to ~6g edge ~d of segment ~d~w is drawn, which lies there in \c

@@ -5,7 +5,7 @@
 :- use_module(csg_roots, [aside_segments/1]).
 :- use_module(csg, [root_segment/1]).
 :- use_module(explain_pair, [decided_by/2]).
-:- use_module(hidden_lines, [open_scene/2, hides/4, line_parts/5]).
+:- use_module(hidden_lines, [open_scene/2, hides/2, hides/4, line_parts/5]).
 :- use_module(interval,
               [intervals_union/3, intervals_subtract/3]).
 :- use_module(kernel, [scene_edge/5, occluder/7, overlap/9, line_covers/4]).
@@ -35,7 +35,7 @@ the triangles of one polygon hide are put together.
         From to To; the line is so far behind it there, in units of Zs
     face(S2-P2, By, From, To)
         polygon P2 of S2 would hide the line from From to To; By: `hides`, or
-        glass(File) where the rules of File let it through
+        glass(Decision, File) where that lets it through
 */
 
 %!  hidden_because(?What, +Wanted, +Options, -Because) is nondet.
@@ -185,6 +185,7 @@ role_because(S, E, Look, Options, [because(line_role(Role), Not)]) :-
 
 own_backs(S, look(_,0,Away,_,_,_,true,_), [because(backs(S, Away), [])]) :-
     Away > 0,
+    hides(S, S),
     !.
 own_backs(_, _, []).
 
@@ -225,8 +226,11 @@ faces(line(Scene, S, E, Least, _), Faces) :-
 verdict(S, E, S2, T, By) :-
     (   hides(S, E, S2, T)
     ->  By = hides
-    ;   decided_by(hides/4, File),
-        By = glass(File)
+    ;   hides(S, S2)
+    ->  decided_by(hides/4, File),
+        By = glass(hides/4, File)
+    ;   decided_by(hides/2, File),
+        By = glass(hides/2, File)
     ).
 
 %   hiding_faces(Line, Covers, Faces, Part, Because): nearest first.
@@ -331,9 +335,9 @@ polygon_over(Line, Covers, Faces, S-P, Part, Depth, Statement) :-
     member(Whole, Parts),
     common_part(Line, Whole, Part, From-To),
     face_depth(Line, Covers, S-P, From-To, Depth, Behind),
-    (   member(face(S-P, glass(By), From1, To1), Faces),
+    (   member(face(S-P, glass(Decision,By), From1, To1), Faces),
         common_part(Line, From1-To1, From-To, _)
-    ->  Statement = let_through(S, P, From, To, By)
+    ->  Statement = let_through(S, P, From, To, Decision, By)
     ;   Line = line(_, _, _, _, Size),
         Behind < -1.0e-7*Size
     ->  Before is -Behind,

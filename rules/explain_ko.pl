@@ -308,10 +308,10 @@ statement_ko(line_in_face(S, P)) -->
     { segment_word(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d 위에 놓여 있다: 그 면은 이 선을 가리지 않는다'-
       [S, Word, P] ].
-statement_ko(let_through(S, P, From, To, By)) -->
+statement_ko(let_through(S, P, From, To, Decision, By)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g 부터 ~6g 까지 앞에 있지만, hides/4 \c
-       (~w) 때문에 비쳐 보인다'-[S, Word, P, From, To, By] ].
+    [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g 부터 ~6g 까지 앞에 있지만, ~w (~w) \c
+       때문에 비쳐 보인다'-[S, Word, P, From, To, Decision, By] ].
 statement_ko(drawn_instead(From, To, Visibility, S, E, Role)) -->
     { segment_word(S, Word) },
     [ '~6g 부터 ~6g 까지는 그림에서 같은 곳에 있는 세그먼트 ~d~w의 모서리 ~d이(가) \c

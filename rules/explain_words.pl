@@ -86,7 +86,8 @@ statement_keys(visible_part, [from, to]).
 statement_keys(nothing_over, []).
 statement_keys(face_behind, [segment, polygon, from, to, distance]).
 statement_keys(line_in_face, [segment, polygon]).
-statement_keys(let_through, [segment, polygon, from, to, rules]).
+statement_keys(let_through,
+               [segment, polygon, from, to, decision, rules]).
 statement_keys(drawn_instead, [from, to, visibility, segment, edge, role]).
 
 %!  segment_word(+S, -Word) is det.

@@ -2,6 +2,7 @@
           [ picture/0,
             picture/1,                  % +Options
             open_scene/2,               % -Scene, +Options
+            hides/2,                    % +S, +S2
             hides/4,                    % +S, +E, +S2, +T
             hidden_interval/5,          % +Scene, +S, +E, -From, -To
             line_parts/5,               % +Scene, +S, +E, -Visible, -Hidden
@@ -21,10 +22,12 @@
 :- use_module(view, [project_world/0, screen_depth/1]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ assert_fact/1, retractall_facts/1, facts_transaction/1 ]).
+              [ segment/3, assert_fact/1, retractall_facts/1,
+                facts_transaction/1
+              ]).
 :- use_module(kernel,
               [ scene_open/4, scene_edge/5, occluder/7, overlap/9,
-                fill_drawn/3
+                fill_drawn/4
               ]).
 /** <module> Hidden lines: the picture of a world.
 
@@ -36,7 +39,7 @@ decide between two of a kind (a box seen squarely has no hidden line at all).
 The rules here define what is drawn. The join occluder/7 finds the triangles
 that hide a part of a line; triangles that are seen edge-on and the backs of
 solids are not among them (PL-13 steps 1 and 2). As long as nobody replaces a
-decision, the kernel fill_drawn/3 computes the same for the whole world.
+decision, the kernel fill_drawn/4 computes the same for the whole world.
 
 @see [PL] section 6.3: PL-13.
 */
@@ -94,7 +97,8 @@ one_of(Domain, Values, Value) :-
     ).
 
 draw(kernel, Scene, Which, Crease) :-
-    stage(join, fill_drawn(Scene, Which, Crease)).
+    seen_through(Through),
+    stage(join, fill_drawn(Scene, Which, Crease, Through)).
 draw(rule, Scene, Which, Crease) :-
     stage(rules, draw_by_rule(Scene, Which, Crease, _)).
 draw(replaced, Scene, Which, Crease) :-
@@ -103,6 +107,16 @@ draw(replaced, Scene, Which, Crease) :-
     get_time(T),
     Each is (T-T0)*1.0e6/max(1, Lines),
     print_message(informational, sanggwan(lines_by_rules(Lines, Each))).
+
+%   seen_through(Pairs): the S-S2 where segment S2 hides no line of S.
+
+seen_through(Pairs) :-
+    (   decision_is_default(hides/2)
+    ->  Pairs = []
+    ;   findall(S-S2,
+                ( segment(S, _, _), segment(S2, _, _), \+ hides(S, S2) ),
+                Pairs)
+    ).
 
 %!  open_scene(-Scene, +Options) is det.
 %
@@ -121,10 +135,22 @@ open_scene(Scene, Options) :-
 
 %!  hides(+S, +E, +S2, +T) is semidet.
 %
-%   True when triangle T of segment S2 may hide edge E of segment S. It always
-%   may. A decision: a world can make a segment of glass.
+%   True when triangle T of segment S2 may hide edge E of segment S. It may if
+%   hides/2 lets it. A decision; asked for every triangle that lies before a line.
 
-hides(_, _, _, _).
+hides(S, _, S2, _) :-
+    hides(S, S2).
+
+:- decision(hides/2, "Which segments may hide whose lines (PL-13)").
+
+%!  hides(+S, +S2) is semidet.
+%
+%   True when segment S2 may hide lines of segment S. It always may. A decision,
+%   asked once for each two segments, and for each with itself: one that does
+%   not hide its own lines shows its back too. A world can make a segment of
+%   glass.
+
+hides(_, _).
 
 %!  hidden_interval(+Scene, +S, +E, -From, -To) is nondet.
 %
@@ -134,7 +160,8 @@ hides(_, _, _, _).
 
 hidden_interval(Scene, S, E, 0.0, 1.0) :-
     scene_edge(Scene, S, E, _, look(_,0,Away,_,_,_,true,_)),
-    Away > 0.
+    Away > 0,
+    hides(S, S).
 hidden_interval(Scene, S, E, From, To) :-
     occluder(Scene, S, E, S2, T, From, To),
     hides(S, E, S2, T).

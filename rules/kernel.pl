@@ -110,7 +110,7 @@
             overlap/9,                % +Scene, +S, +E, ?S2, ?E2, -From, -To,
                                       % -From2, -To2
             line_covers/4,            % +Scene, +S, +E, -Covers
-            fill_drawn/3,             % +Scene, +Which, +Crease
+            fill_drawn/4,             % +Scene, +Which, +Crease, +Through
             % stroke4pl.c
             stroke_looks/2,           % +Parts, -Looks
             stroke_chains/3,          % +Parts, +Looks, -Strokes
@@ -468,12 +468,11 @@ glue file.
 %
 %   @error existence_error(drawn_edge, E)
 
-%!  fill_drawn(+Scene, +Which, +Crease) is det.
+%!  fill_drawn(+Scene, +Which, +Crease, +Through:list) is det.
 %
 %   Replaces drawn/7 of the current world by the drawn parts of the lines Which
-%   (`all`, `feature`, `penetration`); Crease as in edge_role/5. The fused
-%   kernel
-%   of hidden_lines.pl.
+%   (`all`, `feature`, `penetration`); Crease as in edge_role/5; Through are the
+%   S-S2 for which hides(S, S2) is not true. The fused kernel of hidden_lines.pl.
 
 /* - - - stroke4pl.c - - - */
 

@@ -273,7 +273,7 @@ test(glass, true(By \== default)) :-
                             ( picture,
                               once(said(why_not(hidden(1, 1)),
                                         let_through(2, 1, 0.25, 0.75,
-                                                    By))) )) )).
+                                                    hides/4, By))) )) )).
 test(some_segments, fail) :-
     in_new_world(( behind_a_square, picture([segments([1])]),
                    explanation(hidden(1, 1), [segments([1])], Because),
