@@ -51,6 +51,11 @@ picture(pipes_rules, 'Pipes, by other rules',
         'The same by a rule file: pipes do not cut brackets.',
         ['facts/pipes.pl', '--rules', 'docs/pipes_rules.pl']).
 
+picture(glass, 'Pipes, brackets of glass',
+        'The same by one more rule file: the brackets hide nothing.',
+        ['facts/pipes.pl', '--rules', 'docs/pipes_rules.pl',
+         '--rules', 'docs/glass_rules.pl']).
+
 % A CSG tree: docs/model_files.md.
 
 picture(pipe_tee, 'Pipe tee',

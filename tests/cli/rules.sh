@@ -27,7 +27,7 @@ while read -r command; do
 done <<<"$commands"
 
 # The pictures are those of the gallery, and they differ.
-for picture in pipes pipes_rules; do
+for picture in pipes pipes_rules glass; do
   check "$picture is the gallery's" \
     cmp "docs/gallery/$picture.svg" "$root/docs/gallery/$picture.svg"
 done
@@ -36,7 +36,7 @@ check "rules leave fewer lines" \
   test "$(paths pipes_rules)" -lt "$(paths pipes)"
 
 # The rule files shown are those in the folder.
-for file in docs/pipes_rules.pl docs/pieces_rules.pl; do
+for file in docs/pipes_rules.pl docs/pieces_rules.pl docs/glass_rules.pl; do
   check "$file is what the page shows" \
     eval "sed '1,/^\*\//d; /^%/d; /^$/d' $file |
           while IFS= read -r line; do
