@@ -89,9 +89,11 @@ stretched(Box, Strokes0, Strokes) :-
 stretched_stroke(Box, Points0, Points) :-
     maplist(stretched_point(Box), Points0, Points).
 
-stretched_point(Box, X0-Y0, X-Y) :-
+stretched_point(Box, X0-Y0, Point) =>
+    Point = X-Y,
     in_box(Box, X0, Y0, X, Y).
-stretched_point(Box, c(X0,Y0), c(X,Y)) :-
+stretched_point(Box, c(X0,Y0), Point) =>
+    Point = c(X,Y),
     in_box(Box, X0, Y0, X, Y).
 
 in_box(box(XA,YA,XB,YB), X0, Y0, X, Y) :-

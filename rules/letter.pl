@@ -33,10 +33,12 @@ mirrored('>', '<', 3.6).
 mirrored_stroke(Width, Points0, Points) :-
     maplist(mirrored_point(Width), Points0, Points).
 
-mirrored_point(Width, X0-Y, X-Y) :-
-    X is Width-X0.
-mirrored_point(Width, c(X0,Y), c(X,Y)) :-
-    X is Width-X0.
+mirrored_point(Width, X0-Y, Point) =>
+    X is Width-X0,
+    Point = X-Y.
+mirrored_point(Width, c(X0,Y), Point) =>
+    X is Width-X0,
+    Point = c(X,Y).
 
 glyph(' ', 2.4, []).
 glyph('!', 0, [[0-6,0-1.8],[0-0.1,0-0]]).
