@@ -196,14 +196,14 @@ sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
   double at_r, at_s;
 
   if ((off_r > far && off_s > far) || (off_r < -far && off_s < -far) ||
-      size <= SG_SHORTEST) {
+      size <= scene->tolerance) {
     return false;
   }
   at_r = (x * (r[0] - p[0]) + y * (r[1] - p[1])) / square;
   at_s = (x * (s[0] - p[0]) + y * (s[1] - p[1])) / square;
   out->from = sg_larger(0.0, sg_smaller(at_r, at_s));
   out->to = sg_smaller(1.0, sg_larger(at_r, at_s));
-  if ((out->to - out->from) * size <= SG_SHORTEST) {
+  if ((out->to - out->from) * size <= scene->tolerance) {
     return false;
   }
   out->from2 = (out->from - at_r) / (at_s - at_r);
@@ -211,7 +211,6 @@ sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
   return fabs(between(off_r, off_s, out->from2)) <= far &&
          fabs(between(off_r, off_s, out->to2)) <= far;
 }
-<<<<<<< HEAD
 
 /* ------------------------------------------------------------- searching */
 
@@ -461,5 +460,3 @@ sg_hide_overlaps(sg_hide *hide, size_t at, sg_overlaps *out)
   }
   return true;
 }
-=======
->>>>>>> 5b6f64d (MODIFIED: hidden lines: lines are drawn by blocks with all threads; overlaps are looked for among lines of one direction; drawn/7 is written in bulk)

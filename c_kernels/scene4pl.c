@@ -5,9 +5,10 @@
 #include "scene4pl.h"
 
 #include "glue.h"
-#include "hide_search.h"
+#include "parts.h"
 
 #include "../engine/install.h"
+#include "../engine/symbol.h"
 #include "../engine/world4pl.h"
 
 #include <SWI-Stream.h>
@@ -15,38 +16,25 @@
 #include <string.h>
 
 static functor_t FUNCTOR_look8, FUNCTOR_covers6;
-static atom_t ATOM_all, ATOM_true, ATOM_false;
+static atom_t ATOM_all, ATOM_feature, ATOM_penetration, ATOM_true, ATOM_false;
 
 /* ---------------------------------------------------------- the handle */
 
 typedef struct handle {
   sg_kept_model *model; /* held */
   sg_scene *scene;
-  sg_mask_grid masks;
-  sg_line_grid lines; /* of all lines, when one is asked for its overlaps */
-  uint32_t *every;    /* [scene->lines] their places */
-  sg_seen mask_seen, line_seen;
+  sg_hide hide;
 } handle;
-
-static void
-close_handle(handle *h)
-{
-  if (h) {
-    sg_mask_grid_clear(&h->masks);
-    sg_line_grid_clear(&h->lines);
-    sg_seen_clear(&h->mask_seen);
-    sg_seen_clear(&h->line_seen);
-    free(h->every);
-    sg_scene_close(h->scene);
-    sg_kept_model_drop(h->model);
-    free(h);
-  }
-}
 
 static int
 release_handle(atom_t atom)
 {
-  close_handle(PL_blob_data(atom, NULL, NULL));
+  handle *h = PL_blob_data(atom, NULL, NULL);
+
+  sg_hide_clear(&h->hide);
+  sg_scene_close(h->scene);
+  sg_kept_model_drop(h->model);
+  free(h);
   return TRUE;
 }
 
@@ -77,18 +65,6 @@ get_scene_ex(term_t t, handle **out)
     return TRUE;
   }
   return PL_type_error("scene", t);
-}
-
-int
-sg_get_mask_grid_ex(term_t t, const sg_mask_grid **out)
-{
-  handle *h = NULL;
-
-  if (!get_scene_ex(t, &h)) {
-    return FALSE;
-  }
-  *out = &h->masks;
-  return TRUE;
 }
 
 /* ------------------------------------------------------------- opening */
@@ -139,12 +115,12 @@ new_handle(const sg_scene_input *in, bool *memory)
   *memory = h != NULL;
   if (h) {
     h->scene = sg_scene_open(in, &sg_prolog_poll, memory);
-    if (h->scene &&
-        sg_mask_grid_init(&h->masks, h->scene, &sg_prolog_poll, memory)) {
+    if (h->scene && sg_hide_init(&h->hide, h->scene, &sg_prolog_poll, memory)) {
       return h;
     }
+    sg_scene_close(h->scene);
+    free(h);
   }
-  close_handle(h);
   return NULL;
 }
 
@@ -411,51 +387,6 @@ answer(const handle *h, answers *a, term_t a3)
   return FALSE;
 }
 
-/* All masks that hide a part of a line. */
-static int
-find_masks_ex(handle *h, size_t line, sg_hiddens *out)
-{
-  if (!h->mask_seen.by && !sg_seen_init(&h->mask_seen, h->scene->masks)) {
-    return sg_no_memory();
-  }
-  return sg_mask_grid_ask(&h->masks, line, false, &h->mask_seen, out) ||
-         sg_no_memory();
-}
-
-/* The grid of all lines, made when it is asked first. */
-static int
-make_lines_ex(handle *h)
-{
-  size_t n = h->scene->lines;
-  bool memory = true;
-
-  if (h->lines.grid[SG_LINE_CLASSES - 1].item) {
-    return TRUE;
-  }
-  sg_line_grid_clear(&h->lines);
-  sg_seen_clear(&h->line_seen);
-  free(h->every);
-  h->every = malloc((n + 1) * sizeof *h->every);
-  for (size_t i = 0; h->every && i < n; i++) {
-    h->every[i] = (uint32_t)i;
-  }
-  if (h->every && sg_seen_init(&h->line_seen, n) &&
-      sg_line_grid_init(&h->lines, h->scene, h->every, n, &sg_prolog_poll,
-                        &memory)) {
-    return TRUE;
-  }
-  return memory && PL_exception(0) ? FALSE : sg_no_memory();
-}
-
-/* All lines that a line lies on. */
-static int
-find_overlaps_ex(handle *h, size_t line, sg_overlaps *out)
-{
-  return make_lines_ex(h) &&
-         (sg_line_grid_ask(&h->lines, line, &h->line_seen, out) ||
-          sg_no_memory());
-}
-
 static answers *
 find_answers_ex(handle *h, term_t a0, bool overlaps)
 {
@@ -466,10 +397,12 @@ find_answers_ex(handle *h, term_t a0, bool overlaps)
     sg_no_memory();
     return NULL;
   }
-  if (get_line_ex(h, a0 + 1, a0 + 2, &line) &&
-      (overlaps ? find_overlaps_ex(h, line, &a->overlap)
-                : find_masks_ex(h, line, &a->hidden))) {
-    return a;
+  if (get_line_ex(h, a0 + 1, a0 + 2, &line)) {
+    if (overlaps ? sg_hide_overlaps(&h->hide, line, &a->overlap)
+                 : sg_hide_masks(&h->hide, line, false, &a->hidden)) {
+      return a;
+    }
+    sg_no_memory();
   }
   answers_free(a);
   return NULL;
@@ -550,7 +483,6 @@ line_covers(term_t scene, term_t s, term_t e, term_t covers)
   return PL_unify_nil(list);
 }
 
-<<<<<<< HEAD
 /* -------------------------------------------------------------- drawing */
 
 static int
@@ -668,8 +600,6 @@ fill_drawn(term_t scene, term_t which_lines, term_t crease, term_t through)
   return ok;
 }
 
-=======
->>>>>>> 5b6f64d (MODIFIED: hidden lines: lines are drawn by blocks with all threads; overlaps are looked for among lines of one direction; drawn/7 is written in bulk)
 void
 sg_install_scene(void)
 {
@@ -682,15 +612,14 @@ sg_install_scene(void)
       {"overlap", 9, (pl_function_t)overlap,
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
       {"line_covers", 4, (pl_function_t)line_covers, 0},
-<<<<<<< HEAD
       {"fill_drawn", 4, (pl_function_t)fill_drawn, 0},
-=======
->>>>>>> 5b6f64d (MODIFIED: hidden lines: lines are drawn by blocks with all threads; overlaps are looked for among lines of one direction; drawn/7 is written in bulk)
       {NULL, 0, NULL, 0}};
 
   FUNCTOR_look8 = PL_new_functor(PL_new_atom("look"), 8);
   FUNCTOR_covers6 = PL_new_functor(PL_new_atom("covers"), 6);
   ATOM_all = PL_new_atom("all");
+  ATOM_feature = PL_new_atom("feature");
+  ATOM_penetration = PL_new_atom("penetration");
   ATOM_true = PL_new_atom("true");
   ATOM_false = PL_new_atom("false");
   PL_register_extensions_in_module("sg_kernel", doors);

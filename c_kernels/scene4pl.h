@@ -9,12 +9,8 @@
 
 #include "../engine/world4pl.h"
 
-<<<<<<< HEAD
 #include "hide.h"
 #include "scene.h"
-=======
-#include "hide_search.h"
->>>>>>> 5b6f64d (MODIFIED: hidden lines: lines are drawn by blocks with all threads; overlaps are looked for among lines of one direction; drawn/7 is written in bulk)
 
 #include <SWI-Prolog.h>
 
@@ -62,13 +58,7 @@ sg_kept_model *sg_kept_model_hold_ex(sg_world *world, const sg_version *version,
                                      const sg_chosen *chosen);
 void sg_kept_model_drop(sg_kept_model *kept);
 
-<<<<<<< HEAD
 /* A list of S-S2, S2 lets the lines of S be seen, sorted; free(*out). */
 int sg_get_through_ex(term_t list, sg_hide_through **out, size_t *n);
-=======
-/* The masks of a scene handle, and with them the scene; they last as long as
- * the term. False: an exception is pending. */
-int sg_get_mask_grid_ex(term_t t, const sg_mask_grid **out);
->>>>>>> 5b6f64d (MODIFIED: hidden lines: lines are drawn by blocks with all threads; overlaps are looked for among lines of one direction; drawn/7 is written in bulk)
 
 #endif
