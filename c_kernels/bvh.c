@@ -52,15 +52,6 @@ sg_box_none(void)
 }
 
 void
-sg_box_add(sg_box *box, const double point[3])
-{
-  for (int c = 0; c < 3; c++) {
-    box->lo[c] = point[c] < box->lo[c] ? point[c] : box->lo[c];
-    box->hi[c] = point[c] > box->hi[c] ? point[c] : box->hi[c];
-  }
-}
-
-void
 sg_box_join(sg_box *box, const sg_box *other)
 {
   for (int c = 0; c < 3; c++) {

@@ -25,7 +25,14 @@ typedef struct sg_box {
 sg_box sg_box_none(void);
 
 /* Grows `box` so that it holds `point`, or another box. */
-void sg_box_add(sg_box *box, const double point[3]);
+static inline void
+sg_box_add(sg_box *box, const double point[3])
+{
+  for (int c = 0; c < 3; c++) {
+    box->lo[c] = point[c] < box->lo[c] ? point[c] : box->lo[c];
+    box->hi[c] = point[c] > box->hi[c] ? point[c] : box->hi[c];
+  }
+}
 void sg_box_join(sg_box *box, const sg_box *other);
 
 /* True if they have a point in common, or are not farther apart than `reach`

@@ -1,5 +1,6 @@
 #include "leaf_tree.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -25,12 +26,32 @@ read_point(const sg_view *v, uint32_t row, double out[3])
   }
 }
 
+double (*sg_leaf_points(const sg_leaf_tree *tree, const sg_leaf_views *views,
+                        const double from[3]))[3]
+{
+  const sg_id_rows *table = &tree->vertex;
+  double(*out)[3] = malloc((table->places + 1) * sizeof *out);
+
+  for (size_t i = 0; out && i < table->places; i++) {
+    if (table->row[i] == SG_NO_ID_ROW) {
+      out[i][0] = out[i][1] = out[i][2] = NAN;
+      continue;
+    }
+    read_point(&views->v, table->row[i], out[i]);
+    for (int k = 0; k < 3; k++) {
+      out[i][k] -= from[k];
+    }
+  }
+  return out;
+}
+
 /* ---- boxes ---- */
 
 typedef struct leaves {
   const forest *forest;
   const sg_leaf_tree *tree;
   const uint32_t *row;
+  double (*point)[3]; /* by place */
 } leaves;
 
 /* The vertices of a leaf are there: the store sees to it. One that is not
@@ -48,10 +69,10 @@ leaf_boxes(const void *data, size_t begin, size_t end, sg_box *out)
 
     *box = sg_box_none();
     for (unsigned k = 0; k < n; k++) {
-      double p[3];
-      if (sg_leaf_vertex_at(l->tree, views,
-                            sg_view_int(view, first + k, l->row[i]), p)) {
-        sg_box_add(box, p);
+      size_t place = sg_id_rows_place(&l->tree->vertex,
+                                      sg_view_int(view, first + k, l->row[i]));
+      if (place != SG_NO_ID_PLACE) {
+        sg_box_add(box, l->point[place]);
       }
     }
   }
@@ -111,7 +132,10 @@ grow_one(const forest *f, size_t i, sg_crew *crew, const sg_poll *poll)
 
   tree->begin = n > 0 ? l.row[0] : 0;
   tree->end = n > 0 ? l.row[n - 1] + 1 : 0;
-  tree->boxes = sg_bvh_grow(n, leaf_boxes, &l, l.row, &tree->box, crew, poll);
+  if ((l.point = sg_leaf_points(tree, f->views, (double[3]){0}))) {
+    tree->boxes = sg_bvh_grow(n, leaf_boxes, &l, l.row, &tree->box, crew, poll);
+  }
+  free(l.point);
 }
 
 /* ---- all ---- */

@@ -9,6 +9,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
   EDGE_PAGES = 16, /* of e/5 in a task */
@@ -132,8 +133,8 @@ typedef struct triangle_sum {
 typedef struct faces {
   const sg_leaf_tree *tree;
   const sg_leaf_views *views;
-  double middle[3];
-  triangle_sum *sum; /* [tasks] */
+  double (*point)[3]; /* by place, from the middle */
+  triangle_sum *sum;  /* [tasks] */
 } faces;
 
 /* Along no axis and no diagonal. */
@@ -205,14 +206,14 @@ is_hit(const double d[3], const double at[3][3])
 static void
 see_triangle(const faces *f, uint32_t row, triangle_sum *sum)
 {
-  double at[3][3], error;
+  double at[3][3] = {0}, error;
 
   for (unsigned i = 0; i < 3; i++) {
-    int32_t v = sg_view_int(&f->views->t, 3 + i, row);
+    size_t place = sg_id_rows_place(&f->tree->vertex,
+                                    sg_view_int(&f->views->t, 3 + i, row));
 
-    sg_leaf_vertex_at(f->tree, f->views, v, at[i]);
-    for (int k = 0; k < 3; k++) {
-      at[i][k] -= f->middle[k];
+    if (place != SG_NO_ID_PLACE) {
+      memcpy(at[i], f->point[place], sizeof at[i]);
     }
   }
   double six = determinant(at[0], at[1], at[2], &error);
@@ -272,19 +273,23 @@ see_faces(const sg_leaf_tree *tree, const sg_leaf_views *views, sg_crew *crew,
   size_t pages =
       (tree->end - 1) / SG_PAGE_ROWS - tree->begin / SG_PAGE_ROWS + 1;
   size_t tasks = (pages + FACE_PAGES - 1) / FACE_PAGES;
-  faces f = {
-      .tree = tree, .views = views, .sum = calloc(tasks + 1, sizeof *f.sum)};
+  double middle[3];
 
   for (int k = 0; k < 3; k++) {
-    f.middle[k] = tree->box.lo[k] / 2 + tree->box.hi[k] / 2;
+    middle[k] = tree->box.lo[k] / 2 + tree->box.hi[k] / 2;
   }
-  bool done = f.sum && sg_crew_run(crew, tasks, see_pages, &f, poll);
+  faces f = {.tree = tree,
+             .views = views,
+             .point = sg_leaf_points(tree, views, middle),
+             .sum = calloc(tasks + 1, sizeof *f.sum)};
+  bool done = f.point && f.sum && sg_crew_run(crew, tasks, see_pages, &f, poll);
 
   for (size_t i = 0; i < tasks && done; i++) {
     out->volume += f.sum[i].volume / 6;
     out->error += f.sum[i].error / 6 + DBL_EPSILON * fabs(out->volume);
   }
   out->star = done && out->balanced && is_star(&f, tasks);
+  free(f.point);
   free(f.sum);
   return done;
 }
