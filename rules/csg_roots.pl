@@ -1,6 +1,7 @@
 :- module(sg_csg_roots,
           [ aside_segments/1,           % -Ss
             roots_alone/0,
+            operands_meet/2,            % +S, -Border
             operand_lines/1,            % -Lines
             with_operand_lines/2        % +Lines, :Goal
           ]).
@@ -8,6 +9,7 @@
 :- use_module(csg_record, [drop_record/1]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(csg_term, [plain_name/2]).
+:- use_module(kernel, [operand_borders/2]).
 :- use_module(store,
               [ e/5, segment/3, origin/3, from_p/5, edge_polygon/3,
                 assert_fact/1, retractall_facts/1, facts_transaction/1,
@@ -58,8 +60,12 @@ roots_alone :-
 %   penetration lines, however little they bend.
 
 operand_lines(Lines) :-
-    findall(Line,
-            ( root_segment(S), is_node(S), operands_meet(S, Line) ),
+    findall(line(S, P, V1, V2, Q),
+            ( root_segment(S),
+              is_node(S),
+              operand_borders(S, Borders),
+              member(border(P, V1, V2, Q), Borders)
+            ),
             Lines).
 
 with_operand_lines(Lines, Goal) :-
@@ -67,25 +73,26 @@ with_operand_lines(Lines, Goal) :-
     once(Goal),
     forall(member(L, Ls), retractall_facts(line(L, _, _, _, _, _, _, _, _))).
 
-%   operands_meet(S, Line): an edge from or to a vertex that a cut made, between
-%   polygons that have no operand in common.
+%!  operands_meet(+S, -Border) is nondet.
+%
+%   True when Border is border(P, V1, V2, Q): polygon P of S has the edge from
+%   V1 to V2, V1 < V2, and Q its opposite, and they are parts of operands, of no
+%   common one. The rule of operand_borders/2.
 
-operands_meet(S, line(S, P, V1, V2, Q)) :-
-    findall(V1-V2,
-            ( origin(S, v(V), _),
-              (   e(S, _, V, W, _)
-              ;   e(S, _, W, V, _)
-              ),
-              msort([V,W], [V1,V2]) ),
-            Edges0),
-    sort(Edges0, Edges),
-    member(V1-V2, Edges),
+operands_meet(S, border(P, V1, V2, Q)) :-
     e(S, E, V1, V2, _),
+    V1 < V2,
     e(S, Twin, V2, V1, _),
     edge_polygon(S, E, P),
     edge_polygon(S, Twin, Q),
+    is_part(S, P),
+    is_part(S, Q),
     \+ ( from_p(S, P, K, _, _),
          from_p(S, Q, K, _, _) ).
+
+is_part(S, P) :-
+    from_p(S, P, _, _, _),
+    !.
 
 line_added(line(S, P, V1, V2, Q), L) :-
     once(e(S, _, V1, V2, _)),

@@ -15,15 +15,16 @@
 /** <module> Vertices that leaves have in passing.
 
 Before solids are combined, what is nearer than the tolerance is made to touch
-(resolve.pl): vertices of leaves are moved, and leaves get vertices in the middle
-of edges and faces. That is undone when the snapshot ends. What came of it in the
-result is said here in terms of what the leaves have: their vertices, edges and
-faces.
+(resolve.pl): vertices of leaves are moved, and leaves get vertices in the
+middle of edges and faces. That is undone when the snapshot ends. What came of
+it in the result is said here in terms of what the leaves have: their vertices,
+edges and faces.
 
   - A vertex V of one leaf S that others were made to touch is that vertex, and
-    has the origin near(on(S-V, Places)): Places are S0-v(V0), S0-e(E) and S0-p(P),
-    what of the others is there.
-  - Where edges pass each other, the vertex has the origin near(ll(Edge1,Edge2)).
+    has the origin near(on(S-V, Places)): Places are S0-v(V0), S0-e(E) and
+    S0-p(P), what of the others is there.
+  - Where edges pass each other, the vertex has the origin
+    near(ll(Edge1, Edge2)).
   - A cut that was made with a part of an edge, or with a triangle of a face,
     was made with that edge, or (S-p(P)) with that face: near(lpi(...)).
 
@@ -32,10 +33,10 @@ Origins near(_) are not exact.
 
 %!  passing_places(+S, -Passing) is det.
 %
-%   Passing is V-place(Origin, Feature, Polygons) of the vertices V of S where it
-%   was made to touch: Origin as of resolve.pl; Feature v(V), of a vertex that
-%   was moved, or the edge e(E) or face p(P) that V was put on; and then Polygons,
-%   those that have V. To be asked while it is so.
+%   Passing is V-place(Origin, Feature, Polygons) of the vertices V of S where
+%   it was made to touch: Origin as of resolve.pl; Feature v(V), of a vertex that
+%   was moved, or the edge e(E) or face p(P) that V was put on; and then
+%   Polygons, those that have V. To be asked while it is so.
 
 passing_places(S, Passing) :-
     findall(V-Place,
@@ -94,7 +95,9 @@ passing_named(_, []) :-
     !.
 passing_named(S, Passing) :-
     findall(S0-Places,
-            ( member(S0-Passing0, Passing), list_to_assoc(Passing0, Places) ),
+            ( member(S0-Passing0, Passing),
+              list_to_assoc(Passing0, Places)
+            ),
             Pairs),
     list_to_assoc(Pairs, Touched),
     findall(Origin-at(S0,V0,Feature),
@@ -179,8 +182,8 @@ place_renamed(Touched, S-Vertices, Place) :-
     ).
 place_renamed(_, Place, Place).
 
-%   feature_of(+Vertices, +S, +Touched, -Feature): the ends of the edge of S that
-%   the edge Vertices is a part of, or p(P), the face that has all of them.
+%   feature_of(+Vertices, +S, +Touched, -Feature): the ends of the edge of S
+%   that the edge Vertices is a part of, or p(P), the face that has all of them.
 
 feature_of((A,B), S, Touched, (V1,V2)) :-
     integer(B),

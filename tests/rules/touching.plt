@@ -4,7 +4,10 @@
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(library(occurs)).
+:- use_module(rules(csg_evaluate), [evaluate/1]).
+:- use_module(rules(csg_roots)).
 :- use_module(rules(explain)).
+:- use_module(rules(kernel), [operand_borders/2]).
 :- use_module(rules(provenance)).
 :- use_module(rules(solid_file), [output_statistics/1]).
 :- use_module(rules(store)).
@@ -160,6 +163,42 @@ test(origins, forall(sample(origins, 12, Seed))) :-
     in_scene(Solids,
              forall(operation(N, Expression),
                     ( result(Expression, S), named(S) ))).
+test(borders, forall(sample(borders, 8, Seed))) :-
+    scene(Seed, Solids),
+    length(Solids, N),
+    in_scene(Solids,
+             forall(operation(N, Expression),
+                    ( result(Expression, S),
+                      findall(Border, operands_meet(S, Border), Rule0),
+                      sort(Rule0, Rule),
+                      operand_borders(S, Kernel0),
+                      sort(Kernel0, Kernel),
+                      Kernel == Rule ))).
+
+%   Bodies on each other: a line all round where they join, also where no vertex
+%   was made.
+
+test(joint, [ forall(member(Turn-Solid-N,
+                            [ turned-box(size(2,1,1))-4,
+                              straight-box(size(2,1,1))-4,
+                              turned-cylinder(radius(1), height(1),
+                                              facets(12))-12,
+                              straight-cylinder(radius(1), height(1),
+                                                facets(12))-12 ])),
+              true(Lines == N)
+            ]) :-
+    Solids0 = [ box(size(4,4,2)), at([translate(0,0,2)], Solid) ],
+    set_random(seed(7)),
+    random_rotation(Steps),
+    (   Turn == turned
+    ->  maplist(placed(Steps), Solids0, Solids)
+    ;   Solids = Solids0
+    ),
+    in_scene(Solids,
+             ( assert_fact(segment(3, solid, union([1,2]))),
+               evaluate(all),
+               operand_lines(Found) )),
+    length(Found, Lines).
 test(several, forall(sample(touching, 25, Seed))) :-
     scene(Seed, Solids),
     length(Solids, N),
