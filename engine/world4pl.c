@@ -344,8 +344,8 @@ undo_limit(term_t steps)
 
 /* ---- stamps ------------------------------------------------------------ */
 
-static uint64_t
-stamp_of(const sg_version *version, int32_t s)
+uint64_t
+sg_segment_stamp(const sg_version *version, int32_t s)
 {
   static const sg_relation rows[] = {SG_V, SG_E, SG_P};
   uint64_t last = 0;
@@ -368,7 +368,7 @@ segment_stamp(term_t s, term_t t)
     return FALSE;
   }
   const sg_version *version = sg_world_version(world);
-  uint64_t stamp = stamp_of(version, n);
+  uint64_t stamp = sg_segment_stamp(version, n);
 
   sg_version_drop(version);
   return PL_unify_uint64(t, stamp);
@@ -386,7 +386,7 @@ unify_stamps_ex(const sg_version *version, term_t list, term_t out)
   while (PL_get_list_ex(rest, s, rest)) {
     if (!PL_get_integer_ex(s, &n) || !PL_unify_list(tail, head, tail) ||
         !PL_unify_term(head, PL_FUNCTOR, pair, PL_INT, n, PL_INT64,
-                       (int64_t)stamp_of(version, n))) {
+                       (int64_t)sg_segment_stamp(version, n))) {
       return FALSE;
     }
   }

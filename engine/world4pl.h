@@ -35,6 +35,9 @@ int sg_raise_status(sg_status status, sg_relation relation,
  * foreign predicate, the exception is pending. */
 extern const sg_poll sg_prolog_poll;
 
+/* segment_stamp/2. */
+uint64_t sg_segment_stamp(const sg_version *version, int32_t s);
+
 /* The relation of this name and arity, SG_NONE: there is none. */
 sg_relation sg_relation_named(atom_t name, size_t arity);
 /* The same for a term that names one: v, or v/5. */

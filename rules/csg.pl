@@ -11,6 +11,7 @@
               [ is_node_term/1, node_parts/4, map_operands/3,
                 check_node_term/1
               ]).
+:- use_module(kernel, [kept_leaves/2]).
 :- use_module(model_file, [add_primitive/2, primitive_rows/3]).
 :- use_module(csg_record,
               [record/2, recorded/2, up_to_date/2, made_and_kept/2]).
@@ -20,7 +21,7 @@
               [ p/3, t/6, segment/3, origin/3, assert_fact/1,
                 retractall_facts/1, facts_transaction/1, fresh_id/3
               ]).
-:- autoload(library(apply), [foldl/4]).
+:- autoload(library(apply), [foldl/4, foldl/5, maplist/4]).
 :- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
 :- autoload(library(lists), [append/3, member/2, reverse/2]).
 :- autoload(library(ordsets), [ord_memberchk/2]).
@@ -166,28 +167,43 @@ visit_node(Nodes, Kind0, Term0, Seen0, Seen, Kind-Count) :-
     catch(numbered(N, Kind0, Term0, Term), error(model_error(What), _),
           node_error(Nodes, What)),
     node_parts(Term, Operation, Children, _),
-    foldl(visit(Nodes), Children, Seen0, Seen),
-    arg(1, Seen, Kinds),
-    foldl(joined_kind(Nodes, Operation, Kinds), Children, solid-0, Kind-Count),
-    right_side(Nodes, Operation, Children, Kinds),
+    kept_leaves(Children, Kept),
+    foldl(visit_unless_kept(Nodes), Children, Kept, Seen0, Seen),
+    arg(1, Seen, Known),
+    maplist(child_kind(Known), Children, Kept, Kinds),
+    foldl(joined_kind(Nodes, Operation), Children, Kinds, solid-0, Kind-Count),
+    right_side(Nodes, Operation, Kinds),
     few_leaves(Nodes, Count),
     (   Kind == Kind0
     ->  true
     ;   replaced_segment(N, Kind, Term)
     ).
 
-%   right_side(Nodes, Operation, Children, Kinds): a solid has an inside, a
-%   surface has not.
+%   Leaves that are as they were made, mostly all but one, need no visit.
 
-right_side(Nodes, split(Side), [_,By], Kinds) :-
+visit_unless_kept(Nodes, Child, Kept, Seen0, Seen) :-
+    (   Kept == other
+    ->  visit(Nodes, Child, Seen0, Seen)
+    ;   Seen = Seen0
+    ).
+
+child_kind(Known, Child, Kept, Kind) :-
+    (   Kept == other
+    ->  get_assoc(Child, Known, Kind)
+    ;   Kind = Kept-1
+    ).
+
+%   right_side(Nodes, Operation, Kinds): a solid has an inside, a surface has
+%   not.
+
+right_side(Nodes, split(Side), [_,Kind-_]) :-
     !,
-    get_assoc(By, Kinds, Kind-_),
     sides_of(Kind, Sides),
     (   memberchk(Side, Sides)
     ->  true
     ;   node_error(Nodes, csg(side(Side, Sides)))
     ).
-right_side(_, _, _, _).
+right_side(_, _, _).
 
 sides_of(solid, [inside,outside]).
 sides_of(surface, [below,above]).
@@ -205,7 +221,7 @@ few_leaves(Nodes, Count) :-
 %   If somebody changed the rows, they count.
 
 leaf_completed([_|_], N, Kind, Term, Kind, Incomplete, Incomplete) :-
-    made_and_kept(N, leaf(primitive(Term))),
+    made_and_kept(N, leaf(primitive(Term))),    % also seen by kept_leaves/2
     !.
 leaf_completed([_|_], N, Kind0, Term, Kind, Incomplete0, Incomplete) :-
     is_primitive(Term),
@@ -265,11 +281,11 @@ operand_number(Operand, S) :-
 operand_number(Operand, S) :-
     add_primitive(Operand, S).
 
-%   joined_kind(Nodes, Operation, Kinds, Child, Kind0-Count0, Kind-Count): of
-%   the first of Nodes, with one more child (CB-2).
+%   joined_kind(Nodes, Operation, Child, ChildKind-ChildCount, Kind0-Count0,
+%   Kind-Count): of the first of Nodes, with one more child (CB-2).
 
-joined_kind(Nodes, Operation, Kinds, Child, Kind0-Count0, Kind-Count) :-
-    get_assoc(Child, Kinds, ChildKind-ChildCount),
+joined_kind(Nodes, Operation, Child, ChildKind-ChildCount, Kind0-Count0,
+            Kind-Count) :-
     Count is Count0+ChildCount,
     Nodes = [N|_],
     (   ChildKind == solid

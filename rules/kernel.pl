@@ -23,6 +23,7 @@
             census_defect/4,          % ?Kind, ?S, ?A, ?B
             % tree4pl.c, near4pl.c
             tree_statistics/1,        % -Statistics
+            kept_leaves/2,            % +Ss, -Kinds
             near_segments/3,          % +Reach, -S1, -S2
             near_segments_of/3,       % +Reach, +Ss, -Near
             self_meetings/2,          % +Most, -Segments
@@ -649,6 +650,12 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
                   grown:Grown, found:Found}) :-
     '$tree_statistics'(Trees, Leaves, Bytes, Grown, Found).
+
+%!  kept_leaves(+Ss:list, -Kinds:list) is det.
+%
+%   Kinds are those of the segments Ss, in order: the kind, as segment/3 has it,
+%   of one that is a primitive and has the rows that were made from it, by its
+%   record (made_and_kept/2); `other` for the others.
 
 %!  near_segments(+Reach, -S1, -S2) is nondet.
 %
