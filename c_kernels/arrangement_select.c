@@ -100,9 +100,10 @@ sg_choice_plain_vertex(sg_choice *k, const sg_source *from, uint32_t node,
   return *number = same ? *same : SG_NO_KEY;
 }
 
-/* The same for one that a cut made, after all plain ones. */
+/* A vertex that a cut made, after all plain ones; another leaf, or another
+ * cut, may have made it already. */
 static uint32_t
-made_vertex(sg_choice *k, const sg_source *from, int32_t v)
+new_made_vertex(sg_choice *k, const sg_source *from, int32_t v)
 {
   const sg_cut_points *points = &from->a->leaves.set->points;
   uint32_t point = sg_cut_points_named(points, from->leaf->s, v);
@@ -121,6 +122,18 @@ made_vertex(sg_choice *k, const sg_source *from, int32_t v)
   k->made_by = all;
   all[made] = (sg_made_by){(uint32_t)(from - k->from), point};
   return *same = new_vertex(k, points->point[point].at.p, from->leaf->s, 0);
+}
+
+/* The vertex of the solid for vertex v that a cut made in the leaf. */
+static uint32_t
+made_vertex(sg_choice *k, const sg_source *from, int32_t v)
+{
+  uint32_t *number = &from->made[v - from->made_first];
+
+  if (*number == SG_NO_KEY) {
+    *number = new_made_vertex(k, from, v);
+  }
+  return *number;
 }
 
 /* ---- triangles and faces ---- */
@@ -187,30 +200,58 @@ close_face(sg_choice *k)
 
 /* ---- cells ---- */
 
-/* The plain corners of chosen cells, before any made one. */
+/* Names of vertices that cuts made. */
+typedef struct made_names {
+  int32_t first, last; /* first > last: none */
+} made_names;
+
+/* The plain corners of a chosen cell. */
 static bool
-number_plain(sg_choice *k, const sg_source *from)
+number_cell(sg_choice *k, const sg_source *from, const sg_cell *cell,
+            made_names *made)
+{
+  for (size_t j = cell->first; j < cell->first + cell->n; j++) {
+    for (int c = 0; c < 3; c++) {
+      int32_t v = from->a->triangle[j].v[c];
+      uint32_t node = sg_arrangement_node(from->leaf, v);
+
+      if (node == SG_NO_KEY) {
+        made->first = v < made->first ? v : made->first;
+        made->last = v > made->last ? v : made->last;
+      } else if (sg_choice_plain_vertex(k, from, node, v) == SG_NO_KEY) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/* The plain corners of chosen cells, before any made one, and room for the made
+ * ones: a leaf's are named one after another. */
+static bool
+number_plain(sg_choice *k, sg_source *from)
 {
   const sg_arranged *leaf = from->leaf;
+  made_names made = {INT32_MAX, INT32_MIN};
 
   for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
     const sg_cell *cell = &from->a->cell[i];
 
-    if (sg_sense_of(from, cell->component) == 0) {
-      continue;
-    }
-    for (size_t j = cell->first; j < cell->first + cell->n; j++) {
-      for (int c = 0; c < 3; c++) {
-        int32_t v = from->a->triangle[j].v[c];
-        uint32_t node = sg_arrangement_node(leaf, v);
-
-        if (node != SG_NO_KEY &&
-            sg_choice_plain_vertex(k, from, node, v) == SG_NO_KEY) {
-          return false;
-        }
-      }
+    if (sg_sense_of(from, cell->component) != 0 &&
+        !number_cell(k, from, cell, &made)) {
+      return false;
     }
   }
+  if (made.first > made.last) {
+    return true;
+  }
+  from->made_first = made.first;
+  from->mades = (size_t)((int64_t)made.last - made.first) + 1;
+  from->made = malloc(from->mades * sizeof *from->made);
+  if (!from->made) {
+    return false;
+  }
+  memset(from->made, 0xff, from->mades * sizeof *from->made);
   return true;
 }
 
@@ -304,6 +345,7 @@ close_sources(sg_choice *k)
 {
   for (size_t i = 0; k->from && i < k->n; i++) {
     free(k->from[i].number);
+    free(k->from[i].made);
     free(k->from[i].list);
     free(k->from[i].fresh);
     free(k->from[i].touching);

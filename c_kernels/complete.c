@@ -5,6 +5,7 @@
 #include "key_table.h"
 #include "keys.h"
 #include "plane.h"
+#include "segment_rows.h"
 #include "sort.h"
 #include "triangulate.h"
 
@@ -28,10 +29,6 @@ typedef struct polygon_key {
 } polygon_key;
 
 typedef struct model {
-  const int32_t *segment; /* [segments], ascending; null: all */
-  size_t segments;
-  int32_t last; /* the segment that was asked for last; 0: none was */
-  bool last_wanted;
   vertex *v;
   edge *e;
   polygon_key *with_plane, *with_triangles;
@@ -46,44 +43,14 @@ typedef struct model {
   for (unsigned r = sg_live_next((view)->live[i], 0); r < SG_PAGE_ROWS;        \
        r = sg_live_next((view)->live[i], r + 1))
 
-static bool
-is_listed(const model *m, int32_t s)
-{
-  size_t low = 0, high = m->segments;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (m->segment[middle] < s) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < m->segments && m->segment[low] == s;
-}
-
-/* The row is of a segment that is to be completed. */
-static bool
-is_wanted(model *m, const sg_view *view, size_t i, unsigned r)
-{
-  int32_t s = view->column[0].page[i].i[r];
-
-  if (m->segment && s != m->last) {
-    m->last = s;
-    m->last_wanted = is_listed(m, s);
-  }
-  return !m->segment || m->last_wanted;
-}
-
 static size_t
-count_rows(model *m, const sg_view *view)
+count_rows(const sg_view *view)
 {
   size_t n = 0;
 
   for (size_t i = 0; i < view->pages; i++) {
-    EACH_ROW(view, i, r)
-    {
-      n += is_wanted(m, view, i, r);
+    for (size_t k = 0; k < SG_LIVE_WORDS; k++) {
+      n += (size_t)__builtin_popcountll(view->live[i][k]);
     }
   }
   return n;
@@ -120,16 +87,13 @@ read_vertices(const sg_view *view, model *out)
 {
   size_t n = 0;
 
-  out->v = malloc((count_rows(out, view) + 1) * sizeof *out->v);
+  out->v = malloc((count_rows(view) + 1) * sizeof *out->v);
   if (!out->v) {
     return false;
   }
   for (size_t i = 0; i < view->pages && !stops(out); i++) {
     EACH_ROW(view, i, r)
     {
-      if (!is_wanted(out, view, i, r)) {
-        continue;
-      }
       vertex *v = &out->v[n++];
       v->s = int_at(view, 0, i, r);
       v->id = int_at(view, 1, i, r);
@@ -137,7 +101,6 @@ read_vertices(const sg_view *view, model *out)
         v->p[k] = view->column[2 + k].page[i].f[r];
       }
     }
-    sg_flatness_page(&out->flatness, view, i);
   }
   return sort_keys(out, out->v, sizeof *out->v, n, &out->vertices);
 }
@@ -147,17 +110,15 @@ read_edges(const sg_view *view, model *out)
 {
   size_t n = 0;
 
-  out->e = malloc((count_rows(out, view) + 1) * sizeof *out->e);
+  out->e = malloc((count_rows(view) + 1) * sizeof *out->e);
   if (!out->e) {
     return false;
   }
   for (size_t i = 0; i < view->pages && !stops(out); i++) {
     EACH_ROW(view, i, r)
     {
-      if (is_wanted(out, view, i, r)) {
-        out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
-                             int_at(view, 2, i, r), int_at(view, 3, i, r)};
-      }
+      out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
+                           int_at(view, 2, i, r), int_at(view, 3, i, r)};
     }
   }
   return sort_keys(out, out->e, sizeof *out->e, n, &out->edges);
@@ -169,17 +130,14 @@ read_polygons(const sg_view *view, model *m, polygon_key **out, sg_keys *keys)
 {
   size_t n = 0;
 
-  *out = malloc((count_rows(m, view) + 1) * sizeof **out);
+  *out = malloc((count_rows(view) + 1) * sizeof **out);
   if (!*out) {
     return false;
   }
   for (size_t i = 0; i < view->pages && !stops(m); i++) {
     EACH_ROW(view, i, r)
     {
-      if (is_wanted(m, view, i, r)) {
-        (*out)[n++] =
-            (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
-      }
+      (*out)[n++] = (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
     }
   }
   return sort_keys(m, *out, sizeof **out, n, keys);
@@ -194,10 +152,20 @@ model_clear(model *m)
   free(m->with_triangles);
 }
 
+/* What is flat depends on the size of the whole model. */
+static bool
+see_size(const sg_view *view, model *out)
+{
+  sg_flatness_init(&out->flatness);
+  for (size_t i = 0; i < view->pages && !stops(out); i++) {
+    sg_flatness_page(&out->flatness, view, i);
+  }
+  return !out->stopped;
+}
+
 static bool
 model_read(const sg_completion_input *in, model *out)
 {
-  sg_flatness_init(&out->flatness);
   return read_vertices(in->v, out) && read_edges(in->e, out) &&
          read_polygons(in->plane, out, &out->with_plane, &out->planes) &&
          read_polygons(in->t, out, &out->with_triangles, &out->triangles);
@@ -594,7 +562,7 @@ do_polygons(task *t, const sg_view *view)
         t->stopped = true;
         return false;
       }
-      if (is_wanted(t->model, view, i, r) && !do_row(t, view, i, r)) {
+      if (!do_row(t, view, i, r)) {
         return false;
       }
     }
@@ -602,16 +570,47 @@ do_polygons(task *t, const sg_view *view)
   return true;
 }
 
+static bool
+complete(const sg_completion_input *in, const sg_view *vertices, task *t)
+{
+  model *m = t->model;
+  bool done =
+      see_size(vertices, m) && model_read(in, m) && do_polygons(t, in->p);
+
+  model_clear(m);
+  return done;
+}
+
+/* The rows of the segments that are to be completed. */
+static bool
+complete_some(const sg_completion_input *in, task *t)
+{
+  const sg_view *const all[] = {in->v, in->e, in->p, in->plane, in->t};
+  sg_view some[5] = {{0}};
+  sg_completion_input of = {&some[0], &some[1], &some[2], &some[3],
+                            &some[4], NULL,     0};
+  bool good = true;
+
+  for (int k = 0; k < 5 && good; k++) {
+    good = sg_segment_view_make(all[k], in->segment, in->segments, &some[k]);
+  }
+  good = good && complete(&of, in->v, t);
+  for (int k = 0; k < 5; k++) {
+    sg_segment_view_clear(&some[k]);
+  }
+  return good;
+}
+
 bool
 sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
             const sg_poll *poll)
 {
-  model m = {.segment = in->segment, .segments = in->segments, .poll = poll};
+  model m = {.poll = poll};
   task t = {.model = &m, .out = out, .poll = poll};
 
   *out = (sg_completion){0};
   sg_key_table_init(&t.counts, 1);
-  bool done = model_read(in, &m) && do_polygons(&t, in->p);
+  bool done = in->segment ? complete_some(in, &t) : complete(in, in->v, &t);
   *stopped = t.stopped || m.stopped;
   sg_key_table_clear(&t.counts);
   sg_work_close(t.work);
@@ -619,6 +618,5 @@ sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
   free(t.e);
   free(t.start);
   free(t.end);
-  model_clear(&m);
   return done;
 }

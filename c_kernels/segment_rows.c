@@ -90,6 +90,10 @@ walk_page(walk *w, const uint64_t *live, const int32_t *s, uint32_t first)
 {
   for (unsigned word = 0; word < SG_LIVE_WORDS; word++) {
     uint64_t bits = live[word];
+
+    if (bits == 0) {
+      continue;
+    }
     const int32_t *here = s + word * 64;
     uint32_t row = first + word * 64;
 
@@ -161,6 +165,69 @@ sg_segment_rows_clear(sg_segment_rows *rows)
   free(rows->begin);
   free(rows->row);
   *rows = (sg_segment_rows){0};
+}
+
+/* ---- a view of segments ---- */
+
+/* Which of 64 live rows are of wanted segments. */
+static uint64_t
+wanted_bits(walk *w, uint64_t live, const int32_t *s)
+{
+  uint64_t bits = 0;
+
+  if (all_are(s, s[0])) {
+    see_segment(w, s[0]);
+    return w->which < w->segments ? live : 0;
+  }
+  for (uint64_t left = live; left; left &= left - 1) {
+    unsigned bit = (unsigned)__builtin_ctzll(left);
+
+    see_segment(w, s[bit]);
+    bits |= (uint64_t)(w->which < w->segments) << bit;
+  }
+  return bits;
+}
+
+bool
+sg_segment_view_make(const sg_view *view, const int32_t *wanted, size_t n,
+                     sg_view *out)
+{
+  walk w = {.wanted = wanted, .segments = n, .which = n};
+  const uint64_t **live = malloc((view->pages + 1) * sizeof *live);
+  uint64_t *word = malloc((view->pages + 1) * SG_LIVE_WORDS * sizeof *word);
+
+  *out = *view;
+  out->live = live;
+  if (!live || !word) {
+    free(live);
+    free(word);
+    out->live = NULL;
+    return false;
+  }
+  live[0] = word; /* so that it can be freed */
+  for (size_t page = 0; page < view->pages; page++) {
+    uint64_t *out_word = word + page * SG_LIVE_WORDS;
+
+    live[page] = out_word;
+    for (size_t k = 0; k < SG_LIVE_WORDS; k++) {
+      uint64_t bits = view->live[page][k];
+
+      out_word[k] =
+          bits ? wanted_bits(&w, bits, view->column[0].page[page].i + k * 64)
+               : 0;
+    }
+  }
+  return true;
+}
+
+void
+sg_segment_view_clear(sg_view *view)
+{
+  if (view->live) {
+    free((uint64_t *)view->live[0]);
+    free((const uint64_t **)view->live);
+  }
+  *view = (sg_view){0};
 }
 
 /* ---- rows by id ---- */

@@ -26,6 +26,15 @@ bool sg_segment_rows_find(const sg_view *view, const int32_t *wanted, size_t n,
                           const sg_poll *poll, sg_segment_rows *out);
 void sg_segment_rows_clear(sg_segment_rows *rows);
 
+/* The same rows as a view: it shows no others. It is good as long as `view` is,
+ * whose columns it has.
+ *
+ * Returns: false: no memory.
+ * Owner:   sg_segment_view_clear() in any case. */
+bool sg_segment_view_make(const sg_view *view, const int32_t *wanted, size_t n,
+                          sg_view *out);
+void sg_segment_view_clear(sg_view *view);
+
 /* The rows of one segment by id: a flat table from the lowest id to the highest
  * when they are close together, else sorted ids. Places are numbers below
  * `places`, ascending with the ids. */

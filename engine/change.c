@@ -361,12 +361,19 @@ sg_world_retract_all(sg_world *world, sg_relation relation)
 
 /* ---- retracting many --------------------------------------------------- */
 
-/* Of 64 rows those with an id. */
+/* Of 64 rows those with an id: mostly all or none. */
 static uint64_t
 with_id(const int32_t *cell, int32_t id)
 {
+  int32_t differ = 0;
   uint64_t bits = 0;
 
+  for (unsigned i = 0; i < 64; i++) {
+    differ |= cell[i] ^ id;
+  }
+  if (differ == 0) {
+    return UINT64_MAX;
+  }
   for (unsigned i = 0; i < 64; i++) {
     bits |= (uint64_t)(cell[i] == id) << i;
   }
@@ -387,7 +394,7 @@ find_gone(const sg_live *live, unsigned column, int32_t id, uint64_t *gone)
   return any != 0;
 }
 
-/* A new stamp for each segment that loses rows. */
+/* A new stamp for each segment that loses rows of a page. */
 static bool
 stamp_gone(sg_world *world, sg_map *map, sg_relation relation,
            const sg_page *page, const uint64_t *gone)
@@ -405,21 +412,28 @@ stamp_gone(sg_world *world, sg_map *map, sg_relation relation,
   return true;
 }
 
-/* Their slots are found by a sweep. */
+/* The rows with this id in a column, of one page. Their slots are found by a
+ * sweep. */
 static bool
-hide_rows(sg_world *world, sg_relation relation, size_t number,
-          const uint64_t *gone)
+hide_rows(sg_world *world, sg_relation relation, size_t number, unsigned column,
+          int32_t id, const uint64_t *gone)
 {
   sg_page *page = world->table[relation].page[number];
   sg_map *map = sg_world_own_map(world, relation);
   sg_live *live = map ? sg_map_own_live(map, page, number) : NULL;
+  uint64_t left = 0;
 
-  if (!live || !stamp_gone(world, map, relation, page, gone)) {
+  if (!live || !(column == 0 ? sg_world_stamp(world, map, relation, id)
+                             : stamp_gone(world, map, relation, page, gone))) {
     return false;
   }
   for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
     live->word[w] &= ~gone[w];
+    left |= live->word[w];
     map->rows -= (size_t)__builtin_popcountll(gone[w]);
+  }
+  if (left == 0) {
+    sg_map_empty_page(map, number);
   }
   return true;
 }
@@ -434,7 +448,7 @@ retract_with(sg_world *world, sg_relation relation, unsigned column, int32_t id)
     const sg_live *live = sg_map_live(world->current->map[relation], i);
     uint64_t gone[SG_LIVE_WORDS];
     if (live && find_gone(live, column, id, gone)) {
-      good = hide_rows(world, relation, i, gone);
+      good = hide_rows(world, relation, i, column, id, gone);
       changed = true;
     }
   }

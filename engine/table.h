@@ -93,6 +93,8 @@ void sg_map_drop(sg_map *map);
 sg_map *sg_map_own(sg_map **map);
 /* The bitmap of a page in an owned map, for writing. Null: no memory. */
 sg_live *sg_map_own_live(sg_map *map, sg_page *page, size_t number);
+/* No row of a page lives any more, whose bitmap is owned: it goes. */
+void sg_map_empty_page(sg_map *map, size_t number);
 int32_t sg_map_last_id(const sg_map *map, int32_t s);
 bool sg_map_used_id(sg_map *map, int32_t s, int32_t id); /* false: no memory */
 /* The stamp of a segment's rows, 0: none. Changing rows of a segment in an

@@ -194,6 +194,16 @@ sg_map_own_live(sg_map *map, sg_page *page, size_t number)
   return *live = owned;
 }
 
+void
+sg_map_empty_page(sg_map *map, size_t number)
+{
+  sg_live **live =
+      &map->chunk[number / SG_CHUNK_PAGES]->live[number % SG_CHUNK_PAGES];
+
+  live_drop(*live);
+  *live = NULL;
+}
+
 /* The place of s in ids, or where it would stand. */
 static size_t
 ids_place(const sg_ids *ids, int32_t s)
