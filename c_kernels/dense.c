@@ -397,6 +397,17 @@ sg_dense_vertex(const sg_dense *d, int32_t s, int32_t v)
              : place_of(d->vertex_id, d->vertex_begin, (uint64_t)place, v);
 }
 
+int32_t
+sg_dense_triangle(const sg_dense *d, int32_t s, int32_t t)
+{
+  size_t last = 0;
+  int64_t place = segment_place(d, s, &last);
+
+  return place < 0
+             ? -1
+             : place_of(d->triangle_id, d->triangle_begin, (uint64_t)place, t);
+}
+
 size_t
 sg_dense_segment_of(const sg_dense *d, const uint32_t *begin, uint32_t place)
 {

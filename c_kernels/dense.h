@@ -55,6 +55,9 @@ void sg_dense_clear(sg_dense *dense);
 /* The place of vertex v of segment s, -1: there is none. */
 int32_t sg_dense_vertex(const sg_dense *dense, int32_t s, int32_t v);
 
+/* The same of triangle t. */
+int32_t sg_dense_triangle(const sg_dense *dense, int32_t s, int32_t t);
+
 /* The segment (a place) that a vertex, an edge, ... of this place is in. */
 size_t sg_dense_segment_of(const sg_dense *dense, const uint32_t *begin,
                            uint32_t place);

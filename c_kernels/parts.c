@@ -7,14 +7,13 @@
 #include "parts.h"
 
 #include "bounds.h"
+#include "smooth.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Bends: what counts as flat, and what a crease must exceed its angle by, so
- * that the 12 sides of a prism are judged alike. Degrees. */
+/* Degrees: what counts as flat. */
 #define FLAT 0.01
-#define OVER 1e-6
 
 enum { POLL_EVERY = 256 };
 
@@ -29,12 +28,12 @@ sg_look_role(const sg_look *look, double crease)
   if (look->faces < 2) {
     return look->faces ? SG_BORDER : SG_CURVE;
   }
-  if ((look->left == 0) != (look->right == 0)) {
+  if ((look->left == 0) != (look->right == 0) && !look->inside) {
     return SG_OUTLINE;
   }
-  return look->bend > crease + OVER ? SG_CREASE
-         : look->bend > FLAT        ? SG_SMOOTH
-                                    : SG_MESH;
+  return look->bend > crease + SG_SMOOTH_OVER ? SG_CREASE
+         : look->bend > FLAT                  ? SG_SMOOTH
+                                              : SG_MESH;
 }
 
 const char *
@@ -183,20 +182,45 @@ choose(drawing *d, size_t k, sg_which which, double crease)
           : SG_ROLES;
 }
 
+/* Among the sorted parts, the one from `from` to the line's end. */
+static bool
+insert_fold(sg_hiddens *parts, double from)
+{
+  size_t i = parts->n;
+
+  if (parts->n == parts->room) {
+    size_t more = 2 * parts->room + 32;
+    sg_hidden *wider = realloc(parts->part, more * sizeof *wider);
+    if (!wider) {
+      return false;
+    }
+    parts->part = wider;
+    parts->room = more;
+  }
+  for (; i > 0 && parts->part[i - 1].from > from; i--) {
+    parts->part[i] = parts->part[i - 1];
+  }
+  parts->part[i] = (sg_hidden){.from = from, .to = 1.0};
+  parts->n++;
+  return true;
+}
+
 static bool
 find_hidden(drawing *d, size_t k)
 {
   const sg_scene_line *line = &d->scene->line[k];
+  bool solid = !sg_hide_sees_through(d->hide, line->s, line->s);
+  double folded = solid ? line->look.folded : 0.0;
 
   d->first[k] = d->hidden.n;
   if (d->role[k] == SG_ROLES) {
     return true;
   }
-  if (sg_look_is_back(&line->look) &&
-      !sg_hide_sees_through(d->hide, line->s, line->s)) {
+  if (solid && (sg_look_is_back(&line->look) || folded >= 1.0)) {
     return push(&d->hidden, 0.0, 1.0);
   }
   return sg_hide_masks(d->hide, k, true, &d->masks) &&
+         (folded == 0.0 || insert_fold(&d->masks, 1.0 - folded)) &&
          push_union(&d->hidden, d->masks.part, d->masks.n, least_of(d, k));
 }
 

@@ -6,6 +6,7 @@
 #include "bounds.h"
 #include "keys.h"
 #include "scene_private.h"
+#include "smooth.h"
 #include "sort.h"
 
 #include <float.h>
@@ -294,6 +295,19 @@ look_at_line(const viewing *w, size_t k, sg_look *look)
   }
 }
 
+/* Whether line k lies inside a curved sheet. */
+static bool
+is_inside(const viewing *w, size_t k)
+{
+  const sg_scene_model *m = w->model;
+  const sg_scene_use *use = m->use + m->use_begin[k];
+
+  return w->in->curved && m->use_begin[k + 1] - m->use_begin[k] == 2 &&
+         use[0].along != use[1].along && w->in->curved[use[0].polygon] &&
+         w->in->curved[use[1].polygon] &&
+         m->line[k].look.bend <= w->in->crease + SG_SMOOTH_OVER;
+}
+
 static int
 compare_added(const void *a, const void *b)
 {
@@ -331,6 +345,7 @@ enter_line(const viewing *w, size_t k)
   line->a = w->model->same[line->a];
   line->b = w->model->same[line->b];
   look_at_line(w, k, &line->look);
+  line->look.inside = is_inside(w, k);
   scene->lines++;
   if (scene->lies_begin) {
     scene->lies_begin[scene->lines] = scene->lies_begin[scene->lines - 1];

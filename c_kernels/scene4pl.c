@@ -15,8 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static functor_t FUNCTOR_look8, FUNCTOR_covers6;
-static atom_t ATOM_all, ATOM_feature, ATOM_penetration, ATOM_true, ATOM_false;
+static functor_t FUNCTOR_look9, FUNCTOR_covers6;
+static atom_t ATOM_none, ATOM_all, ATOM_feature, ATOM_penetration, ATOM_true,
+    ATOM_false;
 
 /* ---------------------------------------------------------- the handle */
 
@@ -124,23 +125,40 @@ new_handle(const sg_scene_input *in, bool *memory)
   return NULL;
 }
 
-/* What a version shows of a model. Null: an exception is pending. */
+/* What scene_open/5 was asked for. */
+typedef struct request {
+  sg_chosen chosen;
+  double depth, tolerance;
+  bool smooth; /* curved sheets have no outlines along their edges */
+  double crease;
+} request;
+
+/* What a version shows of a model; smooth: its sheets, or null. Null: an
+ * exception is pending. */
 static handle *
 view_model_ex(const sg_version *version, const sg_scene_model *model,
-              double depth, double tolerance)
+              const sg_kept_smooth *smooth, const request *q)
 {
   sg_scene_screen screen = {0};
+  sg_scene_pieces pieces = {0};
   handle *h = NULL;
   bool memory;
 
-  if (sg_scene_screen_read(&screen, version, model, &sg_prolog_poll, &memory)) {
+  if (sg_scene_screen_read(&screen, version, model, &sg_prolog_poll, &memory) &&
+      sg_scene_pieces_read(&pieces, version, model, &screen, &sg_prolog_poll,
+                           &memory)) {
     sg_scene_input in = {.model = model,
                          .screen = (const double(*)[3])screen.at,
                          .shown = screen.shown,
-                         .depth = depth,
-                         .tolerance = tolerance};
+                         .added = pieces.added,
+                         .addeds = pieces.n,
+                         .curved = smooth ? smooth->curved : NULL,
+                         .crease = q->crease,
+                         .depth = q->depth,
+                         .tolerance = q->tolerance};
     h = new_handle(&in, &memory);
   }
+  sg_scene_pieces_clear(&pieces);
   sg_scene_screen_clear(&screen);
   if (!memory) {
     sg_no_memory();
@@ -148,9 +166,24 @@ view_model_ex(const sg_version *version, const sg_scene_model *model,
   return h;
 }
 
+/* What the current world shows of a kept model. Null: an exception. */
+static handle *
+view_kept_ex(const sg_version *version, sg_kept_model *kept, const request *q)
+{
+  sg_kept_smooth *smooth =
+      q->smooth ? sg_kept_smooth_hold_ex(kept, q->crease) : NULL;
+  handle *h = NULL;
+
+  if (smooth || !q->smooth) {
+    h = view_model_ex(version, kept->model, smooth, q);
+  }
+  sg_kept_smooth_drop(smooth);
+  return h;
+}
+
 /* What the current world shows of the chosen segments. Null: an exception. */
 static handle *
-open_handle_ex(const sg_chosen *chosen, double depth, double tolerance)
+open_handle_ex(const request *q)
 {
   sg_world *world = sg_current_world_ex();
   const sg_version *version = world ? sg_world_version(world) : NULL;
@@ -163,9 +196,9 @@ open_handle_ex(const sg_chosen *chosen, double depth, double tolerance)
     }
     return NULL;
   }
-  kept = sg_kept_model_hold_ex(world, version, chosen);
+  kept = sg_kept_model_hold_ex(world, version, &q->chosen);
   if (kept) {
-    h = view_model_ex(version, kept->model, depth, tolerance);
+    h = view_kept_ex(version, kept, q);
   }
   if (h) {
     h->model = kept;
@@ -176,20 +209,30 @@ open_handle_ex(const sg_chosen *chosen, double depth, double tolerance)
   return h;
 }
 
-static foreign_t
-scene_open(term_t segments, term_t depth, term_t tolerance, term_t scene)
+/* A number of degrees, or `none`. */
+static int
+get_crease_ex(term_t t, request *out)
 {
-  double number[2];
-  sg_chosen chosen;
+  atom_t name;
+
+  out->smooth = !PL_get_atom(t, &name) || name != ATOM_none;
+  return !out->smooth || sg_get_finite_ex(t, &out->crease);
+}
+
+static foreign_t
+scene_open(term_t segments, term_t depth, term_t tolerance, term_t crease,
+           term_t scene)
+{
+  request q = {0};
   handle *h;
 
-  if (!sg_get_finite_ex(depth, &number[0]) ||
-      !sg_get_finite_ex(tolerance, &number[1]) ||
-      !get_chosen_ex(segments, &chosen)) {
+  if (!sg_get_finite_ex(depth, &q.depth) ||
+      !sg_get_finite_ex(tolerance, &q.tolerance) ||
+      !get_crease_ex(crease, &q) || !get_chosen_ex(segments, &q.chosen)) {
     return FALSE;
   }
-  h = open_handle_ex(&chosen, number[0], number[1]);
-  free(chosen.s);
+  h = open_handle_ex(&q);
+  free(q.chosen.s);
   return h && unify_scene(scene, h);
 }
 
@@ -204,7 +247,7 @@ unify_bool(term_t t, bool value)
 static int
 unify_look(term_t t, const sg_look *look)
 {
-  term_t a = PL_new_term_refs(8);
+  term_t a = PL_new_term_refs(9);
   const unsigned count[5] = {look->faces, look->towards, look->away, look->left,
                              look->right};
 
@@ -214,10 +257,10 @@ unify_look(term_t t, const sg_look *look)
     }
   }
   return sg_unify_double(a + 5, look->bend) && unify_bool(a + 6, look->solid) &&
-         unify_bool(a + 7, look->cut) &&
-         PL_unify_term(t, PL_FUNCTOR, FUNCTOR_look8, PL_TERM, a, PL_TERM, a + 1,
+         unify_bool(a + 7, look->cut) && unify_bool(a + 8, look->inside) &&
+         PL_unify_term(t, PL_FUNCTOR, FUNCTOR_look9, PL_TERM, a, PL_TERM, a + 1,
                        PL_TERM, a + 2, PL_TERM, a + 3, PL_TERM, a + 4, PL_TERM,
-                       a + 5, PL_TERM, a + 6, PL_TERM, a + 7);
+                       a + 5, PL_TERM, a + 6, PL_TERM, a + 7, PL_TERM, a + 8);
 }
 
 /* The line of edge (s, e), which must be one that the scene draws. */
@@ -226,7 +269,7 @@ get_line_ex(const handle *h, term_t s, term_t e, size_t *out)
 {
   int32_t id[2];
 
-  if (!sg_get_id_ex(s, &id[0]) || !sg_get_id_ex(e, &id[1])) {
+  if (!sg_get_id_ex(s, &id[0]) || !sg_get_int32_ex(e, &id[1])) {
     return FALSE;
   }
   *out = sg_scene_find(h->scene, id[0], id[1]);
@@ -280,7 +323,7 @@ scene_edge_first(const handle *h, term_t a1, size_t *at)
     *at = next_edge(h, 0, a1, a1 + 1);
     return TRUE;
   }
-  if (!sg_get_id_ex(a1, &id[0]) || !sg_get_id_ex(a1 + 1, &id[1])) {
+  if (!sg_get_id_ex(a1, &id[0]) || !sg_get_int32_ex(a1 + 1, &id[1])) {
     return FALSE;
   }
   *at = sg_scene_find(h->scene, id[0], id[1]);
@@ -604,7 +647,7 @@ void
 sg_install_scene(void)
 {
   static const PL_extension doors[] = {
-      {"scene_open", 4, (pl_function_t)scene_open, 0},
+      {"scene_open", 5, (pl_function_t)scene_open, 0},
       {"scene_edge", 5, (pl_function_t)scene_edge,
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
       {"occluder", 7, (pl_function_t)occluder,
@@ -615,8 +658,9 @@ sg_install_scene(void)
       {"fill_drawn", 4, (pl_function_t)fill_drawn, 0},
       {NULL, 0, NULL, 0}};
 
-  FUNCTOR_look8 = PL_new_functor(PL_new_atom("look"), 8);
+  FUNCTOR_look9 = PL_new_functor(PL_new_atom("look"), 9);
   FUNCTOR_covers6 = PL_new_functor(PL_new_atom("covers"), 6);
+  ATOM_none = PL_new_atom("none");
   ATOM_all = PL_new_atom("all");
   ATOM_feature = PL_new_atom("feature");
   ATOM_penetration = PL_new_atom("penetration");

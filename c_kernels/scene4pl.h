@@ -11,6 +11,7 @@
 
 #include "hide.h"
 #include "scene.h"
+#include "smooth.h"
 
 #include <SWI-Prolog.h>
 
@@ -45,11 +46,14 @@ void sg_scene_screen_clear(sg_scene_screen *screen);
 /* A model that is kept, or was: it lasts while somebody holds it. */
 enum { SG_SCENE_STAMPS = 6 };
 
+struct sg_kept_smooth;
+
 typedef struct sg_kept_model {
   atomic_size_t holders;
   sg_chosen chosen; /* its ids are its own */
   uint64_t stamp[SG_SCENE_STAMPS];
   sg_scene_model *model;
+  struct sg_kept_smooth *smooth; /* null: not asked for (smooth_kept4pl.c) */
 } sg_kept_model;
 
 /* The model of the chosen segments as `version` of `world` shows them, held
@@ -60,5 +64,33 @@ void sg_kept_model_drop(sg_kept_model *kept);
 
 /* A list of S-S2, S2 lets the lines of S be seen, sorted; free(*out). */
 int sg_get_through_ex(term_t list, sg_hide_through **out, size_t *n);
+
+/* The smooth sheets of a model under a crease angle, kept with it. */
+typedef struct sg_kept_smooth {
+  atomic_size_t holders;
+  double crease; /* degrees */
+  sg_smooth smooth;
+  bool *curved; /* [polygons] that lie in curved sheets */
+} sg_kept_smooth;
+
+/* Held, and to be dropped. Null: an exception is pending. */
+sg_kept_smooth *sg_kept_smooth_hold_ex(sg_kept_model *model, double crease);
+void sg_kept_smooth_drop(sg_kept_smooth *kept);
+
+/* The pieces of contour/9 as lines of a scene. */
+typedef struct sg_scene_pieces {
+  sg_scene_added *added; /* [n] */
+  int32_t *lies_on;      /* what they lie on, one after another */
+  size_t n, lies;
+} sg_scene_pieces;
+
+/* Those of the model's segments whose triangles are there. False: stopped by
+ * the poll, or no memory (then *memory is false). The caller calls
+ * sg_scene_pieces_clear() in any case. */
+bool sg_scene_pieces_read(sg_scene_pieces *pieces, const sg_version *version,
+                          const sg_scene_model *model,
+                          const sg_scene_screen *screen, const sg_poll *poll,
+                          bool *memory);
+void sg_scene_pieces_clear(sg_scene_pieces *pieces);
 
 #endif

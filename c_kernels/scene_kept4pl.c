@@ -21,6 +21,7 @@ void
 sg_kept_model_drop(sg_kept_model *kept)
 {
   if (kept && atomic_fetch_sub(&kept->holders, 1) == 1) {
+    sg_kept_smooth_drop(kept->smooth);
     sg_scene_model_close(kept->model);
     free(kept->chosen.s);
     free(kept);

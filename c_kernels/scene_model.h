@@ -24,6 +24,10 @@ typedef struct sg_look {
   double bend;            /* degrees from flat, the largest; 0 to 180 */
   bool solid;             /* its segment is one, closed and not inside out */
   bool cut;               /* it is (part of) a penetration line */
+  bool inside;            /* it lies inside a curved sheet (smooth.h), whose
+                             outline does not run along its edges */
+  double folded;          /* the last part of an added line, 0 to 1, is hidden
+                             by the surface it lies on */
 } sg_look;
 
 /* One real edge, drawn for all its directed ones; or, with a negative id, a

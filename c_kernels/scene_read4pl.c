@@ -234,3 +234,103 @@ sg_scene_screen_clear(sg_scene_screen *screen)
   free(screen->shown);
   *screen = (sg_scene_screen){0};
 }
+
+/* --------------------------------------------------------------- pieces */
+
+typedef struct piecing {
+  const sg_scene_model *model;
+  const sg_scene_screen *screen;
+  sg_scene_pieces *out;
+} piecing;
+
+static void
+count_piece(void *data, const row *r)
+{
+  piecing *p = data;
+
+  p->out->n++;
+  p->out->lies += (size_t)r->view->column[8].page[r->page].list[r->at][0];
+}
+
+/* The point at f of side i (from 1) of a triangle. False: it has no place. */
+static bool
+side_point(const piecing *p, int32_t triangle, int32_t i, double f,
+           double out[3])
+{
+  const int32_t *v = p->model->dense.corner[triangle];
+  int32_t a = v[i - 1], b = v[i % 3];
+  int32_t low = a < b ? a : b, high = a < b ? b : a;
+
+  if (p->screen->shown && !(p->screen->shown[a] && p->screen->shown[b])) {
+    return false;
+  }
+  for (int k = 0; k < 3; k++) {
+    double x = p->screen->at[low][k], y = p->screen->at[high][k];
+    out[k] = f == 1.0 ? y : x + f * (y - x);
+  }
+  return true;
+}
+
+/* The triangles of a row's list. */
+static void
+read_lies(piecing *p, const row *r, sg_scene_added *added)
+{
+  const int32_t *list = r->view->column[8].page[r->page].list[r->at];
+  int32_t *on = p->out->lies_on + p->out->lies;
+
+  for (int32_t i = 1; i <= list[0]; i++) {
+    int32_t at = sg_dense_triangle(&p->model->dense, added->s, list[i]);
+    if (at >= 0) {
+      on[added->triangles++] = at;
+    }
+  }
+  added->lies_on = on;
+  p->out->lies += added->triangles;
+}
+
+/* Seen from the eye it has a face on one side only: an outline. */
+static void
+read_piece(void *data, const row *r)
+{
+  piecing *p = data;
+  sg_scene_added *added = &p->out->added[p->out->n];
+  int32_t t = sg_dense_triangle(&p->model->dense, integer(r, 0), integer(r, 2));
+
+  *added = (sg_scene_added){
+      .s = integer(r, 0),
+      .e = -integer(r, 1),
+      .look = {.faces = 2, .towards = 1, .away = 1, .left = 2}};
+  added->look.folded = 1.0 - number(r, 7);
+  if (t >= 0 &&
+      side_point(p, t, integer(r, 3), number(r, 4), added->screen[0]) &&
+      side_point(p, t, integer(r, 5), number(r, 6), added->screen[1])) {
+    read_lies(p, r, added);
+    p->out->n++;
+  }
+}
+
+bool
+sg_scene_pieces_read(sg_scene_pieces *pieces, const sg_version *version,
+                     const sg_scene_model *model, const sg_scene_screen *screen,
+                     const sg_poll *poll, bool *memory)
+{
+  piecing p = {.model = model, .screen = screen, .out = pieces};
+
+  *pieces = (sg_scene_pieces){0};
+  if (!each_row(version, SG_CONTOUR, poll, count_piece, &p, memory)) {
+    return false;
+  }
+  pieces->added = malloc((pieces->n + 1) * sizeof *pieces->added);
+  pieces->lies_on = malloc((pieces->lies + 1) * sizeof *pieces->lies_on);
+  pieces->n = pieces->lies = 0;
+  *memory = pieces->added && pieces->lies_on;
+  return *memory && each_row(version, SG_CONTOUR, poll, read_piece, &p, memory);
+}
+
+void
+sg_scene_pieces_clear(sg_scene_pieces *pieces)
+{
+  free(pieces->added);
+  free(pieces->lies_on);
+  *pieces = (sg_scene_pieces){0};
+}

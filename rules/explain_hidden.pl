@@ -183,7 +183,7 @@ role_because(S, E, Look, Options, [because(line_role(Role), Not)]) :-
 %   own_backs(S, Look, Because): step 2, its faces look away and their solid is
 %   closed.
 
-own_backs(S, look(_,0,Away,_,_,_,true,_), [because(backs(S, Away), [])]) :-
+own_backs(S, look(_,0,Away,_,_,_,true,_,_), [because(backs(S, Away), [])]) :-
     Away > 0,
     hides(S, S),
     !.

@@ -13,6 +13,7 @@
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
+:- use_module(contour, [find_contours/2]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(interval,
               [ intervals_union/3, intervals_gaps/2, intervals_subtract/3,
@@ -22,11 +23,11 @@
 :- use_module(view, [project_world/0, screen_depth/1]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ segment/3, assert_fact/1, retractall_facts/1,
+              [ segment/3, contour/9, assert_fact/1, retractall_facts/1,
                 facts_transaction/1
               ]).
 :- use_module(kernel,
-              [ scene_open/4, scene_edge/5, occluder/7, overlap/9,
+              [ scene_open/5, scene_edge/5, occluder/7, overlap/9,
                 fill_drawn/4
               ]).
 /** <module> Hidden lines: the picture of a world.
@@ -75,6 +76,8 @@ picture(Options) :-
     picture_method(Method0, Method),
     facts_transaction(
         (   project_world,
+            option(segments(Segments), Options, all),
+            outlines(Which, Segments, Crease),
             open_scene(Scene, Options),
             draw(Method, Scene, Which, Crease)
         )).
@@ -87,6 +90,14 @@ picture_method(auto, Method) :-
         decision_is_default(hides/4)
     ->  Method = kernel
     ;   Method = replaced
+    ).
+
+%   A picture of all edges shows the triangles as they are, so it has no
+%   outlines inside them; one of penetration lines alone needs none.
+outlines(Which, Segments, Crease) :-
+    (   Which == feature
+    ->  find_contours(Segments, Crease)
+    ;   retractall_facts(contour(_,_,_,_,_,_,_,_,_))
     ).
 
 one_of(Domain, Values, Value) :-
@@ -120,16 +131,21 @@ seen_through(Pairs) :-
 
 %!  open_scene(-Scene, +Options) is det.
 %
-%   True when Scene is what the current world's screen/5 shows: the lines and
-%   triangles for the joins scene_edge/5, occluder/7 and overlap/9. It does not
-%   follow later changes. Options segments(List) and tolerance(T) as for
-%   picture/1.
+%   True when Scene is what the current world's screen/5 and contour/9 show: the
+%   lines and triangles for the joins scene_edge/5, occluder/7 and overlap/9. It
+%   does not follow later changes. Options segments(List), lines(Which),
+%   crease(Degrees) and tolerance(T) as for picture/1.
 
 open_scene(Scene, Options) :-
     option(segments(Segments), Options, all),
     option(tolerance(Tolerance), Options, 1.0e-9),
+    option(lines(Which), Options, feature),
+    (   Which == feature
+    ->  option(crease(Smooth), Options, 30)
+    ;   Smooth = none
+    ),
     screen_depth(Depth),
-    stage(tree, scene_open(Segments, Depth, Tolerance, Scene)).
+    stage(tree, scene_open(Segments, Depth, Tolerance, Smooth, Scene)).
 
 :- decision(hides/4, "Which triangles may hide which lines (PL-13)").
 
@@ -156,11 +172,18 @@ hides(_, _).
 %
 %   True when the part of edge E from From to To is hidden: all of it, if its
 %   faces are backs of a solid (step 2), or the part that a triangle hides
-%   (step 4).
+%   (step 4); or of an outline in triangles the part that lies behind the fold
+%   of its own surface.
 
 hidden_interval(Scene, S, E, 0.0, 1.0) :-
-    scene_edge(Scene, S, E, _, look(_,0,Away,_,_,_,true,_)),
+    scene_edge(Scene, S, E, _, look(_,0,Away,_,_,_,true,_,_)),
     Away > 0,
+    hides(S, S).
+hidden_interval(_, S, E, From, 1.0) :-
+    E < 0,
+    K is -E,
+    contour(S, K, _, _, _, _, _, From, _),
+    From < 1.0,
     hides(S, S).
 hidden_interval(Scene, S, E, From, To) :-
     occluder(Scene, S, E, S2, T, From, To),

@@ -105,8 +105,12 @@
             view_range/5,             % +Theta, +Phi, -Near, -Far, -Reach
             view_depth/5,             % +Theta, +Phi, +Rho, +Kind, -Depth
             sine_cosine/3,            % +Degrees, -Sine, -Cosine
+            % contour4pl.c
+            fill_contour/6,           % +Segments, +Theta, +Phi, +Rho, +Kind,
+                                      % +Crease
             % scene4pl.c
-            scene_open/4,             % +Segments, +Depth, +Tolerance, -Scene
+            scene_open/5,             % +Segments, +Depth, +Tolerance,
+                                      % +Smooth, -Scene
             scene_edge/5,             % +Scene, ?S, ?E, -Length, -Look
             occluder/7,               % +Scene, +S, +E, ?S2, ?T, -From, -To
             overlap/9,                % +Scene, +S, +E, ?S2, ?E2, -From, -To,
@@ -427,12 +431,22 @@ glue file.
 %
 %   Multiples of 90 degrees are exact; the rest is rounded to 2^-48.
 
+/* - - - contour4pl.c - - - */
+
+%!  fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Crease) is det.
+%
+%   Replaces contour/9 of the current world by the outlines of the smooth
+%   surfaces of Segments, `all` or a list, seen from there, as contour.pl
+%   defines them. Crease: over which bend, in degrees, two faces do not hang
+%   together smoothly. screen/5 holds the same view. Inexact.
+
 /* - - - scene4pl.c - - - */
 
-%!  scene_open(+Segments, +Depth, +Tolerance, -Scene) is det.
+%!  scene_open(+Segments, +Depth, +Tolerance, +Smooth, -Scene) is det.
 %
-%   Scene is what screen/5 of the current world shows of Segments, `all` or a
-%   list. Depth: see view_depth/5; Tolerance: what counts as equal, in a model
+%   Scene is what screen/5 and contour/9 of the current world show of Segments,
+%   `all` or a list. Smooth is the crease angle that contour/9 was made with, or
+%   `none`. Depth: see view_depth/5; Tolerance: what counts as equal, in a model
 %   of size [-1,1] (PL-5). A scene does not follow later changes, and is freed
 %   with its last reference.
 
@@ -441,7 +455,7 @@ glue file.
 %   True when the real edge E of segment S stands for all edges between its
 %   vertices (PL-13 step 3), and is not the second copy of a penetration line.
 %   Length is its length in the picture, standardised. Look is
-%   look(Faces,Towards,Away,Left,Right,Bend,Solid,Cut), see role.pl. In order of
+%   look(Faces,Towards,Away,Left,Right,Bend,Solid,Cut,Inside), see role.pl. In order of
 %   S and E.
 
 %!  occluder(+Scene, +S, +E, ?S2, ?T, -From, -To) is nondet.

@@ -10,7 +10,7 @@ Of all the directed edges between two vertices one is drawn, a real one if
 there is one (PL-13 step 3). How its faces lie to the eye, as the join
 scene_edge/5 reports it, decides its role:
 
-    Look = look(Faces, Towards, Away, Left, Right, Bend, Solid, Cut)
+    Look = look(Faces, Towards, Away, Left, Right, Bend, Solid, Cut, Inside)
 
   - Faces: how often polygons use the edge
   - Towards, Away: how many of these face the eye, or face away from it; one
@@ -20,6 +20,8 @@ scene_edge/5 reports it, decides its role:
   - Solid: `true` if the segment is a solid, closed and not inside out: its
     backs cannot be seen
   - Cut: `true` if it is part of a penetration line
+  - Inside: `true` if it lies inside a smooth surface whose outline runs through
+    its triangles (contour.pl), not along their edges
 
 @see [PL] section 6.3, steps 1 to 3: PL-13.
 */
@@ -33,21 +35,23 @@ scene_edge/5 reports it, decides its role:
 %     - penetration: part of a penetration line
 %     - curve: in no polygon
 %     - border: in one polygon only
-%     - outline: all its faces lie on one side of it in the picture
+%     - outline: all its faces lie on one side of it in the picture, and it is
+%       not inside a smooth surface
 %     - crease: its faces bend by more than Crease degrees
 %     - smooth: they bend, but less
 %     - mesh: they lie flat side by side
 %
 %   A decision.
 
-edge_role(_, _, look(Faces,_,_,Left,Right,Bend,_,Cut), Crease, Role) :-
+edge_role(_, _, look(Faces,_,_,Left,Right,Bend,_,Cut,Inside), Crease, Role) :-
     (   Cut == true
     ->  Role = penetration
     ;   Faces =:= 0
     ->  Role = curve
     ;   Faces =:= 1
     ->  Role = border
-    ;   on_one_side(Left, Right)
+    ;   Inside == false,
+        on_one_side(Left, Right)
     ->  Role = outline
     ;   Bend > Crease + 1.0e-6          % all sides of a prism alike
     ->  Role = crease

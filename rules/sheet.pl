@@ -6,7 +6,8 @@
             picture_parts/1,            % -Parts
             placed_part/3               % +Place, +Part0, -Part
           ]).
-:- use_module(store, [drawn/7, e/5, screen/5]).
+:- use_module(contour, [line_ends/4]).
+:- use_module(store, [drawn/7]).
 :- use_module(stroke, [strokes/2]).
 :- autoload(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
@@ -142,9 +143,7 @@ hidden_part(part(hidden,_,_,_,_,_,_,_)).
 
 drawn_part(part(Visibility,Role,S,E,From,To,XA-YA,XB-YB)) :-
     drawn(_, S, E, From, To, Visibility, Role),
-    e(S, E, V1, V2, _),
-    screen(S, V1, X1, Y1, _),
-    screen(S, V2, X2, Y2, _),
+    line_ends(S, E, X1-Y1, X2-Y2),
     between_ends(From, X1, X2, XA),
     between_ends(From, Y1, Y2, YA),
     between_ends(To, X1, X2, XB),

@@ -104,6 +104,10 @@ verb_option(draw, option(hidden, '', one_of([dashed, removed, shown]), 'HOW',
 verb_option(Verb, option(lines, '', one_of([feature, all, penetration]),
     'WHICH', 'feature (as is usual), all, or penetration lines alone')) :-
     picture_verb(Verb).
+verb_option(Verb, option(crease, '', number(0), 'DEGREES',
+    'faces that bend by no more than DEGREES (as is usual, 30) are one smooth \c
+     surface')) :-
+    picture_verb(Verb).
 verb_option(Verb, option(segment, '', each, 'N',
     'only segment N; may be repeated')) :-
     picture_verb(Verb).
@@ -240,6 +244,8 @@ option_ko(frame, '--no-frame: 테두리와 표제란 없이').
 option_ko(projection, 'parallel(평행) 또는 central(중심)').
 option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임)').
 option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
+option_ko(crease,
+    'DEGREES(보통 30)도 이하로 꺾인 면은 이어진 매끄러운 곡면으로 본다').
 option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
 option_ko(size, '종이 크기 mm').
 option_ko(style, '선의 모양을 정하는 사실 파일 (docs/drawings.md)').

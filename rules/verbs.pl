@@ -221,7 +221,7 @@ pictured(Lines, Options, Eye, PictureOptions) :-
 %
 %     - view(Name), or view(Theta, Phi), view(Theta, Phi, Rho)
 %     - projection(Kind): `parallel` or `central`
-%     - lines(Which), segments(List): see picture/1
+%     - lines(Which), crease(Degrees), segments(List): see picture/1
 %     - hidden(How), size(Size), ...: see write_drawing/2
 %     - sheet(Paper), views(Names), section(Planes), angle(Angle), scale(Scale),
 %       unit(Unit), 'title-block'(File), language(Language), frame(Bool): a
@@ -389,10 +389,11 @@ drawing_output(Options, File) :-
 
 picture_options(Options, Picture) :-
     option(lines(Lines), Options, feature),
+    option(crease(Crease), Options, 30),
     (   option(segment(Texts), Options)
     ->  maplist(segment_number, Texts, Ss),
-        Picture = [lines(Lines), segments(Ss)]
-    ;   Picture = [lines(Lines)]
+        Picture = [lines(Lines), crease(Crease), segments(Ss)]
+    ;   Picture = [lines(Lines), crease(Crease)]
     ).
 
 segment_number(Text, S) :-

@@ -1,0 +1,66 @@
+/* contour.h -- outlines of smooth surfaces, inside their triangles.
+ *
+ * Layer: kernel. The side of a vertex that a surface turns to the eye is told
+ * by g = normal . direction to the eye, with the normal of the vertex's fan
+ * (smooth.h). Along the sides of a curved sheet's triangles g runs linearly,
+ * and the outline goes through its zeros: across a triangle whose corners
+ * differ runs one piece. Zero counts as turned to the eye, so that pieces hang
+ * together whatever lies where.
+ *
+ * Where a piece reaches the end of its sheet (a crease, a border, a penetration
+ * line) it goes to that end of the side there at which the triangles themselves
+ * turn from the eye: there the crease is outermost in the picture, and the two
+ * meet. At an apex, which has no normal, a piece ends in it.
+ *
+ * What is hidden. Of the surface beside an outline one half is nearer the eye.
+ * If g is positive there, the surface bends away from the line of sight; if
+ * not, it comes between the outline and the eye, and hides it, if it is the
+ * surface of a solid. Between them lies a cusp; there a piece is divided. To
+ * the triangles the line of sight is no tangent: those next to a piece may lie
+ * before it. Which these are is a walk from its triangle, over the strip of the
+ * picture that the piece sweeps across its direction, on to neighbours as long
+ * as they are not yet turned to the eye as a whole or lie outside the piece.
+ * They are said to be *beside* it and never hide it.
+ *
+ * Source: Hertzmann & Zorin 2000, Illustrating smooth surfaces, section 3
+ * (interpolated contours, cusps); what is beside a piece is ours.
+ */
+#ifndef SG_CONTOUR_H
+#define SG_CONTOUR_H
+
+#include "smooth.h"
+#include "view.h"
+
+typedef struct sg_contour_input {
+  const sg_dense *dense;
+  const sg_smooth *smooth;   /* of the same */
+  const double (*screen)[3]; /* [vertices], in the picture */
+  const bool *solid;         /* [segments]: closed, its outside out */
+  sg_eye eye;
+  bool central;
+} sg_contour_input;
+
+/* A piece from side[0] of triangle t to side[1]; at: 0 at the vertex of the
+ * side that has the smaller number, 1 at the other, in the picture. */
+typedef struct sg_contour {
+  uint32_t t;
+  uint8_t side[2]; /* 0 to 2 */
+  double at[2];
+  double to; /* from 0 to here the surface beside it does not hide it */
+  size_t beside, besides; /* its places in sg_contours.beside */
+} sg_contour;
+
+typedef struct sg_contours {
+  sg_contour *piece; /* [n], by triangle */
+  uint32_t *beside; /* [besides]: triangles, of each piece in ascending order */
+  size_t n, besides;
+  size_t room, beside_room;
+} sg_contours;
+
+/* False: stopped by the poll, or no memory (then *memory is false). The caller
+ * calls sg_contours_clear() in any case. Inexact. */
+bool sg_contours_find(const sg_contour_input *in, const sg_poll *poll,
+                      sg_contours *out, bool *memory);
+void sg_contours_clear(sg_contours *contours);
+
+#endif

@@ -1,0 +1,63 @@
+/* contour_private.h -- what contour.c and contour_beside.c share.
+ *
+ * Layer: kernel.
+ */
+#ifndef SG_CONTOUR_PRIVATE_H
+#define SG_CONTOUR_PRIVATE_H
+
+#include "contour.h"
+
+/* How a triangle and its corners lie to the eye. */
+typedef enum sg_contour_kind {
+  SG_CONTOUR_TOWARDS, /* it is turned to the eye, and so are its corners */
+  SG_CONTOUR_AWAY,    /* it is turned away, and so are they */
+  SG_CONTOUR_MIXED    /* neither: an outline is near */
+} sg_contour_kind;
+
+typedef struct sg_contour_finder {
+  const sg_contour_input *in;
+  sg_contours *out;
+  double *g;      /* [fans] towards the eye: not negative */
+  double *radial; /* [fans] how g grows on the way to the eye */
+  uint8_t *kind;  /* [triangles] */
+  int8_t *sense;  /* [triangles] of its piece: 1 the nearer half is turned to
+                     the eye, -1 it is not; 0: no piece, or both */
+  uint32_t *seen; /* [triangles] the last walk that was there */
+  uint32_t walk;
+  uint32_t *queue; /* [queued], of room queue_room */
+  size_t queued, queue_room;
+} sg_contour_finder;
+
+static inline uint32_t
+sg_contour_next(uint32_t corner)
+{
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+/* The vertex of a corner. */
+static inline uint32_t
+sg_contour_vertex(const sg_contour_finder *f, uint32_t corner)
+{
+  return (uint32_t)f->in->dense->corner[corner / 3][corner % 3];
+}
+
+static inline double
+sg_contour_g(const sg_contour_finder *f, uint32_t corner)
+{
+  return f->g[f->in->smooth->fan[corner]];
+}
+
+static inline bool
+sg_contour_is_apex(const sg_contour_finder *f, uint32_t corner)
+{
+  return f->in->smooth->apex[f->in->smooth->fan[corner]];
+}
+
+/* Where a piece begins or ends in the picture. */
+void sg_contour_point(const sg_contour_finder *f, const sg_contour *piece,
+                      int end, double out[3]);
+
+/* Appends what is beside the piece, and says how much. False: no memory. */
+bool sg_contour_find_beside(sg_contour_finder *f, sg_contour *piece);
+
+#endif

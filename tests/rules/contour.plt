@@ -1,0 +1,156 @@
+:- module(test_contour, []).
+:- use_module(library(plunit)).
+:- use_module(library(random)).
+:- use_module(rules(contour)).
+:- use_module(rules(hidden_lines)).
+:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation), [complete_segments/1]).
+:- use_module(rules(view)).
+:- use_module(tests('rules/polyhedron'), [in_new_world/1]).
+
+% The picture of these primitives, segments 1, 2, ..., from there.
+
+pictured(Terms, Theta, Phi, Options) :-
+    forall(member(Term, Terms), add_primitive(Term, _)),
+    findall(S, segment(S,_,_), Ss),
+    complete_segments(Ss),
+    set_view(Theta, Phi, 0),
+    picture(Options).
+
+drawn_length(Visibility, Role, Length) :-
+    aggregate_all(sum(L), drawn_length_(Visibility, Role, L), Length).
+
+drawn_length_(Visibility, Role, Length) :-
+    drawn(_, S, E, From, To, Visibility, Role),
+    line_ends(S, E, X1-Y1, X2-Y2),
+    Length is (To-From)*sqrt((X2-X1)**2+(Y2-Y1)**2).
+
+% Within a part of it.
+near(X, Y, Part) :-
+    abs(X-Y) =< Part*abs(Y).
+
+% The places where pieces end, in the order of the standard, and how often.
+piece_ends(Ends) :-
+    findall(End,
+            ( contour(S, K, _, _, _, _, _, _, _),
+              contour_ends(S, K, Start, Finish),
+              member(End, [Start,Finish]) ),
+            Ends0),
+    msort(Ends0, Sorted),
+    clumped_ends(Sorted, Ends).
+
+clumped_ends(Sorted, Ends) :-
+    findall(E-x, member(E, Sorted), Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    findall(E-N, ( member(E-Xs, Groups), length(Xs, N) ), Ends).
+
+a_view(Seed, Theta, Phi) :-
+    set_random(seed(Seed)),
+    random(0.0, 360.0, Theta),
+    random(1.0, 179.0, Phi).
+
+smooth_body(sphere(radius(1), facets(40))).
+smooth_body(sphere(radius(2,1,0.5), facets(48), bands(24))).
+smooth_body(egg(radius(0.7), up(1.3), down(0.6), facets(40))).
+
+:- begin_tests(contour).
+
+% ANCHORS: the true lengths, integrated.
+test(torus) :-
+    Phi is acos(1.1/sqrt(1.2**2+2.0**2+1.1**2))*180/pi,
+    Theta is atan2(-2.0, 1.2)*180/pi,
+    in_new_world(( pictured([torus(radius(1), tube(0.4), facets(100),
+                                   sides(100))],
+                            Theta, Phi, []),
+                   drawn_length(visible, outline, Visible),
+                   drawn_length(hidden, outline, Hidden) )),
+    near(Visible, 9.132, 0.01),
+    near(Hidden, 1.186, 0.01).
+test(sphere, forall(member(Seed, [1,2,3,4,5,6]))) :-
+    a_view(Seed, Theta, Phi),
+    in_new_world(( pictured([sphere(radius(1), facets(64))], Theta, Phi, []),
+                   drawn_length(visible, outline, Length),
+                   drawn_length(_, _, All) )),
+    near(Length, 2*pi, 0.004),
+    Length =:= All.
+% The eye at distance 3 sees a smaller circle: at an angle of asin(1/3), in the
+% plane at distance 2 where the sphere begins.
+test(sphere_central, forall(member(Seed, [1,2,3]))) :-
+    a_view(Seed, Theta, Phi),
+    in_new_world(( add_primitive(sphere(radius(1), facets(64)), _),
+                   complete_segments([1]),
+                   set_view(Theta, Phi, 3),
+                   set_projection(central),
+                   picture,
+                   drawn_length(visible, outline, Length),
+                   drawn_length(hidden, _, Hidden) )),
+    near(Length, 2*pi*2*tan(asin(1/3)), 0.004),
+    Hidden =:= 0.
+test(convex_is_not_hidden,
+     [ forall(( smooth_body(Term), member(Seed, [1,2,3,4,5,6,7,8]) )),
+       Hidden =:= 0 ]) :-
+    a_view(Seed, Theta, Phi),
+    in_new_world(( pictured([Term], Theta, Phi, []),
+                   drawn_length(hidden, _, Hidden) )).
+test(closed, [ forall(( smooth_body(Term),
+                        member(Theta-Phi, [0-90, 270-90, 0-0, 30-60, 45-90]) )),
+               Odd == [] ]) :-
+    in_new_world(( pictured([Term], Theta, Phi, []),
+                   piece_ends(Ends),
+                   findall(E, ( member(E-N, Ends), N mod 2 =:= 1 ), Odd) )).
+test(generators, Lengths == [3.0,3.0]) :-
+    in_new_world(( pictured([cylinder(radius(1), height(3), facets(24))],
+                            10, 90, []),
+                   \+ contour(_,_,_,_,_,_,_,_,_),
+                   findall(L, ( drawn(_,S,E,From,To,visible,outline),
+                                line_ends(S, E, X-Y1, X2-Y2),
+                                abs(X-X2) < 1.0e-9,
+                                L is (To-From)*abs(Y2-Y1) ),
+                           Lengths) )).
+test(folded, forall(member(Term, [ cone(radius(1), height(2), facets(24)),
+                                   cylinder(radius(1), height(2), facets(12)),
+                                   box(size(1,2,3)),
+                                   hollow_cylinder(radius(2), inner(1),
+                                                   height(1), facets(40))
+                                 ]))) :-
+    in_new_world(( pictured([Term], 33, 66, []),
+                   \+ contour(_,_,_,_,_,_,_,_,_) )).
+% The dome's outline ends where its circle is outermost: in vertices.
+test(meets_crease) :-
+    in_new_world(( pictured([hemisphere(radius(1), facets(36))], 33, 60, []),
+                   piece_ends(Ends),
+                   findall(E, member(E-1, Ends), Single),
+                   length(Single, 2),
+                   forall(member(X-Y, Single), screen(1, _, X, Y, _)) )).
+test(all_edges) :-
+    in_new_world(( pictured([sphere(radius(1), facets(24))], 33, 60,
+                            [lines(all)]),
+                   \+ contour(_,_,_,_,_,_,_,_,_),
+                   once(drawn(_,_,_,_,_,_,outline)) )).
+test(crease, Outline-Creases == 0-true) :-
+    in_new_world(( pictured([sphere(radius(1), facets(24))], 33, 60,
+                            [crease(5)]),
+                   aggregate_all(count, contour(_,_,_,_,_,_,_,_,_), Outline),
+                   (   drawn(_,_,_,_,_,_,crease)
+                   ->  Creases = true
+                   ;   Creases = false
+                   ) )).
+test(rule,
+     [ forall(( member(Term, [ torus(radius(1), tube(0.4), facets(24),
+                                     sides(16)),
+                               sphere(radius(1), facets(16)) ]),
+                member(Seed, [1,2]) )),
+       Kernel == Rule ]) :-
+    a_view(Seed, Theta, Phi),
+    in_new_world(( pictured([Term], Theta, Phi, [method(kernel)]),
+                   findall(D, rounded_part(D), Kernel),
+                   picture([method(rule)]),
+                   findall(D, rounded_part(D), Rule) )).
+
+rounded_part(drawn(D,S,E,From,To,Visibility,Role)) :-
+    drawn(D, S, E, From0, To0, Visibility, Role),
+    From is round(From0*1.0e9),
+    To is round(To0*1.0e9).
+
+:- end_tests(contour).
