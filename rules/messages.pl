@@ -252,6 +252,8 @@ expected_en(finite) -->
 expected_en(within(Most)) -->
     [ 'between -~w and ~w'-[Most, Most], nl,
       '  Choose other units: nothing can be computed at this size.' ].
+expected_en(text) -->
+    [ 'text, a number or an atom' ].
 expected_en(ground) -->
     [ 'an atom, a number or a compound of them', nl,
       '  Neither variables nor "text"; quote names like \'this one\'.' ].

@@ -239,6 +239,8 @@ expected_ko(finite) -->
 expected_ko(within(Most)) -->
     [ '-~w 과 ~w 사이'-[Most, Most], nl,
       '  다른 단위를 쓰십시오. 이 크기로는 계산할 수 없습니다.' ].
+expected_ko(text) -->
+    [ '글, 수, 또는 아톰' ].
 expected_ko(ground) -->
     [ '아톰, 수, 또는 그것으로 된 복합항', nl,
       '  변수와 "문자열"은 안 됩니다. 이름은 \'이렇게\' 따옴표로 쓰십시오.' ].

@@ -32,7 +32,7 @@ and columns counted from 1. What is one of
     value(Relation, Column, Value, Expected)
 
 with Expected one of id, ids, steps, chain, float, finite, within(Most),
-distance, atom, ground and one_of(Values); model_file.pl adds its own.
+distance, atom, text, ground and one_of(Values); model_file.pl adds its own.
 */
 
 :- create_prolog_flag(sanggwan_longest_fact, 64_000_000,
@@ -349,6 +349,7 @@ file_type(float, _, _, float).
 file_type(list, p, _, steps) :- !.
 file_type(list, _, _, ids).
 file_type(atom, _, _, atom).
+file_type(term, title_block, _, text) :- !.
 file_type(term, _, _, ground).
 
 checked_arguments([], [], _, _, _, []).
@@ -389,6 +390,14 @@ typed(one_of(Values), Value, Value) :-
     memberchk(Value, Values).
 typed(atom, Atom, Atom) :-
     atom(Atom).
+typed(text, Text, Atom) :-
+    string(Text),
+    !,
+    atom_string(Atom, Text).
+typed(text, Text, Text) :-
+    atomic(Text),
+    plain_term(Text, 0),
+    Text \== [].
 typed(ground, Term, Term) :-
     ground(Term),
     plain_term(Term, 64).

@@ -1,5 +1,6 @@
 :- module(sg_sheet_marks,
-          [ plane_marks/5,              % +View, +Section, +Box, +Scale, -Marks
+          [ plane_marks/6,              % +View, +Section, +Box, +Scale,
+                                        % +Others, -Marks
             label_marks/4,              % +Letter, +Box, +Scale, -Marks
             marks_pads/4,               % +Marks, +Box, +Scale, -Pads
             hatching_strokes/3,         % +Regions, -Spacing, -Strokes
@@ -9,7 +10,7 @@
 :- use_module(sheet_view, [view_axes/4]).
 :- autoload(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- autoload(library(lists),
-            [append/2, max_list/2, member/2, nth1/3, sum_list/2]).
+            [append/2, max_list/2, member/2, min_list/2, nth1/3, sum_list/2]).
 /** <module> Marks on a sheet: cutting planes, their names, hatching.
 
 A mark is line(Role,Points) or text(X,Y,Height,Text), in millimetres of the
@@ -25,14 +26,15 @@ shaft(10.0).                            % of an arrow
 head(3.5).
 letter(5.0).                            % how high
 
-%!  plane_marks(+View, +Section, +Box, +Scale, -Marks) is semidet.
+%!  plane_marks(+View, +Section, +Box, +Scale, +Others, -Marks) is semidet.
 %
 %   Marks show where the plane of Section, a view, cuts what View shows within
-%   Box. Fails if View does not see the plane edge-on, or its line goes past
+%   Box; they reach out so far that arrows and letters keep clear of those of
+%   Others. Fails if View does not see the plane edge-on, or its line goes past
 %   Box.
 
 plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
-            box(X1,Y1,X2,Y2), Scale, Marks) :-
+            box(X1,Y1,X2,Y2), Scale, Others, Marks) :-
     view_axes(View, Right, Up, Away),
     maplist(product([A,B,C]), [Right,Up,Away], [U0,V0,W]),
     Length is sqrt(U0*U0+V0*V0),
@@ -40,33 +42,70 @@ plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
     U is U0/Length,
     V is V0/Length,
     At is D/Length*Scale,
-    line_ends(U, V, At, X1*Scale, Y1*Scale, X2*Scale, Y2*Scale, P, Q),
-    chain_marks(P, Q, U-V, Letter, Marks).
+    line_ends(U, V, At, box(X1*Scale,Y1*Scale,X2*Scale,Y2*Scale), P, Q),
+    beyond(Beyond),
+    between(0, 9, Step),
+    Out is Beyond + 9*Step,
+    chain_marks(P, Q, Out, U-V, Letter, Marks),
+    ends_clear(Marks, Others),
+    !.
+
+%   ends_clear(Marks, Others): their arrows and letters do not overlap.
+
+ends_clear(Marks, Others) :-
+    \+ ( member(Mark, Marks),
+         end_rectangle(Mark, R1),
+         member(Other, Others),
+         end_rectangle(Other, R2),
+         overlap(R1, R2)
+       ).
+
+end_rectangle(line(arrow,Points), rect(X1,Y1,X2,Y2)) :-
+    maplist(x_y, Points, Xs, Ys),
+    margin(Xs, X1, X2),
+    margin(Ys, Y1, Y2).
+end_rectangle(text(X,Y,High,_), rect(X1,Y1,X2,Y2)) :-
+    X1 is X-High*0.6,
+    X2 is X+High*0.6,
+    Y1 is Y-High*0.2,
+    Y2 is Y+High*1.2.
+
+x_y(X-Y, X, Y).
+
+margin(Xs, Low, High) :-
+    min_list(Xs, Low0),
+    max_list(Xs, High0),
+    Low is Low0-0.5,
+    High is High0+0.5.
+
+overlap(rect(A1,B1,A2,B2), rect(C1,D1,C2,D2)) :-
+    A1 < C2,
+    C1 < A2,
+    B1 < D2,
+    D1 < B2.
 
 product(Xs, Ys, Product) :-
     maplist([X,Y,Z]>>(Z is X*Y), Xs, Ys, Zs),
     sum_list(Zs, Product).
 
-%   line_ends(U, V, At, X1, Y1, X2, Y2, P, Q): the line U*X + V*Y + At = 0
-%   within the box, and beyond it.
+%   line_ends(U, V, At, Box, P, Q): the line U*X + V*Y + At = 0 within Box.
 
-line_ends(U, V, At, X1, Y1, X2, Y2, PX-PY, QX-QY) :-
+line_ends(U, V, At, box(X1,Y1,X2,Y2), PX-PY, QX-QY) :-
     MX is (X1+X2)/2,
     MY is (Y1+Y2)/2,
     Off is U*MX + V*MY + At,
     FX is MX - Off*U,
     FY is MY - Off*V,
-    beyond(Beyond),
     range(FX, V, X1, X2, LowX, HighX),
     Back is -U,
     range(FY, Back, Y1, Y2, LowY, HighY),
     Low is max(LowX, LowY),
     High is min(HighX, HighY),
     Low < High,
-    PX is FX + (Low-Beyond)*V,
-    PY is FY - (Low-Beyond)*U,
-    QX is FX + (High+Beyond)*V,
-    QY is FY - (High+Beyond)*U.
+    PX is FX + Low*V,
+    PY is FY - Low*U,
+    QX is FX + High*V,
+    QY is FY - High*U.
 
 %   range(F, Step, X1, X2, Low, High): F + T*Step is from X1 to X2.
 
@@ -82,10 +121,14 @@ range(F, Step, X1, X2, Low, High) :-
         High is max(A, B)
     ).
 
-%   chain_marks(P, Q, Normal, Letter, Marks): the eye is on the side of Normal.
+%   chain_marks(P, Q, Beyond, Normal, Letter, Marks): the line goes on beyond P
+%   and Q; the eye is on the side of Normal.
 
-chain_marks(P, Q, Normal, Letter, Marks) :-
+chain_marks(P0, Q0, Beyond, Normal, Letter, Marks) :-
     thick(Thick),
+    Back is -Beyond,
+    towards(P0, Q0, Back, P),
+    towards(Q0, P0, Back, Q),
     towards(P, Q, Thick, P1),
     towards(Q, P, Thick, Q1),
     chain_line(P1, Q1, 9.0, cutting, Chain),

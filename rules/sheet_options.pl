@@ -161,8 +161,8 @@ scale_option(Options, Millimetres) :-
 
 %!  looking(+Options, -View) is semidet.
 %
-%   View (sheet_view.pl) is how --view, --direction or --eye say. Fails if there
-%   is none of them.
+%   View (sheet_view.pl) is how --view or --direction say; eye(Eye,Target), for
+%   eye.pl, is how --eye says. Fails if there is none of them.
 %
 %   @error usage_error(What)
 
@@ -201,12 +201,12 @@ looking_view('--view', Text, _, View) :-
 looking_view('--direction', Text, _, View) :-
     vector_option('--direction', Text, [X,Y,Z]),
     direction_view('--direction', Text, d(X,Y,Z), View).
-looking_view('--eye', Text, Options, View) :-
+looking_view('--eye', Text, Options, eye(Eye,Target)) :-
     vector_option('--eye', Text, Eye),
-    option(target(TargetText), Options, '0,0,0'),
-    vector_option('--target', TargetText, Target),
-    maplist([A,B,C]>>(C is B-A), Eye, Target, [X,Y,Z]),
-    direction_view('--eye', Text, d(X,Y,Z), View).
+    (   option(target(TargetText), Options)
+    ->  vector_option('--target', TargetText, Target)
+    ;   Target = middle
+    ).
 
 vector_option(Name, Text, Numbers) :-
     (   vector(3, Text, Numbers0)

@@ -1,12 +1,13 @@
 :- module(sg_sheet_plan,
           [ views_drawing/4             % +Request, +Lines, :Cuts, -Drawing
           ]).
+:- use_module(eye, [eye_view/3]).
 :- use_module(section, [model_box/1, section_plane/3]).
 :- use_module(sheet, [placed_part/3]).
 :- use_module(sheet_frame, [frame/5, bare_room/3]).
 :- use_module(sheet_layout, [layout/4]).
 :- use_module(sheet_marks,
-              [ plane_marks/5, label_marks/4, marks_pads/4,
+              [ plane_marks/6, label_marks/4, marks_pads/4,
                 hatching_strokes/3
               ]).
 :- use_module(sheet_paper,
@@ -25,7 +26,7 @@
 What is asked for is a list:
 
   - paper(Width,Height): millimetres
-  - views(Views): of sheet_view.pl, not sections
+  - views(Views): of sheet_view.pl, not sections; or eye(Eye,Target), eye.pl
   - sections(Texts): where to cut, see section_plane/3
   - angle(Angle): `first` or `third`
   - scale(Scale): N:M; `standard`, the largest one with which everything fits;
@@ -51,7 +52,8 @@ What is asked for is a list:
 %   too_large(Scale,Paper,Fitting,Papers), no_room(Paper)
 
 views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
-    option(views(Views), Request),
+    option(views(Views0), Request),
+    maplist(standing, Views0, Views),
     option(sections(Texts), Request),
     option(picture(Picture), Request),
     sections(Texts, Sections),
@@ -66,6 +68,12 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
     boxed_views(Shown, Boxed),
     warned_if_empty(Boxed),
     sheet_laid(Request, Sections, Boxed, Drawing).
+
+standing(View0, View) :-
+    (   View0 = eye(Eye, Target)
+    ->  eye_view(Eye, Target, View)
+    ;   View = View0
+    ).
 
 warned_if_empty(Boxed) :-
     (   Boxed == []
@@ -183,7 +191,7 @@ marking(Sections, Celled, Marking) :-
                      Kind \== pictorial,
                      View \== Section,
                      handy_scale(Box, Scale),
-                     plane_marks(View, Section, Box, Scale, _) ))
+                     plane_marks(View, Section, Box, Scale, [], _) ))
             ),
             Marking).
 
@@ -196,16 +204,18 @@ handy_scale(box(X1,Y1,X2,Y2), Scale) :-
 
 view_marks(Marking, cell(seen(View,_,_),Box,_), PerUnit, Marks) :-
     View = view(Name, _, _, Kind),
-    findall(Own, ( member(Section-Name, Marking),
-                   plane_marks(View, Section, Box, PerUnit, Own) ),
-            Planes),
-    append(Planes, Marks0),
+    findall(Section, member(Section-Name, Marking), Sections),
+    foldl(plane_marked(View, Box, PerUnit), Sections, [], Marks0),
     (   Kind = section(_, _, _)
     ->  marks_pads(Marks0, Box, PerUnit, pads(_,Above,_,_)),
         label_marks(Name, Box, Above, PerUnit, Label),
         append(Marks0, Label, Marks)
     ;   Marks = Marks0
     ).
+
+plane_marked(View, Box, PerUnit, Section, Marks0, Marks) :-
+    plane_marks(View, Section, Box, PerUnit, Marks0, Own),
+    append(Marks0, Own, Marks).
 
 label_marks(Name, box(X1,Y1,X2,Y2), Above, PerUnit, Label) :-
     Y is Y2 + Above/PerUnit,

@@ -32,7 +32,7 @@ Parts are as in stroke.pl, points X-Y in the coordinates of the picture. A view
 is made in a snapshot: the world is as it was afterwards.
 */
 
-%!  view_named(+Name, -View) is semidet.
+%!  view_named(?Name, -View) is nondet.
 %
 %   View is the one that view.pl calls Name.
 
@@ -41,8 +41,7 @@ view_named(Name, view(Name,Theta,Phi,Kind)) :-
     (   memberchk(Name, [front,top,right,left,back,bottom])
     ->  Kind = side
     ;   Kind = pictorial
-    ),
-    !.
+    ).
 
 %!  view_towards(+Direction, +Name, -View) is semidet.
 %

@@ -95,7 +95,7 @@ verb_option(draw, option(direction, '', value, 'X,Y,Z',
 verb_option(draw, option(eye, '', value, 'X,Y,Z',
     'look from this point')).
 verb_option(draw, option(target, '', value, 'X,Y,Z',
-    'with --eye: towards this point; without it 0,0,0')).
+    'with --eye: towards this point, instead of the middle of the model')).
 verb_option(Verb, option(projection, '', one_of([parallel, central]), 'KIND',
     'parallel or central')) :-
     picture_verb(Verb).
@@ -225,7 +225,7 @@ option_ko(view,
 THETA,PHI[,RHO] (도)').
 option_ko(direction, '이 방향으로 본다').
 option_ko(eye, '이 점에서 본다').
-option_ko(target, '--eye 와 함께: 이 점을 본다. 없으면 0,0,0').
+option_ko(target, '--eye 와 함께: 이 점을 본다. 없으면 모델의 가운데').
 option_ko(scale, '척도. 1:2, 5:1 등, 또는 fit(자리에 맞추어 가장 크게)').
 option_ko(unit, '척도를 위한 모델의 단위. 보통 mm').
 option_ko(sheet,

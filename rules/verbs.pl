@@ -14,6 +14,7 @@
 :- use_module(drawing, [write_drawing/2, drawing_format/2]).
 :- use_module(explain,
               [explain/2, explanation/3, print_explanations/1]).
+:- use_module(eye, [set_eye/3]).
 :- use_module(hidden_lines, [picture/1]).
 :- use_module(lines_out, [write_lines/2, line_format/1]).
 :- use_module(chain, [chain/5, chain_length/2]).
@@ -450,9 +451,15 @@ number_of(Text, Number) :-
 eye(Options, Goals) :-
     findall(Goal, eye_goal(Options, Goal), Goals).
 
-eye_goal(Options, set_view(Theta, Phi, Rho)) :-
-    looking(Options, view(_, Theta, Phi, _)),
-    eye_distance(Options, Rho).
+eye_goal(Options, Goal) :-
+    looking(Options, View),
+    (   View = eye(Eye, Target)
+    ->  option(projection(Kind), Options, parallel),
+        Goal = set_eye(Eye, Target, Kind)
+    ;   View = view(_, Theta, Phi, _),
+        eye_distance(Options, Rho),
+        Goal = set_view(Theta, Phi, Rho)
+    ).
 eye_goal(Options, set_projection(Kind)) :-
     option(projection(Kind), Options).
 
