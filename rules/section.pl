@@ -111,20 +111,27 @@ cut_away(Plane, section(Exact, Pieces)) :-
 exactly(N, R) :-
     R is rational(N).
 
-%   S-Side: on which side of the plane it is, `below`, `above` or `cut`.
+%   segment_side(Plane, S, S-Side): on which side of the plane it is, `below`,
+%   `above` or `cut`. What only touches it is not cut.
 
 segment_side(Plane, S, S-Side) :-
     (   segment_box(S, Box)
     ->  half_space(Plane, Box, Half),
-        half_side(Half, Side)
+        half_side(Half, Plane, S, Side)
     ;   Side = above
     ).
 
-half_side(all, below) :-
+half_side(all, _, _, below) :-
     !.
-half_side(none, above) :-
+half_side(none, _, _, above) :-
     !.
-half_side(_, cut).
+half_side(_, Plane, S, Side) :-
+    (   \+ ( vertex_height(Plane, S, _, H), H > 0 )
+    ->  Side = below
+    ;   \+ ( vertex_height(Plane, S, _, H), H < 0 )
+    ->  Side = above
+    ;   Side = cut
+    ).
 
 segment_cut(_, _, S-below, [piece(S,S,below,[])]).
 segment_cut(_, _, S-above, []) :-

@@ -21,6 +21,7 @@
 :- autoload(library(lists),
             [append/2, append/3, member/2, memberchk/2, nth1/3]).
 :- autoload(library(option), [option/2]).
+:- autoload(library(pairs), [pairs_values/2]).
 /** <module> A sheet of several views, from the model to a drawing.
 
 What is asked for is a list:
@@ -353,14 +354,16 @@ placed_point(place(Scale,X0,Y0,Left,Top), X-Y, A-B) :-
     A is round((X-X0)*Scale + Left),
     B is round((Y0-Y)*Scale + Top).
 
-%   marks_drawn(Place, Marks, Strokes, Texts)
+%   marks_drawn(Place, Marks, Strokes, Texts): strokes of one role together.
 
 marks_drawn(Place, Marks, Strokes, Texts) :-
-    findall(Stroke,
+    findall(Role-Stroke,
             ( member(line(Role,Points), Marks),
               line_stroke(Place, Role, Points, Stroke)
             ),
-            Strokes),
+            Keyed0),
+    keysort(Keyed0, Keyed),
+    pairs_values(Keyed, Strokes),
     findall(Text, ( member(Mark, Marks), mark_text(Place, Mark, Text) ),
             Texts).
 

@@ -1,0 +1,166 @@
+:- module(test_section, []).
+:- use_module(library(plunit)).
+:- use_module(rules(store)).
+:- use_module(rules(section)).
+:- use_module(rules(csg_evaluate), [evaluate/0]).
+:- use_module(rules(csg_roots), [operand_lines/1, roots_alone/0]).
+:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(triangulation), [complete_segments/0]).
+
+:- meta_predicate in_new(0), with(+, 0), tree(+, 0).
+
+in_new(Goal) :-
+    new_world(World),
+    in_world(World, Goal).
+
+% Goal in a world of these primitives.
+with(Terms, Goal) :-
+    in_new(( forall(member(Term, Terms), add_primitive(Term, _)),
+             complete_segments,
+             Goal )).
+
+% Goal in a world with what this CSG tree is.
+tree(Term, Goal) :-
+    in_new(( assert_fact(segment(1, solid, Term)), evaluate, roots_alone,
+             Goal )).
+
+% The area of the caps of segment S, in the plane of two of its axes.
+cap_area(Section, S, Axes, Area) :-
+    section_region(Section, S, N, Edges),
+    findall(Twice,
+            ( member(V1-V2, Edges),
+              place(N, V1, Axes, A1, B1),
+              place(N, V2, Axes, A2, B2),
+              Twice is A1*B2-A2*B1 ),
+            All),
+    sum_list(All, Sum),
+    Area is abs(Sum)/2.
+
+place(N, V, Axes, A, B) :-
+    v(N, V, X, Y, Z),
+    memberchk(Axes-[A,B], [yz-[Y,Z], xz-[X,Z], xy-[X,Y]]).
+
+near(A, B) :-
+    abs(A-B) =< 1.0e-9*max(1, abs(B)).
+
+:- begin_tests(section).
+
+test(plane, [forall(member(Text-Plane-Axis,
+                    [ 'x=5'-plane(1,0,0,-5)-x, 'X = 5'-plane(1,0,0,-5)-x,
+                      'y=5'-plane(0,-1,0,5)-y, 'z=-0.5'-plane(0,0,1,0.5)-z,
+                      '1,2,3,-4'-plane(1,2,3,-4)-none ])),
+             true(P-A == Plane-Axis)]) :-
+    section_plane(Text, P, A).
+test(middle, true(P == plane(0,0,1,-1.5))) :-
+    with([box(size(1,2,3))], section_plane(z, P0, _)),
+    P0 = plane(A,B,C,D0),
+    D is D0+0.0,
+    P = plane(A,B,C,D).
+test(touching, [forall(member(Text, ['x=-0.5', 'x=0.5', 'z=0', 'z=3']))]) :-
+    with([box(size(1,2,3))],
+         ( section_plane(Text, Plane, _),
+           \+ cut_away(Plane, _) )).
+test(no_plane, [forall(member(Text, [ w, 'x=', 'x=a', 'w=1', '1,2,3', '',
+                                      '0,0,0,1', '1,2,3,x', 'x=1=2' ])),
+                fail]) :-
+    with([box(size(1,2,3))], section_plane(Text, _, _)).
+test(past, [forall(member(Text, ['x=7', 'x=-1', '1,1,1,100']))]) :-
+    with([box(size(1,2,3))],
+         ( section_plane(Text, Plane, _),
+           \+ cut_away(Plane, _),
+           once(segment(1, _, _)) )).
+test(box, [forall(member(Text-Axes-Wanted, [x-yz-6.0, y-xz-3.0, z-xy-2.0])),
+           true(near(Area, Wanted))]) :-
+    with([box(size(1,2,3))],
+         ( section_plane(Text, Plane, _),
+           cut_away(Plane, Section),
+           cap_area(Section, 1, Axes, Area) )).
+test(what_stays) :-
+    with([box(size(1,2,3))],
+         ( cut_away(plane(0,0,1,-1), Section),
+           Section = section(_, [piece(1,N,solid,[_])]),
+           findall(Z, v(N,_,_,_,Z), Zs),
+           max_list(Zs, 1.0),
+           min_list(Zs, 0.0) )).
+test(tube, true(near(Area, Wanted))) :- % two rectangles
+    tree(difference([cylinder(radius(2), height(5), facets(32)),
+                     cylinder(radius(1), height(9), facets(32))]),
+         ( cut_away(plane(0,-1,0,0), Section),
+           cap_area(Section, _, xz, Area) )),
+    Wanted is 2*5*1.0.
+test(ring, true(near(Area, Wanted))) :- % a polygon with a hole
+    tree(difference([cylinder(radius(2), height(5), facets(24)),
+                     cylinder(radius(1), height(9), facets(24))]),
+         ( cut_away(plane(0,0,1,-2), Section),
+           cap_area(Section, _, xy, Area) )),
+    Wanted is 24/2*sin(2*pi/24)*(4-1).
+test(ellipse, true(near(Area, Wanted))) :- % 45 degrees: sqrt(2) in space
+    with([cylinder(radius(1), height(10), facets(64))],
+         ( cut_away(plane(1,0,1,-5), Section),
+           cap_area(Section, 1, xy, Area) )),
+    Wanted is 64/2*sin(2*pi/64).
+test(section_edges_close, [forall(member(Plane, [ plane(0,0,1,-1.0),
+                                                  plane(1,2,3,-4.0) ]))]) :-
+    with([box(size(1,2,3))],
+         ( cut_away(Plane, Section),
+           section_region(Section, 1, _, Edges),
+           findall(V, member(V-_, Edges), Starts0),
+           findall(V, member(_-V, Edges), Ends0),
+           msort(Starts0, Vs),
+           msort(Ends0, Vs) )).
+test(segments_apart, true(Areas == [1,4])) :-
+    with([box(size(1,1,1)), at([translate(5,0,0)], box(size(2,2,2)))],
+         ( cut_away(plane(0,0,1,-0.5), Section),
+           findall(A, ( member(S, [1,2]), cap_area(Section, S, xy, A0),
+                        A is round(A0) ), Areas) )).
+test(not_reached_stays_whole) :-
+    with([box(size(1,1,1)), at([translate(5,0,0)], box(size(2,2,2))),
+          at([translate(0,0,-9)], box(size(2,2,2)))],
+         ( cut_away(plane(0,0,1,-1.5), section(_, Pieces)),
+           memberchk(piece(1,1,below,[]), Pieces),
+           memberchk(piece(2,_,solid,[_]), Pieces),
+           memberchk(piece(3,3,below,[]), Pieces) )).
+test(surface) :-                        % a roof: ends in one line
+    with([sheet(points([[-2,-1,0],[2,-1,0],[2,1,0],[-2,1,0]]),
+                faces([[1,2,3,4]]))],
+         ( cut_away(plane(1,0,0,-0.5), Section),
+           Section = section(_, [piece(1,N,surface,[])]),
+           \+ section_region(Section, 1, _, _),
+           findall(E, ( section_edges(Section, N, Es), member(E, Es) ), [_]),
+           findall(X, v_used(N, X), Xs),
+           max_list(Xs, 0.5),
+           min_list(Xs, -2.0) )).
+test(curve, true(Xs == [0.0,0.25,1.0])) :-
+    in_new(( assert_fact(segment(1, curve, wire)),
+             assert_fact(v(1,1,0.0,0.0,0.0)), assert_fact(v(1,2,1.0,0.0,2.0)),
+             assert_fact(v(1,3,0.0,0.0,4.0)),
+             assert_fact(e(1,1,1,2,1)), assert_fact(e(1,2,2,3,1)),
+             assert_fact(segment(2, curve, low)),
+             assert_fact(v(2,1,1.0,0.0,-1.0)),
+             assert_fact(v(2,2,1.0,0.0,0.25)),
+             assert_fact(e(2,1,1,2,1)),
+             cut_away(plane(0,0,1,-0.5), _),
+             findall(X, v_used(_, X), Xs0) )),
+    sort(Xs0, Xs).
+test(operand_lines_stay, true(Count-All == 8-16)) :- % a drilled block
+    in_new(( assert_fact(segment(1, solid,
+                 difference([at([translate(0,0,-2)], box(size(4,4,4))),
+                             cylinder(radius(1), height(9), facets(16))]))),
+             evaluate,
+             operand_lines(Lines0),
+             roots_alone,
+             cut_away(plane(0,-1,0,0), Section),
+             section_lines(Section, Lines0, Lines),
+             length(Lines0, All),
+             findall(E, section_edges(Section, _, E), [InPlane]),
+             findall(L, ( member(L, Lines), L = line(N,_,V1,V2,_),
+                          e(N,E,V1,V2,_), \+ memberchk(E, InPlane) ),
+                     Others),
+             length(Others, Count) )).
+
+v_used(N, X) :-
+    e(N, _, V1, V2, _),
+    member(V, [V1,V2]),
+    v(N, V, X, _, _).
+
+:- end_tests(section).
