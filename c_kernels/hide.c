@@ -102,7 +102,7 @@ static bool
 apart(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
       const double b[3])
 {
-  double e = scene->tolerance;
+  double e = scene->close;
 
   return sg_larger(a[2], b[2]) <= mask->low[2] ||
          sg_larger(a[0], b[0]) < mask->low[0] - e ||
@@ -117,7 +117,7 @@ covered(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
         const double b[3], double t[2])
 {
   double(*at)[3] = scene->at;
-  double e = scene->tolerance;
+  double e = scene->close;
 
   t[0] = 0.0;
   t[1] = 1.0;
@@ -192,18 +192,18 @@ sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
   double square = x * x + y * y, size = sqrt(square);
   double off_r = x * (r[1] - p[1]) - y * (r[0] - p[0]);
   double off_s = x * (s[1] - p[1]) - y * (s[0] - p[0]);
-  double far = scene->tolerance * size; /* off: distance times size */
+  double far = scene->close * size; /* off: distance times size */
   double at_r, at_s;
 
   if ((off_r > far && off_s > far) || (off_r < -far && off_s < -far) ||
-      size <= scene->tolerance) {
+      size <= scene->close) {
     return false;
   }
   at_r = (x * (r[0] - p[0]) + y * (r[1] - p[1])) / square;
   at_s = (x * (s[0] - p[0]) + y * (s[1] - p[1])) / square;
   out->from = sg_larger(0.0, sg_smaller(at_r, at_s));
   out->to = sg_smaller(1.0, sg_larger(at_r, at_s));
-  if ((out->to - out->from) * size <= scene->tolerance) {
+  if ((out->to - out->from) * size <= scene->close) {
     return false;
   }
   out->from2 = (out->from - at_r) / (at_s - at_r);

@@ -7,7 +7,7 @@
  * Source: [PL] section 6.3 step 4 (PL-13). Three deviations: depths are
  * compared across the triangle's plane, not along z, so that steep triangles
  * are judged like others; a line that goes through a triangle is hidden from
- * there on; ends of lines snap to the triangle's sides within the tolerance,
+ * there on; ends of lines snap to the triangle's sides where they are close,
  * so that a line behind a border is hidden, and one beside it is not.
  */
 #ifndef SG_HIDE_H
@@ -87,7 +87,7 @@ bool sg_mask_covers(const sg_scene *scene, const sg_scene_mask *mask,
 bool sg_hide_masks(sg_hide *hide, size_t at, bool enough, sg_hiddens *out);
 
 /* The part of line a that lies on line b in the picture; false: none longer
- * than the tolerance. */
+ * than what is close. */
 bool sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
                       const sg_scene_line *b, sg_overlap *out);
 

@@ -5,6 +5,7 @@
 
 #include "bounds.h"
 #include "keys.h"
+#include "picture_points.h"
 #include "scene_private.h"
 #include "smooth.h"
 #include "sort.h"
@@ -12,9 +13,6 @@
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A face is edge-on when its normal leans less than this towards the eye. */
-#define EDGE_ON 1e-9
 
 typedef struct viewing {
   const sg_scene_input *in;
@@ -32,12 +30,19 @@ stop(viewing *w, size_t i)
   return i % SG_SCENE_POLL == 0 && (w->stopped |= sg_poll_stop(w->poll));
 }
 
+/* 1: the triangle is seen from outside, -1: from inside, 0: edge-on, no wider
+ * in the picture than one place. n: its normal, twice its size. */
 static int
-facing_of(const double normal[3])
+facing_of(const viewing *w, const int32_t v[3], const double n[3])
 {
-  double edge = EDGE_ON * sg_length(normal);
+  double longest = 0.0, close = w->scene->close;
 
-  return (normal[2] > edge) - (normal[2] < -edge);
+  for (int k = 0; k < 3; k++) {
+    const double *p = w->scene->at[v[k]], *q = w->scene->at[v[(k + 1) % 3]];
+    double x = q[0] - p[0], y = q[1] - p[1];
+    longest = sg_larger(longest, x * x + y * y);
+  }
+  return n[2] * n[2] <= close * close * longest ? 0 : n[2] > 0.0 ? 1 : -1;
 }
 
 static bool
@@ -90,20 +95,27 @@ extent_of(const viewing *w)
   return x;
 }
 
+/* The longer side of the picture. */
+static double
+side_of(const extent *x)
+{
+  bool some = x->low[0] <= x->high[0];
+
+  return some ? sg_larger(x->high[0] - x->low[0], x->high[1] - x->low[1]) : 0.0;
+}
+
 /* The scale and centre of the picture: PL-5, by a power of two. */
 static double
 standard_of(const extent *x, double centre[3])
 {
-  double half = 0;
   int power;
 
   for (int k = 0; k < 3; k++) {
     bool some = x->low[k] <= x->high[k];
     centre[k] = some ? x->low[k] + (x->high[k] - x->low[k]) / 2 : 0.0;
-    half = some ? sg_larger(half, (x->high[k] - x->low[k]) / 2) : 0.0;
   }
-  frexp(half, &power);
-  return half > 0 ? ldexp(1.0, power) : 1.0;
+  frexp(side_of(x) / 2, &power);
+  return side_of(x) > 0 ? ldexp(1.0, power) : 1.0;
 }
 
 static bool
@@ -118,6 +130,8 @@ make_places(viewing *w)
   scene->scale = scale;
   scene->tolerance =
       sg_larger(in->tolerance, 8 * DBL_EPSILON * x.largest / scale);
+  scene->close =
+      sg_larger(SG_ONE_PLACE * side_of(&x) / scale, scene->tolerance);
   scene->vertices = vertices + 2 * in->addeds;
   scene->at = malloc((scene->vertices + 1) * sizeof *scene->at);
   for (size_t i = 0; scene->at && i < scene->vertices && !stop(w, i); i++) {
@@ -149,11 +163,10 @@ order_of(double x)
 /* Steps 1 and 2 of PL-13: triangles seen edge-on hide nothing, nor do backs of
  * solids. */
 static void
-look_at_triangle(viewing *w, size_t i, bool solid, const double n[3])
+look_at_triangle(viewing *w, size_t i, bool solid, int facing)
 {
   const int32_t *v = w->model->dense.corner[i];
   double(*at)[3] = w->scene->at;
-  int facing = facing_of(n);
 
   if (facing > 0 || (facing < 0 && !solid)) {
     double near = sg_smaller(at[v[0]][2], sg_smaller(at[v[1]][2], at[v[2]][2]));
@@ -161,21 +174,23 @@ look_at_triangle(viewing *w, size_t i, bool solid, const double n[3])
   }
 }
 
-/* Which polygons are seen from outside, and which triangles hide. */
+/* Which polygons are seen from outside, and which triangles hide. A polygon is
+ * seen edge-on when all its triangles are. */
 static bool
 look_at_faces(viewing *w)
 {
   const sg_dense *d = &w->model->dense;
   double(*at)[3] = w->scene->at;
-  double(*normal)[3] = calloc(d->polygons + 1, sizeof *normal);
+  double *area = calloc(d->polygons + 1, sizeof *area);
   size_t s = 0;
   bool done;
 
-  w->facing = malloc(d->polygons + 1);
+  w->facing = calloc(d->polygons + 1, 1);
   w->key = malloc((d->triangles + 1) * sizeof *w->key);
-  for (size_t i = 0; normal && w->facing && w->key && i < d->triangles; i++) {
+  for (size_t i = 0; area && w->facing && w->key && i < d->triangles; i++) {
     const int32_t *v = d->corner[i];
-    double *sum = normal[d->polygon_of[i]], n[3];
+    int32_t p = d->polygon_of[i];
+    double n[3];
 
     while (i >= d->triangle_begin[s + 1]) {
       s++;
@@ -185,15 +200,17 @@ look_at_faces(viewing *w)
     }
     if (is_whole(w, v)) {
       sg_cross_at(at[v[0]], at[v[1]], at[v[2]], n);
-      sum[0] += n[0], sum[1] += n[1], sum[2] += n[2];
-      look_at_triangle(w, i, w->model->solid[s], n);
+      int facing = facing_of(w, v, n);
+      area[p] += n[2];
+      w->facing[p] |= facing != 0;
+      look_at_triangle(w, i, w->model->solid[s], facing);
     }
   }
-  for (size_t p = 0; normal && w->facing && p < d->polygons; p++) {
-    w->facing[p] = (int8_t)facing_of(normal[p]);
+  for (size_t p = 0; area && w->facing && p < d->polygons; p++) {
+    w->facing[p] = (int8_t)(area[p] < 0.0 ? -w->facing[p] : w->facing[p]);
   }
-  done = normal && w->facing && w->key;
-  free(normal);
+  done = area && w->facing && w->key;
+  free(area);
   return done;
 }
 

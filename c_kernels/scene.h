@@ -57,8 +57,11 @@ typedef struct sg_scene {
   sg_scene_mask *mask;  /* nearest first: sorted by low[2], rounded down to a
                            float, then by triangle */
   size_t vertices, lines, masks;
-  double tolerance;
-  double scale; /* picture units in one standardised unit, a power of 2 */
+  double tolerance; /* what is nearer to a plane than this lies in it */
+  double close;     /* what is nearer than this is in one place of the picture:
+                       SG_ONE_PLACE of its longer side */
+  double scale; /* picture units in one standardised unit, a power of 2: x and y
+                   are from -1 to 1 */
 } sg_scene;
 
 /* Lines and triangles that have a vertex without a place are left out. Vertices
