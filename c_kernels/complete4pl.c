@@ -272,16 +272,20 @@ model_tolerance(term_t tolerance)
   return ok && sg_unify_double(tolerance, value);
 }
 
-/* What the segments' own vertices say, of those of `row`. */
+/* What the vertices of segments say. */
+typedef struct seen {
+  double size, source; /* the two parts of the tolerance */
+  double smallest;     /* the size of the smallest */
+} seen;
+
+/* Of the segments' own vertices, those of `row`. */
 static int
-see_segments_ex(const sg_view *view, const sg_segment_rows *rows, size_t n,
-                double *out, double *smallest)
+see_rows_ex(const sg_view *view, const sg_segment_rows *rows, size_t n,
+            seen *out)
 {
   sg_flatness all;
-  double source = 0;
 
-  *smallest = HUGE_VAL;
-
+  *out = (seen){0, 0, HUGE_VAL};
   sg_flatness_init(&all);
   for (size_t i = 0; i < n; i++) {
     sg_flatness one;
@@ -298,24 +302,23 @@ see_segments_ex(const sg_view *view, const sg_segment_rows *rows, size_t n,
                                               view->column[3].page[page].f[r],
                                               view->column[4].page[page].f[r]});
     }
-    source = fmax(source, sg_flatness_of_source(&one));
-    *smallest = fmin(*smallest, sg_flatness_size(&one));
+    out->source = fmax(out->source, sg_flatness_of_source(&one));
+    out->smallest = fmin(out->smallest, sg_flatness_size(&one));
     sg_flatness_enlarge(&all, &one);
   }
-  *out = fmax(sg_flatness_of_size(&all), source);
+  out->size = sg_flatness_of_size(&all);
+  out->smallest = n > 0 ? out->smallest : 0;
   return TRUE;
 }
 
-/* segments_tolerance(+Segments, -Tolerance, -Smallest) is det. */
-static foreign_t
-segments_tolerance(term_t segments, term_t tolerance, term_t smallest)
+static int
+see_segments_ex(term_t segments, seen *out)
 {
   sg_world *world = sg_current_world_ex();
   sg_segment_rows rows = {0};
   sg_view view = {0};
   int32_t *s = NULL;
   size_t n = 0;
-  double value = 0, least = 0;
 
   if (!world || !sg_get_id_set_ex(segments, &s, &n)) {
     return FALSE;
@@ -326,13 +329,33 @@ segments_tolerance(term_t segments, term_t tolerance, term_t smallest)
   if (good && !sg_segment_rows_find(&view, s, n, &sg_prolog_poll, &rows)) {
     good = PL_exception(0) ? FALSE : sg_no_memory();
   }
-  good = good && see_segments_ex(&view, &rows, n, &value, &least);
+  good = good && see_rows_ex(&view, &rows, n, out);
   sg_segment_rows_clear(&rows);
   sg_view_clear(&view);
   sg_version_drop(version);
   free(s);
-  return good && sg_unify_double(tolerance, value) &&
-         sg_unify_double(smallest, n > 0 ? least : 0);
+  return good;
+}
+
+/* segments_tolerance(+Segments, -Tolerance, -Smallest) is det. */
+static foreign_t
+segments_tolerance(term_t segments, term_t tolerance, term_t smallest)
+{
+  seen found;
+
+  return see_segments_ex(segments, &found) &&
+         sg_unify_double(tolerance, fmax(found.size, found.source)) &&
+         sg_unify_double(smallest, found.smallest);
+}
+
+/* segments_grain(+Segments, -Grain) is det. */
+static foreign_t
+segments_grain(term_t segments, term_t grain)
+{
+  seen found;
+
+  return see_segments_ex(segments, &found) &&
+         sg_unify_double(grain, found.source);
 }
 
 void
@@ -343,6 +366,7 @@ sg_install_complete(void)
       {"fill_triangles", 2, (pl_function_t)fill_triangles_of, 0},
       {"model_tolerance", 1, (pl_function_t)model_tolerance, 0},
       {"segments_tolerance", 3, (pl_function_t)segments_tolerance, 0},
+      {"segments_grain", 2, (pl_function_t)segments_grain, 0},
       {NULL, 0, NULL, 0}};
 
   atom_not_closed = PL_new_atom("not_closed");

@@ -23,7 +23,7 @@
 :- autoload(library(apply), [convlist/3, include/3, maplist/2]).
 :- autoload(library(error), [domain_error/2, existence_error/2, type_error/2]).
 :- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/2]).
+:- autoload(library(option), [option/2, option/3]).
 /** <module> Union, intersection, difference: what stays of the pieces.
 
 An expression is the number of a segment, or union(Es), intersection(Es) or
@@ -46,10 +46,12 @@ that two operands have in common stays or goes by how it looks in each.
 %     - faces(pieces)
 %     Coplanar neighbours are left as they are (CB-5).
 %
-%   @error existence_error(segment, S1): an operand is not there
 %     - tolerance(Tolerance)
 %     Default: as segments_tolerance/3 sees the operands.
+%     - grain(Grain)
+%     The default is at least this: what operands were made from shows no more.
 %
+%   @error existence_error(segment, S1): an operand is not there
 %   @error geometry_error(operand(S1, Faults)): the result would be open, and so
 %          is operand S1
 %   @error geometry_error(tolerance(T, Most)): T is more than a sixteenth of the
@@ -74,11 +76,13 @@ boolean(Expression, S, Options0) :-
 %   the result does, where an operand is far larger.
 
 tolerance(Leaves, Options0, Options) :-
-    segments_tolerance(Leaves, Tolerance, Smallest),
+    segments_tolerance(Leaves, Tolerance0, Smallest),
     (   option(tolerance(Given), Options0)
     ->  refuse_large(Given, Smallest),
         Options = Options0
-    ;   Options = [tolerance(Tolerance),by_size(true)|Options0]
+    ;   option(grain(Grain), Options0, 0),
+        Tolerance is max(Tolerance0, Grain),
+        Options = [tolerance(Tolerance),by_size(true)|Options0]
     ).
 
 %   With a tolerance as large as the parts, everything is one point.

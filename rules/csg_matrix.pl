@@ -4,7 +4,8 @@
             matrix_product/3,           % +Matrix1, +Matrix2, -Matrix
             matrix_sign/2,              % +Matrix, -Sign
             matrix_plane/3,             % +Matrix, +Plane0, -Plane
-            rounded_matrix/2            % +Matrix, -Rounded
+            rounded_matrix/2,           % +Matrix, -Rounded
+            matrix_scale/2              % +Matrix, -Scale
           ]).
 :- use_module(placing, [step_motion/2]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
@@ -125,3 +126,12 @@ rounded_matrix(Matrix, Rounded) :-
 
 rounded(X, Y) :-
     Y is float(X) + 0.0.
+
+%!  matrix_scale(+Matrix, -Scale) is det.
+%
+%   Scale is how long Matrix makes the longest of the three unit vectors along
+%   the axes.
+
+matrix_scale([[A1,B1,C1,_], [A2,B2,C2,_], [A3,B3,C3,_]], Scale) :-
+    Scale is sqrt(max(A1*A1 + A2*A2 + A3*A3,
+                      max(B1*B1 + B2*B2 + B3*B3, C1*C1 + C2*C2 + C3*C3))).

@@ -127,6 +127,7 @@
             fill_triangles/1,         % -Faults
             fill_triangles/2,         % +Ss, -Faults
             segments_tolerance/3,     % +Segments, -Tolerance, -Smallest
+            segments_grain/2,         % +Segments, -Grain
             model_tolerance/1,        % -Tolerance
             % work4pl.c, work_join4pl.c
             work_open/3,              % +S, +P, -Work
@@ -553,6 +554,11 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %
 %   The same for Segments alone: by the size of all of them, and the coarsest
 %   source of any. Smallest is the longest side of the smallest one's box.
+
+%!  segments_grain(+Segments:list, -Grain) is det.
+%
+%   Grain is the part of it that the sources say: 4 units in the last place of
+%   the coarsest, where coordinates are seen to be float32 or decimals, else 0.
 
 /* - - - work4pl.c, work_join4pl.c - - - */
 
