@@ -6,6 +6,7 @@
 :- use_module(pdf, [write_pdf/3]).
 :- use_module(ps, [write_ps/4]).
 :- use_module(png, [write_png/2]).
+:- use_module(drawing_facts, [write_facts/3]).
 :- use_module(drawing_json, [write_json/3]).
 :- use_module(dxf, [write_dxf/3]).
 :- use_module(hpgl, [write_hpgl/3]).
@@ -17,7 +18,8 @@
 /** <module> Drawings: the picture of the current world, written to files.
 
 What drawn/7 and screen/5 hold (hidden_lines.pl fills them) is laid on a sheet
-(sheet.pl), chained into strokes (stroke.pl) and written. Same picture, same
+(sheet.pl), chained into strokes (stroke.pl), inked by its style (ink.pl) and
+written. Same picture, same
 bytes: no times, no names of users, no hash order.
 */
 
@@ -34,21 +36,24 @@ drawing_format(png, binary).
 drawing_format(json, text).
 drawing_format(dxf, text).
 drawing_format(hpgl, text).
+drawing_format(pl, text).
 
 %!  write_drawing(+File, +Options) is det.
 %
 %   Write the drawing of the current world to File, in the format that its
 %   ending names, see drawing_format/2. Options:
 %
-%     - size(Size): `WxH`, or W-H, in millimetres, default 210x148; for PNG in
-%       dots, default 640x400
+%     - size(Size): `WxH`, or W-H, in millimetres, default 210x148; with
+%       png(dots) in dots, default 640x400
 %     - margin(M), scale(S): see sheet_drawing/3
-%     - hidden(H): `dashed` (default; dotted in PNG), `removed`, or `shown`:
-%       not dashed, in SVG and PNG
-%     - pattern(P): dots on and off of hidden lines in PNG: N, or a list
-%     - title(Text): in SVG and JSON
-%     - drawing(Drawing): this one (sheet.pl), not the picture of the world;
-%       for PNG with dots(N) dots to a millimetre, default 6
+%     - hidden(H): `dashed` (default), `removed`, or `shown`: not dashed
+%     - style(Style): a style file, or its rows; see style_rows/2
+%     - dashes(How): `auto` (default), `geometry`: each dash is a line, or
+%       `type`: by line types that a plotter or CAD program has
+%     - title(Text): in SVG, PDF, PostScript and JSON
+%     - drawing(Drawing): this one (sheet.pl), not the picture of the world
+%     - png(How), dots(N): see write_png/2; pattern(P): dots on and off of
+%       hidden lines with png(dots): N, or a list
 %
 %   A world without a picture gives a valid, empty drawing.
 %
@@ -95,6 +100,8 @@ write_inked(eps, Out, Inked, Options) :-
     write_ps(eps, Out, Inked, Options).
 write_inked(ps, Out, Inked, Options) :-
     write_ps(ps, Out, Inked, Options).
+write_inked(pl, Out, Inked, Options) :-
+    write_facts(Out, Inked, Options).
 write_inked(json, Out, Inked, Options) :-
     write_json(Out, Inked, Options).
 write_inked(dxf, Out, Inked, Options) :-

@@ -2,12 +2,12 @@
           [ write_json/3                % +Out, +Inked, +Options
           ]).
 :- use_module(ink,
-              [ inked_texts/2, ink_width/2, ink_colour/3, ink_runs/2,
-                ink_pen/2, ink_layer/2
+              [ inked_inks/2, inked_texts/2, ink_width/2, ink_colour/3,
+                ink_runs/2, ink_pen/2, ink_layer/2
               ]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(http/json), [json_write/3]).
-:- autoload(library(lists), [list_to_set/2, member/2, nth0/3]).
+:- autoload(library(lists), [member/2, nth0/3]).
 :- autoload(library(option), [option/3]).
 /** <module> JSON: the same lines as the SVG has, for programs.
 
@@ -21,8 +21,7 @@ has the number of its style, counted from 0 in `styles`.
 
 write_json(Out, Inked, Options) :-
     Inked = inked(sheet(W,H,Scale), _, Views),
-    findall(Ink, view_ink(Views, Ink), Inks0),
-    list_to_set(Inks0, Inks),
+    inked_inks(Inked, Inks),
     maplist(thousand, [W,H], [Width,Height]),
     option(title(Title), Options, ''),
     text_to_string(Title, TitleString),
@@ -38,20 +37,6 @@ write_json(Out, Inked, Options) :-
     write_list(Out, lines, Lines),
     write_texts(Out, Inked, Inks),
     format(Out, '~n}~n', []).
-
-%   Each ink where another comes.
-
-view_ink(Views, Ink) :-
-    member(view(_,Lines,Texts), Views),
-    (   changed_ink(Lines, none, Ink)
-    ;   member(text(Ink,_), Texts)
-    ).
-
-changed_ink([line(Ink0,_)|Lines], Last, Ink) :-
-    (   Ink0 \== Last,
-        Ink = Ink0
-    ;   changed_ink(Lines, Ink0, Ink)
-    ).
 
 write_list(Out, Name, List) :-
     format(Out, '  "~w": [', [Name]),

@@ -7,11 +7,11 @@
           ]).
 :- use_module(dxf_colour, [dxf_colour/2]).
 :- use_module(ink,
-              [ inked_lines/3, inked_texts/2, dashes_option/3, ink_colour/3,
-                ink_layer/2, ink_type/2, ink_runs/2, ink_lines/4
+              [ inked_inks/2, inked_lines/3, inked_texts/2, dashes_option/3,
+                ink_colour/3, ink_layer/2, ink_type/2, ink_runs/2, ink_lines/4
               ]).
 :- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [list_to_set/2, member/2, nth1/3]).
+:- autoload(library(lists), [member/2, nth1/3]).
 /** <module> DXF: strokes as polylines on layers, for CAD programs.
 
 DXF R12 (AC1009), as text: every program reads it. One unit is one millimetre
@@ -32,8 +32,7 @@ write_dxf(Out, Inked, Options) :-
     Inked = inked(sheet(W,H,_), _, _),
     dashes_option(Options, type, How),
     written(How, Inked, Lines, Texts),
-    findall(Ink, line_ink(Lines, Texts, Ink), Inks0),
-    list_to_set(Inks0, Inks),
+    inked_inks(Inked, Inks),
     looks(How, Inks, 1, Looks, Types),
     findall(Layer, first_look(Looks, Layer), Layers),
     header(Out, W, H),
@@ -51,19 +50,6 @@ written(geometry, Inked, Lines, []) :-
 written(_, Inked, Lines, Texts) :-
     inked_lines(left, Inked, Lines),
     inked_texts(Inked, Texts).
-
-%   Each ink where another comes.
-
-line_ink(Lines, Texts, Ink) :-
-    (   changed_ink(Lines, none, Ink)
-    ;   member(text(Ink,_), Texts)
-    ).
-
-changed_ink([line(Ink0,_)|Lines], Last, Ink) :-
-    (   Ink0 \== Last,
-        Ink = Ink0
-    ;   changed_ink(Lines, Ink0, Ink)
-    ).
 
 %   looks(How, Inks, N, Looks, Types): Looks are Ink-look(Layer,Colour,Type),
 %   Types the line types they use, type(Name,Runs); N counts those that have no

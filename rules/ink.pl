@@ -2,6 +2,7 @@
           [ inked/3,                    % +Drawing, +Options, -Inked
             inked_lines/3,              % +Texts, +Inked, -Lines
             inked_texts/2,              % +Inked, -Texts
+            inked_inks/2,               % +Inked, -Inks
             dashes_option/3,            % +Options, +Default, -How
             ink_width/2,                % +Ink, -Width
             ink_colour/3,               % +Medium, +Ink, -RGB
@@ -19,7 +20,7 @@
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(error), [domain_error/2, type_error/2]).
-:- autoload(library(lists), [member/2]).
+:- autoload(library(lists), [list_to_set/2, member/2]).
 :- autoload(library(option), [option/3]).
 /** <module> Ink: a drawing with the way it looks.
 
@@ -188,6 +189,28 @@ view_line(Texts, Views, Line) :-
 
 inked_texts(inked(_,_,Views), Texts) :-
     findall(Text, ( member(view(_,_,Own), Views), member(Text, Own) ), Texts).
+
+%!  inked_inks(+Inked, -Inks) is det.
+%
+%   Inks are those that are used, each once, in the order of their first use.
+
+inked_inks(inked(_,_,Views), Inks) :-
+    findall(Ink, view_ink(Views, Ink), Inks0),
+    list_to_set(Inks0, Inks).
+
+view_ink(Views, Ink) :-
+    member(view(_,Lines,Texts), Views),
+    (   changed_ink(Lines, none, Ink)
+    ;   member(text(Ink,_), Texts)
+    ).
+
+%   Each ink where another comes.
+
+changed_ink([line(Ink0,_)|Lines], Last, Ink) :-
+    (   Ink0 \== Last,
+        Ink = Ink0
+    ;   changed_ink(Lines, Ink0, Ink)
+    ).
 
 %!  dashes_option(+Options, +Default, -How) is det.
 %

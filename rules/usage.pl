@@ -82,9 +82,10 @@ verb_option(penetrate, option(json, '', flag, '',
     'print a summary as JSON')).
 
 verb_option(draw, option(output, o, each, 'FILE',
-    'where to (.svg .pdf .eps .ps .png .dxf .hpgl .json); may be repeated')).
+    'where to (.svg .pdf .eps .ps .png .dxf .hpgl .json .pl); may be \c
+     repeated')).
 verb_option(draw, option(format, '',
-    one_of([svg, pdf, eps, ps, png, dxf, hpgl, json]), 'FORMAT',
+    one_of([svg, pdf, eps, ps, png, dxf, hpgl, json, pl]), 'FORMAT',
     'the format for -o -')).
 verb_option(Verb, option(view, '', value, 'VIEW',
     'front, back, left, right, top, bottom, isometric, dimetric, \c

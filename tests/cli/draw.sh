@@ -23,7 +23,7 @@ ink() {
     [ "$(wc -c <"$TMP/ink.png")" -gt 3000 ]
 }
 
-for format in svg pdf eps ps png json dxf hpgl; do
+for format in svg pdf eps ps png json dxf hpgl pl; do
   check "$format" draw $figure -o "$TMP/a.$format"
   check "$format again" draw $figure -o "$TMP/b.$format"
   check "$format: same bytes" same "$TMP/a.$format" "$TMP/b.$format"
@@ -68,6 +68,22 @@ else
   skip "hp2xx" "not installed"
 fi
 
+# What is said of a style file is said before any work.
+printf 'line(visible, crease, any, [width(0)]).\n' >"$TMP/style.pl"
+check "style with a fault" complains 3 "style.pl:1:28: width\(0\) is no" \
+  draw $figure --style "$TMP/style.pl" -o "$TMP/never.svg"
+check "no style file" complains 3 "no such file" \
+  draw $figure --style "$TMP/none.pl" -o "$TMP/never.svg"
+check "nothing drawn then" test ! -e "$TMP/never.svg"
+check "style" output 'stroke:#f0f5ff' \
+  draw $figure --style facts/styles/blueprint.pl -o -
+check "hpgl: dashes are lines" eval \
+  "! draw $figure -o - --format hpgl | grep -q LT"
+check "hpgl: line types" output '^LT3,[0-9.]+;$' \
+  draw $figure --dashes type --format hpgl -o -
+check "hpgl: one pen" eval "[ \$(draw $figure --format hpgl -o - \
+  --style facts/styles/single_pen.pl | grep -c 'SP[1-9]') = 1 ]"
+check "wrong dashes" complains 2 dashes draw $figure --dashes dotted -o -
 check "size" output 'width="100mm" height="70mm" viewBox="0 0 100 70"' \
   draw $figure --size 100x70 -o -
 check "size in dots" \

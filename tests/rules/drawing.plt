@@ -266,6 +266,78 @@ png_codes(Options, Codes) :-
         ),
         delete_file(File)).
 
+% The facts that a drawing is written as.
+facts(Options, Facts) :-
+    drawing(pl, Options, Text),
+    setup_call_cleanup(
+        open_string(Text, In),
+        ( read_term(In, First, []), terms(First, In, Facts) ),
+        close(In)).
+
+terms(end_of_file, _, []) :-
+    !.
+terms(Term, In, [Term|Terms]) :-
+    read_term(In, Next, []),
+    terms(Next, In, Terms).
+
+test(facts, true(Counts == [ segment-1, view-0, screen-4, e-5, drawn-6, sheet-1,
+                             style-3, stroke-3 ])) :-
+    square(Square),
+    in_picture(Square, facts([], Facts)),
+    findall(Name-Count,
+            ( member(Name, [segment,view,screen,e,drawn,sheet,style,stroke]),
+              aggregate_all(count, ( member(Fact, Facts),
+                                     functor(Fact, Name, _) ), Count) ),
+            Counts).
+test(facts_of_a_line, true(Found == [4-[41.0-74.0, 41.0-138.0]])) :-
+    square(Square),
+    in_picture(Square, facts([margin(10)], Facts)),
+    findall(E-Points,
+            member(stroke(_,'',hidden,outline,1,[E],Points,_,_), Facts),
+            Found).
+test(facts_of_a_drawing, true(Facts ==
+        [ sheet(40.0,30.0,2.0), style(1,0.35,rgb(0,0,0),[],1,'TEXT'),
+          text(1,a,1.5,2.0,3.5,end,"A\uAC00") ])) :-
+    facts([drawing(drawing(sheet(40000,30000,2.0),
+                           [view(a,[],[text(1500,2000,3500,end,
+                                            "A\uAC00")])]))],
+          Facts).
+test(pdf_offsets, forall(member(Title, ['', 'a (b) \uC0C1']))) :-
+    square(Square),
+    in_picture(Square, drawing(pdf, [title(Title)], Text)),
+    split_string(Text, "\n", "", Lines),
+    append(_, ["startxref",At0|_], Lines),
+    !,
+    number_string(At, At0),
+    sub_string(Text, At, 4, _, "xref"),
+    forall(( member(Line, Lines),
+             string_concat(Offset0, " 00000 n ", Line) ),
+           ( number_string(Offset, Offset0),
+             sub_string(Text, Offset, 8, _, Object),
+             sub_string(Object, _, _, _, " 0 obj") )).
+test(pdf_title, true) :-
+    in_picture(picture([],[],[]), drawing(pdf, [title('\uC0C1\U0001F600')], T)),
+    once(sub_string(T, _, _, _, "<FEFFC0C1D83DDE00>")).
+test(ps_title_is_ascii, true) :-
+    in_picture(picture([],[],[]), drawing(eps, [title('a\n\uC0C1')], Text)),
+    once(sub_string(Text, _, _, _, "%%Title: a??\n")).
+test(shown_in_all, [forall(member(Format, [svg,pdf,eps,dxf])),
+                    true(Shown \== Dashed)]) :-
+    square(Square),
+    in_picture(Square, ( drawing(Format, [hidden(shown)], Shown),
+                         drawing(Format, [], Dashed) )),
+    forall(member(Word, ["dasharray", "HIDDEN\n 70"]),
+           \+ sub_string(Shown, _, _, _, Word)).
+test(geometry_has_no_dashes, forall(member(Format-Word,
+        [ svg-"dasharray", pdf-"] 0 d [", eps-"] 0 d [",
+          dxf-"HIDDEN\n 70" ]))) :-
+    square(Square),
+    in_picture(Square, drawing(Format, [dashes(geometry)], Text)),
+    \+ sub_string(Text, _, _, _, Word).
+test(bad_dashes, [forall(member(Format, [svg,pdf,eps,dxf,hpgl])),
+                  error(domain_error(dashes, wavy))]) :-
+    in_picture(picture([],[],[]), drawing(Format, [dashes(wavy)], _)).
+
 % Length of each visibility and role, in the picture and in the drawing.
 drawn_lengths(Lengths) :-
     findall(Kind-L,
