@@ -163,7 +163,7 @@ test(nothing_twice, [forall(between(1, 40, Seed))]) :-
     assertion(Seed-Pairs == Seed-[]).
 test(no_golden_twice, [forall(golden(Name, _))]) :-
     golden_pieces(Name, Pieces),
-    findall(Pair, doubled(Pieces, 1, 100, Pair), Pairs),
+    findall(Pair, doubled(Pieces, 1, 400, Pair), Pairs),
     assertion(Name-Pairs == Name-[]).
 
 :- end_tests(stroke_picture).
