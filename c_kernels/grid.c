@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* Cells are never smaller than this: finer ones would only repeat items. */
-#define SMALLEST (16 * SG_GRID_MARGIN)
+#define SMALLEST 16 /* margins */
 
 /* A shape of so few rows takes all cells of its box: quicker than to look. */
 enum { MOST_CELLS_A_SIDE = 4096, FEW_ROWS = 2, POLL_EVERY = 4096 };
@@ -46,10 +46,11 @@ choose_cells(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
     shape_box(&shape, grid->low, high);
   }
   for (int k = 0; k < 2; k++) {
-    grid->low[k] = n ? grid->low[k] - SG_GRID_MARGIN : 0.0;
-    size[k] = n ? high[k] - grid->low[k] + SG_GRID_MARGIN : 1.0;
+    grid->low[k] = n ? grid->low[k] - grid->margin : 0.0;
+    size[k] = n ? high[k] - grid->low[k] + grid->margin : 1.0;
   }
-  cell = sg_larger(SMALLEST, sqrt(size[0] * size[1] / ((double)n + 1.0)));
+  cell = sg_larger(SMALLEST * grid->margin,
+                   sqrt(size[0] * size[1] / ((double)n + 1.0)));
   grid->nx = cells(size[0], cell);
   grid->ny = cells(size[1], cell);
   grid->wide[0] = size[0] / grid->nx;
@@ -71,10 +72,10 @@ sg_grid_rows_of(const sg_grid *grid, const sg_grid_shape *shape)
   double low[2] = {DBL_MAX, DBL_MAX}, high[2] = {-DBL_MAX, -DBL_MAX};
 
   shape_box(shape, low, high);
-  return (sg_grid_rows){.y0 = cell_of(grid, 1, low[1] - SG_GRID_MARGIN),
-                        .y1 = cell_of(grid, 1, high[1] + SG_GRID_MARGIN) + 1,
-                        .x0 = cell_of(grid, 0, low[0] - SG_GRID_MARGIN),
-                        .x1 = cell_of(grid, 0, high[0] + SG_GRID_MARGIN) + 1};
+  return (sg_grid_rows){.y0 = cell_of(grid, 1, low[1] - grid->margin),
+                        .y1 = cell_of(grid, 1, high[1] + grid->margin) + 1,
+                        .x0 = cell_of(grid, 0, low[0] - grid->margin),
+                        .x1 = cell_of(grid, 0, high[0] + grid->margin) + 1};
 }
 
 /* Widens x by the part of side p-q that lies between y = low and y = high. */
@@ -102,8 +103,8 @@ sg_grid_columns
 sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape, sg_grid_rows rows,
             unsigned y)
 {
-  double low = grid->low[1] + y * grid->wide[1] - SG_GRID_MARGIN;
-  double high = low + grid->wide[1] + 2 * SG_GRID_MARGIN;
+  double low = grid->low[1] + y * grid->wide[1] - grid->margin;
+  double high = low + grid->wide[1] + 2 * grid->margin;
   double x[2] = {DBL_MAX, -DBL_MAX};
 
   if (rows.y1 - rows.y0 <= FEW_ROWS || rows.x1 - rows.x0 == 1) {
@@ -122,8 +123,8 @@ sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape, sg_grid_rows rows,
   if (x[0] > x[1]) {
     return (sg_grid_columns){0, 0};
   }
-  return (sg_grid_columns){cell_of(grid, 0, x[0] - SG_GRID_MARGIN),
-                           cell_of(grid, 0, x[1] + SG_GRID_MARGIN) + 1};
+  return (sg_grid_columns){cell_of(grid, 0, x[0] - grid->margin),
+                           cell_of(grid, 0, x[1] + grid->margin) + 1};
 }
 
 /* Counts the item in its cells (item null), or enters it there. */
@@ -165,11 +166,11 @@ enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
 
 bool
 sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-             const void *data, const sg_poll *poll, bool *memory)
+             const void *data, double margin, const sg_poll *poll, bool *memory)
 {
   size_t total;
 
-  *grid = (sg_grid){0};
+  *grid = (sg_grid){.margin = margin};
   choose_cells(grid, n, shape_of, data);
   total = (size_t)grid->nx * grid->ny;
   grid->start = calloc(total + 2, sizeof *grid->start);

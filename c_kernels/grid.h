@@ -2,7 +2,7 @@
  *
  * Layer: kernel. Items (triangles, lines) are entered in the cells that they
  * touch, row by row of cells, and found again along a line. Inexact, but
- * conservative: what comes within SG_GRID_MARGIN of a cell is in it.
+ * conservative: what comes within the grid's margin of a cell is in it.
  */
 #ifndef SG_GRID_H
 #define SG_GRID_H
@@ -12,10 +12,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define SG_GRID_MARGIN 1e-7
-
 typedef struct sg_grid {
   unsigned nx, ny;
+  double margin;
   double low[2], wide[2]; /* corner of cell 0,0; size of a cell */
   uint32_t *start;        /* [nx * ny + 1] */
   uint32_t *item;         /* cell by cell, in the order of entering */
@@ -29,10 +28,12 @@ typedef struct sg_grid_shape {
 
 typedef void sg_grid_shape_of(const void *data, size_t i, sg_grid_shape *out);
 
-/* A grid of n items, about one cell for each. False: stopped by the poll, or
- * no memory (then *memory is false). Owner: the caller, sg_grid_clear(). */
+/* A grid of n items, about one cell for each. Things nearer than `margin`,
+ * which is not 0, have a cell in common. False: stopped by the poll, or no
+ * memory (then *memory is false). Owner: the caller, sg_grid_clear(). */
 bool sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-                  const void *data, const sg_poll *poll, bool *memory);
+                  const void *data, double margin, const sg_poll *poll,
+                  bool *memory);
 void sg_grid_clear(sg_grid *grid);
 
 /* The cells of a shape: rows y0 <= y < y1, in each of them the columns that

@@ -2,20 +2,22 @@
  *
  * Two passes. The first finds, for each drawn line by itself, its hidden
  * intervals. The second takes away what another line draws already: see
- * yields().
+ * yields(). Both go by blocks of lines, with all threads of the crew.
  */
 #include "parts.h"
 
 #include "bounds.h"
 #include "smooth.h"
 
-#include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Degrees: what counts as flat. */
 #define FLAT 0.01
 
-enum { POLL_EVERY = 256 };
+enum { POLL_EVERY = 4096 };
 
 /* ---------------------------------------------------------------- roles */
 
@@ -149,37 +151,117 @@ subtract(intervals *set, double from, double to)
   return true;
 }
 
-/* ---------------------------------------------------------- first pass */
+/* -------------------------------------------------------------- blocks */
 
-typedef struct drawing {
-  sg_hide *hide;
-  const sg_scene *scene;
-  sg_role *role;    /* [lines], SG_ROLES: not drawn */
-  size_t *first;    /* [lines + 1]: its hidden intervals */
-  intervals hidden; /* of all lines, before anything is taken away */
-  intervals mine, other;
-  sg_hiddens masks;
-  sg_overlaps overlaps;
+enum { BLOCK = 256 }; /* lines that are one task */
+
+/* What was found of some of the drawn lines, one after another. */
+typedef struct block {
+  intervals hidden; /* before anything is taken away */
   sg_part *part;
   size_t parts, room;
-} drawing;
+} block;
 
-static double
-least_of(const drawing *d, size_t k)
+/* What one task needs for itself, and leaves to the next one. */
+typedef struct worker {
+  struct worker *next;
+  sg_seen seen;
+  sg_hiddens masks;
+  sg_overlaps overlaps;
+  intervals mine, other;
+} worker;
+
+/* The hidden intervals of a line in those of its block. */
+typedef struct span {
+  uint32_t from, to;
+} span;
+
+typedef struct work {
+  const sg_mask_grid *masks;
+  const sg_scene *scene;
+  const sg_hide_throughs *through;
+  sg_line_grid grid;
+  uint32_t *line; /* [lines] the drawn ones, ascending */
+  size_t lines, blocks;
+  sg_role *role;   /* [lines] */
+  uint32_t *drawn; /* [scene->lines] its place in line, or UINT32_MAX */
+  span *span;      /* [lines] */
+  block *block;    /* [blocks] */
+  pthread_mutex_t lock;
+  worker *idle; /* under the lock */
+  atomic_bool no_memory;
+} work;
+
+static void
+worker_close(worker *of)
 {
-  return SG_SHORTEST / sg_line_length(d->scene, &d->scene->line[k]);
+  sg_seen_clear(&of->seen);
+  free(of->masks.part);
+  free(of->overlaps.part);
+  free(of->mine.at);
+  free(of->other.at);
+  free(of);
+}
+
+/* A worker for this task; null: no memory. */
+static worker *
+worker_take(work *w)
+{
+  size_t masks = w->scene->masks, things = masks > w->lines ? masks : w->lines;
+  worker *of;
+
+  pthread_mutex_lock(&w->lock);
+  of = w->idle;
+  if (of) {
+    w->idle = of->next;
+  }
+  pthread_mutex_unlock(&w->lock);
+  if (!of && (of = calloc(1, sizeof *of)) && !sg_seen_init(&of->seen, things)) {
+    free(of);
+    of = NULL;
+  }
+  return of;
 }
 
 static void
-choose(drawing *d, size_t k, sg_which which, double crease)
+worker_return(work *w, worker *of)
 {
-  const sg_scene_line *line = &d->scene->line[k];
-  sg_role role = sg_look_role(&line->look, crease);
+  pthread_mutex_lock(&w->lock);
+  of->next = w->idle;
+  w->idle = of;
+  pthread_mutex_unlock(&w->lock);
+}
 
-  d->role[k] =
-      sg_role_drawn(role, which) && sg_line_length(d->scene, line) > SG_SHORTEST
-          ? role
-          : SG_ROLES;
+/* Does one step for every line of a block. */
+typedef bool line_step(work *w, worker *of, block *b, size_t k);
+
+static void
+each_line(work *w, size_t task, line_step *step)
+{
+  worker *of = worker_take(w);
+  size_t end = (task + 1) * BLOCK;
+
+  for (size_t k = task * BLOCK; of && k < w->lines && k < end; k++) {
+    if (!step(w, of, &w->block[task], k)) {
+      atomic_store(&w->no_memory, true);
+    }
+    if (k % 32 == 0 && sg_crew_stopping()) {
+      break;
+    }
+  }
+  if (of) {
+    worker_return(w, of);
+  } else {
+    atomic_store(&w->no_memory, true);
+  }
+}
+
+/* ---------------------------------------------------------- first pass */
+
+static double
+least_of(const work *w, size_t k)
+{
+  return SG_SHORTEST / w->grid.stretch[w->grid.place[k]].length;
 }
 
 /* Among the sorted parts, the one from `from` to the line's end. */
@@ -206,30 +288,45 @@ insert_fold(sg_hiddens *parts, double from)
 }
 
 static bool
-find_hidden(drawing *d, size_t k)
+find_hidden(work *w, worker *of, block *b, size_t k)
 {
-  const sg_scene_line *line = &d->scene->line[k];
-  bool solid = !sg_hide_sees_through(d->hide, line->s, line->s);
+  const sg_scene_line *line = &w->scene->line[w->line[k]];
+  bool solid = !sg_hide_sees_through(w->through, line->s, line->s);
   double folded = solid ? line->look.folded : 0.0;
+  bool good;
 
-  d->first[k] = d->hidden.n;
-  if (d->role[k] == SG_ROLES) {
-    return true;
-  }
+  w->span[k].from = (uint32_t)b->hidden.n;
   if (solid && (sg_look_is_back(&line->look) || folded >= 1.0)) {
-    return push(&d->hidden, 0.0, 1.0);
+    good = push(&b->hidden, 0.0, 1.0);
+  } else {
+    good = sg_mask_grid_ask(w->masks, w->line[k], w->through, true, &of->seen,
+                            &of->masks) &&
+           (folded == 0.0 || insert_fold(&of->masks, 1.0 - folded)) &&
+           push_union(&b->hidden, of->masks.part, of->masks.n, least_of(w, k));
   }
-  return sg_hide_masks(d->hide, k, true, &d->masks) &&
-         (folded == 0.0 || insert_fold(&d->masks, 1.0 - folded)) &&
-         push_union(&d->hidden, d->masks.part, d->masks.n, least_of(d, k));
+  w->span[k].to = (uint32_t)b->hidden.n;
+  return good;
+}
+
+static void
+find_hidden_of_block(void *data, size_t task)
+{
+  each_line(data, task, find_hidden);
 }
 
 /* --------------------------------------------------------- second pass */
 
-static bool
-before(const drawing *d, size_t j, size_t k)
+static const interval *
+hidden_of(const work *w, size_t k, size_t *n)
 {
-  return d->role[j] != d->role[k] ? d->role[j] < d->role[k] : j < k;
+  *n = w->span[k].to - w->span[k].from;
+  return w->block[k / BLOCK].hidden.at + w->span[k].from;
+}
+
+static bool
+before(const work *w, size_t j, size_t k)
+{
+  return w->role[j] != w->role[k] ? w->role[j] < w->role[k] : j < k;
 }
 
 /* Takes the intervals of another line away where it overlaps. */
@@ -255,20 +352,19 @@ subtract_mapped(intervals *mine, const interval *set, size_t n,
  * to the visible ones of a line before it, hidden ones to every visible one
  * and to hidden ones of a line before it. */
 static bool
-yields(drawing *d, size_t k, bool hidden)
+yields(const work *w, worker *of, size_t k, bool hidden)
 {
-  for (size_t i = 0; i < d->overlaps.n; i++) {
-    const sg_overlap *o = &d->overlaps.part[i];
-    size_t j = o->line;
-    const interval *set = d->hidden.at + d->first[j];
-    size_t n = d->first[j + 1] - d->first[j];
-    if (d->role[j] == SG_ROLES || !(hidden || before(d, j, k))) {
+  for (size_t i = 0; i < of->overlaps.n; i++) {
+    const sg_overlap *o = &of->overlaps.part[i];
+    size_t j = w->drawn[o->line], n;
+    const interval *set = hidden_of(w, j, &n);
+    if (!hidden && !before(w, j, k)) {
       continue;
     }
-    d->other.n = 0;
-    if (!push_gaps(&d->other, set, n) ||
-        !subtract_mapped(&d->mine, d->other.at, d->other.n, o) ||
-        (hidden && before(d, j, k) && !subtract_mapped(&d->mine, set, n, o))) {
+    of->other.n = 0;
+    if (!push_gaps(&of->other, set, n) ||
+        !subtract_mapped(&of->mine, of->other.at, of->other.n, o) ||
+        (hidden && before(w, j, k) && !subtract_mapped(&of->mine, set, n, o))) {
       return false;
     }
   }
@@ -276,24 +372,24 @@ yields(drawing *d, size_t k, bool hidden)
 }
 
 static bool
-push_parts(drawing *d, size_t k, bool hidden)
+push_parts(const work *w, worker *of, block *b, size_t k, bool hidden)
 {
-  for (size_t i = 0; i < d->mine.n; i++) {
-    interval x = d->mine.at[i];
-    if (x.to - x.from <= least_of(d, k)) {
+  for (size_t i = 0; i < of->mine.n; i++) {
+    interval x = of->mine.at[i];
+    if (x.to - x.from <= least_of(w, k)) {
       continue;
     }
-    if (d->parts == d->room) {
-      size_t more = d->room ? 2 * d->room : 256;
-      sg_part *wider = realloc(d->part, more * sizeof *wider);
+    if (b->parts == b->room) {
+      size_t more = b->room ? 2 * b->room : BLOCK + BLOCK / 4;
+      sg_part *wider = realloc(b->part, more * sizeof *wider);
       if (!wider) {
         return false;
       }
-      d->part = wider;
-      d->room = more;
+      b->part = wider;
+      b->room = more;
     }
-    d->part[d->parts++] =
-        (sg_part){(uint32_t)k, x.from, x.to, hidden, d->role[k]};
+    b->part[b->parts++] =
+        (sg_part){w->line[k], x.from, x.to, hidden, w->role[k]};
   }
   return true;
 }
@@ -307,88 +403,138 @@ part_compare(const void *a, const void *b)
 }
 
 static bool
-draw_line(drawing *d, size_t k)
+draw_line(work *w, worker *of, block *b, size_t k)
 {
-  const interval *set = d->hidden.at + d->first[k];
-  size_t n = d->first[k + 1] - d->first[k];
-  size_t start = d->parts;
+  size_t n, start = b->parts;
+  const interval *set = hidden_of(w, k, &n);
   bool ok;
 
-  if (d->role[k] == SG_ROLES) {
-    return true;
-  }
-  d->mine.n = 0;
-  ok = sg_hide_overlaps(d->hide, k, &d->overlaps) &&
-       push_gaps(&d->mine, set, n) && yields(d, k, false) &&
-       push_parts(d, k, false);
-  d->mine.n = 0;
+  of->mine.n = 0;
+  ok = sg_line_grid_ask(&w->grid, k, &of->seen, &of->overlaps) &&
+       push_gaps(&of->mine, set, n) && yields(w, of, k, false) &&
+       push_parts(w, of, b, k, false);
+  of->mine.n = 0;
   for (size_t i = 0; ok && i < n; i++) {
-    ok = push(&d->mine, set[i].from, set[i].to);
+    ok = push(&of->mine, set[i].from, set[i].to);
   }
-  ok = ok && yields(d, k, true) && push_parts(d, k, true);
-  if (ok && d->parts - start > 1) {
-    qsort(d->part + start, d->parts - start, sizeof *d->part, part_compare);
+  ok = ok && yields(w, of, k, true) && push_parts(w, of, b, k, true);
+  if (ok && b->parts - start > 1) {
+    qsort(b->part + start, b->parts - start, sizeof *b->part, part_compare);
   }
   return ok;
+}
+
+static void
+draw_block(void *data, size_t task)
+{
+  each_line(data, task, draw_line);
 }
 
 /* -------------------------------------------------------------- drawing */
 
-static void
-drawing_clear(drawing *d)
-{
-  free(d->role);
-  free(d->first);
-  free(d->hidden.at);
-  free(d->mine.at);
-  free(d->other.at);
-  free(d->masks.part);
-  free(d->overlaps.part);
-}
-
-/* One pass over all lines; false: stopped, or no memory. */
+/* The lines that are drawn, with their roles. False: stopped, or no memory. */
 static bool
-pass(drawing *d, bool (*step)(drawing *, size_t), const sg_poll *poll,
-     bool *memory)
+choose_lines(work *w, const sg_drawing *drawing, const sg_poll *poll,
+             bool *memory)
 {
-  for (size_t k = 0; k < d->scene->lines; k++) {
+  const sg_scene *scene = w->scene;
+
+  w->line = malloc((scene->lines + 1) * sizeof *w->line);
+  w->role = malloc((scene->lines + 1) * sizeof *w->role);
+  w->drawn = malloc((scene->lines + 1) * sizeof *w->drawn);
+  *memory = w->line && w->role && w->drawn;
+  for (size_t k = 0; *memory && k < scene->lines; k++) {
+    const sg_scene_line *line = &scene->line[k];
+    sg_role role = sg_look_role(&line->look, drawing->crease);
+
+    w->drawn[k] = UINT32_MAX;
+    if (sg_role_drawn(role, drawing->which) &&
+        sg_line_length(scene, line) > SG_SHORTEST) {
+      w->drawn[k] = (uint32_t)w->lines;
+      w->role[w->lines] = role;
+      w->line[w->lines++] = (uint32_t)k;
+    }
     if (k % POLL_EVERY == 0 && sg_poll_stop(poll)) {
       return false;
     }
-    if (!step(d, k)) {
-      *memory = false;
-      return false;
+  }
+  return *memory;
+}
+
+/* The places for what will be found, and the grid of the lines. */
+static bool
+work_init(work *w, const sg_drawing *drawing, const sg_poll *poll, bool *memory)
+{
+  if (!choose_lines(w, drawing, poll, memory)) {
+    return false;
+  }
+  w->blocks = (w->lines + BLOCK - 1) / BLOCK;
+  w->span = malloc((w->lines + 1) * sizeof *w->span);
+  w->block = calloc(w->blocks + 1, sizeof *w->block);
+  *memory = w->span && w->block;
+  return *memory &&
+         sg_line_grid_init(&w->grid, w->scene, w->line, w->lines, poll, memory);
+}
+
+static void
+work_clear(work *w)
+{
+  for (size_t i = 0; w->block && i < w->blocks; i++) {
+    free(w->block[i].hidden.at);
+    free(w->block[i].part);
+  }
+  while (w->idle) {
+    worker *next = w->idle->next;
+    worker_close(w->idle);
+    w->idle = next;
+  }
+  free(w->block);
+  free(w->span);
+  free(w->line);
+  free(w->role);
+  free(w->drawn);
+  sg_line_grid_clear(&w->grid);
+  pthread_mutex_destroy(&w->lock);
+}
+
+/* The parts of all blocks, in order; null: no memory. */
+static sg_part *
+gather_parts(const work *w, size_t *n)
+{
+  sg_part *all;
+
+  *n = 0;
+  for (size_t i = 0; i < w->blocks; i++) {
+    *n += w->block[i].parts;
+  }
+  all = malloc((*n + 1) * sizeof *all);
+  for (size_t i = 0, at = 0; all && i < w->blocks; i++) {
+    if (w->block[i].parts > 0) {
+      memcpy(all + at, w->block[i].part, w->block[i].parts * sizeof *all);
+      at += w->block[i].parts;
     }
   }
-  return true;
+  return all;
 }
 
 bool
-sg_parts_of(sg_hide *hide, sg_which which, double crease, const sg_poll *poll,
-            sg_part **out, size_t *n, bool *memory)
+sg_parts_of(const sg_mask_grid *masks, const sg_drawing *drawing, sg_crew *crew,
+            const sg_poll *poll, sg_part **out, size_t *n, bool *memory)
 {
-  size_t lines = hide->scene->lines;
-  drawing d = {.hide = hide, .scene = hide->scene};
-  bool ok;
+  work w = {
+      .masks = masks, .scene = masks->scene, .through = &drawing->through};
+  bool done;
 
-  d.role = malloc((lines + 1) * sizeof *d.role);
-  d.first = malloc((lines + 1) * sizeof *d.first);
-  ok = *memory = d.role && d.first;
-  for (size_t k = 0; ok && k < lines; k++) {
-    choose(&d, k, which, crease);
+  *out = NULL;
+  pthread_mutex_init(&w.lock, NULL);
+  done = work_init(&w, drawing, poll, memory) &&
+         sg_crew_run(crew, w.blocks, find_hidden_of_block, &w, poll) &&
+         !w.no_memory && sg_crew_run(crew, w.blocks, draw_block, &w, poll);
+  *memory = *memory && !w.no_memory;
+  if (done && *memory) {
+    *out = gather_parts(&w, n);
+    *memory = *out != NULL;
   }
-  ok = ok && pass(&d, find_hidden, poll, memory);
-  if (ok) {
-    d.first[lines] = d.hidden.n;
-    ok = pass(&d, draw_line, poll, memory);
-  }
-  drawing_clear(&d);
-  if (!ok) {
-    free(d.part);
-    d.part = NULL;
-    d.parts = 0;
-  }
-  *out = d.part;
-  *n = d.parts;
-  return ok;
+  work_clear(&w);
+  return *out != NULL;
 }

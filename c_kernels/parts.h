@@ -8,10 +8,8 @@
 #ifndef SG_PARTS_H
 #define SG_PARTS_H
 
-#include "hide.h"
-
-/* Parts that are not longer than this are not drawn (standardised units). */
-#define SG_SHORTEST 1e-7
+#include "crew.h"
+#include "hide_search.h"
 
 /* Of lines that lie on one another in the picture the first of these wins. */
 typedef enum sg_role {
@@ -42,9 +40,18 @@ const char *sg_role_name(sg_role role);
 /* True if a line of this role is drawn. */
 bool sg_role_drawn(sg_role role, sg_which which);
 
-/* The drawn parts, sorted by line and from. *out is to be freed by the caller.
- * False: stopped by the poll, or no memory (then *memory is false). */
-bool sg_parts_of(sg_hide *hide, sg_which which, double crease,
-                 const sg_poll *poll, sg_part **out, size_t *n, bool *memory);
+/* What is drawn of a scene. */
+typedef struct sg_drawing {
+  sg_which which;
+  double crease; /* the bend, in degrees, over which an edge is a crease */
+  sg_hide_throughs through;
+} sg_drawing;
+
+/* The drawn parts, sorted by line and from, the same for any crew (null: the
+ * caller alone). *out is to be freed by the caller. False: stopped by the poll,
+ * or no memory (then *memory is false). */
+bool sg_parts_of(const sg_mask_grid *masks, const sg_drawing *drawing,
+                 sg_crew *crew, const sg_poll *poll, sg_part **out, size_t *n,
+                 bool *memory);
 
 #endif

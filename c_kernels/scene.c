@@ -341,8 +341,9 @@ enter_added(const viewing *w, const sg_scene_added *added)
       (uint32_t)(w->model->dense.vertices + 2 * (size_t)(added - w->in->added));
   uint32_t end = scene->lies_begin[scene->lines];
 
-  memcpy(scene->lies_on + end, added->lies_on,
-         added->triangles * sizeof *scene->lies_on);
+  for (size_t i = 0; i < added->triangles; i++) {
+    scene->lies_on[end + i] = added->lies_on[i];
+  }
   scene->line[scene->lines++] = (sg_scene_line){.s = added->s,
                                                 .e = added->e,
                                                 .a = a,

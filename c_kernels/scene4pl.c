@@ -5,10 +5,9 @@
 #include "scene4pl.h"
 
 #include "glue.h"
-#include "parts.h"
+#include "hide_search.h"
 
 #include "../engine/install.h"
-#include "../engine/symbol.h"
 #include "../engine/world4pl.h"
 
 #include <SWI-Stream.h>
@@ -16,26 +15,38 @@
 #include <string.h>
 
 static functor_t FUNCTOR_look9, FUNCTOR_covers6;
-static atom_t ATOM_none, ATOM_all, ATOM_feature, ATOM_penetration, ATOM_true,
-    ATOM_false;
+static atom_t ATOM_none, ATOM_all, ATOM_true, ATOM_false;
 
 /* ---------------------------------------------------------- the handle */
 
 typedef struct handle {
   sg_kept_model *model; /* held */
   sg_scene *scene;
-  sg_hide hide;
+  sg_mask_grid masks;
+  sg_line_grid lines; /* of all lines, when one is asked for its overlaps */
+  uint32_t *every;    /* [scene->lines] their places */
+  sg_seen mask_seen, line_seen;
 } handle;
+
+static void
+close_handle(handle *h)
+{
+  if (h) {
+    sg_mask_grid_clear(&h->masks);
+    sg_line_grid_clear(&h->lines);
+    sg_seen_clear(&h->mask_seen);
+    sg_seen_clear(&h->line_seen);
+    free(h->every);
+    sg_scene_close(h->scene);
+    sg_kept_model_drop(h->model);
+    free(h);
+  }
+}
 
 static int
 release_handle(atom_t atom)
 {
-  handle *h = PL_blob_data(atom, NULL, NULL);
-
-  sg_hide_clear(&h->hide);
-  sg_scene_close(h->scene);
-  sg_kept_model_drop(h->model);
-  free(h);
+  close_handle(PL_blob_data(atom, NULL, NULL));
   return TRUE;
 }
 
@@ -66,6 +77,18 @@ get_scene_ex(term_t t, handle **out)
     return TRUE;
   }
   return PL_type_error("scene", t);
+}
+
+int
+sg_get_mask_grid_ex(term_t t, const sg_mask_grid **out)
+{
+  handle *h = NULL;
+
+  if (!get_scene_ex(t, &h)) {
+    return FALSE;
+  }
+  *out = &h->masks;
+  return TRUE;
 }
 
 /* ------------------------------------------------------------- opening */
@@ -116,12 +139,12 @@ new_handle(const sg_scene_input *in, bool *memory)
   *memory = h != NULL;
   if (h) {
     h->scene = sg_scene_open(in, &sg_prolog_poll, memory);
-    if (h->scene && sg_hide_init(&h->hide, h->scene, &sg_prolog_poll, memory)) {
+    if (h->scene &&
+        sg_mask_grid_init(&h->masks, h->scene, &sg_prolog_poll, memory)) {
       return h;
     }
-    sg_scene_close(h->scene);
-    free(h);
   }
+  close_handle(h);
   return NULL;
 }
 
@@ -430,6 +453,51 @@ answer(const handle *h, answers *a, term_t a3)
   return FALSE;
 }
 
+/* All masks that hide a part of a line. */
+static int
+find_masks_ex(handle *h, size_t line, sg_hiddens *out)
+{
+  if (!h->mask_seen.by && !sg_seen_init(&h->mask_seen, h->scene->masks)) {
+    return sg_no_memory();
+  }
+  return sg_mask_grid_ask(&h->masks, line, NULL, false, &h->mask_seen, out) ||
+         sg_no_memory();
+}
+
+/* The grid of all lines, made when it is asked first. */
+static int
+make_lines_ex(handle *h)
+{
+  size_t n = h->scene->lines;
+  bool memory = true;
+
+  if (h->lines.grid[SG_LINE_CLASSES - 1].item) {
+    return TRUE;
+  }
+  sg_line_grid_clear(&h->lines);
+  sg_seen_clear(&h->line_seen);
+  free(h->every);
+  h->every = malloc((n + 1) * sizeof *h->every);
+  for (size_t i = 0; h->every && i < n; i++) {
+    h->every[i] = (uint32_t)i;
+  }
+  if (h->every && sg_seen_init(&h->line_seen, n) &&
+      sg_line_grid_init(&h->lines, h->scene, h->every, n, &sg_prolog_poll,
+                        &memory)) {
+    return TRUE;
+  }
+  return memory && PL_exception(0) ? FALSE : sg_no_memory();
+}
+
+/* All lines that a line lies on. */
+static int
+find_overlaps_ex(handle *h, size_t line, sg_overlaps *out)
+{
+  return make_lines_ex(h) &&
+         (sg_line_grid_ask(&h->lines, line, &h->line_seen, out) ||
+          sg_no_memory());
+}
+
 static answers *
 find_answers_ex(handle *h, term_t a0, bool overlaps)
 {
@@ -440,12 +508,10 @@ find_answers_ex(handle *h, term_t a0, bool overlaps)
     sg_no_memory();
     return NULL;
   }
-  if (get_line_ex(h, a0 + 1, a0 + 2, &line)) {
-    if (overlaps ? sg_hide_overlaps(&h->hide, line, &a->overlap)
-                 : sg_hide_masks(&h->hide, line, false, &a->hidden)) {
-      return a;
-    }
-    sg_no_memory();
+  if (get_line_ex(h, a0 + 1, a0 + 2, &line) &&
+      (overlaps ? find_overlaps_ex(h, line, &a->overlap)
+                : find_masks_ex(h, line, &a->hidden))) {
+    return a;
   }
   answers_free(a);
   return NULL;
@@ -526,123 +592,6 @@ line_covers(term_t scene, term_t s, term_t e, term_t covers)
   return PL_unify_nil(list);
 }
 
-/* -------------------------------------------------------------- drawing */
-
-static int
-get_which_ex(term_t t, sg_which *out)
-{
-  atom_t name;
-
-  if (!PL_get_atom_ex(t, &name)) {
-    return FALSE;
-  }
-  *out = name == ATOM_all       ? SG_LINES_ALL
-         : name == ATOM_feature ? SG_LINES_FEATURE
-                                : SG_LINES_CUT;
-  return *out != SG_LINES_CUT || name == ATOM_penetration ||
-         PL_domain_error("lines", t);
-}
-
-static int32_t
-role_symbol(sg_role role)
-{
-  const char *name = sg_role_name(role);
-
-  return sg_symbol_intern(name, strlen(name));
-}
-
-/* The columns of drawn/7. */
-typedef struct columns {
-  int32_t *d, *s, *e, *visibility, *role;
-  double *from, *to;
-} columns;
-
-static void
-columns_clear(columns *c)
-{
-  free(c->d);
-  free(c->s);
-  free(c->e);
-  free(c->visibility);
-  free(c->role);
-  free(c->from);
-  free(c->to);
-}
-
-static bool
-columns_fill(columns *c, const sg_scene *scene, const sg_part *part, size_t n)
-{
-  size_t bytes = (n + 1) * sizeof(int32_t), wide = (n + 1) * sizeof(double);
-
-  *c = (columns){malloc(bytes), malloc(bytes), malloc(bytes), malloc(bytes),
-                 malloc(bytes), malloc(wide),  malloc(wide)};
-  if (!c->d || !c->s || !c->e || !c->visibility || !c->role || !c->from ||
-      !c->to) {
-    return false;
-  }
-  for (size_t i = 0; i < n; i++) {
-    c->d[i] = (int32_t)i + 1;
-    c->s[i] = scene->line[part[i].line].s;
-    c->e[i] = scene->line[part[i].line].e;
-    c->from[i] = part[i].from;
-    c->to[i] = part[i].to;
-    c->visibility[i] = part[i].hidden ? SG_SYMBOL_HIDDEN : SG_SYMBOL_VISIBLE;
-    c->role[i] = role_symbol(part[i].role);
-  }
-  return true;
-}
-
-static int
-replace_drawn_ex(const sg_scene *scene, const sg_part *part, size_t n)
-{
-  sg_world *world = sg_current_world_ex();
-  columns c = {0};
-  sg_fault fault;
-  sg_status status = SG_NO_MEMORY;
-
-  if (!world) {
-    return FALSE;
-  }
-  if (columns_fill(&c, scene, part, n)) {
-    const void *column[] = {c.d, c.s, c.e, c.from, c.to, c.visibility, c.role};
-    sg_world_retract_all(world, SG_DRAWN);
-    status = sg_world_add_many(world, SG_DRAWN, n, column, &fault);
-  }
-  columns_clear(&c);
-  return sg_raise_status(status, SG_DRAWN, &fault);
-}
-
-/* fill_drawn(+Scene, +Which, +Crease, +Through) is det. */
-static foreign_t
-fill_drawn(term_t scene, term_t which_lines, term_t crease, term_t through)
-{
-  sg_hide_through *pair;
-  handle *h = NULL;
-  sg_which which;
-  double bend;
-  sg_part *part;
-  size_t n;
-  bool memory;
-  int ok;
-
-  if (!get_scene_ex(scene, &h) || !get_which_ex(which_lines, &which) ||
-      !sg_get_finite_ex(crease, &bend) ||
-      !sg_get_through_ex(through, &pair, &h->hide.throughs)) {
-    return FALSE;
-  }
-  h->hide.through = pair;
-  ok = sg_parts_of(&h->hide, which, bend, &sg_prolog_poll, &part, &n, &memory);
-  h->hide.through = NULL;
-  h->hide.throughs = 0;
-  free(pair);
-  if (!ok) {
-    return memory ? FALSE : sg_no_memory();
-  }
-  ok = replace_drawn_ex(h->scene, part, n);
-  free(part);
-  return ok;
-}
-
 void
 sg_install_scene(void)
 {
@@ -655,15 +604,12 @@ sg_install_scene(void)
       {"overlap", 9, (pl_function_t)overlap,
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
       {"line_covers", 4, (pl_function_t)line_covers, 0},
-      {"fill_drawn", 4, (pl_function_t)fill_drawn, 0},
       {NULL, 0, NULL, 0}};
 
   FUNCTOR_look9 = PL_new_functor(PL_new_atom("look"), 9);
   FUNCTOR_covers6 = PL_new_functor(PL_new_atom("covers"), 6);
   ATOM_none = PL_new_atom("none");
   ATOM_all = PL_new_atom("all");
-  ATOM_feature = PL_new_atom("feature");
-  ATOM_penetration = PL_new_atom("penetration");
   ATOM_true = PL_new_atom("true");
   ATOM_false = PL_new_atom("false");
   PL_register_extensions_in_module("sg_kernel", doors);

@@ -9,8 +9,7 @@
 
 #include "../engine/world4pl.h"
 
-#include "hide.h"
-#include "scene.h"
+#include "hide_search.h"
 #include "smooth.h"
 
 #include <SWI-Prolog.h>
@@ -92,5 +91,9 @@ bool sg_scene_pieces_read(sg_scene_pieces *pieces, const sg_version *version,
                           const sg_scene_screen *screen, const sg_poll *poll,
                           bool *memory);
 void sg_scene_pieces_clear(sg_scene_pieces *pieces);
+
+/* The masks of a scene handle, and with them the scene; they last as long as
+ * the term. False: an exception is pending. */
+int sg_get_mask_grid_ex(term_t t, const sg_mask_grid **out);
 
 #endif

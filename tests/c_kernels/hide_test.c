@@ -10,7 +10,7 @@
 typedef struct picture {
   sg_scene_model *model;
   sg_scene *scene;
-  sg_hide hide;
+  sg_mask_grid masks;
   sg_part *part;
   size_t parts;
 } picture;
@@ -21,8 +21,9 @@ picture_open(picture *p, model *m, sg_which which)
   bool memory;
 
   p->scene = model_scene(m, NULL, &p->model);
-  if (!p->scene || !sg_hide_init(&p->hide, p->scene, NULL, &memory) ||
-      !sg_parts_of(&p->hide, which, 30.0, NULL, &p->part, &p->parts, &memory)) {
+  if (!p->scene || !sg_mask_grid_init(&p->masks, p->scene, NULL, &memory) ||
+      !sg_parts_of(&p->masks, &(sg_drawing){.which = which, .crease = 30.0},
+                   NULL, NULL, &p->part, &p->parts, &memory)) {
     abort();
   }
 }
@@ -31,7 +32,7 @@ static void
 picture_close(picture *p)
 {
   free(p->part);
-  sg_hide_clear(&p->hide);
+  sg_mask_grid_clear(&p->masks);
   sg_scene_close(p->scene);
   sg_scene_model_close(p->model);
 }
@@ -642,15 +643,17 @@ finishes(model *m, int asks)
   bool memory = true, done = false;
   sg_scene_model *seen;
   sg_scene *scene = model_scene(m, &poll, &seen);
-  sg_hide hide;
+  sg_mask_grid masks = {0};
   sg_part *part = NULL;
   size_t n;
 
-  if (scene && sg_hide_init(&hide, scene, &poll, &memory)) {
-    done = sg_parts_of(&hide, SG_LINES_ALL, 30.0, &poll, &part, &n, &memory);
+  if (scene && sg_mask_grid_init(&masks, scene, &poll, &memory)) {
+    done = sg_parts_of(&masks,
+                       &(sg_drawing){.which = SG_LINES_ALL, .crease = 30.0},
+                       NULL, &poll, &part, &n, &memory);
     free(part);
-    sg_hide_clear(&hide);
   }
+  sg_mask_grid_clear(&masks);
   sg_scene_close(scene);
   sg_scene_model_close(seen);
   return done && memory;

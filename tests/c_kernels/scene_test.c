@@ -35,11 +35,12 @@ is_visible(const sg_scene *scene, int32_t s, int32_t e)
 {
   size_t line = sg_scene_find(scene, s, e), n;
   sg_part *part;
-  sg_hide hide;
+  sg_mask_grid masks;
+  sg_drawing all_lines = {.which = SG_LINES_ALL, .crease = 30.0};
   bool memory, visible = false;
 
-  if (!sg_hide_init(&hide, scene, NULL, &memory) ||
-      !sg_parts_of(&hide, SG_LINES_ALL, 30.0, NULL, &part, &n, &memory)) {
+  if (!sg_mask_grid_init(&masks, scene, NULL, &memory) ||
+      !sg_parts_of(&masks, &all_lines, NULL, NULL, &part, &n, &memory)) {
     abort();
   }
   for (size_t i = 0; i < n; i++) {
@@ -47,7 +48,7 @@ is_visible(const sg_scene *scene, int32_t s, int32_t e)
                part[i].to == 1.0;
   }
   free(part);
-  sg_hide_clear(&hide);
+  sg_mask_grid_clear(&masks);
   return visible;
 }
 

@@ -1,0 +1,113 @@
+/* hide_search.h -- the hidden-line joins: all triangles that hide a part of a
+ * line, and all lines that lie on one in the picture.
+ *
+ * Layer: kernel. Both walk the cells of a grid along the line and leave out by
+ * a few comparisons what certainly does not matter; the tests of hide.h decide.
+ * A grid is not changed by questions: any number of threads may ask, each with
+ * what it has seen.
+ */
+#ifndef SG_HIDE_SEARCH_H
+#define SG_HIDE_SEARCH_H
+
+#include "grid.h"
+#include "hide.h"
+
+/* Growing arrays, used again by every question; free(part) at the end. */
+typedef struct sg_hiddens {
+  sg_hidden *part;
+  size_t n, room;
+} sg_hiddens;
+
+typedef struct sg_overlaps {
+  sg_overlap *part;
+  size_t n, room;
+} sg_overlaps;
+
+/* Which things a question has met already: they stand in several cells. */
+typedef struct sg_seen {
+  uint32_t *by; /* by which question */
+  uint32_t question;
+} sg_seen;
+
+/* For n things. False: no memory. */
+bool sg_seen_init(sg_seen *seen, size_t n);
+void sg_seen_clear(sg_seen *seen);
+
+/* ---- masks ---- */
+
+/* Segment s2 lets the lines of segment s be seen. */
+typedef struct sg_hide_through {
+  int32_t s, s2;
+} sg_hide_through;
+
+/* Which segments let which be seen: sorted, of the caller. */
+typedef struct sg_hide_throughs {
+  const sg_hide_through *pair;
+  size_t n;
+} sg_hide_throughs;
+
+/* True if segment s2 lets the lines of segment s be seen: then none of its
+ * masks hides them, nor does step 2 if they are one (sg_look_is_back()). */
+bool sg_hide_sees_through(const sg_hide_throughs *through, int32_t s,
+                          int32_t s2);
+
+/* The box of a mask, widened by what is close in x and y, and rounded
+ * outwards to floats. */
+typedef struct sg_mask_box {
+  float low[3], high[2];
+} sg_mask_box;
+
+typedef struct sg_mask_grid {
+  const sg_scene *scene;
+  sg_grid grid;
+  sg_mask_box *box; /* [masks] */
+} sg_mask_grid;
+
+/* Requires: the scene stays open as long. False: stopped by the poll, or no
+ * memory (then *memory is false). Owner: the caller, in any case. */
+bool sg_mask_grid_init(sg_mask_grid *masks, const sg_scene *scene,
+                       const sg_poll *poll, bool *memory);
+void sg_mask_grid_clear(sg_mask_grid *masks);
+
+/* All masks that hide a part of line `at` and do not let it be seen, sorted by
+ * from, to and mask. through: null for none. `enough`: some are enough if one
+ * of them hides all of it. seen: of the masks. False: no memory. */
+bool sg_mask_grid_ask(const sg_mask_grid *masks, size_t at,
+                      const sg_hide_throughs *through, bool enough,
+                      sg_seen *seen, sg_hiddens *out);
+
+/* ---- lines ---- */
+
+/* Where a line is in the picture. */
+typedef struct sg_stretch {
+  double from[2], to[2];
+  double length;
+} sg_stretch;
+
+/* Lines that lie on one another have nearly one direction: each class of
+ * directions has a grid of its own. */
+enum { SG_LINE_CLASSES = 32 };
+
+typedef struct sg_line_grid {
+  const sg_scene *scene;
+  const uint32_t *line; /* [n] the lines that are in it, ascending */
+  size_t n;
+  size_t begin[SG_LINE_CLASSES + 1]; /* of each class in order[] */
+  uint32_t *order;                   /* [n] places in line[], class by class */
+  uint32_t *place;                   /* [n] of line[i] in order[] */
+  sg_stretch *stretch;               /* [n] as order[] */
+  sg_grid grid[SG_LINE_CLASSES];     /* of the stretches of a class */
+} sg_line_grid;
+
+/* As sg_mask_grid_init(), of some lines; line[] stays the caller's. */
+bool sg_line_grid_init(sg_line_grid *lines, const sg_scene *scene,
+                       const uint32_t *line, size_t n, const sg_poll *poll,
+                       bool *memory);
+void sg_line_grid_clear(sg_line_grid *lines);
+
+/* All lines of the grid that overlap line[i], sorted by line. seen: of the n.
+ * False: no memory. */
+bool sg_line_grid_ask(const sg_line_grid *lines, size_t i, sg_seen *seen,
+                      sg_overlaps *out);
+
+#endif
