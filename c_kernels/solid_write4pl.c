@@ -122,14 +122,6 @@ fill_origins_ex(const sg_solid_rows *rows, int32_t s, sg_append *a, size_t k,
   return PL_handle_signals() >= 0;
 }
 
-/* The item is v(V). */
-static bool
-is_vertex(const uint32_t *item)
-{
-  return item[0] >= 3 * sizeof *item &&
-         item[1] == (SG_TERM_COMPOUND | 1U << 4) && item[2] == SG_SYMBOL_V;
-}
-
 /* Somebody may have said where a vertex came from that was not there. */
 static int
 no_origins_ex(sg_world *world, int32_t s)
@@ -142,7 +134,9 @@ no_origins_ex(sg_world *world, int32_t s)
     none = sg_no_memory();
   } else {
     for (sg_row row; (row = sg_walk_next(&walk)) != SG_NO_ROW && none;) {
-      none = !is_vertex(sg_version_value(version, SG_ORIGIN, row, 1).term);
+      const uint32_t *item = sg_version_value(version, SG_ORIGIN, row, 1).term;
+
+      none = sg_term_vertex(item) == 0;
     }
     sg_walk_close(&walk);
     none = none || sg_raise_status(SG_EXISTS, SG_ORIGIN, &(sg_fault){0});

@@ -135,24 +135,21 @@ keys_are_valid(sg_table *table, const sg_map *map)
 }
 
 static int32_t
-int_at(const sg_table *table, sg_row row, unsigned column)
+segment_at(const sg_table *table, sg_row row)
 {
-  return sg_table_page(table, row)->cells[column].i[row % SG_PAGE_ROWS];
+  return sg_table_page(table, row)->cells[0].i[row % SG_PAGE_ROWS];
 }
 
 /* The rows of a run that are taken have the keys that it says. */
 static bool
 runs_are_valid(const sg_table *table)
 {
-  unsigned last =
-      table->info->key ? 31 - (unsigned)__builtin_clz(table->info->key) : 0;
-
   for (size_t i = 0; i < table->keys.count; i++) {
     const sg_run *run = &table->keys.run[i];
     for (sg_row k = 0; k < run->n; k++) {
       if (sg_table_taken(table, run->row + k) &&
-          (int_at(table, run->row + k, 0) != run->s ||
-           int_at(table, run->row + k, last) != run->id + (int32_t)k)) {
+          (segment_at(table, run->row + k) != run->s ||
+           sg_runs_id(table, run->row + k) != run->id + (int32_t)k)) {
         return false;
       }
     }

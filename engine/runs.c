@@ -22,11 +22,33 @@ id_column(const sg_table *table)
 {
   const sg_relation_info *info = table->info;
   unsigned last = info->key ? 31 - (unsigned)__builtin_clz(info->key) : 0;
+  sg_type type = info->column[last].type;
 
   return (info->key & 1) && __builtin_popcount(info->key) == 2 &&
-                 info->column[last].type == SG_INT
+                 (type == SG_INT || type == SG_TERM)
              ? last
              : 0;
+}
+
+/* The id that a key has; 0: none. */
+static int32_t
+id_of(const sg_table *table, unsigned column, sg_value value)
+{
+  return table->info->column[column].type == SG_TERM
+             ? sg_term_vertex(value.term)
+             : value.i;
+}
+
+int32_t
+sg_runs_id(const sg_table *table, sg_row row)
+{
+  unsigned column = id_column(table);
+
+  return column == 0
+             ? 0
+             : id_of(table, column,
+                     sg_page_value(sg_table_page(table, row), table->info,
+                                   column, row % SG_PAGE_ROWS));
 }
 
 /* The first run that is not before (s, row). */
@@ -83,35 +105,77 @@ is_run(const int32_t *s, const int32_t *id, size_t n)
   return differ == 0;
 }
 
+/* The same where the ids are those of terms v(N). */
+static bool
+is_term_run(const int32_t *s, int32_t *const *term, size_t n)
+{
+  int32_t first = sg_term_vertex((const uint32_t *)term[0]);
+  bool run = first > 0;
+
+  for (size_t i = 1; i < n && run; i++) {
+    run = s[i] == s[0] &&
+          sg_term_vertex((const uint32_t *)term[i]) == first + (int32_t)i;
+  }
+  return run;
+}
+
+/* A page as a run, if it is one. */
+static bool
+page_run(const sg_table *table, const sg_sheet_page *page, unsigned column,
+         sg_run *out)
+{
+  const sg_blank *ids = &page->column[column];
+  const int32_t *s = page->column[0].i;
+  bool term = table->info->column[column].type == SG_TERM;
+  bool is =
+      term ? is_term_run(s, ids->list, page->n) : is_run(s, ids->i, page->n);
+
+  if (is) {
+    int32_t id =
+        term ? sg_term_vertex((const uint32_t *)ids->list[0]) : ids->i[0];
+    *out = (sg_run){s[0], id, 0, (sg_row)page->n};
+  }
+  return is;
+}
+
 void
 sg_runs_add(sg_table *table, const sg_sheet *sheet, sg_row first)
 {
   unsigned column = id_column(table);
-  sg_run run = {0};
+  sg_run run = {0}, next;
 
   for (size_t k = 0; column && k < sheet->pages; k++) {
     const sg_sheet_page *page = &sheet->page[k];
-    const int32_t *s = page->column[0].i, *id = page->column[column].i;
-    if (!is_run(s, id, page->n)) {
+
+    if (!page_run(table, page, column, &next)) {
       insert(&table->keys, &run);
       run = (sg_run){0};
-    } else if (run.n > 0 && run.s == s[0] && run.id + (int32_t)run.n == id[0]) {
-      run.n += (sg_row)page->n;
+    } else if (run.n > 0 && run.s == next.s &&
+               run.id + (int32_t)run.n == next.id) {
+      run.n += next.n;
     } else {
       insert(&table->keys, &run);
-      run = (sg_run){s[0], id[0], first + (sg_row)page->from, (sg_row)page->n};
+      run = next;
+      run.row = first + (sg_row)page->from;
     }
   }
   insert(&table->keys, &run);
 }
 
+/* The newest run first: older ones are mostly of rows kept for undo. */
 sg_row
-sg_runs_find(const sg_table *table, const sg_map *map, int32_t s, int32_t id)
+sg_runs_find(const sg_table *table, const sg_map *map, const sg_value *key)
 {
   const sg_runs *runs = &table->keys;
+  unsigned column = id_column(table);
 
-  for (size_t i = place_of(runs, s, 0); i < runs->count && runs->run[i].s == s;
-       i++) {
+  if (runs->count == 0) {
+    return SG_NO_ROW;
+  }
+  int32_t s = key[0].i, id = id_of(table, column, key[column]);
+
+  for (size_t i = place_of(runs, s, SG_NO_ROW);
+       i-- > 0 && runs->run[i].s == s;) {
     const sg_run *run = &runs->run[i];
     int64_t at = (int64_t)id - run->id;
     if (at >= 0 && at < run->n && sg_map_shows(map, run->row + (sg_row)at)) {

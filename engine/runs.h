@@ -1,12 +1,12 @@
 /* runs.h -- rows that need no place in the index of keys.
  *
  * Layer: store, private. What is appended in bulk mostly has dense ids: row
- * r + i of a segment has id + i. Such a run is remembered by its ends, and its
+ * r + i of a segment has id + i, or says something of vertex id + i. Such a run is remembered by its ends, and its
  * rows are found by counting. The key's index holds the other rows only, so
  * that a model of millions of rows is asked at once, without an index being
  * built.
  *
- * Only for keys of a segment and an id. A run says what was written; if a row
+ * Only for keys of a segment and an id, or a term: the id of v(N) is N. A run says what was written; if a row
  * lives still is the version's to say. Slots are used again only after a sweep,
  * which looks at the runs too (sg_runs_sweep()).
  */
@@ -34,9 +34,12 @@ void sg_runs_clear(sg_runs *runs);
 /* Remembers the runs among rows that were just written, those of one sheet.
  * Short ones, and those for which there is no room, are left to the index. */
 void sg_runs_add(struct sg_table *table, const sg_sheet *sheet, sg_row first);
-/* The row of a key that is in a run and that the map shows, SG_NO_ROW: none. */
+/* The id in the key of a row; 0: none. */
+int32_t sg_runs_id(const struct sg_table *table, sg_row row);
+/* The row of a key that is in a run and that the map shows, SG_NO_ROW: none.
+ * key: by columns; others are ignored. */
 sg_row sg_runs_find(const struct sg_table *table, const struct sg_map *map,
-                    int32_t s, int32_t id);
+                    const sg_value *key);
 /* The first row from `row` on that is in a run, and the first behind the run;
  * SG_NO_ROW for both: there is none. */
 void sg_runs_next(const struct sg_table *table, sg_row row, sg_row *begin,

@@ -358,11 +358,11 @@ sg_table_link(sg_table *table, sg_row row)
 static bool
 in_run(const sg_table *table, const sg_map *map, sg_row row)
 {
-  const sg_page *page = sg_table_page(table, row);
-  unsigned last = 31 - (unsigned)__builtin_clz(table->info->key);
+  sg_value key[SG_MAX_COLUMNS];
 
-  return sg_runs_find(table, map, page->cells[0].i[row % SG_PAGE_ROWS],
-                      page->cells[last].i[row % SG_PAGE_ROWS]) != SG_NO_ROW;
+  sg_page_row(sg_table_page(table, row), table->info, table->info->key,
+              row % SG_PAGE_ROWS, key);
+  return sg_runs_find(table, map, key) != SG_NO_ROW;
 }
 
 bool
@@ -403,10 +403,7 @@ sg_table_unlink(sg_table *table, sg_row row)
 sg_row
 sg_table_find_run(const sg_table *table, const sg_map *map, const sg_value *row)
 {
-  unsigned last = 31 - (unsigned)__builtin_clz(table->info->key);
-
-  return table->keys.count > 0 ? sg_runs_find(table, map, row[0].i, row[last].i)
-                               : SG_NO_ROW;
+  return table->keys.count > 0 ? sg_runs_find(table, map, row) : SG_NO_ROW;
 }
 
 sg_row

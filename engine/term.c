@@ -210,3 +210,14 @@ sg_term_hash(const uint32_t *term)
   }
   return h;
 }
+
+int32_t
+sg_term_vertex(const uint32_t *term)
+{
+  bool is = term[0] == 3 * sizeof(*term) &&
+            term[1] == header(SG_TERM_COMPOUND, 1) && term[2] == SG_SYMBOL_V &&
+            (term[3] & ((1 << TAG_BITS) - 1)) == SG_TERM_INT &&
+            term[3] >> 31 == 0; /* not negative */
+
+  return is ? (int32_t)(term[3] >> TAG_BITS) : 0;
+}

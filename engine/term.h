@@ -72,6 +72,9 @@ void sg_term_unary(sg_term_builder *builder, int32_t symbol, int64_t a);
 /* The finished term, the builder's until it is closed. Null: it failed. */
 const uint32_t *sg_term_words(sg_term_builder *builder);
 
+/* N of the term v(N), 1 .. 2^27-1; 0: it is another. */
+int32_t sg_term_vertex(const uint32_t *term);
+
 /* Words of a whole term, word[0] among them. */
 static inline size_t
 sg_term_length(const uint32_t *term)
