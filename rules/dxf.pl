@@ -106,9 +106,19 @@ header(Out, W, H) :-
     place(Out, H, 0-H),
     group(Out, 9, '$LIMMAX'),
     place(Out, H, W-0),
+    unit(Out),
     group(Out, 9, '$LTSCALE'),
     group(Out, 40, '1.0'),
     group(Out, 0, 'ENDSEC').
+
+%   Millimetres. These two are younger than R12, which has no unit, but they are
+%   what programs of today look for.
+
+unit(Out) :-
+    group(Out, 9, '$INSUNITS'),
+    group(Out, 70, 4),
+    group(Out, 9, '$MEASUREMENT'),
+    group(Out, 70, 1).
 
 tables(Out, Types0, Layers0) :-
     sort(Types0, Types),

@@ -46,7 +46,7 @@ else
 fi
 if /usr/bin/python3 -c 'import ezdxf' 2>/dev/null; then
   cat >"$TMP/dxf.py" <<'PYTHON'
-import ezdxf, sys
+import ezdxf, ezdxf.units, sys
 drawing = ezdxf.readfile(sys.argv[1])
 audit = drawing.audit()
 lines = list(drawing.modelspace())
@@ -56,6 +56,7 @@ layers = {line.dxf.layer for line in lines}
 assert 'VISIBLE_OUTLINE' in layers and 'HIDDEN_OUTLINE' in layers, layers
 assert drawing.layers.get('HIDDEN_OUTLINE').dxf.linetype == 'HIDDEN'
 assert lines[0].vertices[0].get_xdata('SANGGWAN')[0] == (1071, 1)
+assert drawing.units == ezdxf.units.MM
 PYTHON
   check "ezdxf reads it" /usr/bin/python3 "$TMP/dxf.py" "$TMP/a.dxf"
 else
