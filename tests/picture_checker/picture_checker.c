@@ -14,7 +14,7 @@
  * the parts that were drawn; `wrong` the longest piece of a part that is drawn
  * as what it is not; `lost` the most of a line where nothing is drawn, on it or
  * on one in line with it; `twice` the longest piece that two parts draw, closer
- * than a millionth of the picture. -v: every line and part at fault.
+ * than a ten-millionth of the picture. -v: every line and part at fault.
  */
 #include "hiding.h"
 
@@ -24,7 +24,10 @@
 #include <string.h>
 
 /* What is drawn nearer than this part of the picture is drawn in one place. */
-#define ONE_PLACE 1e-6
+#define ONE_PLACE 1e-7
+
+/* Shorter faults are not told. */
+#define TOLD 1e-6
 
 typedef struct verdict {
   double visible, hidden, drawn[2], wrong, lost, twice;
@@ -106,7 +109,7 @@ check_part(const scene *s, const part *p, bool tell, verdict *v)
   wrong = l->length *
           intervals_common(p->hidden ? &l->shown : &l->hidden, p->from, p->to);
   v->wrong = fmax(v->wrong, wrong);
-  if (tell && wrong > ONE_PLACE) {
+  if (tell && wrong > TOLD) {
     printf("  edge %d of %d: drawn %s from %g to %g, wrong for %g\n", l->e,
            l->s, p->hidden ? "hidden" : "visible", mpq_get_d(p->from),
            mpq_get_d(p->to), wrong);
@@ -136,7 +139,7 @@ check_lost(const scene *s, size_t k, bool tell, verdict *v)
   }
   lost = a->length * intervals_length(&left);
   v->lost = fmax(v->lost, lost);
-  if (tell && lost > ONE_PLACE) {
+  if (tell && lost > TOLD) {
     printf("  edge %d of %d: not drawn for %g, hidden for %g\n", a->e, a->s,
            lost, a->length * intervals_length(&a->hidden));
   }
@@ -198,7 +201,7 @@ check_twice(const scene *s, double size, bool tell, verdict *v)
         twice = common(a, b, ONE_PLACE * size);
       }
       v->twice = fmax(v->twice, twice);
-      if (tell && twice > 10 * ONE_PLACE * size) {
+      if (tell && twice > 10 * TOLD * size) {
         printf("  edges %d of %d and %d of %d: drawn twice for %g\n",
                s->line[s->part[i].line].e, s->line[s->part[i].line].s,
                s->line[s->part[k].line].e, s->line[s->part[k].line].s, twice);

@@ -1,5 +1,7 @@
 :- module(sg_test_picture_checked,
           [ open_pictures/1,            % -Pictures
+            cut_all/1,                  % +Options
+            drawn_lengths/2,            % -Visible, -Hidden
             add_picture/4,              % +Pictures, +Name, +View, :Build
             check_pictures/2,           % +Pictures, -Results
             looked_from/1,              % +View
@@ -45,17 +47,40 @@ add_picture(pictures(_, Out), Name, View, Build) :-
     in_world(World,
              ( once(Build),
                findall(Triangle, model_triangle(Triangle), Triangles),
-               cut_all,
+               cut_all([]),
                looked_from(View),
                picture([lines(all)]),
                view_rows(View, Rows),
                write_scene(Out, Name, Rows, Triangles) )).
 
-%   Every segment by every other and by itself.
+%!  cut_all(+Options) is det.
+%
+%   Every segment of the current world is cut by every other and by itself.
+%   Options as of penetrate/2.
 
-cut_all :-
+cut_all(Options) :-
     findall(S-T, ( segment(S, _, _), segment(T, _, _), S =< T ), Pairs),
-    penetrate(Pairs).
+    penetrate(Pairs, Options).
+
+%!  drawn_lengths(-Visible, -Hidden) is det.
+%
+%   How long in the picture is all that is drawn as visible, and as hidden.
+
+drawn_lengths(Visible, Hidden) :-
+    aggregate_all(r(sum(V),sum(H)), drawn_length(V, H), r(Visible,Hidden)).
+
+drawn_length(V, H) :-
+    drawn(_, S, E, From, To, Visibility, _),
+    e(S, E, A, B, _),
+    screen(S, A, X0, Y0, _),
+    screen(S, B, X1, Y1, _),
+    Length is (To-From)*sqrt((X1-X0)**2+(Y1-Y0)**2),
+    (   Visibility == visible
+    ->  V = Length,
+        H = 0
+    ;   V = 0,
+        H = Length
+    ).
 
 model_triangle([X1,Y1,Z1,X2,Y2,Z2,X3,Y3,Z3]) :-
     t(S, _, _, A, B, C),

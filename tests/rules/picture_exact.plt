@@ -2,6 +2,10 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(random)).
+:- use_module(rules(hidden_lines)).
+:- use_module(rules(store)).
+:- use_module(rules(view)).
 :- use_module(tests('rules/picture_checked')).
 :- use_module(tests('rules/picture_scene')).
 
@@ -22,6 +26,7 @@ test(right, [forall(scene_class(Class, N0)), true(Faults == [])]) :-
 scene_class(grid_boxes,   40).
 scene_class(grid_solids,  40).
 scene_class(grid_sheets,  40).
+scene_class(grid_triangles, 40).
 scene_class(grid_mixed,   40).
 scene_class(grid_shells,  40).
 scene_class(grid_united,  30).
@@ -57,5 +62,72 @@ add_scene(Pictures, Class, Seed, Name) :-
     random_view(Class, View),
     catch(add_picture(Pictures, Name, View, random_scene(Class)), E,
           ( print_message(error, E), fail )).
+
+% The same scenes turned by any rotation, and the view with them: what is drawn
+% is as long as the checker says of the scene that was not turned. Curves have
+% no tolerance, and nothing is made to touch inside a segment, so neither is
+% among these.
+
+test(turned, [forall(turned_class(Class, Digits, N0)), true(Faults == [])]) :-
+    times(Times),
+    N is N0*Times,
+    open_pictures(Pictures),
+    findall(Name-Lengths,
+            ( between(1, N, Seed),
+              atomic_list_concat([Class,Digits,Seed], '_', Name),
+              turned_lengths(Pictures, Class, Seed, Digits, Name, Lengths) ),
+            Drawn),
+    check_pictures(Pictures, Results),
+    findall(Name-(Visible/Hidden)-Lengths,
+            ( member(Result, Results),
+              Name = Result.name,
+              memberchk(Name-Lengths, Drawn),
+              Visible = Result.visible,
+              Hidden = Result.hidden,
+              \+ as_long(Visible, Hidden, Lengths) ),
+            Faults).
+
+turned_class(grid_boxes,  all,    25).
+turned_class(grid_solids, all,    25).
+turned_class(grid_triangles, all, 25).
+turned_class(grid_united, all,    15).
+turned_class(grid_boxes,  single, 25).
+turned_class(grid_solids, single, 25).
+
+turned_lengths(Pictures, Class, Seed, Digits, Name, Lengths) :-
+    set_random(seed(Seed)),
+    random_turn(Turn),
+    direction(Direction),
+    Direction = p(X,Y,Z),
+    add_picture(Pictures, Name, direction(X,Y,Z), seeded_scene(Class, Seed)),
+    new_world(World),
+    in_world(World,
+             ( turned(Turn, Digits, seeded_scene(Class, Seed)),
+               touching(Digits, Tolerance),
+               cut_all([tolerance(Tolerance)]),
+               turned_point(Turn, Direction, p(X1,Y1,Z1)),
+               set_direction(X1, Y1, Z1),
+               picture([lines(all)]),
+               drawn_lengths(Visible, Hidden) )),
+    Lengths = Visible/Hidden.
+
+seeded_scene(Class, Seed) :-
+    set_random(seed(Seed)),
+    random_scene(Class).
+
+direction(p(X,Y,Z)) :-
+    repeat,
+    maplist(random_between(-2, 2), [X,Y,Z]),
+    [X,Y,Z] \== [0,0,0],
+    !.
+
+%   What is made to touch in scenes of a size of 3.
+
+touching(all, 1.0e-9).
+touching(single, 1.0e-6).
+
+as_long(Visible, Hidden, Visible1/Hidden1) :-
+    abs(Visible-Visible1) < 1.0e-4,
+    abs(Hidden-Hidden1) < 1.0e-4.
 
 :- end_tests(picture_exact).

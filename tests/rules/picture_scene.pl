@@ -1,6 +1,9 @@
 :- module(sg_test_picture_scene,
           [ random_scene/1,             % ?Class
-            random_view/2               % +Class, -View
+            random_view/2,              % +Class, -View
+            turned/3,                   % +Turn, +Digits, :Goal
+            random_turn/1,              % -Turn
+            turned_point/3              % +Turn, +Point0, -Point
           ]).
 /** <module> Random scenes to be drawn, entered into the current world.
 
@@ -30,6 +33,8 @@ random_scene(grid_solids) :-
     several(2, 4, grid_solid).
 random_scene(grid_sheets) :-
     several(1, 4, grid_sheet).
+random_scene(grid_triangles) :-
+    several(3, 6, grid_triangle).
 random_scene(grid_mixed) :-
     several(1, 2, grid_solid),
     several(1, 2, grid_sheet),
@@ -88,6 +93,62 @@ dropped(S) :-
     retractall_facts(segment(S, _, _)).
 
                 /*******************************
+                *            TURNED            *
+                *******************************/
+
+:- meta_predicate turned(+, +, 0).
+:- thread_local turn/2.
+
+%!  turned(+Turn, +Digits, :Goal) is semidet.
+%
+%   In Goal scenes are turned before they are entered; their coordinates have
+%   all the Digits of a double, or `single`: 24 bits after the point.
+
+turned(Turn, Digits, Goal) :-
+    setup_call_cleanup(asserta(turn(Turn, Digits), Ref),
+                       Goal,
+                       erase(Ref)).
+
+%!  random_turn(-Turn) is det.
+%
+%   Turn is a matrix, [r(A,B,C), ...], from a random quaternion.
+
+random_turn([ r(A,B,C), r(D,E,F), r(G,H,I) ]) :-
+    maplist(random(-1.0, 1.0), [W0,X0,Y0,Z0]),
+    L is sqrt(W0*W0+X0*X0+Y0*Y0+Z0*Z0),
+    W is W0/L, X is X0/L, Y is Y0/L, Z is Z0/L,
+    A is 1-2*(Y*Y+Z*Z), B is 2*(X*Y-W*Z), C is 2*(X*Z+W*Y),
+    D is 2*(X*Y+W*Z), E is 1-2*(X*X+Z*Z), F is 2*(Y*Z-W*X),
+    G is 2*(X*Z-W*Y), H is 2*(Y*Z+W*X), I is 1-2*(X*X+Y*Y).
+
+%!  turned_point(+Turn, +Point0, -Point) is det.
+
+turned_point(Rows, Point, p(X,Y,Z)) :-
+    maplist(along(Point), Rows, [X,Y,Z]).
+
+along(p(X,Y,Z), r(A,B,C), Sum) :-
+    Sum is A*X+B*Y+C*Z.
+
+placed(Points0, Points) :-
+    turn(Turn, Digits),
+    !,
+    maplist(turned_point(Turn), Points0, Points1),
+    maplist(with_digits(Digits), Points1, Points).
+placed(Points, Points).
+
+with_digits(all, Point, Point).
+with_digits(single, p(X0,Y0,Z0), p(X,Y,Z)) :-
+    maplist([A,B]>>(B is round(A*2**24)/2.0**24), [X0,Y0,Z0], [X,Y,Z]).
+
+enter(S, Kind, Points0, Faces) :-
+    placed(Points0, Points),
+    polyhedron(S, Kind, Points, Faces).
+
+enter_curve(S, Points0) :-
+    placed(Points0, Points),
+    curve(S, Points).
+
+                /*******************************
                 *          ON THE GRID         *
                 *******************************/
 
@@ -98,7 +159,7 @@ grid_box(S) :-
     box_corners(Low, High),
     box_points(Low, High, Points),
     box_faces(Faces),
-    polyhedron(S, solid, Points, Faces).
+    enter(S, solid, Points, Faces).
 
 box_corners(p(X,Y,Z), p(X1,Y1,Z1)) :-
     maplist(random_side, [X-X1,Y-Y1,Z-Z1]).
@@ -111,7 +172,7 @@ random_side(Low-High) :-
 grid_solid(S) :-
     random_member(Shape, [box,box,wedge,tetrahedron,pyramid]),
     solid_shape(Shape, Points, Faces),
-    polyhedron(S, solid, Points, Faces).
+    enter(S, solid, Points, Faces).
 
 solid_shape(box, Points, Faces) :-
     box_corners(Low, High),
@@ -169,8 +230,16 @@ grid_sheet(S) :-
     sort(Faces0, Faces),
     (   Faces == []
     ->  grid_sheet(S)
-    ;   polyhedron(S, surface, Points, Faces)
+    ;   enter(S, surface, Points, Faces)
     ).
+
+grid_triangle(S) :-
+    Points = [_,_,_],
+    repeat,
+    maplist(grid_point, Points),
+    triangle(Points, 1, 2, 3),
+    !,
+    enter(S, surface, Points, [[1,2,3]]).
 
 triangle(Points, A, B, C) :-
     nth1(A, Points, p(X,Y,Z)),
@@ -185,7 +254,7 @@ grid_curve(S) :-
     maplist(grid_point, Points0),
     without_steps(Points0, Points),
     (   Points = [_,_|_]
-    ->  curve(S, Points)
+    ->  enter_curve(S, Points)
     ;   grid_curve(S)
     ).
 
@@ -213,7 +282,7 @@ shells(Shells) :-
     foldl(with_shell, Shells, []-[], Points-Faces),
     random_member(Kind, [solid,surface]),
     next_segment(S),
-    polyhedron(S, Kind, Points, Faces).
+    enter(S, Kind, Points, Faces).
 
 with_shell(Points1-Faces1, Points0-Faces0, Points-Faces) :-
     length(Points0, N),
