@@ -269,6 +269,13 @@ statement_en(hidden_line(S, E, V1, V2)) -->
     { segment_word(S, Word) },
     [ 'line s~de~d: edge ~d of segment ~d~w, in the picture from vertex ~d \c
        (0) to vertex ~d (1)'-[S, E, E, S, Word, V1, V2] ].
+statement_en(outline_piece(S, E, P, T)) -->
+    { segment_word(S, Word) },
+    [ 'line s~de~d: a piece of the outline of a smooth surface, across \c
+       triangle ~d of polygon ~d of segment ~d~w, in the picture from 0 to 1'-
+      [S, E, T, P, S, Word] ].
+statement_en(behind_fold(From)) -->
+    [ 'from ~6g on it lies behind the fold of its own surface'-[From] ].
 statement_en(same_line(S1, E1, S2, E2)) -->
     [ 'edge ~d of segment ~d is drawn as edge ~d of segment ~d'-
       [E1, S1, E2, S2] ].

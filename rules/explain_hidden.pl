@@ -11,7 +11,7 @@
 :- use_module(kernel, [scene_edge/5, occluder/7, overlap/9, line_covers/4]).
 :- use_module(role, [edge_role/5, role_drawn/2]).
 :- use_module(store,
-              [ e/5, t/6, line/9, screen/5, drawn/7, leaf_e/5,
+              [ e/5, t/6, line/9, contour/9, screen/5, drawn/7, leaf_e/5,
                 edge_polygon/3
               ]).
 :- use_module(view, [screen_distance/2]).
@@ -53,11 +53,20 @@ hidden_because(What, Wanted, Options0, [because(Line, Because)]) :-
     scene_options(Options0, Options),
     open_scene(Scene, Options),
     scene_line(Scene, S0, E0, S, E),
-    once(e(S, E, V1, V2, _)),
-    Line = hidden_line(S, E, V1, V2),
+    line_statement(S, E, Line),
     line_because(Scene, S, E, Wanted, Options, Because0),
     copy_because(S0, E0, S, E, Copy),
     append(Copy, Because0, Because).
+
+line_statement(S, E, Line) :-
+    (   E > 0
+    ->  once(e(S, E, V1, V2, _)),
+        Line = hidden_line(S, E, V1, V2)
+    ;   K is -E,
+        contour(S, K, T, _, _, _, _, _, _),
+        once(t(S, P, T, _, _, _)),
+        Line = outline_piece(S, E, P, T)
+    ).
 
 copy_because(S, E, S, E, []) :-
     !.
@@ -78,17 +87,13 @@ line_asked(What, S, E) :-
     var(What),
     !,
     What = S-E.
+line_asked(S-E, S, E) :-
+    ( var(S) ; integer(S) ),
+    !.
 line_asked(Name, S, E) :-
-    atomic(Name),
-    !,
-    atom_codes(Name, Codes),
+    format(codes(Codes), '~w', [Name]),
     phrase(line_name(S, E), Codes, Rest),
     memberchk(Rest, [[], [0'-|_]]).
-line_asked(Name-_, S, E) :-
-    atom(Name),
-    !,
-    line_asked(Name, S, E).
-line_asked(S-E, S, E).
 
 line_name(S, E) -->
     "s", integer(S), "e", integer(E).
@@ -102,6 +107,10 @@ scene_line(Scene, S0, E0, S, E) :-
     scene_edge(Scene, S0, E0, _, _),
     S = S0,
     E = E0.
+scene_line(Scene, S, E, S, E) :-
+    E < 0,
+    !,
+    once(scene_edge(Scene, S, E, _, _)).
 scene_line(Scene, S, E0, S, E) :-
     \+ e(S, E0, _, _, _),
     !,
@@ -144,7 +153,7 @@ line_because(Scene, S, E, Wanted, Options, Because) :-
         line_parts(Scene, S, E, Visible, Hidden),
         covers(Line, Covers),
         faces(Line, Faces),
-        own_backs(S, Look, Back),
+        own_surface(S, E, Look, Back),
         findall(From-Part,
                 part_because(Wanted, Line, Covers, Faces, Back,
                              Visible, Hidden, From-Part),
@@ -180,14 +189,22 @@ role_because(S, E, Look, Options, [because(line_role(Role), Not)]) :-
     ;   Not = [because(not_drawn(Role, Which), [])]
     ).
 
-%   own_backs(S, Look, Because): step 2, its faces look away and their solid is
-%   closed.
+%   own_surface(S, E, Look, Because): step 2, its faces look away and their solid
+%   is closed; or an outline inside triangles goes on behind its own fold.
 
-own_backs(S, look(_,0,Away,_,_,_,true,_,_), [because(backs(S, Away), [])]) :-
+own_surface(S, E, _, Because) :-
+    E < 0,
+    !,
+    K is -E,
+    findall(because(behind_fold(From), []),
+            ( contour(S, K, _, _, _, _, _, From, _), From < 1.0,
+              hides(S, S) ),
+            Because).
+own_surface(S, _, look(_,0,Away,_,_,_,true,_,_), [because(backs(S, Away), [])]) :-
     Away > 0,
     hides(S, S),
     !.
-own_backs(_, _, []).
+own_surface(_, _, _, []).
 
 /* - - - what the joins say, by polygon - - - */
 
@@ -335,7 +352,9 @@ polygon_over(Line, Covers, Faces, S-P, Part, Depth, Statement) :-
     member(Whole, Parts),
     common_part(Line, Whole, Part, From-To),
     face_depth(Line, Covers, S-P, From-To, Depth, Behind),
-    (   member(face(S-P, glass(Decision,By), From1, To1), Faces),
+    (   is_beside(Line, S, P)
+    ->  Statement = line_in_face(S, P)
+    ;   member(face(S-P, glass(Decision,By), From1, To1), Faces),
         common_part(Line, From1-To1, From-To, _)
     ->  Statement = let_through(S, P, From, To, Decision, By)
     ;   Line = line(_, _, _, _, Size),
@@ -344,6 +363,16 @@ polygon_over(Line, Covers, Faces, S-P, Part, Depth, Statement) :-
         Statement = face_behind(S, P, From, To, Before)
     ;   Statement = line_in_face(S, P)
     ).
+
+%   is_beside(Line, S, P): an outline inside triangles runs in P or beside it.
+
+is_beside(line(_, S, E, _, _), S, P) :-
+    E < 0,
+    K is -E,
+    contour(S, K, T0, _, _, _, _, _, Ts),
+    member(T, [T0|Ts]),
+    t(S, P, T, _, _, _),
+    !.
 
 /* - - - what is drawn where the line is not - - - */
 
@@ -392,7 +421,29 @@ picture_length(S, E, Length) :-
     picture_ends(S, E, p(X1,Y1,_), p(X2,Y2,_)),
     Length is sqrt((X2-X1)**2 + (Y2-Y1)**2).
 
+picture_ends(S, E, Start, End) :-
+    E < 0,
+    !,
+    K is -E,
+    contour(S, K, T, I1, F1, I2, F2, _, _),
+    once(t(S, _, T, A, B, C)),
+    side_point(S, t(A,B,C,A), I1, F1, Start),
+    side_point(S, t(A,B,C,A), I2, F2, End).
 picture_ends(S, E, p(X1,Y1,Z1), p(X2,Y2,Z2)) :-
     once(e(S, E, V1, V2, _)),
     once(screen(S, V1, X1, Y1, Z1)),
     once(screen(S, V2, X2, Y2, Z2)).
+
+%   side_point(S, Corners, I, F, Point): as in contour/9, on the I-th side, F of
+%   the way from its smaller vertex to the larger.
+
+side_point(S, Corners, I, F, p(X,Y,Z)) :-
+    J is I+1,
+    arg(I, Corners, V),
+    arg(J, Corners, W),
+    msort([V,W], [Low,High]),
+    once(screen(S, Low, X1, Y1, Z1)),
+    once(screen(S, High, X2, Y2, Z2)),
+    X is X1 + F*(X2-X1),
+    Y is Y1 + F*(Y2-Y1),
+    Z is Z1 + F*(Z2-Z1).

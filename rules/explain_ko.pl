@@ -267,6 +267,12 @@ statement_ko(hidden_line(S, E, V1, V2)) -->
     { segment_word(S, Word) },
     [ '선 s~de~d: 세그먼트 ~d~w의 모서리 ~d, 그림에서 꼭지점 ~d (0) 부터 꼭지점 ~d \c
        (1) 까지'-[S, E, S, Word, E, V1, V2] ].
+statement_ko(outline_piece(S, E, P, T)) -->
+    { segment_word(S, Word) },
+    [ '선 s~de~d: 매끄러운 곡면의 윤곽 조각, 세그먼트 ~d~w의 다각형 ~d, 삼각형 ~d을(를) \c
+       지난다. 그림에서 0 부터 1 까지'-[S, E, S, Word, P, T] ].
+statement_ko(behind_fold(From)) -->
+    [ '~6g 부터는 제 곡면이 접힌 곳의 뒤에 있다'-[From] ].
 statement_ko(same_line(S1, E1, S2, E2)) -->
     [ '세그먼트 ~d의 모서리 ~d은(는) 세그먼트 ~d의 모서리 ~d(으)로 그려진다'-
       [S1, E1, S2, E2] ].

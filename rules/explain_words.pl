@@ -72,6 +72,8 @@ statement_keys(witness, [point]).
 statement_keys(round, [segment, below, above]).
 statement_keys(verdict, [verdict, rules]).
 statement_keys(hidden_line, [segment, edge, start, end]).
+statement_keys(outline_piece, [segment, edge, polygon, triangle]).
+statement_keys(behind_fold, [from]).
 statement_keys(same_line, [segment1, edge1, segment2, edge2]).
 statement_keys(line_role, [role]).
 statement_keys(not_drawn, [role, lines]).

@@ -7,7 +7,9 @@
 :- use_module(rules(explain)).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(penetration)).
+:- use_module(rules(primitive)).
 :- use_module(rules(store)).
+:- use_module(rules(triangulation)).
 :- use_module(rules(view)).
 :- use_module(tests('rules/polyhedron')).
 
@@ -74,10 +76,22 @@ random_point(X, Y, Z) :-
     Y is 2*random_float-1,
     Z is 2*random_float-1.
 
+%   smooth_scene: a torus seen from aslant, in part behind a box.
+
+smooth_scene :-
+    add_primitive(torus(radius(2), tube(0.7)), _),
+    add_primitive(at([translate(0,-4,0)], box(size(1,1,1))), _),
+    complete_segments,
+    set_view(280, 65, 0),
+    picture.
+
 /* - - - what must hold - - - */
 
 %   bad_line(Fault): the explanation of a line, with all that is drawn of it.
 
+bad_line(S-E-Fault) :-
+    explanation(hidden(S, E), [because(outline_piece(S, E, _, _), Because)]),
+    fault(S, E, none, Because, Fault).
 bad_line(S-E-Fault) :-
     explanation(hidden(S, E), [because(hidden_line(S, E, V1, V2), Because)]),
     line_points(S, V1, V2, Line),
@@ -97,15 +111,19 @@ fault(_, _, _, Because, gap(Ends)) :-
 fault(_, _, _, Because, not_covered(From, To)) :-
     member(because(hidden_part(From, To), Under), Because),
     \+ member(because(backs(_, _), _), Under),
-    findall(A-B, member(because(hiding_face(_,_,A,B,_), _), Under), Faces0),
+    findall(A-B, ( member(because(hiding_face(_,_,A,B,_), _), Under)
+                 ; member(because(behind_fold(A), _), Under), B = 1.0 ),
+            Faces0),
     msort(Faces0, Faces),
     \+ reaches(Faces, From, To).
 fault(_, _, Line, Because, wrong_end(Statement)) :-
+    Line \== none,
     sub_term(Term, Because),
     nonvar(Term),
     Term = because(Statement, _),
     wrong_end(Statement, Line).
 fault(_, _, Line, Because, wrong_side(Statement)) :-
+    Line \== none,
     sub_term(Term, Because),
     nonvar(Term),
     Term = because(Statement, _),
@@ -280,6 +298,20 @@ test(some_segments, fail) :-
                    sub_term(Term, Because),
                    nonvar(Term),
                    Term = hiding_face(_,_,_,_,_) )).
+test(outline, true(N > 20)) :-
+    in_new_world(( smooth_scene,
+                   aggregate_all(count, ( said(hidden(_, E), Piece),
+                                          Piece = outline_piece(_,E,_,_) ),
+                                 N),
+                   once(said(hidden(_, _), behind_fold(_))),
+                   findall(Fault, bad_line(Fault), Faults) )),
+    assertion(Faults == []).
+test(outline_name) :-
+    in_new_world(( smooth_scene, once(drawn(_, S, E, _, _, _, _)), E < 0,
+                   K is -E,
+                   format(atom(Name), 's~de', [S]),
+                   explanation(hidden(Name-K), Because),
+                   explanation(hidden(S, E), Because) )).
 test(text, First == "line s1e1: edge 1 of segment 1 (test), in the picture \c
                      from vertex 1 (0) to vertex 2 (1)") :-
     in_new_world(( behind_a_square, picture,
