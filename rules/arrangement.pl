@@ -277,7 +277,8 @@ passing(Current, Kept, Fresh, touch(_, Passings), Passing) :-
 /* - - - new pieces - - - */
 
 %   fresh_pieces(+Stale, +Near, +Tolerance, -Fresh, -Touch): what is near stale
-%   leaves is cut with them, so that all lines that meet one of theirs are there.
+%   leaves is cut with them, so that all lines that meet one of theirs are
+%   there.
 %   Touch: touch(Clusters, Passings), those that were made to touch, as lists,
 %   and the vertices they got for that.
 

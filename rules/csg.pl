@@ -16,6 +16,7 @@
 :- use_module(csg_record,
               [record/2, recorded/2, up_to_date/2, made_and_kept/2]).
 :- use_module(csg_rows, [drop_boundary/1]).
+:- use_module(operand_name, [fault_named/2, note_unnumbered/3]).
 :- use_module(primitive, [is_primitive/1]).
 :- use_module(store,
               [ p/3, t/6, segment/3, origin/3, assert_fact/1,
@@ -252,7 +253,8 @@ lacking(N, Incomplete0, Incomplete) :-
     ;   Incomplete = Incomplete0
     ).
 
-node_error(Nodes, What) :-
+node_error(Nodes, What0) :-
+    fault_named(What0, What),
     throw(error(model_error(What), nodes(Nodes))).
 
 %   numbered(N, Kind, Term0, Term): the term of node N, its operands numbers.
@@ -262,8 +264,20 @@ numbered(N, Kind, Term0, Term) :-
     map_operands(operand_number, Term0, Term),
     (   Term == Term0
     ->  true
-    ;   replaced_segment(N, Kind, Term)
+    ;   replaced_segment(N, Kind, Term),
+        node_parts(Term0, _, Operands0, _),
+        node_parts(Term, _, Operands, _),
+        note_new_operands(Operands0, Operands, N, 1)
     ).
+
+note_new_operands([], [], _, _).
+note_new_operands([Operand0|Operands0], [Operand|Operands], N, I) :-
+    (   Operand == Operand0
+    ->  true
+    ;   note_unnumbered(Operand, N, I)
+    ),
+    I1 is I+1,
+    note_new_operands(Operands0, Operands, N, I1).
 
 replaced_segment(N, Kind, Term) :-
     retractall_facts(segment(N, _, _)),

@@ -3,6 +3,7 @@
           ]).
 :- use_module(csg_term, [operation_form/2, misshapen/2, operation_names/1]).
 :- use_module(primitive_en, [primitive_names//0]).
+:- use_module(operand_name, [operand_name_en//1]).
 /** <module> What is wrong with a CSG tree, in English.
 
 csg_ko.pl has the same heads in Korean (tests/rules/csg_faults.plt).
@@ -41,29 +42,41 @@ csg_en(plane(By)) -->
       '  Write plane(A, B, C, D) for A*X + B*Y + C*Z + D = 0, with A, B or C \c
        other than 0.' ].
 csg_en(missing(S, Child)) -->
-    [ 'segment ~d has the operand ~d, and there is no such segment'-[S, Child],
-      nl,
+    operand_name_en(S),
+    [ ' has the operand ~d, and there is no such segment'-[Child], nl,
       '  Add segment ~d, or correct the number.'-[Child] ].
 csg_en(cycle(Path)) -->
     { atomic_list_concat(Path, ' -> ', Text) },
     [ 'a segment is its own operand: ~w'-[Text], nl,
       '  Take one of these out of the operands of the one before it.' ].
 csg_en(too_many(S, Leaves)) -->
-    [ 'segment ~d would be made of ~D leaves'-[S, Leaves], nl,
+    operand_name_en(S),
+    [ ' would be made of ~D leaves'-[Leaves], nl,
       '  A million is the most: use its operands less often.' ].
 csg_en(no_front(S)) -->
-    [ 'segment ~d cannot split a solid: its sides face all ways'-[S], nl,
+    operand_name_en(S),
+    [ ' cannot split a solid: its sides face all ways', nl,
       '  Give a surface that has a front on the whole.' ].
 csg_en(not_through(S)) -->
-    [ 'the open surface ~d does not go all the way through the solid'-[S], nl,
+    operand_name_en(S),
+    [ ', an open surface, does not go all the way through the solid', nl,
       '  Its border, and what is straight behind it, must be outside of the \c
        solid.' ].
 csg_en(curve(S, Child)) -->
-    [ 'operand ~d of segment ~d is no solid but a curve'-[Child, S], nl,
+    operand_en(S, Child),
+    [ ' is no solid but a curve', nl,
       '  Operations are on solids; penetrate shows where a curve goes \c
        through.' ].
 csg_en(surface(S, Child, Name)) -->
-    [ 'operand ~d of segment ~d is an open surface: ~w needs an inside and an \c
-       outside'-[Child, S, Name], nl,
+    operand_en(S, Child),
+    [ ' is an open surface: ~w needs an inside and an outside'-[Name], nl,
       '  An open surface can be united or joined, or split a solid; close it, \c
        or give a solid.' ].
+
+operand_en(S, Child) -->
+    { integer(Child) },
+    !,
+    [ 'operand ~d of '-[Child] ],
+    operand_name_en(S).
+operand_en(_, Child) -->
+    operand_name_en(Child).

@@ -24,6 +24,7 @@
 :- use_module(kernel,
               [segment_meets_itself/1, segments_grain/2, segments_tolerance/3]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
+:- use_module(operand_name, [fault_named/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ segment/3, segment_stamps/2, retractall_facts/1,
@@ -94,8 +95,21 @@ evaluate(Which, Options) :-
 all_evaluated(Ss, Tolerance) :-
     complete_tree(Ss, Incomplete),
     complete_segments(Incomplete),
-    maplist(evaluated_node(Tolerance), Ss),
+    catch(maplist(evaluated_node(Tolerance), Ss), error(Fault, Where),
+          throw_named(Fault, Where)),
     unused_helpers_dropped.
+
+%   throw_named(Fault0, Where): segments that only the tree has are called by
+%   where they stand in it, as long as that is known.
+
+throw_named(Fault0, Where) :-
+    (   Fault0 =.. [Kind,What0],
+        memberchk(Kind, [model_error,geometry_error])
+    ->  fault_named(What0, What),
+        Fault =.. [Kind,What]
+    ;   Fault = Fault0
+    ),
+    throw(error(Fault, Where)).
 
 evaluated_node(Tolerance, S) :-
     (   node(S, Operation, Children, _),

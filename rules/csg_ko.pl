@@ -4,6 +4,7 @@
           ]).
 :- use_module(csg_term, [operation_form/2, misshapen/2, operation_names/1]).
 :- use_module(primitive_en, [primitive_names//0]).
+:- use_module(operand_name, [operand_name_ko//1]).
 /** <module> What is wrong with a CSG tree, in Korean.
 
 The heads are those of csg_en.pl (tests/rules/csg_faults.plt).
@@ -40,27 +41,40 @@ csg_ko(plane(By)) -->
       '  A*X + B*Y + C*Z + D = 0 을 plane(A, B, C, D) 로 쓰십시오. A, B, C 가 \c
        모두 0일 수는 없습니다.' ].
 csg_ko(missing(S, Child)) -->
-    [ '세그먼트 ~d 의 피연산자 ~d 이(가) 없습니다'-[S, Child], nl,
+    operand_name_ko(S),
+    [ ' 의 피연산자 ~d 이(가) 없습니다'-[Child], nl,
       '  세그먼트 ~d 을(를) 추가하거나 번호를 고치십시오.'-[Child] ].
 csg_ko(cycle(Path)) -->
     { atomic_list_concat(Path, ' -> ', Text) },
     [ '세그먼트가 자기 자신의 피연산자입니다: ~w'-[Text], nl,
       '  이 가운데 하나를 앞 세그먼트의 피연산자에서 빼십시오.' ].
 csg_ko(too_many(S, Leaves)) -->
-    [ '세그먼트 ~d 은(는) 리프 ~D개로 이루어지게 됩니다'-[S, Leaves], nl,
+    operand_name_ko(S),
+    [ ' 은(는) 리프 ~D개로 이루어지게 됩니다'-[Leaves], nl,
       '  백만 개까지입니다. 피연산자를 덜 쓰십시오.' ].
 csg_ko(no_front(S)) -->
-    [ '세그먼트 ~d 은(는) 사방을 향하므로 입체를 나눌 수 없습니다'-[S], nl,
+    operand_name_ko(S),
+    [ ' 은(는) 사방을 향하므로 입체를 나눌 수 없습니다', nl,
       '  전체로 보아 앞이 있는 곡면을 주십시오.' ].
 csg_ko(not_through(S)) -->
-    [ '열린 곡면 ~d 이(가) 입체를 끝까지 가르지 않습니다'-[S], nl,
+    [ '열린 곡면인 ' ],
+    operand_name_ko(S),
+    [ ' 이(가) 입체를 끝까지 가르지 않습니다', nl,
       '  그 경계와 경계의 바로 뒤쪽은 입체 밖에 있어야 합니다.' ].
 csg_ko(curve(S, Child)) -->
-    [ '세그먼트 ~d 의 피연산자 ~d 은(는) 입체가 아니라 곡선입니다'-[S, Child],
-      nl,
+    operand_ko(S, Child),
+    [ ' 은(는) 입체가 아니라 곡선입니다', nl,
       '  연산은 입체에 합니다. 곡선이 지나는 곳은 penetrate 가 보여 줍니다.' ].
 csg_ko(surface(S, Child, Name)) -->
-    [ '세그먼트 ~d 의 피연산자 ~d 은(는) 열린 곡면입니다. ~w 에는 안과 밖이 \c
-       있어야 합니다'-[S, Child, Name], nl,
+    operand_ko(S, Child),
+    [ ' 은(는) 열린 곡면입니다. ~w 에는 안과 밖이 있어야 합니다'-[Name], nl,
       '  열린 곡면은 union, join 을 하거나 입체를 나눌 수 있습니다. 닫거나 \c
        입체를 주십시오.' ].
+
+operand_ko(S, Child) -->
+    { integer(Child) },
+    !,
+    operand_name_ko(S),
+    [ ' 의 피연산자 ~d'-[Child] ].
+operand_ko(_, Child) -->
+    operand_name_ko(Child).

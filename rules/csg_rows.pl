@@ -169,9 +169,10 @@ drop_boundary(S) :-
     retractall_facts(p(S, _, _)),
     retractall_facts(e(S, _, _, _, _)),
     retractall_facts(v(S, _, _, _, _)),
-    findall(Origin, origin(S, node(S), Origin), Origins),
+    findall(N-Origin, origin(S, node(N), Origin), Origins),
     retractall_facts(origin(S, _, _)),
-    forall(member(Origin, Origins), assert_fact(origin(S, node(S), Origin))).
+    forall(member(N-Origin, Origins),
+           assert_fact(origin(S, node(N), Origin))).
 
 was_changed(S) :-
     (   was_cut(S)

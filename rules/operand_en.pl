@@ -3,6 +3,7 @@
             operand_notice_en//2        % +What, +S
           ]).
 :- use_module(explain_words, [segment_word/2]).
+:- use_module(operand_name, [operand_name_en//1]).
 /** <module> What is wrong with an operand of a Boolean, in English.
 
 operand_ko.pl has the same heads in Korean (tests/rules/operand.plt).
@@ -13,11 +14,19 @@ operand_ko.pl has the same heads in Korean (tests/rules/operand.plt).
 %   The message for geometry_error(operand(S, Faults)).
 
 operand_en(S, Faults) -->
-    { segment_word(S, Name) },
-    [ 'segment ~d~w cannot be an operand:'-[S, Name] ],
+    operand_en(S),
+    [ ' cannot be an operand:' ],
     faults_en(Faults),
     [ nl, '  Mend it where it comes from; the option repair mends what \c
            can be mended.' ].
+
+operand_en(S) -->
+    { integer(S) },
+    !,
+    { segment_word(S, Name) },
+    [ 'segment ~d~w'-[S, Name] ].
+operand_en(Name) -->
+    operand_name_en(Name).
 
 faults_en([]) -->
     [].

@@ -4,6 +4,7 @@
             operand_notice_ko//2        % +What, +S
           ]).
 :- use_module(explain_words, [segment_word/2]).
+:- use_module(operand_name, [operand_name_ko//1]).
 /** <module> What is wrong with an operand of a Boolean, in Korean.
 
 operand_en.pl has the same heads in English.
@@ -14,11 +15,19 @@ operand_en.pl has the same heads in English.
 %   The message for geometry_error(operand(S, Faults)).
 
 operand_ko(S, Faults) -->
-    { segment_word(S, Name) },
-    [ '세그먼트 ~d~w 은(는) 불 연산에 쓸 수 없습니다:'-[S, Name] ],
+    operand_ko(S),
+    [ ' 은(는) 불 연산에 쓸 수 없습니다:' ],
     faults_ko(Faults),
     [ nl, '  만든 곳에서 고치십시오. repair 옵션은 고칠 수 있는 것을 \c
            고칩니다.' ].
+
+operand_ko(S) -->
+    { integer(S) },
+    !,
+    { segment_word(S, Name) },
+    [ '세그먼트 ~d~w'-[S, Name] ].
+operand_ko(Name) -->
+    operand_name_ko(Name).
 
 faults_ko([]) -->
     [].

@@ -34,8 +34,8 @@ Origins near(_) are not exact.
 %!  passing_places(+S, -Passing) is det.
 %
 %   Passing is V-place(Origin, Feature, Polygons) of the vertices V of S where
-%   it was made to touch: Origin as of resolve.pl; Feature v(V), of a vertex that
-%   was moved, or the edge e(E) or face p(P) that V was put on; and then
+%   it was made to touch: Origin as of resolve.pl; Feature v(V), of a vertex
+%   that was moved, or the edge e(E) or face p(P) that V was put on; and then
 %   Polygons, those that have V. To be asked while it is so.
 
 passing_places(S, Passing) :-

@@ -14,6 +14,7 @@
 :- use_module(language, [language/1]).
 :- use_module(model, [load_model/2, save_model/1]).
 :- use_module(operand, [operand_faults/2]).
+:- use_module(operand_name, [name_root/2]).
 :- use_module(primitive, [is_primitive/1]).
 :- use_module(repair, [repair_operand/1]).
 :- use_module(report, [counted/4]).
@@ -132,8 +133,9 @@ repaired_leaves(Options) :-
 %   throw_with_file(Fault, Context, Sources): an operand is named with its file.
 
 throw_with_file(Fault, Context0, Sources) :-
-    (   Fault = geometry_error(operand(S, _)),
+    (   Fault = geometry_error(operand(Name, _)),
         var(Context0),
+        name_root(Name, S),
         member(File-Last, Sources),
         S =< Last
     ->  Context = location(File, 0, 0)

@@ -99,4 +99,28 @@ test(asserted, forall(wrong(Term, _))) :-
                segment(2, solid, Term),
                once(v(2, _, _, _, _)) )).
 
+%   Operands without a number of the user's are called by where they stand, when
+%   the tree is read and when it is made.
+
+unnumbered(difference([8, union([sphere(radius(1)), rectangle(size(2,2))])]),
+           surface(2, 8, difference)).
+unnumbered(difference([1, union([1, at([], rectangle(size(2,2)))])]),
+           surface(2, operand(2, union, 2), difference)).
+unnumbered(union([1, named(wire, line(from(0,0,0), to(1,1,1)))]),
+           curve(2, operand(2, wire, 2))).
+unnumbered(difference([1, split(box(size(2,2,2)), rectangle(size(0.1,0.1)),
+                                below)]),
+           not_through(operand(2, rectangle, operand(2, split, 2)))).
+
+test(unnumbered, [forall(unnumbered(Term, What)), true(Found == What)]) :-
+    new_world(World),
+    in_world(World,
+             catch(( tree_read(Term), evaluate(2) ),
+                   error(model_error(csg(Found)), _), true)).
+test(unnumbered_told, [forall(( unnumbered(_, What),
+                                member(Language, [en,ko]) ))]) :-
+    told(Language, error(model_error(csg(What)), _), Text),
+    \+ sub_string(Text, _, _, _, "operand("),
+    ( sub_string(Text, _, _, _, "2") -> true ).
+
 :- end_tests(csg_faults).
