@@ -55,15 +55,17 @@ choose_cells(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
   grid->ny = cells(size[1], cell);
   grid->wide[0] = size[0] / grid->nx;
   grid->wide[1] = size[1] / grid->ny;
+  grid->per[0] = grid->nx / size[0];
+  grid->per[1] = grid->ny / size[1];
 }
 
 static unsigned
 cell_of(const sg_grid *grid, int k, double x)
 {
   unsigned n = k ? grid->ny : grid->nx;
-  double c = floor((x - grid->low[k]) / grid->wide[k]);
+  double c = (x - grid->low[k]) * grid->per[k];
 
-  return c < 0.0 ? 0 : c < n ? (unsigned)c : n - 1;
+  return c <= 0.0 ? 0 : c < n ? (unsigned)c : n - 1;
 }
 
 sg_grid_rows

@@ -16,6 +16,7 @@ typedef struct sg_grid {
   unsigned nx, ny;
   double margin;
   double low[2], wide[2]; /* corner of cell 0,0; size of a cell */
+  double per[2];          /* cells in a unit */
   uint32_t *start;        /* [nx * ny + 1] */
   uint32_t *item;         /* cell by cell, in the order of entering */
 } sg_grid;

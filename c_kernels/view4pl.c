@@ -2,6 +2,8 @@
  *
  * Layer: glue.
  */
+#include "append4pl.h"
+
 #include "glue.h"
 #include "picture_points.h"
 #include "view.h"
@@ -150,16 +152,15 @@ merge_ex(screen *rows)
          (!memory && sg_no_memory());
 }
 
+/* The rows have the keys of v/5 and refer to it, so they are right. */
 static int
 replace_screen_ex(sg_world *world, const screen *rows)
 {
   const void *column[] = {rows->s, rows->v, rows->x, rows->y, rows->z};
-  sg_fault fault;
 
-  sg_world_retract_all(world, SG_SCREEN);
-  return sg_raise_status(
-      sg_world_add_many(world, SG_SCREEN, rows->n, column, &fault), SG_SCREEN,
-      &fault);
+  return (sg_world_retract_all(world, SG_SCREEN) || sg_no_memory()) &&
+         (rows->n == 0 ||
+          sg_append_columns_ex(world, SG_SCREEN, rows->n, column));
 }
 
 /* fill_screen(+Theta, +Phi, +Rho, +Kind) is det. */
