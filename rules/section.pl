@@ -316,18 +316,25 @@ cap_border(N, Caps, E, V1, V2) :-
 %!  section_edges(+Section, ?N, -Edges) is nondet.
 %
 %   Edges, ascending, of what is left, segment N, lie in the plane; of two
-%   opposite ones both.
+%   opposite ones both. Lines between caps of several segments, where they are
+%   in each other, are among them.
 
 section_edges(section(Plane, Pieces), N, Edges) :-
     member(Piece, Pieces),
     Piece = piece(_, N, _, _),
-    findall(E,
-            ( in_plane(Piece, Plane, E0, V1, V2),
-              (   E = E0
-              ;   e(N, E, V2, V1, _)
-              ) ),
-            Edges0),
+    findall(E, edge_in_plane(Piece, Plane, E), Edges0),
     sort(Edges0, Edges).
+
+edge_in_plane(Piece, Plane, E) :-
+    Piece = piece(_, N, _, _),
+    in_plane(Piece, Plane, E0, V1, V2),
+    (   E = E0
+    ;   e(N, E, V2, V1, _)
+    ).
+edge_in_plane(piece(_, N, _, Caps), _, E) :-
+    member(P, Caps),
+    p(N, P, Es),
+    member(E, Es).
 
 %!  section_region(+Section, ?S, ?N, -Edges) is nondet.
 %

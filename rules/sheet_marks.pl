@@ -3,7 +3,8 @@
                                         % +Others, -Marks
             label_marks/4,              % +Letter, +Box, +Scale, -Marks
             marks_pads/4,               % +Marks, +Box, +Scale, -Pads
-            hatching_strokes/3,         % +Regions, -Spacing, -Strokes
+            hatching/2,                 % +Regions, -Hatching
+            hatching_strokes/3,         % +Hatching, +Regions, -Strokes
             chain_line/5                % +A, +B, +Dash, +Role, -Lines
           ]).
 :- use_module(hatching, [hatch_lines/4, region_area/2]).
@@ -239,31 +240,38 @@ farther(X-Y, box(X1,Y1,X2,Y2), box(X3,Y3,X4,Y4)) :-
     X4 is max(X2, X),
     Y4 is max(Y2, Y).
 
-%!  hatching_strokes(+Regions, -Spacing, -Strokes) is det.
+%!  hatching(+Regions, -Hatching) is det.
 %
-%   Strokes (sheet.pl), Spacing apart, hatch Regions, region(S,Edges), whose
-%   points are thousandths of a millimetre on the sheet. The hatching of
-%   neighbours in the list leans the other way; that of every third and fourth
-%   is closer.
+%   Hatching is hatching(Spacing,Segments), how to hatch all Regions of a sheet,
+%   region(S,Edges), points in millimetres: about twelve lines across the
+%   largest, from 1.5 to 6 mm apart, in half millimetres.
 
-hatching_strokes([], 0, []) :-
-    !.
-hatching_strokes(Regions, Spacing, Strokes) :-
-    maplist([region(_,Edges),Area]>>region_area(Edges, Area), Regions, Areas),
-    max_list(Areas, Largest),
-    hatch_spacing(Largest, Spacing),
+hatching(Regions, hatching(Spacing,Segments)) :-
+    findall(S, member(region(S,_), Regions), Segments0),
+    sort(Segments0, Segments),
+    foldl(larger_region, Regions, 0, Largest),
+    Spacing is max(1.5, min(6.0, round(sqrt(Largest)/6)/2)).
+
+larger_region(region(_,Edges), Area0, Area) :-
+    region_area(Edges, Own),
+    Area is max(Area0, Own).
+
+%!  hatching_strokes(+Hatching, +Regions, -Strokes) is det.
+%
+%   Strokes (sheet.pl) hatch Regions, whose points are thousandths of a
+%   millimetre on the sheet. A segment is hatched alike in all views; those of
+%   neighbouring numbers lean the other way, those of every third and fourth
+%   are closer.
+
+hatching_strokes(hatching(Spacing0,Segments), Regions, Strokes) :-
+    Spacing is Spacing0*1000,
     findall(Stroke,
-            ( nth1(I, Regions, Region),
+            ( member(Region, Regions),
+              Region = region(S, _),
+              nth1(I, Segments, S),
               hatch_stroke(I, Spacing, Region, Stroke)
             ),
             Strokes).
-
-%   About twelve lines across the largest region, from 1.5 to 6 mm apart, in
-%   half millimetres.
-
-hatch_spacing(Area, Spacing) :-
-    Fine is sqrt(Area)/12,
-    Spacing is max(1500, min(6000, round(Fine/500)*500)).
 
 hatch_stroke(I, Spacing0, region(S,Edges), stroke(visible,hatching,S,[],[A,B],
                                                   joint,joint)) :-

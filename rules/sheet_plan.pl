@@ -8,7 +8,7 @@
 :- use_module(sheet_layout, [layout/4]).
 :- use_module(sheet_marks,
               [ plane_marks/6, label_marks/4, marks_pads/4,
-                hatching_strokes/3
+                hatching/2, hatching_strokes/3
               ]).
 :- use_module(sheet_paper,
               [ paper_name/3, paper_size/3, standard_scale/1, scale_factor/2 ]).
@@ -147,7 +147,12 @@ sheet_laid(Request, Sections, Boxed, Drawing) :-
     sheet_room(Request, Width, Height, ScaleText, FrameMarks, _),
     scale_value(Scale, Factor),
     PerUnit is Factor*Unit,
-    maplist(view_drawn(PerUnit, Marking, Places), Celled, Views),
+    findall(Region, ( member(cell(seen(_,_,Regions),_,_), Celled),
+                      member(Region0, Regions),
+                      millimetres(PerUnit, Region0, Region) ),
+            AllRegions),
+    hatching(AllRegions, Hatching),
+    maplist(view_drawn(PerUnit, Hatching, Marking, Places), Celled, Views),
     frame_view(FrameMarks, Frame),
     append(Views, Frame, AllViews),
     W is round(Width*1000),
@@ -327,7 +332,8 @@ scale_text(factor(Factor), Text) :-
                 *           DRAWING            *
                 *******************************/
 
-view_drawn(PerUnit, Marking, Places, Celled, view(Name,Strokes,Texts)) :-
+view_drawn(PerUnit, Hatching, Marking, Places, Celled,
+           view(Name,Strokes,Texts)) :-
     Celled = cell(seen(view(Name,_,_,_),Parts,Regions), _, _),
     memberchk(place(Name,X,Y,Left,Top), Places),
     Scale is PerUnit*1000,
@@ -337,11 +343,20 @@ view_drawn(PerUnit, Marking, Places, Celled, view(Name,Strokes,Texts)) :-
     maplist(placed_part(Place), Parts, Placed),
     strokes(Placed, Own),
     maplist(placed_region(Place), Regions, Placed1),
-    hatching_strokes(Placed1, _, Hatching),
+    hatching_strokes(Hatching, Placed1, Hatched),
     view_marks(Marking, Celled, PerUnit, Marks),
     marks_drawn(place(1000,X*PerUnit,Y*PerUnit,Left1,Top1), Marks, Lines,
                 Texts),
-    append([Hatching, Own, Lines], Strokes).
+    append([Hatched, Own, Lines], Strokes).
+
+millimetres(PerUnit, region(S,Edges0), region(S,Edges)) :-
+    findall((A1-B1)-(A2-B2),
+            ( member((X1-Y1)-(X2-Y2), Edges0),
+              maplist(times(PerUnit), [X1,Y1,X2,Y2], [A1,B1,A2,B2]) ),
+            Edges).
+
+times(Factor, X, Y) :-
+    Y is X*Factor.
 
 placed_region(Place, region(S,Edges0), region(S,Edges)) :-
     maplist(placed_edge(Place), Edges0, Edges).

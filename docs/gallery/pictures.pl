@@ -67,3 +67,30 @@ picture(pipe_tee, 'Pipe tee',
 picture(primitives, 'Primitives',
         'Every primitive, the last a net of 32 Bezier patches.',
         ['facts/primitives.pl', '--size', '280x200']).
+
+% Sheets: docs/drawings.md.
+
+picture(sheet_bracket, 'A drawing of a bracket',
+        'Third-angle projection at a true scale, with a section through the \c
+         bearing; the title block is filled in from facts of the model, in \c
+         Korean.',
+        ['facts/bracket.pl', '--sheet', 'A3', '--section', y,
+         '--language', ko]).
+picture(sheet_tee, 'A drawing of the pipe tee',
+        'First-angle projection, cut open by three planes, one of them askew.',
+        ['facts/pipe_tee.pl', '--sheet', 'A2', '--unit', cm,
+         '--angle', first, '--section', 'y=0', '--section', 'x=1.35',
+         '--section', '1,1,0,0']).
+picture(sheet_cylinders, 'Six sides of two cylinders',
+        'The cylinders of figure 14 from all sides and in dimetric projection.',
+        ['facts/figures/fig14.pl', '--sheet', 'A3', '--scale', fit,
+         '--views', 'front,top,right,left,bottom,back,dimetric']).
+picture(sheet_lines, 'Penetration lines alone',
+        'What the pattern maker wants of figure 12, three sides of it.',
+        ['facts/figures/fig12.pl', '--sheet', 'A4-landscape',
+         '--views', 'front,top,right', '--lines', penetration]).
+picture(sheet_cubes, 'Two parts in one place',
+        'A section through two parts that have not been united: each has its \c
+         own hatching, so one sees where they are in each other.',
+        ['facts/two_cubes.pl', '--sheet', 'A4', '--unit', cm,
+         '--views', 'front,top,isometric', '--section', 'x=0.7']).
