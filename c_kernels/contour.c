@@ -111,6 +111,13 @@ growth(const sg_contour_finder *f, uint32_t t)
   return sum;
 }
 
+static bool
+has_apex(const sg_contour_finder *f, uint32_t t)
+{
+  return sg_contour_is_apex(f, 3 * t) || sg_contour_is_apex(f, 3 * t + 1) ||
+         sg_contour_is_apex(f, 3 * t + 2);
+}
+
 /* Of each fan: the mean of its triangles. Only its sign and its zeros between
  * fans are asked for. */
 static bool
@@ -124,7 +131,7 @@ find_radials(sg_contour_finder *f)
   }
   for (uint32_t t = 0; t < f->in->dense->triangles; t++) {
     double u[3], w[3], n[3], sum;
-    if (!smooth->curved[t]) {
+    if (!smooth->curved[t] || has_apex(f, t)) {
       continue;
     }
     sum = growth(f, t);

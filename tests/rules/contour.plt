@@ -154,3 +154,57 @@ rounded_part(drawn(D,S,E,From,To,Visibility,Role)) :-
     To is round(To0*1.0e9).
 
 :- end_tests(contour).
+
+% What the rule of contour.pl says of a segment, and what the kernel has found.
+
+same_as_rule(S, Crease) :-
+    contour_pieces(S, Crease, Rule),
+    findall(piece(T,I1,F1,I2,F2,To,Ts),
+            ( contour(S, _, T, I1, F1, I2, F2, To, Ts0), msort(Ts0, Ts) ),
+            Kernel0),
+    sort(Kernel0, Kernel),
+    length(Rule, N),
+    length(Kernel, N),
+    maplist(same_piece, Rule, Kernel).
+
+same_piece(piece(T,I1,F1,I2,F2,To,Ts), piece(T,J1,G1,J2,G2,Go,Us)) :-
+    (   I1-I2 == J1-J2
+    ->  close_to(F1, G1),
+        close_to(F2, G2)
+    ;   I1-I2 == J2-J1,
+        close_to(F1, G2),
+        close_to(F2, G1)
+    ),
+    close_to(To, Go),
+    Ts == Us.
+
+close_to(A, B) :-
+    abs(A-B) < 1.0e-9.
+
+ruled(torus(radius(1), tube(0.4), facets(24), sides(16))).
+ruled(hemisphere(radius(2,1,1), facets(20))).
+ruled(cone(radius(1), height(2), facets(16))).
+ruled(at([rotate(x,40)], egg(radius(0.7), up(1.3), down(0.6), facets(16)))).
+ruled(turning(outline([[0,0],[0.5,0.1],[1,0.4],[1.1,0.9],[0.7,1.4],[0.6,1.8],
+                       [0,2]]), facets(16))).
+ruled(turning(outline([[0.3,0],[1,0.2],[1.2,0.8],[1,1.4],[0.3,1.7]]),
+              facets(12), angle(200))).
+ruled(bezier(points([[0,0,0],[1,0,3],[2,0,-3],[3,0,0],
+                     [0,1,1],[1,1,4],[2,1,-2],[3,1,1],
+                     [0,2,-1],[1,2,3],[2,2,-4],[3,2,-1],
+                     [0,3,0],[1,3,3],[2,3,-3],[3,3,0]]), facets(8))).
+
+eye(301, 65).
+eye(20, 110).
+eye(88, 91).
+
+:- begin_tests(contour_rule).
+
+test(kernel, forall(( ruled(Term), eye(Theta, Phi),
+                      member(Kind, [parallel,central]) ))) :-
+    in_new_world(( add_primitive(Term, _), complete_segments([1]),
+                   set_view(Theta, Phi, 0), set_projection(Kind),
+                   picture([crease(50)]),
+                   same_as_rule(1, 50) )).
+
+:- end_tests(contour_rule).

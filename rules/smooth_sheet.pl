@@ -1,0 +1,420 @@
+:- module(sg_smooth_sheet,
+          [ smooth_sheets/3,            % +S, +Crease, -Sheets
+            smooth_side/3,              % +Sheets, +Side, ?Across
+            convex_side/2,              % +Sheets, +Side
+            across_side/3,              % +Sheets, +Side, -Across
+            curved_triangle/2,          % +Sheets, ?T
+            corner_fan/3,               % +Sheets, +Corner, -Fan
+            fan_corners/3,              % +Sheets, +Fan, -Corners
+            fan_normal/3,               % +Sheets, +Fan, -Normal
+            fan_unit/3,                 % +Sheets, +Fan, -Vector
+            corner_vertex/3,            % +Sheets, +Corner, -V
+            corner_place/3,             % +Sheets, +Corner, -Place
+            next_corner/2,              % +Corner, -Next
+            cross_product/3,            % +U, +V, -W
+            dot_product/3,              % +U, +V, -Product
+            difference/3                % +P, +Q, -Vector
+          ]).
+:- use_module(store, [line/9, t/6, v/5]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(assoc),
+            [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
+              put_assoc/4 ]).
+:- autoload(library(lists), [append/3, member/2, memberchk/2]).
+:- autoload(library(pairs), [pairs_keys_values/3]).
+/** <module> Smooth sheets: which triangles of a segment are one smooth surface.
+
+Two triangles hang together smoothly where they alone share a side, run along
+it in opposite directions, and their faces bend by no more than the crease
+angle, or not at all if a penetration line runs there. What hangs together is a
+*sheet*; the corners of a sheet at a vertex that hang together are a *fan*. A
+fan has one normal, the mean of its faces' normals, weighted by their area and
+by the angle they fill there; where a face leans more than the crease angle from
+it, the vertex is an apex and has none.
+
+A sheet is *curved* if it bends along more than one line at a vertex inside it
+that is no apex. One that is not (a cylinder, a cone, the sides of a prism) is
+folded along straight lines, and its outline lies on these.
+
+A side and a corner of triangle T are T-I, I from 1 to 3; side I runs from
+corner I to the next. A fan is named by its least corner. c_kernels/smooth.c is
+the fused kernel.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+% sheets(Corners, Places, Areas, Sides, Fans, Members, Normals, Curved), assocs:
+%   Corners  T -> corners(P, V1, V2, V3)
+%   Places   V -> p(X,Y,Z)
+%   Areas    P -> p(X,Y,Z), the polygon's normal, as long as twice its area
+%   Sides    T-I -> across(T2-J, Bend, Smooth)
+%   Fans     T-I -> Fan;  Members Fan -> Corners
+%   Normals  Fan -> normal(p(X,Y,Z)), unit, or apex(p(X,Y,Z))
+%   Curved   T -> true
+
+%!  smooth_sheets(+S, +Crease, -Sheets) is det.
+%
+%   Sheets says how the triangles of segment S hang together, for the other
+%   predicates here. Crease: degrees.
+
+smooth_sheets(S, Crease, Sheets) :-
+    Sheets = sheets(Corners, Places, Areas, Sides, Fans, Members, Normals,
+                    Curved),
+    findall(T-corners(P,A,B,C), t(S, P, T, A, B, C), Triangles0),
+    keysort(Triangles0, Triangles),
+    list_to_assoc(Triangles, Corners),
+    findall(V-p(X,Y,Z), v(S, V, X, Y, Z), Vs0),
+    keysort(Vs0, Vs),
+    list_to_assoc(Vs, Places),
+    empty_assoc(None),
+    foldl(add_area(Places), Triangles, None, Areas),
+    findall(Side-Across, side_across(S, Triangles, Areas, Crease,
+                                     Side, Across), Joined0),
+    keysort(Joined0, Joined),
+    list_to_assoc(Joined, Sides),
+    findall(T-I, ( member(T-_, Triangles), member(I, [1,2,3]) ), All),
+    fans(All, Sides, None, Fans, None, Members),
+    assoc_to_keys(Members, Names),
+    maplist(normal_of(Corners, Places, Areas, Members, Crease), Names,
+            NormalList),
+    pairs_keys_values(NormalPairs, Names, NormalList),
+    list_to_assoc(NormalPairs, Normals),
+    curved_triangles(Triangles, Sheets, None, Curved).
+
+add_area(Places, _-corners(P,A,B,C), Areas0, Areas) :-
+    triangle_area(Places, A, B, C, p(X1,Y1,Z1)),
+    (   get_assoc(P, Areas0, p(X0,Y0,Z0))
+    ->  true
+    ;   X0 = 0.0,
+        Y0 = 0.0,
+        Z0 = 0.0
+    ),
+    X is X0+X1,
+    Y is Y0+Y1,
+    Z is Z0+Z1,
+    put_assoc(P, Areas0, p(X,Y,Z), Areas).
+
+triangle_area(Places, A, B, C, Area) :-
+    maplist(place(Places), [A,B,C], [PA,PB,PC]),
+    difference(PB, PA, U),
+    difference(PC, PA, W),
+    cross_product(U, W, Area).
+
+place(Places, V, Place) :-
+    get_assoc(V, Places, Place).
+
+/* - - - sides - - - */
+
+side_across(S, Triangles, Areas, Crease, Side, Across) :-
+    findall((Low-High)-use(T-I,A,P),
+            ( member(T-corners(P,V1,V2,V3), Triangles),
+              member(I-A-B, [1-V1-V2, 2-V2-V3, 3-V3-V1]),
+              Low is min(A, B),
+              High is max(A, B) ),
+            Uses0),
+    keysort(Uses0, Uses),
+    group_pairs_by_key(Uses, Groups),
+    member((Low-High)-[use(Side1,A1,P1),use(Side2,A2,P2)], Groups),
+    A1 \== A2,
+    get_assoc(P1, Areas, Area1),
+    get_assoc(P2, Areas, Area2),
+    degrees_between(Area1, Area2, Bend),
+    (   line_runs(S, Low, High)
+    ->  Most = 0.01
+    ;   Most is Crease + 1.0e-6
+    ),
+    (   Bend =< Most
+    ->  Smooth = true
+    ;   Smooth = false
+    ),
+    member(Side-Other, [Side1-Side2, Side2-Side1]),
+    Across = across(Other, Bend, Smooth).
+
+line_runs(S, A, B) :-
+    (   line(_, S, _, A, B, _, _, _, _)
+    ;   line(_, S, _, B, A, _, _, _, _)
+    ;   line(_, _, _, _, _, S, _, A, B)
+    ;   line(_, _, _, _, _, S, _, B, A)
+    ),
+    !.
+
+%   A face without area does not bend.
+degrees_between(U, W, Degrees) :-
+    (   ( U = p(0.0,0.0,0.0) ; W = p(0.0,0.0,0.0) )
+    ->  Degrees = 0.0
+    ;   angle_between(U, W, Angle),
+        Degrees is Angle*180/pi
+    ).
+
+angle_between(U, W, Angle) :-
+    cross_product(U, W, C),
+    dot_product(C, C, Square),
+    dot_product(U, W, Dot),
+    Angle is atan2(sqrt(Square), Dot).
+
+%!  across_side(+Sheets, +Side, -Across) is semidet.
+%
+%   True when Across is the same side of the only other triangle there, which
+%   runs along it in the opposite direction.
+
+across_side(Sheets, Side, Across) :-
+    arg(4, Sheets, Sides),
+    get_assoc(Side, Sides, across(Across, _, _)).
+
+%!  smooth_side(+Sheets, +Side, ?Across) is semidet.
+%
+%   True when the sheet goes on across Side, where it is Across.
+
+smooth_side(Sheets, Side, Across) :-
+    arg(4, Sheets, Sides),
+    get_assoc(Side, Sides, across(Across, _, true)).
+
+%!  convex_side(+Sheets, +Side) is semidet.
+%
+%   True when the triangle across Side lies below that of Side, or in its plane.
+
+convex_side(Sheets, T-I) :-
+    across_side(Sheets, T-I, Across),
+    next_corner(Across, Next),
+    next_corner(Next, Apex),
+    corner_place(Sheets, Apex, P),
+    corner_place(Sheets, T-I, Q),
+    difference(P, Q, U),
+    triangle_normal(Sheets, T, N),
+    dot_product(U, N, Height),
+    Height =< 0.0.
+
+triangle_normal(Sheets, T, N) :-
+    Sheets = sheets(Corners, _, Areas, _, _, _, _, _),
+    get_assoc(T, Corners, corners(P,_,_,_)),
+    get_assoc(P, Areas, N).
+
+%!  next_corner(+Corner, -Next) is det.
+%
+%   Next follows Corner in its triangle.
+
+next_corner(T-I, T-J) :-
+    J is I mod 3 + 1.
+
+%!  corner_vertex(+Sheets, +Corner, -V) is det.
+%
+%   Corner is at vertex V.
+
+corner_vertex(Sheets, T-I, V) :-
+    arg(1, Sheets, Corners),
+    get_assoc(T, Corners, Term),
+    Place is I+1,
+    arg(Place, Term, V).
+
+%!  corner_place(+Sheets, +Corner, -Place) is det.
+%
+%   Place, p(X,Y,Z) of the model, is where Corner is.
+
+corner_place(Sheets, Corner, Place) :-
+    corner_vertex(Sheets, Corner, V),
+    arg(2, Sheets, Places),
+    get_assoc(V, Places, Place).
+
+/* - - - fans - - - */
+
+%   Corners hang together over the two sides of a triangle that meet there.
+
+fans([], _, Fans, Fans, Members, Members).
+fans([Corner|Corners], Sides, Fans0, Fans, Members0, Members) :-
+    (   get_assoc(Corner, Fans0, _)
+    ->  fans(Corners, Sides, Fans0, Fans, Members0, Members)
+    ;   connected([Corner], Sides, [], Connected0),
+        msort(Connected0, Connected),
+        Connected = [Fan|_],
+        foldl(put_fan(Fan), Connected, Fans0, Fans1),
+        put_assoc(Fan, Members0, Connected, Members1),
+        fans(Corners, Sides, Fans1, Fans, Members1, Members)
+    ).
+
+put_fan(Fan, Corner, Fans0, Fans) :-
+    put_assoc(Corner, Fans0, Fan, Fans).
+
+connected([], _, Seen, Seen).
+connected([Corner|Corners], Sides, Seen0, Seen) :-
+    (   memberchk(Corner, Seen0)
+    ->  connected(Corners, Sides, Seen0, Seen)
+    ;   findall(Next, beside_corner(Sides, Corner, Next), Nexts),
+        append(Nexts, Corners, More),
+        connected(More, Sides, [Corner|Seen0], Seen)
+    ).
+
+%   Corner I of a triangle begins its side I and ends the side before.
+
+beside_corner(Sides, Corner, Next) :-
+    get_assoc(Corner, Sides, across(Across, _, true)),
+    next_corner(Across, Next).
+beside_corner(Sides, Corner, Next) :-
+    next_corner(Corner, C1),
+    next_corner(C1, Side),
+    get_assoc(Side, Sides, across(Next, _, true)).
+
+%!  corner_fan(+Sheets, +Corner, -Fan) is det.
+%
+%   Corner is one of Fan.
+
+corner_fan(Sheets, Corner, Fan) :-
+    arg(5, Sheets, Fans),
+    get_assoc(Corner, Fans, Fan).
+
+%!  fan_corners(+Sheets, +Fan, -Corners) is det.
+%
+%   Corners, sorted, are those of Fan.
+
+fan_corners(Sheets, Fan, Corners) :-
+    arg(6, Sheets, Members),
+    get_assoc(Fan, Members, Corners).
+
+%!  fan_normal(+Sheets, +Fan, -Normal) is semidet.
+%
+%   Normal, p(X,Y,Z), is the unit normal of Fan. Fails for an apex.
+
+fan_normal(Sheets, Fan, Normal) :-
+    arg(7, Sheets, Normals),
+    get_assoc(Fan, Normals, normal(Normal)).
+
+%!  fan_unit(+Sheets, +Fan, -Vector) is det.
+%
+%   The mean of the normals of Fan's faces, also of an apex.
+
+fan_unit(Sheets, Fan, Vector) :-
+    arg(7, Sheets, Normals),
+    get_assoc(Fan, Normals, Term),
+    arg(1, Term, Vector).
+
+normal_of(Corners, Places, Areas, Members, Crease, Fan, Normal) :-
+    get_assoc(Fan, Members, Own),
+    maplist(corner_area(Corners, Places, Areas), Own, Weighted),
+    foldl(add_weighted, Weighted, p(0.0,0.0,0.0), Sum),
+    unit(Sum, Unit),
+    Least is cos(min(Crease, 90)*pi/180),
+    (   member(_-Area, Weighted),
+        dot_product(Area, Unit, Lean),
+        dot_product(Area, Area, Square),
+        Lean < Least*sqrt(Square)
+    ->  Normal = apex(Unit)
+    ;   Normal = normal(Unit)
+    ).
+
+%   The angle at a corner, and the area of its face.
+
+corner_area(Corners, Places, Areas, T-I, Angle-Area) :-
+    get_assoc(T, Corners, corners(P,V1,V2,V3)),
+    get_assoc(P, Areas, Area),
+    nth_turned(I, V1, V2, V3, A, B, C),
+    maplist(place(Places), [A,B,C], [PA,PB,PC]),
+    difference(PB, PA, U),
+    difference(PC, PA, W),
+    angle_between(U, W, Angle).
+
+nth_turned(1, A, B, C, A, B, C).
+nth_turned(2, A, B, C, B, C, A).
+nth_turned(3, A, B, C, C, A, B).
+
+add_weighted(Weight-p(X1,Y1,Z1), p(X0,Y0,Z0), p(X,Y,Z)) :-
+    X is X0 + Weight*X1,
+    Y is Y0 + Weight*Y1,
+    Z is Z0 + Weight*Z1.
+
+unit(U, Unit) :-
+    dot_product(U, U, Square),
+    (   Square > 0.0
+    ->  Size is sqrt(Square),
+        U = p(X0,Y0,Z0),
+        X is X0/Size,
+        Y is Y0/Size,
+        Z is Z0/Size,
+        Unit = p(X,Y,Z)
+    ;   Unit = U
+    ).
+
+/* - - - curved sheets - - - */
+
+%!  curved_triangle(+Sheets, ?T) is nondet.
+%
+%   True when triangle T lies in a curved sheet.
+
+curved_triangle(Sheets, T) :-
+    arg(8, Sheets, Curved),
+    (   var(T)
+    ->  assoc_to_keys(Curved, Ts),
+        member(T, Ts)
+    ;   get_assoc(T, Curved, true)
+    ).
+
+%   All triangles of the sheet of every fan that bends both ways.
+
+curved_triangles([], _, Curved, Curved).
+curved_triangles([T-_|Triangles], Sheets, Curved0, Curved) :-
+    (   \+ get_assoc(T, Curved0, true),
+        member(I, [1,2,3]),
+        corner_fan(Sheets, T-I, Fan),
+        bends_both_ways(Sheets, Fan)
+    ->  spread([T], Sheets, Curved0, Curved1)
+    ;   Curved1 = Curved0
+    ),
+    curved_triangles(Triangles, Sheets, Curved1, Curved).
+
+spread([], _, Curved, Curved).
+spread([T|Ts], Sheets, Curved0, Curved) :-
+    (   get_assoc(T, Curved0, true)
+    ->  spread(Ts, Sheets, Curved0, Curved)
+    ;   put_assoc(T, Curved0, true, Curved1),
+        findall(T2, ( member(I, [1,2,3]), smooth_side(Sheets, T-I, T2-_) ),
+                Nexts),
+        append(Nexts, Ts, More),
+        spread(More, Sheets, Curved1, Curved)
+    ).
+
+%   Inside its sheet, with a normal, and bent along more than one line.
+
+bends_both_ways(Sheets, Fan) :-
+    fan_normal(Sheets, Fan, _),
+    fan_corners(Sheets, Fan, Corners),
+    forall(member(Corner, Corners), smooth_side(Sheets, Corner, _)),
+    findall(Direction,
+            ( member(Corner, Corners), bend_direction(Sheets, Corner, Direction)
+            ),
+            Directions),
+    not_one_line(Directions).
+
+bend_direction(Sheets, Corner, Direction) :-
+    arg(4, Sheets, Sides),
+    get_assoc(Corner, Sides, across(_, Bend, _)),
+    Bend > 0.01,
+    next_corner(Corner, Next),
+    corner_place(Sheets, Corner, P),
+    corner_place(Sheets, Next, Q),
+    difference(Q, P, U),
+    unit(U, Direction).
+
+not_one_line([_,_,_|_]).
+not_one_line([U,W]) :-
+    foldl(add_weighted, [1.0-U,1.0-W], p(0.0,0.0,0.0), Sum),
+    dot_product(Sum, Sum, Square),
+    Square > 0.02*0.02.
+
+/* - - - vectors - - - */
+
+%!  difference(+P, +Q, -Vector) is det.
+%!  cross_product(+U, +V, -W) is det.
+%!  dot_product(+U, +V, -Product) is det.
+%
+%   Of points and vectors p(X,Y,Z).
+
+difference(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
+    X is X1-X2,
+    Y is Y1-Y2,
+    Z is Z1-Z2.
+
+cross_product(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
+    X is Y1*Z2 - Z1*Y2,
+    Y is Z1*X2 - X1*Z2,
+    Z is X1*Y2 - Y1*X2.
+
+dot_product(p(X1,Y1,Z1), p(X2,Y2,Z2), Product) :-
+    Product is X1*X2 + Y1*Y2 + Z1*Z2.
