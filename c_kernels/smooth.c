@@ -300,7 +300,7 @@ find_sheets(builder *b)
   }
   for (size_t i = 0; i < sides; i++) {
     uint32_t j = b->out->across[i];
-    if ((b->out->side[i] & SG_SIDE_SMOOTH) && j > i) {
+    if (j > i && (b->out->side[i] & SG_SIDE_SMOOTH)) {
       unite(b->sheet, (uint32_t)i / 3, j / 3);
       unite(b->root, (uint32_t)i, next_corner(j));
       unite(b->root, next_corner((uint32_t)i), j);

@@ -455,9 +455,10 @@ glue file.
 %
 %   True when the real edge E of segment S stands for all edges between its
 %   vertices (PL-13 step 3), and is not the second copy of a penetration line.
-%   Length is its length in the picture, standardised. Look is
-%   look(Faces,Towards,Away,Left,Right,Bend,Solid,Cut,Inside), see role.pl. In order of
-%   S and E.
+%   Or, if E is negative, that piece -E of contour/9 is there. Length is its
+%   length in the picture, standardised. Look is
+%   look(Faces,Towards,Away,Left,Right,Bend,Solid,Cut,Inside), see role.pl. In
+%   order of S and E.
 
 %!  occluder(+Scene, +S, +E, ?S2, ?T, -From, -To) is nondet.
 %
