@@ -16,6 +16,7 @@
 :- use_module(csg_record, [record/2, recorded/2, up_to_date/2]).
 :- use_module(csg_rows, [copy_segments/3, drop_boundary/1, segment_box/2]).
 :- use_module(csg_term, [csg_error/1, is_node_term/1, node_parts/4]).
+:- use_module(kernel, [kept_leaves/2]).
 :- use_module(penetration, [penetration_chains/3]).
 :- use_module(model_file, [add_primitive/2]).
 :- use_module(store,
@@ -24,7 +25,7 @@
               ]).
 :- use_module(triangulation, [complete_segments/1]).
 :- autoload(library(apply),
-            [foldl/4, foldl/5, include/3, maplist/3, partition/4]).
+            [foldl/4, foldl/6, include/3, maplist/3, partition/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- autoload(library(lists), [append/3, list_to_set/2, member/2, nth1/3]).
 /** <module> A CSG tree flattened to an expression over leaves.
@@ -68,11 +69,22 @@ flat(Place0, S, Expression, Known0, Known) :-
     !,
     node_parts(Term, Operation, Children, Steps),
     moved_on(Steps, Place0, Place),
-    foldl(flat(Place), Children, Expressions, Known0, Known1),
+    kept_leaves(Children, Kept),
+    foldl(flat_child(Place), Children, Kept, Expressions, Known0, Known1),
     arg(1, Place, Matrix),
     combined(Operation, Expressions, Matrix, Expression, Known1, Known).
 flat(place(_, Rounded), S, K, Known0, Known) :-
     instance(Rounded, S, K, Known0, Known).
+
+%   Most are leaves that are known, in their own places.
+
+flat_child(Place, S, Kept, Expression, Known0, Known) :-
+    (   Kept \== other,
+        Place = place(_, same)
+    ->  Expression = S,
+        Known = Known0
+    ;   flat(Place, S, Expression, Known0, Known)
+    ).
 
 moved_on([], Place, Place) :-
     !.
