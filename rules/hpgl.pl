@@ -5,7 +5,7 @@
               [ inked_lines/3, dashes_option/3, ink_pen/2, ink_runs/2,
                 ink_type/2, ink_lines/4
               ]).
-:- use_module(travel, [short_travel/2]).
+:- use_module(travel, [short_travel/2, travel_length/2]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [list_to_set/2, member/2, sum_list/2]).
@@ -32,8 +32,11 @@ write_hpgl(Out, Inked, Options) :-
     list_to_set(Pens0, Pens),
     format(Out, 'IN;~n', []),
     scaling_points(How, Out, W, H),
-    forall(member(Pen, Pens), plot_pen(Out, plot(How,W,H), Lines, Pen)),
-    format(Out, 'PU;SP0;~n', []).
+    foldl(plot_pen(Out, plot(How,W,H), Lines), Pens, travel(0,0,0),
+          travel(N,Way,WayUnsorted)),
+    format(Out, 'PU;SP0;~n', []),
+    print_message(informational,
+                  sanggwan(pen_travel(N, Way, WayUnsorted))).
 
 %   Line types are as long as the diagonal of P1 and P2 says: the sheet's.
 
@@ -43,7 +46,11 @@ scaling_points(type, Out, W, H) :-
     format(Out, 'IP0,0,~d,~d;~n', [X,Y]).
 scaling_points(_, _, _, _).
 
-plot_pen(Out, How, Lines, Pen) :-
+%   travel(N,Way,WayUnsorted): so many lines up to here, and how far the pen
+%   went between them, or would have gone.
+
+plot_pen(Out, How, Lines, Pen, travel(N0,Way0,Unsorted0),
+         travel(N,Way,Unsorted)) :-
     format(Out, 'PU;SP~d;~n', [Pen]),
     findall(Key-Ink,
             ( member(line(Ink,Stroke), Lines),
@@ -59,6 +66,12 @@ plot_pen(Out, How, Lines, Pen) :-
             ),
             Strokes),
     short_travel(Strokes, Ordered),
+    length(Strokes, N1),
+    travel_length(Ordered, Way1),
+    travel_length(Strokes, Unsorted1),
+    N is N0+N1,
+    Way is Way0+Way1,
+    Unsorted is Unsorted0+Unsorted1,
     foldl(plot(Out, How, Inks), Ordered, solid, Type),
     line_type(Out, How, Type, solid).
 

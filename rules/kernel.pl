@@ -120,6 +120,8 @@
             % stroke4pl.c
             stroke_looks/2,           % +Parts, -Looks
             stroke_chains/3,          % +Parts, +Looks, -Strokes
+            % travel4pl.c
+            travel_order/2,           % +Strokes, -Order
             % exact4pl.c
             exact_fallbacks/1,        % -Count
             exact_statistics/1,       % -Statistics
@@ -503,6 +505,13 @@ glue file.
 %   As strokes/2 of stroke.pl: the fused kernel. Looks are look(Visibility,Role,
 %   Rank), in standard order, all that Parts have; Rank is their place in
 %   painting.
+
+/* - - - travel4pl.c - - - */
+
+%!  travel_order(+Strokes:list, -Order:list) is det.
+%
+%   Order has the numbers of Strokes, from 1, in the order of short_travel/2 of
+%   travel.pl, those drawn backwards below zero: its fused kernel.
 
 /* - - - exact4pl.c - - - */
 

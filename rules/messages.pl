@@ -377,6 +377,10 @@ notice_en(empty_result(S, Name)) -->
     [ 'segment ~d (~p) is empty: nothing is left of its operands'-[S, Name] ].
 notice_en(wrote(File)) -->
     [ 'wrote ~w'-[File] ].
+notice_en(pen_travel(N, Way, Unsorted)) -->
+    { Metres is Way/1.0e6, Before is Unsorted/1.0e6 },
+    [ '~D lines for the pen; between them it goes ~3f m (~3f m unsorted)'-
+      [N, Metres, Before] ].
 notice_en(interrupted) -->
     [ 'interrupted' ].
 notice_en(greeting) -->

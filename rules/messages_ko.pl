@@ -362,6 +362,10 @@ notice_ko(empty_result(S, Name)) -->
     [ '세그먼트 ~d(~p) 이(가) 비었습니다. 피연산자에서 남은 것이 없습니다'-[S, Name] ].
 notice_ko(wrote(File)) -->
     [ '~w 을(를) 썼습니다'-[File] ].
+notice_ko(pen_travel(N, Way, Unsorted)) -->
+    { Metres is Way/1.0e6, Before is Unsorted/1.0e6 },
+    [ '펜이 그리는 선 ~D개, 그 사이를 ~3f m 간다 (차례를 바꾸지 않으면 ~3f m)'-
+      [N, Metres, Before] ].
 notice_ko(interrupted) -->
     [ '중단되었습니다' ].
 notice_ko(greeting) -->

@@ -15,13 +15,6 @@ random_line(E, Stroke) :-
     Y1 is Y+DY//20,
     line(E, X-Y, X1-Y1, Stroke).
 
-% The pen's way in the air.
-travelled([], _, 0.0).
-travelled([stroke(_,_,_,_,[X-Y|Points],_,_)|Strokes], X0-Y0, Way) :-
-    last(Points, End),
-    travelled(Strokes, End, Way0),
-    Way is Way0 + sqrt((X-X0)**2 + (Y-Y0)**2).
-
 edges(Strokes, Edges) :-
     findall(E, ( member(stroke(_,_,_,Es,_,_,_), Strokes), member(E, Es) ),
             Edges0),
@@ -41,13 +34,37 @@ test(nearest, true(Edges == [2,3,1])) :-
     line(3, 50-0, 12-0, L3),
     short_travel([L1,L2,L3], Ordered),
     findall(E, member(stroke(_,_,_,[E],_,_,_), Ordered), Edges).
+test(kernel_is_rule, [forall(between(1, 60, Seed))]) :-
+    N is Seed*3,
+    random_strokes(Seed, N, Strokes),
+    short_travel(Strokes, Kernel),
+    short_travel_by_rule(Strokes, Rule),
+    assertion(Seed-Kernel == Seed-Rule).
+test(kernel_is_rule_on_a_grid, [forall(between(1, 60, Seed))]) :-
+    set_random(seed(Seed)),
+    findall(Line, ( between(1, 70, E),
+                    maplist(random_between(0, 4), [X,Y,X1,Y1]),
+                    line(E, X-Y, X1-Y1, Line) ), Strokes),
+    short_travel(Strokes, Kernel),
+    short_travel_by_rule(Strokes, Rule),
+    assertion(Seed-Kernel == Seed-Rule).
+test(length, true(Length =:= 30.0)) :-
+    line(1, 3-4, 9-9, L1),
+    line(2, 9-34, 0-0, L2),
+    travel_length([L1,L2], Length).
+test(bad, [forall(member(Strokes-Error,
+                         [ x-type_error(list, x), [x]-type_error(stroke, x),
+                           [stroke(_,_,_,_,[],_,_)]-type_error(_, _),
+                           [stroke(_,_,_,_,[x],_,_)]-type_error(pair, x) ])),
+           throws(error(Error, _))]) :-
+    short_travel(Strokes, _).
 test(all_and_shorter, [forall(between(1, 10, Seed)), true]) :-
     random_strokes(Seed, 600, Strokes),
     short_travel(Strokes, Ordered),
     edges(Strokes, Edges),
     edges(Ordered, Edges),
-    travelled(Strokes, 0-0, Before),
-    travelled(Ordered, 0-0, After),
+    travel_length(Strokes, Before),
+    travel_length(Ordered, After),
     After < Before/5.
 
 :- end_tests(travel).
