@@ -313,6 +313,7 @@ sg_scene_make_lines(sg_scene_builder *b)
   }
   if (done) {
     make_bends(b);
+    done = sg_scene_find_solids(b, &j.pairs);
   }
   joined_clear(&j);
   return done;

@@ -22,7 +22,7 @@ typedef struct sg_look {
   unsigned towards, away; /* faces turned to the eye, turned from it */
   unsigned left, right;   /* of the line from a to b */
   double bend;            /* degrees from flat, the largest; 0 to 180 */
-  bool solid;             /* its segment is one, closed and not inside out */
+  bool solid;             /* nobody sees the backs of its segment's faces */
   bool cut;               /* it is (part of) a penetration line */
   bool inside;            /* it lies inside a curved sheet (smooth.h), whose
                              outline does not run along its edges */
@@ -47,7 +47,7 @@ typedef struct sg_scene_use {
 
 typedef struct sg_scene_model {
   sg_dense dense;
-  bool *solid;    /* [segments] closed, and not inside out */
+  bool *solid;    /* [segments] nobody sees the backs of its faces */
   bool *flat;     /* [polygons] its triangles lie in one plane */
   uint32_t *same; /* [vertices] the first of those that penetration lines say
                      are one point */

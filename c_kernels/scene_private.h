@@ -6,6 +6,7 @@
 #ifndef SG_SCENE_PRIVATE_H
 #define SG_SCENE_PRIVATE_H
 
+#include "edge_pairs.h"
 #include "scene_model.h"
 
 #include <math.h>
@@ -52,8 +53,12 @@ sg_length(const double a[3])
   return sqrt(sg_dot(a, a));
 }
 
-/* The lines of the model, with their uses and bends. False: no memory, or
- * (b->stopped) stopped by the poll. */
+/* The lines of the model, with their uses and bends, and which segments are
+ * solid. False: no memory, or (b->stopped) stopped by the poll. */
 bool sg_scene_make_lines(sg_scene_builder *b);
+
+/* Which of the segments of kind solid are solid indeed. pairs: of all edges.
+ * False: no memory. */
+bool sg_scene_find_solids(sg_scene_builder *b, const sg_edge_pairs *pairs);
 
 #endif

@@ -29,6 +29,7 @@ scene_class(grid_sheets,  40).
 scene_class(grid_triangles, 40).
 scene_class(grid_mixed,   40).
 scene_class(grid_shells,  40).
+scene_class(grid_bad,     60).
 scene_class(grid_united,  30).
 scene_class(solids,       15).
 scene_class(united,       15).

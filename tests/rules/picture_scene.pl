@@ -42,6 +42,9 @@ random_scene(grid_mixed) :-
 random_scene(grid_shells) :-
     grid_shells,
     several(0, 1, grid_curve).
+random_scene(grid_bad) :-
+    several(1, 2, bad_solid),
+    several(0, 1, grid_curve).
 random_scene(grid_united) :-
     several(2, 3, grid_box),
     united.
@@ -277,6 +280,48 @@ grid_shells :-
               solid_shape(Shape, Points, Faces) ),
             Shells),
     shells(Shells).
+
+%   What is said to be a solid and is none, or not all of it: a part inside
+%   out, a box whose top is twisted so that it goes through itself, a solid with
+%   a face too many or one turned round, a heap of triangles.
+
+bad_solid(S) :-
+    random_member(Shape, [inside_out,twisted,doubled,reversed,heap]),
+    bad_shape(Shape, Points, Faces),
+    enter(S, solid, Points, Faces).
+
+bad_shape(inside_out, Points, Faces) :-
+    solid_shape(box, Points0, Faces0),
+    solid_shape(tetrahedron, Points1, Faces1),
+    maplist(reverse, Faces1, Faces2),
+    with_shell(Points1-Faces2, Points0-Faces0, Points-Faces).
+bad_shape(twisted, [P1,P2,P3,P4,P6,P5,P7,P8], Triangles) :-
+    solid_shape(box, [P1,P2,P3,P4,P5,P6,P7,P8], Faces),
+    maplist(triangles, Faces, Lists),
+    append(Lists, Triangles).
+bad_shape(doubled, Points, Faces) :-
+    solid_shape(tetrahedron, Points, Faces0),
+    random_member(Face, Faces0),
+    append(Faces0, [Face], Faces).
+bad_shape(reversed, Points, Faces) :-
+    solid_shape(box, Points, Faces0),
+    random_select(Face, Faces0, Rest),
+    reverse(Face, Turned),
+    random_member(Faces, [[Turned|Rest], [Turned,Face|Rest]]).
+bad_shape(heap, Points, Faces) :-
+    length(Points, 5),
+    repeat,
+    maplist(grid_point, Points),
+    findall([A,B,C],
+            ( between(1, 6, _),
+              random_permutation([1,2,3,4,5], [A,B,C|_]),
+              triangle(Points, A, B, C) ),
+            Faces0),
+    sort(Faces0, Faces),
+    Faces \== [],
+    !.
+
+triangles([A,B,C,D], [[A,B,C],[A,C,D]]).
 
 shells(Shells) :-
     foldl(with_shell, Shells, []-[], Points-Faces),
