@@ -18,8 +18,7 @@ scene_edge/5 reports it, decides its role:
   - Left, Right: how many lie on the left and right of the line in the picture
   - Bend: degrees by which they are not flat, the largest of all pairs
   - Solid: `true` if the segment is a solid whose shells are closed, are not
-    inside out and do not go through themselves: its
-    backs cannot be seen
+    inside out and do not go through themselves: its backs cannot be seen
   - Cut: `true` if it is part of a penetration line
   - Inside: `true` if it lies inside a smooth surface whose outline runs through
     its triangles (contour.pl), not along their edges
