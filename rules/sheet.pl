@@ -60,7 +60,8 @@ middle or the end of its baseline at X,Y: Anchor is `start`, `middle` or `end`.
 %       sheet is as large as the picture needs, unless there is a size
 %     - hidden(H): `dashed`, `shown` (drawn, not dashed) or `removed`
 %
-%   @error domain_error(sheet_size, Size), domain_error(hidden_lines, H)
+%   @error domain_error(sheet_size, Size), domain_error(hidden_lines, H),
+%   usage_error(sheet(size(Size, Needed))): at that scale it is too small
 
 sheet_drawing(Default, Options, Drawing) :-
     (   option(drawing(Drawing0), Options)
@@ -195,12 +196,21 @@ sheet_size(box(_,_,HalfW,HalfH), Default, Options, W, H, Scale) :-
         option(margin(Margin), Options, 10),
         FitW is 2*(HalfW*Scale+Margin),
         FitH is 2*(HalfH*Scale+Margin),
-        size_option(Options, FitW-FitH, W, H)
+        size_option(Options, FitW-FitH, W, H),
+        large_enough(W-H, 2*HalfW*Scale, 2*HalfH*Scale)
     ;   size_option(Options, Default, W, H),
         margin_option(Options, W, H, Margin),
         fit(HalfW, W, Margin, ScaleW),
         fit(HalfH, H, Margin, ScaleH),
         smaller(ScaleW, ScaleH, Scale)
+    ).
+
+large_enough(W-H, Width0, Height0) :-
+    Width is Width0,
+    Height is Height0,
+    (   max(Width/W, Height/H) =< 1+1.0e-9
+    ->  true
+    ;   throw(error(usage_error(sheet(size(W-H, Width-Height))), _))
     ).
 
 margin_option(Options, W, H, Margin) :-

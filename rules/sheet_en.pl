@@ -2,6 +2,7 @@
           [ sheet_en//1                 % +What
           ]).
 :- autoload(library(apply), [maplist/3]).
+:- autoload(library(lists), [append/3]).
 /** <module> What is wrong with what was asked of a sheet, in English.
 
 sheet_ko.pl has the same heads in Korean (tests/rules/sheet_options.plt).
@@ -27,6 +28,12 @@ sheet_en(scale(Text)) -->
 sheet_en(too_large(N:M, Paper, Fitting, Papers)) -->
     [ 'at ~w:~w the views do not fit on ~w'-[N, M, Paper], nl ],
     fitting_en(Fitting, Papers).
+sheet_en(size(W-H, Width-Height)) -->
+    { maplist(short, [Width,Height], Needed),
+      append([W,H], Needed, Numbers) },
+    [ 'a sheet of ~w x ~w mm is too small at this scale: \c
+       the picture has ~w x ~w mm'-Numbers, nl,
+      '  Leave --size out, and it is as large as needed.' ].
 sheet_en(no_room(Paper)) -->
     [ 'the views do not fit on ~w at any scale'-[Paper], nl,
       '  Take a larger --sheet, or fewer --views.' ].

@@ -3,6 +3,7 @@
           [ sheet_ko//1                 % +What
           ]).
 :- autoload(library(apply), [maplist/3]).
+:- autoload(library(lists), [append/3]).
 /** <module> What is wrong with what was asked of a sheet, in Korean.
 
 sheet_en.pl has the same heads in English.
@@ -29,6 +30,12 @@ sheet_ko(scale(Text)) -->
 sheet_ko(too_large(N:M, Paper, Fitting, Papers)) -->
     [ '척도 ~w:~w 로는 ~w 에 그림이 다 들어가지 않습니다'-[N, M, Paper], nl ],
     fitting_ko(Fitting, Papers).
+sheet_ko(size(W-H, Width-Height)) -->
+    { maplist(short, [Width,Height], Needed),
+      append([W,H], Needed, Numbers) },
+    [ '이 척도로는 ~w x ~w mm 종이가 작습니다. 그림이 ~w x ~w mm 입니다'
+      -Numbers, nl,
+      '  --size 를 빼면 필요한 만큼 큰 종이가 됩니다.' ].
 sheet_ko(no_room(Paper)) -->
     [ '어떤 척도로도 ~w 에 그림이 다 들어가지 않습니다'-[Paper], nl,
       '  더 큰 --sheet 나 더 적은 --views 를 쓰십시오.' ].

@@ -3,6 +3,7 @@
             sheet_request/3,            % +Options, +Picture, -Request
             request_facts/4,            % +Options, +Files, +Request0,
                                         % -Request
+            request_title/2,            % +Request, -Title
             looking/2,                  % +Options, -View
             scale_option/2              % +Options, -Millimetres
           ]).
@@ -247,6 +248,14 @@ request_facts(Options, Files, Request, [facts([language-Language|Facts])
     findall(Item-String,
             ( member(Item-Text, Given), shown_text(Text, String) ),
             Facts).
+
+%!  request_title(+Request, -Title) is det.
+%
+%   Title, a string, is the name in the title block of Request.
+
+request_title(Request, Title) :-
+    option(facts(Facts), Request),
+    memberchk(name-Title, Facts).
 
 shown_text(Text, String) :-
     format(string(String), '~w', [Text]).

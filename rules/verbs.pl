@@ -25,7 +25,8 @@
 :- use_module(repl, [repl/0]).
 :- use_module(report, [print_report/2]).
 :- use_module(sheet_options,
-              [ sheet_wanted/1, sheet_request/3, request_facts/4, looking/2,
+              [ sheet_wanted/1, sheet_request/3, request_facts/4,
+                request_title/2, looking/2,
                 scale_option/2
               ]).
 :- use_module(sheet_plan, [views_drawing/4]).
@@ -131,7 +132,8 @@ verb_run(draw, Files, Options, 0) :-
         request_facts(Options, Files, Request, Full),
         roots_ready(PictureOptions, Lines),
         sheet_made(Options, Full, Lines, Drawing),
-        WriteOptions = [drawing(Drawing)|DrawingOptions]
+        request_title(Full, Title),
+        WriteOptions = [drawing(Drawing),title(Title)|DrawingOptions]
     ;   eye(Options, Eye),
         load_model(Files, Options),
         picture_made(Options, Eye, PictureOptions, _),

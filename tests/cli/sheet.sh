@@ -60,6 +60,8 @@ check "an eye in the model" status_is 4
 sheet facts/cube.pl --sheet A4 --scale 200:1 -o "$work/none.svg"
 check "too large" fails 2 '--scale 50:1 does fit, or take --sheet A1.'
 check "no file" absent "$work/none.svg"
+sheet facts/cube.pl --scale 50:1 --size 20x20 -o "$work/none.svg"
+check "too large for a size" fails 2 'a sheet of 20 x 20 mm is too small'
 sheet facts/cube.pl --sheet B7 -o "$work/none.svg"
 check "no paper" fails 2 'A4 A3 A2 A1 A0'
 sheet facts/cube.pl --views front,side -o "$work/none.svg"

@@ -40,6 +40,76 @@ place(N, V, Axes, A, B) :-
     v(N, V, X, Y, Z),
     memberchk(Axes-[A,B], [yz-[Y,Z], xz-[X,Z], xy-[X,Y]]).
 
+% The same area without any Boolean: each triangle of segment S crosses the
+% plane, an N-D, in a directed line; twice the area is the sum of what they span.
+sliced_area(S, N-D, Area) :-
+    findall(Twice,
+            ( t(S, _, _, V1, V2, V3),
+              maplist(vertex(S), [V1,V2,V3], Ps),
+              maplist(height(N-D), Ps, Hs),
+              slice(Ps, Hs, A, B),
+              cross(A, B, C),
+              dot(C, N, Twice) ),
+            All),
+    sum_list(All, Sum),
+    dot(N, N, Square),
+    Area is abs(Sum)/2/sqrt(Square).
+
+vertex(S, V, [X,Y,Z]) :-
+    v(S, V, X, Y, Z).
+
+height(N-D, P, H) :-
+    dot(N, P, H0),
+    H is H0+D.
+
+% From where the triangle goes up to where it goes down.
+slice([P1,P2,P3], [H1,H2,H3], A, B) :-
+    Edges = [e(P1,H1,P2,H2), e(P2,H2,P3,H3), e(P3,H3,P1,H1)],
+    member(e(PA,HA,QA,KA), Edges),
+    HA < 0, KA >= 0,
+    !,
+    crossing(PA, HA, QA, KA, A),
+    member(e(PB,HB,QB,KB), Edges),
+    HB >= 0, KB < 0,
+    !,
+    crossing(PB, HB, QB, KB, B).
+
+crossing(P, H, Q, K, R) :-
+    T is H/(H-K),
+    maplist([A,B,C]>>(C is A+T*(B-A)), P, Q, R).
+
+cross([A,B,C], [X,Y,Z], [U,V,W]) :-
+    U is B*Z-C*Y,
+    V is C*X-A*Z,
+    W is A*Y-B*X.
+
+dot([A,B,C], [X,Y,Z], D) :-
+    D is A*X+B*Y+C*Z.
+
+% The area of the caps in space.
+cap_area_in_space(Section, S, N, Area) :-
+    section_region(Section, S, M, Edges),
+    findall(Twice,
+            ( member(V1-V2, Edges),
+              vertex(M, V1, A),
+              vertex(M, V2, B),
+              cross(A, B, C),
+              dot(C, N, Twice) ),
+            All),
+    sum_list(All, Sum),
+    dot(N, N, Square),
+    Area is abs(Sum)/2/sqrt(Square).
+
+random_solid(at([rotate(x,A),rotate(z,B),translate(X,Y,Z)], Term)) :-
+    maplist(random_between(0, 90), [A,B]),
+    maplist(random_between(-1, 1), [X,Y,Z]),
+    random_member(Term,
+                  [ box(size(2,3,4)), sphere(radius(2), facets(12)),
+                    cylinder(radius(1.5), height(4), facets(11)),
+                    torus(radius(2), tube(0.7), facets(14), sides(7)),
+                    hollow_cylinder(radius(2), inner(1), height(3),
+                                    facets(9)) ]).
+
 near(A, B) :-
     abs(A-B) =< 1.0e-9*max(1, abs(B)).
 
@@ -99,6 +169,31 @@ test(ellipse, true(near(Area, Wanted))) :- % 45 degrees: sqrt(2) in space
          ( cut_away(plane(1,0,1,-5), Section),
            cap_area(Section, 1, xy, Area) )),
     Wanted is 64/2*sin(2*pi/64).
+test(random_areas, [forall(between(1, 60, Seed))]) :-
+    set_random(seed(Seed)),
+    random_solid(One),
+    random_solid(Other),
+    maplist(random_between(-3, 3), [A,B,C]),
+    random_between(-10, 10, D0),
+    D is D0/10,
+    (   [A,B,C] == [0,0,0]
+    ->  N = [1,2,3]
+    ;   N = [A,B,C]
+    ),
+    append(N, [D], Numbers),
+    Plane =.. [plane|Numbers],
+    tree(difference([One,Other]),
+         ( findall(S-Area, ( segment(S,_,_), p_once(S),
+                             sliced_area(S, N-D, Area) ), Wanted),
+           (   cut_away(Plane, Section)
+           ->  true
+           ;   Section = section(Plane, [])
+           ),
+           forall(member(S-Area, Wanted),
+                  (   cap_area_in_space(Section, S, N, Found)
+                  ->  abs(Found-Area) < 1.0e-6
+                  ;   Area < 1.0e-6
+                  )) )).
 test(section_edges_close, [forall(member(Plane, [ plane(0,0,1,-1.0),
                                                   plane(1,2,3,-4.0) ]))]) :-
     with([box(size(1,2,3))],
@@ -157,6 +252,9 @@ test(operand_lines_stay, true(Count-All == 8-16)) :- % a drilled block
                           e(N,E,V1,V2,_), \+ memberchk(E, InPlane) ),
                      Others),
              length(Others, Count) )).
+
+p_once(S) :-
+    once(p(S, _, _)).
 
 v_used(N, X) :-
     e(N, _, V1, V2, _),

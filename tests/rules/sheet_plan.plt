@@ -11,6 +11,7 @@
 :- use_module(rules(drawing), [write_drawing_stream/3]).
 :- use_module(rules(model), [load_model/1]).
 :- use_module(rules(penetration), [penetrate/2]).
+:- use_module(rules(verbs), [draw/2]).
 
 % The drawing of a model of facts/ by options as on the command line.
 drawn_sheet(Model, Options, Drawing) :-
@@ -315,6 +316,22 @@ test(svg_ids_once) :-
 test(same_bytes, true(A == B)) :-
     drawn_sheet(pipe_tee, [sheet(a3),section([y])], A),
     drawn_sheet(pipe_tee, [sheet(a3),section([y])], B).
+
+test(draw) :-                           % the predicate, nodes as roots
+    absolute_file_name(sanggwan('facts/pipe_tee.pl'), Model),
+    tmp_file_stream(File, Out, [extension(svg)]),
+    close(Out),
+    new_world(World),
+    in_world(World,
+             ( load_model(Model),
+               draw(File, [sheet(a3),section([y]),language(ko)]),
+               findall(S, segment(S, _, _), Ss),
+               \+ drawn(_,_,_,_,_,_,_) )),
+    Ss = [_,_,_|_],
+    read_file_to_string(File, Text, [encoding(utf8)]),
+    delete_file(File),
+    once(sub_string(Text, _, _, _, "척도")),
+    once(sub_string(Text, _, _, _, "hatching")).
 
 test(faults, [forall(member(Options-What,
          [ [sheet('B7')]-sheet(paper('B7',_)),
