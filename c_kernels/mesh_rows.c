@@ -53,9 +53,11 @@ sg_mesh_rows_polygons(const sg_mesh_part *part, int32_t s,
 {
   number_rows(s, page);
   for (size_t i = 0; i < page->n; i++) {
+    const uint32_t *start = part->start + page->from + i;
     int32_t *list = page->column[2].list[i];
-    for (int32_t k = 0; k < list[0]; k++) {
-      list[1 + k] = (int32_t)part->start[page->from + i] + k + 1;
+    list[0] = (int32_t)(start[1] - start[0]);
+    for (int32_t k = 1; k <= list[0]; k++) {
+      list[k] = (int32_t)start[0] + k;
     }
   }
 }

@@ -10,8 +10,8 @@
 #include "mesh_part.h"
 #include "sheet.h"
 
-/* v/5, e/5 and p/3 of segment s. The lists of p/3 have their lengths, which
- * sg_mesh_rows_lengths() gave: [page->n]. */
+/* v/5, e/5 and p/3 of segment s. The lists of p/3 have room for the lengths
+ * that sg_mesh_rows_lengths() gave: [page->n]. */
 void sg_mesh_rows_vertices(const sg_mesh *mesh, const sg_mesh_part *part,
                            int32_t s, const sg_sheet_page *page);
 void sg_mesh_rows_edges(const sg_mesh_part *part, int32_t s,

@@ -55,6 +55,26 @@ sg_newell_edge(sg_newell *sum, const double start[3], const double end[3])
   sum->n++;
 }
 
+/* All three edges of a triangle at once, the first of `sum`: the same numbers.
+ */
+static inline void
+sg_newell_triangle(sg_newell *sum, const double p[3], const double q[3],
+                   const double r[3])
+{
+  double a[3], b[3];
+
+  for (int k = 0; k < 3; k++) {
+    sum->origin[k] = p[k];
+    a[k] = q[k] - p[k];
+    b[k] = r[k] - p[k];
+    sum->mean[k] = a[k] + b[k];
+  }
+  sum->doubled[0] = a[1] * b[2] - a[2] * b[1] + 0.0;
+  sum->doubled[1] = a[2] * b[0] - a[0] * b[2] + 0.0;
+  sum->doubled[2] = a[0] * b[1] - a[1] * b[0] + 0.0;
+  sum->n = 3;
+}
+
 /* The plane through the mean of the vertices. False: no edges, an area of
  * exactly 0, or numbers out of range. Components are never -0.0. */
 bool sg_newell_plane(const sg_newell *sum, sg_plane *out);

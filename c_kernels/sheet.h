@@ -14,8 +14,10 @@
 
 #include "column.h"
 
-/* Cells of one column, of the rows of one page; a list's length stands already
- * in its first word. */
+#include <stdbool.h>
+
+/* Cells of one column, of the rows of one page; a list has room for its length,
+ * which is its first word, and its ids. */
 typedef union sg_blank {
   int32_t *i;
   double *f;
@@ -25,6 +27,7 @@ typedef union sg_blank {
 typedef struct sg_sheet_page {
   size_t from; /* the first of these rows, of the sheet */
   size_t n;
+  bool refs; /* the store's: its lists and terms are there, or null */
   sg_blank column[SG_MAX_COLUMNS];
 } sg_sheet_page;
 

@@ -177,28 +177,56 @@ places_at(const writing *w, size_t face)
                   .from_p = sg_sheet_at(w->out->from_p, face)};
 }
 
-/* Writes the edges of triangle t of the solid, sums them up; *e is the id of
- * the last one. */
+/* Writes the edges of triangle t of the solid; *e is the id of the last one. */
 static void
-write_edges(const writing *w, size_t t, sg_sheet_place *at, sg_newell *sum,
-            int32_t *e)
+write_edges(const writing *w, size_t t, sg_sheet_place *at, int32_t *e)
 {
   const sg_solid *solid = w->rows->solid;
   const uint32_t *v = solid->triangle[t];
 
   for (int k = 0; k < 3; k++) {
-    uint32_t a = v[k], b = v[(k + 1) % 3];
     if (!(w->rows->border[t] >> k & 1)) {
       continue;
     }
     const sg_blank *column = at->page->column;
     column[0].i[at->at] = w->s;
     column[1].i[at->at] = ++*e;
-    column[2].i[at->at] = w->rows->id[a];
-    column[3].i[at->at] = w->rows->id[b];
+    column[2].i[at->at] = w->rows->id[v[k]];
+    column[3].i[at->at] = w->rows->id[v[(k + 1) % 3]];
     column[4].i[at->at] = !(solid->auxiliary[t] >> k & 1);
     sg_sheet_next(at);
-    sg_newell_edge(sum, solid->vertex[a].at, solid->vertex[b].at);
+  }
+}
+
+/* Sums the edges of triangle t up that are its face's. */
+static void
+sum_edges(const writing *w, size_t t, sg_newell *sum)
+{
+  const sg_solid *solid = w->rows->solid;
+  const uint32_t *v = solid->triangle[t];
+
+  for (int k = 0; k < 3; k++) {
+    if (w->rows->border[t] >> k & 1) {
+      sg_newell_edge(sum, solid->vertex[v[k]].at,
+                     solid->vertex[v[(k + 1) % 3]].at);
+    }
+  }
+}
+
+static void
+sum_face(const writing *w, const sg_solid_face *face, sg_newell *sum)
+{
+  const sg_solid *solid = w->rows->solid;
+  const uint32_t *v = solid->triangle[face->first];
+
+  sg_newell_init(sum);
+  if (face->n == 1 && w->rows->border[face->first] == 7) {
+    sg_newell_triangle(sum, solid->vertex[v[0]].at, solid->vertex[v[1]].at,
+                       solid->vertex[v[2]].at);
+    return;
+  }
+  for (uint32_t i = 0; i < face->n; i++) {
+    sum_edges(w, face->first + i, sum);
   }
 }
 
@@ -218,7 +246,7 @@ write_triangle(const writing *w, int32_t p, int32_t t, const uint32_t v[3],
 }
 
 static void
-write_polygon(const writing *w, int32_t p, int32_t first_edge,
+write_polygon(const writing *w, int32_t p, int32_t first_edge, int32_t n,
               sg_sheet_place *at)
 {
   const sg_blank *column = at->page->column;
@@ -226,7 +254,8 @@ write_polygon(const writing *w, int32_t p, int32_t first_edge,
 
   column[0].i[at->at] = w->s;
   column[1].i[at->at] = p;
-  for (int32_t i = 0; i < list[0]; i++) {
+  list[0] = n;
+  for (int32_t i = 0; i < n; i++) {
     list[1 + i] = first_edge + i;
   }
   sg_sheet_next(at);
@@ -275,15 +304,16 @@ write_faces(const writing *w, size_t from, size_t end)
     const sg_solid_face *face = &solid->face[f];
     int32_t p = (int32_t)f + 1;
     sg_newell sum;
-    sg_newell_init(&sum);
-    write_polygon(w, p, e + 1, &at.p);
+    write_polygon(w, p, e + 1,
+                  (int32_t)(w->rows->edge[f + 1] - w->rows->edge[f]), &at.p);
     for (uint32_t i = 0; i < face->n; i++) {
-      write_edges(w, face->first + i, &at.e, &sum, &e);
+      write_edges(w, face->first + i, &at.e, &e);
       write_triangle(w, p, ++t, solid->triangle[face->first + i], &at.t);
       if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
         return;
       }
     }
+    sum_face(w, face, &sum);
     write_plane(w, p, &sum, &at.plane);
     if (solid->parts == 0) {
       write_source(w, p, face->s, face->p, face->reversed, &at.from_p);

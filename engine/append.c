@@ -27,12 +27,12 @@ lay_out(const sg_table *table, sg_row first, sg_sheet_page *out)
   const sg_page *page = sg_table_page(table, first);
   unsigned place = first % SG_PAGE_ROWS;
 
+  out->refs = false;
   for (unsigned c = 0; c < table->info->arity; c++) {
     if (table->info->column[c].type == SG_FLOAT) {
       out->column[c].f = page->cells[c].f + place;
     } else if (is_ref(table, c)) {
       out->column[c].list = (int32_t **)(page->cells[c].ref + place);
-      memset(out->column[c].list, 0, out->n * sizeof(int32_t *));
     } else {
       out->column[c].i = page->cells[c].i + place;
     }
@@ -86,7 +86,8 @@ sg_append_shorten(sg_append *a, size_t n)
     sg_sheet_page *page = &sheet->page[sheet->pages - 1];
     size_t keep = n > page->from ? n - page->from : 0;
     for (unsigned c = 0; c < table->info->arity; c++) {
-      for (size_t i = keep; is_ref(table, c) && i < page->n; i++) {
+      for (size_t i = keep; page->refs && is_ref(table, c) && i < page->n;
+           i++) {
         sg_arena_give(&table->arena, (uint32_t *)page->column[c].list[i]);
       }
     }
@@ -96,6 +97,20 @@ sg_append_shorten(sg_append *a, size_t n)
       break;
     }
   }
+}
+
+void
+sg_append_want_refs(sg_append *a, size_t number)
+{
+  const sg_relation_info *info = table_of(a)->info;
+  sg_sheet_page *page = &a->sheet.page[number];
+
+  for (unsigned c = 0; c < info->arity && !page->refs; c++) {
+    if (is_ref(table_of(a), c)) {
+      memset(page->column[c].list, 0, page->n * sizeof(int32_t *));
+    }
+  }
+  page->refs = true;
 }
 
 /* ---- showing ----------------------------------------------------------- */
@@ -134,6 +149,31 @@ own_pages(const sg_append *a, sg_map *map)
   return true;
 }
 
+enum { AT_ONCE = 64 };
+
+/* Of 64 rows; the loop takes many at once. */
+static bool
+are_all_of(const int32_t *s, int32_t of)
+{
+  int32_t differ = 0;
+
+  for (unsigned i = 0; i < AT_ONCE; i++) {
+    differ |= s[i] ^ of;
+  }
+  return differ == 0;
+}
+
+static int32_t
+largest(const int32_t *id)
+{
+  int32_t last = id[0];
+
+  for (unsigned i = 0; i < AT_ONCE; i++) {
+    last = id[i] > last ? id[i] : last;
+  }
+  return last;
+}
+
 /* The largest id of rows `from` .. of a page that are of the segment of the
  * first of them; *next: the first row behind them. */
 static int32_t
@@ -143,6 +183,10 @@ last_id(const int32_t *s, const int32_t *id, size_t from, size_t n,
   int32_t last = id[from];
   size_t i = from;
 
+  for (; i + AT_ONCE <= n && (!s || are_all_of(s + i, s[from])); i += AT_ONCE) {
+    int32_t of = largest(id + i);
+    last = of > last ? of : last;
+  }
   for (; i < n && (!s || s[i] == s[from]); i++) {
     last = id[i] > last ? id[i] : last;
   }
@@ -187,6 +231,7 @@ sg_append_show(sg_append *a)
     sg_row row = first_of(a, k);
     sg_page *page = sg_table_page(table, row);
     sg_live *live = sg_map_own_live(map, page, row / SG_PAGE_ROWS);
+    sg_page_show(page, row % SG_PAGE_ROWS, sheet->page[k].n);
     set_bits(page->taken, row % SG_PAGE_ROWS, sheet->page[k].n);
     set_bits(live->word, row % SG_PAGE_ROWS, sheet->page[k].n);
   }
@@ -226,13 +271,11 @@ sg_append_lists(sg_append *a, size_t page, unsigned column,
   bool good = true;
 
   sg_world_enter(a->world);
+  sg_append_want_refs(a, page);
   for (size_t i = 0; good && i < of->n; i++) {
     uint32_t *list = sg_arena_take(&table->arena, 1 + (size_t)length[i]);
     good = list != NULL;
-    if (good) {
-      list[0] = (uint32_t)length[i];
-      of->column[column].list[i] = (int32_t *)list;
-    }
+    of->column[column].list[i] = (int32_t *)list;
   }
   sg_world_leave(a->world);
   return good;
@@ -242,10 +285,11 @@ bool
 sg_append_terms(sg_append *a, size_t page, unsigned column,
                 const uint32_t *const *term)
 {
-  const sg_sheet_page *of = &a->sheet.page[page];
+  sg_sheet_page *of = &a->sheet.page[page];
   bool good = true;
 
   sg_world_enter(a->world);
+  sg_append_want_refs(a, page);
   for (size_t i = 0; good && i < of->n; i++) {
     const uint32_t *copy =
         sg_table_keep(table_of(a), SG_TERM, (sg_value){.term = term[i]});

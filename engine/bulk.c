@@ -172,6 +172,7 @@ write_rows(load *l)
 
   l->first = a.first;
   for (size_t k = 0; good && k < a.sheet.pages; k++) {
+    sg_append_want_refs(&a, k);
     good = copy_page(l, &a.sheet.page[k]);
   }
   good = good && sg_append_show(&a);

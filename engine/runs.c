@@ -5,6 +5,7 @@
 #include <string.h>
 
 enum {
+  AT_ONCE = 64,  /* rows that are compared together */
   SHORTEST = 64, /* rows of a run */
   MOST = 2048    /* runs of a table */
 };
@@ -97,8 +98,15 @@ static bool
 is_run(const int32_t *s, const int32_t *id, size_t n)
 {
   uint32_t differ = 0;
+  size_t i = 0;
 
-  for (size_t i = 0; i < n; i++) {
+  for (; i + AT_ONCE <= n; i += AT_ONCE) { /* the inner loop: many at once */
+    for (uint32_t k = 0; k < AT_ONCE; k++) {
+      differ |= (uint32_t)(s[i + k] ^ s[0]);
+      differ |= ((uint32_t)id[i + k] - (uint32_t)id[0]) ^ ((uint32_t)i + k);
+    }
+  }
+  for (; i < n; i++) {
     differ |= (uint32_t)(s[i] ^ s[0]);
     differ |= ((uint32_t)id[i] - (uint32_t)id[0]) ^ (uint32_t)i;
   }

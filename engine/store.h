@@ -167,7 +167,8 @@ typedef struct sg_append {
 bool sg_append_open(sg_append *append, sg_world *world, sg_relation relation,
                     size_t n);
 /* Gives the rows of a page of the sheet lists of length[i] ids in an SG_LIST
- * column; their ids are still to be written. False: no memory. */
+ * column; lengths and ids are still to be written, by any thread. False: no
+ * memory. */
 bool sg_append_lists(sg_append *append, size_t page, unsigned column,
                      const int32_t *length);
 /* Gives the rows of a page of the sheet copies of term[i] in an SG_TERM column.

@@ -85,18 +85,29 @@ page_open(const sg_relation_info *info)
   if (!page) {
     return NULL;
   }
+  page->fresh = info->column[0].type == SG_INT; /* others nobody looks for */
   for (unsigned c = 0; c < info->arity; c++) {
     size_t bytes = cell_bytes(info->column[c].type);
 
-    /* Segments are looked for in whole pages, dead rows and all. */
-    page->cells[c].i =
-        c == 0 ? calloc(SG_PAGE_ROWS, bytes) : malloc(SG_PAGE_ROWS * bytes);
+    page->cells[c].i = malloc(SG_PAGE_ROWS * bytes);
     if (!page->cells[c].i) {
       page_close(page, info);
       return NULL;
     }
   }
   return page;
+}
+
+void
+sg_page_show(sg_page *page, size_t place, size_t n)
+{
+  int32_t *s = page->cells[0].i;
+
+  if (page->fresh) {
+    memset(s, 0, place * sizeof *s);
+    memset(s + place + n, 0, (SG_PAGE_ROWS - place - n) * sizeof *s);
+    page->fresh = false;
+  }
 }
 
 bool
@@ -221,6 +232,7 @@ sg_table_write(sg_table *table, sg_row row, const sg_value *value)
       page->cells[c].i[place] = value[c].i;
     }
   }
+  sg_page_show(page, place, 1);
   page->taken[place / 64] |= UINT64_C(1) << place % 64;
   table->written++;
   return true;

@@ -34,6 +34,7 @@ typedef struct sg_page {
   uint64_t taken[SG_LIVE_WORDS];
   uint16_t *empty; /* the empty stack: null, or places below `slots` */
   unsigned empties;
+  bool fresh; /* the segments of column 0 are not zero where nobody wrote */
 } sg_page;
 
 typedef struct sg_live {
@@ -150,6 +151,11 @@ sg_table_taken(const sg_table *table, sg_row row)
               row % 64 &
           1);
 }
+
+/* Segments are looked for in whole pages, dead rows and all: before one of a
+ * fresh page lives, column 0 is made zero but for rows place .. place + n - 1,
+ * which are written. */
+void sg_page_show(sg_page *page, size_t place, size_t n);
 
 void sg_table_init(sg_table *table, sg_relation relation);
 void sg_table_clear(sg_table *table);

@@ -76,6 +76,8 @@ bool sg_append_begin(sg_append *append, sg_world *world, sg_relation relation,
                      size_t n);
 bool sg_append_show(sg_append *append);
 void sg_append_end(sg_append *append);
+/* Before the first list or term of a page is made: there are none. */
+void sg_append_want_refs(sg_append *append, size_t page);
 
 /* Checks of one value: its type's bounds; that the rows it refers to live. */
 bool sg_value_is_valid(const sg_relation_info *info, unsigned column,

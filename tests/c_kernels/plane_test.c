@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 typedef const double place[3];
 
@@ -114,11 +115,46 @@ test_tolerance(void)
   CHECK("whole numbers are no rounded ones", tolerance_of(whole, 2) < 1e-5);
 }
 
+/* Numbers of few bits, so that some vanish, and of many. */
+static double
+any_number(uint64_t *state)
+{
+  *state = *state * 6364136223846793005u + 1442695040888963407u;
+  int64_t n = (int64_t)(*state >> 33) - (INT64_C(1) << 30);
+
+  return *state >> 20 & 1 ? (double)(n % 4) : ldexp((double)n, -25);
+}
+
+static void
+test_triangles(void)
+{
+  uint64_t state = 1;
+  size_t same = 0;
+
+  for (int i = 0; i < 10000; i++) {
+    double at[3][3], area;
+    sg_plane edges = {{0}, 0}, whole = {{0}, 0};
+    sg_newell sum;
+
+    for (int k = 0; k < 9; k++) {
+      at[k / 3][k % 3] = any_number(&state);
+    }
+    sg_newell_init(&sum);
+    sg_newell_triangle(&sum, at[0], at[1], at[2]);
+    bool is = plane_of((place *)at, 3, &edges, &area);
+    same += sg_newell_plane(&sum, &whole) == is &&
+            sg_newell_area(&sum) == area &&
+            memcmp(&edges, &whole, sizeof edges) == 0;
+  }
+  CHECK("a triangle at once: bit for bit what its edges give", same == 10000);
+}
+
 int
 main(void)
 {
   test_normals();
   test_edges_in_any_order();
   test_tolerance();
+  test_triangles();
   return check_report();
 }

@@ -93,8 +93,8 @@ fill_lists(sg_append *a, const rows *r, size_t k, unsigned c)
     return false;
   }
   for (size_t i = 0; i < page->n; i++) {
-    memcpy(page->column[c].list[i] + 1, r->list[page->from + i] + 1,
-           (size_t)length[i] * sizeof(int32_t));
+    memcpy(page->column[c].list[i], r->list[page->from + i],
+           (1 + (size_t)length[i]) * sizeof(int32_t));
   }
   return true;
 }
