@@ -16,7 +16,9 @@
 :- use_module(decision, [default/1]).
 :- use_module(lettering, [lettering/2]).
 :- use_module(style,
-              [ line_style/4, line_type/3, colour_rgb/2, paper_style/1 ]).
+              [ line_style/4, line_type/3, colour_rgb/2, layer_name/1,
+                paper_style/1
+              ]).
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(error), [domain_error/2, type_error/2]).
@@ -125,7 +127,7 @@ style_ink(style(Width0,Colour,Type,Pen,Layer),
     integer(Pen),
     Pen >= 1,
     Pen =< 255,
-    atom(Layer).
+    layer_name(Layer).
 
 colours(colour(Screen0,Print0), colours(Screen,Print)) :-
     !,

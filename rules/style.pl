@@ -4,6 +4,7 @@
             line_type/3,                % ?Type, +Width, -Runs
             colour_name/2,              % ?Name, ?RGB
             colour_rgb/2,               % +Colour, -RGB
+            layer_name/1,               % +Layer
             sheet_role/1                % ?Role
           ]).
 :- use_module(decision, [decision/2]).
@@ -20,7 +21,7 @@ A style is what a writer has to know of a line, whatever the format:
   - Dashes: `solid`, a line type of line_type/3, or lengths in millimetres of
     a dash, a gap, a dash, a gap, ...
   - Pen: the pen of a plotter, 1 to 255
-  - Layer: of a CAD file, letters, digits, `_` and `-`
+  - Layer: of a CAD file, at most 31 letters, digits, `_`, `-` and `$`
 
 or `none` if such lines are not drawn. A rule file replaces line_style/4 and
 paper_style/1 for one world; a style file (style_file.pl) changes properties of
@@ -169,6 +170,25 @@ colour_rgb(rgb(R,G,B), RGB) =>
 colour_rgb(Name, RGB) =>
     atom(Name),
     colour_name(Name, RGB).
+
+%!  layer_name(+Layer) is semidet.
+%
+%   True when Layer is an atom that DXF R12 takes as the name of a layer.
+
+layer_name(Layer) :-
+    atom(Layer),
+    atom_length(Layer, N),
+    N > 0,
+    N =< 31,
+    forall(sub_atom(Layer, _, 1, _, Char), layer_char(Char)).
+
+layer_char(Char) :-
+    char_code(Char, Code),
+    Code < 128,
+    (   char_type(Char, alnum)
+    ;   memberchk(Char, ['_','-','$'])
+    ),
+    !.
 
 byte(N) :-
     integer(N),

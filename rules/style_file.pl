@@ -9,7 +9,10 @@
               ]).
 :- use_module(role, [role_rank/2]).
 :- use_module(store, [segment/3]).
-:- use_module(style, [line_type/3, colour_rgb/2, line_style/4, sheet_role/1]).
+:- use_module(style,
+              [ line_type/3, colour_rgb/2, layer_name/1, line_style/4,
+                sheet_role/1
+              ]).
 :- use_module(decision, [default/1]).
 :- autoload(library(apply), [foldl/4]).
 :- autoload(library(lists), [last/2, member/2]).
@@ -121,8 +124,7 @@ is_property(pen(Pen)) :-
     Pen >= 1,
     Pen =< 255.
 is_property(layer(Layer)) :-
-    atom(Layer),
-    is_layer(Layer).
+    layer_name(Layer).
 is_property(none).
 is_property(shown).
 
@@ -145,22 +147,6 @@ is_dashes(Runs) :-
     N > 0,
     N mod 2 =:= 0,
     forall(member(Run, Runs), ( number(Run), Run > 0, Run =< 1000 )).
-
-%   What DXF R12 takes.
-
-is_layer(Layer) :-
-    atom_length(Layer, N),
-    N > 0,
-    N =< 31,
-    forall(sub_atom(Layer, _, 1, _, Char), layer_char(Char)).
-
-layer_char(Char) :-
-    char_code(Char, Code),
-    Code < 128,
-    (   char_type(Char, alnum)
-    ;   memberchk(Char, ['_','-','$'])
-    ),
-    !.
 
 %!  restyled(+Rows, +Visibility, +Role, +Segment, +Style0, -Style) is det.
 %

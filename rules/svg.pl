@@ -6,6 +6,7 @@
               [ ink_width/2, ink_colour/3, ink_runs/2, ink_lines/4,
                 dashes_option/3
               ]).
+:- use_module(lettering, [lettering/2]).
 :- autoload(library(apply), [foldl/4]).
 :- autoload(library(lists), [list_to_set/2, member/2]).
 :- autoload(library(option), [option/2]).
@@ -37,7 +38,7 @@ dashes(geometry), the pieces of a `path` in its place.
 
 write_svg(Out, inked(Sheet,Paper,Views), Options) :-
     dashes_option(Options, fitted, How),
-    emit(Out, svg_head(Sheet, Paper, Views, Options)),
+    emit(Out, svg_head(How, inked(Sheet,Paper,Views), Options)),
     forall(member(View, Views), write_view(Out, How, View)),
     emit(Out, "</svg>\n").
 
@@ -49,7 +50,7 @@ write_view(Out, How, view(Name,Lines,Texts)) :-
     emit(Out, view_head(Name)),
     foldl(write_line(Out, Prefix-How), Lines, state(none,ids), State),
     emit(Out, strokes_tail(State)),
-    forall(member(Text, Texts), emit(Out, text(Text))),
+    forall(member(Text, Texts), emit(Out, text(How, Text))),
     emit(Out, view_tail(Name)).
 
 view_prefix('', '') :-
@@ -75,14 +76,14 @@ emit(Out, Body) :-
     phrase(Body, Codes),
     format(Out, '~s', [Codes]).
 
-svg_head(sheet(W,H,Scale), Paper, Views, Options) -->
+svg_head(How, inked(sheet(W,H,Scale),Paper,Views), Options) -->
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
     "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"sanggwan\" width=\"",
     thousandths(W), "mm\" height=\"", thousandths(H), "mm\" viewBox=\"0 0 ",
     thousandths(W), " ", thousandths(H), "\" data-scale=\"", scale(Scale),
     "\">\n",
     title(Options),
-    "<style>\n", style(Paper, Views), "</style>\n",
+    "<style>\n", style(How, Paper, Views), "</style>\n",
     "<rect class=\"paper\" width=\"", thousandths(W), "\" height=\"",
     thousandths(H), "\"/>\n".
 
@@ -99,7 +100,7 @@ title(_) -->
 %   A rule for each visibility and role, by the ink that comes first, and one
 %   for each segment whose lines have another.
 
-style(Paper, Views) -->
+style(How, Paper, Views) -->
     { findall(Look, view_look(Views, Look), Looks0),
       list_to_set(Looks0, Looks),
       style_rules(Looks, [], Rules)
@@ -108,7 +109,7 @@ style(Paper, Views) -->
     ".sanggwan polyline,.sanggwan path{fill:none;stroke-linecap:round;",
     "stroke-linejoin:round}\n",
     sequence(style_rule, Rules),
-    text_style(Views),
+    text_style(How, Views),
     print_style(Rules).
 
 %   look(Visibility,Role,Segment,Ink) of neighbours that differ.
@@ -164,16 +165,22 @@ line_cap(Ink) -->
 line_cap(_) -->
     "".
 
-text_style(Views) -->
+text_style(How, Views) -->
     { member(view(_,_,[text(Ink,_)|_]), Views),
       !,
       ink_colour(screen, Ink, Colour)
     },
+    text_rule(How, Colour).
+text_style(_, _) -->
+    "".
+
+text_rule(geometry, Colour) -->
+    !,
+    ".sanggwan .text{stroke:", colour(Colour), "}\n".
+text_rule(_, Colour) -->
     ".sanggwan text{fill:", colour(Colour), ";stroke:none;white-space:pre;",
     "font-family:'Noto Sans','Noto Sans CJK KR','Noto Sans KR',",
     "'DejaVu Sans',sans-serif}\n".
-text_style(_) -->
-    "".
 
 %   Colours that are others in print.
 
@@ -320,9 +327,19 @@ dash_offset(Offset) -->
 
 /* - - - text - - - */
 
-%   A capital is about 0.72 of the size of a font.
+%   Drawn, if dashes are. A capital is about 0.72 of the size of a font.
 
-text(text(_, text(X,Y,Height,Anchor,Text))) -->
+text(geometry, text(Ink, Text)) -->
+    !,
+    { lettering(Text, Lines),
+      Text = text(_, _, _, _, String),
+      string_codes(String, Codes),
+      ink_width(Ink, Width)
+    },
+    "<path class=\"visible text\" aria-label=\"", escaped(Codes),
+    "\" stroke-width=\"", thousandths(Width),
+    "\" d=\"", sequence(subpath, Lines), "\"/>\n".
+text(_, text(_, text(X,Y,Height,Anchor,Text))) -->
     { Size is Height*100//72,
       string_codes(Text, Codes) },
     "<text x=\"", thousandths(X), "\" y=\"", thousandths(Y),

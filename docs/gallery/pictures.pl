@@ -94,3 +94,12 @@ picture(sheet_cubes, 'Two parts in one place',
          own hatching, so one sees where they are in each other.',
         ['facts/two_cubes.pl', '--sheet', 'A4', '--unit', cm,
          '--views', 'front,top,isometric', '--section', 'x=0.7']).
+
+% Styles: docs/drawings.md.
+
+picture(blueprint, 'Blueprint',
+        'The same pipe tee by another style.',
+        ['facts/pipe_tee.pl', '--style', 'facts/styles/blueprint.pl']).
+picture(ghost, 'Ghost',
+        'One of two cylinders is only hinted at, in chain lines.',
+        ['facts/figures/fig13.pl', '--style', 'facts/styles/ghost.pl']).

@@ -105,6 +105,10 @@ check "sheet" draw facts/pipe_tee.pl --sheet A4 --unit cm --language ko \
 check "sheet: gs opens pdf" rastered "$TMP/sheet.pdf" "$TMP/sheet.pgm"
 check "sheet: gs opens ps" rastered "$TMP/sheet.ps" "$TMP/sheet.ps.pgm"
 check "sheet: ps as pdf" same 1 "$TMP/sheet.pgm" "$TMP/sheet.ps.pgm"
+check "sheet: svg with drawn letters" draw facts/pipe_tee.pl --sheet A4 \
+  --unit cm --language ko --dashes geometry -o "$TMP/sheet.svg"
+check "sheet: rsvg-convert" svg_rastered "$TMP/sheet.svg" "$TMP/sheet.svg.pgm"
+check "sheet: svg as pdf" same 2 "$TMP/sheet.pgm" "$TMP/sheet.svg.pgm"
 check "sheet: png as pdf" same 2 "$TMP/sheet.pgm" "$TMP/sheet.png"
 
 # The comparison does notice what is missing, and what is elsewhere.

@@ -151,7 +151,8 @@ test(rules_then_facts, true(Pen == 4)) :-
 test(bad_style_of_rules, [forall(member(Bad,
         [ style(0, red, solid, 1, a), style(1, pink, solid, 1, a),
           style(1, red, [1], 1, a), style(1, red, solid, 0, a),
-          style(1, red, wavy, 1, a), style(1, red, solid, 1, 2), 7 ])),
+          style(1, red, wavy, 1, a), style(1, red, solid, 1, 2),
+          style(1, red, solid, 1, 'a(b'), 7 ])),
                           error(type_error(line_style, Bad))]) :-
     format(string(Text), "line_style(_, _, _, ~q).", [Bad]),
     new_world(World),
