@@ -18,7 +18,7 @@ typedef struct question {
   sg_chosen chosen;
   sg_eye eye;
   bool central;
-  double crease;
+  sg_smoothness as;
 } question;
 
 /* ------------------------------------------------------------- arguments */
@@ -35,19 +35,19 @@ get_chosen_ex(term_t t, sg_chosen *out)
 static int
 get_question_ex(term_t a0, question *out)
 {
-  double x[4];
+  double x[3];
   atom_t kind;
 
-  if (!sg_get_finites_ex(a0 + 1, 3, x) || !PL_get_atom_ex(a0 + 4, &kind) ||
-      !sg_get_finite_ex(a0 + 5, &x[3])) {
+  if (!sg_get_finites_ex(a0 + 1, 3, x) || !PL_get_atom_ex(a0 + 4, &kind)) {
     return FALSE;
   }
   if (kind != ATOM_central && kind != ATOM_parallel) {
     return PL_domain_error("projection", a0 + 4);
   }
-  *out = (question){.central = kind == ATOM_central, .crease = x[3]};
+  out->central = kind == ATOM_central;
   sg_eye_init(&out->eye, x[0], x[1], x[2]);
-  return get_chosen_ex(a0, &out->chosen);
+  return sg_get_smoothness_ex(a0 + 5, &out->as) &&
+         get_chosen_ex(a0, &out->chosen);
 }
 
 /* ------------------------------------------------------------------ rows */
@@ -151,7 +151,7 @@ static int
 fill_model_ex(sg_world *world, const sg_version *version, sg_kept_model *kept,
               const question *q)
 {
-  sg_kept_smooth *smooth = sg_kept_smooth_hold_ex(kept, q->crease);
+  sg_kept_smooth *smooth = sg_kept_smooth_hold_ex(kept, &q->as);
   sg_contours contours = {0};
   bool memory = true;
   int ok = FALSE;
@@ -185,7 +185,7 @@ fill_ex(sg_world *world, const question *q)
   return ok;
 }
 
-/* fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Crease) is det. */
+/* fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth) is det. */
 static foreign_t
 fill_contour(term_t a0, int arity, void *context)
 {
@@ -196,6 +196,7 @@ fill_contour(term_t a0, int arity, void *context)
   (void)arity, (void)context;
   ok = world && get_question_ex(a0, &q) && fill_ex(world, &q);
   free(q.chosen.s);
+  sg_smoothness_clear(&q.as);
   return ok;
 }
 

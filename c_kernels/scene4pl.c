@@ -153,7 +153,7 @@ typedef struct request {
   sg_chosen chosen;
   double depth, tolerance;
   bool smooth; /* curved sheets have no outlines along their edges */
-  double crease;
+  sg_smoothness as;
 } request;
 
 /* What a version shows of a model; smooth: its sheets, or null. Null: an
@@ -176,7 +176,7 @@ view_model_ex(const sg_version *version, const sg_scene_model *model,
                          .added = pieces.added,
                          .addeds = pieces.n,
                          .curved = smooth ? smooth->curved : NULL,
-                         .crease = q->crease,
+                         .crease = q->as.crease,
                          .depth = q->depth,
                          .tolerance = q->tolerance};
     h = new_handle(&in, &memory);
@@ -194,7 +194,7 @@ static handle *
 view_kept_ex(const sg_version *version, sg_kept_model *kept, const request *q)
 {
   sg_kept_smooth *smooth =
-      q->smooth ? sg_kept_smooth_hold_ex(kept, q->crease) : NULL;
+      q->smooth ? sg_kept_smooth_hold_ex(kept, &q->as) : NULL;
   handle *h = NULL;
 
   if (smooth || !q->smooth) {
@@ -232,30 +232,30 @@ open_handle_ex(const request *q)
   return h;
 }
 
-/* A number of degrees, or `none`. */
+/* smooth(Crease, Faceted), or `none`. */
 static int
-get_crease_ex(term_t t, request *out)
+get_smooth_ex(term_t t, request *out)
 {
   atom_t name;
 
   out->smooth = !PL_get_atom(t, &name) || name != ATOM_none;
-  return !out->smooth || sg_get_finite_ex(t, &out->crease);
+  return !out->smooth || sg_get_smoothness_ex(t, &out->as);
 }
 
 static foreign_t
-scene_open(term_t segments, term_t depth, term_t tolerance, term_t crease,
+scene_open(term_t segments, term_t depth, term_t tolerance, term_t smooth,
            term_t scene)
 {
   request q = {0};
-  handle *h;
+  handle *h = NULL;
 
-  if (!sg_get_finite_ex(depth, &q.depth) ||
-      !sg_get_finite_ex(tolerance, &q.tolerance) ||
-      !get_crease_ex(crease, &q) || !get_chosen_ex(segments, &q.chosen)) {
-    return FALSE;
+  if (sg_get_finite_ex(depth, &q.depth) &&
+      sg_get_finite_ex(tolerance, &q.tolerance) && get_smooth_ex(smooth, &q) &&
+      get_chosen_ex(segments, &q.chosen)) {
+    h = open_handle_ex(&q);
   }
-  h = open_handle_ex(&q);
   free(q.chosen.s);
+  sg_smoothness_clear(&q.as);
   return h && unify_scene(scene, h);
 }
 

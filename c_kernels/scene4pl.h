@@ -64,16 +64,27 @@ void sg_kept_model_drop(sg_kept_model *kept);
 /* A list of S-S2, S2 lets the lines of S be seen, sorted; free(*out). */
 int sg_get_through_ex(term_t list, sg_hide_through **out, size_t *n);
 
-/* The smooth sheets of a model under a crease angle, kept with it. */
+/* Which surfaces are smooth. */
+typedef struct sg_smoothness {
+  double crease;     /* degrees */
+  sg_chosen faceted; /* segments that are what their facets are */
+} sg_smoothness;
+
+/* smooth(Crease, Faceted); sg_smoothness_clear() in any case. */
+int sg_get_smoothness_ex(term_t t, sg_smoothness *out);
+void sg_smoothness_clear(sg_smoothness *smoothness);
+
+/* The smooth sheets of a model, kept with it. */
 typedef struct sg_kept_smooth {
   atomic_size_t holders;
-  double crease; /* degrees */
-  sg_smooth smooth;
-  bool *curved; /* [polygons] that lie in curved sheets */
+  sg_smoothness as;
+  sg_smooth smooth; /* without curved triangles in segments that are faceted */
+  bool *curved;     /* [polygons] that lie in curved sheets */
 } sg_kept_smooth;
 
 /* Held, and to be dropped. Null: an exception is pending. */
-sg_kept_smooth *sg_kept_smooth_hold_ex(sg_kept_model *model, double crease);
+sg_kept_smooth *sg_kept_smooth_hold_ex(sg_kept_model *model,
+                                       const sg_smoothness *as);
 void sg_kept_smooth_drop(sg_kept_smooth *kept);
 
 /* The pieces of contour/9 as lines of a scene. */

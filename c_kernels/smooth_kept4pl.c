@@ -7,17 +7,95 @@
 
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Guards what models keep; held for an exchange only. */
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+
+/* --------------------------------------------------------------- argument */
+
+int
+sg_get_smoothness_ex(term_t t, sg_smoothness *out)
+{
+  term_t a = PL_new_term_refs(2);
+  static functor_t smooth2;
+
+  *out = (sg_smoothness){0};
+  if (!smooth2) {
+    smooth2 = PL_new_functor(PL_new_atom("smooth"), 2);
+  }
+  if (!PL_is_functor(t, smooth2)) {
+    return PL_type_error("smooth", t);
+  }
+  return PL_get_arg(1, t, a) && PL_get_arg(2, t, a + 1) &&
+         sg_get_finite_ex(a, &out->crease) &&
+         sg_get_id_set_ex(a + 1, &out->faceted.s, &out->faceted.n);
+}
+
+void
+sg_smoothness_clear(sg_smoothness *smoothness)
+{
+  free(smoothness->faceted.s);
+  *smoothness = (sg_smoothness){0};
+}
+
+static bool
+same_smoothness(const sg_smoothness *a, const sg_smoothness *b)
+{
+  return a->crease == b->crease && a->faceted.n == b->faceted.n &&
+         (a->faceted.n == 0 ||
+          memcmp(a->faceted.s, b->faceted.s,
+                 a->faceted.n * sizeof *a->faceted.s) == 0);
+}
+
+static bool
+copy_smoothness(const sg_smoothness *from, sg_smoothness *out)
+{
+  size_t n = from->faceted.n;
+
+  *out = (sg_smoothness){.crease = from->crease,
+                         .faceted.s = malloc((n + 1) * sizeof(int32_t)),
+                         .faceted.n = n};
+  for (size_t i = 0; out->faceted.s && i < n; i++) {
+    out->faceted.s[i] = from->faceted.s[i];
+  }
+  return out->faceted.s != NULL;
+}
+
+/* ------------------------------------------------------------------- kept */
 
 void
 sg_kept_smooth_drop(sg_kept_smooth *kept)
 {
   if (kept && atomic_fetch_sub(&kept->holders, 1) == 1) {
     sg_smooth_clear(&kept->smooth);
+    sg_smoothness_clear(&kept->as);
     free(kept->curved);
     free(kept);
+  }
+}
+
+static int
+compare_ids(const void *a, const void *b)
+{
+  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
+
+  return (x > y) - (x < y);
+}
+
+/* No sheet of a segment that is faceted counts as curved. */
+static void
+leave_out(sg_kept_smooth *kept, const sg_dense *d)
+{
+  const sg_chosen *faceted = &kept->as.faceted;
+
+  for (size_t s = 0; faceted->n > 0 && s < d->segments; s++) {
+    if (bsearch(&d->segment[s], faceted->s, faceted->n, sizeof *faceted->s,
+                compare_ids)) {
+      for (size_t t = d->triangle_begin[s]; t < d->triangle_begin[s + 1]; t++) {
+        kept->smooth.curved[t] = false;
+      }
+    }
   }
 }
 
@@ -51,7 +129,7 @@ static uint32_t (*cuts_of(const sg_scene_model *model, size_t *n))[2]
 static bool
 make_smooth(sg_kept_smooth *kept, const sg_scene_model *model, bool *memory)
 {
-  sg_smooth_input in = {.dense = &model->dense, .crease = kept->crease};
+  sg_smooth_input in = {.dense = &model->dense, .crease = kept->as.crease};
   uint32_t(*cut)[2] = cuts_of(model, &in.cuts);
   bool done;
 
@@ -59,20 +137,24 @@ make_smooth(sg_kept_smooth *kept, const sg_scene_model *model, bool *memory)
   *memory = cut != NULL;
   done = cut && sg_smooth_init(&kept->smooth, &in, &sg_prolog_poll, memory);
   free(cut);
-  return done && (*memory = find_polygons(kept, &model->dense));
+  if (done) {
+    leave_out(kept, &model->dense);
+    done = *memory = find_polygons(kept, &model->dense);
+  }
+  return done;
 }
 
 /* Null: stopped, or no memory. */
 static sg_kept_smooth *
-new_smooth(const sg_scene_model *model, double crease, bool *memory)
+new_smooth(const sg_scene_model *model, const sg_smoothness *as, bool *memory)
 {
   sg_kept_smooth *kept = calloc(1, sizeof *kept);
 
   *memory = kept != NULL;
   if (kept) {
     atomic_init(&kept->holders, 1);
-    kept->crease = crease;
-    if (make_smooth(kept, model, memory)) {
+    *memory = copy_smoothness(as, &kept->as);
+    if (*memory && make_smooth(kept, model, memory)) {
       return kept;
     }
     sg_kept_smooth_drop(kept);
@@ -80,14 +162,14 @@ new_smooth(const sg_scene_model *model, double crease, bool *memory)
   return NULL;
 }
 
-/* What the model keeps, held, if it is for this crease. */
+/* What the model keeps, held, if it is what is asked for. */
 static sg_kept_smooth *
-find_smooth(sg_kept_model *model, double crease)
+find_smooth(sg_kept_model *model, const sg_smoothness *as)
 {
   sg_kept_smooth *found = NULL;
 
   pthread_mutex_lock(&lock);
-  if (model->smooth && model->smooth->crease == crease) {
+  if (model->smooth && same_smoothness(&model->smooth->as, as)) {
     found = model->smooth;
     atomic_fetch_add(&found->holders, 1);
   }
@@ -109,13 +191,13 @@ keep_smooth(sg_kept_model *model, sg_kept_smooth *kept)
 }
 
 sg_kept_smooth *
-sg_kept_smooth_hold_ex(sg_kept_model *model, double crease)
+sg_kept_smooth_hold_ex(sg_kept_model *model, const sg_smoothness *as)
 {
-  sg_kept_smooth *kept = find_smooth(model, crease);
+  sg_kept_smooth *kept = find_smooth(model, as);
   bool memory = true;
 
   if (!kept) {
-    kept = new_smooth(model->model, crease, &memory);
+    kept = new_smooth(model->model, as, &memory);
     if (kept) {
       keep_smooth(model, kept);
     } else if (!memory) {

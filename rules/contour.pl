@@ -1,11 +1,14 @@
 :- module(sg_contour,
           [ find_contours/2,            % +Segments, +Crease
+            smoothness/2,               % +Crease, -Smooth
+            smooth_segment/1,           % +S
             contour_pieces/3,           % +S, +Crease, -Pieces
             contour_ends/4,             % +S, +K, -Start, -End
             line_ends/4                 % +S, +E, -Start, -End
           ]).
 :- use_module(contour_beside,
               [ beside_piece/3, side_place/5, triangle_facing/3 ]).
+:- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(kernel, [fill_contour/6]).
 :- use_module(smooth_sheet,
               [ smooth_sheets/3, smooth_side/3, curved_triangle/2, corner_fan/3,
@@ -55,7 +58,30 @@ kernel of all this is c_kernels/contour.c.
 
 find_contours(Segments, Crease) :-
     current_view(Theta, Phi, Rho, Kind),
-    stage(join, fill_contour(Segments, Theta, Phi, Rho, Kind, Crease)).
+    smoothness(Crease, Smooth),
+    stage(join, fill_contour(Segments, Theta, Phi, Rho, Kind, Smooth)).
+
+%!  smoothness(+Crease, -Smooth) is det.
+%
+%   Smooth is smooth(Crease, Faceted), where Faceted are the segments for which
+%   smooth_segment/1 is not true.
+
+smoothness(Crease, smooth(Crease,Faceted)) :-
+    (   decision_is_default(smooth_segment/1)
+    ->  Faceted = []
+    ;   findall(S, ( segment(S, _, _), \+ smooth_segment(S) ), Faceted)
+    ).
+
+:- decision(smooth_segment/1,
+            "Which segments have outlines inside their triangles").
+
+%!  smooth_segment(+S) is semidet.
+%
+%   True when the curved sheets of segment S stand for smooth surfaces, so that
+%   their outlines run through their triangles. They always do. A decision: a
+%   world can say that a segment is what its facets are.
+
+smooth_segment(_).
 
 %!  contour_pieces(+S, +Crease, -Pieces) is det.
 %

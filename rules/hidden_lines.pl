@@ -13,7 +13,7 @@
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
-:- use_module(contour, [find_contours/2]).
+:- use_module(contour, [find_contours/2, smoothness/2]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(interval,
               [ intervals_union/3, intervals_gaps/2, intervals_subtract/3,
@@ -141,7 +141,8 @@ open_scene(Scene, Options) :-
     option(tolerance(Tolerance), Options, 1.0e-9),
     option(lines(Which), Options, feature),
     (   Which == feature
-    ->  option(crease(Smooth), Options, 30)
+    ->  option(crease(Crease), Options, 30),
+        smoothness(Crease, Smooth)
     ;   Smooth = none
     ),
     screen_depth(Depth),

@@ -107,7 +107,7 @@
             sine_cosine/3,            % +Degrees, -Sine, -Cosine
             % contour4pl.c
             fill_contour/6,           % +Segments, +Theta, +Phi, +Rho, +Kind,
-                                      % +Crease
+                                      % +Smooth
             % scene4pl.c
             scene_open/5,             % +Segments, +Depth, +Tolerance,
                                       % +Smooth, -Scene
@@ -436,20 +436,21 @@ glue file.
 
 /* - - - contour4pl.c - - - */
 
-%!  fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Crease) is det.
+%!  fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth) is det.
 %
 %   Replaces contour/9 of the current world by the outlines of the smooth
 %   surfaces of Segments, `all` or a list, seen from there, as contour.pl
-%   defines them. Crease: over which bend, in degrees, two faces do not hang
-%   together smoothly. screen/5 holds the same view. Inexact.
+%   defines them. Smooth is smooth(Crease, Faceted): over which bend, in degrees,
+%   two faces do not hang together smoothly; which segments have no smooth
+%   surfaces. screen/5 holds the same view. Inexact.
 
 /* - - - scene4pl.c - - - */
 
 %!  scene_open(+Segments, +Depth, +Tolerance, +Smooth, -Scene) is det.
 %
 %   Scene is what screen/5 and contour/9 of the current world show of Segments,
-%   `all` or a list. Smooth is the crease angle that contour/9 was made with, or
-%   `none`. Depth: see view_depth/5; Tolerance: what counts as equal, in a model
+%   `all` or a list. Smooth is what contour/9 was made with, see fill_contour/6,
+%   or `none`. Depth: see view_depth/5; Tolerance: what counts as equal, in a model
 %   of size [-1,1] (PL-5). A scene does not follow later changes, and is freed
 %   with its last reference.
 

@@ -2,6 +2,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(contour)).
+:- use_module(rules(decision)).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(model_file), [add_primitive/2]).
 :- use_module(rules(store)).
@@ -208,3 +209,41 @@ test(kernel, forall(( ruled(Term), eye(Theta, Phi),
                    same_as_rule(1, 50) )).
 
 :- end_tests(contour_rule).
+
+% A rule file can say that a segment is what its facets are.
+
+:- begin_tests(contour_decision).
+
+in_rules(Text, Goal) :-
+    tmp_file_stream(File, Out, [encoding(utf8),extension(pl)]),
+    call_cleanup(
+        ( write(Out, Text), close(Out), use_rules(File), Goal, no_rules(File) ),
+        delete_file(File)).
+
+two_balls :-
+    add_primitive(sphere(radius(1), facets(24)), _),
+    add_primitive(at([translate(3,0,0)], sphere(radius(1), facets(24))), _),
+    complete_segments([1,2]),
+    set_view(33, 60, 0).
+
+% S has outlines of this kind only: `triangles` or `edges`.
+outlines(S, Kind) :-
+    findall(E, drawn(_,S,E,_,_,_,outline), Es),
+    Es = [_|_],
+    (   Kind == triangles
+    ->  forall(member(E, Es), E < 0)
+    ;   forall(member(E, Es), E > 0)
+    ).
+
+test(faceted) :-
+    in_new_world(( two_balls,
+                   picture,
+                   outlines(1, triangles),
+                   outlines(2, triangles),
+                   in_rules("smooth_segment(S) :- S =\\= 2.",
+                            ( picture, outlines(1, triangles),
+                              outlines(2, edges) )),
+                   picture,
+                   outlines(2, triangles) )).
+
+:- end_tests(contour_decision).
