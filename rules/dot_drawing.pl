@@ -127,7 +127,7 @@ dot_stroke(pen(Numbers,Options,Nib,Bold,Runs), line(Ink,Stroke),
     Stroke = stroke(_, _, _, _, Points, _, _),
     maplist(dot, Points, Dots),
     number_of(Numbers, Options, Ink, Stroke, Number),
-    pen_width(Bold, Nib, Ink, Width),
+    pen_width(Bold, Nib, Ink, Stroke, Width),
     ink_pattern(Ink, Runs, Nib, Pattern).
 
 number_of(palette(Palette,Paper), Options, Ink, Stroke, Number) :-
@@ -148,10 +148,13 @@ role_number(hidden, _, _, Number) =>
     Number = 4.
 
 %   A dot for each 0.35 mm, so that thin lines and lines are one dot wide, and
-%   penetration lines two.
+%   penetration lines two; letters are one dot wide.
 
-pen_width(plain, Nib, _, Nib).
-pen_width(bold, Nib, Ink, Width) :-
+pen_width(plain, Nib, _, _, Width) =>
+    Width = Nib.
+pen_width(bold, Nib, _, stroke(_,text,_,_,_,_,_), Width) =>
+    Width = Nib.
+pen_width(bold, Nib, Ink, _, Width) =>
     ink_width(Ink, Thousandths),
     Width is max(1, min(64, Nib*max(1, (Thousandths+175)//350))).
 

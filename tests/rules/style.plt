@@ -99,7 +99,7 @@ test(paper, true(Paper == rgb(1,2,3))) :-
     rows("paper(white). paper(rgb(1,2,3)).", Rows),
     inked(drawing(sheet(1,1,1.0), []), [style(Rows)], inked(_,Paper,[])).
 
-test(shipped, [forall(member(Name, [blueprint, single_pen, ghost])),
+test(shipped, [forall(member(Name, [blueprint, single_pen, eight_pens, ghost])),
                true(Rows = [_|_])]) :-
     format(atom(Path), 'facts/styles/~w.pl', [Name]),
     absolute_file_name(sanggwan(Path), File),
