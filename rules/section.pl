@@ -8,8 +8,6 @@
           ]).
 :- use_module(boolean, [boolean/3]).
 :- use_module(arguments, [decimal_number/2]).
-:- use_module(csg_evaluate, [evaluate/2]).
-:- use_module(csg_flat, [is_half/1]).
 :- use_module(csg_half_space, [half_space/3]).
 :- use_module(csg_record, [drop_record/1]).
 :- use_module(csg_rows, [drop_boundary/1, segment_box/2]).
@@ -105,7 +103,7 @@ cut_away(Plane, section(Exact, Pieces)) :-
     sort(Ss, Sorted),
     maplist(segment_side(Exact), Sorted, Sides),
     once(member(_-cut, Sides)),
-    maplist(segment_cut(Plane, Exact), Sides, Pieces0),
+    maplist(segment_cut(Exact), Sides, Pieces0),
     append(Pieces0, Pieces).
 
 exactly(N, R) :-
@@ -133,12 +131,12 @@ half_side(_, Plane, S, Side) :-
     ;   Side = cut
     ).
 
-segment_cut(_, _, S-below, [piece(S,S,below,[])]).
-segment_cut(_, _, S-above, []) :-
+segment_cut(_, S-below, [piece(S,S,below,[])]).
+segment_cut(_, S-above, []) :-
     dropped(S).
-segment_cut(Plane, Exact, S-cut, [piece(S,N,Kind,Caps)]) :-
+segment_cut(Plane, S-cut, [piece(S,N,Kind,Caps)]) :-
     segment(S, Kind, Name),
-    kind_cut(Kind, Plane-Exact, S, Name, N, Caps),
+    kind_cut(Kind, Plane, S, Name, N, Caps),
     (   N == S
     ->  true
     ;   dropped(S)
@@ -149,26 +147,37 @@ dropped(S) :-
     drop_boundary(S),
     retractall_facts(segment(S, _, _)).
 
-%   kind_cut(Kind, Plane-Exact, S, Name, N, Caps)
+%   kind_cut(Kind, Plane, S, Name, N, Caps)
 
-kind_cut(curve, _-Plane, S, _, S, []) :-
+kind_cut(curve, Plane, S, _, S, []) :-
     !,
     findall(edge(E,V1,V2,Et), e(S, E, V1, V2, Et), Edges),
     maplist(curve_edge_cut(Plane, S), Edges).
-kind_cut(surface, _-Plane, S, Name, N, []) :-
+kind_cut(surface, Plane, S, Name, N, []) :-
     !,
     surface_cut(Plane, S, Name, N).
-kind_cut(_, Plane-_, S, Name, N, Caps) :-
-    fresh_id(segment, 0, N),
-    assert_fact(segment(N, solid, split(S, Plane, below))),
-    evaluate(N, []),
-    findall(P, ( from_p(N, P, K, 1, _), is_half(K) ), Caps0),
+kind_cut(_, Plane, S, Name, N, Caps) :-
+    segment_box(S, Box),
+    half_space(Plane, Box, Half),
+    half_boolean(Half, S, intersection, solid, Name, K, N),
+    findall(P, ( from_p(N, P, K, _, _), \+ from_p(N, P, S, _, _) ), Caps0),
     sort(Caps0, Caps),
-    findall(K, ( segment(K, _, _), is_half(K) ), Ks),
-    maplist(dropped, Ks),
-    drop_record(N),
-    retractall_facts(segment(N, _, _)),
-    assert_fact(segment(N, solid, Name)).
+    dropped(K).
+
+%   half_boolean(Half, S, Operation, Kind, Name, K, N): segment N, of Kind and
+%   Name, is Operation of S and K, the solid Half. Faces of the one do not become
+%   one with faces of the other, so a face of S that lies in the plane is none
+%   of the caps.
+
+half_boolean(Half, S, Operation, Kind, Name, K, N) :-
+    add_primitive(Half, K),
+    complete_segments([K]),
+    segments_tolerance([S], Tolerance, _),
+    fresh_id(segment, 0, N),
+    assert_fact(segment(N, Kind, Name)),
+    Expression =.. [Operation,[S,K]],
+    boolean(Expression, N, [tolerance(Tolerance),origins(separate)]).
+
 
                 /*******************************
                 *           SURFACES           *
@@ -182,12 +191,7 @@ surface_cut(plane(A,B,C,D), S, Name, N) :-
     maplist(turned, [A,B,C,D], Turned),
     Above =.. [plane|Turned],
     half_space(Above, Box, Half),
-    add_primitive(Half, K),
-    complete_segments([K]),
-    segments_tolerance([S], Tolerance, _),
-    fresh_id(segment, 0, N),
-    assert_fact(segment(N, surface, Name)),
-    boolean(union([S,K]), N, [tolerance(Tolerance)]),
+    half_boolean(Half, S, union, surface, Name, K, N),
     findall(P, from_p(N, P, K, _, _), Ps0),
     sort(Ps0, Ps),
     maplist(polygon_dropped(N), Ps),

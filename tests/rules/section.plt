@@ -164,6 +164,16 @@ test(ring, true(near(Area, Wanted))) :- % a polygon with a hole
          ( cut_away(plane(0,0,1,-2), Section),
            cap_area(Section, _, xy, Area) )),
     Wanted is 24/2*sin(2*pi/24)*(4-1).
+test(flush, true(near(Area, 2.0))) :-   % a step in the plane is not cut
+    tree(union([box(size(6,4,1)),
+                at([translate(1,0,0)], box(size(2,1,3)))]),
+         ( cut_away(plane(0,0,1,-1), Section),
+           cap_area(Section, _, xy, Area) )).
+test(flush_hole, true(near(Area, 12.0))) :- % nor is the floor of a pocket
+    tree(difference([box(size(4,4,2)),
+                     at([translate(0,0,1)], box(size(2,2,2)))]),
+         ( cut_away(plane(0,0,1,-1), Section),
+           cap_area(Section, _, xy, Area) )).
 test(ellipse, true(near(Area, Wanted))) :- % 45 degrees: sqrt(2) in space
     with([cylinder(radius(1), height(10), facets(64))],
          ( cut_away(plane(1,0,1,-5), Section),
