@@ -340,6 +340,9 @@ usage_en(needs_one_of(Options)) -->
     [ 'option ~w is missing'-[Text] ].
 usage_en(no_output) -->
     [ 'where should the result go? Give -o FILE (- is standard output)' ].
+usage_en(replaces_model(File)) -->
+    [ '~w is the model; its picture would take its place'-[File], nl,
+      '  Give the picture another name.' ].
 usage_en(ending(File, Endings)) -->
     { atomic_list_concat(Endings, ' .', All) },
     [ '~w: the ending decides the format; it can be .~w'-[File, All] ].

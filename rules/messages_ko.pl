@@ -326,6 +326,9 @@ usage_ko(needs_one_of(Options)) -->
     [ '선택 사항이 빠졌습니다: ~w 가운데 하나'-[Text] ].
 usage_ko(no_output) -->
     [ '결과를 어디에 둘까요? -o FILE 을 주십시오 (- 는 표준 출력)' ].
+usage_ko(replaces_model(File)) -->
+    [ '~w 은(는) 모델이며, 그림이 그 자리를 차지하게 됩니다'-[File], nl,
+      '  그림에 다른 이름을 주십시오.' ].
 usage_ko(ending(File, Endings)) -->
     { atomic_list_concat(Endings, ' .', All) },
     [ '~w: 확장자가 형식을 정합니다. 쓸 수 있는 것: .~w'-[File, All] ].

@@ -2,10 +2,12 @@
           [ some_files/2,               % +Files, +What
             outputs/3,                  % +Options, +Formats, -Outputs
             some_outputs/1,             % +Outputs
+            no_model_replaced/2,        % +Files, +Outputs
             output_written/2,           % :Writer, +Output
             usage_error/1               % +What
           ]).
 :- autoload(library(apply), [maplist/3]).
+:- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/3]).
 /** <module> What verbs are given, and where their results go.
 */
@@ -64,6 +66,23 @@ some_outputs([]) :-
     !,
     usage_error(no_output).
 some_outputs(_).
+
+%!  no_model_replaced(+Files, +Outputs) is det.
+%
+%   A picture as facts ends in .pl as its model does.
+%
+%   @error usage_error(replaces_model(File)): an output is one of Files
+
+no_model_replaced(Files, Outputs) :-
+    (   member(output(Output, _), Outputs),
+        member(File, Files),
+        Output \== (-),
+        exists_file(Output),
+        exists_file(File),
+        same_file(Output, File)
+    ->  usage_error(replaces_model(Output))
+    ;   true
+    ).
 
 :- meta_predicate output_written(1, +).
 

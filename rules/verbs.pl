@@ -41,7 +41,8 @@
               ]).
 :- use_module(style_file, [style_rows/2]).
 :- use_module(verb_output,
-              [ some_files/2, outputs/3, some_outputs/1, output_written/2,
+              [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
+                output_written/2,
                 usage_error/1
               ]).
 :- use_module(view, [set_view/1, set_view/3, set_projection/1]).
@@ -124,6 +125,7 @@ verb_run(draw, Files, Options, 0) :-
     findall(Format, drawing_format(Format, _), Formats),
     outputs(Options, Formats, Outputs),
     some_outputs(Outputs),
+    no_model_replaced(Files, Outputs),
     picture_options(Options, PictureOptions),
     drawing_options(Options, DrawingOptions),
     (   sheet_wanted(Options)

@@ -85,6 +85,10 @@ check "hpgl: line types" output '^LT3,[0-9.]+;$' \
 check "hpgl: one pen" eval "[ \$(draw $figure --format hpgl -o - \
   --style facts/styles/single_pen.pl | grep -c 'SP[1-9]') = 1 ]"
 check "wrong dashes" complains 2 dashes draw $figure --dashes dotted -o -
+cp $figure "$TMP/model.pl"
+check "a picture does not replace its model" complains 2 "is the model" \
+  draw "$TMP/model.pl" -o "$TMP/model.pl"
+check "the model is there" same $figure "$TMP/model.pl"
 check "size" output 'width="100mm" height="70mm" viewBox="0 0 100 70"' \
   draw $figure --size 100x70 -o -
 check "size in dots" \
