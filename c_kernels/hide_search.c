@@ -433,14 +433,18 @@ may_lie_on(const sg_stretch *a, const sg_stretch *b, double close)
   double u = b->to[0] - b->from[0], v = b->to[1] - b->from[1];
   double p = b->from[0] - a->from[0], q = b->from[1] - a->from[1];
   double across = x * q - y * p, turn = x * v - y * u;
-  double along = x * p + y * q, advance = x * u + y * v;
-  double low = sg_larger(0.0, sg_smaller(along, along + advance));
-  double high = sg_smaller(x * x + y * y, sg_larger(along, along + advance));
   double far = SLACK * close * a->length;
+  double along, advance, low, high;
 
+  if (fabs(across) > fabs(turn) + far) {
+    return false; /* nearly always */
+  }
+  along = x * p + y * q;
+  advance = x * u + y * v;
+  low = sg_larger(0.0, sg_smaller(along, along + advance));
+  high = sg_smaller(x * x + y * y, sg_larger(along, along + advance));
   return fabs(turn) <= SLACK * SG_OVERLAP_TURN * fabs(advance) && high > low &&
-         fabs(turn) * (high - low) <= 2 * far * fabs(advance) &&
-         fabs(across) <= fabs(turn) + far;
+         fabs(turn) * (high - low) <= 2 * far * fabs(advance);
 }
 
 static int
