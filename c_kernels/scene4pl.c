@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static functor_t FUNCTOR_look9, FUNCTOR_covers6;
+static functor_t FUNCTOR_look9;
 static atom_t ATOM_none, ATOM_all, ATOM_true, ATOM_false;
 
 /* ---------------------------------------------------------- the handle */
@@ -286,16 +286,15 @@ unify_look(term_t t, const sg_look *look)
                        a + 5, PL_TERM, a + 6, PL_TERM, a + 7, PL_TERM, a + 8);
 }
 
-/* The line of edge (s, e), which must be one that the scene draws. */
-static int
-get_line_ex(const handle *h, term_t s, term_t e, size_t *out)
+int
+sg_get_scene_line_ex(const sg_scene *scene, term_t s, term_t e, size_t *out)
 {
   int32_t id[2];
 
   if (!sg_get_id_ex(s, &id[0]) || !sg_get_int32_ex(e, &id[1])) {
     return FALSE;
   }
-  *out = sg_scene_find(h->scene, id[0], id[1]);
+  *out = sg_scene_find(scene, id[0], id[1]);
   return *out != SIZE_MAX || PL_existence_error("drawn_edge", e);
 }
 
@@ -508,7 +507,7 @@ find_answers_ex(handle *h, term_t a0, bool overlaps)
     sg_no_memory();
     return NULL;
   }
-  if (get_line_ex(h, a0 + 1, a0 + 2, &line) &&
+  if (sg_get_scene_line_ex(h->scene, a0 + 1, a0 + 2, &line) &&
       (overlaps ? find_overlaps_ex(h, line, &a->overlap)
                 : find_masks_ex(h, line, &a->hidden))) {
     return a;
@@ -557,41 +556,6 @@ overlap(term_t a0, int arity, control_t control)
   return join(a0, true, control);
 }
 
-/* covers(S, T, From, To, Behind1, Behind2): the last two in units of Zs. */
-static int
-unify_cover(term_t t, const sg_scene_mask *mask, const sg_cover *cover,
-            double scale)
-{
-  return PL_unify_term(t, PL_FUNCTOR, FUNCTOR_covers6, PL_INT, (int)mask->s,
-                       PL_INT, (int)mask->t, PL_FLOAT, cover->from, PL_FLOAT,
-                       cover->to, PL_FLOAT, cover->behind[0] * scale + 0.0,
-                       PL_FLOAT, cover->behind[1] * scale + 0.0);
-}
-
-/* line_covers(+Scene, +S, +E, -Covers) is det: one pass over the masks. */
-static foreign_t
-line_covers(term_t scene, term_t s, term_t e, term_t covers)
-{
-  term_t list = PL_copy_term_ref(covers), head = PL_new_term_ref();
-  handle *h = NULL;
-  size_t at;
-  sg_cover cover;
-
-  if (!get_scene_ex(scene, &h) || !get_line_ex(h, s, e, &at)) {
-    return FALSE;
-  }
-  for (size_t m = 0; m < h->scene->masks; m++) {
-    const sg_scene_mask *mask = &h->scene->mask[m];
-
-    if (sg_mask_covers(h->scene, mask, &h->scene->line[at], &cover) &&
-        (!PL_unify_list(list, head, list) ||
-         !unify_cover(head, mask, &cover, h->scene->scale))) {
-      return FALSE;
-    }
-  }
-  return PL_unify_nil(list);
-}
-
 void
 sg_install_scene(void)
 {
@@ -603,11 +567,9 @@ sg_install_scene(void)
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
       {"overlap", 9, (pl_function_t)overlap,
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
-      {"line_covers", 4, (pl_function_t)line_covers, 0},
       {NULL, 0, NULL, 0}};
 
   FUNCTOR_look9 = PL_new_functor(PL_new_atom("look"), 9);
-  FUNCTOR_covers6 = PL_new_functor(PL_new_atom("covers"), 6);
   ATOM_none = PL_new_atom("none");
   ATOM_all = PL_new_atom("all");
   ATOM_true = PL_new_atom("true");

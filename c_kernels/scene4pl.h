@@ -107,4 +107,9 @@ void sg_scene_pieces_clear(sg_scene_pieces *pieces);
  * the term. False: an exception is pending. */
 int sg_get_mask_grid_ex(term_t t, const sg_mask_grid **out);
 
+/* The place of the line of edge (s, e), which must be one that the scene draws.
+ * False: an exception is pending. */
+int sg_get_scene_line_ex(const sg_scene *scene, term_t s, term_t e,
+                         size_t *out);
+
 #endif
