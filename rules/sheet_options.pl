@@ -27,7 +27,7 @@ Every mistake is found before the model is read, but for what depends on it.
 %   True when Options ask for a sheet with a frame or for more than one view.
 
 sheet_wanted(Options) :-
-    member(Name, [sheet,views,section,'title-block',angle,frame]),
+    member(Name, [sheet,views,section,'title-block',angle,'no-frame']),
     Option =.. [Name,_],
     memberchk(Option, Options),
     !.
@@ -55,7 +55,10 @@ sheet_request(Options, Picture,
     option(scale(ScaleText), Options, standard),
     scale_form(ScaleText, Scale),
     unit_option(Options, Unit),
-    option(frame(Frame), Options, true),
+    (   option('no-frame'(true), Options)
+    ->  Frame = false
+    ;   Frame = true
+    ),
     option(hidden(Hidden), Options, usual).
 
 apart(Options, Option, A, B) :-

@@ -91,12 +91,15 @@ verb_option(Verb, option(view, '', value, 'VIEW',
     'front, back, left, right, top, bottom, isometric, dimetric, \c
      trimetric, or THETA,PHI[,RHO] in degrees')) :-
     picture_verb(Verb).
-verb_option(draw, option(direction, '', value, 'X,Y,Z',
-    'look in this direction')).
-verb_option(draw, option(eye, '', value, 'X,Y,Z',
-    'look from this point')).
-verb_option(draw, option(target, '', value, 'X,Y,Z',
-    'with --eye: towards this point, instead of the middle of the model')).
+verb_option(Verb, option(direction, '', value, 'X,Y,Z',
+    'look in this direction')) :-
+    picture_verb(Verb).
+verb_option(Verb, option(eye, '', value, 'X,Y,Z',
+    'look from this point')) :-
+    picture_verb(Verb).
+verb_option(Verb, option(target, '', value, 'X,Y,Z',
+    'with --eye: towards this point, instead of the middle of the model')) :-
+    picture_verb(Verb).
 verb_option(Verb, option(projection, '', one_of([parallel, central]), 'KIND',
     'parallel or central')) :-
     picture_verb(Verb).
@@ -132,8 +135,8 @@ verb_option(draw, option('title-block', '', value, 'FILE',
     'facts for the title block, such as title_block(name, "Bracket").')).
 verb_option(draw, option(language, '', one_of([en, ko]), 'LANGUAGE',
     'language of the title block; default en')).
-verb_option(draw, option(frame, '', flag, '',
-    'with --no-frame a sheet without frame and title block')).
+verb_option(draw, option('no-frame', '', flag, '',
+    'a sheet without frame and title block')).
 verb_option(draw, option(size, '', value, 'WxH',
     'size of the sheet in mm')).
 
@@ -241,7 +244,7 @@ A*X + B*Y + C*Z + D > 0 인 쪽에서 본다. 여러 번 쓸 수 있다').
 option_ko('title-block',
     '표제란의 사실 파일. 보기: title_block(name, "받침대").').
 option_ko(language, '표제란의 언어. 보통 en').
-option_ko(frame, '--no-frame: 테두리와 표제란 없이').
+option_ko('no-frame', '테두리와 표제란 없이').
 option_ko(projection, 'parallel(평행) 또는 central(중심)').
 option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임)').
 option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').

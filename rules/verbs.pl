@@ -229,8 +229,8 @@ pictured(Lines, Options, Eye, PictureOptions) :-
 %     - lines(Which), crease(Degrees), segments(List): see picture/1
 %     - hidden(How), size(Size), ...: see write_drawing/2
 %     - sheet(Paper), views(Names), section(Planes), angle(Angle), scale(Scale),
-%       unit(Unit), 'title-block'(File), language(Language), frame(Bool): a
-%       sheet, as the verb draw makes it; the values are atoms as after the
+%       unit(Unit), 'title-block'(File), language(Language), 'no-frame'(Bool):
+%       a sheet, as the verb draw makes it; the values are atoms as after the
 %       options of that name, Planes a list of such. The world stays as it is.
 
 draw(File) :-

@@ -253,7 +253,7 @@ test(arrow_shows_where_one_looks) :-    % from the right: to the left
     A1 > A2,
     B1 > B2.
 test(no_frame, true(Names == [front])) :-
-    drawn_sheet(cube, [sheet(a3),views(front),frame(false)],
+    drawn_sheet(cube, [sheet(a3),views(front),'no-frame'(true)],
                 drawing(_,Views)),
     findall(Name, member(view(Name,_,_), Views), Names).
 
