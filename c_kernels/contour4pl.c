@@ -94,6 +94,7 @@ write_row(rows *r, const sg_sheet_page *page, size_t i)
   c[5].i[i] = piece->side[1] + 1;
   c[6].f[i] = piece->at[1] + 0.0;
   c[7].f[i] = piece->to + 0.0;
+  c[8].list[i][0] = (int32_t)piece->besides;
   for (size_t j = 0; j < piece->besides; j++) {
     uint32_t t = r->contours->beside[piece->beside + j];
     c[8].list[i][j + 1] = d->triangle_id[t];
