@@ -55,6 +55,14 @@ sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other)
 
 /* ---- lines, and what touches ---- */
 
+enum { ASKED = 1 << 12 }; /* rows between questions */
+
+static bool
+stops(const sg_poll *poll, size_t i)
+{
+  return i % ASKED == ASKED - 1 && sg_poll_stop(poll);
+}
+
 static void
 line_key(uint32_t leaf, int32_t v1, int32_t v2, uint32_t key[3])
 {
@@ -95,13 +103,16 @@ note_line(sg_arrangement *a, int32_t s, const sg_cut_piece *piece)
 }
 
 static bool
-note_lines(sg_arrangement *a)
+note_lines(sg_arrangement *a, const sg_poll *poll)
 {
   const sg_cut_set *set = a->leaves.set;
 
   for (size_t i = 0; i < set->pieces; i++) {
     const sg_cut_piece *piece = &set->piece[i];
 
+    if (stops(poll, i)) {
+      return false;
+    }
     for (int k = 0; piece->live && k < 2; k++) {
       if (!note_line(a, piece->s[k], piece)) {
         return false;
@@ -114,7 +125,7 @@ note_lines(sg_arrangement *a)
 /* Polygons without area have no triangles, and so no pieces. All triangles at
  * a line are in the model, those beside an edge that it divides too. */
 static bool
-note_triangles(sg_arrangement *a)
+note_triangles(sg_arrangement *a, const sg_poll *poll)
 {
   const sg_cut_model *model = &a->leaves.set->model;
 
@@ -124,7 +135,7 @@ note_triangles(sg_arrangement *a)
                        (uint32_t)model->triangle[i].p};
     uint32_t *last = sg_key_table_put(&a->has_triangles, key);
 
-    if (!last) {
+    if (!last || stops(poll, i)) {
       return false;
     }
     a->next_of_polygon[i] = *last;
@@ -133,8 +144,8 @@ note_triangles(sg_arrangement *a)
   return a->next_of_polygon != NULL;
 }
 
-static void
-note_touched(sg_arrangement *a)
+static bool
+note_touched(sg_arrangement *a, const sg_poll *poll)
 {
   const sg_cut_points *points = &a->leaves.set->points;
 
@@ -148,7 +159,11 @@ note_touched(sg_arrangement *a)
     if (node != SG_NO_KEY) {
       a->touched[node] = 1;
     }
+    if (stops(poll, i)) {
+      return false;
+    }
   }
+  return true;
 }
 
 /* The points on an edge of a leaf, from v1 to v2 if *forward; null: there are
@@ -196,7 +211,7 @@ note_edge(sg_arrangement *a, uint32_t leaf, int32_t v1, int32_t v2)
 /* Where a leaf is not one sheet, nothing hangs together, and its edges of more
  * than two triangles are as lines. */
 static bool
-note_knots(sg_arrangement *a)
+note_knots(sg_arrangement *a, const sg_poll *poll)
 {
   for (uint32_t i = 0; i < a->leaves.n; i++) {
     const sg_knots *knots = a->leaves.knots[i];
@@ -212,7 +227,8 @@ note_knots(sg_arrangement *a)
       }
     }
     for (size_t k = 0; k < knots->edges; k++) {
-      if (!note_edge(a, i, knots->edge[k][0], knots->edge[k][1])) {
+      if (stops(poll, k) ||
+          !note_edge(a, i, knots->edge[k][0], knots->edge[k][1])) {
         return false;
       }
     }
@@ -250,7 +266,7 @@ lay_leaves(sg_arrangement *a)
 }
 
 sg_arrangement *
-sg_arrangement_open(const sg_leaves *leaves)
+sg_arrangement_open(const sg_leaves *leaves, const sg_poll *poll)
 {
   sg_arrangement *a = calloc(1, sizeof *a);
 
@@ -262,12 +278,9 @@ sg_arrangement_open(const sg_leaves *leaves)
   sg_key_table_init(&a->barrier, 3);
   sg_key_table_init(&a->has_triangles, 2);
   sg_key_table_init(&a->auxiliary, 3);
-  if (!a->leaf || !lay_leaves(a) || !note_lines(a) || !note_triangles(a)) {
-    sg_arrangement_close(a);
-    return NULL;
-  }
-  note_touched(a);
-  if (!note_knots(a)) {
+  if (!a->leaf || !lay_leaves(a) || !note_lines(a, poll) ||
+      !note_triangles(a, poll) || !note_touched(a, poll) ||
+      !note_knots(a, poll)) {
     sg_arrangement_close(a);
     return NULL;
   }

@@ -62,8 +62,10 @@ typedef struct sg_leaves {
   size_t pairs;
 } sg_leaves;
 
-/* Null: no memory. The set is sealed, and nothing enters it any more. */
-sg_arrangement *sg_arrangement_open(const sg_leaves *leaves);
+/* Null: no memory, or stopped. The set is sealed, and nothing enters it any
+ * more. */
+sg_arrangement *sg_arrangement_open(const sg_leaves *leaves,
+                                    const sg_poll *poll);
 void sg_arrangement_close(sg_arrangement *a);
 
 /* A polygon that lines have entered, as it stands in its scratch relation. */

@@ -189,8 +189,9 @@ arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
                      .n = h->n,
                      .knots = h->knots,
                      .near = (const int32_t(*)[2])h->set->pair,
-                     .pairs = h->set->pairs});
-    good = h->arrangement || sg_no_memory();
+                     .pairs = h->set->pairs},
+        &sg_prolog_poll);
+    good = h->arrangement || (PL_exception(0) ? FALSE : sg_no_memory());
   }
   if (!good) {
     close_handle(h);
@@ -387,6 +388,23 @@ sg_pieces_clear(sg_pieces *p)
   free(p->sense);
 }
 
+/* Segments ascend. */
+static bool
+has_pieces(const sg_arrangement_handle *h, int32_t s)
+{
+  size_t low = 0, high = h->n;
+
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (h->s[middle] < s) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < h->n && h->s[low] == s && h->wanted[low];
+}
+
 static int
 get_piece_ex(term_t t, sg_chosen *out, sg_arrangement_handle **from)
 {
@@ -400,12 +418,7 @@ get_piece_ex(term_t t, sg_chosen *out, sg_arrangement_handle **from)
     return FALSE;
   }
   out->a = (*from)->arrangement;
-  for (size_t i = 0; i < (*from)->n; i++) {
-    if ((*from)->s[i] == out->s) {
-      return (*from)->wanted[i] || PL_existence_error("pieces", t);
-    }
-  }
-  return PL_existence_error("pieces", t);
+  return has_pieces(*from, out->s) || PL_existence_error("pieces", t);
 }
 
 int
@@ -434,6 +447,14 @@ sg_get_pieces_ex(term_t list, sg_pieces *out)
   return TRUE;
 }
 
+enum { ASKED = 1 << 10 }; /* components, or origins, between questions */
+
+static bool
+goes_on_ex(size_t i)
+{
+  return i % ASKED != ASKED - 1 || PL_handle_signals() >= 0;
+}
+
 static foreign_t
 arrangement_components(term_t t, term_t list)
 {
@@ -449,7 +470,7 @@ arrangement_components(term_t t, term_t list)
       sg_component c = sg_arrangement_component(p.of[i].a, p.of[i].s, k);
       fid_t frame = PL_open_foreign_frame();
 
-      good = frame && PL_unify_list(tail, head, tail) &&
+      good = frame && goes_on_ex(number) && PL_unify_list(tail, head, tail) &&
              unify_component(head, number++, &c);
       PL_close_foreign_frame(frame);
     }
@@ -511,6 +532,10 @@ give_origins_ex(const sg_pieces *p, sg_solid *solid, const sg_made_by *made_by)
   for (size_t i = 0; i < made; i++) {
     const sg_arrangement_handle *from = p->from[made_by[i].chosen];
     sg_term_builder b;
+
+    if (!goes_on_ex(i)) {
+      return FALSE;
+    }
 
     sg_term_open(&b);
     sg_cut_build_origin(&b, &from->set->set.points, made_by[i].point);

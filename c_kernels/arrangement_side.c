@@ -385,9 +385,10 @@ take_sides(sg_arrangement *a, founds *f)
   return true;
 }
 
-/* Components whose point was on a border get another one. How many, or -1. */
+/* Components whose point was on a border get another one. How many, or -1: no
+ * memory, or stopped. */
 static int64_t
-move_points(sg_arrangement *a)
+move_points(sg_arrangement *a, const sg_poll *poll)
 {
   int64_t n = 0;
 
@@ -396,7 +397,8 @@ move_points(sg_arrangement *a)
 
     if (part->again) {
       part->again = part->second = false;
-      if (!sg_arrangement_point(a, part)) {
+      if ((i % 64 == 63 && sg_poll_stop(poll)) ||
+          !sg_arrangement_point(a, part)) {
         return -1;
       }
       n += !part->unknown;
@@ -415,7 +417,7 @@ sg_arrangement_find_sides(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
     bool good = ask_all(a, &f, crew, poll) && take_sides(a, &f);
 
     free(f.item);
-    left = good ? move_points(a) : -1;
+    left = good ? move_points(a, poll) : -1;
   }
   for (size_t i = 0; i < a->parts; i++) { /* no point was good */
     a->part[i].unknown = a->part[i].unknown || a->part[i].sides == 0;

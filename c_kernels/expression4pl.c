@@ -159,6 +159,8 @@ room_for(asking *k, size_t sides)
   return true;
 }
 
+enum { ASKED = 256 }; /* components between questions */
+
 static int
 unify_senses(term_t list, const sg_pieces *p, asking *k)
 {
@@ -171,6 +173,9 @@ unify_senses(term_t list, const sg_pieces *p, asking *k)
     for (size_t c = 0; c < n; c++, number++) {
       sg_component one = sg_arrangement_component(p->of[i].a, p->of[i].s, c);
 
+      if (number % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
+        return FALSE;
+      }
       if (!room_for(k, one.sides)) {
         return sg_no_memory();
       }

@@ -21,7 +21,8 @@ typedef struct sg_id_set {
   sg_key_table table;
 } sg_id_set;
 
-/* Of n ids, in any order. False: no memory; clear it in any case. */
+/* Of n ids, in any order. False: no memory; clear it in any case. What is all 0
+ * may be cleared too. */
 bool sg_id_set_make(sg_id_set *set, const int32_t *id, size_t n);
 void sg_id_set_clear(sg_id_set *set);
 

@@ -15,7 +15,7 @@ void
 sg_key_table_clear(sg_key_table *table)
 {
   free(table->slot);
-  sg_key_table_init(table, table->words);
+  *table = (sg_key_table){table->words, 0, 0, NULL}; /* all 0 may be cleared */
 }
 
 static uint32_t

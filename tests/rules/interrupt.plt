@@ -2,6 +2,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(apply)).
 :- use_module(library(time)).
+:- use_module(rules(boolean)).
 :- use_module(rules(model)).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).
@@ -154,6 +155,33 @@ test(penetrating, Bad-Again == []-yes) :-
     ->  Again = yes
     ;   Again = Lines-Lines1
     ).
+%   Each time with another tolerance, so that no piece is kept from the last.
+
+test(combining, Bad-Faces == []-[N]) :-
+    files(Files),
+    new_world(World),
+    in_world(World,
+             ( load_model(Files),
+               seconds_of(facts_snapshot(boolean(union([1,2]), 3)), Whole),
+               rows(Before),
+               findall(late(Seconds, Took),
+                       ( moment(Whole, Seconds),
+                         Tolerance is 1.0e-9*(1+Seconds),
+                         interrupted(facts_snapshot(
+                                         boolean(union([1,2]), 3,
+                                                 [tolerance(Tolerance)])),
+                                     Seconds, Took),
+                         rows(After),
+                         Took \== done,
+                         ( Took > 0.2 -> true ; Before \== After ) ),
+                       Bad),
+               findall(Count,
+                       ( member(S, [3,4]),
+                         boolean(union([1,2]), S),
+                         aggregate_all(count, p(S, _, _), Count) ),
+                       Faces0) )),
+    sort(Faces0, Faces),
+    Faces = [N|_].
 test(time_limit, Rows == Before) :-
     files(Files),
     new_world(World),
