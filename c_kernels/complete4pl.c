@@ -7,6 +7,7 @@
 #include "../engine/install.h"
 
 #include "complete.h"
+#include "crew.h"
 #include "flatness.h"
 #include "glue.h"
 #include "segment_rows.h"
@@ -278,37 +279,60 @@ typedef struct seen {
   double smallest;     /* the size of the smallest */
 } seen;
 
-/* Of the segments' own vertices, those of `row`. */
+enum { SEEN = 1 << 16 }; /* vertices between questions */
+
+/* Segments that are seen, each a task. */
+typedef struct seeing {
+  const sg_view *view;
+  const sg_segment_rows *rows;
+  sg_flatness *of; /* [segments] */
+} seeing;
+
+static void
+see_segment(void *data, size_t i)
+{
+  const seeing *all = data;
+  const sg_column *column = all->view->column;
+
+  sg_flatness_init(&all->of[i]);
+  for (size_t k = all->rows->begin[i]; k < all->rows->begin[i + 1]; k++) {
+    size_t page = all->rows->row[k] / SG_PAGE_ROWS;
+    size_t r = all->rows->row[k] % SG_PAGE_ROWS;
+
+    if (k % SEEN == SEEN - 1 && sg_crew_stopping()) {
+      return;
+    }
+    sg_flatness_see(&all->of[i], (const double[3]){column[2].page[page].f[r],
+                                                   column[3].page[page].f[r],
+                                                   column[4].page[page].f[r]});
+  }
+}
+
+/* Of the segments' own vertices, those of `rows`. */
 static int
 see_rows_ex(const sg_view *view, const sg_segment_rows *rows, size_t n,
             seen *out)
 {
+  seeing of = {view, rows, malloc((n + 1) * sizeof *of.of)};
+  sg_crew *crew = rows->begin[n] < SEEN ? NULL : sg_crew_open(0);
   sg_flatness all;
+  int good = of.of || sg_no_memory();
 
+  if (good && !sg_crew_run(crew, n, see_segment, &of, &sg_prolog_poll)) {
+    good = PL_exception(0) ? FALSE : sg_no_memory();
+  }
   *out = (seen){0, 0, HUGE_VAL};
   sg_flatness_init(&all);
-  for (size_t i = 0; i < n; i++) {
-    sg_flatness one;
-
-    sg_flatness_init(&one);
-    for (size_t k = rows->begin[i]; k < rows->begin[i + 1]; k++) {
-      size_t page = rows->row[k] / SG_PAGE_ROWS,
-             r = rows->row[k] % SG_PAGE_ROWS;
-
-      if (k % (1 << 16) == 0 && PL_handle_signals() < 0) {
-        return FALSE;
-      }
-      sg_flatness_see(&one, (const double[3]){view->column[2].page[page].f[r],
-                                              view->column[3].page[page].f[r],
-                                              view->column[4].page[page].f[r]});
-    }
-    out->source = fmax(out->source, sg_flatness_of_source(&one));
-    out->smallest = fmin(out->smallest, sg_flatness_size(&one));
-    sg_flatness_enlarge(&all, &one);
+  for (size_t i = 0; good && i < n; i++) {
+    out->source = fmax(out->source, sg_flatness_of_source(&of.of[i]));
+    out->smallest = fmin(out->smallest, sg_flatness_size(&of.of[i]));
+    sg_flatness_enlarge(&all, &of.of[i]);
   }
   out->size = sg_flatness_of_size(&all);
   out->smallest = n > 0 ? out->smallest : 0;
-  return TRUE;
+  sg_crew_close(crew);
+  free(of.of);
+  return good;
 }
 
 static int

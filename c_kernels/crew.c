@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <time.h>
+#include <unistd.h>
 
 enum { MOST_THREADS = 16, WAIT_NS = 5000000 };
 
@@ -21,7 +22,9 @@ typedef struct call {
 } call;
 
 struct sg_crew {
+  unsigned asked;            /* for so many threads */
   unsigned threads, started; /* `started` without the caller */
+  pid_t process;             /* that they are of: a fork has none */
   pthread_t thread[MOST_THREADS];
   pthread_mutex_t lock;
   pthread_cond_t work, done;
@@ -45,8 +48,11 @@ processors(void)
   return n < 1 ? 1 : n > MOST_THREADS ? MOST_THREADS : (unsigned)n;
 }
 
-sg_crew *
-sg_crew_open(unsigned threads)
+/* The one that waits for the next. */
+static _Atomic(sg_crew *) idle;
+
+static sg_crew *
+crew_new(unsigned threads)
 {
   sg_crew *crew = calloc(1, sizeof *crew);
   pthread_condattr_t attributes;
@@ -54,9 +60,8 @@ sg_crew_open(unsigned threads)
   if (!crew) {
     return NULL;
   }
-  crew->threads = threads == 0             ? processors()
-                  : threads > MOST_THREADS ? MOST_THREADS
-                                           : threads;
+  crew->process = getpid();
+  crew->asked = crew->threads = threads;
   pthread_mutex_init(&crew->lock, NULL);
   pthread_cond_init(&crew->work, NULL);
   pthread_condattr_init(&attributes);
@@ -66,12 +71,9 @@ sg_crew_open(unsigned threads)
   return crew;
 }
 
-void
-sg_crew_close(sg_crew *crew)
+static void
+crew_end(sg_crew *crew)
 {
-  if (!crew) {
-    return;
-  }
   pthread_mutex_lock(&crew->lock);
   crew->closing = true;
   pthread_cond_broadcast(&crew->work);
@@ -83,6 +85,64 @@ sg_crew_close(sg_crew *crew)
   pthread_cond_destroy(&crew->done);
   pthread_mutex_destroy(&crew->lock);
   free(crew);
+}
+
+/* The idle crew, if it has so many threads. Its threads are not in a process
+ * that was forked: there it is forgotten. */
+static sg_crew *
+take_idle(unsigned threads)
+{
+  sg_crew *crew = atomic_exchange(&idle, NULL);
+
+  if (!crew || crew->process != getpid()) {
+    return NULL;
+  }
+  if (crew->asked != threads) {
+    crew_end(crew);
+    return NULL;
+  }
+  return crew;
+}
+
+/* When the process ends, or the library is unloaded. */
+__attribute__((destructor)) static void
+end_idle(void)
+{
+  sg_crew *crew = atomic_exchange(&idle, NULL);
+
+  if (crew && crew->process == getpid()) {
+    crew_end(crew);
+  }
+}
+
+sg_crew *
+sg_crew_open(unsigned threads)
+{
+  unsigned wanted = threads == 0 ? processors() : threads;
+
+  if (wanted > MOST_THREADS) {
+    wanted = MOST_THREADS;
+  }
+  sg_crew *crew = threads == 0 ? take_idle(wanted) : NULL;
+
+  return crew ? crew : crew_new(wanted);
+}
+
+void
+sg_crew_close(sg_crew *crew)
+{
+  sg_crew *none = NULL;
+
+  if (crew && (crew->started == 0 || crew->asked != processors() ||
+               !atomic_compare_exchange_strong(&idle, &none, crew))) {
+    crew_end(crew);
+  }
+}
+
+unsigned
+sg_crew_threads(const sg_crew *crew)
+{
+  return crew ? crew->threads : 1;
 }
 
 /* Takes tasks until there are none or the call is stopped. What a poll runs may

@@ -21,9 +21,14 @@
 typedef struct sg_crew sg_crew;
 
 /* `threads` with the caller's; 0: as many as this process has processors, at
- * most 16. They start when there is work for two. Null: no memory. */
+ * most 16. They start when there is work for two. Null: no memory. One such
+ * crew that was closed waits, its threads asleep, for the next one who opens
+ * it. */
 sg_crew *sg_crew_open(unsigned threads);
 void sg_crew_close(sg_crew *crew);
+
+/* How many work together; a null crew: one. */
+unsigned sg_crew_threads(const sg_crew *crew);
 
 typedef void sg_crew_task(void *data, size_t task);
 

@@ -6,13 +6,15 @@
  */
 #include "face_merge_private.h"
 
+#include "bvh.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-  RANGES = 4,      /* of vertices, for threads that go over all triangles */
+  RANGES = 8,      /* of vertices at most: each goes over all triangles */
   BLOCK = 1 << 12, /* vertices a task */
   LONG = 24,       /* lists longer than this are sorted */
   SIZE = 13 /* the tolerance is at most 2^-SIZE of the size, if by_size */
@@ -41,7 +43,7 @@ typedef struct pairing {
 static uint32_t
 range_from(const sg_merge *m, size_t range)
 {
-  return (uint32_t)(m->solid->vertices * range / RANGES);
+  return (uint32_t)(m->solid->vertices * range / m->ranges);
 }
 
 static void
@@ -341,16 +343,47 @@ note_faces(sg_merge *m)
   }
 }
 
+static void
+set_tolerance(sg_merge *m, const sg_box *box)
+{
+  double largest = 0, size = 0;
+
+  for (int k = 0; k < 3 && m->solid->triangles; k++) {
+    largest = fmax(largest, fmax(fabs(box->lo[k]), fabs(box->hi[k])));
+    size = fmax(size, box->hi[k] - box->lo[k]);
+  }
+  m->rounding = 4 * DBL_EPSILON * largest;
+  m->tolerance = m->options->tolerance;
+  if (m->options->by_size) {
+    m->tolerance = fmin(m->tolerance, ldexp(size, -SIZE));
+  }
+  m->tolerance = fmax(m->tolerance, m->rounding);
+}
+
+/* Where the lists of vertices begin; and the tolerance: only vertices that have
+ * any count. */
+static void
+begin_lists(sg_merge *m)
+{
+  sg_box box = sg_box_none();
+
+  for (uint32_t v = 0; v < m->solid->vertices; v++) {
+    if (m->first[v + 2] > 0) {
+      sg_box_add(&box, sg_merge_at(m, v));
+    }
+    m->first[v + 2] += m->first[v + 1];
+  }
+  set_tolerance(m, &box);
+}
+
 static bool
 lists_made(sg_merge *m, size_t blocks)
 {
-  if (!run(m, RANGES, count_leaving, m)) {
+  if (!run(m, m->ranges, count_leaving, m)) {
     return false;
   }
-  for (size_t v = 0; v < m->solid->vertices; v++) {
-    m->first[v + 2] += m->first[v + 1];
-  }
-  return run(m, RANGES, list_leaving, m) && run(m, blocks, sort_long, m);
+  begin_lists(m);
+  return run(m, m->ranges, list_leaving, m) && run(m, blocks, sort_long, m);
 }
 
 /* The lists of all blocks, in their order: the weak ones, or the brief. Null:
@@ -393,34 +426,6 @@ gather_all(sg_merge *m, const finds *found, size_t blocks)
   return m->weak && m->brief ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
 }
 
-/* What is used by triangles counts. */
-static void
-find_tolerance(sg_merge *m)
-{
-  const sg_solid *solid = m->solid;
-  double low[3] = {INFINITY, INFINITY, INFINITY};
-  double high[3] = {-INFINITY, -INFINITY, -INFINITY};
-  double largest = 0, size = 0;
-
-  for (size_t i = 0; i < 3 * solid->triangles; i++) {
-    const double *at = sg_merge_at(m, solid->triangle[i / 3][i % 3]);
-    for (int k = 0; k < 3; k++) {
-      low[k] = at[k] < low[k] ? at[k] : low[k];
-      high[k] = at[k] > high[k] ? at[k] : high[k];
-    }
-  }
-  for (int k = 0; k < 3 && solid->triangles; k++) {
-    largest = fmax(largest, fmax(fabs(low[k]), fabs(high[k])));
-    size = fmax(size, high[k] - low[k]);
-  }
-  m->rounding = 4 * DBL_EPSILON * largest;
-  m->tolerance = m->options->tolerance;
-  if (m->options->by_size) {
-    m->tolerance = fmin(m->tolerance, ldexp(size, -SIZE));
-  }
-  m->tolerance = fmax(m->tolerance, m->rounding);
-}
-
 sg_merge_end
 sg_merge_mesh(sg_merge *m)
 {
@@ -430,7 +435,9 @@ sg_merge_mesh(sg_merge *m)
   pairing mesh = {m, calloc(blocks + 1, sizeof *mesh.found)};
   sg_merge_end end = SG_MERGE_NO_MEMORY;
 
-  find_tolerance(m);
+  unsigned threads = sg_crew_threads(m->options->crew);
+
+  m->ranges = threads < RANGES ? threads : RANGES;
   m->face_of = malloc((solid->triangles + 1) * sizeof *m->face_of);
   m->first = calloc(solid->vertices + 2, sizeof *m->first);
   m->leaving = malloc((halves + 1) * sizeof *m->leaving);

@@ -56,6 +56,7 @@ typedef struct sg_merge {
   const sg_merge_options *options;
   double tolerance;
   double rounding;     /* what places may be off by rounding alone */
+  size_t ranges;       /* of vertices, each for a thread */
   uint32_t *face_of;   /* [triangles] */
   uint32_t *first;     /* [vertices + 2]: of a vertex in `leaving` */
   sg_leaving *leaving; /* [3 * triangles] */

@@ -40,7 +40,9 @@ sg_flatness_see(sg_flatness *model, const double point[3])
     if (!model->any || x > model->high[k]) {
       model->high[k] = x;
     }
-    model->largest = fmax(model->largest, fabs(x));
+    if (fabs(x) > model->largest) {
+      model->largest = fabs(x);
+    }
     model->single = model->single && (double)(float)x == x;
     model->fine = model->fine || is_fine(x);
     while (model->places <= SG_PLACES && !has_places(x, model->places)) {

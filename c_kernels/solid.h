@@ -15,6 +15,8 @@
 #ifndef SG_SOLID_H
 #define SG_SOLID_H
 
+#include "crew.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -58,6 +60,6 @@ void sg_solid_clear(sg_solid *solid);
 
 /* Whether each edge runs as often back as there: it bounds something. By a
  * fingerprint: wrong once in 2^64. */
-bool sg_solid_is_closed(const sg_solid *solid);
+bool sg_solid_is_closed(const sg_solid *solid, sg_crew *crew);
 
 #endif

@@ -13,6 +13,8 @@
 #include <SWI-Stream.h>
 #include <stdlib.h>
 
+enum { MANY = 1 << 15 }; /* triangles, for which threads are worth it */
+
 /* ---- the handle ---- */
 
 typedef struct handle {
@@ -110,7 +112,14 @@ solid_is_closed(term_t solid)
 {
   sg_solid *s;
 
-  return sg_get_solid_ex(solid, &s) && sg_solid_is_closed(s);
+  if (!sg_get_solid_ex(solid, &s)) {
+    return FALSE;
+  }
+  sg_crew *crew = s->triangles < MANY ? NULL : sg_crew_open(0);
+  bool closed = sg_solid_is_closed(s, crew);
+
+  sg_crew_close(crew);
+  return closed;
 }
 
 /* ---- taking ---- */
