@@ -6,6 +6,9 @@
 /* Doubles tell what is farther apart than this part of the coordinates. */
 #define CLOSE 1e-9
 
+/* And what is outside of a side by this part of their squares. */
+#define OUTSIDE 1e-12
+
 /* A line no farther behind a plane than this part of the size is in it: faces
  * of several triangles are flat only so far. */
 #define IN_PLANE 1e-12
@@ -43,6 +46,32 @@ behind(const triangle *t, const place *p, mpq_t out)
     mpq_add(out, out, below);
   }
   mpq_clears(weight, below, NULL);
+}
+
+/* What area() says, nearly. */
+static double
+left_of(const place *a, const place *b, const place *c)
+{
+  const double *p = a->near, *q = b->near, *r = c->near;
+
+  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+/* True only if the line is outside of one of the triangle's sides. */
+static bool
+is_beside(const triangle *t, double size, const line *l)
+{
+  for (int k = 0; k < 3; k++) {
+    const place *p = &t->corner[k], *q = &t->corner[(k + 1) % 3];
+    bool outside = true;
+    for (int i = 0; i < 2; i++) {
+      outside &= left_of(p, q, &l->end[i]) < -OUTSIDE * size * size;
+    }
+    if (outside) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /* IN_PLANE, in what behind() says of a triangle. */
@@ -178,7 +207,8 @@ hiding_find(scene *s)
       continue;
     }
     for (size_t k = 0; k < s->lines; k++) {
-      if (!is_apart(&s->triangle[i], &s->line[k])) {
+      if (!is_apart(&s->triangle[i], &s->line[k]) &&
+          !is_beside(&s->triangle[i], s->size, &s->line[k])) {
         hide(&s->triangle[i], s->size, &s->line[k]);
       }
     }
@@ -190,7 +220,7 @@ hiding_find(scene *s)
 }
 
 bool
-hiding_in_line(const line *a, const line *b)
+hiding_in_line(const line *a, const line *b, double size)
 {
   bool in_line = true;
   mpq_t off;
@@ -201,6 +231,12 @@ hiding_in_line(const line *a, const line *b)
             fmin(a->end[0].near[k], a->end[1].near[k]) - close ||
         fmin(b->end[0].near[k], b->end[1].near[k]) >
             fmax(a->end[0].near[k], a->end[1].near[k]) + close) {
+      return false;
+    }
+  }
+  for (int i = 0; i < 2; i++) {
+    if (fabs(left_of(&a->end[0], &a->end[1], &b->end[i])) >
+        OUTSIDE * size * size) {
       return false;
     }
   }

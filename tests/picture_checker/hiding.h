@@ -13,8 +13,8 @@
 /* Finds what is hidden and what is shown of every line of the scene. */
 void hiding_find(scene *s);
 
-/* True if the two lines are on one line of the picture. */
-bool hiding_in_line(const line *a, const line *b);
+/* True if the two lines are on one line of the picture; size: of the scene. */
+bool hiding_in_line(const line *a, const line *b, double size);
 
 /* Where the point at t of line b, which is in line with a, is on a. */
 void hiding_moved(const line *a, const line *b, const mpq_t t, mpq_t out);

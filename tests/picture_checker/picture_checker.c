@@ -5,21 +5,21 @@
  * Written for the tests alone and shares nothing with the engine: all pairs,
  * rational numbers. For each scene (scene.h) one line:
  *
- *     NAME: lines=N triangles=N visible=L hidden=L drawn_visible=L
+ *     NAME: lines=N triangles=N size=L visible=L hidden=L drawn_visible=L
  *           drawn_hidden=L wrong=L lost=L twice=L
  *
- * Lengths are in the picture. `visible` is what is seen of all lines, where
- * several lie on one another counted once; `hidden` what is hidden of all
- * lines and not under a visible one, counted once. `drawn_...` are the sums of
- * the parts that were drawn; `wrong` the longest piece of a part that is drawn
- * as what it is not; `lost` the most of a line where nothing is drawn, on it or
- * on one in line with it; `twice` the longest piece that two parts draw, closer
- * than a ten-millionth of the picture. -v: every line and part at fault.
+ * Lengths are in the picture; `size` is half of its longer side. `visible` is
+ * what is seen of all lines, where several lie on one another counted once;
+ * `hidden` what is hidden of all lines and not under a visible one, counted
+ * once. `drawn_...` are the sums of the parts that were drawn; `wrong` the
+ * longest piece of a part that is drawn as what it is not; `lost` the most of a
+ * line where nothing is drawn, on it or on one in line with it; `twice` the
+ * longest piece that two parts draw, closer than a ten-millionth of the
+ * picture. -v: every line and part at fault.
  */
 #include "hiding.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,7 +30,7 @@
 #define TOLD 1e-6
 
 typedef struct verdict {
-  double visible, hidden, drawn[2], wrong, lost, twice;
+  double size, visible, hidden, drawn[2], wrong, lost, twice;
 } verdict;
 
 /* ------------------------------------------------- what should be drawn */
@@ -73,7 +73,7 @@ add_line(const scene *s, size_t k, verdict *v)
   copy(&a->hidden, &hidden);
   for (size_t i = 0; i < s->lines; i++) {
     const line *b = &s->line[i];
-    if (i == k || b->length == 0.0 || !hiding_in_line(a, b)) {
+    if (i == k || b->length == 0.0 || !hiding_in_line(a, b, s->size)) {
       continue;
     }
     take_away(&hidden, a, b, &b->shown);
@@ -97,10 +97,6 @@ check_part(const scene *s, const part *p, bool tell, verdict *v)
   double wrong;
   mpq_t size;
 
-  if (p->line == SIZE_MAX) {
-    v->wrong = INFINITY;
-    return;
-  }
   l = &s->line[p->line];
   mpq_init(size);
   mpq_sub(size, p->to, p->from);
@@ -131,7 +127,7 @@ check_lost(const scene *s, size_t k, bool tell, verdict *v)
   intervals_add(&left, from, to);
   for (size_t i = 0; i < s->parts && left.n > 0; i++) {
     const part *p = &s->part[i];
-    if (p->line != SIZE_MAX && hiding_in_line(a, &s->line[p->line])) {
+    if (hiding_in_line(a, &s->line[p->line], s->size)) {
       intervals_clear(&drawn);
       intervals_add(&drawn, p->from, p->to);
       take_away(&left, a, &s->line[p->line], &drawn);
@@ -170,6 +166,10 @@ common(double a[2][2], double b[2][2], double close)
   double x = a[1][0] - a[0][0], y = a[1][1] - a[0][1];
   double length = hypot(x, y), at[2], off[2], low, high, f, g;
 
+  if (fmax(b[0][0], b[1][0]) < fmin(a[0][0], a[1][0]) ||
+      fmin(b[0][0], b[1][0]) > fmax(a[0][0], a[1][0])) {
+    return 0.0;
+  }
   for (int i = 0; i < 2; i++) {
     double u = b[i][0] - a[0][0], v = b[i][1] - a[0][1];
     at[i] = (x * u + y * v) / length;
@@ -186,28 +186,27 @@ common(double a[2][2], double b[2][2], double close)
 }
 
 static void
-check_twice(const scene *s, double size, bool tell, verdict *v)
+check_twice(const scene *s, bool tell, verdict *v)
 {
+  double(*end)[2][2] = malloc((s->parts + 1) * sizeof *end);
+
+  if (!end) {
+    abort();
+  }
   for (size_t i = 0; i < s->parts; i++) {
-    double a[2][2], b[2][2];
-    if (s->part[i].line == SIZE_MAX) {
-      continue;
-    }
-    ends_of(s, &s->part[i], a);
+    ends_of(s, &s->part[i], end[i]);
     for (size_t k = 0; k < i; k++) {
-      double twice = 0.0;
-      if (s->part[k].line != SIZE_MAX) {
-        ends_of(s, &s->part[k], b);
-        twice = common(a, b, ONE_PLACE * size);
-      }
+      double twice = common(end[i], end[k], ONE_PLACE * v->size);
       v->twice = fmax(v->twice, twice);
-      if (tell && twice > 10 * TOLD * size) {
-        printf("  edges %d of %d and %d of %d: drawn twice for %g\n",
-               s->line[s->part[i].line].e, s->line[s->part[i].line].s,
-               s->line[s->part[k].line].e, s->line[s->part[k].line].s, twice);
+      if (tell && twice > 10 * TOLD * v->size) {
+        const line *a = &s->line[s->part[i].line],
+                   *b = &s->line[s->part[k].line];
+        printf("  edges %d of %d and %d of %d: drawn twice for %g\n", a->e,
+               a->s, b->e, b->s, twice);
       }
     }
   }
+  free(end);
 }
 
 /* The half of the longer side of the picture. */
@@ -231,7 +230,7 @@ size_of(const scene *s)
 static verdict
 judge(scene *s, bool tell)
 {
-  verdict v = {0};
+  verdict v = {.size = size_of(s)};
 
   hiding_find(s);
   for (size_t k = 0; k < s->lines; k++) {
@@ -243,7 +242,7 @@ judge(scene *s, bool tell)
   for (size_t i = 0; i < s->parts; i++) {
     check_part(s, &s->part[i], tell, &v);
   }
-  check_twice(s, size_of(s), tell, &v);
+  check_twice(s, tell, &v);
   return v;
 }
 
@@ -260,11 +259,11 @@ main(int argc, char **argv)
   }
   while (scene_read(&s, in)) {
     verdict v = judge(&s, tell);
-    printf("%s: lines=%zu triangles=%zu visible=%.12g hidden=%.12g "
+    printf("%s: lines=%zu triangles=%zu size=%.3g visible=%.12g hidden=%.12g "
            "drawn_visible=%.12g drawn_hidden=%.12g wrong=%.3g lost=%.3g "
            "twice=%.3g\n",
-           s.name, s.lines, s.triangles, v.visible, v.hidden, v.drawn[0],
-           v.drawn[1], v.wrong, v.lost, v.twice);
+           s.name, s.lines, s.triangles, v.size, v.visible, v.hidden,
+           v.drawn[0], v.drawn[1], v.wrong, v.lost, v.twice);
     scene_clear(&s);
   }
   fclose(in);

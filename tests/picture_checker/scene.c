@@ -3,7 +3,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -130,11 +129,13 @@ read_part(scene *s, char **text)
   read_number(text, p->to);
   read_word(text, word, sizeof word);
   p->hidden = strcmp(word, "hidden") == 0;
-  p->line = SIZE_MAX;
-  for (size_t i = 0; i < s->lines && p->line == SIZE_MAX; i++) {
-    if (s->line[i].s == id[0] && s->line[i].e == id[1]) {
-      p->line = i;
-    }
+  p->line = 0;
+  while (p->line < s->lines &&
+         (s->line[p->line].s != id[0] || s->line[p->line].e != id[1])) {
+    p->line++;
+  }
+  if (p->line == s->lines) {
+    complain("a part of no line");
   }
 }
 

@@ -43,7 +43,7 @@ typedef struct line {
 } line;
 
 typedef struct part {
-  size_t line; /* SIZE_MAX: of no line */
+  size_t line;
   mpq_t from, to;
   bool hidden;
 } part;

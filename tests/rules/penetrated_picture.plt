@@ -1,7 +1,9 @@
+:- use_module(rules(boolean)).
 :- use_module(rules(penetration)).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(view)).
 :- use_module(rules(store)).
+:- use_module(tests('rules/picture_checked')).
 :- use_module(tests('rules/polyhedron')).
 
 % The pairs of peers/hlr_unfold, penetrating, seen from (1.2, -2.0, 1.1): the
@@ -14,6 +16,12 @@ test(cubes2, V =:= 12.475) :-
     V is round(V0*1000)/1000.
 test(cyl2, true(abs(V-23.851) < 1.0e-3)) :-
     in_new_world(( cylinders, penetrate, visible_length([], V) )).
+% And of the united solids themselves, hidden ones too.
+test(cubes2_united, V/H == 12.475/6.892) :-
+    in_new_world(( box(1, p(0.0,0.0,0.0)), box(2, p(0.5,0.4,0.3)),
+                   united_lengths(V, H) )).
+test(cyl2_united, V/H == 23.851/10.033) :-
+    in_new_world(( cylinders, united_lengths(V, H) )).
 test(kernel_is_rule) :-
     in_new_world(( cylinders, penetrate,
                    set_direction(1.2, -2.0, 1.1),
@@ -45,15 +53,18 @@ cylinders :-
     moved(axes, Points0, Points2),
     polyhedron(2, solid, Points2, Faces).
 
-set_direction(X, Y, Z) :-
-    Theta is atan2(Y, X)*180/pi,
-    Phi is acos(Z/sqrt(X*X+Y*Y+Z*Z))*180/pi,
-    set_view(Theta, Phi, 9.0).
-
 visible_length(Options, Length) :-
     set_direction(1.2, -2.0, 1.1),
     picture(Options),
     aggregate_all(sum(L), visible_part(L), Length).
+
+united_lengths(Visible, Hidden) :-
+    boolean(union([1,2]), 3),
+    set_direction(1.2, -2.0, 1.1),
+    picture([segments([3])]),
+    drawn_lengths(Visible0, Hidden0),
+    Visible is round(Visible0*1000)/1000,
+    Hidden is round(Hidden0*1000)/1000.
 
 visible_part(Length) :-
     drawn(_, S, E, From, To, visible, _),

@@ -271,7 +271,7 @@ words([Key-Value|Words]) -->
 %   part lost or drawn twice, or a length that is not as it should be.
 
 bad_picture(Result, Fault) :-
-    Most is 1.0e-6*(1+Result.lines/100),
+    Most is 1.0e-6*(1+Result.lines/100)*max(1, Result.size),
     (   Result.wrong > Most
     ->  Fault = wrong(Result.wrong)
     ;   Result.lost > Most

@@ -4,6 +4,7 @@
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(rules(hidden_lines)).
+:- use_module(rules(model), [load_model/1]).
 :- use_module(rules(store)).
 :- use_module(rules(view)).
 :- use_module(tests('rules/picture_checked')).
@@ -13,7 +14,7 @@
 and what is hidden, and that nothing is drawn twice.
 
     PICTURE_CASES=N         N times as many scenes
-    PICTURE_FOUND=FOLDER    keeps the scenes that fail, for the checker
+    PICTURE_MESHES=all      all meshes of ../shared/data/meshes, not a few
 */
 
 :- begin_tests(picture_exact).
@@ -63,6 +64,41 @@ add_scene(Pictures, Class, Seed, Name) :-
     random_view(Class, View),
     catch(add_picture(Pictures, Name, View, random_scene(Class)), E,
           ( print_message(error, E), fail )).
+
+% Meshes of others, some of which go through themselves.
+
+test(meshes, true(Faults == [])) :-
+    findall(File, mesh_file(File), Files),
+    (   Files == []
+    ->  format("skipped: no meshes in ../shared/data/meshes~n")
+    ;   true
+    ),
+    open_pictures(Pictures),
+    forall(( member(File, Files), mesh_view(View) ),
+           ( file_base_name(File, Name),
+             add_picture(Pictures, Name, View, load_model([File])) )),
+    check_pictures(Pictures, Results),
+    findall(Name-Fault,
+            ( member(Result, Results),
+              bad_picture(Result, Fault),
+              Name = Result.name ),
+            Faults).
+
+mesh_view(angles(300.0,65.0)).
+mesh_view(angles(40.0,110.0)).
+
+%   Of suzanne the polygons are not flat, and a cut divides them otherwise.
+
+mesh_file(File) :-
+    expand_file_name('../shared/data/meshes/*', Files),
+    member(File, Files),
+    file_base_name(File, Name),
+    Name \== 'suzanne.obj',
+    (   getenv('PICTURE_MESHES', all)
+    ->  true
+    ;   memberchk(Name, ['openscad-nonmanifold.stl','thingi10k-65004.stl',
+                         'beetle.obj'])
+    ).
 
 % The same scenes turned by any rotation, and the view with them: what is drawn
 % is as long as the checker says of the scene that was not turned. Curves have
