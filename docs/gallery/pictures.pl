@@ -103,3 +103,53 @@ picture(blueprint, 'Blueprint',
 picture(ghost, 'Ghost',
         'One of two cylinders is only hinted at, in chain lines.',
         ['facts/figures/fig13.pl', '--style', 'facts/styles/ghost.pl']).
+
+% For the workshop, the class room and the pen plotter.
+
+picture(saddle, 'Saddle',
+        'A branch pipe meets a header askew and off its axis.',
+        ['facts/gallery/saddle.pl']).
+picture(saddle_line, 'The line of the saddle',
+        'Along it the branch is cut, and the hole in the header; from above.',
+        ['facts/gallery/saddle.pl', '--lines', penetration,
+         '--view', top]).
+picture(elbow, 'Bend of gores',
+        'Straight pipes cut by planes through the centre of the bend.',
+        ['facts/gallery/elbow.pl']).
+picture(cyclone, 'Cyclone',
+        'Five sheet metal parts united; each seam is a penetration line.',
+        ['facts/gallery/cyclone.pl', '--size', '148x210']).
+picture(nut, 'Nut',
+        'Cones round its corners: hyperbolas on the six sides.',
+        ['facts/gallery/nut.pl']).
+picture(conic_sections, 'Conic sections',
+        'Planes that cut a cone in an ellipse, a parabola and a hyperbola.',
+        ['facts/gallery/conic_sections.pl', '--size', '297x140']).
+picture(three_cylinders, 'Three cylinders',
+        'What three equal cylinders at right angles have in common.',
+        ['facts/gallery/three_cylinders.pl']).
+picture(die, 'Die',
+        'A cube in a sphere, and twenty-one pips taken out of it.',
+        ['facts/gallery/die.pl', '--hidden', removed]).
+picture(stars, 'Star bodies',
+        'Two tetrahedra; a cube and an octahedron: nothing is united.',
+        ['facts/gallery/stars.pl']).
+picture(roofs, 'Roofs',
+        'A house, its wing, a dormer and a chimney, as one solid.',
+        ['facts/gallery/roofs.pl']).
+picture(stairs, 'Winding stairs',
+        'In central projection, from where somebody stands.',
+        ['facts/gallery/stairs.pl', '--projection', central,
+         '--eye', '2,-3.2,1.7', '--target', '0,0,1.7',
+         '--hidden', removed, '--size', '148x210']).
+picture(rings, 'Borromean rings',
+        'Smooth rings take their outlines inside the triangles.',
+        ['facts/gallery/rings.pl']).
+picture(vase, 'Vase',
+        'All edges that are seen, none twice: for a pen plotter.',
+        ['facts/gallery/vase.pl', '--lines', all, '--hidden', removed,
+         '--size', '148x210']).
+picture(column, 'Column',
+        'A star prism that turns and grows thin.',
+        ['facts/gallery/column.pl', '--hidden', removed,
+         '--size', '148x210']).
