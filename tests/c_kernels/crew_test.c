@@ -1,0 +1,169 @@
+/* crew_test.c -- tasks are done once each, by whoever; crews that wait for the
+ * next; and what several threads may ask at the same time. */
+#include "../../c_kernels/crew.h"
+#include "../../c_kernels/exact.h"
+#include "../check.h"
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { TASKS = 1000, POINTS = 64, ASKERS = 8 };
+
+static void
+count(void *data, size_t task)
+{
+  atomic_fetch_add(&((atomic_int *)data)[task], 1);
+}
+
+/* All tasks are done, each once. */
+static bool
+does_all(sg_crew *crew)
+{
+  atomic_int *done = calloc(TASKS, sizeof *done);
+  bool all = done && sg_crew_run(crew, TASKS, count, done, NULL);
+
+  for (size_t i = 0; i < TASKS && all; i++) {
+    all = atomic_load(&done[i]) == 1;
+  }
+  free(done);
+  return all;
+}
+
+static void
+test_tasks(void)
+{
+  sg_crew *four = sg_crew_open(4), *any = sg_crew_open(0);
+
+  CHECK("alone", does_all(NULL) && sg_crew_threads(NULL) == 1);
+  CHECK("four", does_all(four) && does_all(four));
+  CHECK("as many as there are", does_all(any) && sg_crew_threads(any) > 0);
+  sg_crew_close(four);
+  sg_crew_close(any);
+}
+
+static void
+test_waiting(void)
+{
+  sg_crew *first = sg_crew_open(0);
+  bool good = does_all(first);
+
+  sg_crew_close(first);
+  for (int i = 0; i < 100 && good; i++) {
+    sg_crew *one = sg_crew_open(0), *other = sg_crew_open(0);
+
+    good = one != other && does_all(one) && does_all(other);
+    sg_crew_close(one);
+    sg_crew_close(other);
+  }
+  CHECK("closed and opened again, two at a time", good);
+}
+
+/* A fork has the memory of the crew that waits, and none of its threads. */
+static void
+test_fork(void)
+{
+  sg_crew *before = sg_crew_open(0);
+  int status = 1;
+
+  CHECK("before", does_all(before));
+  sg_crew_close(before);
+  pid_t child = fork();
+  if (child == 0) {
+    sg_crew *crew = sg_crew_open(0);
+    bool good = does_all(crew) && does_all(crew);
+
+    sg_crew_close(crew);
+    _exit(good ? 0 : 1);
+  }
+  CHECK("in a fork", waitpid(child, &status, 0) == child && status == 0);
+}
+
+/* ---- points that several ask for ---- */
+
+typedef struct asking {
+  sg_point point[ASKERS][POINTS]; /* copies of the same */
+  mpq_t *q[ASKERS][POINTS];
+} asking;
+
+static void
+ask(void *data, size_t asker)
+{
+  asking *a = data;
+
+  for (int i = 0; i < POINTS; i++) {
+    a->q[asker][i] = sg_point_q(&a->point[asker][i]);
+  }
+}
+
+static bool
+make_points(asking *a)
+{
+  const double at[4][3] = {{0, 0, 0}, {3, 1, 0}, {1, 2, 0}, {2, -1, 0}};
+  sg_point end[4];
+
+  for (int i = 0; i < POINTS; i++) {
+    for (int k = 0; k < 4; k++) {
+      const double moved[3] = {at[k][0] + 0.1 * k, at[k][1] + 0.01 * i, 0};
+      sg_point_set(&end[k], moved);
+    }
+    if (!sg_point_ll(&a->point[0][i], 2, &end[0], &end[1], &end[2], &end[3])) {
+      return false;
+    }
+    for (int k = 1; k < ASKERS; k++) {
+      sg_point_copy(&a->point[k][i], &a->point[0][i]);
+    }
+  }
+  return true;
+}
+
+/* All see the same numbers, which round to the place of the point. */
+static bool
+agree(const asking *a, int i)
+{
+  bool same = true;
+
+  for (int k = 0; k < ASKERS; k++) {
+    same = same && a->q[k][i] && a->q[k][i] == a->q[0][i];
+  }
+  for (int c = 0; c < 2 && same; c++) {
+    double error = mpq_get_d(a->q[0][i][c]) - a->point[0][i].p[c];
+    same = error < 1e-15 && error > -1e-15;
+  }
+  return same;
+}
+
+static void
+test_points(void)
+{
+  sg_crew *crew = sg_crew_open(4);
+  size_t good = 0;
+
+  for (int round = 0; round < 20; round++) {
+    asking *a = calloc(1, sizeof *a);
+
+    if (a && make_points(a) && sg_crew_run(crew, ASKERS, ask, a, NULL)) {
+      for (int i = 0; i < POINTS; i++) {
+        good += agree(a, i);
+      }
+    }
+    for (int i = 0; a && i < ASKERS * POINTS; i++) {
+      sg_point_clear(&a->point[i / POINTS][i % POINTS]);
+    }
+    free(a);
+  }
+  CHECK("rationals of shared points, asked by several", good == 20 * POINTS);
+  sg_crew_close(crew);
+}
+
+int
+main(void)
+{
+  test_tasks();
+  test_waiting();
+  test_fork();
+  test_points();
+  return check_report();
+}
