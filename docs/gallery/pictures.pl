@@ -67,6 +67,9 @@ picture(pipe_tee, 'Pipe tee',
 picture(primitives, 'Primitives',
         'Every primitive, the last a net of 32 Bezier patches.',
         ['facts/primitives.pl', '--size', '280x200']).
+picture(smooth, 'Smooth bodies',
+        'Outlines inside the triangles: cusps, and what they hide themselves.',
+        ['facts/smooth.pl', '--view', '301,62', '--size', '260x200']).
 
 % Sheets: docs/drawings.md.
 
