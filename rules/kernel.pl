@@ -730,9 +730,9 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   The segments Wanted, which are among Segments, in pieces along the lines of
 %   cut set Set, which is sealed. Polygons that were entered are told with what
 %   they became, as work(S, P, Work), all at once; what touches within Reach is
-%   made one where nothing else helps. Sealing finds what hangs together, and on which side of
-%   each segment that is. An arrangement is held once when it is opened, and
-%   closed when it is dropped as often as it was held.
+%   made one where nothing else helps. Sealing finds what hangs together, and on
+%   which side of each segment that is. An arrangement is held once when it is
+%   opened, and closed when it is dropped as often as it was held.
 
 %!  arrangement_components(+Pieces:list, -Components:list) is det.
 %!  arrangement_select(+Pieces:list, +Senses:list, -Solid) is det.
