@@ -5,8 +5,9 @@
           ]).
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
-                leaf_t/6, segment/3, origin/3, line/9, assert_fact/1,
-                retractall_facts/1, facts_transaction/1, relation_column/5
+                leaf_t/6, segment/3, origin/3, line/9, title_block/2,
+                assert_fact/1, retractall_facts/1, facts_transaction/1,
+                relation_column/5
               ]).
 :- use_module(model_text,
               [ open_model_text/2, close_model_text/1, model_text_bytes/3,
@@ -381,9 +382,16 @@ later_setting(Later, Relation) :-
 
 later_title(Later) :-
     later_of(Later, title_block/2, Items),
-    findall(Item, member(later(title_block(Item, _), _), Items), Names),
-    forall(member(Item, Names), retractall_facts(title_block(Item, _))),
-    forall(member(later(Row, Place), Items), row_added(Row, Place)).
+    forall(member(later(title_block(Item, _), _), Items),
+           retractall_facts(title_block(Item, _))),
+    forall(member(later(Row, Place), Items), title_added(Row, Place)).
+
+title_added(Row, Place) :-
+    Row = title_block(Item, _),
+    (   title_block(Item, _)
+    ->  place_error(Place, twice(title_block, Item))
+    ;   row_added(Row, Place)
+    ).
 
 %   later_segment(Item): the row, and what its primitive makes.
 

@@ -165,9 +165,9 @@ kind_cut(_, Plane, S, Name, N, Caps) :-
     dropped(K).
 
 %   half_boolean(Half, S, Operation, Kind, Name, K, N): segment N, of Kind and
-%   Name, is Operation of S and K, the solid Half. Faces of the one do not become
-%   one with faces of the other, so a face of S that lies in the plane is none
-%   of the caps.
+%   Name, is Operation of S and K, the solid Half. Faces of the one do not
+%   become one with faces of the other, so a face of S that lies in the plane
+%   is none of the caps.
 
 half_boolean(Half, S, Operation, Kind, Name, K, N) :-
     add_primitive(Half, K),

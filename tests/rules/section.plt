@@ -41,7 +41,7 @@ place(N, V, Axes, A, B) :-
     memberchk(Axes-[A,B], [yz-[Y,Z], xz-[X,Z], xy-[X,Y]]).
 
 % The same area without any Boolean: each triangle of segment S crosses the
-% plane, an N-D, in a directed line; twice the area is the sum of what they span.
+% plane, an N-D, in a directed line; what they span is twice the area.
 sliced_area(S, N-D, Area) :-
     findall(Twice,
             ( t(S, _, _, V1, V2, V3),

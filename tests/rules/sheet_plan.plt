@@ -75,6 +75,11 @@ sheet_error(Options, What) :-
     catch(( drawn_sheet(two_cubes, Options, _), What = none ),
           error(usage_error(What), _), true).
 
+facts_file(Facts, File) :-
+    tmp_file_stream(File, Out, [encoding(utf8),extension(pl)]),
+    write(Out, Facts),
+    close(Out).
+
 :- begin_tests(sheet_plan).
 
 test(true_scale, true(W-H == 20 000-20 000)) :-
@@ -283,6 +288,31 @@ test(model_title) :-
     delete_file(File),
     texts(Drawing, Texts),
     memberchk("Bracket", Texts).
+test(last_model_counts, true(Items == [material-'SS400',name-'B'])) :-
+    facts_file("segment(1, solid, box(size(1,2,3))).\n\c
+                title_block(name, a). title_block(material, 'SS400').\n", A),
+    facts_file("segment(1, solid, box(size(1,1,1))).\n\c
+                title_block(name, \"B\").\n", B),
+    new_world(World),
+    in_world(World, ( load_model(A),
+                      load_model(B),
+                      findall(I-T, title_block(I, T), Items0) )),
+    sort(Items0, Items),
+    maplist(delete_file, [A,B]).
+test(twice, error(model_error(twice(title_block,_)), _)) :-
+    facts_file("segment(1, solid, box(size(1,2,3))).\n\c
+                title_block(name, a). title_block(name, b).\n", File),
+    new_world(World),
+    setup_call_cleanup(true, in_world(World, load_model(File)),
+                       delete_file(File)).
+test(no_text, [forall(member(Text, ["f(x)", "_", "[]", "[a]"])),
+               error(model_error(value(title_block,'Text',_,text)), _)]) :-
+    format(string(Facts), "segment(1, solid, box(size(1,2,3))).\n\c
+                           title_block(name, ~s).\n", [Text]),
+    facts_file(Facts, File),
+    new_world(World),
+    setup_call_cleanup(true, in_world(World, load_model(File)),
+                       delete_file(File)).
 test(fitting_text) :-                   % a long name becomes small
     tmp_file_stream(File, Out, [encoding(utf8),extension(pl)]),
     numlist(1, 60, Ns),
