@@ -1,6 +1,7 @@
 :- module(sg_repair,
           [ repair_operand/1,           % +S
-            repaired/2                  % +S, -Repairs
+            repaired/2,                 % +S, -Repairs
+            welded_vertex/2             % +S, +Twin
           ]).
 :- use_module(kernel, [census/1]).
 :- use_module(model, [shell_facets/2]).
@@ -66,7 +67,7 @@ all_repaired(S, Repairs) :-
 
 repair(welded, S, N) :-
     twins(S, Twins),
-    maplist(weld(S), Twins),
+    maplist(welded_vertex(S), Twins),
     length(Twins, N).
 repair(no_area, S, N) :-
     findall(P, cancelled_face(S, P), Ps),
@@ -105,7 +106,12 @@ same_place([At-V|Vs], At, First, [V-First|Twins], Twins1, Rest) :-
     same_place(Vs, At, First, Twins, Twins1, Rest).
 same_place(Rest, _, _, Twins, Twins, Rest).
 
-weld(S, V-First) :-
+%!  welded_vertex(+S, +Twin) is det.
+%
+%   Twin is V-First: the edges of vertex V of segment S are now those of First,
+%   and V is no more. Polygons lose the triangles that they had.
+
+welded_vertex(S, V-First) :-
     findall(e(E,A,B,T), ( e(S, E, V, B, T), A = First ), From),
     maplist(replace_edge(S), From),
     findall(e(E,A,B,T), ( e(S, E, A, V, T), B = First ), To),

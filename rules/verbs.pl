@@ -21,6 +21,7 @@
 :- use_module(model,
               [load_model/1, load_model/2, save_model/1, save_model/2]).
 :- use_module(penetration, [penetrate/2]).
+:- use_module(sew, [borders_sewn/1]).
 :- use_module(query, [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
 :- use_module(report, [print_report/2]).
@@ -273,11 +274,12 @@ several_segments :-
     A \== B,
     !.
 
-%   segments_cut(Options): the segments cut each other, if there are several,
-%   and themselves. pieces_cut(Options): those of a section, which needs no
+%   segments_cut(Options): patches are sewn (sew.pl), and the segments cut each
+%   other, if there are several, and themselves. pieces_cut(Options): those of a section, which needs no
 %   notice.
 
 segments_cut(Options) :-
+    borders_sewn(_),
     (   several_segments
     ->  penetrated([themselves(true)|Options])
     ;   pieces_cut(Options)
