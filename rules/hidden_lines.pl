@@ -4,6 +4,7 @@
             open_scene/2,               % -Scene, +Options
             hides/2,                    % +S, +S2
             hides/4,                    % +S, +E, +S2, +T
+            lies_on/4,                  % ?S, ?E, ?S2, -P
             hidden_interval/5,          % +Scene, +S, +E, -From, -To
             line_parts/5,               % +Scene, +S, +E, -Visible, -Hidden
             hidden_by/6                 % ?S, ?E, -S2, -T, -From, -To
@@ -23,7 +24,7 @@
 :- use_module(view, [project_world/0, screen_depth/1]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ segment/3, contour/9, assert_fact/1, retractall_facts/1,
+              [ segment/3, e/5, line/9, edge_polygon/3, contour/9, assert_fact/1, retractall_facts/1,
                 facts_transaction/1
               ]).
 :- use_module(kernel,
@@ -168,6 +169,31 @@ hides(S, _, S2, _) :-
 %   glass.
 
 hides(_, _).
+
+%!  lies_on(?S, ?E, ?S2, -P) is nondet.
+%
+%   True when edge E of segment S lies on polygon P of S2 because the model says
+%   so: P has it, or an edge with the same ends, or a copy of such a one, by a
+%   penetration line. A flat polygon never hides what lies on it; of one that is
+%   not flat, the triangles that have the edge do not. The join occluder/7 keeps
+%   to this, whatever rounding makes of the places. May come more than once.
+
+lies_on(S, E, S2, P) :-
+    edge_ends(S, E, V1, V2),
+    same_ends(S, V1, V2, S2, W1, W2),
+    edge_ends(S2, E2, W1, W2),
+    edge_polygon(S2, E2, P).
+
+edge_ends(S, E, V1, V2) :-
+    e(S, E, V1, V2, _).
+edge_ends(S, E, V1, V2) :-
+    e(S, E, V2, V1, _).
+
+same_ends(S, V1, V2, S, V1, V2).
+same_ends(S, V1, V2, S2, W1, W2) :-
+    line(_, S, _, V1, V2, S2, _, W1, W2).
+same_ends(S, V1, V2, S2, W1, W2) :-
+    line(_, S2, _, W1, W2, S, _, V1, V2).
 
 %!  hidden_interval(+Scene, +S, +E, -From, -To) is nondet.
 %

@@ -467,8 +467,9 @@ glue file.
 %
 %   True when triangle T of segment S2 hides the part of edge E of segment S
 %   from From to To (0.0 at its start in the picture, 1.0 at its end), in order
-%   of From. A triangle never hides a line in its plane. Triangles seen edge-on
-%   and the backs of solids hide nothing. Inexact.
+%   of From. A triangle never hides a line in its plane, nor one that lies on
+%   its polygon (lies_on/4 of hidden_lines.pl). Triangles seen edge-on and the
+%   backs of solids hide nothing. Inexact.
 %
 %   @error existence_error(drawn_edge, E): scene_edge/5 does not have it
 %   @see [PL] section 6.3 step 4, row PL-13

@@ -4,6 +4,7 @@
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(rules(hidden_lines)).
+:- use_module(rules(kernel), [scene_edge/5, occluder/7]).
 :- use_module(rules(model), [load_model/1]).
 :- use_module(rules(store)).
 :- use_module(rules(view)).
@@ -64,6 +65,35 @@ add_scene(Pictures, Class, Seed, Name) :-
     random_view(Class, View),
     catch(add_picture(Pictures, Name, View, random_scene(Class)), E,
           ( print_message(error, E), fail )).
+
+% Nothing is hidden by what it lies on, wherever rounding puts it: also where
+% scenes are turned. All kinds of scenes have lines in faces of others.
+
+test(lies_on, true(Hidden == [])) :-
+    findall(Class-Seed-Bad,
+            ( member(Class, [grid_solids,grid_triangles,grid_united,solids]),
+              between(1, 12, Seed),
+              hidden_by_own(Class, Seed, Bad) ),
+            Hidden).
+
+hidden_by_own(Class, Seed, Bad) :-
+    set_random(seed(Seed)),
+    random_turn(Turn),
+    new_world(World),
+    in_world(World,
+             ( turned(Turn, all, random_scene(Class)),
+               cut_all([]),
+               random_view(solids, View),
+               looked_from(View),
+               project_world,
+               open_scene(Scene, []),
+               findall(S-E-S2-P,
+                       ( scene_edge(Scene, S, E, _, _),
+                         occluder(Scene, S, E, S2, T, _, _),
+                         t(S2, P, T, _, _, _),
+                         once(lies_on(S, E, S2, P)) ),
+                       Bad) )),
+    Bad \== [].
 
 % Meshes of others, some of which go through themselves.
 
