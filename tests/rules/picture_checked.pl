@@ -95,7 +95,8 @@ model_triangle([X1,Y1,Z1,X2,Y2,Z2,X3,Y3,Z3]) :-
 %!  looked_from(+View) is det.
 %
 %   Set the view of the current world: a name, direction(X,Y,Z), whole numbers,
-%   from the origin to the eye, angles(Theta,Phi), or central(Theta,Phi,Rho).
+%   from the origin to the eye, angles(Theta,Phi), central(Theta,Phi,Rho), or
+%   central(Name,Rho).
 
 looked_from(direction(X,Y,Z)) :-
     !,
@@ -107,6 +108,10 @@ looked_from(central(Theta,Phi,Rho)) :-
     !,
     set_view(Theta, Phi, Rho),
     set_projection(central).
+looked_from(central(Name,Rho)) :-
+    !,
+    named_view(Name, Theta, Phi),
+    looked_from(central(Theta,Phi,Rho)).
 looked_from(Name) :-
     set_view(Name).
 
@@ -134,6 +139,8 @@ view_rows(angles(Theta,Phi), parallel(Rows)) :-
 view_rows(central(Theta,Phi,Rho0), central(Rows,Rho)) :-
     rounded_rows(Theta, Phi, Rows),
     Rho is rational(Rho0).
+view_rows(central(Name,Rho), central(Rows,Rho)) :-
+    view_rows(Name, parallel(Rows)).
 view_rows(front,  parallel([ 1, 0,0,  0, 0,1,  0, 1, 0])).
 view_rows(right,  parallel([ 0, 1,0,  0, 0,1, -1, 0, 0])).
 view_rows(top,    parallel([ 1, 0,0,  0, 1,0,  0, 0,-1])).

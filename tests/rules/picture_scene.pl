@@ -373,13 +373,16 @@ curve(S) :-
 
 random_view(Class, View) :-
     (   sub_atom(Class, 0, _, _, grid)
-    ->  random_member(How, [name,direction,direction])
+    ->  random_member(How, [name,direction,direction,near])
     ;   random_member(How, [angles,angles,central])
     ),
     view_of(How, View).
 
 view_of(name, Name) :-
     random_member(Name, [front,right,top,left,back,bottom,iso]).
+view_of(near, central(Name,Rho)) :-
+    random_member(Name, [front,right,top,left,back,bottom]),
+    random_between(4, 9, Rho).
 view_of(direction, direction(X,Y,Z)) :-
     maplist(random_between(-2, 2), [X,Y,Z]),
     [X,Y,Z] \== [0,0,0],
