@@ -232,7 +232,48 @@ write_line(Out, Prefix-How, Line, state(Group0,Ids0), state(Group,Ids)) :-
     ->  true
     ;   emit(Out, group(Prefix, Group0, Group))
     ),
-    emit(Out, line(Line, Prefix, How, N)).
+    emit(Out, line_head(Line, Prefix, How, N, Pointss, Before)),
+    foldl(write_points(Out), Pointss, Before, _),
+    format(Out, '"/>~n', []).
+
+%   The points are most of the text: written, not listed first.
+
+write_points(Out, Points, Before, 'M') :-
+    write(Out, Before),
+    foldl(write_point(Out), Points, '', _).
+
+write_point(Out, X-Y, Before, ' ') :-
+    write(Out, Before),
+    write_thousandths(Out, X),
+    put_char(Out, ','),
+    write_thousandths(Out, Y).
+
+write_thousandths(Out, N) :-
+    N < 0,
+    !,
+    Positive is -N,
+    put_char(Out, '-'),
+    write_thousandths(Out, Positive).
+write_thousandths(Out, N) :-
+    Whole is N//1000,
+    Part is N mod 1000,
+    write(Out, Whole),
+    (   Part =:= 0
+    ->  true
+    ;   put_char(Out, '.'),
+        write_digits(Out, Part, 100)
+    ).
+
+%   The digits of Part from Place down, without zeros at the end.
+
+write_digits(_, 0, _) :-
+    !.
+write_digits(Out, Part, Place) :-
+    Digit is 0'0 + Part//Place,
+    put_code(Out, Digit),
+    Rest is Part mod Place,
+    Next is Place//10,
+    write_digits(Out, Rest, Next).
 
 new_id(S, E, Ids0, Ids, N) :-
     (   Ids0 == ids
@@ -253,14 +294,18 @@ group(Prefix, Before, Visibility-Role) -->
     ),
     "<g id=\"", name(Prefix), name(Visibility), "-", name(Role), "\">\n".
 
-line(line(Ink,Stroke), Prefix, How, N) -->
+%   line_head(Line, Prefix, How, N, Pointss, Before): all before the points;
+%   Pointss are the lines that are drawn of it, the first after Before.
+
+line_head(line(Ink,Stroke), Prefix, How, N, Pointss, Before) -->
     { Stroke = stroke(Visibility, Role, S, Edges, _, _, _),
-      drawn_as(How, Ink, Element)
+      drawn_as(How, Ink, Element),
+      ink_lines(How, Ink, Stroke, Pointss)
     },
     "<", name(Element), id(Edges, Prefix, S, N),
     " class=\"", name(Visibility), " ", name(Role), "\"",
     shown(Edges, S),
-    way(Element, Ink, Stroke), "/>\n".
+    way(Element, Ink, Stroke, Before).
 
 drawn_as(How, Ink, Element) :-
     (   How == geometry,
@@ -269,12 +314,10 @@ drawn_as(How, Ink, Element) :-
     ;   Element = polyline
     ).
 
-way(polyline, Ink, Stroke) -->
-    { Stroke = stroke(_, _, _, _, Points, _, _) },
-    dashes(Ink, Stroke), " points=\"", sequence(point, " ", Points), "\"".
-way(path, Ink, Stroke) -->
-    { ink_lines(geometry, Ink, Stroke, Lines) },
-    " d=\"", sequence(subpath, Lines), "\"".
+way(polyline, Ink, Stroke, '') -->
+    dashes(Ink, Stroke), " points=\"".
+way(path, _, _, 'M') -->
+    " d=\"".
 
 subpath(Points) -->
     "M", sequence(point, " ", Points).
