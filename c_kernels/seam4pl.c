@@ -531,6 +531,10 @@ cut_late_polygons(term_t t, term_t list)
     return FALSE;
   }
   sg_cut_set *set = &handle->set;
+
+  if (set->late.n == 0) { /* mostly nothing was divided anywhere */
+    return PL_unify_nil(tail);
+  }
   size_t listed = set->polygons;
   int good = sg_cut_add_beside(handle, true) || sg_no_memory();
 

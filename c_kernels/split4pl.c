@@ -212,6 +212,9 @@ cut_divided(term_t t, term_t work_term, term_t s, term_t list)
       !sg_get_work_ex(work_term, &work)) {
     return FALSE;
   }
+  if (handle->set.late.n == 0) { /* mostly nothing was divided anywhere */
+    return PL_unify_nil(tail);
+  }
   for (int32_t e = sg_work_next(work, 0); e; e = sg_work_next(work, e)) {
     const sg_work_edge *edge = sg_work_get(work, e);
     uint32_t a = end_of(handle, work, segment, edge->start);

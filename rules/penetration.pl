@@ -572,10 +572,13 @@ agree(Keep, Set, Works0, Works) :-
 
 late_polygons(Set, Works, Polygons) :-
     cut_late_polygons(Set, Polygons0),
-    sort(Polygons0, Polygons1),
-    findall(S-P, member(work(S, P, _), Works), Open0),
-    sort(Open0, Open),
-    ord_subtract(Polygons1, Open, Polygons).
+    (   Polygons0 == []
+    ->  Polygons = []
+    ;   sort(Polygons0, Polygons1),
+        findall(S-P, member(work(S, P, _), Works), Open0),
+        sort(Open0, Open),
+        ord_subtract(Polygons1, Open, Polygons)
+    ).
 
 agree_polygon(Set, work(S, P, Work)) :-
     cut_divided(Set, Work, S, Divided),
