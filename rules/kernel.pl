@@ -440,9 +440,9 @@ glue file.
 %
 %   Replaces contour/9 of the current world by the outlines of the smooth
 %   surfaces of Segments, `all` or a list, seen from there, as contour.pl
-%   defines them. Smooth is smooth(Crease, Faceted): over which bend, in degrees,
-%   two faces do not hang together smoothly; which segments have no smooth
-%   surfaces. screen/5 holds the same view. Inexact.
+%   defines them. Smooth is smooth(Crease, Faceted): over which bend, in
+%   degrees, two faces do not hang together smoothly; which segments have no
+%   smooth surfaces. screen/5 holds the same view. Inexact.
 
 /* - - - scene4pl.c - - - */
 
@@ -450,9 +450,9 @@ glue file.
 %
 %   Scene is what screen/5 and contour/9 of the current world show of Segments,
 %   `all` or a list. Smooth is what contour/9 was made with, see fill_contour/6,
-%   or `none`. Depth: see view_depth/5; Tolerance: what counts as equal, in a model
-%   of size [-1,1] (PL-5). A scene does not follow later changes, and is freed
-%   with its last reference.
+%   or `none`. Depth: see view_depth/5; Tolerance: what counts as equal, in a
+%   model of size [-1,1] (PL-5). A scene does not follow later changes, and is
+%   freed with its last reference.
 
 %!  scene_edge(+Scene, ?S, ?E, -Length, -Look) is nondet.
 %
