@@ -3,6 +3,7 @@
             cut_all/1,                  % +Options
             drawn_lengths/2,            % -Visible, -Hidden
             add_picture/4,              % +Pictures, +Name, +View, :Build
+            add_drawing/2,              % +Pictures, +Name
             check_pictures/2,           % +Pictures, -Results
             looked_from/1,              % +View
             view_rows/2,                % +View, -Rows
@@ -21,6 +22,7 @@ exact ends, and what was drawn.
 :- use_module(library(lists)).
 :- use_module(library(process)).
 :- use_module(library(pure_input)).
+:- use_module(rules(contour), [line_ends/4]).
 :- use_module(rules(exact)).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(penetration)).
@@ -52,6 +54,26 @@ add_picture(pictures(_, Out), Name, View, Build) :-
                picture([lines(all)]),
                view_rows(View, Rows),
                write_scene(Out, Name, Rows, Triangles) )).
+
+%!  add_drawing(+Pictures, +Name) is det.
+%
+%   Add what is drawn in the current world, as lines of the picture with nothing
+%   before them: for the checker to say if anything is drawn twice.
+
+add_drawing(pictures(_, Out), Name) :-
+    write_view(parallel([1,0,0, 0,1,0, 0,0,1]), Out),
+    findall(S-E, drawn(_, S, E, _, _, _, _), Lines0),
+    sort(Lines0, Lines),
+    forall(member(S-E, Lines),
+           ( line_ends(S, E, X0-Y0, X1-Y1),
+             format(Out, "l ~d ~d", [S,E]),
+             write_numbers(Out, [X0,Y0,0,X1,Y1,0]) )),
+    forall(drawn(_, S, E, From, To, _, _),
+           ( format(Out, "d ~d ~d", [S,E]),
+             write_number(Out, From),
+             write_number(Out, To),
+             format(Out, " visible~n", []) )),
+    format(Out, "end ~w~n", [Name]).
 
 %!  cut_all(+Options) is det.
 %

@@ -51,6 +51,9 @@ random_scene(grid_united) :-
 random_scene(solids) :-
     several(2, 3, placed_solid),
     complete_segments.
+random_scene(round) :-
+    several(1, 2, round_solid),
+    complete_segments.
 random_scene(united) :-
     several(2, 3, placed_solid),
     complete_segments,
@@ -342,6 +345,17 @@ with_shell(Points1-Faces1, Points0-Faces0, Points-Faces) :-
 placed_solid(_) :-
     random_placed(Term),
     add_primitive(Term, _).
+
+%   Finely divided.
+
+round_solid(_) :-
+    random_member(Term, [ sphere(radius(1), facets(48), bands(24)),
+                          torus(radius(1), tube(0.4), facets(48), sides(24)),
+                          cone(radius(1), height(2), facets(48)) ]),
+    random_rotation(Rotation),
+    any_point(p(X,Y,Z)),
+    append(Rotation, [translate(X,Y,Z)], Steps),
+    add_primitive(at(Steps, Term), _).
 
 any_prism(Points, Faces) :-
     random_between(3, 7, N),
