@@ -24,8 +24,8 @@
 :- use_module(view, [project_world/0, screen_depth/1]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ segment/3, e/5, line/9, edge_polygon/3, contour/9, assert_fact/1, retractall_facts/1,
-                facts_transaction/1
+              [ segment/3, e/5, line/9, edge_polygon/3, contour/9,
+                assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module(kernel,
               [ scene_open/5, scene_edge/5, occluder/7, overlap/9,
