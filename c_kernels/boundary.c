@@ -362,7 +362,8 @@ make_faces(const sg_boundary_source *source, const uint32_t *number,
   sg_touched touched;
   bool stopped;
 
-  if (!sg_touched_find(d, source->s, number, poll, &touched, &stopped)) {
+  if (!sg_touched_find(d, source->s, number, source->divided, poll, &touched,
+                       &stopped)) {
     return stopped ? SG_BOUNDARY_STOPPED : SG_BOUNDARY_NO_MEMORY;
   }
   size_t most = face_room(d, source->s, &touched, out);

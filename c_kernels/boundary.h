@@ -63,6 +63,7 @@ typedef struct sg_boundary_source {
                                   vertices say; or null */
   const unsigned char *coarse; /* [vertices] only these go to the grid; or
                                   null: all */
+  bool divided;                /* every polygon goes as its triangles */
 } sg_boundary_source;
 
 /* Cost:  n log n for the vertices, else linear.

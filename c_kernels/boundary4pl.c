@@ -83,7 +83,8 @@ get_boundary_ex(term_t t, handle **out)
 typedef struct manner {
   sg_rounding rounding;
   sg_form form;
-  bool keep_turned; /* faces that rounding turned over stay */
+  bool keep_turned; /* polygons go as their triangles, and those that
+                       rounding turned over stay */
 } manner;
 
 /* Marks vertex v of segment s, if there are such. */
@@ -277,8 +278,10 @@ read_parts_ex(handle *h, const sg_dense *d, term_t made_list, const manner *how)
 {
   unsigned char *made = calloc(d->vertices + 1, 1);
   double(*normal)[3] = calloc(d->polygons + 1, sizeof *normal);
-  sg_boundary_source source = {
-      .dense = d, .made = made, .normal = (const double(*)[3])normal};
+  sg_boundary_source source = {.dense = d,
+                               .made = made,
+                               .normal = (const double(*)[3])normal,
+                               .divided = how->keep_turned};
   int done = made && normal ? get_made_ex(made_list, d, made) &&
                                   get_normals_ex(d, normal) &&
                                   make_parts_ex(h, &source, how)

@@ -4,6 +4,7 @@
 #include "key_table.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { POLL_EVERY = 65536 };
 
@@ -261,7 +262,7 @@ keep_touched(finder *f)
 
 bool
 sg_touched_find(const sg_dense *dense, size_t s, const uint32_t *number,
-                const sg_poll *poll, sg_touched *out, bool *stopped)
+                bool all, const sg_poll *poll, sg_touched *out, bool *stopped)
 {
   finder f = {
       .d = dense,
@@ -279,14 +280,15 @@ sg_touched_find(const sg_dense *dense, size_t s, const uint32_t *number,
   }
   f.triangle = dense->triangle_begin[s];
   f.triangles = dense->triangle_begin[s + 1] - dense->triangle_begin[s];
-  if (f.triangles <= f.polygons) {
-    return true; /* no polygon has two */
-  }
   bool done = open_finder(&f, dense->vertex_begin[s + 1] - f.vertex);
 
   if (done) {
     sort_triangles(&f);
-    done = find_inside(&f) && find_edges_inside(&f);
+    if (all) {
+      memset(f.is, 1, f.polygons);
+    } else {
+      done = find_inside(&f) && find_edges_inside(&f);
+    }
   }
   if (done) {
     keep_touched(&f);

@@ -216,7 +216,8 @@ glue file.
 %   order that depends on where things are alone. See c_kernels/boundary.h and
 %   boundary_mesh.h. Made lists S-V of vertices that cuts made: their
 %   coordinates are rounded already. Form is `polygons`, `triangles` or `soup`:
-%   triangles, also those that rounding turned over, which else are taken out.
+%   the triangles of t/6, also those that rounding turned over, which else are
+%   taken out.
 %   If Copies, every edge has two faces and every vertex one fan.
 %
 %   @error representation_error(float32): a coordinate is too large

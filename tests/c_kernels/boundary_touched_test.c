@@ -58,7 +58,7 @@ parts_of_square(const uint32_t number[7])
   bool stopped;
   int parts = -1;
 
-  if (sg_touched_find(&d, 0, number, NULL, &touched, &stopped)) {
+  if (sg_touched_find(&d, 0, number, false, NULL, &touched, &stopped)) {
     parts = touched.begin ? (int)touched.begin[1] : 0;
     CHECK("the triangle stays one",
           !touched.begin || touched.begin[2] == touched.begin[1]);
@@ -120,6 +120,7 @@ main(void)
   sg_touched touched;
   bool stopped;
   CHECK("it can be stopped",
-        !sg_touched_find(&d, 0, own, &stop, &touched, &stopped) && stopped);
+        !sg_touched_find(&d, 0, own, false, &stop, &touched, &stopped) &&
+            stopped);
   return check_report();
 }

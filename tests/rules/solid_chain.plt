@@ -40,6 +40,8 @@ more(obj, 13, 24, 0).
 more(ply, 14, 24, 0).
 more(stl, 14, 24, 100).
 more(off, 12, 24, 100).
+more(stl, 12, 9, 1000).
+more(off, 12, 24, 1000).
 
 operations(200).
 
