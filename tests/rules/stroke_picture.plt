@@ -5,7 +5,7 @@
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).
-:- use_module(rules(hidden_lines)).
+:- use_module(rules(hidden_lines), except([lies_on/4])).
 :- use_module(rules(penetration)).
 :- use_module(rules(primitive)).
 :- use_module(rules(sheet)).
