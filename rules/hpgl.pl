@@ -8,7 +8,7 @@
 :- use_module(travel, [short_travel/2, travel_length/2]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [list_to_set/2, member/2, sum_list/2]).
+:- autoload(library(lists), [last/2, list_to_set/2, member/2, sum_list/2]).
 /** <module> HPGL: strokes for pen plotters.
 
 The style (style.pl) says which pen draws what; each pen is taken once. Dashes
@@ -72,14 +72,16 @@ plot_pen(Out, How, Lines, Pen, travel(N0,Way0,Unsorted0),
     N is N0+N1,
     Way is Way0+Way1,
     Unsorted is Unsorted0+Unsorted1,
-    foldl(plot(Out, How, Inks), Ordered, solid, Type),
+    foldl(plot(Out, How, Inks), Ordered, pen(solid,none), pen(Type,_)),
     line_type(Out, How, Type, solid).
 
 %   A line's ink is the same as that of all lines with its key.
 
 stroke_key(stroke(Visibility,Role,S,_,_,_,_), key(Visibility,Role,S)).
 
-plot(Out, How, Inks, Stroke, Type0, Type) :-
+%   pen(Type,At): the line type, and where the pen is down, X-Y in units.
+
+plot(Out, How, Inks, Stroke, pen(Type0,At0), pen(Type,At)) :-
     stroke_key(Stroke, Key),
     get_assoc(Key, Inks, Ink),
     comment(Out, Stroke),
@@ -87,7 +89,11 @@ plot(Out, How, Inks, Stroke, Type0, Type) :-
     line_type(Out, How, Type0, Type),
     How = plot(Dashes, _, H),
     ink_lines(Dashes, Ink, Stroke, Lines),
-    forall(member(Line, Lines), plot_line(Out, H, Line)).
+    (   Type == Type0
+    ->  At1 = At0
+    ;   At1 = none
+    ),
+    foldl(plot_line(Out, H), Lines, At1, At).
 
 comment(_, stroke(_,text,_,_,_,_,_)) :-
     !.
@@ -129,11 +135,21 @@ line_type(Out, plot(_,W,H), _, dashes(N,Length)) :-
     Percent is 100*Length/sqrt(W*W+H*H),
     format(Out, 'LT~d,~3f;~n', [N,Percent]).
 
-plot_line(Out, H, [Point|Points]) :-
+%   Where a line begins at the point where the last one ended the pen stays
+%   down.
+
+plot_line(Out, H, [Point|Points], At0, At) :-
     units(H, Point, X, Y),
-    format(Out, 'PU~d,~d;PD', [X, Y]),
+    (   At0 == X-Y
+    ->  true
+    ;   format(Out, 'PU~d,~d;', [X, Y])
+    ),
+    format(Out, 'PD', []),
     foldl(plot_to(Out, H), Points, '', _),
-    format(Out, ';~n', []).
+    format(Out, ';~n', []),
+    last([Point|Points], Last),
+    units(H, Last, XLast, YLast),
+    At = XLast-YLast.
 
 plot_to(Out, H, Point, Before, ',') :-
     units(H, Point, X, Y),

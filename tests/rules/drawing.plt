@@ -254,6 +254,13 @@ test(hpgl, true(Lines == [ "IN;", "PU;SP1;", "CO \"s1e1 visible outline\";",
     in_picture(Edge, drawing(hpgl, [margin(10)], Text)),
     split_string(Text, "\n", "", Lines).
 
+test(hpgl_pen_stays_down, true(Downs == ["PD6568,5328;"])) :-
+    square(Square),
+    in_picture(Square, drawing(hpgl, [hidden(shown)], Text)),
+    split_string(Text, "\n", "", Lines),
+    findall(Line, ( member(Line, Lines), string_concat("PD", _, Line) ),
+            Downs).
+
 dots_codes(Options, Codes) :-
     png_codes([png(dots)|Options], Codes).
 
