@@ -189,8 +189,8 @@ role_because(S, E, Look, Options, [because(line_role(Role), Not)]) :-
     ;   Not = [because(not_drawn(Role, Which), [])]
     ).
 
-%   own_surface(S, E, Look, Because): step 2, its faces look away and their solid
-%   is closed; or an outline inside triangles goes on behind its own fold.
+%   own_surface(S, E, Look, Because): step 2, its faces look away and their
+%   solid is closed; or an outline inside triangles goes on behind its own fold.
 
 own_surface(S, E, _, Because) :-
     E < 0,
@@ -200,7 +200,8 @@ own_surface(S, E, _, Because) :-
             ( contour(S, K, _, _, _, _, _, From, _), From < 1.0,
               hides(S, S) ),
             Because).
-own_surface(S, _, look(_,0,Away,_,_,_,true,_,_), [because(backs(S, Away), [])]) :-
+own_surface(S, _, look(_,0,Away,_,_,_,true,_,_),
+            [because(backs(S, Away), [])]) :-
     Away > 0,
     hides(S, S),
     !.

@@ -154,7 +154,8 @@ open_scene(Scene, Options) :-
 %!  hides(+S, +E, +S2, +T) is semidet.
 %
 %   True when triangle T of segment S2 may hide edge E of segment S. It may if
-%   hides/2 lets it. A decision; asked for every triangle that lies before a line.
+%   hides/2 lets it. A decision; asked for every triangle that lies before a
+%   line.
 
 hides(S, _, S2, _) :-
     hides(S, S2).

@@ -485,9 +485,9 @@ glue file.
 %!  line_covers(+Scene, +S, +E, -Covers:list) is det.
 %
 %   Covers has a covers(S2, T, From, To, Behind1, Behind2) for each triangle T
-%   of S2 that hides lines and lies on edge E of S in the picture, from From to To,
-%   be it before it or behind. Behind1, Behind2: how far the edge is behind it
-%   at these ends, in units of Zs. Nearest triangles first. Inexact.
+%   of S2 that hides lines and lies on edge E of S in the picture, from From to
+%   To, be it before it or behind. Behind1, Behind2: how far the edge is behind
+%   it at these ends, in units of Zs. Nearest triangles first. Inexact.
 %
 %   @error existence_error(drawn_edge, E)
 
@@ -495,7 +495,8 @@ glue file.
 %
 %   Replaces drawn/7 of the current world by the drawn parts of the lines Which
 %   (`all`, `feature`, `penetration`); Crease as in edge_role/5; Through are the
-%   S-S2 for which hides(S, S2) is not true. The fused kernel of hidden_lines.pl.
+%   S-S2 for which hides(S, S2) is not true. The fused kernel of
+%   hidden_lines.pl.
 
 /* - - - stroke4pl.c - - - */
 
