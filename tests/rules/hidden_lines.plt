@@ -1,7 +1,9 @@
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(view)).
 :- use_module(rules(kernel)).
+:- use_module(rules(primitive)).
 :- use_module(rules(store)).
+:- use_module(rules(triangulation)).
 :- use_module(rules(decision)).
 :- use_module(tests('rules/polyhedron')).
 
@@ -303,6 +305,15 @@ test(some_pairs) :-
                             ( same_by_rule, picture,
                               once(drawn(_,1,_,_,_,hidden,_)),
                               once(drawn(_,3,_,_,_,hidden,_)) )) )).
+test(smooth_glass) :-
+    in_new_world(( add_primitive(torus(radius(2), tube(0.7)), _),
+                   add_primitive(at([translate(0,4,0)], box(size(1,1,1))), _),
+                   complete_segments,
+                   set_view(280, 75, 30), picture,
+                   once(drawn(_,1,_,_,_,hidden,outline)),
+                   in_rules("hides(_, S) :- S =\\= 1.",
+                            ( same_by_rule, picture,
+                              \+ drawn(_,1,_,_,_,hidden,_) )) )).
 test(nothing_hides, N == 0) :-
     in_new_world(( boxes,
                    in_rules("hides(_, _) :- fail.",
