@@ -14,7 +14,7 @@
               [ e/5, t/6, line/9, contour/9, screen/5, drawn/7, leaf_e/5,
                 edge_polygon/3
               ]).
-:- use_module(view, [screen_distance/2]).
+:- use_module(view, [screen_depth/1, screen_distance/2]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(dcg/basics), [integer//1]).
@@ -32,7 +32,7 @@ the triangles of one polygon hide are put together.
         the line; parts up to Least are not drawn; Size is the picture's unit
     cover(S2-P2, From, To, Behind1, Behind2)
         a triangle of polygon P2 of S2 lies on the line in the picture, from
-        From to To; the line is so far behind it there, in units of Zs
+        From to To; the line is so far behind it there, as line_covers/4 has it
     face(S2-P2, By, From, To)
         polygon P2 of S2 would hide the line from From to To; By: `hides`, or
         glass(Decision, File) where that lets it through
@@ -274,7 +274,8 @@ face_depth(Line, Covers, Polygon, From-To, Depth, Behind) :-
     !,
     picture_point(Line, Middle, _, _, Z),
     B is B1 + (B2-B1)*(Middle-From1)/(To1-From1),
-    FaceZ is Z-B,
+    screen_depth(Unit),
+    FaceZ is Z - B/Unit,
     screen_distance(FaceZ, Depth),
     screen_distance(Z, LineDepth),
     Behind is LineDepth-Depth.

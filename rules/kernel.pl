@@ -487,7 +487,8 @@ glue file.
 %   Covers has a covers(S2, T, From, To, Behind1, Behind2) for each triangle T
 %   of S2 that hides lines and lies on edge E of S in the picture, from From to
 %   To, be it before it or behind. Behind1, Behind2: how far the edge is behind
-%   it at these ends, in units of Zs. Nearest triangles first. Inexact.
+%   it at these ends, the difference of Zs times screen_depth/1. Nearest
+%   triangles first. Inexact.
 %
 %   @error existence_error(drawn_edge, E)
 

@@ -224,6 +224,11 @@ test(nearest_first, Ps == [3,2]) :-
     in_new_world(( behind_a_square, square(3, -1), picture,
                    findall(P, said(hidden(1, 1), hiding_face(P,_,_,_,_)),
                            Ps) )).
+test(from_near, [forall(member(Rho, [3,10,100]))]) :-
+    in_new_world(( behind_a_square, set_view(270, 90, Rho),
+                   set_projection(central), picture,
+                   once(said(hidden(1, 1), hiding_face(2,1,_,_,Behind))) )),
+    assertion(abs(Behind-1) < 1.0e-9).
 test(in_front, Before =:= 1.0) :-
     in_new_world(( curve(1, [p(-1,-1,0), p(1,-1,0)]), square(2, 0),
                    set_view(front), picture,
