@@ -11,7 +11,8 @@
 
 static functor_t FUNCTOR_covers6;
 
-/* covers(S, T, From, To, Behind1, Behind2): the last two in units of Zs. */
+/* covers(S, T, From, To, Behind1, Behind2): the last two as
+ * the difference of Zs times the depth of the scene. */
 static int
 unify_cover(term_t t, const sg_scene_mask *mask, const sg_cover *cover,
             double scale)
