@@ -5,7 +5,8 @@
 :- use_module(csg_roots, [aside_segments/1]).
 :- use_module(csg, [root_segment/1]).
 :- use_module(explain_pair, [decided_by/2]).
-:- use_module(hidden_lines, [open_scene/2, hides/2, hides/4, line_parts/5]).
+:- use_module(hidden_lines,
+              [open_scene/2, hides/2, hides/4, lies_on/4, line_parts/5]).
 :- use_module(interval,
               [intervals_union/3, intervals_subtract/3]).
 :- use_module(kernel, [scene_edge/5, occluder/7, overlap/9, line_covers/4]).
@@ -354,7 +355,7 @@ polygon_over(Line, Covers, Faces, S-P, Part, Depth, Statement) :-
     member(Whole, Parts),
     common_part(Line, Whole, Part, From-To),
     face_depth(Line, Covers, S-P, From-To, Depth, Behind),
-    (   is_beside(Line, S, P)
+    (   is_known_on(Line, S, P)
     ->  Statement = line_in_face(S, P)
     ;   member(face(S-P, glass(Decision,By), From1, To1), Faces),
         common_part(Line, From1-To1, From-To, _)
@@ -366,9 +367,14 @@ polygon_over(Line, Covers, Faces, S-P, Part, Depth, Statement) :-
     ;   Statement = line_in_face(S, P)
     ).
 
-%   is_beside(Line, S, P): an outline inside triangles runs in P or beside it.
+%   is_known_on(Line, S, P): the line lies on P as the model says; or it is an
+%   outline inside triangles that runs in P or beside it.
 
-is_beside(line(_, S, E, _, _), S, P) :-
+is_known_on(line(_, S, E, _, _), S2, P) :-
+    E > 0,
+    lies_on(S, E, S2, P),
+    !.
+is_known_on(line(_, S, E, _, _), S, P) :-
     E < 0,
     K is -E,
     contour(S, K, T0, _, _, _, _, _, Ts),
