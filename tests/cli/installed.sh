@@ -78,8 +78,8 @@ explains_all() {
   local verb option
   for verb in $(sanggwan --help | sed -n 's/^  \([a-z]\+\)  .*/\1/p'); do
     grep -q "^\.SS \"$verb " "$page" || { echo "no $verb"; return 1; }
-    for option in $(sanggwan "$verb" --help | grep -Eo '^ .*--[a-z]+' |
-      grep -Eo '[-][-][a-z]+$'); do
+    for option in $(sanggwan "$verb" --help |
+      sed -nE 's/^  (-., |    )(--[a-z-]+).*/\2/p'); do
       grep -Fq "\\-\\-${option#--}\\fR" "$page" ||
         { echo "no $verb $option"; return 1; }
     done
