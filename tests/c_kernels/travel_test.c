@@ -84,7 +84,7 @@ main(void)
   int64_t order[3];
   bool all = true, memory;
 
-  CHECK("none", orders_as(NULL, 0, NULL));
+  CHECK("none", orders_as(three, 0, (int64_t[]){0}));
   CHECK("the nearest end first", orders_as(three, 3, (int64_t[]){-2, -3, 1}));
   CHECK("in one place: in their order", orders_as(same, 2, (int64_t[]){1, 2}));
   for (unsigned seed = 1; seed <= 40; seed++) {
