@@ -95,10 +95,10 @@ refuse_large(Tolerance, Smallest) :-
     ;   true
     ).
 
-%   made(+Expression, +Leaves, +Options, -Solid, -Passing): it must be closed, if
-%   its operands are. Where sheets of one operand nearly lie on each other, what was
-%   made to touch may have come apart, and one face of many may be opened by
-%   merging: then the one or the other is not done.
+%   made(+Expression, +Leaves, +Options, -Solid, -Passing): it must be closed,
+%   if its operands are. Where sheets of one operand nearly lie on each other,
+%   what was made to touch may have come apart, and one face of many may be
+%   opened by merging: then the one or the other is not done.
 
 made(Expression, Leaves, Options, Solid, Passing) :-
     attempt(Options, Attempt, What),

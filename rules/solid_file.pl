@@ -317,9 +317,9 @@ judged(Boundary0, S, Round, Most, Task, Boundary, Rounds) :-
     ).
 
 %   rounded_copy(S, Single, Copy): the rounded triangles as a segment, without
-%   those that rounding turned over if the others close. If not, polygons go as
-%   the triangles of t/6, before they are rounded: whatever rounding does to triangles, they
-%   stay triangles, and closed.
+%   those that rounding turned over if the others close. If not, polygons go
+%   as the triangles of t/6 before they are rounded: whatever rounding does to
+%   triangles, they stay triangles, and closed.
 
 rounded_copy(S, Single, Copy) :-
     (   triangle_copy(S, Single, triangles, Copy0)
