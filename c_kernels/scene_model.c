@@ -46,35 +46,42 @@ size_of(const sg_dense *d)
   return half;
 }
 
-/* Which polygons are flat: none of their corners is farther than that from the
- * plane through the first corner of the first triangle. */
+/* Whether no edge of a polygon ends farther than `most` from the plane through
+ * one of its corners. One without area has no plane. */
+static bool
+is_flat(const sg_dense *d, size_t p, const double normal[3], double most)
+{
+  const int32_t *edge = d->list + d->list_begin[p];
+  size_t n = d->list_begin[p + 1] - d->list_begin[p];
+  double size = sg_length(normal);
+
+  for (size_t i = 0; i < n; i++) {
+    const double *a = d->at[d->from[edge[0]]];
+    const double *c = d->at[d->from[edge[i]]], *e = d->at[d->to[edge[i]]];
+    double u[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    double w[3] = {e[0] - a[0], e[1] - a[1], e[2] - a[2]};
+    if (fabs(sg_dot(normal, u)) > most * size ||
+        fabs(sg_dot(normal, w)) > most * size) {
+      return false;
+    }
+  }
+  return size > 0.0;
+}
+
+/* Which polygons are flat. False: no memory, or stopped. */
 static bool
 find_flat(sg_scene_builder *b)
 {
   sg_scene_model *m = b->model;
   const sg_dense *d = &m->dense;
   double most = FLAT * size_of(d);
-  const double *apex = NULL;
 
   m->flat = malloc(d->polygons + 1);
   for (size_t p = 0; m->flat && p < d->polygons; p++) {
-    m->flat[p] = true;
-  }
-  for (size_t i = 0; m->flat && i < d->triangles; i++) {
-    int32_t p = d->polygon_of[i];
-    const double *n = b->normal[p];
-
-    if (i == 0 || p != d->polygon_of[i - 1]) {
-      apex = d->at[d->corner[i][0]];
-    }
-    for (int k = 0; k < 3; k++) {
-      const double *c = d->at[d->corner[i][k]];
-      double u[3] = {c[0] - apex[0], c[1] - apex[1], c[2] - apex[2]};
-      m->flat[p] &= fabs(sg_dot(n, u)) <= most * sg_length(n);
-    }
-    if (sg_scene_stop(b, i)) {
+    if (sg_scene_stop(b, p)) {
       return false;
     }
+    m->flat[p] = is_flat(d, p, b->normal[p], most);
   }
   return m->flat != NULL;
 }

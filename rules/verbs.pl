@@ -275,8 +275,8 @@ several_segments :-
     !.
 
 %   segments_cut(Options): patches are sewn (sew.pl), and the segments cut each
-%   other, if there are several, and themselves. pieces_cut(Options): those of a section, which needs no
-%   notice.
+%   other, if there are several, and themselves. pieces_cut(Options): those of a
+%   section, which needs no notice.
 
 segments_cut(Options) :-
     borders_sewn(_),

@@ -116,6 +116,30 @@ views(void)
   free(m);
 }
 
+/* What never hides its own edges: a polygon in one plane, and nothing else. */
+static void
+flat_polygons(void)
+{
+  model *m = model_new();
+  sg_scene_model *seen;
+
+  model_segment(m, false);
+  model_vertex(m, 0, 0, 0);
+  model_vertex(m, 1, 0, 0);
+  model_vertex(m, 1, 1, 1e-9);
+  model_vertex(m, 0, 1, 0);
+  model_vertex(m, 0, 1, 1e-3);
+  model_polygon(m, 4, (int32_t[]){1, 2, 3, 4});
+  model_polygon(m, 4, (int32_t[]){1, 2, 3, 5});
+  model_polygon(m, 4, (int32_t[]){1, 2, 1, 2});
+  seen = model_scene_model(m, NULL);
+  CHECK("flat but for rounding", seen->flat[0]);
+  CHECK("not flat", !seen->flat[1]);
+  CHECK("without area", !seen->flat[2]);
+  sg_scene_model_close(seen);
+  free(m);
+}
+
 /* Nearest first, and in the order of the model where equally near. */
 static void
 order_of_masks(void)
@@ -151,6 +175,7 @@ int
 main(void)
 {
   added_lines();
+  flat_polygons();
   views();
   order_of_masks();
   return check_report();
