@@ -113,58 +113,65 @@ is_run(const int32_t *s, const int32_t *id, size_t n)
   return differ == 0;
 }
 
-/* The same where the ids are those of terms v(N). */
-static bool
-is_term_run(const int32_t *s, int32_t *const *term, size_t n)
+/* The run under way takes in the next one, or is remembered. */
+static void
+go_on(sg_runs *runs, sg_run *run, const sg_run *next)
 {
-  int32_t first = sg_term_vertex((const uint32_t *)term[0]);
-  bool run = first > 0;
+  bool on = run->n > 0 && next->n > 0 && run->s == next->s &&
+            run->id + (int32_t)run->n == next->id;
 
-  for (size_t i = 1; i < n && run; i++) {
-    run = s[i] == s[0] &&
-          sg_term_vertex((const uint32_t *)term[i]) == first + (int32_t)i;
+  if (on) {
+    run->n += next->n;
+  } else {
+    insert(runs, run);
+    *run = *next;
   }
-  return run;
 }
 
-/* A page as a run, if it is one. */
-static bool
-page_run(const sg_table *table, const sg_sheet_page *page, unsigned column,
-         sg_run *out)
+/* A page of ids is all one run, or in none. */
+static void
+add_ids(sg_runs *runs, const sg_sheet_page *page, unsigned column, sg_row row,
+        sg_run *run)
 {
-  const sg_blank *ids = &page->column[column];
-  const int32_t *s = page->column[0].i;
-  bool term = table->info->column[column].type == SG_TERM;
-  bool is =
-      term ? is_term_run(s, ids->list, page->n) : is_run(s, ids->i, page->n);
+  const int32_t *s = page->column[0].i, *id = page->column[column].i;
+  sg_run next = {0};
 
-  if (is) {
-    int32_t id =
-        term ? sg_term_vertex((const uint32_t *)ids->list[0]) : ids->i[0];
-    *out = (sg_run){s[0], id, 0, (sg_row)page->n};
+  if (is_run(s, id, page->n)) {
+    next = (sg_run){s[0], id[0], row, (sg_row)page->n};
   }
-  return is;
+  go_on(runs, run, &next);
+}
+
+/* The same where the ids are those of terms v(N), one by one. */
+static void
+add_terms(sg_runs *runs, const sg_sheet_page *page, unsigned column, sg_row row,
+          sg_run *run)
+{
+  const int32_t *s = page->column[0].i;
+  int32_t *const *term = page->column[column].list;
+
+  for (size_t i = 0; i < page->n; i++) {
+    int32_t id = sg_term_vertex((const uint32_t *)term[i]);
+    sg_run next = {s[i], id, row + (sg_row)i, id > 0};
+
+    go_on(runs, run, &next);
+  }
 }
 
 void
 sg_runs_add(sg_table *table, const sg_sheet *sheet, sg_row first)
 {
   unsigned column = id_column(table);
-  sg_run run = {0}, next;
+  sg_run run = {0};
 
   for (size_t k = 0; column && k < sheet->pages; k++) {
     const sg_sheet_page *page = &sheet->page[k];
+    sg_row row = first + (sg_row)page->from;
 
-    if (!page_run(table, page, column, &next)) {
-      insert(&table->keys, &run);
-      run = (sg_run){0};
-    } else if (run.n > 0 && run.s == next.s &&
-               run.id + (int32_t)run.n == next.id) {
-      run.n += next.n;
+    if (table->info->column[column].type == SG_TERM) {
+      add_terms(&table->keys, page, column, row, &run);
     } else {
-      insert(&table->keys, &run);
-      run = next;
-      run.row = first + (sg_row)page->from;
+      add_ids(&table->keys, page, column, row, &run);
     }
   }
   insert(&table->keys, &run);

@@ -7,6 +7,7 @@
             passing_vertices/2,         % +Arrangement, -Passing
             pieces_statistics/1         % -Statistics
           ]).
+:- use_module(csg_record, [not_kept/2]).
 :- use_module(kernel,
               [ arrangement_open/4, arrangement_hold/1, arrangement_drop/1,
                 arrangement_polygons/3, arrangement_seal/1,
@@ -25,8 +26,8 @@
               ]).
 % Loaded with this file, not by the first Boolean that calls them.
 :- use_module(library(assoc),
-              [ assoc_to_keys/2, assoc_to_list/2, assoc_to_values/2,
-                empty_assoc/1, get_assoc/3, list_to_assoc/2,
+              [ assoc_to_keys/2, assoc_to_values/2, del_assoc/4, empty_assoc/1,
+                get_assoc/3, list_to_assoc/2,
                 ord_list_to_assoc/2, put_assoc/4
               ]).
 :- use_module(library(ordsets),
@@ -35,8 +36,7 @@
               ]).
 :- use_module(library(pairs), [pairs_keys/2, pairs_keys_values/3]).
 :- autoload(library(apply),
-            [ exclude/3, foldl/4, include/3, maplist/2, maplist/3, partition/4
-            ]).
+            [exclude/3, foldl/4, include/3, maplist/2, maplist/3]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2]).
 /** <module> Arrangements: leaves cut along all their lines, in pieces.
@@ -212,22 +212,25 @@ keep(Leaves, Keys, Fresh, Touch) :-
 
 exchanged(KeyOf, Touch, Fresh, Old) :-
     kept(Kept0),
-    assoc_to_list(Kept0, Pairs0),
-    partition(is_alive, Pairs0, Pairs, Gone),
-    (   Gone == []
-    ->  Kept1 = Kept0
-    ;   list_to_assoc(Pairs, Kept1)
-    ),
-    findall(A, ( member(_-Es, Gone), member(entry(_, A, _, _), Es) ), Old0),
+    assoc_to_keys(Kept0, Ss),
+    not_kept(Ss, Others),
+    exclude(is_alive, Others, Gone),
+    findall(A, ( member(S, Gone), get_assoc(S, Kept0, Es),
+                 member(entry(_, A, _, _), Es) ),
+            Old0),
+    foldl(forget_leaf, Gone, Kept0, Kept1),
     foldl(keep_leaf(KeyOf, Touch), Fresh, Kept1-Old0, Kept-Old),
     keep_pieces(Kept).
 
-is_alive(S-_) :-
+is_alive(S) :-
     segment(S, _, _),
     !.
-is_alive(S-_) :-
+is_alive(S) :-
     v(S, _, _, _, _),
     !.
+
+forget_leaf(S, Kept0, Kept) :-
+    del_assoc(S, Kept0, _, Kept).
 
 keep_leaf(KeyOf, touch(Clusters, Passings), S-Arrangement, Kept0-Old0,
           Kept-Old) :-

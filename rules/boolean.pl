@@ -10,6 +10,7 @@
               [ with_arrangement/3, components/2, arranged_solid/3,
                 default_senses/4, passing_vertices/2
               ]).
+:- use_module(csg_record, [not_kept/2]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
 :- use_module(kernel,
@@ -264,7 +265,8 @@ holds(difference([First|Others]), Ss) :-
 expression_leaves(Expression, Leaves) :-
     findall(S, leaf_of(Expression, S), Leaves0),
     sort(Leaves0, Leaves),
-    maplist(is_there, Leaves).
+    not_kept(Leaves, Others),
+    maplist(is_there, Others).
 
 leaf_of(Expression, _) :-
     var(Expression),

@@ -19,7 +19,8 @@
 :- use_module(csg_matrix,
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module(csg_record,
-              [up_to_date/2, record/2, drop_record/1, recorded/2]).
+              
+              [ up_to_date/2, record/2, drop_record/1, recorded/2, not_kept/2 ]).
 :- use_module(csg_rows, [copy_segments/3, drop_boundary/1]).
 :- use_module(kernel,
               [segment_meets_itself/1, segments_grain/2, segments_tolerance/3]).
@@ -31,7 +32,7 @@
                 facts_transaction/1, facts_snapshot/1
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply), [exclude/3, foldl/4, maplist/2]).
+:- autoload(library(apply), [exclude/3, foldl/4, maplist/2, partition/4]).
 :- autoload(library(error), [existence_error/2]).
 :- autoload(library(lists), [append/3, max_list/2, member/2]).
 :- autoload(library(option), [option/3]).
@@ -200,12 +201,13 @@ meets_itself(Leaf) :-
 tolerance_options(default, Stamps, Options) :-
     !,
     pairs_keys(Stamps, Leaves),
-    findall(Leaf, ( member(Leaf, Leaves), \+ is_half(Leaf) ), Own),
-    (   Own == Leaves
-    ->  instances_grain(Leaves, Grain),
+    not_kept(Leaves, Others),
+    partition(is_half, Others, Halves, Placed),
+    (   Halves == []
+    ->  instances_grain(Placed, Grain),
         Options = [grain(Grain)]
-    ;   findall(Surface, ( member(Half, Leaves), is_half(Half),
-                           half_surface(Half, Surface) ),
+    ;   ord_subtract(Leaves, Halves, Own),
+        findall(Surface, ( member(Half, Halves), half_surface(Half, Surface) ),
                 Surfaces),
         append(Own, Surfaces, Real),
         segments_tolerance(Real, Tolerance0, _),

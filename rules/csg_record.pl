@@ -3,12 +3,15 @@
             recorded/2,                 % ?S, ?What
             up_to_date/2,               % +S, +From
             made_and_kept/2,            % +S, +What
+            not_kept/2,                 % +Ss, -Others
             drop_record/1               % +S
           ]).
+:- use_module(kernel, [kept_leaves/2]).
 :- use_module(store,
               [ segment/3, origin/3, segment_stamp/2, assert_fact/1,
                 retractall_facts/1
               ]).
+:- autoload(library(apply), [foldl/5]).
 /** <module> What rows were made from, remembered beside them.
 
     origin(S, node(S), evaluated(made(From, Stamp)))     a node
@@ -66,6 +69,22 @@ made_and_kept(S, What0) :-
     origin(S, node(S), What),
     segment_stamp(S, Stamp),
     !.
+
+%!  not_kept(+Ss:list, -Others:list) is det.
+%
+%   Others are those of the segments Ss that are no primitives, or have other
+%   rows than were made from them (kept_leaves/2), in order. Mostly few: what
+%   need not be asked of the others need not take long.
+
+not_kept(Ss, Others) :-
+    kept_leaves(Ss, Kinds),
+    foldl(other, Ss, Kinds, Others, []).
+
+other(S, Kind, Others0, Others) :-
+    (   Kind == other
+    ->  Others0 = [S|Others]
+    ;   Others0 = Others
+    ).
 
 %!  drop_record(+S) is det.
 
