@@ -198,12 +198,13 @@ roots_ready(PictureOptions, Lines) :-
     roots_alone,
     known_segments(PictureOptions).
 
-%   sheet_made(Options, Request, Lines, Drawing): see views_drawing/4.
+%   sheet_made(Options, Request, Lines, Drawing): see views_drawing/4. Patches
+%   are sewn before a section cuts them.
 
 sheet_made(Options, Request, Lines, Drawing) :-
-    views_drawing(Request, Lines,
-                  sg_verbs:cuts(segments_cut(Options), pieces_cut(Options)),
-                  Drawing).
+    Cuts = cuts(segments_cut(Options), pieces_cut(Options)),
+    facts_snapshot(( borders_sewn(_),
+                     views_drawing(Request, Lines, sg_verbs:Cuts, Drawing) )).
 
 %   pictured(Lines, Options, Eye, PictureOptions): the picture of the current
 %   world, with the Lines of operands.
@@ -275,8 +276,8 @@ several_segments :-
     !.
 
 %   segments_cut(Options): patches are sewn (sew.pl), and the segments cut each
-%   other, if there are several, and themselves. pieces_cut(Options): those of a
-%   section, which needs no notice.
+%   other, if there are several, and themselves. pieces_cut(Options): those of
+%   a section, which needs no notice.
 
 segments_cut(Options) :-
     borders_sewn(_),
