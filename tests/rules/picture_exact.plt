@@ -25,18 +25,18 @@ test(right, [forall(scene_class(Class, N0)), true(Faults == [])]) :-
     N is N0*Times,
     class_faults(Class, N, Faults).
 
-scene_class(grid_boxes,   40).
-scene_class(grid_solids,  40).
-scene_class(grid_sheets,  40).
-scene_class(grid_triangles, 40).
-scene_class(grid_mixed,   40).
-scene_class(grid_shells,  40).
-scene_class(grid_bad,     60).
-scene_class(grid_united,  30).
-scene_class(solids,       15).
-scene_class(united,       15).
-scene_class(mixed,        15).
-scene_class(shells,       20).
+scene_class(grid_boxes,   25).
+scene_class(grid_solids,  25).
+scene_class(grid_sheets,  25).
+scene_class(grid_triangles, 25).
+scene_class(grid_mixed,   25).
+scene_class(grid_shells,  25).
+scene_class(grid_bad,     40).
+scene_class(grid_united,  20).
+scene_class(solids,       10).
+scene_class(united,       10).
+scene_class(mixed,        10).
+scene_class(shells,       12).
 
 times(Times) :-
     (   getenv('PICTURE_CASES', Text),
@@ -153,8 +153,7 @@ mesh_file(File) :-
     Name \== 'suzanne.obj',
     (   getenv('PICTURE_MESHES', all)
     ->  true
-    ;   memberchk(Name, ['openscad-nonmanifold.stl','thingi10k-65004.stl',
-                         'beetle.obj'])
+    ;   memberchk(Name, ['openscad-nonmanifold.stl','thingi10k-65004.stl'])
     ).
 
 % The same scenes turned by any rotation, and the view with them: what is drawn
@@ -181,12 +180,12 @@ test(turned, [forall(turned_class(Class, Digits, N0)), true(Faults == [])]) :-
               \+ as_long(Visible, Hidden, Lengths) ),
             Faults).
 
-turned_class(grid_boxes,  all,    25).
-turned_class(grid_solids, all,    25).
-turned_class(grid_triangles, all, 25).
-turned_class(grid_united, all,    15).
-turned_class(grid_boxes,  single, 25).
-turned_class(grid_solids, single, 25).
+turned_class(grid_boxes,  all,    12).
+turned_class(grid_solids, all,    12).
+turned_class(grid_triangles, all, 12).
+turned_class(grid_united, all,    8).
+turned_class(grid_boxes,  single, 12).
+turned_class(grid_solids, single, 12).
 
 turned_lengths(Pictures, Class, Seed, Digits, Name, Lengths) :-
     set_random(seed(Seed)),
