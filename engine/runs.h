@@ -1,14 +1,15 @@
 /* runs.h -- rows that need no place in the index of keys.
  *
  * Layer: store, private. What is appended in bulk mostly has dense ids: row
- * r + i of a segment has id + i, or says something of vertex id + i. Such a run is remembered by its ends, and its
- * rows are found by counting. The key's index holds the other rows only, so
- * that a model of millions of rows is asked at once, without an index being
- * built.
+ * r + i of a segment has id + i, or says something of vertex id + i. Such a run
+ * is remembered by its ends, and its rows are found by counting. The key's
+ * index holds the other rows only, so that a model of millions of rows is asked
+ * at once, without an index being built.
  *
- * Only for keys of a segment and an id, or a term: the id of v(N) is N. A run says what was written; if a row
- * lives still is the version's to say. Slots are used again only after a sweep,
- * which looks at the runs too (sg_runs_sweep()).
+ * Only for keys of a segment and an id, or a term: the id of v(N) is N. A run
+ * says what was written; if a row lives still is the version's to say. Slots
+ * are used again only after a sweep, which looks at the runs too
+ * (sg_runs_sweep()).
  */
 #ifndef SG_RUNS_H
 #define SG_RUNS_H

@@ -20,7 +20,9 @@
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module(csg_record,
               
-              [ up_to_date/2, record/2, drop_record/1, recorded/2, not_kept/2 ]).
+              [ up_to_date/2, record/2, drop_record/1, recorded/2,
+                not_kept/2
+              ]).
 :- use_module(csg_rows, [copy_segments/3, drop_boundary/1]).
 :- use_module(kernel,
               [segment_meets_itself/1, segments_grain/2, segments_tolerance/3]).

@@ -2,7 +2,7 @@
 % centre of the bend, 15, 45 and 75 degrees up, cut pipes that touch the bend.
 %
 % Source: made up.
-% Units:  millimetres, right-handed; the bend is about the y axis, its radius 150.
+% Units:  millimetres, right-handed; the bend is about the y axis, 150 from it.
 
 % A gore between two joints 30 degrees apart, its middle on the x axis.
 segment(1, solid, at([translate(150, 0, -100)],
