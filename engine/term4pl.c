@@ -7,6 +7,12 @@
 
 enum { DEEPEST = 10000 }; /* nested first arguments, on the C stack */
 
+/* A term under way. */
+typedef struct encoding {
+  sg_term_builder *out;
+  bool deep; /* it is nested deeper than that */
+} encoding;
+
 /* ---- symbols and atoms ------------------------------------------------- */
 
 static struct {
@@ -175,12 +181,12 @@ intern_atom(atom_t atom)
   return symbol;
 }
 
-static bool encode(term_t t, sg_term_builder *out, int depth);
+static bool encode(term_t t, encoding *to, int depth);
 
 /* A compound: its arguments but the last here, the last by the caller, so
  * that a list needs no deep stack. */
 static bool
-encode_head(term_t t, size_t *arity, sg_term_builder *out, int depth)
+encode_head(term_t t, size_t *arity, encoding *to, int depth)
 {
   term_t arg = PL_new_term_ref();
   atom_t name;
@@ -190,10 +196,10 @@ encode_head(term_t t, size_t *arity, sg_term_builder *out, int depth)
       (symbol = intern_atom(name)) < 0) {
     return false;
   }
-  sg_term_compound(out, symbol, *arity);
+  sg_term_compound(to->out, symbol, *arity);
   for (size_t i = 1; i < *arity; i++) {
     _PL_get_arg(i, t, arg);
-    if (!encode(arg, out, depth + 1)) {
+    if (!encode(arg, to, depth + 1)) {
       return false;
     }
   }
@@ -220,20 +226,22 @@ encode_atomic(term_t t, sg_term_builder *out)
 }
 
 static bool
-encode(term_t t0, sg_term_builder *out, int depth)
+encode(term_t t0, encoding *to, int depth)
 {
   term_t t = PL_copy_term_ref(t0);
   size_t arity = 1;
   bool done = depth < DEEPEST;
 
+  to->deep = to->deep || !done;
+
   while (done && PL_is_compound(t) && !PL_is_dict(t)) {
-    done = encode_head(t, &arity, out, depth);
+    done = encode_head(t, &arity, to, depth);
     if (!done || arity == 0) {
       break;
     }
     _PL_get_arg(arity, t, t);
   }
-  done = done && (arity == 0 || encode_atomic(t, out)) && !out->failed;
+  done = done && (arity == 0 || encode_atomic(t, to->out)) && !to->out->failed;
   PL_reset_term_refs(t);
   return done;
 }
@@ -241,7 +249,7 @@ encode(term_t t0, sg_term_builder *out, int depth)
 bool
 sg_encode_term(term_t t, sg_term_builder *out)
 {
-  return PL_is_acyclic(t) && encode(t, out, 0);
+  return PL_is_acyclic(t) && encode(t, &(encoding){.out = out}, 0);
 }
 
 int
@@ -256,9 +264,12 @@ sg_get_term_ex(term_t t, uint32_t **out)
     return PL_instantiation_error(t);
   }
   sg_term_open(&builder);
-  if (!sg_encode_term(t, &builder)) {
+  encoding to = {.out = &builder};
+
+  if (!PL_is_acyclic(t) || !encode(t, &to, 0)) {
     sg_term_close(&builder);
-    return PL_type_error("storable_term", t);
+    return to.deep ? PL_resource_error("nesting_of_terms") /* not to be shown */
+                   : PL_type_error("storable_term", t);
   }
   words = sg_term_words(&builder);
   bytes = sg_term_length(words) * sizeof(*words);

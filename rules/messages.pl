@@ -161,7 +161,7 @@ fault_en(computed(Name)) -->
       '  Remove it; draw makes it again.' ].
 fault_en(value(Relation, Column, Value, Expected)) -->
     { shown_value(Value, Shown) },
-    [ '~w of ~w is ~p, it should be '-[Column, Relation, Shown] ],
+    [ '~w of ~w is ~w, it should be '-[Column, Relation, Shown] ],
     expected_en(Expected).
 fault_en(missing(Relation, S, Id)) -->
     { relation_word(Relation, Word) },
@@ -223,12 +223,14 @@ fault_en(unknown_format(Format, Formats)) -->
 
 %!  shown_value(+Value, -Shown) is det.
 %
-%   Variables have no names that people gave them.
+%   Shown is what a message prints of Value: a variable, which has no name that
+%   anybody gave it, as _; what is nested deep as dots.
 
 shown_value(Value, Shown) :-
     (   var(Value)
-    ->  Shown = '$VAR'('_')
-    ;   Shown = Value
+    ->  Shown = '_'
+    ;   format(atom(Shown), "~W",
+               [Value,[quoted(true),numbervars(true),max_depth(12)]])
     ).
 
 expected_en(id) -->

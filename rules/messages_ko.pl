@@ -158,7 +158,7 @@ fault_ko(computed(Name)) -->
       '  지우십시오. draw 가 다시 만듭니다.' ].
 fault_ko(value(Relation, Column, Value, Expected)) -->
     { shown_value(Value, Shown) },
-    [ '~w 의 ~w 이(가) ~p 입니다. 있어야 할 것: '-
+    [ '~w 의 ~w 이(가) ~w 입니다. 있어야 할 것: '-
       [Relation, Column, Shown] ],
     expected_ko(Expected).
 fault_ko(missing(Relation, S, Id)) -->

@@ -241,6 +241,10 @@ test(refused_changes_nothing, N == 2) :-
              forall(refused(Fact, _),
                     catch(assert_fact(Fact), error(_, _), true)),
              aggregate_all(count, v(_,_,_,_,_), N) )).
+test(deep_term, error(resource_error(nesting_of_terms))) :-
+    numlist(1, 20_000, Is),
+    foldl([_,T,f(T,x)]>>true, Is, x, Deep),
+    assert_fact(segment(9, solid, Deep)).
 test(cyclic_term, error(type_error(storable_term, _), _)) :-
     X = f(X),
     in_new(assert_fact(segment(1,solid,X))).
