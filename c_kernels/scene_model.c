@@ -7,7 +7,20 @@
 /* A polygon is flat if it is no thicker than this part of the model. */
 #define FLAT 1e-7
 
-/* The normals of the polygons. False: no memory, or stopped. */
+/* Brings the largest coordinate between 1/2 and 1, by a power of two: products
+ * of such normals neither overflow nor vanish. */
+static void
+scale_normal(double n[3])
+{
+  int exponent;
+
+  frexp(sg_larger(fabs(n[0]), sg_larger(fabs(n[1]), fabs(n[2]))), &exponent);
+  for (int k = 0; k < 3; k++) {
+    n[k] = ldexp(n[k], -exponent);
+  }
+}
+
+/* The normals of the polygons, scaled. False: no memory, or stopped. */
 static bool
 make_normals(sg_scene_builder *b)
 {
@@ -25,6 +38,9 @@ make_normals(sg_scene_builder *b)
     for (int k = 0; k < 3; k++) {
       b->normal[d->polygon_of[i]][k] += n[k];
     }
+  }
+  for (size_t p = 0; b->normal && p < d->polygons; p++) {
+    scale_normal(b->normal[p]);
   }
   return b->normal != NULL;
 }

@@ -18,7 +18,8 @@ typedef struct sg_scene_builder {
   const sg_scene_cut *cut;
   size_t cuts;
   const sg_poll *poll;
-  double (*normal)[3]; /* [polygons] the sum of its triangles' normals */
+  double (
+      *normal)[3]; /* [polygons] the sum of its triangles' normals, scaled */
   bool stopped;
 } sg_scene_builder;
 

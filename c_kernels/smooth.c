@@ -22,6 +22,7 @@ typedef struct builder {
   const sg_smooth_input *input;
   sg_smooth *out;
   const sg_poll *poll;
+  double unit;       /* what differences are multiplied by: see unit_of() */
   double (*area)[3]; /* [polygons]: normals, as long as twice the area */
   double *bend;      /* [3 * triangles]: degrees at smooth sides */
   uint32_t *sheet;   /* [triangles]: another one of it, in the end its root */
@@ -46,11 +47,30 @@ at_corner(const builder *b, uint32_t corner)
   return b->in->at[vertex_of(b, corner)];
 }
 
+/* A power of two that makes the coordinates of the model at most 1: products
+ * of areas neither overflow nor vanish, however large or small the model is. */
+static double
+unit_of(const sg_dense *d)
+{
+  double most = 0.0;
+  int exponent;
+
+  for (size_t i = 0; i < d->vertices; i++) {
+    for (int k = 0; k < 3; k++) {
+      most = sg_larger(most, fabs(d->at[i][k]));
+    }
+  }
+  frexp(most, &exponent);
+  return ldexp(1.0, exponent < -1022 ? 1022 : -exponent);
+}
+
+/* From q to p, times the unit. */
 static void
-difference(const double a[3], const double b[3], double out[3])
+difference(const builder *b, const double p[3], const double q[3],
+           double out[3])
 {
   for (int k = 0; k < 3; k++) {
-    out[k] = a[k] - b[k];
+    out[k] = (p[k] - q[k]) * b->unit;
   }
 }
 
@@ -92,8 +112,8 @@ add_areas(builder *b)
   for (size_t t = 0; t < b->in->triangles; t++) {
     const double *p = at_corner(b, (uint32_t)(3 * t));
     double u[3], w[3], n[3];
-    difference(at_corner(b, (uint32_t)(3 * t + 1)), p, u);
-    difference(at_corner(b, (uint32_t)(3 * t + 2)), p, w);
+    difference(b, at_corner(b, (uint32_t)(3 * t + 1)), p, u);
+    difference(b, at_corner(b, (uint32_t)(3 * t + 2)), p, w);
     cross(u, w, n);
     for (int k = 0; k < 3; k++) {
       b->area[b->in->polygon_of[t]][k] += n[k];
@@ -184,8 +204,8 @@ is_convex(const builder *b, uint32_t side, uint32_t other)
 {
   double u[3];
 
-  difference(at_corner(b, next_corner(next_corner(other))), at_corner(b, side),
-             u);
+  difference(b, at_corner(b, next_corner(next_corner(other))),
+             at_corner(b, side), u);
   return dot(u, area_of(b, side)) <= 0.0;
 }
 
@@ -328,8 +348,8 @@ add_corner(const builder *b, uint32_t i)
   double *normal = b->out->normal[b->out->fan[i]];
   double u[3], w[3], weight;
 
-  difference(at_corner(b, next_corner(i)), p, u);
-  difference(at_corner(b, next_corner(next_corner(i))), p, w);
+  difference(b, at_corner(b, next_corner(i)), p, u);
+  difference(b, at_corner(b, next_corner(next_corner(i))), p, w);
   weight = angle(u, w);
   for (int k = 0; k < 3; k++) {
     normal[k] += weight * area[k];
@@ -376,7 +396,7 @@ add_link(const builder *b, turning *turn, uint32_t side, uint32_t from,
 
   t->links++;
   if (b->bend[side] > FLAT) {
-    difference(at_corner(b, to), at_corner(b, from), u);
+    difference(b, at_corner(b, to), at_corner(b, from), u);
     size = sqrt(dot(u, u));
     t->bends++;
     for (int k = 0; k < 3 && size > 0.0; k++) {
@@ -465,6 +485,7 @@ sg_smooth_init(sg_smooth *smooth, const sg_smooth_input *input,
   bool done = false;
 
   *smooth = (sg_smooth){0};
+  b.unit = unit_of(input->dense);
   *memory = make_room(&b);
   if (*memory) {
     for (size_t i = 0; i < 3 * input->dense->triangles; i++) {

@@ -55,7 +55,28 @@ smooth_body(sphere(radius(1), facets(40))).
 smooth_body(sphere(radius(2,1,0.5), facets(48), bands(24))).
 smooth_body(egg(radius(0.7), up(1.3), down(0.6), facets(40))).
 
+% What is drawn of a cube with edges of 2^Power, a cylinder and a sphere.
+scaled_picture(Power, Parts) :-
+    A is 2.0**Power,
+    R is A/4,
+    H is 2*A,
+    in_new_world(( pictured([ box(size(A,A,A)),
+                              at([rotate(x,90),translate(0,A,R)],
+                                 cylinder(radius(R),height(H))),
+                              at([translate(A,0,0)],sphere(radius(R))) ],
+                            300, 60, []),
+                   findall(part(S,E,From,To,Visibility,Role),
+                           drawn(_,S,E,From,To,Visibility,Role), Parts) )).
+
 :- begin_tests(contour).
+
+% Products of areas would leave the doubles.
+test(as_small_as_can_be, Parts == Same) :-
+    scaled_picture(0, Same),
+    scaled_picture(-290, Parts).
+test(as_large_as_can_be, Parts == Same) :-
+    scaled_picture(0, Same),
+    scaled_picture(290, Parts).
 
 % ANCHORS: the true lengths, integrated.
 test(torus) :-
