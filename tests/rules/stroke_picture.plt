@@ -117,7 +117,7 @@ lies_on((XA-YA)-(XB-YB), (XC-YC)-(XD-YD), Near, Least) :-
 % inside triangles may come as near to a crease as it likes.
 golden_pieces(Name, Pieces) :-
     golden_file(Name, File),
-    read_file_to_codes(File, Codes, []),
+    read_file_to_codes(File, Codes, [encoding(utf8)]),
     phrase(polylines(Lines), Codes),
     findall(A-B, ( member(Points, Lines), piece(Points, A, B) ), Pieces).
 
