@@ -1,6 +1,8 @@
 /* contour.c -- see contour.h */
 #include "contour_private.h"
 
+#include "bounds.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,6 +13,10 @@
 /* A triangle is edge-on when its normal leans less than this (as in scene.c).
  */
 #define EDGE_ON 1e-9
+
+/* A piece is unsure if its direction is off the line of sight by less than this
+ * part of what the normals of its triangle turn. */
+#define UNSURE 0.6
 
 enum { POLL_EVERY = 4096 };
 
@@ -86,29 +92,43 @@ is_towards(const sg_contour_finder *f, uint32_t corner)
   return sg_contour_g(f, corner) >= 0.0;
 }
 
-/* How g grows in triangle t on the way to the eye, times twice its area; g is
- * linear in it. */
+/* The gradient of g in triangle t, in which g is linear, times twice the area
+ * of t; gives that. */
 static double
-growth(const sg_contour_finder *f, uint32_t t)
+gradient(const sg_contour_finder *f, uint32_t t, double out[3])
 {
   double(*at)[3] = f->in->dense->at;
   const double *p[3];
-  double side[3][3], normal[3], eye[3], across[3], sum = 0.0, size;
+  double side[3][3], normal[3], across[3], size;
 
   for (uint32_t k = 0; k < 3; k++) {
     p[k] = at[sg_contour_vertex(f, 3 * t + k)];
+    out[k] = 0.0;
   }
   for (int k = 0; k < 3; k++) {
     difference(p[(k + 2) % 3], p[(k + 1) % 3], side[k]); /* opposite corner k */
   }
   cross(side[0], side[1], normal);
   size = sqrt(dot(normal, normal));
-  to_eye(f->in, p[0], eye);
   for (uint32_t k = 0; k < 3 && size > 0.0; k++) {
     cross(normal, side[k], across);
-    sum += sg_contour_g(f, 3 * t + k) * dot(across, eye) / size;
+    for (int i = 0; i < 3; i++) {
+      out[i] += sg_contour_g(f, 3 * t + k) * across[i] / size;
+    }
   }
-  return sum;
+  return size;
+}
+
+/* How g grows in triangle t on the way to the eye, times *area, twice that of
+ * t. */
+static double
+growth(const sg_contour_finder *f, uint32_t t, double *area)
+{
+  double grad[3], eye[3];
+
+  *area = gradient(f, t, grad);
+  to_eye(f->in, f->in->dense->at[sg_contour_vertex(f, 3 * t)], eye);
+  return dot(grad, eye);
 }
 
 static bool
@@ -130,19 +150,14 @@ find_radials(sg_contour_finder *f)
     return false;
   }
   for (uint32_t t = 0; t < f->in->dense->triangles; t++) {
-    double u[3], w[3], n[3], sum;
+    double sum, twice;
     if (!smooth->curved[t] || has_apex(f, t)) {
       continue;
     }
-    sum = growth(f, t);
-    difference(f->in->dense->at[sg_contour_vertex(f, 3 * t + 1)],
-               f->in->dense->at[sg_contour_vertex(f, 3 * t)], u);
-    difference(f->in->dense->at[sg_contour_vertex(f, 3 * t + 2)],
-               f->in->dense->at[sg_contour_vertex(f, 3 * t)], w);
-    cross(u, w, n);
+    sum = growth(f, t, &twice);
     for (uint32_t k = 0; k < 3; k++) {
       f->radial[smooth->fan[3 * t + k]] += sum;
-      area[smooth->fan[3 * t + k]] += sqrt(dot(n, n));
+      area[smooth->fan[3 * t + k]] += twice;
     }
   }
   for (size_t i = 0; i < smooth->fans; i++) {
@@ -271,7 +286,47 @@ divide_piece(sg_contour_finder *f, sg_contour *piece, double r, double s)
                                                  : r / (r - s);
 }
 
-/* The piece across triangle t, if there is one. */
+/* True where the surface bends up one way and down the other: the normals of
+ * the corners of t go round the other way than they. */
+static bool
+is_saddle(const sg_contour_finder *f, uint32_t t)
+{
+  const sg_smooth *smooth = f->in->smooth;
+  double(*at)[3] = f->in->dense->at;
+  double u[3], w[3], n[3], turned[3];
+
+  difference(smooth->normal[smooth->fan[3 * t + 1]],
+             smooth->normal[smooth->fan[3 * t]], u);
+  difference(smooth->normal[smooth->fan[3 * t + 2]],
+             smooth->normal[smooth->fan[3 * t]], w);
+  cross(u, w, turned);
+  difference(at[sg_contour_vertex(f, 3 * t + 1)],
+             at[sg_contour_vertex(f, 3 * t)], u);
+  difference(at[sg_contour_vertex(f, 3 * t + 2)],
+             at[sg_contour_vertex(f, 3 * t)], w);
+  cross(u, w, n);
+  return dot(n, turned) < 0.0;
+}
+
+/* True if the piece across triangle t, with the radial r in its middle, runs so
+ * nearly along the line of sight that its place in the picture is no more than
+ * what the triangle is off the smooth surface. */
+static bool
+is_unsure(const sg_contour_finder *f, uint32_t t, double r)
+{
+  double a = sg_contour_g(f, 3 * t), b = sg_contour_g(f, 3 * t + 1),
+         c = sg_contour_g(f, 3 * t + 2), grad[3], area;
+  double most = sg_larger(a, sg_larger(b, c));
+  double least = sg_smaller(a, sg_smaller(b, c));
+
+  if (has_apex(f, t) || !is_saddle(f, t)) {
+    return false;
+  }
+  area = gradient(f, t, grad);
+  return fabs(r) * area < UNSURE * (most - least) * sqrt(dot(grad, grad));
+}
+
+/* The piece across triangle t, if there is one to be drawn. */
 static bool
 find_piece(sg_contour_finder *f, uint32_t t, sg_contour *piece)
 {
@@ -299,7 +354,7 @@ find_piece(sg_contour_finder *f, uint32_t t, sg_contour *piece)
     return false;
   }
   divide_piece(f, piece, radial[0], radial[1]);
-  return true;
+  return !is_unsure(f, t, (radial[0] + radial[1]) / 2.0);
 }
 
 static bool

@@ -15,12 +15,16 @@
  * What is hidden. Of the surface beside an outline one half is nearer the eye.
  * If g is positive there, the surface bends away from the line of sight; if
  * not, it comes between the outline and the eye, and hides it, if it is the
- * surface of a solid. Between them lies a cusp; there a piece is divided. To
- * the triangles the line of sight is no tangent: those next to a piece may lie
- * before it. Which these are is a walk from its triangle, over the strip of the
- * picture that the piece sweeps across its direction, on to neighbours as long
- * as they are not yet turned to the eye as a whole or lie outside the piece.
- * They are said to be *beside* it and never hide it.
+ * surface of a solid. Between them lies a cusp; there a piece is divided. Near
+ * it the outline runs along the line of sight, and its picture shows the mesh
+ * rather than the surface: pieces that are off that direction by less than 0.6
+ * of what the normals of their triangle turn are left out. Only where a surface
+ * is a saddle can that be. To the triangles the line of sight is no tangent:
+ * those next to a piece may lie before it. Which these are is a walk from its
+ * triangle, over the strip of the picture that the piece sweeps across its
+ * direction, on to neighbours as long as they are not yet turned to the eye as
+ * a whole or lie outside the piece. They are said to be *beside* it and never
+ * hide it.
  *
  * Source: Hertzmann & Zorin 2000, Illustrating smooth surfaces, section 3
  * (interpolated contours, cusps); what is beside a piece is ours.

@@ -20,7 +20,7 @@
 :- use_module(view, [current_view/4, view_matrix/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [member/2]).
+:- autoload(library(lists), [max_list/2, member/2, min_list/2]).
 /** <module> Outlines of smooth surfaces, inside their triangles.
 
 The side of a vertex that a surface turns to the eye is told by g = normal .
@@ -38,8 +38,9 @@ meet. At an apex, which has no normal, a piece ends in it.
 Of the surface beside an outline one half is nearer the eye. If g is positive
 there, the surface bends away from the line of sight; if not, it comes between
 the outline and the eye, and hides it, if it is the surface of a solid. Between
-them lies a cusp; there a piece is divided. Which triangles lie beside a piece
-and therefore never hide it is said in contour_beside.pl.
+them lies a cusp; there a piece is divided, and those that are seen nearly end
+on, which show the mesh and not the surface, are left out. Which triangles lie
+beside a piece and therefore never hide it is said in contour_beside.pl.
 
 Sheets that are not curved, cylinders and cones for example, are folded along
 straight lines: their outlines are edges, as role.pl finds them. The fused
@@ -97,12 +98,14 @@ contour_pieces(S, Crease, Pieces) :-
     fan_values(towards_eye(Sheets, Eye), Sheets, Ts, Gs),
     fan_values(grows(Sheets, Eye, Gs), Sheets, Ts, Radials),
     findall(T-(Piece/Sense),
-            ( member(T, Ts), piece_across(Context, T, Piece, Sense),
-              \+ is_point(S, Piece) ),
+            ( member(T, Ts), piece_across(Context, T, Piece, Sense, _) ),
             Found),
     findall(T-Sense, member(T-(_/Sense), Found), Senses0),
     list_to_assoc(Senses0, Senses),
-    findall(Piece, ( member(_-(Piece/_), Found), besides(Context, Piece) ),
+    findall(Piece,
+            ( member(T, Ts), piece_across(Context, T, Piece, _, Radial),
+              \+ is_unsure(Context, T, Radial),
+              \+ is_point(S, Piece), besides(Context, Piece) ),
             Pieces0),
     sort(Pieces0, Pieces).
 
@@ -235,10 +238,11 @@ corner_g(Sheets, Gs, Corner, G) :-
 
 /* - - - pieces - - - */
 
-%   piece_across(Context, T, Piece, Sense): Sense is 1 if the nearer half beside
-%   it is turned to the eye, -1 if not, 0 if both.
+%   piece_across(Context, T, Piece, Sense, Radial): Sense is 1 if the nearer half
+%   beside it is turned to the eye, -1 if not, 0 if both. Radial is that of its
+%   middle.
 
-piece_across(Context, T, piece(T,I1,F1,I2,F2,To,_), Sense) :-
+piece_across(Context, T, piece(T,I1,F1,I2,F2,To,_), Sense, Radial) :-
     findall(End, piece_end(Context, T, End), Ends),
     (   Ends = [end(J1,H1,R1), end(J2,H2,R2)]
     ->  true
@@ -252,6 +256,7 @@ piece_across(Context, T, piece(T,I1,F1,I2,F2,To,_), Sense) :-
     ;   I1-F1-I2-F2 = J2-H2-J1-H1,
         Most-Least = R2-R1
     ),
+    Radial is (Most+Least)/2.0,
     Context = context(S, _, _, _, _, _),
     (   Least >= 0.0
     ->  Sense = 1
@@ -265,6 +270,45 @@ piece_across(Context, T, piece(T,I1,F1,I2,F2,To,_), Sense) :-
     ->  To = 0.0
     ;   To is Most/(Most-Least)
     ).
+
+%   is_unsure(Context, T, Radial): the piece across T runs so nearly along the
+%   line of sight that its place in the picture is no more than what T is off
+%   the smooth surface: its direction is off the line of sight by less than 0.6
+%   of what the normals of T turn. Only a saddle has such pieces.
+
+is_unsure(context(_,Sheets,_,Gs,_,_), T, Radial) :-
+    Corners = [T-1,T-2,T-3],
+    maplist(corner_fan(Sheets), Corners, Fans),
+    maplist(fan_normal(Sheets), Fans, Normals),
+    maplist(corner_place(Sheets), Corners, Places),
+    maplist(triangle_normal, [Places,Normals], [Normal,Turned]),
+    dot_product(Normal, Turned, Way),
+    Way < 0.0,
+    maplist(corner_g(Sheets, Gs), Corners, Values),
+    max_list(Values, High),
+    min_list(Values, Low),
+    slope(Places, Values, Normal, Slope),
+    abs(Radial) < 0.6*(High-Low)*Slope.
+
+triangle_normal([P1,P2,P3], Normal) :-
+    difference(P2, P1, U),
+    difference(P3, P1, W),
+    cross_product(U, W, Normal).
+
+%   How steeply a function grows that is linear in a triangle, from its Values
+%   at the corners: the gradient is across the normal and (V2-V1)*(P3-P1) -
+%   (V3-V1)*(P2-P1).
+
+slope([P1,P2,P3], [V1,V2,V3], Normal, Slope) :-
+    difference(P2, P1, p(X2,Y2,Z2)),
+    difference(P3, P1, p(X3,Y3,Z3)),
+    G2 is V2-V1,
+    G3 is V3-V1,
+    X is G2*X3 - G3*X2,
+    Y is G2*Y3 - G3*Y2,
+    Z is G2*Z3 - G3*Z2,
+    dot_product(Normal, Normal, Square),
+    Slope is sqrt((X*X + Y*Y + Z*Z)/Square).
 
 %   end(I,F,Radial): on a side whose corners differ.
 

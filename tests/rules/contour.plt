@@ -46,6 +46,27 @@ clumped_ends(Sorted, Ends) :-
     group_pairs_by_key(Pairs, Groups),
     findall(E-N, ( member(E-Xs, Groups), length(Xs, N) ), Ends).
 
+% By how many degrees the outline turns where two visible pieces meet.
+visible_turn(Turn) :-
+    whole_piece(K1, Start, Corner),
+    whole_piece(K2, Corner, End),
+    K1 =\= K2,
+    turn(Start, Corner, End, Turn).
+
+whole_piece(K, Start, End) :-
+    drawn(_, S, E, 0.0, 1.0, visible, outline),
+    E < 0,
+    K is -E,
+    contour_ends(S, K, A, B),
+    ( Start-End = A-B ; Start-End = B-A ).
+
+turn(X1-Y1, X2-Y2, X3-Y3, Turn) :-
+    U is X2-X1,
+    V is Y2-Y1,
+    A is X3-X2,
+    B is Y3-Y2,
+    Turn is abs(atan2(U*B-V*A, U*A+V*B))*180/pi.
+
 a_view(Seed, Theta, Phi) :-
     set_random(seed(Seed)),
     random(0.0, 360.0, Theta),
@@ -89,6 +110,11 @@ test(torus) :-
                    drawn_length(hidden, outline, Hidden) )),
     near(Visible, 9.132, 0.01),
     near(Hidden, 1.186, 0.01).
+% Where it turns back, a coarse one ends as smoothly as a fine one.
+test(no_hooks,
+     [ forall(member(Theta-Phi, [280-60,300-62,10-50,301-65])), Turns == [] ]) :-
+    in_new_world(( pictured([torus(radius(1), tube(0.4))], Theta, Phi, []),
+                   findall(Turn, ( visible_turn(Turn), Turn > 70 ), Turns) )).
 test(sphere, forall(member(Seed, [1,2,3,4,5,6]))) :-
     a_view(Seed, Theta, Phi),
     in_new_world(( pictured([sphere(radius(1), facets(64))], Theta, Phi, []),
