@@ -35,8 +35,8 @@ sheet_en(size(W-H, Width-Height)) -->
        the picture has ~w x ~w mm'-Numbers, nl,
       '  Leave --size out, and it is as large as needed.' ].
 sheet_en(no_room(Paper)) -->
-    [ 'the views do not fit on ~w at any scale'-[Paper], nl,
-      '  Take a larger --sheet, or fewer --views.' ].
+    [ 'the views do not fit on ~w at any scale down to 1:10^9'-[Paper], nl,
+      '  Take a larger --sheet, fewer --views, or --scale fit.' ].
 sheet_en(section(Text)) -->
     [ '--section ~w is no plane'-[Text], nl,
       '  Write x=5, y=5 or z=5; x, y or z alone to cut through the middle; \c

@@ -19,7 +19,7 @@
 :- autoload(library(apply),
             [convlist/3, exclude/3, foldl/4, maplist/3, partition/4]).
 :- autoload(library(lists),
-            [append/2, append/3, member/2, memberchk/2, nth1/3]).
+            [append/2, append/3, member/2, memberchk/2, min_list/2, nth1/3]).
 :- autoload(library(option), [option/2]).
 :- autoload(library(pairs), [pairs_values/2]).
 /** <module> A sheet of several views, from the model to a drawing.
@@ -251,12 +251,14 @@ chosen_scale(standard, Request, Layout, Room, Scale, Places) :-
     ).
 chosen_scale(fit, Request, Layout, Room, factor(Scale), Places) :-
     !,
-    chosen_scale(standard, Request, Layout, Room, Standard, _),
-    scale_value(Standard, Low),
-    High is Low*2.5,
-    largest(24, Low, High, Layout, Room, Scale),
-    laid_out(Layout, Room, Scale, Places),
-    !.
+    (   likely_factor(Layout, Low),
+        laid_out(Layout, Room, Low, _)
+    ->  High is Low*2.5,
+        largest(24, Low, High, Layout, Room, Scale),
+        once(laid_out(Layout, Room, Scale, Places))
+    ;   request_paper(Request, Paper),
+        sheet_error(no_room(Paper))
+    ).
 chosen_scale(Scale, Request, Layout, Room, Scale, Places) :-
     scale_value(Scale, Factor),
     (   laid_out(Layout, Room, Factor, Places0)
@@ -266,6 +268,20 @@ chosen_scale(Scale, Request, Layout, Room, Scale, Places) :-
         larger_papers(Request, Layout, Factor, Papers),
         sheet_error(too_large(Scale, Paper, Fitting, Papers))
     ).
+
+%   likely_factor(Layout, Factor): the standard scales, and for a model that is
+%   too large for them those with which its views are 0.5 mm to 2 m large.
+
+likely_factor(_, Factor) :-
+    standard_scale(Scale),
+    scale_value(Scale, Factor).
+likely_factor(layout_of(Celled,_,Unit), Factor) :-
+    findall(Scale,
+            ( member(cell(_,Box,_), Celled), handy_scale(Box, Scale) ),
+            Scales),
+    min_list(Scales, Handy),
+    between(0, 12, Halvings),
+    Factor is 20*Handy/Unit/2**Halvings.
 
 scale_value(factor(Factor), Factor) :-
     !.

@@ -110,6 +110,19 @@ test(fit_is_larger, true) :-
     Fit >= Standard,
     Fit < Standard*2.5.
 
+test(fit_whatever_the_size, [forall(member(E, [9,12,80]))]) :-
+    format(atom(Facts), 'segment(1, solid, box(size(~we~w,~we~w,~we~w))).~n',
+           [2.0,E,2.0,E,2.0,E]),
+    facts_file(Facts, File),
+    drawn_file(File, [sheet(a4),scale(fit)], Drawing),
+    view_extent(Drawing, front, X1, _, X2, _),
+    X2-X1 > 30 000,
+    X2-X1 < 160 000.
+test(too_large_for_standard,
+     error(usage_error(sheet(no_room('A4'))))) :-
+    facts_file('segment(1, solid, box(size(2.0e12,1.0,1.0))).', File),
+    drawn_file(File, [sheet(a4)], _).
+
 % The same X in the views above one another, the same Y beside one another: of
 % the very same vertices, so to the last digit.
 test(aligned, [forall(member(Angle, [first,third]))]) :-
