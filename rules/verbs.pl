@@ -140,6 +140,7 @@ verb_run(draw, Files, Options, 0) :-
     ;   eye(Options, Eye),
         load_model(Files, Options),
         picture_made(Options, Eye, PictureOptions, _),
+        said_if_nothing_drawn,
         WriteOptions = DrawingOptions
     ),
     maplist(output_written(drawing_output(WriteOptions)), Outputs).
@@ -220,6 +221,12 @@ pictured(Lines, Options, Eye, PictureOptions) :-
     ),
     with_operand_lines(Lines, picture(Picture)).
 
+said_if_nothing_drawn :-
+    (   drawn(_, _, _, _, _, _, _)
+    ->  true
+    ;   print_message(informational, sanggwan(nothing_drawn))
+    ).
+
 %!  draw(+File) is det.
 %!  draw(+File, +Options) is det.
 %
@@ -252,6 +259,7 @@ draw(File, Options) :-
     findall(Goal, ( member(Option, Options), view_goal(Option, Goal) ), Eye),
     operand_lines(Lines),
     facts_transaction(sg_verbs:pictured(Lines, Options, Eye, Options)),
+    said_if_nothing_drawn,
     drawing_output(Options, File),
     print_message(informational, sanggwan(wrote(File))).
 

@@ -120,4 +120,13 @@ else
   skip "full disk" "cannot mount one here"
 fi
 
+# says_so ARGUMENT...: that nothing can be seen.
+says_so() {
+  "$SANGGWAN" draw "$@" -o "$TMP/nothing.svg" 2>&1 |
+    grep -q '^sanggwan: there is nothing to draw$'
+}
+echo 'segment(1, curve, line(from(0, 0, 0), to(0, 0, 5))).' >"$TMP/line.pl"
+check "a line seen end-on: a notice" says_so "$TMP/line.pl" --view top
+check "seen from elsewhere: none" eval "! says_so '$TMP/line.pl'"
+
 check_report
