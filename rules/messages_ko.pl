@@ -493,6 +493,10 @@ notice_ko(mesh(File, trailing(Bytes))) -->
                 *            drawing           *
                 *******************************/
 
+drawing_ko(domain(sheet_size, W-H)) -->
+    { number(W), number(H) },
+    [ '그림이 ~0f x ~0f mm 나 된다'-[W,H], nl,
+      '  더 작은 --scale을 쓴다. 각 변은 0보다 크고 100000 mm까지 된다.' ].
 drawing_ko(domain(sheet_size, Size)) -->
     [ '~p은(는) 종이의 크기가 아니다'-[Size], nl,
       '  너비x높이를 210x148처럼 mm로 쓴다. 100000까지 된다.' ].

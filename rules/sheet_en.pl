@@ -36,7 +36,10 @@ sheet_en(size(W-H, Width-Height)) -->
       '  Leave --size out, and it is as large as needed.' ].
 sheet_en(no_room(Paper)) -->
     [ 'the views do not fit on ~w at any scale down to 1:10^9'-[Paper], nl,
-      '  Take a larger --sheet, fewer --views, or --scale fit.' ].
+      '  Take a larger --sheet, fewer --views and --section, or \c
+       --scale fit.' ].
+sheet_en(many_sections(Most)) -->
+    [ 'a sheet has ~w sections at most, a letter for each'-[Most] ].
 sheet_en(section(Text)) -->
     [ '--section ~w is no plane'-[Text], nl,
       '  Write x=5, y=5 or z=5; x, y or z alone to cut through the middle; \c

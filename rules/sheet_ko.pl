@@ -38,7 +38,10 @@ sheet_ko(size(W-H, Width-Height)) -->
       '  --size 를 빼면 필요한 만큼 큰 종이가 됩니다.' ].
 sheet_ko(no_room(Paper)) -->
     [ '1:10^9 까지 어떤 척도로도 ~w 에 그림이 다 들어가지 않습니다'-[Paper], nl,
-      '  더 큰 --sheet 나 더 적은 --views 나 --scale fit 을 쓰십시오.' ].
+      '  더 큰 --sheet 나 더 적은 --views 와 --section 이나 \c
+       --scale fit 을 쓰십시오.' ].
+sheet_ko(many_sections(Most)) -->
+    [ '종이 한 장에 단면은 글자 하나씩, ~w개까지 됩니다'-[Most] ].
 sheet_ko(section(Text)) -->
     [ '--section ~w 는 평면이 아닙니다'-[Text], nl,
       '  x=5, y=5, z=5, 또는 가운데를 자르려면 x, y, z 만, 또는 A,B,C,D 를 \c

@@ -50,7 +50,7 @@ What is asked for is a list:
 %   left of it in a section. The world stays as it is.
 %
 %   @error usage_error(sheet(What)): section(Text), section_past(Text,Box),
-%   too_large(Scale,Paper,Fitting,Papers), no_room(Paper)
+%   many_sections(Most), too_large(Scale,Paper,Fitting,Papers), no_room(Paper)
 
 views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
     option(views(Views0), Request),
@@ -82,17 +82,27 @@ warned_if_empty(Boxed) :-
     ;   true
     ).
 
-%   sections(Texts, Sections): views A, B, ...
+%   sections(Texts, Sections): views A, B, ..., a letter for each.
+
+section_letters('ABCDEFGHJKLMNPQRSTUVWXYZ').
 
 sections(Texts, Sections) :-
+    section_letters(Letters),
+    atom_length(Letters, Most),
+    (   length(Texts, N),
+        N > Most
+    ->  sheet_error(many_sections(Most))
+    ;   true
+    ),
     findall(Section,
             ( nth1(I, Texts, Text), section_of(I, Text, Section) ),
             Sections).
 
 section_of(I, Text, Section) :-
     (   section_plane(Text, Plane, Axis)
-    ->  sub_atom('ABCDEFGHJKLMNPQRSTUVWXYZ', B, 1, _, Letter),
-        B =:= I-1,
+    ->  section_letters(Letters),
+        B is I-1,
+        sub_atom(Letters, B, 1, _, Letter),
         section_view(Letter, Plane, Axis, Text, Section)
     ;   sheet_error(section(Text))
     ).

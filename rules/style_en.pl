@@ -32,6 +32,7 @@ style_en(property(Property)) -->
     [ '~p is no property of a line'-[Property], nl,
       '  Write width(Mm), colour(C), colour(Screen, Print), dashes(D), \c
        pen(N), layer(Name), none or shown;', nl,
+      '  N is 1 to 255, Name at most 31 of a-z, A-Z, 0-9, $, - and _;', nl,
       '  dashes are solid, [Dash, Gap, ...] in mm, or ~w.'-[All] ].
 style_en(properties(_)) -->
     [ 'properties are a list, like [width(0.5), colour(blue)]' ].

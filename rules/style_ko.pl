@@ -33,6 +33,7 @@ style_ko(property(Property)) -->
     [ '~p 은(는) 선의 속성이 아닙니다'-[Property], nl,
       '  width(Mm), colour(C), colour(화면, 인쇄), dashes(D), pen(N), \c
        layer(이름), none, shown 으로 쓰십시오.', nl,
+      '  N 은 1에서 255까지, 이름은 a-z, A-Z, 0-9, $, -, _ 로 31자까지입니다.', nl,
       '  dashes 는 solid, mm 로 쓴 [선, 틈, ...], 또는 ~w 입니다.'-[All] ].
 style_ko(properties(_)) -->
     [ '속성은 [width(0.5), colour(blue)] 처럼 목록으로 씁니다' ].

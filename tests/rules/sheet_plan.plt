@@ -123,6 +123,12 @@ test(too_large_for_standard,
     facts_file('segment(1, solid, box(size(2.0e12,1.0,1.0))).', File),
     drawn_file(File, [sheet(a4)], _).
 
+test(a_letter_for_each_section,
+     error(usage_error(sheet(many_sections(24))))) :-
+    findall(Text, ( between(1, 25, I), format(atom(Text), 'x=0.~d', [I]) ),
+            Texts),
+    drawn_sheet(cube, [sheet(a0),section(Texts)], _).
+
 % The same X in the views above one another, the same Y beside one another: of
 % the very same vertices, so to the last digit.
 test(aligned, [forall(member(Angle, [first,third]))]) :-
