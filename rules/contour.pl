@@ -238,9 +238,9 @@ corner_g(Sheets, Gs, Corner, G) :-
 
 /* - - - pieces - - - */
 
-%   piece_across(Context, T, Piece, Sense, Radial): Sense is 1 if the nearer half
-%   beside it is turned to the eye, -1 if not, 0 if both. Radial is that of its
-%   middle.
+%   piece_across(Context, T, Piece, Sense, Radial): Sense is 1 if the nearer
+%   half beside it is turned to the eye, -1 if not, 0 if both. Radial is that of
+%   its middle.
 
 piece_across(Context, T, piece(T,I1,F1,I2,F2,To,_), Sense, Radial) :-
     findall(End, piece_end(Context, T, End), Ends),

@@ -100,6 +100,11 @@ verb_option(Verb, option(eye, '', value, 'X,Y,Z',
 verb_option(Verb, option(target, '', value, 'X,Y,Z',
     'with --eye: towards this point, instead of the middle of the model')) :-
     picture_verb(Verb).
+verb_option(Verb, option(up, '', one_of([x, y, z]), 'AXIS',
+    'which axis of the model points up (z, as is usual; y in most .obj \c
+     files): the model is turned first, and all views, directions and \c
+     sections are of the turned one, whose z points up')) :-
+    picture_verb(Verb).
 verb_option(Verb, option(projection, '', one_of([parallel, central]), 'KIND',
     'parallel or central')) :-
     picture_verb(Verb).
@@ -230,6 +235,9 @@ THETA,PHI[,RHO] (도)').
 option_ko(direction, '이 방향으로 본다').
 option_ko(eye, '이 점에서 본다').
 option_ko(target, '--eye 와 함께: 이 점을 본다. 없으면 모델의 가운데').
+option_ko(up,
+    '모델의 어느 축이 위인가 (보통 z. .obj 파일은 흔히 y). 먼저 그 축이 \c
+z가 되게 모델을 돌리고, 시점, 방향, 단면은 돌린 모델의 것이다').
 option_ko(scale, '척도. 1:2, 5:1 등, 또는 fit(자리에 맞추어 가장 크게)').
 option_ko(unit, '척도를 위한 모델의 단위. 보통 mm').
 option_ko(sheet,

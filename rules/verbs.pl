@@ -46,7 +46,9 @@
                 output_written/2,
                 usage_error/1
               ]).
-:- use_module(view, [set_view/1, set_view/3, set_projection/1]).
+:- use_module(view,
+              [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
+              ]).
 :- autoload(library(apply), [maplist/2, maplist/3, partition/4]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(http/json), [json_write_dict/2]).
@@ -133,7 +135,7 @@ verb_run(draw, Files, Options, 0) :-
     ->  sheet_request(Options, PictureOptions, Request),
         load_model(Files, Options),
         request_facts(Options, Files, Request, Full),
-        roots_ready(PictureOptions, Lines),
+        roots_ready(Options, PictureOptions, Lines),
         sheet_made(Options, Full, Lines, Drawing),
         request_title(Full, Title),
         WriteOptions = [drawing(Drawing),title(Title)|DrawingOptions]
@@ -189,15 +191,17 @@ verb_run(repl, Files, Options, 0) :-
 %   loaded, roots alone; Lines as of operand_lines/1.
 
 picture_made(Options, Eye, PictureOptions, Lines) :-
-    roots_ready(PictureOptions, Lines),
+    roots_ready(Options, PictureOptions, Lines),
     facts_transaction(
         sg_verbs:pictured(Lines, Options, Eye, PictureOptions)).
 
-roots_ready(PictureOptions, Lines) :-
+roots_ready(Options, PictureOptions, Lines) :-
     empty_roots_warned,
     operand_lines(Lines),
     roots_alone,
-    known_segments(PictureOptions).
+    known_segments(PictureOptions),
+    option(up(Axis), Options, z),
+    turn_up(Axis).
 
 %   sheet_made(Options, Request, Lines, Drawing): see views_drawing/4. Patches
 %   are sewn before a section cuts them.
@@ -234,6 +238,8 @@ said_if_nothing_drawn :-
 %   format. The segments cut each other first. Options:
 %
 %     - view(Name), or view(Theta, Phi), view(Theta, Phi, Rho)
+%     - up(Axis): the axis of the model that points up in the picture, `x`,
+%       `y` or `z` (default), see turn_up/1
 %     - projection(Kind): `parallel` or `central`
 %     - lines(Which), crease(Degrees), segments(List): see picture/1
 %     - hidden(How), size(Size), ...: see write_drawing/2
@@ -250,15 +256,18 @@ draw(File, Options) :-
     !,
     sheet_request(Options, Options, Request),
     request_facts(Options, [], Request, Full),
+    option(up(Axis), Options, z),
     facts_snapshot(( operand_lines(Lines),
                      roots_alone,
+                     turn_up(Axis),
                      sheet_made(Options, Full, Lines, Drawing) )),
     drawing_output([drawing(Drawing)|Options], File),
     print_message(informational, sanggwan(wrote(File))).
 draw(File, Options) :-
     findall(Goal, ( member(Option, Options), view_goal(Option, Goal) ), Eye),
     operand_lines(Lines),
-    facts_transaction(sg_verbs:pictured(Lines, Options, Eye, Options)),
+    option(up(Axis), Options, z),
+    with_up(Axis, sg_verbs:pictured(Lines, Options, Eye, Options)),
     said_if_nothing_drawn,
     drawing_output(Options, File),
     print_message(informational, sanggwan(wrote(File))).

@@ -5,6 +5,8 @@
             set_projection/1,           % +Kind
             current_view/4,             % -Theta, -Phi, -Rho, -Kind
             named_view/3,               % ?Name, ?Theta, ?Phi
+            turn_up/1,                  % +Axis
+            with_up/2,                  % +Axis, :Goal
             project_world/0,
             view_matrix/3,              % +Theta, +Phi, -Matrix
             eye_point/4,                % +Theta, +Phi, +Point, -EyePoint
@@ -15,16 +17,18 @@
             screen_distance/2           % +Zs, -Ze
           ]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
-:- use_module(library(apply), [foldl/6]).
+:- use_module(library(apply), [foldl/6, maplist/2]).
 :- use_module(library(lists), [append/3, member/2, memberchk/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ view/3, projection/1, screen/5, t/6,
+              [ view/3, projection/1, screen/5, t/6, v/5, leaf_v/5, plane/6,
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module(kernel, [fill_screen/4, view_range/5, view_depth/5,
                        sine_cosine/3]).
 :- set_prolog_flag(optimise, true).
+:- meta_predicate with_up(+, 0).
+
 /** <module> Views: from the model to the picture.
 
 The eye stands at spherical (Rho, Theta, Phi), degrees, Phi from +z, and looks
@@ -173,6 +177,69 @@ eye_distance(Rho0, Rho) :-
     ->  Rho is 3*Reach
     ;   Rho = 1.0
     ).
+
+%!  turn_up(+Axis) is det.
+%
+%   Turn the current world so that its Axis, `x`, `y` or `z`, points up in
+%   pictures: a quarter turn about the y or the x axis makes it the z axis.
+%   Exact.
+%
+%   @error domain_error(up, Axis)
+
+turn_up(Axis) :-
+    must_be(atom, Axis),
+    (   up_turned(Axis, _, _)
+    ->  turned(Axis, up)
+    ;   domain_error(up, Axis)
+    ).
+
+%!  with_up(+Axis, :Goal) is semidet.
+%
+%   While Goal runs, once, the current world is turned as by turn_up/1. One
+%   transaction.
+
+with_up(Axis, Goal) :-
+    facts_transaction(
+        (   turn_up(Axis),
+            once(Goal),
+            turned(Axis, back)
+        )).
+
+turned(z, _) :-
+    !.
+turned(Axis, Way) :-
+    findall(New, ( placed_row(Old, p(X0,Y0,Z0), New, p(X,Y,Z)), Old,
+                   turned_point(Way, Axis, p(X0,Y0,Z0), p(X,Y,Z)) ),
+            Rows),
+    retractall_facts(v(_,_,_,_,_)),
+    retractall_facts(leaf_v(_,_,_,_,_)),
+    retractall_facts(plane(_,_,_,_,_,_)),
+    maplist(assert_fact, Rows).
+
+%   placed_row(Old, Point0, New, Point): rows that have a point, or a normal.
+
+placed_row(v(S,V,X0,Y0,Z0), p(X0,Y0,Z0), v(S,V,X,Y,Z), p(X,Y,Z)).
+placed_row(leaf_v(S,V,X0,Y0,Z0), p(X0,Y0,Z0), leaf_v(S,V,X,Y,Z), p(X,Y,Z)).
+placed_row(plane(S,P,X0,Y0,Z0,D), p(X0,Y0,Z0),
+           plane(S,P,X,Y,Z,D), p(X,Y,Z)).
+
+%   Back is three quarter turns.
+
+turned_point(up, Axis, Point0, p(X,Y,Z)) :-
+    up_turned(Axis, Point0, p(X1,Y1,Z1)),
+    X is X1+0.0,
+    Y is Y1+0.0,
+    Z is Z1+0.0.
+turned_point(back, Axis, Point0, Point) :-
+    turned_point(up, Axis, Point0, Point1),
+    turned_point(up, Axis, Point1, Point2),
+    turned_point(up, Axis, Point2, Point).
+
+%   up_turned(Axis, Point, Turned): to where a point goes.
+
+up_turned(z, Point, Point).
+up_turned(y, p(X,Y,Z), p(X,-Z,Y)).
+up_turned(x, p(X,Y,Z), p(-Z,Y,X)).
 
 %!  project_world is det.
 %

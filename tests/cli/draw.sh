@@ -36,6 +36,22 @@ check "any locale" env LC_ALL=ko_KR.UTF-8 "$SANGGWAN" draw -q $figure \
   -o "$TMP/e.svg"
 check "any locale: same bytes" same "$TMP/a.svg" "$TMP/e.svg"
 
+# With y up, a turned model looks as the one it was turned from.
+mkdir "$TMP/z_up" "$TMP/y_up"
+check "as OBJ" "$SANGGWAN" convert -q facts/hollow_block.pl \
+  -o "$TMP/z_up/m.obj"
+awk '$1 == "v" { print "v", $2, $4, 0 - $3; next } { print }' \
+  "$TMP/z_up/m.obj" >"$TMP/y_up/m.obj"
+for look in '' '--view top' '--sheet A4' '--views front,right --section x'; do
+  check "z up: $look" draw "$TMP/z_up/m.obj" $look -o "$TMP/z_up/m.svg"
+  check "y up: $look" draw "$TMP/y_up/m.obj" --up y $look -o "$TMP/y_up/m.svg"
+  check "the same: $look" same "$TMP/z_up/m.svg" "$TMP/y_up/m.svg"
+done
+check "y up, said by nobody" eval \
+  '! { draw "$TMP/y_up/m.obj" -o "$TMP/y_up/m.svg" &&
+       draw "$TMP/z_up/m.obj" -o "$TMP/z_up/m.svg" &&
+       cmp -s "$TMP/z_up/m.svg" "$TMP/y_up/m.svg"; }'
+
 check "svg is XML" python3 -c \
   "import sys, xml.dom.minidom as x; x.parse('$TMP/a.svg')"
 check "json is JSON" python3 -m json.tool "$TMP/a.json"

@@ -112,7 +112,8 @@ test(torus) :-
     near(Hidden, 1.186, 0.01).
 % Where it turns back, a coarse one ends as smoothly as a fine one.
 test(no_hooks,
-     [ forall(member(Theta-Phi, [280-60,300-62,10-50,301-65])), Turns == [] ]) :-
+     [ forall(member(Theta-Phi, [280-60,300-62,10-50,301-65])),
+       Turns == [] ]) :-
     in_new_world(( pictured([torus(radius(1), tube(0.4))], Theta, Phi, []),
                    findall(Turn, ( visible_turn(Turn), Turn > 70 ), Turns) )).
 test(sphere, forall(member(Seed, [1,2,3,4,5,6]))) :-

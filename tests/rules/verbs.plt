@@ -2,7 +2,10 @@
 :- use_module(library(plunit)).
 :- use_module(library(filesex)).
 :- use_module(rules(model), [load_model/1]).
+:- use_module(rules(contour), [line_ends/4]).
+:- use_module(rules(model_file), [add_primitive/2]).
 :- use_module(rules(store)).
+:- use_module(rules(triangulation), [complete_segments/1]).
 :- use_module(rules(verbs)).
 
 % Goal with the name of a new folder, which goes away, in an empty world.
@@ -51,7 +54,33 @@ drawn(Kind, Folder) :-
     size_file(File, Size),
     Size > 100.
 
+% The picture of a box that is drawn turned, and the world afterwards.
+drawn_up(Axis, Box, Drawn, Folder) :-
+    directory_file_path(Folder, 'a.svg', File),
+    add_primitive(Box, _),
+    complete_segments([1]),
+    vertices(Before),
+    draw(File, [view(20,70),up(Axis)]),
+    vertices(After),
+    assertion(Before == After),
+    findall(Length, drawn_line(Length), Lengths),
+    msort(Lengths, Drawn).
+
+vertices(Vertices) :-
+    findall(V-p(X,Y,Z), v(1, V, X, Y, Z), Vertices0),
+    sort(Vertices0, Vertices).
+
+drawn_line(Visibility-Length) :-
+    drawn(_, 1, E, From, To, Visibility, _),
+    line_ends(1, E, X1-Y1, X2-Y2),
+    Length is round((To-From)*sqrt((X2-X1)**2+(Y2-Y1)**2)*1.0e6).
+
 :- begin_tests(verbs).
+
+test(draw_up, Turned == Straight) :-
+    in_folder(drawn_up(y, box(size(1,3,2)), Turned)),
+    in_folder(drawn_up(z, box(size(1,2,3)), Straight)),
+    \+ in_folder(drawn_up(z, box(size(1,3,2)), Straight)).
 
 test(convert, forall(( member(Kind, [atom, string]),
                        member(List, [one, list]) ))) :-

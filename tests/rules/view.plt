@@ -241,4 +241,26 @@ test(middle_of_a_line) :-
                    seen(1, X1, _, Z1), seen(2, X2, _, Z2), seen(3, X3, _, Z3),
                    abs((X2-X1)/(X3-X1) - (Z2-Z1)/(Z3-Z1)) < 1e-12 )).
 
+% Where a vertex of a world is that is turned so that Axis points up.
+turned(Axis, X, Y, Z) :-
+    in_new_world(( assert_fact(segment(1, curve, w)),
+                   assert_fact(v(1, 1, 1.0, 2.0, 3.0)),
+                   turn_up(Axis),
+                   v(1, 1, X, Y, Z) )).
+
+test(up_z, p(X,Y,Z) == p(1.0,2.0,3.0)) :-
+    turned(z, X, Y, Z).
+test(up_y, p(X,Y,Z) == p(1.0,-3.0,2.0)) :-
+    turned(y, X, Y, Z).
+test(up_x, p(X,Y,Z) == p(-3.0,2.0,1.0)) :-
+    turned(x, X, Y, Z).
+test(up_and_back, [ forall(member(Axis, [x,y,z])), After == Before ]) :-
+    boxed(( findall(V-p(X,Y,Z), v(1, V, X, Y, Z), Before0),
+            sort(Before0, Before),
+            with_up(Axis, v(1, 1, _, _, _)),
+            findall(V-p(X,Y,Z), v(1, V, X, Y, Z), After0),
+            sort(After0, After) )).
+test(up_no_axis, error(domain_error(up, w))) :-
+    boxed(turn_up(w)).
+
 :- end_tests(view).
