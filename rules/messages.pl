@@ -520,7 +520,7 @@ notice_en(mesh(File, trailing(Bytes))) -->
 drawing_en(domain(sheet_size, W-H)) -->
     { number(W), number(H) },
     [ 'the picture would be ~0f x ~0f mm large'-[W,H], nl,
-      '  Take a smaller --scale; each side can be above 0 and up to 100000 mm.' ].
+      '  Take a smaller --scale; a side can be above 0 and up to 100000 mm.' ].
 drawing_en(domain(sheet_size, Size)) -->
     [ 'no sheet has the size ~p'-[Size], nl,
       '  Give width x height in mm, like 210x148, up to 100000.' ].

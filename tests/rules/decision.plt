@@ -217,8 +217,8 @@ test(worlds_end) :-
     forall(between(1, 40, _), in_new_world(use_rules(File))),
     few_followed(File, 100).
 
-%   What worlds that have ended followed is forgotten: not at once, for atoms are
-%   collected in a thread of their own too.
+%   What worlds that have ended followed is forgotten: not at once, for atoms
+%   are collected in a thread of their own too.
 
 few_followed(File, Tries) :-
     garbage_collect_atoms,
