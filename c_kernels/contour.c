@@ -42,6 +42,29 @@ difference(const double a[3], const double b[3], double out[3])
   }
 }
 
+/* Halves or doubles n vectors until the largest coordinate is between 1/2 and
+ * 1, so that products of areas stay in the doubles: exact. Gives the power of 2
+ * that was taken out. */
+static int
+shrink(double (*u)[3], size_t n)
+{
+  double most = 0.0;
+  int exponent;
+
+  for (size_t i = 0; i < n; i++) {
+    for (int k = 0; k < 3; k++) {
+      most = sg_larger(most, fabs(u[i][k]));
+    }
+  }
+  frexp(most, &exponent);
+  for (size_t i = 0; i < n; i++) {
+    for (int k = 0; k < 3; k++) {
+      u[i][k] = ldexp(u[i][k], -exponent);
+    }
+  }
+  return exponent;
+}
+
 /* -------------------------------------------------------------- the eye */
 
 /* The direction from a point to the eye, unit. */
@@ -100,6 +123,7 @@ gradient(const sg_contour_finder *f, uint32_t t, double out[3])
   double(*at)[3] = f->in->dense->at;
   const double *p[3];
   double side[3][3], normal[3], across[3], size;
+  int exponent;
 
   for (uint32_t k = 0; k < 3; k++) {
     p[k] = at[sg_contour_vertex(f, 3 * t + k)];
@@ -108,6 +132,7 @@ gradient(const sg_contour_finder *f, uint32_t t, double out[3])
   for (int k = 0; k < 3; k++) {
     difference(p[(k + 2) % 3], p[(k + 1) % 3], side[k]); /* opposite corner k */
   }
+  exponent = shrink(side, 3);
   cross(side[0], side[1], normal);
   size = sqrt(dot(normal, normal));
   for (uint32_t k = 0; k < 3 && size > 0.0; k++) {
@@ -116,7 +141,10 @@ gradient(const sg_contour_finder *f, uint32_t t, double out[3])
       out[i] += sg_contour_g(f, 3 * t + k) * across[i] / size;
     }
   }
-  return size;
+  for (int i = 0; i < 3; i++) {
+    out[i] = ldexp(out[i], exponent);
+  }
+  return ldexp(size, 2 * exponent);
 }
 
 /* How g grows in triangle t on the way to the eye, times *area, twice that of
@@ -175,11 +203,12 @@ facing(const sg_contour_finder *f, uint32_t t)
 {
   const double(*at)[3] = f->in->screen;
   const int32_t *v = f->in->dense->corner[t];
-  double u[3], w[3], n[3], edge;
+  double side[2][3], n[3], edge;
 
-  difference(at[v[1]], at[v[0]], u);
-  difference(at[v[2]], at[v[0]], w);
-  cross(u, w, n);
+  difference(at[v[1]], at[v[0]], side[0]);
+  difference(at[v[2]], at[v[0]], side[1]);
+  shrink(side, 2);
+  cross(side[0], side[1], n);
   edge = EDGE_ON * sqrt(dot(n, n));
   return (n[2] > edge) - (n[2] < -edge);
 }

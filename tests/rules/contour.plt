@@ -99,6 +99,23 @@ test(as_large_as_can_be, Parts == Same) :-
     scaled_picture(0, Same),
     scaled_picture(290, Parts).
 
+% Neither would those of an outline that turns back.
+ring_lengths(Exponent, Lengths) :-
+    R is 2.0**Exponent,
+    Tube is 0.375*R,
+    in_new_world(( pictured([torus(radius(R), tube(Tube), facets(36))], 280, 60,
+                            []),
+                   findall(Visibility-Length,
+                           ( member(Visibility, [visible,hidden]),
+                             drawn_length(Visibility, outline, Length0),
+                             Length is round(Length0/R*1.0e6) ),
+                           Lengths) )).
+
+test(ring_of_any_size,
+     [ forall(member(Exponent, [-280,280])), Lengths == Same ]) :-
+    ring_lengths(0, Same),
+    ring_lengths(Exponent, Lengths).
+
 % ANCHORS: the true lengths, integrated.
 test(torus) :-
     Phi is acos(1.1/sqrt(1.2**2+2.0**2+1.1**2))*180/pi,
