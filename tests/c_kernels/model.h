@@ -236,6 +236,25 @@ model_dense_triangles(const model *m, sg_dense *d)
   }
 }
 
+/* Where the polygons of each segment begin; they are numbered one segment after
+ * another. */
+static inline uint32_t *
+model_polygon_begins(const model *m)
+{
+  uint32_t *begin = calloc((size_t)m->s + 1, sizeof *begin);
+
+  for (size_t i = 0; i < m->edges; i++) {
+    const model_side *e = &m->edge[i];
+    if (e->p > 0 && begin[e->s] < (uint32_t)e->p) {
+      begin[e->s] = (uint32_t)e->p;
+    }
+  }
+  for (int32_t s = 1; s <= m->s; s++) {
+    begin[s] = begin[s] > begin[s - 1] ? begin[s] : begin[s - 1];
+  }
+  return begin;
+}
+
 /* What no eye changes; null: stopped. */
 static inline sg_scene_model *
 model_scene_model(const model *m, const sg_poll *poll)
@@ -245,7 +264,7 @@ model_scene_model(const model *m, const sg_poll *poll)
   bool memory;
 
   d.segment = malloc(((size_t)m->s + 1) * sizeof *d.segment);
-  d.polygon_begin = calloc((size_t)m->s + 1, sizeof *d.polygon_begin);
+  d.polygon_begin = model_polygon_begins(m);
   for (int32_t s = 1; s <= m->s; s++) {
     d.segment[s - 1] = s;
     solid[s - 1] = m->solid[s];
