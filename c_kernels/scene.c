@@ -118,6 +118,37 @@ standard_of(const extent *x, double centre[3])
   return side_of(x) > 0 ? ldexp(1.0, power) : 1.0;
 }
 
+static void
+place(const viewing *w, const double at[3], const double centre[3],
+      double out[3])
+{
+  for (int k = 0; k < 3; k++) {
+    out[k] =
+        (at[k] * (k == 2 ? w->in->depth : 1.0) - centre[k]) / w->scene->scale;
+  }
+}
+
+/* Vertices that are one point are where the first of them is that has a
+ * place. */
+static void
+join_places(viewing *w)
+{
+  const uint32_t *same = w->model->same;
+  size_t vertices = w->model->dense.vertices;
+  double(*at)[3] = w->scene->at;
+
+  for (size_t i = vertices; i-- > 0;) {
+    if (is_shown(w, (uint32_t)i) && !is_shown(w, same[i])) {
+      memcpy(at[same[i]], at[i], sizeof at[i]);
+    }
+  }
+  for (size_t i = 0; i < vertices; i++) {
+    if (same[i] != i) {
+      memcpy(at[i], at[same[i]], sizeof at[i]);
+    }
+  }
+}
+
 static bool
 make_places(viewing *w)
 {
@@ -133,15 +164,17 @@ make_places(viewing *w)
   scene->close =
       sg_larger(SG_ONE_PLACE * side_of(&x) / scale, scene->tolerance);
   scene->vertices = vertices + 2 * in->addeds;
-  scene->at = malloc((scene->vertices + 1) * sizeof *scene->at);
+  scene->at = calloc(scene->vertices + 1, sizeof *scene->at);
   for (size_t i = 0; scene->at && i < scene->vertices && !stop(w, i); i++) {
     size_t added = i - vertices; /* or meaningless */
-    const double *at = i < vertices ? in->screen[w->model->same[i]]
-                                    : in->added[added / 2].screen[added % 2];
-    for (int k = 0; k < 3; k++) {
-      scene->at[i][k] =
-          (at[k] * (k == 2 ? in->depth : 1.0) - centre[k]) / scale;
+    if (i >= vertices) {
+      place(w, in->added[added / 2].screen[added % 2], centre, scene->at[i]);
+    } else if (is_shown(w, (uint32_t)i)) {
+      place(w, in->screen[i], centre, scene->at[i]);
     }
+  }
+  if (scene->at) {
+    join_places(w);
   }
   return scene->at != NULL;
 }

@@ -116,6 +116,45 @@ views(void)
   free(m);
 }
 
+/* Two triangles meet in a penetration line; the one whose copy is the first has
+ * no place in the picture. */
+static void
+copies_without_place(void)
+{
+  model *m = model_new();
+  const bool shown[6] = {false, false, false, true, true, true};
+  sg_scene_model *seen;
+  sg_scene *scene;
+  bool inside = true;
+
+  for (int s = 0; s < 2; s++) {
+    model_segment(m, false);
+    model_vertex(m, 0, 0, 0);
+    model_vertex(m, 1, 0, 0);
+    model_vertex(m, 0, s ? 1 : -1, 0);
+    model_polygon(m, 3, s ? (int32_t[]){1, 2, 3} : (int32_t[]){2, 1, 3});
+  }
+  m->cut[0] = (sg_scene_cut){0, 1, -1, -1};
+  m->cut[1] = (sg_scene_cut){3, 4, 0, 1};
+  m->cuts = 2;
+  model_project(m, 270, 0, 9, false);
+  for (int i = 0; i < 3; i++) { /* whatever stands there */
+    m->vertex[i].screen[0] = 1e6;
+  }
+  seen = model_scene_model(m, NULL);
+  scene = scene_with(seen, m, shown, NULL, 0);
+  for (size_t i = 0; i < scene->lines; i++) {
+    inside &= fabs(scene->at[scene->line[i].a][0]) <= 1.0 &&
+              fabs(scene->at[scene->line[i].b][0]) <= 1.0;
+  }
+  CHECK("two lines and a triangle are left",
+        scene->lines == 2 && scene->masks == 1);
+  CHECK("they are where the second copy is", inside);
+  sg_scene_close(scene);
+  sg_scene_model_close(seen);
+  free(m);
+}
+
 /* What never hides its own edges: a polygon in one plane, and nothing else. */
 static void
 flat_polygons(void)
@@ -177,6 +216,7 @@ main(void)
   added_lines();
   flat_polygons();
   views();
+  copies_without_place();
   order_of_masks();
   return check_report();
 }
