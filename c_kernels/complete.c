@@ -419,7 +419,7 @@ find_triangles(task *t, int32_t bad[2])
 static bool
 triangulate(task *t)
 {
-  int32_t bad[2];
+  int32_t bad[2] = {0, 0};
 
   switch (find_triangles(t, bad)) {
   case SG_DONE:

@@ -2,7 +2,7 @@
  *
  * The ends are sorted along a curve that keeps what is near together (Morton),
  * and stand, BLOCK by block, under the leaves of a full binary tree. A node
- * knows the box of its ends and how many of them are left.
+ * knows the box of its ends, the first of them, and how many are left.
  */
 #include "travel.h"
 
@@ -22,7 +22,8 @@ typedef struct point {
 
 typedef struct node {
   double low[2], high[2];
-  size_t left; /* ends not yet used */
+  size_t first; /* no end of it comes before this */
+  size_t left;  /* ends not yet used */
 } node;
 
 typedef struct tree {
@@ -64,7 +65,8 @@ box_add(node *k, const double low[2], const double high[2])
   }
 }
 
-static const node empty = {{DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX}, 0};
+static const node empty = {
+    {DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX}, SIZE_MAX, 0};
 
 static void
 set_codes(tree *t)
@@ -105,6 +107,7 @@ set_nodes(tree *t)
   for (size_t i = 0; i < t->points; i++) {
     node *leaf = &t->node[t->leaves + i / BLOCK];
     box_add(leaf, t->point[i].at, t->point[i].at);
+    leaf->first = t->point[i].end < leaf->first ? t->point[i].end : leaf->first;
     leaf->left++;
     t->place[t->point[i].end] = i;
   }
@@ -112,6 +115,9 @@ set_nodes(tree *t)
     for (size_t child = 2 * k; child <= 2 * k + 1; child++) {
       box_add(&t->node[k], t->node[child].low, t->node[child].high);
       t->node[k].left += t->node[child].left;
+      t->node[k].first = t->node[child].first < t->node[k].first
+                             ? t->node[child].first
+                             : t->node[k].first;
     }
   }
 }
@@ -187,10 +193,21 @@ search_leaf(const tree *t, size_t leaf, nearest *q)
   }
 }
 
+/* Whether an end of node k may be nearer than the one that was found, or
+ * equally near and before it. Many may be in one place. */
+static bool
+may_have(const tree *t, size_t k, const nearest *q)
+{
+  const node *of = &t->node[k];
+  double way = of->left ? way_to_box(q, of) : DBL_MAX;
+
+  return of->left && (way < q->way || (way == q->way && of->first < q->end));
+}
+
 static void
 search(const tree *t, size_t k, nearest *q)
 {
-  if (!t->node[k].left || way_to_box(q, &t->node[k]) > q->way) {
+  if (!may_have(t, k, q)) {
     return;
   }
   if (k >= t->leaves) {

@@ -67,6 +67,29 @@ random_agrees(unsigned seed, size_t n, int size)
   return orders_as(line, n, wanted);
 }
 
+/* Many rays from one point, drawn out and in by turns: the other ends there are
+ * all equally near. Takes minutes if each of them is looked at each time. */
+static bool
+star_is_quick(void)
+{
+  enum { RAYS = 300000 };
+  sg_travel_line *line = calloc(RAYS, sizeof *line);
+  int64_t *order = malloc(RAYS * sizeof *order);
+  bool memory, good;
+
+  for (int64_t i = 0; i < RAYS; i++) {
+    line[i].at[1][0] = 1000000;
+    line[i].at[1][1] = i;
+  }
+  good = sg_travel_order(line, RAYS, order, NULL, &memory);
+  for (int64_t i = 0; i < RAYS && good; i++) {
+    good = order[i] == (i % 2 ? -i - 1 : i + 1);
+  }
+  free(line);
+  free(order);
+  return good;
+}
+
 static bool
 stop(void *data)
 {
@@ -92,6 +115,7 @@ main(void)
   }
   CHECK("as by looking at all", all);
   CHECK("many", random_agrees(1, MOST, 1000000));
+  CHECK("many ends in one place", star_is_quick());
   CHECK("it stops",
         !sg_travel_order(three, 3, order, &poll, &memory) && memory);
   return check_report();
