@@ -16,11 +16,15 @@
 
 #define NONE SIZE_MAX
 
-/* End 2i is the start of part i, 2i + 1 its end; dx, dy point away from it. */
+enum { POLL_EVERY = 4096 };
+
+/* End 2i is the start of part i, 2i + 1 its end; dx, dy point away from it. The
+ * part is of edge e of segment s. */
 typedef struct end {
   int64_t at[2];
   size_t end;
   double dx, dy;
+  int32_t s, e;
 } end;
 
 typedef struct work {
@@ -120,7 +124,7 @@ by_ends(const void *x, const void *y)
   const keyed *a = x, *b = y;
   int order = compare_ends(a, b);
 
-  order = order ? order : b->rank - a->rank;
+  order = order ? order : compare_integers(b->rank, a->rank);
   return order ? order : compare_places(&a->part, &b->part);
 }
 
@@ -128,7 +132,7 @@ static int
 by_paint(const void *x, const void *y)
 {
   const keyed *a = x, *b = y;
-  int order = a->rank - b->rank;
+  int order = compare_integers(a->rank, b->rank);
 
   order = order ? order : compare_integers(a->part.look, b->part.look);
   return order ? order : compare_places(&a->part, &b->part);
@@ -296,47 +300,84 @@ mate_group(work *w, end *at, size_t m)
   return true;
 }
 
-/* True if the line that ends as a goes on as b, visible instead of hidden or
- * the other way: the same edge, or, where a is alone, one that goes straight
- * on. */
-static bool
-goes_on(const work *w, const end *a, const end *b, bool alone)
+static const sg_stroke_part *
+part_of(const work *w, const end *a)
 {
-  const sg_stroke_part *p = &w->part[a->end / 2], *q = &w->part[b->end / 2];
-  const sg_stroke_look *l = &w->look[p->look], *k = &w->look[q->look];
-  double straight = -(a->dx * b->dx + a->dy * b->dy);
-
-  if (l->hidden == k->hidden) {
-    return false;
-  }
-  return (p->s == q->s && p->e == q->e) ||
-         (alone &&
-          straight >=
-              (p->s == q->s && l->role == k->role ? SG_TURN : SG_STRAIGHT));
+  return &w->part[a->end / 2];
 }
 
 static bool
 is_hidden(const work *w, const end *a)
 {
-  return w->look[w->part[a->end / 2].look].hidden;
+  return w->look[part_of(w, a)->look].hidden;
 }
 
-/* How the ends of one place end that have no mate. */
+/* The end has no mate, but its line goes on. */
 static void
-node_kinds(work *w, const end *at, size_t m)
+mark_cut(work *w, const end *a)
+{
+  if (w->mate[a->end] == NONE) {
+    w->kind[a->end] = SG_END_CUT;
+  }
+}
+
+static int
+by_edge_of_end(const void *x, const void *y)
+{
+  const end *a = x, *b = y;
+  int order = compare_integers(a->s, b->s);
+
+  order = order ? order : compare_integers(a->e, b->e);
+  return order ? order : (a->end > b->end) - (a->end < b->end);
+}
+
+/* An edge goes on where some of it is visible and some hidden. Reorders the
+ * ends. */
+static void
+same_edges_go_on(work *w, end *at, size_t m)
+{
+  qsort(at, m, sizeof *at, by_edge_of_end);
+  for (size_t i = 0, j; i < m; i = j) {
+    size_t hidden = 0;
+    for (j = i; j < m && at[j].s == at[i].s && at[j].e == at[i].e; j++) {
+      hidden += is_hidden(w, &at[j]);
+    }
+    for (size_t k = i; k < j && hidden > 0 && hidden < j - i; k++) {
+      mark_cut(w, &at[k]);
+    }
+  }
+}
+
+/* The only visible or hidden line of a place goes on as one of the others if
+ * that is straight on. */
+static bool
+goes_straight_on(const work *w, const end *a, const end *b)
+{
+  const sg_stroke_part *p = part_of(w, a), *q = part_of(w, b);
+  bool kin = p->s == q->s && w->look[p->look].role == w->look[q->look].role;
+
+  return is_hidden(w, a) != is_hidden(w, b) &&
+         -(a->dx * b->dx + a->dy * b->dy) >= (kin ? SG_TURN : SG_STRAIGHT);
+}
+
+/* How the ends of one place end that have no mate. Reorders them. */
+static void
+node_kinds(work *w, end *at, size_t m)
 {
   size_t hidden = 0;
 
   for (size_t i = 0; i < m; i++) {
     hidden += is_hidden(w, &at[i]);
   }
+  if (hidden == 0 || hidden == m) {
+    return;
+  }
+  same_edges_go_on(w, at, m);
   for (size_t i = 0; i < m; i++) {
-    uint8_t *kind = &w->kind[at[i].end];
     bool alone = (is_hidden(w, &at[i]) ? hidden : m - hidden) == 1;
-    for (size_t j = 0;
-         j < m && w->mate[at[i].end] == NONE && *kind == SG_END_JOINT; j++) {
-      if (goes_on(w, &at[i], &at[j], alone)) {
-        *kind = SG_END_CUT;
+    for (size_t j = 0; alone && j < m; j++) {
+      if (goes_straight_on(w, &at[i], &at[j])) {
+        mark_cut(w, &at[i]);
       }
     }
   }
@@ -376,8 +417,8 @@ part_ends(const sg_stroke_part *p, size_t i, end out[2])
 
   x /= length;
   y /= length;
-  out[0] = (end){{p->a[0], p->a[1]}, 2 * i, x, y};
-  out[1] = (end){{p->b[0], p->b[1]}, 2 * i + 1, -x, -y};
+  out[0] = (end){{p->a[0], p->a[1]}, 2 * i, x, y, p->s, p->e};
+  out[1] = (end){{p->b[0], p->b[1]}, 2 * i + 1, -x, -y, p->s, p->e};
 }
 
 static bool
@@ -390,7 +431,10 @@ find_mates(work *w)
   if (!sorted(w, w->ends, 2 * w->n, sizeof *w->ends, by_place)) {
     return false;
   }
-  for (size_t i = 0, j; i < 2 * w->n; i = j) {
+  for (size_t i = 0, j, nodes = 0; i < 2 * w->n; i = j) {
+    if (nodes++ % POLL_EVERY == 0 && sg_poll_stop(w->poll)) {
+      return false;
+    }
     for (j = i + 1;
          j < 2 * w->n && !compare_points(w->ends[i].at, w->ends[j].at); j++) {
     }

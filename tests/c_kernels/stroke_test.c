@@ -61,6 +61,44 @@ stop(void *data)
   return true;
 }
 
+/* Many hidden rays to one side of a point, and one visible: no ray has a mate,
+ * and each is asked if it goes on. Takes minutes if it is asked of every other.
+ */
+static bool
+star_is_quick(void)
+{
+  enum { RAYS = 200000 };
+  static sg_stroke_part part[2 * RAYS];
+  sg_strokes s;
+  bool memory, good;
+
+  for (int32_t i = 0; i < 2 * RAYS; i++) {
+    part[i] = line(i % 2 ? VISIBLE : HIDDEN, i + 1, 0, 0, 1000000, i);
+  }
+  good = sg_strokes_make(part, 2 * RAYS, look, NULL, &s, &memory);
+  good = good && s.n == RAYS + RAYS / 2;
+  sg_strokes_clear(&s);
+  return good;
+}
+
+/* Looks may have any rank. */
+static bool
+far_ranks(void)
+{
+  static const sg_stroke_look far[] = {
+      {.rank = INT32_MAX, .role = 0, .hidden = true},
+      {.rank = INT32_MIN, .role = 0, .hidden = false},
+  };
+  sg_stroke_part part[] = {line(0, 1, 0, 0, 5, 0), line(1, 2, 0, 0, 5, 0)};
+  sg_strokes s;
+  bool memory;
+  bool good = sg_strokes_make(part, 2, far, NULL, &s, &memory) && s.n == 1 &&
+              s.part[0].e == 1;
+
+  sg_strokes_clear(&s);
+  return good;
+}
+
 /* So many parts that sorting asks; it is told to stop. */
 static bool
 stops(void)
@@ -107,6 +145,8 @@ main(void)
             EDGES(1, 0), "jj"));
   CHECK("no length",
         strokes_are(PARTS(line(VISIBLE, 1, 5, 5, 5, 5)), 1, NULL, ""));
+  CHECK("the foremost, however far", far_ranks());
+  CHECK("many ends in one place", star_is_quick());
   CHECK("it stops", stops());
   return check_report();
 }
