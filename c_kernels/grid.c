@@ -12,7 +12,12 @@
 #define SMALLEST 16 /* margins */
 
 /* A shape of so few rows takes all cells of its box: quicker than to look. */
-enum { MOST_CELLS_A_SIDE = 4096, FEW_ROWS = 2, POLL_EVERY = 4096 };
+enum { MOST_CELLS_A_SIDE = 4096, FEW_ROWS = 2 };
+
+/* Items are entered so often at most, or MANY times each: where they are large
+ * and many the cells are wider. Between two polls there are so many entries, an
+ * item counting as AN_ITEM of them. */
+enum { MOST_ENTRIES = 1 << 26, MANY = 8, POLL_EVERY = 1 << 18, AN_ITEM = 64 };
 
 static void
 shape_box(const sg_grid_shape *shape, double low[2], double high[2])
@@ -33,11 +38,12 @@ cells(double size, double cell)
   return n < MOST_CELLS_A_SIDE ? (unsigned)n : MOST_CELLS_A_SIDE;
 }
 
+/* The sides of the box of all items, and its corner. */
 static void
-choose_cells(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-             const void *data)
+find_box(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
+         double size[2])
 {
-  double high[2] = {-DBL_MAX, -DBL_MAX}, size[2], cell;
+  double high[2] = {-DBL_MAX, -DBL_MAX};
   sg_grid_shape shape;
 
   grid->low[0] = grid->low[1] = DBL_MAX;
@@ -49,8 +55,11 @@ choose_cells(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
     grid->low[k] = n ? grid->low[k] - grid->margin : 0.0;
     size[k] = n ? high[k] - grid->low[k] + grid->margin : 1.0;
   }
-  cell = sg_larger(SMALLEST * grid->margin,
-                   sqrt(size[0] * size[1] / ((double)n + 1.0)));
+}
+
+static void
+choose_cells(sg_grid *grid, const double size[2], double cell)
+{
   grid->nx = cells(size[0], cell);
   grid->ny = cells(size[1], cell);
   grid->wide[0] = size[0] / grid->nx;
@@ -129,12 +138,14 @@ sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape, sg_grid_rows rows,
                            cell_of(grid, 0, x[1] + grid->margin) + 1};
 }
 
-/* Counts the item in its cells (item null), or enters it there. */
-static void
+/* Counts the item in its cells (item null), or enters it there. Returns in how
+ * many. */
+static size_t
 enter(sg_grid *grid, const sg_grid_shape *shape, uint32_t *count,
       uint32_t *item, uint32_t i)
 {
   sg_grid_rows rows = sg_grid_rows_of(grid, shape);
+  size_t entries = 0;
 
   for (unsigned y = rows.y0; y < rows.y1; y++) {
     sg_grid_columns columns = sg_grid_row(grid, shape, rows, y);
@@ -145,24 +156,65 @@ enter(sg_grid *grid, const sg_grid_shape *shape, uint32_t *count,
       }
       count[cell]++;
     }
+    entries += columns.x1 - columns.x0;
   }
+  return entries;
 }
 
-/* All items: counted, or entered. False: stopped. */
+static size_t
+most_entries(const sg_grid *grid, size_t n)
+{
+  bool one = grid->nx == 1 && grid->ny == 1;
+
+  return one ? SIZE_MAX : n > MOST_ENTRIES / MANY ? MANY * n : MOST_ENTRIES;
+}
+
+/* All items: entered, or counted until they are too many. False: stopped. */
 static bool
 enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
-          const sg_poll *poll)
+          const sg_poll *poll, size_t *entries)
 {
+  size_t asked = 0, most = most_entries(grid, n);
   sg_grid_shape shape;
 
-  for (size_t i = 0; i < n; i++) {
-    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
-      return false;
+  *entries = 0;
+  for (size_t i = 0; i < n && *entries <= most; i++) {
+    size_t done = *entries + AN_ITEM * i;
+    if (i == 0 || done - asked > POLL_EVERY) {
+      asked = done;
+      if (sg_poll_stop(poll)) {
+        return false;
+      }
     }
     shape_of(data, i, &shape);
-    enter(grid, &shape, grid->start + (grid->item ? 1 : 2), grid->item,
-          (uint32_t)i);
+    *entries += enter(grid, &shape, grid->start + (grid->item ? 1 : 2),
+                      grid->item, (uint32_t)i);
   }
+  return true;
+}
+
+/* start[]: how many items each cell has, two places on. False: stopped, or no
+ * memory. */
+static bool
+count_items(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
+            const void *data, const sg_poll *poll, bool *memory)
+{
+  double size[2], cell;
+  size_t entries;
+
+  find_box(grid, n, shape_of, data, size);
+  cell = sg_larger(SMALLEST * grid->margin,
+                   sqrt(size[0] * size[1] / ((double)n + 1.0)));
+  do {
+    choose_cells(grid, size, cell);
+    cell *= 2;
+    free(grid->start);
+    grid->start = calloc((size_t)grid->nx * grid->ny + 2, sizeof *grid->start);
+    *memory = grid->start != NULL;
+    if (!*memory || !enter_all(grid, n, shape_of, data, poll, &entries)) {
+      return false;
+    }
+  } while (entries > most_entries(grid, n));
   return true;
 }
 
@@ -170,22 +222,19 @@ bool
 sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
              const void *data, double margin, const sg_poll *poll, bool *memory)
 {
-  size_t total;
+  size_t total, entries;
 
   *grid = (sg_grid){.margin = margin};
-  choose_cells(grid, n, shape_of, data);
-  total = (size_t)grid->nx * grid->ny;
-  grid->start = calloc(total + 2, sizeof *grid->start);
-  *memory = grid->start != NULL;
-  if (!*memory || !enter_all(grid, n, shape_of, data, poll)) {
+  if (!count_items(grid, n, shape_of, data, poll, memory)) {
     return false;
   }
+  total = (size_t)grid->nx * grid->ny;
   for (size_t c = 2; c < total + 2; c++) {
     grid->start[c] += grid->start[c - 1];
   }
   grid->item = malloc((grid->start[total + 1] + 1) * sizeof *grid->item);
   *memory = grid->item != NULL;
-  return *memory && enter_all(grid, n, shape_of, data, poll);
+  return *memory && enter_all(grid, n, shape_of, data, poll, &entries);
 }
 
 void

@@ -29,7 +29,8 @@ typedef struct sg_grid_shape {
 
 typedef void sg_grid_shape_of(const void *data, size_t i, sg_grid_shape *out);
 
-/* A grid of n items, about one cell for each. Things nearer than `margin`,
+/* A grid of n items, about one cell for each, or fewer where large items would
+ * be in too many. Things nearer than `margin`,
  * which is not 0, have a cell in common. False: stopped by the poll, or no
  * memory (then *memory is false). Owner: the caller, sg_grid_clear(). */
 bool sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,

@@ -237,10 +237,36 @@ threads(void)
   free(m);
 }
 
+/* Triangles over half of the picture, all in one place. */
+static void
+large_shape(const void *data, size_t i, sg_grid_shape *out)
+{
+  (void)data, (void)i;
+  *out = (sg_grid_shape){3, {{-1, -1}, {1, -1}, {-1, 1}}};
+}
+
+/* So many that as many cells would be entered more than 2^32 times. */
+static void
+large_items(void)
+{
+  enum { N = 120000 };
+  sg_grid grid;
+  bool memory,
+      done = sg_grid_init(&grid, N, large_shape, NULL, 1e-7, NULL, &memory);
+  size_t entries = done ? grid.start[(size_t)grid.nx * grid.ny] : 0;
+
+  CHECK("many large items have wide cells",
+        entries >= N && entries <= UINT32_C(1) << 26 && grid.nx > 1);
+  CHECK("each is there",
+        done && grid.item[0] == 0 && grid.item[N - 1] == N - 1);
+  sg_grid_clear(&grid);
+}
+
 int
 main(void)
 {
   random_scenes();
   threads();
+  large_items();
   return check_report();
 }
