@@ -9,7 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { POLL_PIECES = 256 /* pieces drawn between two polls */ };
+/* Dots looked at between two polls; a piece counts as some. */
+enum { POLL_EVERY = 1 << 16, A_PIECE = 256 };
 
 /* Rows and columns from low up to, not with, high. */
 typedef struct box {
@@ -113,8 +114,22 @@ row_box(const sg_canvas *canvas, const piece *p, double reach, int32_t y)
                clamped(ceil(fmax(xa, xb) + reach) + 1, canvas->width), y + 1};
 }
 
-static void
-cover_piece(sg_canvas *canvas, const piece *p, double half, box *touched)
+/* True when so many dots more have been looked at and the poll says stop. */
+static bool
+stop_after(size_t dots, size_t *looked_at, const sg_poll *poll)
+{
+  *looked_at += dots;
+  if (*looked_at < POLL_EVERY) {
+    return false;
+  }
+  *looked_at = 0;
+  return sg_poll_stop(poll);
+}
+
+/* False: stopped. */
+static bool
+cover_piece(sg_canvas *canvas, const piece *p, double half, box *touched,
+            size_t *looked_at, const sg_poll *poll)
 {
   double reach = half + 1;
   double yb = p->ay + p->length * p->dy;
@@ -134,14 +149,25 @@ cover_piece(sg_canvas *canvas, const piece *p, double half, box *touched)
       }
     }
     grow(touched, row);
+    if (stop_after(row.x1 > row.x0 ? (size_t)(row.x1 - row.x0) : 0, looked_at,
+                   poll)) {
+      return false;
+    }
   }
+  return !stop_after(A_PIECE, looked_at, poll);
 }
 
-/* Lays what is covered on the picture, and wipes the cover off. */
-static void
-lay(sg_canvas *canvas, const sg_colour colour, box where)
+/* Lays what is covered on the picture, and wipes the cover off. False:
+ * stopped. */
+static bool
+lay(sg_canvas *canvas, const sg_colour colour, box where, const sg_poll *poll)
 {
-  for (int32_t y = where.y0; y < where.y1; y++) {
+  size_t looked_at = 0;
+
+  for (int32_t y = where.y0; y < where.y1 && where.x0 < where.x1; y++) {
+    if (stop_after((size_t)(where.x1 - where.x0), &looked_at, poll)) {
+      return false;
+    }
     size_t row = (size_t)y * (size_t)canvas->width;
 
     for (int32_t x = where.x0; x < where.x1; x++) {
@@ -155,6 +181,7 @@ lay(sg_canvas *canvas, const sg_colour colour, box where)
       canvas->cover[row + (size_t)x] = 0;
     }
   }
+  return true;
 }
 
 static piece
@@ -176,18 +203,20 @@ sg_canvas_line(sg_canvas *canvas, const sg_brush *brush, size_t n,
                const double (*point)[2], const sg_poll *poll)
 {
   box touched = {canvas->width, canvas->height, 0, 0};
-  size_t pieces = n > 1 ? n - 1 : 1;
+  size_t pieces = n > 1 ? n - 1 : 1, looked_at = 0;
 
+  if (sg_poll_stop(poll)) {
+    return false;
+  }
   for (size_t i = 0; i < pieces; i++) {
     piece p = piece_between(point[i], point[n > 1 ? i + 1 : i]);
 
     p.flat_a = !brush->round && i == 0;
     p.flat_b = !brush->round && i == pieces - 1;
-    cover_piece(canvas, &p, brush->width / 2, &touched);
-    if (i % POLL_PIECES == 0 && sg_poll_stop(poll)) {
+    if (!cover_piece(canvas, &p, brush->width / 2, &touched, &looked_at,
+                     poll)) {
       return false;
     }
   }
-  lay(canvas, brush->colour, touched);
-  return true;
+  return lay(canvas, brush->colour, touched, poll);
 }

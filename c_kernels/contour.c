@@ -18,7 +18,8 @@
  * part of what the normals of its triangle turn. */
 #define UNSURE 0.6
 
-enum { POLL_EVERY = 4096 };
+/* Triangles between two polls; pieces, each with a walk. */
+enum { POLL_EVERY = 4096, POLL_PIECES = 64 };
 
 static double
 dot(const double a[3], const double b[3])
@@ -93,20 +94,25 @@ distance(const sg_contour_input *in, const double p[3])
 
 /* ----------------------------------------------------------- the corners */
 
-static void
-find_g(sg_contour_finder *f)
+/* False: stopped. */
+static bool
+find_g(sg_contour_finder *f, const sg_poll *poll)
 {
   const sg_smooth *smooth = f->in->smooth;
 
   for (uint32_t i = 0; i < 3 * f->in->dense->triangles; i++) {
     uint32_t fan = smooth->fan[i];
     double eye[3];
+    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      return false;
+    }
     if (smooth->curved[i / 3]) {
       to_eye(f->in, f->in->dense->at[sg_contour_vertex(f, i)], eye);
       f->g[fan] = dot(smooth->normal[fan], eye);
       f->g[fan] = fabs(f->g[fan]) < ZERO ? 0.0 : f->g[fan];
     }
   }
+  return true;
 }
 
 static bool
@@ -167,18 +173,20 @@ has_apex(const sg_contour_finder *f, uint32_t t)
 }
 
 /* Of each fan: the mean of its triangles. Only its sign and its zeros between
- * fans are asked for. */
+ * fans are asked for. False: stopped, or no memory. */
 static bool
-find_radials(sg_contour_finder *f)
+find_radials(sg_contour_finder *f, const sg_poll *poll, bool *memory)
 {
   const sg_smooth *smooth = f->in->smooth;
   double *area = calloc(smooth->fans + 1, sizeof *area);
 
-  if (!area) {
-    return false;
-  }
-  for (uint32_t t = 0; t < f->in->dense->triangles; t++) {
+  *memory = area != NULL;
+  for (uint32_t t = 0; area && t < f->in->dense->triangles; t++) {
     double sum, twice;
+    if (t % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      free(area);
+      return false;
+    }
     if (!smooth->curved[t] || has_apex(f, t)) {
       continue;
     }
@@ -188,11 +196,11 @@ find_radials(sg_contour_finder *f)
       area[smooth->fan[3 * t + k]] += twice;
     }
   }
-  for (size_t i = 0; i < smooth->fans; i++) {
+  for (size_t i = 0; area && i < smooth->fans; i++) {
     f->radial[i] = area[i] > 0.0 ? f->radial[i] / area[i] : 0.0;
   }
   free(area);
-  return true;
+  return *memory;
 }
 
 /* --------------------------------------------------------- the triangles */
@@ -454,7 +462,7 @@ static bool
 find_besides(sg_contour_finder *f, const sg_poll *poll, bool *memory)
 {
   for (size_t i = 0; i < f->out->n; i++) {
-    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (i % POLL_PIECES == 0 && sg_poll_stop(poll)) {
       return false;
     }
     if (f->out->piece[i].to > 0.0 &&
@@ -477,12 +485,8 @@ find_all(sg_contour_finder *f, const sg_poll *poll, bool *memory)
   f->sense = calloc(triangles + 1, sizeof *f->sense);
   f->seen = calloc(triangles + 1, sizeof *f->seen);
   *memory = f->g && f->radial && f->kind && f->sense && f->seen;
-  if (*memory) {
-    find_g(f);
-    *memory = find_radials(f);
-  }
-  return *memory && find_pieces(f, poll, memory) &&
-         find_besides(f, poll, memory);
+  return *memory && find_g(f, poll) && find_radials(f, poll, memory) &&
+         find_pieces(f, poll, memory) && find_besides(f, poll, memory);
 }
 
 bool

@@ -107,8 +107,8 @@ replace_rows_ex(sg_world *world, rows *r)
   sg_append a;
   bool good;
 
-  sg_world_retract_all(world, SG_CONTOUR);
-  if (!sg_append_open(&a, world, SG_CONTOUR, r->contours->n)) {
+  if (!sg_world_retract_all(world, SG_CONTOUR) ||
+      !sg_append_open(&a, world, SG_CONTOUR, r->contours->n)) {
     return sg_no_memory();
   }
   good = make_lists(r, &a);

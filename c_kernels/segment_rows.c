@@ -169,14 +169,16 @@ sg_segment_rows_clear(sg_segment_rows *rows)
 
 /* ---- a view of segments ---- */
 
-/* Which of 64 live rows are of wanted segments. */
+/* Which of 64 rows, some of which live, are of wanted segments. The others may
+ * be written meanwhile. */
 static uint64_t
 wanted_bits(walk *w, uint64_t live, const int32_t *s)
 {
+  int32_t first = s[__builtin_ctzll(live)];
   uint64_t bits = 0;
 
-  if (all_are(s, s[0])) {
-    see_segment(w, s[0]);
+  if (all_are(s, first)) {
+    see_segment(w, first);
     return w->which < w->segments ? live : 0;
   }
   for (uint64_t left = live; left; left &= left - 1) {

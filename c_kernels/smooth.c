@@ -6,10 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Degrees: what counts as flat, and what a crease must exceed its angle by (as
- * in parts.c). */
+/* Degrees: what counts as flat (as in parts.c). */
 #define FLAT    0.01
-#define OVER    1e-6
 #define DEGREES (180.0 / acos(-1.0))
 
 /* Two bends go on in one line if they turn by less than this, in radians. */
@@ -356,13 +354,17 @@ add_corner(const builder *b, uint32_t i)
   }
 }
 
-static void
+/* False: stopped. */
+static bool
 find_normals(builder *b)
 {
   sg_smooth *out = b->out;
   double most = cos(sg_smaller(b->input->crease, 90.0) / DEGREES);
 
   for (size_t i = 0; i < 3 * b->in->triangles; i++) {
+    if (stop(b, i)) {
+      return false;
+    }
     add_corner(b, (uint32_t)i);
   }
   for (size_t f = 0; f < out->fans; f++) {
@@ -376,6 +378,7 @@ find_normals(builder *b)
     double size = sqrt(dot(area, area));
     out->apex[out->fan[i]] |= dot(area, out->normal[out->fan[i]]) < most * size;
   }
+  return !sg_poll_stop(b->poll);
 }
 
 /* ---------------------------------------------------------------- curved */
@@ -461,8 +464,9 @@ make_room(builder *b)
          out->side && out->fan && out->curved;
 }
 
+/* False: stopped, or no memory. */
 static bool
-make_fans(builder *b)
+make_fans(builder *b, bool *memory)
 {
   sg_smooth *out = b->out;
 
@@ -470,11 +474,9 @@ make_fans(builder *b)
   number_fans(b);
   out->normal = calloc(out->fans + 1, sizeof *out->normal);
   out->apex = calloc(out->fans + 1, sizeof *out->apex);
-  if (!out->normal || !out->apex) {
-    return false;
-  }
-  find_normals(b);
-  return find_curved(b);
+  *memory = out->normal && out->apex;
+  return *memory && !sg_poll_stop(b->poll) && find_normals(b) &&
+         (*memory = find_curved(b));
 }
 
 bool
@@ -492,9 +494,8 @@ sg_smooth_init(sg_smooth *smooth, const sg_smooth_input *input,
       smooth->across[i] = SG_NO_SIDE;
     }
     add_areas(&b);
-    if (find_sides(&b, memory) && !sg_poll_stop(poll)) {
-      done = *memory = make_fans(&b);
-    }
+    done = !sg_poll_stop(poll) && find_sides(&b, memory) &&
+           !sg_poll_stop(poll) && make_fans(&b, memory);
   }
   free(b.area);
   free(b.bend);

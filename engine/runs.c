@@ -118,7 +118,7 @@ static void
 go_on(sg_runs *runs, sg_run *run, const sg_run *next)
 {
   bool on = run->n > 0 && next->n > 0 && run->s == next->s &&
-            run->id + (int32_t)run->n == next->id;
+            (int64_t)run->id + run->n == next->id;
 
   if (on) {
     run->n += next->n;

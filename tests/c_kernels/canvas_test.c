@@ -172,6 +172,29 @@ file_is_png(void)
   return ok;
 }
 
+static bool
+count(void *data)
+{
+  ++*(int *)data;
+  return false;
+}
+
+/* One piece that covers a large picture is long work. */
+static bool
+poll_is_asked(void)
+{
+  const double line[2][2] = {{0, 1000}, {2000, 1000}};
+  const sg_brush brush = {.width = 2000};
+  int asked = 0;
+  sg_poll poll = {count, &asked};
+  sg_canvas c;
+  bool good = sg_canvas_open(&c, 2000, 2000, white) &&
+              sg_canvas_line(&c, &brush, 2, line, &poll);
+
+  sg_canvas_clear(&c);
+  return good && asked > 50;
+}
+
 int
 main(void)
 {
@@ -181,6 +204,7 @@ main(void)
   CHECK("outside is left out", outside_is_left_out());
   CHECK("a point is a dot", a_point_is_a_dot());
   CHECK("poll stops", poll_stops());
+  CHECK("poll is asked within a piece", poll_is_asked());
   CHECK("the file is a PNG", file_is_png());
   return check_report();
 }
