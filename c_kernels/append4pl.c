@@ -2,31 +2,38 @@
 #include "append4pl.h"
 
 #include "glue.h"
-#include "segment_rows.h"
 
 #include <string.h>
 
 /* ---- a segment without rows --------------------------------------------- */
 
+int
+sg_rows_of_segment_ex(const sg_version *version, sg_relation relation,
+                      int32_t s, sg_segment_rows *out)
+{
+  sg_view view;
+
+  *out = (sg_segment_rows){0};
+  if (!sg_version_view(version, relation, &view)) {
+    return sg_no_memory();
+  }
+  int good = sg_segment_rows_find(&view, &s, 1, &sg_prolog_poll, out) ||
+             (PL_exception(0) ? FALSE : sg_no_memory());
+
+  sg_view_clear(&view);
+  return good;
+}
+
 /* 1: a row of this relation is of segment s; 0: none; -1: an exception. */
 static int
 has_rows_ex(const sg_version *version, sg_relation relation, int32_t s)
 {
-  sg_segment_rows rows = {0};
-  sg_view view;
-  int has = -1;
+  sg_segment_rows rows;
+  int has = sg_rows_of_segment_ex(version, relation, s, &rows)
+                ? rows.begin[1] > 0
+                : -1;
 
-  if (!sg_version_view(version, relation, &view)) {
-    sg_no_memory();
-    return -1;
-  }
-  if (sg_segment_rows_find(&view, &s, 1, &sg_prolog_poll, &rows)) {
-    has = rows.begin[1] > 0;
-  } else if (!PL_exception(0)) {
-    sg_no_memory();
-  }
   sg_segment_rows_clear(&rows);
-  sg_view_clear(&view);
   return has;
 }
 

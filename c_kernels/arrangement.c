@@ -295,6 +295,7 @@ sg_arrangement_close(sg_arrangement *a)
   }
   for (size_t i = 0; a->leaf && i < a->leaves.n; i++) {
     free(a->leaf[i].component);
+    free(a->leaf[i].made);
     sg_id_set_clear(&a->leaf[i].cut);
   }
   for (size_t i = 0; i < a->parts; i++) {

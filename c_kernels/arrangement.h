@@ -91,6 +91,18 @@ size_t sg_arrangement_components(const sg_arrangement *a, int32_t s);
 sg_component sg_arrangement_component(const sg_arrangement *a, int32_t s,
                                       size_t c);
 
+/* A vertex that a cut made in a leaf: where it is, rounded, and the point of
+ * the set; SG_NO_KEY: no piece has a vertex of this name. */
+typedef struct sg_made_vertex {
+  double at[3];
+  uint32_t point;
+} sg_made_vertex;
+
+/* Those of the leaf in this place, n of them, of a sealed arrangement; none of
+ * a leaf that is not wanted. Owner: the arrangement. */
+const sg_made_vertex *sg_arrangement_made(const sg_arrangement *a, size_t leaf,
+                                          size_t *n);
+
 /* What is chosen of one leaf: its components with sense[c] 1, and turned over
  * those with -1. */
 typedef struct sg_chosen {

@@ -37,12 +37,16 @@ close_handle(sg_arrangement_handle *h)
   free(h->s);
   free(h->wanted);
   free(h->surface);
+  free(h->origin_at);
+  free(h->origin);
   h->tree = NULL;
   h->own = NULL;
   h->knots = NULL;
   h->s = NULL;
   h->wanted = NULL;
   h->surface = NULL;
+  h->origin_at = NULL;
+  h->origin = NULL;
   h->n = 0;
   if (h->set) {
     sg_cut_set_let_go(h->set);
@@ -337,7 +341,10 @@ arrangement_seal(term_t t)
   int good = sg_arrangement_seal(h->arrangement, crew, &sg_prolog_poll);
 
   sg_crew_close(crew);
-  return good || (PL_exception(0) ? FALSE : sg_no_memory());
+  if (!good) {
+    return PL_exception(0) ? FALSE : sg_no_memory();
+  }
+  return sg_make_origins_ex(h);
 }
 
 /* ---- components ---- */
@@ -447,7 +454,7 @@ sg_get_pieces_ex(term_t list, sg_pieces *out)
   return TRUE;
 }
 
-enum { ASKED = 1 << 10 }; /* components, or origins, between questions */
+enum { ASKED = 1 << 10 }; /* components between questions */
 
 static bool
 goes_on_ex(size_t i)
@@ -520,40 +527,6 @@ get_senses_ex(term_t list, sg_pieces *p)
   return PL_get_nil_ex(tail);
 }
 
-static int
-give_origins_ex(const sg_pieces *p, sg_solid *solid, const sg_made_by *made_by)
-{
-  size_t made = solid->vertices - solid->plain;
-
-  solid->origin = calloc(made + 1, sizeof *solid->origin);
-  if (!solid->origin) {
-    return sg_no_memory();
-  }
-  for (size_t i = 0; i < made; i++) {
-    const sg_arrangement_handle *from = p->from[made_by[i].chosen];
-    sg_term_builder b;
-
-    if (!goes_on_ex(i)) {
-      return FALSE;
-    }
-
-    sg_term_open(&b);
-    sg_cut_build_origin(&b, &from->set->set.points, made_by[i].point);
-    const uint32_t *words = sg_term_words(&b);
-    size_t size = words ? sg_term_length(words) * sizeof *words : 0;
-
-    solid->origin[i] = words ? malloc(size) : NULL;
-    if (solid->origin[i]) {
-      memcpy(solid->origin[i], words, size);
-    }
-    sg_term_close(&b);
-    if (!solid->origin[i]) {
-      return sg_no_memory();
-    }
-  }
-  return TRUE;
-}
-
 static foreign_t
 arrangement_select(term_t t, term_t senses, term_t out)
 {
@@ -569,7 +542,7 @@ arrangement_select(term_t t, term_t senses, term_t out)
     good = PL_exception(0) ? FALSE : sg_no_memory();
   }
   sg_crew_close(crew);
-  good = good && give_origins_ex(&p, &solid, made_by);
+  good = good && sg_give_origins_ex(&p, &solid, made_by);
   free(made_by);
   sg_pieces_clear(&p);
   if (!good) {

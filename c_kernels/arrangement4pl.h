@@ -20,6 +20,9 @@ typedef struct sg_arrangement_handle {
   const sg_leaf_tree **own;    /* [n]: the same, as the kernel wants them */
   const sg_knots **knots;      /* [n]: theirs */
   size_t n;
+  uint32_t *origin_at; /* [points of the set]: the place in origin[] of what
+                          made it; SG_NO_KEY: of no vertex of pieces */
+  uint32_t *origin;    /* coded terms (term.h), one after another */
 } sg_arrangement_handle;
 
 /* The leaves of a list [S-Arrangement, ...]. Components are counted through. */
@@ -33,5 +36,13 @@ typedef struct sg_pieces {
 /* Reads such a list; clear it also after a failure. */
 int sg_get_pieces_ex(term_t list, sg_pieces *out);
 void sg_pieces_clear(sg_pieces *p);
+
+/* What made the vertices of the pieces, as in origin/3: h->origin_at and
+ * h->origin, of an arrangement that was just sealed. */
+int sg_make_origins_ex(sg_arrangement_handle *h);
+/* The solid's own copies of those of its made vertices; made_by as of
+ * sg_arrangement_select(). */
+int sg_give_origins_ex(const sg_pieces *p, sg_solid *solid,
+                       const sg_made_by *made_by);
 
 #endif

@@ -27,11 +27,9 @@ typedef struct sg_source {
   const sg_arrangement *a;
   const sg_arranged *leaf;
   uint32_t place;
-  const int8_t *sense; /* of its components */
-  uint32_t *number;    /* [places]: of its vertices, in the solid */
-  uint32_t *made;      /* [mades]: of vertices that cuts made in it */
-  int32_t made_first;  /* the name of made[0] */
-  size_t mades;
+  const int8_t *sense;        /* of its components */
+  uint32_t *number;           /* [places]: of its vertices, in the solid */
+  uint32_t *made;             /* [leaf->mades]: of those that cuts made */
   sg_chosen_row *list;        /* [n]: polygon by polygon */
   sg_chosen_corner *fresh;    /* [fresh_n]: untouched vertices of these */
   sg_chosen_corner *touching; /* [touching_n]: the others */

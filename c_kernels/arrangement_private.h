@@ -22,6 +22,9 @@ typedef struct sg_arranged {
   sg_id_set cut;       /* polygons */
   bool wanted, surface;
   size_t first_cell, cells;
+  sg_made_vertex *made; /* [mades]: those of cells, by name */
+  size_t mades;
+  int32_t first_made;       /* the name of made[0] */
   size_t first_part, parts; /* its components */
 } sg_arranged;
 
@@ -134,6 +137,10 @@ sg_arrangement_root(sg_arrangement *a, uint32_t node)
   return node;
 }
 void sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other);
+
+/* The vertices that cuts made (arrangement_made.c), after cells are in order.
+ * False: no memory, or stopped. */
+bool sg_arrangement_find_made(sg_arrangement *a, const sg_poll *poll);
 
 /* Components from what hangs together (arrangement_part.c). */
 bool sg_arrangement_find_auxiliary(sg_arrangement *a, const sg_poll *poll);

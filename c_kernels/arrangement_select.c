@@ -103,11 +103,9 @@ sg_choice_plain_vertex(sg_choice *k, const sg_source *from, uint32_t node,
 /* A vertex that a cut made, after all plain ones; another leaf, or another
  * cut, may have made it already. */
 static uint32_t
-new_made_vertex(sg_choice *k, const sg_source *from, int32_t v)
+new_made_vertex(sg_choice *k, const sg_source *from, const sg_made_vertex *v)
 {
-  const sg_cut_points *points = &from->a->leaves.set->points;
-  uint32_t point = sg_cut_points_named(points, from->leaf->s, v);
-  uint32_t *same = place_of(k, points->point[point].at.p);
+  uint32_t *same = place_of(k, v->at);
 
   if (!same || *same != SG_NO_KEY) {
     return same ? *same : SG_NO_KEY;
@@ -120,18 +118,19 @@ new_made_vertex(sg_choice *k, const sg_source *from, int32_t v)
     return SG_NO_KEY;
   }
   k->made_by = all;
-  all[made] = (sg_made_by){(uint32_t)(from - k->from), point};
-  return *same = new_vertex(k, points->point[point].at.p, from->leaf->s, 0);
+  all[made] = (sg_made_by){(uint32_t)(from - k->from), v->point};
+  return *same = new_vertex(k, v->at, from->leaf->s, 0);
 }
 
 /* The vertex of the solid for vertex v that a cut made in the leaf. */
 static uint32_t
 made_vertex(sg_choice *k, const sg_source *from, int32_t v)
 {
-  uint32_t *number = &from->made[v - from->made_first];
+  int32_t place = v - from->leaf->first_made;
+  uint32_t *number = &from->made[place];
 
   if (*number == SG_NO_KEY) {
-    *number = new_made_vertex(k, from, v);
+    *number = new_made_vertex(k, from, &from->leaf->made[place]);
   }
   return *number;
 }
@@ -200,25 +199,17 @@ close_face(sg_choice *k)
 
 /* ---- cells ---- */
 
-/* Names of vertices that cuts made. */
-typedef struct made_names {
-  int32_t first, last; /* first > last: none */
-} made_names;
-
 /* The plain corners of a chosen cell. */
 static bool
-number_cell(sg_choice *k, const sg_source *from, const sg_cell *cell,
-            made_names *made)
+number_cell(sg_choice *k, const sg_source *from, const sg_cell *cell)
 {
   for (size_t j = cell->first; j < cell->first + cell->n; j++) {
     for (int c = 0; c < 3; c++) {
       int32_t v = from->a->triangle[j].v[c];
       uint32_t node = sg_arrangement_node(from->leaf, v);
 
-      if (node == SG_NO_KEY) {
-        made->first = v < made->first ? v : made->first;
-        made->last = v > made->last ? v : made->last;
-      } else if (sg_choice_plain_vertex(k, from, node, v) == SG_NO_KEY) {
+      if (node != SG_NO_KEY &&
+          sg_choice_plain_vertex(k, from, node, v) == SG_NO_KEY) {
         return false;
       }
     }
@@ -226,32 +217,20 @@ number_cell(sg_choice *k, const sg_source *from, const sg_cell *cell,
   return true;
 }
 
-/* The plain corners of chosen cells, before any made one, and room for the made
- * ones: a leaf's are named one after another. */
+/* The plain corners of chosen cells, before any made one. */
 static bool
-number_plain(sg_choice *k, sg_source *from)
+number_plain(sg_choice *k, const sg_source *from)
 {
   const sg_arranged *leaf = from->leaf;
-  made_names made = {INT32_MAX, INT32_MIN};
 
   for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
     const sg_cell *cell = &from->a->cell[i];
 
     if (sg_sense_of(from, cell->component) != 0 &&
-        !number_cell(k, from, cell, &made)) {
+        !number_cell(k, from, cell)) {
       return false;
     }
   }
-  if (made.first > made.last) {
-    return true;
-  }
-  from->made_first = made.first;
-  from->mades = (size_t)((int64_t)made.last - made.first) + 1;
-  from->made = malloc(from->mades * sizeof *from->made);
-  if (!from->made) {
-    return false;
-  }
-  memset(from->made, 0xff, from->mades * sizeof *from->made);
   return true;
 }
 
@@ -332,10 +311,12 @@ open_sources(sg_choice *k, const sg_chosen *chosen_of)
     size_t places = from->leaf->tree->vertex.places + 1;
 
     from->number = malloc(places * sizeof *from->number);
-    if (!from->number) {
+    from->made = malloc((from->leaf->mades + 1) * sizeof *from->made);
+    if (!from->number || !from->made) {
       return false;
     }
     memset(from->number, 0xff, places * sizeof *from->number);
+    memset(from->made, 0xff, from->leaf->mades * sizeof *from->made);
   }
   return k->from != NULL;
 }

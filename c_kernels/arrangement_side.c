@@ -432,6 +432,7 @@ sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 {
   return sg_arrangement_find_auxiliary(a, poll) &&
          sg_arrangement_flood(a, crew, poll) &&
+         sg_arrangement_find_made(a, poll) &&
          sg_arrangement_find_parts(a, crew, poll) &&
          sg_arrangement_find_sides(a, crew, poll);
 }

@@ -1,9 +1,13 @@
-/* csg4pl.c -- leaves of the CSG tree that need no looking at.
+/* csg4pl.c -- leaves of the CSG tree that need no looking at; what is said of
+ * nodes.
  *
- * Layer: glue. The door is documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel.pl.
  */
+#include "append4pl.h"
+
+#include "glue.h"
+
 #include "../engine/install.h"
-#include "../engine/world4pl.h"
 
 #include <string.h>
 
@@ -16,6 +20,8 @@ typedef struct record_form {
 } record_form;
 
 static record_form form;
+static uint32_t node_form[2]; /* node(_) begins with this */
+static functor_t functor_minus2;
 static int32_t symbol_node;
 static atom_t atom_other;
 
@@ -35,6 +41,10 @@ make_form(void)
   sg_term_compound(&b, symbol_of("made"), 2);
   sg_term_compound(&b, symbol_of("primitive"), 1);
   memcpy(form.header, sg_term_words(&b) + 1, sizeof form.header);
+  sg_term_close(&b);
+  sg_term_open(&b);
+  sg_term_unary(&b, symbol_node, 1);
+  memcpy(node_form, sg_term_words(&b) + 1, sizeof node_form);
   sg_term_close(&b);
 }
 
@@ -123,7 +133,57 @@ kept_leaves(term_t list, term_t kinds)
   return good;
 }
 
+/* The item is node(_). */
+static bool
+is_of_node(const uint32_t *item)
+{
+  return sg_term_length(item) > 2 &&
+         memcmp(item + 1, node_form, sizeof node_form) == 0;
+}
+
+static int
+unify_origin(term_t list, const sg_version *version, sg_row row)
+{
+  term_t head = PL_new_term_ref(), item = PL_new_term_ref();
+  term_t origin = PL_new_term_ref();
+
+  return PL_unify_list(list, head, list) &&
+         sg_put_term(item, sg_version_value(version, SG_ORIGIN, row, 1).term) &&
+         sg_put_term(origin,
+                     sg_version_value(version, SG_ORIGIN, row, 2).term) &&
+         PL_unify_term(head, PL_FUNCTOR, functor_minus2, PL_TERM, item, PL_TERM,
+                       origin);
+}
+
+/* node_origins(+S, -Origins) is det. */
+static foreign_t
+node_origins(term_t s_term, term_t list)
+{
+  sg_world *world = sg_current_world_ex();
+  term_t tail = PL_copy_term_ref(list);
+  sg_segment_rows rows;
+  int32_t s;
+
+  if (!world || !sg_get_id_ex(s_term, &s)) {
+    return FALSE;
+  }
+  const sg_version *version = sg_world_version(world);
+  int good = sg_rows_of_segment_ex(version, SG_ORIGIN, s, &rows);
+  size_t n = good ? rows.begin[1] : 0;
+
+  for (size_t i = 0; good && i < n; i++) {
+    sg_row row = rows.row[i];
+
+    good = !is_of_node(sg_version_value(version, SG_ORIGIN, row, 1).term) ||
+           unify_origin(tail, version, row);
+  }
+  sg_segment_rows_clear(&rows);
+  sg_version_drop(version);
+  return good && PL_unify_nil(tail);
+}
+
 static const PL_extension predicates[] = {
+    {"node_origins", 2, node_origins, 0},
     {"kept_leaves", 2, kept_leaves, 0},
     {NULL, 0, NULL, 0},
 };
@@ -132,6 +192,7 @@ void
 sg_install_csg(void)
 {
   symbol_node = symbol_of("node");
+  functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   atom_other = PL_new_atom("other");
   make_form();
   PL_register_extensions_in_module("sg_kernel", predicates);

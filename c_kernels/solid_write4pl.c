@@ -127,20 +127,19 @@ static int
 no_origins_ex(sg_world *world, int32_t s)
 {
   const sg_version *version = sg_world_version(world);
-  sg_walk walk;
-  int none = TRUE;
+  sg_segment_rows rows = {0};
+  int none = sg_rows_of_segment_ex(version, SG_ORIGIN, s, &rows);
 
-  if (!sg_walk_open(&walk, version, SG_ORIGIN, 1, &(sg_value){.i = s})) {
-    none = sg_no_memory();
-  } else {
-    for (sg_row row; (row = sg_walk_next(&walk)) != SG_NO_ROW && none;) {
-      const uint32_t *item = sg_version_value(version, SG_ORIGIN, row, 1).term;
+  size_t n = none ? rows.begin[1] : 0;
 
-      none = sg_term_vertex(item) == 0;
-    }
-    sg_walk_close(&walk);
-    none = none || sg_raise_status(SG_EXISTS, SG_ORIGIN, &(sg_fault){0});
+  for (size_t i = 0; none && i < n; i++) {
+    const uint32_t *item =
+        sg_version_value(version, SG_ORIGIN, rows.row[i], 1).term;
+
+    none = sg_term_vertex(item) == 0 ||
+           sg_raise_status(SG_EXISTS, SG_ORIGIN, &(sg_fault){0});
   }
+  sg_segment_rows_clear(&rows);
   sg_version_drop(version);
   return none;
 }

@@ -13,7 +13,7 @@
               [ identity_matrix/1, steps_matrix/2, matrix_product/3,
                 matrix_plane/3, matrix_scale/2, rounded_matrix/2
               ]).
-:- use_module(csg_record, [record/2, recorded/2, up_to_date/2]).
+:- use_module(csg_record, [record/2, recorded/2, up_to_date/2, not_kept/2]).
 :- use_module(csg_rows, [copy_segments/3, drop_boundary/1, segment_box/2]).
 :- use_module(csg_term, [csg_error/1, is_node_term/1, node_parts/4]).
 :- use_module(kernel, [kept_leaves/2]).
@@ -27,7 +27,8 @@
 :- autoload(library(apply),
             [foldl/4, foldl/6, include/3, maplist/3, partition/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- autoload(library(lists), [append/3, list_to_set/2, member/2, nth1/3]).
+:- autoload(library(lists),
+            [append/3, list_to_set/2, member/2, nth1/3, reverse/2]).
 /** <module> A CSG tree flattened to an expression over leaves.
 
 Placements are multiplied down. A leaf in its own place stands for itself;
@@ -167,7 +168,7 @@ terms_of(Operation, E, Reversed0, Reversed) :-
 %   reversed_unique(Reversed, Es): in order, each once.
 
 reversed_unique(Reversed, Es) :-
-    foldl([E,L,[E|L]]>>true, Reversed, [], Es0),
+    reverse(Reversed, Es0),
     list_to_set(Es0, Es).
 
 half_of(below, Half, E, Expression) :-
@@ -226,10 +227,18 @@ helpers(Helpers) :-
     include(is_helper, Ss, Helpers).
 
 %   may_be_instances(Ss): the segments that have terms of instances: nothing but
-%   a segment placed, or a polyhedron. In the order of their rows.
+%   a segment placed, or a polyhedron. In the order of their rows. Most are
+%   primitives, whose terms are not looked at.
 
 may_be_instances(Ss) :-
-    findall(S, ( segment(S, _, Term), instance_term(Term) ), Ss).
+    findall(S, segment(S, _, _), All),
+    not_kept(All, Others),
+    include(has_instance_term, Others, Ss).
+
+has_instance_term(S) :-
+    segment(S, _, Term),
+    instance_term(Term),
+    !.
 
 instance_term(polyhedron(_, _)).
 instance_term(at(_, Inner)) :-

@@ -6,7 +6,9 @@
           ]).
 :- use_module(csg_matrix, [matrix_sign/2]).
 :- use_module(kernel,
-              [solid_take/2, solid_move/3, solid_write/2, solid_close/1]).
+              [ solid_take/2, solid_move/3, solid_write/2, solid_close/1,
+                node_origins/2
+              ]).
 :- use_module(leaf, [were_cut/2, leaves_restored/1]).
 :- use_module(store,
               [ v/5, e/5, p/3, leaf_v/5, leaf_e/5, leaf_p/3, origin/3, line/9,
@@ -169,10 +171,10 @@ drop_boundary(S) :-
     retractall_facts(p(S, _, _)),
     retractall_facts(e(S, _, _, _, _)),
     retractall_facts(v(S, _, _, _, _)),
-    findall(N-Origin, origin(S, node(N), Origin), Origins),
+    node_origins(S, Origins),
     retractall_facts(origin(S, _, _)),
-    forall(member(N-Origin, Origins),
-           assert_fact(origin(S, node(N), Origin))).
+    forall(member(Item-Origin, Origins),
+           assert_fact(origin(S, Item, Origin))).
 
 was_changed(S) :-
     (   was_cut(S)

@@ -24,6 +24,7 @@
             % tree4pl.c, near4pl.c
             tree_statistics/1,        % -Statistics
             kept_leaves/2,            % +Ss, -Kinds
+            node_origins/2,           % +S, -Origins
             near_segments/3,          % +Reach, -S1, -S2
             near_segments_of/3,       % +Reach, +Ss, -Near
             self_meetings/2,          % +Most, -Segments
@@ -691,6 +692,11 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   Kinds are those of the segments Ss, in order: the kind, as segment/3 has it,
 %   of one that is a primitive and has the rows that were made from it, by its
 %   record (made_and_kept/2); `other` for the others.
+
+%!  node_origins(+S, -Origins:list) is det.
+%
+%   Origins are Item-Origin of all origin(S, Item, Origin) with an Item node(_),
+%   in the order of their rows.
 
 %!  near_segments(+Reach, -S1, -S2) is nondet.
 %

@@ -153,8 +153,8 @@ all_cuts(Cuts) :-
 %   Solids are no curves, so what results were made from is not looked at.
 
 curve_cut(S1, S2) :-
+    member(Kind, [surface,curve,cells]),
     segment(Curve, Kind, _),
-    Kind \== solid,
     is_curve(Curve),
     origin(Curve, v(_), Origin),
     origin_segment(Origin, Other),
