@@ -5,6 +5,8 @@
  */
 #include "face_merge_sheet.h"
 
+#include "sort.h"
+
 #include <stdlib.h>
 
 enum {
@@ -53,26 +55,10 @@ join(joining *j, uint32_t v, uint32_t w)
   return true;
 }
 
-/* A vertex made by a cut, and how far it is along a direction that planes of
- * models are hardly ever perpendicular to. */
-typedef struct made_vertex {
-  double along;
-  uint32_t vertex;
-} made_vertex;
-
-static int
-compare_made(const void *a, const void *b)
-{
-  const made_vertex *x = a, *y = b;
-
-  if (x->along != y->along) {
-    return x->along < y->along ? -1 : 1;
-  }
-  return (x->vertex > y->vertex) - (x->vertex < y->vertex);
-}
-
+/* The vertices that cuts made, ascending, and how far each is along a direction
+ * that planes of models are hardly ever perpendicular to. */
 static size_t
-list_made(const sg_merge *m, made_vertex *out)
+list_made(const sg_merge *m, sg_measured *out)
 {
   static const double direction[3] = {0.5366, 0.6247, 0.5673};
   size_t n = 0;
@@ -80,13 +66,10 @@ list_made(const sg_merge *m, made_vertex *out)
   for (size_t v = m->solid->plain; v < m->solid->vertices; v++) {
     const double *at = sg_merge_at(m, (uint32_t)v);
     if (m->first[v] < m->first[v + 1]) {
-      out[n].vertex = (uint32_t)v;
-      out[n++].along =
+      out[n].of = (uint32_t)v;
+      out[n++].value =
           direction[0] * at[0] + direction[1] * at[1] + direction[2] * at[2];
     }
-  }
-  if (n) {
-    qsort(out, n, sizeof *out, compare_made);
   }
   return n;
 }
@@ -98,18 +81,18 @@ join_made(joining *joins, bool *any)
 {
   const sg_merge *m = joins->m;
   size_t made = m->solid->vertices - m->solid->plain;
-  made_vertex *list = malloc((made + 1) * sizeof *list);
+  sg_measured *list = malloc((made + 1) * sizeof *list);
   size_t n = list ? list_made(m, list) : 0;
+  bool memory = list && sg_sort_measured(list, n);
 
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; memory && i < n; i++) {
     for (size_t j = i + 1;
-         j < n && list[j].along - list[i].along <= 2 * m->tolerance; j++) {
-      if (are_near(m, list[i].vertex, list[j].vertex)) {
-        *any = join(joins, list[i].vertex, list[j].vertex) || *any;
+         j < n && list[j].value - list[i].value <= 2 * m->tolerance; j++) {
+      if (are_near(m, list[i].of, list[j].of)) {
+        *any = join(joins, list[i].of, list[j].of) || *any;
       }
     }
   }
-  bool memory = list;
   free(list);
   return memory;
 }

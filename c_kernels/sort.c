@@ -1,4 +1,5 @@
-/* sort.c -- see sort.h. Runs by qsort(), then merged two by two. */
+/* sort.c -- see sort.h. Runs by qsort(), then merged two by two; numbers by
+ * their digits, the last one first. */
 #include "sort.h"
 
 #include <stdlib.h>
@@ -92,4 +93,77 @@ sg_sort(void *base, size_t n, size_t size, sg_sort_compare *compare,
   }
   free(j.from == base ? j.to : j.from);
   return done ? SG_SORTED : SG_SORT_STOPPED;
+}
+
+/* ---- numbers ---- */
+
+enum { DIGIT_BITS = 8, DIGITS = 8, VALUES = 1 << DIGIT_BITS };
+
+/* Unsigned integers in the order of the doubles. */
+static uint64_t
+ordered_bits(double value)
+{
+  const uint64_t sign = UINT64_C(1) << 63;
+  uint64_t bits;
+
+  memcpy(&bits, &value, sizeof bits);
+  return bits & sign ? ~bits : bits | sign;
+}
+
+static unsigned
+digit_of(const sg_measured *item, unsigned digit)
+{
+  return (unsigned)(ordered_bits(item->value) >> digit * DIGIT_BITS) &
+         (VALUES - 1);
+}
+
+/* From `item` to `out`, in the order of one digit. False: all have the same,
+ * and nothing was moved. */
+static bool
+spread_digit(const sg_measured *item, size_t n, unsigned digit,
+             sg_measured *out)
+{
+  size_t first[VALUES] = {0}, next = 0;
+
+  for (size_t i = 0; i < n; i++) {
+    first[digit_of(&item[i], digit)]++;
+  }
+  if (first[digit_of(&item[0], digit)] == n) {
+    return false;
+  }
+  for (size_t k = 0; k < VALUES; k++) {
+    size_t count = first[k];
+    first[k] = next;
+    next += count;
+  }
+  for (size_t i = 0; i < n; i++) {
+    out[first[digit_of(&item[i], digit)]++] = item[i];
+  }
+  return true;
+}
+
+bool
+sg_sort_measured(sg_measured *item, size_t n)
+{
+  sg_measured *spare = malloc((n + 1) * sizeof *spare);
+  sg_measured *from = item, *to = spare;
+
+  if (!spare) {
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    item[i].value += 0.0; /* no -0.0 */
+  }
+  for (unsigned digit = 0; n > 0 && digit < DIGITS; digit++) {
+    if (spread_digit(from, n, digit, to)) {
+      sg_measured *full = to;
+      to = from;
+      from = full;
+    }
+  }
+  if (from != item) {
+    memcpy(item, from, n * sizeof *item);
+  }
+  free(spare);
+  return true;
 }

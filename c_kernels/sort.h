@@ -1,4 +1,4 @@
-/* sort.h -- a stable sort that can be stopped.
+/* sort.h -- a stable sort that can be stopped; and a fast one of numbers.
  *
  * Layer: kernel. qsort() of a million records cannot be interrupted.
  */
@@ -8,6 +8,7 @@
 #include "poll.h"
 
 #include <stddef.h>
+#include <stdint.h>
 
 typedef enum sg_sort_end {
   SG_SORTED,
@@ -20,5 +21,15 @@ typedef int sg_sort_compare(const void *a, const void *b);
 /* What is sorted already is only looked at. */
 sg_sort_end sg_sort(void *base, size_t n, size_t size, sg_sort_compare *compare,
                     const sg_poll *poll);
+
+/* A number, and what it is of. */
+typedef struct sg_measured {
+  double value; /* no NaN */
+  uint32_t of;
+} sg_measured;
+
+/* Sorts n items by value, equal ones as they stood (-0.0 is 0.0 then). Digit
+ * by digit: takes time by n. False: no memory, nothing is sorted. */
+bool sg_sort_measured(sg_measured *item, size_t n);
 
 #endif

@@ -7,7 +7,6 @@
             passing_vertices/2,         % +Arrangement, -Passing
             pieces_statistics/1         % -Statistics
           ]).
-:- use_module(csg_record, [not_kept/2]).
 :- use_module(kernel,
               [ arrangement_open/4, arrangement_hold/1, arrangement_drop/1,
                 arrangement_polygons/3, arrangement_seal/1,
@@ -34,7 +33,7 @@
               [ ord_intersection/3, ord_memberchk/2, ord_subtract/3,
                 ord_union/3
               ]).
-:- use_module(library(pairs), [pairs_keys/2, pairs_keys_values/3]).
+:- use_module(library(pairs), [pairs_keys/2]).
 :- autoload(library(apply),
             [exclude/3, foldl/4, include/3, maplist/2, maplist/3]).
 :- autoload(library(lists), [append/3, member/2]).
@@ -71,11 +70,12 @@ since a vertex that they share is shared by moving it.
 with_arrangement(Leaves0, Options, Goal) :-
     sort(Leaves0, Leaves),
     leaves_tolerance(Leaves, Options, Tolerance),
-    near_leaves(Leaves, Tolerance, Near),
-    maplist(leaf_key(Tolerance, Near), Leaves, Keys),
+    near_segments_of(Tolerance, Leaves, NearPairs),
+    ord_list_to_assoc(NearPairs, Near),
+    maplist(leaf_key(Tolerance), NearPairs, Keys),
     setup_call_cleanup(
         with_mutex(sg_pieces, held(Kept, Held)),
-        ( current(Leaves, Keys, Kept, Current0, Stale0),
+        ( current(Leaves, Keys, Kept, Current0, Passing0, Stale0),
           hanging_together(Stale0, Near, Kept, Stale),
           include_current(Current0, Stale, Current),
           counted(sg_pieces_made, Stale),
@@ -86,7 +86,7 @@ with_arrangement(Leaves0, Options, Goal) :-
               ( keep(Leaves, Keys, Fresh, Touch),
                 append(Current, Fresh, Pieces0),
                 sort(1, @<, Pieces0, Pieces),
-                passing(Current, Kept, Fresh, Touch, Passing),
+                passing(Passing0, Stale, Touch, Passing),
                 call(Goal, arrangement(Pieces, Passing))
               ),
               drop_fresh(Fresh))
@@ -109,16 +109,11 @@ drop_fresh([]).
 
 /* - - - what is near what - - - */
 
-%   near_leaves(+Leaves, +Tolerance, -Near): an assoc from each of Leaves to
-%   those near it, in order.
+%   Near is an assoc from each leaf to those near it, in order. A leaf's pieces
+%   depend on these.
 
-near_leaves(Leaves, Tolerance, Near) :-
-    near_segments_of(Tolerance, Leaves, Pairs),
-    ord_list_to_assoc(Pairs, Near).
-
-leaf_key(Tolerance, Near, S, key(Tolerance, Stamp, Stamps)) :-
+leaf_key(Tolerance, S-Others, key(Tolerance, Stamp, Stamps)) :-
     segment_stamp(S, Stamp),
-    get_assoc(S, Near, Others),
     segment_stamps(Others, Stamps).
 
 /* - - - what is kept - - - */
@@ -151,16 +146,25 @@ entries(S, Kept, Entries) :-
     ;   Entries = []
     ).
 
-current([], [], _, [], []).
-current([S|Ss], [Key|Keys], Kept, Current, Stale) :-
+%   current(+Leaves, +Keys, +Kept, -Current, -Passing, -Stale): Current has
+%   S-Arrangement of those that are kept under their keys, and Passing S-Places
+%   of those among them that have some.
+
+current([], [], _, [], [], []).
+current([S|Ss], [Key|Keys], Kept, Current, Passing, Stale) :-
     entries(S, Kept, Entries),
-    (   memberchk(entry(Key, Arrangement, _, _), Entries)
+    (   memberchk(entry(Key, Arrangement, _, Places), Entries)
     ->  Current = [S-Arrangement|Current1],
-        Stale = Stale1
+        Stale = Stale1,
+        (   Places == []
+        ->  Passing = Passing1
+        ;   Passing = [S-Places|Passing1]
+        )
     ;   Current = Current1,
+        Passing = Passing1,
         Stale = [S|Stale1]
     ),
-    current(Ss, Keys, Kept, Current1, Stale1).
+    current(Ss, Keys, Kept, Current1, Passing1, Stale1).
 
 %   hanging_together(+Stale0, +Near, +Kept, -Stale): with every leaf, and every
 %   one near it, those it was made to touch.
@@ -205,15 +209,29 @@ is_among(Stale, S-_) :-
 keep(_, _, [], _) :-
     !.
 keep(Leaves, Keys, Fresh, Touch) :-
-    pairs_keys_values(Pairs, Leaves, Keys),
+    fresh_keys(Fresh, Leaves, Keys, Pairs),
     list_to_assoc(Pairs, KeyOf),
-    with_mutex(sg_pieces, exchanged(KeyOf, Touch, Fresh, Old)),
+    with_mutex(sg_pieces, exchanged(Leaves, KeyOf, Touch, Fresh, Old)),
     maplist(arrangement_drop, Old).
 
-exchanged(KeyOf, Touch, Fresh, Old) :-
+%   fresh_keys(+Fresh, +Leaves, +Keys, -Pairs): S-Key of those in Fresh, which
+%   are Leaves; both ascend.
+
+fresh_keys([], _, _, []) :-
+    !.
+fresh_keys([S-_|Fresh], [S|Ss], [Key|Keys], Pairs) :-
+    !,
+    Pairs = [S-Key|Pairs1],
+    fresh_keys(Fresh, Ss, Keys, Pairs1).
+fresh_keys(Fresh, [_|Ss], [_|Keys], Pairs) :-
+    fresh_keys(Fresh, Ss, Keys, Pairs).
+
+%   exchanged(+Leaves, +KeyOf, +Touch, +Fresh, -Old): Leaves are alive.
+
+exchanged(Leaves, KeyOf, Touch, Fresh, Old) :-
     kept(Kept0),
     assoc_to_keys(Kept0, Ss),
-    not_kept(Ss, Others),
+    ord_subtract(Ss, Leaves, Others),
     exclude(is_alive, Others, Gone),
     findall(A, ( member(S, Gone), get_assoc(S, Kept0, Es),
                  member(entry(_, A, _, _), Es) ),
@@ -260,21 +278,13 @@ passing_of(S, Passings, Passing) :-
     ;   Passing = []
     ).
 
-%   passing(+Current, +Kept, +Fresh, +Touch, -Passing): the vertices that leaves
-%   have in pieces alone, as S-Places, of those that have some (passing.pl).
+%   passing(+Kept, +Stale, +Touch, -Passing): the vertices that leaves have in
+%   pieces alone, as S-Places, of those that have some (passing.pl): what is
+%   kept of leaves that are not Stale, and what is new.
 
-passing(Current, Kept, Fresh, touch(_, Passings), Passing) :-
-    findall(S-[Place|Places],
-            ( member(S-Arrangement, Current),
-              entries(S, Kept, Entries),
-              memberchk(entry(_, Arrangement, _, [Place|Places]), Entries)
-            ),
-            Old),
-    findall(S-Places,
-            ( member(S-Places, Passings),
-              memberchk(S-_, Fresh)
-            ),
-            New),
+passing(Kept, Stale, touch(_, Passings), Passing) :-
+    exclude(is_among(Stale), Kept, Old),
+    include(is_among(Stale), Passings, New),
     append(Old, New, Passing).
 
 /* - - - new pieces - - - */

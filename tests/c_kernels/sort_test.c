@@ -1,4 +1,5 @@
-/* sort_test.c -- sg_sort(): stable, and whole when it is stopped. */
+/* sort_test.c -- sg_sort(): stable, and whole when it is stopped;
+ * sg_sort_measured(): the same order. */
 #include "../../c_kernels/sort.h"
 #include "../check.h"
 
@@ -65,6 +66,43 @@ is_whole(const item *array, size_t n)
   return true;
 }
 
+static int
+by_value(const void *a, const void *b)
+{
+  const sg_measured *x = a, *y = b;
+
+  return x->value != y->value ? (x->value > y->value) - (x->value < y->value)
+                              : (x->of > y->of) - (x->of < y->of);
+}
+
+/* Numbers of all sizes and signs, many of them equal. */
+static double
+any_number(void)
+{
+  static const double scale[] = {1,     -1,     1e-300, -1e-300,
+                                 1e300, -1e300, 0,      -0.0};
+
+  return scale[rand() % 8] * (rand() % 100);
+}
+
+static bool
+sorts_measured(size_t n)
+{
+  static sg_measured found[MOST], expected[MOST];
+
+  for (size_t i = 0; i < n; i++) {
+    expected[i] = found[i] = (sg_measured){any_number(), (uint32_t)i};
+  }
+  qsort(expected, n, sizeof *expected, by_value);
+  bool good = sg_sort_measured(found, n);
+
+  for (size_t i = 0; i < n; i++) {
+    good &=
+        found[i].of == expected[i].of && found[i].value == expected[i].value;
+  }
+  return good;
+}
+
 int
 main(void)
 {
@@ -79,6 +117,11 @@ main(void)
     stable &= is_stable(array, size[i]);
   }
   CHECK("sorted, equals in order", stable);
+  bool measured = true;
+  for (size_t i = 0; i < sizeof size / sizeof *size; i++) {
+    measured &= sorts_measured(size[i]);
+  }
+  CHECK("numbers sorted, equals in order", measured);
   for (int asks = 0; asks < 12; asks++) {
     int left = asks;
     sg_poll poll = {stop_at_zero, &left};

@@ -13,7 +13,7 @@
 :- use_module(rules(csg_rows)).
 :- use_module(rules(csg_matrix)).
 :- use_module(rules(explain)).
-:- use_module(rules(kernel), [census/1]).
+:- use_module(rules(kernel), [census/1, node_origins/2]).
 :- use_module(rules(integrity), [model_defect/1, defect_weight/2]).
 :- use_module(rules(model)).
 :- use_module(rules(placing), [step_motion/2, moved/3]).
@@ -776,3 +776,34 @@ test(said, forall(member(Language, [en, ko]))) :-
     Length > 1000.
 
 :- end_tests(provenance).
+
+:- begin_tests(node_origins).
+
+%   What the boundary of a node leaves there when it goes: what was said of
+%   nodes, in order, and nothing of vertices.
+
+kept_origins(S, Kept) :-
+    findall(node(N)-Origin, origin(S, node(N), Origin), Kept).
+
+test(found, Origins == Kept) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,1,1)], box(size(2,2,2))),
+                union([1,2]) ],
+              ( evaluate(3),
+                assert_fact(origin(3, node(9), operand(2))),
+                once(origin(3, v(_), _)),
+                node_origins(3, Origins),
+                kept_origins(3, Kept) )),
+    length(Kept, 2).
+test(left, Left-Kept == []-Before) :-
+    with_tree([ box(size(2,2,2)), at([translate(1,1,1)], box(size(2,2,2))),
+                union([1,2]) ],
+              ( evaluate(3),
+                assert_fact(origin(3, node(9), operand(2))),
+                kept_origins(3, Before),
+                drop_boundary(3),
+                findall(V, origin(3, v(V), _), Left),
+                kept_origins(3, Kept) )).
+test(none, Origins == []) :-
+    with_tree([box(size(2,2,2))], node_origins(7, Origins)).
+
+:- end_tests(node_origins).
