@@ -111,11 +111,37 @@ test_again(void)
   sg_world_drop(world);
 }
 
+/* The ids go on where the segment changes; the keys do not. */
+static void
+test_two_segments(void)
+{
+  sg_world *world = sg_world_open();
+  sg_append a;
+
+  make_terms(7);
+  CHECK("open for two", sg_append_open(&a, world, SG_ORIGIN, ROWS));
+  CHECK("filled for two", fill(&a, 3));
+  for (size_t k = 0; k < a.sheet.pages; k++) {
+    const sg_sheet_page *page = &a.sheet.page[k];
+
+    for (size_t i = 0; i < page->n; i++) {
+      page->column[0].i[i] = page->from + i < ROWS / 2 ? 3 : 4;
+    }
+  }
+  CHECK("committed for two", sg_append_commit(&a));
+  sg_append_close(&a);
+  CHECK("valid with two", sg_world_is_valid(world));
+  CHECK("rows of the first", count_right(world, 3) == ROWS / 2);
+  CHECK("rows of the second", count_right(world, 4) == ROWS / 2);
+  sg_world_drop(world);
+}
+
 int
 main(void)
 {
   test_terms(true);
   test_terms(false);
   test_again();
+  test_two_segments();
   return check_report();
 }
