@@ -14,6 +14,9 @@
             from_p/5,                 % ?S, ?P, ?S0, ?P0, ?Sense
             line/9,                   % ?L, ?S1, ?P1, ?A1, ?B1,
                                       % ?S2, ?P2, ?A2, ?B2
+            unfolding/2,              % ?S, ?Wish
+            piece/3,                  % ?S, ?P, ?K
+            joint/6,                  % ?S, ?J, ?E1, ?E2, ?Kind, ?Angle
             view/3,                   % ?Theta, ?Phi, ?Rho
             projection/1,             % ?Kind
             title_block/2,            % ?Item, ?Text
@@ -138,8 +141,8 @@ refers to any more is freed with its handle by atom garbage collection.
 
 %!  segment(?S, ?Kind, ?Name) is nondet.
 %
-%   True when segment S is a solid, surface, curve or cells; Name is any
-%   ground term.
+%   True when segment S is a solid, surface, curve, cells or pattern (a flat
+%   development, in a plane of its own); Name is any ground term.
 
 %!  origin(?S, ?Item, ?Origin) is nondet.
 %
@@ -162,6 +165,21 @@ refers to any more is freed with its handle by atom garbage collection.
 %   True when L is a piece of a penetration line from A1 to B1 in polygon P1
 %   of segment S1, the same as A2 to B2 in polygon P2 of segment S2. A contact
 %   in a point alone is a piece with A1 = B1 and A2 = B2.
+
+%!  unfolding(?S, ?Wish) is nondet.
+%
+%   True when Wish is wanted of the development of segment S (DV-7).
+
+%!  piece(?S, ?P, ?K) is nondet.
+%
+%   True when polygon P of the pattern S lies in its piece K.
+
+%!  joint(?S, ?J, ?E1, ?E2, ?Kind, ?Angle) is nondet.
+%
+%   True when the edges E1 and E2 of the pattern S were one edge of what was
+%   unfolded: a `fold` of Angle degrees, positive if convex, where they still
+%   are, a `seam` where they were parted. A `line` is a penetration line inside
+%   a polygon, whose both directions are E1 and E2.
 
 %!  view(?Theta, ?Phi, ?Rho) is nondet.
 %
@@ -471,6 +489,9 @@ sandbox:safe_primitive(sg_store:origin(_,_,_)).
 sandbox:safe_primitive(sg_store:from_v(_,_,_,_)).
 sandbox:safe_primitive(sg_store:from_p(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:line(_,_,_,_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:unfolding(_,_)).
+sandbox:safe_primitive(sg_store:piece(_,_,_)).
+sandbox:safe_primitive(sg_store:joint(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:view(_,_,_)).
 sandbox:safe_primitive(sg_store:projection(_)).
 sandbox:safe_primitive(sg_store:title_block(_,_)).

@@ -213,7 +213,7 @@ test(source_twice, W == twice(from_p,[1,1,2,1])) :-
 test(source_without_polygon, W == missing(p,1,9)) :-
     after_triangle("from_p(1,9,2,1,1).", Text), fault(Text, W, _).
 test(kind, W == value(segment,'Kind',blob,
-                      one_of([solid,surface,curve,cells]))) :-
+                      one_of([solid,surface,curve,cells,pattern]))) :-
     after_triangle("segment(1,blob,x).", Text), fault(Text, W, _).
 test(nan_word, W == value(v,'Y',nan,float)) :-
     after_triangle("v(1,4,0,nan,0).", Text), fault(Text, W, _).

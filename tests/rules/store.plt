@@ -225,7 +225,8 @@ refused(from_p(1,1,2,1,-2),
 refused(from_v(1,99,2,1),  existence_error(v, 1-99)).
 refused(p(1,9,[-1]),       type_error(nonneg, -1)).
 refused(t(1,9,1,1,2,2),    existence_error(p, 1-9)).
-refused(segment(9,blob,x), domain_error(oneof([solid,surface,curve,cells]),
+refused(segment(9,blob,x),
+        domain_error(oneof([solid,surface,curve,cells,pattern]),
                                         blob)).
 refused(segment(9,solid,_), instantiation_error).
 refused(segment(9,solid,f(S)), type_error(storable_term, f(S))) :-
