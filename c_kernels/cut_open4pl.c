@@ -301,8 +301,8 @@ join_selves_ex(join *j, sg_crew *crew)
     if (handle->pair[i][0] != handle->pair[i][1]) {
       continue;
     }
-    if (!sg_self_leaf_join(handle->tree[at]->tree, &handle->views, crew,
-                           &sg_prolog_poll, &hits)) {
+    if (!sg_self_leaf_join(handle->tree[at]->tree, &handle->views,
+                           handle->reach, crew, &sg_prolog_poll, &hits)) {
       return PL_exception(0) ? FALSE : sg_no_memory();
     }
     j->place[0][0] = j->place[0][1] = at;

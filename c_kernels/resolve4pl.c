@@ -22,16 +22,17 @@ static functor_t functor_minus2, functor_w4, functor_t3, functor_near1;
 /* ---- pairs ---- */
 
 static void
-get_leaf(const sg_cut_model *model, uint32_t triangle, sg_resolve_leaf *out)
+get_leaf(const sg_resolving *job, uint32_t triangle, sg_resolve_leaf *out)
 {
+  const sg_cut_model *model = &job->handle->set.model;
   const sg_leaf_triangle *t = &model->triangle[triangle];
 
   out->triangle = triangle;
-  out->s = t->s;
   out->p = t->p;
   for (int k = 0; k < 3; k++) {
     out->v[k] = model->vertex[t->v[k]].v;
   }
+  out->s = sg_resolving_body(job, t->s, out->v[0]);
   sg_cut_model_corners(model, triangle, out->at);
 }
 
@@ -48,9 +49,9 @@ each_pair_ex(sg_resolving *job, use_pair *use)
     if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
       return FALSE;
     }
-    get_leaf(&handle->set.model, handle->candidate[i][0], &leaf[0]);
-    get_leaf(&handle->set.model, handle->candidate[i][1], &leaf[1]);
-    if (!use(&job->r, &leaf[0], &leaf[1])) {
+    get_leaf(job, handle->candidate[i][0], &leaf[0]);
+    get_leaf(job, handle->candidate[i][1], &leaf[1]);
+    if (leaf[0].s != leaf[1].s && !use(&job->r, &leaf[0], &leaf[1])) {
       return sg_no_memory();
     }
   }
@@ -103,7 +104,7 @@ each_crossing_ex(sg_resolving *job)
     sg_resolve_leaf leaf;
 
     if (k != SG_NO_KEY) {
-      get_leaf(&handle->set.model, pair[!(i % 2)], &leaf);
+      get_leaf(job, pair[!(i % 2)], &leaf);
     }
     for (; k != SG_NO_KEY && good; k = chain.next[k]) {
       good = sg_resolve_crossing(&job->r, k / 2, &leaf);
@@ -188,9 +189,10 @@ make_polygons_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
     if (!sg_resolving_goes_on_ex(i)) {
       return FALSE;
     }
-    sg_polygon_row *rows = get_rows(version, polygon->s, polygon->p, &n);
+    int32_t s = sg_resolving_segment(job, polygon->s);
+    sg_polygon_row *rows = get_rows(version, s, polygon->p, &n);
 
-    bool area = get_normal(version, polygon->s, polygon->p, normal);
+    bool area = get_normal(version, s, polygon->p, normal);
     polygon->no_area = !area;
     end = rows ? sg_resolve_polygon(&job->r, normal, rows, n, polygon,
                                     &sg_prolog_poll)
@@ -211,7 +213,7 @@ name_places_ex(sg_resolving *job)
 {
   for (size_t i = 0; i < job->r.place.n; i++) {
     sg_resolve_place *place = &job->r.place.item[i];
-    uint32_t key = (uint32_t)place->s;
+    uint32_t key = (uint32_t)sg_resolving_segment(job, place->s);
 
     if (place->name == 0) {
       uint32_t *next = sg_key_table_put(&job->handle->next_name, &key);
@@ -363,16 +365,20 @@ finish_ex(sg_resolving *job)
 static int
 resolve_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
 {
-  if (!sg_cut_join_ex(job->handle) || !each_pair_ex(job, sg_resolve_see)) {
+  if (!sg_cut_join_ex(job->handle) || !sg_resolving_bodies_ex(job) ||
+      !each_pair_ex(job, sg_resolve_see)) {
     return FALSE;
   }
   if (!sg_resolve_is_needed(&job->r)) {
     return TRUE;
   }
-  return each_pair_ex(job, sg_resolve_pair) && each_crossing_ex(job) &&
-         finish_ex(job) && name_places_ex(job) &&
-         (job->r.wide ||
-          (sg_resolving_want_ex(job) && make_polygons_ex(job, stuck)));
+  int done = each_pair_ex(job, sg_resolve_pair) && each_crossing_ex(job) &&
+             finish_ex(job) && name_places_ex(job) &&
+             (job->r.wide ||
+              (sg_resolving_want_ex(job) && make_polygons_ex(job, stuck)));
+
+  sg_resolving_name_segments(job);
+  return done;
 }
 
 /* vertices, polygons: lists, or why not, as cut_resolve/4 says. */
@@ -444,6 +450,7 @@ clear(sg_resolving *job)
   }
   free(job->polygon.item);
   sg_key_table_clear(&job->known);
+  sg_resolving_bodies_clear(job);
   sg_resolve_clear(&job->r);
 }
 

@@ -34,7 +34,8 @@ want_polygons_of_ex(sg_resolving *job, int32_t s, int32_t e)
   if (!sg_index_ready(job->handle->version, SG_P, 0, &sg_prolog_poll)) {
     return FALSE;
   }
-  if (!sg_walk_open_member(&walk, job->handle->version, SG_P, s, e)) {
+  if (!sg_walk_open_member(&walk, job->handle->version, SG_P,
+                           sg_resolving_segment(job, s), e)) {
     return sg_no_memory();
   }
   for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
@@ -52,8 +53,9 @@ want_neighbours_ex(sg_resolving *job, const sg_resolve_split *split)
   int good = TRUE;
 
   for (int turn = 0; turn < 2 && good; turn++) {
-    sg_value row[SG_MAX_COLUMNS] = {
-        [0].i = split->s, [2].i = split->v[turn], [3].i = split->v[!turn]};
+    sg_value row[SG_MAX_COLUMNS] = {[0].i = sg_resolving_segment(job, split->s),
+                                    [2].i = split->v[turn],
+                                    [3].i = split->v[!turn]};
     sg_walk walk;
 
     if (!sg_index_ready(job->handle->version, SG_E, 0x0d, &sg_prolog_poll)) {

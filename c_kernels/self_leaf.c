@@ -17,6 +17,7 @@ typedef struct leaf {
 typedef struct joiner {
   const sg_leaf_tree *tree;
   const sg_leaf_views *views;
+  double reach;
   leaf *leaf; /* [n], by place in the tree */
   sg_bvh_hits hits;
   unsigned char *kept; /* [hits] */
@@ -62,6 +63,17 @@ set_two(const leaf *a, const leaf *b, sg_self_two *out)
   memcpy(out->b_at, b->v, sizeof out->b_at);
 }
 
+static bool
+share_corner(const leaf *a, const leaf *b)
+{
+  for (int i = 0; i < 9; i++) {
+    if (a->v[i / 3] == b->v[i % 3]) {
+      return true;
+    }
+  }
+  return false;
+}
+
 static void
 test_block(void *data, size_t task)
 {
@@ -76,7 +88,8 @@ test_block(void *data, size_t task)
     }
     if (a->p != b->p) {
       set_two(a, b, &two);
-      j->kept[i] = sg_self_may_meet(&two);
+      j->kept[i] =
+          sg_self_may_meet(&two) || (j->reach > 0 && !share_corner(a, b));
     }
   }
 }
@@ -92,7 +105,7 @@ run(joiner *j, sg_crew *crew, const sg_poll *poll)
   }
   j->leaf = calloc(boxes->n, sizeof *j->leaf);
   if (!j->leaf || !sg_crew_run(crew, blocks(boxes->n), read_block, j, poll) ||
-      !sg_bvh_join(&(sg_bvh_pair){boxes, boxes}, 1, 0.0, crew, poll,
+      !sg_bvh_join(&(sg_bvh_pair){boxes, boxes}, 1, j->reach, crew, poll,
                    &j->hits)) {
     return false;
   }
@@ -121,9 +134,10 @@ clear(joiner *j)
 
 bool
 sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                  sg_crew *crew, const sg_poll *poll, sg_bvh_hits *out)
+                  double reach, sg_crew *crew, const sg_poll *poll,
+                  sg_bvh_hits *out)
 {
-  joiner j = {.tree = tree, .views = views};
+  joiner j = {.tree = tree, .views = views, .reach = reach};
   bool done = run(&j, crew, poll);
 
   *out = (sg_bvh_hits){0};

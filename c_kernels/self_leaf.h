@@ -12,13 +12,15 @@
 #include "leaf_tree.h"
 
 /* Pairs of leaves (places in the tree) that may have more in common than the
- * corners and the edge they share: what is left out has not, exactly. In the
- * order of the join, the same for any crew.
+ * corners and the edge they share: what is left out has not, exactly. With a
+ * reach above 0 also pairs that share no corner and whose boxes are not farther
+ * apart than that. In the order of the join, the same for any crew.
  *
  * Returns: false: no memory, or the poll said stop; *out is empty then.
  * Owner:   out->hit is the caller's, to free(). */
 bool sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                       sg_crew *crew, const sg_poll *poll, sg_bvh_hits *out);
+                       double reach, sg_crew *crew, const sg_poll *poll,
+                       sg_bvh_hits *out);
 
 /* Whether the segment goes through itself or lies on itself, by more than the
  * tolerance of its source (flatness.h). What only touches in points does not.

@@ -4,7 +4,9 @@
             up_to_date/2,               % +S, +From
             made_and_kept/2,            % +S, +What
             not_kept/2,                 % +Ss, -Others
-            drop_record/1               % +S
+            drop_record/1,              % +S
+            joined_segment/1,           % ?S
+            record_joined/1               % +S
           ]).
 :- use_module(kernel, [kept_leaves/2]).
 :- use_module(store,
@@ -17,6 +19,7 @@
     origin(S, node(S), evaluated(made(From, Stamp)))     a node
     origin(S, node(S), helper(made(From, Stamp)))        a helper (csg.pl)
     origin(S, node(S), leaf(made(primitive(Term), Stamp)))
+    origin(S, node(S), join)                             was a join (below)
 
 From is a ground term with the stamps of what the rows were made from; Stamp is
 that of the rows themselves. Rows and record are of one version, so undo takes
@@ -90,3 +93,26 @@ other(S, Kind, Others0, Others) :-
 
 drop_record(S) :-
     retractall_facts(origin(S, node(S), _)).
+
+%!  joined_segment(?S) is nondet.
+%
+%   True when the rows of segment S are solids and surfaces side by side: it is
+%   a node with the operation `join`, or was one (record_joined/1).
+
+joined_segment(S) :-
+    origin(S, node(S), What),
+    is_join(What),
+    (   nonvar(S)
+    ->  !
+    ;   true
+    ).
+
+is_join(join).
+is_join(evaluated(made(join(_, _), _))).
+
+%!  record_joined(+S) is det.
+%
+%   Remember of segment S, which is no node any more, that it was a join.
+
+record_joined(S) :-
+    assert_fact(origin(S, node(S), join)).

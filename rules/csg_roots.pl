@@ -6,7 +6,7 @@
             with_operand_lines/2        % +Lines, :Goal
           ]).
 :- use_module(csg, [node/4, root_segment/1, is_node/1, is_helper/1]).
-:- use_module(csg_record, [drop_record/1]).
+:- use_module(csg_record, [drop_record/1, joined_segment/1, record_joined/1]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(csg_term, [plain_name/2]).
 :- use_module(kernel, [operand_borders/2]).
@@ -45,7 +45,7 @@ aside_segments(Ss) :-
 %   Take all that is no root out of the current world. Roots that are nodes
 %   become plain segments: their name is that of named/2, or of the operation,
 %   and what names segments that are gone (origin/3, from_v/4, from_p/5) goes
-%   too. One transaction.
+%   too; that it was a join stays known (joined_segment/1). One transaction.
 
 roots_alone :-
     aside_segments(Aside),
@@ -116,4 +116,8 @@ made_plain(S) :-
     assert_fact(segment(S, Kind, Name)),
     retractall_facts(from_v(S, _, _, _)),
     retractall_facts(from_p(S, _, _, _, _)),
-    retractall_facts(origin(S, _, _)).
+    (   joined_segment(S)
+    ->  retractall_facts(origin(S, _, _)),
+        record_joined(S)
+    ;   retractall_facts(origin(S, _, _))
+    ).

@@ -4,6 +4,7 @@
             met_pairs/4,                % +All, +Pairs, +Tolerance, -Met
             touching_pairs/2            % +Pairs, -Contacts
           ]).
+:- use_module(csg_record, [joined_segment/1]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_find/1, curve_candidate/3,
                 curve_enter/4, cut_seal/1, cut_polygons/2, cut_lines/2,
@@ -29,7 +30,8 @@ find_curve_points(Set) :-
 %!  contact_pairs(+Pairs:list, +Tolerance, -Contacts:list) is det.
 %
 %   Contacts are Pairs, in order, and the other pairs of the same segments whose
-%   boxes are not farther apart than Tolerance. A segment with itself is none.
+%   boxes are not farther apart than Tolerance. A segment with itself is none,
+%   but if it is a join (joined_segment/1).
 
 contact_pairs(Pairs0, Tolerance, Contacts) :-
     touching_pairs(Pairs0, Pairs),
@@ -52,9 +54,10 @@ pairs_contacts(Pairs, Tolerance, Contacts) :-
 %   says.
 
 touching_pairs(Pairs, Contacts) :-
-    exclude(is_self, Pairs, Contacts).
+    exclude(is_one_body, Pairs, Contacts).
 
-is_self(S-S).
+is_one_body(S-S) :-
+    \+ joined_segment(S).
 
 %!  met_pairs(+All:list, +Pairs:list, +Tolerance, -Met:list) is det.
 %

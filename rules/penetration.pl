@@ -10,6 +10,7 @@
             touching/2,                 % +Options, -Tolerance
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
+:- use_module(csg_record, [joined_segment/1]).
 :- use_module(csg_roots, [aside_segments/1]).
 :- use_module(cut_rows,
               [ write_vertices/1, write_lines/1, write_polygon/2, split_curves/2
@@ -37,7 +38,8 @@
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [segment/3, facts_snapshot/1, facts_transaction/1]).
-:- autoload(library(apply), [exclude/3, include/3, maplist/2, maplist/3]).
+:- autoload(library(apply),
+            [exclude/3, include/3, maplist/2, maplist/3, partition/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
 :- autoload(library(lists), [append/3, member/2]).
@@ -113,7 +115,9 @@ penetrate :-
 %   The same for the segments S1-S2 of the list Pairs only. S-S is the segment S
 %   with itself: where it goes through itself or lies on itself, but not where
 %   its triangles are neighbours (share vertices). Nothing is made to touch
-%   inside S first. Its lines have S1 = S2, and an edge pair in each polygon.
+%   inside S first, unless it is a join (joined_segment/1): then each part of it
+%   that hangs together is made to touch the others. Its lines have S1 = S2, and
+%   an edge pair in each polygon.
 
 penetrate(Pairs) :-
     penetrate(Pairs, []).
@@ -129,7 +133,7 @@ penetrate(Pairs) :-
 %
 %     - themselves(true)
 %     With `all`: the segments that go through themselves
-%     (segment_meets_itself/1) are also cut by themselves.
+%     (segment_meets_itself/1) are also cut by themselves, and joins.
 %
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
 %          polygon P cannot be triangulated
@@ -156,8 +160,10 @@ pairs_with_themselves(Pairs) :-
               \+ were_cut(S, S)
             ),
             Ss),
-    segments_meeting_themselves(Ss, Meeting),
-    findall(S-S, member(S, Meeting), Pairs).
+    partition(joined_segment, Ss, Joins, Others),
+    segments_meeting_themselves(Others, Meeting),
+    findall(S-S, ( member(S, Joins) ; member(S, Meeting) ), Pairs0),
+    sort(Pairs0, Pairs).
 
 pairs_to_cut(all, Tolerance, Pairs) :-
     !,

@@ -332,7 +332,7 @@ check_join(const mesh *m, size_t *kept, size_t *met)
   bool found[MOST][MOST] = {0};
   sg_bvh_hits hits;
 
-  CHECK("joined", sg_self_leaf_join(m->tree, &m->views, NULL, NULL, &hits));
+  CHECK("joined", sg_self_leaf_join(m->tree, &m->views, 0, NULL, NULL, &hits));
   for (size_t i = 0; i < hits.n; i++) {
     uint32_t a = m->tree->boxes->item[hits.hit[i].a];
     uint32_t b = m->tree->boxes->item[hits.hit[i].b];
