@@ -326,6 +326,35 @@ arrangement_polygons(term_t t, term_t works, term_t r)
   return good;
 }
 
+/* Pieces are kept for long: of all that was there when they were made only
+ * what is theirs. */
+static int
+keep_own_rows_ex(sg_arrangement_handle *h)
+{
+  sg_cut_handle *set = h->set;
+  uint64_t relations = UINT64_C(1) << SG_V | UINT64_C(1) << SG_T;
+  sg_leaf_views views;
+
+  for (size_t i = 0; i < h->n; i++) {
+    relations |= (uint64_t)h->own[i]->curve << SG_E;
+  }
+  const sg_version *own =
+      sg_version_narrow(set->version, relations, h->s, h->n);
+
+  if (!own) {
+    return sg_no_memory();
+  }
+  if (!sg_leaf_views_ex(own, &views)) {
+    sg_version_drop(own);
+    return FALSE;
+  }
+  sg_leaf_views_clear(&set->views);
+  sg_version_drop(set->version);
+  set->views = views;
+  set->version = own;
+  return TRUE;
+}
+
 static foreign_t
 arrangement_seal(term_t t)
 {
@@ -344,7 +373,7 @@ arrangement_seal(term_t t)
   if (!good) {
     return PL_exception(0) ? FALSE : sg_no_memory();
   }
-  return sg_make_origins_ex(h);
+  return sg_make_origins_ex(h) && keep_own_rows_ex(h);
 }
 
 /* ---- components ---- */

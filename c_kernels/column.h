@@ -34,6 +34,7 @@ typedef struct sg_column {
 typedef struct sg_view {
   size_t pages;
   const uint64_t *const *live; /* [pages][SG_LIVE_WORDS], bit = row lives */
+  const uint64_t *none; /* live[i] of pages without a live row, or null */
   sg_column column[SG_MAX_COLUMNS];
 } sg_view;
 

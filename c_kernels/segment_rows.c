@@ -150,6 +150,9 @@ sg_segment_rows_find(const sg_view *view, const int32_t *wanted, size_t n,
 
   *out = (sg_segment_rows){0};
   for (size_t page = 0; page < view->pages && good; page++) {
+    if (view->live[page] == view->none) {
+      continue;
+    }
     walk_page(&w, view->live[page], view->column[0].page[page].i,
               (uint32_t)page * SG_PAGE_ROWS);
     good = !w.failed && !(page % 64 == 63 && sg_poll_stop(poll));
@@ -190,13 +193,30 @@ wanted_bits(walk *w, uint64_t live, const int32_t *s)
   return bits;
 }
 
+/* Of the live rows of a page those of wanted segments. */
+static void
+want_page(walk *w, const sg_view *view, size_t page, uint64_t *out)
+{
+  for (size_t k = 0; k < SG_LIVE_WORDS; k++) {
+    uint64_t bits = view->live[page][k];
+
+    out[k] =
+        bits ? wanted_bits(w, bits, view->column[0].page[page].i + k * 64) : 0;
+  }
+}
+
 bool
 sg_segment_view_make(const sg_view *view, const int32_t *wanted, size_t n,
                      sg_view *out)
 {
   walk w = {.wanted = wanted, .segments = n, .which = n};
   const uint64_t **live = malloc((view->pages + 1) * sizeof *live);
-  uint64_t *word = malloc((view->pages + 1) * SG_LIVE_WORDS * sizeof *word);
+  size_t lived = 0; /* pages with rows */
+
+  for (size_t page = 0; page < view->pages; page++) {
+    lived += view->live[page] != view->none;
+  }
+  uint64_t *word = malloc((lived + 1) * SG_LIVE_WORDS * sizeof *word);
 
   *out = *view;
   out->live = live;
@@ -206,17 +226,13 @@ sg_segment_view_make(const sg_view *view, const int32_t *wanted, size_t n,
     out->live = NULL;
     return false;
   }
-  live[0] = word; /* so that it can be freed */
+  live[view->pages] = word; /* so that it can be freed */
   for (size_t page = 0; page < view->pages; page++) {
-    uint64_t *out_word = word + page * SG_LIVE_WORDS;
-
-    live[page] = out_word;
-    for (size_t k = 0; k < SG_LIVE_WORDS; k++) {
-      uint64_t bits = view->live[page][k];
-
-      out_word[k] =
-          bits ? wanted_bits(&w, bits, view->column[0].page[page].i + k * 64)
-               : 0;
+    live[page] = view->none;
+    if (view->live[page] != view->none) {
+      want_page(&w, view, page, word);
+      live[page] = word;
+      word += SG_LIVE_WORDS;
     }
   }
   return true;
@@ -226,7 +242,7 @@ void
 sg_segment_view_clear(sg_view *view)
 {
   if (view->live) {
-    free((uint64_t *)view->live[0]);
+    free((uint64_t *)view->live[view->pages]);
     free((const uint64_t **)view->live);
   }
   *view = (sg_view){0};

@@ -15,6 +15,7 @@
 #include "column.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 
 /* Cells of one column, of the rows of one page; a list has room for its length,
  * which is its first word, and its ids. */
@@ -27,7 +28,8 @@ typedef union sg_blank {
 typedef struct sg_sheet_page {
   size_t from; /* the first of these rows, of the sheet */
   size_t n;
-  bool refs; /* the store's: its lists and terms are there, or null */
+  uint32_t slot; /* the store's: of the first of them */
+  bool refs;     /* the store's: its lists and terms are there, or null */
   sg_blank column[SG_MAX_COLUMNS];
 } sg_sheet_page;
 

@@ -20,13 +20,15 @@ is_ref(const sg_table *table, unsigned c)
 
 /* ---- room -------------------------------------------------------------- */
 
-/* The cells of the rows that lie on one page of the table; no lists yet. */
+/* The cells of out->n rows from `first` on, all on one page of the table; no
+ * lists yet. */
 static void
 lay_out(const sg_table *table, sg_row first, sg_sheet_page *out)
 {
   const sg_page *page = sg_table_page(table, first);
   unsigned place = first % SG_PAGE_ROWS;
 
+  out->slot = first;
   out->refs = false;
   for (unsigned c = 0; c < table->info->arity; c++) {
     if (table->info->column[c].type == SG_FLOAT) {
@@ -39,6 +41,8 @@ lay_out(const sg_table *table, sg_row first, sg_sheet_page *out)
   }
 }
 
+/* In vacancies, if they hold all of the rows, else at the end: only the first
+ * part may begin within a page. */
 bool
 sg_append_begin(sg_append *a, sg_world *world, sg_relation relation, size_t n)
 {
@@ -46,24 +50,24 @@ sg_append_begin(sg_append *a, sg_world *world, sg_relation relation, size_t n)
   sg_sheet *sheet = &a->sheet;
 
   *a = (sg_append){.world = world, .relation = relation};
-  sg_world_sweep_if_worth(world, relation);
-  a->first = table->slots;
-  if (!sg_table_reserve(table, n)) {
-    return false;
-  }
-  sheet->place = a->first % SG_PAGE_ROWS;
+  sg_world_sweep_if_worth(world, relation, n);
+  bool again = sg_table_vacancies(table) >= n;
+  sg_row row = again ? sg_table_vacancy(table) : table->slots;
+
+  sheet->place = row % SG_PAGE_ROWS;
   sheet->page = malloc((n / SG_PAGE_ROWS + 2) * sizeof(*sheet->page));
-  if (!sheet->page) {
+  if (!sheet->page || !(again || sg_table_reserve(table, n))) {
     return false;
   }
   while (sheet->rows < n) {
     sg_sheet_page *page = &sheet->page[sheet->pages++];
-    sg_row first = a->first + (sg_row)sheet->rows;
-    size_t room = SG_PAGE_ROWS - first % SG_PAGE_ROWS;
+    size_t room = SG_PAGE_ROWS - row % SG_PAGE_ROWS;
     page->from = sheet->rows;
     page->n = n - page->from < room ? n - page->from : room;
-    lay_out(table, first, page);
+    lay_out(table, row, page);
     sheet->rows += page->n;
+    row = again && sheet->rows < n ? sg_table_next_vacancy(table, row)
+                                   : row + (sg_row)page->n;
   }
   return true;
 }
@@ -71,7 +75,9 @@ sg_append_begin(sg_append *a, sg_world *world, sg_relation relation, size_t n)
 void
 sg_append_end(sg_append *a)
 {
-  sg_append_shorten(a, 0);
+  if (!a->shown) {
+    sg_append_shorten(a, 0);
+  }
   free(a->sheet.page);
   a->sheet.page = NULL;
 }
@@ -129,18 +135,12 @@ set_bits(uint64_t *word, size_t place, size_t count)
   }
 }
 
-static sg_row
-first_of(const sg_append *a, size_t page)
-{
-  return a->first + (sg_row)a->sheet.page[page].from;
-}
-
 /* The bitmaps of the rows' pages, to be written. False: no memory. */
 static bool
 own_pages(const sg_append *a, sg_map *map)
 {
   for (size_t k = 0; k < a->sheet.pages; k++) {
-    sg_row row = first_of(a, k);
+    sg_row row = a->sheet.page[k].slot;
     if (!sg_map_own_live(map, sg_table_page(table_of(a), row),
                          row / SG_PAGE_ROWS)) {
       return false;
@@ -217,6 +217,19 @@ note_ids(const sg_append *a, sg_map *map)
   return true;
 }
 
+/* Indexes have not seen n rows from `row` on, on one page. */
+static void
+keep_from_indexes(sg_table *table, sg_row row, size_t n)
+{
+  for (unsigned i = 0; i < table->indexes; i++) {
+    if (row >= table->slots) {
+      sg_index_wait(&table->index[i], row);
+    } else {
+      sg_index_be_late(&table->index[i], row, n);
+    }
+  }
+}
+
 bool
 sg_append_show(sg_append *a)
 {
@@ -228,21 +241,19 @@ sg_append_show(sg_append *a)
     return false;
   }
   for (size_t k = 0; k < sheet->pages; k++) {
-    sg_row row = first_of(a, k);
+    sg_row row = sheet->page[k].slot;
+    size_t n = sheet->page[k].n;
     sg_page *page = sg_table_page(table, row);
     sg_live *live = sg_map_own_live(map, page, row / SG_PAGE_ROWS);
-    sg_page_show(page, row % SG_PAGE_ROWS, sheet->page[k].n);
-    set_bits(page->taken, row % SG_PAGE_ROWS, sheet->page[k].n);
-    set_bits(live->word, row % SG_PAGE_ROWS, sheet->page[k].n);
-  }
-  for (unsigned i = 0; i < table->indexes; i++) {
-    sg_index_wait(&table->index[i], a->first);
+    sg_page_show(page, row % SG_PAGE_ROWS, n);
+    set_bits(page->taken, row % SG_PAGE_ROWS, n);
+    set_bits(live->word, row % SG_PAGE_ROWS, n);
+    keep_from_indexes(table, row, n);
+    sg_table_fill(table, row, n);
   }
   map->rows += sheet->rows;
-  table->slots += (sg_row)sheet->rows;
   table->written += sheet->rows;
-  sheet->rows = sheet->pages = 0; /* they are the table's now */
-  return true;
+  return a->shown = true; /* the rows are the table's now */
 }
 
 /* ---- for everybody ----------------------------------------------------- */
@@ -303,12 +314,11 @@ sg_append_terms(sg_append *a, size_t page, unsigned column,
 bool
 sg_append_commit(sg_append *a)
 {
-  sg_sheet sheet = a->sheet;
   bool good = true;
 
   sg_world_enter(a->world);
-  if (sheet.rows > 0 && (good = sg_append_show(a))) {
-    sg_runs_add(table_of(a), &sheet, a->first);
+  if (a->sheet.rows > 0 && (good = sg_append_show(a))) {
+    sg_runs_add(table_of(a), &a->sheet);
     sg_world_changed(a->world);
   }
   sg_world_leave(a->world);

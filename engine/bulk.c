@@ -12,7 +12,7 @@ typedef struct load {
   const sg_relation_info *info;
   size_t n;
   const void *const *column;
-  sg_row first; /* the first slot; the others follow it */
+  sg_append append; /* of them */
   sg_fault *fault;
 } load;
 
@@ -167,17 +167,39 @@ copy_page(const load *l, const sg_sheet_page *page)
 static sg_status
 write_rows(load *l)
 {
-  sg_append a;
-  bool good = sg_append_begin(&a, l->world, l->relation, l->n);
+  sg_append *a = &l->append;
+  bool good = sg_append_begin(a, l->world, l->relation, l->n);
 
-  l->first = a.first;
-  for (size_t k = 0; good && k < a.sheet.pages; k++) {
-    sg_append_want_refs(&a, k);
-    good = copy_page(l, &a.sheet.page[k]);
+  for (size_t k = 0; good && k < a->sheet.pages; k++) {
+    sg_append_want_refs(a, k);
+    good = copy_page(l, &a->sheet.page[k]);
   }
-  good = good && sg_append_show(&a);
-  sg_append_end(&a);
-  return good ? SG_OK : SG_NO_MEMORY;
+  return good && sg_append_show(a) ? SG_OK : SG_NO_MEMORY;
+}
+
+static sg_row
+slot_of(const load *l, size_t i)
+{
+  sg_sheet_place at = sg_sheet_at(&l->append.sheet, i);
+
+  return at.page->slot + (sg_row)at.at;
+}
+
+/* Slots at the end are free again at once; a sweep finds the others. */
+static void
+give_back(const load *l)
+{
+  sg_table *table = l->table;
+
+  for (size_t k = l->append.sheet.pages; k-- > 0;) {
+    const sg_sheet_page *page = &l->append.sheet.page[k];
+    if (page->slot + page->n == table->slots) {
+      table->slots = page->slot;
+    }
+  }
+  for (unsigned i = 0; i < table->indexes; i++) {
+    sg_index_wait(&table->index[i], table->slots);
+  }
 }
 
 /* Takes the rows back. */
@@ -187,7 +209,7 @@ hide(const load *l)
   sg_map *map = sg_world_own_map(l->world, l->relation); /* it is owned */
 
   for (size_t i = l->n; i-- > 0;) {
-    sg_row row = l->first + (sg_row)i;
+    sg_row row = slot_of(l, i);
     sg_live *live =
         sg_map_own_live(map, sg_table_page(l->table, row), row / SG_PAGE_ROWS);
     live->word[row % SG_PAGE_ROWS / 64] &= ~(UINT64_C(1) << row % 64);
@@ -195,8 +217,7 @@ hide(const load *l)
     sg_table_vacate(l->table, row);
   }
   map->rows -= l->n;
-  l->table->slots = l->first;
-  sg_index_wait(&l->table->index[0], l->first);
+  give_back(l);
 }
 
 /* Enters the rows in the key's index, each with a key of its own. The other
@@ -214,13 +235,13 @@ link_keys(const load *l)
     hide(l);
     return SG_NO_MEMORY;
   }
+  sg_index_catch_up(index, l->table);
   for (size_t i = 0; i < l->n; i++) {
-    if (!sg_table_link_key(l->table, map, l->first + (sg_row)i)) {
+    if (!sg_table_link_key(l->table, map, slot_of(l, i))) {
       hide(l);
       *l->fault = (sg_fault){.row = i};
       return SG_EXISTS;
     }
-    index->linked++;
   }
   return SG_OK;
 }
@@ -240,7 +261,9 @@ add_many(load *l)
     return SG_NO_MEMORY;
   }
   status = write_rows(l);
-  return status == SG_OK ? link_keys(l) : status;
+  status = status == SG_OK ? link_keys(l) : status;
+  sg_append_end(&l->append);
+  return status;
 }
 
 sg_status

@@ -134,6 +134,7 @@ sg_index_clear(sg_index *index)
   index->bits = 0;
   index->links = index->pages = index->link_room = index->link_used = 0;
   index->linked = 0;
+  index->lates = 0;
   index->free = SG_NO_ROW;
 }
 
@@ -382,6 +383,20 @@ add_row(sg_index *index, const sg_table *table, sg_row row)
   return true;
 }
 
+/* Takes the link that *from says out of its chain. */
+static void
+unchain_at(sg_index *index, uint32_t *from)
+{
+  uint32_t at = *from;
+
+  *from = *next_of(index, at);
+  if (index->members) {
+    index->link[at].next = index->free;
+    index->free = at;
+  }
+  index->links--;
+}
+
 /* Takes one link of `row` out of a chain; false: there is none. */
 static bool
 unchain(sg_index *index, uint64_t hash, sg_row row)
@@ -394,15 +409,7 @@ unchain(sg_index *index, uint64_t hash, sg_row row)
   if (*from == SG_NO_ROW) {
     return false;
   }
-  if (index->members) {
-    uint32_t at = *from;
-    *from = index->link[at].next;
-    index->link[at].next = index->free;
-    index->free = at;
-  } else {
-    *from = *next_of(index, *from);
-  }
-  index->links--;
+  unchain_at(index, from);
   return true;
 }
 
@@ -421,10 +428,21 @@ remove_row(sg_index *index, const sg_table *table, sg_row row)
 
 /* ---- rows that come and go --------------------------------------------- */
 
+static bool
+is_late(const sg_index *index, sg_row row)
+{
+  for (unsigned k = 0; k < index->lates; k++) {
+    if (row >= index->late[k].begin && row < index->late[k].end) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void
 sg_index_link(sg_index *index, const sg_table *table, sg_row row)
 {
-  if (!index->head || row > index->linked) {
+  if (!index->head || row > index->linked || is_late(index, row)) {
     return;
   }
   if (!add_row(index, table, row)) {
@@ -437,7 +455,7 @@ sg_index_link(sg_index *index, const sg_table *table, sg_row row)
 void
 sg_index_unlink(sg_index *index, const sg_table *table, sg_row row)
 {
-  if (index->head && row < index->linked) {
+  if (index->head && row < index->linked && !is_late(index, row)) {
     remove_row(index, table, row);
   }
 }
@@ -445,15 +463,67 @@ sg_index_unlink(sg_index *index, const sg_table *table, sg_row row)
 void
 sg_index_wait(sg_index *index, sg_row first)
 {
+  unsigned n = 0;
+
   if (index->linked > first) {
     index->linked = first;
+  }
+  for (unsigned k = 0; k < index->lates; k++) {
+    sg_rows late = index->late[k];
+    late.end = late.end < first ? late.end : first;
+    if (late.begin < late.end) {
+      index->late[n++] = late;
+    }
+  }
+  index->lates = n;
+}
+
+void
+sg_index_be_late(sg_index *index, sg_row row, size_t n)
+{
+  sg_rows *last = index->lates ? &index->late[index->lates - 1] : NULL;
+  sg_row end = row + (sg_row)n;
+
+  end = end < index->linked ? end : index->linked;
+  if (end <= row) {
+    return; /* they wait anyway */
+  }
+  if (last && last->end == row) {
+    last->end = end;
+  } else if (index->lates < SG_MOST_LATE) {
+    index->late[index->lates++] = (sg_rows){row, end};
+  } else {
+    sg_index_clear(index);
+  }
+}
+
+void
+sg_index_catch_up(sg_index *index, const sg_table *table)
+{
+  index->linked = table->slots;
+  index->lates = 0;
+}
+
+void
+sg_index_sweep(sg_index *index, const sg_table *table)
+{
+  size_t heads = index->head ? (size_t)1 << index->bits : 0;
+
+  for (size_t i = 0; i < heads; i++) {
+    for (uint32_t *from = &index->head[i]; *from != SG_NO_ROW;) {
+      if (sg_table_taken(table, sg_index_row(index, *from))) {
+        from = next_of(index, *from);
+      } else {
+        unchain_at(index, from);
+      }
+    }
   }
 }
 
 bool
 sg_index_is_whole(const sg_index *index, const sg_table *table)
 {
-  return index->head && index->linked >= table->slots;
+  return index->head && index->linked >= table->slots && index->lates == 0;
 }
 
 /* Rows in runs are not in the key's index. */
@@ -469,37 +539,65 @@ waiting(const sg_index *index, const sg_table *table)
 {
   size_t rows = table->slots > index->linked ? table->slots - index->linked : 0;
 
-  return leaves_runs_out(index, table)
-             ? rows - sg_runs_rows(table, index->linked)
-             : rows;
+  if (leaves_runs_out(index, table)) {
+    rows -= sg_runs_rows(table, index->linked);
+  }
+  for (unsigned k = 0; k < index->lates; k++) {
+    rows += index->late[k].end - index->late[k].begin;
+  }
+  return rows;
+}
+
+/* The first run that is not before `row`; SG_NO_ROW: none that matters. */
+static sg_rows
+next_run(const sg_index *index, const sg_table *table, sg_row row)
+{
+  sg_rows run = {SG_NO_ROW, SG_NO_ROW};
+
+  if (leaves_runs_out(index, table)) {
+    sg_runs_next(table, row, &run.begin, &run.end);
+  }
+  return run;
+}
+
+/* Links rows from *row on, and moves it on to `end`, or as far as *left slots
+ * go. False: no memory. */
+static bool
+link_rows(sg_index *index, const sg_table *table, sg_row *row, sg_row end,
+          sg_row *left)
+{
+  sg_rows run = next_run(index, table, *row);
+
+  while (*row<end && * left> 0) {
+    --*left;
+    if (*row == run.begin) {
+      *row = run.end < end ? run.end : end;
+      run = next_run(index, table, *row);
+      continue;
+    }
+    if (sg_table_taken(table, *row) && !add_row(index, table, *row)) {
+      return false;
+    }
+    ++*row;
+  }
+  return true;
 }
 
 bool
 sg_index_build_some(sg_index *index, const sg_table *table, sg_row rows)
 {
-  sg_row begin = SG_NO_ROW, end = SG_NO_ROW; /* of the next run */
+  bool good = reserve_heads(index, table, index->links + waiting(index, table));
 
-  if (!reserve_heads(index, table, index->links + waiting(index, table))) {
+  while (good && index->lates > 0 && rows > 0) {
+    sg_rows *late = &index->late[index->lates - 1];
+    good = link_rows(index, table, &late->begin, late->end, &rows);
+    index->lates -= late->begin == late->end;
+  }
+  good = good && link_rows(index, table, &index->linked, table->slots, &rows);
+  if (!good) {
     sg_index_clear(index);
-    return false;
   }
-  if (leaves_runs_out(index, table)) {
-    sg_runs_next(table, index->linked, &begin, &end);
-  }
-  for (; index->linked < table->slots && rows > 0; rows--) {
-    if (index->linked == begin) {
-      index->linked = end;
-      sg_runs_next(table, end, &begin, &end);
-      continue;
-    }
-    if (sg_table_taken(table, index->linked) &&
-        !add_row(index, table, index->linked)) {
-      sg_index_clear(index);
-      return false;
-    }
-    index->linked++;
-  }
-  return true;
+  return good;
 }
 
 bool
@@ -536,19 +634,17 @@ bool
 sg_index_is_valid(const sg_index *index, const sg_table *table)
 {
   size_t links = 0;
-  sg_row begin = SG_NO_ROW, end = SG_NO_ROW; /* of the next run */
+  sg_rows run = next_run(index, table, 0);
 
-  if (leaves_runs_out(index, table)) {
-    sg_runs_next(table, 0, &begin, &end);
-  }
   if (!index->head) {
-    return index->linked == 0 && index->links == 0;
+    return index->linked == 0 && index->links == 0 && index->lates == 0;
   }
   for (sg_row row = 0; row < table->slots && row < index->linked; row++) {
-    if (row >= end) {
-      sg_runs_next(table, row, &begin, &end);
+    if (row >= run.end) {
+      run = next_run(index, table, row);
     }
-    if (!sg_table_taken(table, row) || (row >= begin && row < end)) {
+    if (!sg_table_taken(table, row) || is_late(index, row) ||
+        (row >= run.begin && row < run.end)) {
       continue;
     }
     if (!index->members) {

@@ -3,7 +3,8 @@
  * Layer: store, private. An index holds hints: every taken row of its table
  * below `linked`, whatever version shows it; the caller checks row and version.
  * Rows that are written behind those in bulk wait until the index is used, so
- * that nobody pays for an index that nobody asks. Growing rebuilds the heads
+ * that nobody pays for an index that nobody asks; so do rows that are *late*:
+ * written in bulk where rows had been before. Growing rebuilds the heads
  * and moves no row. Ids next to one another share a cache
  * line of heads, so that loading and walking in id order is fast.
  *
@@ -24,11 +25,20 @@ typedef struct sg_link {
   uint32_t next;
 } sg_link;
 
+/* Rows begin .. end - 1. */
+typedef struct sg_rows {
+  sg_row begin, end;
+} sg_rows;
+
+enum { SG_MOST_LATE = 64 };
+
 typedef struct sg_index {
   const char *name; /* these three never change: read without a lock */
   uint16_t mask;
   bool members;
-  sg_row linked;   /* the taken rows below are linked, no others */
+  sg_row linked; /* the taken rows below that are not late are linked */
+  sg_rows late[SG_MOST_LATE]; /* waiting rows below `linked` */
+  unsigned lates;
   unsigned bits;   /* 2^bits heads */
   uint32_t *head;  /* row or link, SG_NO_ROW: none; null: nothing is linked */
   size_t links;    /* chained at present */
@@ -57,6 +67,13 @@ void sg_index_link(sg_index *index, const struct sg_table *table, sg_row row);
 void sg_index_unlink(sg_index *index, const struct sg_table *table, sg_row row);
 /* Slots from here on are free, and get new rows, which wait. */
 void sg_index_wait(sg_index *index, sg_row first);
+/* n free slots from `row` on get new rows, which wait. An index that was not
+ * asked for long is forgotten. */
+void sg_index_be_late(sg_index *index, sg_row row, size_t n);
+/* The rows that wait are now linked one by one, by sg_index_chain(). */
+void sg_index_catch_up(sg_index *index, const struct sg_table *table);
+/* Rows that are taken no more are unlinked. */
+void sg_index_sweep(sg_index *index, const struct sg_table *table);
 
 /* Room for every slot of the table, and n links more. False: no memory. */
 bool sg_index_reserve(sg_index *index, const struct sg_table *table, size_t n);

@@ -118,6 +118,7 @@ static void
 go_on(sg_runs *runs, sg_run *run, const sg_run *next)
 {
   bool on = run->n > 0 && next->n > 0 && run->s == next->s &&
+            run->row + run->n == next->row &&
             (int64_t)run->id + run->n == next->id;
 
   if (on) {
@@ -130,21 +131,20 @@ go_on(sg_runs *runs, sg_run *run, const sg_run *next)
 
 /* A page of ids is all one run, or in none. */
 static void
-add_ids(sg_runs *runs, const sg_sheet_page *page, unsigned column, sg_row row,
-        sg_run *run)
+add_ids(sg_runs *runs, const sg_sheet_page *page, unsigned column, sg_run *run)
 {
   const int32_t *s = page->column[0].i, *id = page->column[column].i;
   sg_run next = {0};
 
   if (is_run(s, id, page->n)) {
-    next = (sg_run){s[0], id[0], row, (sg_row)page->n};
+    next = (sg_run){s[0], id[0], page->slot, (sg_row)page->n};
   }
   go_on(runs, run, &next);
 }
 
 /* The same where the ids are those of terms v(N), one by one. */
 static void
-add_terms(sg_runs *runs, const sg_sheet_page *page, unsigned column, sg_row row,
+add_terms(sg_runs *runs, const sg_sheet_page *page, unsigned column,
           sg_run *run)
 {
   const int32_t *s = page->column[0].i;
@@ -152,32 +152,30 @@ add_terms(sg_runs *runs, const sg_sheet_page *page, unsigned column, sg_row row,
 
   for (size_t i = 0; i < page->n; i++) {
     int32_t id = sg_term_vertex((const uint32_t *)term[i]);
-    sg_run next = {s[i], id, row + (sg_row)i, id > 0};
+    sg_run next = {s[i], id, page->slot + (sg_row)i, id > 0};
 
     go_on(runs, run, &next);
   }
 }
 
 void
-sg_runs_add(sg_table *table, const sg_sheet *sheet, sg_row first)
+sg_runs_add(sg_table *table, const sg_sheet *sheet)
 {
   unsigned column = id_column(table);
   sg_run run = {0};
 
   for (size_t k = 0; column && k < sheet->pages; k++) {
     const sg_sheet_page *page = &sheet->page[k];
-    sg_row row = first + (sg_row)page->from;
-
     if (table->info->column[column].type == SG_TERM) {
-      add_terms(&table->keys, page, column, row, &run);
+      add_terms(&table->keys, page, column, &run);
     } else {
-      add_ids(&table->keys, page, column, row, &run);
+      add_ids(&table->keys, page, column, &run);
     }
   }
   insert(&table->keys, &run);
 }
 
-/* The newest run first: older ones are mostly of rows kept for undo. */
+/* The last run first: others are mostly of rows kept for undo. */
 sg_row
 sg_runs_find(const sg_table *table, const sg_map *map, const sg_value *key)
 {

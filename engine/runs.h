@@ -34,7 +34,7 @@ void sg_runs_clear(sg_runs *runs);
 
 /* Remembers the runs among rows that were just written, those of one sheet.
  * Short ones, and those for which there is no room, are left to the index. */
-void sg_runs_add(struct sg_table *table, const sg_sheet *sheet, sg_row first);
+void sg_runs_add(struct sg_table *table, const sg_sheet *sheet);
 /* The id in the key of a row; 0: none. */
 int32_t sg_runs_id(const struct sg_table *table, sg_row row);
 /* The row of a key that is in a run and that the map shows, SG_NO_ROW: none.

@@ -108,6 +108,42 @@ sg_version_drop(const sg_version *version)
   sg_world_let_go(world);
 }
 
+/* The maps of a new version; false: no memory. */
+static bool
+narrow_maps(sg_version *out, const sg_version *from, uint64_t relations,
+            const int32_t *s, size_t n)
+{
+  for (int r = 0; r < SG_RELATIONS; r++) {
+    if (from->map[r] && (relations >> r & 1)) {
+      out->map[r] = sg_map_narrow(from->map[r], s, n);
+      if (!out->map[r]) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+const sg_version *
+sg_version_narrow(const sg_version *version, uint64_t relations,
+                  const int32_t *s, size_t n)
+{
+  sg_world *world = version->world;
+  sg_version *out;
+
+  pthread_mutex_lock(&world->lock);
+  out = version_new(world, NULL);
+  if (out && !narrow_maps(out, version, relations, s, n)) {
+    version_free(out);
+    out = NULL;
+  }
+  pthread_mutex_unlock(&world->lock);
+  if (out) {
+    sg_world_keep(world);
+  }
+  return out;
+}
+
 sg_version *
 sg_world_own(sg_world *world)
 {

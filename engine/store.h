@@ -128,6 +128,13 @@ void *sg_world_add_note(sg_world *world, sg_note which, void *note,
 /* The version at this moment; drop it when done (from any thread). */
 const sg_version *sg_world_version(sg_world *world);
 sg_world *sg_version_world(const sg_version *version);
+/* A version that shows of n segments (ascending) what this one does in the
+ * relations of a mask (bit sg_relation), whose column 0 is a segment, and
+ * nothing else: for who looks at few rows for long, and should not keep the
+ * others from being used again. Drop it when done. Null: no memory. */
+const sg_version *sg_version_narrow(const sg_version *version,
+                                    uint64_t relations, const int32_t *s,
+                                    size_t n);
 void sg_version_drop(const sg_version *version);
 
 /* Changes, each checked against the schema: keys and references. */
@@ -159,8 +166,8 @@ sg_status sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
 typedef struct sg_append {
   sg_world *world;
   sg_relation relation;
-  sg_row first; /* the slot of row 0; the others follow it */
   sg_sheet sheet;
+  bool shown;
 } sg_append;
 
 /* Room for n rows. False: no memory, and it is closed. */

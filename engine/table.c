@@ -137,6 +137,57 @@ sg_table_reserve(sg_table *table, size_t n)
   return true;
 }
 
+size_t
+sg_table_vacancies(const sg_table *table)
+{
+  return table->rest_end - table->rest + table->vacant * SG_PAGE_ROWS;
+}
+
+/* The first slot of the first vacant page from this one on. */
+static sg_row
+vacant_from(const sg_table *table, size_t number)
+{
+  while (number < table->pages && !table->page[number]->vacant) {
+    number++;
+  }
+  return (sg_row)(number * SG_PAGE_ROWS);
+}
+
+sg_row
+sg_table_vacancy(const sg_table *table)
+{
+  return table->rest < table->rest_end ? table->rest
+                                       : vacant_from(table, table->next_vacant);
+}
+
+sg_row
+sg_table_next_vacancy(const sg_table *table, sg_row row)
+{
+  size_t number = row / SG_PAGE_ROWS + 1;
+
+  return vacant_from(table,
+                     number > table->next_vacant ? number : table->next_vacant);
+}
+
+void
+sg_table_fill(sg_table *table, sg_row row, size_t n)
+{
+  sg_page *page = sg_table_page(table, row);
+  sg_row end = row + (sg_row)n;
+
+  if (row >= table->slots) {
+    table->slots = end;
+    return;
+  }
+  if (page->vacant) {
+    page->vacant = false;
+    table->vacant--;
+    table->next_vacant = row / SG_PAGE_ROWS + 1;
+    table->rest_end = row / SG_PAGE_ROWS * SG_PAGE_ROWS + SG_PAGE_ROWS;
+  }
+  table->rest = end;
+}
+
 /* A place from the empty stack of the first page that has one. */
 static sg_row
 slot_pop(sg_table *table)
@@ -158,7 +209,10 @@ sg_table_slot(sg_table *table)
 {
   sg_row row = slot_pop(table);
 
-  if (row == SG_NO_ROW && sg_table_reserve(table, 1)) {
+  if (row == SG_NO_ROW && sg_table_vacancies(table) > 0) {
+    row = sg_table_vacancy(table);
+    sg_table_fill(table, row, 1);
+  } else if (row == SG_NO_ROW && sg_table_reserve(table, 1)) {
     row = table->slots++;
   }
   return row;
@@ -259,28 +313,84 @@ has_refs(const sg_table *table)
   return false;
 }
 
-/* Vacates what no map shows; returns how many. */
-static size_t
-sweep_page(sg_table *table, size_t number, sg_map *const *map, size_t maps)
+/* The taken rows of a page that no map shows. */
+typedef struct unseen {
+  const sg_live *last; /* the bitmap that was looked at last */
+  uint64_t word[SG_LIVE_WORDS];
+} unseen;
+
+/* Versions that follow one another mostly have the same bitmap. */
+static void
+see_page(unseen *page, const sg_live *live)
 {
-  sg_page *page = table->page[number];
+  for (unsigned w = 0; live != page->last && w < SG_LIVE_WORDS; w++) {
+    page->word[w] &= ~live->word[w];
+  }
+  page->last = live;
+}
+
+/* The same chunk in the map before was looked at with that. */
+static void
+see_map(unseen *page, const sg_map *map, const sg_map *before)
+{
+  for (size_t c = 0; c < map->chunks; c++) {
+    const sg_chunk *chunk = map->chunk[c];
+    if (!chunk || (before && c < before->chunks && before->chunk[c] == chunk)) {
+      continue;
+    }
+    for (size_t i = 0; i < SG_CHUNK_PAGES; i++) {
+      if (chunk->live[i]) {
+        see_page(&page[c * SG_CHUNK_PAGES + i], chunk->live[i]);
+      }
+    }
+  }
+}
+
+/* Of all pages. Null: no memory. */
+static unseen *
+find_unseen(const sg_table *table, sg_map *const *map, size_t maps)
+{
+  unseen *page = malloc((table->pages + 1) * sizeof *page);
+
+  for (size_t i = 0; page && i < table->pages; i++) {
+    page[i].last = NULL;
+    memcpy(page[i].word, table->page[i]->taken, sizeof page[i].word);
+  }
+  for (size_t m = 0; page && m < maps; m++) {
+    if (map[m]) {
+      see_map(page, map[m], m > 0 ? map[m - 1] : NULL);
+    }
+  }
+  return page;
+}
+
+/* Vacates what no map shows; false: that is nothing. */
+static bool
+sweep_page(sg_table *table, sg_page *page, const uint64_t *gone)
+{
   bool refs = has_refs(table);
-  size_t vacated = 0;
+  bool vacated = false;
 
   for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
-    uint64_t gone = page->taken[w];
-    for (size_t m = 0; gone && m < maps; m++) {
-      const sg_live *live = sg_map_live(map[m], number);
-      gone &= live ? ~live->word[w] : ~UINT64_C(0);
-    }
-    vacated += (size_t)__builtin_popcountll(gone);
-    for (uint64_t left = gone; refs && left; left &= left - 1) {
+    for (uint64_t left = gone[w]; refs && left; left &= left - 1) {
       give_refs(table, page, w * 64 + (unsigned)__builtin_ctzll(left),
                 table->info->arity);
     }
-    page->taken[w] &= ~gone;
+    page->taken[w] &= ~gone[w];
+    vacated = vacated || gone[w];
   }
   return vacated;
+}
+
+static bool
+has_taken(const sg_page *page)
+{
+  for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
+    if (page->taken[w]) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /* The last taken row and all before it stay slots, the rest is new again. */
@@ -295,7 +405,8 @@ trim_slots(sg_table *table)
   }
 }
 
-/* Puts every slot that is not taken on its page's stack, the first on top. */
+/* Puts every slot that is not taken on its page's stack, the first on top; a
+ * page without any is vacant. */
 static void
 stack_page(sg_table *table, size_t number)
 {
@@ -304,6 +415,11 @@ stack_page(sg_table *table, size_t number)
   unsigned end = 0;
 
   page->empties = 0;
+  page->vacant = first < table->slots && !has_taken(page);
+  if (page->vacant) {
+    table->vacant++;
+    return;
+  }
   if (first < table->slots) {
     size_t left = table->slots - first;
     end = left < SG_PAGE_ROWS ? (unsigned)left : SG_PAGE_ROWS;
@@ -326,24 +442,30 @@ stack_page(sg_table *table, size_t number)
 void
 sg_table_sweep(sg_table *table, sg_map *const *map, size_t maps)
 {
-  size_t vacated = 0;
+  unseen *gone = find_unseen(table, map, maps);
+  bool vacated = false;
 
-  for (size_t i = 0; i < table->pages; i++) {
-    vacated += sweep_page(table, i, map, maps);
+  for (size_t i = 0; gone && i < table->pages; i++) {
+    vacated = sweep_page(table, table->page[i], gone[i].word) || vacated;
   }
+  free(gone);
   if (sg_runs_sweep(table)) {
     sg_index_clear(&table->index[0]);
   }
+  for (unsigned i = 0; vacated && i < table->indexes; i++) {
+    sg_index_sweep(&table->index[i], table);
+  }
   trim_slots(table);
-  table->emptied = 0;
-  table->open = 0;
+  for (unsigned i = 0; i < table->indexes; i++) {
+    sg_index_wait(&table->index[i], table->slots);
+  }
+  table->emptied = table->open = 0;
+  table->vacant = table->next_vacant = 0;
+  table->rest = table->rest_end = 0;
   for (size_t i = 0; i < table->pages; i++) {
     stack_page(table, i);
   }
   table->written = 0;
-  for (unsigned i = 0; vacated > 0 && i < table->indexes; i++) {
-    sg_index_clear(&table->index[i]); /* built again at the next use */
-  }
 }
 
 sg_index *

@@ -34,7 +34,8 @@ typedef struct sg_page {
   uint64_t taken[SG_LIVE_WORDS];
   uint16_t *empty; /* the empty stack: null, or places below `slots` */
   unsigned empties;
-  bool fresh; /* the segments of column 0 are not zero where nobody wrote */
+  bool vacant; /* no slot was taken at the last sweep, nor since: for many */
+  bool fresh;  /* the segments of column 0 are not zero where nobody wrote */
 } sg_page;
 
 typedef struct sg_live {
@@ -72,11 +73,14 @@ typedef struct sg_table {
   const sg_relation_info *info;
   sg_page **page; /* [pages], of room page_room */
   size_t pages, page_room;
-  sg_row slots;   /* all slots ever written lie below */
-  size_t emptied; /* slots on empty stacks */
-  size_t open;    /* no page before this one has an empty slot */
-  size_t written; /* rows since the last sweep */
-  sg_runs keys;   /* rows that the key's index does not have */
+  sg_row slots;          /* all slots ever written lie below */
+  size_t emptied;        /* slots on empty stacks */
+  size_t open;           /* no page before this one has an empty slot */
+  size_t vacant;         /* pages that are vacant, all of them below `slots` */
+  size_t next_vacant;    /* no page before this one is vacant */
+  sg_row rest, rest_end; /* free slots of the last page that was vacant */
+  size_t written;        /* rows since the last sweep */
+  sg_runs keys;          /* rows that the key's index does not have */
   sg_arena arena;
   sg_index index[SG_MAX_INDEXES];
   unsigned indexes;
@@ -96,6 +100,9 @@ sg_map *sg_map_own(sg_map **map);
 sg_live *sg_map_own_live(sg_map *map, sg_page *page, size_t number);
 /* No row of a page lives any more, whose bitmap is owned: it goes. */
 void sg_map_empty_page(sg_map *map, size_t number);
+/* What the map shows of n segments (ascending), and no more. Null: no
+ * memory. */
+sg_map *sg_map_narrow(const sg_map *map, const int32_t *s, size_t n);
 int32_t sg_map_last_id(const sg_map *map, int32_t s);
 bool sg_map_used_id(sg_map *map, int32_t s, int32_t id); /* false: no memory */
 /* The stamp of a segment's rows, 0: none. Changing rows of a segment in an
@@ -160,10 +167,20 @@ void sg_page_show(sg_page *page, size_t place, size_t n);
 void sg_table_init(sg_table *table, sg_relation relation);
 void sg_table_clear(sg_table *table);
 
-/* A slot for one row: from an empty stack, or the end. SG_NO_ROW: no memory. */
+/* A slot for one row: from an empty stack, a vacant page, or the end.
+ * SG_NO_ROW: no memory. */
 sg_row sg_table_slot(sg_table *table);
 /* Room for n rows at the end; slots do not grow. */
 bool sg_table_reserve(sg_table *table, size_t n);
+/* Free slots for rows that are written many at a time, below the end: first
+ * the rest of a page, then whole ones, ascending. */
+size_t sg_table_vacancies(const sg_table *table);
+/* The first of them; and the first on the next page behind those of `row`'s.
+ * There are enough. */
+sg_row sg_table_vacancy(const sg_table *table);
+sg_row sg_table_next_vacancy(const sg_table *table, sg_row row);
+/* n rows are written from `row` on, on one page: a vacancy, or the end. */
+void sg_table_fill(sg_table *table, sg_row row, size_t n);
 /* Writes the cells of a row and takes the slot. False: no memory. */
 bool sg_table_write(sg_table *table, sg_row row, const sg_value *value);
 /* A copy of a list or term in the table's arena. Null: no memory. */

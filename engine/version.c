@@ -295,6 +295,75 @@ sg_map_used_id(sg_map *map, int32_t s, int32_t id)
   return true;
 }
 
+/* ---- the rows of some segments ------------------------------------------ */
+
+static bool
+is_among(const int32_t *s, size_t n, int32_t id)
+{
+  size_t low = 0, high = n;
+
+  while (low < high) {
+    size_t middle = (low + high) / 2;
+    if (s[middle] < id) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < n && s[low] == id;
+}
+
+/* The live rows of these segments, as a bitmap; false: none. */
+static bool
+find_rows(const sg_live *live, const int32_t *s, size_t n, uint64_t *out)
+{
+  const int32_t *of = live->page->cells[0].i;
+  int32_t last = 0; /* the segment of the row before, and whether it is one */
+  bool among = false, any = false;
+
+  memset(out, 0, sizeof live->word);
+  for (unsigned r = sg_live_next(live->word, 0); r < SG_PAGE_ROWS;
+       r = sg_live_next(live->word, r + 1)) {
+    among = of[r] == last ? among : is_among(s, n, of[r]);
+    last = of[r];
+    any = any || among;
+    out[r / 64] |= (uint64_t)among << r % 64;
+  }
+  return any;
+}
+
+sg_map *
+sg_map_narrow(const sg_map *map, const int32_t *s, size_t n)
+{
+  sg_map *out = calloc(1, sizeof *out);
+  uint64_t word[SG_LIVE_WORDS];
+
+  if (!out) {
+    return NULL;
+  }
+  out->holders = 1;
+  out->ids = map->ids;
+  if (out->ids) {
+    out->ids->holders++;
+  }
+  for (size_t i = 0; i < map->chunks * SG_CHUNK_PAGES; i++) {
+    const sg_live *live = sg_map_live(map, i);
+    if (!live || !find_rows(live, s, n, word)) {
+      continue;
+    }
+    sg_live *owned = sg_map_own_live(out, live->page, i);
+    if (!owned) {
+      sg_map_drop(out);
+      return NULL;
+    }
+    memcpy(owned->word, word, sizeof word);
+    for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
+      out->rows += (size_t)__builtin_popcountll(word[w]);
+    }
+  }
+  return out;
+}
+
 /* ---- stamps ------------------------------------------------------------ */
 
 uint64_t

@@ -91,7 +91,7 @@ sg_version_view(const sg_version *version, sg_relation relation, sg_view *out)
   size_t pages = map ? map->chunks * SG_CHUNK_PAGES : 0;
   const uint64_t **live = malloc((pages + 1) * sizeof(*live));
 
-  *out = (sg_view){.live = live};
+  *out = (sg_view){.live = live, .none = nobody};
   if (!live) {
     return false;
   }

@@ -453,6 +453,47 @@ test_sweep(void)
   sg_world_drop(world);
 }
 
+/* A version of some segments: it keeps their rows, and lets others go. */
+static void
+test_narrow(void)
+{
+  sg_world *world = sg_world_open();
+  const int32_t wanted[2] = {1, 3};
+  const sg_version *all, *some;
+  sg_statistics before, after;
+  bool right = fill_vertices(world, 1, 1, 100) &&
+               fill_vertices(world, 2, 1, 12 * SG_PAGE_ROWS) &&
+               fill_vertices(world, 3, 1, 100);
+  sg_row first = find_vertex(world, 1, 1), last = find_vertex(world, 3, 100);
+
+  all = sg_world_version(world);
+  some = sg_version_narrow(all, UINT64_C(1) << SG_V, wanted, 2);
+  sg_version_drop(all);
+  CHECK("a version of two segments", right && some && sg_world_is_valid(world));
+  CHECK("has their rows", sg_version_count(some, SG_V) == 200);
+  CHECK("the first and the last", sg_version_live(some, SG_V, first) &&
+                                      sg_version_live(some, SG_V, last));
+  CHECK("no others", !sg_version_live(some, SG_V, first + 100) &&
+                         !sg_version_live(some, SG_V, last - 100));
+  CHECK("it has the stamps",
+        sg_version_stamp(some, SG_V, 3) != 0 &&
+            sg_version_stamp(some, SG_V, 3) > sg_version_stamp(some, SG_V, 1));
+  sg_world_statistics(world, SG_V, &before);
+  for (int round = 0; right && round < 20; round++) {
+    right = sg_world_retract_all(world, SG_V) &&
+            fill_vertices(world, 2, 1, 12 * SG_PAGE_ROWS);
+  }
+  sg_world_statistics(world, SG_V, &after);
+  CHECK("what it does not show is used again",
+        right && after.slots < 2 * before.slots);
+  CHECK("what it shows is still there",
+        sg_version_value(some, SG_V, last, 1).i == 100 &&
+            sg_version_value(some, SG_V, last, 0).i == 3);
+  CHECK("valid", sg_world_is_valid(world));
+  sg_version_drop(some);
+  sg_world_drop(world);
+}
+
 static void
 test_bulk(void)
 {
@@ -662,6 +703,7 @@ main(void)
     test_random(s);
   }
   test_sweep();
+  test_narrow();
   test_bulk();
   test_view();
   test_members();
