@@ -12,6 +12,7 @@
 :- use_module(openscad_en, [openscad_en//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
+:- use_module(unfold_en, [wish_en//3, unfold_en//1, trim_en//1]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
 :- use_module(style_en, [style_en//1]).
 :- use_module(sheet_en, [sheet_en//1]).
@@ -183,6 +184,12 @@ fault_en(csg(What)) -->
     csg_en(What).
 fault_en(operand(S, Faults)) -->
     operand_en(S, Faults).
+fault_en(unfold(S, Wish, What)) -->
+    wish_en(S, Wish, What).
+fault_en(unfold(What)) -->
+    unfold_en(What).
+fault_en(trim(What)) -->
+    trim_en(What).
 fault_en(style(What)) -->
     style_en(What).
 fault_en(kind(Term, Kind, Wanted)) -->
@@ -332,6 +339,10 @@ usage_en(bad_value(Text, Value, Form)) -->
 usage_en(no_files(What)) -->
     [ '~w is missing'-[What], nl,
       '  sanggwan VERB --help says what belongs there.' ].
+usage_en(unfold(S, Wish, What)) -->
+    wish_en(S, Wish, What).
+usage_en(unfold(What)) -->
+    unfold_en(What).
 usage_en(one_operand(Verb)) -->
     [ '~w needs two models or more'-[Verb], nl,
       '  Name the other ones too; each file is one operand.' ].
@@ -374,6 +385,8 @@ notice_en(do_not_meet) -->
 notice_en(points_alone(N)) -->
     [ 'the segments meet in points alone (~D): see explain vertex(S, V)'-
       [N] ].
+notice_en(unfold(What)) -->
+    unfold_en(What).
 notice_en(operand(What, S)) -->
     operand_notice_en(What, S).
 notice_en(one_segment) -->

@@ -16,6 +16,7 @@
 :- use_module(sheet_ko, [sheet_ko//1]).
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
+:- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
 :- use_module(primitive_ko, [primitive_ko//2]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
@@ -181,6 +182,12 @@ fault_ko(csg(What)) -->
     csg_ko(What).
 fault_ko(operand(S, Faults)) -->
     operand_ko(S, Faults).
+fault_ko(unfold(S, Wish, What)) -->
+    wish_ko(S, Wish, What).
+fault_ko(unfold(What)) -->
+    unfold_ko(What).
+fault_ko(trim(What)) -->
+    trim_ko(What).
 fault_ko(style(What)) -->
     style_ko(What).
 fault_ko(kind(Term, Kind, Wanted)) -->
@@ -316,6 +323,10 @@ usage_ko(bad_value(Text, Value, Form)) -->
 usage_ko(no_files(What)) -->
     [ '~w 이(가) 없습니다'-[What], nl,
       '  sanggwan VERB --help 를 보십시오.' ].
+usage_ko(unfold(S, Wish, What)) -->
+    wish_ko(S, Wish, What).
+usage_ko(unfold(What)) -->
+    unfold_ko(What).
 usage_ko(one_operand(Verb)) -->
     [ '~w 에는 모델이 둘 이상 필요합니다'-[Verb], nl,
       '  다른 모델도 지정하십시오. 파일 하나가 피연산자 하나입니다.' ].
@@ -357,6 +368,8 @@ notice_ko(do_not_meet) -->
     [ '세그먼트들이 만나지 않아 상관선이 없습니다' ].
 notice_ko(points_alone(N)) -->
     [ '세그먼트들이 점 ~D개에서만 만납니다: explain vertex(S, V)'-[N] ].
+notice_ko(unfold(What)) -->
+    unfold_ko(What).
 notice_ko(operand(What, S)) -->
     operand_notice_ko(What, S).
 notice_ko(one_segment) -->

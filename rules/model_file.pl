@@ -5,7 +5,8 @@
           ]).
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
-                leaf_t/6, segment/3, origin/3, line/9, title_block/2,
+                leaf_t/6, segment/3, origin/3, line/9, piece/3, joint/6,
+                title_block/2,
                 assert_fact/1, retractall_facts/1, facts_transaction/1,
                 relation_column/5
               ]).
@@ -230,6 +231,12 @@ ready(from_v(S, V, _, _)) :-
 ready(from_p(S, P, _, _, _)) :-
     has_polygon(S, P).
 ready(line(_, _, _, _, _, _, _, _, _)).
+ready(unfolding(_, _)).
+ready(piece(S, P, _)) :-
+    has_polygon(S, P).
+ready(joint(S, _, E1, E2, _, _)) :-
+    has_edge(S, E1),
+    has_edge(S, E2).
 
 has_vertex(S, V) :-
     once(v(S, V, _, _, _)).
@@ -237,6 +244,8 @@ has_edges(S) :-
     once(e(S, _, _, _, _)).
 has_polygon(S, P) :-
     once(p(S, P, _)).
+has_edge(S, E) :-
+    once(e(S, E, _, _, _)).
 has_leaf_edge(S, E) :-
     once(leaf_e(S, E, _, _, _)).
 edge_ends(S, E, V1-V2) :-
@@ -275,6 +284,11 @@ shifted(shift(DS, _), segment(S0, Kind, Term0), Row) :-
     Row = segment(S, Kind, Term),
     S is S0+DS,
     operand_shifted(DS, Term0, Term).
+shifted(shift(DS, _), segment(S0, Kind, Term0), Row) :-
+    made_of(Term0, DS, Term),
+    !,
+    Row = segment(S, Kind, Term),
+    S is S0+DS.
 shifted(shift(DS, _), Fact, Row) :-
     segment_relation(Fact),
     !,
@@ -286,6 +300,18 @@ shifted(_, Fact, Fact).
 segment_relation(Fact) :-
     functor(Fact, Name, Arity),
     \+ memberchk(Name/Arity, [view/3, projection/1, title_block/2]).
+
+%   made_of(Term0, DS, Term): Term0 names the segments that another was made of.
+
+made_of(development(S0), DS, development(S)) :-
+    integer(S0),
+    S is S0+DS.
+made_of(trimmed(S0, Side, Others0), DS, trimmed(S, Side, Others)) :-
+    integer(S0),
+    is_list(Others0),
+    S is S0+DS,
+    Less is -DS,
+    part_less(Less, Others0, Others).
 
 %   operand_shifted(DS, Operand0, Operand): one that is no good stays, and is
 %   found later.
@@ -348,6 +374,8 @@ later_added(Later) :-
     later_rows(Later, leaf_t/6),
     later_rows(Later, from_v/4),
     later_rows(Later, from_p/5),
+    later_rows(Later, piece/3),
+    later_rows(Later, joint/6),
     later_setting(Later, view/3),
     later_setting(Later, projection/1),
     later_title(Later).
@@ -524,14 +552,12 @@ row_refused(Formal, Row, Place) :-
 
 missing_reference(Row, Argument, Relation, S, Id) :-
     Row =.. [Name, S|_],
-    member(Relation, [v, p]),
+    member(Relation-Missing,
+           [v-has_vertex(S, Id), p-has_polygon(S, Id), e-has_edge(S, Id)]),
     relation_column(Name, Position, _, int, Relation),
     Argument is Position+1,
     arg(Argument, Row, Id),
-    (   Relation == v
-    ->  \+ has_vertex(S, Id)
-    ;   \+ has_polygon(S, Id)
-    ),
+    \+ call(Missing),
     !.
 
 key_taken(Row, Name, Key) :-
@@ -551,6 +577,8 @@ row_key(leaf_t(S, _, T, _, _, _), leaf_t, [S, T], leaf_t(S, _, T, _, _, _)).
 row_key(origin(S, Item, _), origin, [S, Item], origin(S, Item, _)).
 row_key(from_v(S, V, _, _), from_v, [S, V], from_v(S, V, _, _)).
 row_key(from_p(S, P, T, Q, _), from_p, [S, P, T, Q], from_p(S, P, T, Q, _)).
+row_key(piece(S, P, _), piece, [S, P], piece(S, P, _)).
+row_key(joint(S, J, _, _, _, _), joint, [S, J], joint(S, J, _, _, _, _)).
 row_key(segment(S, _, _), segment, [S], segment(S, _, _)).
 row_key(line(L, _, _, _, _, _, _, _, _), line, [L],
         line(L, _, _, _, _, _, _, _, _)).

@@ -8,7 +8,7 @@
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9,
-                view/3, projection/1, title_block/2
+                unfolding/2, piece/3, joint/6, view/3, projection/1, title_block/2
               ]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).
@@ -18,10 +18,11 @@
 
 Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,
 plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4,
-from_p/5, every relation in the order of its key; then line/9, view/3,
-projection/1 and title_block/2. Floats have the fewest digits that read back to
-the same float. So equal worlds give equal bytes, a small change gives a small
-difference, and read_model/1 brings back the same relations.
+from_p/5, piece/3, joint/6, every relation in the order of its key, and
+unfolding/2; then line/9, view/3, projection/1 and title_block/2. Floats have
+the fewest digits that read back to the same float. So equal worlds give equal
+bytes, a small change gives a small difference, and read_model/1 brings back the
+same relations.
 
 Where the edges of a segment are just what read_model/1 makes from vertex
 lists, as after reading vertex lists or a mesh, its polygons are written as
@@ -65,7 +66,8 @@ write_segment(Stream, S) :-
     is_node(S),
     !,
     nl(Stream),
-    write_rows(Stream, 1, segment(S, _, _)).
+    write_rows(Stream, 1, segment(S, _, _)),
+    write_rows(Stream, 1, unfolding(S, _)).
 write_segment(Stream, S) :-
     nl(Stream),
     write_rows(Stream, 1, segment(S, _, _)),
@@ -84,7 +86,10 @@ write_segment(Stream, S) :-
     write_rows(Stream, T3, leaf_t(S, _, T3, _, _, _)),
     write_origins(Stream, S),
     write_rows(Stream, V4, from_v(S, V4, _, _)),
-    write_rows(Stream, P4-S0-P0, from_p(S, P4, S0, P0, _)).
+    write_rows(Stream, P4-S0-P0, from_p(S, P4, S0, P0, _)),
+    write_rows(Stream, P5, piece(S, P5, _)),
+    write_rows(Stream, J, joint(S, J, _, _, _, _)),
+    write_rows(Stream, 1, unfolding(S, _)).
 
 %   write_lines(Stream): but for those of nodes, whose polygons are not written.
 

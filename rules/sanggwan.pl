@@ -23,6 +23,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(arrangement, [with_arrangement/3, components/2]).
 :- reexport(boolean, except([stays/3])).
 :- reexport(faces, [faces_merged/2]).
+:- reexport(trimmed, [trimmed/4, trimmed/5]).
 :- reexport(penetration,
             except([ may_cut/2, merge_line/2, leaves_entered/4, touching/2 ])).
 :- reexport(exact, [vertex_exact/5]).
