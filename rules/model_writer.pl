@@ -8,7 +8,8 @@
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9,
-                unfolding/2, piece/3, joint/6, view/3, projection/1, title_block/2
+                unfolding/2, piece/3, joint/6, view/3, projection/1,
+                title_block/2
               ]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).

@@ -4,8 +4,8 @@
 :- use_module(kernel, [census_defect/4]).
 :- use_module(repair, [welded_vertex/2]).
 :- use_module(store,
-              [ v/5, e/5, p/3, edge_polygon/3, assert_fact/1, retractall_facts/1,
-                facts_transaction/1, fresh_id/3
+              [ v/5, e/5, p/3, edge_polygon/3, assert_fact/1,
+                retractall_facts/1, facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
 :- autoload(library(apply), [foldl/4, maplist/2]).

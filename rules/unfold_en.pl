@@ -125,7 +125,8 @@ known_polygons_en(Ps, Names) -->
     [ '~w'-[Numbers] ],
     (   { Names == [] }
     ->  []
-    ;   { findall(Text, ( member(Name, Names), format(atom(Text), '~p', [Name]) ),
+    ;   { findall(Text,
+                  ( member(Name, Names), format(atom(Text), '~p', [Name]) ),
                   Texts),
           atomic_list_concat(Texts, ', ', All) },
         [ ' (~w)'-[All] ]
