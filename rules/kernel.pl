@@ -34,6 +34,13 @@
             segment_edges/4,          % +S, +Most, -Counts, -Edges
             windings/3,               % +S, +Points, -Windings
             operand_borders/2,        % +S, -Borders
+            % roll4pl.c
+            surface_place/4,          % +Surface, +Point, -T, -H
+            surfaces_meet/4,          % +Surfaces, +Reach, +Point0, -Point
+            roll_points/3,            % +Roll, +Places, -Points
+            roll_places/4,            % +Roll, +Contact, +Points, -Places
+            roll_curves/6,            % +Roll, +Contact, +Reach, +Tolerance,
+                                      % +Curves, -Lists
             % leaf4pl.c
             leaves_keep/1,            % +Polygons
             % solid4pl.c
@@ -781,6 +788,43 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   How often the triangles of segment S go round each point(X, Y, Z) of the
 %   list, `on` if it lies on one. Numbers of any sort count exactly. Exact.
 %   @see winding.h
+
+/* - - - roll4pl.c: cylinders and cones unrolled - - -
+
+A surface is a term of primitive_face.pl, or plane(Nx, Ny, Nz, D): Nx*X + Ny*Y +
+Nz*Z + D = 0. A roll is roll(Surface, Layer, Start): a cylinder or a cone (but
+one with K = 1) is unrolled from the generator at Start, as it is Layer outside
+the drawn surface. Degrees; see roll.h.
+*/
+
+%!  surface_place(+Surface, +Point, -T, -H) is det.
+%
+%   T (-180..180) and H are the parameters of the point of Surface, a cylinder,
+%   cone or ruled surface, that Point is taken to: from the axis, at its H.
+
+%!  surfaces_meet(+Surfaces, +Reach, +Point0, -Point) is semidet.
+%
+%   Point is a point near Point0 on all of one to three Surfaces. Fails if
+%   there is none within Reach, or they touch there. Rounded.
+
+%!  roll_points(+Roll, +Places, -Points) is det.
+%
+%   Where the points of the surface at Places, a list of T-H, are unrolled:
+%   Points is the list of X-Y. T is at most about a turn from the start.
+
+%!  roll_places(+Roll, +Contact, +Points, -Places) is det.
+%
+%   Where Points, a list of near(T0, Point), are unrolled: Places is the list of
+%   place(T, H, X, Y) with T within half a turn of T0. The points are Contact
+%   outside the surface, and go to it along the normal.
+
+%!  roll_curves(+Roll, +Contact, +Reach, +Tolerance, +Curves, -Lists) is det.
+%
+%   Points on Curves between their ends, so many that no chord is farther than
+%   Tolerance from the unrolled curve. A curve is curve(T0, Surfaces, From, To):
+%   where one to three Surfaces meet, from one point to another, not farther
+%   than Reach from the line between them. Each list has place(T, H, X, Y) as
+%   roll_places/4 has them.
 
 /* - - - cut4pl.c: cut sets, the cuts of one penetration - - - */
 

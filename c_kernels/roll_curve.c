@@ -1,0 +1,138 @@
+/* roll_curve.c -- see roll_curve.h. */
+#include "roll_curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DEEPEST = 10, STEPS = 40 };
+
+static const double TURN = 6.283185307179586;
+
+/* t and h of the point from which x is `contact` along the normal: the normal
+ * there is that at x but for the curvature, so it is asked again where it
+ * leads to. */
+static void
+foot(const sg_surface *s, double contact, const double x[3], double *t,
+     double *h)
+{
+  double before = NAN, on[3], value, normal[3];
+
+  sg_surface_place(s, x, t, h);
+  for (int i = 0; contact != 0 && i < STEPS; i++) {
+    sg_surface_point(s, *t, *h, on);
+    if (!sg_surface_value(s, on, &value, normal) || *t == before) {
+      return;
+    }
+    before = *t;
+    for (int k = 0; k < 3; k++) {
+      on[k] = x[k] - contact * normal[k];
+    }
+    sg_surface_place(s, on, t, h);
+  }
+}
+
+void
+sg_roll_place_of(const sg_roll *roll, double contact, double near_t,
+                 const double x[3], sg_roll_place *out)
+{
+  foot(&roll->surface, contact, x, &out->t, &out->h);
+  out->t += TURN * nearbyint((near_t - out->t) / TURN);
+  sg_roll_at(roll, out->t, out->h, out->at);
+}
+
+typedef struct end {
+  double x[3];
+  sg_roll_place place;
+} end;
+
+typedef struct growing {
+  sg_roll_place *place;
+  size_t n, room;
+} growing;
+
+static bool
+append(growing *out, const sg_roll_place *place)
+{
+  if (out->n == out->room) {
+    size_t room = out->room ? 2 * out->room : 16;
+    sg_roll_place *more = realloc(out->place, room * sizeof *more);
+
+    if (!more) {
+      return false;
+    }
+    out->place = more;
+    out->room = room;
+  }
+  out->place[out->n++] = *place;
+  return true;
+}
+
+static void
+set_place(const sg_roll_curve *c, end *e)
+{
+  sg_roll_place_of(c->roll, c->contact, c->near_t, e->x, &e->place);
+}
+
+/* The point of the curve nearest to that at `part` of the chord a-b. */
+static void
+between(const sg_roll_curve *c, const end *a, const end *b, double part,
+        end *out)
+{
+  for (int k = 0; k < 3; k++) {
+    out->x[k] = a->x[k] + part * (b->x[k] - a->x[k]);
+  }
+  sg_surfaces_meet(c->surface, c->surfaces, c->reach, out->x);
+  set_place(c, out);
+}
+
+/* How far p is from the chord a-b, unrolled. */
+static double
+off_chord(const end *a, const end *b, const end *p)
+{
+  const double *o = a->place.at, *q = p->place.at;
+  double d[2] = {b->place.at[0] - o[0], b->place.at[1] - o[1]};
+  double e[2] = {q[0] - o[0], q[1] - o[1]};
+  double square = d[0] * d[0] + d[1] * d[1];
+  double part = square > 0 ? (d[0] * e[0] + d[1] * e[1]) / square : 0;
+
+  part = part < 0 ? 0 : part > 1 ? 1 : part;
+  return hypot(e[0] - part * d[0], e[1] - part * d[1]);
+}
+
+static bool
+divide(const sg_roll_curve *c, const end *a, const end *b, int depth,
+       growing *out)
+{
+  end part[3];
+  double off = 0;
+
+  for (int i = 0; i < 3; i++) {
+    between(c, a, b, (i + 1) / 4.0, &part[i]);
+    off = fmax(off, off_chord(a, b, &part[i]));
+  }
+  if (off <= c->tolerance || depth == DEEPEST) {
+    return true;
+  }
+  return divide(c, a, &part[1], depth + 1, out) &&
+         append(out, &part[1].place) && divide(c, &part[1], b, depth + 1, out);
+}
+
+bool
+sg_roll_curve_points(const sg_roll_curve *curve, sg_roll_place **out, size_t *n)
+{
+  growing points = {NULL, 0, 0};
+  end a, b;
+
+  memcpy(a.x, curve->from, sizeof a.x);
+  memcpy(b.x, curve->to, sizeof b.x);
+  set_place(curve, &a);
+  set_place(curve, &b);
+  if (!divide(curve, &a, &b, 0, &points)) {
+    free(points.place);
+    return false;
+  }
+  *out = points.place;
+  *n = points.n;
+  return true;
+}

@@ -1,0 +1,275 @@
+/* surface.c -- see surface.h. */
+#include "surface.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static double
+dot(const double a[3], const double b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void
+cross(const double a[3], const double b[3], double out[3])
+{
+  out[0] = a[1] * b[2] - a[2] * b[1];
+  out[1] = a[2] * b[0] - a[0] * b[2];
+  out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* out += f * a */
+static void
+add(double out[3], double f, const double a[3])
+{
+  for (int k = 0; k < 3; k++) {
+    out[k] += f * a[k];
+  }
+}
+
+static bool
+plane_init(double plane[4])
+{
+  double length = sqrt(dot(plane, plane));
+
+  for (int k = 0; k < 4; k++) {
+    plane[k] /= length;
+  }
+  return length > 0;
+}
+
+bool
+sg_surface_init(sg_surface *s)
+{
+  if (s->kind == SG_SURFACE_PLANE) {
+    return plane_init(s->plane);
+  }
+  cross(s->v, s->w, s->inverse[0]);
+  cross(s->w, s->u, s->inverse[1]);
+  cross(s->u, s->v, s->inverse[2]);
+  double volume = dot(s->u, s->inverse[0]);
+  double size = sqrt(dot(s->u, s->u) * dot(s->v, s->v) * dot(s->w, s->w));
+
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      s->inverse[i][k] /= volume;
+    }
+  }
+  return fabs(volume) > 1e-12 * size;
+}
+
+/* The coordinates of x along u, v, w. */
+static void
+coordinates(const sg_surface *s, const double x[3], double out[3])
+{
+  double d[3] = {x[0] - s->c[0], x[1] - s->c[1], x[2] - s->c[2]};
+
+  for (int i = 0; i < 3; i++) {
+    out[i] = dot(s->inverse[i], d);
+  }
+}
+
+/* The equation in coordinates a along u, v, w, 0 on the surface, and its
+ * slopes. False where it has none. */
+static bool
+equation(const sg_surface *s, const double a[3], double *value, double slope[3])
+{
+  double p = 1, q = 1; /* what a[0] and a[1] are divided by */
+  double fall = 0;     /* of the cone, with a[2] */
+
+  if (s->kind == SG_SURFACE_RULED) {
+    p = 1 - a[2] + a[2] * s->k;
+    q = 1 - a[2] + a[2] * s->k2;
+  } else if (s->kind == SG_SURFACE_CONE) {
+    fall = 1 - s->k;
+  }
+  double b[2] = {a[0] / p, a[1] / q}, z = 0;
+  double r = sqrt(b[0] * b[0] + b[1] * b[1]), far = r;
+
+  slope[2] = fall;
+  if (s->kind == SG_SURFACE_SPHERE) {
+    z = a[2];
+    far = sqrt(r * r + z * z);
+    slope[2] = z / far;
+  } else if (s->kind == SG_SURFACE_TORUS) {
+    z = a[2];
+    far = sqrt((r - 1) * (r - 1) + z * z);
+    slope[2] = z / far;
+  }
+  if (!(r > 0) || !(far > 0)) {
+    return false;
+  }
+  double along = s->kind == SG_SURFACE_TORUS ? (r - 1) / far : r / far;
+
+  slope[0] = along * b[0] / r / p;
+  slope[1] = along * b[1] / r / q;
+  if (s->kind == SG_SURFACE_RULED) {
+    slope[2] = (1 - s->k) * slope[0] * b[0] + (1 - s->k2) * slope[1] * b[1];
+  }
+  *value = far - (s->kind == SG_SURFACE_TORUS ? s->k : 1) + fall * a[2];
+  return true;
+}
+
+bool
+sg_surface_value(const sg_surface *s, const double x[3], double *value,
+                 double normal[3])
+{
+  double a[3], slope[3];
+
+  if (s->kind == SG_SURFACE_PLANE) {
+    memcpy(normal, s->plane, 3 * sizeof *normal);
+    *value = dot(s->plane, x) + s->plane[3];
+    return true;
+  }
+  coordinates(s, x, a);
+  if (!equation(s, a, value, slope)) {
+    return false;
+  }
+  normal[0] = normal[1] = normal[2] = 0;
+  for (int i = 0; i < 3; i++) {
+    add(normal, slope[i], s->inverse[i]);
+  }
+  double length = sqrt(dot(normal, normal));
+
+  *value /= length;
+  for (int k = 0; k < 3; k++) {
+    normal[k] /= length;
+  }
+  return length > 0;
+}
+
+void
+sg_surface_place(const sg_surface *s, const double x[3], double *t, double *h)
+{
+  double a[3];
+
+  coordinates(s, x, a);
+  if (s->kind == SG_SURFACE_RULED) {
+    a[0] /= 1 - a[2] + a[2] * s->k;
+    a[1] /= 1 - a[2] + a[2] * s->k2;
+  }
+  *t = atan2(a[1], a[0]);
+  *h = a[2];
+}
+
+void
+sg_surface_point(const sg_surface *s, double t, double h, double out[3])
+{
+  double p = 1, q, z = h;
+
+  switch (s->kind) {
+  case SG_SURFACE_CONE:
+  case SG_SURFACE_RULED:
+    p = 1 - h + h * s->k;
+    break;
+  case SG_SURFACE_SPHERE:
+    p = cos(h);
+    z = sin(h);
+    break;
+  case SG_SURFACE_TORUS:
+    p = 1 + s->k * cos(h);
+    z = s->k * sin(h);
+    break;
+  case SG_SURFACE_PLANE:
+  case SG_SURFACE_CYLINDER:
+    break;
+  }
+  q = s->kind == SG_SURFACE_RULED ? 1 - h + h * s->k2 : p;
+  memcpy(out, s->c, 3 * sizeof *out);
+  add(out, p * cos(t), s->u);
+  add(out, q * sin(t), s->v);
+  add(out, z, s->w);
+}
+
+/* Solves a (n by n, symmetric, diagonal 1) times x = b in place of b. False if
+ * two of its rows are nearly the same. */
+static bool
+solve(size_t n, double a[SG_SURFACES_MOST][SG_SURFACES_MOST],
+      double b[SG_SURFACES_MOST])
+{
+  for (size_t i = 0; i < n; i++) {
+    if (!(a[i][i] > 1e-13)) {
+      return false;
+    }
+    for (size_t j = i + 1; j < n; j++) {
+      double f = a[j][i] / a[i][i];
+
+      for (size_t k = i; k < n; k++) {
+        a[j][k] -= f * a[i][k];
+      }
+      b[j] -= f * b[i];
+    }
+  }
+  for (size_t i = n; i-- > 0;) {
+    for (size_t k = i + 1; k < n; k++) {
+      b[i] -= a[i][k] * b[k];
+    }
+    b[i] /= a[i][i];
+  }
+  return true;
+}
+
+/* One step: moves x, *moved is how far, *off how far x was from the farthest
+ * surface. */
+static bool
+step(const sg_surface *const *surface, size_t n, double x[3], double *moved,
+     double *off)
+{
+  double value[SG_SURFACES_MOST], normal[SG_SURFACES_MOST][3];
+  double a[SG_SURFACES_MOST][SG_SURFACES_MOST], by[3] = {0, 0, 0};
+
+  *off = 0;
+  for (size_t i = 0; i < n; i++) {
+    if (!sg_surface_value(surface[i], x, &value[i], normal[i])) {
+      return false;
+    }
+    *off = fmax(*off, fabs(value[i]));
+  }
+  for (size_t i = 0; i < n; i++) {
+    for (size_t j = 0; j < n; j++) {
+      a[i][j] = dot(normal[i], normal[j]);
+    }
+  }
+  if (!solve(n, a, value)) {
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    add(by, -value[i], normal[i]);
+  }
+  add(x, 1, by);
+  *moved = sqrt(dot(by, by));
+  return isfinite(*moved);
+}
+
+bool
+sg_surfaces_meet(const sg_surface *const *surface, size_t n, double reach,
+                 double x[3])
+{
+  double at[3] = {x[0], x[1], x[2]}, moved, off;
+  double size = fabs(x[0]) + fabs(x[1]) + fabs(x[2]) + reach;
+  double smallest = 4 * DBL_EPSILON * size;
+
+  for (int i = 0; i < 60; i++) {
+    double before[3] = {at[0], at[1], at[2]};
+
+    if (!step(surface, n, at, &moved, &off)) {
+      /* Two that touch, or an axis: at rest if they already meet. */
+      if (!(off <= smallest)) {
+        return false;
+      }
+      memcpy(at, before, sizeof at);
+      moved = 0;
+    }
+    double way[3] = {at[0] - x[0], at[1] - x[1], at[2] - x[2]};
+
+    if (!(sqrt(dot(way, way)) <= reach)) {
+      return false;
+    }
+    if (moved <= smallest) {
+      memcpy(x, at, sizeof at);
+      return true;
+    }
+  }
+  return false;
+}
