@@ -143,6 +143,14 @@ $(PICTURE_CHECKER): $(wildcard tests/picture_checker/*.[ch])
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $(filter %.c,$^) -o $@ -lgmp -lm
 
+# The checker of patterns: the same.
+PATTERN_CHECKER := $(B)/tests/pattern_checker
+$(PATTERN_CHECKER): $(wildcard tests/pattern_checker/*.[ch]) \
+                    tests/checker/boxes.c tests/checker/boxes.h
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $(filter %.c,$^) -o $@ -lm
+CHECKERS := $(CHECKER) $(PICTURE_CHECKER) $(PATTERN_CHECKER)
+
 # Programs that use the library as a host does: tests and the example.
 EMBEDS  := $(patsubst %.c,$(B)/%,$(wildcard tests/embed/*$(T)*_test.c))
 $(EMBEDS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
@@ -151,16 +159,16 @@ $(EMBEDS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
 	$(CC) $(CFLAGS) $(WARN) -Wno-sign-conversion $(PL_CFLAGS) -Iengine \
 	  $(EXTRA_CFLAGS) $< $(B)/libsanggwan.a -o $@ $(PL_LIBS) $(LIBS)
 
-test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKER) $(PICTURE_CHECKER)
+test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKERS)
 	@tests/run $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
 check: test
 check-c: $(C_TESTS)
 	@tests/run $^
-check-rules: $(B)/sanggwan.so $(B)/documentation.pl $(CHECKER) $(PICTURE_CHECKER)
+check-rules: $(B)/sanggwan.so $(B)/documentation.pl $(CHECKERS)
 	@tests/run $(PLTS)
 check-embed: $(EMBEDS)
 	@tests/run $^
-check-cli: all $(B)/docs/example $(CHECKER) $(PICTURE_CHECKER)
+check-cli: all $(B)/docs/example $(CHECKERS)
 	@tests/run $(CLIS)
 
 # --- checkers --------------------------------------------------------------
@@ -174,7 +182,7 @@ SAN := -fsanitize=address,undefined -fno-sanitize-recover=undefined \
 check-san:
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san san
-san: $(B)/sanggwan.so $(C_TESTS) $(CHECKER) $(PICTURE_CHECKER)
+san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
 	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
 	@$(B)/tests/c_kernels/mesh_fuzz_test 20000
 	@echo 'skipped: the tests of rules that need threads'
