@@ -4,10 +4,8 @@
           ]).
 :- use_module(section, [model_box/1]).
 :- use_module(sheet_view, [view_towards/3]).
-:- use_module(store,
-              [v/5, assert_fact/1, retractall_facts/1, facts_transaction/1]).
-:- use_module(view, [set_view/3]).
-:- autoload(library(apply), [maplist/2, maplist/4]).
+:- use_module(view, [set_view/3, move_origin/1]).
+:- autoload(library(apply), [maplist/4]).
 /** <module> An eye that stands somewhere and looks at something.
 
 view/3 is an eye that looks at the origin. To look at another point from a
@@ -57,18 +55,7 @@ set_eye(Eye, Target0, Kind) :-
     ->  target(Target0, Target),
         maplist(difference, Eye, Target, [X,Y,Z]),
         Rho is sqrt(X*X + Y*Y + Z*Z),
-        facts_transaction(sg_eye:moved_to_origin(Target))
+        move_origin(Target)
     ;   Rho = 0
     ),
     set_view(Theta, Phi, Rho).
-
-moved_to_origin(Point) :-
-    findall(v(S,V,X,Y,Z), v(S, V, X, Y, Z), Vertices),
-    retractall_facts(v(_,_,_,_,_)),
-    maplist(moved(Point), Vertices).
-
-moved([X0,Y0,Z0], v(S,V,X1,Y1,Z1)) :-
-    X is X1-X0 + 0.0,
-    Y is Y1-Y0 + 0.0,
-    Z is Z1-Z0 + 0.0,
-    assert_fact(v(S, V, X, Y, Z)).

@@ -113,6 +113,8 @@
             view_range/5,             % +Theta, +Phi, -Near, -Far, -Reach
             view_depth/5,             % +Theta, +Phi, +Rho, +Kind, -Depth
             sine_cosine/3,            % +Degrees, -Sine, -Cosine
+            % turn4pl.c
+            turn_points/2,            % +Axes, +Origin
             % contour4pl.c
             fill_contour/6,           % +Segments, +Theta, +Phi, +Rho, +Kind,
                                       % +Smooth
@@ -442,6 +444,17 @@ glue file.
 %!  sine_cosine(+Degrees, -Sine, -Cosine) is det.
 %
 %   Multiples of 90 degrees are exact; the rest is rounded to 2^-48.
+
+/* - - - turn4pl.c - - - */
+
+%!  turn_points(+Axes:list, +Origin:list) is det.
+%
+%   Every point of the current world (v/5, leaf_v/5) and every plane goes to
+%   where turned_point/4 of view.pl says. Axes are 1, 2 and 3 in some order and
+%   with some signs. Exact where Origin is [0,0,0]. Call it in a transaction.
+%
+%   @error domain_error(axes, Axes), representation_error(coordinate): one
+%          would be larger than any that v/5 takes
 
 /* - - - contour4pl.c - - - */
 

@@ -6,6 +6,9 @@
             current_view/4,             % -Theta, -Phi, -Rho, -Kind
             named_view/3,               % ?Name, ?Theta, ?Phi
             turn_up/1,                  % +Axis
+            move_origin/1,              % +Point
+            turned_by_rule/2,           % +Axes, +Origin
+            turned_point/4,             % +Axes, +Origin, +Place0, -Place
             with_up/2,                  % +Axis, :Goal
             project_world/0,
             view_matrix/3,              % +Theta, +Phi, -Matrix
@@ -17,15 +20,16 @@
             screen_distance/2           % +Zs, -Ze
           ]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
-:- use_module(library(apply), [foldl/6, maplist/2]).
-:- use_module(library(lists), [append/3, member/2, memberchk/2]).
+:- use_module(library(apply),
+              [foldl/5, foldl/6, maplist/2, maplist/3, maplist/4]).
+:- use_module(library(lists), [append/3, member/2, memberchk/2, nth1/3]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ view/3, projection/1, screen/5, t/6, v/5, leaf_v/5, plane/6,
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module(kernel, [fill_screen/4, view_range/5, view_depth/5,
-                       sine_cosine/3]).
+                       sine_cosine/3, turn_points/2]).
 :- set_prolog_flag(optimise, true).
 :- meta_predicate with_up(+, 0).
 
@@ -188,8 +192,8 @@ eye_distance(Rho0, Rho) :-
 
 turn_up(Axis) :-
     must_be(atom, Axis),
-    (   up_turned(Axis, _, _)
-    ->  turned(Axis, up)
+    (   quarter_turn(Axis, up, _)
+    ->  facts_transaction(sg_view:turned(Axis, up))
     ;   domain_error(up, Axis)
     ).
 
@@ -202,44 +206,78 @@ with_up(Axis, Goal) :-
     facts_transaction(
         (   turn_up(Axis),
             once(Goal),
-            turned(Axis, back)
+            sg_view:turned(Axis, back)
         )).
 
-turned(z, _) :-
-    !.
 turned(Axis, Way) :-
-    findall(New, ( placed_row(Old, p(X0,Y0,Z0), New, p(X,Y,Z)), Old,
-                   turned_point(Way, Axis, p(X0,Y0,Z0), p(X,Y,Z)) ),
+    quarter_turn(Axis, Way, Axes),
+    (   Axes == [1,2,3]
+    ->  true
+    ;   turn_points(Axes, [0,0,0])
+    ).
+
+%   quarter_turn(Axis, Way, Axes): the axes that x, y and z are taken from; with
+%   a minus sign the other way.
+
+quarter_turn(z, _,    [1,2,3]).
+quarter_turn(y, up,   [1,-3,2]).
+quarter_turn(y, back, [1,3,-2]).
+quarter_turn(x, up,   [-3,2,1]).
+quarter_turn(x, back, [3,2,-1]).
+
+%!  move_origin(+Point:list) is det.
+%
+%   Move the current world so that Point, [X,Y,Z], is the origin: rounded. One
+%   transaction.
+
+move_origin(Point) :-
+    facts_transaction(turn_points([1,2,3], Point)).
+
+%!  turned_by_rule(+Axes:list, +Origin:list) is det.
+%
+%   What the kernel turn_points/2 does: all rows of the current world that have
+%   a point, or a plane, are turned.
+
+turned_by_rule(Axes, Origin) :-
+    findall(New, ( placed_row(Old, Place0, New, Place), Old,
+                   turned_point(Axes, Origin, Place0, Place) ),
             Rows),
     retractall_facts(v(_,_,_,_,_)),
     retractall_facts(leaf_v(_,_,_,_,_)),
     retractall_facts(plane(_,_,_,_,_,_)),
     maplist(assert_fact, Rows).
 
-%   placed_row(Old, Point0, New, Point): rows that have a point, or a normal.
+%   placed_row(Old, Place0, New, Place): rows that have a point, or a plane.
 
-placed_row(v(S,V,X0,Y0,Z0), p(X0,Y0,Z0), v(S,V,X,Y,Z), p(X,Y,Z)).
-placed_row(leaf_v(S,V,X0,Y0,Z0), p(X0,Y0,Z0), leaf_v(S,V,X,Y,Z), p(X,Y,Z)).
-placed_row(plane(S,P,X0,Y0,Z0,D), p(X0,Y0,Z0),
-           plane(S,P,X,Y,Z,D), p(X,Y,Z)).
+placed_row(v(S,V,X0,Y0,Z0), [X0,Y0,Z0], v(S,V,X,Y,Z), [X,Y,Z]).
+placed_row(leaf_v(S,V,X0,Y0,Z0), [X0,Y0,Z0], leaf_v(S,V,X,Y,Z), [X,Y,Z]).
+placed_row(plane(S,P,X0,Y0,Z0,D0), plane([X0,Y0,Z0],D0),
+           plane(S,P,X,Y,Z,D), plane([X,Y,Z],D)).
 
-%   Back is three quarter turns.
+%!  turned_point(+Axes, +Origin, +Place0, -Place) is det.
+%
+%   Place is to where Place0 goes, a point [X,Y,Z] or plane(Normal, D), when
+%   Origin becomes the origin and then the axes become others: the number N of
+%   Axes means the N-th before, -N the same the other way.
 
-turned_point(up, Axis, Point0, p(X,Y,Z)) :-
-    up_turned(Axis, Point0, p(X1,Y1,Z1)),
-    X is X1+0.0,
-    Y is Y1+0.0,
-    Z is Z1+0.0.
-turned_point(back, Axis, Point0, Point) :-
-    turned_point(up, Axis, Point0, Point1),
-    turned_point(up, Axis, Point1, Point2),
-    turned_point(up, Axis, Point2, Point).
+turned_point(Axes, Origin, plane(Normal0,D0), plane(Normal,D)) :-
+    !,
+    maplist(taken_from(Normal0), Axes, Normal),
+    foldl(product_added, Normal0, Origin, D0, D).
+turned_point(Axes, Origin, Point0, Point) :-
+    maplist(less, Point0, Origin, Point1),
+    maplist(taken_from(Point1), Axes, Point).
 
-%   up_turned(Axis, Point, Turned): to where a point goes.
+taken_from(Point, Axis, X) :-
+    N is abs(Axis),
+    nth1(N, Point, X0),
+    X is sign(Axis)*X0 + 0.0.
 
-up_turned(z, Point, Point).
-up_turned(y, p(X,Y,Z), p(X,-Z,Y)).
-up_turned(x, p(X,Y,Z), p(-Z,Y,X)).
+less(X0, Origin, X) :-
+    X is X0-Origin.
+
+product_added(A, B, D0, D) :-
+    D is D0 + A*B.
 
 %!  project_world is det.
 %

@@ -260,6 +260,29 @@ test(up_and_back, [ forall(member(Axis, [x,y,z])), After == Before ]) :-
             with_up(Axis, v(1, 1, _, _, _)),
             findall(V-p(X,Y,Z), v(1, V, X, Y, Z), After0),
             sort(After0, After) )).
+% The kernel does what the rule says.
+test(turned, [ forall(member(Axes-Origin, [[1,-3,2]-[0,0,0], [-3,2,1]-[0,0,0],
+                                           [3,2,-1]-[0,0,0],
+                                           [1,2,3]-[0.1,-7,1.0e-3],
+                                           [-2,-3,1]-[1,2,3]])),
+               Kernel == Rule ]) :-
+    boxed(( penetrate([]), assert_fact(leaf_v(1, 1, 0.1, -0.0, 3.0)),
+            facts_snapshot(( turn_points(Axes, Origin), places(Kernel) )),
+            turned_by_rule(Axes, Origin),
+            places(Rule) )).
+test(turned_no_axes, error(domain_error(axes, [1,2,2]))) :-
+    boxed(turn_points([1,2,2], [0,0,0])).
+test(moved_out, error(representation_error(coordinate))) :-
+    in_new_world(( assert_fact(segment(1, curve, w)),
+                   assert_fact(v(1, 1, 9.0e89, 2.0, 3.0)),
+                   turn_points([1,2,3], [-9.0e89,0,0]) )).
+
+places(Places) :-
+    findall(v(S,V,X,Y,Z), v(S, V, X, Y, Z), Vs),
+    findall(l(S,V,X,Y,Z), leaf_v(S, V, X, Y, Z), Ls),
+    findall(p(S,P,X,Y,Z,D), plane(S, P, X, Y, Z, D), Ps),
+    Places = Vs-Ls-Ps.
+
 test(up_no_axis, error(domain_error(up, w))) :-
     boxed(turn_up(w)).
 
