@@ -132,6 +132,20 @@
             stroke_chains/3,          % +Parts, +Looks, -Strokes
             % travel4pl.c
             travel_order/2,           % +Strokes, -Order
+            % development4pl.c, development_write4pl.c
+            flattening_open/4,        % +S, +Tolerance, +Removed, -Flattening
+            flattening_close/1,       % +Flattening
+            flattening_counts/4,      % +Flattening, -Faces, -Joints, -Step
+            flattening_bent/2,        % +Flattening, -Polygons
+            flattening_joint/3,       % +Flattening, +J, -Joint
+            flattening_restart/1,     % +Flattening
+            flattening_tests/4,       % +Flattening, -Tests, -Joined, -Refused
+            flattening_write/3,       % +Flattening, +Root, +D
+            edge_joint/3,             % +Flattening, +E, -J
+            forbid_joint/2,           % +Flattening, +J
+            join_faces/3,             % +Flattening, +J, -Result
+            join_all/1,               % +Flattening
+            joint_order/2,            % +Flattening, -Joints
             % exact4pl.c
             exact_fallbacks/1,        % -Count
             exact_statistics/1,       % -Statistics
@@ -1035,3 +1049,76 @@ the drawn surface. Degrees; see roll.h.
 %
 %   Splits is the list of split(V1, V2, Vs): edges of S and the vertices on
 %   them, in order from V1 to V2.
+
+/* - - - development4pl.c, development_write4pl.c: laying flat - - - */
+
+%!  flattening_open(+S, +Tolerance, +Removed:list, -Flattening) is det.
+%
+%   Flattening is a handle on segment S being laid flat, without the polygons
+%   Removed: its faces, each in a frame of its own, and its joints, numbered
+%   from 1. A face is a polygon no vertex of which is farther than Tolerance
+%   from its plane, or a triangle of another polygon; such a triangle is called
+%   by the polygon that it will be, numbered on from those of S, and its chords
+%   are edges, numbered on likewise. S should have its triangles. Sides nearer
+%   than Tolerance, in the end, lie on each other. Must be closed.
+
+%!  flattening_close(+Flattening) is det.
+
+%!  flattening_counts(+Flattening, -Faces, -Joints, -Step) is det.
+%
+%   How many faces and joints there are. What differs by less than Step (model
+%   units) is mostly equal for joint_order/2: it is rounded to that.
+
+%!  flattening_bent(+Flattening, -Polygons:list) is det.
+%
+%   Polygons, ascending, are not flat.
+
+%!  flattening_joint(+Flattening, +J, -Joint) is det.
+%
+%   Joint is joint(E1, E2, P1, P2, Length, p(X,Y,Z), Angle, Kind, State): edge E1
+%   of polygon P1 and its partner E2 of P2, E1 < E2, the length and the middle of
+%   them, the angle as in joint/6. Kind is `line` (P1 is P2), `flat` or `bent`.
+%   State is `open`, `joined`, `same_piece`, `overlap`, `forbidden`, `point`,
+%   or, after flattening_write/3, `closed`.
+%
+%   @error existence_error(joint, J)
+
+%!  flattening_restart(+Flattening) is det.
+%
+%   Nothing is joined, as at first; what is forbidden stays so.
+
+%!  flattening_tests(+Flattening, -Tests, -Joined, -Refused) is det.
+%
+%   How many triangles were tested against each other, and how many joints were
+%   joined, and refused since they would overlap.
+
+%!  flattening_write(+Flattening, +Root, +D) is det.
+%
+%   Writes the rows of the pattern D, which has none: v e p plane t piece joint
+%   from_v from_p. Root is a polygon, or 0: see lay.h.
+%
+%   @error permission_error(write, segment, D)
+%   @error existence_error(polygon, Root)
+
+%!  edge_joint(+Flattening, +E, -J) is semidet.
+%
+%   Joint J has edge E.
+
+%!  forbid_joint(+Flattening, +J) is det.
+%
+%   Joint J is not to be joined.
+
+%!  join_faces(+Flattening, +J, -Result) is det.
+%
+%   Tries to join the two faces of joint J: `joined`; `same_piece`: they hang
+%   together already; overlap(P1, P2): it would lay polygon P2 on P1;
+%   `forbidden`; `point`: the edge has no length.
+
+%!  join_all(+Flattening) is det.
+%
+%   join_faces/3 for all joints that are open, in the order of joint_order/2.
+%   The fused kernel of development.pl, joined_by_rule/2.
+
+%!  joint_order(+Flattening, -Joints:list) is det.
+%
+%   Joints in the order of the default of join_order/3.

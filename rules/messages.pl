@@ -11,6 +11,8 @@
 :- use_module(explain_en, [statement_en//1, hidden_en//1]).
 :- use_module(openscad_en, [openscad_en//1]).
 :- use_module(primitive, [primitive_name/2]).
+:- use_module(development_en,
+              [ development_en//2, development_notice_en//2 ]).
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
 :- use_module(unfold_en, [wish_en//3, unfold_en//1, trim_en//1]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
@@ -182,6 +184,8 @@ fault_en(primitive(What, Term)) -->
     primitive_en(What, Term).
 fault_en(csg(What)) -->
     csg_en(What).
+fault_en(development(S, What)) -->
+    development_en(S, What).
 fault_en(operand(S, Faults)) -->
     operand_en(S, Faults).
 fault_en(unfold(S, Wish, What)) -->
@@ -387,6 +391,8 @@ notice_en(points_alone(N)) -->
       [N] ].
 notice_en(unfold(What)) -->
     unfold_en(What).
+notice_en(development(S, What)) -->
+    development_notice_en(S, What).
 notice_en(operand(What, S)) -->
     operand_notice_en(What, S).
 notice_en(one_segment) -->

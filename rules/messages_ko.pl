@@ -15,6 +15,8 @@
 :- use_module(style_ko, [style_ko//1]).
 :- use_module(sheet_ko, [sheet_ko//1]).
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
+:- use_module(development_ko,
+              [ development_ko//2, development_notice_ko//2 ]).
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
 :- use_module(primitive_ko, [primitive_ko//2]).
@@ -180,6 +182,8 @@ fault_ko(primitive(What, Term)) -->
     primitive_ko(What, Term).
 fault_ko(csg(What)) -->
     csg_ko(What).
+fault_ko(development(S, What)) -->
+    development_ko(S, What).
 fault_ko(operand(S, Faults)) -->
     operand_ko(S, Faults).
 fault_ko(unfold(S, Wish, What)) -->
@@ -370,6 +374,8 @@ notice_ko(points_alone(N)) -->
     [ '세그먼트들이 점 ~D개에서만 만납니다: explain vertex(S, V)'-[N] ].
 notice_ko(unfold(What)) -->
     unfold_ko(What).
+notice_ko(development(S, What)) -->
+    development_notice_ko(S, What).
 notice_ko(operand(What, S)) -->
     operand_notice_ko(What, S).
 notice_ko(one_segment) -->

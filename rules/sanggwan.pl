@@ -26,6 +26,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(trimmed, [trimmed/4, trimmed/5]).
 :- reexport(penetration,
             except([ may_cut/2, merge_line/2, leaves_entered/4, touching/2 ])).
+:- reexport(development, [develop/2, develop/3, development/2]).
 :- reexport(exact, [vertex_exact/5]).
 :- reexport(operand).
 :- reexport(repair).

@@ -1,0 +1,437 @@
+/* development4pl.c -- faces being joined flat (documented in kernel.pl).
+ *
+ * Layer: glue.
+ */
+#include "development4pl.h"
+
+#include "glue.h"
+#include "mesh4pl.h"
+
+#include "../engine/install.h"
+
+#include <SWI-Stream.h>
+#include <stdlib.h>
+#include <string.h>
+
+static atom_t state_atom[SG_JOINT_CLOSED + 1], atom_line, atom_flat, atom_bent;
+
+/* ---- the handle --------------------------------------------------------- */
+
+static void
+clear(sg_development *d)
+{
+  sg_flattening_clear(&d->flattening);
+  sg_joints_clear(&d->joints);
+  sg_flat_faces_clear(&d->faces);
+  sg_dense_clear(&d->dense);
+  d->s = 0;
+}
+
+static int
+release_handle(atom_t atom)
+{
+  sg_development *d = PL_blob_data(atom, NULL, NULL);
+
+  if (d->s != 0) {
+    clear(d);
+  }
+  free(d);
+  return TRUE;
+}
+
+static int
+write_handle(IOSTREAM *out, atom_t atom, int flags)
+{
+  const sg_development *d = PL_blob_data(atom, NULL, NULL);
+
+  (void)flags;
+  Sfprintf(out, d->s ? "<sg_flattening>(%d)" : "<sg_flattening>(closed)", d->s);
+  return TRUE;
+}
+
+static PL_blob_t development_blob = {.magic = PL_BLOB_MAGIC,
+                                     .flags = PL_BLOB_UNIQUE | PL_BLOB_NOCOPY,
+                                     .name = "sg_flattening",
+                                     .release = release_handle,
+                                     .write = write_handle};
+
+int
+sg_get_development_ex(term_t t, sg_development **out)
+{
+  PL_blob_t *type;
+  void *data;
+
+  if (!PL_get_blob(t, &data, NULL, &type) || type != &development_blob) {
+    return PL_is_variable(t) ? PL_instantiation_error(t)
+                             : PL_type_error("flattening", t);
+  }
+  *out = data;
+  return (*out)->s != 0 || PL_existence_error("flattening", t);
+}
+
+static int
+stop_ex(bool stopped)
+{
+  return stopped ? FALSE : sg_no_memory();
+}
+
+/* ---- ids ---------------------------------------------------------------- */
+
+int32_t
+sg_development_polygon(const sg_development *d, uint32_t face)
+{
+  const sg_flat_faces *f = &d->faces;
+  uint32_t polygon = f->polygon[face];
+
+  return f->bent[polygon] ? d->dense.polygon_id[d->dense.polygons - 1] + 1 +
+                                (int32_t)f->bent_before[face]
+                          : d->dense.polygon_id[polygon];
+}
+
+int32_t
+sg_development_edge(const sg_development *d, uint32_t side)
+{
+  uint32_t edge = d->faces.side[side].edge;
+  size_t edges = d->dense.edges;
+
+  return edge < edges ? d->dense.edge_id[edge]
+                      : (edges ? d->dense.edge_id[edges - 1] : 0) + 1 +
+                            (int32_t)(edge - edges);
+}
+
+/* ---- opening ------------------------------------------------------------ */
+
+static int
+compare_ids(const void *a, const void *b)
+{
+  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
+
+  return (x > y) - (x < y);
+}
+
+/* Which polygons are to be left out; null: none. */
+static int
+get_removed_ex(term_t list, const sg_dense *d, bool **out)
+{
+  int32_t *id;
+  size_t n;
+
+  *out = NULL;
+  if (!sg_get_id_set_ex(list, &id, &n)) {
+    return FALSE;
+  }
+  if (n > 0 && !(*out = calloc(d->polygons + 1, sizeof **out))) {
+    free(id);
+    return sg_no_memory();
+  }
+  for (size_t p = 0; n > 0 && p < d->polygons; p++) {
+    (*out)[p] = bsearch(&d->polygon_id[p], id, n, sizeof *id, compare_ids);
+  }
+  free(id);
+  return TRUE;
+}
+
+static int
+make_ex(sg_development *d, term_t removed_list)
+{
+  bool stopped = false, *removed = NULL;
+
+  if (!sg_get_dense_ex(&d->s, 1, &d->dense) ||
+      !get_removed_ex(removed_list, &d->dense, &removed)) {
+    return FALSE;
+  }
+  bool good =
+      sg_flat_faces_make(&d->dense, removed, d->tolerance, &sg_prolog_poll,
+                         &d->faces, &stopped) &&
+      sg_joints_make(&d->faces, &d->dense, d->tolerance, &sg_prolog_poll,
+                     &d->joints, &stopped) &&
+      sg_flattening_make(&d->dense, &d->faces, &d->joints, &d->flattening);
+  free(removed);
+  return good || stop_ex(stopped);
+}
+
+/* flattening_open(+S, +Tolerance, +Removed, -Flattening) is det. */
+static foreign_t
+flattening_open(term_t s, term_t tolerance, term_t removed, term_t handle)
+{
+  sg_development *d = calloc(1, sizeof *d);
+
+  if (!d) {
+    return sg_no_memory();
+  }
+  if (!sg_get_id_ex(s, &d->s) || !sg_get_finite_ex(tolerance, &d->tolerance) ||
+      !make_ex(d, removed)) {
+    clear(d);
+    free(d);
+    return FALSE;
+  }
+  return PL_unify_blob(handle, d, sizeof *d, &development_blob);
+}
+
+/* flattening_close(+Flattening) is det. */
+static foreign_t
+flattening_close(term_t handle)
+{
+  sg_development *d;
+
+  if (!sg_get_development_ex(handle, &d)) {
+    return FALSE;
+  }
+  clear(d);
+  return TRUE;
+}
+
+/* ---- what there is ------------------------------------------------------ */
+
+/* flattening_counts(+Flattening, -Faces, -Joints, -Step) is det. */
+static foreign_t
+flattening_counts(term_t handle, term_t faces, term_t joints, term_t step)
+{
+  sg_development *d;
+
+  return sg_get_development_ex(handle, &d) &&
+         PL_unify_int64(faces, (int64_t)d->faces.faces) &&
+         PL_unify_int64(joints, (int64_t)d->joints.n) &&
+         sg_unify_double(step, sg_joint_step(&d->flattening));
+}
+
+/* flattening_bent(+Flattening, -Polygons) is det. */
+static foreign_t
+flattening_bent(term_t handle, term_t list)
+{
+  sg_development *d;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_development_ex(handle, &d)) {
+    return FALSE;
+  }
+  for (size_t p = 0; d->faces.bents > 0 && p < d->dense.polygons; p++) {
+    if (d->faces.bent[p] && (!PL_unify_list(tail, head, tail) ||
+                             !PL_unify_integer(head, d->dense.polygon_id[p]))) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* Joints are numbered from 1. */
+static int
+get_joint_ex(term_t t, const sg_development *d, uint32_t *out)
+{
+  int32_t j;
+
+  if (!sg_get_id_ex(t, &j)) {
+    return FALSE;
+  }
+  *out = (uint32_t)j - 1;
+  return (size_t)j <= d->joints.n || PL_existence_error("joint", t);
+}
+
+/* flattening_joint(+Flattening, +J, -Joint) is det. */
+static foreign_t
+flattening_joint(term_t handle, term_t number, term_t out)
+{
+  sg_development *d;
+  uint32_t j;
+
+  if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
+    return FALSE;
+  }
+  const sg_joint *joint = &d->joints.joint[j];
+  const uint32_t *face_of = d->faces.face_of;
+
+  double middle[3];
+
+  sg_joint_middle(&d->flattening, j, middle);
+  return PL_unify_term(
+      out, PL_FUNCTOR_CHARS, "joint", 9, PL_INT,
+      (int)sg_development_edge(d, joint->side[0]), PL_INT,
+      (int)sg_development_edge(d, joint->side[1]), PL_INT,
+      (int)sg_development_polygon(d, face_of[joint->side[0]]), PL_INT,
+      (int)sg_development_polygon(d, face_of[joint->side[1]]), PL_FLOAT,
+      joint->length + 0.0, PL_FUNCTOR_CHARS, "p", 3, PL_FLOAT, middle[0] + 0.0,
+      PL_FLOAT, middle[1] + 0.0, PL_FLOAT, middle[2] + 0.0, PL_FLOAT,
+      joint->angle + 0.0, PL_ATOM,
+      joint->line   ? atom_line
+      : joint->flat ? atom_flat
+                    : atom_bent,
+      PL_ATOM, state_atom[d->flattening.state[j]]);
+}
+
+/* The place of an edge with this id, SIZE_MAX: none. */
+static size_t
+place_of_edge(const sg_development *d, int32_t e)
+{
+  const sg_dense *of = &d->dense;
+  const int32_t *at =
+      of->edges ? bsearch(&e, of->edge_id, of->edges, sizeof e, compare_ids)
+                : NULL;
+  size_t chord =
+      (size_t)e - 1 - (of->edges ? (size_t)of->edge_id[of->edges - 1] : 0);
+
+  return at                        ? (size_t)(at - of->edge_id)
+         : chord < d->faces.chords ? of->edges + chord
+                                   : SIZE_MAX;
+}
+
+/* edge_joint(+Flattening, +E, -J) is semidet. */
+static foreign_t
+edge_joint(term_t handle, term_t edge, term_t number)
+{
+  sg_development *d;
+  int32_t e;
+
+  if (!sg_get_development_ex(handle, &d) || !sg_get_id_ex(edge, &e)) {
+    return FALSE;
+  }
+  size_t place = place_of_edge(d, e);
+  uint32_t side = place == SIZE_MAX ? SG_NO_SIDE_OF : d->faces.side_of[place];
+  uint32_t j = side == SG_NO_SIDE_OF ? SG_NO_JOINT : d->joints.of_side[side];
+
+  return j != SG_NO_JOINT && PL_unify_int64(number, (int64_t)j + 1);
+}
+
+/* ---- joining ------------------------------------------------------------ */
+
+/* forbid_joint(+Flattening, +J) is det. */
+static foreign_t
+forbid_joint(term_t handle, term_t number)
+{
+  sg_development *d;
+  uint32_t j;
+
+  if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
+    return FALSE;
+  }
+  d->flattening.state[j] = SG_JOINT_FORBIDDEN;
+  return TRUE;
+}
+
+static int
+unify_result(term_t t, const sg_development *d, sg_joint_state state)
+{
+  const uint32_t *face = d->flattening.overlap;
+
+  return state != SG_JOINT_OVERLAP
+             ? PL_unify_atom(t, state_atom[state])
+             : PL_unify_term(t, PL_FUNCTOR_CHARS, "overlap", 2, PL_INT,
+                             (int)sg_development_polygon(d, face[0]), PL_INT,
+                             (int)sg_development_polygon(d, face[1]));
+}
+
+/* join_faces(+Flattening, +J, -Result) is det. */
+static foreign_t
+join_faces(term_t handle, term_t number, term_t result)
+{
+  sg_development *d;
+  uint32_t j;
+  sg_joint_state state;
+  bool stopped;
+
+  if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
+    return FALSE;
+  }
+  if (!sg_flattening_join(&d->flattening, j, &sg_prolog_poll, &state,
+                          &stopped)) {
+    return stop_ex(stopped);
+  }
+  return unify_result(result, d, state);
+}
+
+/* joint_order(+Flattening, -Joints) is det. */
+static foreign_t
+joint_order(term_t handle, term_t list)
+{
+  sg_development *d;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  uint32_t *order;
+  int good = TRUE;
+
+  if (!sg_get_development_ex(handle, &d)) {
+    return FALSE;
+  }
+  if (!(order = sg_joint_order(&d->flattening))) {
+    return sg_no_memory();
+  }
+  for (size_t i = 0; good && i < d->joints.n; i++) {
+    good = PL_unify_list(tail, head, tail) &&
+           PL_unify_int64(head, (int64_t)order[i] + 1);
+  }
+  free(order);
+  return good && PL_unify_nil(tail);
+}
+
+/* join_all(+Flattening) is det. */
+static foreign_t
+join_all(term_t handle)
+{
+  sg_development *d;
+  uint32_t *order;
+  bool stopped = false;
+
+  if (!sg_get_development_ex(handle, &d)) {
+    return FALSE;
+  }
+  if (!(order = sg_joint_order(&d->flattening))) {
+    return sg_no_memory();
+  }
+  bool good = sg_flattening_join_all(&d->flattening, order, d->joints.n,
+                                     &sg_prolog_poll, &stopped);
+  free(order);
+  return good || stop_ex(stopped);
+}
+
+/* flattening_restart(+Flattening) is det. */
+static foreign_t
+flattening_restart(term_t handle)
+{
+  sg_development *d;
+
+  if (!sg_get_development_ex(handle, &d)) {
+    return FALSE;
+  }
+  sg_flattening_restart(&d->flattening);
+  return TRUE;
+}
+
+/* flattening_tests(+Flattening, -Tests, -Joined, -Refused) is det. */
+static foreign_t
+flattening_tests(term_t handle, term_t tests, term_t joined, term_t refused)
+{
+  sg_development *d;
+
+  return sg_get_development_ex(handle, &d) &&
+         PL_unify_int64(tests, (int64_t)d->flattening.tests) &&
+         PL_unify_int64(joined, (int64_t)d->flattening.joins) &&
+         PL_unify_int64(refused, (int64_t)d->flattening.refused);
+}
+
+void
+sg_install_development(void)
+{
+  static const char *const name[] = {"open",    "joined",    "same_piece",
+                                     "overlap", "forbidden", "point",
+                                     "closed"};
+  static const PL_extension doors[] = {
+      {"flattening_open", 4, (pl_function_t)flattening_open, 0},
+      {"flattening_close", 1, (pl_function_t)flattening_close, 0},
+      {"flattening_counts", 4, (pl_function_t)flattening_counts, 0},
+      {"flattening_bent", 2, (pl_function_t)flattening_bent, 0},
+      {"flattening_joint", 3, (pl_function_t)flattening_joint, 0},
+      {"flattening_restart", 1, (pl_function_t)flattening_restart, 0},
+      {"flattening_tests", 4, (pl_function_t)flattening_tests, 0},
+      {"edge_joint", 3, (pl_function_t)edge_joint, 0},
+      {"forbid_joint", 2, (pl_function_t)forbid_joint, 0},
+      {"join_faces", 3, (pl_function_t)join_faces, 0},
+      {"joint_order", 2, (pl_function_t)joint_order, 0},
+      {"join_all", 1, (pl_function_t)join_all, 0},
+      {NULL, 0, NULL, 0}};
+
+  for (int k = 0; k <= SG_JOINT_CLOSED; k++) {
+    state_atom[k] = PL_new_atom(name[k]);
+  }
+  atom_line = PL_new_atom("line");
+  atom_flat = PL_new_atom("flat");
+  atom_bent = PL_new_atom("bent");
+  PL_register_extensions_in_module("sg_kernel", doors);
+}

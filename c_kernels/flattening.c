@@ -1,0 +1,499 @@
+/* flattening.c -- see flattening.h. */
+#include "flattening.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  FEW = 6,          /* triangles that are looked at one by one */
+  POLL_EVERY = 2048 /* triangles moved */
+};
+
+/* ---- beginning ---------------------------------------------------------- */
+
+static void
+corners_of(const uint32_t triangle[3], const double (*at)[2], double out[3][2])
+{
+  for (int k = 0; k < 3; k++) {
+    out[k][0] = at[triangle[k]][0];
+    out[k][1] = at[triangle[k]][1];
+  }
+}
+
+static sg_flat_box
+box_of_triangle(const sg_flat_faces *f, const double (*at)[2], uint32_t t)
+{
+  double p[3][2];
+
+  corners_of(f->triangle[t], at, p);
+  return sg_flat_box_round((const double(*)[2])p, 3);
+}
+
+static void
+begin_island(sg_flattening *fl, uint32_t face)
+{
+  const sg_flat_faces *f = fl->faces;
+  uint32_t first = f->corner_begin[face], end = f->corner_begin[face + 1];
+  sg_island *island = &fl->island[face];
+
+  sg_flat_index_clear(&island->index);
+  *island = (sg_island){.head = face,
+                        .tail = face,
+                        .faces = 1,
+                        .triangles = f->triangle_begin[face + 1] -
+                                     f->triangle_begin[face]};
+  fl->island_of[face] = face;
+  fl->next_face[face] = UINT32_MAX;
+  memcpy(fl->at + first, f->at + first, (end - first) * sizeof *fl->at);
+  island->box =
+      sg_flat_box_round((const double(*)[2])fl->at + first, end - first);
+  for (uint32_t t = f->triangle_begin[face]; t < f->triangle_begin[face + 1];
+       t++) {
+    fl->stock.box[t] = box_of_triangle(f, (const double(*)[2])fl->at, t);
+  }
+}
+
+void
+sg_flattening_restart(sg_flattening *fl)
+{
+  for (uint32_t face = 0; face < fl->faces->faces; face++) {
+    begin_island(fl, face);
+  }
+  for (size_t j = 0; j < fl->joints->n; j++) {
+    if (fl->state[j] != SG_JOINT_FORBIDDEN) {
+      fl->state[j] = SG_JOINT_OPEN;
+    }
+  }
+  fl->tests = fl->refused = fl->joins = 0;
+}
+
+bool
+sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
+                   const sg_joints *joints, sg_flattening *out)
+{
+  double area = 0;
+
+  for (size_t i = 0; i < faces->faces; i++) {
+    area += faces->area[i];
+  }
+  *out = (sg_flattening){
+      .dense = dense,
+      .faces = faces,
+      .joints = joints,
+      .sheet = sqrt(area),
+      .depth = SG_FLAT_DEPTH * sqrt(area),
+      .state = calloc(joints->n + 1, sizeof *out->state),
+      .island_of = malloc((faces->faces + 1) * sizeof *out->island_of),
+      .next_face = malloc((faces->faces + 1) * sizeof *out->next_face),
+      .island = calloc(faces->faces + 1, sizeof *out->island),
+      .at = malloc((faces->corners + 1) * sizeof *out->at),
+      .moved = malloc((faces->corners + 1) * sizeof *out->moved)};
+  if (!sg_flat_stock_make(faces->triangles, out->sheet, &out->stock) ||
+      !out->state || !out->island_of || !out->next_face || !out->island ||
+      !out->at || !out->moved) {
+    return false;
+  }
+  sg_flattening_restart(out);
+  return true;
+}
+
+void
+sg_flattening_clear(sg_flattening *fl)
+{
+  for (size_t i = 0; fl->island && i < fl->faces->faces; i++) {
+    sg_flat_index_clear(&fl->island[i].index);
+  }
+  free(fl->state);
+  free(fl->island_of);
+  free(fl->next_face);
+  free(fl->island);
+  free(fl->at);
+  free(fl->moved);
+  sg_flat_stock_clear(&fl->stock);
+  *fl = (sg_flattening){0};
+}
+
+/* ---- moving ------------------------------------------------------------- */
+
+/* A turn by an angle with this cosine and sine about `from`, which goes to
+ * `to`. */
+typedef struct motion {
+  double cosine, sine, from[2], to[2];
+} motion;
+
+/* Side b of one face onto side a of another: its end to the start. */
+static motion
+motion_onto(const sg_flattening *fl, uint32_t a, uint32_t b)
+{
+  const sg_flat_side *onto = &fl->faces->side[a], *side = &fl->faces->side[b];
+  const double *a0 = fl->at[onto->from], *a1 = fl->at[onto->to];
+  const double *b0 = fl->at[side->to], *b1 = fl->at[side->from];
+  double wx = a1[0] - a0[0], wy = a1[1] - a0[1];
+  double ux = b1[0] - b0[0], uy = b1[1] - b0[1];
+  double c = ux * wx + uy * wy, s = ux * wy - uy * wx, size = hypot(c, s);
+
+  return (motion){.cosine = size > 0 ? c / size : 1,
+                  .sine = size > 0 ? s / size : 0,
+                  .from = {b0[0], b0[1]},
+                  .to = {a0[0], a0[1]}};
+}
+
+static void
+move(const motion *m, const double p[2], double out[2])
+{
+  double x = p[0] - m->from[0], y = p[1] - m->from[1];
+
+  out[0] = m->to[0] + m->cosine * x - m->sine * y;
+  out[1] = m->to[1] + m->sine * x + m->cosine * y;
+}
+
+static void
+move_face(sg_flattening *fl, const motion *m, uint32_t face)
+{
+  const sg_flat_faces *f = fl->faces;
+
+  for (uint32_t c = f->corner_begin[face]; c < f->corner_begin[face + 1]; c++) {
+    move(m, fl->at[c], fl->moved[c]);
+  }
+}
+
+/* ---- testing ------------------------------------------------------------ */
+
+typedef struct trial {
+  sg_flattening *fl;
+  const sg_island *onto;
+  double corner[3][2]; /* of the triangle that is tried */
+  sg_flat_box box;
+  uint32_t hit; /* triangle */
+} trial;
+
+static bool
+overlaps(void *data, uint32_t item)
+{
+  trial *t = data;
+  double p[3][2];
+
+  corners_of(t->fl->faces->triangle[item], (const double(*)[2])t->fl->at, p);
+  t->fl->tests++;
+  t->hit = item;
+  return sg_convex_overlap((const double(*)[2])t->corner, 3,
+                           (const double(*)[2])p, 3, t->fl->depth);
+}
+
+static bool
+overlaps_some(trial *t)
+{
+  const sg_flat_faces *f = t->fl->faces;
+
+  if (t->onto->index.cell) {
+    return sg_flat_index_near(&t->onto->index, &t->fl->stock, &t->box, overlaps,
+                              t);
+  }
+  for (uint32_t face = t->onto->head; face != UINT32_MAX;
+       face = t->fl->next_face[face]) {
+    for (uint32_t k = f->triangle_begin[face]; k < f->triangle_begin[face + 1];
+         k++) {
+      if (sg_flat_boxes_meet(&t->fl->stock.box[k], &t->box) && overlaps(t, k)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/* Whether a face where it was moved to overlaps the island. */
+static bool
+face_overlaps(trial *t, uint32_t face)
+{
+  const sg_flat_faces *f = t->fl->faces;
+
+  for (uint32_t k = f->triangle_begin[face]; k < f->triangle_begin[face + 1];
+       k++) {
+    corners_of(f->triangle[k], (const double(*)[2])t->fl->moved, t->corner);
+    t->box = sg_flat_box_round((const double(*)[2])t->corner, 3);
+    if (sg_flat_boxes_meet(&t->box, &t->onto->box) && overlaps_some(t)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Moves the faces of an island and sees whether they overlap the other one. */
+static bool
+try_motion(sg_flattening *fl, const motion *m, const sg_island *moving,
+           const sg_island *onto, const sg_poll *poll, bool *stopped,
+           bool *overlap)
+{
+  trial t = {.fl = fl, .onto = onto};
+  size_t since = 0;
+
+  *overlap = false;
+  for (uint32_t face = moving->head; face != UINT32_MAX;
+       face = fl->next_face[face]) {
+    if (++since % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      *stopped = true;
+      return false;
+    }
+    move_face(fl, m, face);
+    if (face_overlaps(&t, face)) {
+      fl->overlap[0] = fl->faces->triangle_face[t.hit];
+      fl->overlap[1] = face;
+      *overlap = true;
+      return true;
+    }
+  }
+  return true;
+}
+
+/* ---- merging ------------------------------------------------------------ */
+
+static bool
+add_to_index(sg_flattening *fl, sg_island *island, uint32_t face)
+{
+  const sg_flat_faces *f = fl->faces;
+
+  for (uint32_t t = f->triangle_begin[face]; t < f->triangle_begin[face + 1];
+       t++) {
+    if (!sg_flat_index_add(&island->index, &fl->stock, t)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Before more triangles come: an island that gets many has an index. */
+static bool
+index_island(sg_flattening *fl, sg_island *island, size_t more)
+{
+  bool good = true;
+
+  if (!island->index.cell && island->triangles + more > FEW) {
+    for (uint32_t face = island->head; good && face != UINT32_MAX;
+         face = fl->next_face[face]) {
+      good = add_to_index(fl, island, face);
+    }
+  }
+  return good;
+}
+
+static void
+take_place(sg_flattening *fl, uint32_t face)
+{
+  const sg_flat_faces *f = fl->faces;
+  uint32_t first = f->corner_begin[face], end = f->corner_begin[face + 1];
+
+  memcpy(fl->at + first, fl->moved + first, (end - first) * sizeof *fl->at);
+  for (uint32_t t = f->triangle_begin[face]; t < f->triangle_begin[face + 1];
+       t++) {
+    fl->stock.box[t] = box_of_triangle(f, (const double(*)[2])fl->at, t);
+  }
+}
+
+static void
+enlarge(sg_flat_box *box, const sg_flat_box *by)
+{
+  for (int k = 0; k < 2; k++) {
+    box->low[k] = fmin(box->low[k], by->low[k]);
+    box->high[k] = fmax(box->high[k], by->high[k]);
+  }
+}
+
+/* The faces of one island, where they were moved to, become the other's. */
+static bool
+merge(sg_flattening *fl, sg_island *moving, sg_island *onto)
+{
+  const sg_flat_faces *f = fl->faces;
+  uint32_t into = fl->island_of[onto->head];
+
+  if (!index_island(fl, onto, moving->triangles)) {
+    return false;
+  }
+  for (uint32_t face = moving->head; face != UINT32_MAX;
+       face = fl->next_face[face]) {
+    uint32_t first = f->corner_begin[face], end = f->corner_begin[face + 1];
+    take_place(fl, face);
+    sg_flat_box box =
+        sg_flat_box_round((const double(*)[2])fl->at + first, end - first);
+    enlarge(&onto->box, &box);
+    fl->island_of[face] = into;
+    if (onto->index.cell && !add_to_index(fl, onto, face)) {
+      return false;
+    }
+  }
+  fl->next_face[onto->tail] = moving->head;
+  onto->tail = moving->tail;
+  onto->faces += moving->faces;
+  onto->triangles += moving->triangles;
+  sg_flat_index_clear(&moving->index);
+  moving->head = UINT32_MAX;
+  moving->faces = moving->triangles = 0;
+  return true;
+}
+
+/* ---- joining ------------------------------------------------------------ */
+
+static bool
+is_larger(const sg_island *a, const sg_island *b)
+{
+  return a->triangles != b->triangles ? a->triangles > b->triangles
+                                      : a->faces > b->faces;
+}
+
+static bool
+is_point(const sg_flat_box *box)
+{
+  return box->low[0] == box->high[0] && box->low[1] == box->high[1];
+}
+
+/* Faces of two islands. */
+static bool
+join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
+             sg_joint_state *state, bool *stopped)
+{
+  const uint32_t *face_of = fl->faces->face_of;
+  sg_island *a = &fl->island[fl->island_of[face_of[j->side[0]]]];
+  sg_island *b = &fl->island[fl->island_of[face_of[j->side[1]]]];
+  bool second = is_larger(b, a), overlap;
+  sg_island *onto = second ? b : a, *moving = second ? a : b;
+
+  if (j->length <= 0 && !is_point(&moving->box)) {
+    *state = SG_JOINT_POINT;
+    return true;
+  }
+  motion m = motion_onto(fl, j->side[second], j->side[!second]);
+
+  if (!try_motion(fl, &m, moving, onto, poll, stopped, &overlap)) {
+    return false;
+  }
+  *state = overlap ? SG_JOINT_OVERLAP : SG_JOINT_JOINED;
+  fl->refused += overlap;
+  fl->joins += !overlap;
+  return overlap || merge(fl, moving, onto);
+}
+
+bool
+sg_flattening_join(sg_flattening *fl, uint32_t j, const sg_poll *poll,
+                   sg_joint_state *state, bool *stopped)
+{
+  const sg_joint *joint = &fl->joints->joint[j];
+  const uint32_t *face_of = fl->faces->face_of;
+
+  *stopped = false;
+  *state = (sg_joint_state)fl->state[j];
+  if (*state == SG_JOINT_FORBIDDEN || *state == SG_JOINT_JOINED) {
+    return true;
+  }
+  if (fl->island_of[face_of[joint->side[0]]] ==
+      fl->island_of[face_of[joint->side[1]]]) {
+    *state = SG_JOINT_SAME;
+  } else if (!join_islands(fl, joint, poll, state, stopped)) {
+    return false;
+  }
+  fl->state[j] = (unsigned char)*state;
+  return true;
+}
+
+bool
+sg_flattening_join_all(sg_flattening *fl, const uint32_t *order, size_t n,
+                       const sg_poll *poll, bool *stopped)
+{
+  sg_joint_state state;
+
+  for (size_t i = 0; i < n; i++) {
+    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      *stopped = true;
+      return false;
+    }
+    if (fl->state[order[i]] == SG_JOINT_OPEN &&
+        !sg_flattening_join(fl, order[i], poll, &state, stopped)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ---- the order ---------------------------------------------------------- */
+
+typedef struct key {
+  bool bent;
+  double length, middle[3]; /* steps */
+  uint32_t joint;
+} key;
+
+static int
+compare_keys(const void *a, const void *b)
+{
+  const key *x = a, *y = b;
+
+  if (x->bent != y->bent) {
+    return x->bent ? 1 : -1;
+  }
+  if (x->length != y->length) {
+    return x->length > y->length ? -1 : 1;
+  }
+  for (int k = 2; k >= 0; k--) {
+    if (x->middle[k] != y->middle[k]) {
+      return x->middle[k] > y->middle[k] ? -1 : 1;
+    }
+  }
+  return (x->joint > y->joint) - (x->joint < y->joint);
+}
+
+double
+sg_joint_step(const sg_flattening *fl)
+{
+  int exponent;
+
+  frexp(fl->sheet, &exponent);
+  return ldexp(1, exponent - 32);
+}
+
+void
+sg_joint_middle(const sg_flattening *fl, uint32_t j, double out[3])
+{
+  uint32_t side = fl->joints->joint[j].side[0];
+  const double *a = fl->dense->at[sg_flat_side_from(fl->faces, side)];
+  const double *b = fl->dense->at[sg_flat_side_to(fl->faces, side)];
+
+  for (int k = 0; k < 3; k++) {
+    out[k] = (a[k] + b[k]) / 2;
+  }
+}
+
+static key
+key_of(const sg_flattening *fl, uint32_t j, double step)
+{
+  const sg_joint *joint = &fl->joints->joint[j];
+  key out = {
+      .bent = !joint->flat, .length = round(joint->length / step), .joint = j};
+
+  sg_joint_middle(fl, j, out.middle);
+  for (int k = 0; k < 3; k++) {
+    out.middle[k] = round(out.middle[k] / step);
+  }
+  return out;
+}
+
+uint32_t *
+sg_joint_order(const sg_flattening *fl)
+{
+  size_t n = fl->joints->n;
+  key *keys = malloc((n + 1) * sizeof *keys);
+  uint32_t *order = malloc((n + 1) * sizeof *order);
+
+  for (uint32_t j = 0; keys && order && j < n; j++) {
+    keys[j] = key_of(fl, j, sg_joint_step(fl));
+  }
+  if (keys && order) {
+    qsort(keys, n, sizeof *keys, compare_keys);
+    for (size_t i = 0; i < n; i++) {
+      order[i] = keys[i].joint;
+    }
+  } else {
+    free(order);
+    order = NULL;
+  }
+  free(keys);
+  return order;
+}

@@ -1,0 +1,88 @@
+/* flattening.h -- laying faces flat, joint by joint, so that nothing overlaps.
+ *
+ * Layer: kernel. Inexact. Faces that are joined form an *island*; at first each
+ * is one of its own. A joint is joined by moving the smaller island so that its
+ * side lies on the partner in the larger one, if then no triangle of it
+ * overlaps one there deeper than `depth`. Whatever the order of the joints,
+ * nothing ever overlaps.
+ *
+ * Source: rows DV-4 to DV-6; J. B. Kruskal, On the shortest spanning subtree of
+ * a graph, 1956.
+ */
+#ifndef SG_FLATTENING_H
+#define SG_FLATTENING_H
+
+#include "flat_index.h"
+#include "joint.h"
+
+typedef enum sg_joint_state {
+  SG_JOINT_OPEN,      /* not tried */
+  SG_JOINT_JOINED,    /* a fold */
+  SG_JOINT_SAME,      /* its faces hang together already */
+  SG_JOINT_OVERLAP,   /* refused: something would overlap */
+  SG_JOINT_FORBIDDEN, /* not to be joined */
+  SG_JOINT_POINT,     /* refused: an edge without length holds nothing */
+  SG_JOINT_CLOSED     /* its sides lie on each other all the same: a fold */
+} sg_joint_state;
+
+typedef struct sg_island {
+  uint32_t head, tail; /* faces, linked by next_face */
+  size_t faces, triangles;
+  sg_flat_box box;
+  sg_flat_index index; /* of its triangles, once they are many */
+} sg_island;
+
+typedef struct sg_flattening {
+  const sg_dense *dense; /* borrowed, as are these */
+  const sg_flat_faces *faces;
+  const sg_joints *joints;
+  double sheet; /* the side of a square as large as all faces */
+  double depth;
+  unsigned char *state;            /* [joints] sg_joint_state */
+  uint32_t *island_of, *next_face; /* [faces] */
+  sg_island *island;               /* [faces] */
+  double (*at)[2];                 /* [corners] in the island */
+  sg_flat_stock stock;             /* items are triangles */
+  double (*moved)[2];              /* [corners] of what is being tried */
+  size_t tests, refused, joins;    /* overlap tests of two triangles, ... */
+  uint32_t overlap[2];             /* faces that did, after SG_JOINT_OVERLAP */
+} sg_flattening;
+
+/* Overlaps are refused that are deeper than this part of the sheet. */
+#define SG_FLAT_DEPTH 1e-9
+
+/* Every face an island. False: no memory. Owner: sg_flattening_clear() in any
+ * case. */
+bool sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
+                        const sg_joints *joints, sg_flattening *out);
+void sg_flattening_clear(sg_flattening *flattening);
+
+/* As it was at first, but for what is forbidden. */
+void sg_flattening_restart(sg_flattening *flattening);
+
+/* Tries joint j, whose new state is *state: JOINED, SAME, OVERLAP (or
+ * FORBIDDEN, as it was). False: no memory, or (*stopped) stopped by the poll.
+ */
+bool sg_flattening_join(sg_flattening *flattening, uint32_t j,
+                        const sg_poll *poll, sg_joint_state *state,
+                        bool *stopped);
+
+/* All joints that are open, in this order. The fused kernel of the rule in
+ * rules/development.pl. */
+bool sg_flattening_join_all(sg_flattening *flattening, const uint32_t *order,
+                            size_t n, const sg_poll *poll, bool *stopped);
+
+/* The order of the decision join_order/3: flat joints first, then the longest;
+ * equal ones by the middle of the edge (the higher z, y, x first), then by
+ * edge. Lengths and places are rounded to steps, so that what is equal but for
+ * rounding is equal. Null: no memory. Owner: the caller, free(). */
+uint32_t *sg_joint_order(const sg_flattening *flattening);
+
+/* A step: 2^-32 of the sheet, as a power of two; model units. */
+double sg_joint_step(const sg_flattening *flattening);
+
+/* The middle of the edge of joint j in the segment. */
+void sg_joint_middle(const sg_flattening *flattening, uint32_t j,
+                     double out[3]);
+
+#endif

@@ -1,0 +1,75 @@
+:- module(sg_development_en,
+          [ development_en//2,          % +S, +What
+            development_notice_en//2    % +S, +What
+          ]).
+:- use_module(explain_words, [segment_word/2]).
+/** <module> What is wrong with a development, in English.
+
+development_ko.pl has the same heads in Korean (tests/rules/development.plt).
+*/
+
+%!  development_en(+S, +What)// is det.
+%
+%   The message for geometry_error(development(S, What)).
+
+development_en(S, What) -->
+    { segment_word(S, Name) },
+    [ 'segment ~d~w cannot be laid flat: '-[S, Name] ],
+    what_en(What).
+
+what_en(kind(curve)) -->
+    [ 'it is a curve and has no faces' ].
+what_en(kind(pattern)) -->
+    [ 'it is a pattern, which is flat already', nl,
+      '  Name the segment that it was made from.' ].
+what_en(kind(Kind)) -->
+    { \+ memberchk(Kind, [curve,pattern]) },
+    [ 'it is of kind ~w'-[Kind], nl,
+      '  Solids and surfaces can be.' ].
+what_en(empty) -->
+    [ 'it has no polygons' ].
+what_en(not_simple(Ps)) -->
+    [ 'these polygons cross themselves: ' ],
+    some_en(Ps).
+what_en(not_flat(Ps)) -->
+    [ 'these polygons are not flat: ' ],
+    some_en(Ps),
+    [ nl, '  Without --strict their triangles are used.' ].
+what_en(overlap(E, P1, P2)) -->
+    [ 'joined at edge ~d, which is to be kept, polygon ~d would lie on \c
+       polygon ~d'-[E, P2, P1], nl,
+      '  Keep other edges, or let this one be a seam.' ].
+what_en(no_joint(E)) -->
+    [ 'no two faces meet at edge ~d'-[E], nl,
+      '  Name an edge that two polygons have.' ].
+what_en(edge_length(E)) -->
+    [ 'edge ~d has no length to join at'-[E] ].
+what_en(no_polygon(P)) -->
+    [ 'it has no polygon ~d'-[P] ].
+what_en(both(P, Wish1, Wish2)) -->
+    [ '~w: both ~w and ~w'-[P, Wish1, Wish2] ].
+
+%   some_en(Ids): the first ones.
+
+some_en(Ids) -->
+    { length(Ids, Count),
+      length(First, 10)
+    },
+    (   { Count =< 10 }
+    ->  { atomic_list_concat(Ids, ', ', Text) },
+        [ '~w'-[Text] ]
+    ;   { append(First, _, Ids),
+          atomic_list_concat(First, ', ', Text)
+        },
+        [ '~w, ... (~D in all)'-[Text, Count] ]
+    ).
+
+%!  development_notice_en(+S, +What)// is det.
+%
+%   The message for the warning sanggwan(development(S, What)).
+
+development_notice_en(S, in_triangles(Ps)) -->
+    { segment_word(S, Name) },
+    [ 'segment ~d~w: these polygons are not flat and are laid out as their \c
+       triangles: '-[S, Name] ],
+    some_en(Ps).

@@ -1,0 +1,73 @@
+:- encoding(utf8).
+:- module(sg_development_ko,
+          [ development_ko//2,          % +S, +What
+            development_notice_ko//2    % +S, +What
+          ]).
+:- use_module(explain_words, [segment_word/2]).
+/** <module> What is wrong with a development, in Korean.
+
+development_en.pl has the same heads in English.
+*/
+
+%!  development_ko(+S, +What)// is det.
+%
+%   The message for geometry_error(development(S, What)).
+
+development_ko(S, What) -->
+    { segment_word(S, Name) },
+    [ '세그먼트 ~d~w 은(는) 펼칠 수 없습니다: '-[S, Name] ],
+    what_ko(What).
+
+what_ko(kind(curve)) -->
+    [ '곡선이어서 면이 없습니다' ].
+what_ko(kind(pattern)) -->
+    [ '이미 평면인 전개도입니다', nl,
+      '  전개도를 만든 세그먼트를 지정하십시오.' ].
+what_ko(kind(Kind)) -->
+    { \+ memberchk(Kind, [curve,pattern]) },
+    [ '종류가 ~w 입니다'-[Kind], nl,
+      '  입체와 곡면만 펼칠 수 있습니다.' ].
+what_ko(empty) -->
+    [ '다각형이 없습니다' ].
+what_ko(not_simple(Ps)) -->
+    [ '스스로 교차하는 다각형: ' ],
+    some_ko(Ps).
+what_ko(not_flat(Ps)) -->
+    [ '평면이 아닌 다각형: ' ],
+    some_ko(Ps),
+    [ nl, '  --strict 가 없으면 그 삼각형들을 씁니다.' ].
+what_ko(overlap(E, P1, P2)) -->
+    [ '유지해야 할 모서리 ~d 에서 붙이면 다각형 ~d 이(가) 다각형 ~d 위에 \c
+       놓입니다'-[E, P2, P1], nl,
+      '  다른 모서리를 유지하거나 이 모서리를 솔기로 두십시오.' ].
+what_ko(no_joint(E)) -->
+    [ '모서리 ~d 에서 만나는 두 면이 없습니다'-[E], nl,
+      '  두 다각형이 공유하는 모서리를 지정하십시오.' ].
+what_ko(edge_length(E)) -->
+    [ '모서리 ~d 은(는) 길이가 없어 붙일 수 없습니다'-[E] ].
+what_ko(no_polygon(P)) -->
+    [ '다각형 ~d 이(가) 없습니다'-[P] ].
+what_ko(both(P, Wish1, Wish2)) -->
+    [ '~w: ~w 와(과) ~w 을(를) 함께 지정할 수 없습니다'-[P, Wish1, Wish2] ].
+
+some_ko(Ids) -->
+    { length(Ids, Count),
+      length(First, 10)
+    },
+    (   { Count =< 10 }
+    ->  { atomic_list_concat(Ids, ', ', Text) },
+        [ '~w'-[Text] ]
+    ;   { append(First, _, Ids),
+          atomic_list_concat(First, ', ', Text)
+        },
+        [ '~w, ... (모두 ~D 개)'-[Text, Count] ]
+    ).
+
+%!  development_notice_ko(+S, +What)// is det.
+%
+%   The message for the warning sanggwan(development(S, What)).
+
+development_notice_ko(S, in_triangles(Ps)) -->
+    { segment_word(S, Name) },
+    [ '세그먼트 ~d~w: 평면이 아닌 다각형은 삼각형으로 펼칩니다: '-[S, Name] ],
+    some_ko(Ps).
