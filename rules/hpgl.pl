@@ -9,6 +9,7 @@
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [last/2, list_to_set/2, member/2, sum_list/2]).
+:- autoload(library(option), [option/3]).
 /** <module> HPGL: strokes for pen plotters.
 
 The style (style.pl) says which pen draws what; each pen is taken once. Dashes
@@ -22,17 +23,19 @@ sheet.
 %
 %   Write Inked (ink.pl) to stream Out, pen by pen in painting order, the
 %   pen's travel between lines short (travel.pl). Options: dashes(How),
-%   `geometry` as is usual, or `type`.
+%   `geometry` as is usual, or `type`; order(kept): lines stay in their order,
+%   as a cutter needs it that cuts holes before what is round them.
 
 write_hpgl(Out, Inked, Options) :-
     Inked = inked(sheet(W,H,_), _, _),
     dashes_option(Options, geometry, How),
+    option(order(Order), Options, short),
     inked_lines(drawn, Inked, Lines),
     findall(Pen, ( member(line(Ink,_), Lines), ink_pen(Ink, Pen) ), Pens0),
     list_to_set(Pens0, Pens),
     format(Out, 'IN;~n', []),
     scaling_points(How, Out, W, H),
-    foldl(plot_pen(Out, plot(How,W,H), Lines), Pens, travel(0,0,0),
+    foldl(plot_pen(Out, plot(How,W,H)-Order, Lines), Pens, travel(0,0,0),
           travel(N,Way,WayUnsorted)),
     format(Out, 'PU;SP0;~n', []),
     print_message(informational,
@@ -49,7 +52,7 @@ scaling_points(_, _, _, _).
 %   travel(N,Way,WayUnsorted): so many lines up to here, and how far the pen
 %   went between them, or would have gone.
 
-plot_pen(Out, How, Lines, Pen, travel(N0,Way0,Unsorted0),
+plot_pen(Out, How-Order, Lines, Pen, travel(N0,Way0,Unsorted0),
          travel(N,Way,Unsorted)) :-
     format(Out, 'PU;SP~d;~n', [Pen]),
     findall(Key-Ink,
@@ -65,7 +68,7 @@ plot_pen(Out, How, Lines, Pen, travel(N0,Way0,Unsorted0),
               ink_pen(Ink, Pen)
             ),
             Strokes),
-    short_travel(Strokes, Ordered),
+    ordered(Order, Strokes, Ordered),
     length(Strokes, N1),
     travel_length(Ordered, Way1),
     travel_length(Strokes, Unsorted1),
@@ -74,6 +77,11 @@ plot_pen(Out, How, Lines, Pen, travel(N0,Way0,Unsorted0),
     Unsorted is Unsorted0+Unsorted1,
     foldl(plot(Out, How, Inks), Ordered, pen(solid,none), pen(Type,_)),
     line_type(Out, How, Type, solid).
+
+ordered(kept, Strokes, Strokes) :-
+    !.
+ordered(short, Strokes, Ordered) :-
+    short_travel(Strokes, Ordered).
 
 %   A line's ink is the same as that of all lines with its key.
 

@@ -146,6 +146,12 @@
             join_faces/3,             % +Flattening, +J, -Result
             join_all/1,               % +Flattening
             joint_order/2,            % +Flattening, -Joints
+            % nest4pl.c
+            shapes_open/2,            % +Cell, -Shapes
+            shapes_add/2,             % +Shapes, +Shape
+            shapes_free/3,            % +Shapes, +Shape, +Tolerance
+            nest/6,                   % +Size, +Square, +Gap, +One, +Pieces,
+                                      % -Places
             % exact4pl.c
             exact_fallbacks/1,        % -Count
             exact_statistics/1,       % -Statistics
@@ -552,6 +558,32 @@ glue file.
 %
 %   Order has the numbers of Strokes, from 1, in the order of short_travel/2 of
 %   travel.pl, those drawn backwards below zero: its fused kernel.
+
+/* - - - nest4pl.c - - - */
+
+%!  shapes_open(+Cell, -Shapes) is det.
+%
+%   Shapes is a handle for convex shapes on paper, none yet, found again by the
+%   cells of a grid whose side is Cell: about the size of a shape.
+
+%!  shapes_add(+Shapes, +Shape) is det.
+%
+%   Shape, a list of 2 (a line) to 8 points X-Y in order, is one more.
+
+%!  shapes_free(+Shapes, +Shape, +Tolerance) is semidet.
+%
+%   True when no shape of Shapes overlaps Shape deeper than Tolerance; how deep
+%   is how far one of the two has to be moved to be free.
+
+%!  nest(+Size, +Square, +Gap, +One, +Pieces, -Places) is det.
+%
+%   Lays Pieces, each piece(Degrees,Loops), on sheets of Size, W-H: one after
+%   the other, on the first sheet that takes it, as low and then as far left as
+%   can be, turned by one of the Degrees; on a raster of Square, Gap squares of
+%   which at least stay free between pieces. Loops are lists of X-Y. One: there
+%   is a single sheet. Each of Places is place(Sheet,Turn,DX,DY): the piece,
+%   turned counterclockwise, goes DX,DY; Sheet 0 if it fits on none. See
+%   c_kernels/nest.h.
 
 /* - - - exact4pl.c - - - */
 

@@ -18,6 +18,7 @@
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
 :- use_module(style_en, [style_en//1]).
 :- use_module(sheet_en, [sheet_en//1]).
+:- use_module(pattern_en, [pattern_en//1]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
@@ -395,6 +396,8 @@ notice_en(development(S, What)) -->
     development_notice_en(S, What).
 notice_en(operand(What, S)) -->
     operand_notice_en(What, S).
+notice_en(pattern(What)) -->
+    pattern_en(What).
 notice_en(one_segment) -->
     [ 'one segment alone has no penetration lines' ].
 notice_en(empty_result(S, Name)) -->

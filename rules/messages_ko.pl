@@ -14,6 +14,7 @@
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(style_ko, [style_ko//1]).
 :- use_module(sheet_ko, [sheet_ko//1]).
+:- use_module(pattern_ko, [pattern_ko//1]).
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
 :- use_module(development_ko,
               [ development_ko//2, development_notice_ko//2 ]).
@@ -378,6 +379,8 @@ notice_ko(development(S, What)) -->
     development_notice_ko(S, What).
 notice_ko(operand(What, S)) -->
     operand_notice_ko(What, S).
+notice_ko(pattern(What)) -->
+    pattern_ko(What).
 notice_ko(one_segment) -->
     [ '세그먼트가 하나뿐이라 상관선이 없습니다' ].
 notice_ko(empty_result(S, Name)) -->

@@ -1,14 +1,16 @@
 :- module(sg_pdf,
-          [ write_pdf/3                 % +Out, +Inked, +Options
+          [ write_pdf/3,                % +Out, +Inked, +Options
+            write_pdf_pages/3           % +Out, +Inkeds, +Options
           ]).
 :- use_module(ink, [dashes_option/3]).
 :- use_module(page, [write_page/5, page_layers/2, page_points/2, text_hex/2]).
-:- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [member/2, nth0/3]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(lists),
+            [append/2, list_to_set/2, member/2, nth0/3, nth1/3]).
 :- autoload(library(option), [option/3]).
 /** <module> PDF: a page of lines in true millimetres.
 
-PDF 1.5, one page as large as the sheet, nothing compressed, no time and no
+PDF 1.5, each page as large as its sheet, nothing compressed, no time and no
 name of a user in it: the same drawing gives the same bytes. Layers of the
 style are layers of the document, which a viewer can hide. Colours are those
 for print. Texts are drawn (lettering.pl), so no font is needed, for Korean
@@ -23,52 +25,69 @@ either.
 %   `geometry`: each dash is a line.
 
 write_pdf(Out, Inked, Options) :-
+    write_pdf_pages(Out, [Inked], Options).
+
+%!  write_pdf_pages(+Out, +Inkeds, +Options) is det.
+%
+%   The same, with a page for each of Inkeds.
+
+write_pdf_pages(Out, Inkeds, Options) :-
     dashes_option(Options, fitted, How0),
     page_how(How0, How),
-    page_layers(Inked, Layers),
-    with_output_to(string(Content),
-                   ( current_output(Page),
-                     write_page(Page, print, How, Layers, Inked) )),
-    findall(Body, object(Layers, Inked, Content, Options, Body), Bodies),
+    maplist(page_layers, Inkeds, Layerss),
+    append(Layerss, Layers0),
+    list_to_set(Layers0, Layers),
+    maplist(page_content(How, Layers), Inkeds, Contents),
+    findall(Body, object(Layers, Inkeds, Contents, Options, Body), Bodies),
     Header = "%PDF-1.5\n",
     string_length(Header, Start),
     write(Out, Header),
     foldl(write_object(Out), Bodies, 1-Start, Count-End),
-    cross_references(Out, Bodies, Start, Count, End).
+    length(Inkeds, Pages),
+    Information is 2*Pages+3,
+    cross_references(Out, Bodies, Start, Count-Information, End).
+
+page_content(How, Layers, Inked, Content) :-
+    with_output_to(string(Content),
+                   ( current_output(Page),
+                     write_page(Page, print, How, Layers, Inked) )).
 
 page_how(type, fitted) :-
     !.
 page_how(How, How).
 
-%   object(Layers, Inked, Content, Options, Body): the objects in order: 1
-%   catalogue, 2 pages, 3 page, 4 content, 5 information, 6 on the layers.
+%   object(Layers, Inkeds, Contents, Options, Body): the objects in order: 1
+%   catalogue, 2 pages, each page and its content, information, the layers.
 
-object(Layers, _, _, _, Body) :-
+object(Layers, Inkeds, _, _, Body) :-
     length(Layers, N),
-    findall(Reference, layer_reference(N, Reference), References),
+    first_layer(Inkeds, First),
+    findall(Reference, layer_reference(First, N, Reference), References),
     atomic_list_concat(References, ' ', All),
     format(string(Body),
            '<< /Type /Catalog /Pages 2 0 R /OCProperties << /OCGs [~w] \c
             /D << /Order [~w] >> >> >>', [All,All]).
-object(_, _, _, _, "<< /Type /Pages /Kids [3 0 R] /Count 1 >>").
-object(Layers, inked(sheet(W,H,_),_,_), _, _, Body) :-
-    page_points(W, Width),
-    page_points(H, Height),
-    findall(Text,
-            ( nth0(N, Layers, _),
-              Number is N+6,
-              format(atom(Text), '/L~d ~d 0 R', [N,Number])
+object(_, Inkeds, _, _, Body) :-
+    length(Inkeds, Count),
+    findall(Reference,
+            ( between(1, Count, I),
+              Number is 2*I+1,
+              format(atom(Reference), '~d 0 R', [Number])
             ),
-            Texts),
-    atomic_list_concat(Texts, ' ', Properties),
-    format(string(Body),
-           '<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ~w ~w] \c
-            /Contents 4 0 R~n/Resources << /Properties << ~w >> >> >>',
-           [Width,Height,Properties]).
-object(_, _, Content, _, Body) :-
-    string_length(Content, Length),
-    format(string(Body), '<< /Length ~d >>~nstream~n~wendstream',
-           [Length,Content]).
+            References),
+    atomic_list_concat(References, ' ', Kids),
+    format(string(Body), '<< /Type /Pages /Kids [~w] /Count ~d >>',
+           [Kids,Count]).
+object(Layers, Inkeds, Contents, _, Body) :-
+    first_layer(Inkeds, First),
+    nth1(I, Inkeds, Inked),
+    (   Number is 2*I+2,
+        page_object(Layers, First, Inked, Number, Body)
+    ;   nth1(I, Contents, Content),
+        string_length(Content, Length),
+        format(string(Body), '<< /Length ~d >>~nstream~n~wendstream',
+               [Length,Content])
+    ).
 object(_, _, _, Options, Body) :-
     option(title(Title), Options, ''),
     text_hex(Title, Hex),
@@ -77,9 +96,30 @@ object(Layers, _, _, _, Body) :-
     member(Layer, Layers),
     format(string(Body), '<< /Type /OCG /Name (~w) >>', [Layer]).
 
-layer_reference(N, Reference) :-
-    between(1, N, I),
-    Number is I+5,
+page_object(Layers, First, inked(sheet(W,H,_),_,_), Content, Body) :-
+    page_points(W, Width),
+    page_points(H, Height),
+    findall(Text,
+            ( nth0(N, Layers, _),
+              Number is N+First,
+              format(atom(Text), '/L~d ~d 0 R', [N,Number])
+            ),
+            Texts),
+    atomic_list_concat(Texts, ' ', Properties),
+    format(string(Body),
+           '<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ~w ~w] \c
+            /Contents ~d 0 R~n/Resources << /Properties << ~w >> >> >>',
+           [Width,Height,Content,Properties]).
+
+%   first_layer(Inkeds, Number): the object of the first layer.
+
+first_layer(Inkeds, Number) :-
+    length(Inkeds, Pages),
+    Number is 2*Pages+4.
+
+layer_reference(First, N, Reference) :-
+    Last is First+N-1,
+    between(First, Last, Number),
     format(atom(Reference), '~d 0 R', [Number]).
 
 write_object(Out, Body, N0-At0, N-At) :-
@@ -94,12 +134,12 @@ object_text(N, Body, Text) :-
 
 %   Where each object begins, in bytes; all of the file is ASCII.
 
-cross_references(Out, Bodies, Start, Count, End) :-
+cross_references(Out, Bodies, Start, Count-Information, End) :-
     format(Out, 'xref~n0 ~d~n0000000000 65535 f ~n', [Count]),
     foldl(cross_reference(Out), Bodies, 1-Start, _),
     format(Out,
-           'trailer~n<< /Size ~d /Root 1 0 R /Info 5 0 R >>~n\c
-            startxref~n~d~n%%EOF~n', [Count,End]).
+           'trailer~n<< /Size ~d /Root 1 0 R /Info ~d 0 R >>~n\c
+            startxref~n~d~n%%EOF~n', [Count,Information,End]).
 
 cross_reference(Out, Body, N0-At0, N-At) :-
     format(Out, '~|~`0t~d~10+ 00000 n ~n', [At0]),

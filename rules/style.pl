@@ -8,6 +8,7 @@
             sheet_role/1                % ?Role
           ]).
 :- use_module(decision, [decision/2]).
+:- use_module(pattern_look, [pattern_look/5]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> How lines look.
 
@@ -38,6 +39,10 @@ what they say.
 %   Style; Segment is 0 for what belongs to the sheet, see sheet_role/1. A
 %   decision; where a rule file has no answer, this one holds.
 
+line_style(visible, Role, _, style(Width,Colour,Dashes,Pen,Layer)) :-
+    pattern_look(Role, Width, Colour, Dashes, Pen),
+    !,
+    upcase_atom(Role, Layer).
 line_style(Visibility, Role, _, style(Width,Colour,Dashes,Pen,Layer)) :-
     line_width(Visibility, Role, Width),
     line_colour(Role, Colour),

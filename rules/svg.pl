@@ -9,7 +9,8 @@
 :- use_module(lettering, [lettering/2]).
 :- autoload(library(apply), [foldl/4]).
 :- autoload(library(lists), [list_to_set/2, member/2]).
-:- autoload(library(option), [option/2]).
+:- autoload(library(assoc), [get_assoc/3]).
+:- autoload(library(option), [option/2, option/3]).
 :- autoload(library(dcg/high_order), [sequence//2, sequence//3]).
 :- autoload(library(rbtrees),
             [rb_insert_new/4, rb_lookup/3, rb_new/1, rb_update/4]).
@@ -22,8 +23,9 @@ painting order; in it a polyline for each stroke:
               data-edge="7 8" points="10,20 30,20 38,24"/>
 
 The class list begins with `visible` or `hidden`, then the role. The k-th
-number of data-edge is the edge that the k-th straight piece belongs to. An id
-names segment and first edge; when an edge is drawn in several parts, `-2`,
+number of data-edge is the edge that the k-th straight piece belongs to; of a
+pattern the k-th of data-joint is the joint of that edge, 0 if it has none. An
+id names segment and first edge; when an edge is drawn in several parts, `-2`,
 `-3` follow. How things look is in the style block alone, except for dashes,
 which are fitted to each line (dash.pl): a property of the polyline, or, with
 dashes(geometry), the pieces of a `path` in its place.
@@ -34,21 +36,24 @@ dashes(geometry), the pieces of a `path` in its place.
 %!  write_svg(+Out, +Inked, +Options) is det.
 %
 %   Write Inked (ink.pl) to stream Out. Options: title(Text), dashes(How), as
-%   for write_drawing/2.
+%   for write_drawing/2; joints(Joints): an assoc of S-E to the number of a
+%   joint.
 
 write_svg(Out, inked(Sheet,Paper,Views), Options) :-
     dashes_option(Options, fitted, How),
     emit(Out, svg_head(How, inked(Sheet,Paper,Views), Options)),
-    forall(member(View, Views), write_view(Out, How, View)),
+    option(joints(Joints), Options, none),
+    forall(member(View, Views), write_view(Out, How, Joints, View)),
     emit(Out, "</svg>\n").
 
 %   A view alone needs no group of its own; of several each has one, and its
 %   name before all its ids.
 
-write_view(Out, How, view(Name,Lines,Texts)) :-
+write_view(Out, How, Joints, view(Name,Lines,Texts)) :-
     view_prefix(Name, Prefix),
     emit(Out, view_head(Name)),
-    foldl(write_line(Out, Prefix-How), Lines, state(none,ids), State),
+    foldl(write_line(Out, look(Prefix,How,Joints)), Lines, state(none,ids),
+          State),
     emit(Out, strokes_tail(State)),
     forall(member(Text, Texts), emit(Out, text(How, Text))),
     emit(Out, view_tail(Name)).
@@ -220,7 +225,8 @@ strokes_tail(_) -->
 
 %   state(Group,Ids): the open group, and how often each id was given.
 
-write_line(Out, Prefix-How, Line, state(Group0,Ids0), state(Group,Ids)) :-
+write_line(Out, Look, Line, state(Group0,Ids0), state(Group,Ids)) :-
+    Look = look(Prefix, _, _),
     Line = line(_, stroke(Visibility,Role,S,Edges,_,_,_)),
     Group = Visibility-Role,
     (   Edges = [E|_]
@@ -232,7 +238,7 @@ write_line(Out, Prefix-How, Line, state(Group0,Ids0), state(Group,Ids)) :-
     ->  true
     ;   emit(Out, group(Prefix, Group0, Group))
     ),
-    emit(Out, line_head(Line, Prefix, How, N, Pointss, Before)),
+    emit(Out, line_head(Line, Look, N, Pointss, Before)),
     foldl(write_points(Out), Pointss, Before, _),
     format(Out, '"/>~n', []).
 
@@ -294,17 +300,17 @@ group(Prefix, Before, Visibility-Role) -->
     ),
     "<g id=\"", name(Prefix), name(Visibility), "-", name(Role), "\">\n".
 
-%   line_head(Line, Prefix, How, N, Pointss, Before): all before the points;
-%   Pointss are the lines that are drawn of it, the first after Before.
+%   line_head(Line, Look, N, Pointss, Before): all before the points; Pointss
+%   are the lines that are drawn of it, the first after Before.
 
-line_head(line(Ink,Stroke), Prefix, How, N, Pointss, Before) -->
+line_head(line(Ink,Stroke), look(Prefix,How,Joints), N, Pointss, Before) -->
     { Stroke = stroke(Visibility, Role, S, Edges, _, _, _),
       drawn_as(How, Ink, Element),
       ink_lines(How, Ink, Stroke, Pointss)
     },
     "<", name(Element), id(Edges, Prefix, S, N),
     " class=\"", name(Visibility), " ", name(Role), "\"",
-    shown(Edges, S),
+    shown(Edges, S), joints(Edges, S, Joints),
     way(Element, Ink, Stroke, Before).
 
 drawn_as(How, Ink, Element) :-
@@ -339,6 +345,22 @@ shown([], S) -->
 shown(Edges, S) -->
     " data-segment=\"", number(S),
     "\" data-edge=\"", sequence(number, " ", Edges), "\"".
+
+joints([], _, _) -->
+    !,
+    "".
+joints(_, _, none) -->
+    !,
+    "".
+joints(Edges, S, Joints) -->
+    " data-joint=\"", sequence(joint_of(S, Joints), " ", Edges), "\"".
+
+joint_of(S, Joints, E) -->
+    { get_assoc(S-E, Joints, J) },
+    !,
+    number(J).
+joint_of(_, _, _) -->
+    "0".
 
 id_count(1) -->
     !,

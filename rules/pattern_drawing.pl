@@ -1,0 +1,400 @@
+:- module(sg_pattern_drawing,
+          [ pattern_drawing/3,          % +Ds, +Options, -Drawings
+            pattern_layout/3            % +Ds, +Options, -Layout
+          ]).
+:- use_module(pattern_lines,
+              [ outline_loops/2, outline_strokes/3, piece_line/4,
+                piece_outline/3 ]).
+:- use_module(pattern_look, [pattern_look/5]).
+:- use_module(pattern_nest, [nested/3]).
+:- use_module(pattern_paper,
+              [ grid_line/3, pattern_paper/3, sheet_mark/4, sheet_of/4 ]).
+:- use_module(pattern_piece, [pattern_pieces/3, seam_numbers/2]).
+:- use_module(pattern_split, [split_pieces/3]).
+:- use_module(pattern_tab, [tabs/4]).
+:- use_module(pattern_text, [written/4]).
+:- use_module(pattern_tile, [tiled/4]).
+:- use_module(pattern_want, [wanted_text/4]).
+:- use_module(sheet_paper, [unit_millimetres/2]).
+:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- autoload(library(assoc), [list_to_assoc/2]).
+:- autoload(library(error), [domain_error/2, must_be/2]).
+:- autoload(library(lists), [append/2, append/3, last/2, max_list/2, member/2]).
+:- autoload(library(option), [option/2, option/3]).
+:- autoload(library(pairs), [pairs_keys_values/3]).
+/** <module> Patterns that one can make: sheets to cut, fold and glue.
+
+A pattern (a segment of kind `pattern`) is taken apart into pieces, these get
+tabs, are nested on sheets, and there are drawn with numbers and names. Where
+things are does not depend on the format that they are written in: a drawing
+(sheet.pl) for each sheet, one of its views for each piece. Roles of lines are
+those of pattern_look.pl.
+
+@see pattern_file.pl writes them
+*/
+
+:- set_prolog_flag(optimise, true).
+
+%!  pattern_drawing(+Ds, +Options, -Drawings) is det.
+%
+%   Drawings, one for each sheet or page, are the patterns Ds together. Options:
+%
+%     - scale(N:M): a true scale, default 1:1; unit(U): what one is in the
+%       model, default mm
+%     - page(P): A4 to A0, perhaps with -landscape, letter, `WxH` or W-H; if not
+%       given one sheet as large as needed. margin(M): free all round, 10 mm;
+%       gap(G): between pieces, 3 mm
+%     - tile(true): pieces are not divided for the page but the sheet is, into
+%       pages that overlap by overlap(O), 10 mm
+%     - tabs(W): tabs W mm wide at one side of each seam
+%     - numbers(Bool): of partners, on both sides of each seam, default true
+%     - names(What): of faces: false (default), true (their numbers), or `words`
+%     - angles(Bool): of folds, default false
+%     - fold_threshold(Degrees): flatter folds are not drawn, default 0.5
+%     - inside(Bool): seen from inside: mirrored, texts are not
+%     - grid(Step): a grid of Step mm
+%     - title(Text): beside the check bar
+%
+%   What was divided, or left out for want of room, is told by messages.
+%
+%   @error usage_error(sheet(What)), domain_error(_, _)
+
+pattern_drawing(Ds, Options, Drawings) :-
+    pattern_layout(Ds, Options, Layout),
+    layout_drawings(Layout, Options, Drawings0),
+    (   option(tile(true), Options)
+    ->  Drawings0 = [Drawing],
+        tiled(Options, Drawing, [], Drawings)
+    ;   Drawings = Drawings0
+    ).
+
+
+                /*******************************
+                *            LAYOUT            *
+                *******************************/
+
+%!  pattern_layout(+Ds, +Options, -Layout) is det.
+%
+%   Layout is layout(Factor, Sheet, Sheets, Numbers, Tabs, Butt): Factor is how
+%   many millimetres a unit of the model is, Sheet is as in pattern_paper.pl,
+%   Sheets are lists of laid(Piece,Outline,Place): what is on each, Place as of
+%   nested/3.
+
+pattern_layout(Ds, Options,
+               layout(Factor,Sheet,Sheets,Numbers,Tabs,Butt)) :-
+    factor(Options, Factor),
+    (   option(inside(true), Options)
+    ->  From = inside
+    ;   From = outside
+    ),
+    maplist(pieces_of(look(Factor,From)), Ds, Piecess),
+    append(Piecess, Pieces0),
+    option(gap(Gap), Options, 3),
+    pattern_paper(Options, Gap, Paper),
+    option(tabs(Width), Options, 0),
+    tab_room(Paper, Width, PiecePaper),
+    split_pieces(Pieces0, PiecePaper, Pieces),
+    told_split(Pieces0, Pieces),
+    seam_numbers(Pieces, Numbers),
+    pieces_tabs(Width, Pieces, Tabs, Butt),
+    maplist(outlined(Tabs), Pieces, Outlines),
+    maplist(named_loops, Pieces, Outlines, Loops),
+    nested(Loops, Paper, nested(Size,Places)),
+    sheet_of(Options, Paper, Size, Sheet),
+    maplist(laid, Pieces, Outlines, Places, Laid),
+    laid_sheets(Laid, Sheets).
+
+pieces_of(Look, D, Pieces) :-
+    pattern_pieces(D, Look, Pieces).
+
+factor(Options, Factor) :-
+    option(scale(Scale), Options, 1:1),
+    option(unit(Unit), Options, mm),
+    (   unit_millimetres(Unit, Millimetres)
+    ->  true
+    ;   domain_error(unit, Unit)
+    ),
+    (   Scale = N:M
+    ->  Factor is Millimetres*N/M
+    ;   Factor is Millimetres*Scale
+    ),
+    (   Factor > 0
+    ->  true
+    ;   domain_error(scale, Scale)
+    ).
+
+%   A piece may grow by a tab on each side.
+
+tab_room(room(W0,H0,Gap), Width, room(W,H,Gap)) :-
+    !,
+    W is max(W0/2, W0-2*Width),
+    H is max(H0/2, H0-2*Width).
+tab_room(Paper, _, Paper).
+
+told_split(Pieces0, Pieces) :-
+    length(Pieces0, N0),
+    length(Pieces, N),
+    (   N > N0
+    ->  print_message(warning, sanggwan(pattern(divided(N0,N))))
+    ;   true
+    ).
+
+pieces_tabs(Width, Pieces, Tabs, Butt) :-
+    must_be(number, Width),
+    (   Width > 0
+    ->  tabs(Width, Pieces, Pairs, Left),
+        told_butt(Left)
+    ;   Pairs = [],
+        Left = []
+    ),
+    list_to_assoc(Pairs, Tabs),
+    findall(Seam-true, member(Seam, Left), Marked),
+    list_to_assoc(Marked, Butt).
+
+told_butt([]) :-
+    !.
+told_butt(Seams) :-
+    length(Seams, N),
+    print_message(informational, sanggwan(pattern(without_tab(N)))).
+
+outlined(Tabs, Piece, Outline) :-
+    piece_outline(Piece, Tabs, Outline).
+
+named_loops(piece(Name,_,_), Outline, Name-Loops) :-
+    outline_loops(Outline, Loops).
+
+laid(Piece, Outline, _-Place, laid(Piece,Outline,Place)).
+
+laid_sheets(Laid, Sheets) :-
+    findall(I, member(laid(_,_,place(I,_,_,_)), Laid), Is0),
+    sort(Is0, Is),
+    findall(Sheet,
+            ( member(I, Is), findall(L, on_sheet(Laid, I, L), Sheet) ),
+            Sheets).
+
+on_sheet(Laid, I, L) :-
+    L = laid(_, _, place(I,_,_,_)),
+    member(L, Laid).
+
+
+                /*******************************
+                *           DRAWING            *
+                *******************************/
+
+layout_drawings(Layout, Options, Drawings) :-
+    Layout = layout(_, _, Sheets, _, _, _),
+    length(Sheets, Count),
+    numbered(Sheets, 1, Numbered),
+    maplist(sheet_drawing(Layout, Options, Count), Numbered, Drawings0,
+            Skippeds),
+    append(Skippeds, Skipped),
+    told_skipped(Skipped),
+    Drawings = Drawings0.
+
+numbered([], _, []).
+numbered([X|Xs], I, [I-X|Numbered]) :-
+    I1 is I+1,
+    numbered(Xs, I1, Numbered).
+
+told_skipped(Skipped) :-
+    findall(Role, member(Role-_, Skipped), Roles0),
+    sort(Roles0, Roles),
+    forall(member(Role, Roles),
+           ( findall(N, member(Role-N, Skipped), Ns),
+             sumlist(Ns, Sum),
+             print_message(informational,
+                           sanggwan(pattern(no_room(Role,Sum)))) )).
+
+sheet_drawing(Layout, Options, Count, I-Laid, Drawing, Skipped) :-
+    Layout = layout(Factor, Sheet, _, Numbers, Tabs, Butt),
+    Sheet = sheet(Width, Height, _, _, _, _),
+    option(fold_threshold(Threshold), Options, 0.5),
+    How = how(Threshold, Butt),
+    maplist(placed_piece(Sheet, Tabs, How), Laid, Placed),
+    findall(Line, ( member(placed(_,_,Loops,Lines,_), Placed),
+                    inked_line(Loops, Lines, Line) ), Inked),
+    findall(Want, ( member(P, Placed),
+                    wanted_text(P, Options, Numbers, Want) ), Wanted),
+    written(Inked, Wanted, Letters, Skipped),
+    maplist(piece_view(Height, Letters), Placed, Views),
+    sheet_view(Sheet, Options, Count-I, Views0),
+    append(Views0, Views, All),
+    W is round(Width*1000),
+    H is round(Height*1000),
+    Drawing = drawing(sheet(W,H,Factor), All).
+
+%   placed(Name, Faces, Loops, Lines, Sides): a piece in millimetres of its
+%   sheet, y up. Loops are lists of edge(E,A,B), Lines line(Role,E,A,B); Sides
+%   as in pattern_piece.pl.
+
+placed_piece(Sheet, Tabs, How, laid(Piece,Outline,Place),
+             placed(Name,Faces,Loops,Lines,Sides)) :-
+    Piece = piece(Name, Faces0, Sides0),
+    Move = move(Sheet, Place),
+    findall(Loop, ( member(Ways, Outline),
+                    findall(Edge, way_edge(Ways, Move, Edge), Loop) ),
+            Loops),
+    findall(line(Role,E,A,B),
+            ( piece_line(Piece, Tabs, How, line(Role,E,A0,B0)),
+              moved(Move, A0, A),
+              moved(Move, B0, B)
+            ),
+            Lines),
+    maplist(moved_side(Move), Sides0, Sides),
+    maplist(moved_face(Move), Faces0, Faces).
+
+way_edge(Ways, Move, edge(E,A,B)) :-
+    member(way(E,Points), Ways),
+    append(_, [A0,B0|_], Points),
+    moved(Move, A0, A),
+    moved(Move, B0, B).
+
+moved(move(sheet(_,_,Left,Bottom,_,_),place(_,Degrees,DX,DY)), X0-Y0, X-Y) :-
+    turning(Degrees, Cos, Sin),
+    X is X0*Cos - Y0*Sin + DX + Left,
+    Y is X0*Sin + Y0*Cos + DY + Bottom.
+
+%   Right angles are exact.
+
+turning(Degrees, Cos, Sin) :-
+    (   turn(Degrees, Cos0, Sin0)
+    ->  Cos = Cos0,
+        Sin = Sin0
+    ;   Cos is cos(Degrees*pi/180),
+        Sin is sin(Degrees*pi/180)
+    ).
+
+turn(0.0,    1, 0).
+turn(90.0,   0, 1).
+turn(180.0, -1, 0).
+turn(270.0,  0, -1).
+
+moved_side(Move, side(E,P,WA-A0,WB-B0,Joint), side(E,P,WA-A,WB-B,Joint)) :-
+    moved(Move, A0, A),
+    moved(Move, B0, B).
+
+moved_face(Move, face(P,Shapes0), face(P,Shapes)) :-
+    maplist(moved_shape(Move), Shapes0, Shapes).
+
+moved_shape(Move, Shape0, Shape) :-
+    maplist(moved_corner(Move), Shape0, Shape).
+
+moved_corner(Move, _-P0, P) :-
+    moved(Move, P0, P).
+
+inked_line(Loops, _, [A,B]) :-
+    member(Loop, Loops),
+    member(edge(_,A,B), Loop).
+inked_line(_, Lines, [A,B]) :-
+    member(line(_,_,A,B), Lines).
+
+%   A view of a piece: letters, marks and folds first, so that it still hangs
+%   together when they are made; then holes, the outline last.
+
+piece_view(Height, Letters, placed(Name,_,Loops0,Lines0,_),
+           view(View,Strokes,[])) :-
+    Name = name(D, _, _),
+    view_name(Name, View),
+    findall(Stroke, letter_stroke(Height, Letters, Name, Stroke), Texts),
+    findall(Role-stroke(visible,Role,D,Es,[A,B],joint,joint),
+            ( member(line(Role,E,A0,B0), Lines0),
+              on_paper(Height, A0, A),
+              on_paper(Height, B0, B),
+              A \== B,
+              edge_list(E, Es)
+            ),
+            Lines),
+    in_painting_order(Lines, Inner),
+    maplist(paper_loop(Height), Loops0, Loops),
+    outline_strokes(Loops, D, Cut),
+    append([Texts, Inner, Cut], Strokes).
+
+%   A side that a line made is no edge of the model.
+
+edge_list(0, []) :-
+    !.
+edge_list(E, [E]).
+
+in_painting_order(Lines, Strokes) :-
+    findall(Stroke,
+            ( member(Role, [mark,penetration_line,fold_up,fold_down]),
+              member(Role-Stroke, Lines)
+            ),
+            Strokes).
+
+view_name(name(D,K,Part), View) :-
+    (   Part =:= 0
+    ->  format(atom(View), 'p~d-~d', [D,K])
+    ;   format(atom(View), 'p~d-~d-~d', [D,K,Part])
+    ).
+
+letter_stroke(Height, Letters, Name,
+              stroke(visible,Role,D,[],Points,End,End)) :-
+    member(letters(Role,Name,Lines), Letters),
+    Name = name(D, _, _),
+    member(Line, Lines),
+    maplist(on_paper(Height), Line, Points),
+    Points = [First|Rest],
+    Rest \== [],
+    last(Rest, Last),
+    (   First == Last
+    ->  End = ring
+    ;   End = joint
+    ).
+
+paper_loop(Height, Loop0, Loop) :-
+    maplist(paper_edge(Height), Loop0, Loop).
+
+paper_edge(Height, edge(E,A0,B0), edge(E,A,B)) :-
+    on_paper(Height, A0, A),
+    on_paper(Height, B0, B).
+
+on_paper(Height, X0-Y0, X-Y) :-
+    X is round(X0*1000),
+    Y is round((Height-Y0)*1000).
+
+%   The grid, and the check bar with what the sheet is; where it is tiled each
+%   page has a bar of its own.
+
+sheet_view(Sheet, Options, Count-I, Views) :-
+    findall(Mark, sheet_line(Sheet, Options, Count-I, Mark), Marks),
+    Sheet = sheet(_, Height, _, _, _, _),
+    findall(stroke(visible,Role,0,[],Points,joint,joint),
+            ( member(line(Role,Points0), Marks),
+              maplist(on_paper(Height), Points0, Points)
+            ),
+            Strokes),
+    findall(text(X,Y,High,Anchor,Text),
+            ( member(text(X0,Y0,High0,Anchor,Text), Marks),
+              on_paper(Height, X0-Y0, X-Y),
+              High is round(High0*1000)
+            ),
+            Texts),
+    (   Marks == []
+    ->  Views = []
+    ;   Views = [view(sheet,Strokes,Texts)]
+    ).
+
+sheet_line(Sheet, Options, _, Mark) :-
+    option(grid(Step), Options),
+    number(Step),
+    Step > 0,
+    grid_line(Step, Sheet, Mark).
+sheet_line(Sheet, Options, Count-I, Mark) :-
+    \+ option(tile(true), Options),
+    sheet_says(Options, Count, I, Says),
+    sheet_mark(Sheet, Options, Says, Mark).
+
+sheet_says(Options, Count, I, Says) :-
+    findall(Say, sheet_word(Options, Count, I, Say), Says).
+
+sheet_word(Options, _, _, Say) :-
+    option(title(Title), Options),
+    text_to_string(Title, Say),
+    Say \== "".
+sheet_word(Options, _, _, Say) :-
+    option(scale(Scale), Options, 1:1),
+    format(string(Say), '~w', [Scale]).
+sheet_word(_, Count, I, Say) :-
+    Count > 1,
+    format(string(Say), '~d/~d', [I,Count]).

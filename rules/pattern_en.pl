@@ -1,0 +1,30 @@
+:- module(sg_pattern_en,
+          [ pattern_en//1               % +What
+          ]).
+/** <module> What happened on the way to a pattern on paper, in English.
+
+pattern_ko.pl has the same heads in Korean (tests/rules/pattern_file.plt).
+*/
+
+%!  pattern_en(+What)// is det.
+%
+%   The notice sanggwan(pattern(What)).
+
+pattern_en(divided(Before, After)) -->
+    [ 'some of ~D pieces are larger than the page: divided, they are \c
+       ~D'-[Before, After] ].
+pattern_en(without_tab(N)) -->
+    [ '~D seams have no tab: on neither side is there room for one'-[N] ].
+pattern_en(no_room(Role, N)) -->
+    { role_en(Role, Words) },
+    [ '~D ~w are left out: there is no room for letters that can be read'
+      -[N, Words] ].
+pattern_en(pages(N, Files)) -->
+    { atomic_list_concat(Files, ' ', All) },
+    [ '~D sheets: ~w'-[N, All] ].
+pattern_en(taken(Sheets, Pieces, Share)) -->
+    [ '~D pieces on ~D sheets, ~1f % of them used'-[Pieces, Sheets, Share] ].
+
+role_en(number, 'partner numbers').
+role_en(face_name, 'names of faces').
+role_en(angle, 'bend angles').

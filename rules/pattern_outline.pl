@@ -1,0 +1,119 @@
+:- module(sg_pattern_outline,
+          [ cut_loops/2,                % +Sides, -Loops
+            loop_area/2                 % +Points, -Area
+          ]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(assoc),
+            [ del_assoc/4, get_assoc/3, list_to_assoc/2, min_assoc/3,
+              put_assoc/4 ]).
+:- autoload(library(lists), [member/2, select/3]).
+:- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+/** <module> Where a piece is cut out: its outline in closed loops.
+
+A side that is no fold and no penetration line is cut. The face lies on the left
+of each, so the outline runs counter-clockwise round the piece and clockwise
+round each hole.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+%!  cut_loops(+Sides, -Loops) is det.
+%
+%   Loops are the sides (pattern_piece.pl) that are cut, each loop in the order
+%   of the way round; those round holes first, as who cuts wants it, then the
+%   larger ones last.
+
+cut_loops(Sides, Loops) :-
+    findall(W-Side,
+            ( member(Side, Sides),
+              Side = side(_, _, W-_, _, Joint),
+              is_cut(Joint)
+            ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Leaving),
+    walked_loops(Leaving, Loops0),
+    maplist(loop_rank, Loops0, Ranked0),
+    keysort(Ranked0, Ranked),
+    pairs_values(Ranked, Loops).
+
+is_cut(border).
+is_cut(seam(_,_,_)).
+
+walked_loops(Leaving0, Loops) :-
+    (   min_assoc(Leaving0, W, [First|_])
+    ->  taken(W, First, Leaving0, Leaving1),
+        walked(First, W, Leaving1, Leaving, Rest),
+        Loops = [[First|Rest]|Loops1],
+        walked_loops(Leaving, Loops1)
+    ;   Loops = []
+    ).
+
+taken(W, Side, Leaving0, Leaving) :-
+    get_assoc(W, Leaving0, Sides),
+    once(select(Side, Sides, Left)),
+    (   Left == []
+    ->  del_assoc(W, Leaving0, _, Leaving)
+    ;   put_assoc(W, Leaving0, Left, Leaving)
+    ).
+
+%   walked(Side, Start, Leaving0, Leaving, Loop): on from the end of Side until
+%   Start, or until no side goes on.
+
+walked(side(_,_,_,Start-_,_), Start, Leaving, Leaving, []) :-
+    !.
+walked(Side, Start, Leaving0, Leaving, Loop) :-
+    Side = side(_, _, _, W-_, _),
+    (   get_assoc(W, Leaving0, Sides)
+    ->  next_side(Sides, Side, Next),
+        taken(W, Next, Leaving0, Leaving1),
+        Loop = [Next|Loop1],
+        walked(Next, Start, Leaving1, Leaving, Loop1)
+    ;   Leaving = Leaving0,
+        Loop = []
+    ).
+
+%   Where the piece hangs together in a point alone several sides go on from
+%   there. The face on the left of Side is on the left of the next one too: the
+%   first one met clockwise from where Side came from.
+
+next_side([Next], _, Next) :-
+    !.
+next_side(Sides, side(_,_,_-A,_-B,_), Next) :-
+    maplist(turn_from(A, B), Sides, Turned0),
+    keysort(Turned0, [_-Next|_]).
+
+turn_from(XA-YA, XB-YB, Side, Turn-Side) :-
+    Side = side(_, _, _, _-(XC-YC), _),
+    Back is atan2(YA-YB, XA-XB),
+    On is atan2(YC-YB, XC-XB),
+    Turn0 is Back-On,
+    (   Turn0 =< 1.0e-9
+    ->  Turn is Turn0 + 2*pi
+    ;   Turn = Turn0
+    ).
+
+%   Holes have an area below zero.
+
+loop_rank(Loop, rank(Outer,Size)-Loop) :-
+    findall(Point, member(side(_,_,_-Point,_,_), Loop), Points),
+    loop_area(Points, Area),
+    Size is abs(Area),
+    (   Area < 0
+    ->  Outer = 0
+    ;   Outer = 1
+    ).
+
+%!  loop_area(+Points, -Area) is det.
+%
+%   Area is that within the closed line through Points, X-Y; below zero if it
+%   runs clockwise.
+
+loop_area([], 0.0).
+loop_area([First|Points], Area) :-
+    foldl(swept(First), Points, First-0.0, _-Twice),
+    Area is Twice/2.
+
+swept(X0-Y0, X2-Y2, (X1-Y1)-Area0, (X2-Y2)-Area) :-
+    Area is Area0 + (X1-X0)*(Y2-Y0) - (X2-X0)*(Y1-Y0).

@@ -1,0 +1,180 @@
+:- module(sg_pattern_paper,
+          [ pattern_paper/3,            % +Options, +Gap, -Paper
+            sheet_of/4,                 % +Options, +Paper, +Size, -Sheet
+            sheet_mark/4,               % +Sheet, +Options, +Says, -Mark
+            grid_line/3,                % +Step, +Sheet, -Mark
+            page_size/3,                % +Options, -Width, -Height
+            sheet_window/2              % +Sheet, -Window
+          ]).
+:- use_module(sheet_paper, [paper/3, paper_size/3]).
+:- autoload(library(error), [must_be/2]).
+:- autoload(library(lists), [member/2]).
+:- autoload(library(option), [option/2, option/3]).
+/** <module> The paper of a pattern: sizes, the check bar, the grid.
+
+    sheet(Width, Height, Left, Bottom, RoomW, RoomH)
+
+is a sheet in millimetres and what is free on it for pieces, from Left to the
+right and from Bottom upwards, both measured from the lower left corner. Below
+it, in the margin, a bar says how large the sheet came out of the printer. Marks
+are line(Role,Points) and text(X,Y,Height,Anchor,Text), y up.
+*/
+
+% Millimetres: below the pieces, for the check bar.
+band(9.0).
+
+%!  page_size(+Options, -Width, -Height) is semidet.
+%
+%   The page that Options ask for: page(P), a name as for --sheet, `WxH` or W-H
+%   in millimetres, or `letter`. Fails if there is none.
+%
+%   @error usage_error(sheet(paper(P, Names)))
+
+page_size(Options, Width, Height) :-
+    option(page(Page), Options),
+    (   named_page(Page, Width0, Height0),
+        min(Width0, Height0) >= 50,
+        max(Width0, Height0) =< 20000
+    ->  Width is float(Width0),
+        Height is float(Height0)
+    ;   findall(Name, paper_size(Name, _, _), Names),
+        throw(error(usage_error(sheet(paper(Page, Names))), _))
+    ).
+
+named_page(W-H, Width, Height) :-
+    !,
+    number(W),
+    number(H),
+    Width = W,
+    Height = H.
+named_page(Text, Width, Height) :-
+    paper(Text, Width, Height),
+    !.
+named_page(Text, Width, Height) :-
+    downcase_atom(Text, Name),
+    letter_page(Name, Width, Height),
+    !.
+named_page(Text, Width, Height) :-
+    split_string(Text, "xX", " ", [TextW,TextH]),
+    catch(number_string(Width, TextW), error(syntax_error(_), _), fail),
+    catch(number_string(Height, TextH), error(syntax_error(_), _), fail).
+
+letter_page(letter, 215.9, 279.4).
+letter_page('letter-portrait', 215.9, 279.4).
+letter_page('letter-landscape', 279.4, 215.9).
+
+%!  pattern_paper(+Options, +Gap, -Paper) is det.
+%
+%   Paper is what pieces are nested on (pattern_nest.pl): the room of a page, or
+%   one sheet as large as needed if there is no page, or if it is to be tiled.
+
+pattern_paper(Options, Gap, Paper) :-
+    (   \+ option(tile(true), Options),
+        page_size(Options, Width, Height)
+    ->  page_room(Options, Width, Height, RoomW, RoomH),
+        Paper = room(RoomW, RoomH, Gap)
+    ;   Paper = roll(Gap)
+    ).
+
+page_room(Options, Width, Height, RoomW, RoomH) :-
+    margin(Options, Margin),
+    band(Band),
+    RoomW is max(20.0, Width-2*Margin),
+    RoomH is max(20.0, Height-2*Margin-Band).
+
+margin(Options, Margin) :-
+    option(margin(Margin), Options, 10),
+    must_be(number, Margin).
+
+%!  sheet_of(+Options, +Paper, +Size, -Sheet) is det.
+%
+%   Sheet is a page, or, if Paper is a roll, large enough for pieces of Size,
+%   W-H, and for the bar.
+
+sheet_of(Options, room(RoomW,RoomH,_), _,
+         sheet(Width,Height,Margin,Bottom,RoomW,RoomH)) :-
+    !,
+    page_size(Options, Width, Height),
+    margin(Options, Margin),
+    band(Band),
+    Bottom is Margin+Band.
+sheet_of(Options, roll(_), W-H,
+         sheet(Width,Height,Left,Bottom,W,H)) :-
+    margin(Options, Margin),
+    band(Band),
+    Width is max(110.0, ceiling(W+2*Margin)),
+    Height is ceiling(H+2*Margin+Band),
+    Left is (Width-W)/2,
+    Bottom is Margin+Band.
+
+%!  sheet_window(+Sheet, -Window) is det.
+%
+%   Window, rect(X1,Y1,X2,Y2), y up, is what pieces may take of the sheet.
+
+sheet_window(sheet(_,_,Left,Bottom,W,H), rect(Left,Bottom,X2,Y2)) :-
+    X2 is Left+W,
+    Y2 is Bottom+H.
+
+%!  sheet_mark(+Sheet, +Options, +Says, -Mark) is nondet.
+%
+%   The check bar of a sheet: a bar with a tick for every 10 mm, how long it is,
+%   and Says, a list of strings, to the right of it.
+
+sheet_mark(sheet(Width,_,_,Bottom,_,_), Options, Says, Mark) :-
+    margin(Options, Margin),
+    Left is max(4.0, Margin),
+    bar_length(Width-2*Left, Length),
+    Base is max(3.0, Bottom-9.0+1.0),
+    Right is Left+Length,
+    (   bar_line(Left, Base, Length, Points),
+        Mark = line(bar, Points)
+    ;   format(string(Text), '~d mm', [Length]),
+        X is Right+2,
+        Mark = text(X,Base,2.5,start,Text)
+    ;   Says \== [],
+        X is Right+20,
+        X+20 < Width,
+        atomic_list_concat(Says, '   ', Text0),
+        atom_string(Text0, Text),
+        Mark = text(X,Base,2.5,start,Text)
+    ).
+
+bar_length(Free, Length) :-
+    (   Free >= 100
+    ->  Length = 100
+    ;   Free >= 50
+    ->  Length = 50
+    ;   Length = 20
+    ).
+
+bar_line(Left, Base, Length, [Left-Base,Right-Base]) :-
+    Right is Left+Length.
+bar_line(Left, Base, Length, [X-Base,X-Top]) :-
+    Last is Length//10,
+    between(0, Last, I),
+    X is Left+10*I,
+    (   ( I =:= 0 ; I =:= Last )
+    ->  Top is Base+4
+    ;   I mod 5 =:= 0
+    ->  Top is Base+3
+    ;   Top is Base+2
+    ).
+
+%!  grid_line(+Step, +Sheet, -Mark) is nondet.
+%
+%   The lines of a grid, Step mm apart, over the room for pieces.
+
+grid_line(Step, Sheet, line(grid,[A,B])) :-
+    sheet_window(Sheet, rect(X1,Y1,X2,Y2)),
+    (   grid_step(X1, X2, Step, X),
+        A = X-Y1,
+        B = X-Y2
+    ;   grid_step(Y1, Y2, Step, Y),
+        A = X1-Y,
+        B = X2-Y
+    ).
+
+grid_step(From, To, Step, At) :-
+    Last is floor((To-From)/Step + 1.0e-9),
+    between(0, Last, I),
+    At is From+I*Step.

@@ -1,0 +1,251 @@
+:- module(sg_pattern_text,
+          [ written/4                   % +Lines, +Wanted, -Strokes, -Skipped
+          ]).
+:- use_module(kernel, [shapes_add/2, shapes_free/3, shapes_open/2]).
+:- use_module(lettering, [lettering/2, lettering_width/3]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(lists), [append/3, last/2, member/2, sum_list/2]).
+:- autoload(library(pairs), [pairs_values/2]).
+/** <module> Numbers and names on a pattern, where there is room for them.
+
+A text is as large as fits between the lines and the texts that are there
+already; one that would be smaller than can be read is left out and counted.
+What is wanted is
+
+    want(Role, D, String, Heights, along(A,B))     on the left of A to B
+    want(Role, D, String, Heights, within(Shapes)) in a face
+
+Heights in millimetres, largest first; points X-Y, millimetres of the sheet,
+y up; Shapes are convex, lists of points. The letters are those of lettering.pl.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+% Millimetres free round a text, and how deep a line may reach into that.
+clear(0.35).
+touching(0.05).
+
+%!  written(+Lines, +Wanted, -Strokes, -Skipped) is det.
+%
+%   Strokes are letters, letters(Role,D,Liness): lists of points, for those of
+%   Wanted that found room, in that order; Skipped counts the others by role, a
+%   list of Role-Count. Lines, lists of points, are what is drawn.
+
+written(Lines, Wanted, Strokes, Skipped) :-
+    line_cell(Lines, Cell),
+    shapes_open(Cell, Shapes),
+    forall(member(Line, Lines), line_entered(Line, Shapes)),
+    foldl(text_written(Shapes), Wanted, Found0-[], Found-Left),
+    Found = [],
+    Strokes = Found0,
+    role_counts(Left, Skipped).
+
+line_cell(Lines, Cell) :-
+    findall(Side,
+            ( member([XA-YA,XB-YB|_], Lines),
+              Side is max(abs(XB-XA), abs(YB-YA))
+            ),
+            Sides),
+    length(Sides, N),
+    sum_list(Sides, Sum),
+    Cell is max(2.0, Sum/max(1, N)).
+
+line_entered([_], _) :-
+    !.
+line_entered([A,B|Points], Shapes) :-
+    (   A == B
+    ->  true
+    ;   shapes_add(Shapes, [A,B])
+    ),
+    line_entered([B|Points], Shapes).
+
+text_written(Shapes, want(Role,D,String,Heights,Place), Found0-Left,
+             Found-Left1) :-
+    (   text_place(Shapes, String, Heights, Place, Height, At, Way, Box)
+    ->  shapes_add(Shapes, Box),
+        text_lines(String, Height, At, Way, Lines),
+        Found0 = [letters(Role,D,Lines)|Found],
+        Left1 = Left
+    ;   Found0 = Found,
+        Left1 = [Role|Left]
+    ).
+
+role_counts(Roles0, Counts) :-
+    msort(Roles0, Roles),
+    findall(Role, member(Role, Roles), All),
+    sort(All, Names),
+    findall(Role-N,
+            ( member(Role, Names),
+              findall(x, member(Role, Roles), Xs),
+              length(Xs, N)
+            ),
+            Counts).
+
+%   text_place(Shapes, String, Heights, Place, Height, At, Way, Box): the text
+%   has the middle of its baseline At and runs along Way, a unit vector.
+
+text_place(Shapes, String, Heights, Place, Height, At, Way, Box) :-
+    touching(Tolerance),
+    member(Height, Heights),
+    lettering_width(String, Height, Width),
+    place_at(Place, Width, Height, At, Way),
+    text_box(At, Way, Width, Height, Box),
+    shapes_free(Shapes, Box, Tolerance),
+    !.
+
+%   place_at(Place, Width, Height, At, Way) is nondet: best first.
+
+place_at(along(A,B), Width, Height, At, U-V) :-
+    A = XA-YA,
+    B = XB-YB,
+    Length is sqrt((XB-XA)**2 + (YB-YA)**2),
+    Width+0.6 < Length,
+    U is (XB-XA)/Length,
+    V is (YB-YA)/Length,
+    Off is 0.45 + 0.25*Height,
+    member(T, [0.5,0.38,0.62,0.27,0.73,0.16,0.84]),
+    (   T =:= 0.5
+    ->  true
+    ;   min(T, 1-T)*Length > Width/2
+    ),
+    X is XA + T*Length*U - Off*V,
+    Y is YA + T*Length*V + Off*U,
+    At = X-Y.
+place_at(within(Shapes), Width, Height, At, Way) :-
+    face_middles(Shapes, Middles),
+    face_way(Shapes, Long),
+    member(Middle, Middles),
+    member(Way, [1.0-0.0, Long]),
+    Width > 0,
+    below(Middle, Way, Height/2, At),
+    text_ends(At, Way, Width, Height, Ends),
+    \+ ( member(End, Ends), \+ in_face(Shapes, End) ).
+
+below(X0-Y0, U-V, Down, X-Y) :-
+    X is X0 + Down*V,
+    Y is Y0 - Down*U.
+
+%   Where a name may have its middle: in the middle of the face, then in that of
+%   its larger triangles.
+
+face_middles(Shapes, Middles) :-
+    findall(Less-(Area-Middle),
+            ( member(Shape, Shapes),
+              shape_middle(Shape, Area, Middle),
+              Less is -Area
+            ),
+            Ranked0),
+    keysort(Ranked0, Ranked),
+    pairs_values(Ranked, Sized),
+    foldl(weighed, Sized, w(0.0,0.0,0.0), w(X0,Y0,All)),
+    first_of(6, Sized, Some),
+    findall(M, member(_-M, Some), Own),
+    (   All > 0
+    ->  X is X0/All,
+        Y is Y0/All,
+        Middles = [X-Y|Own]
+    ;   Middles = Own
+    ).
+
+weighed(Area-(X-Y), w(X0,Y0,A0), w(X1,Y1,A1)) :-
+    X1 is X0+Area*X,
+    Y1 is Y0+Area*Y,
+    A1 is A0+Area.
+
+first_of(N, List, First) :-
+    (   N > 0,
+        List = [X|Xs]
+    ->  First = [X|Rest],
+        N1 is N-1,
+        first_of(N1, Xs, Rest)
+    ;   First = []
+    ).
+
+shape_middle([XA-YA,XB-YB,XC-YC|More], Area, X-Y) :-
+    Area is abs((XB-XA)*(YC-YA) - (XC-XA)*(YB-YA))/2,
+    (   More == []
+    ->  X is (XA+XB+XC)/3,
+        Y is (YA+YB+YC)/3
+    ;   findall(X1, member(X1-_, [XA-YA,XB-YB,XC-YC|More]), Xs),
+        findall(Y1, member(_-Y1, [XA-YA,XB-YB,XC-YC|More]), Ys),
+        length(Xs, N),
+        sum_list(Xs, SumX),
+        sum_list(Ys, SumY),
+        X is SumX/N,
+        Y is SumY/N
+    ).
+
+%   The direction of the longest side of its triangles, read from below or from
+%   the right.
+
+face_way(Shapes, U-V) :-
+    findall(Length-(DX-DY),
+            ( member(Shape, Shapes),
+              last(Shape, Last),
+              append([Last], Shape, Round),
+              append(_, [XA-YA,XB-YB|_], Round),
+              DX is XB-XA,
+              DY is YB-YA,
+              Length is DX*DX+DY*DY
+            ),
+            Sides),
+    last_of_sorted(Sides, Square-(DX0-DY0)),
+    Length0 is sqrt(Square),
+    (   ( DX0 < -1.0e-6*Length0 ; abs(DX0) =< 1.0e-6*Length0, DY0 < 0 )
+    ->  U is -DX0/Length0,
+        V is -DY0/Length0
+    ;   U is DX0/Length0,
+        V is DY0/Length0
+    ).
+
+last_of_sorted(Sides, Longest) :-
+    keysort(Sides, Sorted),
+    last(Sorted, Longest).
+
+in_face(Shapes, Point) :-
+    member(Shape, Shapes),
+    last(Shape, Last),
+    left_of_all([Last|Shape], Point),
+    !.
+
+left_of_all([_], _).
+left_of_all([XA-YA,XB-YB|Points], X-Y) :-
+    (XB-XA)*(Y-YA) - (YB-YA)*(X-XA) >= -1.0e-9,
+    left_of_all([XB-YB|Points], X-Y).
+
+%   The middles of the two ends of a text.
+
+text_ends(X0-Y0, U-V, Width, Height, [XA-YA,XB-YB]) :-
+    MX is X0 - Height/2*V,
+    MY is Y0 + Height/2*U,
+    XA is MX - Width/2*U,
+    YA is MY - Width/2*V,
+    XB is MX + Width/2*U,
+    YB is MY + Width/2*V.
+
+%   The box round a text, with some room. Digits and capitals have no tails.
+
+text_box(X0-Y0, U-V, Width, Height, Box) :-
+    clear(Clear),
+    Left is -Width/2-Clear,
+    Right is Width/2+Clear,
+    Low is -Clear,
+    High is Height+Clear,
+    findall(X-Y,
+            ( member(A-B, [Left-Low,Right-Low,Right-High,Left-High]),
+              X is X0 + A*U - B*V,
+              Y is Y0 + A*V + B*U
+            ),
+            Box).
+
+text_lines(String, Height, X0-Y0, U-V, Lines) :-
+    High is round(Height*1000),
+    lettering(text(0,0,High,middle,String), Lines0),
+    maplist(maplist_point(X0, Y0, U, V), Lines0, Lines).
+
+maplist_point(X0, Y0, U, V, Points0, Points) :-
+    maplist(text_point(X0, Y0, U, V), Points0, Points).
+
+text_point(X0, Y0, U, V, A-B, X-Y) :-
+    X is X0 + (A*U + B*V)/1000,
+    Y is Y0 + (A*V - B*U)/1000.

@@ -1,0 +1,72 @@
+:- encoding(utf8).
+:- module(sg_pattern_want,
+          [ wanted_text/4               % +Placed, +Options, +Numbers, -Want
+          ]).
+:- use_module(primitive_face, [face_of/3]).
+:- use_module(store, [segment/3]).
+:- autoload(library(apply), [maplist/3]).
+:- autoload(library(assoc), [get_assoc/3]).
+:- autoload(library(lists), [member/2]).
+:- autoload(library(option), [option/3]).
+/** <module> What is to be written on a piece of a pattern.
+
+*/
+
+%!  wanted_text(+Placed, +Options, +Numbers, -Want) is nondet.
+%
+%   Want, as of written/4 (pattern_text.pl), is a text of the piece Placed
+%   (pattern_drawing.pl): numbers of seams first, then names of faces, then
+%   angles, as Options say; Numbers are those of seam_numbers/2.
+
+wanted_text(placed(Name,_,_,_,Sides), Options, Numbers,
+            want(number,Name,Text,[5.0,4.0,3.2,2.5,2.0,1.6],along(A,B))) :-
+    option(numbers(true), Options, true),
+    Name = name(D, _, _),
+    member(side(_,_,_-A,_-B,seam(J,_,_)), Sides),
+    get_assoc(D-J, Numbers, N),
+    number_string(N, Text).
+wanted_text(placed(Name,Faces,_,_,_), Options, _,
+            want(face_name,Name,Text,[7.0,5.0,3.5,2.5,2.0],within(Shapes))) :-
+    option(names(What), Options, false),
+    What \== false,
+    Name = name(D, _, _),
+    member(face(P,Shapes), Faces),
+    face_text(What, D, P, Text).
+wanted_text(placed(Name,_,_,_,Sides), Options, _,
+            want(angle,Name,Text,[2.5,2.0,1.6],along(A,B))) :-
+    option(angles(true), Options, false),
+    option(fold_threshold(Threshold), Options, 0.5),
+    member(side(_,_,_-A,_-B,fold(_,Angle,1)), Sides),
+    abs(Angle) > Threshold,
+    angle_text(Angle, Text).
+
+%   In whole degrees, or tenths if that is needed.
+
+angle_text(Angle, Text) :-
+    Tenths is round(abs(Angle)*10),
+    (   Tenths mod 10 =:= 0
+    ->  Degrees is Tenths//10,
+        format(string(Text), '~d°', [Degrees])
+    ;   format(string(Text), '~1d°', [Tenths])
+    ).
+
+%   What the face is of its primitive, if words are wanted and there are any.
+
+face_text(words, D, P, Text) :-
+    segment(D, _, development(S)),
+    integer(S),
+    face_of(S, P, What),
+    face_words(What, Text),
+    !.
+face_text(_, _, P, Text) :-
+    number_string(P, Text).
+
+face_words(What, Text) :-
+    atom(What),
+    !,
+    atom_string(What, Text).
+face_words(What, Text) :-
+    compound(What),
+    What =.. [Name,I],
+    integer(I),
+    format(string(Text), '~w ~d', [Name,I]).

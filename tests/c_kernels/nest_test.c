@@ -1,0 +1,161 @@
+/* nest_test.c -- pieces on sheets: by hand; random triangles, none on another,
+ * found by their sides. */
+#include "../check.h"
+
+#include "../../c_kernels/flat_shapes.h"
+#include "../../c_kernels/nest.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MANY = 200 };
+
+static uint64_t seed = 11;
+
+static double
+random_below(double most)
+{
+  seed = seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+  return most * (double)(seed >> 33) / 2147483648.0;
+}
+
+static const double turns[4] = {0.0, 90.0, 180.0, 37.0};
+
+typedef struct pieces {
+  double at[MANY][3][2];
+  size_t end[MANY];
+  sg_nest_piece piece[MANY];
+  sg_nest_place place[MANY];
+} pieces;
+
+static void
+make_pieces(pieces *p, double size)
+{
+  for (unsigned i = 0; i < MANY; i++) {
+    double triangle[3][2] = {{-3, 7},
+                             {-3 + 2 + random_below(size), 7},
+                             {-3 + random_below(size), 9 + random_below(size)}};
+
+    memcpy(p->at[i], triangle, sizeof triangle);
+    p->end[i] = 3;
+    p->piece[i] = (sg_nest_piece){
+        (const double(*)[2])p->at[i], 3, &p->end[i], 1, turns, 4};
+  }
+}
+
+static sg_flat_shape
+placed(const pieces *p, unsigned i)
+{
+  const sg_nest_place *to = &p->place[i];
+  double angle = to->degrees * acos(-1.0) / 180.0;
+  sg_flat_shape shape = {.corners = 3};
+
+  for (unsigned k = 0; k < 3; k++) {
+    const double *at = p->at[i][k];
+
+    shape.at[k][0] = at[0] * cos(angle) - at[1] * sin(angle) + to->by[0];
+    shape.at[k][1] = at[0] * sin(angle) + at[1] * cos(angle) + to->by[1];
+  }
+  return shape;
+}
+
+static bool
+on_paper(const sg_flat_shape *shape, const sg_nest_paper *paper)
+{
+  for (unsigned k = 0; k < shape->corners; k++) {
+    if (shape->at[k][0] < -1e-9 || shape->at[k][0] > paper->width + 1e-9 ||
+        shape->at[k][1] < -1e-9 || shape->at[k][1] > paper->height + 1e-9) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static void
+check_random(const sg_nest_paper *paper, double size)
+{
+  static pieces p, again;
+  unsigned overlaps = 0, off = 0, nowhere = 0;
+  bool memory;
+
+  make_pieces(&p, size);
+  CHECK("nested", sg_nest(paper, p.piece, MANY, p.place, NULL, &memory));
+  CHECK("again", sg_nest(paper, p.piece, MANY, again.place, NULL, &memory));
+  CHECK("the same", memcmp(p.place, again.place, sizeof p.place) == 0);
+  for (unsigned i = 0; i < MANY; i++) {
+    sg_flat_shape a = placed(&p, i);
+
+    nowhere += p.place[i].sheet == 0;
+    off += !on_paper(&a, paper);
+    for (unsigned k = 0; k < i; k++) {
+      sg_flat_shape b = placed(&p, k);
+
+      overlaps += p.place[i].sheet == p.place[k].sheet &&
+                  sg_flat_shape_depth(&a, &b) > -0.5 * paper->square;
+    }
+  }
+  CHECK("all have a place", nowhere == 0);
+  CHECK("on the paper", off == 0);
+  CHECK("none on another", overlaps == 0);
+}
+
+static void
+check_by_hand(void)
+{
+  static const double plate[4][2] = {{0, 0}, {60, 0}, {60, 30}, {0, 30}};
+  static const size_t end = 4;
+  sg_nest_paper paper = {100, 100, 1, 1, false};
+  sg_nest_piece piece[3];
+  sg_nest_place place[3];
+  bool memory;
+
+  for (int i = 0; i < 3; i++) {
+    piece[i] = (sg_nest_piece){plate, 4, &end, 1, turns, 1};
+  }
+  CHECK("three", sg_nest(&paper, piece, 3, place, NULL, &memory));
+  CHECK("the first in the corner",
+        place[0].sheet == 1 && place[0].by[0] == 0 && place[0].by[1] == 0);
+  CHECK("the second above it", place[1].sheet == 1 && place[1].by[1] >= 31);
+  CHECK("three on it", place[2].sheet == 1);
+  paper.height = 70;
+  CHECK("lower", sg_nest(&paper, piece, 3, place, NULL, &memory));
+  CHECK("the third on another", place[2].sheet == 2);
+  paper.one = true;
+  CHECK("one", sg_nest(&paper, piece, 3, place, NULL, &memory));
+  CHECK("no place", place[2].sheet == 0);
+  paper.width = 59;
+  CHECK("too narrow", sg_nest(&paper, piece, 1, place, NULL, &memory));
+  CHECK("no place at all", place[0].sheet == 0);
+}
+
+static void
+check_hole(void)
+{
+  static const double ring[8][2] = {{0, 0},   {90, 0},  {90, 90}, {0, 90},
+                                    {10, 10}, {10, 80}, {80, 80}, {80, 10}};
+  static const size_t ends[2] = {4, 8};
+  static const double plate[4][2] = {{0, 0}, {60, 0}, {60, 60}, {0, 60}};
+  static const size_t end = 4;
+  sg_nest_paper paper = {100, 100, 1, 1, false};
+  sg_nest_piece piece[2] = {{ring, 8, ends, 2, turns, 1},
+                            {plate, 4, &end, 1, turns, 1}};
+  sg_nest_place place[2];
+  bool memory;
+
+  CHECK("ring", sg_nest(&paper, piece, 2, place, NULL, &memory));
+  CHECK("in the hole",
+        place[1].sheet == 1 && place[1].by[0] > 10 && place[1].by[0] + 60 < 80);
+}
+
+int
+main(void)
+{
+  sg_nest_paper bad = {1e9, 10, 1e-3, 1, false};
+
+  check_by_hand();
+  check_hole();
+  check_random(&(sg_nest_paper){190, 277, 0.7, 2, false}, 60);
+  check_random(&(sg_nest_paper){300, 4000, 1.5, 1, true}, 60);
+  CHECK("too many squares", !sg_nest_paper_is_valid(&bad));
+  return check_report();
+}

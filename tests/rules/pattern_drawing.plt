@@ -1,0 +1,168 @@
+:- encoding(utf8).
+:- module(test_pattern_drawing, []).
+:- use_module(library(plunit)).
+:- use_module(library(lists)).
+:- use_module(library(apply)).
+:- use_module(rules(store)).
+:- use_module(rules(pattern_drawing)).
+:- use_module(tests('rules/pattern_case')).
+:- use_module(tests('rules/cut_checked')).
+
+:- meta_predicate in_new(0).
+
+in_new(Goal) :-
+    new_world(World),
+    in_world(World, Goal).
+
+% The drawings of a pattern made by Goal.
+:- meta_predicate drawn(0, +, -).
+
+drawn(Goal, Options, Drawings) :-
+    in_new(( call(Goal), quietly(pattern_drawing([2], Options, Drawings)) )).
+
+:- meta_predicate quietly(0).
+
+quietly(Goal) :-
+    setup_call_cleanup(
+        asserta((user:message_hook(_, Kind, _) :-
+                     memberchk(Kind, [warning,informational])), Ref),
+        Goal,
+        erase(Ref)).
+
+stroke(Drawings, Role, Stroke) :-
+    member(drawing(_,Views), Drawings),
+    member(view(_,Strokes,_), Views),
+    member(Stroke, Strokes),
+    Stroke = stroke(_, Role, _, _, _, _, _).
+
+count(Drawings, Role, N) :-
+    findall(x, stroke(Drawings, Role, _), Xs),
+    length(Xs, N).
+
+length_of(Points, Length) :-
+    findall(L, ( append(_, [XA-YA,XB-YB|_], Points),
+                 L is sqrt((XB-XA)**2+(YB-YA)**2) ), Ls),
+    sum_list(Ls, Length).
+
+right(Drawings) :-
+    forall(member(Drawing, Drawings),
+           ( cut_fault(Drawing, Fault)
+           ->  print_message(error, format("~q", [Fault])), fail
+           ;   true )).
+
+:- begin_tests(pattern_drawing).
+
+test(roles, [ N-Folds == 1-5 ]) :-
+    drawn(cube_pattern(40), [], Drawings),
+    count(Drawings, cut, N),
+    count(Drawings, fold_down, Folds).
+test(outline_closes) :-
+    drawn(cube_pattern(40), [], Drawings),
+    stroke(Drawings, cut, stroke(_,_,_,_,Points,End,_)),
+    length_of(Points, Length0),
+    Length is round(Length0),
+    !,
+    assertion(End == ring),
+    assertion(Length =:= 560000).
+test(an_edge_for_each_side, [ true(L =:= N) ]) :-
+    drawn(cube_pattern(40), [tabs(6)], Drawings),
+    stroke(Drawings, cut, stroke(_,_,2,Edges,Points,_,_)),
+    length(Edges, L),
+    length(Points, M),
+    N is M-1,
+    !.
+test(true_scale, [ Lengths == [20000] ]) :-
+    drawn(cube_pattern(40), [scale(1:2)], Drawings),
+    findall(L, ( stroke(Drawings, fold_down, stroke(_,_,_,_,Ps,_,_)),
+                 length_of(Ps, L0), L is round(L0) ), Ls),
+    sort(Ls, Lengths).
+test(unit, [ Lengths == [400000] ]) :-
+    drawn(cube_pattern(40), [unit(cm)], Drawings),
+    findall(L, ( stroke(Drawings, fold_down, stroke(_,_,_,_,Ps,_,_)),
+                 length_of(Ps, L0), L is round(L0) ), Ls),
+    sort(Ls, Lengths).
+test(a_bar_of_100_mm, [ true(Longest =:= 100000) ]) :-
+    drawn(cube_pattern(40), [page('A4'), scale(1:2)], Drawings),
+    findall(L, ( stroke(Drawings, bar, stroke(_,_,_,_,Ps,_,_)),
+                 length_of(Ps, L0), L is round(L0) ), Ls),
+    max_list(Ls, Longest).
+test(page_size, [ Sizes == [215900-279400] ]) :-
+    drawn(cube_pattern(40), [page(letter)], Drawings),
+    findall(W-H, member(drawing(sheet(W,H,_),_), Drawings), Sizes).
+test(numbers_on_both_sides) :-
+    drawn(cube_pattern(40), [], Drawings),
+    drawn(cube_pattern(40), [numbers(false)], Without),
+    count(Drawings, number, N),
+    assertion(N >= 14),
+    assertion(count(Without, number, 0)).
+test(inside_folds_up, [ Up-Down == 5-0 ]) :-
+    drawn(cube_pattern(40), [inside(true)], Drawings),
+    count(Drawings, fold_up, Up),
+    count(Drawings, fold_down, Down).
+test(inside_is_mirrored) :-
+    forall(member(Inside, [true,false]),
+           ( drawn(cube_pattern(40), [inside(Inside),tabs(5)], Drawings),
+             assertion(right(Drawings)) )).
+test(flat_folds_are_hidden, [ N == 0 ]) :-
+    drawn(cube_pattern(40), [fold_threshold(95)], Drawings),
+    count(Drawings, fold_down, N).
+test(angles, [ true(N > 5) ]) :-
+    drawn(cube_pattern(40), [angles(true)], Drawings),
+    count(Drawings, angle, N).
+test(grid, [ true(N > 10) ]) :-
+    drawn(cube_pattern(40), [grid(10)], Drawings),
+    count(Drawings, grid, N).
+
+% 7 seams, 7 tabs: a fold for each.
+test(tabs, [ N == 12 ]) :-
+    drawn(cube_pattern(40), [tabs(8)], Drawings),
+    count(Drawings, fold_down, N),
+    assertion(right(Drawings)).
+test(tabs_wider_than_there_is_room) :-
+    forall(member(Width, [1,5,15,30,80]),
+           ( drawn(cube_pattern(40), [tabs(Width)], Drawings),
+             assertion(right(Drawings)) )).
+
+test(divided_at_folds, [ Sheets-Seams == 2-4 ]) :-
+    drawn(strip_pattern(12, 40, 100), [page('A4'),tabs(7)], Drawings),
+    length(Drawings, Sheets),
+    assertion(right(Drawings)),
+    % 11 folds, one of them a seam now; two tabs fold
+    count(Drawings, fold_down, Folds),
+    Seams is 2*(12-Folds+2) .
+test(divided_along_lines) :-
+    forall(member(W-H-N, [400-300-4, 900-300-8, 480-100-2]),
+           ( drawn(plate_pattern(W, H), [page('A4'),tabs(7)], Drawings),
+             assertion(right(Drawings)),
+             findall(x, ( member(drawing(_,Views), Drawings),
+                          member(view(Name,_,_), Views),
+                          Name \== sheet ), Xs),
+             length(Xs, Parts),
+             assertion(Parts =:= N) )).
+test(divided_area) :-
+    drawn(plate_pattern(400, 300), [page('A4')], Drawings),
+    findall(A, ( stroke(Drawings, cut, stroke(_,_,_,_,Ps,_,_)),
+                 area(Ps, A) ), As),
+    sum_list(As, Area),
+    assertion(abs(Area-400*300*1.0e6) < 1.0e6).
+
+test(tiled, [ Names == ["A1","B1","C1"] ]) :-
+    drawn(strip_pattern(12, 40, 100), [page('A4'),tile(true)], Drawings),
+    findall(Name, ( member(drawing(_,Views), Drawings),
+                    member(view(page,_,Texts), Views),
+                    member(text(_,_,_,_,Name), Texts),
+                    Name \== "100 mm" ), Names).
+test(same_again) :-
+    drawn(strip_pattern(12, 40, 100), [page('A4'),tabs(7),names(true)], A),
+    drawn(strip_pattern(12, 40, 100), [page('A4'),tabs(7),names(true)], B),
+    assertion(A == B).
+test(no_page, [ error(usage_error(sheet(paper('B9',_)))) ]) :-
+    drawn(cube_pattern(40), [page('B9')], _).
+
+area(Points, Area) :-
+    findall(A, ( append(_, [XA-YA,XB-YB|_], Points),
+                 A is (XA*YB-XB*YA)/2 ), As),
+    sum_list(As, Area0),
+    Area is abs(Area0).
+
+:- end_tests(pattern_drawing).
