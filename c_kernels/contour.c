@@ -2,6 +2,7 @@
 #include "contour_private.h"
 
 #include "bounds.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,20 +21,6 @@
 
 /* Triangles between two polls; pieces, each with a walk. */
 enum { POLL_EVERY = 4096, POLL_PIECES = 64 };
-
-static double
-dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void
-cross(const double a[3], const double b[3], double out[3])
-{
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
 
 static void
 difference(const double a[3], const double b[3], double out[3])
@@ -78,7 +65,7 @@ to_eye(const sg_contour_input *in, const double p[3], double out[3])
   for (int k = 0; k < 3; k++) {
     out[k] = in->central ? -in->eye.rho * away[k] - p[k] : -away[k];
   }
-  size = sqrt(dot(out, out));
+  size = sg_length(out);
   for (int k = 0; k < 3 && size > 0.0; k++) {
     out[k] /= size;
   }
@@ -89,7 +76,7 @@ to_eye(const sg_contour_input *in, const double p[3], double out[3])
 static double
 distance(const sg_contour_input *in, const double p[3])
 {
-  return in->central ? dot(p, in->eye.row[2]) + in->eye.rho : 1.0;
+  return in->central ? sg_dot(p, in->eye.row[2]) + in->eye.rho : 1.0;
 }
 
 /* ----------------------------------------------------------- the corners */
@@ -108,7 +95,7 @@ find_g(sg_contour_finder *f, const sg_poll *poll)
     }
     if (smooth->curved[i / 3]) {
       to_eye(f->in, f->in->dense->at[sg_contour_vertex(f, i)], eye);
-      f->g[fan] = dot(smooth->normal[fan], eye);
+      f->g[fan] = sg_dot(smooth->normal[fan], eye);
       f->g[fan] = fabs(f->g[fan]) < ZERO ? 0.0 : f->g[fan];
     }
   }
@@ -139,10 +126,10 @@ gradient(const sg_contour_finder *f, uint32_t t, double out[3])
     difference(p[(k + 2) % 3], p[(k + 1) % 3], side[k]); /* opposite corner k */
   }
   exponent = shrink(side, 3);
-  cross(side[0], side[1], normal);
-  size = sqrt(dot(normal, normal));
+  sg_cross(side[0], side[1], normal);
+  size = sg_length(normal);
   for (uint32_t k = 0; k < 3 && size > 0.0; k++) {
-    cross(normal, side[k], across);
+    sg_cross(normal, side[k], across);
     for (int i = 0; i < 3; i++) {
       out[i] += sg_contour_g(f, 3 * t + k) * across[i] / size;
     }
@@ -162,7 +149,7 @@ growth(const sg_contour_finder *f, uint32_t t, double *area)
 
   *area = gradient(f, t, grad);
   to_eye(f->in, f->in->dense->at[sg_contour_vertex(f, 3 * t)], eye);
-  return dot(grad, eye);
+  return sg_dot(grad, eye);
 }
 
 static bool
@@ -216,8 +203,8 @@ facing(const sg_contour_finder *f, uint32_t t)
   difference(at[v[1]], at[v[0]], side[0]);
   difference(at[v[2]], at[v[0]], side[1]);
   shrink(side, 2);
-  cross(side[0], side[1], n);
-  edge = EDGE_ON * sqrt(dot(n, n));
+  sg_cross(side[0], side[1], n);
+  edge = EDGE_ON * sg_length(n);
   return (n[2] > edge) - (n[2] < -edge);
 }
 
@@ -336,13 +323,13 @@ is_saddle(const sg_contour_finder *f, uint32_t t)
              smooth->normal[smooth->fan[3 * t]], u);
   difference(smooth->normal[smooth->fan[3 * t + 2]],
              smooth->normal[smooth->fan[3 * t]], w);
-  cross(u, w, turned);
+  sg_cross(u, w, turned);
   difference(at[sg_contour_vertex(f, 3 * t + 1)],
              at[sg_contour_vertex(f, 3 * t)], u);
   difference(at[sg_contour_vertex(f, 3 * t + 2)],
              at[sg_contour_vertex(f, 3 * t)], w);
-  cross(u, w, n);
-  return dot(n, turned) < 0.0;
+  sg_cross(u, w, n);
+  return sg_dot(n, turned) < 0.0;
 }
 
 /* True if the piece across triangle t, with the radial r in its middle, runs so
@@ -360,7 +347,7 @@ is_unsure(const sg_contour_finder *f, uint32_t t, double r)
     return false;
   }
   area = gradient(f, t, grad);
-  return fabs(r) * area < UNSURE * (most - least) * sqrt(dot(grad, grad));
+  return fabs(r) * area < UNSURE * (most - least) * sg_length(grad);
 }
 
 /* The piece across triangle t, if there is one to be drawn. */

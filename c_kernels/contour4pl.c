@@ -19,6 +19,7 @@ typedef struct question {
   sg_eye eye;
   bool central;
   sg_smoothness as;
+  sg_known known;
 } question;
 
 /* ------------------------------------------------------------- arguments */
@@ -47,7 +48,8 @@ get_question_ex(term_t a0, question *out)
   out->central = kind == ATOM_central;
   sg_eye_init(&out->eye, x[0], x[1], x[2]);
   return sg_get_smoothness_ex(a0 + 5, &out->as) &&
-         get_chosen_ex(a0, &out->chosen);
+         get_chosen_ex(a0, &out->chosen) &&
+         sg_get_known_ex(a0 + 6, &out->known);
 }
 
 /* ------------------------------------------------------------------ rows */
@@ -179,14 +181,15 @@ fill_ex(sg_world *world, const question *q)
   if (!version) {
     return sg_no_memory();
   }
-  kept = sg_kept_model_hold_ex(world, version, &q->chosen);
+  kept = sg_kept_model_hold_ex(world, version, &q->chosen, &q->known);
   ok = kept && fill_model_ex(world, version, kept, q);
   sg_kept_model_drop(kept);
   sg_version_drop(version);
   return ok;
 }
 
-/* fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth) is det. */
+/* fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth, +Known) is
+ * semidet. */
 static foreign_t
 fill_contour(term_t a0, int arity, void *context)
 {
@@ -197,6 +200,7 @@ fill_contour(term_t a0, int arity, void *context)
   (void)arity, (void)context;
   ok = world && get_question_ex(a0, &q) && fill_ex(world, &q);
   free(q.chosen.s);
+  sg_known_clear(&q.known);
   sg_smoothness_clear(&q.as);
   return ok;
 }
@@ -205,7 +209,7 @@ void
 sg_install_contour(void)
 {
   static const PL_extension doors[] = {
-      {"fill_contour", 6, (pl_function_t)fill_contour, PL_FA_VARARGS},
+      {"fill_contour", 7, (pl_function_t)fill_contour, PL_FA_VARARGS},
       {NULL, 0, NULL, 0}};
 
   ATOM_all = PL_new_atom("all");

@@ -345,6 +345,20 @@ look_at_line(const viewing *w, size_t k, sg_look *look)
   }
 }
 
+/* How much line k bends: its surfaces, or only its faces. */
+static double
+bend_of(const viewing *w, size_t k)
+{
+  const sg_scene_model *m = w->model;
+  const sg_scene_line *line = &m->line[k];
+
+  return w->in->faceted && m->facet_bend &&
+                 w->in->faceted[sg_dense_segment_of(
+                     &m->dense, m->dense.vertex_begin, line->a)]
+             ? m->facet_bend[k]
+             : line->look.bend;
+}
+
 /* Whether line k lies inside a curved sheet. */
 static bool
 is_inside(const viewing *w, size_t k)
@@ -355,7 +369,7 @@ is_inside(const viewing *w, size_t k)
   return w->in->curved && m->use_begin[k + 1] - m->use_begin[k] == 2 &&
          use[0].along != use[1].along && w->in->curved[use[0].polygon] &&
          w->in->curved[use[1].polygon] &&
-         m->line[k].look.bend <= w->in->crease + SG_SMOOTH_OVER;
+         bend_of(w, k) <= w->in->crease + SG_SMOOTH_OVER;
 }
 
 static int
@@ -396,6 +410,7 @@ enter_line(const viewing *w, size_t k)
   line->a = w->model->same[line->a];
   line->b = w->model->same[line->b];
   look_at_line(w, k, &line->look);
+  line->look.bend = bend_of(w, k);
   line->look.inside = is_inside(w, k);
   scene->lines++;
   if (scene->lies_begin) {

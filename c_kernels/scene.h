@@ -31,11 +31,13 @@ typedef struct sg_scene_input {
   const bool *shown;           /* [vertices] that have a place; null: all */
   const sg_scene_added *added; /* [addeds] */
   size_t addeds;
-  const bool *curved; /* [polygons] that lie in curved sheets (smooth.h), whose
-                         outlines are among `added`; null: none */
-  double crease;      /* degrees: sheets end at edges that bend more */
-  double depth;       /* model units in one unit of screen z: 1 if parallel */
-  double tolerance;   /* what counts as equal, for a model of size [-1,1] */
+  const bool *curved;  /* [polygons] that lie in curved sheets (smooth.h), whose
+                          outlines are among `added`; null: none */
+  const bool *faceted; /* [segments] that are what their facets are; null:
+                          none */
+  double crease;       /* degrees: sheets end at edges that bend more */
+  double depth;        /* model units in one unit of screen z: 1 if parallel */
+  double tolerance;    /* what counts as equal, for a model of size [-1,1] */
 } sg_scene_input;
 
 /* A triangle that can hide lines. */

@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static functor_t FUNCTOR_look9;
-static atom_t ATOM_none, ATOM_all, ATOM_true, ATOM_false;
+static functor_t FUNCTOR_look9, FUNCTOR_edges1;
+static atom_t ATOM_all, ATOM_true, ATOM_false;
 
 /* ---------------------------------------------------------- the handle */
 
@@ -154,6 +154,7 @@ typedef struct request {
   double depth, tolerance;
   bool smooth; /* curved sheets have no outlines along their edges */
   sg_smoothness as;
+  sg_known known;
 } request;
 
 /* What a version shows of a model; smooth: its sheets, or null. Null: an
@@ -164,10 +165,12 @@ view_model_ex(const sg_version *version, const sg_scene_model *model,
 {
   sg_scene_screen screen = {0};
   sg_scene_pieces pieces = {0};
+  bool *faceted = sg_smoothness_faceted(&q->as, &model->dense);
   handle *h = NULL;
-  bool memory;
+  bool memory = faceted != NULL;
 
-  if (sg_scene_screen_read(&screen, version, model, &sg_prolog_poll, &memory) &&
+  if (memory &&
+      sg_scene_screen_read(&screen, version, model, &sg_prolog_poll, &memory) &&
       sg_scene_pieces_read(&pieces, version, model, &screen, &sg_prolog_poll,
                            &memory)) {
     sg_scene_input in = {.model = model,
@@ -176,6 +179,7 @@ view_model_ex(const sg_version *version, const sg_scene_model *model,
                          .added = pieces.added,
                          .addeds = pieces.n,
                          .curved = smooth ? smooth->curved : NULL,
+                         .faceted = faceted,
                          .crease = q->as.crease,
                          .depth = q->depth,
                          .tolerance = q->tolerance};
@@ -183,6 +187,7 @@ view_model_ex(const sg_version *version, const sg_scene_model *model,
   }
   sg_scene_pieces_clear(&pieces);
   sg_scene_screen_clear(&screen);
+  free(faceted);
   if (!memory) {
     sg_no_memory();
   }
@@ -219,7 +224,7 @@ open_handle_ex(const request *q)
     }
     return NULL;
   }
-  kept = sg_kept_model_hold_ex(world, version, &q->chosen);
+  kept = sg_kept_model_hold_ex(world, version, &q->chosen, &q->known);
   if (kept) {
     h = view_kept_ex(version, kept, q);
   }
@@ -232,31 +237,38 @@ open_handle_ex(const request *q)
   return h;
 }
 
-/* smooth(Crease, Faceted), or `none`. */
+/* smooth(Crease, Faceted), or edges(Faceted). */
 static int
 get_smooth_ex(term_t t, request *out)
 {
-  atom_t name;
+  term_t faceted = PL_new_term_ref();
 
-  out->smooth = !PL_get_atom(t, &name) || name != ATOM_none;
-  return !out->smooth || sg_get_smoothness_ex(t, &out->as);
+  out->smooth = !PL_is_functor(t, FUNCTOR_edges1);
+  if (out->smooth) {
+    return sg_get_smoothness_ex(t, &out->as);
+  }
+  return PL_get_arg(1, t, faceted) &&
+         sg_get_id_set_ex(faceted, &out->as.faceted.s, &out->as.faceted.n);
 }
 
+/* scene_open(+Segments, +Depth, +Tolerance, +Smooth, +Known, -Scene) is
+ * semidet. */
 static foreign_t
-scene_open(term_t segments, term_t depth, term_t tolerance, term_t smooth,
-           term_t scene)
+scene_open(term_t a0, int arity, void *context)
 {
   request q = {0};
   handle *h = NULL;
 
-  if (sg_get_finite_ex(depth, &q.depth) &&
-      sg_get_finite_ex(tolerance, &q.tolerance) && get_smooth_ex(smooth, &q) &&
-      get_chosen_ex(segments, &q.chosen)) {
+  (void)arity, (void)context;
+  if (sg_get_finite_ex(a0 + 1, &q.depth) &&
+      sg_get_finite_ex(a0 + 2, &q.tolerance) && get_smooth_ex(a0 + 3, &q) &&
+      get_chosen_ex(a0, &q.chosen) && sg_get_known_ex(a0 + 4, &q.known)) {
     h = open_handle_ex(&q);
   }
   free(q.chosen.s);
+  sg_known_clear(&q.known);
   sg_smoothness_clear(&q.as);
-  return h && unify_scene(scene, h);
+  return h && unify_scene(a0 + 5, h);
 }
 
 /* ---------------------------------------------------------------- edges */
@@ -560,7 +572,7 @@ void
 sg_install_scene(void)
 {
   static const PL_extension doors[] = {
-      {"scene_open", 5, (pl_function_t)scene_open, 0},
+      {"scene_open", 6, (pl_function_t)scene_open, PL_FA_VARARGS},
       {"scene_edge", 5, (pl_function_t)scene_edge,
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
       {"occluder", 7, (pl_function_t)occluder,
@@ -570,7 +582,7 @@ sg_install_scene(void)
       {NULL, 0, NULL, 0}};
 
   FUNCTOR_look9 = PL_new_functor(PL_new_atom("look"), 9);
-  ATOM_none = PL_new_atom("none");
+  FUNCTOR_edges1 = PL_new_functor(PL_new_atom("edges"), 1);
   ATOM_all = PL_new_atom("all");
   ATOM_true = PL_new_atom("true");
   ATOM_false = PL_new_atom("false");

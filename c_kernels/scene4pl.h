@@ -10,6 +10,7 @@
 #include "../engine/world4pl.h"
 
 #include "hide_search.h"
+#include "known_surface4pl.h"
 #include "smooth.h"
 
 #include <SWI-Prolog.h>
@@ -23,11 +24,12 @@ typedef struct sg_chosen {
   size_t n;
 } sg_chosen;
 
-/* The model of the chosen segments. Null: stopped by the poll, or no memory
- * (then *memory is false). */
+/* The model of the chosen segments, whose polygons stand for known surfaces.
+ * Null: stopped by the poll, or no memory (then *memory is false). */
 sg_scene_model *sg_scene_model_read(const sg_version *version,
                                     const sg_chosen *chosen,
-                                    const sg_poll *poll, bool *memory);
+                                    const sg_known *known, const sg_poll *poll,
+                                    bool *memory);
 
 /* Where screen/5 says that the vertices of a model are. */
 typedef struct sg_scene_screen {
@@ -43,7 +45,7 @@ bool sg_scene_screen_read(sg_scene_screen *screen, const sg_version *version,
 void sg_scene_screen_clear(sg_scene_screen *screen);
 
 /* A model that is kept, or was: it lasts while somebody holds it. */
-enum { SG_SCENE_STAMPS = 6 };
+enum { SG_SCENE_STAMPS = 7 };
 
 struct sg_kept_smooth;
 
@@ -56,9 +58,11 @@ typedef struct sg_kept_model {
 } sg_kept_model;
 
 /* The model of the chosen segments as `version` of `world` shows them, held
- * and to be dropped. Null: an exception is pending. */
+ * and to be dropped. Null: an exception is pending; or none is kept, and
+ * `known` says nothing. */
 sg_kept_model *sg_kept_model_hold_ex(sg_world *world, const sg_version *version,
-                                     const sg_chosen *chosen);
+                                     const sg_chosen *chosen,
+                                     const sg_known *known);
 void sg_kept_model_drop(sg_kept_model *kept);
 
 /* A list of S-S2, S2 lets the lines of S be seen, sorted; free(*out). */
@@ -69,6 +73,10 @@ typedef struct sg_smoothness {
   double crease;     /* degrees */
   sg_chosen faceted; /* segments that are what their facets are */
 } sg_smoothness;
+
+/* Which segments of a model are faceted, to be freed; null: no memory. */
+bool *sg_smoothness_faceted(const sg_smoothness *smoothness,
+                            const sg_dense *dense);
 
 /* smooth(Crease, Faceted); sg_smoothness_clear() in any case. */
 int sg_get_smoothness_ex(term_t t, sg_smoothness *out);

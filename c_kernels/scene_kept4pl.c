@@ -63,8 +63,8 @@ store_of(sg_world *world)
 static void
 stamps_of(const sg_version *version, uint64_t out[SG_SCENE_STAMPS])
 {
-  static const sg_relation of[SG_SCENE_STAMPS] = {SG_SEGMENT, SG_V, SG_E,
-                                                  SG_P,       SG_T, SG_LINE};
+  static const sg_relation of[SG_SCENE_STAMPS] = {
+      SG_SEGMENT, SG_V, SG_E, SG_P, SG_T, SG_LINE, SG_FROM_P};
 
   for (int k = 0; k < SG_SCENE_STAMPS; k++) {
     out[k] = sg_version_last_stamp(version, of[k]);
@@ -137,14 +137,16 @@ keep_model(model_store *store, sg_kept_model *kept)
 /* A new model, held; null: stopped, or no memory. */
 static sg_kept_model *
 new_model(const sg_version *version, const sg_chosen *chosen,
-          const uint64_t stamp[SG_SCENE_STAMPS], bool *memory)
+          const sg_known *known, const uint64_t stamp[SG_SCENE_STAMPS],
+          bool *memory)
 {
   sg_kept_model *kept = calloc(1, sizeof *kept);
   int32_t *s = malloc((chosen->n + 1) * sizeof *s);
 
   *memory = kept && s;
   if (*memory) {
-    kept->model = sg_scene_model_read(version, chosen, &sg_prolog_poll, memory);
+    kept->model =
+        sg_scene_model_read(version, chosen, known, &sg_prolog_poll, memory);
   }
   if (!kept || !kept->model) {
     free(kept);
@@ -162,7 +164,7 @@ new_model(const sg_version *version, const sg_chosen *chosen,
 
 sg_kept_model *
 sg_kept_model_hold_ex(sg_world *world, const sg_version *version,
-                      const sg_chosen *chosen)
+                      const sg_chosen *chosen, const sg_known *known)
 {
   model_store *store = store_of(world);
   uint64_t stamp[SG_SCENE_STAMPS];
@@ -171,8 +173,8 @@ sg_kept_model_hold_ex(sg_world *world, const sg_version *version,
 
   stamps_of(version, stamp);
   kept = store ? find_model(store, chosen, stamp) : NULL;
-  if (store && !kept) {
-    kept = new_model(version, chosen, stamp, &memory);
+  if (store && !kept && !known->kept) {
+    kept = new_model(version, chosen, known, stamp, &memory);
     if (kept) {
       keep_model(store, kept);
     }

@@ -272,23 +272,62 @@ bend_between(const sg_scene_builder *b, const sg_scene_use *x,
          0.0;
 }
 
+/* The same of the surfaces that the faces stand for; facets: what these bend.
+ */
+static double
+surface_bend(const sg_scene_builder *b, const sg_scene_line *line,
+             const sg_scene_use *x, const sg_scene_use *y, double facets)
+{
+  const sg_scene_model *m = b->model;
+  const double *n = b->normal[y->polygon];
+  double way = -x->along * y->along,
+         turned[3] = {n[0] * way, n[1] * way, n[2] * way};
+  const sg_meeting meeting = {
+      .polygon = {x->polygon, y->polygon},
+      .normal = {b->normal[x->polygon], turned},
+      .ends = {m->dense.at[line->a], m->dense.at[line->b]},
+      .bend = facets};
+
+  return sg_known_surfaces_bend(&m->surfaces, &meeting);
+}
+
 static void
+make_bend(sg_scene_builder *b, size_t k)
+{
+  sg_scene_model *m = b->model;
+  const sg_scene_use *use = m->use + m->use_begin[k];
+  unsigned n = m->use_begin[k + 1] - m->use_begin[k];
+  sg_look *look = &m->line[k].look;
+
+  look->faces = n;
+  for (unsigned i = 1; i < n; i++) {
+    for (unsigned h = 0; h < i && h < MOST_FACES; h++) {
+      double bend = bend_between(b, &use[i], &use[h]);
+      if (m->facet_bend) {
+        m->facet_bend[k] = sg_larger(m->facet_bend[k], bend);
+        bend = surface_bend(b, &m->line[k], &use[i], &use[h], bend);
+      }
+      look->bend = sg_larger(look->bend, bend);
+    }
+  }
+}
+
+/* False: no memory, or stopped. */
+static bool
 make_bends(sg_scene_builder *b)
 {
   sg_scene_model *m = b->model;
 
-  for (size_t k = 0; k < m->lines && !sg_scene_stop(b, k); k++) {
-    const sg_scene_use *use = m->use + m->use_begin[k];
-    unsigned n = m->use_begin[k + 1] - m->use_begin[k];
-    sg_look *look = &m->line[k].look;
-
-    look->faces = n;
-    for (unsigned i = 1; i < n; i++) {
-      for (unsigned h = 0; h < i && h < MOST_FACES; h++) {
-        look->bend = sg_larger(look->bend, bend_between(b, &use[i], &use[h]));
-      }
+  if (m->surfaces.of) {
+    m->facet_bend = calloc(m->lines + 1, sizeof *m->facet_bend);
+    if (!m->facet_bend) {
+      return false;
     }
   }
+  for (size_t k = 0; k < m->lines && !sg_scene_stop(b, k); k++) {
+    make_bend(b, k);
+  }
+  return !b->stopped;
 }
 
 bool
@@ -312,8 +351,7 @@ sg_scene_make_lines(sg_scene_builder *b)
            (b->cuts == 0 || make_uses(b, j.copy_of, &m->copy_begin, &m->copy));
   }
   if (done) {
-    make_bends(b);
-    done = sg_scene_find_solids(b, &j.pairs);
+    done = make_bends(b) && sg_scene_find_solids(b, &j.pairs);
   }
   joined_clear(&j);
   return done;

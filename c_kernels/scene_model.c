@@ -119,9 +119,11 @@ tell_lines(sg_scene_builder *b)
 }
 
 sg_scene_model *
-sg_scene_model_open(sg_dense *dense, bool *solid, const sg_scene_cut *cut,
-                    size_t cuts, const sg_poll *poll, bool *memory)
+sg_scene_model_open(sg_dense *dense, sg_known_surfaces *surfaces, bool *solid,
+                    const sg_scene_cut *cut, size_t cuts, const sg_poll *poll,
+                    bool *memory)
 {
+  sg_known_surfaces none = {0};
   sg_scene_builder b = {.model = calloc(1, sizeof(sg_scene_model)),
                         .cut = cut,
                         .cuts = cuts,
@@ -129,14 +131,18 @@ sg_scene_model_open(sg_dense *dense, bool *solid, const sg_scene_cut *cut,
   bool done;
 
   *memory = b.model != NULL;
+  surfaces = surfaces ? surfaces : &none;
   if (!b.model) {
     sg_dense_clear(dense);
+    sg_known_surfaces_clear(surfaces);
     free(solid);
     return NULL;
   }
   b.model->dense = *dense;
+  b.model->surfaces = *surfaces;
   b.model->solid = solid;
   *dense = (sg_dense){0};
+  *surfaces = (sg_known_surfaces){0};
   done = make_normals(&b) && find_flat(&b) && sg_scene_make_lines(&b);
   if (done) {
     tell_lines(&b);
@@ -175,6 +181,8 @@ sg_scene_model_close(sg_scene_model *model)
 {
   if (model) {
     sg_dense_clear(&model->dense);
+    sg_known_surfaces_clear(&model->surfaces);
+    free(model->facet_bend);
     free(model->solid);
     free(model->flat);
     free(model->same);

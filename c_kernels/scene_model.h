@@ -9,6 +9,7 @@
 #define SG_SCENE_MODEL_H
 
 #include "dense.h"
+#include "known_surface.h"
 #include "poll.h"
 
 #include <stdbool.h>
@@ -21,7 +22,9 @@ typedef struct sg_look {
   unsigned faces;         /* how often polygons use the edge, both ways */
   unsigned towards, away; /* faces turned to the eye, turned from it */
   unsigned left, right;   /* of the line from a to b */
-  double bend;            /* degrees from flat, the largest; 0 to 180 */
+  double bend;            /* degrees from flat, the largest; 0 to 180; where
+                             faces stand for known surfaces, of these
+                             (known_surface.h) */
   bool solid;             /* nobody sees the backs of its segment's faces */
   bool cut;               /* it is (part of) a penetration line */
   bool inside;            /* it lies inside a curved sheet (smooth.h), whose
@@ -51,7 +54,10 @@ typedef struct sg_scene_model {
   bool *flat;     /* [polygons] its triangles lie in one plane */
   uint32_t *same; /* [vertices] the first of those that penetration lines say
                      are one point */
+  sg_known_surfaces surfaces; /* that its polygons stand for */
   size_t lines;
+  double *facet_bend;   /* [lines] of the faces, whatever they stand for; null:
+                           no surface is known */
   sg_scene_line *line;  /* sorted by (s, e); a and b are places of vertices;
                            towards, away, left and right are not known */
   uint32_t *use_begin;  /* [lines + 1] */
@@ -71,10 +77,13 @@ typedef struct sg_scene_cut {
  * copies of a penetration line all but the first are left out, and edges
  * without a real one.
  *
+ * surfaces: of the polygons of `dense`; null: none is known.
+ *
  * Returns: null: stopped by the poll, or no memory (then *memory is false).
- * Owner:   takes the arrays of `dense` and `solid` over, in any case; the
- *          model is the caller's, sg_scene_model_close(). */
-sg_scene_model *sg_scene_model_open(sg_dense *dense, bool *solid,
+ * Owner:   takes the arrays of `dense`, `surfaces` and `solid` over, in any
+ *          case; the model is the caller's, sg_scene_model_close(). */
+sg_scene_model *sg_scene_model_open(sg_dense *dense,
+                                    sg_known_surfaces *surfaces, bool *solid,
                                     const sg_scene_cut *cut, size_t cuts,
                                     const sg_poll *poll, bool *memory);
 /* True if the polygon (a place) is flat and uses the line or a copy of it: then

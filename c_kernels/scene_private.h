@@ -8,8 +8,7 @@
 
 #include "edge_pairs.h"
 #include "scene_model.h"
-
-#include <math.h>
+#include "vector.h"
 
 enum { SG_SCENE_POLL = 4096 };
 
@@ -40,18 +39,6 @@ sg_cross_at(const double a[3], const double b[3], const double c[3],
   out[0] = u[1] * w[2] - u[2] * w[1];
   out[1] = u[2] * w[0] - u[0] * w[2];
   out[2] = u[0] * w[1] - u[1] * w[0];
-}
-
-static inline double
-sg_dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static inline double
-sg_length(const double a[3])
-{
-  return sqrt(sg_dot(a, a));
 }
 
 /* The lines of the model, with their uses and bends, and which segments are

@@ -149,16 +149,20 @@ read_rows(reading *reader, const sg_chosen *chosen)
 
 sg_scene_model *
 sg_scene_model_read(const sg_version *version, const sg_chosen *chosen,
-                    const sg_poll *poll, bool *memory)
+                    const sg_known *known, const sg_poll *poll, bool *memory)
 {
   reading r = {.version = version, .poll = poll};
+  sg_known_surfaces surfaces = {0};
   sg_scene_model *model = NULL;
 
-  if (read_rows(&r, chosen)) {
-    model =
-        sg_scene_model_open(&r.dense, r.solid, r.cut, r.cuts, poll, &r.memory);
+  if (read_rows(&r, chosen) &&
+      sg_known_surfaces_read(known, version, &r.dense, poll, &surfaces,
+                             &r.memory)) {
+    model = sg_scene_model_open(&r.dense, &surfaces, r.solid, r.cut, r.cuts,
+                                poll, &r.memory);
   } else {
     sg_dense_clear(&r.dense);
+    sg_known_surfaces_clear(&surfaces);
     free(r.solid);
   }
   free(r.cut);

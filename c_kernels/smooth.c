@@ -2,6 +2,7 @@
 #include "smooth.h"
 
 #include "bounds.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,6 +21,7 @@ typedef struct builder {
   const sg_smooth_input *input;
   sg_smooth *out;
   const sg_poll *poll;
+  sg_known_surfaces known; /* none, if all facets are to be seen */
   double unit;       /* what differences are multiplied by: see unit_of() */
   double (*area)[3]; /* [polygons]: normals, as long as twice the area */
   double *bend;      /* [3 * triangles]: degrees at smooth sides */
@@ -72,30 +74,6 @@ difference(const builder *b, const double p[3], const double q[3],
   }
 }
 
-static double
-dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void
-cross(const double a[3], const double b[3], double out[3])
-{
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/* Between two directions, in radians. */
-static double
-angle(const double a[3], const double b[3])
-{
-  double c[3];
-
-  cross(a, b, c);
-  return atan2(sqrt(dot(c, c)), dot(a, b));
-}
-
 static bool
 stop(const builder *b, size_t i)
 {
@@ -112,7 +90,7 @@ add_areas(builder *b)
     double u[3], w[3], n[3];
     difference(b, at_corner(b, (uint32_t)(3 * t + 1)), p, u);
     difference(b, at_corner(b, (uint32_t)(3 * t + 2)), p, w);
-    cross(u, w, n);
+    sg_cross(u, w, n);
     for (int k = 0; k < 3; k++) {
       b->area[b->in->polygon_of[t]][k] += n[k];
     }
@@ -194,7 +172,8 @@ put_entries(const builder *b, entries *e, bool count)
 static double
 bend_between(const double a[3], const double b[3])
 {
-  return dot(a, a) > 0.0 && dot(b, b) > 0.0 ? angle(a, b) * DEGREES : 0.0;
+  return sg_dot(a, a) > 0.0 && sg_dot(b, b) > 0.0 ? sg_angle(a, b) * DEGREES
+                                                  : 0.0;
 }
 
 static bool
@@ -204,7 +183,36 @@ is_convex(const builder *b, uint32_t side, uint32_t other)
 
   difference(b, at_corner(b, next_corner(next_corner(other))),
              at_corner(b, side), u);
-  return dot(u, area_of(b, side)) <= 0.0;
+  return sg_dot(u, area_of(b, side)) <= 0.0;
+}
+
+/* Degrees by which the surfaces bend whose faces bend by so many. */
+static double
+surface_bend(const builder *b, uint32_t i, uint32_t j, double bend)
+{
+  const sg_meeting meeting = {
+      .polygon = {b->in->polygon_of[i / 3], b->in->polygon_of[j / 3]},
+      .normal = {area_of(b, i), area_of(b, j)},
+      .ends = {at_corner(b, i), at_corner(b, next_corner(i))},
+      .bend = bend};
+
+  return sg_known_surfaces_bend(&b->known, &meeting);
+}
+
+static int32_t
+surface_of(const builder *b, uint32_t corner)
+{
+  return sg_known_surface_of(&b->known, b->in->polygon_of[corner / 3]);
+}
+
+/* Whether the sheet goes on across the side of triangles i and j. */
+static bool
+hangs_together(const builder *b, uint32_t i, uint32_t j, double bend, bool cut)
+{
+  if (cut && (surface_of(b, i) < 0 || surface_of(b, i) != surface_of(b, j))) {
+    return bend <= FLAT;
+  }
+  return surface_bend(b, i, j, bend) <= b->input->crease + SG_SMOOTH_OVER;
 }
 
 static void
@@ -212,7 +220,7 @@ join_sides(builder *b, uint32_t i, uint32_t j, bool cut)
 {
   sg_smooth *out = b->out;
   double bend = bend_between(area_of(b, i), area_of(b, j));
-  bool smooth = bend <= (cut ? FLAT : b->input->crease + SG_SMOOTH_OVER);
+  bool smooth = hangs_together(b, i, j, bend, cut);
 
   if (vertex_of(b, i) == vertex_of(b, j)) {
     return; /* one of them is turned over */
@@ -339,16 +347,36 @@ number_fans(builder *b)
 
 /* --------------------------------------------------------------- normals */
 
+/* The way the surface looks at a corner, as long as the area of its face. */
+static void
+look_at_corner(const builder *b, uint32_t i, double out[3])
+{
+  const sg_known_surfaces *known = &b->known;
+  const double *area = area_of(b, i);
+  int32_t of = surface_of(b, i);
+  double size = 1.0;
+
+  if (of >= 0 && sg_known_surface_normal(&known->surface[of], at_corner(b, i),
+                                         area, out)) {
+    size = sg_length(area);
+    area = out;
+  }
+  for (int k = 0; k < 3; k++) {
+    out[k] = size * area[k];
+  }
+}
+
 static void
 add_corner(const builder *b, uint32_t i)
 {
-  const double *area = area_of(b, i), *p = at_corner(b, i);
+  const double *p = at_corner(b, i);
   double *normal = b->out->normal[b->out->fan[i]];
-  double u[3], w[3], weight;
+  double area[3], u[3], w[3], weight;
 
+  look_at_corner(b, i, area);
   difference(b, at_corner(b, next_corner(i)), p, u);
   difference(b, at_corner(b, next_corner(next_corner(i))), p, w);
-  weight = angle(u, w);
+  weight = sg_angle(u, w);
   for (int k = 0; k < 3; k++) {
     normal[k] += weight * area[k];
   }
@@ -368,15 +396,17 @@ find_normals(builder *b)
     add_corner(b, (uint32_t)i);
   }
   for (size_t f = 0; f < out->fans; f++) {
-    double size = sqrt(dot(out->normal[f], out->normal[f]));
+    double size = sqrt(sg_dot(out->normal[f], out->normal[f]));
     for (int k = 0; k < 3 && size > 0.0; k++) {
       out->normal[f][k] /= size;
     }
   }
   for (size_t i = 0; i < 3 * b->in->triangles; i++) {
-    const double *area = area_of(b, (uint32_t)i);
-    double size = sqrt(dot(area, area));
-    out->apex[out->fan[i]] |= dot(area, out->normal[out->fan[i]]) < most * size;
+    double area[3], size;
+    look_at_corner(b, (uint32_t)i, area);
+    size = sg_length(area);
+    out->apex[out->fan[i]] |=
+        sg_dot(area, out->normal[out->fan[i]]) < most * size;
   }
   return !sg_poll_stop(b->poll);
 }
@@ -387,7 +417,9 @@ find_normals(builder *b)
 typedef struct turning {
   uint32_t corners, links; /* as many as corners: it goes all round */
   uint32_t bends;
-  double sum[3]; /* of the directions of the bends from the vertex */
+  double sum[3];   /* of the directions of the bends from the vertex */
+  int32_t surface; /* of its last corner */
+  bool folded;     /* all its corners are of one tapered surface */
 } turning;
 
 static void
@@ -400,7 +432,7 @@ add_link(const builder *b, turning *turn, uint32_t side, uint32_t from,
   t->links++;
   if (b->bend[side] > FLAT) {
     difference(b, at_corner(b, to), at_corner(b, from), u);
-    size = sqrt(dot(u, u));
+    size = sg_length(u);
     t->bends++;
     for (int k = 0; k < 3 && size > 0.0; k++) {
       t->sum[k] += u[k] / size;
@@ -411,9 +443,39 @@ add_link(const builder *b, turning *turn, uint32_t side, uint32_t from,
 static bool
 bends_both_ways(const turning *t)
 {
-  return t->links == t->corners &&
+  return !t->folded && t->links == t->corners &&
          (t->bends > 2 ||
-          (t->bends == 2 && dot(t->sum, t->sum) > STRAIGHT * STRAIGHT));
+          (t->bends == 2 && sg_dot(t->sum, t->sum) > STRAIGHT * STRAIGHT));
+}
+
+/* Whether a corner is of a known surface that is folded along straight lines,
+ * or of one that is not. */
+static bool
+is_tapered(const builder *b, uint32_t corner)
+{
+  int32_t of = surface_of(b, corner);
+
+  return of >= 0 && b->known.surface[of].kind == SG_KNOWN_TAPERED;
+}
+
+static bool
+is_round(const builder *b, uint32_t corner)
+{
+  int32_t of = surface_of(b, corner);
+  sg_known_surface_kind kind =
+      of < 0 ? SG_KNOWN_FREE : b->known.surface[of].kind;
+
+  return kind == SG_KNOWN_SPHERE || kind == SG_KNOWN_TORUS;
+}
+
+static void
+add_surface(const builder *b, turning *t, uint32_t corner)
+{
+  int32_t surface = surface_of(b, corner);
+
+  t->folded = t->corners == 0 ? is_tapered(b, corner)
+                              : t->folded && surface == t->surface;
+  t->surface = surface;
 }
 
 static bool
@@ -426,6 +488,7 @@ find_curved(builder *b)
     return false;
   }
   for (uint32_t i = 0; i < 3 * b->in->triangles; i++) {
+    add_surface(b, &turn[out->fan[i]], i);
     turn[out->fan[i]].corners++;
     if ((out->side[i] & SG_SIDE_SMOOTH) && out->across[i] > i) {
       add_link(b, turn, i, i, next_corner(i));
@@ -435,7 +498,7 @@ find_curved(builder *b)
   for (uint32_t i = 0; i < 3 * b->in->triangles; i++) {
     uint32_t fan = out->fan[i];
     out->curved[root_of(b->sheet, i / 3)] |=
-        !out->apex[fan] && bends_both_ways(&turn[fan]);
+        is_round(b, i) || (!out->apex[fan] && bends_both_ways(&turn[fan]));
   }
   for (uint32_t t = 0; t < b->in->triangles; t++) {
     out->curved[t] = out->curved[root_of(b->sheet, t)];
@@ -487,6 +550,9 @@ sg_smooth_init(sg_smooth *smooth, const sg_smooth_input *input,
   bool done = false;
 
   *smooth = (sg_smooth){0};
+  if (input->crease >= SG_FACET_BEND) {
+    b.known = input->surfaces;
+  }
   b.unit = unit_of(input->dense);
   *memory = make_room(&b);
   if (*memory) {

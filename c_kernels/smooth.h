@@ -6,6 +6,10 @@
  * than the crease angle, or not at all if a penetration line runs there. What
  * hangs together is a *sheet*.
  *
+ * Where polygons are facets of a known surface (known_surface.h), this says how
+ * much they bend, and which way they look at a vertex; facets of one surface
+ * hang together, even where a penetration line runs.
+ *
  * The corners of a sheet's triangles at a vertex that hang together form a
  * *fan*; a vertex on a crease has one for each sheet there, or several. A fan
  * has one normal: the mean of its faces', weighted by their area and by the
@@ -14,7 +18,8 @@
  *
  * A sheet is *curved* if it bends along more than one line at a vertex inside
  * it that is no apex. One that is not (a cylinder, a cone, the sides of a
- * prism) is folded along straight lines, and its outline lies on these.
+ * prism) is folded along straight lines, and its outline lies on these. Facets
+ * of spheres and tori are curved, those of cylinders and cones are not.
  *
  * Side k of a triangle runs from its corner k to the next; sides, like corners,
  * are numbered 3 * triangle + k.
@@ -23,6 +28,7 @@
 #define SG_SMOOTH_H
 
 #include "dense.h"
+#include "known_surface.h"
 
 #include <stdbool.h>
 
@@ -54,7 +60,8 @@ typedef struct sg_smooth_input {
   const uint32_t (*cut)[2]; /* [cuts] places of the ends of pieces of
                                penetration lines */
   size_t cuts;
-  double crease; /* degrees */
+  sg_known_surfaces surfaces; /* of the polygons; borrowed */
+  double crease;              /* degrees */
 } sg_smooth_input;
 
 /* False: stopped by the poll, or no memory (then *memory is false); nothing is

@@ -39,6 +39,27 @@ sg_smoothness_clear(sg_smoothness *smoothness)
   *smoothness = (sg_smoothness){0};
 }
 
+static int
+compare_ids(const void *a, const void *b)
+{
+  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
+
+  return (x > y) - (x < y);
+}
+
+bool *
+sg_smoothness_faceted(const sg_smoothness *smoothness, const sg_dense *d)
+{
+  const sg_chosen *all = &smoothness->faceted;
+  bool *faceted = calloc(d->segments + 1, sizeof *faceted);
+
+  for (size_t s = 0; faceted && all->n > 0 && s < d->segments; s++) {
+    faceted[s] = bsearch(&d->segment[s], all->s, all->n, sizeof *all->s,
+                         compare_ids) != NULL;
+  }
+  return faceted;
+}
+
 static bool
 same_smoothness(const sg_smoothness *a, const sg_smoothness *b)
 {
@@ -75,28 +96,32 @@ sg_kept_smooth_drop(sg_kept_smooth *kept)
   }
 }
 
-static int
-compare_ids(const void *a, const void *b)
-{
-  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 /* No sheet of a segment that is faceted counts as curved. */
 static void
-leave_out(sg_kept_smooth *kept, const sg_dense *d)
+leave_out(sg_kept_smooth *kept, const sg_dense *d, const bool *faceted)
 {
-  const sg_chosen *faceted = &kept->as.faceted;
-
-  for (size_t s = 0; faceted->n > 0 && s < d->segments; s++) {
-    if (bsearch(&d->segment[s], faceted->s, faceted->n, sizeof *faceted->s,
-                compare_ids)) {
-      for (size_t t = d->triangle_begin[s]; t < d->triangle_begin[s + 1]; t++) {
-        kept->smooth.curved[t] = false;
-      }
+  for (size_t s = 0; s < d->segments; s++) {
+    for (size_t t = d->triangle_begin[s];
+         faceted[s] && t < d->triangle_begin[s + 1]; t++) {
+      kept->smooth.curved[t] = false;
     }
   }
+}
+
+/* The surface of each polygon, of none in segments that are faceted. Null: no
+ * memory. */
+static int32_t *
+surfaces_but(const sg_known_surfaces *surfaces, const sg_dense *d,
+             const bool *faceted)
+{
+  int32_t *of = malloc((d->polygons + 1) * sizeof *of);
+
+  for (size_t s = 0; of && s < d->segments; s++) {
+    for (size_t p = d->polygon_begin[s]; p < d->polygon_begin[s + 1]; p++) {
+      of[p] = faceted[s] ? -1 : surfaces->of[p];
+    }
+  }
+  return of;
 }
 
 /* Which polygons lie in curved sheets. */
@@ -125,22 +150,46 @@ static uint32_t (*cuts_of(const sg_scene_model *model, size_t *n))[2]
   return cut;
 }
 
-/* False: stopped, or no memory. */
+/* Sheets with the surfaces of `of`. False: stopped, or no memory. */
 static bool
-make_smooth(sg_kept_smooth *kept, const sg_scene_model *model, bool *memory)
+find_sheets(sg_kept_smooth *kept, const sg_scene_model *model, int32_t *of,
+            bool *memory)
 {
-  sg_smooth_input in = {.dense = &model->dense, .crease = kept->as.crease};
+  sg_smooth_input in = {.dense = &model->dense,
+                        .surfaces = model->surfaces,
+                        .crease = kept->as.crease};
   uint32_t(*cut)[2] = cuts_of(model, &in.cuts);
   bool done;
 
+  in.surfaces.of = of;
   in.cut = (const uint32_t(*)[2])cut;
   *memory = cut != NULL;
   done = cut && sg_smooth_init(&kept->smooth, &in, &sg_prolog_poll, memory);
   free(cut);
-  if (done) {
-    leave_out(kept, &model->dense);
-    done = *memory = find_polygons(kept, &model->dense);
+  return done;
+}
+
+/* False: stopped, or no memory. */
+static bool
+make_smooth(sg_kept_smooth *kept, const sg_scene_model *model, bool *memory)
+{
+  const sg_dense *d = &model->dense;
+  bool *faceted = sg_smoothness_faceted(&kept->as, d);
+  int32_t *of = NULL;
+  bool done = faceted != NULL;
+
+  if (done && model->surfaces.of) {
+    of = surfaces_but(&model->surfaces, d, faceted);
+    done = of != NULL;
   }
+  *memory = done;
+  done = done && find_sheets(kept, model, of, memory);
+  if (done) {
+    leave_out(kept, d, faceted);
+    done = *memory = find_polygons(kept, d);
+  }
+  free(faceted);
+  free(of);
   return done;
 }
 

@@ -1,6 +1,7 @@
 :- module(sg_contour,
           [ find_contours/2,            % +Segments, +Crease
             smoothness/2,               % +Crease, -Smooth
+            faceted_segments/1,         % -Faceted
             smooth_segment/1,           % +S
             contour_pieces/3,           % +S, +Crease, -Pieces
             contour_ends/4,             % +S, +K, -Start, -End
@@ -9,12 +10,14 @@
 :- use_module(contour_beside,
               [ beside_piece/3, side_place/5, triangle_facing/3 ]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
-:- use_module(kernel, [fill_contour/6]).
+:- use_module(kernel, [fill_contour/7]).
+:- use_module(known_surface, [known_surfaces/1]).
 :- use_module(smooth_sheet,
               [ smooth_sheets/3, smooth_side/3, curved_triangle/2, corner_fan/3,
                 fan_corners/3, fan_normal/3, corner_vertex/3, corner_place/3,
-                next_corner/2, cross_product/3, dot_product/3, difference/3
+                next_corner/2
               ]).
+:- use_module(smooth_vector, [cross_product/3, difference/3, dot_product/3]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [contour/9, e/5, screen/5, segment/3, t/6]).
 :- use_module(view, [current_view/4, view_matrix/3]).
@@ -60,14 +63,25 @@ kernel of all this is c_kernels/contour.c.
 find_contours(Segments, Crease) :-
     current_view(Theta, Phi, Rho, Kind),
     smoothness(Crease, Smooth),
-    stage(join, fill_contour(Segments, Theta, Phi, Rho, Kind, Smooth)).
+    stage(join,
+          (   fill_contour(Segments, Theta, Phi, Rho, Kind, Smooth, kept)
+          ->  true
+          ;   known_surfaces(Known),
+              fill_contour(Segments, Theta, Phi, Rho, Kind, Smooth, Known)
+          )).
 
 %!  smoothness(+Crease, -Smooth) is det.
 %
-%   Smooth is smooth(Crease, Faceted), where Faceted are the segments for which
-%   smooth_segment/1 is not true.
+%   Smooth is smooth(Crease, Faceted), Faceted by faceted_segments/1.
 
 smoothness(Crease, smooth(Crease,Faceted)) :-
+    faceted_segments(Faceted).
+
+%!  faceted_segments(-Faceted:list) is det.
+%
+%   Faceted are the segments for which smooth_segment/1 is not true.
+
+faceted_segments(Faceted) :-
     (   decision_is_default(smooth_segment/1)
     ->  Faceted = []
     ;   findall(S, ( segment(S, _, _), \+ smooth_segment(S) ), Faceted)
@@ -79,8 +93,9 @@ smoothness(Crease, smooth(Crease,Faceted)) :-
 %!  smooth_segment(+S) is semidet.
 %
 %   True when the curved sheets of segment S stand for smooth surfaces, so that
-%   their outlines run through their triangles. They always do. A decision: a
-%   world can say that a segment is what its facets are.
+%   their outlines run through their triangles, and facets of primitives for the
+%   surfaces of these (known_surface.pl). They always do. A decision: a world
+%   can say that a segment is what its facets are.
 
 smooth_segment(_).
 

@@ -6,8 +6,9 @@
 :- use_module(smooth_sheet,
               [ smooth_side/3, across_side/3, convex_side/2, curved_triangle/2,
                 corner_fan/3, corner_vertex/3, next_corner/2,
-                fan_unit/3, dot_product/3
+                fan_unit/3
               ]).
+:- use_module(smooth_vector, [dot_product/3]).
 :- use_module(store, [screen/5, t/6]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(assoc), [get_assoc/3]).

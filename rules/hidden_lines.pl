@@ -14,8 +14,9 @@
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
-:- use_module(contour, [find_contours/2, smoothness/2]).
+:- use_module(contour, [faceted_segments/1, find_contours/2, smoothness/2]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
+:- use_module(known_surface, [known_surfaces/1]).
 :- use_module(interval,
               [ intervals_union/3, intervals_gaps/2, intervals_subtract/3,
                 intervals_within/4
@@ -28,7 +29,7 @@
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module(kernel,
-              [ scene_open/5, scene_edge/5, occluder/7, overlap/9,
+              [ scene_open/6, scene_edge/5, occluder/7, overlap/9,
                 fill_drawn/4
               ]).
 /** <module> Hidden lines: the picture of a world.
@@ -144,10 +145,16 @@ open_scene(Scene, Options) :-
     (   Which == feature
     ->  option(crease(Crease), Options, 30),
         smoothness(Crease, Smooth)
-    ;   Smooth = none
+    ;   faceted_segments(Faceted),
+        Smooth = edges(Faceted)
     ),
     screen_depth(Depth),
-    stage(tree, scene_open(Segments, Depth, Tolerance, Smooth, Scene)).
+    stage(tree,
+          (   scene_open(Segments, Depth, Tolerance, Smooth, kept, Scene)
+          ->  true
+          ;   known_surfaces(Known),
+              scene_open(Segments, Depth, Tolerance, Smooth, Known, Scene)
+          )).
 
 :- decision(hides/4, "Which triangles may hide which lines (PL-13)").
 

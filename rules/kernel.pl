@@ -116,11 +116,11 @@
             % turn4pl.c
             turn_points/2,            % +Axes, +Origin
             % contour4pl.c
-            fill_contour/6,           % +Segments, +Theta, +Phi, +Rho, +Kind,
-                                      % +Smooth
+            fill_contour/7,           % +Segments, +Theta, +Phi, +Rho, +Kind,
+                                      % +Smooth, +Known
             % scene4pl.c
-            scene_open/5,             % +Segments, +Depth, +Tolerance,
-                                      % +Smooth, -Scene
+            scene_open/6,             % +Segments, +Depth, +Tolerance,
+                                      % +Smooth, +Known, -Scene
             scene_edge/5,             % +Scene, ?S, ?E, -Length, -Look
             occluder/7,               % +Scene, +S, +E, ?S2, ?T, -From, -To
             overlap/9,                % +Scene, +S, +E, ?S2, ?E2, -From, -To,
@@ -478,23 +478,28 @@ glue file.
 
 /* - - - contour4pl.c - - - */
 
-%!  fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth) is det.
+%!  fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth, +Known)
+%!      is semidet.
 %
 %   Replaces contour/9 of the current world by the outlines of the smooth
 %   surfaces of Segments, `all` or a list, seen from there, as contour.pl
 %   defines them. Smooth is smooth(Crease, Faceted): over which bend, in
 %   degrees, two faces do not hang together smoothly; which segments have no
-%   smooth surfaces. screen/5 holds the same view. Inexact.
+%   smooth surfaces. screen/5 holds the same view. Known are known_surfaces/1,
+%   or `kept`: what was known when the model of these segments was made, whose
+%   rows have not changed since. Fails if none is kept. Inexact.
 
 /* - - - scene4pl.c - - - */
 
-%!  scene_open(+Segments, +Depth, +Tolerance, +Smooth, -Scene) is det.
+%!  scene_open(+Segments, +Depth, +Tolerance, +Smooth, +Known, -Scene)
+%!      is semidet.
 %
 %   Scene is what screen/5 and contour/9 of the current world show of Segments,
-%   `all` or a list. Smooth is what contour/9 was made with, see fill_contour/6,
-%   or `none`. Depth: see view_depth/5; Tolerance: what counts as equal, in a
-%   model of size [-1,1] (PL-5). A scene does not follow later changes, and is
-%   freed with its last reference.
+%   `all` or a list. Smooth is what contour/9 was made with, see fill_contour/7
+%   (there Known, too), or edges(Faceted): all outlines run along edges. Depth:
+%   see view_depth/5; Tolerance: what counts as equal, in a model of size [-1,1]
+%   (PL-5). A scene does not follow later changes, and is freed with its last
+%   reference.
 
 %!  scene_edge(+Scene, ?S, ?E, -Length, -Look) is nondet.
 %

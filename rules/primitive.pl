@@ -4,7 +4,9 @@
             primitive_name/2,           % +Term, -Name
             is_primitive/1,             % @Term
             primitive_shape/4,          % +Term, -Kind, -Points, -Chains
-            primitive_faces/3           % +Term, -Whats, -Surfaces
+            primitive_faces/3,          % +Term, -Whats, -Surfaces
+            primitive_parts/3,          % +Term, -Parts, -Surfaces
+            moved_surfaces/3            % +Motions, +Surfaces0, -Surfaces
           ]).
 :- use_module(bezier, [bezier_shape/2]).
 :- use_module(placing,
@@ -18,7 +20,9 @@
                 rectangle_shape/2, sheet_shape/2
               ]).
 :- use_module(primitive_globe,
-              [egg_shape/2, hemisphere_shape/2, sphere_shape/2, torus_shape/2]).
+              [ egg_shape/2, globe_parts/4, hemisphere_shape/2, sphere_shape/2,
+                torus_shape/2
+              ]).
 :- use_module(primitive_round,
               [ circle_shape/2, cone_shape/2, cylinder_shape/2,
                 hollow_cylinder_shape/2
@@ -26,7 +30,7 @@
 :- use_module(primitive_turning, [turning_shape/2]).
 :- use_module(shape, [loops_vertex_list/2, mirrored_faces/2]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(lists), [append/3]).
+:- autoload(library(lists), [append/3, max_list/2]).
 /** <module> Primitives: the table of them, and how they are placed.
 
 A primitive is a term with named arguments, in any order (the table below;
@@ -271,14 +275,20 @@ face_list(face(_, Loops), List) :-
 
 made(Term, Kind, Motions, Shape) :-
     placed(Term, Primitive, Motions),
+    shaped(Primitive, Kind, Maker, Motions, Given),
+    catch(call(Maker, Given, Shape),
+          error(evaluation_error(_), _), primitive_error(too_large, Term)).
+
+%   shaped(Primitive, Kind, Maker, Motions, Given): what Maker is given.
+
+shaped(Primitive, Kind, Maker, Motions, given(Primitive, Stretch, Values)) :-
     compound_name_arguments(Primitive, Name, Given),
     primitive_row(Name, Kind, Wanted, Maker, _),
     !,
     given_values(Given, Wanted, Primitive, Values),
-    catch(( motion_stretch(Motions, Stretch),
-            call(Maker, given(Primitive, Stretch, Values), Shape)
-          ),
-          error(evaluation_error(_), _), primitive_error(too_large, Term)).
+    catch(motion_stretch(Motions, Stretch),
+          error(evaluation_error(_), _),
+          primitive_error(too_large, Primitive)).
 
 %   placed(Term, Primitive, Motions): at/2 and named/2 taken off; the inner
 %   steps first.
@@ -331,6 +341,79 @@ primitive_faces(Term, Whats, Surfaces) :-
     maplist(moved_surface(Motions), Surfaces0, Surfaces).
 
 face_what(face(What, _), What).
+
+%!  primitive_parts(+Term, -Parts, -Surfaces) is det.
+%
+%   Parts are the polygons of the primitive Term, in order: part(N, flat) are N
+%   that stand for nothing else, part(N, curved(Part, Turn)) are N facets of one
+%   of Surfaces, Part-Surface as placed, that are Turn degrees of it wide. What
+%   was made last is remembered: most terms come again with every picture.
+%
+%   @error as primitive_shape/4
+
+primitive_parts(Term, Parts, Surfaces) :-
+    placed(Term, Primitive, Motions),
+    shaped(Primitive, _, Maker, Motions, Given),
+    remembered_parts(Maker, Given, Parts, Surfaces0),
+    maplist(moved_surface(Motions), Surfaces0, Surfaces).
+
+:- thread_local last_parts/4.
+
+most_remembered(1000).
+
+remembered_parts(_, Given, Parts, Surfaces) :-
+    term_hash(Given, Hash),
+    last_parts(Hash, Given, Parts0, Surfaces0),
+    !,
+    Parts = Parts0,
+    Surfaces = Surfaces0.
+remembered_parts(Maker, Given, Parts, Surfaces) :-
+    (   globe_parts(Maker, Given, Parts, Surfaces)
+    ->  true
+    ;   call(Maker, Given, shape(_, Faces, Surfaces)),
+        faces_parts(Faces, Parts)
+    ),
+    most_remembered(Most),
+    (   predicate_property(last_parts(_, _, _, _), number_of_clauses(Most))
+    ->  retractall(last_parts(_, _, _, _))
+    ;   true
+    ),
+    term_hash(Given, Hash),
+    assertz(last_parts(Hash, Given, Parts, Surfaces)).
+
+%   Neighbours that are alike are one part.
+
+faces_parts([], []).
+faces_parts([face(What, _)|Faces], [part(N, Part)|Parts]) :-
+    what_part(What, Part),
+    alike(Faces, Part, 1, N, Rest),
+    faces_parts(Rest, Parts).
+
+alike([face(What, _)|Faces], Part, N0, N, Rest) :-
+    what_part(What, Part),
+    !,
+    N1 is N0+1,
+    alike(Faces, Part, N1, N, Rest).
+alike(Rest, _, N, N, Rest).
+
+what_part(What, Part) :-
+    (   What = curved(Name, Ranges)
+    ->  maplist(range_width, Ranges, Widths),
+        max_list(Widths, Width0),
+        Width is round(Width0*1.0e6)/1.0e6,
+        Part = curved(Name, Width)
+    ;   Part = flat
+    ).
+
+range_width(From-To, Width) :-
+    Width is abs(To-From).
+
+%!  moved_surfaces(+Motions, +Surfaces0, -Surfaces) is det.
+%
+%   Surfaces0, Part-Surface, moved.
+
+moved_surfaces(Motions, Surfaces0, Surfaces) :-
+    maplist(moved_surface(Motions), Surfaces0, Surfaces).
 
 moved_surface(Motions, Part-Surface0, Part-Surface) :-
     compound_name_arguments(Surface0, Name, Items0),

@@ -2,7 +2,8 @@
           [ sphere_shape/2,             % +Given, -Shape
             egg_shape/2,                % +Given, -Shape
             hemisphere_shape/2,         % +Given, -Shape
-            torus_shape/2               % +Given, -Shape
+            torus_shape/2,              % +Given, -Shape
+            globe_parts/4               % +Maker, +Given, -Parts, -Surfaces
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
 :- use_module(primitive_argument,
@@ -148,6 +149,42 @@ row_vertex(First-Count, I, V) :-
     ;   V is First+I-1
     ).
 
+%!  globe_parts(+Maker, +Given, -Parts, -Surfaces) is semidet.
+%
+%   What primitive_parts/3 says of the shape that Maker makes of Given, without
+%   making it: globes have many facets. Fails for other shapes.
+
+globe_parts(sphere_shape, Given, [part(Count, curved(sphere, Turn))],
+            [sphere-Surface]) :-
+    given(Given, radius, Radius),
+    three_radii(Radius, [A, B, C]),
+    counts(Given, A, B, [C], 180, N, M),
+    at_least(Given, bands, M, 2),
+    sphere_surface(A, B, C, Surface),
+    turn(N, M, 180, Turn),
+    Count is N*M.
+globe_parts(hemisphere_shape, Given,
+            [part(1, flat), part(Count, curved(sphere, Turn))],
+            [sphere-Surface]) :-
+    given(Given, radius, Radius),
+    three_radii(Radius, [A, B, C]),
+    counts(Given, A, B, [C], 90, N, M),
+    sphere_surface(A, B, C, Surface),
+    turn(N, M, 90, Turn),
+    Count is N*M.
+globe_parts(torus_shape, Given, [part(Count, curved(torus, Turn))],
+            [torus-Surface]) :-
+    torus_counts(Given, R, Tube, N, M),
+    torus_surface(R, Tube, Surface),
+    turn(N, M, 360, Turn),
+    Count is N*M.
+
+%   turn(N, M, Degrees, Turn): the wider of N facets round and M bands in so
+%   many Degrees.
+
+turn(N, M, Degrees, Turn) :-
+    Turn is max(360.0/N, float(Degrees)/M).
+
 %!  egg_shape(+Given, -Shape) is det.
 %
 %   Half an ellipsoid upwards and half another one downwards; parts `upper` and
@@ -201,6 +238,15 @@ hemisphere_shape(Given, shape(Points, [face(base, [Base])|Faces],
 %   @error tube_too_large
 
 torus_shape(Given, shape(Points, Faces, [torus-Surface])) :-
+    torus_counts(Given, R, Tube, N, M),
+    torus_surface(R, Tube, Surface),
+    numlist(1, M, Js),
+    maplist(torus_row(R, Tube, N, M), Js, Rows),
+    append(Rows, Points),
+    maplist(torus_faces(N, M), Js, Faces0),
+    append(Faces0, Faces).
+
+torus_counts(Given, R, Tube, N, M) :-
     Given = given(Term, _, _),
     given(Given, radius, [R]),
     given(Given, tube, [Tube]),
@@ -213,15 +259,12 @@ torus_shape(Given, shape(Points, Faces, [torus-Surface])) :-
     given_facets(Half, Outermost, 360, N),
     tube_sides(Given, Half, Tube, N, M),
     Vertices is N*M,
-    vertices_within(Vertices, Given),
-    numlist(1, M, Js),
-    maplist(torus_row(R, Tube, N, M), Js, Rows),
-    append(Rows, Points),
-    maplist(torus_faces(N, M), Js, Faces0),
-    append(Faces0, Faces),
-    K is Tube/R,
-    Surface = torus(point(0.0, 0.0, 0.0), vector(R, 0.0, 0.0),
-                    vector(0.0, R, 0.0), vector(0.0, 0.0, R), K).
+    vertices_within(Vertices, Given).
+
+torus_surface(R, Tube,
+              torus(point(0.0, 0.0, 0.0), vector(R, 0.0, 0.0),
+                    vector(0.0, R, 0.0), vector(0.0, 0.0, R), K)) :-
+    K is Tube/R.
 
 tube_sides(Given, Half, Tube, N, M) :-
     given(Given, sides, Sides),

@@ -16,7 +16,9 @@ scene_edge/5 reports it, decides its role:
   - Towards, Away: how many of these face the eye, or face away from it; one
     seen edge-on is neither (step 1)
   - Left, Right: how many lie on the left and right of the line in the picture
-  - Bend: degrees by which they are not flat, the largest of all pairs
+  - Bend: degrees by which they are not flat, the largest of all pairs; facets
+    of known surfaces (known_surface.pl) bend as these do, those of one by one
+    degree at most
   - Solid: `true` if the segment is a solid whose shells are closed, are not
     inside out and do not go through themselves: its backs cannot be seen
   - Cut: `true` if it is part of a penetration line

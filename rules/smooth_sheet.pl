@@ -10,17 +10,19 @@
             fan_unit/3,                 % +Sheets, +Fan, -Vector
             corner_vertex/3,            % +Sheets, +Corner, -V
             corner_place/3,             % +Sheets, +Corner, -Place
-            next_corner/2,              % +Corner, -Next
-            cross_product/3,            % +U, +V, -W
-            dot_product/3,              % +U, +V, -Product
-            difference/3                % +P, +Q, -Vector
+            next_corner/2               % +Corner, -Next
           ]).
+:- use_module(known_surface, [polygon_surface/4, surface_normal/4]).
+:- use_module(smooth_vector,
+              [ angle_between/3, cross_product/3, difference/3, dot_product/3,
+                scaled/3
+              ]).
 :- use_module(store, [line/9, t/6, v/5]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc),
             [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
               put_assoc/4 ]).
-:- autoload(library(lists), [append/3, member/2, memberchk/2]).
+:- autoload(library(lists), [append/3, max_list/2, member/2, memberchk/2]).
 :- autoload(library(pairs), [pairs_keys_values/3]).
 /** <module> Smooth sheets: which triangles of a segment are one smooth surface.
 
@@ -32,9 +34,14 @@ fan has one normal, the mean of its faces' normals, weighted by their area and
 by the angle they fill there; where a face leans more than the crease angle from
 it, the vertex is an apex and has none.
 
+Where polygons are facets of a known surface (known_surface.pl), this says how
+much they bend, and which way they look at a vertex; facets of one surface hang
+together, even where a penetration line runs.
+
 A sheet is *curved* if it bends along more than one line at a vertex inside it
 that is no apex. One that is not (a cylinder, a cone, the sides of a prism) is
-folded along straight lines, and its outline lies on these.
+folded along straight lines, and its outline lies on these. Facets of spheres
+and tori are curved, those of cylinders and cones are not.
 
 A side and a corner of triangle T are T-I, I from 1 to 3; side I runs from
 corner I to the next. A fan is named by its least corner. c_kernels/smooth.c is
@@ -43,7 +50,8 @@ the fused kernel.
 
 :- set_prolog_flag(optimise, true).
 
-% sheets(Corners, Places, Areas, Sides, Fans, Members, Normals, Curved), assocs:
+% sheets(Corners, Places, Areas, Sides, Fans, Members, Normals, Curved, Known),
+% assocs:
 %   Corners  T -> corners(P, V1, V2, V3)
 %   Places   V -> p(X,Y,Z)
 %   Areas    P -> p(X,Y,Z), the polygon's normal, as long as twice its area
@@ -51,6 +59,7 @@ the fused kernel.
 %   Fans     T-I -> Fan;  Members Fan -> Corners
 %   Normals  Fan -> normal(p(X,Y,Z)), unit, or apex(p(X,Y,Z))
 %   Curved   T -> true
+%   Known    P -> Id-Surface, by polygon_surface/4
 
 %!  smooth_sheets(+S, +Crease, -Sheets) is det.
 %
@@ -59,24 +68,29 @@ the fused kernel.
 
 smooth_sheets(S, Crease, Sheets) :-
     Sheets = sheets(Corners, Places, Areas, Sides, Fans, Members, Normals,
-                    Curved),
+                    Curved, Known),
     findall(T-corners(P,A,B,C), t(S, P, T, A, B, C), Triangles0),
     keysort(Triangles0, Triangles),
     list_to_assoc(Triangles, Corners),
     findall(V-p(X,Y,Z), v(S, V, X, Y, Z), Vs0),
     keysort(Vs0, Vs),
     list_to_assoc(Vs, Places),
+    findall(P, t(S, P, _, _, _, _), Ps0),
+    sort(Ps0, Ps),
+    findall(P-(Id-Surface),
+            ( Crease >= 1, member(P, Ps), polygon_surface(S, P, Id, Surface) ),
+            Surfaces),
+    list_to_assoc(Surfaces, Known),
     empty_assoc(None),
     foldl(add_area(Places), Triangles, None, Areas),
-    findall(Side-Across, side_across(S, Triangles, Areas, Crease,
+    findall(Side-Across, side_across(S, Sheets, Triangles, Crease,
                                      Side, Across), Joined0),
     keysort(Joined0, Joined),
     list_to_assoc(Joined, Sides),
     findall(T-I, ( member(T-_, Triangles), member(I, [1,2,3]) ), All),
     fans(All, Sides, None, Fans, None, Members),
     assoc_to_keys(Members, Names),
-    maplist(normal_of(Corners, Places, Areas, Members, Crease), Names,
-            NormalList),
+    maplist(normal_of(Sheets, Crease), Names, NormalList),
     pairs_keys_values(NormalPairs, Names, NormalList),
     list_to_assoc(NormalPairs, Normals),
     curved_triangles(Triangles, Sheets, None, Curved).
@@ -105,7 +119,8 @@ place(Places, V, Place) :-
 
 /* - - - sides - - - */
 
-side_across(S, Triangles, Areas, Crease, Side, Across) :-
+side_across(S, Sheets, Triangles, Crease, Side, Across) :-
+    Sheets = sheets(_, _, Areas, _, _, _, _, _, _),
     findall((Low-High)-use(T-I,A,P),
             ( member(T-corners(P,V1,V2,V3), Triangles),
               member(I-A-B, [1-V1-V2, 2-V2-V3, 3-V3-V1]),
@@ -119,16 +134,61 @@ side_across(S, Triangles, Areas, Crease, Side, Across) :-
     get_assoc(P1, Areas, Area1),
     get_assoc(P2, Areas, Area2),
     degrees_between(Area1, Area2, Bend),
-    (   line_runs(S, Low, High)
-    ->  Most = 0.01
-    ;   Most is Crease + 1.0e-6
+    (   line_runs(S, Low, High),
+        \+ one_surface(Sheets, P1, P2)
+    ->  Most = 0.01,
+        Degrees = Bend
+    ;   Most is Crease + 1.0e-6,
+        surfaces_bend(Sheets, P1, P2, Side1, Bend, Degrees)
     ),
-    (   Bend =< Most
+    (   Degrees =< Most
     ->  Smooth = true
     ;   Smooth = false
     ),
     member(Side-Other, [Side1-Side2, Side2-Side1]),
     Across = across(Other, Bend, Smooth).
+
+one_surface(Sheets, P1, P2) :-
+    arg(9, Sheets, Known),
+    get_assoc(P1, Known, Id-_),
+    get_assoc(P2, Known, Id-_).
+
+%   surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees): the surfaces of polygons
+%   that bend by Bend along Side bend by Degrees: not at all if they are one,
+%   else by the more of both ends. Facets bend by one degree at most.
+
+surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees) :-
+    Sheets = sheets(_, _, Areas, _, _, _, _, _, Known),
+    (   \+ get_assoc(P1, Known, _),
+        \+ get_assoc(P2, Known, _)
+    ->  Degrees = Bend
+    ;   one_surface(Sheets, P1, P2)
+    ->  Degrees is min(Bend, 1.0)
+    ;   next_corner(Side, Next),
+        get_assoc(P1, Areas, Area1),
+        get_assoc(P2, Areas, Area2),
+        findall(Angle,
+                ( member(Corner, [Side,Next]),
+                  corner_place(Sheets, Corner, Place),
+                  polygon_look(Known, P1, Place, Area1, Look1),
+                  polygon_look(Known, P2, Place, Area2, Look2),
+                  degrees_between(Look1, Look2, Angle) ),
+                Angles),
+        max_list(Angles, Most),
+        Degrees is max(Most, min(Bend, 1.0))
+    ).
+
+%   polygon_look(Known, P, Place, Area, Look): Look is the way the surface of P
+%   looks at Place, as long as the Area of P.
+
+polygon_look(Known, P, Place, Area, Look) :-
+    (   get_assoc(P, Known, _-Surface),
+        surface_normal(Surface, Place, Area, Normal)
+    ->  dot_product(Area, Area, Square),
+        Size is sqrt(Square),
+        scaled(Size, Normal, Look)
+    ;   Look = Area
+    ).
 
 line_runs(S, A, B) :-
     (   line(_, S, _, A, B, _, _, _, _)
@@ -145,12 +205,6 @@ degrees_between(U, W, Degrees) :-
     ;   angle_between(U, W, Angle),
         Degrees is Angle*180/pi
     ).
-
-angle_between(U, W, Angle) :-
-    cross_product(U, W, C),
-    dot_product(C, C, Square),
-    dot_product(U, W, Dot),
-    Angle is atan2(sqrt(Square), Dot).
 
 %!  across_side(+Sheets, +Side, -Across) is semidet.
 %
@@ -185,7 +239,7 @@ convex_side(Sheets, T-I) :-
     Height =< 0.0.
 
 triangle_normal(Sheets, T, N) :-
-    Sheets = sheets(Corners, _, Areas, _, _, _, _, _),
+    Sheets = sheets(Corners, _, Areas, _, _, _, _, _, _),
     get_assoc(T, Corners, corners(P,_,_,_)),
     get_assoc(P, Areas, N).
 
@@ -286,27 +340,29 @@ fan_unit(Sheets, Fan, Vector) :-
     get_assoc(Fan, Normals, Term),
     arg(1, Term, Vector).
 
-normal_of(Corners, Places, Areas, Members, Crease, Fan, Normal) :-
-    get_assoc(Fan, Members, Own),
-    maplist(corner_area(Corners, Places, Areas), Own, Weighted),
+normal_of(Sheets, Crease, Fan, Normal) :-
+    fan_corners(Sheets, Fan, Own),
+    maplist(corner_look(Sheets), Own, Weighted),
     foldl(add_weighted, Weighted, p(0.0,0.0,0.0), Sum),
     unit(Sum, Unit),
     Least is cos(min(Crease, 90)*pi/180),
-    (   member(_-Area, Weighted),
-        dot_product(Area, Unit, Lean),
-        dot_product(Area, Area, Square),
+    (   member(_-Look, Weighted),
+        dot_product(Look, Unit, Lean),
+        dot_product(Look, Look, Square),
         Lean < Least*sqrt(Square)
     ->  Normal = apex(Unit)
     ;   Normal = normal(Unit)
     ).
 
-%   The angle at a corner, and the area of its face.
+%   The angle at a corner, and the way the surface looks there.
 
-corner_area(Corners, Places, Areas, T-I, Angle-Area) :-
+corner_look(Sheets, T-I, Angle-Look) :-
+    Sheets = sheets(Corners, Places, Areas, _, _, _, _, _, Known),
     get_assoc(T, Corners, corners(P,V1,V2,V3)),
     get_assoc(P, Areas, Area),
     nth_turned(I, V1, V2, V3, A, B, C),
     maplist(place(Places), [A,B,C], [PA,PB,PC]),
+    polygon_look(Known, P, PA, Area, Look),
     difference(PB, PA, U),
     difference(PC, PA, W),
     angle_between(U, W, Angle).
@@ -352,8 +408,11 @@ curved_triangles([], _, Curved, Curved).
 curved_triangles([T-_|Triangles], Sheets, Curved0, Curved) :-
     (   \+ get_assoc(T, Curved0, true),
         member(I, [1,2,3]),
-        corner_fan(Sheets, T-I, Fan),
-        bends_both_ways(Sheets, Fan)
+        (   round_corner(Sheets, T-I)
+        ->  true
+        ;   corner_fan(Sheets, T-I, Fan),
+            bends_both_ways(Sheets, Fan)
+        )
     ->  spread([T], Sheets, Curved0, Curved1)
     ;   Curved1 = Curved0
     ),
@@ -370,17 +429,31 @@ spread([T|Ts], Sheets, Curved0, Curved) :-
         spread(More, Sheets, Curved1, Curved)
     ).
 
-%   Inside its sheet, with a normal, and bent along more than one line.
+round_corner(Sheets, Corner) :-
+    corner_surface(Sheets, Corner, _-surface(Kind,_,_,_)),
+    memberchk(Kind, [sphere,torus]).
+
+corner_surface(sheets(Corners,_,_,_,_,_,_,_,Known), T-_, Surface) :-
+    get_assoc(T, Corners, corners(P,_,_,_)),
+    get_assoc(P, Known, Surface).
+
+%   Inside its sheet, with a normal, and bent along more than one line, and not
+%   on one cylinder or cone.
 
 bends_both_ways(Sheets, Fan) :-
     fan_normal(Sheets, Fan, _),
     fan_corners(Sheets, Fan, Corners),
+    \+ on_tapered(Sheets, Corners),
     forall(member(Corner, Corners), smooth_side(Sheets, Corner, _)),
     findall(Direction,
             ( member(Corner, Corners), bend_direction(Sheets, Corner, Direction)
             ),
             Directions),
     not_one_line(Directions).
+
+on_tapered(Sheets, [Corner|Corners]) :-
+    corner_surface(Sheets, Corner, Id-surface(tapered,_,_,_)),
+    forall(member(Other, Corners), corner_surface(Sheets, Other, Id-_)).
 
 bend_direction(Sheets, Corner, Direction) :-
     arg(4, Sheets, Sides),
@@ -397,24 +470,3 @@ not_one_line([U,W]) :-
     foldl(add_weighted, [1.0-U,1.0-W], p(0.0,0.0,0.0), Sum),
     dot_product(Sum, Sum, Square),
     Square > 0.02*0.02.
-
-/* - - - vectors - - - */
-
-%!  difference(+P, +Q, -Vector) is det.
-%!  cross_product(+U, +V, -W) is det.
-%!  dot_product(+U, +V, -Product) is det.
-%
-%   Of points and vectors p(X,Y,Z).
-
-difference(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
-    X is X1-X2,
-    Y is Y1-Y2,
-    Z is Z1-Z2.
-
-cross_product(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
-    X is Y1*Z2 - Z1*Y2,
-    Y is Z1*X2 - X1*Z2,
-    Z is X1*Y2 - Y1*X2.
-
-dot_product(p(X1,Y1,Z1), p(X2,Y2,Z2), Product) :-
-    Product is X1*X2 + Y1*Y2 + Z1*Z2.

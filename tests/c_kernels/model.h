@@ -272,7 +272,7 @@ model_scene_model(const model *m, const sg_poll *poll)
   model_dense_vertices(m, &d);
   model_dense_edges(m, &d);
   model_dense_triangles(m, &d);
-  return sg_scene_model_open(&d, solid, m->cut, m->cuts, poll, &memory);
+  return sg_scene_model_open(&d, NULL, solid, m->cut, m->cuts, poll, &memory);
 }
 
 /* What is seen of it as it is projected; null: stopped. *model_seen is to be

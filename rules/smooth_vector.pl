@@ -1,0 +1,44 @@
+:- module(sg_smooth_vector,
+          [ cross_product/3,            % +U, +V, -W
+            dot_product/3,              % +U, +V, -Product
+            difference/3,               % +P, +Q, -Vector
+            scaled/3,                   % +Factor, +U, -V
+            angle_between/3             % +U, +V, -Radians
+          ]).
+/** <module> Points and vectors p(X,Y,Z) of floats, as the rules of smooth
+surfaces use them. Rounded.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+%!  difference(+P, +Q, -Vector) is det.
+%!  cross_product(+U, +V, -W) is det.
+%!  dot_product(+U, +V, -Product) is det.
+%!  scaled(+Factor, +U, -V) is det.
+%!  angle_between(+U, +V, -Radians) is det.
+%
+%   Of points and vectors p(X,Y,Z).
+
+difference(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
+    X is X1-X2,
+    Y is Y1-Y2,
+    Z is Z1-Z2.
+
+cross_product(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
+    X is Y1*Z2 - Z1*Y2,
+    Y is Z1*X2 - X1*Z2,
+    Z is X1*Y2 - Y1*X2.
+
+dot_product(p(X1,Y1,Z1), p(X2,Y2,Z2), Product) :-
+    Product is X1*X2 + Y1*Y2 + Z1*Z2.
+
+scaled(Factor, p(X0,Y0,Z0), p(X,Y,Z)) :-
+    X is Factor*X0,
+    Y is Factor*Y0,
+    Z is Factor*Z0.
+
+angle_between(U, V, Radians) :-
+    cross_product(U, V, W),
+    dot_product(W, W, Square),
+    dot_product(U, V, Dot),
+    Radians is atan2(sqrt(Square), Dot).

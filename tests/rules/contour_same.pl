@@ -1,0 +1,36 @@
+:- module(test_contour_same,
+          [ same_as_rule/2              % +S, +Crease
+          ]).
+:- use_module(rules(contour), [contour_pieces/3]).
+:- use_module(rules(store), [contour/9]).
+/** <module> The pieces of contour/9 against their rule, for tests.
+*/
+
+%!  same_as_rule(+S, +Crease) is semidet.
+%
+%   True when the pieces that segment S has in contour/9, the kernel's, are
+%   those that the rule says.
+
+same_as_rule(S, Crease) :-
+    contour_pieces(S, Crease, Rule),
+    findall(piece(T,I1,F1,I2,F2,To,Ts),
+            ( contour(S, _, T, I1, F1, I2, F2, To, Ts0), msort(Ts0, Ts) ),
+            Kernel0),
+    sort(Kernel0, Kernel),
+    length(Rule, N),
+    length(Kernel, N),
+    maplist(same_piece, Rule, Kernel).
+
+same_piece(piece(T,I1,F1,I2,F2,To,Ts), piece(T,J1,G1,J2,G2,Go,Us)) :-
+    (   I1-I2 == J1-J2
+    ->  close_to(F1, G1),
+        close_to(F2, G2)
+    ;   I1-I2 == J2-J1,
+        close_to(F1, G2),
+        close_to(F2, G1)
+    ),
+    close_to(To, Go),
+    Ts == Us.
+
+close_to(A, B) :-
+    abs(A-B) < 1.0e-9.
