@@ -243,7 +243,7 @@ measured(Options, Start) :-
 timing(Name, Seconds) :-
     member(Name,
            [ load, tree, resolve, join, chain, rules, enter, pieces, faces,
-             write
+             develop, write
            ]),
     (   stage_seconds(Name, Seconds0)
     ->  Seconds = Seconds0

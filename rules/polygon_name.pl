@@ -3,6 +3,7 @@
             edges_named/3,              % +S, +Name, -Es
             polygon_name/3,             % +S, +P, -Name
             segments_named/2,           % +Name, -Ss
+            segment_title/2,            % +S, -Title
             joined_by/4,                % +S, +P, +Q, -E
             known_polygons/3,           % +S, -Ps, -Names
             neighbours/3                % +S, +P, -Qs
@@ -240,3 +241,34 @@ called(named(Name, _), Name) :-
     !.
 called(at(_, Term), Name) :-
     called(Term, Name).
+
+%!  segment_title(+S, -Title) is det.
+%
+%   Title is what people call segment S: its name, or that of its primitive; of
+%   what was trimmed or unfolded, of what it was made.
+
+segment_title(S, Title) :-
+    (   segment(S, _, Term)
+    ->  title(Term, Title)
+    ;   Title = S
+    ).
+
+title(named(Name, _), Title) :-
+    !,
+    Title = Name.
+title(at(_, Term), Title) :-
+    !,
+    title(Term, Title).
+title(trimmed(S, _, _), Title) :-
+    integer(S),
+    !,
+    segment_title(S, Title).
+title(development(S), Title) :-
+    integer(S),
+    !,
+    segment_title(S, Title).
+title(Term, Title) :-
+    (   compound(Term)
+    ->  functor(Term, Title, _)
+    ;   Title = Term
+    ).

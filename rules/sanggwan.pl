@@ -24,6 +24,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(boolean, except([stays/3])).
 :- reexport(faces, [faces_merged/2]).
 :- reexport(trimmed, [trimmed/4, trimmed/5]).
+:- reexport(unfold, [unfold/2, unfold/3]).
 :- reexport(penetration,
             except([ may_cut/2, merge_line/2, leaves_entered/4, touching/2 ])).
 :- reexport(development, [develop/2, develop/3, development/2]).

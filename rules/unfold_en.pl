@@ -19,6 +19,8 @@ wish_en(S, Wish, What) -->
     [ 'segment ~d cannot be unfolded with ~p: '-[S, Wish] ],
     wish_fault_en(What).
 
+wish_fault_en(no_segment) -->
+    [ 'there is no such segment' ].
 wish_fault_en(unknown_wish) -->
     { findall(Form, wish_form(_, Form), Forms),
       atomic_list_concat(Forms, ', ', All) },
@@ -126,7 +128,7 @@ known_polygons_en(Ps, Names) -->
     (   { Names == [] }
     ->  []
     ;   { findall(Text,
-                  ( member(Name, Names), format(atom(Text), '~p', [Name]) ),
+                  ( member(Name, Names), format(atom(Text), '~w', [Name]) ),
                   Texts),
           atomic_list_concat(Texts, ', ', All) },
         [ ' (~w)'-[All] ]
@@ -168,8 +170,6 @@ unfold_en(no_term(Option, Text)) -->
     [ 'option ~w: ~w cannot be read'-[Option, Text], nl,
       '  Polygons are numbers or names such as base or side(2), edges such as \c
        4-7, base-side(2) or v(1)-v(2); with commas between them.' ].
-unfold_en(wish_of_none(S, Wish)) -->
-    [ 'unfolding(~d, ~p): there is no segment ~d'-[S, Wish, S] ].
 unfold_en(alone(S)) -->
     [ 'segment ~d meets no other: nothing of it is trimmed'-[S] ].
 unfold_en(attached(S, Welded, Divided)) -->

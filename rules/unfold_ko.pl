@@ -19,6 +19,8 @@ wish_ko(S, Wish, What) -->
     [ '세그먼트 ~d을(를) ~p(으)로 전개할 수 없습니다: '-[S, Wish] ],
     wish_fault_ko(What).
 
+wish_fault_ko(no_segment) -->
+    [ '그런 세그먼트가 없습니다' ].
 wish_fault_ko(unknown_wish) -->
     { findall(Form, wish_form(_, Form), Forms),
       atomic_list_concat(Forms, ', ', All) },
@@ -131,8 +133,6 @@ unfold_ko(no_term(Option, Text)) -->
     [ '~w: ~w을(를) 읽을 수 없습니다'-[Option, Text], nl,
       '  다각형은 번호나 base, side(2) 같은 이름, 모서리는 4-7, base-side(2), \c
        v(1)-v(2) 이며 쉼표로 나눕니다.' ].
-unfold_ko(wish_of_none(S, Wish)) -->
-    [ 'unfolding(~d, ~p): 세그먼트 ~d이(가) 없습니다'-[S, Wish, S] ].
 unfold_ko(alone(S)) -->
     [ '세그먼트 ~d은(는) 다른 것과 만나지 않아 잘라 낼 것이 없습니다'-[S] ].
 unfold_ko(attached(S, Welded, Divided)) -->

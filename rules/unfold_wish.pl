@@ -270,14 +270,12 @@ wished_edge(From, S, Wish, Value, Edge) :-
 named_edges(From, S, Wish, Value, Es) :-
     (   Value = A-B,
         A \= v(_)
-    ->  some_polygons(From, S, Wish, A, [P|Ps]),
+    ->  some_polygons(From, S, Wish, A, Ps),
         some_polygons(From, S, Wish, B, _),
         edges_named(S, Value, Es),
         (   Es == []
-        ->  findall(Q, ( member(P1, [P|Ps]), neighbours(S, P1, Qs1),
-                         member(Q, Qs1) ),
-                    Qs0),
-            sort(Qs0, Qs),
+        ->  Ps = [P|_],
+            neighbours(S, P, Qs),
             wish_fault(From, S, Wish, apart(A, B, P, Qs))
         ;   true
         )
@@ -462,14 +460,14 @@ edges_in(T, S, Edges0, Es) :-
 
 %   edge_in(T, S, Edge, E): E is Edge, or a part of it.
 
-edge_in(S, S, edge(E0, P, _), E) :-
+edge_in(S, S, edge(E0, P, Q), E) :-
     !,
-    (   once(edge_polygon(S, E0, P))
+    (   edge_polygon(S, E0, _)
     ->  E = E0
-    ;   edge_polygon(S, E0, _)
-    ->  E = E0
-    ;   origin(S, e(E1), e(E0)),
-        edge_in(S, S, edge(E1, P, _), E)
+    ;   origin(S, e(_), e(E0))
+    ->  origin(S, e(E1), e(E0)),
+        edge_in(S, S, edge(E1, P, Q), E)
+    ;   joined_by(S, P, Q, E)
     ).
 edge_in(T, S, edge(_, P0, Q0), E) :-
     polygon_in(T, S, P0, P),

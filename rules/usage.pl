@@ -7,6 +7,8 @@
             print_usage/2               % +Verb, +Language
           ]).
 :- encoding(utf8).
+:- use_module(usage_unfold,
+              [unfold_option/1, unfold_option_ko/2, unfold_example/1]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3, member/2]).
 /** <module> What the program can do: verbs, options, examples.
@@ -49,6 +51,9 @@ verb(split, 'MODEL... --plane A,B,C,D | --by MODEL',
 verb(eval, 'TREE...',
      'the solids of a CSG tree',
      'CSG 트리의 입체').
+verb(unfold, 'MODEL... [-o FILE]',
+     'flat patterns of solids and surfaces, to cut out and fold',
+     '입체와 곡면의 전개도, 오려서 접는다').
 verb(query, 'MODEL... GOAL',
      'all answers of a Prolog goal about the model',
      '모델에 대한 프롤로그 목표의 모든 답').
@@ -185,6 +190,9 @@ verb_option(Verb, option(json, '', flag, '',
     'counts and measures as JSON')) :-
     solid_verb(Verb).
 
+verb_option(unfold, Option) :-
+    unfold_option(Option).
+
 verb_option(query, option(format, '', one_of([table, csv, json, prolog]),
     'FORMAT', 'table (as is usual), csv, json or prolog')).
 verb_option(query, option(json, '', flag, '', 'the same as --format json')).
@@ -276,6 +284,8 @@ option_ko(by, '나누는 입체, 또는 끝까지 가르는 열린 곡면').
 option_ko(side,
     '평면의 below(A*X + B*Y + C*Z + D < 0)나 above, 곡면의 below(뒤)나 above, \c
 입체의 inside나 outside. 없으면 둘 다').
+option_ko(Name, Help) :-
+    unfold_option_ko(Name, Help).
 option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
@@ -317,6 +327,8 @@ example(split, 'sanggwan split part.stl --by tool.stl --side inside \c
 -o core.stl').
 example(eval, 'sanggwan eval facts/pipe_tee.pl -o pipe_tee.stl').
 example(eval, 'sanggwan eval bracket.csg -o bracket.stl').
+example(unfold, Command) :-
+    unfold_example(Command).
 example(query, 'sanggwan query facts/cube.pl \'v(1, V, X, Y, Z)\'').
 example(query, 'sanggwan query facts/figures/fig13.pl --format csv \c
 \'penetrate, line(L, 1, P1, _, _, 2, P2, _, _)\'').

@@ -46,6 +46,7 @@
                 output_written/2,
                 usage_error/1
               ]).
+:- use_module(verbs_unfold, [unfold_run/3]).
 :- use_module(view,
               [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
               ]).
@@ -180,6 +181,8 @@ verb_run(explain, Arguments, Options, Status) :-
 verb_run(Verb, Files, Options, Status) :-
     solid_verb(Verb),
     solid_verb_run(Verb, Files, Options, Status).
+verb_run(unfold, Files, Options, Status) :-
+    unfold_run(Files, Options, Status).
 verb_run(repl, Files, Options, 0) :-
     (   Files == []
     ->  true

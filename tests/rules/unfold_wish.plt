@@ -176,6 +176,8 @@ test(no_polygon, Names == [base,top,'side(1..4)']) :-
     fault([root(lid)], no_polygon(lid, _, Names)).
 test(no_number, Ps == [1,2,3,4,5,6]) :-
     fault([removed(9)], no_polygon(9, Ps, _)).
+test(no_side_of_edge, Name == 9) :-
+    fault([cut(9-3)], no_polygon(Name, _, _)).
 test(several_roots, Ps == [3,4,5,6]) :-
     fault([root(side)], several(side, Ps)).
 test(two_roots, What == two_roots(1, 2)) :-

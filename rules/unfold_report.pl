@@ -1,0 +1,139 @@
+:- encoding(utf8).
+:- module(sg_unfold_report,
+          [ unfold_report/2,            % +Ds, +Options
+            pattern_measures/2          % +D, -Measures
+          ]).
+:- use_module(kernel, [census/1]).
+:- use_module(language, [language/1]).
+:- use_module(polygon_name, [segment_title/2]).
+:- use_module(report, [counted/4]).
+:- use_module(store,
+              [v/5, e/5, p/3, segment/3, from_p/5, piece/3, joint/6]).
+:- use_module(trimmed, [trimmed_from/2]).
+:- autoload(library(aggregate), [aggregate_all/3]).
+:- autoload(library(apply), [maplist/2, maplist/3]).
+:- autoload(library(http/json), [json_write_dict/3]).
+:- autoload(library(lists), [max_list/2, sum_list/2]).
+:- autoload(library(option), [option/2]).
+/** <module> What is said of patterns: their pieces, seams, sheet and area.
+*/
+
+%!  unfold_report(+Ds:list, +Options:list) is det.
+%
+%   Print the measures of the patterns Ds to current output, as text in the
+%   language of the messages, or with json(true) as JSON.
+
+unfold_report(Ds, Options) :-
+    census(Parts),
+    maplist(measured(Parts), Ds, All),
+    (   option(json(true), Options)
+    ->  json_write_dict(current_output, All, [width(78)]),
+        nl
+    ;   language(Language),
+        maplist(print_pattern(Language), All)
+    ).
+
+%!  pattern_measures(+D, -Measures:dict) is det.
+%
+%   Measures of pattern D: `segment`, what was to be unfolded, and its `name`;
+%   `part`, that or what was trimmed of it; `pattern`, D; `removed`, how many
+%   polygons of the part are not in D; `polygons`, `pieces`, `folds`, `seams` counted; `seam`, their
+%   length together, `longest`, that of the longest; `width` and `height` of
+%   the sheet they lie on; `area`, that of the part; `pattern_area`. In model
+%   units.
+
+pattern_measures(D, Measures) :-
+    census(Parts),
+    measured(Parts, D, Measures).
+
+measured(Parts, D,
+         _{segment:S, name:Name, pattern:D, polygons:Polygons, pieces:Pieces,
+           folds:Folds, seams:Seams, seam:Seam, longest:Longest,
+           width:Width, height:Height, area:Area, pattern_area:PatternArea, part:T, removed:Removed}) :-
+    segment(D, pattern, development(T)),
+    trimmed_from(T, S),
+    segment_title(S, Title),
+    format(string(Name), '~w', [Title]),
+    aggregate_all(count, p(D, _, _), Polygons),
+    aggregate_all(max(K), piece(D, _, K), Pieces),
+    aggregate_all(count, joint(D, _, _, _, fold, _), Folds),
+    findall(Length,
+            ( joint(D, _, E, _, seam, _), edge_length(D, E, Length) ),
+            Lengths),
+    length(Lengths, Seams),
+    sum_list([0.0|Lengths], Seam),
+    max_list([0.0|Lengths], Longest),
+    aggregate_all(r(min(X), max(X), min(Y), max(Y)), v(D, _, X, Y, _),
+                  r(X1, X2, Y1, Y2)),
+    Width is X2-X1,
+    Height is Y2-Y1,
+    area(Parts, T, Area),
+    aggregate_all(count, ( p(T, P, _), \+ left_in(D, P) ), Removed),
+    area(Parts, D, PatternArea).
+
+%   left_in(D, P): polygon P is in D, or its triangles are.
+
+left_in(D, P) :-
+    (   p(D, P, _)
+    ->  true
+    ;   from_p(D, _, _, P, _)
+    ->  true
+    ).
+
+edge_length(D, E, Length) :-
+    e(D, E, A, B, _),
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _),
+    !,
+    Length is sqrt((X2-X1)**2 + (Y2-Y1)**2).
+
+area(Parts, S, Area) :-
+    (   memberchk(part(S, _, _, Area0, _, _, _, _), Parts)
+    ->  Area = Area0
+    ;   Area = 0.0
+    ).
+
+
+                /*******************************
+                *             TEXT             *
+                *******************************/
+
+print_pattern(Language, M) :-
+    counted(Language, polygon, M.polygons, Polygons),
+    pieces(Language, M.pieces, Pieces),
+    say(Language, pattern, [M.segment, M.name, Polygons, Pieces]),
+    say(Language, seam, [M.seam, M.longest]),
+    say(Language, sheet, [M.width, M.height]),
+    say(Language, area, [M.pattern_area]),
+    (   M.removed =:= 0
+    ->  say(Language, all, [M.area])
+    ;   say(Language, without, [M.area, M.removed])
+    ).
+
+pieces(ko, N, Text) :-
+    !,
+    format(string(Text), '조각 ~D개', [N]).
+pieces(_, 1, "1 piece") :-
+    !.
+pieces(_, N, Text) :-
+    format(string(Text), '~D pieces', [N]).
+
+say(Language, Key, Arguments) :-
+    (   text(Language, Key, Format)
+    ->  true
+    ;   text(en, Key, Format)
+    ),
+    format(Format, Arguments).
+
+text(en, pattern, "segment ~d: ~w, ~s in ~s~n").
+text(en, seam, "  seam         ~6g, the longest edge of it ~6g~n").
+text(en, sheet, "  sheet        ~6g x ~6g~n").
+text(en, area, "  area         ~6g").
+text(en, all, " of ~6g~n").
+text(en, without, " of ~6g, without ~D polygon(s)~n").
+text(ko, pattern, "세그먼트 ~d: ~w, ~s, ~s~n").
+text(ko, seam, "  솔기         ~6g, 그 가운데 가장 긴 모서리 ~6g~n").
+text(ko, sheet, "  판           ~6g x ~6g~n").
+text(ko, area, "  넓이         ~6g").
+text(ko, all, " / ~6g~n").
+text(ko, without, " / ~6g, 뺀 다각형 ~D개~n").

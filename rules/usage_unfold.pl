@@ -1,0 +1,76 @@
+:- module(sg_usage_unfold,
+          [ unfold_option/1,            % ?Option
+            unfold_option_ko/2,         % ?Name, -Help
+            unfold_example/1            % -Command
+          ]).
+:- encoding(utf8).
+/** <module> The options of the verb unfold; usage.pl has all others.
+*/
+
+%!  unfold_option(?Option) is nondet.
+%
+%   Option is option(Name, Short, Type, Meta, Help), as in arguments.pl, in the
+%   order of the usage text.
+
+unfold_option(option(output, o, each, 'FILE',
+    'where to: a drawing (.svg .pdf .eps .ps .png .dxf .hpgl .json), facts \c
+     (.pl), a flat mesh (.obj .off); may be repeated')).
+unfold_option(option(format, '',
+    one_of([svg, pdf, eps, ps, png, dxf, hpgl, json, pl, obj, off]), 'FORMAT',
+    'the format for -o -')).
+unfold_option(option(only, '', value, 'S,...',
+    'only these segments, by number or name')).
+unfold_option(option(trim, '', one_of([outside, inside]), 'SIDE',
+    'first take away what is inside of the other segments, and leave what is \c
+     outside; or the other way round')).
+unfold_option(option(lines, '', flag, '',
+    'without trimming: the penetration lines with the other segments, as is \c
+     usual; --no-lines: without them')).
+unfold_option(option(root, '', value, 'P',
+    'the polygon that the laying out begins with, by number or name, such as \c
+     top or side(2)')).
+unfold_option(option(cut, '', each, 'E,...',
+    'edges that are not to be joined: by number, by their polygons, such as \c
+     4-7 or base-side(2), or by their ends, v(1)-v(2)')).
+unfold_option(option(keep, '', each, 'E,...',
+    'edges that are to be joined before all others')).
+unfold_option(option(order, '', each, 'P,...',
+    'polygons that are joined one after the other')).
+unfold_option(option(remove, '', each, 'P,...',
+    'polygons that are left out, such as base,top')).
+unfold_option(option(minimize, '', one_of([seam, pieces, longest, area]),
+    'WHAT',
+    'what should be small: the seam (as is usual), the number of pieces, the \c
+     longest weld, or the area of the sheet')).
+unfold_option(option(tolerance, '', number(0), 'T',
+    'what is nearer than T (model units) touches')).
+unfold_option(option(json, '', flag, '', 'the report as JSON')).
+
+%!  unfold_option_ko(?Name, -Help) is nondet.
+
+unfold_option_ko(only, '이 세그먼트만. 번호나 이름').
+unfold_option_ko(trim,
+    '먼저 다른 세그먼트의 안에 있는 부분을 잘라 내고 바깥(outside)을 남긴다. \c
+inside는 그 반대').
+unfold_option_ko(lines,
+    '잘라 내지 않을 때 다른 세그먼트와의 상관선을 그린다(보통). --no-lines: 없이').
+unfold_option_ko(root, '펼치기 시작하는 다각형. 번호나 top, side(2) 같은 이름').
+unfold_option_ko(cut,
+    '잇지 않을 모서리. 번호, 4-7이나 base-side(2) 같은 두 다각형, 또는 \c
+양 끝 v(1)-v(2)').
+unfold_option_ko(keep, '다른 것보다 먼저 이을 모서리').
+unfold_option_ko(order, '차례로 이어 갈 다각형들').
+unfold_option_ko(remove, '뺄 다각형. 보기: base,top').
+unfold_option_ko(minimize,
+    '줄일 것: seam(솔기의 길이, 보통), pieces(조각의 수), longest(가장 긴 \c
+용접선), area(판의 넓이)').
+
+%!  unfold_example(-Command) is multi.
+
+unfold_example('sanggwan unfold facts/cube.pl -o cube.svg').
+unfold_example('sanggwan unfold facts/gallery/saddle.pl --trim outside \c
+-o saddle.pdf').
+unfold_example('sanggwan unfold pipes.pl --trim outside --only branch \c
+--remove base,top -o branch.dxf').
+unfold_example('sanggwan unfold part.stl --minimize pieces -o part.svg \c
+-o part.pl').

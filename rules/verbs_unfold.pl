@@ -1,0 +1,253 @@
+:- module(sg_verbs_unfold,
+          [ unfold_run/3                % +Files, +Options, -Status
+          ]).
+:- use_module(csg_roots, [roots_alone/0]).
+:- use_module(csg_rows, [drop_boundary/1]).
+:- use_module(mesh, [write_mesh/3]).
+:- use_module(model, [load_model/2, save_model/1]).
+:- use_module(model_text,
+              [open_model_text/2, close_model_text/1, next_fact/3,
+               place_error/3]).
+:- use_module(penetration, [penetrate/2]).
+:- use_module(polygon_name, [segments_named/2]).
+:- use_module(solid_verbs, [empty_roots_warned/0]).
+:- use_module(stage, [stage/2]).
+:- use_module(store,
+              [ segment/3, unfolding/2, retractall_facts/1,
+                facts_snapshot/1
+              ]).
+:- use_module(unfold,
+              [unfoldable/1, wishes/3, wanted_of/3, unfolded_part/4]).
+:- use_module(unfold_report, [unfold_report/2]).
+:- use_module(verb_output,
+              [ some_files/2, outputs/3, no_model_replaced/2, output_written/2,
+                usage_error/1
+              ]).
+:- autoload(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- autoload(library(lists), [append/2, append/3, member/2]).
+:- autoload(library(option), [option/2, option/3]).
+/** <module> The verb unfold.
+
+Every solid and surface of the model becomes a pattern. First, all that is
+wanted is looked up in the model as the user wrote it; then the segments cut
+each other, so that the patterns have the penetration lines, or each is trimmed
+by the others; then they are laid flat.
+*/
+
+%!  unfold_run(+Files, +Options, -Status) is det.
+%
+%   As verb_run/4.
+
+unfold_run(Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    outputs(Options, [svg,pdf,eps,ps,png,dxf,hpgl,json,pl,obj,off], Outputs),
+    no_model_replaced(Files, Outputs),
+    flag_wishes(Options, Flags),
+    load_model(Files, Options),
+    empty_roots_warned,
+    roots_alone,
+    catch(patterns(Options, Flags, Ds),
+          error(model_error(unfold(S, Wish, What)), Location),
+          in_file(Files, S, Wish, What, Location)),
+    unfold_report(Ds, Options),
+    maplist(output_written(sg_verbs_unfold:pattern_output(Options, Ds)),
+            Outputs).
+
+%   patterns(Options, Flags, Ds): Ds are the patterns of all that is to be
+%   unfolded, in order. Flags are the wishes among Options.
+
+patterns(Options, Flags, Ds) :-
+    known_wishes,
+    chosen(Options, Flags, Ss),
+    maplist(all_wanted(Flags), Ss, Wanteds),
+    (   option(trim(_), Options)
+    ->  true
+    ;   option(lines(false), Options)
+    ->  true
+    ;   penetrate(all, Options)
+    ),
+    develop_options(Options, DevelopOptions),
+    findall(Other, unfoldable(Other), All),
+    maplist(pattern(All, DevelopOptions), Ss, Wanteds, Ds).
+
+all_wanted(Flags, S, Wanted) :-
+    wishes(S, Flags, Wishes),
+    wanted_of(S, Wishes, Wanted).
+
+pattern(All, Options, S, Wanted, D) :-
+    findall(Other, ( member(Other, All), Other \== S ), Others),
+    unfolded_part(S, Wanted, [by(Others)|Options], D).
+
+develop_options(Options, Develop) :-
+    findall(Option,
+            ( member(Name, [trim,minimize,tolerance]),
+              Option =.. [Name,_],
+              option(Option, Options) ),
+            Develop).
+
+%   known_wishes: every unfolding/2 is of a segment that is there.
+
+known_wishes :-
+    (   unfolding(S, Wish),
+        \+ segment(S, _, _)
+    ->  throw(error(model_error(unfold(S, Wish, no_segment)), _))
+    ;   true
+    ).
+
+%   chosen(Options, Flags, Ss): what is to be unfolded.
+
+chosen(Options, Flags, Ss) :-
+    findall(S, unfoldable(S), All),
+    (   option(only(Text), Options)
+    ->  flag_terms('--only', Text, Names),
+        findall(S, ( member(Name, Names), only_named(Name, All, S) ), Ss0),
+        sort(Ss0, Ss)
+    ;   Ss = All
+    ),
+    (   Ss == []
+    ->  throw(error(geometry_error(unfold(nothing_to_unfold)), _))
+    ;   Ss = [_,_|_],
+        Flags = [Flag|_]
+    ->  functor(Flag, Name, _),
+        flag_option(Name, Option),
+        usage_error(unfold(which_segment(Option, Ss)))
+    ;   true
+    ).
+
+only_named(Name, All, S) :-
+    segments_named(Name, Ss),
+    (   Ss == []
+    ->  usage_error(unfold(no_segment(Name, All)))
+    ;   member(S, Ss),
+        (   memberchk(S, All)
+        ->  true
+        ;   segment(S, Kind, _),
+            throw(error(geometry_error(unfold(kind(S, Kind))), _))
+        )
+    ).
+
+
+                /*******************************
+                *            WISHES            *
+                *******************************/
+
+%   flag_wishes(Options, Flags): root(P), cut(E) ... as unfold_wish.pl has them.
+
+flag_wishes(Options, Flags) :-
+    findall(Wishes, option_wishes(Options, Wishes), Lists),
+    append(Lists, Flags).
+
+option_wishes(Options, [root(Name)]) :-
+    option(root(Text), Options),
+    flag_terms('--root', Text, Names),
+    (   Names = [Name]
+    ->  true
+    ;   usage_error(unfold(no_term('--root', Text)))
+    ).
+option_wishes(Options, Wishes) :-
+    member(Name, [cut,keep,removed]),
+    flag_option(Name, Option),
+    option_texts(Name, Options, Texts),
+    member(Text, Texts),
+    flag_terms(Option, Text, Terms),
+    findall(Wish, ( member(Term, Terms), Wish =.. [Name,Term] ), Wishes).
+option_wishes(Options, [order(Names)]) :-
+    option(order(Texts), Options),
+    member(Text, Texts),
+    flag_terms('--order', Text, Names).
+
+option_texts(Name, Options, Texts) :-
+    (   Name == removed
+    ->  option(remove(Texts), Options)
+    ;   Option =.. [Name,Texts],
+        option(Option, Options)
+    ).
+
+flag_option(root, '--root').
+flag_option(cut, '--cut').
+flag_option(keep, '--keep').
+flag_option(order, '--order').
+flag_option(removed, '--remove').
+
+%   flag_terms(Option, Text, Terms): names with commas between them.
+
+flag_terms(Option, Text, Terms) :-
+    format(string(List), '[~w]', [Text]),
+    (   catch(term_string(Terms0, List,
+                          [ module(sg_model_syntax), cycles(false),
+                            dotlists(false) ]),
+              error(_, _), fail),
+        is_list(Terms0),
+        Terms0 = [_|_],
+        ground(Terms0)
+    ->  Terms = Terms0
+    ;   usage_error(unfold(no_term(Option, Text)))
+    ).
+
+%   in_file(Files, S, Wish, What, Location): the error, with the place of the
+%   fact.
+
+in_file(Files, S, Wish, What, Location) :-
+    Error = unfold(S, Wish, What),
+    (   var(Location),
+        member(File, Files),
+        file_name_extension(_, pl, File),
+        exists_file(File),
+        wish_place(File, Wish, Place)
+    ->  place_error(Place, 2, Error)
+    ;   throw(error(model_error(Error), Location))
+    ).
+
+%   wish_place(File, Wish, Place): of the last fact in File that says so.
+
+wish_place(File, Wish, Place) :-
+    open_model_text(File, Text),
+    setup_call_cleanup(
+        true,
+        places(Text, Wish, none, Place),
+        close_model_text(Text)),
+    Place \== none.
+
+places(Text, Wish, Place0, Place) :-
+    next_fact(Text, Fact, Place1),
+    (   Fact == end_of_file
+    ->  Place = Place0
+    ;   Fact = unfolding(_, Wish)
+    ->  places(Text, Wish, Place1, Place)
+    ;   places(Text, Wish, Place0, Place)
+    ).
+
+
+                /*******************************
+                *            OUTPUT            *
+                *******************************/
+
+pattern_output(Options, Ds, File) :-
+    file_name_extension(_, Ending, File),
+    downcase_atom(Ending, Format),
+    (   Format == pl
+    ->  facts_snapshot(( parts_alone(Options, Ds), save_model(File) ))
+    ;   memberchk(Format, [obj,off])
+    ->  stage(write, write_mesh(File, Ds, [format(Format)]))
+    ;   stage(write, pattern_drawn(Options, Ds, File))
+    ).
+
+%   parts_alone(Options, Ds): with --trim, what was unfolded and its patterns,
+%   without what they were trimmed of; else all stays, with its lines.
+
+parts_alone(Options, Ds) :-
+    (   option(trim(_), Options)
+    ->  findall(S, ( member(D, Ds), segment(D, _, development(S)) ), Ss),
+        append(Ss, Ds, Stay),
+        forall(( segment(S, _, _), \+ memberchk(S, Stay) ), drop_segment(S)),
+        forall(( unfolding(S, _), \+ memberchk(S, Stay) ),
+               retractall_facts(unfolding(S, _)))
+    ;   true
+    ).
+
+drop_segment(S) :-
+    drop_boundary(S),
+    retractall_facts(segment(S, _, _)).
+
+pattern_drawn(_, Ds, File) :-
+    print_message(error, format("no drawing yet ~w ~w", [Ds, File])).

@@ -1,0 +1,133 @@
+# unfold.sh -- patterns: what is printed and written, wishes in the model and as
+# options, trimming, and what is wrong said at its place.
+. "$(dirname "$0")/../check.sh"
+
+sanggwan() { "$SANGGWAN" "$@"; }
+facts=$(dirname "$0")/../../facts
+cat >"$TMP/box.pl" <<'MODEL'
+segment(1, solid, named(case, box(size(2, 3, 4)))).
+MODEL
+box=$TMP/box.pl saddle=$facts/patterns/saddle.pl
+
+# The report.
+check "one piece" output '^segment 1: case, 6 polygons in 1 piece$' \
+  sanggwan unfold "$box"
+check "area of the solid" output '^  area  *52 of 52$' sanggwan unfold "$box"
+check "as JSON" eval "sanggwan unfold $box --json |
+  python3 -c 'import json,sys; d, = json.load(sys.stdin)
+assert d[\"polygons\"] == 6 and d[\"pieces\"] == 1 and d[\"area\"] == 52
+assert d[\"name\"] == \"case\" and d[\"removed\"] == 0'"
+check "in Korean" output '다각형 6개, 조각 1개$' sanggwan unfold "$box" --lang ko
+check "timings" eval \
+  "sanggwan unfold -q $box --timings 2>&1 >/dev/null | grep -q '\"develop\":'"
+check "a mesh" eval "sanggwan eval -q $box -o $TMP/box.stl &&
+  sanggwan unfold -q $TMP/box.stl | grep -q 'area  *52 of 52'"
+check "several models" eval "[ \$(sanggwan unfold -q $box $box --no-lines |
+  grep -c '^segment') = 2 ]"
+
+# Wishes as options.
+check "removed" output 'area  *40 of 52, without 2 polygon' \
+  sanggwan unfold "$box" --remove base,top
+check "cut all round" output 'in 2 pieces' \
+  sanggwan unfold "$box" --cut base-side
+check "by number" output 'in 2 pieces' \
+  sanggwan unfold "$box" --cut 1-3,1-4 --cut '1-5, 1-6'
+check "kept" output 'in 1 piece' \
+  sanggwan unfold "$box" --keep 'base-side' --root base
+check "an order" output 'in 1 piece' \
+  sanggwan unfold "$box" --order 'side(1),base,side(3)'
+check "cut and keep" complains 2 'edge .* is to be cut and to be kept' \
+  sanggwan unfold "$box" --cut base-3 --keep '1-side(1)'
+check "its faces by name" complains 2 'polygon 1 .base. and polygon 3 .side.1..' \
+  sanggwan unfold "$box" --cut base-3 --keep '1-side(1)'
+check "no such polygon" complains 2 'There are 1 - 6 .base, top, side.1..4..' \
+  sanggwan unfold "$box" --root lid
+check "no such edge" complains 2 'base and top have no edge in common' \
+  sanggwan unfold "$box" --cut base-top
+check "an order that does not hang together" complains 2 \
+  'polygon 2 .top. has no edge in common with one before it' \
+  sanggwan unfold "$box" --order base,top
+check "the root removed" complains 2 'the root, polygon 1 .base., is to be' \
+  sanggwan unfold "$box" --root base --remove base
+check "a ring" complains 2 'closes a ring' \
+  sanggwan unfold "$box" --keep '1-3,3-4,1-4'
+check "no term" complains 2 'cannot be read' \
+  sanggwan unfold "$box" --cut 'base('
+check "no objective" complains 2 'none of seam' \
+  sanggwan unfold "$box" --minimize cost
+check "in Korean, too" complains 2 '함께 가진 모서리가 없습니다' \
+  sanggwan unfold "$box" --cut base-top --lang ko
+check "of which segment" complains 2 'Say which one with --only' \
+  sanggwan unfold "$box" "$box" --root 1
+check "this one" output '^segment 2: case' \
+  sanggwan unfold "$box" "$box" --root 1 --only 2
+check "by name" eval "[ \$(sanggwan unfold -q $saddle --only branch |
+  grep -c '^segment') = 1 ]"
+check "no such segment" complains 2 'no segment lid, only 1' \
+  sanggwan unfold "$box" --only lid
+
+# Wishes in the model; a fault is said at its place.
+{ cat "$box"; echo 'unfolding(1, removed([base, top])).'; } >"$TMP/sides.pl"
+check "removed by a fact" output 'without 2 polygon' \
+  sanggwan unfold "$TMP/sides.pl"
+{ cat "$box"; echo; echo 'unfolding(1, cut(base-lid)).'; } >"$TMP/lid.pl"
+check "place of a fault" complains 3 'lid.pl:3:14: .*there is no polygon lid' \
+  sanggwan unfold "$TMP/lid.pl"
+{ cat "$box"; echo 'unfolding(1, fold(3)).'; } >"$TMP/fold.pl"
+check "no wish" complains 3 'fold.pl:2:14: .*it is no wish' \
+  sanggwan unfold "$TMP/fold.pl"
+{ cat "$box"; echo 'unfolding(1, cut(top)).'; } >"$TMP/top.pl"
+check "form of a wish" complains 3 'should look like cut.Edge.' \
+  sanggwan unfold "$TMP/top.pl"
+{ cat "$box"; echo 'unfolding(5, root(1)).'; } >"$TMP/five.pl"
+check "of no segment" complains 3 'five.pl:2:14: .*no such segment' \
+  sanggwan unfold "$TMP/five.pl"
+
+# Trimmed by each other.
+check "saddle and hole" eval "[ \$(sanggwan unfold -q $saddle --trim outside |
+  grep -c 'in 1 piece') = 2 ]"
+check "inside" eval "[ \$(sanggwan unfold -q $saddle --trim inside |
+  grep -c '^segment') = 2 ]"
+check "nothing left" complains 4 'all of it is outside the others' \
+  sanggwan unfold "$box" --trim inside
+check "alone" eval "sanggwan unfold $box --trim outside 2>&1 |
+  grep -q 'meets no other'"
+check "the bend" eval "[ \$(sanggwan unfold -q $facts/patterns/elbow.pl \
+  --trim outside | grep -c 'in 1 piece') = 4 ]"
+check "the transition" output '36 polygons in 1 piece' \
+  sanggwan unfold "$facts/patterns/transition.pl"
+check "the house" output '7 polygons in 1 piece' \
+  sanggwan unfold "$facts/patterns/house.pl"
+
+# Not trimmed: the patterns have the lines.
+check "lines" eval "sanggwan unfold -q $saddle -o $TMP/lines.pl >/dev/null &&
+  grep -q '^joint(.*, line, ' $TMP/lines.pl"
+check "no lines" eval "sanggwan unfold -q $saddle --no-lines -o - \
+  --format pl | { ! grep -q '^joint(.*, line, '; }"
+
+# Facts, read back; flat meshes.
+sanggwan unfold -q "$saddle" --trim outside -o "$TMP/flat.pl" >"$TMP/out"
+check "what was trimmed and its patterns" eval \
+  "[ \$(grep -c '^segment' $TMP/flat.pl) = 4 ]"
+check "read back" eval "sanggwan convert -q $TMP/flat.pl -o $TMP/again.pl &&
+  cmp $TMP/flat.pl $TMP/again.pl"
+check "edges of the pattern are those of what was unfolded" status 0 \
+  sanggwan query "$TMP/flat.pl" \
+  'forall((segment(D, pattern, development(S)), e(D, E, _, _, _)),
+          once(e(S, E, _, _, _)))'
+check "a flat mesh" eval "sanggwan unfold -q $box -o $TMP/flat.off >/dev/null &&
+  [ \$(head -c 3 $TMP/flat.off) = OFF ] &&
+  awk 'NR > 2 && NF == 3 && \$3 != 0 { exit 1 }' $TMP/flat.off"
+
+# What cannot be unfolded.
+echo 'segment(1, curve, line(from(0,0,0), to(1,1,1))).' >"$TMP/line.pl"
+check "a curve alone" complains 4 'nothing to unfold' \
+  sanggwan unfold "$TMP/line.pl"
+check "a curve by name" complains 4 'is a curve' \
+  sanggwan unfold "$box" "$TMP/line.pl" --only 2
+check "no ending" complains 2 'the ending decides' \
+  sanggwan unfold "$box" -o "$TMP/box.xyz"
+check "not over the model" complains 2 . \
+  sanggwan unfold "$box" -o "$box"
+
+check_report
