@@ -37,10 +37,10 @@ unfold_report(Ds, Options) :-
 %
 %   Measures of pattern D: `segment`, what was to be unfolded, and its `name`;
 %   `part`, that or what was trimmed of it; `pattern`, D; `removed`, how many
-%   polygons of the part are not in D; `polygons`, `pieces`, `folds`, `seams` counted; `seam`, their
-%   length together, `longest`, that of the longest; `width` and `height` of
-%   the sheet they lie on; `area`, that of the part; `pattern_area`. In model
-%   units.
+%   polygons of the part are not in D; `polygons`, `pieces`, `folds` and `seams`
+%   counted; `seam`, their length together, `longest`, that of the longest;
+%   `width` and `height` of the sheet they lie on; `area`, that of the part;
+%   `pattern_area`. In model units.
 
 pattern_measures(D, Measures) :-
     census(Parts),
@@ -49,7 +49,8 @@ pattern_measures(D, Measures) :-
 measured(Parts, D,
          _{segment:S, name:Name, pattern:D, polygons:Polygons, pieces:Pieces,
            folds:Folds, seams:Seams, seam:Seam, longest:Longest,
-           width:Width, height:Height, area:Area, pattern_area:PatternArea, part:T, removed:Removed}) :-
+           width:Width, height:Height, area:Area, pattern_area:PatternArea,
+           part:T, removed:Removed}) :-
     segment(D, pattern, development(T)),
     trimmed_from(T, S),
     segment_title(S, Title),

@@ -92,7 +92,7 @@ test(term, Term == development(1)) :-
 test(as_predicate, D == 2) :-
     box(Box),
     with_parts([Box], unfold(1, D)).
-test(twice, [D1,N] == [D2,1]) :-        % the second takes the place of the first
+test(twice, [D1,N] == [D2,1]) :-        % the second for the first
     box(Box),
     with_parts([Box], ( unfold(1, D1), unfold(1, D2),
                         count(segment(_, pattern, _), N) )).
