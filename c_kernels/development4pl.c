@@ -5,6 +5,7 @@
 #include "development4pl.h"
 
 #include "glue.h"
+#include "measure.h"
 #include "mesh4pl.h"
 
 #include "../engine/install.h"
@@ -20,6 +21,7 @@ static atom_t state_atom[SG_JOINT_CLOSED + 1], atom_line, atom_flat, atom_bent;
 static void
 clear(sg_development *d)
 {
+  sg_layout_clear(&d->layout);
   sg_flattening_clear(&d->flattening);
   sg_joints_clear(&d->joints);
   sg_flat_faces_clear(&d->faces);
@@ -338,47 +340,182 @@ join_faces(term_t handle, term_t number, term_t result)
   return unify_result(result, d, state);
 }
 
-/* joint_order(+Flattening, -Joints) is det. */
-static foreign_t
-joint_order(term_t handle, term_t list)
+/* The order that t names: its number. Null: an exception. */
+static uint32_t *
+get_order_ex(term_t t, const sg_development *d)
 {
-  sg_development *d;
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  int32_t number;
   uint32_t *order;
-  int good = TRUE;
 
-  if (!sg_get_development_ex(handle, &d)) {
-    return FALSE;
+  if (!sg_get_int32_ex(t, &number)) {
+    return NULL;
   }
-  if (!(order = sg_joint_order(&d->flattening))) {
-    return sg_no_memory();
+  if (number < 0) {
+    PL_domain_error("not_less_than_zero", t);
+    return NULL;
   }
-  for (size_t i = 0; good && i < d->joints.n; i++) {
-    good = PL_unify_list(tail, head, tail) &&
-           PL_unify_int64(head, (int64_t)order[i] + 1);
+  order = sg_joint_order(&d->flattening, (unsigned)number);
+  if (!order) {
+    sg_no_memory();
   }
-  free(order);
-  return good && PL_unify_nil(tail);
+  return order;
 }
 
-/* join_all(+Flattening) is det. */
+static int
+unify_joints(term_t list, const uint32_t *joint, size_t n)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  for (size_t i = 0; i < n; i++) {
+    if (!PL_unify_list(tail, head, tail) ||
+        !PL_unify_int64(head, (int64_t)joint[i] + 1)) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
+/* joint_order(+Flattening, +Order, -Joints) is det. */
 static foreign_t
-join_all(term_t handle)
+joint_order(term_t handle, term_t number, term_t list)
 {
   sg_development *d;
   uint32_t *order;
-  bool stopped = false;
 
-  if (!sg_get_development_ex(handle, &d)) {
+  if (!sg_get_development_ex(handle, &d) ||
+      !(order = get_order_ex(number, d))) {
     return FALSE;
   }
-  if (!(order = sg_joint_order(&d->flattening))) {
-    return sg_no_memory();
+  int good = unify_joints(list, order, d->joints.n);
+  free(order);
+  return good;
+}
+
+/* The first n joints of an order that has joint `end` there. */
+static int
+join_ex(sg_development *d, term_t number, uint32_t end)
+{
+  uint32_t *order = get_order_ex(number, d);
+  bool stopped = false;
+  size_t n = 0;
+
+  if (!order) {
+    return FALSE;
   }
-  bool good = sg_flattening_join_all(&d->flattening, order, d->joints.n,
-                                     &sg_prolog_poll, &stopped);
+  while (n < d->joints.n && order[n] != end) {
+    n++;
+  }
+  bool good = sg_flattening_join_all(&d->flattening, order, n, &sg_prolog_poll,
+                                     &stopped);
   free(order);
   return good || stop_ex(stopped);
+}
+
+/* join_all(+Flattening, +Order) is det. */
+static foreign_t
+join_all(term_t handle, term_t number)
+{
+  sg_development *d;
+
+  return sg_get_development_ex(handle, &d) && join_ex(d, number, SG_NO_JOINT);
+}
+
+/* join_before(+Flattening, +Order, +J) is det. */
+static foreign_t
+join_before(term_t handle, term_t number, term_t joint)
+{
+  sg_development *d;
+  uint32_t j;
+
+  return sg_get_development_ex(handle, &d) && get_joint_ex(joint, d, &j) &&
+         join_ex(d, number, j);
+}
+
+/* joint_path(+Flattening, +J, -Joints) is det. */
+static foreign_t
+joint_path(term_t handle, term_t number, term_t list)
+{
+  sg_development *d;
+  uint32_t j, *path;
+  size_t n;
+
+  if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
+    return FALSE;
+  }
+  if (!(path = sg_flattening_path(&d->flattening, j, &n))) {
+    return sg_no_memory();
+  }
+  int good = unify_joints(list, path, n);
+  free(path);
+  return good;
+}
+
+/* ---- laying out --------------------------------------------------------- */
+
+/* The first face of polygon P; 0: no root. */
+static int
+get_root_ex(term_t t, const sg_development *d, uint32_t *out)
+{
+  int32_t p;
+
+  *out = SG_NO_FACE;
+  if (!sg_get_int32_ex(t, &p)) {
+    return FALSE;
+  }
+  for (uint32_t face = 0; face < d->faces.faces && p != 0; face++) {
+    if (d->dense.polygon_id[d->faces.polygon[face]] == p) {
+      *out = face;
+      return TRUE;
+    }
+  }
+  return p == 0 || PL_existence_error("polygon", t);
+}
+
+/* flattening_lay(+Flattening, +Root) is det. */
+static foreign_t
+flattening_lay(term_t handle, term_t root)
+{
+  sg_development *d;
+  sg_lay_input in = {0};
+  bool stopped = false;
+
+  if (!sg_get_development_ex(handle, &d) || !get_root_ex(root, d, &in.root)) {
+    return FALSE;
+  }
+  in.flattening = &d->flattening;
+  in.touch = d->tolerance;
+  sg_layout_clear(&d->layout);
+  d->laid = sg_lay(&in, &sg_prolog_poll, &d->layout, &stopped);
+  return d->laid || stop_ex(stopped);
+}
+
+int
+sg_development_is_laid_ex(const sg_development *d, term_t handle)
+{
+  return d->laid || PL_permission_error("lay", "flattening", handle);
+}
+
+/* flattening_measures(+Flattening, -Measures) is det. */
+static foreign_t
+flattening_measures(term_t handle, term_t out)
+{
+  sg_development *d;
+  sg_measures m;
+  bool stopped;
+
+  if (!sg_get_development_ex(handle, &d) ||
+      !sg_development_is_laid_ex(d, handle)) {
+    return FALSE;
+  }
+  if (!sg_measure(&d->flattening, &d->layout, &sg_prolog_poll, &m, &stopped)) {
+    return stop_ex(stopped);
+  }
+  return PL_unify_term(out, PL_FUNCTOR_CHARS, "measures", 9, PL_FLOAT,
+                       m.seam + 0.0, PL_INT64, (int64_t)d->layout.pieces,
+                       PL_FLOAT, m.longest + 0.0, PL_FLOAT, m.area + 0.0,
+                       PL_FLOAT, m.boxes + 0.0, PL_FLOAT, m.tree + 0.0, PL_BOOL,
+                       (int)m.pointed, PL_INT64, (int64_t)d->flattening.tests,
+                       PL_INT64, (int64_t)d->flattening.refused);
 }
 
 /* flattening_restart(+Flattening) is det. */
@@ -391,19 +528,8 @@ flattening_restart(term_t handle)
     return FALSE;
   }
   sg_flattening_restart(&d->flattening);
+  d->laid = false;
   return TRUE;
-}
-
-/* flattening_tests(+Flattening, -Tests, -Joined, -Refused) is det. */
-static foreign_t
-flattening_tests(term_t handle, term_t tests, term_t joined, term_t refused)
-{
-  sg_development *d;
-
-  return sg_get_development_ex(handle, &d) &&
-         PL_unify_int64(tests, (int64_t)d->flattening.tests) &&
-         PL_unify_int64(joined, (int64_t)d->flattening.joins) &&
-         PL_unify_int64(refused, (int64_t)d->flattening.refused);
 }
 
 void
@@ -419,12 +545,15 @@ sg_install_development(void)
       {"flattening_bent", 2, (pl_function_t)flattening_bent, 0},
       {"flattening_joint", 3, (pl_function_t)flattening_joint, 0},
       {"flattening_restart", 1, (pl_function_t)flattening_restart, 0},
-      {"flattening_tests", 4, (pl_function_t)flattening_tests, 0},
+      {"flattening_lay", 2, (pl_function_t)flattening_lay, 0},
+      {"flattening_measures", 2, (pl_function_t)flattening_measures, 0},
       {"edge_joint", 3, (pl_function_t)edge_joint, 0},
       {"forbid_joint", 2, (pl_function_t)forbid_joint, 0},
       {"join_faces", 3, (pl_function_t)join_faces, 0},
-      {"joint_order", 2, (pl_function_t)joint_order, 0},
-      {"join_all", 1, (pl_function_t)join_all, 0},
+      {"joint_order", 3, (pl_function_t)joint_order, 0},
+      {"joint_path", 3, (pl_function_t)joint_path, 0},
+      {"join_all", 2, (pl_function_t)join_all, 0},
+      {"join_before", 3, (pl_function_t)join_before, 0},
       {NULL, 0, NULL, 0}};
 
   for (int k = 0; k <= SG_JOINT_CLOSED; k++) {

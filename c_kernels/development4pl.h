@@ -15,12 +15,17 @@ typedef struct sg_development {
   sg_flat_faces faces;
   sg_joints joints;
   sg_flattening flattening;
+  sg_layout layout; /* once it is laid out */
+  bool laid;
   double tolerance;
 } sg_development;
 
 /* The open development that t names: type_error(flattening, t),
  * existence_error(flattening, t) if it is closed. */
 int sg_get_development_ex(term_t t, sg_development **out);
+
+/* permission_error(lay, flattening, Flattening) if nothing is laid out yet. */
+int sg_development_is_laid_ex(const sg_development *d, term_t handle);
 
 /* The id of the polygon of the pattern that a face becomes: that of its
  * polygon, or one after the largest where that is in triangles. */

@@ -268,53 +268,24 @@ write_all_ex(sg_world *world, writer *w)
 
 /* ---- the door ----------------------------------------------------------- */
 
-/* The first face of polygon P; 0: no root. */
-static int
-get_root_ex(term_t t, const sg_development *d, uint32_t *out)
-{
-  int32_t p;
-
-  *out = SG_NO_FACE;
-  if (!sg_get_int32_ex(t, &p)) {
-    return FALSE;
-  }
-  for (uint32_t face = 0; face < d->faces.faces && p != 0; face++) {
-    if (d->dense.polygon_id[d->faces.polygon[face]] == p) {
-      *out = face;
-      return TRUE;
-    }
-  }
-  return p == 0 || PL_existence_error("polygon", t);
-}
-
-/* flattening_write(+Flattening, +Root, +D) is det. */
+/* flattening_write(+Flattening, +D) is det. */
 static foreign_t
-flattening_write(term_t handle, term_t root, term_t to)
+flattening_write(term_t handle, term_t to)
 {
   sg_world *world = sg_current_world_ex();
   sg_development *d;
-  sg_layout layout = {0};
-  bool stopped = false;
   int32_t s;
-  sg_lay_input in;
-  int good;
 
   if (!world || !sg_get_development_ex(handle, &d) || !sg_get_id_ex(to, &s) ||
-      !get_root_ex(root, d, &in.root)) {
+      !sg_development_is_laid_ex(d, handle) || !sg_claim_ex(world)) {
     return FALSE;
   }
-  in.flattening = &d->flattening;
-  in.touch = d->tolerance;
-  good = sg_lay(&in, &sg_prolog_poll, &layout, &stopped) ||
-         (stopped ? FALSE : sg_no_memory());
-  if (good && (good = sg_claim_ex(world))) {
-    writer w = {.d = d, .layout = &layout, .to = s};
-    good = sg_segment_is_empty_ex(world, s) && write_all_ex(world, &w);
-    free(w.side);
-    free(w.bent);
-    sg_world_release(world);
-  }
-  sg_layout_clear(&layout);
+  writer w = {.d = d, .layout = &d->layout, .to = s};
+  int good = sg_segment_is_empty_ex(world, s) && write_all_ex(world, &w);
+
+  free(w.side);
+  free(w.bent);
+  sg_world_release(world);
   return good;
 }
 
@@ -322,7 +293,7 @@ void
 sg_install_development_write(void)
 {
   static const PL_extension doors[] = {
-      {"flattening_write", 3, (pl_function_t)flattening_write, 0},
+      {"flattening_write", 2, (pl_function_t)flattening_write, 0},
       {NULL, 0, NULL, 0}};
 
   PL_register_extensions_in_module("sg_kernel", doors);

@@ -72,11 +72,26 @@ bool sg_flattening_join(sg_flattening *flattening, uint32_t j,
 bool sg_flattening_join_all(sg_flattening *flattening, const uint32_t *order,
                             size_t n, const sg_poll *poll, bool *stopped);
 
-/* The order of the decision join_order/3: flat joints first, then the longest;
- * equal ones by the middle of the edge (the higher z, y, x first), then by
- * edge. Lengths and places are rounded to steps, so that what is equal but for
- * rounding is equal. Null: no memory. Owner: the caller, free(). */
-uint32_t *sg_joint_order(const sg_flattening *flattening);
+/* Orders in which joints are tried; flat joints always come first. */
+typedef enum sg_order {
+  SG_ORDER_LONGEST,  /* the default of the decision join_order/3 (DV-6) */
+  SG_ORDER_FLATTEST, /* the least angle first */
+  SG_ORDER_STEEPEST, /* those that run up and down */
+  SG_ORDER_SHUFFLED, /* the longest, but lengths are stretched by up to a tenth,
+                        by chance; each number from here on another chance */
+} sg_order;
+
+/* The joints in an order (a number from SG_ORDER_SHUFFLED on is another
+ * chance). Equal ones by the middle of the edge (the higher z, y, x first),
+ * then by edge. Lengths and places are rounded to steps, so that what is equal
+ * but for rounding is equal. Null: no memory. Owner: the caller, free(). */
+uint32_t *sg_joint_order(const sg_flattening *flattening, unsigned order);
+
+/* The joints that were joined on the way from one face of joint j to the other,
+ * in order; *n is 0 if there is no way. Null: no memory. Owner: the caller,
+ * free(). */
+uint32_t *sg_flattening_path(const sg_flattening *flattening, uint32_t j,
+                             size_t *n);
 
 /* A step: 2^-32 of the sheet, as a power of two; model units. */
 double sg_joint_step(const sg_flattening *flattening);

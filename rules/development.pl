@@ -2,28 +2,35 @@
           [ develop/2,                  % +S, -D
             develop/3,                  % +S, +Options, -D
             development/2,              % ?S, ?D
+            seam_reason/3,              % +D, ?J, -Reason
             join_order/3,               % +S, +E, -Key
             may_join/2,                 % +S, +E
             joined_by_rule/2            % +S, +Flattening
           ]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
+:- use_module(development_record,
+              [ record_development/5, recorded_development/4, score/3,
+                cannot_develop/2
+              ]).
 :- use_module(kernel,
               [ flattening_open/4, flattening_close/1, flattening_counts/4,
-                flattening_bent/2, flattening_joint/3, flattening_write/3,
-                edge_joint/3, forbid_joint/2, join_faces/3, join_all/1,
-                segments_tolerance/3
+                flattening_bent/2, flattening_joint/3, flattening_restart/1,
+                flattening_lay/2, flattening_measures/2, flattening_write/2,
+                edge_joint/3, forbid_joint/2, join_faces/3, join_all/2,
+                join_before/3, joint_path/3, segments_tolerance/3
               ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ p/3, segment/3, assert_fact/1, retractall_facts/1,
+              [ p/3, joint/6, segment/3, assert_fact/1, retractall_facts/1,
                 facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply), [maplist/2]).
+:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- autoload(library(error), [existence_error/2]).
-:- autoload(library(lists), [last/2, member/2]).
-:- autoload(library(option), [option/3]).
+:- autoload(library(lists), [last/2, member/2, numlist/3]).
+:- autoload(library(option), [option/2, option/3]).
+:- autoload(library(pairs), [pairs_values/2]).
 /** <module> Developments: a segment laid flat, face by face, joined at edges.
 
 Each face lies in a frame of its own (DV-4). Two faces that share an edge are
@@ -43,6 +50,8 @@ they have in S; only vertices are new.
 
 :- set_prolog_flag(optimise, true).
 
+:- meta_predicate with_flattening(+, +, 1).
+
 %!  develop(+S, -D) is det.
 %!  develop(+S, +Options:list, -D) is det.
 %
@@ -61,14 +70,20 @@ they have in S; only vertices are new.
 %     - order(Ps)
 %       These polygons are laid in this order, each at the first edge, in the
 %       order of joints, that it shares with one laid before (DV-7).
+%     - minimize(Objective)
+%       `seam`, `pieces`, `longest` (the longest weld) or `area` (of the boxes
+%       round the pieces): several orders are tried and the best is kept. Default
+%       is the order of the least seam alone.
+%     - tries(Count)
+%       So many orders are tried; default 8.
 %     - strict(Strict)
 %       If `true`, polygons that are not flat are an error; default is that
 %       their triangles are used, with a warning.
 %
 %   @error existence_error(segment, S)
 %   @error geometry_error(development(S, What)): What is empty, kind(Kind),
-%          not_flat(Ps), overlap(E, P1, P2) (of an edge that is to be kept),
-%          no_joint(E), edge_length(E)
+%          not_flat(Ps), no_polygon(P), overlap(E, P1, P2) (of an edge that is
+%          to be kept), no_joint(E), edge_length(E)
 
 develop(S, D) :-
     develop(S, [], D).
@@ -84,28 +99,33 @@ checked_segment(S) :-
     ),
     (   memberchk(Kind, [solid,surface])
     ->  true
-    ;   cannot(S, kind(Kind))
+    ;   cannot_develop(S, kind(Kind))
     ),
     (   p(S, _, _)
     ->  true
-    ;   cannot(S, empty)
+    ;   cannot_develop(S, empty)
     ).
-
-cannot(S, What) :-
-    throw(error(geometry_error(development(S, What)), _)).
 
 developed(S, Options, D) :-
     complete_segments([S]),
-    segments_tolerance([S], Tolerance, _),
-    option(removed(Removed), Options, []),
+    with_flattening(S, Options, written(S, Options, D)).
+
+written(S, Options, D, Flattening) :-
+    flat_or_warned(S, Options, Flattening),
     option(root(Root), Options, 0),
-    setup_call_cleanup(
-        flattening_open(S, Tolerance, Removed, Flattening),
-        ( joined(S, Options, Flattening),
-          pattern_segment(S, D),
-          stage(write, flattening_write(Flattening, Root, D))
-        ),
-        flattening_close(Flattening)).
+    best_laid(S, Options, Root, Flattening, Order, Measures),
+    pattern_segment(S, D),
+    stage(write, flattening_write(Flattening, D)),
+    record_development(D, S, Options, Order, Measures).
+
+flat_or_warned(S, Options, Flattening) :-
+    flattening_bent(Flattening, Ps),
+    (   Ps == []
+    ->  true
+    ;   option(strict(true), Options, false)
+    ->  cannot_develop(S, not_flat(Ps))
+    ;   print_message(warning, sanggwan(development(S, in_triangles(Ps))))
+    ).
 
 %!  development(?S, ?D) is nondet.
 %
@@ -117,58 +137,86 @@ development(S, D) :-
 pattern_segment(S, D) :-
     (   development(S, D0)
     ->  D = D0,
-        drop_boundary(D),
-        retractall_facts(joint(D, _, _, _, _, _)),
-        retractall_facts(piece(D, _, _))
+        drop_development(D)
     ;   fresh_id(segment, 0, D),
         assert_fact(segment(D, pattern, development(S)))
     ).
 
+drop_development(D) :-
+    drop_boundary(D),
+    retractall_facts(joint(D, _, _, _, _, _)),
+    retractall_facts(piece(D, _, _)).
+
+%!  with_flattening(+S, +Options:list, :Goal) is semidet.
+%
+%   Call Goal, once, with a handle on segment S being laid flat: see
+%   flattening_open/4. What is to be cut is forbidden already.
+%
+%   @error as develop/3
+
+with_flattening(S, Options, Goal) :-
+    segments_tolerance([S], Tolerance, _),
+    option(removed(Removed), Options, []),
+    option(root(Root), Options, 0),
+    maplist(has_polygon(S), Removed),
+    (   Root == 0
+    ->  true
+    ;   has_polygon(S, Root)
+    ),
+    stage(join, flattening_open(S, Tolerance, Removed, Flattening)),
+    call_cleanup(( edges_cut(S, Flattening, Options),
+                   once(call(Goal, Flattening))
+                 ),
+                 flattening_close(Flattening)).
+
+has_polygon(S, P) :-
+    (   p(S, P, _)
+    ->  true
+    ;   cannot_develop(S, no_polygon(P))
+    ).
+
 /* - - - joining - - - */
 
-joined(S, Options, Flattening) :-
-    flat_or_warned(S, Options, Flattening),
-    option(cut(Cut), Options, []),
-    option(keep(Kept), Options, []),
-    maplist(edge_cut(S, Flattening), Cut),
-    maplist(edge_kept(S, Flattening), Kept),
-    stage(rules, all_joined(S, Flattening)).
-
-flat_or_warned(S, Options, Flattening) :-
-    flattening_bent(Flattening, Ps),
-    (   Ps == []
+best_laid(S, Options, Root, Flattening, Order, Measures) :-
+    orders_to_try(Options, Orders, Objective),
+    maplist(tried(S, Options, Root, Flattening, Objective), Orders, Scored),
+    sort(Scored, [_-(Order/Measures)|_]),
+    (   last(Orders, Order)
     ->  true
-    ;   option(strict(true), Options, false)
-    ->  cannot(S, not_flat(Ps))
-    ;   print_message(warning, sanggwan(development(S, in_triangles(Ps))))
+    ;   laid(S, Options, Root, Flattening, Order)
     ).
 
-edge_cut(S, Flattening, E) :-
-    joint_of(S, Flattening, E, J),
-    forbid_joint(Flattening, J).
+tried(S, Options, Root, Flattening, Objective, Order, Score-(Order/Measures)) :-
+    laid(S, Options, Root, Flattening, Order),
+    stage(join, flattening_measures(Flattening, Measures)),
+    score(Objective, Measures, Score).
 
-edge_kept(S, Flattening, E) :-
-    joint_of(S, Flattening, E, J),
-    join_faces(Flattening, J, Result),
-    (   Result = overlap(P1, P2)
-    ->  cannot(S, overlap(E, P1, P2))
-    ;   Result == point
-    ->  cannot(S, edge_length(E))
-    ;   true
+laid(S, Options, Root, Flattening, Order) :-
+    flattening_restart(Flattening),
+    wishes_joined(S, Flattening, Options),
+    stage(rules, all_joined(S, Flattening, Order)),
+    stage(join, flattening_lay(Flattening, Root)).
+
+orders_to_try(Options, Orders, Objective) :-
+    (   option(minimize(Objective0), Options),
+        decision_is_default(join_order/3)
+    ->  Objective = Objective0,
+        option(tries(Count), Options, 8),
+        Last is max(0, Count-1),
+        numlist(0, Last, Orders)
+    ;   Objective = seam,
+        Orders = [0]
     ).
 
-joint_of(S, Flattening, E, J) :-
-    (   edge_joint(Flattening, E, J)
-    ->  true
-    ;   cannot(S, no_joint(E))
-    ).
-
-all_joined(S, Flattening) :-
-    (   decision_is_default(join_order/3),
-        decision_is_default(may_join/2)
-    ->  stage(join, join_all(Flattening))
+all_joined(S, Flattening, Order) :-
+    (   by_kernel
+    ->  stage(join, join_all(Flattening, Order))
     ;   joined_by_rule(S, Flattening)
     ).
+
+by_kernel :-
+    decision_is_default(join_order/3),
+    decision_is_default(may_join/2).
 
 %!  joined_by_rule(+S, +Flattening) is det.
 %
@@ -176,21 +224,41 @@ all_joined(S, Flattening) :-
 %   join_order/3 and may_join/2.
 
 joined_by_rule(S, Flattening) :-
-    b_setval(sg_flattening, Flattening),
-    flattening_counts(Flattening, _, Count, _),
-    findall(Key-J, joint_to_try(S, Flattening, Count, Key, J), Keyed),
-    msort(Keyed, Sorted),
-    forall(member(_-J, Sorted), join_faces(Flattening, J, _)).
+    joints_to_try(S, Flattening, Js),
+    forall(member(J, Js), join_faces(Flattening, J, _)).
 
-joint_to_try(S, Flattening, Count, Key, J) :-
-    between(1, Count, J),
+%!  joints_to_try(+S, +Flattening, -Js:list) is det.
+%
+%   Js are the joints that are open and may be joined, in the order in which
+%   joined_by_rule/2 tries them. Those that may not be are forbidden.
+
+joints_to_try(S, Flattening, Js) :-
+    flattening_counts(Flattening, _, Count, _),
+    findall(Key-J,
+            ( between(1, Count, J), joint_to_try(S, Flattening, J, Key) ),
+            Keyed),
+    msort(Keyed, Sorted),
+    pairs_values(Sorted, Js).
+
+joint_to_try(S, Flattening, J, Key) :-
     flattening_joint(Flattening, J, joint(E,_,_,_,_,_,_,Kind,open)),
     Kind \== line,
+    b_setval(sg_flattening, Flattening),
     (   may_join(S, E)
     ->  join_order(S, E, Key)
     ;   forbid_joint(Flattening, J),
         fail
     ).
+
+%!  joint_key(+S, +Flattening, +J, -Key) is semidet.
+%
+%   Key is that of joint J by join_order/3, if it may be joined.
+
+joint_key(S, Flattening, J, Key) :-
+    flattening_joint(Flattening, J, joint(E,_,_,_,_,_,_,_,_)),
+    b_setval(sg_flattening, Flattening),
+    may_join(S, E),
+    join_order(S, E, Key).
 
 :- decision(may_join/2, "Which edges of a development may be joined").
 
@@ -226,3 +294,121 @@ join_order(_, E, key(Rank,Length,Z,Y,X)) :-
     X is -round(X0/Step),
     Y is -round(Y0/Step),
     Z is -round(Z0/Step).
+
+/* - - - wishes (DV-7) - - - */
+
+edges_cut(S, Flattening, Options) :-
+    option(cut(Es), Options, []),
+    maplist(edge_cut(S, Flattening), Es).
+
+edge_cut(S, Flattening, E) :-
+    joint_at(S, Flattening, E, J),
+    forbid_joint(Flattening, J).
+
+%   wishes_joined(S, Flattening, Options): what is to be joined before all else.
+
+wishes_joined(S, Flattening, Options) :-
+    option(keep(Es), Options, []),
+    maplist(edge_kept(S, Flattening), Es),
+    option(order(Ps), Options, []),
+    maplist(has_polygon(S), Ps),
+    foldl(polygon_laid(S, Flattening), Ps, [], _).
+
+edge_kept(S, Flattening, E) :-
+    joint_at(S, Flattening, E, J),
+    join_faces(Flattening, J, Result),
+    (   Result = overlap(P1, P2)
+    ->  cannot_develop(S, overlap(E, P1, P2))
+    ;   Result == point
+    ->  cannot_develop(S, edge_length(E))
+    ;   true
+    ).
+
+joint_at(S, Flattening, E, J) :-
+    (   edge_joint(Flattening, E, J)
+    ->  true
+    ;   cannot_develop(S, no_joint(E))
+    ).
+
+%   polygon_laid(S, Flattening, P, Laid0, Laid): P is joined to one of the
+%   polygons Laid0, if it can be.
+
+polygon_laid(S, Flattening, P, Laid, [P|Laid]) :-
+    p(S, P, Es),
+    findall(Key-J,
+            ( member(E, Es),
+              edge_joint(Flattening, E, J),
+              flattening_joint(Flattening, J, joint(_,_,P1,P2,_,_,_,_,_)),
+              other(P, P1, P2, Other),
+              memberchk(Other, Laid),
+              joint_key(S, Flattening, J, Key)
+            ),
+            Keyed),
+    msort(Keyed, Sorted),
+    (   member(_-J, Sorted),
+        join_faces(Flattening, J, joined)
+    ->  true
+    ;   true
+    ).
+
+other(P, P, Other, Other) :-
+    !.
+other(P, Other, P, Other).
+
+/* - - - why an edge is a seam - - - */
+
+%!  seam_reason(+D, ?J, -Reason) is nondet.
+%
+%   True when joint J of pattern D is a seam, for this Reason, found by joining
+%   again up to J:
+%
+%     - cycle(Js)
+%       Its faces hung together already, by the joints Js, in order from one to
+%       the other.
+%     - overlap(P1, P2)
+%       Joined, it would have laid polygon P2 on P1.
+%     - cut_by_wish
+%       It was to be cut.
+%     - forbidden
+%       may_join/2 is not true of it.
+%     - point
+%       The edge has no length.
+%
+%   @error existence_error(development, D): it is no pattern, or was loaded from
+%          a file, or its segment has changed since
+
+seam_reason(D, J, Reason) :-
+    recorded_development(D, S, Options, Order),
+    joint(D, J, E, _, seam, _),
+    with_flattening(S, Options, joint_reason(S, Options, Order, J, E, Reason)).
+
+joint_reason(S, Options, Order, J, E, Reason, Flattening) :-
+    flattening_joint(Flattening, J, joint(E,_,_,_,_,_,_,_,State)),
+    (   State == forbidden
+    ->  Reason = cut_by_wish
+    ;   wishes_joined(S, Flattening, Options),
+        joined_before(S, Flattening, Order, J),
+        join_faces(Flattening, J, Result),
+        result_reason(Result, Flattening, J, Reason)
+    ).
+
+joined_before(S, Flattening, Order, J) :-
+    (   by_kernel
+    ->  join_before(Flattening, Order, J)
+    ;   joints_to_try(S, Flattening, Js),
+        (   member(J0, Js),
+            (   J0 == J
+            ->  true
+            ;   join_faces(Flattening, J0, _),
+                fail
+            )
+        ->  true
+        ;   true
+        )
+    ).
+
+result_reason(same_piece, Flattening, J, cycle(Js)) :-
+    joint_path(Flattening, J, Js).
+result_reason(overlap(P1,P2), _, _, overlap(P1,P2)).
+result_reason(forbidden, _, _, forbidden).
+result_reason(point, _, _, point).

@@ -139,8 +139,9 @@
             flattening_bent/2,        % +Flattening, -Polygons
             flattening_joint/3,       % +Flattening, +J, -Joint
             flattening_restart/1,     % +Flattening
-            flattening_tests/4,       % +Flattening, -Tests, -Joined, -Refused
-            flattening_write/3,       % +Flattening, +Root, +D
+            flattening_lay/2,         % +Flattening, +Root
+            flattening_measures/2,    % +Flattening, -Measures
+            flattening_write/2,       % +Flattening, +D
             edge_joint/3,             % +Flattening, +E, -J
             forbid_joint/2,           % +Flattening, +J
             join_faces/3,             % +Flattening, +J, -Result
@@ -152,6 +153,10 @@
             shapes_free/3,            % +Shapes, +Shape, +Tolerance
             nest/6,                   % +Size, +Square, +Gap, +One, +Pieces,
                                       % -Places
+            join_all/2,               % +Flattening, +Order
+            join_before/3,            % +Flattening, +Order, +J
+            joint_order/3,            % +Flattening, +Order, -Joints
+            joint_path/3,             % +Flattening, +J, -Joints
             % exact4pl.c
             exact_fallbacks/1,        % -Count
             exact_statistics/1,       % -Statistics
@@ -1116,7 +1121,7 @@ the drawn surface. Degrees; see roll.h.
 %   of polygon P1 and its partner E2 of P2, E1 < E2, the length and the middle of
 %   them, the angle as in joint/6. Kind is `line` (P1 is P2), `flat` or `bent`.
 %   State is `open`, `joined`, `same_piece`, `overlap`, `forbidden`, `point`,
-%   or, after flattening_write/3, `closed`.
+%   or, after flattening_lay/2, `closed`.
 %
 %   @error existence_error(joint, J)
 
@@ -1124,18 +1129,28 @@ the drawn surface. Degrees; see roll.h.
 %
 %   Nothing is joined, as at first; what is forbidden stays so.
 
-%!  flattening_tests(+Flattening, -Tests, -Joined, -Refused) is det.
+%!  flattening_lay(+Flattening, +Root) is det.
 %
-%   How many triangles were tested against each other, and how many joints were
-%   joined, and refused since they would overlap.
+%   Finds where everything lies, as joined by now, see lay.h. Root is a polygon,
+%   or 0. Joints whose sides lie on each other become `closed`.
+%
+%   @error existence_error(polygon, Root)
 
-%!  flattening_write(+Flattening, +Root, +D) is det.
+%!  flattening_measures(+Flattening, -Measures) is det.
+%
+%   Measures is measures(Seam, Pieces, Longest, Area, Boxes, Tree, Pointed,
+%   Tests, Refused), see measure.h: after flattening_lay/2. Tests is how many
+%   triangles were tested against each other, Refused how many joints would
+%   have made an overlap.
+%
+%   @error permission_error(lay, flattening, Flattening)
+
+%!  flattening_write(+Flattening, +D) is det.
 %
 %   Writes the rows of the pattern D, which has none: v e p plane t piece joint
-%   from_v from_p. Root is a polygon, or 0: see lay.h.
+%   from_v from_p, after flattening_lay/2.
 %
 %   @error permission_error(write, segment, D)
-%   @error existence_error(polygon, Root)
 
 %!  edge_joint(+Flattening, +E, -J) is semidet.
 %
@@ -1151,11 +1166,20 @@ the drawn surface. Degrees; see roll.h.
 %   together already; overlap(P1, P2): it would lay polygon P2 on P1;
 %   `forbidden`; `point`: the edge has no length.
 
-%!  join_all(+Flattening) is det.
+%!  join_all(+Flattening, +Order) is det.
+%!  join_before(+Flattening, +Order, +J) is det.
 %
-%   join_faces/3 for all joints that are open, in the order of joint_order/2.
-%   The fused kernel of development.pl, joined_by_rule/2.
+%   join_faces/3 for all joints that are open, as joint_order/3 has them; for
+%   those before joint J. With order 0, join_all/2 is the fused kernel of
+%   development.pl, joined_by_rule/2.
 
-%!  joint_order(+Flattening, -Joints:list) is det.
+%!  joint_order(+Flattening, +Order, -Joints:list) is det.
 %
-%   Joints in the order of the default of join_order/3.
+%   All joints; those that are flat come first. Order 0 is the default of
+%   join_order/3; 1: those that bend least; 2: those that run up and down; 3 and
+%   on: as 0, but with lengths changed by up to a tenth, by chance.
+
+%!  joint_path(+Flattening, +J, -Joints:list) is det.
+%
+%   The joints that are joined on the way from one face of J to the other, []
+%   if there is no way.

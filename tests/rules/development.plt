@@ -2,6 +2,7 @@
 :- use_module(library(aggregate)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
+:- use_module(library(yall)).
 :- use_module(rules(decision), [use_rules/1]).
 :- use_module(rules(development)).
 :- use_module(rules(kernel)).
@@ -131,7 +132,7 @@ rows(D, Rows) :-
     append([Vs,Js,Ps], Rows).
 
 test(kernel_is_rule, forall(solid(Term))) :-
-    in_model([Term], states(join_all, Kernel)),
+    in_model([Term], states([F]>>join_all(F, 0), Kernel)),
     in_model([Term], states(joined_by_rule(1), Rule)),
     assertion(Kernel == Rule).
 

@@ -1,0 +1,116 @@
+:- module(sg_development_record,
+          [ record_development/5,       % +D, +S, +Options, +Order, +Measures
+            recorded_development/4,     % +D, -S, -Options, -Order
+            development_measures/2,     % +D, -Measures
+            score/3,                    % +Objective, +Measures, -Score
+            cannot_develop/2            % +S, +What
+          ]).
+:- use_module(store,
+              [ segment/3, origin/3, segment_stamp/2, assert_fact/1,
+                retractall_facts/1
+              ]).
+:- autoload(library(apply), [include/3]).
+:- autoload(library(error), [existence_error/2]).
+/** <module> What a development was made from, and how good it is.
+
+    origin(D, node(D), laid(Options, Order, Stamp, Measures))
+
+remembers it beside the rows of the pattern D, as csg_record.pl does for nodes:
+Stamp is that of the segment. Records are not written to files.
+*/
+
+%!  record_development(+D, +S, +Options:list, +Order, +Measures) is det.
+%
+%   Remember that pattern D was made from segment S, as it is now, with Options,
+%   in this order of joints (joint_order/3), and has Measures
+%   (flattening_measures/2).
+
+record_development(D, S, Options0, Order, Measures) :-
+    include(is_wish, Options0, Options),
+    segment_stamp(S, Stamp),
+    retractall_facts(origin(D, node(D), _)),
+    assert_fact(origin(D, node(D), laid(Options, Order, Stamp, Measures))).
+
+is_wish(Option) :-
+    functor(Option, Name, 1),
+    ground(Option),
+    memberchk(Name, [removed,root,cut,keep,order,minimize]).
+
+%!  recorded_development(+D, -S, -Options:list, -Order) is det.
+%
+%   Pattern D was made from segment S, which has not changed since.
+%
+%   @error existence_error(development, D)
+
+recorded_development(D, S, Options, Order) :-
+    (   segment(D, pattern, development(S)),
+        origin(D, node(D), laid(Options, Order, Stamp, _)),
+        segment_stamp(S, Stamp)
+    ->  true
+    ;   existence_error(development, D)
+    ).
+
+%!  development_measures(+D, -Measures:dict) is det.
+%
+%   How good pattern D is:
+%
+%     - seam       length of all seams, each once; model units
+%     - pieces     how many
+%     - longest    the longest weld: seams end to end, as far as no others meet
+%                  them
+%     - area       of the pieces
+%     - boxes      of the boxes round the pieces
+%     - tree       the minimum spanning tree of the vertices over the edges
+%     - bound      what the seam cannot be less than: tree, or `null` where that
+%                  is not proven (c_kernels/measure.h)
+%     - tests      of two triangles for overlap
+%     - refused    joints that would have made an overlap
+%
+%   @error existence_error(development, D): no pattern, or loaded from a file
+
+development_measures(D, Measures) :-
+    (   origin(D, node(D), laid(_, _, _, Measures0))
+    ->  true
+    ;   existence_error(development, D)
+    ),
+    Measures0 = measures(Seam, Pieces, Longest, Area, Boxes, Tree, Pointed,
+                         Tests, Refused),
+    (   Pointed == true
+    ->  Bound = Tree
+    ;   Bound = null
+    ),
+    Measures = _{seam:Seam, pieces:Pieces, longest:Longest, area:Area,
+                 boxes:Boxes, tree:Tree, bound:Bound, tests:Tests,
+                 refused:Refused}.
+
+%!  score(+Objective, +Measures, -Score) is det.
+%
+%   Of two developments that with the lesser Score, in the standard order, is
+%   better; Measures as of flattening_measures/2. Lengths that are equal but for
+%   rounding are equal.
+%
+%   @error domain_error(objective, Objective)
+
+score(Objective, Measures, Main/Rest) :-
+    Measures = measures(Seam0, Pieces, Longest0, Area, Boxes0, _, _, _, _),
+    Size is max(Area, 1.0e-300),
+    Seam is round(Seam0/sqrt(Size)*1.0e9),
+    Longest is round(Longest0/sqrt(Size)*1.0e9),
+    Boxes is round(Boxes0/Size*1.0e9),
+    Rest = [Seam,Pieces,Longest,Boxes],
+    (   nth_objective(Objective, Seam, Pieces, Longest, Boxes, Main0)
+    ->  Main = Main0
+    ;   throw(error(domain_error(objective, Objective), _))
+    ).
+
+nth_objective(seam, Seam, _, _, _, Seam).
+nth_objective(pieces, _, Pieces, _, _, Pieces).
+nth_objective(longest, _, _, Longest, _, Longest).
+nth_objective(area, _, _, _, Boxes, Boxes).
+
+%!  cannot_develop(+S, +What)
+%
+%   @error geometry_error(development(S, What))
+
+cannot_develop(S, What) :-
+    throw(error(geometry_error(development(S, What)), _)).
