@@ -145,8 +145,6 @@
             edge_joint/3,             % +Flattening, +E, -J
             forbid_joint/2,           % +Flattening, +J
             join_faces/3,             % +Flattening, +J, -Result
-            join_all/1,               % +Flattening
-            joint_order/2,            % +Flattening, -Joints
             % nest4pl.c
             shapes_open/2,            % +Cell, -Shapes
             shapes_add/2,             % +Shapes, +Shape
