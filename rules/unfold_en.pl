@@ -170,6 +170,9 @@ unfold_en(no_term(Option, Text)) -->
     [ 'option ~w: ~w cannot be read'-[Option, Text], nl,
       '  Polygons are numbers or names such as base or side(2), edges such as \c
        4-7, base-side(2) or v(1)-v(2); with commas between them.' ].
+unfold_en(several_sheets(N)) -->
+    [ 'the drawing has ~D sheets, and standard output takes one'-[N], nl,
+      '  Write .pdf, which may have several, or a file.' ].
 unfold_en(alone(S)) -->
     [ 'segment ~d meets no other: nothing of it is trimmed'-[S] ].
 unfold_en(attached(S, Welded, Divided)) -->

@@ -133,6 +133,9 @@ unfold_ko(no_term(Option, Text)) -->
     [ '~w: ~w을(를) 읽을 수 없습니다'-[Option, Text], nl,
       '  다각형은 번호나 base, side(2) 같은 이름, 모서리는 4-7, base-side(2), \c
        v(1)-v(2) 이며 쉼표로 나눕니다.' ].
+unfold_ko(several_sheets(N)) -->
+    [ '도면이 ~D장이라 표준 출력에 쓸 수 없습니다'-[N], nl,
+      '  여러 장을 담는 .pdf나 파일에 쓰십시오.' ].
 unfold_ko(alone(S)) -->
     [ '세그먼트 ~d은(는) 다른 것과 만나지 않아 잘라 낼 것이 없습니다'-[S] ].
 unfold_ko(attached(S, Welded, Divided)) -->

@@ -108,7 +108,8 @@ print_pattern(Language, M) :-
     say(Language, area, [M.pattern_area]),
     (   M.removed =:= 0
     ->  say(Language, all, [M.area])
-    ;   say(Language, without, [M.area, M.removed])
+    ;   counted(Language, polygon, M.removed, Removed),
+        say(Language, without, [M.area, Removed])
     ).
 
 pieces(ko, N, Text) :-
@@ -131,10 +132,10 @@ text(en, seam, "  seam         ~6g, the longest edge of it ~6g~n").
 text(en, sheet, "  sheet        ~6g x ~6g~n").
 text(en, area, "  area         ~6g").
 text(en, all, " of ~6g~n").
-text(en, without, " of ~6g, without ~D polygon(s)~n").
+text(en, without, " of ~6g, without ~s~n").
 text(ko, pattern, "세그먼트 ~d: ~w, ~s, ~s~n").
 text(ko, seam, "  솔기         ~6g, 그 가운데 가장 긴 모서리 ~6g~n").
 text(ko, sheet, "  판           ~6g x ~6g~n").
 text(ko, area, "  넓이         ~6g").
 text(ko, all, " / ~6g~n").
-text(ko, without, " / ~6g, 뺀 다각형 ~D개~n").
+text(ko, without, " / ~6g, ~s를 빼고~n").

@@ -13,10 +13,11 @@
 %   order of the usage text.
 
 unfold_option(option(output, o, each, 'FILE',
-    'where to: a drawing (.svg .pdf .eps .ps .png .dxf .hpgl .json), facts \c
-     (.pl), a flat mesh (.obj .off); may be repeated')).
+    'where to: a drawing (.svg .pdf .eps .ps .png .dxf .hpgl .json), .fold of \c
+     origami programs, facts (.pl), a flat mesh (.obj .off); may be repeated')).
 unfold_option(option(format, '',
-    one_of([svg, pdf, eps, ps, png, dxf, hpgl, json, pl, obj, off]), 'FORMAT',
+    one_of([svg, pdf, eps, ps, png, dxf, hpgl, json, fold, pl, obj, off]),
+    'FORMAT',
     'the format for -o -')).
 unfold_option(option(only, '', value, 'S,...',
     'only these segments, by number or name')).
@@ -44,6 +45,40 @@ unfold_option(option(minimize, '', one_of([seam, pieces, longest, area]),
      longest weld, or the area of the sheet')).
 unfold_option(option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches')).
+unfold_option(option(scale, '', value, 'N:M',
+    'true scale of the drawing (1:1, as is usual), such as 1:2 or 5:1')).
+unfold_option(option(unit, '', one_of([mm, cm, m, inch]), 'UNIT',
+    'what one is in the model, for the scale; default mm')).
+unfold_option(option(page, '', value, 'PAPER',
+    'pages of this size, A4 to A0, A3-landscape, letter or WxH in mm; larger \c
+     pieces are divided; without it one sheet as large as needed')).
+unfold_option(option(tile, '', flag, '',
+    'pieces are not divided, but the sheet is, into pages that overlap')).
+unfold_option(option(overlap, '', number(0), 'MM',
+    'how far these overlap; default 10')).
+unfold_option(option(margin, '', number(0), 'MM',
+    'free all round a page; default 10')).
+unfold_option(option(gap, '', number(0), 'MM', 'between pieces; default 3')).
+unfold_option(option(tabs, '', number(0), 'MM',
+    'tabs to glue, so wide, on one side of each seam')).
+unfold_option(option(numbers, '', flag, '',
+    'numbers of partners on both sides of each seam, as is usual; \c
+     --no-numbers: none')).
+unfold_option(option(names, '', one_of([numbers, words]), 'HOW',
+    'name the faces: by their numbers, or by words such as base')).
+unfold_option(option(angles, '', flag, '', 'how far each fold bends')).
+unfold_option(option('fold-threshold', '', number(0), 'DEGREES',
+    'folds that bend less are not drawn; default 0.5')).
+unfold_option(option(inside, '', flag, '',
+    'the patterns as they are seen from inside')).
+unfold_option(option(grid, '', number(0), 'MM', 'a grid, for a check')).
+unfold_option(option(style, '', value, 'FILE',
+    'how lines look: a file of facts (docs/drawings.md)')).
+unfold_option(option(dashes, '', one_of([auto, geometry, type]), 'HOW',
+    'dashes as suits the format (auto), as lines of their own (geometry, for \c
+     cutters), or as line types of plotters (type)')).
+unfold_option(option(dpi, '', number(1), 'N',
+    'dots to the inch of a .png')).
 unfold_option(option(json, '', flag, '', 'the report as JSON')).
 
 %!  unfold_option_ko(?Name, -Help) is nondet.
@@ -65,11 +100,29 @@ unfold_option_ko(minimize,
     '줄일 것: seam(솔기의 길이, 보통), pieces(조각의 수), longest(가장 긴 \c
 용접선), area(판의 넓이)').
 
+unfold_option_ko(page,
+    '이 크기의 쪽들. A4~A0, A3-landscape, letter, WxH(mm). 더 큰 조각은 \c
+나눈다. 없으면 필요한 크기의 종이 한 장').
+unfold_option_ko(tile, '조각을 나누지 않고, 종이를 겹치는 쪽들로 나눈다').
+unfold_option_ko(overlap, '쪽이 겹치는 너비. 보통 10').
+unfold_option_ko(margin, '쪽 둘레의 여백. 보통 10').
+unfold_option_ko(gap, '조각 사이의 간격. 보통 3').
+unfold_option_ko(tabs, '솔기마다 한쪽에 붙이는 풀칠 면의 너비').
+unfold_option_ko(numbers,
+    '솔기 양쪽에 짝의 번호를 쓴다(보통). --no-numbers: 쓰지 않는다').
+unfold_option_ko(names, '면의 이름: numbers(번호)나 words(base 같은 말)').
+unfold_option_ko(angles, '접는 각도를 쓴다').
+unfold_option_ko('fold-threshold', '이보다 적게 꺾이는 곳은 그리지 않는다. 보통 0.5').
+unfold_option_ko(inside, '안쪽에서 본 전개도').
+unfold_option_ko(grid, '확인하기 위한 모눈').
+
 %!  unfold_example(-Command) is multi.
 
 unfold_example('sanggwan unfold facts/cube.pl -o cube.svg').
 unfold_example('sanggwan unfold facts/gallery/saddle.pl --trim outside \c
--o saddle.pdf').
+--page A4 -o saddle.pdf').
+unfold_example('sanggwan unfold facts/patterns/house.pl --tabs 6 \c
+--page A4-landscape -o house.pdf').
 unfold_example('sanggwan unfold pipes.pl --trim outside --only branch \c
 --remove base,top -o branch.dxf').
 unfold_example('sanggwan unfold part.stl --minimize pieces -o part.svg \c

@@ -8,14 +8,17 @@
 :- use_module(model_text,
               [open_model_text/2, close_model_text/1, next_fact/3,
                place_error/3]).
+:- use_module(pattern_file, [write_pattern/4]).
 :- use_module(penetration, [penetrate/2]).
 :- use_module(polygon_name, [segments_named/2]).
+:- use_module(sheet_options, [scale_option/2]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ segment/3, unfolding/2, retractall_facts/1,
                 facts_snapshot/1
               ]).
+:- use_module(style_file, [style_rows/2]).
 :- use_module(unfold,
               [unfoldable/1, wishes/3, wanted_of/3, unfolded_part/4]).
 :- use_module(unfold_report, [unfold_report/2]).
@@ -40,7 +43,10 @@ by the others; then they are laid flat.
 
 unfold_run(Files, Options, 0) :-
     some_files(Files, 'MODEL'),
-    outputs(Options, [svg,pdf,eps,ps,png,dxf,hpgl,json,pl,obj,off], Outputs),
+    outputs(Options,
+            [ svg,pdf,eps,ps,png,dxf,hpgl,json,fold,pl,obj,off ],
+            Outputs),
+    drawing_options(Options, _),         % what is wrong is said at once
     no_model_replaced(Files, Outputs),
     flag_wishes(Options, Flags),
     load_model(Files, Options),
@@ -50,8 +56,7 @@ unfold_run(Files, Options, 0) :-
           error(model_error(unfold(S, Wish, What)), Location),
           in_file(Files, S, Wish, What, Location)),
     unfold_report(Ds, Options),
-    maplist(output_written(sg_verbs_unfold:pattern_output(Options, Ds)),
-            Outputs).
+    maplist(written_to(Options, Ds), Outputs).
 
 %   patterns(Options, Flags, Ds): Ds are the patterns of all that is to be
 %   unfolded, in order. Flags are the wishes among Options.
@@ -222,6 +227,29 @@ places(Text, Wish, Place0, Place) :-
                 *            OUTPUT            *
                 *******************************/
 
+%   written_to(Options, Ds, Output): a drawing may take several files.
+
+written_to(Options, Ds, Output) :-
+    Output = output(File, Format),
+    (   File == (-)
+    ->  output_written(sg_verbs_unfold:pattern_output(Options, Ds), Output)
+    ;   is_drawing(Format)
+    ->  drawn(Options, Ds, File, Files),
+        forall(member(Name, Files),
+               print_message(informational, sanggwan(wrote(Name))))
+    ;   output_written(sg_verbs_unfold:pattern_output(Options, Ds), Output)
+    ).
+
+is_drawing(Format) :-
+    \+ memberchk(Format, [pl,obj,off]).
+
+drawn(Options, Ds, File, Files) :-
+    drawing_options(Options, DrawingOptions),
+    stage(write, write_pattern(File, Ds, DrawingOptions, Files)).
+
+%   pattern_output(Options, Ds, File): of the several sheets of a drawing,
+%   standard output can have the first only.
+
 pattern_output(Options, Ds, File) :-
     file_name_extension(_, Ending, File),
     downcase_atom(Ending, Format),
@@ -229,8 +257,52 @@ pattern_output(Options, Ds, File) :-
     ->  facts_snapshot(( parts_alone(Options, Ds), save_model(File) ))
     ;   memberchk(Format, [obj,off])
     ->  stage(write, write_mesh(File, Ds, [format(Format)]))
-    ;   stage(write, pattern_drawn(Options, Ds, File))
+    ;   drawn(Options, Ds, File, Files),
+        (   Files = [_]
+        ->  true
+        ;   maplist(delete_file, Files),
+            length(Files, N),
+            usage_error(unfold(several_sheets(N)))
+        )
     ).
+
+%   drawing_options(Options, DrawingOptions): as pattern_drawing/3 and
+%   write_drawing/2 have them.
+
+drawing_options(Options, DrawingOptions) :-
+    findall(Option, drawing_option(Options, Option), DrawingOptions).
+
+drawing_option(Options, Option) :-
+    member(Name,
+           [ page,tile,overlap,margin,gap,tabs,numbers,angles,inside,grid,
+             dashes
+           ]),
+    Option =.. [Name,_],
+    option(Option, Options).
+drawing_option(Options, fold_threshold(Degrees)) :-
+    option('fold-threshold'(Degrees), Options).
+drawing_option(Options, names(Names)) :-
+    option(names(How), Options),
+    (   How == numbers
+    ->  Names = true
+    ;   Names = How
+    ).
+drawing_option(Options, scale(Scale)) :-
+    option(scale(_), Options),
+    (   scale_option(Options, Scale)
+    ->  true
+    ;   option(scale(Text), Options),
+        usage_error(bad_value('--scale', Text, 'N:M'))
+    ).
+drawing_option(Options, unit(Unit)) :-
+    \+ option(scale(_), Options),       % which says it
+    option(unit(Unit), Options).
+drawing_option(Options, style(Rows)) :-
+    option(style(File), Options),
+    style_rows(File, Rows).
+drawing_option(Options, dots(Dots)) :-
+    option(dpi(DotsPerInch), Options),
+    Dots is DotsPerInch/25.4.
 
 %   parts_alone(Options, Ds): with --trim, what was unfolded and its patterns,
 %   without what they were trimmed of; else all stays, with its lines.
@@ -248,6 +320,3 @@ parts_alone(Options, Ds) :-
 drop_segment(S) :-
     drop_boundary(S),
     retractall_facts(segment(S, _, _)).
-
-pattern_drawn(_, Ds, File) :-
-    print_message(error, format("no drawing yet ~w ~w", [Ds, File])).

@@ -27,4 +27,7 @@ segment(5, solid, named(gore_1, at([rotate(y, -30)], 2))).
 segment(6, solid, named(gore_2, at([rotate(y, -60)], 2))).
 segment(7, solid, named(end, at([mirror(z), rotate(y, -90)], 3))).
 
+unfolding(4, removed(1)).
+unfolding(7, removed(1)).
+
 view(330, 70, 0).

@@ -15,7 +15,9 @@ segment(2, solid, named(branch, at([rotate(y, 35), translate(0, 14, 0)],
                                    cylinder(radius(38), height(170),
                                             facets(48))))).
 
+% The header is welded opposite the hole.
 unfolding(1, removed([base, top])).
+unfolding(1, cut(curved(side, [352.5-360]) - curved(side, [0-7.5]))).
 unfolding(2, removed([base, top])).
 
 view(300, 62, 0).
