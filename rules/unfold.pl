@@ -2,6 +2,7 @@
           [ unfold/2,                   % +S, -D
             unfold/3,                   % +S, +Options, -D
             unfoldable/1,               % ?S
+            pattern_of/2,               % +D, -T
             wanted_of/3,                % +S, +Wishes, -Wanted
             unfolded_part/4,            % +S, +Wanted, +Options, -D
             wishes/3                    % +S, +Options, -Wishes
@@ -95,6 +96,18 @@ unfoldable(S) :-
             Ss0),
     sort(Ss0, Ss),
     member(S, Ss).
+
+%!  pattern_of(+D, -T) is semidet.
+%
+%   True when D is a pattern of segment T.
+
+pattern_of(D, T) :-
+    segment(D, pattern, Term),
+    (   Term = development(T0)
+    ;   Term = true_development(T0, _)
+    ),
+    !,
+    T = T0.
 
 %!  wishes(+S, +Options:list, -Wishes:list) is det.
 %
@@ -205,6 +218,7 @@ attached_unfolded(T, S, Wanted, Options, Tolerance, Result) :-
 
 drop_pattern(D) :-
     drop_boundary(D),
+    retractall_facts(origin(D, _, _)),
     retractall_facts(joint(D, _, _, _, _, _)),
     retractall_facts(piece(D, _, _)),
     retractall_facts(segment(D, _, _)).

@@ -3,13 +3,15 @@
           [ unfold_report/2,            % +Ds, +Options
             pattern_measures/2          % +D, -Measures
           ]).
+:- use_module(development_record, [development_measures/2]).
 :- use_module(kernel, [census/1]).
 :- use_module(language, [language/1]).
 :- use_module(polygon_name, [segment_title/2]).
 :- use_module(report, [counted/4]).
 :- use_module(store,
-              [v/5, e/5, p/3, segment/3, from_p/5, piece/3, joint/6]).
+              [v/5, e/5, p/3, origin/3, from_p/5, piece/3, joint/6]).
 :- use_module(trimmed, [trimmed_from/2]).
+:- use_module(unfold, [pattern_of/2]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(http/json), [json_write_dict/3]).
@@ -35,42 +37,56 @@ unfold_report(Ds, Options) :-
 
 %!  pattern_measures(+D, -Measures:dict) is det.
 %
-%   Measures of pattern D: `segment`, what was to be unfolded, and its `name`;
-%   `part`, that or what was trimmed of it; `pattern`, D; `removed`, how many
-%   polygons of the part are not in D; `polygons`, `pieces`, `folds` and `seams`
-%   counted; `seam`, their length together, `longest`, that of the longest;
-%   `width` and `height` of the sheet they lie on; `area`, that of the part;
-%   `pattern_area`. In model units.
+%   Measures of pattern D:
+%
+%     - segment, name      what was to be unfolded
+%     - part               that, or what was trimmed of it
+%     - pattern            D
+%     - polygons, pieces, folds    how many there are in it
+%     - removed            how many polygons of the part are not
+%     - seam, bound, longest       development_measures/2; of a pattern that was
+%                          not made by develop/3 the longest edge of the seam
+%     - width, height      of the sheet that the pieces lie on, side by side
+%     - area, pattern_area         of the part and of the pattern
+%
+%   Lengths and areas are in model units.
 
 pattern_measures(D, Measures) :-
     census(Parts),
     measured(Parts, D, Measures).
 
-measured(Parts, D,
-         _{segment:S, name:Name, pattern:D, polygons:Polygons, pieces:Pieces,
-           folds:Folds, seams:Seams, seam:Seam, longest:Longest,
-           width:Width, height:Height, area:Area, pattern_area:PatternArea,
-           part:T, removed:Removed}) :-
-    segment(D, pattern, development(T)),
+measured(Parts, D, Measures) :-
+    pattern_of(D, T),
     trimmed_from(T, S),
     segment_title(S, Title),
     format(string(Name), '~w', [Title]),
     aggregate_all(count, p(D, _, _), Polygons),
-    aggregate_all(max(K), piece(D, _, K), Pieces),
     aggregate_all(count, joint(D, _, _, _, fold, _), Folds),
-    findall(Length,
-            ( joint(D, _, E, _, seam, _), edge_length(D, E, Length) ),
-            Lengths),
-    length(Lengths, Seams),
-    sum_list([0.0|Lengths], Seam),
-    max_list([0.0|Lengths], Longest),
+    aggregate_all(count, ( p(T, P, _), \+ left_in(D, P) ), Removed),
     aggregate_all(r(min(X), max(X), min(Y), max(Y)), v(D, _, X, Y, _),
                   r(X1, X2, Y1, Y2)),
     Width is X2-X1,
     Height is Y2-Y1,
+    seam_measures(D, Pieces, Seam, Bound, Longest),
     area(Parts, T, Area),
-    aggregate_all(count, ( p(T, P, _), \+ left_in(D, P) ), Removed),
-    area(Parts, D, PatternArea).
+    area(Parts, D, PatternArea),
+    Measures = _{segment:S, name:Name, part:T, pattern:D, polygons:Polygons,
+                 pieces:Pieces, folds:Folds, removed:Removed, seam:Seam,
+                 bound:Bound, longest:Longest, width:Width, height:Height,
+                 area:Area, pattern_area:PatternArea}.
+
+seam_measures(D, Pieces, Seam, Bound, Longest) :-
+    origin(D, node(D), _),
+    !,
+    development_measures(D, Measures),
+    _{pieces:Pieces, seam:Seam, bound:Bound, longest:Longest} :< Measures.
+seam_measures(D, Pieces, Seam, null, Longest) :-
+    aggregate_all(max(K), piece(D, _, K), Pieces),
+    findall(Length,
+            ( joint(D, _, E, _, seam, _), edge_length(D, E, Length) ),
+            Lengths),
+    sum_list([0.0|Lengths], Seam),
+    max_list([0.0|Lengths], Longest).
 
 %   left_in(D, P): polygon P is in D, or its triangles are.
 
@@ -103,7 +119,12 @@ print_pattern(Language, M) :-
     counted(Language, polygon, M.polygons, Polygons),
     pieces(Language, M.pieces, Pieces),
     say(Language, pattern, [M.segment, M.name, Polygons, Pieces]),
-    say(Language, seam, [M.seam, M.longest]),
+    say(Language, seam, [M.seam]),
+    (   M.bound == null
+    ->  true
+    ;   say(Language, bound, [M.bound])
+    ),
+    say(Language, weld, [M.longest]),
     say(Language, sheet, [M.width, M.height]),
     say(Language, area, [M.pattern_area]),
     (   M.removed =:= 0
@@ -128,13 +149,17 @@ say(Language, Key, Arguments) :-
     format(Format, Arguments).
 
 text(en, pattern, "segment ~d: ~w, ~s in ~s~n").
-text(en, seam, "  seam         ~6g, the longest edge of it ~6g~n").
+text(en, seam, "  seam         ~6g").
+text(en, bound, " (at least ~6g)").
+text(en, weld, ", the longest weld ~6g~n").
 text(en, sheet, "  sheet        ~6g x ~6g~n").
 text(en, area, "  area         ~6g").
 text(en, all, " of ~6g~n").
 text(en, without, " of ~6g, without ~s~n").
 text(ko, pattern, "세그먼트 ~d: ~w, ~s, ~s~n").
-text(ko, seam, "  솔기         ~6g, 그 가운데 가장 긴 모서리 ~6g~n").
+text(ko, seam, "  솔기         ~6g").
+text(ko, bound, " (적어도 ~6g)").
+text(ko, weld, ", 가장 긴 용접선 ~6g~n").
 text(ko, sheet, "  판           ~6g x ~6g~n").
 text(ko, area, "  넓이         ~6g").
 text(ko, all, " / ~6g~n").

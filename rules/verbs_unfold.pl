@@ -20,7 +20,9 @@
               ]).
 :- use_module(style_file, [style_rows/2]).
 :- use_module(unfold,
-              [unfoldable/1, wishes/3, wanted_of/3, unfolded_part/4]).
+              [ unfoldable/1, pattern_of/2, wishes/3, wanted_of/3,
+                unfolded_part/4
+              ]).
 :- use_module(unfold_report, [unfold_report/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, no_model_replaced/2, output_written/2,
@@ -309,7 +311,7 @@ drawing_option(Options, dots(Dots)) :-
 
 parts_alone(Options, Ds) :-
     (   option(trim(_), Options)
-    ->  findall(S, ( member(D, Ds), segment(D, _, development(S)) ), Ss),
+    ->  findall(S, ( member(D, Ds), pattern_of(D, S) ), Ss),
         append(Ss, Ds, Stay),
         forall(( segment(S, _, _), \+ memberchk(S, Stay) ), drop_segment(S)),
         forall(( unfolding(S, _), \+ memberchk(S, Stay) ),

@@ -13,10 +13,13 @@ box=$TMP/box.pl saddle=$facts/patterns/saddle.pl
 check "one piece" output '^segment 1: case, 6 polygons in 1 piece$' \
   sanggwan unfold "$box"
 check "area of the solid" output '^  area  *52 of 52$' sanggwan unfold "$box"
+check "the seam and its bound" output 'seam  *18 .at least 18., the longest' \
+  sanggwan unfold "$box"
 check "as JSON" eval "sanggwan unfold $box --json |
   python3 -c 'import json,sys; d, = json.load(sys.stdin)
 assert d[\"polygons\"] == 6 and d[\"pieces\"] == 1 and d[\"area\"] == 52
-assert d[\"name\"] == \"case\" and d[\"removed\"] == 0'"
+assert d[\"name\"] == \"case\" and d[\"removed\"] == 0
+assert abs(d[\"seam\"] - 18) < 1e-9 and abs(d[\"bound\"] - 18) < 1e-9'"
 check "in Korean" output '다각형 6개, 조각 1개$' sanggwan unfold "$box" --lang ko
 check "timings" eval \
   "sanggwan unfold -q $box --timings 2>&1 >/dev/null | grep -q '\"develop\":'"
@@ -26,7 +29,7 @@ check "several models" eval "[ \$(sanggwan unfold -q $box $box --no-lines |
   grep -c '^segment') = 2 ]"
 
 # Wishes as options.
-check "removed" output 'area  *40 of 52, without 2 polygon' \
+check "removed" output 'area  *40 of 52, without 2 polygons' \
   sanggwan unfold "$box" --remove base,top
 check "cut all round" output 'in 2 pieces' \
   sanggwan unfold "$box" --cut base-side
@@ -68,7 +71,7 @@ check "no such segment" complains 2 'no segment lid, only 1' \
 
 # Wishes in the model; a fault is said at its place.
 { cat "$box"; echo 'unfolding(1, removed([base, top])).'; } >"$TMP/sides.pl"
-check "removed by a fact" output 'without 2 polygon' \
+check "removed by a fact" output 'without 2 polygons' \
   sanggwan unfold "$TMP/sides.pl"
 { cat "$box"; echo; echo 'unfolding(1, cut(base-lid)).'; } >"$TMP/lid.pl"
 check "place of a fault" complains 3 'lid.pl:3:14: .*there is no polygon lid' \
@@ -118,6 +121,29 @@ check "edges of the pattern are those of what was unfolded" status 0 \
 check "a flat mesh" eval "sanggwan unfold -q $box -o $TMP/flat.off >/dev/null &&
   [ \$(head -c 3 $TMP/flat.off) = OFF ] &&
   awk 'NR > 2 && NF == 3 && \$3 != 0 { exit 1 }' $TMP/flat.off"
+
+# Drawings.
+check "a drawing" eval "sanggwan unfold -q $saddle --trim outside \
+  -o $TMP/saddle.svg >/dev/null && grep -q 'visible cut' $TMP/saddle.svg"
+check "every format" eval "sanggwan unfold -q $box \
+  $(for f in svg pdf eps ps png dxf hpgl json fold; do
+    printf ' -o %s/box.%s' "$TMP" $f; done) >/dev/null &&
+  [ \$(ls $TMP/box.{svg,pdf,eps,ps,png,dxf,hpgl,json,fold} | wc -l) = 9 ]"
+check "on standard output" eval "sanggwan unfold -q $box -o - --format svg |
+  grep -q '<svg'"
+check "to scale" eval "sanggwan unfold -q $box --scale 10:1 -o - --format svg |
+  grep -q 'data-scale=.10.'"
+check "no scale" complains 2 'should look like N:M' \
+  sanggwan unfold "$box" --scale fit -o "$TMP/box.svg"
+check "several sheets" eval "sanggwan unfold $box --scale 100:1 --page A4 \
+  -o $TMP/many.svg 2>&1 >/dev/null | grep -q 'wrote .*many-2.svg'"
+check "not on standard output" complains 2 'standard output takes one' \
+  sanggwan unfold "$box" --scale 100:1 --page A4 -o - --format svg
+check "tabs" eval "[ \$(sanggwan unfold -q $box --scale 10:1 --tabs 5 -o - \
+  --format svg | wc -c) -gt \
+  \$(sanggwan unfold -q $box --scale 10:1 -o - --format svg | wc -c) ]"
+check "a page that is none" complains 2 'A44' \
+  sanggwan unfold "$box" --page A44 -o "$TMP/box.svg"
 
 # What cannot be unfolded.
 echo 'segment(1, curve, line(from(0,0,0), to(1,1,1))).' >"$TMP/line.pl"
