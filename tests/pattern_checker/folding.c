@@ -1,5 +1,7 @@
 #include "folding.h"
 
+#include "edges.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -134,10 +136,61 @@ largest_of_pieces(const pattern *p)
 
 /* ---------------------------------------------------------- the others */
 
-/* Places those that hang on the placed polygon `i` by a fold, and puts them
- * behind the n that wait. */
+typedef struct fold {
+  real length;
+  int joint;
+} fold;
+
+static int
+longest_first(const void *a, const void *b)
+{
+  const fold *x = a, *y = b;
+
+  return x->length != y->length ? (x->length > y->length ? -1 : 1)
+                                : x->joint - y->joint;
+}
+
+/* Folds enough to place all: of those that go round in a ring the longest, for
+ * a short line says little of where it points. [joints] */
+static bool *
+folds_to_use(const pattern *p)
+{
+  fold *all = calloc(p->joints + 1, sizeof *all);
+  bool *used = calloc(p->joints + 1, sizeof *used);
+  int *sets = sets_of(p->flats);
+  size_t n = 0;
+
+  if (!all || !used) {
+    abort();
+  }
+  for (size_t i = 0; i < p->joints; i++) {
+    const side *s = &p->side[p->joint[i].side[0]];
+    real a[2], b[2];
+
+    take_spot(&p->spot[s->from], a);
+    take_spot(&p->spot[s->to], b);
+    if (p->joint[i].kind == FOLD && s->flat != NONE &&
+        p->side[p->joint[i].side[1]].flat != NONE) {
+      all[n++] = (fold){hypotl(b[0] - a[0], b[1] - a[1]), (int)i};
+    }
+  }
+  qsort(all, n, sizeof *all, longest_first);
+  for (size_t i = 0; i < n; i++) {
+    const joint *j = &p->joint[all[i].joint];
+
+    used[all[i].joint] =
+        join_sets(sets, p->side[j->side[0]].flat, p->side[j->side[1]].flat);
+  }
+  free(sets);
+  free(all);
+  return used;
+}
+
+/* Places those that hang on the placed polygon `i` by a fold to use, and puts
+ * them behind the n that wait. */
 static size_t
-place_neighbours(const pattern *p, int i, placing *at, int *waiting, size_t n)
+place_neighbours(const pattern *p, const bool *used, int i, placing *at,
+                 int *waiting, size_t n)
 {
   const flat *f = &p->flat[i];
 
@@ -146,11 +199,11 @@ place_neighbours(const pattern *p, int i, placing *at, int *waiting, size_t n)
     const side *s = &p->side[number];
     const joint *j = s->joint == NONE ? NULL : &p->joint[s->joint];
 
-    if (!j || j->kind != FOLD) {
+    if (!j || !used[s->joint]) {
       continue;
     }
     other = p->side[j->side[j->side[0] == number]].flat;
-    if (other != NONE && !at[other].known) {
+    if (!at[other].known) {
       fold_at(p, &at[i], s, (real)j->angle * (acosl(-1) / 180), &at[other]);
       waiting[n++] = other;
     }
@@ -183,6 +236,7 @@ fold_back(const pattern *p)
   int *first = largest_of_pieces(p);
   int *waiting = malloc((p->flats + 1) * sizeof *waiting);
   placing *at = calloc(p->flats + 1, sizeof *at);
+  bool *used = folds_to_use(p);
   size_t done = 0, n = 0;
   real off = 0;
 
@@ -196,12 +250,13 @@ fold_back(const pattern *p)
     }
   }
   while (done < n) {
-    n = place_neighbours(p, waiting[done], at, waiting, n);
+    n = place_neighbours(p, used, waiting[done], at, waiting, n);
     done++;
   }
   for (size_t i = 0; i < p->flats; i++) {
     off = fmaxl(off, off_by(p, &p->flat[i], &at[i]));
   }
+  free(used);
   free(at);
   free(waiting);
   free(first);

@@ -6,9 +6,9 @@
 #include "shapes.h"
 
 /* Lays the largest polygon of each piece into its place in the solid, folds
- * all others to it, by the angles alone, and returns the most that a corner is
- * off its place, next to the solid's size. Polygons that no fold reaches are
- * infinitely far off. */
+ * all others to it, by the angles alone, longest folds first, and returns the
+ * most that a corner is off its place, next to the solid's size. Polygons that
+ * no fold reaches are infinitely far off. */
 real fold_back(const pattern *p);
 
 #endif

@@ -8,7 +8,7 @@
  * but those of `sheet`, `seam`, `reported` and `tree`.
  *
  *     faces pieces folds seams lines borders    how many there are
- *     sheet       the longest side of the box of a piece
+ *     sheet       the side of a square as large as all polygons
  *     seam        the length of all seams; `reported`, as it was told
  *     tree        of the shortest tree along the solid's edges
  *     fold        folded back, the most that a corner is off its place
@@ -55,7 +55,7 @@ judge(const pattern *p, FILE *tell)
   shape_faults s = {0};
   edge_faults e = {0};
   overlap_faults o = {0};
-  real sheet = size_of_piece(p), fold;
+  real sheet = sheet_of(p), fold;
 
   check_shapes(p, &s);
   check_edges(p, &e);

@@ -55,37 +55,6 @@ size_of_solid(const pattern *p)
   return size;
 }
 
-real
-size_of_piece(const pattern *p)
-{
-  size_t n = (size_t)p->pieces + 1;
-  double(*box)[4] = malloc(n * sizeof *box), size = 0;
-
-  if (!box) {
-    abort();
-  }
-  for (size_t i = 0; i < n; i++) {
-    box[i][0] = box[i][1] = INFINITY;
-    box[i][2] = box[i][3] = -INFINITY;
-  }
-  for (size_t i = 0; i < p->sides; i++) {
-    const side *s = &p->side[i];
-    double *b = box[s->flat == NONE || p->flat[s->flat].piece > p->pieces
-                        ? 0
-                        : p->flat[s->flat].piece];
-
-    for (int k = 0; k < 2; k++) {
-      b[k] = fmin(b[k], p->spot[s->from].at[k]);
-      b[k + 2] = fmax(b[k + 2], p->spot[s->from].at[k]);
-    }
-  }
-  for (size_t i = 1; i < n; i++) {
-    size = fmax(size, fmax(box[i][2] - box[i][0], box[i][3] - box[i][1]));
-  }
-  free(box);
-  return size;
-}
-
 /* Differences from the first side's start, since what is far away is coarse. */
 real
 flat_area(const pattern *p, const flat *f)
@@ -102,6 +71,17 @@ flat_area(const pattern *p, const flat *f)
            ((real)a[1] - o[1]) * ((real)b[0] - o[0]);
   }
   return sum;
+}
+
+real
+sheet_of(const pattern *p)
+{
+  real area = 0;
+
+  for (size_t i = 0; i < p->flats; i++) {
+    area += fabsl(flat_area(p, &p->flat[i])) / 2;
+  }
+  return sqrtl(area);
 }
 
 void

@@ -18,9 +18,8 @@ typedef struct shape_faults {
 /* The longest side of the box of the solid's points. */
 real size_of_solid(const pattern *p);
 
-/* The box of the spots of each piece, for every number up to p->pieces: the
- * longest side of any. */
-real size_of_piece(const pattern *p);
+/* The side of a square that is as large as all polygons of the pattern. */
+real sheet_of(const pattern *p);
 
 /* Twice the area of a polygon of the pattern, with its sign; and as a vector,
  * from the places in the solid. */

@@ -1,0 +1,129 @@
+/* Developments, for bench/unfold.
+
+       bench/unfold.pl models FOLDER
+       bench/unfold.pl kernel MODEL.obj
+       bench/unfold.pl rule MODEL.obj
+
+   models: writes the models as triangles into FOLDER and prints their names.
+   kernel, rule: reads MODEL and unfolds it, by the fused kernel, or with a rule
+   file that replaces a decision and says what the default says. Prints
+   triangles, microseconds a triangle of the processor, percent of that in Prolog
+   (not in calls of kernels), pieces, length of the seam, growth of memory in
+   bytes a triangle.
+*/
+:- use_module('../rules/sanggwan').
+:- use_module('../rules/boolean').
+:- use_module('../rules/development').
+:- use_module('../rules/kernel').
+:- use_module('../rules/mesh').
+:- use_module('../rules/model_file').
+:- use_module('../rules/stage').
+:- use_module('../rules/store').
+:- use_module('../rules/triangulation').
+
+:- initialization(main, main).
+
+main :-
+    current_prolog_flag(argv, [Mode,Argument]),
+    new_world(World),
+    in_world(World, done(Mode, Argument)).
+
+done(models, Folder) :-
+    forall(model(Name, Terms),
+           ( model_written(Folder, Name, Terms),
+             format("~w~n", [Name]) )).
+done(kernel, File) :-
+    measured(File).
+done(rule, File) :-
+    tmp_file_stream(Rules, Out, [extension(pl)]),
+    format(Out, "may_join(S, E) :- default(may_join(S, E)).~n", []),
+    close(Out),
+    use_rules(Rules),
+    measured(File).
+
+%   model(Name, Terms): a primitive, or two that are united.
+
+model(sphere_1k,    [sphere(radius(1), facets(32), bands(18))]).
+model(sphere_5k,    [sphere(radius(1), facets(72), bands(36))]).
+model(sphere_20k,   [sphere(radius(1), facets(142), bands(72))]).
+model(sphere_80k,   [sphere(radius(1), facets(284), bands(142))]).
+model(sphere_300k,  [sphere(radius(1), facets(550), bands(274))]).
+model(torus_1k,     [torus(radius(1), tube(0.4), facets(24), sides(24))]).
+model(torus_20k,    [torus(radius(1), tube(0.4), facets(100), sides(100))]).
+model(torus_300k,   [torus(radius(1), tube(0.4), facets(400), sides(375))]).
+model(union_5k,     Terms) :- two_spheres(36, Terms).
+model(union_20k,    Terms) :- two_spheres(72, Terms).
+model(union_300k,   Terms) :- two_spheres(290, Terms).
+
+two_spheres(N, [ sphere(radius(1), facets(N), bands(N)),
+                 at([translate(0.9,0.5,0.3)],
+                    sphere(radius(0.8), facets(N), bands(N))) ]).
+
+model_written(Folder, Name, Terms) :-
+    format(atom(File), '~w/~w.obj', [Folder,Name]),
+    (   exists_file(File)
+    ->  true
+    ;   new_world(World),
+        in_world(World, ( made(Terms, S), triangles_written(S, File) ))
+    ).
+
+made(Terms, S) :-
+    forall(member(Term, Terms), add_primitive(Term, _)),
+    complete_segments,
+    (   Terms = [_]
+    ->  S = 1
+    ;   S = 3,
+        boolean(union([1,2]), S),
+        complete_segments
+    ).
+
+triangles_written(S, File) :-
+    findall(V, v(S, V, _, _, _), Vs),
+    length(Vs, N),
+    numlist(1, N, Is),
+    pairs_keys_values(Pairs, Vs, Is),
+    list_to_assoc(Pairs, Number),
+    setup_call_cleanup(
+        open(File, write, Out),
+        ( forall(member(V, Vs),
+                 ( v(S, V, X, Y, Z), format(Out, "v ~w ~w ~w~n", [X,Y,Z]) )),
+          forall(t(S, _, _, A, B, C),
+                 ( maplist(numbered(Number), [A,B,C], Corners),
+                   format(Out, "f ~d ~d ~d~n", Corners) )) ),
+        close(Out)).
+
+numbered(Number, V, I) :-
+    get_assoc(V, Number, I).
+
+measured(File) :-
+    read_mesh(File, [S|_]),
+    complete_segments,
+    aggregate_all(count, t(S, _, _, _, _, _), N),
+    garbage_collect,
+    stages_reset,
+    statistics(process_cputime, C0),
+    get_time(T0),
+    develop(S, [], D),
+    get_time(T1),
+    statistics(process_cputime, C1),
+    Each is (C1-C0)*1.0e6/N,
+    kernel_seconds(Kernel),
+    Share is 100*(1-min(1, Kernel/(T1-T0))),
+    aggregate_all(max(K), piece(D, _, K), Pieces),
+    aggregate_all(sum(L), ( joint(D, _, E, _, seam, _), length_of(D, E, L) ),
+                  Seam),
+    format("~d ~3f ~2f ~d ~2f~n", [N,Each,Share,Pieces,Seam]).
+
+%   kernel_seconds(Seconds): of the clock, in calls of kernels.
+
+kernel_seconds(Seconds) :-
+    aggregate_all(sum(S),
+                  ( member(Stage, [join,write,tree]),
+                    stage_seconds(Stage, S) ),
+                  Seconds).
+
+length_of(D, E, Length) :-
+    e(D, E, A, B, _),
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _),
+    Length is sqrt((X2-X1)**2+(Y2-Y1)**2).
