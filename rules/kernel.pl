@@ -1099,8 +1099,7 @@ the drawn surface. Degrees; see roll.h.
 %   from 1. A face is a polygon no vertex of which is farther than Tolerance
 %   from its plane, or a triangle of another polygon; such a triangle is called
 %   by the polygon that it will be, numbered on from those of S, and its chords
-%   are edges, numbered on likewise. S should have its triangles. Sides nearer
-%   than Tolerance, in the end, lie on each other. Must be closed.
+%   are edges, numbered on likewise. S should have its triangles. Must be closed.
 
 %!  flattening_close(+Flattening) is det.
 
