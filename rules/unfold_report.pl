@@ -120,9 +120,10 @@ print_pattern(Language, M) :-
     pieces(Language, M.pieces, Pieces),
     say(Language, pattern, [M.segment, M.name, Polygons, Pieces]),
     say(Language, seam, [M.seam]),
-    (   M.bound == null
-    ->  true
-    ;   say(Language, bound, [M.bound])
+    (   number(M.bound),
+        M.bound > 0
+    ->  say(Language, bound, [M.bound])
+    ;   true
     ),
     say(Language, weld, [M.longest]),
     say(Language, sheet, [M.width, M.height]),

@@ -49,15 +49,19 @@ terms(In, Terms) :-
 file(picture(Name,_,_,_), File) :-
     format(atom(File), 'docs/gallery/~w.svg', [Name]).
 
-words(Picture, [draw|Words]) :-
+words(Picture, Words) :-
     Picture = picture(_, _, _, Words0),
+    (   Words0 = [unfold|_]
+    ->  Words1 = Words0
+    ;   Words1 = [draw|Words0]
+    ),
     file(Picture, File),
-    append(Words0, ['-o',File], Words).
+    append(Words1, ['-o',File], Words).
 
 drawn(Program, Picture) :-
     words(Picture, Words),
     append(Words, ['-q'], Quiet),
-    process_create(Program, Quiet, [process(Process)]),
+    process_create(Program, Quiet, [process(Process), stdout(null)]),
     process_wait(Process, exit(0)).
 
 page(Pictures) :-

@@ -3,10 +3,10 @@
 %
 %   picture(Name, Title, Caption, Words)
 %
-% The command is `sanggwan draw` with Words and `-o Name.svg`. The figures
-% are those of H.-C. Chae, Drawing of Penetrating Lines Using Personal
-% Computer, KSME Journal 12(1), 1988; sizes are chosen, for the paper does not
-% give them. Others follow them.
+% The command is `sanggwan draw` with Words and `-o Name.svg`, or `sanggwan
+% unfold` if Words begin with that. The figures are those of H.-C. Chae, Drawing
+% of Penetrating Lines Using Personal Computer, KSME Journal 12(1), 1988; sizes
+% are chosen, for the paper does not give them. Others follow them.
 
 picture(fig08, 'Figure 8',
         'A cone and a straight line that goes through it.',
@@ -156,3 +156,19 @@ picture(column, 'Column',
         'A star prism that turns and grows thin.',
         ['facts/gallery/column.pl', '--hidden', removed,
          '--size', '148x210']).
+
+% Patterns: docs/command_line.md. Cut along full lines, fold along dashed ones.
+
+picture(pattern_saddle, 'Saddle and hole',
+        'The branch pipe and the header, each trimmed by the other: what the \c
+         fitter cuts.',
+        [unfold,'facts/patterns/saddle.pl','--trim',outside]).
+picture(pattern_transition, 'From square to round',
+        'Four flat triangles and four quarters of oblique cones, in one piece.',
+        [unfold,'facts/patterns/transition.pl']).
+picture(pattern_elbow, 'The gores of a bend',
+        'Two ends and two gores; where parts meet, their faces go away.',
+        [unfold,'facts/patterns/elbow.pl','--trim',outside]).
+picture(pattern_house, 'A house of cardboard',
+        'Laid out from the floor, with tabs to glue.',
+        [unfold,'facts/patterns/house.pl','--tabs','7']).
