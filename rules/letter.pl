@@ -16,11 +16,17 @@ towards it, a quadratic curve.
 %   True when the character Code is Width wide and drawn by Strokes.
 
 letter(Code, Width, Strokes) :-
-    glyph(Char, Width, Strokes),
-    char_code(Char, Code).
-letter(Code, Width, Strokes) :-
+    (   integer(Code)
+    ->  char_code(Char, Code),
+        char_strokes(Char, Width, Strokes)
+    ;   char_strokes(Char, Width, Strokes),
+        char_code(Char, Code)
+    ).
+
+char_strokes(Char, Width, Strokes) :-
+    glyph(Char, Width, Strokes).
+char_strokes(Char, Width, Strokes) :-
     mirrored(Char, Of, Width),
-    char_code(Char, Code),
     glyph(Of, Width, Strokes0),
     maplist(mirrored_stroke(Width), Strokes0, Strokes).
 

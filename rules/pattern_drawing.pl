@@ -17,11 +17,11 @@
 :- use_module(pattern_want, [wanted_text/4]).
 :- use_module(sheet_paper, [unit_millimetres/2]).
 :- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- autoload(library(assoc), [list_to_assoc/2]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
 :- autoload(library(lists), [append/2, append/3, last/2, max_list/2, member/2]).
 :- autoload(library(option), [option/2, option/3]).
-:- autoload(library(pairs), [pairs_keys_values/3]).
+:- autoload(library(pairs), [group_pairs_by_key/2]).
 /** <module> Patterns that one can make: sheets to cut, fold and glue.
 
 A pattern (a segment of kind `pattern`) is taken apart into pieces, these get
@@ -166,15 +166,10 @@ named_loops(piece(Name,_,_), Outline, Name-Loops) :-
 laid(Piece, Outline, _-Place, laid(Piece,Outline,Place)).
 
 laid_sheets(Laid, Sheets) :-
-    findall(I, member(laid(_,_,place(I,_,_,_)), Laid), Is0),
-    sort(Is0, Is),
-    findall(Sheet,
-            ( member(I, Is), findall(L, on_sheet(Laid, I, L), Sheet) ),
-            Sheets).
-
-on_sheet(Laid, I, L) :-
-    L = laid(_, _, place(I,_,_,_)),
-    member(L, Laid).
+    findall(I-L, ( member(L, Laid), L = laid(_,_,place(I,_,_,_)) ), Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    findall(Sheet, member(_-Sheet, Groups), Sheets).
 
 
                 /*******************************
@@ -216,7 +211,8 @@ sheet_drawing(Layout, Options, Count, I-Laid, Drawing, Skipped) :-
     findall(Want, ( member(P, Placed),
                     wanted_text(P, Options, Numbers, Want) ), Wanted),
     written(Inked, Wanted, Letters, Skipped),
-    maplist(piece_view(Height, Letters), Placed, Views),
+    letters_by_piece(Letters, ByPiece),
+    maplist(piece_view(Height, ByPiece), Placed, Views),
     sheet_view(Sheet, Options, Count-I, Views0),
     append(Views0, Views, All),
     W is round(Width*1000),
@@ -295,7 +291,10 @@ piece_view(Height, Letters, placed(Name,_,Loops0,Lines0,_),
            view(View,Strokes,[])) :-
     Name = name(D, _, _),
     view_name(Name, View),
-    findall(Stroke, letter_stroke(Height, Letters, Name, Stroke), Texts),
+    (   get_assoc(Name, Letters, Own)
+    ->  findall(Stroke, letter_stroke(Height, Own, D, Stroke), Texts)
+    ;   Texts = []
+    ),
     findall(Role-stroke(visible,Role,D,Es,[A,B],joint,joint),
             ( member(line(Role,E,A0,B0), Lines0),
               on_paper(Height, A0, A),
@@ -328,10 +327,16 @@ view_name(name(D,K,Part), View) :-
     ;   format(atom(View), 'p~d-~d-~d', [D,K,Part])
     ).
 
-letter_stroke(Height, Letters, Name,
+letters_by_piece(Letters, ByPiece) :-
+    findall(Name-(Role-Lines), member(letters(Role,Name,Lines), Letters),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, ByPiece).
+
+letter_stroke(Height, Letters, D,
               stroke(visible,Role,D,[],Points,End,End)) :-
-    member(letters(Role,Name,Lines), Letters),
-    Name = name(D, _, _),
+    member(Role-Lines, Letters),
     member(Line, Lines),
     maplist(on_paper(Height), Line, Points),
     Points = [First|Rest],

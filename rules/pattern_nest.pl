@@ -5,6 +5,7 @@
           ]).
 :- use_module(kernel, [nest/6]).
 :- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists),
             [ append/2, append/3, last/2, max_list/2, member/2, reverse/2,
               sum_list/2
@@ -41,8 +42,9 @@ nested(Outlines, Paper, nested(Size,Places)) :-
     Squares is max(1, ceiling(Gap/Square)),
     nest(W-H, Square, Squares, One, Pieces, Places0),
     pairs_keys_values(Pairs0, Names, Places0),
+    list_to_assoc(Pairs0, ByName),
     findall(Name-Place,
-            ( member(Name-_, Outlines), memberchk(Name-Place, Pairs0) ),
+            ( member(Name-_, Outlines), get_assoc(Name, ByName, Place) ),
             Places),
     used_size(Paper, W-H, Sorted, Pairs0, Size).
 

@@ -6,10 +6,9 @@
 :- autoload(library(apply), [exclude/3, foldl/4, include/3, maplist/3]).
 :- autoload(library(assoc),
             [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
-:- autoload(library(lists), [append/2, append/3, max_list/2, member/2, nth1/3,
-                             sum_list/2]).
+:- autoload(library(lists),
+            [ append/3, last/2, member/2, nth1/3, select/3, sum_list/2 ]).
 :- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
-:- autoload(library(ugraphs), [vertices_edges_to_ugraph/3, reachable/3]).
 /** <module> Pieces that are larger than a sheet, divided.
 
 Along folds, which become seams, if there are any: across the longer side of the
@@ -28,7 +27,8 @@ W1 and W2.
 
 split_pieces([], _, []).
 split_pieces([Piece|Pieces], Paper, Split) :-
-    small_parts([Piece], Paper, Parts),
+    small_parts([Piece], Paper, Parts0),
+    joined_parts(Piece, Parts0, Paper, Parts),
     (   Parts = [Piece]
     ->  Own = Parts
     ;   findall(Named, numbered_part(Parts, Named), Own)
@@ -53,6 +53,72 @@ small_parts([Piece|Pieces], Paper, Parts) :-
         append(Own, Parts1, Parts)
     ),
     small_parts(Pieces, Paper, Parts1).
+
+%   joined_parts(Piece, Parts0, Paper, Parts): parts that fit on the paper
+%   together are not parted after all, along the longest fold first.
+
+joined_parts(_, [Piece], _, [Piece]) :-
+    !.
+joined_parts(piece(_,_,Sides), Parts0, Paper, Parts) :-
+    findall(Less-J,
+            ( member(side(_,_,_-(XA-YA),_-(XB-YB),fold(J,_,1)), Sides),
+              Less is -((XB-XA)**2 + (YB-YA)**2)
+            ),
+            Folds0),
+    keysort(Folds0, Folds1),
+    pairs_values(Folds1, Js),
+    list_to_assoc_of(Js, Folds),
+    lost_folds(Js, Parts0, Lost),
+    foldl(fold_joined(Folds, Paper), Lost, Parts0, Parts).
+
+lost_folds(Js, Parts, Lost) :-
+    findall(J, ( member(piece(_,_,Sides), Parts),
+                 member(side(_,_,_,_,seam(J,_,_)), Sides) ),
+            Seams0),
+    sort(Seams0, Seams1),
+    list_to_assoc_of(Seams1, Seams),
+    include(known(Seams), Js, Lost).
+
+known(Assoc, Key) :-
+    get_assoc(Key, Assoc, _).
+
+fold_joined(Folds, Paper, J, Parts0, Parts) :-
+    select(A, Parts0, Parts1),
+    piece_has(A, seam(J,_,1)),
+    !,
+    (   select(B, Parts1, Parts2),
+        piece_has(B, seam(J,_,2)),
+        !,
+        piece_points(A, PointsA),
+        piece_points(B, PointsB),
+        append(PointsA, PointsB, Points),
+        fits_on(Points, Paper)
+    ->  joined_piece(Folds, A, B, AB),
+        Parts = [AB|Parts2]
+    ;   Parts = Parts0
+    ).
+fold_joined(_, _, _, Parts, Parts).
+
+piece_has(piece(_,_,Sides), Joint) :-
+    member(side(_,_,_,_,Joint), Sides),
+    !.
+
+joined_piece(Folds, piece(Name,Faces1,Sides1), piece(_,Faces2,Sides2),
+             piece(Name,Faces,Sides)) :-
+    append(Faces1, Faces2, Faces),
+    append(Sides1, Sides2, Sides0),
+    findall(J-Which, member(side(_,_,_,_,seam(J,_,Which)), Sides0), Own0),
+    sort(Own0, Own1),
+    list_to_assoc_of(Own1, Own),
+    maplist(joined_side(Folds, Own), Sides0, Sides).
+
+joined_side(Folds, Own, side(E,P,A,B,seam(J,Angle,Which)), Side) :-
+    get_assoc(J, Folds, _),
+    Other is 3-Which,
+    get_assoc(J-Other, Own, _),
+    !,
+    Side = side(E, P, A, B, fold(J,Angle,Which)).
+joined_side(_, _, Side, Side).
 
 
                 /*******************************
@@ -102,8 +168,7 @@ face_groups(Faces, Folds, Degrees, At, Groups, Seam) :-
     findall(B-A, member(A-B, Held0), Held1),
     append(Held0, Held1, Held),
     findall(P, member(face(P,_), Faces), Ps),
-    vertices_edges_to_ugraph(Ps, Held, Graph),
-    components(Ps, Graph, Groups),
+    components(Ps, Held, Groups),
     findall(Length, lost(Folds, Halves, Length), Lengths),
     sum_list(Lengths, Seam).
 
@@ -130,12 +195,41 @@ lost(Folds, Halves, Length) :-
     get_assoc(P2, Halves, Half2),
     Half1 \== Half2.
 
-components([], _, []).
-components([P|Ps], Graph, [Group|Groups]) :-
-    reachable(P, Graph, Group),
-    list_to_assoc_of(Group, Known),
-    exclude([Q]>>get_assoc(Q, Known, _), Ps, Rest),
-    components(Rest, Graph, Groups).
+%   components(Nodes, Edges, Groups): Groups of Nodes that Edges, A-B both ways,
+%   hold together, in the order of their first ones.
+
+components(Nodes, Edges0, Groups) :-
+    keysort(Edges0, Edges),
+    group_pairs_by_key(Edges, Next0),
+    list_to_assoc(Next0, Next),
+    empty_assoc(Seen),
+    foldl(component(Next), Nodes, Seen-Groups, _-[]).
+
+component(Next, Node, Seen0-Groups0, Seen-Groups) :-
+    (   get_assoc(Node, Seen0, _)
+    ->  Seen = Seen0,
+        Groups0 = Groups
+    ;   put_assoc(Node, Seen0, true, Seen1),
+        reached([Node], Next, Seen1, Seen, Group),
+        Groups0 = [Group|Groups]
+    ).
+
+reached([], _, Seen, Seen, []).
+reached([Node|Nodes0], Next, Seen0, Seen, [Node|Group]) :-
+    (   get_assoc(Node, Next, Near)
+    ->  foldl(newly_seen, Near, Seen0-Nodes0, Seen1-Nodes)
+    ;   Seen1 = Seen0,
+        Nodes = Nodes0
+    ),
+    reached(Nodes, Next, Seen1, Seen, Group).
+
+newly_seen(Node, Seen0-Nodes, Seen-All) :-
+    (   get_assoc(Node, Seen0, _)
+    ->  Seen = Seen0,
+        All = Nodes
+    ;   put_assoc(Node, Seen0, true, Seen),
+        All = [Node|Nodes]
+    ).
 
 list_to_assoc_of(Keys, Assoc) :-
     findall(Key-true, member(Key, Keys), Pairs),
@@ -145,12 +239,18 @@ list_to_assoc_of(Keys, Assoc) :-
 
 group_part(piece(Name,Faces0,Sides0), Group, piece(Name,Faces,Sides)) :-
     list_to_assoc_of(Group, Known),
-    include([face(P,_)]>>get_assoc(P, Known, _), Faces0, Faces),
-    include([side(_,P,_,_,_)]>>get_assoc(P, Known, _), Sides0, Sides1),
+    include(face_known(Known), Faces0, Faces),
+    include(side_known(Known), Sides0, Sides1),
     findall(J-Which, member(side(_,_,_,_,fold(J,_,Which)), Sides1), Own0),
     sort(Own0, Own1),
     list_to_assoc_of(Own1, Own),
     maplist(parted_side(Own), Sides1, Sides).
+
+face_known(Known, face(P,_)) :-
+    get_assoc(P, Known, _).
+
+side_known(Known, side(_,P,_,_,_)) :-
+    get_assoc(P, Known, _).
 
 parted_side(Own, side(E,P,A,B,fold(J,Angle,Which)), Side) :-
     Other is 3-Which,
@@ -387,16 +487,17 @@ shape_part(Shapes, Name, P, Sides, piece(Name,[face(P,Own)],Left)) :-
     group_pairs_by_key(Pairs, Groups),
     findall(A-B, ( member(_-[I,J], Groups), ( A-B = I-J ; A-B = J-I ) ),
             Edges),
-    vertices_edges_to_ugraph(Is, Edges, Graph),
-    components(Is, Graph, Components),
+    components(Is, Edges, Components),
     member(Component, Components),
     findall(Shape, ( member(I, Component), nth1(I, Shapes, Shape) ), Own),
     findall(W-true, ( member(Shape, Own), member(W-_, Shape) ), Known0),
     sort(Known0, Known1),
     list_to_assoc(Known1, Known),
-    include([side(_,_,WA-_,WB-_,_)]>>( get_assoc(WA, Known, _),
-                                       get_assoc(WB, Known, _) ),
-            Sides, Left).
+    include(ends_known(Known), Sides, Left).
+
+ends_known(Known, side(_,_,WA-_,WB-_,_)) :-
+    get_assoc(WA, Known, _),
+    get_assoc(WB, Known, _).
 
 shape_key(Shapes, I, Key) :-
     nth1(I, Shapes, Shape),

@@ -100,6 +100,7 @@ place_at(along(A,B), Width, Height, At, U-V) :-
     B = XB-YB,
     Length is sqrt((XB-XA)**2 + (YB-YA)**2),
     Width+0.6 < Length,
+    Height < max(2.1, 0.28*Length),
     U is (XB-XA)/Length,
     V is (YB-YA)/Length,
     Off is 0.45 + 0.25*Height,

@@ -19,14 +19,14 @@
 %   angles, as Options say; Numbers are those of seam_numbers/2.
 
 wanted_text(placed(Name,_,_,_,Sides), Options, Numbers,
-            want(number,Name,Text,[5.0,4.0,3.2,2.5,2.0,1.6],along(A,B))) :-
+            want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],along(A,B))) :-
     option(numbers(true), Options, true),
     Name = name(D, _, _),
     member(side(_,_,_-A,_-B,seam(J,_,_)), Sides),
     get_assoc(D-J, Numbers, N),
     number_string(N, Text).
 wanted_text(placed(Name,Faces,_,_,_), Options, _,
-            want(face_name,Name,Text,[7.0,5.0,3.5,2.5,2.0],within(Shapes))) :-
+            want(face_name,Name,Text,[6.0,4.5,3.2,2.5,2.0],within(Shapes))) :-
     option(names(What), Options, false),
     What \== false,
     Name = name(D, _, _),
