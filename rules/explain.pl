@@ -16,6 +16,7 @@
                              line_pieces/2, decided_by/2,
                              leaf_corners/3]).
 :- use_module(explain_piece, [piece_asked/2, piece_because/3]).
+:- use_module(explain_seam, [joint_explained/4, pattern_explained/3]).
 :- use_module(explain_words, [statement_keys/2, in_order/4]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
@@ -41,6 +42,9 @@ An *item* is one of
     pair(S1, S2)         two segments
     piece(S, P)          polygon P of the boundary of a node: why it stayed
     piece(S, S0-P0)      what became of polygon P0 of its operand S0
+    seam(S, E), fold(S, E)   an edge in the pattern of segment S: why it is
+                         one, and what another choice costs; seam(E), fold(E)
+    pattern(S, K)        piece K of that pattern: why it is joined to no other
     hidden(S, E)         a line of the picture: where it is hidden, by what
     hidden(Name)         the same: `s1e7` is what drawings call the line
     why_not(hidden(...)) where such a line is visible, and why
@@ -100,6 +104,16 @@ explanation(pair(A, B), _, Because) :-
 explanation(piece(S, Piece), _, Because) :-
     piece_asked(S, Piece),
     piece_because(S, Piece, Because).
+explanation(seam(S, E), _, Because) :-
+    joint_explained(S, E, seam, Because).
+explanation(seam(E), _, Because) :-
+    joint_explained(_, E, seam, Because).
+explanation(fold(S, E), _, Because) :-
+    joint_explained(S, E, fold, Because).
+explanation(fold(E), _, Because) :-
+    joint_explained(_, E, fold, Because).
+explanation(pattern(S, K), _, Because) :-
+    pattern_explained(S, K, Because).
 explanation(hidden(S, E), Options, Because) :-
     hidden_because(S-E, all, Options, Because).
 explanation(hidden(Name), Options, Because) :-

@@ -3,7 +3,9 @@
             hidden_en//1                % +What
           ]).
 :- use_module(explain_words, 
-              [segment_word/2, in_order/4, exact_text/3, point_text/2]).
+              [ segment_word/2, polygon_word/3, in_order/4, exact_text/3,
+                point_text/2
+              ]).
 :- autoload(library(apply), [maplist/3]).
 
 /** <module> Explanations in English; explain_ko.pl has them in Korean.
@@ -331,6 +333,82 @@ statement_en(common(_, End1, End2)) -->
     ->  [ 'in common: the point of ~q'-[End1] ]
     ;   [ 'in common: from ~q to ~q'-[End1, End2] ]
     ).
+statement_en(seam_edge(S, E, E2, P1, P2, Length)) -->
+    { segment_word(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ 'edge ~d of segment ~d~w is a seam ~6g long, between polygon ~w and \c
+       polygon ~w, where it is edge ~d'-[E, S, Word, Length, W1, W2, E2] ].
+statement_en(fold_edge(S, E, E2, P1, P2, Length, Angle)) -->
+    { segment_word(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ 'edge ~d of segment ~d~w is a fold ~6g long, between polygon ~w and \c
+       polygon ~w, where it is edge ~d; it is bent by ~6g degrees'-
+      [E, S, Word, Length, W1, W2, E2, Angle] ].
+statement_en(border_edge(S, E, P)) -->
+    { segment_word(S, Word), polygon_word(S, P, W) },
+    [ 'edge ~d of segment ~d~w is a border of polygon ~w: no other polygon \c
+       of the pattern has it'-[E, S, Word, W] ].
+statement_en(line_in_polygon(S, E, E2, P)) -->
+    { segment_word(S, Word), polygon_word(S, P, W) },
+    [ 'edge ~d of segment ~d~w is a penetration line inside polygon ~w; back \c
+       it is edge ~d'-[E, S, Word, W, E2] ].
+statement_en(joined_already(1, E, Length)) -->
+    [ 'its polygons were joined before, at edge ~d, ~6g long'-[E, Length] ].
+statement_en(joined_already(N, E, Length)) -->
+    { N \== 1 },
+    [ 'its polygons hung together already, by ~d folds; the shortest is edge \c
+       ~d, ~6g long'-[N, E, Length] ].
+statement_en(fold_on_the_way(E, P1, P2, Length)) -->
+    [ 'edge ~d, ~6g long, between polygon ~d and polygon ~d'-
+      [E, Length, P1, P2] ].
+statement_en(joined_in_order(default)) -->
+    [ 'edges are joined flat ones first, then the longest (join_order/3)' ].
+statement_en(joined_in_order(By)) -->
+    { By \== default },
+    [ 'edges are joined in the order of ~w (join_order/3)'-[By] ].
+statement_en(cut_instead(E, Difference)) -->
+    { by_how_much_en(Difference, Text) },
+    [ 'cut at edge ~d instead, the seam would be ~w'-[E, Text] ].
+statement_en(kept_instead(Difference, Pieces, Before)) -->
+    { by_how_much_en(Difference, Text), pieces_en(Pieces, Before, PiecesText) },
+    [ 'joined here before all others, the seam of the whole pattern would be \c
+       ~w~w'-[Text, PiecesText] ].
+statement_en(cut_here(Difference, Pieces, Before)) -->
+    { by_how_much_en(Difference, Text), pieces_en(Pieces, Before, PiecesText) },
+    [ 'cut here, the seam of the whole pattern would be ~w~w'-
+      [Text, PiecesText] ].
+statement_en(cannot_be_kept(S, P1, P2)) -->
+    { maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ 'it cannot be kept: polygon ~w would lie on polygon ~w'-[W2, W1] ].
+statement_en(would_overlap(S, P1, P2)) -->
+    { maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ 'joined here, polygon ~w would have come to lie on polygon ~w'-
+      [W2, W1] ].
+statement_en(cut_by_wish) -->
+    [ 'it was to be cut (unfolding/2, --cut)' ].
+statement_en(kept_by_wish) -->
+    [ 'it was to be kept (unfolding/2, --keep)' ].
+statement_en(may_not_join(S, E, By)) -->
+    [ 'may_join(~d, ~d) refused it, by the rules of ~w'-[S, E, By] ].
+statement_en(no_length) -->
+    [ 'it has no length that could hold two polygons together' ].
+statement_en(divided_first) -->
+    [ 'the segment was divided for its pattern, or has changed since: why is \c
+       not known any more' ].
+statement_en(pattern_piece(S, _, N, 1)) -->
+    { segment_word(S, Word) },
+    [ 'the pattern of segment ~d~w is one piece, of ~d polygons'-
+      [S, Word, N] ].
+statement_en(pattern_piece(S, K, N, Pieces)) -->
+    { Pieces \== 1 },
+    { segment_word(S, Word) },
+    [ 'piece ~d of the ~d of segment ~d~w has ~d polygons'-
+      [K, Pieces, S, Word, N] ].
+statement_en(seams_out(1)) -->
+    [ 'one seam leads to another piece' ].
+statement_en(seams_out(N)) -->
+    { N \== 1 },
+    [ '~d seams lead to other pieces; the longest:'-[N] ].
+statement_en(no_seam_out) -->
+    [ 'no edge leads to another piece' ].
 
 %!  hidden_en(+What)// is det.
 %
@@ -410,3 +488,19 @@ exact_word(X, Text) :-
     ->  Text = Text0
     ;   format(atom(Text), 'a fraction of ~d digits', [Length])
     ).
+
+%   by_how_much_en(Difference, Text): of a seam beside another one.
+
+by_how_much_en(Difference, Text) :-
+    (   abs(Difference) < 1.0e-9
+    ->  Text = 'as long'
+    ;   Difference > 0
+    ->  format(atom(Text), '~6g longer', [Difference])
+    ;   Less is -Difference,
+        format(atom(Text), '~6g shorter', [Less])
+    ).
+
+pieces_en(Pieces, Pieces, '') :-
+    !.
+pieces_en(Pieces, Before, Text) :-
+    format(atom(Text), ', in ~d pieces instead of ~d', [Pieces, Before]).

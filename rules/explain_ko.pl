@@ -4,7 +4,9 @@
             hidden_ko//1                % +What
           ]).
 :- use_module(explain_words, 
-              [segment_word/2, in_order/4, exact_text/3, point_text/2]).
+              [ segment_word/2, polygon_word/3, in_order/4, exact_text/3,
+                point_text/2
+              ]).
 :- autoload(library(apply), [maplist/3]).
 
 /** <module> Explanations in Korean; explain_en.pl has them in English.
@@ -327,6 +329,77 @@ statement_ko(common(_, End1, End2)) -->
     ->  [ '공통: 점 ~q'-[End1] ]
     ;   [ '공통: ~q부터 ~q까지'-[End1, End2] ]
     ).
+statement_ko(seam_edge(S, E, E2, P1, P2, Length)) -->
+    { segment_word(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ '세그먼트 ~d~w의 모서리 ~d은(는) 길이 ~6g의 솔기이다: 다각형 ~w과(와) \c
+       다각형 ~w 사이, 그쪽에서는 모서리 ~d'-[S, Word, E, Length, W1, W2, E2] ].
+statement_ko(fold_edge(S, E, E2, P1, P2, Length, Angle)) -->
+    { segment_word(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ '세그먼트 ~d~w의 모서리 ~d은(는) 길이 ~6g의 접는 선이다: 다각형 ~w과(와) \c
+       다각형 ~w 사이, 그쪽에서는 모서리 ~d; ~6g도 꺾인다'-
+      [S, Word, E, Length, W1, W2, E2, Angle] ].
+statement_ko(border_edge(S, E, P)) -->
+    { segment_word(S, Word), polygon_word(S, P, W) },
+    [ '세그먼트 ~d~w의 모서리 ~d은(는) 다각형 ~w의 경계이다: 전개도의 다른 \c
+       다각형에는 없다'-[S, Word, E, W] ].
+statement_ko(line_in_polygon(S, E, E2, P)) -->
+    { segment_word(S, Word), polygon_word(S, P, W) },
+    [ '세그먼트 ~d~w의 모서리 ~d은(는) 다각형 ~w 안의 상관선이다; 되돌아오는 \c
+       모서리는 ~d'-[S, Word, E, W, E2] ].
+statement_ko(joined_already(1, E, Length)) -->
+    [ '두 다각형은 길이 ~6g의 모서리 ~d에서 먼저 이어졌다'-[Length, E] ].
+statement_ko(joined_already(N, E, Length)) -->
+    { N \== 1 },
+    [ '두 다각형은 접는 선 ~d개로 이미 이어져 있었다; 가장 짧은 것은 길이 ~6g의 \c
+       모서리 ~d'-[N, Length, E] ].
+statement_ko(fold_on_the_way(E, P1, P2, Length)) -->
+    [ '모서리 ~d, 길이 ~6g, 다각형 ~d과(와) 다각형 ~d 사이'-
+      [E, Length, P1, P2] ].
+statement_ko(joined_in_order(default)) -->
+    [ '평평한 모서리를 먼저, 그다음 긴 모서리부터 잇는다 (join_order/3)' ].
+statement_ko(joined_in_order(By)) -->
+    { By \== default },
+    [ '모서리는 ~w의 순서로 잇는다 (join_order/3)'-[By] ].
+statement_ko(cut_instead(E, Difference)) -->
+    { by_how_much_ko(Difference, Text) },
+    [ '대신 모서리 ~d에서 자르면 솔기는 ~w'-[E, Text] ].
+statement_ko(kept_instead(Difference, Pieces, Before)) -->
+    { by_how_much_ko(Difference, Text), pieces_ko(Pieces, Before, PiecesText) },
+    [ '여기를 가장 먼저 이으면 전개도 전체의 솔기는 ~w~w'-[Text, PiecesText] ].
+statement_ko(cut_here(Difference, Pieces, Before)) -->
+    { by_how_much_ko(Difference, Text), pieces_ko(Pieces, Before, PiecesText) },
+    [ '여기를 자르면 전개도 전체의 솔기는 ~w~w'-[Text, PiecesText] ].
+statement_ko(cannot_be_kept(S, P1, P2)) -->
+    { maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ '유지할 수 없다: 다각형 ~w이(가) 다각형 ~w 위에 놓인다'-[W2, W1] ].
+statement_ko(would_overlap(S, P1, P2)) -->
+    { maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ '여기서 이으면 다각형 ~w이(가) 다각형 ~w 위에 놓였을 것이다'-[W2, W1] ].
+statement_ko(cut_by_wish) -->
+    [ '자르라고 했다 (unfolding/2, --cut)' ].
+statement_ko(kept_by_wish) -->
+    [ '유지하라고 했다 (unfolding/2, --keep)' ].
+statement_ko(may_not_join(S, E, By)) -->
+    [ 'may_join(~d, ~d)이(가) ~w의 규칙으로 거절했다'-[S, E, By] ].
+statement_ko(no_length) -->
+    [ '두 다각형을 이을 길이가 없다' ].
+statement_ko(divided_first) -->
+    [ '전개하려고 세그먼트를 나누었거나 그 뒤에 바뀌었다: 까닭을 더는 알 수 없다' ].
+statement_ko(pattern_piece(S, _, N, 1)) -->
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 전개도는 조각 하나이다: 다각형 ~d개'-[S, Word, N] ].
+statement_ko(pattern_piece(S, K, N, Pieces)) -->
+    { Pieces \== 1 },
+    { segment_word(S, Word) },
+    [ '세그먼트 ~d~w의 조각 ~d개 가운데 ~d번: 다각형 ~d개'-
+      [S, Word, Pieces, K, N] ].
+statement_ko(seams_out(1)) -->
+    [ '솔기 하나가 다른 조각으로 이어진다' ].
+statement_ko(seams_out(N)) -->
+    { N \== 1 },
+    [ '솔기 ~d개가 다른 조각으로 이어진다; 가장 긴 것:'-[N] ].
+statement_ko(no_seam_out) -->
+    [ '다른 조각으로 이어지는 모서리가 없다' ].
 
 %!  hidden_ko(+What)// is det.
 %
@@ -406,3 +479,19 @@ exact_word(X, Text) :-
     ->  Text = Text0
     ;   format(atom(Text), '~d자리 분수', [Length])
     ).
+
+%   by_how_much_ko(Difference, Text): of a seam beside another one.
+
+by_how_much_ko(Difference, Text) :-
+    (   abs(Difference) < 1.0e-9
+    ->  Text = '길이가 같다'
+    ;   Difference > 0
+    ->  format(atom(Text), '~6g만큼 길다', [Difference])
+    ;   Less is -Difference,
+        format(atom(Text), '~6g만큼 짧다', [Less])
+    ).
+
+pieces_ko(Pieces, Pieces, '') :-
+    !.
+pieces_ko(Pieces, Before, Text) :-
+    format(atom(Text), ', 조각은 ~d개가 아니라 ~d개', [Before, Pieces]).

@@ -1,10 +1,12 @@
 :- module(sg_explain_words,
           [ statement_keys/2,           % ?Name, ?Keys
             segment_word/2,             % +S, -Word
+            polygon_word/3,             % +S, +P, -Word
             in_order/4,                 % +Seat1, +Seat2, -Small, -Large
             exact_text/3,               % +X, -Length, -Text
             point_text/2                % +Point, -Text
           ]).
+:- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store, [segment/3]).
 
 /** <module> The statements of an explanation.
@@ -91,6 +93,28 @@ statement_keys(line_in_face, [segment, polygon]).
 statement_keys(let_through,
                [segment, polygon, from, to, decision, rules]).
 statement_keys(drawn_instead, [from, to, visibility, segment, edge, role]).
+statement_keys(seam_edge,
+               [segment, edge, partner, polygon1, polygon2, length]).
+statement_keys(fold_edge,
+               [segment, edge, partner, polygon1, polygon2, length, angle]).
+statement_keys(border_edge, [segment, edge, polygon]).
+statement_keys(line_in_polygon, [segment, edge, partner, polygon]).
+statement_keys(joined_already, [count, edge, length]).
+statement_keys(fold_on_the_way, [edge, polygon1, polygon2, length]).
+statement_keys(joined_in_order, [rules]).
+statement_keys(cut_instead, [edge, difference]).
+statement_keys(kept_instead, [difference, pieces, pieces_before]).
+statement_keys(cut_here, [difference, pieces, pieces_before]).
+statement_keys(cannot_be_kept, [segment, polygon1, polygon2]).
+statement_keys(would_overlap, [segment, polygon1, polygon2]).
+statement_keys(cut_by_wish, []).
+statement_keys(kept_by_wish, []).
+statement_keys(may_not_join, [segment, edge, rules]).
+statement_keys(no_length, []).
+statement_keys(divided_first, []).
+statement_keys(pattern_piece, [segment, piece, polygons, pieces]).
+statement_keys(seams_out, [count]).
+statement_keys(no_seam_out, []).
 
 %!  segment_word(+S, -Word) is det.
 %
@@ -118,6 +142,18 @@ plain_name(Name0, Name) :-
     (   compound(Name0)
     ->  functor(Name0, Name, _)
     ;   Name = Name0
+    ).
+
+%!  polygon_word(+S, +P, -Word) is det.
+%
+%   Word is the number of polygon P of segment S and, in parentheses, what it is
+%   of the primitive that S was made from, if it is one.
+
+polygon_word(S, P, Word) :-
+    polygon_name(S, P, Name),
+    (   Name == P
+    ->  Word = P
+    ;   format(atom(Word), '~w (~w)', [P, Name])
     ).
 
 %!  in_order(+Seat1, +Seat2, -Small, -Large) is det.

@@ -723,7 +723,8 @@ notice_en(nothing_to_explain(Item)) -->
        pair(S1-P1, S2-P2), pair(S1, S2), piece(S, P) or piece(S, S0-P0), with \c
        numbers of the model; \c
        lines are there after penetrate. hidden(S, E) and \c
-       why_not(hidden(S, E)) are of the picture.' ].
+       why_not(hidden(S, E)) are of the picture; seam(S, E), fold(S, E) and \c
+       pattern(S, K) of the flat pattern of segment S.' ].
 %   Why contacts within the tolerance were not made to touch (resolve.pl).
 
 contacts_en(wide(S, V)) -->

@@ -662,7 +662,8 @@ notice_ko(nothing_to_explain(Item)) -->
       '  line(L), vertex(S, V), edge(S, E), pair(S1-P1, S2-P2), \c
        pair(S1, S2), piece(S, P), piece(S, S0-P0) 를 모델의 번호로 \c
        물어보십시오. 선은 penetrate 다음에 \c
-       있습니다.' ].
+       있습니다. seam(S, E), fold(S, E), pattern(S, K) 는 세그먼트 S 의 \c
+       전개도에 관한 것입니다.' ].
 %   허용 오차 안의 접촉을 맞추지 못한 까닭 (resolve.pl).
 
 contacts_ko(wide(S, V)) -->

@@ -353,9 +353,21 @@ item_explained(Item, Files, Options, Status) :-
         with_operand_lines(Lines,
                            explained(Options, Item, PictureOptions, Status))
     ;   load_model(Files, Options),
+        (   of_pattern(Item)
+        ->  empty_roots_warned,
+            roots_alone
+        ;   true
+        ),
         penetrate(all, Options),
         explained(Options, Item, [], Status)
     ).
+
+%   of_pattern(Item): of what `unfold` makes, of the roots alone.
+
+of_pattern(Item) :-
+    nonvar(Item),
+    functor(Item, Name, _),
+    memberchk(Name, [seam,fold,pattern]).
 
 of_picture(Item) :-
     nonvar(Item),

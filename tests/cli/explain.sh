@@ -25,6 +25,14 @@ check "from another side" output \
   explain $cubes 'hidden(1, 28)' --view iso
 check "alone it is visible" output 'no other face that could hide it' \
   explain $cubes 'why_not(hidden(1, 7))' --segment 1
+check "a seam" output 'edge 2 of segment 1 .cube. is a seam 1 long' \
+  explain facts/cube.pl 'seam(2)'
+check "what it would cost" output 'cut at edge 1 instead, the seam' \
+  explain facts/cube.pl 'seam(2)'
+check "a fold, in Korean" output '접는 선이다' \
+  explain facts/cube.pl 'fold(1)' --lang ko
+check "a piece of a pattern" output 'is one piece, of 6 polygons' \
+  explain facts/cube.pl 'pattern(1, 1)'
 check "no such line" complains 1 'data-edge' \
   "$SANGGWAN" explain $cubes 'hidden(1, 99)'
 check "Korean" output '선 1: ' explain $cubes 'line(1)' --lang ko

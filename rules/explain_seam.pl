@@ -1,0 +1,299 @@
+:- module(sg_explain_seam,
+          [ joint_explained/4,          % ?S, ?E, +Kind, -Because
+            pattern_explained/3         % ?S, ?K, -Because
+          ]).
+:- use_module(development,
+              [ develop/3, development/2, join_order/3, may_join/2,
+                seam_reason/3 ]).
+:- use_module(development_record,
+              [recorded_development/4, development_measures/2]).
+:- use_module(explain_pair, [decided_by/2]).
+:- use_module(polygon_name, [polygon_name/3]).
+:- use_module(store,
+              [ v/5, e/5, p/3, piece/3, joint/6, segment/3, edge_polygon/3,
+                facts_snapshot/1 ]).
+:- use_module(unfold, [unfold/3, unfoldable/1]).
+:- autoload(library(aggregate), [aggregate_all/3]).
+:- autoload(library(apply), [maplist/3]).
+:- autoload(library(lists), [append/2, append/3, member/2, select/3]).
+:- autoload(library(pairs), [pairs_values/2]).
+
+/** <module> Explain: why an edge is a seam or a fold, and a piece alone.
+
+The pattern is laid once more, up to the joint that is asked for
+(seam_reason/3): so one sees which edges were joined before it, or what would
+have come to lie on what. What another choice costs is found by making it: the
+segment is laid flat with the edge kept, or cut, and both are measured.
+
+Where the current world has no pattern of the segment, one is made for the
+question, as unfold/2 makes it.
+
+@see rows DV-6 and DV-7
+*/
+
+%!  joint_explained(?S, ?E, +Kind, -Because) is nondet.
+%
+%   Because is the list of because(Statement, Because) for edge E in the pattern
+%   of segment S. With E unbound, for each joint of Kind (`seam`, `fold`), by
+%   the smaller of its edges. S may be the number of the pattern too.
+
+joint_explained(S, E, Kind, Because) :-
+    in_pattern(S, D, sg_explain_seam:joints_because(D, E, Kind, Found), Found),
+    member(E-Because, Found).
+
+%!  pattern_explained(?S, ?K, -Because) is nondet.
+%
+%   Because is the list of because(Statement, Because) for piece K of the pattern
+%   of segment S: what it is, and why it is joined to no other.
+
+pattern_explained(S, K, Because) :-
+    in_pattern(S, D, sg_explain_seam:pieces_because(D, K, Found), Found),
+    member(K-Because, Found).
+
+%   in_pattern(?S, -D, :Goal, -Found): Goal, which finds Found, holds where D is
+%   the pattern of S.
+
+:- meta_predicate in_pattern(?, -, 0, -).
+
+in_pattern(S, D, Goal, Found) :-
+    asked_segment(S, S0),
+    (   development(S0, D0),
+        is_fresh(D0)
+    ->  D = D0,
+        call(Goal)
+    ;   facts_snapshot(( unfold(S0, [], D1), D = D1, call(Goal) ))
+    ),
+    Found = [_|_].
+
+asked_segment(S, S0) :-
+    (   nonvar(S),
+        segment(S, pattern, development(S1))
+    ->  S0 = S1
+    ;   unfoldable(S),
+        S0 = S
+    ).
+
+is_fresh(D) :-
+    catch(recorded_development(D, _, _, _), error(existence_error(_, _), _),
+          fail).
+
+/* - - - an edge - - - */
+
+joints_because(D, E, Kind, Found) :-
+    findall(E-Because, edge_because(D, E, Kind, Because), Found).
+
+edge_because(D, E, _, Because) :-
+    nonvar(E),
+    !,
+    once(e(D, E, _, _, 1)),
+    (   ( joint(D, J, E, E2, Is, Angle) ; joint(D, J, E2, E, Is, Angle) )
+    ->  joint_because(Is, D, J, E, E2, Angle, Because)
+    ;   once(edge_polygon(D, E, P)),
+        of_segment(D, S),
+        Because = [because(border_edge(S, E, P), [])]
+    ).
+edge_because(D, E, Kind, Because) :-
+    joint(D, J, E, E2, Kind, Angle),
+    joint_because(Kind, D, J, E, E2, Angle, Because).
+
+joint_because(seam, D, J, E, E2, _,
+              [because(seam_edge(S, E, E2, P1, P2, Length), Why)]) :-
+    joint_facts(D, E, E2, S, P1, P2, Length),
+    seam_because(D, S, J, E, Length, Why).
+joint_because(fold, D, _, E, E2, Angle,
+              [because(fold_edge(S, E, E2, P1, P2, Length, Angle), Why)]) :-
+    joint_facts(D, E, E2, S, P1, P2, Length),
+    fold_because(D, E, Why).
+joint_because(line, D, _, E, E2, _,
+              [because(line_in_polygon(S, E, E2, P), [])]) :-
+    of_segment(D, S),
+    once(edge_polygon(D, E, P)).
+
+joint_facts(D, E, E2, S, P1, P2, Length) :-
+    of_segment(D, S),
+    once(edge_polygon(D, E, P1)),
+    once(edge_polygon(D, E2, P2)),
+    edge_length(D, E, Length).
+
+of_segment(D, S) :-
+    segment(D, pattern, development(S)).
+
+edge_length(D, E, Length) :-
+    once(e(D, E, A, B, _)),
+    once(v(D, A, X1, Y1, _)),
+    once(v(D, B, X2, Y2, _)),
+    Length is sqrt((X2-X1)**2 + (Y2-Y1)**2).
+
+/* - - - a seam - - - */
+
+seam_because(D, S, J, E, Length, Because) :-
+    (   is_fresh(D)
+    ->  once(seam_reason(D, J, Reason)),
+        reason_because(Reason, D, S, E, Length, Because)
+    ;   Because = [because(divided_first, [])]
+    ).
+
+reason_because(cycle(Js), D, _, E, Length, [Joined,Order|Others]) :-
+    maplist(on_the_way(D), Js, Folds),
+    least_fold(Folds, Least, Shortest),
+    length(Folds, Count),
+    shown_folds(Folds, Shown),
+    Joined = because(joined_already(Count, Shortest, Least), Shown),
+    order_because(Order),
+    Difference is Least-Length,
+    kept_because(D, E, Kept),
+    Others = [because(cut_instead(Shortest, Difference), [])|Kept].
+reason_because(overlap(P1, P2), D, S, E, _,
+               [because(would_overlap(S, P1, P2), [])|Kept]) :-
+    kept_because(D, E, Kept).
+reason_because(cut_by_wish, _, _, _, _, [because(cut_by_wish, [])]).
+reason_because(forbidden, _, S, E, _, [because(may_not_join(S, E, By), [])]) :-
+    decided_by(may_join/2, By).
+reason_because(point, _, _, _, _, [because(no_length, [])]).
+
+order_because(because(joined_in_order(By), [])) :-
+    decided_by(join_order/3, By).
+
+%   on_the_way(D, J, Fold): Fold is Length-fold(E, P1, P2).
+
+on_the_way(D, J, Length-fold(E, P1, P2)) :-
+    once(joint(D, J, E, E2, _, _)),
+    joint_facts(D, E, E2, _, P1, P2, Length).
+
+least_fold(Folds, Length, E) :-
+    keysort(Folds, [Length-fold(E, _, _)|_]).
+
+%   shown_folds(Folds, Shown): all, in order, or the shortest if they are many.
+
+shown_folds(Folds0, Shown) :-
+    length(Folds0, Count),
+    (   Count =< 8
+    ->  Folds = Folds0
+    ;   keysort(Folds0, Sorted),
+        length(Folds, 8),
+        append(Folds, _, Sorted)
+    ),
+    findall(because(fold_on_the_way(E, P1, P2, Length), []),
+            member(Length-fold(E, P1, P2), Folds),
+            Shown).
+
+/* - - - what it would cost - - - */
+
+%   kept_because(D, E, Because): the pattern with edge E joined before all
+%   others.
+
+kept_because(D, E, [because(Statement, [])]) :-
+    recorded_development(D, S, Options0, _),
+    with_edge(keep, E, Options0, Options),
+    development_measures(D, Before),
+    catch(facts_snapshot(( develop(S, Options, D2),
+                           development_measures(D2, After) )),
+          error(geometry_error(development(_, overlap(_, P1, P2))), _),
+          After = none),
+    (   After == none
+    ->  Statement = cannot_be_kept(S, P1, P2)
+    ;   Difference is After.seam-Before.seam,
+        Statement = kept_instead(Difference, After.pieces, Before.pieces)
+    ).
+
+%   cut_because(D, E, Because): the pattern with edge E cut.
+
+cut_because(D, E, [because(cut_here(Difference, Pieces, PiecesBefore), [])]) :-
+    recorded_development(D, S, Options0, _),
+    with_edge(cut, E, Options0, Options),
+    development_measures(D, Before),
+    facts_snapshot(( develop(S, Options, D2),
+                     development_measures(D2, After) )),
+    Difference is After.seam-Before.seam,
+    Pieces = After.pieces,
+    PiecesBefore = Before.pieces.
+
+with_edge(Name, E, Options0, [Option|Options]) :-
+    Old =.. [Name,Es],
+    (   select(Old, Options0, Options)
+    ->  true
+    ;   Es = [],
+        Options = Options0
+    ),
+    append(Es, [E], All),
+    Option =.. [Name,All].
+
+/* - - - a fold - - - */
+
+fold_because(D, E, Because) :-
+    (   is_fresh(D)
+    ->  recorded_development(D, _, Options, _),
+        (   member(keep(Es), Options),
+            memberchk(E, Es)
+        ->  Because = [because(kept_by_wish, [])]
+        ;   order_because(Order),
+            cut_because(D, E, Cut),
+            Because = [Order|Cut]
+        )
+    ;   Because = [because(divided_first, [])]
+    ).
+
+/* - - - a piece - - - */
+
+pieces_because(D, K, Found) :-
+    findall(K-[because(pattern_piece(S, K, Count, Pieces), Why)],
+            piece_because(D, K, S, Count, Pieces, Why),
+            Found).
+
+piece_because(D, K, S, Count, Pieces, Why) :-
+    of_segment(D, S),
+    aggregate_all(max(K0), piece(D, _, K0), Pieces),
+    between(1, Pieces, K),
+    aggregate_all(count, piece(D, _, K), Count),
+    seams_out(D, K, Seams),
+    (   Seams == []
+    ->  Why = [because(no_seam_out, [])]
+    ;   length(Seams, Out),
+        longest_reasons(D, S, Seams, Reasons),
+        Why = [because(seams_out(Out), Reasons)]
+    ).
+
+%   seams_out(D, K, Seams): Length-J of the seams of piece K to others.
+
+seams_out(D, K, Seams) :-
+    findall(Less-J,
+            ( joint(D, J, E1, E2, seam, _),
+              edge_piece(D, E1, K1),
+              edge_piece(D, E2, K2),
+              K1 =\= K2,
+              ( K =:= K1 -> true ; K =:= K2 ),
+              edge_length(D, E1, Length),
+              Less is -Length ),
+            Seams).
+
+edge_piece(D, E, K) :-
+    once(edge_polygon(D, E, P)),
+    once(piece(D, P, K)).
+
+%   longest_reasons(D, S, Seams, Reasons): of the three longest, why they were
+%   not joined.
+
+longest_reasons(D, S, Seams, Reasons) :-
+    keysort(Seams, Sorted),
+    pairs_values(Sorted, Js0),
+    (   length(Js, 3),
+        append(Js, _, Js0)
+    ->  true
+    ;   Js = Js0
+    ),
+    findall(because(seam_edge(S, E, E2, P1, P2, Length), Why),
+            ( member(J, Js),
+              joint(D, J, E, E2, _, _),
+              joint_facts(D, E, E2, S, P1, P2, Length),
+              refusal(D, S, J, E, Why) ),
+            Reasons).
+
+refusal(D, S, J, E, [Why]) :-
+    is_fresh(D),
+    once(seam_reason(D, J, Reason)),
+    (   Reason = overlap(P1, P2)
+    ->  Why = because(would_overlap(S, P1, P2), [])
+    ;   Reason = cycle(_)
+    ->  Why = because(no_length, [])
+    ;   reason_because(Reason, D, S, E, 0, [Why])
+    ).

@@ -1,0 +1,176 @@
+:- module(test_explain_seam, []).
+:- use_module(library(plunit)).
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(rules(decision)).
+:- use_module(rules(development)).
+:- use_module(rules(explain)).
+:- use_module(rules(explain_en)).
+:- use_module(rules(explain_ko)).
+:- use_module(rules(model_file)).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation)).
+
+/* Why an edge is a seam, and what another choice costs. */
+
+:- meta_predicate with_model(+, 0), with_rules(+, 0).
+
+with_model(Term, Goal) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(Term, _),
+               complete_segments,
+               Goal )).
+
+with_rules(Text, Goal) :-
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [extension(pl)]),
+        ( write(Out, Text),
+          close(Out),
+          use_rules(File),
+          Goal ),
+        delete_file(File)).
+
+%   says(+Item, ?Statement): somewhere in the explanation of Item.
+
+says(Item, Statement) :-
+    explanation(Item, Because),
+    said(Because, Statement).
+
+said(Because, Statement) :-
+    member(because(Statement0, Others), Because),
+    (   Statement = Statement0
+    ;   said(Others, Statement)
+    ).
+
+long_box(box(size(1, 2, 3))).
+
+hollow(hollow_cylinder(radius(1), inner(0.6), height(1.6), facets(24))).
+
+:- begin_tests(explain_seam).
+
+test(every_seam, [true(Es == Seams)]) :-
+    long_box(Box),
+    with_model(Box,
+               ( findall(E, says(seam(_), seam_edge(_, E, _, _, _, _)), Es),
+                 develop(1, [], D),
+                 findall(E, joint(D, _, E, _, seam, _), Seams) )).
+test(one_of_both, [true(Lengths == [L,L])]) :-
+    long_box(Box),
+    with_model(Box,
+               ( develop(1, [], D),
+                 once(joint(D, _, E1, E2, seam, _)),
+                 findall(Length,
+                         ( member(E, [E1,E2]),
+                           says(seam(1, E), seam_edge(_, E, _, _, _, Length)) ),
+                         Lengths),
+                 Lengths = [L|_] )).
+test(no_fold_on_the_way_is_shorter) :-
+    long_box(Box),
+    with_model(Box,
+               forall(( explanation(seam(_),
+                                    [because(seam_edge(_,_,_,_,_,L), Why)]),
+                        said(Why, fold_on_the_way(_, _, _, Fold)) ),
+                      Fold >= L-1.0e-9)).
+test(cut_instead_costs, [true(Costs == [yes])]) :-
+    long_box(Box),
+    with_model(Box,
+               findall(Yes,
+                       ( says(seam(_), cut_instead(_, Difference)),
+                         ( Difference >= -1.0e-9 -> Yes = yes ; Yes = no ) ),
+                       Costs0)),
+    sort(Costs0, Costs).
+test(what_is_said_of_keeping_is_so) :-
+    long_box(Box),
+    with_model(Box,
+               ( develop(1, [], D),
+                 once(joint(D, _, E, _, seam, _)),
+                 once(says(seam(E), kept_instead(Difference, 1, 1))),
+                 seam_length(1, [], Before),
+                 seam_length(1, [keep([E])], After) )),
+    assertion(abs(After-Before-Difference) < 1.0e-12).
+test(overlap, [true(Ps == [yes])]) :-
+    hollow(Term),
+    with_model(Term,
+               findall(yes, ( says(seam(_), would_overlap(_, P1, P2)),
+                              P1 =\= P2 ), Ps0)),
+    sort(Ps0, Ps).
+test(why_a_piece_is_alone, [nondet]) :-
+    hollow(Term),
+    with_model(Term,
+               says(pattern(1, 2), would_overlap(1, _, _))).
+test(one_piece) :-
+    long_box(Box),
+    with_model(Box,
+               ( says(pattern(1, 1), pattern_piece(1, 1, 6, 1)),
+                 says(pattern(1, 1), no_seam_out) )), !.
+test(cut_by_wish) :-
+    long_box(Box),
+    with_model(Box,
+               ( assert_fact(unfolding(1, cut(1))),
+                 says(seam(1), cut_by_wish) )), !.
+test(kept_by_wish) :-
+    long_box(Box),
+    with_model(Box,
+               ( assert_fact(unfolding(1, keep(1))),
+                 says(fold(1), kept_by_wish) )), !.
+test(refused_by_a_rule) :-
+    long_box(Box),
+    with_model(Box,
+               with_rules("may_join(_, E) :- E > 4.",
+                          says(seam(1), may_not_join(1, 1, _)) )), !.
+test(order_of_a_rule) :-
+    long_box(Box),
+    with_model(Box,
+               with_rules("join_order(_, E, E).",
+                          ( says(seam(_), joined_in_order(By)),
+                            By \== default ) )), !.
+test(border) :-
+    with_model(rectangle(size(1, 2)),
+               says(seam(1), border_edge(1, 1, 1))), !.
+test(by_the_number_of_the_pattern) :-
+    long_box(Box),
+    with_model(Box,
+               ( develop(1, [], D),
+                 once(joint(D, _, E, _, seam, _)),
+                 says(seam(D, E), seam_edge(1, E, _, _, _, _)) )), !.
+test(nothing_stays, [true(Patterns == [])]) :-
+    long_box(Box),
+    with_model(Box,
+               ( once(says(seam(_), _)),
+                 findall(D, segment(D, pattern, _), Patterns) )).
+test(no_such_edge, [fail]) :-
+    long_box(Box),
+    with_model(Box, says(seam(99), _)).
+
+%   Every statement has words, in both languages, and its parts fit them.
+
+test(sentences, [forall(member(Rule, [sg_explain_en:statement_en,
+                                      sg_explain_ko:statement_ko])),
+                 true(Unsaid == [])]) :-
+    hollow(Term),
+    with_model(Term,
+               findall(Statement,
+                       ( member(Item, [seam(_),fold(1),pattern(1,_)]),
+                         says(Item, Statement),
+                         \+ sentence(Rule, Statement) ),
+                       Unsaid)).
+
+sentence(Rule, Statement) :-
+    phrase(call(Rule, Statement), Parts),
+    forall(member(Format-Arguments, Parts),
+           format(string(_), Format, Arguments)).
+
+seam_length(S, Options, Length) :-
+    develop(S, Options, D),
+    aggregate_all(sum(L), ( joint(D, _, E, _, seam, _), edge_length(D, E, L) ),
+                  Length).
+
+edge_length(D, E, Length) :-
+    e(D, E, A, B, _),
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _),
+    Length is sqrt((X2-X1)**2+(Y2-Y1)**2).
+
+:- end_tests(explain_seam).
