@@ -1,5 +1,5 @@
-/* roll4pl.c -- surface_place/4, surfaces_meet/4, roll_points/3, roll_places/4,
- * roll_curves/6 (documented in kernel.pl).
+/* roll4pl.c -- surface_place/4, surfaces_meet/4, roll_points/3,
+ * roll_curves/5 (documented in kernel.pl).
  *
  * Layer: glue: converts, checks, raises; computes nothing. Angles are degrees
  * in Prolog and radians in C.
@@ -14,8 +14,7 @@
 #include <string.h>
 
 static functor_t FUNCTOR_minus2, FUNCTOR_point3, FUNCTOR_vector3,
-    FUNCTOR_plane4, FUNCTOR_roll3, FUNCTOR_near2, FUNCTOR_place4,
-    FUNCTOR_curve4;
+    FUNCTOR_plane4, FUNCTOR_roll3, FUNCTOR_place4, FUNCTOR_curve4;
 
 static const double DEGREE = 0.017453292519943295;
 
@@ -290,42 +289,6 @@ unify_place(term_t t, const sg_roll_place *place)
                        PL_FLOAT, place->at[0], PL_FLOAT, place->at[1]);
 }
 
-static int
-placed_point(const sg_roll *roll, const void *given, term_t item, term_t result)
-{
-  term_t arg = PL_new_term_ref();
-  const double *contact = given;
-  sg_roll_place place;
-  double x[3], near_t;
-
-  if (!PL_is_functor(item, FUNCTOR_near2)) {
-    return PL_type_error("near", item);
-  }
-  if (!get_numbers_ex(item, 1, &near_t) || !PL_get_arg(2, item, arg) ||
-      !get_point_ex(arg, x)) {
-    return FALSE;
-  }
-  sg_roll_place_of(roll, *contact, near_t * DEGREE, x, &place);
-  return unify_place(result, &place);
-}
-
-/* roll_places(+Roll, +Contact, +Points, -Places) is det. */
-static foreign_t
-roll_places(term_t roll_term, term_t contact_term, term_t points, term_t places)
-{
-  double contact;
-  sg_roll roll;
-
-  if (!sg_get_finite_ex(contact_term, &contact) ||
-      !get_roll_ex(roll_term, &roll)) {
-    return FALSE;
-  }
-  int ok = map_list(&roll, &contact, placed_point, points, places);
-
-  sg_roll_clear(&roll);
-  return ok;
-}
-
 /* The list of the points between the ends of a curve. */
 static int
 unify_curve(term_t result, const sg_roll_curve *curve)
@@ -370,16 +333,15 @@ curve_points(const sg_roll *roll, const void *given, term_t item, term_t result)
   return unify_curve(result, &curve);
 }
 
-/* roll_curves(+Roll, +Contact, +Reach, +Tolerance, +Curves, -Lists) is det. */
+/* roll_curves(+Roll, +Reach, +Tolerance, +Curves, -Lists) is det. */
 static foreign_t
-roll_curves(term_t roll_term, term_t contact, term_t reach, term_t tolerance,
-            term_t curves, term_t lists)
+roll_curves(term_t roll_term, term_t reach, term_t tolerance, term_t curves,
+            term_t lists)
 {
   sg_roll_curve given = {0};
   sg_roll roll;
 
-  if (!sg_get_finite_ex(contact, &given.contact) ||
-      !sg_get_finite_ex(reach, &given.reach) ||
+  if (!sg_get_finite_ex(reach, &given.reach) ||
       !sg_get_finite_ex(tolerance, &given.tolerance)) {
     return FALSE;
   }
@@ -405,8 +367,7 @@ sg_install_roll(void)
       {"surface_place", 4, (pl_function_t)surface_place, 0},
       {"surfaces_meet", 4, (pl_function_t)surfaces_meet, 0},
       {"roll_points", 3, (pl_function_t)roll_points, 0},
-      {"roll_places", 4, (pl_function_t)roll_places, 0},
-      {"roll_curves", 6, (pl_function_t)roll_curves, 0},
+      {"roll_curves", 5, (pl_function_t)roll_curves, 0},
       {NULL, 0, NULL, 0}};
 
   for (int i = 0; i < FORMS; i++) {
@@ -418,7 +379,6 @@ sg_install_roll(void)
   FUNCTOR_vector3 = functor("vector", 3);
   FUNCTOR_plane4 = functor("plane", 4);
   FUNCTOR_roll3 = functor("roll", 3);
-  FUNCTOR_near2 = functor("near", 2);
   FUNCTOR_place4 = functor("place", 4);
   FUNCTOR_curve4 = functor("curve", 4);
   PL_register_extensions_in_module("sg_kernel", doors);

@@ -5,41 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEEPEST = 10, STEPS = 40 };
+enum { DEEPEST = 10 };
 
 static const double TURN = 6.283185307179586;
-
-/* t and h of the point from which x is `contact` along the normal: the normal
- * there is that at x but for the curvature, so it is asked again where it
- * leads to. */
-static void
-foot(const sg_surface *s, double contact, const double x[3], double *t,
-     double *h)
-{
-  double before = NAN, on[3], value, normal[3];
-
-  sg_surface_place(s, x, t, h);
-  for (int i = 0; contact != 0 && i < STEPS; i++) {
-    sg_surface_point(s, *t, *h, on);
-    if (!sg_surface_value(s, on, &value, normal) || *t == before) {
-      return;
-    }
-    before = *t;
-    for (int k = 0; k < 3; k++) {
-      on[k] = x[k] - contact * normal[k];
-    }
-    sg_surface_place(s, on, t, h);
-  }
-}
-
-void
-sg_roll_place_of(const sg_roll *roll, double contact, double near_t,
-                 const double x[3], sg_roll_place *out)
-{
-  foot(&roll->surface, contact, x, &out->t, &out->h);
-  out->t += TURN * nearbyint((near_t - out->t) / TURN);
-  sg_roll_at(roll, out->t, out->h, out->at);
-}
 
 typedef struct end {
   double x[3];
@@ -71,7 +39,11 @@ append(growing *out, const sg_roll_place *place)
 static void
 set_place(const sg_roll_curve *c, end *e)
 {
-  sg_roll_place_of(c->roll, c->contact, c->near_t, e->x, &e->place);
+  sg_roll_place *p = &e->place;
+
+  sg_surface_place(&c->roll->surface, e->x, &p->t, &p->h);
+  p->t += TURN * nearbyint((c->near_t - p->t) / TURN);
+  sg_roll_at(c->roll, p->t, p->h, p->at);
 }
 
 /* The point of the curve nearest to that at `part` of the chord a-b. */

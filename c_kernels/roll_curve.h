@@ -1,8 +1,7 @@
-/* roll_curve.h -- points and curves of space on a surface that is unrolled.
+/* roll_curve.h -- curves of space on a surface that is unrolled.
  *
- * Layer: kernel. A plate is not a surface: what its border is cut by, it meets
- * in one of its faces. So points are given `contact` outside the surface that
- * roll->surface is (negative: within), and go to it along the normal.
+ * Layer: kernel. Rims and penetration lines are where surfaces meet; unrolled
+ * they are curves, of which points are taken until chords are near enough.
  */
 #ifndef SG_ROLL_CURVE_H
 #define SG_ROLL_CURVE_H
@@ -10,18 +9,13 @@
 #include "roll.h"
 
 typedef struct sg_roll_place {
-  double t, h;  /* t within half a turn of the t it was asked near */
+  double t, h;  /* t within half a turn of near_t */
   double at[2]; /* where it is unrolled */
 } sg_roll_place;
 
-/* The place of the point x. */
-void sg_roll_place_of(const sg_roll *roll, double contact, double near_t,
-                      const double x[3], sg_roll_place *out);
-
 typedef struct sg_roll_curve {
   const sg_roll *roll;
-  double contact;
-  double near_t;
+  double near_t;                               /* radians */
   const sg_surface *surface[SG_SURFACES_MOST]; /* where they meet it runs */
   size_t surfaces;
   double from[3], to[3]; /* its ends, on all of them */

@@ -38,9 +38,8 @@
             surface_place/4,          % +Surface, +Point, -T, -H
             surfaces_meet/4,          % +Surfaces, +Reach, +Point0, -Point
             roll_points/3,            % +Roll, +Places, -Points
-            roll_places/4,            % +Roll, +Contact, +Points, -Places
-            roll_curves/6,            % +Roll, +Contact, +Reach, +Tolerance,
-                                      % +Curves, -Lists
+            roll_curves/5,            % +Roll, +Reach, +Tolerance, +Curves,
+                                      % -Lists
             % leaf4pl.c
             leaves_keep/1,            % +Polygons
             % solid4pl.c
@@ -879,19 +878,13 @@ the drawn surface. Degrees; see roll.h.
 %   Where the points of the surface at Places, a list of T-H, are unrolled:
 %   Points is the list of X-Y. T is at most about a turn from the start.
 
-%!  roll_places(+Roll, +Contact, +Points, -Places) is det.
-%
-%   Where Points, a list of near(T0, Point), are unrolled: Places is the list of
-%   place(T, H, X, Y) with T within half a turn of T0. The points are Contact
-%   outside the surface, and go to it along the normal.
-
-%!  roll_curves(+Roll, +Contact, +Reach, +Tolerance, +Curves, -Lists) is det.
+%!  roll_curves(+Roll, +Reach, +Tolerance, +Curves, -Lists) is det.
 %
 %   Points on Curves between their ends, so many that no chord is farther than
 %   Tolerance from the unrolled curve. A curve is curve(T0, Surfaces, From, To):
 %   where one to three Surfaces meet, from one point to another, not farther
-%   than Reach from the line between them. Each list has place(T, H, X, Y) as
-%   roll_places/4 has them.
+%   than Reach from the line between them. Each list has place(T, H, X, Y), T
+%   within half a turn of T0.
 
 /* - - - cut4pl.c: cut sets, the cuts of one penetration - - - */
 

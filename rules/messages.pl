@@ -14,6 +14,7 @@
 :- use_module(development_en,
               [ development_en//2, development_notice_en//2 ]).
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
+:- use_module(true_en, [true_en//1]).
 :- use_module(unfold_en, [wish_en//3, unfold_en//1, trim_en//1]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
 :- use_module(style_en, [style_en//1]).
@@ -195,6 +196,8 @@ fault_en(unfold(What)) -->
     unfold_en(What).
 fault_en(trim(What)) -->
     trim_en(What).
+fault_en(true(What)) -->
+    true_en(What).
 fault_en(style(What)) -->
     style_en(What).
 fault_en(kind(Term, Kind, Wanted)) -->

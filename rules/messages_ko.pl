@@ -19,6 +19,7 @@
 :- use_module(development_ko,
               [ development_ko//2, development_notice_ko//2 ]).
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
+:- use_module(true_ko, [true_ko//1]).
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
 :- use_module(primitive_ko, [primitive_ko//2]).
 :- autoload(library(apply), [maplist/3]).
@@ -193,6 +194,8 @@ fault_ko(unfold(What)) -->
     unfold_ko(What).
 fault_ko(trim(What)) -->
     trim_ko(What).
+fault_ko(true(What)) -->
+    true_ko(What).
 fault_ko(style(What)) -->
     style_ko(What).
 fault_ko(kind(Term, Kind, Wanted)) -->

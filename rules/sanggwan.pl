@@ -43,6 +43,10 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(hidden_lines).
 :- reexport(drawing, [write_drawing/2, drawing_format/2]).
 :- reexport(terminal).
+:- reexport(true_development).
+:- reexport(true_table).
+:- reexport(true_plate, [plate_parts/5]).
+:- reexport(bend, [pattern_bent/2]).
 % Verbs, questions, other rules.
 :- reexport(verbs, [draw/1, draw/2, convert/2]).
 :- reexport(query, [query/2]).

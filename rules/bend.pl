@@ -1,0 +1,371 @@
+:- module(sg_bend,
+          [ pattern_bent/2,             % +D, +Options
+            bend_deduction/3            % +Degrees, +Options, -Deduction
+          ]).
+:- use_module(store,
+              [ e/5, edge_polygon/3, from_v/4, joint/6, p/3, t/6, v/5,
+                assert_fact/1, facts_transaction/1, fresh_id/3, retract_fact/1
+              ]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(assoc),
+            [ empty_assoc/1, gen_assoc/3, get_assoc/3, list_to_assoc/2,
+              put_assoc/4
+            ]).
+:- autoload(library(error), [domain_error/2, must_be/2]).
+:- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(option), [option/3]).
+:- autoload(library(pairs), [group_pairs_by_key/2]).
+/** <module> Folded plates: what bends take off a pattern.
+
+A face of a model ends at a fold; that of a bent plate ends where the bend
+begins, and the bend has a length of its own, that of its neutral layer. With A
+the angle by which the plate turns, in radians, T its thickness, R the radius
+inside the bend and K the K-factor (the neutral layer is K*T from the inside),
+
+    bend allowance   BA = A * (R + K*T)
+    setback          SB = tan(A/2) * (R + S)
+    bend deduction   BD = 2*SB - BA
+
+S is how far the surface that is drawn is from the inside of the bend: T if it
+is outside, T/2 in the middle, 0 inside. A pattern seen from outside of the
+solid has what is drawn as `size(outside)` outside of its mountain folds, but
+inside of its valley folds. BD may be negative.
+
+Each face loses BD/2 at each of its bends, so the middle of the bend, which is
+where the bend line is marked, is the edge that the two faces share. The other
+edges of a face stay on their lines; a corner between two bends is taken off on
+both sides. Faces keep their polygons and edges; a corner at which faces come
+apart gets one vertex for each.
+
+@see the textbook forms, as in DIN 6935 and Machinery's Handbook
+*/
+
+%!  bend_deduction(+Degrees, +Options, -Deduction) is det.
+%
+%   Deduction is BD of a fold of Degrees, positive a mountain and negative a
+%   valley as in joint/6. Options are those of pattern_bent/2.
+
+bend_deduction(Degrees, Options, Deduction) :-
+    plate(Options, T, Size, K, R),
+    drawn_at(Size, Degrees, T, S),
+    A is abs(Degrees)*pi/180.0,
+    Deduction is 2.0*tan(A/2.0)*(R + S) - A*(R + K*T).
+
+plate(Options, T, Size, K, R) :-
+    option(thickness(T), Options, 0.0),
+    not_negative(thickness, T),
+    option(size(Size), Options, middle),
+    must_be(oneof([inside,middle,outside]), Size),
+    option(k_factor(K), Options, 0.44),
+    not_negative(k_factor, K),
+    option(bend_radius(R), Options, T),
+    not_negative(bend_radius, R).
+
+not_negative(What, Number) :-
+    must_be(number, Number),
+    (   Number >= 0
+    ->  true
+    ;   domain_error(What, Number)
+    ).
+
+drawn_at(middle, _, T, S) :-
+    S is T/2.0.
+drawn_at(outside, Degrees, T, S) :-
+    (   Degrees > 0
+    ->  S = T
+    ;   S = 0.0
+    ).
+drawn_at(inside, Degrees, T, S) :-
+    (   Degrees > 0
+    ->  S = 0.0
+    ;   S = T
+    ).
+
+%!  pattern_bent(+D, +Options) is det.
+%
+%   Pattern D, flat faces joined by folds, becomes that of a plate. Folds by
+%   less than 0.01 degree are none. Nothing changes without a thickness. One
+%   transaction. Options:
+%
+%     - thickness(T)
+%     - size(Which)
+%       `inside`, `middle` (default) or `outside`: the surface of the plate that
+%       the model is.
+%     - bend_radius(R)
+%       Inside each bend; default T.
+%     - k_factor(K)
+%       Default 0.44.
+%
+%   Pieces keep their places; they may come nearer to each other by what bends
+%   add.
+%
+%   @error geometry_error(true(bend(P1, P2, Degrees))): the plate would turn by
+%   170 degrees or more
+%   @error geometry_error(true(bend_too_wide(P, Width))): of polygon P nothing
+%   is left
+
+pattern_bent(D, Options) :-
+    plate(Options, T, _, _, _),
+    (   T =:= 0
+    ->  true
+    ;   facts_transaction(sg_bend:bent(D, Options))
+    ).
+
+bent(D, Options) :-
+    findall(bend(E1, E2, P1, P2, Half),
+            fold_half(D, Options, E1, E2, P1, P2, Half),
+            Bends),
+    edge_offsets(Bends, Offsets),
+    polygon_shifts(D, Bends, Shifts),
+    findall(P, p(D, P, _), Ps),
+    empty_assoc(Known),
+    foldl(polygon_bent(D, Offsets, Shifts), Ps, corners(Known, []),
+          corners(Places, Changes)),
+    changes_written(Changes, Places, D).
+
+%   fold_half(D, Options, E1, E2, P1, P2, Half): of all folds; Half is 0.0 where
+%   the plate stays flat.
+
+fold_half(D, Options, E1, E2, P1, P2, Half) :-
+    joint(D, _, E1, E2, fold, Degrees),
+    edge_of(D, E1, P1),
+    edge_of(D, E2, P2),
+    (   abs(Degrees) < 0.01
+    ->  Half = 0.0
+    ;   abs(Degrees) >= 170.0
+    ->  throw(error(geometry_error(true(bend(P1, P2, Degrees))), _))
+    ;   bend_deduction(Degrees, Options, Deduction),
+        Half is Deduction/2.0
+    ).
+
+edge_of(D, E, P) :-
+    once(edge_polygon(D, E, P)).
+
+edge_offsets(Bends, Offsets) :-
+    findall(E-Half,
+            ( member(bend(E1, E2, _, _, Half), Bends),
+              Half =\= 0.0,
+              ( E = E1 ; E = E2 ) ),
+            Pairs),
+    list_to_assoc(Pairs, Offsets).
+
+edge_offset(Offsets, E, Offset) :-
+    (   get_assoc(E, Offsets, Offset)
+    ->  true
+    ;   Offset = 0.0
+    ).
+
+
+                /*******************************
+                *            SHIFTS            *
+                *******************************/
+
+%   polygon_shifts(D, Bends, Shifts): an assoc from polygons to X-Y, by what
+%   they are moved: the smallest of a piece stays.
+
+polygon_shifts(D, Bends, Shifts) :-
+    findall(P-fold(E, Q, Half),
+            ( member(bend(E1, E2, P1, P2, Half), Bends),
+              (   P-E-Q = P1-E1-P2
+              ;   P-E-Q = P2-E2-P1
+              ) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Neighbours),
+    findall(P, p(D, P, _), Ps0),
+    sort(Ps0, Ps),
+    empty_assoc(Shifts0),
+    foldl(piece_shifted(D, Neighbours), Ps, Shifts0, Shifts).
+
+piece_shifted(D, Neighbours, P, Shifts0, Shifts) :-
+    (   get_assoc(P, Shifts0, _)
+    ->  Shifts = Shifts0
+    ;   put_assoc(P, Shifts0, 0.0-0.0, Shifts1),
+        shifted_from([P], D, Neighbours, Shifts1, Shifts)
+    ).
+
+shifted_from([], _, _, Shifts, Shifts).
+shifted_from([P|Ps0], D, Neighbours, Shifts0, Shifts) :-
+    (   get_assoc(P, Neighbours, Folds)
+    ->  get_assoc(P, Shifts0, Shift),
+        foldl(neighbour_shifted(D, Shift), Folds, Ps0-Shifts0, Ps-Shifts1)
+    ;   Ps = Ps0,
+        Shifts1 = Shifts0
+    ),
+    shifted_from(Ps, D, Neighbours, Shifts1, Shifts).
+
+%   A neighbour comes nearer by both halves.
+
+neighbour_shifted(D, X0-Y0, fold(E, Q, Half), Ps-Shifts0, Ps1-Shifts) :-
+    (   get_assoc(Q, Shifts0, _)
+    ->  Ps1 = Ps,
+        Shifts = Shifts0
+    ;   inward(D, E, NX, NY),
+        X is X0 + 2.0*Half*NX,
+        Y is Y0 + 2.0*Half*NY,
+        put_assoc(Q, Shifts0, X-Y, Shifts),
+        Ps1 = [Q|Ps]
+    ).
+
+%   inward(D, E, NX, NY): the unit normal of edge E into its polygon, which lies
+%   on the left.
+
+inward(D, E, NX, NY) :-
+    e(D, E, A, B, _),
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _),
+    Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
+    NX is (Y1-Y2)/Length,
+    NY is (X2-X1)/Length.
+
+
+                /*******************************
+                *            CORNERS           *
+                *******************************/
+
+%   polygon_bent(D, Offsets, Shifts, P, ...): corners(Known, Changes): Known is
+%   an assoc from vertices to the places they have already, place(X, Y, W);
+%   Changes is a list of change(P, Map), Map from old to new vertices.
+
+polygon_bent(D, Offsets, Shifts, P, corners(Known0, Changes),
+             corners(Known, [change(P, Map)|Changes])) :-
+    p(D, P, Es),
+    !,
+    get_assoc(P, Shifts, Shift),
+    findall(A-out(E), ( member(E, Es), e(D, E, A, _, _) ), Outs),
+    findall(B-in(E), ( member(E, Es), e(D, E, _, B, _) ), Ins),
+    list_to_first(Ins, InTable),
+    foldl(corner_moved(D, Offsets, Shift, InTable), Outs, Known0-[],
+          Known-Pairs0),
+    sort(1, @<, Pairs0, Pairs1),
+    list_to_assoc(Pairs1, Map),
+    sides_kept(D, P, Es, Offsets).
+
+list_to_first(Pairs0, Table) :-
+    sort(1, @<, Pairs0, Pairs),
+    list_to_assoc(Pairs, Table).
+
+corner_moved(D, Offsets, SX-SY, InTable, V-out(E2), Known0-Pairs,
+             Known-[V-W|Pairs]) :-
+    get_assoc(V, InTable, in(E1)),
+    v(D, V, X0, Y0, _),
+    corner_offset(D, Offsets, E1, E2, DX, DY),
+    X is X0 + DX + SX,
+    Y is Y0 + DY + SY,
+    vertex_at(D, V, X, Y, Known0, Known, W).
+
+%   corner_offset(D, Offsets, E1, E2, DX, DY): where the lines of the edges meet
+%   when they are moved inward.
+
+corner_offset(D, Offsets, E1, E2, DX, DY) :-
+    edge_offset(Offsets, E1, D1),
+    edge_offset(Offsets, E2, D2),
+    (   D1 =:= 0.0,
+        D2 =:= 0.0
+    ->  DX = 0.0,
+        DY = 0.0
+    ;   inward(D, E1, X1, Y1),
+        inward(D, E2, X2, Y2),
+        Cross is X1*Y2 - Y1*X2,
+        (   abs(Cross) > 1.0e-6
+        ->  DX is (D1*Y2 - D2*Y1)/Cross,
+            DY is (X1*D2 - X2*D1)/Cross
+        ;   D1 =\= 0.0
+        ->  DX is D1*X1,
+            DY is D1*Y1
+        ;   DX is D2*X2,
+            DY is D2*Y2
+        )
+    ).
+
+%   vertex_at(D, V, X, Y, Known0, Known, W): W is what vertex V is there: itself
+%   for the first polygon, and for others if they have it in the same place.
+
+vertex_at(D, V, X, Y, Known0, Known, W) :-
+    (   get_assoc(V, Known0, Places)
+    ->  (   member(place(X1, Y1, W1), Places),
+            Near is 1.0e-9*(1.0 + abs(X) + abs(Y)),
+            abs(X-X1) < Near,
+            abs(Y-Y1) < Near
+        ->  W = W1,
+            Known = Known0
+        ;   fresh_id(v, D, W),
+            append(Places, [place(X, Y, W)], More),
+            put_assoc(V, Known0, More, Known)
+        )
+    ;   W = V,
+        put_assoc(V, Known0, [place(X, Y, V)], Known)
+    ).
+
+%   sides_kept(D, P, Es, Offsets): no side turns round: it is longer than what
+%   is taken off at its two ends.
+
+sides_kept(D, P, Es, Offsets) :-
+    (   member(E, Es),
+        e(D, E, A, B, _),
+        once(( member(E0, Es), e(D, E0, _, A, _) )),
+        once(( member(E2, Es), e(D, E2, B, _, _) )),
+        corner_offset(D, Offsets, E0, E, X1, Y1),
+        corner_offset(D, Offsets, E, E2, X2, Y2),
+        inward(D, E, NX, NY),
+        v(D, A, AX, AY, _),
+        v(D, B, BX, BY, _),
+        Length is sqrt((BX-AX)**2 + (BY-AY)**2),
+        Off is NY*(X1-X2) - NX*(Y1-Y2),
+        Off >= Length
+    ->  throw(error(geometry_error(true(bend_too_wide(P, Off))), _))
+    ;   true
+    ).
+
+
+                /*******************************
+                *             ROWS             *
+                *******************************/
+
+%   changes_written(Changes, Known, D): the rows of D after the corners moved.
+
+changes_written(Changes, Known, D) :-
+    forall(gen_assoc(V, Known, Places),
+           vertex_rewritten(D, V, Places)),
+    forall(member(change(P, Map), Changes),
+           polygon_rewritten(D, P, Map)).
+
+polygon_rewritten(D, P, Map) :-
+    p(D, P, Es),
+    !,
+    forall(( member(E, Es),
+             e(D, E, A0, B0, Et),
+             get_assoc(A0, Map, A),
+             get_assoc(B0, Map, B),
+             A-B \== A0-B0 ),
+           ( retract_fact(e(D, E, A0, B0, Et)),
+             assert_fact(e(D, E, A, B, Et)) )),
+    findall(T, t(D, P, T, _, _, _), Ts),
+    forall(member(T, Ts), triangle_rewritten(D, P, T, Map)).
+
+triangle_rewritten(D, P, T, Map) :-
+    t(D, P, T, A0, B0, C0),
+    maplist(mapped(Map), [A0,B0,C0], [A,B,C]),
+    (   [A,B,C] == [A0,B0,C0]
+    ->  true
+    ;   retract_fact(t(D, P, T, A0, B0, C0)),
+        assert_fact(t(D, P, T, A, B, C))
+    ),
+    !.
+
+mapped(Map, V, W) :-
+    (   get_assoc(V, Map, W)
+    ->  true
+    ;   W = V
+    ).
+
+vertex_rewritten(D, V, Places) :-
+    forall(member(place(X, Y, W), Places),
+           (   W == V
+           ->  once(( v(D, V, X0, Y0, Z0),
+                      retract_fact(v(D, V, X0, Y0, Z0)) )),
+               assert_fact(v(D, V, X, Y, 0.0))
+           ;   assert_fact(v(D, W, X, Y, 0.0)),
+               forall(from_v(D, V, S, V0), assert_fact(from_v(D, W, S, V0)))
+           )).

@@ -1,0 +1,44 @@
+:- module(sg_true_en,
+          [ true_en//1                  % +What
+          ]).
+/** <module> What is wrong with a true development, in English.
+
+true_ko.pl has the same heads in Korean (tests/rules/true_development.plt).
+*/
+
+%!  true_en(+What)// is det.
+%
+%   The message for geometry_error(true(What)).
+
+true_en(no_part(S, Part)) -->
+    { var(Part) },
+    !,
+    [ 'nothing of segment ~d has a true development'-[S], nl,
+      '  It has no facets of a cylinder, cone or transition.' ].
+true_en(no_part(S, Part)) -->
+    [ 'segment ~d has no part ~p that has a true development'-[S, Part], nl,
+      '  A part is named as in face_of/3: side, outer, edge(1); of a segment \c
+         that was trimmed 2/side, the side of segment 2.' ].
+true_en(moved(S, Part)) -->
+    [ 'the part ~p of segment ~d is not where its primitive is'-[Part, S], nl,
+      '  Place the primitive itself, not a copy of it.' ].
+true_en(not_symmetric(S, Part)) -->
+    [ 'half a pattern is not enough: the halves of part ~p of segment ~d \c
+       differ'-[Part, S], nl,
+      '  Give another seam, or take the whole pattern.' ].
+true_en(flat_part(S, Part, Option)) -->
+    [ 'part ~p of segment ~d is a transition, which does not unroll: it \c
+       cannot have the option ~w'-[Part, S, Option], nl,
+      '  It is developed by the true lengths of its facets, whose edges are \c
+         its generators; a seam goes along one of them.' ].
+true_en(no_offset(S)) -->
+    [ 'the surfaces of a plate of segment ~d are not known'-[S], nl,
+      '  With a thickness, penetrations are found for right circular \c
+         cylinders and cones, spheres and tori.' ].
+true_en(bend(P1, P2, Degrees)) -->
+    [ 'the fold between polygons ~d and ~d turns by ~2f degrees: no bend has \c
+       such an angle'-[P1, P2, Degrees], nl,
+      '  Bends turn by less than 170 degrees.' ].
+true_en(bend_too_wide(P, Width)) -->
+    [ 'polygon ~d is narrower than what its bends take off, ~4f'-[P, Width], nl,
+      '  Take a smaller bend radius, or larger faces.' ].

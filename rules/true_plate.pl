@@ -1,0 +1,197 @@
+:- module(sg_true_plate,
+          [ plate_layer/2,              % +Options, -Layer
+            plate_parts/5               % +S, +Others, +Options0, -Options,
+                                        % -Parts
+          ]).
+:- use_module(model_file, [add_primitive/2]).
+:- use_module(primitive, [is_primitive/1]).
+:- use_module(primitive_face, [smooth_surface/3]).
+:- use_module(store, [segment/3]).
+:- use_module(true_surface, [offset_surface/3]).
+:- autoload(library(apply), [maplist/3]).
+:- autoload(library(error), [domain_error/2, must_be/2]).
+:- autoload(library(lists), [member/2, select/3]).
+:- autoload(library(option), [option/2, option/3]).
+/** <module> The plate that a surface is made of: which layer of it is drawn.
+
+What is drawn is one surface; a plate has two, and a layer between them that
+keeps its length when the plate is rolled or bent, the *neutral* one. Options:
+
+    thickness(T)         of the plate; without it, it has none
+    size(Which)          `inside`, `middle` (default) or `outside`: which of its
+                         surfaces is drawn. Inside is where the axis is.
+    k_factor(K)          the neutral layer is K*T outside the inside: 0.5
+
+Where parts penetrate, not what is drawn meets, but what touches first. A branch
+is *set on* a header: its inside meets the outside of the header, and there the
+hole is marked too. Or it is *set in* the wall: its outside meets the inside of
+the header. The part with the smaller radius is the branch. Options:
+
+    set_in(true)         set in; by default set on
+    role(Role)           S is a `branch` or a `header`, whatever the radii
+    other_thickness(T2)  of the plate of the others: T
+*/
+
+%!  plate_layer(+Options, -Layer) is det.
+%
+%   Layer is how far outside the drawn surface the neutral one is.
+
+plate_layer(Options, Layer) :-
+    (   option(layer(Layer), Options)
+    ->  true
+    ;   plate(Options, T, Inner),
+        option(k_factor(K), Options, 0.5),
+        must_be(number, K),
+        (   K >= 0,
+            K =< 1
+        ->  Layer is Inner + float(K)*T
+        ;   domain_error(k_factor, K)
+        )
+    ).
+
+%   plate(Options, T, Inner): Inner is how far outside what is drawn the inside
+%   is.
+
+plate(Options, T, Inner) :-
+    option(thickness(T), Options, 0.0),
+    size_inner(Options, T, Inner).
+
+size_inner(Options, T, Inner) :-
+    must_be(number, T),
+    (   T >= 0
+    ->  true
+    ;   domain_error(not_less_than_zero, T)
+    ),
+    option(size(Size), Options, middle),
+    must_be(oneof([inside,middle,outside]), Size),
+    inner(Size, T, Inner).
+
+inner(inside, _, 0.0).
+inner(middle, T, Inner) :- Inner is -T/2.0.
+inner(outside, T, Inner) :- Inner is -float(T).
+
+%!  plate_parts(+S, +Others, +Options0, -Options, -Parts) is det.
+%
+%   Parts is S1-Others1: new segments, the primitives S and Others again, but as
+%   large as the surfaces in which their plates touch each other; a flat
+%   primitive is itself. To be trimmed (trimmed/4) and then developed with
+%   Options, which have layer(Layer) for what Options0 say of the plate. Without
+%   a thickness they are what was given.
+%
+%   @error geometry_error(true(no_offset(S))): no surface that is known is
+%   everywhere so far from that of S: it is oblique, elliptic, or not curved
+%   simply
+
+plate_parts(S, Others, Options, Options, S-Others) :-
+    plate(Options, T, _),
+    T =:= 0,
+    !.
+plate_parts(S, Others, Options0, Options, S1-Others1) :-
+    plate(Options0, T, Inner),
+    Outer is Inner + T,
+    option(other_thickness(T2), Options0, T),
+    size_inner(Options0, T2, OtherInner),
+    OtherOuter is OtherInner + T2,
+    part_role(Options0, S, Others, Role),
+    option(set_in(In), Options0, false),
+    must_be(boolean, In),
+    (   touches(Role, In, inside)
+    ->  By = Inner,
+        OtherBy = OtherOuter
+    ;   By = Outer,
+        OtherBy = OtherInner
+    ),
+    plate_layer(Options0, Layer0),
+    Layer is Layer0 - By,
+    Options = [layer(Layer)|Options0],
+    resized(By, S, S1),
+    maplist(resized(OtherBy), Others, Others1).
+
+%   touches(Role, SetIn, Side): with which side its plate touches the others.
+
+touches(branch, false, inside).
+touches(branch, true, outside).
+touches(header, false, outside).
+touches(header, true, inside).
+
+part_role(Options, S, Others, Role) :-
+    (   option(role(Role), Options)
+    ->  must_be(oneof([branch,header]), Role)
+    ;   part_width(S, Width),
+        member(Other, Others),
+        part_width(Other, OtherWidth),
+        OtherWidth < Width
+    ->  Role = header
+    ;   Role = branch
+    ).
+
+%   What is flat is wider than any pipe.
+
+part_width(S, Width) :-
+    (   smooth_surface(S, _, Surface),
+        Surface \= bezier(_)
+    ->  arg(2, Surface, vector(A, B, C)),
+        Width is sqrt(A*A + B*B + C*C)
+    ;   Width = inf
+    ).
+
+%   resized(By, S, S1): S1 is S, By larger all round.
+
+resized(By, S, S1) :-
+    (   By =:= 0.0
+    ->  S1 = S
+    ;   \+ smooth_surface(S, _, _)
+    ->  S1 = S
+    ;   segment(S, _, Term),
+        is_primitive(Term),
+        findall(Surface, smooth_surface(S, _, Surface), [Surface]),
+        offset_surface(Surface, By, Offset),
+        term_resized(Term, Surface, Offset, Term1)
+    ->  add_primitive(Term1, S1)
+    ;   throw(error(geometry_error(true(no_offset(S))), _))
+    ).
+
+%   term_resized(Term0, Surface, Offset, Term): only sizes change; so the
+%   numbers of vertices, edges and polygons are the same.
+
+term_resized(at(Steps, Term0), Surface, Offset, at(Steps, Term)) :-
+    !,
+    term_resized(Term0, Surface, Offset, Term).
+term_resized(named(Name, Term0), Surface, Offset, named(Name, Term)) :-
+    !,
+    term_resized(Term0, Surface, Offset, Term).
+term_resized(Term0, Surface, Offset, Term) :-
+    Term0 =.. [Name|Arguments0],
+    arg(2, Surface, vector(A, B, C)),
+    arg(2, Offset, vector(A1, B1, C1)),
+    F is sqrt((A1*A1 + B1*B1 + C1*C1)/(A*A + B*B + C*C)),
+    arguments_resized(Name, F, Offset, Arguments0, Arguments),
+    Term =.. [Name|Arguments].
+
+arguments_resized(cylinder, F, _, Arguments0, Arguments) :-
+    enlarged(radius, F, _, Arguments0, Arguments).
+arguments_resized(sphere, F, _, Arguments0, Arguments) :-
+    enlarged(radius, F, _, Arguments0, Arguments).
+arguments_resized(torus, _, torus(_, _, _, _, K), Arguments0,
+                  [tube(Tube)|Arguments]) :-
+    select(tube(_), Arguments0, Arguments),
+    member(radius(R), Arguments),
+    Tube is R*K.
+arguments_resized(cone, F, cone(_, _, _, _, K), Arguments0, Arguments) :-
+    enlarged(radius, F, R, Arguments0, Arguments1),
+    (   select(top(_), Arguments1, Arguments2)
+    ->  true
+    ;   Arguments2 = Arguments1
+    ),
+    (   K >= 0.0
+    ->  Top is R*K,
+        Arguments = [top(Top)|Arguments2]
+    ;   Up is 1.0/(1.0-K),
+        enlarged(height, Up, _, Arguments2, Arguments)
+    ).
+
+enlarged(Name, F, Size, Arguments0, [Argument|Arguments]) :-
+    Argument0 =.. [Name,Size0],
+    select(Argument0, Arguments0, Arguments),
+    Size is Size0*F,
+    Argument =.. [Name,Size].

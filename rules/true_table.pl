@@ -1,0 +1,249 @@
+:- module(sg_true_table,
+          [ generator_mark/4,           % +D, ?Number, -From, -To
+            true_length_rows/2,         % +D, -Rows
+            true_length_columns/3,      % +D, +Unit, -Columns
+            write_true_lengths/2,       % +D, +File
+            write_true_lengths/3,       % +D, +File, +Options
+            true_length_marks/4,        % +D, +Options, -Marks, -Size
+            generator_number_marks/3    % +D, +Height, -Marks
+          ]).
+:- use_module(output, [writing/3]).
+:- use_module(store, [e/5, origin/3, segment/3, v/5]).
+:- use_module(true_development, [developable_part/3]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(lists), [append/3, member/2, nth1/3]).
+:- autoload(library(option), [option/3]).
+/** <module> Generators of a true development, and the table of true lengths.
+
+A generator is an auxiliary edge of the pattern, of no polygon, with
+
+    origin(D, e(E), generator(Number, Degrees, Position, From, To))
+
+It runs from below: from its end at the smaller H to that at the larger. Where a
+hole interrupts it, it is several edges of one number. Both sides of the seam
+are number 1.
+*/
+
+%!  generator_mark(+D, ?Number, -From, -To) is nondet.
+%
+%   Generator Number is drawn from From to To, each X-Y. In order.
+
+generator_mark(D, Number, X1-Y1, X2-Y2) :-
+    origin(D, e(E), generator(Number, _, _, _, _)),
+    e(D, E, A, B, _),
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _).
+
+%!  true_length_rows(+D, -Rows) is det.
+%
+%   Rows is the list of row(Number, Degrees, Position, From, To, Length,
+%   StepFrom, StepTo, Diagonal), one for each generator of pattern D, in order
+%   (empty if D has none). Length is that of the generator; Degrees its
+%   parameter. Of a cylinder Position is the arc from the left side of the
+%   pattern, From and To are how far its ends are above the base line; of a cone
+%   Position is the angle at the apex, degrees, from the seam, From and To are
+%   the distances of its ends from the apex; of a transition they say nothing
+%   more than Length. StepFrom and StepTo are the distances in the pattern of
+%   its ends from those of the next generator, Diagonal that of its first end
+%   from the next one's last: so the pattern can be drawn with compasses,
+%   triangle by triangle. They are `none` where there is no next one.
+
+true_length_rows(D, Rows) :-
+    findall(generator(Number, Degrees, Position, From, To)-(P-Q),
+            ( origin(D, e(E), Origin),
+              Origin = generator(Number, Degrees, Position, From, To),
+              edge_ends(D, E, P, Q) ),
+            Generators),
+    rows(Generators, Rows).
+
+edge_ends(D, E, X1-Y1, X2-Y2) :-
+    e(D, E, A, B, _),
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _).
+
+rows([], []).
+rows([Generator-(P-Q)|Generators], [Row|Rows]) :-
+    Generator = generator(Number, Degrees, Position, From, To),
+    distance(P, Q, Length),
+    (   Generators = [_-(P2-Q2)|_]
+    ->  distance(P, P2, StepFrom),
+        distance(Q, Q2, StepTo),
+        distance(P, Q2, Diagonal)
+    ;   StepFrom = none,
+        StepTo = none,
+        Diagonal = none
+    ),
+    Row = row(Number, Degrees, Position, From, To, Length, StepFrom, StepTo,
+              Diagonal),
+    rows(Generators, Rows).
+
+distance(X1-Y1, X2-Y2, D) :-
+    D is sqrt((X1-X2)**2 + (Y1-Y2)**2).
+
+%!  true_length_columns(+D, +Unit, -Columns) is det.
+%
+%   Columns is the list of the names of the columns of the table, with units;
+%   Unit is that of the model.
+
+true_length_columns(D, Unit, [number, 'parameter (degrees)'|Columns]) :-
+    (   segment(D, _, true_development(S, Part)),
+        developable_part(S, Part, Surface)
+    ->  functor(Surface, Kind, _)
+    ;   Kind = cylinder
+    ),
+    maplist(with_unit(Unit),
+            [length, 'step from', 'step to', diagonal], Last),
+    place_columns(Kind, Unit, First),
+    append(First, Last, Columns).
+
+place_columns(cylinder, Unit, Columns) :-
+    maplist(with_unit(Unit), [arc, from, to], Columns).
+place_columns(cone, Unit, ['angle (degrees)'|Columns]) :-
+    maplist(with_unit(Unit), ['apex to from', 'apex to to'], Columns).
+place_columns(ruled, Unit, Columns) :-
+    maplist(with_unit(Unit), [arc, from, to], Columns).
+
+with_unit(Unit, Name, Column) :-
+    atomic_list_concat([Name, ' (', Unit, ')'], Column).
+
+%!  write_true_lengths(+D, +File) is det.
+%!  write_true_lengths(+D, +File, +Options) is det.
+%
+%   Writes the table of pattern D to File (`-`: standard output) as CSV: a row
+%   with the names and units of the columns, then a row for each generator;
+%   nothing in a cell that has no value. Options: unit(Unit) (`mm`), decimals(N)
+%   (6), scale(F): all lengths are multiplied by it (1).
+
+write_true_lengths(D, File) :-
+    write_true_lengths(D, File, []).
+
+write_true_lengths(D, File, Options) :-
+    table(D, Options, 6, Lines),
+    (   File == (-)
+    ->  lines_written(Lines, user_output)
+    ;   writing(File, text, sg_true_table:lines_written(Lines))
+    ).
+
+lines_written(Lines, Stream) :-
+    forall(member(Line, Lines),
+           ( atomic_list_concat(Line, ',', Text),
+             format(Stream, '~w~n', [Text]) )).
+
+%   table(D, Options, Decimals, Lines): lists of texts, the first the columns.
+
+table(D, Options, Decimals0, [Columns|Lines]) :-
+    option(unit(Unit), Options, mm),
+    option(decimals(Decimals), Options, Decimals0),
+    option(scale(F), Options, 1),
+    true_length_columns(D, Unit, Columns),
+    nth1(3, Columns, Third),
+    (   Third == 'angle (degrees)'
+    ->  Angle = true
+    ;   Angle = false
+    ),
+    true_length_rows(D, Rows),
+    maplist(line(Decimals, F, Angle), Rows, Lines).
+
+line(Decimals, F, Angle, Row, [Number,Degrees|Texts]) :-
+    Row =.. [row,Number,Degrees0,Position0|Lengths],
+    number_text(Decimals, 1, Degrees0, Degrees),
+    (   Angle == true
+    ->  number_text(Decimals, 1, Position0, Position)
+    ;   number_text(Decimals, F, Position0, Position)
+    ),
+    maplist(number_text(Decimals, F), Lengths, Rest),
+    Texts = [Position|Rest].
+
+number_text(_, _, none, '') :-
+    !.
+number_text(Decimals, F, Value0, Text) :-
+    Scale is 10**Decimals,
+    Value is round(Value0*F*Scale)/Scale + 0.0,
+    format(atom(Text), '~*f', [Decimals, Value]).
+
+
+                /*******************************
+                *          ON A SHEET          *
+                *******************************/
+
+%!  true_length_marks(+D, +Options, -Marks, -Size) is det.
+%
+%   Marks are the table as it is drawn on a sheet: line(frame, Points) and
+%   text(X, Y, Height, Text) as in sheet_marks.pl, millimetres, y up, the text
+%   centred on X; from the lower left corner 0, 0; Size is Width-Height.
+%   Options: height(H) of the letters (2.5), and those of write_true_lengths/3,
+%   with two decimals.
+
+true_length_marks(D, Options, Marks, Width-High) :-
+    option(height(H), Options, 2.5),
+    table(D, Options, 2, Lines),
+    Lines = [Columns|_],
+    foldl(widest, Lines, Columns, Widest),
+    maplist(column_width(H), Widest, Widths),
+    foldl(plus_width, Widths, 0.0, Width),
+    length(Lines, Count),
+    Row is 2.0*H,
+    High is Count*Row,
+    findall(Mark,
+            ( nth1(I, Lines, Line),
+              Y is High - I*Row + 0.5*H,
+              line_text(Line, Widths, 0.0, H, Y, Mark) ),
+            Texts),
+    frame_lines(Count, Row, Width, High, Widths, Frame),
+    append(Frame, Texts, Marks).
+
+widest([], [], []).
+widest([A|As], [B|Bs], [C|Cs]) :-
+    atom_length(A, N),
+    atom_length(B, M),
+    (   N > M
+    ->  C = A
+    ;   C = B
+    ),
+    widest(As, Bs, Cs).
+
+column_width(H, Text, Width) :-
+    atom_length(Text, N),
+    Width is (N+2)*0.85*H.
+
+plus_width(Width, Sum0, Sum) :-
+    Sum is Sum0+Width.
+
+line_text([Text|Texts], [Width|Widths], X0, H, Y, Mark) :-
+    (   Text \== '',
+        X is X0 + Width/2.0,
+        Mark = text(X, Y, H, Text)
+    ;   X1 is X0+Width,
+        line_text(Texts, Widths, X1, H, Y, Mark)
+    ).
+
+%   Lines between rows and columns.
+
+frame_lines(Count, Row, Width, High, Widths, Lines) :-
+    findall(line(frame, [0.0-Y,Width-Y]),
+            ( between(0, Count, I), Y is I*Row ),
+            Across),
+    edges_at(Widths, 0.0, Xs),
+    findall(line(frame, [X-0.0,X-High]), member(X, Xs), Up),
+    append(Across, Up, Lines).
+
+edges_at([], X, [X]).
+edges_at([Width|Widths], X, [X|Xs]) :-
+    X1 is X+Width,
+    edges_at(Widths, X1, Xs).
+
+%!  generator_number_marks(+D, +Height, -Marks) is det.
+%
+%   Marks are text(X, Y, Height, Number), in units of the pattern, one for each
+%   generator, just beyond its lower end, centred on its line.
+
+generator_number_marks(D, Height, Marks) :-
+    findall(text(X, Y, Height, Text),
+            ( generator_mark(D, Number, X1-Y1, X2-Y2),
+              Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
+              Length > 0.0,
+              F is Height/Length,
+              X is X1 - F*(X2-X1),
+              Y is Y1 - F*(Y2-Y1) - 0.5*Height,
+              format(atom(Text), '~d', [Number]) ),
+            Marks).
