@@ -35,6 +35,7 @@ typedef struct sg_sheet_page {
 
 typedef struct sg_sheet {
   size_t rows;
+  bool ascends;   /* the maker's word: one segment, whose ids ascend by row */
   unsigned place; /* of row 0 in page 0 of the sheet */
   size_t pages;
   sg_sheet_page *page; /* [pages], by row */

@@ -178,6 +178,7 @@ commit_all_ex(sg_append append[RELATIONS], size_t planes, size_t sources)
   sg_append_shorten(&append[PLANE], planes);
   sg_append_shorten(&append[FROM_P], sources);
   for (int k = 0; k < RELATIONS; k++) {
+    append[k].sheet.ascends = true;
     if (!sg_append_commit(&append[k])) {
       return sg_no_memory();
     }

@@ -194,6 +194,17 @@ last_id(const int32_t *s, const int32_t *id, size_t from, size_t n,
   return last;
 }
 
+/* The same where ids ascend and are of one segment. */
+static bool
+note_last_id(const sg_append *a, sg_map *map, unsigned column)
+{
+  const sg_sheet_page *page = &a->sheet.page[a->sheet.pages - 1];
+  int32_t s = column == 0 ? 0 : page->column[0].i[page->n - 1];
+
+  return sg_map_used_id(map, s, page->column[column].i[page->n - 1]) &&
+         sg_world_stamp(a->world, map, a->relation, s);
+}
+
 /* Stamps, and notes the largest id of, each run of rows of one segment. */
 static bool
 note_ids(const sg_append *a, sg_map *map)
@@ -201,6 +212,9 @@ note_ids(const sg_append *a, sg_map *map)
   unsigned column = sg_relation_id_column(a->relation);
   int32_t stamped = -1;
 
+  if (column != SG_MAX_COLUMNS && a->sheet.ascends && a->sheet.rows > 0) {
+    return note_last_id(a, map, column);
+  }
   for (size_t k = 0; column != SG_MAX_COLUMNS && k < a->sheet.pages; k++) {
     const sg_sheet_page *page = &a->sheet.page[k];
     const int32_t *s = column == 0 ? NULL : page->column[0].i;

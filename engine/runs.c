@@ -129,14 +129,17 @@ go_on(sg_runs *runs, sg_run *run, const sg_run *next)
   }
 }
 
-/* A page of ids is all one run, or in none. */
+/* A page of ids is all one run, or in none. Ids that ascend have to be looked
+ * at at both ends only. */
 static void
-add_ids(sg_runs *runs, const sg_sheet_page *page, unsigned column, sg_run *run)
+add_ids(sg_runs *runs, const sg_sheet_page *page, bool ascends, unsigned column,
+        sg_run *run)
 {
   const int32_t *s = page->column[0].i, *id = page->column[column].i;
   sg_run next = {0};
 
-  if (is_run(s, id, page->n)) {
+  if (ascends ? id[page->n - 1] - id[0] == (int32_t)page->n - 1
+              : is_run(s, id, page->n)) {
     next = (sg_run){s[0], id[0], page->slot, (sg_row)page->n};
   }
   go_on(runs, run, &next);
@@ -169,7 +172,7 @@ sg_runs_add(sg_table *table, const sg_sheet *sheet)
     if (table->info->column[column].type == SG_TERM) {
       add_terms(&table->keys, page, column, &run);
     } else {
-      add_ids(&table->keys, page, column, &run);
+      add_ids(&table->keys, page, sheet->ascends, column, &run);
     }
   }
   insert(&table->keys, &run);

@@ -313,6 +313,18 @@ is_among(const int32_t *s, size_t n, int32_t id)
   return low < n && s[low] == id;
 }
 
+/* All rows of a page are of one segment. */
+static bool
+is_of_one(const int32_t *of)
+{
+  int32_t differ = 0;
+
+  for (unsigned r = 1; r < SG_PAGE_ROWS; r++) {
+    differ |= of[r] ^ of[0];
+  }
+  return differ == 0;
+}
+
 /* The live rows of these segments, as a bitmap; false: none. */
 static bool
 find_rows(const sg_live *live, const int32_t *s, size_t n, uint64_t *out)
@@ -321,6 +333,10 @@ find_rows(const sg_live *live, const int32_t *s, size_t n, uint64_t *out)
   int32_t last = 0; /* the segment of the row before, and whether it is one */
   bool among = false, any = false;
 
+  if (is_of_one(of)) {
+    memcpy(out, live->word, sizeof live->word);
+    return is_among(s, n, of[0]);
+  }
   memset(out, 0, sizeof live->word);
   for (unsigned r = sg_live_next(live->word, 0); r < SG_PAGE_ROWS;
        r = sg_live_next(live->word, r + 1)) {
