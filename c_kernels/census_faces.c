@@ -2,18 +2,11 @@
 #include "census_private.h"
 #include "flatness.h"
 #include "plane.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void
-cross(const double u[3], const double v[3], double out[3])
-{
-  out[0] = u[1] * v[2] - u[2] * v[1];
-  out[1] = u[2] * v[0] - u[0] * v[2];
-  out[2] = u[0] * v[1] - u[1] * v[0];
-}
 
 /* Safe from overflow and underflow, which are rare. */
 static double
@@ -39,7 +32,7 @@ add_triangle(sg_counting *c, size_t t, const double o[3])
     u[k] = d->at[d->corner[t][1]][k] - first;
     v[k] = d->at[d->corner[t][2]][k] - first;
   }
-  cross(u, v, n);
+  sg_cross(u, v, n);
   c->triangles[p]++;
   c->area[p] += length(n) / 2;
   c->volume[p] += a[0] * n[0] + a[1] * n[1] + a[2] * n[2];

@@ -2,6 +2,7 @@
 #include "contact.h"
 
 #include "exact.h"
+#include "vector.h"
 
 #include <float.h>
 #include <math.h>
@@ -9,32 +10,10 @@
 
 /* ---- vectors ---- */
 
-static void
-minus(const double a[3], const double b[3], double out[3])
-{
-  for (int k = 0; k < 3; k++) {
-    out[k] = a[k] - b[k];
-  }
-}
-
-static double
-dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void
-cross(const double a[3], const double b[3], double out[3])
-{
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static double
 length(const double a[3])
 {
-  return sqrt(dot(a, a));
+  return sqrt(sg_dot(a, a));
 }
 
 static double
@@ -42,7 +21,7 @@ distance(const double a[3], const double b[3])
 {
   double d[3];
 
-  minus(a, b, d);
+  sg_minus(a, b, d);
   return length(d);
 }
 
@@ -70,10 +49,10 @@ set_side(side *out, const double at[3][3], double reach)
   double u[3], w[3], z[3];
 
   out->at = at;
-  minus(at[1], at[0], u);
-  minus(at[2], at[0], w);
-  minus(at[2], at[1], z);
-  cross(u, w, out->normal);
+  sg_minus(at[1], at[0], u);
+  sg_minus(at[2], at[0], w);
+  sg_minus(at[2], at[1], z);
+  sg_cross(u, w, out->normal);
   double area = length(out->normal), a = length(u), b = length(w);
   double c = length(z);
 
@@ -91,8 +70,8 @@ heights(const side *of, const side *other, double out[3])
   for (int i = 0; i < 3; i++) {
     double from[3];
 
-    minus(other->at[i], of->at[0], from);
-    out[i] = dot(of->normal, from);
+    sg_minus(other->at[i], of->at[0], from);
+    out[i] = sg_dot(of->normal, from);
   }
 }
 
@@ -132,10 +111,10 @@ to_segment(const double a[3], const double b[3], const double p[3])
 {
   double along[3], from[3], at[3];
 
-  minus(b, a, along);
-  minus(p, a, from);
-  double square = dot(along, along);
-  double t = square > 0 ? fmin(fmax(dot(along, from) / square, 0), 1) : 0;
+  sg_minus(b, a, along);
+  sg_minus(p, a, from);
+  double square = sg_dot(along, along);
+  double t = square > 0 ? fmin(fmax(sg_dot(along, from) / square, 0), 1) : 0;
 
   for (int k = 0; k < 3; k++) {
     at[k] = a[k] + t * along[k];
@@ -150,10 +129,10 @@ is_over(const side *s, const double p[3])
   for (int i = 0; i < 3; i++) {
     double along[3], from[3], inward[3];
 
-    minus(s->at[(i + 1) % 3], s->at[i], along);
-    minus(p, s->at[i], from);
-    cross(s->normal, along, inward);
-    if (!(dot(inward, from) > 0)) {
+    sg_minus(s->at[(i + 1) % 3], s->at[i], along);
+    sg_minus(p, s->at[i], from);
+    sg_cross(s->normal, along, inward);
+    if (!(sg_dot(inward, from) > 0)) {
       return false;
     }
   }
@@ -209,8 +188,8 @@ face(const side *s, const double p[3], double reach, near *out)
 {
   double from[3];
 
-  minus(p, s->at[0], from);
-  *out = (near){SG_FACE, fabs(dot(s->normal, from)), false};
+  sg_minus(p, s->at[0], from);
+  *out = (near){SG_FACE, fabs(sg_dot(s->normal, from)), false};
   if (!s->plane || out->apart > reach || !is_over(s, p)) {
     return false;
   }
@@ -256,21 +235,21 @@ edges(finder *find, int i, int j)
   const double *c = find->side[1].at[j], *d = find->side[1].at[(j + 1) % 3];
   double u[3], w[3], n[3], from[3], p[3], q[3], at[3], m[3];
 
-  minus(b, a, u);
-  minus(d, c, w);
-  minus(c, a, from);
-  cross(u, w, n);
-  double square = dot(n, n);
+  sg_minus(b, a, u);
+  sg_minus(d, c, w);
+  sg_minus(c, a, from);
+  sg_cross(u, w, n);
+  double square = sg_dot(n, n);
   double parallel = length(u) * length(w) * 16 * DBL_EPSILON;
 
   if (!(square > parallel * parallel) ||
-      fabs(dot(from, n)) > find->reach * sqrt(square)) {
+      fabs(sg_dot(from, n)) > find->reach * sqrt(square)) {
     return;
   }
-  cross(from, w, m);
-  double s = dot(m, n) / square;
-  cross(from, u, m);
-  double t = dot(m, n) / square;
+  sg_cross(from, w, m);
+  double s = sg_dot(m, n) / square;
+  sg_cross(from, u, m);
+  double t = sg_dot(m, n) / square;
 
   if (!(s > 0 && s < 1 && t > 0 && t < 1)) {
     return;
@@ -298,19 +277,19 @@ is_apart(const double a[3][3], const double b[3][3], double reach)
   double u[3], w[3], n[3];
   int above = 0, below = 0;
 
-  minus(a[1], a[0], u);
-  minus(a[2], a[0], w);
-  cross(u, w, n);
-  double square = dot(n, n), limit = reach * reach * square;
+  sg_minus(a[1], a[0], u);
+  sg_minus(a[2], a[0], w);
+  sg_cross(u, w, n);
+  double square = sg_dot(n, n), limit = reach * reach * square;
 
-  if (!(square > 4 * reach * reach * (dot(u, u) + dot(w, w)))) {
+  if (!(square > 4 * reach * reach * (sg_dot(u, u) + sg_dot(w, w)))) {
     return false;
   }
   for (int i = 0; i < 3; i++) {
     double from[3];
 
-    minus(b[i], a[0], from);
-    double h = dot(n, from);
+    sg_minus(b[i], a[0], from);
+    double h = sg_dot(n, from);
     if (!(h * h > limit)) {
       return false;
     }

@@ -7,6 +7,7 @@
 #include "face_merge_private.h"
 
 #include "bvh.h"
+#include "vector.h"
 
 #include <float.h>
 #include <math.h>
@@ -135,20 +136,6 @@ count_between(const sg_merge *m, uint32_t from, uint32_t to, uint32_t *half)
 
 /* ---- neighbours --------------------------------------------------------- */
 
-static inline void
-cross(const double a[3], const double b[3], double out[3])
-{
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static inline double
-dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Whether the four corners of two triangles may lie between two planes that are
  * two tolerances apart. Then the parts of u, v and w along the planes' normal
  * are not longer than that, so the volume that they span is no larger than this
@@ -170,14 +157,16 @@ is_flat(const sg_merge *m, uint32_t half, uint32_t twin)
     v[k] = c[k] - a[k];
     w[k] = d[k] - a[k];
   }
-  cross(u, v, uv);
-  double volume = dot(uv, w), uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
+  sg_cross(u, v, uv);
+  double volume = sg_dot(uv, w), uu = sg_dot(u, u), vv = sg_dot(v, v),
+         ww = sg_dot(w, w);
   if (volume * volume > factor * (uu * vv + vv * ww + uu * ww)) {
     return false;
   }
-  cross(v, w, vw);
-  cross(u, w, uw);
-  return volume * volume <= factor * (dot(uv, uv) + dot(vw, vw) + dot(uw, uw));
+  sg_cross(v, w, vw);
+  sg_cross(u, w, uw);
+  return volume * volume <=
+         factor * (sg_dot(uv, uv) + sg_dot(vw, vw) + sg_dot(uw, uw));
 }
 
 bool
@@ -221,7 +210,7 @@ is_brief(const sg_merge *m, uint32_t v, uint32_t w)
   const double *a = sg_merge_at(m, v), *b = sg_merge_at(m, w);
   double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 
-  return dot(d, d) <= m->tolerance * m->tolerance;
+  return sg_dot(d, d) <= m->tolerance * m->tolerance;
 }
 
 static void

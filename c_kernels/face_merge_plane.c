@@ -3,6 +3,7 @@
  * Layer: kernel. Inexact; sums run over the triangles in their order.
  */
 #include "face_merge_private.h"
+#include "vector.h"
 
 #include <math.h>
 #include <string.h>
@@ -13,12 +14,6 @@ less(const double a[3], const double b[3], double out[3])
   for (int k = 0; k < 3; k++) {
     out[k] = a[k] - b[k];
   }
-}
-
-static inline double
-dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* Adds the area vector of a triangle. */
@@ -55,8 +50,8 @@ sg_merge_size(const sg_merge *m, uint32_t face, sg_face_size *out)
     }
   }
   less(high, low, high);
-  out->area = sqrt(dot(out->vector, out->vector));
-  out->length = sqrt(dot(high, high));
+  out->area = sqrt(sg_dot(out->vector, out->vector));
+  out->length = sqrt(sg_dot(high, high));
 }
 
 bool
@@ -134,14 +129,14 @@ middle_plane(const face_set *set, const double normal[3], sg_plane *out)
       for (int k = 0; k < 3; k++) {
         double from[3];
         less(sg_merge_at(set->m, solid->triangle[t][k]), set->centre, from);
-        double x = dot(normal, from);
+        double x = sg_dot(normal, from);
         low = x < low ? x : low;
         high = x > high ? x : high;
       }
     }
   }
   memcpy(out->n, normal, sizeof out->n);
-  out->d = -dot(normal, set->centre) - (low + high) / 2;
+  out->d = -sg_dot(normal, set->centre) - (low + high) / 2;
   return (high - low) / 2;
 }
 
@@ -154,8 +149,8 @@ typedef struct moments {
 static void
 add_moments(moments *s, const double at[3])
 {
-  double x = dot(s->axis[0], at), y = dot(s->axis[1], at);
-  double z = dot(s->axis[2], at);
+  double x = sg_dot(s->axis[0], at), y = sg_dot(s->axis[1], at);
+  double z = sg_dot(s->axis[2], at);
 
   s->xx += x * x;
   s->xy += x * y;
@@ -184,7 +179,7 @@ find_moments(const face_set *set, moments *out)
 static bool
 to_unit(double v[3])
 {
-  double length = sqrt(dot(v, v));
+  double length = sqrt(sg_dot(v, v));
 
   for (int k = 0; k < 3; k++) {
     v[k] /= length;

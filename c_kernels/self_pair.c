@@ -10,6 +10,7 @@
 #include "cut.h"
 #include "exact.h"
 #include "self_shape.h"
+#include "vector.h"
 
 #include <math.h>
 #include <string.h>
@@ -131,8 +132,8 @@ apart_in_plane(const pair *p)
     const double *from = i < 3 ? p->a[i] : p->b[i - 3];
     const double *to = i < 3 ? p->a[(i + 1) % 3] : p->b[(i - 2) % 3];
 
-    sg_shape_minus(to, from, e);
-    sg_shape_cross(n, e, m);
+    sg_minus(to, from, e);
+    sg_cross(n, e, m);
     if (apart_along(p, m)) {
       return true;
     }
@@ -141,14 +142,14 @@ apart_in_plane(const pair *p)
     const double *v = p->a[p->shared[0]];
     double f[3];
 
-    sg_shape_minus(p->a[(p->shared[0] + 1 + i / 2) % 3], v, e);
-    sg_shape_minus(p->b[(p->same[0] + 1 + i % 2) % 3], v, f);
+    sg_minus(p->a[(p->shared[0] + 1 + i / 2) % 3], v, e);
+    sg_minus(p->b[(p->same[0] + 1 + i % 2) % 3], v, f);
     sg_shape_normalise(e);
     sg_shape_normalise(f);
     for (int k = 0; k < 3; k++) {
       e[k] += f[k];
     }
-    sg_shape_cross(n, e, m);
+    sg_cross(n, e, m);
     if (apart_along(p, m)) {
       return true;
     }
@@ -397,7 +398,7 @@ reaches_in(const pair *p, const sg_cut *cut, double tolerance)
   for (int k = 0; k < 2; k++) {
     sg_shape_end((corners)p->a, (corners)p->b, &cut->end[k], end[k]);
   }
-  sg_shape_minus(end[1], end[0], way);
+  sg_minus(end[1], end[0], way);
   return fmax(a.above, a.below) > tolerance &&
          fmax(b.above, b.below) > tolerance &&
          hypot(hypot(way[0], way[1]), way[2]) > tolerance;

@@ -1,36 +1,14 @@
 /* self_shape.c -- sizes and places in doubles (self_shape.h). */
 #include "self_shape.h"
+#include "vector.h"
 
 #include <math.h>
 #include <string.h>
 
 static double
-dot(const double u[3], const double v[3])
-{
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
-void
-sg_shape_cross(const double u[3], const double v[3], double out[3])
-{
-  out[0] = u[1] * v[2] - u[2] * v[1];
-  out[1] = u[2] * v[0] - u[0] * v[2];
-  out[2] = u[0] * v[1] - u[1] * v[0];
-}
-
-void
-sg_shape_minus(const double a[3], const double b[3], double out[3])
-{
-  for (int k = 0; k < 3; k++) {
-    out[k] = a[k] - b[k];
-  }
-}
-
-/* Safe from overflow and underflow, which are rare. */
-static double
 length(const double v[3])
 {
-  double square = dot(v, v);
+  double square = sg_dot(v, v);
 
   return square > 1e-280 && square < 1e300 ? sqrt(square)
                                            : hypot(hypot(v[0], v[1]), v[2]);
@@ -51,9 +29,9 @@ sg_shape_normal(const double t[3][3], double out[3])
 {
   double u[3], v[3];
 
-  sg_shape_minus(t[1], t[0], u);
-  sg_shape_minus(t[2], t[0], v);
-  sg_shape_cross(u, v, out);
+  sg_minus(t[1], t[0], u);
+  sg_minus(t[2], t[0], v);
+  sg_cross(u, v, out);
 }
 
 static void
@@ -61,11 +39,11 @@ unit_normal(const double t[3][3], double out[3])
 {
   double u[3], v[3];
 
-  sg_shape_minus(t[1], t[0], u);
-  sg_shape_minus(t[2], t[0], v);
+  sg_minus(t[1], t[0], u);
+  sg_minus(t[2], t[0], v);
   sg_shape_normalise(u);
   sg_shape_normalise(v);
-  sg_shape_cross(u, v, out);
+  sg_cross(u, v, out);
   sg_shape_normalise(out);
 }
 
@@ -79,9 +57,9 @@ sg_shape_depth(const double a[3][3], const double b[3][3])
   for (int i = 0; i < 3; i++) {
     double off[3];
 
-    sg_shape_minus(a[i], b[0], off);
-    depth.above = fmax(depth.above, dot(n, off));
-    depth.below = fmax(depth.below, -dot(n, off));
+    sg_minus(a[i], b[0], off);
+    depth.above = fmax(depth.above, sg_dot(n, off));
+    depth.below = fmax(depth.below, -sg_dot(n, off));
   }
   return depth;
 }
@@ -96,14 +74,14 @@ reach_over_edges(const double a[3][3], const double b[3][3])
   for (int i = 0; i < 3; i++) {
     double along[3], inward[3], most = 0;
 
-    sg_shape_minus(a[(i + 1) % 3], a[i], along);
+    sg_minus(a[(i + 1) % 3], a[i], along);
     sg_shape_normalise(along);
-    sg_shape_cross(n, along, inward);
+    sg_cross(n, along, inward);
     for (int j = 0; j < 3; j++) {
       double off[3];
 
-      sg_shape_minus(b[j], a[i], off);
-      most = fmax(most, dot(inward, off));
+      sg_minus(b[j], a[i], off);
+      most = fmax(most, sg_dot(inward, off));
     }
     least = fmin(least, most);
   }
@@ -127,9 +105,9 @@ edge_at_plane(const double t[3][3], int i, const double o[3], const double n[3],
   const double *u = t[i], *w = t[(i + 1) % 3];
   double from[3], to[3];
 
-  sg_shape_minus(u, o, from);
-  sg_shape_minus(w, o, to);
-  double low = dot(n, from), high = dot(n, to);
+  sg_minus(u, o, from);
+  sg_minus(w, o, to);
+  double low = sg_dot(n, from), high = sg_dot(n, to);
   double part = low / (low - high);
 
   part = part > 0 ? fmin(part, 1) : 0;
@@ -146,12 +124,12 @@ edge_at_edge(const double a[3][3], int i, const double b[3][3], int j,
 {
   double e[3], f[3], both[3], n[3];
 
-  sg_shape_minus(a[(i + 1) % 3], a[i], e);
-  sg_shape_minus(b[(j + 1) % 3], b[j], f);
+  sg_minus(a[(i + 1) % 3], a[i], e);
+  sg_minus(b[(j + 1) % 3], b[j], f);
   sg_shape_normalise(e);
   sg_shape_normalise(f);
-  sg_shape_cross(e, f, both);
-  sg_shape_cross(f, both, n);
+  sg_cross(e, f, both);
+  sg_cross(f, both, n);
   edge_at_plane(a, i, b[j], n, out);
 }
 
@@ -184,10 +162,10 @@ distance_to_edge(const double u[3], const double w[3], const double at[3])
 {
   double along[3], off[3];
 
-  sg_shape_minus(w, u, along);
-  sg_shape_minus(at, u, off);
-  double square = dot(along, along);
-  double part = square > 0 ? dot(along, off) / square : 0;
+  sg_minus(w, u, along);
+  sg_minus(at, u, off);
+  double square = sg_dot(along, along);
+  double part = square > 0 ? sg_dot(along, off) / square : 0;
 
   part = part > 0 ? fmin(part, 1) : 0;
   for (int k = 0; k < 3; k++) {

@@ -9,8 +9,6 @@
 #include "cut.h"
 #include "self_pair.h"
 
-void sg_shape_minus(const double a[3], const double b[3], double out[3]);
-void sg_shape_cross(const double u[3], const double v[3], double out[3]);
 /* To length 1, if it has one. */
 void sg_shape_normalise(double v[3]);
 

@@ -2,6 +2,7 @@
 #include "solid_move.h"
 
 #include "exact.h"
+#include "vector.h"
 
 #include <math.h>
 
@@ -28,20 +29,12 @@ move_vertex(sg_solid_vertex *vertex, const double row[3][4])
   return true;
 }
 
-static void
-cross(const double u[3], const double v[3], double out[3])
-{
-  out[0] = u[1] * v[2] - u[2] * v[1];
-  out[1] = u[2] * v[0] - u[0] * v[2];
-  out[2] = u[0] * v[1] - u[1] * v[0];
-}
-
 static bool
 is_mirror(const double row[3][4])
 {
   double normal[3];
 
-  cross(row[0], row[1], normal);
+  sg_cross(row[0], row[1], normal);
   return normal[0] * row[2][0] + normal[1] * row[2][1] + normal[2] * row[2][2] <
          0;
 }
@@ -72,7 +65,7 @@ view_axis(const sg_solid *solid, const sg_solid_face *face, int *turn)
       u[k] = solid->vertex[t[1]].at[k] - solid->vertex[t[0]].at[k];
       v[k] = solid->vertex[t[2]].at[k] - solid->vertex[t[0]].at[k];
     }
-    cross(u, v, normal);
+    sg_cross(u, v, normal);
     for (int k = 0; k < 3; k++) {
       sum[k] += normal[k];
     }

@@ -1,4 +1,4 @@
-/* vector.h -- products and angles of vectors of doubles. Rounded.
+/* vector.h -- differences, products and angles of vectors of doubles. Rounded.
  *
  * Layer: kernel.
  */
@@ -6,6 +6,15 @@
 #define SG_VECTOR_H
 
 #include <math.h>
+
+/* out = a - b. */
+static inline void
+sg_minus(const double a[3], const double b[3], double out[3])
+{
+  for (int k = 0; k < 3; k++) {
+    out[k] = a[k] - b[k];
+  }
+}
 
 static inline double
 sg_dot(const double a[3], const double b[3])
