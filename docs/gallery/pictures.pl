@@ -172,3 +172,35 @@ picture(pattern_elbow, 'The gores of a bend',
 picture(pattern_house, 'A house of cardboard',
         'Laid out from the floor, with tabs to glue.',
         [unfold,'facts/patterns/house.pl','--tabs','7']).
+
+% The figures of H.-C. Chae and I.-S. Chung, Constructing the Development of
+% Solids by Personal Computer, KSME Journal, 1989: docs/unfolding.md.
+
+picture(unfolded_09, 'Development, figure 9',
+        'A hexahedron; the seam is as short as can be.',
+        [unfold,'facts/patterns/fig09.pl']).
+picture(unfolded_10, 'Development, figure 10',
+        'An oblique cone.',
+        [unfold,'facts/patterns/fig10.pl','--no-numbers']).
+picture(unfolded_11, 'Development, figure 11',
+        'An oblique cylinder on an ellipse.',
+        [unfold,'facts/patterns/fig11.pl','--no-numbers']).
+picture(unfolded_12, 'Development, figure 12',
+        'A hollow cylinder: in the paper its pattern lay on itself, here it is \c
+         in two pieces. The inner wall is folded the other way.',
+        [unfold,'facts/patterns/fig12.pl','--no-numbers']).
+picture(unfolded_13, 'Development, figure 13',
+        'A sphere whose edges along the meridians are the longer ones.',
+        [unfold,'facts/patterns/fig13.pl','--no-numbers']).
+picture(unfolded_14, 'Development, figure 14',
+        'A sphere whose edges along the equator are the longer ones.',
+        [unfold,'facts/patterns/fig14.pl','--no-numbers']).
+picture(unfolded_15a, 'Development, figure 15, the upright cylinder',
+        'Two equal cylinders of 40 facets cross at right angles; what is \c
+         inside the other one is taken away.',
+        [unfold,'facts/patterns/fig15.pl','--trim',outside,
+         '--only',upright,'--no-numbers']).
+picture(unfolded_15b, 'Development, figure 15, the lying cylinder',
+        'The other one of the two.',
+        [unfold,'facts/patterns/fig15.pl','--trim',outside,
+         '--only',lying,'--no-numbers']).
