@@ -2,8 +2,7 @@
  *
  * Layer: glue.
  */
-#include "glue.h"
-#include "stroke.h"
+#include "stroke4pl.h"
 
 #include "../engine/install.h"
 #include "../engine/world4pl.h"
@@ -13,27 +12,15 @@
 static functor_t FUNCTOR_part8, FUNCTOR_stroke7, FUNCTOR_look3, FUNCTOR_minus2;
 static atom_t ATOM_hidden, ATOM_ends[3];
 
-/* A visibility and a role. */
-typedef struct names {
-  atom_t visibility, role;
-} names;
-
-typedef struct looks {
-  names *name;
-  sg_stroke_look *look;
-  size_t n;
-} looks;
-
-static void
-looks_clear(looks *l)
+void
+sg_looks_clear(sg_looks *l)
 {
   free(l->name);
   free(l->look);
 }
 
-/* The place of a look, or l->n; `last` is tried first. */
-static size_t
-find_look(const looks *l, names name, size_t last)
+size_t
+sg_looks_find(const sg_looks *l, sg_look_names name, size_t last)
 {
   if (last < l->n && l->name[last].visibility == name.visibility &&
       l->name[last].role == name.role) {
@@ -49,7 +36,7 @@ find_look(const looks *l, names name, size_t last)
 }
 
 static int
-get_names_ex(term_t part, term_t t, names *out)
+get_names_ex(term_t part, term_t t, sg_look_names *out)
 {
   return (PL_is_functor(part, FUNCTOR_part8) || PL_type_error("part", part)) &&
          PL_get_arg(1, part, t) && PL_get_atom_ex(t, &out->visibility) &&
@@ -59,9 +46,9 @@ get_names_ex(term_t part, term_t t, names *out)
 /* ---------------------------------------------------------- stroke_looks */
 
 static int
-add_look(looks *l, names name)
+add_look(sg_looks *l, sg_look_names name)
 {
-  names *more = realloc(l->name, (l->n + 1) * sizeof *more);
+  sg_look_names *more = realloc(l->name, (l->n + 1) * sizeof *more);
 
   if (!more) {
     return sg_no_memory();
@@ -72,18 +59,18 @@ add_look(looks *l, names name)
 }
 
 static int
-collect_looks_ex(term_t parts, looks *l)
+collect_looks_ex(term_t parts, sg_looks *l)
 {
   term_t tail = PL_copy_term_ref(parts), head = PL_new_term_ref();
   term_t t = PL_new_term_ref();
   size_t at = 0;
 
   while (PL_get_list_ex(tail, head, tail)) {
-    names name;
+    sg_look_names name;
     if (!get_names_ex(head, t, &name)) {
       return FALSE;
     }
-    at = find_look(l, name, at);
+    at = sg_looks_find(l, name, at);
     if (at == l->n && !add_look(l, name)) {
       return FALSE;
     }
@@ -92,7 +79,7 @@ collect_looks_ex(term_t parts, looks *l)
 }
 
 static int
-unify_looks(term_t list, const looks *l)
+unify_looks(term_t list, const sg_looks *l)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
 
@@ -110,10 +97,10 @@ unify_looks(term_t list, const looks *l)
 static foreign_t
 stroke_looks(term_t parts, term_t list)
 {
-  looks l = {0};
+  sg_looks l = {0};
   int ok = collect_looks_ex(parts, &l) && unify_looks(list, &l);
 
-  looks_clear(&l);
+  sg_looks_clear(&l);
   return ok;
 }
 
@@ -121,7 +108,7 @@ stroke_looks(term_t parts, term_t list)
 
 /* The first look with this role. */
 static int
-role_number(const looks *l, size_t n)
+role_number(const sg_looks *l, size_t n)
 {
   size_t i = 0;
 
@@ -133,7 +120,7 @@ role_number(const looks *l, size_t n)
 
 /* look(Visibility, Role, Rank) */
 static int
-get_look_ex(term_t t, term_t arg, looks *l)
+get_look_ex(term_t t, term_t arg, sg_looks *l)
 {
   size_t n = l->n;
   int32_t rank;
@@ -155,14 +142,14 @@ get_look_ex(term_t t, term_t arg, looks *l)
   return TRUE;
 }
 
-static int
-get_looks_ex(term_t list, looks *l)
+int
+sg_get_looks_ex(term_t list, sg_looks *l)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
   term_t arg = PL_new_term_ref();
   size_t length;
 
-  *l = (looks){0};
+  *l = (sg_looks){0};
   if (PL_skip_list(list, 0, &length) != PL_LIST) {
     return PL_type_error("list", list);
   }
@@ -198,15 +185,15 @@ get_point_ex(term_t t, term_t arg, int64_t out[2])
 
 /* part(Visibility, Role, S, E, From, To, A, B); t: two references to use. */
 static int
-get_part_ex(term_t part, term_t t, const looks *l, sg_stroke_part *out)
+get_part_ex(term_t part, term_t t, const sg_looks *l, sg_stroke_part *out)
 {
   size_t last = out->look;
-  names name;
+  sg_look_names name;
 
   if (!get_names_ex(part, t, &name)) {
     return FALSE;
   }
-  last = find_look(l, name, last);
+  last = sg_looks_find(l, name, last);
   if (last == l->n) {
     return PL_domain_error("look", part);
   }
@@ -219,29 +206,28 @@ get_part_ex(term_t part, term_t t, const looks *l, sg_stroke_part *out)
          PL_get_arg(8, part, t) && get_point_ex(t, t + 1, out->b);
 }
 
-/* free(*out) in any case. */
-static int
-get_parts_ex(term_t list, const looks *l, sg_stroke_part **out, size_t *n)
+int
+sg_get_parts_ex(term_t list, const sg_looks *l, sg_stroke_part **out, size_t *n)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
   term_t t = PL_new_term_refs(2);
   sg_stroke_part part = {0};
   size_t length;
 
-  *n = 0;
-  *out = NULL;
   if (PL_skip_list(list, 0, &length) != PL_LIST) {
     return PL_type_error("list", list);
   }
-  *out = malloc((length + 1) * sizeof **out);
-  if (!*out) {
+  sg_stroke_part *grown = realloc(*out, (*n + length + 1) * sizeof *grown);
+
+  if (!grown) {
     return sg_no_memory();
   }
+  *out = grown;
   while (PL_get_list(tail, head, tail)) {
     if (!get_part_ex(head, t, l, &part)) {
       return FALSE;
     }
-    (*out)[(*n)++] = part;
+    grown[(*n)++] = part;
   }
   return TRUE;
 }
@@ -266,7 +252,7 @@ step_point(const sg_strokes *strokes, int64_t step, bool end)
 /* stroke(Visibility, Role, S, Edges, Points, Start, End) into t[0]; t[1] to
  * t[7] are its arguments, t[8] to t[10] to use. */
 static int
-put_stroke(term_t t, const looks *l, const sg_strokes *strokes,
+put_stroke(term_t t, const sg_looks *l, const sg_strokes *strokes,
            const sg_stroke *stroke)
 {
   const int64_t *step = &strokes->step[stroke->first];
@@ -295,7 +281,7 @@ put_stroke(term_t t, const looks *l, const sg_strokes *strokes,
 }
 
 static int
-unify_strokes(term_t list, const looks *l, const sg_strokes *strokes)
+unify_strokes(term_t list, const sg_looks *l, const sg_strokes *strokes)
 {
   term_t all = PL_new_term_ref(), t = PL_new_term_refs(11);
 
@@ -309,28 +295,35 @@ unify_strokes(term_t list, const looks *l, const sg_strokes *strokes)
   return PL_unify(list, all);
 }
 
+int
+sg_unify_strokes_of(term_t list, const sg_looks *l, sg_stroke_part *part,
+                    size_t n)
+{
+  sg_strokes strokes;
+  bool memory;
+
+  if (!sg_strokes_make(part, n, l->look, &sg_prolog_poll, &strokes, &memory)) {
+    return memory ? FALSE : sg_no_memory();
+  }
+  int done = unify_strokes(list, l, &strokes);
+
+  sg_strokes_clear(&strokes);
+  return done;
+}
+
 /* stroke_chains(+Parts, +Looks, -Strokes) is det. */
 static foreign_t
 stroke_chains(term_t parts, term_t look_list, term_t list)
 {
-  looks l;
+  sg_looks l;
   sg_stroke_part *part = NULL;
-  size_t n;
-  int ok = get_looks_ex(look_list, &l) && get_parts_ex(parts, &l, &part, &n);
+  size_t n = 0;
+  int ok = sg_get_looks_ex(look_list, &l) &&
+           sg_get_parts_ex(parts, &l, &part, &n) &&
+           sg_unify_strokes_of(list, &l, part, n);
 
-  if (ok) {
-    sg_strokes strokes;
-    bool memory;
-
-    if (sg_strokes_make(part, n, l.look, &sg_prolog_poll, &strokes, &memory)) {
-      ok = unify_strokes(list, &l, &strokes);
-      sg_strokes_clear(&strokes);
-    } else {
-      ok = memory ? FALSE : sg_no_memory();
-    }
-  }
   free(part);
-  looks_clear(&l);
+  sg_looks_clear(&l);
   return ok;
 }
 

@@ -129,6 +129,10 @@
             % stroke4pl.c
             stroke_looks/2,           % +Parts, -Looks
             stroke_chains/3,          % +Parts, +Looks, -Strokes
+            % drawn_stroke4pl.c
+            drawn_box/1,              % -Box
+            drawn_strokes/5,          % +Place, +Removed, +Looks, +Others,
+                                      % -Strokes
             % travel4pl.c
             travel_order/2,           % +Strokes, -Order
             % development4pl.c, development_write4pl.c
@@ -558,6 +562,22 @@ glue file.
 %   As strokes/2 of stroke.pl: the fused kernel. Looks are look(Visibility,Role,
 %   Rank), in standard order, all that Parts have; Rank is their place in
 %   painting.
+
+/* - - - drawn_stroke4pl.c - - - */
+
+%!  drawn_box(-Box) is semidet.
+%
+%   Box is b(X1,Y1,X2,Y2) round the parts that drawn/7 has of edges, in the
+%   picture's own coordinates. Fails if there are none.
+
+%!  drawn_strokes(+Place, +Removed, +Looks, +Others:list, -Strokes:list) is det.
+%
+%   Strokes are those of the parts that drawn/7 has of edges, placed as
+%   placed_part/3 of sheet.pl says, and of Others, which are placed; those with
+%   the visibility Removed are left out, but not of Others. Looks as for
+%   stroke_chains/3. No part is ever a term.
+%
+%   @error representation_error(look), representation_error(sheet_coordinate)
 
 /* - - - travel4pl.c - - - */
 

@@ -1,14 +1,16 @@
 :- module(sg_sheet,
           [ sheet_drawing/3,            % +Default, +Options, -Drawing
             sheet_strokes/4,            % +Default, +Options, -Sheet, -Strokes
+            sheet_strokes_by_rule/4,    % +Default, +Options, -Sheet, -Strokes
             drawing_strokes/2,          % +Drawing, -Strokes
             scaled_drawing/3,           % +Factor, +Drawing, -Scaled
             picture_parts/1,            % -Parts
             placed_part/3               % +Place, +Part0, -Part
           ]).
 :- use_module(contour, [line_ends/4]).
-:- use_module(store, [drawn/7]).
-:- use_module(stroke, [strokes/2]).
+:- use_module(kernel, [drawn_box/1, drawn_strokes/5]).
+:- use_module(store, [contour/9, drawn/7]).
+:- use_module(stroke, [strokes/2, picture_looks/1]).
 :- autoload(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
 :- autoload(library(lists), [member/2]).
@@ -109,21 +111,46 @@ scaled(Factor, X0, X) :-
     X is round(X0*Factor).
 
 %!  sheet_strokes(+Default, +Options, -Sheet, -Strokes) is det.
+%!  sheet_strokes_by_rule(+Default, +Options, -Sheet, -Strokes) is det.
 %
 %   The Sheet and the Strokes of what drawn/7 holds, as sheet_drawing/3 lays
-%   them out.
+%   them out. The kernels drawn_box/1 and drawn_strokes/5 do for edges what the
+%   rule does for all parts, which as terms would need much room.
 
 sheet_strokes(Default, Options, Sheet, Strokes) :-
+    hidden_option(Options, Hidden),
+    findall(Part, contour_part(Part), Contours),
+    whole_box(Contours, Box),
+    box_place(Box, Default, Options, Sheet, Place),
+    placed_parts(Hidden, Place, Contours, Placed),
+    (   Hidden == removed
+    ->  Removed = hidden
+    ;   Removed = none
+    ),
+    picture_looks(Looks),
+    drawn_strokes(Place, Removed, Looks, Placed, Strokes).
+
+sheet_strokes_by_rule(Default, Options, Sheet, Strokes) :-
     hidden_option(Options, Hidden),
     picture_parts(Parts),
     parts_box(Parts, Box),
     box_place(Box, Default, Options, Sheet, Place),
+    placed_parts(Hidden, Place, Parts, Placed),
+    strokes(Placed, Strokes).
+
+placed_parts(Hidden, Place, Parts, Placed) :-
     (   Hidden == removed
     ->  exclude(hidden_part, Parts, Kept)
     ;   Kept = Parts
     ),
-    maplist(placed_part(Place), Kept, Placed),
-    strokes(Placed, Strokes).
+    maplist(placed_part(Place), Kept, Placed).
+
+%   contour_part(-Part): one that is no edge.
+
+contour_part(Part) :-
+    contour(S, K, _, _, _, _, _, _, _),
+    E is -K,
+    drawn_part(S, E, Part).
 
 %!  picture_parts(-Parts) is det.
 %
@@ -131,7 +158,7 @@ sheet_strokes(Default, Options, Sheet, Strokes) :-
 %   their ends in the picture's own coordinates.
 
 picture_parts(Parts) :-
-    findall(Part, drawn_part(Part), Parts).
+    findall(Part, drawn_part(_, _, Part), Parts).
 
 hidden_option(Options, Hidden) :-
     option(hidden(Hidden), Options, dashed),
@@ -142,7 +169,7 @@ hidden_option(Options, Hidden) :-
 
 hidden_part(part(hidden,_,_,_,_,_,_,_)).
 
-drawn_part(part(Visibility,Role,S,E,From,To,XA-YA,XB-YB)) :-
+drawn_part(S, E, part(Visibility,Role,S,E,From,To,XA-YA,XB-YB)) :-
     drawn(_, S, E, From, To, Visibility, Role),
     line_ends(S, E, X1-Y1, X2-Y2),
     between_ends(From, X1, X2, XA),
@@ -163,9 +190,21 @@ between_ends(At, A, B, X) :-
 %   so that nothing overflows.
 
 parts_box([], box(0.0,0.0,0.0,0.0)).
-parts_box([Part|Parts], box(X,Y,HalfW,HalfH)) :-
+parts_box([Part|Parts], Box) :-
     Part = part(_, _, _, _, _, _, X0-Y0, _),
-    foldl(boxed, [Part|Parts], b(X0,Y0,X0,Y0), b(XLow,YLow,XHigh,YHigh)),
+    foldl(boxed, [Part|Parts], b(X0,Y0,X0,Y0), Box0),
+    halved(Box0, Box).
+
+%   whole_box(Contours, Box): of the edges, and of other parts.
+
+whole_box(Contours, Box) :-
+    (   drawn_box(Box0)
+    ->  foldl(boxed, Contours, Box0, Box1),
+        halved(Box1, Box)
+    ;   parts_box(Contours, Box)
+    ).
+
+halved(b(XLow,YLow,XHigh,YHigh), box(X,Y,HalfW,HalfH)) :-
     HalfW is XHigh/2 - XLow/2,
     HalfH is YHigh/2 - YLow/2,
     X is XLow + HalfW,

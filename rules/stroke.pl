@@ -1,9 +1,11 @@
 :- module(sg_stroke,
           [ strokes/2,                  % +Parts, -Strokes
+            picture_looks/1,            % -Looks
             strokes_by_rule/2,          % +Parts, -Strokes
             stroke_length/2             % +Stroke, -Length
           ]).
 :- use_module(kernel, [stroke_looks/2, stroke_chains/3]).
+:- use_module(role, [role_rank/2]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [append/2, last/2, member/2, nth1/3]).
@@ -44,6 +46,17 @@ strokes(Parts, Strokes) :-
     msort(Looks0, Looks1),
     maplist(ranked_look, Looks1, Looks),
     stroke_chains(Parts, Looks, Strokes).
+
+%!  picture_looks(-Looks) is det.
+%
+%   Looks, for stroke_chains/3, are all that drawn/7 may have.
+
+picture_looks(Looks) :-
+    findall(Visibility-Role,
+            ( member(Visibility, [hidden,visible]), role_rank(Role, _) ),
+            Looks0),
+    msort(Looks0, Looks1),
+    maplist(ranked_look, Looks1, Looks).
 
 ranked_look(Visibility-Role, look(Visibility,Role,Rank)) :-
     paint_rank(Visibility, Role, Rank).
