@@ -31,16 +31,20 @@ write_json(Out, Inked, Options) :-
            [Width, Height]),
     format(Out, '"scale": ~w,~n', [Scale]),
     maplist(ink_json, Inks, Styles),
-    findall(Json, view_json(Views, Inks, Json), Lines),
-    write_list(Out, styles, Styles),
+    list_head(Out, styles),
+    foldl(write_member(Out), Styles, "\n    ", _),
+    list_end(Out),
     format(Out, ',~n', []),
-    write_list(Out, lines, Lines),
+    list_head(Out, lines),
+    foldl(view_lines(Out, Inks), Views, "\n    ", _),
+    list_end(Out),
     write_texts(Out, Inked, Inks),
     format(Out, '~n}~n', []).
 
-write_list(Out, Name, List) :-
-    format(Out, '  "~w": [', [Name]),
-    foldl(write_member(Out), List, "\n    ", _),
+list_head(Out, Name) :-
+    format(Out, '  "~w": [', [Name]).
+
+list_end(Out) :-
     format(Out, '~n  ]', []).
 
 write_member(Out, Json, Before, ",\n    ") :-
@@ -57,17 +61,22 @@ write_texts(Out, Inked, Inks) :-
     ;   Inked = inked(_, _, Views),
         findall(Json, written_json(Views, Inks, Json), Jsons),
         format(Out, ',~n', []),
-        write_list(Out, texts, Jsons)
+        list_head(Out, texts),
+        foldl(write_member(Out), Jsons, "\n    ", _),
+        list_end(Out)
     ).
 
-%   Of several views each line and text has its own.
+%   Of several views each line and text has its own. The lines are most of the
+%   text: each is written before the next one is made.
 
-view_json(Views, Inks, json(Members)) :-
-    member(view(Name,Lines,_), Views),
-    member(line(Ink,Stroke), Lines),
-    nth0(Style, Inks, Ink),
+view_lines(Out, Inks, view(Name,Lines,_), Before0, Before) :-
+    foldl(line_written(Out, Inks, Name), Lines, Before0, Before).
+
+line_written(Out, Inks, Name, line(Ink,Stroke), Before0, Before) :-
+    once(nth0(Style, Inks, Ink)),
     stroke_json(Stroke, Style, Own),
-    in_view(Name, Own, Members).
+    in_view(Name, Own, Members),
+    write_member(Out, json(Members), Before0, Before).
 
 written_json(Views, Inks, json(Members)) :-
     member(view(Name,_,Texts), Views),

@@ -2,11 +2,11 @@
           [ write_hpgl/3                % +Out, +Inked, +Options
           ]).
 :- use_module(ink,
-              [ inked_lines/3, dashes_option/3, ink_pen/2, ink_runs/2,
-                ink_type/2, ink_lines/4
+              [ inked_inks/2, inked_lines/3, dashes_option/3, ink_pen/2,
+                ink_runs/2, ink_type/2, ink_lines/4
               ]).
 :- use_module(travel, [short_travel/2, travel_length/2]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(apply), [convlist/3, foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [last/2, list_to_set/2, member/2, sum_list/2]).
 :- autoload(library(option), [option/3]).
@@ -31,7 +31,8 @@ write_hpgl(Out, Inked, Options) :-
     dashes_option(Options, geometry, How),
     option(order(Order), Options, short),
     inked_lines(drawn, Inked, Lines),
-    findall(Pen, ( member(line(Ink,_), Lines), ink_pen(Ink, Pen) ), Pens0),
+    inked_inks(Inked, Inks),
+    maplist(ink_pen, Inks, Pens0),
     list_to_set(Pens0, Pens),
     format(Out, 'IN;~n', []),
     scaling_points(How, Out, W, H),
@@ -63,11 +64,7 @@ plot_pen(Out, How-Order, Lines, Pen, travel(N0,Way0,Unsorted0),
             Keys0),
     sort(1, @<, Keys0, Keys),
     list_to_assoc(Keys, Inks),
-    findall(Stroke,
-            ( member(line(Ink,Stroke), Lines),
-              ink_pen(Ink, Pen)
-            ),
-            Strokes),
+    convlist(pen_stroke(Pen), Lines, Strokes),
     ordered(Order, Strokes, Ordered),
     length(Strokes, N1),
     travel_length(Ordered, Way1),
@@ -82,6 +79,9 @@ ordered(kept, Strokes, Strokes) :-
     !.
 ordered(short, Strokes, Ordered) :-
     short_travel(Strokes, Ordered).
+
+pen_stroke(Pen, line(Ink,Stroke), Stroke) :-
+    ink_pen(Ink, Pen).
 
 %   A line's ink is the same as that of all lines with its key.
 

@@ -22,7 +22,7 @@
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(error), [domain_error/2, type_error/2]).
-:- autoload(library(lists), [list_to_set/2, member/2]).
+:- autoload(library(lists), [append/2, append/3, list_to_set/2, member/2]).
 :- autoload(library(option), [option/3]).
 /** <module> Ink: a drawing with the way it looks.
 
@@ -173,17 +173,20 @@ paper(Rows, RGB) :-
 %   letters of texts (lettering.pl) are among them; or `left`: they are not.
 
 inked_lines(Texts, inked(_,_,Views), Lines) :-
-    findall(Line, view_line(Texts, Views, Line), Lines).
+    maplist(view_lines(Texts), Views, Own),
+    append(Own, Lines).
 
-view_line(Texts, Views, Line) :-
-    member(view(_,Lines,Written), Views),
-    (   member(Line, Lines)
-    ;   Texts == drawn,
-        member(text(Ink,Text), Written),
-        Line = line(Ink, stroke(visible,text,0,[],Points,joint,joint)),
-        lettering(Text, Letters),
-        member(Points, Letters)
-    ).
+%   Nothing is copied: a picture may have millions of points.
+
+view_lines(left, view(_,Lines,_), Lines).
+view_lines(drawn, view(_,Lines0,Written), Lines) :-
+    findall(line(Ink, stroke(visible,text,0,[],Points,joint,joint)),
+            ( member(text(Ink,Text), Written),
+              lettering(Text, Letters),
+              member(Points, Letters)
+            ),
+            Letters),
+    append(Lines0, Letters, Lines).
 
 %!  inked_texts(+Inked, -Texts) is det.
 %

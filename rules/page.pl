@@ -6,10 +6,10 @@
           ]).
 :- use_module(dash, [stroke_runs/4]).
 :- use_module(ink,
-              [ inked_lines/3, ink_width/2, ink_colour/3, ink_runs/2,
-                ink_layer/2, ink_lines/4
+              [ inked_inks/2, inked_lines/3, ink_width/2, ink_colour/3,
+                ink_runs/2, ink_layer/2, ink_lines/4
               ]).
-:- autoload(library(apply), [foldl/4]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(lists), [append/3, list_to_set/2, member/2, nth0/3]).
 /** <module> A page of PDF, or of PostScript that has PDF's operators.
 
@@ -41,9 +41,8 @@ write_page(Out, Medium, How, Layers, Inked) :-
 %   Layers are the names of the layers that Inked uses, in painting order.
 
 page_layers(Inked, Layers) :-
-    inked_lines(drawn, Inked, Lines),
-    findall(Layer, ( member(line(Ink,_), Lines), ink_layer(Ink, Layer) ),
-            Layers0),
+    inked_inks(Inked, Inks),
+    maplist(ink_layer, Inks, Layers0),
     list_to_set(Layers0, Layers).
 
 %!  page_points(+Length, -Points) is det.

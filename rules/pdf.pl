@@ -4,7 +4,7 @@
           ]).
 :- use_module(ink, [dashes_option/3]).
 :- use_module(page, [write_page/5, page_layers/2, page_points/2, text_hex/2]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(apply), [foldl/5, maplist/3]).
 :- autoload(library(lists),
             [append/2, list_to_set/2, member/2, nth0/3, nth1/3]).
 :- autoload(library(option), [option/3]).
@@ -37,29 +37,27 @@ write_pdf_pages(Out, Inkeds, Options) :-
     maplist(page_layers, Inkeds, Layerss),
     append(Layerss, Layers0),
     list_to_set(Layers0, Layers),
-    maplist(page_content(How, Layers), Inkeds, Contents),
-    findall(Body, object(Layers, Inkeds, Contents, Options, Body), Bodies),
-    Header = "%PDF-1.5\n",
-    string_length(Header, Start),
-    write(Out, Header),
-    foldl(write_object(Out), Bodies, 1-Start, Count-End),
+    character_count(Out, Base),
+    write(Out, '%PDF-1.5\n'),
+    findall(Object, object(Layers, Inkeds, Options, Object), Objects),
+    foldl(write_object(pages(Out,Base,How,Layers,Inkeds)), Objects, Starts,
+          1-none, Count-_),
+    character_count(Out, End0),
+    End is End0-Base,
     length(Inkeds, Pages),
-    Information is 2*Pages+3,
-    cross_references(Out, Bodies, Start, Count-Information, End).
-
-page_content(How, Layers, Inked, Content) :-
-    with_output_to(string(Content),
-                   ( current_output(Page),
-                     write_page(Page, print, How, Layers, Inked) )).
+    Information is 3*Pages+3,
+    cross_references(Out, Starts, Count-Information, End).
 
 page_how(type, fitted) :-
     !.
 page_how(How, How).
 
-%   object(Layers, Inkeds, Contents, Options, Body): the objects in order: 1
-%   catalogue, 2 pages, each page and its content, information, the layers.
+%   object(Layers, Inkeds, Options, Object): the objects in order: 1 catalogue, 2
+%   pages; each page, its content and the length of that; information, the
+%   layers. Object is its text; content(I), of the I-th page; or `length`, of
+%   the content before it, which is known when that is written.
 
-object(Layers, Inkeds, _, _, Body) :-
+object(Layers, Inkeds, _, Body) :-
     length(Layers, N),
     first_layer(Inkeds, First),
     findall(Reference, layer_reference(First, N, Reference), References),
@@ -67,32 +65,30 @@ object(Layers, Inkeds, _, _, Body) :-
     format(string(Body),
            '<< /Type /Catalog /Pages 2 0 R /OCProperties << /OCGs [~w] \c
             /D << /Order [~w] >> >> >>', [All,All]).
-object(_, Inkeds, _, _, Body) :-
+object(_, Inkeds, _, Body) :-
     length(Inkeds, Count),
     findall(Reference,
             ( between(1, Count, I),
-              Number is 2*I+1,
+              Number is 3*I,
               format(atom(Reference), '~d 0 R', [Number])
             ),
             References),
     atomic_list_concat(References, ' ', Kids),
     format(string(Body), '<< /Type /Pages /Kids [~w] /Count ~d >>',
            [Kids,Count]).
-object(Layers, Inkeds, Contents, _, Body) :-
+object(Layers, Inkeds, _, Object) :-
     first_layer(Inkeds, First),
     nth1(I, Inkeds, Inked),
-    (   Number is 2*I+2,
-        page_object(Layers, First, Inked, Number, Body)
-    ;   nth1(I, Contents, Content),
-        string_length(Content, Length),
-        format(string(Body), '<< /Length ~d >>~nstream~n~wendstream',
-               [Length,Content])
+    (   Number is 3*I+1,
+        page_object(Layers, First, Inked, Number, Object)
+    ;   Object = content(I)
+    ;   Object = length
     ).
-object(_, _, _, Options, Body) :-
+object(_, _, Options, Body) :-
     option(title(Title), Options, ''),
     text_hex(Title, Hex),
     format(string(Body), '<< /Title ~w /Producer (Sanggwan) >>', [Hex]).
-object(Layers, _, _, _, Body) :-
+object(Layers, _, _, Body) :-
     member(Layer, Layers),
     format(string(Body), '<< /Type /OCG /Name (~w) >>', [Layer]).
 
@@ -115,35 +111,45 @@ page_object(Layers, First, inked(sheet(W,H,_),_,_), Content, Body) :-
 
 first_layer(Inkeds, Number) :-
     length(Inkeds, Pages),
-    Number is 2*Pages+4.
+    Number is 3*Pages+4.
 
 layer_reference(First, N, Reference) :-
     Last is First+N-1,
     between(First, Last, Number),
     format(atom(Reference), '~d 0 R', [Number]).
 
-write_object(Out, Body, N0-At0, N-At) :-
-    object_text(N0, Body, Text),
-    write(Out, Text),
-    string_length(Text, Length),
-    N is N0+1,
-    At is At0+Length.
+%   write_object(Pages, Object, Start, N0-Length0, N-Length): object N0 begins
+%   Start bytes after the beginning; all of the file is ASCII.
 
-object_text(N, Body, Text) :-
-    format(string(Text), '~d 0 obj~n~w~nendobj~n', [N,Body]).
+write_object(Pages, Object, Start, N0-Length0, N-Length) :-
+    Pages = pages(Out, Base, _, _, _),
+    character_count(Out, At),
+    Start is At-Base,
+    format(Out, '~d 0 obj~n', [N0]),
+    write_body(Object, Pages, N0, Length0, Length),
+    format(Out, '~nendobj~n', []),
+    N is N0+1.
 
-%   Where each object begins, in bytes; all of the file is ASCII.
+write_body(content(I), pages(Out,_,How,Layers,Inkeds), N, _, Length) :-
+    !,
+    LengthObject is N+1,
+    format(Out, '<< /Length ~d 0 R >>~nstream~n', [LengthObject]),
+    character_count(Out, From),
+    nth1(I, Inkeds, Inked),
+    write_page(Out, print, How, Layers, Inked),
+    character_count(Out, To),
+    Length is To-From,
+    write(Out, endstream).
+write_body(length, pages(Out,_,_,_,_), _, Length, Length) :-
+    !,
+    write(Out, Length).
+write_body(Body, pages(Out,_,_,_,_), _, Length, Length) :-
+    write(Out, Body).
 
-cross_references(Out, Bodies, Start, Count-Information, End) :-
+cross_references(Out, Starts, Count-Information, End) :-
     format(Out, 'xref~n0 ~d~n0000000000 65535 f ~n', [Count]),
-    foldl(cross_reference(Out), Bodies, 1-Start, _),
+    forall(member(Start, Starts),
+           format(Out, '~|~`0t~d~10+ 00000 n ~n', [Start])),
     format(Out,
            'trailer~n<< /Size ~d /Root 1 0 R /Info ~d 0 R >>~n\c
             startxref~n~d~n%%EOF~n', [Count,Information,End]).
-
-cross_reference(Out, Body, N0-At0, N-At) :-
-    format(Out, '~|~`0t~d~10+ 00000 n ~n', [At0]),
-    object_text(N0, Body, Text),
-    string_length(Text, Length),
-    N is N0+1,
-    At is At0+Length.

@@ -13,7 +13,7 @@
 :- use_module(stroke, [strokes/2, picture_looks/1]).
 :- autoload(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [member/2]).
+:- autoload(library(lists), [append/2]).
 :- autoload(library(option), [option/2, option/3]).
 /** <module> The sheet: the picture laid on paper.
 
@@ -77,9 +77,8 @@ sheet_drawing(Default, Options, Drawing) :-
 %   The strokes of all views, in painting order.
 
 drawing_strokes(drawing(_, Views), Strokes) :-
-    findall(Stroke,
-            ( member(view(_, Own, _), Views), member(Stroke, Own) ),
-            Strokes).
+    maplist([view(_, Own, _),Own]>>true, Views, All),
+    append(All, Strokes).
 
 %!  scaled_drawing(+Factor, +Drawing, -Scaled) is det.
 %

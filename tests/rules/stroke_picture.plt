@@ -5,11 +5,12 @@
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).
+:- use_module(rules(drawing)).
 :- use_module(rules(hidden_lines), except([lies_on/4])).
 :- use_module(rules(penetration)).
 :- use_module(rules(primitive)).
 :- use_module(rules(sheet)).
-:- use_module(rules(store)).
+:- use_module(rules(store), except([piece/3])).
 :- use_module(rules(stroke)).
 :- use_module(rules(triangulation)).
 :- use_module(rules(view)).
@@ -188,3 +189,41 @@ test(no_golden_twice, [forall(golden(Name, _))]) :-
 in_new_world(Goal) :-
     new_world(World),
     in_world(World, Goal).
+
+% A picture of many lines takes little of the stacks: no part is a term, and
+% no writer copies the strokes.
+
+:- begin_tests(little_room).
+
+test(formats, Failed-Rule == []-resource_error) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(sphere(radius(1), facets(80), bands(40)), _),
+               complete_segments,
+               picture([lines(all)]),
+               findall(Format-Status, failed_in(4 000 000, Format, Status),
+                       Failed),
+               within_stack(4 000 000,
+                            sheet_strokes_by_rule(210-148, [], _, _),
+                            exception(error(Error, _))),
+               functor(Error, Rule, _) )).
+
+failed_in(Bytes, Format, Status) :-
+    member(Format, [svg,pdf,eps,ps,png,dxf,hpgl,json,pl]),
+    within_stack(Bytes, written_to_nothing(Format), Status),
+    Status \== true.
+
+%   within_stack(+Bytes, :Goal, -Status): of a thread that has no more room.
+
+within_stack(Bytes, Goal, Status) :-
+    current_world(World),
+    thread_create(in_world(World, Goal), Thread, [stack_limit(Bytes)]),
+    thread_join(Thread, Status).
+
+written_to_nothing(Format) :-
+    setup_call_cleanup(
+        open_null_stream(Out),
+        write_drawing_stream(Format, Out, []),
+        close(Out)).
+
+:- end_tests(little_room).
