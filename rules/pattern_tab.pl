@@ -159,8 +159,9 @@ tab_point(X0-Y0, U, V, Along-Deep, X-Y) :-
 tab_shape(Width, Length, tab(In1,Run1,In2,Run2,Deep), Area) :-
     member(Part, [1.0,0.75,0.55,0.4,0.25]),
     Deep is min(Width, 0.45*Length)*Part,
-    Deep > 0.2,
-    member(Slope1-Slope2, [ 1-1, 1.8-1.8, 3.5-3.5, 1-3.5, 3.5-1, 7-7 ]),
+    Deep >= min(1.0, Width/3),          % what can still be glued
+    member(Slope1-Slope2, [ 1-1, 1.8-1.8, 3.5-3.5, 1-3.5, 3.5-1,
+                            1-7, 7-1 ]),
     Run1 is Deep*Slope1,
     Run2 is Deep*Slope2,
     member(In-Out, [0-0, 0.15-0, 0-0.15, 0.15-0.15, 0.4-0, 0-0.4, 0.3-0.3]),

@@ -1,0 +1,135 @@
+/* Patterns of many shapes on paper: no tab lies on a face or on another tab, no
+   piece on another, nothing is cut twice. */
+:- module(test_pattern_shapes, []).
+:- use_module(library(plunit)).
+:- use_module(library(lists)).
+:- use_module(library(apply)).
+:- use_module(rules(store)).
+:- use_module(rules(csg_roots), [roots_alone/0]).
+:- use_module(rules(development), [develop/2]).
+:- use_module(rules(model), [load_model/1]).
+:- use_module(rules(pattern_drawing),
+              [ pattern_drawing/3, pattern_layout/3 ]).
+:- use_module(tests('rules/cut_checked')).
+
+shape(cube, box(size(40,40,40))).
+shape(cone, cone(radius(20),height(50),facets(24))).
+shape(oblique_cone, cone(radius(20),height(50),facets(24),shift(20,5))).
+shape(cylinder, cylinder(radius(20),height(60),facets(24))).
+shape(hollow, hollow_cylinder(radius(30),inner(20),height(50),facets(24))).
+shape(uv_sphere, sphere(radius(50),facets(24),bands(12))).
+shape(small_sphere, sphere(radius(20),facets(32),bands(16))).
+shape(torus, torus(radius(40),tube(15),facets(24),sides(12))).
+
+:- meta_predicate quietly(0).
+
+quietly(Goal) :-
+    setup_call_cleanup(
+        asserta((user:message_hook(_, Kind, _) :-
+                     memberchk(Kind, [warning,informational,silent])), Ref),
+        Goal,
+        erase(Ref)).
+
+of_term(Term, Options, Drawings) :-
+    new_world(World),
+    in_world(World,
+             ( loaded(Term),
+               develop(1, D),
+               quietly(pattern_drawing([D], Options, Drawings)) )).
+
+loaded(Term) :-
+    tmp_file_stream(File, Out, [extension(pl)]),
+    format(Out, 'segment(1, solid, ~q).~n', [Term]),
+    close(Out),
+    load_model(File).
+
+no_fault(Name, Drawings) :-
+    forall(( nth1(I, Drawings, Drawing), once(cut_fault(Drawing, Fault)) ),
+           ( print_message(error, format("~w, sheet ~w: ~q", [Name,I,Fault])),
+             fail )).
+
+%   The scale with which a model is about 150 mm large.
+model_scale(Scale) :-
+    findall(C, ( v(_, _, X, Y, Z), member(C, [X,Y,Z]) ), Cs),
+    max_list(Cs, High),
+    min_list(Cs, Low),
+    Scale is 150/(High-Low).
+
+model_file(File) :-
+    member(Folder, ['facts/figures','facts/gallery']),
+    absolute_file_name(sanggwan(Folder), Path, [file_type(directory)]),
+    atom_concat(Path, '/*.pl', Pattern),
+    expand_file_name(Pattern, Files),
+    member(File, Files).
+
+of_file(File, Drawings) :-
+    new_world(World),
+    in_world(World,
+             quietly(( load_model(File),
+                       roots_alone,
+                       findall(S, ( segment(S, Kind, _),
+                                    memberchk(Kind, [solid,surface]),
+                                    \+ many_faces(S) ), Ss),
+                       Ss \== [],
+                       model_scale(Scale),
+                       findall(D, ( member(S, Ss), develop(S, D) ), Ds),
+                       pattern_drawing(Ds, [page('A3'),tabs(5),scale(Scale)],
+                                       Drawings) ))).
+
+many_faces(S) :-
+    findall(x, limit(1500, p(S,_,_)), Xs),
+    length(Xs, 1500).
+
+:- begin_tests(pattern_shapes).
+
+test(on_pages, [ forall(shape(Name,Term)) ]) :-
+    of_term(Term, [page('A4'),tabs(6)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+test(wide_tabs, [ forall(shape(Name,Term)) ]) :-
+    of_term(Term, [tabs(25)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+test(inside, [ forall(shape(Name,Term)) ]) :-
+    of_term(Term, [tabs(6),inside(true),gap(1)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+% Where slits are too narrow, near the equator, joints are butt.
+test(most_seams_have_tabs, [ true(2*Butt < Tabs) ]) :-
+    new_world(World),
+    in_world(World,
+             ( loaded(sphere(radius(50),facets(24),bands(12))),
+               develop(1, D),
+               quietly(pattern_layout([D], [tabs(6)],
+                                      layout(_,_,_,_,Tabs0,Butt0))) )),
+    assoc_to_keys(Tabs0, TabKeys),
+    assoc_to_keys(Butt0, ButtKeys),
+    length(TabKeys, Tabs),
+    length(ButtKeys, Butt).
+
+% The checker does find what is wrong.
+test(checker, [ Found == [crossing(b,a),inside(b,a),off(b),twice(0-0,9-0)] ]) :-
+    Square = [0-0,9000-0,9000-9000,0-9000,0-0],
+    Inner = [1000-1000,2000-1000,2000-2000,1000-1000],
+    Over = [8000-8000,20000-8000,20000-20000,8000-8000],
+    faults([a-Square,b-Over], 30000, F1),
+    faults([a-Square,b-Inner], 30000, F2),
+    faults([a-Square,b-Over], 15000, F3),
+    faults([a-[0-0,9-0,9-9,0-0],b-[9-0,0-0,0-(-9),9-0]], 30000, F4),
+    first([F1,F2,F3,F4], [crossing(_,_),inside(_,_),off(_),twice(_,_)],
+          Found).
+
+test(gallery, [ forall(model_file(File)) ]) :-
+    (   of_file(File, Drawings)
+    ->  assertion(no_fault(File, Drawings))
+    ;   format("skipped: ~w~n", [File])
+    ).
+
+faults(Pieces, Side, Faults) :-
+    findall(view(Name,[stroke(visible,cut,1,[],Points,ring,ring)],[]),
+            member(Name-Points, Pieces), Views),
+    findall(Fault, cut_fault(drawing(sheet(Side,Side,1),Views), Fault),
+            Faults).
+
+first(Faultss, Kinds, Found) :-
+    maplist([Faults,Kind,Kind]>>memberchk(Kind, Faults), Faultss, Kinds,
+            Found).
+
+:- end_tests(pattern_shapes).
