@@ -4,7 +4,8 @@
           ]).
 :- use_module(store, [segment/3, facts_transaction/1]).
 :- use_module(primitive_face, [surface_point/4]).
-:- use_module(true_divide, [facet_divided/7, generator_spans/5]).
+:- use_module(true_divide,
+              [facet_divided/7, facet_index/2, generator_spans/5]).
 :- use_module(true_layout,
               [ layout/6, layout_points/2, layout_curves/2, layout_marks/6,
                 mirrored_half/4
@@ -20,6 +21,7 @@
             [append/2, max_list/2, member/2, min_list/2, nth0/3,
              sum_list/2]).
 :- autoload(library(option), [option/2, option/3]).
+:- autoload(library(ordsets), [ord_memberchk/2]).
 :- autoload(library(pairs), [pairs_keys/2]).
 /** <module> True developments: what a plate of a cylinder or cone is cut to.
 
@@ -169,8 +171,13 @@ place_near(Nodes, Key, Middle, T, H) :-
 
 seam(Facets, Shape, Sense, Options, Seam, Around) :-
     facet_starts(Facets, Starts),
+    findall(Place,
+            ( member(facet(_, _, T2, _), Facets), turn_place(T2, Place) ),
+            Ends0),
+    sort(Ends0, Ends),
     (   member(T, Starts),
-        \+ ( member(facet(_, _, T2, _), Facets), same_turn(T, T2) )
+        turn_place(T, Start),
+        \+ ord_memberchk(Start, Ends)
     ->  Around = false
     ;   Around = true
     ),
@@ -186,17 +193,19 @@ facet_starts(Facets, Ts) :-
     findall(T, member(facet(_, T, _, _), Facets), Ts0),
     sort(Ts0, Ts).
 
-same_turn(T1, T2) :-
-    Off is (T1-T2)/360.0,
-    abs(Off - round(Off)) < 1.0e-8.
+%   turn_place(T, Place): the same for generators in one place.
+
+turn_place(T, Place) :-
+    Place is round(T*1.0e6) mod 360000000.
 
 %   shortest_generator(Facets, Starts, Shape, Sense, Seam): of those that are
 %   equally short, but for rounding, the first.
 
 shortest_generator(Facets, Starts, Shape, Sense, Seam) :-
+    facet_index(Facets, Index),
     findall(Length-T,
             ( member(T, Starts),
-              generator_length(Facets, T, Sense, Shape, Length) ),
+              generator_length(Index, T, Sense, Shape, Length) ),
             Lengths),
     pairs_keys(Lengths, Ls),
     min_list(Ls, Least),
@@ -204,9 +213,9 @@ shortest_generator(Facets, Starts, Shape, Sense, Seam) :-
     once(( member(Length-Seam, Lengths),
            Length =< Most )).
 
-generator_length(Facets, T, Sense, Shape, Length) :-
+generator_length(Index, T, Sense, Shape, Length) :-
     Shape = shape(Surface, _, _),
-    generator_spans(Facets, T, Sense, Shape, Spans),
+    generator_spans(Index, T, Sense, Shape, Spans),
     findall(Part, ( member(H1-H2, Spans), Part is H2-H1 ), Parts),
     sum_list(Parts, Sum),
     surface_point(Surface, T, 0.0, point(X1,Y1,Z1)),

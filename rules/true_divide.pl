@@ -1,14 +1,16 @@
 :- module(sg_true_divide,
           [ facet_divided/7,            % +Facet, +T, +Sense, +N, -Parts,
                                         % +Shape0, -Shape
-            generator_spans/5           % +Facets, +T, +Sense, +Shape, -Spans
+            facet_index/2,              % +Facets, -Index
+            generator_spans/5           % +Index, +T, +Sense, +Shape, -Spans
           ]).
 :- use_module(kernel, [surface_place/4, surfaces_meet/4]).
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
 :- use_module(true_surface, [generator_plane/3]).
 :- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, put_assoc/4]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(pairs), [group_pairs_by_key/2]).
 /** <module> Facets divided along a generator.
 
 The seam may be anywhere, half a pattern ends in the middle, and generators may
@@ -173,14 +175,32 @@ cut_halves([A-B|Spans], Sense, N, [Left|Lefts], [Right|Rights]) :-
     N1 is N+1,
     cut_halves(Spans, Sense, N1, Lefts, Rights).
 
-%!  generator_spans(+Facets, +T, +Sense, +Shape, -Spans) is det.
+%!  facet_index(+Facets, -Index) is det.
+%
+%   Index finds the facets at a generator: an assoc from whole degrees.
+
+facet_index(Facets, Index) :-
+    findall(Degree-Facet,
+            ( member(Facet, Facets),
+              Facet = facet(_, T1, T2, _),
+              First is floor(T1-1.0e-3),
+              Last is floor(T2+1.0e-3),
+              between(First, Last, Degree) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Index).
+
+%!  generator_spans(+Index, +T, +Sense, +Shape, -Spans) is det.
 %
 %   Spans is the list of H1-H2, ascending, where the generator at T lies on
-%   Facets; at a border between facets where it is an edge of one of them.
+%   facets; at a border between facets where it is an edge of one of them.
 
-generator_spans(Facets, T, Sense, Shape, Spans) :-
+generator_spans(Index, T, Sense, Shape, Spans) :-
+    Degree is floor(T),
     findall(Span,
-            ( member(Facet, Facets),
+            ( get_assoc(Degree, Index, Facets),
+              member(Facet, Facets),
               facet_span(Facet, T, Sense, Shape, Span) ),
             Spans0),
     sort(Spans0, Spans1),

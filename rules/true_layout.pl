@@ -9,7 +9,7 @@
           ]).
 :- use_module(kernel, [roll_curves/5, roll_points/3]).
 :- use_module(primitive_face, [surface_point/4]).
-:- use_module(true_divide, [generator_spans/5]).
+:- use_module(true_divide, [facet_index/2, generator_spans/5]).
 :- use_module(true_plate, [plate_layer/2]).
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
 :- use_module(true_surface, [level_plane/3]).
@@ -237,9 +237,10 @@ asked_curve(Shape, edge(A, B, _, _), curve(Near, Surfaces, From, To)) :-
 
 layout_marks(Layout, Facets, Sense, Seam, Generators, Marks) :-
     Layout = layout(Kind, Shape, _, _, _, _),
+    facet_index(Facets, Index),
     findall(Mark,
             ( member(Number-T, Generators),
-              generator_spans(Facets, T, Sense, Shape, Spans),
+              generator_spans(Index, T, Sense, Shape, Spans),
               member(H1-H2, Spans),
               mark_ends(Kind, Layout, Facets, T, H1, H2, P, Q),
               measures(Kind, Layout, Seam, T, H1-P, H2-Q, Position, From, To),

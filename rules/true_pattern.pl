@@ -14,8 +14,7 @@
             ]).
 :- autoload(library(lists),
             [append/2, append/3, max_member/2, member/2, nth1/3, reverse/2]).
-:- autoload(library(ordsets), [ord_subtract/3]).
-:- autoload(library(ugraphs), [reachable/3, vertices_edges_to_ugraph/3]).
+:- autoload(library(pairs), [group_pairs_by_key/2]).
 /** <module> The rows of a true development.
 
 A pattern is pattern(S, Bends, Facets, Points, Curves, Marks): of segment S;
@@ -302,16 +301,32 @@ pieces_written(Facets, Folds, D) :-
     findall(P-Q,
             ( member(A-B, Folds), ( P = A, Q = B ; P = B, Q = A ) ),
             Pairs),
-    vertices_edges_to_ugraph(Ps, Pairs, Graph),
-    pieces_numbered(Ps, Graph, D, 1).
+    keysort(Pairs, Sorted),
+    group_pairs_by_key(Sorted, Groups),
+    list_to_assoc(Groups, Neighbours),
+    empty_assoc(Seen),
+    foldl(piece_from(D, Neighbours), Ps, 1-Seen, _).
 
-pieces_numbered([], _, _, _).
-pieces_numbered([P|Ps0], Graph, D, K) :-
-    reachable(P, Graph, Piece),
-    forall(member(Q, Piece), assert_fact(piece(D, Q, K))),
-    ord_subtract(Ps0, Piece, Ps),
-    K1 is K+1,
-    pieces_numbered(Ps, Graph, D, K1).
+piece_from(D, Neighbours, P, K0-Seen0, K-Seen) :-
+    (   get_assoc(P, Seen0, _)
+    ->  K-Seen = K0-Seen0
+    ;   reached([P], D, K0, Neighbours, Seen0, Seen),
+        K is K0+1
+    ).
+
+reached([], _, _, _, Seen, Seen).
+reached([P|Ps0], D, K, Neighbours, Seen0, Seen) :-
+    (   get_assoc(P, Seen0, _)
+    ->  Ps = Ps0,
+        Seen1 = Seen0
+    ;   put_assoc(P, Seen0, K, Seen1),
+        assert_fact(piece(D, P, K)),
+        (   get_assoc(P, Neighbours, Qs)
+        ->  append(Qs, Ps0, Ps)
+        ;   Ps = Ps0
+        )
+    ),
+    reached(Ps, D, K, Neighbours, Seen1, Seen).
 
 %   mark_written(D, Mark, E0-W0, E-W): an auxiliary edge of no polygon.
 
