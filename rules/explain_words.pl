@@ -8,6 +8,7 @@
           ]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store, [segment/3]).
+:- autoload(library(terms), [mapargs/3]).
 
 /** <module> The statements of an explanation.
 
@@ -150,10 +151,22 @@ plain_name(Name0, Name) :-
 %   of the primitive that S was made from, if it is one.
 
 polygon_word(S, P, Word) :-
-    polygon_name(S, P, Name),
-    (   Name == P
+    polygon_name(S, P, Name0),
+    (   Name0 == P
     ->  Word = P
-    ;   format(atom(Word), '~w (~w)', [P, Name])
+    ;   plain_numbers(Name0, Name),
+        format(atom(Word), '~w (~w)', [P, Name])
+    ).
+
+%   plain_numbers(Term0, Term): with 15 instead of 15.0.
+
+plain_numbers(Term0, Term) :-
+    (   float(Term0),
+        Term0 =:= truncate(Term0)
+    ->  Term is truncate(Term0)
+    ;   compound(Term0)
+    ->  mapargs(plain_numbers, Term0, Term)
+    ;   Term = Term0
     ).
 
 %!  in_order(+Seat1, +Seat2, -Small, -Large) is det.

@@ -36,7 +36,7 @@ check "rules leave fewer lines" \
   test "$(paths pipes_rules)" -lt "$(paths pipes)"
 
 # The rule files shown are those in the folder.
-for file in docs/pipes_rules.pl docs/pieces_rules.pl docs/glass_rules.pl; do
+for file in docs/{pipes,pieces,glass,back,weld}_rules.pl; do
   check "$file is what the page shows" \
     eval "sed '1,/^\*\//d; /^%/d; /^$/d' $file |
           while IFS= read -r line; do
