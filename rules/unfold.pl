@@ -5,8 +5,12 @@
             pattern_of/2,               % +D, -T
             wanted_of/3,                % +S, +Wishes, -Wanted
             unfolded_part/4,            % +S, +Wanted, +Options, -D
+            trimmed_part/3,             % +S, +Options, -T
+            other_parts/3,              % +S, +Options, -Others
+            part_developed/4,           % +T, +Manual, +Options, -D
             wishes/3                    % +S, +Options, -Wishes
           ]).
+:- use_module(bend, [pattern_bent/2]).
 :- use_module(csg_roots, [aside_segments/1]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(development, [develop/3]).
@@ -55,6 +59,9 @@ against each other.
 %     of a CSG tree and no curves.
 %     - tolerance(T)
 %     What is nearer than T is in one place. Default: model_tolerance/1.
+%
+%     - thickness(T), size(Which), bend_radius(R), k_factor(K)
+%     Of the plate that is folded: see pattern_bent/2.
 %
 %   Others go to develop/3, as minimize(Objective). S stays as it is; if the
 %   segments were cut (penetrate/0) before, D has the penetration lines. One
@@ -143,7 +150,7 @@ unfolded_part(S, Wanted, Options, D) :-
     facts_transaction(sg_unfold:part_unfolded(S, Wanted, Options, D)).
 
 part_unfolded(S, Wanted, Options, D) :-
-    part(S, Options, T),
+    trimmed_part(S, Options, T),
     root_stays(T, S, Wanted),
     tolerance(Options, Tolerance),
     facts_snapshot(
@@ -152,26 +159,35 @@ part_unfolded(S, Wanted, Options, D) :-
     ->  drop_pattern(D),
         maplist(assert_fact, Rows)
     ;   wanted_in(T, S, Wanted, Manual),
-        developed(T, Manual, Options, D)
+        part_developed(T, Manual, Options, D)
     ).
 
-%   part(S, Options, T): T is S, or what is trimmed of it.
+%!  trimmed_part(+S, +Options:list, -T) is det.
+%
+%   T is segment S, or what is trimmed of it if Options have trim(Side).
 
-part(S, Options, T) :-
+trimmed_part(S, Options, T) :-
     (   option(trim(Side), Options)
-    ->  option(by(Others), Options, _),
-        (   var(Others)
-        ->  findall(Other, ( unfoldable(Other), Other \== S,
-                             \+ made_here(Other) ),
-                    Others)
-        ;   true
-        ),
+    ->  other_parts(S, Options, Others),
         stage(pieces, trimmed(S, Others, Side, Options, T)),
         (   T == S
         ->  print_message(informational, sanggwan(unfold(alone(S))))
         ;   true
         )
     ;   T = S
+    ).
+
+%!  other_parts(+S, +Options:list, -Others:list) is det.
+%
+%   Others are the segments that S is trimmed by: as option by(Others) says, or
+%   all others that can be unfolded.
+
+other_parts(S, Options, Others) :-
+    (   option(by(Others0), Options)
+    ->  Others = Others0
+    ;   findall(Other, ( unfoldable(Other), Other \== S,
+                         \+ made_here(Other) ),
+                Others)
     ).
 
 made_here(S) :-
@@ -207,7 +223,7 @@ attached_unfolded(T, S, Wanted, Options, Tolerance, Result) :-
         length(Divided, N),
         print_message(informational, sanggwan(unfold(attached(T, W, N)))),
         wanted_in(T, S, Wanted, Manual),
-        developed(T, Manual, Options, D),
+        part_developed(T, Manual, Options, D),
         forall(( member(E0-Es, Divided), member(E, Es) ),
                part_named(D, E, E0)),
         findall(Row, pattern_row(D, Row), Rows),
@@ -253,18 +269,22 @@ pattern_row(D, piece(D, P, K)) :-
 pattern_row(D, joint(D, J, E1, E2, Kind, Angle)) :-
     joint(D, J, E1, E2, Kind, Angle).
 
-%   developed(T, Manual, Options, D): the kernel's part of it, and a warning for
-%   each edge that should have been kept and was not.
+%!  part_developed(+T, +Manual:list, +Options:list, -D) is det.
+%
+%   D is the pattern of segment T, with Manual, options of develop/3 for what is
+%   wanted, and with Options, as of unfold/3. A warning for each edge that should
+%   have been kept and was not.
 
-developed(T, Manual, Options, D) :-
+part_developed(T, Manual, Options, D) :-
     findall(Option,
             ( member(Option, Options), functor(Option, Name, _),
               \+ memberchk(Name, [root,cut,keep,order,removed,trim,by]) ),
             Others),
     append(Manual, Others, All),
     stage(develop, develop(T, All, D)),
-    option(keep(Keep), Manual),
-    forall(member(E, Keep), kept_or_told(D, T, E)).
+    option(keep(Keep), Manual, []),
+    forall(member(E, Keep), kept_or_told(D, T, E)),
+    pattern_bent(D, Options).
 
 kept_or_told(D, T, E) :-
     (   once(e(D, E, _, _, _)),

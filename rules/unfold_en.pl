@@ -173,6 +173,9 @@ unfold_en(no_term(Option, Text)) -->
 unfold_en(several_sheets(N)) -->
     [ 'the drawing has ~D sheets, and standard output takes one'-[N], nl,
       '  Write .pdf, which may have several, or a file.' ].
+unfold_en(true_alone(Option)) -->
+    [ 'option ~w is of true patterns alone'-[Option], nl,
+      '  Give --true as well.' ].
 unfold_en(alone(S)) -->
     [ 'segment ~d meets no other: nothing of it is trimmed'-[S] ].
 unfold_en(attached(S, Welded, Divided)) -->

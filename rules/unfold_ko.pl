@@ -136,6 +136,9 @@ unfold_ko(no_term(Option, Text)) -->
 unfold_ko(several_sheets(N)) -->
     [ '도면이 ~D장이라 표준 출력에 쓸 수 없습니다'-[N], nl,
       '  여러 장을 담는 .pdf나 파일에 쓰십시오.' ].
+unfold_ko(true_alone(Option)) -->
+    [ '~w 은(는) 실제 길이의 전개도에만 쓰입니다'-[Option], nl,
+      '  --true 도 주십시오.' ].
 unfold_ko(alone(S)) -->
     [ '세그먼트 ~d은(는) 다른 것과 만나지 않아 잘라 낼 것이 없습니다'-[S] ].
 unfold_ko(attached(S, Welded, Divided)) -->

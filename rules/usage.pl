@@ -284,8 +284,6 @@ option_ko(by, '나누는 입체, 또는 끝까지 가르는 열린 곡면').
 option_ko(side,
     '평면의 below(A*X + B*Y + C*Z + D < 0)나 above, 곡면의 below(뒤)나 above, \c
 입체의 inside나 outside. 없으면 둘 다').
-option_ko(Name, Help) :-
-    unfold_option_ko(Name, Help).
 option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
@@ -375,11 +373,11 @@ print_usage(Verb, Language) :-
     format("~w  sanggwan ~w [OPTION...] ~w~n~n~w~n",
            [Usage, Verb, Arguments, Options]),
     verb_options(Verb, Specs),
-    forall(member(Spec, Specs), print_option(Language, Spec)),
+    forall(member(Spec, Specs), print_option(Language, Verb, Spec)),
     format("~n~w~n", [Examples]),
     forall(example(Verb, Command), format("  ~w~n", [Command])).
 
-print_option(Language, option(Name, Short, _, Meta, Help)) :-
+print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
     (   Short == ''
     ->  Letter = '    '
     ;   format(atom(Letter), '-~w, ', [Short])
@@ -388,7 +386,10 @@ print_option(Language, option(Name, Short, _, Meta, Help)) :-
     ->  Value = ''
     ;   Value = '='
     ),
-    (   option_ko(Name, HelpKo)
+    (   Verb == unfold,
+        unfold_option_ko(Name, HelpKo)
+    ->  true
+    ;   option_ko(Name, HelpKo)
     ->  true
     ;   HelpKo = Help
     ),

@@ -43,6 +43,34 @@ unfold_option(option(minimize, '', one_of([seam, pieces, longest, area]),
     'WHAT',
     'what should be small: the seam (as is usual), the number of pieces, the \c
      longest weld, or the area of the sheet')).
+unfold_option(option(true, '', flag, '',
+    'what is round is unrolled to its true lengths, not facet by facet: \c
+     cylinders, cones, transitions')).
+unfold_option(option(seam, '', value, 'DEGREES',
+    'with --true: the generator at which it is cut open')).
+unfold_option(option(generators, '', number(2), 'N',
+    'with --true: so many generators, in equal steps, numbered')).
+unfold_option(option(half, '', flag, '',
+    'with --true: half of what is symmetric')).
+unfold_option(option(chord, '', number(0), 'T',
+    'with --true: how far curves may be from true ones, in model units')).
+unfold_option(option(table, '', value, 'FILE.csv',
+    'with --true: the table of true lengths; of several patterns FILE-1.csv \c
+     and so on')).
+unfold_option(option(thickness, '', number(0), 'T',
+    'of the plate, in model units: bends take off what they need')).
+unfold_option(option(size, '', one_of([inside, middle, outside]), 'WHICH',
+    'which side of the plate the model shows (middle, as is usual)')).
+unfold_option(option(kfactor, '', number(0), 'K',
+    'where the layer is that keeps its length: K times T from the inside of a \c
+     bend; default 0.44, with --true 0.5')).
+unfold_option(option('bend-radius', '', number(0), 'R',
+    'inside each bend; default T')).
+unfold_option(option('set-in', '', flag, '',
+    'with --true and --trim: a branch goes through the wall of the header; \c
+     without it, it is set on')).
+unfold_option(option('other-thickness', '', number(0), 'T',
+    'with --true and --trim: of the plate of the other segments')).
 unfold_option(option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches')).
 unfold_option(option(scale, '', value, 'N:M',
@@ -100,6 +128,23 @@ unfold_option_ko(minimize,
     '줄일 것: seam(솔기의 길이, 보통), pieces(조각의 수), longest(가장 긴 \c
 용접선), area(판의 넓이)').
 
+unfold_option_ko(true,
+    '둥근 것은 면마다가 아니라 실제 길이로 펼친다. 원기둥, 원뿔, 변이관').
+unfold_option_ko(seam, '--true 와 함께: 솔기가 될 모선의 각도').
+unfold_option_ko(generators, '--true 와 함께: 번호를 단 등분 모선의 수').
+unfold_option_ko(half, '--true 와 함께: 대칭인 것의 반쪽').
+unfold_option_ko(chord, '--true 와 함께: 곡선이 참값에서 벗어나도 되는 거리').
+unfold_option_ko(table,
+    '--true 와 함께: 실장표. 전개도가 여럿이면 FILE-1.csv 등').
+unfold_option_ko(thickness, '판의 두께(모델 단위). 굽힘만큼 줄인다').
+unfold_option_ko(size,
+    '모델이 판의 어느 면인가: inside(안쪽), middle(가운데, 보통), outside(바깥)').
+unfold_option_ko(kfactor,
+    '길이가 변하지 않는 층: 굽힘의 안쪽에서 두께의 K배. 보통 0.44, --true 는 0.5').
+unfold_option_ko('bend-radius', '굽힘의 안쪽 반지름. 보통 두께와 같다').
+unfold_option_ko('set-in',
+    '--true, --trim 과 함께: 지관이 주관의 벽을 뚫고 들어간다. 없으면 위에 얹힌다').
+unfold_option_ko('other-thickness', '--true, --trim 과 함께: 다른 세그먼트의 두께').
 unfold_option_ko(page,
     '이 크기의 쪽들. A4~A0, A3-landscape, letter, WxH(mm). 더 큰 조각은 \c
 나눈다. 없으면 필요한 크기의 종이 한 장').
@@ -125,5 +170,7 @@ unfold_example('sanggwan unfold facts/patterns/house.pl --tabs 6 \c
 --page A4-landscape -o house.pdf').
 unfold_example('sanggwan unfold pipes.pl --trim outside --only branch \c
 --remove base,top -o branch.dxf').
+unfold_example('sanggwan unfold facts/patterns/saddle.pl --trim outside \c
+--true --generators 24 --table saddle.csv -o saddle.pdf').
 unfold_example('sanggwan unfold part.stl --minimize pieces -o part.svg \c
 -o part.pl').

@@ -1,6 +1,7 @@
 :- module(sg_verbs_unfold,
           [ unfold_run/3                % +Files, +Options, -Status
           ]).
+:- use_module(arguments, [decimal_number/2]).
 :- use_module(csg_roots, [roots_alone/0]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(mesh, [write_mesh/3]).
@@ -23,13 +24,15 @@
               [ unfoldable/1, pattern_of/2, wishes/3, wanted_of/3,
                 unfolded_part/4
               ]).
+:- use_module(true_table, [write_true_lengths/3]).
 :- use_module(unfold_report, [unfold_report/2]).
+:- use_module(unfold_true, [true_patterns/4]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, no_model_replaced/2, output_written/2,
                 usage_error/1
               ]).
 :- autoload(library(apply), [maplist/2, maplist/3, maplist/4]).
-:- autoload(library(lists), [append/2, append/3, member/2]).
+:- autoload(library(lists), [append/2, append/3, member/2, nth1/3]).
 :- autoload(library(option), [option/2, option/3]).
 /** <module> The verb unfold.
 
@@ -49,6 +52,7 @@ unfold_run(Files, Options, 0) :-
             [ svg,pdf,eps,ps,png,dxf,hpgl,json,fold,pl,obj,off ],
             Outputs),
     drawing_options(Options, _),         % what is wrong is said at once
+    true_alone(Options),
     no_model_replaced(Files, Outputs),
     flag_wishes(Options, Flags),
     load_model(Files, Options),
@@ -58,7 +62,21 @@ unfold_run(Files, Options, 0) :-
           error(model_error(unfold(S, Wish, What)), Location),
           in_file(Files, S, Wish, What, Location)),
     unfold_report(Ds, Options),
+    tables_written(Options, Ds),
     maplist(written_to(Options, Ds), Outputs).
+
+%   true_alone(Options): some options are of true patterns alone.
+
+true_alone(Options) :-
+    (   \+ option(true(true), Options),
+        member(Name, [seam,generators,half,chord,table,'set-in',
+                      'other-thickness']),
+        Option =.. [Name,_],
+        option(Option, Options)
+    ->  atom_concat('--', Name, Flag),
+        usage_error(unfold(true_alone(Flag)))
+    ;   true
+    ).
 
 %   patterns(Options, Flags, Ds): Ds are the patterns of all that is to be
 %   unfolded, in order. Flags are the wishes among Options.
@@ -75,22 +93,52 @@ patterns(Options, Flags, Ds) :-
     ),
     develop_options(Options, DevelopOptions),
     findall(Other, unfoldable(Other), All),
-    maplist(pattern(All, DevelopOptions), Ss, Wanteds, Ds).
+    maplist(patterns_of(All, DevelopOptions), Ss, Wanteds, Dss),
+    append(Dss, Ds).
 
 all_wanted(Flags, S, Wanted) :-
     wishes(S, Flags, Wishes),
     wanted_of(S, Wishes, Wanted).
 
-pattern(All, Options, S, Wanted, D) :-
+%   patterns_of(All, Options, S, Wanted, Ds): several, if they are true ones.
+
+patterns_of(All, Options0, S, Wanted, Ds) :-
     findall(Other, ( member(Other, All), Other \== S ), Others),
-    unfolded_part(S, Wanted, [by(Others)|Options], D).
+    Options = [by(Others)|Options0],
+    (   option(true(true), Options)
+    ->  true_patterns(S, Wanted, Options, Ds)
+    ;   unfolded_part(S, Wanted, Options, D),
+        Ds = [D]
+    ).
 
 develop_options(Options, Develop) :-
-    findall(Option,
-            ( member(Name, [trim,minimize,tolerance]),
-              Option =.. [Name,_],
-              option(Option, Options) ),
-            Develop).
+    findall(Option, develop_option(Options, Option), Develop).
+
+develop_option(Options, seam(Degrees)) :-
+    option(seam(Text), Options),
+    (   decimal_number(Text, Degrees)
+    ->  true
+    ;   usage_error(bad_value('--seam', Text, 'DEGREES'))
+    ).
+develop_option(Options, Option) :-
+    develop_flag(Flag, Name),
+    Given =.. [Flag,Value],
+    option(Given, Options),
+    Option =.. [Name,Value].
+
+develop_flag(trim, trim).
+develop_flag(minimize, minimize).
+develop_flag(tolerance, tolerance).
+develop_flag(true, true).
+develop_flag(generators, generators).
+develop_flag(half, half).
+develop_flag(chord, chord).
+develop_flag(thickness, thickness).
+develop_flag(size, size).
+develop_flag(kfactor, k_factor).
+develop_flag('bend-radius', bend_radius).
+develop_flag('set-in', set_in).
+develop_flag('other-thickness', other_thickness).
 
 %   known_wishes: every unfolding/2 is of a segment that is there.
 
@@ -228,6 +276,35 @@ places(Text, Wish, Place0, Place) :-
                 /*******************************
                 *            OUTPUT            *
                 *******************************/
+
+%   tables_written(Options, Ds): of true lengths; of several patterns that have
+%   generators FILE.csv becomes FILE-1.csv, FILE-2.csv, ...
+
+tables_written(Options, Ds) :-
+    (   option(table(File), Options)
+    ->  findall(D, ( member(D, Ds), segment(D, _, true_development(_, _)) ),
+                Trues),
+        option(unit(Unit), Options, mm),
+        table_files(Trues, File, Files),
+        maplist(table_written(Unit), Trues, Files)
+    ;   true
+    ).
+
+table_files([_], File, [File]) :-
+    !.
+table_files(Trues, File, Files) :-
+    file_name_extension(Base, Ending, File),
+    findall(Name,
+            ( nth1(I, Trues, _),
+              format(atom(Name), '~w-~d.~w', [Base,I,Ending]) ),
+            Files).
+
+table_written(Unit, D, File) :-
+    stage(write, write_true_lengths(D, File, [unit(Unit)])),
+    (   File == (-)
+    ->  true
+    ;   print_message(informational, sanggwan(wrote(File)))
+    ).
 
 %   written_to(Options, Ds, Output): a drawing may take several files.
 

@@ -122,6 +122,34 @@ check "a flat mesh" eval "sanggwan unfold -q $box -o $TMP/flat.off >/dev/null &&
   [ \$(head -c 3 $TMP/flat.off) = OFF ] &&
   awk 'NR > 2 && NF == 3 && \$3 != 0 { exit 1 }' $TMP/flat.off"
 
+# True patterns.
+pipe=$TMP/pipe.pl
+echo 'segment(1, solid, named(pipe, cylinder(radius(50), height(200),
+  facets(24)))).' >"$pipe"
+check "as wide as it is round" output 'sheet  *314.159 x 200' \
+  sanggwan unfold "$pipe" --true --remove base,top
+check "a chord each without" output 'sheet  *313.263 x 200' \
+  sanggwan unfold "$pipe" --remove base,top
+check "its ends as well" eval "[ \$(sanggwan unfold $pipe --true |
+  grep -c '^segment') = 2 ]"
+check "a table" eval "sanggwan unfold -q $pipe --true --generators 12 \
+  --remove base,top --table $TMP/pipe.csv >/dev/null &&
+  [ \$(wc -l <$TMP/pipe.csv) = 14 ]"
+check "two tables" eval "sanggwan unfold -q $saddle --trim outside --true \
+  --table $TMP/s.csv >/dev/null && [ -s $TMP/s-1.csv ] && [ -s $TMP/s-2.csv ]"
+check "the seam where it is wished" output 'seam  *260,' \
+  sanggwan unfold "$saddle" --trim outside --true --only header
+check "or as an option says" output 'seam  *260,' \
+  sanggwan unfold "$saddle" --trim outside --true --only header --seam 30
+check "no angle" complains 2 'should look like DEGREES' \
+  sanggwan unfold "$pipe" --true --seam x
+check "only of true patterns" complains 2 'Give --true as well' \
+  sanggwan unfold "$pipe" --seam 30
+check "a plate that is set on" output '238.761 x 136.533' \
+  sanggwan unfold "$saddle" --trim outside --true --only branch --thickness 4
+check "a folded plate" output 'sheet  *9.[0-9]* x 7' \
+  sanggwan unfold "$box" --thickness 0.1
+
 # Drawings.
 check "a drawing" eval "sanggwan unfold -q $saddle --trim outside \
   -o $TMP/saddle.svg >/dev/null && grep -q 'visible cut' $TMP/saddle.svg"

@@ -1,0 +1,106 @@
+:- module(sg_unfold_true,
+          [ true_patterns/4             % +S, +Wanted, +Options, -Ds
+          ]).
+:- use_module(polygon_name, [polygon_name/3]).
+:- use_module(store,
+              [e/5, p/3, from_p/5, edge_polygon/3, facts_transaction/1]).
+:- use_module(triangulation, [complete_segments/0]).
+:- use_module(true_development, [true_development/4, developable_part/3]).
+:- use_module(true_plate, [plate_parts/5]).
+:- use_module(unfold, [trimmed_part/3, other_parts/3, part_developed/4]).
+:- use_module(unfold_wish, [wanted_in/4]).
+:- autoload(library(apply), [maplist/3]).
+:- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(option), [option/2, option/3]).
+:- autoload(library(ordsets), [ord_subtract/3, ord_union/3]).
+/** <module> True patterns: what is round is unrolled, the rest laid flat.
+*/
+
+%!  true_patterns(+S, +Wanted, +Options:list, -Ds:list) is det.
+%
+%   Ds are the patterns of segment S, trimmed if Options say so (unfold/3): one
+%   of each part that can be unrolled (true_development/4, which has the other
+%   options), then one of all polygons that are left, if there are any: without
+%   those that are Wanted removed. An edge that should be cut is the seam of what
+%   is unrolled; no more of what is Wanted counts. If the plate has a thickness, what is trimmed are the surfaces that touch
+%   (plate_parts/5). One transaction.
+
+true_patterns(S, Wanted, Options, Ds) :-
+    facts_transaction(sg_unfold_true:patterns(S, Wanted, Options, Ds)).
+
+patterns(S, Wanted, Options0, Ds) :-
+    plate(S, Options0, Options, S1),
+    trimmed_part(S1, Options, T),
+    wanted_in(T, S1, Wanted, Manual),
+    option(removed(Removed0), Manual, []),
+    sort(Removed0, Removed),
+    findall(Part, developable_part(T, Part, _), Parts),
+    option(cut(Cut), Manual, []),
+    maplist(unrolled(T, Cut, Options), Parts, Unrolled),
+    findall(P, ( member(D, Unrolled), has_polygon(D, T, P) ), Ps0),
+    sort(Ps0, Ps),
+    ord_union(Removed, Ps, Done),
+    findall(P, p(T, P, _), All0),
+    sort(All0, All),
+    ord_subtract(All, Done, Rest),
+    (   Rest == [],
+        Unrolled \== []
+    ->  Ds = Unrolled
+    ;   part_developed(T, [removed(Done)], Options, D),
+        append(Unrolled, [D], Ds)
+    ).
+
+%   plate(S, Options0, Options, S1): S1 is S, or what of its plate touches the
+%   others, which are then among Options.
+
+plate(S, Options0, [by(Others)|Options], S1) :-
+    option(trim(_), Options0),
+    option(thickness(T), Options0),
+    T > 0,
+    !,
+    other_parts(S, Options0, Others0),
+    plate_parts(S, Others0, Options0, Options, S1-Others),
+    complete_segments.
+plate(S, Options, Options, S).
+
+%   unrolled(T, Cut, Options, Part, D): the seam is where an edge of it is to be
+%   cut, if nothing else is said.
+
+unrolled(T, Cut, Options, Part, D) :-
+    (   \+ option(seam(_), Options),
+        member(E, Cut),
+        generator_at(T, Part, E, Degrees)
+    ->  true_development(T, Part, [seam(Degrees)|Options], D)
+    ;   true_development(T, Part, Options, D)
+    ).
+
+%   generator_at(T, Part, E, Degrees): edge E is between two facets of Part.
+
+generator_at(T, Part, E, Degrees) :-
+    (   Part = _/Name
+    ->  true
+    ;   Name = Part
+    ),
+    once(e(T, E, A, B, _)),
+    once(( edge_polygon(T, E, P),
+           e(T, F, B, A, _),
+           edge_polygon(T, F, Q) )),
+    polygon_name(T, P, curved(Name, [From1-To1|_])),
+    polygon_name(T, Q, curved(Name, [From2-To2|_])),
+    (   same_direction(To1, From2)
+    ->  Degrees = To1
+    ;   same_direction(To2, From1)
+    ->  Degrees = To2
+    ).
+
+same_direction(A, B) :-
+    Off is abs(A-B),
+    ( Off =:= 0 ; Off =:= 360 ),
+    !.
+
+has_polygon(D, T, P) :-
+    p(D, Q, _),
+    (   from_p(D, Q, T, P0, _)
+    ->  P = P0
+    ;   P = Q
+    ).
