@@ -7,6 +7,9 @@
 
 enum {
   FEW = 6,          /* triangles that are looked at one by one */
+  SOME = 8,         /* faces, of which those near the joint are tried first */
+  FAN = 16,         /* faces round a vertex that are */
+  NEAR = 12,        /* faces round one that overlapped before */
   POLL_EVERY = 2048 /* triangles moved */
 };
 
@@ -42,7 +45,8 @@ begin_island(sg_flattening *fl, uint32_t face)
                         .tail = face,
                         .faces = 1,
                         .triangles = f->triangle_begin[face + 1] -
-                                     f->triangle_begin[face]};
+                                     f->triangle_begin[face],
+                        .suspect = UINT32_MAX};
   fl->island_of[face] = face;
   fl->next_face[face] = UINT32_MAX;
   memcpy(fl->at + first, f->at + first, (end - first) * sizeof *fl->at);
@@ -219,29 +223,121 @@ face_overlaps(trial *t, uint32_t face)
   return false;
 }
 
+/* Whether a face overlaps the other island once it is moved. */
+static bool
+moved_overlaps(trial *t, const motion *m, uint32_t face)
+{
+  move_face(t->fl, m, face);
+  if (!face_overlaps(t, face)) {
+    return false;
+  }
+  t->fl->overlap[0] = t->fl->faces->triangle_face[t->hit];
+  t->fl->overlap[1] = face;
+  return true;
+}
+
+/* The side of a face that follows another one, or comes before it, at a vertex;
+ * SG_NO_JOINT: none. */
+static uint32_t
+next_side(const sg_flat_faces *f, uint32_t side, bool before)
+{
+  uint32_t face = f->face_of[side];
+  uint32_t corner = before ? f->side[side].from : f->side[side].to;
+
+  for (uint32_t k = f->side_begin[face]; k < f->side_begin[face + 1]; k++) {
+    if (corner == (before ? f->side[k].to : f->side[k].from) && k != side) {
+      return k;
+    }
+  }
+  return SG_NO_JOINT;
+}
+
+/* The faces round an end of the side at which an island would be joined: where
+ * the angles sum to more than a whole turn, these overlap first. */
+static bool
+fan_overlaps(trial *t, const motion *m, uint32_t side, bool before)
+{
+  const sg_flat_faces *f = t->fl->faces;
+
+  for (int n = 0; n < FAN; n++) {
+    side = next_side(f, side, before);
+    uint32_t j = side == SG_NO_JOINT ? side : t->fl->joints->of_side[side];
+    if (j == SG_NO_JOINT || t->fl->state[j] != SG_JOINT_JOINED) {
+      return false;
+    }
+    const sg_joint *joint = &t->fl->joints->joint[j];
+    side = joint->side[joint->side[0] == side];
+    if (moved_overlaps(t, m, f->face_of[side])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* What an island would be joined by: a side of it. */
+typedef struct attempt {
+  const sg_island *moving, *onto;
+  uint32_t side;
+  motion motion;
+} attempt;
+
+static bool
+is_among(const uint32_t *list, int n, uint32_t item)
+{
+  for (int i = 0; i < n; i++) {
+    if (list[i] == item) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* A face that overlapped when the island was tried before, mostly at the next
+ * edge, and those round it. */
+static bool
+suspects_overlap(trial *t, const attempt *of)
+{
+  const sg_flat_faces *f = t->fl->faces;
+  uint32_t near[NEAR + 1] = {of->moving->suspect};
+  int n = of->moving->suspect != UINT32_MAX;
+
+  for (int i = 0; i < n; i++) {
+    if (moved_overlaps(t, &of->motion, near[i])) {
+      return true;
+    }
+    for (uint32_t k = f->side_begin[near[i]];
+         n < NEAR && k < f->side_begin[near[i] + 1]; k++) {
+      uint32_t j = t->fl->joints->of_side[k];
+      if (j != SG_NO_JOINT && t->fl->state[j] == SG_JOINT_JOINED) {
+        const sg_joint *joint = &t->fl->joints->joint[j];
+        uint32_t other = f->face_of[joint->side[joint->side[0] == k]];
+        near[n] = other;
+        n += !is_among(near, n, other);
+      }
+    }
+  }
+  return false;
+}
+
 /* Moves the faces of an island and sees whether they overlap the other one. */
 static bool
-try_motion(sg_flattening *fl, const motion *m, const sg_island *moving,
-           const sg_island *onto, const sg_poll *poll, bool *stopped,
-           bool *overlap)
+try_motion(sg_flattening *fl, const attempt *of, const sg_poll *poll,
+           bool *stopped, bool *overlap)
 {
-  trial t = {.fl = fl, .onto = onto};
+  trial t = {.fl = fl, .onto = of->onto};
   size_t since = 0;
 
-  *overlap = false;
-  for (uint32_t face = moving->head; face != UINT32_MAX;
+  *overlap = of->moving->faces > SOME &&
+             (suspects_overlap(&t, of) ||
+              fan_overlaps(&t, &of->motion, of->side, false) ||
+              fan_overlaps(&t, &of->motion, of->side, true));
+  for (uint32_t face = of->moving->head; !*overlap && face != UINT32_MAX;
        face = fl->next_face[face]) {
     if (++since % POLL_EVERY == 0 && sg_poll_stop(poll)) {
       *stopped = true;
       return false;
     }
-    move_face(fl, m, face);
-    if (face_overlaps(&t, face)) {
-      fl->overlap[0] = fl->faces->triangle_face[t.hit];
-      fl->overlap[1] = face;
-      *overlap = true;
-      return true;
-    }
+    *overlap = moved_overlaps(&t, &of->motion, face);
   }
   return true;
 }
@@ -361,12 +457,17 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
     *state = SG_JOINT_POINT;
     return true;
   }
-  motion m = motion_onto(fl, j->side[second], j->side[!second]);
+  const attempt of = {moving, onto, j->side[!second],
+                      motion_onto(fl, j->side[second], j->side[!second])};
 
-  if (!try_motion(fl, &m, moving, onto, poll, stopped, &overlap)) {
+  if (!try_motion(fl, &of, poll, stopped, &overlap)) {
     return false;
   }
   *state = overlap ? SG_JOINT_OVERLAP : SG_JOINT_JOINED;
+  if (overlap) {
+    onto->suspect = fl->overlap[0];
+    moving->suspect = fl->overlap[1];
+  }
   fl->refused += overlap;
   fl->joins += !overlap;
   return overlap || merge(fl, moving, onto);

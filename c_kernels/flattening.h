@@ -30,6 +30,7 @@ typedef struct sg_island {
   size_t faces, triangles;
   sg_flat_box box;
   sg_flat_index index; /* of its triangles, once they are many */
+  uint32_t suspect;    /* private: a face that overlapped lately */
 } sg_island;
 
 typedef struct sg_flattening {

@@ -56,8 +56,8 @@ typedef struct layer {
   sg_layout *out;
   place *at;       /* [corners] from the root of the piece */
   uint32_t *class; /* [corners] a corner that is the same vertex, or itself */
-  uint32_t *queue; /* [faces] in the order in which they are laid */
-  double *area;    /* [pieces] */
+  uint32_t *order; /* [faces] piece by piece, from the root of each */
+  uint32_t *stack; /* [faces] that are laid, but not those that hang on them */
   double touch;
 } layer;
 
@@ -149,31 +149,40 @@ partner(const sg_joint *j, uint32_t side)
   return j->side[j->side[0] == side];
 }
 
-/* Lays out the piece of a root; the faces of it are in the queue from `n`. */
+/* Lays what hangs on a face. The new top of the stack. */
+static size_t
+lay_children(layer *l, uint32_t face, uint32_t piece, size_t top)
+{
+  const sg_flat_faces *f = l->faces;
+
+  for (uint32_t k = f->side_begin[face]; k < f->side_begin[face + 1]; k++) {
+    uint32_t j = l->fl->joints->of_side[k];
+    if (j != SG_NO_JOINT && l->fl->state[j] == SG_JOINT_JOINED) {
+      uint32_t side = partner(&l->fl->joints->joint[j], k);
+      uint32_t other = f->face_of[side];
+      if (l->out->piece[other] == SG_NO_FACE) {
+        lay_child(l, k, side);
+        l->out->piece[other] = piece;
+        l->stack[top++] = other;
+      }
+    }
+  }
+  return top;
+}
+
+/* Lays out the piece of a root; the n faces before it are in order. */
 static size_t
 lay_piece(layer *l, uint32_t root, uint32_t piece, size_t n)
 {
-  const sg_flat_faces *f = l->faces;
-  size_t next = n;
+  size_t top = 0;
 
   lay_root(l, root);
   l->out->piece[root] = piece;
-  l->queue[n++] = root;
-  for (; next < n; next++) {
-    uint32_t face = l->queue[next];
-    l->area[piece] += f->area[face];
-    for (uint32_t k = f->side_begin[face]; k < f->side_begin[face + 1]; k++) {
-      uint32_t j = l->fl->joints->of_side[k];
-      if (j != SG_NO_JOINT && l->fl->state[j] == SG_JOINT_JOINED) {
-        uint32_t side = partner(&l->fl->joints->joint[j], k);
-        uint32_t other = f->face_of[side];
-        if (l->out->piece[other] == SG_NO_FACE) {
-          lay_child(l, k, side);
-          l->out->piece[other] = piece;
-          l->queue[n++] = other;
-        }
-      }
-    }
+  l->stack[top++] = root;
+  while (top > 0) {
+    uint32_t face = l->stack[--top];
+    l->order[n++] = face;
+    top = lay_children(l, face, piece, top);
   }
   return n;
 }
@@ -242,8 +251,7 @@ lay_pieces(layer *l, const sg_lay_input *in, const sg_poll *poll, bool *stopped)
 
   l->out->root = malloc((l->out->pieces + 1) * sizeof *l->out->root);
   l->out->box = malloc((l->out->pieces + 1) * sizeof *l->out->box);
-  l->area = calloc(l->out->pieces + 1, sizeof *l->area);
-  good = good && l->out->root && l->out->box && l->area;
+  good = good && l->out->root && l->out->box;
   for (uint32_t k = 0; good && k < l->out->pieces; k++) {
     if (n >= polled) {
       polled = n + POLL_EVERY;
@@ -390,6 +398,44 @@ typedef struct turner {
   hull hull;
 } turner;
 
+enum { WAYS = 8 };
+
+static const double way[WAYS][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
+                                    {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+
+/* Drops the points inside of the octagon of those that are the farthest in
+ * eight directions: they are not on the hull. What is left comes first. */
+static size_t
+drop_inside(double (*point)[2], size_t n)
+{
+  double far[WAYS][2], most[WAYS];
+  size_t left = 0;
+
+  for (int w = 0; w < WAYS; w++) {
+    most[w] = -INFINITY;
+  }
+  for (size_t i = 0; i < n; i++) {
+    for (int w = 0; w < WAYS; w++) {
+      double reach = point[i][0] * way[w][0] + point[i][1] * way[w][1];
+      if (reach > most[w]) {
+        most[w] = reach;
+        memcpy(far[w], point[i], sizeof far[w]);
+      }
+    }
+  }
+  for (size_t i = 0; i < n; i++) {
+    bool inside = true;
+    for (int w = 0; inside && w < WAYS; w++) {
+      const double *p = far[w], *q = far[(w + 1) % WAYS];
+      inside = (p[0] == q[0] && p[1] == q[1]) || turn(p, q, point[i]) > 0;
+    }
+    if (!inside) {
+      memmove(point[left++], point[i], sizeof *point);
+    }
+  }
+  return left;
+}
+
 static fit
 fit_piece(const layer *l, const uint32_t *face, size_t n, turner *t)
 {
@@ -399,11 +445,13 @@ fit_piece(const layer *l, const uint32_t *face, size_t n, turner *t)
   for (size_t i = 0; i < n; i++) {
     for (uint32_t c = f->corner_begin[face[i]];
          c < f->corner_begin[face[i] + 1]; c++) {
-      t->point[points][0] = l->at[c].x.hi;
-      t->point[points++][1] = l->at[c].y.hi;
+      if (l->class[c] == c) {
+        t->point[points][0] = l->at[c].x.hi;
+        t->point[points++][1] = l->at[c].y.hi;
+      }
     }
   }
-  find_hull(t->point, points, &t->hull);
+  find_hull(t->point, drop_inside(t->point, points), &t->hull);
   if (t->hull.n < 3) {
     return (fit){1, 0, 0, 0};
   }
@@ -446,7 +494,7 @@ turn_corners(layer *l, const uint32_t *face, size_t n, double x, double y,
   }
 }
 
-/* Of the pieces, in the order of the queue; a piece with the root that was
+/* Piece by piece; one with the root that was
  * asked for stays as it is. */
 static bool
 turn_pieces(layer *l, uint32_t root, const sg_poll *poll, bool *stopped)
@@ -457,7 +505,7 @@ turn_pieces(layer *l, uint32_t root, const sg_poll *poll, bool *stopped)
   bool good = t.point && t.hull.point;
 
   for (uint32_t k = 0; good && k < l->out->pieces; k++) {
-    const uint32_t *face = l->queue + n;
+    const uint32_t *face = l->order + n;
     size_t faces = 0;
     while (n + faces < l->faces->faces && l->out->piece[face[faces]] == k) {
       faces++;
@@ -568,13 +616,14 @@ sg_lay(const sg_lay_input *in, const sg_poll *poll, sg_layout *out,
              .out = out,
              .at = malloc((f->corners + 1) * sizeof *l.at),
              .class = malloc((f->corners + 1) * sizeof *l.class),
-             .queue = malloc((f->faces + 1) * sizeof *l.queue),
+             .order = malloc((f->faces + 1) * sizeof *l.order),
+             .stack = malloc((f->faces + 1) * sizeof *l.stack),
              .touch = in->touch};
   bool good;
 
   *stopped = false;
   *out = (sg_layout){.piece = malloc((f->faces + 1) * sizeof *out->piece)};
-  good = l.at && l.class && l.queue && out->piece;
+  good = l.at && l.class && l.order && l.stack && out->piece;
   if (good) {
     memset(out->piece, 0xff, (f->faces + 1) * sizeof *out->piece);
     for (uint32_t c = 0; c < f->corners; c++) {
@@ -589,8 +638,8 @@ sg_lay(const sg_lay_input *in, const sg_poll *poll, sg_layout *out,
   }
   free(l.at);
   free(l.class);
-  free(l.queue);
-  free(l.area);
+  free(l.order);
+  free(l.stack);
   return good;
 }
 
