@@ -3,6 +3,7 @@
  * Layer: glue. Doors in rules/kernel.pl.
  */
 #include "append4pl.h"
+#include "pattern4pl.h"
 
 #include "../engine/install.h"
 
@@ -217,25 +218,26 @@ tolerance_of(sg_world *world)
   return there;
 }
 
-/* Looks at every vertex. */
+/* Looks at every vertex but those of patterns. */
 static int
 see_tolerance_ex(const sg_version *version, double *out)
 {
   sg_flatness flatness;
-  sg_view view;
+  sg_model_view view;
 
-  if (!sg_version_view(version, SG_V, &view)) {
+  if (!sg_model_view_make(version, SG_V, &view)) {
+    sg_model_view_clear(&view);
     return sg_no_memory();
   }
   sg_flatness_init(&flatness);
-  for (size_t i = 0; i < view.pages; i++) {
-    sg_flatness_page(&flatness, &view, i);
+  for (size_t i = 0; i < view.shown.pages; i++) {
+    sg_flatness_page(&flatness, &view.shown, i);
     if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
-      sg_view_clear(&view);
+      sg_model_view_clear(&view);
       return FALSE;
     }
   }
-  sg_view_clear(&view);
+  sg_model_view_clear(&view);
   *out = sg_flatness_tolerance(&flatness);
   return TRUE;
 }

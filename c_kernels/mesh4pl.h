@@ -22,8 +22,8 @@ int sg_name_segments_ex(term_t names, sg_mesh *mesh);
 /* Writes to a stream; `result` is ok or a fault. */
 int sg_write_mesh_ex(term_t stream, sg_mesh_format format, const sg_mesh *mesh,
                      term_t result);
-/* The n segments `wanted` of the current world, null: all; sg_dense_clear() in
- * any case. */
+/* The n segments `wanted` of the current world, null: all but patterns;
+ * sg_dense_clear() in any case. */
 int sg_get_dense_ex(const int32_t *wanted, size_t n, sg_dense *out);
 
 #endif

@@ -1,4 +1,5 @@
 /* scene_read4pl.c -- see scene4pl.h */
+#include "pattern4pl.h"
 #include "scene4pl.h"
 
 #include "../engine/symbol.h"
@@ -68,20 +69,26 @@ read_dense(reading *reader, const sg_chosen *chosen)
 {
   static const int32_t none;
   const int32_t *wanted = chosen->n ? chosen->s : &none;
-  sg_dense_views views = {0};
-  bool stopped = false;
-  bool done = sg_version_view(reader->version, SG_V, &views.v) &&
-              sg_version_view(reader->version, SG_E, &views.e) &&
-              sg_version_view(reader->version, SG_P, &views.p) &&
-              sg_version_view(reader->version, SG_T, &views.t) &&
-              sg_dense_make(&views, chosen->all ? NULL : wanted, chosen->n,
-                            reader->poll, &reader->dense, &stopped);
+  static const sg_relation relation[4] = {SG_V, SG_E, SG_P, SG_T};
+  sg_model_view view[4] = {{.parted = false}};
+  bool stopped = false, done = true;
 
+  for (int k = 0; k < 4 && done; k++) {
+    done = chosen->all
+               ? sg_model_view_make(reader->version, relation[k], &view[k])
+               : sg_version_view(reader->version, relation[k], &view[k].whole);
+    view[k].shown = chosen->all ? view[k].shown : view[k].whole;
+  }
+  if (done) {
+    const sg_dense_views views = {view[0].shown, view[1].shown, view[2].shown,
+                                  view[3].shown};
+    done = sg_dense_make(&views, chosen->all ? NULL : wanted, chosen->n,
+                         reader->poll, &reader->dense, &stopped);
+  }
   reader->memory = done || stopped;
-  sg_view_clear(&views.v);
-  sg_view_clear(&views.e);
-  sg_view_clear(&views.p);
-  sg_view_clear(&views.t);
+  for (int k = 0; k < 4; k++) {
+    sg_model_view_clear(&view[k]);
+  }
   return done;
 }
 

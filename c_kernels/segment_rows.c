@@ -19,6 +19,7 @@ typedef struct walk {
   run *run;
   size_t runs, room;
   bool failed;
+  bool without; /* a view shows the other segments */
 } walk;
 
 /* The place of s in a sorted list, n: it is not there. */
@@ -172,6 +173,12 @@ sg_segment_rows_clear(sg_segment_rows *rows)
 
 /* ---- a view of segments ---- */
 
+static bool
+is_shown(const walk *w)
+{
+  return (w->which < w->segments) != w->without;
+}
+
 /* Which of 64 rows, some of which live, are of wanted segments. The others may
  * be written meanwhile. */
 static uint64_t
@@ -182,13 +189,13 @@ wanted_bits(walk *w, uint64_t live, const int32_t *s)
 
   if (all_are(s, first)) {
     see_segment(w, first);
-    return w->which < w->segments ? live : 0;
+    return is_shown(w) ? live : 0;
   }
   for (uint64_t left = live; left; left &= left - 1) {
     unsigned bit = (unsigned)__builtin_ctzll(left);
 
     see_segment(w, s[bit]);
-    bits |= (uint64_t)(w->which < w->segments) << bit;
+    bits |= (uint64_t)is_shown(w) << bit;
   }
   return bits;
 }
@@ -205,11 +212,9 @@ want_page(walk *w, const sg_view *view, size_t page, uint64_t *out)
   }
 }
 
-bool
-sg_segment_view_make(const sg_view *view, const int32_t *wanted, size_t n,
-                     sg_view *out)
+static bool
+make_view(const sg_view *view, walk w, sg_view *out)
 {
-  walk w = {.wanted = wanted, .segments = n, .which = n};
   const uint64_t **live = malloc((view->pages + 1) * sizeof *live);
   size_t lived = 0; /* pages with rows */
 
@@ -236,6 +241,24 @@ sg_segment_view_make(const sg_view *view, const int32_t *wanted, size_t n,
     }
   }
   return true;
+}
+
+bool
+sg_segment_view_make(const sg_view *view, const int32_t *wanted, size_t n,
+                     sg_view *out)
+{
+  walk w = {.wanted = wanted, .segments = n, .which = n};
+
+  return make_view(view, w, out);
+}
+
+bool
+sg_segment_view_without(const sg_view *view, const int32_t *unwanted, size_t n,
+                        sg_view *out)
+{
+  walk w = {.wanted = unwanted, .segments = n, .which = n, .without = true};
+
+  return make_view(view, w, out);
 }
 
 void

@@ -35,6 +35,10 @@ bool sg_segment_view_make(const sg_view *view, const int32_t *wanted, size_t n,
                           sg_view *out);
 void sg_segment_view_clear(sg_view *view);
 
+/* The rows of all other segments as a view. */
+bool sg_segment_view_without(const sg_view *view, const int32_t *unwanted,
+                             size_t n, sg_view *out);
+
 /* The rows of one segment by id: a flat table from the lowest id to the highest
  * when they are close together, else sorted ids. Places are numbers below
  * `places`, ascending with the ids. */

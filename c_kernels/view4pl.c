@@ -3,6 +3,7 @@
  * Layer: glue.
  */
 #include "append4pl.h"
+#include "pattern4pl.h"
 
 #include "glue.h"
 #include "picture_points.h"
@@ -65,30 +66,29 @@ screen_add(screen *out, const sg_eye *eye, int32_t s, int32_t v,
   out->n++;
 }
 
-/* The eye's coordinates of every vertex. False: stopped, or no memory. */
+/* The eye's coordinates of every vertex but those of patterns. False: stopped,
+ * or no memory. */
 static bool
 screen_read(screen *out, const sg_version *version, const sg_eye *eye,
             bool *memory)
 {
-  sg_view view;
+  sg_model_view view = {.parted = false};
   bool stopped = false;
 
   *memory = screen_room(out, sg_version_count(version, SG_V)) &&
-            sg_version_view(version, SG_V, &view);
-  if (!*memory) {
-    return false;
-  }
-  for (size_t i = 0; i < view.pages && !stopped; i++) {
-    const sg_column *c = view.column;
-    for (unsigned r = sg_live_next(view.live[i], 0); r < SG_PAGE_ROWS;
-         r = sg_live_next(view.live[i], r + 1)) {
+            sg_model_view_make(version, SG_V, &view);
+  for (size_t i = 0; *memory && i < view.shown.pages && !stopped; i++) {
+    const sg_column *c = view.shown.column;
+    const uint64_t *live = view.shown.live[i];
+    for (unsigned r = sg_live_next(live, 0); r < SG_PAGE_ROWS;
+         r = sg_live_next(live, r + 1)) {
       double at[3] = {c[2].page[i].f[r], c[3].page[i].f[r], c[4].page[i].f[r]};
       screen_add(out, eye, c[0].page[i].i[r], c[1].page[i].i[r], at);
     }
     stopped = sg_poll_stop(&sg_prolog_poll);
   }
-  sg_view_clear(&view);
-  return !stopped;
+  sg_model_view_clear(&view);
+  return *memory && !stopped;
 }
 
 /* The eye's coordinates of the current world; screen_clear() in any case. */

@@ -26,6 +26,7 @@
   SYMBOL(SURFACE, "surface")                                                   \
   SYMBOL(CURVE, "curve")                                                       \
   SYMBOL(CELLS, "cells")                                                       \
+  SYMBOL(PATTERN, "pattern")                                                   \
   SYMBOL(PARALLEL, "parallel")                                                 \
   SYMBOL(CENTRAL, "central")                                                   \
   SYMBOL(VISIBLE, "visible")                                                   \

@@ -86,13 +86,14 @@ operand_segment(S, N) :-
 
 %!  root_segment(?S) is nondet.
 %
-%   True when segment S is an operand of no node. Ascending.
+%   True when segment S is an operand of no node, and no pattern. Ascending.
 
 root_segment(S) :-
     findall(Operand, operand_segment(Operand, _), Operands0),
     sort(Operands0, Operands),
     findall(Root,
-            ( segment(Root, _, _),
+            ( segment(Root, Kind, _),
+              Kind \== pattern,
               \+ ord_memberchk(Root, Operands),
               \+ is_helper(Root) ),
             Roots0),

@@ -21,7 +21,7 @@
 /** <module> Looking at roots only: operands put aside.
 
 Drawing, checking, cutting and meshes look at the roots of the CSG tree. What is
-put aside are their operands and the helpers.
+put aside are their operands, the helpers, and patterns (development.pl).
 */
 
 :- meta_predicate with_operand_lines(+, 0).
@@ -34,7 +34,7 @@ aside_segments(Ss) :-
     findall(S, segment(S, _, _), All0),
     sort(All0, All),
     (   member(S, All),
-        is_node(S)
+        ( is_node(S) ; segment(S, pattern, _) )
     ->  findall(Root, root_segment(Root), Roots),
         ord_subtract(All, Roots, Ss)
     ;   Ss = []

@@ -156,6 +156,8 @@ drop_boundary(S) :-
     ;   true
     ),
     retractall_facts(drawn(_, S, _, _, _, _, _)),
+    retractall_facts(joint(S, _, _, _, _, _)),
+    retractall_facts(piece(S, _, _)),
     retractall_facts(contour(S, _, _, _, _, _, _, _, _)),
     retractall_facts(screen(S, _, _, _, _)),
     retractall_facts(line(_, S, _, _, _, _, _, _, _)),

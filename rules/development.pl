@@ -137,15 +137,10 @@ development(S, D) :-
 pattern_segment(S, D) :-
     (   development(S, D0)
     ->  D = D0,
-        drop_development(D)
+        drop_boundary(D)
     ;   fresh_id(segment, 0, D),
         assert_fact(segment(D, pattern, development(S)))
     ).
-
-drop_development(D) :-
-    drop_boundary(D),
-    retractall_facts(joint(D, _, _, _, _, _)),
-    retractall_facts(piece(D, _, _)).
 
 %!  with_flattening(+S, +Options:list, :Goal) is semidet.
 %

@@ -279,7 +279,7 @@ binary_format(ply, ply_binary).
 
 segments_names(all, Segments, Names) :-
     !,
-    findall(S-Name, segment(S, _, Name), Pairs0),
+    findall(S-Name, ( segment(S, Kind, Name), Kind \== pattern ), Pairs0),
     sort(1, @=<, Pairs0, Pairs),
     pairs_keys_values(Pairs, Segments, Names).
 segments_names(Segments0, Segments, Names) :-

@@ -2,9 +2,16 @@
 :- use_module(library(aggregate)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
+:- use_module(library(readutil)).
 :- use_module(library(yall)).
 :- use_module(rules(decision), [use_rules/1]).
+:- use_module(rules(csg), [root_segment/1]).
+:- use_module(rules(csg_roots), [roots_alone/0]).
 :- use_module(rules(development)).
+:- use_module(rules(hidden_lines)).
+:- use_module(rules(mesh)).
+:- use_module(rules(penetration)).
+:- use_module(rules(view), [set_view/3]).
 :- use_module(rules(kernel)).
 :- use_module(rules(model_file)).
 :- use_module(rules(store)).
@@ -167,6 +174,27 @@ test(cut) :-
                forall(member(E, [1,2,3]),
                       ( joint(D, _, E1, E2, seam, _),
                         memberchk(E, [E1,E2]) )) )).
+
+%   What looks at a model does not see the patterns made of it.
+
+test(aside, forall(looked(Goal, Seen))) :-
+    Terms = [box(size(1,1,1)),
+             at([translate(0.5,0.4,0.3)], box(size(1,1,1)))],
+    copy_term(Goal-Seen, GoalWithout-Without),
+    in_model(Terms, GoalWithout),
+    in_model(Terms, ( develop(1, _), develop(2, _), Goal )),
+    assertion(Seen =@= Without).
+
+looked(model_tolerance(T), T).
+looked(census(Parts), Parts).
+looked(self_meetings(3, M), M).
+looked(( set_view(30,60,10), picture,
+         findall(d(S,E,F,T,V,R), drawn(_,S,E,F,T,V,R), Ds) ), Ds).
+looked(( penetrate, findall(S1-S2, line(_,S1,_,_,_,S2,_,_,_), Ls) ), Ls).
+looked(( findall(S, root_segment(S), Ss) ), Ss).
+looked(( roots_alone, findall(S, segment(S,_,_), Ss) ), Ss).
+looked(( tmp_file(uc, File), write_mesh(File, all, [format(off)]),
+         read_file_to_string(File, Text, []), delete_file(File) ), Text).
 
 test(none, error(existence_error(segment, 7))) :-
     in_model([box(size(1,1,1))], develop(7, _)).
