@@ -3,6 +3,7 @@
           [ unfold_report/2,            % +Ds, +Options
             pattern_measures/2          % +D, -Measures
           ]).
+:- use_module(decision, [decision_is_default/1]).
 :- use_module(development_record, [development_measures/2]).
 :- use_module(kernel, [census/1]).
 :- use_module(language, [language/1]).
@@ -44,6 +45,8 @@ unfold_report(Ds, Options) :-
 %     - pattern            D
 %     - polygons, pieces, folds    how many there are in it
 %     - removed            how many polygons of the part are not
+%     - objective          what was to be small: seam, pieces, longest, area; or
+%                          `rules`, if a rule file says how to join
 %     - seam, bound, longest       development_measures/2; of a pattern that was
 %                          not made by develop/3 the longest edge of the seam
 %     - width, height      of the sheet that the pieces lie on, side by side
@@ -68,11 +71,12 @@ measured(Parts, D, Measures) :-
     Width is X2-X1,
     Height is Y2-Y1,
     seam_measures(D, Pieces, Seam, Bound, Longest),
+    objective(D, Objective),
     area(Parts, T, Area),
     area(Parts, D, PatternArea),
     Measures = _{segment:S, name:Name, part:T, pattern:D, polygons:Polygons,
                  pieces:Pieces, folds:Folds, removed:Removed, seam:Seam,
-                 bound:Bound, longest:Longest, width:Width, height:Height,
+                 objective:Objective, bound:Bound, longest:Longest, width:Width, height:Height,
                  area:Area, pattern_area:PatternArea}.
 
 seam_measures(D, Pieces, Seam, Bound, Longest) :-
@@ -87,6 +91,19 @@ seam_measures(D, Pieces, Seam, null, Longest) :-
             Lengths),
     sum_list([0.0|Lengths], Seam),
     max_list([0.0|Lengths], Longest).
+
+%   objective(D, Objective): what was to be small, or `rules` where a rule file
+%   has said how to join.
+
+objective(D, Objective) :-
+    (   \+ ( decision_is_default(join_order/3),
+             decision_is_default(may_join/2) )
+    ->  Objective = rules
+    ;   origin(D, node(D), laid(Options, _, _, _)),
+        option(minimize(Objective0), Options)
+    ->  Objective = Objective0
+    ;   Objective = seam
+    ).
 
 %   left_in(D, P): polygon P is in D, or its triangles are.
 
@@ -119,6 +136,8 @@ print_pattern(Language, M) :-
     counted(Language, polygon, M.polygons, Polygons),
     pieces(Language, M.pieces, Pieces),
     say(Language, pattern, [M.segment, M.name, Polygons, Pieces]),
+    atom_concat('objective ', M.objective, Objective),
+    say(Language, Objective, []),
     say(Language, seam, [M.seam]),
     (   number(M.bound),
         M.bound > 0
@@ -150,6 +169,11 @@ say(Language, Key, Arguments) :-
     format(Format, Arguments).
 
 text(en, pattern, "segment ~d: ~w, ~s in ~s~n").
+text(en, 'objective seam', "  objective    a short seam~n").
+text(en, 'objective pieces', "  objective    few pieces~n").
+text(en, 'objective longest', "  objective    no long weld~n").
+text(en, 'objective area', "  objective    a small sheet~n").
+text(en, 'objective rules', "  objective    as the rule file says~n").
 text(en, seam, "  seam         ~6g").
 text(en, bound, " (at least ~6g)").
 text(en, weld, ", the longest weld ~6g~n").
@@ -158,6 +182,11 @@ text(en, area, "  area         ~6g").
 text(en, all, " of ~6g~n").
 text(en, without, " of ~6g, without ~s~n").
 text(ko, pattern, "세그먼트 ~d: ~w, ~s, ~s~n").
+text(ko, 'objective seam', "  목표         짧은 솔기~n").
+text(ko, 'objective pieces', "  목표         적은 조각~n").
+text(ko, 'objective longest', "  목표         긴 용접선이 없음~n").
+text(ko, 'objective area', "  목표         작은 판~n").
+text(ko, 'objective rules', "  목표         규칙 파일대로~n").
 text(ko, seam, "  솔기         ~6g").
 text(ko, bound, " (적어도 ~6g)").
 text(ko, weld, ", 가장 긴 용접선 ~6g~n").

@@ -1,11 +1,11 @@
-# rules.sh -- what docs/rules.md shows works and answers as it stands there.
+# rules.sh -- what docs/rules.md and docs/unfolding.md show works and answers as
+# it stands there.
 . "$(dirname "$0")/../check.sh"
 
 root=$PWD
 cp -r docs facts "$TMP"
 ln -s "$PWD/build/sanggwan" "$TMP/sanggwan"
 cd "$TMP" || exit 1
-page=docs/rules.md
 
 # shown COMMAND: the lines under it, up to the next empty one.
 shown() {
@@ -20,11 +20,13 @@ answers() {
   bash -c "$1" >answer </dev/null && shown "$1" >wanted && diff wanted answer
 }
 
-commands=$(sed -n 's/^    \$ //p' "$page")
-check "there are commands" test "$(wc -l <<<"$commands")" -ge 8
-while read -r command; do
-  check "$command" answers "$command"
-done <<<"$commands"
+for page in docs/unfolding.md docs/rules.md; do
+  commands=$(sed -n 's/^    \$ //p' "$page")
+  check "there are commands" test "$(wc -l <<<"$commands")" -ge 7
+  while read -r command; do
+    check "$command" answers "$command"
+  done <<<"$commands"
+done
 
 # The pictures are those of the gallery, and they differ.
 for picture in pipes pipes_rules glass; do
