@@ -149,7 +149,13 @@ $(PATTERN_CHECKER): $(wildcard tests/pattern_checker/*.[ch]) \
                     tests/checker/boxes.c tests/checker/boxes.h
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $(filter %.c,$^) -o $@ -lm
-CHECKERS := $(CHECKER) $(PICTURE_CHECKER) $(PATTERN_CHECKER)
+CHECKERS := $(CHECKER) $(PICTURE_CHECKER) $(OUTLINE_CHECKER) $(PATTERN_CHECKER)
+
+# The checker of silhouettes.
+OUTLINE_CHECKER := $(B)/tests/outline_checker
+$(OUTLINE_CHECKER): tests/outline_checker/outline_checker.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $< -o $@ -lm
 
 # Programs that use the library as a host does: tests and the example.
 EMBEDS  := $(patsubst %.c,$(B)/%,$(wildcard tests/embed/*$(T)*_test.c))

@@ -423,20 +423,58 @@ push_piece(sg_contours *out, const sg_contour *piece)
   return true;
 }
 
+/* Whether a side of a coarse sheet, or a fold, is an outline. Told of one of
+ * the two. */
+static bool
+is_outline(const sg_contour_finder *f, uint32_t side)
+{
+  uint32_t across = f->in->smooth->across[side];
+  unsigned wanted =
+      f->in->smooth->coarse[side / 3] ? SG_SIDE_SMOOTH : SG_SIDE_FOLD;
+
+  return across != SG_NO_SIDE && across > side &&
+         (f->in->smooth->side[side] & wanted) &&
+         (facing(f, side / 3) > 0) != (facing(f, across / 3) > 0);
+}
+
+/* The sides of a coarse triangle that are outlines. False: no memory. */
+static bool
+push_sides(sg_contour_finder *f, uint32_t t)
+{
+  for (uint8_t k = 0; k < 3; k++) {
+    sg_contour piece = {
+        .t = t, .side = {k, k}, .at = {0.0, 1.0}, .to = 1.0, .along = true};
+    if (is_outline(f, 3 * t + k) && has_length(f, &piece) &&
+        !push_piece(f->out, &piece)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* The piece across a triangle that is not coarse. False: no memory. */
+static bool
+push_across(sg_contour_finder *f, uint32_t t)
+{
+  sg_contour piece;
+
+  return f->kind[t] != SG_CONTOUR_MIXED || !find_piece(f, t, &piece) ||
+         !has_length(f, &piece) || push_piece(f->out, &piece);
+}
+
 /* False: stopped, or no memory. */
 static bool
 find_pieces(sg_contour_finder *f, const sg_poll *poll, bool *memory)
 {
-  sg_contour piece;
+  const sg_smooth *smooth = f->in->smooth;
 
   for (uint32_t t = 0; t < f->in->dense->triangles; t++) {
     if (t % POLL_EVERY == 0 && sg_poll_stop(poll)) {
       return false;
     }
     f->kind[t] = (uint8_t)kind_of(f, t);
-    if (f->in->smooth->curved[t] && f->kind[t] == SG_CONTOUR_MIXED &&
-        find_piece(f, t, &piece) && has_length(f, &piece) &&
-        !push_piece(f->out, &piece)) {
+    if (!(smooth->curved[t] && !smooth->coarse[t] ? push_across(f, t)
+                                                  : push_sides(f, t))) {
       *memory = false;
       return false;
     }

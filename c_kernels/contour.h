@@ -26,6 +26,11 @@
  * a whole or lie outside the piece. They are said to be *beside* it and never
  * hide it.
  *
+ * The outline of a coarse sheet runs along the sides of its triangles, between
+ * one that is turned to the eye and one that is not: that of the smooth surface
+ * would lie visibly inside what is seen of it, and triangles would hide it. So
+ * does that of a polygon that is not flat, where its triangles fold.
+ *
  * Source: Hertzmann & Zorin 2000, Illustrating smooth surfaces, section 3
  * (interpolated contours, cusps); what is beside a piece is ours.
  */
@@ -44,13 +49,15 @@ typedef struct sg_contour_input {
   bool central;
 } sg_contour_input;
 
-/* A piece from side[0] of triangle t to side[1]; at: 0 at the vertex of the
- * side that has the smaller number, 1 at the other, in the picture. */
+/* A piece from side[0] of triangle t to side[1], or along a side that is both;
+ * at: 0 at the vertex of the side that has the smaller number, 1 at the other,
+ * in the picture. */
 typedef struct sg_contour {
   uint32_t t;
   uint8_t side[2]; /* 0 to 2 */
   double at[2];
-  double to; /* from 0 to here the surface beside it does not hide it */
+  double to;  /* from 0 to here the surface beside it does not hide it */
+  bool along; /* it is a side, from end to end */
   size_t beside, besides; /* its places in sg_contours.beside */
 } sg_contour;
 

@@ -150,6 +150,30 @@ walk(sg_contour_finder *f, const strip *s, uint32_t t)
   return true;
 }
 
+/* A side of a coarse sheet lies on the two triangles that have it. False: no
+ * memory. */
+static bool
+take_both(sg_contour_finder *f, const sg_contour *piece)
+{
+  uint32_t side = 3 * piece->t + piece->side[0];
+
+  f->queued = 0;
+  f->walk++;
+  return enqueue(f, piece->t) && enqueue(f, f->in->smooth->across[side] / 3);
+}
+
+static bool
+find_beside(sg_contour_finder *f, const sg_contour *piece)
+{
+  strip s;
+
+  if (piece->along) {
+    return take_both(f, piece);
+  }
+  strip_open(&s, f, piece);
+  return walk(f, &s, piece->t);
+}
+
 static int
 compare(const void *a, const void *b)
 {
@@ -162,10 +186,8 @@ bool
 sg_contour_find_beside(sg_contour_finder *f, sg_contour *piece)
 {
   sg_contours *out = f->out;
-  strip s;
 
-  strip_open(&s, f, piece);
-  if (!walk(f, &s, piece->t)) {
+  if (!find_beside(f, piece)) {
     return false;
   }
   qsort(f->queue, f->queued, sizeof *f->queue, compare);

@@ -21,6 +21,11 @@
  * prism) is folded along straight lines, and its outline lies on these. Facets
  * of spheres and tori are curved, those of cylinders and cones are not.
  *
+ * A curved sheet is *coarse* if, at more than a quarter of the length of its
+ * sides, a smooth surface would bulge out between the middles of the triangles
+ * there by more than a thousandth of its segment's longest side. Then its
+ * outline is that of its triangles. Facets of known surfaces are never coarse.
+ *
  * Side k of a triangle runs from its corner k to the next; sides, like corners,
  * are numbered 3 * triangle + k.
  */
@@ -40,7 +45,9 @@
 
 enum {
   SG_SIDE_SMOOTH = 1, /* the sheet goes on across it */
-  SG_SIDE_CONVEX = 2  /* the triangle across lies below this one, or in it */
+  SG_SIDE_CONVEX = 2, /* the triangle across lies below this one, or in it */
+  SG_SIDE_FOLD = 4    /* a polygon that is not flat is folded there, by more
+                         than a degree */
 };
 
 typedef struct sg_smooth {
@@ -49,6 +56,7 @@ typedef struct sg_smooth {
   uint8_t *side;    /* [3 * triangles]: SG_SIDE_... */
   uint32_t *fan;    /* [3 * triangles]: of each corner */
   bool *curved;     /* [triangles]: its sheet is */
+  bool *coarse;     /* [triangles]: its sheet is curved, and coarse */
   double (*normal)[3]; /* [fans]: unit, or 0 */
   bool *apex;          /* [fans] */
   size_t fans;

@@ -103,7 +103,7 @@ leave_out(sg_kept_smooth *kept, const sg_dense *d, const bool *faceted)
   for (size_t s = 0; s < d->segments; s++) {
     for (size_t t = d->triangle_begin[s];
          faceted[s] && t < d->triangle_begin[s + 1]; t++) {
-      kept->smooth.curved[t] = false;
+      kept->smooth.curved[t] = kept->smooth.coarse[t] = false;
     }
   }
 }

@@ -13,7 +13,8 @@
 :- use_module(kernel, [fill_contour/7]).
 :- use_module(known_surface, [known_surfaces/1]).
 :- use_module(smooth_sheet,
-              [ smooth_sheets/3, smooth_side/3, curved_triangle/2, corner_fan/3,
+              [ smooth_sheets/3, smooth_side/3, across_side/3, coarse_triangle/2,
+                curved_triangle/2, fold_side/2, corner_fan/3,
                 fan_corners/3, fan_normal/3, corner_vertex/3, corner_place/3,
                 next_corner/2
               ]).
@@ -44,6 +45,11 @@ the outline and the eye, and hides it, if it is the surface of a solid. Between
 them lies a cusp; there a piece is divided, and those that are seen nearly end
 on, which show the mesh and not the surface, are left out. Which triangles lie
 beside a piece and therefore never hide it is said in contour_beside.pl.
+
+The outline of a coarse sheet runs along the sides of its triangles, between one
+that is turned to the eye and one that is not: that of the smooth surface would
+lie visibly inside what is seen of it, and triangles would hide it. So does that
+of a polygon that is not flat, where its triangles fold.
 
 Sheets that are not curved, cylinders and cones for example, are folded along
 straight lines: their outlines are edges, as role.pl finds them. The fused
@@ -113,16 +119,45 @@ contour_pieces(S, Crease, Pieces) :-
     fan_values(towards_eye(Sheets, Eye), Sheets, Ts, Gs),
     fan_values(grows(Sheets, Eye, Gs), Sheets, Ts, Radials),
     findall(T-(Piece/Sense),
-            ( member(T, Ts), piece_across(Context, T, Piece, Sense, _) ),
+            ( member(T, Ts), \+ coarse_triangle(Sheets, T),
+              piece_across(Context, T, Piece, Sense, _) ),
             Found),
     findall(T-Sense, member(T-(_/Sense), Found), Senses0),
     list_to_assoc(Senses0, Senses),
     findall(Piece,
-            ( member(T, Ts), piece_across(Context, T, Piece, _, Radial),
+            ( member(T, Ts), \+ coarse_triangle(Sheets, T),
+              piece_across(Context, T, Piece, _, Radial),
               \+ is_unsure(Context, T, Radial),
-              \+ is_point(S, Piece), besides(Context, Piece) ),
+              \+ is_point(S, Piece), besides(Context, Piece)
+            ; piece_along(Context, Piece),
+              \+ is_point(S, Piece)
+            ),
             Pieces0),
     sort(Pieces0, Pieces).
+
+%   piece_along(Context, Piece): a side of a coarse sheet, or a fold of a polygon
+%   that is not flat, between a triangle that is turned to the eye and one that
+%   is not.
+
+piece_along(context(S,Sheets,_,_,_,_), piece(T,I,0.0,I,1.0,1.0,Ts)) :-
+    t(S, _, T, _, _, _),
+    (   coarse_triangle(Sheets, T)
+    ->  Coarse = true
+    ;   curved_triangle(Sheets, T)
+    ->  fail
+    ;   Coarse = false
+    ),
+    member(I, [1,2,3]),
+    across_side(Sheets, T-I, T2-I2),
+    T-I @< T2-I2,
+    (   Coarse == true
+    ->  smooth_side(Sheets, T-I, _)
+    ;   fold_side(Sheets, T-I)
+    ),
+    triangle_facing(S, T, Facing),
+    triangle_facing(S, T2, Facing2),
+    once(( Facing > 0, Facing2 =< 0 ; Facing =< 0, Facing2 > 0 )),
+    sort([T,T2], Ts).
 
 %   What its own surface hides has nothing beside it.
 

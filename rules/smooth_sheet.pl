@@ -4,6 +4,8 @@
             convex_side/2,              % +Sheets, +Side
             across_side/3,              % +Sheets, +Side, -Across
             curved_triangle/2,          % +Sheets, ?T
+            coarse_triangle/2,          % +Sheets, ?T
+            fold_side/2,                % +Sheets, +Side
             corner_fan/3,               % +Sheets, +Corner, -Fan
             fan_corners/3,              % +Sheets, +Fan, -Corners
             fan_normal/3,               % +Sheets, +Fan, -Normal
@@ -22,7 +24,8 @@
 :- autoload(library(assoc),
             [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
               put_assoc/4 ]).
-:- autoload(library(lists), [append/3, max_list/2, member/2, memberchk/2]).
+:- autoload(library(lists),
+            [append/3, max_list/2, member/2, memberchk/2, min_list/2]).
 :- autoload(library(pairs), [pairs_keys_values/3]).
 /** <module> Smooth sheets: which triangles of a segment are one smooth surface.
 
@@ -43,6 +46,11 @@ that is no apex. One that is not (a cylinder, a cone, the sides of a prism) is
 folded along straight lines, and its outline lies on these. Facets of spheres
 and tori are curved, those of cylinders and cones are not.
 
+A curved sheet is *coarse* if, at more than a quarter of the length of its sides,
+a smooth surface would bulge out between the middles of the triangles there by
+more than a thousandth of its segment's longest side. Then its outline is that
+of its triangles. Facets of known surfaces are never coarse.
+
 A side and a corner of triangle T are T-I, I from 1 to 3; side I runs from
 corner I to the next. A fan is named by its least corner. c_kernels/smooth.c is
 the fused kernel.
@@ -50,8 +58,8 @@ the fused kernel.
 
 :- set_prolog_flag(optimise, true).
 
-% sheets(Corners, Places, Areas, Sides, Fans, Members, Normals, Curved, Known),
-% assocs:
+% sheets(Corners, Places, Areas, Sides, Fans, Members, Normals, Curved, Known,
+% Coarse), assocs:
 %   Corners  T -> corners(P, V1, V2, V3)
 %   Places   V -> p(X,Y,Z)
 %   Areas    P -> p(X,Y,Z), the polygon's normal, as long as twice its area
@@ -60,6 +68,7 @@ the fused kernel.
 %   Normals  Fan -> normal(p(X,Y,Z)), unit, or apex(p(X,Y,Z))
 %   Curved   T -> true
 %   Known    P -> Id-Surface, by polygon_surface/4
+%   Coarse   T -> true
 
 %!  smooth_sheets(+S, +Crease, -Sheets) is det.
 %
@@ -68,7 +77,7 @@ the fused kernel.
 
 smooth_sheets(S, Crease, Sheets) :-
     Sheets = sheets(Corners, Places, Areas, Sides, Fans, Members, Normals,
-                    Curved, Known),
+                    Curved, Known, Coarse),
     findall(T-corners(P,A,B,C), t(S, P, T, A, B, C), Triangles0),
     keysort(Triangles0, Triangles),
     list_to_assoc(Triangles, Corners),
@@ -93,7 +102,8 @@ smooth_sheets(S, Crease, Sheets) :-
     maplist(normal_of(Sheets, Crease), Names, NormalList),
     pairs_keys_values(NormalPairs, Names, NormalList),
     list_to_assoc(NormalPairs, Normals),
-    curved_triangles(Triangles, Sheets, None, Curved).
+    curved_triangles(Triangles, Sheets, None, Curved),
+    coarse_triangles(Sheets, Coarse).
 
 add_area(Places, _-corners(P,A,B,C), Areas0, Areas) :-
     triangle_area(Places, A, B, C, p(X1,Y1,Z1)),
@@ -120,7 +130,7 @@ place(Places, V, Place) :-
 /* - - - sides - - - */
 
 side_across(S, Sheets, Triangles, Crease, Side, Across) :-
-    Sheets = sheets(_, _, Areas, _, _, _, _, _, _),
+    Sheets = sheets(_, _, Areas, _, _, _, _, _, _, _),
     findall((Low-High)-use(T-I,A,P),
             ( member(T-corners(P,V1,V2,V3), Triangles),
               member(I-A-B, [1-V1-V2, 2-V2-V3, 3-V3-V1]),
@@ -158,7 +168,7 @@ one_surface(Sheets, P1, P2) :-
 %   else by the more of both ends. Facets bend by one degree at most.
 
 surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees) :-
-    Sheets = sheets(_, _, Areas, _, _, _, _, _, Known),
+    Sheets = sheets(_, _, Areas, _, _, _, _, _, Known, _),
     (   \+ get_assoc(P1, Known, _),
         \+ get_assoc(P2, Known, _)
     ->  Degrees = Bend
@@ -239,7 +249,7 @@ convex_side(Sheets, T-I) :-
     Height =< 0.0.
 
 triangle_normal(Sheets, T, N) :-
-    Sheets = sheets(Corners, _, Areas, _, _, _, _, _, _),
+    Sheets = sheets(Corners, _, Areas, _, _, _, _, _, _, _),
     get_assoc(T, Corners, corners(P,_,_,_)),
     get_assoc(P, Areas, N).
 
@@ -357,7 +367,7 @@ normal_of(Sheets, Crease, Fan, Normal) :-
 %   The angle at a corner, and the way the surface looks there.
 
 corner_look(Sheets, T-I, Angle-Look) :-
-    Sheets = sheets(Corners, Places, Areas, _, _, _, _, _, Known),
+    Sheets = sheets(Corners, Places, Areas, _, _, _, _, _, Known, _),
     get_assoc(T, Corners, corners(P,V1,V2,V3)),
     get_assoc(P, Areas, Area),
     nth_turned(I, V1, V2, V3, A, B, C),
@@ -433,7 +443,7 @@ round_corner(Sheets, Corner) :-
     corner_surface(Sheets, Corner, _-surface(Kind,_,_,_)),
     memberchk(Kind, [sphere,torus]).
 
-corner_surface(sheets(Corners,_,_,_,_,_,_,_,Known), T-_, Surface) :-
+corner_surface(sheets(Corners,_,_,_,_,_,_,_,Known,_), T-_, Surface) :-
     get_assoc(T, Corners, corners(P,_,_,_)),
     get_assoc(P, Known, Surface).
 
@@ -470,3 +480,121 @@ not_one_line([U,W]) :-
     foldl(add_weighted, [1.0-U,1.0-W], p(0.0,0.0,0.0), Sum),
     dot_product(Sum, Sum, Square),
     Square > 0.02*0.02.
+
+/* - - - coarse sheets, and folds - - - */
+
+%!  coarse_triangle(+Sheets, ?T) is nondet.
+%
+%   True when triangle T lies in a coarse sheet.
+
+coarse_triangle(Sheets, T) :-
+    arg(10, Sheets, Coarse),
+    (   var(T)
+    ->  assoc_to_keys(Coarse, Ts),
+        member(T, Ts)
+    ;   get_assoc(T, Coarse, true)
+    ).
+
+coarse_triangles(Sheets, Coarse) :-
+    findall(T, curved_triangle(Sheets, T), Ts),
+    longest_side(Sheets, Size),
+    empty_assoc(None),
+    coarse_sheets(Ts, Sheets, Size, None, None, Coarse).
+
+%   Sheet by sheet; Seen are the triangles of those before.
+
+coarse_sheets([], _, _, _, Coarse, Coarse).
+coarse_sheets([T|Ts], Sheets, Size, Seen0, Coarse0, Coarse) :-
+    (   get_assoc(T, Seen0, true)
+    ->  Seen = Seen0,
+        Coarse1 = Coarse0
+    ;   empty_assoc(None),
+        spread([T], Sheets, None, Sheet),
+        assoc_to_keys(Sheet, Own),
+        foldl(put_true, Own, Seen0, Seen),
+        (   is_coarse(Sheets, Size, Own)
+        ->  foldl(put_true, Own, Coarse0, Coarse1)
+        ;   Coarse1 = Coarse0
+        )
+    ),
+    coarse_sheets(Ts, Sheets, Size, Seen, Coarse1, Coarse).
+
+put_true(T, Assoc0, Assoc) :-
+    put_assoc(T, Assoc0, true, Assoc).
+
+is_coarse(Sheets, Size, Ts) :-
+    findall(Length-Bulge,
+            ( member(T, Ts), member(I, [1,2,3]),
+              smooth_side(Sheets, T-I, Across),
+              T-I @< Across,
+              side_bulge(Sheets, T-I, Across, Length, Bulge) ),
+            Sides),
+    foldl(add_side(Size), Sides, 0.0-0.0, All-Over),
+    Over > 0.25*All.
+
+add_side(Size, Length-Bulge, All0-Over0, All-Over) :-
+    All is All0+Length,
+    (   Bulge > 1.0e-3*Size
+    ->  Over is Over0+Length
+    ;   Over = Over0
+    ).
+
+%   The arc from middle to middle of two chords that turn by an angle is a
+%   quarter of their lengths times the tangent of a quarter of it high.
+
+side_bulge(Sheets, Side, Across, Length, Bulge) :-
+    next_corner(Side, Next),
+    maplist(corner_place(Sheets), [Side,Next], [P,Q]),
+    difference(Q, P, U),
+    dot_product(U, U, Square),
+    Square > 0.0,
+    Length is sqrt(Square),
+    (   corner_surface(Sheets, Side, _)
+    ->  Bulge = 0.0
+    ;   maplist(triangle_area(Sheets), [Side,Across], [Area1,Area2]),
+        arg(4, Sheets, Sides),
+        get_assoc(Side, Sides, across(_, Bend, _)),
+        Bulge is (Area1+Area2)/Length/4.0*tan(Bend*pi/180.0/4.0)
+    ).
+
+triangle_area(Sheets, T-_, Twice) :-
+    plain_normal(Sheets, T, Normal),
+    dot_product(Normal, Normal, Square),
+    Twice is sqrt(Square).
+
+plain_normal(Sheets, T, Normal) :-
+    maplist(corner_vertex(Sheets), [T-1,T-2,T-3], [A,B,C]),
+    arg(2, Sheets, Places),
+    triangle_area(Places, A, B, C, Normal).
+
+longest_side(Sheets, Size) :-
+    Sheets = sheets(Corners, _, _, _, _, _, _, _, _, _),
+    assoc_to_keys(Corners, Ts),
+    findall(Axis-X, ( member(T, Ts), member(I, [1,2,3]),
+                      corner_place(Sheets, T-I, Place),
+                      arg(Axis, Place, X) ),
+            Xs),
+    findall(Side, ( member(Axis, [1,2,3]),
+                    findall(X, member(Axis-X, Xs), Own),
+                    Own \== [],
+                    min_list(Own, Low), max_list(Own, High),
+                    Side is High-Low ),
+            Sides),
+    foldl(larger, Sides, 0.0, Size).
+
+larger(A, B, C) :-
+    C is max(A, B).
+
+%!  fold_side(+Sheets, +Side) is semidet.
+%
+%   True when the polygon of Side, which is not flat, is folded there, by more
+%   than a degree.
+
+fold_side(Sheets, T-I) :-
+    across_side(Sheets, T-I, T2-_),
+    arg(1, Sheets, Corners),
+    get_assoc(T, Corners, corners(P,_,_,_)),
+    get_assoc(T2, Corners, corners(P,_,_,_)),
+    maplist(plain_normal(Sheets), [T,T2], [M,N]),
+    degrees_between(M, N, Degrees),
+    Degrees > 1.0.

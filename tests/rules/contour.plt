@@ -77,6 +77,13 @@ smooth_body(sphere(radius(1), facets(40))).
 smooth_body(sphere(radius(2,1,0.5), facets(48), bands(24))).
 smooth_body(egg(radius(0.7), up(1.3), down(0.6), facets(40))).
 
+% The segment is a mesh, no primitive.
+nameless(S) :-
+    segment(S, Kind, Term),
+    retractall_facts(segment(S, _, _)),
+    assert_fact(segment(S, Kind, mesh)),
+    compound(Term).
+
 % What is drawn of a cube with edges of 2^Power, a cylinder and a sphere.
 scaled_picture(Power, Parts) :-
     A is 2.0**Power,
@@ -222,12 +229,6 @@ test(rule,
                    picture([method(rule)]),
                    findall(D, rounded_part(D), Rule) )).
 
-nameless(S) :-
-    segment(S, Kind, Term),
-    retractall_facts(segment(S, _, _)),
-    assert_fact(segment(S, Kind, mesh)),
-    Term \== mesh.
-
 truth(Goal, Truth) :-
     (   call(Goal)
     ->  Truth = true
@@ -254,6 +255,17 @@ ruled(bezier(points([[0,0,0],[1,0,3],[2,0,-3],[3,0,0],
                      [0,2,-1],[1,2,3],[2,2,-4],[3,2,-1],
                      [0,3,0],[1,3,3],[2,3,-3],[3,3,0]]), facets(8))).
 
+% Meshes, segment 1: coarse, and one with polygons that are not flat.
+
+mesh(sphere(radius(1), facets(12), bands(8))).
+mesh(torus(radius(1), tube(0.4), facets(14), sides(9))).
+mesh(hemisphere(radius(2,1,1), facets(10))).
+mesh(turning(outline([[0,0],[0.5,0.1],[1,0.4],[1.1,0.9],[0.7,1.4],[0.6,1.8],
+                      [0,2]]), facets(9))).
+mesh(sheet(points([[0,0,0],[1,0,0.6],[2,0,0],[0,1,0.5],[1,1,0],[2,1,0.7],
+                   [0,2,0],[1,2,0.8],[2,2,0]]),
+           faces([[1,2,5,4],[2,3,6,5],[4,5,8,7],[5,6,9,8]]))).
+
 eye(301, 65).
 eye(20, 110).
 eye(88, 91).
@@ -266,6 +278,29 @@ test(kernel, forall(( ruled(Term), eye(Theta, Phi),
                    set_view(Theta, Phi, 0), set_projection(Kind),
                    picture([crease(50)]),
                    same_as_rule(1, 50) )).
+test(mesh, forall(( mesh(Term), eye(Theta, Phi), member(Crease, [5,30,50]) )))
+        :-
+    in_new_world(( add_primitive(Term, _), nameless(1),
+                   complete_segments([1]),
+                   set_view(Theta, Phi, 0),
+                   picture([crease(Crease)]),
+                   same_as_rule(1, Crease) )).
+% The outline of a coarse ball is that of its facets: in vertices, closed.
+test(coarse, [ true(All == Odd-Inner), All == []-[] ]) :-
+    in_new_world(( add_primitive(sphere(radius(1), facets(12), bands(8)), _),
+                   nameless(1), complete_segments([1]),
+                   set_view(33, 62, 0), picture,
+                   piece_ends(Ends), Ends = [_|_],
+                   findall(E, ( member(E-N, Ends), N mod 2 =:= 1 ), Odd),
+                   findall(X-Y, ( member((X-Y)-_, Ends),
+                                  \+ screen(1, _, X, Y, _) ), Inner) )).
+% A quadrangle with two corners up, seen across its fold, one half from behind.
+test(fold, Outlines == [visible]) :-
+    in_new_world(( add_primitive(sheet(points([[0,0,0],[2,0,1],[2,2,0],[0,2,1]]),
+                                       faces([[1,2,3,4]])), _),
+                   complete_segments([1]),
+                   set_view(135, 80, 0), picture,
+                   findall(V, drawn(_,1,_,_,_,V,outline), Outlines) )).
 
 :- end_tests(contour_rule).
 

@@ -1,0 +1,65 @@
+:- module(test_outline_mesh, []).
+:- use_module(library(plunit)).
+:- use_module(rules(hidden_lines)).
+:- use_module(rules(model), [load_model/1]).
+:- use_module(rules(sew), [borders_sewn/1]).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation), [complete_segments/1]).
+:- use_module(rules(view)).
+:- use_module(tests('rules/outline_checked')).
+:- use_module(tests('rules/polyhedron'), [in_new_world/1]).
+
+/* The outermost outline of meshes is drawn, and visible: wherever the triangles
+that are seen end, on a picture of 1000 dots, a visible line is within 2.5 dots,
+but for a run of dots no longer than is said here.
+
+    OUTLINE_VIEWS=all       from all sides, not from a few
+*/
+
+most_bare('suzanne.obj', 55).
+most_bare('cow.obj', 31).
+most_bare('beetle.obj', 45).
+most_bare('teapot.obj', 2).
+
+from(Theta, Phi) :-
+    (   getenv('OUTLINE_VIEWS', all)
+    ->  member(Theta, [0,33,77,120,200,270,300,341]),
+        member(Phi, [20,65,90,110])
+    ;   member(Theta-Phi, [33-65, 300-65, 200-110])
+    ).
+
+mesh(Name, File) :-
+    most_bare(Name, _),
+    atom_concat('../shared/data/meshes/', Name, Path),
+    absolute_file_name(sanggwan(Path), File, []),
+    exists_file(File).
+
+no_meshes :-
+    \+ mesh(_, _),
+    format("outline_mesh: skipped: no ../shared/data/meshes~n").
+
+seen(File, Pictures) :-
+    in_new_world(( load_model(File),
+                   findall(S, segment(S, _, _), Ss),
+                   complete_segments(Ss),
+                   borders_sewn(_),
+                   forall(from(Theta, Phi),
+                          ( set_view(Theta, Phi, 0),
+                            picture([]),
+                            format(atom(Name), "~w,~w", [Theta,Phi]),
+                            add_outline(Pictures, Name) )) )).
+
+:- begin_tests(outline_mesh).
+
+test(skip, [condition(no_meshes)]).
+test(covered, [ forall(mesh(Name, File)), Bad == [] ]) :-
+    open_outlines(Pictures),
+    seen(File, Pictures),
+    check_outlines(Pictures, Results),
+    Results = [_|_],
+    most_bare(Name, Most),
+    findall(View-Run, ( member(outline(View,_,_,Run,_,_), Results),
+                        Run > Most ),
+            Bad).
+
+:- end_tests(outline_mesh).
