@@ -272,8 +272,8 @@ pattern_row(D, joint(D, J, E1, E2, Kind, Angle)) :-
 %!  part_developed(+T, +Manual:list, +Options:list, -D) is det.
 %
 %   D is the pattern of segment T, with Manual, options of develop/3 for what is
-%   wanted, and with Options, as of unfold/3. A warning for each edge that should
-%   have been kept and was not.
+%   wanted, and with Options, as of unfold/3. A warning for each edge that
+%   should have been kept and was not.
 
 part_developed(T, Manual, Options, D) :-
     findall(Option,

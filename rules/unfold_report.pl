@@ -10,7 +10,7 @@
 :- use_module(polygon_name, [segment_title/2]).
 :- use_module(report, [counted/4]).
 :- use_module(store,
-              [v/5, e/5, p/3, origin/3, from_p/5, piece/3, joint/6]).
+              [v/5, e/5, p/3, t/6, origin/3, from_p/5, piece/3, joint/6]).
 :- use_module(trimmed, [trimmed_from/2]).
 :- use_module(unfold, [pattern_of/2]).
 :- autoload(library(aggregate), [aggregate_all/3]).
@@ -43,7 +43,7 @@ unfold_report(Ds, Options) :-
 %     - segment, name      what was to be unfolded
 %     - part               that, or what was trimmed of it
 %     - pattern            D
-%     - polygons, pieces, folds    how many there are in it
+%     - polygons, pieces   how many there are in it
 %     - removed            how many polygons of the part are not
 %     - objective          what was to be small: seam, pieces, longest, area; or
 %                          `rules`, if a rule file says how to join
@@ -63,34 +63,42 @@ measured(Parts, D, Measures) :-
     trimmed_from(T, S),
     segment_title(S, Title),
     format(string(Name), '~w', [Title]),
+    memberchk(part(T, counts(_, _, _, PartPolygons, _, _), _, Area, _, _, _, _),
+              Parts),
     aggregate_all(count, p(D, _, _), Polygons),
-    aggregate_all(count, joint(D, _, _, _, fold, _), Folds),
-    aggregate_all(count, ( p(T, P, _), \+ left_in(D, P) ), Removed),
     aggregate_all(r(min(X), max(X), min(Y), max(Y)), v(D, _, X, Y, _),
                   r(X1, X2, Y1, Y2)),
     Width is X2-X1,
     Height is Y2-Y1,
-    seam_measures(D, Pieces, Seam, Bound, Longest),
+    removed(D, T, PartPolygons, Polygons, Removed),
+    seam_measures(D, Pieces, Seam, Bound, Longest, PatternArea),
     objective(D, Objective),
-    area(Parts, T, Area),
-    area(Parts, D, PatternArea),
     Measures = _{segment:S, name:Name, part:T, pattern:D, polygons:Polygons,
-                 pieces:Pieces, folds:Folds, removed:Removed, seam:Seam,
-                 objective:Objective, bound:Bound, longest:Longest, width:Width, height:Height,
+                 pieces:Pieces, removed:Removed, objective:Objective,
+                 seam:Seam, bound:Bound, longest:Longest, width:Width, height:Height,
                  area:Area, pattern_area:PatternArea}.
 
-seam_measures(D, Pieces, Seam, Bound, Longest) :-
+seam_measures(D, Pieces, Seam, Bound, Longest, Area) :-
     origin(D, node(D), _),
     !,
     development_measures(D, Measures),
-    _{pieces:Pieces, seam:Seam, bound:Bound, longest:Longest} :< Measures.
-seam_measures(D, Pieces, Seam, null, Longest) :-
+    _{pieces:Pieces, seam:Seam, bound:Bound, longest:Longest, area:Area}
+        :< Measures.
+seam_measures(D, Pieces, Seam, null, Longest, Area) :-
     aggregate_all(max(K), piece(D, _, K), Pieces),
     findall(Length,
             ( joint(D, _, E, _, seam, _), edge_length(D, E, Length) ),
             Lengths),
     sum_list([0.0|Lengths], Seam),
-    max_list([0.0|Lengths], Longest).
+    max_list([0.0|Lengths], Longest),
+    aggregate_all(sum(Part), triangle_area(D, Part), Area).
+
+triangle_area(D, Area) :-
+    t(D, _, _, A, B, C),
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _),
+    v(D, C, X3, Y3, _),
+    Area is ((X2-X1)*(Y3-Y1) - (X3-X1)*(Y2-Y1))/2.
 
 %   objective(D, Objective): what was to be small, or `rules` where a rule file
 %   has said how to join.
@@ -103,6 +111,14 @@ objective(D, Objective) :-
         option(minimize(Objective0), Options)
     ->  Objective = Objective0
     ;   Objective = seam
+    ).
+
+%   removed(D, T, PartPolygons, Polygons, Removed): how many of T are not in D.
+
+removed(D, T, PartPolygons, Polygons, Removed) :-
+    (   from_p(D, _, _, _, _)
+    ->  aggregate_all(count, ( p(T, P, _), \+ left_in(D, P) ), Removed)
+    ;   Removed is PartPolygons-Polygons
     ).
 
 %   left_in(D, P): polygon P is in D, or its triangles are.
@@ -120,12 +136,6 @@ edge_length(D, E, Length) :-
     v(D, B, X2, Y2, _),
     !,
     Length is sqrt((X2-X1)**2 + (Y2-Y1)**2).
-
-area(Parts, S, Area) :-
-    (   memberchk(part(S, _, _, Area0, _, _, _, _), Parts)
-    ->  Area = Area0
-    ;   Area = 0.0
-    ).
 
 
                 /*******************************

@@ -130,8 +130,8 @@ unfold_option_ko(minimize,
 
 unfold_option_ko(true,
     '둥근 것은 면마다가 아니라 실제 길이로 펼친다. 원기둥, 원뿔, 변이관').
-unfold_option_ko(seam, '--true 와 함께: 솔기가 될 모선의 각도').
-unfold_option_ko(generators, '--true 와 함께: 번호를 단 등분 모선의 수').
+unfold_option_ko(seam, '--true 와 함께: 솔기가 될 면소의 각도').
+unfold_option_ko(generators, '--true 와 함께: 번호를 단 등분 면소의 수').
 unfold_option_ko(half, '--true 와 함께: 대칭인 것의 반쪽').
 unfold_option_ko(chord, '--true 와 함께: 곡선이 참값에서 벗어나도 되는 거리').
 unfold_option_ko(table,

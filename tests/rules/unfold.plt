@@ -248,14 +248,14 @@ test(pattern_itself, error(geometry_error(unfold(kind(2, pattern))))) :-
     with_parts([Box], ( unfold(1, D), unfold(D, _) )).
 
 % The report.
-test(measures, [P,K,F] == [6,1,5]) :-
+test(measures, [P,K,W,H] == [6,1,4.0,3.0]) :-
     with_parts([box(size(1, 1, 1))],
                ( unfold(1, D), pattern_measures(D, M),
                  forall(member(Key-Value, [ seam-7, bound-7, area-6,
                                             pattern_area-6 ]),
                         ( get_dict(Key, M, Measure), near(Measure, Value) )),
                  maplist([Key,N]>>get_dict(Key, M, N),
-                         [polygons,pieces,folds], [P,K,F]) )).
+                         [polygons,pieces,width,height], [P,K,W,H]) )).
 test(measures_removed, R == 2) :-
     with_parts([box(size(1, 1, 1))],
                ( unfold(1, [removed([base,top])], D), pattern_measures(D, M),
