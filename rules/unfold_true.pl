@@ -21,9 +21,10 @@
 %   Ds are the patterns of segment S, trimmed if Options say so (unfold/3): one
 %   of each part that can be unrolled (true_development/4, which has the other
 %   options), then one of all polygons that are left, if there are any: without
-%   those that are Wanted removed. An edge that should be cut is the seam of what
-%   is unrolled; no more of what is Wanted counts. If the plate has a thickness,
-%   what is trimmed are the surfaces that touch (plate_parts/5). One transaction.
+%   those that are Wanted removed. An edge that should be cut is the seam of
+%   what is unrolled; no more of what is Wanted counts. If the plate has a
+%   thickness, what is trimmed are the surfaces that touch (plate_parts/5). One
+%   transaction.
 
 true_patterns(S, Wanted, Options, Ds) :-
     facts_transaction(sg_unfold_true:patterns(S, Wanted, Options, Ds)).
