@@ -8,20 +8,26 @@
 :- use_module(pattern_look, [pattern_look/5]).
 :- use_module(pattern_nest, [nested/3]).
 :- use_module(pattern_paper,
-              [ grid_line/3, pattern_paper/3, sheet_mark/4, sheet_of/4 ]).
+              [ grid_line/3, line_strokes/3, pattern_paper/3, sheet_line/4,
+                sheet_of/4 ]).
 :- use_module(pattern_piece, [pattern_pieces/3, seam_numbers/2]).
 :- use_module(pattern_split, [split_pieces/3]).
 :- use_module(pattern_tab, [tabs/4]).
 :- use_module(pattern_text, [written/4]).
 :- use_module(pattern_tile, [tiled/4]).
 :- use_module(pattern_want, [wanted_text/4]).
+:- use_module(lettering, [lettering/2]).
 :- use_module(sheet_paper, [unit_millimetres/2]).
-:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(true_table, [true_length_marks/4, true_length_rows/2]).
+:- autoload(library(apply), [foldl/4, foldl/6, maplist/3, maplist/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [append/2, append/3, last/2, max_list/2, member/2]).
+:- autoload(library(lists),
+            [ append/2, append/3, last/2, member/2, min_list/2, nth1/3,
+              sum_list/2 ]).
 :- autoload(library(option), [option/2, option/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
+:- autoload(library(rbtrees), [list_to_rbtree/2, rb_insert_new/4]).
 /** <module> Patterns that one can make: sheets to cut, fold and glue.
 
 A pattern (a segment of kind `pattern`) is taken apart into pieces, these get
@@ -54,6 +60,7 @@ those of pattern_look.pl.
 %     - inside(Bool): seen from inside: mirrored, texts are not
 %     - grid(Step): a grid of Step mm
 %     - title(Text): beside the check bar
+%     - table(Bool): of true lengths, for patterns with generators
 %
 %   What was divided, or left out for want of room, is told by messages.
 %
@@ -98,11 +105,58 @@ pattern_layout(Ds, Options,
     seam_numbers(Pieces, Numbers),
     pieces_tabs(Width, Pieces, Tabs, Butt),
     maplist(outlined(Tabs), Pieces, Outlines),
-    maplist(named_loops, Pieces, Outlines, Loops),
-    nested(Loops, Paper, nested(Size,Places)),
+    maplist(named_loops, Pieces, Outlines, Loops0),
+    tables(Ds, Options, Tables, TableLoops),
+    append(Loops0, TableLoops, Loops),
+    nested(Loops, Paper, nested(Size,Places0)),
     sheet_of(Options, Paper, Size, Sheet),
-    maplist(laid, Pieces, Outlines, Places, Laid),
+    placed_all(Loops, Places0, Places),
+    append(Pieces, Tables, Things),
+    append(Outlines, Tables, Drawn),
+    maplist(laid, Things, Drawn, Places, Laid),
     laid_sheets(Laid, Sheets).
+
+%   tables(Ds, Options, Tables, Loops): Tables are table(D,Marks), each with its
+%   outline.
+
+tables(Ds, Options, Tables, Loops) :-
+    (   option(table(true), Options)
+    ->  findall(table(D,Marks)-(table(D)-[[0.0-0.0,W-0.0,W-H,0.0-H]]),
+                ( member(D, Ds), table_marks(D, Marks, W-H) ),
+                Pairs),
+        pairs_keys_values(Pairs, Tables, Loops)
+    ;   Tables = [],
+        Loops = []
+    ).
+
+table_marks(D, Marks, W-H) :-
+    true_length_rows(D, [_|_]),
+    true_length_marks(D, [], Marks, W0-H0),
+    W is float(W0),
+    H is float(H0).
+
+%   What found no place has a sheet of its own, and goes beyond it.
+
+placed_all(Loops, Places0, Places) :-
+    findall(I, ( nth1(I, Places0, _-Place), Place = place(0,_,_,_) ), Large),
+    (   Large == []
+    ->  Places = Places0
+    ;   length(Large, N),
+        print_message(warning, sanggwan(pattern(too_large(N)))),
+        foldl(own_sheet, Loops, Places0, Places, 1000000, _)
+    ).
+
+own_sheet(_-[Loop|_], Name-place(0,_,_,_), Place, I0, I) :-
+    !,
+    I is I0+1,
+    findall(X, member(X-_, Loop), Xs),
+    findall(Y, member(_-Y, Loop), Ys),
+    min_list(Xs, X0),
+    min_list(Ys, Y0),
+    DX is -X0,
+    DY is -Y0,
+    Place = Name-place(I,0.0,DX,DY).
+own_sheet(_, Place, Place, I, I).
 
 pieces_of(Look, D, Pieces) :-
     pattern_pieces(D, Look, Pieces).
@@ -180,11 +234,10 @@ layout_drawings(Layout, Options, Drawings) :-
     Layout = layout(_, _, Sheets, _, _, _),
     length(Sheets, Count),
     numbered(Sheets, 1, Numbered),
-    maplist(sheet_drawing(Layout, Options, Count), Numbered, Drawings0,
+    maplist(sheet_drawing(Layout, Options, Count), Numbered, Drawings,
             Skippeds),
     append(Skippeds, Skipped),
-    told_skipped(Skipped),
-    Drawings = Drawings0.
+    told_skipped(Skipped).
 
 numbered([], _, []).
 numbered([X|Xs], I, [I-X|Numbered]) :-
@@ -196,7 +249,7 @@ told_skipped(Skipped) :-
     sort(Roles0, Roles),
     forall(member(Role, Roles),
            ( findall(N, member(Role-N, Skipped), Ns),
-             sumlist(Ns, Sum),
+             sum_list(Ns, Sum),
              print_message(informational,
                            sanggwan(pattern(no_room(Role,Sum)))) )).
 
@@ -205,7 +258,18 @@ sheet_drawing(Layout, Options, Count, I-Laid, Drawing, Skipped) :-
     Sheet = sheet(Width, Height, _, _, _, _),
     option(fold_threshold(Threshold), Options, 0.5),
     How = how(Threshold, Butt),
-    maplist(placed_piece(Sheet, Tabs, How), Laid, Placed),
+    findall(Placed1,
+            ( member(laid(Piece,Outline,Place), Laid),
+              Piece = piece(_, _, _),
+              placed_piece(Sheet, Tabs, How, laid(Piece,Outline,Place),
+                           Placed1)
+            ),
+            Placed),
+    findall(View,
+            ( member(laid(table(D,Marks),_,Place), Laid),
+              table_view(D, Marks, move(Sheet,Place), Height, View)
+            ),
+            Tables),
     findall(Line, ( member(placed(_,_,Loops,Lines,_), Placed),
                     inked_line(Loops, Lines, Line) ), Inked),
     findall(Want, ( member(P, Placed),
@@ -214,7 +278,7 @@ sheet_drawing(Layout, Options, Count, I-Laid, Drawing, Skipped) :-
     letters_by_piece(Letters, ByPiece),
     maplist(piece_view(Height, ByPiece), Placed, Views),
     sheet_view(Sheet, Options, Count-I, Views0),
-    append(Views0, Views, All),
+    append([Views0,Views,Tables], All),
     W is round(Width*1000),
     H is round(Height*1000),
     Drawing = drawing(sheet(W,H,Factor), All).
@@ -303,10 +367,32 @@ piece_view(Height, Letters, placed(Name,_,Loops0,Lines0,_),
               edge_list(E, Es)
             ),
             Lines),
-    in_painting_order(Lines, Inner),
     maplist(paper_loop(Height), Loops0, Loops),
+    single_lines(Lines, Loops, Single),
+    in_painting_order(Single, Inner),
     outline_strokes(Loops, D, Cut),
     append([Texts, Inner, Cut], Strokes).
+
+%   single_lines(Lines, Loops, Single): those of Lines, Role-Stroke, that lie on
+%   no line that is cut, nor on one before them.
+
+single_lines(Lines, Loops, Single) :-
+    findall(Key-true,
+            ( member(Loop, Loops), member(edge(_,A,B), Loop),
+              msort([A,B], Key) ),
+            Keys0),
+    sort(1, @<, Keys0, Keys),
+    list_to_rbtree(Keys, Cut),
+    foldl(single_line, Lines, Cut-Single, _-[]).
+
+single_line(Line, Seen0-Single0, Seen-Single) :-
+    Line = _-stroke(_, _, _, _, Points, _, _),
+    msort(Points, Key),
+    (   rb_insert_new(Seen0, Key, true, Seen)
+    ->  Single0 = [Line|Single]
+    ;   Seen = Seen0,
+        Single0 = Single
+    ).
 
 %   A side that a line made is no edge of the model.
 
@@ -316,7 +402,7 @@ edge_list(E, [E]).
 
 in_painting_order(Lines, Strokes) :-
     findall(Stroke,
-            ( member(Role, [mark,penetration_line,fold_up,fold_down]),
+            ( member(Role, [mark,generator,penetration_line,fold_up,fold_down]),
               member(Role-Stroke, Lines)
             ),
             Strokes).
@@ -326,6 +412,30 @@ view_name(name(D,K,Part), View) :-
     ->  format(atom(View), 'p~d-~d', [D,K])
     ;   format(atom(View), 'p~d-~d-~d', [D,K,Part])
     ).
+
+%   The table of true lengths, its letters drawn: it may lie on its side.
+
+table_view(D, Marks, Move, Height, view(Name,Strokes,[])) :-
+    format(atom(Name), 'table~d', [D]),
+    findall(stroke(visible,table,D,[],Points,joint,joint),
+            ( member(Mark, Marks),
+              mark_points(Mark, Points0),
+              maplist(moved(Move), Points0, Points1),
+              maplist(on_paper(Height), Points1, Points)
+            ),
+            Strokes).
+
+mark_points(line(_,Points), Points).
+mark_points(text(X,Y,High0,Text0), Points) :-
+    format(string(Text), '~w', [Text0]),
+    High is round(High0*1000),
+    lettering(text(0,0,High,middle,Text), Lines),
+    member(Line, Lines),
+    maplist(beside(X, Y), Line, Points).
+
+beside(X0, Y0, A-B, X-Y) :-
+    X is X0 + A/1000,
+    Y is Y0 - B/1000.
 
 letters_by_piece(Letters, ByPiece) :-
     findall(Name-(Role-Lines), member(letters(Role,Name,Lines), Letters),
@@ -362,33 +472,23 @@ on_paper(Height, X0-Y0, X-Y) :-
 %   page has a bar of its own.
 
 sheet_view(Sheet, Options, Count-I, Views) :-
-    findall(Mark, sheet_line(Sheet, Options, Count-I, Mark), Marks),
+    findall(Line, line_beside(Sheet, Options, Count-I, Line), Lines),
     Sheet = sheet(_, Height, _, _, _, _),
-    findall(stroke(visible,Role,0,[],Points,joint,joint),
-            ( member(line(Role,Points0), Marks),
-              maplist(on_paper(Height), Points0, Points)
-            ),
-            Strokes),
-    findall(text(X,Y,High,Anchor,Text),
-            ( member(text(X0,Y0,High0,Anchor,Text), Marks),
-              on_paper(Height, X0-Y0, X-Y),
-              High is round(High0*1000)
-            ),
-            Texts),
-    (   Marks == []
+    line_strokes(Lines, Height, Strokes),
+    (   Strokes == []
     ->  Views = []
-    ;   Views = [view(sheet,Strokes,Texts)]
+    ;   Views = [view(sheet,Strokes,[])]
     ).
 
-sheet_line(Sheet, Options, _, Mark) :-
+line_beside(Sheet, Options, _, Line) :-
     option(grid(Step), Options),
     number(Step),
     Step > 0,
-    grid_line(Step, Sheet, Mark).
-sheet_line(Sheet, Options, Count-I, Mark) :-
+    grid_line(Step, Sheet, Line).
+line_beside(Sheet, Options, Count-I, Line) :-
     \+ option(tile(true), Options),
     sheet_says(Options, Count, I, Says),
-    sheet_mark(Sheet, Options, Says, Mark).
+    sheet_line(Sheet, Options, Says, Line).
 
 sheet_says(Options, Count, I, Says) :-
     findall(Say, sheet_word(Options, Count, I, Say), Says).

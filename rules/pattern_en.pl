@@ -15,16 +15,17 @@ pattern_en(divided(Before, After)) -->
        ~D'-[Before, After] ].
 pattern_en(without_tab(N)) -->
     [ '~D seams have no tab: on neither side is there room for one'-[N] ].
+pattern_en(too_large(N)) -->
+    [ '~D pieces with their tabs are larger than the page; each has a sheet, \c
+       and goes beyond it'-[N], nl,
+      '  Take a larger --page or narrower --tabs.' ].
 pattern_en(no_room(Role, N)) -->
     { role_en(Role, Words) },
     [ '~D ~w are left out: there is no room for letters that can be read'
       -[N, Words] ].
-pattern_en(pages(N, Files)) -->
-    { atomic_list_concat(Files, ' ', All) },
-    [ '~D sheets: ~w'-[N, All] ].
-pattern_en(taken(Sheets, Pieces, Share)) -->
-    [ '~D pieces on ~D sheets, ~1f % of them used'-[Pieces, Sheets, Share] ].
 
 role_en(number, 'partner numbers').
 role_en(face_name, 'names of faces').
 role_en(angle, 'bend angles').
+role_en(generator_number, 'numbers of generators').
+role_en(table, 'tables of true lengths').

@@ -16,16 +16,16 @@ pattern_ko(divided(Before, After)) -->
       -[Before, After] ].
 pattern_ko(without_tab(N)) -->
     [ '이음매 ~D개에는 양쪽 어디에도 자리가 없어 풀칠 날개가 없습니다'-[N] ].
+pattern_ko(too_large(N)) -->
+    [ '조각 ~D개는 날개까지 치면 종이보다 커서, 따로 한 장씩 놓았지만 밖으로 나갑니다'
+      -[N], nl,
+      '  더 큰 --page 나 더 좁은 --tabs 를 쓰십시오.' ].
 pattern_ko(no_room(Role, N)) -->
     { role_ko(Role, Words) },
     [ '읽을 수 있는 크기로 쓸 자리가 없어 ~w ~D개를 뺐습니다'-[Words, N] ].
-pattern_ko(pages(N, Files)) -->
-    { atomic_list_concat(Files, ' ', All) },
-    [ '~D장: ~w'-[N, All] ].
-pattern_ko(taken(Sheets, Pieces, Share)) -->
-    [ '조각 ~D개를 ~D장에 놓았고, 종이의 ~1f %를 씁니다'
-      -[Pieces, Sheets, Share] ].
 
 role_ko(number, '짝 번호').
 role_ko(face_name, '면 이름').
 role_ko(angle, '꺾는 각').
+role_ko(generator_number, '면소 번호').
+role_ko(table, '실장표').

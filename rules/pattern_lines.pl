@@ -72,6 +72,7 @@ piece_line(piece(name(D,_,_),_,Sides), Tabs, how(Threshold,Butt), Line) :-
 fold_line(side(E,_,_-A,_-B,fold(_,Angle,1)), Threshold, line(Role,E,A,B)) :-
     fold_role(Angle, Threshold, Role).
 fold_line(side(E,_,_-A,_-B,line(_,1)), _, line(penetration_line,E,A,B)).
+fold_line(side(E,_,_-A,_-B,generator(_)), _, line(generator,E,A,B)).
 
 fold_role(Angle, Threshold, Role) :-
     (   Angle > Threshold

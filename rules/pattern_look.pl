@@ -10,8 +10,10 @@ them `visible`:
   - `fold_down`, `fold_up`: where it is folded away from the reader, and towards
     the reader (mountains and valleys)
   - `penetration_line`: where another part of the model goes through
+  - `generator`: of a true development
   - `mark`: to align parts by, where nothing is cut or folded
-  - `number`, `face_name`, `angle`: letters
+  - `number`, `face_name`, `angle`, `generator_number`, `table`: letters, and
+    the lines of the table of true lengths
   - `bar`: the check bar and what is written beside it
   - `crop`: crop marks and registration marks of a page
   - `grid`
@@ -29,6 +31,9 @@ pattern_look(fold_up,          0.25, colour(green,black),
              [5.0,1.2,0.5,1.2], 3).
 pattern_look(penetration_line, 0.18, red, solid, 4).
 pattern_look(mark,             0.18, black, solid, 5).
+pattern_look(generator,        0.18, grey, solid, 5).
+pattern_look(generator_number, 0.18, grey, solid, 6).
+pattern_look(table,            0.18, black, solid, 7).
 pattern_look(number,           0.25, black, solid, 6).
 pattern_look(face_name,        0.25, grey, solid, 6).
 pattern_look(angle,            0.18, grey, solid, 6).

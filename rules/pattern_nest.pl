@@ -50,8 +50,14 @@ nested(Outlines, Paper, nested(Size,Places)) :-
 
 outline_piece(way(Name,Loops,Angles,_,_), Name, piece(Angles,Loops)).
 
-%   The larger a piece is the earlier it is placed.
+%   The larger a piece is the earlier it is placed. A table, table(D), is read
+%   from below or from the right.
 
+outline_ways(table(D)-Loops, Rank-way(table(D),Loops,[0.0,90.0],W,H)) :-
+    !,
+    append(Loops, Points),
+    points_box(Points, W, H),
+    Rank is -round(1000*max(W,H)).
 outline_ways(Name-Loops, Rank-way(Name,Loops,Angles,Width,Height)) :-
     append(Loops, Points),
     points_box(Points, W, H),

@@ -1,12 +1,15 @@
 :- module(sg_pattern_paper,
           [ pattern_paper/3,            % +Options, +Gap, -Paper
             sheet_of/4,                 % +Options, +Paper, +Size, -Sheet
-            sheet_mark/4,               % +Sheet, +Options, +Says, -Mark
-            grid_line/3,                % +Step, +Sheet, -Mark
+            sheet_line/4,               % +Sheet, +Options, +Says, -Line
+            line_strokes/3,             % +Lines, +Height, -Strokes
+            grid_line/3,                % +Step, +Sheet, -Line
             page_size/3,                % +Options, -Width, -Height
             sheet_window/2              % +Sheet, -Window
           ]).
+:- use_module(lettering, [lettering/2]).
 :- use_module(sheet_paper, [paper/3, paper_size/3]).
+:- autoload(library(apply), [maplist/3]).
 :- autoload(library(error), [must_be/2]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/2, option/3]).
@@ -16,8 +19,9 @@
 
 is a sheet in millimetres and what is free on it for pieces, from Left to the
 right and from Bottom upwards, both measured from the lower left corner. Below
-it, in the margin, a bar says how large the sheet came out of the printer. Marks
-are line(Role,Points) and text(X,Y,Height,Anchor,Text), y up.
+it, in the margin, a bar says how large the sheet came out of the printer. Lines
+are line(Role,Points), y up; letters are lines too, so that a knife does not take
+them for something else.
 */
 
 % Millimetres: below the pieces, for the check bar.
@@ -115,29 +119,34 @@ sheet_window(sheet(_,_,Left,Bottom,W,H), rect(Left,Bottom,X2,Y2)) :-
     X2 is Left+W,
     Y2 is Bottom+H.
 
-%!  sheet_mark(+Sheet, +Options, +Says, -Mark) is nondet.
+%!  sheet_line(+Sheet, +Options, +Says, -Line) is nondet.
 %
 %   The check bar of a sheet: a bar with a tick for every 10 mm, how long it is,
 %   and Says, a list of strings, to the right of it.
 
-sheet_mark(sheet(Width,_,_,Bottom,_,_), Options, Says, Mark) :-
+sheet_line(sheet(Width,_,_,Bottom,_,_), Options, Says, line(bar,Points)) :-
     margin(Options, Margin),
     Left is max(4.0, Margin),
     bar_length(Width-2*Left, Length),
     Base is max(3.0, Bottom-9.0+1.0),
     Right is Left+Length,
-    (   bar_line(Left, Base, Length, Points),
-        Mark = line(bar, Points)
+    (   bar_line(Left, Base, Length, Points)
     ;   format(string(Text), '~d mm', [Length]),
         X is Right+2,
-        Mark = text(X,Base,2.5,start,Text)
+        letter_line(Text, X, Base, Points)
     ;   Says \== [],
         X is Right+20,
         X+20 < Width,
         atomic_list_concat(Says, '   ', Text0),
         atom_string(Text0, Text),
-        Mark = text(X,Base,2.5,start,Text)
+        letter_line(Text, X, Base, Points)
     ).
+
+letter_line(Text, X0, Y0, Points) :-
+    lettering(text(0,0,2500,start,Text), Lines),
+    member(Line, Lines),
+    findall(X-Y, ( member(A-B, Line), X is X0+A/1000, Y is Y0-B/1000 ),
+            Points).
 
 bar_length(Free, Length) :-
     (   Free >= 100
@@ -160,7 +169,22 @@ bar_line(Left, Base, Length, [X-Base,X-Top]) :-
     ;   Top is Base+2
     ).
 
-%!  grid_line(+Step, +Sheet, -Mark) is nondet.
+%!  line_strokes(+Lines, +Height, -Strokes) is det.
+%
+%   Strokes (sheet.pl) are Lines on a sheet of Height mm.
+
+line_strokes(Lines, Height, Strokes) :-
+    findall(stroke(visible,Role,0,[],Points,joint,joint),
+            ( member(line(Role,Points0), Lines),
+              maplist(on_paper(Height), Points0, Points)
+            ),
+            Strokes).
+
+on_paper(Height, X0-Y0, X-Y) :-
+    X is round(X0*1000),
+    Y is round((Height-Y0)*1000).
+
+%!  grid_line(+Step, +Sheet, -Line) is nondet.
 %
 %   The lines of a grid, Step mm apart, over the room for pieces.
 

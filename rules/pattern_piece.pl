@@ -2,12 +2,13 @@
           [ pattern_pieces/3,           % +D, +Look, -Pieces
             piece_box/2,                % +Piece, -Box
             piece_points/2,             % +Piece, -Points
+            within_shapes/2,            % +Point, +Shapes
             seam_numbers/2              % +Pieces, -Numbers
           ]).
-:- use_module(store, [e/5, joint/6, p/3, piece/3, t/6, v/5]).
+:- use_module(store, [e/5, joint/6, origin/3, p/3, piece/3, t/6, v/5]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [member/2, nth1/3, reverse/2]).
+:- autoload(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
 :- autoload(library(pairs), [group_pairs_by_key/2]).
 /** <module> The pieces of a pattern, in millimetres.
 
@@ -27,6 +28,8 @@ together when the model is folded says Joint:
     seam(J, Angle, Which)     with another side with the same J
     line(J, Which)            nothing: a penetration line inside the face
     border                    nothing
+    generator(N)              nothing: a generator of a true development, which
+                              is no side but lies within the face
 
 Which is 1 or 2, the two sides of a joint. Angle is in degrees, 0 flat,
 positive if the pattern is folded away from the reader. J is the number of the
@@ -46,7 +49,12 @@ pattern_pieces(D, Look, Pieces) :-
     findall(K-P, polygon_piece(D, P, K), Keyed0),
     msort(Keyed0, Keyed),
     group_pairs_by_key(Keyed, Groups),
-    maplist(group_piece(D, Joints, Look), Groups, Pieces).
+    maplist(group_piece(D, Joints, Look), Groups, Pieces0),
+    findall(Generator, generator(D, Look, Generator), Generators),
+    (   Generators == []
+    ->  Pieces = Pieces0
+    ;   maplist(piece_generators(Generators), Pieces0, Pieces)
+    ).
 
 %   A pattern without piece/3 is in one piece.
 
@@ -131,6 +139,46 @@ turned_joint(seam(J,Angle0,Which), Joint) =>
     Joint = seam(J,Angle,Which).
 turned_joint(Joint0, Joint) =>
     Joint = Joint0.
+
+%   Generators are edges of no polygon (true_pattern.pl).
+
+generator(D, Look, generator(E,A,B,N)) :-
+    origin(D, e(E), generator(N,_,_,_,_)),
+    e(D, E, V1, V2, _),
+    maplist(corner(D, Look), [V1,V2], [A,B]).
+
+piece_generators(Generators, piece(Name,Faces,Sides0),
+                 piece(Name,Faces,Sides)) :-
+    findall(side(E,P,A,B,generator(N)),
+            ( member(generator(E,A,B,N), Generators),
+              middle(A, B, Middle),
+              once(( member(face(P,Shapes), Faces),
+                     within_shapes(Middle, Shapes) ))
+            ),
+            New),
+    append(Sides0, New, Sides).
+
+middle(_-(XA-YA), _-(XB-YB), X-Y) :-
+    X is (XA+XB)/2,
+    Y is (YA+YB)/2.
+
+%!  within_shapes(+Point, +Shapes) is semidet.
+%
+%   True when Point, X-Y, lies in one of Shapes, lists of corners, or on its
+%   border, or as good as.
+
+within_shapes(Point, Shapes) :-
+    member(Shape, Shapes),
+    last(Shape, Last),
+    within([Last|Shape], Point),
+    !.
+
+within([_], _).
+within([_-(XA-YA),B|Corners], X-Y) :-
+    B = _-(XB-YB),
+    Size is (XB-XA)**2 + (YB-YA)**2,
+    (XB-XA)*(Y-YA) - (YB-YA)*(X-XA) >= -1.0e-6*Size,
+    within([B|Corners], X-Y).
 
 %!  piece_points(+Piece, -Points) is det.
 %

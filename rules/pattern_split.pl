@@ -2,7 +2,7 @@
           [ split_pieces/3              % +Pieces, +Paper, -Split
           ]).
 :- use_module(pattern_nest, [fits_on/2, least_box/4]).
-:- use_module(pattern_piece, [piece_points/2]).
+:- use_module(pattern_piece, [piece_points/2, within_shapes/2]).
 :- autoload(library(apply), [exclude/3, foldl/4, include/3, maplist/3]).
 :- autoload(library(assoc),
             [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
@@ -493,9 +493,14 @@ shape_part(Shapes, Name, P, Sides, piece(Name,[face(P,Own)],Left)) :-
     findall(W-true, ( member(Shape, Own), member(W-_, Shape) ), Known0),
     sort(Known0, Known1),
     list_to_assoc(Known1, Known),
-    include(ends_known(Known), Sides, Left).
+    include(of_part(Known, Own), Sides, Left).
 
-ends_known(Known, side(_,_,WA-_,WB-_,_)) :-
+of_part(_, Shapes, side(_,_,_-(XA-YA),_-(XB-YB),generator(_))) :-
+    !,
+    X is (XA+XB)/2,
+    Y is (YA+YB)/2,
+    within_shapes(X-Y, Shapes).
+of_part(Known, _, side(_,_,WA-_,WB-_,_)) :-
     get_assoc(WA, Known, _),
     get_assoc(WB, Known, _).
 

@@ -13,6 +13,8 @@ already; one that would be smaller than can be read is left out and counted.
 What is wanted is
 
     want(Role, D, String, Heights, along(A,B))     on the left of A to B
+    want(Role, D, String, Heights, end_of(A,B,Shapes))
+                           on either side, near an end, within Shapes
     want(Role, D, String, Heights, within(Shapes)) in a face
 
 Heights in millimetres, largest first; points X-Y, millimetres of the sheet,
@@ -112,6 +114,19 @@ place_at(along(A,B), Width, Height, At, U-V) :-
     X is XA + T*Length*U - Off*V,
     Y is YA + T*Length*V + Off*U,
     At = X-Y.
+place_at(end_of(XA-YA,XB-YB,Shapes), Width, Height, At, Way) :-
+    Length is sqrt((XB-XA)**2 + (YB-YA)**2),
+    2*Width+4 < Length,
+    U is (XB-XA)/Length,
+    V is (YB-YA)/Length,
+    Left is 0.45 + 0.25*Height,
+    Right is -0.45 - 1.25*Height,
+    member(Along, [1.5+Width/2, Length-1.5-Width/2, 4+Width/2]),
+    member(Off, [Left,Right]),
+    X is XA + Along*U - Off*V,
+    Y is YA + Along*V + Off*U,
+    in_face(Shapes, X-Y),
+    upright(U-V, X-Y, Height, Way, At).
 place_at(within(Shapes), Width, Height, At, Way) :-
     face_middles(Shapes, Middles),
     face_way(Shapes, Long),
@@ -121,6 +136,20 @@ place_at(within(Shapes), Width, Height, At, Way) :-
     below(Middle, Way, Height/2, At),
     text_ends(At, Way, Width, Height, Ends),
     \+ ( member(End, Ends), \+ in_face(Shapes, End) ).
+
+%   upright(Way0, At0, Height, Way, At): in the same place, but to be read from
+%   below or from the right.
+
+upright(U-V, At0, Height, Way, At) :-
+    (   ( U < -1.0e-6 ; abs(U) =< 1.0e-6, V < 0 )
+    ->  U1 is -U,
+        V1 is -V,
+        Up is -Height,
+        Way = U1-V1,
+        below(At0, U-V, Up, At)
+    ;   Way = U-V,
+        At = At0
+    ).
 
 below(X0-Y0, U-V, Down, X-Y) :-
     X is X0 + Down*V,

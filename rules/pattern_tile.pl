@@ -1,7 +1,8 @@
 :- module(sg_pattern_tile,
           [ tiled/4                     % +Options, +Drawing, +Says, -Pages
           ]).
-:- use_module(pattern_paper, [page_size/3, sheet_mark/4]).
+:- use_module(pattern_paper,
+              [line_strokes/3, page_size/3, sheet_line/4]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3, last/2, member/2]).
 :- autoload(library(option), [option/3]).
@@ -74,11 +75,13 @@ page_views(Tiling, Views0, Options, Says0, Column, Row, [Marks|Views]) :-
     findall(Mark, page_mark(Tiling, Column, Row, Mark), Crops),
     SheetBottom is Margin+9.0,
     findall(Mark,
-            sheet_mark(sheet(PageW,PageH,Margin,SheetBottom,FreeW,FreeH),
+            sheet_line(sheet(PageW,PageH,Margin,SheetBottom,FreeW,FreeH),
                        Options, [PageName|Says0], Mark),
             Bar),
     append(Crops, Bar, All),
-    marks_view(All, PageH, Marks).
+    line_strokes(All, PageH, Strokes),
+    atom_concat('page-', PageName, PageView),
+    Marks = view(PageView, Strokes, []).
 
 page_name(Column, Row, Name) :-
     column_letters(Column, Letters),
@@ -136,23 +139,6 @@ joint_place(I, N, Free, Overlap, At, true) :-
     At is Free-Overlap/2.
 joint_place(_, _, Free, _, At, false) :-
     At is Free/2.
-
-marks_view(Marks, PageH, view(page,Strokes,Texts)) :-
-    findall(stroke(visible,Role,0,[],Points,joint,joint),
-            ( member(line(Role,Points0), Marks),
-              maplist(on_paper(PageH), Points0, Points)
-            ),
-            Strokes),
-    findall(text(X,Y,High,Anchor,Text),
-            ( member(text(X0,Y0,High0,Anchor,Text), Marks),
-              on_paper(PageH, X0-Y0, X-Y),
-              High is round(High0*1000)
-            ),
-            Texts).
-
-on_paper(Height, X0-Y0, X-Y) :-
-    X is round(X0*1000),
-    Y is round((Height-Y0)*1000).
 
 %   clipped_stroke(Stroke0, Window, DX, DY, Stroke) is nondet: what is in Window
 %   of it, moved.

@@ -15,8 +15,8 @@
 %!  wanted_text(+Placed, +Options, +Numbers, -Want) is nondet.
 %
 %   Want, as of written/4 (pattern_text.pl), is a text of the piece Placed
-%   (pattern_drawing.pl): numbers of seams first, then names of faces, then
-%   angles, as Options say; Numbers are those of seam_numbers/2.
+%   (pattern_drawing.pl): numbers of seams first, then of generators, names of
+%   faces, and angles, as Options say; Numbers are those of seam_numbers/2.
 
 wanted_text(placed(Name,_,_,_,Sides), Options, Numbers,
             want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],along(A,B))) :-
@@ -24,6 +24,15 @@ wanted_text(placed(Name,_,_,_,Sides), Options, Numbers,
     Name = name(D, _, _),
     member(side(_,_,_-A,_-B,seam(J,_,_)), Sides),
     get_assoc(D-J, Numbers, N),
+    number_string(N, Text).
+wanted_text(placed(Name,Faces,_,_,Sides), _, _,
+            want(generator_number,Name,Text,[2.5,2.0,1.6],
+                 end_of(A,B,Shapes))) :-
+    memberchk(side(_,_,_,_,generator(_)), Sides),
+    findall(Shape,
+            ( member(face(_,Own), Faces), member(Shape, Own) ),
+            Shapes),
+    member(side(_,_,_-A,_-B,generator(N)), Sides),
     number_string(N, Text).
 wanted_text(placed(Name,Faces,_,_,_), Options, _,
             want(face_name,Name,Text,[6.0,4.5,3.2,2.5,2.0],within(Shapes))) :-

@@ -1,0 +1,82 @@
+# pattern.sh -- patterns on paper, opened by other programs.
+. "$(dirname "$0")/harness.bash"
+cd "$here"
+
+cat >"$work/model.pl" <<'END'
+segment(1, solid, sphere(radius(50), facets(24), bands(12))).
+segment(2, solid, box(size(60, 40, 30))).
+segment(3, solid, cylinder(radius(20), height(60), facets(24), shift(30, 0))).
+END
+swipl -q -p foreign="${BUILD:-build}" tests/cli/pattern_files.pl -- "$work" \
+  >"$work/out" 2>"$work/err" </dev/null
+status=$?
+err=$(cat "$work/err")
+check "written" status_is 0
+for format in svg pdf eps ps png json dxf hpgl pl fold; do
+  check "$format: something" [ -s "$work/box.$format" ]
+done
+check "what was written is said" has "$work/sphere-1.svg" "$work/out"
+check "as many as are said" has "$work/sphere-2.svg" "$work/out"
+check "that it was divided" has 'larger than the page'
+
+for name in box sphere-1 pipe; do
+  check "$name.svg opened" rsvg-convert "$work/$name.svg" -o "$work/x.png"
+done
+check "the true size" has 'width="210mm" height="297mm"' "$work/box.svg"
+check "cut" has 'class="visible cut"' "$work/box.svg"
+check "an edge and its joint" grep -q 'data-edge="[0-9 ]*" data-joint="[0-9 ]*"' \
+  "$work/box.svg"
+check "the check bar" has 'class="visible bar"' "$work/box.svg"
+check "generators" has 'class="visible generator"' "$work/pipe.svg"
+check "the table" has 'class="visible table"' "$work/pipe.svg"
+check "facts" has 'fold_down' "$work/box.pl"
+check "json" python3 -c 'import json, sys
+roles = {line["role"] for line in json.load(open(sys.argv[1]))["lines"]}
+assert {"cut", "fold_down", "number", "bar"} <= roles, roles' "$work/box.json"
+
+pages() { pdfinfo "$work/$1" 2>"$work/null" | grep -q "^Pages: *$2\$"; }
+if command -v pdfinfo >"$work/null"; then
+  sheets=$(ls "$work" | grep -c '^sphere-.*svg$')
+  check "one page" pages box.pdf 1
+  check "a page for each sheet" pages sphere.pdf "$sheets"
+  check "A4" eval "pdfinfo '$work/sphere.pdf' | grep -q '595.* x 841'"
+  check "many tiles" eval "! pages tiled.pdf 1"
+  for name in box sphere tiled all; do
+    check "$name.pdf drawn" pdftoppm -r 20 "$work/$name.pdf" "$work/page"
+  done
+else
+  skip "pdfinfo is not here"
+fi
+
+if command -v hp2xx >"$work/null"; then
+  check "HPGL drawn" eval \
+    "hp2xx -q -m eps -f '$work/x.eps' '$work/box.hpgl' >'$work/null' 2>&1"
+else
+  skip "hp2xx is not here"
+fi
+# Pens in the order of cutting: what is cut comes last.
+check "the knife is last" eval \
+  "grep -o 'SP[0-9]*' '$work/box.hpgl' | grep -v SP0 | tail -2 | grep -q SP1"
+
+cat >"$work/dxf.py" <<'END'
+import ezdxf, sys
+drawing = ezdxf.readfile(sys.argv[1])
+audit = drawing.audit()
+assert not audit.errors and not audit.fixes, audit.errors + audit.fixes
+lines = drawing.modelspace().query('POLYLINE')
+layers = {line.dxf.layer for line in lines}
+assert {'CUT', 'FOLD_DOWN', 'NUMBER'} <= layers, layers
+cut = [line for line in lines if line.dxf.layer == 'CUT']
+assert len(cut) == 1 and cut[0].is_closed
+END
+if /usr/bin/python3 -c 'import ezdxf' 2>"$work/null"; then
+  check "ezdxf reads it" /usr/bin/python3 "$work/dxf.py" "$work/box.dxf"
+  check "ezdxf: dashes as lines" /usr/bin/python3 "$work/dxf.py" \
+    "$work/cutter.dxf"
+else
+  skip "python3-ezdxf is not here"
+fi
+
+check "FOLD: a box" python3 tests/cli/fold_check.py "$work/box.fold" 6 1
+check "FOLD: a sphere" python3 tests/cli/fold_check.py "$work/sphere.fold" 288 1
+finish
