@@ -45,8 +45,8 @@ those of pattern_look.pl.
 %
 %   Drawings, one for each sheet or page, are the patterns Ds together. Options:
 %
-%     - scale(N:M): a true scale, default 1:1; unit(U): what one is in the
-%       model, default mm
+%     - scale(N:M), or scale(Factor): a true scale, default 1:1; unit(U): what
+%       one is in the model, default mm
 %     - page(P): A4 to A0, perhaps with -landscape, letter, `WxH` or W-H; if not
 %       given one sheet as large as needed. margin(M): free all round, 10 mm;
 %       gap(G): between pieces, 3 mm
@@ -60,7 +60,7 @@ those of pattern_look.pl.
 %     - inside(Bool): seen from inside: mirrored, texts are not
 %     - grid(Step): a grid of Step mm
 %     - title(Text): beside the check bar
-%     - table(Bool): of true lengths, for patterns with generators
+%     - table(Bool): of true lengths, for patterns with generators; default true
 %
 %   What was divided, or left out for want of room, is told by messages.
 %
@@ -120,7 +120,7 @@ pattern_layout(Ds, Options,
 %   outline.
 
 tables(Ds, Options, Tables, Loops) :-
-    (   option(table(true), Options)
+    (   option(table(true), Options, true)
     ->  findall(table(D,Marks)-(table(D)-[[0.0-0.0,W-0.0,W-H,0.0-H]]),
                 ( member(D, Ds), table_marks(D, Marks, W-H) ),
                 Pairs),
@@ -499,7 +499,17 @@ sheet_word(Options, _, _, Say) :-
     Say \== "".
 sheet_word(Options, _, _, Say) :-
     option(scale(Scale), Options, 1:1),
-    format(string(Say), '~w', [Scale]).
+    scale_text(Scale, Say).
 sheet_word(_, Count, I, Say) :-
     Count > 1,
     format(string(Say), '~d/~d', [I,Count]).
+
+scale_text(N:M, Text) :-
+    !,
+    format(string(Text), '~w:~w', [N,M]).
+scale_text(Factor, Text) :-
+    (   Factor >= 1
+    ->  format(string(Text), '~4g:1', [Factor])
+    ;   M is 1/Factor,
+        format(string(Text), '1:~4g', [M])
+    ).

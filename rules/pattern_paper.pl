@@ -20,8 +20,8 @@
 is a sheet in millimetres and what is free on it for pieces, from Left to the
 right and from Bottom upwards, both measured from the lower left corner. Below
 it, in the margin, a bar says how large the sheet came out of the printer. Lines
-are line(Role,Points), y up; letters are lines too, so that a knife does not take
-them for something else.
+are line(Role,Points), y up; letters are lines too, with a pen of their own,
+which is not the knife's.
 */
 
 % Millimetres: below the pieces, for the check bar.

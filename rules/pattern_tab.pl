@@ -23,9 +23,9 @@ touching(1.0e-6).
 
 %!  tabs(+Width, +Pieces, -Tabs, -Butt) is det.
 %
-%   Tabs are tab(D,E,A,B)-Points: on side E from vertex A to vertex B, of at most
-%   Width; Points are its corners in the order of the outline. Butt lists the
-%   seams D-J that have none.
+%   Tabs are tab(D,E,A,B)-Points: on side E from vertex A to vertex B, at most
+%   Width deep; Points are its corners in the order of the outline. Butt lists
+%   the seams D-J that have none.
 
 tabs(Width, Pieces, Tabs, Butt) :-
     maplist(piece_shapes(Width), Pieces, Named),
