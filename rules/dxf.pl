@@ -10,8 +10,8 @@
               [ inked_inks/2, inked_lines/3, inked_texts/2, dashes_option/3,
                 ink_colour/3, ink_layer/2, ink_type/2, ink_runs/2, ink_lines/4
               ]).
-:- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [member/2, nth1/3]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(lists), [member/2, memberchk/2, nth1/3]).
 /** <module> DXF: strokes as polylines on layers, for CAD programs.
 
 DXF R12 (AC1009), as text: every program reads it. One unit is one millimetre
@@ -57,7 +57,8 @@ written(_, Inked, Lines, Texts) :-
 
 looks(_, [], _, [], []).
 looks(How, [Ink|Inks], N0, [Ink-look(Layer,Colour,Type)|Looks], Types) :-
-    ink_layer(Ink, Layer),
+    ink_layer(Ink, Layer0),
+    upcase_atom(Layer0, Layer),         % R12 knows no other letters
     ink_colour(screen, Ink, RGB),
     dxf_colour(RGB, Colour),
     ink_runs(Ink, Runs),
@@ -124,7 +125,10 @@ tables(Out, Types0, Layers0) :-
     sort(Types0, Types),
     length(Types, TypeCount),
     AllTypes is TypeCount+1,
-    Layers = [layer('0',7,'CONTINUOUS')|Layers0],
+    (   memberchk(layer('0',_,_), Layers0)
+    ->  Layers = Layers0
+    ;   Layers = [layer('0',7,'CONTINUOUS')|Layers0]
+    ),
     section(Out, 'TABLES'),
     table(Out, 'LTYPE', AllTypes),
     line_type(Out, 'CONTINUOUS', 'Solid line', []),
@@ -299,20 +303,33 @@ text(DXF, text(Ink,text(X,Y0,Height,Anchor,Text))) :-
         real(Out, 31, 0)
     ).
 
-%   R12 is ASCII: other characters as \U+XXXX, a caret or a line's end never.
+%   R12 is ASCII: other characters as \U+XXXX, of UTF-16, and so are what would
+%   begin such a one or, twice, something else (%%d is a degree). A caret or a
+%   line's end never.
 
 dxf_text(Text, Written) :-
     string_codes(Text, Codes),
     foldl(dxf_code, Codes, Parts, []),
     atomic_list_concat(Parts, Written).
 
-dxf_code(Code, [Part|Parts], Parts) :-
+dxf_code(Code, Parts, Rest) :-
     (   ( Code < 32 ; Code =:= 0'^ )
-    ->  Part = ' '
-    ;   Code < 127
-    ->  char_code(Part, Code)
-    ;   format(atom(Part), '\\U+~|~`0t~16R~4+', [Code])
+    ->  Parts = [' '|Rest]
+    ;   Code < 127,
+        \+ memberchk(Code, [0'\\,0'%])
+    ->  char_code(Part, Code),
+        Parts = [Part|Rest]
+    ;   Code < 0x10000
+    ->  unit_text(Code, Part),
+        Parts = [Part|Rest]
+    ;   High is 0xD800 + ((Code-0x10000) >> 10),
+        Low is 0xDC00 + ((Code-0x10000) /\ 0x3FF),
+        maplist(unit_text, [High,Low], [First,Second]),
+        Parts = [First,Second|Rest]
     ).
+
+unit_text(Unit, Text) :-
+    format(atom(Text), '\\U+~|~`0t~16R~4+', [Unit]).
 
 text_anchor(start, 0).
 text_anchor(middle, 1).

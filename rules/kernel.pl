@@ -505,7 +505,8 @@ glue file.
 %   (there Known, too), or edges(Faceted): all outlines run along edges. Depth:
 %   see view_depth/5; Tolerance: what counts as equal, in a model of size [-1,1]
 %   (PL-5). A scene does not follow later changes, and is freed with its last
-%   reference.
+%   reference. It is for one thread at a time: what is asked of it is noted in
+%   it.
 
 %!  scene_edge(+Scene, ?S, ?E, -Length, -Look) is nondet.
 %

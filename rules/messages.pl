@@ -18,7 +18,7 @@
 :- use_module(unfold_en, [wish_en//3, unfold_en//1, trim_en//1]).
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
 :- use_module(style_en, [style_en//1]).
-:- use_module(sheet_en, [sheet_en//1]).
+:- use_module(sheet_en, [sheet_en//1, sheet_tiny_en//3]).
 :- use_module(pattern_en, [pattern_en//1]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
 :- autoload(library(apply), [maplist/3]).
@@ -563,6 +563,8 @@ drawing_en(domain(dashes, How)) -->
 drawing_en(domain(png, How)) -->
     [ 'a PNG is smooth or dots, not ~p'-[How] ].
 
+notice_en(sheet_tiny(N:M, How)) -->
+    sheet_tiny_en(N, M, How).
 notice_en(nothing_drawn) -->
     [ 'there is nothing to draw' ].
 

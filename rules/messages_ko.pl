@@ -13,7 +13,7 @@
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(style_ko, [style_ko//1]).
-:- use_module(sheet_ko, [sheet_ko//1]).
+:- use_module(sheet_ko, [sheet_ko//1, sheet_tiny_ko//3]).
 :- use_module(pattern_ko, [pattern_ko//1]).
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
 :- use_module(development_ko,
@@ -539,6 +539,8 @@ drawing_ko(domain(dashes, How)) -->
 drawing_ko(domain(png, How)) -->
     [ 'PNG 는 smooth 또는 dots 이며 ~p 은(는) 아니다'-[How] ].
 
+notice_ko(sheet_tiny(N:M, How)) -->
+    sheet_tiny_ko(N, M, How).
 notice_ko(nothing_drawn) -->
     [ '그릴 것이 없습니다' ].
 

@@ -47,11 +47,14 @@ heading(eps, '%!PS-Adobe-3.0 EPSF-3.0').
 whole_points(Length, Points) :-
     Points is ceiling(Length*72 rdiv 25400).
 
-%   A comment is ASCII and one line.
+%   A comment is ASCII and one line, of 255 characters at most.
 
 ascii(Title, Ascii) :-
     text_to_string(Title, String),
-    string_codes(String, Codes0),
+    string_length(String, Length),
+    Most is min(Length, 200),
+    sub_string(String, 0, Most, _, Short),
+    string_codes(Short, Codes0),
     findall(Code, ( member(Code0, Codes0), ascii_code(Code0, Code) ), Codes),
     atom_codes(Ascii, Codes).
 

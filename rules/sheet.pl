@@ -230,6 +230,10 @@ box_place(Box, Default, Options, sheet(Width,Height,Scale),
 sheet_size(box(_,_,HalfW,HalfH), Default, Options, W, H, Scale) :-
     (   option(scale(Scale0), Options)
     ->  must_be(number, Scale0),
+        (   Scale0 > 0
+        ->  true
+        ;   domain_error(positive_scale, Scale0)
+        ),
         Scale is float(Scale0),
         option(margin(Margin), Options, 10),
         FitW is 2*(HalfW*Scale+Margin),
@@ -277,8 +281,7 @@ smaller(A, B, Scale) :-
 size_option(Options, Default, W, H) :-
     option(size(Size), Options, Default),
     (   size_sides(Size, W, H),
-        W > 0,
-        H > 0,
+        min(W,H) >= 0.001,
         max(W,H) =< 100 000
     ->  true
     ;   domain_error(sheet_size, Size)

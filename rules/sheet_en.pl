@@ -1,5 +1,6 @@
 :- module(sg_sheet_en,
-          [ sheet_en//1                 % +What
+          [ sheet_en//1,                % +What
+            sheet_tiny_en//3            % +N, +M, +How
           ]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
@@ -55,6 +56,17 @@ sheet_en(section_past(Text, box(X1,Y1,Z1,X2,Y2,Z2))) -->
 sheet_en(no_direction(Name, Text)) -->
     [ '~w ~w: that is no direction to look in'-[Name, Text], nl,
       '  The eye has to be elsewhere than what it looks at.' ].
+
+%!  sheet_tiny_en(+N, +M, +How)// is det.
+%
+%   The message for sheet_tiny(N:M, How): How is `fit`, what is done instead, or
+%   `as_asked`.
+
+sheet_tiny_en(N, M, fit) -->
+    [ 'at ~w:~w, the largest of the usual scales, nothing could be seen: \c
+       the model is drawn as large as there is room'-[N, M] ].
+sheet_tiny_en(N, M, as_asked) -->
+    [ 'at ~w:~w the views are smaller than a tenth of a millimetre'-[N, M] ].
 
 fitting_en(N:M, []) -->
     [ '  --scale ~w:~w does fit.'-[N, M] ].

@@ -210,11 +210,39 @@ field_mark(angle, cell(X,Y,W,H), _, Facts, X0-Y0, Mark) :-
 field_mark(Item, cell(X,Y,W,H), High0, Facts, X0-Y0,
            text(TX,TY,High,middle,Text)) :-
     Item \== angle,
-    memberchk(Item-Text, Facts),
-    Text \== "",
-    fitting_height(Text, W-3, High0, High),
+    memberchk(Item-Text0, Facts),
+    Text0 \== "",
+    fitting_text(Text0, W-3, High0, Text, High),
     TX is X0+X+W/2,
     TY is Y0+Y+(H+2.8+High)/2.
+
+%   fitting_text(Text0, Width, High0, Text, High): as high as Width allows, but
+%   no lower than can be read: then the end is left out.
+
+fitting_text(Text0, Width, High0, Text, High) :-
+    fitting_height(Text0, Width, High0, High1),
+    least_height(Least),
+    (   High1 >= Least
+    ->  Text = Text0,
+        High = High1
+    ;   string_codes(Text0, Codes),
+        Room is Width/Least - 2.7,      % of three dots
+        codes_within(Codes, Room, Kept),
+        string_codes(Start, Kept),
+        string_concat(Start, "...", Text),
+        High = Least
+    ).
+
+least_height(1.0).
+
+codes_within([Code|Codes], Room0, Kept) :-
+    wider(Code, 0, Wide),
+    Room is Room0-Wide,
+    Room >= 0,
+    !,
+    Kept = [Code|Kept1],
+    codes_within(Codes, Room, Kept1).
+codes_within(_, _, []).
 
 %   fitting_height(Text, Width, High0, High): as high as Width allows.
 

@@ -1,6 +1,7 @@
 :- encoding(utf8).
 :- module(sg_sheet_ko,
-          [ sheet_ko//1                 % +What
+          [ sheet_ko//1,                % +What
+            sheet_tiny_ko//3            % +N, +M, +How
           ]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
@@ -57,6 +58,16 @@ sheet_ko(section_past(Text, box(X1,Y1,Z1,X2,Y2,Z2))) -->
 sheet_ko(no_direction(Name, Text)) -->
     [ '~w ~w: 보는 방향이 없습니다'-[Name, Text], nl,
       '  눈은 보는 것과 다른 곳에 있어야 합니다.' ].
+
+%!  sheet_tiny_ko(+N, +M, +How)// is det.
+%
+%   As sheet_tiny_en//3.
+
+sheet_tiny_ko(N, M, fit) -->
+    [ '흔히 쓰는 척도 가운데 가장 큰 ~w:~w 로도 보이지 않을 만큼 작아, 자리가 \c
+       닿는 대로 크게 그립니다'-[N, M] ].
+sheet_tiny_ko(N, M, as_asked) -->
+    [ '~w:~w 에서는 그림들이 0.1 mm보다 작습니다'-[N, M] ].
 
 fitting_ko(N:M, []) -->
     [ '  --scale ~w:~w 는 들어갑니다.'-[N, M] ].

@@ -45,7 +45,7 @@ plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
     At is D/Length*Scale,
     line_ends(U, V, At, box(X1*Scale,Y1*Scale,X2*Scale,Y2*Scale), P, Q),
     beyond(Beyond),
-    between(0, 9, Step),
+    between(0, 40, Step),               % two of a section, 24 sections
     Out is Beyond + 9*Step,
     chain_marks(P, Q, Out, U-V, Letter, Marks),
     ends_clear(Marks, Others),

@@ -136,7 +136,10 @@ scale_form(Text, Scale) :-
         decimal_number(TextN, N),
         decimal_number(TextM, M),
         N > 0,
-        M > 0
+        M > 0,
+        catch(scale_factor(N:M, Factor), error(evaluation_error(_), _), fail),
+        Factor > 1.0e-150,
+        Factor < 1.0e150
     ->  Scale = N:M
     ;   usage_error(sheet(scale(Text)))
     ).
@@ -260,8 +263,18 @@ request_title(Request, Title) :-
     option(facts(Facts), Request),
     memberchk(name-Title, Facts).
 
+%   shown_text(Text, String): on one line.
+
 shown_text(Text, String) :-
-    format(string(String), '~w', [Text]).
+    format(codes(Codes0), '~w', [Text]),
+    maplist(shown_code, Codes0, Codes),
+    string_codes(String, Codes).
+
+shown_code(Code0, Code) :-
+    (   Code0 < 32
+    ->  Code = 32
+    ;   Code = Code0
+    ).
 
 file_name([File|_], Name) :-
     File \== '-',

@@ -19,7 +19,9 @@
 :- autoload(library(apply),
             [convlist/3, exclude/3, foldl/4, maplist/3, partition/4]).
 :- autoload(library(lists),
-            [append/2, append/3, member/2, memberchk/2, min_list/2, nth1/3]).
+            [ append/2, append/3, max_list/2, member/2, memberchk/2, min_list/2,
+              nth1/3
+            ]).
 :- autoload(library(option), [option/2]).
 :- autoload(library(pairs), [pairs_values/2]).
 /** <module> A sheet of several views, from the model to a drawing.
@@ -254,8 +256,12 @@ chosen_scale(standard, Request, Layout, Room, Scale, Places) :-
     (   standard_scale(Scale0),
         scale_value(Scale0, Factor),
         laid_out(Layout, Room, Factor, Places0)
-    ->  Scale = Scale0,
-        Places = Places0
+    ->  (   is_tiny(Layout, Factor)
+        ->  print_message(warning, sanggwan(sheet_tiny(Scale0,fit))),
+            chosen_scale(fit, Request, Layout, Room, Scale, Places)
+        ;   Scale = Scale0,
+            Places = Places0
+        )
     ;   request_paper(Request, Paper),
         sheet_error(no_room(Paper))
     ).
@@ -272,7 +278,11 @@ chosen_scale(fit, Request, Layout, Room, factor(Scale), Places) :-
 chosen_scale(Scale, Request, Layout, Room, Scale, Places) :-
     scale_value(Scale, Factor),
     (   laid_out(Layout, Room, Factor, Places0)
-    ->  Places = Places0
+    ->  Places = Places0,
+        (   is_tiny(Layout, Factor)
+        ->  print_message(warning, sanggwan(sheet_tiny(Scale,as_asked)))
+        ;   true
+        )
     ;   chosen_scale(standard, Request, Layout, Room, Fitting, _),
         request_paper(Request, Paper),
         larger_papers(Request, Layout, Factor, Papers),
@@ -280,11 +290,13 @@ chosen_scale(Scale, Request, Layout, Room, Scale, Places) :-
     ).
 
 %   likely_factor(Layout, Factor): the standard scales, and for a model that is
-%   too large for them those with which its views are 0.5 mm to 2 m large.
+%   too large or too small for them those with which its views are 0.5 mm to 2 m
+%   large.
 
-likely_factor(_, Factor) :-
+likely_factor(Layout, Factor) :-
     standard_scale(Scale),
-    scale_value(Scale, Factor).
+    scale_value(Scale, Factor),
+    \+ is_tiny(Layout, Factor).
 likely_factor(layout_of(Celled,_,Unit), Factor) :-
     findall(Scale,
             ( member(cell(_,Box,_), Celled), handy_scale(Box, Scale) ),
@@ -292,6 +304,15 @@ likely_factor(layout_of(Celled,_,Unit), Factor) :-
     min_list(Scales, Handy),
     between(0, 12, Halvings),
     Factor is 20*Handy/Unit/2**Halvings.
+
+%   is_tiny(Layout, Factor): no view is a tenth of a millimetre large, so there
+%   is nothing to be seen.
+
+is_tiny(layout_of(Celled,_,Unit), Factor) :-
+    Celled \== [],
+    PerUnit is Factor*Unit,
+    \+ ( member(cell(_,box(X1,Y1,X2,Y2),_), Celled),
+         max(X2-X1, Y2-Y1)*PerUnit >= 0.1 ).
 
 scale_value(factor(Factor), Factor) :-
     !.
@@ -301,8 +322,48 @@ scale_value(Scale, Factor) :-
 laid_out(layout_of(Celled,Marking,Unit), Room, Factor, Places) :-
     PerUnit is Factor*Unit,
     \+ ( member(cell(_,Box,_), Celled), larger_than_room(Box, PerUnit, Room) ),
-    maplist(sight(Marking, PerUnit), Celled, Sights),
-    layout(Sights, Room, PerUnit, Places).
+    maplist(sight(Marking, PerUnit), Celled, Sights0),
+    in_rows(Sights0, Sights),
+    layout(Sights, Room, PerUnit, Places),
+    !.
+
+%   in_rows(Sights0, Sights): as they stand; or, where more than three stand in
+%   line beside the front view, in rows (or columns) of fewer, beyond all
+%   others.
+
+in_rows(Sights, Sights).
+in_rows(Sights0, Sights) :-
+    findall(Way, ( member(sight(_,at(X,Y),_,_), Sights0),
+                   ( Way is abs(X) ; Way is abs(Y) ) ),
+            Ways),
+    max_list(Ways, Longest),
+    member(Most, [6,5,4,3]),
+    Most < Longest,
+    findall(X, ( member(sight(_,at(X,_),_,_), Sights0), X =< Most ), Xs),
+    findall(Y, ( member(sight(_,at(_,Y),_,_), Sights0), Y =< Most ), Ys),
+    max_list(Xs, Right),
+    max_list(Ys, Below),
+    maplist(folded(Most, Right, Below), Sights0, Sights).
+
+folded(Most, Right, Below, sight(Name,Cell0,Box,Pads),
+       sight(Name,Cell,Box,Pads)) :-
+    (   Cell0 = at(X0,0),
+        abs(X0) > Most
+    ->  folded_step(X0, Most, X, Row),
+        Y is Below+Row,
+        Cell = at(X,Y)
+    ;   Cell0 = at(0,Y0),
+        abs(Y0) > Most
+    ->  folded_step(Y0, Most, Y, Column),
+        X is Right+Column,
+        Cell = at(X,Y)
+    ;   Cell = Cell0
+    ).
+
+folded_step(N0, Most, N, Row) :-
+    Steps is abs(N0)-1,
+    N is sign(N0)*(Steps mod Most + 1),
+    Row is Steps//Most.
 
 larger_than_room(box(X1,Y1,X2,Y2), PerUnit, room(rect(A,B,C,D),_)) :-
     (   (X2-X1)*PerUnit > C-A

@@ -135,7 +135,7 @@ test(huge, true(Points == '10,74 200,74')) :-
     in_picture(Edge, svg_lines([margin(10)], [line(_,_,Points)])).
 test(no_minus_zero, true) :-
     one_edge(-0.00001-1.0, 0.00001-(-1.0), Edge),
-    in_picture(Edge, drawing(svg, [scale(0.001),margin(0)], Text)),
+    in_picture(Edge, drawing(svg, [scale(0.001),margin(1)], Text)),
     \+ sub_string(Text, _, _, _, "-0").
 test(escaped, true(Title == '<a> & "b" 상관')) :-
     in_picture(picture([],[],[]),
@@ -245,6 +245,38 @@ test(dxf_y_is_up, true(X-Y == "41.000"-"10.000")) :-
     square(Square),
     in_picture(Square, dxf_groups([margin(10),hidden(removed)], Groups)),
     once(append(_, [0-"VERTEX",_,10-X,20-Y|_], Groups)).
+% What would be read as something else: %%d is a degree, \U+ a character.
+test(dxf_text,
+     Text == "a\\U+0025\\U+0025d \\U+AC00\\U+D83D\\U+DE00\\U+005CU+") :-
+    Drawing = drawing(sheet(100 000,100 000,1.0),
+                      [view('', [], [text(0,0,5000,start,Written)])]),
+    Written = "a%%d \uAC00\U0001F600\\U+",
+    in_picture(picture([],[],[]), dxf_groups([drawing(Drawing)], Groups)),
+    append(_, [0-"TEXT"|Rest], Groups),
+    !,
+    memberchk(1-Text, Rest).
+test(dxf_layers_once, Layers == ["ABC","0"]) :-
+    square(Square),
+    Style = [ line(visible,any,any,[layer('0')]),
+              line(hidden,any,any,[layer('aBc')]) ],
+    in_picture(Square, dxf_groups([style(Style)], Groups)),
+    findall(Layer, append(_, [0-"LAYER",2-Layer|_], Groups), Layers).
+test(ps_title, true(Most < 256)) :-
+    length(Codes, 1000),
+    maplist(=(0'x), Codes),
+    atom_codes(Title, Codes),
+    in_picture(picture([],[],[]), drawing(eps, [title(Title)], Text)),
+    split_string(Text, "\n", "", Lines),
+    findall(N, ( member(Line, Lines), string_length(Line, N) ), Ns),
+    max_list(Ns, Most).
+test(no_size, [forall(member(Size, ['0.0001x5',0-5,5- -1])),
+               error(domain_error(sheet_size, _))]) :-
+    in_picture(picture([],[],[]), drawing(svg, [size(Size)], _)).
+test(no_scale, [forall(member(Scale, [0,-1])),
+                error(domain_error(positive_scale, _))]) :-
+    square(Square),
+    in_picture(Square, drawing(svg, [scale(Scale)], _)).
+
 test(dxf_empty, true(Last == 0-"EOF")) :-
     in_picture(picture([],[],[]), dxf_groups([], Groups)),
     last(Groups, Last).

@@ -196,6 +196,49 @@ test(no_overlap, [forall(member(Model, [two_cubes,pipe_tee]))]) :-
     length(Rs, 7),
     \+ ( select(r(A1,B1,A2,B2), Rs, Others), member(r(C1,D1,C2,D2), Others),
          A1 < C2, C1 < A2, B1 < D2, D1 < B2 ).
+% Many parallel sections stand in rows, clear of each other.
+test(many_sections, [forall(member(Angle, [first,third]))]) :-
+    findall(Text, ( between(1, 14, I), At is I/15.0,
+                    format(atom(Text), 'x=~4f', [At]) ),
+            Texts),
+    drawn_sheet(cube, [sheet(a2),angle(Angle),section(Texts)], Drawing),
+    findall(Name-r(X1,Y1,X2,Y2),
+            ( member(Name, ['A','B','C','D','E','F','G','H','J','K','L','M',
+                            'N','P',front,top,right,isometric]),
+              view_extent(Drawing, Name, X1, Y1, X2, Y2) ),
+            Named),
+    length(Named, 18),
+    \+ ( select(N-r(A1,B1,A2,B2), Named, Others),
+         member(M-r(C1,D1,C2,D2), Others),
+         A1 < C2, C1 < A2, B1 < D2, D1 < B2,
+         N \== M ).
+
+% At the largest standard scale it could not be seen.
+test(tiny, true(Wide > 20 000)) :-
+    facts_file('segment(1, solid, box(size(1.0e-80,2.0e-80,3.0e-80))).', File),
+    warnings(drawn_file(File, [sheet(a4)], Drawing), Warned),
+    Warned = [sheet_tiny(1 000 000 000:1,fit)],
+    view_extent(Drawing, front, X1, _, X2, _),
+    Wide is X2-X1.
+test(tiny_as_asked, Warned == [sheet_tiny(1:1000,as_asked)]) :-
+    warnings(drawn_sheet(cube, [sheet(a4),scale('1:1000'),views(front)], _),
+             Warned0),
+    Warned = Warned0.
+
+:- dynamic warned/1.
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(What), warning, _) :-
+    What = sheet_tiny(_,_),
+    assertz(test_sheet_plan:warned(What)).
+
+:- meta_predicate warnings(0, -).
+
+warnings(Goal, Warned) :-
+    retractall(test_sheet_plan:warned(_)),
+    call(Goal),
+    findall(What, test_sheet_plan:warned(What), Warned).
+
 test(hidden_usual) :-                   % dashed from the sides alone
     drawn_sheet(pipe_tee, [sheet(a3),section([y])], Drawing),
     forall(member(Name, [front,top,right]),
@@ -345,6 +388,26 @@ test(fitting_text) :-                   % a long name becomes small
     string_codes(Name, Codes),
     memberchk(text(_,_,High,middle,Name), Texts),
     High*60*0.9 =< 97 100.
+test(text_that_does_not_fit, High-Start == 1000-"WWW") :-
+    length(Codes, 5000),
+    maplist(=(0'W), Codes),
+    format(atom(Facts), 'segment(1, solid, box(size(1,2,3))).~n\c
+                         title_block(name, "~s").~n', [Codes]),
+    facts_file(Facts, File),
+    drawn_file(File, [sheet(a3)], Drawing),
+    drawing_view(Drawing, frame, _, Texts),
+    member(text(_,_,High,middle,Text), Texts),
+    string_concat(Kept, "...", Text),
+    !,
+    string_length(Kept, N),
+    N*0.9 =< 97,
+    sub_string(Kept, 0, 3, _, Start).
+test(text_on_one_line) :-
+    facts_file('segment(1, solid, box(size(1,2,3))).\n\c
+                title_block(name, "a\\nb\\tc").', File),
+    drawn_file(File, [sheet(a3)], Drawing),
+    drawing_view(Drawing, frame, _, Texts),
+    memberchk(text(_,_,_,middle,"a b c"), Texts).
 
 test(svg_ids_once) :-
     drawn_sheet(two_cubes, [sheet(a3),section([x])], Drawing),
@@ -389,6 +452,7 @@ test(faults, [forall(member(Options-What,
            [views('iso,isometric')]-sheet(view_twice(iso)),
            [sheet(a3),scale('2')]-sheet(scale('2')),
            [sheet(a3),scale('0:2')]-sheet(scale('0:2')),
+           [sheet(a3),scale('1:1e-320')]-sheet(scale('1:1e-320')),
            [sheet(a4),scale('50:1')]-sheet(too_large(50:1,'A4',20:1,['A2'])),
            [sheet(a4),scale('9000:1')]-sheet(too_large(9000:1,'A4',20:1,[])),
            [section(['x=77'])]-sheet(section_past('x=77',box(_,_,_,_,_,_))),
