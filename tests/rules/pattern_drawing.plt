@@ -4,6 +4,7 @@
 :- use_module(library(lists)).
 :- use_module(library(apply)).
 :- use_module(rules(store)).
+:- use_module(rules(decision), [use_rules/1]).
 :- use_module(rules(pattern_drawing)).
 :- use_module(tests('rules/pattern_case')).
 :- use_module(tests('rules/cut_checked')).
@@ -155,6 +156,25 @@ test(same_again) :-
     drawn(strip_pattern(12, 40, 100), [page('A4'),tabs(7),names(true)], A),
     drawn(strip_pattern(12, 40, 100), [page('A4'),tabs(7),names(true)], B),
     assertion(A == B).
+% The rule of docs/patterns.md.
+test(tab_rule, [ true(Deepest =< 4.001) ]) :-
+    tmp_file_stream(File, Out, [extension(pl)]),
+    format(Out, 'tab_shape(Width, Length, Shape, Area) :-~n\c
+                 Narrow is min(4.0, Width),~n\c
+                 default(tab_shape(Narrow, Length, Shape, Area)),~n\c
+                 Shape = tab(_, Run, _, Run, _).~n', []),
+    close(Out),
+    in_new(( use_rules(File),
+             cube_pattern(40),
+             pattern_layout([2], [tabs(9)], layout(_,_,_,_,Tabs,_)) )),
+    assoc_to_values(Tabs, Points),
+    maplist(deep, Points, Deeps),
+    max_list(Deeps, Deepest).
+
+deep([XA-YA,XB-YB,_,XD-YD], Deep) :-
+    Deep is abs((XD-XA)*(YB-YA) - (YD-YA)*(XB-XA))
+            / sqrt((XD-XA)**2 + (YD-YA)**2).
+
 test(no_page, [ error(usage_error(sheet(paper('B9',_)))) ]) :-
     drawn(cube_pattern(40), [page('B9')], _).
 
