@@ -75,8 +75,12 @@ int sg_cut_open_ex(sg_cut_handle *handle, term_t pairs);
 void sg_cut_open_clear(sg_cut_handle *handle);
 int sg_cut_join_ex(sg_cut_handle *handle);
 
+/* The name of a point in segment s, made if it has none; 0: an exception
+ * (seam4pl.c). */
+int32_t sg_cut_name_ex(sg_cut_handle *handle, uint32_t point, int32_t s);
+
 /* The handle in `work`, of segment s, of a point of the set, which gets a name
- * there if it has none (seam4pl.c). SG_WORK_NONE: an exception. */
+ * there if it has none (cut_enter4pl.c). SG_WORK_NONE: an exception. */
 int32_t sg_cut_enter_point_ex(sg_cut_handle *handle, sg_work *work,
                               uint32_t point, int32_t s);
 

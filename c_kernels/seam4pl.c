@@ -5,7 +5,6 @@
 #include "cut4pl.h"
 
 #include "glue.h"
-#include "work4pl.h"
 
 #include "../engine/install.h"
 
@@ -13,9 +12,8 @@
 
 /* ---- names ---- */
 
-/* The name of a point in segment s, made if it has none; 0: an exception. */
-static int32_t
-name_ex(sg_cut_handle *handle, uint32_t point, int32_t s)
+int32_t
+sg_cut_name_ex(sg_cut_handle *handle, uint32_t point, int32_t s)
 {
   int32_t name = sg_cut_points_name(&handle->set.points, point, s);
   uint32_t key = (uint32_t)s;
@@ -70,21 +68,6 @@ sg_cut_name_in(sg_cut_handle *handle, uint32_t point, int32_t s, int32_t p)
   return v != 0 ? v : first;
 }
 
-/* The same for a polygon whose edges are in `work`; made if it has none. 0: an
- * exception. */
-static int32_t
-name_in_work_ex(sg_cut_handle *handle, const sg_work *work, uint32_t point,
-                int32_t s)
-{
-  const sg_cut_points *points = &handle->set.points;
-  int32_t first = name_ex(handle, point, s), v = first;
-
-  while (v != 0 && sg_work_find(work, v) == SG_WORK_NONE) {
-    v = sg_cut_points_next_name(points, point, s, v);
-  }
-  return v != 0 ? v : first;
-}
-
 static bool
 is_joint(const sg_cut_set *set, uint32_t point)
 {
@@ -108,7 +91,7 @@ name_all_ex(sg_cut_handle *handle)
       for (int k = 0; piece->live && k < 4; k++) {
         uint32_t end = k < 2 ? piece->a : piece->b;
         if (is_joint(set, end) == (pass == 1) &&
-            !name_ex(handle, end, piece->s[k % 2])) {
+            !sg_cut_name_ex(handle, end, piece->s[k % 2])) {
           return FALSE;
         }
       }
@@ -116,7 +99,7 @@ name_all_ex(sg_cut_handle *handle)
   }
   for (size_t i = 0; i < set->edges; i++) {
     for (size_t k = 0; k < set->edge[i].n; k++) {
-      if (!name_ex(handle, set->edge[i].point[k], set->edge[i].s)) {
+      if (!sg_cut_name_ex(handle, set->edge[i].point[k], set->edge[i].s)) {
         return FALSE;
       }
     }
@@ -124,8 +107,8 @@ name_all_ex(sg_cut_handle *handle)
   for (size_t i = 0; i < set->contacts; i++) {
     const sg_cut_contact *contact = &set->contact[i];
 
-    if (!name_ex(handle, contact->point, contact->s[0]) ||
-        !name_ex(handle, contact->point, contact->s[1])) {
+    if (!sg_cut_name_ex(handle, contact->point, contact->s[0]) ||
+        !sg_cut_name_ex(handle, contact->point, contact->s[1])) {
       return FALSE;
     }
   }
@@ -253,75 +236,6 @@ cut_polygons_of(term_t t, term_t segments, term_t list)
   return good && PL_unify_nil(tail);
 }
 
-/* ---- the scratch relation of one polygon ---- */
-
-/* Enters piece k of segment s into `work`: 1; 0 if it meets anything there, or
- * has been divided elsewhere; -1: no memory. */
-static int
-enter_free(sg_cut_handle *handle, sg_work *work, int32_t s, uint32_t k,
-           sg_meetings *met)
-{
-  const sg_cut_set *set = &handle->set;
-  const sg_cut_piece *piece = &set->piece[k];
-  int32_t v = sg_work_find(work, name_in_work_ex(handle, work, piece->a, s));
-  int32_t w = sg_work_find(work, name_in_work_ex(handle, work, piece->b, s));
-
-  if (v == SG_WORK_NONE || w == SG_WORK_NONE || v == w ||
-      sg_cut_set_between(set, piece->a, piece->b) != SG_NO_KEY) {
-    return 0;
-  }
-  if (!sg_work_meeting(work, v, w, met)) {
-    return -1;
-  }
-  if (met->n > 0) {
-    return 0;
-  }
-  return sg_work_add(work, v, w, 1, -1 - (int64_t)k) &&
-                 sg_work_add(work, w, v, 1, -1 - (int64_t)k)
-             ? 1
-             : -1;
-}
-
-/* Takes out what was added after edge `last`. */
-static void
-take_out_after(sg_work *work, int32_t last)
-{
-  for (int32_t e = sg_work_newest(work); e > last; e--) {
-    if (sg_work_get(work, e)) {
-      sg_work_delete(work, e);
-    }
-  }
-}
-
-/* cut_enter_free(+Set, +S, +P, +Work) is semidet. */
-static foreign_t
-cut_enter_free(term_t t, term_t s, term_t p, term_t w)
-{
-  sg_cut_handle *handle;
-  sg_work *work;
-  int32_t key[2];
-  sg_meetings met = {0};
-  int entered = 1;
-
-  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &key[0]) ||
-      !sg_get_id_ex(p, &key[1]) || !sg_get_work_ex(w, &work)) {
-    return FALSE;
-  }
-  const sg_cut_set *set = &handle->set;
-  const sg_cut_polygon *polygon = sg_cut_set_polygon(set, key[0], key[1]);
-  int32_t last = sg_work_newest(work);
-
-  for (size_t i = 0; polygon && i < polygon->n && entered > 0; i++) {
-    entered = enter_free(handle, work, key[0],
-                         set->entering[polygon->first + i], &met);
-  }
-  sg_meetings_clear(&met);
-  if (entered <= 0) {
-    take_out_after(work, last);
-  }
-  return entered < 0 ? sg_no_memory() : entered;
-}
-
 /* The pieces that enter polygon p: piece(K, V1, V2), V1-V2 in its segment. */
 static foreign_t
 cut_entering(term_t t, term_t s, term_t p, term_t list)
@@ -352,159 +266,6 @@ cut_entering(term_t t, term_t s, term_t p, term_t list)
   return PL_unify_nil(tail);
 }
 
-int32_t
-sg_cut_enter_point_ex(sg_cut_handle *handle, sg_work *work, uint32_t point,
-                      int32_t s)
-{
-  int32_t name = name_in_work_ex(handle, work, point, s);
-  int32_t vertex =
-      name ? sg_work_vertex(work, name, &handle->set.points.point[point].at)
-           : SG_WORK_NONE;
-
-  if (name && vertex == SG_WORK_NONE) {
-    sg_no_memory();
-  }
-  return vertex;
-}
-
-/* The handle in `work` of a vertex of the model. */
-static int32_t
-enter_vertex_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t v)
-{
-  uint32_t number = sg_cut_model_fetch(&handle->set.model, s, v);
-  sg_point at;
-
-  if (number == SG_NO_KEY) {
-    return SG_WORK_NONE;
-  }
-  sg_point_set(&at, handle->set.model.vertex[number].at);
-  int32_t vertex = sg_work_vertex(work, v, &at);
-
-  if (vertex == SG_WORK_NONE) {
-    sg_no_memory();
-  }
-  return vertex;
-}
-
-/* The split edge v1-v2, null: it is not split. */
-static const sg_split_edge *
-find_split(const sg_cut_set *set, int32_t s, int32_t v1, int32_t v2)
-{
-  uint32_t a = sg_cut_model_find(&set->model, s, v1);
-  uint32_t b = sg_cut_model_find(&set->model, s, v2);
-  uint32_t key[2] = {a < b ? a : b, a < b ? b : a};
-  uint32_t number = sg_key_table_get(&set->edge_number, key);
-
-  return number == SG_NO_KEY ? NULL : &set->edge[number];
-}
-
-/* Adds one edge of the polygon in the pieces it is split into. */
-static int
-add_split_edge_ex(sg_cut_handle *handle, sg_work *work, sg_row row)
-{
-  int32_t s = sg_version_value(handle->version, SG_E, row, 0).i;
-  int32_t e = sg_version_value(handle->version, SG_E, row, 1).i;
-  int32_t v1 = sg_version_value(handle->version, SG_E, row, 2).i;
-  int32_t v2 = sg_version_value(handle->version, SG_E, row, 3).i;
-  int32_t et = sg_version_value(handle->version, SG_E, row, 4).i;
-  const sg_split_edge *split = find_split(&handle->set, s, v1, v2);
-  size_t n = split ? split->n : 0;
-  bool forward = n > 0 && handle->set.model.vertex[split->place.a].v == v1;
-  int32_t from = enter_vertex_ex(handle, work, s, v1);
-
-  for (size_t i = 0; i <= n && from != SG_WORK_NONE; i++) {
-    int32_t to =
-        i == n ? enter_vertex_ex(handle, work, s, v2)
-               : sg_cut_enter_point_ex(
-                     handle, work, split->point[forward ? i : n - 1 - i], s);
-    if (to == SG_WORK_NONE) {
-      return FALSE;
-    }
-    if (!sg_work_add(work, from, to, et, e)) {
-      return sg_no_memory();
-    }
-    from = to;
-  }
-  return from != SG_WORK_NONE;
-}
-
-static int
-fill_work_ex(sg_cut_handle *handle, sg_work *work, int32_t s, sg_row polygon)
-{
-  const int32_t *list =
-      sg_version_value(handle->version, SG_P, polygon, 2).list;
-
-  for (int32_t i = 0; i < list[0]; i++) {
-    sg_row row = sg_cut_row_of(handle, SG_E, s, list[i + 1]);
-
-    if (row != SG_NO_ROW && !add_split_edge_ex(handle, work, row)) {
-      return PL_exception(0) ? FALSE : PL_representation_error("vertex");
-    }
-  }
-  return TRUE;
-}
-
-static int
-enter_piece_ends_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t p)
-{
-  const sg_cut_set *set = &handle->set;
-  const sg_cut_polygon *polygon = sg_cut_set_polygon(set, s, p);
-
-  for (size_t i = 0; polygon && i < polygon->n; i++) {
-    const sg_cut_piece *piece = &set->piece[set->entering[polygon->first + i]];
-
-    if (sg_cut_enter_point_ex(handle, work, piece->a, s) == SG_WORK_NONE ||
-        sg_cut_enter_point_ex(handle, work, piece->b, s) == SG_WORK_NONE) {
-      return FALSE;
-    }
-  }
-  return TRUE;
-}
-
-/* The polygon's normal. One without area has no plane; nothing enters it, so
- * any direction will do. */
-static void
-get_normal(sg_cut_handle *handle, int32_t s, int32_t p, double out[3])
-{
-  sg_row plane = sg_cut_row_of(handle, SG_PLANE, s, p);
-
-  out[0] = out[1] = 0;
-  out[2] = 1;
-  for (unsigned c = 0; c < 3 && plane != SG_NO_ROW; c++) {
-    out[c] = sg_version_value(handle->version, SG_PLANE, plane, c + 2).f;
-  }
-}
-
-static foreign_t
-cut_work(term_t t, term_t s, term_t p, term_t out)
-{
-  sg_cut_handle *handle;
-  int32_t key[2];
-  double normal[3];
-
-  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_id_ex(s, &key[0]) ||
-      !sg_get_id_ex(p, &key[1])) {
-    return FALSE;
-  }
-  sg_row polygon = sg_cut_row_of(handle, SG_P, key[0], key[1]);
-
-  if (polygon == SG_NO_ROW) {
-    return PL_existence_error("polygon", p);
-  }
-  get_normal(handle, key[0], key[1], normal);
-  sg_work *work = sg_work_open(normal);
-
-  if (!work) {
-    return sg_no_memory();
-  }
-  if (!fill_work_ex(handle, work, key[0], polygon) ||
-      !enter_piece_ends_ex(handle, work, key[0], key[1])) {
-    sg_work_close(work);
-    return FALSE;
-  }
-  return sg_unify_work(out, work);
-}
-
 /* ---- what was found while entering ---- */
 
 static foreign_t
@@ -518,6 +279,14 @@ cut_agree(term_t t)
   return ((sg_cut_set_agree(&handle->set) && sg_cut_set_link(&handle->set)) ||
           sg_no_memory()) &&
          name_all_ex(handle);
+}
+
+static foreign_t
+cut_was_divided(term_t t)
+{
+  sg_cut_handle *handle;
+
+  return sg_get_cut_set_ex(t, &handle) && handle->set.late.n > 0;
 }
 
 /* The polygons, S-P, with edges that were divided while others were entered. */
@@ -552,9 +321,8 @@ static const PL_extension predicates[] = {
     {"cut_polygons", 2, cut_polygons, 0},
     {"cut_polygons_of", 3, cut_polygons_of, 0},
     {"cut_entering", 4, cut_entering, 0},
-    {"cut_enter_free", 4, cut_enter_free, 0},
-    {"cut_work", 4, cut_work, 0},
     {"cut_agree", 1, cut_agree, 0},
+    {"cut_was_divided", 1, cut_was_divided, 0},
     {"cut_late_polygons", 2, cut_late_polygons, 0},
     {NULL, 0, NULL, 0},
 };

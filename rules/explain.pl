@@ -20,7 +20,7 @@
 :- use_module(explain_words, [statement_keys/2, in_order/4]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
-:- use_module(penetration, [merge_line/2]).
+:- use_module(joints, [merge_line/2]).
 :- use_module(provenance, [vertex_from/4, vertex_on/4]).
 :- use_module(store,
               [ v/5, e/5, leaf_v/5, leaf_e/5, p/3, segment/3, origin/3, line/9,

@@ -84,12 +84,14 @@
             cut_polygons_of/3,        % +Set, +Segments, -Polygons
             cut_entering/4,           % +Set, +S, +P, -Pieces
             cut_enter_free/4,         % +Set, +S, +P, +Work
+            cut_enter_polygons/5,     % +Set, +Polygons, -Works, ?End, -Rest
             cut_work/4,               % +Set, +S, +P, -Work
             cut_crossing/8,           % +Set, +Work, +S, +K, +E, +V1, +V2, -X
             cut_note/5,               % +Set, +S, +V1, +V2, +X
             cut_between/6,            % +Set, +Work, +S, +V1, +V2, -X
             cut_divided/4,            % +Set, +Work, +S, -Divided
             cut_agree/1,              % +Set
+            cut_was_divided/1,        % +Set
             cut_late_polygons/2,      % +Set, -Polygons
             cut_joints/3,             % +Set, +How, -Joints
             cut_join/2,               % +Set, +Point
@@ -1006,9 +1008,19 @@ the drawn surface. Degrees; see roll.h.
 
 %!  cut_enter_free(+Set, +S, +P, +Work) is semidet.
 %
-%   Enters all pieces of polygon P of S into Work, as enter_cuts/3 of
-%   penetration.pl does, if they meet nothing but in shared vertices, which is
+%   Enters all pieces of polygon P of S into Work, as enter_by_rule/4 of
+%   entering.pl does, if they meet nothing but in shared vertices, which is
 %   commonest. Else fails, with Work as it was.
+
+%!  cut_enter_polygons(+Set, +Polygons:list, -Works, ?End, -Rest:list) is det.
+%
+%   Of the polygons S-P from the first on those for which cut_enter_free/4
+%   holds: Works are their work(S, P, Work), with cut_work/4, and then End. Rest
+%   begins with the first for which it does not.
+
+%!  cut_was_divided(+Set) is semidet.
+%
+%   True when an edge or a piece was divided while others were entered.
 
 %!  cut_work(+Set, +S, +P, -Work) is det.
 %

@@ -3,7 +3,6 @@
             penetrate/1,                % +Pairs
             penetrate/2,                % +Pairs, +Options
             may_cut/2,                  % +S1, +S2
-            merge_line/2,               % +Piece1, +Piece2
             penetration_chains/1,       % -Chains
             penetration_chains/3,       % +Pairs, +Options, -Chains
             leaves_entered/4,           % +Pairs, +Wanted, +Tolerance, :Goal
@@ -16,17 +15,14 @@
               [ write_vertices/1, write_lines/1, write_polygon/2, split_curves/2
               ]).
 :- use_module(decision, [decision/2]).
+:- use_module(entering, [enter_polygons/4, close_works/1]).
+:- use_module(joints, [merge_joints/2]).
 :- use_module(kernel,
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_find/1,
                 cut_side/4, cut_enter/4, cut_triangle/5, cut_ends/4,
-                near_segments/3, cut_seal/1, cut_joints/3, cut_join/2,
-                cut_settle/1, cut_chains/2, cut_polygons/2, cut_polygons_of/3,
-                cut_entering/4,
-                cut_enter_free/4,
-                cut_work/4, cut_crossing/8, cut_note/5, cut_between/6,
-                cut_divided/4, cut_agree/1, cut_late_polygons/2, cut_name/4,
-                model_tolerance/1, work_add/6, work_delete/2, work_edge/6,
-                work_meeting/6, work_close/1, segments_meeting_themselves/2
+                near_segments/3, cut_seal/1, cut_chains/2, cut_polygons/2,
+                cut_polygons_of/3, model_tolerance/1,
+                segments_meeting_themselves/2
               ]).
 :- use_module(leaf,
               [ leaves_kept/1, were_cut/2, earlier_cuts/2, leaves_restored/1
@@ -38,9 +34,7 @@
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [segment/3, facts_snapshot/1, facts_transaction/1]).
-:- autoload(library(apply),
-            [exclude/3, include/3, maplist/2, maplist/3, partition/4]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- autoload(library(apply), [maplist/2, partition/4]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2]).
@@ -85,17 +79,6 @@ polygon or curve that is cut keeps its leaves (leaf.pl).
 
 may_cut(S1, S2) :-
     \+ were_cut(S1, S2).
-
-:- decision(merge_line/2,
-            "Which collinear pieces of a line become one (PL-9)").
-
-%!  merge_line(+Piece1, +Piece2) is semidet.
-%
-%   Decision: two pieces become one. A piece is
-%   piece(S1, Polygon1, S2, Polygon2); the two meet in a vertex where no other
-%   edge is, and are in line. The default: those of the same two polygons.
-
-merge_line(Piece, Piece).
 
 %!  penetrate is det.
 %
@@ -339,7 +322,7 @@ entered(Wanted, Goal, _, Set) :-
         ( stage(enter, enter_polygons(is_list, Set, Polygons, Works)),
           call(Goal, Set, Works)
         ),
-        ( ground(Works) -> maplist(close_work, Works) ; true )).
+        close_works(Works)).
 
 chained(Chains, _, Set) :-
     stage(rules, ( find_lines(Set),
@@ -353,18 +336,6 @@ find_lines(Set) :-
     stage(join, cut_seal(Set)),
     merge_joints(Set, straight).
 
-merge_joints(Set, How) :-
-    stage(join, cut_joints(Set, How, Joints)),
-    stage(rules, include(is_merged, Joints, Merged)),
-    stage(join, settle(Set, Merged)).
-
-settle(Set, Joints) :-
-    (   Joints == []
-    ->  true
-    ;   maplist(join(Set), Joints),
-        cut_settle(Set)
-    ).
-
 enter_lines(Write, Set) :-
     cut_polygons(Set, Polygons),
     stage(write, leaves_kept(Polygons)),
@@ -375,17 +346,7 @@ enter_lines(Write, Set) :-
           stage(write, write_lines(Set)),
           stage(write, maplist(call(Write, Set), Works))
         ),
-        ( ground(Works) -> maplist(close_work, Works) ; true )).
-
-%   Keep is told, as a list, which polygons are opened beside Polygons.
-
-enter_polygons(Keep, Set, Polygons, Works) :-
-    maplist(enter_cuts(Set), Polygons, Works0),
-    agree(Keep, Set, Works0, Works),
-    merge_near_lines(Set, Works).
-
-close_work(work(_, _, Work)) :-
-    work_close(Work).
+        close_works(Works)).
 
 /* - - - steps 1 to 3: the cuts - - - */
 
@@ -429,247 +390,3 @@ set_cut(Set, S1-T1, S2-T2, Cut) :-
     cut_triangle(Set, J, S2, _, T2),
     cut_ends(Set, I, J, Cuts),
     member(Cut, Cuts).
-
-/* - - - steps 4 and 5: entering a polygon - - - */
-
-%   A polygon's edges, those on which an end of a cut lies already divided
-%   there, go into a scratch relation, and then the pieces of cuts one by one.
-
-%   cut_enter_free/4 is the fused kernel for those that meet nothing.
-
-enter_cuts(Set, S-P, work(S, P, Work)) :-
-    cut_work(Set, S, P, Work),
-    (   cut_enter_free(Set, S, P, Work)
-    ->  true
-    ;   enter_by_rule(Set, S, P, Work)
-    ).
-
-enter_by_rule(Set, S, P, Work) :-
-    cut_entering(Set, S, P, Pieces),
-    maplist(enter_piece(Set, S, P, Work), Pieces).
-
-enter_piece(Set, S, P, Work, piece(K, V1, V2)) :-
-    enter(auxiliary(Set, S, Work, K, P-[]), V1, V2).
-
-%   (1) V1-V2 is an auxiliary segment, (2) the one chosen. (3-1) While an edge
-%   contains or crosses it, it is divided and its parts are entered; (3-2)
-%   when none does, it joins the polygon as an edge pair. What was divided in
-%   another polygon is divided there first, edges too: so everything is
-%   divided in the same points and in the same order, wherever it is.
-
-enter(Auxiliary, V1, V2) :-
-    Auxiliary = auxiliary(Set, S, Work, _, _),
-    (   cut_between(Set, Work, S, V1, V2, X)
-    ->  enter_both(Auxiliary, V1, X, V2)
-    ;   work_meeting(Work, V1, V2, E, How, Inside),
-        meeting_step(How, Inside, Step)
-    ->  enter_step(Step, E, Auxiliary, V1, V2)
-    ;   add_pair(Auxiliary, V1, V2)
-    ).
-
-%   What a meeting asks for. First the edge is divided where an end of the
-%   segment lies inside it, then the segment where an end of the edge does.
-%   After that only a crossing is left, or an edge that is the segment itself.
-
-meeting_step(crosses, _, crossing) :-
-    !.
-meeting_step(_, Inside, divide_edge(End)) :-
-    member(End, [v1,v2]),
-    memberchk(End, Inside),
-    !.
-meeting_step(_, Inside, divide_segment(End)) :-
-    member(End, [start,end]),
-    memberchk(End, Inside),
-    !.
-meeting_step(contained, _, drop).
-
-enter_step(Step, E, Auxiliary, V1, V2) :-
-    edge_to_divide(Step),
-    Auxiliary = auxiliary(Set, S, Work, _, _),
-    work_edge(Work, E, A, B, _, _),
-    cut_between(Set, Work, S, A, B, X),
-    !,
-    divide_pair(Auxiliary, E, X),
-    enter(Auxiliary, V1, V2).
-
-%   2-2: both are cut in the point where they cross.
-
-enter_step(crossing, E, Auxiliary, V1, V2) :-
-    Auxiliary = auxiliary(Set, S, Work, K, _),
-    cut_crossing(Set, Work, S, K, E, V1, V2, X),
-    divide_pair(Auxiliary, E, X),
-    enter_parts(Auxiliary, V1, X, V2).
-enter_step(divide_edge(End), E, Auxiliary, V1, V2) :-
-    (   End == v1
-    ->  X = V1
-    ;   X = V2
-    ),
-    divide_pair(Auxiliary, E, X),
-    enter(Auxiliary, V1, V2).
-enter_step(divide_segment(End), E, Auxiliary, V1, V2) :-
-    Auxiliary = auxiliary(_, _, Work, _, _),
-    work_edge(Work, E, Start, Finish, _, _),
-    (   End == start
-    ->  X = Start
-    ;   X = Finish
-    ),
-    enter_parts(Auxiliary, V1, X, V2).
-
-%   2-1: the contained part is dropped.
-
-enter_step(drop, _, _, _, _).
-
-edge_to_divide(crossing).
-edge_to_divide(divide_edge(_)).
-
-enter_parts(Auxiliary, V1, X, V2) :-
-    Auxiliary = auxiliary(Set, S, _, _, _),
-    cut_note(Set, S, V1, V2, X),
-    enter_both(Auxiliary, V1, X, V2).
-
-%   In a polygon that is far from flat the points on a piece need not be in
-%   line, and then have no order: no end of a part may come back inside it.
-
-enter_both(auxiliary(Set, S, Work, K, P-Ends), V1, X, V2) :-
-    (   memberchk(X, [V1,V2|Ends])
-    ->  throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))
-    ;   Auxiliary = auxiliary(Set, S, Work, K, P-[V1,V2|Ends]),
-        enter(Auxiliary, V1, X),
-        enter(Auxiliary, X, V2)
-    ).
-
-%   The edges of a cut have the number of its piece as label, below zero; the
-%   polygon's own have the number of the edge they are or were part of.
-
-add_pair(auxiliary(_, _, Work, K, _), V1, V2) :-
-    Label is -1-K,
-    work_add(Work, V1, V2, 1, Label, _),
-    work_add(Work, V2, V1, 1, Label, _).
-
-%   divide_pair(+Auxiliary, +E, +X): E, and the opposite edge if it is there
-%   too, gets X between its ends.
-
-divide_pair(auxiliary(Set, S, Work, _, _), E, X) :-
-    work_edge(Work, E, V1, V2, _, _),
-    cut_note(Set, S, V1, V2, X),
-    divide_at(Work, E-X),
-    findall(Opposite-X, work_edge(Work, Opposite, V2, V1, _, _), Opposites),
-    maplist(divide_at(Work), Opposites).
-
-divide_at(Work, E-X) :-
-    work_edge(Work, E, V1, V2, Et, Label),
-    !,
-    work_delete(Work, E),
-    work_add(Work, V1, X, Et, Label, _),
-    work_add(Work, X, V2, Et, Label, _).
-
-/* - - - the same pieces everywhere - - - */
-
-%   A segment that was divided in one polygon is divided in every other one: in
-%   those that are open, and in those beside a real edge that no cut had opened.
-
-agree(Keep, Set, Works0, Works) :-
-    cut_agree(Set),
-    maplist(agree_polygon(Set), Works0),
-    late_polygons(Set, Works0, Polygons),
-    call(Keep, Polygons),
-    maplist(enter_cuts(Set), Polygons, Late),
-    append(Works0, Late, Works).
-
-late_polygons(Set, Works, Polygons) :-
-    cut_late_polygons(Set, Polygons0),
-    (   Polygons0 == []
-    ->  Polygons = []
-    ;   sort(Polygons0, Polygons1),
-        findall(S-P, member(work(S, P, _), Works), Open0),
-        sort(Open0, Open),
-        ord_subtract(Polygons1, Open, Polygons)
-    ).
-
-agree_polygon(Set, work(S, P, Work)) :-
-    cut_divided(Set, Work, S, Divided),
-    (   Divided == []
-    ->  true
-    ;   maplist(agree_at(S, P, Work), Divided),
-        agree_polygon(Set, work(S, P, Work))
-    ).
-
-%   As in enter_both/4: a part that is there already comes back for ever.
-
-agree_at(S, P, Work, E-X) :-
-    work_edge(Work, E, V1, V2, _, Label),
-    !,
-    (   (   work_edge(Work, _, V1, X, _, Label)
-        ;   work_edge(Work, _, X, V2, _, Label)
-        )
-    ->  throw(error(geometry_error(polygon_edge(S, P, V1, V2)), _))
-    ;   divide_at(Work, E-X)
-    ).
-
-/* - - - 5.3: straight parts become one - - - */
-
-%   Joints that are straight exactly are merged all at once, before anything
-%   enters a polygon; there, lines may cross and be divided again. The others,
-%   in polygons flat within the tolerance only, are merged one by one at the
-%   end, where the new edge meets nothing.
-
-is_merged(joint(_, Piece1, Piece2)) :-
-    merge_line(Piece1, Piece2).
-
-join(Set, joint(Point, _, _)) :-
-    cut_join(Set, Point).
-
-merge_near_lines(Set, Works) :-
-    cut_joints(Set, near, Joints),
-    include(is_merged, Joints, Merged),
-    (   Merged == []
-    ->  true
-    ;   works_by_polygon(Works, ByPolygon),
-        maplist(merge_near(Set, ByPolygon), Merged)
-    ).
-
-works_by_polygon(Works, ByPolygon) :-
-    findall(S-P-Work, member(work(S, P, Work), Works), Pairs),
-    list_to_assoc(Pairs, ByPolygon).
-
-merge_near(Set, ByPolygon, joint(Point, piece(S1, P1, S2, P2), _)) :-
-    (   get_assoc(S1-P1, ByPolygon, Work1),
-        get_assoc(S2-P2, ByPolygon, Work2),
-        cut_name(Set, Point, S1, V1),
-        cut_name(Set, Point, S2, V2),
-        is_free_without(Work1, V1),
-        is_free_without(Work2, V2)
-    ->  cut_join(Set, Point),
-        merge_at(Work1, V1),
-        merge_at(Work2, V2)
-    ;   true
-    ).
-
-%   is_free_without(+Work, +V): the edge that would replace those through V
-%   meets no other.
-
-is_free_without(Work, V) :-
-    work_edge(Work, _, V1, V, _, _),
-    work_edge(Work, _, V, V2, _, _),
-    V2 \== V1,
-    !,
-    \+ ( work_meeting(Work, V1, V2, E, _, _),
-         work_edge(Work, E, A, B, _, _),
-         A \== V,
-         B \== V
-       ).
-
-%   The edges through V become one, in each direction that is there.
-
-merge_at(Work, V) :-
-    findall(E-V1, work_edge(Work, E, V1, V, _, _), Entering),
-    maplist(merge_through(Work, V), Entering).
-
-merge_through(Work, V, E1-V1) :-
-    work_edge(Work, E1, V1, V, Et, Label),
-    work_edge(Work, E2, V, V2, _, _),
-    V2 \== V1,
-    !,
-    work_delete(Work, E1),
-    work_delete(Work, E2),
-    work_add(Work, V1, V2, Et, Label, _).

@@ -6,7 +6,8 @@
 :- use_module(rules(chain)).
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_find/1, cut_seal/1,
-                cut_polygons/2, cut_entering/4, cut_enter_free/4, cut_work/4,
+                cut_polygons/2, cut_entering/4, cut_enter_free/4,
+                cut_enter_polygons/5, cut_work/4,
                 work_edge/6, work_close/1
               ]).
 :- use_module(rules(model_file)).
@@ -86,7 +87,7 @@ entered(Different, Free) :-
 
 entered_alike(Set, S-P, Different-Free0, Different1-Free) :-
     work_edges(Set, S-P, cut_enter_free(Set, S, P), Kernel),
-    work_edges(Set, S-P, sg_penetration:enter_by_rule(Set, S, P), Rule),
+    work_edges(Set, S-P, sg_entering:enter_by_rule(Set, S, P), Rule),
     (   Kernel == none
     ->  Different1 = Different,
         Free = Free0
@@ -112,6 +113,38 @@ work_edges(Set, S-P, Enter, Edges) :-
 
 work_row(Work, V1-V2-Et-Label) :-
     work_edge(Work, _, V1, V2, Et, Label).
+
+%   entered_at_once(-How): `alike` if the polygons that are entered many at a
+%   time are those that are entered one by one, up to the first that is not
+%   free, with the same edges.
+
+entered_at_once(How) :-
+    segment_pairs(Pairs),
+    setup_call_cleanup(
+        cut_set_open(Pairs, Set),
+        ( cut_find(Set),
+          cut_seal(Set),
+          cut_polygons(Set, Polygons),
+          cut_enter_polygons(Set, Polygons, Works, [], Rest),
+          (   same_works(Polygons, Works, Set, Rest)
+          ->  length(Works, N),
+              How = alike(N)
+          ;   How = different
+          ),
+          forall(member(work(_, _, Work), Works), work_close(Work))
+        ),
+        cut_set_close(Set)).
+
+same_works([S-P|Polygons], [work(S, P, Work)|Works], Set, Rest) :-
+    !,
+    findall(E, work_row(Work, E), Edges),
+    work_edges(Set, S-P, cut_enter_free(Set, S, P), Alone),
+    Edges == Alone,
+    same_works(Polygons, Works, Set, Rest).
+same_works(Rest, [], _, Rest) :-
+    Rest = [].
+same_works([S-P|Rest], [], Set, [S-P|Rest]) :-
+    work_edges(Set, S-P, cut_enter_free(Set, S, P), none).
 
 %   written_by(+Write, -Rows): all that is in the world after this.
 
@@ -167,6 +200,18 @@ test(enter, Bad-true == []-Enough) :-
     findall(Free, member(_-_-Free, All), Frees),
     sum_list(Frees, Sum),
     (   Sum > 1000
+    ->  Enough = true
+    ;   Enough = Sum
+    ).
+
+test(enter_many, Bad-true == []-Enough) :-
+    findall(Seed-How,
+            ( between(1, 200, Seed), with_solids(Seed, entered_at_once(How)) ),
+            All),
+    findall(Seed, member(Seed-different, All), Bad),
+    findall(N, member(_-alike(N), All), Ns),
+    sum_list(Ns, Sum),
+    (   Sum > 300
     ->  Enough = true
     ;   Enough = Sum
     ).
