@@ -133,6 +133,32 @@ kept_leaves(term_t list, term_t kinds)
   return good;
 }
 
+/* other_segments(-Ss) is det. */
+static foreign_t
+other_segments(term_t list)
+{
+  sg_world *world = sg_current_world_ex();
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  sg_walk walk;
+
+  if (!world) {
+    return FALSE;
+  }
+  const sg_version *version = sg_world_version(world);
+  int good =
+      sg_walk_open(&walk, version, SG_SEGMENT, 0, NULL) || sg_no_memory();
+
+  for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
+    int32_t s = sg_version_value(version, SG_SEGMENT, row, 0).i;
+
+    good = kind_of(version, s) != atom_other ||
+           (PL_unify_list(tail, head, tail) && PL_unify_integer(head, s));
+  }
+  sg_walk_close(&walk);
+  sg_version_drop(version);
+  return good && PL_unify_nil(tail);
+}
+
 /* The item is node(_). */
 static bool
 is_of_node(const uint32_t *item)
@@ -185,6 +211,7 @@ node_origins(term_t s_term, term_t list)
 static const PL_extension predicates[] = {
     {"node_origins", 2, node_origins, 0},
     {"kept_leaves", 2, kept_leaves, 0},
+    {"other_segments", 1, other_segments, 0},
     {NULL, 0, NULL, 0},
 };
 

@@ -409,10 +409,59 @@ segment_stamps(term_t list, term_t out)
   return good;
 }
 
+/* Bytes of a key: of each segment its number and its stamp. */
+typedef struct key_part {
+  uint64_t stamp;
+  int64_t s;
+} key_part;
+
+static int
+get_key_ex(const sg_version *version, term_t list, size_t n, key_part *out)
+{
+  term_t rest = PL_copy_term_ref(list), head = PL_new_term_ref();
+  int s;
+
+  for (size_t i = 0; i < n; i++) {
+    if (!PL_get_list_ex(rest, head, rest) || !PL_get_integer_ex(head, &s)) {
+      return FALSE;
+    }
+    out[i] = (key_part){sg_segment_stamp(version, s), s};
+  }
+  return TRUE;
+}
+
+/* segments_key(+Ss, -Key) is det. */
+static foreign_t
+segments_key(term_t list, term_t key)
+{
+  sg_world *world = sg_current_world_ex();
+  size_t n;
+
+  if (!world) {
+    return FALSE;
+  }
+  if (PL_skip_list(list, 0, &n) != PL_LIST) {
+    return PL_type_error("list", list);
+  }
+  key_part *part = malloc((n + 1) * sizeof *part);
+
+  if (!part) {
+    return PL_resource_error("memory");
+  }
+  const sg_version *version = sg_world_version(world);
+  int good = get_key_ex(version, list, n, part) &&
+             PL_unify_string_nchars(key, n * sizeof *part, (const char *)part);
+
+  sg_version_drop(version);
+  free(part);
+  return good;
+}
+
 /* ---- installing -------------------------------------------------------- */
 
 static const PL_extension predicates[] = {
     {"new_world", 1, new_world, 0},
+    {"segments_key", 2, segments_key, 0},
     {"current_world", 1, current_world, 0},
     {"set_world", 1, set_world, 0},
     {"$world", 1, saved_world, 0},

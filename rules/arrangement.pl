@@ -20,7 +20,7 @@
 :- use_module(passing, [passing_places/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ v/5, segment/3, segment_stamp/2, segment_stamps/2,
+              [ v/5, segment/3, segment_stamps/2, segments_key/2,
                 facts_snapshot/1
               ]).
 % Loaded with this file, not by the first Boolean that calls them.
@@ -112,9 +112,8 @@ drop_fresh([]).
 %   Near is an assoc from each leaf to those near it, in order. A leaf's pieces
 %   depend on these.
 
-leaf_key(Tolerance, S-Others, key(Tolerance, Stamp, Stamps)) :-
-    segment_stamp(S, Stamp),
-    segment_stamps(Others, Stamps).
+leaf_key(Tolerance, S-Others, key(Tolerance, Key)) :-
+    segments_key([S|Others], Key).
 
 /* - - - what is kept - - - */
 

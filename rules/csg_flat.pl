@@ -13,10 +13,10 @@
               [ identity_matrix/1, steps_matrix/2, matrix_product/3,
                 matrix_plane/3, matrix_scale/2, rounded_matrix/2
               ]).
-:- use_module(csg_record, [record/2, recorded/2, up_to_date/2, not_kept/2]).
+:- use_module(csg_record, [record/2, recorded/2, up_to_date/2]).
 :- use_module(csg_rows, [copy_segments/3, drop_boundary/1, segment_box/2]).
 :- use_module(csg_term, [csg_error/1, is_node_term/1, node_parts/4]).
-:- use_module(kernel, [kept_leaves/2]).
+:- use_module(kernel, [kept_leaves/2, other_segments/1]).
 :- use_module(penetration, [penetration_chains/3]).
 :- use_module(model_file, [add_primitive/2]).
 :- use_module(store,
@@ -231,8 +231,7 @@ helpers(Helpers) :-
 %   primitives, whose terms are not looked at.
 
 may_be_instances(Ss) :-
-    findall(S, segment(S, _, _), All),
-    not_kept(All, Others),
+    other_segments(Others),
     include(has_instance_term, Others, Ss).
 
 has_instance_term(S) :-

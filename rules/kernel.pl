@@ -24,6 +24,7 @@
             % tree4pl.c, near4pl.c
             tree_statistics/1,        % -Statistics
             kept_leaves/2,            % +Ss, -Kinds
+            other_segments/1,         % -Ss
             node_origins/2,           % +S, -Origins
             near_segments/3,          % +Reach, -S1, -S2
             near_segments_of/3,       % +Reach, +Ss, -Near
@@ -788,6 +789,11 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   Kinds are those of the segments Ss, in order: the kind, as segment/3 has it,
 %   of one that is a primitive and has the rows that were made from it, by its
 %   record (made_and_kept/2); `other` for the others.
+
+%!  other_segments(-Ss:list) is det.
+%
+%   Ss are the segments of which kept_leaves/2 says `other`, in the order of the
+%   rows of segment/3.
 
 %!  node_origins(+S, -Origins:list) is det.
 %

@@ -46,6 +46,7 @@
             fresh_id/3,               % +Relation, +S, -Id
             segment_stamp/2,          % +S, -Stamp
             segment_stamps/2,         % +Ss, -Stamps
+            segments_key/2,           % +Ss, -Key
             relation/3,               % ?Name, ?Arity, ?Doc
             relation_column/5,        % ?Relation, ?Position, ?Column, ?Type,
                                       % ?Refers
@@ -379,6 +380,11 @@ in_world(World, Goal) :-
 %   while it is the same, so are they, and undo brings the old one back. It
 %   means nothing in another world. 0: there never were any.
 
+%!  segments_key(+Ss:list, -Key:string) is det.
+%
+%   Key is equal for equal Ss with equal segment_stamps/2, and for no others: to
+%   be compared, not read.
+
 %!  segment_stamps(+Ss:list, -Stamps:list) is det.
 %
 %   Stamps is the list of S-Stamp for the segments Ss, as segment_stamp/2 has
@@ -505,6 +511,7 @@ sandbox:safe_primitive(sg_store:row_value(_,_,_,_)).
 sandbox:safe_primitive(sg_store:current_world(_)).
 sandbox:safe_primitive(sg_store:segment_stamp(_,_)).
 sandbox:safe_primitive(sg_store:segment_stamps(_,_)).
+sandbox:safe_primitive(sg_store:segments_key(_,_)).
 sandbox:safe_primitive(sg_store:relation(_,_,_)).
 sandbox:safe_primitive(sg_store:relation_column(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:relation_key(_,_)).

@@ -3,7 +3,7 @@
 :- use_module(library(apply)).
 :- use_module(rules(csg_evaluate)).
 :- use_module(rules(csg_record)).
-:- use_module(rules(kernel), [kept_leaves/2]).
+:- use_module(rules(kernel), [kept_leaves/2, other_segments/1]).
 :- use_module(rules(model_file)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
@@ -24,7 +24,9 @@ evaluated_then(Change, Kinds) :-
                evaluate(3),
                call(Change),
                kept_leaves([1,2,3,9], Kinds),
-               maplist(by_rule, [1,2,3,9], Kinds) )).
+               maplist(by_rule, [1,2,3,9], Kinds),
+               findall(S, ( segment(S, _, _), by_rule(S, other) ), Others),
+               other_segments(Others) )).
 
 by_rule(S, Kind) :-
     (   segment(S, Kind0, Term),

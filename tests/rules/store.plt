@@ -608,3 +608,38 @@ random_query(E, A, B, Query) :-
                            e(1,_,A,B,_), e(_,_,A,A,_), e(_,_,_,_,_) ]).
 
 :- end_tests(store).
+
+:- begin_tests(segments_key).
+
+%   keys(+Changes, -Keys): of segments 1 and 2 at first and after each change.
+
+keys(Changes, [Key|Keys]) :-
+    new_world(World),
+    in_world(World,
+             ( assert_fact(v(1, 1, 0.0, 0.0, 0.0)),
+               assert_fact(v(2, 1, 0.0, 0.0, 0.0)),
+               assert_fact(v(3, 1, 0.0, 0.0, 0.0)),
+               segments_key([1,2], Key),
+               findall(K, ( member(Change, Changes), call(Change),
+                            segments_key([1,2], K) ),
+                       Keys) )).
+
+test(nothing_changes, true(K == K1)) :-
+    keys([true], [K,K1]).
+test(another_segment, true(K == K1)) :-
+    keys([assert_fact(v(3, 2, 1.0, 0.0, 0.0))], [K,K1]).
+test(one_of_them, true(K \== K1)) :-
+    keys([assert_fact(v(2, 2, 1.0, 0.0, 0.0))], [K,K1]).
+test(undo, true(K-K1 == K2-K3)) :-
+    keys([facts_transaction(assert_fact(v(2, 2, 1.0, 0.0, 0.0))), undo, redo],
+         [K,K1,K2,K3]).
+test(order, true(K1 \== K2)) :-
+    new_world(World),
+    in_world(World,
+             ( assert_fact(v(1, 1, 0.0, 0.0, 0.0)),
+               segments_key([1,2], K1),
+               segments_key([2,1], K2) )).
+test(no_list, error(type_error(list, a))) :-
+    segments_key(a, _).
+
+:- end_tests(segments_key).
