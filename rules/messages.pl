@@ -393,6 +393,8 @@ notice_en(do_not_meet) -->
 notice_en(points_alone(N)) -->
     [ 'the segments meet in points alone (~D): see explain vertex(S, V)'-
       [N] ].
+notice_en(trim(What)) -->
+    trim_en(What).
 notice_en(unfold(What)) -->
     unfold_en(What).
 notice_en(development(S, What)) -->

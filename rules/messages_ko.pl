@@ -376,6 +376,8 @@ notice_ko(do_not_meet) -->
     [ '세그먼트들이 만나지 않아 상관선이 없습니다' ].
 notice_ko(points_alone(N)) -->
     [ '세그먼트들이 점 ~D개에서만 만납니다: explain vertex(S, V)'-[N] ].
+notice_ko(trim(What)) -->
+    trim_ko(What).
 notice_ko(unfold(What)) -->
     unfold_ko(What).
 notice_ko(development(S, What)) -->

@@ -176,6 +176,11 @@ unfold_en(several_sheets(N)) -->
 unfold_en(true_alone(Option)) -->
     [ 'option ~w is of true patterns alone'-[Option], nl,
       '  Give --true as well.' ].
+unfold_en(all_trimmed_away) -->
+    [ 'nothing is left of any segment: all of them are trimmed away' ].
+unfold_en(trim_alone(Option)) -->
+    [ 'option ~w is of trimming alone'-[Option], nl,
+      '  Give --trim as well.' ].
 unfold_en(alone(S)) -->
     [ 'segment ~d meets no other: nothing of it is trimmed'-[S] ].
 unfold_en(attached(S, Welded, Divided)) -->

@@ -139,6 +139,11 @@ unfold_ko(several_sheets(N)) -->
 unfold_ko(true_alone(Option)) -->
     [ '~w 은(는) 실제 길이의 전개도에만 쓰입니다'-[Option], nl,
       '  --true 도 주십시오.' ].
+unfold_ko(all_trimmed_away) -->
+    [ '모든 세그먼트가 다 잘려 나가 남는 것이 없습니다' ].
+unfold_ko(trim_alone(Option)) -->
+    [ '~w 은(는) 잘라 낼 때만 쓰입니다'-[Option], nl,
+      '  --trim 도 주십시오.' ].
 unfold_ko(alone(S)) -->
     [ '세그먼트 ~d은(는) 다른 것과 만나지 않아 잘라 낼 것이 없습니다'-[S] ].
 unfold_ko(attached(S, Welded, Divided)) -->

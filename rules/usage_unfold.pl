@@ -24,6 +24,8 @@ unfold_option(option(only, '', value, 'S,...',
 unfold_option(option(trim, '', one_of([outside, inside]), 'SIDE',
     'first take away what is inside of the other segments, and leave what is \c
      outside; or the other way round')).
+unfold_option(option(by, '', value, 'S,...',
+    'with --trim: only these trim others')).
 unfold_option(option(lines, '', flag, '',
     'without trimming: the penetration lines with the other segments, as is \c
      usual; --no-lines: without them')).
@@ -115,6 +117,7 @@ unfold_option_ko(only, '이 세그먼트만. 번호나 이름').
 unfold_option_ko(trim,
     '먼저 다른 세그먼트의 안에 있는 부분을 잘라 내고 바깥(outside)을 남긴다. \c
 inside는 그 반대').
+unfold_option_ko(by, '--trim 과 함께: 이 세그먼트만 다른 것을 잘라 낸다').
 unfold_option_ko(lines,
     '잘라 내지 않을 때 다른 세그먼트와의 상관선을 그린다(보통). --no-lines: 없이').
 unfold_option_ko(root, '펼치기 시작하는 다각형. 번호나 top, side(2) 같은 이름').

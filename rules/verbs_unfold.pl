@@ -65,10 +65,13 @@ unfold_run(Files, Options, 0) :-
     tables_written(Options, Ds),
     maplist(written_to(Options, Ds), Outputs).
 
-%   true_alone(Options): some options are of true patterns alone.
+%   true_alone(Options): some options are of true patterns alone, or of trimming.
 
 true_alone(Options) :-
-    (   \+ option(true(true), Options),
+    (   option(by(_), Options),
+        \+ option(trim(_), Options)
+    ->  usage_error(unfold(trim_alone('--by')))
+    ;   \+ option(true(true), Options),
         member(Name, [seam,generators,half,chord,table,'set-in',
                       'other-thickness']),
         Option =.. [Name,_],
@@ -92,9 +95,37 @@ patterns(Options, Flags, Ds) :-
     ;   penetrate(all, Options)
     ),
     develop_options(Options, DevelopOptions),
-    findall(Other, unfoldable(Other), All),
-    maplist(patterns_of(All, DevelopOptions), Ss, Wanteds, Dss),
-    append(Dss, Ds).
+    trimming(Options, All),
+    maplist(patterns_or_none(Ss, All, DevelopOptions), Ss, Wanteds, Dss),
+    append(Dss, Ds),
+    (   Ds == []
+    ->  throw(error(geometry_error(unfold(all_trimmed_away)), _))
+    ;   true
+    ).
+
+%   trimming(Options, All): what parts are trimmed by.
+
+trimming(Options, All) :-
+    (   option(by(Text), Options)
+    ->  flag_terms('--by', Text, Names),
+        findall(S, unfoldable(S), Known),
+        findall(S, ( member(Name, Names), only_named(Name, Known, S) ), All0),
+        sort(All0, All)
+    ;   findall(S, unfoldable(S), All)
+    ).
+
+%   patterns_or_none(Ss, All, Options, S, Wanted, Ds): of several parts Ss, one
+%   of which nothing is left has no pattern.
+
+patterns_or_none(Ss, All, Options, S, Wanted, Ds) :-
+    catch(patterns_of(All, Options, S, Wanted, Ds),
+          error(geometry_error(trim(nothing_left(S, Side))), Context),
+          (   Ss = [_]
+          ->  throw(error(geometry_error(trim(nothing_left(S, Side))),
+                          Context))
+          ;   print_message(warning, sanggwan(trim(nothing_left(S, Side)))),
+              Ds = []
+          )).
 
 all_wanted(Flags, S, Wanted) :-
     wishes(S, Flags, Wishes),

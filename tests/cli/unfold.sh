@@ -93,6 +93,22 @@ check "inside" eval "[ \$(sanggwan unfold -q $saddle --trim inside |
   grep -c '^segment') = 2 ]"
 check "nothing left" complains 4 'all of it is outside the others' \
   sanggwan unfold "$box" --trim inside
+cat >"$TMP/inner.pl" <<'MODEL'
+segment(1, solid, box(size(4, 4, 4))).
+segment(2, solid, named(core, at([translate(0, 0, 1)], box(size(1, 1, 1))))).
+segment(3, solid, at([translate(2, 0, 1)], box(size(2, 2, 2)))).
+MODEL
+check "of one nothing is left, of others there is" eval \
+  "sanggwan unfold $TMP/inner.pl --trim outside 2>&1 |
+  grep -c '^segment\|warning: nothing is left of segment 2' | grep -qx 3"
+check "nothing left of the only one" complains 4 'nothing is left of segment 2' \
+  sanggwan unfold "$TMP/inner.pl" --trim outside --only core
+check "trimmed by one" output 'area  *6 of 6' \
+  sanggwan unfold "$TMP/inner.pl" --trim outside --only core --by 3
+check "by what is there" complains 2 'no segment 7' \
+  sanggwan unfold "$TMP/inner.pl" --trim outside --by 7
+check "by, without trimming" complains 2 'Give --trim as well' \
+  sanggwan unfold "$TMP/inner.pl" --by 3
 check "alone" eval "sanggwan unfold $box --trim outside 2>&1 |
   grep -q 'meets no other'"
 check "the bend" eval "[ \$(sanggwan unfold -q $facts/patterns/elbow.pl \
