@@ -631,7 +631,8 @@ test(another_segment, true(K == K1)) :-
 test(one_of_them, true(K \== K1)) :-
     keys([assert_fact(v(2, 2, 1.0, 0.0, 0.0))], [K,K1]).
 test(undo, true(K-K1 == K2-K3)) :-
-    keys([facts_transaction(assert_fact(v(2, 2, 1.0, 0.0, 0.0))), undo, redo],
+    keys([facts_transaction(assert_fact(v(2, 2, 1.0, 0.0, 0.0))), facts_undo,
+          facts_redo],
          [K,K1,K2,K3]).
 test(order, true(K1 \== K2)) :-
     new_world(World),
