@@ -16,7 +16,11 @@
 #define EDGE_ON 1e-9
 
 /* A piece is unsure if its direction is off the line of sight by less than this
- * part of what the normals of its triangle turn. */
+ * part of what the normals of its triangle turn: g is linear in a triangle, so
+ * the direction found is that of its middle, and the true one is off that by up
+ * to half of what the normals turn. A little more, since the sides of a piece
+ * that is nearly sure show as hooks: of 16 tori seen from 5 sides 0.5 leaves 9,
+ * 0.6 four, and 0.8 only one, but outlines that end too early. */
 #define UNSURE 0.6
 
 /* Triangles between two polls; pieces, each with a walk. */

@@ -18,13 +18,13 @@
  * surface of a solid. Between them lies a cusp; there a piece is divided. Near
  * it the outline runs along the line of sight, and its picture shows the mesh
  * rather than the surface: pieces that are off that direction by less than 0.6
- * of what the normals of their triangle turn are left out. Only where a surface
- * is a saddle can that be. To the triangles the line of sight is no tangent:
- * those next to a piece may lie before it. Which these are is a walk from its
- * triangle, over the strip of the picture that the piece sweeps across its
- * direction, on to neighbours as long as they are not yet turned to the eye as
- * a whole or lie outside the piece. They are said to be *beside* it and never
- * hide it.
+ * of what the normals of their triangle turn, so less than their direction is
+ * known, are left out. Only where a surface is a saddle can that be. To the
+ * triangles the line of sight is no tangent: those next to a piece may lie
+ * before it. Which these are is a walk from its triangle, over the strip of the
+ * picture that the piece sweeps across its direction, on to neighbours as long
+ * as they are not yet turned to the eye as a whole or lie outside the piece.
+ * They are said to be *beside* it and never hide it.
  *
  * The outline of a coarse sheet runs along the sides of its triangles, between
  * one that is turned to the eye and one that is not: that of the smooth surface

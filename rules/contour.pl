@@ -324,7 +324,8 @@ piece_across(Context, T, piece(T,I1,F1,I2,F2,To,_), Sense, Radial) :-
 %   is_unsure(Context, T, Radial): the piece across T runs so nearly along the
 %   line of sight that its place in the picture is no more than what T is off
 %   the smooth surface: its direction is off the line of sight by less than 0.6
-%   of what the normals of T turn. Only a saddle has such pieces.
+%   of what the normals of T turn, and half of that is how well it is known, for
+%   G is linear in T. Only a saddle has such pieces.
 
 is_unsure(context(_,Sheets,_,Gs,_,_), T, Radial) :-
     Corners = [T-1,T-2,T-3],

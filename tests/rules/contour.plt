@@ -135,6 +135,30 @@ test(torus) :-
                    drawn_length(hidden, outline, Hidden) )),
     near(Visible, 9.132, 0.01),
     near(Hidden, 1.186, 0.01).
+% Thin and thick ones, coarse and fine, from three sides: all lengths beside those
+% of 260 facets by 260, which are as long as the true ones but for 0.001.
+true_lengths(0.2, [9.6883-0.0000, 9.3180-0.0275, 8.8166-0.4239]).
+true_lengths(0.4, [9.7236-0.5033, 9.0802-1.2451, 8.3168-2.3082]).
+true_lengths(0.7, [10.0916-2.1023, 9.9886-2.5498, 9.8927-3.2665]).
+
+most_off(40, 0.08, 0.04).
+most_off(80, 0.015, 0.02).
+
+test(cusps, [ forall(( true_lengths(Tube, True), most_off(N, MostV, MostH) )) ])
+        :-
+    in_new_world(( add_primitive(torus(radius(1), tube(Tube), facets(N),
+                                       sides(N)), _),
+                   complete_segments([1]),
+                   findall(V-H,
+                           ( member(Theta-Phi, [280-60, 300-65, 10-72]),
+                             set_view(Theta, Phi, 0), picture,
+                             drawn_length(visible, outline, V),
+                             drawn_length(hidden, outline, H) ),
+                           Lengths) )),
+    foldl([V-H,V1-H1,V0-H0,V2-H2]>>( V2 is V0+abs(V-V1), H2 is H0+abs(H-H1) ),
+          Lengths, True, 0-0, OffV-OffH),
+    OffV < MostV,
+    OffH < MostH.
 % Where it turns back, a coarse one ends as smoothly as a fine one.
 test(no_hooks,
      [ forall(member(Theta-Phi, [280-60,300-62,10-50,301-65])),
@@ -278,7 +302,7 @@ test(kernel, forall(( ruled(Term), eye(Theta, Phi),
                    set_view(Theta, Phi, 0), set_projection(Kind),
                    picture([crease(50)]),
                    same_as_rule(1, 50) )).
-test(mesh, forall(( mesh(Term), eye(Theta, Phi), member(Crease, [5,30,50]) )))
+test(mesh, forall(( mesh(Term), eye(Theta, Phi), member(Crease, [10,50]) )))
         :-
     in_new_world(( add_primitive(Term, _), nameless(1),
                    complete_segments([1]),
@@ -286,7 +310,7 @@ test(mesh, forall(( mesh(Term), eye(Theta, Phi), member(Crease, [5,30,50]) )))
                    picture([crease(Crease)]),
                    same_as_rule(1, Crease) )).
 % The outline of a coarse ball is that of its facets: in vertices, closed.
-test(coarse, [ true(All == Odd-Inner), All == []-[] ]) :-
+test(coarse, Odd-Inner == []-[]) :-
     in_new_world(( add_primitive(sphere(radius(1), facets(12), bands(8)), _),
                    nameless(1), complete_segments([1]),
                    set_view(33, 62, 0), picture,
