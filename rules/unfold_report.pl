@@ -63,8 +63,8 @@ measured(Parts, D, Measures) :-
     trimmed_from(T, S),
     segment_title(S, Title),
     format(string(Name), '~w', [Title]),
-    memberchk(part(T, counts(_, _, _, PartPolygons, _, _), _, Area, _, _, _, _),
-              Parts),
+    memberchk(part(T, Counts, _, Area, _, _, _, _), Parts),
+    arg(4, Counts, PartPolygons),
     aggregate_all(count, p(D, _, _), Polygons),
     aggregate_all(r(min(X), max(X), min(Y), max(Y)), v(D, _, X, Y, _),
                   r(X1, X2, Y1, Y2)),
@@ -75,8 +75,8 @@ measured(Parts, D, Measures) :-
     objective(D, Objective),
     Measures = _{segment:S, name:Name, part:T, pattern:D, polygons:Polygons,
                  pieces:Pieces, removed:Removed, objective:Objective,
-                 seam:Seam, bound:Bound, longest:Longest, width:Width, height:Height,
-                 area:Area, pattern_area:PatternArea}.
+                 seam:Seam, bound:Bound, longest:Longest,
+                 width:Width, height:Height, area:Area, pattern_area:PatternArea}.
 
 seam_measures(D, Pieces, Seam, Bound, Longest, Area) :-
     origin(D, node(D), _),

@@ -65,7 +65,7 @@ unfold_run(Files, Options, 0) :-
     tables_written(Options, Ds),
     maplist(written_to(Options, Ds), Outputs).
 
-%   true_alone(Options): some options are of true patterns alone, or of trimming.
+%   true_alone(Options): some options are of true patterns alone, or trimming.
 
 true_alone(Options) :-
     (   option(by(_), Options),
