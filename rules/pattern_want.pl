@@ -2,7 +2,7 @@
 :- module(sg_pattern_want,
           [ wanted_text/4               % +Placed, +Options, +Numbers, -Want
           ]).
-:- use_module(primitive_face, [face_of/3]).
+:- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store, [segment/3]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(assoc), [get_assoc/3]).
@@ -62,9 +62,11 @@ angle_text(Angle, Text) :-
 %   What the face is of its primitive, if words are wanted and there are any.
 
 face_text(words, D, P, Text) :-
-    segment(D, _, development(S)),
+    segment(D, _, Term),
+    ( Term = development(S) ; Term = true_development(S, _) ),
     integer(S),
-    face_of(S, P, What),
+    polygon_name(S, P, What),
+    What \== P,
     face_words(What, Text),
     !.
 face_text(_, _, P, Text) :-
