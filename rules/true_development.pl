@@ -15,6 +15,7 @@
               [ true_part/5, part_facets/4, key_place/4, facet_middle/2,
                 shifted_facet/3
               ]).
+:- use_module(true_tip, [tips_moved/5]).
 :- autoload(library(apply), [foldl/4, foldl/6, maplist/3]).
 :- autoload(library(error), [must_be/2]).
 :- autoload(library(lists),
@@ -110,7 +111,9 @@ unrolled(S, Part, Options,
     ),
     facets_sense(Facets0, Shape0, Sense),
     seam(Facets0, Shape0, Sense, Options, Seam, Around),
-    opened(Facets0, S-Part, Seam, Sense, Facets1, Shape0, Shape1),
+    facets_tolerance(Shape0, Tolerance),
+    tips_moved(Facets0, Tolerance, Facets2, Shape0, Shape2),
+    opened(Facets2, S-Part, Seam, Sense, Facets1, Shape2, Shape1),
     half_of(Facets1, S-Part, Seam, Around, Sense, Options, Facets,
             Shape1, Shape),
     layout(Facets, Shape, Seam, Sense, Options, Layout),
@@ -118,6 +121,11 @@ unrolled(S, Part, Options,
     layout_curves(Layout, Curves),
     generators(Facets, Seam, Around, Options, Generators),
     layout_marks(Layout, Facets, Sense, Seam, Generators, Marks).
+
+%   facets_tolerance(Shape, Tolerance): how fine tips are looked for.
+
+facets_tolerance(shape(_, Reach, _), Tolerance) :-
+    Tolerance is Reach*4.0e-6.
 
 is_flat(shape(ruled(_, _, _, _, _, _), _, _)).
 

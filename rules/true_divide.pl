@@ -1,10 +1,13 @@
 :- module(sg_true_divide,
           [ facet_divided/7,            % +Facet, +T, +Sense, +N, -Parts,
                                         % +Shape0, -Shape
+            crossing_near/7,            % +Key1, +Key2, +T, +H, -Key, +Shape0,
+                                        % -Shape
             facet_index/2,              % +Facets, -Index
             generator_spans/5           % +Index, +T, +Sense, +Shape, -Spans
           ]).
 :- use_module(kernel, [surface_place/4, surfaces_meet/4]).
+:- use_module(primitive_face, [surface_point/4]).
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
 :- use_module(true_surface, [generator_plane/3]).
 :- autoload(library(apply), [maplist/3]).
@@ -116,6 +119,25 @@ crossing_node(Shape, Curve, K1, K2, T, node(T, H, Point, Surfaces)) :-
     ;   Point = Point0,
         H = H0
     ).
+
+%!  crossing_near(+Key1, +Key2, +T, +H0, -Key, +Shape0, -Shape) is det.
+%
+%   Key is the point near H0 where the edge between the keys, a line of the
+%   surface and another one, crosses the generator at T.
+
+crossing_near(K1, K2, T, H0, k(Id, 0), Shape0, Shape) :-
+    Shape0 = shape(Surface, Reach, Nodes0),
+    edge_curve(Shape0, K1, K2, meets(Other)),
+    surface_point(Surface, T, H0, Point0),
+    generator_plane(Surface, T, Plane),
+    (   surfaces_meet([Surface,Other,Plane], Reach, Point0, Point)
+    ->  surface_place(Surface, Point, _, H)
+    ;   Point = Point0,
+        H = H0
+    ),
+    Id = crossing([K1,K2], T, H),
+    put_assoc(Id, Nodes0, node(T, H, Point, [Other]), Nodes),
+    Shape = shape(Surface, Reach, Nodes).
 
 between_keys(Nodes, K1, K2, T, H, Point, Surfaces) :-
     K1 = k(A, _),

@@ -193,7 +193,7 @@ place_point(Roll, T1, T2, place(T, H, X, Y), Point) :-
 facet_edges(Facets, Edges) :-
     findall(edge(A, B, T1, T2),
             ( member(facet(_, Start, End, Halves), Facets),
-              Margin is 1.0e-4*(End-Start),
+              Margin is 1.0e-6*(End-Start),
               T1 is Start + Margin,
               T2 is End - Margin,
               member(half(K1, K2, _), Halves),

@@ -86,8 +86,9 @@ part_facets(S, Part, Facets, shape(Surface, Reach, Nodes)) :-
     ),
     facets_reach(S, Facets0, Reach),
     empty_assoc(Nodes0),
-    foldl(facet_nodes(S, shape(Surface, Reach, Nodes0), Meets), Facets0,
-          Nodes0, Nodes),
+    Shape0 = shape(Surface, Reach, Nodes0),
+    foldl(facet_nodes(S, Shape0, Meets), Facets0, Nodes0, Nodes1),
+    foldl(kept_in_order(Shape0, 1), Facets0, Nodes1, Nodes),
     (   in_place(Facets0, Nodes)
     ->  maplist(keyed_facet(Nodes), Facets0, Facets)
     ;   throw(error(geometry_error(true(moved(S, Part))), _))
@@ -146,15 +147,16 @@ half_node(S, Shape, Meets, Facet, half(V, _, _), Nodes0, Nodes) :-
     (   get_assoc(V, Nodes0, _)
     ->  Nodes = Nodes0
     ;   v(S, V, X, Y, Z),
-        (   get_assoc(V, Meets, Surfaces)
+        (   get_assoc(V, Meets, Met)
         ->  true
-        ;   Surfaces = []
+        ;   Met = met([], [])
         ),
-        vertex_node(Shape, Facet, point(X,Y,Z), Surfaces, Node),
+        vertex_node(Shape, Facet, point(X,Y,Z), Met, Node),
         put_assoc(V, Nodes0, Node, Nodes)
     ).
 
-vertex_node(Shape, Facet, Point0, Surfaces, node(T, H, Point, Surfaces)) :-
+vertex_node(Shape, Facet, Point0, Met, node(T, H, Point, Surfaces)) :-
+    Met = met(Surfaces, _),
     Shape = shape(Surface, _, _),
     facet_place(Surface, Facet, Point0, Border, T0, H0),
     (   Border == apex
@@ -165,8 +167,8 @@ vertex_node(Shape, Facet, Point0, Surfaces, node(T, H, Point, Surfaces)) :-
     ->  T = T0,
         H = H0,
         Point = Point0
-    ;   true_point(Shape, Border, T0-H0, Surfaces, Point0, Point1)
-    ->  kept_on_facet(Shape, Facet, Border, Surfaces, Point1, Point),
+    ;   true_point(Shape, Border, T0-H0, Met, Point0, Point1)
+    ->  Point = Point1,
         surface_place(Surface, Point, T2, H1),
         near_turn(T0, T2, T1),
         level(H1, H, _),
@@ -210,44 +212,81 @@ level(H0, H, Border) :-
         Border = none
     ).
 
-%   true_point(Shape, Border, T-H, Surfaces, Point0, Point): where the surface
-%   meets what the point lies on, on the border of its facet. With two other
-%   surfaces it is their corner, if it is free to go there.
+%   true_point(Shape, Border, T-H, Met, Point0, Point): where the surface meets
+%   what the point lies on, on the border of its facet. With two other surfaces
+%   it is their corner, if it is free to go there; else it stays on the generator
+%   of the other surface: then points keep their order.
 
-true_point(shape(Surface, Reach, _), Border, Place, Surfaces, Point0, Point) :-
+true_point(shape(Surface, Reach, _), Border, Place, Met, Point0, Point) :-
+    Met = met(Surfaces, _),
     member(First, Surfaces),
-    more_surfaces(Border, Place, Surface, First, Surfaces, More),
+    more_surfaces(Border, Place, Surface, First, Met, More),
     surfaces_meet([Surface,First|More], Reach, Point0, Point),
     !.
-
-%   kept_on_facet(Shape, Facet, Border, Surfaces, Point0, Point): a point within
-%   the facet does not go past a generator of it.
-
-kept_on_facet(Shape, facet(_, T1, T2, _), none, Surfaces, Point0, Point) :-
-    Shape = shape(Surface, _, _),
-    surface_place(Surface, Point0, T0, _),
-    Middle is (T1+T2)/2.0,
-    near_turn(Middle, T0, T),
-    Margin is 1.0e-3*(T2-T1),
-    Least is T1 + Margin,
-    Most is T2 - Margin,
-    (   T < Least
-    ->  T3 = Least
-    ;   T > Most
-    ->  T3 = Most
-    ),
-    true_point(Shape, generator, T3-none, Surfaces, Point0, Point),
-    !.
-kept_on_facet(_, _, _, _, Point, Point).
 
 more_surfaces(generator, T-_, Surface, _, _, [Plane]) :-
     generator_plane(Surface, T, Plane).
 more_surfaces(level, _-H, Surface, _, _, [Plane]) :-
     level_plane(Surface, H, Plane).
-more_surfaces(none, _, _, First, Surfaces, [Second]) :-
+more_surfaces(none, _, _, First, met(Surfaces, _), [Second]) :-
     member(Second, Surfaces),
     Second @> First.
+more_surfaces(none, _, _, _, met([_], Guides), [Guide]) :-
+    member(Guide, Guides).
 more_surfaces(none, _, _, _, _, []).
+
+
+%   kept_in_order(Shape, I, Facet, Nodes0, Nodes): along the line of the facets a
+%   point comes before one on a generator; where the true point is past the
+%   generator, it would run back: it is kept a little before it, the Ith a little
+%   more than those that came after it.
+
+kept_in_order(Shape, I, Facet, Nodes0, Nodes) :-
+    Facet = facet(_, _, _, Halves),
+    findall(V-T,
+            ( member(half(A, B, _), Halves),
+              ( V-W = A-B ; V-W = B-A ),
+              past(Facet, I, Nodes0, V, W, T) ),
+            Pasts0),
+    (   Pasts0 == []
+    ->  Nodes = Nodes0
+    ;   sort(1, @<, Pasts0, Pasts),
+        foldl(moved_back(Shape), Pasts, Nodes0, Nodes1),
+        I1 is I+1,
+        kept_in_order(Shape, I1, Facet, Nodes1, Nodes)
+    ).
+
+%   past(Facet, I, Nodes, V, W, T): V is past a generator of Facet, and W is on
+%   it, or was moved back from there; T is the place for V.
+
+past(facet(_, T1, T2, _), I, Nodes, V, W, T) :-
+    Middle is (T1+T2)/2.0,
+    node_near(Nodes, Middle, V, TV),
+    (   TV > T2 + 1.0e-9
+    ->  T is T2 - I*1.0e-3*(T2-T1),
+        node_near(Nodes, Middle, W, TW),
+        TW =< T2 + 1.0e-9,
+        TW >= T - 1.0e-9
+    ;   TV < T1 - 1.0e-9,
+        T is T1 + I*1.0e-3*(T2-T1),
+        node_near(Nodes, Middle, W, TW),
+        TW >= T1 - 1.0e-9,
+        TW =< T + 1.0e-9
+    ).
+
+node_near(Nodes, Middle, V, T) :-
+    get_assoc(V, Nodes, node(T0, _, _, _)),
+    T0 \== any,
+    near_turn(Middle, T0, T).
+
+moved_back(Shape, V-T, Nodes0, Nodes) :-
+    Shape = shape(Surface, _, _),
+    get_assoc(V, Nodes0, node(_, _, Point0, Surfaces)),
+    (   true_point(Shape, generator, T-none, met(Surfaces, []), Point0, Point)
+    ->  surface_place(Surface, Point, _, H),
+        put_assoc(V, Nodes0, node(T, H, Point, Surfaces), Nodes)
+    ;   Nodes = Nodes0
+    ).
 
 
                 /*******************************

@@ -44,15 +44,23 @@ polygon_surface(S, P, Surface) :-
 %!  meeting_surfaces(+S, +Leaf, -Table) is det.
 %
 %   Table is an assoc from the vertices of S that lie on penetration lines to
-%   the list of surfaces, each once, of other segments than Leaf that they lie
-%   on; S is Leaf, or made of it.
+%   met(Surfaces, Guides): Surfaces, each once, of other segments than Leaf that
+%   they lie on; Guides are planes through generators of these, those between
+%   facets that the vertex lies on. S is Leaf, or made of it.
 
 meeting_surfaces(S, Leaf, Table) :-
-    findall(V-(S2-P2), met_polygon(S, Leaf, V, S2, P2), Pairs0),
+    findall(V-Place, met_place(S, Leaf, V, Place), Pairs0),
     sort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
     maplist(group_surfaces, Groups, List),
     list_to_assoc(List, Table).
+
+met_place(S, Leaf, V, on(S2, P2)) :-
+    met_polygon(S, Leaf, V, S2, P2).
+met_place(S, Leaf, V, along(S2, E2)) :-
+    vertex_on(S, V, S2, e(E2)),
+    S2 \== Leaf,
+    S2 \== S.
 
 met_polygon(S, _, V, S2, P2) :-
     line(_, S, _, A, B, S2, P2, _, _),
@@ -76,13 +84,39 @@ feature_polygon(v(V), S, P) :-
     e(S, E, V, _, _),
     edge_polygon(S, E, P).
 
-group_surfaces(V-Places, V-Surfaces) :-
+group_surfaces(V-Places, V-met(Surfaces, Guides)) :-
     findall(Surface,
-            ( member(S-P, Places),
+            ( member(on(S, P), Places),
               polygon_surface(S, P, Surface) ),
             Surfaces0),
     sort(Surfaces0, Surfaces1),
-    distinct(Surfaces1, Surfaces).
+    distinct(Surfaces1, Surfaces),
+    findall(Guide,
+            ( member(along(S, E), Places),
+              edge_guide(S, E, Guide) ),
+            Guides).
+
+%   edge_guide(S, E, Plane): E is an edge between two facets of one surface.
+
+edge_guide(S, E, Plane) :-
+    e(S, E, A, B, _),
+    e(S, Twin, B, A, _),
+    once(edge_polygon(S, E, P)),
+    once(edge_polygon(S, Twin, Q)),
+    face_of(S, P, curved(Part, [A1-A2])),
+    face_of(S, Q, curved(Part, [B1-B2])),
+    (   same_turn(A2, B1)
+    ->  T = A2
+    ;   same_turn(A1, B2),
+        T = A1
+    ),
+    smooth_surface(S, Part, Surface),
+    generator_plane(Surface, T, Plane),
+    !.
+
+same_turn(T1, T2) :-
+    Turns is (T1-T2)/360.0,
+    abs(Turns - round(Turns)) < 1.0e-9.
 
 %   distinct(Surfaces0, Surfaces): polygons of one flat face have planes that
 %   differ by rounding.

@@ -384,6 +384,18 @@ on_branch(Width, X, Y) :-
     Across is PY*0.5 + PZ*sqrt(3)/2,
     abs(sqrt(PX*PX + Across*Across) - 30) < 1.0e-8.
 
+%   Few facets: the line goes past generators that their line missed.
+test(tips, [forall(member(saddle(H, B, Angle, Offset, N1, N2),
+        [ saddle(50, 35.76, 77.3, -11.44, 10, 37),
+          saddle(50, 26, 77, -18.6, 8, 61), saddle(50, 36.3, 60, -9, 177, 10),
+          saddle(50, 20, 51, -5, 200, 7), saddle(50, 44, 80, 0, 13, 13) ]))]) :-
+    saddle_scene(H, B, Angle, Offset, N1, N2, Terms),
+    in_scene(Terms,
+             forall(member(S-Others, [1-[2],2-[1]]),
+                    ( trimmed(S, Others, outside, T),
+                      true_development(T, S/side, [], D),
+                      sound(D) ))).
+
 %   Within the polygons, not trimmed: the line is there twice, once each way.
 test(lines_within) :-
     saddle_scene(50, 30, 60, 0, 24, 16, Terms),
