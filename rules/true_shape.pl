@@ -214,8 +214,8 @@ level(H0, H, Border) :-
 
 %   true_point(Shape, Border, T-H, Met, Point0, Point): where the surface meets
 %   what the point lies on, on the border of its facet. With two other surfaces
-%   it is their corner, if it is free to go there; else it stays on the generator
-%   of the other surface: then points keep their order.
+%   it is their corner, if it is free to go there; else it stays on the
+%   generator of the other surface: then points keep their order.
 
 true_point(shape(Surface, Reach, _), Border, Place, Met, Point0, Point) :-
     Met = met(Surfaces, _),
@@ -236,10 +236,10 @@ more_surfaces(none, _, _, _, met([_], Guides), [Guide]) :-
 more_surfaces(none, _, _, _, _, []).
 
 
-%   kept_in_order(Shape, I, Facet, Nodes0, Nodes): along the line of the facets a
-%   point comes before one on a generator; where the true point is past the
-%   generator, it would run back: it is kept a little before it, the Ith a little
-%   more than those that came after it.
+%   kept_in_order(Shape, I, Facet, Nodes0, Nodes): along the line of the facets
+%   a point comes before one on a generator; where the true point is past the
+%   generator, it would run back: it is kept a little before it, the Ith a
+%   little more than those that came after it.
 
 kept_in_order(Shape, I, Facet, Nodes0, Nodes) :-
     Facet = facet(_, _, _, Halves),

@@ -1,6 +1,6 @@
 :- module(sg_true_tip,
-          [ tips_moved/5                % +Facets0, +Tolerance, -Facets, +Shape0,
-                                        % -Shape
+          [ tips_moved/5                % +Facets0, +Tolerance, -Facets,
+                                        % +Shape0, -Shape
           ]).
 :- use_module(kernel, [roll_curves/5]).
 :- use_module(true_divide, [crossing_near/7]).
@@ -13,14 +13,13 @@
 :- autoload(library(pairs), [group_pairs_by_key/2]).
 /** <module> Tips: where a true line goes past a generator that facets missed.
 
-The line of the true surfaces lies beside that of the facets. Where it turns back
-near a generator, as at the sides of a hole, it may reach the next facet, where
-the line of the facets does not. The part past the generator, a *tip*, is given
-to that facet: it gets the half-edges of the tip, and both facets the piece of
-the generator between its ends, each in its own direction; what is there twice,
-once each way, vanishes: of a hole that is all of the piece, which lies in the
-hole now. A tip may go on past the next generator.
-*/
+The line of the true surfaces lies beside that of the facets. Where it turns
+back near a generator, as at the sides of a hole, it may reach the next facet,
+where the line of the facets does not. The part past the generator, a *tip*, is
+given to that facet: it gets the half-edges of the tip, and both facets the
+piece of the generator between its ends, each in its own direction; what is
+there twice, once each way, vanishes: of a hole that is all of the piece, which
+lies in the hole now. A tip may go on past the next generator. */
 
 %!  tips_moved(+Facets0, +Tolerance, -Facets, +Shape0, -Shape) is det.
 %
@@ -33,7 +32,9 @@ tips_moved(Facets0, Tolerance, Facets, Shape0, Shape) :-
     ends_table(Numbered, Ends),
     findall(N, member(N-_, Numbered), Queue),
     moved(Queue, 10000, Ends, Tolerance, Table0, Table, Shape0, Shape),
-    findall(Facet, ( member(N-_, Numbered), get_assoc(N, Table, Facet) ), Facets).
+    findall(Facet,
+            ( member(N-_, Numbered), get_assoc(N, Table, Facet) ),
+            Facets).
 
 %   ends_table(Numbered, Ends): an assoc from start(Place) and end(Place) to the
 %   numbers of the facets that start or end at this generator.
@@ -68,8 +69,8 @@ moved([N|Queue], Most0, Ends, Tolerance, Table0, Table, Shape0, Shape) :-
 
 %   facet_tip(Facet0, Ends, Table, Tolerance, Tip, Facet, Shape0, Shape): the
 %   first tip of Facet0: tip(T, Q, Turns, Chain, From, To): the half-edges of
-%   Chain run from key From to To, both on the generator at T, and belong to facet
-%   Q carried round by Turns. Facet has the rest.
+%   Chain run from key From to To, both on the generator at T, and belong to
+%   facet Q carried round by Turns. Facet has the rest.
 
 facet_tip(Facet0, Ends, Table, Tolerance, tip(T, Q, Turns, Chain, From, To),
           facet(P, T1, T2, Rest), Shape0, Shape) :-
@@ -233,8 +234,8 @@ on_generator(shape(_, _, Nodes), T, Key) :-
     ).
 
 %   neighbour(Side, T, From-To, Ends, Table, Shape, Q, Turns): facet Q, carried
-%   round by Turns, is on the other side of the generator at T, and has a part of
-%   it where the tip is.
+%   round by Turns, is on the other side of the generator at T, and has a part
+%   of it where the tip is.
 
 neighbour(Side, T, From-To, Ends, Table, Shape, Q, Turns) :-
     turn_place(T, Place),
@@ -261,8 +262,8 @@ neighbour(Side, T, From-To, Ends, Table, Shape, Q, Turns) :-
     min(H1, H2) =< max(H3, H4) + 1.0e-9,
     !.
 
-%   tip_given(Tip, N, Facet, Table0, Table, Shape): facet N is Facet, without the
-%   tip; both it and Q get the piece of the generator.
+%   tip_given(Tip, N, Facet, Table0, Table, Shape): facet N is Facet, without
+%   the tip; both it and Q get the piece of the generator.
 
 tip_given(tip(T, Q, Turns, Chain, From, To), N, Facet0, Table0, Table, Shape) :-
     Facet0 = facet(P, T1, T2, Halves0),
