@@ -19,7 +19,8 @@ where the line of the facets does not. The part past the generator, a *tip*, is
 given to that facet: it gets the half-edges of the tip, and both facets the
 piece of the generator between its ends, each in its own direction; what is
 there twice, once each way, vanishes: of a hole that is all of the piece, which
-lies in the hole now. A tip may go on past the next generator. */
+lies in the hole now. A tip may go on past the next generator.
+*/
 
 %!  tips_moved(+Facets0, +Tolerance, -Facets, +Shape0, -Shape) is det.
 %
