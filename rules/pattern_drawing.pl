@@ -7,10 +7,11 @@
                 piece_outline/3 ]).
 :- use_module(pattern_look, [pattern_look/5]).
 :- use_module(pattern_nest, [nested/3]).
+:- use_module(pattern_number, [seam_numbers/2]).
 :- use_module(pattern_paper,
               [ grid_line/3, line_strokes/3, pattern_paper/3, sheet_line/4,
                 sheet_of/4 ]).
-:- use_module(pattern_piece, [pattern_pieces/3, seam_numbers/2]).
+:- use_module(pattern_piece, [pattern_pieces/3]).
 :- use_module(pattern_split, [split_pieces/3]).
 :- use_module(pattern_tab, [tabs/4]).
 :- use_module(pattern_text, [written/4]).

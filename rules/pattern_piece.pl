@@ -2,8 +2,7 @@
           [ pattern_pieces/3,           % +D, +Look, -Pieces
             piece_box/2,                % +Piece, -Box
             piece_points/2,             % +Piece, -Points
-            within_shapes/2,            % +Point, +Shapes
-            seam_numbers/2              % +Pieces, -Numbers
+            within_shapes/2             % +Point, +Shapes
           ]).
 :- use_module(store, [e/5, joint/6, origin/3, p/3, piece/3, t/6, v/5]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
@@ -205,18 +204,3 @@ boxed(X-Y, box(X1,Y1,X2,Y2), box(X3,Y3,X4,Y4)) :-
     Y3 is min(Y1, Y),
     X4 is max(X2, X),
     Y4 is max(Y2, Y).
-
-%!  seam_numbers(+Pieces, -Numbers) is det.
-%
-%   Numbers is an assoc that gives every seam D-J of Pieces its number, from 1:
-%   those of the model first, then those that the sheet made.
-
-seam_numbers(Pieces, Numbers) :-
-    findall(D-J,
-            ( member(piece(name(D,_,_),_,Sides), Pieces),
-              member(side(_,_,_,_,seam(J,_,_)), Sides)
-            ),
-            Seams0),
-    sort(Seams0, Seams),
-    findall(Seam-N, nth1(N, Seams, Seam), Pairs),
-    list_to_assoc(Pairs, Numbers).

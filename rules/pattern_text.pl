@@ -13,6 +13,8 @@ already; one that would be smaller than can be read is left out and counted.
 What is wanted is
 
     want(Role, D, String, Heights, along(A,B))     on the left of A to B
+    want(Role, D, String, Heights, beside(ABs))    the same of one of these, or
+                           across, if it is short
     want(Role, D, String, Heights, end_of(A,B,Shapes))
                            on either side, near an end, within Shapes
     want(Role, D, String, Heights, within(Shapes)) in a face
@@ -114,6 +116,11 @@ place_at(along(A,B), Width, Height, At, U-V) :-
     X is XA + T*Length*U - Off*V,
     Y is YA + T*Length*V + Off*U,
     At = X-Y.
+place_at(beside(Places), Width, Height, At, Way) :-
+    member(A-B, Places),
+    (   place_at(along(A,B), Width, Height, At, Way)
+    ;   place_across(A, B, Width, Height, At, Way)
+    ).
 place_at(end_of(XA-YA,XB-YB,Shapes), Width, Height, At, Way) :-
     Length is sqrt((XB-XA)**2 + (YB-YA)**2),
     2*Width+4 < Length,
@@ -136,6 +143,20 @@ place_at(within(Shapes), Width, Height, At, Way) :-
     below(Middle, Way, Height/2, At),
     text_ends(At, Way, Width, Height, Ends),
     \+ ( member(End, Ends), \+ in_face(Shapes, End) ).
+
+%   From the middle of a short line into the face.
+
+place_across(XA-YA, XB-YB, Width, Height, X-Y, Way) :-
+    Length is sqrt((XB-XA)**2 + (YB-YA)**2),
+    Length < 2*Width+1,
+    Length > Height,
+    U is (XB-XA)/Length,
+    V is (YB-YA)/Length,
+    MinusV is -V,
+    Deep is 0.9 + Width/2,
+    X is (XA+XB)/2 - Deep*V + U*Height/2,
+    Y is (YA+YB)/2 + Deep*U + V*Height/2,
+    Way = MinusV-U.
 
 %   upright(Way0, At0, Height, Way, At): in the same place, but to be read from
 %   below or from the right.

@@ -5,7 +5,7 @@
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store, [segment/3]).
 :- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [get_assoc/3]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/3]).
 /** <module> What is to be written on a piece of a pattern.
@@ -19,11 +19,17 @@
 %   faces, and angles, as Options say; Numbers are those of seam_numbers/2.
 
 wanted_text(placed(Name,_,_,_,Sides), Options, Numbers,
-            want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],along(A,B))) :-
+            want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],beside(Places))) :-
     option(numbers(true), Options, true),
-    Name = name(D, _, _),
-    member(side(_,_,_-A,_-B,seam(J,_,_)), Sides),
-    get_assoc(D-J, Numbers, N),
+    get_assoc(Name, Numbers, Wanted),
+    findall((J-Which)-(A-B), member(side(_,_,_-A,_-B,seam(J,_,Which)), Sides),
+            Pairs0),
+    sort(1, @<, Pairs0, Pairs),
+    list_to_assoc(Pairs, Placed),
+    member(N-Seams, Wanted),
+    first_of(12, Seams, Some),
+    findall(Place, ( member(Seam, Some), get_assoc(Seam, Placed, Place) ),
+            Places),
     number_string(N, Text).
 wanted_text(placed(Name,Faces,_,_,Sides), _, _,
             want(generator_number,Name,Text,[2.5,2.0,1.6],
@@ -48,6 +54,15 @@ wanted_text(placed(Name,_,_,_,Sides), Options, _,
     member(side(_,_,_-A,_-B,fold(_,Angle,1)), Sides),
     abs(Angle) > Threshold,
     angle_text(Angle, Text).
+
+first_of(N, List, First) :-
+    (   N > 0,
+        List = [X|Xs]
+    ->  First = [X|Rest],
+        N1 is N-1,
+        first_of(N1, Xs, Rest)
+    ;   First = []
+    ).
 
 %   In whole degrees, or tenths if that is needed.
 

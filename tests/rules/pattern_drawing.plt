@@ -5,6 +5,8 @@
 :- use_module(library(apply)).
 :- use_module(rules(store)).
 :- use_module(rules(decision), [use_rules/1]).
+:- use_module(rules(development), [develop/2]).
+:- use_module(rules(model), [load_model/1]).
 :- use_module(rules(pattern_drawing)).
 :- use_module(tests('rules/pattern_case')).
 :- use_module(tests('rules/cut_checked')).
@@ -96,6 +98,20 @@ test(numbers_on_both_sides) :-
     count(Drawings, number, N),
     assertion(N >= 14),
     assertion(count(Without, number, 0)).
+% 24 facets are one seam, but for where a circle hangs on it.
+test(a_curve_has_one_number, [ Counts == [1,1,1,1,1] ]) :-
+    in_new(( tmp_file_stream(File, Out, [extension(pl)]),
+             format(Out, 'segment(1, solid, cylinder(radius(20), height(60), \c
+                          facets(24))).~n', []),
+             close(Out),
+             load_model(File),
+             develop(1, D),
+             pattern_layout([D], [], layout(_,_,_,Numbers,_,_)) )),
+    assoc_to_values(Numbers, [Strands]),
+    findall(N, member(N-_, Strands), Ns0),
+    msort(Ns0, Ns),
+    findall(C, ( between(1, 5, N), findall(x, member(N, Ns), Xs),
+                 length(Xs, C0), C is C0//2 ), Counts).
 test(inside_folds_up, [ Up-Down == 5-0 ]) :-
     drawn(cube_pattern(40), [inside(true)], Drawings),
     count(Drawings, fold_up, Up),

@@ -1,0 +1,141 @@
+:- module(sg_pattern_number,
+          [ seam_numbers/2              % +Pieces, -Numbers
+          ]).
+:- use_module(pattern_outline, [cut_loops/2]).
+:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- autoload(library(lists), [append/3, last/2, member/2, nth1/3]).
+:- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+/** <module> The numbers of seams.
+
+Short seams that follow each other on both sides, with hardly a bend, are the
+facets of a curve: they are one seam for who glues it, and have one number, in
+its middle.
+
+A side of a seam is k(Name,J,Which), of the piece Name. Its follower is the next
+side round the piece; a strand is a list of sides each of which is followed by
+the next. The partners of a strand are a strand too, the other way round.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+% Sides that are shorter, in millimetres, and bend less, in degrees, are facets.
+facet_length(12.0).
+facet_bend(35.0).
+
+%!  seam_numbers(+Pieces, -Numbers) is det.
+%
+%   Numbers is an assoc from the names of pieces to lists of N-Seams, one for
+%   each strand: number N, from 1, is to be written at one of Seams, J-Which, the
+%   first that has room. Those of the model come first, then those that the
+%   sheet made.
+
+seam_numbers(Pieces, Numbers) :-
+    findall(Key-(A-B), seam_place(Pieces, Key, A, B), Places0),
+    list_to_assoc_of(Places0, Places),
+    findall(seam(D,J,Which)-Key,
+            ( member(Key-_, Places0), Key = k(name(D,_,_),J,Which) ),
+            Sides0),
+    list_to_assoc_of(Sides0, Sides),
+    findall(Key-Next, follower(Pieces, Places, Key, Next), Followers0),
+    list_to_assoc_of(Followers0, Followers),
+    findall(Key-Next,
+            ( member(Key-Next, Followers0),
+              partner(Key, Sides, Partner),
+              partner(Next, Sides, Before),
+              get_assoc(Before, Followers, Partner)
+            ),
+            Links),
+    findall(Key, member(Key-_, Places0), Keys),
+    strands(Keys, Links, Strands),
+    findall(Seam-Strand,
+            ( member(Strand, Strands), strand_seam(Strand, Seam) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    findall(Name-(N-Seams),
+            ( nth1(N, Groups, _-Group),
+              member(Strand, Group),
+              Strand = [k(Name,_,_)|_],
+              strand_seams(Strand, Seams)
+            ),
+            Numbered0),
+    keysort(Numbered0, Numbered),
+    group_pairs_by_key(Numbered, ByPiece),
+    list_to_assoc(ByPiece, Numbers).
+
+list_to_assoc_of(Pairs0, Assoc) :-
+    sort(1, @<, Pairs0, Pairs),
+    list_to_assoc(Pairs, Assoc).
+
+seam_place(Pieces, k(Name,J,Which), A, B) :-
+    member(piece(Name,_,Sides), Pieces),
+    member(side(_,_,_-A,_-B,seam(J,_,Which)), Sides).
+
+%   The other side may be on another piece of the same pattern.
+
+partner(k(name(D,_,_),J,Which), Sides, Partner) :-
+    Other is 3-Which,
+    get_assoc(seam(D,J,Other), Sides, Partner).
+
+follower(Pieces, Places, k(Name,J1,W1), k(Name,J2,W2)) :-
+    member(piece(Name,_,Sides), Pieces),
+    cut_loops(Sides, Loops),
+    member(Loop, Loops),
+    last(Loop, Last),
+    append(_, [side(_,_,_,_,seam(J1,_,W1)),side(_,_,_,_,seam(J2,_,W2))|_],
+           [Last|Loop]),
+    get_assoc(k(Name,J1,W1), Places, Place1),
+    get_assoc(k(Name,J2,W2), Places, Place2),
+    goes_on(Place1, Place2).
+
+goes_on((XA-YA)-(XB-YB), (XB-YB)-(XC-YC)) :-
+    facet_length(Most),
+    facet_bend(Bend),
+    X1 is XB-XA, Y1 is YB-YA,
+    X2 is XC-XB, Y2 is YC-YB,
+    Length1 is sqrt(X1*X1+Y1*Y1),
+    Length2 is sqrt(X2*X2+Y2*Y2),
+    max(Length1, Length2) < Most,
+    X1*X2+Y1*Y2 > cos(Bend*pi/180)*Length1*Length2.
+
+%   strands(Keys, Links, Strands): all Keys, in chains; a ring begins anywhere.
+
+strands(Keys, Links, Strands) :-
+    list_to_assoc_of(Links, Next),
+    findall(B-true, member(_-B, Links), Followed0),
+    list_to_assoc_of(Followed0, Followed),
+    findall(Strand,
+            ( member(Key, Keys),
+              \+ get_assoc(Key, Followed, _),
+              strand(Key, Next, Strand)
+            ),
+            Chains),
+    findall(Key-true, ( member(Chain, Chains), member(Key, Chain) ), Used0),
+    list_to_assoc_of(Used0, Used),
+    findall([Key], ( member(Key, Keys), \+ get_assoc(Key, Used, _) ), Rings),
+    append(Chains, Rings, Strands).
+
+strand(Key, Next, [Key|Strand]) :-
+    (   get_assoc(Key, Next, Key1)
+    ->  strand(Key1, Next, Strand)
+    ;   Strand = []
+    ).
+
+%   Both strands of a seam have the same first joint.
+
+strand_seam(Strand, D-J) :-
+    Strand = [k(name(D,_,_),_,_)|_],
+    findall(J1, member(k(_,J1,_), Strand), Js0),
+    msort(Js0, [J|_]).
+
+%   The middle of the strand first; on both strands at the same joint.
+
+strand_seams(Strand, Seams) :-
+    length(Strand, N),
+    findall(rank(Off,J)-(J-Which),
+            ( nth1(I, Strand, k(_,J,Which)),
+              Off is abs(2*I-N-1)
+            ),
+            Ranked0),
+    keysort(Ranked0, Ranked),
+    pairs_values(Ranked, Seams).
