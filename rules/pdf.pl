@@ -52,10 +52,10 @@ page_how(type, fitted) :-
     !.
 page_how(How, How).
 
-%   object(Layers, Inkeds, Options, Object): the objects in order: 1 catalogue,
-%   2 pages; each page, its content and the length of that; information, the
-%   layers. Object is its text; content(I), of the I-th page; or `length`, of
-%   the content before it, which is known when that is written.
+%   object(Layers, Inkeds, Options, Object): the objects in order: 1 the
+%   catalogue, 2 pages; each page, its content and the length of that;
+%   information, the layers. Object is its text; content(I), of the I-th page;
+%   or `length`, of the content before it, which is known when that is written.
 
 object(Layers, Inkeds, _, Body) :-
     length(Layers, N),
