@@ -1,0 +1,421 @@
+/* flattening_test.c -- faces, joints, islands and where they lie in the end, of
+ * small solids that are made here. */
+#include "../check.h"
+
+#include "../../c_kernels/lay.h"
+#include "../../c_kernels/measure.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ROOM = 20000 };
+
+/* ---- models ------------------------------------------------------------- */
+
+typedef struct model {
+  sg_dense dense;
+  double at[ROOM][3];
+  int32_t vertex_id[ROOM], edge_id[ROOM], from[ROOM], to[ROOM], list[ROOM];
+  unsigned char real[ROOM];
+  int32_t polygon_id[ROOM], triangle_id[ROOM], polygon_of[ROOM];
+  int32_t corner[ROOM][3];
+  uint32_t list_begin[ROOM];
+} model;
+
+static model *
+new_model(void)
+{
+  model *m = calloc(1, sizeof *m);
+
+  m->dense = (sg_dense){.segments = 1,
+                        .vertex_id = m->vertex_id,
+                        .at = m->at,
+                        .edge_id = m->edge_id,
+                        .from = m->from,
+                        .to = m->to,
+                        .real = m->real,
+                        .polygon_id = m->polygon_id,
+                        .list_begin = m->list_begin,
+                        .list = m->list,
+                        .triangle_id = m->triangle_id,
+                        .polygon_of = m->polygon_of,
+                        .corner = m->corner};
+  return m;
+}
+
+static int32_t
+add_vertex(model *m, double x, double y, double z)
+{
+  size_t n = m->dense.vertices++;
+
+  memcpy(m->at[n], (double[3]){x, y, z}, sizeof m->at[n]);
+  m->vertex_id[n] = (int32_t)n + 1;
+  return (int32_t)n;
+}
+
+/* A convex polygon, in triangles from its first corner. */
+static void
+add_polygon(model *m, size_t n, const int32_t *v)
+{
+  sg_dense *d = &m->dense;
+
+  m->polygon_id[d->polygons] = (int32_t)d->polygons + 1;
+  for (size_t i = 0; i < n; i++) {
+    m->from[d->edges] = v[i];
+    m->to[d->edges] = v[(i + 1) % n];
+    m->real[d->edges] = 1;
+    m->edge_id[d->edges] = (int32_t)d->edges + 1;
+    m->list[d->edges] = (int32_t)d->edges;
+    d->edges++;
+  }
+  for (size_t i = 1; i + 1 < n; i++) {
+    int32_t *t = m->corner[d->triangles];
+    t[0] = v[0];
+    t[1] = v[i];
+    t[2] = v[i + 1];
+    m->polygon_of[d->triangles] = (int32_t)d->polygons;
+    m->triangle_id[d->triangles] = (int32_t)d->triangles + 1;
+    d->triangles++;
+  }
+  m->list_begin[++d->polygons] = (uint32_t)d->edges;
+}
+
+static void
+add_box(model *m, const double low[3], const double high[3])
+{
+  static const int32_t side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                     {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  int32_t v[8];
+
+  for (int k = 0; k < 8; k++) {
+    v[k] = add_vertex(m, k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1],
+                      k & 4 ? high[2] : low[2]);
+  }
+  for (int s = 0; s < 6; s++) {
+    int32_t corner[4];
+    for (int k = 0; k < 4; k++) {
+      corner[k] = v[side[s][k]];
+    }
+    add_polygon(m, 4, corner);
+  }
+}
+
+/* A torus of triangles, whose unfolding meets itself again and again. */
+static void
+add_torus(model *m, int n, double thick)
+{
+  const double turn = 2 * acos(-1.0) / n;
+  int32_t first = (int32_t)m->dense.vertices;
+
+  for (int i = 0; i < n; i++) {
+    for (int j = 0; j < n; j++) {
+      double r = 1 + thick * cos(turn * j);
+      add_vertex(m, r * cos(turn * i), r * sin(turn * i),
+                 thick * sin(turn * j));
+    }
+  }
+  for (int i = 0; i < n; i++) {
+    for (int j = 0; j < n; j++) {
+      int32_t a = first + i * n + j, b = first + (i + 1) % n * n + j;
+      int32_t c = first + (i + 1) % n * n + (j + 1) % n;
+      int32_t d = first + i * n + (j + 1) % n;
+      add_polygon(m, 3, (int32_t[3]){a, b, c});
+      add_polygon(m, 3, (int32_t[3]){a, c, d});
+    }
+  }
+}
+
+/* ---- unfolding ---------------------------------------------------------- */
+
+typedef struct unfolded {
+  sg_flat_faces faces;
+  sg_joints joints;
+  sg_flattening flattening;
+  sg_layout layout;
+} unfolded;
+
+static void
+unfold(const model *m, unsigned order, unfolded *out)
+{
+  bool stopped = false;
+
+  *out = (unfolded){.layout = {0}};
+  CHECK("faces",
+        sg_flat_faces_make(&m->dense, NULL, 1e-9, NULL, &out->faces, &stopped));
+  CHECK("joints", sg_joints_make(&out->faces, &m->dense, 1e-9, NULL,
+                                 &out->joints, &stopped));
+  CHECK("islands", sg_flattening_make(&m->dense, &out->faces, &out->joints,
+                                      &out->flattening));
+  uint32_t *js = sg_joint_order(&out->flattening, order);
+  CHECK("an order", js != NULL);
+  CHECK("joined", sg_flattening_join_all(&out->flattening, js, out->joints.n,
+                                         NULL, &stopped));
+  free(js);
+  const sg_lay_input in = {&out->flattening, 1e-9, SG_NO_FACE};
+  CHECK("laid out", sg_lay(&in, NULL, &out->layout, &stopped));
+}
+
+static void
+forget(unfolded *u)
+{
+  sg_layout_clear(&u->layout);
+  sg_flattening_clear(&u->flattening);
+  sg_joints_clear(&u->joints);
+  sg_flat_faces_clear(&u->faces);
+}
+
+static void
+place_triangle(const unfolded *u, uint32_t t, double out[3][2])
+{
+  for (int k = 0; k < 3; k++) {
+    uint32_t v = u->layout.vertex[u->faces.triangle[t][k]];
+    memcpy(out[k], u->layout.at[v], sizeof out[k]);
+  }
+}
+
+/* How many pairs of triangles overlap. */
+static size_t
+overlaps(const unfolded *u)
+{
+  size_t n = 0;
+  double p[3][2], q[3][2];
+
+  for (uint32_t a = 0; a < u->faces.triangles; a++) {
+    place_triangle(u, a, p);
+    for (uint32_t b = 0; b < a; b++) {
+      place_triangle(u, b, q);
+      n += sg_convex_overlap((const double(*)[2])p, 3, (const double(*)[2])q, 3,
+                             1.001e-9 * u->flattening.sheet);
+    }
+  }
+  return n;
+}
+
+/* The most by which a side differs from its edge. */
+static double
+stretch(const model *m, const unfolded *u)
+{
+  double most = 0;
+
+  for (uint32_t k = 0; k < u->faces.sides; k++) {
+    const double *a = u->layout.at[u->layout.vertex[u->faces.side[k].from]];
+    const double *b = u->layout.at[u->layout.vertex[u->faces.side[k].to]];
+    const double *p = m->at[sg_flat_side_from(&u->faces, k)];
+    const double *q = m->at[sg_flat_side_to(&u->faces, k)];
+    double flat = hypot(b[0] - a[0], b[1] - a[1]), square = 0;
+    for (int c = 0; c < 3; c++) {
+      square += (q[c] - p[c]) * (q[c] - p[c]);
+    }
+    most = fmax(most, fabs(flat - sqrt(square)));
+  }
+  return most;
+}
+
+static sg_measures
+measured(const unfolded *u)
+{
+  sg_measures out;
+  bool stopped;
+
+  CHECK("measured",
+        sg_measure(&u->flattening, &u->layout, NULL, &out, &stopped));
+  return out;
+}
+
+static bool
+near(double a, double b)
+{
+  return fabs(a - b) <= 1e-9;
+}
+
+/* ---- tests -------------------------------------------------------------- */
+
+static const double origin[3] = {0, 0, 0}, unit[3] = {1, 1, 1},
+                    two[3] = {2, 2, 1};
+
+static void
+check_cube(void)
+{
+  model *m = new_model();
+  unfolded u;
+
+  add_box(m, origin, unit);
+  unfold(m, SG_ORDER_LONGEST, &u);
+  sg_measures of = measured(&u);
+  CHECK("a cube has six faces and twelve joints",
+        u.faces.faces == 6 && u.joints.n == 12);
+  CHECK("its joints are convex and square", near(u.joints.joint[5].angle, 90));
+  CHECK("it is one piece", u.layout.pieces == 1);
+  CHECK("its seam is seven edges, which is the least",
+        near(of.seam, 7) && near(of.tree, 7) && of.pointed);
+  CHECK("a net has fourteen vertices", u.layout.vertices == 14);
+  CHECK("nothing overlaps", overlaps(&u) == 0);
+  CHECK("sides are as long as edges", stretch(m, &u) < 1e-14);
+  forget(&u);
+  free(m);
+}
+
+/* Two boxes that have an edge in common: each face goes on to one of its own
+ * box. */
+static void
+check_touching(void)
+{
+  model *m = new_model();
+  unfolded u;
+  size_t apart = 0;
+
+  add_box(m, origin, unit);
+  add_box(m, unit, two);
+  m->at[8][2] = m->at[9][2] = m->at[10][2] = m->at[11][2] = 0;
+  /* vertices 3 and 7 are 8 and 12: one edge for both */
+  for (size_t e = 0; e < m->dense.edges; e++) {
+    int32_t *end[2] = {&m->from[e], &m->to[e]};
+    for (int k = 0; k < 2; k++) {
+      *end[k] = *end[k] == 8 ? 3 : *end[k] == 12 ? 7 : *end[k];
+    }
+  }
+  for (size_t t = 0; t < m->dense.triangles; t++) {
+    for (int k = 0; k < 3; k++) {
+      int32_t *v = &m->corner[t][k];
+      *v = *v == 8 ? 3 : *v == 12 ? 7 : *v;
+    }
+  }
+  unfold(m, SG_ORDER_LONGEST, &u);
+  for (size_t j = 0; j < u.joints.n; j++) {
+    const sg_joint *of = &u.joints.joint[j];
+    apart +=
+        u.faces.face_of[of->side[0]] / 6 != u.faces.face_of[of->side[1]] / 6;
+  }
+  CHECK("every side has a partner", u.joints.n == 24);
+  CHECK("boxes that touch in an edge stay apart", apart == 0);
+  CHECK("they are two pieces", u.layout.pieces == 2);
+  CHECK("nothing overlaps", overlaps(&u) == 0);
+  forget(&u);
+  free(m);
+}
+
+static void
+check_torus(unsigned order)
+{
+  model *m = new_model();
+  unfolded u;
+
+  add_torus(m, 18, 0.4);
+  unfold(m, order, &u);
+  CHECK("nothing of a torus overlaps", overlaps(&u) == 0);
+  CHECK("its sides are as long as edges", stretch(m, &u) < 1e-13);
+  CHECK("joints were refused", u.flattening.refused > 0);
+  CHECK("no bound is proven", !measured(&u).pointed);
+  forget(&u);
+  free(m);
+}
+
+/* A square that is folded along its diagonal: not flat, in two triangles. */
+static void
+check_bent(void)
+{
+  model *m = new_model();
+  unfolded u;
+
+  add_vertex(m, 0, 0, 0);
+  add_vertex(m, 1, 0, 0);
+  add_vertex(m, 1, 1, 0.5);
+  add_vertex(m, 0, 1, 0);
+  add_polygon(m, 4, (int32_t[4]){0, 1, 2, 3});
+  unfold(m, SG_ORDER_LONGEST, &u);
+  CHECK("a polygon that is not flat is its triangles",
+        u.faces.bents == 1 && u.faces.faces == 2 && u.faces.chords == 2);
+  CHECK("which hang together", u.layout.pieces == 1 && u.joints.n == 1);
+  forget(&u);
+  free(m);
+}
+
+/* A sliver without area between two halves of a square. */
+static void
+check_no_area(void)
+{
+  model *m = new_model();
+  unfolded u;
+
+  add_vertex(m, 0, 0, 0);
+  add_vertex(m, 1, 0, 0);
+  add_vertex(m, 1, 1, 0);
+  add_vertex(m, 0, 1, 0);
+  add_vertex(m, 0.5, 0.5, 0);
+  add_polygon(m, 3, (int32_t[3]){0, 1, 2});
+  add_polygon(m, 3, (int32_t[3]){0, 2, 4});
+  add_polygon(m, 3, (int32_t[3]){0, 4, 3});
+  add_polygon(m, 3, (int32_t[3]){4, 2, 3});
+  unfold(m, SG_ORDER_LONGEST, &u);
+  CHECK("a face without area is no gap",
+        u.layout.pieces == 1 && near(measured(&u).seam, 0));
+  CHECK("nothing overlaps it", overlaps(&u) == 0);
+  CHECK("nothing is stretched", stretch(m, &u) < 1e-15);
+  forget(&u);
+  free(m);
+}
+
+/* An edge without length holds nothing, and stops nothing. */
+static void
+check_no_length(void)
+{
+  model *m = new_model();
+  unfolded u;
+
+  add_vertex(m, 0, 0, 0);
+  add_vertex(m, 1, 0, 0);
+  add_vertex(m, 1, 1, 0);
+  add_vertex(m, 1, 1, 0);
+  add_vertex(m, 2, 2, 1);
+  add_vertex(m, 3, 1, 1);
+  add_polygon(m, 4, (int32_t[4]){0, 1, 2, 3});
+  add_polygon(m, 4, (int32_t[4]){3, 2, 5, 4});
+  unfold(m, SG_ORDER_LONGEST, &u);
+  CHECK("faces are not joined at a point",
+        u.layout.pieces == 2 && u.flattening.state[0] == SG_JOINT_POINT);
+  CHECK("what is laid has places",
+        isfinite(u.layout.at[0][0]) && isfinite(u.layout.at[0][1]));
+  forget(&u);
+  free(m);
+}
+
+static bool
+stop(void *data)
+{
+  return --*(int *)data < 0;
+}
+
+static void
+check_stopping(void)
+{
+  model *m = new_model();
+  unfolded u = {.layout = {0}};
+  int polls = 1;
+  const sg_poll poll = {stop, &polls};
+  bool stopped = false;
+
+  add_torus(m, 18, 0.4);
+  CHECK("faces",
+        sg_flat_faces_make(&m->dense, NULL, 1e-9, &poll, &u.faces, &stopped));
+  CHECK("the poll stops it", !sg_joints_make(&u.faces, &m->dense, 1e-9, &poll,
+                                             &u.joints, &stopped) &&
+                                 stopped);
+  forget(&u);
+  free(m);
+}
+
+int
+main(void)
+{
+  check_cube();
+  check_touching();
+  for (unsigned order = 0; order < 5; order++) {
+    check_torus(order);
+  }
+  check_bent();
+  check_no_area();
+  check_no_length();
+  check_stopping();
+  return check_report();
+}
