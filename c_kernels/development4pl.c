@@ -216,6 +216,29 @@ flattening_bent(term_t handle, term_t list)
   return PL_unify_nil(tail);
 }
 
+/* flattening_invalid(+Flattening, -Polygons) is det. */
+static foreign_t
+flattening_invalid(term_t handle, term_t list)
+{
+  sg_development *d;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_development_ex(handle, &d)) {
+    return FALSE;
+  }
+  const sg_flat_faces *f = &d->faces;
+
+  for (uint32_t face = 0; face < f->faces; face++) {
+    if (f->area[face] > 0 &&
+        f->triangle_begin[face] == f->triangle_begin[face + 1] &&
+        (!PL_unify_list(tail, head, tail) ||
+         !PL_unify_integer(head, sg_development_polygon(d, face)))) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
 /* Joints are numbered from 1. */
 static int
 get_joint_ex(term_t t, const sg_development *d, uint32_t *out)
@@ -543,6 +566,7 @@ sg_install_development(void)
       {"flattening_close", 1, (pl_function_t)flattening_close, 0},
       {"flattening_counts", 4, (pl_function_t)flattening_counts, 0},
       {"flattening_bent", 2, (pl_function_t)flattening_bent, 0},
+      {"flattening_invalid", 2, (pl_function_t)flattening_invalid, 0},
       {"flattening_joint", 3, (pl_function_t)flattening_joint, 0},
       {"flattening_restart", 1, (pl_function_t)flattening_restart, 0},
       {"flattening_lay", 2, (pl_function_t)flattening_lay, 0},

@@ -6,11 +6,13 @@
 #include <string.h>
 
 enum {
-  FEW = 6,          /* triangles that are looked at one by one */
-  SOME = 8,         /* faces, of which those near the joint are tried first */
-  FAN = 16,         /* faces round a vertex that are */
-  NEAR = 12,        /* faces round one that overlapped before */
-  POLL_EVERY = 2048 /* triangles moved */
+  LINE = 64,         /* bytes of memory that come together */
+  FEW = 6,           /* triangles that are looked at one by one */
+  SOME = 8,          /* faces, of which those near the joint are tried first */
+  FAN = 16,          /* faces round a vertex that are */
+  NEAR = 12,         /* faces round one that overlapped before */
+  POLL_EVERY = 2048, /* triangles moved */
+  AHEAD = 8          /* joints from one step of fetching to the next */
 };
 
 /* ---- beginning ---------------------------------------------------------- */
@@ -34,13 +36,23 @@ box_of_triangle(const sg_flat_faces *f, const double (*at)[2], uint32_t t)
 }
 
 static void
+close_index(sg_island *island)
+{
+  if (island->index) {
+    sg_flat_index_clear(island->index);
+    free(island->index);
+    island->index = NULL;
+  }
+}
+
+static void
 begin_island(sg_flattening *fl, uint32_t face)
 {
   const sg_flat_faces *f = fl->faces;
   uint32_t first = f->corner_begin[face], end = f->corner_begin[face + 1];
   sg_island *island = &fl->island[face];
 
-  sg_flat_index_clear(&island->index);
+  close_index(island);
   *island = (sg_island){.head = face,
                         .tail = face,
                         .faces = 1,
@@ -52,10 +64,6 @@ begin_island(sg_flattening *fl, uint32_t face)
   memcpy(fl->at + first, f->at + first, (end - first) * sizeof *fl->at);
   island->box =
       sg_flat_box_round((const double(*)[2])fl->at + first, end - first);
-  for (uint32_t t = f->triangle_begin[face]; t < f->triangle_begin[face + 1];
-       t++) {
-    fl->stock.box[t] = box_of_triangle(f, (const double(*)[2])fl->at, t);
-  }
 }
 
 void
@@ -70,6 +78,31 @@ sg_flattening_restart(sg_flattening *fl)
     }
   }
   fl->tests = fl->refused = fl->joins = 0;
+}
+
+/* Each on one line of memory. */
+static sg_island *
+new_islands(size_t n)
+{
+  sg_island *island = aligned_alloc(LINE, n * sizeof *island);
+
+  _Static_assert(sizeof(sg_island) == LINE, "an island is a line of memory");
+  if (island) {
+    memset(island, 0, n * sizeof *island);
+  }
+  return island;
+}
+
+static size_t
+most_corners(const sg_flat_faces *f)
+{
+  size_t most = 0;
+
+  for (size_t i = 0; i < f->faces; i++) {
+    size_t n = f->corner_begin[i + 1] - f->corner_begin[i];
+    most = n > most ? n : most;
+  }
+  return most;
 }
 
 bool
@@ -90,9 +123,9 @@ sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
       .state = calloc(joints->n + 1, sizeof *out->state),
       .island_of = malloc((faces->faces + 1) * sizeof *out->island_of),
       .next_face = malloc((faces->faces + 1) * sizeof *out->next_face),
-      .island = calloc(faces->faces + 1, sizeof *out->island),
+      .island = new_islands(faces->faces + 1),
       .at = malloc((faces->corners + 1) * sizeof *out->at),
-      .moved = malloc((faces->corners + 1) * sizeof *out->moved)};
+      .moved = malloc((most_corners(faces) + 1) * sizeof *out->moved)};
   if (!sg_flat_stock_make(faces->triangles, out->sheet, &out->stock) ||
       !out->state || !out->island_of || !out->next_face || !out->island ||
       !out->at || !out->moved) {
@@ -106,7 +139,7 @@ void
 sg_flattening_clear(sg_flattening *fl)
 {
   for (size_t i = 0; fl->island && i < fl->faces->faces; i++) {
-    sg_flat_index_clear(&fl->island[i].index);
+    close_index(&fl->island[i]);
   }
   free(fl->state);
   free(fl->island_of);
@@ -156,9 +189,10 @@ static void
 move_face(sg_flattening *fl, const motion *m, uint32_t face)
 {
   const sg_flat_faces *f = fl->faces;
+  uint32_t first = f->corner_begin[face];
 
-  for (uint32_t c = f->corner_begin[face]; c < f->corner_begin[face + 1]; c++) {
-    move(m, fl->at[c], fl->moved[c]);
+  for (uint32_t c = first; c < f->corner_begin[face + 1]; c++) {
+    move(m, fl->at[c], fl->moved[c - first]);
   }
 }
 
@@ -190,15 +224,15 @@ overlaps_some(trial *t)
 {
   const sg_flat_faces *f = t->fl->faces;
 
-  if (t->onto->index.cell) {
-    return sg_flat_index_near(&t->onto->index, &t->fl->stock, &t->box, overlaps,
+  if (t->onto->index) {
+    return sg_flat_index_near(t->onto->index, &t->fl->stock, &t->box, overlaps,
                               t);
   }
   for (uint32_t face = t->onto->head; face != UINT32_MAX;
        face = t->fl->next_face[face]) {
     for (uint32_t k = f->triangle_begin[face]; k < f->triangle_begin[face + 1];
          k++) {
-      if (sg_flat_boxes_meet(&t->fl->stock.box[k], &t->box) && overlaps(t, k)) {
+      if (overlaps(t, k)) {
         return true;
       }
     }
@@ -211,10 +245,14 @@ static bool
 face_overlaps(trial *t, uint32_t face)
 {
   const sg_flat_faces *f = t->fl->faces;
+  const double(*moved)[2] = (const double(*)[2])t->fl->moved;
 
   for (uint32_t k = f->triangle_begin[face]; k < f->triangle_begin[face + 1];
        k++) {
-    corners_of(f->triangle[k], (const double(*)[2])t->fl->moved, t->corner);
+    for (int c = 0; c < 3; c++) {
+      const double *p = moved[f->triangle[k][c] - f->corner_begin[face]];
+      memcpy(t->corner[c], p, sizeof t->corner[c]);
+    }
     t->box = sg_flat_box_round((const double(*)[2])t->corner, 3);
     if (sg_flat_boxes_meet(&t->box, &t->onto->box) && overlaps_some(t)) {
       return true;
@@ -351,7 +389,8 @@ add_to_index(sg_flattening *fl, sg_island *island, uint32_t face)
 
   for (uint32_t t = f->triangle_begin[face]; t < f->triangle_begin[face + 1];
        t++) {
-    if (!sg_flat_index_add(&island->index, &fl->stock, t)) {
+    fl->stock.box[t] = box_of_triangle(f, (const double(*)[2])fl->at, t);
+    if (!sg_flat_index_add(island->index, &fl->stock, t)) {
       return false;
     }
   }
@@ -364,26 +403,15 @@ index_island(sg_flattening *fl, sg_island *island, size_t more)
 {
   bool good = true;
 
-  if (!island->index.cell && island->triangles + more > FEW) {
+  if (!island->index && island->triangles + more > FEW) {
+    island->index = calloc(1, sizeof *island->index);
+    good = island->index != NULL;
     for (uint32_t face = island->head; good && face != UINT32_MAX;
          face = fl->next_face[face]) {
       good = add_to_index(fl, island, face);
     }
   }
   return good;
-}
-
-static void
-take_place(sg_flattening *fl, uint32_t face)
-{
-  const sg_flat_faces *f = fl->faces;
-  uint32_t first = f->corner_begin[face], end = f->corner_begin[face + 1];
-
-  memcpy(fl->at + first, fl->moved + first, (end - first) * sizeof *fl->at);
-  for (uint32_t t = f->triangle_begin[face]; t < f->triangle_begin[face + 1];
-       t++) {
-    fl->stock.box[t] = box_of_triangle(f, (const double(*)[2])fl->at, t);
-  }
 }
 
 static void
@@ -395,9 +423,10 @@ enlarge(sg_flat_box *box, const sg_flat_box *by)
   }
 }
 
-/* The faces of one island, where they were moved to, become the other's. */
+/* The faces of one island go where the motion takes them and become the
+ * other's. */
 static bool
-merge(sg_flattening *fl, sg_island *moving, sg_island *onto)
+merge(sg_flattening *fl, const motion *m, sg_island *moving, sg_island *onto)
 {
   const sg_flat_faces *f = fl->faces;
   uint32_t into = fl->island_of[onto->head];
@@ -408,12 +437,15 @@ merge(sg_flattening *fl, sg_island *moving, sg_island *onto)
   for (uint32_t face = moving->head; face != UINT32_MAX;
        face = fl->next_face[face]) {
     uint32_t first = f->corner_begin[face], end = f->corner_begin[face + 1];
-    take_place(fl, face);
+    for (uint32_t c = first; c < end; c++) {
+      const double from[2] = {fl->at[c][0], fl->at[c][1]};
+      move(m, from, fl->at[c]);
+    }
     sg_flat_box box =
         sg_flat_box_round((const double(*)[2])fl->at + first, end - first);
     enlarge(&onto->box, &box);
     fl->island_of[face] = into;
-    if (onto->index.cell && !add_to_index(fl, onto, face)) {
+    if (onto->index && !add_to_index(fl, onto, face)) {
       return false;
     }
   }
@@ -421,7 +453,7 @@ merge(sg_flattening *fl, sg_island *moving, sg_island *onto)
   onto->tail = moving->tail;
   onto->faces += moving->faces;
   onto->triangles += moving->triangles;
-  sg_flat_index_clear(&moving->index);
+  close_index(moving);
   moving->head = UINT32_MAX;
   moving->faces = moving->triangles = 0;
   return true;
@@ -447,9 +479,8 @@ static bool
 join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
              sg_joint_state *state, bool *stopped)
 {
-  const uint32_t *face_of = fl->faces->face_of;
-  sg_island *a = &fl->island[fl->island_of[face_of[j->side[0]]]];
-  sg_island *b = &fl->island[fl->island_of[face_of[j->side[1]]]];
+  sg_island *a = &fl->island[fl->island_of[j->face[0]]];
+  sg_island *b = &fl->island[fl->island_of[j->face[1]]];
   bool second = is_larger(b, a), overlap;
   sg_island *onto = second ? b : a, *moving = second ? a : b;
 
@@ -470,7 +501,7 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
   }
   fl->refused += overlap;
   fl->joins += !overlap;
-  return overlap || merge(fl, moving, onto);
+  return overlap || merge(fl, &of.motion, moving, onto);
 }
 
 bool
@@ -478,21 +509,44 @@ sg_flattening_join(sg_flattening *fl, uint32_t j, const sg_poll *poll,
                    sg_joint_state *state, bool *stopped)
 {
   const sg_joint *joint = &fl->joints->joint[j];
-  const uint32_t *face_of = fl->faces->face_of;
 
   *stopped = false;
   *state = (sg_joint_state)fl->state[j];
   if (*state == SG_JOINT_FORBIDDEN || *state == SG_JOINT_JOINED) {
     return true;
   }
-  if (fl->island_of[face_of[joint->side[0]]] ==
-      fl->island_of[face_of[joint->side[1]]]) {
+  if (fl->island_of[joint->face[0]] == fl->island_of[joint->face[1]]) {
     *state = SG_JOINT_SAME;
   } else if (!join_islands(fl, joint, poll, state, stopped)) {
     return false;
   }
   fl->state[j] = (unsigned char)*state;
   return true;
+}
+
+/* Joints in order are anywhere in memory: what they refer to is asked for
+ * ahead, step by step as it becomes known where it is. */
+static void
+fetch_ahead(const sg_flattening *fl, const uint32_t *order, size_t i, size_t n)
+{
+  if (i + 3 * AHEAD < n) {
+    __builtin_prefetch(&fl->joints->joint[order[i + 3 * AHEAD]]);
+    __builtin_prefetch(&fl->state[order[i + 3 * AHEAD]]);
+  }
+  for (int k = 0; k < 2 && i + 2 * AHEAD < n; k++) {
+    const sg_joint *j = &fl->joints->joint[order[i + 2 * AHEAD]];
+    __builtin_prefetch(&fl->island_of[j->face[k]]);
+    __builtin_prefetch(&fl->faces->side[j->side[k]]);
+    __builtin_prefetch(&fl->faces->triangle_begin[j->face[k]]);
+    __builtin_prefetch(&fl->faces->corner_begin[j->face[k]]);
+  }
+  for (int k = 0; k < 2 && i + AHEAD < n; k++) {
+    const sg_joint *j = &fl->joints->joint[order[i + AHEAD]];
+    __builtin_prefetch(&fl->island[fl->island_of[j->face[k]]]);
+    __builtin_prefetch(&fl->at[fl->faces->side[j->side[k]].from]);
+    __builtin_prefetch(
+        &fl->faces->triangle[fl->faces->triangle_begin[j->face[k]]]);
+  }
 }
 
 bool
@@ -506,6 +560,7 @@ sg_flattening_join_all(sg_flattening *fl, const uint32_t *order, size_t n,
       *stopped = true;
       return false;
     }
+    fetch_ahead(fl, order, i, n);
     if (fl->state[order[i]] == SG_JOINT_OPEN &&
         !sg_flattening_join(fl, order[i], poll, &state, stopped)) {
       return false;

@@ -25,12 +25,12 @@ typedef enum sg_joint_state {
   SG_JOINT_CLOSED     /* its sides lie on each other all the same: a fold */
 } sg_joint_state;
 
-typedef struct sg_island {
-  uint32_t head, tail; /* faces, linked by next_face */
-  size_t faces, triangles;
+typedef struct sg_island { /* at first one for each face: a line of memory */
+  uint32_t head, tail;     /* faces, linked by next_face */
+  uint32_t faces, triangles;
   sg_flat_box box;
-  sg_flat_index index; /* of its triangles, once they are many */
-  uint32_t suspect;    /* private: a face that overlapped lately */
+  sg_flat_index *index; /* of its triangles, once they are many */
+  uint32_t suspect;     /* private: a face that overlapped lately */
 } sg_island;
 
 typedef struct sg_flattening {
@@ -44,7 +44,7 @@ typedef struct sg_flattening {
   sg_island *island;               /* [faces] */
   double (*at)[2];                 /* [corners] in the island */
   sg_flat_stock stock;             /* items are triangles */
-  double (*moved)[2];              /* [corners] of what is being tried */
+  double (*moved)[2];              /* private: corners of the face tried */
   size_t tests, refused, joins;    /* overlap tests of two triangles, ... */
   uint32_t overlap[2];             /* faces that did, after SG_JOINT_OVERLAP */
 } sg_flattening;

@@ -44,6 +44,7 @@ add_joint(pairing *p, uint32_t a, uint32_t b)
   sg_joint *j = &p->out->joint[p->out->n++];
 
   *j = (sg_joint){.side = {swap ? b : a, swap ? a : b},
+                  .face = {f->face_of[swap ? b : a], f->face_of[swap ? a : b]},
                   .line = f->face_of[a] == f->face_of[b]};
   p->out->of_side[a] = p->out->of_side[b] = (uint32_t)p->out->n - 1;
 }
@@ -301,7 +302,7 @@ static void
 measure(const pairing *p, sg_joint *j, double tolerance)
 {
   const sg_flat_faces *f = p->faces;
-  uint32_t a = f->face_of[j->side[0]], b = f->face_of[j->side[1]];
+  uint32_t a = j->face[0], b = j->face[1];
   const double *from = p->dense->at[sg_flat_side_from(f, j->side[0])];
   const double *to = p->dense->at[sg_flat_side_to(f, j->side[0])];
   const double along[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};

@@ -13,6 +13,7 @@
 
 typedef struct sg_joint {
   uint32_t side[2]; /* that of the lower edge place first */
+  uint32_t face[2]; /* of these */
   double length;    /* model units */
   double angle;     /* degrees between the normals; > 0: convex */
   bool line;        /* both sides in one face: a penetration line */

@@ -15,7 +15,7 @@
               ]).
 :- use_module(kernel,
               [ flattening_open/4, flattening_close/1, flattening_counts/4,
-                flattening_bent/2, flattening_joint/3, flattening_restart/1,
+                flattening_bent/2, flattening_invalid/2, flattening_joint/3, flattening_restart/1,
                 flattening_lay/2, flattening_measures/2, flattening_write/2,
                 edge_joint/3, forbid_joint/2, join_faces/3, join_all/2,
                 join_before/3, joint_path/3, segments_tolerance/3
@@ -82,7 +82,7 @@ they have in S; only vertices are new.
 %
 %   @error existence_error(segment, S)
 %   @error geometry_error(development(S, What)): What is empty, kind(Kind),
-%          not_flat(Ps), no_polygon(P), overlap(E, P1, P2) (of an edge that is
+%          not_flat(Ps), not_simple(Ps), no_polygon(P), overlap(E, P1, P2) (of an edge that is
 %          to be kept), no_joint(E), edge_length(E)
 
 develop(S, D) :-
@@ -111,12 +111,20 @@ developed(S, Options, D) :-
     with_flattening(S, Options, written(S, Options, D)).
 
 written(S, Options, D, Flattening) :-
+    all_valid(S, Flattening),
     flat_or_warned(S, Options, Flattening),
     option(root(Root), Options, 0),
     best_laid(S, Options, Root, Flattening, Order, Measures),
     pattern_segment(S, D),
     stage(write, flattening_write(Flattening, D)),
     record_development(D, S, Options, Order, Measures).
+
+all_valid(S, Flattening) :-
+    flattening_invalid(Flattening, Ps),
+    (   Ps == []
+    ->  true
+    ;   cannot_develop(S, not_simple(Ps))
+    ).
 
 flat_or_warned(S, Options, Flattening) :-
     flattening_bent(Flattening, Ps),

@@ -143,6 +143,7 @@
             flattening_close/1,       % +Flattening
             flattening_counts/4,      % +Flattening, -Faces, -Joints, -Step
             flattening_bent/2,        % +Flattening, -Polygons
+            flattening_invalid/2,     % +Flattening, -Polygons
             flattening_joint/3,       % +Flattening, +J, -Joint
             flattening_restart/1,     % +Flattening
             flattening_lay/2,         % +Flattening, +Root
@@ -151,16 +152,16 @@
             edge_joint/3,             % +Flattening, +E, -J
             forbid_joint/2,           % +Flattening, +J
             join_faces/3,             % +Flattening, +J, -Result
+            join_all/2,               % +Flattening, +Order
+            join_before/3,            % +Flattening, +Order, +J
+            joint_order/3,            % +Flattening, +Order, -Joints
+            joint_path/3,             % +Flattening, +J, -Joints
             % nest4pl.c
             shapes_open/2,            % +Cell, -Shapes
             shapes_add/2,             % +Shapes, +Shape
             shapes_free/3,            % +Shapes, +Shape, +Tolerance
             nest/6,                   % +Size, +Square, +Gap, +One, +Pieces,
                                       % -Places
-            join_all/2,               % +Flattening, +Order
-            join_before/3,            % +Flattening, +Order, +J
-            joint_order/3,            % +Flattening, +Order, -Joints
-            joint_path/3,             % +Flattening, +J, -Joints
             % exact4pl.c
             exact_fallbacks/1,        % -Count
             exact_statistics/1,       % -Statistics
@@ -1143,6 +1144,10 @@ the drawn surface. Degrees; see roll.h.
 %!  flattening_bent(+Flattening, -Polygons:list) is det.
 %
 %   Polygons, ascending, are not flat.
+
+%!  flattening_invalid(+Flattening, -Polygons:list) is det.
+%
+%   Polygons, ascending, have an area and no triangles: they cross themselves.
 
 %!  flattening_joint(+Flattening, +J, -Joint) is det.
 %

@@ -8,10 +8,14 @@
 :- use_module(rules(csg), [root_segment/1]).
 :- use_module(rules(csg_roots), [roots_alone/0]).
 :- use_module(rules(development)).
+:- use_module(rules(development_en)).
+:- use_module(rules(development_ko)).
+:- use_module(rules(development_record)).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(mesh)).
 :- use_module(rules(penetration)).
 :- use_module(rules(view), [set_view/3]).
+:- use_module(tests('rules/random_solid')).
 :- use_module(rules(kernel)).
 :- use_module(rules(model_file)).
 :- use_module(rules(store)).
@@ -195,6 +199,164 @@ looked(( findall(S, root_segment(S), Ss) ), Ss).
 looked(( roots_alone, findall(S, segment(S,_,_), Ss) ), Ss).
 looked(( tmp_file(uc, File), write_mesh(File, all, [format(off)]),
          read_file_to_string(File, Text, []), delete_file(File) ), Text).
+
+%   The paper's transform: DV-4.
+
+test(transform, forall(( member(T, [box(size(1,2,3)), cone(radius(1),
+                                    height(2), facets(7))]),
+                         between(1, 3, K) ))) :-
+    Degrees is 25*K,
+    in_model([at([rotate(axis(1,2,3), Degrees)], T)],
+             ( develop(1, D),
+               forall(p(D, P, [E|Es]), transformed(1, D, P, E, Es)) )).
+
+%   By the transform that lays edge E where it is in D, the others lie there.
+
+transformed(S, D, P, E, Es) :-
+    plane(S, P, A, B, C, _),
+    e(S, E, V1, V2, _),
+    e(D, E, W1, W2, _),
+    v(S, V1, X, Y, Z),
+    v(S, V2, X2, Y2, Z2),
+    v(D, W1, Xd, Yd, _),
+    v(D, W2, Xd2, Yd2, _),
+    first_rotation(A, B, C, R1),
+    unit2([X2-X,Y2-Y,Z2-Z], R1, Ex, Ey),
+    Size is sqrt((Xd2-Xd)**2 + (Yd2-Yd)**2),
+    Dx is (Xd2-Xd)/Size,
+    Dy is (Yd2-Yd)/Size,
+    Cos is Ex*Dx + Ey*Dy,
+    Sin is Ex*Dy - Ey*Dx,
+    forall(( member(E1, Es), e(S, E1, V, _, _), e(D, E1, W, _, _) ),
+           ( v(S, V, Xv, Yv, Zv),
+             v(D, W, Xw, Yw, _),
+             times([Xv-X,Yv-Y,Zv-Z], R1, [U0,V0,Z0]),
+             Xt is U0*Cos - V0*Sin + Xd,
+             Yt is U0*Sin + V0*Cos + Yd,
+             must_be_near(Xt, Xw, P),
+             must_be_near(Yt, Yw, P),
+             must_be_near(Z0, 0.0, P) )).
+
+first_rotation(A, B, C, [[L,0,A],[M,N,B],[O,Q,C]]) :-
+    L is sqrt(B*B + C*C),
+    L > 1.0e-9,
+    !,
+    M is -A*B/L, N is C/L, O is -A*C/L, Q is -B/L.
+first_rotation(A, _, _, [[0,0,S],[0,1,0],[T,0,0]]) :-
+    S is A/abs(A),
+    T is -S.
+
+times([X,Y,Z], [[A,B,C],[D,E,F],[G,H,I]], [U,V,W]) :-
+    U is X*A + Y*D + Z*G,
+    V is X*B + Y*E + Z*H,
+    W is X*C + Y*F + Z*I.
+
+unit2(Vector, R1, X, Y) :-
+    times(Vector, R1, [X0,Y0,_]),
+    Size is sqrt(X0*X0 + Y0*Y0),
+    X is X0/Size,
+    Y is Y0/Size.
+
+%   Solids of all kinds at once.
+
+test(random, forall(between(1, 12, Seed))) :-
+    set_random(seed(Seed)),
+    random_blocks(_, Term1),
+    random_primitive(Term2),
+    in_model([Term1, Term2], ( develop(1, D1), sound(1, D1),
+                               develop(2, D2), sound(2, D2) )).
+
+test(cut_through, forall(between(1, 4, Seed))) :-
+    set_random(seed(Seed)),
+    random_blocks(_, Term1),
+    random_blocks(_, Term2),
+    in_model([Term1, Term2], ( penetrate,
+                               develop(1, D1), sound(1, D1),
+                               develop(2, D2), sound(2, D2) )).
+
+test(order, Laid == [1,2,3]) :-
+    in_model([box(size(1,1,1))],
+             ( develop(1, [order([1,3,2]), root(1)], D), sound(1, D),
+               findall(P, ( member(P, [1,2,3]), piece(D, P, 1) ), Laid),
+               p(D, 1, Es),
+               once(( member(E, Es), e(D, E, A, _, _), v(D, A, 0.0, 0.0, _) ))
+             )).
+
+test(kept, Kind == fold) :-
+    in_model([box(size(1,1,1))],
+             ( e(1, E, _, _, _), !,
+               develop(1, [keep([E])], D),
+               ( joint(D, _, E, _, Kind, _) ; joint(D, _, _, E, Kind, _) ), ! )).
+
+test(removed, Ps == [2,3,4,5]) :-
+    in_model([box(size(1,1,1))],
+             ( develop(1, [removed([1,6])], D), sound(1, D),
+               findall(P, p(D, P, _), Ps0), sort(Ps0, Ps) )).
+
+test(minimize, forall(member(Objective, [seam,pieces,longest,area]))) :-
+    in_model([torus(radius(2), tube(0.7), facets(12))],
+             ( develop(1, D), development_measures(D, M1), sound(1, D),
+               develop(1, [minimize(Objective)], D),
+               development_measures(D, M2), sound(1, D) )),
+    measure_of(Objective, M1, Value1),
+    measure_of(Objective, M2, Value2),
+    assertion(Value2 =< Value1*(1+1.0e-9)).
+
+measure_of(seam, M, M.seam).
+measure_of(pieces, M, M.pieces).
+measure_of(longest, M, M.longest).
+measure_of(area, M, M.boxes).
+
+test(reasons, forall(solid(Term))) :-
+    in_model([Term],
+             ( develop(1, [], D),
+               forall(joint(D, J, _, _, seam, _),
+                      ( seam_reason(D, J, Reason), known(Reason, D) )) )).
+
+known(overlap(P1, P2), D) :-
+    p(D, P1, _),
+    p(D, P2, _).
+known(cycle([J|Js]), D) :-
+    forall(member(K, [J|Js]), joint(D, K, _, _, fold, _)).
+
+test(reason_of_wish, Reason == cut_by_wish) :-
+    in_model([box(size(1,1,1))],
+             ( develop(1, [cut([1])], D),
+               joint(D, J, 1, _, seam, _),
+               seam_reason(D, J, Reason) )).
+
+test(stale, error(existence_error(development, _))) :-
+    in_model([box(size(1,1,1))],
+             ( develop(1, D),
+               v(1, 1, X, Y, Z), retract_fact(v(1, 1, X, Y, Z)),
+               assert_fact(v(1, 1, X, Y, 5.0)),
+               seam_reason(D, _, _) )).
+
+test(curve, error(geometry_error(development(1, kind(curve))))) :-
+    in_model([], ( assert_fact(segment(1, curve, c)), develop(1, _) )).
+test(empty, error(geometry_error(development(1, empty)))) :-
+    in_model([], ( assert_fact(segment(1, solid, s)), develop(1, _) )).
+test(pattern, error(geometry_error(development(_, kind(pattern))))) :-
+    in_model([box(size(1,1,1))], ( develop(1, D), develop(D, _) )).
+test(no_joint, error(geometry_error(development(1, no_joint(999))))) :-
+    in_model([box(size(1,1,1))], develop(1, [cut([999])], _)).
+test(no_polygon, error(geometry_error(development(1, no_polygon(99))))) :-
+    in_model([box(size(1,1,1))], develop(1, [root(99)], _)).
+test(kept_overlap, error(geometry_error(development(1, overlap(_,_,_))))) :-
+    in_model([torus(radius(2), tube(0.7), facets(12))],
+             ( findall(E, ( e(1, E, A, B, _), A < B ), Es),
+               develop(1, [keep(Es)], _) )).
+
+test(messages, forall(( member(What, [ kind(curve), kind(pattern), kind(cells),
+                                       empty, not_simple([1]), not_flat([1,2]),
+                                       overlap(1,2,3), no_joint(1),
+                                       edge_length(1), no_polygon(1) ]) ))) :-
+    in_model([box(size(1,1,1))],
+             ( phrase(development_en(1, What), En),
+               phrase(development_ko(1, What), Ko) )),
+    assertion(En \== []),
+    assertion(Ko \== []),
+    assertion(En \== Ko).
 
 test(none, error(existence_error(segment, 7))) :-
     in_model([box(size(1,1,1))], develop(7, _)).
