@@ -2,12 +2,14 @@
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
+:- use_module(library(assoc)).
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(rules(boolean)).
 :- use_module(rules(development)).
 :- use_module(rules(mesh)).
 :- use_module(rules(model_file)).
+:- use_module(rules(pattern_drawing)).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
@@ -25,6 +27,7 @@ DEVELOPMENT_BIG=yes: models of 20,000 to 300,000 triangles, too. */
 user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
 user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
 user:message_hook(sanggwan(development(_, in_triangles(_))), warning, _).
+user:message_hook(sanggwan(_), informational, _).
 
 %   unfolded(+Name, :Build, +Out): write the pattern of every segment that has
 %   polygons of the model that Build makes in a new world.
@@ -196,6 +199,32 @@ touching_shells(Out) :-
                 ( welded,
                   pattern_written(Out, touching, 1) )).
 
+%   Patterns with tabs, pieces far from each other, for where these lie on a
+%   sheet is decided later.
+
+tabs(Out) :-
+    set_random(seed(62)),
+    findall(Name-Terms, figure_model(Name, Terms), Models0),
+    findall(torus-[torus(radius(1), tube(0.4), facets(12), sides(8))], true,
+            Models1),
+    append(Models0, Models1, Models),
+    forall(( member(Name-Terms, Models), member(Width, [3,12]) ),
+           ( random_rotation(Steps),
+             maplist(placed([scale(40,40,40)|Steps]), Terms, Large),
+             new_world(World),
+             in_world(World, ( primitives(Large),
+                               complete_segments,
+                               tabs_written(Out, Name, Width) )) )).
+
+tabs_written(Out, Name, Width) :-
+    develop(1, D),
+    pattern_layout([D], [tabs(Width)], layout(_, _, _, _, Tabs0, _)),
+    findall(tab(E,Corners), gen_assoc(tab(D,E,_,_), Tabs0, Corners), Tabs),
+    Tabs = [_|_],
+    seam_length(D, Seam),
+    write_pattern(Out, Name, D,
+                  [tabs(Tabs),spread(1.0e4),reported(Seam,1)]).
+
 meshes(Out) :-
     forall(mesh_file(Name, File),
            unfolded(Name, read_mesh(File, _), Out)).
@@ -238,6 +267,15 @@ test(meshes, [condition(meshes_there), true(Faults == [])]) :-
     faults(meshes, Faults).
 test(big, [condition(getenv('DEVELOPMENT_BIG', _)), true(Faults == [])]) :-
     faults(big, Faults).
+
+test(tabs, [true(Deep == [])]) :-
+    patterns_checked(tabs, Results),
+    findall(Name-Tab,
+            ( member(R, Results),
+              Name = R.name,
+              Tab is R.tabs*R.sheet,
+              ( Tab > 1.1e-6 ; R.deep > 0 ) ),
+            Deep).
 
 meshes_there :-
     (   mesh_file(_, _)

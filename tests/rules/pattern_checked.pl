@@ -125,16 +125,20 @@ bad_pattern(Result, Precision, Key-Value) :-
 %   Write the pattern D of the current world, and what it was made of. Name is
 %   an atom without spaces; Told are options: removed(Ps), polygons that were
 %   left out; reported(Seam, Pieces), what was said of it; tabs(Tabs), terms
-%   tab(E, [X-Y, ...]).
+%   tab(E, [X-Y, ...]); spread(Step), piece K is moved by K*Step first.
 
 write_pattern(Out, Name, D, Told) :-
     once(from_v(D, _, S, _)),
     write_solid(Out, S),
     option(removed(Removed), Told, []),
     forall(member(P, Removed), write_line(Out, removed(P))),
-    write_flat(Out, D, S),
+    option(spread(Step), Told, 0),
+    write_flat(Out, D, S, Step),
     option(tabs(Tabs), Told, []),
-    forall(member(tab(E, Corners), Tabs), write_line(Out, 'T'(E,Corners))),
+    forall(member(tab(E, Corners0), Tabs),
+           ( edge_polygon(D, E, P),
+             maplist(moved(D, P, Step), Corners0, Corners),
+             write_line(Out, 'T'(E,Corners)) )),
     forall(member(reported(Seam,Pieces), Told),
            write_line(Out, reported(Seam,Pieces))),
     write_line(Out, end(Name)).
@@ -150,9 +154,10 @@ write_solid(Out, S) :-
 is_real(S, E) :-
     e(S, E, _, _, 1).
 
-write_flat(Out, D, S) :-
-    forall(( v(D, W, X, Y, _), from_v(D, W, S, V) ),
-           write_line(Out, 'V'(W,X,Y,V))),
+write_flat(Out, D, S, Step) :-
+    forall(( v(D, W, X0, Y0, _), from_v(D, W, S, V) ),
+           ( spread(D, W, Step, X0-Y0, X-Y),
+             write_line(Out, 'V'(W,X,Y,V)) )),
     forall(e(D, E, A, B, 1),
            ( edge_before(D, S, E, E0),
              write_line(Out, 'E'(E,A,B,E0)) )),
@@ -163,6 +168,18 @@ write_flat(Out, D, S) :-
              write_line(Out, 'P'(P,P0,K,Es)) )),
     forall(joint(D, _, E1, E2, Kind, Angle),
            write_line(Out, 'J'(E1,E2,Kind,Angle))).
+
+%   spread(D, W, Step, At0, At): the place of vertex W.
+
+spread(_, _, 0, At, At) :-
+    !.
+spread(D, W, Step, At0, At) :-
+    once(( e(D, E, W, _, 1), edge_polygon(D, E, P) )),
+    moved(D, P, Step, At0, At).
+
+moved(D, P, Step, X0-Y, X-Y) :-
+    once(piece(D, P, K)),
+    X is X0+K*Step.
 
 %   edge_before(D, S, E, E0): E was E0, or a part of it; 0: it is new.
 
