@@ -7,9 +7,9 @@
    models: writes the models as triangles into FOLDER and prints their names.
    kernel, rule: reads MODEL and unfolds it, by the fused kernel, or with a rule
    file that replaces a decision and says what the default says. Prints
-   triangles, microseconds a triangle of the processor, percent of that in Prolog
-   (not in calls of kernels), pieces, length of the seam, and
-   the bound of it, 0 where none is proven.
+   triangles, microseconds a triangle of the processor, percent of the clock in
+   Prolog (not in calls of kernels), pieces, length of the seam, and the bound
+   of it, 0 where none is proven.
 */
 :- use_module('../rules/sanggwan').
 :- use_module('../rules/boolean').

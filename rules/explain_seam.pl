@@ -43,8 +43,8 @@ joint_explained(S, E, Kind, Because) :-
 
 %!  pattern_explained(?S, ?K, -Because) is nondet.
 %
-%   Because is the list of because(Statement, Because) for piece K of the pattern
-%   of segment S: what it is, and why it is joined to no other.
+%   Because is the list of because(Statement, Because) for piece K of the
+%   pattern of segment S: what it is, and why it is joined to no other.
 
 pattern_explained(S, K, Because) :-
     in_pattern(S, D, sg_explain_seam:pieces_because(D, K, Found), Found),

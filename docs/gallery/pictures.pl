@@ -186,8 +186,8 @@ picture(unfolded_11, 'Development, figure 11',
         'An oblique cylinder on an ellipse.',
         [unfold,'facts/patterns/fig11.pl','--no-numbers']).
 picture(unfolded_12, 'Development, figure 12',
-        'A hollow cylinder: in the paper its pattern lay on itself, here it is \c
-         in two pieces. The inner wall is folded the other way.',
+        'A hollow cylinder: in the paper its pattern lay on itself, here it \c
+         is in two pieces. The inner wall is folded the other way.',
         [unfold,'facts/patterns/fig12.pl','--no-numbers']).
 picture(unfolded_13, 'Development, figure 13',
         'A sphere whose edges along the meridians are the longer ones.',
