@@ -1,5 +1,5 @@
 /* complete.c -- planes and triangles for whole segments: see complete.h. */
-#include "complete.h"
+#include "complete_private.h"
 
 #include "flatness.h"
 #include "key_table.h"
@@ -171,124 +171,6 @@ model_read(const sg_completion_input *in, model *out)
          read_polygons(in->t, out, &out->with_triangles, &out->triangles);
 }
 
-/* ---- what is written ---------------------------------------------------- */
-
-void
-sg_completion_clear(sg_completion *out)
-{
-  free(out->planes.s);
-  free(out->planes.p);
-  for (int k = 0; k < 4; k++) {
-    free(out->planes.c[k]);
-  }
-  free(out->triangles.s);
-  free(out->triangles.p);
-  free(out->triangles.t);
-  for (int k = 0; k < 3; k++) {
-    free(out->triangles.v[k]);
-  }
-  free(out->fault);
-  *out = (sg_completion){0};
-}
-
-/* One column with more room; on failure as it was, and *done false. */
-static void *
-grown(void *column, size_t room, size_t size, bool *done)
-{
-  void *more = realloc(column, room * size);
-
-  if (!more) {
-    *done = false;
-    return column;
-  }
-  return more;
-}
-
-static bool
-add_plane(sg_plane_rows *rows, int32_t s, int32_t p, const sg_plane *plane)
-{
-  if (rows->n == rows->room) {
-    size_t room = rows->room ? rows->room * 2 : 256;
-    bool done = true;
-    rows->s = grown(rows->s, room, sizeof *rows->s, &done);
-    rows->p = grown(rows->p, room, sizeof *rows->p, &done);
-    for (int k = 0; k < 4; k++) {
-      rows->c[k] = grown(rows->c[k], room, sizeof *rows->c[k], &done);
-    }
-    if (!done) {
-      return false;
-    }
-    rows->room = room;
-  }
-  rows->s[rows->n] = s;
-  rows->p[rows->n] = p;
-  for (int k = 0; k < 3; k++) {
-    rows->c[k][rows->n] = plane->n[k];
-  }
-  rows->c[3][rows->n++] = plane->d;
-  return true;
-}
-
-/* The next number of segment s; counts[s] are those given out. */
-static bool
-next_number(sg_key_table *counts, int32_t s, int32_t *out)
-{
-  uint32_t *count = sg_key_table_put(counts, (const uint32_t[]){(uint32_t)s});
-
-  if (!count) {
-    return false;
-  }
-  *count = *count == SG_NO_KEY ? 1 : *count + 1;
-  *out = (int32_t)*count - 1;
-  return true;
-}
-
-static bool
-add_triangle(sg_triangle_rows *rows, sg_key_table *counts, int32_t s, int32_t p,
-             const int32_t v[3])
-{
-  if (rows->n == rows->room) {
-    size_t room = rows->room ? rows->room * 2 : 256;
-    bool done = true;
-    rows->s = grown(rows->s, room, sizeof *rows->s, &done);
-    rows->p = grown(rows->p, room, sizeof *rows->p, &done);
-    rows->t = grown(rows->t, room, sizeof *rows->t, &done);
-    for (int k = 0; k < 3; k++) {
-      rows->v[k] = grown(rows->v[k], room, sizeof *rows->v[k], &done);
-    }
-    if (!done) {
-      return false;
-    }
-    rows->room = room;
-  }
-  if (!next_number(counts, s, &rows->t[rows->n])) {
-    return false;
-  }
-  rows->s[rows->n] = s;
-  rows->p[rows->n] = p;
-  for (int k = 0; k < 3; k++) {
-    rows->v[k][rows->n] = v[k];
-  }
-  rows->n++;
-  return true;
-}
-
-static bool
-add_fault(sg_completion *out, const sg_polygon_fault *fault)
-{
-  if (out->faults == out->fault_room) {
-    size_t room = out->fault_room ? out->fault_room * 2 : 16;
-    bool done = true;
-    out->fault = grown(out->fault, room, sizeof *out->fault, &done);
-    if (!done) {
-      return false;
-    }
-    out->fault_room = room;
-  }
-  out->fault[out->faults++] = *fault;
-  return true;
-}
-
 /* ---- one polygon -------------------------------------------------------- */
 
 /* A polygon with its edges' vertices, and scratch that is used again. */
@@ -311,7 +193,8 @@ typedef struct task {
 static bool
 fault(task *t, sg_fault_kind kind, int32_t a, int32_t b, double size)
 {
-  return add_fault(t->out, &(sg_polygon_fault){t->s, t->p, kind, a, b, size});
+  return sg_complete_add_fault(
+      t->out, &(sg_polygon_fault){t->s, t->p, kind, a, b, size});
 }
 
 static bool
@@ -320,9 +203,9 @@ make_room(task *t, size_t n)
   bool done = true;
 
   if (n > t->room) {
-    t->e = grown(t->e, n, sizeof *t->e, &done);
-    t->start = grown(t->start, n, sizeof *t->start, &done);
-    t->end = grown(t->end, n, sizeof *t->end, &done);
+    t->e = sg_complete_grown(t->e, n, sizeof *t->e, &done);
+    t->start = sg_complete_grown(t->start, n, sizeof *t->start, &done);
+    t->end = sg_complete_grown(t->end, n, sizeof *t->end, &done);
     t->room = done ? n : t->room;
   }
   return done;
@@ -437,7 +320,8 @@ triangulate(task *t)
     for (int k = 0; k < 3; k++) {
       v[k] = sg_work_id(t->work, t->found.item[i].v[k]);
     }
-    if (!add_triangle(&t->out->triangles, &t->counts, t->s, t->p, v)) {
+    if (!sg_complete_add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
+                                  v)) {
       return false;
     }
   }
@@ -467,8 +351,8 @@ quick_triangle(task *t, bool *done)
     return true; /* the long way finds out what is wrong */
   }
   *done = true;
-  return add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
-                      (const int32_t[3]){a->id, b->id, c->id});
+  return sg_complete_add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
+                                  (const int32_t[3]){a->id, b->id, c->id});
 }
 
 static bool
@@ -523,8 +407,9 @@ do_polygon(task *t)
   if (!flat) {
     return fault(t, SG_FAULT_NO_AREA, 0, 0, 0);
   }
-  if (t->needs_plane && (!add_plane(&t->out->planes, t->s, t->p, &t->plane) ||
-                         (t->n > 3 && !note_bent(t)))) {
+  if (t->needs_plane &&
+      (!sg_complete_add_plane(&t->out->planes, t->s, t->p, &t->plane) ||
+       (t->n > 3 && !note_bent(t)))) {
     return false;
   }
   if (!t->needs_triangles || !quick_triangle(t, &done) || done) {
