@@ -114,9 +114,9 @@ part_shifted(_, Part, Part).
                 *            FAULTS            *
                 *******************************/
 
-%!  own_numbers(+What, +Location, +Shift) is erroneous.
+%!  own_numbers(+What, +Location, +Shift) is det.
 %
-%   Raise What, a fault of a file, with the file's segment number, not the
+%   Always raises What, a fault of a file, with the file's segment number, not the
 %   world's.
 %
 %   @error error(model_error(What1), Location)
