@@ -225,7 +225,7 @@ rank_pieces(const sg_lay_input *in, size_t *pieces)
     for (uint32_t face = root; face != UINT32_MAX; face = fl->next_face[face]) {
       sum += area[face];
       if (area[face] > area[root] ||
-          (area[face] == area[root] && face < root)) {
+          (face < root && area[face] == area[root])) {
         root = face;
       }
     }
