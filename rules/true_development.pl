@@ -71,7 +71,8 @@ developable_part(S, Part, Surface) :-
 %       Generators in N equal steps of the parameter, numbered from the seam;
 %       without it those between facets. See true_table.pl.
 %     - chord(Tolerance)
-%       How far rims and lines may be from the true curves: 1.0e-4 of the size.
+%       How far rims and lines may be from the true curves: 1.0e-4 of the size,
+%       not less than 1.0e-7 of it.
 %     - thickness(T), size(Which), k_factor(K), ...
 %       Of what plate it is made: true_plate.pl.
 %

@@ -17,6 +17,7 @@
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(assoc),
             [get_assoc/3, list_to_assoc/2]).
+:- autoload(library(error), [domain_error/2, must_be/2]).
 :- autoload(library(lists), [append/2, max_list/2, member/2, min_list/2]).
 :- autoload(library(option), [option/3]).
 :- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
@@ -50,8 +51,7 @@ layout(Facets, Shape, Seam, Sense, Options,
     pairs_keys_values(Pairs0, Keys, Raw),
     maplist(turned(Turn), Raw, Turned),
     corner(Turned, _, _, Size),
-    Small is 1.0e-4*Size,
-    option(chord(Chord), Options, Small),
+    chord(Options, Size, Chord),
     curves(Kind, Shape, Layer-Seam, Facets, Chord, RawCurves),
     pairs_keys_values(RawCurves, Edges, RawLists),
     maplist(maplist(turned(Turn)), RawLists, TurnedLists),
@@ -64,6 +64,17 @@ layout(Facets, Shape, Seam, Sense, Options,
     maplist(maplist(framed(Frame)), RawLists, Lists),
     pairs_keys_values(EdgePairs, Edges, Lists),
     list_to_assoc(EdgePairs, Curves).
+
+%   chord(Options, Size, Chord): not so small that points lie on each other.
+
+chord(Options, Size, Chord) :-
+    Usual is 1.0e-4*Size,
+    option(chord(Chord0), Options, Usual),
+    must_be(number, Chord0),
+    (   Chord0 > 0
+    ->  Chord is max(Chord0, 1.0e-7*Size)
+    ;   domain_error(chord, Chord0)
+    ).
 
 %!  layout_points(+Layout, -Points) is det.
 

@@ -472,6 +472,8 @@ test(no_segment, error(existence_error(segment, 3), _)) :-
     in_scene([box(size(1,1,1))], true_development(3, _, [], _)).
 test(no_part, error(geometry_error(true(no_part(1, _))), _)) :-
     in_scene([box(size(1,1,1))], true_development(1, _, [], _)).
+test(no_chord, error(domain_error(chord, 0), _)) :-
+    developed(cylinder(radius(1), height(1)), [chord(0)], _, true).
 test(no_such_part, error(geometry_error(true(no_part(1, lid))), _)) :-
     in_scene([cylinder(radius(1), height(1))],
              true_development(1, lid, [], _)).
