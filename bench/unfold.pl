@@ -96,6 +96,7 @@ numbered(Number, V, I) :-
     get_assoc(V, Number, I).
 
 measured(File) :-
+    warmed,
     read_mesh(File, [S|_]),
     complete_segments,
     aggregate_all(count, t(S, _, _, _, _, _), N),
@@ -116,6 +117,15 @@ measured(File) :-
     ;   Bound = Bound0
     ),
     format("~d ~3f ~2f ~d ~2f ~2f~n", [N,Each,Share,Pieces,Seam,Bound]).
+
+%   warmed: what is loaded when it is first called is loaded.
+
+warmed :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(1,1,1)), S),
+               complete_segments,
+               develop(S, [], _) )).
 
 %   kernel_seconds(Seconds): of the clock, in calls of kernels.
 
