@@ -29,8 +29,8 @@ polygon is divided in all.
 %!  enter_polygons(:Keep, +Set, +Polygons:list, -Works:list) is det.
 %
 %   The pieces of the cut set Set enter Polygons, a list of S-P. Works are
-%   work(S, P, Work), to be closed. call(Keep, Others) is told which polygons are
-%   opened beside those, before they are.
+%   work(S, P, Work), to be closed. call(Keep, Others) is told which polygons
+%   are opened beside those, before they are.
 
 enter_polygons(Keep, Set, Polygons, Works) :-
     enter_all(Set, Polygons, Works0),
@@ -73,6 +73,10 @@ enter_cuts(Set, S-P, work(S, P, Work)) :-
     ->  true
     ;   enter_by_rule(Set, S, P, Work)
     ).
+
+%!  enter_by_rule(+Set, +S, +P, +Work) is det.
+%
+%   All pieces of polygon P of segment S enter Work.
 
 enter_by_rule(Set, S, P, Work) :-
     cut_entering(Set, S, P, Pieces),

@@ -116,8 +116,8 @@ part_shifted(_, Part, Part).
 
 %!  own_numbers(+What, +Location, +Shift) is det.
 %
-%   Always raises What, a fault of a file, with the file's segment number, not the
-%   world's.
+%   Always raises What, a fault of a file, with the file's segment number, not
+%   the world's.
 %
 %   @error error(model_error(What1), Location)
 
