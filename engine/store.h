@@ -10,7 +10,8 @@
  * thing: a held version. Rolling back, undo and redo swap versions.
  *
  * A slot is used again only when no held version shows its row (sweep, done
- * when a relation is a quarter dead): then it goes to its page's empty stack.
+ * when a relation is a quarter dead): then it goes to its page's empty stack,
+ * or its page, if nothing else is on it, to the next rows written in bulk.
  *
  * Threads: one writer a world at a time (a lock inside); any number of readers
  * of held versions, in any thread, without a lock.
