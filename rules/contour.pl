@@ -13,8 +13,8 @@
 :- use_module(kernel, [fill_contour/7]).
 :- use_module(known_surface, [known_surfaces/1]).
 :- use_module(smooth_sheet,
-              [ smooth_sheets/3, smooth_side/3, across_side/3, coarse_triangle/2,
-                curved_triangle/2, fold_side/2, corner_fan/3,
+              [ smooth_sheets/3, smooth_side/3, across_side/3,
+                coarse_triangle/2, curved_triangle/2, fold_side/2, corner_fan/3,
                 fan_corners/3, fan_normal/3, corner_vertex/3, corner_place/3,
                 next_corner/2
               ]).
@@ -135,9 +135,9 @@ contour_pieces(S, Crease, Pieces) :-
             Pieces0),
     sort(Pieces0, Pieces).
 
-%   piece_along(Context, Piece): a side of a coarse sheet, or a fold of a polygon
-%   that is not flat, between a triangle that is turned to the eye and one that
-%   is not.
+%   piece_along(Context, Piece): a side of a coarse sheet, or a fold of a
+%   polygon that is not flat, between a triangle that is turned to the eye and
+%   one that is not.
 
 piece_along(context(S,Sheets,_,_,_,_), piece(T,I,0.0,I,1.0,1.0,Ts)) :-
     t(S, _, T, _, _, _),

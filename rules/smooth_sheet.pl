@@ -46,10 +46,10 @@ that is no apex. One that is not (a cylinder, a cone, the sides of a prism) is
 folded along straight lines, and its outline lies on these. Facets of spheres
 and tori are curved, those of cylinders and cones are not.
 
-A curved sheet is *coarse* if, at more than a quarter of the length of its sides,
-a smooth surface would bulge out between the middles of the triangles there by
-more than a thousandth of its segment's longest side. Then its outline is that
-of its triangles. Facets of known surfaces are never coarse.
+A curved sheet is *coarse* if, at more than a quarter of the length of its
+sides, a smooth surface would bulge out between the middles of the triangles
+there by more than a thousandth of its segment's longest side. Then its outline
+is that of its triangles. Facets of known surfaces are never coarse.
 
 A side and a corner of triangle T are T-I, I from 1 to 3; side I runs from
 corner I to the next. A fan is named by its least corner. c_kernels/smooth.c is

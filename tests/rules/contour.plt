@@ -11,6 +11,10 @@
 :- use_module(tests('rules/contour_same'), [same_as_rule/2]).
 :- use_module(tests('rules/polyhedron'), [in_new_world/1]).
 
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
+
 % The picture of these primitives, segments 1, 2, ..., from there.
 
 pictured(Terms, Theta, Phi, Options) :-
@@ -135,8 +139,8 @@ test(torus) :-
                    drawn_length(hidden, outline, Hidden) )),
     near(Visible, 9.132, 0.01),
     near(Hidden, 1.186, 0.01).
-% Thin and thick ones, coarse and fine, from three sides: all lengths beside those
-% of 260 facets by 260, which are as long as the true ones but for 0.001.
+% Thin and thick ones, coarse and fine, from three sides: all lengths beside
+% those of 260 facets by 260.
 true_lengths(0.2, [9.6883-0.0000, 9.3180-0.0275, 8.8166-0.4239]).
 true_lengths(0.4, [9.7236-0.5033, 9.0802-1.2451, 8.3168-2.3082]).
 true_lengths(0.7, [10.0916-2.1023, 9.9886-2.5498, 9.8927-3.2665]).
@@ -320,7 +324,8 @@ test(coarse, Odd-Inner == []-[]) :-
                                   \+ screen(1, _, X, Y, _) ), Inner) )).
 % A quadrangle with two corners up, seen across its fold, one half from behind.
 test(fold, Outlines == [visible]) :-
-    in_new_world(( add_primitive(sheet(points([[0,0,0],[2,0,1],[2,2,0],[0,2,1]]),
+    in_new_world(( add_primitive(sheet(points([[0,0,0],[2,0,1],[2,2,0],
+                                               [0,2,1]]),
                                        faces([[1,2,3,4]])), _),
                    complete_segments([1]),
                    set_view(135, 80, 0), picture,
