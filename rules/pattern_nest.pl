@@ -84,10 +84,10 @@ paper_nesting(roll(Gap), Ways, Width-Height, true, Gap) :-
     findall(W, member(way(_,_,_,W,_), Ways), Ws),
     findall(Side, ( member(way(_,_,_,W,H), Ways), Side is max(W, H)+Gap ),
             Sides),
-    max_list(Ws, Widest),
+    max_list([1.0|Ws], Widest),
     sum_list(Sides, Longest),
     Width is max(Widest*1.02+Gap, sqrt(1.15*All)),
-    Height is min(Longest*1.1+Gap, 40*Width).
+    Height is max(1.0, min(Longest*1.1+Gap, 40*Width)).
 
 %   About 400 squares along the longer side of a page; of a roll along the
 %   width.

@@ -25,8 +25,8 @@ facet_bend(35.0).
 %!  seam_numbers(+Pieces, -Numbers) is det.
 %
 %   Numbers is an assoc from the names of pieces to lists of N-Seams, one for
-%   each strand: number N, from 1, is to be written at one of Seams, J-Which, the
-%   first that has room. Those of the model come first, then those that the
+%   each strand: number N, from 1, is to be written at one of Seams, J-Which,
+%   the first that has room. Those of the model come first, then those that the
 %   sheet made.
 
 seam_numbers(Pieces, Numbers) :-

@@ -191,6 +191,10 @@ deep([XA-YA,XB-YB,_,XD-YD], Deep) :-
     Deep is abs((XD-XA)*(YB-YA) - (YD-YA)*(XB-XA))
             / sqrt((XD-XA)**2 + (YD-YA)**2).
 
+test(nothing, [ Count == 0 ]) :-
+    in_new(( assert_fact(segment(2, pattern, nothing)),
+             pattern_drawing([2], [], Drawings) )),
+    count(Drawings, cut, Count).
 test(no_page, [ error(usage_error(sheet(paper('B9',_)))) ]) :-
     drawn(cube_pattern(40), [page('B9')], _).
 

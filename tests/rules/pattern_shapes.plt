@@ -56,7 +56,7 @@ model_scale(Scale) :-
     Scale is 150/(High-Low).
 
 model_file(File) :-
-    member(Folder, ['facts/figures','facts/gallery']),
+    member(Folder, ['facts/figures','facts/gallery','facts/patterns']),
     absolute_file_name(sanggwan(Folder), Path, [file_type(directory)]),
     atom_concat(Path, '/*.pl', Pattern),
     expand_file_name(Pattern, Files),
