@@ -46,6 +46,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(true_development).
 :- reexport(true_table).
 :- reexport(true_plate, [plate_parts/5]).
+:- reexport(true_rim).
 :- reexport(bend, [pattern_bent/2]).
 % Verbs, questions, other rules.
 :- reexport(verbs, [draw/1, draw/2, convert/2]).

@@ -7,6 +7,7 @@
 :- use_module(triangulation, [complete_segments/0]).
 :- use_module(true_development, [true_development/4, developable_part/3]).
 :- use_module(true_plate, [plate_parts/5]).
+:- use_module(true_rim, [rims_rounded/3]).
 :- use_module(unfold, [trimmed_part/3, other_parts/3, part_developed/4]).
 :- use_module(unfold_wish, [wanted_in/4]).
 :- autoload(library(apply), [maplist/3]).
@@ -48,6 +49,7 @@ patterns(S, Wanted, Options0, Ds) :-
         Unrolled \== []
     ->  Ds = Unrolled
     ;   part_developed(T, [removed(Done)], Options, D),
+        rims_rounded(D, T, Options),
         append(Unrolled, [D], Ds)
     ).
 

@@ -12,6 +12,8 @@
 :- use_module(rules(trimmed)).
 :- use_module(rules(true_development)).
 :- use_module(rules(true_plate)).
+:- use_module(rules(true_rim)).
+:- use_module(rules(development)).
 :- use_module(rules(true_table)).
 
 :- begin_tests(true_development).
@@ -465,6 +467,42 @@ test(numbers_on_a_sheet, true(Texts == ['1','2','1'])) :-
     developed(cylinder(radius(5), height(8), facets(6)), [generators(2)], D,
               ( generator_number_marks(D, 2.0, Marks),
                 findall(Text, member(text(_, _, _, Text), Marks), Texts) )).
+
+% --- rims of flat ends
+
+test(rims, true((abs(Area - 2*pi*25) < 0.01, near(Most, 5)))) :-
+    in_scene([cylinder(radius(5), height(8), facets(6))],
+             ( numlist(3, 8, Sides),
+               develop(1, [removed(Sides)], D),
+               rims_rounded(D, 1, [chord(0.0001)]),
+               sound_areas(D),
+               area(D, Area),
+               findall(R, rim_radius(D, R), Rs),
+               max_list(Rs, Most),
+               min_list(Rs, Least),
+               near(Least, 5) )).
+
+sound_areas(D) :-
+    area(D, Area),
+    outline_area(D, Outline),
+    abs(Area-Outline) < 1.0e-9*Area.
+
+%   From the middle of a hexagon's opposite corners.
+rim_radius(D, R) :-
+    p(D, P, Es),
+    findall(X-Y, ( from_v(D, W, 1, _), e(D, E, W, _, _), memberchk(E, Es),
+                   v(D, W, X, Y, _) ), Corners),
+    findall(X, member(X-_, Corners), Xs),
+    findall(Y, member(_-Y, Corners), Ys),
+    sum_list(Xs, SX),
+    sum_list(Ys, SY),
+    CX is SX/6,
+    CY is SY/6,
+    p(D, P, Es1),
+    member(E1, Es1),
+    e(D, E1, W1, _, _),
+    v(D, W1, X1, Y1, _),
+    R is sqrt((X1-CX)**2 + (Y1-CY)**2).
 
 % --- what cannot be
 
