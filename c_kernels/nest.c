@@ -208,35 +208,42 @@ widen_row(mask *m, unsigned gap, unsigned y)
   }
 }
 
+/* The same up and down column x; what is new is 3. */
+static void
+widen_column(mask *m, unsigned gap, unsigned x)
+{
+  size_t w = m->w;
+  unsigned last = 0; /* row with something in it, from 1 */
+
+  for (unsigned y = 1; y <= m->h; y++) {
+    uint8_t *square = &m->square[(y - 1) * w + x];
+
+    if (*square == 1 || *square == 2) {
+      last = y;
+    } else if (last && y - last <= gap) {
+      *square = 3;
+    }
+  }
+  last = 0;
+  for (unsigned y = m->h; y > 0; y--) {
+    uint8_t *square = &m->square[(y - 1) * w + x];
+
+    if (*square == 1 || *square == 2) {
+      last = y;
+    } else if (last && last - y <= gap) {
+      *square = 3;
+    }
+  }
+}
+
 static void
 widen(mask *m, unsigned gap)
 {
   for (unsigned y = 0; y < m->h; y++) {
     widen_row(m, gap, y);
   }
-  for (unsigned x = 0; x < m->w && gap; x++) {
-    unsigned last = 0; /* of the rows with something in them, from 1 */
-    unsigned w = m->w;
-
-    for (unsigned y = 0; y < m->h; y++) { /* upwards */
-      uint8_t *square = &m->square[(size_t)y * w + x];
-
-      if (*square == 1 || *square == 2) {
-        last = y + 1;
-      } else if (last && y + 1 - last <= gap) {
-        *square = 3;
-      }
-    }
-    last = 0;
-    for (unsigned y = m->h; y > 0; y--) { /* downwards */
-      uint8_t *square = &m->square[(size_t)(y - 1) * w + x];
-
-      if (*square == 1 || *square == 2) {
-        last = y;
-      } else if (last && last - y <= gap) {
-        *square = 3;
-      }
-    }
+  for (unsigned x = 0; x < m->w; x++) {
+    widen_column(m, gap, x);
   }
 }
 
