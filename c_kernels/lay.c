@@ -1,6 +1,7 @@
 /* lay.c -- see lay.h. */
 #include "lay.h"
 
+#include "flat_fit.h"
 #include "twofold.h"
 
 #include <math.h>
@@ -172,17 +173,19 @@ lay_children(layer *l, uint32_t face, uint32_t piece, size_t top)
 
 /* Lays out the piece of a root; the n faces before it are in order. */
 static size_t
-lay_piece(layer *l, uint32_t root, uint32_t piece, size_t n)
+lay_piece(layer *l, uint32_t root, uint32_t piece, size_t n,
+          const sg_poll *poll, bool *stopped)
 {
   size_t top = 0;
 
   lay_root(l, root);
   l->out->piece[root] = piece;
   l->stack[top++] = root;
-  while (top > 0) {
+  while (top > 0 && !*stopped) {
     uint32_t face = l->stack[--top];
     l->order[n++] = face;
     top = lay_children(l, face, piece, top);
+    *stopped = n % POLL_EVERY == 0 && sg_poll_stop(poll);
   }
   return n;
 }
@@ -246,20 +249,16 @@ static bool
 lay_pieces(layer *l, const sg_lay_input *in, const sg_poll *poll, bool *stopped)
 {
   ranked *rank = rank_pieces(in, &l->out->pieces);
-  size_t n = 0, polled = 0;
+  size_t n = 0;
   bool good = rank != NULL;
 
   l->out->root = malloc((l->out->pieces + 1) * sizeof *l->out->root);
   l->out->box = malloc((l->out->pieces + 1) * sizeof *l->out->box);
   good = good && l->out->root && l->out->box;
   for (uint32_t k = 0; good && k < l->out->pieces; k++) {
-    if (n >= polled) {
-      polled = n + POLL_EVERY;
-      *stopped = sg_poll_stop(poll);
-      good = !*stopped;
-    }
     l->out->root[k] = rank[k].root;
-    n = lay_piece(l, rank[k].root, k, n);
+    n = lay_piece(l, rank[k].root, k, n, poll, stopped);
+    good = !*stopped;
   }
   free(rank);
   return good;
@@ -294,150 +293,13 @@ close_joints(layer *l, unsigned char *state)
 
 /* ---- turning ------------------------------------------------------------ */
 
-/* The points of a hull, counter-clockwise. */
-typedef struct hull {
-  double (*point)[2];
-  size_t n;
-} hull;
-
-static int
-compare_points(const void *a, const void *b)
-{
-  const double *p = a, *q = b;
-
-  for (int k = 0; k < 2; k++) {
-    if (p[k] != q[k]) {
-      return p[k] < q[k] ? -1 : 1;
-    }
-  }
-  return 0;
-}
-
-static double
-turn(const double a[2], const double b[2], const double c[2])
-{
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-/* Of n points, which are sorted; `out` has room for n + 1. */
-static void
-find_hull(double (*point)[2], size_t n, hull *out)
-{
-  qsort(point, n, sizeof *point, compare_points);
-  out->n = 0;
-  for (int way = 0; way < 2; way++) {
-    size_t base = out->n;
-    for (size_t i = 0; i < n; i++) {
-      const double *p = point[way ? n - 1 - i : i];
-      while (out->n >= base + 2 &&
-             turn(out->point[out->n - 2], out->point[out->n - 1], p) <= 0) {
-        out->n--;
-      }
-      memcpy(out->point[out->n++], p, sizeof *out->point);
-    }
-    out->n--; /* it begins the way back */
-  }
-}
-
-/* How far the hull reaches along a direction. */
-static double
-reach(const hull *h, size_t i, double x, double y)
-{
-  return h->point[i % h->n][0] * x + h->point[i % h->n][1] * y;
-}
-
-/* Of a box that has a side of the hull: its direction and size. */
-typedef struct fit {
-  double x, y, long_side, short_side;
-} fit;
-
-/* Goes on from point *i as long as the hull reaches farther. */
-static double
-farthest(const hull *h, size_t *i, double x, double y)
-{
-  while (reach(h, *i + 1, x, y) > reach(h, *i, x, y)) {
-    ++*i;
-  }
-  return reach(h, *i, x, y);
-}
-
-/* The smallest box round a hull of three points or more, by turning callipers;
- * the first of those that are equal but for rounding. */
-static fit
-find_fit(const hull *h)
-{
-  fit best = {1, 0, INFINITY, INFINITY};
-  double least = INFINITY;
-  size_t right = 1, top = 1, left = 1;
-
-  for (size_t i = 0; i < h->n; i++) {
-    const double *p = h->point[i], *q = h->point[(i + 1) % h->n];
-    double x = q[0] - p[0], y = q[1] - p[1], size = hypot(x, y);
-    if (size <= 0) {
-      continue;
-    }
-    x /= size;
-    y /= size;
-    right = right > i ? right : i;
-    double most = farthest(h, &right, x, y);
-    top = top > right ? top : right;
-    double high = farthest(h, &top, -y, x) - reach(h, i, -y, x);
-    left = left > top ? left : top;
-    double wide = most + farthest(h, &left, -x, -y);
-    if (wide * high < least * (1 - 0x1p-30)) {
-      least = wide * high;
-      best = wide >= high ? (fit){x, y, wide, high} : (fit){y, -x, high, wide};
-    }
-  }
-  return best;
-}
-
-/* Room for the points of the largest piece. */
+/* Room for the points of the largest piece, twice. */
 typedef struct turner {
-  double (*point)[2];
-  hull hull;
+  double (*point)[2], (*room)[2];
 } turner;
 
-enum { WAYS = 8 };
-
-static const double way[WAYS][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
-                                    {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
-
-/* Drops the points inside of the octagon of those that are the farthest in
- * eight directions: they are not on the hull. What is left comes first. */
-static size_t
-drop_inside(double (*point)[2], size_t n)
-{
-  double far[WAYS][2], most[WAYS];
-  size_t left = 0;
-
-  for (int w = 0; w < WAYS; w++) {
-    most[w] = -INFINITY;
-  }
-  for (size_t i = 0; i < n; i++) {
-    for (int w = 0; w < WAYS; w++) {
-      double reach = point[i][0] * way[w][0] + point[i][1] * way[w][1];
-      if (reach > most[w]) {
-        most[w] = reach;
-        memcpy(far[w], point[i], sizeof far[w]);
-      }
-    }
-  }
-  for (size_t i = 0; i < n; i++) {
-    bool inside = true;
-    for (int w = 0; inside && w < WAYS; w++) {
-      const double *p = far[w], *q = far[(w + 1) % WAYS];
-      inside = (p[0] == q[0] && p[1] == q[1]) || turn(p, q, point[i]) > 0;
-    }
-    if (!inside) {
-      memmove(point[left++], point[i], sizeof *point);
-    }
-  }
-  return left;
-}
-
-static fit
-fit_piece(const layer *l, const uint32_t *face, size_t n, turner *t)
+static sg_flat_fit
+fit_piece(const layer *l, const uint32_t *face, size_t n, const turner *t)
 {
   const sg_flat_faces *f = l->faces;
   size_t points = 0;
@@ -451,11 +313,7 @@ fit_piece(const layer *l, const uint32_t *face, size_t n, turner *t)
       }
     }
   }
-  find_hull(t->point, drop_inside(t->point, points), &t->hull);
-  if (t->hull.n < 3) {
-    return (fit){1, 0, 0, 0};
-  }
-  return find_fit(&t->hull);
+  return sg_flat_fit_find(t->point, points, t->room);
 }
 
 /* A direction as unit numbers of twice the digits: one step of Newton's. */
@@ -501,8 +359,8 @@ turn_pieces(layer *l, uint32_t root, const sg_poll *poll, bool *stopped)
 {
   size_t corners = l->faces->corners, n = 0;
   turner t = {malloc((corners + 1) * sizeof *t.point),
-              {malloc((corners + 2) * sizeof *t.hull.point), 0}};
-  bool good = t.point && t.hull.point;
+              malloc((corners + 2) * sizeof *t.room)};
+  bool good = t.point && t.room;
 
   for (uint32_t k = 0; good && k < l->out->pieces; k++) {
     const uint32_t *face = l->order + n;
@@ -511,7 +369,13 @@ turn_pieces(layer *l, uint32_t root, const sg_poll *poll, bool *stopped)
       faces++;
     }
     bool still = root != SG_NO_FACE && k == 0;
-    fit turned = still ? (fit){1, 0, 0, 0} : fit_piece(l, face, faces, &t);
+    sg_flat_fit turned =
+        still ? (sg_flat_fit){1, 0} : fit_piece(l, face, faces, &t);
+    if (sg_poll_stop(poll)) {
+      *stopped = true;
+      good = false;
+      break;
+    }
     turn_corners(l, face, faces, turned.x, turned.y, &l->out->box[k]);
     n += faces;
     if (sg_poll_stop(poll)) {
@@ -520,7 +384,7 @@ turn_pieces(layer *l, uint32_t root, const sg_poll *poll, bool *stopped)
     }
   }
   free(t.point);
-  free(t.hull.point);
+  free(t.room);
   return good;
 }
 
@@ -562,7 +426,7 @@ arrange(sg_layout *out, bool still, double (*to)[2])
 /* ---- vertices ----------------------------------------------------------- */
 
 static bool
-number_vertices(layer *l, bool still)
+number_vertices(layer *l, bool still, const sg_poll *poll, bool *stopped)
 {
   const sg_flat_faces *f = l->faces;
   sg_layout *out = l->out;
@@ -577,8 +441,9 @@ number_vertices(layer *l, bool still)
     return false;
   }
   arrange(out, still, to);
-  for (uint32_t face = 0; face < f->faces; face++) {
+  for (uint32_t face = 0; face < f->faces && !*stopped; face++) {
     const double *shift = to[out->piece[face]];
+    *stopped = face % POLL_EVERY == 0 && sg_poll_stop(poll);
     for (uint32_t c = f->corner_begin[face]; c < f->corner_begin[face + 1];
          c++) {
       uint32_t same = find(l->class, c);
@@ -601,7 +466,7 @@ number_vertices(layer *l, bool still)
     }
   }
   free(to);
-  return true;
+  return !*stopped;
 }
 
 bool
@@ -633,8 +498,12 @@ sg_lay(const sg_lay_input *in, const sg_poll *poll, sg_layout *out,
   }
   if (good) {
     close_joints(&l, fl->state);
+    *stopped = sg_poll_stop(poll);
+    good = !*stopped;
+  }
+  if (good) {
     good = turn_pieces(&l, in->root, poll, stopped) &&
-           number_vertices(&l, in->root != SG_NO_FACE);
+           number_vertices(&l, in->root != SG_NO_FACE, poll, stopped);
   }
   free(l.at);
   free(l.class);

@@ -201,7 +201,8 @@ all_pointed(const sg_flattening *fl, const bool *border, bool *pointed)
 }
 
 static bool
-find_bound(const sg_flattening *fl, sg_measures *out)
+find_bound(const sg_flattening *fl, const sg_poll *poll, sg_measures *out,
+           bool *stopped)
 {
   size_t vertices = fl->dense->vertices;
   uint32_t *class = malloc((vertices + 1) * sizeof *class);
@@ -213,8 +214,9 @@ find_bound(const sg_flattening *fl, sg_measures *out)
   }
   if (good) {
     unite_border(fl, class, border);
-    good =
-        measure_tree(fl, class, out) && all_pointed(fl, border, &out->pointed);
+    good = measure_tree(fl, class, out);
+    *stopped = sg_poll_stop(poll);
+    good = good && !*stopped && all_pointed(fl, border, &out->pointed);
   }
   free(class);
   free(border);
@@ -237,7 +239,7 @@ sg_measure(const sg_flattening *fl, const sg_layout *layout,
       out->boxes += (box->high[0] - box->low[0]) * (box->high[1] - box->low[1]);
     }
     *stopped = sg_poll_stop(poll);
-    good = !*stopped && find_bound(fl, out);
+    good = !*stopped && find_bound(fl, poll, out, stopped);
   }
   free(w.begin);
   free(w.seam);

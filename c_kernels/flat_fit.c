@@ -1,0 +1,150 @@
+/* flat_fit.c -- see flat_fit.h: a hull, and callipers that turn round it. */
+#include "flat_fit.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The points of a hull, counter-clockwise. */
+typedef struct hull {
+  double (*point)[2];
+  size_t n;
+} hull;
+
+static int
+compare_points(const void *a, const void *b)
+{
+  const double *p = a, *q = b;
+
+  for (int k = 0; k < 2; k++) {
+    if (p[k] != q[k]) {
+      return p[k] < q[k] ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+static double
+turn(const double a[2], const double b[2], const double c[2])
+{
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* Of n points, which are sorted; `out` has room for n + 1. */
+static void
+find_hull(double (*point)[2], size_t n, hull *out)
+{
+  qsort(point, n, sizeof *point, compare_points);
+  out->n = 0;
+  for (int way = 0; way < 2; way++) {
+    size_t base = out->n;
+    for (size_t i = 0; i < n; i++) {
+      const double *p = point[way ? n - 1 - i : i];
+      while (out->n >= base + 2 &&
+             turn(out->point[out->n - 2], out->point[out->n - 1], p) <= 0) {
+        out->n--;
+      }
+      memcpy(out->point[out->n++], p, sizeof *out->point);
+    }
+    out->n--; /* it begins the way back */
+  }
+}
+
+/* How far the hull reaches along a direction. */
+static double
+reach(const hull *h, size_t i, double x, double y)
+{
+  return h->point[i % h->n][0] * x + h->point[i % h->n][1] * y;
+}
+
+/* Goes on from point *i as long as the hull reaches farther. */
+static double
+farthest(const hull *h, size_t *i, double x, double y)
+{
+  while (reach(h, *i + 1, x, y) > reach(h, *i, x, y)) {
+    ++*i;
+  }
+  return reach(h, *i, x, y);
+}
+
+/* The smallest box round a hull of three points or more, by turning callipers;
+ * the first of those that are equal but for rounding. */
+static sg_flat_fit
+find_fit(const hull *h)
+{
+  sg_flat_fit best = {1, 0};
+  double least = INFINITY;
+  size_t right = 1, top = 1, left = 1;
+
+  for (size_t i = 0; i < h->n; i++) {
+    const double *p = h->point[i], *q = h->point[(i + 1) % h->n];
+    double x = q[0] - p[0], y = q[1] - p[1], size = hypot(x, y);
+    if (size <= 0) {
+      continue;
+    }
+    x /= size;
+    y /= size;
+    right = right > i ? right : i;
+    double most = farthest(h, &right, x, y);
+    top = top > right ? top : right;
+    double high = farthest(h, &top, -y, x) - reach(h, i, -y, x);
+    left = left > top ? left : top;
+    double wide = most + farthest(h, &left, -x, -y);
+    if (wide * high < least * (1 - 0x1p-30)) {
+      least = wide * high;
+      best = wide >= high ? (sg_flat_fit){x, y} : (sg_flat_fit){y, -x};
+    }
+  }
+  return best;
+}
+
+enum { WAYS = 8 };
+
+static const double way[WAYS][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
+                                    {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+
+/* Drops the points inside of the octagon of those that are the farthest in
+ * eight directions: they are not on the hull. What is left comes first. */
+static size_t
+drop_inside(double (*point)[2], size_t n)
+{
+  double far[WAYS][2], most[WAYS];
+  size_t left = 0;
+
+  for (int w = 0; w < WAYS; w++) {
+    most[w] = -INFINITY;
+  }
+  for (size_t i = 0; i < n; i++) {
+    for (int w = 0; w < WAYS; w++) {
+      double reach = point[i][0] * way[w][0] + point[i][1] * way[w][1];
+      if (reach > most[w]) {
+        most[w] = reach;
+        memcpy(far[w], point[i], sizeof far[w]);
+      }
+    }
+  }
+  for (size_t i = 0; i < n; i++) {
+    bool inside = true;
+    for (int w = 0; inside && w < WAYS; w++) {
+      const double *p = far[w], *q = far[(w + 1) % WAYS];
+      inside = (p[0] == q[0] && p[1] == q[1]) || turn(p, q, point[i]) > 0;
+    }
+    if (!inside) {
+      memmove(point[left++], point[i], sizeof *point);
+    }
+  }
+  return left;
+}
+
+sg_flat_fit
+sg_flat_fit_find(double (*point)[2], size_t n, double (*room)[2])
+{
+  hull h = {room, 0};
+  size_t left = drop_inside(point, n); /* none, if all are in one place */
+
+  if (left >= 3) {
+    find_hull(point, left, &h);
+  }
+  return h.n < 3 ? (sg_flat_fit){1, 0} : find_fit(&h);
+}
