@@ -1,4 +1,5 @@
 /* Developments: rules/development.pl and its kernels. */
+:- module(test_development, []).
 :- use_module(library(aggregate)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
