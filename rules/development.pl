@@ -15,8 +15,9 @@
               ]).
 :- use_module(kernel,
               [ flattening_open/4, flattening_close/1, flattening_counts/4,
-                flattening_bent/2, flattening_invalid/2, flattening_joint/3, flattening_restart/1,
-                flattening_lay/2, flattening_measures/2, flattening_write/2,
+                flattening_bent/2, flattening_invalid/2, flattening_joint/3,
+                flattening_restart/1, flattening_lay/2, flattening_measures/2,
+                flattening_write/2,
                 edge_joint/3, forbid_joint/2, join_faces/3, join_all/2,
                 join_before/3, joint_path/3, segments_tolerance/3
               ]).
@@ -72,8 +73,8 @@ they have in S; only vertices are new.
 %       order of joints, that it shares with one laid before (DV-7).
 %     - minimize(Objective)
 %       `seam`, `pieces`, `longest` (the longest weld) or `area` (of the boxes
-%       round the pieces): several orders are tried and the best is kept. Default
-%       is the order of the least seam alone.
+%       round the pieces): several orders are tried and the best is kept.
+%       Default is the order of the least seam alone.
 %     - tries(Count)
 %       So many orders are tried; default 8.
 %     - strict(Strict)
@@ -82,8 +83,8 @@ they have in S; only vertices are new.
 %
 %   @error existence_error(segment, S)
 %   @error geometry_error(development(S, What)): What is empty, kind(Kind),
-%          not_flat(Ps), not_simple(Ps), no_polygon(P), overlap(E, P1, P2) (of an edge that is
-%          to be kept), no_joint(E), edge_length(E)
+%          not_flat(Ps), not_simple(Ps), no_polygon(P), overlap(E, P1, P2)
+%          (of an edge that is to be kept), no_joint(E), edge_length(E)
 
 develop(S, D) :-
     develop(S, [], D).
@@ -223,8 +224,8 @@ by_kernel :-
 
 %!  joined_by_rule(+S, +Flattening) is det.
 %
-%   Joins the faces of segment S: what join_all/1 does, joint by joint, following
-%   join_order/3 and may_join/2.
+%   Joins the faces of segment S: what join_all/2 does, joint by joint,
+%   following join_order/3 and may_join/2.
 
 joined_by_rule(S, Flattening) :-
     joints_to_try(S, Flattening, Js),
@@ -287,7 +288,8 @@ may_join(_, _).
 join_order(_, E, key(Rank,Length,Z,Y,X)) :-
     b_getval(sg_flattening, Flattening),
     edge_joint(Flattening, E, J),
-    flattening_joint(Flattening, J, joint(_,_,_,_,Length0,p(X0,Y0,Z0),_,Kind,_)),
+    flattening_joint(Flattening, J, Joint),
+    Joint = joint(_,_,_,_,Length0,p(X0,Y0,Z0),_,Kind,_),
     flattening_counts(Flattening, _, _, Step),
     (   Kind == flat
     ->  Rank = 0

@@ -1132,7 +1132,7 @@ the drawn surface. Degrees; see roll.h.
 %   from 1. A face is a polygon no vertex of which is farther than Tolerance
 %   from its plane, or a triangle of another polygon; such a triangle is called
 %   by the polygon that it will be, numbered on from those of S, and its chords
-%   are edges, numbered on likewise. S should have its triangles. Must be closed.
+%   are edges, numbered on likewise. S should have its triangles. To be closed.
 
 %!  flattening_close(+Flattening) is det.
 
@@ -1151,9 +1151,9 @@ the drawn surface. Degrees; see roll.h.
 
 %!  flattening_joint(+Flattening, +J, -Joint) is det.
 %
-%   Joint is joint(E1, E2, P1, P2, Length, p(X,Y,Z), Angle, Kind, State): edge E1
-%   of polygon P1 and its partner E2 of P2, E1 < E2, the length and the middle of
-%   them, the angle as in joint/6. Kind is `line` (P1 is P2), `flat` or `bent`.
+%   Joint is joint(E1, E2, P1, P2, Length, p(X,Y,Z), Angle, Kind, State): edge
+%   E1 of polygon P1 and its partner E2 of P2, E1 < E2, the length and the
+%   middle of them, the angle as in joint/6. Kind is `line` (P1 is P2), `flat` or `bent`.
 %   State is `open`, `joined`, `same_piece`, `overlap`, `forbidden`, `point`,
 %   or, after flattening_lay/2, `closed`.
 %

@@ -27,7 +27,8 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(unfold, [unfold/2, unfold/3]).
 :- reexport(penetration,
             except([ may_cut/2, leaves_entered/4, touching/2 ])).
-:- reexport(development, [ develop/2, develop/3, development/2, seam_reason/3 ]).
+:- reexport(development,
+            [ develop/2, develop/3, development/2, seam_reason/3 ]).
 :- reexport(development_record, [development_measures/2]).
 :- reexport(exact, [vertex_exact/5]).
 :- reexport(operand).

@@ -287,7 +287,9 @@ test(kept, Kind == fold) :-
     in_model([box(size(1,1,1))],
              ( e(1, E, _, _, _), !,
                develop(1, [keep([E])], D),
-               ( joint(D, _, E, _, Kind, _) ; joint(D, _, _, E, Kind, _) ), ! )).
+               (   joint(D, _, E, _, Kind, _)
+               ;   joint(D, _, _, E, Kind, _)
+               ), ! )).
 
 test(removed, Ps == [2,3,4,5]) :-
     in_model([box(size(1,1,1))],
