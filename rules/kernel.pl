@@ -1153,9 +1153,9 @@ the drawn surface. Degrees; see roll.h.
 %
 %   Joint is joint(E1, E2, P1, P2, Length, p(X,Y,Z), Angle, Kind, State): edge
 %   E1 of polygon P1 and its partner E2 of P2, E1 < E2, the length and the
-%   middle of them, the angle as in joint/6. Kind is `line` (P1 is P2), `flat` or `bent`.
-%   State is `open`, `joined`, `same_piece`, `overlap`, `forbidden`, `point`,
-%   or, after flattening_lay/2, `closed`.
+%   middle of them, the angle as in joint/6. Kind is `line` (P1 is P2), `flat`
+%   or `bent`. State is `open`, `joined`, `same_piece`, `overlap`, `forbidden`,
+%   `point`, or, after flattening_lay/2, `closed`.
 %
 %   @error existence_error(joint, J)
 
