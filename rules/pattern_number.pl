@@ -1,15 +1,20 @@
 :- module(sg_pattern_number,
-          [ seam_numbers/2              % +Pieces, -Numbers
+          [ seam_numbers/2,             % +Pieces, -Numbers
+            reads_turned/1              % +Number
           ]).
 :- use_module(pattern_outline, [cut_loops/2]).
+:- autoload(library(apply), [maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [append/3, last/2, member/2, nth1/3]).
+:- autoload(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
 :- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> The numbers of seams.
 
 Short seams that follow each other on both sides, with hardly a bend, are the
 facets of a curve: they are one seam for who glues it, and have one number, in
 its middle.
+
+Numbers run along edges, and who cuts a piece out turns it: a 6 that stands on
+its head is a 9. Those that read as others so are underlined, as is usual.
 
 A side of a seam is k(Name,J,Which), of the piece Name. Its follower is the next
 side round the piece; a strand is a list of sides each of which is followed by
@@ -139,3 +144,22 @@ strand_seams(Strand, Seams) :-
             Ranked0),
     keysort(Ranked0, Ranked),
     pairs_values(Ranked, Seams).
+
+%!  reads_turned(+Number) is semidet.
+%
+%   True when Number, a natural number, is another one if it is read upside
+%   down: 6 and 9, 68 and 89, 16 and 91. One that ends in 0 is not: no number
+%   begins so.
+
+reads_turned(Number) :-
+    number_chars(Number, Digits),
+    maplist(digit_turned, Digits, Turned),
+    reverse(Turned, Digits1),
+    Digits1 \== Digits,
+    Digits1 \= ['0'|_].
+
+digit_turned('0', '0').
+digit_turned('1', '1').
+digit_turned('6', '9').
+digit_turned('8', '8').
+digit_turned('9', '6').

@@ -12,15 +12,16 @@ A text is as large as fits between the lines and the texts that are there
 already; one that would be smaller than can be read is left out and counted.
 What is wanted is
 
-    want(Role, D, String, Heights, along(A,B))     on the left of A to B
-    want(Role, D, String, Heights, beside(ABs))    the same of one of these, or
+    want(Role, D, Text, Heights, along(A,B))       on the left of A to B
+    want(Role, D, Text, Heights, beside(ABs))      the same of one of these, or
                            across, if it is short
-    want(Role, D, String, Heights, end_of(A,B,Shapes))
+    want(Role, D, Text, Heights, end_of(A,B,Shapes))
                            on either side, near an end, within Shapes
-    want(Role, D, String, Heights, within(Shapes)) in a face
+    want(Role, D, Text, Heights, within(Shapes))   in a face
 
-Heights in millimetres, largest first; points X-Y, millimetres of the sheet,
-y up; Shapes are convex, lists of points. The letters are those of lettering.pl.
+Text is a String or underlined(String). Heights in millimetres, largest first;
+points X-Y, millimetres of the sheet, y up; Shapes are convex, lists of points.
+The letters are those of lettering.pl.
 */
 
 :- set_prolog_flag(optimise, true).
@@ -63,11 +64,11 @@ line_entered([A,B|Points], Shapes) :-
     ),
     line_entered([B|Points], Shapes).
 
-text_written(Shapes, want(Role,D,String,Heights,Place), Found0-Left,
+text_written(Shapes, want(Role,D,Text,Heights,Place), Found0-Left,
              Found-Left1) :-
-    (   text_place(Shapes, String, Heights, Place, Height, At, Way, Box)
+    (   text_place(Shapes, Text, Heights, Place, Height, At, Way, Box)
     ->  shapes_add(Shapes, Box),
-        text_lines(String, Height, At, Way, Lines),
+        text_lines(Text, Height, At, Way, Lines),
         Found0 = [letters(Role,D,Lines)|Found],
         Left1 = Left
     ;   Found0 = Found,
@@ -85,17 +86,34 @@ role_counts(Roles0, Counts) :-
             ),
             Counts).
 
-%   text_place(Shapes, String, Heights, Place, Height, At, Way, Box): the text
-%   has the middle of its baseline At and runs along Way, a unit vector.
+%   text_place(Shapes, Text, Heights, Place, Height, At, Way, Box): the text has
+%   the middle of its lowest line At, which is its baseline if it is not
+%   underlined, and runs along Way, a unit vector.
 
-text_place(Shapes, String, Heights, Place, Height, At, Way, Box) :-
+text_place(Shapes, Text, Heights, Place, Height, At, Way, Box) :-
     touching(Tolerance),
     member(Height, Heights),
-    lettering_width(String, Height, Width),
-    place_at(Place, Width, Height, At, Way),
-    text_box(At, Way, Width, Height, Box),
+    text_size(Text, Height, Width, All),
+    place_at(Place, Width, All, At, Way),
+    text_box(At, Way, Width, All, Box),
     shapes_free(Shapes, Box, Tolerance),
     !.
+
+%   text_size(Text, Height, Width, All): All is how high Text is with the line
+%   below it, if capitals are Height high.
+
+text_size(underlined(String), Height, Width, All) :-
+    !,
+    lettering_width(String, Height, Width),
+    underline_drop(Height, Drop),
+    All is Height+Drop.
+text_size(String, Height, Width, Height) :-
+    lettering_width(String, Height, Width).
+
+%   underline_drop(Height, Drop): how far the line is below the baseline.
+
+underline_drop(Height, Drop) :-
+    Drop is 0.3*Height.
 
 %   place_at(Place, Width, Height, At, Way) is nondet: best first.
 
@@ -289,6 +307,18 @@ text_box(X0-Y0, U-V, Width, Height, Box) :-
             ),
             Box).
 
+text_lines(underlined(String), Height, At0, Way, [[A,B]|Lines]) :-
+    !,
+    lettering_width(String, Height, Width),
+    Left is -500*Width,
+    Right is 500*Width,
+    At0 = X0-Y0,
+    Way = U-V,
+    maplist(text_point(X0, Y0, U, V), [Left-0,Right-0], [A,B]),
+    underline_drop(Height, Drop),
+    Up is -Drop,
+    below(At0, Way, Up, At),
+    text_lines(String, Height, At, Way, Lines).
 text_lines(String, Height, X0-Y0, U-V, Lines) :-
     High is round(Height*1000),
     lettering(text(0,0,High,middle,String), Lines0),

@@ -2,6 +2,7 @@
 :- module(sg_pattern_want,
           [ wanted_text/4               % +Placed, +Options, +Numbers, -Want
           ]).
+:- use_module(pattern_number, [reads_turned/1]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store, [segment/3]).
 :- autoload(library(apply), [maplist/3]).
@@ -9,7 +10,6 @@
 :- autoload(library(lists), [member/2]).
 :- autoload(library(option), [option/3]).
 /** <module> What is to be written on a piece of a pattern.
-
 */
 
 %!  wanted_text(+Placed, +Options, +Numbers, -Want) is nondet.
@@ -30,7 +30,7 @@ wanted_text(placed(Name,_,_,_,Sides), Options, Numbers,
     first_of(12, Seams, Some),
     findall(Place, ( member(Seam, Some), get_assoc(Seam, Placed, Place) ),
             Places),
-    number_string(N, Text).
+    number_text(N, Text).
 wanted_text(placed(Name,Faces,_,_,Sides), _, _,
             want(generator_number,Name,Text,[2.5,2.0,1.6],
                  end_of(A,B,Shapes))) :-
@@ -39,7 +39,7 @@ wanted_text(placed(Name,Faces,_,_,Sides), _, _,
             ( member(face(_,Own), Faces), member(Shape, Own) ),
             Shapes),
     member(side(_,_,_-A,_-B,generator(N)), Sides),
-    number_string(N, Text).
+    number_text(N, Text).
 wanted_text(placed(Name,Faces,_,_,_), Options, _,
             want(face_name,Name,Text,[6.0,4.5,3.2,2.5,2.0],within(Shapes))) :-
     option(names(What), Options, false),
@@ -64,6 +64,13 @@ first_of(N, List, First) :-
     ;   First = []
     ).
 
+number_text(N, Text) :-
+    number_string(N, String),
+    (   reads_turned(N)
+    ->  Text = underlined(String)
+    ;   Text = String
+    ).
+
 %   In whole degrees, or tenths if that is needed.
 
 angle_text(Angle, Text) :-
@@ -85,7 +92,7 @@ face_text(words, D, P, Text) :-
     face_words(What, Text),
     !.
 face_text(_, _, P, Text) :-
-    number_string(P, Text).
+    number_text(P, Text).
 
 face_words(What, Text) :-
     atom(What),

@@ -8,6 +8,8 @@
 :- use_module(rules(development), [develop/2]).
 :- use_module(rules(model), [load_model/1]).
 :- use_module(rules(pattern_drawing)).
+:- use_module(rules(pattern_number), [reads_turned/1]).
+:- use_module(rules(pattern_text), [written/4]).
 :- use_module(tests('rules/pattern_case')).
 :- use_module(tests('rules/cut_checked')).
 
@@ -112,6 +114,29 @@ test(a_curve_has_one_number, [ Counts == [1,1,1,1,1] ]) :-
     msort(Ns0, Ns),
     findall(C, ( between(1, 5, N), findall(x, member(N, Ns), Xs),
                  length(Xs, C0), C is C0//2 ), Counts).
+% 6 turned upside down is 9, 68 is 89; 69 is itself, 60 would be 09.
+test(read_turned, [ Ns == [6,9,16,18,19,61,66,68,81,86,89,91,98,99] ]) :-
+    findall(N, ( between(1, 100, N), reads_turned(N) ), Ns).
+test(read_turned_long) :-
+    assertion(reads_turned(109)),       % 601
+    assertion(\+ reads_turned(1001)).
+test(underlined, [ true(Line-Below == 50.0-true) ]) :-
+    Face = [0.0-0.0,100.0-0.0,100.0-100.0,0.0-100.0],
+    written([], [want(number,p,underlined("68"),[10.0],within([Face]))],
+            [letters(number,p,[[XA-YA,XB-YA]|Lines])], []),
+    Line is (XA+XB)/2,
+    (   forall(( member(Points, Lines), member(_-Y, Points) ), Y > YA+2)
+    ->  Below = true
+    ;   Below = false
+    ).
+test(not_underlined, [ Same == true ]) :-
+    Face = [0.0-0.0,100.0-0.0,100.0-100.0,0.0-100.0],
+    written([], [want(number,p,"7",[10.0],within([Face]))],
+            [letters(number,p,Lines)], []),
+    (   Lines = [_]
+    ->  Same = true
+    ;   Same = false
+    ).
 test(inside_folds_up, [ Up-Down == 5-0 ]) :-
     drawn(cube_pattern(40), [inside(true)], Drawings),
     count(Drawings, fold_up, Up),
