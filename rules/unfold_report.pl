@@ -76,7 +76,8 @@ measured(Parts, D, Measures) :-
     Measures = _{segment:S, name:Name, part:T, pattern:D, polygons:Polygons,
                  pieces:Pieces, removed:Removed, objective:Objective,
                  seam:Seam, bound:Bound, longest:Longest,
-                 width:Width, height:Height, area:Area, pattern_area:PatternArea}.
+                 width:Width, height:Height, area:Area,
+                 pattern_area:PatternArea}.
 
 seam_measures(D, Pieces, Seam, Bound, Longest, Area) :-
     origin(D, node(D), _),
