@@ -2,6 +2,8 @@
           [ record_development/5,       % +D, +S, +Options, +Order, +Measures
             recorded_development/4,     % +D, -S, -Options, -Order
             development_measures/2,     % +D, -Measures
+            record_divided/2,           % +D, +S
+            divided_development/3,      % +D, -S, -Options
             score/3,                    % +Objective, +Measures, -Score
             cannot_develop/2            % +S, +What
           ]).
@@ -16,7 +18,8 @@
     origin(D, node(D), laid(Options, Order, Stamp, Measures))
 
 remembers it beside the rows of the pattern D, as csg_record.pl does for nodes:
-Stamp is that of the segment. Records are not written to files.
+Stamp is that of the segment; or divided(Stamp), where edges of the segment had
+to be divided first, in a snapshot, which it does not show. Records are not written to files.
 */
 
 %!  record_development(+D, +S, +Options:list, +Order, +Measures) is det.
@@ -45,10 +48,36 @@ is_wish(Option) :-
 recorded_development(D, S, Options, Order) :-
     (   segment(D, pattern, development(S)),
         origin(D, node(D), laid(Options, Order, Stamp, _)),
-        segment_stamp(S, Stamp)
+        segment_stamp(S, Now),
+        Stamp == Now
     ->  true
     ;   existence_error(development, D)
     ).
+
+%!  record_divided(+D, +S) is det.
+%
+%   Remember that pattern D, of which there is a record, was made from segment
+%   S, as it is now, after something of S was divided in a snapshot.
+
+record_divided(D, S) :-
+    segment_stamp(S, Stamp),
+    origin(D, node(D), laid(Options, Order, _, Measures)),
+    !,
+    retractall_facts(origin(D, node(D), _)),
+    assert_fact(origin(D, node(D),
+                       laid(Options, Order, divided(Stamp), Measures))).
+
+%!  divided_development(+D, -S, -Options:list) is semidet.
+%
+%   Pattern D was made so from segment S, which has not changed since, with
+%   Options in the numbers of the divided one.
+
+divided_development(D, S, Options) :-
+    segment(D, pattern, development(S)),
+    origin(D, node(D), laid(Options, _, divided(Stamp), _)),
+    segment_stamp(S, Now),
+    Stamp == Now,
+    !.
 
 %!  development_measures(+D, -Measures:dict) is det.
 %

@@ -16,7 +16,7 @@
                              line_pieces/2, decided_by/2,
                              leaf_corners/3]).
 :- use_module(explain_piece, [piece_asked/2, piece_because/3]).
-:- use_module(explain_seam, [joint_explained/4, pattern_explained/3]).
+:- use_module(explain_seam, [joint_explained/5, pattern_explained/4]).
 :- use_module(explain_words, [statement_keys/2, in_order/4]).
 :- use_module(messages, []).
 :- use_module(messages_ko, []).
@@ -61,7 +61,8 @@ explain_en.pl and explain_ko.pl.
 %   Print why Item is what it is, in the language of the messages. Unbound
 %   parts of Item stand for every one there is: explain(line(_)). True if there
 %   was something to explain; otherwise a message says what can be asked.
-%   Options: those of picture/1 that the picture was made with.
+%   Options: those of picture/1 that the picture was made with; of seams, folds
+%   and pieces what is wanted of the pattern (explain_seam.pl).
 %
 %       ?- penetrate, explain(line(1)).
 
@@ -104,16 +105,16 @@ explanation(pair(A, B), _, Because) :-
 explanation(piece(S, Piece), _, Because) :-
     piece_asked(S, Piece),
     piece_because(S, Piece, Because).
-explanation(seam(S, E), _, Because) :-
-    joint_explained(S, E, seam, Because).
-explanation(seam(E), _, Because) :-
-    joint_explained(_, E, seam, Because).
-explanation(fold(S, E), _, Because) :-
-    joint_explained(S, E, fold, Because).
-explanation(fold(E), _, Because) :-
-    joint_explained(_, E, fold, Because).
-explanation(pattern(S, K), _, Because) :-
-    pattern_explained(S, K, Because).
+explanation(seam(S, E), Options, Because) :-
+    joint_explained(S, E, seam, Options, Because).
+explanation(seam(E), Options, Because) :-
+    joint_explained(_, E, seam, Options, Because).
+explanation(fold(S, E), Options, Because) :-
+    joint_explained(S, E, fold, Options, Because).
+explanation(fold(E), Options, Because) :-
+    joint_explained(_, E, fold, Options, Because).
+explanation(pattern(S, K), Options, Because) :-
+    pattern_explained(S, K, Options, Because).
 explanation(hidden(S, E), Options, Because) :-
     hidden_because(S-E, all, Options, Because).
 explanation(hidden(Name), Options, Because) :-

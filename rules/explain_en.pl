@@ -390,9 +390,9 @@ statement_en(may_not_join(S, E, By)) -->
     [ 'may_join(~d, ~d) refused it, by the rules of ~w'-[S, E, By] ].
 statement_en(no_length) -->
     [ 'it has no length that could hold two polygons together' ].
-statement_en(divided_first) -->
-    [ 'the segment was divided for its pattern, or has changed since: why is \c
-       not known any more' ].
+statement_en(changed_since) -->
+    [ 'the segment has changed since its pattern was made: why is not known \c
+       any more' ].
 statement_en(pattern_piece(S, _, N, 1)) -->
     { segment_word(S, Word) },
     [ 'the pattern of segment ~d~w is one piece, of ~d polygons'-

@@ -383,8 +383,8 @@ statement_ko(may_not_join(S, E, By)) -->
     [ 'may_join(~d, ~d)이(가) ~w의 규칙으로 거절했다'-[S, E, By] ].
 statement_ko(no_length) -->
     [ '두 다각형을 이을 길이가 없다' ].
-statement_ko(divided_first) -->
-    [ '전개하려고 세그먼트를 나누었거나 그 뒤에 바뀌었다: 까닭을 더는 알 수 없다' ].
+statement_ko(changed_since) -->
+    [ '전개도를 만든 뒤에 세그먼트가 바뀌었다: 까닭을 더는 알 수 없다' ].
 statement_ko(pattern_piece(S, _, N, 1)) -->
     { segment_word(S, Word) },
     [ '세그먼트 ~d~w의 전개도는 조각 하나이다: 다각형 ~d개'-[S, Word, N] ].

@@ -1,6 +1,6 @@
 :- module(sg_explain_seam,
-          [ joint_explained/4,          % ?S, ?E, +Kind, -Because
-            pattern_explained/3         % ?S, ?K, -Because
+          [ joint_explained/5,          % ?S, ?E, +Kind, +Options, -Because
+            pattern_explained/4         % ?S, ?K, +Options, -Because
           ]).
 :- use_module(development,
               [ develop/3, development/2, join_order/3, may_join/2,
@@ -10,12 +10,15 @@
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store,
-              [ v/5, e/5, p/3, piece/3, joint/6, segment/3, edge_polygon/3,
-                facts_snapshot/1 ]).
-:- use_module(unfold, [unfold/3, unfoldable/1]).
+              [ v/5, e/5, p/3, piece/3, joint/6, segment/3, origin/3,
+                edge_polygon/3, facts_snapshot/1 ]).
+:- use_module(unfold,
+              [ unfoldable/1, wishes/3, wanted_of/3, part_laid/4,
+                part_laid_again/2 ]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/2, append/3, member/2, select/3]).
+:- autoload(library(option), [option/2]).
 :- autoload(library(pairs), [pairs_values/2]).
 
 /** <module> Explain: why an edge is a seam or a fold, and a piece alone.
@@ -26,51 +29,92 @@ have come to lie on what. What another choice costs is found by making it: the
 segment is laid flat with the edge kept, or cut, and both are measured.
 
 Where the current world has no pattern of the segment, one is made for the
-question, as unfold/2 makes it.
+question, as unfold/3 makes it, with what Options want of it:
+
+    root(P), cut(E), keep(E), order(Ps), removed(P), minimize(Objective)
+    as unfold/3 has them
+    wanted(Pairs)
+    S-Wanted, what is wanted of segment S, where it was looked up before
+    (wanted_of/3)
+
+Where edges of the segment had to be divided for its pattern (DV-5), they are
+divided again for the question, so that parts have the numbers they have in the
+pattern; an edge that was divided stands for all its parts.
 
 @see rows DV-6 and DV-7
 */
 
-%!  joint_explained(?S, ?E, +Kind, -Because) is nondet.
+%!  joint_explained(?S, ?E, +Kind, +Options:list, -Because) is nondet.
 %
 %   Because is the list of because(Statement, Because) for edge E in the pattern
 %   of segment S. With E unbound, for each joint of Kind (`seam`, `fold`), by
 %   the smaller of its edges. S may be the number of the pattern too.
 
-joint_explained(S, E, Kind, Because) :-
-    in_pattern(S, D, sg_explain_seam:joints_because(D, E, Kind, Found), Found),
+joint_explained(S, E, Kind, Options, Because) :-
+    in_pattern(S, Options, D,
+               sg_explain_seam:joints_because(D, E, Kind, Found), Found),
     member(E-Because, Found).
 
-%!  pattern_explained(?S, ?K, -Because) is nondet.
+%!  pattern_explained(?S, ?K, +Options:list, -Because) is nondet.
 %
 %   Because is the list of because(Statement, Because) for piece K of the
 %   pattern of segment S: what it is, and why it is joined to no other.
 
-pattern_explained(S, K, Because) :-
-    in_pattern(S, D, sg_explain_seam:pieces_because(D, K, Found), Found),
+pattern_explained(S, K, Options, Because) :-
+    in_pattern(S, Options, D,
+               sg_explain_seam:pieces_because(D, K, Found), Found),
     member(K-Because, Found).
 
-%   in_pattern(?S, -D, :Goal, -Found): Goal, which finds Found, holds where D is
-%   the pattern of S.
+%   in_pattern(?S, +Options, -D, :Goal, -Found): Goal, which finds Found, holds
+%   where D is the pattern of S.
 
-:- meta_predicate in_pattern(?, -, 0, -).
+:- meta_predicate in_pattern(?, +, -, 0, -).
 
-in_pattern(S, D, Goal, Found) :-
-    asked_segment(S, S0),
-    (   development(S0, D0),
+in_pattern(S, Options, D, Goal, Found) :-
+    asked_segment(S, Options, S0),
+    (   \+ some_wish(Options),
+        development(S0, D0),
         is_fresh(D0)
     ->  D = D0,
         call(Goal)
-    ;   facts_snapshot(( unfold(S0, [], D1), D = D1, call(Goal) ))
+    ;   facts_snapshot(( pattern_laid(S0, Options, D1), D = D1, call(Goal) ))
     ),
     Found = [_|_].
 
-asked_segment(S, S0) :-
+some_wish(Options) :-
+    member(Option, Options),
+    functor(Option, Name, 1),
+    memberchk(Name, [root,cut,keep,order,removed,minimize,wanted]),
+    !.
+
+pattern_laid(S, Options, D) :-
+    \+ some_wish(Options),
+    development(S, D0),
+    part_laid_again(D0, D),
+    !.
+pattern_laid(S, Options, D) :-
+    (   option(wanted(Pairs), Options),
+        memberchk(S-Wanted, Pairs)
+    ->  true
+    ;   wishes(S, Options, Wishes),
+        wanted_of(S, Wishes, Wanted)
+    ),
+    (   option(minimize(Objective), Options)
+    ->  How = [minimize(Objective)]
+    ;   How = []
+    ),
+    part_laid(S, Wanted, How, D).
+
+asked_segment(S, Options, S0) :-
     (   nonvar(S),
         segment(S, pattern, development(S1))
     ->  S0 = S1
     ;   unfoldable(S),
         S0 = S
+    ),
+    (   option(wanted(Pairs), Options)
+    ->  memberchk(S0-_, Pairs)
+    ;   true
     ).
 
 is_fresh(D) :-
@@ -82,6 +126,12 @@ is_fresh(D) :-
 joints_because(D, E, Kind, Found) :-
     findall(E-Because, edge_because(D, E, Kind, Because), Found).
 
+edge_because(D, E, Kind, Because) :-
+    nonvar(E),
+    \+ e(D, E, _, _, _),
+    !,
+    origin(D, e(Part), e(E)),
+    edge_because(D, Part, Kind, Because).
 edge_because(D, E, _, Because) :-
     nonvar(E),
     !,
@@ -130,7 +180,7 @@ seam_because(D, S, J, E, Length, Because) :-
     (   is_fresh(D)
     ->  once(seam_reason(D, J, Reason)),
         reason_because(Reason, D, S, E, Length, Because)
-    ;   Because = [because(divided_first, [])]
+    ;   Because = [because(changed_since, [])]
     ).
 
 reason_because(cycle(Js), D, _, E, Length, [Joined,Order|Others]) :-
@@ -230,7 +280,7 @@ fold_because(D, E, Because) :-
             cut_because(D, E, Cut),
             Because = [Order|Cut]
         )
-    ;   Because = [because(divided_first, [])]
+    ;   Because = [because(changed_since, [])]
     ).
 
 /* - - - a piece - - - */

@@ -112,7 +112,7 @@ statement_keys(cut_by_wish, []).
 statement_keys(kept_by_wish, []).
 statement_keys(may_not_join, [segment, edge, rules]).
 statement_keys(no_length, []).
-statement_keys(divided_first, []).
+statement_keys(changed_since, []).
 statement_keys(pattern_piece, [segment, piece, polygons, pieces]).
 statement_keys(seams_out, [count]).
 statement_keys(no_seam_out, []).

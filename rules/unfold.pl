@@ -8,12 +8,16 @@
             trimmed_part/3,             % +S, +Options, -T
             other_parts/3,              % +S, +Options, -Others
             part_developed/4,           % +T, +Manual, +Options, -D
+            part_laid/4,                % +S, +Wanted, +Options, -D
+            part_laid_again/2,          % +D0, -D
             wishes/3                    % +S, +Options, -Wishes
           ]).
 :- use_module(bend, [pattern_bent/2]).
 :- use_module(csg_roots, [aside_segments/1]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(development, [develop/3]).
+:- use_module(development_record,
+              [record_divided/2, divided_development/3]).
 :- use_module(kernel, [model_tolerance/1]).
 :- use_module(part_edges, [parts_attached/3]).
 :- use_module(polygon_name, [polygon_name/3]).
@@ -157,7 +161,8 @@ part_unfolded(S, Wanted, Options, D) :-
         sg_unfold:attached_unfolded(T, S, Wanted, Options, Tolerance, Result)),
     (   Result = rows(D, Rows)
     ->  drop_pattern(D),
-        maplist(assert_fact, Rows)
+        maplist(assert_fact, Rows),
+        record_divided(D, T)
     ;   wanted_in(T, S, Wanted, Manual),
         part_developed(T, Manual, Options, D)
     ).
@@ -224,8 +229,7 @@ attached_unfolded(T, S, Wanted, Options, Tolerance, Result) :-
         print_message(informational, sanggwan(unfold(attached(T, W, N)))),
         wanted_in(T, S, Wanted, Manual),
         part_developed(T, Manual, Options, D),
-        forall(( member(E0-Es, Divided), member(E, Es) ),
-               part_named(D, E, E0)),
+        parts_named(D, Divided),
         findall(Row, pattern_row(D, Row), Rows),
         Result = rows(D, Rows)
     ).
@@ -238,6 +242,9 @@ drop_pattern(D) :-
     retractall_facts(joint(D, _, _, _, _, _)),
     retractall_facts(piece(D, _, _)),
     retractall_facts(segment(D, _, _)).
+
+parts_named(D, Divided) :-
+    forall(( member(E0-Es, Divided), member(E, Es) ), part_named(D, E, E0)).
 
 part_named(D, E, E0) :-
     (   e(D, E, _, _, _),
@@ -285,6 +292,30 @@ part_developed(T, Manual, Options, D) :-
     option(keep(Keep), Manual, []),
     forall(member(E, Keep), kept_or_told(D, T, E)),
     pattern_bent(D, Options).
+
+%!  part_laid(+S, +Wanted, +Options:list, -D) is det.
+%
+%   As unfolded_part/4 without trimming, but what of segment S had to be divided
+%   stays so: in a snapshot, where D and S can be asked about together.
+
+part_laid(S, Wanted, Options, D) :-
+    tolerance(Options, Tolerance),
+    parts_attached(S, Tolerance, changes(_, Divided)),
+    wanted_in(S, S, Wanted, Manual),
+    part_developed(S, Manual, Options, D),
+    parts_named(D, Divided).
+
+%!  part_laid_again(+D0, -D) is semidet.
+%
+%   Likewise, as pattern D0 was made, if it was made after its segment was
+%   divided (divided_development/3).
+
+part_laid_again(D0, D) :-
+    divided_development(D0, S, Manual),
+    model_tolerance(Tolerance),
+    parts_attached(S, Tolerance, changes(_, Divided)),
+    part_developed(S, Manual, [], D),
+    parts_named(D, Divided).
 
 kept_or_told(D, T, E) :-
     (   once(e(D, E, _, _, _)),

@@ -8,7 +8,8 @@
           ]).
 :- encoding(utf8).
 :- use_module(usage_unfold,
-              [unfold_option/1, unfold_option_ko/2, unfold_example/1]).
+              [ unfold_option/1, wish_option/1, unfold_option_ko/2,
+                unfold_example/1 ]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3, member/2]).
 /** <module> What the program can do: verbs, options, examples.
@@ -200,6 +201,8 @@ verb_option(query, option(limit, '', number(1), 'N', 'the first N answers')).
 
 verb_option(explain, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
+verb_option(explain, Option) :-
+    wish_option(Option).
 verb_option(explain, option(json, '', flag, '', 'the reasons as JSON')).
 
 %   What makes a picture: explain hidden(S, E) does as well.
@@ -334,6 +337,8 @@ example(explain, 'sanggwan explain facts/two_cubes.pl \'line(1)\'').
 example(explain, 'sanggwan explain facts/two_cubes.pl \'vertex(1, 9)\'').
 example(explain, 'sanggwan explain facts/two_cubes.pl \c
 \'pair(1-1, 2-2)\'').
+example(explain, 'sanggwan explain facts/patterns/fig09.pl \'seam(_)\' \c
+--cut 1 --root top').
 example(explain, 'sanggwan explain facts/two_cubes.pl \'hidden(1, 7)\' \c
 --view iso').
 example(repl, 'sanggwan repl facts/figures/fig13.pl').

@@ -1,5 +1,6 @@
 :- module(sg_usage_unfold,
           [ unfold_option/1,            % ?Option
+            wish_option/1,              % ?Option
             unfold_option_ko/2,         % ?Name, -Help
             unfold_example/1            % -Command
           ]).
@@ -110,6 +111,15 @@ unfold_option(option(dashes, '', one_of([auto, geometry, type]), 'HOW',
 unfold_option(option(dpi, '', number(1), 'N',
     'dots to the inch of a .png')).
 unfold_option(option(json, '', flag, '', 'the report as JSON')).
+
+%!  wish_option(?Option) is nondet.
+%
+%   Those that say what is wanted of a pattern, which `explain` has as well.
+
+wish_option(Option) :-
+    Option = option(Name, _, _, _, _),
+    unfold_option(Option),
+    memberchk(Name, [only,root,cut,keep,order,remove,minimize]).
 
 %!  unfold_option_ko(?Name, -Help) is nondet.
 

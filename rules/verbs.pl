@@ -46,7 +46,7 @@
                 output_written/2,
                 usage_error/1
               ]).
-:- use_module(verbs_unfold, [unfold_run/3]).
+:- use_module(verbs_unfold, [unfold_run/3, pattern_wanted/3]).
 :- use_module(view,
               [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
               ]).
@@ -355,11 +355,12 @@ item_explained(Item, Files, Options, Status) :-
     ;   load_model(Files, Options),
         (   of_pattern(Item)
         ->  empty_roots_warned,
-            roots_alone
-        ;   true
+            roots_alone,
+            pattern_wanted(Item, Options, Wanted)
+        ;   Wanted = []
         ),
         penetrate(all, Options),
-        explained(Options, Item, [], Status)
+        explained(Options, Item, Wanted, Status)
     ).
 
 %   of_pattern(Item): of what `unfold` makes, of the roots alone.

@@ -1,5 +1,6 @@
 :- module(sg_verbs_unfold,
-          [ unfold_run/3                % +Files, +Options, -Status
+          [ unfold_run/3,               % +Files, +Options, -Status
+            pattern_wanted/3            % +Item, +Options, -Wanted
           ]).
 :- use_module(arguments, [decimal_number/2]).
 :- use_module(csg_roots, [roots_alone/0]).
@@ -102,6 +103,34 @@ patterns(Options, Flags, Ds) :-
     ->  throw(error(geometry_error(unfold(all_trimmed_away)), _))
     ;   true
     ).
+
+%!  pattern_wanted(+Item, +Options:list, -Wanted:list) is det.
+%
+%   Wanted are the options of explanation/3 for Item, a seam, a fold or a piece
+%   of a pattern, that the Options of the command line and the model ask for; to
+%   be called before lines change the segments.
+
+pattern_wanted(Item, Options, [wanted(Pairs)|Objective]) :-
+    flag_wishes(Options, Flags),
+    known_wishes,
+    (   item_segment(Item, S)
+    ->  Ss = [S]
+    ;   chosen(Options, Flags, Ss)
+    ),
+    findall(S-Wanted, ( member(S, Ss), all_wanted(Flags, S, Wanted) ), Pairs),
+    (   option(minimize(What), Options)
+    ->  Objective = [minimize(What)]
+    ;   Objective = []
+    ).
+
+item_segment(Item, S) :-
+    Item =.. [_,S0,_],
+    nonvar(S0),
+    (   pattern_of(S0, S1)
+    ->  S = S1
+    ;   S = S0
+    ),
+    unfoldable(S).
 
 %   trimming(Options, All): what parts are trimmed by.
 

@@ -29,6 +29,10 @@ check "a seam" output 'edge 2 of segment 1 .cube. is a seam 1 long' \
   explain facts/cube.pl 'seam(2)'
 check "what it would cost" output 'cut at edge 1 instead, the seam' \
   explain facts/cube.pl 'seam(2)'
+check "an edge cut by an option" output 'it was to be cut' \
+  explain $cubes 'seam(2, 1)' --cut 1
+check "of one segment only" complains 2 'Say which one with --only' \
+  explain $cubes 'seam(1)' --cut 1
 check "a fold, in Korean" output '접는 선이다' \
   explain facts/cube.pl 'fold(1)' --lang ko
 check "a piece of a pattern" output 'is one piece, of 6 polygons' \

@@ -11,6 +11,7 @@
 :- use_module(rules(model_file)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
+:- use_module(rules(unfold)).
 
 /* Why an edge is a seam, and what another choice costs. */
 
@@ -43,6 +44,42 @@ said(Because, Statement) :-
     (   Statement = Statement0
     ;   said(Others, Statement)
     ).
+
+%   with_attached(Goal): with a face whose edge 1 is three times as long as those
+%   of the three faces at it.
+
+:- meta_predicate with_attached(0), quietly(0).
+
+with_attached(Goal) :-
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, surface, strip)),
+               forall(nth1(V, [ 0-0-0, 3-0-0, 3-1-0, 0-1-0, 1-0-1, 0-0-1,
+                                1-0-0, 2-0-0, 2-0-1, 3-0-1 ],
+                           X0-Y0-Z0),
+                      ( X is float(X0), Y is float(Y0), Z is float(Z0),
+                        assert_fact(v(1, V, X, Y, Z)) )),
+               forall(nth1(P, [ [1,2,3,4], [7,1,6,5], [8,7,5,9],
+                                [2,8,9,10] ],
+                           Vs),
+                      polygon(P, Vs)),
+               complete_segments,
+               quietly(Goal) )).
+
+polygon(P, Vs) :-
+    Vs = [First|Rest],
+    append(Rest, [First], Nexts),
+    findall(E, ( nth1(I, Vs, A), nth1(I, Nexts, B), E is 4*(P-1)+I,
+                 assert_fact(e(1, E, A, B, 1)) ),
+            Es),
+    assert_fact(p(1, P, Es)).
+
+quietly(Goal) :-
+    setup_call_cleanup(
+        ( current_prolog_flag(verbose, Verbose),
+          set_prolog_flag(verbose, silent) ),
+        Goal,
+        set_prolog_flag(verbose, Verbose)).
 
 long_box(box(size(1, 2, 3))).
 
@@ -126,6 +163,49 @@ test(order_of_a_rule) :-
                with_rules("join_order(_, E, E).",
                           ( says(seam(_), joined_in_order(By)),
                             By \== default ) )), !.
+test(cut_by_an_option) :-
+    long_box(Box),
+    with_model(Box,
+               ( explanation(seam(1), [cut(1)], Because),
+                 said(Because, cut_by_wish),
+                 \+ says(seam(1), cut_by_wish) )), !.
+test(kept_and_a_root_by_option) :-
+    long_box(Box),
+    with_model(Box,
+               ( findall(E, says(seam(_), seam_edge(_, E, _, _, _, _)), [E|_]),
+                 explanation(fold(E), [keep(E), root(top)], Because),
+                 said(Because, kept_by_wish) )), !.
+test(objective_of_an_option, [true(Asked == Seams)]) :-
+    hollow(Term),
+    with_model(Term,
+               ( findall(E, ( explanation(seam(_), [minimize(pieces)], Why),
+                              Why = [because(seam_edge(_,E,_,_,_,_), _)] ),
+                         Asked),
+                 unfold(1, [minimize(pieces)], D),
+                 findall(E, joint(D, _, E, _, seam, _), Seams) )).
+test(parts, [true(Reasons-Unknown == [fold,fold,fold]-[])]) :-
+    with_attached(
+        ( findall(fold, ( explanation(fold(1), [because(Joint,_)]),
+                          functor(Joint, fold_edge, _) ),
+                  Reasons),
+          findall(x, says(seam(_), changed_since), Unknown) )), !.
+test(parts_of_a_pattern_that_is_there, [true(Es == Folds)]) :-
+    with_attached(
+        ( quietly(unfold(1, [cut(1-2)], D)),
+          findall(E, joint(D, _, E, _, fold, _), Folds),
+          findall(E, says(fold(_), fold_edge(_, E, _, _, _, _, _)), Es),
+          says(seam(_), cut_by_wish) )), !.
+test(a_part_by_its_number) :-
+    with_attached(
+        ( quietly(unfold(1, D)),
+          joint(D, _, _, E, fold, _),
+          origin(D, e(E), e(1)),
+          says(fold(D, E), cut_here(_, _, _)) )), !.
+test(changed_since, [true(Known == [])]) :-
+    with_attached(
+        ( quietly(unfold(1, [cut(1-2)], _)),
+          assert_fact(v(1, 11, 9.0, 9.0, 9.0)),
+          findall(x, quietly(says(seam(_), cut_by_wish)), Known) )).
 test(border) :-
     with_model(rectangle(size(1, 2)),
                says(seam(1), border_edge(1, 1, 1))), !.
