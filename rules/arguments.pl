@@ -19,6 +19,9 @@ atom or `''`; Type one of
     each              any text, may be repeated: a list, in order
     one_of(Atoms)     one of these words
     number(Low)       a number not below Low
+    number(Low,High)  nor above High
+    above(Low)        a number above Low
+    whole(Low,High)   a whole number, an integer then, from Low to High
 
 `--name` on the command line becomes Name(Value) in Options.
 */
@@ -147,14 +150,33 @@ typed_value(one_of(Words), Text, Value, Value) :-
     ->  true
     ;   usage_error(bad_value(Text, Value, one_of(Words)))
     ).
-typed_value(number(Low), Text, Value0, Value) :-
+typed_value(Type, Text, Value0, Value) :-
+    number_type(Type),
     !,
-    (   decimal_number(Value0, Value),
-        Value >= Low
+    (   decimal_number(Value0, Number),
+        number_of_type(Type, Number, Value)
     ->  true
-    ;   usage_error(bad_value(Text, Value0, number(Low)))
+    ;   usage_error(bad_value(Text, Value0, Type))
     ).
 typed_value(_, _, Value, Value).
+
+number_type(number(_)).
+number_type(number(_, _)).
+number_type(above(_)).
+number_type(whole(_, _)).
+
+number_of_type(number(Low), Number, Number) :-
+    Number >= Low.
+number_of_type(number(Low, High), Number, Number) :-
+    Number >= Low,
+    Number =< High.
+number_of_type(above(Low), Number, Number) :-
+    Number > Low.
+number_of_type(whole(Low, High), Number, Value) :-
+    Number >= Low,
+    Number =< High,
+    Value is truncate(Number),
+    Value =:= Number.
 
 %!  decimal_number(+Text, -Number) is semidet.
 %

@@ -19,7 +19,7 @@
 :- use_module(primitive_en, [primitive_en//2, primitive_names//0]).
 :- use_module(style_en, [style_en//1]).
 :- use_module(sheet_en, [sheet_en//1, sheet_tiny_en//3]).
-:- use_module(pattern_en, [pattern_en//1]).
+:- use_module(pattern_en, [pattern_en//1, pattern_fault_en//1]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3]).
@@ -333,6 +333,13 @@ usage_en(bad_value(Text, Value, one_of(Words))) -->
     [ 'option ~w: ~w is none of ~w'-[Text, Value, All] ].
 usage_en(bad_value(Text, Value, number(Low))) -->
     [ 'option ~w: ~w is no number from ~w on'-[Text, Value, Low] ].
+usage_en(bad_value(Text, Value, number(Low, High))) -->
+    [ 'option ~w: ~w is no number from ~w to ~w'-[Text, Value, Low, High] ].
+usage_en(bad_value(Text, Value, above(Low))) -->
+    [ 'option ~w: ~w is no number above ~w'-[Text, Value, Low] ].
+usage_en(bad_value(Text, Value, whole(Low, High))) -->
+    [ 'option ~w: ~w is no whole number from ~w to ~w'-
+      [Text, Value, Low, High] ].
 usage_en(no_size(Text, Value)) -->
     [ 'option ~w: ~w is no size: width and height must be above 0'-
       [Text, Value] ].
@@ -379,6 +386,8 @@ usage_en(cannot_write(output, Why)) -->
 usage_en(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ 'there is no segment ~w, only ~w'-[S, All] ].
+usage_en(pattern(What)) -->
+    pattern_fault_en(What).
 usage_en(sheet(What)) -->
     sheet_en(What).
 usage_en(exact_format(Format)) -->

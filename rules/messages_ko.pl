@@ -14,7 +14,7 @@
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(style_ko, [style_ko//1]).
 :- use_module(sheet_ko, [sheet_ko//1, sheet_tiny_ko//3]).
-:- use_module(pattern_ko, [pattern_ko//1]).
+:- use_module(pattern_ko, [pattern_ko//1, pattern_fault_ko//1]).
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
 :- use_module(development_ko,
               [ development_ko//2, development_notice_ko//2 ]).
@@ -317,6 +317,13 @@ usage_ko(bad_value(Text, Value, one_of(Words))) -->
     [ '~w: ~w 은(는) ~w 의 하나가 아닙니다'-[Text, Value, All] ].
 usage_ko(bad_value(Text, Value, number(Low))) -->
     [ '~w: ~w 은(는) ~w 이상의 수가 아닙니다'-[Text, Value, Low] ].
+usage_ko(bad_value(Text, Value, number(Low, High))) -->
+    [ '~w: ~w 은(는) ~w 이상 ~w 이하의 수가 아닙니다'-[Text, Value, Low, High] ].
+usage_ko(bad_value(Text, Value, above(Low))) -->
+    [ '~w: ~w 은(는) ~w 보다 큰 수가 아닙니다'-[Text, Value, Low] ].
+usage_ko(bad_value(Text, Value, whole(Low, High))) -->
+    [ '~w: ~w 은(는) ~w 이상 ~w 이하의 정수가 아닙니다'-
+      [Text, Value, Low, High] ].
 usage_ko(no_size(Text, Value)) -->
     [ '~w: ~w 은(는) 크기가 아닙니다. 너비와 높이는 0보다 커야 합니다'-
       [Text, Value] ].
@@ -363,6 +370,8 @@ usage_ko(cannot_write(output, Why)) -->
 usage_ko(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ '세그먼트 ~w 은(는) 없습니다. 있는 것: ~w'-[S, All] ].
+usage_ko(pattern(What)) -->
+    pattern_fault_ko(What).
 usage_ko(sheet(What)) -->
     sheet_ko(What).
 usage_ko(exact_format(Format)) -->

@@ -9,8 +9,8 @@
 :- use_module(pattern_nest, [nested/3]).
 :- use_module(pattern_number, [seam_numbers/2]).
 :- use_module(pattern_paper,
-              [ grid_line/3, line_strokes/3, pattern_paper/3, sheet_line/4,
-                sheet_of/4 ]).
+              [ grid_line/3, line_strokes/3, paper_checked/1, pattern_paper/3,
+                sheet_line/4, sheet_of/4 ]).
 :- use_module(pattern_piece, [pattern_pieces/3]).
 :- use_module(pattern_split, [split_pieces/3]).
 :- use_module(pattern_tab, [tabs/4]).
@@ -65,9 +65,11 @@ those of pattern_look.pl.
 %
 %   What was divided, or left out for want of room, is told by messages.
 %
-%   @error usage_error(sheet(What)), domain_error(_, _)
+%   @error usage_error(pattern(What)): see page_sheet/2
+%   @error domain_error(unit, U), domain_error(scale, Scale)
 
 pattern_drawing(Ds, Options, Drawings) :-
+    paper_checked(Options),
     pattern_layout(Ds, Options, Layout),
     layout_drawings(Layout, Options, Drawings0),
     (   option(tile(true), Options)

@@ -1,5 +1,6 @@
 :- module(sg_pattern_en,
-          [ pattern_en//1               % +What
+          [ pattern_en//1,              % +What
+            pattern_fault_en//1         % +What
           ]).
 /** <module> What happened on the way to a pattern on paper, in English.
 
@@ -29,3 +30,22 @@ role_en(face_name, 'names of faces').
 role_en(angle, 'bend angles').
 role_en(generator_number, 'numbers of generators').
 role_en(table, 'tables of true lengths').
+
+%!  pattern_fault_en(+What)// is det.
+%
+%   The message for usage_error(pattern(What)).
+
+pattern_fault_en(paper(Page, Names)) -->
+    { atomic_list_concat(Names, ' ', All) },
+    [ '--page ~w: there is no such paper'-[Page], nl,
+      '  Take one of ~w letter, perhaps with -portrait or -landscape, or WxH in \c
+       mm, from 50 to 20000.'-[All] ].
+pattern_fault_en(scale(Text)) -->
+    [ '--scale ~w is no scale'-[Text], nl,
+      '  Write 1:2 for half the size, 5:1 for five times.' ].
+pattern_fault_en(margin(Margin, W-H)) -->
+    [ '--margin ~w leaves no room on a page of ~w x ~w mm'-[Margin, W, H], nl,
+      '  Take a smaller margin or a larger --page.' ].
+pattern_fault_en(overlap(Overlap, Most)) -->
+    [ '--overlap ~w is more than half a page has room for'-[Overlap], nl,
+      '  Take at most ~w, or a larger --page.'-[Most] ].

@@ -1,5 +1,6 @@
 :- module(sg_pattern_file,
-          [ write_pattern/4             % +File, +Ds, +Options, -Files
+          [ write_pattern/4,            % +File, +Ds, +Options, -Files
+            numbered_files/3            % +Items, +File, -Files
           ]).
 :- use_module(drawing, [write_drawing/2]).
 :- use_module(fold_file, [write_fold/3]).
@@ -41,7 +42,7 @@ format_written(pdf, File, _, Drawings, Options, [File]) :-
     writing(File, text, pages_written(Inkeds, Options)).
 format_written(_, File, Ds, Drawings, Options, Files) :-
     edge_joints(Ds, Joints),
-    file_names(Drawings, File, Files),
+    numbered_files(Drawings, File, Files),
     forall(nth1(I, Drawings, Drawing),
            ( nth1(I, Files, Name),
              write_drawing(Name, [ drawing(Drawing), joints(Joints),
@@ -67,12 +68,18 @@ edge_joints(Ds, Joints) :-
     sort(1, @<, Pairs0, Pairs),
     list_to_assoc(Pairs, Joints).
 
-file_names([_], File, [File]) :-
+%!  numbered_files(+Items:list, +File, -Files:list) is det.
+%
+%   Files are the names for Items: File for one alone; of several BASE-1.ENDING,
+%   BASE-2.ENDING, ... if File is BASE.ENDING.
+
+numbered_files([_], File, [File]) :-
     !.
-file_names(Drawings, File, Files) :-
+numbered_files(Items, File, Files) :-
     file_name_extension(Base, Ending, File),
     findall(Name,
-            ( nth1(I, Drawings, _),
-              format(atom(Name), '~w-~d.~w', [Base,I,Ending])
+            ( nth1(I, Items, _),
+              format(atom(Numbered), '~w-~d', [Base,I]),
+              file_name_extension(Numbered, Ending, Name)
             ),
             Files).

@@ -1,6 +1,7 @@
 :- encoding(utf8).
 :- module(sg_pattern_ko,
-          [ pattern_ko//1               % +What
+          [ pattern_ko//1,              % +What
+            pattern_fault_ko//1         % +What
           ]).
 /** <module> What happened on the way to a pattern on paper, in Korean.
 
@@ -29,3 +30,22 @@ role_ko(face_name, '면 이름').
 role_ko(angle, '꺾는 각').
 role_ko(generator_number, '면소 번호').
 role_ko(table, '실장표').
+
+%!  pattern_fault_ko(+What)// is det.
+%
+%   The message for usage_error(pattern(What)).
+
+pattern_fault_ko(paper(Page, Names)) -->
+    { atomic_list_concat(Names, ' ', All) },
+    [ '--page ~w: 그런 종이가 없습니다'-[Page], nl,
+      '  ~w letter 가운데 하나(-portrait, -landscape를 붙일 수 있음)나 mm 단위의 \c
+       WxH(50에서 20000까지)로 쓰십시오.'-[All] ].
+pattern_fault_ko(scale(Text)) -->
+    [ '--scale ~w 은(는) 척도가 아닙니다'-[Text], nl,
+      '  절반은 1:2, 다섯 배는 5:1 로 쓰십시오.' ].
+pattern_fault_ko(margin(Margin, W-H)) -->
+    [ '--margin ~w: ~w x ~w mm 쪽에 남는 자리가 없습니다'-[Margin, W, H], nl,
+      '  여백을 줄이거나 더 큰 --page 를 쓰십시오.' ].
+pattern_fault_ko(overlap(Overlap, Most)) -->
+    [ '--overlap ~w 은(는) 쪽에 쓸 수 있는 자리의 절반보다 큽니다'-[Overlap], nl,
+      '  ~w 이하로 줄이거나 더 큰 --page 를 쓰십시오.'-[Most] ].

@@ -4,7 +4,8 @@
             sheet_line/4,               % +Sheet, +Options, +Says, -Line
             line_strokes/3,             % +Lines, +Height, -Strokes
             grid_line/3,                % +Step, +Sheet, -Line
-            page_size/3,                % +Options, -Width, -Height
+            page_sheet/2,               % +Options, -Sheet
+            paper_checked/1,            % +Options
             sheet_window/2              % +Sheet, -Window
           ]).
 :- use_module(lettering, [lettering/2]).
@@ -27,22 +28,68 @@ which is not the knife's.
 % Millimetres: below the pieces, for the check bar.
 band(9.0).
 
-%!  page_size(+Options, -Width, -Height) is semidet.
-%
-%   The page that Options ask for: page(P), a name as for --sheet, `WxH` or W-H
-%   in millimetres, or `letter`. Fails if there is none.
-%
-%   @error usage_error(sheet(paper(P, Names)))
+% Millimetres: less is no room for pieces.
+least_room(20.0).
 
-page_size(Options, Width, Height) :-
-    option(page(Page), Options),
+% The page of a sheet that is to be tiled if none is asked for.
+tile_page('A4').
+
+%!  page_sheet(+Options, -Sheet) is semidet.
+%
+%   Sheet is an empty page as Options ask for: page(P), a name as for --sheet,
+%   `WxH` or W-H in millimetres, or `letter`; of tile(true) A4 without that.
+%   Fails if there are no pages.
+%
+%   @error usage_error(pattern(What)): paper(P, Names); margin(Margin, W-H);
+%          overlap(Overlap, Most), of a sheet that is to be tiled
+
+page_sheet(Options, sheet(Width,Height,Margin,Bottom,RoomW,RoomH)) :-
+    page(Options, Page),
+    page_size(Page, Width, Height),
+    margin(Options, Margin),
+    band(Band),
+    Bottom is Margin+Band,
+    RoomW is Width-2*Margin,
+    RoomH is Height-2*Margin-Band,
+    Room is min(RoomW, RoomH),
+    least_room(Least),
+    (   Room >= Least
+    ->  true
+    ;   throw(error(usage_error(pattern(margin(Margin, Width-Height))), _))
+    ),
+    (   option(tile(true), Options),
+        option(overlap(Overlap), Options, 10),
+        Overlap > Room/2
+    ->  Most is Room/2,
+        throw(error(usage_error(pattern(overlap(Overlap, Most))), _))
+    ;   true
+    ).
+
+page(Options, Page) :-
+    (   option(page(Page0), Options)
+    ->  Page = Page0
+    ;   option(tile(true), Options),
+        tile_page(Page)
+    ).
+
+%!  paper_checked(+Options) is det.
+%
+%   @error usage_error(pattern(What)): as page_sheet/2
+
+paper_checked(Options) :-
+    (   page_sheet(Options, _)
+    ->  true
+    ;   true
+    ).
+
+page_size(Page, Width, Height) :-
     (   named_page(Page, Width0, Height0),
         min(Width0, Height0) >= 50,
         max(Width0, Height0) =< 20000
     ->  Width is float(Width0),
         Height is float(Height0)
     ;   findall(Name, paper_size(Name, _, _), Names),
-        throw(error(usage_error(sheet(paper(Page, Names))), _))
+        throw(error(usage_error(pattern(paper(Page, Names))), _))
     ).
 
 named_page(W-H, Width, Height) :-
@@ -74,17 +121,10 @@ letter_page('letter-landscape', 279.4, 215.9).
 
 pattern_paper(Options, Gap, Paper) :-
     (   \+ option(tile(true), Options),
-        page_size(Options, Width, Height)
-    ->  page_room(Options, Width, Height, RoomW, RoomH),
-        Paper = room(RoomW, RoomH, Gap)
+        page_sheet(Options, sheet(_,_,_,_,RoomW,RoomH))
+    ->  Paper = room(RoomW, RoomH, Gap)
     ;   Paper = roll(Gap)
     ).
-
-page_room(Options, Width, Height, RoomW, RoomH) :-
-    margin(Options, Margin),
-    band(Band),
-    RoomW is max(20.0, Width-2*Margin),
-    RoomH is max(20.0, Height-2*Margin-Band).
 
 margin(Options, Margin) :-
     option(margin(Margin), Options, 10),
@@ -95,13 +135,9 @@ margin(Options, Margin) :-
 %   Sheet is a page, or, if Paper is a roll, large enough for pieces of Size,
 %   W-H, and for the bar.
 
-sheet_of(Options, room(RoomW,RoomH,_), _,
-         sheet(Width,Height,Margin,Bottom,RoomW,RoomH)) :-
+sheet_of(Options, room(_,_,_), _, Sheet) :-
     !,
-    page_size(Options, Width, Height),
-    margin(Options, Margin),
-    band(Band),
-    Bottom is Margin+Band.
+    page_sheet(Options, Sheet).
 sheet_of(Options, roll(_), W-H,
          sheet(Width,Height,Left,Bottom,W,H)) :-
     margin(Options, Margin),
@@ -128,7 +164,8 @@ sheet_line(sheet(Width,_,_,Bottom,_,_), Options, Says, line(bar,Points)) :-
     margin(Options, Margin),
     Left is max(4.0, Margin),
     bar_length(Width-2*Left, Length),
-    Base is max(3.0, Bottom-9.0+1.0),
+    band(Band),
+    Base is max(3.0, Bottom-Band+1.0),
     Right is Left+Length,
     (   bar_line(Left, Base, Length, Points)
     ;   format(string(Text), '~d mm', [Length]),

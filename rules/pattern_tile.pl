@@ -2,7 +2,7 @@
           [ tiled/4                     % +Options, +Drawing, +Says, -Pages
           ]).
 :- use_module(pattern_paper,
-              [line_strokes/3, page_size/3, sheet_line/4]).
+              [line_strokes/3, page_sheet/2, sheet_line/4]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3, last/2, member/2]).
 :- autoload(library(option), [option/3]).
@@ -24,18 +24,12 @@ cropped.
 %   bar.
 
 tiled(Options, drawing(sheet(W,H,Scale),Views), Says, Pages) :-
-    (   page_size(Options, PageW, PageH)
-    ->  true
-    ;   PageW = 210.0,
-        PageH = 297.0
-    ),
-    option(margin(Margin), Options, 10),
+    page_sheet(Options, Page),
+    Page = sheet(PageW, PageH, _, _, FreeW, FreeH),
     option(overlap(Overlap), Options, 10),
-    FreeW is PageW-2*Margin,
-    FreeH is PageH-2*Margin-9.0,
     columns(W/1000, FreeW, Overlap, Columns),
     columns(H/1000, FreeH, Overlap, Rows),
-    Tiling = tiling(PageW, PageH, FreeW, FreeH, Margin, Overlap, Columns, Rows),
+    Tiling = tiling(Page, Overlap, Columns, Rows),
     findall(drawing(sheet(PaperW,PaperH,Scale),PageViews),
             ( between(1, Rows, Row),
               between(1, Columns, Column),
@@ -50,7 +44,8 @@ columns(Size, Free, Overlap, N) :-
     N is max(1, ceiling((Size-Overlap)/(Free-Overlap) - 1.0e-6)).
 
 page_views(Tiling, Views0, Options, Says0, Column, Row, [Marks|Views]) :-
-    Tiling = tiling(PageW, PageH, FreeW, FreeH, Margin, Overlap, _, _),
+    Tiling = tiling(Page, Overlap, _, _),
+    Page = sheet(_, PageH, Margin, _, FreeW, FreeH),
     Left is round(1000*(Column-1)*(FreeW-Overlap)),
     Top is round(1000*(Row-1)*(FreeH-Overlap)),
     Right is Left + round(1000*FreeW),
@@ -73,11 +68,7 @@ page_views(Tiling, Views0, Options, Says0, Column, Row, [Marks|Views]) :-
     !,
     page_name(Column, Row, PageName),
     findall(Mark, page_mark(Tiling, Column, Row, Mark), Crops),
-    SheetBottom is Margin+9.0,
-    findall(Mark,
-            sheet_line(sheet(PageW,PageH,Margin,SheetBottom,FreeW,FreeH),
-                       Options, [PageName|Says0], Mark),
-            Bar),
+    findall(Mark, sheet_line(Page, Options, [PageName|Says0], Mark), Bar),
     append(Crops, Bar, All),
     line_strokes(All, PageH, Strokes),
     atom_concat('page-', PageName, PageView),
@@ -99,7 +90,8 @@ column_letters(Column, Letters) :-
 
 %   Corners outside of what is free, and crosses in the middle of the overlap.
 
-page_mark(tiling(_,PageH,FreeW,FreeH,Margin,_,_,_), _, _, line(crop,[A,B])) :-
+page_mark(tiling(sheet(_,PageH,Margin,_,FreeW,FreeH),_,_,_), _, _,
+          line(crop,[A,B])) :-
     Top is PageH-Margin,
     Bottom is Top-FreeH,
     Right is Margin+FreeW,
@@ -117,7 +109,8 @@ page_mark(tiling(_,PageH,FreeW,FreeH,Margin,_,_,_), _, _, line(crop,[A,B])) :-
         B = X-YB
     ).
 page_mark(Tiling, Column, Row, line(crop,[A,B])) :-
-    Tiling = tiling(_, PageH, FreeW, FreeH, Margin, Overlap, Columns, Rows),
+    Tiling = tiling(Page, Overlap, Columns, Rows),
+    Page = sheet(_, PageH, Margin, _, FreeW, FreeH),
     joint_place(Column, Columns, FreeW, Overlap, X0, BesideX),
     joint_place(Row, Rows, FreeH, Overlap, Y0, BesideY),
     once(( BesideX == true ; BesideY == true )),

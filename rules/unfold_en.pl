@@ -169,18 +169,19 @@ unfold_en(which_segment(Option, Known)) -->
 unfold_en(no_term(Option, Text)) -->
     [ 'option ~w: ~w cannot be read'-[Option, Text], nl,
       '  Polygons are numbers or names such as base or side(2), edges such as \c
-       4-7, base-side(2) or v(1)-v(2); with commas between them.' ].
+       4-7, base-side(2) or v(1)-v(2); with commas between them. A name with \c
+       other signs than letters needs quotes in quotes: "\'a b\'".' ].
 unfold_en(several_sheets(N)) -->
     [ 'the drawing has ~D sheets, and standard output takes one'-[N], nl,
       '  Write .pdf, which may have several, or a file.' ].
-unfold_en(true_alone(Option)) -->
-    [ 'option ~w is of true patterns alone'-[Option], nl,
-      '  Give --true as well.' ].
+unfold_en(needs(Option, Needed)) -->
+    [ 'option ~w says nothing without ~w'-[Option, Needed], nl,
+      '  Give ~w as well.'-[Needed] ].
+unfold_en(no_table(File)) -->
+    [ '~w was not written: no pattern has generators'-[File], nl,
+      '  With --true cylinders, cones and transitions have them.' ].
 unfold_en(all_trimmed_away) -->
     [ 'nothing is left of any segment: all of them are trimmed away' ].
-unfold_en(trim_alone(Option)) -->
-    [ 'option ~w is of trimming alone'-[Option], nl,
-      '  Give --trim as well.' ].
 unfold_en(alone(S)) -->
     [ 'segment ~d meets no other: nothing of it is trimmed'-[S] ].
 unfold_en(attached(S, Welded, Divided)) -->

@@ -132,18 +132,19 @@ unfold_ko(which_segment(Option, Known)) -->
 unfold_ko(no_term(Option, Text)) -->
     [ '~w: ~w을(를) 읽을 수 없습니다'-[Option, Text], nl,
       '  다각형은 번호나 base, side(2) 같은 이름, 모서리는 4-7, base-side(2), \c
-       v(1)-v(2) 이며 쉼표로 나눕니다.' ].
+       v(1)-v(2) 이며 쉼표로 나눕니다. 글자가 아닌 것이 든 이름은 "\'a b\'" 처럼 \c
+       따옴표 안에 따옴표로 씁니다.' ].
 unfold_ko(several_sheets(N)) -->
     [ '도면이 ~D장이라 표준 출력에 쓸 수 없습니다'-[N], nl,
       '  여러 장을 담는 .pdf나 파일에 쓰십시오.' ].
-unfold_ko(true_alone(Option)) -->
-    [ '~w 은(는) 실제 길이의 전개도에만 쓰입니다'-[Option], nl,
-      '  --true 도 주십시오.' ].
+unfold_ko(needs(Option, Needed)) -->
+    [ '~w 은(는) ~w 없이는 쓰이지 않습니다'-[Option, Needed], nl,
+      '  ~w 도 주십시오.'-[Needed] ].
+unfold_ko(no_table(File)) -->
+    [ '~w 을(를) 쓰지 않았습니다. 면소가 있는 전개도가 없습니다'-[File], nl,
+      '  --true 로 펼친 원기둥, 원뿔, 변이관에 있습니다.' ].
 unfold_ko(all_trimmed_away) -->
     [ '모든 세그먼트가 다 잘려 나가 남는 것이 없습니다' ].
-unfold_ko(trim_alone(Option)) -->
-    [ '~w 은(는) 잘라 낼 때만 쓰입니다'-[Option], nl,
-      '  --trim 도 주십시오.' ].
 unfold_ko(alone(S)) -->
     [ '세그먼트 ~d은(는) 다른 것과 만나지 않아 잘라 낼 것이 없습니다'-[S] ].
 unfold_ko(attached(S, Welded, Divided)) -->

@@ -51,11 +51,11 @@ unfold_option(option(true, '', flag, '',
      cylinders, cones, transitions')).
 unfold_option(option(seam, '', value, 'DEGREES',
     'with --true: the generator at which it is cut open')).
-unfold_option(option(generators, '', number(2), 'N',
-    'with --true: so many generators, in equal steps, numbered')).
+unfold_option(option(generators, '', whole(2,3600), 'N',
+    'with --true: so many generators, 2 to 3600, in equal steps, numbered')).
 unfold_option(option(half, '', flag, '',
     'with --true: half of what is symmetric')).
-unfold_option(option(chord, '', number(0), 'T',
+unfold_option(option(chord, '', above(0), 'T',
     'with --true: how far curves may be from true ones, in model units')).
 unfold_option(option(table, '', value, 'FILE.csv',
     'with --true: the table of true lengths; of several patterns FILE-1.csv \c
@@ -63,17 +63,18 @@ unfold_option(option(table, '', value, 'FILE.csv',
 unfold_option(option(thickness, '', number(0), 'T',
     'of the plate, in model units: bends take off what they need')).
 unfold_option(option(size, '', one_of([inside, middle, outside]), 'WHICH',
-    'which side of the plate the model shows (middle, as is usual)')).
-unfold_option(option(kfactor, '', number(0), 'K',
-    'where the layer is that keeps its length: K times T from the inside of a \c
-     bend; default 0.44, with --true 0.5')).
+    'with --thickness: which side of the plate the model shows (middle, as is \c
+     usual)')).
+unfold_option(option(kfactor, '', number(0,1), 'K',
+    'with --thickness: where the layer is that keeps its length, K times T from \c
+     the inside of a bend, 0 to 1; default 0.44, with --true 0.5')).
 unfold_option(option('bend-radius', '', number(0), 'R',
-    'inside each bend; default T')).
+    'with --thickness: inside each bend; default T')).
 unfold_option(option('set-in', '', flag, '',
-    'with --true and --trim: a branch goes through the wall of the header; \c
-     without it, it is set on')).
+    'with --true, --trim and --thickness: a branch goes through the wall of the \c
+     header; without it, it is set on')).
 unfold_option(option('other-thickness', '', number(0), 'T',
-    'with --true and --trim: of the plate of the other segments')).
+    'with --true, --trim and --thickness: of the plate of the other segments')).
 unfold_option(option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches')).
 unfold_option(option(scale, '', value, 'N:M',
@@ -84,9 +85,10 @@ unfold_option(option(page, '', value, 'PAPER',
     'pages of this size, A4 to A0, A3-landscape, letter or WxH in mm; larger \c
      pieces are divided; without it one sheet as large as needed')).
 unfold_option(option(tile, '', flag, '',
-    'pieces are not divided, but the sheet is, into pages that overlap')).
+    'pieces are not divided, but the sheet is, into pages that overlap; A4, if \c
+     --page does not say another')).
 unfold_option(option(overlap, '', number(0), 'MM',
-    'how far these overlap; default 10')).
+    'with --tile: how far these overlap; default 10')).
 unfold_option(option(margin, '', number(0), 'MM',
     'free all round a page; default 10')).
 unfold_option(option(gap, '', number(0), 'MM', 'between pieces; default 3')).
@@ -102,7 +104,8 @@ unfold_option(option('fold-threshold', '', number(0), 'DEGREES',
     'folds that bend less are not drawn; default 0.5')).
 unfold_option(option(inside, '', flag, '',
     'the patterns as they are seen from inside')).
-unfold_option(option(grid, '', number(0), 'MM', 'a grid, for a check')).
+unfold_option(option(grid, '', number(0.5), 'MM',
+    'a grid with lines so far apart, 0.5 or more, for a check')).
 unfold_option(option(style, '', value, 'FILE',
     'how lines look: a file of facts (docs/drawings.md)')).
 unfold_option(option(dashes, '', one_of([auto, geometry, type]), 'HOW',
@@ -144,25 +147,32 @@ unfold_option_ko(minimize,
 unfold_option_ko(true,
     '둥근 것은 면마다가 아니라 실제 길이로 펼친다. 원기둥, 원뿔, 변이관').
 unfold_option_ko(seam, '--true 와 함께: 솔기가 될 면소의 각도').
-unfold_option_ko(generators, '--true 와 함께: 번호를 단 등분 면소의 수').
+unfold_option_ko(generators,
+    '--true 와 함께: 번호를 단 등분 면소의 수. 2에서 3600까지').
 unfold_option_ko(half, '--true 와 함께: 대칭인 것의 반쪽').
 unfold_option_ko(chord, '--true 와 함께: 곡선이 참값에서 벗어나도 되는 거리').
 unfold_option_ko(table,
     '--true 와 함께: 실장표. 전개도가 여럿이면 FILE-1.csv 등').
 unfold_option_ko(thickness, '판의 두께(모델 단위). 굽힘만큼 줄인다').
 unfold_option_ko(size,
-    '모델이 판의 어느 면인가: inside(안쪽), middle(가운데, 보통), outside(바깥)').
+    '--thickness 와 함께: 모델이 판의 어느 면인가: inside(안쪽), middle(가운데, \c
+보통), outside(바깥)').
 unfold_option_ko(kfactor,
-    '길이가 변하지 않는 층: 굽힘의 안쪽에서 두께의 K배. 보통 0.44, --true 는 0.5').
-unfold_option_ko('bend-radius', '굽힘의 안쪽 반지름. 보통 두께와 같다').
+    '--thickness 와 함께: 길이가 변하지 않는 층. 굽힘의 안쪽에서 두께의 K배, \c
+0에서 1까지. 보통 0.44, --true 는 0.5').
+unfold_option_ko('bend-radius',
+    '--thickness 와 함께: 굽힘의 안쪽 반지름. 보통 두께와 같다').
 unfold_option_ko('set-in',
-    '--true, --trim 과 함께: 지관이 주관의 벽을 뚫고 들어간다. 없으면 위에 얹힌다').
-unfold_option_ko('other-thickness', '--true, --trim 과 함께: 다른 세그먼트의 두께').
+    '--true, --trim, --thickness 와 함께: 지관이 주관의 벽을 뚫고 들어간다. \c
+없으면 위에 얹힌다').
+unfold_option_ko('other-thickness',
+    '--true, --trim, --thickness 와 함께: 다른 세그먼트의 두께').
 unfold_option_ko(page,
     '이 크기의 쪽들. A4~A0, A3-landscape, letter, WxH(mm). 더 큰 조각은 \c
 나눈다. 없으면 필요한 크기의 종이 한 장').
-unfold_option_ko(tile, '조각을 나누지 않고, 종이를 겹치는 쪽들로 나눈다').
-unfold_option_ko(overlap, '쪽이 겹치는 너비. 보통 10').
+unfold_option_ko(tile,
+    '조각을 나누지 않고, 종이를 겹치는 쪽들로 나눈다. --page 가 없으면 A4').
+unfold_option_ko(overlap, '--tile 과 함께: 쪽이 겹치는 너비. 보통 10').
 unfold_option_ko(margin, '쪽 둘레의 여백. 보통 10').
 unfold_option_ko(gap, '조각 사이의 간격. 보통 3').
 unfold_option_ko(tabs, '솔기마다 한쪽에 붙이는 풀칠 면의 너비').
@@ -172,7 +182,7 @@ unfold_option_ko(names, '면의 이름: numbers(번호)나 words(base 같은 말
 unfold_option_ko(angles, '접는 각도를 쓴다').
 unfold_option_ko('fold-threshold', '이보다 적게 꺾이는 곳은 그리지 않는다. 보통 0.5').
 unfold_option_ko(inside, '안쪽에서 본 전개도').
-unfold_option_ko(grid, '확인하기 위한 모눈').
+unfold_option_ko(grid, '확인하기 위한 모눈. 간격은 0.5 이상').
 
 %!  unfold_example(-Command) is multi.
 

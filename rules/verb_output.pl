@@ -1,6 +1,7 @@
 :- module(sg_verb_output,
           [ some_files/2,               % +Files, +What
             outputs/3,                  % +Options, +Formats, -Outputs
+            folder_exists/1,            % +File
             some_outputs/1,             % +Outputs
             no_model_replaced/2,        % +Files, +Outputs
             output_written/2,           % :Writer, +Output
@@ -49,7 +50,11 @@ output(Formats, _, File, output(File, Format)) :-
     ;   usage_error(ending(File, Formats))
     ).
 
+%!  folder_exists(+File) is det.
+%
 %   A missing folder is found out before the work, not after it.
+%
+%   @error usage_error(no_folder(Folder))
 
 folder_exists(File) :-
     file_directory_name(File, Folder),

@@ -10,7 +10,8 @@
 :- use_module(model_text,
               [open_model_text/2, close_model_text/1, next_fact/3,
                place_error/3]).
-:- use_module(pattern_file, [write_pattern/4]).
+:- use_module(pattern_file, [numbered_files/3, write_pattern/4]).
+:- use_module(pattern_paper, [paper_checked/1]).
 :- use_module(penetration, [penetrate/2]).
 :- use_module(polygon_name, [segments_named/2]).
 :- use_module(sheet_options, [scale_option/2]).
@@ -26,14 +27,15 @@
                 unfolded_part/4
               ]).
 :- use_module(true_table, [write_true_lengths/3]).
+:- use_module(unfold_options, [options_together/1]).
 :- use_module(unfold_report, [unfold_report/2]).
 :- use_module(unfold_true, [true_patterns/4]).
 :- use_module(verb_output,
-              [ some_files/2, outputs/3, no_model_replaced/2, output_written/2,
-                usage_error/1
+              [ some_files/2, outputs/3, folder_exists/1, no_model_replaced/2,
+                output_written/2, usage_error/1
               ]).
 :- autoload(library(apply), [maplist/2, maplist/3, maplist/4]).
-:- autoload(library(lists), [append/2, append/3, member/2, nth1/3]).
+:- autoload(library(lists), [append/2, append/3, member/2]).
 :- autoload(library(option), [option/2, option/3]).
 /** <module> The verb unfold.
 
@@ -52,9 +54,12 @@ unfold_run(Files, Options, 0) :-
     outputs(Options,
             [ svg,pdf,eps,ps,png,dxf,hpgl,json,fold,pl,obj,off ],
             Outputs),
-    drawing_options(Options, _),         % what is wrong is said at once
-    true_alone(Options),
-    no_model_replaced(Files, Outputs),
+    options_together(Options),          % what is wrong is said at once
+    drawing_options(Options, DrawingOptions),
+    paper_checked(DrawingOptions),
+    table_output(Options, Tables),
+    append(Outputs, Tables, All),
+    no_model_replaced(Files, All),
     flag_wishes(Options, Flags),
     load_model(Files, Options),
     empty_roots_warned,
@@ -62,24 +67,30 @@ unfold_run(Files, Options, 0) :-
     catch(patterns(Options, Flags, Ds),
           error(model_error(unfold(S, Wish, What)), Location),
           in_file(Files, S, Wish, What, Location)),
-    unfold_report(Ds, Options),
+    reported(Ds, Options, All),
     tables_written(Options, Ds),
     maplist(written_to(Options, Ds), Outputs).
 
-%   true_alone(Options): some options are of true patterns alone, or trimming.
+%   table_output(Options, Tables): Tables is a list of what --table says.
 
-true_alone(Options) :-
-    (   option(by(_), Options),
-        \+ option(trim(_), Options)
-    ->  usage_error(unfold(trim_alone('--by')))
-    ;   \+ option(true(true), Options),
-        member(Name, [seam,generators,half,chord,table,'set-in',
-                      'other-thickness']),
-        Option =.. [Name,_],
-        option(Option, Options)
-    ->  atom_concat('--', Name, Flag),
-        usage_error(unfold(true_alone(Flag)))
-    ;   true
+table_output(Options, Tables) :-
+    (   option(table(File), Options)
+    ->  folder_exists(File),
+        Tables = [output(File, csv)]
+    ;   Tables = []
+    ).
+
+%   reported(Ds, Options, Outputs): on standard error if standard output is for
+%   what is written.
+
+reported(Ds, Options, Outputs) :-
+    (   memberchk(output(-, _), Outputs)
+    ->  current_output(Out),
+        setup_call_cleanup(
+            set_output(user_error),
+            unfold_report(Ds, Options),
+            set_output(Out))
+    ;   unfold_report(Ds, Options)
     ).
 
 %   patterns(Options, Flags, Ds): Ds are the patterns of all that is to be
@@ -284,20 +295,25 @@ flag_option(keep, '--keep').
 flag_option(order, '--order').
 flag_option(removed, '--remove').
 
-%   flag_terms(Option, Text, Terms): names with commas between them.
+%   flag_terms(Option, Text, Terms): names with commas between them; one with a
+%   capital needs no quotes, for there are no variables.
 
 flag_terms(Option, Text, Terms) :-
     format(string(List), '[~w]', [Text]),
     (   catch(term_string(Terms0, List,
                           [ module(sg_model_syntax), cycles(false),
-                            dotlists(false) ]),
+                            dotlists(false), variable_names(Names)
+                          ]),
               error(_, _), fail),
         is_list(Terms0),
         Terms0 = [_|_],
+        maplist(named_as_written, Names),
         ground(Terms0)
     ->  Terms = Terms0
     ;   usage_error(unfold(no_term(Option, Text)))
     ).
+
+named_as_written(Name=Name).
 
 %   in_file(Files, S, Wish, What, Location): the error, with the place of the
 %   fact.
@@ -345,19 +361,15 @@ tables_written(Options, Ds) :-
     ->  findall(D, ( member(D, Ds), segment(D, _, true_development(_, _)) ),
                 Trues),
         option(unit(Unit), Options, mm),
-        table_files(Trues, File, Files),
-        maplist(table_written(Unit), Trues, Files)
+        (   Trues == []
+        ->  print_message(warning, sanggwan(unfold(no_table(File))))
+        ;   File == (-)
+        ->  forall(member(D, Trues), table_written(Unit, D, File))
+        ;   numbered_files(Trues, File, Files),
+            maplist(table_written(Unit), Trues, Files)
+        )
     ;   true
     ).
-
-table_files([_], File, [File]) :-
-    !.
-table_files(Trues, File, Files) :-
-    file_name_extension(Base, Ending, File),
-    findall(Name,
-            ( nth1(I, Trues, _),
-              format(atom(Name), '~w-~d.~w', [Base,I,Ending]) ),
-            Files).
 
 table_written(Unit, D, File) :-
     stage(write, write_true_lengths(D, File, [unit(Unit)])),
@@ -428,10 +440,12 @@ drawing_option(Options, names(Names)) :-
     ).
 drawing_option(Options, scale(Scale)) :-
     option(scale(_), Options),
-    (   scale_option(Options, Scale)
-    ->  true
+    (   catch(scale_option(Options, Scale0),
+              error(usage_error(sheet(scale(_))), _),
+              fail)
+    ->  Scale = Scale0
     ;   option(scale(Text), Options),
-        usage_error(bad_value('--scale', Text, 'N:M'))
+        usage_error(pattern(scale(Text)))
     ).
 drawing_option(Options, unit(Unit)) :-
     \+ option(scale(_), Options),       % which says it

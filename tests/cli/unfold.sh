@@ -177,7 +177,12 @@ check "on standard output" eval "sanggwan unfold -q $box -o - --format svg |
   grep -q '<svg'"
 check "to scale" eval "sanggwan unfold -q $box --scale 10:1 -o - --format svg |
   grep -q 'data-scale=.10.'"
-check "no scale" complains 2 'should look like N:M' \
+check "nothing else is on standard output" eval \
+  "[ \"\$(sanggwan unfold $box -o - --format svg 2>/dev/null |
+    head -c 5)\" = '<?xml' ]"
+check "nor beside a table" eval "[ \"\$(sanggwan unfold $pipe --true \
+  --table - 2>/dev/null | head -1 | cut -d, -f1)\" = number ]"
+check "no scale" complains 2 'scale fit is no scale' \
   sanggwan unfold "$box" --scale fit -o "$TMP/box.svg"
 check "several sheets" eval "sanggwan unfold $box --scale 100:1 --page A4 \
   -o $TMP/many.svg 2>&1 >/dev/null | grep -q 'wrote .*many-2.svg'"
@@ -188,6 +193,49 @@ check "tabs" eval "[ \$(sanggwan unfold -q $box --scale 10:1 --tabs 5 -o - \
   \$(sanggwan unfold -q $box --scale 10:1 -o - --format svg | wc -c) ]"
 check "a page that is none" complains 2 'A44' \
   sanggwan unfold "$box" --page A44 -o "$TMP/box.svg"
+
+check "which paper there is" complains 2 "A4 A3 A2 A1 A0 letter" \
+  sanggwan unfold "$box" --page A9
+check "no room" complains 2 'Take a smaller margin' \
+  sanggwan unfold "$box" --page A4 --margin 120 -o "$TMP/box.svg"
+check "tiles lie on each other" complains 2 'Take at most 95' \
+  sanggwan unfold "$box" --tile --overlap 300 -o "$TMP/box.svg"
+
+# Options that say nothing alone, or too much; numbers that are none.
+alone() {
+  check "$1 needs $2" complains 2 "Give $2 as well" \
+    sanggwan unfold "$box" "${@:3}"
+}
+alone --by --trim --by 1
+alone --half --true --half
+alone --generators --true --generators 12
+alone --chord --true --chord 1
+alone --table --true --table "$TMP/alone.csv"
+alone --set-in --trim --true --set-in
+alone --other-thickness --thickness --true --trim outside --other-thickness 1
+alone --kfactor --thickness --kfactor 0.4
+alone --bend-radius --thickness --bend-radius 1
+alone --size --thickness --size inside
+alone --overlap --tile --overlap 5
+check "lines or trimmed" complains 2 'do not go together' \
+  sanggwan unfold "$box" --lines --trim outside
+check "not half is whole" status 0 sanggwan unfold "$box" --no-half
+check "a layer in the plate" complains 2 'from 0 to 1' \
+  sanggwan unfold "$box" --thickness 0.1 --kfactor 7
+check "so many generators" complains 2 'no whole number from 2' \
+  sanggwan unfold "$pipe" --true --generators 2.5
+check "some chord" complains 2 'no number above 0' \
+  sanggwan unfold "$pipe" --true --chord 0
+check "no grid so fine" complains 2 'no number from 0.5' \
+  sanggwan unfold "$box" --grid 1e-9 -o "$TMP/box.svg"
+check "no generators, no table" complains 0 'no pattern has generators' \
+  sanggwan unfold "$box" --true --table "$TMP/none.csv"
+check "no folder for a table" complains 2 'no folder' \
+  sanggwan unfold "$pipe" --true --table "$TMP/none/t.csv"
+check "no table over the model" complains 2 'is the model' \
+  sanggwan unfold "$pipe" --true --table "$pipe"
+check "a name with a capital" complains 2 "no segment 'Lid'" \
+  sanggwan unfold "$box" --only Lid
 
 # What cannot be unfolded.
 echo 'segment(1, curve, line(from(0,0,0), to(1,1,1))).' >"$TMP/line.pl"

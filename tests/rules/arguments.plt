@@ -6,7 +6,10 @@ specs([ option(output, o, each, 'FILE', ''),
         option(quiet, q, flag, '', ''),
         option(view, v, value, 'VIEW', ''),
         option(hidden, '', one_of([dashed, removed]), 'HOW', ''),
-        option(limit, '', number(1), 'N', '')
+        option(limit, '', number(1), 'N', ''),
+        option(part, '', number(0,1), 'F', ''),
+        option(chord, '', above(0), 'T', ''),
+        option(count, '', whole(2,9), 'N', '')
       ]).
 
 parsed(Text, Files, Options) :-
@@ -48,5 +51,14 @@ test(word) :-
     refused("--hidden x", bad_value('--hidden', x, one_of([dashed, removed]))).
 test(low) :- refused("--limit 0", bad_value('--limit', '0', number(1))).
 test(no_number) :- refused("--limit x", bad_value('--limit', x, number(1))).
+test(within, O == [part(1)]) :- parsed("--part 1", _, O).
+test(high) :- refused("--part 1.1", bad_value('--part', '1.1', number(0,1))).
+test(above, O == [chord(1.0e-9)]) :- parsed("--chord 1e-9", _, O).
+test(not_above) :- refused("--chord 0", bad_value('--chord', '0', above(0))).
+test(whole, O == [count(9)]) :- parsed("--count 9.0", _, O).
+test(not_whole) :-
+    refused("--count 2.5", bad_value('--count', '2.5', whole(2,9))).
+test(too_many) :-
+    refused("--count 1e300", bad_value('--count', '1e300', whole(2,9))).
 
 :- end_tests(arguments).

@@ -220,7 +220,11 @@ test(nothing, [ Count == 0 ]) :-
     in_new(( assert_fact(segment(2, pattern, nothing)),
              pattern_drawing([2], [], Drawings) )),
     count(Drawings, cut, Count).
-test(no_page, [ error(usage_error(sheet(paper('B9',_)))) ]) :-
+test(no_room, [ error(usage_error(pattern(margin(200, _)))) ]) :-
+    drawn(cube_pattern(40), [page('A4'),margin(200)], _).
+test(wide_overlap, [ error(usage_error(pattern(overlap(100, 95.0)))) ]) :-
+    drawn(cube_pattern(40), [tile(true),overlap(100)], _).
+test(no_page, [ error(usage_error(pattern(paper('B9',_)))) ]) :-
     drawn(cube_pattern(40), [page('B9')], _).
 
 area(Points, Area) :-

@@ -1,0 +1,51 @@
+:- module(sg_unfold_options,
+          [ options_together/1          % +Options
+          ]).
+:- use_module(verb_output, [usage_error/1]).
+:- autoload(library(lists), [member/2]).
+:- autoload(library(option), [option/2]).
+/** <module> Which options of the verb unfold go together.
+
+An option that would say nothing is an error: who gave it wants something.
+*/
+
+%!  options_together(+Options:list) is det.
+%
+%   @error usage_error(unfold(needs(Option, Needed))): Option says nothing
+%          without Needed, both as they are written
+%   @error usage_error(both_options(Option1, Option2))
+
+options_together(Options) :-
+    (   needs(Name, Needed),
+        given(Name, Options),
+        \+ given(Needed, Options)
+    ->  written(Name, Option),
+        written(Needed, NeededOption),
+        usage_error(unfold(needs(Option, NeededOption)))
+    ;   given(lines, Options),
+        given(trim, Options)
+    ->  usage_error(both_options('--lines', '--trim'))
+    ;   true
+    ).
+
+%   needs(?Name, ?Needed) is nondet.
+
+needs(by, trim).
+needs(Name, true) :-
+    member(Name, [ seam,generators,half,chord,table,'set-in',
+                   'other-thickness' ]).
+needs(Name, trim) :-
+    member(Name, ['set-in','other-thickness']).
+needs(Name, thickness) :-
+    member(Name, [ size,kfactor,'bend-radius','set-in','other-thickness' ]).
+needs(overlap, tile).
+
+%   given(Name, Options): --no-NAME gives nothing.
+
+given(Name, Options) :-
+    Option =.. [Name,Value],
+    option(Option, Options),
+    Value \== false.
+
+written(Name, Option) :-
+    atom_concat('--', Name, Option).
