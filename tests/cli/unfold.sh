@@ -161,7 +161,7 @@ check "no angle" complains 2 'should look like DEGREES' \
   sanggwan unfold "$pipe" --true --seam x
 check "only of true patterns" complains 2 'Give --true as well' \
   sanggwan unfold "$pipe" --seam 30
-check "a plate that is set on" output '238.761 x 136.533' \
+check "a plate that is set on" output '238.761 x 136.531' \
   sanggwan unfold "$saddle" --trim outside --true --only branch --thickness 4
 check "a folded plate" output 'sheet  *9.[0-9]* x 7' \
   sanggwan unfold "$box" --thickness 0.1
