@@ -3,8 +3,8 @@
             bend_deduction/3            % +Degrees, +Options, -Deduction
           ]).
 :- use_module(store,
-              [ e/5, edge_polygon/3, from_v/4, joint/6, p/3, t/6, v/5,
-                assert_fact/1, facts_transaction/1, fresh_id/3, retract_fact/1
+              [ e/5, edge_polygon/3, from_v/4, joint/6, p/3, segment/3, t/6,
+                v/5, assert_fact/1, facts_transaction/1, fresh_id/3, retract_fact/1
               ]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc),
@@ -57,7 +57,7 @@ plate(Options, T, Size, K, R) :-
     option(size(Size), Options, middle),
     must_be(oneof([inside,middle,outside]), Size),
     option(k_factor(K), Options, 0.44),
-    not_negative(k_factor, K),
+    must_be(between(0.0, 1.0), K),
     option(bend_radius(R), Options, T),
     not_negative(bend_radius, R).
 
@@ -99,9 +99,9 @@ drawn_at(inside, Degrees, T, S) :-
 %   Pieces keep their places; they may come nearer to each other by what bends
 %   add.
 %
-%   @error geometry_error(true(bend(P1, P2, Degrees))): the plate would turn by
-%   170 degrees or more
-%   @error geometry_error(true(bend_too_wide(P, Width))): of polygon P nothing
+%   @error geometry_error(true(bend(S, P1, P2, Degrees))): the plate of segment
+%   S would turn by 170 degrees or more
+%   @error geometry_error(true(bend_too_wide(S, P, Width))): of polygon P nothing
 %   is left
 
 pattern_bent(D, Options) :-
@@ -133,9 +133,18 @@ fold_half(D, Options, E1, E2, P1, P2, Half) :-
     (   abs(Degrees) < 0.01
     ->  Half = 0.0
     ;   abs(Degrees) >= 170.0
-    ->  throw(error(geometry_error(true(bend(P1, P2, Degrees))), _))
+    ->  model_segment(D, S),
+        throw(error(geometry_error(true(bend(S, P1, P2, Degrees))), _))
     ;   bend_deduction(Degrees, Options, Deduction),
         Half is Deduction/2.0
+    ).
+
+%   model_segment(D, S): what D is the pattern of.
+
+model_segment(D, S) :-
+    (   segment(D, pattern, development(S0))
+    ->  S = S0
+    ;   S = D
     ).
 
 edge_of(D, E, P) :-
@@ -314,7 +323,8 @@ sides_kept(D, P, Es, Offsets) :-
         Length is sqrt((BX-AX)**2 + (BY-AY)**2),
         Off is NY*(X1-X2) - NX*(Y1-Y2),
         Off >= Length
-    ->  throw(error(geometry_error(true(bend_too_wide(P, Off))), _))
+    ->  model_segment(D, S),
+        throw(error(geometry_error(true(bend_too_wide(S, P, Off))), _))
     ;   true
     ).
 

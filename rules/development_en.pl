@@ -34,7 +34,7 @@ what_en(not_simple(Ps)) -->
 what_en(not_flat(Ps)) -->
     [ 'these polygons are not flat: ' ],
     some_en(Ps),
-    [ nl, '  Without --strict their triangles are used.' ].
+    [ nl, '  Without strict(true) their triangles are used.' ].
 what_en(overlap(E, P1, P2)) -->
     [ 'joined at edge ~d, which is to be kept, polygon ~d would lie on \c
        polygon ~d'-[E, P2, P1], nl,
@@ -45,9 +45,7 @@ what_en(no_joint(E)) -->
 what_en(edge_length(E)) -->
     [ 'edge ~d has no length to join at'-[E] ].
 what_en(no_polygon(P)) -->
-    [ 'it has no polygon ~d'-[P] ].
-what_en(both(P, Wish1, Wish2)) -->
-    [ '~w: both ~w and ~w'-[P, Wish1, Wish2] ].
+    [ 'it has no polygon ~p'-[P] ].
 
 %   some_en(Ids): the first ones.
 

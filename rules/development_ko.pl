@@ -35,7 +35,7 @@ what_ko(not_simple(Ps)) -->
 what_ko(not_flat(Ps)) -->
     [ '평면이 아닌 다각형: ' ],
     some_ko(Ps),
-    [ nl, '  --strict 가 없으면 그 삼각형들을 씁니다.' ].
+    [ nl, '  strict(true) 가 없으면 그 삼각형들을 씁니다.' ].
 what_ko(overlap(E, P1, P2)) -->
     [ '유지해야 할 모서리 ~d 에서 붙이면 다각형 ~d 이(가) 다각형 ~d 위에 \c
        놓입니다'-[E, P2, P1], nl,
@@ -46,9 +46,7 @@ what_ko(no_joint(E)) -->
 what_ko(edge_length(E)) -->
     [ '모서리 ~d 은(는) 길이가 없어 붙일 수 없습니다'-[E] ].
 what_ko(no_polygon(P)) -->
-    [ '다각형 ~d 이(가) 없습니다'-[P] ].
-what_ko(both(P, Wish1, Wish2)) -->
-    [ '~w: ~w 와(과) ~w 을(를) 함께 지정할 수 없습니다'-[P, Wish1, Wish2] ].
+    [ '다각형 ~p 이(가) 없습니다'-[P] ].
 
 some_ko(Ids) -->
     { length(Ids, Count),

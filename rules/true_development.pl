@@ -192,7 +192,8 @@ seam(Facets, Shape, Sense, Options, Seam, Around) :-
     ),
     (   option(seam(Seam0), Options)
     ->  must_be(number, Seam0),
-        Seam is float(Seam0)
+        Turns is floor(rational(Seam0)/360),
+        Seam is float(rational(Seam0) - 360*Turns)
     ;   Around == false
     ->  Seam = T
     ;   shortest_generator(Facets, Starts, Shape, Sense, Seam)

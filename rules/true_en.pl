@@ -35,10 +35,11 @@ true_en(no_offset(S)) -->
     [ 'the surfaces of a plate of segment ~d are not known'-[S], nl,
       '  With a thickness, penetrations are found for right circular \c
          cylinders and cones, spheres and tori.' ].
-true_en(bend(P1, P2, Degrees)) -->
-    [ 'the fold between polygons ~d and ~d turns by ~2f degrees: no bend has \c
-       such an angle'-[P1, P2, Degrees], nl,
+true_en(bend(S, P1, P2, Degrees)) -->
+    [ 'segment ~d: the fold between polygons ~d and ~d turns by ~2f degrees: no \c
+       bend has such an angle'-[S, P1, P2, Degrees], nl,
       '  Bends turn by less than 170 degrees.' ].
-true_en(bend_too_wide(P, Width)) -->
-    [ 'polygon ~d is narrower than what its bends take off, ~4f'-[P, Width], nl,
+true_en(bend_too_wide(S, P, Width)) -->
+    [ 'segment ~d: polygon ~d is narrower than what its bends take off, ~4f'-
+      [S, P, Width], nl,
       '  Take a smaller bend radius, or larger faces.' ].

@@ -14,7 +14,7 @@ true_ko(no_part(S, Part)) -->
     { var(Part) },
     !,
     [ '세그먼트 ~d에는 실장 전개를 할 부분이 없습니다'-[S], nl,
-      '  원기둥, 원뿔, 변환관의 작은 면이 없습니다.' ].
+      '  원기둥, 원뿔, 변이관의 작은 면이 없습니다.' ].
 true_ko(no_part(S, Part)) -->
     [ '세그먼트 ~d에는 실장 전개를 할 부분 ~p가 없습니다'-[S, Part], nl,
       '  부분의 이름은 face_of/3에 있는 대로 side, outer, edge(1)이고, 잘라낸 \c
@@ -27,16 +27,17 @@ true_ko(not_symmetric(S, Part)) -->
        다릅니다'-[S, Part], nl,
       '  다른 솔기를 주거나 전체를 전개하십시오.' ].
 true_ko(flat_part(S, Part, Option)) -->
-    [ '세그먼트 ~d의 부분 ~p는 펴지지 않는 변환관이라서 ~w 옵션을 쓸 수 \c
+    [ '세그먼트 ~d의 부분 ~p는 펴지지 않는 변이관이라서 ~w 옵션을 쓸 수 \c
        없습니다'-[S, Part, Option], nl,
       '  작은 면의 실장으로 전개하며, 그 모서리가 면소이고 솔기도 그 가운데 \c
          하나입니다.' ].
 true_ko(no_offset(S)) -->
     [ '세그먼트 ~d의 판 두께 쪽 곡면을 알 수 없습니다'-[S], nl,
       '  두께가 있으면 직원기둥, 직원뿔, 구, 원환의 상관선만 찾을 수 있습니다.' ].
-true_ko(bend(P1, P2, Degrees)) -->
-    [ '다각형 ~d와 ~d 사이가 ~2f도 접힙니다: 그런 굽힘은 없습니다'-[P1, P2, Degrees],
-      nl, '  굽힘은 170도보다 작아야 합니다.' ].
-true_ko(bend_too_wide(P, Width)) -->
-    [ '다각형 ~d가 굽힘으로 줄어드는 길이 ~4f보다 좁습니다'-[P, Width], nl,
+true_ko(bend(S, P1, P2, Degrees)) -->
+    [ '세그먼트 ~d: 다각형 ~d와 ~d 사이가 ~2f도 접힙니다: 그런 굽힘은 없습니다'-
+      [S, P1, P2, Degrees], nl, '  굽힘은 170도보다 작아야 합니다.' ].
+true_ko(bend_too_wide(S, P, Width)) -->
+    [ '세그먼트 ~d: 다각형 ~d가 굽힘으로 줄어드는 길이 ~4f보다 좁습니다'-
+      [S, P, Width], nl,
       '  굽힘 반지름을 줄이거나 면을 키우십시오.' ].

@@ -41,12 +41,8 @@ plate_layer(Options, Layer) :-
     ->  true
     ;   plate(Options, T, Inner),
         option(k_factor(K), Options, 0.5),
-        must_be(number, K),
-        (   K >= 0,
-            K =< 1
-        ->  Layer is Inner + float(K)*T
-        ;   domain_error(k_factor, K)
-        )
+        must_be(between(0.0, 1.0), K),
+        Layer is Inner + float(K)*T
     ).
 
 %   plate(Options, T, Inner): Inner is how far outside what is drawn the inside

@@ -192,6 +192,9 @@ unfold_en(root_gone(S, face(P, Name))) -->
     [ 'segment ~d: the root, '-[S] ],
     face_en(face(P, Name)),
     [ ', was trimmed away' ].
+unfold_en(kept_apart(S, N)) -->
+    [ 'segment ~d: ~D edge(s) could not be kept: on one side is what is \c
+       unrolled, on the other what is flat, in a pattern of its own'-[S, N] ].
 unfold_en(not_kept(S, E, Face1, Face2, Why)) -->
     [ 'segment ~d: edge ~d between '-[S, E] ],
     two_en(Face1, Face2),

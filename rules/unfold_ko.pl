@@ -154,6 +154,9 @@ unfold_ko(root_gone(S, face(P, Name))) -->
     [ '세그먼트 ~d: 기준면 '-[S] ],
     face_ko(face(P, Name)),
     [ '이(가) 잘려 나갔습니다' ].
+unfold_ko(kept_apart(S, N)) -->
+    [ '세그먼트 ~d: 모서리 ~D개를 이을 수 없습니다. 한쪽은 말린 것을 펴고 다른 \c
+       쪽은 평평하여 따로 전개합니다'-[S, N] ].
 unfold_ko(not_kept(S, E, Face1, Face2, Why)) -->
     [ '세그먼트 ~d: '-[S] ],
     two_ko(Face1, Face2),

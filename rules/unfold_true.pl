@@ -2,6 +2,8 @@
           [ true_patterns/4             % +S, +Wanted, +Options, -Ds
           ]).
 :- use_module(polygon_name, [polygon_name/3]).
+:- use_module(primitive_face, [face_of/3]).
+:- use_module(provenance, [polygon_from/5]).
 :- use_module(store,
               [e/5, p/3, from_p/5, edge_polygon/3, facts_transaction/1]).
 :- use_module(triangulation, [complete_segments/0]).
@@ -10,10 +12,11 @@
 :- use_module(true_rim, [rims_rounded/3]).
 :- use_module(unfold, [trimmed_part/3, other_parts/3, part_developed/4]).
 :- use_module(unfold_wish, [wanted_in/4]).
-:- autoload(library(apply), [maplist/3]).
+:- autoload(library(apply), [include/3, maplist/3]).
 :- autoload(library(lists), [append/3, member/2]).
 :- autoload(library(option), [option/2, option/3]).
-:- autoload(library(ordsets), [ord_subtract/3, ord_union/3]).
+:- autoload(library(ordsets),
+            [ord_memberchk/2, ord_subtract/3, ord_union/3]).
 /** <module> True patterns: what is round is unrolled, the rest laid flat.
 */
 
@@ -21,11 +24,12 @@
 %
 %   Ds are the patterns of segment S, trimmed if Options say so (unfold/3): one
 %   of each part that can be unrolled (true_development/4, which has the other
-%   options), then one of all polygons that are left, if there are any: without
-%   those that are Wanted removed. An edge that should be cut is the seam of
-%   what is unrolled; no more of what is Wanted counts. If the plate has a
-%   thickness, what is trimmed are the surfaces that touch (plate_parts/5). One
-%   transaction.
+%   options), then one of all polygons that are left, if there are any, as is
+%   Wanted (unfolded_part/4). What is round is unrolled as a whole, or left out
+%   if all of it is to be removed; an edge between its facets that should be cut
+%   is its seam. A warning if edges should be kept between what is unrolled and
+%   what is flat. If the plate has a thickness, what is trimmed are the surfaces
+%   that touch (plate_parts/5). One transaction.
 
 true_patterns(S, Wanted, Options, Ds) :-
     facts_transaction(sg_unfold_true:patterns(S, Wanted, Options, Ds)).
@@ -36,11 +40,13 @@ patterns(S, Wanted, Options0, Ds) :-
     wanted_in(T, S1, Wanted, Manual),
     option(removed(Removed0), Manual, []),
     sort(Removed0, Removed),
-    findall(Part, developable_part(T, Part, _), Parts),
+    findall(Part,
+            ( developable_part(T, Part, _),
+              \+ part_removed(T, Part, Removed) ),
+            Parts),
     option(cut(Cut), Manual, []),
     maplist(unrolled(T, Cut, Options), Parts, Unrolled),
-    findall(P, ( member(D, Unrolled), has_polygon(D, T, P) ), Ps0),
-    sort(Ps0, Ps),
+    unrolled_polygons(T, Parts, Unrolled, Options, Ps),
     ord_union(Removed, Ps, Done),
     findall(P, p(T, P, _), All0),
     sort(All0, All),
@@ -48,9 +54,82 @@ patterns(S, Wanted, Options0, Ds) :-
     (   Rest == [],
         Unrolled \== []
     ->  Ds = Unrolled
-    ;   part_developed(T, [removed(Done)], Options, D),
+    ;   flat_wishes(T, Rest, Manual, FlatManual),
+        kept_apart_told(T, Rest, Ps, Manual),
+        part_developed(T, [removed(Done)|FlatManual], Options, D),
         rims_rounded(D, T, Options),
         append(Unrolled, [D], Ds)
+    ).
+
+part_removed(T, Part, Removed) :-
+    Removed \== [],
+    forall(part_polygon(T, Part, P), ord_memberchk(P, Removed)).
+
+%   part_polygon(T, Part, P) is nondet: P is a facet of Part of segment T.
+
+part_polygon(T, Leaf/Name, P) :-
+    !,
+    polygon_from(T, P, Leaf, P0, _),
+    face_of(Leaf, P0, curved(Name, [_])).
+part_polygon(T, Name, P) :-
+    face_of(T, P, curved(Name, [_])).
+
+%   unrolled_polygons(T, Parts, Ds, Options, Ps): Ps are the polygons that need
+%   no other pattern: those in Ds, and the other halves of these.
+
+unrolled_polygons(T, Parts, Ds, Options, Ps) :-
+    findall(P, ( member(D, Ds), has_polygon(D, T, P) ), Ps0),
+    (   option(half(true), Options)
+    ->  findall(P, ( member(Part, Parts), part_polygon(T, Part, P) ), Ps1),
+        append(Ps0, Ps1, Ps2)
+    ;   Ps2 = Ps0
+    ),
+    sort(Ps2, Ps).
+
+%   flat_wishes(T, Rest, Manual, Wishes): what of Manual is of Rest alone.
+
+flat_wishes(T, Rest, Manual, Wishes) :-
+    findall(Wish,
+            ( member(Option, Manual), flat_wish(T, Rest, Option, Wish) ),
+            Wishes).
+
+flat_wish(_, Rest, root(P), root(P)) :-
+    ord_memberchk(P, Rest).
+flat_wish(T, Rest, cut(Es0), cut(Es)) :-
+    include(edge_within(T, Rest), Es0, Es).
+flat_wish(T, Rest, keep(Es0), keep(Es)) :-
+    include(edge_within(T, Rest), Es0, Es).
+
+edge_within(T, Ps, E) :-
+    \+ ( edge_side(T, E, P),
+         \+ ord_memberchk(P, Ps)
+       ).
+
+%   edge_side(T, E, P) is nondet: P is a polygon of edge E or of its partner.
+
+edge_side(T, E, P) :-
+    edge_polygon(T, E, P).
+edge_side(T, E, P) :-
+    once(e(T, E, A, B, _)),
+    e(T, F, B, A, _),
+    edge_polygon(T, F, P).
+
+%   kept_apart_told(T, Rest, Ps, Manual): edges that are to be kept between Rest
+%   and Ps.
+
+kept_apart_told(T, Rest, Ps, Manual) :-
+    option(keep(Es0), Manual, []),
+    findall(E,
+            ( member(E, Es0),
+              edge_side(T, E, P), ord_memberchk(P, Rest),
+              edge_side(T, E, Q), ord_memberchk(Q, Ps)
+            ),
+            Es1),
+    sort(Es1, Es),
+    length(Es, N),
+    (   N =:= 0
+    ->  true
+    ;   print_message(warning, sanggwan(unfold(kept_apart(T, N))))
     ).
 
 %   plate(S, Options0, Options, S1): S1 is S, or what of its plate touches the

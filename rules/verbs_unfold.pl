@@ -35,7 +35,7 @@
                 output_written/2, usage_error/1
               ]).
 :- autoload(library(apply), [maplist/2, maplist/3, maplist/4]).
-:- autoload(library(lists), [append/2, append/3, member/2]).
+:- autoload(library(lists), [append/2, append/3, last/2, member/2]).
 :- autoload(library(option), [option/2, option/3]).
 /** <module> The verb unfold.
 
@@ -321,31 +321,45 @@ named_as_written(Name=Name).
 in_file(Files, S, Wish, What, Location) :-
     Error = unfold(S, Wish, What),
     (   var(Location),
-        member(File, Files),
-        file_name_extension(_, pl, File),
-        exists_file(File),
-        wish_place(File, Wish, Place)
+        wish_place(Files, S, Wish, Place)
     ->  place_error(Place, 2, Error)
     ;   throw(error(model_error(Error), Location))
     ).
 
-%   wish_place(File, Wish, Place): of the last fact in File that says so.
+%   wish_place(Files, S, Wish, Place): of the last fact that says so of S; or of
+%   any segment, for those of a second file have numbers of their own there.
 
-wish_place(File, Wish, Place) :-
-    open_model_text(File, Text),
+wish_place(Files, S, Wish, Place) :-
+    findall(S1-Place1,
+            ( member(File, Files), file_wish_place(File, Wish, S1, Place1) ),
+            Places),
+    Places \== [],
+    (   findall(Place1, member(S-Place1, Places), Own),
+        last(Own, Place)
+    ->  true
+    ;   last(Places, _-Place)
+    ).
+
+%   file_wish_place(File, Wish, S, Place) is nondet.
+
+file_wish_place(File, Wish, S, Place) :-
+    file_name_extension(_, pl, File),
+    exists_file(File),
     setup_call_cleanup(
-        true,
-        places(Text, Wish, none, Place),
+        open_model_text(File, Text),
+        wish_places(Text, Wish, Places),
         close_model_text(Text)),
-    Place \== none.
+    member(S-Place, Places).
 
-places(Text, Wish, Place0, Place) :-
-    next_fact(Text, Fact, Place1),
+wish_places(Text, Wish, Places) :-
+    next_fact(Text, Fact, Place),
     (   Fact == end_of_file
-    ->  Place = Place0
-    ;   Fact = unfolding(_, Wish)
-    ->  places(Text, Wish, Place1, Place)
-    ;   places(Text, Wish, Place0, Place)
+    ->  Places = []
+    ;   Fact = unfolding(S, Said),
+        Said == Wish
+    ->  Places = [S-Place|Places1],
+        wish_places(Text, Wish, Places1)
+    ;   wish_places(Text, Wish, Places)
     ).
 
 

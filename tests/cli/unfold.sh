@@ -76,6 +76,14 @@ check "removed by a fact" output 'without 2 polygons' \
 { cat "$box"; echo; echo 'unfolding(1, cut(base-lid)).'; } >"$TMP/lid.pl"
 check "place of a fault" complains 3 'lid.pl:3:14: .*there is no polygon lid' \
   sanggwan unfold "$TMP/lid.pl"
+{ cat "$box"
+  echo 'unfolding(1, root(base)).'
+  echo 'segment(2, solid, sphere(radius(1))).'
+  echo 'unfolding(2, root(base)).'
+  echo 'segment(3, solid, box(size(1, 1, 1))).'
+  echo 'unfolding(3, root(base)).'; } >"$TMP/three.pl"
+check "place of the segment that has it" complains 3 'three.pl:4:14: segment 2' \
+  sanggwan unfold "$TMP/three.pl"
 { cat "$box"; echo 'unfolding(1, fold(3)).'; } >"$TMP/fold.pl"
 check "no wish" complains 3 'fold.pl:2:14: .*it is no wish' \
   sanggwan unfold "$TMP/fold.pl"
@@ -153,6 +161,16 @@ check "a table" eval "sanggwan unfold -q $pipe --true --generators 12 \
   [ \$(wc -l <$TMP/pipe.csv) = 14 ]"
 check "two tables" eval "sanggwan unfold -q $saddle --trim outside --true \
   --table $TMP/s.csv >/dev/null && [ -s $TMP/s-1.csv ] && [ -s $TMP/s-2.csv ]"
+check "half of it is all of it" output 'without 24 polygons' \
+  sanggwan unfold "$pipe" --true --half
+check "what is round can be removed" eval "[ \$(sanggwan unfold $pipe --true \
+  --remove side | grep -c '^segment') = 1 ]"
+check "wishes for what is flat" output 'in 2 pieces' \
+  sanggwan unfold "$box" --true --cut base-side
+check "the root of what is flat" eval "sanggwan unfold -q $box --true --root top \
+  --cut top-side -o - --format pl 2>/dev/null | grep -q '^piece(2, 2, 1)'"
+check "round and flat are not joined" complains 0 '24 edge.* could not be kept' \
+  sanggwan unfold "$pipe" --true --keep base-side
 check "the seam where it is wished" output 'seam  *260,' \
   sanggwan unfold "$saddle" --trim outside --true --only header
 check "or as an option says" output 'seam  *260,' \

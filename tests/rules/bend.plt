@@ -160,14 +160,16 @@ bends(D, Es, N) :-
                   ),
                   N).
 
-test(too_sharp, error(geometry_error(true(bend(_, _, _))), _)) :-
+test(too_sharp, error(geometry_error(true(bend(1, _, _, _))), _)) :-
     bent(sheet(points([[0,0,0],[10,0,0],[10,9,0],[0,9,0],[0,9,0.1],
                        [10,9,0.1],[10,0,0.5],[0,0,0.5]]),
                faces([[1,2,3,4],[4,3,7,8]])),
          [thickness(1)], _, true).
-test(too_narrow, error(geometry_error(true(bend_too_wide(_, _))), _)) :-
+test(too_narrow, error(geometry_error(true(bend_too_wide(1, _, _))), _)) :-
     bent(box(size(10,10,1)), [thickness(1),size(outside),bend_radius(5)], _,
          true).
+test(layer_outside, error(_, _)) :-
+    bend_deduction(90, [thickness(1),k_factor(1.5)], _).
 test(negative, error(domain_error(thickness, -1), _)) :-
     bend_deduction(90, [thickness(-1)], _).
 

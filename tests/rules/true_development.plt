@@ -49,6 +49,9 @@ size(D, Width, Height) :-
 width(Term, Options, Width) :-
     developed(Term, Options, D, size(D, Width, _)).
 
+seam_lefts(Term, Seam, Xs) :-
+    developed(Term, [seam(Seam)], D, findall(X, v(D, _, X, _, _), Xs)).
+
 near(X, Y) :-
     abs(X-Y) =< 1.0e-9*(1+abs(Y)).
 
@@ -114,6 +117,12 @@ test(rolled_of_plate, true(near(Width, pi*(100 + 2*0.5*4)))) :-
 test(rolled_with_k_factor, true(near(Width, pi*(100 + 2*0.4*4)))) :-
     width(cylinder(radius(50), height(80), facets(24)),
           [thickness(4),size(inside),k_factor(0.4)], Width).
+test(seam_turns, true(Xs1-Xs2 == Xs-Xs)) :-
+    Pipe = cylinder(radius(50), height(80), facets(24)),
+    maplist(seam_lefts(Pipe), [10, 3610, -350], [Xs,Xs1,Xs2]).
+test(seam_far, true(near(Width, 100*pi))) :-
+    width(cylinder(radius(50), height(80), facets(24)), [seam(1.0e300)],
+          Width).
 test(rolled_outside, true(near(Width, pi*(100 - 4)))) :-
     width(cylinder(radius(50), height(80), facets(24)),
           [thickness(4),size(outside)], Width).
