@@ -111,7 +111,9 @@ surface_runs([part(N,What)|Parts], P0, Named, Runs) :-
     ),
     surface_runs(Parts, P1, Named, Rest).
 
-%   stands_for(Turn, Surface): a facet of so many degrees stands for it.
+%   stands_for(Turn, Surface): a facet of so many degrees stands for it. No facet
+%   of a Bezier patch does: how far a patch bends within a facet is not known,
+%   so only the crease angle tells what its edges are.
 
 stands_for(Turn, Surface) :-
     functor(Surface, Name, _),
@@ -123,7 +125,6 @@ widest(cone,     45.0).
 widest(ruled,    45.0).
 widest(sphere,   90.0).
 widest(torus,    90.0).
-widest(bezier,   90.0).
 
 plain_surface(cylinder(C,U,V,W), surface(tapered,Frame,1.0,1.0)) :-
     frame(C, U, V, W, Frame).

@@ -59,6 +59,7 @@ wide(Ranges, Surface) :-
 same_surface(S, P) :-
     (   face_of(S, P, curved(Part, Ranges)),
         smooth_surface(S, Part, Surface),
+        Surface \= bezier(_),
         \+ wide(Ranges, Surface)
     ->  polygon_surface(S, P, S-K, _),
         once(( findall(Name, smooth_surface(S, Name, _), Names),
