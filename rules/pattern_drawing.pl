@@ -109,7 +109,7 @@ pattern_layout(Ds, Options,
     pieces_tabs(Width, Pieces, Tabs, Butt),
     maplist(outlined(Tabs), Pieces, Outlines),
     maplist(named_loops, Pieces, Outlines, Loops0),
-    tables(Ds, Options, Tables, TableLoops),
+    tables(Ds, Options, Paper, Tables, TableLoops),
     append(Loops0, TableLoops, Loops),
     nested(Loops, Paper, nested(Size,Places0)),
     sheet_of(Options, Paper, Size, Sheet),
@@ -119,24 +119,51 @@ pattern_layout(Ds, Options,
     maplist(laid, Things, Drawn, Places, Laid),
     laid_sheets(Laid, Sheets).
 
-%   tables(Ds, Options, Tables, Loops): Tables are table(D,Marks), each with its
-%   outline.
+%   tables(Ds, Options, Paper, Tables, Loops): Tables are table(D,Marks), each
+%   with its outline. Those for which Paper is too small even with small letters
+%   are left out.
 
-tables(Ds, Options, Tables, Loops) :-
+tables(Ds, Options, Paper, Tables, Loops) :-
     (   option(table(true), Options, true)
-    ->  findall(table(D,Marks)-(table(D)-[[0.0-0.0,W-0.0,W-H,0.0-H]]),
-                ( member(D, Ds), table_marks(D, Marks, W-H) ),
+    ->  findall(D, ( member(D, Ds), true_length_rows(D, [_|_]) ), Trues),
+        findall(table(D,Marks)-(table(D)-[[0.0-0.0,W-0.0,W-H,0.0-H]]),
+                ( member(D, Trues), table_marks(D, Paper, Marks, W-H) ),
                 Pairs),
-        pairs_keys_values(Pairs, Tables, Loops)
+        pairs_keys_values(Pairs, Tables, Loops),
+        told_tables(Trues, Tables)
     ;   Tables = [],
         Loops = []
     ).
 
-table_marks(D, Marks, W-H) :-
-    true_length_rows(D, [_|_]),
-    true_length_marks(D, [], Marks, W0-H0),
+told_tables(Trues, Tables) :-
+    length(Trues, All),
+    length(Tables, Shown),
+    (   All > Shown
+    ->  N is All-Shown,
+        print_message(informational, sanggwan(pattern(no_room(table,N))))
+    ;   true
+    ).
+
+%   table_marks(D, Paper, Marks, Size): with letters of 2.5 mm, or less if it
+%   would be larger than Paper, upright or on its side.
+
+table_marks(D, Paper, Marks, W-H) :-
+    true_length_marks(D, [], Marks0, Size0),
+    table_share(Paper, Size0, Share),
+    (   Share >= 1
+    ->  Marks = Marks0,
+        Size = Size0
+    ;   Share >= 0.5,
+        Letters is 2.5*Share,
+        true_length_marks(D, [height(Letters)], Marks, Size)
+    ),
+    Size = W0-H0,
     W is float(W0),
     H is float(H0).
+
+table_share(roll(_), _, 1).
+table_share(room(RoomW,RoomH,_), W-H, Share) :-
+    Share is 0.96*max(min(RoomW/W, RoomH/H), min(RoomW/H, RoomH/W)).
 
 %   What found no place has a sheet of its own, and goes beyond it.
 

@@ -82,43 +82,64 @@ lost_folds(Js, Parts, Lost) :-
 known(Assoc, Key) :-
     get_assoc(Key, Assoc, _).
 
+%   A face that a line divided has fold J several times: every two parts that
+%   have it in the same place are joined.
+
 fold_joined(Folds, Paper, J, Parts0, Parts) :-
-    select(A, Parts0, Parts1),
-    piece_has(A, seam(J,_,1)),
-    !,
-    (   select(B, Parts1, Parts2),
-        piece_has(B, seam(J,_,2)),
-        !,
-        piece_points(A, PointsA),
-        piece_points(B, PointsB),
-        append(PointsA, PointsB, Points),
-        fits_on(Points, Paper)
+    (   joinable(J, Paper, Parts0, A, B, Rest)
     ->  joined_piece(Folds, A, B, AB),
-        Parts = [AB|Parts2]
+        fold_joined(Folds, Paper, J, [AB|Rest], Parts)
     ;   Parts = Parts0
     ).
-fold_joined(_, _, _, Parts, Parts).
 
-piece_has(piece(_,_,Sides), Joint) :-
-    member(side(_,_,_,_,Joint), Sides),
-    !.
+joinable(J, Paper, Parts, A, B, Rest) :-
+    select(A, Parts, Parts1),
+    piece_seam(A, J, 1, SideA),
+    select(B, Parts1, Rest),
+    piece_seam(B, J, 2, SideB),
+    same_place(SideA, SideB),
+    piece_points(A, PointsA),
+    piece_points(B, PointsB),
+    append(PointsA, PointsB, Points),
+    fits_on(Points, Paper).
+
+piece_seam(piece(_,_,Sides), J, Which, Side) :-
+    Side = side(_, _, _, _, seam(J,_,Which)),
+    member(Side, Sides).
+
+%   same_place(Side1, Side2): one runs back along the other.
+
+same_place(side(_,_,_-(XA-YA),_-(XB-YB),_),
+           side(_,_,_-(XC-YC),_-(XD-YD),_)) :-
+    Near is 1.0e-9*(abs(XB-XA) + abs(YB-YA)),
+    abs(XA-XD) + abs(YA-YD) =< Near,
+    abs(XB-XC) + abs(YB-YC) =< Near.
 
 joined_piece(Folds, piece(Name,Faces1,Sides1), piece(_,Faces2,Sides2),
              piece(Name,Faces,Sides)) :-
     append(Faces1, Faces2, Faces),
     append(Sides1, Sides2, Sides0),
-    findall(J-Which, member(side(_,_,_,_,seam(J,_,Which)), Sides0), Own0),
-    sort(Own0, Own1),
-    list_to_assoc_of(Own1, Own),
-    maplist(joined_side(Folds, Own), Sides0, Sides).
+    findall(J-Side,
+            ( member(Side, Sides0),
+              Side = side(_, _, _, _, seam(J,_,_)),
+              get_assoc(J, Folds, _)
+            ),
+            Own0),
+    keysort(Own0, Own1),
+    group_pairs_by_key(Own1, Own2),
+    list_to_assoc(Own2, Own),
+    maplist(joined_side(Own), Sides0, Sides).
 
-joined_side(Folds, Own, side(E,P,A,B,seam(J,Angle,Which)), Side) :-
-    get_assoc(J, Folds, _),
+joined_side(Own, Side0, Side) :-
+    Side0 = side(E, P, A, B, seam(J,Angle,Which)),
+    get_assoc(J, Own, Seams),
     Other is 3-Which,
-    get_assoc(J-Other, Own, _),
+    Side1 = side(_, _, _, _, seam(_,_,Other)),
+    member(Side1, Seams),
+    same_place(Side0, Side1),
     !,
     Side = side(E, P, A, B, fold(J,Angle,Which)).
-joined_side(_, _, Side, Side).
+joined_side(_, Side, Side).
 
 
                 /*******************************

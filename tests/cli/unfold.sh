@@ -212,6 +212,10 @@ check "tabs" eval "[ \$(sanggwan unfold -q $box --scale 10:1 --tabs 5 -o - \
 check "a page that is none" complains 2 'A44' \
   sanggwan unfold "$box" --page A44 -o "$TMP/box.svg"
 
+sed 's/24/60/' "$pipe" >"$TMP/fine.pl"
+check "a table is no larger than its page" eval \
+  "sanggwan unfold $TMP/fine.pl --true --page A4 -o $TMP/fine.svg 2>&1 |
+  { ! grep -q 'goes beyond\|left out'; } && grep -q visible.table $TMP/fine*.svg"
 check "which paper there is" complains 2 "A4 A3 A2 A1 A0 letter" \
   sanggwan unfold "$box" --page A9
 check "no room" complains 2 'Take a smaller margin' \

@@ -181,6 +181,15 @@ test(divided_along_lines) :-
                           Name \== sheet ), Xs),
              length(Xs, Parts),
              assertion(Parts =:= N) )).
+% Faces that are all longer than the page: their halves hang together.
+test(divided_both_ways, [ Parts-Folds == 2-20 ]) :-
+    drawn(strip_pattern(11, 15, 400), [page('A4')], Drawings),
+    assertion(right(Drawings)),
+    findall(x, ( member(drawing(_,Views), Drawings),
+                 member(view(Name,_,_), Views),
+                 Name \== sheet ), Xs),
+    length(Xs, Parts),
+    count(Drawings, fold_down, Folds).
 test(divided_area) :-
     drawn(plate_pattern(400, 300), [page('A4')], Drawings),
     findall(A, ( stroke(Drawings, cut, stroke(_,_,_,_,Ps,_,_)),
