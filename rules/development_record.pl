@@ -19,7 +19,8 @@
 
 remembers it beside the rows of the pattern D, as csg_record.pl does for nodes:
 Stamp is that of the segment; or divided(Stamp), where edges of the segment had
-to be divided first, in a snapshot, which it does not show. Records are not written to files.
+to be divided first, in a snapshot, which it does not show. Records are not
+written to files.
 */
 
 %!  record_development(+D, +S, +Options:list, +Order, +Measures) is det.

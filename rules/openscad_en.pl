@@ -76,9 +76,6 @@ openscad_en(mixed(Name)) -->
 openscad_en(flat_extrusion(Name)) -->
     [ '~w of a solid; it takes flat figures'-[Name], nl,
       '  Give it square(), circle() or polygon().' ].
-openscad_en(flat_scale) -->
-    [ 'one factor of the scale is 0, the other is not', nl,
-      '  Give two above 0, or [0, 0] for an apex.' ].
 openscad_en(across_axis(X1, X2)) -->
     [ 'what is to be turned is on both sides of the axis: from x = ~w to ~w'-
           [X1, X2], nl,

@@ -23,7 +23,7 @@ of its own; a hole that touches a border in a point is taken away as one.
 %   Terms are the solids of the linear_extrude Node over Region, none if it has
 %   no height.
 %
-%   @error those of openscad_argument/5; flat_scale
+%   @error those of openscad_argument/5
 
 linear_extruded(Node, Region, Terms) :-
     openscad_knows(Node, [ height, center, convexity, twist, slices, scale,
@@ -32,7 +32,6 @@ linear_extruded(Node, Region, Terms) :-
     openscad_argument(Node, center, flag, false, Center),
     openscad_argument(Node, twist, number, 0, Twist),
     openscad_argument(Node, scale, factors, [1, 1], Scale),
-    whole_top(Scale, Node),
     (   H > 0
     ->  region_islands(Region, Islands),
         outline_points(Islands, Points),
@@ -42,14 +41,6 @@ linear_extruded(Node, Region, Terms) :-
         maplist(island_term(Maker), Islands, Terms0),
         maplist(centred(Center, H), Terms0, Terms)
     ;   Terms = []
-    ).
-
-whole_top([A, B], Node) :-
-    (   A*B =:= 0,
-        A+B > 0
-    ->  Node = node(_, _, _, _, Place),
-        openscad_error(flat_scale, Place)
-    ;   true
     ).
 
 outline_points(Islands, Points) :-

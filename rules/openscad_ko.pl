@@ -68,9 +68,6 @@ openscad_ko(mixed(Name)) -->
 openscad_ko(flat_extrusion(Name)) -->
     [ '~w 에 입체를 주었습니다. 평면 도형이어야 합니다'-[Name], nl,
       '  square(), circle(), polygon() 을 주십시오.' ].
-openscad_ko(flat_scale) -->
-    [ 'scale 의 배율 하나만 0 입니다', nl,
-      '  둘 다 0보다 크게 하거나, 꼭대기가 점이면 [0, 0] 을 주십시오.' ].
 openscad_ko(across_axis(X1, X2)) -->
     [ '돌릴 도형이 축의 양쪽에 있습니다: x = ~w 에서 ~w 까지'-[X1, X2], nl,
       '  한쪽으로 옮기거나 축에서 자르십시오.' ].

@@ -86,9 +86,6 @@ primitive_en(too_many_vertices(N, Most), Term) -->
 primitive_en(few_slices(N, Least), _) -->
     [ 'this twist needs ~d slices or more, not ~d'-[Least, N], nl,
       '  A slice turns less than half a turn.' ].
-primitive_en(flat_scale, Term) -->
-    [ 'one factor of scale(...) is 0, the other is not: ~p'-[Term], nl,
-      '  Give two above 0, or scale(0) for an apex.' ].
 primitive_en(no_step(Step), _) -->
     [ '~p is no step'-[Step], nl,
       '  There are translate(X, Y, Z), rotate(x, Degrees), \c

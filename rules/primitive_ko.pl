@@ -65,9 +65,6 @@ primitive_ko(too_many_vertices(N, Most), Term) -->
 primitive_ko(few_slices(N, Least), _) -->
     [ '이 twist 에는 층이 ~d 개 아니라 ~d 개 이상 있어야 합니다'-[N, Least],
       nl, '  한 층은 반 바퀴보다 적게 돕니다.' ].
-primitive_ko(flat_scale, Term) -->
-    [ 'scale(...) 의 배율 하나만 0 입니다: ~p'-[Term], nl,
-      '  둘 다 0보다 크게 하거나, 꼭대기가 점이면 scale(0) 을 주십시오.' ].
 primitive_ko(no_step(Step), _) -->
     [ '~p 은(는) 배치 단계가 아닙니다'-[Step], nl,
       '  translate(X, Y, Z), rotate(x, Degrees), \c

@@ -45,8 +45,8 @@ said(Because, Statement) :-
     ;   said(Others, Statement)
     ).
 
-%   with_attached(Goal): with a face whose edge 1 is three times as long as those
-%   of the three faces at it.
+%   with_attached(Goal): with a face whose edge 1 is three times as long as
+%   those of the three faces at it.
 
 :- meta_predicate with_attached(0), quietly(0).
 

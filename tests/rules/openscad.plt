@@ -220,8 +220,6 @@ faulty("union() { cube(); square(); }", openscad(mixed(union)), 1, 19).
 faulty("cube(); square();", openscad(mixed(group)), 1, 9).
 faulty("linear_extrude(height = 1) { cube(); }",
        openscad(flat_extrusion(linear_extrude)), 1, 1).
-faulty("linear_extrude(height = 1, scale = [0, 1]) { square(); }",
-       openscad(flat_scale), 1, 1).
 faulty("linear_extrude(height = 1, scale = -1) { square(); }",
        openscad(argument(linear_extrude, scale, -1, factors)), 1, 1).
 faulty("linear_extrude(height = 1, twist = 1e9, slices = 2) { square(); }",
@@ -256,6 +254,13 @@ measured(Text, Volume) :-
             square(size=3); } }", [Arguments]).
 measured("linear_extrude(height=10, center=true, twist=-360, slices=200, \c
           scale=[0,0]) { square(size=[20,10], center=true); }", 675.282269).
+measured("linear_extrude(height=10, scale=[1,0], $fn=0, $fa=12, $fs=2) { \c
+          square(size=3); }", 45.0).
+measured("linear_extrude(height=10, scale=0) { square(size=3); }", 30.0).
+measured("linear_extrude(height=10, scale=[0,0.5], $fn=0, $fa=12, $fs=2) { \c
+          difference() { square(size=10); \c
+          multmatrix([[1,0,0,2],[0,1,0,3],[0,0,1,0],[0,0,0,1]]) { \c
+          square(size=4); } } }", 350.0).
 measured("linear_extrude(height=3) { polygon(points=[[0,0],[10,0],[10,10],\c
           [0,10],[2,2],[8,2],[18,8],[2,8]], paths=[[0,1,2,3],[4,5,6,7]]); }",
          217.2).

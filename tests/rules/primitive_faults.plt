@@ -50,7 +50,6 @@ wrong(prism(outline([[0,0],[9,0],[9,9],[0,9]]), height(1),
 wrong(prism(outline([[0,0],[1,0],[2,0]]), height(1)), crossing(_, _, _, _)).
 wrong(prism(outline([[0,0],[1,0],[0,1]]), height(0)),
       wrong_argument(height(0), [length])).
-wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), scale(1,0)), flat_scale).
 wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), scale(-1)),
       wrong_argument(scale(-1), [factor])).
 wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), twist(360), slices(2)),

@@ -78,6 +78,18 @@ solid(prism(outline([[-1,0],[0,-1],[1,0],[0,1]]), height(3), twist(Degrees),
     V is 3/6*(2+4*Middle+2).
 solid(prism(outline([[-1,0],[0,-1],[1,0],[0,1]]), height(3), twist(90),
             scale(0), slices(1)), 2.0, 5, 5, 2).
+solid(prism(outline([[-1,-1],[1,-1],[1,1],[-1,1]]), height(3), scale(F,0),
+            shift(7,1)), V, 6, 5, 2) :-
+    member(F, [1,0.5,4]),
+    V is 4*3*(2+F)/6.
+solid(prism(outline([[-1,-1],[1,-1],[1,1],[-1,1]]), height(3), scale(0,F),
+            slices(4)), V, 18, 17, 2) :-
+    member(F, [1,0.5]),
+    V is 4*3*(2+F)/6.
+solid(prism(outline([[0,0],[2,0],[2,1],[1,1],[1,2],[0,2]]), height(2),
+            scale(1,0)), 3.0, 9, 7, 2).
+solid(prism(outline([[-1,0],[0,-1],[1,0],[0,1]]), height(3), scale(1,0)),
+      3.0, 7, 9, 2).
 solid(pyramid(outline([[0,0],[2,0],[2,1],[1,1],[1,2],[0,2]]), height(2),
               shift(5,5)), 2.0, 7, 7, 2).
 solid(turning(outline([[0,0],[2,0],[2,3],[0,3]]), facets(9)), V, 18, 11, 2) :-
