@@ -148,7 +148,7 @@ shell_report(Defects, shell(P, Vs, Es, Ps, Euler0, Closed, Pinched, Area,
                depth:Depth}.
 
 total(Segments, Total) :-
-    maplist([K,N]>>sum_key(Segments, K, N),
+    maplist(sum_key(Segments),
             [vertices,edges,polygons,triangles], [Vs,Es,Ps,Ts]),
     sum_key(Segments, area, Area),
     length(Segments, N),

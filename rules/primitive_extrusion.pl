@@ -27,8 +27,9 @@ of two as long as each other the one that leans with the turning. Below a ridge
 all lean forward: so no two triangles stand on one vertex and lie on each other
 where the outline turns back.
 
-The faces are base, top (none over an apex or a ridge) and the walls of the first slice,
-the second, ...; side(I) is what stands on the I-th edge, counted as the edges
+The faces are base, top (none over an apex or a ridge) and the walls of the
+first slice, the second, ...; side(I) is what stands on the I-th edge, counted
+as the edges
 of a turning. For shapes see shape.pl.
 */
 
@@ -239,8 +240,8 @@ wall(Slice, Way, Which, V, W, Faces) :-
         Faces = [face(What, [[A, B, C]]), face(What, [[B|Upper]])]
     ).
 
-%   upper_edge(Slice, V, W, Upper): the vertices above, from W to V: one below an
-%   apex, and below a ridge all the places on the way.
+%   upper_edge(Slice, V, W, Upper): the vertices above, from W to V: one below
+%   an apex, and below a ridge all the places on the way.
 
 upper_edge(slice(_, Highs, First, Count, Above), V, W, Upper) :-
     Next is First+Count,

@@ -62,15 +62,16 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
     sections(Texts, Sections),
     maplist(section_seen(Lines, Module:Again, Picture), Sections, SeenCut),
     facts_snapshot(( call(Module:First),
-                     maplist([View,Seen]>>view_seen(View, Lines, true,
-                                                    Picture, Seen),
-                             Views, SeenWhole) )),
+                     maplist(whole_seen(Lines, Picture), Views, SeenWhole) )),
     append(SeenWhole, SeenCut, All),
     option(hidden(Hidden), Request),
     maplist(shown(Hidden), All, Shown),
     boxed_views(Shown, Boxed),
     warned_if_empty(Boxed),
     sheet_laid(Request, Sections, Boxed, Drawing).
+
+whole_seen(Lines, Picture, View, Seen) :-
+    view_seen(View, Lines, true, Picture, Seen).
 
 standing(View0, View) :-
     (   View0 = eye(Eye, Target)

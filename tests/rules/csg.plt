@@ -526,11 +526,14 @@ test(planes, Bad == []) :-
                            t(2, P, _, V1, V2, V3),
                            plane_fault(A, B, C, D, 2, [V1,V2,V3]) ), Bad)).
 
+vertex_place(S, V, p(X, Y, Z)) :-
+    v(S, V, X, Y, Z).
+
 plane_fault(A, B, C, D, S, Vs) :-
     (   member(V, Vs),
         v(S, V, X, Y, Z),
         abs(A*X + B*Y + C*Z + D) > 1.0e-12
-    ;   maplist([V,p(X,Y,Z)]>>v(S, V, X, Y, Z), Vs,
+    ;   maplist(vertex_place(S), Vs,
                 [p(X1,Y1,Z1),p(X2,Y2,Z2),p(X3,Y3,Z3)]),
         A*((Y2-Y1)*(Z3-Z1)-(Z2-Z1)*(Y3-Y1)) +
         B*((Z2-Z1)*(X3-X1)-(X2-X1)*(Z3-Z1)) +
@@ -642,8 +645,11 @@ rightly(Half, plane(A,B,C,D), X, Y, Z) :-
         )
     ).
 
+nth_of(Points, I, Point) :-
+    nth1(I, Points, Point).
+
 behind(Face, Points, X, Y, Z) :-
-    maplist([I,P]>>nth1(I, Points, P), Face, Corners),
+    maplist(nth_of(Points), Face, Corners),
     Corners = [[A1,B1,C1],[A2,B2,C2],[A3,B3,C3]],
     U1 is A2-A1, V1 is B2-B1, W1 is C2-C1,
     U2 is A3-A1, V2 is B3-B1, W2 is C3-C1,

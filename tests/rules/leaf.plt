@@ -184,7 +184,7 @@ test(kept, Bad == []) :-
                originals(Before),
                penetrate,
                findall(E, leaf_row(E), Leaves),
-               exclude([L]>>memberchk(L, Before), Leaves, Bad) )).
+               subtract(Leaves, Before, Bad) )).
 test(restored, After == Before) :-
     new_world(World),
     in_world(World,

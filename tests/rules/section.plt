@@ -76,7 +76,10 @@ slice([P1,P2,P3], [H1,H2,H3], A, B) :-
 
 crossing(P, H, Q, K, R) :-
     T is H/(H-K),
-    maplist([A,B,C]>>(C is A+T*(B-A)), P, Q, R).
+    maplist(part_of_the_way(T), P, Q, R).
+
+part_of_the_way(T, A, B, C) :-
+    C is A+T*(B-A).
 
 cross([A,B,C], [X,Y,Z], [U,V,W]) :-
     U is B*Z-C*Y,

@@ -52,7 +52,7 @@ shell_put(_-Vs-Es-Ps, V0-E0-P0, V1-E1-P1) :-
            ( E2 is E+E0, A2 is A+V0, B2 is B+V0,
              assert_fact(e(1, E2, A2, B2, T)) )),
     forall(member(p(P,List), Ps),
-           ( P2 is P+P0, maplist([E,E2]>>(E2 is E+E0), List, List2),
+           ( P2 is P+P0, maplist(plus(E0), List, List2),
              assert_fact(p(1, P2, List2)) )),
     aggregate_all(max(V), member(v(V,_,_,_), Vs), MaxV),
     aggregate_all(max(E), member(e(E,_,_,_), Es), MaxE),

@@ -254,8 +254,9 @@ test(measures, [P,K,W,H] == [6,1,4.0,3.0]) :-
                  forall(member(Key-Value, [ seam-7, bound-7, area-6,
                                             pattern_area-6 ]),
                         ( get_dict(Key, M, Measure), near(Measure, Value) )),
-                 maplist([Key,N]>>get_dict(Key, M, N),
-                         [polygons,pieces,width,height], [P,K,W,H]) )).
+                 findall(N, ( member(Key, [polygons,pieces,width,height]),
+                              get_dict(Key, M, N) ),
+                         [P,K,W,H]) )).
 test(measures_removed, R == 2) :-
     with_parts([box(size(1, 1, 1))],
                ( unfold(1, [removed([base,top])], D), pattern_measures(D, M),
