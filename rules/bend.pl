@@ -4,7 +4,8 @@
           ]).
 :- use_module(store,
               [ e/5, edge_polygon/3, from_v/4, joint/6, p/3, segment/3, t/6,
-                v/5, assert_fact/1, facts_transaction/1, fresh_id/3, retract_fact/1
+                v/5, assert_fact/1, facts_transaction/1, fresh_id/3,
+                retract_fact/1
               ]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc),
@@ -101,8 +102,8 @@ drawn_at(inside, Degrees, T, S) :-
 %
 %   @error geometry_error(true(bend(S, P1, P2, Degrees))): the plate of segment
 %   S would turn by 170 degrees or more
-%   @error geometry_error(true(bend_too_wide(S, P, Width))): of polygon P nothing
-%   is left
+%   @error geometry_error(true(bend_too_wide(S, P, Width))): of polygon P
+%   nothing is left
 
 pattern_bent(D, Options) :-
     plate(Options, T, _, _, _),

@@ -2,11 +2,13 @@
           [ record_development/5,       % +D, +S, +Options, +Order, +Measures
             recorded_development/4,     % +D, -S, -Options, -Order
             development_measures/2,     % +D, -Measures
+            drop_pattern/1,             % +D
             record_divided/2,           % +D, +S
             divided_development/3,      % +D, -S, -Options
             score/3,                    % +Objective, +Measures, -Score
             cannot_develop/2            % +S, +What
           ]).
+:- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(store,
               [ segment/3, origin/3, segment_stamp/2, assert_fact/1,
                 retractall_facts/1
@@ -39,6 +41,15 @@ is_wish(Option) :-
     functor(Option, Name, 1),
     ground(Option),
     memberchk(Name, [removed,root,cut,keep,order,minimize]).
+
+%!  drop_pattern(+D) is det.
+%
+%   Take away all rows of segment D, a pattern, and what remembers it.
+
+drop_pattern(D) :-
+    drop_boundary(D),
+    retractall_facts(origin(D, _, _)),
+    retractall_facts(segment(D, _, _)).
 
 %!  recorded_development(+D, -S, -Options:list, -Order) is det.
 %

@@ -8,9 +8,10 @@
 :- use_module(development_record,
               [recorded_development/4, development_measures/2]).
 :- use_module(explain_pair, [decided_by/2]).
+:- use_module(part_edges, [edge_length/3]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store,
-              [ v/5, e/5, p/3, piece/3, joint/6, segment/3, origin/3,
+              [ e/5, p/3, piece/3, joint/6, segment/3, origin/3,
                 edge_polygon/3, facts_snapshot/1 ]).
 :- use_module(unfold,
               [ unfoldable/1, wishes/3, wanted_of/3, part_laid/4,
@@ -167,12 +168,6 @@ joint_facts(D, E, E2, S, P1, P2, Length) :-
 
 of_segment(D, S) :-
     segment(D, pattern, development(S)).
-
-edge_length(D, E, Length) :-
-    once(e(D, E, A, B, _)),
-    once(v(D, A, X1, Y1, _)),
-    once(v(D, B, X2, Y2, _)),
-    Length is sqrt((X2-X1)**2 + (Y2-Y1)**2).
 
 /* - - - a seam - - - */
 

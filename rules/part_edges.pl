@@ -1,5 +1,6 @@
 :- module(sg_part_edges,
-          [ parts_attached/3            % +S, +Tolerance, -Changes
+          [ parts_attached/3,           % +S, +Tolerance, -Changes
+            edge_length/3               % +S, +E, -Length
           ]).
 :- use_module(kernel, [census_defect/4]).
 :- use_module(repair, [welded_vertex/2]).
@@ -173,10 +174,17 @@ mean_length(S, Es, Mean) :-
     Mean is Sum/N.
 
 longer(S, E, Sum0-N0, Sum-N) :-
-    ends(S, E, A, B),
-    distance(A, B, Length),
+    edge_length(S, E, Length),
     Sum is Sum0+Length,
     N is N0+1.
+
+%!  edge_length(+S, +E, -Length) is semidet.
+%
+%   Length, in model units, is that of edge E of segment S.
+
+edge_length(S, E, Length) :-
+    ends(S, E, A, B),
+    distance(A, B, Length).
 
 ends(S, E, A, B) :-
     e(S, E, V1, V2, _),

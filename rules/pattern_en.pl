@@ -38,8 +38,8 @@ role_en(table, 'tables of true lengths').
 pattern_fault_en(paper(Page, Names)) -->
     { atomic_list_concat(Names, ' ', All) },
     [ '--page ~w: there is no such paper'-[Page], nl,
-      '  Take one of ~w letter, perhaps with -portrait or -landscape, or WxH in \c
-       mm, from 50 to 20000.'-[All] ].
+      '  Take one of ~w letter, perhaps with -portrait or -landscape, or WxH \c
+       in mm, from 50 to 20000.'-[All] ].
 pattern_fault_en(scale(Text)) -->
     [ '--scale ~w is no scale'-[Text], nl,
       '  Write 1:2 for half the size, 5:1 for five times.' ].

@@ -1,5 +1,6 @@
 :- module(sg_pattern_text,
-          [ written/4                   % +Lines, +Wanted, -Strokes, -Skipped
+          [ written/4,                  % +Lines, +Wanted, -Strokes, -Skipped
+            first_of/3                  % +N, +List, -First
           ]).
 :- use_module(kernel, [shapes_add/2, shapes_free/3, shapes_open/2]).
 :- use_module(lettering, [lettering/2, lettering_width/3]).
@@ -220,6 +221,10 @@ weighed(Area-(X-Y), w(X0,Y0,A0), w(X1,Y1,A1)) :-
     X1 is X0+Area*X,
     Y1 is Y0+Area*Y,
     A1 is A0+Area.
+
+%!  first_of(+N, +List, -First:list) is det.
+%
+%   First are the first N of List, or all if it has no more.
 
 first_of(N, List, First) :-
     (   N > 0,

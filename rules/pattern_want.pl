@@ -3,6 +3,7 @@
           [ wanted_text/4               % +Placed, +Options, +Numbers, -Want
           ]).
 :- use_module(pattern_number, [reads_turned/1]).
+:- use_module(pattern_text, [first_of/3]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store, [segment/3]).
 :- autoload(library(apply), [maplist/3]).
@@ -54,15 +55,6 @@ wanted_text(placed(Name,_,_,_,Sides), Options, _,
     member(side(_,_,_-A,_-B,fold(_,Angle,1)), Sides),
     abs(Angle) > Threshold,
     angle_text(Angle, Text).
-
-first_of(N, List, First) :-
-    (   N > 0,
-        List = [X|Xs]
-    ->  First = [X|Rest],
-        N1 is N-1,
-        first_of(N1, Xs, Rest)
-    ;   First = []
-    ).
 
 number_text(N, Text) :-
     number_string(N, String),

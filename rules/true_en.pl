@@ -36,8 +36,8 @@ true_en(no_offset(S)) -->
       '  With a thickness, penetrations are found for right circular \c
          cylinders and cones, spheres and tori.' ].
 true_en(bend(S, P1, P2, Degrees)) -->
-    [ 'segment ~d: the fold between polygons ~d and ~d turns by ~2f degrees: no \c
-       bend has such an angle'-[S, P1, P2, Degrees], nl,
+    [ 'segment ~d: the fold between polygons ~d and ~d turns by ~2f degrees: \c
+       no bend has such an angle'-[S, P1, P2, Degrees], nl,
       '  Bends turn by less than 170 degrees.' ].
 true_en(bend_too_wide(S, P, Width)) -->
     [ 'segment ~d: polygon ~d is narrower than what its bends take off, ~4f'-

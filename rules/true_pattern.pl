@@ -1,9 +1,9 @@
 :- module(sg_true_pattern,
           [ pattern_written/3           % +Term, +Pattern, -D
           ]).
+:- use_module(development_record, [drop_pattern/1]).
 :- use_module(store,
-              [ e/5, p/3, plane/6, segment/3, v/5, assert_fact/1,
-                retractall_facts/1, fresh_id/3
+              [ e/5, p/3, plane/6, segment/3, v/5, assert_fact/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
 :- autoload(library(aggregate), [aggregate_all/3]).
@@ -52,13 +52,7 @@ pattern_written(Term, Pattern, D) :-
 
 emptied(Term, D) :-
     (   segment(D, pattern, Term)
-    ->  forall(member(Rows,
-                      [ segment(D,_,_), v(D,_,_,_,_), e(D,_,_,_,_), p(D,_,_),
-                        plane(D,_,_,_,_,_), t(D,_,_,_,_,_), origin(D,_,_),
-                        from_v(D,_,_,_), from_p(D,_,_,_,_), piece(D,_,_),
-                        joint(D,_,_,_,_,_)
-                      ]),
-               retractall_facts(Rows))
+    ->  drop_pattern(D)
     ;   fresh_id(segment, 0, D)
     ).
 

@@ -1,5 +1,6 @@
 :- module(sg_true_shape,
           [ true_part/5,                % ?S, ?Part, -Leaf, -Name, -Surface
+            part_facet/5,               % +S, +Part, ?P, -T1, -T2
             part_facets/4,              % +S, +Part, -Facets, -Shape
             shape_nodes/2,              % +Shape, -Nodes
             key_place/4,                % +Nodes, +Key, -T, -H
@@ -59,6 +60,11 @@ true_part(S, Leaf/Name, Leaf, Name, Surface) :-
     sort(Parts0, Parts),
     member(Leaf-Name, Parts),
     smooth_surface(Leaf, Name, Surface).
+
+%!  part_facet(+S, +Part, ?P, -T1, -T2) is nondet.
+%
+%   Polygon P of segment S is a facet of Part, between the generators T1 and T2,
+%   degrees.
 
 part_facet(S, Part, P, T1, T2) :-
     (   Part = Leaf/Name
@@ -252,8 +258,11 @@ kept_in_order(Shape, I, Facet, Nodes0, Nodes) :-
     ->  Nodes = Nodes0
     ;   sort(1, @<, Pasts0, Pasts),
         foldl(moved_back(Shape), Pasts, Nodes0, Nodes1),
-        I1 is I+1,
-        kept_in_order(Shape, I1, Facet, Nodes1, Nodes)
+        (   Nodes1 == Nodes0            % none of them can go there
+        ->  Nodes = Nodes0
+        ;   I1 is I+1,
+            kept_in_order(Shape, I1, Facet, Nodes1, Nodes)
+        )
     ).
 
 %   past(Facet, I, Nodes, V, W, T): V is past a generator of Facet, and W is on

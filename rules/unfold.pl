@@ -14,10 +14,9 @@
           ]).
 :- use_module(bend, [pattern_bent/2]).
 :- use_module(csg_roots, [aside_segments/1]).
-:- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(development, [develop/3]).
 :- use_module(development_record,
-              [record_divided/2, divided_development/3]).
+              [drop_pattern/1, record_divided/2, divided_development/3]).
 :- use_module(kernel, [model_tolerance/1]).
 :- use_module(part_edges, [parts_attached/3]).
 :- use_module(polygon_name, [polygon_name/3]).
@@ -25,8 +24,7 @@
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, segment/3, origin/3, from_v/4,
                 from_p/5, unfolding/2, piece/3, joint/6, edge_polygon/3,
-                assert_fact/1, retractall_facts/1, facts_snapshot/1,
-                facts_transaction/1
+                assert_fact/1, facts_snapshot/1, facts_transaction/1
               ]).
 :- use_module(trimmed, [trimmed/5]).
 :- use_module(unfold_wish, [wanted/3, wanted_in/4]).
@@ -233,15 +231,6 @@ attached_unfolded(T, S, Wanted, Options, Tolerance, Result) :-
         findall(Row, pattern_row(D, Row), Rows),
         Result = rows(D, Rows)
     ).
-
-%   drop_pattern(D): what D was before.
-
-drop_pattern(D) :-
-    drop_boundary(D),
-    retractall_facts(origin(D, _, _)),
-    retractall_facts(joint(D, _, _, _, _, _)),
-    retractall_facts(piece(D, _, _)),
-    retractall_facts(segment(D, _, _)).
 
 parts_named(D, Divided) :-
     forall(( member(E0-Es, Divided), member(E, Es) ), part_named(D, E, E0)).

@@ -7,10 +7,11 @@
 :- use_module(development_record, [development_measures/2]).
 :- use_module(kernel, [census/1]).
 :- use_module(language, [language/1]).
+:- use_module(part_edges, [edge_length/3]).
 :- use_module(polygon_name, [segment_title/2]).
 :- use_module(report, [counted/4]).
 :- use_module(store,
-              [v/5, e/5, p/3, t/6, origin/3, from_p/5, piece/3, joint/6]).
+              [v/5, p/3, t/6, origin/3, from_p/5, piece/3, joint/6]).
 :- use_module(trimmed, [trimmed_from/2]).
 :- use_module(unfold, [pattern_of/2]).
 :- autoload(library(aggregate), [aggregate_all/3]).
@@ -130,13 +131,6 @@ left_in(D, P) :-
     ;   from_p(D, _, _, P, _)
     ->  true
     ).
-
-edge_length(D, E, Length) :-
-    e(D, E, A, B, _),
-    v(D, A, X1, Y1, _),
-    v(D, B, X2, Y2, _),
-    !,
-    Length is sqrt((X2-X1)**2 + (Y2-Y1)**2).
 
 
                 /*******************************

@@ -2,14 +2,13 @@
           [ true_patterns/4             % +S, +Wanted, +Options, -Ds
           ]).
 :- use_module(polygon_name, [polygon_name/3]).
-:- use_module(primitive_face, [face_of/3]).
-:- use_module(provenance, [polygon_from/5]).
 :- use_module(store,
               [e/5, p/3, from_p/5, edge_polygon/3, facts_transaction/1]).
 :- use_module(triangulation, [complete_segments/0]).
 :- use_module(true_development, [true_development/4, developable_part/3]).
 :- use_module(true_plate, [plate_parts/5]).
 :- use_module(true_rim, [rims_rounded/3]).
+:- use_module(true_shape, [part_facet/5]).
 :- use_module(unfold, [trimmed_part/3, other_parts/3, part_developed/4]).
 :- use_module(unfold_wish, [wanted_in/4]).
 :- autoload(library(apply), [include/3, maplist/3]).
@@ -63,16 +62,7 @@ patterns(S, Wanted, Options0, Ds) :-
 
 part_removed(T, Part, Removed) :-
     Removed \== [],
-    forall(part_polygon(T, Part, P), ord_memberchk(P, Removed)).
-
-%   part_polygon(T, Part, P) is nondet: P is a facet of Part of segment T.
-
-part_polygon(T, Leaf/Name, P) :-
-    !,
-    polygon_from(T, P, Leaf, P0, _),
-    face_of(Leaf, P0, curved(Name, [_])).
-part_polygon(T, Name, P) :-
-    face_of(T, P, curved(Name, [_])).
+    forall(part_facet(T, Part, P, _, _), ord_memberchk(P, Removed)).
 
 %   unrolled_polygons(T, Parts, Ds, Options, Ps): Ps are the polygons that need
 %   no other pattern: those in Ds, and the other halves of these.
@@ -80,7 +70,7 @@ part_polygon(T, Name, P) :-
 unrolled_polygons(T, Parts, Ds, Options, Ps) :-
     findall(P, ( member(D, Ds), has_polygon(D, T, P) ), Ps0),
     (   option(half(true), Options)
-    ->  findall(P, ( member(Part, Parts), part_polygon(T, Part, P) ), Ps1),
+    ->  findall(P, ( member(Part, Parts), part_facet(T, Part, P, _, _) ), Ps1),
         append(Ps0, Ps1, Ps2)
     ;   Ps2 = Ps0
     ),

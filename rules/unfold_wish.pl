@@ -3,11 +3,12 @@
             wanted_in/4,                % +T, +S, +Wanted, -Options
             wish_form/2                 % ?Name, -Form
           ]).
+:- use_module(part_edges, [edge_length/3]).
 :- use_module(polygon_name,
               [ polygons_named/3, edges_named/3, joined_by/4, known_polygons/3,
                 neighbours/3, polygon_name/3
               ]).
-:- use_module(store, [v/5, e/5, p/3, from_p/5, origin/3, edge_polygon/3]).
+:- use_module(store, [e/5, p/3, from_p/5, origin/3, edge_polygon/3]).
 :- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
 :- autoload(library(lists), [append/3, last/2, member/2, nth1/3]).
@@ -419,12 +420,6 @@ longest_edge(order(S, Wish, From, Cut), P, Before, edge(E, P, Q)) :-
     ->  wish_fault(From, S, Wish, order_apart(P, Before))
     ;   wish_fault(From, S, Wish, order_cut(P, Before))
     ).
-
-edge_length(S, E, Length) :-
-    once(e(S, E, A, B, _)),
-    once(v(S, A, X1, Y1, Z1)),
-    once(v(S, B, X2, Y2, Z2)),
-    Length is sqrt((X2-X1)**2 + (Y2-Y1)**2 + (Z2-Z1)**2).
 
 
                 /*******************************

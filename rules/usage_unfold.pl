@@ -66,13 +66,13 @@ unfold_option(option(size, '', one_of([inside, middle, outside]), 'WHICH',
     'with --thickness: which side of the plate the model shows (middle, as is \c
      usual)')).
 unfold_option(option(kfactor, '', number(0,1), 'K',
-    'with --thickness: where the layer is that keeps its length, K times T from \c
-     the inside of a bend, 0 to 1; default 0.44, with --true 0.5')).
+    'with --thickness: where the layer is that keeps its length, K times T \c
+     from the inside of a bend, 0 to 1; default 0.44, with --true 0.5')).
 unfold_option(option('bend-radius', '', number(0), 'R',
     'with --thickness: inside each bend; default T')).
 unfold_option(option('set-in', '', flag, '',
-    'with --true, --trim and --thickness: a branch goes through the wall of the \c
-     header; without it, it is set on')).
+    'with --true, --trim and --thickness: a branch goes through the wall of \c
+     the header; without it, it is set on')).
 unfold_option(option('other-thickness', '', number(0), 'T',
     'with --true, --trim and --thickness: of the plate of the other segments')).
 unfold_option(option(tolerance, '', number(0), 'T',
@@ -85,8 +85,8 @@ unfold_option(option(page, '', value, 'PAPER',
     'pages of this size, A4 to A0, A3-landscape, letter or WxH in mm; larger \c
      pieces are divided; without it one sheet as large as needed')).
 unfold_option(option(tile, '', flag, '',
-    'pieces are not divided, but the sheet is, into pages that overlap; A4, if \c
-     --page does not say another')).
+    'pieces are not divided, but the sheet is, into pages that overlap; A4, \c
+     if --page does not say another')).
 unfold_option(option(overlap, '', number(0), 'MM',
     'with --tile: how far these overlap; default 10')).
 unfold_option(option(margin, '', number(0), 'MM',
