@@ -159,13 +159,13 @@ typedef struct motion {
   double cosine, sine, from[2], to[2];
 } motion;
 
-/* Side b of one face onto side a of another: its end to the start. */
+/* The other side of a joint onto side `onto`: its end to the start. */
 static motion
-motion_onto(const sg_flattening *fl, uint32_t a, uint32_t b)
+motion_onto(const sg_flattening *fl, const sg_joint *j, int onto)
 {
-  const sg_flat_side *onto = &fl->faces->side[a], *side = &fl->faces->side[b];
-  const double *a0 = fl->at[onto->from], *a1 = fl->at[onto->to];
-  const double *b0 = fl->at[side->to], *b1 = fl->at[side->from];
+  const uint32_t *a = j->corner[onto], *b = j->corner[!onto];
+  const double *a0 = fl->at[a[0]], *a1 = fl->at[a[1]];
+  const double *b0 = fl->at[b[1]], *b1 = fl->at[b[0]];
   double wx = a1[0] - a0[0], wy = a1[1] - a0[1];
   double ux = b1[0] - b0[0], uy = b1[1] - b0[1];
   double c = ux * wx + uy * wy, s = ux * wy - uy * wx, size = hypot(c, s);
@@ -489,7 +489,7 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
     return true;
   }
   const attempt of = {moving, onto, j->side[!second],
-                      motion_onto(fl, j->side[second], j->side[!second])};
+                      motion_onto(fl, j, second)};
 
   if (!try_motion(fl, &of, poll, stopped, &overlap)) {
     return false;
@@ -536,14 +536,14 @@ fetch_ahead(const sg_flattening *fl, const uint32_t *order, size_t i, size_t n)
   for (int k = 0; k < 2 && i + 2 * AHEAD < n; k++) {
     const sg_joint *j = &fl->joints->joint[order[i + 2 * AHEAD]];
     __builtin_prefetch(&fl->island_of[j->face[k]]);
-    __builtin_prefetch(&fl->faces->side[j->side[k]]);
+    __builtin_prefetch(&fl->at[j->corner[k][0]]);
+    __builtin_prefetch(&fl->at[j->corner[k][1]]);
     __builtin_prefetch(&fl->faces->triangle_begin[j->face[k]]);
     __builtin_prefetch(&fl->faces->corner_begin[j->face[k]]);
   }
   for (int k = 0; k < 2 && i + AHEAD < n; k++) {
     const sg_joint *j = &fl->joints->joint[order[i + AHEAD]];
     __builtin_prefetch(&fl->island[fl->island_of[j->face[k]]]);
-    __builtin_prefetch(&fl->at[fl->faces->side[j->side[k]].from]);
     __builtin_prefetch(
         &fl->faces->triangle[fl->faces->triangle_begin[j->face[k]]]);
   }

@@ -7,7 +7,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 16384 };
+enum {
+  LINE = 64, /* bytes of memory that come together */
+  POLL_EVERY = 16384
+};
+
+static sg_joint *
+new_joints(size_t n)
+{
+  _Static_assert(sizeof(sg_joint) == LINE, "a joint is a line of memory");
+  return aligned_alloc(LINE, (n + 1) * LINE);
+}
 
 /* ---- pairing ------------------------------------------------------------ */
 
@@ -42,10 +52,16 @@ add_joint(pairing *p, uint32_t a, uint32_t b)
   const sg_flat_faces *f = p->faces;
   bool swap = f->side[b].edge < f->side[a].edge;
   sg_joint *j = &p->out->joint[p->out->n++];
+  const uint32_t side[2] = {swap ? b : a, swap ? a : b};
 
-  *j = (sg_joint){.side = {swap ? b : a, swap ? a : b},
-                  .face = {f->face_of[swap ? b : a], f->face_of[swap ? a : b]},
-                  .line = f->face_of[a] == f->face_of[b]};
+  *j = (sg_joint){.line = f->face_of[a] == f->face_of[b]};
+  for (int k = 0; k < 2; k++) {
+    j->side[k] = side[k];
+    j->face[k] = f->face_of[side[k]];
+    j->corner[k][0] = f->side[side[k]].from;
+    j->corner[k][1] = f->side[side[k]].to;
+    j->vertex[k] = f->vertex[j->corner[0][k]];
+  }
   p->out->of_side[a] = p->out->of_side[b] = (uint32_t)p->out->n - 1;
 }
 
@@ -232,7 +248,7 @@ static bool
 sort_joints(const pairing *p)
 {
   const sg_flat_faces *f = p->faces;
-  sg_joint *sorted = malloc((p->out->n + 1) * sizeof *sorted);
+  sg_joint *sorted = new_joints(p->out->n);
   size_t n = 0;
 
   if (!sorted) {
@@ -303,8 +319,8 @@ measure(const pairing *p, sg_joint *j, double tolerance)
 {
   const sg_flat_faces *f = p->faces;
   uint32_t a = j->face[0], b = j->face[1];
-  const double *from = p->dense->at[sg_flat_side_from(f, j->side[0])];
-  const double *to = p->dense->at[sg_flat_side_to(f, j->side[0])];
+  const double *from = p->dense->at[j->vertex[0]];
+  const double *to = p->dense->at[j->vertex[1]];
   const double along[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   double turn[3];
 
@@ -346,7 +362,7 @@ sg_joints_make(sg_flat_faces *faces, const sg_dense *dense, double tolerance,
 
   *stopped = false;
   *out =
-      (sg_joints){.joint = malloc((faces->sides / 2 + 1) * sizeof *out->joint),
+      (sg_joints){.joint = new_joints(faces->sides / 2),
                   .of_side = malloc((faces->sides + 1) * sizeof *out->of_side)};
   if (!out->joint || !out->of_side) {
     return false;

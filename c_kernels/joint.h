@@ -11,13 +11,15 @@
 
 #include "flat_face.h"
 
-typedef struct sg_joint {
-  uint32_t side[2]; /* that of the lower edge place first */
-  uint32_t face[2]; /* of these */
-  double length;    /* model units */
-  double angle;     /* degrees between the normals; > 0: convex */
-  bool line;        /* both sides in one face: a penetration line */
-  bool flat;        /* the smaller face lies in the plane of the other */
+typedef struct sg_joint { /* what joining asks for, in a line of memory */
+  uint32_t side[2];       /* that of the lower edge place first */
+  uint32_t face[2];       /* of these */
+  uint32_t corner[2][2];  /* where each begins and ends */
+  int32_t vertex[2];      /* where the first does, in the segment */
+  double length;          /* model units */
+  double angle;           /* degrees between the normals; > 0: convex */
+  bool line;              /* both sides in one face: a penetration line */
+  bool flat;              /* the smaller face lies in the plane of the other */
 } sg_joint;
 
 #define SG_NO_JOINT UINT32_MAX

@@ -22,9 +22,8 @@ sg_joint_step(const sg_flattening *fl)
 void
 sg_joint_middle(const sg_flattening *fl, uint32_t j, double out[3])
 {
-  uint32_t side = fl->joints->joint[j].side[0];
-  const double *a = fl->dense->at[sg_flat_side_from(fl->faces, side)];
-  const double *b = fl->dense->at[sg_flat_side_to(fl->faces, side)];
+  const double *a = fl->dense->at[fl->joints->joint[j].vertex[0]];
+  const double *b = fl->dense->at[fl->joints->joint[j].vertex[1]];
 
   for (int k = 0; k < 3; k++) {
     out[k] = (a[k] + b[k]) / 2;
@@ -45,14 +44,13 @@ static double
 merit(const sg_flattening *fl, uint32_t j, unsigned order, double step)
 {
   const sg_joint *joint = &fl->joints->joint[j];
-  uint32_t side = joint->side[0];
 
   if (order == SG_ORDER_FLATTEST) {
     return round((180 - fabs(joint->angle)) * 0x1p24);
   }
   if (order == SG_ORDER_STEEPEST) {
-    double rise = fl->dense->at[sg_flat_side_to(fl->faces, side)][2] -
-                  fl->dense->at[sg_flat_side_from(fl->faces, side)][2];
+    double rise =
+        fl->dense->at[joint->vertex[1]][2] - fl->dense->at[joint->vertex[0]][2];
     return joint->length > 0 ? round(fabs(rise) / joint->length * 0x1p32) : 0;
   }
   double stretch = order >= SG_ORDER_SHUFFLED

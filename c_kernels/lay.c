@@ -50,17 +50,26 @@ typedef struct place {
 
 /* ---- laying out --------------------------------------------------------- */
 
+/* Corners that hang together by folds are one *spot*. Spots are numbered as
+ * they are laid, so those of a piece lie together in memory. */
 typedef struct layer {
   const sg_flattening *fl;
   const sg_flat_faces *faces;
   const sg_dense *dense;
   sg_layout *out;
-  place *at;       /* [corners] from the root of the piece */
-  uint32_t *class; /* [corners] a corner that is the same vertex, or itself */
-  uint32_t *order; /* [faces] piece by piece, from the root of each */
+  uint32_t *spot; /* [corners] */
+  size_t spots;
+  place *at;         /* [spots] from the root of the piece */
+  uint32_t *class;   /* [spots] a spot that is the same vertex, or itself */
+  uint32_t *number;  /* [spots] the vertex of a class, at its lowest spot */
+  uint32_t *of_spot; /* [spots] the vertex that lies here, or NO_VERTEX: at
+                        another spot of its class */
+  uint32_t *begin;   /* [pieces + 1] their first spots */
   uint32_t *stack; /* [faces] that are laid, but not those that hang on them */
   double touch;
 } layer;
+
+#define NO_VERTEX UINT32_MAX
 
 static uint32_t
 find(uint32_t *class, uint32_t c)
@@ -80,6 +89,14 @@ unite(uint32_t *class, uint32_t a, uint32_t b)
   class[a > b ? a : b] = a < b ? a : b;
 }
 
+static place *
+new_spot(layer *l, uint32_t corner)
+{
+  l->spot[corner] = (uint32_t)l->spots;
+  l->class[l->spots] = (uint32_t)l->spots;
+  return &l->at[l->spots++];
+}
+
 /* The root as it is in its own frame, whose x, along its longest side, goes up;
  * the start of that side is the origin. */
 static void
@@ -91,8 +108,8 @@ lay_root(layer *l, uint32_t face)
                            : f->at[f->corner_begin[face]];
 
   for (uint32_t c = f->corner_begin[face]; c < f->corner_begin[face + 1]; c++) {
-    l->at[c].x = (twin){-(f->at[c][1] - from[1]), 0};
-    l->at[c].y = (twin){f->at[c][0] - from[0], 0};
+    *new_spot(l, c) =
+        (place){{-(f->at[c][1] - from[1]), 0}, {f->at[c][0] - from[0], 0}};
   }
 }
 
@@ -104,6 +121,8 @@ lay_corner(layer *l, const double normal[3], uint32_t a, uint32_t b, uint32_t c)
   const double *pa = l->dense->at[l->faces->vertex[a]];
   const double *pb = l->dense->at[l->faces->vertex[b]];
   const double *pc = l->dense->at[l->faces->vertex[c]];
+  const place *la = &l->at[l->spot[a]], *lb = &l->at[l->spot[b]];
+  place *out = new_spot(l, c);
   double e[3], w[3], square = 0, along = 0, across;
 
   for (int k = 0; k < 3; k++) {
@@ -117,11 +136,11 @@ lay_corner(layer *l, const double normal[3], uint32_t a, uint32_t b, uint32_t c)
            normal[2] * (e[0] * w[1] - e[1] * w[0]);
   if (square > 0) {
     twin u = {along / square, 0}, v = {across / square, 0};
-    twin x = minus(l->at[b].x, l->at[a].x), y = minus(l->at[b].y, l->at[a].y);
-    l->at[c].x = plus(l->at[a].x, minus(times(u, x), times(v, y)));
-    l->at[c].y = plus(l->at[a].y, plus(times(u, y), times(v, x)));
+    twin x = minus(lb->x, la->x), y = minus(lb->y, la->y);
+    out->x = plus(la->x, minus(times(u, x), times(v, y)));
+    out->y = plus(la->y, plus(times(u, y), times(v, x)));
   } else {
-    l->at[c] = l->at[a];
+    *out = *la;
   }
 }
 
@@ -133,10 +152,8 @@ lay_child(layer *l, uint32_t parent_side, uint32_t side)
   const sg_flat_side *on = &f->side[parent_side], *own = &f->side[side];
   uint32_t face = f->face_of[side];
 
-  l->at[own->from] = l->at[on->to];
-  l->at[own->to] = l->at[on->from];
-  unite(l->class, own->from, on->to);
-  unite(l->class, own->to, on->from);
+  l->spot[own->from] = l->spot[on->to];
+  l->spot[own->to] = l->spot[on->from];
   for (uint32_t c = f->corner_begin[face]; c < f->corner_begin[face + 1]; c++) {
     if (c != own->from && c != own->to) {
       lay_corner(l, f->normal[face], own->from, own->to, c);
@@ -171,23 +188,20 @@ lay_children(layer *l, uint32_t face, uint32_t piece, size_t top)
   return top;
 }
 
-/* Lays out the piece of a root; the n faces before it are in order. */
-static size_t
-lay_piece(layer *l, uint32_t root, uint32_t piece, size_t n,
-          const sg_poll *poll, bool *stopped)
+static bool
+lay_piece(layer *l, uint32_t root, uint32_t piece, const sg_poll *poll,
+          bool *stopped)
 {
-  size_t top = 0;
+  size_t top = 0, n = 0;
 
   lay_root(l, root);
   l->out->piece[root] = piece;
   l->stack[top++] = root;
   while (top > 0 && !*stopped) {
-    uint32_t face = l->stack[--top];
-    l->order[n++] = face;
-    top = lay_children(l, face, piece, top);
-    *stopped = n % POLL_EVERY == 0 && sg_poll_stop(poll);
+    top = lay_children(l, l->stack[top - 1], piece, top - 1);
+    *stopped = ++n % POLL_EVERY == 0 && sg_poll_stop(poll);
   }
-  return n;
+  return !*stopped;
 }
 
 /* ---- pieces ------------------------------------------------------------- */
@@ -209,36 +223,44 @@ compare_ranked(const void *a, const void *b)
   return (x->root > y->root) - (x->root < y->root);
 }
 
-/* The largest face of each island, and the islands by area. Null: no memory. */
+/* A face of another island than those before it is a piece of its own. */
 static ranked *
-rank_pieces(const sg_lay_input *in, size_t *pieces)
+piece_of(const sg_flattening *fl, uint32_t face, uint32_t *number, ranked *rank,
+         size_t *pieces)
+{
+  uint32_t island = fl->island_of[face];
+
+  if (number[island] == SG_NO_FACE) {
+    number[island] = (uint32_t)*pieces;
+    rank[(*pieces)++] = (ranked){0, face};
+  }
+  return &rank[number[island]];
+}
+
+/* The largest face of each island, and the islands by area; `number` ([faces])
+ * is all SG_NO_FACE before and after. Null: no memory. */
+static ranked *
+rank_pieces(const sg_lay_input *in, uint32_t *number, size_t *pieces)
 {
   const sg_flattening *fl = in->flattening;
   const double *area = fl->faces->area;
-  ranked *rank = malloc((fl->faces->faces + 1) * sizeof *rank);
+  size_t faces = fl->faces->faces;
+  ranked *rank = malloc((faces + 1) * sizeof *rank);
   double step = fl->sheet * fl->sheet * 0x1p-36;
 
   *pieces = 0;
-  for (uint32_t i = 0; rank && i < fl->faces->faces; i++) {
-    double sum = 0;
-    uint32_t root = fl->island[i].head;
-    if (root == UINT32_MAX) {
-      continue;
-    }
-    for (uint32_t face = root; face != UINT32_MAX; face = fl->next_face[face]) {
-      sum += area[face];
-      if (area[face] > area[root] ||
-          (face < root && area[face] == area[root])) {
-        root = face;
-      }
-    }
-    if (in->root != SG_NO_FACE && fl->island_of[in->root] == i) {
-      root = in->root;
-      sum = INFINITY;
-    }
-    rank[(*pieces)++] =
-        (ranked){step > 0 && isfinite(sum) ? round(sum / step) : sum, root};
+  for (uint32_t face = 0; rank && face < faces; face++) {
+    ranked *piece = piece_of(fl, face, number, rank, pieces);
+    piece->area += area[face];
+    piece->root = area[face] > area[piece->root] ? face : piece->root;
   }
+  for (size_t k = 0; rank && step > 0 && k < *pieces; k++) {
+    rank[k].area = round(rank[k].area / step);
+  }
+  if (rank && in->root != SG_NO_FACE) {
+    rank[number[fl->island_of[in->root]]] = (ranked){INFINITY, in->root};
+  }
+  memset(number, 0xff, faces * sizeof *number);
   if (rank) {
     qsort(rank, *pieces, sizeof *rank, compare_ranked);
   }
@@ -248,17 +270,21 @@ rank_pieces(const sg_lay_input *in, size_t *pieces)
 static bool
 lay_pieces(layer *l, const sg_lay_input *in, const sg_poll *poll, bool *stopped)
 {
-  ranked *rank = rank_pieces(in, &l->out->pieces);
-  size_t n = 0;
+  size_t *pieces = &l->out->pieces;
+  ranked *rank = rank_pieces(in, l->out->piece, pieces);
   bool good = rank != NULL;
 
-  l->out->root = malloc((l->out->pieces + 1) * sizeof *l->out->root);
-  l->out->box = malloc((l->out->pieces + 1) * sizeof *l->out->box);
-  good = good && l->out->root && l->out->box;
-  for (uint32_t k = 0; good && k < l->out->pieces; k++) {
+  l->out->root = malloc((*pieces + 1) * sizeof *l->out->root);
+  l->out->box = malloc((*pieces + 1) * sizeof *l->out->box);
+  l->begin = malloc((*pieces + 1) * sizeof *l->begin);
+  good = good && l->out->root && l->out->box && l->begin;
+  for (uint32_t k = 0; good && k < *pieces; k++) {
     l->out->root[k] = rank[k].root;
-    n = lay_piece(l, rank[k].root, k, n, poll, stopped);
-    good = !*stopped;
+    l->begin[k] = (uint32_t)l->spots;
+    good = lay_piece(l, rank[k].root, k, poll, stopped);
+  }
+  if (good) {
+    l->begin[*pieces] = (uint32_t)l->spots;
   }
   free(rank);
   return good;
@@ -269,26 +295,28 @@ lay_pieces(layer *l, const sg_lay_input *in, const sg_poll *poll, bool *stopped)
 static bool
 is_near(const layer *l, uint32_t a, uint32_t b)
 {
-  const place *p = &l->at[a], *q = &l->at[b];
+  const place *p = &l->at[l->spot[a]], *q = &l->at[l->spot[b]];
 
   return hypot(p->x.hi - q->x.hi, p->y.hi - q->y.hi) <= l->touch;
 }
 
-static void
-close_joints(layer *l, unsigned char *state)
+static bool
+close_joints(layer *l, unsigned char *state, const sg_poll *poll)
 {
-  const sg_flat_faces *f = l->faces;
-
   for (size_t k = 0; k < l->fl->joints->n; k++) {
+    if (k % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      return false;
+    }
     const sg_joint *j = &l->fl->joints->joint[k];
-    const sg_flat_side *a = &f->side[j->side[0]], *b = &f->side[j->side[1]];
-    if (state[k] == SG_JOINT_SAME && !j->line && is_near(l, a->from, b->to) &&
-        is_near(l, a->to, b->from)) {
+    const uint32_t *a = j->corner[0], *b = j->corner[1];
+    if (state[k] == SG_JOINT_SAME && !j->line && is_near(l, a[0], b[1]) &&
+        is_near(l, a[1], b[0])) {
       state[k] = SG_JOINT_CLOSED;
-      unite(l->class, a->from, b->to);
-      unite(l->class, a->to, b->from);
+      unite(l->class, l->spot[a[0]], l->spot[b[1]]);
+      unite(l->class, l->spot[a[1]], l->spot[b[0]]);
     }
   }
+  return true;
 }
 
 /* ---- turning ------------------------------------------------------------ */
@@ -299,18 +327,14 @@ typedef struct turner {
 } turner;
 
 static sg_flat_fit
-fit_piece(const layer *l, const uint32_t *face, size_t n, const turner *t)
+fit_piece(const layer *l, uint32_t piece, const turner *t)
 {
-  const sg_flat_faces *f = l->faces;
   size_t points = 0;
 
-  for (size_t i = 0; i < n; i++) {
-    for (uint32_t c = f->corner_begin[face[i]];
-         c < f->corner_begin[face[i] + 1]; c++) {
-      if (l->class[c] == c) {
-        t->point[points][0] = l->at[c].x.hi;
-        t->point[points++][1] = l->at[c].y.hi;
-      }
+  for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1]; s++) {
+    if (l->of_spot[s] != NO_VERTEX) {
+      t->point[points][0] = l->at[s].x.hi;
+      t->point[points++][1] = l->at[s].y.hi;
     }
   }
   return sg_flat_fit_find(t->point, points, t->room);
@@ -329,59 +353,42 @@ make_unit(double x, double y, place *out)
 }
 
 static void
-turn_corners(layer *l, const uint32_t *face, size_t n, double x, double y,
-             sg_flat_box *box)
+turn_piece(layer *l, uint32_t piece, sg_flat_fit to)
 {
-  const sg_flat_faces *f = l->faces;
+  sg_flat_box *box = &l->out->box[piece];
   place d;
 
-  make_unit(x, y, &d);
+  make_unit(to.x, to.y, &d);
   *box = (sg_flat_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-  for (size_t i = 0; i < n; i++) {
-    for (uint32_t c = f->corner_begin[face[i]];
-         c < f->corner_begin[face[i] + 1]; c++) {
-      place p = l->at[c];
-      l->at[c].x = plus(times(p.x, d.x), times(p.y, d.y));
-      l->at[c].y = minus(times(p.y, d.x), times(p.x, d.y));
-      const double at[2] = {l->at[c].x.hi, l->at[c].y.hi};
-      for (int k = 0; k < 2; k++) {
-        box->low[k] = fmin(box->low[k], at[k]);
-        box->high[k] = fmax(box->high[k], at[k]);
-      }
+  for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1]; s++) {
+    place p = l->at[s];
+    l->at[s].x = plus(times(p.x, d.x), times(p.y, d.y));
+    l->at[s].y = minus(times(p.y, d.x), times(p.x, d.y));
+    const double at[2] = {l->at[s].x.hi, l->at[s].y.hi};
+    for (int k = 0; k < 2; k++) {
+      box->low[k] = at[k] < box->low[k] ? at[k] : box->low[k];
+      box->high[k] = at[k] > box->high[k] ? at[k] : box->high[k];
     }
   }
 }
 
-/* Piece by piece; one with the root that was
- * asked for stays as it is. */
+/* Piece by piece; one with the root that was asked for stays as it is. */
 static bool
 turn_pieces(layer *l, uint32_t root, const sg_poll *poll, bool *stopped)
 {
-  size_t corners = l->faces->corners, n = 0;
-  turner t = {malloc((corners + 1) * sizeof *t.point),
-              malloc((corners + 2) * sizeof *t.room)};
+  turner t = {malloc((l->spots + 1) * sizeof *t.point),
+              malloc((l->spots + 2) * sizeof *t.room)};
   bool good = t.point && t.room;
 
   for (uint32_t k = 0; good && k < l->out->pieces; k++) {
-    const uint32_t *face = l->order + n;
-    size_t faces = 0;
-    while (n + faces < l->faces->faces && l->out->piece[face[faces]] == k) {
-      faces++;
-    }
     bool still = root != SG_NO_FACE && k == 0;
-    sg_flat_fit turned =
-        still ? (sg_flat_fit){1, 0} : fit_piece(l, face, faces, &t);
-    if (sg_poll_stop(poll)) {
-      *stopped = true;
-      good = false;
-      break;
+    sg_flat_fit to = still ? (sg_flat_fit){1, 0} : fit_piece(l, k, &t);
+    *stopped = sg_poll_stop(poll);
+    if (!*stopped) {
+      turn_piece(l, k, to);
+      *stopped = sg_poll_stop(poll);
     }
-    turn_corners(l, face, faces, turned.x, turned.y, &l->out->box[k]);
-    n += faces;
-    if (sg_poll_stop(poll)) {
-      *stopped = true;
-      good = false;
-    }
+    good = !*stopped;
   }
   free(t.point);
   free(t.room);
@@ -425,90 +432,126 @@ arrange(sg_layout *out, bool still, double (*to)[2])
 
 /* ---- vertices ----------------------------------------------------------- */
 
+/* In the order of their first corners; a vertex lies where that does. */
 static bool
-number_vertices(layer *l, bool still, const sg_poll *poll, bool *stopped)
+number_vertices(layer *l, const sg_poll *poll, bool *stopped)
 {
-  const sg_flat_faces *f = l->faces;
+  size_t corners = l->faces->corners;
   sg_layout *out = l->out;
-  size_t corners = f->corners;
-  double(*to)[2] = malloc((out->pieces + 1) * sizeof *to);
 
   out->vertex = malloc((corners + 1) * sizeof *out->vertex);
-  out->first = malloc((corners + 1) * sizeof *out->first);
-  out->at = malloc((corners + 1) * sizeof *out->at);
-  if (!to || !out->vertex || !out->first || !out->at) {
-    free(to);
+  out->first = malloc((l->spots + 1) * sizeof *out->first);
+  out->at = malloc((l->spots + 1) * sizeof *out->at);
+  if (!out->vertex || !out->first || !out->at) {
     return false;
   }
-  arrange(out, still, to);
-  for (uint32_t face = 0; face < f->faces && !*stopped; face++) {
-    const double *shift = to[out->piece[face]];
-    *stopped = face % POLL_EVERY == 0 && sg_poll_stop(poll);
-    for (uint32_t c = f->corner_begin[face]; c < f->corner_begin[face + 1];
-         c++) {
-      uint32_t same = find(l->class, c);
-      if (same == c) {
-        out->at[out->vertices][0] =
-            plus(l->at[c].x, (twin){shift[0], 0}).hi + 0.0;
-        out->at[out->vertices][1] =
-            plus(l->at[c].y, (twin){shift[1], 0}).hi + 0.0;
-        out->first[out->vertices] = c;
-        out->vertex[c] = (uint32_t)out->vertices++;
-      } else {
-        out->vertex[c] = out->vertex[same];
-      }
+  memset(l->number, 0xff, l->spots * sizeof *l->number);
+  memset(l->of_spot, 0xff, l->spots * sizeof *l->of_spot);
+  for (uint32_t c = 0; c < corners && !*stopped; c++) {
+    uint32_t *number = &l->number[find(l->class, l->spot[c])];
+    if (*number == NO_VERTEX) {
+      out->first[out->vertices] = c;
+      *number = l->of_spot[l->spot[c]] = (uint32_t)out->vertices++;
+    }
+    out->vertex[c] = *number;
+    *stopped = c % POLL_EVERY == 0 && sg_poll_stop(poll);
+  }
+  return !*stopped;
+}
+
+static void
+shift_piece(layer *l, uint32_t piece, const double to[2])
+{
+  sg_layout *out = l->out;
+  const twin x = {to[0], 0}, y = {to[1], 0};
+
+  for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1]; s++) {
+    if (l->of_spot[s] != NO_VERTEX) {
+      out->at[l->of_spot[s]][0] = plus(l->at[s].x, x).hi + 0.0;
+      out->at[l->of_spot[s]][1] = plus(l->at[s].y, y).hi + 0.0;
     }
   }
-  for (size_t k = 0; k < out->pieces; k++) {
-    for (int c = 0; c < 2; c++) {
-      out->box[k].low[c] += to[k][c];
-      out->box[k].high[c] += to[k][c];
-    }
+  for (int c = 0; c < 2; c++) {
+    out->box[piece].low[c] += to[c];
+    out->box[piece].high[c] += to[c];
+  }
+}
+
+/* Where the vertices lie in rows of pieces. */
+static bool
+place_vertices(layer *l, bool still, const sg_poll *poll, bool *stopped)
+{
+  double(*to)[2] = malloc((l->out->pieces + 1) * sizeof *to);
+  bool good = to != NULL;
+
+  if (good) {
+    arrange(l->out, still, to);
+  }
+  for (uint32_t k = 0; good && k < l->out->pieces; k++) {
+    shift_piece(l, k, to[k]);
+    *stopped = sg_poll_stop(poll);
+    good = !*stopped;
   }
   free(to);
-  return !*stopped;
+  return good;
+}
+
+/* ---- all ---------------------------------------------------------------- */
+
+static bool
+make_layer(layer *l, const sg_lay_input *in, sg_layout *out)
+{
+  const sg_flat_faces *f = in->flattening->faces;
+  size_t corners = f->corners + 1, faces = f->faces + 1;
+
+  *l = (layer){.fl = in->flattening,
+               .faces = f,
+               .dense = in->flattening->dense,
+               .out = out,
+               .spot = malloc(corners * sizeof *l->spot),
+               .at = malloc(corners * sizeof *l->at),
+               .class = malloc(corners * sizeof *l->class),
+               .number = malloc(corners * sizeof *l->number),
+               .of_spot = malloc(corners * sizeof *l->of_spot),
+               .stack = malloc(faces * sizeof *l->stack),
+               .touch = in->touch};
+  *out = (sg_layout){.piece = malloc(faces * sizeof *out->piece)};
+  if (out->piece) {
+    memset(out->piece, 0xff, faces * sizeof *out->piece);
+  }
+  return l->spot && l->at && l->class && l->number && l->of_spot && l->stack &&
+         out->piece;
+}
+
+static void
+clear_layer(layer *l)
+{
+  free(l->spot);
+  free(l->at);
+  free(l->class);
+  free(l->number);
+  free(l->of_spot);
+  free(l->begin);
+  free(l->stack);
 }
 
 bool
 sg_lay(const sg_lay_input *in, const sg_poll *poll, sg_layout *out,
        bool *stopped)
 {
-  const sg_flattening *fl = in->flattening;
-  const sg_flat_faces *f = fl->faces;
-  layer l = {.fl = fl,
-             .faces = f,
-             .dense = fl->dense,
-             .out = out,
-             .at = malloc((f->corners + 1) * sizeof *l.at),
-             .class = malloc((f->corners + 1) * sizeof *l.class),
-             .order = malloc((f->faces + 1) * sizeof *l.order),
-             .stack = malloc((f->faces + 1) * sizeof *l.stack),
-             .touch = in->touch};
-  bool good;
+  layer l;
+  bool good = make_layer(&l, in, out);
 
   *stopped = false;
-  *out = (sg_layout){.piece = malloc((f->faces + 1) * sizeof *out->piece)};
-  good = l.at && l.class && l.order && l.stack && out->piece;
+  good = good && lay_pieces(&l, in, poll, stopped);
   if (good) {
-    memset(out->piece, 0xff, (f->faces + 1) * sizeof *out->piece);
-    for (uint32_t c = 0; c < f->corners; c++) {
-      l.class[c] = c;
-    }
-    good = lay_pieces(&l, in, poll, stopped);
-  }
-  if (good) {
-    close_joints(&l, fl->state);
-    *stopped = sg_poll_stop(poll);
+    *stopped = !close_joints(&l, in->flattening->state, poll);
     good = !*stopped;
   }
-  if (good) {
-    good = turn_pieces(&l, in->root, poll, stopped) &&
-           number_vertices(&l, in->root != SG_NO_FACE, poll, stopped);
-  }
-  free(l.at);
-  free(l.class);
-  free(l.order);
-  free(l.stack);
+  good = good && number_vertices(&l, poll, stopped) &&
+         turn_pieces(&l, in->root, poll, stopped) &&
+         place_vertices(&l, in->root != SG_NO_FACE, poll, stopped);
+  clear_layer(&l);
   return good;
 }
 

@@ -22,10 +22,7 @@ is_seam(const sg_flattening *fl, size_t j)
 static int32_t
 end_of(const sg_flattening *fl, uint32_t j, int end)
 {
-  uint32_t side = fl->joints->joint[j].side[0];
-
-  return end ? sg_flat_side_to(fl->faces, side)
-             : sg_flat_side_from(fl->faces, side);
+  return fl->joints->joint[j].vertex[end];
 }
 
 /* Seams by their ends: those at vertex v are seam[begin[v]] .. */
