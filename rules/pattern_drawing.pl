@@ -8,9 +8,10 @@
 :- use_module(pattern_look, [pattern_look/5]).
 :- use_module(pattern_nest, [nested/3]).
 :- use_module(pattern_number, [seam_numbers/2]).
+:- use_module(pattern_outline, [loop_area/2]).
 :- use_module(pattern_paper,
-              [ grid_line/3, line_strokes/3, paper_checked/1, pattern_paper/3,
-                sheet_line/4, sheet_of/4 ]).
+              [ grid_line/3, line_strokes/3, pages_checked/1, paper_checked/1,
+                pattern_paper/3, sheet_line/4, sheet_of/4 ]).
 :- use_module(pattern_piece, [pattern_pieces/3]).
 :- use_module(pattern_split, [split_pieces/3]).
 :- use_module(pattern_tab, [tabs/4]).
@@ -27,7 +28,8 @@
             [ append/2, append/3, last/2, member/2, min_list/2, nth1/3,
               sum_list/2 ]).
 :- autoload(library(option), [option/2, option/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
+:- autoload(library(pairs),
+            [ group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2 ]).
 :- autoload(library(rbtrees), [list_to_rbtree/2, rb_insert_new/4]).
 /** <module> Patterns that one can make: sheets to cut, fold and glue.
 
@@ -103,6 +105,8 @@ pattern_layout(Ds, Options,
     pattern_paper(Options, Gap, Paper),
     option(tabs(Width), Options, 0),
     tab_room(Paper, Width, PiecePaper),
+    least_pages(Pieces0, PiecePaper, LeastPages),
+    pages_checked(LeastPages),
     split_pieces(Pieces0, PiecePaper, Pieces),
     told_split(Pieces0, Pieces),
     seam_numbers(Pieces, Numbers),
@@ -206,6 +210,20 @@ factor(Options, Factor) :-
     ->  true
     ;   domain_error(scale, Scale)
     ).
+
+%   least_pages(Pieces, Paper, Count): by area fewer than Count do not do.
+
+least_pages(_, roll(_), 1).
+least_pages(Pieces, room(W,H,_), Count) :-
+    findall(Area,
+            ( member(piece(_,Faces,_), Pieces),
+              member(face(_,Shapes), Faces),
+              member(Shape, Shapes),
+              pairs_values(Shape, Points),
+              loop_area(Points, Area) ),
+            Areas),
+    sum_list(Areas, All),
+    Count is max(1, ceiling(All/(W*H))).
 
 %   A piece may grow by a tab on each side.
 

@@ -46,6 +46,9 @@ pattern_fault_en(scale(Text)) -->
 pattern_fault_en(margin(Margin, W-H)) -->
     [ '--margin ~w leaves no room on a page of ~w x ~w mm'-[Margin, W, H], nl,
       '  Take a smaller margin or a larger --page.' ].
+pattern_fault_en(pages(Count, Most)) -->
+    [ 'the pattern would take ~D pages; ~D are the most'-[Count, Most], nl,
+      '  Take a smaller --scale or a larger --page.' ].
 pattern_fault_en(overlap(Overlap, Most)) -->
     [ '--overlap ~w is more than half a page has room for'-[Overlap], nl,
       '  Take at most ~w, or a larger --page.'-[Most] ].

@@ -46,6 +46,9 @@ pattern_fault_ko(scale(Text)) -->
 pattern_fault_ko(margin(Margin, W-H)) -->
     [ '--margin ~w: ~w x ~w mm 쪽에 남는 자리가 없습니다'-[Margin, W, H], nl,
       '  여백을 줄이거나 더 큰 --page 를 쓰십시오.' ].
+pattern_fault_ko(pages(Count, Most)) -->
+    [ '전개도가 ~D쪽이 됩니다. ~D쪽까지만 됩니다'-[Count, Most], nl,
+      '  더 작은 --scale 이나 더 큰 --page 를 쓰십시오.' ].
 pattern_fault_ko(overlap(Overlap, Most)) -->
     [ '--overlap ~w 은(는) 쪽에 쓸 수 있는 자리의 절반보다 큽니다'-[Overlap], nl,
       '  ~w 이하로 줄이거나 더 큰 --page 를 쓰십시오.'-[Most] ].

@@ -6,6 +6,7 @@
             grid_line/3,                % +Step, +Sheet, -Line
             page_sheet/2,               % +Options, -Sheet
             paper_checked/1,            % +Options
+            pages_checked/1,            % +Count
             sheet_window/2              % +Sheet, -Window
           ]).
 :- use_module(lettering, [lettering/2]).
@@ -30,6 +31,9 @@ band(9.0).
 
 % Millimetres: less is no room for pieces.
 least_room(20.0).
+
+% More pages are a mistake of the scale.
+most_pages(5000).
 
 % The page of a sheet that is to be tiled if none is asked for.
 tile_page('A4').
@@ -80,6 +84,17 @@ paper_checked(Options) :-
     (   page_sheet(Options, _)
     ->  true
     ;   true
+    ).
+
+%!  pages_checked(+Count) is det.
+%
+%   @error usage_error(pattern(pages(Count, Most))): nobody wants so many
+
+pages_checked(Count) :-
+    most_pages(Most),
+    (   Count =< Most
+    ->  true
+    ;   throw(error(usage_error(pattern(pages(Count, Most))), _))
     ).
 
 page_size(Page, Width, Height) :-

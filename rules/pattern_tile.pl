@@ -2,7 +2,7 @@
           [ tiled/4                     % +Options, +Drawing, +Says, -Pages
           ]).
 :- use_module(pattern_paper,
-              [line_strokes/3, page_sheet/2, sheet_line/4]).
+              [line_strokes/3, page_sheet/2, pages_checked/1, sheet_line/4]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/3, last/2, member/2]).
 :- autoload(library(option), [option/3]).
@@ -29,6 +29,8 @@ tiled(Options, drawing(sheet(W,H,Scale),Views), Says, Pages) :-
     option(overlap(Overlap), Options, 10),
     columns(W/1000, FreeW, Overlap, Columns),
     columns(H/1000, FreeH, Overlap, Rows),
+    Count is Columns*Rows,
+    pages_checked(Count),
     Tiling = tiling(Page, Overlap, Columns, Rows),
     findall(drawing(sheet(PaperW,PaperH,Scale),PageViews),
             ( between(1, Rows, Row),

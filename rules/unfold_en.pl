@@ -2,7 +2,8 @@
           [ wish_en//3,                 % +S, +Wish, +What
             unfold_en//1,               % +What
             trim_en//1,                 % +What
-            known_polygons_en//2        % +Ps, +Names
+            known_polygons_en//2,       % +Ps, +Names
+            known_segments/2            % +Known, -Text
           ]).
 :- use_module(unfold_wish, [wish_form/2]).
 :- autoload(library(lists), [member/2]).
@@ -151,6 +152,18 @@ run([P|Ps], P0, Last, Rest) :-
     run(Ps, P, Last, Rest).
 run(Ps, Last, Last, Ps).
 
+%!  known_segments(+Known:list, -Text) is det.
+%
+%   Text has the numbers and titles of Known, a list of S-Title; the same in all
+%   languages.
+
+known_segments(Known, Text) :-
+    findall(One,
+            ( member(S-Title, Known),
+              format(atom(One), '~w (~w)', [S, Title]) ),
+            All),
+    atomic_list_concat(All, ', ', Text).
+
 %!  unfold_en(+What)// is det.
 %
 %   The message for unfold(What), of an error or a notice.
@@ -158,7 +171,7 @@ run(Ps, Last, Last, Ps).
 unfold_en(nothing_to_unfold) -->
     [ 'there is nothing to unfold: the model has no solid and no surface' ].
 unfold_en(no_segment(Name, Known)) -->
-    { atomic_list_concat(Known, ', ', All) },
+    { known_segments(Known, All) },
     [ 'there is no segment ~p, only ~w'-[Name, All] ].
 unfold_en(kind(S, Kind)) -->
     [ 'segment ~d is a ~w, which has no faces to unfold'-[S, Kind] ].
@@ -169,7 +182,10 @@ unfold_en(which_segment(Option, Known)) -->
 unfold_en(no_term(Option, Text)) -->
     [ 'option ~w: ~w cannot be read'-[Option, Text], nl,
       '  Polygons are numbers or names such as base or side(2), edges such as \c
-       4-7, base-side(2) or v(1)-v(2); with commas between them. A name with \c
+       4-7, base-side(2) or v(1)-v(2); with commas between them.' ].
+unfold_en(no_names(Option, Text)) -->
+    [ 'option ~w: ~w cannot be read'-[Option, Text], nl,
+      '  Segments are numbers or names, with commas between them. A name with \c
        other signs than letters needs quotes in quotes: "\'a b\'".' ].
 unfold_en(several_sheets(N)) -->
     [ 'the drawing has ~D sheets, and standard output takes one'-[N], nl,

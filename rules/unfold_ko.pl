@@ -4,7 +4,7 @@
             unfold_ko//1,               % +What
             trim_ko//1                  % +What
           ]).
-:- use_module(unfold_en, [known_polygons_en//2]).
+:- use_module(unfold_en, [known_polygons_en//2, known_segments/2]).
 :- use_module(unfold_wish, [wish_form/2]).
 /** <module> What is wrong with an unfolding, in Korean.
 
@@ -121,7 +121,7 @@ listed_ko([Face|Faces], N) -->
 unfold_ko(nothing_to_unfold) -->
     [ '전개할 것이 없습니다: 모델에 입체도 곡면도 없습니다' ].
 unfold_ko(no_segment(Name, Known)) -->
-    { atomic_list_concat(Known, ', ', All) },
+    { known_segments(Known, All) },
     [ '세그먼트 ~p이(가) 없습니다. 있는 것: ~w'-[Name, All] ].
 unfold_ko(kind(S, Kind)) -->
     [ '세그먼트 ~d은(는) ~w(이)라 전개할 면이 없습니다'-[S, Kind] ].
@@ -132,8 +132,11 @@ unfold_ko(which_segment(Option, Known)) -->
 unfold_ko(no_term(Option, Text)) -->
     [ '~w: ~w을(를) 읽을 수 없습니다'-[Option, Text], nl,
       '  다각형은 번호나 base, side(2) 같은 이름, 모서리는 4-7, base-side(2), \c
-       v(1)-v(2) 이며 쉼표로 나눕니다. 글자가 아닌 것이 든 이름은 "\'a b\'" 처럼 \c
-       따옴표 안에 따옴표로 씁니다.' ].
+       v(1)-v(2) 이며 쉼표로 나눕니다.' ].
+unfold_ko(no_names(Option, Text)) -->
+    [ '~w: ~w을(를) 읽을 수 없습니다'-[Option, Text], nl,
+      '  세그먼트는 번호나 이름이며 쉼표로 나눕니다. 글자가 아닌 것이 든 이름은 \c
+       "\'a b\'" 처럼 따옴표 안에 따옴표로 씁니다.' ].
 unfold_ko(several_sheets(N)) -->
     [ '도면이 ~D장이라 표준 출력에 쓸 수 없습니다'-[N], nl,
       '  여러 장을 담는 .pdf나 파일에 쓰십시오.' ].

@@ -13,7 +13,7 @@
 :- use_module(pattern_file, [numbered_files/3, write_pattern/4]).
 :- use_module(pattern_paper, [paper_checked/1]).
 :- use_module(penetration, [penetrate/2]).
-:- use_module(polygon_name, [segments_named/2]).
+:- use_module(polygon_name, [segment_title/2, segments_named/2]).
 :- use_module(sheet_options, [scale_option/2]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module(stage, [stage/2]).
@@ -243,7 +243,8 @@ chosen(Options, Flags, Ss) :-
 only_named(Name, All, S) :-
     segments_named(Name, Ss),
     (   Ss == []
-    ->  usage_error(unfold(no_segment(Name, All)))
+    ->  findall(S1-Title, ( member(S1, All), segment_title(S1, Title) ), Known),
+        usage_error(unfold(no_segment(Name, Known)))
     ;   member(S, Ss),
         (   memberchk(S, All)
         ->  true
@@ -310,6 +311,8 @@ flag_terms(Option, Text, Terms) :-
         maplist(named_as_written, Names),
         ground(Terms0)
     ->  Terms = Terms0
+    ;   memberchk(Option, ['--only','--by'])
+    ->  usage_error(unfold(no_names(Option, Text)))
     ;   usage_error(unfold(no_term(Option, Text)))
     ).
 

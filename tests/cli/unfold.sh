@@ -256,6 +256,8 @@ check "no folder for a table" complains 2 'no folder' \
   sanggwan unfold "$pipe" --true --table "$TMP/none/t.csv"
 check "no table over the model" complains 2 'is the model' \
   sanggwan unfold "$pipe" --true --table "$pipe"
+check "names of segments" complains 2 'Segments are numbers or names' \
+  sanggwan unfold "$box" --only 'a b'
 check "a name with a capital" complains 2 "no segment 'Lid'" \
   sanggwan unfold "$box" --only Lid
 

@@ -229,6 +229,10 @@ test(nothing, [ Count == 0 ]) :-
     in_new(( assert_fact(segment(2, pattern, nothing)),
              pattern_drawing([2], [], Drawings) )),
     count(Drawings, cut, Count).
+test(many_pages, [ error(usage_error(pattern(pages(_, 5000)))) ]) :-
+    drawn(cube_pattern(40), [page('A4'),scale(1000:1)], _).
+test(many_tiles, [ error(usage_error(pattern(pages(_, 5000)))) ]) :-
+    drawn(cube_pattern(40), [page('A4'),scale(1000:1),tile(true)], _).
 test(no_room, [ error(usage_error(pattern(margin(200, _)))) ]) :-
     drawn(cube_pattern(40), [page('A4'),margin(200)], _).
 test(wide_overlap, [ error(usage_error(pattern(overlap(100, 95.0)))) ]) :-
