@@ -231,11 +231,12 @@ note_ids(const sg_append *a, sg_map *map)
   return true;
 }
 
-/* Indexes have not seen n rows from `row` on, on one page. */
+/* Indexes have not seen n rows from `row` on, on one page; but for the first
+ * if that is to have their keys at once. */
 static void
-keep_from_indexes(sg_table *table, sg_row row, size_t n)
+keep_from_indexes(sg_table *table, sg_row row, size_t n, bool keyed)
 {
-  for (unsigned i = 0; i < table->indexes; i++) {
+  for (unsigned i = keyed && table->info->key; i < table->indexes; i++) {
     if (row >= table->slots) {
       sg_index_wait(&table->index[i], row);
     } else {
@@ -262,7 +263,7 @@ sg_append_show(sg_append *a)
     sg_page_show(page, row % SG_PAGE_ROWS, n);
     set_bits(page->taken, row % SG_PAGE_ROWS, n);
     set_bits(live->word, row % SG_PAGE_ROWS, n);
-    keep_from_indexes(table, row, n);
+    keep_from_indexes(table, row, n, a->keyed);
     sg_table_fill(table, row, n);
   }
   map->rows += sheet->rows;

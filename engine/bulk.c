@@ -163,13 +163,16 @@ copy_page(const load *l, const sg_sheet_page *page)
   return true;
 }
 
-/* The rows are there and live, but in no index. */
+/* The rows are there and live, but in no index; that of keys has all others,
+ * also after the sweep that may make room. */
 static sg_status
 write_rows(load *l)
 {
   sg_append *a = &l->append;
-  bool good = sg_append_begin(a, l->world, l->relation, l->n);
+  bool good = sg_append_begin(a, l->world, l->relation, l->n) &&
+              sg_world_key_ready(l->world, l->relation);
 
+  a->keyed = true;
   for (size_t k = 0; good && k < a->sheet.pages; k++) {
     sg_append_want_refs(a, k);
     good = copy_page(l, &a->sheet.page[k]);
@@ -256,9 +259,6 @@ add_many(load *l)
   status = status == SG_OK ? check_references(l) : status;
   if (status != SG_OK || l->n == 0) {
     return status;
-  }
-  if (!sg_world_key_ready(l->world, l->relation)) {
-    return SG_NO_MEMORY;
   }
   status = write_rows(l);
   status = status == SG_OK ? link_keys(l) : status;

@@ -478,20 +478,37 @@ sg_index_wait(sg_index *index, sg_row first)
   index->lates = n;
 }
 
+/* The union of both; false: there is a row between them. */
+static bool
+unite(sg_rows *rows, sg_rows with)
+{
+  if (with.begin > rows->end || with.end < rows->begin) {
+    return false;
+  }
+  rows->begin = with.begin < rows->begin ? with.begin : rows->begin;
+  rows->end = with.end > rows->end ? with.end : rows->end;
+  return true;
+}
+
+/* Rows that were late, and went, may be late again: each is so once. */
 void
 sg_index_be_late(sg_index *index, sg_row row, size_t n)
 {
-  sg_rows *last = index->lates ? &index->late[index->lates - 1] : NULL;
-  sg_row end = row + (sg_row)n;
+  sg_rows rows = {row, row + (sg_row)n};
+  unsigned left = 0;
 
-  end = end < index->linked ? end : index->linked;
-  if (end <= row) {
+  rows.end = rows.end < index->linked ? rows.end : index->linked;
+  if (rows.end <= row) {
     return; /* they wait anyway */
   }
-  if (last && last->end == row) {
-    last->end = end;
-  } else if (index->lates < SG_MOST_LATE) {
-    index->late[index->lates++] = (sg_rows){row, end};
+  for (unsigned k = 0; k < index->lates; k++) {
+    if (!unite(&rows, index->late[k])) {
+      index->late[left++] = index->late[k];
+    }
+  }
+  index->lates = left;
+  if (left < SG_MOST_LATE) {
+    index->late[index->lates++] = rows;
   } else {
     sg_index_clear(index);
   }

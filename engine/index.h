@@ -37,7 +37,7 @@ typedef struct sg_index {
   uint16_t mask;
   bool members;
   sg_row linked; /* the taken rows below that are not late are linked */
-  sg_rows late[SG_MOST_LATE]; /* waiting rows below `linked` */
+  sg_rows late[SG_MOST_LATE]; /* waiting rows below `linked`, disjoint */
   unsigned lates;
   unsigned bits;   /* 2^bits heads */
   uint32_t *head;  /* row or link, SG_NO_ROW: none; null: nothing is linked */

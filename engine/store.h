@@ -168,6 +168,7 @@ typedef struct sg_append {
   sg_world *world;
   sg_relation relation;
   sg_sheet sheet;
+  bool keyed; /* the store's: whoever writes them enters their keys at once */
   bool shown;
 } sg_append;
 

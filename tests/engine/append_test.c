@@ -667,6 +667,82 @@ test_used_again(void)
   sg_world_drop(world);
 }
 
+static bool
+add_edges(sg_world *world, int32_t s, size_t n, bool checked)
+{
+  make_rows(&some, SG_E, s, 1, n, (const int32_t[3]){10, 1, 1});
+  return checked ? add_checked(world, &some) : append(world, &some);
+}
+
+/* Of four segments, all of whose edges are on pages of their own or nearly, and
+ * ten vertices of a fifth. */
+static sg_world *
+world_of_edges(void)
+{
+  sg_world *world = sg_world_open();
+  bool good = true;
+
+  for (int32_t s = 1; s <= 4; s++) {
+    good = good && add_edges(world, s, MOST, false);
+  }
+  make_rows(&some, SG_V, 5, 1, 10, (const int32_t[3]){1, 1, 1});
+  CHECK("edges of four segments", good && append(world, &some));
+  return world;
+}
+
+/* Rows that an index has not seen yet go, and others come in their slots. */
+static void
+test_late_twice(void)
+{
+  sg_world *world = world_of_edges();
+  size_t before = slots(world, SG_E);
+  bool good = edges_from(world, 1, 7) > 0;
+
+  good = good && sg_world_retract_with(world, SG_E, 0, 3);
+  for (int k = 0; k < 3; k++) {
+    good = good && sg_world_retract_with(world, SG_E, 0, 2) &&
+           add_edges(world, 2, MOST, false);
+  }
+  CHECK("slots are used again", good && slots(world, SG_E) == before);
+  CHECK("rows are found",
+        edges_from(world, 2, 7) == edges_by_looking(&some, 7));
+  CHECK("valid", sg_world_is_valid(world));
+  sg_world_drop(world);
+}
+
+/* Runs that are cut to pieces leave the rest of their rows to the key's index,
+ * in the midst of a checked load. */
+static void
+test_swept_while_loading(void)
+{
+  sg_world *world = world_of_edges();
+  sg_value row[SG_MAX_COLUMNS] = {
+      {.i = 5}, {.i = 2}, {.i = 1}, {.i = 1}, {.i = 1}};
+  bool good = true;
+
+  for (sg_row k = MOST; good && k < 2 * MOST; k += 2) {
+    good = sg_world_retract(world, SG_E, k);
+  }
+  CHECK("half of the edges of a segment go", good);
+  make_rows(&some, SG_V, 2, 1, 10, (const int32_t[3]){1, 1, 1});
+  CHECK("vertices", append(world, &some));
+  CHECK("those of two others go", sg_world_retract_with(world, SG_E, 0, 3) &&
+                                      sg_world_retract_with(world, SG_E, 0, 4));
+  size_t before = slots(world, SG_E);
+  CHECK("a checked load", add_edges(world, 5, MOST, true));
+  CHECK("slots are used again", slots(world, SG_E) <= before);
+  CHECK("valid", sg_world_is_valid(world));
+  CHECK("a key of the load",
+        sg_world_add(world, SG_E, row, NULL, NULL) == SG_EXISTS);
+  row[0].i = 2;
+  CHECK("a key that was in a run",
+        sg_world_add(world, SG_E, row, NULL, NULL) == SG_EXISTS);
+  row[1].i = 1;
+  CHECK("one that went", sg_world_add(world, SG_E, row, NULL, NULL) == SG_OK);
+  CHECK("valid still", sg_world_is_valid(world));
+  sg_world_drop(world);
+}
+
 /* A key that is not right by construction: the audit finds it. */
 static void
 test_a_broken_promise(void)
@@ -690,6 +766,8 @@ main(void)
   test_shortened();
   test_runs();
   test_used_again();
+  test_late_twice();
+  test_swept_while_loading();
   test_a_broken_promise();
   for (uint64_t start = 1; start <= 5; start++) {
     test_twins(start);
