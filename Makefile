@@ -149,7 +149,7 @@ $(PATTERN_CHECKER): $(wildcard tests/pattern_checker/*.[ch]) \
                     tests/checker/boxes.c tests/checker/boxes.h
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $(filter %.c,$^) -o $@ -lm
-CHECKERS := $(CHECKER) $(PICTURE_CHECKER) $(OUTLINE_CHECKER) $(PATTERN_CHECKER)
+CHECKERS = $(CHECKER) $(PICTURE_CHECKER) $(OUTLINE_CHECKER) $(PATTERN_CHECKER)
 
 # The checker of silhouettes.
 OUTLINE_CHECKER := $(B)/tests/outline_checker

@@ -1,6 +1,7 @@
 :- module(sg_true_ko,
           [ true_ko//1                  % +What
           ]).
+:- encoding(utf8).
 /** <module> What is wrong with a true development, in Korean.
 
 The heads are those of true_en.pl.

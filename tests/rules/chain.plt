@@ -3,7 +3,7 @@
 :- use_module(library(apply)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).
-:- use_module(rules(store)).
+:- use_module(rules(store), except([piece/3])).
 :- use_module(rules(chain)).
 :- use_module(rules(lines_out)).
 :- use_module(rules(model_file)).
