@@ -3,7 +3,7 @@
 :- use_module(library(apply)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).
-:- use_module(rules(store), except([piece/3])).
+:- use_module(rules(store)).
 :- use_module(rules(chain)).
 :- use_module(rules(lines_out)).
 :- use_module(rules(model_file)).
@@ -22,7 +22,7 @@ with_lines(Ends, Goal) :-
              ( assert_fact(segment(1, surface, one)),
                assert_fact(segment(2, surface, two)),
                forall(between(1, 9, V), vertex(V)),
-               forall(nth1(L, Ends, A-B), piece(L, A, B)),
+               forall(nth1(L, Ends, A-B), line_piece(L, A, B)),
                Goal
              )).
 
@@ -33,7 +33,7 @@ vertex(V) :-
     assert_fact(v(1, V, X, Y, 0.0)),
     assert_fact(v(2, W, X, Y, 0.0)).
 
-piece(L, A, B) :-
+line_piece(L, A, B) :-
     A2 is A+100,
     B2 is B+100,
     assert_fact(line(L, 1, 1, A, B, 2, 1, A2, B2)).
