@@ -28,7 +28,7 @@
               ]).
 :- use_module(triangulation, [complete_segments/1]).
 :- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- autoload(library(error), [existence_error/2]).
+:- autoload(library(error), [existence_error/2, must_be/2]).
 :- autoload(library(lists), [last/2, member/2, numlist/3]).
 :- autoload(library(option), [option/2, option/3]).
 :- autoload(library(pairs), [pairs_values/2]).
@@ -94,6 +94,7 @@ develop(S, Options, D) :-
     facts_transaction(sg_development:developed(S, Options, D)).
 
 checked_segment(S) :-
+    must_be(nonvar, S),
     (   segment(S, Kind, _)
     ->  true
     ;   existence_error(segment, S)
@@ -206,7 +207,8 @@ orders_to_try(Options, Orders, Objective) :-
         decision_is_default(join_order/3)
     ->  Objective = Objective0,
         option(tries(Count), Options, 8),
-        Last is max(0, Count-1),
+        must_be(positive_integer, Count),
+        Last is Count-1,
         numlist(0, Last, Orders)
     ;   Objective = seam,
         Orders = [0]

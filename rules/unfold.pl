@@ -29,7 +29,7 @@
 :- use_module(trimmed, [trimmed/5]).
 :- use_module(unfold_wish, [wanted/3, wanted_in/4]).
 :- autoload(library(apply), [maplist/2]).
-:- autoload(library(error), [existence_error/2, must_be/2]).
+:- autoload(library(error), [domain_error/2, existence_error/2, must_be/2]).
 :- autoload(library(lists), [append/2, append/3, member/2]).
 :- autoload(library(option), [option/2, option/3]).
 :- autoload(library(ordsets), [ord_memberchk/2]).
@@ -85,6 +85,7 @@ unfold(S, Options, D) :-
     unfolded_part(S, Wanted, Options, D).
 
 has_faces(S) :-
+    must_be(nonvar, S),
     (   segment(S, Kind, _)
     ->  (   memberchk(Kind, [solid,surface])
         ->  true
@@ -210,7 +211,11 @@ root_stays(T, S, wanted(Root, _, _, _)) :-
 
 tolerance(Options, Tolerance) :-
     (   option(tolerance(Tolerance), Options)
-    ->  must_be(number, Tolerance)
+    ->  must_be(number, Tolerance),
+        (   Tolerance >= 0
+        ->  true
+        ;   domain_error(tolerance, Tolerance)
+        )
     ;   model_tolerance(Tolerance)
     ).
 

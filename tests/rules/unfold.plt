@@ -126,6 +126,19 @@ test(root, K == 1) :-
 test(contradiction, error(usage_error(unfold(1, keep(1-3), _)))) :-
     box(Box),
     with_parts([Box], unfold(1, [cut(base-3), keep(1-3)], _)).
+test(no_segment, error(instantiation_error)) :-
+    box(Box),
+    with_parts([Box], unfold(_, _)).
+test(tolerance, error(domain_error(tolerance, -1))) :-
+    box(Box),
+    with_parts([Box], unfold(1, [tolerance(-1)], _)).
+test(tolerance_nan, error(domain_error(tolerance, _))) :-
+    box(Box),
+    Nan is nan,
+    with_parts([Box], unfold(1, [tolerance(Nan)], _)).
+test(tries, error(type_error(positive_integer, some))) :-
+    box(Box),
+    with_parts([Box], unfold(1, [minimize(area),tries(some)], _)).
 test(after_a_fault, N == 1) :-          % the world is as it was
     box(Box),
     with_parts([Box],
