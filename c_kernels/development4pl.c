@@ -142,12 +142,12 @@ make_ex(sg_development *d, term_t removed_list)
       !get_removed_ex(removed_list, &d->dense, &removed)) {
     return FALSE;
   }
-  bool good =
-      sg_flat_faces_make(&d->dense, removed, d->tolerance, &sg_prolog_poll,
-                         &d->faces, &stopped) &&
-      sg_joints_make(&d->faces, &d->dense, d->tolerance, &sg_prolog_poll,
-                     &d->joints, &stopped) &&
-      sg_flattening_make(&d->dense, &d->faces, &d->joints, &d->flattening);
+  bool good = sg_flat_faces_make(&d->dense, removed, d->tolerance,
+                                 &sg_prolog_poll, &d->faces, &stopped) &&
+              sg_joints_make(&d->faces, &d->dense, d->tolerance,
+                             &sg_prolog_poll, &d->joints, &stopped) &&
+              sg_flattening_make(&d->dense, &d->faces, &d->joints,
+                                 &sg_prolog_poll, &d->flattening, &stopped);
   free(removed);
   return good || stop_ex(stopped);
 }
@@ -369,6 +369,7 @@ get_order_ex(term_t t, const sg_development *d)
 {
   int32_t number;
   uint32_t *order;
+  bool stopped = false;
 
   if (!sg_get_int32_ex(t, &number)) {
     return NULL;
@@ -377,9 +378,10 @@ get_order_ex(term_t t, const sg_development *d)
     PL_domain_error("not_less_than_zero", t);
     return NULL;
   }
-  order = sg_joint_order(&d->flattening, (unsigned)number);
+  order = sg_joint_order(&d->flattening, (unsigned)number, &sg_prolog_poll,
+                         &stopped);
   if (!order) {
-    sg_no_memory();
+    stop_ex(stopped);
   }
   return order;
 }
@@ -550,9 +552,8 @@ flattening_restart(term_t handle)
   if (!sg_get_development_ex(handle, &d)) {
     return FALSE;
   }
-  sg_flattening_restart(&d->flattening);
   d->laid = false;
-  return TRUE;
+  return sg_flattening_restart(&d->flattening, &sg_prolog_poll);
 }
 
 void

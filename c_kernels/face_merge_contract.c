@@ -83,7 +83,7 @@ join_made(joining *joins, bool *any)
   size_t made = m->solid->vertices - m->solid->plain;
   sg_measured *list = malloc((made + 1) * sizeof *list);
   size_t n = list ? list_made(m, list) : 0;
-  bool memory = list && sg_sort_measured(list, n);
+  bool memory = list && sg_sort_measured(list, n, NULL) == SG_SORTED;
 
   for (size_t i = 0; memory && i < n; i++) {
     for (size_t j = i + 1;

@@ -12,6 +12,7 @@ enum {
   FAN = 16,          /* faces round a vertex that are */
   NEAR = 12,         /* faces round one that overlapped before */
   POLL_EVERY = 2048, /* triangles moved */
+  ISLANDS = 16384,   /* begun from one poll to the next */
   AHEAD = 8          /* joints from one step of fetching to the next */
 };
 
@@ -66,11 +67,23 @@ begin_island(sg_flattening *fl, uint32_t face)
       sg_flat_box_round((const double(*)[2])fl->at + first, end - first);
 }
 
-void
-sg_flattening_restart(sg_flattening *fl)
+static bool
+begin_islands(sg_flattening *fl, const sg_poll *poll)
 {
   for (uint32_t face = 0; face < fl->faces->faces; face++) {
+    if (face % ISLANDS == 0 && sg_poll_stop(poll)) {
+      return false;
+    }
     begin_island(fl, face);
+  }
+  return true;
+}
+
+bool
+sg_flattening_restart(sg_flattening *fl, const sg_poll *poll)
+{
+  if (!fl->tried) {
+    return true;
   }
   for (size_t j = 0; j < fl->joints->n; j++) {
     if (fl->state[j] != SG_JOINT_FORBIDDEN) {
@@ -78,6 +91,8 @@ sg_flattening_restart(sg_flattening *fl)
     }
   }
   fl->tests = fl->refused = fl->joins = 0;
+  fl->tried = !begin_islands(fl, poll);
+  return !fl->tried;
 }
 
 /* Each on one line of memory. */
@@ -107,10 +122,12 @@ most_corners(const sg_flat_faces *f)
 
 bool
 sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
-                   const sg_joints *joints, sg_flattening *out)
+                   const sg_joints *joints, const sg_poll *poll,
+                   sg_flattening *out, bool *stopped)
 {
   double area = 0;
 
+  *stopped = false;
   for (size_t i = 0; i < faces->faces; i++) {
     area += faces->area[i];
   }
@@ -131,8 +148,8 @@ sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
       !out->at || !out->moved) {
     return false;
   }
-  sg_flattening_restart(out);
-  return true;
+  *stopped = !begin_islands(out, poll);
+  return !*stopped;
 }
 
 void
@@ -515,6 +532,7 @@ sg_flattening_join(sg_flattening *fl, uint32_t j, const sg_poll *poll,
   if (*state == SG_JOINT_FORBIDDEN || *state == SG_JOINT_JOINED) {
     return true;
   }
+  fl->tried = true;
   if (fl->island_of[joint->face[0]] == fl->island_of[joint->face[1]]) {
     *state = SG_JOINT_SAME;
   } else if (!join_islands(fl, joint, poll, state, stopped)) {

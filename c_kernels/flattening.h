@@ -47,19 +47,22 @@ typedef struct sg_flattening {
   double (*moved)[2];              /* private: corners of the face tried */
   size_t tests, refused, joins;    /* overlap tests of two triangles, ... */
   uint32_t overlap[2];             /* faces that did, after SG_JOINT_OVERLAP */
+  bool tried;                      /* private: not as it was at first */
 } sg_flattening;
 
 /* Overlaps are refused that are deeper than this part of the sheet. */
 #define SG_FLAT_DEPTH 1e-9
 
-/* Every face an island. False: no memory. Owner: sg_flattening_clear() in any
- * case. */
+/* Every face an island. False: no memory, or (*stopped) stopped by the poll.
+ * Owner: sg_flattening_clear() in any case. */
 bool sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
-                        const sg_joints *joints, sg_flattening *out);
+                        const sg_joints *joints, const sg_poll *poll,
+                        sg_flattening *out, bool *stopped);
 void sg_flattening_clear(sg_flattening *flattening);
 
-/* As it was at first, but for what is forbidden. */
-void sg_flattening_restart(sg_flattening *flattening);
+/* As it was at first, but for what is forbidden. False: stopped by the poll,
+ * to be called again. */
+bool sg_flattening_restart(sg_flattening *flattening, const sg_poll *poll);
 
 /* Tries joint j, whose new state is *state: JOINED, SAME, OVERLAP (or
  * FORBIDDEN, as it was). False: no memory, or (*stopped) stopped by the poll.
@@ -85,8 +88,10 @@ typedef enum sg_order {
 /* The joints in an order (a number from SG_ORDER_SHUFFLED on is another
  * chance). Equal ones by the middle of the edge (the higher z, y, x first),
  * then by edge. Lengths and places are rounded to steps, so that what is equal
- * but for rounding is equal. Null: no memory. Owner: the caller, free(). */
-uint32_t *sg_joint_order(const sg_flattening *flattening, unsigned order);
+ * but for rounding is equal. Null: no memory, or (*stopped) stopped by the
+ * poll. Owner: the caller, free(). */
+uint32_t *sg_joint_order(const sg_flattening *flattening, unsigned order,
+                         const sg_poll *poll, bool *stopped);
 
 /* The joints that were joined on the way from one face of joint j to the other,
  * in order; *n is 0 if there is no way. Null: no memory. Owner: the caller,

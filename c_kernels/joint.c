@@ -242,10 +242,9 @@ take_ends(const pairing *p, ends *out)
   return true;
 }
 
-/* Joints in the order of their first edges, which are in no other. False: no
- * memory. */
+/* Joints in the order of their first edges, which are in no other. */
 static bool
-sort_joints(const pairing *p)
+sort_joints(const pairing *p, const sg_poll *poll, bool *stopped)
 {
   const sg_flat_faces *f = p->faces;
   sg_joint *sorted = new_joints(p->out->n);
@@ -254,7 +253,8 @@ sort_joints(const pairing *p)
   if (!sorted) {
     return false;
   }
-  for (size_t e = 0; e < p->dense->edges + f->chords; e++) {
+  for (size_t e = 0; e < p->dense->edges + f->chords && !*stopped; e++) {
+    *stopped = e % POLL_EVERY == 0 && sg_poll_stop(poll);
     uint32_t side = f->side_of[e];
     uint32_t j = side == SG_NO_SIDE_OF ? SG_NO_JOINT : p->out->of_side[side];
     if (j != SG_NO_JOINT && p->out->joint[j].side[0] == side) {
@@ -269,7 +269,7 @@ sort_joints(const pairing *p)
   }
   free(p->out->joint);
   p->out->joint = sorted;
-  return true;
+  return !*stopped;
 }
 
 static bool
@@ -282,8 +282,9 @@ pair_sides(pairing *p, const sg_poll *poll, bool *stopped)
               sg_edge_pairs_make(e.n, e.from, e.to, p->dense->vertices, poll,
                                  &pairs, stopped);
 
-  while (good && sg_edge_group_next(&pairs, &group)) {
-    good = pair_group(p, &pairs, &group, e.side);
+  for (size_t n = 1; good && sg_edge_group_next(&pairs, &group); n++) {
+    *stopped = n % POLL_EVERY == 0 && sg_poll_stop(poll);
+    good = !*stopped && pair_group(p, &pairs, &group, e.side);
   }
   sg_edge_pairs_clear(&pairs);
   free(e.side);
@@ -368,7 +369,7 @@ sg_joints_make(sg_flat_faces *faces, const sg_dense *dense, double tolerance,
     return false;
   }
   memset(out->of_side, 0xff, (faces->sides + 1) * sizeof *out->of_side);
-  if (!pair_sides(&p, poll, stopped) || !sort_joints(&p)) {
+  if (!pair_sides(&p, poll, stopped) || !sort_joints(&p, poll, stopped)) {
     return false;
   }
   lean(&p, faces);

@@ -62,6 +62,11 @@ merit(const sg_flattening *fl, uint32_t j, unsigned order, double step)
 
 /* ---- equal ones --------------------------------------------------------- */
 
+enum {
+  MANY = 4096, /* equal ones: to be sorted so that it can be stopped */
+  POLL_EVERY = 16384
+};
+
 typedef struct tied {
   double middle[3]; /* steps */
   uint32_t joint;
@@ -80,66 +85,104 @@ compare_tied(const void *a, const void *b)
   return (x->joint > y->joint) - (x->joint < y->joint);
 }
 
-static void
-sort_tied(const sg_flattening *fl, sg_measured *item, size_t n, tied *room,
-          double step)
+/* An order under way. */
+typedef struct sorter {
+  const sg_flattening *fl;
+  const sg_poll *poll;
+  sg_measured *item;   /* [joints] */
+  double (*middle)[3]; /* [joints] steps; joints in turn, as memory likes it */
+  tied *room;          /* [joints] */
+} sorter;
+
+static sg_sort_end
+sort_tied(const sorter *s, sg_measured *item, size_t n)
 {
+  sg_sort_end end = SG_SORTED;
+
   for (size_t i = 0; i < n; i++) {
-    room[i].joint = item[i].of;
-    sg_joint_middle(fl, item[i].of, room[i].middle);
-    for (int k = 0; k < 3; k++) {
-      room[i].middle[k] = round(room[i].middle[k] / step);
-    }
+    s->room[i].joint = item[i].of;
+    memcpy(s->room[i].middle, s->middle[item[i].of], sizeof *s->middle);
   }
-  qsort(room, n, sizeof *room, compare_tied);
+  if (n < MANY) {
+    qsort(s->room, n, sizeof *s->room, compare_tied);
+  } else {
+    end = sg_sort(s->room, n, sizeof *s->room, compare_tied, s->poll);
+  }
   for (size_t i = 0; i < n; i++) {
-    item[i].of = room[i].joint;
+    item[i].of = s->room[i].joint;
   }
+  return end;
 }
 
-static bool
-sort_items(const sg_flattening *fl, sg_measured *item, size_t n)
+static sg_sort_end
+sort_items(const sorter *s)
 {
-  double step = sg_joint_step(fl);
-  tied *room = malloc((n + 1) * sizeof *room);
+  size_t n = s->fl->joints->n, asked = 0;
+  sg_sort_end sorted = sg_sort_measured(s->item, n, s->poll);
 
-  if (!room || !sg_sort_measured(item, n)) {
-    free(room);
-    return false;
-  }
-  for (size_t i = 0, end; i < n; i = end) {
-    for (end = i + 1; end < n && item[end].value == item[i].value; end++) {
+  for (size_t i = 0, end; sorted == SG_SORTED && i < n; i = end) {
+    for (end = i + 1; end < n && s->item[end].value == s->item[i].value;
+         end++) {
     }
     if (end > i + 1) {
-      sort_tied(fl, item + i, end - i, room, step);
+      sorted = sort_tied(s, s->item + i, end - i);
+    }
+    if (end - asked >= POLL_EVERY && sg_poll_stop(s->poll)) {
+      return SG_SORT_STOPPED;
+    }
+    asked = end - asked >= POLL_EVERY ? end : asked;
+  }
+  return sorted;
+}
+
+/* What joints are sorted by. False: stopped by the poll. */
+static bool
+measure_joints(const sorter *s, unsigned order)
+{
+  double step = sg_joint_step(s->fl);
+
+  for (uint32_t j = 0; j < s->fl->joints->n; j++) {
+    if (j % POLL_EVERY == 0 && sg_poll_stop(s->poll)) {
+      return false;
+    }
+    s->item[j] = (sg_measured){-merit(s->fl, j, order, step) -
+                                   (s->fl->joints->joint[j].flat ? FIRST : 0),
+                               j};
+    sg_joint_middle(s->fl, j, s->middle[j]);
+    for (int k = 0; k < 3; k++) {
+      s->middle[j][k] = round(s->middle[j][k] / step);
     }
   }
-  free(room);
   return true;
 }
 
 uint32_t *
-sg_joint_order(const sg_flattening *fl, unsigned order)
+sg_joint_order(const sg_flattening *fl, unsigned order, const sg_poll *poll,
+               bool *stopped)
 {
-  size_t n = fl->joints->n;
-  double step = sg_joint_step(fl);
-  sg_measured *item = malloc((n + 1) * sizeof *item);
-  uint32_t *out = malloc((n + 1) * sizeof *out);
+  size_t n = fl->joints->n + 1;
+  sorter s = {.fl = fl,
+              .poll = poll,
+              .item = malloc(n * sizeof *s.item),
+              .middle = malloc(n * sizeof *s.middle),
+              .room = malloc(n * sizeof *s.room)};
+  uint32_t *out = malloc(n * sizeof *out);
+  sg_sort_end end = SG_SORT_NO_MEMORY;
 
-  for (uint32_t j = 0; item && j < n; j++) {
-    item[j] = (sg_measured){-merit(fl, j, order, step) -
-                                (fl->joints->joint[j].flat ? FIRST : 0),
-                            j};
+  if (s.item && s.middle && s.room && out) {
+    end = measure_joints(&s, order) ? sort_items(&s) : SG_SORT_STOPPED;
   }
-  if (!item || !out || !sort_items(fl, item, n)) {
-    free(item);
+  for (size_t i = 0; end == SG_SORTED && i < fl->joints->n; i++) {
+    out[i] = s.item[i].of;
+  }
+  if (end != SG_SORTED) {
     free(out);
-    return NULL;
+    out = NULL;
   }
-  for (size_t i = 0; i < n; i++) {
-    out[i] = item[i].of;
-  }
-  free(item);
+  *stopped = end == SG_SORT_STOPPED;
+  free(s.item);
+  free(s.middle);
+  free(s.room);
   return out;
 }
 

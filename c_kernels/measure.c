@@ -10,6 +10,16 @@
 /* Angles that sum to a whole turn but for this are flat; radians. */
 #define FLAT 1e-9
 
+enum { POLL_EVERY = 16384 };
+
+/* Asked for every i; true: the poll says stop. */
+static bool
+stops(size_t i, const sg_poll *poll, bool *stopped)
+{
+  *stopped = *stopped || (i % POLL_EVERY == 0 && sg_poll_stop(poll));
+  return *stopped;
+}
+
 /* ---- seams -------------------------------------------------------------- */
 
 static bool
@@ -32,7 +42,8 @@ typedef struct welds {
 } welds;
 
 static bool
-find_welds(const sg_flattening *fl, welds *w)
+find_welds(const sg_flattening *fl, const sg_poll *poll, welds *w,
+           bool *stopped)
 {
   size_t n = fl->joints->n, vertices = fl->dense->vertices;
 
@@ -43,7 +54,7 @@ find_welds(const sg_flattening *fl, welds *w)
     return false;
   }
   for (int pass = 0; pass < 2; pass++) {
-    for (uint32_t j = 0; j < n; j++) {
+    for (uint32_t j = 0; j < n && !stops(j, poll, stopped); j++) {
       for (int end = 0; is_seam(fl, j) && end < 2; end++) {
         int32_t v = end_of(fl, j, end);
         if (pass == 0) {
@@ -57,7 +68,7 @@ find_welds(const sg_flattening *fl, welds *w)
       w->begin[v + 2] += w->begin[v + 1];
     }
   }
-  return true;
+  return !*stopped;
 }
 
 static uint32_t
@@ -88,14 +99,15 @@ follow(const sg_flattening *fl, welds *w, uint32_t j, int32_t v)
   }
 }
 
-static void
-measure_seams(const sg_flattening *fl, welds *w, sg_measures *out)
+static bool
+measure_seams(const sg_flattening *fl, welds *w, const sg_poll *poll,
+              sg_measures *out, bool *stopped)
 {
   for (uint32_t j = 0; j < fl->joints->n; j++) {
     out->seam += is_seam(fl, j) ? fl->joints->joint[j].length : 0;
   }
   for (int rings = 0; rings < 2; rings++) { /* at last those without an end */
-    for (uint32_t j = 0; j < fl->joints->n; j++) {
+    for (uint32_t j = 0; j < fl->joints->n && !stops(j, poll, stopped); j++) {
       for (int end = 0; end < 2 && is_seam(fl, j); end++) {
         int32_t v = end_of(fl, j, end);
         if (!w->done[j] && (rings || seams_at(w, v) != 2)) {
@@ -104,6 +116,7 @@ measure_seams(const sg_flattening *fl, welds *w, sg_measures *out)
       }
     }
   }
+  return !*stopped;
 }
 
 /* ---- the tree ----------------------------------------------------------- */
@@ -119,13 +132,14 @@ find(uint32_t *class, uint32_t v)
 }
 
 /* Vertices on the border are one. */
-static void
-unite_border(const sg_flattening *fl, uint32_t *class, bool *border)
+static bool
+unite_border(const sg_flattening *fl, uint32_t *class, bool *border,
+             const sg_poll *poll, bool *stopped)
 {
   const sg_flat_faces *f = fl->faces;
   uint32_t first = UINT32_MAX;
 
-  for (uint32_t k = 0; k < f->sides; k++) {
+  for (uint32_t k = 0; k < f->sides && !stops(k, poll, stopped); k++) {
     uint32_t e = f->side[k].edge;
     bool real = e >= fl->dense->edges || fl->dense->real[e];
     if (real && fl->joints->of_side[k] == SG_NO_JOINT) {
@@ -137,10 +151,12 @@ unite_border(const sg_flattening *fl, uint32_t *class, bool *border)
       }
     }
   }
+  return !*stopped;
 }
 
 static bool
-measure_tree(const sg_flattening *fl, uint32_t *class, sg_measures *out)
+measure_tree(const sg_flattening *fl, uint32_t *class, const sg_poll *poll,
+             sg_measures *out, bool *stopped)
 {
   size_t n = 0;
   sg_measured *item = malloc((fl->joints->n + 1) * sizeof *item);
@@ -150,11 +166,12 @@ measure_tree(const sg_flattening *fl, uint32_t *class, sg_measures *out)
       item[n++] = (sg_measured){fl->joints->joint[j].length, j};
     }
   }
-  if (!item || !sg_sort_measured(item, n)) {
-    free(item);
-    return false;
-  }
-  for (size_t i = 0; i < n; i++) {
+  sg_sort_end sorted =
+      item ? sg_sort_measured(item, n, poll) : SG_SORT_NO_MEMORY;
+
+  *stopped = sorted == SG_SORT_STOPPED;
+  for (size_t i = 0; sorted == SG_SORTED && i < n && !stops(i, poll, stopped);
+       i++) {
     uint32_t a = find(class, (uint32_t)end_of(fl, item[i].of, 0));
     uint32_t b = find(class, (uint32_t)end_of(fl, item[i].of, 1));
     if (a != b) {
@@ -163,7 +180,7 @@ measure_tree(const sg_flattening *fl, uint32_t *class, sg_measures *out)
     }
   }
   free(item);
-  return true;
+  return sorted == SG_SORTED && !*stopped;
 }
 
 /* The angle of a triangle at its corner k. */
@@ -179,13 +196,14 @@ angle_at(const sg_flat_faces *f, const uint32_t corner[3], int k)
 
 /* Whether every vertex of a face that is not on the border is pointed. */
 static bool
-all_pointed(const sg_flattening *fl, const bool *border, bool *pointed)
+all_pointed(const sg_flattening *fl, const bool *border, const sg_poll *poll,
+            bool *pointed, bool *stopped)
 {
   const sg_flat_faces *f = fl->faces;
   double *sum = calloc(fl->dense->vertices + 1, sizeof *sum);
 
   *pointed = true;
-  for (size_t t = 0; sum && t < f->triangles; t++) {
+  for (size_t t = 0; sum && t < f->triangles && !stops(t, poll, stopped); t++) {
     for (int k = 0; k < 3; k++) {
       sum[f->vertex[f->triangle[t][k]]] += angle_at(f, f->triangle[t], k);
     }
@@ -194,7 +212,7 @@ all_pointed(const sg_flattening *fl, const bool *border, bool *pointed)
     *pointed &= border[v] || sum[v] < 2 * acos(-1.0) - FLAT;
   }
   free(sum);
-  return sum != NULL;
+  return sum && !*stopped;
 }
 
 static bool
@@ -209,12 +227,9 @@ find_bound(const sg_flattening *fl, const sg_poll *poll, sg_measures *out,
   for (uint32_t v = 0; good && v < vertices; v++) {
     class[v] = v;
   }
-  if (good) {
-    unite_border(fl, class, border);
-    good = measure_tree(fl, class, out);
-    *stopped = sg_poll_stop(poll);
-    good = good && !*stopped && all_pointed(fl, border, &out->pointed);
-  }
+  good = good && unite_border(fl, class, border, poll, stopped) &&
+         measure_tree(fl, class, poll, out, stopped) &&
+         all_pointed(fl, border, poll, &out->pointed, stopped);
   free(class);
   free(border);
   return good;
@@ -225,19 +240,17 @@ sg_measure(const sg_flattening *fl, const sg_layout *layout,
            const sg_poll *poll, sg_measures *out, bool *stopped)
 {
   welds w = {0};
-  bool good = find_welds(fl, &w);
 
   *out = (sg_measures){.area = fl->sheet * fl->sheet};
   *stopped = false;
-  if (good) {
-    measure_seams(fl, &w, out);
-    for (size_t k = 0; k < layout->pieces; k++) {
-      const sg_flat_box *box = &layout->box[k];
-      out->boxes += (box->high[0] - box->low[0]) * (box->high[1] - box->low[1]);
-    }
-    *stopped = sg_poll_stop(poll);
-    good = !*stopped && find_bound(fl, poll, out, stopped);
+  for (size_t k = 0; k < layout->pieces; k++) {
+    const sg_flat_box *box = &layout->box[k];
+    out->boxes += (box->high[0] - box->low[0]) * (box->high[1] - box->low[1]);
   }
+  bool good = find_welds(fl, poll, &w, stopped) &&
+              measure_seams(fl, &w, poll, out, stopped) &&
+              find_bound(fl, poll, out, stopped);
+
   free(w.begin);
   free(w.seam);
   free(w.done);

@@ -142,28 +142,30 @@ spread_digit(const sg_measured *item, size_t n, unsigned digit,
   return true;
 }
 
-bool
-sg_sort_measured(sg_measured *item, size_t n)
+sg_sort_end
+sg_sort_measured(sg_measured *item, size_t n, const sg_poll *poll)
 {
+  bool stopped = false;
   sg_measured *spare = malloc((n + 1) * sizeof *spare);
   sg_measured *from = item, *to = spare;
 
   if (!spare) {
-    return false;
+    return SG_SORT_NO_MEMORY;
   }
   for (size_t i = 0; i < n; i++) {
     item[i].value += 0.0; /* no -0.0 */
   }
-  for (unsigned digit = 0; n > 0 && digit < DIGITS; digit++) {
+  for (unsigned digit = 0; n > 0 && digit < DIGITS && !stopped; digit++) {
     if (spread_digit(from, n, digit, to)) {
       sg_measured *full = to;
       to = from;
       from = full;
     }
+    stopped = sg_poll_stop(poll);
   }
   if (from != item) {
     memcpy(item, from, n * sizeof *item);
   }
   free(spare);
-  return true;
+  return stopped ? SG_SORT_STOPPED : SG_SORTED;
 }

@@ -29,7 +29,7 @@ typedef struct sg_measured {
 } sg_measured;
 
 /* Sorts n items by value, equal ones as they stood (-0.0 is 0.0 then). Digit
- * by digit: takes time by n. False: no memory, nothing is sorted. */
-bool sg_sort_measured(sg_measured *item, size_t n);
+ * by digit: takes time by n. */
+sg_sort_end sg_sort_measured(sg_measured *item, size_t n, const sg_poll *poll);
 
 #endif

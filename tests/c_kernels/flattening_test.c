@@ -146,8 +146,8 @@ unfold(const model *m, unsigned order, unfolded *out)
   CHECK("joints", sg_joints_make(&out->faces, &m->dense, 1e-9, NULL,
                                  &out->joints, &stopped));
   CHECK("islands", sg_flattening_make(&m->dense, &out->faces, &out->joints,
-                                      &out->flattening));
-  uint32_t *js = sg_joint_order(&out->flattening, order);
+                                      NULL, &out->flattening, &stopped));
+  uint32_t *js = sg_joint_order(&out->flattening, order, NULL, &stopped);
   CHECK("an order", js != NULL);
   CHECK("joined", sg_flattening_join_all(&out->flattening, js, out->joints.n,
                                          NULL, &stopped));
