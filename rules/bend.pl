@@ -13,7 +13,7 @@
               put_assoc/4
             ]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [append/3, member/2]).
+:- autoload(library(lists), [append/3, max_list/2, member/2]).
 :- autoload(library(option), [option/3]).
 :- autoload(library(pairs), [group_pairs_by_key/2]).
 /** <module> Folded plates: what bends take off a pattern.
@@ -117,12 +117,47 @@ bent(D, Options) :-
             fold_half(D, Options, E1, E2, P1, P2, Half),
             Bends),
     edge_offsets(Bends, Offsets),
+    told_corners(D, Offsets),
     polygon_shifts(D, Bends, Shifts),
     findall(P, p(D, P, _), Ps),
     empty_assoc(Known),
     foldl(polygon_bent(D, Offsets, Shifts), Ps, corners(Known, []),
           corners(Places, Changes)),
     changes_written(Changes, Places, D).
+
+%   told_corners(D, Offsets): flanges on both sides of a seam are as wide as in
+%   the model. Where both are bent at the same corner they come nearer to each
+%   other than that, and lie on each other there.
+
+told_corners(D, Offsets) :-
+    findall(Half1-Half2,
+            ( joint(D, _, E1, E2, seam, _),
+              nearer(D, Offsets, E1, Half1),
+              nearer(D, Offsets, E2, Half2) ),
+            Corners),
+    (   Corners == []
+    ->  true
+    ;   length(Corners, N),
+        findall(Half, ( member(A-B, Corners), ( Half = A ; Half = B ) ),
+                Halves),
+        max_list(Halves, Most),
+        model_segment(D, S),
+        print_message(warning, sanggwan(unfold(flanges(S, N, Most))))
+    ).
+
+%   nearer(D, Offsets, E, Half): an edge of the same polygon that ends where E
+%   does is a bend, and comes nearer by Half.
+
+nearer(D, Offsets, E, Half) :-
+    e(D, E, A, B, _),
+    edge_of(D, E, P),
+    p(D, P, Es),
+    once(( member(F, Es),
+           F \== E,
+           get_assoc(F, Offsets, Half),
+           Half > 0,
+           e(D, F, V1, V2, _),
+           ( V1 = B ; V2 = A ) )).
 
 %   fold_half(D, Options, E1, E2, P1, P2, Half): of all folds; Half is 0.0 where
 %   the plate stays flat.

@@ -29,13 +29,24 @@
 
 unfold_report(Ds, Options) :-
     census(Parts),
-    maplist(measured(Parts), Ds, All),
+    maplist(measured(Parts), Ds, All0),
+    (   option(thickness(T), Options),
+        T > 0
+    ->  maplist(area_again, All0, All)
+    ;   All = All0
+    ),
     (   option(json(true), Options)
     ->  json_write_dict(current_output, All, [width(78)]),
         nl
     ;   language(Language),
         maplist(print_pattern(Language), All)
     ).
+
+%   area_again(M0, M): bends have taken off what they need.
+
+area_again(M0, M) :-
+    pattern_area(M0.pattern, Area),
+    M = M0.put(pattern_area, Area).
 
 %!  pattern_measures(+D, -Measures:dict) is det.
 %
@@ -93,6 +104,9 @@ seam_measures(D, Pieces, Seam, null, Longest, Area) :-
             Lengths),
     sum_list([0.0|Lengths], Seam),
     max_list([0.0|Lengths], Longest),
+    pattern_area(D, Area).
+
+pattern_area(D, Area) :-
     aggregate_all(sum(Part), triangle_area(D, Part), Area).
 
 triangle_area(D, Area) :-
