@@ -111,9 +111,9 @@ surface_runs([part(N,What)|Parts], P0, Named, Runs) :-
     ),
     surface_runs(Parts, P1, Named, Rest).
 
-%   stands_for(Turn, Surface): a facet of so many degrees stands for it. No facet
-%   of a Bezier patch does: how far a patch bends within a facet is not known,
-%   so only the crease angle tells what its edges are.
+%   stands_for(Turn, Surface): a facet of so many degrees stands for it. No
+%   facet of a Bezier patch does: how far a patch bends within a facet is not
+%   known, so only the crease angle tells what its edges are.
 
 stands_for(Turn, Surface) :-
     functor(Surface, Name, _),

@@ -1,5 +1,7 @@
 /* Finds exports of the rules without documentation, undefined or useless
-   code, tabs and lines that are too wide. Warnings of the compiler count:
+   code, tabs, lines that are too wide, and programs that are not ASCII and do
+   not say so (where the locale is C they would be read otherwise). Warnings of
+   the compiler count:
 
        swipl -f none -p foreign=build --on-warning=status --on-error=status \
              tools/lint.pl
@@ -51,6 +53,18 @@ finding(What) :-
     nth1(N, Lines, Line),
     line_fault(Line, Fault),
     format(atom(What), '~w:~d: ~w', [File, N, Fault]).
+
+finding(What) :-
+    member(Pattern, ['rules/*.pl', 'tests/*.pl', 'tests/rules/*.pl*',
+                     'tools/*.pl', 'bench/*.pl']),
+    expand_file_name(Pattern, Files),
+    member(File, Files),
+    read_file_to_string(File, Text, [encoding(utf8)]),
+    \+ sub_string(Text, _, _, _, ":- encoding(utf8)."),
+    string_codes(Text, Codes),
+    max_list(Codes, Most),
+    Most > 127,
+    format(atom(What), '~w: not ASCII, and without :- encoding(utf8)', [File]).
 
 documented(Module, Name, Arity) :-
     doc_comment(Objects, _, _, _),
