@@ -12,7 +12,7 @@ pattern_ko.pl has the same heads in Korean (tests/rules/pattern_file.plt).
 %   The notice sanggwan(pattern(What)).
 
 pattern_en(divided(Before, After)) -->
-    [ 'some of ~D pieces are larger than the page: divided, they are \c
+    [ 'pieces larger than the page are divided: of ~D in all there are now \c
        ~D'-[Before, After] ].
 pattern_en(without_tab(N)) -->
     [ '~D seams have no tab: on neither side is there room for one'-[N] ].

@@ -19,6 +19,9 @@ Tabs is an assoc of D-E to the points of its tab (pattern_tab.pl).
 :- set_prolog_flag(optimise, true).
 
 %!  piece_outline(+Piece, +Tabs, -Outline) is det.
+%
+%   Outline is that of Piece (pattern_piece.pl), round those of Tabs that are at
+%   its sides.
 
 piece_outline(piece(name(D,_,_),_,Sides), Tabs, Outline) :-
     cut_loops(Sides, Loops),

@@ -33,6 +33,13 @@ A layout is layout(Kind, Shape, Layer-Seam, Frame, Points, Curves): Kind is
 */
 
 %!  layout(+Facets, +Shape, +Seam, +Sense, +Options, -Layout) is det.
+%
+%   Layout, as above, is where the Facets of Shape (true_shape.pl) lie when they
+%   are opened at Seam, degrees. Sense is 1 if facets run counter-clockwise with
+%   T to the right and H up, else -1. Options are those of true_development/4:
+%   chord(Tolerance), and what plate_layer/2 has. In model units.
+%
+%   @error domain_error(chord, Tolerance)
 
 layout(Facets, Shape, Seam, Sense, Options,
        layout(Kind, Shape, Layer-Seam, frame(Turn, X0, Y0), Points, Curves)) :-
@@ -77,6 +84,8 @@ chord(Options, Size, Chord) :-
     ).
 
 %!  layout_points(+Layout, -Points) is det.
+%
+%   Points is an assoc from the keys of corners of facets to X-Y.
 
 layout_points(layout(_, _, _, _, Points, _), Points).
 

@@ -2,7 +2,6 @@
           [ true_part/5,                % ?S, ?Part, -Leaf, -Name, -Surface
             part_facet/5,               % +S, +Part, ?P, -T1, -T2
             part_facets/4,              % +S, +Part, -Facets, -Shape
-            shape_nodes/2,              % +Shape, -Nodes
             key_place/4,                % +Nodes, +Key, -T, -H
             edge_curve/4,               % +Shape, +Key1, +Key2, -Curve
             same_generator/3,           % +Nodes, +Key1, +Key2
@@ -140,10 +139,6 @@ in_place(Facets, Nodes) :-
                 /*******************************
                 *             NODES            *
                 *******************************/
-
-%!  shape_nodes(+Shape, -Nodes) is det.
-
-shape_nodes(shape(_, _, Nodes), Nodes).
 
 facet_nodes(S, Shape, Meets, Facet, Nodes0, Nodes) :-
     Facet = facet(_, _, _, Halves),
@@ -303,6 +298,8 @@ moved_back(Shape, V-T, Nodes0, Nodes) :-
                 *******************************/
 
 %!  facet_middle(+Facet, -T) is det.
+%
+%   T, degrees, is the parameter halfway between the generators of Facet.
 
 facet_middle(facet(_, T1, T2, _), Middle) :-
     Middle is (T1+T2)/2.0.

@@ -4,8 +4,7 @@
             true_length_columns/3,      % +D, +Unit, -Columns
             write_true_lengths/2,       % +D, +File
             write_true_lengths/3,       % +D, +File, +Options
-            true_length_marks/4,        % +D, +Options, -Marks, -Size
-            generator_number_marks/3    % +D, +Height, -Marks
+            true_length_marks/4         % +D, +Options, -Marks, -Size
           ]).
 :- use_module(output, [writing/3]).
 :- use_module(store, [e/5, origin/3, segment/3, v/5]).
@@ -231,19 +230,3 @@ edges_at([], X, [X]).
 edges_at([Width|Widths], X, [X|Xs]) :-
     X1 is X+Width,
     edges_at(Widths, X1, Xs).
-
-%!  generator_number_marks(+D, +Height, -Marks) is det.
-%
-%   Marks are text(X, Y, Height, Number), in units of the pattern, one for each
-%   generator, just beyond its lower end, centred on its line.
-
-generator_number_marks(D, Height, Marks) :-
-    findall(text(X, Y, Height, Text),
-            ( generator_mark(D, Number, X1-Y1, X2-Y2),
-              Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
-              Length > 0.0,
-              F is Height/Length,
-              X is X1 - F*(X2-X1),
-              Y is Y1 - F*(Y2-Y1) - 0.5*Height,
-              format(atom(Text), '~d', [Number]) ),
-            Marks).

@@ -125,6 +125,8 @@ wish_option(Option) :-
     memberchk(Name, [only,root,cut,keep,order,remove,minimize]).
 
 %!  unfold_option_ko(?Name, -Help) is nondet.
+%
+%   Help says in Korean what the option Name does.
 
 unfold_option_ko(only, '이 세그먼트만. 번호나 이름').
 unfold_option_ko(trim,
@@ -185,6 +187,8 @@ unfold_option_ko(inside, '안쪽에서 본 전개도').
 unfold_option_ko(grid, '확인하기 위한 모눈. 간격은 0.5 이상').
 
 %!  unfold_example(-Command) is multi.
+%
+%   Command is an example for the usage text.
 
 unfold_example('sanggwan unfold facts/cube.pl -o cube.svg').
 unfold_example('sanggwan unfold facts/gallery/saddle.pl --trim outside \c

@@ -472,10 +472,6 @@ test(table_on_a_sheet, true(Texts == 33)) :-
                 forall(member(text(X, Y, 3, _), Marks),
                        ( X > 0, X < Width, Y > 0, Y < Height )),
                 aggregate_all(count, member(text(_, _, _, _), Marks), Texts) )).
-test(numbers_on_a_sheet, true(Texts == ['1','2','1'])) :-
-    developed(cylinder(radius(5), height(8), facets(6)), [generators(2)], D,
-              ( generator_number_marks(D, 2.0, Marks),
-                findall(Text, member(text(_, _, _, Text), Marks), Texts) )).
 
 % --- rims of flat ends
 
