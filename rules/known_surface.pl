@@ -14,8 +14,9 @@
 :- use_module(smooth_vector,
               [ cross_product/3, difference/3, dot_product/3, scaled/3 ]).
 :- use_module(store, [segment/3, from_p/5]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [member/2, nth1/3]).
+:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(lists), [append/3, member/2, nth1/3]).
+:- autoload(library(pairs), [pairs_keys/2]).
 /** <module> Which smooth surfaces the polygons of a world stand for.
 
 A polygon that a primitive made is a facet of a surface that its term tells
@@ -60,10 +61,64 @@ known_surfaces(Known) :-
 %   Fails if the polygons are those of other segments, by from_p/5.
 
 segment_surfaces(S, Surfaces, Runs) :-
-    own_parts(S, Parts, Named),
+    (   moved_join(S, Children, Motion)
+    ->  foldl(child_surfaces(S, Motion), Children, []-[], Surfaces-Runs)
+    ;   own_parts(S, Parts, Named),
+        surfaces_and_runs(Parts, Named, Surfaces, Runs)
+    ).
+
+surfaces_and_runs(Parts, Named, Surfaces, Runs) :-
     surface_runs(Parts, 1, Named, Runs),
     findall(Surface, ( member(_-Term, Named), plain_surface(Term, Surface) ),
             Surfaces).
+
+%   moved_join(S, Children, Motion): S is a join that was moved as a whole.
+
+moved_join(S, Children, Motion) :-
+    recorded(S, What),
+    arg(1, What, join(Stamps, Matrix)),
+    identity_matrix(Identity),
+    rounded_matrix(Identity, Rounded),
+    Matrix \== Rounded,
+    pairs_keys(Stamps, Children0),
+    sort(Children0, Children),
+    step_motion(matrix(Matrix), Motion).
+
+%   child_surfaces(S, Motion, Child, Found0, Found): Found, Surfaces-Runs, has
+%   those of Child, a primitive, moved as it came into S. Of what was combined
+%   and then moved so the surfaces are not followed.
+
+child_surfaces(S, Motion, Child, Surfaces0-Runs0, Surfaces-Runs) :-
+    (   own_parts(Child, Parts, Named0)
+    ->  moved_surfaces([Motion], Named0, Named),
+        surfaces_and_runs(Parts, Named, Own, OwnRuns),
+        foldl(part_polygons, Parts, 0, Count),
+        length(Surfaces0, Before),
+        findall(run(P1,P2,K),
+                ( came_in(S, Child, Count, Shift),
+                  member(run(Q1,Q2,I), OwnRuns),
+                  P1 is Q1+Shift,
+                  P2 is Q2+Shift,
+                  K is I+Before ),
+                More),
+        append(Surfaces0, Own, Surfaces),
+        append(Runs0, More, Runs1),
+        sort(Runs1, Runs)
+    ;   Surfaces = Surfaces0,
+        Runs = Runs0
+    ).
+
+part_polygons(part(N, _), Count0, Count) :-
+    Count is Count0+N.
+
+%   came_in(S, Child, Count, Shift): polygon P of Child, of Count, is P+Shift of
+%   S, wherever Child came in whole.
+
+came_in(S, Child, Count, Shift) :-
+    from_p(S, P, Child, 1, _),
+    Shift is P-1,
+    Last is Count+Shift,
+    once(from_p(S, Last, Child, Count, _)).
 
 own_parts(S, Parts, Named) :-
     segment(S, _, Term),
@@ -75,16 +130,10 @@ own_parts(S, Parts, Named) :-
     ->  copied_parts(From, Parts, Named)
     ).
 
-%   Of several segments that were moved the surfaces are not followed.
-
 copied_parts(placed(Leaf-_, Matrix), Parts, Named) :-
     own_parts(Leaf, Parts, Named0),
     step_motion(matrix(Matrix), Motion),
     moved_surfaces([Motion], Named0, Named).
-copied_parts(join(_, Matrix), [], []) :-
-    identity_matrix(Identity),
-    rounded_matrix(Identity, Rounded),
-    Matrix \== Rounded.
 
 primitive_term(Term) :-
     is_primitive(Term),

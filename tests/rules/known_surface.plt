@@ -1,7 +1,11 @@
 :- module(test_known_surface, []).
 :- use_module(library(plunit)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(pairs)).
 :- use_module(library(random)).
 :- use_module(rules(contour)).
+:- use_module(rules(csg), [root_segment/1]).
 :- use_module(rules(csg_evaluate), [evaluate/0]).
 :- use_module(rules(decision)).
 :- use_module(rules(hidden_lines)).
@@ -266,6 +270,12 @@ scene(join, [ join([at([translate(3,0,0)], sphere(radius(1), facets(9))),
                     difference([cylinder(radius(1), height(1), facets(10)),
                                 at([translate(1,0,0.5)],
                                    sphere(radius(0.4), facets(9)))])]) ]).
+scene(moved_join, [ at([rotate(x,30),scale(1,2,1),translate(1,2,3)],
+                       join([ box(size(0.2,0.2,0.2)),
+                              at([translate(3,0,0)],
+                                 sphere(radius(1), facets(9))),
+                              cylinder(radius(1), height(1),
+                                       facets(10)) ])) ]).
 scene(cut, [ sphere(radius(1), facets(9)),
              at([translate(0.5,0.2,0.1)], torus(radius(1), tube(0.3),
                                                 facets(9), sides(6))) ]).
@@ -298,5 +308,39 @@ made_drawable(Name, Terms, Ss) :-
         ;   true
         )
     ).
+
+%   A join that was moved as a whole: its facets are of the same surfaces as
+%   those of its parts, moved one by one.
+
+test(moved_join, true(Wrong == [])) :-
+    Steps = [rotate(x,30), scale(-1,2,1), translate(1,2,3)],
+    Sphere = sphere(radius(1), facets(9)),
+    Cylinder = cylinder(radius(0.5), height(4), facets(10)),
+    in_new_world(( assert_fact(segment(1, solid,
+                                       at(Steps, join([Sphere,Cylinder])))),
+                   evaluate,
+                   root_surfaces(Found) )),
+    findall(Surface,
+            ( member(Term, [Sphere,Cylinder]),
+              in_new_world(( add_primitive(at(Steps, Term), S),
+                             segment_surfaces(S, [Surface|_], _) )) ),
+            Wanted),
+    length(Found, 2),
+    findall(Surface, ( member(Surface, Found),
+                       \+ ( member(Same, Wanted), near(Surface, Same) ) ),
+            Wrong).
+
+root_surfaces(Found) :-
+    root_segment(S),
+    findall(Id-Surface, ( p(S, P, _), polygon_surface(S, P, Id, Surface) ),
+            Pairs0),
+    sort(1, @<, Pairs0, Pairs),
+    pairs_values(Pairs, Found).
+
+near(surface(Kind,Frame1,A,B), surface(Kind,Frame2,A,B)) :-
+    maplist(near_number, Frame1, Frame2).
+
+near_number(X, Y) :-
+    abs(X-Y) < 1.0e-12.
 
 :- end_tests(known_surface_rule).
