@@ -52,6 +52,10 @@ write_smooth(Out, Inked, Dots) :-
     Inked = inked(sheet(Width,Height,_), Paper, _),
     W is max(1, round(Width*Dots/1000)),
     H is max(1, round(Height*Dots/1000)),
+    (   max(W, H) < 1<<31               % more are no number for the kernel
+    ->  true
+    ;   domain_error(raster_size, W-H)
+    ),
     Scale is Dots/1000.0,
     inked_lines(drawn, Inked, Lines),
     findall(Line, smooth_line(Lines, Line), Smooth),

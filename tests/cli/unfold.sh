@@ -218,6 +218,8 @@ check "not on standard output" complains 2 'standard output takes one' \
 check "tabs" eval "[ \$(sanggwan unfold -q $box --scale 10:1 --tabs 5 -o - \
   --format svg | wc -c) -gt \
   \$(sanggwan unfold -q $box --scale 10:1 -o - --format svg | wc -c) ]"
+check "too many dots" complains 2 'cannot have .* dots' \
+  sanggwan unfold "$box" --dpi 1e9 -o "$TMP/box.png"
 check "a page that is none" complains 2 'A44' \
   sanggwan unfold "$box" --page A44 -o "$TMP/box.svg"
 
