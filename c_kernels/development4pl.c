@@ -328,6 +328,9 @@ forbid_joint(term_t handle, term_t number)
   if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
     return FALSE;
   }
+  if (d->flattening.state[j] == SG_JOINT_JOINED) {
+    return PL_permission_error("forbid", "joint", number);
+  }
   d->flattening.state[j] = SG_JOINT_FORBIDDEN;
   return TRUE;
 }

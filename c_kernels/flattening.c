@@ -11,7 +11,7 @@ enum {
   SOME = 8,          /* faces, of which those near the joint are tried first */
   FAN = 16,          /* faces round a vertex that are */
   NEAR = 12,         /* faces round one that overlapped before */
-  POLL_EVERY = 2048, /* triangles moved */
+  POLL_EVERY = 2048, /* faces moved and joints tried */
   ISLANDS = 16384,   /* begun from one poll to the next */
   AHEAD = 8          /* joints from one step of fetching to the next */
 };
@@ -282,6 +282,7 @@ face_overlaps(trial *t, uint32_t face)
 static bool
 moved_overlaps(trial *t, const motion *m, uint32_t face)
 {
+  t->fl->moves++;
   move_face(t->fl, m, face);
   if (!face_overlaps(t, face)) {
     return false;
@@ -374,13 +375,23 @@ suspects_overlap(trial *t, const attempt *of)
   return false;
 }
 
+/* After many faces, whichever joints they were moved for. */
+static bool
+is_stopped(sg_flattening *fl, const sg_poll *poll)
+{
+  if (fl->moves < POLL_EVERY) {
+    return false;
+  }
+  fl->moves = 0;
+  return sg_poll_stop(poll);
+}
+
 /* Moves the faces of an island and sees whether they overlap the other one. */
 static bool
 try_motion(sg_flattening *fl, const attempt *of, const sg_poll *poll,
            bool *stopped, bool *overlap)
 {
   trial t = {.fl = fl, .onto = of->onto};
-  size_t since = 0;
 
   *overlap = of->moving->faces > SOME &&
              (suspects_overlap(&t, of) ||
@@ -388,7 +399,7 @@ try_motion(sg_flattening *fl, const attempt *of, const sg_poll *poll,
               fan_overlaps(&t, &of->motion, of->side, true));
   for (uint32_t face = of->moving->head; !*overlap && face != UINT32_MAX;
        face = fl->next_face[face]) {
-    if (++since % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (is_stopped(fl, poll)) {
       *stopped = true;
       return false;
     }
@@ -518,6 +529,7 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
   }
   fl->refused += overlap;
   fl->joins += !overlap;
+  fl->moves += overlap ? 0 : moving->faces;
   return overlap || merge(fl, &of.motion, moving, onto);
 }
 
@@ -574,7 +586,8 @@ sg_flattening_join_all(sg_flattening *fl, const uint32_t *order, size_t n,
   sg_joint_state state;
 
   for (size_t i = 0; i < n; i++) {
-    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    fl->moves++;
+    if (is_stopped(fl, poll)) {
       *stopped = true;
       return false;
     }

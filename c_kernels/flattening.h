@@ -46,6 +46,7 @@ typedef struct sg_flattening {
   sg_flat_stock stock;             /* items are triangles */
   double (*moved)[2];              /* private: corners of the face tried */
   size_t tests, refused, joins;    /* overlap tests of two triangles, ... */
+  size_t moves;                    /* private: since it was asked to stop */
   uint32_t overlap[2];             /* faces that did, after SG_JOINT_OVERLAP */
   bool tried;                      /* private: not as it was at first */
 } sg_flattening;

@@ -242,11 +242,14 @@ take_ends(const pairing *p, ends *out)
   return true;
 }
 
-/* Joints in the order of their first edges, which are in no other. */
+/* Joints in the order of their first edges. An edge has one joint at most, also
+ * where it is in several faces, which it should not be. False: no memory, or
+ * stopped. */
 static bool
 sort_joints(const pairing *p, const sg_poll *poll, bool *stopped)
 {
   const sg_flat_faces *f = p->faces;
+  uint32_t *of_side = p->out->of_side;
   sg_joint *sorted = new_joints(p->out->n);
   size_t n = 0;
 
@@ -256,19 +259,18 @@ sort_joints(const pairing *p, const sg_poll *poll, bool *stopped)
   for (size_t e = 0; e < p->dense->edges + f->chords && !*stopped; e++) {
     *stopped = e % POLL_EVERY == 0 && sg_poll_stop(poll);
     uint32_t side = f->side_of[e];
-    uint32_t j = side == SG_NO_SIDE_OF ? SG_NO_JOINT : p->out->of_side[side];
+    uint32_t j = side == SG_NO_SIDE_OF ? SG_NO_JOINT : of_side[side];
     if (j != SG_NO_JOINT && p->out->joint[j].side[0] == side) {
-      sorted[n] = p->out->joint[j];
-      p->out->of_side[sorted[n].side[0]] = (uint32_t)n;
-      p->out->of_side[sorted[n].side[1]] = SG_NO_JOINT;
-      n++;
+      sorted[n++] = p->out->joint[j];
     }
   }
+  memset(of_side, 0xff, f->sides * sizeof *of_side);
   for (uint32_t j = 0; j < n; j++) {
-    p->out->of_side[sorted[j].side[1]] = j;
+    of_side[sorted[j].side[0]] = of_side[sorted[j].side[1]] = j;
   }
   free(p->out->joint);
   p->out->joint = sorted;
+  p->out->n = n;
   return !*stopped;
 }
 

@@ -1193,6 +1193,8 @@ the drawn surface. Degrees; see roll.h.
 %!  forbid_joint(+Flattening, +J) is det.
 %
 %   Joint J is not to be joined.
+%
+%   @error permission_error(forbid, joint, J): it is joined already
 
 %!  join_faces(+Flattening, +J, -Result) is det.
 %

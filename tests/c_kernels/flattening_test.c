@@ -380,6 +380,36 @@ check_no_length(void)
   free(m);
 }
 
+/* Two triangles on each side of an edge, of which two list the same edge. */
+static void
+check_edge_in_two_faces(void)
+{
+  model *m = new_model();
+  unfolded u = {.layout = {0}};
+  bool stopped;
+
+  for (int k = 0; k < 6; k++) {
+    add_vertex(m, k == 1, k == 2 || k == 3, k > 3 ? k - 4.5 : 0);
+  }
+  for (int k = 0; k < 4; k++) {
+    add_polygon(m, 3, (int32_t[3]){k % 2, !(k % 2), k + 2});
+  }
+  m->list[2 * 3] = m->list[0];
+  CHECK("faces",
+        sg_flat_faces_make(&m->dense, NULL, 1e-9, NULL, &u.faces, &stopped));
+  CHECK("joints",
+        sg_joints_make(&u.faces, &m->dense, 1e-9, NULL, &u.joints, &stopped));
+  CHECK("one for the edge", u.joints.n == 1);
+  for (uint32_t k = 0, with = 0; k < u.faces.sides; k++) {
+    with += u.joints.of_side[k] == 0;
+    CHECK("two sides have it", k + 1 < u.faces.sides || with == 2);
+    CHECK("no side has another",
+          u.joints.of_side[k] == 0 || u.joints.of_side[k] == SG_NO_JOINT);
+  }
+  forget(&u);
+  free(m);
+}
+
 static bool
 stop(void *data)
 {
@@ -416,6 +446,7 @@ main(void)
   check_bent();
   check_no_area();
   check_no_length();
+  check_edge_in_two_faces();
   check_stopping();
   return check_report();
 }

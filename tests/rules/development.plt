@@ -148,6 +148,16 @@ test(kernel_is_rule, forall(solid(Term))) :-
     in_model([Term], states(joined_by_rule(1), Rule)),
     assertion(Kernel == Rule).
 
+%   What is joined stays so: a face would hang on nothing.
+
+test(not_forbidden_when_joined,
+     error(permission_error(forbid, joint, 1))) :-
+    in_model([box(size(1,1,1))], states(joined_and_forbidden, _)).
+
+joined_and_forbidden(Flattening) :-
+    join_faces(Flattening, 1, joined),
+    forbid_joint(Flattening, 1).
+
 states(Goal, States) :-
     setup_call_cleanup(
         flattening_open(1, 1.0e-10, [], Flattening),

@@ -195,7 +195,8 @@ in_new_world(Goal) :-
 
 :- begin_tests(little_room).
 
-test(formats, Failed-Rule == []-resource_error) :-
+test(formats, [ condition(current_prolog_flag(threads, true)),
+                Failed-Rule == []-resource_error ]) :-
     new_world(World),
     in_world(World,
              ( add_primitive(sphere(radius(1), facets(80), bands(40)), _),
