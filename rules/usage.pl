@@ -399,7 +399,7 @@ print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
     ;   HelpKo = Help
     ),
     in_language(Language, Help, HelpKo, Text),
-    format("  ~w--~w~w~w~t~28|~w~n", [Letter, Name, Value, Meta, Text]).
+    format("  ~w--~w~w~w ~t~28|~w~n", [Letter, Name, Value, Meta, Text]).
 
 in_language(ko, _, Text, Text) :-
     !.
