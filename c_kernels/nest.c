@@ -364,12 +364,16 @@ hindrance(const nesting *n, const page *p, const runs *r, unsigned x,
 }
 
 /* The lowest, then leftmost, place where the runs are free and reach up less
- * than `top` rows. */
+ * than `top` rows. False also when stopped: *n->memory is true then. */
 static bool
 find_place(const nesting *n, const page *p, const mask *m, const runs *r,
            unsigned top, unsigned *x_out, unsigned *y_out)
 {
   for (unsigned y = 0; y + m->h <= n->h && y + m->h < top; y++) {
+    if (sg_poll_stop(n->poll)) {
+      *n->memory = true;
+      return false;
+    }
     for (unsigned x = 0; x + m->w <= n->w;) {
       unsigned step = hindrance(n, p, r, x, y);
 
@@ -479,7 +483,11 @@ place_masks(nesting *n, const sg_nest_piece *piece, mask *m, runs *r,
     if (i == n->pages && ((n->paper->one && i > 0) || !add_page(n))) {
       return n->paper->one && i > 0;
     }
-    if (best_choice(n, &n->page[i], m, r, piece->angles, &best)) {
+    bool found = best_choice(n, &n->page[i], m, r, piece->angles, &best);
+    if (*n->memory) {
+      return false;
+    }
+    if (found) {
       return settle(n, &n->page[i], piece, m, &best, place);
     }
   }

@@ -147,6 +147,32 @@ check_hole(void)
         place[1].sheet == 1 && place[1].by[0] > 10 && place[1].by[0] + 60 < 80);
 }
 
+static bool
+stop(void *data)
+{
+  return --*(int *)data < 0;
+}
+
+/* On one sheet, which has many rows; the poll is asked for each. */
+static void
+check_stopping(void)
+{
+  static const double plate[4][2] = {{0, 0}, {60, 0}, {60, 30}, {0, 30}};
+  static const size_t end = 4;
+  const sg_nest_paper paper = {61, 4000, 1, 1, false};
+  sg_nest_piece piece[4];
+  sg_nest_place place[4];
+  int polls = 50;
+  bool memory;
+
+  for (int i = 0; i < 4; i++) {
+    piece[i] = (sg_nest_piece){plate, 4, &end, 1, turns, 1};
+  }
+  CHECK("the poll stops it",
+        !sg_nest(&paper, piece, 4, place, &(sg_poll){stop, &polls}, &memory));
+  CHECK("it is not for want of memory", memory);
+}
+
 int
 main(void)
 {
@@ -154,6 +180,7 @@ main(void)
 
   check_by_hand();
   check_hole();
+  check_stopping();
   check_random(&(sg_nest_paper){190, 277, 0.7, 2, false}, 60);
   check_random(&(sg_nest_paper){300, 4000, 1.5, 1, true}, 60);
   CHECK("too many squares", !sg_nest_paper_is_valid(&bad));
