@@ -5,7 +5,8 @@
 #include <math.h>
 
 /* Decimals count as the source's precision from here on, relative to the
- * size: 1, 0.5 and 0.25 are no rounded measurements. */
+ * size: 1, 0.5 and 0.25 are no rounded measurements. Nor are 0.28125 and 3.125,
+ * however many places they have: none of such numbers is fine. */
 static const double COARSEST = 1e-4;
 
 static bool
@@ -95,7 +96,7 @@ sg_flatness_of_source(const sg_flatness *model)
 {
   double size = sg_flatness_size(model), unit = 0;
 
-  if (model->places <= SG_PLACES) {
+  if (model->fine && model->places <= SG_PLACES) {
     double place = pow(10, -model->places);
     unit = place <= COARSEST * size ? place : 0;
   }
