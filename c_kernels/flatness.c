@@ -5,8 +5,9 @@
 #include <math.h>
 
 /* Decimals count as the source's precision from here on, relative to the
- * size: 1, 0.5 and 0.25 are no rounded measurements. Nor are 0.28125 and 3.125,
- * however many places they have: none of such numbers is fine. */
+ * size: 1.5 and 0.25 are no rounded measurements. Nor are 0.28125 and 3.125,
+ * however many places they have: none of such numbers is fine. Whole numbers
+ * are exact, however large. */
 static const double COARSEST = 1e-4;
 
 static bool
@@ -96,6 +97,9 @@ sg_flatness_of_source(const sg_flatness *model)
 {
   double size = sg_flatness_size(model), unit = 0;
 
+  if (model->places == 0) {
+    return 0;
+  }
   if (model->fine && model->places <= SG_PLACES) {
     double place = pow(10, -model->places);
     unit = place <= COARSEST * size ? place : 0;

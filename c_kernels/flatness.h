@@ -4,8 +4,8 @@
  * size, made a power of two (upwards, so that an edit seldom changes it), and 4
  * units in the last place of its source. What the source
  * was is seen from the coordinates: they are all single precision numbers, or
- * all decimals with a few places; but not if all have so few bits that they may
- * be exact.
+ * all decimals with a few places; but not if all are whole, or have so few bits
+ * that they may be exact.
  */
 #ifndef SG_FLATNESS_H
 #define SG_FLATNESS_H

@@ -662,7 +662,8 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %   How far off a place may be that is meant to be there: the larger of 2^-33
 %   of the model's size, made a power of two (so that an edit seldom changes
 %   it), and 4 units in the last place of its coordinates, as
-%   far as these show where they come from (single precision, or decimals).
+%   far as these show where they come from (single precision, or
+%   decimals; whole numbers are exact).
 
 %!  segments_tolerance(+Segments:list, -Tolerance, -Smallest) is det.
 %
@@ -672,7 +673,8 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %!  segments_grain(+Segments:list, -Grain) is det.
 %
 %   Grain is the part of it that the sources say: 4 units in the last place of
-%   the coarsest, where coordinates are seen to be float32 or decimals, else 0.
+%   the coarsest, where coordinates are seen to be float32 or decimals
+%   that are not whole, else 0.
 
 /* - - - work4pl.c, work_join4pl.c - - - */
 

@@ -108,12 +108,14 @@ test_tolerance(void)
   static place decimals[] = {{0, 0, 0}, {8, 1.23456, 0.3}};
   static place whole[] = {{0, 0, 0}, {8, 1, 0.5}};
   static place halved[] = {{0, 0, 0}, {8, 3.28125, 0.03125}};
+  static place large[] = {{0, 0, 0}, {400001, 70003, 33333}};
 
   CHECK("doubles: 2^-33 of the size",
         tolerance_of(doubles, 2) == ldexp(8, -33));
   CHECK("single precision", fabs(tolerance_of(singles, 2) - 3.8e-6) < 1e-7);
   CHECK("five places", fabs(tolerance_of(decimals, 2) - 4e-5) < 1e-9);
   CHECK("whole numbers are no rounded ones", tolerance_of(whole, 2) < 1e-5);
+  CHECK("however large", tolerance_of(large, 2) == ldexp(1, 19 - 33));
   CHECK("nor are halves of halves, of as many places as decimals",
         tolerance_of(halved, 2) == ldexp(8, -33));
 }
