@@ -2,9 +2,9 @@
           [ pattern_drawing/3,          % +Ds, +Options, -Drawings
             pattern_layout/3            % +Ds, +Options, -Layout
           ]).
+:- use_module(pattern_fit, [fitted_pieces/5]).
 :- use_module(pattern_lines,
-              [ outline_loops/2, outline_strokes/3, piece_line/4,
-                piece_outline/3 ]).
+              [outline_loops/2, outline_strokes/3, piece_line/4]).
 :- use_module(pattern_look, [pattern_look/5]).
 :- use_module(pattern_nest, [nested/3]).
 :- use_module(pattern_number, [seam_numbers/2]).
@@ -13,8 +13,6 @@
               [ grid_line/3, line_strokes/3, pages_checked/1, paper_checked/1,
                 pattern_paper/3, sheet_line/4, sheet_of/4 ]).
 :- use_module(pattern_piece, [pattern_pieces/3]).
-:- use_module(pattern_split, [split_pieces/3]).
-:- use_module(pattern_tab, [tabs/4]).
 :- use_module(pattern_text, [written/4]).
 :- use_module(pattern_tile, [tiled/4]).
 :- use_module(pattern_want, [wanted_text/4]).
@@ -23,7 +21,7 @@
 :- use_module(true_table, [true_length_marks/4, true_length_rows/2]).
 :- autoload(library(apply), [foldl/4, foldl/6, maplist/3, maplist/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(error), [domain_error/2, must_be/2]).
+:- autoload(library(error), [domain_error/2]).
 :- autoload(library(lists),
             [ append/2, append/3, last/2, member/2, min_list/2, nth1/3,
               sum_list/2 ]).
@@ -55,7 +53,8 @@ those of pattern_look.pl.
 %       gap(G): between pieces, 3 mm
 %     - tile(true): pieces are not divided for the page but the sheet is, into
 %       pages that overlap by overlap(O), 10 mm
-%     - tabs(W): tabs W mm wide at one side of each seam
+%     - tabs(W): tabs W mm wide at one side of each seam; open_slits(true):
+%       pieces are parted until each seam has room for one
 %     - numbers(Bool): of partners, on both sides of each seam, default true
 %     - names(What): of faces: false (default), true (their numbers), or `words`
 %     - angles(Bool): of folds, default false
@@ -103,15 +102,11 @@ pattern_layout(Ds, Options,
     append(Piecess, Pieces0),
     option(gap(Gap), Options, 3),
     pattern_paper(Options, Gap, Paper),
-    option(tabs(Width), Options, 0),
-    tab_room(Paper, Width, PiecePaper),
-    least_pages(Pieces0, PiecePaper, LeastPages),
+    least_pages(Pieces0, Paper, LeastPages),
     pages_checked(LeastPages),
-    split_pieces(Pieces0, PiecePaper, Pieces),
-    told_split(Pieces0, Pieces),
+    fitted_pieces(Pieces0, Paper, Options, Fitted, tabs(Tabs,Butt)),
+    maplist(fitted_parts, Fitted, Pieces, Outlines),
     seam_numbers(Pieces, Numbers),
-    pieces_tabs(Width, Pieces, Tabs, Butt),
-    maplist(outlined(Tabs), Pieces, Outlines),
     maplist(named_loops, Pieces, Outlines, Loops0),
     tables(Ds, Options, Paper, Tables, TableLoops),
     append(Loops0, TableLoops, Loops),
@@ -225,42 +220,7 @@ least_pages(Pieces, room(W,H,_), Count) :-
     sum_list(Areas, All),
     Count is max(1, ceiling(All/(W*H))).
 
-%   A piece may grow by a tab on each side.
-
-tab_room(room(W0,H0,Gap), Width, room(W,H,Gap)) :-
-    !,
-    W is max(W0/2, W0-2*Width),
-    H is max(H0/2, H0-2*Width).
-tab_room(Paper, _, Paper).
-
-told_split(Pieces0, Pieces) :-
-    length(Pieces0, N0),
-    length(Pieces, N),
-    (   N > N0
-    ->  print_message(warning, sanggwan(pattern(divided(N0,N))))
-    ;   true
-    ).
-
-pieces_tabs(Width, Pieces, Tabs, Butt) :-
-    must_be(number, Width),
-    (   Width > 0
-    ->  tabs(Width, Pieces, Pairs, Left),
-        told_butt(Left)
-    ;   Pairs = [],
-        Left = []
-    ),
-    list_to_assoc(Pairs, Tabs),
-    findall(Seam-true, member(Seam, Left), Marked),
-    list_to_assoc(Marked, Butt).
-
-told_butt([]) :-
-    !.
-told_butt(Seams) :-
-    length(Seams, N),
-    print_message(informational, sanggwan(pattern(without_tab(N)))).
-
-outlined(Tabs, Piece, Outline) :-
-    piece_outline(Piece, Tabs, Outline).
+fitted_parts(fitted(Piece,Outline), Piece, Outline).
 
 named_loops(piece(Name,_,_), Outline, Name-Loops) :-
     outline_loops(Outline, Loops).

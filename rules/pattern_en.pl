@@ -1,7 +1,9 @@
 :- module(sg_pattern_en,
           [ pattern_en//1,              % +What
-            pattern_fault_en//1         % +What
+            pattern_fault_en//1,        % +What
+            some_numbers/2              % +Numbers, -Text
           ]).
+:- autoload(library(lists), [append/3]).
 /** <module> What happened on the way to a pattern on paper, in English.
 
 pattern_ko.pl has the same heads in Korean (tests/rules/pattern_file.plt).
@@ -14,8 +16,13 @@ pattern_ko.pl has the same heads in Korean (tests/rules/pattern_file.plt).
 pattern_en(divided(Before, After)) -->
     [ 'pieces larger than the page are divided: of ~D in all there are now \c
        ~D'-[Before, After] ].
-pattern_en(without_tab(N)) -->
-    [ '~D seams have no tab: on neither side is there room for one'-[N] ].
+pattern_en(opened(Before, After)) -->
+    [ 'pieces are parted so that slits have room for tabs: of ~D in all there \c
+       are now ~D'-[Before, After] ].
+pattern_en(without_tab(D, N, Es)) -->
+    [ 'pattern ~d: ~D seams have no tab, since neither side has room for one'
+      -[D, N] ],
+    without_tab_en(Es).
 pattern_en(too_large(N)) -->
     [ '~D pieces with their tabs are larger than the page; each has a sheet, \c
        and goes beyond it'-[N], nl,
@@ -25,11 +32,31 @@ pattern_en(no_room(Role, N)) -->
     [ '~D ~w are left out: there is no room for letters that can be read'
       -[N, Words] ].
 
+without_tab_en([]) -->
+    !.
+without_tab_en(Es) -->
+    { some_numbers(Es, Text) },
+    [ nl, '  Edges: ~w'-[Text] ].
+
 role_en(number, 'partner numbers').
 role_en(face_name, 'names of faces').
 role_en(angle, 'bend angles').
 role_en(generator_number, 'numbers of generators').
 role_en(table, 'tables of true lengths').
+
+%!  some_numbers(+Numbers, -Text) is det.
+%
+%   Text lists Numbers, of many the first twenty, and how many more there are.
+
+some_numbers(Numbers, Text) :-
+    (   length(First, 20),
+        append(First, [_,_|_], Numbers)
+    ->  length(Numbers, N),
+        More is N-20,
+        atomic_list_concat(First, ', ', Text0),
+        format(atom(Text), '~w, ... (+~D)', [Text0,More])
+    ;   atomic_list_concat(Numbers, ', ', Text)
+    ).
 
 %!  pattern_fault_en(+What)// is det.
 %
@@ -49,6 +76,10 @@ pattern_fault_en(margin(Margin, W-H)) -->
 pattern_fault_en(pages(Count, Most)) -->
     [ 'the pattern would take ~D pages; ~D are the most'-[Count, Most], nl,
       '  Take a smaller --scale or a larger --page.' ].
+pattern_fault_en(tabs(Width, Most, W-H)) -->
+    [ '--tabs ~w: pieces have to be divided to fit on pages with room for \c
+       ~1f x ~1f mm, and so wide tabs leave too little of it'-[Width, W, H], nl,
+      '  Take at most ~w, or a larger --page.'-[Most] ].
 pattern_fault_en(overlap(Overlap, Most)) -->
     [ '--overlap ~w is more than half a page has room for'-[Overlap], nl,
       '  Take at most ~w, or a larger --page.'-[Most] ].

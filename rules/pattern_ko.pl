@@ -3,6 +3,7 @@
           [ pattern_ko//1,              % +What
             pattern_fault_ko//1         % +What
           ]).
+:- use_module(pattern_en, [some_numbers/2]).
 /** <module> What happened on the way to a pattern on paper, in Korean.
 
 pattern_en.pl has the same heads in English.
@@ -15,8 +16,13 @@ pattern_en.pl has the same heads in English.
 pattern_ko(divided(Before, After)) -->
     [ '조각 ~D개 가운데 종이보다 큰 것을 나누어 ~D개가 되었습니다'
       -[Before, After] ].
-pattern_ko(without_tab(N)) -->
-    [ '이음매 ~D개에는 양쪽 어디에도 자리가 없어 풀칠 날개가 없습니다'-[N] ].
+pattern_ko(opened(Before, After)) -->
+    [ '틈에 풀칠 날개가 들어가도록 조각 ~D개를 나누어 ~D개가 되었습니다'
+      -[Before, After] ].
+pattern_ko(without_tab(D, N, Es)) -->
+    [ '전개도 ~d: 이음매 ~D개에는 양쪽 어디에도 자리가 없어 풀칠 날개가 없습니다'
+      -[D, N] ],
+    without_tab_ko(Es).
 pattern_ko(too_large(N)) -->
     [ '조각 ~D개는 날개까지 치면 종이보다 커서, 따로 한 장씩 놓았지만 밖으로 나갑니다'
       -[N], nl,
@@ -24,6 +30,12 @@ pattern_ko(too_large(N)) -->
 pattern_ko(no_room(Role, N)) -->
     { role_ko(Role, Words) },
     [ '읽을 수 있는 크기로 쓸 자리가 없어 ~w ~D개를 뺐습니다'-[Words, N] ].
+
+without_tab_ko([]) -->
+    !.
+without_tab_ko(Es) -->
+    { some_numbers(Es, Text) },
+    [ nl, '  모서리: ~w'-[Text] ].
 
 role_ko(number, '짝 번호').
 role_ko(face_name, '면 이름').
@@ -49,6 +61,10 @@ pattern_fault_ko(margin(Margin, W-H)) -->
 pattern_fault_ko(pages(Count, Most)) -->
     [ '전개도가 ~D쪽이 됩니다. ~D쪽까지만 됩니다'-[Count, Most], nl,
       '  더 작은 --scale 이나 더 큰 --page 를 쓰십시오.' ].
+pattern_fault_ko(tabs(Width, Most, W-H)) -->
+    [ '--tabs ~w: 조각을 ~1f x ~1f mm 자리에 맞게 나누어야 하는데, 날개가 그렇게 넓으면 \c
+       남는 자리가 너무 작습니다'-[Width, W, H], nl,
+      '  ~w 이하로 줄이거나 더 큰 --page 를 쓰십시오.'-[Most] ].
 pattern_fault_ko(overlap(Overlap, Most)) -->
     [ '--overlap ~w 은(는) 쪽에 쓸 수 있는 자리의 절반보다 큽니다'-[Overlap], nl,
       '  ~w 이하로 줄이거나 더 큰 --page 를 쓰십시오.'-[Most] ].

@@ -7,13 +7,13 @@
 :- use_module(pattern_outline, [cut_loops/2]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3]).
-:- autoload(library(lists), [append/3, last/2, member/2]).
+:- autoload(library(lists), [append/2, append/3, last/2, member/2]).
 :- autoload(library(rbtrees), [rb_insert_new/4, rb_new/1]).
 /** <module> What is drawn of a piece: its outline with tabs, folds, marks.
 
 An outline is a list of loops, those of holes first; a loop is a list of
-way(E,Points), how the outline goes along side E: straight, or round its tab.
-Tabs is an assoc of D-E to the points of its tab (pattern_tab.pl).
+way(E,Points), how the outline goes along side E: straight, or round its tabs.
+Tabs is an assoc of tab(D,E,A,B) to the outlines of its tabs (pattern_tab.pl).
 */
 
 :- set_prolog_flag(optimise, true).
@@ -31,19 +31,27 @@ loop_ways(D, Tabs, Loop, Ways) :-
     maplist(side_way(D, Tabs), Loop, Ways).
 
 side_way(D, Tabs, side(E,_,WA-A,WB-B,_), way(E,Points)) :-
-    (   get_assoc(tab(D,E,WA,WB), Tabs, Tab)
-    ->  Tab = [First|_],
-        last(Tab, Last),
-        (   First == A
-        ->  Points0 = Tab
-        ;   Points0 = [A|Tab]
-        ),
-        (   Last == B
-        ->  Points = Points0
-        ;   append(Points0, [B], Points)
-        )
+    (   get_assoc(tab(D,E,WA,WB), Tabs, Own)
+    ->  way_round(Own, A, B, Points)
     ;   Points = [A,B]
     ).
+
+way_round(strip(Points), _, _, Points) :-
+    !.
+way_round(Outlines, A, B, Points) :-
+    append(Outlines, Points0),
+    append([A|Points0], [B], Points1),
+    once_each(Points1, Points).
+
+%   Where tabs begin or end at a corner, or at each other, that is one point.
+
+once_each([P,P|Points0], Points) :-
+    !,
+    once_each([P|Points0], Points).
+once_each([P|Points0], [P|Points]) :-
+    !,
+    once_each(Points0, Points).
+once_each([], []).
 
 %!  outline_loops(+Outline, -Loops) is det.
 %
@@ -86,10 +94,15 @@ fold_role(Angle, Threshold, Role) :-
 
 %   Where a tab begins it is folded too.
 
-tab_line(side(E,_,WA-_,WB-_,seam(_,Angle,_)), D, Tabs, Threshold,
+tab_line(side(E,_,WA-A,WB-B,seam(_,Angle,_)), D, Tabs, Threshold,
          line(Role,E,First,Last)) :-
-    get_assoc(tab(D,E,WA,WB), Tabs, [First|Tab]),
-    last(Tab, Last),
+    get_assoc(tab(D,E,WA,WB), Tabs, Own),
+    (   Own = strip(_)
+    ->  First = A,
+        Last = B
+    ;   member([First|Tab], Own),
+        last(Tab, Last)
+    ),
     (   fold_role(Angle, Threshold, Role0)
     ->  Role = Role0
     ;   Role = mark

@@ -1,5 +1,6 @@
 :- module(sg_pattern_number,
           [ seam_numbers/2,             % +Pieces, -Numbers
+            seam_strands/2,             % +Pieces, -Strands
             reads_turned/1              % +Number
           ]).
 :- use_module(pattern_outline, [cut_loops/2]).
@@ -35,22 +36,7 @@ facet_bend(35.0).
 %   sheet made.
 
 seam_numbers(Pieces, Numbers) :-
-    findall(Key-(A-B), seam_place(Pieces, Key, A, B), Places0),
-    list_to_assoc_of(Places0, Places),
-    findall(seam(D,J,Which)-Key,
-            ( member(Key-_, Places0), Key = k(name(D,_,_),J,Which) ),
-            Sides0),
-    list_to_assoc_of(Sides0, Sides),
-    findall(Key-Next, follower(Pieces, Places, Key, Next), Followers0),
-    list_to_assoc_of(Followers0, Followers),
-    findall(Key-Next,
-            ( member(Key-Next, Followers0),
-              partner(Key, Sides, Partner),
-              partner(Next, Sides, Before),
-              get_assoc(Before, Followers, Partner)
-            ),
-            Links),
-    findall(Key, member(Key-_, Places0), Keys),
+    linked_seams(Pieces, Keys, Links, _),
     strands(Keys, Links, Strands),
     findall(Seam-Strand,
             ( member(Strand, Strands), strand_seam(Strand, Seam) ),
@@ -67,6 +53,60 @@ seam_numbers(Pieces, Numbers) :-
     keysort(Numbered0, Numbered),
     group_pairs_by_key(Numbered, ByPiece),
     list_to_assoc(ByPiece, Numbers).
+
+%!  seam_strands(+Pieces, -Strands) is det.
+%
+%   Strands are lists of Key-Partner, one for each strand and its partner
+%   together: Key, k(Name,J,Which), is a side of the one that comes first in the
+%   standard order, Partner that of the other. Seams with more than two sides,
+%   since a face was divided, are in none.
+
+seam_strands(Pieces, Strands) :-
+    linked_seams(Pieces, Keys, Links, Sides),
+    strands(Keys, Links, Strands0),
+    findall(Strand,
+            ( member(Strand0, Strands0),
+              maplist(with_partner(Sides), Strand0, Strand),
+              Strand = [First1-_|_],
+              last(Strand, _-First2),
+              First1 @< First2
+            ),
+            Strands).
+
+with_partner(Sides, Key, Key-Partner) :-
+    partner(Key, Sides, Partner),
+    Partner = k(_, J, Which),
+    Key = k(name(D,_,_), _, _),
+    \+ get_assoc(many(D,J,Which), Sides, _),
+    Other is 3-Which,
+    \+ get_assoc(many(D,J,Other), Sides, _).
+
+%   linked_seams(Pieces, Keys, Links, Sides): Links are Key-Next, both the
+%   followers of each other's partners. Sides is an assoc of seam(D,J,Which) to
+%   a Key, and of many(D,J,Which) where there are several.
+
+linked_seams(Pieces, Keys, Links, Sides) :-
+    findall(Key-(A-B), seam_place(Pieces, Key, A, B), Places0),
+    list_to_assoc_of(Places0, Places),
+    findall(seam(D,J,Which)-Key,
+            ( member(Key-_, Places0), Key = k(name(D,_,_),J,Which) ),
+            Sides0),
+    msort(Sides0, Sides1),
+    findall(many(D,J,Which)-true,
+            append(_, [seam(D,J,Which)-_,seam(D,J,Which)-_|_], Sides1),
+            Many),
+    append(Sides0, Many, Sides2),
+    list_to_assoc_of(Sides2, Sides),
+    findall(Key-Next, follower(Pieces, Places, Key, Next), Followers0),
+    list_to_assoc_of(Followers0, Followers),
+    findall(Key-Next,
+            ( member(Key-Next, Followers0),
+              partner(Key, Sides, Partner),
+              partner(Next, Sides, Before),
+              get_assoc(Before, Followers, Partner)
+            ),
+            Links),
+    findall(Key, member(Key-_, Places0), Keys).
 
 list_to_assoc_of(Pairs0, Assoc) :-
     sort(1, @<, Pairs0, Pairs),

@@ -184,14 +184,24 @@ sheet_line(sheet(Width,_,_,Bottom,_,_), Options, Says, line(bar,Points)) :-
     Right is Left+Length,
     (   bar_line(Left, Base, Length, Points)
     ;   format(string(Text), '~d mm', [Length]),
-        X is Right+2,
-        letter_line(Text, X, Base, Points)
+        length_place(Right, Base, Width, X, Y),
+        letter_line(Text, X, Y, Points)
     ;   Says \== [],
         X is Right+20,
         X+20 < Width,
         atomic_list_concat(Says, '   ', Text0),
         atom_string(Text0, Text),
         letter_line(Text, X, Base, Points)
+    ).
+
+%   On the right of the bar; above it if there the sheet ends.
+
+length_place(Right, Base, Width, X, Y) :-
+    (   Right+18 =< Width
+    ->  X is Right+2,
+        Y = Base
+    ;   X is Right-18,
+        Y is Base+4.5
     ).
 
 letter_line(Text, X0, Y0, Points) :-

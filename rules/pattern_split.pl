@@ -1,5 +1,6 @@
 :- module(sg_pattern_split,
-          [ split_pieces/3              % +Pieces, +Paper, -Split
+          [ split_piece/3,              % +Piece, +Paper, -Parts
+            parted_piece/3              % +Piece, +Folds, -Parts
           ]).
 :- use_module(pattern_nest, [fits_on/2, least_box/4]).
 :- use_module(pattern_piece, [piece_points/2, within_shapes/2]).
@@ -20,24 +21,14 @@ W1 and W2.
 
 :- set_prolog_flag(optimise, true).
 
-%!  split_pieces(+Pieces, +Paper, -Split) is det.
+%!  split_piece(+Piece, +Paper, -Parts) is det.
 %
-%   Split are Pieces (pattern_piece.pl), those that do not fit on Paper
-%   (pattern_nest.pl) in parts that do, name(D,K,Part) with Part from 1.
+%   Parts is [Piece] (pattern_piece.pl) if that fits on Paper (pattern_nest.pl),
+%   else parts of it that do; all of them have its name.
 
-split_pieces([], _, []).
-split_pieces([Piece|Pieces], Paper, Split) :-
+split_piece(Piece, Paper, Parts) :-
     small_parts([Piece], Paper, Parts0),
-    joined_parts(Piece, Parts0, Paper, Parts),
-    (   Parts = [Piece]
-    ->  Own = Parts
-    ;   findall(Named, numbered_part(Parts, Named), Own)
-    ),
-    append(Own, Split1, Split),
-    split_pieces(Pieces, Paper, Split1).
-
-numbered_part(Parts, piece(name(D,K,I),Faces,Sides)) :-
-    nth1(I, Parts, piece(name(D,K,_),Faces,Sides)).
+    joined_parts(Piece, Parts0, Paper, Parts).
 
 small_parts([], _, []).
 small_parts([Piece|Pieces], Paper, Parts) :-
@@ -255,6 +246,27 @@ newly_seen(Node, Seen0-Nodes, Seen-All) :-
 list_to_assoc_of(Keys, Assoc) :-
     findall(Key-true, member(Key, Keys), Pairs),
     list_to_assoc(Pairs, Assoc).
+
+%!  parted_piece(+Piece, +Folds, -Parts) is det.
+%
+%   Parts are what is left of Piece where Folds, the numbers of joints, do not
+%   hold it together; all of them have its name.
+
+parted_piece(Piece, Folds, Parts) :-
+    Piece = piece(_, Faces, Sides),
+    list_to_assoc_of(Folds, Cut),
+    findall(J-P,
+            ( member(side(_,P,_,_,fold(J,_,_)), Sides),
+              \+ get_assoc(J, Cut, _)
+            ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Grouped),
+    findall(Step, ( member(_-[P1,P2], Grouped),
+                    ( Step = P1-P2 ; Step = P2-P1 ) ), Steps),
+    findall(P, member(face(P,_), Faces), Ps),
+    components(Ps, Steps, Groups),
+    maplist(group_part(Piece), Groups, Parts).
 
 %   A fold whose other side is in another part becomes a seam.
 

@@ -39,6 +39,7 @@ needs(Name, trim) :-
 needs(Name, thickness) :-
     member(Name, [ size,kfactor,'bend-radius','set-in','other-thickness' ]).
 needs(overlap, tile).
+needs('open-slits', tabs).
 
 %   given(Name, Options): --no-NAME gives nothing.
 

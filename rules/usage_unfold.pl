@@ -94,6 +94,9 @@ unfold_option(option(margin, '', number(0), 'MM',
 unfold_option(option(gap, '', number(0), 'MM', 'between pieces; default 3')).
 unfold_option(option(tabs, '', number(0), 'MM',
     'tabs to glue, so wide, on one side of each seam')).
+unfold_option(option('open-slits', '', flag, '',
+    'with --tabs: pieces are parted at folds where a slit has no room for \c
+     tabs')).
 unfold_option(option(numbers, '', flag, '',
     'numbers of partners on both sides of each seam, as is usual; \c
      --no-numbers: none')).
@@ -178,6 +181,8 @@ unfold_option_ko(overlap, '--tile 과 함께: 쪽이 겹치는 너비. 보통 10
 unfold_option_ko(margin, '쪽 둘레의 여백. 보통 10').
 unfold_option_ko(gap, '조각 사이의 간격. 보통 3').
 unfold_option_ko(tabs, '솔기마다 한쪽에 붙이는 풀칠 면의 너비').
+unfold_option_ko('open-slits',
+    '--tabs 와 함께: 틈이 좁아 날개가 들어가지 않으면 접는 선에서 조각을 나눈다').
 unfold_option_ko(numbers,
     '솔기 양쪽에 짝의 번호를 쓴다(보통). --no-numbers: 쓰지 않는다').
 unfold_option_ko(names, '면의 이름: numbers(번호)나 words(base 같은 말)').

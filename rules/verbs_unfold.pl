@@ -449,6 +449,8 @@ drawing_option(Options, Option) :-
     option(Option, Options).
 drawing_option(Options, fold_threshold(Degrees)) :-
     option('fold-threshold'(Degrees), Options).
+drawing_option(Options, open_slits(Open)) :-
+    option('open-slits'(Open), Options).
 drawing_option(Options, names(Names)) :-
     option(names(How), Options),
     (   How == numbers

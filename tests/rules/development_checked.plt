@@ -219,7 +219,12 @@ tabs(Out) :-
 tabs_written(Out, Name, Width) :-
     develop(1, D),
     pattern_layout([D], [tabs(Width)], layout(_, _, _, _, Tabs0, _)),
-    findall(tab(E,Corners), gen_assoc(tab(D,E,_,_), Tabs0, Corners), Tabs),
+    findall(tab(E,Corners),
+            ( gen_assoc(tab(D,E,_,_), Tabs0, Own),
+              Own \= strip(_),
+              member(Corners, Own)
+            ),
+            Tabs),
     Tabs = [_|_],
     seam_length(D, Seam),
     write_pattern(Out, Name, D,

@@ -217,7 +217,8 @@ test(tab_rule, [ true(Deepest =< 4.001) ]) :-
     in_new(( use_rules(File),
              cube_pattern(40),
              pattern_layout([2], [tabs(9)], layout(_,_,_,_,Tabs,_)) )),
-    assoc_to_values(Tabs, Points),
+    assoc_to_values(Tabs, Own),
+    append(Own, Points),
     maplist(deep, Points, Deeps),
     max_list(Deeps, Deepest).
 
@@ -233,12 +234,26 @@ test(many_pages, [ error(usage_error(pattern(pages(_, 5000)))) ]) :-
     drawn(cube_pattern(40), [page('A4'),scale(1000:1)], _).
 test(many_tiles, [ error(usage_error(pattern(pages(_, 5000)))) ]) :-
     drawn(cube_pattern(40), [page('A4'),scale(1000:1),tile(true)], _).
+% Tabs are no deeper than short seams let them; long ones on a page have limits.
+test(very_wide_tabs) :-
+    drawn(cube_pattern(40), [page('A4'),tabs(500)], Drawings),
+    assertion(right(Drawings)),
+    count(Drawings, fold_down, N),
+    assertion(N =:= 12).
+test(too_wide_tabs, [ error(usage_error(pattern(tabs(500, 47, _)))) ]) :-
+    drawn(plate_strip, [page('A4'),tabs(500)], _).
+test(whole_with_its_tabs, [ Sheets == 1 ]) :-
+    drawn(cube_pattern(55), [page('A4'),tabs(12)], Drawings),
+    length(Drawings, Sheets).
 test(no_room, [ error(usage_error(pattern(margin(200, _)))) ]) :-
     drawn(cube_pattern(40), [page('A4'),margin(200)], _).
 test(wide_overlap, [ error(usage_error(pattern(overlap(100, 95.0)))) ]) :-
     drawn(cube_pattern(40), [tile(true),overlap(100)], _).
 test(no_page, [ error(usage_error(pattern(paper('B9',_)))) ]) :-
     drawn(cube_pattern(40), [page('B9')], _).
+
+plate_strip :-
+    strip_pattern(12, 40, 400).
 
 area(Points, Area) :-
     findall(A, ( append(_, [XA-YA,XB-YB|_], Points),

@@ -21,6 +21,12 @@ shape(uv_sphere, sphere(radius(50),facets(24),bands(12))).
 shape(small_sphere, sphere(radius(20),facets(32),bands(16))).
 shape(torus, torus(radius(40),tube(15),facets(24),sides(12))).
 
+curve(fine_cylinder, cylinder(radius(20),height(30),facets(96))).
+curve(fine_cone, cone(radius(20),height(50),facets(120))).
+curve(fine_sphere, sphere(radius(20),facets(48),bands(24))).
+curve(fine_hollow,
+      hollow_cylinder(radius(30),inner(20),height(50),facets(72))).
+
 :- meta_predicate quietly(0).
 
 quietly(Goal) :-
@@ -80,6 +86,19 @@ many_faces(S) :-
     findall(x, limit(1500, p(S,_,_)), Xs),
     length(Xs, 1500).
 
+% How many sides have tabs, and how many seams have none.
+tab_counts(Term, Options, Tabs, Butt) :-
+    new_world(World),
+    in_world(World,
+             ( loaded(Term),
+               develop(1, D),
+               quietly(pattern_layout([D], Options,
+                                      layout(_,_,_,_,Tabs0,Butt0))) )),
+    assoc_to_keys(Tabs0, TabKeys),
+    assoc_to_keys(Butt0, ButtKeys),
+    length(TabKeys, Tabs),
+    length(ButtKeys, Butt).
+
 :- begin_tests(pattern_shapes).
 
 test(on_pages, [ forall(shape(Name,Term)) ]) :-
@@ -91,18 +110,32 @@ test(wide_tabs, [ forall(shape(Name,Term)) ]) :-
 test(inside, [ forall(shape(Name,Term)) ]) :-
     of_term(Term, [tabs(6),inside(true),gap(1)], Drawings),
     assertion(no_fault(Name, Drawings)).
+test(open_slits, [ forall(shape(Name,Term)) ]) :-
+    of_term(Term, [page('A3'),tabs(6),open_slits(true)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+test(curves, [ forall(( curve(Name,Term), member(Width, [2,6,15]) )) ]) :-
+    of_term(Term, [tabs(Width)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+
 % Where slits are too narrow, near the equator, joints are butt.
 test(most_seams_have_tabs, [ true(2*Butt < Tabs) ]) :-
-    new_world(World),
-    in_world(World,
-             ( loaded(sphere(radius(50),facets(24),bands(12))),
-               develop(1, D),
-               quietly(pattern_layout([D], [tabs(6)],
-                                      layout(_,_,_,_,Tabs0,Butt0))) )),
-    assoc_to_keys(Tabs0, TabKeys),
-    assoc_to_keys(Butt0, ButtKeys),
-    length(TabKeys, Tabs),
-    length(ButtKeys, Butt).
+    tab_counts(sphere(radius(50),facets(24),bands(12)), [tabs(6)], Tabs, Butt).
+test(open_slits_have_tabs, [ true(Butt == 0),
+                             forall(member(Term,
+                                 [ sphere(radius(50),facets(24),bands(12)),
+                                   sphere(radius(200),facets(48),bands(24)),
+                                   torus(radius(60),tube(20),facets(36),
+                                         sides(18)),
+                                   cone(radius(40),height(80),facets(48))
+                                 ])) ]) :-
+    tab_counts(Term, [tabs(6),open_slits(true)], _, Butt).
+% 1.3 mm each: no tabs of their own.
+test(facets_share_tabs, [ true(4*Butt < Tabs) ]) :-
+    tab_counts(cylinder(radius(20),height(30),facets(96)), [tabs(6)], Tabs,
+               Butt).
+test(facets_share_tabs_in_parts, [ true(Butt == 0) ]) :-
+    tab_counts(cylinder(radius(20),height(30),facets(96)),
+               [tabs(6),open_slits(true)], _, Butt).
 
 % The checker does find what is wrong.
 test(checker, [ Found == [crossing(b,a),inside(b,a),off(b),twice(0-0,9-0)] ]) :-
