@@ -64,7 +64,7 @@ sg_known_surface_init(sg_known_surface *surface, sg_known_surface_kind kind,
   double axis[3][3], unit = unit_of(frame + 1);
 
   *surface = (sg_known_surface){.kind = kind, .unit = unit, .a = a, .b = b};
-  memcpy(surface->centre, frame[0], sizeof surface->centre);
+  memcpy(surface->frame, frame, sizeof surface->frame);
   for (int i = 0; i < 3; i++) {
     for (int k = 0; k < 3; k++) {
       axis[i][k] = frame[i + 1][k] * unit;
@@ -73,6 +73,23 @@ sg_known_surface_init(sg_known_surface *surface, sg_known_surface_kind kind,
   if (kind != SG_KNOWN_FREE && !invert(axis, surface->row)) {
     surface->kind = SG_KNOWN_FREE;
   }
+}
+
+void
+sg_known_surface_move(const sg_known_surface *surface, const double map[3][4],
+                      sg_known_surface *out)
+{
+  double frame[4][3];
+
+  for (int i = 0; i < 4; i++) {
+    const double *from = surface->frame[i];
+    for (int k = 0; k < 3; k++) {
+      frame[i][k] = map[k][0] * from[0] + map[k][1] * from[1] +
+                    map[k][2] * from[2] + (i == 0 ? map[k][3] : 0.0);
+    }
+  }
+  sg_known_surface_init(out, surface->kind, (const double(*)[3])frame,
+                        surface->a, surface->b);
 }
 
 /* --------------------------------------------------------------- normals */
@@ -134,7 +151,7 @@ sg_known_surface_normal(const sg_known_surface *s, const double p[3],
   double from[3], at[3], grad[3], size, lean;
 
   for (int k = 0; k < 3; k++) {
-    from[k] = (p[k] - s->centre[k]) * s->unit;
+    from[k] = (p[k] - s->frame[0][k]) * s->unit;
   }
   for (int i = 0; i < 3; i++) {
     at[i] = sg_dot(s->row[i], from);

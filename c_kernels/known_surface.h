@@ -38,9 +38,9 @@ typedef enum sg_known_surface_kind {
 
 typedef struct sg_known_surface {
   sg_known_surface_kind kind;
-  double centre[3];
-  double unit;      /* a power of two that makes U, V, W at most 1 */
-  double row[3][3]; /* times unit * (p - centre): the coordinates x, y, h */
+  double frame[4][3]; /* the centre, U, V and W */
+  double unit;        /* a power of two that makes U, V, W at most 1 */
+  double row[3][3];   /* times unit * (p - centre): the coordinates x, y, h */
   double a, b;
 } sg_known_surface;
 
@@ -52,10 +52,15 @@ typedef struct sg_known_surfaces {
                   polygon has one */
 } sg_known_surfaces;
 
-/* frame: the centre, U, V and W. A surface without volume becomes free. */
+/* A frame without volume makes the surface free. */
 void sg_known_surface_init(sg_known_surface *surface,
                            sg_known_surface_kind kind, const double frame[4][3],
                            double a, double b);
+
+/* The surface where an affine map brings it: three rows A, B, C, D, the new x
+ * is A*x + B*y + C*z + D. Inexact. */
+void sg_known_surface_move(const sg_known_surface *surface,
+                           const double map[3][4], sg_known_surface *out);
 
 /* The unit normal at a point on the surface or near it, on the side of
  * `facet`, the normal of a facet there, of any length. False: it has none there

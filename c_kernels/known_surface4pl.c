@@ -2,6 +2,7 @@
 #include "known_surface4pl.h"
 
 #include "glue.h"
+#include "key_table.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -11,52 +12,78 @@ enum { MOST_STEPS = 32 };
 
 /* -------------------------------------------------------------- argument */
 
-static bool
-push_surface(sg_known *known, const sg_known_surface *surface)
+/* Items, n of them, with room for one more; null: no memory. */
+static void *
+with_room(void *items, size_t n, size_t *room, size_t size)
 {
-  if (known->surfaces == known->surface_room) {
-    size_t more = 2 * known->surface_room + 16;
-    sg_known_surface *wider = realloc(known->surface, more * sizeof *wider);
-    if (!wider) {
-      return false;
-    }
-    known->surface = wider;
-    known->surface_room = more;
+  size_t more = 2 * n + 16;
+  void *wider;
+
+  if (n < *room) {
+    return items;
   }
-  known->surface[known->surfaces++] = *surface;
-  return true;
+  wider = realloc(items, more * size);
+  if (wider) {
+    *room = more;
+  }
+  return wider;
+}
+
+static bool
+push_surface(sg_known_surfaces *all, size_t *room,
+             const sg_known_surface *surface)
+{
+  sg_known_surface *wider =
+      with_room(all->surface, all->n, room, sizeof *wider);
+
+  if (wider) {
+    all->surface = wider;
+    all->surface[all->n++] = *surface;
+  }
+  return wider != NULL;
 }
 
 static bool
 push_run(sg_known *known, const sg_known_run *run)
 {
-  if (known->runs == known->run_room) {
-    size_t more = 2 * known->run_room + 16;
-    sg_known_run *wider = realloc(known->run, more * sizeof *wider);
-    if (!wider) {
-      return false;
-    }
+  sg_known_run *wider =
+      with_room(known->run, known->runs, &known->run_room, sizeof *wider);
+
+  if (wider) {
     known->run = wider;
-    known->run_room = more;
+    known->run[known->runs++] = *run;
   }
-  known->run[known->runs++] = *run;
-  return true;
+  return wider != NULL;
 }
+
+static bool
+push_map(sg_known *known, const sg_known_map *map)
+{
+  sg_known_map *wider =
+      with_room(known->map, known->maps, &known->map_room, sizeof *wider);
+
+  if (wider) {
+    known->map = wider;
+    known->map[known->maps++] = *map;
+  }
+  return wider != NULL;
+}
+
+const char *const sg_known_kind_name[] = {[SG_KNOWN_TAPERED] = "tapered",
+                                          [SG_KNOWN_SPHERE] = "sphere",
+                                          [SG_KNOWN_TORUS] = "torus",
+                                          [SG_KNOWN_FREE] = "free"};
 
 static int
 get_kind_ex(term_t t, sg_known_surface_kind *out)
 {
-  static const char *const name[] = {[SG_KNOWN_TAPERED] = "tapered",
-                                     [SG_KNOWN_SPHERE] = "sphere",
-                                     [SG_KNOWN_TORUS] = "torus",
-                                     [SG_KNOWN_FREE] = "free"};
   char *text;
 
   if (!PL_get_atom_chars(t, &text)) {
     return PL_type_error("atom", t);
   }
-  for (unsigned k = 0; k < sizeof name / sizeof *name; k++) {
-    if (strcmp(text, name[k]) == 0) {
+  for (unsigned k = 0; k <= SG_KNOWN_FREE; k++) {
+    if (strcmp(text, sg_known_kind_name[k]) == 0) {
       *out = (sg_known_surface_kind)k;
       return TRUE;
     }
@@ -64,25 +91,25 @@ get_kind_ex(term_t t, sg_known_surface_kind *out)
   return PL_domain_error("surface_kind", t);
 }
 
-/* A list of 12 numbers: the centre, U, V, W. */
+/* A list of 12 numbers: a frame (the centre, U, V, W), or the rows of a map. */
 static int
-get_frame_ex(term_t t, double out[4][3])
+get_twelve_ex(term_t t, double *out)
 {
   double *number = NULL;
   size_t n = 0;
   int ok = sg_get_doubles_ex(t, &number, &n);
 
   if (ok && n != 12) {
-    ok = PL_domain_error("frame", t);
+    ok = PL_domain_error("twelve_numbers", t);
   }
   for (size_t i = 0; ok && i < n; i++) {
-    out[i / 3][i % 3] = number[i];
+    out[i] = number[i];
   }
   free(number);
   return ok;
 }
 
-/* known_surface(Kind, Frame, A, B) */
+/* surface(Kind, Frame, A, B) */
 static int
 read_surface_ex(term_t t, sg_known *known)
 {
@@ -96,13 +123,14 @@ read_surface_ex(term_t t, sg_known *known)
       return PL_type_error("surface", t);
     }
   }
-  if (!get_kind_ex(a, &kind) || !get_frame_ex(a + 1, frame) ||
+  if (!get_kind_ex(a, &kind) || !get_twelve_ex(a + 1, &frame[0][0]) ||
       !sg_get_finites_ex(a + 2, 2, taper)) {
     return FALSE;
   }
   sg_known_surface_init(&surface, kind, (const double(*)[3])frame, taper[0],
                         taper[1]);
-  return push_surface(known, &surface) || sg_no_memory();
+  return push_surface(&known->surfaces, &known->surface_room, &surface) ||
+         sg_no_memory();
 }
 
 /* run(First, Last, K), K counted among the surfaces from `base` on. */
@@ -117,39 +145,59 @@ read_run_ex(term_t t, int32_t s, int32_t base, sg_known *known)
       return PL_exception(0) ? FALSE : PL_type_error("run", t);
     }
   }
+  if (x[2] < 1 || (size_t)x[2] > known->surfaces.n - (size_t)base) {
+    return PL_domain_error("surface_number", a + 2);
+  }
   return push_run(known, &(sg_known_run){s, x[0], x[1], base + x[2] - 1}) ||
          sg_no_memory();
 }
 
-/* known(S, Surfaces, Runs) */
+/* Of known(S, Surfaces, Runs). */
 static int
-read_segment_ex(term_t t, sg_known *known)
+read_facets_ex(int32_t s, term_t surfaces, term_t runs, sg_known *known)
 {
-  term_t a = PL_new_term_refs(3), item = PL_new_term_ref();
-  int32_t s, base = (int32_t)known->surfaces;
+  term_t item = PL_new_term_ref();
+  int32_t base = (int32_t)known->surfaces.n;
 
-  for (int i = 0; i < 3; i++) {
-    if (!PL_get_arg(i + 1, t, a + i)) {
-      return PL_type_error("known", t);
-    }
-  }
-  if (!sg_get_id_ex(a, &s)) {
-    return FALSE;
-  }
   if (!push_run(known, &(sg_known_run){s, 0, 0, -1})) { /* it is known */
     return sg_no_memory();
   }
-  while (PL_get_list(a + 1, item, a + 1)) {
+  while (PL_get_list(surfaces, item, surfaces)) {
     if (!read_surface_ex(item, known)) {
       return FALSE;
     }
   }
-  while (PL_get_list(a + 2, item, a + 2)) {
+  while (PL_get_list(runs, item, runs)) {
     if (!read_run_ex(item, s, base, known)) {
       return FALSE;
     }
   }
-  return PL_get_nil_ex(a + 1) && PL_get_nil_ex(a + 2);
+  return PL_get_nil_ex(surfaces) && PL_get_nil_ex(runs);
+}
+
+/* known(S, Surfaces, Runs) or moved(S, Map) */
+static int
+read_segment_ex(term_t t, sg_known *known)
+{
+  term_t a = PL_new_term_refs(3);
+  sg_known_map map = {0};
+  size_t arity = 0;
+  atom_t name;
+
+  if (!PL_get_name_arity(t, &name, &arity) || arity < 2 || arity > 3) {
+    return PL_type_error("known", t);
+  }
+  for (int i = 0; i < (int)arity; i++) {
+    _PL_get_arg((size_t)i + 1, t, a + i);
+  }
+  if (!sg_get_id_ex(a, &map.s)) {
+    return FALSE;
+  }
+  if (arity == 3) {
+    return read_facets_ex(map.s, a + 1, a + 2, known);
+  }
+  return get_twelve_ex(a + 1, &map.row[0][0]) &&
+         (push_map(known, &map) || sg_no_memory());
 }
 
 int
@@ -177,8 +225,9 @@ sg_get_known_ex(term_t t, sg_known *out)
 void
 sg_known_clear(sg_known *known)
 {
-  free(known->surface);
+  sg_known_surfaces_clear(&known->surfaces);
   free(known->run);
+  free(known->map);
   *known = (sg_known){0};
 }
 
@@ -287,35 +336,105 @@ find_run(const sg_known *known, int32_t s, int32_t p)
   return low > 0 && known->run[low - 1].s == s ? &known->run[low - 1] : NULL;
 }
 
-static int32_t
-surface_of(const sg_known *known, const parts *all, int32_t s, int32_t p)
+/* How the segment, a join, was moved as a whole; null: it was not. */
+static const sg_known_map *
+find_map(const sg_known *known, int32_t s)
 {
+  size_t low = 0, high = known->maps;
+
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (known->map[middle].s < s) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < known->maps && known->map[low].s == s ? &known->map[low] : NULL;
+}
+
+/* Polygons followed to their surfaces. */
+typedef struct following {
+  const sg_known *known;
+  const parts *parts;
+  sg_known_surfaces *out; /* those of `known`, then those that were moved */
+  size_t room;
+  sg_key_table moved; /* the place of a map and a surface: the surface moved */
+} following;
+
+/* The place of a surface becomes that of the surface moved. False: no memory.
+ */
+static bool
+move_surface(following *f, const sg_known_map *map, int32_t *place)
+{
+  uint32_t key[2] = {(uint32_t)(map - f->known->map), (uint32_t)*place};
+  uint32_t *moved = sg_key_table_put(&f->moved, key);
+  sg_known_surface surface;
+
+  if (!moved) {
+    return false;
+  }
+  if (*moved == SG_NO_KEY) {
+    *moved = (uint32_t)f->out->n;
+    sg_known_surface_move(&f->out->surface[*place],
+                          (const double(*)[4])map->row, &surface);
+    if (!push_surface(f->out, &f->room, &surface)) {
+      return false;
+    }
+  }
+  *place = (int32_t)*moved;
+  return true;
+}
+
+/* Whose facet polygon p of segment s is, -1: of none. False: no memory. */
+static bool
+find_surface(following *f, int32_t s, int32_t p, int32_t *out)
+{
+  const sg_known_map *through[MOST_STEPS];
+  size_t maps = 0;
+
+  *out = -1;
   for (int step = 0; step < MOST_STEPS; step++) {
-    const sg_known_run *run = find_run(known, s, p);
+    const sg_known_run *run = find_run(f->known, s, p);
+    const sg_known_map *map = find_map(f->known, s);
     const part *from;
     if (run) {
-      return p <= run->last ? run->surface : -1;
+      *out = p <= run->last ? run->surface : -1;
+      break;
     }
-    from = find_part(all, s, p);
+    from = find_part(f->parts, s, p);
     if (!from) {
       break;
+    }
+    if (map) {
+      through[maps++] = map;
     }
     s = from->s0;
     p = from->p0;
   }
-  return -1;
+  while (*out >= 0 && maps > 0) {
+    if (!move_surface(f, through[--maps], out)) {
+      return false;
+    }
+  }
+  return true;
 }
 
+/* False: stopped, or no memory. */
 static bool
-find_polygons(const sg_known *known, const parts *all, const sg_dense *d,
-              const sg_poll *poll, sg_known_surfaces *out)
+find_polygons(following *f, const sg_dense *d, const sg_poll *poll,
+              bool *memory)
 {
   for (size_t s = 0; s < d->segments; s++) {
     for (size_t p = d->polygon_begin[s]; p < d->polygon_begin[s + 1]; p++) {
       if (p % SG_PAGE_ROWS == 0 && sg_poll_stop(poll)) {
         return false;
       }
-      out->of[p] = surface_of(known, all, d->segment[s], d->polygon_id[p]);
+      *memory =
+          find_surface(f, d->segment[s], d->polygon_id[p], &f->out->of[p]);
+      if (!*memory) {
+        return false;
+      }
     }
   }
   return true;
@@ -326,23 +445,27 @@ sg_known_surfaces_read(const sg_known *known, const sg_version *version,
                        const sg_dense *dense, const sg_poll *poll,
                        sg_known_surfaces *out, bool *memory)
 {
+  size_t n = known->surfaces.n;
   parts all = {0};
+  following f = {.known = known, .parts = &all, .out = out, .room = n};
   bool done;
 
   *out = (sg_known_surfaces){0};
   *memory = true;
-  if (known->surfaces == 0) {
+  if (n == 0) {
     return true;
   }
-  out->surface = malloc(known->surfaces * sizeof *out->surface);
+  out->surface = malloc(n * sizeof *out->surface);
   out->of = malloc((dense->polygons + 1) * sizeof *out->of);
   *memory = out->surface && out->of;
   if (*memory) {
-    out->n = known->surfaces;
-    memcpy(out->surface, known->surface, out->n * sizeof *out->surface);
+    out->n = n;
+    memcpy(out->surface, known->surfaces.surface, n * sizeof *out->surface);
   }
+  sg_key_table_init(&f.moved, 2);
   done = *memory && read_parts(version, poll, &all, memory) &&
-         find_polygons(known, &all, dense, poll, out);
+         find_polygons(&f, dense, poll, memory);
+  sg_key_table_clear(&f.moved);
   free(all.part);
   return done;
 }

@@ -13,25 +13,36 @@
 
 #include <SWI-Prolog.h>
 
+/* What Prolog calls them. */
+extern const char *const sg_known_kind_name[];
+
 /* Polygons first to last of segment s are facets of a surface (a place in
- * sg_known.surface, -1: of none). */
+ * sg_known.surfaces, -1: of none). */
 typedef struct sg_known_run {
   int32_t s, first, last;
   int32_t surface;
 } sg_known_run;
 
+/* Segment s has its polygons from others (from_p/5), moved as a whole: the new
+ * x is A*x + B*y + C*z + D, with the first row A, B, C, D. */
+typedef struct sg_known_map {
+  int32_t s;
+  double row[3][4];
+} sg_known_map;
+
 /* What known_surfaces/1 says (rules/known_surface.pl). */
 typedef struct sg_known {
-  bool kept; /* nothing is said: what was said before counts */
-  sg_known_surface *surface;
+  bool kept;                  /* nothing is said: what was said before counts */
+  sg_known_surfaces surfaces; /* of no polygons */
   sg_known_run *run; /* by segment and first; a segment that has none here got
                         its polygons from others (from_p/5) */
-  size_t surfaces, runs;
-  size_t surface_room, run_room;
+  sg_known_map *map; /* by segment */
+  size_t runs, maps;
+  size_t surface_room, run_room, map_room;
 } sg_known;
 
-/* `kept`, or a list of known(S, Surfaces, Runs) in the order of S; false: an
- * exception is pending. sg_known_clear() in any case. */
+/* `kept`, or a list of known(S, Surfaces, Runs) and moved(S, Map) in the order
+ * of S; false: an exception is pending. sg_known_clear() in any case. */
 int sg_get_known_ex(term_t t, sg_known *out);
 void sg_known_clear(sg_known *known);
 

@@ -45,7 +45,7 @@ bool sg_scene_screen_read(sg_scene_screen *screen, const sg_version *version,
 void sg_scene_screen_clear(sg_scene_screen *screen);
 
 /* A model that is kept, or was: it lasts while somebody holds it. */
-enum { SG_SCENE_STAMPS = 7 };
+enum { SG_SCENE_STAMPS = 8 };
 
 struct sg_kept_smooth;
 

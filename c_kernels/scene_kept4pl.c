@@ -64,7 +64,7 @@ static void
 stamps_of(const sg_version *version, uint64_t out[SG_SCENE_STAMPS])
 {
   static const sg_relation of[SG_SCENE_STAMPS] = {
-      SG_SEGMENT, SG_V, SG_E, SG_P, SG_T, SG_LINE, SG_FROM_P};
+      SG_SEGMENT, SG_V, SG_E, SG_P, SG_T, SG_LINE, SG_FROM_P, SG_ORIGIN};
 
   for (int k = 0; k < SG_SCENE_STAMPS; k++) {
     out[k] = sg_version_last_stamp(version, of[k]);

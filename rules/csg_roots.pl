@@ -10,6 +10,7 @@
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(csg_term, [plain_name/2]).
 :- use_module(kernel, [operand_borders/2]).
+:- use_module(known_surface, [facets_of/2, remember_facets/1]).
 :- use_module(store,
               [ e/5, segment/3, origin/3, from_p/5, edge_polygon/3,
                 assert_fact/1, retractall_facts/1, facts_transaction/1,
@@ -45,7 +46,8 @@ aside_segments(Ss) :-
 %   Take all that is no root out of the current world. Roots that are nodes
 %   become plain segments: their name is that of named/2, or of the operation,
 %   and what names segments that are gone (origin/3, from_v/4, from_p/5) goes
-%   too; that it was a join stays known (joined_segment/1). One transaction.
+%   too; that it was a join stays known (joined_segment/1), and which smooth
+%   surfaces their polygons stand for (known_surface.pl). One transaction.
 
 roots_alone :-
     aside_segments(Aside),
@@ -101,8 +103,10 @@ line_added(line(S, P, V1, V2, Q), L) :-
 
 left_alone(Aside) :-
     findall(S, ( root_segment(S), is_node(S) ), Nodes),
+    facets_of(Nodes, Facets),
     maplist(segment_dropped, Aside),
-    maplist(made_plain, Nodes).
+    maplist(made_plain, Nodes),
+    remember_facets(Facets).
 
 segment_dropped(S) :-
     drop_record(S),

@@ -35,6 +35,7 @@
             segment_edges/4,          % +S, +Most, -Counts, -Edges
             windings/3,               % +S, +Points, -Windings
             operand_borders/2,        % +S, -Borders
+            known_facets/3,           % +Known, +Ss, -Facets
             % roll4pl.c
             surface_place/4,          % +Surface, +Point, -T, -H
             surfaces_meet/4,          % +Surfaces, +Reach, +Point0, -Point
@@ -809,6 +810,14 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   vertices) overlap or are not farther apart than Reach along each axis.
 %   Ascending, as they are at the first call. Found by a tree of boxes: the
 %   other pairs are not looked at.
+
+%!  known_facets(+Known, +Ss:list, -Facets:list) is det.
+%
+%   Facets has known(S, Surfaces, Runs), as of known_surfaces/1, for each of the
+%   segments Ss that has polygons which are facets of surfaces, by what Known,
+%   of known_surfaces/1, says of it, or of those its polygons came from
+%   (from_p/5). Surfaces are in the order of their first facets. The fused
+%   kernel of segment_facets/3 (known_surface.pl). Inexact where they are moved.
 
 %!  near_segments_of(+Reach, +Ss:list, -Near:list) is det.
 %

@@ -2,28 +2,35 @@
           [ known_surfaces/1,           % -Known
             segment_surfaces/3,         % +S, -Surfaces, -Runs
             polygon_surface/4,          % +S, +P, -Id, -Surface
+            segment_facets/3,           % +S, -Surfaces, -Runs
+            facets_of/2,                % +Ss, -Facets
+            remember_facets/1,          % +Facets
+            remembered_facets/1,        % -Facets
+            remember_only/1,            % +Facets
+            facets_moved/1,             % +Matrix
+            moved_surface/3,            % +Matrix, +Surface0, -Surface
             surface_normal/4            % +Surface, +Point, +Facet, -Normal
           ]).
 :- use_module(csg_matrix, [identity_matrix/1, rounded_matrix/2]).
 :- use_module(csg_record, [recorded/2]).
-:- use_module(placing, [step_motion/2]).
-:- use_module(primitive,
-              [ is_primitive/1, moved_surfaces/3, primitive/1,
-                primitive_parts/3
-              ]).
+:- use_module(kernel, [known_facets/3]).
+:- use_module(primitive, [is_primitive/1, primitive/1, primitive_parts/3]).
 :- use_module(smooth_vector,
               [ cross_product/3, difference/3, dot_product/3, scaled/3 ]).
-:- use_module(store, [segment/3, from_p/5]).
+:- use_module(store,
+              [ p/3, segment/3, origin/3, from_p/5, assert_fact/1,
+                retractall_facts/1
+              ]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/3, member/2, nth1/3]).
-:- autoload(library(pairs), [pairs_keys/2]).
+:- autoload(library(lists), [append/2, last/2, member/2, nth1/3, reverse/2]).
+:- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Which smooth surfaces the polygons of a world stand for.
 
 A polygon that a primitive made is a facet of a surface that its term tells
 (primitive_face.pl), and stays one when it is cut, placed, or becomes a part of
-a solid (from_p/5). What the surface looks like counts in a drawing, not how
-finely it was divided: facets of one surface are no creases, and a vertex has
-the surface's normal.
+a solid (from_p/5), also where that is moved as a whole. What the surface looks
+like counts in a drawing, not how finely it was divided: facets of one surface
+are no creases, and a vertex has the surface's normal.
 
 Facets that are too wide stand for themselves: a cylinder, cone or turning of
 fewer than nine facets to the full turn is a prism or a pyramid, such as a nut;
@@ -31,26 +38,42 @@ of spheres and tori facets of a quarter turn or more. What is made of segments
 that are edited by hand keeps the surfaces of its terms; the kernel takes no
 normal that leans more than 78 degrees from the facet's.
 
+Where the terms and from_p/5 do not tell it any more, because what was combined
+is gone (csg_roots.pl) or all was turned (view.pl), it is remembered.
+
 c_kernels/known_surface.c and known_surface4pl.c are the fused kernel.
 */
 
 %!  known_surfaces(-Known:list) is det.
 %
-%   Known are known(S, Surfaces, Runs), as of segment_surfaces/3, of all
-%   segments that it knows of, in the order of S: for the kernel.
+%   What is known of segments themselves, in the order of S, for the kernel:
+%
+%     - known(S, Surfaces, Runs)      as of segment_surfaces/3
+%     - moved(S, Numbers)             a join of others that was moved as a
+%                                     whole, by the matrix with these numbers,
+%                                     row by row
+%
+%   Other segments have their polygons from others, by from_p/5.
 
 known_surfaces(Known) :-
     findall(S, segment(S, _, _), Ss0),
     sort(Ss0, Ss),
-    findall(known(S,Surfaces,Runs),
-            ( member(S, Ss), segment_surfaces(S, Surfaces, Runs) ),
-            Known).
+    findall(What, ( member(S, Ss), known_of(S, What) ), Known).
+
+known_of(S, What) :-
+    (   segment_surfaces(S, Surfaces, Runs)
+    ->  What = known(S,Surfaces,Runs)
+    ;   moved_join(S, Matrix),
+        append(Matrix, Numbers),
+        What = moved(S,Numbers)
+    ).
 
 %!  segment_surfaces(+S, -Surfaces:list, -Runs:list) is semidet.
 %
 %   True when segment S has its polygons from a primitive, or from one that was
-%   placed. The polygons P1 to P2 of a run(P1, P2, K) are facets of the K-th of
-%   Surfaces, those in no run of none. Surfaces are
+%   placed, or when it is remembered whose facets they are (remember_facets/1).
+%   The polygons P1 to P2 of a run(P1, P2, K) are facets of the K-th of
+%   Surfaces, those in no run of none. Runs ascend. Surfaces are
 %
 %       surface(Kind, [X,Y,Z, UX,UY,UZ, VX,VY,VZ, WX,WY,WZ], A, B)
 %
@@ -61,79 +84,52 @@ known_surfaces(Known) :-
 %   Fails if the polygons are those of other segments, by from_p/5.
 
 segment_surfaces(S, Surfaces, Runs) :-
-    (   moved_join(S, Children, Motion)
-    ->  foldl(child_surfaces(S, Motion), Children, []-[], Surfaces-Runs)
-    ;   own_parts(S, Parts, Named),
-        surfaces_and_runs(Parts, Named, Surfaces, Runs)
+    (   origin(S, surfaces, on(Surfaces0,Runs0))
+    ->  Surfaces = Surfaces0,
+        Runs = Runs0
+    ;   primitive_surfaces(S, Surfaces0, Runs0)
+    ->  Surfaces = Surfaces0,
+        Runs = Runs0
+    ;   recorded(S, What),
+        arg(1, What, placed(Leaf-_, Matrix)),
+        segment_surfaces(Leaf, Surfaces0, Runs),
+        maplist(moved_surface(Matrix), Surfaces0, Surfaces)
     ).
 
-surfaces_and_runs(Parts, Named, Surfaces, Runs) :-
+primitive_surfaces(S, Surfaces, Runs) :-
+    segment(S, _, Term),
+    primitive_term(Term),
+    catch(primitive_parts(Term, Parts, Named),
+          error(model_error(_), _), fail),
     surface_runs(Parts, 1, Named, Runs),
-    findall(Surface, ( member(_-Term, Named), plain_surface(Term, Surface) ),
+    findall(Surface,
+            ( member(_-Placed, Named), plain_surface(Placed, Surface) ),
             Surfaces).
 
-%   moved_join(S, Children, Motion): S is a join that was moved as a whole.
+%   moved_join(S, Matrix): S is a join that was moved as a whole, by Matrix.
 
-moved_join(S, Children, Motion) :-
+moved_join(S, Matrix) :-
     recorded(S, What),
-    arg(1, What, join(Stamps, Matrix)),
+    arg(1, What, join(_, Matrix)),
     identity_matrix(Identity),
     rounded_matrix(Identity, Rounded),
-    Matrix \== Rounded,
-    pairs_keys(Stamps, Children0),
-    sort(Children0, Children),
-    step_motion(matrix(Matrix), Motion).
+    Matrix \== Rounded.
 
-%   child_surfaces(S, Motion, Child, Found0, Found): Found, Surfaces-Runs, has
-%   those of Child, a primitive, moved as it came into S. Of what was combined
-%   and then moved so the surfaces are not followed.
+%!  moved_surface(+Matrix, +Surface0, -Surface) is det.
+%
+%   Surface is where Matrix, three rows of four numbers, brings Surface0.
 
-child_surfaces(S, Motion, Child, Surfaces0-Runs0, Surfaces-Runs) :-
-    (   own_parts(Child, Parts, Named0)
-    ->  moved_surfaces([Motion], Named0, Named),
-        surfaces_and_runs(Parts, Named, Own, OwnRuns),
-        foldl(part_polygons, Parts, 0, Count),
-        length(Surfaces0, Before),
-        findall(run(P1,P2,K),
-                ( came_in(S, Child, Count, Shift),
-                  member(run(Q1,Q2,I), OwnRuns),
-                  P1 is Q1+Shift,
-                  P2 is Q2+Shift,
-                  K is I+Before ),
-                More),
-        append(Surfaces0, Own, Surfaces),
-        append(Runs0, More, Runs1),
-        sort(Runs1, Runs)
-    ;   Surfaces = Surfaces0,
-        Runs = Runs0
-    ).
+moved_surface([RowX,RowY,RowZ],
+              surface(Kind,[X0,Y0,Z0,UX0,UY0,UZ0,VX0,VY0,VZ0,WX0,WY0,WZ0],A,B),
+              surface(Kind,[X,Y,Z,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ],A,B)) :-
+    Rows = [RowX,RowY,RowZ],
+    maplist(row_times([X0,Y0,Z0,1.0]), Rows, [X,Y,Z]),
+    maplist(row_times([UX0,UY0,UZ0,0.0]), Rows, [UX,UY,UZ]),
+    maplist(row_times([VX0,VY0,VZ0,0.0]), Rows, [VX,VY,VZ]),
+    maplist(row_times([WX0,WY0,WZ0,0.0]), Rows, [WX,WY,WZ]).
 
-part_polygons(part(N, _), Count0, Count) :-
-    Count is Count0+N.
-
-%   came_in(S, Child, Count, Shift): polygon P of Child, of Count, is P+Shift of
-%   S, wherever Child came in whole.
-
-came_in(S, Child, Count, Shift) :-
-    from_p(S, P, Child, 1, _),
-    Shift is P-1,
-    Last is Count+Shift,
-    once(from_p(S, Last, Child, Count, _)).
-
-own_parts(S, Parts, Named) :-
-    segment(S, _, Term),
-    (   primitive_term(Term)
-    ->  catch(primitive_parts(Term, Parts, Named),
-              error(model_error(_), _), fail)
-    ;   recorded(S, What),
-        arg(1, What, From)
-    ->  copied_parts(From, Parts, Named)
-    ).
-
-copied_parts(placed(Leaf-_, Matrix), Parts, Named) :-
-    own_parts(Leaf, Parts, Named0),
-    step_motion(matrix(Matrix), Motion),
-    moved_surfaces([Motion], Named0, Named).
+row_times([X,Y,Z,One], [A,B,C,D], Number) :-
+    Number is float(A*X + B*Y + C*Z + D*One) + 0.0.
 
 primitive_term(Term) :-
     is_primitive(Term),
@@ -204,11 +200,15 @@ part_of(vector(X2,Y2,Z2), vector(X,Y,Z), Part) :-
 
 %!  polygon_surface(+S, +P, -Id, -Surface) is semidet.
 %
-%   True when polygon P of segment S is a facet of Surface, the K-th of segment
-%   S0 by segment_surfaces/3; Id is S0-K. Of what was combined the first part of
-%   P counts.
+%   True when polygon P of segment S is a facet of Surface. Id is S0-K for the
+%   K-th of segment S0 by segment_surfaces/3, moved(S1, Id1) for that of Id1
+%   moved with the join S1. Of what was combined the first part of P counts.
 
 polygon_surface(S, P, Id, Surface) :-
+    most_steps(Steps),
+    polygon_surface_(Steps, S, P, Id, Surface).
+
+polygon_surface_(Steps, S, P, Id, Surface) :-
     (   segment_surfaces(S, Surfaces, Runs)
     ->  member(run(P1,P2,K), Runs),
         P >= P1,
@@ -216,9 +216,118 @@ polygon_surface(S, P, Id, Surface) :-
         !,
         nth1(K, Surfaces, Surface),
         Id = S-K
-    ;   once(from_p(S, P, S0, P0, _)),
-        polygon_surface(S0, P0, Id, Surface)
+    ;   Steps > 1,
+        Steps1 is Steps-1,
+        once(from_p(S, P, S0, P0, _)),
+        polygon_surface_(Steps1, S0, P0, Id0, Surface0),
+        (   moved_join(S, Matrix)
+        ->  moved_surface(Matrix, Surface0, Surface),
+            Id = moved(S,Id0)
+        ;   Surface = Surface0,
+            Id = Id0
+        )
     ).
+
+%   How many results a polygon can have come through.
+
+most_steps(32).
+
+%!  segment_facets(+S, -Surfaces, -Runs) is det.
+%
+%   As segment_surfaces/3, but of any segment, by polygon_surface/4: Surfaces
+%   are in the order of their first facets, Runs as long as can be.
+
+segment_facets(S, Surfaces, Runs) :-
+    findall(P, p(S, P, _), Ps0),
+    sort(Ps0, Ps),
+    findall(Id-P, ( member(P, Ps), surface_id(S, P, Id) ), Facets),
+    group_pairs_by_key(Facets, Groups),
+    foldl(run_added(S), Groups, []-[], Numbered-Runs0),
+    reverse(Runs0, Runs),
+    pairs_values(Numbered, Surfaces0),
+    reverse(Surfaces0, Surfaces).
+
+surface_id(S, P, Id) :-
+    (   polygon_surface(S, P, Id0, _)
+    ->  Id = Id0
+    ;   Id = none
+    ).
+
+%   Numbered are Id-Surface, the latest first.
+
+run_added(_, none-_, Added, Added) :-
+    !.
+run_added(S, Id-Ps, Numbered0-Runs, Numbered-[run(P1,P2,K)|Runs]) :-
+    Ps = [P1|_],
+    last(Ps, P2),
+    length(Numbered0, N0),
+    (   nth1(I, Numbered0, Id-_)
+    ->  Numbered = Numbered0,
+        K is N0+1-I
+    ;   polygon_surface(S, P1, Id, Surface),
+        Numbered = [Id-Surface|Numbered0],
+        K is N0+1
+    ).
+
+
+                /*******************************
+                *         REMEMBERING          *
+                *******************************/
+
+%!  facets_of(+Ss:list, -Facets:list) is det.
+%
+%   Facets has known(S, Surfaces, Runs), by segment_facets/3, of those of the
+%   segments Ss that have facets. Ss ascend.
+
+facets_of([], Facets) :-
+    !,
+    Facets = [].
+facets_of(Ss, Facets) :-
+    known_surfaces(Known),
+    known_facets(Known, Ss, Facets).
+
+%!  remember_facets(+Facets:list) is det.
+%
+%   Remember Facets, as of facets_of/2, with the segments: from now on that is
+%   what counts, wherever their polygons came from, as long as their rows stay.
+%   It is origin(S, surfaces, on(Surfaces, Runs)), and goes into model files.
+
+remember_facets(Facets) :-
+    forall(member(known(S,Surfaces,Runs), Facets),
+           (   retractall_facts(origin(S, surfaces, _)),
+               assert_fact(origin(S, surfaces, on(Surfaces,Runs)))
+           )).
+
+%!  remembered_facets(-Facets:list) is det.
+%
+%   Facets are those that remember_facets/1 was told of, of all segments.
+
+remembered_facets(Facets) :-
+    findall(known(S,Surfaces,Runs), origin(S, surfaces, on(Surfaces,Runs)),
+            Facets).
+
+%!  remember_only(+Facets:list) is det.
+%
+%   Forget what remember_facets/1 was told, but for Facets.
+
+remember_only(Facets) :-
+    retractall_facts(origin(_, surfaces, _)),
+    remember_facets(Facets).
+
+%!  facets_moved(+Matrix) is det.
+%
+%   The rows of the world were moved by Matrix, three rows of four numbers, so
+%   terms do not say any more where surfaces are: that is remembered.
+
+facets_moved(Matrix) :-
+    known_surfaces(Known),
+    findall(S, ( member(What, Known), arg(1, What, S) ), Ss),
+    known_facets(Known, Ss, Facets0),
+    maplist(known_moved(Matrix), Facets0, Facets),
+    remember_facets(Facets).
+
+known_moved(Matrix, known(S,Surfaces0,Runs), known(S,Surfaces,Runs)) :-
+    maplist(moved_surface(Matrix), Surfaces0, Surfaces).
 
 %!  surface_normal(+Surface, +Point, +Facet, -Normal) is semidet.
 %

@@ -28,6 +28,8 @@
               [ view/3, projection/1, screen/5, t/6, v/5, leaf_v/5, plane/6,
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
+:- use_module(known_surface,
+              [facets_moved/1, remembered_facets/1, remember_only/1]).
 :- use_module(kernel, [fill_screen/4, view_range/5, view_depth/5,
                        sine_cosine/3, turn_points/2]).
 :- set_prolog_flag(optimise, true).
@@ -204,17 +206,35 @@ turn_up(Axis) :-
 
 with_up(Axis, Goal) :-
     facts_transaction(
-        (   turn_up(Axis),
+        (   remembered_facets(Facets),
+            turn_up(Axis),
             once(Goal),
-            sg_view:turned(Axis, back)
+            sg_view:turned(Axis, back),
+            remember_only(Facets)
         )).
 
 turned(Axis, Way) :-
     quarter_turn(Axis, Way, Axes),
     (   Axes == [1,2,3]
     ->  true
-    ;   turn_points(Axes, [0,0,0])
+    ;   turned_points(Axes, [0,0,0])
     ).
+
+%   turned_points(Axes, Origin): turned_point/4 of all there is, also of the
+%   surfaces that facets stand for.
+
+turned_points(Axes, Origin) :-
+    turn_points(Axes, Origin),
+    maplist(turned_row(Origin), Axes, Matrix),
+    facets_moved(Matrix).
+
+turned_row(Origin, Axis, Row) :-
+    N is abs(Axis),
+    Sign is sign(Axis),
+    nth1(N, Origin, X0),
+    D is -Sign*X0,
+    nth1(N, Row0, Sign, [0,0]),
+    append(Row0, [D], Row).
 
 %   quarter_turn(Axis, Way, Axes): the axes that x, y and z are taken from; with
 %   a minus sign the other way.
@@ -231,7 +251,7 @@ quarter_turn(x, back, [3,2,-1]).
 %   transaction.
 
 move_origin(Point) :-
-    facts_transaction(turn_points([1,2,3], Point)).
+    facts_transaction(sg_view:turned_points([1,2,3], Point)).
 
 %!  turned_by_rule(+Axes:list, +Origin:list) is det.
 %

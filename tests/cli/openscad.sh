@@ -27,6 +27,29 @@ check "to STL" "$SANGGWAN" eval -q "$TMP/bracket.csg" -o "$TMP/bracket.stl"
 check "its volume" near "$(total "$TMP/bracket.stl")" 720 1e-6
 check "drawn" "$SANGGWAN" draw -q "$TMP/bracket.csg" -o "$TMP/bracket.svg"
 check "with its lines" output 'class="visible' cat "$TMP/bracket.svg"
+# Coarse cylinders and spheres, combined: round, as in a world that knows their
+# leaves.
+cat >"$TMP/round.csg" <<'CSG'
+difference() {
+	union() {
+		cylinder($fn = 12, h = 20, r1 = 8, r2 = 8, center = false);
+		multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,20],[0,0,0,1]]) {
+			sphere($fn = 12, r = 8);
+		}
+	}
+	multmatrix([[1,0,0,0],[0,0,-1,15],[0,1,0,8],[0,0,0,1]]) {
+		cylinder($fn = 10, h = 30, r1 = 4, r2 = 4, center = false);
+	}
+}
+CSG
+drawn_twice() {
+  "$SANGGWAN" query -q "$TMP/round.csg" "draw('$TMP/world.svg')" &&
+    "$SANGGWAN" draw -q "$TMP/round.csg" -o "$TMP/round.svg" &&
+    cmp "$TMP/world.svg" "$TMP/round.svg"
+}
+creases() { grep -c 'class="[a-z]* crease' "$TMP/round.svg"; }
+check "a root drawn alone" drawn_twice
+check "creases at its rims only" output '^2$' creases
 from_stdin() { "$SANGGWAN" check -q --from csg - <"$TMP/bracket.csg"; }
 check "from standard input" output '10 polygons' from_stdin
 check "its name" output '^segment 1: solid bracket' \
