@@ -54,6 +54,9 @@ model(torus_300k,   [torus(radius(1), tube(0.4), facets(400), sides(375))]).
 model(union_5k,     Terms) :- two_spheres(36, Terms).
 model(union_20k,    Terms) :- two_spheres(72, Terms).
 model(union_100k,   Terms) :- two_spheres(172, Terms).
+model(union_300k,   Terms) :- two_spheres(300, Terms).
+model(cone_5k,      [cone(radius(1), height(2), facets(2500))]).
+model(cone_20k,     [cone(radius(1), height(2), facets(10000))]).
 
 two_spheres(N, [ sphere(radius(1), facets(N), bands(N)),
                  at([translate(0.9,0.5,0.3)],

@@ -1,6 +1,8 @@
 /* flat_fit.c -- see flat_fit.h: a hull, and callipers that turn round it. */
 #include "flat_fit.h"
 
+#include "convex.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -12,43 +14,10 @@ typedef struct hull {
   size_t n;
 } hull;
 
-static int
-compare_points(const void *a, const void *b)
-{
-  const double *p = a, *q = b;
-
-  for (int k = 0; k < 2; k++) {
-    if (p[k] != q[k]) {
-      return p[k] < q[k] ? -1 : 1;
-    }
-  }
-  return 0;
-}
-
 static double
 turn(const double a[2], const double b[2], const double c[2])
 {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-/* Of n points, which are sorted; `out` has room for n + 1. */
-static void
-find_hull(double (*point)[2], size_t n, hull *out)
-{
-  qsort(point, n, sizeof *point, compare_points);
-  out->n = 0;
-  for (int way = 0; way < 2; way++) {
-    size_t base = out->n;
-    for (size_t i = 0; i < n; i++) {
-      const double *p = point[way ? n - 1 - i : i];
-      while (out->n >= base + 2 &&
-             turn(out->point[out->n - 2], out->point[out->n - 1], p) <= 0) {
-        out->n--;
-      }
-      memcpy(out->point[out->n++], p, sizeof *out->point);
-    }
-    out->n--; /* it begins the way back */
-  }
 }
 
 /* How far the hull reaches along a direction. */
@@ -144,7 +113,7 @@ sg_flat_fit_find(double (*point)[2], size_t n, double (*room)[2])
   size_t left = drop_inside(point, n); /* none, if all are in one place */
 
   if (left >= 3) {
-    find_hull(point, left, &h);
+    h.n = sg_convex_hull(point, left, room);
   }
   return h.n < 3 ? (sg_flat_fit){1, 0} : find_fit(&h);
 }

@@ -6,32 +6,16 @@
 #include <string.h>
 
 enum {
-  FIRST_BITS = 4,
-  LEVELS = 64,
-  LEVEL_BITS = 6,
-  PLACE_BITS = 29,
-  BELOW = 32 /* grids for items smaller than usual */
+  BUCKET = SG_FLAT_QUARTERS, /* items of a leaf */
+  PATIENCE = 16, /* items found for nothing, before outlines are asked for */
+  OFTEN = 16,    /* times that an outline is asked for, before it is made */
+  AT_ONCE = 4096 /* outlines made for one question */
 };
 
+/* The smallest cells are this part of the size of items, or less. */
+#define SMALLEST 0x1p-40
+
 /* ---- boxes -------------------------------------------------------------- */
-
-bool
-sg_flat_stock_make(size_t room, double size, sg_flat_stock *out)
-{
-  *out = (sg_flat_stock){.box = malloc((room + 1) * sizeof *out->box),
-                         .next = malloc((room + 1) * sizeof *out->next)};
-  frexp(size, &out->least);
-  out->least -= BELOW;
-  return out->box && out->next;
-}
-
-void
-sg_flat_stock_clear(sg_flat_stock *stock)
-{
-  free(stock->box);
-  free(stock->next);
-  *stock = (sg_flat_stock){0};
-}
 
 sg_flat_box
 sg_flat_box_round(const double (*point)[2], size_t n)
@@ -48,179 +32,502 @@ sg_flat_box_round(const double (*point)[2], size_t n)
   return box;
 }
 
-/* ---- cells -------------------------------------------------------------- */
-
-/* The grid whose cells are at least as large as the box. */
-static int
-level_of(const sg_flat_stock *stock, const sg_flat_box *box)
+static void
+enlarge(sg_flat_box *box, const sg_flat_box *by)
 {
-  int exponent;
-  double size = fmax(box->high[0] - box->low[0], box->high[1] - box->low[1]);
-
-  frexp(size, &exponent);
-  exponent -= stock->least;
-  return size <= 0 || exponent < 0 ? 0
-         : exponent >= LEVELS      ? LEVELS - 1
-                                   : exponent;
+  for (int k = 0; k < 2; k++) {
+    box->low[k] = by->low[k] < box->low[k] ? by->low[k] : box->low[k];
+    box->high[k] = by->high[k] > box->high[k] ? by->high[k] : box->high[k];
+  }
 }
 
-/* Places that are too far for their bits share a cell with others; the boxes
- * tell them apart. */
-static uint64_t
-key_of(int level, int64_t x, int64_t y)
+/* ---- the stock ---------------------------------------------------------- */
+
+bool
+sg_flat_stock_make(size_t room, double size, sg_flat_stock *out)
 {
-  const uint64_t mask = (UINT64_C(1) << PLACE_BITS) - 1;
-
-  return (uint64_t)level << (2 * PLACE_BITS) |
-         ((uint64_t)x & mask) << PLACE_BITS | ((uint64_t)y & mask);
-}
-
-static size_t
-slot_of(const sg_flat_index *index, uint64_t key)
-{
-  return (size_t)((key * UINT64_C(0x9e3779b97f4a7c15)) >> (64 - index->bits));
-}
-
-/* The cell with this key, or where it would be. */
-static sg_flat_cell *
-find_cell(const sg_flat_index *index, uint64_t key)
-{
-  size_t mask = ((size_t)1 << index->bits) - 1, i = slot_of(index, key);
-
-  while (index->cell[i].first != SG_NO_ITEM && index->cell[i].key != key) {
-    i = (i + 1) & mask;
-  }
-  return &index->cell[i];
-}
-
-static bool
-grow(sg_flat_index *index)
-{
-  sg_flat_index more = {.bits = index->cell ? index->bits + 1 : FIRST_BITS,
-                        .cells = index->cells,
-                        .levels = index->levels};
-  size_t room = (size_t)1 << more.bits;
-
-  more.cell = malloc(room * sizeof *more.cell);
-  if (!more.cell) {
-    return false;
-  }
-  for (size_t i = 0; i < room; i++) {
-    more.cell[i].first = SG_NO_ITEM;
-  }
-  for (size_t i = 0; index->cell && i < room / 2; i++) {
-    if (index->cell[i].first != SG_NO_ITEM) {
-      *find_cell(&more, index->cell[i].key) = index->cell[i];
-    }
-  }
-  free(index->cell);
-  *index = more;
-  return true;
+  *out = (sg_flat_stock){.least = size > 0 ? size * SMALLEST : 1,
+                         .free_node = SG_NO_ITEM,
+                         .free_outline = SG_NO_ITEM};
+  return sg_flat_stock_reserve(out, room + 1);
 }
 
 void
-sg_flat_index_clear(sg_flat_index *index)
+sg_flat_stock_clear(sg_flat_stock *stock)
 {
-  free(index->cell);
-  *index = (sg_flat_index){0};
-}
-
-static double
-cells_per_unit(const sg_flat_stock *stock, int level)
-{
-  return ldexp(1, -(level + stock->least));
-}
-
-/* Far outside all that has a place, places need not differ. */
-static int64_t
-place_of(double x, double per_cell)
-{
-  double place = floor(x * per_cell);
-
-  return place > 1e15    ? (int64_t)1e15
-         : place < -1e15 ? -(int64_t)1e15
-                         : (int64_t)place;
+  free(stock->box);
+  free(stock->node);
+  free(stock->outline);
+  *stock = (sg_flat_stock){0};
 }
 
 bool
-sg_flat_index_add(sg_flat_index *index, const sg_flat_stock *stock,
-                  uint32_t item)
+sg_flat_stock_reserve(sg_flat_stock *stock, size_t room)
 {
-  const sg_flat_box *box = &stock->box[item];
-  int level = level_of(stock, box);
-  double per_cell = cells_per_unit(stock, level);
-  uint64_t key = key_of(level, place_of(box->low[0], per_cell),
-                        place_of(box->low[1], per_cell));
-  sg_flat_cell *cell;
+  if (room > stock->room) {
+    size_t more = room > 2 * stock->room ? room : 2 * stock->room;
+    sg_flat_box *box = realloc(stock->box, more * sizeof *box);
+    if (!box) {
+      return false;
+    }
+    stock->box = box;
+    stock->room = more;
+  }
+  return true;
+}
 
-  if (!index->cell || 2 * (index->cells + 1) > (size_t)1 << index->bits) {
-    if (!grow(index)) {
+/* One that was given back, or another one; SG_NO_ITEM: no memory. */
+static uint32_t
+new_node(sg_flat_stock *stock)
+{
+  uint32_t n = stock->free_node;
+
+  if (n != SG_NO_ITEM) {
+    stock->free_node = stock->node[n].next;
+  } else {
+    if (stock->nodes == stock->node_room) {
+      size_t room = 2 * stock->node_room + 64;
+      sg_flat_node *node = realloc(stock->node, room * sizeof *node);
+      if (!node) {
+        return SG_NO_ITEM;
+      }
+      stock->node = node;
+      stock->node_room = room;
+    }
+    n = (uint32_t)stock->nodes++;
+  }
+  stock->node[n] =
+      (sg_flat_node){.box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}},
+                     .next = SG_NO_ITEM,
+                     .outline = SG_NO_ITEM,
+                     .leaf = true};
+  memset(stock->node[n].below, 0xff, sizeof stock->node[n].below);
+  return n;
+}
+
+static uint32_t
+new_outline(sg_flat_stock *stock)
+{
+  uint32_t n = stock->free_outline;
+
+  if (n != SG_NO_ITEM) {
+    stock->free_outline = (uint32_t)stock->outline[n].corners;
+    return n;
+  }
+  if (stock->outlines == stock->outline_room) {
+    size_t room = 2 * stock->outline_room + 64;
+    sg_flat_outline *outline = realloc(stock->outline, room * sizeof *outline);
+    if (!outline) {
+      return SG_NO_ITEM;
+    }
+    stock->outline = outline;
+    stock->outline_room = room;
+  }
+  return (uint32_t)stock->outlines++;
+}
+
+static void
+free_node(sg_flat_stock *stock, uint32_t n)
+{
+  sg_flat_node *node = &stock->node[n];
+
+  if (node->outline != SG_NO_ITEM) {
+    stock->outline[node->outline].corners = stock->free_outline;
+    stock->free_outline = node->outline;
+  }
+  node->next = stock->free_node;
+  stock->free_node = n;
+}
+
+/* A node and all below it are free again. */
+static void
+free_nodes(sg_flat_stock *stock, uint32_t n)
+{
+  for (int k = 0; k < SG_FLAT_QUARTERS && !stock->node[n].leaf; k++) {
+    if (stock->node[n].below[k] != SG_NO_ITEM) {
+      free_nodes(stock, stock->node[n].below[k]);
+    }
+  }
+  while (n != SG_NO_ITEM) {
+    uint32_t next = stock->node[n].leaf ? stock->node[n].next : SG_NO_ITEM;
+    free_node(stock, n);
+    n = next;
+  }
+}
+
+void
+sg_flat_index_clear(sg_flat_index *index, sg_flat_stock *stock)
+{
+  if (index->used) {
+    free_nodes(stock, index->root);
+  }
+  *index = (sg_flat_index){0};
+}
+
+/* ---- adding ------------------------------------------------------------- */
+
+static void
+middle_of(const sg_flat_box *box, double out[2])
+{
+  out[0] = box->low[0] + (box->high[0] - box->low[0]) / 2;
+  out[1] = box->low[1] + (box->high[1] - box->low[1]) / 2;
+}
+
+/* The first cell has room for the first item, and for some like it. */
+static bool
+plant(sg_flat_index *index, sg_flat_stock *stock, const sg_flat_box *box)
+{
+  double size = fmax(box->high[0] - box->low[0], box->high[1] - box->low[1]);
+  double middle[2];
+
+  middle_of(box, middle);
+  index->root = new_node(stock);
+  index->used = index->root != SG_NO_ITEM;
+  index->size = 8 * fmax(size, stock->least);
+  for (int k = 0; k < 2; k++) {
+    index->low[k] = middle[k] - index->size / 2;
+  }
+  return index->used;
+}
+
+/* The root becomes a quarter of one that reaches farther towards a place. */
+static bool
+grow(sg_flat_index *index, sg_flat_stock *stock, const double to[2])
+{
+  uint32_t root = new_node(stock);
+  int quarter = 0;
+
+  if (root == SG_NO_ITEM) {
+    return false;
+  }
+  for (int k = 0; k < 2; k++) {
+    if (to[k] < index->low[k]) {
+      index->low[k] -= index->size;
+      quarter |= 1 << k;
+    }
+  }
+  index->size *= 2;
+  stock->node[root].leaf = false;
+  stock->node[root].box = stock->node[index->root].box;
+  stock->node[root].below[quarter] = index->root;
+  index->root = root;
+  return true;
+}
+
+static bool
+holds(const sg_flat_index *index, const double at[2])
+{
+  for (int k = 0; k < 2; k++) {
+    if (!(at[k] >= index->low[k] && at[k] <= index->low[k] + index->size)) {
       return false;
     }
   }
-  cell = find_cell(index, key);
-  index->cells += cell->first == SG_NO_ITEM;
-  stock->next[item] = cell->first;
-  *cell = (sg_flat_cell){key, item};
-  index->levels |= UINT64_C(1) << level;
+  return true;
+}
+
+/* A cell on the way down. */
+typedef struct cell {
+  double low[2], size;
+} cell;
+
+static int
+quarter_of(const cell *c, const double at[2])
+{
+  return (at[0] >= c->low[0] + c->size / 2) | (at[1] >= c->low[1] + c->size / 2)
+                                                  << 1;
+}
+
+static void
+go_to_quarter(cell *c, int quarter)
+{
+  c->size /= 2;
+  c->low[0] += quarter & 1 ? c->size : 0;
+  c->low[1] += quarter & 2 ? c->size : 0;
+}
+
+static void
+put(sg_flat_stock *stock, uint32_t leaf, uint32_t item)
+{
+  sg_flat_node *node = &stock->node[leaf];
+
+  enlarge(&node->box, &stock->box[item]);
+  node->below[node->items++] = item;
+  node->stale = true;
+}
+
+/* The quarter of a node, a new leaf if there is none; SG_NO_ITEM: no memory. */
+static uint32_t
+quarter_node(sg_flat_stock *stock, uint32_t n, int quarter)
+{
+  if (stock->node[n].below[quarter] == SG_NO_ITEM) {
+    uint32_t leaf = new_node(stock);
+    stock->node[n].below[quarter] = leaf;
+  }
+  return stock->node[n].below[quarter];
+}
+
+/* A full leaf becomes a node, its items go to its quarters. */
+static bool
+part(sg_flat_stock *stock, uint32_t n, const cell *c)
+{
+  uint32_t item[BUCKET];
+  double at[2];
+
+  memcpy(item, stock->node[n].below, sizeof item);
+  memset(stock->node[n].below, 0xff, sizeof item);
+  stock->node[n].leaf = false;
+  stock->node[n].items = 0;
+  for (int k = 0; k < BUCKET; k++) {
+    middle_of(&stock->box[item[k]], at);
+    uint32_t quarter = quarter_node(stock, n, quarter_of(c, at));
+    if (quarter == SG_NO_ITEM) {
+      return false;
+    }
+    put(stock, quarter, item[k]);
+  }
+  return true;
+}
+
+/* More of a leaf that is full and too small to be parted: what it has goes to a
+ * node after it. */
+static bool
+lengthen(sg_flat_stock *stock, uint32_t n)
+{
+  uint32_t more = new_node(stock);
+
+  if (more == SG_NO_ITEM) {
+    return false;
+  }
+  sg_flat_node *leaf = &stock->node[n], *after = &stock->node[more];
+
+  memcpy(after->below, leaf->below, sizeof after->below);
+  after->items = leaf->items;
+  after->next = leaf->next;
+  leaf->next = more;
+  leaf->items = 0;
+  return true;
+}
+
+bool
+sg_flat_index_add(sg_flat_index *index, sg_flat_stock *stock, uint32_t item)
+{
+  const sg_flat_box *box = &stock->box[item];
+  double at[2];
+
+  middle_of(box, at);
+  if (!index->used && !plant(index, stock, box)) {
+    return false;
+  }
+  while (!holds(index, at) && index->size < INFINITY) {
+    if (!grow(index, stock, at)) {
+      return false;
+    }
+  }
+  cell c = {{index->low[0], index->low[1]}, index->size};
+  uint32_t n = index->root;
+
+  for (;;) {
+    sg_flat_node *node = &stock->node[n];
+    if (node->leaf && node->items == BUCKET) {
+      bool parts = c.size > stock->least && isfinite(c.size);
+      if (!(parts ? part(stock, n, &c) : lengthen(stock, n))) {
+        return false;
+      }
+      node = &stock->node[n];
+    }
+    if (node->leaf) {
+      put(stock, n, item);
+      return true;
+    }
+    enlarge(&node->box, box);
+    node->stale = true;
+    int quarter = quarter_of(&c, at);
+    n = quarter_node(stock, n, quarter);
+    if (n == SG_NO_ITEM) {
+      return false;
+    }
+    go_to_quarter(&c, quarter);
+  }
+}
+
+/* ---- outlines ----------------------------------------------------------- */
+
+/* A question under way. */
+typedef struct search {
+  sg_flat_stock *stock;
+  const sg_flat_question *question;
+  sg_flat_visit *visit;
+  void *data;
+  bool shaped;   /* outlines may be asked for */
+  unsigned vain; /* items that were not what was looked for */
+  int left;      /* outlines that may be made */
+} search;
+
+static bool
+has_outline(const sg_flat_stock *stock, uint32_t n)
+{
+  return stock->node[n].outline != SG_NO_ITEM && !stock->node[n].stale;
+}
+
+static bool make_outline(search *s, uint32_t n);
+
+/* The corners of all that lies in a leaf; 0: too many. */
+static size_t
+corners_of_leaf(const sg_flat_question *q, const sg_flat_node *leaf,
+                double (*out)[2])
+{
+  size_t corners = 0;
+
+  for (unsigned k = 0; k < leaf->items; k++) {
+    corners += q->corners_of(q->items, leaf->below[k], out + corners);
+  }
+  return leaf->next == SG_NO_ITEM ? corners : 0;
+}
+
+/* The corners of the outlines of the quarters; 0: one has none. */
+static size_t
+corners_of_quarters(search *s, uint32_t n, double (*out)[2])
+{
+  const sg_flat_stock *stock = s->stock;
+  size_t corners = 0;
+
+  for (int k = 0; k < SG_FLAT_QUARTERS; k++) {
+    uint32_t quarter = stock->node[n].below[k];
+    if (quarter == SG_NO_ITEM) {
+      continue;
+    }
+    if (!has_outline(stock, quarter) && !make_outline(s, quarter)) {
+      return 0;
+    }
+    const sg_flat_outline *o = &stock->outline[stock->node[quarter].outline];
+    memcpy(out + corners, o->corner, o->corners * sizeof *out);
+    corners += o->corners;
+  }
+  return corners;
+}
+
+/* False: there is none. */
+static bool
+make_outline(search *s, uint32_t n)
+{
+  double point[SG_CONVEX_MOST][2], hull[SG_CONVEX_MOST + 1][2];
+  sg_flat_node *node = &s->stock->node[n];
+  size_t corners = 0;
+
+  if (--s->left > 0) {
+    corners = node->leaf ? corners_of_leaf(s->question, node, point)
+                         : corners_of_quarters(s, n, point);
+  }
+  corners = sg_convex_outline(hull, sg_convex_hull(point, corners, hull));
+  if (corners > 0 && node->outline == SG_NO_ITEM) {
+    node->outline = new_outline(s->stock);
+  }
+  if (corners == 0 || node->outline == SG_NO_ITEM) {
+    return false;
+  }
+  sg_flat_outline *out = &s->stock->outline[node->outline];
+
+  out->corners = corners;
+  memcpy(out->corner, hull, corners * sizeof *hull);
+  node->stale = false;
   return true;
 }
 
 /* ---- asking ------------------------------------------------------------- */
 
-typedef struct question {
-  const sg_flat_index *index;
+/* Whether the outline of a node tells that nothing below it overlaps. Outlines
+ * are rounded, depths are not: half of it leaves enough. */
+static bool
+is_outside(search *s, uint32_t n)
+{
+  const sg_flat_question *q = s->question;
+  sg_flat_node *node = &s->stock->node[n];
+
+  if (!has_outline(s->stock, n)) {
+    if (++node->asked < OFTEN) {
+      return false;
+    }
+    node->asked = 0;
+    if (!make_outline(s, n)) {
+      return false;
+    }
+  }
+  const sg_flat_outline *o = &s->stock->outline[node->outline];
+
+  return !sg_convex_overlap(q->corner, q->corners,
+                            (const double(*)[2])o->corner, o->corners,
+                            q->depth / 2);
+}
+
+static bool
+find_in_leaf(search *s, uint32_t n)
+{
+  for (; n != SG_NO_ITEM; n = s->stock->node[n].next) {
+    const sg_flat_node *leaf = &s->stock->node[n];
+    for (unsigned k = 0; k < leaf->items; k++) {
+      const sg_flat_box *box = &s->stock->box[leaf->below[k]];
+      if (sg_flat_boxes_meet(box, &s->question->box)) {
+        if (s->visit(s->data, leaf->below[k])) {
+          return true;
+        }
+        s->vain++;
+      }
+    }
+  }
+  return false;
+}
+
+static bool
+find_below(search *s, uint32_t n)
+{
+  const sg_flat_node *node = &s->stock->node[n];
+
+  if (!sg_flat_boxes_meet(&node->box, &s->question->box) ||
+      (s->shaped && s->vain >= PATIENCE && is_outside(s, n))) {
+    return false;
+  }
+  if (node->leaf) {
+    return find_in_leaf(s, n);
+  }
+  for (int k = 0; k < SG_FLAT_QUARTERS; k++) {
+    if (node->below[k] != SG_NO_ITEM && find_below(s, node->below[k])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool
+sg_flat_index_near(const sg_flat_index *index, sg_flat_stock *stock,
+                   const sg_flat_question *question, sg_flat_visit *visit,
+                   void *data)
+{
+  search s = {.stock = stock,
+              .question = question,
+              .visit = visit,
+              .data = data,
+              .shaped = question->corner != NULL,
+              .left = AT_ONCE};
+
+  return index->used && find_below(&s, index->root);
+}
+
+/* ---- walking ------------------------------------------------------------ */
+
+typedef struct walk {
   const sg_flat_stock *stock;
-  const sg_flat_box *box;
+  sg_flat_closer *closer;
   sg_flat_visit *visit;
   void *data;
-} question;
+} walk;
 
 static bool
-ask_cell(const question *q, const sg_flat_cell *cell)
+visit_leaf(const walk *w, uint32_t n)
 {
-  for (uint32_t i = cell->first; i != SG_NO_ITEM; i = q->stock->next[i]) {
-    if (sg_flat_boxes_meet(&q->stock->box[i], q->box) && q->visit(q->data, i)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/* All cells of a grid: cheaper than looking for more than there are. */
-static bool
-ask_grid(const question *q, int level)
-{
-  size_t room = (size_t)1 << q->index->bits;
-
-  for (size_t i = 0; i < room; i++) {
-    const sg_flat_cell *cell = &q->index->cell[i];
-    if (cell->first != SG_NO_ITEM &&
-        cell->key >> (2 * PLACE_BITS) == (uint64_t)level && ask_cell(q, cell)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/* An item that meets the box begins in a cell of it, or in one before. */
-static bool
-ask_level(const question *q, int level)
-{
-  double per_cell = cells_per_unit(q->stock, level);
-  int64_t from[2], to[2];
-
-  for (int k = 0; k < 2; k++) {
-    from[k] = place_of(q->box->low[k], per_cell) - 1;
-    to[k] = place_of(q->box->high[k], per_cell);
-  }
-  if ((double)(to[0] - from[0] + 1) * (double)(to[1] - from[1] + 1) >
-      (double)q->index->cells) {
-    return ask_grid(q, level);
-  }
-  for (int64_t x = from[0]; x <= to[0]; x++) {
-    for (int64_t y = from[1]; y <= to[1]; y++) {
-      if (ask_cell(q, find_cell(q->index, key_of(level, x, y)))) {
+  for (; n != SG_NO_ITEM; n = w->stock->node[n].next) {
+    const sg_flat_node *leaf = &w->stock->node[n];
+    for (unsigned k = 0; k < leaf->items; k++) {
+      if (w->visit(w->data, leaf->below[k])) {
         return true;
       }
     }
@@ -228,36 +535,18 @@ ask_level(const question *q, int level)
   return false;
 }
 
-bool
-sg_flat_index_near(const sg_flat_index *index, const sg_flat_stock *stock,
-                   const sg_flat_box *box, sg_flat_visit *visit, void *data)
-{
-  const question q = {index, stock, box, visit, data};
-
-  for (uint64_t left = index->levels; left; left &= left - 1) {
-    if (ask_level(&q, __builtin_ctzll(left))) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/* ---- overlap ------------------------------------------------------------ */
-
-/* Whether a side of a has all of b outside, or inside by no more than depth. */
 static bool
-side_parts(const double (*a)[2], size_t na, const double (*b)[2], size_t nb,
-           double depth)
+walk_below(const walk *w, uint32_t n)
 {
-  for (size_t i = 0; i < na; i++) {
-    const double *p = a[i], *q = a[i + 1 < na ? i + 1 : 0];
-    double nx = p[1] - q[1], ny = q[0] - p[0], most = -INFINITY;
-    for (size_t k = 0; k < nb; k++) {
-      double in = nx * (b[k][0] - p[0]) + ny * (b[k][1] - p[1]);
-      most = in > most ? in : most;
-    }
-    if ((nx != 0 || ny != 0) &&
-        (most <= 0 || most * most <= depth * depth * (nx * nx + ny * ny))) {
+  const sg_flat_node *node = &w->stock->node[n];
+
+  if (node->leaf) {
+    return visit_leaf(w, n);
+  }
+  bool closer = w->closer(w->data, &node->box);
+
+  for (int k = 0; closer && k < SG_FLAT_QUARTERS; k++) {
+    if (node->below[k] != SG_NO_ITEM && walk_below(w, node->below[k])) {
       return true;
     }
   }
@@ -265,8 +554,10 @@ side_parts(const double (*a)[2], size_t na, const double (*b)[2], size_t nb,
 }
 
 bool
-sg_convex_overlap(const double (*a)[2], size_t na, const double (*b)[2],
-                  size_t nb, double depth)
+sg_flat_index_walk(const sg_flat_index *index, const sg_flat_stock *stock,
+                   sg_flat_closer *closer, sg_flat_visit *visit, void *data)
 {
-  return !side_parts(a, na, b, nb, depth) && !side_parts(b, nb, a, na, depth);
+  const walk w = {stock, closer, visit, data};
+
+  return index->used && walk_below(&w, index->root);
 }

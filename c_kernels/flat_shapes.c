@@ -3,9 +3,10 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* So many cells a shape may be away from the origin. */
-#define FAR_CELLS 1e9
+/* So many times its size a shape may be away from the origin. */
+#define FAR 1e9
 
 /* ---- two shapes ---- */
 
@@ -53,14 +54,14 @@ sg_flat_shape_depth(const sg_flat_shape *a, const sg_flat_shape *b)
 }
 
 bool
-sg_flat_shape_is_valid(const sg_flat_shape *shape, double cell)
+sg_flat_shape_is_valid(const sg_flat_shape *shape, double size)
 {
   if (shape->corners < 2 || shape->corners > SG_FLAT_SHAPE_CORNERS) {
     return false;
   }
   for (unsigned i = 0; i < shape->corners; i++) {
     for (int k = 0; k < 2; k++) {
-      if (!(fabs(shape->at[i][k]) <= FAR_CELLS * cell)) {
+      if (!(fabs(shape->at[i][k]) <= FAR * size)) {
         return false;
       }
     }
@@ -68,237 +69,114 @@ sg_flat_shape_is_valid(const sg_flat_shape *shape, double cell)
   return true;
 }
 
-/* ---- the grid ---- */
-
-/* Where a row of cells, y0 <= y <= y1, cuts the side from p to q. */
-static void
-widen(const double *p, const double *q, double y0, double y1, double range[2])
-{
-  double low = fmin(p[1], q[1]), high = fmax(p[1], q[1]);
-
-  if (high < y0 || low > y1) {
-    return;
-  }
-  for (int end = 0; end < 2; end++) {
-    double y = end ? fmin(high, y1) : fmax(low, y0), x;
-
-    if (p[1] == q[1]) {
-      x = end ? p[0] : q[0];
-    } else {
-      x = p[0] + (q[0] - p[0]) * ((y - p[1]) / (q[1] - p[1]));
-    }
-    range[0] = fmin(range[0], x);
-    range[1] = fmax(range[1], x);
-  }
-}
-
-typedef struct cells {
-  int64_t y, y1; /* the rows that are left */
-  int64_t x, x1; /* the cells that are left in row y */
-} cells;
-
-static int64_t
-cell_of(const sg_flat_shapes *shapes, double x)
-{
-  return (int64_t)floor(x / shapes->cell);
-}
-
-static void
-enter_row(const sg_flat_shapes *shapes, const sg_flat_shape *shape, cells *c)
-{
-  double side = shapes->cell, slack = 1e-6 * side;
-  double y0 = (double)c->y * side - slack;
-  double y1 = (double)(c->y + 1) * side + slack;
-  double range[2] = {INFINITY, -INFINITY};
-
-  for (unsigned i = 0; i < shape->corners; i++) {
-    widen(shape->at[i], shape->at[(i + 1) % shape->corners], y0, y1, range);
-  }
-  if (range[0] > range[1]) { /* between two rows, rounded */
-    c->x = 0;
-    c->x1 = -1;
-    return;
-  }
-  c->x = cell_of(shapes, range[0] - slack);
-  c->x1 = cell_of(shapes, range[1] + slack);
-}
-
-static cells
-cells_of(const sg_flat_shapes *shapes, const sg_flat_shape *shape)
-{
-  double range[2];
-  cells c;
-
-  project(shape, (const double[2]){0.0, 1.0}, range);
-  c.y = cell_of(shapes, range[0]);
-  c.y1 = cell_of(shapes, range[1]);
-  enter_row(shapes, shape, &c);
-  return c;
-}
-
-/* The next cell of the shape; false: there is none. */
-static bool
-next_cell(const sg_flat_shapes *shapes, const sg_flat_shape *shape, cells *c,
-          int64_t cell[2])
-{
-  while (c->x > c->x1) {
-    if (++c->y > c->y1) {
-      return false;
-    }
-    enter_row(shapes, shape, c);
-  }
-  cell[0] = c->x++;
-  cell[1] = c->y;
-  return true;
-}
-
-static size_t
-bucket_of(const sg_flat_shapes *shapes, const int64_t cell[2])
-{
-  uint64_t h = (uint64_t)cell[0] * UINT64_C(0x9e3779b97f4a7c15) ^
-               (uint64_t)cell[1] * UINT64_C(0xc2b2ae3d27d4eb4f);
-
-  return (size_t)((h ^ h >> 29) & (shapes->buckets - 1));
-}
-
-static void
-chain_entry(sg_flat_shapes *shapes, uint32_t i)
-{
-  sg_flat_shape_entry *entry = &shapes->entry[i];
-  uint32_t *bucket = &shapes->bucket[bucket_of(shapes, entry->cell)];
-
-  entry->next = *bucket;
-  *bucket = i + 1;
-}
-
-static bool
-more_buckets(sg_flat_shapes *shapes)
-{
-  size_t n = shapes->buckets ? 2 * shapes->buckets : 256;
-  uint32_t *bucket = calloc(n, sizeof *bucket);
-
-  if (!bucket) {
-    return false;
-  }
-  free(shapes->bucket);
-  shapes->bucket = bucket;
-  shapes->buckets = n;
-  for (size_t i = 0; i < shapes->entries; i++) {
-    chain_entry(shapes, (uint32_t)i);
-  }
-  return true;
-}
-
-static bool
-add_entry(sg_flat_shapes *shapes, uint32_t shape, const int64_t cell[2])
-{
-  if (shapes->entries == shapes->entry_room) {
-    size_t room = shapes->entry_room ? 2 * shapes->entry_room : 256;
-    sg_flat_shape_entry *entry =
-        room < UINT32_MAX ? realloc(shapes->entry, room * sizeof *entry) : NULL;
-
-    if (!entry) {
-      return false;
-    }
-    shapes->entry = entry;
-    shapes->entry_room = room;
-  }
-  if (shapes->entries >= shapes->buckets && !more_buckets(shapes)) {
-    return false;
-  }
-  shapes->entry[shapes->entries] =
-      (sg_flat_shape_entry){{cell[0], cell[1]}, shape, 0};
-  chain_entry(shapes, (uint32_t)shapes->entries++);
-  return true;
-}
-
-/* ---- doors ---- */
+/* ---- many ---- */
 
 void
-sg_flat_shapes_init(sg_flat_shapes *shapes, double cell)
+sg_flat_shapes_init(sg_flat_shapes *shapes, double size)
 {
-  *shapes = (sg_flat_shapes){.cell = cell};
+  *shapes = (sg_flat_shapes){.size = size};
 }
 
 void
 sg_flat_shapes_clear(sg_flat_shapes *shapes)
 {
   free(shapes->shape);
-  free(shapes->entry);
-  free(shapes->bucket);
-  *shapes = (sg_flat_shapes){.cell = shapes->cell};
+  sg_flat_stock_clear(&shapes->stock);
+  *shapes = (sg_flat_shapes){.size = shapes->size};
 }
 
-/* Takes the entries from n on out again: the newest are first in their
- * buckets. */
-static void
-drop_entries(sg_flat_shapes *shapes, size_t n)
+/* Counter-clockwise. */
+static sg_flat_shape
+turned_round(const sg_flat_shape *shape)
 {
-  while (shapes->entries > n) {
-    sg_flat_shape_entry *entry = &shapes->entry[--shapes->entries];
+  sg_flat_shape out = *shape;
+  double area = 0;
 
-    shapes->bucket[bucket_of(shapes, entry->cell)] = entry->next;
+  for (unsigned i = 1; i + 1 < shape->corners; i++) {
+    const double *p = shape->at[0], *q = shape->at[i], *r = shape->at[i + 1];
+    area += (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   }
+  for (unsigned i = 0; area < 0 && i < shape->corners; i++) {
+    memcpy(out.at[i], shape->at[shape->corners - 1 - i], sizeof out.at[i]);
+  }
+  return out;
+}
+
+static bool
+have_room(sg_flat_shapes *shapes)
+{
+  if (shapes->n < shapes->room) {
+    return true;
+  }
+  size_t room = shapes->room ? 2 * shapes->room : 64;
+  sg_flat_shape *more = realloc(shapes->shape, room * sizeof *more);
+
+  if (!more) {
+    return false;
+  }
+  shapes->shape = more;
+  if (shapes->room == 0
+          ? !sg_flat_stock_make(room, shapes->size, &shapes->stock)
+          : !sg_flat_stock_reserve(&shapes->stock, room)) {
+    return false;
+  }
+  shapes->room = room;
+  return true;
 }
 
 bool
 sg_flat_shapes_add(sg_flat_shapes *shapes, const sg_flat_shape *shape)
 {
-  size_t before = shapes->entries;
-  int64_t cell[2];
-
-  if (shapes->n == shapes->room) {
-    size_t room = shapes->room ? 2 * shapes->room : 64;
-    sg_flat_shape *more = realloc(shapes->shape, room * sizeof *more);
-
-    if (!more) {
-      return false;
-    }
-    shapes->shape = more;
-    shapes->room = room;
+  if (shapes->n == SG_NO_ITEM || !have_room(shapes)) {
+    return false;
   }
-  shapes->shape[shapes->n] = *shape;
-  for (cells c = cells_of(shapes, shape); next_cell(shapes, shape, &c, cell);) {
-    if (!add_entry(shapes, (uint32_t)shapes->n, cell)) {
-      drop_entries(shapes, before);
-      return false;
-    }
-  }
-  shapes->n++;
-  return true;
+  uint32_t item = (uint32_t)shapes->n++;
+
+  shapes->shape[item] = turned_round(shape);
+  shapes->stock.box[item] =
+      sg_flat_box_round((const double(*)[2])shape->at, shape->corners);
+  return sg_flat_index_add(&shapes->index, &shapes->stock, item);
 }
 
-static bool
-cell_free(const sg_flat_shapes *shapes, const int64_t cell[2],
-          const sg_flat_shape *shape, double tolerance)
+static size_t
+corners_of(const void *data, uint32_t item, double out[][2])
 {
-  uint32_t i = shapes->bucket[bucket_of(shapes, cell)];
+  const sg_flat_shape *shape = &((const sg_flat_shapes *)data)->shape[item];
 
-  while (i) {
-    const sg_flat_shape_entry *entry = &shapes->entry[i - 1];
+  memcpy(out, shape->at, shape->corners * sizeof *out);
+  return shape->corners;
+}
 
-    if (entry->cell[0] == cell[0] && entry->cell[1] == cell[1] &&
-        sg_flat_shape_depth(shape, &shapes->shape[entry->shape]) > tolerance) {
-      return false;
-    }
-    i = entry->next;
-  }
-  return true;
+/* A shape that wants room. */
+typedef struct newcomer {
+  const sg_flat_shapes *shapes;
+  const sg_flat_shape *shape;
+  double tolerance;
+} newcomer;
+
+static bool
+is_in_the_way(void *data, uint32_t item)
+{
+  const newcomer *of = data;
+
+  return sg_flat_shape_depth(of->shape, &of->shapes->shape[item]) >
+         of->tolerance;
 }
 
 bool
-sg_flat_shapes_free(const sg_flat_shapes *shapes, const sg_flat_shape *shape,
+sg_flat_shapes_free(sg_flat_shapes *shapes, const sg_flat_shape *shape,
                     double tolerance)
 {
-  int64_t cell[2];
+  const sg_flat_shape turned = turned_round(shape);
+  newcomer of = {shapes, &turned, tolerance};
+  const sg_flat_question question = {
+      .box = sg_flat_box_round((const double(*)[2])turned.at, turned.corners),
+      .corner = (const double(*)[2])turned.at,
+      .corners = turned.corners,
+      .depth = tolerance,
+      .corners_of = corners_of,
+      .items = shapes};
 
-  if (shapes->entries == 0) {
-    return true;
-  }
-  for (cells c = cells_of(shapes, shape); next_cell(shapes, shape, &c, cell);) {
-    if (!cell_free(shapes, cell, shape, tolerance)) {
-      return false;
-    }
-  }
-  return true;
+  return !sg_flat_index_near(&shapes->index, &shapes->stock, &question,
+                             is_in_the_way, &of);
 }

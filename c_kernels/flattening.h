@@ -44,7 +44,6 @@ typedef struct sg_flattening {
   sg_island *island;               /* [faces] */
   double (*at)[2];                 /* [corners] in the island */
   sg_flat_stock stock;             /* items are triangles */
-  double (*moved)[2];              /* private: corners of the face tried */
   size_t tests, refused, joins;    /* overlap tests of two triangles, ... */
   size_t moves;                    /* private: since it was asked to stop */
   uint32_t overlap[2];             /* faces that did, after SG_JOINT_OVERLAP */

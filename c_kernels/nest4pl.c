@@ -69,7 +69,7 @@ get_shapes_ex(term_t t, sg_flat_shapes **out)
 }
 
 static int
-get_shape_ex(term_t list, double cell, sg_flat_shape *out)
+get_shape_ex(term_t list, double size, sg_flat_shape *out)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
   term_t arg = PL_new_term_ref();
@@ -83,28 +83,28 @@ get_shape_ex(term_t list, double cell, sg_flat_shape *out)
       return FALSE;
     }
   }
-  return PL_get_nil_ex(tail) && (sg_flat_shape_is_valid(out, cell) ||
+  return PL_get_nil_ex(tail) && (sg_flat_shape_is_valid(out, size) ||
                                  PL_domain_error("convex_shape", list));
 }
 
-/* shapes_open(+Cell, -Shapes) is det. */
+/* shapes_open(+Size, -Shapes) is det. */
 static foreign_t
-shapes_open(term_t cell, term_t t)
+shapes_open(term_t size, term_t t)
 {
   sg_flat_shapes *shapes;
-  double side;
+  double of;
 
-  if (!sg_get_finite_ex(cell, &side)) {
+  if (!sg_get_finite_ex(size, &of)) {
     return FALSE;
   }
-  if (!(side > 0.0)) {
-    return PL_domain_error("cell", cell);
+  if (!(of > 0.0)) {
+    return PL_domain_error("size", size);
   }
   shapes = malloc(sizeof *shapes);
   if (!shapes) {
     return sg_no_memory();
   }
-  sg_flat_shapes_init(shapes, side);
+  sg_flat_shapes_init(shapes, of);
   return PL_unify_blob(t, shapes, sizeof *shapes, &shapes_blob);
 }
 
@@ -115,7 +115,7 @@ shapes_add(term_t t, term_t list)
   sg_flat_shapes *shapes;
   sg_flat_shape shape;
 
-  if (!get_shapes_ex(t, &shapes) || !get_shape_ex(list, shapes->cell, &shape)) {
+  if (!get_shapes_ex(t, &shapes) || !get_shape_ex(list, shapes->size, &shape)) {
     return FALSE;
   }
   return sg_flat_shapes_add(shapes, &shape) || sg_no_memory();
@@ -129,10 +129,14 @@ shapes_free(term_t t, term_t list, term_t tolerance)
   sg_flat_shape shape;
   double tol;
 
-  return get_shapes_ex(t, &shapes) &&
-         get_shape_ex(list, shapes->cell, &shape) &&
-         sg_get_finite_ex(tolerance, &tol) &&
-         sg_flat_shapes_free(shapes, &shape, tol);
+  if (!get_shapes_ex(t, &shapes) || !get_shape_ex(list, shapes->size, &shape) ||
+      !sg_get_finite_ex(tolerance, &tol)) {
+    return FALSE;
+  }
+  if (tol < 0) {
+    return PL_domain_error("not_less_than_zero", tolerance);
+  }
+  return sg_flat_shapes_free(shapes, &shape, tol);
 }
 
 /* ---- nesting ---- */

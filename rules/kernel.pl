@@ -158,7 +158,7 @@
             joint_order/3,            % +Flattening, +Order, -Joints
             joint_path/3,             % +Flattening, +J, -Joints
             % nest4pl.c
-            shapes_open/2,            % +Cell, -Shapes
+            shapes_open/2,            % +Size, -Shapes
             shapes_add/2,             % +Shapes, +Shape
             shapes_free/3,            % +Shapes, +Shape, +Tolerance
             nest/6,                   % +Size, +Square, +Gap, +One, +Pieces,
@@ -594,10 +594,10 @@ glue file.
 
 /* - - - nest4pl.c - - - */
 
-%!  shapes_open(+Cell, -Shapes) is det.
+%!  shapes_open(+Size, -Shapes) is det.
 %
-%   Shapes is a handle for convex shapes on paper, none yet, found again by the
-%   cells of a grid whose side is Cell: about the size of a shape.
+%   Shapes is a handle for convex shapes on paper, none yet, each of them about
+%   of this Size (up to a million times as large or small).
 
 %!  shapes_add(+Shapes, +Shape) is det.
 %
@@ -605,8 +605,8 @@ glue file.
 
 %!  shapes_free(+Shapes, +Shape, +Tolerance) is semidet.
 %
-%   True when no shape of Shapes overlaps Shape deeper than Tolerance; how deep
-%   is how far one of the two has to be moved to be free.
+%   True when no shape of Shapes overlaps Shape deeper than Tolerance, 0 or
+%   more; how deep is how far one of the two has to be moved to be free.
 
 %!  nest(+Size, +Square, +Gap, +One, +Pieces, -Places) is det.
 %

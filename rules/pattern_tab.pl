@@ -134,7 +134,7 @@ piece_shapes(Width, piece(Name,Faces,_), Name-Shapes) :-
 
 corner_point(_-Point, Point).
 
-%   About as large as a face, so that none is in too many cells.
+%   About as large as a face.
 
 shapes_cell(Solid, Least, Cell) :-
     foldl(wider, Solid, 0-0.0, N-Sum),

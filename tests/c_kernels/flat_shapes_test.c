@@ -1,4 +1,4 @@
-/* flat_shapes_test.c -- depths by hand; a grid against looking at all. */
+/* flat_shapes_test.c -- depths by hand; an index against looking at all. */
 #include "../check.h"
 
 #include "../../c_kernels/flat_shapes.h"
@@ -73,14 +73,14 @@ random_shape(void)
 }
 
 static void
-check_grid(double cell)
+check_many(double size)
 {
   enum { MANY = 300 };
   sg_flat_shape all[MANY];
   sg_flat_shapes shapes;
   unsigned wrong = 0;
 
-  sg_flat_shapes_init(&shapes, cell);
+  sg_flat_shapes_init(&shapes, size);
   for (unsigned i = 0; i < MANY; i++) {
     bool alone = true;
 
@@ -91,7 +91,7 @@ check_grid(double cell)
     wrong += sg_flat_shapes_free(&shapes, &all[i], 0.1) != alone;
     wrong += !sg_flat_shapes_add(&shapes, &all[i]);
   }
-  CHECK("the grid finds what looking at all finds", wrong == 0);
+  CHECK("what is in the way is what looking at all finds", wrong == 0);
   sg_flat_shapes_clear(&shapes);
 }
 
@@ -100,8 +100,8 @@ main(void)
 {
   check_depths();
   check_validity();
-  check_grid(0.7);
-  check_grid(5.0);
-  check_grid(60.0);
+  check_many(0.7);
+  check_many(5.0);
+  check_many(60.0);
   return check_report();
 }
