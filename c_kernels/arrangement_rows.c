@@ -116,14 +116,39 @@ look_at_rows(void *data, size_t task)
   }
 }
 
+/* The triangles of the chosen cells, which come after; *cells: how many. */
+static size_t
+count_cells(const sg_source *from, size_t *cells)
+{
+  const sg_arranged *leaf = from->leaf;
+  size_t n = 0;
+
+  for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
+    const sg_cell *cell = &from->a->cell[i];
+
+    if (sg_sense_of(from, cell->component) != 0) {
+      n += cell->n;
+      ++*cells;
+    }
+  }
+  return n;
+}
+
+/* For this much, and for the chosen cells with all of their corners: what has
+ * a million rows is not to be moved because of a few thousand cells. */
 static bool
 make_room(sg_choice *k, size_t vertices, size_t triangles, size_t faces)
 {
   sg_solid *out = k->out;
+  size_t cells = 0, parts = 0;
 
-  k->vertex_room = vertices + 1024;
-  k->triangle_room = triangles + 1024;
-  k->face_room = faces + 1024;
+  for (size_t i = 0; i < k->n; i++) {
+    parts += count_cells(&k->from[i], &cells);
+    vertices += k->from[i].touching_n;
+  }
+  k->vertex_room = vertices + 3 * parts + 1;
+  k->triangle_room = triangles + parts + 1;
+  k->face_room = faces + cells + 1;
   out->vertex = malloc(k->vertex_room * sizeof *out->vertex);
   out->triangle = malloc(k->triangle_room * sizeof *out->triangle);
   out->auxiliary = malloc(k->triangle_room * sizeof *out->auxiliary);

@@ -34,10 +34,10 @@
                 ord_union/3
               ]).
 :- use_module(library(pairs), [pairs_keys/2]).
-:- autoload(library(apply),
-            [exclude/3, foldl/4, include/3, maplist/2, maplist/3]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(option), [option/2]).
+:- use_module(library(apply),
+              [exclude/3, foldl/4, include/3, maplist/2, maplist/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(option), [option/2]).
 /** <module> Arrangements: leaves cut along all their lines, in pieces.
 
 The leaves of a CSG tree are arranged once, and any expression over them then

@@ -13,7 +13,7 @@
               [ segment/3, origin/3, segment_stamp/2, assert_fact/1,
                 retractall_facts/1
               ]).
-:- autoload(library(apply), [foldl/5]).
+:- use_module(library(apply), [foldl/5]).
 /** <module> What rows were made from, remembered beside them.
 
     origin(S, node(S), evaluated(made(From, Stamp)))     a node

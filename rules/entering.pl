@@ -11,9 +11,9 @@
                 cut_late_polygons/2, work_add/6, work_delete/2, work_edge/6,
                 work_meeting/6, work_close/1
               ]).
-:- autoload(library(apply), [maplist/2]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(ordsets), [ord_subtract/3]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(ordsets), [ord_subtract/3]).
 /** <module> Entering: pieces of lines become edges of polygons.
 
 Each piece of a cut enters both its polygons as an edge pair, so that the

@@ -5,8 +5,8 @@
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(kernel,
               [ model_tolerance/1, solid_merge/3, solid_neighbours/3 ]).
-:- autoload(library(apply), [exclude/3]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(apply), [exclude/3]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> Faces: coplanar neighbours become one (CB-5).
 
 A face is what a flat, connected part of a boundary looks like to people: no

@@ -9,9 +9,9 @@
                 work_add/6, work_delete/2, work_edge/6, work_meeting/6
               ]).
 :- use_module(stage, [stage/2]).
-:- autoload(library(apply), [include/3, maplist/2]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(apply), [include/3, maplist/2]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> Joints: straight parts of a penetration line become one.
 
 A joint is a point in which just two pieces of a line meet, in line, and nothing

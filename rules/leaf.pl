@@ -14,11 +14,11 @@
                 segment/3, origin/3, line/9, edge_polygon/3,
                 assert_fact/1, retract_fact/1, retractall_facts/1
               ]).
-:- autoload(library(apply), [exclude/3, maplist/2]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(ordsets), [ord_memberchk/2, ord_subtract/3, ord_union/3]).
-:- autoload(library(pairs), [pairs_keys_values/3]).
+:- use_module(library(apply), [exclude/3, maplist/2]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(ordsets), [ord_memberchk/2, ord_subtract/3, ord_union/3]).
+:- use_module(library(pairs), [pairs_keys_values/3]).
 
 /** <module> Leaves: what the segments were before any cut.
 

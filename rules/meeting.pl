@@ -12,9 +12,9 @@
               ]).
 :- use_module(leaf, [origin_segment/2]).
 :- use_module(resolve, [resolve_contacts/2]).
-:- autoload(library(apply), [exclude/3]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(ordsets), [ord_union/3]).
+:- use_module(library(apply), [exclude/3]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(ordsets), [ord_union/3]).
 
 /** <module> Which segments meet, without cutting them.
 */

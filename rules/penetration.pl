@@ -34,11 +34,11 @@
 :- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [segment/3, facts_snapshot/1, facts_transaction/1]).
-:- autoload(library(apply), [maplist/2, partition/4]).
-:- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(option), [option/2]).
-:- autoload(library(ordsets), [ord_memberchk/2, ord_union/3]).
+:- use_module(library(apply), [maplist/2, partition/4]).
+:- use_module(library(error), [domain_error/2, must_be/2]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(ordsets), [ord_memberchk/2, ord_union/3]).
 
 /** <module> Penetration lines: where segments go through each other.
 
