@@ -157,6 +157,20 @@ find_split(const sg_cut_set *set, int32_t s, int32_t v1, int32_t v2)
   return number == SG_NO_KEY ? NULL : &set->edge[number];
 }
 
+/* The points on an edge that came last, in n + 1 pieces: they are exactly on
+ * it, but for those that it has from polygons which are not quite flat. */
+static void
+note_points(sg_work *work, int32_t n)
+{
+  int32_t last = sg_work_newest(work);
+  int32_t start = sg_work_get(work, last - n)->start;
+  int32_t end = sg_work_get(work, last)->end;
+
+  for (int32_t e = last - n; e < last && start != end; e++) {
+    sg_work_note_along(work, sg_work_get(work, e)->end, start, end);
+  }
+}
+
 /* Adds one edge of the polygon in the pieces it is split into. */
 static int
 add_split_edge_ex(sg_cut_handle *handle, sg_work *work, sg_row row)
@@ -183,6 +197,9 @@ add_split_edge_ex(sg_cut_handle *handle, sg_work *work, sg_row row)
       return sg_no_memory();
     }
     from = to;
+  }
+  if (n > 0 && !split->late && from != SG_WORK_NONE) {
+    note_points(work, (int32_t)n);
   }
   return from != SG_WORK_NONE;
 }

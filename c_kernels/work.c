@@ -175,12 +175,23 @@ sg_work_vertex(sg_work *work, int32_t id, const sg_point *point)
   }
   work->vertex = rows;
   sg_work_vertex_row *row = &work->vertex[work->vertices];
-  *row = (sg_work_vertex_row){.id = id};
+  *row = (sg_work_vertex_row){.id = id, .along = {SG_WORK_NONE, SG_WORK_NONE}};
   sg_point_copy(&row->point, point);
   row->at[work->flip < 0] = point->p[(work->axis + 1) % 3];
   row->at[work->flip > 0] = point->p[(work->axis + 2) % 3];
   work->slot[slot_of(work, id)] = work->vertices + 1;
   return work->vertices++;
+}
+
+void
+sg_work_note_along(sg_work *work, int32_t vertex, int32_t a, int32_t b)
+{
+  int32_t *along = work->vertex[vertex].along;
+
+  if (along[0] == SG_WORK_NONE && vertex != a && vertex != b) {
+    along[0] = a < b ? a : b;
+    along[1] = a < b ? b : a;
+  }
 }
 
 int32_t
@@ -389,6 +400,34 @@ sg_work_pair(const sg_work *work, int32_t start, int32_t end)
 
 /* ---- signs -------------------------------------------------------------- */
 
+/* Is v known to be on the line of this vertex? */
+static bool
+is_along(const sg_work *work, const sg_work_vertex_row *of, int32_t v)
+{
+  const int32_t *other = work->vertex[v].along;
+
+  return v == of->along[0] || v == of->along[1] ||
+         (other[0] == of->along[0] && other[1] == of->along[1]);
+}
+
+/* Are they known to be in line? Points on an edge are, however they were
+ * made. */
+static bool
+are_in_line(const sg_work *work, int32_t a, int32_t b, int32_t c)
+{
+  const int32_t of[3] = {a, b, c};
+
+  for (int i = 0; i < 3; i++) {
+    const sg_work_vertex_row *row = &work->vertex[of[i]];
+
+    if (row->along[0] != SG_WORK_NONE) {
+      return is_along(work, row, of[(i + 1) % 3]) &&
+             is_along(work, row, of[(i + 2) % 3]);
+    }
+  }
+  return false;
+}
+
 int
 sg_work_turn(const sg_work *work, int32_t a, int32_t b, int32_t c)
 {
@@ -396,6 +435,9 @@ sg_work_turn(const sg_work *work, int32_t a, int32_t b, int32_t c)
 
   if (!v[a].point.exactly && !v[b].point.exactly && !v[c].point.exactly) {
     return sg_orient2d(v[a].at, v[b].at, v[c].at);
+  }
+  if (are_in_line(work, a, b, c)) {
+    return 0;
   }
   return work->flip *
          sg_point_turn(work->axis, &v[a].point, &v[b].point, &v[c].point);

@@ -60,6 +60,9 @@ int sg_work_axis(const sg_work *work);
  * handle that already has this id (`point` is then not looked at).
  * SG_WORK_NONE: no memory. id > 0. */
 int32_t sg_work_vertex(sg_work *work, int32_t id, const sg_point *point);
+/* Says that a vertex lies exactly on the line through a and b, a != b: turns of
+ * points on that line then need no arithmetic. The first word counts. */
+void sg_work_note_along(sg_work *work, int32_t vertex, int32_t a, int32_t b);
 int32_t sg_work_find(const sg_work *work, int32_t id); /* or SG_WORK_NONE */
 int32_t sg_work_id(const sg_work *work, int32_t vertex);
 const sg_point *sg_work_point(const sg_work *work, int32_t vertex);

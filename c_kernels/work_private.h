@@ -12,6 +12,7 @@ typedef struct sg_work_vertex_row {
   double at[2];
   sg_point point;
   int32_t id;
+  int32_t along[2]; /* it lies on the line through these, or SG_WORK_NONE */
   int32_t first_out, last_out, first_in, last_in; /* edges, 0 none */
 } sg_work_vertex_row;
 

@@ -138,6 +138,69 @@ test_triangulate(void)
   CHECK("stars with holes: areas and counts", bad == 0);
 }
 
+/* ---- points that are known to be in line ---- */
+
+/* A point of the line 0-1 of the corners, which has no doubles. */
+static void
+third_point(sg_point *out, const sg_point corner[3])
+{
+  sg_point plane[3];
+  double x = 0.1 + 0.01 * pick(50);
+
+  sg_point_set(&plane[0], (const double[3]){x, -5, 0});
+  sg_point_set(&plane[1], (const double[3]){x + 0.1, 5, 0});
+  sg_point_set(&plane[2], (const double[3]){x, -5, 7});
+  sg_point_lpi(out, &corner[0], &corner[1], &plane[0], &plane[1], &plane[2]);
+}
+
+/* A triangle, two points inside its first side (3, 4) and one beside it (5). */
+static sg_work *
+open_side(const sg_point point[6], bool note)
+{
+  sg_work *work = sg_work_open((const double[3]){0, 0, 1});
+
+  for (int i = 0; i < 6; i++) {
+    sg_work_vertex(work, 1 + i, &point[i]);
+  }
+  for (int i = 3; i < 5 && note; i++) {
+    sg_work_note_along(work, i, 1, 0);
+  }
+  return work;
+}
+
+/* Every turn is what it is without the word of the caller. */
+static void
+test_along(void)
+{
+  unsigned bad = 0, lines = 0;
+
+  for (int round = 0; round < 200; round++) {
+    sg_point point[6];
+
+    sg_point_set(&point[0], (const double[3]){0, 0.1 * pick(9), 0});
+    sg_point_set(&point[1], (const double[3]){1, 0.1 * pick(9), 0});
+    sg_point_set(&point[2], (const double[3]){0.3, 3, 0});
+    third_point(&point[3], point);
+    third_point(&point[4], point);
+    third_point(&point[5], point + 1);
+    sg_work *with = open_side(point, true), *without = open_side(point, false);
+    for (int k = 0; k < 6 * 6 * 6; k++) {
+      int a = k % 6, b = k / 6 % 6, c = k / 36;
+      int turns = sg_work_turn(without, a, b, c);
+
+      bad += sg_work_turn(with, a, b, c) != turns;
+      lines += turns == 0 && a != b && b != c && c != a;
+    }
+    for (int i = 0; i < 6; i++) {
+      sg_point_clear(&point[i]);
+    }
+    sg_work_close(with);
+    sg_work_close(without);
+  }
+  CHECK("turns of points along an edge", bad == 0);
+  CHECK("points were in line", lines >= 200 * 24);
+}
+
 int
 main(void)
 {
@@ -150,5 +213,6 @@ main(void)
   test_candidates(40, 12, 12, 200);
   test_candidates(120, 60, 60, 100);
   test_triangulate();
+  test_along();
   return check_report();
 }
