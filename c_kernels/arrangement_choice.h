@@ -51,7 +51,7 @@ typedef struct sg_choice {
 static inline int
 sg_sense_of(const sg_source *from, uint32_t component)
 {
-  return from->sense[component - from->leaf->first_part];
+  return from->sense[component];
 }
 
 static inline bool

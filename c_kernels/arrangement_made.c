@@ -6,6 +6,7 @@
  */
 #include "arrangement_private.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -90,16 +91,29 @@ find_made(const sg_arrangement *a, sg_arranged *leaf)
   return true;
 }
 
-bool
-sg_arrangement_find_made(sg_arrangement *a, const sg_poll *poll)
+typedef struct finding {
+  sg_arrangement *a;
+  atomic_bool failed;
+} finding;
+
+static void
+find_made_task(void *data, size_t number)
 {
-  for (size_t i = 0; i < a->leaves.n; i++) {
-    if (sg_poll_stop(poll) ||
-        (a->leaf[i].wanted && !find_made(a, &a->leaf[i]))) {
-      return false;
-    }
+  finding *f = data;
+  sg_arranged *leaf = &f->a->leaf[number];
+
+  if (leaf->wanted && !find_made(f->a, leaf)) {
+    atomic_store(&f->failed, true);
   }
-  return true;
+}
+
+bool
+sg_arrangement_find_made(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
+{
+  finding f = {.a = a};
+
+  return sg_crew_run(crew, a->leaves.n, find_made_task, &f, poll) &&
+         !atomic_load(&f.failed);
 }
 
 const sg_made_vertex *

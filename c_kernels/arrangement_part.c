@@ -9,7 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ASKED = 1 << 14 }; /* rows between questions */
+enum {
+  ASKED = 1 << 14, /* rows between questions */
+  PAGES = 16       /* of a task */
+};
 
 /* ---- which rows are there ---- */
 
@@ -114,28 +117,51 @@ has_auxiliary(const uint64_t *live, const int32_t *et)
   return found != 0;
 }
 
-bool
-sg_arrangement_find_auxiliary(sg_arrangement *a, const sg_poll *poll)
+typedef struct auxiliary_pages {
+  const sg_view *e;
+  bool *has; /* [pages] */
+} auxiliary_pages;
+
+/* A task is a few pages. */
+static void
+look_for_auxiliary(void *data, size_t task)
 {
-  const sg_view *e = &a->leaves.views->e;
+  const auxiliary_pages *pages = data;
+  const sg_view *e = pages->e;
 
-  for (size_t page = 0; page < e->pages; page++) {
-    const int32_t *et = e->column[4].page[page].i;
+  for (size_t i = task * PAGES; i < (task + 1) * PAGES && i < e->pages; i++) {
+    pages->has[i] = has_auxiliary(e->live[i], e->column[4].page[i].i);
+  }
+}
 
-    if (page % 16 == 15 && sg_poll_stop(poll)) {
+static bool
+note_auxiliary_of(sg_arrangement *a, const sg_view *e, size_t page)
+{
+  const int32_t *et = e->column[4].page[page].i;
+
+  for (unsigned r = sg_live_next(e->live[page], 0); r < SG_PAGE_ROWS;
+       r = sg_live_next(e->live[page], r + 1)) {
+    if (et[r] == 0 && !note_auxiliary(a, e, page, r)) {
       return false;
-    }
-    if (!has_auxiliary(e->live[page], et)) {
-      continue;
-    }
-    for (unsigned r = sg_live_next(e->live[page], 0); r < SG_PAGE_ROWS;
-         r = sg_live_next(e->live[page], r + 1)) {
-      if (et[r] == 0 && !note_auxiliary(a, e, page, r)) {
-        return false;
-      }
     }
   }
   return true;
+}
+
+bool
+sg_arrangement_find_auxiliary(sg_arrangement *a, sg_crew *crew,
+                              const sg_poll *poll)
+{
+  const sg_view *e = &a->leaves.views->e;
+  auxiliary_pages pages = {e, calloc(e->pages + 1, sizeof *pages.has)};
+  bool good = pages.has && sg_crew_run(crew, (e->pages + PAGES - 1) / PAGES,
+                                       look_for_auxiliary, &pages, poll);
+
+  for (size_t i = 0; i < e->pages && good; i++) {
+    good = !pages.has[i] || (note_auxiliary_of(a, e, i) && !sg_poll_stop(poll));
+  }
+  free(pages.has);
+  return good;
 }
 
 /* ---- polygons that are not cut ---- */
@@ -394,122 +420,162 @@ sg_arrangement_flood(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 
 /* ---- components ---- */
 
+/* Nothing of one leaf hangs together with anything of another: leaves are
+ * tasks, and their components come one leaf after another. */
+typedef struct finding {
+  sg_arrangement *a;
+  uint32_t *of_root; /* [nodes]: the component of a root, in its leaf */
+  struct found {
+    sg_part *part; /* [parts] */
+    size_t parts, room;
+    bool failed;
+  } * found; /* [leaves] */
+} finding;
+
 static bool
-new_part(sg_arrangement *a)
+new_part(struct found *to)
 {
-  if (a->parts == a->part_room) {
-    size_t room = 2 * a->part_room + 16;
-    sg_part *grown = realloc(a->part, room * sizeof *grown);
+  if (to->parts == to->room) {
+    size_t room = 2 * to->room + 16;
+    sg_part *grown = realloc(to->part, room * sizeof *grown);
 
     if (!grown) {
       return false;
     }
-    a->part = grown;
-    a->part_room = room;
+    to->part = grown;
+    to->room = room;
   }
-  a->part[a->parts++] = (sg_part){.unknown = true};
+  to->part[to->parts++] = (sg_part){.unknown = true};
   return true;
 }
 
-/* leaf->component becomes the root of what was its node. Leaves are tasks, as
- * in flooding. */
-static void
-find_roots(void *data, size_t number)
-{
-  sg_arrangement *a = data;
-  sg_arranged *leaf = &a->leaf[number];
-
-  for (size_t i = 0; i < leaf->rows; i++) {
-    if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
-      return;
-    }
-    if (leaf->component[i] != SG_NO_KEY) {
-      leaf->component[i] = sg_arrangement_root(a, leaf->component[i]);
-    }
-  }
-}
-
-/* The component of a root, new if it has none: *of_root[root]. */
+/* The component of a piece with this node, new if it has none, gets a point
+ * inside the piece if it has none. SG_NO_KEY: no memory. */
 static uint32_t
-part_of(sg_arrangement *a, uint32_t *of_root, uint32_t root)
+part_of(const finding *f, struct found *to, uint32_t node, const sg_part *piece)
 {
-  if (of_root[root] == SG_NO_KEY) {
-    of_root[root] = new_part(a) ? (uint32_t)(a->parts - 1) : SG_NO_KEY;
+  uint32_t *number = &f->of_root[sg_arrangement_root(f->a, node)];
+
+  if (*number == SG_NO_KEY) {
+    if (!new_part(to)) {
+      return SG_NO_KEY;
+    }
+    *number = (uint32_t)(to->parts - 1);
   }
-  return of_root[root];
+  sg_part *part = &to->part[*number];
+
+  if (part->unknown) {
+    *part = *piece;
+    if (!sg_arrangement_point(f->a, part)) {
+      return SG_NO_KEY;
+    }
+  }
+  return *number;
 }
 
-/* If the component has no point yet, one inside this piece. False: no memory.
- */
+/* leaf->component becomes the component of what was its node. */
 static bool
-give_point(sg_arrangement *a, uint32_t number, const sg_part *piece)
+find_row_parts(const finding *f, uint32_t number)
 {
-  sg_part *part = &a->part[number];
-
-  if (!part->unknown) {
-    return true;
-  }
-  *part = *piece;
-  return sg_arrangement_point(a, part);
-}
-
-static bool
-find_row_parts(sg_arrangement *a, uint32_t number, uint32_t *of_root,
-               const sg_poll *poll)
-{
-  sg_arranged *leaf = &a->leaf[number];
+  sg_arranged *leaf = &f->a->leaf[number];
 
   for (size_t i = 0; i < leaf->rows; i++) {
-    if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
-      return false;
-    }
-    if (leaf->component[i] == SG_NO_KEY) {
-      continue;
-    }
-    uint32_t c = part_of(a, of_root, leaf->component[i]);
+    uint32_t *c = &leaf->component[i];
     sg_part piece = {.leaf = number, .of = i, .row = leaf->row[i]};
 
-    if (c == SG_NO_KEY || !give_point(a, c, &piece)) {
+    if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
       return false;
     }
-    leaf->component[i] = c;
+    if (*c != SG_NO_KEY &&
+        (*c = part_of(f, &f->found[number], *c, &piece)) == SG_NO_KEY) {
+      return false;
+    }
   }
   return true;
 }
 
 static bool
-find_cell_parts(sg_arrangement *a, uint32_t number, uint32_t *of_root)
+find_cell_parts(const finding *f, uint32_t number)
 {
-  const sg_arranged *leaf = &a->leaf[number];
+  const sg_arranged *leaf = &f->a->leaf[number];
 
   for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
-    sg_cell *cell = &a->cell[i];
-    uint32_t c = part_of(a, of_root, sg_arrangement_root(a, cell->node));
+    sg_cell *cell = &f->a->cell[i];
     sg_part piece = {.leaf = number, .cut = true, .of = i};
 
-    if (c == SG_NO_KEY || !give_point(a, c, &piece)) {
+    cell->component = part_of(f, &f->found[number], cell->node, &piece);
+    if (cell->component == SG_NO_KEY) {
       return false;
     }
-    cell->component = c;
   }
   return true;
+}
+
+static void
+find_leaf_parts(void *data, size_t number)
+{
+  const finding *f = data;
+
+  f->found[number].failed = !find_row_parts(f, (uint32_t)number) ||
+                            !find_cell_parts(f, (uint32_t)number);
+}
+
+/* The components of all leaves, as they are found. False: no memory; or
+ * stopped. */
+static bool
+gather_parts(const finding *f)
+{
+  sg_arrangement *a = f->a;
+  size_t parts = 0;
+
+  for (size_t i = 0; i < a->leaves.n; i++) {
+    if (f->found[i].failed) {
+      return false;
+    }
+    a->leaf[i].first_part = parts;
+    a->leaf[i].parts = f->found[i].parts;
+    parts += f->found[i].parts;
+  }
+  if (!(a->part = malloc((parts + 1) * sizeof *a->part))) {
+    return false;
+  }
+  for (size_t i = 0; i < a->leaves.n; i++) {
+    if (f->found[i].parts > 0) {
+      memcpy(a->part + a->parts, f->found[i].part,
+             f->found[i].parts * sizeof *a->part);
+    }
+    a->parts += f->found[i].parts;
+    f->found[i].parts = 0; /* its points are the arrangement's now */
+  }
+  return true;
+}
+
+static void
+finding_clear(finding *f)
+{
+  for (size_t i = 0; f->found && i < f->a->leaves.n; i++) {
+    for (size_t k = 0; k < f->found[i].parts; k++) {
+      sg_point_clear(&f->found[i].part[k].at);
+    }
+    free(f->found[i].part);
+  }
+  free(f->found);
+  free(f->of_root);
 }
 
 bool
 sg_arrangement_find_parts(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 {
-  uint32_t *of_root = malloc((a->nodes + 1) * sizeof *of_root);
-  bool good = of_root && sg_crew_run(crew, a->leaves.n, find_roots, a, poll);
+  finding f = {.a = a,
+               .of_root = malloc((a->nodes + 1) * sizeof *f.of_root),
+               .found = calloc(a->leaves.n + 1, sizeof *f.found)};
+  bool good = f.of_root && f.found;
 
   if (good) {
-    memset(of_root, 0xff, (a->nodes + 1) * sizeof *of_root);
+    memset(f.of_root, 0xff, (a->nodes + 1) * sizeof *f.of_root);
+    good = sg_crew_run(crew, a->leaves.n, find_leaf_parts, &f, poll) &&
+           gather_parts(&f);
   }
-  for (uint32_t i = 0; i < a->leaves.n && good; i++) {
-    a->leaf[i].first_part = a->parts;
-    good =
-        find_row_parts(a, i, of_root, poll) && find_cell_parts(a, i, of_root);
-    a->leaf[i].parts = a->parts - a->leaf[i].first_part;
-  }
-  free(of_root);
+  finding_clear(&f);
   return good;
 }

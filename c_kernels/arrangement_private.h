@@ -18,7 +18,8 @@ typedef struct sg_arranged {
   uint32_t node;       /* of its first vertex */
   const uint32_t *row; /* [rows]: its leaf triangles, rows of t/6 */
   size_t rows;
-  uint32_t *component; /* [rows], SG_NO_KEY: of a polygon that is cut */
+  uint32_t *component; /* [rows]: of the leaf's, from 0; SG_NO_KEY: of a
+                          polygon that is cut */
   sg_id_set cut;       /* polygons */
   bool wanted, surface;
   size_t first_cell, cells;
@@ -39,9 +40,9 @@ typedef struct sg_cell_triangle {
 typedef struct sg_cell {
   uint32_t leaf; /* place */
   int32_t p;
-  int axis;        /* along which its polygon is seen */
-  size_t first, n; /* triangles */
-  uint32_t node, component;
+  int axis;                 /* along which its polygon is seen */
+  size_t first, n;          /* triangles */
+  uint32_t node, component; /* the second: of the leaf's */
 } sg_cell;
 
 /* A leaf triangle of a polygon that is cut. */
@@ -85,7 +86,7 @@ struct sg_arrangement {
   uint32_t *parent; /* [nodes] */
   size_t nodes, node_room;
   sg_part *part; /* [parts]: the components */
-  size_t parts, part_room;
+  size_t parts;
   sg_side *side;
   size_t sides, side_room;
 };
@@ -140,10 +141,12 @@ void sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other);
 
 /* The vertices that cuts made (arrangement_made.c), after cells are in order.
  * False: no memory, or stopped. */
-bool sg_arrangement_find_made(sg_arrangement *a, const sg_poll *poll);
+bool sg_arrangement_find_made(sg_arrangement *a, sg_crew *crew,
+                              const sg_poll *poll);
 
 /* Components from what hangs together (arrangement_part.c). */
-bool sg_arrangement_find_auxiliary(sg_arrangement *a, const sg_poll *poll);
+bool sg_arrangement_find_auxiliary(sg_arrangement *a, sg_crew *crew,
+                                   const sg_poll *poll);
 bool sg_arrangement_flood(sg_arrangement *a, sg_crew *crew,
                           const sg_poll *poll);
 bool sg_arrangement_find_parts(sg_arrangement *a, sg_crew *crew,

@@ -430,9 +430,9 @@ sg_arrangement_find_sides(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 bool
 sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 {
-  return sg_arrangement_find_auxiliary(a, poll) &&
+  return sg_arrangement_find_auxiliary(a, crew, poll) &&
          sg_arrangement_flood(a, crew, poll) &&
-         sg_arrangement_find_made(a, poll) &&
+         sg_arrangement_find_made(a, crew, poll) &&
          sg_arrangement_find_parts(a, crew, poll) &&
          sg_arrangement_find_sides(a, crew, poll);
 }
