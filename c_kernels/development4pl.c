@@ -470,7 +470,9 @@ joint_path(term_t handle, term_t number, term_t list)
   if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
     return FALSE;
   }
-  if (!(path = sg_flattening_path(&d->flattening, j, &n))) {
+  const uint32_t *face = d->joints.joint[j].face;
+
+  if (!(path = sg_flattening_path(&d->flattening, face[1], face[0], &n))) {
     return sg_no_memory();
   }
   int good = unify_joints(list, path, n);

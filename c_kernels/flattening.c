@@ -47,6 +47,12 @@ begin_island(sg_flattening *fl, uint32_t face)
       sg_flat_box_round((const double(*)[2])fl->at + first, end - first);
 }
 
+void
+sg_flattening_loosen(sg_flattening *fl, uint32_t face)
+{
+  begin_island(fl, face);
+}
+
 static bool
 begin_islands(sg_flattening *fl, const sg_poll *poll)
 {
@@ -70,7 +76,7 @@ sg_flattening_restart(sg_flattening *fl, const sg_poll *poll)
       fl->state[j] = SG_JOINT_OPEN;
     }
   }
-  fl->tests = fl->refused = fl->joins = 0;
+  fl->tests = fl->refused = fl->joins = fl->placed = 0;
   fl->tried = !begin_islands(fl, poll);
   return !fl->tried;
 }
@@ -288,6 +294,18 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
   fl->joins += !overlap;
   fl->moves += overlap ? 0 : moving->faces;
   return overlap || merge(fl, &of.motion, moving, onto);
+}
+
+bool
+sg_flattening_rejoin(sg_flattening *fl, uint32_t j)
+{
+  const sg_joint *joint = &fl->joints->joint[j];
+  sg_island *a = &fl->island[fl->island_of[joint->face[0]]];
+  sg_island *b = &fl->island[fl->island_of[joint->face[1]]];
+  bool second = is_larger(b, a);
+  sg_motion m = motion_onto(fl, joint, second);
+
+  return merge(fl, &m, second ? a : b, second ? b : a);
 }
 
 bool

@@ -45,6 +45,7 @@ typedef struct sg_flattening {
   double (*at)[2];                 /* [corners] in the island */
   sg_flat_stock stock;             /* items are triangles */
   size_t tests, refused, joins;    /* overlap tests of two triangles, ... */
+  size_t placed;                   /* faces moved, to see if they overlap */
   size_t moves;                    /* private: since it was asked to stop */
   uint32_t overlap[2];             /* faces that did, after SG_JOINT_OVERLAP */
   bool tried;                      /* private: not as it was at first */
@@ -71,6 +72,14 @@ bool sg_flattening_join(sg_flattening *flattening, uint32_t j,
                         const sg_poll *poll, sg_joint_state *state,
                         bool *stopped);
 
+/* Makes a face an island of its own again, in its own frame. To be done with
+ * all faces of an island; the states of its joints stay. */
+void sg_flattening_loosen(sg_flattening *flattening, uint32_t face);
+
+/* Joins j, whose faces are of two islands, and does not ask what overlaps: it
+ * was joined before. Its state stays. False: no memory. */
+bool sg_flattening_rejoin(sg_flattening *flattening, uint32_t j);
+
 /* All joints that are open, in this order. The fused kernel of the rule in
  * rules/development.pl. */
 bool sg_flattening_join_all(sg_flattening *flattening, const uint32_t *order,
@@ -93,11 +102,16 @@ typedef enum sg_order {
 uint32_t *sg_joint_order(const sg_flattening *flattening, unsigned order,
                          const sg_poll *poll, bool *stopped);
 
-/* The joints that were joined on the way from one face of joint j to the other,
- * in order; *n is 0 if there is no way. Null: no memory. Owner: the caller,
- * free(). */
-uint32_t *sg_flattening_path(const sg_flattening *flattening, uint32_t j,
-                             size_t *n);
+/* The joints that were joined on the way from one face to another, in order; *n
+ * is 0 if there is no way. Null: no memory. Owner: the caller, free(). */
+uint32_t *sg_flattening_path(const sg_flattening *flattening, uint32_t from,
+                             uint32_t to, size_t *n);
+
+/* Starts anew and joins just these joints, as they were joined before: what
+ * overlaps is not asked. False: no memory, or (*stopped) stopped by the poll.
+ */
+bool sg_flattening_join_folds(sg_flattening *flattening, const uint32_t *joint,
+                              size_t n, const sg_poll *poll, bool *stopped);
 
 /* A step: 2^-32 of the sheet, as a power of two; model units. */
 double sg_joint_step(const sg_flattening *flattening);

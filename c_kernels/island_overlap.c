@@ -78,6 +78,7 @@ triangle_overlaps(trial *t, uint32_t triangle)
   sg_flattening *fl = t->fl;
 
   fl->moves++;
+  fl->placed++;
   for (int k = 0; k < 3; k++) {
     sg_motion_move(&t->motion, fl->at[fl->faces->triangle[triangle][k]],
                    t->corner[k]);

@@ -1,4 +1,4 @@
-/* joint_order.c -- orders of joints, and ways along them: see flattening.h. */
+/* joint_order.c -- orders of joints, and ways along folds: see flattening.h. */
 #include "flattening.h"
 
 #include "sort.h"
@@ -219,11 +219,10 @@ spread(const sg_flattening *fl, walk *w, uint32_t from, uint32_t to)
 }
 
 uint32_t *
-sg_flattening_path(const sg_flattening *fl, uint32_t j, size_t *n)
+sg_flattening_path(const sg_flattening *fl, uint32_t from, uint32_t to,
+                   size_t *n)
 {
   const sg_flat_faces *f = fl->faces;
-  const sg_joint *joint = &fl->joints->joint[j];
-  uint32_t from = f->face_of[joint->side[1]], to = f->face_of[joint->side[0]];
   walk w = {malloc((f->faces + 1) * sizeof *w.by),
             malloc((f->faces + 1) * sizeof *w.queue)};
   uint32_t *path = malloc((f->faces + 1) * sizeof *path);
@@ -243,4 +242,23 @@ sg_flattening_path(const sg_flattening *fl, uint32_t j, size_t *n)
   free(w.by);
   free(w.queue);
   return path;
+}
+
+bool
+sg_flattening_join_folds(sg_flattening *fl, const uint32_t *joint, size_t n,
+                         const sg_poll *poll, bool *stopped)
+{
+  *stopped = !sg_flattening_restart(fl, poll);
+  for (size_t i = 0; i < n && !*stopped; i++) {
+    const uint32_t *face = fl->joints->joint[joint[i]].face;
+    *stopped = i % POLL_EVERY == 0 && sg_poll_stop(poll);
+    fl->tried = true;
+    if (fl->island_of[face[0]] != fl->island_of[face[1]]) {
+      if (!sg_flattening_rejoin(fl, joint[i])) {
+        return false;
+      }
+      fl->state[joint[i]] = SG_JOINT_JOINED;
+    }
+  }
+  return !*stopped;
 }

@@ -13,13 +13,15 @@
               [ record_development/5, recorded_development/4, score/3,
                 cannot_develop/2
               ]).
+:- use_module(development_search, [search_effort/4, exchanged/6, folds/2]).
 :- use_module(kernel,
               [ flattening_open/4, flattening_close/1, flattening_counts/4,
                 flattening_bent/2, flattening_invalid/2, flattening_joint/3,
                 flattening_restart/1, flattening_lay/2, flattening_measures/2,
                 flattening_write/2,
                 edge_joint/3, forbid_joint/2, join_faces/3, join_all/2,
-                join_before/3, joint_path/3, segments_tolerance/3
+                join_before/3, join_folds/2, joint_order/3, joint_path/3,
+                segments_tolerance/3
               ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -27,9 +29,9 @@
                 facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- autoload(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
 :- autoload(library(error), [existence_error/2, must_be/2]).
-:- autoload(library(lists), [last/2, member/2, numlist/3]).
+:- autoload(library(lists), [append/3, last/2, member/2, numlist/3]).
 :- autoload(library(option), [option/2, option/3]).
 :- autoload(library(pairs), [pairs_values/2]).
 /** <module> Developments: a segment laid flat, face by face, joined at edges.
@@ -39,8 +41,9 @@ joined by laying the one with its edge on that of the other. All joints are
 tried, in an order; one is taken if its faces do not hang together already and
 nothing would overlap. What is joined is a piece; a joint that is not taken is a
 seam. The order is that of the least seam (DV-6): flat edges first, then the
-longest. So a piece never overlaps itself (which DV-8 could not help), and
-another one begins where it would.
+longest; then folds are exchanged for better ones (development_search.pl). So a
+piece never overlaps itself (which DV-8 could not help), and another one begins
+where it would.
 
 The pattern is a segment of kind `pattern`, called development(S), flat in z = 0
 and seen from outside of S. Its polygons, edges and triangles have the ids that
@@ -77,6 +80,9 @@ they have in S; only vertices are new.
 %       Default is the order of the least seam alone.
 %     - tries(Count)
 %       So many orders are tried; default 8.
+%     - effort(Millions)
+%       How long folds are exchanged for better ones (development_search.pl):
+%       about so many million faces may be laid again; 0 is not at all.
 %     - strict(Strict)
 %       If `true`, polygons that are not flat are an error; default is that
 %       their triangles are used, with a warning.
@@ -184,23 +190,52 @@ has_polygon(S, P) :-
 
 best_laid(S, Options, Root, Flattening, Order, Measures) :-
     orders_to_try(Options, Orders, Objective),
-    maplist(tried(S, Options, Root, Flattening, Objective), Orders, Scored),
-    sort(Scored, [_-(Order/Measures)|_]),
-    (   last(Orders, Order)
+    length(Orders, Count),
+    search_effort(Flattening, Options, Count, Effort),
+    How = how(Objective, Effort),
+    maplist(tried(S, Options, Root, Flattening, How), Orders, Scored),
+    sort(Scored, [_-(Best/Order/Measures)|_]),
+    (   last(Orders, Best)
     ->  true
-    ;   laid(S, Options, Root, Flattening, Order)
+    ;   laid(S, Options, Root, Flattening, How, Best, _)
     ).
 
-tried(S, Options, Root, Flattening, Objective, Order, Score-(Order/Measures)) :-
-    laid(S, Options, Root, Flattening, Order),
+tried(S, Options, Root, Flattening, How, Order,
+      Score-(Order/Exchanged/Measures)) :-
+    How = how(Objective, _),
+    laid(S, Options, Root, Flattening, How, Order, Exchanged),
     stage(join, flattening_measures(Flattening, Measures)),
     score(Objective, Measures, Score).
 
-laid(S, Options, Root, Flattening, Order) :-
+%   laid(S, Options, Root, Flattening, How, Order, Exchanged): Exchanged is
+%   Order, or exchanged(Order) if folds were exchanged.
+
+laid(S, Options, Root, Flattening, How, Order, Exchanged) :-
     flattening_restart(Flattening),
     wishes_joined(S, Flattening, Options),
+    kept_folds(Options, Flattening, Kept),
     stage(rules, all_joined(S, Flattening, Order)),
+    How = how(Objective, Effort),
+    (   decision_is_default(join_order/3)
+    ->  exchanged(Flattening, Order, Kept, Objective, Effort, Exchanges)
+    ;   Exchanges = 0
+    ),
+    (   Exchanges =:= 0
+    ->  Exchanged = Order
+    ;   Exchanged = exchanged(Order)
+    ),
     stage(join, flattening_lay(Flattening, Root)).
+
+%   kept_folds(Options, Flattening, Kept): what is joined because it was wanted.
+
+kept_folds(Options, Flattening, Kept) :-
+    (   member(Option, Options),
+        functor(Option, Name, 1),
+        memberchk(Name, [keep,order]),
+        \+ arg(1, Option, [])
+    ->  folds(Flattening, Kept)
+    ;   Kept = []
+    ).
 
 orders_to_try(Options, Orders, Objective) :-
     (   option(minimize(Objective0), Options),
@@ -374,6 +409,9 @@ other(P, Other, P, Other).
 %       the other.
 %     - overlap(P1, P2)
 %       Joined, it would have laid polygon P2 on P1.
+%     - exchange(Js, J2, P1, P2)
+%       Its faces hang together by the joints Js, of which J2 comes after it in
+%       the order. With J2 cut instead, polygon P2 would lie on P1.
 %     - cut_by_wish
 %       It was to be cut.
 %     - forbidden
@@ -387,17 +425,55 @@ other(P, Other, P, Other).
 seam_reason(D, J, Reason) :-
     recorded_development(D, S, Options, Order),
     joint(D, J, E, _, seam, _),
-    with_flattening(S, Options, joint_reason(S, Options, Order, J, E, Reason)).
+    with_flattening(S, Options,
+                    joint_reason(D, S, Options, Order, J, E, Reason)).
 
-joint_reason(S, Options, Order, J, E, Reason, Flattening) :-
+joint_reason(D, S, Options, Order, J, E, Reason, Flattening) :-
     flattening_joint(Flattening, J, joint(E,_,_,_,_,_,_,_,State)),
     (   State == forbidden
     ->  Reason = cut_by_wish
+    ;   Order = exchanged(Order0)
+    ->  pattern_folds(D, Folds),
+        reason_among(Folds, Flattening, Order0, J, Reason)
     ;   wishes_joined(S, Flattening, Options),
         joined_before(S, Flattening, Order, J),
         join_faces(Flattening, J, Result),
         result_reason(Result, Flattening, J, Reason)
     ).
+
+pattern_folds(D, Folds) :-
+    findall(J, joint(D, J, _, _, fold, _), Folds).
+
+%   reason_among(Folds, Flattening, Order, J, Reason): why J is a seam where
+%   Folds are joined.
+
+reason_among(Folds, Flattening, Order, J, Reason) :-
+    join_folds(Flattening, Folds),
+    join_faces(Flattening, J, Result),
+    (   Result == same_piece
+    ->  joint_path(Flattening, J, Way),
+        way_reason(Way, Folds, Flattening, Order, J, Reason)
+    ;   result_reason(Result, Flattening, J, Reason)
+    ).
+
+%   A fold on the way that comes after J would have been given up for it, but
+%   for what would overlap then.
+
+way_reason(Way, Folds0, Flattening, Order, J, Reason) :-
+    (   last_after(Flattening, Order, J, Way, Last),
+        exclude(==(Last), Folds0, Folds),
+        join_folds(Flattening, Folds),
+        join_faces(Flattening, J, overlap(P1, P2))
+    ->  Reason = exchange(Way, Last, P1, P2)
+    ;   Reason = cycle(Way)
+    ).
+
+last_after(Flattening, Order, J, Way, Last) :-
+    joint_order(Flattening, Order, Js),
+    append(_, [J|After0], Js),
+    !,
+    findall(Fold, ( member(Fold, After0), memberchk(Fold, Way) ), After),
+    last(After, Last).
 
 joined_before(S, Flattening, Order, J) :-
     (   by_kernel

@@ -28,8 +28,8 @@ written to files.
 %!  record_development(+D, +S, +Options:list, +Order, +Measures) is det.
 %
 %   Remember that pattern D was made from segment S, as it is now, with Options,
-%   in this order of joints (joint_order/3), and has Measures
-%   (flattening_measures/2).
+%   and has Measures (flattening_measures/2). Order is that of its joints
+%   (joint_order/3), or exchanged(Order), if folds were exchanged after that.
 
 record_development(D, S, Options0, Order, Measures) :-
     include(is_wish, Options0, Options),
@@ -40,7 +40,7 @@ record_development(D, S, Options0, Order, Measures) :-
 is_wish(Option) :-
     functor(Option, Name, 1),
     ground(Option),
-    memberchk(Name, [removed,root,cut,keep,order,minimize]).
+    memberchk(Name, [removed,root,cut,keep,order,minimize,tries,effort]).
 
 %!  drop_pattern(+D) is det.
 %

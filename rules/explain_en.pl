@@ -364,6 +364,9 @@ statement_en(joined_in_order(default)) -->
 statement_en(joined_in_order(By)) -->
     { By \== default },
     [ 'edges are joined in the order of ~w (join_order/3)'-[By] ].
+statement_en(folds_exchanged) -->
+    [ 'then folds were taken back for others, wherever that made the seam of \c
+       the whole pattern shorter' ].
 statement_en(cut_instead(E, Difference)) -->
     { by_how_much_en(Difference, Text) },
     [ 'cut at edge ~d instead, the seam would be ~w'-[E, Text] ].
@@ -382,6 +385,10 @@ statement_en(would_overlap(S, P1, P2)) -->
     { maplist(polygon_word(S), [P1,P2], [W1,W2]) },
     [ 'joined here, polygon ~w would have come to lie on polygon ~w'-
       [W2, W1] ].
+statement_en(would_overlap_instead(S, E, P1, P2)) -->
+    { maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ 'joined here, and cut at edge ~d instead, polygon ~w would lie on \c
+       polygon ~w'-[E, W2, W1] ].
 statement_en(cut_by_wish) -->
     [ 'it was to be cut (unfolding/2, --cut)' ].
 statement_en(kept_by_wish) -->

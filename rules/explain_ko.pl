@@ -360,6 +360,9 @@ statement_ko(joined_in_order(default)) -->
 statement_ko(joined_in_order(By)) -->
     { By \== default },
     [ '모서리는 ~w의 순서로 잇는다 (join_order/3)'-[By] ].
+statement_ko(folds_exchanged) -->
+    [ '그런 다음 전개도 전체의 솔기가 짧아지는 곳마다 접는 선을 다른 것으로 \c
+       바꾸었다' ].
 statement_ko(cut_instead(E, Difference)) -->
     { by_how_much_ko(Difference, Text) },
     [ '대신 모서리 ~d에서 자르면 솔기는 ~w'-[E, Text] ].
@@ -375,6 +378,10 @@ statement_ko(cannot_be_kept(S, P1, P2)) -->
 statement_ko(would_overlap(S, P1, P2)) -->
     { maplist(polygon_word(S), [P1,P2], [W1,W2]) },
     [ '여기서 이으면 다각형 ~w이(가) 다각형 ~w 위에 놓였을 것이다'-[W2, W1] ].
+statement_ko(would_overlap_instead(S, E, P1, P2)) -->
+    { maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    [ '여기를 잇고 대신 모서리 ~d을(를) 자르면 다각형 ~w이(가) 다각형 ~w 위에 \c
+       놓인다'-[E, W2, W1] ].
 statement_ko(cut_by_wish) -->
     [ '자르라고 했다 (unfolding/2, --cut)' ].
 statement_ko(kept_by_wish) -->

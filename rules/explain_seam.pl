@@ -32,7 +32,8 @@ segment is laid flat with the edge kept, or cut, and both are measured.
 Where the current world has no pattern of the segment, one is made for the
 question, as unfold/3 makes it, with what Options want of it:
 
-    root(P), cut(E), keep(E), order(Ps), removed(P), minimize(Objective)
+    root(P), cut(E), keep(E), order(Ps), removed(P), minimize(Objective),
+    effort(N)
     as unfold/3 has them
     wanted(Pairs)
     S-Wanted, what is wanted of segment S, where it was looked up before
@@ -85,7 +86,7 @@ in_pattern(S, Options, D, Goal, Found) :-
 some_wish(Options) :-
     member(Option, Options),
     functor(Option, Name, 1),
-    memberchk(Name, [root,cut,keep,order,removed,minimize,wanted]),
+    memberchk(Name, [root,cut,keep,order,removed,minimize,effort,wanted]),
     !.
 
 pattern_laid(S, Options, D) :-
@@ -100,10 +101,10 @@ pattern_laid(S, Options, D) :-
     ;   wishes(S, Options, Wishes),
         wanted_of(S, Wishes, Wanted)
     ),
-    (   option(minimize(Objective), Options)
-    ->  How = [minimize(Objective)]
-    ;   How = []
-    ),
+    findall(Option,
+            ( member(Option, [minimize(_),effort(_)]),
+              option(Option, Options) ),
+            How),
     part_laid(S, Wanted, How, D).
 
 asked_segment(S, Options, S0) :-
@@ -178,16 +179,27 @@ seam_because(D, S, J, E, Length, Because) :-
     ;   Because = [because(changed_since, [])]
     ).
 
-reason_because(cycle(Js), D, _, E, Length, [Joined,Order|Others]) :-
+reason_because(cycle(Js), D, _, E, Length, [Joined|Because]) :-
     maplist(on_the_way(D), Js, Folds),
     least_fold(Folds, Least, Shortest),
     length(Folds, Count),
     shown_folds(Folds, Shown),
     Joined = because(joined_already(Count, Shortest, Least), Shown),
-    order_because(Order),
+    order_because(D, Order),
     Difference is Least-Length,
     kept_because(D, E, Kept),
-    Others = [because(cut_instead(Shortest, Difference), [])|Kept].
+    append(Order, [because(cut_instead(Shortest, Difference), [])|Kept],
+           Because).
+reason_because(exchange(Js, J2, P1, P2), D, S, E, _,
+               [ because(joined_already(Count, Shortest, Least), Shown),
+                 because(would_overlap_instead(S, E2, P1, P2), [])
+               | Kept ]) :-
+    maplist(on_the_way(D), Js, Folds),
+    least_fold(Folds, Least, Shortest),
+    length(Folds, Count),
+    shown_folds(Folds, Shown),
+    on_the_way(D, J2, _-fold(E2, _, _)),
+    kept_because(D, E, Kept).
 reason_because(overlap(P1, P2), D, S, E, _,
                [because(would_overlap(S, P1, P2), [])|Kept]) :-
     kept_because(D, E, Kept).
@@ -196,8 +208,13 @@ reason_because(forbidden, _, S, E, _, [because(may_not_join(S, E, By), [])]) :-
     decided_by(may_join/2, By).
 reason_because(point, _, _, _, _, [because(no_length, [])]).
 
-order_because(because(joined_in_order(By), [])) :-
-    decided_by(join_order/3, By).
+order_because(D, [because(joined_in_order(By), [])|Exchanged]) :-
+    decided_by(join_order/3, By),
+    recorded_development(D, _, _, Order),
+    (   Order = exchanged(_)
+    ->  Exchanged = [because(folds_exchanged, [])]
+    ;   Exchanged = []
+    ).
 
 %   on_the_way(D, J, Fold): Fold is Length-fold(E, P1, P2).
 
@@ -271,9 +288,9 @@ fold_because(D, E, Because) :-
         (   member(keep(Es), Options),
             memberchk(E, Es)
         ->  Because = [because(kept_by_wish, [])]
-        ;   order_because(Order),
+        ;   order_because(D, Order),
             cut_because(D, E, Cut),
-            Because = [Order|Cut]
+            append(Order, Cut, Because)
         )
     ;   Because = [because(changed_since, [])]
     ).
@@ -338,7 +355,7 @@ refusal(D, S, J, E, [Why]) :-
     once(seam_reason(D, J, Reason)),
     (   Reason = overlap(P1, P2)
     ->  Why = because(would_overlap(S, P1, P2), [])
-    ;   Reason = cycle(_)
+    ;   memberchk(Reason, [cycle(_),exchange(_,_,_,_)])
     ->  Why = because(no_length, [])
     ;   reason_because(Reason, D, S, E, 0, [Why])
     ).

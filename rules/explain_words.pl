@@ -103,11 +103,13 @@ statement_keys(line_in_polygon, [segment, edge, partner, polygon]).
 statement_keys(joined_already, [count, edge, length]).
 statement_keys(fold_on_the_way, [edge, polygon1, polygon2, length]).
 statement_keys(joined_in_order, [rules]).
+statement_keys(folds_exchanged, []).
 statement_keys(cut_instead, [edge, difference]).
 statement_keys(kept_instead, [difference, pieces, pieces_before]).
 statement_keys(cut_here, [difference, pieces, pieces_before]).
 statement_keys(cannot_be_kept, [segment, polygon1, polygon2]).
 statement_keys(would_overlap, [segment, polygon1, polygon2]).
+statement_keys(would_overlap_instead, [segment, edge, polygon1, polygon2]).
 statement_keys(cut_by_wish, []).
 statement_keys(kept_by_wish, []).
 statement_keys(may_not_join, [segment, edge, rules]).

@@ -155,6 +155,11 @@
             join_faces/3,             % +Flattening, +J, -Result
             join_all/2,               % +Flattening, +Order
             join_before/3,            % +Flattening, +Order, +J
+            exchange_seams/6,         % +Flattening, +Order, +Kept, +Objective,
+                                      % +Effort, -Exchanges
+            join_folds/2,             % +Flattening, +Joints
+            seam_length/2,            % +Flattening, -Length
+            fold_path/4,              % +Flattening, +P, +Q, -Joints
             joint_order/3,            % +Flattening, +Order, -Joints
             joint_path/3,             % +Flattening, +J, -Joints
             % nest4pl.c
@@ -1230,3 +1235,33 @@ the drawn surface. Degrees; see roll.h.
 %
 %   The joints that are joined on the way from one face of J to the other, []
 %   if there is no way.
+
+/* - - - seam_exchange4pl.c: folds exchanged - - - */
+
+%!  exchange_seams(+Flattening, +Order, +Kept:list, +Objective, +Effort,
+%!                 -Exchanges) is det.
+%
+%   What is joined, in the order of joints Order, is exchanged for folds that
+%   leave less seam, see seam_exchange.h; the joints Kept stay folds. Objective
+%   is `seam`, or `pieces`: fewer of them is worth any seam. Effort is about how
+%   many faces may be laid or moved for that. Exchanges is how many have helped.
+%   The fused kernel of development_search.pl, exchanged_by_rule/5.
+
+%!  join_folds(+Flattening, +Joints:list) is det.
+%
+%   Restarts and joins just Joints, as they were joined before: nothing is asked
+%   about overlaps.
+%
+%   @error existence_error(joint, Joints)
+
+%!  seam_length(+Flattening, -Length) is det.
+%
+%   The length of all joints that are neither joined nor have sides that lie on
+%   each other all the same, as joined by now; model units.
+
+%!  fold_path(+Flattening, +P, +Q, -Joints:list) is det.
+%
+%   The joints that are joined on the way between polygons P and Q of the
+%   pattern, [] if there is no way.
+%
+%   @error existence_error(polygon, P)

@@ -46,6 +46,10 @@ unfold_option(option(minimize, '', one_of([seam, pieces, longest, area]),
     'WHAT',
     'what should be small: the seam (as is usual), the number of pieces, the \c
      longest weld, or the area of the sheet')).
+unfold_option(option(effort, '', whole(0,1000), 'N',
+    'how hard to look for a shorter seam: about N million faces may be laid \c
+     anew for it; usually 3 for up to 10,000 faces, else 0, and 48 with \c
+     --minimize')).
 unfold_option(option(true, '', flag, '',
     'what is round is unrolled to its true lengths, not facet by facet: \c
      cylinders, cones, transitions')).
@@ -125,7 +129,8 @@ unfold_option(option(json, '', flag, '', 'the report as JSON')).
 wish_option(Option) :-
     Option = option(Name, _, _, _, _),
     unfold_option(Option),
-    memberchk(Name, [only,root,cut,keep,order,remove,minimize]).
+    memberchk(Name, [only,root,cut,keep,order,remove,minimize,
+                     effort]).
 
 %!  unfold_option_ko(?Name, -Help) is nondet.
 %
@@ -148,6 +153,9 @@ unfold_option_ko(remove, '뺄 다각형. 보기: base,top').
 unfold_option_ko(minimize,
     '줄일 것: seam(솔기의 길이, 보통), pieces(조각의 수), longest(가장 긴 \c
 용접선), area(판의 넓이)').
+unfold_option_ko(effort,
+    '더 짧은 솔기를 얼마나 찾을지: 면을 약 N백만 번까지 다시 놓아 본다. 보통 \c
+면 10,000개까지 3, 더 많으면 0, --minimize 와 함께는 48').
 
 unfold_option_ko(true,
     '둥근 것은 면마다가 아니라 실제 길이로 펼친다. 원기둥, 원뿔, 변이관').

@@ -121,7 +121,7 @@ patterns(Options, Flags, Ds) :-
 %   of a pattern, that the Options of the command line and the model ask for; to
 %   be called before lines change the segments.
 
-pattern_wanted(Item, Options, [wanted(Pairs)|Objective]) :-
+pattern_wanted(Item, Options, [wanted(Pairs)|How]) :-
     flag_wishes(Options, Flags),
     known_wishes,
     (   item_segment(Item, S)
@@ -129,10 +129,10 @@ pattern_wanted(Item, Options, [wanted(Pairs)|Objective]) :-
     ;   chosen(Options, Flags, Ss)
     ),
     findall(S-Wanted, ( member(S, Ss), all_wanted(Flags, S, Wanted) ), Pairs),
-    (   option(minimize(What), Options)
-    ->  Objective = [minimize(What)]
-    ;   Objective = []
-    ).
+    findall(Option,
+            ( member(Option, [minimize(_),effort(_)]),
+              option(Option, Options) ),
+            How).
 
 item_segment(Item, S) :-
     Item =.. [_,S0,_],
@@ -199,6 +199,7 @@ develop_option(Options, Option) :-
 
 develop_flag(trim, trim).
 develop_flag(minimize, minimize).
+develop_flag(effort, effort).
 develop_flag(tolerance, tolerance).
 develop_flag(true, true).
 develop_flag(generators, generators).

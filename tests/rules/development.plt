@@ -331,6 +331,10 @@ known(overlap(P1, P2), D) :-
     p(D, P2, _).
 known(cycle([J|Js]), D) :-
     forall(member(K, [J|Js]), joint(D, K, _, _, fold, _)).
+known(exchange(Js, J, P1, P2), D) :-
+    memberchk(J, Js),
+    known(cycle(Js), D),
+    known(overlap(P1, P2), D).
 
 test(reason_of_wish, Reason == cut_by_wish) :-
     in_model([box(size(1,1,1))],
