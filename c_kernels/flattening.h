@@ -45,7 +45,7 @@ typedef struct sg_flattening {
   double (*at)[2];                 /* [corners] in the island */
   sg_flat_stock stock;             /* items are triangles */
   size_t tests, refused, joins;    /* overlap tests of two triangles, ... */
-  size_t placed;                   /* faces moved, to see if they overlap */
+  size_t placed;                   /* triangles moved, to see if they overlap */
   size_t moves;                    /* private: since it was asked to stop */
   uint32_t overlap[2];             /* faces that did, after SG_JOINT_OVERLAP */
   bool tried;                      /* private: not as it was at first */
