@@ -192,6 +192,27 @@ cone_frame(sg_roll *r)
   r->volume = fabs(dot(n, r->axis));
 }
 
+static void
+fan_frame(sg_roll *r)
+{
+  const sg_surface *s = &r->surface;
+  double *along = r->across[0];
+
+  combine(1 / length(s->u), s->u, 0, s->u, along);
+  combine(1, s->v, -dot(s->v, along), along, r->axis);
+  combine(1 / length(r->axis), r->axis, 0, r->axis, r->axis);
+}
+
+/* What is rounded to a multiple of the grid is at most about `size`. */
+static void
+choose_grid(sg_roll *r, double size)
+{
+  int power;
+
+  frexp(size, &power);
+  r->grid = ldexp(1, power - 47);
+}
+
 bool
 sg_roll_open(sg_roll *r)
 {
@@ -199,6 +220,11 @@ sg_roll_open(sg_roll *r)
 
   r->sum = NULL;
   r->apex = NULL;
+  if (s->kind == SG_SURFACE_FAN) {
+    fan_frame(r);
+    choose_grid(r, length(s->u) + length(s->v));
+    return true;
+  }
   if (s->kind == SG_SURFACE_CYLINDER) {
     cylinder_frame(r);
   } else if (s->kind == SG_SURFACE_CONE && s->k != 1) {
@@ -206,10 +232,7 @@ sg_roll_open(sg_roll *r)
   } else {
     return false;
   }
-  int power;
-
-  frexp(length(s->u) + length(s->v) + length(r->axis), &power);
-  r->grid = ldexp(1, power - 47);
+  choose_grid(r, length(s->u) + length(s->v) + length(r->axis));
   if (!fill_panels(r)) {
     sg_roll_clear(r);
     return false;
@@ -255,6 +278,14 @@ void
 sg_roll_at(const sg_roll *r, double t, double h, double out[2])
 {
   const sg_surface *s = &r->surface;
+
+  if (s->kind == SG_SURFACE_FAN) {
+    double along = (1 - h + h * s->k) * t;
+
+    out[0] = rounded(r, along * length(s->u) + h * dot(s->v, r->across[0]));
+    out[1] = rounded(r, h * dot(s->v, r->axis));
+    return;
+  }
   double apex[2], sum = sum_at(r, t, apex), x, y;
 
   if (s->kind == SG_SURFACE_CYLINDER) {
@@ -281,6 +312,10 @@ sg_roll_generator(const sg_roll *r, double t)
 
   if (r->surface.kind == SG_SURFACE_CYLINDER) {
     return length(r->surface.w);
+  }
+  if (r->surface.kind == SG_SURFACE_FAN) {
+    combine((r->surface.k - 1) * t, r->surface.u, 1, r->surface.v, g);
+    return length(g);
   }
   generator(r, t, g);
   return fabs(1 - r->surface.k) * length(g);

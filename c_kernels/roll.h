@@ -8,6 +8,7 @@
  *   cone      x + iy = r * exp(i*angle): r = the distance from the apex, angle
  *                 = what the generators turn through from `start` to t; that
  *                 is seen from outside if k < 1 (the apex is above)
+ *   fan       x along u, y at right angles to it, towards v; from c
  *
  * Right, oblique and elliptic ones are the same. The lengths and angles are
  * integrals; panels are halved until the whole turn does not change, which is
@@ -31,12 +32,14 @@
 #include "surface.h"
 
 typedef struct sg_roll {
-  sg_surface surface; /* a cylinder, or a cone with k other than 1 */
+  sg_surface surface; /* a cylinder, a fan, or a cone with k other than 1 */
   double layer;       /* model units, along the outward normal */
   double start;       /* t, radians */
   /* The rest is made by sg_roll_open(). */
-  double axis[3];      /* cylinder: unit; cone: from the apex to c */
-  double across[2][3]; /* cylinder: u and v less what is along the axis */
+  double axis[3];      /* cylinder: unit; cone: from the apex to c; fan: unit,
+                          along y */
+  double across[2][3]; /* cylinder: u and v less what is along the axis; fan:
+                          unit, along x */
   double volume; /* of u, v and axis, positive: how fast the normal turns */
   double grid;   /* results are multiples of it */
   size_t panels;

@@ -18,7 +18,7 @@ static functor_t FUNCTOR_minus2, FUNCTOR_point3, FUNCTOR_vector3,
 
 static const double DEGREE = 0.017453292519943295;
 
-enum { FORMS = 5 };
+enum { FORMS = 6 };
 
 /* The terms of primitive_face.pl: a point, then vectors, then numbers. */
 static const struct {
@@ -29,7 +29,8 @@ static const struct {
                  {"cone", SG_SURFACE_CONE, 3, 1},
                  {"ruled", SG_SURFACE_RULED, 5, 0},
                  {"sphere", SG_SURFACE_SPHERE, 3, 0},
-                 {"torus", SG_SURFACE_TORUS, 3, 1}};
+                 {"torus", SG_SURFACE_TORUS, 3, 1},
+                 {"fan", SG_SURFACE_FAN, 2, 1}};
 
 static functor_t form_functor[FORMS];
 
@@ -200,6 +201,7 @@ get_roll_ex(term_t t, sg_roll *out)
     return FALSE;
   }
   if (out->surface.kind != SG_SURFACE_CYLINDER &&
+      out->surface.kind != SG_SURFACE_FAN &&
       (out->surface.kind != SG_SURFACE_CONE || out->surface.k == 1)) {
     return PL_domain_error("developable_surface", arg);
   }

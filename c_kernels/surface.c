@@ -39,11 +39,37 @@ plane_init(double plane[4])
   return length > 0;
 }
 
+/* The plane of a fan, and the rows that tell how far along u and v it is. */
+static bool
+fan_init(sg_surface *s)
+{
+  double n[3];
+
+  cross(s->u, s->v, n);
+  double square = dot(n, n);
+
+  if (!(square > 1e-24 * dot(s->u, s->u) * dot(s->v, s->v))) {
+    return false;
+  }
+  cross(s->v, n, s->inverse[0]);
+  cross(n, s->u, s->inverse[1]);
+  for (int k = 0; k < 3; k++) {
+    s->inverse[0][k] /= square;
+    s->inverse[1][k] /= square;
+  }
+  memcpy(s->plane, n, sizeof n);
+  s->plane[3] = -dot(n, s->c);
+  return plane_init(s->plane);
+}
+
 bool
 sg_surface_init(sg_surface *s)
 {
   if (s->kind == SG_SURFACE_PLANE) {
     return plane_init(s->plane);
+  }
+  if (s->kind == SG_SURFACE_FAN) {
+    return fan_init(s);
   }
   cross(s->v, s->w, s->inverse[0]);
   cross(s->w, s->u, s->inverse[1]);
@@ -117,7 +143,7 @@ sg_surface_value(const sg_surface *s, const double x[3], double *value,
 {
   double a[3], slope[3];
 
-  if (s->kind == SG_SURFACE_PLANE) {
+  if (s->kind == SG_SURFACE_PLANE || s->kind == SG_SURFACE_FAN) {
     memcpy(normal, s->plane, 3 * sizeof *normal);
     *value = dot(s->plane, x) + s->plane[3];
     return true;
@@ -145,6 +171,13 @@ sg_surface_place(const sg_surface *s, const double x[3], double *t, double *h)
   double a[3];
 
   coordinates(s, x, a);
+  if (s->kind == SG_SURFACE_FAN) {
+    double width = 1 - a[1] + a[1] * s->k;
+
+    *t = fabs(width) > 1e-12 ? a[0] / width : 0;
+    *h = a[1];
+    return;
+  }
   if (s->kind == SG_SURFACE_RULED) {
     a[0] /= 1 - a[2] + a[2] * s->k;
     a[1] /= 1 - a[2] + a[2] * s->k2;
@@ -158,6 +191,12 @@ sg_surface_point(const sg_surface *s, double t, double h, double out[3])
 {
   double p = 1, q, z = h;
 
+  if (s->kind == SG_SURFACE_FAN) {
+    memcpy(out, s->c, 3 * sizeof *out);
+    add(out, (1 - h + h * s->k) * t, s->u);
+    add(out, h, s->v);
+    return;
+  }
   switch (s->kind) {
   case SG_SURFACE_CONE:
   case SG_SURFACE_RULED:
@@ -173,6 +212,7 @@ sg_surface_point(const sg_surface *s, double t, double h, double out[3])
     break;
   case SG_SURFACE_PLANE:
   case SG_SURFACE_CYLINDER:
+  case SG_SURFACE_FAN:
     break;
   }
   q = s->kind == SG_SURFACE_RULED ? 1 - h + h * s->k2 : p;

@@ -7,10 +7,12 @@
  *   ruled     c + cos(t)*(1-h+h*k)*u + sin(t)*(1-h+h*k2)*v + h*w
  *   sphere    c + cos(h)*E + sin(h)*w
  *   torus     c + (1+k*cos(h))*E + k*sin(h)*w
+ *   fan       c + (1-h+h*k)*t*u + h*v: flat, between generators; w is not used
  *   plane     all X with plane . (X, 1) = 0; no parameters
  *
- * u, v, w may be any three vectors that do not lie in a plane, so right,
- * oblique and elliptic ones are the same. t in radians. Rounded; a surface has
+ * u, v, w may be any three vectors that do not lie in a plane (of a fan u and v
+ * any two that are not parallel), so right, oblique and elliptic ones are the
+ * same. t in radians. Rounded; a surface has
  * no borders here (a cylinder goes on for ever).
  *
  * Source: rules/primitive_face.pl.
@@ -27,7 +29,8 @@ typedef enum sg_surface_kind {
   SG_SURFACE_CONE,
   SG_SURFACE_RULED,
   SG_SURFACE_SPHERE,
-  SG_SURFACE_TORUS
+  SG_SURFACE_TORUS,
+  SG_SURFACE_FAN
 } sg_surface_kind;
 
 enum { SG_SURFACES_MOST = 3 }; /* that sg_surfaces_meet() takes */
@@ -36,12 +39,14 @@ typedef struct sg_surface {
   sg_surface_kind kind;
   double c[3], u[3], v[3], w[3];
   double k, k2;
-  double plane[4];      /* a plane's; the rest is not used then */
+  double plane[4];      /* a plane's, the rest is not used then; or a fan's */
   double inverse[3][3]; /* rows: the coordinates along u, v, w */
 } sg_surface;
 
-/* Fills `inverse` (of a plane: makes its normal a unit) from the rest.
- * Returns: false if u, v, w lie in a plane, or the normal is 0. */
+/* Fills `inverse` (of a plane: makes its normal a unit; of a fan: fills
+ * `plane`) from the rest. Returns: false if u, v, w lie in a plane, or the
+ * normal is 0.
+ */
 bool sg_surface_init(sg_surface *surface);
 
 /* How far x is from the surface, to first order, negative inside (below a

@@ -3,18 +3,18 @@
             bend_deduction/3            % +Degrees, +Options, -Deduction
           ]).
 :- use_module(store,
-              [ e/5, edge_polygon/3, from_v/4, joint/6, p/3, segment/3, t/6,
-                v/5, assert_fact/1, facts_transaction/1, fresh_id/3,
-                retract_fact/1
+              [ e/5, edge_polygon/3, from_v/4, joint/6, origin/3, p/3,
+                segment/3, t/6, v/5, assert_fact/1,
+                facts_transaction/1, fresh_id/3, retract_fact/1
               ]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
+:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- autoload(library(assoc),
             [ empty_assoc/1, gen_assoc/3, get_assoc/3, list_to_assoc/2,
               put_assoc/4
             ]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
 :- autoload(library(lists), [append/3, max_list/2, member/2]).
-:- autoload(library(option), [option/3]).
+:- autoload(library(option), [option/2, option/3]).
 :- autoload(library(pairs), [group_pairs_by_key/2]).
 /** <module> Folded plates: what bends take off a pattern.
 
@@ -48,7 +48,7 @@ apart gets one vertex for each.
 
 bend_deduction(Degrees, Options, Deduction) :-
     plate(Options, T, Size, K, R),
-    drawn_at(Size, Degrees, T, S),
+    drawn_at(Size, Degrees, T, K, S),
     A is abs(Degrees)*pi/180.0,
     Deduction is 2.0*tan(A/2.0)*(R + S) - A*(R + K*T).
 
@@ -56,7 +56,7 @@ plate(Options, T, Size, K, R) :-
     option(thickness(T), Options, 0.0),
     not_negative(thickness, T),
     option(size(Size), Options, middle),
-    must_be(oneof([inside,middle,outside]), Size),
+    must_be(oneof([inside,middle,outside,neutral]), Size),
     option(k_factor(K), Options, 0.44),
     must_be(between(0.0, 1.0), K),
     option(bend_radius(R), Options, T),
@@ -69,14 +69,16 @@ not_negative(What, Number) :-
     ;   domain_error(What, Number)
     ).
 
-drawn_at(middle, _, T, S) :-
+drawn_at(middle, _, T, _, S) :-
     S is T/2.0.
-drawn_at(outside, Degrees, T, S) :-
+drawn_at(neutral, _, T, K, S) :-
+    S is K*T.
+drawn_at(outside, Degrees, T, _, S) :-
     (   Degrees > 0
     ->  S = T
     ;   S = 0.0
     ).
-drawn_at(inside, Degrees, T, S) :-
+drawn_at(inside, Degrees, T, _, S) :-
     (   Degrees > 0
     ->  S = 0.0
     ;   S = T
@@ -91,14 +93,17 @@ drawn_at(inside, Degrees, T, S) :-
 %     - thickness(T)
 %     - size(Which)
 %       `inside`, `middle` (default) or `outside`: the surface of the plate that
-%       the model is.
+%       the model is; `neutral`: the layer that keeps its length. Of an open
+%       sheet whose bends all go one way, outside is the outer side of these,
+%       whichever side it shows.
 %     - bend_radius(R)
 %       Inside each bend; default T.
 %     - k_factor(K)
 %       Default 0.44.
 %
 %   Pieces keep their places; they may come nearer to each other by what bends
-%   add.
+%   add. Generators of a true development go with the edge or the polygon they
+%   lie on.
 %
 %   @error geometry_error(true(bend(S, P1, P2, Degrees))): the plate of segment
 %   S would turn by 170 degrees or more
@@ -112,7 +117,8 @@ pattern_bent(D, Options) :-
     ;   facts_transaction(sg_bend:bent(D, Options))
     ).
 
-bent(D, Options) :-
+bent(D, Options0) :-
+    seen_from(D, Options0, Options),
     findall(bend(E1, E2, P1, P2, Half),
             fold_half(D, Options, E1, E2, P1, P2, Half),
             Bends),
@@ -123,7 +129,28 @@ bent(D, Options) :-
     empty_assoc(Known),
     foldl(polygon_bent(D, Offsets, Shifts), Ps, corners(Known, []),
           corners(Places, Changes)),
-    changes_written(Changes, Places, D).
+    generator_moves(D, Changes, Places, Shifts, Moves),
+    changes_written(Changes, Places, D),
+    maplist(generator_moved(D), Moves).
+
+%   seen_from(D, Options0, Options): the other side of the plate is the outside
+%   of an open sheet that only has valley folds.
+
+seen_from(D, Options0, Options) :-
+    model_segment(D, S),
+    (   segment(S, surface, _),
+        joint(D, _, _, _, fold, _),
+        \+ ( joint(D, _, _, _, fold, Degrees),
+             Degrees > 0.01
+           ),
+        option(size(Size), Options0),
+        other_side(Size, Other)
+    ->  Options = [size(Other)|Options0]
+    ;   Options = Options0
+    ).
+
+other_side(inside, outside).
+other_side(outside, inside).
 
 %   told_corners(D, Offsets): flanges on both sides of a seam are as wide as in
 %   the model. Where both are bent at the same corner they come nearer to each
@@ -178,7 +205,8 @@ fold_half(D, Options, E1, E2, P1, P2, Half) :-
 %   model_segment(D, S): what D is the pattern of.
 
 model_segment(D, S) :-
-    (   segment(D, pattern, development(S0))
+    (   segment(D, pattern, Term),
+        memberchk(Term, [development(S0),true_development(S0, _)])
     ->  S = S0
     ;   S = D
     ).
@@ -415,3 +443,93 @@ vertex_rewritten(D, V, Places) :-
            ;   assert_fact(v(D, W, X, Y, 0.0)),
                forall(from_v(D, V, S, V0), assert_fact(from_v(D, W, S, V0)))
            )).
+
+
+                /*******************************
+                *          GENERATORS          *
+                *******************************/
+
+%   generator_moves(D, Changes, Known, Shifts, Moves): a move is move(V, X, Y):
+%   the end V of a generator goes to X, Y. One that runs along an edge goes
+%   where the edge goes, any other with its polygon.
+
+generator_moves(D, Changes, Known, Shifts, Moves) :-
+    findall(A-B,
+            ( origin(D, e(E), generator(_, _, _, _, _)), e(D, E, A, B, _) ),
+            Generators),
+    (   Generators == []
+    ->  Moves = []
+    ;   edge_moves(D, Changes, Known, Edges),
+        findall(Move,
+                ( member(A-B, Generators),
+                  end_moves(D, A, B, Edges, Shifts, Two),
+                  member(Move, Two) ),
+                Moves)
+    ).
+
+%   edge_moves(D, Changes, Known, Edges): an assoc from the places of the ends
+%   of each edge, rounded, to the places where they go.
+
+edge_moves(D, Changes, Known, Edges) :-
+    findall((P1-P2)-(Q1-Q2),
+            ( member(change(P, Map), Changes),
+              p(D, P, Es),
+              member(E, Es),
+              e(D, E, A, B, _),
+              end_move(D, A, Map, Known, P1, Q1),
+              end_move(D, B, Map, Known, P2, Q2) ),
+            Pairs0),
+    sort(1, @<, Pairs0, Pairs),
+    list_to_assoc(Pairs, Edges).
+
+end_move(D, V, Map, Known, Place, X-Y) :-
+    rounded_place(D, V, Place),
+    get_assoc(V, Map, W),
+    get_assoc(V, Known, Places),
+    memberchk(place(X, Y, W), Places).
+
+rounded_place(D, V, X-Y) :-
+    v(D, V, X0, Y0, _),
+    !,
+    X is round(X0*1.0e6),
+    Y is round(Y0*1.0e6).
+
+end_moves(D, A, B, Edges, Shifts,
+          [move(A, X1, Y1),move(B, X2, Y2)]) :-
+    rounded_place(D, A, P1),
+    rounded_place(D, B, P2),
+    (   get_assoc(P1-P2, Edges, (X1-Y1)-(X2-Y2))
+    ->  true
+    ;   get_assoc(P2-P1, Edges, (X2-Y2)-(X1-Y1))
+    ->  true
+    ;   v(D, A, XA, YA, _),
+        v(D, B, XB, YB, _),
+        X is (XA+XB)/2.0,
+        Y is (YA+YB)/2.0,
+        polygon_at(D, X, Y, P),
+        get_assoc(P, Shifts, SX-SY)
+    ->  X1 is XA+SX,
+        Y1 is YA+SY,
+        X2 is XB+SX,
+        Y2 is YB+SY
+    ;   v(D, A, X1, Y1, _),
+        v(D, B, X2, Y2, _)
+    ),
+    !.
+
+polygon_at(D, X, Y, P) :-
+    t(D, P, _, A, B, C),
+    left_of(D, A, B, X, Y),
+    left_of(D, B, C, X, Y),
+    left_of(D, C, A, X, Y),
+    !.
+
+left_of(D, A, B, X, Y) :-
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _),
+    (X2-X1)*(Y-Y1) - (Y2-Y1)*(X-X1) >= 0.0.
+
+generator_moved(D, move(V, X, Y)) :-
+    once(v(D, V, X0, Y0, Z0)),
+    retract_fact(v(D, V, X0, Y0, Z0)),
+    assert_fact(v(D, V, X, Y, 0.0)).

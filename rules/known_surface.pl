@@ -186,7 +186,8 @@ plain_surface(sphere(C,U,V,W), surface(sphere,Frame,0.0,0.0)) :-
 plain_surface(torus(C,U,V,W,K0), surface(torus,Frame,K,0.0)) :-
     K is float(K0),
     frame(C, U, V, W, Frame).
-plain_surface(bezier(_), surface(free,Frame,0.0,0.0)) :-
+plain_surface(Term, surface(free,Frame,0.0,0.0)) :-
+    memberchk(Term, [bezier(_),fan(_,_,_,_),transition(_)]),
     frame(point(0.0,0.0,0.0), vector(0.0,0.0,0.0), vector(0.0,0.0,0.0),
           vector(0.0,0.0,0.0), Frame).
 

@@ -27,6 +27,8 @@
               [ circle_shape/2, cone_shape/2, cylinder_shape/2,
                 hollow_cylinder_shape/2
               ]).
+:- use_module(primitive_transition,
+              [open_transition_shape/2, transition_shape/2]).
 :- use_module(primitive_turning, [turning_shape/2]).
 :- use_module(shape, [loops_vertex_list/2, mirrored_faces/2]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
@@ -171,6 +173,16 @@ primitive_row(turning, solid,
               turning_shape,
               'turning(outline([[R, Z], ...]), holes([[[R, Z], ...], ...]), \c
                angle(Degrees), facets(N))').
+primitive_row(transition, solid, Arguments, transition_shape,
+              'transition(base(Outline), top(Outline), height(H), \c
+               shift(X, Y), tilt(Degrees, Towards), turn(Degrees), \c
+               facets(N)), Outline one of circle(R), ellipse(A, B), \c
+               rectangle(A, B), rectangle(A, B, R), \c
+               polygon([[X, Y], ...])') :-
+    transition_arguments(Arguments).
+primitive_row(open_transition, surface, Arguments, open_transition_shape,
+              'open_transition(...), as transition(...)') :-
+    transition_arguments(Arguments).
 primitive_row(polyhedron, solid, Arguments,
               polyhedron_shape,
               'polyhedron(points([[X, Y, Z], ...]), faces([[1, 2, 3], ...]))'
@@ -198,6 +210,16 @@ shift(argument(shift, [[number, number]], [0.0, 0.0])).
 
 globe(argument(radius, [[length], [length, length, length]], needed),
       argument(bands, [[count]], none), Fineness) :-
+    fineness(Fineness).
+
+transition_arguments([ argument(base, [[outline]], needed),
+                       argument(top, [[outline]], needed),
+                       argument(height, [[length]], needed),
+                       argument(tilt, [[number], [number, number]], [0.0]),
+                       argument(turn, [[number]], [0.0]),
+                       Shift | Fineness
+                     ]) :-
+    shift(Shift),
     fineness(Fineness).
 
 points_and_faces([ argument(points, [[points3]], needed),

@@ -9,6 +9,7 @@
             primitive_error/2           % +What, +Term
           ]).
 :- use_module(angle, [chord_facets/4]).
+:- use_module(transition_outline, [outline_argument/2]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(lists), [append/3, member/2, nth1/3]).
 /** <module> The named arguments of primitives, checked.
@@ -125,6 +126,9 @@ argument_number(points3, List, Where, Points) :-
     items(List, point3, Where, Points).
 argument_number(loops2, List, Where, Loops) :-
     items(List, points2, Where, Loops).
+argument_number(outline, Value, _, Outline) :-
+    nonvar(Value),
+    outline_argument(Value, Outline).
 argument_number(faces, List, Where, Faces) :-
     items(List, face, Where, Faces).
 

@@ -145,6 +145,17 @@ primitive_en(point_on_axis(Z), _) -->
     [ 'the outline touches the axis in a single point, at ~w, where its edge \c
        is level'-[Z], nl,
       '  Keep it clear of the axis, or let an edge run along the axis.' ].
+primitive_en(corners_too_round(R), _) -->
+    [ 'a rectangle has no room for corners of radius ~w'-[R], nl,
+      '  The radius is half of its shorter side at most.' ].
+primitive_en(not_convex(X, Y), _) -->
+    [ 'the outline does not turn left at its corner [~w, ~w]'-[X, Y], nl,
+      '  Outlines of transitions are convex, and have corners only where they \c
+       turn.' ].
+primitive_en(planes_cross, _) -->
+    [ 'the plane of one outline goes through the other: there is no \c
+       transition', nl,
+      '  Give a smaller tilt(...), or a greater height(...).' ].
 primitive_en(no_faces, _) -->
     [ 'there are no faces', nl,
       '  Give at least one.' ].
@@ -199,6 +210,8 @@ type_en(count, 'a whole number from 1 to 1000000').
 type_en(factor, 'a factor from 0').
 type_en(number, 'a number').
 type_en(turn, 'an angle above 0, to 360').
+type_en(outline, 'circle(R), ellipse(A, B), rectangle(A, B), \c
+                  rectangle(A, B, R) or polygon([[X, Y], ...])').
 type_en(points2, 'a list of points [X, Y]').
 type_en(points3, 'a list of points [X, Y, Z]').
 type_en(loops2, 'a list of lists of points [X, Y]').

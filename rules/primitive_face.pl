@@ -31,6 +31,9 @@ point(X, Y, Z), and U, V, W = vector(X, Y, Z):
     torus(C, U, V, W, K)      C + (1+K*cos(s))*(cos(t)*U + sin(t)*V)
                                 + K*sin(s)*W
     bezier(Points)            the 16 control points
+    fan(C, U, V, K)           C + (1-h+h*K)*t*U + h*V, t in radians: flat, what
+                                lies between two edges of a transition
+    transition(pieces(Pieces))    primitive_transition.pl
 
 with h from 0 (base) to 1 (top). So the axis goes from C along W; a cone with K
 = 0 has its apex at C + W; U and V are radii of the base (conjugate ones, if a
@@ -117,6 +120,9 @@ surface_point(torus(C, U, V, W, K), T, S, Point) :-
     B is (1.0 + K*CosS)*SinT,
     D is K*SinS,
     combined(C, [A-U, B-V, D-W], Point).
+surface_point(fan(C, U, V, K), T, H, Point) :-
+    A is (1.0-H+H*K)*T*pi/180.0,
+    combined(C, [A-U, H-V], Point).
 surface_point(bezier(Points), U, V, Point) :-
     bernstein(U, Us),
     bernstein(V, Vs),

@@ -123,6 +123,15 @@ primitive_ko(across_axis(R, Z), _) -->
 primitive_ko(point_on_axis(Z), _) -->
     [ '윤곽이 ~w 에서 축과 한 점에서만 만나는데 그 모서리가 수평입니다'-[Z], nl,
       '  축에서 떨어뜨리거나 모서리가 축을 따라가게 하십시오.' ].
+primitive_ko(corners_too_round(R), _) -->
+    [ '사각형에 반지름 ~w 의 둥근 모서리가 들어갈 자리가 없습니다'-[R], nl,
+      '  반지름은 짧은 변의 반까지입니다.' ].
+primitive_ko(not_convex(X, Y), _) -->
+    [ '윤곽이 꼭짓점 [~w, ~w] 에서 왼쪽으로 돌지 않습니다'-[X, Y], nl,
+      '  변이관의 윤곽은 볼록하고, 꺾이는 곳에만 꼭짓점이 있습니다.' ].
+primitive_ko(planes_cross, _) -->
+    [ '한 윤곽의 평면이 다른 윤곽을 지나므로 변이관이 없습니다', nl,
+      '  tilt(...) 를 줄이거나 height(...) 를 늘리십시오.' ].
 primitive_ko(no_faces, _) -->
     [ '면이 없습니다', nl,
       '  하나 이상 주십시오.' ].
@@ -178,6 +187,8 @@ type_ko(count, '1에서 1000000까지의 정수').
 type_ko(factor, '0 이상의 배율').
 type_ko(number, '수').
 type_ko(turn, '0보다 크고 360 이하인 각').
+type_ko(outline, 'circle(R), ellipse(A, B), rectangle(A, B), \c
+                  rectangle(A, B, R) 또는 polygon([[X, Y], ...])').
 type_ko(points2, '점 [X, Y] 의 리스트').
 type_ko(points3, '점 [X, Y, Z] 의 리스트').
 type_ko(loops2, '점 [X, Y] 의 리스트의 리스트').

@@ -2,6 +2,7 @@
           [ cross_product/3,            % +U, +V, -W
             dot_product/3,              % +U, +V, -Product
             difference/3,               % +P, +Q, -Vector
+            vector_sum/3,               % +U, +V, -Sum
             scaled/3,                   % +Factor, +U, -V
             angle_between/3             % +U, +V, -Radians
           ]).
@@ -12,6 +13,7 @@ surfaces use them. Rounded.
 :- set_prolog_flag(optimise, true).
 
 %!  difference(+P, +Q, -Vector) is det.
+%!  vector_sum(+U, +V, -Sum) is det.
 %!  cross_product(+U, +V, -W) is det.
 %!  dot_product(+U, +V, -Product) is det.
 %!  scaled(+Factor, +U, -V) is det.
@@ -23,6 +25,11 @@ difference(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
     X is X1-X2,
     Y is Y1-Y2,
     Z is Z1-Z2.
+
+vector_sum(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
+    X is X1+X2,
+    Y is Y1+Y2,
+    Z is Z1+Z2.
 
 cross_product(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
     X is Y1*Z2 - Z1*Y2,

@@ -2,8 +2,10 @@
           [ true_development/4,         % +S, ?Part, +Options, -D
             developable_part/3          % ?S, ?Part, -Surface
           ]).
+:- use_module(bend, [pattern_bent/2]).
 :- use_module(store, [segment/3, facts_transaction/1]).
-:- use_module(primitive_face, [surface_point/4]).
+:- use_module(primitive_face, [smooth_surface/3, surface_point/4]).
+:- use_module(true_composed, [composed_unrolled/4]).
 :- use_module(true_divide,
               [facet_divided/7, facet_index/2, generator_spans/5]).
 :- use_module(true_layout,
@@ -12,7 +14,7 @@
               ]).
 :- use_module(true_pattern, [pattern_written/3]).
 :- use_module(true_shape,
-              [ true_part/5, part_facets/4, key_place/4, facet_middle/2,
+              [ true_part/5, part_facets/4, facet_middle/2, facets_sense/3,
                 shifted_facet/3
               ]).
 :- use_module(true_tip, [tips_moved/5]).
@@ -39,8 +41,8 @@ chord tolerance.
 %!  developable_part(?S, ?Part, -Surface) is nondet.
 %
 %   Part of segment S has a true development: it has facets of Surface, a
-%   cylinder, a cone, or what is `ruled` between two ellipses (a transition). In
-%   a segment that was made of primitives, as by trimming, Part is Leaf/Name:
+%   cylinder, a cone, what is `ruled` between two ellipses, or a `transition`.
+%   In a segment that was made of primitives, as by trimming, Part is Leaf/Name:
 %   the part Name of segment Leaf.
 
 developable_part(S, Part, Surface) :-
@@ -48,9 +50,12 @@ developable_part(S, Part, Surface) :-
     ->  once(segment(S, _, _))
     ;   segment(S, _, _)
     ),
-    true_part(S, Part, _, _, Surface),
+    true_part(S, Part, Leaf, Name, Surface),
     functor(Surface, Kind, _),
-    memberchk(Kind, [cylinder, cone, ruled]).
+    memberchk(Kind, [cylinder, cone, ruled, transition]),
+    \+ ( smooth_surface(Leaf, _, transition(pieces(Places))),
+         memberchk(piece(Name, _, _, _), Places)
+       ).
 
 %!  true_development(+S, ?Part, +Options, -D) is det.
 %
@@ -97,11 +102,27 @@ true_development(S, Part, Options, D) :-
     ),
     unrolled(S, Part, Options, Pattern),
     facts_transaction(
-        sg_true_development:pattern_written(true_development(S, Part),
-                                            Pattern, D)).
+        sg_true_development:developed(S, Part, Options, Pattern, D)).
+
+developed(S, Part, Options, Pattern, D) :-
+    pattern_written(true_development(S, Part), Pattern, D),
+    (   Pattern = pattern(_, creases(Creases), _, _, _, _),
+        member(_-Degrees, Creases),
+        Degrees =\= 0.0
+    ->  option(thickness(T), Options, 0.0),
+        option(k_factor(K), Options, 0.5),
+        option(bend_radius(R), Options, T),
+        pattern_bent(D, [thickness(T), size(neutral), k_factor(K),
+                         bend_radius(R)])
+    ;   true
+    ).
 
 %   unrolled(S, Part, Options, Pattern): Pattern is as true_pattern.pl has it.
 
+unrolled(S, Part, Options, Pattern) :-
+    true_part(S, Part, _, _, transition(_)),
+    !,
+    composed_unrolled(S, Part, Options, Pattern).
 unrolled(S, Part, Options,
          pattern(S, Bends, Facets, Points, Curves, Marks)) :-
     part_facets(S, Part, Facets0, Shape0),
@@ -140,34 +161,6 @@ check_options(Shape, S-Part, Options) :-
         )
     ->  throw(error(geometry_error(true(flat_part(S, Part, Option))), _))
     ;   true
-    ).
-
-%   facets_sense(Facets, Shape, Sense): 1 if they run counter-clockwise with T
-%   to the right and H up, or else -1: by twice the area of the first that has
-%   one.
-
-facets_sense(Facets, shape(_, _, Nodes), Sense) :-
-    member(Facet, Facets),
-    Facet = facet(_, _, _, Halves),
-    facet_middle(Facet, Middle),
-    foldl(half_area(Nodes, Middle), Halves, 0.0, Area),
-    abs(Area) > 1.0e-9,
-    !,
-    (   Area > 0.0
-    ->  Sense = 1
-    ;   Sense = -1
-    ).
-
-half_area(Nodes, Middle, half(K1, K2, _), Area0, Area) :-
-    place_near(Nodes, K1, Middle, T1, H1),
-    place_near(Nodes, K2, Middle, T2, H2),
-    Area is Area0 + (T1-Middle)*H2 - (T2-Middle)*H1.
-
-place_near(Nodes, Key, Middle, T, H) :-
-    key_place(Nodes, Key, T0, H),
-    (   T0 == any
-    ->  T = Middle
-    ;   T = T0
     ).
 
 

@@ -27,10 +27,11 @@ true_en(not_symmetric(S, Part)) -->
        differ'-[Part, S], nl,
       '  Give another seam, or take the whole pattern.' ].
 true_en(flat_part(S, Part, Option)) -->
-    [ 'part ~p of segment ~d is a transition, which does not unroll: it \c
-       cannot have the option ~w'-[Part, S, Option], nl,
-      '  It is developed by the true lengths of its facets, whose edges are \c
-         its generators; a seam goes along one of them.' ].
+    [ 'part ~p of segment ~d lies between ellipses of different proportions: \c
+       it does not unroll, and cannot have the option ~w'-[Part, S, Option],
+      nl,
+      '  Make it a transition(base(ellipse(A, B)), top(ellipse(C, D)), \c
+         height(H)), which does.' ].
 true_en(no_offset(S)) -->
     [ 'the surfaces of a plate of segment ~d are not known'-[S], nl,
       '  With a thickness, penetrations are found for right circular \c

@@ -28,10 +28,10 @@ true_ko(not_symmetric(S, Part)) -->
        다릅니다'-[S, Part], nl,
       '  다른 솔기를 주거나 전체를 전개하십시오.' ].
 true_ko(flat_part(S, Part, Option)) -->
-    [ '세그먼트 ~d의 부분 ~p는 펴지지 않는 변이관이라서 ~w 옵션을 쓸 수 \c
-       없습니다'-[S, Part, Option], nl,
-      '  작은 면의 실장으로 전개하며, 그 모서리가 면소이고 솔기도 그 가운데 \c
-         하나입니다.' ].
+    [ '세그먼트 ~d의 부분 ~p는 비율이 다른 두 타원 사이에 있어 펴지지 않으므로 \c
+       ~w 옵션을 쓸 수 없습니다'-[S, Part, Option], nl,
+      '  펴지는 transition(base(ellipse(A, B)), top(ellipse(C, D)), height(H)) \c
+         으로 만드십시오.' ].
 true_ko(no_offset(S)) -->
     [ '세그먼트 ~d의 판 두께 쪽 곡면을 알 수 없습니다'-[S], nl,
       '  두께가 있으면 직원기둥, 직원뿔, 구, 원환의 상관선만 찾을 수 있습니다.' ].

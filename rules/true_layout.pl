@@ -5,7 +5,10 @@
             layout_curves/2,            % +Layout, -Curves
             layout_marks/6,             % +Layout, +Facets, +Sense, +Seam,
                                         % +Generators, -Marks
-            mirrored_half/4             % +Facets, +Seam, +Shape, +Sense
+            mirrored_half/4,            % +Facets, +Seam, +Shape, +Sense
+            strip_ends/3,               % +Strip, +Places, -Ends
+            strip_layout/6              % +Strip, +Facets, +Motion, +Chord,
+                                        % -Points, -Curves
           ]).
 :- use_module(kernel, [roll_curves/5, roll_points/3]).
 :- use_module(primitive_face, [surface_point/4]).
@@ -64,13 +67,83 @@ layout(Facets, Shape, Seam, Sense, Options,
     maplist(maplist(turned(Turn)), RawLists, TurnedLists),
     append([Turned|TurnedLists], All),
     corner(All, X0, Y0, _),
-    Frame = frame(Turn, X0, Y0),
+    in_frame(frame(Turn, X0, Y0), Keys-Raw, Edges-RawLists, Points, Curves).
+
+in_frame(Frame, Keys-Raw, Edges-RawLists, Points, Curves) :-
     maplist(framed(Frame), Raw, Placed),
     pairs_keys_values(Pairs, Keys, Placed),
     list_to_assoc(Pairs, Points),
     maplist(maplist(framed(Frame)), RawLists, Lists),
     pairs_keys_values(EdgePairs, Edges, Lists),
     list_to_assoc(EdgePairs, Curves).
+
+%!  strip_ends(+Strip, +Places, -Ends) is det.
+%
+%   Ends are the points X-Y at Places, T-H, of the strip unrolled in no frame
+%   yet, but as seen from outside. A strip is strip(Shape, Rolled, Sense): a
+%   piece of what is composed. Rolled is rolled(Surface, T1-T2, U1-U2): not that
+%   of Shape but Surface is unrolled, from U1 on; a place at T1 goes to U1, and
+%   one at T2 to U2.
+
+strip_ends(strip(_, Rolled, Sense), Places, Ends) :-
+    rolled_points(Rolled, Places, Raw),
+    Rolled = rolled(Surface, _, _),
+    mirror(Surface, Sense, Mirror),
+    maplist(turned(turn(Mirror, 1.0, 0.0)), Raw, Ends).
+
+rolled_points(rolled(Surface, T1-T2, U1-U2), Places0, Points) :-
+    F is (U2-U1)/(T2-T1),
+    maplist(place_rolled(T1, U1, F), Places0, Places),
+    roll_points(roll(Surface, 0.0, U1), Places, Points).
+
+place_rolled(T1, U1, F, T-H, U-H) :-
+    U is U1 + F*(T-T1).
+
+%!  strip_layout(+Strip, +Facets, +Motion, +Chord, -Points, -Curves) is det.
+%
+%   As layout/6: what strip_ends/3 gives is moved by Motion, motion(Cos, Sin, X,
+%   Y): turned, then moved. Chord is in model units.
+
+strip_layout(Strip, Facets, motion(Cos, Sin, X, Y), Chord, Points, Curves) :-
+    Strip = strip(Shape, Rolled, Sense),
+    Shape = shape(_, _, Nodes),
+    Rolled = rolled(Surface, T1-_, _),
+    mirror(Surface, Sense, Mirror),
+    facet_keys(Facets, Keys),
+    maplist(key_pair(Nodes, T1), Keys, Places),
+    rolled_points(Rolled, Places, Raw),
+    curve_places(Shape, T1, Facets, Chord, CurvePlaces),
+    pairs_keys_values(CurvePlaces, Edges, PlaceLists),
+    maplist(rolled_points(Rolled), PlaceLists, RawLists),
+    X0 is -X,
+    Y0 is -Y,
+    in_frame(frame(turn(Mirror, Cos, Sin), X0, Y0), Keys-Raw, Edges-RawLists,
+             Points, Curves).
+
+%   curve_places(Shape, Start, Facets, Chord, Places): Key1-Key2-List, List of
+%   T-H on the curve.
+
+curve_places(Shape, Start, Facets, Chord, Places) :-
+    asked_curves(Shape, Facets, Asked),
+    pairs_keys_values(Asked, Edges, Curves),
+    Shape = shape(Surface, Reach, _),
+    roll_curves(roll(Surface, 0.0, Start), Reach, Chord, Curves, Lists),
+    pairs_keys_values(Pairs, Edges, Lists),
+    findall((A-B)-List,
+            ( member(edge(A, B, T1, T2)-Found, Pairs),
+              Found \== [],
+              findall(T-H,
+                      ( member(place(T0, H, _, _), Found),
+                        T is max(T1, min(T2, T0)) ),
+                      List) ),
+            Places).
+
+asked_curves(Shape, Facets, Asked) :-
+    facet_edges(Facets, Edges),
+    findall(Edge-Curve,
+            ( member(Edge, Edges),
+              asked_curve(Shape, Edge, Curve) ),
+            Asked).
 
 %   chord(Options, Size, Chord): not so small that points lie on each other.
 
@@ -128,9 +201,9 @@ key_pair(Nodes, Middle, Key, T-H) :-
 
 turn(Shape, Layer, Seam, Facets, Sense, turn(Mirror, Cos, Sin)) :-
     Shape = shape(Surface, _, _),
-    (   Surface = cone(_, _, _, _, K)
-    ->  Mirror is Sense*sign(1.0-K),
-        roll(Shape, Layer, Seam, Roll),
+    mirror(Surface, Sense, Mirror),
+    (   Surface = cone(_, _, _, _, _)
+    ->  roll(Shape, Layer, Seam, Roll),
         middle_generator(Facets, T),
         roll_points(Roll, [T-0.0,T-1.0], [X1-Y1,X2-Y2]),
         DX is Mirror*(X2-X1),
@@ -138,9 +211,16 @@ turn(Shape, Layer, Seam, Facets, Sense, turn(Mirror, Cos, Sin)) :-
         Length is sqrt(DX*DX + DY*DY),
         Cos is DY/Length,
         Sin is DX/Length
-    ;   Mirror is float(Sense),
-        Cos = 1.0,
+    ;   Cos = 1.0,
         Sin = 0.0
+    ).
+
+%   mirror(Surface, Sense, Mirror): -1.0 if what is unrolled shows its inside.
+
+mirror(Surface, Sense, Mirror) :-
+    (   Surface = cone(_, _, _, _, K)
+    ->  Mirror is Sense*sign(1.0-K)
+    ;   Mirror is float(Sense)
     ).
 
 middle_generator(Facets, T) :-
@@ -180,11 +260,7 @@ curves(flat, _, _, _, _, []) :-
     !.
 curves(_, Shape, Layer-Seam, Facets, Chord, Curves) :-
     Shape = shape(_, Reach, _),
-    facet_edges(Facets, Edges),
-    findall(Edge-Curve,
-            ( member(Edge, Edges),
-              asked_curve(Shape, Edge, Curve) ),
-            Asked),
+    asked_curves(Shape, Facets, Asked),
     pairs_keys_values(Asked, Edges1, Curves1),
     roll(Shape, Layer, Seam, Roll),
     roll_curves(Roll, Reach, Chord, Curves1, Lists),

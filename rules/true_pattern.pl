@@ -18,9 +18,10 @@
 /** <module> The rows of a true development.
 
 A pattern is pattern(S, Bends, Facets, Points, Curves, Marks): of segment S;
-Bends is `bent` or `smooth`; Facets and their keys as in true_shape.pl, Points
-from keys to X-Y, Curves from Key1-Key2 to the points between them, Marks as in
-true_layout.pl.
+Bends is `bent`, `smooth` or creases(List), List of T-Degrees: by what the plate
+bends at the generators T between facets, positive a mountain. Facets and their
+keys as in true_shape.pl, Points from keys to X-Y, Curves from Key1-Key2 to the
+points between them, Marks as in true_layout.pl.
 
 An edge of S that nothing divided keeps its number, and so does a polygon; what
 is new is numbered after the largest of S. Each side of an edge knows its
@@ -45,7 +46,8 @@ pattern_written(Term, Pattern, D) :-
     foldl(facet_written(D, Vertices, Inner, Once), Facets, Lists, E0, E1),
     maplist(parent_written(S, D), Facets0, Facets),
     append(Lists, Sides),
-    joints_written(Sides, S, Bends, D, Folds),
+    known_bends(Bends, Facets, Known),
+    joints_written(Sides, S, Known, D, Folds),
     pieces_written(Facets, Folds, D),
     complete_segments([D]),
     foldl(mark_written(D), Marks, E1-W1, _).
@@ -249,9 +251,32 @@ joint_kind(side(_, P1, _, A, B), side(_, P2, _, C, D), Kind) :-
     ;   Kind = fold
     ).
 
-%   joint_angle(Bends, Kind, S, P1, P2, Angle): the plate of what unrolls is
-%   smooth; that of a transition bends between its facets.
+%   known_bends(Bends, Facets, Known): of creases also where facets lie, an
+%   assoc from polygons to T1-T2.
 
+known_bends(Bends, Facets, Known) :-
+    (   Bends = creases(Creases)
+    ->  findall(P-(T1-T2), member(facet(P, T1, T2, _), Facets), Pairs),
+        list_to_assoc(Pairs, Between),
+        Known = creases(Creases, Between)
+    ;   Known = Bends
+    ).
+
+%   joint_angle(Bends, Kind, S, P1, P2, Angle): the plate of what unrolls is
+%   smooth; that of a transition bends between its facets, or pieces.
+
+joint_angle(creases(Creases, Between), Kind, _, P1, P2, Angle) :-
+    Kind \== line,
+    get_assoc(P1, Between, From1-To1),
+    get_assoc(P2, Between, From2-To2),
+    (   same_turn(To1, From2)
+    ->  T = To1
+    ;   same_turn(To2, From1),
+        T = To2
+    ),
+    member(T0-Angle, Creases),
+    same_turn(T0, T),
+    !.
 joint_angle(bent, Kind, S, P1, P2, Angle) :-
     Kind \== line,
     plane(S, P1, A1, B1, C1, D1),
@@ -266,6 +291,10 @@ joint_angle(bent, Kind, S, P1, P2, Angle) :-
     ;   Angle = Angle0
     ).
 joint_angle(_, _, _, _, _, 0.0).
+
+same_turn(T1, T2) :-
+    Turns is (T1-T2)/360.0,
+    abs(Turns - round(Turns)) < 1.0e-8.
 
 %   polygon_above(S, P, Plane): its vertex that is farthest from Plane is above.
 

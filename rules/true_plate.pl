@@ -1,16 +1,17 @@
 :- module(sg_true_plate,
           [ plate_layer/2,              % +Options, -Layer
-            plate_parts/5               % +S, +Others, +Options0, -Options,
+            plate_parts/5,              % +S, +Others, +Options0, -Options,
                                         % -Parts
+            transition_resized/3        % +Term, +By, -Resized
           ]).
 :- use_module(model_file, [add_primitive/2]).
 :- use_module(primitive, [is_primitive/1]).
 :- use_module(primitive_face, [smooth_surface/3]).
 :- use_module(store, [segment/3]).
 :- use_module(true_surface, [offset_surface/3]).
-:- autoload(library(apply), [maplist/3]).
+:- autoload(library(apply), [foldl/4, maplist/3, maplist/5]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [member/2, select/3]).
+:- autoload(library(lists), [append/3, last/2, member/2, select/3]).
 :- autoload(library(option), [option/2, option/3]).
 /** <module> The plate that a surface is made of: which layer of it is drawn.
 
@@ -124,7 +125,10 @@ part_role(Options, S, Others, Role) :-
 %   What is flat is wider than any pipe.
 
 part_width(S, Width) :-
-    (   smooth_surface(S, _, Surface),
+    (   segment(S, _, Term),
+        transition_width(Term, Width0)
+    ->  Width = Width0
+    ;   smooth_surface(S, _, Surface),
         Surface \= bezier(_)
     ->  arg(2, Surface, vector(A, B, C)),
         Width is sqrt(A*A + B*B + C*C)
@@ -138,6 +142,9 @@ resized(By, S, S1) :-
     ->  S1 = S
     ;   \+ smooth_surface(S, _, _)
     ->  S1 = S
+    ;   segment(S, _, Term),
+        transition_resized(Term, By, Term1)
+    ->  add_primitive(Term1, S1)
     ;   segment(S, _, Term),
         is_primitive(Term),
         findall(Surface, smooth_surface(S, _, Surface), [Surface]),
@@ -191,3 +198,119 @@ enlarged(Name, F, Size, Arguments0, [Argument|Arguments]) :-
     select(Argument0, Arguments0, Arguments),
     Size is Size0*F,
     Argument =.. [Name,Size].
+
+
+                /*******************************
+                *         TRANSITIONS          *
+                *******************************/
+
+%!  transition_resized(+Term, +By, -Resized) is semidet.
+%
+%   Resized is Term, a transition, with outlines By larger all round (smaller if
+%   negative), each in its plane. Fails if it is none, or nothing is left.
+
+transition_resized(at(Steps, Term0), By, at(Steps, Term)) :-
+    transition_resized(Term0, By, Term).
+transition_resized(named(Name, Term0), By, named(Name, Term)) :-
+    transition_resized(Term0, By, Term).
+transition_resized(Term0, By, Term) :-
+    Term0 =.. [Name|Arguments0],
+    memberchk(Name, [transition,open_transition]),
+    maplist(argument_resized(By), Arguments0, Arguments),
+    Term =.. [Name|Arguments].
+
+argument_resized(By, base(Outline0), base(Outline)) :-
+    !,
+    outline_resized(Outline0, By, Outline).
+argument_resized(By, top(Outline0), top(Outline)) :-
+    !,
+    outline_resized(Outline0, By, Outline).
+argument_resized(_, Argument, Argument).
+
+outline_resized(circle(R0), By, circle(R)) :-
+    larger(R0, By, R).
+outline_resized(ellipse(A0, B0), By, ellipse(A, B)) :-
+    larger(A0, By, A),
+    larger(B0, By, B).
+outline_resized(rectangle(A0, B0), By, rectangle(A, B)) :-
+    larger(A0, 2.0*By, A),
+    larger(B0, 2.0*By, B).
+outline_resized(rectangle(A0, B0, R0), By, rectangle(A, B, R)) :-
+    larger(A0, 2.0*By, A),
+    larger(B0, 2.0*By, B),
+    larger(R0, By, R).
+outline_resized(polygon(Corners0), By, polygon(Corners)) :-
+    polygon_resized(Corners0, By, Corners).
+
+larger(Size0, By, Size) :-
+    Size is Size0+By,
+    Size > 0.0.
+
+%   polygon_resized(Corners0, By, Corners): where its edges meet when they are
+%   moved outward; none may turn round.
+
+polygon_resized(Corners0, By0, Corners) :-
+    twice_area(Corners0, Area),
+    By is By0*sign(Area),
+    last(Corners0, Last),
+    Corners0 = [First|_],
+    append([Last|Corners0], [First], Round),
+    findall([X,Y],
+            ( append(_, [P,Q,R|_], Round),
+              corner_resized(P, Q, R, By, X, Y) ),
+            Corners),
+    same_length(Corners0, Corners),
+    edges_kept(Corners0, Corners).
+
+twice_area(Corners, Area) :-
+    last(Corners, Last),
+    foldl(trapezoid, Corners, Last-0, _-Area).
+
+trapezoid([X,Y], [X0,Y0]-Area0, [X,Y]-Area) :-
+    Area is Area0 + X0*Y - X*Y0.
+
+corner_resized([X1,Y1], [X2,Y2], [X3,Y3], By, X, Y) :-
+    UX is X2-X1,
+    UY is Y2-Y1,
+    WX is X3-X2,
+    WY is Y3-Y2,
+    U is sqrt(UX*UX + UY*UY),
+    W is sqrt(WX*WX + WY*WY),
+    Cross is UX*WY - UY*WX,
+    Cross =\= 0,
+    X is X2 + By*(UX*W - WX*U)/Cross,
+    Y is Y2 + By*(UY*W - WY*U)/Cross.
+
+edges_kept([P0|Rest0], [P|Rest]) :-
+    append(Rest0, [P0], Nexts0),
+    append(Rest, [P], Nexts),
+    maplist(edge_kept, [P0|Rest0], Nexts0, [P|Rest], Nexts).
+
+edge_kept([X1,Y1], [X2,Y2], [X3,Y3], [X4,Y4]) :-
+    (X4-X3)*(X2-X1) + (Y4-Y3)*(Y2-Y1) > 0.
+
+%   transition_width(Term, Width): half of the wider of its outlines.
+
+transition_width(at(_, Term), Width) :-
+    transition_width(Term, Width).
+transition_width(named(_, Term), Width) :-
+    transition_width(Term, Width).
+transition_width(Term, Width) :-
+    Term =.. [Name|Arguments],
+    memberchk(Name, [transition,open_transition]),
+    memberchk(base(Outline1), Arguments),
+    memberchk(top(Outline2), Arguments),
+    half_width(Outline1, Width1),
+    half_width(Outline2, Width2),
+    Width is max(Width1, Width2).
+
+half_width(circle(R), R).
+half_width(ellipse(A, B), Width) :-
+    Width is max(A, B).
+half_width(rectangle(A, B), Width) :-
+    Width is max(A, B)/2.0.
+half_width(rectangle(A, B, _), Width) :-
+    Width is max(A, B)/2.0.
+half_width(polygon(Corners), Width) :-
+    twice_area(Corners, Area),
+    Width is sqrt(abs(Area)/2.0)/2.0.

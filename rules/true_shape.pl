@@ -6,6 +6,7 @@
             edge_curve/4,               % +Shape, +Key1, +Key2, -Curve
             same_generator/3,           % +Nodes, +Key1, +Key2
             facet_middle/2,             % +Facet, -T
+            facets_sense/3,             % +Facets, +Shape, -Sense
             shifted_facet/3             % +Turns, +Facet, -Shifted
           ]).
 :- use_module(kernel, [surface_place/4, surfaces_meet/4]).
@@ -50,15 +51,34 @@ from that of the facets.
 true_part(S, Part, S, Part, Surface) :-
     smooth_surface(S, Part, Surface),
     \+ from_p(S, _, _, _, _),
-    once(face_of(S, _, curved(Part, [_]))).
+    once(facet_of(S, _, Part, _, _)).
 true_part(S, Leaf/Name, Leaf, Name, Surface) :-
     findall(Leaf-Name,
             ( polygon_from(S, _, Leaf, P0, _),
-              face_of(Leaf, P0, curved(Name, [_])) ),
+              facet_of(Leaf, P0, Name, _, _) ),
             Parts0),
     sort(Parts0, Parts),
     member(Leaf-Name, Parts),
     smooth_surface(Leaf, Name, Surface).
+
+%   facet_of(Leaf, P, Name, T1, T2): polygon P of the primitive Leaf is a facet
+%   of its part Name. Also of those of which a transition is made, and of all of
+%   the transition.
+
+facet_of(Leaf, P, Name, T1, T2) :-
+    face_of(Leaf, P, What),
+    facet_part(What, Leaf, Name, T1, T2).
+
+facet_part(curved(Name, [T1-T2]), _, Name, T1, T2).
+facet_part(side(I), Leaf, side(I), 0.0, 90.0) :-
+    smooth_surface(Leaf, side(I), fan(_, _, _, _)).
+facet_part(What, Leaf, Whole, 0.0, 0.0) :-
+    (   What = side(_)
+    ->  Name = What
+    ;   What = curved(Name, _)
+    ),
+    smooth_surface(Leaf, Whole, transition(pieces(Places))),
+    memberchk(piece(Name, _, _, _), Places).
 
 %!  part_facet(+S, +Part, ?P, -T1, -T2) is nondet.
 %
@@ -68,8 +88,8 @@ true_part(S, Leaf/Name, Leaf, Name, Surface) :-
 part_facet(S, Part, P, T1, T2) :-
     (   Part = Leaf/Name
     ->  polygon_from(S, P, Leaf, P0, _),
-        face_of(Leaf, P0, curved(Name, [T1-T2]))
-    ;   face_of(S, P, curved(Part, [T1-T2]))
+        facet_of(Leaf, P0, Name, T1, T2)
+    ;   facet_of(S, P, Part, T1, T2)
     ).
 
 %!  part_facets(+S, +Part, -Facets, -Shape) is det.
@@ -191,7 +211,7 @@ facet_place(Surface, facet(_, T1, T2, _), Point, Border, T, H) :-
     surface_place(Surface, Point, T0, H0),
     near_turn(Middle, T0, T3),
     level(H0, H, Level),
-    (   Surface = cone(_, _, _, _, K),
+    (   ( Surface = cone(_, _, _, _, K) ; Surface = fan(_, _, _, K) ),
         abs(1.0 - H*(1.0-K)) < 1.0e-9
     ->  T = any,
         Border = apex
@@ -352,6 +372,35 @@ shifted_key(Turns, k(Id, Turn0), k(Id, Turn)) :-
     ;   Turn is Turn0+Turns
     ).
 
+%!  facets_sense(+Facets, +Shape, -Sense) is det.
+%
+%   Sense is 1 if Facets run counter-clockwise with T to the right and H up, or
+%   else -1: by twice the area of the first that has one.
+
+facets_sense(Facets, shape(_, _, Nodes), Sense) :-
+    member(Facet, Facets),
+    Facet = facet(_, _, _, Halves),
+    facet_middle(Facet, Middle),
+    foldl(half_area(Nodes, Middle), Halves, 0.0, Area),
+    abs(Area) > 1.0e-9,
+    !,
+    (   Area > 0.0
+    ->  Sense = 1
+    ;   Sense = -1
+    ).
+
+half_area(Nodes, Middle, half(K1, K2, _), Area0, Area) :-
+    place_near(Nodes, K1, Middle, T1, H1),
+    place_near(Nodes, K2, Middle, T2, H2),
+    Area is Area0 + (T1-Middle)*H2 - (T2-Middle)*H1.
+
+place_near(Nodes, Key, Middle, T, H) :-
+    key_place(Nodes, Key, T0, H),
+    (   T0 == any
+    ->  T = Middle
+    ;   T = T0
+    ).
+
 
                 /*******************************
                 *             EDGES            *
@@ -376,10 +425,11 @@ same_generator(Nodes, Key1, Key2) :-
 %   segment meets the part's own.
 
 edge_curve(Shape, Key1, Key2, Curve) :-
-    Shape = shape(_, _, Nodes),
+    Shape = shape(Surface, _, Nodes),
     (   same_generator(Nodes, Key1, Key2)
     ->  Curve = straight
-    ;   key_place(Nodes, Key1, _, H1),
+    ;   Surface \= fan(_, _, _, _),
+        key_place(Nodes, Key1, _, H1),
         key_place(Nodes, Key2, _, H2),
         level(H1, H1, level),
         H1 =:= H2

@@ -3,6 +3,7 @@
             meeting_surfaces/3,         % +S, +Leaf, -Table
             generator_plane/3,          % +Surface, +T, -Plane
             level_plane/3,              % +Surface, +H, -Plane
+            surface_normal_at/3,        % +Surface, +T, -Normal
             offset_surface/3            % +Surface, +Distance, -Offset
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
@@ -138,8 +139,19 @@ same_plane(plane(A,B,C,D), plane(A2,B2,C2,D2)) :-
 
 %!  generator_plane(+Surface, +T, -Plane) is det.
 %
-%   Plane holds the axis of Surface and its generator at T.
+%   Plane holds the axis of Surface and its generator at T; of a fan it holds
+%   the generator, at right angles to the fan.
 
+generator_plane(fan(C, U, V, K), T, Plane) :-
+    !,
+    A is T*pi/180.0,
+    B is A*(K-1.0),
+    scaled_sum(A, U, 0.0, V, Along),
+    scaled_sum(1.0, V, B, U, Way),
+    moved_by(C, Along, Point),
+    cross(U, V, Across),
+    cross(Across, Way, Normal),
+    point_plane(Point, Normal, Plane).
 generator_plane(Surface, T, Plane) :-
     exact_sin_cos(T, Sin, Cos),
     frame(Surface, C, U, V, W),
@@ -151,14 +163,54 @@ generator_plane(Surface, T, Plane) :-
 %
 %   Plane holds the points of Surface with the parameter H.
 
+level_plane(fan(C, U, V, _), H, Plane) :-
+    !,
+    scaled_sum(H, V, 0.0, U, Up),
+    moved_by(C, Up, Point),
+    cross(U, V, Across),
+    cross(U, Across, Normal),
+    point_plane(Point, Normal, Plane).
 level_plane(Surface, H, Plane) :-
     frame(Surface, point(X,Y,Z), U, V, W),
     scaled_sum(1.0, vector(X,Y,Z), H, W, vector(X1,Y1,Z1)),
     cross(U, V, Normal),
     point_plane(point(X1,Y1,Z1), Normal, Plane).
 
+%!  surface_normal_at(+Surface, +T, -Normal) is det.
+%
+%   Normal is the unit normal of Surface, a cylinder, cone or fan, along its
+%   generator at T: to the left of growing H as one goes along growing T.
+
+surface_normal_at(Surface, T, Normal) :-
+    direction_along(Surface, T, Along, Up),
+    cross(Along, Up, vector(X0,Y0,Z0)),
+    Length is sqrt(X0*X0 + Y0*Y0 + Z0*Z0),
+    X is X0/Length,
+    Y is Y0/Length,
+    Z is Z0/Length,
+    Normal = vector(X,Y,Z).
+
+direction_along(fan(_, U, V, _), _, U, V) :-
+    !.
+direction_along(Surface, T, Along, Up) :-
+    exact_sin_cos(T, Sin, Cos),
+    frame(Surface, _, U, V, W),
+    Back is -Sin,
+    scaled_sum(Back, U, Cos, V, Along),
+    scaled_sum(Cos, U, Sin, V, E),
+    (   Surface = cone(_, _, _, _, K)
+    ->  F is K-1.0
+    ;   F = 0.0
+    ),
+    scaled_sum(F, E, 1.0, W, Up).
+
 frame(Surface, C, U, V, W) :-
     Surface =.. [_,C,U,V,W|_].
+
+moved_by(point(X0,Y0,Z0), vector(A,B,C), point(X,Y,Z)) :-
+    X is X0+A,
+    Y is Y0+B,
+    Z is Z0+C.
 
 scaled_sum(F, vector(X1,Y1,Z1), G, vector(X2,Y2,Z2), vector(X,Y,Z)) :-
     X is F*X1 + G*X2,

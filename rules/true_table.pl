@@ -85,22 +85,27 @@ distance(X1-Y1, X2-Y2, D) :-
 %   Unit is that of the model.
 
 true_length_columns(D, Unit, [number, 'parameter (degrees)'|Columns]) :-
-    (   segment(D, _, true_development(S, Part)),
-        developable_part(S, Part, Surface)
-    ->  functor(Surface, Kind, _)
-    ;   Kind = cylinder
-    ),
+    pattern_kind(D, Kind),
     maplist(with_unit(Unit),
             [length, 'step from', 'step to', diagonal], Last),
     place_columns(Kind, Unit, First),
     append(First, Last, Columns).
 
+%   pattern_kind(D, Kind): of which surface D is.
+
+pattern_kind(D, Kind) :-
+    (   segment(D, _, true_development(S, Part)),
+        developable_part(S, Part, Surface)
+    ->  functor(Surface, Kind, _)
+    ;   Kind = cylinder
+    ).
+
 place_columns(cylinder, Unit, Columns) :-
     maplist(with_unit(Unit), [arc, from, to], Columns).
 place_columns(cone, Unit, ['angle (degrees)'|Columns]) :-
     maplist(with_unit(Unit), ['apex to from', 'apex to to'], Columns).
-place_columns(ruled, Unit, Columns) :-
-    maplist(with_unit(Unit), [arc, from, to], Columns).
+place_columns(ruled, _, []).
+place_columns(transition, _, []).
 
 with_unit(Unit, Name, Column) :-
     atomic_list_concat([Name, ' (', Unit, ')'], Column).
@@ -135,23 +140,24 @@ table(D, Options, Decimals0, [Columns|Lines]) :-
     option(decimals(Decimals), Options, Decimals0),
     option(scale(F), Options, 1),
     true_length_columns(D, Unit, Columns),
-    nth1(3, Columns, Third),
-    (   Third == 'angle (degrees)'
-    ->  Angle = true
-    ;   Angle = false
-    ),
+    pattern_kind(D, Kind),
     true_length_rows(D, Rows),
-    maplist(line(Decimals, F, Angle), Rows, Lines).
+    maplist(line(Decimals, F, Kind), Rows, Lines).
 
-line(Decimals, F, Angle, Row, [Number,Degrees|Texts]) :-
-    Row =.. [row,Number,Degrees0,Position0|Lengths],
+line(Decimals, F, Kind, Row, [Number,Degrees|Texts]) :-
+    Row =.. [row,Number,Degrees0,Position,From,To|Lengths],
     number_text(Decimals, 1, Degrees0, Degrees),
-    (   Angle == true
-    ->  number_text(Decimals, 1, Position0, Position)
-    ;   number_text(Decimals, F, Position0, Position)
-    ),
+    place_texts(Kind, Decimals, F, Position, [From,To], Places),
     maplist(number_text(Decimals, F), Lengths, Rest),
-    Texts = [Position|Rest].
+    append(Places, Rest, Texts).
+
+place_texts(cylinder, Decimals, F, Position, Ends, Texts) :-
+    maplist(number_text(Decimals, F), [Position|Ends], Texts).
+place_texts(cone, Decimals, F, Position, Ends, [Angle|Texts]) :-
+    number_text(Decimals, 1, Position, Angle),
+    maplist(number_text(Decimals, F), Ends, Texts).
+place_texts(ruled, _, _, _, _, []).
+place_texts(transition, _, _, _, _, []).
 
 number_text(_, _, none, '') :-
     !.

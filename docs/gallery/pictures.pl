@@ -164,8 +164,9 @@ picture(pattern_saddle, 'Saddle and hole',
          fitter cuts.',
         [unfold,'facts/patterns/saddle.pl','--trim',outside]).
 picture(pattern_transition, 'From square to round',
-        'Four flat triangles and four quarters of oblique cones, in one piece.',
-        [unfold,'facts/patterns/transition.pl']).
+        'Four flat triangles and four quarters of oblique cones, unrolled as \c
+         they truly are, with the table of true lengths.',
+        [unfold,'facts/patterns/transition.pl','--true','--generators','16']).
 picture(pattern_elbow, 'The gores of a bend',
         'Two ends and two gores; where parts meet, their faces go away.',
         [unfold,'facts/patterns/elbow.pl','--trim',outside]).

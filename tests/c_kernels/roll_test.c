@@ -390,6 +390,36 @@ sine(void)
   sg_roll_clear(&roll);
 }
 
+/* A trapezoid: parallel edges 6 and 3 long, 4 apart, in a plane that leans. */
+static void
+fan(void)
+{
+  double of[4][3] = {{1, 2, 3}, {6, 0, 0}, {1, 2.4, 3.2}, {0, 0, 0}};
+  sg_roll roll = opened(SG_SURFACE_FAN, of, 0.5, 0, 0);
+  double at[2], x[3], t, h, value, normal[3];
+
+  sg_roll_at(&roll, 1, 0, at);
+  CHECK("along the edge", near(at[0], 6, 1e-13) && near(at[1], 0, 1e-13));
+  sg_roll_at(&roll, 0, 1, at);
+  CHECK("across", near(at[0], 1, 1e-13) && near(at[1], 4, 1e-13));
+  sg_roll_at(&roll, 1, 1, at);
+  CHECK("the other edge", near(at[0], 4, 1e-13) && near(at[1], 4, 1e-13));
+  CHECK("generator", near(sg_roll_generator(&roll, 1), sqrt(20), 1e-13));
+  sg_surface_point(&roll.surface, 0.3, 0.7, x);
+  sg_surface_place(&roll.surface, x, &t, &h);
+  CHECK("place of a point", near(t, 0.3, 1e-13) && near(h, 0.7, 1e-13));
+  CHECK("on its plane", sg_surface_value(&roll.surface, x, &value, normal) &&
+                            fabs(value) < 1e-14);
+  CHECK("unit normal", near(normal[0], 0, 1e-14) &&
+                           near(normal[1], -0.8, 1e-14) &&
+                           near(normal[2], 0.6, 1e-14));
+  sg_roll_clear(&roll);
+  memset(&roll.surface, 0, sizeof roll.surface);
+  roll.surface.kind = SG_SURFACE_FAN;
+  roll.surface.u[0] = roll.surface.v[0] = 1;
+  CHECK("none without width", !sg_surface_init(&roll.surface));
+}
+
 int
 main(void)
 {
@@ -406,5 +436,6 @@ main(void)
   normals();
   cylinders_meet();
   sine();
+  fan();
   return check_report();
 }

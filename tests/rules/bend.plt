@@ -88,11 +88,26 @@ test(channel, true((near(Width, 120-2*BD), near(Height, 100)))) :-
     deduction(3, 2, 0.44, 2, BD),
     bent(Term, [thickness(2),size(outside),bend_radius(3),k_factor(0.44)], D,
          size(D, Width, Height)).
-%   What is inside of mountain folds is outside of valley folds.
-test(tray, true(near(Width, 120-2*BD))) :-
+%   A sheet that is bent one way only is as large whichever side it shows.
+test(tray, [ forall(member(Size-Out, [outside-2,middle-1,inside-0])),
+             true(near(Width, 120-2*BD)) ]) :-
     tray(Term),
-    deduction(3, 2, 0.44, 2, BD),
-    bent(Term, [thickness(2),size(inside),bend_radius(3),k_factor(0.44)], D,
+    deduction(3, 2, 0.44, Out, BD),
+    bent(Term, [thickness(2),size(Size),bend_radius(3),k_factor(0.44)], D,
+         size(D, Width, _)).
+%   What is inside of mountain folds is outside of valley folds.
+test(bent_both_ways, true(near(Width, 130-BD1-BD2))) :-
+    deduction(3, 2, 0.44, 2, BD1),
+    deduction(3, 2, 0.44, 0, BD2),
+    bent(sheet(points([[0,0,40],[0,100,40],[0,0,0],[0,100,0],[60,0,0],
+                       [60,100,0],[60,0,-30],[60,100,-30]]),
+               faces([[1,2,4,3],[3,4,6,5],[5,6,8,7]])),
+         [thickness(2),size(outside),bend_radius(3),k_factor(0.44)], D,
+         size(D, Width, _)).
+test(neutral, true(near(Width, 100-BD))) :-
+    l_bracket(Term),
+    deduction(3, 2, 0.4, 0.8, BD),
+    bent(Term, [thickness(2),size(neutral),bend_radius(3),k_factor(0.4)], D,
          size(D, Width, _)).
 %   The bend line is in the middle of the bend.
 test(bend_line, true(near(Off, 60-BD))) :-
