@@ -145,7 +145,8 @@ composed_seam(Pieces, Options, Seam, Around) :-
 
 piece_facets(piece(_, _, _, _, Facets, _, _), Facets).
 
-%   shortest_seam(Pieces, Seam): in the middle of a flat side, if there is one.
+%   shortest_seam(Pieces, Seam): in the middle of a flat side, if there is one;
+%   of equal ones that with the smallest direction.
 
 shortest_seam(Pieces, Seam) :-
     findall(Length-G, seam_candidate(Pieces, flat, Length, G), Flat),
@@ -156,8 +157,8 @@ shortest_seam(Pieces, Seam) :-
     pairs_keys(Found, Lengths),
     min_list(Lengths, Least),
     Most is Least*(1.0 + 1.0e-9),
-    once(( member(Length-Seam, Found),
-           Length =< Most )).
+    findall(G, ( member(Length-G, Found), Length =< Most ), Shortest),
+    min_list(Shortest, Seam).
 
 seam_candidate(Pieces, Which, Length, G) :-
     member(Piece, Pieces),
@@ -168,7 +169,8 @@ seam_candidate(Pieces, Which, Length, G) :-
     ;   Which = round,
         member(facet(_, T, _, _), Facets)
     ),
-    direction_of(Piece, T, G),
+    direction_of(Piece, T, G0),
+    G is G0 - 360.0*floor((G0 + 1.0e-9)/360.0),
     generator_length(Surface, T, Length).
 
 generator_length(Surface, T, Length) :-
