@@ -15,14 +15,6 @@
  */
 #define EDGE_ON 1e-9
 
-/* A piece is unsure if its direction is off the line of sight by less than this
- * part of what the normals of its triangle turn: g is linear in a triangle, so
- * the direction found is that of its middle, and the true one is off that by up
- * to half of what the normals turn. A little more, since the sides of a piece
- * that is nearly sure show as hooks: of 16 tori seen from 5 sides 0.5 leaves 9,
- * 0.6 four, and 0.8 only one, but outlines that end too early. */
-#define UNSURE 0.6
-
 /* Triangles between two polls; pieces, each with a walk. */
 enum { POLL_EVERY = 4096, POLL_PIECES = 64 };
 
@@ -112,88 +104,6 @@ is_towards(const sg_contour_finder *f, uint32_t corner)
   return sg_contour_g(f, corner) >= 0.0;
 }
 
-/* The gradient of g in triangle t, in which g is linear, times twice the area
- * of t; gives that. */
-static double
-gradient(const sg_contour_finder *f, uint32_t t, double out[3])
-{
-  double(*at)[3] = f->in->dense->at;
-  const double *p[3];
-  double side[3][3], normal[3], across[3], size;
-  int exponent;
-
-  for (uint32_t k = 0; k < 3; k++) {
-    p[k] = at[sg_contour_vertex(f, 3 * t + k)];
-    out[k] = 0.0;
-  }
-  for (int k = 0; k < 3; k++) {
-    difference(p[(k + 2) % 3], p[(k + 1) % 3], side[k]); /* opposite corner k */
-  }
-  exponent = shrink(side, 3);
-  sg_cross(side[0], side[1], normal);
-  size = sg_length(normal);
-  for (uint32_t k = 0; k < 3 && size > 0.0; k++) {
-    sg_cross(normal, side[k], across);
-    for (int i = 0; i < 3; i++) {
-      out[i] += sg_contour_g(f, 3 * t + k) * across[i] / size;
-    }
-  }
-  for (int i = 0; i < 3; i++) {
-    out[i] = ldexp(out[i], exponent);
-  }
-  return ldexp(size, 2 * exponent);
-}
-
-/* How g grows in triangle t on the way to the eye, times *area, twice that of
- * t. */
-static double
-growth(const sg_contour_finder *f, uint32_t t, double *area)
-{
-  double grad[3], eye[3];
-
-  *area = gradient(f, t, grad);
-  to_eye(f->in, f->in->dense->at[sg_contour_vertex(f, 3 * t)], eye);
-  return sg_dot(grad, eye);
-}
-
-static bool
-has_apex(const sg_contour_finder *f, uint32_t t)
-{
-  return sg_contour_is_apex(f, 3 * t) || sg_contour_is_apex(f, 3 * t + 1) ||
-         sg_contour_is_apex(f, 3 * t + 2);
-}
-
-/* Of each fan: the mean of its triangles. Only its sign and its zeros between
- * fans are asked for. False: stopped, or no memory. */
-static bool
-find_radials(sg_contour_finder *f, const sg_poll *poll, bool *memory)
-{
-  const sg_smooth *smooth = f->in->smooth;
-  double *area = calloc(smooth->fans + 1, sizeof *area);
-
-  *memory = area != NULL;
-  for (uint32_t t = 0; area && t < f->in->dense->triangles; t++) {
-    double sum, twice;
-    if (t % POLL_EVERY == 0 && sg_poll_stop(poll)) {
-      free(area);
-      return false;
-    }
-    if (!smooth->curved[t] || has_apex(f, t)) {
-      continue;
-    }
-    sum = growth(f, t, &twice);
-    for (uint32_t k = 0; k < 3; k++) {
-      f->radial[smooth->fan[3 * t + k]] += sum;
-      area[smooth->fan[3 * t + k]] += twice;
-    }
-  }
-  for (size_t i = 0; area && i < smooth->fans; i++) {
-    f->radial[i] = area[i] > 0.0 ? f->radial[i] / area[i] : 0.0;
-  }
-  free(area);
-  return *memory;
-}
-
 /* --------------------------------------------------------- the triangles */
 
 /* 1: turned to the eye, -1: turned away, 0: edge-on. */
@@ -267,14 +177,12 @@ end_at_corner(const sg_contour_finder *f, sg_contour *piece, int end,
 }
 
 /* End `end` of a piece is on a side whose corners differ, or, where the sheet
- * ends there, at one of them. Gives the radial of that place. */
-static double
+ * ends there, at one of them. */
+static void
 end_on_side(const sg_contour_finder *f, sg_contour *piece, int end,
             uint32_t side)
 {
-  const uint32_t *fan = f->in->smooth->fan;
   uint32_t next = sg_contour_next(side);
-  double zero = zero_of(f, side, next);
 
   if (f->in->smooth->side[side] & SG_SIDE_SMOOTH) {
     piece->side[end] = (uint8_t)(side % 3);
@@ -283,7 +191,6 @@ end_on_side(const sg_contour_finder *f, sg_contour *piece, int end,
     bool away = facing(f, side / 3) < 0;
     end_at_corner(f, piece, end, is_towards(f, side) == away ? side : next);
   }
-  return (1.0 - zero) * f->radial[fan[side]] + zero * f->radial[fan[next]];
 }
 
 static bool
@@ -294,72 +201,29 @@ is_solid(const sg_contour_finder *f, uint32_t t)
   return f->in->solid[sg_dense_segment_of(d, d->triangle_begin, t)];
 }
 
-/* What the radials at its ends, r and s, say: where it is divided. It is
- * turned round so that the part that is not hidden comes first. */
-static void
-divide_piece(sg_contour_finder *f, sg_contour *piece, double r, double s)
-{
-  if (r < s) {
-    sg_contour turned = *piece;
-    for (int k = 0; k < 2; k++) {
-      piece->side[k] = turned.side[1 - k];
-      piece->at[k] = turned.at[1 - k];
-    }
-    divide_piece(f, piece, s, r);
-    return;
-  }
-  f->sense[piece->t] = s >= 0.0 ? 1 : r < 0.0 ? -1 : 0;
-  piece->to = s >= 0.0 || !is_solid(f, piece->t) ? 1.0
-              : r < 0.0                          ? 0.0
-                                                 : r / (r - s);
-}
-
-/* True where the surface bends up one way and down the other: the normals of
- * the corners of t go round the other way than they. */
-static bool
-is_saddle(const sg_contour_finder *f, uint32_t t)
+/* Which half of the surface beside a piece is nearer the eye: 1 that which is
+ * turned to it, -1 the other. The piece has the half that is turned to the eye
+ * on its left, seen from outside; the line of sight is a tangent, so the normal
+ * is seen across the piece: on its right, if that half is the nearer one. */
+static int8_t
+sense_of(const sg_contour_finder *f, const sg_contour *piece)
 {
   const sg_smooth *smooth = f->in->smooth;
-  double(*at)[3] = f->in->dense->at;
-  double u[3], w[3], n[3], turned[3];
+  double a[3], b[3], x = 0.0, y = 0.0;
 
-  difference(smooth->normal[smooth->fan[3 * t + 1]],
-             smooth->normal[smooth->fan[3 * t]], u);
-  difference(smooth->normal[smooth->fan[3 * t + 2]],
-             smooth->normal[smooth->fan[3 * t]], w);
-  sg_cross(u, w, turned);
-  difference(at[sg_contour_vertex(f, 3 * t + 1)],
-             at[sg_contour_vertex(f, 3 * t)], u);
-  difference(at[sg_contour_vertex(f, 3 * t + 2)],
-             at[sg_contour_vertex(f, 3 * t)], w);
-  sg_cross(u, w, n);
-  return sg_dot(n, turned) < 0.0;
-}
-
-/* True if the piece across triangle t, with the radial r in its middle, runs so
- * nearly along the line of sight that its place in the picture is no more than
- * what the triangle is off the smooth surface. */
-static bool
-is_unsure(const sg_contour_finder *f, uint32_t t, double r)
-{
-  double a = sg_contour_g(f, 3 * t), b = sg_contour_g(f, 3 * t + 1),
-         c = sg_contour_g(f, 3 * t + 2), grad[3], area;
-  double most = sg_larger(a, sg_larger(b, c));
-  double least = sg_smaller(a, sg_smaller(b, c));
-
-  if (has_apex(f, t) || !is_saddle(f, t)) {
-    return false;
+  for (uint32_t i = 3 * piece->t; i < 3 * piece->t + 3; i++) {
+    x += sg_dot(smooth->normal[smooth->fan[i]], f->in->eye.row[0]);
+    y += sg_dot(smooth->normal[smooth->fan[i]], f->in->eye.row[1]);
   }
-  area = gradient(f, t, grad);
-  return fabs(r) * area < UNSURE * (most - least) * sg_length(grad);
+  sg_contour_point(f, piece, 0, a);
+  sg_contour_point(f, piece, 1, b);
+  return (b[0] - a[0]) * y - (b[1] - a[1]) * x > 0.0 ? -1 : 1;
 }
 
-/* The piece across triangle t, if there is one to be drawn. */
-static bool
-find_piece(sg_contour_finder *f, uint32_t t, sg_contour *piece)
+bool
+sg_contour_across(const sg_contour_finder *f, uint32_t t, sg_contour *piece)
 {
-  double radial[2] = {0.0, 0.0};
-  int ends = 0;
+  int ends = 0, end = 0;
   uint32_t apex = SG_NO_SIDE;
 
   *piece = (sg_contour){.t = t};
@@ -369,20 +233,17 @@ find_piece(sg_contour_finder *f, uint32_t t, sg_contour *piece)
       apex = i;
     } else if (!sg_contour_is_apex(f, next) &&
                is_towards(f, i) != is_towards(f, next)) {
-      radial[ends] = end_on_side(f, piece, ends, i);
+      end = is_towards(f, i) ? 0 : 1;
+      end_on_side(f, piece, end, i);
       ends++;
     }
   }
   if (ends == 1 && apex != SG_NO_SIDE) {
-    end_at_corner(f, piece, 1, apex);
-    radial[1] = radial[0];
+    end_at_corner(f, piece, 1 - end, apex);
     ends = 2;
   }
-  if (ends < 2) {
-    return false;
-  }
-  divide_piece(f, piece, radial[0], radial[1]);
-  return !is_unsure(f, t, (radial[0] + radial[1]) / 2.0);
+  piece->to = f->sense[t] >= 0 || !is_solid(f, t) ? 1.0 : 0.0;
+  return ends == 2;
 }
 
 static bool
@@ -427,28 +288,42 @@ push_piece(sg_contours *out, const sg_contour *piece)
   return true;
 }
 
-/* Whether a side of a coarse sheet, or a fold, is an outline. Told of one of
- * the two. */
+/* True if a triangle on one side of a side is turned to the eye, and that on
+ * the other is not. */
 static bool
-is_outline(const sg_contour_finder *f, uint32_t side)
+turns(const sg_contour_finder *f, uint32_t side)
 {
   uint32_t across = f->in->smooth->across[side];
-  unsigned wanted =
-      f->in->smooth->coarse[side / 3] ? SG_SIDE_SMOOTH : SG_SIDE_FOLD;
 
-  return across != SG_NO_SIDE && across > side &&
-         (f->in->smooth->side[side] & wanted) &&
+  return across != SG_NO_SIDE &&
          (facing(f, side / 3) > 0) != (facing(f, across / 3) > 0);
 }
 
-/* The sides of a coarse triangle that are outlines. False: no memory. */
+/* Whether a side at which triangles turn from the eye is an outline: of a
+ * coarse sheet always, of one that is drawn as smooth where no piece tells of
+ * it, of any other where a polygon is folded. */
+static bool
+is_outline(sg_contour_finder *f, uint32_t side)
+{
+  const sg_smooth *smooth = f->in->smooth;
+  uint8_t flags = smooth->side[side];
+
+  return !smooth->curved[side / 3]  ? flags & SG_SIDE_FOLD
+         : smooth->coarse[side / 3] ? flags & SG_SIDE_SMOOTH
+                                    : sg_contour_is_untold(f, side);
+}
+
+/* The sides of a triangle that are outlines, each told of one of its two.
+ * False: no memory. */
 static bool
 push_sides(sg_contour_finder *f, uint32_t t)
 {
   for (uint8_t k = 0; k < 3; k++) {
+    uint32_t side = 3 * t + k;
     sg_contour piece = {
         .t = t, .side = {k, k}, .at = {0.0, 1.0}, .to = 1.0, .along = true};
-    if (is_outline(f, 3 * t + k) && has_length(f, &piece) &&
+    if (side < f->in->smooth->across[side] && turns(f, side) &&
+        is_outline(f, side) && has_length(f, &piece) &&
         !push_piece(f->out, &piece)) {
       return false;
     }
@@ -456,29 +331,46 @@ push_sides(sg_contour_finder *f, uint32_t t)
   return true;
 }
 
-/* The piece across a triangle that is not coarse. False: no memory. */
+/* False: no memory. */
 static bool
 push_across(sg_contour_finder *f, uint32_t t)
 {
   sg_contour piece;
 
-  return f->kind[t] != SG_CONTOUR_MIXED || !find_piece(f, t, &piece) ||
+  return !f->sense[t] || !sg_contour_across(f, t, &piece) ||
          !has_length(f, &piece) || push_piece(f->out, &piece);
 }
 
-/* False: stopped, or no memory. */
+/* How triangles lie to the eye, and the senses of their pieces. False: stopped.
+ */
 static bool
-find_pieces(sg_contour_finder *f, const sg_poll *poll, bool *memory)
+find_senses(sg_contour_finder *f, const sg_poll *poll)
 {
   const sg_smooth *smooth = f->in->smooth;
+  sg_contour piece;
 
   for (uint32_t t = 0; t < f->in->dense->triangles; t++) {
     if (t % POLL_EVERY == 0 && sg_poll_stop(poll)) {
       return false;
     }
     f->kind[t] = (uint8_t)kind_of(f, t);
-    if (!(smooth->curved[t] && !smooth->coarse[t] ? push_across(f, t)
-                                                  : push_sides(f, t))) {
+    if (smooth->curved[t] && !smooth->coarse[t] &&
+        f->kind[t] == SG_CONTOUR_MIXED && sg_contour_across(f, t, &piece)) {
+      f->sense[t] = sense_of(f, &piece);
+    }
+  }
+  return true;
+}
+
+/* False: stopped, or no memory. */
+static bool
+find_pieces(sg_contour_finder *f, const sg_poll *poll, bool *memory)
+{
+  for (uint32_t t = 0; t < f->in->dense->triangles; t++) {
+    if (t % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+      return false;
+    }
+    if (!push_across(f, t) || !push_sides(f, t)) {
       *memory = false;
       return false;
     }
@@ -509,12 +401,11 @@ find_all(sg_contour_finder *f, const sg_poll *poll, bool *memory)
   size_t triangles = f->in->dense->triangles, fans = f->in->smooth->fans;
 
   f->g = calloc(fans + 1, sizeof *f->g);
-  f->radial = calloc(fans + 1, sizeof *f->radial);
   f->kind = calloc(triangles + 1, sizeof *f->kind);
   f->sense = calloc(triangles + 1, sizeof *f->sense);
   f->seen = calloc(triangles + 1, sizeof *f->seen);
-  *memory = f->g && f->radial && f->kind && f->sense && f->seen;
-  return *memory && find_g(f, poll) && find_radials(f, poll, memory) &&
+  *memory = f->g && f->kind && f->sense && f->seen;
+  return *memory && find_g(f, poll) && find_senses(f, poll) &&
          find_pieces(f, poll, memory) && find_besides(f, poll, memory);
 }
 
@@ -528,7 +419,6 @@ sg_contours_find(const sg_contour_input *in, const sg_poll *poll,
   *out = (sg_contours){0};
   done = find_all(&f, poll, memory);
   free(f.g);
-  free(f.radial);
   free(f.kind);
   free(f.sense);
   free(f.seen);

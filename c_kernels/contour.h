@@ -15,24 +15,30 @@
  * What is hidden. Of the surface beside an outline one half is nearer the eye.
  * If g is positive there, the surface bends away from the line of sight; if
  * not, it comes between the outline and the eye, and hides it, if it is the
- * surface of a solid. Between them lies a cusp; there a piece is divided. Near
- * it the outline runs along the line of sight, and its picture shows the mesh
- * rather than the surface: pieces that are off that direction by less than 0.6
- * of what the normals of their triangle turn, so less than their direction is
- * known, are left out. Only where a surface is a saddle can that be. To the
- * triangles the line of sight is no tangent: those next to a piece may lie
- * before it. Which these are is a walk from its triangle, over the strip of the
- * picture that the piece sweeps across its direction, on to neighbours as long
- * as they are not yet turned to the eye as a whole or lie outside the piece.
- * They are said to be *beside* it and never hide it.
+ * surface of a solid. Which it is changes at a cusp, where the picture of the
+ * outline turns back. So it is the picture that tells: a piece has the half
+ * with positive g on its left, seen from outside, and the normal is seen across
+ * it, on its right where that half is the nearer one. Hence what is not hidden
+ * never turns back. To the triangles the line of sight is no tangent: those
+ * next to a piece may lie before it. Which these are is a walk from its
+ * triangle, over the strip of the picture that the piece sweeps across its
+ * direction, on to neighbours as long as they are not yet turned to the eye as
+ * a whole or lie outside the piece. They are said to be *beside* it and never
+ * hide it.
  *
  * The outline of a coarse sheet runs along the sides of its triangles, between
  * one that is turned to the eye and one that is not: that of the smooth surface
  * would lie visibly inside what is seen of it, and triangles would hide it. So
- * does that of a polygon that is not flat, where its triangles fold.
+ * does that of a polygon that is not flat, where its triangles fold, and, of a
+ * sheet that is drawn as smooth, an outline of triangles that no piece *tells*
+ * of: the surface bends down there, a smooth one would bulge at one of the two
+ * triangles, neither is crossed by a piece whose nearer half is turned to the
+ * eye, and no piece across a triangle of the fans at its ends is nearer to its
+ * middle than a thousandth of the picture of its segment.
  *
  * Source: Hertzmann & Zorin 2000, Illustrating smooth surfaces, section 3
- * (interpolated contours, cusps); what is beside a piece is ours.
+ * (interpolated contours); cusps, what is beside a piece and which outlines no
+ * piece tells of are ours.
  */
 #ifndef SG_CONTOUR_H
 #define SG_CONTOUR_H
@@ -56,7 +62,7 @@ typedef struct sg_contour {
   uint32_t t;
   uint8_t side[2]; /* 0 to 2 */
   double at[2];
-  double to;  /* from 0 to here the surface beside it does not hide it */
+  double to;  /* 1: the surface beside it does not hide it, 0: it does */
   bool along; /* it is a side, from end to end */
   size_t beside, besides; /* its places in sg_contours.beside */
 } sg_contour;

@@ -18,12 +18,15 @@ typedef struct sg_contour_finder {
   const sg_contour_input *in;
   sg_contours *out;
   double *g;      /* [fans] towards the eye: not negative */
-  double *radial; /* [fans] how g grows on the way to the eye */
   uint8_t *kind;  /* [triangles] */
-  int8_t *sense;  /* [triangles] of its piece: 1 the nearer half is turned to
-                     the eye, -1 it is not; 0: no piece, or both */
+  int8_t *sense;  /* [triangles] of the piece across it: 1 the half that is
+                     turned to the eye is the nearer one, -1 the other; 0: no
+                     piece */
   uint32_t *seen; /* [triangles] the last walk that was there */
   uint32_t walk;
+  size_t
+      measured; /* places + 1 of the segment whose picture was measured last */
+  double size;  /* its longer side */
   uint32_t *queue; /* [queued], of room queue_room */
   size_t queued, queue_room;
 } sg_contour_finder;
@@ -56,6 +59,16 @@ sg_contour_is_apex(const sg_contour_finder *f, uint32_t corner)
 /* Where a piece begins or ends in the picture. */
 void sg_contour_point(const sg_contour_finder *f, const sg_contour *piece,
                       int end, double out[3]);
+
+/* The piece across triangle t, with what is turned to the eye on its left, seen
+ * from outside. False: there is none. */
+bool sg_contour_across(const sg_contour_finder *f, uint32_t t,
+                       sg_contour *piece);
+
+/* True if triangles of a sheet that is drawn as smooth turn from the eye at
+ * this side, visibly, and no piece tells of it; its two triangles are known to
+ * turn there. */
+bool sg_contour_is_untold(sg_contour_finder *f, uint32_t side);
 
 /* Appends what is beside the piece, and says how much. False: no memory. */
 bool sg_contour_find_beside(sg_contour_finder *f, sg_contour *piece);

@@ -16,6 +16,10 @@
 #define BULGE 1e-3
 #define MOST  0.25
 
+/* Where it bulges by less than this part, the outline of the triangles is never
+ * seen beside that of the surface. */
+#define SLIGHT 1e-4
+
 /* ---------------------------------------------------------------- curved */
 
 /* How a fan bends. */
@@ -164,8 +168,12 @@ add_length(const sg_smooth_builder *b, uint32_t side, double size, lengths *out)
     width = height_over(b, side) + height_over(b, b->out->across[side]);
     bulge = width / length / 4.0 * tan(b->bend[side] / SG_DEGREES / 4.0);
     out->all += length;
-    out->coarse +=
-        bulge > BULGE * size && sg_smooth_surface(b, side) < 0 ? length : 0.0;
+    bulge = sg_smooth_surface(b, side) < 0 ? bulge : 0.0;
+    out->coarse += bulge > BULGE * size ? length : 0.0;
+    if (bulge > SLIGHT * size) {
+      b->out->side[side] |= SG_SIDE_BULGES;
+      b->out->side[b->out->across[side]] |= SG_SIDE_BULGES;
+    }
   }
 }
 

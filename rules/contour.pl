@@ -9,22 +9,23 @@
           ]).
 :- use_module(contour_beside,
               [ beside_piece/3, side_place/5, triangle_facing/3 ]).
+:- use_module(contour_told, [untold_side/2]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(kernel, [fill_contour/7]).
 :- use_module(known_surface, [known_surfaces/1]).
 :- use_module(smooth_sheet,
               [ smooth_sheets/3, smooth_side/3, across_side/3,
                 coarse_triangle/2, curved_triangle/2, fold_side/2, corner_fan/3,
-                fan_corners/3, fan_normal/3, corner_vertex/3, corner_place/3,
+                fan_normal/3, fan_unit/3, corner_vertex/3, corner_place/3,
                 next_corner/2
               ]).
-:- use_module(smooth_vector, [cross_product/3, difference/3, dot_product/3]).
+:- use_module(smooth_vector, [dot_product/3]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [contour/9, e/5, screen/5, segment/3, t/6]).
 :- use_module(view, [current_view/4, view_matrix/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [max_list/2, member/2, min_list/2]).
+:- autoload(library(assoc), [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
+:- autoload(library(lists), [member/2, memberchk/2]).
 /** <module> Outlines of smooth surfaces, inside their triangles.
 
 The side of a vertex that a surface turns to the eye is told by g = normal .
@@ -41,9 +42,11 @@ meet. At an apex, which has no normal, a piece ends in it.
 
 Of the surface beside an outline one half is nearer the eye. If g is positive
 there, the surface bends away from the line of sight; if not, it comes between
-the outline and the eye, and hides it, if it is the surface of a solid. Between
-them lies a cusp; there a piece is divided, and those that are seen nearly end
-on, which show the mesh and not the surface, are left out. Which triangles lie
+the outline and the eye, and hides it, if it is the surface of a solid. Which it
+is changes at a cusp: there the picture of the outline turns back. So it is the
+picture that tells: a piece has the half with positive g on its left, seen from
+outside, and the normal is seen across it, on its right where that half is the
+nearer one. Hence what is not hidden never turns back. Which triangles lie
 beside a piece and therefore never hide it is said in contour_beside.pl.
 
 The outline of a coarse sheet runs along the sides of its triangles, between one
@@ -114,20 +117,17 @@ smooth_segment(_).
 contour_pieces(S, Crease, Pieces) :-
     smooth_sheets(S, Crease, Sheets),
     current_eye(Eye),
-    Context = context(S, Sheets, Eye, Gs, Radials, Senses),
     findall(T, curved_triangle(Sheets, T), Ts),
     fan_values(towards_eye(Sheets, Eye), Sheets, Ts, Gs),
-    fan_values(grows(Sheets, Eye, Gs), Sheets, Ts, Radials),
-    findall(T-(Piece/Sense),
+    empty_assoc(None),
+    findall(T-Across,
             ( member(T, Ts), \+ coarse_triangle(Sheets, T),
-              piece_across(Context, T, Piece, Sense, _) ),
-            Found),
-    findall(T-Sense, member(T-(_/Sense), Found), Senses0),
-    list_to_assoc(Senses0, Senses),
+              piece_across(context(S,Sheets,Eye,Gs,None), T, Across) ),
+            Acrosses),
+    list_to_assoc(Acrosses, Found),
+    Context = context(S, Sheets, Eye, Gs, Found),
     findall(Piece,
-            ( member(T, Ts), \+ coarse_triangle(Sheets, T),
-              piece_across(Context, T, Piece, _, Radial),
-              \+ is_unsure(Context, T, Radial),
+            ( member(_-across(Piece,_), Acrosses),
               \+ is_point(S, Piece), besides(Context, Piece)
             ; piece_along(Context, Piece),
               \+ is_point(S, Piece)
@@ -135,29 +135,32 @@ contour_pieces(S, Crease, Pieces) :-
             Pieces0),
     sort(Pieces0, Pieces).
 
-%   piece_along(Context, Piece): a side of a coarse sheet, or a fold of a
-%   polygon that is not flat, between a triangle that is turned to the eye and
-%   one that is not.
+%   piece_along(Context, Piece): a side between a triangle that is turned to the
+%   eye and one that is not, which is an outline.
 
-piece_along(context(S,Sheets,_,_,_,_), piece(T,I,0.0,I,1.0,1.0,Ts)) :-
+piece_along(Context, piece(T,I,0.0,I,1.0,1.0,Ts)) :-
+    Context = context(S, Sheets, _, _, _),
     t(S, _, T, _, _, _),
-    (   coarse_triangle(Sheets, T)
-    ->  Coarse = true
-    ;   curved_triangle(Sheets, T)
-    ->  fail
-    ;   Coarse = false
-    ),
     member(I, [1,2,3]),
     across_side(Sheets, T-I, T2-I2),
     T-I @< T2-I2,
-    (   Coarse == true
-    ->  smooth_side(Sheets, T-I, _)
-    ;   fold_side(Sheets, T-I)
-    ),
     triangle_facing(S, T, Facing),
     triangle_facing(S, T2, Facing2),
     once(( Facing > 0, Facing2 =< 0 ; Facing =< 0, Facing2 > 0 )),
+    is_outline(Context, T-I),
     sort([T,T2], Ts).
+
+%   Of a coarse sheet every smooth side, of one that is drawn as smooth one that
+%   no piece tells of, of others the folds of polygons.
+
+is_outline(Context, T-I) :-
+    Context = context(_, Sheets, _, _, _),
+    (   \+ curved_triangle(Sheets, T)
+    ->  fold_side(Sheets, T-I)
+    ;   coarse_triangle(Sheets, T)
+    ->  smooth_side(Sheets, T-I, _)
+    ;   untold_side(Context, T-I)
+    ).
 
 %   What its own surface hides has nothing beside it.
 
@@ -226,7 +229,7 @@ distance(eye(Kind,Away,Rho,_,_), Point, Distance) :-
     ).
 
 
-/* - - - g, and how it grows on the way to the eye - - - */
+/* - - - g - - - */
 
 %   towards_eye(Sheets, Eye, Fan, G); an apex has none. Nearly zero is zero.
 
@@ -240,131 +243,63 @@ towards_eye(Sheets, Eye, Fan, G) :-
     ;   G = G0
     ).
 
-%   The mean over the triangles of Fan. In each of them g is linear.
-
-grows(Sheets, Eye, Gs, Fan, Radial) :-
-    fan_normal(Sheets, Fan, _),
-    fan_corners(Sheets, Fan, Corners),
-    findall(Growth-Area,
-            ( member(T-_, Corners), growth(Sheets, Eye, Gs, T, Growth, Area) ),
-            Pairs),
-    foldl(added, Pairs, 0.0-0.0, Growth-Area),
-    (   Area > 0.0
-    ->  Radial is Growth/Area
-    ;   Radial = 0.0
-    ).
-
-added(G1-A1, G0-A0, G-A) :-
-    G is G0+G1,
-    A is A0+A1.
-
-%   Growth of g in triangle T on the way to the eye, times Area, which is twice
-%   that of T. Fails if a corner is an apex.
-
-growth(Sheets, Eye, Gs, T, Growth, Area) :-
-    maplist(corner_g(Sheets, Gs), [T-1,T-2,T-3], [G1,G2,G3]),
-    maplist(corner_place(Sheets), [T-1,T-2,T-3], [P1,P2,P3]),
-    difference(P3, P2, E1),
-    difference(P1, P3, E2),
-    difference(P2, P1, E3),
-    cross_product(E1, E2, Normal),
-    dot_product(Normal, Normal, Square),
-    Area is sqrt(Square),
-    to_eye(Eye, P1, Direction),
-    maplist(height_gained(Normal, Direction), [E1,E2,E3], [H1,H2,H3]),
-    (   Area > 0.0
-    ->  Growth is (G1*H1 + G2*H2 + G3*H3)/Area
-    ;   Growth = 0.0
-    ).
-
-%   How fast one goes towards the corner across Side, on the way to the eye.
-height_gained(Normal, Direction, Side, Height) :-
-    cross_product(Normal, Side, Across),
-    dot_product(Across, Direction, Height).
-
 corner_g(Sheets, Gs, Corner, G) :-
     corner_fan(Sheets, Corner, Fan),
     get_assoc(Fan, Gs, G).
 
 /* - - - pieces - - - */
 
-%   piece_across(Context, T, Piece, Sense, Radial): Sense is 1 if the nearer
-%   half beside it is turned to the eye, -1 if not, 0 if both. Radial is that of
-%   its middle.
+%   piece_across(Context, T, across(Piece, Sense)): Piece has what is turned to
+%   the eye on its left, seen from outside. Sense is 1 if that half of the
+%   surface beside it is the nearer one, -1 if the other is. What lies beside it
+%   is left open.
 
-piece_across(Context, T, piece(T,I1,F1,I2,F2,To,_), Sense, Radial) :-
-    findall(End, piece_end(Context, T, End), Ends),
-    (   Ends = [end(J1,H1,R1), end(J2,H2,R2)]
-    ->  true
-    ;   Ends = [end(J1,H1,R1)],
-        R2 = R1,
-        apex_end(Context, T, J2, H2)
+piece_across(Context, T, across(Piece,Sense)) :-
+    Piece = piece(T, I1, F1, I2, F2, To, _),
+    findall(End, piece_end(Context, T, End), Ends0),
+    (   Ends0 = [_,_]
+    ->  Ends = Ends0
+    ;   Ends0 = [end(Sign,_,_)],
+        apex_end(Context, T, I, F),
+        Other is -Sign,
+        Ends = [end(Other,I,F)|Ends0]
     ),
-    (   R1 >= R2
-    ->  I1-F1-I2-F2 = J1-H1-J2-H2,
-        Most-Least = R1-R2
-    ;   I1-F1-I2-F2 = J2-H2-J1-H1,
-        Most-Least = R2-R1
-    ),
-    Radial is (Most+Least)/2.0,
-    Context = context(S, _, _, _, _, _),
-    (   Least >= 0.0
-    ->  Sense = 1
-    ;   Most < 0.0
-    ->  Sense = -1
-    ;   Sense = 0
-    ),
+    memberchk(end(1,I1,F1), Ends),
+    memberchk(end(-1,I2,F2), Ends),
+    sense(Context, Piece, Sense),
+    Context = context(S, _, _, _, _),
     (   ( Sense =:= 1 ; \+ is_solid(S) )
     ->  To = 1.0
-    ;   Sense =:= -1
-    ->  To = 0.0
-    ;   To is Most/(Most-Least)
+    ;   To = 0.0
     ).
 
-%   is_unsure(Context, T, Radial): the piece across T runs so nearly along the
-%   line of sight that its place in the picture is no more than what T is off
-%   the smooth surface: its direction is off the line of sight by less than 0.6
-%   of what the normals of T turn, and half of that is how well it is known, for
-%   G is linear in T. Only a saddle has such pieces.
+%   The line of sight is a tangent, so the normal is seen across the piece: on
+%   its right, if the half that is turned to the eye is the nearer one.
 
-is_unsure(context(_,Sheets,_,Gs,_,_), T, Radial) :-
-    Corners = [T-1,T-2,T-3],
-    maplist(corner_fan(Sheets), Corners, Fans),
-    maplist(fan_normal(Sheets), Fans, Normals),
-    maplist(corner_place(Sheets), Corners, Places),
-    maplist(triangle_normal, [Places,Normals], [Normal,Turned]),
-    dot_product(Normal, Turned, Way),
-    Way < 0.0,
-    maplist(corner_g(Sheets, Gs), Corners, Values),
-    max_list(Values, High),
-    min_list(Values, Low),
-    slope(Places, Values, Normal, Slope),
-    abs(Radial) < 0.6*(High-Low)*Slope.
+sense(context(S,Sheets,eye(_,_,_,Right,Up),_,_), piece(T,I1,F1,I2,F2,_,_),
+      Sense) :-
+    findall(X-Y,
+            ( member(I, [1,2,3]), corner_fan(Sheets, T-I, Fan),
+              fan_unit(Sheets, Fan, Normal),
+              dot_product(Normal, Right, X), dot_product(Normal, Up, Y) ),
+            Normals),
+    foldl(added, Normals, 0.0-0.0, X-Y),
+    t(S, _, T, A, B, C),
+    side_place(S, t(A,B,C,A), I1, F1, X1-Y1),
+    side_place(S, t(A,B,C,A), I2, F2, X2-Y2),
+    (   (X2-X1)*Y - (Y2-Y1)*X > 0.0
+    ->  Sense = -1
+    ;   Sense = 1
+    ).
 
-triangle_normal([P1,P2,P3], Normal) :-
-    difference(P2, P1, U),
-    difference(P3, P1, W),
-    cross_product(U, W, Normal).
+added(X1-Y1, X0-Y0, X-Y) :-
+    X is X0+X1,
+    Y is Y0+Y1.
 
-%   How steeply a function grows that is linear in a triangle, from its Values
-%   at the corners: the gradient is across the normal and (V2-V1)*(P3-P1) -
-%   (V3-V1)*(P2-P1).
+%   end(Sign,I,F): on a side whose corners differ; Sign is that of the first.
 
-slope([P1,P2,P3], [V1,V2,V3], Normal, Slope) :-
-    difference(P2, P1, p(X2,Y2,Z2)),
-    difference(P3, P1, p(X3,Y3,Z3)),
-    G2 is V2-V1,
-    G3 is V3-V1,
-    X is G2*X3 - G3*X2,
-    Y is G2*Y3 - G3*Y2,
-    Z is G2*Z3 - G3*Z2,
-    dot_product(Normal, Normal, Square),
-    Slope is sqrt((X*X + Y*Y + Z*Z)/Square).
-
-%   end(I,F,Radial): on a side whose corners differ.
-
-piece_end(Context, T, end(I,F,Radial)) :-
-    Context = context(_, Sheets, _, Gs, Radials, _),
+piece_end(Context, T, end(Sign,I,F)) :-
+    Context = context(_, Sheets, _, Gs, _),
     member(I0, [1,2,3]),
     next_corner(T-I0, T-J0),
     corner_g(Sheets, Gs, T-I0, G),
@@ -372,9 +307,6 @@ piece_end(Context, T, end(I,F,Radial)) :-
     sign_of(G, Sign),
     sign_of(H, Other),
     Sign =\= Other,
-    maplist(corner_g(Sheets, Radials), [T-I0,T-J0], [R1,R2]),
-    Zero is G/(G-H),
-    Radial is (1.0-Zero)*R1 + Zero*R2,
     (   smooth_side(Sheets, T-I0, _)
     ->  I = I0,
         side_zero(Context, T-I0, T-J0, F)
@@ -390,7 +322,7 @@ sign_of(G, Sign) :-
 
 %   The corner that is turned the other way than its triangle.
 
-outermost(context(S,_,_,_,_,_), T, I1-Sign1, I2-_, I) :-
+outermost(context(S,_,_,_,_), T, I1-Sign1, I2-_, I) :-
     triangle_facing(S, T, Facing),
     (   Facing < 0
     ->  Wanted = 1
@@ -401,7 +333,7 @@ outermost(context(S,_,_,_,_,_), T, I1-Sign1, I2-_, I) :-
     ;   I = I2
     ).
 
-apex_end(context(_,Sheets,_,_,_,_), T, I, F) :-
+apex_end(context(_,Sheets,_,_,_), T, I, F) :-
     last_apex(Sheets, T, I),
     corner_on_side(Sheets, T-I, F).
 
@@ -425,7 +357,7 @@ corner_on_side(Sheets, Corner, F) :-
 %   A zero of the model, counted from the side's start, in the picture, counted
 %   from its smaller vertex.
 
-side_zero(context(_,Sheets,Eye,Gs,_,_), C1, C2, F) :-
+side_zero(context(_,Sheets,Eye,Gs,_), C1, C2, F) :-
     corner_vertex(Sheets, C1, V1),
     corner_vertex(Sheets, C2, V2),
     (   V1 < V2

@@ -58,7 +58,7 @@ walk([T|Ts], Context, Strip, Seen0, Seen) :-
     walk(Next, Context, Strip, Seen1, Seen).
 
 goes_on(Context, Strip, T-I, T2) :-
-    Context = context(_, Sheets, _, _, _, _),
+    Context = context(_, Sheets, _, _, _),
     Strip = strip(_, _, _, _, Sense),
     across_side(Sheets, T-I, T2-_),
     (   smooth_side(Sheets, T-I, _)
@@ -80,15 +80,15 @@ below(Sheets, Side, Sense) :-
     ;   Sense < 0
     ).
 
-piece_sense(context(_,_,_,_,_,Senses), T, Sense) :-
-    get_assoc(T, Senses, Sense).
+piece_sense(context(_,_,_,_,Found), T, Sense) :-
+    get_assoc(T, Found, across(_, Sense)).
 
 /* - - - how triangles lie to the eye - - - */
 
 %   towards, away or mixed, seen from the side of the surface that Sense says.
 
 triangle_kind(Context, Sense, T, Kind) :-
-    Context = context(S, Sheets, _, Gs, _, _),
+    Context = context(S, Sheets, _, Gs, _),
     triangle_facing(S, T, Facing),
     findall(Sign, corner_sign(Sheets, Gs, T, Sign), Signs),
     (   Facing > 0,
@@ -149,7 +149,7 @@ triangle_facing(S, T, Facing) :-
 
 piece_strip(Context, piece(T,I1,F1,I2,F2,_,_),
             strip(X1-Y1,AX-AY,OX-OY,Length,Sense)) :-
-    Context = context(S, Sheets, Eye, _, _, _),
+    Context = context(S, Sheets, Eye, _, _),
     t(S, _, T, A, B, C),
     side_place(S, t(A,B,C,A), I1, F1, Start),
     side_place(S, t(A,B,C,A), I2, F2, End),
@@ -158,11 +158,7 @@ piece_strip(Context, piece(T,I1,F1,I2,F2,_,_),
     Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
     AX is (X2-X1)/Length,
     AY is (Y2-Y1)/Length,
-    piece_sense(Context, T, Sense0),
-    (   Sense0 < 0
-    ->  Sense = -1
-    ;   Sense = 1
-    ),
+    piece_sense(Context, T, Sense),
     findall(Lean, ( member(I, [1,2,3]),
                     normal_lean(Sheets, Eye, T-I, -AY, AX, Lean) ),
             Leans),
@@ -183,7 +179,7 @@ normal_lean(Sheets, eye(_,_,_,Right,Up), Corner, X, Y, Lean) :-
 
 %   How far out a side comes in the strip; fails if it is not in it.
 
-side_outmost(context(S,Sheets,_,_,_,_), strip(From,Along,Outward,Length,_),
+side_outmost(context(S,Sheets,_,_,_), strip(From,Along,Outward,Length,_),
              Corner, Outmost, Same) :-
     next_corner(Corner, Next),
     maplist(strip_place(S, Sheets, From, Along, Outward), [Corner,Next],

@@ -5,6 +5,7 @@
             across_side/3,              % +Sheets, +Side, -Across
             curved_triangle/2,          % +Sheets, ?T
             coarse_triangle/2,          % +Sheets, ?T
+            side_bulges/2,              % +Sheets, +Side
             fold_side/2,                % +Sheets, +Side
             corner_fan/3,               % +Sheets, +Corner, -Fan
             fan_corners/3,              % +Sheets, +Fan, -Corners
@@ -17,15 +18,16 @@
 :- use_module(known_surface, [polygon_surface/4, surface_normal/4]).
 :- use_module(smooth_vector,
               [ angle_between/3, cross_product/3, difference/3, dot_product/3,
-                scaled/3
+                scaled/3, unit/2
               ]).
 :- use_module(store, [line/9, t/6, v/5]).
+:- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc),
             [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
               put_assoc/4 ]).
 :- autoload(library(lists),
-            [append/3, max_list/2, member/2, memberchk/2, min_list/2]).
+            [append/3, max_list/2, member/2, memberchk/2]).
 :- autoload(library(pairs), [pairs_keys_values/3]).
 /** <module> Smooth sheets: which triangles of a segment are one smooth surface.
 
@@ -386,18 +388,6 @@ add_weighted(Weight-p(X1,Y1,Z1), p(X0,Y0,Z0), p(X,Y,Z)) :-
     Y is Y0 + Weight*Y1,
     Z is Z0 + Weight*Z1.
 
-unit(U, Unit) :-
-    dot_product(U, U, Square),
-    (   Square > 0.0
-    ->  Size is sqrt(Square),
-        U = p(X0,Y0,Z0),
-        X is X0/Size,
-        Y is Y0/Size,
-        Z is Z0/Size,
-        Unit = p(X,Y,Z)
-    ;   Unit = U
-    ).
-
 /* - - - curved sheets - - - */
 
 %!  curved_triangle(+Sheets, ?T) is nondet.
@@ -539,6 +529,19 @@ add_side(Size, Length-Bulge, All0-Over0, All-Over) :-
     ;   Over = Over0
     ).
 
+%!  side_bulges(+Sheets, +Side) is semidet.
+%
+%   True when a smooth surface would bulge out at Side, of a curved sheet of no
+%   known surface, by more than a ten-thousandth of the segment's longest side:
+%   otherwise the outline of triangles is never seen beside that of the surface.
+
+side_bulges(Sheets, T-I) :-
+    curved_triangle(Sheets, T),
+    smooth_side(Sheets, T-I, Across),
+    side_bulge(Sheets, T-I, Across, _, Bulge),
+    longest_side(Sheets, Size),
+    Bulge > 1.0e-4*Size.
+
 %   The arc from middle to middle of two chords that turn by an angle is a
 %   quarter of their lengths times the tangent of a quarter of it high.
 
@@ -568,22 +571,18 @@ plain_normal(Sheets, T, Normal) :-
     triangle_area(Places, A, B, C, Normal).
 
 longest_side(Sheets, Size) :-
-    Sheets = sheets(Corners, _, _, _, _, _, _, _, _, _),
+    arg(1, Sheets, Corners),
     assoc_to_keys(Corners, Ts),
-    findall(Axis-X, ( member(T, Ts), member(I, [1,2,3]),
-                      corner_place(Sheets, T-I, Place),
-                      arg(Axis, Place, X) ),
-            Xs),
-    findall(Side, ( member(Axis, [1,2,3]),
-                    findall(X, member(Axis-X, Xs), Own),
-                    Own \== [],
-                    min_list(Own, Low), max_list(Own, High),
-                    Side is High-Low ),
+    findall(Side,
+            ( member(Axis, [1,2,3]),
+              aggregate_all(r(min(X),max(X)),
+                            ( member(T, Ts), member(I, [1,2,3]),
+                              corner_place(Sheets, T-I, Place),
+                              arg(Axis, Place, X) ),
+                            r(Low,High)),
+              Side is High-Low ),
             Sides),
-    foldl(larger, Sides, 0.0, Size).
-
-larger(A, B, C) :-
-    C is max(A, B).
+    max_list([0.0|Sides], Size).
 
 %!  fold_side(+Sheets, +Side) is semidet.
 %

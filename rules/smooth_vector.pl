@@ -4,6 +4,7 @@
             difference/3,               % +P, +Q, -Vector
             vector_sum/3,               % +U, +V, -Sum
             scaled/3,                   % +Factor, +U, -V
+            unit/2,                     % +U, -Unit
             angle_between/3             % +U, +V, -Radians
           ]).
 /** <module> Points and vectors p(X,Y,Z) of floats, as the rules of smooth
@@ -49,3 +50,19 @@ angle_between(U, V, Radians) :-
     dot_product(W, W, Square),
     dot_product(U, V, Dot),
     Radians is atan2(sqrt(Square), Dot).
+
+%!  unit(+U, -Unit) is det.
+%
+%   Unit is as long as 1 and runs as U does; 0 if U is 0.
+
+unit(U, Unit) :-
+    dot_product(U, U, Square),
+    (   Square > 0.0
+    ->  Size is sqrt(Square),
+        U = p(X0,Y0,Z0),
+        X is X0/Size,
+        Y is Y0/Size,
+        Z is Z0/Size,
+        Unit = p(X,Y,Z)
+    ;   Unit = U
+    ).

@@ -32,6 +32,8 @@ mesh_init(mesh *m, size_t vertices, size_t triangles)
   d->polygon_of = malloc(triangles * sizeof *d->polygon_of);
   d->triangle_begin = calloc(2, sizeof *d->triangle_begin);
   d->triangle_begin[1] = (uint32_t)triangles;
+  d->vertex_begin = calloc(2, sizeof *d->vertex_begin);
+  d->vertex_begin[1] = (uint32_t)vertices;
   for (size_t t = 0; t < triangles; t++) {
     d->polygon_of[t] = (int32_t)t;
   }
@@ -47,6 +49,7 @@ mesh_clear(mesh *m)
   free(m->dense.corner);
   free(m->dense.polygon_of);
   free(m->dense.triangle_begin);
+  free(m->dense.vertex_begin);
   free(m->screen);
 }
 

@@ -20,10 +20,10 @@ but for a run of dots no longer than is said here.
     OUTLINE_VIEWS=all       from all sides, not from a few
 */
 
-most_bare('suzanne.obj', 55).
-most_bare('cow.obj', 31).
-most_bare('beetle.obj', 45).
-most_bare('teapot.obj', 2).
+most_bare('suzanne.obj', 27).
+most_bare('cow.obj', 23).
+most_bare('beetle.obj', 32).
+most_bare('teapot.obj', 0).
 
 from(Theta, Phi) :-
     (   getenv('OUTLINE_VIEWS', all)
