@@ -72,12 +72,16 @@ copy_edges(taking *k)
 
     uint32_t key[2];
 
+    bool line = sg_arrangement_is_line(k->a, k->leaf, v1, v2);
+    bool fold = edge->et == 0 && edge->label == 0;
+
     k->edge[k->edges++] = *edge;
     border_key(v1, v2, key);
-    if (edge->et != 0 && !sg_key_table_add(&k->border, key)) {
+    if ((edge->et != 0 || (fold && line)) &&
+        !sg_key_table_add(&k->border, key)) {
       return false;
     }
-    if (edge->et == 0 && !sg_arrangement_is_line(k->a, k->leaf, v1, v2) &&
+    if (edge->et == 0 && !fold && !line &&
         !sg_key_table_add(&k->auxiliary,
                           (uint32_t[2]){(uint32_t)v1, (uint32_t)v2})) {
       return false;

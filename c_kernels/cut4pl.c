@@ -24,6 +24,7 @@ close_handle(sg_cut_handle *handle)
   sg_key_table_clear(&handle->line_of);
   sg_key_table_clear(&handle->edge_type);
   sg_key_table_clear(&handle->edges_read);
+  sg_key_table_clear(&handle->bent);
   free(handle->real);
   sg_cut_rows_clear(handle);
   sg_cut_open_clear(handle);
@@ -128,11 +129,12 @@ cut_set_open(term_t pairs, term_t out)
   atomic_init(&handle->holders, 1);
   handle->world = sg_world_keep(world);
   handle->version = sg_world_version(world);
-  sg_cut_set_init(&handle->set, sg_cut_is_real, handle);
+  sg_cut_set_init(&handle->set, sg_cut_is_real_or_fold, handle);
   sg_key_table_init(&handle->next_name, 1);
   sg_key_table_init(&handle->line_of, 3);
   sg_key_table_init(&handle->edge_type, 4);
   sg_key_table_init(&handle->edges_read, 2);
+  sg_key_table_init(&handle->bent, 2);
   if (!sg_cut_open_ex(handle, pairs)) {
     shut_handle(handle);
     drop_holder(handle);

@@ -42,6 +42,9 @@ typedef struct sg_cut_handle {
   size_t real_room;
   sg_key_table edge_type;  /* segment, polygon, two vertices -> Et */
   sg_key_table edges_read; /* segment, polygon: edges are in edge_type */
+  sg_key_table bent;       /* segment, polygon -> 1: it is not flat */
+  double flat_within;      /* in what polygons have no folds */
+  bool flat_known;         /* of all vertices, too */
   sg_cut_rows_by_id by_id[SG_CUT_TABLES];
   bool grouped; /* its polygons are listed, its points have names */
   bool shut;    /* for Prolog: cut_set_close/1 was called */
@@ -100,7 +103,24 @@ int sg_unify_origin(term_t t, const sg_cut_points *points, uint32_t point);
 uint32_t sg_cut_line_of(const sg_cut_handle *handle, int32_t s, int32_t v1,
                         int32_t v2);
 
-/* An sg_is_real for the set of this handle (cut_real4pl.c). */
+/* Whether edge 0..2 of a leaf triangle of the set of this handle is an edge of
+ * its polygon, of real type: 1, 0, or -1: no memory (cut_real4pl.c). */
 int sg_cut_is_real(void *handle, uint32_t triangle, int edge);
+
+/* The same, or a fold: an sg_is_real for this set (cut_fold4pl.c). */
+int sg_cut_is_real_or_fold(void *handle, uint32_t triangle, int edge);
+
+/* Whether polygon p of segment s is not flat: 1, 0, or -1: no memory. */
+int sg_cut_is_bent(sg_cut_handle *handle, int32_t s, int32_t p);
+
+/* Adds the folds of a polygon that is not flat, in the parts that they are
+ * divided into. False: an exception. */
+int sg_cut_add_folds_ex(sg_cut_handle *handle, sg_work *work, int32_t s,
+                        int32_t p);
+
+/* Adds what runs from vertex v[0] to v[1] of the model, in the parts that it
+ * is divided into (cut_enter4pl.c). False: an exception. */
+int sg_cut_add_parts_ex(sg_cut_handle *handle, sg_work *work, int32_t s,
+                        const int32_t v[2], int32_t et, int32_t label);
 
 #endif

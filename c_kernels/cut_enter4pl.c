@@ -171,29 +171,24 @@ note_points(sg_work *work, int32_t n)
   }
 }
 
-/* Adds one edge of the polygon in the pieces it is split into. */
-static int
-add_split_edge_ex(sg_cut_handle *handle, sg_work *work, sg_row row)
+int
+sg_cut_add_parts_ex(sg_cut_handle *handle, sg_work *work, int32_t s,
+                    const int32_t v[2], int32_t et, int32_t label)
 {
-  int32_t s = sg_version_value(handle->version, SG_E, row, 0).i;
-  int32_t e = sg_version_value(handle->version, SG_E, row, 1).i;
-  int32_t v1 = sg_version_value(handle->version, SG_E, row, 2).i;
-  int32_t v2 = sg_version_value(handle->version, SG_E, row, 3).i;
-  int32_t et = sg_version_value(handle->version, SG_E, row, 4).i;
-  const sg_split_edge *split = find_split(&handle->set, s, v1, v2);
+  const sg_split_edge *split = find_split(&handle->set, s, v[0], v[1]);
   size_t n = split ? split->n : 0;
-  bool forward = n > 0 && handle->set.model.vertex[split->place.a].v == v1;
-  int32_t from = enter_vertex_ex(handle, work, s, v1);
+  bool forward = n > 0 && handle->set.model.vertex[split->place.a].v == v[0];
+  int32_t from = enter_vertex_ex(handle, work, s, v[0]);
 
   for (size_t i = 0; i <= n && from != SG_WORK_NONE; i++) {
     int32_t to =
-        i == n ? enter_vertex_ex(handle, work, s, v2)
+        i == n ? enter_vertex_ex(handle, work, s, v[1])
                : sg_cut_enter_point_ex(
                      handle, work, split->point[forward ? i : n - 1 - i], s);
     if (to == SG_WORK_NONE) {
       return FALSE;
     }
-    if (!sg_work_add(work, from, to, et, e)) {
+    if (!sg_work_add(work, from, to, et, label)) {
       return sg_no_memory();
     }
     from = to;
@@ -205,6 +200,19 @@ add_split_edge_ex(sg_cut_handle *handle, sg_work *work, sg_row row)
 }
 
 static int
+add_edge_ex(sg_cut_handle *handle, sg_work *work, sg_row row)
+{
+  const sg_version *version = handle->version;
+  int32_t v[2] = {sg_version_value(version, SG_E, row, 2).i,
+                  sg_version_value(version, SG_E, row, 3).i};
+
+  return sg_cut_add_parts_ex(handle, work,
+                             sg_version_value(version, SG_E, row, 0).i, v,
+                             sg_version_value(version, SG_E, row, 4).i,
+                             sg_version_value(version, SG_E, row, 1).i);
+}
+
+static int
 fill_work_ex(sg_cut_handle *handle, sg_work *work, int32_t s, sg_row polygon)
 {
   const int32_t *list =
@@ -213,7 +221,7 @@ fill_work_ex(sg_cut_handle *handle, sg_work *work, int32_t s, sg_row polygon)
   for (int32_t i = 0; i < list[0]; i++) {
     sg_row row = sg_cut_row_of(handle, SG_E, s, list[i + 1]);
 
-    if (row != SG_NO_ROW && !add_split_edge_ex(handle, work, row)) {
+    if (row != SG_NO_ROW && !add_edge_ex(handle, work, row)) {
       return PL_exception(0) ? FALSE : PL_representation_error("vertex");
     }
   }
@@ -270,6 +278,7 @@ open_work_ex(sg_cut_handle *handle, int32_t s, int32_t p, term_t p_term)
     return NULL;
   }
   if (!fill_work_ex(handle, work, s, polygon) ||
+      !sg_cut_add_folds_ex(handle, work, s, p) ||
       !enter_piece_ends_ex(handle, work, s, p)) {
     sg_work_close(work);
     return NULL;

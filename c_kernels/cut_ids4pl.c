@@ -99,15 +99,35 @@ sg_cut_row_of(sg_cut_handle *handle, sg_relation relation, int32_t s,
 
 /* ---- beside split edges ---- */
 
-/* The split edge between two vertices of the model, null: it is none. */
+/* The edge between two vertices of the model that is split, or a piece runs
+ * along; null: it is none. */
 static const sg_split_edge *
-find_split(const sg_cut_set *set, uint32_t a, uint32_t b)
+find_edge(const sg_cut_set *set, uint32_t a, uint32_t b)
 {
   uint32_t key[2] = {a < b ? a : b, a < b ? b : a};
   uint32_t number = sg_key_table_get(&set->edge_number, key);
 
-  return number == SG_NO_KEY || set->edge[number].n == 0 ? NULL
-                                                         : &set->edge[number];
+  return number == SG_NO_KEY ? NULL : &set->edge[number];
+}
+
+/* Whether side k of a triangle changes its polygon: 1 if it is split, or a fold
+ * along which a piece runs, since the polygon has no such edge yet; 0; -1: no
+ * memory. */
+static int
+is_beside(sg_cut_handle *handle, uint32_t triangle, int k, bool late)
+{
+  const uint32_t *v = handle->set.model.triangle[triangle].v;
+  const sg_split_edge *edge = find_edge(&handle->set, v[k], v[(k + 1) % 3]);
+
+  if (!edge || (late && !edge->late)) {
+    return 0;
+  }
+  if (edge->n > 0) {
+    return 1;
+  }
+  int real = sg_cut_is_real(handle, triangle, k);
+
+  return real < 0 ? -1 : !real;
 }
 
 bool
@@ -118,14 +138,13 @@ sg_cut_add_beside(sg_cut_handle *handle, bool late)
 
   for (size_t i = 0; i < model->triangles; i++) {
     const sg_leaf_triangle *t = &model->triangle[i];
-    bool beside = false;
+    int beside = 0;
 
-    for (int k = 0; k < 3 && !beside; k++) {
-      const sg_split_edge *edge = find_split(set, t->v[k], t->v[(k + 1) % 3]);
-
-      beside = edge && (edge->late || !late);
+    for (int k = 0; k < 3 && beside == 0; k++) {
+      beside = is_beside(handle, (uint32_t)i, k, late);
     }
-    if (beside && !sg_cut_set_add_polygon(set, t->s, t->p)) {
+    if (beside < 0 ||
+        (beside > 0 && !sg_cut_set_add_polygon(set, t->s, t->p))) {
       return false;
     }
   }

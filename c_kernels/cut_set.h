@@ -57,7 +57,9 @@ typedef struct sg_cut_polygon {
 } sg_cut_polygon;
 
 /* Whether edge 0..2 of a leaf triangle is an edge of its polygon, of real
- * type, and no chord. 1, 0, or -1: no memory. */
+ * type, or a fold, a chord of a polygon that is not flat; and no other chord.
+ * 1, 0, or -1: no memory. What is said of real edges here goes for folds, too.
+ */
 typedef int sg_is_real(void *data, uint32_t triangle, int edge);
 
 typedef struct sg_cut_set {

@@ -18,8 +18,15 @@
 /* One edge of the work, by ids. */
 typedef struct cut_edge {
   int32_t v1, v2, et, label;
-  uint32_t line; /* of a cut's edge */
+  uint32_t line; /* of a cut's edge, or a fold's */
 } cut_edge;
+
+/* A fold is an edge of the polygon where a line runs along it. */
+static bool
+is_fold(const cut_edge *edge)
+{
+  return edge->et == 0 && edge->label == 0;
+}
 
 /* All that is read before anything is written. */
 typedef struct cut_polygon {
@@ -77,7 +84,8 @@ static bool
 all_lines_known(const cut_polygon *c)
 {
   for (size_t i = 0; i < c->edges; i++) {
-    if (c->edge[i].label <= 0 && c->edge[i].line == SG_NO_KEY) {
+    if (c->edge[i].label <= 0 && c->edge[i].line == SG_NO_KEY &&
+        !is_fold(&c->edge[i])) {
       return false;
     }
   }
@@ -291,7 +299,7 @@ new_edge_ex(const cut_polygon *c, const cut_edge *edge)
                                   [1].i = e,
                                   [2].i = edge->v1,
                                   [3].i = edge->v2,
-                                  [4].i = edge->et};
+                                  [4].i = is_fold(edge) ? 1 : edge->et};
   sg_term_builder item, origin;
   int good = FALSE;
 
@@ -342,14 +350,20 @@ static int
 write_edges_ex(const cut_polygon *c)
 {
   int32_t *list = malloc((c->edges + 1) * sizeof *list);
+  int32_t n = 0;
   int good = list ? TRUE : sg_no_memory();
 
   for (size_t i = 0; i < c->edges && good; i++) {
-    list[i + 1] = edge_number_ex(c, &c->edge[i]);
-    good = list[i + 1] != 0;
+    const cut_edge *edge = &c->edge[i];
+
+    if (is_fold(edge) && edge->line == SG_NO_KEY) {
+      continue;
+    }
+    list[++n] = edge_number_ex(c, edge);
+    good = list[n] != 0;
   }
   if (good) {
-    list[0] = (int32_t)c->edges;
+    list[0] = n;
     sg_value row[SG_MAX_COLUMNS] = {
         [0].i = c->s, [1].i = c->p, [2].list = list};
     good = add_ex(c->world, SG_P, row);

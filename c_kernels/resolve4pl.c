@@ -436,8 +436,7 @@ open_ex(sg_resolving *job, term_t set, term_t reach)
   if (!job->handle->joined) {
     job->handle->reach = r;
   }
-  sg_resolve_init(&job->r, r, job->handle->set.is_real, job->handle->set.data,
-                  &sg_prolog_poll);
+  sg_resolve_init(&job->r, r, sg_cut_is_real, job->handle, &sg_prolog_poll);
   sg_key_table_init(&job->known, 2);
   return TRUE;
 }

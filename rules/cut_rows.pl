@@ -16,7 +16,7 @@
                 assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3
               ]).
 :- use_module(triangulation, [work_triangles/2]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- autoload(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
 :- autoload(library(lists), [member/2, reverse/2]).
 
 /** <module> The rows that a penetration leaves.
@@ -72,11 +72,19 @@ write_polygon_by_rule(Set, work(S, P, Work)) :-
             Edges),
     p(S, P, Es0),
     !,
+    exclude(mere_fold(Set, S), Edges, Written),
     retract_once(p(S, P, Es0)),
-    drop_divided(S, Es0, Edges),
-    maplist(write_edge(Set, S), Edges, Es),
+    drop_divided(S, Es0, Written),
+    maplist(write_edge(Set, S), Written, Es),
     assert_fact(p(S, P, Es)),
     write_triangles(S, P, Work, Edges).
+
+%   mere_fold(Set, S, Edge): a fold of a polygon that is not flat (type and
+%   label 0), along which no line runs. The triangles keep to it, the polygon
+%   has no such edge.
+
+mere_fold(Set, S, w(V1, V2, 0, 0)) :-
+    \+ cut_line(Set, S, V1, V2, _).
 
 retract_once(Fact) :-
     retract_fact(Fact),
@@ -100,8 +108,12 @@ write_edge(_, S, w(V1, V2, _, Label), E) :-
     e(S, E, V1, V2, _),
     origin(S, e(E), e(Label)),
     !.
-write_edge(Set, S, w(V1, V2, Et, Label), E) :-
+write_edge(Set, S, w(V1, V2, Et0, Label), E) :-
     edge_origin(Set, S, V1, V2, Label, Origin),
+    (   Label =:= 0
+    ->  Et = 1
+    ;   Et = Et0
+    ),
     fresh_id(e, S, E),
     assert_fact(e(S, E, V1, V2, Et)),
     assert_fact(origin(S, e(E), Origin)).

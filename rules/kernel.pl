@@ -71,6 +71,7 @@
             % cut4pl.c, seam4pl.c, split4pl.c, line4pl.c
             cut_set_open/2,           % +Pairs, -Set
             cut_set_close/1,          % +Set
+            cut_flat_within/2,        % +Set, +Tolerance
             cut_resolve/4,            % +Set, +Reach, -Vertices, -Polygons
             cut_touch/3,              % +Set, +Reach, -What
             cut_candidate/3,          % +Set, -T1, -T2
@@ -945,6 +946,13 @@ the drawn surface. Degrees; see roll.h.
 %
 %   Frees what Set holds. Any later use is an existence_error(cut_set, Set);
 %   the garbage collector closes what is forgotten.
+
+%!  cut_flat_within(+Set, +Tolerance) is det.
+%
+%   Polygons whose vertices are no farther off their planes than four times
+%   Tolerance, or the tolerance of the model as it is now, have no folds in Set.
+%   Say it before the first cut is found. Of others the chords between triangles
+%   divide lines, as real edges do: the polygon keeps its shape.
 
 %!  cut_resolve(+Set, +Reach, -Vertices, -Polygons) is det.
 %

@@ -18,7 +18,8 @@
 :- use_module(entering, [enter_polygons/4, close_works/1]).
 :- use_module(joints, [merge_joints/2]).
 :- use_module(kernel,
-              [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_find/1,
+              [ cut_set_open/2, cut_set_close/1, cut_flat_within/2,
+                cut_candidate/3, cut_find/1,
                 cut_side/4, cut_enter/4, cut_triangle/5, cut_ends/4,
                 near_segments/3, cut_seal/1, cut_chains/2, cut_polygons/2,
                 cut_polygons_of/3, model_tolerance/1,
@@ -216,25 +217,29 @@ penetrated(Pairs, Tolerance) :-
 
 touched(Pairs, Contacts, Tolerance, Next, Resolved) :-
     (   Contacts == Pairs
-    ->  with_cut_set(Pairs, resolved(Next, Tolerance, Resolved)),
+    ->  with_cut_set(Pairs, Tolerance, resolved(Next, Tolerance, Resolved)),
         Done = Resolved
-    ;   with_cut_set(Contacts, resolved(nothing, Tolerance, Resolved)),
+    ;   with_cut_set(Contacts, Tolerance,
+                     resolved(nothing, Tolerance, Resolved)),
         Done = true
     ),
     (   Done == true
-    ->  with_cut_set(Pairs, Next)
+    ->  with_cut_set(Pairs, Tolerance, Next)
     ;   true
     ).
 
 nothing(_, _).
 
-:- meta_predicate with_cut_set(+, 2).
+:- meta_predicate with_cut_set(+, +, 2).
 
-with_cut_set(Pairs, Goal) :-
+%   What was made to touch within Tolerance is off its plane by a little more.
+
+with_cut_set(Pairs, Tolerance, Goal) :-
     stage(tree, cut_set_open(Pairs, Set)), % long: no signals in a setup
     setup_call_cleanup(
         true,
-        call(Goal, Pairs, Set),
+        ( cut_flat_within(Set, Tolerance),
+          call(Goal, Pairs, Set) ),
         cut_set_close(Set)).
 
 %   If contacts had to be made, what comes Next starts from what that made.

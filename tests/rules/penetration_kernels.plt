@@ -151,7 +151,7 @@ same_works([S-P|Rest], [], Set, [S-P|Rest]) :-
 written_by(Write, Rows) :-
     segment_pairs(Pairs),
     facts_transaction(
-        sg_penetration:with_cut_set(Pairs, arranged(Write))),
+        sg_penetration:with_cut_set(Pairs, 0.0, arranged(Write))),
     findall(Row, ( member(Row, [ v(_, _, _, _, _), e(_, _, _, _, _),
                                  p(_, _, _), t(_, _, _, _, _, _),
                                  origin(_, _, _),
