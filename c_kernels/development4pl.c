@@ -540,12 +540,11 @@ flattening_measures(term_t handle, term_t out)
   if (!sg_measure(&d->flattening, &d->layout, &sg_prolog_poll, &m, &stopped)) {
     return stop_ex(stopped);
   }
-  return PL_unify_term(out, PL_FUNCTOR_CHARS, "measures", 9, PL_FLOAT,
-                       m.seam + 0.0, PL_INT64, (int64_t)d->layout.pieces,
-                       PL_FLOAT, m.longest + 0.0, PL_FLOAT, m.area + 0.0,
-                       PL_FLOAT, m.boxes + 0.0, PL_FLOAT, m.tree + 0.0, PL_BOOL,
-                       (int)m.pointed, PL_INT64, (int64_t)d->flattening.tests,
-                       PL_INT64, (int64_t)d->flattening.refused);
+  return PL_unify_term(
+      out, PL_FUNCTOR_CHARS, "measures", 7, PL_FLOAT, m.seam + 0.0, PL_INT64,
+      (int64_t)d->layout.pieces, PL_FLOAT, m.longest + 0.0, PL_FLOAT,
+      m.area + 0.0, PL_FLOAT, m.boxes + 0.0, PL_INT64,
+      (int64_t)d->flattening.tests, PL_INT64, (int64_t)d->flattening.refused);
 }
 
 /* flattening_restart(+Flattening) is det. */

@@ -1,14 +1,9 @@
 /* measure.c -- see measure.h. */
 #include "measure.h"
 
-#include "sort.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Angles that sum to a whole turn but for this are flat; radians. */
-#define FLAT 1e-9
 
 enum { POLL_EVERY = 16384 };
 
@@ -119,122 +114,6 @@ measure_seams(const sg_flattening *fl, welds *w, const sg_poll *poll,
   return !*stopped;
 }
 
-/* ---- the tree ----------------------------------------------------------- */
-
-static uint32_t
-find(uint32_t *class, uint32_t v)
-{
-  while (class[v] != v) {
-    class[v] = class[class[v]];
-    v = class[v];
-  }
-  return v;
-}
-
-/* Vertices on the border are one. */
-static bool
-unite_border(const sg_flattening *fl, uint32_t *class, bool *border,
-             const sg_poll *poll, bool *stopped)
-{
-  const sg_flat_faces *f = fl->faces;
-  uint32_t first = UINT32_MAX;
-
-  for (uint32_t k = 0; k < f->sides && !stops(k, poll, stopped); k++) {
-    uint32_t e = f->side[k].edge;
-    bool real = e >= fl->dense->edges || fl->dense->real[e];
-    if (real && fl->joints->of_side[k] == SG_NO_JOINT) {
-      const int32_t v[2] = {sg_flat_side_from(f, k), sg_flat_side_to(f, k)};
-      for (int end = 0; end < 2; end++) {
-        border[v[end]] = true;
-        first = first == UINT32_MAX ? (uint32_t)v[end] : first;
-        class[find(class, (uint32_t)v[end])] = find(class, first);
-      }
-    }
-  }
-  return !*stopped;
-}
-
-static bool
-measure_tree(const sg_flattening *fl, uint32_t *class, const sg_poll *poll,
-             sg_measures *out, bool *stopped)
-{
-  size_t n = 0;
-  sg_measured *item = malloc((fl->joints->n + 1) * sizeof *item);
-
-  for (uint32_t j = 0; item && j < fl->joints->n; j++) {
-    if (!fl->joints->joint[j].line) {
-      item[n++] = (sg_measured){fl->joints->joint[j].length, j};
-    }
-  }
-  sg_sort_end sorted =
-      item ? sg_sort_measured(item, n, poll) : SG_SORT_NO_MEMORY;
-
-  *stopped = sorted == SG_SORT_STOPPED;
-  for (size_t i = 0; sorted == SG_SORTED && i < n && !stops(i, poll, stopped);
-       i++) {
-    uint32_t a = find(class, (uint32_t)end_of(fl, item[i].of, 0));
-    uint32_t b = find(class, (uint32_t)end_of(fl, item[i].of, 1));
-    if (a != b) {
-      class[a] = b;
-      out->tree += item[i].value;
-    }
-  }
-  free(item);
-  return sorted == SG_SORTED && !*stopped;
-}
-
-/* The angle of a triangle at its corner k. */
-static double
-angle_at(const sg_flat_faces *f, const uint32_t corner[3], int k)
-{
-  const double *p = f->at[corner[k]];
-  const double *q = f->at[corner[(k + 1) % 3]], *r = f->at[corner[(k + 2) % 3]];
-  double ux = q[0] - p[0], uy = q[1] - p[1], wx = r[0] - p[0], wy = r[1] - p[1];
-
-  return fabs(atan2(ux * wy - uy * wx, ux * wx + uy * wy));
-}
-
-/* Whether every vertex of a face that is not on the border is pointed. */
-static bool
-all_pointed(const sg_flattening *fl, const bool *border, const sg_poll *poll,
-            bool *pointed, bool *stopped)
-{
-  const sg_flat_faces *f = fl->faces;
-  double *sum = calloc(fl->dense->vertices + 1, sizeof *sum);
-
-  *pointed = true;
-  for (size_t t = 0; sum && t < f->triangles && !stops(t, poll, stopped); t++) {
-    for (int k = 0; k < 3; k++) {
-      sum[f->vertex[f->triangle[t][k]]] += angle_at(f, f->triangle[t], k);
-    }
-  }
-  for (size_t v = 0; sum && v < fl->dense->vertices; v++) {
-    *pointed &= border[v] || sum[v] < 2 * acos(-1.0) - FLAT;
-  }
-  free(sum);
-  return sum && !*stopped;
-}
-
-static bool
-find_bound(const sg_flattening *fl, const sg_poll *poll, sg_measures *out,
-           bool *stopped)
-{
-  size_t vertices = fl->dense->vertices;
-  uint32_t *class = malloc((vertices + 1) * sizeof *class);
-  bool *border = calloc(vertices + 1, sizeof *border);
-  bool good = class && border;
-
-  for (uint32_t v = 0; good && v < vertices; v++) {
-    class[v] = v;
-  }
-  good = good && unite_border(fl, class, border, poll, stopped) &&
-         measure_tree(fl, class, poll, out, stopped) &&
-         all_pointed(fl, border, poll, &out->pointed, stopped);
-  free(class);
-  free(border);
-  return good;
-}
-
 bool
 sg_measure(const sg_flattening *fl, const sg_layout *layout,
            const sg_poll *poll, sg_measures *out, bool *stopped)
@@ -248,8 +127,7 @@ sg_measure(const sg_flattening *fl, const sg_layout *layout,
     out->boxes += (box->high[0] - box->low[0]) * (box->high[1] - box->low[1]);
   }
   bool good = find_welds(fl, poll, &w, stopped) &&
-              measure_seams(fl, &w, poll, out, stopped) &&
-              find_bound(fl, poll, out, stopped);
+              measure_seams(fl, &w, poll, out, stopped);
 
   free(w.begin);
   free(w.seam);

@@ -1,5 +1,5 @@
-/* seam_exchange4pl.c -- folds exchanged for a shorter seam (documented in
- * kernel.pl).
+/* seam_exchange4pl.c -- folds exchanged for a shorter seam, and how short it
+ * can be (documented in kernel.pl).
  *
  * Layer: glue.
  */
@@ -7,6 +7,7 @@
 
 #include "glue.h"
 #include "mesh4pl.h"
+#include "seam_bound.h"
 #include "seam_exchange.h"
 
 #include "../engine/install.h"
@@ -159,6 +160,26 @@ seam_length(term_t handle, term_t length)
          sg_unify_double(length, sg_seam_length(&d->flattening));
 }
 
+/* flattening_bound(+Flattening, -Bound) is det. */
+static foreign_t
+flattening_bound(term_t handle, term_t out)
+{
+  static const char *const by[] = {"tree", "forest", "moats"};
+  sg_development *d;
+  sg_seam_bound b;
+  bool stopped;
+
+  if (!sg_get_development_ex(handle, &d)) {
+    return FALSE;
+  }
+  if (!sg_seam_bound_find(&d->flattening, &sg_prolog_poll, &b, &stopped)) {
+    return stop_ex(stopped);
+  }
+  return PL_unify_term(out, PL_FUNCTOR_CHARS, "bound", 3, PL_FLOAT,
+                       b.bound + 0.0, PL_CHARS, by[b.by], PL_FLOAT,
+                       b.tree + 0.0);
+}
+
 static int
 get_face_ex(term_t t, const sg_development *d, uint32_t *out)
 {
@@ -208,6 +229,7 @@ sg_install_seam_exchange(void)
       {"exchange_seams", 6, (pl_function_t)exchange_seams, 0},
       {"join_folds", 2, (pl_function_t)join_folds, 0},
       {"seam_length", 2, (pl_function_t)seam_length, 0},
+      {"flattening_bound", 2, (pl_function_t)flattening_bound, 0},
       {"fold_path", 4, (pl_function_t)fold_path, 0},
       {NULL, 0, NULL, 0}};
 

@@ -18,6 +18,7 @@
               [ flattening_open/4, flattening_close/1, flattening_counts/4,
                 flattening_bent/2, flattening_invalid/2, flattening_joint/3,
                 flattening_restart/1, flattening_lay/2, flattening_measures/2,
+                flattening_bound/2,
                 flattening_write/2,
                 edge_joint/3, forbid_joint/2, join_faces/3, join_all/2,
                 join_before/3, join_folds/2, joint_order/3, joint_path/3,
@@ -123,9 +124,10 @@ written(S, Options, D, Flattening) :-
     flat_or_warned(S, Options, Flattening),
     option(root(Root), Options, 0),
     best_laid(S, Options, Root, Flattening, Order, Measures),
+    stage(join, flattening_bound(Flattening, Bound)),
     pattern_segment(S, D),
     stage(write, flattening_write(Flattening, D)),
-    record_development(D, S, Options, Order, Measures).
+    record_development(D, S, Options, Order, Measures-Bound).
 
 all_valid(S, Flattening) :-
     flattening_invalid(Flattening, Ps),

@@ -28,7 +28,8 @@ written to files.
 %!  record_development(+D, +S, +Options:list, +Order, +Measures) is det.
 %
 %   Remember that pattern D was made from segment S, as it is now, with Options,
-%   and has Measures (flattening_measures/2). Order is that of its joints
+%   and has Measures, those of flattening_measures/2 and flattening_bound/2 as a
+%   pair. Order is that of its joints
 %   (joint_order/3), or exchanged(Order), if folds were exchanged after that.
 
 record_development(D, S, Options0, Order, Measures) :-
@@ -102,8 +103,8 @@ divided_development(D, S, Options) :-
 %     - area       of the pieces
 %     - boxes      of the boxes round the pieces
 %     - tree       the minimum spanning tree of the vertices over the edges
-%     - bound      what the seam cannot be less than: tree, or `null` where that
-%                  is not proven (c_kernels/measure.h)
+%     - bound      what the seam cannot be less than (c_kernels/seam_bound.h)
+%     - bound_by   how that is proven: `tree`, `forest`, or `moats`
 %     - tests      of two triangles for overlap
 %     - refused    joints that would have made an overlap
 %
@@ -114,14 +115,10 @@ development_measures(D, Measures) :-
     ->  true
     ;   existence_error(development, D)
     ),
-    Measures0 = measures(Seam, Pieces, Longest, Area, Boxes, Tree, Pointed,
-                         Tests, Refused),
-    (   Pointed == true
-    ->  Bound = Tree
-    ;   Bound = null
-    ),
+    Measures0 = measures(Seam, Pieces, Longest, Area, Boxes, Tests,
+                         Refused)-bound(Bound, By, Tree),
     Measures = _{seam:Seam, pieces:Pieces, longest:Longest, area:Area,
-                 boxes:Boxes, tree:Tree, bound:Bound, tests:Tests,
+                 boxes:Boxes, tree:Tree, bound:Bound, bound_by:By, tests:Tests,
                  refused:Refused}.
 
 %!  score(+Objective, +Measures, -Score) is det.
@@ -133,7 +130,7 @@ development_measures(D, Measures) :-
 %   @error domain_error(objective, Objective)
 
 score(Objective, Measures, Main/Rest) :-
-    Measures = measures(Seam0, Pieces, Longest0, Area, Boxes0, _, _, _, _),
+    Measures = measures(Seam0, Pieces, Longest0, Area, Boxes0, _, _),
     Size is max(Area, 1.0e-300),
     Seam is round(Seam0/sqrt(Size)*1.0e9),
     Longest is round(Longest0/sqrt(Size)*1.0e9),

@@ -160,6 +160,7 @@
                                       % +Effort, -Exchanges
             join_folds/2,             % +Flattening, +Joints
             seam_length/2,            % +Flattening, -Length
+            flattening_bound/2,       % +Flattening, -Bound
             fold_path/4,              % +Flattening, +P, +Q, -Joints
             joint_order/3,            % +Flattening, +Order, -Joints
             joint_path/3,             % +Flattening, +J, -Joints
@@ -1196,8 +1197,8 @@ the drawn surface. Degrees; see roll.h.
 
 %!  flattening_measures(+Flattening, -Measures) is det.
 %
-%   Measures is measures(Seam, Pieces, Longest, Area, Boxes, Tree, Pointed,
-%   Tests, Refused), see measure.h: after flattening_lay/2. Tests is how many
+%   Measures is measures(Seam, Pieces, Longest, Area, Boxes, Tests, Refused),
+%   see measure.h: after flattening_lay/2. Tests is how many
 %   triangles were tested against each other, Refused how many joints would
 %   have made an overlap.
 %
@@ -1266,6 +1267,12 @@ the drawn surface. Degrees; see roll.h.
 %
 %   The length of all joints that are neither joined nor have sides that lie on
 %   each other all the same, as joined by now; model units.
+
+%!  flattening_bound(+Flattening, -Bound) is det.
+%
+%   Bound is bound(Least, By, Tree): no seam is less than Least, as is proven by
+%   `tree`, `forest` or `moats`; Tree is the minimum spanning tree of the
+%   vertices. Model units; see seam_bound.h.
 
 %!  fold_path(+Flattening, +P, +Q, -Joints:list) is det.
 %

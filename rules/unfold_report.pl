@@ -59,8 +59,9 @@ area_again(M0, M) :-
 %     - removed            how many polygons of the part are not
 %     - objective          what was to be small: seam, pieces, longest, area; or
 %                          `rules`, if a rule file says how to join
-%     - seam, bound, longest       development_measures/2; of a pattern that was
-%                          not made by develop/3 the longest edge of the seam
+%     - seam, bound, bound_by, longest  development_measures/2; of a pattern
+%                          that was not made by develop/3 no bound, and the
+%                          longest edge of the seam
 %     - width, height      of the sheet that the pieces lie on, side by side
 %     - area, pattern_area         of the part and of the pattern
 %
@@ -83,21 +84,21 @@ measured(Parts, D, Measures) :-
     Width is X2-X1,
     Height is Y2-Y1,
     removed(D, T, PartPolygons, Polygons, Removed),
-    seam_measures(D, Pieces, Seam, Bound, Longest, PatternArea),
+    seam_measures(D, Pieces, Seam, Bound, By, Longest, PatternArea),
     objective(D, Objective),
     Measures = _{segment:S, name:Name, part:T, pattern:D, polygons:Polygons,
                  pieces:Pieces, removed:Removed, objective:Objective,
-                 seam:Seam, bound:Bound, longest:Longest,
+                 seam:Seam, bound:Bound, bound_by:By, longest:Longest,
                  width:Width, height:Height, area:Area,
                  pattern_area:PatternArea}.
 
-seam_measures(D, Pieces, Seam, Bound, Longest, Area) :-
+seam_measures(D, Pieces, Seam, Bound, By, Longest, Area) :-
     origin(D, node(D), _),
     !,
     development_measures(D, Measures),
-    _{pieces:Pieces, seam:Seam, bound:Bound, longest:Longest, area:Area}
-        :< Measures.
-seam_measures(D, Pieces, Seam, null, Longest, Area) :-
+    _{pieces:Pieces, seam:Seam, bound:Bound, bound_by:By, longest:Longest,
+      area:Area} :< Measures.
+seam_measures(D, Pieces, Seam, null, null, Longest, Area) :-
     aggregate_all(max(K), piece(D, _, K), Pieces),
     findall(Length,
             ( joint(D, _, E, _, seam, _), edge_length(D, E, Length) ),
@@ -160,7 +161,8 @@ print_pattern(Language, M) :-
     say(Language, seam, [M.seam]),
     (   number(M.bound),
         M.bound > 0
-    ->  say(Language, bound, [M.bound])
+    ->  atom_concat('bound ', M.bound_by, Key),
+        say(Language, Key, [M.bound])
     ;   true
     ),
     say(Language, weld, [M.longest]),
@@ -194,7 +196,9 @@ text(en, 'objective longest', "  objective    no long weld~n").
 text(en, 'objective area', "  objective    a small sheet~n").
 text(en, 'objective rules', "  objective    as the rule file says~n").
 text(en, seam, "  seam         ~6g").
-text(en, bound, " (at least ~6g)").
+text(en, 'bound tree', " (at least ~6g)").
+text(en, 'bound forest', " (at least ~6g, as a forest)").
+text(en, 'bound moats', " (at least ~6g, by moats)").
 text(en, weld, ", the longest weld ~6g~n").
 text(en, sheet, "  sheet        ~6g x ~6g~n").
 text(en, area, "  area         ~6g").
@@ -207,7 +211,9 @@ text(ko, 'objective longest', "  목표         긴 용접선이 없음~n").
 text(ko, 'objective area', "  목표         작은 판~n").
 text(ko, 'objective rules', "  목표         규칙 파일대로~n").
 text(ko, seam, "  솔기         ~6g").
-text(ko, bound, " (적어도 ~6g)").
+text(ko, 'bound tree', " (적어도 ~6g)").
+text(ko, 'bound forest', " (적어도 ~6g, 숲으로)").
+text(ko, 'bound moats', " (적어도 ~6g, 해자로)").
 text(ko, weld, ", 가장 긴 용접선 ~6g~n").
 text(ko, sheet, "  판           ~6g x ~6g~n").
 text(ko, area, "  넓이         ~6g").

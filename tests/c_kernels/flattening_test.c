@@ -4,7 +4,9 @@
 
 #include "../../c_kernels/lay.h"
 #include "../../c_kernels/measure.h"
+#include "../../c_kernels/seam_bound.h"
 #include "../../c_kernels/seam_exchange.h"
+#include "../../c_kernels/seam_moats.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -224,6 +226,16 @@ measured(const unfolded *u)
   return out;
 }
 
+static sg_seam_bound
+bound(const unfolded *u)
+{
+  sg_seam_bound out;
+  bool stopped;
+
+  CHECK("a bound", sg_seam_bound_find(&u->flattening, NULL, &out, &stopped));
+  return out;
+}
+
 static bool
 near(double a, double b)
 {
@@ -244,15 +256,62 @@ check_cube(void)
   add_box(m, origin, unit);
   unfold(m, SG_ORDER_LONGEST, &u);
   sg_measures of = measured(&u);
+  sg_seam_bound least = bound(&u);
   CHECK("a cube has six faces and twelve joints",
         u.faces.faces == 6 && u.joints.n == 12);
   CHECK("its joints are convex and square", near(u.joints.joint[5].angle, 90));
   CHECK("it is one piece", u.layout.pieces == 1);
   CHECK("its seam is seven edges, which is the least",
-        near(of.seam, 7) && near(of.tree, 7) && of.pointed);
+        near(of.seam, 7) && near(least.bound, 7) && least.by == SG_BOUND_TREE);
   CHECK("a net has fourteen vertices", u.layout.vertices == 14);
   CHECK("nothing overlaps", overlaps(&u) == 0);
+  sg_bent_vertices corners = {8, NULL, (bool[8]){false}};
+  corners.bent = (double[8]){0};
+  for (int k = 0; k < 8; k++) {
+    corners.bent[k] = acos(0.0);
+  }
+  double width;
+  bool stopped;
+  CHECK("moats round its corners meet when they are half an edge wide",
+        sg_moats_grow(&corners, &u.joints, true, NULL, &width, &stopped) &&
+            near(width, 4));
+  corners.bent[0] = 0;
+  CHECK("one that is flat needs none, until the others come",
+        sg_moats_grow(&corners, &u.joints, true, NULL, &width, &stopped) &&
+            near(width, 3.5));
   CHECK("sides are as long as edges", stretch(m, &u) < 1e-14);
+  forget(&u);
+  free(m);
+}
+
+/* A pyramid on a square base with a vertex in the middle of it, and one in the
+ * middle of a side: these two are flat, and no seam has to reach them. */
+static void
+check_flat_vertices(void)
+{
+  model *m = new_model();
+  unfolded u;
+  const double slope = sqrt(1.5);
+
+  for (int k = 0; k < 4; k++) {
+    add_vertex(m, k == 1 || k == 2, k > 1, 0);
+  }
+  int32_t top = add_vertex(m, 0.5, 0.5, 1), middle = add_vertex(m, .5, .5, 0);
+  for (int k = 0; k < 4; k++) {
+    int32_t a = k, b = (k + 1) % 4;
+    add_polygon(m, 3, (int32_t[3]){a, b, top});
+    add_polygon(m, 3, (int32_t[3]){b, a, middle});
+  }
+  unfold(m, SG_ORDER_LONGEST, &u);
+  sg_measures of = measured(&u);
+  sg_seam_bound least = bound(&u);
+  CHECK("the tree goes to what is flat, too",
+        near(least.tree, 4 * sqrt(.5) + slope));
+  CHECK("which no seam has to",
+        near(of.seam, 3 + slope) || near(of.seam, 4 * slope));
+  CHECK("moats prove half of it", least.by == SG_BOUND_MOATS &&
+                                      least.bound >= 0.5 * of.seam &&
+                                      least.bound <= of.seam);
   forget(&u);
   free(m);
 }
@@ -307,7 +366,11 @@ check_torus(unsigned order)
   CHECK("nothing of a torus overlaps", overlaps(&u) == 0);
   CHECK("its sides are as long as edges", stretch(m, &u) < 1e-13);
   CHECK("joints were refused", u.flattening.refused > 0);
-  CHECK("no bound is proven", !measured(&u).pointed);
+  sg_measures of = measured(&u);
+  sg_seam_bound least = bound(&u);
+  CHECK("a bound is proven, but not the tree",
+        least.by != SG_BOUND_TREE && least.bound > 0.4 * least.tree);
+  CHECK("no seam is less", of.seam >= least.bound);
   forget(&u);
   free(m);
 }
@@ -532,6 +595,7 @@ int
 main(void)
 {
   check_cube();
+  check_flat_vertices();
   check_touching();
   for (unsigned order = 0; order < 5; order++) {
     check_torus(order);

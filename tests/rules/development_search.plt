@@ -16,6 +16,7 @@
 :- use_module(rules(triangulation)).
 :- use_module(tests('rules/development_model')).
 :- use_module(tests('rules/pattern_checked')).
+:- use_module(tests('rules/random_solid')).
 
 /* Folds exchanged for a shorter seam. That nothing overlaps is asked of every
 pattern by development_checked.plt. */
@@ -105,6 +106,8 @@ test(never_longer, [forall(searched(_, Term))]) :-
                measures(1, [], M1),
                measures(1, [minimize(seam)], M2) )),
     assertion(M1.seam =< M0.seam),
+    assertion(M2.bound =< M2.seam),
+    assertion(M1.bound > 0),
     assertion(M2.seam =< M1.seam*(1+1.0e-9)).
 
 test(torus_of_peers) :-
@@ -135,7 +138,9 @@ test(meshes, [forall(mesh_seam(Name, Most))]) :-
                  ( read_mesh(File, [S|_]),
                    complete_segments,
                    measures(S, [], M) )),
-        assertion(M.seam < Most)
+        assertion(M.seam < Most),
+        assertion(M.bound =< M.seam),
+        assertion(M.bound > 0.4*M.seam)
     ;   format("skipped: ~w~n", [Name])
     ).
 
@@ -206,5 +211,25 @@ test(interrupted, true(Ended-Left == time-[])) :-
                      time_limit_exceeded,
                      Ended = time),
                findall(D, segment(D, pattern, _), Left) )).
+
+%   What is proven holds of every pattern, however good it is.
+
+test(bounds, [true(Broken == [])]) :-
+    set_random(seed(11)),
+    findall(Term-M,
+            ( between(1, 60, _),
+              random_blocks(_, A),
+              random_blocks(_, B),
+              new_world(World),
+              in_world(World,
+                       ( add_primitive(A, 1),
+                         add_primitive(B, 2),
+                         complete_segments,
+                         boolean(union([1,2]), 3),
+                         complete_segments,
+                         measures(3, [minimize(seam)], M) )),
+              Term = A+B,
+              M.bound > M.seam*(1+1.0e-9) ),
+            Broken).
 
 :- end_tests(development_search).
