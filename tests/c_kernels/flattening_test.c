@@ -276,7 +276,8 @@ check_cube(void)
         sg_moats_grow(&corners, &u.joints, true, NULL, &width, &stopped) &&
             near(width, 4));
   corners.bent[0] = 0;
-  CHECK("one that is flat needs none, until the others come",
+  corners.bent[1] *= 2;
+  CHECK("one that is flat needs none",
         sg_moats_grow(&corners, &u.joints, true, NULL, &width, &stopped) &&
             near(width, 3.5));
   CHECK("sides are as long as edges", stretch(m, &u) < 1e-14);
