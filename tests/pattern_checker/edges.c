@@ -188,18 +188,37 @@ is_match(const pattern *p, const joint *j)
   return false;
 }
 
+/* How far a polygon reaches from the line of a side, which runs along this unit
+ * vector. */
+static real
+reach(const pattern *p, const flat *f, const side *s, const real along[3])
+{
+  real most = 0;
+
+  for (size_t i = 0; i < f->count; i++) {
+    const side *other = &p->side[p->list[f->first + i]];
+    real d[3], n[3];
+
+    for (int k = 0; k < 3; k++) {
+      d[k] = (real)p->point[from_of(p, other)][k] - p->point[from_of(p, s)][k];
+    }
+    cross(d, along, n);
+    most = fmaxl(most, length(n));
+  }
+  return most;
+}
+
 /* How far a wrong angle of the joint moves the narrower of its two polygons. */
 static real
 angle_fault(const pattern *p, const joint *j)
 {
   const side *a = &p->side[j->side[0]], *b = &p->side[j->side[1]];
-  real na[3], nb[3], n[3], along[3], l, angle, wrong, narrow;
+  real na[3], nb[3], n[3], along[3], l, angle, wrong;
 
   solid_area(p, &p->flat[a->flat], na);
   solid_area(p, &p->flat[b->flat], nb);
   l = distance(p, from_of(p, a), to_of(p, a));
-  narrow = fminl(length(na), length(nb));
-  if (l == 0 || narrow == 0) {
+  if (l == 0 || length(na) == 0 || length(nb) == 0) {
     return 0;
   }
   for (int k = 0; k < 3; k++) {
@@ -210,7 +229,8 @@ angle_fault(const pattern *p, const joint *j)
   angle = atan2l(dot(n, along), dot(na, nb));
   wrong = fabsl(angle - (real)j->angle * (acosl(-1) / 180));
   wrong = fminl(wrong, fabsl(2 * acosl(-1) - wrong));
-  return wrong * narrow / l;
+  return wrong * fminl(reach(p, &p->flat[a->flat], a, along),
+                       reach(p, &p->flat[b->flat], a, along));
 }
 
 static void
