@@ -8,6 +8,7 @@
 
 #include "../engine/world4pl.h"
 
+#include "cut_enter.h"
 #include "cut_set.h"
 #include "tree4pl.h"
 #include "work.h"
@@ -87,6 +88,11 @@ int32_t sg_cut_name_ex(sg_cut_handle *handle, uint32_t point, int32_t s);
 int32_t sg_cut_enter_point_ex(sg_cut_handle *handle, sg_work *work,
                               uint32_t point, int32_t s);
 
+/* The outline of polygon p, behind those in *out (cut_enter4pl.c);
+ * existence_error(polygon, P). */
+int sg_cut_outline_ex(sg_cut_handle *handle, int32_t s, int32_t p,
+                      term_t p_term, sg_outlines *out);
+
 /* The name that a point has in polygon p of segment s: of several the one that
  * is a vertex of it, else the smallest. 0: none (seam4pl.c). */
 int32_t sg_cut_name_in(sg_cut_handle *handle, uint32_t point, int32_t s,
@@ -113,14 +119,9 @@ int sg_cut_is_real_or_fold(void *handle, uint32_t triangle, int edge);
 /* Whether polygon p of segment s is not flat: 1, 0, or -1: no memory. */
 int sg_cut_is_bent(sg_cut_handle *handle, int32_t s, int32_t p);
 
-/* Adds the folds of a polygon that is not flat, in the parts that they are
- * divided into. False: an exception. */
-int sg_cut_add_folds_ex(sg_cut_handle *handle, sg_work *work, int32_t s,
-                        int32_t p);
-
-/* Adds what runs from vertex v[0] to v[1] of the model, in the parts that it
- * is divided into (cut_enter4pl.c). False: an exception. */
-int sg_cut_add_parts_ex(sg_cut_handle *handle, sg_work *work, int32_t s,
-                        const int32_t v[2], int32_t et, int32_t label);
+/* Adds the folds of a polygon that is not flat to the last outline, which is
+ * its own. False: an exception. */
+int sg_cut_add_folds_ex(sg_cut_handle *handle, int32_t s, int32_t p,
+                        sg_outlines *out);
 
 #endif

@@ -29,67 +29,6 @@ name_in_work_ex(sg_cut_handle *handle, const sg_work *work, uint32_t point,
   return v != 0 ? v : first;
 }
 
-/* ---- pieces ---- */
-
-/* Enters piece k of segment s into `work`: 1; 0 if it meets anything there, or
- * has been divided elsewhere; -1: no memory. */
-static int
-enter_free(sg_cut_handle *handle, sg_work *work, int32_t s, uint32_t k,
-           sg_meetings *met)
-{
-  const sg_cut_set *set = &handle->set;
-  const sg_cut_piece *piece = &set->piece[k];
-  int32_t v = sg_work_find(work, name_in_work_ex(handle, work, piece->a, s));
-  int32_t w = sg_work_find(work, name_in_work_ex(handle, work, piece->b, s));
-
-  if (v == SG_WORK_NONE || w == SG_WORK_NONE || v == w ||
-      sg_cut_set_between(set, piece->a, piece->b) != SG_NO_KEY) {
-    return 0;
-  }
-  if (!sg_work_meeting(work, v, w, met)) {
-    return -1;
-  }
-  if (met->n > 0) {
-    return 0;
-  }
-  return sg_work_add(work, v, w, 1, -1 - (int64_t)k) &&
-                 sg_work_add(work, w, v, 1, -1 - (int64_t)k)
-             ? 1
-             : -1;
-}
-
-/* Takes out what was added after edge `last`. */
-static void
-take_out_after(sg_work *work, int32_t last)
-{
-  for (int32_t e = sg_work_newest(work); e > last; e--) {
-    if (sg_work_get(work, e)) {
-      sg_work_delete(work, e);
-    }
-  }
-}
-
-/* Enters all pieces of polygon p: 1; 0, with `work` as it was, if one meets
- * anything; -1: no memory. */
-static int
-enter_all_free(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t p,
-               sg_meetings *met)
-{
-  const sg_cut_set *set = &handle->set;
-  const sg_cut_polygon *polygon = sg_cut_set_polygon(set, s, p);
-  int32_t last = sg_work_newest(work);
-  int entered = 1;
-
-  for (size_t i = 0; polygon && i < polygon->n && entered > 0; i++) {
-    entered =
-        enter_free(handle, work, s, set->entering[polygon->first + i], met);
-  }
-  if (entered <= 0) {
-    take_out_after(work, last);
-  }
-  return entered;
-}
-
 /* cut_enter_free(+Set, +S, +P, +Work) is semidet. */
 static foreign_t
 cut_enter_free(term_t t, term_t s, term_t p, term_t w)
@@ -103,7 +42,7 @@ cut_enter_free(term_t t, term_t s, term_t p, term_t w)
       !sg_get_id_ex(p, &key[1]) || !sg_get_work_ex(w, &work)) {
     return FALSE;
   }
-  int entered = enter_all_free(handle, work, key[0], key[1], &met);
+  int entered = sg_cut_enter_free(&handle->set, work, key[0], key[1], &met);
 
   sg_meetings_clear(&met);
   return entered < 0 ? sg_no_memory() : entered;
@@ -126,125 +65,6 @@ sg_cut_enter_point_ex(sg_cut_handle *handle, sg_work *work, uint32_t point,
   return vertex;
 }
 
-/* The handle in `work` of a vertex of the model. */
-static int32_t
-enter_vertex_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t v)
-{
-  uint32_t number = sg_cut_model_fetch(&handle->set.model, s, v);
-  sg_point at;
-
-  if (number == SG_NO_KEY) {
-    return SG_WORK_NONE;
-  }
-  sg_point_set(&at, handle->set.model.vertex[number].at);
-  int32_t vertex = sg_work_vertex(work, v, &at);
-
-  if (vertex == SG_WORK_NONE) {
-    sg_no_memory();
-  }
-  return vertex;
-}
-
-/* The split edge v1-v2, null: it is not split. */
-static const sg_split_edge *
-find_split(const sg_cut_set *set, int32_t s, int32_t v1, int32_t v2)
-{
-  uint32_t a = sg_cut_model_find(&set->model, s, v1);
-  uint32_t b = sg_cut_model_find(&set->model, s, v2);
-  uint32_t key[2] = {a < b ? a : b, a < b ? b : a};
-  uint32_t number = sg_key_table_get(&set->edge_number, key);
-
-  return number == SG_NO_KEY ? NULL : &set->edge[number];
-}
-
-/* The points on an edge that came last, in n + 1 pieces: they are exactly on
- * it, but for those that it has from polygons which are not quite flat. */
-static void
-note_points(sg_work *work, int32_t n)
-{
-  int32_t last = sg_work_newest(work);
-  int32_t start = sg_work_get(work, last - n)->start;
-  int32_t end = sg_work_get(work, last)->end;
-
-  for (int32_t e = last - n; e < last && start != end; e++) {
-    sg_work_note_along(work, sg_work_get(work, e)->end, start, end);
-  }
-}
-
-int
-sg_cut_add_parts_ex(sg_cut_handle *handle, sg_work *work, int32_t s,
-                    const int32_t v[2], int32_t et, int32_t label)
-{
-  const sg_split_edge *split = find_split(&handle->set, s, v[0], v[1]);
-  size_t n = split ? split->n : 0;
-  bool forward = n > 0 && handle->set.model.vertex[split->place.a].v == v[0];
-  int32_t from = enter_vertex_ex(handle, work, s, v[0]);
-
-  for (size_t i = 0; i <= n && from != SG_WORK_NONE; i++) {
-    int32_t to =
-        i == n ? enter_vertex_ex(handle, work, s, v[1])
-               : sg_cut_enter_point_ex(
-                     handle, work, split->point[forward ? i : n - 1 - i], s);
-    if (to == SG_WORK_NONE) {
-      return FALSE;
-    }
-    if (!sg_work_add(work, from, to, et, label)) {
-      return sg_no_memory();
-    }
-    from = to;
-  }
-  if (n > 0 && !split->late && from != SG_WORK_NONE) {
-    note_points(work, (int32_t)n);
-  }
-  return from != SG_WORK_NONE;
-}
-
-static int
-add_edge_ex(sg_cut_handle *handle, sg_work *work, sg_row row)
-{
-  const sg_version *version = handle->version;
-  int32_t v[2] = {sg_version_value(version, SG_E, row, 2).i,
-                  sg_version_value(version, SG_E, row, 3).i};
-
-  return sg_cut_add_parts_ex(handle, work,
-                             sg_version_value(version, SG_E, row, 0).i, v,
-                             sg_version_value(version, SG_E, row, 4).i,
-                             sg_version_value(version, SG_E, row, 1).i);
-}
-
-static int
-fill_work_ex(sg_cut_handle *handle, sg_work *work, int32_t s, sg_row polygon)
-{
-  const int32_t *list =
-      sg_version_value(handle->version, SG_P, polygon, 2).list;
-
-  for (int32_t i = 0; i < list[0]; i++) {
-    sg_row row = sg_cut_row_of(handle, SG_E, s, list[i + 1]);
-
-    if (row != SG_NO_ROW && !add_edge_ex(handle, work, row)) {
-      return PL_exception(0) ? FALSE : PL_representation_error("vertex");
-    }
-  }
-  return TRUE;
-}
-
-static int
-enter_piece_ends_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t p)
-{
-  const sg_cut_set *set = &handle->set;
-  const sg_cut_polygon *polygon = sg_cut_set_polygon(set, s, p);
-
-  for (size_t i = 0; polygon && i < polygon->n; i++) {
-    const sg_cut_piece *piece = &set->piece[set->entering[polygon->first + i]];
-
-    if (sg_cut_enter_point_ex(handle, work, piece->a, s) == SG_WORK_NONE ||
-        sg_cut_enter_point_ex(handle, work, piece->b, s) == SG_WORK_NONE) {
-      return FALSE;
-    }
-  }
-  return TRUE;
-}
-
 /* The polygon's normal. One without area has no plane; nothing enters it, so
  * any direction will do. */
 static void
@@ -259,30 +79,109 @@ get_normal(sg_cut_handle *handle, int32_t s, int32_t p, double out[3])
   }
 }
 
-/* The scratch relation of polygon p; null: an exception. */
-static sg_work *
-open_work_ex(sg_cut_handle *handle, int32_t s, int32_t p, term_t p_term)
+static int
+add_edge_ex(const sg_cut_handle *handle, sg_row row, sg_outlines *out)
+{
+  int32_t cell[5];
+
+  for (unsigned c = 1; c < 5; c++) {
+    cell[c] = sg_version_value(handle->version, SG_E, row, c).i;
+  }
+  return sg_outlines_add_edge(
+             out, &(sg_outline_edge){cell[1], cell[2], cell[3], cell[4]}) ||
+         sg_no_memory();
+}
+
+int
+sg_cut_outline_ex(sg_cut_handle *handle, int32_t s, int32_t p, term_t p_term,
+                  sg_outlines *out)
 {
   sg_row polygon = sg_cut_row_of(handle, SG_P, s, p);
   double normal[3];
 
   if (polygon == SG_NO_ROW) {
-    PL_existence_error("polygon", p_term);
-    return NULL;
+    return PL_existence_error("polygon", p_term);
   }
   get_normal(handle, s, p, normal);
-  sg_work *work = sg_work_open(normal);
+  if (!sg_outlines_add(out, s, p, normal)) {
+    return sg_no_memory();
+  }
+  const int32_t *list =
+      sg_version_value(handle->version, SG_P, polygon, 2).list;
 
-  if (!work) {
-    sg_no_memory();
-    return NULL;
+  for (int32_t i = 0; i < list[0]; i++) {
+    sg_row row = sg_cut_row_of(handle, SG_E, s, list[i + 1]);
+
+    if (row != SG_NO_ROW && !add_edge_ex(handle, row, out)) {
+      return FALSE;
+    }
   }
-  if (!fill_work_ex(handle, work, s, polygon) ||
-      !sg_cut_add_folds_ex(handle, work, s, p) ||
-      !enter_piece_ends_ex(handle, work, s, p)) {
-    sg_work_close(work);
-    return NULL;
+  return list[0] <= 3 || sg_cut_add_folds_ex(handle, s, p, out);
+}
+
+/* Names all points that a polygon has. Mostly they have names. */
+static int
+name_points_ex(sg_cut_handle *handle, const sg_outline *polygon,
+               const sg_outline_edge *edge)
+{
+  const sg_cut_set *set = &handle->set;
+  const sg_cut_polygon *cut = sg_cut_set_polygon(set, polygon->s, polygon->p);
+  int good = TRUE;
+
+  for (size_t k = 0; k < polygon->n && good; k++) {
+    const sg_split_edge *split =
+        sg_cut_split_edge(set, polygon->s, edge[k].v1, edge[k].v2);
+
+    for (size_t i = 0; split && i < split->n && good; i++) {
+      good = sg_cut_name_ex(handle, split->point[i], polygon->s) != 0;
+    }
   }
+  for (size_t i = 0; cut && i < cut->n && good; i++) {
+    const sg_cut_piece *piece = &set->piece[set->entering[cut->first + i]];
+
+    good = sg_cut_name_ex(handle, piece->a, polygon->s) != 0 &&
+           sg_cut_name_ex(handle, piece->b, polygon->s) != 0;
+  }
+  return good;
+}
+
+/* Fills an open work with the last outline. */
+static int
+fill_work_ex(sg_cut_handle *handle, const sg_outlines *all, sg_work *work)
+{
+  const sg_outline *polygon = &all->polygon[all->n - 1];
+  sg_outcome outcome =
+      sg_cut_enter_outline(&handle->set, all, all->n - 1, work);
+
+  if (outcome == SG_STUCK) {
+    if (!name_points_ex(handle, polygon, all->edge + polygon->first)) {
+      return FALSE;
+    }
+    sg_work_clear(work, polygon->normal);
+    outcome = sg_cut_enter_outline(&handle->set, all, all->n - 1, work);
+  }
+  return outcome == SG_DONE    ? TRUE
+         : outcome == SG_STUCK ? PL_representation_error("vertex")
+                               : sg_no_memory();
+}
+
+/* The scratch relation of polygon p; null: an exception. */
+static sg_work *
+open_work_ex(sg_cut_handle *handle, int32_t s, int32_t p, term_t p_term)
+{
+  sg_outlines one = {0};
+  sg_work *work = NULL;
+
+  if (sg_cut_outline_ex(handle, s, p, p_term, &one)) {
+    work = sg_work_open(one.polygon->normal);
+    if (!work) {
+      sg_no_memory();
+    } else if (!fill_work_ex(handle, &one, work)) {
+      sg_work_close(work);
+      work = NULL;
+    }
+  }
+  sg_outlines_clear(&one);
   return work;
 }
 
@@ -327,7 +226,7 @@ enter_polygon_ex(sg_cut_handle *handle, term_t polygon, term_t head,
   if (!work) {
     return -1;
   }
-  int entered = enter_all_free(handle, work, s, p, met);
+  int entered = sg_cut_enter_free(&handle->set, work, s, p, met);
 
   if (entered <= 0) {
     sg_work_close(work);

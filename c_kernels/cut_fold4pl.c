@@ -226,24 +226,22 @@ read_sides(const sg_cut_handle *handle, int32_t s, int32_t p, sides *out)
 }
 
 int
-sg_cut_add_folds_ex(sg_cut_handle *handle, sg_work *work, int32_t s, int32_t p)
+sg_cut_add_folds_ex(sg_cut_handle *handle, int32_t s, int32_t p,
+                    sg_outlines *out)
 {
   sides all = {0};
   int bent = sg_cut_is_bent(handle, s, p);
-  int good = bent >= 0 || sg_no_memory();
+  bool good = bent >= 0 && (bent == 0 || read_sides(handle, s, p, &all));
 
-  if (bent > 0 && !read_sides(handle, s, p, &all)) {
-    good = sg_no_memory();
-  }
   for (size_t i = 0; good && i < all.n; i++) {
     int32_t v1 = all.side[i][0], v2 = all.side[i][1];
 
     if (has_side(&all, v2, v1)) { /* no edge of the polygon */
-      good = sg_cut_add_parts_ex(handle, work, s, (int32_t[2]){v1, v2}, 0, 0);
+      good = sg_outlines_add_edge(out, &(sg_outline_edge){0, v1, v2, 0});
     }
   }
   free(all.side);
-  return good || PL_exception(0) ? good : PL_representation_error("vertex");
+  return good || sg_no_memory();
 }
 
 int
