@@ -18,6 +18,7 @@
 #ifndef SG_ARRANGEMENT_H
 #define SG_ARRANGEMENT_H
 
+#include "cut_enter.h"
 #include "cut_set.h"
 #include "knots.h"
 #include "leaf_tree.h"
@@ -82,6 +83,15 @@ sg_outcome sg_arrangement_polygons(sg_arrangement *a, const sg_entered *polygon,
                                    size_t n, double reach, sg_crew *crew,
                                    const sg_poll *poll, size_t *stuck,
                                    int32_t *edge);
+
+/* Takes in polygons by their outlines, which it enters itself: all of them, or
+ * none (SG_STUCK), if a line meets anything in one, or one needs more than that
+ * to be divided. Nothing in the set may have been divided while lines were
+ * entered. */
+sg_outcome sg_arrangement_free_polygons(sg_arrangement *a,
+                                        const sg_outlines *outlines,
+                                        double reach, sg_crew *crew,
+                                        const sg_poll *poll);
 
 /* Finds the components, and their sides. False: no memory, or stopped. */
 bool sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll);

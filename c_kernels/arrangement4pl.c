@@ -81,8 +81,8 @@ static PL_blob_t arrangement_blob = {.magic = PL_BLOB_MAGIC,
                                      .release = release_handle,
                                      .write = write_handle};
 
-static int
-get_handle_ex(term_t t, sg_arrangement_handle **out)
+int
+sg_get_arrangement_ex(term_t t, sg_arrangement_handle **out)
 {
   PL_blob_t *type;
   void *data;
@@ -211,7 +211,7 @@ arrangement_hold(term_t t)
 {
   sg_arrangement_handle *h;
 
-  if (!get_handle_ex(t, &h)) {
+  if (!sg_get_arrangement_ex(t, &h)) {
     return FALSE;
   }
   atomic_fetch_add(&h->holders, 1);
@@ -223,7 +223,7 @@ arrangement_drop(term_t t)
 {
   sg_arrangement_handle *h;
 
-  if (!get_handle_ex(t, &h)) {
+  if (!sg_get_arrangement_ex(t, &h)) {
     return FALSE;
   }
   if (atomic_fetch_sub(&h->holders, 1) == 1) {
@@ -316,7 +316,7 @@ arrangement_polygons(term_t t, term_t works, term_t r)
   double reach;
   size_t n = 0;
 
-  if (!get_handle_ex(t, &h) || !sg_get_finite_ex(r, &reach)) {
+  if (!sg_get_arrangement_ex(t, &h) || !sg_get_finite_ex(r, &reach)) {
     return FALSE;
   }
   int good = get_entered_ex(works, &polygon, &n) &&
@@ -361,7 +361,7 @@ arrangement_seal(term_t t)
   sg_arrangement_handle *h;
   sg_crew *crew;
 
-  if (!get_handle_ex(t, &h)) {
+  if (!sg_get_arrangement_ex(t, &h)) {
     return FALSE;
   }
   if (!(crew = sg_crew_open(0))) {
@@ -450,7 +450,7 @@ get_piece_ex(term_t t, sg_chosen *out, sg_arrangement_handle **from)
     return PL_type_error("pair", t);
   }
   if (!PL_get_arg(1, t, arg) || !sg_get_id_ex(arg, &out->s) ||
-      !PL_get_arg(2, t, arg) || !get_handle_ex(arg, from)) {
+      !PL_get_arg(2, t, arg) || !sg_get_arrangement_ex(arg, from)) {
     return FALSE;
   }
   out->a = (*from)->arrangement;

@@ -25,6 +25,9 @@ typedef struct sg_arrangement_handle {
   uint32_t *origin;    /* coded terms (term.h), one after another */
 } sg_arrangement_handle;
 
+/* The open arrangement that t names: type_error, existence_error. */
+int sg_get_arrangement_ex(term_t t, sg_arrangement_handle **out);
+
 /* The leaves of a list [S-Arrangement, ...]. Components are counted through. */
 typedef struct sg_pieces {
   sg_chosen *of;                /* [n]; sense: null, or a part of sense[] */

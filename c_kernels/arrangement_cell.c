@@ -7,15 +7,20 @@
 
 #include "delaunay.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEW = 12 }; /* triangles of most polygons that are cut */
+enum {
+  FEW = 12,     /* triangles of most polygons that are cut */
+  OUTLINES = 16 /* of a task */
+};
 
 /* What a polygon became. */
 typedef struct divided {
   sg_outcome outcome;
   int32_t stuck;
+  int axis;                   /* along which it is seen */
   sg_cell_triangle *triangle; /* [triangles]: cell by cell */
   size_t triangles;
   uint32_t *end; /* [cells]: behind the triangles of a cell */
@@ -24,9 +29,11 @@ typedef struct divided {
 
 typedef struct dividing {
   sg_arrangement *a;
-  const sg_entered *polygon; /* [n] */
+  const sg_entered *polygon;   /* [n], or null: */
+  const sg_outlines *outlines; /* [n], to be entered */
   double reach;
-  divided *out; /* [n] */
+  divided *out;        /* [n] */
+  atomic_bool refused; /* an outline that is not free */
 } dividing;
 
 /* A polygon that is being divided. */
@@ -350,19 +357,17 @@ stopping(void *data)
   return sg_crew_stopping();
 }
 
+/* Divides polygon p of segment s, as it stands in `work`. */
 static void
-divide(void *data, size_t task)
+divide_polygon(const dividing *d, int32_t s, int32_t p, sg_work *work,
+               divided *out)
 {
   const sg_poll poll = {stopping, NULL};
-  dividing *d = data;
-  const sg_entered *polygon = &d->polygon[task];
-  divided *out = &d->out[task];
-  taking k = {.a = d->a,
-              .leaf = sg_arrangement_leaf(d->a, polygon->s),
-              .work = polygon->work};
-  uint32_t key[2] = {k.leaf, (uint32_t)polygon->p};
+  taking k = {.a = d->a, .leaf = sg_arrangement_leaf(d->a, s), .work = work};
+  uint32_t key[2] = {k.leaf, (uint32_t)p};
   uint32_t last = sg_key_table_get(&d->a->has_triangles, key);
 
+  out->axis = sg_work_axis(work);
   if (k.leaf == SG_NO_KEY || !d->a->leaf[k.leaf].wanted || last == SG_NO_KEY) {
     return;
   }
@@ -373,6 +378,66 @@ divide(void *data, size_t task)
     out->outcome = SG_NO_SPACE;
   }
   taking_clear(&k);
+}
+
+static void
+divide(void *data, size_t task)
+{
+  const dividing *d = data;
+  const sg_entered *polygon = &d->polygon[task];
+
+  divide_polygon(d, polygon->s, polygon->p, polygon->work, &d->out[task]);
+}
+
+/* ---- polygons whose lines meet nothing ---- */
+
+/* Enters outline i into `work` and divides it; false: it is not free. */
+static bool
+enter_and_divide(const dividing *d, size_t i, sg_work *work, sg_meetings *met)
+{
+  const sg_cut_set *set = d->a->leaves.set;
+  const sg_outline *polygon = &d->outlines->polygon[i];
+  divided *out = &d->out[i];
+
+  out->outcome = sg_cut_enter_outline(set, d->outlines, i, work);
+  if (out->outcome == SG_DONE) {
+    int free_of = sg_cut_enter_free(set, work, polygon->s, polygon->p, met);
+
+    out->outcome = free_of < 0    ? SG_NO_SPACE
+                   : free_of == 0 ? SG_STUCK
+                                  : SG_DONE;
+  }
+  if (out->outcome == SG_DONE) {
+    divide_polygon(d, polygon->s, polygon->p, work, out);
+  }
+  return out->outcome != SG_STUCK;
+}
+
+/* A task is a few outlines, one after another in the same work. */
+static void
+divide_outlines(void *data, size_t task)
+{
+  dividing *d = data;
+  const sg_outline *polygon = d->outlines->polygon;
+  size_t from = task * OUTLINES, to = from + OUTLINES;
+  sg_work *work = sg_work_open(polygon[from].normal);
+  sg_meetings met = {0};
+
+  for (size_t i = from; i < to && i < d->outlines->n; i++) {
+    if (atomic_load(&d->refused) || sg_crew_stopping()) {
+      break;
+    }
+    if (!work) {
+      d->out[i].outcome = SG_NO_SPACE;
+      continue;
+    }
+    sg_work_clear(work, polygon[i].normal);
+    if (!enter_and_divide(d, i, work, &met)) {
+      atomic_store(&d->refused, true);
+    }
+  }
+  sg_meetings_clear(&met);
+  sg_work_close(work);
 }
 
 /* ---- putting them into the arrangement ---- */
@@ -404,7 +469,7 @@ room_for(sg_arrangement *a, size_t cells, size_t triangles)
 }
 
 static bool
-put_cells(sg_arrangement *a, const sg_entered *polygon, const divided *from)
+put_cells(sg_arrangement *a, int32_t s, int32_t p, const divided *from)
 {
   if (!room_for(a, from->cells, from->triangles)) {
     return false;
@@ -415,9 +480,9 @@ put_cells(sg_arrangement *a, const sg_entered *polygon, const divided *from)
     if (node == SG_NO_KEY) {
       return false;
     }
-    a->cell[a->cells++] = (sg_cell){.leaf = sg_arrangement_leaf(a, polygon->s),
-                                    .p = polygon->p,
-                                    .axis = sg_work_axis(polygon->work),
+    a->cell[a->cells++] = (sg_cell){.leaf = sg_arrangement_leaf(a, s),
+                                    .p = p,
+                                    .axis = from->axis,
                                     .first = a->triangles + begin,
                                     .n = from->end[i] - begin,
                                     .node = node};
@@ -435,17 +500,29 @@ put_all(const dividing *d, size_t n, size_t *stuck, int32_t *edge)
 {
   for (size_t i = 0; i < n; i++) {
     const divided *one = &d->out[i];
+    const sg_outline *outline = d->polygon ? NULL : &d->outlines->polygon[i];
 
     if (one->outcome != SG_DONE) {
       *stuck = i;
       *edge = one->stuck;
       return one->outcome;
     }
-    if (!put_cells(d->a, &d->polygon[i], one)) {
+    if (!put_cells(d->a, outline ? outline->s : d->polygon[i].s,
+                   outline ? outline->p : d->polygon[i].p, one)) {
       return SG_NO_SPACE;
     }
   }
   return SG_DONE;
+}
+
+static void
+clear_divided(divided *out, size_t n)
+{
+  for (size_t i = 0; out && i < n; i++) {
+    free(out[i].triangle);
+    free(out[i].end);
+  }
+  free(out);
 }
 
 sg_outcome
@@ -453,7 +530,10 @@ sg_arrangement_polygons(sg_arrangement *a, const sg_entered *polygon, size_t n,
                         double reach, sg_crew *crew, const sg_poll *poll,
                         size_t *stuck, int32_t *edge)
 {
-  dividing d = {a, polygon, reach, calloc(n + 1, sizeof *d.out)};
+  dividing d = {.a = a,
+                .polygon = polygon,
+                .reach = reach,
+                .out = calloc(n + 1, sizeof *d.out)};
   sg_outcome outcome = SG_NO_SPACE;
 
   if (d.out) {
@@ -461,10 +541,41 @@ sg_arrangement_polygons(sg_arrangement *a, const sg_entered *polygon, size_t n,
                   ? put_all(&d, n, stuck, edge)
                   : SG_STOPPED;
   }
-  for (size_t i = 0; d.out && i < n; i++) {
-    free(d.out[i].triangle);
-    free(d.out[i].end);
+  clear_divided(d.out, n);
+  return outcome;
+}
+
+/* Whether all could be divided. */
+static bool
+all_done(const dividing *d)
+{
+  for (size_t i = 0; i < d->outlines->n; i++) {
+    if (d->out[i].outcome == SG_STUCK) {
+      return false;
+    }
   }
-  free(d.out);
+  return !atomic_load(&d->refused);
+}
+
+sg_outcome
+sg_arrangement_free_polygons(sg_arrangement *a, const sg_outlines *outlines,
+                             double reach, sg_crew *crew, const sg_poll *poll)
+{
+  size_t n = outlines->n, stuck;
+  int32_t edge;
+  dividing d = {.a = a,
+                .outlines = outlines,
+                .reach = reach,
+                .out = calloc(n + 1, sizeof *d.out)};
+  sg_outcome outcome = SG_NO_SPACE;
+
+  if (d.out) {
+    outcome = !sg_crew_run(crew, (n + OUTLINES - 1) / OUTLINES, divide_outlines,
+                           &d, poll)
+                  ? SG_STOPPED
+              : all_done(&d) ? put_all(&d, n, &stuck, &edge)
+                             : SG_STUCK;
+  }
+  clear_divided(d.out, n);
   return outcome;
 }

@@ -9,14 +9,16 @@
           ]).
 :- use_module(kernel,
               [ arrangement_open/4, arrangement_hold/1, arrangement_drop/1,
-                arrangement_polygons/3, arrangement_seal/1,
+                arrangement_polygons/3, arrangement_free_polygons/3,
+                arrangement_seal/1,
                 arrangement_components/2, arrangement_select/3,
                 arrangement_senses/4, pieces_kept/1, keep_pieces/1,
                 near_segments_of/3, segments_meeting_themselves/2,
                 segments_tolerance/3
               ]).
+:- use_module(entering, [enter_polygons/4, close_works/1, stays_entered/1]).
 :- use_module(leaf, [were_cut/2]).
-:- use_module(penetration, [leaves_entered/4, touching/2]).
+:- use_module(penetration, [leaf_lines/4, touching/2]).
 :- use_module(passing, [passing_places/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -330,12 +332,12 @@ selves(Segments, Selves) :-
             Selves).
 
 arranged(Pairs, Stamps, Wanted, Tolerance, Arrangement, Changed) :-
-    leaves_entered(Pairs, Wanted, Tolerance,
-                   sg_arrangement:in_pieces(Stamps, Wanted, Tolerance,
-                                            Arrangement, Changed)).
+    leaf_lines(Pairs, Wanted, Tolerance,
+               sg_arrangement:in_pieces(Stamps, Wanted, Tolerance,
+                                        Arrangement, Changed)).
 
 in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Passings, Set,
-          Works) :-
+          Polygons) :-
     pairs_keys(Stamps0, Segments),
     segment_stamps(Segments, Stamps),
     ord_subtract(Stamps, Stamps0, ChangedStamps),
@@ -346,17 +348,48 @@ in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Passings, Set,
               Passing \== []
             ),
             Passings),
-    stage(pieces, ( arrangement_open(Set, Segments, Wanted, Arrangement),
-                    catch(filled(Arrangement, Works, Tolerance),
-                          Error,
-                          ( arrangement_drop(Arrangement),
-                            throw(Error)
-                          ))
-                  )).
+    divided(Set, Segments-Wanted, Polygons, Tolerance, Arrangement).
 
-filled(Arrangement, Works, Tolerance) :-
-    arrangement_polygons(Arrangement, Works, Tolerance),
-    arrangement_seal(Arrangement).
+%   divided(+Set, +Leaves, +Polygons, +Tolerance, -Arrangement): mostly lines
+%   meet nothing in the polygons that they enter. Then a fused kernel enters and
+%   divides them; if there is one that is not so, the rules enter all.
+
+divided(Set, Leaves, Polygons, Tolerance, Arrangement) :-
+    stays_entered(Set),
+    stage(pieces, filled(Set, Leaves,
+                         arrangement_free_polygons(Polygons, Tolerance),
+                         Arrangement)),
+    !.
+divided(Set, Leaves, Polygons, Tolerance, Arrangement) :-
+    setup_call_cleanup(
+        true,
+        ( stage(enter, enter_polygons(is_list, Set, Polygons, Works)),
+          stage(pieces, filled(Set, Leaves,
+                               arrangement_polygons(Works, Tolerance),
+                               Arrangement))
+        ),
+        close_works(Works)).
+
+%   filled(+Set, +Leaves, +Fill, -Arrangement): it has what Fill puts there.
+
+filled(Set, Segments-Wanted, Fill, Arrangement) :-
+    arrangement_open(Set, Segments, Wanted, Arrangement),
+    (   catch(( filled_with(Fill, Arrangement),
+                arrangement_seal(Arrangement)
+              ),
+              Error,
+              ( arrangement_drop(Arrangement),
+                throw(Error)
+              ))
+    ->  true
+    ;   arrangement_drop(Arrangement),
+        fail
+    ).
+
+filled_with(arrangement_free_polygons(Polygons, Tolerance), Arrangement) :-
+    arrangement_free_polygons(Arrangement, Polygons, Tolerance).
+filled_with(arrangement_polygons(Works, Tolerance), Arrangement) :-
+    arrangement_polygons(Arrangement, Works, Tolerance).
 
 %   clusters(+Changed, +Near, -Clusters): what is connected by being near.
 

@@ -1,9 +1,10 @@
 :- module(sg_entering,
           [ enter_polygons/4,           % :Keep, +Set, +Polygons, -Works
             enter_by_rule/4,            % +Set, +S, +P, +Work
+            stays_entered/1,            % +Set
             close_works/1               % +Works
           ]).
-:- use_module(joints, [merge_near_lines/2]).
+:- use_module(joints, [merge_near_lines/2, has_near_lines/1]).
 :- use_module(kernel,
               [ cut_entering/4, cut_enter_free/4, cut_enter_polygons/5,
                 cut_work/4, cut_crossing/8, cut_note/5, cut_between/6,
@@ -36,6 +37,16 @@ enter_polygons(Keep, Set, Polygons, Works) :-
     enter_all(Set, Polygons, Works0),
     agree(Keep, Set, Works0, Works),
     merge_near_lines(Set, Works).
+
+%!  stays_entered(+Set) is semidet.
+%
+%   True when nothing more happens to polygons of Set once all lines have
+%   entered and have met nothing there: nothing was divided anywhere, and no
+%   joint is nearly straight.
+
+stays_entered(Set) :-
+    \+ cut_was_divided(Set),
+    \+ has_near_lines(Set).
 
 %!  close_works(+Works) is det.
 %

@@ -1,7 +1,8 @@
 :- module(sg_joints,
           [ merge_line/2,               % +Piece1, +Piece2
             merge_joints/2,             % +Set, +How
-            merge_near_lines/2          % +Set, +Works
+            merge_near_lines/2,         % +Set, +Works
+            has_near_lines/1            % +Set
           ]).
 :- use_module(decision, [decision/2]).
 :- use_module(kernel,
@@ -69,13 +70,23 @@ join(Set, joint(Point, _, _)) :-
 %   work(S, P, Work).
 
 merge_near_lines(Set, Works) :-
-    cut_joints(Set, near, Joints),
-    include(is_merged, Joints, Merged),
+    near_joints(Set, Merged),
     (   Merged == []
     ->  true
     ;   works_by_polygon(Works, ByPolygon),
         maplist(merge_near(Set, ByPolygon), Merged)
     ).
+
+near_joints(Set, Merged) :-
+    cut_joints(Set, near, Joints),
+    include(is_merged, Joints, Merged).
+
+%!  has_near_lines(+Set) is semidet.
+%
+%   True when merge_near_lines/2 may have something to do.
+
+has_near_lines(Set) :-
+    near_joints(Set, [_|_]).
 
 works_by_polygon(Works, ByPolygon) :-
     findall(S-P-Work, member(work(S, P, Work), Works), Pairs),

@@ -62,6 +62,7 @@
             arrangement_hold/1,       % +Arrangement
             arrangement_drop/1,       % +Arrangement
             arrangement_polygons/3,   % +Arrangement, +Works, +Reach
+            arrangement_free_polygons/3, % +Arrangement, +Polygons, +Reach
             arrangement_seal/1,       % +Arrangement
             arrangement_components/2, % +Pieces, -Components
             arrangement_select/3,     % +Pieces, +Senses, -Solid
@@ -864,6 +865,15 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   made one where nothing else helps. Sealing finds what hangs together, and on
 %   which side of each segment that is. An arrangement is held once when it is
 %   opened, and closed when it is dropped as often as it was held.
+
+%!  arrangement_free_polygons(+Arrangement, +Polygons:list, +Reach) is semidet.
+%
+%   What arrangement_polygons/3 does after enter_polygons/4 of entering.pl, for
+%   all of the polygons S-P together, many at a time. Fails, and nothing is
+%   taken in, if a line meets anything in one of them, or one cannot be
+%   triangulated.
+%
+%   @error existence_error(polygon, P)
 
 %!  arrangement_components(+Pieces:list, -Components:list) is det.
 %!  arrangement_select(+Pieces:list, +Senses:list, -Solid) is det.

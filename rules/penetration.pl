@@ -5,7 +5,7 @@
             may_cut/2,                  % +S1, +S2
             penetration_chains/1,       % -Chains
             penetration_chains/3,       % +Pairs, +Options, -Chains
-            leaves_entered/4,           % +Pairs, +Wanted, +Tolerance, :Goal
+            leaf_lines/4,               % +Pairs, +Wanted, +Tolerance, :Goal
             touching/2,                 % +Options, -Tolerance
             triangle_cut/5              % +S1-T1, +S2-T2, -Kind, -End1, -End2
           ]).
@@ -299,35 +299,30 @@ chains_of_leaves(Pairs, Tolerance, Chains) :-
     touching_pairs(Pairs, Contacts),
     touched(Pairs, Contacts, Tolerance, chained(Chains), _).
 
-%!  leaves_entered(+Pairs:list, +Wanted:list, +Tolerance, :Goal) is semidet.
+%!  leaf_lines(+Pairs:list, +Wanted:list, +Tolerance, :Goal) is semidet.
 %
-%   The lines of Pairs enter the polygons of the segments Wanted, and those in
-%   which lines of these run, but nothing of that is written:
-%   call(Goal, Set, Works) gets the cut set and a list of work(S, P, Work).
+%   The lines of Pairs, before they enter any polygon: call(Goal, Set, Polygons)
+%   gets the cut set and, as S-P, the polygons of the segments Wanted in which
+%   lines run, and those in which lines of these run.
 %   What touches within Tolerance is made to touch first, in the world, and
 %   earlier cuts of these segments are taken back: call it in a
 %   facts_snapshot/1.
 
-:- meta_predicate leaves_entered(+, +, +, 2).
+:- meta_predicate leaf_lines(+, +, +, 2).
 
-leaves_entered(Pairs, Wanted, Tolerance, Goal) :-
+leaf_lines(Pairs, Wanted, Tolerance, Goal) :-
     earlier_cuts(Pairs, Earlier),
     (   Earlier == []
     ->  true
     ;   leaves_restored(Earlier)
     ),
     contact_pairs(Pairs, Tolerance, Contacts),
-    touched(Pairs, Contacts, Tolerance, entered(Wanted, Goal), _).
+    touched(Pairs, Contacts, Tolerance, lined(Wanted, Goal), _).
 
-entered(Wanted, Goal, _, Set) :-
+lined(Wanted, Goal, _, Set) :-
     stage(rules, find_lines(Set)),
     cut_polygons_of(Set, Wanted, Polygons),
-    setup_call_cleanup(
-        true,
-        ( stage(enter, enter_polygons(is_list, Set, Polygons, Works)),
-          call(Goal, Set, Works)
-        ),
-        close_works(Works)).
+    call(Goal, Set, Polygons).
 
 chained(Chains, _, Set) :-
     stage(rules, ( find_lines(Set),

@@ -26,7 +26,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(trimmed, [trimmed/4, trimmed/5]).
 :- reexport(unfold, [unfold/2, unfold/3]).
 :- reexport(penetration,
-            except([ may_cut/2, leaves_entered/4, touching/2 ])).
+            except([ may_cut/2, leaf_lines/4, touching/2 ])).
 :- reexport(development,
             [ develop/2, develop/3, development/2, seam_reason/3 ]).
 :- reexport(development_record, [development_measures/2]).

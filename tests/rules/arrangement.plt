@@ -2,7 +2,17 @@
 :- use_module(library(plunit)).
 :- use_module('../../rules/arrangement').
 :- use_module('../../rules/boolean').
+:- use_module('../../rules/entering').
+:- use_module('../../rules/joints', [merge_joints/2]).
+:- use_module('../../rules/kernel',
+              [ cut_set_open/2, cut_set_close/1, cut_find/1, cut_seal/1,
+                cut_polygons_of/3, arrangement_open/4, arrangement_drop/1,
+                arrangement_polygons/3, arrangement_free_polygons/3,
+                arrangement_seal/1, arrangement_components/2,
+                arrangement_select/3, solid_close/1
+              ]).
 :- use_module('../../rules/model_file').
+:- use_module('../../rules/solid_rows').
 :- use_module('../../rules/store').
 :- use_module('../../rules/triangulation').
 :- use_module(library(aggregate)).
@@ -194,5 +204,82 @@ asked_often(Tolerance) :-
     forall(between(1, 12, I),
            ( T is Tolerance*(1+I mod 3),
              with_arrangement(Leaves, [tolerance(T)], components_there) )).
+
+%   Polygons whose lines meet nothing are entered and divided by one kernel. It
+%   makes the pieces that the rules of entering.pl and then
+%   arrangement_polygons/3 make; where a line meets another it makes none.
+
+test(free_polygons, [true(Compared-Crossed == 14-true)]) :-
+    findall(How, ( between(1, 24, Seed), pieces_alike(2, Seed, How) ), Hows),
+    \+ member(other, Hows),
+    aggregate_all(count, member(alike, Hows), Compared),
+    (   between(1, 8, Seed),
+        pieces_alike(10, Seed, crossed)
+    ->  Crossed = true
+    ;   Crossed = false
+    ).
+
+%   pieces_alike(+N, +Seed, -How): of a scene of N octahedra: `alike`, `other`,
+%   `crossed` (not all polygons are free) or `apart`.
+
+pieces_alike(N, Seed, How) :-
+    in_new_world(( set_random(seed(Seed)),
+                   forall(between(1, N, _),
+                          ( octahedron(Term),
+                            add_primitive(Term, _) )),
+                   complete_segments,
+                   numlist(1, N, Ss),
+                   findall(A-B, ( member(A, Ss), member(B, Ss), A < B ),
+                           Pairs),
+                   setup_call_cleanup(
+                       cut_set_open(Pairs, Set),
+                       alike_in(Set, Ss, How),
+                       cut_set_close(Set)) )).
+
+octahedron(at([rotate(axis(1,2,3),Degrees),translate(X,Y,Z)],
+              polyhedron(points([[1,0,0],[0,1,0],[0,0,1],
+                                 [-1,0,0],[0,-1,0],[0,0,-1]]),
+                         faces([[1,2,3],[2,4,3],[4,5,3],[5,1,3],
+                                [2,1,6],[4,2,6],[5,4,6],[1,5,6]])))) :-
+    maplist(random_between(0, 1000), [A,B,C,D]),
+    maplist(scaled, [A,B,C], [X,Y,Z]),
+    Degrees is D/7.
+
+alike_in(Set, Ss, How) :-
+    cut_find(Set),
+    cut_seal(Set),
+    merge_joints(Set, straight),
+    cut_polygons_of(Set, Ss, Polygons),
+    stays_entered(Set),
+    arrangement_open(Set, Ss, Ss, Fused),
+    (   Polygons == []
+    ->  How = apart
+    ;   arrangement_free_polygons(Fused, Polygons, 0.0)
+    ->  enter_polygons(is_list, Set, Polygons, Works),
+        arrangement_open(Set, Ss, Ss, Ruled),
+        arrangement_polygons(Ruled, Works, 0.0),
+        close_works(Works),
+        maplist(chosen(Ss), [Fused,Ruled], [Rows1,Rows2]),
+        arrangement_drop(Ruled),
+        (   Rows1 == Rows2
+        ->  How = alike
+        ;   How = other
+        )
+    ;   How = crossed
+    ),
+    arrangement_drop(Fused).
+
+%   All pieces of an arrangement, as rows, with what they came from.
+
+chosen(Ss, Arrangement, Rows-Sources-Components) :-
+    arrangement_seal(Arrangement),
+    findall(S-Arrangement, member(S, Ss), Pieces),
+    arrangement_components(Pieces, Components),
+    findall(C-1, member(component(C,_,_,_,_,_), Components), Senses),
+    arrangement_select(Pieces, Senses, Solid),
+    facts_snapshot(( solid_written(Solid, 100),
+                     rows(Rows),
+                     findall(P-S0-P0, from_p(100, P, S0, P0, _), Sources) )),
+    solid_close(Solid).
 
 :- end_tests(arrangement).
