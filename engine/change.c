@@ -217,10 +217,9 @@ used_ids(sg_map *map, sg_relation relation, const sg_value *row)
          sg_map_used_id(map, column == 0 ? 0 : row[0].i, row[column].i);
 }
 
-/* Writes a checked row into a slot and shows it. False: no memory. */
-static bool
-put_row(sg_world *world, sg_map *map, sg_relation relation, sg_row slot,
-        const sg_value *row)
+bool
+sg_world_put_row(sg_world *world, sg_map *map, sg_relation relation,
+                 sg_row slot, const sg_value *row)
 {
   sg_table *table = &world->table[relation];
   sg_live *live =
@@ -253,7 +252,7 @@ add(sg_world *world, sg_relation relation, const sg_value *row, sg_row *out,
   }
   sg_world_sweep_if_worth(world, relation, 1);
   slot = sg_table_slot(&world->table[relation]);
-  if (slot == SG_NO_ROW || !put_row(world, map, relation, slot, row)) {
+  if (slot == SG_NO_ROW || !sg_world_put_row(world, map, relation, slot, row)) {
     return SG_NO_MEMORY; /* the slot is found again by a sweep */
   }
   *out = slot;

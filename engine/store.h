@@ -192,6 +192,15 @@ bool sg_append_commit(sg_append *append);
 /* After a commit, or instead of it: nothing is left. */
 void sg_append_close(sg_append *append);
 
+/* Some rows of many are exchanged for others: rows `gone` live no more, which
+ * all live now, and n new ones do, from column arrays as of
+ * sg_world_add_many(), right by construction as those of sg_append. They are
+ * written one by one, into slots that are free anywhere. False: no memory, some
+ * may be exchanged: roll back. */
+bool sg_world_exchange(sg_world *world, sg_relation relation,
+                       const sg_row *gone, size_t gones, size_t n,
+                       const void *const *column);
+
 /* True if the row lived in the current version, and now does not. */
 bool sg_world_retract(sg_world *world, sg_relation relation, sg_row row);
 /* False: no memory. */

@@ -70,6 +70,10 @@ bool sg_world_stamp(sg_world *world, sg_map *map, sg_relation relation,
 /* Something was written: counts it and forgets the redo steps. */
 void sg_world_changed(sg_world *world);
 
+/* Writes a row that is right into a slot and shows it, in an owned map. False:
+ * no memory. */
+bool sg_world_put_row(sg_world *world, sg_map *map, sg_relation relation,
+                      sg_row slot, const sg_value *row);
 /* sg_append_open(), _commit() and _close() without lock and claim. End it also
  * after a failure. */
 bool sg_append_begin(sg_append *append, sg_world *world, sg_relation relation,

@@ -17,7 +17,8 @@
               [solid_close/1, solid_is_closed/1, segments_tolerance/3]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module(passing, [passing_named/2]).
-:- use_module(solid_rows, [solid_written/2]).
+:- use_module(csg_rows, [drop_boundary/1]).
+:- use_module(solid_rows, [solid_written/2, solid_written_over/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [v/5, segment/3, assert_fact/1, facts_transaction/1]).
@@ -40,9 +41,9 @@ that two operands have in common stays or goes by how it looks in each.
 %!  boolean(+Expression, +S) is det.
 %!  boolean(+Expression, +S, +Options:list) is det.
 %
-%   The boundary of Expression becomes the rows of segment S, which must have
-%   none yet; a solid of that number is made if there is none. One transaction;
-%   the operands stay as they are. Options: those of with_arrangement/3 and of
+%   The boundary of Expression becomes the rows of segment S; a solid of that
+%   number is made if there is none. One transaction; the operands stay as they
+%   are. Options: those of with_arrangement/3 and of
 %   faces_merged/2, and
 %
 %     - faces(pieces)
@@ -52,6 +53,9 @@ that two operands have in common stays or goes by how it looks in each.
 %     Default: as segments_tolerance/3 sees the operands.
 %     - grain(Grain)
 %     The default is at least this: what operands were made from shows no more.
+%     - over(Bool)
+%     Rows that S has are those of an earlier boundary: what of them is the same
+%     stays, with its ids. Default: `false`, S must have none.
 %
 %   @error existence_error(segment, S1): an operand is not there
 %   @error geometry_error(operand(S1, Faults)): the result would be open, and so
@@ -71,7 +75,8 @@ boolean(Expression, S, Options0) :-
     made(Expression, Leaves, Options, Solid, Passing),
     setup_call_cleanup(
         true,
-        facts_transaction(sg_boolean:written(Solid, S, Expression, Passing)),
+        facts_transaction(sg_boolean:written(Solid, S, Expression, Passing,
+                                             Options)),
         solid_close(Solid)).
 
 %   What the operands say, not what else is in the world; and of merging, what
@@ -160,14 +165,24 @@ merged(Solid, Options) :-
     ;   stage(faces, faces_merged(Solid, Options))
     ).
 
-written(Solid, S, Expression, Passing) :-
+written(Solid, S, Expression, Passing, Options) :-
     (   segment(S, _, _)
     ->  true
     ;   assert_fact(segment(S, solid, Expression))
     ),
-    stage(write, ( solid_written(Solid, S),
+    stage(write, ( rows_written(Solid, S, Options),
                    passing_named(S, Passing)
                  )).
+
+rows_written(Solid, S, Options) :-
+    (   option(over(true), Options)
+    ->  (   solid_written_over(Solid, S)
+        ->  true
+        ;   drop_boundary(S),
+            solid_written(Solid, S)
+        )
+    ;   solid_written(Solid, S)
+    ).
 
 %!  select_boundary(+Arrangement, +Expression, -Solid) is det.
 %

@@ -23,7 +23,8 @@
               [ up_to_date/2, record/2, drop_record/1, recorded/2,
                 not_kept/2
               ]).
-:- use_module(csg_rows, [copy_segments/3, drop_boundary/1]).
+:- use_module(csg_rows,
+              [copy_segments/3, drop_boundary/1, drop_pictures/1]).
 :- use_module(kernel,
               [segment_meets_itself/1, segments_grain/2, segments_tolerance/3]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
@@ -154,36 +155,60 @@ made_from(S, Tolerance, From) :-
     ).
 
 renewed(S, From) :-
-    (   recorded(S, evaluated(of(_, Known0, _)))
-    ->  Known = Known0
-    ;   Known = []
-    ),
+    earlier(S, Known, Over),
     drop_record(S),
-    drop_boundary(S),
-    made(From, Known, S),
+    made(From, Known, Over, S),
     record(S, evaluated(From)).
 
-%   made(From, Known, S): a segment alone is copied if it does not go through
-%   itself, nothing is nothing. Operands that are Known, with their stamps, were
-%   checked before.
+%   earlier(S, Known, Over): Known are the operands of the boundary that S has,
+%   with their stamps. Over is true if that is a Boolean's and nobody changed it
+%   since.
 
-made(join(Stamps, Matrix), _, S) :-
+earlier(S, Known, Over) :-
+    (   recorded(S, evaluated(From))
+    ->  (   From = of(_, Known0, _)
+        ->  Known = Known0,
+            (   up_to_date(S, From)
+            ->  Over = true
+            ;   Over = false
+            )
+        ;   Known = [],
+            Over = false
+        )
+    ;   Known = [],
+        Over = false
+    ).
+
+%   made(From, Known, Over, S): a segment alone is copied if it does not go
+%   through itself, nothing is nothing. Operands that are Known were checked
+%   before.
+
+made(join(Stamps, Matrix), _, _, S) :-
+    drop_boundary(S),
     pairs_keys(Stamps, Children),
     copy_segments(Children, Matrix, S).
-made(of(Expression, Stamps, Tolerance), Known, S) :-
+made(of(Expression, Stamps, Tolerance), Known, Over, S) :-
     (   integer(Expression),
         \+ meets_itself(Expression)
-    ->  rounded_identity(Identity),
+    ->  drop_boundary(S),
+        rounded_identity(Identity),
         copy_segments([Expression], Identity, S)
     ;   Expression == union([])
-    ->  true
-    ;   ord_subtract(Stamps, Known, New),
-        pairs_keys(New, Leaves),
-        exclude(is_surface, Leaves, Solids),
-        maplist(checked_operand, Solids),
-        tolerance_options(Tolerance, Stamps, Options),
-        boolean(Expression, S, Options)
+    ->  drop_boundary(S)
+    ;   boolean_made(Expression, Stamps, Tolerance, Known, Over, S)
     ).
+
+boolean_made(Expression, Stamps, Tolerance, Known, Over, S) :-
+    ord_subtract(Stamps, Known, New),
+    pairs_keys(New, Leaves),
+    exclude(is_surface, Leaves, Solids),
+    maplist(checked_operand, Solids),
+    tolerance_options(Tolerance, Stamps, Options),
+    (   Over == true
+    ->  drop_pictures(S)
+    ;   drop_boundary(S)
+    ),
+    boolean(Expression, S, [over(Over)|Options]).
 
 is_surface(S) :-
     segment(S, surface, _),

@@ -2,6 +2,7 @@
           [ copy_segments/3,            % +Ss, +Matrix, +S
             copied_by_rule/3,           % +Ss, +Matrix, +S
             drop_boundary/1,            % +S
+            drop_pictures/1,            % +S
             segment_box/2               % +S, -Box
           ]).
 :- use_module(csg_matrix, [matrix_sign/2]).
@@ -155,11 +156,7 @@ drop_boundary(S) :-
         leaves_restored(Pairs)
     ;   true
     ),
-    retractall_facts(drawn(_, S, _, _, _, _, _)),
-    retractall_facts(joint(S, _, _, _, _, _)),
-    retractall_facts(piece(S, _, _)),
-    retractall_facts(contour(S, _, _, _, _, _, _, _, _)),
-    retractall_facts(screen(S, _, _, _, _)),
+    drop_pictures(S),
     retractall_facts(line(_, S, _, _, _, _, _, _, _)),
     retractall_facts(line(_, _, _, _, _, S, _, _, _)),
     retractall_facts(from_v(S, _, _, _)),
@@ -177,6 +174,18 @@ drop_boundary(S) :-
     retractall_facts(origin(S, _, _)),
     forall(member(Item-Origin, Origins),
            assert_fact(origin(S, Item, Origin))).
+
+%!  drop_pictures(+S) is det.
+%
+%   Take away the rows of segment S that were made from its boundary, as it was:
+%   pictures and joints.
+
+drop_pictures(S) :-
+    retractall_facts(drawn(_, S, _, _, _, _, _)),
+    retractall_facts(joint(S, _, _, _, _, _)),
+    retractall_facts(piece(S, _, _)),
+    retractall_facts(contour(S, _, _, _, _, _, _, _, _)),
+    retractall_facts(screen(S, _, _, _, _)).
 
 was_changed(S) :-
     (   was_cut(S)

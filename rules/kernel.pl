@@ -49,6 +49,7 @@
             solid_move/3,             % +Solid, +Matrix, -Again
             solid_counts/4,           % +Solid, -Vertices, -Faces, -Triangles
             solid_write/2,            % +Solid, +S
+            solid_write_over/2,       % +Solid, +S
             solid_close/1,            % +Solid
             solid_is_closed/1,        % +Solid
             solid_vertices/2,         % +Solid, -Vertices
@@ -356,6 +357,15 @@ glue file.
 %   it in a transaction.
 %
 %   @error permission_error(write, segment, S): it has rows
+
+%!  solid_write_over(+Solid, +S) is semidet.
+%
+%   The rows of segment S, which were a solid's, become those of Solid. What is
+%   the same stays with its ids, so ids need not be dense: what is new has the
+%   least that are free. Fails if S has other rows than a solid becomes, or most
+%   faces are new. Call it in a transaction.
+%
+%   @see c_kernels/solid_over.h
 
 %!  solid_close(+Solid) is det.
 %

@@ -1,9 +1,11 @@
 :- module(sg_solid_rows,
           [ solid_written/2,            % +Solid, +S
+            solid_written_over/2,       % +Solid, +S
             solid_written_by_rule/2     % +Solid, +S
           ]).
 :- use_module(kernel,
-              [ solid_write/2, solid_vertices/2, solid_faces/2, solid_parts/2
+              [ solid_write/2, solid_write_over/2, solid_vertices/2,
+                solid_faces/2, solid_parts/2
               ]).
 :- use_module(store, [assert_fact/1]).
 :- autoload(library(apply), [foldl/4, foldl/5]).
@@ -24,6 +26,15 @@
 
 solid_written(Solid, S) :-
     solid_write(Solid, S).
+
+%!  solid_written_over(+Solid, +S) is semidet.
+%
+%   The rows of segment S, a solid that was written before, become those of
+%   Solid, and what is the same stays as it is: but for the ids, as if S had had
+%   no rows. Fails if that is not worth it. To be called in a transaction.
+
+solid_written_over(Solid, S) :-
+    solid_write_over(Solid, S).
 
 %!  solid_written_by_rule(+Solid, +S) is det.
 %

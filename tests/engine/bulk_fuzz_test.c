@@ -294,6 +294,47 @@ do_retract(game *g)
   return good;
 }
 
+static int
+compare_rows(const void *a, const void *b)
+{
+  sg_row x = *(const sg_row *)a, y = *(const sg_row *)b;
+
+  return (x > y) - (x < y);
+}
+
+/* Some ids, most of a stretch or few of all, lose their rows, and these and
+ * others get new ones. */
+static bool
+do_exchange(game *g)
+{
+  static sg_row gone[IDS];
+  const void *column[5] = {batch.cell[0], batch.cell[1], batch.cell[2],
+                           batch.cell[3], batch.cell[4]};
+  int32_t s = 1 + (int32_t)draw(SEGMENTS), id = 1 + (int32_t)draw(IDS);
+  int32_t end = id + (int32_t)draw(draw(4) ? 30 : 3000);
+  uint32_t one_in = 1 + draw(4);
+  size_t gones = 0;
+
+  batch.s = s;
+  batch.n = 0;
+  for (; id < end && id <= IDS; id++) {
+    uint8_t *there = &g->now.value[s][id];
+    if (*there && draw(one_in) == 0) {
+      gone[gones++] = find_row(g, s, id);
+      *there = 0;
+    }
+    if (!*there && draw(one_in) == 0) {
+      put(id);
+    }
+  }
+  qsort(gone, gones, sizeof *gone, compare_rows);
+  column[2] = relation_of(s) == SG_P ? (const void *)batch.lists : column[2];
+  g->changed = g->changed || gones > 0;
+  note_batch(g, batch.n);
+  return sg_world_exchange(g->world, relation_of(s), gone, gones, batch.n,
+                           column);
+}
+
 static void
 forget(game *g, int32_t s)
 {
@@ -360,7 +401,8 @@ do_one(game *g)
 
   return what < 30   ? do_append(g)
          : what < 50 ? do_add_many(g)
-         : what < 65 ? do_retract(g)
+         : what < 57 ? do_retract(g)
+         : what < 65 ? do_exchange(g)
          : what < 85 ? do_retract_with(g)
          : what < 90 ? do_single(g)
                      : do_hold(g);

@@ -1,0 +1,307 @@
+/* A tree that is edited and evaluated again has the boundary that it would have
+   if it were evaluated for the first time, but for the ids.
+
+   EVALUATED_CASES=N tries N times as many trees.
+*/
+:- module(test_evaluated_again, []).
+:- use_module(library(plunit)).
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(assoc)).
+:- use_module(library(lists)).
+:- use_module(library(random)).
+:- use_module(library(readutil)).
+:- use_module(rules(csg), [is_helper/1]).
+:- use_module(rules(csg_evaluate)).
+:- use_module(rules(model)).
+:- use_module(rules(solid_file), [write_solid/2]).
+:- use_module(rules(store)).
+:- use_module(tests('rules/random_solid')).
+
+/* - - - a tree, and the same tree in another world - - - */
+
+%   tree_world(Segments, World): a world with these segment(S, Kind, Term), as
+%   if they had been read from a file.
+
+tree_world(Segments, World) :-
+    tmp_file_stream(File, Stream, [extension(pl)]),
+    forall(member(Segment, Segments), format(Stream, '~q.~n', [Segment])),
+    close(Stream),
+    new_world(World),
+    call_cleanup(in_world(World, load_model(File, [evaluate(false)])),
+                 delete_file(File)).
+
+%   The root 100 is over the nodes 101 and 102 over leaves 1, 2, ..., and over
+%   103, leaf 1 once more.
+
+random_tree(Kind, Segments) :-
+    random_between(4, 7, N),
+    numlist(1, N, Leaves),
+    findall(segment(S, solid, Term),
+            ( member(S, Leaves), random_leaf(Kind, Term) ),
+            Primitives),
+    Half is N//2,
+    length(First, Half),
+    append(First, Second, Leaves),
+    append(Primitives,
+           [ segment(101, solid, union(First)),
+             segment(102, solid, union(Second)),
+             segment(103, solid, at([translate(1,0,0)], 1)),
+             segment(100, solid, difference([101,102,103]))
+           ],
+           Segments).
+
+random_leaf(blocks, Primitive) :-
+    random_blocks(_, Primitive).
+random_leaf(anywhere, Primitive) :-
+    random_placed(Primitive).
+
+fresh(World) :-
+    findall(segment(S, Kind, Term),
+            ( segment(S, Kind, Term), \+ is_helper(S) ),
+            Segments),
+    tree_world(Segments, World).
+
+/* - - - what a segment has, but for ids - - - */
+
+%   boundary(S, Boundary): vertices as their places, polygons by these.
+
+boundary(S, boundary(Vertices, Polygons)) :-
+    findall(V-(X-Y-Z), v(S, V, X, Y, Z), Pairs),
+    list_to_assoc(Pairs, At),
+    findall(vertex(Place, Froms, Origins),
+            ( member(V-Place, Pairs),
+              findall(From, vertex_source(S, V, From), Froms),
+              findall(Name, vertex_origin(S, V, Name), Origins)
+            ),
+            Vertices0),
+    msort(Vertices0, Vertices),
+    findall(Polygon, polygon(S, At, Polygon), Polygons0),
+    msort(Polygons0, Polygons).
+
+%   Helpers have other numbers in another world.
+
+vertex_source(S, V, From) :-
+    from_v(S, V, S0, V0),
+    known_source(S0, V0, From).
+
+known_source(S0, Id, From) :-
+    (   is_helper(S0)
+    ->  From = helper(Id)
+    ;   From = S0-Id
+    ).
+
+vertex_origin(S, V, Name) :-
+    origin(S, v(V), Origin),
+    (   once(is_helper(_, _))
+    ->  functor(Origin, Name, _)
+    ;   Name = Origin
+    ).
+
+is_helper(S, x) :-
+    segment(S, _, _),
+    is_helper(S).
+
+polygon(S, At, polygon(Edges, Triangles, Plane, Sources)) :-
+    p(S, P, Es),
+    findall(e(A, B, Et),
+            ( member(E, Es),
+              e(S, E, V1, V2, Et),
+              get_assoc(V1, At, A),
+              get_assoc(V2, At, B)
+            ),
+            Edges0),
+    msort(Edges0, Edges),
+    findall(Triangle,
+            ( t(S, P, _, V1, V2, V3),
+              maplist(place_of(At), [V1,V2,V3], Corners),
+              from_least(Corners, Triangle)
+            ),
+            Triangles0),
+    msort(Triangles0, Triangles),
+    findall(plane(A, B, C, D), plane(S, P, A, B, C, D), Plane),
+    findall(Source-Sense,
+            ( from_p(S, P, S0, P0, Sense), known_source(S0, P0, Source) ),
+            Sources0),
+    msort(Sources0, Sources).
+
+place_of(At, V, Place) :-
+    get_assoc(V, At, Place).
+
+from_least([A,B,C], [X,Y,Z]) :-
+    min_member(Least, [A,B,C]),
+    member([X,Y,Z], [[A,B,C],[B,C,A],[C,A,B]]),
+    X == Least,
+    !.
+
+%   file_of(S, Codes): the mesh file of a segment.
+
+file_of(S, Codes) :-
+    (   v(S, _, _, _, _)
+    ->  tmp_file_stream(File, Stream, [extension(off)]),
+        close(Stream),
+        call_cleanup(( write_solid(File, S),
+                       read_file_to_codes(File, Codes, [])
+                     ),
+                     delete_file(File))
+    ;   Codes = []
+    ).
+
+/* - - - edits - - - */
+
+replaced(S, Term) :-
+    retractall_facts(segment(S, _, _)),
+    assert_fact(segment(S, solid, Term)).
+
+leaf(S) :-
+    findall(S1, ( segment(S1, _, _), S1 < 100 ), Ss),
+    random_member(S, Ss).
+
+edit(shape, Kind) :-
+    leaf(S),
+    random_leaf(Kind, Term),
+    replaced(S, Term).
+edit(placement, _) :-
+    leaf(S),
+    segment(S, _, Term0),
+    !,
+    random_between(-4, 4, I),
+    X is I/2,
+    replaced(S, at([translate(X,0,0)], Term0)).
+edit(placed_again, _) :-
+    random_between(-4, 4, I),
+    Y is I/4,
+    replaced(103, at([translate(0,Y,0.5)], 1)).
+edit(added, Kind) :-
+    aggregate_all(max(S), ( segment(S, _, _), S < 90 ), Last),
+    S is Last+1,
+    random_leaf(Kind, Term),
+    tree_world([segment(S, solid, Term)], Other),
+    in_world(Other, findall(Fact, row(S, Fact), Facts)),
+    assert_fact(segment(S, solid, Term)),
+    maplist(assert_fact, Facts),
+    random_member(N, [101,102]),
+    segment(N, _, Node),
+    !,
+    Node =.. [Operation, Children],
+    replaced_node(N, Operation, [S|Children]).
+edit(removed, _) :-
+    random_member(N, [101,102]),
+    segment(N, _, Node),
+    !,
+    Node =.. [Operation, Children],
+    (   Children = [_,_|_]
+    ->  random_select(_, Children, Rest),
+        replaced_node(N, Operation, Rest)
+    ;   true
+    ).
+edit(operation, _) :-
+    random_member(N, [100,101,102]),
+    segment(N, _, Node),
+    !,
+    Node =.. [_, Children],
+    random_member(Operation, [union,intersection,difference]),
+    replaced_node(N, Operation, Children).
+replaced_node(N, Operation, Children) :-
+    Term =.. [Operation, Children],
+    replaced(N, Term).
+
+row(S, v(S, V, X, Y, Z)) :-
+    v(S, V, X, Y, Z).
+row(S, e(S, E, A, B, Et)) :-
+    e(S, E, A, B, Et).
+row(S, p(S, P, Es)) :-
+    p(S, P, Es).
+row(S, plane(S, P, A, B, C, D)) :-
+    plane(S, P, A, B, C, D).
+row(S, t(S, P, T, A, B, C)) :-
+    t(S, P, T, A, B, C).
+
+%   differs(Seed, Kind, Steps, Done) is semidet: after the edits Done, the latest
+%   first, the boundary is another one than in a fresh world.
+
+differs(Seed, Kind, Steps, Done) :-
+    set_random(seed(Seed)),
+    random_tree(Kind, Segments),
+    tree_world(Segments, World),
+    in_world(World,
+             ( evaluate(100),
+               edited(Steps, Kind, [], Done)
+             )).
+
+edited(Steps, Kind, Done0, Done) :-
+    Steps > 0,
+    random_member(Edit0,
+                  [ shape, placement, placed_again, added, removed, operation,
+                    undone, undone_and_redone ]),
+    done(Edit0, Kind, Done0, Edit),
+    Done1 = [Edit|Done0],
+    (   is_as_fresh
+    ->  Steps1 is Steps-1,
+        edited(Steps1, Kind, Done1, Done)
+    ;   Done = Done1
+    ).
+
+%   done(Edit0, Kind, Done, Edit): Edit is Edit0, if there is something to undo.
+
+done(Edit0, Kind, Done, Edit) :-
+    (   is_undo(Edit0)
+    ->  (   Done = [A,B|_],
+            \+ is_undo(A),
+            \+ is_undo(B)
+        ->  Edit = Edit0,
+            undone(Edit)
+        ;   done(operation, Kind, Done, Edit)
+        )
+    ;   Edit = Edit0,
+        facts_transaction(test_evaluated_again:once(edit(Edit, Kind)))
+    ).
+
+is_undo(undone).
+is_undo(undone_and_redone).
+
+undone(undone) :-
+    facts_undo,
+    facts_undo.
+undone(undone_and_redone) :-
+    facts_undo,
+    facts_undo,
+    facts_redo.
+
+is_as_fresh :-
+    catch(evaluate(100), Error0, true),
+    fresh(Other),
+    in_world(Other, ( catch(evaluate(100), Error, true),
+                      boundary(100, Expected),
+                      file_of(100, File) )),
+    (   nonvar(Error0)
+    ->  nonvar(Error)
+    ;   boundary(100, Boundary),
+        Boundary == Expected,
+        file_of(100, File)
+    ).
+
+%   seeds(N, Seeds): of as many trees as are wanted.
+
+seeds(N, Seeds) :-
+    (   getenv('EVALUATED_CASES', Text),
+        atom_number(Text, Times)
+    ->  Last is N*Times
+    ;   Last = N
+    ),
+    numlist(1, Last, Seeds).
+
+faults(Kind, N, Steps, Faults) :-
+    seeds(N, Seeds),
+    findall(Seed-Done,
+            ( member(Seed, Seeds), differs(Seed, Kind, Steps, Done) ),
+            Faults).
+
+:- begin_tests(evaluated_again).
+
+test(on_a_grid, Faults == []) :-
+    faults(blocks, 6, 6, Faults).
+test(anywhere, Faults == []) :-
+    faults(anywhere, 4, 6, Faults).
+
+:- end_tests(evaluated_again).
