@@ -96,6 +96,10 @@ sg_outcome sg_arrangement_free_polygons(sg_arrangement *a,
 /* Finds the components, and their sides. False: no memory, or stopped. */
 bool sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll);
 
+/* Frees what only sealing needs, for who keeps an arrangement for long: from
+ * here on it looks into the trees of wanted leaves, and into `views`, alone. */
+void sg_arrangement_shed(sg_arrangement *a, const sg_leaf_views *views);
+
 /* How many components a wanted leaf has; and one of them. */
 size_t sg_arrangement_components(const sg_arrangement *a, int32_t s);
 sg_component sg_arrangement_component(const sg_arrangement *a, int32_t s,

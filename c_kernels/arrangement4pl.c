@@ -52,6 +52,12 @@ close_handle(sg_arrangement_handle *h)
     sg_cut_set_let_go(h->set);
     h->set = NULL;
   }
+  if (h->version) {
+    sg_leaf_views_clear(&h->views);
+    sg_version_drop(h->version);
+    sg_world_let_go(h->world);
+    h->version = NULL;
+  }
 }
 
 static int
@@ -92,6 +98,13 @@ sg_get_arrangement_ex(term_t t, sg_arrangement_handle **out)
   }
   *out = data;
   return (*out)->arrangement || PL_existence_error("arrangement", t);
+}
+
+int
+sg_get_unsealed_ex(term_t t, sg_arrangement_handle **out)
+{
+  return sg_get_arrangement_ex(t, out) &&
+         ((*out)->set || PL_permission_error("fill", "arrangement", t));
 }
 
 /* ---- opening ---- */
@@ -316,7 +329,7 @@ arrangement_polygons(term_t t, term_t works, term_t r)
   double reach;
   size_t n = 0;
 
-  if (!sg_get_arrangement_ex(t, &h) || !sg_get_finite_ex(r, &reach)) {
+  if (!sg_get_unsealed_ex(t, &h) || !sg_get_finite_ex(r, &reach)) {
     return FALSE;
   }
   int good = get_entered_ex(works, &polygon, &n) &&
@@ -326,42 +339,13 @@ arrangement_polygons(term_t t, term_t works, term_t r)
   return good;
 }
 
-/* Pieces are kept for long: of all that was there when they were made only
- * what is theirs. */
-static int
-keep_own_rows_ex(sg_arrangement_handle *h)
-{
-  sg_cut_handle *set = h->set;
-  uint64_t relations = UINT64_C(1) << SG_V | UINT64_C(1) << SG_T;
-  sg_leaf_views views;
-
-  for (size_t i = 0; i < h->n; i++) {
-    relations |= (uint64_t)h->own[i]->curve << SG_E;
-  }
-  const sg_version *own =
-      sg_version_narrow(set->version, relations, h->s, h->n);
-
-  if (!own) {
-    return sg_no_memory();
-  }
-  if (!sg_leaf_views_ex(own, &views)) {
-    sg_version_drop(own);
-    return FALSE;
-  }
-  sg_leaf_views_clear(&set->views);
-  sg_version_drop(set->version);
-  set->views = views;
-  set->version = own;
-  return TRUE;
-}
-
 static foreign_t
 arrangement_seal(term_t t)
 {
   sg_arrangement_handle *h;
   sg_crew *crew;
 
-  if (!sg_get_arrangement_ex(t, &h)) {
+  if (!sg_get_unsealed_ex(t, &h)) {
     return FALSE;
   }
   if (!(crew = sg_crew_open(0))) {
@@ -373,7 +357,7 @@ arrangement_seal(term_t t)
   if (!good) {
     return PL_exception(0) ? FALSE : sg_no_memory();
   }
-  return sg_make_origins_ex(h) && keep_own_rows_ex(h);
+  return sg_make_origins_ex(h) && sg_shed_arrangement_ex(h);
 }
 
 /* ---- components ---- */

@@ -65,7 +65,7 @@ arrangement_free_polygons(term_t t, term_t polygons, term_t r)
   sg_outlines outlines = {0};
   double reach;
 
-  if (!sg_get_arrangement_ex(t, &h) || !sg_get_finite_ex(r, &reach)) {
+  if (!sg_get_unsealed_ex(t, &h) || !sg_get_finite_ex(r, &reach)) {
     return FALSE;
   }
   int good = get_outlines_ex(h->set, polygons, &outlines) &&

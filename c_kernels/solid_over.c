@@ -152,7 +152,7 @@ list_faces(matching *m)
   const sg_solid_old *old = m->old;
 
   for (uint32_t p = (uint32_t)sg_old_count(old, SG_OLD_P); p-- > 0;) {
-    const uint32_t *begin = &old->triangles.begin[p];
+    const uint32_t *begin = old->triangles.begin + p;
     uint32_t v = begin[0] < begin[1]
                      ? old_corner(old, old->triangles.place[begin[0]], 0)
                      : SG_NO_PLACE;
@@ -167,7 +167,7 @@ static bool
 same_triangles(const matching *m, const sg_solid_face *face, uint32_t p)
 {
   const sg_solid_old *old = m->old;
-  const uint32_t *begin = &old->triangles.begin[p];
+  const uint32_t *begin = old->triangles.begin + p;
 
   if (begin[1] - begin[0] != face->n) {
     return false;

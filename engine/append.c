@@ -50,7 +50,7 @@ sg_append_begin(sg_append *a, sg_world *world, sg_relation relation, size_t n)
   sg_sheet *sheet = &a->sheet;
 
   *a = (sg_append){.world = world, .relation = relation};
-  sg_world_sweep_if_worth(world, relation, n);
+  sg_world_sweep_if_worth(world, relation, n, false);
   bool again = sg_table_vacancies(table) >= n;
   sg_row row = again ? sg_table_vacancy(table) : table->slots;
 

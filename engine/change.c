@@ -112,28 +112,30 @@ check_row(sg_world *world, sg_relation relation, const sg_value *row,
 
 /* ---- slots ------------------------------------------------------------- */
 
-enum { LEAST_SLOTS = 8 * SG_PAGE_ROWS }; /* to be swept for many rows */
+enum { LEAST_SLOTS = 8 * SG_PAGE_ROWS }; /* to be swept for rows in bulk */
 
 /* Slots for n rows without a new page; empty stacks are for single rows. */
 static bool
-has_room(const sg_table *table, size_t n)
+has_room(const sg_table *table, size_t n, bool single)
 {
   size_t end = (SG_PAGE_ROWS - table->slots % SG_PAGE_ROWS) % SG_PAGE_ROWS;
+  size_t vacancies = sg_table_vacancies(table);
 
-  return sg_table_vacancies(table) >= n || end >= n ||
-         (n == 1 && table->emptied > 0);
+  return single ? table->emptied + vacancies + end >= n
+                : vacancies >= n || end >= n;
 }
 
 void
-sg_world_sweep_if_worth(sg_world *world, sg_relation relation, size_t n)
+sg_world_sweep_if_worth(sg_world *world, sg_relation relation, size_t n,
+                        bool single)
 {
   sg_table *table = &world->table[relation];
   const sg_map *map = world->current->map[relation];
   size_t rows = map ? map->rows : 0;
 
-  if (!has_room(table, n) && table->written >= table->slots / 8 &&
+  if (!has_room(table, n, single) && table->written >= table->slots / 8 &&
       table->slots > rows && table->slots - rows >= table->slots / 4 &&
-      table->slots >= (n == 1 ? 1 : LEAST_SLOTS)) {
+      table->slots >= (single ? 1 : LEAST_SLOTS)) {
     sg_world_sweep(world, relation);
   }
 }
@@ -250,7 +252,7 @@ add(sg_world *world, sg_relation relation, const sg_value *row, sg_row *out,
   if (!(map = sg_world_own_map(world, relation))) {
     return SG_NO_MEMORY;
   }
-  sg_world_sweep_if_worth(world, relation, 1);
+  sg_world_sweep_if_worth(world, relation, 1, true);
   slot = sg_table_slot(&world->table[relation]);
   if (slot == SG_NO_ROW || !sg_world_put_row(world, map, relation, slot, row)) {
     return SG_NO_MEMORY; /* the slot is found again by a sweep */

@@ -106,9 +106,7 @@ sg_world_exchange(sg_world *world, sg_relation relation, const sg_row *gone,
 
   sg_world_enter(world);
   if (gones + n > 0) {
-    if (world->table[relation].emptied < n) {
-      sg_world_sweep_if_worth(world, relation, n);
-    }
+    sg_world_sweep_if_worth(world, relation, n, true);
     good = hide_rows(world, relation, gone, gones) &&
            put_rows(world, relation, n, column);
     sg_world_changed(world);

@@ -56,10 +56,11 @@ void sg_version_release(sg_version *version);
 void sg_stack_clear(sg_stack *stack);
 /* Makes slots that no version shows empty. */
 void sg_world_sweep(sg_world *world, sg_relation relation);
-/* Does so when otherwise n rows more would open new pages, if at least a
- * quarter of the slots is dead and enough was written since the last sweep to
- * pay for this one. */
-void sg_world_sweep_if_worth(sg_world *world, sg_relation relation, size_t n);
+/* Does so when otherwise n rows more, in bulk or each in a slot of its own,
+ * would open new pages, if at least a quarter of the slots is dead and enough
+ * was written since the last sweep to pay for this one. */
+void sg_world_sweep_if_worth(sg_world *world, sg_relation relation, size_t n,
+                             bool single);
 
 /* What the current version shows of a relation, for writing. Null: no
  * memory. */

@@ -873,8 +873,11 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   cut set Set, which is sealed. Polygons that were entered are told with what
 %   they became, as work(S, P, Work), all at once; what touches within Reach is
 %   made one where nothing else helps. Sealing finds what hangs together, and on
-%   which side of each segment that is. An arrangement is held once when it is
-%   opened, and closed when it is dropped as often as it was held.
+%   which side of each segment that is; then the set, and what else it was made
+%   from, is let go. An arrangement is held once when it is opened, and closed
+%   when it is dropped as often as it was held.
+%
+%   @error permission_error(fill, arrangement, Arrangement): it is sealed
 
 %!  arrangement_free_polygons(+Arrangement, +Polygons:list, +Reach) is semidet.
 %
