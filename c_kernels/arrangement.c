@@ -315,7 +315,6 @@ sg_arrangement_shed(sg_arrangement *a, const sg_leaf_views *views)
   a->cell_room = a->cells;
   a->triangle_room = a->triangles;
   a->side_room = a->sides;
-  a->part_room = a->parts;
   a->leaves.set = NULL;
   a->leaves.near = NULL;
   a->leaves.pairs = 0;
