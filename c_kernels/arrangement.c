@@ -287,15 +287,6 @@ sg_arrangement_open(const sg_leaves *leaves, const sg_poll *poll)
   return a;
 }
 
-/* The array, no larger than n of its elements. */
-static void *
-trimmed(void *array, size_t n, size_t size)
-{
-  void *out = realloc(array, (n + 1) * size);
-
-  return out ? out : array;
-}
-
 void
 sg_arrangement_shed(sg_arrangement *a, const sg_leaf_views *views)
 {
@@ -308,13 +299,6 @@ sg_arrangement_shed(sg_arrangement *a, const sg_leaf_views *views)
   a->cut_row = NULL;
   a->parent = NULL;
   a->nodes = a->node_room = a->cut_rows = a->cut_row_room = 0;
-  a->cell = trimmed(a->cell, a->cells, sizeof *a->cell);
-  a->triangle = trimmed(a->triangle, a->triangles, sizeof *a->triangle);
-  a->side = trimmed(a->side, a->sides, sizeof *a->side);
-  a->part = trimmed(a->part, a->parts, sizeof *a->part);
-  a->cell_room = a->cells;
-  a->triangle_room = a->triangles;
-  a->side_room = a->sides;
   a->leaves.set = NULL;
   a->leaves.near = NULL;
   a->leaves.pairs = 0;

@@ -217,8 +217,8 @@ row(S, plane(S, P, A, B, C, D)) :-
 row(S, t(S, P, T, A, B, C)) :-
     t(S, P, T, A, B, C).
 
-%   differs(Seed, Kind, Steps, Done) is semidet: after the edits Done, the latest
-%   first, the boundary is another one than in a fresh world.
+%   differs(Seed, Kind, Steps, Done) is semidet: after the edits Done, the last
+%   one first, the boundary is another one than in a fresh world.
 
 differs(Seed, Kind, Steps, Done) :-
     set_random(seed(Seed)),
