@@ -42,7 +42,9 @@ set_place(const sg_roll_curve *c, end *e)
   sg_roll_place *p = &e->place;
 
   sg_surface_place(&c->roll->surface, e->x, &p->t, &p->h);
-  p->t += TURN * nearbyint((c->near_t - p->t) / TURN);
+  if (c->roll->surface.kind != SG_SURFACE_FAN) {
+    p->t += TURN * nearbyint((c->near_t - p->t) / TURN);
+  }
   sg_roll_at(c->roll, p->t, p->h, p->at);
 }
 

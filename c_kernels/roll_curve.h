@@ -9,7 +9,7 @@
 #include "roll.h"
 
 typedef struct sg_roll_place {
-  double t, h;  /* t within half a turn of near_t */
+  double t, h;  /* t within half a turn of near_t, unless it is a fan's */
   double at[2]; /* where it is unrolled */
 } sg_roll_place;
 

@@ -7,6 +7,7 @@
                 segment/3, t/6, v/5, assert_fact/1,
                 facts_transaction/1, fresh_id/3, retract_fact/1
               ]).
+:- use_module(trimmed, [part_named/2]).
 :- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- autoload(library(assoc),
             [ empty_assoc/1, gen_assoc/3, get_assoc/3, list_to_assoc/2,
@@ -168,7 +169,7 @@ told_corners(D, Offsets) :-
         findall(Half, ( member(A-B, Corners), ( Half = A ; Half = B ) ),
                 Halves),
         max_list(Halves, Most),
-        model_segment(D, S),
+        named_segment(D, S),
         print_message(warning, sanggwan(unfold(flanges(S, N, Most))))
     ).
 
@@ -196,7 +197,7 @@ fold_half(D, Options, E1, E2, P1, P2, Half) :-
     (   abs(Degrees) < 0.01
     ->  Half = 0.0
     ;   abs(Degrees) >= 170.0
-    ->  model_segment(D, S),
+    ->  named_segment(D, S),
         throw(error(geometry_error(true(bend(S, P1, P2, Degrees))), _))
     ;   bend_deduction(Degrees, Options, Deduction),
         Half is Deduction/2.0
@@ -210,6 +211,12 @@ model_segment(D, S) :-
     ->  S = S0
     ;   S = D
     ).
+
+%   named_segment(D, S): what a user calls it, in messages.
+
+named_segment(D, S) :-
+    model_segment(D, T),
+    part_named(T, S).
 
 edge_of(D, E, P) :-
     once(edge_polygon(D, E, P)).
@@ -387,7 +394,7 @@ sides_kept(D, P, Es, Offsets) :-
         Length is sqrt((BX-AX)**2 + (BY-AY)**2),
         Off is NY*(X1-X2) - NX*(Y1-Y2),
         Off >= Length
-    ->  model_segment(D, S),
+    ->  named_segment(D, S),
         throw(error(geometry_error(true(bend_too_wide(S, P, Off))), _))
     ;   true
     ).

@@ -2,7 +2,8 @@
           [ trimmed/4,                  % +S, +Others, +Side, -T
             trimmed/5,                  % +S, +Others, +Side, +Options, -T
             stays_trimmed/4,            % +S, +Others, +Side, +Component
-            trimmed_from/2              % +T, -S
+            trimmed_from/2,             % +T, -S
+            part_named/2                % +T, -S
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
@@ -15,7 +16,7 @@
 :- use_module(solid_rows, [solid_written/2]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ p/3, segment/3, assert_fact/1, facts_snapshot/1,
+              [ origin/3, p/3, segment/3, assert_fact/1, facts_snapshot/1,
                 facts_transaction/1, fresh_id/3
               ]).
 :- autoload(library(apply), [maplist/2, partition/4]).
@@ -166,4 +167,17 @@ trimmed_from(T, S) :-
         p(T, _, _)
     ->  trimmed_from(S0, S)
     ;   S = T
+    ).
+
+%!  part_named(+T, -S) is det.
+%
+%   S is the segment that a user knows: what T was trimmed from, and what that
+%   was made another side of the plate of, or T itself. A segment S1 of such a
+%   side has origin(S1, node(S1), plate(S)).
+
+part_named(T, S) :-
+    trimmed_from(T, S1),
+    (   origin(S1, node(S1), plate(S0))
+    ->  part_named(S0, S)
+    ;   S = S1
     ).

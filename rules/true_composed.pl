@@ -4,6 +4,7 @@
 :- use_module(primitive, [primitive_faces/3]).
 :- use_module(primitive_face, [smooth_surface/3]).
 :- use_module(store, [segment/3]).
+:- use_module(trimmed, [part_named/2]).
 :- use_module(true_divide, [facet_index/2, generator_spans/5]).
 :- use_module(true_layout, [strip_ends/3, strip_layout/6]).
 :- use_module(true_pieces,
@@ -158,7 +159,8 @@ neutral_pieces(S, Leaf, Layer, Neutral) :-
         memberchk(_-transition(pieces(Places)), Surfaces),
         maplist(rolled_piece(Surfaces), Places0, Places, Neutral)
     ->  true
-    ;   throw(error(geometry_error(true(no_offset(S))), _))
+    ;   part_named(S, Named),
+        throw(error(geometry_error(true(no_offset(Named))), _))
     ).
 
 rolled_piece(Surfaces, piece(Name, End, Ts, _), piece(Name, End, Us, _),
@@ -223,7 +225,8 @@ half_left(Laid0, Name, Around, Middle, Neutral, Laid) :-
         mirrored(Corners, Axis)
     ->  true
     ;   Name = S-Part,
-        throw(error(geometry_error(true(not_symmetric(S, Part))), _))
+        part_named(S, Named),
+        throw(error(geometry_error(true(not_symmetric(Named, Part))), _))
     ).
 
 before(laid(piece(_, _, _, _-G2, _, _, _), _, _, _), Middle) :-

@@ -35,7 +35,8 @@ true_en(flat_part(S, Part, Option)) -->
 true_en(no_offset(S)) -->
     [ 'the surfaces of a plate of segment ~d are not known'-[S], nl,
       '  With a thickness, penetrations are found for right circular \c
-         cylinders and cones, spheres and tori.' ].
+         cylinders and cones, spheres, tori, transitions,', nl,
+      '  and what has flat faces, three of which meet at a corner.' ].
 true_en(bend(S, P1, P2, Degrees)) -->
     [ 'segment ~d: the fold between polygons ~d and ~d turns by ~2f degrees: \c
        no bend has such an angle'-[S, P1, P2, Degrees], nl,

@@ -7,11 +7,13 @@
 :- use_module(model_file, [add_primitive/2]).
 :- use_module(primitive, [is_primitive/1]).
 :- use_module(primitive_face, [smooth_surface/3]).
-:- use_module(store, [segment/3]).
+:- use_module(store, [segment/3, assert_fact/1]).
+:- use_module(true_flat, [flat_resized/3]).
 :- use_module(true_surface, [offset_surface/3]).
 :- autoload(library(apply), [foldl/4, maplist/3, maplist/5]).
 :- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [append/3, last/2, member/2, select/3]).
+:- autoload(library(lists),
+            [append/3, last/2, max_list/2, member/2, min_list/2, select/3]).
 :- autoload(library(option), [option/2, option/3]).
 /** <module> The plate that a surface is made of: which layer of it is drawn.
 
@@ -70,14 +72,15 @@ inner(outside, T, Inner) :- Inner is -float(T).
 %!  plate_parts(+S, +Others, +Options0, -Options, -Parts) is det.
 %
 %   Parts is S1-Others1: new segments, the primitives S and Others again, but as
-%   large as the surfaces in which their plates touch each other; a flat
-%   primitive is itself. To be trimmed (trimmed/4) and then developed with
-%   Options, which have layer(Layer) for what Options0 say of the plate. Without
-%   a thickness they are what was given.
+%   large as the surfaces in which their plates touch each other; what has flat
+%   faces has these moved (flat_resized/3). To be trimmed (trimmed/4) and then
+%   developed with Options, which have layer(Layer), and size(Size) for bends,
+%   instead of what Options0 say of the plate. Without a thickness they are what
+%   was given.
 %
 %   @error geometry_error(true(no_offset(S))): no surface that is known is
 %   everywhere so far from that of S: it is oblique, elliptic, or not curved
-%   simply
+%   simply; or where its flat faces meet they would not, being moved
 
 plate_parts(S, Others, Options, Options, S-Others) :-
     plate(Options, T, _),
@@ -92,7 +95,8 @@ plate_parts(S, Others, Options0, Options, S1-Others1) :-
     part_role(Options0, S, Others, Role),
     option(set_in(In), Options0, false),
     must_be(boolean, In),
-    (   touches(Role, In, inside)
+    touches(Role, In, Side),
+    (   Side == inside
     ->  By = Inner,
         OtherBy = OtherOuter
     ;   By = Outer,
@@ -100,7 +104,7 @@ plate_parts(S, Others, Options0, Options, S1-Others1) :-
     ),
     plate_layer(Options0, Layer0),
     Layer is Layer0 - By,
-    Options = [layer(Layer)|Options0],
+    Options = [layer(Layer),size(Side)|Options0],
     resized(By, S, S1),
     maplist(resized(OtherBy), Others, Others1).
 
@@ -122,11 +126,14 @@ part_role(Options, S, Others, Role) :-
     ;   Role = branch
     ).
 
-%   What is flat is wider than any pipe.
+%   What has flat faces is as wide as a box or prism is, or wider than any pipe.
 
 part_width(S, Width) :-
     (   segment(S, _, Term),
         transition_width(Term, Width0)
+    ->  Width = Width0
+    ;   segment(S, _, Term),
+        flat_width(Term, Width0)
     ->  Width = Width0
     ;   smooth_surface(S, _, Surface),
         Surface \= bezier(_)
@@ -135,13 +142,19 @@ part_width(S, Width) :-
     ;   Width = inf
     ).
 
-%   resized(By, S, S1): S1 is S, By larger all round.
+%   resized(By, S, S1): S1 is S, By larger all round, and part_named/2 knows it.
 
 resized(By, S, S1) :-
     (   By =:= 0.0
     ->  S1 = S
-    ;   \+ smooth_surface(S, _, _)
-    ->  S1 = S
+    ;   made_larger(By, S, S1),
+        assert_fact(origin(S1, node(S1), plate(S)))
+    ).
+
+made_larger(By, S, S1) :-
+    (   \+ smooth_surface(S, _, _),
+        flat_resized(S, By, S1)
+    ->  true
     ;   segment(S, _, Term),
         transition_resized(Term, By, Term1)
     ->  add_primitive(Term1, S1)
@@ -314,3 +327,28 @@ half_width(rectangle(A, B, _), Width) :-
 half_width(polygon(Corners), Width) :-
     twice_area(Corners, Area),
     Width is sqrt(abs(Area)/2.0)/2.0.
+
+%   flat_width(Term, Width): half of what is neither the longest nor the
+%   shortest side of a box round it, as it stands.
+
+flat_width(at(_, Term), Width) :-
+    flat_width(Term, Width).
+flat_width(named(_, Term), Width) :-
+    flat_width(Term, Width).
+flat_width(box(size(A, B, C)), Width) :-
+    msort([A,B,C], [_,Middle,_]),
+    Width is Middle/2.0.
+flat_width(Term, Width) :-
+    Term =.. [prism|Arguments],
+    memberchk(outline(Corners), Arguments),
+    memberchk(height(H), Arguments),
+    findall(X, member([X,_], Corners), Xs),
+    findall(Y, member([_,Y], Corners), Ys),
+    extent(Xs, A),
+    extent(Ys, B),
+    flat_width(box(size(A, B, H)), Width).
+
+extent(Xs, Extent) :-
+    min_list(Xs, Least),
+    max_list(Xs, Most),
+    Extent is Most-Least.

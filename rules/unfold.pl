@@ -26,7 +26,7 @@
                 from_p/5, unfolding/2, piece/3, joint/6, edge_polygon/3,
                 assert_fact/1, facts_snapshot/1, facts_transaction/1
               ]).
-:- use_module(trimmed, [trimmed/5]).
+:- use_module(trimmed, [trimmed/5, part_named/2]).
 :- use_module(unfold_wish, [wanted/3, wanted_in/4]).
 :- autoload(library(apply), [maplist/2]).
 :- autoload(library(error), [domain_error/2, existence_error/2, must_be/2]).
@@ -175,7 +175,8 @@ trimmed_part(S, Options, T) :-
     ->  other_parts(S, Options, Others),
         stage(pieces, trimmed(S, Others, Side, Options, T)),
         (   T == S
-        ->  print_message(informational, sanggwan(unfold(alone(S))))
+        ->  part_named(S, Named),
+            print_message(informational, sanggwan(unfold(alone(Named))))
         ;   true
         )
     ;   T = S

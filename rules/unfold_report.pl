@@ -7,17 +7,16 @@
 :- use_module(development_record, [development_measures/2]).
 :- use_module(kernel, [census/1]).
 :- use_module(language, [language/1]).
-:- use_module(part_edges, [edge_length/3]).
 :- use_module(polygon_name, [segment_title/2]).
 :- use_module(report, [counted/4]).
+:- use_module(seam_measure, [seam_drawn/3]).
 :- use_module(store,
               [v/5, p/3, t/6, origin/3, from_p/5, piece/3, joint/6]).
-:- use_module(trimmed, [trimmed_from/2]).
+:- use_module(trimmed, [part_named/2]).
 :- use_module(unfold, [pattern_of/2]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(http/json), [json_write_dict/3]).
-:- autoload(library(lists), [max_list/2, sum_list/2]).
 :- autoload(library(option), [option/2]).
 /** <module> What is said of patterns: their pieces, seams, sheet and area.
 */
@@ -32,7 +31,7 @@ unfold_report(Ds, Options) :-
     maplist(measured(Parts), Ds, All0),
     (   option(thickness(T), Options),
         T > 0
-    ->  maplist(area_again, All0, All)
+    ->  maplist(measured_again, All0, All)
     ;   All = All0
     ),
     (   option(json(true), Options)
@@ -42,11 +41,13 @@ unfold_report(Ds, Options) :-
         maplist(print_pattern(Language), All)
     ).
 
-%   area_again(M0, M): bends have taken off what they need.
+%   measured_again(M0, M): bends have taken off what they need.
 
-area_again(M0, M) :-
+measured_again(M0, M) :-
     pattern_area(M0.pattern, Area),
-    M = M0.put(pattern_area, Area).
+    seam_drawn(M0.pattern, Seam, Longest),
+    M = M0.put(_{pattern_area:Area, seam:Seam, longest:Longest, bound:null,
+                  bound_by:null}).
 
 %!  pattern_measures(+D, -Measures:dict) is det.
 %
@@ -60,8 +61,8 @@ area_again(M0, M) :-
 %     - objective          what was to be small: seam, pieces, longest, area; or
 %                          `rules`, if a rule file says how to join
 %     - seam, bound, bound_by, longest  development_measures/2; of a pattern
-%                          that was not made by develop/3 no bound, and the
-%                          longest edge of the seam
+%                          that was not made by develop/3, or is bent, no
+%                          bound, and the rest by seam_drawn/3
 %     - width, height      of the sheet that the pieces lie on, side by side
 %     - area, pattern_area         of the part and of the pattern
 %
@@ -73,7 +74,7 @@ pattern_measures(D, Measures) :-
 
 measured(Parts, D, Measures) :-
     pattern_of(D, T),
-    trimmed_from(T, S),
+    part_named(T, S),
     segment_title(S, Title),
     format(string(Name), '~w', [Title]),
     memberchk(part(T, Counts, _, Area, _, _, _, _), Parts),
@@ -100,11 +101,7 @@ seam_measures(D, Pieces, Seam, Bound, By, Longest, Area) :-
       area:Area} :< Measures.
 seam_measures(D, Pieces, Seam, null, null, Longest, Area) :-
     aggregate_all(max(K), piece(D, _, K), Pieces),
-    findall(Length,
-            ( joint(D, _, E, _, seam, _), edge_length(D, E, Length) ),
-            Lengths),
-    sum_list([0.0|Lengths], Seam),
-    max_list([0.0|Lengths], Longest),
+    seam_drawn(D, Seam, Longest),
     pattern_area(D, Area).
 
 pattern_area(D, Area) :-

@@ -1,0 +1,186 @@
+/* Plates with flat faces that meet pipes: rules/true_flat.pl, true_plate.pl,
+   true_rim.pl, and what is said of them. */
+:- use_module(library(plunit)).
+:- use_module(library(aggregate)).
+:- use_module(library(lists)).
+:- use_module(rules(model_file)).
+:- use_module(rules(seam_measure)).
+:- use_module(rules(store)).
+:- use_module(rules(triangulation)).
+:- use_module(rules(trimmed)).
+:- use_module(rules(true_flat)).
+:- use_module(rules(true_plate)).
+:- use_module(rules(unfold)).
+:- use_module(rules(unfold_report)).
+:- use_module(rules(unfold_true)).
+:- use_module(rules(unfold_wish)).
+
+:- multifile user:message_hook/3.
+user:message_hook(sanggwan(unfold(flanges(_, _, _))), warning, _).
+
+:- begin_tests(plates).
+
+:- meta_predicate in_scene(+, 0).
+
+in_scene(Terms, Goal) :-
+    new_world(World),
+    in_world(World,
+             ( forall(member(Term, Terms), add_primitive(Term, _)),
+               complete_segments,
+               Goal )).
+
+near(X, Y) :-
+    near(X, Y, 1.0e-9).
+
+near(X, Y, Off) :-
+    abs(X-Y) =< Off*(1.0+abs(Y)).
+
+box(S, X1-X2, Y1-Y2, Z1-Z2) :-
+    aggregate_all(r(min(X), max(X), min(Y), max(Y), min(Z), max(Z)),
+                  v(S, _, X, Y, Z), r(X1, X2, Y1, Y2, Z1, Z2)).
+
+
+                /*******************************
+                *          FLAT FACES          *
+                *******************************/
+
+test(box) :-
+    in_scene([box(size(10,20,30))], ( flat_resized(1, 2.0, S),
+                                      box(S, X, Y, Z) )),
+    X-Y-Z == (-7.0-7.0)-(-12.0-12.0)-(-2.0-32.0).
+
+test(turned_box) :-
+    in_scene([at([rotate(axis(1,2,3),40),translate(1,2,3)],
+                 box(size(10,20,30)))],
+             ( flat_resized(1, -1.5, S), volume(S, Volume) )),
+    near(Volume, 7*17*27).
+
+volume(S, Volume) :-
+    aggregate_all(sum(Part),
+                  ( t(S, _, _, A, B, C), tetrahedron(S, A, B, C, Part) ),
+                  Volume).
+
+tetrahedron(S, A, B, C, Part) :-
+    v(S, A, X1, Y1, Z1),
+    v(S, B, X2, Y2, Z2),
+    v(S, C, X3, Y3, Z3),
+    Part is (X1*(Y2*Z3-Y3*Z2) - X2*(Y1*Z3-Y3*Z1) + X3*(Y1*Z2-Y2*Z1))/6.
+
+%   Every face of a prism that is not convex, with a hole, is as far out.
+test(prism) :-
+    in_scene([prism(outline([[0,0],[40,0],[40,40],[20,15],[0,40]]),
+                    holes([[[15,4],[25,4],[20,10]]]), height(30))],
+             ( flat_resized(1, 0.5, S),
+               forall(plane(1, P, A, B, C, D),
+                      ( plane(S, P, A2, B2, C2, D2),
+                        near(A, A2), near(B, B2), near(C, C2),
+                        near(D2, D-0.5) )) )).
+
+test(apex_of_four) :-
+    in_scene([pyramid(base(20,20), height(30))],
+             ( flat_resized(1, 1.0, S), box(S, _, _, Z1-Z2) )),
+    near(Z1, -1.0),
+    %  the sides lean by 10 in 30
+    near(Z2, 30 + sqrt(30*30+10*10)/10).
+
+test(apex_that_parts, fail) :-
+    in_scene([pyramid(base(20,10), height(30), shift(7,2))],
+             flat_resized(1, 1.0, _)).
+
+test(turned_round, fail) :-
+    in_scene([box(size(10,20,30))], flat_resized(1, -6.0, _)).
+
+test(sheet) :-
+    in_scene([rectangle(size(10,20))],
+             ( flat_resized(1, 2.0, S), box(S, X, Y, Z) )),
+    X-Y-Z == (-5.0-5.0)-(-10.0-10.0)-(2.0-2.0).
+
+
+                /*******************************
+                *           MEETING            *
+                *******************************/
+
+%   patterns(Terms, S, Options, Ds, Goal)
+
+:- meta_predicate patterns(+, +, +, -, 0).
+
+patterns(Terms, S, Options, Ds, Goal) :-
+    in_scene(Terms,
+             ( true_patterns(S, wanted(none,[],[],[]), [trim(outside)|Options],
+                             Ds),
+               Goal )).
+
+duct([box(size(200,100,80)),
+      at([translate(10,0,40)], cylinder(radius(30), height(100)))]).
+
+%   Set on, the pipe ends at the outside of the duct; set in, at its inside.
+test(pipe_on_a_duct,
+     [ forall(member(Size-In-Height, [ outside-false-60, outside-true-62,
+                                       inside-false-58, inside-true-60,
+                                       middle-false-59, middle-true-61 ])) ]) :-
+    duct(Terms),
+    patterns(Terms, 2, [thickness(2),size(Size),set_in(In)], [D|_],
+             box(D, _, Y1-Y2, _)),
+    near(Y2-Y1, Height, 1.0e-6).
+
+%   The hole in a roof that leans by 30 degrees is an ellipse.
+test(hole_in_a_roof,
+     [ forall(member(In-R, [false-28,true-30])) ]) :-
+    patterns([ at([rotate(y,30)], rectangle(size(400,300))),
+               at([translate(0,0,-100)],
+                  cylinder(radius(30), height(250), facets(12))) ], 1,
+             [thickness(2),size(outside),set_in(In),chord(1.0e-3)], [D],
+             area(D, Area)),
+    Exact is 120000 - pi*R*R*2/sqrt(3),
+    near(Area, Exact, 1.0e-6).
+
+area(D, Area) :-
+    aggregate_all(sum(Part), triangle_area(D, Part), Area).
+
+triangle_area(D, Area) :-
+    t(D, _, _, A, B, C),
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _),
+    v(D, C, X3, Y3, _),
+    Area is ((X2-X1)*(Y3-Y1) - (X3-X1)*(Y2-Y1))/2.
+
+%   A square duct on a round header: the header's hole is that of its inside.
+test(duct_on_a_pipe) :-
+    Terms = [cylinder(radius(100), height(300)),
+             at([rotate(y,90),translate(0,0,150)],
+                prism(outline([[-30,-30],[30,-30],[30,30],[-30,30]]),
+                      height(180)))],
+    patterns(Terms, 1, [thickness(2),size(outside)], [D|_], area(D, Area)),
+    patterns(Terms, 1, [thickness(0)], [D2|_], area(D2, Whole)),
+    %  56 wide on 100, but drawn in the neutral layer, 99
+    Cut is 56*2*99*asin(28/100.0),
+    Cut0 is 60*2*100*asin(30/100.0),
+    Exact is Whole + Cut0 - 2*pi*300 - Cut,
+    near(Area, Exact, 2.0e-4).
+
+%   What is said names what was asked for, and measures what is drawn.
+test(named) :-
+    duct(Terms),
+    patterns(Terms, 2, [thickness(2),size(outside)], [D|_],
+             pattern_measures(D, M)),
+    _{segment:2, seam:Seam, longest:Longest} :< M,
+    near(Seam, 60, 1.0e-6),
+    near(Longest, Seam).
+
+test(part_named, [true(S == 2)]) :-
+    duct(Terms),
+    in_scene(Terms, ( plate_parts(2, [1], [thickness(2),size(outside)], _,
+                                  S1-_),
+                      part_named(S1, S) )).
+
+%   Legs of 40 and 60 and 100 wide: the seams of a bent tray are as drawn.
+test(seam_after_bending) :-
+    in_scene([box(size(100,60,40))],
+             ( unfold(1, [removed(top),thickness(1),size(outside),
+                          bend_radius(1),k_factor(0.5)], D),
+               seam_drawn(D, Seam, Longest) )),
+    BD is 2*2 - pi/2*1.5,
+    near(Seam, 4*(40-BD/2)),
+    near(Longest, 40-BD/2).
+
+:- end_tests(plates).
