@@ -27,8 +27,9 @@ and a hole that a pipe leaves in a flat face has the true curve.
 %   In pattern D of segment S, a border edge of a flat polygon that was an edge
 %   of a facet, on its rim, becomes a polyline along that of the true surface;
 %   so does one where the polygon was cut by a curved surface of another
-%   segment. The edges it is divided into have origin(D, e(New), e(E)). One transaction.
-%   Option: chord(Tolerance), 1.0e-4 of the size of the surface by default.
+%   segment. The edges it is divided into have origin(D, e(New), e(E)). One
+%   transaction. Option: chord(Tolerance), 1.0e-4 of the size of the surface by
+%   default.
 
 rims_rounded(D, S, Options) :-
     facts_transaction(sg_true_rim:rounded(D, S, Options)).
