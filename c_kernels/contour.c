@@ -107,7 +107,7 @@ is_towards(const sg_contour_finder *f, uint32_t corner)
 /* --------------------------------------------------------- the triangles */
 
 /* 1: turned to the eye, -1: turned away, 0: edge-on. */
-static int
+static int8_t
 facing(const sg_contour_finder *f, uint32_t t)
 {
   const double(*at)[3] = f->in->screen;
@@ -119,13 +119,13 @@ facing(const sg_contour_finder *f, uint32_t t)
   shrink(side, 2);
   sg_cross(side[0], side[1], n);
   edge = EDGE_ON * sg_length(n);
-  return (n[2] > edge) - (n[2] < -edge);
+  return (int8_t)((n[2] > edge) - (n[2] < -edge));
 }
 
 static sg_contour_kind
 kind_of(const sg_contour_finder *f, uint32_t t)
 {
-  int face = facing(f, t), towards = 0, away = 0;
+  int face = f->face[t], towards = 0, away = 0;
 
   for (uint32_t i = 3 * t; i < 3 * t + 3; i++) {
     if (f->in->smooth->curved[t] && !sg_contour_is_apex(f, i)) {
@@ -188,7 +188,7 @@ end_on_side(const sg_contour_finder *f, sg_contour *piece, int end,
     piece->side[end] = (uint8_t)(side % 3);
     piece->at[end] = zero_in_picture(f, side, next);
   } else {
-    bool away = facing(f, side / 3) < 0;
+    bool away = f->face[side / 3] < 0;
     end_at_corner(f, piece, end, is_towards(f, side) == away ? side : next);
   }
 }
@@ -296,7 +296,7 @@ turns(const sg_contour_finder *f, uint32_t side)
   uint32_t across = f->in->smooth->across[side];
 
   return across != SG_NO_SIDE &&
-         (facing(f, side / 3) > 0) != (facing(f, across / 3) > 0);
+         (f->face[side / 3] > 0) != (f->face[across / 3] > 0);
 }
 
 /* Whether a side at which triangles turn from the eye is an outline: of a
@@ -353,6 +353,7 @@ find_senses(sg_contour_finder *f, const sg_poll *poll)
     if (t % POLL_EVERY == 0 && sg_poll_stop(poll)) {
       return false;
     }
+    f->face[t] = facing(f, t);
     f->kind[t] = (uint8_t)kind_of(f, t);
     if (smooth->curved[t] && !smooth->coarse[t] &&
         f->kind[t] == SG_CONTOUR_MIXED && sg_contour_across(f, t, &piece)) {
@@ -401,10 +402,11 @@ find_all(sg_contour_finder *f, const sg_poll *poll, bool *memory)
   size_t triangles = f->in->dense->triangles, fans = f->in->smooth->fans;
 
   f->g = calloc(fans + 1, sizeof *f->g);
+  f->face = calloc(triangles + 1, sizeof *f->face);
   f->kind = calloc(triangles + 1, sizeof *f->kind);
   f->sense = calloc(triangles + 1, sizeof *f->sense);
   f->seen = calloc(triangles + 1, sizeof *f->seen);
-  *memory = f->g && f->kind && f->sense && f->seen;
+  *memory = f->g && f->face && f->kind && f->sense && f->seen;
   return *memory && find_g(f, poll) && find_senses(f, poll) &&
          find_pieces(f, poll, memory) && find_besides(f, poll, memory);
 }
@@ -419,6 +421,7 @@ sg_contours_find(const sg_contour_input *in, const sg_poll *poll,
   *out = (sg_contours){0};
   done = find_all(&f, poll, memory);
   free(f.g);
+  free(f.face);
   free(f.kind);
   free(f.sense);
   free(f.seen);

@@ -18,6 +18,7 @@ typedef struct sg_contour_finder {
   const sg_contour_input *in;
   sg_contours *out;
   double *g;      /* [fans] towards the eye: not negative */
+  int8_t *face;   /* [triangles] turned to the eye: 1, away: -1, edge-on: 0 */
   uint8_t *kind;  /* [triangles] */
   int8_t *sense;  /* [triangles] of the piece across it: 1 the half that is
                      turned to the eye is the nearer one, -1 the other; 0: no
