@@ -2,6 +2,7 @@
 :- use_module(library(plunit)).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(model), [load_model/1]).
+:- use_module(rules(model_file), [add_primitive/2]).
 :- use_module(rules(sew), [borders_sewn/1]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/1]).
@@ -66,5 +67,35 @@ test(covered, [ forall(mesh(Name, File)), Bad == [] ]) :-
     findall(View-Run, ( member(outline(View,_,_,Run,_,_), Results),
                         Run > Most ),
             Bad).
+
+% A boss on a plate, with fillets of eight facets, as a mesh: seen so that flats
+% are nearly edge-on.
+test(fillets, Bad == []) :-
+    open_outlines(Pictures),
+    in_new_world(( boss(Boss),
+                   add_primitive(Boss, S),
+                   retractall_facts(segment(S, _, _)),
+                   assert_fact(segment(S, solid, mesh)),
+                   complete_segments([S]),
+                   forall(member(Phi, [89,89.4,89.7,89.9,90,90.05,90.2,90.6,91]),
+                          ( set_view(10, Phi, 0),
+                            picture([]),
+                            format(atom(Name), "~w", [Phi]),
+                            add_outline(Pictures, Name) )) )),
+    check_outlines(Pictures, Results),
+    length(Results, 9),
+    findall(View-Run, ( member(outline(View,_,_,Run,_,_), Results), Run > 1 ),
+            Bad).
+
+boss(turning(outline(Points), facets(48))) :-
+    findall([X,Z],
+            ( member(X-Z, [0-0, 5-0, 5-0.5])
+            ; between(0, 8, K), X is 1.5-0.5*sin(K*pi/16),
+              Z is 1-0.5*cos(K*pi/16)
+            ; between(0, 8, K), X is 0.7+0.3*cos(K*pi/16),
+              Z is 2+0.3*sin(K*pi/16)
+            ; X-Z = 0-2.3
+            ),
+            Points).
 
 :- end_tests(outline_mesh).
