@@ -12,6 +12,8 @@
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [member/2, nth1/3]).
 :- autoload(library(option), [option/2]).
+:- autoload(library(ordsets), [ord_memberchk/2]).
+:- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys/2]).
 /** <module> The picture as facts, for Prolog.
 
 What was drawn, in the relations of the world, with what it comes from: the
@@ -47,56 +49,62 @@ write_facts(Out, Inked, Options) :-
 picture_written(Out) :-
     findall(S-E, drawn(_, S, E, _, _, _, _), Lines0),
     sort(Lines0, Lines),
-    findall(S-V, line_vertex(Lines, S, V), Vertices0),
-    sort(Vertices0, Vertices),
-    findall(S, member(S-_, Lines), Ss0),
-    sort(Ss0, Ss),
-    Picture = picture(Ss, Vertices, Lines),
+    group_pairs_by_key(Lines, Drawn),
     forall(member(Name, [segment,view,projection,screen,e,contour,origin,line,
                          drawn]),
-           rows_written(Name, Out, Picture)).
+           forall(picture_row(Name, Drawn, Row), write_fact(Out, Row))).
 
-rows_written(Name, Out, Picture) :-
-    findall(Row, picture_row(Name, Picture, Row), Rows0),
-    sort(Rows0, Rows),
-    forall(member(Row, Rows), write_fact(Out, Row)).
+%   picture_row(Name, Drawn, Row): a row of the relation Name that the picture
+%   needs, in the order of its key; Drawn has S-Es, what is drawn of segment S.
+%   Rows are looked up one by one, so that no list of them is ever made.
 
-line_vertex(Lines, S, V) :-
-    member(S-E, Lines),
-    E > 0,
-    e(S, E, V1, V2, _),
-    ( V = V1 ; V = V2 ).
-
-%   picture_row(Name, picture(Segments,Vertices,Lines), Row): a row of the
-%   relation Name that the picture needs.
-
-picture_row(segment, picture(Ss,_,_), segment(S,Kind,Name)) :-
-    member(S, Ss),
+picture_row(segment, Drawn, segment(S,Kind,Name)) :-
+    member(S-_, Drawn),
     segment(S, Kind, Name).
 picture_row(view, _, view(Theta,Phi,Rho)) :-
     view(Theta, Phi, Rho).
 picture_row(projection, _, projection(Kind)) :-
     projection(Kind).
-picture_row(screen, picture(_,Vertices,_), screen(S,V,X,Y,Z)) :-
-    member(S-V, Vertices),
+picture_row(screen, Drawn, screen(S,V,X,Y,Z)) :-
+    drawn_vertex(Drawn, S, V),
     screen(S, V, X, Y, Z).
-picture_row(e, picture(_,_,Lines), e(S,E,V1,V2,Et)) :-
-    member(S-E, Lines),
+picture_row(e, Drawn, e(S,E,V1,V2,Et)) :-
+    member(S-Es, Drawn),
+    member(E, Es),
     E > 0,
     e(S, E, V1, V2, Et).
-picture_row(contour, picture(_,_,Lines), contour(S,K,T,I1,F1,I2,F2,To,Ts)) :-
-    member(S-E, Lines),
-    E < 0,
-    K is -E,
+picture_row(contour, Drawn, contour(S,K,T,I1,F1,I2,F2,To,Ts)) :-
+    member(S-Es, Drawn),
+    findall(K, ( member(E, Es), E < 0, K is -E ), Ks0),
+    sort(Ks0, Ks),
+    member(K, Ks),
     contour(S, K, T, I1, F1, I2, F2, To, Ts).
-picture_row(origin, picture(_,Vertices,_), origin(S,v(V),Origin)) :-
-    member(S-V, Vertices),
+picture_row(origin, Drawn, origin(S,v(V),Origin)) :-
+    drawn_vertex(Drawn, S, V),
     origin(S, v(V), Origin).
-picture_row(line, picture(Ss,_,_), line(L,S1,P1,A1,B1,S2,P2,A2,B2)) :-
-    line(L, S1, P1, A1, B1, S2, P2, A2, B2),
-    ( memberchk(S1, Ss) -> true ; memberchk(S2, Ss) ).
+picture_row(line, Drawn, line(L,S1,P1,A1,B1,S2,P2,A2,B2)) :-
+    pairs_keys(Drawn, Ss),
+    findall(N, ( line(N, T1, _, _, _, T2, _, _, _),
+                 ( ord_memberchk(T1, Ss) -> true ; ord_memberchk(T2, Ss) ) ),
+            Ls0),
+    sort(Ls0, Ls),
+    member(L, Ls),
+    line(L, S1, P1, A1, B1, S2, P2, A2, B2).
 picture_row(drawn, _, drawn(D,S,E,From,To,Visibility,Role)) :-
+    findall(N, drawn(N, _, _, _, _, _, _), Ds0),
+    sort(Ds0, Ds),
+    member(D, Ds),
     drawn(D, S, E, From, To, Visibility, Role).
+
+%   drawn_vertex(Drawn, S, V): V is an end of an edge that is drawn.
+
+drawn_vertex(Drawn, S, V) :-
+    member(S-Es, Drawn),
+    findall(End, ( member(E, Es), E > 0, e(S, E, V1, V2, _),
+                   ( End = V1 ; End = V2 ) ),
+            Vs0),
+    sort(Vs0, Vs),
+    member(V, Vs).
 
 /* - - - the drawing - - - */
 

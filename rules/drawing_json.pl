@@ -67,16 +67,38 @@ write_texts(Out, Inked, Inks) :-
     ).
 
 %   Of several views each line and text has its own. The lines are most of the
-%   text: each is written before the next one is made.
+%   text: they are written without a term for it. Their words are our own and
+%   need no escapes.
 
 view_lines(Out, Inks, view(Name,Lines,_), Before0, Before) :-
-    foldl(line_written(Out, Inks, Name), Lines, Before0, Before).
+    view_member(Name, View),
+    foldl(line_written(Out, Inks, View), Lines, Before0, Before).
 
-line_written(Out, Inks, Name, line(Ink,Stroke), Before0, Before) :-
+view_member('', "") :-
+    !.
+view_member(Name, View) :-
+    with_output_to(string(Text),
+                   ( current_output(Out), json_on_a_line(Out, Name) )),
+    format(string(View), '"view":~s, ', [Text]).
+
+line_written(Out, Inks, View, line(Ink,Stroke), Before, ",\n    ") :-
+    Stroke = stroke(Visibility,Role,S,Edges,Points,Start,End),
     once(nth0(Style, Inks, Ink)),
-    stroke_json(Stroke, Style, Own),
-    in_view(Name, Own, Members),
-    write_member(Out, json(Members), Before0, Before).
+    format(Out, '~w {~w"visibility":"~w", "role":"~w", "segment":~d, \c
+                 "edges": [', [Before,View,Visibility,Role,S]),
+    foldl(edge_written(Out), Edges, '', _),
+    format(Out, '], "points": [', []),
+    foldl(point_written(Out), Points, '', _),
+    format(Out, '], "start":"~w", "end":"~w", "style":~d}',
+           [Start,End,Style]).
+
+edge_written(Out, E, Before, ', ') :-
+    format(Out, '~w~d', [Before,E]).
+
+point_written(Out, X0-Y0, Before, ', ') :-
+    thousand(X0, X),
+    thousand(Y0, Y),
+    format(Out, '~w[~w, ~w]', [Before,X,Y]).
 
 written_json(Views, Inks, json(Members)) :-
     member(view(Name,_,Texts), Views),
@@ -93,16 +115,6 @@ in_view(Name, Own, Members) :-
     ->  Members = Own
     ;   Members = [view=Name|Own]
     ).
-
-stroke_json(stroke(Visibility,Role,S,Edges,Points,Start,End), Style,
-            [ visibility=Visibility, role=Role, segment=S, edges=Edges,
-              points=Pairs, start=Start, end=End, style=Style
-            ]) :-
-    maplist(point_pair, Points, Pairs).
-
-point_pair(X0-Y0, [X,Y]) :-
-    thousand(X0, X),
-    thousand(Y0, Y).
 
 ink_json(Ink, json([ width=Width, colour=Hex, dashes=Runs, pen=Pen,
                      layer=Layer ])) :-

@@ -8,7 +8,9 @@
 :- use_module(rules(drawing)).
 :- use_module(rules(hidden_lines), [picture/1]).
 :- use_module(rules(model), [load_model/1]).
+:- use_module(rules(model_file), [add_primitive/2]).
 :- use_module(rules(penetration), [penetrate/0]).
+:- use_module(rules(triangulation), [complete_segments/0]).
 
 :- meta_predicate in_picture(+, 0).
 
@@ -319,6 +321,40 @@ terms(Term, In, [Term|Terms]) :-
     read_term(In, Next, []),
     terms(Next, In, Terms).
 
+written_row(segment, segment(_,_,_)).
+written_row(screen,  screen(_,_,_,_,_)).
+written_row(e,       e(_,_,_,_,_)).
+written_row(contour, contour(_,_,_,_,_,_,_,_,_)).
+written_row(origin,  origin(_,_,_)).
+written_row(line,    line(_,_,_,_,_,_,_,_,_)).
+written_row(drawn,   drawn(_,_,_,_,_,_,_)).
+
+needed_rows(Name, Rows) :-
+    written_row(Name, Row),
+    findall(Row, ( Row, needed_row(Row) ), Rows0),
+    sort(Rows0, Rows).
+
+needed_row(segment(S,_,_)) :-
+    once(drawn(_,S,_,_,_,_,_)).
+needed_row(screen(S,V,_,_,_)) :-
+    drawn_end(S, V).
+needed_row(e(S,E,_,_,_)) :-
+    once(drawn(_,S,E,_,_,_,_)).
+needed_row(contour(S,K,_,_,_,_,_,_,_)) :-
+    E is -K,
+    once(drawn(_,S,E,_,_,_,_)).
+needed_row(origin(S,v(V),_)) :-
+    drawn_end(S, V).
+needed_row(line(_,_,_,_,_,_,_,_,_)).
+needed_row(drawn(_,_,_,_,_,_,_)).
+
+drawn_end(S, V) :-
+    drawn(_, S, E, _, _, _, _),
+    E > 0,
+    e(S, E, V1, V2, _),
+    ( V == V1 ; V == V2 ),
+    !.
+
 test(facts, true(Counts == [ segment-1, view-0, screen-4, e-5, drawn-6, sheet-1,
                              style-3, stroke-3 ])) :-
     square(Square),
@@ -334,6 +370,26 @@ test(facts_of_a_line, true(Found == [4-[41.0-74.0, 41.0-138.0]])) :-
     findall(E-Points,
             member(stroke(_,'',hidden,outline,1,[E],Points,_,_), Facts),
             Found).
+% Every row that the picture needs, once, in the order of its key.
+test(facts_of_a_model, true(Wrong == [])) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(sphere(radius(1), facets(20), bands(10)), _),
+               add_primitive(at([translate(0.5,0.4,0.3)],
+                                box(size(1,1,1))), _),
+               add_primitive(at([translate(9,9,9)], box(size(1,1,1))), _),
+               complete_segments,
+               penetrate,
+               picture([segments([1,2])]),
+               facts([], Facts),
+               findall(Name,
+                       ( written_row(Name, Row),
+                         findall(Row, member(Row, Facts), Written),
+                         ( needed_rows(Name, Needed),
+                           Written == Needed,
+                           Needed \== []
+                         -> fail ; true ) ),
+                       Wrong) )).
 test(facts_of_a_drawing, true(Facts ==
         [ sheet(40.0,30.0,2.0), style(1,0.35,rgb(0,0,0),[],1,'TEXT'),
           text(1,a,1.5,2.0,3.5,end,"A\uAC00") ])) :-
