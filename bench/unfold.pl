@@ -54,7 +54,7 @@ model(torus_1k,     [torus(radius(1), tube(0.4), facets(24), sides(24))]).
 model(torus_20k,    [torus(radius(1), tube(0.4), facets(100), sides(100))]).
 model(torus_300k,   [torus(radius(1), tube(0.4), facets(400), sides(375))]).
 model(cylinders,    [ cylinder(radius(1), height(4), facets(40)),
-                      at([translate(0,0,2),rotate(y,90),translate(0,0,-2)],
+                      at([translate(0,0,-2),rotate(y,90),translate(0,0,2)],
                          cylinder(radius(0.8), height(4), facets(40))) ]).
 model(suzanne,      mesh(suzanne)).
 model(cow,          mesh(cow)).

@@ -420,9 +420,15 @@ other(P, Other, P, Other).
 %       may_join/2 is not true of it.
 %     - point
 %       The edge has no length.
+%     - chosen(Js)
+%       Its faces hang together by the joints Js, one of which could be cut
+%       instead, for a shorter seam: it was to be cut, or no effort was left.
+%     - free
+%       Nothing is against it, in a pattern of which only the rows are known: it
+%       was to be cut, or a rule was against it.
 %
-%   @error existence_error(development, D): it is no pattern, or was loaded from
-%          a file, or its segment has changed since
+%   @error existence_error(development, D): it is no pattern, or its segment has
+%          changed since
 
 seam_reason(D, J, Reason) :-
     recorded_development(D, S, Options, Order),
@@ -432,7 +438,10 @@ seam_reason(D, J, Reason) :-
 
 joint_reason(D, S, Options, Order, J, E, Reason, Flattening) :-
     flattening_joint(Flattening, J, joint(E,_,_,_,_,_,_,_,State)),
-    (   State == forbidden
+    (   Order == given
+    ->  pattern_folds(D, Folds),
+        given_reason(Folds, Flattening, J, Reason)
+    ;   State == forbidden
     ->  Reason = cut_by_wish
     ;   Order = exchanged(Order0)
     ->  pattern_folds(D, Folds),
@@ -441,6 +450,15 @@ joint_reason(D, S, Options, Order, J, E, Reason, Flattening) :-
         joined_before(S, Flattening, Order, J),
         join_faces(Flattening, J, Result),
         result_reason(Result, Flattening, J, Reason)
+    ).
+
+%   given_reason(Folds, Flattening, J, Reason): what could be joined is
+%   forbidden in it (given_development/3).
+
+given_reason(Folds, Flattening, J, Reason) :-
+    (   flattening_joint(Flattening, J, joint(_,_,_,_,_,_,_,_,forbidden))
+    ->  Reason = free
+    ;   reason_among(Folds, Flattening, 0, J, Reason)
     ).
 
 pattern_folds(D, Folds) :-
@@ -461,14 +479,35 @@ reason_among(Folds, Flattening, Order, J, Reason) :-
 %   A fold on the way that comes after J would have been given up for it, but
 %   for what would overlap then.
 
-way_reason(Way, Folds0, Flattening, Order, J, Reason) :-
-    (   last_after(Flattening, Order, J, Way, Last),
-        exclude(==(Last), Folds0, Folds),
-        join_folds(Flattening, Folds),
-        join_faces(Flattening, J, overlap(P1, P2))
-    ->  Reason = exchange(Way, Last, P1, P2)
+way_reason(Way, Folds, Flattening, Order, J, Reason) :-
+    (   parted(Way, Folds, Flattening, Order, J, [Last|_], Result),
+        exchange_reason(Result, Flattening, Way, J, Last, Reason0)
+    ->  Reason = Reason0
     ;   Reason = cycle(Way)
     ).
+
+%   parted(Way, Folds, Flattening, Order, J, Lasts, Result): with the folds
+%   Lasts cut the faces of J do not hang together, and joining J has this
+%   Result. There are several ways where faces close all round a flat vertex.
+
+parted(Way, Folds0, Flattening, Order, J, [Last|Lasts], Result) :-
+    last_after(Flattening, Order, J, Way, Last),
+    exclude(==(Last), Folds0, Folds),
+    join_folds(Flattening, Folds),
+    join_faces(Flattening, J, Result0),
+    (   Result0 == same_piece
+    ->  joint_path(Flattening, J, Way1),
+        parted(Way1, Folds, Flattening, Order, J, Lasts, Result)
+    ;   Lasts = [],
+        Result = Result0
+    ).
+
+exchange_reason(overlap(P1,P2), _, Way, _, Last, exchange(Way, Last, P1, P2)).
+exchange_reason(joined, Flattening, Way, J, Last, chosen(Way)) :-
+    flattening_joint(Flattening, J, joint(_,_,_,_,Length,_,_,_,_)),
+    flattening_joint(Flattening, Last, joint(_,_,_,_,Shorter,_,_,_,_)),
+    flattening_counts(Flattening, _, _, Step),
+    Length-Shorter > Step.
 
 last_after(Flattening, Order, J, Way, Last) :-
     joint_order(Flattening, Order, Js),

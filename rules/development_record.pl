@@ -9,6 +9,7 @@
             cannot_develop/2            % +S, +What
           ]).
 :- use_module(csg_rows, [drop_boundary/1]).
+:- use_module(development_given, [given_development/3, given_measures/3]).
 :- use_module(store,
               [ segment/3, origin/3, segment_stamp/2, assert_fact/1,
                 retractall_facts/1
@@ -54,18 +55,27 @@ drop_pattern(D) :-
 
 %!  recorded_development(+D, -S, -Options:list, -Order) is det.
 %
-%   Pattern D was made from segment S, which has not changed since.
+%   Pattern D was made from segment S, which has not changed since. Order is
+%   that of its joints, exchanged(Order), or `given`: nothing is remembered of
+%   it, as it was read from a file, and Options are what can be told from its
+%   rows (given_development/3).
 %
 %   @error existence_error(development, D)
 
 recorded_development(D, S, Options, Order) :-
     (   segment(D, pattern, development(S)),
-        origin(D, node(D), laid(Options, Order, Stamp, _)),
-        segment_stamp(S, Now),
-        Stamp == Now
-    ->  true
-    ;   existence_error(development, D)
-    ).
+        origin(D, node(D), laid(Options0, Order0, Stamp, _))
+    ->  segment_stamp(S, Now),
+        Stamp == Now,
+        Options = Options0,
+        Order = Order0
+    ;   given_development(D, S, Options0)
+    ->  Options = Options0,
+        Order = given
+    ),
+    !.
+recorded_development(D, _, _, _) :-
+    existence_error(development, D).
 
 %!  record_divided(+D, +S) is det.
 %
@@ -108,15 +118,20 @@ divided_development(D, S, Options) :-
 %     - tests      of two triangles for overlap
 %     - refused    joints that would have made an overlap
 %
-%   @error existence_error(development, D): no pattern, or loaded from a file
+%   Of a pattern that was read from a file, tests and refused are 0.
+%
+%   @error existence_error(development, D): no pattern, or its segment is not
+%          there as it was
 
 development_measures(D, Measures) :-
-    (   origin(D, node(D), laid(_, _, _, Measures0))
+    (   origin(D, node(D), laid(_, _, _, Laid-Least))
+    ->  true
+    ;   given_measures(D, Laid, Least)
     ->  true
     ;   existence_error(development, D)
     ),
-    Measures0 = measures(Seam, Pieces, Longest, Area, Boxes, Tests,
-                         Refused)-bound(Bound, By, Tree),
+    Laid = measures(Seam, Pieces, Longest, Area, Boxes, Tests, Refused),
+    Least = bound(Bound, By, Tree),
     Measures = _{seam:Seam, pieces:Pieces, longest:Longest, area:Area,
                  boxes:Boxes, tree:Tree, bound:Bound, bound_by:By, tests:Tests,
                  refused:Refused}.

@@ -391,6 +391,16 @@ statement_en(would_overlap_instead(S, E, P1, P2)) -->
        polygon ~w'-[E, W2, W1] ].
 statement_en(cut_by_wish) -->
     [ 'it was to be cut (unfolding/2, --cut)' ].
+statement_en(could_be_joined) -->
+    [ 'nothing is against joining it: it was to be cut, or a rule was \c
+       against it' ].
+statement_en(cut_open(Part)) -->
+    [ '~w is unrolled as the round surface it is; where that goes round, it \c
+       is cut open along one generator: the shortest, or as --seam or --cut \c
+       say'-[Part] ].
+statement_en(unrolled(Part)) -->
+    [ '~w is unrolled as the round surface it is: its facets hang together in \c
+       the order that they have round it'-[Part] ].
 statement_en(kept_by_wish) -->
     [ 'it was to be kept (unfolding/2, --keep)' ].
 statement_en(may_not_join(S, E, By)) -->

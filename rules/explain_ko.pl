@@ -384,6 +384,14 @@ statement_ko(would_overlap_instead(S, E, P1, P2)) -->
        놓인다'-[E, W2, W1] ].
 statement_ko(cut_by_wish) -->
     [ '자르라고 했다 (unfolding/2, --cut)' ].
+statement_ko(could_be_joined) -->
+    [ '이어도 되는 곳이다: 자르라고 했거나 규칙이 거절했다' ].
+statement_ko(cut_open(Part)) -->
+    [ '~w은(는) 둥근 면 그대로 펼친다; 한 바퀴를 돌면 모선 하나를 따라 자른다: \c
+       가장 짧은 것이나 --seam, --cut 이 말하는 것'-[Part] ].
+statement_ko(unrolled(Part)) -->
+    [ '~w은(는) 둥근 면 그대로 펼친다: 그 면들은 둘레의 차례대로 이어져 있다'-
+      [Part] ].
 statement_ko(kept_by_wish) -->
     [ '유지하라고 했다 (unfolding/2, --keep)' ].
 statement_ko(may_not_join(S, E, By)) -->

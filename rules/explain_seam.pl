@@ -8,14 +8,18 @@
 :- use_module(development_record,
               [recorded_development/4, development_measures/2]).
 :- use_module(explain_pair, [decided_by/2]).
-:- use_module(part_edges, [edge_length/3]).
+:- use_module(kernel, [model_tolerance/1]).
+:- use_module(part_edges, [edge_length/3, parts_attached/3]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store,
               [ e/5, p/3, piece/3, joint/6, segment/3, origin/3,
                 edge_polygon/3, facts_snapshot/1 ]).
 :- use_module(unfold,
-              [ unfoldable/1, wishes/3, wanted_of/3, part_laid/4,
+              [ unfoldable/1, pattern_of/2, wishes/3, wanted_of/3,
+                trimmed_part/3, part_developed/4, part_laid/4,
                 part_laid_again/2 ]).
+:- use_module(unfold_true, [true_patterns/4]).
+:- use_module(unfold_wish, [wanted_in/4]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(lists), [append/2, append/3, member/2, select/3]).
@@ -33,8 +37,10 @@ Where the current world has no pattern of the segment, one is made for the
 question, as unfold/3 makes it, with what Options want of it:
 
     root(P), cut(E), keep(E), order(Ps), removed(P), minimize(Objective),
-    effort(N)
+    effort(N), trim(Side), by(Ss)
     as unfold/3 has them
+    true(true), seam(Degrees), half(true)
+    as true_patterns/4 has them
     wanted(Pairs)
     S-Wanted, what is wanted of segment S, where it was looked up before
     (wanted_of/3)
@@ -42,6 +48,10 @@ question, as unfold/3 makes it, with what Options want of it:
 Where edges of the segment had to be divided for its pattern (DV-5), they are
 divided again for the question, so that parts have the numbers they have in the
 pattern; an edge that was divided stands for all its parts.
+
+A pattern that was read from a file, with its segment, is explained as it is
+(development_given.pl). What is round and was unrolled has seams where it is cut
+open, and folds where it is round.
 
 @see rows DV-6 and DV-7
 */
@@ -75,41 +85,81 @@ pattern_explained(S, K, Options, Because) :-
 in_pattern(S, Options, D, Goal, Found) :-
     asked_segment(S, Options, S0),
     (   \+ some_wish(Options),
-        development(S0, D0),
-        is_fresh(D0)
-    ->  D = D0,
-        call(Goal)
-    ;   facts_snapshot(( pattern_laid(S0, Options, D1), D = D1, call(Goal) ))
+        patterns_there(S0, Ds)
+    ->  found_in(Ds, D, Goal, Found, Founds)
+    ;   facts_snapshot(( patterns_laid(S0, Options, Ds),
+                         found_in(Ds, D, Goal, Found, Founds) ))
     ),
+    append(Founds, Found),
     Found = [_|_].
+
+found_in(Ds, D, Goal, Found, Founds) :-
+    findall(Found, ( member(D, Ds), call(Goal) ), Founds).
 
 some_wish(Options) :-
     member(Option, Options),
     functor(Option, Name, 1),
-    memberchk(Name, [root,cut,keep,order,removed,minimize,effort,wanted]),
+    memberchk(Name, [ root,cut,keep,order,removed,minimize,effort,wanted,trim,
+                      true ]),
     !.
 
-pattern_laid(S, Options, D) :-
+%   patterns_there(S, Ds): Ds are patterns of S, and what can be asked about
+%   them is known or can be found again.
+
+patterns_there(S, Ds) :-
+    findall(D,
+            ( segment(D, pattern, _),
+              pattern_of(D, S),
+              ( is_true(D, _) -> true ; is_fresh(D) ) ),
+            Ds),
+    Ds = [_|_].
+
+%   patterns_laid(S, Options, Ds): in a snapshot.
+
+patterns_laid(S, Options, [D]) :-
     \+ some_wish(Options),
     development(S, D0),
-    part_laid_again(D0, D),
+    (   part_laid_again(D0, D)
+    ->  true
+    ;   model_tolerance(Tolerance),
+        parts_attached(S, Tolerance, changes(_, [_|_])),
+        is_fresh(D0),
+        D = D0
+    ),
     !.
-pattern_laid(S, Options, D) :-
+patterns_laid(S, Options, Ds) :-
     (   option(wanted(Pairs), Options),
         memberchk(S-Wanted, Pairs)
     ->  true
     ;   wishes(S, Options, Wishes),
         wanted_of(S, Wishes, Wanted)
     ),
-    findall(Option,
-            ( member(Option, [minimize(_),effort(_)]),
-              option(Option, Options) ),
+    findall(Option, ( member(Option0, Options),
+                      says_how(Option0, S, Option) ),
             How),
+    (   option(true(true), How)
+    ->  true_patterns(S, Wanted, How, Ds)
+    ;   trimmed_part(S, How, T),
+        part_of_wanted(T, S, Wanted, How, D),
+        Ds = [D]
+    ).
+
+part_of_wanted(S, S, Wanted, How, D) :-
+    !,
     part_laid(S, Wanted, How, D).
+part_of_wanted(T, S, Wanted, How, D) :-
+    wanted_in(T, S, Wanted, Manual),
+    part_developed(T, Manual, How, D).
+
+says_how(by(Ss), S, by(Others)) :-
+    findall(Other, ( member(Other, Ss), Other \== S ), Others).
+says_how(Option, _, Option) :-
+    functor(Option, Name, 1),
+    memberchk(Name, [minimize,effort,trim,true,seam,half]).
 
 asked_segment(S, Options, S0) :-
     (   nonvar(S),
-        segment(S, pattern, development(S1))
+        pattern_of(S, S1)
     ->  S0 = S1
     ;   unfoldable(S),
         S0 = S
@@ -122,6 +172,11 @@ asked_segment(S, Options, S0) :-
 is_fresh(D) :-
     catch(recorded_development(D, _, _, _), error(existence_error(_, _), _),
           fail).
+
+%   is_true(D, Part): D is what is round unrolled: Part of a segment.
+
+is_true(D, Part) :-
+    segment(D, pattern, true_development(_, Part)).
 
 /* - - - an edge - - - */
 
@@ -168,22 +223,21 @@ joint_facts(D, E, E2, S, P1, P2, Length) :-
     edge_length(D, E, Length).
 
 of_segment(D, S) :-
-    segment(D, pattern, development(S)).
+    pattern_of(D, S).
 
 /* - - - a seam - - - */
 
 seam_because(D, S, J, E, Length, Because) :-
-    (   is_fresh(D)
+    (   is_true(D, Part)
+    ->  Because = [because(cut_open(Part), [])]
+    ;   is_fresh(D)
     ->  once(seam_reason(D, J, Reason)),
         reason_because(Reason, D, S, E, Length, Because)
     ;   Because = [because(changed_since, [])]
     ).
 
 reason_because(cycle(Js), D, _, E, Length, [Joined|Because]) :-
-    maplist(on_the_way(D), Js, Folds),
-    least_fold(Folds, Least, Shortest),
-    length(Folds, Count),
-    shown_folds(Folds, Shown),
+    folds_on_way(Js, D, Count, Shortest, Least, Shown),
     Joined = because(joined_already(Count, Shortest, Least), Shown),
     order_because(D, Order),
     Difference is Least-Length,
@@ -194,11 +248,16 @@ reason_because(exchange(Js, J2, P1, P2), D, S, E, _,
                [ because(joined_already(Count, Shortest, Least), Shown),
                  because(would_overlap_instead(S, E2, P1, P2), [])
                | Kept ]) :-
-    maplist(on_the_way(D), Js, Folds),
-    least_fold(Folds, Least, Shortest),
-    length(Folds, Count),
-    shown_folds(Folds, Shown),
+    folds_on_way(Js, D, Count, Shortest, Least, Shown),
     on_the_way(D, J2, _-fold(E2, _, _)),
+    kept_because(D, E, Kept).
+reason_because(chosen(Js), D, _, E, Length,
+               [ because(joined_already(Count, Shortest, Least), Shown),
+                 because(cut_instead(Shortest, Difference), []),
+                 because(could_be_joined, [])
+               | Kept ]) :-
+    folds_on_way(Js, D, Count, Shortest, Least, Shown),
+    Difference is Least-Length,
     kept_because(D, E, Kept).
 reason_because(overlap(P1, P2), D, S, E, _,
                [because(would_overlap(S, P1, P2), [])|Kept]) :-
@@ -207,6 +266,7 @@ reason_because(cut_by_wish, _, _, _, _, [because(cut_by_wish, [])]).
 reason_because(forbidden, _, S, E, _, [because(may_not_join(S, E, By), [])]) :-
     decided_by(may_join/2, By).
 reason_because(point, _, _, _, _, [because(no_length, [])]).
+reason_because(free, _, _, _, _, [because(could_be_joined, [])]).
 
 order_because(D, [because(joined_in_order(By), [])|Exchanged]) :-
     decided_by(join_order/3, By),
@@ -215,6 +275,15 @@ order_because(D, [because(joined_in_order(By), [])|Exchanged]) :-
     ->  Exchanged = [because(folds_exchanged, [])]
     ;   Exchanged = []
     ).
+
+%   folds_on_way(Js, D, Count, Shortest, Least, Shown): how many joints Js of D
+%   are, the edge of the shortest and its length, and those that are said.
+
+folds_on_way(Js, D, Count, Shortest, Least, Shown) :-
+    maplist(on_the_way(D), Js, Folds),
+    least_fold(Folds, Least, Shortest),
+    length(Folds, Count),
+    shown_folds(Folds, Shown).
 
 %   on_the_way(D, J, Fold): Fold is Length-fold(E, P1, P2).
 
@@ -283,7 +352,9 @@ with_edge(Name, E, Options0, [Option|Options]) :-
 /* - - - a fold - - - */
 
 fold_because(D, E, Because) :-
-    (   is_fresh(D)
+    (   is_true(D, Part)
+    ->  Because = [because(unrolled(Part), [])]
+    ;   is_fresh(D)
     ->  recorded_development(D, _, Options, _),
         (   member(keep(Es), Options),
             memberchk(E, Es)
@@ -351,11 +422,12 @@ longest_reasons(D, S, Seams, Reasons) :-
             Reasons).
 
 refusal(D, S, J, E, [Why]) :-
+    \+ is_true(D, _),
     is_fresh(D),
     once(seam_reason(D, J, Reason)),
     (   Reason = overlap(P1, P2)
     ->  Why = because(would_overlap(S, P1, P2), [])
-    ;   memberchk(Reason, [cycle(_),exchange(_,_,_,_)])
+    ;   memberchk(Reason, [cycle(_),chosen(_),exchange(_,_,_,_)])
     ->  Why = because(no_length, [])
     ;   reason_because(Reason, D, S, E, 0, [Why])
     ).

@@ -111,6 +111,9 @@ statement_keys(cannot_be_kept, [segment, polygon1, polygon2]).
 statement_keys(would_overlap, [segment, polygon1, polygon2]).
 statement_keys(would_overlap_instead, [segment, edge, polygon1, polygon2]).
 statement_keys(cut_by_wish, []).
+statement_keys(could_be_joined, []).
+statement_keys(cut_open, [part]).
+statement_keys(unrolled, [part]).
 statement_keys(kept_by_wish, []).
 statement_keys(may_not_join, [segment, edge, rules]).
 statement_keys(no_length, []).

@@ -46,7 +46,8 @@
                 output_written/2,
                 usage_error/1
               ]).
-:- use_module(verbs_unfold, [unfold_run/3, pattern_wanted/3]).
+:- use_module(verbs_unfold,
+              [unfold_run/3, patterns_given/1, pattern_wanted/3]).
 :- use_module(view,
               [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
               ]).
@@ -354,13 +355,26 @@ item_explained(Item, Files, Options, Status) :-
                            explained(Options, Item, PictureOptions, Status))
     ;   load_model(Files, Options),
         (   of_pattern(Item)
-        ->  empty_roots_warned,
-            roots_alone,
-            pattern_wanted(Item, Options, Wanted)
-        ;   Wanted = []
+        ->  pattern_asked(Item, Options, Wanted)
+        ;   Wanted = [],
+            penetrate(all, Options)
         ),
-        penetrate(all, Options),
         explained(Options, Item, Wanted, Status)
+    ).
+
+%   pattern_asked(Item, Options, Wanted): what is wanted of patterns that are to
+%   be made for the question; [] if they are there.
+
+pattern_asked(_, Options, []) :-
+    patterns_given(Options),
+    !.
+pattern_asked(Item, Options, Wanted) :-
+    empty_roots_warned,
+    roots_alone,
+    pattern_wanted(Item, Options, Wanted),
+    (   option(trim(_), Options)
+    ->  true
+    ;   penetrate(all, Options)
     ).
 
 %   of_pattern(Item): of what `unfold` makes, of the roots alone.

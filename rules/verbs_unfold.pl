@@ -1,5 +1,6 @@
 :- module(sg_verbs_unfold,
           [ unfold_run/3,               % +Files, +Options, -Status
+            patterns_given/1,           % +Options
             pattern_wanted/3            % +Item, +Options, -Wanted
           ]).
 :- use_module(arguments, [decimal_number/2]).
@@ -115,6 +116,16 @@ patterns(Options, Flags, Ds) :-
     ;   true
     ).
 
+%!  patterns_given(+Options:list) is semidet.
+%
+%   True when the model has patterns, and the Options of the command line ask
+%   for no others.
+
+patterns_given(Options) :-
+    flag_wishes(Options, []),
+    develop_options(Options, []),
+    once(segment(_, pattern, _)).
+
 %!  pattern_wanted(+Item, +Options:list, -Wanted:list) is det.
 %
 %   Wanted are the options of explanation/3 for Item, a seam, a fold or a piece
@@ -129,10 +140,9 @@ pattern_wanted(Item, Options, [wanted(Pairs)|How]) :-
     ;   chosen(Options, Flags, Ss)
     ),
     findall(S-Wanted, ( member(S, Ss), all_wanted(Flags, S, Wanted) ), Pairs),
-    findall(Option,
-            ( member(Option, [minimize(_),effort(_)]),
-              option(Option, Options) ),
-            How).
+    develop_options(Options, How0),
+    trimming(Options, All),
+    How = [by(All)|How0].
 
 item_segment(Item, S) :-
     Item =.. [_,S0,_],

@@ -25,6 +25,14 @@ check "from another side" output \
   explain $cubes 'hidden(1, 28)' --view iso
 check "alone it is visible" output 'no other face that could hide it' \
   explain $cubes 'why_not(hidden(1, 7))' --segment 1
+flat=$TMP/flat.pl
+"$SANGGWAN" unfold -q facts/cube.pl --cut 1-3 -o "$flat" >/dev/null
+check "a seam of a pattern in a file" output \
+  'edge 3 of segment 1 .cube. is a seam' explain "$flat" 'seam(3)'
+check "of a trimmed part" output 'of segment 3 is a seam' \
+  explain facts/patterns/saddle.pl --trim outside 'seam(2, _)'
+check "of a round one" output '1/side is unrolled as the round surface' \
+  explain facts/patterns/saddle.pl --trim outside --true 'seam(_)'
 check "a seam" output 'edge 2 of segment 1 .cube. is a seam 1 long' \
   explain facts/cube.pl 'seam(2)'
 check "what it would cost" output 'cut at edge 1 instead, the seam' \

@@ -121,8 +121,8 @@ test(torus_of_peers) :-
 test(cylinders_of_peers) :-
     in_model([ at([rotate(z,4.5)],
                   cylinder(radius(1), height(4), facets(40))),
-               at([translate(0,0,2),rotate(y,90),rotate(z,4.5),
-                   translate(0,0,-2)],
+               at([rotate(z,4.5),translate(0,0,-2),rotate(y,90),
+                   translate(0,0,2)],
                   cylinder(radius(0.8), height(4), facets(40))) ],
              ( boolean(union([1,2]), 3),
                complete_segments,

@@ -3,14 +3,18 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(pairs)).
 :- use_module(rules(decision)).
 :- use_module(rules(development)).
+:- use_module(rules(development_record)).
 :- use_module(rules(explain)).
 :- use_module(rules(explain_en)).
 :- use_module(rules(explain_ko)).
+:- use_module(rules(model)).
 :- use_module(rules(model_file)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
+:- use_module(rules(true_development)).
 :- use_module(rules(unfold)).
 
 /* Why an edge is a seam, and what another choice costs. */
@@ -253,4 +257,116 @@ edge_length(D, E, Length) :-
     v(D, B, X2, Y2, _),
     Length is sqrt((X2-X1)**2+(Y2-Y1)**2).
 
+% Patterns that were read from files.
+
+test(measures_of_a_file, [true(Again == Before)]) :-
+    hollow(Term),
+    with_model(Term, ( develop(1, [], D), measured(D, Before),
+                       saved(File) )),
+    with_file(File, ( development(1, D1), measured(D1, Again) )).
+test(reasons_of_a_file, [true(Again == Before)]) :-
+    hollow(Term),
+    with_model(Term,
+               ( develop(1, [], D),
+                 findall(E-R, reason_of(D, E, R), Before),
+                 saved(File) )),
+    with_file(File,
+              ( development(1, D1),
+                findall(E-R, reason_of(D1, E, R), Again) )).
+test(a_cut_of_a_file) :-
+    long_box(Box),
+    with_model(Box, ( joint_between(1, 3, E), develop(1, [cut([E])], _),
+                      saved(File) )),
+    with_file(File,
+              ( says(seam(1, E), could_be_joined)
+              ; says(seam(1, E), joined_already(_, _, _)) )), !.
+test(parts_of_a_file, [true(Es-Unknown == Folds-[])]) :-
+    with_attached(( unfold(1, [cut(1-2)], D),
+                    findall(E, joint(D, _, E, _, fold, _), Folds),
+                    saved(File) )),
+    with_file(File,
+              quietly(( findall(E, says(fold(_), fold_edge(_,E,_,_,_,_,_)),
+                                Es),
+                        findall(x, says(_, changed_since), Unknown) ))).
+test(another_segment_than_that_of_the_file,
+     error(existence_error(development, _))) :-
+    long_box(Box),
+    with_model(Box, ( develop(1, _), saved(File) )),
+    with_file(File,
+              ( retract_fact(v(1, 1, X, Y, Z)),
+                X1 is X-1,
+                assert_fact(v(1, 1, X1, Y, Z)),
+                development(1, D),
+                development_measures(D, _) )).
+
+% What is trimmed, or unrolled.
+
+test(trimmed, [true(Ss-Es == [3]-Seams)]) :-
+    with_pipes(
+        ( findall(S-E, ( explanation(seam(2, _), [trim(outside)], Because),
+                         said(Because, seam_edge(S, E, _, _, _, _)) ),
+                  Found),
+          pairs_keys_values(Found, Ss0, Es),
+          sort(Ss0, Ss),
+          facts_snapshot(( unfold(2, [trim(outside)], D),
+                           findall(E, joint(D, _, E, _, seam, _), Seams) )) )).
+test(unrolled, [true(Parts == [side])]) :-
+    with_pipes(
+        ( findall(Part, ( explanation(seam(2, _), [true(true)], Because),
+                          said(Because, cut_open(Part)) ),
+                  Parts0),
+          sort(Parts0, Parts) )).
+test(unrolled_of_a_file, [true(Parts == [side])]) :-
+    with_pipes(( true_development(1, side, [], _), saved(File) )),
+    with_file(File,
+              ( findall(Part, says(seam(1, _), cut_open(Part)), Parts0),
+                sort(Parts0, Parts) )).
+
 :- end_tests(explain_seam).
+
+measured(D, Seam-Bound-Pieces) :-
+    development_measures(D, M),
+    Seam is round(M.seam*1.0e9),
+    Bound is round(M.bound*1.0e9),
+    Pieces = M.pieces.
+
+%   reason_of(D, E, R): why edge E is a seam; of overlaps which ones depends on
+%   what was joined by then.
+
+reason_of(D, E, R) :-
+    joint(D, J, E, _, seam, _),
+    seam_reason(D, J, R0),
+    functor(R0, R, _).
+
+joint_between(P, Q, E) :-
+    p(1, P, Es),
+    member(E, Es),
+    once(e(1, E, A, B, _)),
+    e(1, F, B, A, _),
+    p(1, Q, Fs),
+    memberchk(F, Fs),
+    !.
+
+saved(File) :-
+    tmp_file_stream(File, Out, [extension(pl)]),
+    close(Out),
+    save_model(File).
+
+:- meta_predicate with_file(+, 0), with_pipes(0).
+
+with_file(File, Goal) :-
+    setup_call_cleanup(
+        true,
+        ( new_world(World),
+          in_world(World, ( load_model(File, []), once(Goal) )) ),
+        delete_file(File)).
+
+with_pipes(Goal) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(cylinder(radius(2), height(8), facets(24)), _),
+               add_primitive(at([rotate(y,90),translate(0,0,4)],
+                                cylinder(radius(1), height(6), facets(24))),
+                             _),
+               complete_segments,
+               Goal )).
