@@ -126,11 +126,18 @@ get_removed_ex(term_t list, const sg_dense *d, bool **out)
     free(id);
     return sg_no_memory();
   }
-  for (size_t p = 0; n > 0 && p < d->polygons; p++) {
+  bool stopped = false;
+
+  for (size_t p = 0; n > 0 && p < d->polygons && !stopped; p++) {
+    stopped = sg_poll_every(&sg_prolog_poll, p);
     (*out)[p] = bsearch(&d->polygon_id[p], id, n, sizeof *id, compare_ids);
   }
   free(id);
-  return TRUE;
+  if (stopped) {
+    free(*out);
+    *out = NULL;
+  }
+  return !stopped;
 }
 
 static int
@@ -208,8 +215,10 @@ flattening_bent(term_t handle, term_t list)
     return FALSE;
   }
   for (size_t p = 0; d->faces.bents > 0 && p < d->dense.polygons; p++) {
-    if (d->faces.bent[p] && (!PL_unify_list(tail, head, tail) ||
-                             !PL_unify_integer(head, d->dense.polygon_id[p]))) {
+    if (sg_poll_every(&sg_prolog_poll, p) ||
+        (d->faces.bent[p] &&
+         (!PL_unify_list(tail, head, tail) ||
+          !PL_unify_integer(head, d->dense.polygon_id[p])))) {
       return FALSE;
     }
   }
@@ -229,10 +238,12 @@ flattening_invalid(term_t handle, term_t list)
   const sg_flat_faces *f = &d->faces;
 
   for (uint32_t face = 0; face < f->faces; face++) {
-    if (f->area[face] > 0 &&
-        f->triangle_begin[face] == f->triangle_begin[face + 1] &&
-        (!PL_unify_list(tail, head, tail) ||
-         !PL_unify_integer(head, sg_development_polygon(d, face)))) {
+    bool invalid = f->area[face] > 0 &&
+                   f->triangle_begin[face] == f->triangle_begin[face + 1];
+    if (sg_poll_every(&sg_prolog_poll, face) ||
+        (invalid &&
+         (!PL_unify_list(tail, head, tail) ||
+          !PL_unify_integer(head, sg_development_polygon(d, face))))) {
       return FALSE;
     }
   }
@@ -395,7 +406,7 @@ unify_joints(term_t list, const uint32_t *joint, size_t n)
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
 
   for (size_t i = 0; i < n; i++) {
-    if (!PL_unify_list(tail, head, tail) ||
+    if (sg_poll_every(&sg_prolog_poll, i) || !PL_unify_list(tail, head, tail) ||
         !PL_unify_int64(head, (int64_t)joint[i] + 1)) {
       return FALSE;
     }
@@ -430,11 +441,11 @@ join_ex(sg_development *d, term_t number, uint32_t end)
   if (!order) {
     return FALSE;
   }
-  while (n < d->joints.n && order[n] != end) {
-    n++;
+  while (n < d->joints.n && order[n] != end && !stopped) {
+    stopped = sg_poll_every(&sg_prolog_poll, ++n);
   }
-  bool good = sg_flattening_join_all(&d->flattening, order, n, &sg_prolog_poll,
-                                     &stopped);
+  bool good = !stopped && sg_flattening_join_all(&d->flattening, order, n,
+                                                 &sg_prolog_poll, &stopped);
   free(order);
   return good || stop_ex(stopped);
 }
@@ -466,14 +477,17 @@ joint_path(term_t handle, term_t number, term_t list)
   sg_development *d;
   uint32_t j, *path;
   size_t n;
+  bool stopped;
 
   if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
     return FALSE;
   }
   const uint32_t *face = d->joints.joint[j].face;
 
-  if (!(path = sg_flattening_path(&d->flattening, face[1], face[0], &n))) {
-    return sg_no_memory();
+  path = sg_flattening_path(&d->flattening, face[1], face[0], &sg_prolog_poll,
+                            &n, &stopped);
+  if (!path) {
+    return stop_ex(stopped);
   }
   int good = unify_joints(list, path, n);
   free(path);
@@ -493,6 +507,9 @@ get_root_ex(term_t t, const sg_development *d, uint32_t *out)
     return FALSE;
   }
   for (uint32_t face = 0; face < d->faces.faces && p != 0; face++) {
+    if (sg_poll_every(&sg_prolog_poll, face)) {
+      return FALSE;
+    }
     if (d->dense.polygon_id[d->faces.polygon[face]] == p) {
       *out = face;
       return TRUE;

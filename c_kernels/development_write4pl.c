@@ -220,8 +220,8 @@ write_relation_ex(sg_world *world, const writer *w, int relation)
   return good;
 }
 
-static bool
-sort_sides(writer *w)
+static int
+sort_sides_ex(writer *w)
 {
   const sg_flat_faces *f = &w->d->faces;
   size_t edges = w->d->dense.edges + f->chords, n = 0, bents = 0;
@@ -229,9 +229,12 @@ sort_sides(writer *w)
   w->side = malloc((f->sides + 1) * sizeof *w->side);
   w->bent = malloc((f->bent_faces + 1) * sizeof *w->bent);
   if (!w->side || !w->bent) {
-    return false;
+    return sg_no_memory();
   }
   for (size_t e = 0; e < edges; e++) {
+    if (sg_poll_every(&sg_prolog_poll, e)) {
+      return FALSE;
+    }
     if (f->side_of[e] != SG_NO_SIDE_OF) {
       w->side[n++] = f->side_of[e];
     }
@@ -241,7 +244,7 @@ sort_sides(writer *w)
       w->bent[bents++] = face;
     }
   }
-  return true;
+  return TRUE;
 }
 
 static int
@@ -255,8 +258,8 @@ write_all_ex(sg_world *world, writer *w)
       return sg_no_memory();
     }
   }
-  if (!sort_sides(w)) {
-    return sg_no_memory();
+  if (!sort_sides_ex(w)) {
+    return FALSE;
   }
   for (int k = 0; k < RELATIONS; k++) {
     if (!write_relation_ex(world, w, k)) {

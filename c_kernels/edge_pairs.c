@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-enum { SMALL = 24, POLL_EVERY = 65536, DIRECTION_BIT = 32, UPPER_BIT = 33 };
+enum { SMALL = 24, DIRECTION_BIT = 32, UPPER_BIT = 33 };
 
 static uint32_t
 lower(const int32_t *from, const int32_t *to, size_t i)
@@ -47,23 +47,32 @@ sort_keys(uint64_t *key, size_t n)
 }
 
 /* bucket[v] becomes the begin of the bucket of v; afterwards, having been
- * filled, the begins are one place further on: they are shifted back. */
-static void
-fill_buckets(sg_edge_pairs *p, const int32_t *from, const int32_t *to)
+ * filled, the begins are one place further on: they are shifted back. False:
+ * stopped by the poll. */
+static bool
+fill_buckets(sg_edge_pairs *p, const int32_t *from, const int32_t *to,
+             const sg_poll *poll)
 {
   for (size_t i = 0; i < p->n; i++) {
+    if (sg_poll_every(poll, i)) {
+      return false;
+    }
     p->bucket[lower(from, to, i) + 1]++;
   }
   for (size_t v = 0; v < p->vertices; v++) {
     p->bucket[v + 1] += p->bucket[v];
   }
   for (size_t i = 0; i < p->n; i++) {
+    if (sg_poll_every(poll, i)) {
+      return false;
+    }
     p->key[p->bucket[lower(from, to, i)]++] = key_of(from, to, i);
   }
   for (size_t v = p->vertices; v > 0; v--) {
     p->bucket[v] = p->bucket[v - 1];
   }
   p->bucket[0] = 0;
+  return true;
 }
 
 bool
@@ -79,15 +88,12 @@ sg_edge_pairs_make(size_t n, const int32_t *from, const int32_t *to,
   if (!out->key || !out->bucket) {
     return false;
   }
-  fill_buckets(out, from, to);
-  for (size_t v = 0; v < vertices; v++) {
-    if (v % POLL_EVERY == 0 && sg_poll_stop(poll)) {
-      *stopped = true;
-      return false;
-    }
+  *stopped = !fill_buckets(out, from, to, poll);
+  for (size_t v = 0; v < vertices && !*stopped; v++) {
+    *stopped = sg_poll_every(poll, v);
     sort_keys(out->key + out->bucket[v], out->bucket[v + 1] - out->bucket[v]);
   }
-  return true;
+  return !*stopped;
 }
 
 void

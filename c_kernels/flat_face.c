@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 16384 };
-
 #define NO_CORNER UINT32_MAX
 
 /* What is under way: the triangles of each polygon, and which corner a vertex
@@ -75,25 +73,32 @@ sg_flat_faces_clear(sg_flat_faces *f)
   *f = (sg_flat_faces){0};
 }
 
-/* Triangles by polygon, in each by id. */
-static void
-group_triangles(maker *m)
+/* Triangles by polygon, in each by id. False: stopped by the poll. */
+static bool
+group_triangles(maker *m, const sg_poll *poll)
 {
   const sg_dense *d = m->dense;
 
   for (size_t t = 0; t < d->triangles; t++) {
+    if (sg_poll_every(poll, t)) {
+      return false;
+    }
     m->begin[d->polygon_of[t] + 1]++;
   }
   for (size_t p = 0; p < d->polygons; p++) {
     m->begin[p + 1] += m->begin[p];
   }
   for (size_t t = 0; t < d->triangles; t++) {
+    if (sg_poll_every(poll, t)) {
+      return false;
+    }
     m->triangle[m->begin[d->polygon_of[t]]++] = (uint32_t)t;
   }
   for (size_t p = d->polygons; p > 0; p--) {
     m->begin[p] = m->begin[p - 1];
   }
   m->begin[0] = 0;
+  return true;
 }
 
 /* ---- the frame ---------------------------------------------------------- */
@@ -407,7 +412,7 @@ static bool
 make_all(maker *m, const bool *removed, const sg_poll *poll, bool *stopped)
 {
   for (size_t p = 0; p < m->dense->polygons; p++) {
-    if (p % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (sg_poll_every(poll, p)) {
       *stopped = true;
       return false;
     }
@@ -419,7 +424,8 @@ make_all(maker *m, const bool *removed, const sg_poll *poll, bool *stopped)
 }
 
 static bool
-find_sides_of_edges(sg_flat_faces *f, const sg_dense *d)
+find_sides_of_edges(sg_flat_faces *f, const sg_dense *d, const sg_poll *poll,
+                    bool *stopped)
 {
   size_t edges = d->edges + f->chords + 1;
 
@@ -428,10 +434,11 @@ find_sides_of_edges(sg_flat_faces *f, const sg_dense *d)
     return false;
   }
   memset(f->side_of, 0xff, edges * sizeof *f->side_of);
-  for (uint32_t k = 0; k < f->sides; k++) {
+  for (uint32_t k = 0; k < f->sides && !*stopped; k++) {
+    *stopped = sg_poll_every(poll, k);
     f->side_of[f->side[k].edge] = k;
   }
-  return true;
+  return !*stopped;
 }
 
 bool
@@ -450,10 +457,10 @@ sg_flat_faces_make(const sg_dense *dense, const bool *removed, double tolerance,
          take_room(out, dense, 2 * dense->list_begin[dense->polygons]);
   if (made) {
     memset(m.corner, 0xff, (dense->vertices + 1) * sizeof *m.corner);
-    group_triangles(&m);
+    *stopped = !group_triangles(&m, poll);
     begin_face(&m);
-    made =
-        make_all(&m, removed, poll, stopped) && find_sides_of_edges(out, dense);
+    made = !*stopped && make_all(&m, removed, poll, stopped) &&
+           find_sides_of_edges(out, dense, poll, stopped);
   }
   free(m.begin);
   free(m.triangle);

@@ -68,23 +68,26 @@ find_fit(const hull *h)
   return best;
 }
 
-enum { WAYS = 8 };
+enum {
+  WAYS = 8,
+  PART = 16384 /* points whose hull is found from one poll to the next */
+};
 
 static const double way[WAYS][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
                                     {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
 
-/* Drops the points inside of the octagon of those that are the farthest in
- * eight directions: they are not on the hull. What is left comes first. */
-static size_t
-drop_inside(double (*point)[2], size_t n)
+/* The points that are the farthest in eight directions: an octagon. */
+static void
+find_farthest(const double (*point)[2], size_t n, double far[WAYS][2],
+              const sg_poll *poll, bool *stopped)
 {
-  double far[WAYS][2], most[WAYS];
-  size_t left = 0;
+  double most[WAYS];
 
   for (int w = 0; w < WAYS; w++) {
     most[w] = -INFINITY;
   }
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; i < n && !*stopped; i++) {
+    *stopped = sg_poll_every(poll, i);
     for (int w = 0; w < WAYS; w++) {
       double reach = point[i][0] * way[w][0] + point[i][1] * way[w][1];
       if (reach > most[w]) {
@@ -93,8 +96,19 @@ drop_inside(double (*point)[2], size_t n)
       }
     }
   }
-  for (size_t i = 0; i < n; i++) {
+}
+
+/* Drops the points inside of an octagon of points: they are not on the hull.
+ * What is left comes first. */
+static size_t
+drop_inside(double (*point)[2], size_t n, const double far[WAYS][2],
+            const sg_poll *poll, bool *stopped)
+{
+  size_t left = 0;
+
+  for (size_t i = 0; i < n && !*stopped; i++) {
     bool inside = true;
+    *stopped = sg_poll_every(poll, i);
     for (int w = 0; inside && w < WAYS; w++) {
       const double *p = far[w], *q = far[(w + 1) % WAYS];
       inside = (p[0] == q[0] && p[1] == q[1]) || turn(p, q, point[i]) > 0;
@@ -106,14 +120,38 @@ drop_inside(double (*point)[2], size_t n)
   return left;
 }
 
+/* Of very many points first the hulls of parts, whose points come first. */
+static size_t
+drop_by_parts(double (*point)[2], size_t n, double (*room)[2],
+              const sg_poll *poll, bool *stopped)
+{
+  size_t left = 0;
+
+  for (size_t i = 0; i < n && !*stopped; i += PART) {
+    *stopped = sg_poll_stop(poll);
+    size_t corners =
+        sg_convex_hull(point + i, n - i < PART ? n - i : PART, room);
+    memcpy(point + left, room, corners * sizeof *point);
+    left += corners;
+  }
+  return left;
+}
+
 sg_flat_fit
-sg_flat_fit_find(double (*point)[2], size_t n, double (*room)[2])
+sg_flat_fit_find(double (*point)[2], size_t n, double (*room)[2],
+                 const sg_poll *poll, bool *stopped)
 {
   hull h = {room, 0};
-  size_t left = drop_inside(point, n); /* none, if all are in one place */
+  double far[WAYS][2];
 
-  if (left >= 3) {
-    h.n = sg_convex_hull(point, left, room);
+  *stopped = false;
+  find_farthest((const double(*)[2])point, n, far, poll, stopped);
+  n = drop_inside(point, n, (const double(*)[2])far, poll, stopped);
+  if (n > PART) {
+    n = drop_by_parts(point, n, room, poll, stopped);
+  }
+  if (!*stopped && n >= 3) { /* none, if all are in one place */
+    h.n = sg_convex_hull(point, n, room);
   }
   return h.n < 3 ? (sg_flat_fit){1, 0} : find_fit(&h);
 }

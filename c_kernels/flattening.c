@@ -72,6 +72,9 @@ sg_flattening_restart(sg_flattening *fl, const sg_poll *poll)
     return true;
   }
   for (size_t j = 0; j < fl->joints->n; j++) {
+    if (sg_poll_every(poll, j)) {
+      return false;
+    }
     if (fl->state[j] != SG_JOINT_FORBIDDEN) {
       fl->state[j] = SG_JOINT_OPEN;
     }
@@ -213,31 +216,45 @@ enlarge(sg_flat_box *box, const sg_flat_box *by)
   }
 }
 
-/* The faces of one island go where the motion takes them and become the
- * other's. */
+/* A face of an island goes where the motion takes it and becomes another one's.
+ * False: no memory. */
 static bool
-merge(sg_flattening *fl, const sg_motion *m, sg_island *moving, sg_island *onto)
+move_face(sg_flattening *fl, const sg_motion *m, uint32_t face, uint32_t into)
 {
   const sg_flat_faces *f = fl->faces;
-  uint32_t into = fl->island_of[onto->head];
+  uint32_t first = f->corner_begin[face], end = f->corner_begin[face + 1];
+  sg_island *onto = &fl->island[into];
 
-  if (!index_island(fl, onto, moving->triangles)) {
-    return false;
+  for (uint32_t c = first; c < end; c++) {
+    const double from[2] = {fl->at[c][0], fl->at[c][1]};
+    sg_motion_move(m, from, fl->at[c]);
   }
-  for (uint32_t face = moving->head; face != UINT32_MAX;
+  sg_flat_box box =
+      sg_flat_box_round((const double(*)[2])fl->at + first, end - first);
+
+  enlarge(&onto->box, &box);
+  fl->island_of[face] = into;
+  return !onto->index || add_to_index(fl, onto, face);
+}
+
+/* The faces of one island become another one's. False: no memory, or stopped;
+ * then everything is as it was at first. */
+static bool
+merge(sg_flattening *fl, const sg_motion *m, sg_island *moving, sg_island *onto,
+      const sg_poll *poll, bool *stopped)
+{
+  uint32_t into = fl->island_of[onto->head];
+  bool good = index_island(fl, onto, moving->triangles);
+  size_t n = 0;
+
+  for (uint32_t face = moving->head; good && face != UINT32_MAX;
        face = fl->next_face[face]) {
-    uint32_t first = f->corner_begin[face], end = f->corner_begin[face + 1];
-    for (uint32_t c = first; c < end; c++) {
-      const double from[2] = {fl->at[c][0], fl->at[c][1]};
-      sg_motion_move(m, from, fl->at[c]);
-    }
-    sg_flat_box box =
-        sg_flat_box_round((const double(*)[2])fl->at + first, end - first);
-    enlarge(&onto->box, &box);
-    fl->island_of[face] = into;
-    if (onto->index && !add_to_index(fl, onto, face)) {
-      return false;
-    }
+    *stopped = sg_poll_every(poll, ++n);
+    good = !*stopped && move_face(fl, m, face, into);
+  }
+  if (!good) {
+    sg_flattening_restart(fl, NULL);
+    return false;
   }
   fl->next_face[onto->tail] = moving->head;
   onto->tail = moving->tail;
@@ -293,7 +310,7 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
   fl->refused += overlap;
   fl->joins += !overlap;
   fl->moves += overlap ? 0 : moving->faces;
-  return overlap || merge(fl, &of.motion, moving, onto);
+  return overlap || merge(fl, &of.motion, moving, onto, poll, stopped);
 }
 
 bool
@@ -304,8 +321,9 @@ sg_flattening_rejoin(sg_flattening *fl, uint32_t j)
   sg_island *b = &fl->island[fl->island_of[joint->face[1]]];
   bool second = is_larger(b, a);
   sg_motion m = motion_onto(fl, joint, second);
+  bool stopped;
 
-  return merge(fl, &m, second ? a : b, second ? b : a);
+  return merge(fl, &m, second ? a : b, second ? b : a, NULL, &stopped);
 }
 
 bool

@@ -66,8 +66,8 @@ void sg_flattening_clear(sg_flattening *flattening);
 bool sg_flattening_restart(sg_flattening *flattening, const sg_poll *poll);
 
 /* Tries joint j, whose new state is *state: JOINED, SAME, OVERLAP (or
- * FORBIDDEN, as it was). False: no memory, or (*stopped) stopped by the poll.
- */
+ * FORBIDDEN, as it was). False: no memory, or (*stopped) stopped by the poll;
+ * then everything may be as it was at first. */
 bool sg_flattening_join(sg_flattening *flattening, uint32_t j,
                         const sg_poll *poll, sg_joint_state *state,
                         bool *stopped);
@@ -103,9 +103,11 @@ uint32_t *sg_joint_order(const sg_flattening *flattening, unsigned order,
                          const sg_poll *poll, bool *stopped);
 
 /* The joints that were joined on the way from one face to another, in order; *n
- * is 0 if there is no way. Null: no memory. Owner: the caller, free(). */
+ * is 0 if there is no way. Null: no memory, or (*stopped) stopped by the poll.
+ * Owner: the caller, free(). */
 uint32_t *sg_flattening_path(const sg_flattening *flattening, uint32_t from,
-                             uint32_t to, size_t *n);
+                             uint32_t to, const sg_poll *poll, size_t *n,
+                             bool *stopped);
 
 /* Starts anew and joins just these joints, as they were joined before: what
  * overlaps is not asked. False: no memory, or (*stopped) stopped by the poll.

@@ -7,10 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-  LINE = 64, /* bytes of memory that come together */
-  POLL_EVERY = 16384
-};
+enum { LINE = 64 }; /* bytes of memory that come together */
 
 static sg_joint *
 new_joints(size_t n)
@@ -222,7 +219,7 @@ typedef struct ends {
 } ends;
 
 static bool
-take_ends(const pairing *p, ends *out)
+take_ends(const pairing *p, const sg_poll *poll, ends *out, bool *stopped)
 {
   const sg_flat_faces *f = p->faces;
 
@@ -232,14 +229,15 @@ take_ends(const pairing *p, ends *out)
   if (!out->side || !out->from || !out->to) {
     return false;
   }
-  for (uint32_t k = 0; k < f->sides; k++) {
+  for (uint32_t k = 0; k < f->sides && !*stopped; k++) {
+    *stopped = sg_poll_every(poll, k);
     if (is_real(p, k)) {
       out->side[out->n] = k;
       out->from[out->n] = sg_flat_side_from(f, k);
       out->to[out->n++] = sg_flat_side_to(f, k);
     }
   }
-  return true;
+  return !*stopped;
 }
 
 /* Joints in the order of their first edges. An edge has one joint at most, also
@@ -257,7 +255,7 @@ sort_joints(const pairing *p, const sg_poll *poll, bool *stopped)
     return false;
   }
   for (size_t e = 0; e < p->dense->edges + f->chords && !*stopped; e++) {
-    *stopped = e % POLL_EVERY == 0 && sg_poll_stop(poll);
+    *stopped = sg_poll_every(poll, e);
     uint32_t side = f->side_of[e];
     uint32_t j = side == SG_NO_SIDE_OF ? SG_NO_JOINT : of_side[side];
     if (j != SG_NO_JOINT && p->out->joint[j].side[0] == side) {
@@ -280,12 +278,12 @@ pair_sides(pairing *p, const sg_poll *poll, bool *stopped)
   sg_edge_pairs pairs = {0};
   sg_edge_group group = {0};
   ends e;
-  bool good = take_ends(p, &e) &&
+  bool good = take_ends(p, poll, &e, stopped) &&
               sg_edge_pairs_make(e.n, e.from, e.to, p->dense->vertices, poll,
                                  &pairs, stopped);
 
   for (size_t n = 1; good && sg_edge_group_next(&pairs, &group); n++) {
-    *stopped = n % POLL_EVERY == 0 && sg_poll_stop(poll);
+    *stopped = sg_poll_every(poll, n);
     good = !*stopped && pair_group(p, &pairs, &group, e.side);
   }
   sg_edge_pairs_clear(&pairs);
@@ -341,11 +339,14 @@ measure(const pairing *p, sg_joint *j, double tolerance)
             lies_in_plane(p, first ? a : b, first ? b : a, from, tolerance);
 }
 
-/* A face without area folds flat on its neighbour. */
-static void
-lean(pairing *p, sg_flat_faces *faces)
+/* A face without area folds flat on its neighbour. False: stopped. */
+static bool
+lean(pairing *p, sg_flat_faces *faces, const sg_poll *poll)
 {
   for (uint32_t a = 0; a < faces->faces; a++) {
+    if (sg_poll_every(poll, a)) {
+      return false;
+    }
     uint32_t j =
         faces->area[a] > 0 ? SG_NO_JOINT : p->out->of_side[faces->longest[a]];
     if (j != SG_NO_JOINT) {
@@ -355,6 +356,7 @@ lean(pairing *p, sg_flat_faces *faces)
                         faces->normal[faces->face_of[other]]);
     }
   }
+  return true;
 }
 
 bool
@@ -374,15 +376,12 @@ sg_joints_make(sg_flat_faces *faces, const sg_dense *dense, double tolerance,
   if (!pair_sides(&p, poll, stopped) || !sort_joints(&p, poll, stopped)) {
     return false;
   }
-  lean(&p, faces);
-  for (size_t j = 0; j < out->n; j++) {
-    if (j % POLL_EVERY == 0 && sg_poll_stop(poll)) {
-      *stopped = true;
-      return false;
-    }
+  *stopped = !lean(&p, faces, poll);
+  for (size_t j = 0; j < out->n && !*stopped; j++) {
+    *stopped = sg_poll_every(poll, j);
     measure(&p, &out->joint[j], tolerance);
   }
-  return true;
+  return !*stopped;
 }
 
 void

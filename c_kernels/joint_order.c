@@ -63,8 +63,8 @@ merit(const sg_flattening *fl, uint32_t j, unsigned order, double step)
 /* ---- equal ones --------------------------------------------------------- */
 
 enum {
-  MANY = 4096, /* equal ones: to be sorted so that it can be stopped */
-  POLL_EVERY = 16384
+  MANY = 4096,  /* equal ones: to be sorted so that it can be stopped */
+  ASKED = 16384 /* sorted from one poll to the next */
 };
 
 typedef struct tied {
@@ -127,10 +127,10 @@ sort_items(const sorter *s)
     if (end > i + 1) {
       sorted = sort_tied(s, s->item + i, end - i);
     }
-    if (end - asked >= POLL_EVERY && sg_poll_stop(s->poll)) {
+    if (end - asked >= ASKED && sg_poll_stop(s->poll)) {
       return SG_SORT_STOPPED;
     }
-    asked = end - asked >= POLL_EVERY ? end : asked;
+    asked = end - asked >= ASKED ? end : asked;
   }
   return sorted;
 }
@@ -142,7 +142,7 @@ measure_joints(const sorter *s, unsigned order)
   double step = sg_joint_step(s->fl);
 
   for (uint32_t j = 0; j < s->fl->joints->n; j++) {
-    if (j % POLL_EVERY == 0 && sg_poll_stop(s->poll)) {
+    if (sg_poll_every(s->poll, j)) {
       return false;
     }
     s->item[j] = (sg_measured){-merit(s->fl, j, order, step) -
@@ -193,9 +193,10 @@ typedef struct walk {
   uint32_t *by, *queue; /* [faces] */
 } walk;
 
-/* Until `to` is reached. */
-static void
-spread(const sg_flattening *fl, walk *w, uint32_t from, uint32_t to)
+/* Until `to` is reached. False: stopped by the poll. */
+static bool
+spread(const sg_flattening *fl, walk *w, uint32_t from, uint32_t to,
+       const sg_poll *poll)
 {
   const sg_flat_faces *f = fl->faces;
   size_t n = 0, next = 0;
@@ -203,6 +204,9 @@ spread(const sg_flattening *fl, walk *w, uint32_t from, uint32_t to)
   w->queue[n++] = from;
   w->by[from] = SG_NO_JOINT - 1;
   while (next < n && w->by[to] == SG_NO_JOINT) {
+    if (sg_poll_every(poll, next)) {
+      return false;
+    }
     uint32_t face = w->queue[next++];
     for (uint32_t k = f->side_begin[face]; k < f->side_begin[face + 1]; k++) {
       uint32_t j = fl->joints->of_side[k];
@@ -216,11 +220,12 @@ spread(const sg_flattening *fl, walk *w, uint32_t from, uint32_t to)
       }
     }
   }
+  return true;
 }
 
 uint32_t *
 sg_flattening_path(const sg_flattening *fl, uint32_t from, uint32_t to,
-                   size_t *n)
+                   const sg_poll *poll, size_t *n, bool *stopped)
 {
   const sg_flat_faces *f = fl->faces;
   walk w = {malloc((f->faces + 1) * sizeof *w.by),
@@ -228,14 +233,16 @@ sg_flattening_path(const sg_flattening *fl, uint32_t from, uint32_t to,
   uint32_t *path = malloc((f->faces + 1) * sizeof *path);
 
   *n = 0;
+  *stopped = false;
   if (w.by && w.queue && path) {
     memset(w.by, 0xff, (f->faces + 1) * sizeof *w.by);
-    spread(fl, &w, from, to);
+    *stopped = !spread(fl, &w, from, to, poll);
     for (uint32_t face = to; w.by[to] != SG_NO_JOINT && face != from;
          face = f->face_of[w.by[face]]) {
       path[(*n)++] = fl->joints->of_side[w.by[face]];
     }
-  } else {
+  }
+  if (!w.by || !w.queue || *stopped) {
     free(path);
     path = NULL;
   }
@@ -251,7 +258,7 @@ sg_flattening_join_folds(sg_flattening *fl, const uint32_t *joint, size_t n,
   *stopped = !sg_flattening_restart(fl, poll);
   for (size_t i = 0; i < n && !*stopped; i++) {
     const uint32_t *face = fl->joints->joint[joint[i]].face;
-    *stopped = i % POLL_EVERY == 0 && sg_poll_stop(poll);
+    *stopped = sg_poll_every(poll, i);
     fl->tried = true;
     if (fl->island_of[face[0]] != fl->island_of[face[1]]) {
       if (!sg_flattening_rejoin(fl, joint[i])) {

@@ -2,13 +2,12 @@
 #include "lay.h"
 
 #include "flat_fit.h"
+#include "sort.h"
 #include "twofold.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { POLL_EVERY = 16384 };
 
 /* ---- numbers of twice the digits, without bounds ------------------------ */
 
@@ -199,7 +198,7 @@ lay_piece(layer *l, uint32_t root, uint32_t piece, const sg_poll *poll,
   l->stack[top++] = root;
   while (top > 0 && !*stopped) {
     top = lay_children(l, l->stack[top - 1], piece, top - 1);
-    *stopped = ++n % POLL_EVERY == 0 && sg_poll_stop(poll);
+    *stopped = sg_poll_every(poll, ++n);
   }
   return !*stopped;
 }
@@ -238,9 +237,10 @@ piece_of(const sg_flattening *fl, uint32_t face, uint32_t *number, ranked *rank,
 }
 
 /* The largest face of each island, and the islands by area; `number` ([faces])
- * is all SG_NO_FACE before and after. Null: no memory. */
+ * is all SG_NO_FACE before and after. Null: no memory, or stopped. */
 static ranked *
-rank_pieces(const sg_lay_input *in, uint32_t *number, size_t *pieces)
+rank_pieces(const sg_lay_input *in, uint32_t *number, size_t *pieces,
+            const sg_poll *poll, bool *stopped)
 {
   const sg_flattening *fl = in->flattening;
   const double *area = fl->faces->area;
@@ -249,7 +249,8 @@ rank_pieces(const sg_lay_input *in, uint32_t *number, size_t *pieces)
   double step = fl->sheet * fl->sheet * 0x1p-36;
 
   *pieces = 0;
-  for (uint32_t face = 0; rank && face < faces; face++) {
+  for (uint32_t face = 0; rank && face < faces && !*stopped; face++) {
+    *stopped = sg_poll_every(poll, face);
     ranked *piece = piece_of(fl, face, number, rank, pieces);
     piece->area += area[face];
     piece->root = area[face] > area[piece->root] ? face : piece->root;
@@ -257,12 +258,18 @@ rank_pieces(const sg_lay_input *in, uint32_t *number, size_t *pieces)
   for (size_t k = 0; rank && step > 0 && k < *pieces; k++) {
     rank[k].area = round(rank[k].area / step);
   }
-  if (rank && in->root != SG_NO_FACE) {
+  if (rank && !*stopped && in->root != SG_NO_FACE) {
     rank[number[fl->island_of[in->root]]] = (ranked){INFINITY, in->root};
   }
   memset(number, 0xff, faces * sizeof *number);
-  if (rank) {
-    qsort(rank, *pieces, sizeof *rank, compare_ranked);
+  sg_sort_end end =
+      rank ? sg_sort(rank, *pieces, sizeof *rank, compare_ranked, poll)
+           : SG_SORT_NO_MEMORY;
+
+  *stopped = *stopped || end == SG_SORT_STOPPED;
+  if (end != SG_SORTED || *stopped) {
+    free(rank);
+    rank = NULL;
   }
   return rank;
 }
@@ -271,7 +278,7 @@ static bool
 lay_pieces(layer *l, const sg_lay_input *in, const sg_poll *poll, bool *stopped)
 {
   size_t *pieces = &l->out->pieces;
-  ranked *rank = rank_pieces(in, l->out->piece, pieces);
+  ranked *rank = rank_pieces(in, l->out->piece, pieces, poll, stopped);
   bool good = rank != NULL;
 
   l->out->root = malloc((*pieces + 1) * sizeof *l->out->root);
@@ -304,7 +311,7 @@ static bool
 close_joints(layer *l, unsigned char *state, const sg_poll *poll)
 {
   for (size_t k = 0; k < l->fl->joints->n; k++) {
-    if (k % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (sg_poll_every(poll, k)) {
       return false;
     }
     const sg_joint *j = &l->fl->joints->joint[k];
@@ -327,7 +334,8 @@ typedef struct turner {
 } turner;
 
 static sg_flat_fit
-fit_piece(const layer *l, uint32_t piece, const turner *t)
+fit_piece(const layer *l, uint32_t piece, const turner *t, const sg_poll *poll,
+          bool *stopped)
 {
   size_t points = 0;
 
@@ -337,7 +345,7 @@ fit_piece(const layer *l, uint32_t piece, const turner *t)
       t->point[points++][1] = l->at[s].y.hi;
     }
   }
-  return sg_flat_fit_find(t->point, points, t->room);
+  return sg_flat_fit_find(t->point, points, t->room, poll, stopped);
 }
 
 /* A direction as unit numbers of twice the digits: one step of Newton's. */
@@ -353,15 +361,18 @@ make_unit(double x, double y, place *out)
 }
 
 static void
-turn_piece(layer *l, uint32_t piece, sg_flat_fit to)
+turn_piece(layer *l, uint32_t piece, sg_flat_fit to, const sg_poll *poll,
+           bool *stopped)
 {
   sg_flat_box *box = &l->out->box[piece];
   place d;
 
   make_unit(to.x, to.y, &d);
   *box = (sg_flat_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-  for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1]; s++) {
+  for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1] && !*stopped;
+       s++) {
     place p = l->at[s];
+    *stopped = sg_poll_every(poll, s);
     l->at[s].x = plus(times(p.x, d.x), times(p.y, d.y));
     l->at[s].y = minus(times(p.y, d.x), times(p.x, d.y));
     const double at[2] = {l->at[s].x.hi, l->at[s].y.hi};
@@ -382,12 +393,9 @@ turn_pieces(layer *l, uint32_t root, const sg_poll *poll, bool *stopped)
 
   for (uint32_t k = 0; good && k < l->out->pieces; k++) {
     bool still = root != SG_NO_FACE && k == 0;
-    sg_flat_fit to = still ? (sg_flat_fit){1, 0} : fit_piece(l, k, &t);
-    *stopped = sg_poll_stop(poll);
-    if (!*stopped) {
-      turn_piece(l, k, to);
-      *stopped = sg_poll_stop(poll);
-    }
+    sg_flat_fit to =
+        still ? (sg_flat_fit){1, 0} : fit_piece(l, k, &t, poll, stopped);
+    turn_piece(l, k, to, poll, stopped);
     good = !*stopped;
   }
   free(t.point);
@@ -454,18 +462,21 @@ number_vertices(layer *l, const sg_poll *poll, bool *stopped)
       *number = l->of_spot[l->spot[c]] = (uint32_t)out->vertices++;
     }
     out->vertex[c] = *number;
-    *stopped = c % POLL_EVERY == 0 && sg_poll_stop(poll);
+    *stopped = sg_poll_every(poll, c);
   }
   return !*stopped;
 }
 
 static void
-shift_piece(layer *l, uint32_t piece, const double to[2])
+shift_piece(layer *l, uint32_t piece, const double to[2], const sg_poll *poll,
+            bool *stopped)
 {
   sg_layout *out = l->out;
   const twin x = {to[0], 0}, y = {to[1], 0};
 
-  for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1]; s++) {
+  for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1] && !*stopped;
+       s++) {
+    *stopped = sg_poll_every(poll, s);
     if (l->of_spot[s] != NO_VERTEX) {
       out->at[l->of_spot[s]][0] = plus(l->at[s].x, x).hi + 0.0;
       out->at[l->of_spot[s]][1] = plus(l->at[s].y, y).hi + 0.0;
@@ -488,8 +499,7 @@ place_vertices(layer *l, bool still, const sg_poll *poll, bool *stopped)
     arrange(l->out, still, to);
   }
   for (uint32_t k = 0; good && k < l->out->pieces; k++) {
-    shift_piece(l, k, to[k]);
-    *stopped = sg_poll_stop(poll);
+    shift_piece(l, k, to[k], poll, stopped);
     good = !*stopped;
   }
   free(to);

@@ -5,13 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 16384 };
 
 /* Asked for every i; true: the poll says stop. */
 static bool
 stops(size_t i, const sg_poll *poll, bool *stopped)
 {
-  *stopped = *stopped || (i % POLL_EVERY == 0 && sg_poll_stop(poll));
+  *stopped = *stopped || sg_poll_every(poll, i);
   return *stopped;
 }
 
@@ -98,7 +97,7 @@ static bool
 measure_seams(const sg_flattening *fl, welds *w, const sg_poll *poll,
               sg_measures *out, bool *stopped)
 {
-  for (uint32_t j = 0; j < fl->joints->n; j++) {
+  for (uint32_t j = 0; j < fl->joints->n && !stops(j, poll, stopped); j++) {
     out->seam += is_seam(fl, j) ? fl->joints->joint[j].length : 0;
   }
   for (int rings = 0; rings < 2; rings++) { /* at last those without an end */

@@ -7,6 +7,7 @@
 #define SG_POLL_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 typedef struct sg_poll {
   bool (*ask)(void *data); /* true: stop, free everything and return */
@@ -18,6 +19,13 @@ static inline bool
 sg_poll_stop(const sg_poll *poll)
 {
   return poll && poll->ask(poll->data);
+}
+
+/* The same in step i of a loop of many short steps: now and then. */
+static inline bool
+sg_poll_every(const sg_poll *poll, size_t i)
+{
+  return i % 16384 == 0 && sg_poll_stop(poll);
 }
 
 #endif

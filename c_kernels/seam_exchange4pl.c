@@ -203,14 +203,17 @@ fold_path(term_t handle, term_t p, term_t q, term_t list)
   sg_development *d;
   uint32_t from, to, *path;
   size_t n;
+  bool stopped;
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
 
   if (!sg_get_development_ex(handle, &d) || !get_face_ex(p, d, &from) ||
       !get_face_ex(q, d, &to)) {
     return FALSE;
   }
-  if (!(path = sg_flattening_path(&d->flattening, from, to, &n))) {
-    return sg_no_memory();
+  path = sg_flattening_path(&d->flattening, from, to, &sg_prolog_poll, &n,
+                            &stopped);
+  if (!path) {
+    return stopped ? FALSE : sg_no_memory();
   }
   int good = TRUE;
 

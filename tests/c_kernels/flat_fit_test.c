@@ -56,7 +56,8 @@ static void
 check_points(double (*p)[2], size_t n)
 {
   double least = least_area((const double(*)[2])p, n);
-  sg_flat_fit fit = sg_flat_fit_find(p, n, room);
+  bool stopped;
+  sg_flat_fit fit = sg_flat_fit_find(p, n, room, NULL, &stopped);
   bool along;
   double found = area((const double(*)[2])p, n, fit.x, fit.y, &along);
 
@@ -68,7 +69,8 @@ check_points(double (*p)[2], size_t n)
 static void
 check_none(const char *name, double (*p)[2], size_t n)
 {
-  sg_flat_fit fit = sg_flat_fit_find(p, n, room);
+  bool stopped;
+  sg_flat_fit fit = sg_flat_fit_find(p, n, room, NULL, &stopped);
 
   CHECK(name, fit.x == 1 && fit.y == 0);
 }
