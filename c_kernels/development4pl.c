@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static atom_t state_atom[SG_JOINT_CLOSED + 1], atom_line, atom_flat, atom_bent;
+static atom_t state_atom[SG_JOINT_CLOSED + 1];
 
 /* ---- the handle --------------------------------------------------------- */
 
@@ -140,6 +140,19 @@ get_removed_ex(term_t list, const sg_dense *d, bool **out)
   return !stopped;
 }
 
+/* The numbers of faces and chords that are new: they go on from the largest. */
+static int
+are_numbers_left_ex(const sg_development *d)
+{
+  const sg_dense *of = &d->dense;
+  int64_t polygon = of->polygons ? of->polygon_id[of->polygons - 1] : 0;
+  int64_t edge = of->edges ? of->edge_id[of->edges - 1] : 0;
+
+  return (polygon + (int64_t)d->faces.bent_faces <= INT32_MAX &&
+          edge + (int64_t)d->faces.chords <= INT32_MAX) ||
+         PL_representation_error("int32");
+}
+
 static int
 make_ex(sg_development *d, term_t removed_list)
 {
@@ -156,7 +169,7 @@ make_ex(sg_development *d, term_t removed_list)
               sg_flattening_make(&d->dense, &d->faces, &d->joints,
                                  &sg_prolog_poll, &d->flattening, &stopped);
   free(removed);
-  return good || stop_ex(stopped);
+  return good ? are_numbers_left_ex(d) : stop_ex(stopped);
 }
 
 /* flattening_open(+S, +Tolerance, +Removed, -Flattening) is det. */
@@ -190,69 +203,10 @@ flattening_close(term_t handle)
   return TRUE;
 }
 
-/* ---- what there is ------------------------------------------------------ */
+/* ---- joints ------------------------------------------------------------- */
 
-/* flattening_counts(+Flattening, -Faces, -Joints, -Step) is det. */
-static foreign_t
-flattening_counts(term_t handle, term_t faces, term_t joints, term_t step)
-{
-  sg_development *d;
-
-  return sg_get_development_ex(handle, &d) &&
-         PL_unify_int64(faces, (int64_t)d->faces.faces) &&
-         PL_unify_int64(joints, (int64_t)d->joints.n) &&
-         sg_unify_double(step, sg_joint_step(&d->flattening));
-}
-
-/* flattening_bent(+Flattening, -Polygons) is det. */
-static foreign_t
-flattening_bent(term_t handle, term_t list)
-{
-  sg_development *d;
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-
-  if (!sg_get_development_ex(handle, &d)) {
-    return FALSE;
-  }
-  for (size_t p = 0; d->faces.bents > 0 && p < d->dense.polygons; p++) {
-    if (sg_poll_every(&sg_prolog_poll, p) ||
-        (d->faces.bent[p] &&
-         (!PL_unify_list(tail, head, tail) ||
-          !PL_unify_integer(head, d->dense.polygon_id[p])))) {
-      return FALSE;
-    }
-  }
-  return PL_unify_nil(tail);
-}
-
-/* flattening_invalid(+Flattening, -Polygons) is det. */
-static foreign_t
-flattening_invalid(term_t handle, term_t list)
-{
-  sg_development *d;
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-
-  if (!sg_get_development_ex(handle, &d)) {
-    return FALSE;
-  }
-  const sg_flat_faces *f = &d->faces;
-
-  for (uint32_t face = 0; face < f->faces; face++) {
-    bool invalid = f->area[face] > 0 &&
-                   f->triangle_begin[face] == f->triangle_begin[face + 1];
-    if (sg_poll_every(&sg_prolog_poll, face) ||
-        (invalid &&
-         (!PL_unify_list(tail, head, tail) ||
-          !PL_unify_integer(head, sg_development_polygon(d, face))))) {
-      return FALSE;
-    }
-  }
-  return PL_unify_nil(tail);
-}
-
-/* Joints are numbered from 1. */
-static int
-get_joint_ex(term_t t, const sg_development *d, uint32_t *out)
+int
+sg_get_joint_ex(term_t t, const sg_development *d, uint32_t *out)
 {
   int32_t j;
 
@@ -263,68 +217,10 @@ get_joint_ex(term_t t, const sg_development *d, uint32_t *out)
   return (size_t)j <= d->joints.n || PL_existence_error("joint", t);
 }
 
-/* flattening_joint(+Flattening, +J, -Joint) is det. */
-static foreign_t
-flattening_joint(term_t handle, term_t number, term_t out)
+atom_t
+sg_joint_state_atom(sg_joint_state state)
 {
-  sg_development *d;
-  uint32_t j;
-
-  if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
-    return FALSE;
-  }
-  const sg_joint *joint = &d->joints.joint[j];
-  const uint32_t *face_of = d->faces.face_of;
-
-  double middle[3];
-
-  sg_joint_middle(&d->flattening, j, middle);
-  return PL_unify_term(
-      out, PL_FUNCTOR_CHARS, "joint", 9, PL_INT,
-      (int)sg_development_edge(d, joint->side[0]), PL_INT,
-      (int)sg_development_edge(d, joint->side[1]), PL_INT,
-      (int)sg_development_polygon(d, face_of[joint->side[0]]), PL_INT,
-      (int)sg_development_polygon(d, face_of[joint->side[1]]), PL_FLOAT,
-      joint->length + 0.0, PL_FUNCTOR_CHARS, "p", 3, PL_FLOAT, middle[0] + 0.0,
-      PL_FLOAT, middle[1] + 0.0, PL_FLOAT, middle[2] + 0.0, PL_FLOAT,
-      joint->angle + 0.0, PL_ATOM,
-      joint->line   ? atom_line
-      : joint->flat ? atom_flat
-                    : atom_bent,
-      PL_ATOM, state_atom[d->flattening.state[j]]);
-}
-
-/* The place of an edge with this id, SIZE_MAX: none. */
-static size_t
-place_of_edge(const sg_development *d, int32_t e)
-{
-  const sg_dense *of = &d->dense;
-  const int32_t *at =
-      of->edges ? bsearch(&e, of->edge_id, of->edges, sizeof e, compare_ids)
-                : NULL;
-  size_t chord =
-      (size_t)e - 1 - (of->edges ? (size_t)of->edge_id[of->edges - 1] : 0);
-
-  return at                        ? (size_t)(at - of->edge_id)
-         : chord < d->faces.chords ? of->edges + chord
-                                   : SIZE_MAX;
-}
-
-/* edge_joint(+Flattening, +E, -J) is semidet. */
-static foreign_t
-edge_joint(term_t handle, term_t edge, term_t number)
-{
-  sg_development *d;
-  int32_t e;
-
-  if (!sg_get_development_ex(handle, &d) || !sg_get_id_ex(edge, &e)) {
-    return FALSE;
-  }
-  size_t place = place_of_edge(d, e);
-  uint32_t side = place == SIZE_MAX ? SG_NO_SIDE_OF : d->faces.side_of[place];
-  uint32_t j = side == SG_NO_SIDE_OF ? SG_NO_JOINT : d->joints.of_side[side];
-
-  return j != SG_NO_JOINT && PL_unify_int64(number, (int64_t)j + 1);
+  return state_atom[state];
 }
 
 /* ---- joining ------------------------------------------------------------ */
@@ -336,7 +232,7 @@ forbid_joint(term_t handle, term_t number)
   sg_development *d;
   uint32_t j;
 
-  if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
+  if (!sg_get_development_ex(handle, &d) || !sg_get_joint_ex(number, d, &j)) {
     return FALSE;
   }
   if (d->flattening.state[j] == SG_JOINT_JOINED) {
@@ -367,7 +263,7 @@ join_faces(term_t handle, term_t number, term_t result)
   sg_joint_state state;
   bool stopped;
 
-  if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
+  if (!sg_get_development_ex(handle, &d) || !sg_get_joint_ex(number, d, &j)) {
     return FALSE;
   }
   if (!sg_flattening_join(&d->flattening, j, &sg_prolog_poll, &state,
@@ -466,7 +362,7 @@ join_before(term_t handle, term_t number, term_t joint)
   sg_development *d;
   uint32_t j;
 
-  return sg_get_development_ex(handle, &d) && get_joint_ex(joint, d, &j) &&
+  return sg_get_development_ex(handle, &d) && sg_get_joint_ex(joint, d, &j) &&
          join_ex(d, number, j);
 }
 
@@ -479,7 +375,7 @@ joint_path(term_t handle, term_t number, term_t list)
   size_t n;
   bool stopped;
 
-  if (!sg_get_development_ex(handle, &d) || !get_joint_ex(number, d, &j)) {
+  if (!sg_get_development_ex(handle, &d) || !sg_get_joint_ex(number, d, &j)) {
     return FALSE;
   }
   const uint32_t *face = d->joints.joint[j].face;
@@ -586,14 +482,9 @@ sg_install_development(void)
   static const PL_extension doors[] = {
       {"flattening_open", 4, (pl_function_t)flattening_open, 0},
       {"flattening_close", 1, (pl_function_t)flattening_close, 0},
-      {"flattening_counts", 4, (pl_function_t)flattening_counts, 0},
-      {"flattening_bent", 2, (pl_function_t)flattening_bent, 0},
-      {"flattening_invalid", 2, (pl_function_t)flattening_invalid, 0},
-      {"flattening_joint", 3, (pl_function_t)flattening_joint, 0},
       {"flattening_restart", 1, (pl_function_t)flattening_restart, 0},
       {"flattening_lay", 2, (pl_function_t)flattening_lay, 0},
       {"flattening_measures", 2, (pl_function_t)flattening_measures, 0},
-      {"edge_joint", 3, (pl_function_t)edge_joint, 0},
       {"forbid_joint", 2, (pl_function_t)forbid_joint, 0},
       {"join_faces", 3, (pl_function_t)join_faces, 0},
       {"joint_order", 3, (pl_function_t)joint_order, 0},
@@ -605,8 +496,5 @@ sg_install_development(void)
   for (int k = 0; k <= SG_JOINT_CLOSED; k++) {
     state_atom[k] = PL_new_atom(name[k]);
   }
-  atom_line = PL_new_atom("line");
-  atom_flat = PL_new_atom("flat");
-  atom_bent = PL_new_atom("bent");
   PL_register_extensions_in_module("sg_kernel", doors);
 }

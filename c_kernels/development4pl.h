@@ -27,6 +27,11 @@ int sg_get_development_ex(term_t t, sg_development **out);
 /* permission_error(lay, flattening, Flattening) if nothing is laid out yet. */
 int sg_development_is_laid_ex(const sg_development *d, term_t handle);
 
+/* The place of the joint that t numbers, from 1: existence_error(joint, t). */
+int sg_get_joint_ex(term_t t, const sg_development *d, uint32_t *out);
+
+atom_t sg_joint_state_atom(sg_joint_state state);
+
 /* The id of the polygon of the pattern that a face becomes: that of its
  * polygon, or one after the largest where that is in triangles. */
 int32_t sg_development_polygon(const sg_development *d, uint32_t face);

@@ -25,7 +25,7 @@ sg_poll_stop(const sg_poll *poll)
 static inline bool
 sg_poll_every(const sg_poll *poll, size_t i)
 {
-  return i % 16384 == 0 && sg_poll_stop(poll);
+  return i % 4096 == 0 && sg_poll_stop(poll);
 }
 
 #endif

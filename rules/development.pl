@@ -176,11 +176,16 @@ with_flattening(S, Options, Goal) :-
     ->  true
     ;   has_polygon(S, Root)
     ),
-    stage(join, flattening_open(S, Tolerance, Removed, Flattening)),
+    opened(S, Tolerance, Removed, Flattening),
     call_cleanup(( edges_cut(S, Flattening, Options),
                    once(call(Goal, Flattening))
                  ),
                  flattening_close(Flattening)).
+
+opened(S, Tolerance, Removed, Flattening) :-
+    catch(stage(join, flattening_open(S, Tolerance, Removed, Flattening)),
+          error(representation_error(int32), _),
+          cannot_develop(S, no_numbers)).
 
 has_polygon(S, P) :-
     (   p(S, P, _)

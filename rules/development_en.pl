@@ -44,6 +44,10 @@ what_en(no_joint(E)) -->
       '  Name an edge that two polygons have.' ].
 what_en(edge_length(E)) -->
     [ 'edge ~d has no length to join at'-[E] ].
+what_en(no_numbers) -->
+    [ 'polygons that are not flat become triangles, and no numbers above \c
+       those of its polygons and edges are left for these', nl,
+      '  Give its polygons and edges smaller numbers than 2147483647.' ].
 what_en(no_polygon(P)) -->
     [ 'it has no polygon ~p'-[P] ].
 

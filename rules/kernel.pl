@@ -142,7 +142,7 @@
                                       % -Strokes
             % travel4pl.c
             travel_order/2,           % +Strokes, -Order
-            % development4pl.c, development_write4pl.c
+            % development4pl.c, development_read4pl.c, development_write4pl.c
             flattening_open/4,        % +S, +Tolerance, +Removed, -Flattening
             flattening_close/1,       % +Flattening
             flattening_counts/4,      % +Flattening, -Faces, -Joints, -Step
@@ -1171,7 +1171,8 @@ the drawn surface. Degrees; see roll.h.
 %   Splits is the list of split(V1, V2, Vs): edges of S and the vertices on
 %   them, in order from V1 to V2.
 
-/* - - - development4pl.c, development_write4pl.c: laying flat - - - */
+/* - - - development4pl.c, development_read4pl.c, development_write4pl.c: laying
+         flat - - - */
 
 %!  flattening_open(+S, +Tolerance, +Removed:list, -Flattening) is det.
 %
@@ -1181,6 +1182,8 @@ the drawn surface. Degrees; see roll.h.
 %   from its plane, or a triangle of another polygon; such a triangle is called
 %   by the polygon that it will be, numbered on from those of S, and its chords
 %   are edges, numbered on likewise. S should have its triangles. To be closed.
+%
+%   @error representation_error(int32): no numbers are left for these
 
 %!  flattening_close(+Flattening) is det.
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROOM = 20000 };
+enum { ROOM = 60000 };
 
 /* ---- models ------------------------------------------------------------- */
 
@@ -573,21 +573,98 @@ stop(void *data)
   return --*(int *)data < 0;
 }
 
+/* Everything that an unfolding takes, until it is stopped. */
+static bool
+unfold_until(const model *m, unfolded *u, const sg_poll *poll, bool *stopped)
+{
+  sg_measures of;
+  bool good =
+      sg_flat_faces_make(&m->dense, NULL, 1e-9, poll, &u->faces, stopped) &&
+      sg_joints_make(&u->faces, &m->dense, 1e-9, poll, &u->joints, stopped) &&
+      sg_flattening_make(&m->dense, &u->faces, &u->joints, poll, &u->flattening,
+                         stopped);
+  uint32_t *js =
+      good ? sg_joint_order(&u->flattening, SG_ORDER_LONGEST, poll, stopped)
+           : NULL;
+
+  good = js &&
+         sg_flattening_join_all(&u->flattening, js, u->joints.n, poll, stopped);
+  free(js);
+  const sg_lay_input in = {&u->flattening, 1e-9, SG_NO_FACE};
+
+  return good && sg_lay(&in, poll, &u->layout, stopped) &&
+         sg_measure(&u->flattening, &u->layout, poll, &of, stopped);
+}
+
+/* Stopped at any poll it ends, and says so; a new start is a new start. */
 static void
 check_stopping(void)
 {
   model *m = new_model();
-  unfolded u = {.layout = {0}};
-  int polls = 1;
-  const sg_poll poll = {stop, &polls};
-  bool stopped = false;
+  unsigned wrong = 0, times = 0;
+  bool done = false;
 
   add_torus(m, 18, 0.4);
+  for (int k = 0; !done && k < 10000; k++) {
+    unfolded u = {.layout = {0}};
+    int polls = k;
+    const sg_poll poll = {stop, &polls};
+    bool stopped = false;
+
+    done = unfold_until(m, &u, &poll, &stopped);
+    wrong += done == stopped;
+    times += stopped;
+    forget(&u);
+  }
+  CHECK("it is stopped in many places", times > 20);
+  CHECK("each time it says so, and in the end it is done", wrong == 0 && done);
+  free(m);
+}
+
+/* A strip of squares up and down, joined from both ends: the last joint moves
+ * half of it, and is stopped there. */
+static void
+check_stopped_merge(void)
+{
+  enum { SQUARES = 12000 };
+  model *m = new_model();
+  unfolded u = {.layout = {0}};
+  int polls = 0;
+  const sg_poll poll = {stop, &polls};
+  sg_joint_state state;
+  bool stopped = false, apart = true;
+  static int32_t v[2 * SQUARES + 2];
+
+  _Static_assert(4 * SQUARES < ROOM, "a model has room");
+  for (int i = 0; i <= SQUARES; i++) {
+    v[2 * i] = add_vertex(m, i, 0, i % 2);
+    v[2 * i + 1] = add_vertex(m, i, 1, i % 2);
+  }
+  for (int i = 0; i < SQUARES; i++) {
+    add_polygon(
+        m, 4, (int32_t[4]){v[2 * i], v[2 * i + 2], v[2 * i + 3], v[2 * i + 1]});
+  }
   CHECK("faces",
-        sg_flat_faces_make(&m->dense, NULL, 1e-9, &poll, &u.faces, &stopped));
-  CHECK("the poll stops it", !sg_joints_make(&u.faces, &m->dense, 1e-9, &poll,
-                                             &u.joints, &stopped) &&
-                                 stopped);
+        sg_flat_faces_make(&m->dense, NULL, 1e-9, NULL, &u.faces, &stopped));
+  CHECK("joints",
+        sg_joints_make(&u.faces, &m->dense, 1e-9, NULL, &u.joints, &stopped));
+  CHECK("islands", sg_flattening_make(&m->dense, &u.faces, &u.joints, NULL,
+                                      &u.flattening, &stopped));
+  for (uint32_t j = 0; j < u.joints.n; j++) {
+    CHECK("joined",
+          j == SQUARES / 2 ||
+              sg_flattening_join(&u.flattening, j, NULL, &state, &stopped));
+  }
+  u.flattening.moves = 0;
+  CHECK("the last one is stopped",
+        !sg_flattening_join(&u.flattening, SQUARES / 2, &poll, &state,
+                            &stopped) &&
+            stopped);
+  for (uint32_t face = 0; face < u.faces.faces; face++) {
+    apart = apart && u.flattening.island_of[face] == face;
+  }
+  CHECK("then every face is an island again",
+        apart && u.flattening.state[0] == SG_JOINT_OPEN);
   forget(&u);
   free(m);
 }
@@ -612,5 +689,6 @@ main(void)
   check_no_length();
   check_edge_in_two_faces();
   check_stopping();
+  check_stopped_merge();
   return check_report();
 }

@@ -22,6 +22,11 @@
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
 
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
+user:message_hook(sanggwan(development(_, in_triangles(_))), warning, _).
+
 %   in_model(+Terms, :Goal): in a world of its own, of these primitives.
 
 :- meta_predicate in_model(+, 0).
@@ -32,6 +37,22 @@ in_model(Terms, Goal) :-
              ( forall(member(Term, Terms), add_primitive(Term, _)),
                complete_segments,
                Goal )).
+
+%   folded_square(+E, +P): a square that is folded along its diagonal, polygon
+%   P, with edges from E on.
+
+folded_square(E, P) :-
+    assert_fact(segment(1, surface, folded)),
+    forall(nth1(V, [0.0-0.0-0.0,1.0-0.0-0.0,1.0-1.0-0.5,0.0-1.0-0.0], X-Y-Z),
+           assert_fact(v(1, V, X, Y, Z))),
+    findall(Edge,
+            ( between(1, 4, A),
+              B is A mod 4 + 1,
+              Edge is E+A-1,
+              assert_fact(e(1, Edge, A, B, 1))
+            ),
+            Edges),
+    assert_fact(p(1, P, Edges)).
 
 %   seam_of(+D, -Length): all seams, each once.
 
@@ -359,6 +380,14 @@ test(no_joint, error(geometry_error(development(1, no_joint(999))))) :-
     in_model([box(size(1,1,1))], develop(1, [cut([999])], _)).
 test(no_polygon, error(geometry_error(development(1, no_polygon(99))))) :-
     in_model([box(size(1,1,1))], develop(1, [root(99)], _)).
+test(no_numbers, [ forall(member(E-P, [10-2147483647,2147483644-10])),
+                   error(geometry_error(development(1, no_numbers))) ]) :-
+    in_model([], ( folded_square(E, P), develop(1, _) )).
+test(last_numbers, Ps-Last == [2147483646,2147483647]-2147483647) :-
+    in_model([], ( folded_square(2147483642, 2147483645),
+                   develop(1, D),
+                   findall(P, p(D, P, _), Ps),
+                   aggregate_all(max(E), e(D, E, _, _, _), Last) )).
 test(kept_overlap, error(geometry_error(development(1, overlap(_,_,_))))) :-
     in_model([torus(radius(2), tube(0.7), facets(12))],
              ( findall(E, ( e(1, E, A, B, _), A < B ), Es),
@@ -367,7 +396,8 @@ test(kept_overlap, error(geometry_error(development(1, overlap(_,_,_))))) :-
 test(messages, forall(( member(What, [ kind(curve), kind(pattern), kind(cells),
                                        empty, not_simple([1]), not_flat([1,2]),
                                        overlap(1,2,3), no_joint(1),
-                                       edge_length(1), no_polygon(1) ]) ))) :-
+                                       edge_length(1), no_polygon(1),
+                                       no_numbers ]) ))) :-
     in_model([box(size(1,1,1))],
              ( phrase(development_en(1, What), En),
                phrase(development_ko(1, What), Ko) )),
