@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-
 /* Asked for every i; true: the poll says stop. */
 static bool
 stops(size_t i, const sg_poll *poll, bool *stopped)
