@@ -10,24 +10,26 @@
 :- use_module(pattern_number, [seam_numbers/2]).
 :- use_module(pattern_outline, [loop_area/2]).
 :- use_module(pattern_paper,
-              [ grid_line/3, line_strokes/3, pages_checked/1, paper_checked/1,
-                pattern_paper/3, sheet_line/4, sheet_of/4 ]).
+              [ grid_line/3, line_strokes/3, page_room/3, page_sheet/2,
+                pages_checked/1, paper_checked/1, pattern_paper/3, sheet_line/4,
+                sheet_of/4 ]).
 :- use_module(pattern_piece, [pattern_pieces/3]).
 :- use_module(pattern_text, [written/4]).
+:- use_module(pattern_table,
+              [pattern_tables/4, table_line/2, table_loops/2, table_name/2]).
 :- use_module(pattern_tile, [tiled/4]).
 :- use_module(pattern_want, [wanted_text/4]).
-:- use_module(lettering, [lettering/2]).
 :- use_module(sheet_paper, [unit_millimetres/2]).
-:- use_module(true_table, [true_length_marks/4, true_length_rows/2]).
 :- autoload(library(apply), [foldl/4, foldl/6, maplist/3, maplist/4]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- autoload(library(assoc), 
+            [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
 :- autoload(library(error), [domain_error/2]).
 :- autoload(library(lists),
             [ append/2, append/3, last/2, member/2, min_list/2, nth1/3,
               sum_list/2 ]).
-:- autoload(library(option), [option/2, option/3]).
+:- autoload(library(option), [option/2, option/3, select_option/4]).
 :- autoload(library(pairs),
-            [ group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2 ]).
+            [group_pairs_by_key/2, pairs_values/2]).
 :- autoload(library(rbtrees), [list_to_rbtree/2, rb_insert_new/4]).
 /** <module> Patterns that one can make: sheets to cut, fold and glue.
 
@@ -75,9 +77,29 @@ pattern_drawing(Ds, Options, Drawings) :-
     layout_drawings(Layout, Options, Drawings0),
     (   option(tile(true), Options)
     ->  Drawings0 = [Drawing],
-        tiled(Options, Drawing, [], Drawings)
+        tiled(Options, Drawing, [], Tiles),
+        table_pages(Ds, Options, Pages),
+        append(Tiles, Pages, Drawings)
     ;   Drawings = Drawings0
     ).
+
+%   table_pages(Ds, Options, Drawings): tables on pages of their own, since tiles
+%   would cut through their rows.
+
+table_pages(Ds, Options0, Drawings) :-
+    page_sheet(Options0, Sheet),
+    option(gap(Gap), Options0, 3),
+    page_room(Sheet, Gap, Paper),
+    pattern_tables(Ds, Options0, Paper, Tables),
+    maplist(named_table, Tables, Loops),
+    nested(Loops, Paper, nested(_,Places)),
+    factor(Options0, Factor),
+    maplist(laid, Tables, Tables, Places, Laid),
+    laid_sheets(Laid, Sheets),
+    empty_assoc(None),
+    select_option(tile(_), Options0, Options, _),
+    layout_drawings(layout(Factor,Sheet,Sheets,None,None,None), Options,
+                    Drawings).
 
 
                 /*******************************
@@ -108,7 +130,8 @@ pattern_layout(Ds, Options,
     maplist(fitted_parts, Fitted, Pieces, Outlines),
     seam_numbers(Pieces, Numbers),
     maplist(named_loops, Pieces, Outlines, Loops0),
-    tables(Ds, Options, Paper, Tables, TableLoops),
+    layout_tables(Ds, Options, Paper, Tables),
+    maplist(named_table, Tables, TableLoops),
     append(Loops0, TableLoops, Loops),
     nested(Loops, Paper, nested(Size,Places0)),
     sheet_of(Options, Paper, Size, Sheet),
@@ -118,51 +141,18 @@ pattern_layout(Ds, Options,
     maplist(laid, Things, Drawn, Places, Laid),
     laid_sheets(Laid, Sheets).
 
-%   tables(Ds, Options, Paper, Tables, Loops): Tables are table(D,Marks), each
-%   with its outline. Those for which Paper is too small even with small letters
-%   are left out.
+%   layout_tables(Ds, Options, Paper, Tables): where a sheet is tiled they have
+%   pages of their own (table_pages/3).
 
-tables(Ds, Options, Paper, Tables, Loops) :-
-    (   option(table(true), Options, true)
-    ->  findall(D, ( member(D, Ds), true_length_rows(D, [_|_]) ), Trues),
-        findall(table(D,Marks)-(table(D)-[[0.0-0.0,W-0.0,W-H,0.0-H]]),
-                ( member(D, Trues), table_marks(D, Paper, Marks, W-H) ),
-                Pairs),
-        pairs_keys_values(Pairs, Tables, Loops),
-        told_tables(Trues, Tables)
-    ;   Tables = [],
-        Loops = []
+layout_tables(Ds, Options, Paper, Tables) :-
+    (   option(tile(true), Options)
+    ->  Tables = []
+    ;   pattern_tables(Ds, Options, Paper, Tables)
     ).
 
-told_tables(Trues, Tables) :-
-    length(Trues, All),
-    length(Tables, Shown),
-    (   All > Shown
-    ->  N is All-Shown,
-        print_message(informational, sanggwan(pattern(no_room(table,N))))
-    ;   true
-    ).
-
-%   table_marks(D, Paper, Marks, Size): with letters of 2.5 mm, or less if it
-%   would be larger than Paper, upright or on its side.
-
-table_marks(D, Paper, Marks, W-H) :-
-    true_length_marks(D, [], Marks0, Size0),
-    table_share(Paper, Size0, Share),
-    (   Share >= 1
-    ->  Marks = Marks0,
-        Size = Size0
-    ;   Share >= 0.5,
-        Letters is 2.5*Share,
-        true_length_marks(D, [height(Letters)], Marks, Size)
-    ),
-    Size = W0-H0,
-    W is float(W0),
-    H is float(H0).
-
-table_share(roll(_), _, 1).
-table_share(room(RoomW,RoomH,_), W-H, Share) :-
-    Share is 0.96*max(min(RoomW/W, RoomH/H), min(RoomW/H, RoomH/W)).
+named_table(Table, table(D,I)-Loops) :-
+    Table = table(D, I, _, _),
+    table_loops(Table, Loops).
 
 %   What found no place has a sheet of its own, and goes beyond it.
 
@@ -274,8 +264,9 @@ sheet_drawing(Layout, Options, Count, I-Laid, Drawing, Skipped) :-
             ),
             Placed),
     findall(View,
-            ( member(laid(table(D,Marks),_,Place), Laid),
-              table_view(D, Marks, move(Sheet,Place), Height, View)
+            ( member(laid(Table,_,Place), Laid),
+              Table = table(_, _, _, _),
+              table_view(Table, move(Sheet,Place), Height, View)
             ),
             Tables),
     findall(Line, ( member(placed(_,_,Loops,Lines,_), Placed),
@@ -421,29 +412,15 @@ view_name(name(D,K,Part), View) :-
     ;   format(atom(View), 'p~d-~d-~d', [D,K,Part])
     ).
 
-%   The table of true lengths, its letters drawn: it may lie on its side.
-
-table_view(D, Marks, Move, Height, view(Name,Strokes,[])) :-
-    format(atom(Name), 'table~d', [D]),
+table_view(Table, Move, Height, view(Name,Strokes,[])) :-
+    Table = table(D, _, _, _),
+    table_name(Table, Name),
     findall(stroke(visible,table,D,[],Points,joint,joint),
-            ( member(Mark, Marks),
-              mark_points(Mark, Points0),
+            ( table_line(Table, Points0),
               maplist(moved(Move), Points0, Points1),
               maplist(on_paper(Height), Points1, Points)
             ),
             Strokes).
-
-mark_points(line(_,Points), Points).
-mark_points(text(X,Y,High0,Text0), Points) :-
-    format(string(Text), '~w', [Text0]),
-    High is round(High0*1000),
-    lettering(text(0,0,High,middle,Text), Lines),
-    member(Line, Lines),
-    maplist(beside(X, Y), Line, Points).
-
-beside(X0, Y0, A-B, X-Y) :-
-    X is X0 + A/1000,
-    Y is Y0 - B/1000.
 
 letters_by_piece(Letters, ByPiece) :-
     findall(Name-(Role-Lines), member(letters(Role,Name,Lines), Letters),

@@ -50,10 +50,11 @@ nested(Outlines, Paper, nested(Size,Places)) :-
 
 outline_piece(way(Name,Loops,Angles,_,_), Name, piece(Angles,Loops)).
 
-%   The larger a piece is the earlier it is placed. A table, table(D), is read
-%   from below or from the right.
+%   The larger a piece is the earlier it is placed. A table, table(D,Part), is
+%   read from below or from the right.
 
-outline_ways(table(D)-Loops, Rank-way(table(D),Loops,[0.0,90.0],W,H)) :-
+outline_ways(Name-Loops, Rank-way(Name,Loops,[0.0,90.0],W,H)) :-
+    Name = table(_, _),
     !,
     append(Loops, Points),
     points_box(Points, W, H),

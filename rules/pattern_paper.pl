@@ -1,5 +1,6 @@
 :- module(sg_pattern_paper,
           [ pattern_paper/3,            % +Options, +Gap, -Paper
+            page_room/3,                % +Sheet, +Gap, -Paper
             sheet_of/4,                 % +Options, +Paper, +Size, -Sheet
             sheet_line/4,               % +Sheet, +Options, +Says, -Line
             line_strokes/3,             % +Lines, +Height, -Strokes
@@ -136,10 +137,16 @@ letter_page('letter-landscape', 279.4, 215.9).
 
 pattern_paper(Options, Gap, Paper) :-
     (   \+ option(tile(true), Options),
-        page_sheet(Options, sheet(_,_,_,_,RoomW,RoomH))
-    ->  Paper = room(RoomW, RoomH, Gap)
+        page_sheet(Options, Sheet)
+    ->  page_room(Sheet, Gap, Paper)
     ;   Paper = roll(Gap)
     ).
+
+%!  page_room(+Sheet, +Gap, -Paper) is det.
+%
+%   Paper is what pieces are nested on if Sheet is their page.
+
+page_room(sheet(_,_,_,_,RoomW,RoomH), Gap, room(RoomW,RoomH,Gap)).
 
 margin(Options, Margin) :-
     option(margin(Margin), Options, 10),

@@ -4,14 +4,19 @@
             true_length_columns/3,      % +D, +Unit, -Columns
             write_true_lengths/2,       % +D, +File
             write_true_lengths/3,       % +D, +File, +Options
-            true_length_marks/4         % +D, +Options, -Marks, -Size
+            true_length_marks/4,        % +D, +Options, -Marks, -Size
+            row_height/2                % +Height, -Row
           ]).
+:- use_module(language, [language/1]).
+:- use_module(lettering, [lettering_width/3]).
 :- use_module(output, [writing/3]).
 :- use_module(store, [e/5, origin/3, segment/3, v/5]).
 :- use_module(true_development, [developable_part/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/3, member/2, nth1/3]).
-:- autoload(library(option), [option/3]).
+:- use_module(true_words, [column_word/3]).
+:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- autoload(library(lists), 
+            [append/2, append/3, member/2, nth1/3, sum_list/2]).
+:- autoload(library(option), [option/2, option/3]).
 /** <module> Generators of a true development, and the table of true lengths.
 
 A generator is an auxiliary edge of the pattern, of no polygon, with
@@ -81,15 +86,17 @@ distance(X1-Y1, X2-Y2, D) :-
 
 %!  true_length_columns(+D, +Unit, -Columns) is det.
 %
-%   Columns is the list of the names of the columns of the table, with units;
-%   Unit is that of the model.
+%   Columns is the list of the names of the columns of the table, with units, in
+%   the language of people (language/1); Unit is that of the model.
 
-true_length_columns(D, Unit, [number, 'parameter (degrees)'|Columns]) :-
+true_length_columns(D, Unit, Columns) :-
     pattern_kind(D, Kind),
-    maplist(with_unit(Unit),
-            [length, 'step from', 'step to', diagonal], Last),
-    place_columns(Kind, Unit, First),
-    append(First, Last, Columns).
+    place_columns(Kind, Places),
+    append([[number-none,parameter-degrees], Places,
+            [length-unit,step_from-unit,step_to-unit,diagonal-unit]],
+           Names),
+    language(Language),
+    maplist(column_name(Language, Unit), Names, Columns).
 
 %   pattern_kind(D, Kind): of which surface D is.
 
@@ -100,15 +107,20 @@ pattern_kind(D, Kind) :-
     ;   Kind = cylinder
     ).
 
-place_columns(cylinder, Unit, Columns) :-
-    maplist(with_unit(Unit), [arc, from, to], Columns).
-place_columns(cone, Unit, ['angle (degrees)'|Columns]) :-
-    maplist(with_unit(Unit), ['apex to from', 'apex to to'], Columns).
-place_columns(ruled, _, []).
-place_columns(transition, _, []).
+place_columns(cylinder, [arc-unit,from-unit,to-unit]).
+place_columns(cone, [angle-degrees,apex_from-unit,apex_to-unit]).
+place_columns(ruled, []).
+place_columns(transition, []).
 
-with_unit(Unit, Name, Column) :-
-    atomic_list_concat([Name, ' (', Unit, ')'], Column).
+column_name(Language, Unit, Column-Measure, Name) :-
+    column_word(Column, Language, Word),
+    (   Measure == none
+    ->  Name = Word
+    ;   Measure == degrees
+    ->  column_word(degrees, Language, Degrees),
+        atomic_list_concat([Word, ' (', Degrees, ')'], Name)
+    ;   atomic_list_concat([Word, ' (', Unit, ')'], Name)
+    ).
 
 %!  write_true_lengths(+D, +File) is det.
 %!  write_true_lengths(+D, +File, +Options) is det.
@@ -176,18 +188,25 @@ number_text(Decimals, F, Value0, Text) :-
 %   Marks are the table as it is drawn on a sheet: line(frame, Points) and
 %   text(X, Y, Height, Text) as in sheet_marks.pl, millimetres, y up, the text
 %   centred on X; from the lower left corner 0, 0; Size is Width-Height.
-%   Options: height(H) of the letters (2.5), and those of write_true_lengths/3,
-%   with two decimals.
+%   Options: height(H) of the letters (2.5), rows(From,To): only these, under
+%   the names of the columns, and those of write_true_lengths/3, with two
+%   decimals. The columns are as wide whichever rows are drawn.
 
 true_length_marks(D, Options, Marks, Width-High) :-
     option(height(H), Options, 2.5),
-    table(D, Options, 2, Lines),
-    Lines = [Columns|_],
-    foldl(widest, Lines, Columns, Widest),
-    maplist(column_width(H), Widest, Widths),
-    foldl(plus_width, Widths, 0.0, Width),
+    table(D, Options, 2, [Columns|Rows]),
+    columns_width([Columns|Rows], H, Widths),
+    sum_list(Widths, Width),
+    length(Rows, Last),
+    (   option(rows(From,To), Options)
+    ->  true
+    ;   From = 1,
+        To = Last
+    ),
+    findall(Row, ( between(From, To, I), nth1(I, Rows, Row) ), Own),
+    Lines = [Columns|Own],
     length(Lines, Count),
-    Row is 2.0*H,
+    row_height(H, Row),
     High is Count*Row,
     findall(Mark,
             ( nth1(I, Lines, Line),
@@ -197,22 +216,25 @@ true_length_marks(D, Options, Marks, Width-High) :-
     frame_lines(Count, Row, Width, High, Widths, Frame),
     append(Frame, Texts, Marks).
 
-widest([], [], []).
-widest([A|As], [B|Bs], [C|Cs]) :-
-    atom_length(A, N),
-    atom_length(B, M),
-    (   N > M
-    ->  C = A
-    ;   C = B
-    ),
-    widest(As, Bs, Cs).
+%!  row_height(+H, -Row) is det.
+%
+%   Row is how high a row is with letters of height H.
 
-column_width(H, Text, Width) :-
-    atom_length(Text, N),
-    Width is (N+2)*0.85*H.
+row_height(H, Row) :-
+    Row is 2.0*H.
 
-plus_width(Width, Sum0, Sum) :-
-    Sum is Sum0+Width.
+columns_width(Lines, H, Widths) :-
+    Lines = [Columns|_],
+    findall(0.0, member(_, Columns), None),
+    foldl(wider_columns(H), Lines, None, Widths).
+
+wider_columns(H, Line, Widths0, Widths) :-
+    maplist(wider_column(H), Line, Widths0, Widths).
+
+wider_column(H, Text, Width0, Width) :-
+    format(string(String), '~w', [Text]),
+    lettering_width(String, H, Letters),
+    Width is max(Width0, Letters+1.7*H).
 
 line_text([Text|Texts], [Width|Widths], X0, H, Y, Mark) :-
     (   Text \== '',

@@ -8,6 +8,8 @@
 :- use_module(rules(development), [develop/2]).
 :- use_module(rules(model), [load_model/1]).
 :- use_module(rules(pattern_drawing)).
+:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(true_development), [true_development/4]).
 :- use_module(rules(pattern_number), [reads_turned/1]).
 :- use_module(rules(pattern_text), [written/4]).
 :- use_module(tests('rules/pattern_case')).
@@ -202,6 +204,25 @@ test(tiled, [ Names == ['page-A1','page-B1','page-C1'] ]) :-
     findall(Name, ( member(drawing(_,Views), Drawings),
                     member(view(Name,_,_), Views),
                     sub_atom(Name, 0, _, _, 'page-') ), Names).
+% A table is on pages of its own, or in parts; each has all its lines on one sheet.
+test(tables_are_whole, [ forall(member(Options-Least,
+                                       [ [tile(true)]-2,
+                                         [page('A4')]-2,
+                                         [page('A4'),tile(true)]-2,
+                                         []-1 ])) ]) :-
+    in_new(( developed_pipe(120, D),
+             quietly(pattern_drawing([D], Options, Drawings)) )),
+    findall(Name, table_view(Drawings, Name, _, _), Names0),
+    sort(Names0, Names),
+    length(Names, Parts),
+    assertion(same_length(Names0, Names)),
+    assertion(Parts >= Least),
+    findall(Ys, ( table_view(Drawings, _, Sheet, Strokes),
+                  assertion(closed_frame(Strokes)),
+                  assertion(on_sheet(Sheet, Strokes)),
+                  rows_of(Strokes, Ys) ), Yss),
+    sum_list(Yss, Rows),
+    assertion(Rows =:= 121+Parts).
 test(same_again) :-
     drawn(strip_pattern(12, 40, 100), [page('A4'),tabs(7),names(true)], A),
     drawn(strip_pattern(12, 40, 100), [page('A4'),tabs(7),names(true)], B),
@@ -251,6 +272,41 @@ test(wide_overlap, [ error(usage_error(pattern(overlap(100, 95.0)))) ]) :-
     drawn(cube_pattern(40), [tile(true),overlap(100)], _).
 test(no_page, [ error(usage_error(pattern(paper('B9',_)))) ]) :-
     drawn(cube_pattern(40), [page('B9')], _).
+
+developed_pipe(N, D) :-
+    add_primitive(cylinder(radius(20), height(80), facets(24)), S),
+    true_development(S, _, [generators(N)], D).
+
+table_view(Drawings, Name, Sheet, Strokes) :-
+    member(drawing(Sheet,Views), Drawings),
+    member(view(Name,Strokes,_), Views),
+    sub_atom(Name, 0, _, _, table).
+
+on_sheet(sheet(W,H,_), Strokes) :-
+    forall(( member(stroke(_,_,_,_,Points,_,_), Strokes),
+             member(X-Y, Points) ),
+           ( X >= 0, X =< W, Y >= 0, Y =< H )).
+
+% The four corners of the frame are ends of lines each.
+closed_frame(Strokes) :-
+    findall(P, ( member(stroke(_,_,_,_,[A,B],_,_), Strokes),
+                 ( P = A ; P = B ) ), Ends),
+    findall(X, member(X-_, Ends), Xs),
+    findall(Y, member(_-Y, Ends), Ys),
+    min_list(Xs, X0), max_list(Xs, X1),
+    min_list(Ys, Y0), max_list(Ys, Y1),
+    forall(( member(X, [X0,X1]), member(Y, [Y0,Y1]) ),
+           ( append(_, [X-Y|Rest], Ends), memberchk(X-Y, Rest) )).
+
+% 9 columns have 10 lines, the others are those of rows: it may lie on its side.
+% Letters are lines too, but short.
+rows_of(Strokes, Rows) :-
+    findall(A-B, member(stroke(_,_,_,_,[A,B],_,_), Strokes), Lines),
+    findall(x, ( member((X-YA)-(X-YB), Lines), abs(YA-YB) > 20000 ), Ups),
+    findall(x, ( member((XA-Y)-(XB-Y), Lines), abs(XA-XB) > 20000 ), Across),
+    length(Ups, U),
+    length(Across, A),
+    Rows is max(U, A)-1.
 
 plate_strip :-
     strip_pattern(12, 40, 400).

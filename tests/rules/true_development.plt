@@ -1,3 +1,4 @@
+:- encoding(utf8).
 /* True developments: rules/true_development.pl and what it is made of. */
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
@@ -14,6 +15,7 @@
 :- use_module(rules(true_plate)).
 :- use_module(rules(true_rim)).
 :- use_module(rules(development)).
+:- use_module(rules(true_words), [column_word/3]).
 :- use_module(rules(true_table)).
 
 :- begin_tests(true_development).
@@ -465,6 +467,25 @@ test(csv, true(Lines == ["number,parameter (degrees),arc (mm),from (mm),\c
           split_string(Text, "\n", "", Lines0),
           once(append(Lines, [""], Lines0)) ),
         delete_file(File)).
+test(csv_ko, true(Columns == ["번호","매개각 (도)","호 (mm)","아래 끝 (mm)",
+                             "위 끝 (mm)","실장 (mm)","아래 간격 (mm)",
+                             "위 간격 (mm)","대각선 (mm)"])) :-
+    current_prolog_flag(message_language, Before),
+    tmp_file_stream(text, File, Stream),
+    close(Stream),
+    setup_call_cleanup(
+        set_prolog_flag(message_language, ko),
+        developed(cylinder(radius(5), height(8), facets(6)), [generators(2)],
+                  D, write_true_lengths(D, File)),
+        set_prolog_flag(message_language, Before)),
+    read_file_to_string(File, Text, [encoding(utf8)]),
+    delete_file(File),
+    split_string(Text, "\n", "", [First|_]),
+    split_string(First, ",", "", Columns).
+% Every column of every kind of surface has a name in both languages.
+test(columns_in_both_languages, true(Ones == Others)) :-
+    findall(Column, column_word(Column, en, _), Ones),
+    findall(Column, column_word(Column, ko, _), Others).
 test(table_on_a_sheet, true(Texts == 33)) :-
     developed(cylinder(radius(5), height(8), facets(6)), [generators(2)], D,
               ( true_length_marks(D, [height(3)], Marks, Width-Height),
