@@ -5,7 +5,8 @@
 :- use_module(store, [e/5, from_v/4, joint/6, p/3, t/6, v/5]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [append/2, member/2, nth0/3, select/3]).
+:- autoload(library(lists), 
+            [append/2, member/2, nth0/3, reverse/2, select/3]).
 :- autoload(library(option), [option/3]).
 /** <module> FOLD: a pattern for programs that fold.
 
@@ -15,14 +16,18 @@ Coordinates are in units of the model. An edge is
 
   - `B`: a side that is cut
   - `M`, `V`: a fold away from the reader or towards the reader
-  - `F`: a fold of 0 degrees
-  - `U`: a penetration line inside a face
+  - `F`: a fold of 0 degrees, or a penetration line inside a face: a line that is
+    there, and not folded
   - `J`: no line at all; FOLD has no faces with holes, such a face is written as
     its triangles
 
 Custom fields say what things are in the model and in its pattern:
 `sanggwan:edges_edge` and `sanggwan:edges_joint` (0: none),
 `sanggwan:faces_polygon`, `sanggwan:faces_segment`.
+
+Faces are counter-clockwise as they are seen in the plane; this side is the outside
+of the model, or, on request, its inside: then the pattern is a mirror image,
+mountains are valleys, and the normals of the folded form look inwards.
 
 @see https://github.com/edemaine/fold/blob/main/doc/spec.md
 */
@@ -31,8 +36,8 @@ Custom fields say what things are in the model and in its pattern:
 
 %!  write_fold(+File, +Ds, +Options) is det.
 %
-%   Write the patterns Ds to File. Options: title(Text); unit(U), as for
-%   pattern_drawing/3.
+%   Write the patterns Ds to File. Options: title(Text); unit(U) and inside(Bool),
+%   as for pattern_drawing/3.
 
 write_fold(File, Ds, Options) :-
     writing(File, text, fold_written(Ds, Options)).
@@ -42,8 +47,12 @@ fold_written(Ds, Options, Out) :-
     sort(Vertices0, Vertices),
     findall(Vertex-I, nth0(I, Vertices, Vertex), Numbers0),
     list_to_assoc(Numbers0, Numbers),
-    findall(Face, ( member(D, Ds), fold_face(D, Face) ), Faces),
-    findall(Edge, ( member(D, Ds), fold_edge(D, Edge) ), Edges0),
+    (   option(inside(true), Options)
+    ->  From = inside
+    ;   From = outside
+    ),
+    findall(Face, ( member(D, Ds), seen_face(From, D, Face) ), Faces),
+    findall(Edge, ( member(D, Ds), seen_edge(From, D, Edge) ), Edges0),
     findall(Edge, inner_edge(Faces, Edge), Edges1),
     sort(1, @<, Edges1, Edges2),
     sort(1, @<, Edges0, Own),
@@ -51,13 +60,22 @@ fold_written(Ds, Options, Out) :-
     append([Own,Joins], Edges),
     option(title(Title), Options, ''),
     option(unit(Unit), Options, mm),
-    head(Out, Title, Unit),
-    members(Out, vertices_coords, Vertices, flat_point),
+    frame_attributes(Joins, Attributes),
+    head(Out, Title, Unit, Attributes),
+    members(Out, vertices_coords, Vertices, flat_point(From)),
     write_edges(Out, Edges, Numbers),
     write_faces(Out, Faces, Numbers),
-    folded_frame(Out, Vertices).
+    folded_frame(Out, Vertices, Attributes).
 
-head(Out, Title, Unit) :-
+%   What the specification asks for where there are edges that are no lines.
+
+frame_attributes(Joins, Attributes) :-
+    (   Joins == []
+    ->  Attributes = ''
+    ;   Attributes = ', "joins"'
+    ).
+
+head(Out, Title, Unit, Attributes) :-
     text_to_string(Title, String),
     json_string(String, Text),
     fold_unit(Unit, FoldUnit),
@@ -68,8 +86,8 @@ head(Out, Title, Unit) :-
     ),
     format(Out, '"file_classes": ["singleModel"],~n\c
                  "frame_classes": ["creasePattern"],~n\c
-                 "frame_attributes": ["2D"],~n"frame_unit": "~w",~n',
-           [FoldUnit]).
+                 "frame_attributes": ["2D"~w],~n"frame_unit": "~w",~n',
+           [Attributes,FoldUnit]).
 
 fold_unit(mm, mm) :- !.
 fold_unit(cm, cm) :- !.
@@ -105,9 +123,13 @@ written_member(Out, Value, Item, Before, ',\n') :-
     call(Value, Item, Text),
     format(Out, '~w~w', [Before,Text]).
 
-flat_point(D-W, Text) :-
-    v(D, W, X, Y, _),
+flat_point(From, D-W, Text) :-
+    v(D, W, X0, Y, _),
     !,
+    (   From == inside
+    ->  X is 0.0-X0
+    ;   X = X0
+    ),
     format(atom(Text), '[~w,~w]', [X,Y]).
 
 
@@ -115,7 +137,14 @@ flat_point(D-W, Text) :-
                 *        FACES, EDGES          *
                 *******************************/
 
-%   face(D, P, Ws): a loop of vertices, counter-clockwise.
+%   face(D, P, Ws): a loop of vertices, counter-clockwise as it is seen.
+
+seen_face(outside, D, Face) :-
+    fold_face(D, Face).
+seen_face(inside, D, face(D,P,Ws)) :-
+    fold_face(D, face(D,P,Ws0)),
+    reverse(Ws0, Ws).
+
 
 fold_face(D, face(D,P,Ws)) :-
     p(D, P, Es),
@@ -142,7 +171,19 @@ loop_on(Steps, W, Start, [W|Ws]) :-
     loop_on(Rest, Next, Start, Ws).
 
 %   edge(D,Low,High)-as(Assignment, Angle, E, J): in FOLD an angle above zero is
-%   a valley.
+%   a valley, and one that is not folded has the angle 0.
+
+seen_edge(outside, D, Edge) :-
+    fold_edge(D, Edge).
+seen_edge(inside, D, Ends-as(Assignment,Angle,E,J)) :-
+    fold_edge(D, Ends-as(Assignment0,Angle0,E,J)),
+    turned_assignment(Assignment0, Assignment),
+    Angle is -Angle0.
+
+turned_assignment('M', 'V') :- !.
+turned_assignment('V', 'M') :- !.
+turned_assignment(Assignment, Assignment).
+
 
 fold_edge(D, Edge) :-
     fold_joints(D, Joints),
@@ -164,12 +205,12 @@ assigned_edge(D, E, Joints, edge(D,Low,High)-as(Assignment,Angle,E,J)) :-
     ;   Et =:= 1,
         J = 0,
         Assignment = 'B',
-        Angle = null
+        Angle = 0
     ),
     msort([W1,W2], [Low,High]).
 
-assigned(seam, _, 'B', null).
-assigned(line, _, 'U', 0).
+assigned(seam, _, 'B', 0).
+assigned(line, _, 'F', 0).
 assigned(fold, Bend, Assignment, Angle) :-
     (   abs(Bend) < 1.0e-9
     ->  Assignment = 'F',
@@ -234,11 +275,12 @@ face_segment(face(D,_,_), D).
 
 %   The second frame, if all vertices of the pattern are vertices of the model.
 
-folded_frame(Out, Vertices) :-
+folded_frame(Out, Vertices, Attributes) :-
     (   maplist(model_point, Vertices, Points)
     ->  format(Out, '"file_frames": [{~n"frame_classes": ["foldedForm"],~n\c
-                     "frame_attributes": ["3D"],~n"frame_parent": 0,~n\c
-                     "frame_inherit": true,~n"vertices_coords": [', []),
+                     "frame_attributes": ["3D"~w],~n"frame_parent": 0,~n\c
+                     "frame_inherit": true,~n"vertices_coords": [',
+               [Attributes]),
         foldl(written_member(Out, =), Points, '\n', _),
         format(Out, '~n]~n}]~n}~n', [])
     ;   format(Out, '"file_frames": []~n}~n', [])

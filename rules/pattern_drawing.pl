@@ -83,8 +83,8 @@ pattern_drawing(Ds, Options, Drawings) :-
     ;   Drawings = Drawings0
     ).
 
-%   table_pages(Ds, Options, Drawings): tables on pages of their own, since tiles
-%   would cut through their rows.
+%   table_pages(Ds, Options, Drawings): tables on pages of their own, since
+%   tiles would cut through their rows.
 
 table_pages(Ds, Options0, Drawings) :-
     page_sheet(Options0, Sheet),

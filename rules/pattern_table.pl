@@ -22,8 +22,8 @@ true_length_marks/4, Size W-H.
 
 :- set_prolog_flag(optimise, true).
 
-% Letters, in millimetres: so high, or lower if the paper is narrow, down to what
-% can be read.
+% Letters, in millimetres: so high, or lower if the paper is narrow, down to
+% what can be read.
 letters(2.5).
 least_letters(1.25).
 

@@ -1,10 +1,11 @@
 """fold_check.py -- a FOLD file, looked at by somebody else's JSON reader.
 
-    python3 fold_check.py FILE.fold FACES PIECES
+    python3 fold_check.py FILE.fold FACES EULER
 
 Its numbers fit each other; each edge has the same length flat and folded, each
-face too; folds are as sharp as their angles say; the Euler number is that of
-PIECES discs.
+face too; folds are as sharp as their angles say, and valleys are where the
+normals of the folded faces point into each other; the Euler number is
+EULER, 1 for each piece less 1 for each hole.
 """
 import json
 import math
@@ -12,7 +13,7 @@ import sys
 
 with open(sys.argv[1]) as file:
     fold = json.load(file)
-faces, pieces = int(sys.argv[2]), int(sys.argv[3])
+faces, euler = int(sys.argv[2]), int(sys.argv[3])
 flat = [(x, y, 0.0) for x, y in fold["vertices_coords"]]
 edges = fold["edges_vertices"]
 assert fold["file_spec"] >= 1.1 and fold["file_creator"] == "Sanggwan"
@@ -30,9 +31,11 @@ for f, face in enumerate(fold["faces_vertices"]):
     for a, b in zip(face, face[1:] + face[:1]):
         sides.setdefault(known[tuple(sorted((a, b)))], []).append(f)
 for i, assignment in enumerate(fold["edges_assignment"]):
-    assert assignment in "BMVFUJ"
+    assert assignment in "BMVFJ"
     assert len(sides[i]) == (1 if assignment == "B" else 2), i
-assert len(flat) - len(edges) + faces == pieces
+assert len(flat) - len(edges) + faces == euler
+attributes = fold["frame_attributes"]
+assert ("joins" in attributes) == ("J" in fold["edges_assignment"])
 
 frame, = fold["file_frames"]
 assert frame["frame_classes"] == ["foldedForm"] and frame["frame_inherit"]
@@ -59,5 +62,10 @@ for i, (a, b) in enumerate(edges):
             x * y for x, y in zip(one, two))))))
         assert abs(abs(angle) - bend) < 1e-4, (angle, bend)
         assert (angle > 0) == (fold["edges_assignment"][i] == "V")
+        if 1 < bend < 179:
+            other = fold["faces_vertices"][sides[i][1]]
+            above = sum(one[k] * (folded[v][k] - folded[a][k])
+                        for v in other for k in range(3))
+            assert (above > 0) == (angle > 0), (i, above, angle)
     else:
-        assert angle in (0, None)
+        assert angle == 0

@@ -78,5 +78,27 @@ else
 fi
 
 check "FOLD: a box" python3 tests/cli/fold_check.py "$work/box.fold" 6 1
+# From inside: mirrored, valleys for mountains.
+# The Euler number is that of the pieces less their holes: fig12 has two rings.
+for model in patterns/house:1 patterns/fig12:0 cube:1 hollow_block:-1; do
+  for side in outside inside; do
+    option=$([ $side = inside ] && echo --inside)
+    ./sanggwan unfold -q $option --only 1 "facts/${model%:*}.pl" \
+      -o "$work/x.fold" \
+      >"$work/out" 2>"$work/err" </dev/null
+    faces=$(python3 -c 'import json, sys
+print(len(json.load(open(sys.argv[1]))["faces_vertices"]))' "$work/x.fold")
+    check "FOLD: $model from $side" \
+      python3 tests/cli/fold_check.py "$work/x.fold" "$faces" "${model#*:}"
+  done
+done
+mountains() { grep -o '"M"' "$1" | wc -l; }
+valleys() { grep -o '"V"' "$1" | wc -l; }
+./sanggwan unfold -q facts/patterns/house.pl -o "$work/out.fold" >"$work/out"
+./sanggwan unfold -q --inside facts/patterns/house.pl -o "$work/in.fold" \
+  >"$work/out"
+check "FOLD: mountains are valleys from inside" eval \
+  '[ $(mountains "$work/out.fold") -gt 0 ] && \
+   [ $(mountains "$work/out.fold") = $(valleys "$work/in.fold") ]'
 check "FOLD: a sphere" python3 tests/cli/fold_check.py "$work/sphere.fold" 288 1
 finish

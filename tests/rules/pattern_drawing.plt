@@ -204,7 +204,7 @@ test(tiled, [ Names == ['page-A1','page-B1','page-C1'] ]) :-
     findall(Name, ( member(drawing(_,Views), Drawings),
                     member(view(Name,_,_), Views),
                     sub_atom(Name, 0, _, _, 'page-') ), Names).
-% A table is on pages of its own, or in parts; each has all its lines on one sheet.
+% A table is on pages of its own, or in parts; each has its lines on one sheet.
 test(tables_are_whole, [ forall(member(Options-Least,
                                        [ [tile(true)]-2,
                                          [page('A4')]-2,
