@@ -36,6 +36,7 @@ typedef struct nesting {
   unsigned w, h; /* of a page */
   page *page;
   size_t pages, room;
+  uint64_t work;
   const sg_poll *poll;
   bool *memory;
 } nesting;
@@ -249,7 +250,7 @@ widen(mask *m, unsigned gap)
 
 /* False: no memory. A piece that is larger than a page has no squares. */
 static bool
-make_mask(const nesting *n, const sg_nest_piece *piece, double degrees, mask *m)
+make_mask(nesting *n, const sg_nest_piece *piece, double degrees, mask *m)
 {
   unsigned gap = n->paper->gap;
   double high[2], square = n->paper->square;
@@ -267,6 +268,7 @@ make_mask(const nesting *n, const sg_nest_piece *piece, double degrees, mask *m)
     m->w = (unsigned)w + 2 * gap;
     m->h = (unsigned)h + 2 * gap;
     m->square = calloc((size_t)m->w * m->h, 1);
+    n->work += (uint64_t)m->w * m->h;
     ok = m->square && cover_piece(m, gap, piece, (const double(*)[2])at);
     if (ok) {
       widen(m, gap);
@@ -332,6 +334,7 @@ add_page(nesting *n)
   }
   page *p = &n->page[n->pages];
 
+  n->work += wide * n->h;
   p->next = malloc(wide * n->h * sizeof *p->next);
   p->left = (size_t)n->w * n->h;
   if (!p->next) {
@@ -345,20 +348,24 @@ add_page(nesting *n)
 }
 
 /* How far right the runs have to go, at least, to be free in column x, row y:
- * 0, if they are. */
+ * 0, if they are. The run *first, which was in the way before, is asked first,
+ * and becomes the one that is now. */
 static unsigned
-hindrance(const nesting *n, const page *p, const runs *r, unsigned x,
-          unsigned y)
+hindrance(nesting *n, const page *p, const runs *r, unsigned x, unsigned y,
+          size_t *first)
 {
-  size_t wide = (size_t)n->w + 1;
+  size_t wide = (size_t)n->w + 1, i = *first;
 
-  for (size_t i = 0; i < r->n; i++) {
+  for (size_t left = r->n; left > 0; left--) {
     const run *one = &r->at[i];
     unsigned taken = p->next[(y + one->row) * wide + x + one->from];
 
+    n->work++;
     if (taken <= x + one->to && taken < n->w) {
+      *first = i;
       return taken - one->from + 1 - x;
     }
+    i = i + 1 < r->n ? i + 1 : 0;
   }
   return 0;
 }
@@ -366,16 +373,18 @@ hindrance(const nesting *n, const page *p, const runs *r, unsigned x,
 /* The lowest, then leftmost, place where the runs are free and reach up less
  * than `top` rows. False also when stopped: *n->memory is true then. */
 static bool
-find_place(const nesting *n, const page *p, const mask *m, const runs *r,
+find_place(nesting *n, const page *p, const mask *m, const runs *r,
            unsigned top, unsigned *x_out, unsigned *y_out)
 {
+  size_t first = 0;
+
   for (unsigned y = 0; y + m->h <= n->h && y + m->h < top; y++) {
     if (sg_poll_stop(n->poll)) {
       *n->memory = true;
       return false;
     }
     for (unsigned x = 0; x + m->w <= n->w;) {
-      unsigned step = hindrance(n, p, r, x, y);
+      unsigned step = hindrance(n, p, r, x, y, &first);
 
       if (step == 0) {
         *x_out = x;
@@ -427,7 +436,7 @@ clear_masks(mask *m, runs *r, size_t n)
 }
 
 static bool
-best_choice(const nesting *n, const page *p, const mask *m, const runs *r,
+best_choice(nesting *n, const page *p, const mask *m, const runs *r,
             size_t angles, choice *best)
 {
   unsigned x, y;
@@ -509,7 +518,7 @@ place_piece(nesting *n, const sg_nest_piece *piece, sg_nest_place *place)
 
 bool
 sg_nest(const sg_nest_paper *paper, const sg_nest_piece *piece, size_t n,
-        sg_nest_place *place, const sg_poll *poll, bool *memory)
+        sg_nest_place *place, uint64_t *work, const sg_poll *poll, bool *memory)
 {
   nesting all = {.paper = paper, .poll = poll, .memory = memory};
   bool ok = true;
@@ -524,6 +533,9 @@ sg_nest(const sg_nest_paper *paper, const sg_nest_piece *piece, size_t n,
     free(all.page[i].next);
   }
   free(all.page);
+  if (work) {
+    *work += all.work;
+  }
   *memory = ok || *memory;
   return ok;
 }

@@ -39,9 +39,12 @@ typedef struct sg_nest_paper {
   bool one;      /* a single sheet: what does not fit has no place */
 } sg_nest_paper;
 
-/* False: stopped by the poll, or no memory (then *memory is false). */
+/* False: stopped by the poll, or no memory (then *memory is false). *work,
+ * which may be NULL, grows by how many squares and runs of squares were looked
+ * at: a measure of time that is the same on every machine. */
 bool sg_nest(const sg_nest_paper *paper, const sg_nest_piece *piece, size_t n,
-             sg_nest_place *place, const sg_poll *poll, bool *memory);
+             sg_nest_place *place, uint64_t *work, const sg_poll *poll,
+             bool *memory);
 
 /* True if the raster of a sheet has a sane number of squares. */
 bool sg_nest_paper_is_valid(const sg_nest_paper *paper);

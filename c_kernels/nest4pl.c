@@ -1,4 +1,4 @@
-/* nest4pl.c -- nest/6 and the shapes_*() doors (documented in kernel.pl).
+/* nest4pl.c -- nest/7 and the shapes_*() doors (documented in kernel.pl).
  *
  * Layer: glue: converts, checks, raises; computes nothing.
  */
@@ -265,18 +265,21 @@ unify_places(term_t list, const sg_nest_place *place, size_t n)
 }
 
 static int
-nest_pieces(const sg_nest_paper *paper, term_t pieces, size_t n, term_t places)
+nest_pieces(const sg_nest_paper *paper, term_t pieces, size_t n, term_t places,
+            term_t work)
 {
+  uint64_t looked = 0;
   sg_nest_piece *piece = calloc(n + 1, sizeof *piece);
   sg_nest_place *place = calloc(n + 1, sizeof *place);
   int ok = (piece && place) || sg_no_memory();
   bool memory;
 
   ok = ok && get_pieces_ex(pieces, piece);
-  if (ok && !sg_nest(paper, piece, n, place, &sg_prolog_poll, &memory)) {
+  if (ok &&
+      !sg_nest(paper, piece, n, place, &looked, &sg_prolog_poll, &memory)) {
     ok = memory ? FALSE : sg_no_memory();
   }
-  ok = ok && unify_places(places, place, n);
+  ok = ok && unify_places(places, place, n) && PL_unify_uint64(work, looked);
   if (piece) {
     clear_pieces(piece, n);
   }
@@ -284,10 +287,10 @@ nest_pieces(const sg_nest_paper *paper, term_t pieces, size_t n, term_t places)
   return ok;
 }
 
-/* nest(+Size, +Square, +Gap, +One, +Pieces, -Places) is det. */
+/* nest(+Size, +Square, +Gap, +One, +Pieces, -Places, -Work) is det. */
 static foreign_t
 nest(term_t size, term_t square, term_t gap, term_t one, term_t pieces,
-     term_t places)
+     term_t places, term_t work)
 {
   sg_nest_paper paper;
   double at[2];
@@ -313,7 +316,7 @@ nest(term_t size, term_t square, term_t gap, term_t one, term_t pieces,
   if (PL_skip_list(pieces, 0, &n) != PL_LIST) {
     return PL_type_error("list", pieces);
   }
-  return nest_pieces(&paper, pieces, n, places);
+  return nest_pieces(&paper, pieces, n, places, work);
 }
 
 void
@@ -323,7 +326,7 @@ sg_install_nest(void)
       {"shapes_open", 2, (pl_function_t)shapes_open, 0},
       {"shapes_add", 2, (pl_function_t)shapes_add, 0},
       {"shapes_free", 3, (pl_function_t)shapes_free, 0},
-      {"nest", 6, (pl_function_t)nest, 0},
+      {"nest", 7, (pl_function_t)nest, 0},
       {NULL, 0, NULL, 0}};
 
   FUNCTOR_minus2 = PL_new_functor(PL_new_atom("-"), 2);

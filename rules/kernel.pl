@@ -170,8 +170,8 @@
             shapes_open/2,            % +Size, -Shapes
             shapes_add/2,             % +Shapes, +Shape
             shapes_free/3,            % +Shapes, +Shape, +Tolerance
-            nest/6,                   % +Size, +Square, +Gap, +One, +Pieces,
-                                      % -Places
+            nest/7,                   % +Size, +Square, +Gap, +One, +Pieces,
+                                      % -Places, -Work
             % exact4pl.c
             exact_fallbacks/1,        % -Count
             exact_statistics/1,       % -Statistics
@@ -626,15 +626,16 @@ glue file.
 %   True when no shape of Shapes overlaps Shape deeper than Tolerance, 0 or
 %   more; how deep is how far one of the two has to be moved to be free.
 
-%!  nest(+Size, +Square, +Gap, +One, +Pieces, -Places) is det.
+%!  nest(+Size, +Square, +Gap, +One, +Pieces, -Places, -Work) is det.
 %
 %   Lays Pieces, each piece(Degrees,Loops), on sheets of Size, W-H: one after
 %   the other, on the first sheet that takes it, as low and then as far left as
 %   can be, turned by one of the Degrees; on a raster of Square, Gap squares of
 %   which at least stay free between pieces. Loops are lists of X-Y. One: there
 %   is a single sheet. Each of Places is place(Sheet,Turn,DX,DY): the piece,
-%   turned counterclockwise, goes DX,DY; Sheet 0 if it fits on none. See
-%   c_kernels/nest.h.
+%   turned counterclockwise, goes DX,DY; Sheet 0 if it fits on none. Work is how
+%   many squares were looked at: a measure of time that is the same everywhere.
+%   See c_kernels/nest.h.
 
 /* - - - exact4pl.c - - - */
 

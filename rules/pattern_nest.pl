@@ -3,19 +3,23 @@
             fits_on/2,                  % +Points, +Paper
             least_box/4                 % +Points, -Degrees, -Width, -Height
           ]).
-:- use_module(kernel, [nest/6]).
+:- use_module(kernel, [nest/7]).
+:- use_module(pattern_text, [first_of/3]).
 :- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists),
-            [ append/2, append/3, last/2, max_list/2, member/2, reverse/2,
-              sum_list/2
+            [ append/2, append/3, last/2, max_list/2, member/2, nth0/4, nth1/3,
+              reverse/2, sum_list/2
             ]).
 :- autoload(library(pairs), [pairs_keys_values/3, pairs_values/2]).
 /** <module> Pieces laid on sheets: turned, close together, none on another.
 
-The kernel nest/6 places them; here it is decided at which angles and in which
-order they are tried: upright, lying and with the least box round them; the
-large ones first. Paper is what is free of a sheet,
+The kernel nest/7 places them one by one, as low as can be; here it is decided at
+which angles, in which order and from which side of the sheet: upright, lying
+and with the least box round them. Some usual orders are tried, large ones first,
+then exchanges in the best one, as many as there is time for: that is measured by the
+squares that were looked at, not by a clock, and chance is a row of numbers that
+is always the same. Paper is what is free of a sheet,
 
     room(Width, Height, Gap)     a page, as many as are needed
     roll(Gap)                    one sheet, as large as needed
@@ -25,6 +29,15 @@ in millimetres; Gap is how far apart pieces stay.
 
 :- set_prolog_flag(optimise, true).
 
+% What all trials together may look at, in squares and the like (nest/7): a
+% second or so. The last one may take more.
+most_work(6.0e7).
+most_trials(200).
+
+% With so many pieces the raster is fine: fewer gain nothing by it, more would
+% take too long.
+fine_pieces(8, 200).
+
 %!  nested(+Outlines, +Paper, -Nested) is det.
 %
 %   Nested is nested(Size,Places). Outlines are Name-Loops, lists of X-Y; Places
@@ -33,33 +46,22 @@ in millimetres; Gap is how far apart pieces stay.
 %   needed of a roll.
 
 nested(Outlines, Paper, nested(Size,Places)) :-
-    maplist(outline_ways, Outlines, Ranked0),
-    keysort(Ranked0, Ranked),
-    pairs_values(Ranked, Sorted),
-    maplist(outline_piece, Sorted, Names, Pieces),
-    paper_nesting(Paper, Sorted, W-H, One, Gap),
-    square(W, H, Gap, Paper, Square),
-    Squares is max(1, ceiling(Gap/Square)),
-    nest(W-H, Square, Squares, One, Pieces, Places0),
-    pairs_keys_values(Pairs0, Names, Places0),
-    list_to_assoc(Pairs0, ByName),
+    maplist(outline_way, Outlines, Ways),
+    best_trial(Ways, Paper, trial(_,_,Pairs,Size)),
+    list_to_assoc(Pairs, ByName),
     findall(Name-Place,
             ( member(Name-_, Outlines), get_assoc(Name, ByName, Place) ),
-            Places),
-    used_size(Paper, W-H, Sorted, Pairs0, Size).
+            Places).
 
-outline_piece(way(Name,Loops,Angles,_,_), Name, piece(Angles,Loops)).
+%   way(Name,Loops,Angles,Width,Height): at which angles a piece is tried, and
+%   its box. A table, table(D,Part), is read from below or from the right.
 
-%   The larger a piece is the earlier it is placed. A table, table(D,Part), is
-%   read from below or from the right.
-
-outline_ways(Name-Loops, Rank-way(Name,Loops,[0.0,90.0],W,H)) :-
+outline_way(Name-Loops, way(Name,Loops,[0.0,90.0],W,H)) :-
     Name = table(_, _),
     !,
     append(Loops, Points),
-    points_box(Points, W, H),
-    Rank is -round(1000*max(W,H)).
-outline_ways(Name-Loops, Rank-way(Name,Loops,Angles,Width,Height)) :-
+    points_box(Points, W, H).
+outline_way(Name-Loops, way(Name,Loops,Angles,Width,Height)) :-
     append(Loops, Points),
     points_box(Points, W, H),
     least_box(Points, Degrees, LeastW, LeastH),
@@ -74,11 +76,183 @@ outline_ways(Name-Loops, Rank-way(Name,Loops,Angles,Width,Height)) :-
                   ( Angle is Degrees+Turn ; Angle = Turn )
                 ),
                 Angles)
-    ),
-    Rank is -round(1000*max(W,H)).
+    ).
 
-paper_nesting(room(W,H,Gap), _, W-H, false, Gap).
-paper_nesting(roll(Gap), Ways, Width-Height, true, Gap) :-
+
+                /*******************************
+                *            TRIALS            *
+                *******************************/
+
+%   trial(Score,How,Pairs,Size): How is how(Ways,Side), in which order and from
+%   which side; Pairs are Name-Place.
+
+best_trial(Ways, Paper, Best) :-
+    findall(how(Sorted,Side),
+            ( member(Key, [longest,area,higher,wider]),
+              sorted_ways(Key, Ways, Sorted),
+              paper_side(Paper, Side)
+            ),
+            [First|Hows0]),
+    most_work(Most),
+    tried(Paper, First, Trial, Most, Left0),
+    possible_trials(Ways, Paper, Possible),
+    first_of(Possible, Hows0, Hows),
+    length(Hows, N),
+    Others is Possible-N,
+    better_trials(Hows, Paper, Trial, Better, Left0, Left),
+    exchanged(Others, Paper, 1, Better, Best, Left).
+
+%   possible_trials(Ways, Paper, Count): after the first one; one piece needs
+%   none, and few pieces have few orders.
+
+possible_trials(Ways, Paper, Count) :-
+    length(Ways, N),
+    findall(Side, paper_side(Paper, Side), Sides),
+    length(Sides, S),
+    orders(N, Orders),
+    most_trials(Most),
+    Count is min(Most, (Orders-1)*S).
+
+%   So many orders there are of N pieces, if not more.
+
+orders(N, Orders) :-
+    (   N =< 1
+    ->  Orders = 1
+    ;   N > 5
+    ->  Orders = 720
+    ;   N1 is N-1,
+        orders(N1, Orders1),
+        Orders is N*Orders1
+    ).
+
+sorted_ways(Key, Ways, Sorted) :-
+    findall(Rank-Way,
+            ( member(Way, Ways), way_rank(Key, Way, Rank) ),
+            Ranked0),
+    keysort(Ranked0, Ranked),
+    pairs_values(Ranked, Sorted).
+
+%   The larger a piece is the earlier it is placed.
+
+way_rank(longest, way(_,_,_,W,H), Rank) :-
+    Rank is -round(1000*max(W,H)).
+way_rank(area, way(_,_,_,W,H), Rank) :-
+    Rank is -round(1000*W*H).
+way_rank(higher, way(_,_,_,W,H), Rank) :-
+    Rank is -round(1000*(min(W,H) + 0.1*max(W,H))).
+way_rank(wider, way(_,_,_,W,H), Rank) :-
+    Rank is -round(1000*(W+H)).
+
+%   From below; from the left too, if that is another thing. A roll may be wider
+%   or narrower than usual.
+
+paper_side(room(_,_,_), Side) :-
+    member(Side, [below,left]).
+paper_side(roll(_), width(Share)) :-
+    member(Share, [1.0,0.85,1.2]).
+
+better_trials([], _, Trial, Trial, Left, Left).
+better_trials([How|Hows], Paper, Trial0, Trial, Left0, Left) :-
+    better_trial(Paper, How, Trial0, Trial1, Left0, Left1),
+    better_trials(Hows, Paper, Trial1, Trial, Left1, Left).
+
+%   better_trial(Paper, How, Trial0, Trial, Left0, Left): Left is what is left
+%   of the work that may be done; without any Trial0 stays.
+
+better_trial(_, _, Trial, Trial, Left, Left) :-
+    Left =< 0,
+    !.
+better_trial(Paper, How, Trial0, Trial, Left0, Left) :-
+    tried(Paper, How, Trial1, Left0, Left),
+    Trial0 = trial(Score0, _, _, _),
+    Trial1 = trial(Score1, _, _, _),
+    (   score_less(Score1, Score0)
+    ->  Trial = Trial1
+    ;   Trial = Trial0
+    ).
+
+%   Better by next to nothing is no reason to move anything.
+
+score_less(score(Left1,Sheets1,Used1), score(Left0,Sheets0,Used0)) :-
+    (   Left1-Sheets1 @< Left0-Sheets0
+    ->  true
+    ;   Left1-Sheets1 == Left0-Sheets0,
+        Used1 < 0.99*Used0
+    ).
+
+%   exchanged(Count, Paper, Chance, Trial0, Trial, Left): Count times one piece
+%   is put elsewhere in the order, as long as work is Left; what is better stays.
+
+exchanged(Count, _, _, Trial, Trial, Left) :-
+    ( Count =< 0 ; Left =< 0 ),
+    !.
+exchanged(Count, Paper, Chance0, Trial0, Trial, Left0) :-
+    Trial0 = trial(_, how(Ways0,Side), _, _),
+    length(Ways0, N),
+    next_chance(Chance0, Chance1),
+    next_chance(Chance1, Chance2),
+    From is Chance1 mod N,
+    To is Chance2 mod N,
+    nth0(From, Ways0, Way, Others),
+    To1 is min(To, N-1),
+    nth0(To1, Ways, Way, Others),
+    (   From =:= To1
+    ->  Trial1 = Trial0,
+        Left = Left0
+    ;   better_trial(Paper, how(Ways,Side), Trial0, Trial1, Left0, Left)
+    ),
+    Count1 is Count-1,
+    exchanged(Count1, Paper, Chance2, Trial1, Trial, Left).
+
+%   The upper bits of a linear congruential generator (Knuth, TAOCP 2, 3.3.4).
+
+next_chance(Chance0, Chance) :-
+    Chance is (Chance0*6364136223846793005 + 1442695040888963407)
+              /\ 0xffffffffffffffff >> 11.
+
+%   tried(Paper, How, Trial, Left0, Left): the pieces placed.
+
+tried(Paper, how(Ways,Side), trial(Score,how(Ways,Side),Pairs,Size), Left0,
+      Left) :-
+    length(Ways, N),
+    maplist(way_piece(Side), Ways, Names, Pieces),
+    paper_nesting(Paper, Side, Ways, W-H, One, Gap),
+    square(W, H, Gap, Paper, N, Square),
+    Squares is max(1, ceiling(Gap/Square)),
+    nest(W-H, Square, Squares, One, Pieces, Places0, Work),
+    Left is Left0-Work,
+    maplist(seen_place(Side, W), Places0, Places),
+    pairs_keys_values(Pairs, Names, Places),
+    used_size(Paper, Ways, Places, Size, Used),
+    findall(x, member(place(0,_,_,_), Places), Xs),
+    length(Xs, Unplaced),
+    findall(I, member(place(I,_,_,_), Places), Is),
+    max_list([0|Is], Sheets),
+    Score = score(Unplaced, Sheets, Used).
+
+way_piece(Side, way(Name,Loops,Angles0,_,_), Name, piece(Angles,Loops)) :-
+    (   Side == left,
+        Name = table(_, _)
+    ->  Angles = [90.0,180.0]
+    ;   Angles = Angles0
+    ).
+
+%   From the left means from below on a sheet that stands, which is turned back.
+
+seen_place(left, W, place(I,Degrees0,DX0,DY0), place(I,Degrees,DX,DY)) :-
+    I > 0,
+    !,
+    (   Degrees0 >= 90
+    ->  Degrees is Degrees0-90
+    ;   Degrees is Degrees0+270
+    ),
+    DX = DY0,
+    DY is W-DX0.
+seen_place(_, _, Place, Place).
+
+paper_nesting(room(W,H,Gap), below, _, W-H, false, Gap).
+paper_nesting(room(W,H,Gap), left, _, H-W, false, Gap).
+paper_nesting(roll(Gap), width(Share), Ways, Width-Height, true, Gap) :-
     findall(Area, ( member(way(_,_,_,W,H), Ways),
                     Area is (W+Gap)*(H+Gap) ), Areas),
     sum_list(Areas, All),
@@ -87,31 +261,48 @@ paper_nesting(roll(Gap), Ways, Width-Height, true, Gap) :-
             Sides),
     max_list([1.0|Ws], Widest),
     sum_list(Sides, Longest),
-    Width is max(Widest*1.02+Gap, sqrt(1.15*All)),
+    Width is max(Widest*1.02+Gap, Share*sqrt(1.15*All)),
     Height is max(1.0, min(Longest*1.1+Gap, 40*Width)).
 
-%   About 400 squares along the longer side of a page; of a roll along the
-%   width.
+%   About 800 squares along the longer side of a page, 400 if there are few
+%   pieces, or `many`; of a roll along the width.
 
-square(W, H, Gap, room(_,_,_), Square) :-
-    !,
-    Square is max(max(W,H)/400, Gap/90).
-square(W, H, Gap, roll(_), Square) :-
-    Square is max(max(W/400, H/16000), Gap/90).
+square(W, H, Gap, Paper, Pieces, Square) :-
+    fine_pieces(Least, Most),
+    (   Pieces \== many,
+        Pieces >= Least,
+        Pieces =< Most
+    ->  Fine = 800
+    ;   Fine = 400
+    ),
+    (   Paper = room(_, _, _)
+    ->  Square is max(max(W,H)/Fine, Gap/90)
+    ;   Square is max(max(W/Fine, H/16000), Gap/90)
+    ).
 
-used_size(room(_,_,_), Size, _, _, Size).
-used_size(roll(_), _, Ways, Pairs, W-H) :-
+%   used_size(Paper, Ways, Places, Size, Used): Used is how much of the last sheet
+%   is used, up to a line across it.
+
+used_size(Paper, Ways, Places, Size, Used) :-
+    findall(I, member(place(I,_,_,_), Places), Is),
+    max_list([0|Is], Last),
     findall(X-Y,
-            ( member(way(Name,Loops,_,_,_), Ways),
-              memberchk(Name-place(_,Degrees,DX,DY), Pairs),
-              member(Loop, Loops),
-              member(Point, Loop),
+            ( nth1(N, Places, place(Last,Degrees,DX,DY)),
+              nth1(N, Ways, way(_,[Loop|Loops],_,_,_)),
+              member(Own, [Loop|Loops]),
+              member(Point, Own),
               turned(Degrees, Point, X0-Y0),
               X is X0+DX,
               Y is Y0+DY
             ),
             Points),
-    foldl(farther, Points, 1.0-1.0, W-H).
+    foldl(farther, Points, 1.0-1.0, W-H),
+    (   Paper = room(RoomW, RoomH, _)
+    ->  Size = RoomW-RoomH,
+        Used is min(W*RoomH, H*RoomW)
+    ;   Size = W-H,
+        Used is W*H
+    ).
 
 farther(X-Y, X0-Y0, X1-Y1) :-
     X1 is max(X0, X),
@@ -130,7 +321,7 @@ fits_on(_, roll(_)) :-
     !.
 fits_on(Points, Paper) :-
     Paper = room(RoomW, RoomH, Gap),
-    square(RoomW, RoomH, Gap, Paper, Square),
+    square(RoomW, RoomH, Gap, Paper, many, Square),
     Width is RoomW-2.1*Square,
     Height is RoomH-2.1*Square,
     (   points_box(Points, W, H)

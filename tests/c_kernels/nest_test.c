@@ -79,8 +79,12 @@ check_random(const sg_nest_paper *paper, double size)
   bool memory;
 
   make_pieces(&p, size);
-  CHECK("nested", sg_nest(paper, p.piece, MANY, p.place, NULL, &memory));
-  CHECK("again", sg_nest(paper, p.piece, MANY, again.place, NULL, &memory));
+  uint64_t work = 0, more = 0;
+
+  CHECK("nested", sg_nest(paper, p.piece, MANY, p.place, &work, NULL, &memory));
+  CHECK("again",
+        sg_nest(paper, p.piece, MANY, again.place, &more, NULL, &memory));
+  CHECK("the same work", work > 0 && work == more);
   CHECK("the same", memcmp(p.place, again.place, sizeof p.place) == 0);
   for (unsigned i = 0; i < MANY; i++) {
     sg_flat_shape a = placed(&p, i);
@@ -112,19 +116,19 @@ check_by_hand(void)
   for (int i = 0; i < 3; i++) {
     piece[i] = (sg_nest_piece){plate, 4, &end, 1, turns, 1};
   }
-  CHECK("three", sg_nest(&paper, piece, 3, place, NULL, &memory));
+  CHECK("three", sg_nest(&paper, piece, 3, place, NULL, NULL, &memory));
   CHECK("the first in the corner",
         place[0].sheet == 1 && place[0].by[0] == 0 && place[0].by[1] == 0);
   CHECK("the second above it", place[1].sheet == 1 && place[1].by[1] >= 31);
   CHECK("three on it", place[2].sheet == 1);
   paper.height = 70;
-  CHECK("lower", sg_nest(&paper, piece, 3, place, NULL, &memory));
+  CHECK("lower", sg_nest(&paper, piece, 3, place, NULL, NULL, &memory));
   CHECK("the third on another", place[2].sheet == 2);
   paper.one = true;
-  CHECK("one", sg_nest(&paper, piece, 3, place, NULL, &memory));
+  CHECK("one", sg_nest(&paper, piece, 3, place, NULL, NULL, &memory));
   CHECK("no place", place[2].sheet == 0);
   paper.width = 59;
-  CHECK("too narrow", sg_nest(&paper, piece, 1, place, NULL, &memory));
+  CHECK("too narrow", sg_nest(&paper, piece, 1, place, NULL, NULL, &memory));
   CHECK("no place at all", place[0].sheet == 0);
 }
 
@@ -142,7 +146,7 @@ check_hole(void)
   sg_nest_place place[2];
   bool memory;
 
-  CHECK("ring", sg_nest(&paper, piece, 2, place, NULL, &memory));
+  CHECK("ring", sg_nest(&paper, piece, 2, place, NULL, NULL, &memory));
   CHECK("in the hole",
         place[1].sheet == 1 && place[1].by[0] > 10 && place[1].by[0] + 60 < 80);
 }
@@ -168,8 +172,8 @@ check_stopping(void)
   for (int i = 0; i < 4; i++) {
     piece[i] = (sg_nest_piece){plate, 4, &end, 1, turns, 1};
   }
-  CHECK("the poll stops it",
-        !sg_nest(&paper, piece, 4, place, &(sg_poll){stop, &polls}, &memory));
+  CHECK("the poll stops it", !sg_nest(&paper, piece, 4, place, NULL,
+                                      &(sg_poll){stop, &polls}, &memory));
   CHECK("it is not for want of memory", memory);
 }
 
