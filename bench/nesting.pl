@@ -61,8 +61,8 @@ used(Outlines, Places, W-H, Sheets, Area) :-
     max_list(Ys, Top),
     Area is (Sheets-1)*W*H + min(Right*H, Top*W).
 
-%   Bounding boxes, lying, on shelves, the highest first, each on the first shelf
-%   with room.
+%   Bounding boxes, lying, on shelves, the highest first, each on the first
+%   shelf with room.
 
 shelves(Outlines, W-H, Gap, Sheets, Area) :-
     findall(Less-box(BW,BH),

@@ -16,8 +16,8 @@ Coordinates are in units of the model. An edge is
 
   - `B`: a side that is cut
   - `M`, `V`: a fold away from the reader or towards the reader
-  - `F`: a fold of 0 degrees, or a penetration line inside a face: a line that is
-    there, and not folded
+  - `F`: a fold of 0 degrees, or a penetration line inside a face: a line that
+    is there, and not folded
   - `J`: no line at all; FOLD has no faces with holes, such a face is written as
     its triangles
 
@@ -25,9 +25,9 @@ Custom fields say what things are in the model and in its pattern:
 `sanggwan:edges_edge` and `sanggwan:edges_joint` (0: none),
 `sanggwan:faces_polygon`, `sanggwan:faces_segment`.
 
-Faces are counter-clockwise as they are seen in the plane; this side is the outside
-of the model, or, on request, its inside: then the pattern is a mirror image,
-mountains are valleys, and the normals of the folded form look inwards.
+Faces are counter-clockwise as they are seen in the plane; this side is the
+outside of the model, or, on request, its inside: then the pattern is a mirror
+image, mountains are valleys, and the normals of the folded form look inwards.
 
 @see https://github.com/edemaine/fold/blob/main/doc/spec.md
 */
@@ -36,8 +36,8 @@ mountains are valleys, and the normals of the folded form look inwards.
 
 %!  write_fold(+File, +Ds, +Options) is det.
 %
-%   Write the patterns Ds to File. Options: title(Text); unit(U) and inside(Bool),
-%   as for pattern_drawing/3.
+%   Write the patterns Ds to File. Options: title(Text); unit(U) and
+%   inside(Bool), as for pattern_drawing/3.
 
 write_fold(File, Ds, Options) :-
     writing(File, text, fold_written(Ds, Options)).

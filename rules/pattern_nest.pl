@@ -14,12 +14,12 @@
 :- autoload(library(pairs), [pairs_keys_values/3, pairs_values/2]).
 /** <module> Pieces laid on sheets: turned, close together, none on another.
 
-The kernel nest/7 places them one by one, as low as can be; here it is decided at
-which angles, in which order and from which side of the sheet: upright, lying
-and with the least box round them. Some usual orders are tried, large ones first,
-then exchanges in the best one, as many as there is time for: that is measured by the
-squares that were looked at, not by a clock, and chance is a row of numbers that
-is always the same. Paper is what is free of a sheet,
+The kernel nest/7 places them one by one, as low as can be; here it is decided
+at which angles, in which order and from which side of the sheet: upright, lying
+and with the least box round them. Some usual orders are tried, large ones
+first, then exchanges in the best one, as many as there is time for: that is
+measured by the squares that were looked at, not by a clock, and chance is a row
+of numbers that is always the same. Paper is what is free of a sheet,
 
     room(Width, Height, Gap)     a page, as many as are needed
     roll(Gap)                    one sheet, as large as needed
@@ -181,7 +181,8 @@ score_less(score(Left1,Sheets1,Used1), score(Left0,Sheets0,Used0)) :-
     ).
 
 %   exchanged(Count, Paper, Chance, Trial0, Trial, Left): Count times one piece
-%   is put elsewhere in the order, as long as work is Left; what is better stays.
+%   is put elsewhere in the order, as long as work is Left; what is better
+%   stays.
 
 exchanged(Count, _, _, Trial, Trial, Left) :-
     ( Count =< 0 ; Left =< 0 ),
@@ -280,8 +281,8 @@ square(W, H, Gap, Paper, Pieces, Square) :-
     ;   Square is max(max(W/Fine, H/16000), Gap/90)
     ).
 
-%   used_size(Paper, Ways, Places, Size, Used): Used is how much of the last sheet
-%   is used, up to a line across it.
+%   used_size(Paper, Ways, Places, Size, Used): Used is how much of the last
+%   sheet is used, up to a line across it.
 
 used_size(Paper, Ways, Places, Size, Used) :-
     findall(I, member(place(I,_,_,_), Places), Is),

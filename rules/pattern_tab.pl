@@ -62,10 +62,10 @@ deepest_tab(Width, Pieces, Deep) :-
 %
 %   Tabs are tab(D,E,A,B)-What: on side E from vertex A to vertex B, at most
 %   Width deep. What is a list of outlines, each a list of points in the order
-%   of the outline of the piece, as they follow each other; or strip(Points), the
-%   part that belongs to this side of a tab that it shares with its neighbours,
-%   which goes on where that of the side before ended. Butt lists the seams D-J
-%   that have none, as (D-J)-E, E the edge on their first side.
+%   of the outline of the piece, as they follow each other; or strip(Points),
+%   the part that belongs to this side of a tab that it shares with its
+%   neighbours, which goes on where that of the side before ended. Butt lists
+%   the seams D-J that have none, as (D-J)-E, E the edge on their first side.
 
 tabs(Width, Pieces, Tabs, Butt) :-
     maplist(piece_shapes(Width), Pieces, Named),
