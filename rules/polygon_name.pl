@@ -8,16 +8,20 @@
             known_polygons/3,           % +S, -Ps, -Names
             neighbours/3                % +S, +P, -Qs
           ]).
+:- use_module(leaf_face, [leaf_face/5]).
 :- use_module(primitive_face, [face_of/3]).
 :- use_module(store, [e/5, p/3, segment/3, from_p/5, edge_polygon/3]).
 :- use_module(trimmed, [trimmed_from/2]).
-:- autoload(library(lists), [member/2]).
+:- autoload(library(lists), [list_to_set/2, member/2]).
+:- autoload(library(pairs), [group_pairs_by_key/2]).
 /** <module> Polygons, edges and segments by the names that people give them.
 
 A polygon is named by its number, or by what it is of the primitive that made
 its segment (face_of/3): all of `side(3)`, `base`, curved(side, [0-15]); or by
 the first words of that, `cap` for all caps, curved(side) for all facets of a
-curved part, or just `side`. A name may be that of several polygons.
+curved part, or just `side`. A name may be that of several polygons. In results
+of CSG trees it is what a polygon is of a leaf: Leaf/Name, where Leaf is the
+name or the number of that, can/top or 2/side(3); or Name, of any leaf.
 
 An edge is named by its number; by two polygons, `4-7` or `base-side(3)`, which
 are all edges between polygons of these names; or by its ends, v(3)-v(8).
@@ -43,20 +47,39 @@ polygons_named(S, P, Ps) :-
     ;   Ps = []
     ).
 polygons_named(S, Name, Ps) :-
-    findall(P, ( polygon_face(S, P, What), names(Name, What) ), Ps0),
+    findall(P, ( polygon_face(S, P, Leaf, What),
+                 names_leaf(Name, Leaf, Face),
+                 names(Face, What) ),
+            Ps0),
     sort(Ps0, Ps).
 
-%   polygon_face(S, P, What): also of a segment that was trimmed.
+%   polygon_face(S, P, Leaf, What): also of a segment that was trimmed. Leaf is
+%   `none`, or leaf(S0, Called) in a result of a CSG tree.
 
-polygon_face(S, P, What) :-
+polygon_face(S, P, Leaf, What) :-
     trimmed_from(S, S0),
     (   S0 == S
-    ->  face_of(S, P, What)
+    ->  own_face(S, P, Leaf, What)
     ;   integer(P)
     ->  once(from_p(S, P, S0, P0, _)),
-        face_of(S0, P0, What)
-    ;   face_of(S0, P0, What),
+        own_face(S0, P0, Leaf, What)
+    ;   own_face(S0, P0, Leaf, What),
         from_p(S, P, S0, P0, _)
+    ).
+
+own_face(S, P, none, What) :-
+    face_of(S, P, What).
+own_face(S, P, leaf(S0, Called), What) :-
+    leaf_face(S, P, S0, Called, What).
+
+%   names_leaf(Name, Leaf, Face): Name may be of Leaf, and is Face there.
+
+names_leaf(Name, Leaf, Face) :-
+    (   Name = Of/Face0
+    ->  Leaf = leaf(S0, Called),
+        memberchk(Of, [S0,Called]),
+        Face = Face0
+    ;   Face = Name
     ).
 
 %   names(Name, What): Name is What, or begins it. Numbers may be whole.
@@ -101,13 +124,17 @@ same_values([A|As], [B|Bs]) :-
 
 %!  polygon_name(+S, +P, -Name) is det.
 %
-%   Name is what polygon P of segment S is of a primitive, or P.
+%   Name is what polygon P of segment S is of a primitive, Leaf/What of a leaf
+%   if S is the result of a CSG tree, or P.
 
 polygon_name(S, P, Name) :-
-    (   polygon_face(S, P, What)
-    ->  Name = What
+    (   polygon_face(S, P, Leaf, What)
+    ->  qualified(Leaf, What, Name)
     ;   Name = P
     ).
+
+qualified(none, What, What).
+qualified(leaf(_, Called), What, Called/What).
 
 %!  edges_named(+S, +Name, -Es:list) is semidet.
 %
@@ -180,13 +207,21 @@ neighbours(S, P, Qs) :-
 %!  known_polygons(+S, -Ps:list, -Names:list) is det.
 %
 %   Ps are the polygons of segment S, ascending; Names what these are of a
-%   primitive, each kind once: base, top, side(1..4).
+%   primitive, or of leaves, each kind once: base, top, side(1..4).
 
 known_polygons(S, Ps, Names) :-
     findall(P, p(S, P, _), Ps0),
     sort(Ps0, Ps),
-    findall(What, ( polygon_face(S, _, What) ), Whats),
-    kinds(Whats, Names).
+    findall(Leaf-What, polygon_face(S, _, Leaf, What), Whats0),
+    list_to_set(Whats0, Whats1),
+    keysort(Whats1, Whats),
+    group_pairs_by_key(Whats, Groups),
+    findall(Name,
+            ( member(Leaf-Of, Groups),
+              kinds(Of, Kinds),
+              member(Kind, Kinds),
+              qualified(Leaf, Kind, Name) ),
+            Names).
 
 %   kinds(Whats, Kinds): the numbered ones of a name as 'side(1..4)'.
 

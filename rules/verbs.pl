@@ -46,6 +46,7 @@
                 output_written/2,
                 usage_error/1
               ]).
+:- use_module(leaf_face, [roots_alone_named/0]).
 :- use_module(verbs_unfold,
               [unfold_run/3, patterns_given/1, pattern_wanted/3]).
 :- use_module(view,
@@ -370,7 +371,7 @@ pattern_asked(_, Options, []) :-
     !.
 pattern_asked(Item, Options, Wanted) :-
     empty_roots_warned,
-    roots_alone,
+    roots_alone_named,
     pattern_wanted(Item, Options, Wanted),
     (   option(trim(_), Options)
     ->  true

@@ -4,8 +4,8 @@
             pattern_wanted/3            % +Item, +Options, -Wanted
           ]).
 :- use_module(arguments, [decimal_number/2]).
-:- use_module(csg_roots, [roots_alone/0]).
 :- use_module(csg_rows, [drop_boundary/1]).
+:- use_module(leaf_face, [roots_alone_named/0]).
 :- use_module(mesh, [write_mesh/3]).
 :- use_module(model, [load_model/2, save_model/1]).
 :- use_module(model_text,
@@ -64,7 +64,7 @@ unfold_run(Files, Options, 0) :-
     flag_wishes(Options, Flags),
     load_model(Files, Options),
     empty_roots_warned,
-    roots_alone,
+    roots_alone_named,
     catch(patterns(Options, Flags, Ds),
           error(model_error(unfold(S, Wish, What)), Location),
           in_file(Files, S, Wish, What, Location)),

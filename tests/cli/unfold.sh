@@ -9,6 +9,20 @@ segment(1, solid, named(case, box(size(2, 3, 4)))).
 MODEL
 box=$TMP/box.pl saddle=$facts/patterns/saddle.pl
 
+# Names of faces in results of CSG trees.
+cat >"$TMP/tree.pl" <<'MODEL'
+segment(1, solid, named(can, cylinder(radius(2), height(5), facets(8)))).
+segment(2, solid, at([translate(0,0,3)], named(bar, box(size(4, 1, 1))))).
+segment(3, solid, union([1,2])).
+MODEL
+check "a face of a leaf is the root" status 0 \
+  sanggwan unfold -q "$TMP/tree.pl" --root can/top
+check "one that several leaves have" output \
+  'top is not one polygon: polygon 2 .can/top., polygon' \
+  sanggwan unfold -q "$TMP/tree.pl" --root top
+check "one that no leaf has" output 'there is no polygon can/lid' \
+  sanggwan unfold -q "$TMP/tree.pl" --root can/lid
+
 # The report.
 check "one piece" output '^segment 1: case, 6 polygons in 1 piece$' \
   sanggwan unfold "$box"

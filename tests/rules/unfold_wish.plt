@@ -1,6 +1,7 @@
 :- module(test_unfold_wish, []).
 :- use_module(library(plunit)).
 :- use_module(rules(sanggwan)).
+:- use_module(rules(leaf_face)).
 :- use_module(rules(polygon_name)).
 :- use_module(rules(trimmed)).
 :- use_module(rules(unfold_wish)).
@@ -46,6 +47,27 @@ plain(Fault0, Fault) :-
     Fault =.. [Name|Parts].
 plain(Fault, Fault).
 
+%   A tree: a named cylinder, a named box in it, and a box of no name.
+
+with_tree(Goal) :-
+    new_world(World),
+    in_world(World,
+             ( forall(member(Term,
+                             [ named(can, cylinder(radius(2), height(5),
+                                                   facets(8))),
+                               at([translate(0,0,1)],
+                                  named(bar, box(size(4,1,1)))),
+                               at([translate(-2,-1,1)], box(size(2,5,1))) ]),
+                      add_primitive(Term, _)),
+               assert_fact(segment(4, solid, difference([1,3]))),
+               assert_fact(segment(5, solid, union([4,2]))),
+               evaluate,
+               complete_segments,
+               call(Goal) )).
+
+same_name(Name, Ps) :-
+    polygons_named(5, Name, Ps).
+
 shared_edge(P, Q, E) :-
     once(joined_by(1, P, Q, E)).
 
@@ -54,6 +76,44 @@ shared_edge(P, Q, E) :-
 test(by_what, Ps == [3]) :-
     hexagonal(Prism),
     with_primitive(Prism, polygons_named(1, side(1), Ps)).
+test(of_a_leaf, [true(Ps == [P])]) :-
+    with_tree(( polygons_named(5, can/top, Ps),
+                Ps = [P],
+                polygon_name(5, P, can/top) )).
+test(of_a_leaf_by_number, [true(Ps == Same)]) :-
+    with_tree(maplist(same_name, [can/top,1/top], [Ps,Same])).
+test(of_a_leaf_without_a_name) :-
+    with_tree(( polygons_named(5, 3/side, Ps),
+                Ps = [_|_],
+                forall(member(P, Ps), polygon_name(5, P, 3/_)) )), !.
+test(of_any_leaf, [true(Ps == All)]) :-
+    with_tree(( polygons_named(5, top, Ps),
+                findall(P, ( member(Leaf, [can,bar,3]),
+                             polygons_named(5, Leaf/top, Ps1),
+                             member(P, Ps1) ),
+                        All0),
+                sort(All0, All) )).
+test(of_no_leaf, [true(Ps == [])]) :-
+    with_tree(polygons_named(5, lid/top, Ps)).
+test(leaves_gone_are_remembered, [true(Ps-Name == Before-(can/top))]) :-
+    with_tree(( polygons_named(5, can/top, Before),
+                roots_alone_named,
+                \+ segment(1, _, _),
+                polygons_named(5, can/top, Ps),
+                Ps = [P|_],
+                polygon_name(5, P, Name) )).
+test(edges_between_leaves) :-
+    with_tree(( edges_named(5, can/side-bar/top, Es),
+                Es = [_|_] )).
+test(known_ones, [true(Missing == [])]) :-
+    with_tree(known_polygons(5, _, Names)),
+    subtract([can/base,can/top,can/curved(side)], Names, Missing).
+test(several, [true(Names == [can/top])]) :-
+    with_tree(catch(wanted(5, [wish(root(top), flag)], _),
+                    error(usage_error(unfold(5, _, several(top, Faces))), _),
+                    true)),
+    findall(Name, ( member(face(_, Name), Faces), Name = can/_ ), Names).
+
 test(by_first_word, N == 6) :-
     hexagonal(Prism),
     with_primitive(Prism, polygons_named(1, side, Ps)),
