@@ -7,6 +7,7 @@
 :- use_module(primitive_face, [smooth_surface/3, surface_point/4]).
 :- use_module(true_composed, [composed_unrolled/4]).
 :- use_module(trimmed, [part_named/2]).
+:- use_module(true_border, [rims_kept/4]).
 :- use_module(true_divide,
               [facet_divided/7, facet_index/2, generator_spans/5]).
 :- use_module(true_layout,
@@ -18,6 +19,7 @@
               [ true_part/5, part_facets/4, facet_middle/2, facets_sense/3,
                 shifted_facet/3
               ]).
+:- use_module(true_spike, [spikes_cut/3]).
 :- use_module(true_tip, [tips_moved/5]).
 :- autoload(library(apply), [foldl/4, foldl/6, maplist/3]).
 :- autoload(library(error), [must_be/2]).
@@ -135,7 +137,9 @@ unrolled(S, Part, Options,
     facets_sense(Facets0, Shape0, Sense),
     seam(Facets0, Shape0, Sense, Options, Seam, Around),
     facets_tolerance(Shape0, Tolerance),
-    tips_moved(Facets0, Tolerance, Facets2, Shape0, Shape2),
+    tips_moved(Facets0, Tolerance, Facets3, Shape0, Shape3),
+    rims_kept(Facets3, Facets4, Shape3, Shape2),
+    spikes_cut(Facets4, Shape2, Facets2),
     opened(Facets2, S-Part, Seam, Sense, Facets1, Shape2, Shape1),
     half_of(Facets1, S-Part, Seam, Around, Sense, Options, Facets,
             Shape1, Shape),

@@ -9,12 +9,14 @@
             creases/3                   % +Pieces, +Around, -Creases
           ]).
 :- use_module(primitive_face, [surface_point/4]).
+:- use_module(true_border, [rims_kept/4]).
 :- use_module(true_divide, [facet_divided/7]).
 :- use_module(true_shape,
               [ facet_middle/2, facets_sense/3, part_facet/5, part_facets/4,
                 shifted_facet/3, true_part/5
               ]).
 :- use_module(true_surface, [surface_normal_at/3]).
+:- use_module(true_spike, [spikes_cut/3]).
 :- use_module(true_tip, [tips_moved/5]).
 :- autoload(library(apply), [foldl/6, maplist/3, maplist/4]).
 :- autoload(library(assoc), [empty_assoc/1]).
@@ -57,7 +59,9 @@ piece_found(S, Part, Leaf, piece(Name, End, T1-T2, G1-G2),
         facets_sense(Facets0, Shape0, Sense),
         Shape0 = shape(_, Reach, _),
         Tolerance is Reach*4.0e-6,
-        tips_moved(Facets0, Tolerance, Facets1, Shape0, Shape),
+        tips_moved(Facets0, Tolerance, Facets2, Shape0, Shape2),
+        rims_kept(Facets2, Facets3, Shape2, Shape),
+        spikes_cut(Facets3, Shape, Facets1),
         maplist(turned_to(T1), Facets1, Facets)
     ;   Facets = [],
         Sense = none,

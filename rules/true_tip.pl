@@ -1,6 +1,7 @@
 :- module(sg_true_tip,
-          [ tips_moved/5                % +Facets0, +Tolerance, -Facets,
+          [ tips_moved/5,               % +Facets0, +Tolerance, -Facets,
                                         % +Shape0, -Shape
+            settled/5                   % +Halves0, +Line, +Shape, +All, -Halves
           ]).
 :- use_module(kernel, [roll_curves/5]).
 :- use_module(true_divide, [crossing_near/7]).
@@ -273,48 +274,58 @@ tip_given(tip(T, Q, Turns, Chain, From, To), N, Facet0, Table0, Table, Shape) :-
     HalvesP1 = [half(From, To, tip)|Halves0],
     append(Chain, [half(To, From, tip)|HalvesQ0], HalvesQ1),
     append(HalvesP1, HalvesQ1, All),
-    generator_keys(All, T, Shape, Keys),
-    settled(HalvesP1, T, Shape, Keys, HalvesP),
-    settled(HalvesQ1, T, Shape, Keys, HalvesQ),
+    settled(HalvesP1, generator(T), Shape, All, HalvesP),
+    settled(HalvesQ1, generator(T), Shape, All, HalvesQ),
     put_assoc(N, Table0, facet(P, T1, T2, HalvesP), Table1),
     Back is -Turns,
     shifted_facet(Back, facet(PQ, TQ1, TQ2, HalvesQ), FacetQ),
     put_assoc(Q, Table1, FacetQ, Table).
 
-%   generator_keys(Halves, T, Shape, Keys): H-Key of all on the generator, from
-%   below.
+%!  settled(+Halves0, +Line, +Shape, +All, -Halves) is det.
+%
+%   Halves are Halves0, where half-edges along Line, generator(T) or level(H),
+%   are divided at all ends of the half-edges All that lie on it; two that are
+%   opposite vanish, if one came with a tip.
 
-generator_keys(Halves, T, Shape, Keys) :-
-    Shape = shape(_, _, Nodes),
-    findall(H-Key,
-            ( member(half(Key, _, _), Halves),
-              on_generator(Shape, T, Key),
-              key_place(Nodes, Key, _, H) ),
-            Keys0),
-    sort(Keys0, Keys).
-
-%   settled(Halves0, T, Shape, Keys, Halves): half-edges along the generator are
-%   divided at all keys on it; two that are opposite vanish.
-
-settled(Halves0, T, Shape, Keys, Halves) :-
+settled(Halves0, Line, Shape, All, Halves) :-
+    line_keys(All, Line, Shape, Keys),
     findall(Half,
             ( member(Half0, Halves0),
-              elementary(Half0, T, Shape, Keys, Half) ),
+              elementary(Half0, Line, Shape, Keys, Half) ),
             Halves1),
     cancelled(Halves1, Halves).
 
-elementary(half(A, B, Label), T, Shape, Keys, Half) :-
-    (   on_generator(Shape, T, A),
-        on_generator(Shape, T, B)
-    ->  Shape = shape(_, _, Nodes),
-        key_place(Nodes, A, _, H1),
-        key_place(Nodes, B, _, H2),
-        findall(Key,
-                ( member(H-Key, Keys),
-                  H > min(H1, H2),
-                  H < max(H1, H2) ),
+%   line_keys(Halves, Line, Shape, Keys): Place-Key of all on the line, in
+%   order.
+
+line_keys(Halves, Line, Shape, Keys) :-
+    findall(Place-Key,
+            ( member(half(A, B, _), Halves),
+              ( Key = A ; Key = B ),
+              on_line(Shape, Line, Key, Place) ),
+            Keys0),
+    sort(Keys0, Keys).
+
+%   on_line(Shape, Line, Key, Place): Key is on the line, at Place along it.
+
+on_line(Shape, generator(T), Key, H) :-
+    on_generator(Shape, T, Key),
+    Shape = shape(_, _, Nodes),
+    key_place(Nodes, Key, _, H).
+on_line(shape(_, _, Nodes), level(H), Key, T) :-
+    key_place(Nodes, Key, T, H1),
+    T \== any,
+    abs(H1-H) =< 1.0e-9.
+
+elementary(half(A, B, Label), Line, Shape, Keys, Half) :-
+    (   on_line(Shape, Line, A, Place1),
+        on_line(Shape, Line, B, Place2)
+    ->  findall(Key,
+                ( member(Place-Key, Keys),
+                  Place > min(Place1, Place2),
+                  Place < max(Place1, Place2) ),
                 Between0),
-        (   H1 =< H2
+        (   Place1 =< Place2
         ->  Between = Between0
         ;   reverse(Between0, Between)
         ),
