@@ -18,22 +18,18 @@ enum {
   PART = 256       /* boxes asked for at a time */
 };
 
-/* A box from the tree's origin, in its unit. */
-typedef struct box32 {
-  float lo[3], hi[3];
-} box32;
-
 /* A tree being built; blocks are the tasks. */
 typedef struct grower {
   sg_bvh *tree;
-  sg_bvh_boxes *boxes;
+  sg_bvh_boxes *boxes; /* one of these two is null */
+  sg_bvh_boxes32 *let_out;
   const void *data;
   const uint32_t *name;
   size_t block, blocks;
-  double units;        /* in one: the unit's inverse, exact */
+  sg_bvh_frame frame;
   double cells[3];     /* Morton cells in a unit */
   double corner[3];    /* the low corner of everything, in units */
-  box32 *box;          /* [n], in the order given */
+  sg_box32 *box;       /* [n], in the order given */
   uint64_t *code;      /* [n]: where their centres are */
   uint64_t *from, *to; /* [n]: the high half of a code, above an item */
   uint32_t *start;     /* [blocks][BUCKETS] */
@@ -86,7 +82,7 @@ round_up(double d)
 }
 
 static void
-put_lane(sg_box4 *group, size_t lane, const box32 *box)
+put_lane(sg_box4 *group, size_t lane, const sg_box32 *box)
 {
   for (int c = 0; c < 3; c++) {
     group->lo[c][lane] = box->lo[c];
@@ -95,10 +91,10 @@ put_lane(sg_box4 *group, size_t lane, const box32 *box)
 }
 
 /* The box round a group. */
-static box32
+static sg_box32
 box_round(const sg_box4 *group)
 {
-  box32 box;
+  sg_box32 box;
 
   for (int c = 0; c < 3; c++) {
     box.lo[c] = group->lo[c][0];
@@ -112,8 +108,8 @@ box_round(const sg_box4 *group)
   return box;
 }
 
-static const box32 nothing = {{INFINITY, INFINITY, INFINITY},
-                              {-INFINITY, -INFINITY, -INFINITY}};
+static const sg_box32 nothing = {{INFINITY, INFINITY, INFINITY},
+                                 {-INFINITY, -INFINITY, -INFINITY}};
 
 /* Groups that hold so many boxes. */
 static size_t
@@ -124,28 +120,51 @@ groups_of(size_t count)
 
 /* ---- the frame ---- */
 
-/* Origin, unit and Morton cells from the box round everything. The unit is the
- * power of two above the longest half side. */
+/* The unit is the power of two above the longest half side. */
+sg_bvh_frame
+sg_bvh_frame_of(const sg_box *all)
+{
+  sg_bvh_frame frame;
+  double half = DBL_MIN;
+  int exponent;
+
+  for (int c = 0; c < 3; c++) {
+    double side = 0.5 * all->hi[c] - 0.5 * all->lo[c];
+
+    frame.origin[c] = 0.5 * all->hi[c] + 0.5 * all->lo[c];
+    half = fmax(half, side);
+  }
+  frexp(half, &exponent);
+  frame.unit = ldexp(1, exponent > 1022 ? 1022 : exponent);
+  return frame;
+}
+
+sg_box32
+sg_box_let_out(const sg_bvh_frame *frame, const sg_box *box)
+{
+  double units = 1 / frame->unit; /* exact */
+  sg_box32 out;
+
+  for (int c = 0; c < 3; c++) {
+    out.lo[c] = round_down((box->lo[c] - frame->origin[c]) * units);
+    out.hi[c] = round_up((box->hi[c] - frame->origin[c]) * units);
+  }
+  return out;
+}
+
+/* Frame and Morton cells from the box round everything. */
 static void
 set_frame(grower *g, const sg_box *all)
 {
   sg_bvh *tree = g->tree;
-  double half = DBL_MIN;
-  int exponent;
 
+  g->frame = sg_bvh_frame_of(all);
   tree->all = *all;
-  for (int c = 0; c < 3; c++) {
-    double side = 0.5 * all->hi[c] - 0.5 * all->lo[c];
-
-    tree->origin[c] = 0.5 * all->hi[c] + 0.5 * all->lo[c];
-    half = fmax(half, side);
-  }
-  frexp(half, &exponent);
-  tree->unit = ldexp(1, exponent > 1022 ? 1022 : exponent);
-  g->units = 1 / tree->unit;
+  tree->unit = g->frame.unit;
   for (int c = 0; c < 3; c++) {
     double side = (0.5 * all->hi[c] - 0.5 * all->lo[c]) / tree->unit;
 
+    tree->origin[c] = g->frame.origin[c];
     g->corner[c] = -side;
     g->cells[c] = side > 0 ? 0.5 * ((1 << AXIS_BITS) - 1) / side : 0;
   }
@@ -166,7 +185,7 @@ spread(uint64_t x)
 
 /* Where the centre of a box lies, as one number. */
 static uint64_t
-morton(const grower *g, const box32 *box)
+morton(const grower *g, const sg_box32 *box)
 {
   const double most = (1 << AXIS_BITS) - 1;
   uint64_t code = 0;
@@ -191,27 +210,32 @@ block_end(const grower *g, size_t block)
   return end < g->tree->n ? end : g->tree->n;
 }
 
+/* Boxes begin .. end - 1, PART at most. */
+static void
+ask_boxes(const grower *g, size_t begin, size_t end)
+{
+  sg_box part[PART];
+
+  if (g->let_out) {
+    g->let_out(g->data, begin, end, g->box + begin);
+    return;
+  }
+  g->boxes(g->data, begin, end, part);
+  for (size_t i = begin; i < end; i++) {
+    g->box[i] = sg_box_let_out(&g->frame, &part[i - begin]);
+  }
+}
+
 /* Asks for the boxes of a block and codes them. */
 static void
 take_boxes(void *data, size_t block)
 {
   grower *g = data;
-  const sg_bvh *tree = g->tree;
-  sg_box part[PART];
   size_t end = block_end(g, block);
 
   for (size_t i = block * g->block; i < end; i++) {
-    size_t k = (i - block * g->block) % PART;
-
-    if (k == 0) {
-      g->boxes(g->data, i, i + PART < end ? i + PART : end, part);
-    }
-    for (int c = 0; c < 3; c++) {
-      double lo = (part[k].lo[c] - tree->origin[c]) * g->units;
-      double hi = (part[k].hi[c] - tree->origin[c]) * g->units;
-
-      g->box[i].lo[c] = round_down(lo);
-      g->box[i].hi[c] = round_up(hi);
+    if ((i - block * g->block) % PART == 0) {
+      ask_boxes(g, i, i + PART < end ? i + PART : end);
     }
     g->code[i] = morton(g, &g->box[i]);
     g->from[i] = g->code[i] >> LOW_BITS << 32 | i;
@@ -320,7 +344,7 @@ lay_boxes(void *data, size_t task)
 
   end = end < g->tree->count[g->level] ? end : g->tree->count[g->level];
   for (size_t i = task * g->group; i < end; i++) {
-    box32 box = box_round(&below[i]);
+    sg_box32 box = box_round(&below[i]);
 
     put_lane(&out[i / SG_BVH_WIDTH], i % SG_BVH_WIDTH, &box);
   }
@@ -455,13 +479,11 @@ grow(grower *g, sg_crew *crew, const sg_poll *poll)
   return done;
 }
 
-sg_bvh *
-sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
-            const uint32_t *name, const sg_box *all, sg_crew *crew,
-            const sg_poll *poll)
+static sg_bvh *
+grow_tree(grower *g, size_t n, const sg_box *all, sg_crew *crew,
+          const sg_poll *poll)
 {
   sg_bvh *tree = calloc(1, sizeof *tree);
-  grower g = {.tree = tree, .boxes = boxes, .data = data, .name = name};
 
   assert(n < UINT32_MAX);
   if (!tree) {
@@ -472,12 +494,31 @@ sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
     tree->unit = 1;
     return tree;
   }
-  set_frame(&g, all);
-  if (!make_room(tree, n) || !grow(&g, crew, poll)) {
+  g->tree = tree;
+  set_frame(g, all);
+  if (!make_room(tree, n) || !grow(g, crew, poll)) {
     sg_bvh_close(tree);
     return NULL;
   }
   return tree;
+}
+
+sg_bvh *
+sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
+            const uint32_t *name, const sg_box *all, sg_crew *crew,
+            const sg_poll *poll)
+{
+  return grow_tree(&(grower){.boxes = boxes, .data = data, .name = name}, n,
+                   all, crew, poll);
+}
+
+sg_bvh *
+sg_bvh_grow_let_out(size_t n, sg_bvh_boxes32 *boxes, const void *data,
+                    const uint32_t *name, const sg_box *all, sg_crew *crew,
+                    const sg_poll *poll)
+{
+  return grow_tree(&(grower){.let_out = boxes, .data = data, .name = name}, n,
+                   all, crew, poll);
 }
 
 static void

@@ -43,12 +43,22 @@ enum { SG_BVH_WIDTH = 4, SG_BVH_LEVELS = 17 };
 
 typedef float sg_float4 __attribute__((vector_size(16)));
 
+/* A box from a tree's origin, in its unit, let out. */
+typedef struct sg_box32 {
+  float lo[3], hi[3];
+} sg_box32;
+
 /* Boxes 4g .. 4g + 3 of a level, from the tree's origin, in its unit; those
  * that are not there are empty. They are what is below box g of the level
  * above. */
 typedef struct sg_box4 {
   sg_float4 lo[3], hi[3];
 } sg_box4;
+
+/* Where a tree's boxes are counted from. */
+typedef struct sg_bvh_frame {
+  double origin[3], unit;
+} sg_bvh_frame;
 
 typedef struct sg_bvh {
   size_t n;
@@ -60,10 +70,17 @@ typedef struct sg_bvh {
   double origin[3], unit;
 } sg_bvh;
 
+/* The frame of a tree over boxes inside `all`, and a box in it. The box round
+ * several, let out, is that round each of them, let out. */
+sg_bvh_frame sg_bvh_frame_of(const sg_box *all);
+sg_box32 sg_box_let_out(const sg_bvh_frame *frame, const sg_box *box);
+
 /* Fills out[0 .. end - begin - 1] with boxes begin .. end - 1. Called by any
  * thread of the crew, several at a time. An empty box overlaps nothing. */
 typedef void sg_bvh_boxes(const void *data, size_t begin, size_t end,
                           sg_box *out);
+typedef void sg_bvh_boxes32(const void *data, size_t begin, size_t end,
+                            sg_box32 *out);
 
 /* A tree over n boxes, all inside `all` (which need not be tight). Item i is
  * called name[i], or i if `name` is null. Null: no memory, or the poll said
@@ -71,6 +88,11 @@ typedef void sg_bvh_boxes(const void *data, size_t begin, size_t end,
 sg_bvh *sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
                     const uint32_t *name, const sg_box *all, sg_crew *crew,
                     const sg_poll *poll);
+
+/* The same of boxes that are already in sg_bvh_frame_of(all), let out. */
+sg_bvh *sg_bvh_grow_let_out(size_t n, sg_bvh_boxes32 *boxes, const void *data,
+                            const uint32_t *name, const sg_box *all,
+                            sg_crew *crew, const sg_poll *poll);
 
 /* The same over an array, by the caller alone. */
 sg_bvh *sg_bvh_open(const sg_box *box, size_t n, const sg_poll *poll);

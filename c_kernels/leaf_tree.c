@@ -6,7 +6,8 @@
 enum {
   SMALL = 1 << 15, /* a tree of fewer leaves is one task, and so is less
                     * than so many rows in all */
-  ASKED = 1 << 16  /* vertices between questions */
+  ASKED = 1 << 16, /* vertices between questions */
+  POINTS = 1 << 14 /* places of a task */
 };
 
 typedef struct forest {
@@ -26,23 +27,51 @@ read_point(const sg_view *v, uint32_t row, double out[3])
   }
 }
 
-double (*sg_leaf_points(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                        const double from[3]))[3]
-{
-  const sg_id_rows *table = &tree->vertex;
-  double(*out)[3] = malloc((table->places + 1) * sizeof *out);
+/* Points by place, each task a block of places. */
+typedef struct placing {
+  const sg_leaf_tree *tree;
+  const sg_view *v;
+  const double *from;
+  double (*out)[3];
+} placing;
 
-  for (size_t i = 0; out && i < table->places; i++) {
+static void
+place_points(void *data, size_t block)
+{
+  const placing *p = data;
+  const sg_id_rows *table = &p->tree->vertex;
+  size_t end = (block + 1) * POINTS;
+
+  for (size_t i = block * POINTS; i < end && i < table->places; i++) {
     if (table->row[i] == SG_NO_ID_ROW) {
-      out[i][0] = out[i][1] = out[i][2] = NAN;
+      p->out[i][0] = p->out[i][1] = p->out[i][2] = NAN;
       continue;
     }
-    read_point(&views->v, table->row[i], out[i]);
+    read_point(p->v, table->row[i], p->out[i]);
     for (int k = 0; k < 3; k++) {
-      out[i][k] -= from[k];
+      p->out[i][k] -= p->from[k];
     }
   }
-  return out;
+}
+
+static size_t
+point_blocks(const sg_leaf_tree *tree)
+{
+  return (tree->vertex.places + POINTS - 1) / POINTS;
+}
+
+double (*sg_leaf_points(const sg_leaf_tree *tree, const sg_leaf_views *views,
+                        const double from[3], sg_crew *crew,
+                        const sg_poll *poll))[3]
+{
+  placing p = {tree, &views->v, from,
+               malloc((tree->vertex.places + 1) * sizeof *p.out)};
+
+  if (p.out && !sg_crew_run(crew, point_blocks(tree), place_points, &p, poll)) {
+    free(p.out);
+    p.out = NULL;
+  }
+  return p.out;
 }
 
 /* ---- boxes ---- */
@@ -51,30 +80,62 @@ typedef struct leaves {
   const forest *forest;
   const sg_leaf_tree *tree;
   const uint32_t *row;
-  double (*point)[3]; /* by place */
+  sg_bvh_frame frame;
+  sg_box32 *point; /* by place: the box of a vertex, let out */
 } leaves;
+
+/* The box of no vertex is empty. */
+static void
+let_points_out(void *data, size_t block)
+{
+  const leaves *l = data;
+  const sg_id_rows *table = &l->tree->vertex;
+  size_t end = (block + 1) * POINTS;
+
+  for (size_t i = block * POINTS; i < end && i < table->places; i++) {
+    sg_box box = sg_box_none();
+    double p[3];
+
+    if (table->row[i] != SG_NO_ID_ROW) {
+      read_point(&l->forest->views->v, table->row[i], p);
+      sg_box_add(&box, p);
+    }
+    l->point[i] = sg_box_let_out(&l->frame, &box);
+  }
+}
+
+static void
+join_point(sg_box32 *box, const sg_box32 *point)
+{
+  for (int c = 0; c < 3; c++) {
+    box->lo[c] = point->lo[c] < box->lo[c] ? point->lo[c] : box->lo[c];
+    box->hi[c] = point->hi[c] > box->hi[c] ? point->hi[c] : box->hi[c];
+  }
+}
 
 /* The vertices of a leaf are there: the store sees to it. One that is not
  * would leave the box where the others are. */
 static void
-leaf_boxes(const void *data, size_t begin, size_t end, sg_box *out)
+leaf_boxes(const void *data, size_t begin, size_t end, sg_box32 *out)
 {
+  static const sg_box32 none = {{INFINITY, INFINITY, INFINITY},
+                                {-INFINITY, -INFINITY, -INFINITY}};
   const leaves *l = data;
   const sg_leaf_views *views = l->forest->views;
   const sg_view *view = l->tree->curve ? &views->e : &views->t;
   unsigned first = l->tree->curve ? 2 : 3, n = l->tree->curve ? 2 : 3;
 
   for (size_t i = begin; i < end; i++) {
-    sg_box *box = &out[i - begin];
+    sg_box32 box = none;
 
-    *box = sg_box_none();
     for (unsigned k = 0; k < n; k++) {
-      size_t place = sg_id_rows_place(&l->tree->vertex,
-                                      sg_view_int(view, first + k, l->row[i]));
-      if (place != SG_NO_ID_PLACE) {
-        sg_box_add(box, l->point[place]);
+      size_t slot = sg_id_rows_slot(&l->tree->vertex,
+                                    sg_view_int(view, first + k, l->row[i]));
+      if (slot != SG_NO_ID_PLACE) {
+        join_point(&box, &l->point[slot]);
       }
     }
+    out[i - begin] = box;
   }
 }
 
@@ -132,8 +193,12 @@ grow_one(const forest *f, size_t i, sg_crew *crew, const sg_poll *poll)
 
   tree->begin = n > 0 ? l.row[0] : 0;
   tree->end = n > 0 ? l.row[n - 1] + 1 : 0;
-  if ((l.point = sg_leaf_points(tree, f->views, (double[3]){0}))) {
-    tree->boxes = sg_bvh_grow(n, leaf_boxes, &l, l.row, &tree->box, crew, poll);
+  l.frame = sg_bvh_frame_of(&tree->box);
+  l.point = malloc((tree->vertex.places + 1) * sizeof *l.point);
+  if (l.point &&
+      sg_crew_run(crew, point_blocks(tree), let_points_out, &l, poll)) {
+    tree->boxes =
+        sg_bvh_grow_let_out(n, leaf_boxes, &l, l.row, &tree->box, crew, poll);
   }
   free(l.point);
 }

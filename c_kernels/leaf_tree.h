@@ -47,10 +47,11 @@ size_t sg_leaf_tree_bytes(const sg_leaf_tree *tree);
 
 /* Where the vertices of a tree are, less `from`, by their places in its table:
  * one look in memory where the columns take three, for those who go over all
- * triangles. NaN: no vertex has this place. Null: no memory. Owner: the caller,
- * free(). */
+ * triangles. NaN: no vertex has this place. Null: no memory, or the poll said
+ * stop. Owner: the caller, free(). */
 double (*sg_leaf_points(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                        const double from[3]))[3];
+                        const double from[3], sg_crew *crew,
+                        const sg_poll *poll))[3];
 
 /* What a row of t/6 or e/5 says. */
 typedef struct sg_leaf {

@@ -280,7 +280,7 @@ see_faces(const sg_leaf_tree *tree, const sg_leaf_views *views, sg_crew *crew,
   }
   faces f = {.tree = tree,
              .views = views,
-             .point = sg_leaf_points(tree, views, middle),
+             .point = sg_leaf_points(tree, views, middle, crew, poll),
              .sum = calloc(tasks + 1, sizeof *f.sum)};
   bool done = f.point && f.sum && sg_crew_run(crew, tasks, see_pages, &f, poll);
 

@@ -76,6 +76,19 @@ sg_id_rows_place(const sg_id_rows *table, int32_t id)
              : SG_NO_ID_PLACE;
 }
 
+/* The place that an id has if it has one: not whether a row has it, of ids that
+ * are close together. SG_NO_ID_PLACE: it has none. */
+static inline size_t
+sg_id_rows_slot(const sg_id_rows *table, int32_t id)
+{
+  size_t place = (size_t)((int64_t)id - table->first); /* below first: huge */
+
+  if (table->id) {
+    return sg_id_rows_search(table, id);
+  }
+  return place < table->places ? place : SG_NO_ID_PLACE;
+}
+
 /* The row of an id, SG_NO_ID_ROW: none. */
 static inline uint32_t
 sg_id_rows_find(const sg_id_rows *table, int32_t id)
