@@ -103,6 +103,13 @@ sg_arrangement_node(const sg_arranged *leaf, int32_t v)
   return place == SG_NO_ID_PLACE ? SG_NO_KEY : leaf->node + (uint32_t)place;
 }
 
+/* The same of a vertex that is known to be the leaf's own. */
+static inline uint32_t
+sg_arrangement_own_node(const sg_arranged *leaf, int32_t v)
+{
+  return leaf->node + (uint32_t)sg_id_rows_slot(&leaf->tree->vertex, v);
+}
+
 bool sg_arrangement_is_line(const sg_arrangement *a, uint32_t leaf, int32_t v1,
                             int32_t v2);
 

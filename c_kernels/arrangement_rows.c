@@ -107,7 +107,7 @@ look_at_rows(void *data, size_t task)
     sg_arranged_corners(from->a, leaf->row[from->list[i].row], v);
     from->faces += i == 0 || from->list[i - 1].p != from->list[i].p;
     for (int c = 0; c < 3 && !from->failed; c++) {
-      uint32_t node = sg_arrangement_node(leaf, v[c]);
+      uint32_t node = sg_arrangement_own_node(leaf, v[c]);
 
       if (from->number[node - leaf->node] == SG_NO_KEY) {
         from->failed = !note_vertex(from, node, v[c]);
@@ -224,7 +224,7 @@ place_triangle(const sg_choice *k, sg_source *from, size_t i)
 
   sg_arranged_corners(from->a, leaf->row[from->list[i].row], name);
   for (int c = 0; c < 3; c++) {
-    v[c] = from->number[sg_arrangement_node(leaf, name[c]) - leaf->node];
+    v[c] = from->number[sg_arrangement_own_node(leaf, name[c]) - leaf->node];
   }
   from->collapsed = from->collapsed || sg_is_collapsed(v);
   sg_choice_set_triangle(k->out, at, v,

@@ -201,8 +201,11 @@ sg_face_merge(sg_solid *solid, const sg_merge_options *options,
   sg_contracted before = {0};
   sg_merge_end end = merge(&m, solid, &before);
 
+  solid->closed = false;
   if (end == SG_MERGE_DONE && is_changed(&m)) {
     end = sg_merge_write(&m, solid);
+  } else if (end == SG_MERGE_DONE) {
+    solid->closed = m.regular;
   }
   if (end != SG_MERGE_DONE) {
     sg_merge_restore(solid, &before);

@@ -16,7 +16,7 @@
 
 enum {
   RANGES = 8,      /* of vertices at most: each goes over all triangles */
-  BLOCK = 1 << 12, /* vertices a task */
+  BLOCK = 1 << 12, /* vertices, or faces, a task */
   LONG = 24,       /* lists longer than this are sorted */
   SIZE = 13 /* the tolerance is at most 2^-SIZE of the size, if by_size */
 };
@@ -321,13 +321,20 @@ run(const sg_merge *m, size_t tasks, sg_crew_task *task, void *data)
   return sg_crew_run(m->options->crew, tasks, task, data, m->options->poll);
 }
 
+/* The triangles of a block of faces: whose they are, and no twins yet. */
 static void
-note_faces(sg_merge *m)
+note_faces(void *data, size_t block)
 {
-  for (size_t f = 0; f < m->solid->faces; f++) {
+  const sg_merge *m = data;
+  size_t to = (block + 1) * BLOCK;
+
+  for (size_t f = block * BLOCK; f < to && f < m->solid->faces; f++) {
     const sg_solid_face *face = &m->solid->face[f];
-    for (uint32_t i = 0; i < face->n; i++) {
-      m->face_of[face->first + i] = (uint32_t)f;
+    for (size_t t = face->first; t < (size_t)face->first + face->n; t++) {
+      m->face_of[t] = (uint32_t)f;
+      for (int k = 0; k < 3; k++) {
+        m->twin[3 * t + (size_t)k] = SG_NOTHING;
+      }
     }
   }
 }
@@ -432,9 +439,8 @@ sg_merge_mesh(sg_merge *m)
   m->leaving = malloc((halves + 1) * sizeof *m->leaving);
   m->twin = malloc((halves + 1) * sizeof *m->twin);
   if (mesh.found && m->face_of && m->first && m->leaving && m->twin) {
-    memset(m->twin, 0xff, halves * sizeof *m->twin);
-    note_faces(m);
-    end = lists_made(m, blocks) && run(m, blocks, pair_block, &mesh)
+    end = run(m, (solid->faces + BLOCK - 1) / BLOCK, note_faces, m) &&
+                  lists_made(m, blocks) && run(m, blocks, pair_block, &mesh)
               ? gather_all(m, mesh.found, blocks)
               : SG_MERGE_STOPPED;
   }

@@ -50,6 +50,9 @@ sg_solid_is_closed(const sg_solid *solid, sg_crew *crew)
 {
   closing c = {.solid = solid};
 
+  if (solid->closed) {
+    return true;
+  }
   atomic_init(&c.sum, 0);
   sg_crew_run(crew, (solid->triangles + BLOCK - 1) / BLOCK, sum_block, &c,
               NULL);

@@ -45,6 +45,7 @@ typedef struct sg_solid {
   uint8_t *auxiliary;      /* [triangles]: bit k: if the edge from corner k to
                               the next ends its face, it is auxiliary (Et 0) */
   size_t triangles;
+  bool closed;         /* each edge is known to run as often back as there */
   sg_solid_face *face; /* [faces] */
   size_t faces;
   /* What faces came from, beside face[].s and .p: sorted by face. */
@@ -58,8 +59,8 @@ typedef struct sg_solid {
 
 void sg_solid_clear(sg_solid *solid);
 
-/* Whether each edge runs as often back as there: it bounds something. By a
- * fingerprint: wrong once in 2^64. */
+/* Whether each edge runs as often back as there: it bounds something. Where
+ * that is not known, by a fingerprint: wrong once in 2^64. */
 bool sg_solid_is_closed(const sg_solid *solid, sg_crew *crew);
 
 #endif
