@@ -473,6 +473,24 @@ part_of(const finding *f, struct found *to, uint32_t node, const sg_part *piece)
   return *number;
 }
 
+/* The component of a piece with this node, if it has a point; else SG_NO_KEY.
+ * Mostly that is all there is to find. */
+static uint32_t
+known_part(const finding *f, const struct found *in, uint32_t node)
+{
+  uint32_t number = f->of_root[sg_arrangement_root(f->a, node)];
+
+  return number != SG_NO_KEY && !in->part[number].unknown ? number : SG_NO_KEY;
+}
+
+static uint32_t
+part_of_row(const finding *f, uint32_t number, size_t i, uint32_t node)
+{
+  sg_part piece = {.leaf = number, .of = i, .row = f->a->leaf[number].row[i]};
+
+  return part_of(f, &f->found[number], node, &piece);
+}
+
 /* leaf->component becomes the component of what was its node. */
 static bool
 find_row_parts(const finding *f, uint32_t number)
@@ -480,14 +498,14 @@ find_row_parts(const finding *f, uint32_t number)
   sg_arranged *leaf = &f->a->leaf[number];
 
   for (size_t i = 0; i < leaf->rows; i++) {
-    uint32_t *c = &leaf->component[i];
-    sg_part piece = {.leaf = number, .of = i, .row = leaf->row[i]};
+    uint32_t node = leaf->component[i], *c = &leaf->component[i];
 
     if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
       return false;
     }
-    if (*c != SG_NO_KEY &&
-        (*c = part_of(f, &f->found[number], *c, &piece)) == SG_NO_KEY) {
+    if (node != SG_NO_KEY &&
+        (*c = known_part(f, &f->found[number], node)) == SG_NO_KEY &&
+        (*c = part_of_row(f, number, i, node)) == SG_NO_KEY) {
       return false;
     }
   }

@@ -136,18 +136,26 @@ count_between(const sg_merge *m, uint32_t from, uint32_t to, uint32_t *half)
 
 /* ---- neighbours --------------------------------------------------------- */
 
+/* The third corner of the triangle of a half-edge between these two. */
+static uint32_t
+third_corner(const sg_merge *m, const uint32_t end[2], uint32_t half)
+{
+  const uint32_t *v = m->solid->triangle[half / 3];
+
+  return v[0] ^ v[1] ^ v[2] ^ end[0] ^ end[1];
+}
+
 /* Whether the four corners of two triangles may lie between two planes that are
  * two tolerances apart. Then the parts of u, v and w along the planes' normal
  * are not longer than that, so the volume that they span is no larger than this
  * times the three areas; no normal is asked, which slivers do not have. Areas
  * are no larger than the products of their sides, which mostly tell enough. */
 static bool
-is_flat(const sg_merge *m, uint32_t half, uint32_t twin)
+is_flat(const sg_merge *m, const uint32_t end[2], uint32_t half, uint32_t twin)
 {
-  const double *a = sg_merge_at(m, sg_half_start(m, half));
-  const double *b = sg_merge_at(m, sg_half_end(m, half));
-  const double *c = sg_merge_at(m, sg_half_end(m, sg_half_next(half)));
-  const double *d = sg_merge_at(m, sg_half_end(m, sg_half_next(twin)));
+  const double *a = sg_merge_at(m, end[0]), *b = sg_merge_at(m, end[1]);
+  const double *c = sg_merge_at(m, third_corner(m, end, half));
+  const double *d = sg_merge_at(m, third_corner(m, end, twin));
   double u[3], v[3], w[3], uv[3], vw[3], uw[3];
   /* (x + y + z)^2 <= 3 (x^2 + y^2 + z^2); twice of it for rounding */
   double factor = 24 * m->tolerance * m->tolerance;
@@ -213,14 +221,19 @@ is_brief(const sg_merge *m, uint32_t v, uint32_t w)
   return sg_dot(d, d) <= m->tolerance * m->tolerance;
 }
 
+/* Half-edges between vertices end[0] and end[1]. */
 static void
-make_twins(const sg_merge *m, finds *found, uint32_t half, uint32_t twin)
+make_twins(const sg_merge *m, finds *found, const uint32_t end[2],
+           uint32_t half, uint32_t twin)
 {
   m->twin[half] = twin;
   m->twin[twin] = half;
   found->twins++;
+  if (!is_flat(m, end, half, twin)) {
+    return; /* most of a smooth mesh: their faces need not be looked up */
+  }
   uint32_t f = m->face_of[half / 3], g = m->face_of[twin / 3];
-  if (f != g && is_flat(m, half, twin) && sg_merge_may_join(m, f, g)) {
+  if (f != g && sg_merge_may_join(m, f, g)) {
     note(found, &found->weak, f, g);
   }
 }
@@ -262,14 +275,14 @@ pair_many(const sg_merge *m, uint32_t v, uint32_t to, finds *found)
     if (m->leaving[i].to == to && m->twin[half] == SG_NOTHING) {
       twin = next_single(m, to, v, m->face_of[half / 3], &more);
       if (twin != SG_NOTHING) {
-        make_twins(m, found, half, twin);
+        make_twins(m, found, (const uint32_t[2]){v, to}, half, twin);
       }
     }
   }
   half = next_single(m, v, to, SG_NOTHING, &more);
   twin = next_single(m, to, v, SG_NOTHING, &more_twins);
   if (half != SG_NOTHING && twin != SG_NOTHING && !more && !more_twins) {
-    make_twins(m, found, half, twin);
+    make_twins(m, found, (const uint32_t[2]){v, to}, half, twin);
   }
 }
 
@@ -291,7 +304,7 @@ pair_halves(const pairing *mesh, uint32_t v, finds *found)
     unsigned back = count_between(m, to, v, &twin);
     unsigned there = count_between(m, v, to, &other);
     if (back == 1 && there == 1) {
-      make_twins(m, found, half, twin);
+      make_twins(m, found, (const uint32_t[2]){v, to}, half, twin);
     } else if (back > 0 && other == half) { /* once, at the last of them */
       pair_many(m, v, to, found);
     }
