@@ -9,7 +9,7 @@ enum { POLL_EVERY = 65536 };
 
 /* A half-edge of a polygon. */
 typedef struct half {
-  int32_t low, high;
+  int32_t s, low, high;
   uint32_t polygon; /* a place */
   bool backward;    /* from high to low */
 } half;
@@ -19,7 +19,8 @@ compare_halves(const void *x, const void *y)
 {
   const half *a = x, *b = y;
 
-  return a->low != b->low     ? (a->low > b->low) - (a->low < b->low)
+  return a->s != b->s         ? (a->s > b->s) - (a->s < b->s)
+         : a->low != b->low   ? (a->low > b->low) - (a->low < b->low)
          : a->high != b->high ? (a->high > b->high) - (a->high < b->high)
          : a->backward != b->backward
              ? a->backward - b->backward
@@ -77,7 +78,7 @@ keep_borders(const sg_dense *d, const sg_operands_of *of, const half *edge,
     for (size_t k = back; k < n; k++) {
       uint32_t p = edge[i].polygon, q = edge[k].polygon;
       sg_operand_border border = {
-          edge->low, edge->high, {d->polygon_id[p], d->polygon_id[q]}};
+          edge->s, edge->low, edge->high, {d->polygon_id[p], d->polygon_id[q]}};
 
       if (is_border(of, p, q) && !keep(out, room, &border)) {
         return false;
@@ -88,14 +89,19 @@ keep_borders(const sg_dense *d, const sg_operands_of *of, const half *edge,
 }
 
 static bool
+is_same_edge(const half *a, const half *b)
+{
+  return a->s == b->s && a->low == b->low && a->high == b->high;
+}
+
+static bool
 keep_all(const sg_dense *d, const sg_operands_of *of, const half *edge,
          size_t n, const sg_poll *poll, sg_operand_borders *out, bool *stopped)
 {
   size_t room = 0, asked = 0;
 
   for (size_t i = 0, end; i < n; i = end) {
-    for (end = i + 1; end < n && edge[end].low == edge[i].low &&
-                      edge[end].high == edge[i].high;) {
+    for (end = i + 1; end < n && is_same_edge(&edge[end], &edge[i]);) {
       end++;
     }
     if (i >= asked) {
@@ -109,20 +115,30 @@ keep_all(const sg_dense *d, const sg_operands_of *of, const half *edge,
   return true;
 }
 
+/* Adds the half-edges of polygon p (a place) of segment s. */
+static void
+list_polygon(const sg_dense *d, int32_t s, uint32_t p, half *edge, size_t *n)
+{
+  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+    int32_t from = d->vertex_id[d->from[d->list[k]]];
+    int32_t to = d->vertex_id[d->to[d->list[k]]];
+    bool backward = to < from;
+
+    edge[(*n)++] =
+        (half){s, backward ? to : from, backward ? from : to, p, backward};
+  }
+}
+
 static half *
 list_halves(const sg_dense *d, size_t *n)
 {
   half *edge = malloc((d->list_begin[d->polygons] + 1u) * sizeof *edge);
 
   *n = 0;
-  for (uint32_t p = 0; edge && p < d->polygons; p++) {
-    for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
-      int32_t from = d->vertex_id[d->from[d->list[k]]];
-      int32_t to = d->vertex_id[d->to[d->list[k]]];
-      bool backward = to < from;
-
-      edge[(*n)++] =
-          (half){backward ? to : from, backward ? from : to, p, backward};
+  for (size_t s = 0; edge && s < d->segments; s++) {
+    for (uint32_t p = (uint32_t)d->polygon_begin[s];
+         p < d->polygon_begin[s + 1]; p++) {
+      list_polygon(d, d->segment[s], p, edge, n);
     }
   }
   return edge;

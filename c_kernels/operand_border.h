@@ -1,4 +1,4 @@
-/* operand_border.h -- where the boundary of a result turns from one operand to
+/* operand_border.h -- where the boundaries of results turn from one operand to
  * another.
  *
  * Layer: kernel. Decided on numbers alone.
@@ -11,13 +11,14 @@
 /* The edge from vertex low to vertex high is of the first polygon, its opposite
  * of the second: ids. */
 typedef struct sg_operand_border {
+  int32_t s;
   int32_t low, high; /* low < high */
   int32_t polygon[2];
 } sg_operand_border;
 
 typedef struct sg_operand_borders {
   size_t n;
-  sg_operand_border *item; /* [n], ascending by low, high, polygons */
+  sg_operand_border *item; /* [n], ascending by s, low, high, polygons */
 } sg_operand_borders;
 
 /* The segments that polygon k (a place) has parts of: operand[begin[k]] ..
@@ -27,8 +28,8 @@ typedef struct sg_operands_of {
   const int32_t *operand;
 } sg_operands_of;
 
-/* The edges of the one segment of `dense` between two polygons that have parts
- * of operands, and of none in common.
+/* The edges of the segments of `dense` between two polygons that have parts of
+ * operands, and of none in common.
  *
  * Returns: false: no memory, or (*stopped) stopped by the poll.
  * Owner:   out->item is the caller's, to free().

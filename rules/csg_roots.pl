@@ -56,19 +56,20 @@ roots_alone :-
 %!  operand_lines(-Lines) is det.
 %!  with_operand_lines(+Lines, :Goal) is semidet.
 %
-%   Lines are where the boundaries of root nodes turn from one operand to
-%   another. While Goal runs, once, they are line/9 of these segments with
-%   themselves, as far as their edges are there: so they are drawn as
-%   penetration lines, however little they bend.
+%   Lines are border(S, P, V1, V2, Q), where the boundaries of root nodes turn
+%   from one operand to another (operands_meet/2). While Goal runs, once, they
+%   are line/9 of these segments with themselves, as far as their edges are
+%   there: so they are drawn as penetration lines, however little they bend.
 
 operand_lines(Lines) :-
-    findall(line(S, P, V1, V2, Q),
-            ( root_segment(S),
-              is_node(S),
-              operand_borders(S, Borders),
-              member(border(P, V1, V2, Q), Borders)
-            ),
-            Lines).
+    root_nodes(Nodes),
+    (   Nodes == []
+    ->  Lines = []
+    ;   operand_borders(Nodes, Lines)
+    ).
+
+root_nodes(Nodes) :-
+    findall(S, ( root_segment(S), is_node(S) ), Nodes).
 
 with_operand_lines(Lines, Goal) :-
     findall(L, ( member(Line, Lines), line_added(Line, L) ), Ls),
@@ -77,11 +78,11 @@ with_operand_lines(Lines, Goal) :-
 
 %!  operands_meet(+S, -Border) is nondet.
 %
-%   True when Border is border(P, V1, V2, Q): polygon P of S has the edge from
+%   True when Border is border(S, P, V1, V2, Q): polygon P of S has the edge from
 %   V1 to V2, V1 < V2, and Q its opposite, and they are parts of operands, of no
 %   common one. The rule of operand_borders/2.
 
-operands_meet(S, border(P, V1, V2, Q)) :-
+operands_meet(S, border(S, P, V1, V2, Q)) :-
     e(S, E, V1, V2, _),
     V1 < V2,
     e(S, Twin, V2, V1, _),
@@ -96,13 +97,13 @@ is_part(S, P) :-
     from_p(S, P, _, _, _),
     !.
 
-line_added(line(S, P, V1, V2, Q), L) :-
+line_added(border(S, P, V1, V2, Q), L) :-
     once(e(S, _, V1, V2, _)),
     fresh_id(line, 0, L),
     assert_fact(line(L, S, P, V1, V2, S, Q, V1, V2)).
 
 left_alone(Aside) :-
-    findall(S, ( root_segment(S), is_node(S) ), Nodes),
+    root_nodes(Nodes),
     facets_of(Nodes, Facets),
     maplist(segment_dropped, Aside),
     maplist(made_plain, Nodes),

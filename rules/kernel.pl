@@ -34,7 +34,7 @@
             segment_operand/2,        % +S, -Operand
             segment_edges/4,          % +S, +Most, -Counts, -Edges
             windings/3,               % +S, +Points, -Windings
-            operand_borders/2,        % +S, -Borders
+            operand_borders/2,        % +Ss, -Borders
             known_facets/3,           % +Known, +Ss, -Facets
             % roll4pl.c
             surface_place/4,          % +Surface, +Point, -T, -H
@@ -843,10 +843,10 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   Near has S-Others for each of the segments Ss, each once, ascending: Others
 %   are those of Ss that near_segments/3 has with S, ascending.
 
-%!  operand_borders(+S, -Borders:list) is det.
+%!  operand_borders(+Ss:list, -Borders:list) is det.
 %
-%   Borders are border(P, V1, V2, Q), ascending by V1, V2: polygon P of the
-%   result S has the edge from V1 to V2, V1 < V2, and Q its opposite, and they
+%   Borders are border(S, P, V1, V2, Q), ascending by S, V1, V2: S is one of the
+%   results Ss, its polygon P has the edge from V1 to V2, V1 < V2, and Q its opposite, and they
 %   are parts of operands (from_p/5), of no common one. The fused kernel of
 %   operands_meet/2 (csg_roots.pl).
 

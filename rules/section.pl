@@ -259,7 +259,7 @@ on_the_way(At, A, B, X) :-
 section_lines(section(Plane, Pieces), OperandLines, Lines) :-
     findall(Line, piece_line(Pieces, Plane, OperandLines, Line), Lines).
 
-piece_line(Pieces, Plane, _, line(N, P, V1, V2, Q)) :-
+piece_line(Pieces, Plane, _, border(N, P, V1, V2, Q)) :-
     member(Piece, Pieces),
     Piece = piece(_, N, _, _),
     in_plane(Piece, Plane, E, V1, V2),
@@ -273,8 +273,8 @@ piece_line(Pieces, _, Lines, Line) :-
     member(Line, Lines),
     arg(1, Line, S),
     memberchk(piece(S, S, _, _), Pieces).
-piece_line(Pieces, _, Lines, line(N, P, V1, V2, Q)) :-
-    findall(S-(P0-Q0), member(line(S, P0, _, _, Q0), Lines), Pairs0),
+piece_line(Pieces, _, Lines, border(N, P, V1, V2, Q)) :-
+    findall(S-(P0-Q0), member(border(S, P0, _, _, Q0), Lines), Pairs0),
     sort(Pairs0, Pairs),
     member(S-(P0-Q0), Pairs),
     member(piece(S, N, _, _), Pieces),

@@ -261,7 +261,7 @@ test(operand_lines_stay, true(Count-All == 8-16)) :- % a drilled block
              section_lines(Section, Lines0, Lines),
              length(Lines0, All),
              findall(E, section_edges(Section, _, E), [InPlane]),
-             findall(L, ( member(L, Lines), L = line(N,_,V1,V2,_),
+             findall(L, ( member(L, Lines), L = border(N,_,V1,V2,_),
                           e(N,E,V1,V2,_), \+ memberchk(E, InPlane) ),
                      Others),
              length(Others, Count) )).

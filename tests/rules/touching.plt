@@ -171,7 +171,7 @@ test(borders, forall(sample(borders, 8, Seed))) :-
                     ( result(Expression, S),
                       findall(Border, operands_meet(S, Border), Rule0),
                       sort(Rule0, Rule),
-                      operand_borders(S, Kernel0),
+                      operand_borders([S], Kernel0),
                       sort(Kernel0, Kernel),
                       Kernel == Rule ))).
 
