@@ -23,11 +23,14 @@ typedef struct run {
 typedef struct runs {
   run *at;
   size_t n;
+  unsigned widest; /* the longest of them, squares, */
+  unsigned row;    /* and where it is */
 } runs;
 
 /* A sheet, with a border of `gap` squares all round. */
 typedef struct page {
   uint16_t *next; /* [h][w + 1]: the first taken square from here on, or w */
+  uint16_t *open; /* [h]: the longest free run of each row */
   size_t left;    /* squares that are not taken */
 } page;
 
@@ -278,6 +281,19 @@ make_mask(nesting *n, const sg_nest_piece *piece, double degrees, mask *m)
   return ok;
 }
 
+static void
+find_widest(runs *r)
+{
+  for (size_t i = 0; i < r->n; i++) {
+    unsigned wide = r->at[i].to - r->at[i].from + 1u;
+
+    if (wide > r->widest) {
+      r->widest = wide;
+      r->row = r->at[i].row;
+    }
+  }
+}
+
 /* The runs of a mask that are not 0, row by row; those that are 1, if only
  * `covered`. */
 static bool
@@ -285,7 +301,7 @@ mask_runs(mask *m, bool covered, runs *out)
 {
   size_t room = 0;
 
-  *out = (runs){NULL, 0};
+  *out = (runs){NULL, 0, 0, 0};
   m->covered = 0;
   for (unsigned y = 0; y < m->h; y++) {
     const uint8_t *row = m->square + (size_t)y * m->w;
@@ -312,6 +328,7 @@ mask_runs(mask *m, bool covered, runs *out)
       out->at[out->n++] = (run){(uint16_t)y, (uint16_t)x, (uint16_t)x};
     }
   }
+  find_widest(out);
   return true;
 }
 
@@ -336,11 +353,15 @@ add_page(nesting *n)
 
   n->work += wide * n->h;
   p->next = malloc(wide * n->h * sizeof *p->next);
+  p->open = malloc(n->h * sizeof *p->open);
   p->left = (size_t)n->w * n->h;
-  if (!p->next) {
+  n->pages++;
+  if (!p->next || !p->open) {
     return false;
   }
-  n->pages++;
+  for (unsigned y = 0; y < n->h; y++) {
+    p->open[y] = (uint16_t)n->w;
+  }
   for (size_t i = 0; i < wide * n->h; i++) {
     p->next[i] = (uint16_t)n->w;
   }
@@ -383,6 +404,9 @@ find_place(nesting *n, const page *p, const mask *m, const runs *r,
       *n->memory = true;
       return false;
     }
+    if (p->open[y + r->row] < r->widest) {
+      continue;
+    }
     for (unsigned x = 0; x + m->w <= n->w;) {
       unsigned step = hindrance(n, p, r, x, y, &first);
 
@@ -395,6 +419,20 @@ find_place(nesting *n, const page *p, const mask *m, const runs *r,
     }
   }
   return false;
+}
+
+static void
+measure_open(const nesting *n, page *p, unsigned y)
+{
+  const uint16_t *next = p->next + (size_t)y * (n->w + 1u);
+  unsigned longest = 0;
+
+  for (unsigned x = 0; x < n->w; x = next[x] + 1u) {
+    unsigned free_run = next[x] - x;
+
+    longest = free_run > longest ? free_run : longest;
+  }
+  p->open[y] = (uint16_t)longest;
 }
 
 static void
@@ -412,6 +450,11 @@ take_squares(nesting *n, page *p, const runs *r, unsigned x, unsigned y)
     }
     for (unsigned k = from; k > 0 && next[k - 1] > from; k--) {
       next[k - 1] = (uint16_t)from;
+    }
+  }
+  for (size_t i = 0; i < r->n; i++) {
+    if (i == 0 || r->at[i].row != r->at[i - 1].row) {
+      measure_open(n, p, y + r->at[i].row);
     }
   }
 }
@@ -531,6 +574,7 @@ sg_nest(const sg_nest_paper *paper, const sg_nest_piece *piece, size_t n,
   }
   for (size_t i = 0; i < all.pages; i++) {
     free(all.page[i].next);
+    free(all.page[i].open);
   }
   free(all.page);
   if (work) {

@@ -34,9 +34,9 @@ in millimetres; Gap is how far apart pieces stay.
 most_work(6.0e7).
 most_trials(200).
 
-% With so many pieces the raster is fine: fewer gain nothing by it, more would
-% take too long.
+% With so many pieces, on so many sheets, the raster is fine.
 fine_pieces(8, 200).
+fine_sheets(6).
 
 %!  nested(+Outlines, +Paper, -Nested) is det.
 %
@@ -215,10 +215,10 @@ next_chance(Chance0, Chance) :-
 
 tried(Paper, how(Ways,Side), trial(Score,how(Ways,Side),Pairs,Size), Left0,
       Left) :-
-    length(Ways, N),
     maplist(way_piece(Side), Ways, Names, Pieces),
     paper_nesting(Paper, Side, Ways, W-H, One, Gap),
-    square(W, H, Gap, Paper, N, Square),
+    raster(Paper, Ways, Raster),
+    square(W, H, Gap, Paper, Raster, Square),
     Squares is max(1, ceiling(Gap/Square)),
     nest(W-H, Square, Squares, One, Pieces, Places0, Work),
     Left is Left0-Work,
@@ -265,14 +265,27 @@ paper_nesting(roll(Gap), width(Share), Ways, Width-Height, true, Gap) :-
     Width is max(Widest*1.02+Gap, Share*sqrt(1.15*All)),
     Height is max(1.0, min(Longest*1.1+Gap, 40*Width)).
 
-%   About 800 squares along the longer side of a page, 400 if there are few
-%   pieces, or `many`; of a roll along the width.
+%   raster(Paper, Ways, Raster): fine where that tells: for some pieces, but not
+%   for many of them or many sheets, which would take too long.
 
-square(W, H, Gap, Paper, Pieces, Square) :-
+raster(Paper, Ways, Raster) :-
+    length(Ways, N),
     fine_pieces(Least, Most),
-    (   Pieces \== many,
-        Pieces >= Least,
-        Pieces =< Most
+    findall(Area, ( member(way(_,_,_,W,H), Ways), Area is W*H ), Areas),
+    sum_list(Areas, All),
+    fine_sheets(Sheets),
+    (   N >= Least,
+        N =< Most,
+        \+ ( Paper = room(RoomW, RoomH, _), All > Sheets*RoomW*RoomH )
+    ->  Raster = fine
+    ;   Raster = coarse
+    ).
+
+%   About 800 or 400 squares along the longer side of a page; of a roll along the
+%   width.
+
+square(W, H, Gap, Paper, Raster, Square) :-
+    (   Raster == fine
     ->  Fine = 800
     ;   Fine = 400
     ),
@@ -322,7 +335,7 @@ fits_on(_, roll(_)) :-
     !.
 fits_on(Points, Paper) :-
     Paper = room(RoomW, RoomH, Gap),
-    square(RoomW, RoomH, Gap, Paper, many, Square),
+    square(RoomW, RoomH, Gap, Paper, coarse, Square),
     Width is RoomW-2.1*Square,
     Height is RoomH-2.1*Square,
     (   points_box(Points, W, H)

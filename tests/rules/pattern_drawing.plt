@@ -192,6 +192,31 @@ test(divided_both_ways, [ Parts-Folds == 2-20 ]) :-
                  Name \== sheet ), Xs),
     length(Xs, Parts),
     count(Drawings, fold_down, Folds).
+% Each new side is there twice, as long on both sides, so that the marks at a
+% quarter and three quarters of it lie on each other.
+test(divided_sides_fit, [ forall(member(W-H, [400-300, 900-300, 480-100])) ]) :-
+    in_new(( plate_pattern(W, H), divided_sides([page('A4')], Groups) )),
+    assertion(Groups \== []),
+    forall(member(_-Lengths, Groups), assertion(same_two(Lengths))).
+test(divided_solids_fit,
+     [ forall(member(Term-Scale,
+                     [ box(size(40,30,25))-(10:1),
+                       hollow_cylinder(radius(30),inner(20),height(50),
+                                       facets(24))-(12:1),
+                       prism(points([0-0,50-0,60-20,30-15,40-60]),
+                             height(20))-(9:1)
+                     ])) ]) :-
+    in_new(( catch(add_primitive(Term, S), _, fail)
+           ->  develop(S, D),
+               quietly(divided_sides_of(D, [page('A4'),tabs(6),scale(Scale)],
+                                        Groups))
+           ;   Groups = none
+           )),
+    (   Groups == none
+    ->  true
+    ;   assertion(Groups \== []),
+        forall(member(_-Lengths, Groups), assertion(same_two(Lengths)))
+    ).
 test(divided_area) :-
     drawn(plate_pattern(400, 300), [page('A4')], Drawings),
     findall(A, ( stroke(Drawings, cut, stroke(_,_,_,_,Ps,_,_)),
@@ -272,6 +297,25 @@ test(wide_overlap, [ error(usage_error(pattern(overlap(100, 95.0)))) ]) :-
     drawn(cube_pattern(40), [tile(true),overlap(100)], _).
 test(no_page, [ error(usage_error(pattern(paper('B9',_)))) ]) :-
     drawn(cube_pattern(40), [page('B9')], _).
+
+divided_sides(Options, Groups) :-
+    quietly(divided_sides_of(2, Options, Groups)).
+
+divided_sides_of(D, Options, Groups) :-
+    pattern_layout([D], Options, layout(_,_,Sheets,_,_,_)),
+    findall(J-L,
+            ( member(Sheet, Sheets),
+              member(laid(piece(_,_,Sides),_,_), Sheet),
+              member(side(_,_,_-(XA-YA),_-(XB-YB),seam(J,_,_)), Sides),
+              J = split(_,_),
+              L is sqrt((XB-XA)**2 + (YB-YA)**2)
+            ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups).
+
+same_two([A,B]) :-
+    abs(A-B) < 1.0e-9*A.
 
 developed_pipe(N, D) :-
     add_primitive(cylinder(radius(20), height(80), facets(24)), S),
