@@ -26,7 +26,7 @@ put_surface(term_t t, const sg_known_surface *surface)
   term_t frame = PL_new_term_ref(), number = PL_new_term_ref();
 
   PL_put_nil(frame);
-  for (int i = 11; i >= 0; i--) {
+  for (int i = 3 * sg_known_surface_rows(surface->kind) - 1; i >= 0; i--) {
     if (!PL_put_float(number, surface->frame[i / 3][i % 3] + 0.0) ||
         !PL_cons_list(frame, number, frame)) {
       return FALSE;

@@ -1,6 +1,7 @@
 /* known_surface.c -- see known_surface.h */
 #include "known_surface.h"
 
+#include "bezier_patch.h"
 #include "bounds.h"
 #include "vector.h"
 
@@ -59,18 +60,19 @@ invert(double axis[3][3], double row[3][3])
 
 void
 sg_known_surface_init(sg_known_surface *surface, sg_known_surface_kind kind,
-                      const double frame[4][3], double a, double b)
+                      const double frame[][3], double a, double b)
 {
+  size_t rows = (size_t)sg_known_surface_rows(kind);
   double axis[3][3], unit = unit_of(frame + 1);
 
   *surface = (sg_known_surface){.kind = kind, .unit = unit, .a = a, .b = b};
-  memcpy(surface->frame, frame, sizeof surface->frame);
+  memcpy(surface->frame, frame, rows * sizeof *frame);
   for (int i = 0; i < 3; i++) {
     for (int k = 0; k < 3; k++) {
       axis[i][k] = frame[i + 1][k] * unit;
     }
   }
-  if (kind != SG_KNOWN_FREE && !invert(axis, surface->row)) {
+  if (rows == 4 && kind != SG_KNOWN_FREE && !invert(axis, surface->row)) {
     surface->kind = SG_KNOWN_FREE;
   }
 }
@@ -79,13 +81,15 @@ void
 sg_known_surface_move(const sg_known_surface *surface, const double map[3][4],
                       sg_known_surface *out)
 {
-  double frame[4][3];
+  double frame[16][3];
+  int rows = sg_known_surface_rows(surface->kind);
 
-  for (int i = 0; i < 4; i++) {
+  for (int i = 0; i < rows; i++) {
+    bool point = i == 0 || rows == 16;
     const double *from = surface->frame[i];
     for (int k = 0; k < 3; k++) {
       frame[i][k] = map[k][0] * from[0] + map[k][1] * from[1] +
-                    map[k][2] * from[2] + (i == 0 ? map[k][3] : 0.0);
+                    map[k][2] * from[2] + (point ? map[k][3] : 0.0);
     }
   }
   sg_known_surface_init(out, surface->kind, (const double(*)[3])frame,
@@ -138,17 +142,18 @@ gradient(const sg_known_surface *s, const double p[3], double out[3])
     return true;
   case SG_KNOWN_TORUS:
     return torus_gradient(p, out);
+  case SG_KNOWN_BEZIER:
   case SG_KNOWN_FREE:
     break;
   }
   return false;
 }
 
-bool
-sg_known_surface_normal(const sg_known_surface *s, const double p[3],
-                        const double facet[3], double out[3])
+/* The gradient, of any length, at a point of the model. */
+static bool
+placed_gradient(const sg_known_surface *s, const double p[3], double out[3])
 {
-  double from[3], at[3], grad[3], size, lean;
+  double from[3], at[3], grad[3];
 
   for (int k = 0; k < 3; k++) {
     from[k] = (p[k] - s->frame[0][k]) * s->unit;
@@ -162,6 +167,20 @@ sg_known_surface_normal(const sg_known_surface *s, const double p[3],
   for (int k = 0; k < 3; k++) {
     out[k] = grad[0] * s->row[0][k] + grad[1] * s->row[1][k] +
              grad[2] * s->row[2][k];
+  }
+  return true;
+}
+
+bool
+sg_known_surface_normal(const sg_known_surface *s, const double p[3],
+                        const double facet[3], double out[3])
+{
+  double size, lean;
+
+  if (!(s->kind == SG_KNOWN_BEZIER
+            ? sg_bezier_patch_normal((const double(*)[3])s->frame, p, out)
+            : placed_gradient(s, p, out))) {
+    return false;
   }
   size = sg_length(out);
   lean = sg_dot(out, facet);

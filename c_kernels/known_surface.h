@@ -13,6 +13,8 @@
  *            are 1), cones (a = b), and what is ruled between two ellipses
  *   sphere   x^2 + y^2 + h^2 = 1
  *   torus    (sqrt(x^2 + y^2) - 1)^2 + h^2 = a^2
+ *   bezier   a bicubic Bezier patch (bezier_patch.h), which has its control
+ *            points as its frame
  *   free     anything: its facets have the normals that they have
  *
  * Source: placed normals: Turkowski 1990, Transformations of surface normal
@@ -33,14 +35,15 @@ typedef enum sg_known_surface_kind {
   SG_KNOWN_TAPERED,
   SG_KNOWN_SPHERE,
   SG_KNOWN_TORUS,
+  SG_KNOWN_BEZIER,
   SG_KNOWN_FREE
 } sg_known_surface_kind;
 
 typedef struct sg_known_surface {
   sg_known_surface_kind kind;
-  double frame[4][3]; /* the centre, U, V and W */
-  double unit;        /* a power of two that makes U, V, W at most 1 */
-  double row[3][3];   /* times unit * (p - centre): the coordinates x, y, h */
+  double frame[16][3]; /* the centre, U, V and W, or 16 control points */
+  double unit;         /* a power of two that makes U, V, W at most 1 */
+  double row[3][3];    /* times unit * (p - centre): the coordinates x, y, h */
   double a, b;
 } sg_known_surface;
 
@@ -52,9 +55,16 @@ typedef struct sg_known_surfaces {
                   polygon has one */
 } sg_known_surfaces;
 
-/* A frame without volume makes the surface free. */
+/* How many points and vectors the frame of a kind has. */
+static inline int
+sg_known_surface_rows(sg_known_surface_kind kind)
+{
+  return kind == SG_KNOWN_BEZIER ? 16 : 4;
+}
+
+/* A frame without volume makes the surface free. frame[rows][3] */
 void sg_known_surface_init(sg_known_surface *surface,
-                           sg_known_surface_kind kind, const double frame[4][3],
+                           sg_known_surface_kind kind, const double frame[][3],
                            double a, double b);
 
 /* The surface where an affine map brings it: three rows A, B, C, D, the new x

@@ -72,6 +72,7 @@ push_map(sg_known *known, const sg_known_map *map)
 const char *const sg_known_kind_name[] = {[SG_KNOWN_TAPERED] = "tapered",
                                           [SG_KNOWN_SPHERE] = "sphere",
                                           [SG_KNOWN_TORUS] = "torus",
+                                          [SG_KNOWN_BEZIER] = "bezier",
                                           [SG_KNOWN_FREE] = "free"};
 
 static int
@@ -91,16 +92,16 @@ get_kind_ex(term_t t, sg_known_surface_kind *out)
   return PL_domain_error("surface_kind", t);
 }
 
-/* A list of 12 numbers: a frame (the centre, U, V, W), or the rows of a map. */
+/* A list of so many numbers: a frame, or the rows of a map. */
 static int
-get_twelve_ex(term_t t, double *out)
+get_numbers_ex(term_t t, size_t count, double *out)
 {
   double *number = NULL;
   size_t n = 0;
   int ok = sg_get_doubles_ex(t, &number, &n);
 
-  if (ok && n != 12) {
-    ok = PL_domain_error("twelve_numbers", t);
+  if (ok && n != count) {
+    ok = PL_domain_error(count == 12 ? "twelve_numbers" : "48_numbers", t);
   }
   for (size_t i = 0; ok && i < n; i++) {
     out[i] = number[i];
@@ -115,7 +116,7 @@ read_surface_ex(term_t t, sg_known *known)
 {
   term_t a = PL_new_term_refs(4);
   sg_known_surface_kind kind = SG_KNOWN_FREE;
-  double frame[4][3], taper[2];
+  double frame[16][3], taper[2];
   sg_known_surface surface;
 
   for (int i = 0; i < 4; i++) {
@@ -123,7 +124,9 @@ read_surface_ex(term_t t, sg_known *known)
       return PL_type_error("surface", t);
     }
   }
-  if (!get_kind_ex(a, &kind) || !get_twelve_ex(a + 1, &frame[0][0]) ||
+  if (!get_kind_ex(a, &kind) ||
+      !get_numbers_ex(a + 1, 3 * (size_t)sg_known_surface_rows(kind),
+                      &frame[0][0]) ||
       !sg_get_finites_ex(a + 2, 2, taper)) {
     return FALSE;
   }
@@ -196,7 +199,7 @@ read_segment_ex(term_t t, sg_known *known)
   if (arity == 3) {
     return read_facets_ex(map.s, a + 1, a + 2, known);
   }
-  return get_twelve_ex(a + 1, &map.row[0][0]) &&
+  return get_numbers_ex(a + 1, 12, &map.row[0][0]) &&
          (push_map(known, &map) || sg_no_memory());
 }
 

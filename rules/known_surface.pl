@@ -11,6 +11,7 @@
             moved_surface/3,            % +Matrix, +Surface0, -Surface
             surface_normal/4            % +Surface, +Point, +Facet, -Normal
           ]).
+:- use_module(bezier_normal, [patch_normal/3]).
 :- use_module(csg_matrix, [identity_matrix/1, rounded_matrix/2]).
 :- use_module(csg_record, [recorded/2]).
 :- use_module(kernel, [known_facets/3]).
@@ -79,7 +80,8 @@ known_of(S, What) :-
 %
 %   by smooth_surface/3: a centre, three vectors and, with x, y, h along these,
 %   Kind `tapered`: (x/(1-h+h*A))^2 + (y/(1-h+h*B))^2 = 1, `sphere`: x^2 + y^2 +
-%   h^2 = 1, `torus`: (sqrt(x^2+y^2)-1)^2 + h^2 = A^2, or `free`.
+%   h^2 = 1, `torus`: (sqrt(x^2+y^2)-1)^2 + h^2 = A^2, or `free`; of `bezier`
+%   the numbers are those of 16 control points (bezier_normal.pl).
 %
 %   Fails if the polygons are those of other segments, by from_p/5.
 
@@ -119,14 +121,21 @@ moved_join(S, Matrix) :-
 %
 %   Surface is where Matrix, three rows of four numbers, brings Surface0.
 
-moved_surface([RowX,RowY,RowZ],
-              surface(Kind,[X0,Y0,Z0,UX0,UY0,UZ0,VX0,VY0,VZ0,WX0,WY0,WZ0],A,B),
-              surface(Kind,[X,Y,Z,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ],A,B)) :-
-    Rows = [RowX,RowY,RowZ],
+moved_surface(Rows, surface(Kind,Numbers0,A,B), surface(Kind,Numbers,A,B)) :-
+    (   Kind == bezier
+    ->  moved_points(Numbers0, Rows, Numbers)
+    ;   Numbers0 = [X0,Y0,Z0,UX0,UY0,UZ0,VX0,VY0,VZ0,WX0,WY0,WZ0],
+        Numbers = [X,Y,Z,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ],
+        maplist(row_times([X0,Y0,Z0,1.0]), Rows, [X,Y,Z]),
+        maplist(row_times([UX0,UY0,UZ0,0.0]), Rows, [UX,UY,UZ]),
+        maplist(row_times([VX0,VY0,VZ0,0.0]), Rows, [VX,VY,VZ]),
+        maplist(row_times([WX0,WY0,WZ0,0.0]), Rows, [WX,WY,WZ])
+    ).
+
+moved_points([], _, []).
+moved_points([X0,Y0,Z0|Numbers0], Rows, [X,Y,Z|Numbers]) :-
     maplist(row_times([X0,Y0,Z0,1.0]), Rows, [X,Y,Z]),
-    maplist(row_times([UX0,UY0,UZ0,0.0]), Rows, [UX,UY,UZ]),
-    maplist(row_times([VX0,VY0,VZ0,0.0]), Rows, [VX,VY,VZ]),
-    maplist(row_times([WX0,WY0,WZ0,0.0]), Rows, [WX,WY,WZ]).
+    moved_points(Numbers0, Rows, Numbers).
 
 row_times([X,Y,Z,One], [A,B,C,D], Number) :-
     Number is float(A*X + B*Y + C*Z + D*One) + 0.0.
@@ -156,9 +165,8 @@ surface_runs([part(N,What)|Parts], P0, Named, Runs) :-
     ),
     surface_runs(Parts, P1, Named, Rest).
 
-%   stands_for(Turn, Surface): a facet of so many degrees stands for it. No
-%   facet of a Bezier patch does: how far a patch bends within a facet is not
-%   known, so only the crease angle tells what its edges are.
+%   stands_for(Turn, Surface): a facet of so many degrees stands for it; every
+%   facet of a Bezier patch does.
 
 stands_for(Turn, Surface) :-
     functor(Surface, Name, _),
@@ -170,6 +178,7 @@ widest(cone,     45.0).
 widest(ruled,    45.0).
 widest(sphere,   90.0).
 widest(torus,    90.0).
+widest(bezier,   inf).
 
 plain_surface(cylinder(C,U,V,W), surface(tapered,Frame,1.0,1.0)) :-
     frame(C, U, V, W, Frame).
@@ -186,10 +195,17 @@ plain_surface(sphere(C,U,V,W), surface(sphere,Frame,0.0,0.0)) :-
 plain_surface(torus(C,U,V,W,K0), surface(torus,Frame,K,0.0)) :-
     K is float(K0),
     frame(C, U, V, W, Frame).
+plain_surface(bezier(Points), surface(bezier,Numbers,0.0,0.0)) :-
+    foldl(coordinates, Points, Numbers, []).
 plain_surface(Term, surface(free,Frame,0.0,0.0)) :-
-    memberchk(Term, [bezier(_),fan(_,_,_,_),transition(_)]),
+    memberchk(Term, [fan(_,_,_,_),transition(_)]),
     frame(point(0.0,0.0,0.0), vector(0.0,0.0,0.0), vector(0.0,0.0,0.0),
           vector(0.0,0.0,0.0), Frame).
+
+coordinates(point(X0,Y0,Z0), [X,Y,Z|Numbers], Numbers) :-
+    X is float(X0),
+    Y is float(Y0),
+    Z is float(Z0).
 
 frame(point(X,Y,Z), vector(UX,UY,UZ), vector(VX,VY,VZ), vector(WX,WY,WZ),
       [X,Y,Z,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ]).
@@ -340,6 +356,13 @@ known_moved(Matrix, known(S,Surfaces0,Runs), known(S,Surfaces,Runs)) :-
 %   surface is mapped by the transpose of its inverse.
 
 surface_normal(surface(Kind,Frame,A,B), Point, Facet, Normal) :-
+    (   Kind == bezier
+    ->  patch_normal(Frame, Point, Gradient)
+    ;   placed_gradient(Kind, Frame, A, B, Point, Gradient)
+    ),
+    on_side(Gradient, Facet, Normal).
+
+placed_gradient(Kind, Frame, A, B, Point, p(X,Y,Z)) :-
     Kind \== free,
     Frame = [CX,CY,CZ,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ],
     U = p(UX,UY,UZ),
@@ -358,8 +381,7 @@ surface_normal(surface(Kind,Frame,A,B), Point, Facet, Normal) :-
     scaled(GZ, RowW, p(X3,Y3,Z3)),
     X is X1+X2+X3,
     Y is Y1+Y2+Y3,
-    Z is Z1+Z2+Z3,
-    on_side(p(X,Y,Z), Facet, Normal).
+    Z is Z1+Z2+Z3.
 
 coordinate(From, Volume, Row, Coordinate) :-
     dot_product(From, Row, Product),

@@ -169,9 +169,9 @@ test(cusps, [ forall(( true_lengths(Tube, True), most_off(N, MostV, MostH) )) ])
           Lengths, True, 0-0, OffV-OffH),
     OffV < MostV,
     OffH < MostH.
-% All of it, seen and hidden, beside the closed form: where the tube is turned by
-% U round the axis, the outline lies at tan V = -tan Phi cos U round the tube. So
-% long a part of it may be wrong, in the square of the angle of a facet.
+% All of it, seen and hidden, beside the closed form: with the tube turned by U
+% round the axis, the outline lies at tan V = -tan Phi cos U round the tube.
+% What is off is in the square of the angle of a facet.
 test(closed_form,
      [ forall(( member(Phi, [20,50,62,75]),
                 member(N-M, [8-6,12-8,24-12,48-24]) )),

@@ -63,7 +63,6 @@ wide(Ranges, Surface) :-
 same_surface(S, P) :-
     (   face_of(S, P, curved(Part, Ranges)),
         smooth_surface(S, Part, Surface),
-        Surface \= bezier(_),
         \+ wide(Ranges, Surface)
     ->  polygon_surface(S, P, S-K, _),
         once(( findall(Name, smooth_surface(S, Name, _), Names),
@@ -75,7 +74,10 @@ same_surface(S, P) :-
 
 parameters(Surface, T, H) :-
     functor(Surface, Name, _),
-    member(T, [10,75,200,300]),
+    (   Name == bezier
+    ->  member(T, [0.05,0.3,0.7,0.95])
+    ;   member(T, [10,75,200,300])
+    ),
     (   memberchk(Name, [sphere,torus])
     ->  member(H, [20,-35,70])
     ;   member(H, [0.1,0.5,0.8])
@@ -118,7 +120,6 @@ test(normals, [ forall(( round_primitive(Term0), placed(Term0, Term) )),
                    findall(Surface, smooth_surface(S, _, Surface), Surfaces),
                    findall(I-T-H,
                            ( nth1(I, Surfaces, Surface),
-                             Surface \= bezier(_),
                              nth1(I, Plains, Plain),
                              parameters(Surface, T, H),
                              \+ across(Surface, Plain, T-H) ),
@@ -176,6 +177,26 @@ roles(Options, Roles) :-
     findall(Role, drawn(_,_,_,_,_,_,Role), Roles0),
     sort(Roles0, Roles).
 
+% The first comes down two to one along u, the second goes on by Slope.
+two_patches(Slope, N, bezier(facets(N), points(Points),
+                             patches([First,Second]))) :-
+    findall([X,Y,Z],
+            ( member(Y, [0,1,2,3]),
+              member(X-Z, [0-0, 1-2, 2-2, 3-0, 4-Slope, 5-Slope, 6-0]) ),
+            Points),
+    findall(I, ( between(0, 3, V), between(1, 4, U), I is 7*V+U ), First),
+    findall(I, ( between(0, 3, V), between(4, 7, U), I is 7*V+U ), Second).
+
+on_meeting(E) :-
+    e(1, E, A, B, _),
+    v(1, A, 3.0, _, _),
+    v(1, B, 3.0, _, _).
+
+coarse(bezier(facets(2), points([[0,0,0],[1,0,2],[2,0,2],[3,0,0],
+                                 [0,1,2],[1,1,5],[2,1,5],[3,1,2],
+                                 [0,2,2],[1,2,5],[2,2,5],[3,2,2],
+                                 [0,3,0],[1,3,2],[2,3,2],[3,3,0]])),
+       [border,outline]).
 coarse(sphere(radius(1), facets(12), bands(8)), [outline]).
 coarse(sphere(radius(1), facets(5), bands(3)), [outline]).
 coarse(torus(radius(1), tube(0.3), facets(10), sides(5)), [outline]).
@@ -195,6 +216,17 @@ sides(S, Role, Lines) :-
 test(no_crease, [ forall(coarse(Term, Expected)), Roles == Expected ]) :-
     in_new_world(( set_view(33, 62, 0), pictured([Term], []),
                    roles([], Roles) )).
+% Two patches that meet in a line: with a common tangent plane there they are
+% one surface, however coarse, without one they have a crease.
+test(net, [ forall(( member(Slope-Expected, [-2-[], 0-[crease], 2-[crease]]),
+                     member(N, [1,3,8]) )), Roles == Expected ]) :-
+    two_patches(Slope, N, Net),
+    in_new_world(( set_view(20, 10, 0),
+                   pictured([Net], []),
+                   findall(Role, ( drawn(_,1,E,_,_,_,Role),
+                                   on_meeting(E), Role \== outline ),
+                           Roles0),
+                   sort(Roles0, Roles) )).
 test(all_edges, [ forall(coarse(Term, _)) ]) :-
     in_new_world(( set_view(33, 62, 0), pictured([Term], []),
                    roles([lines(all)], Roles),
