@@ -17,9 +17,9 @@ is the fused kernel.
 
 %!  patch_normal(+Numbers, +Point, -Normal) is semidet.
 %
-%   Normal is u x v, of any length, where the patch is nearest to Point; both are
-%   p(X,Y,Z). Numbers are the coordinates of its control points, four rows of
-%   four. Fails where it has none: at a side that is one point.
+%   Normal is u x v, of any length, where the patch is nearest to Point; both
+%   are p(X,Y,Z). Numbers are the coordinates of its control points, four rows
+%   of four. Fails where it has none: at a side that is one point.
 
 patch_normal(Numbers, Point, Normal) :-
     points(Numbers, Controls),
