@@ -80,6 +80,17 @@ check_outlines(void)
   CHECK("everything lies inside", wrong == 0);
 }
 
+static double
+area_of(const double (*corner)[2], size_t n)
+{
+  double sum = 0;
+
+  for (size_t i = 2; i < n; i++) {
+    sum += turn(corner[0], corner[i - 1], corner[i]) / 2;
+  }
+  return sum;
+}
+
 /* The outline of a fan of needles ends at its apex, to the last digit. */
 static void
 check_apex(void)
@@ -94,7 +105,10 @@ check_apex(void)
   }
   size_t n = sg_convex_hull(point, SG_CONVEX_MOST, hull);
   CHECK("a fan has many corners", n == SG_CONVEX_MOST);
+  double area = area_of((const double(*)[2])hull, n);
   n = sg_convex_outline(hull, n);
+  CHECK("its outline is hardly larger",
+        area_of((const double(*)[2])hull, n) < 1.01 * area);
   CHECK("its outline has few", n == SG_CONVEX_CORNERS);
   for (size_t i = 0; i < n; i++) {
     there = there || (hull[i][0] == 0.1 && hull[i][1] == 0.7);
@@ -120,6 +134,11 @@ check_overlaps(void)
   const double a[3][2] = {{0, 0}, {1, 0}, {0, 1}};
   const double beside[3][2] = {{1, 0}, {1, 1}, {0, 1}};
   const double at_a_corner[3][2] = {{1, 0}, {2, 0}, {1, 1}};
+  const double hair = 1e-9 * sqrt(0.5);
+  const double hardly[3][2] = {
+      {1 - 0.9 * hair, -0.9 * hair}, {2, 2}, {-0.9 * hair, 1 - 0.9 * hair}};
+  const double just[3][2] = {
+      {1 - 1.1 * hair, -1.1 * hair}, {2, 2}, {-1.1 * hair, 1 - 1.1 * hair}};
   const double a_little_in[3][2] = {{1 - 1e-10, -1}, {2, 0}, {1, 1}};
   const double in[3][2] = {{0.9, -1}, {2, 0}, {1, 1}};
   const double inside[3][2] = {{0.1, 0.1}, {0.2, 0.1}, {0.1, 0.2}};
@@ -130,6 +149,8 @@ check_overlaps(void)
   CHECK("beside a common side", !overlap(a, beside, 1e-9));
   CHECK("at a common corner", !overlap(a, at_a_corner, 1e-9));
   CHECK("not deeper than that", !overlap(a, a_little_in, 1e-9));
+  CHECK("a hair less", !overlap(a, hardly, 1e-9));
+  CHECK("a hair more", overlap(a, just, 1e-9));
   CHECK("deeper", overlap(a, in, 1e-9));
   CHECK("one inside the other", overlap(a, inside, 1e-9));
   CHECK("a sliver across, however thin", overlap(a, sliver, 1e-9));

@@ -83,7 +83,7 @@ check_against_all(double sheet)
   sg_flat_stock_clear(&stock);
 }
 
-/* Many items in one place, then one far away, then one in the first place. */
+/* Many items in one place, then some far away, as far as can be. */
 static void
 check_places(void)
 {
@@ -95,18 +95,20 @@ check_places(void)
   CHECK("there is room", sg_flat_stock_make(1, 1, &stock));
   CHECK("and more", sg_flat_stock_reserve(&stock, MOST));
   for (uint32_t i = 0; i < MOST; i++) {
-    double x = i == MOST - 2 ? 1e200 : 0.5;
+    double x = i < MOST - 20 ? 0.5 : i % 2 ? 1e200 : 1.7e308;
     stock.box[i] = (sg_flat_box){{x, x}, {x, x}};
     CHECK("an item is added", sg_flat_index_add(&index, &stock, i));
   }
   sg_flat_index_near(&index, &stock, &q, note, &f);
-  CHECK("items in one place are found", f.n == MOST - 1 && f.twice == 0);
-  CHECK("and not the one that is far", !f.seen[MOST - 2]);
+  CHECK("items in one place are found", f.n == MOST - 20 && f.twice == 0);
+  CHECK("and not those that are far", !f.seen[MOST - 20]);
+  size_t nodes = stock.nodes;
   sg_flat_index_clear(&index, &stock);
   CHECK("an index that is cleared has none",
         !sg_flat_index_near(&index, &stock, &q, first_is_enough, &f));
   CHECK("its items may be added again",
-        sg_flat_index_add(&index, &stock, 0) && f.n == MOST - 1);
+        sg_flat_index_add(&index, &stock, 0) && f.n == MOST - 20);
+  CHECK("in the memory they had", stock.nodes == nodes);
   sg_flat_stock_clear(&stock);
 }
 
@@ -207,6 +209,57 @@ check_needles(needle *make)
   free(n);
 }
 
+/* A corner of a square of this middle and size, below its diagonal. */
+static void
+half_square(double middle, double size, triangle out)
+{
+  memcpy(out,
+         (triangle){{middle - size, middle - size},
+                    {middle + size, middle - size},
+                    {middle + size, middle + size}},
+         sizeof(triangle));
+}
+
+/* Triangles with one middle, the largest first: whoever asks again and again
+ * for what only that one overlaps always finds it. */
+static void
+check_one_middle(void)
+{
+  enum { OTHERS = 20, ONES = 12, TIMES = 40 };
+  needles *n = calloc(1, sizeof *n);
+  sg_flat_stock stock;
+  sg_flat_index index = {0};
+  sg_flat_question q = {.corner = (const double(*)[2])n->asked,
+                        .corners = 3,
+                        .depth = DEEP,
+                        .corners_of = corners_of_needle,
+                        .items = n};
+  size_t wrong = 0;
+
+  CHECK("there is room", sg_flat_stock_make(OTHERS + ONES, 1, &stock));
+  for (uint32_t i = 0; i < OTHERS + ONES; i++) {
+    if (i < OTHERS) { /* whose boxes are in the way, and come first */
+      double low = -20.0 - i;
+      memcpy(n->of[i], (triangle){{low, low}, {8, low}, {low, 8}},
+             sizeof(triangle));
+    } else {
+      half_square(3, 4 - 0.3 * (i - OTHERS), n->of[i]);
+    }
+    stock.box[i] = sg_flat_box_round((const double(*)[2])n->of[i], 3);
+    CHECK("added", sg_flat_index_add(&index, &stock, i));
+  }
+  half_square(6.9, 0.05, n->asked);
+  q.box = sg_flat_box_round(q.corner, 3);
+  for (int k = 0; k < TIMES; k++) {
+    n->overlaps = 0;
+    sg_flat_index_near(&index, &stock, &q, count_overlap, n);
+    wrong += n->overlaps != 1;
+  }
+  CHECK("the largest is found each time", wrong == 0);
+  sg_flat_stock_clear(&stock);
+  free(n);
+}
+
 /* ---- walking ------------------------------------------------------------ */
 
 static bool
@@ -251,6 +304,7 @@ main(void)
   check_places();
   check_needles(needle_of_fan);
   check_needles(needle_of_row);
+  check_one_middle();
   check_walk();
   return check_report();
 }

@@ -468,6 +468,87 @@ check_exchange_pieces(void)
   free(m);
 }
 
+/* A saddle of eight triangles round a vertex, whose angles sum to more than a
+ * whole turn by about 19.3 times the square of its height. */
+static void
+check_saddle(double height, size_t pieces)
+{
+  model *m = new_model();
+  unfolded u;
+  int32_t rim[8];
+
+  add_vertex(m, 0, 0, 0);
+  for (int i = 0; i < 8; i++) {
+    double at = acos(-1.0) / 4 * i;
+    rim[i] = add_vertex(m, cos(at), sin(at), i % 2 ? height : -height);
+  }
+  for (int i = 0; i < 8; i++) {
+    add_polygon(m, 3, (int32_t[3]){0, rim[i], rim[(i + 1) % 8]});
+  }
+  unfold(m, SG_ORDER_LONGEST, &u);
+  CHECK("what overlaps by more than a thousand-millionth comes off",
+        u.layout.pieces == pieces);
+  forget(&u);
+  free(m);
+}
+
+/* Two triangles at an edge: is the joint between them flat? */
+static bool
+is_flat_joint(const double third[3])
+{
+  model *m = new_model();
+  unfolded u;
+
+  add_vertex(m, 0, 0, 0);
+  add_vertex(m, 1, 0, 0);
+  add_vertex(m, 0.5, 1, 0);
+  add_vertex(m, third[0], third[1], third[2]);
+  add_polygon(m, 3, (int32_t[3]){0, 1, 2});
+  add_polygon(m, 3, (int32_t[3]){1, 0, 3});
+  unfold(m, SG_ORDER_LONGEST, &u);
+  bool flat = u.joints.n == 1 && u.joints.joint[0].flat;
+  forget(&u);
+  free(m);
+  return flat;
+}
+
+static void
+check_flat(void)
+{
+  CHECK("beside it", is_flat_joint((double[3]){0.5, -1, 0}));
+  CHECK("not in its plane", !is_flat_joint((double[3]){0.5, -1, 1e-8}));
+  CHECK("folded back onto it", !is_flat_joint((double[3]){0.5, 0.9, 0}));
+  CHECK("a sliver, whatever its own plane",
+        is_flat_joint((double[3]){0.5, -1e-7, 5e-10}));
+}
+
+/* Two leaves, each of two triangles that lie on each other, at one edge: each
+ * is paired with itself. */
+static void
+check_leaves(void)
+{
+  model *m = new_model();
+  unfolded u;
+  size_t apart = 0;
+
+  add_vertex(m, 0, 0, 0);
+  add_vertex(m, 0, 0, 1);
+  add_vertex(m, 1, 0, 0.5);
+  add_vertex(m, -1, 0, 0.5);
+  for (int32_t third = 2; third < 4; third++) {
+    add_polygon(m, 3, (int32_t[3]){0, 1, third});
+    add_polygon(m, 3, (int32_t[3]){1, 0, third});
+  }
+  unfold(m, SG_ORDER_LONGEST, &u);
+  for (size_t j = 0; j < u.joints.n; j++) {
+    const uint32_t *face = u.joints.joint[j].face;
+    apart += face[0] / 2 != face[1] / 2;
+  }
+  CHECK("leaves are paired with themselves", u.joints.n == 6 && apart == 0);
+  forget(&u);
+  free(m);
+}
+
 /* A square that is folded along its diagonal: not flat, in two triangles. */
 static void
 check_bent(void)
@@ -656,6 +737,7 @@ check_stopped_merge(void)
               sg_flattening_join(&u.flattening, j, NULL, &state, &stopped));
   }
   u.flattening.moves = 0;
+  u.flattening.state[1] = SG_JOINT_FORBIDDEN;
   CHECK("the last one is stopped",
         !sg_flattening_join(&u.flattening, SQUARES / 2, &poll, &state,
                             &stopped) &&
@@ -665,6 +747,8 @@ check_stopped_merge(void)
   }
   CHECK("then every face is an island again",
         apart && u.flattening.state[0] == SG_JOINT_OPEN);
+  CHECK("and what is forbidden stays so",
+        u.flattening.state[1] == SG_JOINT_FORBIDDEN);
   forget(&u);
   free(m);
 }
@@ -684,6 +768,10 @@ main(void)
   check_exchange(SG_ORDER_LONGEST, 0);
   check_exchange_keeps();
   check_exchange_pieces();
+  check_saddle(7e-5, 2);
+  check_saddle(7e-6, 1);
+  check_flat();
+  check_leaves();
   check_bent();
   check_no_area();
   check_no_length();
