@@ -72,7 +72,8 @@ developable_part(S, Part, Surface) :-
 %
 %     - seam(Degrees)
 %       The generator at which it is cut open; without it the shortest (of
-%       those between facets), and if the part does not go round, none.
+%       those between facets that no hole interrupts, if there are such), and if
+%       the part does not go round, none.
 %     - half(true)
 %       Only the half from the seam on, if the other one is its mirror image.
 %     - generators(N)
@@ -206,24 +207,31 @@ facet_starts(Facets, Ts) :-
 turn_place(T, Place) :-
     Place is round(T*1.0e6) mod 360000000.
 
-%   shortest_generator(Facets, Starts, Shape, Sense, Seam): of those that are
-%   equally short, but for rounding, the first.
+%   shortest_generator(Facets, Starts, Shape, Sense, Seam): of those that no hole
+%   interrupts, if there are such; of equally short ones, but for rounding, the
+%   first.
 
 shortest_generator(Facets, Starts, Shape, Sense, Seam) :-
     facet_index(Facets, Index),
-    findall(Length-T,
+    findall(length(Spans, Length)-T,
             ( member(T, Starts),
-              generator_length(Index, T, Sense, Shape, Length) ),
-            Lengths),
+              generator_length(Index, T, Sense, Shape, Spans, Length) ),
+            All),
+    findall(Length-T, member(length(1, Length)-T, All), Whole),
+    (   Whole == []
+    ->  findall(Length-T, member(length(_, Length)-T, All), Lengths)
+    ;   Lengths = Whole
+    ),
     pairs_keys(Lengths, Ls),
     min_list(Ls, Least),
     Most is Least*(1.0 + 1.0e-9),
     once(( member(Length-Seam, Lengths),
            Length =< Most )).
 
-generator_length(Index, T, Sense, Shape, Length) :-
+generator_length(Index, T, Sense, Shape, Count, Length) :-
     Shape = shape(Surface, _, _),
     generator_spans(Index, T, Sense, Shape, Spans),
+    length(Spans, Count),
     findall(Part, ( member(H1-H2, Spans), Part is H2-H1 ), Parts),
     sum_list(Parts, Sum),
     surface_point(Surface, T, 0.0, point(X1,Y1,Z1)),

@@ -10,7 +10,8 @@
           ]).
 :- use_module(primitive_face, [surface_point/4]).
 :- use_module(true_border, [rims_kept/4]).
-:- use_module(true_divide, [facet_divided/7]).
+:- use_module(true_divide,
+              [facet_divided/7, facet_index/2, generator_spans/5]).
 :- use_module(true_shape,
               [ facet_middle/2, facets_sense/3, part_facet/5, part_facets/4,
                 shifted_facet/3, true_part/5
@@ -149,8 +150,8 @@ composed_seam(Pieces, Options, Seam, Around) :-
 
 piece_facets(piece(_, _, _, _, Facets, _, _), Facets).
 
-%   shortest_seam(Pieces, Seam): in the middle of a flat side, if there is one;
-%   of equal ones that with the smallest direction.
+%   shortest_seam(Pieces, Seam): in the middle of a flat side, if there is one
+%   that no hole interrupts there; of equal ones that with the smallest direction.
 
 shortest_seam(Pieces, Seam) :-
     findall(Length-G, seam_candidate(Pieces, flat, Length, G), Flat),
@@ -166,10 +167,13 @@ shortest_seam(Pieces, Seam) :-
 
 seam_candidate(Pieces, Which, Length, G) :-
     member(Piece, Pieces),
-    Piece = piece(_, _, T1-T2, _, Facets, shape(Surface, _, _), _),
+    Piece = piece(_, _, T1-T2, _, Facets, Shape, Sense),
+    Shape = shape(Surface, _, _),
     (   Surface = fan(_, _, _, _)
     ->  Which = flat,
-        T is (T1+T2)/2.0
+        T is (T1+T2)/2.0,
+        facet_index(Facets, Index),
+        generator_spans(Index, T, Sense, Shape, [_])
     ;   Which = round,
         member(facet(_, T, _, _), Facets)
     ),

@@ -28,10 +28,12 @@ keeps its length when the plate is rolled or bent, the *neutral* one. Options:
 Where parts penetrate, not what is drawn meets, but what touches first. A branch
 is *set on* a header: its inside meets the outside of the header, and there the
 hole is marked too. Or it is *set in* the wall: its outside meets the inside of
-the header. The part with the smaller radius is the branch. Options:
+the header. The part with the smaller radius is the branch. Parts of one radius
+meet in a mitre: with their middles. Options:
 
     set_in(true)         set in; by default set on
-    role(Role)           S is a `branch` or a `header`, whatever the radii
+    role(Role)           S is a `branch`, a `header` or one side of a `mitre`,
+                         whatever the radii
     other_thickness(T2)  of the plate of the others: T
 */
 
@@ -96,12 +98,7 @@ plate_parts(S, Others, Options0, Options, S1-Others1) :-
     option(set_in(In), Options0, false),
     must_be(boolean, In),
     touches(Role, In, Side),
-    (   Side == inside
-    ->  By = Inner,
-        OtherBy = OtherOuter
-    ;   By = Outer,
-        OtherBy = OtherInner
-    ),
+    touching_sides(Side, Inner-Outer, OtherInner-OtherOuter, By, OtherBy),
     plate_layer(Options0, Layer0),
     Layer is Layer0 - By,
     Options = [layer(Layer),size(Side)|Options0],
@@ -114,17 +111,40 @@ touches(branch, false, inside).
 touches(branch, true, outside).
 touches(header, false, outside).
 touches(header, true, inside).
+touches(mitre, _, middle).
+
+%   touching_sides(Side, Inner-Outer, OtherInner-OtherOuter, By, OtherBy): By how
+%   much larger than drawn the sides are that touch.
+
+touching_sides(inside, Inner-_, _-OtherOuter, Inner, OtherOuter).
+touching_sides(outside, _-Outer, OtherInner-_, Outer, OtherInner).
+touching_sides(middle, Inner-Outer, OtherInner-OtherOuter, By, OtherBy) :-
+    By is (Inner+Outer)/2.0,
+    OtherBy is (OtherInner+OtherOuter)/2.0.
 
 part_role(Options, S, Others, Role) :-
     (   option(role(Role), Options)
-    ->  must_be(oneof([branch,header]), Role)
+    ->  must_be(oneof([branch,header,mitre]), Role)
     ;   part_width(S, Width),
-        member(Other, Others),
-        part_width(Other, OtherWidth),
-        OtherWidth < Width
+        maplist(part_width, Others, Widths),
+        width_role(Width, Widths, Role)
+    ).
+
+width_role(Width, Widths, Role) :-
+    (   member(Other, Widths),
+        wider(Width, Other)
     ->  Role = header
+    ;   Width < inf,
+        Widths \== [],
+        \+ ( member(Other, Widths), wider(Other, Width) )
+    ->  Role = mitre
     ;   Role = branch
     ).
+
+%   wider(A, B): by more than rounding.
+
+wider(A, B) :-
+    A > B*(1.0 + 1.0e-9).
 
 %   What has flat faces is as wide as a box or prism is, or wider than any pipe.
 

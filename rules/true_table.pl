@@ -14,8 +14,8 @@
 :- use_module(true_development, [developable_part/3]).
 :- use_module(true_words, [column_word/3]).
 :- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- autoload(library(lists), 
-            [append/2, append/3, member/2, nth1/3, sum_list/2]).
+:- autoload(library(lists),
+            [append/2, append/3, last/2, member/2, nth1/3, sum_list/2]).
 :- autoload(library(option), [option/2, option/3]).
 /** <module> Generators of a true development, and the table of true lengths.
 
@@ -50,7 +50,8 @@ generator_mark(D, Number, X1-Y1, X2-Y2) :-
 %   more than Length. StepFrom and StepTo are the distances in the pattern of
 %   its ends from those of the next generator, Diagonal that of its first end
 %   from the next one's last: so the pattern can be drawn with compasses,
-%   triangle by triangle. They are `none` where there is no next one.
+%   triangle by triangle. They are `none` where there is no next one, and for the
+%   further parts of one that holes interrupt.
 
 true_length_rows(D, Rows) :-
     findall(generator(Number, Degrees, Position, From, To)-(P-Q),
@@ -65,21 +66,48 @@ edge_ends(D, E, X1-Y1, X2-Y2) :-
     v(D, A, X1, Y1, _),
     v(D, B, X2, Y2, _).
 
+%   rows(Generators, Rows): the parts of a generator that holes interrupt are
+%   rows of one number; the first of them has the steps to the next one.
+
 rows([], []).
-rows([Generator-(P-Q)|Generators], [Row|Rows]) :-
-    Generator = generator(Number, Degrees, Position, From, To),
-    distance(P, Q, Length),
-    (   Generators = [_-(P2-Q2)|_]
-    ->  distance(P, P2, StepFrom),
-        distance(Q, Q2, StepTo),
-        distance(P, Q2, Diagonal)
+rows([First|Generators0], [Row|Rows]) :-
+    First = Mark-(P-Q),
+    more_parts(Generators0, Mark, More, Generators),
+    last([First|More], _-(_-Last)),
+    (   Generators = [Next-(P2-_)|_]
+    ->  more_parts(Generators, Next, NextParts, _),
+        last(NextParts, _-(_-Last2)),
+        distance(P, P2, StepFrom),
+        distance(Last, Last2, StepTo),
+        distance(P, Last2, Diagonal)
     ;   StepFrom = none,
         StepTo = none,
         Diagonal = none
     ),
-    Row = row(Number, Degrees, Position, From, To, Length, StepFrom, StepTo,
-              Diagonal),
-    rows(Generators, Rows).
+    mark_row(Mark, P-Q, StepFrom, StepTo, Diagonal, Row),
+    findall(Other,
+            ( member(Mark1-Ends, More),
+              mark_row(Mark1, Ends, none, none, none, Other) ),
+            Others),
+    append(Others, Rest, Rows),
+    rows(Generators, Rest).
+
+%   more_parts(Generators0, Mark, Parts, Generators): those at the beginning that
+%   have the number and the place of Mark.
+
+more_parts([Part|Generators0], Mark, [Part|Parts], Generators) :-
+    Mark = generator(Number, _, Position, _, _),
+    Part = generator(Number, _, Position0, _, _)-_,
+    Position0 =:= Position,
+    !,
+    more_parts(Generators0, Mark, Parts, Generators).
+more_parts(Generators, _, [], Generators).
+
+mark_row(generator(Number, Degrees, Position, From, To), P-Q, StepFrom, StepTo,
+         Diagonal,
+         row(Number, Degrees, Position, From, To, Length, StepFrom, StepTo,
+             Diagonal)) :-
+    distance(P, Q, Length).
 
 distance(X1-Y1, X2-Y2, D) :-
     D is sqrt((X1-X2)**2 + (Y1-Y2)**2).

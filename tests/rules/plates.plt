@@ -10,6 +10,7 @@
 :- use_module(rules(trimmed)).
 :- use_module(rules(true_flat)).
 :- use_module(rules(true_plate)).
+:- use_module(rules(true_table)).
 :- use_module(rules(unfold)).
 :- use_module(rules(unfold_report)).
 :- use_module(rules(unfold_true)).
@@ -157,6 +158,45 @@ test(duct_on_a_pipe) :-
     Cut0 is 60*2*100*asin(30/100.0),
     Exact is Whole + Cut0 - 2*pi*300 - Cut,
     near(Area, Exact, 2.0e-4).
+
+%   Pipes of one radius meet in a mitre, by their middles: at 90 degrees the
+%   shortest generator ends by the middle radius below the other axis.
+test(mitre,
+     [ forall(member(Size-R, [outside-29,middle-30,inside-31])) ]) :-
+    patterns([ cylinder(radius(30), height(100)),
+               at([rotate(y,90),translate(-200,0,100)],
+                  cylinder(radius(30), height(200))) ], 1,
+             [thickness(2),size(Size)], [D|_],
+             ( box(D, X1-X2, _, _), seam_drawn(D, Seam, _) )),
+    near(X2-X1, 2*pi*R),
+    near(Seam, 100-R, 1.0e-6).
+
+%   The seam of a header goes round its hole.
+test(seam_beside_the_hole) :-
+    patterns([ cylinder(radius(50), height(300)),
+               at([rotate(y,90),translate(0,0,150)],
+                  cylinder(radius(30), height(150))) ], 1, [], [D|_],
+             seam_drawn(D, Seam, Longest)),
+    near(Seam, 300),
+    near(Longest, 300).
+
+%   The steps of a generator that the hole interrupts go past the hole.
+test(steps_past_a_hole) :-
+    patterns([ cylinder(radius(50), height(300)),
+               at([rotate(y,90),translate(0,0,150)],
+                  cylinder(radius(30), height(150))) ], 1,
+             [generators(12),seam(180)], [D|_], true_length_rows(D, Rows)),
+    findall(Number-StepFrom-StepTo,
+            member(row(Number,_,_,_,_,_,StepFrom,StepTo,_), Rows), Steps),
+    length(Steps, 16),
+    Step is 2*pi*50/12,
+    forall(member(_-A-B, Steps),
+           (   A == none
+           ->  B == none
+           ;   near(A, Step),
+               near(B, Step)
+           )),
+    aggregate_all(count, member(_-none-_, Steps), 4).
 
 %   What is said names what was asked for, and measures what is drawn.
 test(named) :-
