@@ -50,8 +50,8 @@ generator_mark(D, Number, X1-Y1, X2-Y2) :-
 %   more than Length. StepFrom and StepTo are the distances in the pattern of
 %   its ends from those of the next generator, Diagonal that of its first end
 %   from the next one's last: so the pattern can be drawn with compasses,
-%   triangle by triangle. They are `none` where there is no next one, and for the
-%   further parts of one that holes interrupt.
+%   triangle by triangle. They are `none` where there is no next one, and for
+%   the further parts of one that holes interrupt.
 
 true_length_rows(D, Rows) :-
     findall(generator(Number, Degrees, Position, From, To)-(P-Q),
@@ -92,8 +92,8 @@ rows([First|Generators0], [Row|Rows]) :-
     append(Others, Rest, Rows),
     rows(Generators, Rest).
 
-%   more_parts(Generators0, Mark, Parts, Generators): those at the beginning that
-%   have the number and the place of Mark.
+%   more_parts(Generators0, Mark, Parts, Generators): those at the beginning
+%   that have the number and the place of Mark.
 
 more_parts([Part|Generators0], Mark, [Part|Parts], Generators) :-
     Mark = generator(Number, _, Position, _, _),
