@@ -282,10 +282,22 @@ add_cells(sg_choice *k, const sg_source *from, const sg_poll *poll)
 
 /* ---- everything ---- */
 
+/* Two leaves, mostly, share a vertex that a cut made. */
+static bool
+reserve_places(sg_choice *k)
+{
+  size_t mades = 0;
+
+  for (size_t i = 0; i < k->n; i++) {
+    mades += k->from[i].leaf->mades;
+  }
+  return sg_key_table_reserve(&k->at, mades / 2);
+}
+
 static bool
 add_all(sg_choice *k, sg_crew *crew, const sg_poll *poll)
 {
-  bool good = sg_choice_add_rows(k, crew, poll);
+  bool good = reserve_places(k) && sg_choice_add_rows(k, crew, poll);
 
   for (size_t i = 0; i < k->n && good; i++) {
     good = number_plain(k, &k->from[i]);

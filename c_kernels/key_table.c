@@ -46,11 +46,11 @@ find(const sg_key_table *table, const uint32_t *key)
   }
 }
 
+/* Makes it a table of `room` slots, which are enough. */
 static int
-grow(sg_key_table *table)
+grow_to(sg_key_table *table, size_t room)
 {
   size_t stride = table->words + 1;
-  size_t room = table->room ? 2 * table->room : 64;
   sg_key_table bigger = {table->words, table->n, room, NULL};
 
   bigger.slot = malloc(room * stride * sizeof *bigger.slot);
@@ -68,6 +68,23 @@ grow(sg_key_table *table)
   free(table->slot);
   *table = bigger;
   return 1;
+}
+
+static int
+grow(sg_key_table *table)
+{
+  return grow_to(table, table->room ? 2 * table->room : 64);
+}
+
+bool
+sg_key_table_reserve(sg_key_table *table, size_t n)
+{
+  size_t room = table->room ? table->room : 64;
+
+  while (room < 2 * n) {
+    room *= 2;
+  }
+  return room == table->room || grow_to(table, room);
 }
 
 uint32_t

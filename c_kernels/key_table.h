@@ -28,6 +28,9 @@ typedef struct sg_key_table {
 void sg_key_table_init(sg_key_table *table, unsigned words);
 void sg_key_table_clear(sg_key_table *table);
 
+/* Room for n keys in all, so that it need not grow. False: no memory. */
+bool sg_key_table_reserve(sg_key_table *table, size_t n);
+
 /* The number of a key, SG_NO_KEY if it is not there. */
 uint32_t sg_key_table_get(const sg_key_table *table, const uint32_t *key);
 

@@ -72,6 +72,12 @@ known_as(matching *m, uint32_t i)
 static bool
 know_vertices(matching *m)
 {
+  size_t plain = sg_old_count(m->old, SG_OLD_FROM_V);
+
+  if (!sg_key_table_reserve(&m->was, plain) ||
+      !sg_key_table_reserve(&m->made, sg_old_count(m->old, SG_OLD_V) - plain)) {
+    return false;
+  }
   for (uint32_t i = 0; i < sg_old_count(m->old, SG_OLD_V); i++) {
     uint32_t *known = known_as(m, i);
     if (!known) {

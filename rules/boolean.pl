@@ -10,7 +10,7 @@
               [ with_arrangement/3, components/2, arranged_solid/3,
                 default_senses/4, passing_vertices/2
               ]).
-:- use_module(csg_record, [not_kept/2]).
+:- use_module(csg_record, [not_kept/2, surfaces_among/2]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
 :- use_module(kernel,
@@ -197,7 +197,7 @@ senses(Arrangement, Expression, Senses) :-
     decision_is_default(stays/3),
     !,
     expression_leaves(Expression, Leaves),
-    include(is_surface, Leaves, Open),
+    surfaces_among(Leaves, Open),
     default_senses(Arrangement, Expression, Open, Senses).
 senses(Arrangement, Expression, Senses) :-
     senses_by_rule(Arrangement, Expression, Senses).

@@ -4,6 +4,7 @@
             up_to_date/2,               % +S, +From
             made_and_kept/2,            % +S, +What
             not_kept/2,                 % +Ss, -Others
+            surfaces_among/2,           % +Ss, -Surfaces
             drop_record/1,              % +S
             joined_segment/1,           % ?S
             record_joined/1               % +S
@@ -87,6 +88,25 @@ other(S, Kind, Others0, Others) :-
     (   Kind == other
     ->  Others0 = [S|Others]
     ;   Others0 = Others
+    ).
+
+%!  surfaces_among(+Ss:list, -Surfaces:list) is det.
+%
+%   Surfaces are those of the segments Ss that are surfaces, in order. Asked as
+%   not_kept/2 is.
+
+surfaces_among(Ss, Surfaces) :-
+    kept_leaves(Ss, Kinds),
+    foldl(surface, Ss, Kinds, Surfaces, []).
+
+surface(S, Kind, Surfaces0, Surfaces) :-
+    (   (   Kind == surface
+        ->  true
+        ;   Kind == other,
+            once(segment(S, surface, _))
+        )
+    ->  Surfaces0 = [S|Surfaces]
+    ;   Surfaces0 = Surfaces
     ).
 
 %!  drop_record(+S) is det.

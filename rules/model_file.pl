@@ -23,7 +23,8 @@
 :- use_module(shifted, [own_numbers/3, shifted/3]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
+:- autoload(library(assoc),
+            [empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- autoload(library(lists), [member/2]).
 :- autoload(library(pairs), [pairs_keys/2]).
 /** <module> Model files: the paper's facts read into the world.
@@ -297,9 +298,11 @@ later_segment(later(segment(S, Kind, Name), Place)) :-
     ;   place_error(Place, 3, no_vertices(S, Name))
     ).
 
+%   S has no vertices yet, so no edges either: they are numbered from 1.
+
 shape_added(Kind, S, Points, Chains, Place) :-
     foldl(point_added(S, Place), Points, 1, _),
-    empty_assoc(Numbers),
+    list_to_assoc([S-1], Numbers),
     (   Kind == curve
     ->  foldl(chain_added(S, Place), Chains, Numbers, _)
     ;   foldl(face_added(S, Place), Chains, 1-Numbers, _)
