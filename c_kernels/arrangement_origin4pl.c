@@ -85,29 +85,41 @@ sg_make_origins_ex(sg_arrangement_handle *h)
   return TRUE;
 }
 
+/* What made a vertex. */
+static const uint32_t *
+words_of(const sg_pieces *p, const sg_made_by *by)
+{
+  const sg_arrangement_handle *from = p->from[by->chosen];
+
+  return from->origin + from->origin_at[by->point];
+}
+
 int
 sg_give_origins_ex(const sg_pieces *p, sg_solid *solid,
                    const sg_made_by *made_by)
 {
-  size_t made = solid->vertices - solid->plain;
+  size_t made = solid->vertices - solid->plain, n = 0;
 
-  solid->origin = calloc(made + 1, sizeof *solid->origin);
-  if (!solid->origin) {
+  for (size_t i = 0; i < made; i++) {
+    n += sg_term_length(words_of(p, &made_by[i]));
+  }
+  solid->origin = malloc((made + 1) * sizeof *solid->origin);
+  solid->origin_words = malloc((n + 1) * sizeof *solid->origin_words);
+  if (!solid->origin || !solid->origin_words) {
     return sg_no_memory();
   }
+  uint32_t *to = solid->origin_words;
+
   for (size_t i = 0; i < made; i++) {
-    const sg_arrangement_handle *from = p->from[made_by[i].chosen];
-    const uint32_t *words = from->origin + from->origin_at[made_by[i].point];
-    size_t size = sg_term_length(words) * sizeof *words;
+    const uint32_t *words = words_of(p, &made_by[i]);
+    size_t length = sg_term_length(words);
 
     if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
       return FALSE;
     }
-    solid->origin[i] = malloc(size);
-    if (!solid->origin[i]) {
-      return sg_no_memory();
-    }
-    memcpy(solid->origin[i], words, size);
+    memcpy(to, words, length * sizeof *to);
+    solid->origin[i] = to;
+    to += length;
   }
   return TRUE;
 }

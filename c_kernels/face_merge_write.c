@@ -250,14 +250,12 @@ move_vertices(writer *w)
     plain += w->number[v] != SG_NOTHING;
   }
   for (size_t v = 0; v < solid->vertices; v++) {
-    uint32_t *name = v < solid->plain ? NULL : solid->origin[v - solid->plain];
     if (w->number[v] == SG_NOTHING) {
-      free(name);
       continue;
     }
     solid->vertex[n] = solid->vertex[v];
-    if (v >= solid->plain) {
-      solid->origin[n - plain] = name;
+    if (v >= solid->plain && solid->origin) {
+      solid->origin[n - plain] = solid->origin[v - solid->plain];
     }
     n++;
   }

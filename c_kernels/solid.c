@@ -11,11 +11,9 @@ enum { BLOCK = 1 << 14 }; /* triangles in a task */
 void
 sg_solid_clear(sg_solid *solid)
 {
-  for (size_t i = solid->plain; solid->origin && i < solid->vertices; i++) {
-    free(solid->origin[i - solid->plain]);
-  }
   free(solid->vertex);
   free(solid->origin);
+  free(solid->origin_words);
   free(solid->triangle);
   free(solid->auxiliary);
   free(solid->face);

@@ -40,7 +40,9 @@ typedef struct sg_solid_face {
 typedef struct sg_solid {
   sg_solid_vertex *vertex; /* [vertices] */
   size_t vertices, plain;
-  uint32_t **origin;       /* [vertices - plain]: coded terms (term.h), owned */
+  const uint32_t **origin; /* [vertices - plain]: coded terms (term.h), in
+                              origin_words; or null */
+  uint32_t *origin_words;
   uint32_t (*triangle)[3]; /* [triangles] */
   uint8_t *auxiliary;      /* [triangles]: bit k: if the edge from corner k to
                               the next ends its face, it is auxiliary (Et 0) */
