@@ -23,11 +23,24 @@ hash(const uint32_t *key, unsigned words)
 {
   uint64_t h = 0x9e3779b97f4a7c15u;
 
-  for (unsigned i = 0; i < words; i++) {
-    h = (h ^ key[i]) * 0xff51afd7ed558ccdu;
+  for (unsigned i = 0; i < words; i += 2) { /* two words at once */
+    uint64_t high = i + 1 < words ? key[i + 1] : 0;
+
+    h = (h ^ (high << 32 | key[i])) * 0xff51afd7ed558ccdu;
     h ^= h >> 32;
   }
   return (uint32_t)h;
+}
+
+static bool
+is_key(const uint32_t *slot, const uint32_t *key, unsigned words)
+{
+  uint32_t differ = 0;
+
+  for (unsigned i = 0; i < words; i++) {
+    differ |= slot[i] ^ key[i];
+  }
+  return differ == 0;
 }
 
 /* The slot of this key, or the free one where it would stand. */
@@ -39,8 +52,7 @@ find(const sg_key_table *table, const uint32_t *key)
   for (size_t i = hash(key, table->words) & mask;; i = (i + 1) & mask) {
     uint32_t *slot = table->slot + i * stride;
 
-    if (slot[table->words] == SG_NO_KEY ||
-        memcmp(slot, key, table->words * sizeof *key) == 0) {
+    if (slot[table->words] == SG_NO_KEY || is_key(slot, key, table->words)) {
       return slot;
     }
   }
