@@ -281,12 +281,13 @@ test_names(void)
 
   solid.plain = 5;
   solid.origin = malloc(made * sizeof *solid.origin);
-  for (size_t i = 0; solid.origin && i < made; i++) {
-    solid.origin[i] = malloc(sizeof **solid.origin);
-    if (!solid.origin[i]) {
-      abort();
-    }
-    *solid.origin[i] = (uint32_t)i + 5;
+  solid.origin_words = malloc(made * sizeof *solid.origin_words);
+  if (!solid.origin || !solid.origin_words) {
+    abort();
+  }
+  for (size_t i = 0; i < made; i++) {
+    solid.origin_words[i] = (uint32_t)i + 5;
+    solid.origin[i] = &solid.origin_words[i];
   }
   for (size_t v = 0; v < solid.vertices; v++) {
     memcpy(at[v], solid.vertex[v].at, sizeof at[v]);
