@@ -6,7 +6,8 @@
    tree: 1,000 primitives, each meeting at most 10 others, in one expression;
    the first evaluation, then each leaf moved in turn and the tree evaluated
    again. MOVES of the leaves (all unless told) are moved. By the clock, and in
-   processor time of all threads, which a busy machine changes less.
+   processor time of all threads, which a busy machine changes less; and how
+   much memory all of it took, undo steps included.
    instance: a sphere of 300,000 triangles once more, turned.
 */
 :- use_module('../rules/boolean').
@@ -22,6 +23,7 @@
 :- use_module(library(lists)).
 :- use_module(library(pairs)).
 :- use_module(library(random)).
+:- use_module(library(readutil)).
 
 :- initialization(main, main).
 
@@ -108,12 +110,27 @@ tree :-
     format("1,000 primitives: first evaluation ~3f s: ~w~n", [First,Text]),
     stages_reset,
     moves(Leaves),
+    resident(Before),
     maplist(moved_seconds, Leaves, Seconds, Processor),
     say_parts("by the clock", Leaves, Seconds, First),
     say_parts("in processor time", Leaves, Processor, FirstProcessor),
     length(Leaves, N),
+    resident(After),
+    Evaluations is 2*N,
+    format("memory ~0f MB before, ~0f MB after ~d evaluations~n",
+           [Before,After,Evaluations]),
     forall(stage_seconds(Name, Part),
            ( Ms is Part/N/2*1000, format("  ~w ~1f ms~n", [Name,Ms]) )).
+
+%   resident(Megabytes): what the process takes of the machine's memory.
+
+resident(Megabytes) :-
+    setup_call_cleanup(open('/proc/self/statm', read, Stream),
+                       read_line_to_string(Stream, Line),
+                       close(Stream)),
+    split_string(Line, " ", "", [_,Pages|_]),
+    number_string(N, Pages),
+    Megabytes is N*4096/1.0e6.
 
 say_parts(How, Leaves, Seconds, First) :-
     sum_list(Seconds, Sum),
