@@ -1,7 +1,7 @@
 :- module(sg_bezier_normal,
           [ patch_normal/3              % +Numbers, +Point, -Normal
           ]).
-:- use_module(smooth_vector, [cross_product/3, difference/3, dot_product/3]).
+:- use_module(vector, [cross_product/3, difference/3, dot_product/3]).
 :- autoload(library(apply), [foldl/4]).
 :- autoload(library(lists), [member/2]).
 /** <module> The normal of a bicubic Bezier patch at a point of it.

@@ -19,7 +19,7 @@
                 fan_normal/3, fan_unit/3, corner_vertex/3, corner_place/3,
                 next_corner/2
               ]).
-:- use_module(smooth_vector, [dot_product/3]).
+:- use_module(vector, [dot_product/3]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [contour/9, e/5, screen/5, segment/3, t/6]).
 :- use_module(view, [current_view/4, view_matrix/3]).

@@ -8,7 +8,7 @@
                 corner_fan/3, corner_vertex/3, next_corner/2,
                 fan_unit/3
               ]).
-:- use_module(smooth_vector, [dot_product/3]).
+:- use_module(vector, [dot_product/3]).
 :- use_module(store, [screen/5, t/6]).
 :- autoload(library(apply), [maplist/3]).
 :- autoload(library(assoc), [get_assoc/3]).

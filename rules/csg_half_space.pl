@@ -1,6 +1,7 @@
 :- module(sg_csg_half_space,
           [ half_space/3                % +Plane, +Box, -Half
           ]).
+:- use_module(vector, [cross_product/3, scaled/3, unit/2, vector_sum/3]).
 :- autoload(library(apply), [maplist/3]).
 /** <module> A half-space as a solid that is large enough.
 
@@ -30,8 +31,8 @@ half_space(plane(A,B,C,D), box(X1,Y1,Z1,X2,Y2,Z2), Half) :-
     ->  Half = none
     ;   Height < -R
     ->  Half = all
-    ;   maplist(part(Length), [A,B,C], N),
-        tetrahedron(N, plane(A,B,C,D), [X,Y,Z], Height, R, Half)
+    ;   maplist(part(Length), [A,B,C], [NX,NY,NZ]),
+        tetrahedron(p(NX,NY,NZ), plane(A,B,C,D), p(X,Y,Z), Height, R, Half)
     ).
 
 middle(Low-High, Middle) :-
@@ -56,39 +57,31 @@ tetrahedron(N, Plane, Centre, Height, R, Half) :-
     maplist(corner(Plane, Middle, U, V), [Far-0.0, Near-Wide, Near-Back],
             [P1,P2,P3]),
     Deep is -5.0*R,
-    along(Middle, Deep, N, P4),
-    Half = polyhedron(points([P1,P2,P3,P4]),
+    along(Middle, Deep, N, p(X4,Y4,Z4)),
+    Half = polyhedron(points([P1,P2,P3,[X4,Y4,Z4]]),
                       faces([[1,2,3], [1,4,2], [2,4,3], [3,4,1]])).
 
 %   frame(N, U, V): unit vectors with U x V = N. U is square to the axis that N
 %   has least of.
 
-frame([A,B,C], U, V) :-
+frame(N, U, V) :-
+    N = p(A, B, C),
     (   abs(A) =< abs(B),
         abs(A) =< abs(C)
-    ->  unit([0.0, C, -B], U0)
+    ->  Square = p(0.0, C, MinusB),
+        MinusB is -B
     ;   abs(B) =< abs(C)
-    ->  unit([-C, 0.0, A], U0)
-    ;   unit([B, -A, 0.0], U0)
+    ->  Square = p(MinusC, 0.0, A),
+        MinusC is -C
+    ;   Square = p(B, MinusA, 0.0),
+        MinusA is -A
     ),
-    U = U0,
-    cross([A,B,C], U, V).
+    unit(Square, U),
+    cross_product(N, U, V).
 
-unit([X,Y,Z], [U,V,W]) :-
-    L is sqrt(X*X + Y*Y + Z*Z),
-    U is X/L,
-    V is Y/L,
-    W is Z/L.
-
-cross([A,B,C], [X,Y,Z], [U,V,W]) :-
-    U is B*Z - C*Y,
-    V is C*X - A*Z,
-    W is A*Y - B*X.
-
-along([X0,Y0,Z0], T, [A,B,C], [X,Y,Z]) :-
-    X is X0 + T*A,
-    Y is Y0 + T*B,
-    Z is Z0 + T*C.
+along(P, T, Way, Q) :-
+    scaled(T, Way, Step),
+    vector_sum(P, Step, Q).
 
 %   corner(Plane, Middle, U, V, S-T, Corner): brought into Plane along the axis
 %   that is nearest to its normal, exactly but for the rounding of that
@@ -96,7 +89,7 @@ along([X0,Y0,Z0], T, [A,B,C], [X,Y,Z]) :-
 
 corner(plane(A,B,C,D), Middle, U, V, S-T, Corner) :-
     along(Middle, S, U, M),
-    along(M, T, V, [X0,Y0,Z0]),
+    along(M, T, V, p(X0,Y0,Z0)),
     maplist([N,F]>>(F is rational(N)), [X0,Y0,Z0], [X,Y,Z]),
     (   abs(C) >= abs(A),
         abs(C) >= abs(B)

@@ -4,6 +4,7 @@
             vertex_side/4               % +S, +V, +Triangle, -Side
           ]).
 :- use_module(store, [v/5, origin/3]).
+:- use_module(vector, [cross_product/3, difference/3, dot_product/3]).
 :- autoload(library(error), [domain_error/2, existence_error/2]).
 
 /** <module> Where a vertex is, exactly.
@@ -62,7 +63,7 @@ origin_exact(Origin, X, Y, Z) :-
 vertex_side(S, V, Triangle, Side) :-
     once(vertex_exact(S, V, X, Y, Z)),
     plane(Triangle, Normal, At),
-    dot(Normal, p(X,Y,Z), Height),
+    dot_product(Normal, p(X,Y,Z), Height),
     Sign is sign(Height-At),
     side(Sign, Side).
 
@@ -90,8 +91,8 @@ made_point(lpi(S1-(A,B), S2-(C,D,E)), Point) :-
     plane(S2-(C,D,E), Normal, At),
     corner(S1, A, P),
     corner(S1, B, Q),
-    dot(Normal, P, P0),
-    dot(Normal, Q, Q0),
+    dot_product(Normal, P, P0),
+    dot_product(Normal, Q, Q0),
     Q0 =\= P0,
     T is (At-P0) rdiv (Q0-P0),
     on_line(P, Q, T, Point).
@@ -100,24 +101,24 @@ made_point(ll(S1-(A,B), S2-(C,D)), Point) :-
     corner(S1, B, Q),
     corner(S2, C, R),
     corner(S2, D, R1),
-    less(Q, P, Along),
-    less(R1, R, Across),
-    less(R, P, Between),
-    cross(Along, Across, Normal),
-    cross(Between, Across, Part),
-    dot(Normal, Normal, Length),
+    difference(Q, P, Along),
+    difference(R1, R, Across),
+    difference(R, P, Between),
+    cross_product(Along, Across, Normal),
+    cross_product(Between, Across, Part),
+    dot_product(Normal, Normal, Length),
     Length =\= 0,
-    dot(Part, Normal, Share),
+    dot_product(Part, Normal, Share),
     T is Share rdiv Length,
     on_line(P, Q, T, Point).
 made_point(tpi(T1, T2, T3), p(X,Y,Z)) :-
     plane(T1, N1, D1),
     plane(T2, N2, D2),
     plane(T3, N3, D3),
-    cross(N2, N3, p(X1,Y1,Z1)),
-    cross(N3, N1, p(X2,Y2,Z2)),
-    cross(N1, N2, p(X3,Y3,Z3)),
-    dot(N1, p(X1,Y1,Z1), Det),
+    cross_product(N2, N3, p(X1,Y1,Z1)),
+    cross_product(N3, N1, p(X2,Y2,Z2)),
+    cross_product(N1, N2, p(X3,Y3,Z3)),
+    dot_product(N1, p(X1,Y1,Z1), Det),
     Det =\= 0,
     X is (D1*X1 + D2*X2 + D3*X3) rdiv Det,
     Y is (D1*Y1 + D2*Y2 + D3*Y3) rdiv Det,
@@ -145,25 +146,12 @@ plane(S-(A,B,C), Normal, At) :-
     corner(S, A, P),
     corner(S, B, Q),
     corner(S, C, R),
-    less(Q, P, U),
-    less(R, P, W),
-    cross(U, W, Normal),
-    dot(Normal, P, At).
+    difference(Q, P, U),
+    difference(R, P, W),
+    cross_product(U, W, Normal),
+    dot_product(Normal, P, At).
 
 on_line(p(X1,Y1,Z1), p(X2,Y2,Z2), T, p(X,Y,Z)) :-
     X is X1 + T*(X2-X1),
     Y is Y1 + T*(Y2-Y1),
     Z is Z1 + T*(Z2-Z1).
-
-less(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
-    X is X1-X2,
-    Y is Y1-Y2,
-    Z is Z1-Z2.
-
-cross(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
-    X is Y1*Z2 - Z1*Y2,
-    Y is Z1*X2 - X1*Z2,
-    Z is X1*Y2 - Y1*X2.
-
-dot(p(X1,Y1,Z1), p(X2,Y2,Z2), D) :-
-    D is X1*X2 + Y1*Y2 + Z1*Z2.

@@ -5,6 +5,7 @@
           ]).
 :- use_module(kernel, [windings/3]).
 :- use_module(store, [v/5, t/6, segment/3]).
+:- use_module(vector, [cross_product/3, difference/3, dot_product/3]).
 :- autoload(library(aggregate), [aggregate_all/3]).
 
 /** <module> What is inside what: winding numbers, exactly.
@@ -100,29 +101,25 @@ shifted_turn(A, B, P, Turn) :-
 %   which A, B, C runs counter-clockwise.
 
 height(A, B, C, P, Height) :-
-    from(A, B, p(X1,Y1,Z1)),
-    from(A, C, p(X2,Y2,Z2)),
-    from(A, P, p(X3,Y3,Z3)),
-    Height is X3*(Y1*Z2-Z1*Y2) + Y3*(Z1*X2-X1*Z2) + Z3*(X1*Y2-Y1*X2).
-
-from(p(X0,Y0,Z0), p(X1,Y1,Z1), p(X,Y,Z)) :-
-    X is X1-X0,
-    Y is Y1-Y0,
-    Z is Z1-Z0.
+    difference(B, A, U),
+    difference(C, A, W),
+    difference(P, A, V),
+    cross_product(U, W, Normal),
+    dot_product(V, Normal, Height).
 
 %   is_on(+A, +B, +C, +P): P = A + I (B-A) + J (C-A), with I and J not below
 %   zero nor above one together. A triangle without area counts nothing.
 
 is_on(A, B, C, P) :-
     height(A, B, C, P, 0),
-    from(A, B, U),
-    from(A, C, W),
-    from(A, P, V),
-    dot(U, U, UU),
-    dot(U, W, UW),
-    dot(W, W, WW),
-    dot(V, U, VU),
-    dot(V, W, VW),
+    difference(B, A, U),
+    difference(C, A, W),
+    difference(P, A, V),
+    dot_product(U, U, UU),
+    dot_product(U, W, UW),
+    dot_product(W, W, WW),
+    dot_product(V, U, VU),
+    dot_product(V, W, VW),
     Square is UU*WW-UW*UW,
     Square > 0,
     I is VU*WW-VW*UW,
@@ -130,6 +127,3 @@ is_on(A, B, C, P) :-
     I >= 0,
     J >= 0,
     I+J =< Square.
-
-dot(p(X1,Y1,Z1), p(X2,Y2,Z2), Dot) :-
-    Dot is X1*X2+Y1*Y2+Z1*Z2.

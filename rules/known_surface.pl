@@ -16,7 +16,7 @@
 :- use_module(csg_record, [recorded/2]).
 :- use_module(kernel, [known_facets/3]).
 :- use_module(primitive, [is_primitive/1, primitive/1, primitive_parts/3]).
-:- use_module(smooth_vector,
+:- use_module(vector,
               [ cross_product/3, difference/3, dot_product/3, scaled/3 ]).
 :- use_module(store,
               [ p/3, segment/3, origin/3, from_p/5, assert_fact/1,

@@ -4,7 +4,7 @@
           ]).
 :- use_module(primitive_argument,
               [given/3, given_facets/4, primitive_error/2]).
-:- use_module(smooth_vector,
+:- use_module(vector,
               [ cross_product/3, difference/3, dot_product/3, scaled/3,
                 vector_sum/3
               ]).

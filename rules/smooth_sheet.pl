@@ -16,7 +16,7 @@
             next_corner/2               % +Corner, -Next
           ]).
 :- use_module(known_surface, [polygon_surface/4, surface_normal/4]).
-:- use_module(smooth_vector,
+:- use_module(vector,
               [ angle_between/3, cross_product/3, difference/3, dot_product/3,
                 scaled/3, unit/2
               ]).

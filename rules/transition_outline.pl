@@ -12,7 +12,7 @@
 :- use_module(primitive_argument,
               [finite_number/2, given/3, primitive_error/2]).
 :- use_module(shape, [rectangle_loop/3]).
-:- use_module(smooth_vector,
+:- use_module(vector,
               [ cross_product/3, difference/3, dot_product/3, scaled/3,
                 vector_sum/3
               ]).

@@ -14,7 +14,7 @@
 :- use_module(rules(penetration), [penetrate/0]).
 :- use_module(rules(primitive_face), [face_of/3, smooth_surface/3,
                                       surface_point/4]).
-:- use_module(rules(smooth_vector), [cross_product/3, difference/3,
+:- use_module(rules(vector), [cross_product/3, difference/3,
                                      dot_product/3]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/1]).

@@ -1,4 +1,4 @@
-:- module(sg_smooth_vector,
+:- module(sg_vector,
           [ cross_product/3,            % +U, +V, -W
             dot_product/3,              % +U, +V, -Product
             difference/3,               % +P, +Q, -Vector
@@ -7,43 +7,60 @@
             unit/2,                     % +U, -Unit
             angle_between/3             % +U, +V, -Radians
           ]).
-/** <module> Points and vectors p(X,Y,Z) of floats, as the rules of smooth
-surfaces use them. Rounded.
+/** <module> Points and vectors p(X,Y,Z).
+
+Of floats they are rounded; of rationals all but unit/2 and angle_between/3 are
+exact.
 */
 
 :- set_prolog_flag(optimise, true).
 
 %!  difference(+P, +Q, -Vector) is det.
-%!  vector_sum(+U, +V, -Sum) is det.
-%!  cross_product(+U, +V, -W) is det.
-%!  dot_product(+U, +V, -Product) is det.
-%!  scaled(+Factor, +U, -V) is det.
-%!  angle_between(+U, +V, -Radians) is det.
 %
-%   Of points and vectors p(X,Y,Z).
+%   Vector = P - Q: it leads from Q to P.
 
 difference(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
     X is X1-X2,
     Y is Y1-Y2,
     Z is Z1-Z2.
 
+%!  vector_sum(+U, +V, -Sum) is det.
+%
+%   Sum = U + V: a point moved by a vector, too.
+
 vector_sum(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
     X is X1+X2,
     Y is Y1+Y2,
     Z is Z1+Z2.
+
+%!  cross_product(+U, +V, -W) is det.
+%
+%   W = U x V, right-handed: above U and V where V is to the left of U.
 
 cross_product(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
     X is Y1*Z2 - Z1*Y2,
     Y is Z1*X2 - X1*Z2,
     Z is X1*Y2 - Y1*X2.
 
+%!  dot_product(+U, +V, -Product) is det.
+%
+%   Product = U . V.
+
 dot_product(p(X1,Y1,Z1), p(X2,Y2,Z2), Product) :-
     Product is X1*X2 + Y1*Y2 + Z1*Z2.
+
+%!  scaled(+Factor, +U, -V) is det.
+%
+%   V = Factor U.
 
 scaled(Factor, p(X0,Y0,Z0), p(X,Y,Z)) :-
     X is Factor*X0,
     Y is Factor*Y0,
     Z is Factor*Z0.
+
+%!  angle_between(+U, +V, -Radians) is det.
+%
+%   Radians, 0 to pi, is the angle between U and V; 0 if one of them is 0.
 
 angle_between(U, V, Radians) :-
     cross_product(U, V, W),
