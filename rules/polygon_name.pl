@@ -302,6 +302,11 @@ title(development(S), Title) :-
     integer(S),
     !,
     segment_title(S, Title).
+title(S, Title) :-
+    integer(S),
+    segment(S, _, Term),
+    !,
+    title(Term, Title).
 title(Term, Title) :-
     (   compound(Term)
     ->  functor(Term, Title, _)

@@ -4,7 +4,7 @@
             surface_point/4             % +Surface, +T, +H, -Point
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
-:- use_module(primitive, [is_primitive/1, primitive_faces/3]).
+:- use_module(primitive, [is_primitive/1, primitive/1, primitive_faces/3]).
 :- use_module(store, [p/3, segment/3]).
 :- autoload(library(lists), [member/2, nth1/3]).
 /** <module> What the polygons of a primitive are.
@@ -52,7 +52,7 @@ circle.
 
 face_of(S, P, What) :-
     segment(S, _, Term),
-    is_primitive(Term),
+    names_primitive(Term),
     faces(Term, Table, _),
     (   integer(P)
     ->  arg(P, Table, What),
@@ -68,9 +68,24 @@ face_of(S, P, What) :-
 
 smooth_surface(S, Part, Surface) :-
     segment(S, _, Term),
-    is_primitive(Term),
+    names_primitive(Term),
     faces(Term, _, Surfaces),
     member(Part-Surface, Surfaces).
+
+%   names_primitive(Term): and no node of a CSG tree, however it is placed.
+
+names_primitive(Term) :-
+    is_primitive(Term),
+    innermost(Term, Inner),
+    callable(Inner),
+    functor(Inner, Name, _),
+    once(primitive(Name)).
+
+innermost(Term, Inner) :-
+    (   ( Term = at(_, Term1) ; Term = named(_, Term1) )
+    ->  innermost(Term1, Inner)
+    ;   Inner = Term
+    ).
 
 %   faces(Term, Table, Surfaces): those of the last term are remembered.
 

@@ -2,7 +2,8 @@
           [ vertex_from/4,              % ?S, ?V, ?S0, ?V0
             vertex_on/4,                % ?S, ?V, ?S0, ?Feature
             polygon_from/5,             % ?S, ?P, ?S0, ?P0, ?Sense
-            edge_from/3                 % ?S, ?E, ?From
+            edge_from/3,                % ?S, ?E, ?From
+            origin_feature/3            % +Origin, ?S, ?Feature
           ]).
 :- use_module(csg, [is_node/1, is_helper/1]).
 :- use_module(exact, [vertex_exact/5]).
@@ -46,6 +47,11 @@ vertex_on(S, V, S0, Feature) :-
     ;   S0 = S1,
         Feature = Feature1
     ).
+
+%!  origin_feature(+Origin, ?S, ?Feature) is nondet.
+%
+%   True when a vertex with this Origin (origin/3) lies on Feature of segment S,
+%   as it was made: S may be a helper or a node.
 
 origin_feature(near(Origin), S, Feature) :-
     !,

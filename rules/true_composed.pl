@@ -2,7 +2,7 @@
           [ composed_unrolled/4         % +S, +Part, +Options, -Pattern
           ]).
 :- use_module(primitive, [primitive_faces/3]).
-:- use_module(primitive_face, [smooth_surface/3]).
+:- use_module(placed_surface, [placed_surface/3]).
 :- use_module(store, [segment/3]).
 :- use_module(trimmed, [part_named/2]).
 :- use_module(true_divide, [facet_index/2, generator_spans/5]).
@@ -155,7 +155,7 @@ neutral_pieces(S, Leaf, Layer, Neutral) :-
         transition_resized(Term, Layer, Resized),
         catch(primitive_faces(Resized, _, Surfaces),
               error(model_error(_), _), fail),
-        smooth_surface(Leaf, _, transition(pieces(Places0))),
+        placed_surface(Leaf, _, transition(pieces(Places0))),
         memberchk(_-transition(pieces(Places)), Surfaces),
         maplist(rolled_piece(Surfaces), Places0, Places, Neutral)
     ->  true

@@ -4,7 +4,8 @@
           ]).
 :- use_module(bend, [pattern_bent/2]).
 :- use_module(store, [segment/3, facts_transaction/1]).
-:- use_module(primitive_face, [smooth_surface/3, surface_point/4]).
+:- use_module(placed_surface, [placed_surface/3]).
+:- use_module(primitive_face, [surface_point/4]).
 :- use_module(true_composed, [composed_unrolled/4]).
 :- use_module(trimmed, [part_named/2]).
 :- use_module(true_border, [rims_kept/4]).
@@ -56,7 +57,7 @@ developable_part(S, Part, Surface) :-
     true_part(S, Part, Leaf, Name, Surface),
     functor(Surface, Kind, _),
     memberchk(Kind, [cylinder, cone, ruled, transition]),
-    \+ ( smooth_surface(Leaf, _, transition(pieces(Places))),
+    \+ ( placed_surface(Leaf, _, transition(pieces(Places))),
          memberchk(piece(Name, _, _, _), Places)
        ).
 

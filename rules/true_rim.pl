@@ -1,9 +1,10 @@
 :- module(sg_true_rim,
           [ rims_rounded/3              % +D, +S, +Options
           ]).
-:- use_module(primitive_face, [face_of/3, smooth_surface/3, surface_point/4]).
+:- use_module(placed_surface,
+              [placed_face/3, placed_polygon/4, placed_surface/3]).
+:- use_module(primitive_face, [surface_point/4]).
 :- use_module(kernel, [roll_curves/5, surface_place/4]).
-:- use_module(provenance, [polygon_from/5]).
 :- use_module(store,
               [ e/5, edge_polygon/3, from_p/5, joint/6, p/3, plane/6, v/5,
                 assert_fact/1, facts_transaction/1, fresh_id/3,
@@ -94,7 +95,7 @@ meeting_tables(D, S, Meets) :-
 
 polygon_leaf(S, P, Leaf) :-
     (   from_p(S, P, _, _, _)
-    ->  once(polygon_from(S, P, Leaf, _, _))
+    ->  once(placed_polygon(S, P, Leaf, _))
     ;   Leaf = S
     ).
 
@@ -145,11 +146,11 @@ laid_in(frame(_, _, _, X1-Y1, CX-CY), place(_, _, U, V), X-Y) :-
 
 facet_surface(S, P, Surface) :-
     (   from_p(S, P, _, _, _)
-    ->  once(polygon_from(S, P, Leaf, P0, _))
+    ->  once(placed_polygon(S, P, Leaf, P0))
     ;   Leaf-P0 = S-P
     ),
-    face_of(Leaf, P0, curved(Part, [_])),
-    smooth_surface(Leaf, Part, Surface),
+    placed_face(Leaf, P0, curved(Part, [_])),
+    placed_surface(Leaf, Part, Surface),
     functor(Surface, Kind, _),
     memberchk(Kind, [cylinder, cone, ruled]),
     !.

@@ -10,8 +10,9 @@
             shifted_facet/3             % +Turns, +Facet, -Shifted
           ]).
 :- use_module(kernel, [surface_place/4, surfaces_meet/4]).
-:- use_module(primitive_face, [face_of/3, smooth_surface/3, surface_point/4]).
-:- use_module(provenance, [polygon_from/5]).
+:- use_module(placed_surface,
+              [placed_face/3, placed_polygon/4, placed_surface/3]).
+:- use_module(primitive_face, [surface_point/4]).
 :- use_module(store, [e/5, p/3, v/5, from_p/5]).
 :- use_module(true_surface,
               [generator_plane/3, level_plane/3, meeting_surfaces/3]).
@@ -49,35 +50,35 @@ from that of the facets.
 %   was made of it.
 
 true_part(S, Part, S, Part, Surface) :-
-    smooth_surface(S, Part, Surface),
+    placed_surface(S, Part, Surface),
     \+ from_p(S, _, _, _, _),
     once(facet_of(S, _, Part, _, _)).
 true_part(S, Leaf/Name, Leaf, Name, Surface) :-
     findall(Leaf-Name,
-            ( polygon_from(S, _, Leaf, P0, _),
+            ( placed_polygon(S, _, Leaf, P0),
               facet_of(Leaf, P0, Name, _, _) ),
             Parts0),
     sort(Parts0, Parts),
     member(Leaf-Name, Parts),
-    smooth_surface(Leaf, Name, Surface).
+    placed_surface(Leaf, Name, Surface).
 
 %   facet_of(Leaf, P, Name, T1, T2): polygon P of the primitive Leaf is a facet
 %   of its part Name. Also of those of which a transition is made, and of all of
 %   the transition.
 
 facet_of(Leaf, P, Name, T1, T2) :-
-    face_of(Leaf, P, What),
+    placed_face(Leaf, P, What),
     facet_part(What, Leaf, Name, T1, T2).
 
 facet_part(curved(Name, [T1-T2]), _, Name, T1, T2).
 facet_part(side(I), Leaf, side(I), 0.0, 90.0) :-
-    smooth_surface(Leaf, side(I), fan(_, _, _, _)).
+    placed_surface(Leaf, side(I), fan(_, _, _, _)).
 facet_part(What, Leaf, Whole, 0.0, 0.0) :-
     (   What = side(_)
     ->  Name = What
     ;   What = curved(Name, _)
     ),
-    smooth_surface(Leaf, Whole, transition(pieces(Places))),
+    placed_surface(Leaf, Whole, transition(pieces(Places))),
     memberchk(piece(Name, _, _, _), Places).
 
 %!  part_facet(+S, +Part, ?P, -T1, -T2) is nondet.
@@ -87,7 +88,7 @@ facet_part(What, Leaf, Whole, 0.0, 0.0) :-
 
 part_facet(S, Part, P, T1, T2) :-
     (   Part = Leaf/Name
-    ->  polygon_from(S, P, Leaf, P0, _),
+    ->  placed_polygon(S, P, Leaf, P0),
         facet_of(Leaf, P0, Name, T1, T2)
     ;   facet_of(S, P, Part, T1, T2)
     ).

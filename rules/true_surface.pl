@@ -7,8 +7,10 @@
             offset_surface/3            % +Surface, +Distance, -Offset
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
-:- use_module(primitive_face, [face_of/3, smooth_surface/3]).
-:- use_module(provenance, [polygon_from/5, vertex_on/4]).
+:- use_module(placed_surface,
+              [ placed_face/3, placed_feature/4, placed_polygon/4,
+                placed_surface/3
+              ]).
 :- use_module(store,
               [ e/5, line/9, plane/6, from_p/5, edge_polygon/3 ]).
 :- autoload(library(apply), [maplist/3]).
@@ -29,12 +31,12 @@ one meet: not where their facets do.
 
 polygon_surface(S, P, Surface) :-
     (   from_p(S, P, _, _, _)
-    ->  once(polygon_from(S, P, Leaf, P0, _))
+    ->  once(placed_polygon(S, P, Leaf, P0))
     ;   Leaf = S,
         P0 = P
     ),
-    (   face_of(Leaf, P0, curved(Part, _)),
-        smooth_surface(Leaf, Part, Smooth),
+    (   placed_face(Leaf, P0, curved(Part, _)),
+        placed_surface(Leaf, Part, Smooth),
         Smooth \= bezier(_)
     ->  Surface = Smooth
     ;   plane(S, P, A, B, C, D),
@@ -59,7 +61,7 @@ meeting_surfaces(S, Leaf, Table) :-
 met_place(S, Leaf, V, on(S2, P2)) :-
     met_polygon(S, Leaf, V, S2, P2).
 met_place(S, Leaf, V, along(S2, E2)) :-
-    vertex_on(S, V, S2, e(E2)),
+    placed_feature(S, V, S2, e(E2)),
     S2 \== Leaf,
     S2 \== S.
 
@@ -70,7 +72,7 @@ met_polygon(S, _, V, S1, P1) :-
     line(_, S1, P1, _, _, S, _, A, B),
     ( V = A ; V = B ).
 met_polygon(S, Leaf, V, S2, P2) :-
-    vertex_on(S, V, S2, Feature),
+    placed_feature(S, V, S2, Feature),
     S2 \== Leaf,
     feature_polygon(Feature, S2, P2).
 
@@ -104,14 +106,14 @@ edge_guide(S, E, Plane) :-
     e(S, Twin, B, A, _),
     once(edge_polygon(S, E, P)),
     once(edge_polygon(S, Twin, Q)),
-    face_of(S, P, curved(Part, [A1-A2])),
-    face_of(S, Q, curved(Part, [B1-B2])),
+    placed_face(S, P, curved(Part, [A1-A2])),
+    placed_face(S, Q, curved(Part, [B1-B2])),
     (   same_turn(A2, B1)
     ->  T = A2
     ;   same_turn(A1, B2),
         T = A1
     ),
-    smooth_surface(S, Part, Surface),
+    placed_surface(S, Part, Surface),
     generator_plane(Surface, T, Plane),
     !.
 

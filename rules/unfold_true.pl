@@ -157,12 +157,21 @@ generator_at(T, Part, E, Degrees) :-
     once(( edge_polygon(T, E, P),
            e(T, F, B, A, _),
            edge_polygon(T, F, Q) )),
-    polygon_name(T, P, curved(Name, [From1-To1|_])),
-    polygon_name(T, Q, curved(Name, [From2-To2|_])),
+    facet_name(T, P, curved(Name, [From1-To1|_])),
+    facet_name(T, Q, curved(Name, [From2-To2|_])),
     (   same_direction(To1, From2)
     ->  Degrees = To1
     ;   same_direction(To2, From1)
     ->  Degrees = To2
+    ).
+
+%   facet_name(T, P, What): also of a leaf.
+
+facet_name(T, P, What) :-
+    polygon_name(T, P, Name),
+    (   Name = _/What0
+    ->  What = What0
+    ;   What = Name
     ).
 
 same_direction(A, B) :-

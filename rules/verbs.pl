@@ -46,9 +46,9 @@
                 output_written/2,
                 usage_error/1
               ]).
-:- use_module(leaf_face, [roots_alone_named/0]).
 :- use_module(verbs_unfold,
-              [unfold_run/3, patterns_given/1, pattern_wanted/3]).
+              [ unfold_run/3, roots_apart/1, patterns_given/1,
+                pattern_wanted/3 ]).
 :- use_module(view,
               [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
               ]).
@@ -371,7 +371,7 @@ pattern_asked(_, Options, []) :-
     !.
 pattern_asked(Item, Options, Wanted) :-
     empty_roots_warned,
-    roots_alone_named,
+    roots_apart(Options),
     pattern_wanted(Item, Options, Wanted),
     (   option(trim(_), Options)
     ->  true

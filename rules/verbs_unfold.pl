@@ -1,5 +1,6 @@
 :- module(sg_verbs_unfold,
           [ unfold_run/3,               % +Files, +Options, -Status
+            roots_apart/1,              % +Options
             patterns_given/1,           % +Options
             pattern_wanted/3            % +Item, +Options, -Wanted
           ]).
@@ -64,13 +65,24 @@ unfold_run(Files, Options, 0) :-
     flag_wishes(Options, Flags),
     load_model(Files, Options),
     empty_roots_warned,
-    roots_alone_named,
+    roots_apart(Options),
     catch(patterns(Options, Flags, Ds),
           error(model_error(unfold(S, Wish, What)), Location),
           in_file(Files, S, Wish, What, Location)),
     reported(Ds, Options, All),
     tables_written(Options, Ds),
     maplist(written_to(Options, Ds), Outputs).
+
+%!  roots_apart(+Options:list) is det.
+%
+%   Only roots are unfolded. With --true what they are made of stays, as it
+%   tells which smooth surfaces their facets stand for.
+
+roots_apart(Options) :-
+    (   option(true(true), Options)
+    ->  true
+    ;   roots_alone_named
+    ).
 
 %   table_output(Options, Tables): Tables is a list of what --table says.
 

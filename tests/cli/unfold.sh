@@ -23,6 +23,17 @@ check "one that several leaves have" complains 2 \
 check "one that no leaf has" complains 2 'there is no polygon can/lid' \
   sanggwan unfold -q "$TMP/tree.pl" --root can/lid
 
+cat >"$TMP/copies.pl" <<'MODEL'
+segment(1, solid, named(can, cylinder(radius(2), height(5), facets(16)))).
+segment(2, solid, at([rotate(y,40),translate(0,0,4)], box(size(9, 9, 3)))).
+segment(3, solid, at([rotate(x,30),translate(9,0,0)], difference([1,2]))).
+MODEL
+check "what a tree has cut and placed is unrolled" output \
+  'area *48.6062 of 76.0644, without 3 polygons' \
+  sanggwan unfold -q "$TMP/copies.pl" --true
+check "its seam is explained" output 'is unrolled as the round surface it is' \
+  sanggwan explain -q "$TMP/copies.pl" --true 'seam(_)'
+
 # The report.
 check "one piece" output '^segment 1: case, 6 polygons in 1 piece$' \
   sanggwan unfold "$box"
