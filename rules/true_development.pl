@@ -208,9 +208,9 @@ facet_starts(Facets, Ts) :-
 turn_place(T, Place) :-
     Place is round(T*1.0e6) mod 360000000.
 
-%   shortest_generator(Facets, Starts, Shape, Sense, Seam): of those that no hole
-%   interrupts, if there are such; of equally short ones, but for rounding, the
-%   first.
+%   shortest_generator(Facets, Starts, Shape, Sense, Seam): of those that no
+%   hole interrupts, if there are such; of equally short ones, but for rounding,
+%   the first.
 
 shortest_generator(Facets, Starts, Shape, Sense, Seam) :-
     facet_index(Facets, Index),

@@ -151,7 +151,8 @@ composed_seam(Pieces, Options, Seam, Around) :-
 piece_facets(piece(_, _, _, _, Facets, _, _), Facets).
 
 %   shortest_seam(Pieces, Seam): in the middle of a flat side, if there is one
-%   that no hole interrupts there; of equal ones that with the smallest direction.
+%   that no hole interrupts there; of equal ones that with the smallest
+%   direction.
 
 shortest_seam(Pieces, Seam) :-
     findall(Length-G, seam_candidate(Pieces, flat, Length, G), Flat),

@@ -113,7 +113,7 @@ touches(header, false, outside).
 touches(header, true, inside).
 touches(mitre, _, middle).
 
-%   touching_sides(Side, Inner-Outer, OtherInner-OtherOuter, By, OtherBy): By how
+%   touching_sides(Side, Inner-Outer, OtherInner-OtherOuter, By, OtherBy): how
 %   much larger than drawn the sides are that touch.
 
 touching_sides(inside, Inner-_, _-OtherOuter, Inner, OtherOuter).

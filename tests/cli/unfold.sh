@@ -146,7 +146,7 @@ check "alone" eval "sanggwan unfold $box --trim outside 2>&1 |
   grep -q 'meets no other'"
 check "the bend" eval "[ \$(sanggwan unfold -q $facts/patterns/elbow.pl \
   --trim outside | grep -c 'in 1 piece') = 4 ]"
-check "the transition" output '36 polygons in 1 piece' \
+check "the transition" output '44 polygons in 1 piece' \
   sanggwan unfold "$facts/patterns/transition.pl"
 check "the house" output '7 polygons in 1 piece' \
   sanggwan unfold "$facts/patterns/house.pl"
