@@ -281,8 +281,8 @@ raster(Paper, Ways, Raster) :-
     ;   Raster = coarse
     ).
 
-%   About 800 or 400 squares along the longer side of a page; of a roll along the
-%   width.
+%   About 800 or 400 squares along the longer side of a page; of a roll along
+%   the width.
 
 square(W, H, Gap, Paper, Raster, Square) :-
     (   Raster == fine
