@@ -78,9 +78,9 @@ with_operand_lines(Lines, Goal) :-
 
 %!  operands_meet(+S, -Border) is nondet.
 %
-%   True when Border is border(S, P, V1, V2, Q): polygon P of S has the edge from
-%   V1 to V2, V1 < V2, and Q its opposite, and they are parts of operands, of no
-%   common one. The rule of operand_borders/2.
+%   True when Border is border(S, P, V1, V2, Q): polygon P of S has the edge
+%   from V1 to V2, V1 < V2, and Q its opposite, and they are parts of operands,
+%   of no common one. The rule of operand_borders/2.
 
 operands_meet(S, border(S, P, V1, V2, Q)) :-
     e(S, E, V1, V2, _),

@@ -846,9 +846,9 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %!  operand_borders(+Ss:list, -Borders:list) is det.
 %
 %   Borders are border(S, P, V1, V2, Q), ascending by S, V1, V2: S is one of the
-%   results Ss, its polygon P has the edge from V1 to V2, V1 < V2, and Q its opposite, and they
-%   are parts of operands (from_p/5), of no common one. The fused kernel of
-%   operands_meet/2 (csg_roots.pl).
+%   results Ss, its polygon P has the edge from V1 to V2, V1 < V2, and Q its
+%   opposite, and they are parts of operands (from_p/5), of no common one. The
+%   fused kernel of operands_meet/2 (csg_roots.pl).
 
 %!  solid_is_closed(+Solid) is semidet.
 %
