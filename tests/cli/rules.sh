@@ -1,5 +1,5 @@
 # rules.sh -- what docs/rules.md and docs/unfolding.md show works and answers as
-# it stands there.
+# it stands there; the gallery is that of its list.
 . "$(dirname "$0")/../check.sh"
 
 root=$PWD
@@ -36,6 +36,12 @@ done
 paths() { grep -c 'class="visible penetration"' "docs/gallery/$1.svg"; }
 check "rules leave fewer lines" \
   test "$(paths pipes_rules)" -lt "$(paths pipes)"
+
+# The page of the gallery shows the commands of its list: no picture is drawn.
+rm docs/gallery/index.html
+check "the page is written" swipl "$root/tools/gallery.pl" -- /bin/true
+check "the page is the gallery's" \
+  cmp docs/gallery/index.html "$root/docs/gallery/index.html"
 
 # The rule files shown are those in the folder.
 for file in docs/{pipes,pieces,glass,back,weld}_rules.pl; do
