@@ -330,13 +330,34 @@ make_masks(viewing *w)
 
 /* -------------------------------------------------------------- lines */
 
+/* How the u-th use of a line lies to the eye: as its polygon; if that is not
+ * flat, as the triangle that has the line. */
+static int
+facing_of_use(const viewing *w, uint32_t u)
+{
+  const sg_scene_model *m = w->model;
+  int32_t i = m->use_triangle ? m->use_triangle[u] : -1;
+  double(*at)[3] = w->scene->at;
+  double n[3];
+
+  if (i < 0) {
+    return w->facing[m->use[u].polygon];
+  }
+  const int32_t *v = m->dense.corner[i];
+  if (!is_whole(w, v)) {
+    return 0;
+  }
+  sg_cross_at(at[v[0]], at[v[1]], at[v[2]], n);
+  return facing_of(w, v, n);
+}
+
 static void
 look_at_line(const viewing *w, size_t k, sg_look *look)
 {
   const sg_scene_model *m = w->model;
 
   for (uint32_t u = m->use_begin[k]; u < m->use_begin[k + 1]; u++) {
-    int facing = w->facing[m->use[u].polygon];
+    int facing = facing_of_use(w, u);
     int side = facing * m->use[u].along;
     look->towards += facing > 0;
     look->away += facing < 0;

@@ -351,7 +351,8 @@ sg_scene_make_lines(sg_scene_builder *b)
            (b->cuts == 0 || make_uses(b, j.copy_of, &m->copy_begin, &m->copy));
   }
   if (done) {
-    done = make_bends(b) && sg_scene_find_solids(b, &j.pairs);
+    done = sg_scene_find_bent(b) && make_bends(b) &&
+           sg_scene_find_solids(b, &j.pairs);
   }
   joined_clear(&j);
   return done;

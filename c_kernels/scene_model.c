@@ -191,6 +191,7 @@ sg_scene_model_close(sg_scene_model *model)
     free(model->line);
     free(model->use_begin);
     free(model->use);
+    free(model->use_triangle);
     free(model);
   }
 }

@@ -56,14 +56,17 @@ typedef struct sg_scene_model {
                      are one point */
   sg_known_surfaces surfaces; /* that its polygons stand for */
   size_t lines;
-  double *facet_bend;   /* [lines] of the faces, whatever they stand for; null:
-                           no surface is known */
-  sg_scene_line *line;  /* sorted by (s, e); a and b are places of vertices;
-                           towards, away, left and right are not known */
-  uint32_t *use_begin;  /* [lines + 1] */
-  sg_scene_use *use;    /* line by line, in the order of the polygons */
-  uint32_t *copy_begin; /* [lines + 1]; null: no line has copies */
-  sg_scene_use *copy;   /* the same for polygons that use copies of a line */
+  double *facet_bend;    /* [lines] of the faces, whatever they stand for; null:
+                            no surface is known */
+  sg_scene_line *line;   /* sorted by (s, e); a and b are places of vertices;
+                            towards, away, left and right are not known */
+  uint32_t *use_begin;   /* [lines + 1] */
+  sg_scene_use *use;     /* line by line, in the order of the polygons */
+  int32_t *use_triangle; /* [uses] of a polygon that is not flat, the triangle
+                            (a place) that has the line; else -1; null: all
+                            polygons are flat */
+  uint32_t *copy_begin;  /* [lines + 1]; null: no line has copies */
+  sg_scene_use *copy;    /* the same for polygons that use copies of a line */
 } sg_scene_model;
 
 /* A penetration line runs from vertex a to b. Where it is the second copy of a

@@ -45,6 +45,10 @@ sg_cross_at(const double a[3], const double b[3], const double c[3],
  * solid. False: no memory, or (b->stopped) stopped by the poll. */
 bool sg_scene_make_lines(sg_scene_builder *b);
 
+/* The triangles that have the lines of polygons that are not flat, from the
+ * uses. False: no memory. */
+bool sg_scene_find_bent(sg_scene_builder *b);
+
 /* Which of the segments of kind solid are solid indeed. pairs: of all edges.
  * False: no memory. */
 bool sg_scene_find_solids(sg_scene_builder *b, const sg_edge_pairs *pairs);

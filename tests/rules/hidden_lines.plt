@@ -29,6 +29,31 @@ drawn_length_(Visibility, Length) :-
 near(X, Y) :-
     abs(X-Y) < 1.0e-9.
 
+% A quadrangle seen from above, which turns right at its second corner.
+bent_edges_lie(Z2, Z3, Z4) :-
+    in_new_world(( polyhedron(1, surface,
+                              [p(0,0,0), p(2,0,Z2), p(3,-1,Z3), p(0,3,Z4)],
+                              [[1,2,3,4]]),
+                   set_view(top), picture,
+                   open_scene(Scene, []),
+                   forall(( scene_edge(Scene, 1, E, _, Look),
+                            e(1, E, V1, V2, _) ),
+                          ( arg(4, Look, Left), left_in_picture(V1, V2, Left) ))
+                 )).
+
+left_in_picture(V1, V2, Left) :-
+    t(1, _, _, A, B, C),
+    select(V1, [A,B,C], [D,F]),
+    select(V2, [D,F], [V3]),
+    !,
+    screen(1, V1, X1, Y1, _),
+    screen(1, V2, X2, Y2, _),
+    screen(1, V3, X3, Y3, _),
+    (   (X2-X1)*(Y3-Y1) > (Y2-Y1)*(X3-X1)
+    ->  Left =:= 1
+    ;   Left =:= 0
+    ).
+
 :- begin_tests(hidden_lines).
 
 test(square_box) :-
@@ -44,6 +69,13 @@ test(box_from_near) :-
     in_new_world(( box(1, p(-1,-1,-1), p(1,1,1)), set_view(270, 90, 5),
                    set_projection(central), picture,
                    parts(visible, outline, 4), parts(hidden, _, 8) )).
+% A polygon that is not flat lies to the eye, at each of its edges, as the
+% triangle does that has the edge.
+test(bent_polygon_lies_as_its_triangle, Bad == []) :-
+    findall(Z2-Z3-Z4,
+            ( member(Z2, [-3,0,2]), member(Z3, [-4,-1,4]), member(Z4, [0,1,4]),
+              \+ bent_edges_lie(Z2, Z3, Z4) ),
+            Bad).
 test(numbers_in_order, all(D == [1,2,3,4])) :-
     in_new_world(( box(1, p(0,0,0), p(1,1,1)), set_view(front), picture,
                    findall(D0, drawn(D0,_,_,_,_,_,_), Ds) )),

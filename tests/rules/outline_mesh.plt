@@ -21,16 +21,19 @@ but for a run of dots no longer than is said here.
     OUTLINE_VIEWS=all       from all sides, not from a few
 */
 
-most_bare('suzanne.obj', 27).
+most_bare('suzanne.obj', 23).
 most_bare('cow.obj', 23).
-most_bare('beetle.obj', 32).
+most_bare('beetle.obj', 44).
 most_bare('teapot.obj', 0).
 
 from(Theta, Phi) :-
     (   getenv('OUTLINE_VIEWS', all)
-    ->  member(Theta, [0,33,77,120,200,270,300,341]),
-        member(Phi, [20,65,90,110])
-    ;   member(Theta-Phi, [33-65, 300-65, 200-110])
+    ->  (   member(Theta, [0,33,77,120,200,270,300,341]),
+            member(Phi, [20,65,90,110])
+        ;   member(Theta, [10,50,63,100,153,180,233,260,333]),
+            member(Phi, [10,45,65,80,100,130])
+        )
+    ;   member(Theta-Phi, [33-65, 63-80, 300-65, 200-110, 333-10])
     ).
 
 mesh(Name, File) :-
