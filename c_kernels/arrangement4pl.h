@@ -13,6 +13,7 @@ typedef struct sg_arrangement_handle {
   sg_arrangement *arrangement; /* null: closed */
   atomic_uint holders;         /* arrangement_hold/1 less arrangement_drop/1 */
   sg_cut_handle *set;          /* kept until it is sealed, then null */
+  bool sealing;                /* that was begun: no more is filled in */
   sg_world *world;             /* then: kept */
   const sg_version *version;   /* then: held, shows the rows of the leaves */
   sg_leaf_views views;         /* of that */
@@ -30,6 +31,8 @@ typedef struct sg_arrangement_handle {
 
 /* The open arrangement that t names: type_error, existence_error. */
 int sg_get_arrangement_ex(term_t t, sg_arrangement_handle **out);
+/* The same, once it is sealed; permission_error(select, arrangement, t). */
+int sg_get_sealed_ex(term_t t, sg_arrangement_handle **out);
 /* The same, while it may be filled; permission_error(fill, arrangement, t). */
 int sg_get_unsealed_ex(term_t t, sg_arrangement_handle **out);
 

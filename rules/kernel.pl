@@ -58,7 +58,7 @@
             % face_merge4pl.c
             solid_merge/3,            % +Solid, +Tolerance, +Options
             solid_neighbours/3,       % +Solid, +Tolerance, -Pairs
-            % arrangement4pl.c
+            % arrangement4pl.c, arrangement_free4pl.c, arrangement_pieces4pl.c
             arrangement_open/4,       % +Set, +Segments, +Wanted, -Arrangement
             arrangement_hold/1,       % +Arrangement
             arrangement_drop/1,       % +Arrangement
@@ -878,7 +878,8 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   from, is let go. An arrangement is held once when it is opened, and closed
 %   when it is dropped as often as it was held.
 %
-%   @error permission_error(fill, arrangement, Arrangement): it is sealed
+%   @error permission_error(fill, arrangement, Arrangement): it is sealed, or
+%          sealing it was stopped
 
 %!  arrangement_free_polygons(+Arrangement, +Polygons:list, +Reach) is semidet.
 %

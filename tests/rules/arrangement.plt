@@ -219,6 +219,36 @@ test(free_polygons, [true(Compared-Crossed == 14-true)]) :-
     ;   Crossed = false
     ).
 
+%   Nothing more is filled into what is sealed; what is not has no pieces.
+
+test(sealed_twice, error(permission_error(fill, arrangement, _))) :-
+    with_two_boxes([Set]>>( arrangement_open(Set, [1,2], [1,2], Arrangement),
+                            cut_polygons_of(Set, [1,2], Polygons),
+                            arrangement_free_polygons(Arrangement, Polygons,
+                                                      0.0),
+                            arrangement_seal(Arrangement),
+                            arrangement_seal(Arrangement) )).
+test(filled_late, error(permission_error(fill, arrangement, _))) :-
+    with_two_boxes([Set]>>( arrangement_open(Set, [1,2], [1,2], Arrangement),
+                            arrangement_seal(Arrangement),
+                            arrangement_free_polygons(Arrangement, [], 0.0) )).
+test(selected_early, error(permission_error(select, arrangement, _))) :-
+    with_two_boxes([Set]>>( arrangement_open(Set, [1,2], [1,2], Arrangement),
+                            arrangement_select([1-Arrangement], [], _) )).
+
+with_two_boxes(Goal) :-
+    in_new_world(( add_primitive(box(size(1,1,1)), _),
+                   add_primitive(at([translate(0.5,0.25,0.3)],
+                                    box(size(1,1,1))), _),
+                   complete_segments,
+                   setup_call_cleanup(
+                       cut_set_open([1-2], Set),
+                       ( cut_find(Set),
+                         cut_seal(Set),
+                         merge_joints(Set, straight),
+                         call(Goal, Set) ),
+                       cut_set_close(Set)) )).
+
 %   pieces_alike(+N, +Seed, -How): of a scene of N octahedra: `alike`, `other`,
 %   `crossed` (not all polygons are free) or `apart`.
 
