@@ -21,12 +21,15 @@ new_places(size_t n)
 
 static sg_old_end
 read_ids(const sg_solid_old *old, int relation, unsigned column,
-         sg_old_ids *out)
+         const sg_poll *poll, sg_old_ids *out)
 {
   size_t n = sg_old_count(old, relation);
 
   for (uint32_t i = 0; i < n; i++) {
     int32_t id = sg_old_int(old, relation, column, i);
+    if (sg_poll_every(poll, i)) {
+      return SG_OLD_FAILED;
+    }
     out->most = id > out->most ? id : out->most;
   }
   if ((size_t)out->most > 4 * n + SPREAD) {
@@ -34,19 +37,24 @@ read_ids(const sg_solid_old *old, int relation, unsigned column,
   }
   out->place = new_places((size_t)out->most);
   for (uint32_t i = 0; out->place && i < n; i++) {
+    if (sg_poll_every(poll, i)) {
+      return SG_OLD_FAILED;
+    }
     out->place[sg_old_int(old, relation, column, i)] = i;
   }
   return out->place ? SG_OLD_READ : SG_OLD_FAILED;
 }
 
 static sg_old_end
-read_all_ids(sg_solid_old *old)
+read_all_ids(sg_solid_old *old, const sg_poll *poll)
 {
-  sg_old_end end = read_ids(old, SG_OLD_V, 1, &old->vertex);
+  sg_old_end end = read_ids(old, SG_OLD_V, 1, poll, &old->vertex);
 
-  end = end == SG_OLD_READ ? read_ids(old, SG_OLD_E, 1, &old->edge) : end;
-  end = end == SG_OLD_READ ? read_ids(old, SG_OLD_P, 1, &old->polygon) : end;
-  return end == SG_OLD_READ ? read_ids(old, SG_OLD_T, 2, &old->triangle) : end;
+  end = end == SG_OLD_READ ? read_ids(old, SG_OLD_E, 1, poll, &old->edge) : end;
+  end = end == SG_OLD_READ ? read_ids(old, SG_OLD_P, 1, poll, &old->polygon)
+                           : end;
+  return end == SG_OLD_READ ? read_ids(old, SG_OLD_T, 2, poll, &old->triangle)
+                            : end;
 }
 
 /* ---- what belongs to one ------------------------------------------------ */
@@ -54,12 +62,15 @@ read_all_ids(sg_solid_old *old)
 /* Row i of a relation says something of the one thing with id column 1. */
 static sg_old_end
 read_one_each(const sg_solid_old *old, int relation, const sg_old_ids *of,
-              size_t n, uint32_t **out)
+              size_t n, const sg_poll *poll, uint32_t **out)
 {
   uint32_t *list = *out = new_places(n);
 
   for (uint32_t i = 0; list && i < sg_old_count(old, relation); i++) {
     uint32_t at = sg_old_place(of, sg_old_int(old, relation, 1, i));
+    if (sg_poll_every(poll, i)) {
+      return SG_OLD_FAILED;
+    }
     if (at == SG_NO_PLACE || list[at] != SG_NO_PLACE) {
       return SG_OLD_UNFIT;
     }
@@ -69,7 +80,8 @@ read_one_each(const sg_solid_old *old, int relation, const sg_old_ids *of,
 }
 
 static sg_old_end
-read_origins(sg_solid_old *old, int32_t (*item_vertex)(const uint32_t *item))
+read_origins(sg_solid_old *old, int32_t (*item_vertex)(const uint32_t *item),
+             const sg_poll *poll)
 {
   uint32_t *list = old->origin = new_places(sg_old_count(old, SG_OLD_V));
 
@@ -77,6 +89,9 @@ read_origins(sg_solid_old *old, int32_t (*item_vertex)(const uint32_t *item))
     int32_t v =
         item_vertex((const uint32_t *)sg_old_list(old, SG_OLD_ORIGIN, 1, i));
     uint32_t at = v > 0 ? sg_old_place(&old->vertex, v) : SG_NO_PLACE;
+    if (sg_poll_every(poll, i)) {
+      return SG_OLD_FAILED;
+    }
     if (v > 0 && at == SG_NO_PLACE) {
       return SG_OLD_UNFIT;
     }
@@ -99,7 +114,8 @@ polygon_of(const sg_solid_old *old, int relation, uint32_t i)
 /* Counts the rows of each polygon: begin[g + 1] is where those of g begin, and,
  * when they are put there, where they end. */
 static sg_old_end
-begin_groups(const sg_solid_old *old, int relation, sg_old_groups *out)
+begin_groups(const sg_solid_old *old, int relation, const sg_poll *poll,
+             sg_old_groups *out)
 {
   size_t n = sg_old_count(old, relation), groups = sg_old_count(old, SG_OLD_P);
 
@@ -110,6 +126,9 @@ begin_groups(const sg_solid_old *old, int relation, sg_old_groups *out)
   }
   for (uint32_t i = 0; i < n; i++) {
     uint32_t g = polygon_of(old, relation, i);
+    if (sg_poll_every(poll, i)) {
+      return SG_OLD_FAILED;
+    }
     if (g == SG_NO_PLACE) {
       return SG_OLD_UNFIT;
     }
@@ -129,11 +148,14 @@ put_in_group(const sg_solid_old *old, int relation, uint32_t i,
 }
 
 static sg_old_end
-group_triangles(sg_solid_old *old)
+group_triangles(sg_solid_old *old, const sg_poll *poll)
 {
-  sg_old_end end = begin_groups(old, SG_OLD_T, &old->triangles);
+  sg_old_end end = begin_groups(old, SG_OLD_T, poll, &old->triangles);
 
   for (int32_t id = 1; end == SG_OLD_READ && id <= old->triangle.most; id++) {
+    if (sg_poll_every(poll, (size_t)id)) {
+      return SG_OLD_FAILED;
+    }
     if (old->triangle.place[id] != SG_NO_PLACE) {
       put_in_group(old, SG_OLD_T, old->triangle.place[id], &old->triangles);
     }
@@ -142,9 +164,9 @@ group_triangles(sg_solid_old *old)
 }
 
 static sg_old_end
-group_sources(sg_solid_old *old)
+group_sources(sg_solid_old *old, const sg_poll *poll)
 {
-  sg_old_end end = begin_groups(old, SG_OLD_FROM_P, &old->sources);
+  sg_old_end end = begin_groups(old, SG_OLD_FROM_P, poll, &old->sources);
 
   for (uint32_t i = 0;
        end == SG_OLD_READ && i < sg_old_count(old, SG_OLD_FROM_P); i++) {
@@ -194,19 +216,19 @@ sg_solid_old_read(const sg_view *const view[SG_OLD_RELATIONS], int32_t s,
   *out = (sg_solid_old){0};
   memcpy(out->view, view, sizeof out->view);
   if (find_rows(out, s, poll)) {
-    end = read_all_ids(out);
+    end = read_all_ids(out, poll);
   }
   end = end == SG_OLD_READ
             ? read_one_each(out, SG_OLD_FROM_V, &out->vertex,
-                            sg_old_count(out, SG_OLD_V), &out->from)
+                            sg_old_count(out, SG_OLD_V), poll, &out->from)
             : end;
   end = end == SG_OLD_READ
             ? read_one_each(out, SG_OLD_PLANE, &out->polygon,
-                            sg_old_count(out, SG_OLD_P), &out->plane)
+                            sg_old_count(out, SG_OLD_P), poll, &out->plane)
             : end;
-  end = end == SG_OLD_READ ? read_origins(out, item_vertex) : end;
-  end = end == SG_OLD_READ ? group_triangles(out) : end;
-  end = end == SG_OLD_READ ? group_sources(out) : end;
+  end = end == SG_OLD_READ ? read_origins(out, item_vertex, poll) : end;
+  end = end == SG_OLD_READ ? group_triangles(out, poll) : end;
+  end = end == SG_OLD_READ ? group_sources(out, poll) : end;
   return end == SG_OLD_READ && !edges_are_used(out) ? SG_OLD_UNFIT : end;
 }
 

@@ -11,6 +11,7 @@ typedef struct matching {
   const sg_solid *solid;
   const sg_solid_old *old;
   sg_solid_over *out;
+  const sg_poll *poll;
   sg_key_table was;  /* segment, vertex -> place of an old vertex */
   sg_key_table made; /* three doubles -> place of one that a cut made */
   uint32_t *first;   /* [old vertices]: an old face whose first triangle begins
@@ -68,7 +69,8 @@ known_as(matching *m, uint32_t i)
   return sg_key_table_put(&m->made, key);
 }
 
-/* Of two that have the same name the first is known. */
+/* Of two that have the same name the first is known. False: no memory, or
+ * stopped. */
 static bool
 know_vertices(matching *m)
 {
@@ -79,7 +81,7 @@ know_vertices(matching *m)
     return false;
   }
   for (uint32_t i = 0; i < sg_old_count(m->old, SG_OLD_V); i++) {
-    uint32_t *known = known_as(m, i);
+    uint32_t *known = sg_poll_every(m->poll, i) ? NULL : known_as(m, i);
     if (!known) {
       return false;
     }
@@ -432,12 +434,13 @@ match_all(matching *m)
 
   for (size_t i = 0; good && i < m->rows->vertices; i++) {
     match_vertex(m, m->rows->vertex[i]);
+    good = !sg_poll_every(m->poll, i);
   }
   if (good) {
     list_faces(m);
   }
   for (uint32_t f = 0; good && f < m->solid->faces; f++) {
-    good = match_face(m, f);
+    good = match_face(m, f) && !sg_poll_every(m->poll, f);
   }
   if (good) {
     keep_names(m);
@@ -447,9 +450,10 @@ match_all(matching *m)
 
 bool
 sg_solid_over_match(const sg_solid_rows *rows, const sg_solid_old *old,
-                    sg_solid_over *out)
+                    const sg_poll *poll, sg_solid_over *out)
 {
-  matching m = {.rows = rows, .solid = rows->solid, .old = old, .out = out};
+  matching m = {
+      .rows = rows, .solid = rows->solid, .old = old, .out = out, .poll = poll};
 
   *out = (sg_solid_over){0};
   sg_key_table_init(&m.was, 2);

@@ -46,7 +46,7 @@ typedef struct sg_solid_over {
  * faces_stay, gone. False: no memory, or stopped. Owner: sg_solid_over_clear()
  * in any case. Exact. */
 bool sg_solid_over_match(const sg_solid_rows *rows, const sg_solid_old *old,
-                         sg_solid_over *out);
+                         const sg_poll *poll, sg_solid_over *out);
 /* Then the rows that are new, of segment s: the rest. The same. */
 bool sg_solid_over_write(const sg_solid_rows *rows, const sg_solid_old *old,
                          int32_t s, sg_crew *crew, const sg_poll *poll,

@@ -115,7 +115,9 @@ write_over_ex(sg_world *world, const sg_solid_rows *rows,
               const sg_solid_old *old, int32_t s, sg_crew *crew)
 {
   sg_solid_over over;
-  int good = sg_solid_over_match(rows, old, &over) ? TRUE : failed_ex();
+  int good = sg_solid_over_match(rows, old, &sg_prolog_poll, &over)
+                 ? TRUE
+                 : failed_ex();
 
   if (good && is_little(&over, rows->solid)) {
     good = -1;

@@ -208,41 +208,60 @@ name_all(const sg_solid_old *old, sg_solid_over *out)
          name_vertices(old, out);
 }
 
-/* Ids of `kind` in a column of a relation, dense up to here, get their names.
- */
-static void
-rename_ids(sg_solid_over *out, int relation, unsigned c, int kind)
-{
-  int32_t *column = out->fresh[relation].column[c];
+/* Columns of ids, and what these are ids of. */
+static const struct id_column {
+  int relation;
+  unsigned column;
+  int kind;
+} id_column[] = {{SG_OLD_V, 1, SG_OLD_V},     {SG_OLD_FROM_V, 1, SG_OLD_V},
+                 {SG_OLD_E, 1, SG_OLD_E},     {SG_OLD_E, 2, SG_OLD_V},
+                 {SG_OLD_E, 3, SG_OLD_V},     {SG_OLD_P, 1, SG_OLD_P},
+                 {SG_OLD_PLANE, 1, SG_OLD_P}, {SG_OLD_FROM_P, 1, SG_OLD_P},
+                 {SG_OLD_T, 1, SG_OLD_P},     {SG_OLD_T, 2, SG_OLD_T},
+                 {SG_OLD_T, 3, SG_OLD_V},     {SG_OLD_T, 4, SG_OLD_V},
+                 {SG_OLD_T, 5, SG_OLD_V}};
 
-  for (size_t i = 0; i < out->fresh[relation].n; i++) {
-    column[i] = out->id[kind][column[i] - 1];
+/* Ids in a column, dense up to here, get their names. False: stopped. */
+static bool
+rename_ids(sg_solid_over *out, const struct id_column *of, const sg_poll *poll)
+{
+  const sg_over_rows *rows = &out->fresh[of->relation];
+  int32_t *column = rows->column[of->column];
+
+  for (size_t i = 0; i < rows->n; i++) {
+    if (sg_poll_every(poll, i)) {
+      return false;
+    }
+    column[i] = out->id[of->kind][column[i] - 1];
   }
+  return true;
 }
 
-static void
-rename_all(sg_solid_over *out)
+static bool
+rename_lists(sg_solid_over *out, const sg_poll *poll)
 {
   int32_t **list = out->fresh[SG_OLD_P].column[2];
 
   for (size_t i = 0; i < out->fresh[SG_OLD_P].n; i++) {
+    if (sg_poll_every(poll, i)) {
+      return false;
+    }
     for (int32_t k = 1; k <= list[i][0]; k++) {
       list[i][k] = out->id[SG_OLD_E][list[i][k] - 1];
     }
   }
-  rename_ids(out, SG_OLD_V, 1, SG_OLD_V);
-  rename_ids(out, SG_OLD_FROM_V, 1, SG_OLD_V);
-  rename_ids(out, SG_OLD_E, 1, SG_OLD_E);
-  rename_ids(out, SG_OLD_E, 2, SG_OLD_V);
-  rename_ids(out, SG_OLD_E, 3, SG_OLD_V);
-  rename_ids(out, SG_OLD_P, 1, SG_OLD_P);
-  rename_ids(out, SG_OLD_PLANE, 1, SG_OLD_P);
-  rename_ids(out, SG_OLD_T, 1, SG_OLD_P);
-  rename_ids(out, SG_OLD_T, 2, SG_OLD_T);
-  rename_ids(out, SG_OLD_FROM_P, 1, SG_OLD_P);
-  for (unsigned c = 3; c < 6; c++) {
-    rename_ids(out, SG_OLD_T, c, SG_OLD_V);
+  return true;
+}
+
+static bool
+rename_all(sg_solid_over *out, const sg_poll *poll)
+{
+  bool good = rename_lists(out, poll);
+
+  for (size_t i = 0; good && i < sizeof id_column / sizeof *id_column; i++) {
+    good = rename_ids(out, &id_column[i], poll);
   }
+  return good;
 }
 
 /* ---- vertices that are new ---------------------------------------------- */
@@ -299,13 +318,13 @@ sg_solid_over_write(const sg_solid_rows *rows, const sg_solid_old *old,
   sg_sheet sheet[SG_OLD_RELATIONS] = {{0}};
   bool good = take_rest(rows->solid, out) &&
               sg_solid_rows_make(&out->rest, crew, poll, &out->rest_rows) &&
-              fill(out, s, crew, poll, sheet) && name_all(old, out);
+              fill(out, s, crew, poll, sheet) && name_all(old, out) &&
+              rename_all(out, poll);
 
   for (int k = 0; k < SG_OLD_RELATIONS; k++) {
     free(sheet[k].page);
   }
   if (good) {
-    rename_all(out);
     leave_new(out, SG_OLD_V);
     leave_new(out, SG_OLD_FROM_V);
     list_origins(out, s);
