@@ -19,12 +19,11 @@
 :- use_module(csg_matrix,
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module(csg_record,
-              
               [ up_to_date/2, record/2, drop_record/1, recorded/2,
                 not_kept/2
               ]).
 :- use_module(csg_rows,
-              [copy_segments/3, drop_boundary/1, drop_pictures/1]).
+              [copy_segments/3, drop_boundary/1, drop_pictures/1, was_cut/1]).
 :- use_module(kernel,
               [segment_meets_itself/1, segments_grain/2, segments_tolerance/3]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
@@ -35,12 +34,12 @@
                 facts_transaction/1, facts_snapshot/1
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply), [exclude/3, foldl/4, maplist/2, partition/4]).
-:- autoload(library(error), [existence_error/2]).
-:- autoload(library(lists), [append/3, max_list/2, member/2]).
-:- autoload(library(option), [option/3]).
-:- autoload(library(ordsets), [ord_subtract/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys/2]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/2, partition/4]).
+:- use_module(library(error), [existence_error/2]).
+:- use_module(library(lists), [append/3, max_list/2, member/2]).
+:- use_module(library(option), [option/3]).
+:- use_module(library(ordsets), [ord_subtract/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys/2]).
 /** <module> Evaluating the CSG tree: the boundaries of nodes.
 
 A node is flattened (csg_flat.pl): placements are multiplied down to the leaves,
@@ -162,13 +161,14 @@ renewed(S, From) :-
 
 %   earlier(S, Known, Over): Known are the operands of the boundary that S has,
 %   with their stamps. Over is true if that is a Boolean's and nobody changed it
-%   since.
+%   since, or has lines on it.
 
 earlier(S, Known, Over) :-
     (   recorded(S, evaluated(From))
     ->  (   From = of(_, Known0, _)
         ->  Known = Known0,
-            (   up_to_date(S, From)
+            (   up_to_date(S, From),
+                \+ was_cut(S)
             ->  Over = true
             ;   Over = false
             )

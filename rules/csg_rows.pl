@@ -3,6 +3,7 @@
             copied_by_rule/3,           % +Ss, +Matrix, +S
             drop_boundary/1,            % +S
             drop_pictures/1,            % +S
+            was_cut/1,                  % +S
             segment_box/2               % +S, -Box
           ]).
 :- use_module(csg_matrix, [matrix_sign/2]).
@@ -16,9 +17,9 @@
                 assert_fact/1, retractall_facts/1
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [is_set/1, member/2, reverse/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [is_set/1, member/2, reverse/2]).
 /** <module> Rows of segments that evaluation copies and drops.
 */
 
@@ -193,6 +194,11 @@ was_changed(S) :-
     ;   leaf_v(S, _, _, _, _)
     ->  true
     ).
+
+%!  was_cut(+S) is semidet.
+%
+%   True when a penetration cut segment S, or ran along its edges: then it may
+%   have lines though its rows are as they were.
 
 was_cut(S) :-
     leaf_p(S, _, _),

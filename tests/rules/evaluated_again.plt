@@ -11,11 +11,15 @@
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).
+:- use_module(library(time)).
 :- use_module(rules(csg), [is_helper/1]).
 :- use_module(rules(csg_evaluate)).
 :- use_module(rules(model)).
+:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(penetration), [penetrate/2]).
 :- use_module(rules(solid_file), [write_solid/2]).
 :- use_module(rules(store)).
+:- use_module(rules(triangulation), [complete_segments/0]).
 :- use_module(tests('rules/random_solid')).
 
 /* - - - a tree, and the same tree in another world - - - */
@@ -154,7 +158,7 @@ replaced(S, Term) :-
     assert_fact(segment(S, solid, Term)).
 
 leaf(S) :-
-    findall(S1, ( segment(S1, _, _), S1 < 100 ), Ss),
+    findall(S1, ( segment(S1, _, _), S1 < 90 ), Ss),
     random_member(S, Ss).
 
 edit(shape, Kind) :-
@@ -181,27 +185,52 @@ edit(added, Kind) :-
     assert_fact(segment(S, solid, Term)),
     maplist(assert_fact, Facts),
     random_member(N, [101,102]),
-    segment(N, _, Node),
-    !,
-    Node =.. [Operation, Children],
+    operation(N, Operation, Children),
     replaced_node(N, Operation, [S|Children]).
 edit(removed, _) :-
     random_member(N, [101,102]),
-    segment(N, _, Node),
-    !,
-    Node =.. [Operation, Children],
+    operation(N, Operation, Children),
     (   Children = [_,_|_]
     ->  random_select(_, Children, Rest),
         replaced_node(N, Operation, Rest)
     ;   true
     ).
-edit(operation, _) :-
-    random_member(N, [100,101,102]),
+edit(resized, _) :-
+    leaf(S),
+    segment(S, _, Term0),
+    !,
+    random_member(X, [0.5,1.25,2]),
+    replaced(S, at([scale(X,1,1)], Term0)).
+edit(turned, _) :-
+    random_member(N, [101,102]),
     segment(N, _, Node),
     !,
-    Node =.. [_, Children],
+    replaced(N, at([rotate(z,90)], Node)).
+edit(twice, _) :-                       % node 101 once more, elsewhere
+    random_between(-4, 4, I),
+    Z is I/2,
+    replaced(99, at([translate(0.5,0,Z)], 101)),
+    replaced_node(100, union, [101,102,103,99]).
+edit(operation, _) :-
+    random_member(N, [100,101,102]),
+    operation(N, _, Children),
     random_member(Operation, [union,intersection,difference]),
     replaced_node(N, Operation, Children).
+
+%   operation(N, Operation, Children): of a node, placed or not.
+
+operation(N, Operation, Children) :-
+    segment(N, _, Node0),
+    !,
+    unplaced(Node0, Node),
+    Node =.. [Operation, Children].
+
+unplaced(Node0, Node) :-
+    (   Node0 = at(_, Node1)
+    ->  unplaced(Node1, Node)
+    ;   Node = Node0
+    ).
+
 replaced_node(N, Operation, Children) :-
     Term =.. [Operation, Children],
     replaced(N, Term).
@@ -233,7 +262,7 @@ edited(Steps, Kind, Done0, Done) :-
     Steps > 0,
     random_member(Edit0,
                   [ shape, placement, placed_again, added, removed, operation,
-                    undone, undone_and_redone ]),
+                    resized, turned, twice, undone, undone_and_redone ]),
     done(Edit0, Kind, Done0, Edit),
     Done1 = [Edit|Done0],
     (   is_as_fresh
@@ -275,8 +304,14 @@ is_as_fresh :-
                       boundary(100, Expected),
                       file_of(100, File) )),
     (   nonvar(Error0)
-    ->  nonvar(Error)
-    ;   boundary(100, Boundary),
+    ->  Error0 = error(Formal0, _),
+        nonvar(Error),
+        Error = error(Formal, _),
+        functor(Formal0, Kind, N),
+        functor(Formal, Kind, N),
+        memberchk(Kind, [geometry_error,model_error])
+    ;   var(Error),
+        boundary(100, Boundary),
         Boundary == Expected,
         file_of(100, File)
     ).
@@ -355,6 +390,78 @@ retract_all_of_one_polygon :-
     once(origin(100, v(V), _)),
     retractall_facts(origin(100, v(V), _)).
 
+/* - - - lines, and evaluations that are stopped - - - */
+
+%   lines_left(Lines): of a boundary that a penetration did not change (it only
+%   touches 4) and that is then evaluated again.
+
+lines_left(Lines) :-
+    three_boxes(World),
+    in_world(World,
+             ( evaluate(100),
+               add_primitive(at([translate(5,0,1)], box(size(1,1,1))), S),
+               complete_segments,
+               segment_stamp(100, Stamp),
+               penetrate([100-S], []),
+               segment_stamp(100, Stamp),
+               on_line(_),
+               !,
+               replaced(3, at([translate(5,0,-3)], box(size(1,1,1)))),
+               evaluate(100),
+               findall(L, on_line(L), Lines)
+             )).
+
+on_line(L) :-
+    line(L, 100, _, _, _, _, _, _, _).
+on_line(L) :-
+    line(L, _, _, _, _, 100, _, _, _).
+
+%   stopped_anywhere(Seed, Stopped): an evaluation is stopped Stopped times, the
+%   later the more often it was; each time all facts are as they were. Then it
+%   is as of a fresh world.
+
+stopped_anywhere(Seed, Stopped) :-
+    set_random(seed(Seed)),
+    random_tree(anywhere, Segments),
+    tree_world(Segments, World),
+    in_world(World,
+             ( evaluate(100),
+               facts_transaction(test_evaluated_again:once(
+                                     edit(shape, anywhere))),
+               facts(Facts),
+               stopped(0.0005, Facts, 0, Stopped),
+               is_as_fresh
+             )).
+
+stopped(Seconds, Facts, N0, N) :-
+    catch(call_with_time_limit(Seconds, evaluate(100)),
+          time_limit_exceeded,
+          Late = true),
+    (   Late == true
+    ->  facts(Now),
+        Now == Facts,
+        More is Seconds*1.2,
+        N1 is N0+1,
+        stopped(More, Facts, N1, N)
+    ;   N = N0
+    ).
+
+facts(Facts) :-
+    findall(Fact, fact(Fact), Facts0),
+    msort(Facts0, Facts).
+
+fact(segment(S, Kind, Term)) :-
+    segment(S, Kind, Term).
+fact(Fact) :-
+    segment(S, _, _),
+    row(S, Fact).
+fact(origin(S, Item, Origin)) :-
+    origin(S, Item, Origin).
+fact(from_v(S, V, S0, V0)) :-
+    from_v(S, V, S0, V0).
+fact(from_p(S, P, S0, P0, Sense)) :-
+    from_p(S, P, S0, P0, Sense).
+
 /* - - - memory - - - */
 
 %   grown(Bytes): by how much 36 evaluations make the process larger, each of a
@@ -426,6 +533,12 @@ test(missing_rows_return, Boundary == Expected) :-
                fresh(Other)
              )),
     in_world(Other, ( evaluate(100), boundary(100, Expected) )).
+
+test(no_old_lines, Lines == []) :-
+    lines_left(Lines).
+test(stopped, [condition(current_prolog_flag(threads, true)), nondet]) :-
+    forall(between(1, 4, Seed),
+           ( stopped_anywhere(Seed, Stopped), Stopped > 2 )).
 
 test(on_a_grid, Faults == []) :-
     faults(blocks, 6, 6, Faults).
