@@ -22,10 +22,10 @@
               [ p/3, t/6, segment/3, origin/3, assert_fact/1,
                 retractall_facts/1, facts_transaction/1, fresh_id/3
               ]).
-:- autoload(library(apply), [foldl/4, foldl/5, maplist/4]).
-:- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
-:- autoload(library(lists), [append/3, member/2, reverse/2]).
-:- autoload(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(apply), [foldl/4, foldl/5, maplist/4]).
+:- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
+:- use_module(library(lists), [append/3, member/2, reverse/2]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
 /** <module> The CSG tree: nodes, operands, roots.
 
 A segment whose term is an operation (csg_term.pl) is a *node*; its boundary is

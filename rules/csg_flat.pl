@@ -24,11 +24,11 @@
                 facts_snapshot/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply),
-            [foldl/4, foldl/6, include/3, maplist/3, partition/4]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- autoload(library(lists),
-            [append/3, list_to_set/2, member/2, nth1/3, reverse/2]).
+:- use_module(library(apply),
+              [foldl/4, foldl/6, include/3, maplist/3, partition/4]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(lists),
+              [append/3, list_to_set/2, member/2, nth1/3, reverse/2]).
 /** <module> A CSG tree flattened to an expression over leaves.
 
 Placements are multiplied down. A leaf in its own place stands for itself;

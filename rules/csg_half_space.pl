@@ -2,7 +2,7 @@
           [ half_space/3                % +Plane, +Box, -Half
           ]).
 :- use_module(vector, [cross_product/3, scaled/3, unit/2, vector_sum/3]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> A half-space as a solid that is large enough.
 
 To split a solid by a plane it is cut with a tetrahedron: one face lies in the

@@ -8,7 +8,7 @@
             matrix_scale/2              % +Matrix, -Scale
           ]).
 :- use_module(placing, [step_motion/2]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
 /** <module> Placements multiplied together, exactly.
 
 A matrix is three rows [A, B, C, D] of rationals: X' = A*X + B*Y + C*Z + D, ...

@@ -16,9 +16,9 @@
                 assert_fact/1, retractall_facts/1, facts_transaction/1,
                 fresh_id/3
               ]).
-:- autoload(library(apply), [maplist/2]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(ordsets), [ord_subtract/3]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(ordsets), [ord_subtract/3]).
 /** <module> Looking at roots only: operands put aside.
 
 Drawing, checking, cutting and meshes look at the roots of the CSG tree. What is

@@ -12,8 +12,8 @@
 :- use_module(primitive, [is_primitive/1]).
 :- use_module(primitive_argument, [finite_number/2, primitive_error/2]).
 :- use_module(placing, [step_motion/2]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(lists), [append/3, member/2]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(lists), [append/3, member/2]).
 /** <module> The terms of a CSG tree.
 
 A node is a segment whose term, in the third place of segment/3, is

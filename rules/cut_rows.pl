@@ -16,8 +16,8 @@
                 assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3
               ]).
 :- use_module(triangulation, [work_triangles/2]).
-:- autoload(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
-:- autoload(library(lists), [member/2, reverse/2]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
+:- use_module(library(lists), [member/2, reverse/2]).
 
 /** <module> The rows that a penetration leaves.
 

@@ -8,8 +8,8 @@
                 segment_operand/2
               ]).
 :- use_module(store, [v/5, segment/3]).
-:- autoload(library(error), [existence_error/2]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(error), [existence_error/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> What makes a segment unfit for a Boolean.
 
 Inside is where a segment goes round a point more than no times at all

@@ -10,7 +10,7 @@
 :- use_module(csg_record, [recorded/2]).
 :- use_module(csg_term, [plain_name/2, is_node_term/1]).
 :- use_module(store, [segment/3, origin/3, assert_fact/1]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> What an operand is called that its user gave no number.
 
     segment(5, solid, difference([1, union([2, rectangle(size(2, 2))])])).

@@ -7,11 +7,11 @@
                 edge_polygon/3, vertex_triangle/3,
                 assert_fact/1, retractall_facts/1
               ]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(ordsets), [ord_intersection/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(ordsets), [ord_intersection/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Vertices that leaves have in passing.
 
 Before solids are combined, what is nearer than the tolerance is made to touch

@@ -9,8 +9,8 @@
               [ v/5, e/5, p/3, t/6, origin/3, line/9, edge_polygon/3,
                 assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3
               ]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(lists), [member/2, selectchk/3]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(lists), [member/2, selectchk/3]).
 
 /** <module> Resolving contacts: what was meant to touch is made to touch.
 

@@ -8,10 +8,10 @@
                 solid_faces/2, solid_parts/2
               ]).
 :- use_module(store, [assert_fact/1]).
-:- autoload(library(apply), [foldl/4, foldl/5]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists),
-            [append/3, member/2, nth1/3, selectchk/3]).
+:- use_module(library(apply), [foldl/4, foldl/5]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists),
+              [append/3, member/2, nth1/3, selectchk/3]).
 /** <module> The rows of a solid.
 
 @see c_kernels/solid.h

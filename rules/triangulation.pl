@@ -13,7 +13,7 @@
                 work_thicken/4
               ]).
 :- use_module(store, [facts_transaction/1]).
-:- autoload(library(lists), [last/2, member/2]).
+:- use_module(library(lists), [last/2, member/2]).
 
 /** <module> Polygons into triangles.
 
