@@ -4,6 +4,7 @@
             development_measures/2,     % +D, -Measures
             drop_pattern/1,             % +D
             record_divided/2,           % +D, +S
+            record_drawn/4,             % +D, +Seam, +Longest, +Area
             divided_development/3,      % +D, -S, -Options
             score/3,                    % +Objective, +Measures, -Score
             cannot_develop/2            % +S, +What
@@ -89,6 +90,25 @@ record_divided(D, S) :-
     retractall_facts(origin(D, node(D), _)),
     assert_fact(origin(D, node(D),
                        laid(Options, Order, divided(Stamp), Measures))).
+
+%!  record_drawn(+D, +Seam, +Longest, +Area) is det.
+%
+%   Remember that pattern D, if there is a record of it, was changed so that
+%   these are its measures. What was proven of its seam is of the facets, and
+%   forgotten.
+
+record_drawn(D, Seam, Longest, Area) :-
+    (   origin(D, node(D), laid(Options, Order, Stamp, Laid-Least))
+    ->  Laid = measures(_, Pieces, _, _, Boxes, Tests, Refused),
+        Least = bound(_, _, Tree),
+        retractall_facts(origin(D, node(D), _)),
+        assert_fact(origin(D, node(D),
+                           laid(Options, Order, Stamp,
+                                measures(Seam, Pieces, Longest, Area, Boxes,
+                                         Tests, Refused)
+                                - bound(null, null, Tree))))
+    ;   true
+    ).
 
 %!  divided_development(+D, -S, -Options:list) is semidet.
 %

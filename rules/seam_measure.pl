@@ -1,8 +1,10 @@
 :- module(sg_seam_measure,
-          [ seam_drawn/3                % +D, -Seam, -Longest
+          [ seam_drawn/3,               % +D, -Seam, -Longest
+            pattern_area/2              % +D, -Area
           ]).
 :- use_module(part_edges, [edge_length/3]).
-:- use_module(store, [e/5, from_v/4, joint/6]).
+:- use_module(store, [e/5, from_v/4, joint/6, t/6, v/5]).
+:- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
 :- autoload(library(assoc),
             [empty_assoc/1, get_assoc/3, put_assoc/4]).
@@ -81,3 +83,17 @@ root(Roots, I, Root) :-
     ->  root(Roots, J, Root)
     ;   Root = I
     ).
+
+%!  pattern_area(+D, -Area) is det.
+%
+%   Area is that of the triangles of pattern D.
+
+pattern_area(D, Area) :-
+    aggregate_all(sum(Part), triangle_area(D, Part), Area).
+
+triangle_area(D, Area) :-
+    t(D, _, _, A, B, C),
+    v(D, A, X1, Y1, _),
+    v(D, B, X2, Y2, _),
+    v(D, C, X3, Y3, _),
+    Area is ((X2-X1)*(Y3-Y1) - (X3-X1)*(Y2-Y1))/2.

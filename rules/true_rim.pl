@@ -4,7 +4,9 @@
 :- use_module(placed_surface,
               [placed_face/3, placed_polygon/4, placed_surface/3]).
 :- use_module(primitive_face, [surface_point/4]).
-:- use_module(kernel, [roll_curves/5, surface_place/4]).
+:- use_module(kernel, [roll_curves/5, surface_place/4, surfaces_meet/4]).
+:- use_module(development_record, [record_drawn/4]).
+:- use_module(seam_measure, [pattern_area/2, seam_drawn/3]).
 :- use_module(store,
               [ e/5, edge_polygon/3, from_p/5, joint/6, p/3, plane/6, v/5,
                 assert_fact/1, facts_transaction/1, fresh_id/3,
@@ -13,14 +15,17 @@
 :- use_module(triangulation, [complete_segments/1]).
 :- use_module(true_surface, [meeting_surfaces/3]).
 :- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3]).
+:- autoload(library(assoc),
+            [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
 :- autoload(library(lists), [append/2, append/3, member/2, reverse/2]).
 :- autoload(library(option), [option/3]).
 /** <module> Flat ends of what is rolled, and holes in what is flat.
 
 Facets end in chords. In a pattern of the flat faces that close a cylinder or a
 cone, the edges that were rims become arcs, so that they fit what is unrolled;
-and a hole that a pipe leaves in a flat face has the true curve.
+and a hole that a pipe leaves in a flat face has the true curve. Where such a
+hole goes over a fold, facets of the pipe meet the fold in a corner that is on
+no true curve: the corner goes along the fold to where the pipe meets it.
 */
 
 %!  rims_rounded(+D, +S, +Options) is det.
@@ -28,32 +33,77 @@ and a hole that a pipe leaves in a flat face has the true curve.
 %   In pattern D of segment S, a border edge of a flat polygon that was an edge
 %   of a facet, on its rim, becomes a polyline along that of the true surface;
 %   so does one where the polygon was cut by a curved surface of another
-%   segment. The edges it is divided into have origin(D, e(New), e(E)). One
-%   transaction. Option: chord(Tolerance), 1.0e-4 of the size of the surface by
-%   default.
+%   segment, whose ends are moved along folds to that. The edges it is divided
+%   into have origin(D, e(New), e(E)). One transaction. Option:
+%   chord(Tolerance), 1.0e-4 of the size of the surface by default.
 
 rims_rounded(D, S, Options) :-
     facts_transaction(sg_true_rim:rounded(D, S, Options)).
 
 rounded(D, S, Options) :-
     meeting_tables(D, S, Meets),
+    corners_moved(D, S, Meets, Corners),
     findall(P-Arcs,
             ( p(D, P, Es),
+              findall(Fold, ( member(Fold, Es), flat_neighbour(S, Fold, _) ),
+                      Folds),
               findall(arc(E, Points),
                       ( member(E, Es),
                         border_edge(D, E),
-                        (   rim_arc(D, S, P, E, Options, Points)
-                        ->  true
-                        ;   line_arc(D, S, P, E, Meets, Options, Points)
-                        ) ),
+                        true_arc(D, S, P, E, Meets, Corners, Options, Points),
+                        \+ ( member(Fold, Folds),
+                             goes_over(D, E, Points, Fold)
+                           ) ),
                       Arcs),
               Arcs \== [] ),
             Changes),
-    (   Changes == []
+    forall(member(P-Arcs, Changes), polygon_rounded(D, P, Arcs)),
+    (   Changes == [],
+        empty_assoc(Corners)
     ->  true
-    ;   forall(member(P-Arcs, Changes), polygon_rounded(D, P, Arcs)),
-        complete_segments([D])
+    ;   complete_segments([D]),
+        seam_drawn(D, Seam, Longest),
+        pattern_area(D, Area),
+        record_drawn(D, Seam, Longest, Area)
     ).
+
+true_arc(D, S, P, E, Meets, Corners, Options, Points) :-
+    (   rim_arc(D, S, P, E, Options, Points)
+    ->  true
+    ;   line_arc(D, S, P, E, Meets, Corners, Options, Points)
+    ).
+
+%   goes_over(D, E, Points, Fold): the arc of E, which has no end in common
+%   with Fold, would go over that, as where facets just miss a fold and the true
+%   surface does not. There facets are what can be drawn.
+
+goes_over(D, E, Points, Fold) :-
+    Fold \== E,
+    e(D, Fold, V, W, _),
+    e(D, E, A, B, _),
+    \+ ( member(End, [V,W]), memberchk(End, [A,B]) ),
+    maplist(pattern_place(D), [V,W,B], [Low,High,Last]),
+    append(Points, [Last], Ends),
+    pattern_place(D, A, First),
+    foldl(crossing(Low, High), Ends, First-false, _-true).
+
+pattern_place(D, V, X-Y) :-
+    v(D, V, X, Y, _),
+    !.
+
+%   crossing(P, Q, B, A-Crosses0, B-Crosses): true if A-B crosses P-Q.
+
+crossing(P, Q, B, A-Crosses0, B-Crosses) :-
+    (   maplist(turn(P, Q), [A,B], [TA,TB]),
+        maplist(turn(A, B), [P,Q], [TP,TQ]),
+        TA*TB < 0.0,
+        TP*TQ < 0.0
+    ->  Crosses = true
+    ;   Crosses = Crosses0
+    ).
+
+turn(X1-Y1, X2-Y2, X3-Y3, Turn) :-
+    Turn is (X2-X1)*(Y3-Y1) - (Y2-Y1)*(X3-X1).
 
 border_edge(D, E) :-
     \+ joint(D, _, E, _, _, _),
@@ -74,7 +124,9 @@ rim_arc(D, S, P, E, Options, Points) :-
     arc_count(Surface, TA, TB, H, Options, N),
     N > 1,
     e(D, E, WA, WB, _),
-    frame(S, P, A, B, D, WA, WB, Frame),
+    vertex_point(S, A, PA),
+    vertex_point(S, B, PB),
+    frame(S, P, PA, PB, D, WA, WB, Frame),
     Last is N-1,
     findall(Point,
             ( between(1, Last, I),
@@ -99,11 +151,27 @@ polygon_leaf(S, P, Leaf) :-
     ;   Leaf = S
     ).
 
-%   line_arc(D, S, P, E, Meets, Options, Points): edge E of flat polygon P is
-%   where a curved surface cut it.
+%   line_arc(D, S, P, E, Meets, Corners, Options, Points): edge E of flat
+%   polygon P is where a curved surface cut it. A corner that is not on the true
+%   curve stays as it is, and so does its edge.
 
-line_arc(D, S, P, E, Meets, Options, Points) :-
+line_arc(D, S, P, E, Meets, Corners, Options, Points) :-
     \+ facet_surface(S, P, _),
+    cutting_surface(S, P, E, Meets, Surface),
+    e(S, E, A, B, _),
+    true_point(S, Corners, A, PA),
+    true_point(S, Corners, B, PB),
+    e(D, E, WA, WB, _),
+    frame(S, P, PA, PB, D, WA, WB, Frame),
+    curve_between(S, P, Surface, PA, PB, Frame, Options, Places),
+    Places \== [],
+    !,
+    maplist(laid_in(Frame), Places, Points).
+
+%   cutting_surface(S, P, E, Meets, Surface): both ends of E, an edge of P, were
+%   met by facets of Surface, which is not flat.
+
+cutting_surface(S, P, E, Meets, Surface) :-
     polygon_leaf(S, P, Leaf),
     memberchk(Leaf-Table, Meets),
     e(S, E, A, B, _),
@@ -111,27 +179,23 @@ line_arc(D, S, P, E, Meets, Options, Points) :-
     get_assoc(B, Table, met(Surfaces2, _)),
     member(Surface, Surfaces1),
     Surface \= plane(_, _, _, _),
-    memberchk(Surface, Surfaces2),
-    e(D, E, WA, WB, _),
-    frame(S, P, A, B, D, WA, WB, Frame),
-    curve_between(S, P, Surface, A, B, Frame, Options, Places),
-    Places \== [],
-    !,
-    maplist(laid_in(Frame), Places, Points).
+    memberchk(Surface, Surfaces2).
 
-%   curve_between(S, P, Surface, A, B, Frame, Options, Places): unrolled in the
-%   plane of P as a fan, from A along B.
+%   curve_between(S, P, Surface, PA, PB, Frame, Options, Places): unrolled in
+%   the plane of P as a fan, from PA along PB.
 
-curve_between(S, P, Surface, A, B, Frame, Options, Places) :-
+curve_between(S, P, Surface, PA, PB, Frame, Options, Places) :-
     Frame = frame(PA, [UX,UY,UZ], [VX,VY,VZ], _, _),
-    vertex_point(S, A, PA),
-    vertex_point(S, B, PB),
-    once(plane(S, P, NX, NY, NZ, N)),
+    polygon_plane(S, P, Plane),
     Fan = fan(PA, vector(UX,UY,UZ), vector(VX,VY,VZ), 1.0),
     chord_wanted(Surface, Options, Chord),
     arc_reach(PA, PB, Reach),
     roll_curves(roll(Fan, 0.0, 0.0), Reach, Chord,
-                [curve(0.0, [plane(NX,NY,NZ,N),Surface], PA, PB)], [Places]).
+                [curve(0.0, [Plane,Surface], PA, PB)], [Places]).
+
+polygon_plane(S, P, plane(NX,NY,NZ,N)) :-
+    plane(S, P, NX, NY, NZ, N),
+    !.
 
 vertex_point(S, V, point(X,Y,Z)) :-
     v(S, V, X, Y, Z),
@@ -184,12 +248,11 @@ chord_wanted(Surface, Options, Chord) :-
     option(chord(Chord0), Options, Usual),
     Chord is max(Chord0, Usual*1.0e-3).
 
-%   frame(S, P, A, B, D, WA, WB, Frame): P of S, at A-B, is laid at WA-WB of D.
+%   frame(S, P, PA, PB, D, WA, WB, Frame): P of S, at PA-PB, is laid at WA-WB of
+%   D.
 
-frame(S, P, A, B, D, WA, WB,
+frame(S, P, point(XA,YA,ZA), point(XB,YB,ZB), D, WA, WB,
       frame(point(XA,YA,ZA), Along, Left, X1-Y1, CX-CY)) :-
-    v(S, A, XA, YA, ZA),
-    v(S, B, XB, YB, ZB),
     DX is XB-XA,
     DY is YB-YA,
     DZ is ZB-ZA,
@@ -218,6 +281,115 @@ in_frame(frame(point(XA,YA,ZA), [AX,AY,AZ], [LX,LY,LZ], X1-Y1, CX-CY),
 
 
                 /*******************************
+                *            CORNERS           *
+                *******************************/
+
+%   corners_moved(D, S, Meets, Corners): each corner of D that a hole has on a
+%   fold or seam of flat faces is moved along that to where the true surface
+%   meets it. Corners is an assoc from such vertices of S to their true places,
+%   or to `none`, where the surface does not meet the fold near.
+
+corners_moved(D, S, Meets, Corners) :-
+    findall(A-Place-corner(P, Fold),
+            ( p(D, P, Es),
+              \+ facet_surface(S, P, _),
+              member(Fold, Es),
+              corner(S, P, Es, Fold, Meets, A, Place) ),
+            Found0),
+    sort(Found0, Found),
+    findall(A-Place, member(A-Place-_, Found), Places0),
+    sort(1, @<, Places0, Places),
+    list_to_assoc(Places, Corners),
+    findall(W-At,
+            ( member(A-_-corner(_, Fold), Found),
+              get_assoc(A, Corners, Place),
+              Place \== none,
+              laid_along(D, S, Fold, A, Place, W, At) ),
+            Moves0),
+    sort(1, @<, Moves0, Moves),
+    forall(member(W-At, Moves), vertex_laid(D, W, At)).
+
+%   corner(S, P, Es, Fold, Meets, A, Place): at A, an end of Fold, the polygon P
+%   of the edges Es was cut by a curved surface.
+
+corner(S, P, Es, Fold, Meets, A, Place) :-
+    flat_neighbour(S, Fold, Q),
+    e(S, Fold, From, To, _),
+    member(A, [From,To]),
+    member(E, Es),
+    E \== Fold,
+    e(S, E, V1, V2, _),
+    memberchk(A, [V1,V2]),
+    \+ flat_neighbour(S, E, _),
+    once(cutting_surface(S, P, E, Meets, Surface)),
+    vertex_point(S, From, P1),
+    vertex_point(S, To, P2),
+    vertex_point(S, A, Point),
+    arc_reach(P1, P2, Reach),
+    polygon_plane(S, P, Plane1),
+    polygon_plane(S, Q, Plane2),
+    (   surfaces_meet([Surface,Plane1,Plane2], Reach, Point, Place0)
+    ->  Place = Place0
+    ;   Place = none
+    ).
+
+%   flat_neighbour(S, E, Q): beyond edge E there is the flat polygon Q.
+
+flat_neighbour(S, E, Q) :-
+    e(S, E, A, B, _),
+    e(S, Twin, B, A, _),
+    edge_polygon(S, Twin, Q),
+    \+ facet_surface(S, Q, _),
+    !.
+
+%   true_point(S, Corners, V, Point): fails for a corner that has none.
+
+true_point(S, Corners, V, Point) :-
+    (   get_assoc(V, Corners, Place)
+    ->  Place = point(_,_,_),
+        Point = Place
+    ;   vertex_point(S, V, Point)
+    ).
+
+%   laid_along(D, S, Fold, A, Place, W, At): Place, on Fold of S near its end A,
+%   is At in D, where A is W.
+
+laid_along(D, S, Fold, A, Place, W, At) :-
+    e(S, Fold, From, To, _),
+    e(D, Fold, W1, W2, _),
+    (   A == From
+    ->  B = To, W = W1, Other = W2
+    ;   B = From, W = W2, Other = W1
+    ),
+    vertex_point(S, A, PA),
+    vertex_point(S, B, PB),
+    way(PB, PA, AX, AY, AZ),
+    way(PA, Place, MX, MY, MZ),
+    Part is (MX*AX + MY*AY + MZ*AZ)/(AX*AX + AY*AY + AZ*AZ),
+    v(D, W, X1, Y1, _),
+    v(D, Other, X2, Y2, _),
+    X is X1 + Part*(X1-X2),
+    Y is Y1 + Part*(Y1-Y2),
+    At = X-Y.
+
+way(point(X1,Y1,Z1), point(X2,Y2,Z2), X, Y, Z) :-
+    X is X2-X1,
+    Y is Y2-Y1,
+    Z is Z2-Z1.
+
+%   vertex_laid(D, W, At): W is At now, and its polygons are divided anew.
+
+vertex_laid(D, W, X-Y) :-
+    retractall_facts(v(D, W, _, _, _)),
+    assert_fact(v(D, W, X, Y, 0.0)),
+    forall(( ( e(D, E, W, _, _) ; e(D, E, _, W, _) ), edge_polygon(D, E, P) ),
+           not_completed(D, P)).
+
+not_completed(D, P) :-
+    retractall_facts(t(D, P, _, _, _, _)),
+    retractall_facts(plane(D, P, _, _, _, _)).
+
+                /*******************************
                 *             ROWS             *
                 *******************************/
 
@@ -225,8 +397,7 @@ polygon_rounded(D, P, Arcs) :-
     once(p(D, P, Es0)),
     maplist(edge_divided(D, Arcs), Es0, Lists),
     append(Lists, Es),
-    retractall_facts(t(D, P, _, _, _, _)),
-    retractall_facts(plane(D, P, _, _, _, _)),
+    not_completed(D, P),
     retractall_facts(p(D, P, Es0)),
     assert_fact(p(D, P, Es)),
     forall(member(arc(E, _), Arcs), retractall_facts(e(D, E, _, _, _))).

@@ -9,9 +9,9 @@
 :- use_module(language, [language/1]).
 :- use_module(polygon_name, [segment_title/2]).
 :- use_module(report, [counted/4]).
-:- use_module(seam_measure, [seam_drawn/3]).
+:- use_module(seam_measure, [pattern_area/2, seam_drawn/3]).
 :- use_module(store,
-              [v/5, p/3, t/6, origin/3, from_p/5, piece/3, joint/6]).
+              [v/5, p/3, origin/3, from_p/5, piece/3, joint/6]).
 :- use_module(trimmed, [part_named/2]).
 :- use_module(unfold, [pattern_of/2]).
 :- autoload(library(aggregate), [aggregate_all/3]).
@@ -103,16 +103,6 @@ seam_measures(D, Pieces, Seam, null, null, Longest, Area) :-
     aggregate_all(max(K), piece(D, _, K), Pieces),
     seam_drawn(D, Seam, Longest),
     pattern_area(D, Area).
-
-pattern_area(D, Area) :-
-    aggregate_all(sum(Part), triangle_area(D, Part), Area).
-
-triangle_area(D, Area) :-
-    t(D, _, _, A, B, C),
-    v(D, A, X1, Y1, _),
-    v(D, B, X2, Y2, _),
-    v(D, C, X3, Y3, _),
-    Area is ((X2-X1)*(Y3-Y1) - (X3-X1)*(Y2-Y1))/2.
 
 %   objective(D, Objective): what was to be small, or `rules` where a rule file
 %   has said how to join.

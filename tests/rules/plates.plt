@@ -135,6 +135,58 @@ test(hole_in_a_roof,
     Exact is 120000 - pi*R*R*2/sqrt(3),
     near(Area, Exact, 1.0e-6).
 
+%   A hole over the ridge of a roof: on either side the part of an ellipse that
+%   lies there, with its corners on the ridge, where a fold or a seam is; none
+%   of the sides is lost. X is how far the pipe stands beside the ridge.
+test(hole_over_a_ridge,
+     [ forall(member(X-Facets, [ 0-12, 0-7, 5-48, 5-12, 5-7, -9-24, -9-5,
+                                 17-12, 17.9-12, 14.7-30 ])) ]) :-
+    patterns([ prism(outline([[-60,0],[60,0],[0,50]]), height(120)),
+               at([rotate(x,-90),translate(X,20,60)],
+                  cylinder(radius(18), height(120), facets(Facets))) ], 1,
+             [chord(1.0e-4)], [D],
+             ( forall(p(D, P, _), once(plane(D, P, _, _, _, _))),
+               findall(Y, ridge_corner(D, Y), Ys),
+               pattern_area(D, Area),
+               pattern_measures(D, Measures) )),
+    Slant is sqrt(60*60 + 50*50)/60,
+    Exact is 120*120*(1+Slant) + 2*60*50 - pi*18*18*Slant,
+    near(Area, Exact, 1.0e-6),
+    near(Measures.pattern_area, Exact, 1.0e-6),
+    Measures.bound == null,
+    Half is sqrt(18*18 - X*X),
+    Ys = [_|_],
+    forall(member(Y, Ys), near(Y, Half, 1.0e-9)).
+
+%   Where no arc is wanted that fine, corners are moved all the same.
+test(coarse_over_a_ridge, Planes == 5) :-
+    patterns([ prism(outline([[-60,0],[60,0],[0,50]]), height(120)),
+               at([rotate(x,-90),translate(5,20,60)],
+                  cylinder(radius(18), height(120), facets(24))) ], 1,
+             [chord(10)], [D],
+             ( forall(ridge_corner(D, Y), near(Y, sqrt(18*18-5*5))),
+               aggregate_all(count, plane(D, _, _, _, _, _), Planes) )).
+
+%   The pipe goes over the ridge, but its facets do not: no side is lost.
+test(facets_miss_a_ridge, Count == 5) :-
+    patterns([ prism(outline([[-60,0],[60,0],[0,50]]), height(120)),
+               at([rotate(x,-90),translate(17,20,60)],
+                  cylinder(radius(18), height(120), facets(9))) ], 1,
+             [], [D],
+             ( complete_segments,
+               aggregate_all(count, plane(D, _, _, _, _, _), Count) )).
+
+%   ridge_corner(D, Y): Y is how far a corner of the hole is from the middle of
+%   the roof, 120 long, along the ridge.
+ridge_corner(D, Y) :-
+    joint(D, _, E, _, _, Angle),
+    Angle > 79.0,
+    Angle < 80.0,
+    e(D, E, V, W, _),
+    v(D, V, X1, Y1, _),
+    v(D, W, X2, Y2, _),
+    Y is 60 - sqrt((X1-X2)**2 + (Y1-Y2)**2).
+
 area(D, Area) :-
     aggregate_all(sum(Part), triangle_area(D, Part), Area).
 
