@@ -29,7 +29,8 @@ hash(const uint32_t *key, unsigned words)
     h = (h ^ (high << 32 | key[i])) * 0xff51afd7ed558ccdu;
     h ^= h >> 32;
   }
-  return (uint32_t)h;
+  return (uint32_t)(h * 0xc4ceb9fe1a85ec53u >> 32); /* round doubles differ in
+                                                       high bits only */
 }
 
 static bool
