@@ -161,12 +161,28 @@ line_arc(D, S, P, E, Meets, Corners, Options, Points) :-
     e(S, E, A, B, _),
     true_point(S, Corners, A, PA),
     true_point(S, Corners, B, PB),
+    maplist(on_curve(Surface), [PA,PB]),
     e(D, E, WA, WB, _),
     frame(S, P, PA, PB, D, WA, WB, Frame),
     curve_between(S, P, Surface, PA, PB, Frame, Options, Places),
     Places \== [],
     !,
     maplist(laid_in(Frame), Places, Points).
+
+%   on_curve(Surface, Point): a Point that facets of Surface have on their
+%   generators is on Surface too; one that they have between these, as where
+%   the other part ends, is not, and no curve can begin there. Spheres and tori
+%   have no generators; of them it is taken as it is.
+
+on_curve(Surface, point(X,Y,Z)) :-
+    (   functor(Surface, Kind, _),
+        memberchk(Kind, [cylinder,cone,ruled])
+    ->  surface_place(Surface, point(X,Y,Z), T, H),
+        surface_point(Surface, T, H, point(X1,Y1,Z1)),
+        Off is abs(X-X1) + abs(Y-Y1) + abs(Z-Z1),
+        Off < 1.0e-6*(1.0 + abs(X) + abs(Y) + abs(Z))
+    ;   true
+    ).
 
 %   cutting_surface(S, P, E, Meets, Surface): both ends of E, an edge of P, were
 %   met by facets of Surface, which is not flat.

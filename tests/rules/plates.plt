@@ -167,6 +167,20 @@ test(coarse_over_a_ridge, Planes == 5) :-
              ( forall(ridge_corner(D, Y), near(Y, sqrt(18*18-5*5))),
                aggregate_all(count, plane(D, _, _, _, _, _), Planes) )).
 
+%   A pipe that ends within the wall: where its facets meet its end, corners of
+%   the hole are on no true curve. Those facets have chords; no side is lost.
+test(pipe_ends_in_the_wall, Planes-Told == 6-true) :-
+    patterns([ box(size(61,73,73)),
+               at([rotate(x,-55),rotate(y,21),translate(-16,-13,1)],
+                  cylinder(radius(13), height(260), facets(12))) ], 1,
+             [], [D],
+             ( aggregate_all(count, plane(D, _, _, _, _, _), Planes),
+               pattern_area(D, Area) )),
+    (   Area < 2*(61*73*2 + 73*73)
+    ->  Told = true
+    ;   Told = false
+    ).
+
 %   The pipe goes over the ridge, but its facets do not: no side is lost.
 test(facets_miss_a_ridge, Count == 5) :-
     patterns([ prism(outline([[-60,0],[60,0],[0,50]]), height(120)),
