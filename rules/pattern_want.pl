@@ -73,7 +73,8 @@ angle_text(Angle, Text) :-
     ;   format(string(Text), '~1d°', [Tenths])
     ).
 
-%   What the face is of its primitive, if words are wanted and there are any.
+%   What the face is of its primitive, or of that of a leaf (polygon_name/3), if
+%   words are wanted and there are any.
 
 face_text(words, D, P, Text) :-
     segment(D, _, Term),
@@ -86,6 +87,10 @@ face_text(words, D, P, Text) :-
 face_text(_, _, P, Text) :-
     number_text(P, Text).
 
+face_words(Leaf/What, Text) :-
+    !,
+    face_words(What, Text0),
+    format(string(Text), '~w/~s', [Leaf,Text0]).
 face_words(What, Text) :-
     atom(What),
     !,

@@ -2,6 +2,7 @@
 :- use_module(library(plunit)).
 :- use_module(rules(sanggwan)).
 :- use_module(rules(leaf_face)).
+:- use_module(rules(pattern_want)).
 :- use_module(rules(polygon_name)).
 :- use_module(rules(trimmed)).
 :- use_module(rules(unfold_wish)).
@@ -95,6 +96,19 @@ test(of_any_leaf, [true(Ps == All)]) :-
                 sort(All0, All) )).
 test(of_no_leaf, [true(Ps == [])]) :-
     with_tree(polygons_named(5, lid/top, Ps)).
+test(written_on_the_pattern, all(Text == ["can/base","can/top"])) :-
+    with_tree(( develop(5, [], D),
+                findall(T, ( p(D, P, _),
+                             Placed = placed(name(D,1,0),[face(P,[])],[],[],
+                                             []),
+                             wanted_text(Placed,
+                                         [names(words),numbers(false)], t,
+                                         want(face_name,_,T,_,_)) ),
+                        Texts0),
+                sort(Texts0, Texts) )),
+    member(Text, Texts),
+    string(Text),
+    sub_string(Text, 0, _, _, "can/").
 test(leaves_gone_are_remembered, [true(Ps-Name == Before-(can/top))]) :-
     with_tree(( polygons_named(5, can/top, Before),
                 roots_alone_named,
