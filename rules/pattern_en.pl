@@ -6,7 +6,7 @@
 :- autoload(library(lists), [append/3]).
 /** <module> What happened on the way to a pattern on paper, in English.
 
-pattern_ko.pl has the same heads in Korean (tests/rules/pattern_file.plt).
+pattern_ko.pl has the same heads in Korean (tests/rules/messages.plt).
 */
 
 %!  pattern_en(+What)// is det.
@@ -20,7 +20,7 @@ pattern_en(opened(Before, After)) -->
     [ 'pieces are parted so that slits have room for tabs: of ~D in all there \c
        are now ~D'-[Before, After] ].
 pattern_en(without_tab(D, N, Es)) -->
-    [ 'pattern ~d: ~D seams have no tab, since neither side has room for one'
+    [ 'pattern ~d: seams without a tab: ~D; neither side has room for one'
       -[D, N] ],
     without_tab_en(Es).
 pattern_en(too_large(N)) -->
@@ -29,8 +29,8 @@ pattern_en(too_large(N)) -->
       '  Take a larger --page or narrower --tabs.' ].
 pattern_en(no_room(Role, N)) -->
     { role_en(Role, Words) },
-    [ '~D ~w are left out: there is no room for letters that can be read'
-      -[N, Words] ].
+    [ '~w left out: ~D; there is no room for letters that can be read'
+      -[Words, N] ].
 
 without_tab_en([]) -->
     !.

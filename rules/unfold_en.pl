@@ -2,14 +2,14 @@
           [ wish_en//3,                 % +S, +Wish, +What
             unfold_en//1,               % +What
             trim_en//1,                 % +What
-            known_polygons_en//2,       % +Ps, +Names
+            known_polygons_listed//2,       % +Ps, +Names
             known_segments/2            % +Known, -Text
           ]).
 :- use_module(unfold_wish, [wish_form/2]).
 :- autoload(library(lists), [member/2]).
 /** <module> What is wrong with an unfolding, in English.
 
-unfold_ko.pl has the same heads in Korean (tests/rules/unfold.plt).
+unfold_ko.pl has the same heads in Korean (tests/rules/messages.plt).
 */
 
 %!  wish_en(+S, +Wish, +What)// is det.
@@ -32,7 +32,7 @@ wish_fault_en(form(Form)) -->
        number, two polygons such as base-side(2), or its ends, v(1)-v(2).' ].
 wish_fault_en(no_polygon(Name, Ps, Names)) -->
     [ 'there is no polygon ~p'-[Name], nl, '  There are ' ],
-    known_polygons_en(Ps, Names).
+    known_polygons_listed(Ps, Names).
 wish_fault_en(several(Name, Faces)) -->
     [ '~p is not one polygon: '-[Name] ],
     faces_en(Faces).
@@ -118,11 +118,11 @@ listed_en([Face|Faces], N) -->
     { N1 is N-1 },
     listed_en(Faces, N1).
 
-%!  known_polygons_en(+Ps, +Names)// is det.
+%!  known_polygons_listed(+Ps, +Names)// is det.
 %
 %   Ranges of numbers, and names if there are; the same in all languages.
 
-known_polygons_en(Ps, Names) -->
+known_polygons_listed(Ps, Names) -->
     { ranges(Ps, Ranges),
       atomic_list_concat(Ranges, ', ', Numbers) },
     [ '~w'-[Numbers] ],

@@ -4,7 +4,7 @@
             unfold_ko//1,               % +What
             trim_ko//1                  % +What
           ]).
-:- use_module(unfold_en, [known_polygons_en//2, known_segments/2]).
+:- use_module(unfold_en, [known_polygons_listed//2, known_segments/2]).
 :- use_module(unfold_wish, [wish_form/2]).
 /** <module> What is wrong with an unfolding, in Korean.
 
@@ -31,7 +31,7 @@ wish_fault_ko(form(Form)) -->
        base-side(2) 같은 두 다각형, 또는 양 끝 v(1)-v(2)입니다.' ].
 wish_fault_ko(no_polygon(Name, Ps, Names)) -->
     [ '다각형 ~p이(가) 없습니다'-[Name], nl, '  있는 것: ' ],
-    known_polygons_en(Ps, Names).
+    known_polygons_listed(Ps, Names).
 wish_fault_ko(several(Name, Faces)) -->
     [ '~p은(는) 다각형 하나가 아닙니다: '-[Name] ],
     faces_ko(Faces).

@@ -28,6 +28,23 @@ telling([What, _], [What]) :-
 telling(Arguments, Terms) :-
     append(Terms, [_, _], Arguments).
 
+% A topic has its messages in two files, NAME_en.pl and NAME_ko.pl.
+topic(Name) :-
+    current_module(English),
+    atom_concat(Name, '_en', English),
+    atom_concat(sg_, _, Name).
+
+topic_heads(Topic, Suffix, Heads) :-
+    atom_concat(Topic, Suffix, Module),
+    findall(Table-Of,
+            ( current_predicate(Module:Name/Arity),
+              atom_concat(Table, Suffix, Name),
+              functor(Head, Name, Arity),
+              \+ predicate_property(Module:Head, imported_from(_)),
+              heads(Module, Name/Arity, Of) ),
+            Heads0),
+    sort(Heads0, Heads).
+
 text(Language, Term, Text) :-
     current_prolog_flag(message_language, Old),
     setup_call_cleanup(
@@ -46,6 +63,11 @@ test(both_languages, forall(table(English, Korean))) :-
     subtract(Heads, HeadsKo, OnlyEnglish),
     subtract(HeadsKo, Heads, OnlyKorean),
     OnlyEnglish-OnlyKorean == []-[].
+test(both_languages_of_a_topic, [forall(topic(Topic)), true(Ko == En)]) :-
+    topic_heads(Topic, '_en', En),
+    topic_heads(Topic, '_ko', Ko).
+test(all_topics, true(N >= 12)) :-
+    aggregate_all(count, topic(_), N).
 test(no_other_korean,
      forall(( current_predicate(sg_messages_ko:Korean/Arity),
               atom_concat(_, '_ko', Korean) ))) :-

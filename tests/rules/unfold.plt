@@ -276,24 +276,4 @@ test(measures_removed, R == 2) :-
                  get_dict(pattern_area, M, Area), near(Area, 4),
                  get_dict(removed, M, R) )).
 
-% Messages: the same heads in both languages.
-heads(Module, Suffix, Heads) :-
-    findall(Name/Head,
-            ( current_predicate(Module:Name0/Arity),
-              atom_concat(Name, Suffix, Name0),
-              functor(Term, Name0, Arity),
-              \+ predicate_property(Module:Term, imported_from(_)),
-              clause(Module:Term, _),
-              Term =.. [_|Arguments0],
-              append(Arguments, [_,_], Arguments0),
-              Head =.. [head|Arguments],
-              numbervars(Head, 0, _) ),
-            Heads0),
-    sort(Heads0, Heads).
-
-test(both_languages, En == Ko) :-
-    heads(sg_unfold_en, '_en', En0),
-    heads(sg_unfold_ko, '_ko', Ko),
-    exclude([known_polygons/_]>>true, En0, En).
-
 :- end_tests(unfold).
