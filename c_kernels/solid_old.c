@@ -6,8 +6,8 @@
 
 enum { SPREAD = 1 << 16 }; /* ids beyond four times as many as rows */
 
-static uint32_t *
-new_places(size_t n)
+uint32_t *
+sg_old_new_places(size_t n)
 {
   uint32_t *place = malloc((n + 1) * sizeof *place);
 
@@ -35,7 +35,7 @@ read_ids(const sg_solid_old *old, int relation, unsigned column,
   if ((size_t)out->most > 4 * n + SPREAD) {
     return SG_OLD_UNFIT;
   }
-  out->place = new_places((size_t)out->most);
+  out->place = sg_old_new_places((size_t)out->most);
   for (uint32_t i = 0; out->place && i < n; i++) {
     if (sg_poll_every(poll, i)) {
       return SG_OLD_FAILED;
@@ -64,7 +64,7 @@ static sg_old_end
 read_one_each(const sg_solid_old *old, int relation, const sg_old_ids *of,
               size_t n, const sg_poll *poll, uint32_t **out)
 {
-  uint32_t *list = *out = new_places(n);
+  uint32_t *list = *out = sg_old_new_places(n);
 
   for (uint32_t i = 0; list && i < sg_old_count(old, relation); i++) {
     uint32_t at = sg_old_place(of, sg_old_int(old, relation, 1, i));
@@ -83,7 +83,7 @@ static sg_old_end
 read_origins(sg_solid_old *old, int32_t (*item_vertex)(const uint32_t *item),
              const sg_poll *poll)
 {
-  uint32_t *list = old->origin = new_places(sg_old_count(old, SG_OLD_V));
+  uint32_t *list = old->origin = sg_old_new_places(sg_old_count(old, SG_OLD_V));
 
   for (uint32_t i = 0; list && i < sg_old_count(old, SG_OLD_ORIGIN); i++) {
     int32_t v =

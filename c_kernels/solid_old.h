@@ -63,6 +63,10 @@ sg_old_end sg_solid_old_read(const sg_view *const view[SG_OLD_RELATIONS],
                              const sg_poll *poll, sg_solid_old *out);
 void sg_solid_old_clear(sg_solid_old *old);
 
+/* [n + 1] places, all none (every bit set). Owner: the caller, free(). NULL:
+ * no memory. */
+uint32_t *sg_old_new_places(size_t n);
+
 static inline size_t
 sg_old_count(const sg_solid_old *old, int relation)
 {

@@ -22,17 +22,6 @@ typedef struct matching {
   size_t part; /* of the solid: the first that is not of an earlier face */
 } matching;
 
-static uint32_t *
-new_places(size_t n)
-{
-  uint32_t *place = malloc((n + 1) * sizeof *place);
-
-  if (place) {
-    memset(place, 0xff, (n + 1) * sizeof *place);
-  }
-  return place;
-}
-
 /* ---- vertices ----------------------------------------------------------- */
 
 static void
@@ -412,10 +401,10 @@ open_all(matching *m)
 {
   size_t faces = sg_old_count(m->old, SG_OLD_P);
 
-  m->out->vertex = new_places(m->solid->vertices);
-  m->out->face = new_places(m->solid->faces);
-  m->first = new_places(sg_old_count(m->old, SG_OLD_V));
-  m->next = new_places(faces);
+  m->out->vertex = sg_old_new_places(m->solid->vertices);
+  m->out->face = sg_old_new_places(m->solid->faces);
+  m->first = sg_old_new_places(sg_old_count(m->old, SG_OLD_V));
+  m->next = sg_old_new_places(faces);
   for (int k = 0; k < SG_OLD_RELATIONS; k++) {
     size_t n = sg_old_count(m->old, k);
     m->out->gone[k] = malloc(n + 1);

@@ -6,7 +6,7 @@
 :- use_module(store, [segment/3]).
 :- use_module(trimmed, [part_named/2]).
 :- use_module(true_divide, [facet_index/2, generator_spans/5]).
-:- use_module(true_layout, [strip_ends/3, strip_layout/6]).
+:- use_module(true_layout, [chord_tolerance/3, strip_ends/3, strip_layout/6]).
 :- use_module(true_pieces,
               [ composed_seam/4, creases/3, direction_of/3, divided_at/3,
                 from_seam/3, piece_facets/2, pieces_found/4, place_of/3
@@ -15,11 +15,11 @@
 :- autoload(library(apply), [foldl/6, maplist/3, maplist/4]).
 :- autoload(library(assoc),
             [assoc_to_list/2, get_assoc/3, list_to_assoc/2]).
-:- autoload(library(error), [domain_error/2, must_be/2]).
+:- autoload(library(error), [must_be/2]).
 :- autoload(library(lists),
             [append/2, last/2, max_list/2, member/2, min_list/2, nth1/3,
              reverse/2]).
-:- autoload(library(option), [option/2, option/3]).
+:- autoload(library(option), [option/2]).
 :- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> A transition unrolled: its pieces one beside the other.
 
@@ -194,13 +194,7 @@ chord(Options, Pieces, Chord) :-
             Reaches),
     max_list(Reaches, Most),
     Size is 4.0*Most,
-    Usual is 1.0e-4*Size,
-    option(chord(Chord0), Options, Usual),
-    must_be(number, Chord0),
-    (   Chord0 > 0
-    ->  Chord is max(Chord0, 1.0e-7*Size)
-    ;   domain_error(chord, Chord0)
-    ).
+    chord_tolerance(Options, Size, Chord).
 
 
                 /*******************************

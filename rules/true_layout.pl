@@ -1,6 +1,7 @@
 :- module(sg_true_layout,
           [ layout/6,                   % +Facets, +Shape, +Seam, +Sense,
                                         % +Options, -Layout
+            chord_tolerance/3,          % +Options, +Size, -Chord
             layout_points/2,            % +Layout, -Points
             layout_curves/2,            % +Layout, -Curves
             layout_marks/6,             % +Layout, +Facets, +Sense, +Seam,
@@ -61,7 +62,7 @@ layout(Facets, Shape, Seam, Sense, Options,
     pairs_keys_values(Pairs0, Keys, Raw),
     maplist(turned(Turn), Raw, Turned),
     corner(Turned, _, _, Size),
-    chord(Options, Size, Chord),
+    chord_tolerance(Options, Size, Chord),
     curves(Kind, Shape, Layer-Seam, Facets, Chord, RawCurves),
     pairs_keys_values(RawCurves, Edges, RawLists),
     maplist(maplist(turned(Turn)), RawLists, TurnedLists),
@@ -145,9 +146,15 @@ asked_curves(Shape, Facets, Asked) :-
               asked_curve(Shape, Edge, Curve) ),
             Asked).
 
-%   chord(Options, Size, Chord): not so small that points lie on each other.
+%!  chord_tolerance(+Options, +Size, -Chord) is det.
+%
+%   Chord is how far off its curve an outline may be, in model units: that of
+%   option chord(Chord), or 1.0e-4 of Size; not so small that points lie on each
+%   other.
+%
+%   @error domain_error(chord, Chord): it is not larger than 0
 
-chord(Options, Size, Chord) :-
+chord_tolerance(Options, Size, Chord) :-
     Usual is 1.0e-4*Size,
     option(chord(Chord0), Options, Usual),
     must_be(number, Chord0),
