@@ -560,6 +560,28 @@ test(missing_rows_return, Boundary == Expected) :-
              )),
     in_world(Other, ( evaluate(100), boundary(100, Expected) )).
 
+%   The box in the middle of a row of three begins at another corner: where faces
+%   and vertices are stays as it was; which of its faces they come from does not.
+
+test(other_sources, Boundary == Expected) :-
+    tree_world([ segment(1, solid, box(size(1,1,1))),
+                 segment(2, solid, prism(outline([[0.5,-0.5],[1.5,-0.5],
+                                                  [1.5,0.5],[0.5,0.5]]),
+                                         height(1))),
+                 segment(3, solid, at([translate(2,0,0)], box(size(1,1,1)))),
+                 segment(100, solid, union([1,2,3]))
+               ],
+               World),
+    in_world(World,
+             ( evaluate(100),
+               replaced(2, prism(outline([[1.5,-0.5],[1.5,0.5],
+                                         [0.5,0.5],[0.5,-0.5]]),
+                                 height(1))),
+               evaluate(100),
+               boundary(100, Boundary),
+               fresh(Other)
+             )),
+    in_world(Other, ( evaluate(100), boundary(100, Expected) )).
 test(no_old_lines, Lines == []) :-
     lines_left(Lines).
 test(stopped, [condition(current_prolog_flag(threads, true)), nondet]) :-
