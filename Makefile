@@ -63,7 +63,7 @@ MAINS   := engine/main.c engine/boot.c $(EMBED)
 OBJS    := $(patsubst %.c,$(B)/%.o,$(filter-out $(MAINS),$(C_SRC)))
 # Without Prolog: what the C tests link.
 CORE    := $(filter-out %4pl.o %/install.o %/glue.o,$(OBJS))
-RULES   := $(wildcard rules/*.pl)
+RULES   := $(wildcard rules/*.pl rules/kernel/*.pl)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 

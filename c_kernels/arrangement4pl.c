@@ -1,7 +1,7 @@
 /* arrangement4pl.c -- arrangements behind a Prolog handle.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl. An arrangement
- * looks into its cut set, and keeps it from being closed.
+ * Layer: glue. The doors are documented in rules/kernel/boolean.pl. An
+ * arrangement looks into its cut set, and keeps it from being closed.
  */
 #include "arrangement4pl.h"
 
@@ -379,5 +379,5 @@ sg_install_arrangement(void)
 {
   functor_work3 = PL_new_functor(PL_new_atom("work"), 3);
   atom_surface = PL_new_atom("surface");
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -1,7 +1,7 @@
 /* arrangement_free4pl.c -- polygons whose lines meet nothing, into an
  * arrangement without a scratch relation of each.
  *
- * Layer: glue. The door is documented in rules/kernel.pl.
+ * Layer: glue. The door is documented in rules/kernel/boolean.pl.
  */
 #include "arrangement4pl.h"
 
@@ -84,5 +84,5 @@ void
 sg_install_arrangement_free(void)
 {
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

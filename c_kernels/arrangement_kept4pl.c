@@ -1,7 +1,7 @@
 /* arrangement_kept4pl.c -- the pieces of leaves, kept with their world.
  *
  * Layer: glue. One term a world, which rules/arrangement.pl understands: it is
- * what was kept last. The door is documented in rules/kernel.pl.
+ * what was kept last. The door is documented in rules/kernel/boolean.pl.
  */
 #include "glue.h"
 
@@ -97,5 +97,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_arrangement_kept(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -1,7 +1,7 @@
 /* arrangement_pieces4pl.c -- sealed arrangements: their components, and solids
  * of those that are chosen.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/boolean.pl.
  */
 #include "arrangement4pl.h"
 
@@ -237,5 +237,5 @@ sg_install_arrangement_pieces(void)
   atom_only = PL_new_atom("only");
   atom_second = PL_new_atom("second");
   atom_unknown = PL_new_atom("unknown");
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

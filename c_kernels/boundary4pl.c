@@ -1,5 +1,5 @@
 /* boundary4pl.c -- boundaries of segments on their way to files (documented in
- * kernel.pl).
+ * kernel/file.pl).
  *
  * Layer: glue.
  */
@@ -574,5 +574,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_boundary(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_file", predicates);
 }

@@ -1,4 +1,4 @@
-/* canvas4pl.c -- canvas_png/6 (documented in kernel.pl).
+/* canvas4pl.c -- canvas_png/6 (documented in kernel/drawing.pl).
  *
  * Layer: glue: converts, checks, raises; computes nothing.
  */
@@ -190,5 +190,5 @@ sg_install_canvas(void)
 
   FUNCTOR_line4 = PL_new_functor(PL_new_atom("line"), 4);
   FUNCTOR_minus2 = PL_new_functor(PL_new_atom("-"), 2);
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

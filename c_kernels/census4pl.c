@@ -1,4 +1,5 @@
-/* census4pl.c -- the census of the current world (documented in kernel.pl).
+/* census4pl.c -- the census of the current world (documented in
+ * kernel/world.pl).
  *
  * Layer: glue.
  */
@@ -188,5 +189,5 @@ sg_install_census(void)
   for (int k = 0; k < SG_DEFECTS; k++) {
     defect_atom[k] = PL_new_atom(sg_defect_name[k]);
   }
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_world", predicates);
 }

@@ -1,6 +1,6 @@
 /* chain4pl.c -- chains of line/9, and of the pieces of a cut set.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/penetration.pl.
  */
 #include "cut4pl.h"
 
@@ -346,5 +346,5 @@ sg_install_chain(void)
   atom_open = PL_new_atom("open");
   atom_closed = PL_new_atom("closed");
   atom_point = PL_new_atom("point");
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_penetration", predicates);
 }

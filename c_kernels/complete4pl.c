@@ -1,6 +1,6 @@
 /* complete4pl.c -- planes and triangles of whole segments, as a predicate.
  *
- * Layer: glue. Doors in rules/kernel.pl.
+ * Layer: glue. Doors in rules/kernel/world.pl.
  */
 #include "append4pl.h"
 #include "pattern4pl.h"
@@ -403,5 +403,5 @@ sg_install_complete(void)
   functor_not_closed1 = PL_new_functor(atom_not_closed, 1);
   functor_not_simple2 = PL_new_functor(atom_not_simple, 2);
   functor_not_flat1 = PL_new_functor(atom_not_flat, 1);
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_world", doors);
 }

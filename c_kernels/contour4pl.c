@@ -1,4 +1,5 @@
-/* contour4pl.c -- outlines of smooth surfaces (documented in kernel.pl).
+/* contour4pl.c -- outlines of smooth surfaces (documented in
+ * kernel/drawing.pl).
  *
  * Layer: glue.
  */
@@ -215,5 +216,5 @@ sg_install_contour(void)
   ATOM_all = PL_new_atom("all");
   ATOM_central = PL_new_atom("central");
   ATOM_parallel = PL_new_atom("parallel");
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

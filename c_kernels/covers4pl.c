@@ -1,5 +1,5 @@
 /* covers4pl.c -- what lies on a line of a scene, in front or behind (documented
- * in kernel.pl).
+ * in kernel/drawing.pl).
  *
  * Layer: glue.
  */
@@ -57,5 +57,5 @@ sg_install_covers(void)
       {"line_covers", 4, (pl_function_t)line_covers, 0}, {NULL, 0, NULL, 0}};
 
   FUNCTOR_covers6 = PL_new_functor(PL_new_atom("covers"), 6);
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

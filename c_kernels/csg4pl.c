@@ -1,7 +1,7 @@
 /* csg4pl.c -- leaves of the CSG tree that need no looking at; what is said of
  * nodes.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/boolean.pl.
  */
 #include "append4pl.h"
 
@@ -222,5 +222,5 @@ sg_install_csg(void)
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   atom_other = PL_new_atom("other");
   make_form();
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -1,6 +1,6 @@
 /* cut4pl.c -- cut sets: finding the cuts of leaf triangles.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/penetration.pl.
  */
 #include "cut4pl.h"
 
@@ -437,5 +437,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_cut(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_penetration", predicates);
 }

@@ -1,7 +1,7 @@
 /* cut_enter4pl.c -- cut sets: the scratch relation of a polygon, and the pieces
  * of lines that enter it and meet nothing there.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/penetration.pl.
  */
 #include "cut4pl.h"
 
@@ -282,5 +282,5 @@ sg_install_cut_enter(void)
 {
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   functor_work3 = PL_new_functor(PL_new_atom("work"), 3);
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_penetration", predicates);
 }

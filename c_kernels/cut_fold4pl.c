@@ -1,10 +1,10 @@
 /* cut_fold4pl.c -- cut sets: polygons that are not flat, and their folds.
  *
- * Layer: glue. The door is documented in rules/kernel.pl. Such a polygon is
- * used as its triangles, so the chords between these are *folds*: a line is
- * divided where it crosses one, and the polygon is triangulated along it again.
- * A fold is an edge pair of the polygon while that is cut, of type 0 and label
- * 0, and no row of e/5.
+ * Layer: glue. The door is documented in rules/kernel/penetration.pl. Such a
+ * polygon is used as its triangles, so the chords between these are *folds*: a
+ * line is divided where it crosses one, and the polygon is triangulated along
+ * it again. A fold is an edge pair of the polygon while that is cut, of type 0
+ * and label 0, and no row of e/5.
  */
 #include "cut4pl.h"
 
@@ -277,5 +277,5 @@ sg_install_cut_fold(void)
       {"cut_flat_within", 2, (pl_function_t)cut_flat_within, 0},
       {NULL, 0, NULL, 0}};
 
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_penetration", doors);
 }

@@ -2,7 +2,7 @@
  *
  * Layer: glue. The fused kernel of cut_rows.pl, write_polygon_by_rule/2: the
  * same rows in the same order with the same numbers; a test holds the two
- * together. The door is documented in rules/kernel.pl.
+ * together. The door is documented in rules/kernel/penetration.pl.
  */
 #include "cut4pl.h"
 
@@ -436,5 +436,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_cut_write(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_penetration", predicates);
 }

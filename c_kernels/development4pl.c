@@ -1,4 +1,5 @@
-/* development4pl.c -- faces being joined flat (documented in kernel.pl).
+/* development4pl.c -- faces being joined flat (documented in
+ * kernel/pattern.pl).
  *
  * Layer: glue.
  */
@@ -496,5 +497,5 @@ sg_install_development(void)
   for (int k = 0; k <= SG_JOINT_CLOSED; k++) {
     state_atom[k] = PL_new_atom(name[k]);
   }
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_pattern", doors);
 }

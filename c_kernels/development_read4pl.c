@@ -1,5 +1,5 @@
 /* development_read4pl.c -- what there is of a segment being laid flat
- * (documented in kernel.pl).
+ * (documented in kernel/pattern.pl).
  *
  * Layer: glue.
  */
@@ -161,5 +161,5 @@ sg_install_development_read(void)
   atom_line = PL_new_atom("line");
   atom_flat = PL_new_atom("flat");
   atom_bent = PL_new_atom("bent");
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_pattern", doors);
 }

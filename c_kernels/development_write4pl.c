@@ -1,4 +1,5 @@
-/* development_write4pl.c -- a development as rows (documented in kernel.pl).
+/* development_write4pl.c -- a development as rows (documented in
+ * kernel/pattern.pl).
  *
  * Layer: glue.
  */
@@ -299,5 +300,5 @@ sg_install_development_write(void)
       {"flattening_write", 2, (pl_function_t)flattening_write, 0},
       {NULL, 0, NULL, 0}};
 
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_pattern", doors);
 }

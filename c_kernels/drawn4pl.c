@@ -1,4 +1,5 @@
-/* drawn4pl.c -- the drawn parts of a scene as rows (documented in kernel.pl).
+/* drawn4pl.c -- the drawn parts of a scene as rows (documented in
+ * kernel/drawing.pl).
  *
  * Layer: glue.
  */
@@ -139,5 +140,5 @@ sg_install_drawn(void)
   ATOM_all = PL_new_atom("all");
   ATOM_feature = PL_new_atom("feature");
   ATOM_penetration = PL_new_atom("penetration");
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

@@ -1,5 +1,5 @@
 /* drawn_stroke4pl.c -- the edges of drawn/7 as strokes on a sheet, without a
- * term for each part (documented in kernel.pl).
+ * term for each part (documented in kernel/drawing.pl).
  *
  * Layer: glue. The fused kernel of sheet.pl, sheet_strokes_by_rule/4.
  */
@@ -265,5 +265,5 @@ sg_install_drawn_stroke(void)
       {"drawn_strokes", 5, (pl_function_t)drawn_strokes, 0},
       {NULL, 0, NULL, 0}};
 
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

@@ -1,6 +1,6 @@
 /* exact4pl.c -- what exact decisions cost, as a predicate.
  *
- * Layer: glue. Doors in rules/kernel.pl.
+ * Layer: glue. Doors in rules/kernel/world.pl.
  */
 #include "../engine/install.h"
 
@@ -39,5 +39,5 @@ sg_install_exact(void)
        (pl_function_t)exact_fallbacks_each, PL_FA_VARARGS},
       {NULL, 0, NULL, 0}};
 
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_world", doors);
 }

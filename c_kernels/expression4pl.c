@@ -1,7 +1,7 @@
 /* expression4pl.c -- which components stay for an expression.
  *
  * Layer: glue. The fused kernel of boolean.pl, stays/3: a test holds the two
- * together. The door is documented in rules/kernel.pl.
+ * together. The door is documented in rules/kernel/boolean.pl.
  */
 #include "arrangement4pl.h"
 
@@ -221,5 +221,5 @@ sg_install_expression(void)
   functor_of[SG_UNION] = PL_new_functor(PL_new_atom("union"), 1);
   functor_of[SG_INTERSECTION] = PL_new_functor(PL_new_atom("intersection"), 1);
   functor_of[SG_DIFFERENCE] = PL_new_functor(PL_new_atom("difference"), 1);
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -1,6 +1,6 @@
 /* face_merge4pl.c -- faces of a solid that become one.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/boolean.pl.
  */
 #include "solid4pl.h"
 
@@ -210,5 +210,5 @@ sg_install_face_merge(void)
   functor_origins1 = PL_new_functor(PL_new_atom("origins"), 1);
   functor_by_size1 = PL_new_functor(PL_new_atom("by_size"), 1);
   functor_apart1 = PL_new_functor(PL_new_atom("apart"), 1);
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

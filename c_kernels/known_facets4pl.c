@@ -1,5 +1,5 @@
 /* known_facets4pl.c -- whose facets the polygons of results are (documented in
- * kernel.pl).
+ * kernel/pattern.pl).
  *
  * Layer: glue.
  */
@@ -165,5 +165,5 @@ sg_install_known_facets(void)
   static const PL_extension doors[] = {
       {"known_facets", 3, (pl_function_t)known_facets, 0}, {NULL, 0, NULL, 0}};
 
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_pattern", doors);
 }

@@ -2,7 +2,7 @@
  *
  * Layer: glue. The fused kernel of leaf.pl, leaves_kept_by_rule/1: the same
  * rows in the same order; a test holds the two together. The door is documented
- * in rules/kernel.pl.
+ * in rules/kernel/world.pl.
  */
 #include "../engine/world4pl.h"
 
@@ -226,5 +226,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_leaf(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_world", predicates);
 }

@@ -1,6 +1,6 @@
 /* line4pl.c -- cut sets: joints, and the rows that a penetration leaves.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/penetration.pl.
  */
 #include "cut4pl.h"
 
@@ -335,5 +335,5 @@ sg_install_line(void)
   functor_vertex6 = PL_new_functor(PL_new_atom("vertex"), 6);
   atom_straight = PL_new_atom("straight");
   atom_near = PL_new_atom("near");
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_penetration", predicates);
 }

@@ -1,4 +1,5 @@
-/* mesh4pl.c -- mesh files into the current world (documented in kernel.pl).
+/* mesh4pl.c -- mesh files into the current world (documented in
+ * kernel/file.pl).
  *
  * Layer: glue. The file is read to its end and parsed before the first row is
  * added, so a bad file changes nothing; the caller's transaction takes care of
@@ -317,5 +318,5 @@ sg_install_mesh(void)
   ATOM_curve = PL_new_atom("curve");
   ATOM_solid = PL_new_atom("solid");
   ATOM_surface = PL_new_atom("surface");
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_file", predicates);
 }

@@ -1,5 +1,5 @@
 /* mesh_write4pl.c -- segments of the current world as mesh files (documented
- * in kernel.pl).
+ * in kernel/file.pl).
  *
  * Layer: glue.
  */
@@ -165,5 +165,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_mesh_write(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_file", predicates);
 }

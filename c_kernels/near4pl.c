@@ -1,6 +1,6 @@
 /* near4pl.c -- which segments are near each other.
  *
- * Layer: glue. The door is documented in rules/kernel.pl.
+ * Layer: glue. The door is documented in rules/kernel/world.pl.
  */
 #include "tree4pl.h"
 
@@ -310,5 +310,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_near(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_world", predicates);
 }

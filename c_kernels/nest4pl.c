@@ -1,4 +1,5 @@
-/* nest4pl.c -- nest/7 and the shapes_*() doors (documented in kernel.pl).
+/* nest4pl.c -- nest/7 and the shapes_*() doors (documented in
+ * kernel/pattern.pl).
  *
  * Layer: glue: converts, checks, raises; computes nothing.
  */
@@ -332,5 +333,5 @@ sg_install_nest(void)
   FUNCTOR_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   FUNCTOR_piece2 = PL_new_functor(PL_new_atom("piece"), 2);
   FUNCTOR_place4 = PL_new_functor(PL_new_atom("place"), 4);
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_pattern", doors);
 }

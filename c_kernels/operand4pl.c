@@ -1,5 +1,5 @@
 /* operand4pl.c -- what a Boolean asks of its operands (documented in
- * kernel.pl).
+ * kernel/boolean.pl).
  *
  * Layer: glue. Answers are kept with the tree of the segment (tree4pl.h).
  */
@@ -285,5 +285,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_operand(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

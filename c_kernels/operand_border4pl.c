@@ -1,5 +1,5 @@
 /* operand_border4pl.c -- where the boundary of a result turns from one operand
- * to another (documented in kernel.pl).
+ * to another (documented in kernel/boolean.pl).
  *
  * Layer: glue.
  */
@@ -180,5 +180,5 @@ sg_install_operand_border(void)
       {"operand_borders", 2, (pl_function_t)operand_borders, 0},
       {NULL, 0, NULL, 0}};
 
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_boolean", doors);
 }

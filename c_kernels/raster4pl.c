@@ -1,4 +1,5 @@
-/* raster4pl.c -- raster_dots/4 and raster_png/5 (documented in kernel.pl).
+/* raster4pl.c -- raster_dots/4 and raster_png/5 (documented in
+ * kernel/drawing.pl).
  *
  * Layer: glue: converts, checks, raises; computes nothing. A raster passes
  * through Prolog as a string with one code a dot, so nothing needs closing.
@@ -282,5 +283,5 @@ sg_install_raster(void)
   FUNCTOR_stroke4 = PL_new_functor(PL_new_atom("stroke"), 4);
   FUNCTOR_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   FUNCTOR_rgb3 = PL_new_functor(PL_new_atom("rgb"), 3);
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

@@ -1,6 +1,6 @@
 /* resolve4pl.c -- what touches but for rounding, as predicates.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/penetration.pl.
  */
 #include "resolve4pl.h"
 
@@ -498,5 +498,5 @@ sg_install_resolve(void)
   functor_w4 = PL_new_functor(PL_new_atom("w"), 4);
   functor_t3 = PL_new_functor(PL_new_atom("t"), 3);
   functor_near1 = PL_new_functor(PL_new_atom("near"), 1);
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_penetration", doors);
 }

@@ -1,5 +1,5 @@
 /* roll4pl.c -- surface_place/4, surfaces_meet/4, roll_points/3,
- * roll_curves/5 (documented in kernel.pl).
+ * roll_curves/5 (documented in kernel/pattern.pl).
  *
  * Layer: glue: converts, checks, raises; computes nothing. Angles are degrees
  * in Prolog and radians in C.
@@ -383,5 +383,5 @@ sg_install_roll(void)
   FUNCTOR_roll3 = functor("roll", 3);
   FUNCTOR_place4 = functor("place", 4);
   FUNCTOR_curve4 = functor("curve", 4);
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_pattern", doors);
 }

@@ -1,4 +1,5 @@
-/* scene4pl.c -- scenes and the hidden-line joins (documented in kernel.pl).
+/* scene4pl.c -- scenes and the hidden-line joins (documented in
+ * kernel/drawing.pl).
  *
  * Layer: glue.
  */
@@ -586,5 +587,5 @@ sg_install_scene(void)
   ATOM_all = PL_new_atom("all");
   ATOM_true = PL_new_atom("true");
   ATOM_false = PL_new_atom("false");
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

@@ -1,6 +1,6 @@
 /* seam4pl.c -- cut sets: putting the cuts into polygons, and what comes out.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/penetration.pl.
  */
 #include "cut4pl.h"
 
@@ -330,5 +330,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_seam(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_penetration", predicates);
 }

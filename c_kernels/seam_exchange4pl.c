@@ -1,5 +1,5 @@
 /* seam_exchange4pl.c -- folds exchanged for a shorter seam, and how short it
- * can be (documented in kernel.pl).
+ * can be (documented in kernel/pattern.pl).
  *
  * Layer: glue.
  */
@@ -236,5 +236,5 @@ sg_install_seam_exchange(void)
       {"fold_path", 4, (pl_function_t)fold_path, 0},
       {NULL, 0, NULL, 0}};
 
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_pattern", doors);
 }

@@ -1,4 +1,5 @@
-/* self4pl.c -- where segments go through themselves (documented in kernel.pl).
+/* self4pl.c -- where segments go through themselves (documented in
+ * kernel/boolean.pl).
  *
  * Layer: glue.
  */
@@ -117,5 +118,5 @@ sg_install_self(void)
   for (int k = 0; k < SG_SELF_KINDS; k++) {
     kind_atom[k] = PL_new_atom(sg_self_name[k]);
   }
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -1,6 +1,6 @@
 /* solid4pl.c -- a solid under way behind a Prolog handle: taking, counting.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/boolean.pl.
  */
 #include "solid4pl.h"
 
@@ -255,5 +255,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_solid(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -1,6 +1,6 @@
 /* solid_list4pl.c -- what is in a solid, as lists.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/boolean.pl.
  */
 #include "glue.h"
 #include "solid4pl.h"
@@ -140,5 +140,5 @@ sg_install_solid_list(void)
   functor_face4 = PL_new_functor(PL_new_atom("face"), 4);
   functor_t4 = PL_new_functor(PL_new_atom("t"), 4);
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

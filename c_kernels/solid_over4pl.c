@@ -1,6 +1,6 @@
 /* solid_over4pl.c -- a solid over the rows of an earlier one, as a predicate.
  *
- * Layer: glue. The door is documented in rules/kernel.pl.
+ * Layer: glue. The door is documented in rules/kernel/boolean.pl.
  */
 #include "append4pl.h"
 #include "solid4pl.h"
@@ -210,5 +210,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_solid_over(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -1,6 +1,6 @@
 /* solid_write4pl.c -- a solid as rows of a segment, as a predicate.
  *
- * Layer: glue. The door is documented in rules/kernel.pl.
+ * Layer: glue. The door is documented in rules/kernel/boolean.pl.
  */
 #include "append4pl.h"
 #include "solid4pl.h"
@@ -259,5 +259,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_solid_write(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -1,7 +1,7 @@
 /* split4pl.c -- cut sets: where pieces cross while they enter, and what is
  * divided by that.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/penetration.pl.
  */
 #include "cut4pl.h"
 
@@ -248,5 +248,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_split(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_penetration", predicates);
 }

@@ -1,4 +1,5 @@
-/* stroke4pl.c -- stroke_looks/2 and stroke_chains/3 (documented in kernel.pl).
+/* stroke4pl.c -- stroke_looks/2 and stroke_chains/3 (documented in
+ * kernel/drawing.pl).
  *
  * Layer: glue.
  */
@@ -343,5 +344,5 @@ sg_install_stroke(void)
   ATOM_ends[SG_END_JOINT] = PL_new_atom("joint");
   ATOM_ends[SG_END_CUT] = PL_new_atom("cut");
   ATOM_ends[SG_END_RING] = PL_new_atom("ring");
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

@@ -1,4 +1,4 @@
-/* travel4pl.c -- travel_order/2 (documented in kernel.pl).
+/* travel4pl.c -- travel_order/2 (documented in kernel/drawing.pl).
  *
  * Layer: glue.
  */
@@ -126,5 +126,5 @@ sg_install_travel(void)
 
   FUNCTOR_stroke7 = PL_new_functor(PL_new_atom("stroke"), 7);
   FUNCTOR_minus2 = PL_new_functor(PL_new_atom("-"), 2);
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

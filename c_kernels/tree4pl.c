@@ -1,6 +1,6 @@
 /* tree4pl.c -- the trees of segments, kept with their world.
  *
- * Layer: glue. The doors are documented in rules/kernel.pl.
+ * Layer: glue. The doors are documented in rules/kernel/world.pl.
  */
 #include "tree4pl.h"
 
@@ -453,5 +453,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_tree(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_world", predicates);
 }

@@ -1,5 +1,5 @@
 /* turn4pl.c -- the whole world turned by quarter turns and moved (documented in
- * kernel.pl).
+ * kernel/drawing.pl).
  *
  * Layer: glue. The fused kernel of view.pl, turned_by_rule/2.
  */
@@ -213,5 +213,5 @@ sg_install_turn(void)
   static const PL_extension doors[] = {
       {"turn_points", 2, (pl_function_t)turn_points, 0}, {NULL, 0, NULL, 0}};
 
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

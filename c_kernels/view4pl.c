@@ -1,4 +1,5 @@
-/* view4pl.c -- the whole-set kernels of the view (documented in kernel.pl).
+/* view4pl.c -- the whole-set kernels of the view (documented in
+ * kernel/drawing.pl).
  *
  * Layer: glue.
  */
@@ -261,5 +262,5 @@ sg_install_view(void)
 
   ATOM_central = PL_new_atom("central");
   ATOM_parallel = PL_new_atom("parallel");
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_drawing", doors);
 }

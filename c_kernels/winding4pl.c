@@ -1,6 +1,6 @@
 /* winding4pl.c -- how often a segment goes round points, as a predicate.
  *
- * Layer: glue. The door is documented in rules/kernel.pl.
+ * Layer: glue. The door is documented in rules/kernel/boolean.pl.
  */
 #include "tree4pl.h"
 
@@ -235,5 +235,5 @@ sg_install_winding(void)
       {"windings", 3, (pl_function_t)windings, 0}, {NULL, 0, NULL, 0}};
 
   atom_on = PL_new_atom("on");
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_boolean", doors);
 }

@@ -1,7 +1,7 @@
 /* work4pl.c -- the scratch relation of one polygon, as predicates: handles,
  * filling, changes. work_join4pl.c has the relations over it.
  *
- * Layer: glue. Doors in rules/kernel.pl. Vertices are named by their ids.
+ * Layer: glue. Doors in rules/kernel/work.pl. Vertices are named by their ids.
  */
 #include "../engine/install.h"
 #include "../engine/world4pl.h"
@@ -360,5 +360,5 @@ sg_install_work(void)
       {"work_turn", 5, (pl_function_t)work_turn, 0},
       {NULL, 0, NULL, 0}};
 
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_work", doors);
 }

@@ -1,7 +1,7 @@
 /* work_join4pl.c -- the scratch relation of one polygon, as predicates: its
  * edges, what meets a segment, third vertices, triangles.
  *
- * Layer: glue. Doors in rules/kernel.pl. Vertices are named by their ids.
+ * Layer: glue. Doors in rules/kernel/work.pl. Vertices are named by their ids.
  */
 #include "../engine/install.h"
 #include "../engine/world4pl.h"
@@ -469,5 +469,5 @@ sg_install_work_join(void)
   for (int i = 0; i < INSIDES; i++) {
     atom_inside[i] = PL_new_atom(inside[i]);
   }
-  PL_register_extensions_in_module("sg_kernel", doors);
+  PL_register_extensions_in_module("sg_kernel_work", doors);
 }

@@ -1,6 +1,7 @@
 /* decision4pl.c -- which rule files decide in the current world.
  *
- * Layer: glue. Doors in rules/kernel.pl; the meaning is in rules/decision.pl.
+ * Layer: glue. Doors in rules/kernel/world.pl; the meaning is in
+ * rules/decision.pl.
  *
  * A decision has a slot. A world that follows rule files keeps a table from
  * slots to the modules of their clauses; most worlds keep none. A table is
@@ -177,5 +178,5 @@ static const PL_extension predicates[] = {
 void
 sg_install_decision(void)
 {
-  PL_register_extensions_in_module("sg_kernel", predicates);
+  PL_register_extensions_in_module("sg_kernel_world", predicates);
 }

@@ -39,11 +39,14 @@ finding(What) :-
     sub_atom(File, _, _, _, '/rules/'),
     Module \== sg_sanggwan,
     member(Name/Arity, Exports),
+    functor(Head, Name, Arity),
+    \+ predicate_property(Module:Head, imported_from(_)),
     \+ documented(Module, Name, Arity),
     format(atom(What), '~w: ~w/~w is exported without documentation',
            [File, Name, Arity]).
 finding(What) :-
-    member(Pattern, ['rules/*.pl', 'facts/*.pl', 'facts/*/*.pl',
+    member(Pattern, ['rules/*.pl', 'rules/*/*.pl',
+                     'facts/*.pl', 'facts/*/*.pl',
                      'tests/*.pl', 'tests/rules/*.pl*', 'tools/*.pl',
                      'bench/*.pl', 'docs/*/*.pl']),
     expand_file_name(Pattern, Files),
@@ -55,7 +58,8 @@ finding(What) :-
     format(atom(What), '~w:~d: ~w', [File, N, Fault]).
 
 finding(What) :-
-    member(Pattern, ['rules/*.pl', 'tests/*.pl', 'tests/rules/*.pl*',
+    member(Pattern, ['rules/*.pl', 'rules/*/*.pl',
+                     'tests/*.pl', 'tests/rules/*.pl*',
                      'tools/*.pl', 'bench/*.pl']),
     expand_file_name(Pattern, Files),
     member(File, Files),

@@ -2,8 +2,8 @@
 . "$(dirname "$0")/../check.sh"
 
 here=$PWD tree=$TMP/tree
-mkdir -p "$tree"/{rules,engine,c_kernels}
-cp rules/*.pl "$tree/rules"
+mkdir -p "$tree"/{engine,c_kernels}
+cp -r rules "$tree"
 cp engine/*.{c,h,def} "$tree/engine"
 cp c_kernels/*.[ch] "$tree/c_kernels"
 
@@ -37,6 +37,17 @@ for file in main.c engine.c question.c host.h install.c boot.c start.c; do
   plant engine/$file '"../c_kernels/cut.h"'
   plant engine/$file '"../c_kernels/cut4pl.h"'
 done
+
+# plant_import FILE OTHER: an import that should be found.
+plant_import() {
+  printf ':- use_module(%s).\n' "$2" >>"$tree/rules/$1"
+  local name=${2//\'/}
+  planted+=("rules/$1: may not import ${name#../}.pl")
+}
+plant_import model.pl cli
+plant_import store.pl model
+plant_import model.pl kernel/work
+plant_import kernel/work.pl "'../model'"
 check "faults are an error" status 1 layers
 layers 2>"$TMP/found"
 for line in "${planted[@]}"; do

@@ -1,0 +1,283 @@
+:- module(sg_kernel_boolean,
+          [ % self4pl.c
+            self_meetings/2,          % +Most, -Segments
+            % operand4pl.c
+            segments_meeting_themselves/2, % +Segments, -Which
+            segment_meets_itself/1,   % +S
+            segment_operand/2,        % +S, -Operand
+            segment_edges/4,          % +S, +Most, -Counts, -Edges
+            % operand_border4pl.c
+            operand_borders/2,        % +Ss, -Borders
+            % winding4pl.c
+            windings/3,               % +S, +Points, -Windings
+            % csg4pl.c
+            kept_leaves/2,            % +Ss, -Kinds
+            other_segments/1,         % -Ss
+            node_origins/2,           % +S, -Origins
+            % solid4pl.c
+            solid_take/2,             % +Segments, -Solid
+            solid_move/3,             % +Solid, +Matrix, -Again
+            solid_counts/4,           % +Solid, -Vertices, -Faces, -Triangles
+            solid_close/1,            % +Solid
+            solid_is_closed/1,        % +Solid
+            % solid_list4pl.c
+            solid_vertices/2,         % +Solid, -Vertices
+            solid_faces/2,            % +Solid, -Faces
+            solid_parts/2,            % +Solid, -Parts
+            % solid_write4pl.c
+            solid_write/2,            % +Solid, +S
+            % solid_over4pl.c
+            solid_write_over/2,       % +Solid, +S
+            % face_merge4pl.c
+            solid_merge/3,            % +Solid, +Tolerance, +Options
+            solid_neighbours/3,       % +Solid, +Tolerance, -Pairs
+            % arrangement4pl.c
+            arrangement_open/4,       % +Set, +Segments, +Wanted, -Arrangement
+            arrangement_polygons/3,   % +Arrangement, +Works, +Reach
+            arrangement_seal/1,       % +Arrangement
+            arrangement_hold/1,       % +Arrangement
+            arrangement_drop/1,       % +Arrangement
+            % arrangement_free4pl.c
+            arrangement_free_polygons/3, % +Arrangement, +Polygons, +Reach
+            % arrangement_pieces4pl.c
+            arrangement_components/2, % +Pieces, -Components
+            arrangement_select/3,     % +Pieces, +Senses, -Solid
+            % arrangement_kept4pl.c
+            pieces_kept/1,            % -Kept
+            keep_pieces/1,            % +Kept
+            % expression4pl.c
+            arrangement_senses/4      % +Pieces, +Expression, +Open, -Senses
+          ]).
+
+/** <module> Operands, arrangements, and solids under way.
+
+Foreign predicates; see kernel.pl.
+*/
+
+/* - - - self4pl.c - - - */
+
+%!  self_meetings(+Most:integer, -Segments:list) is det.
+%
+%   Where segments go through themselves: Segments has a
+%   self(S, Counts, Meetings) for each segment, by number. Counts are
+%   Kind-Count, Kind one of self_penetration, self_overlap and self_touching
+%   (c_kernels/self_cut.h), a pair of polygons counted once; Meetings are the
+%   first Most of each as meeting(Kind, P1, P2, X, Y, Z), P1 =< P2, in the order
+%   of the polygons: something they have in common is at X, Y, Z.
+
+/* - - - operand4pl.c - - - */
+
+%!  segments_meeting_themselves(+Segments:list, -Which:list) is det.
+%
+%   Which are those of Segments, each there once, for which
+%   segment_meets_itself/1 is true; ascending. Cheaper than one by one.
+
+%!  segment_meets_itself(+S) is semidet.
+%
+%   True when the triangles of segment S go through each other or lie on each
+%   other, by more than the tolerance of its source; so its own cuts count.
+%   What neighbours share does not, and vertices in one place are two. Known
+%   afterwards, until the segment changes.
+
+%!  segment_operand(+S, -Operand) is det.
+%
+%   What a Boolean must know of segment S each time: Operand is
+%   operand(Triangles, HalfEdges, Balanced, Volume, Error, Star). Balanced:
+%   there are as many half-edges one way as the other between any two vertices.
+%   Volume is negative where S is inside out as a whole; by rounding it is off
+%   by Error at most, seen from the middle. Star: all of its surface is seen
+%   from the middle of its box, so it does not go through itself; `false` says
+%   nothing. Known afterwards, until the segment changes.
+
+%!  segment_edges(+S, +Most, -Counts, -Edges) is det.
+%
+%   The edges of segment S that are no pairs of half-edges: Counts is
+%   edges(Open, Unbalanced, Crowded), how many are of one half-edge; of more,
+%   and not balanced; balanced, and of more than two. Edges are the first Most
+%   of the first two sorts by their vertices, edge(V1, V2, Forward, Backward),
+%   V1 < V2 or the same: how many half-edges run from V1 to V2, and back.
+
+/* - - - operand_border4pl.c - - - */
+
+%!  operand_borders(+Ss:list, -Borders:list) is det.
+%
+%   Borders are border(S, P, V1, V2, Q), ascending by S, V1, V2: S is one of the
+%   results Ss, its polygon P has the edge from V1 to V2, V1 < V2, and Q its
+%   opposite, and they are parts of operands (from_p/5), of no common one. The
+%   fused kernel of operands_meet/2 (csg_roots.pl).
+
+/* - - - winding4pl.c - - - */
+
+%!  windings(+S, +Points, -Windings) is det.
+%
+%   How often the triangles of segment S go round each point(X, Y, Z) of the
+%   list, `on` if it lies on one. Numbers of any sort count exactly. Exact.
+%   @see winding.h
+
+/* - - - csg4pl.c - - - */
+
+%!  kept_leaves(+Ss:list, -Kinds:list) is det.
+%
+%   Kinds are those of the segments Ss, in order: the kind, as segment/3 has it,
+%   of one that is a primitive and has the rows that were made from it, by its
+%   record (made_and_kept/2); `other` for the others.
+
+%!  other_segments(-Ss:list) is det.
+%
+%   Ss are the segments of which kept_leaves/2 says `other`, in the order of the
+%   rows of segment/3.
+
+%!  node_origins(+S, -Origins:list) is det.
+%
+%   Origins are Item-Origin of all origin(S, Item, Origin) with an Item node(_),
+%   in the order of their rows.
+
+/* - - - solid4pl.c - - - */
+
+%!  solid_take(+Segments, -Solid) is det.
+%
+%   Solid is a new handle of a boundary under way (c_kernels/solid.h): the
+%   polygons of Segments as they are in t/6, e/5 and v/5, one face for each that
+%   has triangles. Segments are taken in ascending order, each once; vertices of
+%   different segments stay apart. The handle is freed by atom garbage
+%   collection, or at once by solid_close/1.
+
+%!  solid_move(+Solid, +Matrix, -Again:list) is semidet.
+%
+%   Put Solid somewhere else: three rows [A,B,C,D] of Matrix give the new
+%   coordinates, A*X+B*Y+C*Z+D. If Matrix mirrors, triangles turn round. Again
+%   are the numbers, from 1, of faces whose triangles no longer cover them, for
+%   rounding turned one over. Fails if a coordinate is larger than v/5 takes;
+%   Solid is then good for nothing.
+
+%!  solid_counts(+Solid, -Vertices, -Faces, -Triangles) is det.
+%
+%   How many Solid has.
+%
+%   @error type_error(solid, Solid)
+%   @error existence_error(solid, Solid): closed
+
+%!  solid_close(+Solid) is det.
+%
+%   Frees what Solid holds; it cannot be used any more.
+
+%!  solid_is_closed(+Solid) is semidet.
+%
+%   True when every edge of its triangles runs as often back as there.
+
+/* - - - solid_list4pl.c - - - */
+
+%!  solid_vertices(+Solid, -Vertices:list) is det.
+%!  solid_faces(+Solid, -Faces:list) is det.
+%!  solid_parts(+Solid, -Parts:list) is det.
+%
+%   What is in a solid: vertex(V, X, Y, Z, From), V from 1, From S0-V0 or
+%   made(Origin); face(S0, P0, Sense, Triangles), Sense -1 if it looks the other
+%   way than polygon P0, with its t(V1, V2, V3, Auxiliary), where bit 0 of
+%   Auxiliary is for the edge V1-V2, and so on; and after merging
+%   part(Face, S0, P0, Sense), Face from 1.
+
+/* - - - solid_write4pl.c - - - */
+
+%!  solid_write(+Solid, +S) is det.
+%
+%   As solid_rows.pl, solid_written_by_rule/2: Solid as rows of segment S. Call
+%   it in a transaction.
+%
+%   @error permission_error(write, segment, S): it has rows
+
+/* - - - solid_over4pl.c - - - */
+
+%!  solid_write_over(+Solid, +S) is semidet.
+%
+%   The rows of segment S, which were a solid's, become those of Solid. What is
+%   the same stays with its ids, so ids need not be dense: what is new has the
+%   least that are free. Fails if S has other rows than a solid becomes, or most
+%   faces are new. Call it in a transaction.
+%
+%   @see c_kernels/solid_over.h
+
+/* - - - face_merge4pl.c - - - */
+
+%!  solid_merge(+Solid, +Tolerance, +Options:list) is det.
+%
+%   Makes coplanar neighbours in Solid one face each and drops vertices that lie
+%   straight (c_kernels/face_merge.h). Options: origins(separate): never faces
+%   of different segments; apart(Pairs): never these, as of solid_neighbours/3;
+%   by_size(true): a Tolerance no larger than 2^-13 of the size of Solid. Others
+%   are ignored.
+
+%!  solid_neighbours(+Solid, +Tolerance, -Pairs:list) is det.
+%
+%   Pairs are the Part1-Part2 of which faces in Solid are neighbours and may lie
+%   in one plane. A part is part(S0, P0, Sense), Sense -1 if the face looks the
+%   other way than polygon P0 of S0. Sorted by S0, P0 and Sense, 1 before -1,
+%   each pair once, the lesser part first.
+
+/* - - - arrangement4pl.c - - - */
+
+%!  arrangement_open(+Set, +Segments:list, +Wanted:list, -Arrangement) is det.
+%!  arrangement_polygons(+Arrangement, +Works:list, +Reach) is det.
+%!  arrangement_seal(+Arrangement) is det.
+%!  arrangement_hold(+Arrangement) is det.
+%!  arrangement_drop(+Arrangement) is det.
+%
+%   The segments Wanted, which are among Segments, in pieces along the lines of
+%   cut set Set, which is sealed. Polygons that were entered are told with what
+%   they became, as work(S, P, Work), all at once; what touches within Reach is
+%   made one where nothing else helps. Sealing finds what hangs together, and on
+%   which side of each segment that is; then the set, and what else it was made
+%   from, is let go. An arrangement is held once when it is opened, and closed
+%   when it is dropped as often as it was held.
+%
+%   @error permission_error(fill, arrangement, Arrangement): it is sealed, or
+%          sealing it was stopped
+
+/* - - - arrangement_free4pl.c - - - */
+
+%!  arrangement_free_polygons(+Arrangement, +Polygons:list, +Reach) is semidet.
+%
+%   What arrangement_polygons/3 does after enter_polygons/4 of entering.pl, for
+%   all of the polygons S-P together, many at a time. Fails, and nothing is
+%   taken in, if a line meets anything in one of them, or one cannot be
+%   triangulated.
+%
+%   @error existence_error(polygon, P)
+
+/* - - - arrangement_pieces4pl.c - - - */
+
+%!  arrangement_components(+Pieces:list, -Components:list) is det.
+%!  arrangement_select(+Pieces:list, +Senses:list, -Solid) is det.
+%
+%   Pieces are S-Arrangement, for each segment S an arrangement in which it was
+%   wanted. A component is
+%
+%       component(C, S, P, point(X, Y, Z), Sides, Which)
+%
+%   with a polygon P of it and a point in that (rounded), and Sides a list of
+%   side(S1, Below, Above): how often S1 goes round the points just below and
+%   just above it; of segments that are not there, 0. Which is `second` if it
+%   lies on a piece of an earlier segment (or on an earlier one of its own),
+%   `unknown` if it has no area, else `only`. C counts through. Senses are C-1
+%   for components to be chosen, and C-(-1) for those to be turned over. Exact.
+%
+%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
+%          be triangulated
+%   @see c_kernels/arrangement.h; rows CB-3 and CB-4
+
+/* - - - arrangement_kept4pl.c - - - */
+
+%!  pieces_kept(-Kept) is semidet.
+%!  keep_pieces(+Kept) is det.
+%
+%   Kept is the term that was kept last with the current world (arrangement.pl),
+%   a copy. What it holds, arrangements too, lives as long.
+
+/* - - - expression4pl.c - - - */
+
+%!  arrangement_senses(+Pieces:list, +Expression, +Open:list,
+%!                     -Senses:list) is det.
+%
+%   The fused kernel of boolean.pl, stays/3: Senses are the C-Sense of the
+%   components that stay in the boundary of Expression; Open are the segments
+%   among its leaves that are surfaces.

@@ -1,0 +1,226 @@
+:- module(sg_kernel_drawing,
+          [ % view4pl.c
+            fill_screen/4,            % +Theta, +Phi, +Rho, +Kind
+            view_range/5,             % +Theta, +Phi, -Near, -Far, -Reach
+            view_depth/5,             % +Theta, +Phi, +Rho, +Kind, -Depth
+            sine_cosine/3,            % +Degrees, -Sine, -Cosine
+            % turn4pl.c
+            turn_points/2,            % +Axes, +Origin
+            % contour4pl.c
+            fill_contour/7,           % +Segments, +Theta, +Phi, +Rho, +Kind,
+                                      % +Smooth, +Known
+            % scene4pl.c
+            scene_open/6,             % +Segments, +Depth, +Tolerance,
+                                      % +Smooth, +Known, -Scene
+            scene_edge/5,             % +Scene, ?S, ?E, -Length, -Look
+            occluder/7,               % +Scene, +S, +E, ?S2, ?T, -From, -To
+            overlap/9,                % +Scene, +S, +E, ?S2, ?E2, -From, -To,
+                                      % -From2, -To2
+            % covers4pl.c
+            line_covers/4,            % +Scene, +S, +E, -Covers
+            % drawn4pl.c
+            fill_drawn/4,             % +Scene, +Which, +Crease, +Through
+            % stroke4pl.c
+            stroke_looks/2,           % +Parts, -Looks
+            stroke_chains/3,          % +Parts, +Looks, -Strokes
+            % drawn_stroke4pl.c
+            drawn_box/1,              % -Box
+            drawn_strokes/5,          % +Place, +Removed, +Looks, +Others,
+                                      % -Strokes
+            % travel4pl.c
+            travel_order/2,           % +Strokes, -Order
+            % raster4pl.c
+            raster_dots/4,            % +Width, +Height, +Strokes, -Dots
+            raster_png/5,             % +Width, +Height, +Dots, +Palette, -Bytes
+            % canvas4pl.c
+            canvas_png/6              % +Width, +Height, +Scale, +Paper, +Lines,
+                                      % -Bytes
+          ]).
+
+/** <module> From vertices to ink: views, outlines, scenes, strokes, dots.
+
+Foreign predicates; see kernel.pl.
+*/
+
+/* - - - view4pl.c - - - */
+
+%!  fill_screen(+Theta, +Phi, +Rho, +Kind) is det.
+%
+%   Replaces screen/5 of the current world by where each vertex is seen from
+%   there; Kind is `parallel` or `central`. Computes what eye_point/4,
+%   screen_point/3 and in_one_place/3 of view.pl define.
+%
+%   @error domain_error(rho, Rho): in a central projection something is not in
+%          front of the eye
+%   @see [PL] section 6.1 and 6.2, row PL-11
+
+%!  view_range(+Theta, +Phi, -Near, -Far, -Reach) is semidet.
+%
+%   True when the vertices of the current world have their depth, counted from
+%   the origin away from the eye, between Near and Far, and the farthest one
+%   is Reach from the origin. Fails if there are no vertices.
+
+%!  view_depth(+Theta, +Phi, +Rho, +Kind, -Depth) is det.
+%
+%   True when one unit of Zs is Depth model units where the model is nearest:
+%   1.0 in a parallel projection.
+
+%!  sine_cosine(+Degrees, -Sine, -Cosine) is det.
+%
+%   Multiples of 90 degrees are exact; the rest is rounded to 2^-48.
+
+/* - - - turn4pl.c - - - */
+
+%!  turn_points(+Axes:list, +Origin:list) is det.
+%
+%   Every point of the current world (v/5, leaf_v/5) and every plane goes to
+%   where turned_point/4 of view.pl says. Axes are 1, 2 and 3 in some order and
+%   with some signs. Exact where Origin is [0,0,0]. Call it in a transaction.
+%
+%   @error domain_error(axes, Axes), representation_error(coordinate): one
+%          would be larger than any that v/5 takes
+
+/* - - - contour4pl.c - - - */
+
+%!  fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth, +Known)
+%!      is semidet.
+%
+%   Replaces contour/9 of the current world by the outlines of the smooth
+%   surfaces of Segments, `all` or a list, seen from there, as contour.pl
+%   defines them. Smooth is smooth(Crease, Faceted): over which bend, in
+%   degrees, two faces do not hang together smoothly; which segments have no
+%   smooth surfaces. screen/5 holds the same view. Known are known_surfaces/1,
+%   or `kept`: what was known when the model of these segments was made, whose
+%   rows have not changed since. Fails if none is kept. Inexact.
+
+/* - - - scene4pl.c - - - */
+
+%!  scene_open(+Segments, +Depth, +Tolerance, +Smooth, +Known, -Scene)
+%!      is semidet.
+%
+%   Scene is what screen/5 and contour/9 of the current world show of Segments,
+%   `all` or a list. Smooth is what contour/9 was made with, see fill_contour/7
+%   (there Known, too), or edges(Faceted): all outlines run along edges. Depth:
+%   see view_depth/5; Tolerance: what counts as equal, in a model of size [-1,1]
+%   (PL-5). A scene does not follow later changes, and is freed with its last
+%   reference. It is for one thread at a time: what is asked of it is noted in
+%   it.
+
+%!  scene_edge(+Scene, ?S, ?E, -Length, -Look) is nondet.
+%
+%   True when the real edge E of segment S stands for all edges between its
+%   vertices (PL-13 step 3), and is not the second copy of a penetration line.
+%   Or, if E is negative, that piece -E of contour/9 is there. Length is its
+%   length in the picture, standardised. Look is
+%   look(Faces,Towards,Away,Left,Right,Bend,Solid,Cut,Inside), see role.pl. In
+%   order of S and E.
+
+%!  occluder(+Scene, +S, +E, ?S2, ?T, -From, -To) is nondet.
+%
+%   True when triangle T of segment S2 hides the part of edge E of segment S
+%   from From to To (0.0 at its start in the picture, 1.0 at its end), in order
+%   of From. A triangle never hides a line in its plane, nor one that lies on
+%   its polygon (lies_on/4 of hidden_lines.pl). Triangles seen edge-on and the
+%   backs of solids hide nothing. Inexact.
+%
+%   @error existence_error(drawn_edge, E): scene_edge/5 does not have it
+%   @see [PL] section 6.3 step 4, row PL-13
+
+%!  overlap(+Scene, +S, +E, ?S2, ?E2, -From, -To, -From2, -To2) is nondet.
+%
+%   True when the part of edge E of segment S from From to To lies, in the
+%   picture, on the part of edge E2 of S2 from From2 to To2. Inexact.
+%
+%   @error existence_error(drawn_edge, E)
+
+/* - - - covers4pl.c - - - */
+
+%!  line_covers(+Scene, +S, +E, -Covers:list) is det.
+%
+%   Covers has a covers(S2, T, From, To, Behind1, Behind2) for each triangle T
+%   of S2 that hides lines and lies on edge E of S in the picture, from From to
+%   To, be it before it or behind. Behind1, Behind2: how far the edge is behind
+%   it at these ends, the difference of Zs times screen_depth/1. Nearest
+%   triangles first. Inexact.
+%
+%   @error existence_error(drawn_edge, E)
+
+/* - - - drawn4pl.c - - - */
+
+%!  fill_drawn(+Scene, +Which, +Crease, +Through:list) is det.
+%
+%   Replaces drawn/7 of the current world by the drawn parts of the lines Which
+%   (`all`, `feature`, `penetration`); Crease as in edge_role/5; Through are the
+%   S-S2 for which hides(S, S2) is not true. The fused kernel of
+%   hidden_lines.pl.
+
+/* - - - stroke4pl.c - - - */
+
+%!  stroke_looks(+Parts:list, -Looks:list) is det.
+%
+%   Looks are the Visibility-Role that Parts (stroke.pl) have, each once.
+
+%!  stroke_chains(+Parts:list, +Looks:list, -Strokes:list) is det.
+%
+%   As strokes/2 of stroke.pl: the fused kernel. Looks are look(Visibility,Role,
+%   Rank), in standard order, all that Parts have; Rank is their place in
+%   painting.
+
+/* - - - drawn_stroke4pl.c - - - */
+
+%!  drawn_box(-Box) is semidet.
+%
+%   Box is b(X1,Y1,X2,Y2) round the parts that drawn/7 has of edges, in the
+%   picture's own coordinates. Fails if there are none.
+
+%!  drawn_strokes(+Place, +Removed, +Looks, +Others:list, -Strokes:list) is det.
+%
+%   Strokes are those of the parts that drawn/7 has of edges, placed as
+%   placed_part/3 of sheet.pl says, and of Others, which are placed; those with
+%   the visibility Removed are left out, but not of Others. Looks as for
+%   stroke_chains/3. No part is ever a term.
+%
+%   @error representation_error(look), representation_error(sheet_coordinate)
+
+/* - - - travel4pl.c - - - */
+
+%!  travel_order(+Strokes:list, -Order:list) is det.
+%
+%   Order has the numbers of Strokes, from 1, in the order of short_travel/2 of
+%   travel.pl, those drawn backwards below zero: its fused kernel.
+
+/* - - - raster4pl.c - - - */
+
+%!  raster_dots(+Width, +Height, +Strokes, -Dots) is det.
+%
+%   Dots is a string of Width*Height codes, by rows from the top: the inks that
+%   Strokes leave on paper, whose ink is 0. Each is
+%   stroke(Ink, PenWidth, Pattern, Points): Ink 0 to 255, the nib PenWidth dots
+%   wide; Pattern a list of run lengths on, off, on, off, ... in dots, `[]`: a
+%   solid line; Points a list of X-Y, integers, X to the right, Y DOWN. The
+%   pattern runs on across joints; a later stroke covers an earlier one; what
+%   is outside is left out. Exact: integers only.
+%
+%   @error domain_error(raster_size, Width-Height), domain_error(pen, Stroke),
+%          domain_error(raster_coordinate, X): farther than 2^20
+%   @see [PL] section 6.4, row PL-14
+
+%!  raster_png(+Width, +Height, +Dots, +Palette, -Bytes) is det.
+%
+%   Bytes is a string of the bytes of a PNG file that shows Dots; ink N has the
+%   N-th colour of Palette, a list of rgb(Red,Green,Blue), counted from 0.
+%
+%   @error domain_error(palette, Palette): empty, too long, or too short
+
+/* - - - canvas4pl.c - - - */
+
+%!  canvas_png(+Width, +Height, +Scale, +Paper, +Lines, -Bytes) is det.
+%
+%   Bytes are a PNG file, Width x Height dots, three bytes each, of Lines with
+%   smooth edges on paper of the colour Paper, rgb(R,G,B). Each of Lines is
+%   line(RGB, LineWidth, Round, Points): Round is true if its ends are round;
+%   Points are X-Y, X to the right, Y DOWN. Lengths are in a unit that is Scale
+%   dots, and a thousandth of a millimetre; the file says so. Inexact.
+%
+%   @error domain_error(raster_size, Width-Height), domain_error(pen_width, W),
+%          domain_error(raster_coordinate, X): farther than 2^20 dots

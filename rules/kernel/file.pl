@@ -1,0 +1,98 @@
+:- module(sg_kernel_file,
+          [ % mesh4pl.c
+            mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
+                                      % -Result
+            % mesh_write4pl.c
+            mesh_write/5,             % +Stream, +Format, +Ss, +Names, -Result
+            % boundary4pl.c
+            boundary_open/7,          % +Ss, +Made, +Single, +Grid, +Form,
+                                      % +Copies, -Boundary
+            boundary_coarsen/3,       % +Boundary, +Grid, -Coarser
+            boundary_close/1,         % +Boundary
+            boundary_counts/2,        % +Boundary, -Counts
+            boundary_meetings/4,      % +Boundary, +All, +Exact, -Meetings
+            boundary_add/2,           % +Boundary, +S
+            boundary_write/5          % +Boundary, +Stream, +Format, +Names,
+                                      % -Result
+          ]).
+
+/** <module> Meshes and solids, from files and to them.
+
+Foreign predicates; see kernel.pl.
+*/
+
+/* - - - mesh4pl.c - - - */
+
+%!  mesh_add(+Stream, +Format, +Weld, +One, +S, -Result) is det.
+%
+%   Reads the octets of Stream to its end as Format (`stl`, `off`, `obj`,
+%   `ply`, `any`) and adds v/5, e/5 and p/3 of the segments in it, numbered
+%   from S. Weld is `auto`, `all` or `none`; One is true for one segment
+%   whatever the file names. Result is one of
+%
+%     - loaded(Parts, Grain, passed_over(Degenerate, Repeated, Welded, Ignored,
+%       IgnoredLine, Trailing))
+%       Parts are part(S, Kind, Name), Name '' if the file has none; Grain is a
+%       unit in the last place of the coordinates, 0.0 if they are exact.
+%     - fault(Code, Line, Column, Byte, Text, Wanted, Got, Limit)
+%       The file is bad, and nothing was added; see c_kernels/mesh.h.
+%
+%   @error permission_error(write, segment, S1): one of the segments has rows
+
+/* - - - mesh_write4pl.c - - - */
+
+%!  mesh_write(+Stream, +Format, +Segments, +Names, -Result) is det.
+%
+%   Writes the listed segments to Stream as Format (also `stl_binary`,
+%   `ply_binary`). Segments ascend; Names are theirs, '' for none. Result is
+%   `ok`, no_triangles(S, P): polygon P must be written as triangles and has
+%   none (nothing was written), or a fault/8 as of mesh_add/6.
+
+/* - - - boundary4pl.c - - - */
+
+%!  boundary_open(+Segments, +Made, +Single, +Grid, +Form, +Copies, -Boundary)
+%!                is det.
+%
+%   Boundary is a handle for the polygons of the segments in the list, as a file
+%   will hold them: coordinates as multiples of Grid (a power of two; 0.0: as
+%   they are), then as float32 if Single; without what that has collapsed; in an
+%   order that depends on where things are alone. See c_kernels/boundary.h and
+%   boundary_mesh.h. Made lists S-V of vertices that cuts made: their
+%   coordinates are rounded already. Form is `polygons`, `triangles` or `soup`:
+%   the triangles of t/6, also those that rounding turned over, which else are
+%   taken out.
+%   If Copies, every edge has two faces and every vertex one fan.
+%
+%   @error representation_error(float32): a coordinate is too large
+
+%!  boundary_coarsen(+Boundary, +Grid, -Coarser) is det.
+%
+%   Coarser is another handle for Boundary, with the vertices of those triangles
+%   that go through each other on multiples of Grid, and what is near these.
+
+%!  boundary_close(+Boundary) is det.
+
+%!  boundary_counts(+Boundary, -Counts) is det.
+%
+%   Counts = counts(Vertices, Faces, Triangles, Open, Crossing, Touching,
+%   Copies, Stuck, Cancelled): Open edges lack an opposite; at Crossing edges
+%   four or more faces go through each other, at Touching ones not; Copies
+%   vertices were added; for Stuck faces no triangles were found; Cancelled
+%   faces lay on each other, back to back.
+
+%!  boundary_meetings(+Boundary, +All, +Exact, -Meetings) is det.
+%
+%   Meetings are meeting(Kind, X, Y, Z), where triangles go through each other
+%   (`self_penetration`) or share some area (`self_overlap`), as self_meetings/2
+%   says: exactly if Exact, else beyond the tolerance. Unless All, only those
+%   where one of the two is not as the segment has it: rounding, a cut, or
+%   dividing a polygon has made it.
+
+%!  boundary_add(+Boundary, +S) is det.
+%
+%   Add the vertices, edges and polygons of Boundary as segment S, of several
+%   segments as S, S+1, ...
+
+%!  boundary_write(+Boundary, +Stream, +Format, +Names, -Result) is det.
+%
+%   As mesh_write/5.

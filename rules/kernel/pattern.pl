@@ -1,0 +1,255 @@
+:- module(sg_kernel_pattern,
+          [ % development4pl.c
+            flattening_open/4,        % +S, +Tolerance, +Removed, -Flattening
+            flattening_close/1,       % +Flattening
+            flattening_restart/1,     % +Flattening
+            flattening_lay/2,         % +Flattening, +Root
+            flattening_measures/2,    % +Flattening, -Measures
+            forbid_joint/2,           % +Flattening, +J
+            join_faces/3,             % +Flattening, +J, -Result
+            join_all/2,               % +Flattening, +Order
+            join_before/3,            % +Flattening, +Order, +J
+            joint_order/3,            % +Flattening, +Order, -Joints
+            joint_path/3,             % +Flattening, +J, -Joints
+            % development_read4pl.c
+            flattening_counts/4,      % +Flattening, -Faces, -Joints, -Step
+            flattening_bent/2,        % +Flattening, -Polygons
+            flattening_invalid/2,     % +Flattening, -Polygons
+            flattening_joint/3,       % +Flattening, +J, -Joint
+            edge_joint/3,             % +Flattening, +E, -J
+            % development_write4pl.c
+            flattening_write/2,       % +Flattening, +D
+            % seam_exchange4pl.c
+            exchange_seams/6,         % +Flattening, +Order, +Kept, +Objective,
+                                      % +Effort, -Exchanges
+            join_folds/2,             % +Flattening, +Joints
+            seam_length/2,            % +Flattening, -Length
+            flattening_bound/2,       % +Flattening, -Bound
+            fold_path/4,              % +Flattening, +P, +Q, -Joints
+            % known_facets4pl.c
+            known_facets/3,           % +Known, +Ss, -Facets
+            % roll4pl.c
+            surface_place/4,          % +Surface, +Point, -T, -H
+            surfaces_meet/4,          % +Surfaces, +Reach, +Point0, -Point
+            roll_points/3,            % +Roll, +Places, -Points
+            roll_curves/5,            % +Roll, +Reach, +Tolerance, +Curves,
+                                      % -Lists
+            % nest4pl.c
+            shapes_open/2,            % +Size, -Shapes
+            shapes_add/2,             % +Shapes, +Shape
+            shapes_free/3,            % +Shapes, +Shape, +Tolerance
+            nest/7                    % +Size, +Square, +Gap, +One, +Pieces,
+                                      % -Places, -Work
+          ]).
+
+/** <module> Laying flat, unrolling, and placing pieces on sheets.
+
+Foreign predicates; see kernel.pl.
+*/
+
+/* - - - development4pl.c - - - */
+
+%!  flattening_open(+S, +Tolerance, +Removed:list, -Flattening) is det.
+%
+%   Flattening is a handle on segment S being laid flat, without the polygons
+%   Removed: its faces, each in a frame of its own, and its joints, numbered
+%   from 1. A face is a polygon no vertex of which is farther than Tolerance
+%   from its plane, or a triangle of another polygon; such a triangle is called
+%   by the polygon that it will be, numbered on from those of S, and its chords
+%   are edges, numbered on likewise. S should have its triangles. To be closed.
+%
+%   @error representation_error(int32): no numbers are left for these
+
+%!  flattening_close(+Flattening) is det.
+
+%!  flattening_restart(+Flattening) is det.
+%
+%   Nothing is joined, as at first; what is forbidden stays so.
+
+%!  flattening_lay(+Flattening, +Root) is det.
+%
+%   Finds where everything lies, as joined by now, see lay.h. Root is a polygon,
+%   or 0. Joints whose sides lie on each other become `closed`.
+%
+%   @error existence_error(polygon, Root)
+
+%!  flattening_measures(+Flattening, -Measures) is det.
+%
+%   Measures is measures(Seam, Pieces, Longest, Area, Boxes, Tests, Refused),
+%   see measure.h: after flattening_lay/2. Tests is how many
+%   triangles were tested against each other, Refused how many joints would
+%   have made an overlap.
+%
+%   @error permission_error(lay, flattening, Flattening)
+
+%!  forbid_joint(+Flattening, +J) is det.
+%
+%   Joint J is not to be joined.
+%
+%   @error permission_error(forbid, joint, J): it is joined already
+
+%!  join_faces(+Flattening, +J, -Result) is det.
+%
+%   Tries to join the two faces of joint J: `joined`; `same_piece`: they hang
+%   together already; overlap(P1, P2): it would lay polygon P2 on P1;
+%   `forbidden`; `point`: the edge has no length.
+
+%!  join_all(+Flattening, +Order) is det.
+%!  join_before(+Flattening, +Order, +J) is det.
+%
+%   join_faces/3 for all joints that are open, as joint_order/3 has them; for
+%   those before joint J. With order 0, join_all/2 is the fused kernel of
+%   development.pl, joined_by_rule/2.
+
+%!  joint_order(+Flattening, +Order, -Joints:list) is det.
+%
+%   All joints; those that are flat come first. Order 0 is the default of
+%   join_order/3; 1: those that bend least; 2: those that run up and down; 3 and
+%   on: as 0, but with lengths changed by up to a tenth, by chance.
+
+%!  joint_path(+Flattening, +J, -Joints:list) is det.
+%
+%   The joints that are joined on the way from one face of J to the other, []
+%   if there is no way.
+
+/* - - - development_read4pl.c - - - */
+
+%!  flattening_counts(+Flattening, -Faces, -Joints, -Step) is det.
+%
+%   How many faces and joints there are. What differs by less than Step (model
+%   units) is mostly equal for joint_order/2: it is rounded to that.
+
+%!  flattening_bent(+Flattening, -Polygons:list) is det.
+%
+%   Polygons, ascending, are not flat.
+
+%!  flattening_invalid(+Flattening, -Polygons:list) is det.
+%
+%   Polygons, ascending, have an area and no triangles: they cross themselves.
+
+%!  flattening_joint(+Flattening, +J, -Joint) is det.
+%
+%   Joint is joint(E1, E2, P1, P2, Length, p(X,Y,Z), Angle, Kind, State): edge
+%   E1 of polygon P1 and its partner E2 of P2, E1 < E2, the length and the
+%   middle of them, the angle as in joint/6. Kind is `line` (P1 is P2), `flat`
+%   or `bent`. State is `open`, `joined`, `same_piece`, `overlap`, `forbidden`,
+%   `point`, or, after flattening_lay/2, `closed`.
+%
+%   @error existence_error(joint, J)
+
+%!  edge_joint(+Flattening, +E, -J) is semidet.
+%
+%   Joint J has edge E.
+
+/* - - - development_write4pl.c - - - */
+
+%!  flattening_write(+Flattening, +D) is det.
+%
+%   Writes the rows of the pattern D, which has none: v e p plane t piece joint
+%   from_v from_p, after flattening_lay/2.
+%
+%   @error permission_error(write, segment, D)
+
+/* - - - seam_exchange4pl.c - - - */
+
+%!  exchange_seams(+Flattening, +Order, +Kept:list, +Objective, +Effort,
+%!                 -Exchanges) is det.
+%
+%   What is joined, in the order of joints Order, is exchanged for folds that
+%   leave less seam, see seam_exchange.h; the joints Kept stay folds. Objective
+%   is `seam`, or `pieces`: fewer of them is worth any seam. Effort is about how
+%   many faces may be laid or moved for that. Exchanges is how many have helped.
+%   The fused kernel of development_search.pl, exchanged_by_rule/5.
+
+%!  join_folds(+Flattening, +Joints:list) is det.
+%
+%   Restarts and joins just Joints, as they were joined before: nothing is asked
+%   about overlaps.
+%
+%   @error existence_error(joint, Joints)
+
+%!  seam_length(+Flattening, -Length) is det.
+%
+%   The length of all joints that are neither joined nor have sides that lie on
+%   each other all the same, as joined by now; model units.
+
+%!  flattening_bound(+Flattening, -Bound) is det.
+%
+%   Bound is bound(Least, By, Tree): no seam is less than Least, as is proven by
+%   `tree`, `forest` or `moats`; Tree is the minimum spanning tree of the
+%   vertices. Model units; see seam_bound.h.
+
+%!  fold_path(+Flattening, +P, +Q, -Joints:list) is det.
+%
+%   The joints that are joined on the way between polygons P and Q of the
+%   pattern, [] if there is no way.
+%
+%   @error existence_error(polygon, P)
+
+/* - - - known_facets4pl.c - - - */
+
+%!  known_facets(+Known, +Ss:list, -Facets:list) is det.
+%
+%   Facets has known(S, Surfaces, Runs), as of known_surfaces/1, for each of the
+%   segments Ss that has polygons which are facets of surfaces, by what Known,
+%   of known_surfaces/1, says of it, or of those its polygons came from
+%   (from_p/5). Surfaces are in the order of their first facets. The fused
+%   kernel of segment_facets/3 (known_surface.pl). Inexact where they are moved.
+
+/* - - - roll4pl.c: cylinders and cones unrolled - - -
+
+A surface is a term of primitive_face.pl, or plane(Nx, Ny, Nz, D): Nx*X + Ny*Y +
+Nz*Z + D = 0. A roll is roll(Surface, Layer, Start): a cylinder or a cone (but
+one with K = 1) is unrolled from the generator at Start, as it is Layer outside
+the drawn surface. Degrees; see roll.h.
+*/
+
+%!  surface_place(+Surface, +Point, -T, -H) is det.
+%
+%   T (-180..180) and H are the parameters of the point of Surface, a cylinder,
+%   cone or ruled surface, that Point is taken to: from the axis, at its H.
+
+%!  surfaces_meet(+Surfaces, +Reach, +Point0, -Point) is semidet.
+%
+%   Point is a point near Point0 on all of one to three Surfaces. Fails if
+%   there is none within Reach, or they touch there. Rounded.
+
+%!  roll_points(+Roll, +Places, -Points) is det.
+%
+%   Where the points of the surface at Places, a list of T-H, are unrolled:
+%   Points is the list of X-Y. T is at most about a turn from the start.
+
+%!  roll_curves(+Roll, +Reach, +Tolerance, +Curves, -Lists) is det.
+%
+%   Points on Curves between their ends, so many that no chord is farther than
+%   Tolerance from the unrolled curve. A curve is curve(T0, Surfaces, From, To):
+%   where one to three Surfaces meet, from one point to another, not farther
+%   than Reach from the line between them. Each list has place(T, H, X, Y), T
+%   within half a turn of T0.
+
+/* - - - nest4pl.c - - - */
+
+%!  shapes_open(+Size, -Shapes) is det.
+%
+%   Shapes is a handle for convex shapes on paper, none yet, each of them about
+%   of this Size (up to a million times as large or small).
+
+%!  shapes_add(+Shapes, +Shape) is det.
+%
+%   Shape, a list of 2 (a line) to 8 points X-Y in order, is one more.
+
+%!  shapes_free(+Shapes, +Shape, +Tolerance) is semidet.
+%
+%   True when no shape of Shapes overlaps Shape deeper than Tolerance, 0 or
+%   more; how deep is how far one of the two has to be moved to be free.
+
+%!  nest(+Size, +Square, +Gap, +One, +Pieces, -Places, -Work) is det.
+%
+%   Lays Pieces, each piece(Degrees,Loops), on sheets of Size, W-H: one after
+%   the other, on the first sheet that takes it, as low and then as far left as
+%   can be, turned by one of the Degrees; on a raster of Square, Gap squares of
+%   which at least stay free between pieces. Loops are lists of X-Y. One: there
+%   is a single sheet. Each of Places is place(Sheet,Turn,DX,DY): the piece,
+%   turned counterclockwise, goes DX,DY; Sheet 0 if it fits on none. Work is how
+%   many squares were looked at: a measure of time that is the same everywhere.
+%   See c_kernels/nest.h.

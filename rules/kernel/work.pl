@@ -1,0 +1,123 @@
+:- module(sg_kernel_work,
+          [ % work4pl.c
+            work_open/3,              % +S, +P, -Work
+            work_close/1,             % +Work
+            work_add/6,               % +Work, +V1, +V2, +Et, +Label, -E
+            work_delete/2,            % +Work, +E
+            work_split/5,             % +Work, +E, +V, -E1, -E2
+            work_resolve/2,           % +Work, +Reach
+            work_gap/2,               % +Work, -V
+            work_turn/5,              % +Work, +V1, +V2, +V3, -Turn
+            % work_join4pl.c
+            work_edge/6,              % +Work, ?E, ?V1, ?V2, ?Et, ?Label
+            work_oldest/4,            % +Work, -E, -V1, -V2
+            work_meeting/6,           % +Work, +V1, +V2, ?E, ?How, ?Inside
+            work_candidate/4,         % +Work, +V1, +V2, ?V3
+            work_triangulate/2,       % +Work, -Triangles
+            work_thicken/4            % +Work, +Edges, +Triangles0, -Triangles
+          ]).
+
+/** <module> The edges of one polygon as a scratch relation, which lines enter.
+
+Foreign predicates; see kernel.pl.
+*/
+
+/* - - - work4pl.c - - - */
+
+%!  work_open(+S, +P, -Work) is det.
+%
+%   Work is a scratch relation with the edges of polygon P, in the order of its
+%   list, each labelled with its number. Vertices are named as in v/5, edges
+%   are numbered anew from 1. The polygon is seen from outside along the
+%   largest component of its normal; all decisions on it are exact. It follows
+%   neither the world's changes nor its transactions; it is freed by
+%   work_close/1 or with its last reference.
+%
+%   @error existence_error(polygon, P)
+
+%!  work_close(+Work) is det.
+%
+%   Frees Work now. Using it afterwards is existence_error(work, Work).
+
+%!  work_add(+Work, +V1, +V2, +Et, +Label, -E) is det.
+%
+%   Adds the edge V1-V2 as the youngest; Et is 0 or 1, Label any integer of 64
+%   bits. Nothing is checked against the other edges.
+%
+%   @error existence_error(work_vertex, V), domain_error(another_vertex, V2)
+
+%!  work_delete(+Work, +E) is det.
+%
+%   @error existence_error(work_edge, E)
+
+%!  work_split(+Work, +E, +V, -E1, -E2) is det.
+%
+%   Replaces E by its pieces to and from V, which lies on it; they keep its Et
+%   and label.
+
+%!  work_resolve(+Work, +Reach) is det.
+%
+%   Makes what touches exactly meet in one vertex: vertices in one place become
+%   the first of them, edges with a vertex inside are split there, and opposite
+%   edges with the polygon on neither side vanish. Does nothing where all
+%   contacts are shared vertices. If Reach is above 0.0, what is nearer than
+%   that (model units) is made to touch first.
+
+%!  work_gap(+Work, -V) is semidet.
+%
+%   True when the polygon does not close at vertex V, the first such.
+
+%!  work_turn(+Work, +V1, +V2, +V3, -Turn) is det.
+%
+%   Turn is 1 if V1, V2, V3 turn left seen from outside, -1 right, 0 neither.
+
+/* - - - work_join4pl.c - - - */
+
+%!  work_edge(+Work, ?E, ?V1, ?V2, ?Et, ?Label) is nondet.
+%
+%   True when Work has the edge E from V1 to V2. Oldest first; edges that are
+%   added meanwhile are not seen. Given E, or V1 or V2, it looks up.
+
+%!  work_oldest(+Work, -E, -V1, -V2) is semidet.
+%
+%   The first solution of work_edge/6. Fails if there are no edges.
+
+%!  work_meeting(+Work, +V1, +V2, ?E, ?How, ?Inside) is nondet.
+%
+%   True when edge E meets the segment V1-V2 other than in a shared end.
+%   Oldest edge first, as they are at the first call. How is
+%
+%     - crosses
+%       in one point inside both
+%     - touches
+%       in one point, an end of at least one of them
+%     - contained
+%       the whole segment lies on the edge
+%     - overlaps
+%       on one line, with a part in common that is not the whole segment
+%
+%   Inside lists the ends that lie inside the other one: of `v1` and `v2`
+%   (inside the edge), `start` and `end` (of the edge, inside the segment).
+%   Also `v1_at_start`, `v1_at_end`, `v2_at_start`, `v2_at_end`: different
+%   vertices in one place. Exact.
+
+%!  work_candidate(+Work, +V1, +V2, ?V3) is nondet.
+%
+%   True when V3 can be the third vertex of the edge V1-V2: steps (3), 4 (I)
+%   and 4 (II) of PL-6 as one join. V3 lies to the left, and no edge meets the
+%   closed triangle other than in its corners, or along its sides. Ends of
+%   edges leaving V2 first, then starts of edges entering V1, then other
+%   vertices, near ones first; each once. Exact. Leaves a choice point: commit
+%   to one before you change Work.
+
+%!  work_triangulate(+Work, -Triangles) is det.
+%
+%   Triangles are terms t(V1, V2, V3), as work_triangles/2 of triangulation.pl
+%   finds them one by one: the fused kernel. Uses up the edges; any that are
+%   left begin with one that has no third vertex.
+
+%!  work_thicken(+Work, +Edges:list, +Triangles0:list, -Triangles:list) is det.
+%
+%   If one of Triangles0 is so thin that rounding may have turned it over,
+%   chords between them are turned: all sides but those of Edges, the V1-V2 that
+%   Work had. What may be turned is decided exactly.

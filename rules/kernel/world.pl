@@ -1,0 +1,161 @@
+:- module(sg_kernel_world,
+          [ % decision4pl.c
+            rule_module/2,            % +Slot, -Module
+            set_rule_modules/1,       % +Pairs
+            world_number/1,           % -Number
+            ended_world/1,            % -Number
+            % complete4pl.c
+            fill_triangles/1,         % -Faults
+            fill_triangles/2,         % +Ss, -Faults
+            model_tolerance/1,        % -Tolerance
+            segments_tolerance/3,     % +Segments, -Tolerance, -Smallest
+            segments_grain/2,         % +Segments, -Grain
+            % exact4pl.c
+            exact_fallbacks/1,        % -Count
+            exact_statistics/1,       % -Statistics
+            % leaf4pl.c
+            leaves_keep/1,            % +Polygons
+            % census4pl.c
+            census/1,                 % -Parts
+            census_defect/4,          % ?Kind, ?S, ?A, ?B
+            % tree4pl.c
+            tree_statistics/1,        % -Statistics
+            % near4pl.c
+            near_segments/3,          % +Reach, -S1, -S2
+            near_segments_of/3        % +Reach, +Ss, -Near
+          ]).
+
+/** <module> What the world is: its rules, triangles, tolerances, trees, census.
+
+Foreign predicates; see kernel.pl.
+*/
+
+/* - - - decision4pl.c - - - */
+
+%!  rule_module(+Slot, -Module) is semidet.
+%
+%   True when the current world follows a rule file, loaded into Module, that
+%   replaces the decision with this Slot. Fails too where there is no world.
+
+%!  set_rule_modules(+Pairs) is det.
+%
+%   Replace all slots of the current world by those of Pairs, a list of
+%   Slot-Module, in one step.
+
+%!  world_number(-Number) is det.
+%
+%   Number names the current world; no other world of this process has it or
+%   ever had it.
+
+%!  ended_world(-Number) is semidet.
+%
+%   True when the world Number had set_rule_modules/1 called for it and has
+%   ended. Each call of set_rule_modules/1 is reported once.
+
+/* - - - complete4pl.c - - - */
+
+%!  fill_triangles(-Faults) is det.
+%!  fill_triangles(+Ss:list, -Faults) is det.
+%
+%   Adds plane/6 for every polygon of the current world, or of the segments Ss,
+%   that has none, and t/6 for every polygon that has none, in row order;
+%   computes what polygon_triangles/3 of triangulation.pl says. Faults is a list
+%   of fault(S, P, What) in the order of the polygons, What being
+%
+%     - not_closed(V)
+%       more edges end in vertex V than start there, or fewer: no plane, no
+%       triangles
+%     - no_area
+%       no plane, no triangles
+%     - not_simple(V1, V2)
+%       the edge V1-V2 has no third vertex (PL-6): no triangles
+%     - not_flat(Distance)
+%       a vertex is that far off the plane, more than the model's precision
+%       explains; the triangles are used all the same
+%
+%   The triangles are exact decisions; planes and Distance are rounded.
+
+%!  model_tolerance(-Tolerance) is det.
+%
+%   How far off a place may be that is meant to be there: the larger of 2^-33
+%   of the model's size, made a power of two (so that an edit seldom changes
+%   it), and 4 units in the last place of its coordinates, as
+%   far as these show where they come from (single precision, or
+%   decimals; whole numbers are exact).
+
+%!  segments_tolerance(+Segments:list, -Tolerance, -Smallest) is det.
+%
+%   The same for Segments alone: by the size of all of them, and the coarsest
+%   source of any. Smallest is the longest side of the smallest one's box.
+
+%!  segments_grain(+Segments:list, -Grain) is det.
+%
+%   Grain is the part of it that the sources say: 4 units in the last place of
+%   the coarsest, where coordinates are seen to be float32 or decimals
+%   that are not whole, else 0.
+
+/* - - - exact4pl.c - - - */
+
+%!  exact_fallbacks(-Count) is det.
+%
+%   How many exact decisions have needed integers since the process started,
+%   because doubles could not decide.
+
+%!  exact_statistics(-Statistics:dict) is det.
+%
+%   The same for each predicate of the kernels (c_kernels/exact.h): a dict with
+%   `orient2d` and `orient3d`, asked of doubles; `turn`, `side`, `along` and
+%   `compare`, asked of derived points too.
+
+exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
+                   along:Along, compare:Compare}) :-
+    '$exact_fallbacks'(Orient2d, Orient3d, Turn, Side, Along, Compare).
+
+/* - - - leaf4pl.c - - - */
+
+%!  leaves_keep(+Polygons:list) is semidet.
+%
+%   As leaf.pl, leaves_kept_by_rule/1. Fails if one is not there.
+
+/* - - - census4pl.c - - - */
+
+%!  census(-Parts) is det.
+%
+%   Parts counts and measures the segments of the current world, in order:
+%   part(S, counts(Vertices, HalfEdges, Edges, Polygons, Triangles, CurveEdges),
+%   box(X1,Y1,Z1, X2,Y2,Z2), Area, Volume, Length, Shells, Defects). Shells are
+%   shell(P, Vertices, Edges, Polygons, Euler, Closed, Pinched, Area, Volume,
+%   Depth), P the lowest polygon, Depth how many other shells of the segment go
+%   round it; Defects are Kind-Count of census_defect/4.
+
+%!  census_defect(?Kind, ?S, ?A, ?B) is nondet.
+%
+%   True when segment S has a defect of this Kind; A and B as
+%   c_kernels/census.h says. One pass over the world a call.
+
+/* - - - tree4pl.c - - - */
+
+%!  tree_statistics(-Statistics:dict) is det.
+%
+%   What the current world keeps for joins: a dict with its `trees` (one for
+%   each segment that was joined and has not changed since), their `leaves`
+%   (triangles, or edges of curves) and `bytes`, and how many were `grown` and
+%   how many `found` there since the world was made.
+
+tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
+                  grown:Grown, found:Found}) :-
+    '$tree_statistics'(Trees, Leaves, Bytes, Grown, Found).
+
+/* - - - near4pl.c - - - */
+
+%!  near_segments(+Reach, -S1, -S2) is nondet.
+%
+%   True when S1 and S2, S1 < S2, are segments whose boxes (round their
+%   vertices) overlap or are not farther apart than Reach along each axis.
+%   Ascending, as they are at the first call. Found by a tree of boxes: the
+%   other pairs are not looked at.
+
+%!  near_segments_of(+Reach, +Ss:list, -Near:list) is det.
+%
+%   Near has S-Others for each of the segments Ss, each once, ascending: Others
+%   are those of Ss that near_segments/3 has with S, ascending.
