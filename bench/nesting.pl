@@ -7,6 +7,8 @@
    that fit into their holes. For each prints: parts, the sum of their areas,
    sheets and the share of the sheets that is used (the last one counted as far
    as it is used), by our nesting and by shelves of bounding boxes, and seconds.
+   Then how seconds grow with the number of parts, where there are so many that
+   one order is tried: the power of the number that they are between two rows.
 */
 :- use_module('../rules/sanggwan').
 :- use_module('../rules/pattern_nest').
@@ -18,7 +20,32 @@ main :-
     format("~w~t~16|~w~t~8+~w~t~10+~w~t~8+~w~t~8+~w~t~8+~w~t~8+~w~n",
            [job,parts,area,sheets,used,shelves,used,seconds]),
     forall(job(Name, Paper, Gap, Outlines),
-           reported(Name, Paper, Gap, Outlines)).
+           reported(Name, Paper, Gap, Outlines)),
+    format("~n~w~t~8+~w~t~8+~w~t~8+~w~t~10+~w~n",
+           [parts,sheets,used,seconds,growth]),
+    foldl(grown, [800,1600,3200,6400], none, _).
+
+%   grown(N, Before, Now): Before and Now are N-Seconds.
+
+grown(N, Before, N-Seconds) :-
+    set_random(seed(N)),
+    parts(N, 60, 500, Parts),
+    findall(A, ( member(_-Loops, Parts), part_area(Loops, A) ), As),
+    sum_list(As, Area),
+    statistics(cputime, T0),
+    nested(Parts, room(2000,1000,5), nested(_,Places)),
+    statistics(cputime, T1),
+    Seconds is T1-T0,
+    list_to_assoc(Parts, ByName),
+    used(ByName, Places, 2000-1000, Sheets, UsedArea),
+    Share is 100*Area/UsedArea,
+    (   Before = N0-Seconds0
+    ->  Power is log(Seconds/Seconds0)/log(N/N0),
+        format(atom(Growth), "n^~2f", [Power])
+    ;   Growth = ''
+    ),
+    format("~d~t~8+~d~t~8+~1f %~t~8+~2f~t~10+~w~n",
+           [N,Sheets,Share,Seconds,Growth]).
 
 reported(Name, W-H, Gap, Outlines) :-
     length(Outlines, Count),
@@ -28,7 +55,8 @@ reported(Name, W-H, Gap, Outlines) :-
     nested(Outlines, room(W,H,Gap), nested(_,Places)),
     statistics(cputime, T1),
     Seconds is T1-T0,
-    used(Outlines, Places, W-H, Sheets, UsedArea),
+    list_to_assoc(Outlines, ByName),
+    used(ByName, Places, W-H, Sheets, UsedArea),
     Share is 100*Area/UsedArea,
     shelves(Outlines, W-H, Gap, Sheets2, UsedArea2),
     Share2 is 100*Area/UsedArea2,
@@ -39,16 +67,16 @@ part_area(Loops, Area) :-
     findall(A, ( member(Loop, Loops), loop_area(Loop, A) ), As),
     sum_list(As, Area).
 
-%   used(Outlines, Places, W-H, Sheets, Area): full sheets and the part of the
+%   used(ByName, Places, W-H, Sheets, Area): full sheets and the part of the
 %   last one below its highest, or left of its farthest point, whichever is
 %   less.
 
-used(Outlines, Places, W-H, Sheets, Area) :-
+used(ByName, Places, W-H, Sheets, Area) :-
     findall(I, member(_-place(I,_,_,_), Places), Is),
     max_list(Is, Sheets),
     findall(X-Y,
             ( member(Name-place(Sheets,Degrees,DX,DY), Places),
-              memberchk(Name-Loops, Outlines),
+              get_assoc(Name, ByName, Loops),
               member(Loop, Loops),
               member(X0-Y0, Loop),
               A is Degrees*pi/180,

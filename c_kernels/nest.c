@@ -7,6 +7,11 @@
 
 enum { MOST_SQUARES_A_SIDE = 32000, MOST_SQUARES = 1 << 27 };
 
+/* A page that refused so many pieces of one kind is not asked for that kind
+ * again, so a piece of many takes no longer than one of few. With twice as many
+ * refusals sheets are used about as well, and it takes nearly twice as long. */
+enum { PATIENCE = 8, KINDS = 64 * 64 };
+
 /* A piece at an angle: the squares that it needs, with the gap round it. */
 typedef struct mask {
   unsigned w, h;
@@ -29,9 +34,10 @@ typedef struct runs {
 
 /* A sheet, with a border of `gap` squares all round. */
 typedef struct page {
-  uint16_t *next; /* [h][w + 1]: the first taken square from here on, or w */
-  uint16_t *open; /* [h]: the longest free run of each row */
-  size_t left;    /* squares that are not taken */
+  uint16_t *next;   /* [h][w + 1]: the first taken square from here on, or w */
+  uint16_t *open;   /* [h]: the longest free run of each row */
+  size_t left;      /* squares that are not taken */
+  uint8_t *refused; /* [KINDS]: so many pieces of each, up to PATIENCE */
 } page;
 
 typedef struct nesting {
@@ -39,6 +45,7 @@ typedef struct nesting {
   unsigned w, h; /* of a page */
   page *page;
   size_t pages, room;
+  size_t first[KINDS]; /* pages before this one refuse all of the kind */
   uint64_t work;
   const sg_poll *poll;
   bool *memory;
@@ -354,9 +361,10 @@ add_page(nesting *n)
   n->work += wide * n->h;
   p->next = malloc(wide * n->h * sizeof *p->next);
   p->open = malloc(n->h * sizeof *p->open);
+  p->refused = calloc(KINDS, 1);
   p->left = (size_t)n->w * n->h;
   n->pages++;
-  if (!p->next || !p->open) {
+  if (!p->next || !p->open || !p->refused) {
     return false;
   }
   for (unsigned y = 0; y < n->h; y++) {
@@ -478,6 +486,49 @@ clear_masks(mask *m, runs *r, size_t n)
   free(r);
 }
 
+/* The highest bit of a number that is not 0, and `more` of those below it. */
+static unsigned
+magnitude(size_t number, unsigned more)
+{
+  unsigned bit = 0;
+
+  while (number >> bit > 1) {
+    bit++;
+  }
+  return (bit << more) +
+         (unsigned)((number << more >> bit) & ((1u << more) - 1));
+}
+
+/* Pieces of one kind are about as long, and about as large: to a fifth of
+ * their length, and two fifths of their area. Less than KINDS. */
+static size_t
+kind_of(const mask *m, size_t angles)
+{
+  while (angles > 1 && !m->square) {
+    m++;
+    angles--;
+  }
+  return 64 * magnitude(m->w > m->h ? m->w : m->h, 2) +
+         magnitude(m->covered, 1);
+}
+
+static bool
+has_refused(const nesting *n, size_t at, size_t kind)
+{
+  return !n->paper->one && n->page[at].refused[kind] >= PATIENCE;
+}
+
+static void
+note_refusal(nesting *n, size_t at, size_t kind)
+{
+  uint8_t *refused = &n->page[at].refused[kind];
+
+  *refused = (uint8_t)(*refused + (*refused < PATIENCE));
+  while (n->first[kind] < n->pages && has_refused(n, n->first[kind], kind)) {
+    n->first[kind]++;
+  }
+}
+
 static bool
 best_choice(nesting *n, const page *p, const mask *m, const runs *r,
             size_t angles, choice *best)
@@ -527,13 +578,18 @@ place_masks(nesting *n, const sg_nest_piece *piece, mask *m, runs *r,
     }
     fits = fits || m[i].square;
   }
-  for (size_t i = 0; fits; i++) {
+  size_t kind = fits ? kind_of(m, piece->angles) : 0;
+
+  for (size_t i = n->first[kind]; fits; i++) {
     if (sg_poll_stop(n->poll)) {
       *n->memory = true;
       return false;
     }
     if (i == n->pages && ((n->paper->one && i > 0) || !add_page(n))) {
       return n->paper->one && i > 0;
+    }
+    if (has_refused(n, i, kind)) {
+      continue;
     }
     bool found = best_choice(n, &n->page[i], m, r, piece->angles, &best);
     if (*n->memory) {
@@ -542,6 +598,7 @@ place_masks(nesting *n, const sg_nest_piece *piece, mask *m, runs *r,
     if (found) {
       return settle(n, &n->page[i], piece, m, &best, place);
     }
+    note_refusal(n, i, kind);
   }
   return true;
 }
@@ -575,6 +632,7 @@ sg_nest(const sg_nest_paper *paper, const sg_nest_piece *piece, size_t n,
   for (size_t i = 0; i < all.pages; i++) {
     free(all.page[i].next);
     free(all.page[i].open);
+    free(all.page[i].refused);
   }
   free(all.page);
   if (work) {

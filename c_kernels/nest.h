@@ -4,7 +4,9 @@
  * an outline touches or that lies inside. Where no square is taken twice no
  * piece lies on another. Each piece, in the order given, goes to the first
  * sheet that takes it, at the angle and the place where it reaches up least,
- * of these the leftmost. So the result depends on the input alone.
+ * of these the leftmost. A sheet that refused eight pieces about as long and
+ * about as large is passed over: so time grows with the number of pieces, not
+ * with its square. The result depends on the input alone.
  */
 #ifndef SG_NEST_H
 #define SG_NEST_H

@@ -151,6 +151,92 @@ check_hole(void)
         place[1].sheet == 1 && place[1].by[0] > 10 && place[1].by[0] + 60 < 80);
 }
 
+/* The squares that are looked at for n plates, of about one size. */
+static uint64_t
+work_of_plates(unsigned n, sg_nest_place *place)
+{
+  enum { MOST = 1600 };
+  static double plate[MOST][4][2];
+  static sg_nest_piece piece[MOST];
+  static const size_t end = 4;
+  const sg_nest_paper paper = {100, 70, 1, 1, false};
+  uint64_t work = 0;
+  bool memory;
+
+  seed = 5;
+  for (unsigned i = 0; i < n; i++) {
+    double w = 33 + random_below(6), h = 24 + random_below(4);
+    double around[4][2] = {{0, 0}, {w, 0}, {w, h}, {0, h}};
+
+    memcpy(plate[i], around, sizeof around);
+    piece[i] =
+        (sg_nest_piece){(const double(*)[2])plate[i], 4, &end, 1, turns, 2};
+  }
+  CHECK("plates", sg_nest(&paper, piece, n, place, &work, NULL, &memory));
+  return work;
+}
+
+static void
+check_growth(void)
+{
+  static sg_nest_place place[1600];
+  uint64_t few = work_of_plates(400, place);
+  uint64_t many = work_of_plates(1600, place);
+
+  CHECK("four times the plates, no more than five times the work",
+        many < 5 * few);
+}
+
+/* Plates of which two fill a sheet, and what fits above any two. */
+static void
+check_other_kind(double width, double height)
+{
+  enum { PLATES = 40, ALL = PLATES + 20 };
+  static const double plate[4][2] = {{0, 0}, {48, 0}, {48, 30}, {0, 30}};
+  const double strip[4][2] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+  static const size_t end = 4;
+  const sg_nest_paper paper = {100, 50, 1, 1, false};
+  sg_nest_piece piece[ALL];
+  sg_nest_place place[ALL];
+  unsigned wrong = 0;
+  bool memory;
+
+  for (unsigned i = 0; i < ALL; i++) {
+    piece[i] =
+        (sg_nest_piece){i < PLATES ? plate : strip, 4, &end, 1, turns, 1};
+  }
+  CHECK("plates and strips",
+        sg_nest(&paper, piece, ALL, place, NULL, NULL, &memory));
+  for (unsigned i = 0; i < ALL; i++) {
+    wrong += place[i].sheet > PLATES / 2;
+  }
+  CHECK("sheets that refuse plates take strips", wrong == 0);
+}
+
+/* A single sheet is asked for each piece, however many it refused. */
+static void
+check_one_sheet(void)
+{
+  enum { ALL = 32 };
+  static const double first[4][2] = {{0, 0}, {50, 0}, {50, 69}, {0, 69}};
+  static const double wide[4][2] = {{0, 0}, {68, 0}, {68, 46}, {0, 46}};
+  static const double high[4][2] = {{0, 0}, {46, 0}, {46, 68}, {0, 68}};
+  static const size_t end = 4;
+  const sg_nest_paper paper = {100, 70, 1, 1, true};
+  sg_nest_piece piece[ALL];
+  sg_nest_place place[ALL];
+  bool memory;
+
+  for (unsigned i = 0; i < ALL; i++) {
+    piece[i] = (sg_nest_piece){wide, 4, &end, 1, turns, 1};
+  }
+  piece[0].at = first;
+  piece[ALL - 1].at = high;
+  CHECK("one sheet", sg_nest(&paper, piece, ALL, place, NULL, NULL, &memory));
+  CHECK("refused", place[0].sheet == 1 && place[ALL - 2].sheet == 0);
+  CHECK("what fits has a place", place[ALL - 1].sheet == 1);
+}
+
 static bool
 stop(void *data)
 {
@@ -184,6 +270,10 @@ main(void)
 
   check_by_hand();
   check_hole();
+  check_growth();
+  check_other_kind(90, 15); /* as large */
+  check_other_kind(48, 15); /* as long */
+  check_one_sheet();
   check_stopping();
   check_random(&(sg_nest_paper){190, 277, 0.7, 2, false}, 60);
   check_random(&(sg_nest_paper){300, 4000, 1.5, 1, true}, 60);
