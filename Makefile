@@ -89,18 +89,22 @@ $(B)/sanggwan.so: $(OBJS)
 # --- the program, its rules inside -----------------------------------------
 
 # boot is Prolog with our C in it; it compiles the rules and saves the state
-# (goal(true) keeps -g goals out of it, class(development) keeps
-# autoloading on); state.S carries the saved state into the library.
+# (goal(true) keeps -g goals out of it, class(development) leaves autoloading
+# on for what users call); state.S carries the saved state into the library.
+# While the rules are loaded autoloading is off: what a library of Prolog would
+# load when it is first needed is then loaded with it.
+LOAD = set_prolog_flag(autoload,false),load_files(user:'rules/cli.pl',[]), \
+       set_prolog_flag(autoload,true)
 SAVE = qsave_program('$@',[class(development),goal(true),toplevel(halt), \
-       init_file(none),foreign(no_save),stand_alone(false)])
+       init_file(none),foreign(no_save),stand_alone(false),autoload(false)])
 $(B)/boot: $(B)/engine/boot.o $(OBJS)
 	$(CC) $(EXTRA_CFLAGS) $^ -o $@ $(PL_LIBS) $(LIBS)
 # The rules' documentation as plain facts, for help/1.
 $(B)/documentation.pl: tools/documentation.pl $(RULES) $(B)/sanggwan.so
 	swipl -f none -p foreign=$(B) $< -- $@
 $(B)/sanggwan.prc: $(B)/boot $(B)/documentation.pl
-	$(B)/boot -q -f none -O --on-error=status -g "$(strip $(SAVE))" -t halt \
-	  rules/cli.pl
+	$(B)/boot -q -f none -O --on-error=status -g "$(strip $(LOAD))" \
+	  -g "$(strip $(SAVE))" -t halt
 # The rules alone, compiled: for a host in which Prolog already runs.
 $(B)/embedded.qlf: $(B)/boot $(RULES)
 	@echo ":- module(sg_embedded, []). :- use_module('../rules/sanggwan', [])." \

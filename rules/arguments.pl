@@ -2,9 +2,9 @@
           [ parsed_arguments/4,         % +Specs, +Arguments, -Files, -Options
             decimal_number/2            % +Text, -Number
           ]).
-:- autoload(library(apply), [foldl/4, maplist/2]).
-:- autoload(library(lists), [append/3, member/2, reverse/2]).
-:- autoload(library(option), [option/2]).
+:- use_module(library(apply), [foldl/4, maplist/2]).
+:- use_module(library(lists), [append/3, member/2, reverse/2]).
+:- use_module(library(option), [option/2]).
 /** <module> Command-line arguments.
 
 As other programs of today: `--name=value`, `--name value`, `--flag`,

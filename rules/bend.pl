@@ -8,15 +8,15 @@
                 facts_transaction/1, fresh_id/3, retract_fact/1
               ]).
 :- use_module(trimmed, [part_named/2]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- autoload(library(assoc),
-            [ empty_assoc/1, gen_assoc/3, get_assoc/3, list_to_assoc/2,
-              put_assoc/4
-            ]).
-:- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [append/3, max_list/2, member/2]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(assoc),
+              [ empty_assoc/1, gen_assoc/3, get_assoc/3, list_to_assoc/2,
+                put_assoc/4
+              ]).
+:- use_module(library(error), [domain_error/2, must_be/2]).
+:- use_module(library(lists), [append/3, max_list/2, member/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Folded plates: what bends take off a pattern.
 
 A face of a model ends at a fold; that of a bent plate ends where the bend

@@ -3,10 +3,10 @@
           ]).
 :- use_module(primitive_argument,
               [given/3, primitive_error/2, vertices_within/2]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
-:- autoload(library(lists),
-            [append/2, append/3, max_list/2, member/2, numlist/3, reverse/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
+:- use_module(library(lists),
+              [append/2, append/3, max_list/2, member/2, numlist/3, reverse/2]).
 /** <module> Bicubic Bezier patches and nets of them.
 
 A patch has 16 points, four rows of four: u goes along a row, v from row to

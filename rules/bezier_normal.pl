@@ -2,8 +2,8 @@
           [ patch_normal/3              % +Numbers, +Point, -Normal
           ]).
 :- use_module(vector, [cross_product/3, difference/3, dot_product/3]).
-:- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(apply), [foldl/4]).
+:- use_module(library(lists), [member/2]).
 /** <module> The normal of a bicubic Bezier patch at a point of it.
 
 The parameters of the point are those of the nearest point of a net of five by

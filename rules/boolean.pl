@@ -24,7 +24,9 @@
               [v/5, segment/3, assert_fact/1, facts_transaction/1]).
 :- use_module(library(apply), [convlist/3, include/3, maplist/2]).
 :- use_module(library(error),
-              [domain_error/2, existence_error/2, type_error/2]).
+              [ domain_error/2, existence_error/2, instantiation_error/1,
+                type_error/2
+              ]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> Union, intersection, difference: what stays of the pieces.

@@ -2,7 +2,7 @@
           [ line_dot/3,                 % +A, +B, -Dot
             chain_dots/3                % +Points, +Pattern, -Dots
           ]).
-:- autoload(library(lists), [append/3]).
+:- use_module(library(lists), [append/3]).
 /** <module> Bresenham's algorithm with a dot pattern, as a rule.
 
 What the kernel raster_dots/4 draws with a pen one dot wide; the kernel is

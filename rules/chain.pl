@@ -8,10 +8,10 @@
           ]).
 :- use_module(kernel, [line_chains/1]).
 :- use_module(store, [v/5, line/9]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [last/2, member/2, nth1/3]).
-:- autoload(library(nb_set), [add_nb_set/3, empty_nb_set/1]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [last/2, member/2, nth1/3]).
+:- use_module(library(nb_set), [add_nb_set/3, empty_nb_set/1]).
 
 /** <module> Chains: the pieces of penetration lines in order.
 

@@ -5,9 +5,10 @@
 :- use_module(integrity, [defect_weight/2, shell_defect/3]).
 :- use_module(kernel, [census/1, self_meetings/2]).
 :- use_module(store, [segment/3]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/2, max_list/2, min_list/2, sum_list/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists),
+              [append/2, max_list/2, member/2, min_list/2, sum_list/2]).
 /** <module> The report of `check`: what a model holds, and its faults.
 
 A report is a dict; report.pl prints it as text or as JSON:

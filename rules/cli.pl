@@ -19,10 +19,10 @@
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
 :- use_module(user:sanggwan).
 :- use_module(verbs, [verb_run/4]).
-:- autoload(library(apply), [maplist/2]).
-:- autoload(library(http/json), [json_write_dict/3]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> The command line: verbs, exit status, messages, timings.
 
 Data goes to standard output, everything else to standard error. The exit

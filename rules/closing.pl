@@ -8,8 +8,9 @@
                 facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply), [foldl/4, foldl/6, maplist/3]).
-:- autoload(library(lists), [member/2, selectchk/3]).
+:- use_module(library(apply),
+              [foldl/4, foldl/5, foldl/6, maplist/2, maplist/3]).
+:- use_module(library(lists), [member/2, selectchk/3]).
 /** <module> Open surfaces closed by flat faces: a pipe gets its ends.
 
 For the time of a question, in a snapshot: what is inside a surface can only be

@@ -9,7 +9,7 @@
               [ e/5, t/6, leaf_v/5, leaf_e/5, origin/3, line/9,
                 vertex_triangle/3
               ]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(lists), [member/2]).
 
 /** <module> Which features touch in a point of a penetration line.
 

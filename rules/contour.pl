@@ -23,9 +23,9 @@
 :- use_module(stage, [stage/2]).
 :- use_module(store, [contour/9, e/5, screen/5, segment/3, t/6]).
 :- use_module(view, [current_view/4, view_matrix/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [member/2, memberchk/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc), [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [member/2, memberchk/2]).
 /** <module> Outlines of smooth surfaces, inside their triangles.
 
 The side of a vertex that a surface turns to the eye is told by g = normal .

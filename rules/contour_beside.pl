@@ -10,9 +10,9 @@
               ]).
 :- use_module(vector, [dot_product/3]).
 :- use_module(store, [screen/5, t/6]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [get_assoc/3]).
-:- autoload(library(lists), [append/3, member/2, memberchk/2, sum_list/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [get_assoc/3]).
+:- use_module(library(lists), [append/3, member/2, memberchk/2, sum_list/2]).
 /** <module> Which triangles lie beside a piece of an outline.
 
 To a smooth surface the line of sight is a tangent at its outline; to its

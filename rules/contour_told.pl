@@ -7,9 +7,9 @@
                 next_corner/2, side_bulges/2
               ]).
 :- use_module(store, [screen/5, t/6]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(assoc), [get_assoc/3]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(assoc), [get_assoc/3]).
+:- use_module(library(lists), [member/2]).
 /** <module> Which outlines of triangles no piece of a smooth outline tells of.
 
 The triangles of a smooth sheet hide what lies behind them, so where they turn

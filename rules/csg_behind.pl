@@ -3,12 +3,12 @@
           ]).
 :- use_module(csg_term, [csg_error/1]).
 :- use_module(store, [v/5, t/6]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists),
-            [append/2, append/3, max_list/2, member/2, min_list/2, nth1/3]).
-:- autoload(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists),
+              [append/2, append/3, max_list/2, member/2, min_list/2, nth1/3]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
 /** <module> What is behind an open surface, as a solid.
 
 To split a solid by an open surface it is cut with a solid that has the surface

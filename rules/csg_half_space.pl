@@ -3,6 +3,7 @@
           ]).
 :- use_module(vector, [cross_product/3, scaled/3, unit/2, vector_sum/3]).
 :- use_module(library(apply), [maplist/3]).
+:- use_module(library(yall), [(>>)/4]).
 /** <module> A half-space as a solid that is large enough.
 
 To split a solid by a plane it is cut with a tetrahedron: one face lies in the

@@ -3,8 +3,8 @@
             stroke_dashes/3             % +Stroke, +Runs, -Dashes
           ]).
 :- use_module(stroke, [stroke_length/2]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [last/2, reverse/2, sum_list/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [last/2, reverse/2, sum_list/2]).
 /** <module> Dashes that fit the line.
 
 A dashed line begins and ends with a dash, so that corners are closed; where

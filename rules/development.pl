@@ -30,11 +30,11 @@
                 facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
-:- autoload(library(error), [existence_error/2, must_be/2]).
-:- autoload(library(lists), [append/3, last/2, member/2, numlist/3]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(pairs), [pairs_values/2]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
+:- use_module(library(error), [existence_error/2, must_be/2]).
+:- use_module(library(lists), [append/3, last/2, member/2, numlist/3]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(pairs), [pairs_values/2]).
 /** <module> Developments: a segment laid flat, face by face, joined at edges.
 
 Each face lies in a frame of its own (DV-4). Two faces that share an edge are

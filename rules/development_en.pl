@@ -3,6 +3,7 @@
             development_notice_en//2    % +S, +What
           ]).
 :- use_module(explain_words, [segment_word/2]).
+:- use_module(library(lists), [append/3]).
 /** <module> What is wrong with a development, in English.
 
 development_ko.pl has the same heads in Korean (tests/rules/development.plt).

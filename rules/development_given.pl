@@ -10,7 +10,7 @@
               ]).
 :- use_module(part_edges, [edge_length/3]).
 :- use_module(store, [p/3, joint/6, segment/3, from_p/5]).
-:- autoload(library(aggregate), [aggregate_all/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 /** <module> Patterns that nothing is remembered of: as their rows are.
 
 A pattern that was read from a file says which joints are folds, and that is all

@@ -4,6 +4,7 @@
             development_notice_ko//2    % +S, +What
           ]).
 :- use_module(explain_words, [segment_word/2]).
+:- use_module(library(lists), [append/3]).
 /** <module> What is wrong with a development, in Korean.
 
 development_en.pl has the same heads in English.

@@ -15,8 +15,8 @@
               [ segment/3, origin/3, segment_stamp/2, assert_fact/1,
                 retractall_facts/1
               ]).
-:- autoload(library(apply), [include/3]).
-:- autoload(library(error), [existence_error/2]).
+:- use_module(library(apply), [include/3]).
+:- use_module(library(error), [existence_error/2]).
 /** <module> What a development was made from, and how good it is.
 
     origin(D, node(D), laid(Options, Order, Stamp, Measures))

@@ -12,11 +12,11 @@
                 seam_length/2
               ]).
 :- use_module(stage, [stage/2]).
-:- autoload(library(apply), [exclude/3, foldl/4]).
-:- autoload(library(error), [must_be/2]).
-:- autoload(library(lists), [last/2, member/2, nth1/3]).
-:- autoload(library(option), [option/2]).
-:- autoload(library(pairs), [pairs_values/2]).
+:- use_module(library(apply), [exclude/3, foldl/4]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(lists), [last/2, member/2, nth1/3]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(pairs), [pairs_values/2]).
 /** <module> A shorter seam: folds of a development taken back for better ones.
 
 Joining in the order of the least seam (DV-6) gives the least seam only where no

@@ -8,10 +8,10 @@
               ]).
 :- use_module(kernel, [raster_dots/4, raster_png/5]).
 :- use_module(sheet, [sheet_drawing/3, scaled_drawing/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(error), [domain_error/2]).
-:- autoload(library(lists), [list_to_set/2, member/2, nth0/3]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(error), [domain_error/2]).
+:- use_module(library(lists), [list_to_set/2, member/2, nth0/3]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> Drawings in dots: Bresenham's lines, as on the paper's screen.
 
 640 x 400 dots unless another size is wanted; pens and patterns grow with it.

@@ -14,7 +14,7 @@
 :- use_module(output, [writing/3]).
 :- use_module(sheet, [sheet_drawing/3]).
 :- use_module(svg, [write_svg/3]).
-:- autoload(library(error), [domain_error/2]).
+:- use_module(library(error), [domain_error/2]).
 /** <module> Drawings: the picture of the current world, written to files.
 
 What drawn/7 and screen/5 hold (hidden_lines.pl fills them) is laid on a sheet

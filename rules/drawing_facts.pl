@@ -9,11 +9,11 @@
               [ segment/3, view/3, projection/1, screen/5, e/5, contour/9,
                 drawn/7, origin/3, line/9
               ]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [member/2, nth1/3]).
-:- autoload(library(option), [option/2]).
-:- autoload(library(ordsets), [ord_memberchk/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [member/2, nth1/3]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys/2]).
 /** <module> The picture as facts, for Prolog.
 
 What was drawn, in the relations of the world, with what it comes from: the

@@ -5,10 +5,10 @@
               [ inked_inks/2, inked_texts/2, ink_width/2, ink_colour/3,
                 ink_runs/2, ink_pen/2, ink_layer/2
               ]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(http/json), [json_write/3]).
-:- autoload(library(lists), [member/2, nth0/3]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(http/json), [json_write/3]).
+:- use_module(library(lists), [member/2, nth0/3]).
+:- use_module(library(option), [option/3]).
 /** <module> JSON: the same lines as the SVG has, for programs.
 
 One line of the drawing to a line of text. Numbers are millimetres. Each line

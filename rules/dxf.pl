@@ -10,8 +10,8 @@
               [ inked_inks/2, inked_lines/3, inked_texts/2, dashes_option/3,
                 ink_colour/3, ink_layer/2, ink_type/2, ink_runs/2, ink_lines/4
               ]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [member/2, memberchk/2, nth1/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists), [member/2, memberchk/2, nth1/3]).
 /** <module> DXF: strokes as polylines on layers, for CAD programs.
 
 DXF R12 (AC1009), as text: every program reads it. One unit is one millimetre

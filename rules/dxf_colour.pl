@@ -1,7 +1,7 @@
 :- module(sg_dxf_colour,
           [ dxf_colour/2                % +RGB, -Number
           ]).
-:- autoload(library(lists), [nth0/3]).
+:- use_module(library(lists), [nth0/3]).
 /** <module> The numbers of colours in DXF.
 
 DXF R12 knows 255 colours by their number, as pens: 1 to 9 have names, 10 to

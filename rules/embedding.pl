@@ -8,8 +8,8 @@
 :- use_module(status, [error_status/2]).
 :- use_module(store, [in_world/2]).
 :- use_module(verbs, [draw/2]).
-:- autoload(library(error), [must_be/2]).
-:- autoload(library(pairs), [pairs_keys_values/3]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(pairs), [pairs_keys_values/3]).
 /** <module> What a C program asks for (engine/engine.c, sanggwan.h).
 
 Goals of a host are called in a module of their own, sg_host, which sees the

@@ -5,7 +5,7 @@
           ]).
 :- use_module(store, [v/5, origin/3]).
 :- use_module(vector, [cross_product/3, difference/3, dot_product/3]).
-:- autoload(library(error), [domain_error/2, existence_error/2]).
+:- use_module(library(error), [domain_error/2, existence_error/2]).
 
 /** <module> Where a vertex is, exactly.
 

@@ -26,10 +26,10 @@
               [ v/5, e/5, leaf_v/5, leaf_e/5, p/3, segment/3, origin/3, line/9,
                 edge_polygon/3
               ]).
-:- autoload(library(apply), [maplist/2, maplist/3, maplist/4]).
-:- autoload(library(http/json), [json_write/3]).
-:- autoload(library(lists), [append/2, append/3, member/2, nth1/3]).
-:- autoload(library(solution_sequences), [distinct/2]).
+:- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- use_module(library(http/json), [json_write/3]).
+:- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
+:- use_module(library(solution_sequences), [distinct/2]).
 
 /** <module> Explain: why a line, a vertex or an edge is there, or none is.
 

@@ -16,12 +16,12 @@
                 edge_polygon/3
               ]).
 :- use_module(view, [screen_depth/1, screen_distance/2]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(dcg/basics), [integer//1]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(dcg/basics), [integer//1]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 
 /** <module> Explain: why a part of a line is hidden, or is not (PL-13).
 

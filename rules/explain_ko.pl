@@ -7,7 +7,7 @@
               [ segment_word/2, polygon_word/3, in_order/4, exact_text/3,
                 point_text/2
               ]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 
 /** <module> Explanations in Korean; explain_en.pl has them in English.
 */

@@ -14,10 +14,11 @@
 :- use_module(store, 
               [ v/5, e/5, p/3, t/6, leaf_e/5, leaf_p/3, leaf_t/6, segment/3,
                 origin/3, line/9, assert_fact/1, new_world/1, in_world/2 ]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(lists), [append/3, max_list/2, member/2,
-                             min_list/2, nth1/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(filesex), [relative_file_name/3]).
+:- use_module(library(lists), [append/3, max_list/2, member/2,
+                               min_list/2, nth1/3]).
 
 /** <module> Explain: why two polygons give a line, or none.
 

@@ -13,9 +13,10 @@
 :- use_module(penetration, [penetrate/1]).
 :- use_module(store,
               [v/5, p/3, t/6, plane/6, from_p/5, segment/3, facts_snapshot/1]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/3, member/2, nth1/3, subtract/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists), [append/3, member/2, nth1/3, subtract/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(yall), [(>>)/4]).
 
 /** <module> Explain: why a piece of a solid was kept or dropped (CB-3, CB-4).
 

@@ -20,11 +20,11 @@
                 part_laid_again/2 ]).
 :- use_module(unfold_true, [true_patterns/4]).
 :- use_module(unfold_wish, [wanted_in/4]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/2, append/3, member/2, select/3]).
-:- autoload(library(option), [option/2]).
-:- autoload(library(pairs), [pairs_values/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/2, append/3, member/2, select/3]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(pairs), [pairs_values/2]).
 
 /** <module> Explain: why an edge is a seam or a fold, and a piece alone.
 

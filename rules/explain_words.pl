@@ -8,7 +8,7 @@
           ]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store, [segment/3]).
-:- autoload(library(terms), [mapargs/3]).
+:- use_module(library(terms), [mapargs/3]).
 
 /** <module> The statements of an explanation.
 

@@ -5,7 +5,7 @@
 :- use_module(section, [model_box/1]).
 :- use_module(sheet_view, [view_towards/3]).
 :- use_module(view, [set_view/3, move_origin/1]).
-:- autoload(library(apply), [maplist/4]).
+:- use_module(library(apply), [maplist/4]).
 /** <module> An eye that stands somewhere and looks at something.
 
 view/3 is an eye that looks at the origin. To look at another point from a

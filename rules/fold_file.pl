@@ -3,11 +3,11 @@
           ]).
 :- use_module(output, [writing/3]).
 :- use_module(store, [e/5, from_v/4, joint/6, p/3, t/6, v/5]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), 
-            [append/2, member/2, nth0/3, reverse/2, select/3]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), 
+              [append/2, member/2, nth0/3, reverse/2, select/3]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> FOLD: a pattern for programs that fold.
 
 FOLD 1.2 is JSON: the crease pattern, its vertices in the plane, and, as a

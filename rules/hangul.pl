@@ -2,8 +2,8 @@
 :- module(sg_hangul,
           [ syllable/3                  % +Code, -Width, -Strokes
           ]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/2, nth0/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/2, nth0/3]).
 /** <module> Hangul in single strokes, syllables put together from letters.
 
 A syllable has a first consonant, a vowel, and perhaps one or two last

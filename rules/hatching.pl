@@ -2,7 +2,7 @@
           [ hatch_lines/4,              % +Edges, +Way, +Spacing, -Lines
             region_area/2               % +Edges, -Area
           ]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
 /** <module> Hatching: parallel lines that fill a region of the sheet.
 
 A region is the list of its directed edges A-B, points X-Y, integers, with the

@@ -4,8 +4,7 @@
             short_answers/0
           ]).
 :- use_module(store, [relation/3, column_doc/3, relation_column/5]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(pldoc/man_index), [man_object_property/2]).
+:- use_module(library(lists), [append/3, member/2]).
 /** <module> Help, and answers that read back, in Prolog's top level.
 
 The documentation of the rules is written to plain facts when the program is
@@ -164,8 +163,9 @@ prolog_own(What, Name/Arity, library(Library)) :-
 
 help_of_prolog(What, Found) :-
     (   on_terminal,
+        manual_loaded(Manual),
         member(PI-_, Found),
-        in_manual(PI)
+        in_manual(Manual, PI)
     ->  prolog_help:help(What)
     ;   forall(member(PI-Where, Found),
                print_message(help, sanggwan(prolog_help(PI, Where))))
@@ -175,8 +175,16 @@ on_terminal :-
     stream_property(user_input, tty(true)),
     stream_property(user_output, tty(true)).
 
-in_manual(PI) :-
-    catch(man_object_property(PI, id(_)), error(_, _), fail).
+%   manual_loaded(Manual): Manual is the module that knows Prolog's manual,
+%   which is large and here only from now on. An interrupt waits: SWI-Prolog
+%   9.0.4 may lose a library that is half loaded.
+
+manual_loaded(prolog_manual_index) :-
+    sig_atomic(load_files([library(help), library(pldoc/man_index)],
+                          [if(not_loaded), imports([]), silent(true)])).
+
+in_manual(Manual, PI) :-
+    catch(Manual:man_object_property(PI, id(_)), error(_, _), fail).
 
 %   like(What, Name) is nondet: Name is documented and much like What.
 

@@ -6,10 +6,10 @@
                 ink_runs/2, ink_type/2, ink_lines/4
               ]).
 :- use_module(travel, [short_travel/2, travel_length/2]).
-:- autoload(library(apply), [convlist/3, foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [last/2, list_to_set/2, member/2, sum_list/2]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(apply), [convlist/3, foldl/4, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [last/2, list_to_set/2, member/2, sum_list/2]).
+:- use_module(library(option), [option/3]).
 /** <module> HPGL: strokes for pen plotters.
 
 The style (style.pl) says which pen draws what; each pen is taken once. Dashes

@@ -20,10 +20,10 @@
                 paper_style/1
               ]).
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(error), [domain_error/2, type_error/2]).
-:- autoload(library(lists), [append/2, append/3, list_to_set/2, member/2]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(error), [domain_error/2, type_error/2]).
+:- use_module(library(lists), [append/2, append/3, list_to_set/2, member/2]).
+:- use_module(library(option), [option/3]).
 /** <module> Ink: a drawing with the way it looks.
 
 A drawing (sheet.pl) says what is where; inked, it says how it looks too:

@@ -6,7 +6,7 @@
 :- use_module(kernel, [windings/3]).
 :- use_module(store, [v/5, t/6, segment/3]).
 :- use_module(vector, [cross_product/3, difference/3, dot_product/3]).
-:- autoload(library(aggregate), [aggregate_all/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 
 /** <module> What is inside what: winding numbers, exactly.
 

@@ -5,7 +5,7 @@
           ]).
 :- use_module(kernel, [census/1, census_defect/4, self_meetings/2]).
 :- use_module(store, [segment/3]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> What can be wrong with a model.
 
 A bad model is no error but a relation. The joins are one pass in C

@@ -22,9 +22,9 @@
               [ p/3, segment/3, origin/3, from_p/5, assert_fact/1,
                 retractall_facts/1
               ]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/2, last/2, member/2, nth1/3, reverse/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists), [append/2, last/2, member/2, nth1/3, reverse/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Which smooth surfaces the polygons of a world stand for.
 
 A polygon that a primitive made is a facet of a surface that its term tells

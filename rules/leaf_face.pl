@@ -7,8 +7,8 @@
 :- use_module(primitive_face, [face_of/3]).
 :- use_module(provenance, [polygon_from/5]).
 :- use_module(store, [p/3, segment/3, origin/3, assert_fact/1]).
-:- autoload(library(apply), [maplist/2]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> What the polygons of a result are, of the leaves of its tree.
 
 A polygon of a node's boundary comes from polygons of leaves (polygon_from/5),

@@ -2,7 +2,7 @@
 :- module(sg_letter,
           [ letter/3                    % ?Code, -Width, -Strokes
           ]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> Letters of a single stroke, for pens.
 
 In the manner of ISO 3098: upright, one line wide. A capital is 6 high, a small

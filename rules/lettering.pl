@@ -4,8 +4,8 @@
           ]).
 :- use_module(hangul, [syllable/3]).
 :- use_module(letter, [letter/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/2, append/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/2, append/3]).
 /** <module> Lettering: texts as lines of a pen.
 
 Where a format has no texts of its own (a plotter, a cutter), or only with

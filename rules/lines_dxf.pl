@@ -4,10 +4,10 @@
 :- use_module(chain, [chain_points/2, chain_vertices/3]).
 :- use_module(dxf, [group/3, section/2, (table)/3, line_type/4]).
 :- use_module(store, [line/9]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [maplist/3, maplist/4]).
-:- autoload(library(lists), [append/3, last/2, max_list/2, member/2,
-                             min_list/2, nth1/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/3, maplist/4]).
+:- use_module(library(lists), [append/3, last/2, max_list/2, member/2,
+                               min_list/2, nth1/3]).
 
 /** <module> Penetration lines as DXF: polylines in space, for CAD programs.
 

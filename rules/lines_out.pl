@@ -9,11 +9,13 @@
 :- use_module(output, [writing/3]).
 :- use_module(point_table, [write_point_table/4]).
 :- use_module(view, [current_view/4, eye_point/4]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(error), [domain_error/2]).
-:- autoload(library(lists), [append/3, last/2, max_list/2, member/2,
-                             min_list/2, nth1/3]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(error), [domain_error/2]).
+:- use_module(library(lists),
+              [ append/3, last/2, max_list/2, member/2, min_list/2, nth1/3,
+                numlist/3
+              ]).
+:- use_module(library(option), [option/3]).
 
 /** <module> Penetration lines as files.
 

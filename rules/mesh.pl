@@ -15,12 +15,12 @@
 :- use_module(output, [writing/3]).
 :- use_module(store,
               [ segment/3, assert_fact/1, facts_transaction/1, fresh_id/3 ]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(error), [domain_error/2, existence_error/2, must_be/2]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/3]).
-:- autoload(library(pairs), [pairs_keys_values/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(error), [domain_error/2, existence_error/2, must_be/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/3]).
+:- use_module(library(pairs), [pairs_keys_values/3]).
 /** <module> Mesh files: STL, OFF, OBJ and PLY into the world.
 
 A file is one segment, unless it names several: the solids of a text STL, the

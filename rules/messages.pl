@@ -21,9 +21,9 @@
 :- use_module(sheet_en, [sheet_en//1, sheet_tiny_en//3]).
 :- use_module(pattern_en, [pattern_en//1, pattern_fault_en//1]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/3]).
-:- autoload(library(uri), [uri_encoded/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3]).
+:- use_module(library(uri), [uri_encoded/3]).
 /** <module> Messages in English; messages_ko.pl has them in Korean.
 
 Every term that Sanggwan prints or raises has a clause of english//1 or, when

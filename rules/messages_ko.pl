@@ -22,7 +22,7 @@
 :- use_module(true_ko, [true_ko//1]).
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
 :- use_module(primitive_ko, [primitive_ko//2]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
 The heads are the same as in messages.pl, clause by clause

@@ -30,12 +30,12 @@
                 assert_fact/1, facts_transaction/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/0]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(error), [must_be/2]).
-:- autoload(library(lists), [append/3, member/2, selectchk/3]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(ordsets), [ord_subtract/3, ord_union/3]).
-:- autoload(library(pairs), [pairs_keys/2]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(lists), [append/3, member/2, selectchk/3]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
+:- use_module(library(pairs), [pairs_keys/2]).
 /** <module> Models: load, save, and the words rules speak in.
 
 The paper's relations are storage: v, e, p, t. Rules read better over the

@@ -10,8 +10,8 @@
             model_float/2               % +Value, -Float
           ]).
 :- use_module(store, [relation/3, relation_column/5, column_domain/3]).
-:- autoload(library(apply), [maplist/2]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> The text of a model file: facts, each checked against the schema.
 
 A model file is DATA. Its terms are read, never run: a directive or a rule is

@@ -11,10 +11,10 @@
                 unfolding/2, piece/3, joint/6, view/3, projection/1,
                 title_block/2
               ]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(pairs), [pairs_values/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(pairs), [pairs_values/2]).
 /** <module> Model files written: canonical, one fact a line.
 
 Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,

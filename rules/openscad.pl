@@ -7,8 +7,9 @@
 :- use_module(openscad_text, [read_openscad/2]).
 :- use_module(placing, [step_motion/2]).
 :- use_module(region, [region_moved/3]).
-:- autoload(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
-:- autoload(library(lists), [append/3, member/2]).
+:- use_module(library(apply),
+              [exclude/3, foldl/4, foldl/5, maplist/2, maplist/3]).
+:- use_module(library(lists), [append/3, member/2]).
 /** <module> OpenSCAD .csg files: what they mean.
 
 A file becomes one term of the CSG tree: union/1, difference/1, intersection/1

@@ -5,8 +5,8 @@
             openscad_fragments/3,       % +Node, +Radius, -N
             openscad_error/2            % +What, +Place
           ]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(lists), [member/2]).
 /** <module> The arguments of a node of an OpenSCAD .csg file.
 
 Errors:

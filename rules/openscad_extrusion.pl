@@ -8,8 +8,8 @@
               ]).
 :- use_module(openscad_leaf, [sound_primitive/2]).
 :- use_module(region, [region_islands/2]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/3, max_list/2, member/2, min_list/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3, max_list/2, member/2, min_list/2]).
 /** <module> Extrusions of an OpenSCAD .csg file.
 
 The region below the node is worked out in the plane first, as OpenSCAD does:

@@ -9,9 +9,9 @@
                 openscad_fragments/3, openscad_error/2
               ]).
 :- use_module(primitive, [primitive_shape/4]).
-:- autoload(library(apply), [exclude/3, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, put_assoc/4]).
-:- autoload(library(lists), [append/3, numlist/3, reverse/2]).
+:- use_module(library(apply), [exclude/3, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, put_assoc/4]).
+:- use_module(library(lists), [append/3, numlist/3, reverse/2]).
 /** <module> The leaves of an OpenSCAD .csg file, as primitives of ours.
 
 They are the same polyhedra as OpenSCAD makes: a circle begins on the +x axis,

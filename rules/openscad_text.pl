@@ -2,8 +2,8 @@
           [ read_openscad/2             % +File, -Nodes
           ]).
 :- use_module(model_text, [open_model_text/2, close_model_text/1]).
-:- autoload(library(lists), [append/3]).
-:- autoload(library(readutil), [read_stream_to_codes/2]).
+:- use_module(library(lists), [append/3]).
+:- use_module(library(readutil), [read_stream_to_codes/2]).
 /** <module> The text of an OpenSCAD .csg file.
 
 That is what `openscad -o FILE.csg` writes: a tree of calls with their numbers

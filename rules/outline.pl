@@ -2,8 +2,8 @@
           [ outline_loops/4             % +Outline, +Holes, +Term, -Loops
           ]).
 :- use_module(primitive_argument, [primitive_error/2]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- autoload(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
 /** <module> Polygons with holes in the plane, as primitives take them.
 
 A loop is a list of X-Y of floats. Every decision is exact (rationals).

@@ -1,7 +1,8 @@
 :- module(sg_output,
           [ writing/3                   % +File, +Type, :Goal
           ]).
-:- autoload(library(error), [must_be/2]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(filesex), [directory_file_path/3]).
 /** <module> Output files: whole, or not there at all.
 
 A file is written under another name beside it and renamed when it is

@@ -9,8 +9,8 @@
               [ inked_inks/2, inked_lines/3, ink_width/2, ink_colour/3,
                 ink_runs/2, ink_layer/2, ink_lines/4
               ]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/3, list_to_set/2, member/2, nth0/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists), [append/3, list_to_set/2, member/2, nth0/3]).
 /** <module> A page of PDF, or of PostScript that has PDF's operators.
 
 The unit is a thousandth of a millimetre, y down, so all numbers are those of

@@ -20,17 +20,18 @@
 :- use_module(pattern_tile, [tiled/4]).
 :- use_module(pattern_want, [wanted_text/4]).
 :- use_module(sheet_paper, [unit_millimetres/2]).
-:- autoload(library(apply), [foldl/4, foldl/6, maplist/3, maplist/4]).
-:- autoload(library(assoc), 
-            [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
-:- autoload(library(error), [domain_error/2]).
-:- autoload(library(lists),
-            [ append/2, append/3, last/2, member/2, min_list/2, nth1/3,
-              sum_list/2 ]).
-:- autoload(library(option), [option/2, option/3, select_option/4]).
-:- autoload(library(pairs),
-            [group_pairs_by_key/2, pairs_values/2]).
-:- autoload(library(rbtrees), [list_to_rbtree/2, rb_insert_new/4]).
+:- use_module(library(apply),
+              [foldl/4, foldl/6, maplist/3, maplist/4, maplist/5]).
+:- use_module(library(assoc), 
+              [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
+:- use_module(library(error), [domain_error/2]).
+:- use_module(library(lists),
+              [ append/2, append/3, last/2, member/2, min_list/2, nth1/3,
+                sum_list/2 ]).
+:- use_module(library(option), [option/2, option/3, select_option/4]).
+:- use_module(library(pairs),
+              [group_pairs_by_key/2, pairs_values/2]).
+:- use_module(library(rbtrees), [list_to_rbtree/2, rb_insert_new/4]).
 /** <module> Patterns that one can make: sheets to cut, fold and glue.
 
 A pattern (a segment of kind `pattern`) is taken apart into pieces, these get

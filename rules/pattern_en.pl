@@ -3,7 +3,7 @@
             pattern_fault_en//1,        % +What
             some_numbers/2              % +Numbers, -Text
           ]).
-:- autoload(library(lists), [append/3]).
+:- use_module(library(lists), [append/3]).
 /** <module> What happened on the way to a pattern on paper, in English.
 
 pattern_ko.pl has the same heads in Korean (tests/rules/messages.plt).

@@ -9,9 +9,9 @@
 :- use_module(pattern_drawing, [pattern_drawing/3]).
 :- use_module(pdf, [write_pdf_pages/3]).
 :- use_module(store, [joint/6]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [list_to_assoc/2]).
-:- autoload(library(lists), [member/2, nth1/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [list_to_assoc/2]).
+:- use_module(library(lists), [member/2, nth1/3]).
 /** <module> Patterns in files.
 
 A PDF has a page for each sheet. Other formats have a file for each, PATTERN-1,

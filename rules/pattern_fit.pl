@@ -7,15 +7,17 @@
 :- use_module(pattern_slit, [opened_slits/3]).
 :- use_module(pattern_split, [split_piece/3]).
 :- use_module(pattern_tab, [deepest_tab/3, tabs/4]).
-:- autoload(library(apply), [foldl/5, maplist/3]).
-:- autoload(library(assoc), 
-            [gen_assoc/3, get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- autoload(library(error), [must_be/2]).
-:- autoload(library(lists), 
-            [append/2, append/3, member/2, nth1/3, same_length/2, subtract/3]).
-:- autoload(library(option), [option/3]).
-:- autoload(library(pairs), 
-            [group_pairs_by_key/2, pairs_keys_values/3]).
+:- use_module(library(apply), [foldl/5, maplist/3]).
+:- use_module(library(assoc), 
+              [gen_assoc/3, get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(lists), 
+              [ append/2, append/3, member/2, nth1/3, same_length/2,
+                subtract/3
+              ]).
+:- use_module(library(option), [option/3]).
+:- use_module(library(pairs), 
+              [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Pieces with their tabs, none larger than the paper.
 
 Whether a piece with its tabs fits on the paper is known only when it has them;

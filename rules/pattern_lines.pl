@@ -5,10 +5,10 @@
             outline_strokes/3           % +Loops, +D, -Strokes
           ]).
 :- use_module(pattern_outline, [cut_loops/2]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3]).
-:- autoload(library(lists), [append/2, append/3, last/2, member/2]).
-:- autoload(library(rbtrees), [rb_insert_new/4, rb_new/1]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3]).
+:- use_module(library(lists), [append/2, append/3, last/2, member/2]).
+:- use_module(library(rbtrees), [rb_insert_new/4, rb_new/1]).
 /** <module> What is drawn of a piece: its outline with tabs, folds, marks.
 
 An outline is a list of loops, those of holes first; a loop is a list of

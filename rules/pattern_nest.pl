@@ -5,13 +5,13 @@
           ]).
 :- use_module(kernel, [nest/7]).
 :- use_module(pattern_text, [first_of/3]).
-:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists),
-            [ append/2, append/3, last/2, max_list/2, member/2, nth0/4, nth1/3,
-              reverse/2, sum_list/2
-            ]).
-:- autoload(library(pairs), [pairs_keys_values/3, pairs_values/2]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists),
+              [ append/2, append/3, last/2, max_list/2, member/2, nth0/4,
+                nth1/3, reverse/2, sum_list/2
+              ]).
+:- use_module(library(pairs), [pairs_keys_values/3, pairs_values/2]).
 /** <module> Pieces laid on sheets: turned, close together, none on another.
 
 The kernel nest/7 places them one by one, as low as can be; here it is decided

@@ -4,10 +4,10 @@
             reads_turned/1              % +Number
           ]).
 :- use_module(pattern_outline, [cut_loops/2]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> The numbers of seams.
 
 Short seams that follow each other on both sides, with hardly a bend, are the

@@ -2,12 +2,12 @@
           [ cut_loops/2,                % +Sides, -Loops
             loop_area/2                 % +Points, -Area
           ]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc),
-            [ del_assoc/4, get_assoc/3, list_to_assoc/2, min_assoc/3,
-              put_assoc/4 ]).
-:- autoload(library(lists), [member/2, select/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc),
+              [ del_assoc/4, get_assoc/3, list_to_assoc/2, min_assoc/3,
+                put_assoc/4 ]).
+:- use_module(library(lists), [member/2, select/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Where a piece is cut out: its outline in closed loops.
 
 A side that is no fold and no penetration line is cut. The face lies on the left

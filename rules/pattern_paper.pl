@@ -12,10 +12,10 @@
           ]).
 :- use_module(lettering, [lettering/2]).
 :- use_module(sheet_paper, [paper/3, paper_size/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(error), [must_be/2]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> The paper of a pattern: sizes, the check bar, the grid.
 
     sheet(Width, Height, Left, Bottom, RoomW, RoomH)

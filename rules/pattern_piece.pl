@@ -5,10 +5,10 @@
             within_shapes/2             % +Point, +Shapes
           ]).
 :- use_module(store, [e/5, joint/6, origin/3, p/3, piece/3, t/6, v/5]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> The pieces of a pattern, in millimetres.
 
 A pattern is a segment of kind `pattern`: a solid laid flat (development.pl),

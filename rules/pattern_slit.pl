@@ -2,11 +2,11 @@
           [ opened_slits/3              % +Pieces, +Butt, -Opened
           ]).
 :- use_module(pattern_split, [parted_piece/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc),
-            [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc),
+              [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Slits too narrow for a tab, opened: the piece is parted at folds.
 
 The two sides of a slit hang together by folds, from face to face. Where one of

@@ -4,12 +4,12 @@
           ]).
 :- use_module(pattern_nest, [fits_on/2, least_box/4]).
 :- use_module(pattern_piece, [piece_points/2, within_shapes/2]).
-:- autoload(library(apply), [exclude/3, foldl/4, include/3, maplist/3]).
-:- autoload(library(assoc),
-            [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
-:- autoload(library(lists),
-            [ append/3, last/2, member/2, nth1/3, select/3, sum_list/2 ]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+:- use_module(library(apply), [exclude/3, foldl/4, include/3, maplist/3]).
+:- use_module(library(assoc),
+              [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
+:- use_module(library(lists),
+              [ append/3, last/2, member/2, nth1/3, select/3, sum_list/2 ]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Pieces that are larger than a sheet, divided.
 
 Along folds, which become seams, if there are any: across the longer side of the

@@ -3,10 +3,10 @@
             strip_form/5                % +Points, +Width, +Least, -Strip, -Area
           ]).
 :- use_module(pattern_number, [seam_strands/2]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), 
-            [append/3, last/2, max_list/2, member/2, reverse/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), 
+              [append/3, last/2, max_list/2, member/2, reverse/2]).
 /** <module> Tabs along curves: short seams that follow each other share one.
 
 The facets of a curve are too short for tabs of their own. As long as they turn

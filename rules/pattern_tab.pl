@@ -9,12 +9,12 @@
 :- use_module(pattern_outline, [loop_area/2]).
 :- use_module(pattern_strip, [seam_runs/3, strip_form/5]).
 :- use_module(pattern_trim, [trimmed_tab/4]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), 
-            [append/3, last/2, max_list/2, member/2, reverse/2]).
-:- autoload(library(pairs), 
-            [group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), 
+              [append/3, last/2, max_list/2, member/2, reverse/2]).
+:- use_module(library(pairs), 
+              [group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2]).
 /** <module> Tabs: what the two sides of a seam are glued with.
 
 One side of a seam gets a tab, a trapezoid that stands on it. Of both sides and

@@ -7,8 +7,8 @@
 :- use_module(lettering, [lettering/2]).
 :- use_module(true_table,
               [row_height/2, true_length_marks/4, true_length_rows/2]).
-:- autoload(library(lists), [append/2, member/2]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(lists), [append/2, member/2]).
+:- use_module(library(option), [option/3]).
 /** <module> Tables of true lengths on the sheets of a pattern.
 
 A table is nested like a piece. One that is longer than the paper is divided

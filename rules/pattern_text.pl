@@ -4,9 +4,9 @@
           ]).
 :- use_module(kernel, [shapes_add/2, shapes_free/3, shapes_open/2]).
 :- use_module(lettering, [lettering/2, lettering_width/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/3, last/2, member/2, sum_list/2]).
-:- autoload(library(pairs), [pairs_values/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists), [append/3, last/2, member/2, sum_list/2]).
+:- use_module(library(pairs), [pairs_values/2]).
 /** <module> Numbers and names on a pattern, where there is room for them.
 
 A text is as large as fits between the lines and the texts that are there

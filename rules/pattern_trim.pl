@@ -1,7 +1,7 @@
 :- module(sg_pattern_trim,
           [ trimmed_tab/4               % +Within, +Least, :Free, -Tab
           ]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> A tab trimmed to the room beside its seam.
 
 A slit hardly opens: there a tab is no trapezoid but what is left of one between

@@ -6,10 +6,10 @@
 :- use_module(pattern_text, [first_of/3]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store, [segment/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/3]).
 /** <module> What is to be written on a piece of a pattern.
 */
 

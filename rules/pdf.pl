@@ -4,10 +4,10 @@
           ]).
 :- use_module(ink, [dashes_option/3]).
 :- use_module(page, [write_page/5, page_layers/2, page_points/2, text_hex/2]).
-:- autoload(library(apply), [foldl/5, maplist/3]).
-:- autoload(library(lists),
-            [append/2, list_to_set/2, member/2, nth0/3, nth1/3]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(apply), [foldl/5, maplist/3]).
+:- use_module(library(lists),
+              [append/2, list_to_set/2, member/2, nth0/3, nth1/3]).
+:- use_module(library(option), [option/3]).
 /** <module> PDF: a page of lines in true millimetres.
 
 PDF 1.5, each page as large as its sheet, nothing compressed, no time and no

@@ -9,7 +9,7 @@
 :- use_module(primitive_face, [face_of/3, smooth_surface/3]).
 :- use_module(provenance, [origin_feature/3]).
 :- use_module(store, [p/3, segment/3, origin/3, from_p/5]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> Primitives and copies of them, where they stand.
 
 A node of a CSG tree that places a leaf once more, and a helper that does, have

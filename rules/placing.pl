@@ -7,8 +7,8 @@
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
 :- use_module(primitive_argument, [finite_number/2]).
-:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- autoload(library(lists), [max_list/2, member/2, sum_list/2]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(lists), [max_list/2, member/2, sum_list/2]).
 /** <module> Placing primitives: any affine map, as a list of steps.
 
 The steps of at/2 are done from left to right, about the fixed axes of the

@@ -3,10 +3,11 @@
             map_border/3,               % +Map, :Inside, -Cycles
             map_point/3                 % +Map, +V, -Point
           ]).
-:- autoload(library(apply), [foldl/4, include/3, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [append/3, last/2, member/2, nth1/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [foldl/4, include/3, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [append/3, last/2, member/2, nth1/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(sort), [predsort/3]).
 /** <module> The planar map of figures: what the plane is divided into.
 
 A figure is a list of loops, a loop a list of X-Y of floats that closes itself.

@@ -8,9 +8,9 @@
               ]).
 :- use_module(kernel, [canvas_png/6]).
 :- use_module(sheet, [sheet_drawing/3]).
-:- autoload(library(error), [domain_error/2]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(error), [domain_error/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/3]).
 /** <module> PNG: a drawing as a picture.
 
 A `smooth` one is the sheet of all other formats, six dots to a millimetre

@@ -8,9 +8,9 @@
 :- use_module(explain_words, [exact_text/3]).
 :- use_module(query, [print_table/2]).
 :- use_module(store, [v/5, line/9]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [append/3, last/2, nth1/3]).
-:- autoload(library(option), [option/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists), [append/3, last/2, nth1/3]).
+:- use_module(library(option), [option/2]).
 
 /** <module> The points of penetration lines, as a table.
 

@@ -12,8 +12,8 @@
 :- use_module(primitive_face, [face_of/3]).
 :- use_module(store, [e/5, p/3, segment/3, from_p/5, edge_polygon/3]).
 :- use_module(trimmed, [trimmed_from/2]).
-:- autoload(library(lists), [list_to_set/2, member/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(lists), [list_to_set/2, member/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Polygons, edges and segments by the names that people give them.
 
 A polygon is named by its number, or by what it is of the primitive that made

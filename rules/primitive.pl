@@ -31,8 +31,8 @@
               [open_transition_shape/2, transition_shape/2]).
 :- use_module(primitive_turning, [turning_shape/2]).
 :- use_module(shape, [loops_vertex_list/2, mirrored_faces/2]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(lists), [append/3, max_list/2]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(lists), [append/3, max_list/2, same_length/2]).
 /** <module> Primitives: the table of them, and how they are placed.
 
 A primitive is a term with named arguments, in any order (the table below;

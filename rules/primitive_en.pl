@@ -4,7 +4,7 @@
             primitive_usage//1          % +Term
           ]).
 :- use_module(primitive, [primitive/1, primitive_form/2, primitive_name/2]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with a primitive, in English.
 
 primitive_ko.pl has the same heads in Korean (tests/rules/primitive.plt).

@@ -7,11 +7,11 @@
 :- use_module(primitive_argument,
               [ given/3, given_one/3, primitive_error/2, vertices_within/2 ]).
 :- use_module(shape, [rectangle_loop/3, vertex_loops/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists),
-            [ append/2, append/3, last/2, max_list/2, min_list/2, nth1/3,
-              numlist/3, reverse/2
-            ]).
+:- use_module(library(apply), [foldl/4, foldl/5, maplist/3, maplist/4]).
+:- use_module(library(lists),
+              [ append/2, append/3, last/2, max_list/2, min_list/2, nth1/3,
+                numlist/3, reverse/2
+              ]).
 /** <module> Extrusion: a polygon with holes, drawn up.
 
 It may turn on its way (twist), grow or shrink (scale) and go aside (shift).

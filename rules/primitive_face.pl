@@ -6,7 +6,7 @@
 :- use_module(angle, [exact_sin_cos/3]).
 :- use_module(primitive, [is_primitive/1, primitive/1, primitive_faces/3]).
 :- use_module(store, [p/3, segment/3]).
-:- autoload(library(lists), [member/2, nth1/3]).
+:- use_module(library(lists), [member/2, nth1/3]).
 /** <module> What the polygons of a primitive are.
 
 A segment that was made by a primitive has the term as its name, and a polygon

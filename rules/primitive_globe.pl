@@ -9,8 +9,8 @@
 :- use_module(primitive_argument,
               [given/3, given_facets/4, primitive_error/2, vertices_within/2]).
 :- use_module(shape, [ring_points/6, round_angle/4]).
-:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- autoload(library(lists), [append/2, append/3, numlist/3, reverse/2]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(lists), [append/2, append/3, numlist/3, reverse/2]).
 /** <module> Primitives that are curved both ways: sphere, egg, torus.
 
 Sphere, egg and torus have their centre in the origin; the hemisphere stands on

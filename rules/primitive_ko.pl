@@ -4,7 +4,7 @@
           ]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0, primitive_usage//1]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with a primitive, in Korean.
 
 The heads are those of primitive_en.pl (tests/rules/primitive.plt).

@@ -11,8 +11,8 @@
               [ bent_sides_split/2, layer_faces/4, ring_points/6,
                 round_angle/4, vertex_loops/3
               ]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/3, numlist/3, reverse/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3, numlist/3, reverse/2]).
 /** <module> Primitives between two ellipses: discs, cylinders, cones.
 
 The radii are one number, or two: along x and along y. The top is the base

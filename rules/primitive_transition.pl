@@ -12,9 +12,9 @@
               [ outline_curves/3, outline_frame/3, outline_middle/2,
                 outline_rings/4, outline_widest/2, placed_curves/3
               ]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists),
-            [append/2, append/3, last/2, member/2, numlist/3, reverse/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists),
+              [append/2, append/3, last/2, member/2, numlist/3, reverse/2]).
 /** <module> Transitions: from one outline to another, of flat plates and cones.
 
 The convex hull of two convex outlines in two planes, the classical transition

@@ -6,10 +6,10 @@
               [given/3, given_facets/4, primitive_error/2, vertices_within/2]).
 :- use_module(angle, [exact_sin_cos/3]).
 :- use_module(shape, [round_angle/4]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists),
-            [append/2, append/3, last/2, max_list/2, member/2, nth1/3,
-             numlist/3, reverse/2]).
+:- use_module(library(apply), [foldl/4, foldl/5, maplist/2, maplist/3]).
+:- use_module(library(lists),
+              [append/2, append/3, last/2, max_list/2, member/2, nth1/3,
+               numlist/3, reverse/2]).
 /** <module> Turning: a polygon with holes, turned round the z axis.
 
 The outline is a list of [R, Z], distance from the axis and height. A full turn

@@ -11,8 +11,8 @@
               [ e/5, p/3, t/6, from_v/4, from_p/5, origin/3, edge_polygon/3,
                 vertex_triangle/3
               ]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(lists), [member/2]).
 /** <module> Where the vertices, edges and faces of a result come from.
 
 Over from_v/4 and from_p/5, which name the segments that were combined, also

@@ -3,8 +3,8 @@
           ]).
 :- use_module(ink, [dashes_option/3]).
 :- use_module(page, [write_page/5, page_layers/2, page_points/2]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/3]).
 /** <module> PostScript, and EPS to be put into documents.
 
 Language level 2, true millimetres. No time and no name of a user: the same

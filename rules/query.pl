@@ -3,12 +3,12 @@
             read_goal/3,                % +Text, -Goal, -Bindings
             print_table/2               % +Names, +Rows
           ]).
-:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- autoload(library(http/json), [json_write_dict/3]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/3]).
-:- autoload(library(pairs), [pairs_keys_values/3]).
-:- autoload(library(solution_sequences), [limit/2]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/3]).
+:- use_module(library(pairs), [pairs_keys_values/3]).
+:- use_module(library(solution_sequences), [limit/2]).
 /** <module> All answers of a goal, as a table, CSV, JSON or Prolog.
 */
 

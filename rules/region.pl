@@ -3,12 +3,12 @@
             region_moved/3              % +Matrix, +Region0, -Region
           ]).
 :- use_module(planar_map, [planar_map/2, map_border/3, map_point/3]).
-:- autoload(library(apply),
-            [ convlist/3, exclude/3, foldl/4, maplist/2, maplist/3,
-              partition/4
-            ]).
-:- autoload(library(lists),
-            [append/2, append/3, last/2, max_list/2, member/2, reverse/2]).
+:- use_module(library(apply),
+              [ convlist/3, exclude/3, foldl/4, maplist/2, maplist/3,
+                partition/4
+              ]).
+:- use_module(library(lists),
+              [append/2, append/3, last/2, max_list/2, member/2, reverse/2]).
 /** <module> Regions of the plane: Boolean operations on polygons.
 
 A region is

@@ -10,9 +10,9 @@
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module(triangulation, [complete_segments/0]).
-:- autoload(library(apply), [maplist/2]).
-:- autoload(library(error), [existence_error/2]).
-:- autoload(library(lists), [member/2, reverse/2, subtract/3]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(error), [existence_error/2]).
+:- use_module(library(lists), [member/2, reverse/2, subtract/3]).
 /** <module> Mending a segment for a Boolean, only when that is asked for.
 
 Each repair is a rule. None moves anything or closes a hole: vertices in exactly

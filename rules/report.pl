@@ -4,7 +4,8 @@
             counted/4                   % +Language, +What, +N, -Text
           ]).
 :- use_module(language, [language/1]).
-:- autoload(library(http/json), [json_write_dict/3]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(lists), [member/2]).
 /** <module> How the report of check.pl is printed.
 
 As text in the language of the messages, or as JSON, which has none. The names

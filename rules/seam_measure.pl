@@ -4,12 +4,12 @@
           ]).
 :- use_module(part_edges, [edge_length/3]).
 :- use_module(store, [e/5, from_v/4, joint/6, t/6, v/5]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc),
-            [empty_assoc/1, get_assoc/3, put_assoc/4]).
-:- autoload(library(lists), [max_list/2, member/2, nth1/3, sum_list/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc),
+              [empty_assoc/1, get_assoc/3, put_assoc/4]).
+:- use_module(library(lists), [max_list/2, member/2, nth1/3, sum_list/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> How long the seams of a pattern are, as it is drawn.
 
 Of a thick plate bends take off something of the seams too, and a true

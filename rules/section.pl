@@ -18,10 +18,10 @@
                 assert_fact/1, retractall_facts/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply),
-            [foldl/4, maplist/2, maplist/3, maplist/4]).
-:- autoload(library(lists), [append/2, member/2]).
-:- autoload(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(apply),
+              [foldl/4, maplist/2, maplist/3, maplist/4]).
+:- use_module(library(lists), [append/2, member/2]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
 /** <module> Sections: the model cut open by a plane.
 
 What is above the plane, where the eye stands, is taken away, exactly: a solid

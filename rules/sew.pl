@@ -5,11 +5,11 @@
 :- use_module(repair, [welded_vertex/2]).
 :- use_module(store, [v/5, e/5, facts_transaction/1]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- autoload(library(assoc), [assoc_to_list/2, empty_assoc/1, get_assoc/3,
-                             put_assoc/4]).
-:- autoload(library(lists), [member/2, sum_list/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(assoc), [assoc_to_list/2, empty_assoc/1, get_assoc/3,
+                               put_assoc/4]).
+:- use_module(library(lists), [member/2, sum_list/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Borders that lie on each other, edge by edge, are sewn together.
 
 Many programs write a surface patch by patch, each with vertices of its own. To

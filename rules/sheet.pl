@@ -11,10 +11,11 @@
 :- use_module(kernel, [drawn_box/1, drawn_strokes/5]).
 :- use_module(store, [contour/9, drawn/7]).
 :- use_module(stroke, [strokes/2, picture_looks/1]).
-:- autoload(library(apply), [exclude/3, foldl/4, maplist/3]).
-:- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [append/2]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
+:- use_module(library(error), [domain_error/2, must_be/2]).
+:- use_module(library(lists), [append/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(yall), [(>>)/4]).
 /** <module> The sheet: the picture laid on paper.
 
 A sheet is sheet(Width,Height,Scale): integers, thousandths of its unit (a

@@ -2,8 +2,8 @@
           [ sheet_en//1,                % +What
             sheet_tiny_en//3            % +N, +M, +How
           ]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3]).
 /** <module> What is wrong with what was asked of a sheet, in English.
 
 sheet_ko.pl has the same heads in Korean (tests/rules/sheet_options.plt).

@@ -5,8 +5,8 @@
           ]).
 :- use_module(sheet_marks, [chain_line/5]).
 :- use_module(sheet_words, [sheet_word/3]).
-:- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [append/2, append/3, member/2, memberchk/2]).
+:- use_module(library(apply), [foldl/4]).
+:- use_module(library(lists), [append/2, append/3, member/2, memberchk/2]).
 /** <module> The frame of a sheet and its title block.
 
 Marks are line(Role,Points) and text(X,Y,Height,Anchor,Text), millimetres, y

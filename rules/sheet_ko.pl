@@ -3,8 +3,8 @@
           [ sheet_ko//1,                % +What
             sheet_tiny_ko//3            % +N, +M, +How
           ]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3]).
 /** <module> What is wrong with what was asked of a sheet, in Korean.
 
 sheet_en.pl has the same heads in English.

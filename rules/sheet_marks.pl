@@ -9,9 +9,10 @@
           ]).
 :- use_module(hatching, [hatch_lines/4, region_area/2]).
 :- use_module(sheet_view, [view_axes/4]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
-:- autoload(library(lists),
-            [append/2, max_list/2, member/2, min_list/2, nth1/3, sum_list/2]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
+:- use_module(library(lists),
+              [append/2, max_list/2, member/2, min_list/2, nth1/3, sum_list/2]).
+:- use_module(library(yall), [(>>)/5]).
 /** <module> Marks on a sheet: cutting planes, their names, hatching.
 
 A mark is line(Role,Points) or text(X,Y,Height,Text), in millimetres of the

@@ -14,9 +14,9 @@
 :- use_module(title_block, [title_block_read/2]).
 :- use_module(store, [title_block/2]).
 :- use_module(verb_output, [usage_error/1]).
-:- autoload(library(apply), [maplist/2, maplist/3, maplist/4]).
-:- autoload(library(lists), [append/3, member/2, memberchk/2, select/3]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- use_module(library(lists), [append/3, member/2, memberchk/2, select/3]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> What the options of `draw` say of the sheet.
 
 Every mistake is found before the model is read, but for what depends on it.

@@ -6,7 +6,7 @@
             scale_factor/2,             % +Scale, -Factor
             unit_millimetres/2          % ?Unit, ?Millimetres
           ]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> Paper: sizes of sheets, and scales.
 
 Sizes are those of ISO 216, in millimetres; scales are those of ISO 5455: 1, 2

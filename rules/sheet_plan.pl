@@ -16,14 +16,15 @@
               [ section_view/5, view_seen/5, view_cell/4, seen_box/2 ]).
 :- use_module(store, [facts_snapshot/1]).
 :- use_module(stroke, [strokes/2]).
-:- autoload(library(apply),
-            [convlist/3, exclude/3, foldl/4, maplist/3, partition/4]).
-:- autoload(library(lists),
-            [ append/2, append/3, max_list/2, member/2, memberchk/2, min_list/2,
-              nth1/3
-            ]).
-:- autoload(library(option), [option/2]).
-:- autoload(library(pairs), [pairs_values/2]).
+:- use_module(library(apply),
+              [convlist/3, exclude/3, foldl/4, maplist/3, partition/4]).
+:- use_module(library(lists),
+              [ append/2, append/3, max_list/2, member/2, memberchk/2,
+                min_list/2, nth1/3
+              ]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(pairs), [pairs_values/2]).
+:- use_module(library(yall), [(>>)/3, (>>)/4]).
 /** <module> A sheet of several views, from the model to a drawing.
 
 What is asked for is a list:

@@ -18,9 +18,10 @@
 :- use_module(store, [screen/5, facts_snapshot/1]).
 :- use_module(view,
               [ named_view/3, set_view/3, set_projection/1, eye_point/4 ]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [member/2, memberchk/2, select/3]).
-:- autoload(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists), [member/2, memberchk/2, select/3]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(yall), [(>>)/4]).
 /** <module> The views of a sheet, and what is seen in them.
 
     view(Name, Theta, Phi, Kind)

@@ -3,7 +3,7 @@
             own_numbers/3               % +What, +Location, +Shift
           ]).
 :- use_module(csg_term, [is_node_term/1, map_operands/3]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> Facts of a file with the numbers that they have in the world.
 
 The segments and lines of a file come after those that are there: Shift is

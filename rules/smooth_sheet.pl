@@ -21,14 +21,14 @@
                 scaled/3, unit/2
               ]).
 :- use_module(store, [line/9, t/6, v/5]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc),
-            [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
-              put_assoc/4 ]).
-:- autoload(library(lists),
-            [append/3, max_list/2, member/2, memberchk/2]).
-:- autoload(library(pairs), [pairs_keys_values/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc),
+              [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
+                put_assoc/4 ]).
+:- use_module(library(lists),
+              [append/3, max_list/2, member/2, memberchk/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Smooth sheets: which triangles of a segment are one smooth surface.
 
 Two triangles hang together smoothly where they alone share a side, run along

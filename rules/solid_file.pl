@@ -19,11 +19,11 @@
                 fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/0]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [foldl/6]).
-:- autoload(library(error), [existence_error/2, must_be/2]).
-:- autoload(library(option), [option/3]).
-:- autoload(library(pairs), [pairs_keys_values/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [foldl/5, foldl/6]).
+:- use_module(library(error), [existence_error/2, must_be/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(pairs), [pairs_keys_values/3]).
 /** <module> Solids to files: what is read back is closed and clean.
 
 The numbers of a file are not those of the model: STL has float32. Rounding can

@@ -24,11 +24,12 @@
 :- use_module(triangulation, [complete_segments/0]).
 :- use_module(verb_output,
               [some_files/2, outputs/3, output_written/2, usage_error/1]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [maplist/2, maplist/3, maplist/4, partition/4]).
-:- autoload(library(http/json), [json_write_dict/3]).
-:- autoload(library(lists), [append/2, member/2, subtract/3]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/2, maplist/3, maplist/4, partition/4]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(lists), [append/2, append/3, member/2, subtract/3]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(yall), [(>>)/3]).
 /** <module> The verbs of solids: union, intersection, difference, split, eval.
 
 Each makes a CSG tree of its files, evaluates it, and writes what the roots are.

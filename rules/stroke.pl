@@ -6,10 +6,10 @@
           ]).
 :- use_module(kernel, [stroke_looks/2, stroke_chains/3]).
 :- use_module(role, [role_rank/2]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [append/2, last/2, member/2, nth1/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [append/2, append/3, last/2, member/2, nth1/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Strokes: drawn parts put end to end.
 
 A pen should not lift where a line goes on, and dashes should run on across

@@ -9,7 +9,7 @@
           ]).
 :- use_module(decision, [decision/2]).
 :- use_module(pattern_look, [pattern_look/5]).
-:- autoload(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> How lines look.
 
 A style is what a writer has to know of a line, whatever the format:

@@ -14,8 +14,8 @@
                 sheet_role/1
               ]).
 :- use_module(decision, [default/1]).
-:- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [last/2, member/2]).
+:- use_module(library(apply), [foldl/4]).
+:- use_module(library(lists), [last/2, member/2]).
 /** <module> Style files: how lines look, as facts.
 
 A style file is data, read as model files are: an error has its place. It says

@@ -7,13 +7,13 @@
                 dashes_option/3
               ]).
 :- use_module(lettering, [lettering/2]).
-:- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [list_to_set/2, member/2]).
-:- autoload(library(assoc), [get_assoc/3]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(dcg/high_order), [sequence//2, sequence//3]).
-:- autoload(library(rbtrees),
-            [rb_insert_new/4, rb_lookup/3, rb_new/1, rb_update/4]).
+:- use_module(library(apply), [foldl/4]).
+:- use_module(library(lists), [list_to_set/2, member/2]).
+:- use_module(library(assoc), [get_assoc/3]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(dcg/high_order), [sequence//2, sequence//3]).
+:- use_module(library(rbtrees),
+              [rb_insert_new/4, rb_lookup/3, rb_new/1, rb_update/4]).
 /** <module> SVG: strokes as polylines that say what they are.
 
 One user unit is one millimetre. A group for each visibility and role, in

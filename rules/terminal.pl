@@ -6,11 +6,11 @@
 :- use_module(dot_drawing, [picture_dots/4]).
 :- use_module(hidden_lines, [picture/1]).
 :- use_module(store, [drawn/7]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(ansi_term), [ansi_format/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [member/2, reverse/2]).
-:- autoload(library(option), [merge_options/3, option/2, option/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(ansi_term), [ansi_format/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [member/2, reverse/2]).
+:- use_module(library(option), [merge_options/3, option/2, option/3]).
 /** <module> The picture in the terminal.
 
 A character shows two dots beside and four above one another: a braille

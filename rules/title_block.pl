@@ -4,7 +4,7 @@
 :- use_module(model_text,
               [open_model_text/2, close_model_text/1, next_fact/3,
                place_error/2]).
-:- autoload(library(lists), [memberchk/2]).
+:- use_module(library(lists), [memberchk/2]).
 /** <module> A file of facts for the title block.
 
 It is data, as a model file: title_block/2 facts and nothing else. The same

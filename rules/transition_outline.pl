@@ -16,9 +16,9 @@
               [ cross_product/3, difference/3, dot_product/3, scaled/3,
                 vector_sum/3
               ]).
-:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- autoload(library(lists),
-            [append/2, append/3, last/2, member/2]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(lists),
+              [append/2, append/3, last/2, member/2]).
 /** <module> Outlines of transitions: convex, of straight edges and arcs.
 
 An outline is circle(R), ellipse(A, B), rectangle(A, B), rectangle(A, B, R) with

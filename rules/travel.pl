@@ -4,8 +4,8 @@
             travel_length/2             % +Strokes, -Length
           ]).
 :- use_module(kernel, [travel_order/2]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(lists), [last/2, reverse/2, selectchk/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists), [last/2, reverse/2, selectchk/3]).
 /** <module> Travel: strokes in an order that a lifted pen likes.
 
 From where a stroke ends the pen goes to the nearest end of those not yet

@@ -19,9 +19,9 @@
               [ origin/3, p/3, segment/3, assert_fact/1, facts_snapshot/1,
                 facts_transaction/1, fresh_id/3
               ]).
-:- autoload(library(apply), [maplist/2, partition/4]).
-:- autoload(library(error), [existence_error/2, must_be/2]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(apply), [maplist/2, partition/4]).
+:- use_module(library(error), [existence_error/2, must_be/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> Trimming: the part of a segment outside, or inside, of others.
 
 Before a part is developed, what of it is inside the parts that it goes through

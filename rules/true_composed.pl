@@ -12,15 +12,15 @@
                 from_seam/3, piece_facets/2, pieces_found/4, place_of/3
               ]).
 :- use_module(true_plate, [plate_layer/2, transition_resized/3]).
-:- autoload(library(apply), [foldl/6, maplist/3, maplist/4]).
-:- autoload(library(assoc),
-            [assoc_to_list/2, get_assoc/3, list_to_assoc/2]).
-:- autoload(library(error), [must_be/2]).
-:- autoload(library(lists),
-            [append/2, last/2, max_list/2, member/2, min_list/2, nth1/3,
-             reverse/2]).
-:- autoload(library(option), [option/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
+:- use_module(library(apply), [foldl/5, foldl/6, maplist/3, maplist/4]).
+:- use_module(library(assoc),
+              [assoc_to_list/2, get_assoc/3, list_to_assoc/2]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(lists),
+              [append/2, last/2, max_list/2, member/2, min_list/2, nth1/3,
+               reverse/2]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> A transition unrolled: its pieces one beside the other.
 
 Each piece of a transition (primitive_transition.pl) unrolls by itself: a fan

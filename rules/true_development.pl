@@ -22,14 +22,14 @@
               ]).
 :- use_module(true_spike, [spikes_cut/3]).
 :- use_module(true_tip, [tips_moved/5]).
-:- autoload(library(apply), [foldl/4, foldl/6, maplist/3]).
-:- autoload(library(error), [must_be/2]).
-:- autoload(library(lists),
-            [append/2, max_list/2, member/2, min_list/2, nth0/3,
-             sum_list/2]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(ordsets), [ord_memberchk/2]).
-:- autoload(library(pairs), [pairs_keys/2]).
+:- use_module(library(apply), [foldl/4, foldl/5, foldl/6, maplist/3]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(lists),
+              [append/2, max_list/2, member/2, min_list/2, nth0/3,
+               sum_list/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(pairs), [pairs_keys/2]).
 /** <module> True developments: what a plate of a cylinder or cone is cut to.
 
 Facets unroll to chords: a cylinder of 24 facets comes out 0.3 % too narrow. The

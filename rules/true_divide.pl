@@ -10,10 +10,10 @@
 :- use_module(primitive_face, [surface_point/4]).
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
 :- use_module(true_surface, [generator_plane/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Facets divided along a generator.
 
 The seam may be anywhere, half a pattern ends in the middle, and generators may

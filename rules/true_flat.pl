@@ -6,8 +6,8 @@
                 assert_fact/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(apply), [foldl/4]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(apply), [foldl/4]).
+:- use_module(library(lists), [member/2]).
 /** <module> The other surface of a plate with flat faces.
 
 Each face goes outward by the same distance, and stays parallel; a vertex goes,

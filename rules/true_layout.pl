@@ -18,13 +18,13 @@
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
 :- use_module(true_surface, [level_plane/3]).
 :- use_module(true_transition, [transition_points/3]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc),
-            [get_assoc/3, list_to_assoc/2]).
-:- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists), [append/2, max_list/2, member/2, min_list/2]).
-:- autoload(library(option), [option/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc),
+              [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(error), [domain_error/2, must_be/2]).
+:- use_module(library(lists), [append/2, max_list/2, member/2, min_list/2]).
+:- use_module(library(option), [option/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Where a true development lies in its plane.
 
 What the kernel unrolls starts anywhere; a *frame* brings it to paper: seen from

@@ -6,15 +6,15 @@
               [ e/5, p/3, plane/6, segment/3, v/5, assert_fact/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [foldl/4, foldl/6, maplist/3]).
-:- autoload(library(assoc),
-            [ assoc_to_list/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
-              put_assoc/4
-            ]).
-:- autoload(library(lists),
-            [append/2, append/3, max_member/2, member/2, nth1/3, reverse/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [foldl/4, foldl/5, foldl/6, maplist/3]).
+:- use_module(library(assoc),
+              [ assoc_to_list/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
+                put_assoc/4
+              ]).
+:- use_module(library(lists),
+              [append/2, append/3, max_member/2, member/2, nth1/3, reverse/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> The rows of a true development.
 
 A pattern is pattern(S, Bends, Facets, Points, Curves, Marks): of segment S;

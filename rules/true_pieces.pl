@@ -19,12 +19,12 @@
 :- use_module(true_surface, [surface_normal_at/3]).
 :- use_module(true_spike, [spikes_cut/3]).
 :- use_module(true_tip, [tips_moved/5]).
-:- autoload(library(apply), [foldl/6, maplist/3, maplist/4]).
-:- autoload(library(assoc), [empty_assoc/1]).
-:- autoload(library(error), [must_be/2]).
-:- autoload(library(lists), [append/2, append/3, member/2, min_list/2]).
-:- autoload(library(option), [option/2]).
-:- autoload(library(pairs), [pairs_keys/2, pairs_keys_values/3]).
+:- use_module(library(apply), [foldl/5, foldl/6, maplist/3, maplist/4]).
+:- use_module(library(assoc), [empty_assoc/1]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(lists), [append/2, append/3, member/2, min_list/2]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(pairs), [pairs_keys/2, pairs_keys_values/3]).
 /** <module> The pieces of a transition, as they are unrolled.
 
 A piece is piece(Part, End, T1-T2, G1-G2, Facets, Shape, Sense): a part of the

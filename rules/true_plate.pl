@@ -10,11 +10,13 @@
 :- use_module(store, [segment/3, assert_fact/1]).
 :- use_module(true_flat, [flat_resized/3]).
 :- use_module(true_surface, [offset_surface/3]).
-:- autoload(library(apply), [foldl/4, maplist/3, maplist/5]).
-:- autoload(library(error), [domain_error/2, must_be/2]).
-:- autoload(library(lists),
-            [append/3, last/2, max_list/2, member/2, min_list/2, select/3]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/5]).
+:- use_module(library(error), [domain_error/2, must_be/2]).
+:- use_module(library(lists),
+              [ append/3, last/2, max_list/2, member/2, min_list/2,
+                same_length/2, select/3
+              ]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> The plate that a surface is made of: which layer of it is drawn.
 
 What is drawn is one surface; a plate has two, and a layer between them that

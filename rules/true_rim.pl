@@ -14,11 +14,11 @@
               ]).
 :- use_module(triangulation, [complete_segments/1]).
 :- use_module(true_surface, [meeting_surfaces/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc),
-            [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
-:- autoload(library(lists), [append/2, append/3, member/2, reverse/2]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(assoc),
+              [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [append/2, append/3, member/2, reverse/2]).
+:- use_module(library(option), [option/3]).
 /** <module> Flat ends of what is rolled, and holes in what is flat.
 
 Facets end in chords. In a pattern of the flat faces that close a cylinder or a

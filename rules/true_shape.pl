@@ -16,10 +16,10 @@
 :- use_module(store, [e/5, p/3, v/5, from_p/5]).
 :- use_module(true_surface,
               [generator_plane/3, level_plane/3, meeting_surfaces/3]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc),
-            [empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc),
+              [empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(lists), [member/2]).
 /** <module> Facets of a smooth surface, and where their vertices truly are.
 
 A *facet* is facet(P, T1, T2, Halves): polygon P (P/I: a part of it) stands for

@@ -3,9 +3,9 @@
           ]).
 :- use_module(kernel, [surfaces_meet/4]).
 :- use_module(true_shape, [edge_curve/4]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [get_assoc/3]).
-:- autoload(library(lists), [member/2, select/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [get_assoc/3]).
+:- use_module(library(lists), [member/2, select/3]).
 /** <module> True lines that run back on themselves.
 
 Where the other segment ends, the line on its surface has a corner. The points

@@ -13,10 +13,10 @@
               ]).
 :- use_module(store,
               [ e/5, line/9, plane/6, from_p/5, edge_polygon/3 ]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(assoc), [list_to_assoc/2]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [list_to_assoc/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> The smooth surfaces that a true development is made of.
 
 A surface is a term of primitive_face.pl, or plane(Nx, Ny, Nz, D). What is cut

@@ -13,10 +13,10 @@
 :- use_module(store, [e/5, origin/3, segment/3, v/5]).
 :- use_module(true_development, [developable_part/3]).
 :- use_module(true_words, [column_word/3]).
-:- autoload(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- autoload(library(lists),
-            [append/2, append/3, last/2, member/2, nth1/3, sum_list/2]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(lists),
+              [append/2, append/3, last/2, member/2, nth1/3, sum_list/2]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> Generators of a true development, and the table of true lengths.
 
 A generator is an auxiliary edge of the pattern, of no polygon, with

@@ -7,11 +7,11 @@
 :- use_module(true_divide, [crossing_near/7]).
 :- use_module(true_shape,
               [edge_curve/4, facet_middle/2, key_place/4, shifted_facet/3]).
-:- autoload(library(apply), [foldl/5, maplist/3]).
-:- autoload(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- autoload(library(lists),
-            [append/2, append/3, member/2, nth1/3, reverse/2, select/3]).
-:- autoload(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(apply), [foldl/5, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(lists),
+              [append/2, append/3, member/2, nth1/3, reverse/2, select/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Tips: where a true line goes past a generator that facets missed.
 
 The line of the true surfaces lies beside that of the facets. Where it turns

@@ -2,10 +2,10 @@
           [ transition_points/3         % +Facets, +Shape, -Pairs
           ]).
 :- use_module(true_shape, [key_place/4]).
-:- autoload(library(apply), [foldl/4, maplist/3]).
-:- autoload(library(assoc),
-            [assoc_to_list/2, get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- autoload(library(lists), [member/2, selectchk/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(assoc),
+              [assoc_to_list/2, get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(lists), [member/2, selectchk/3]).
 /** <module> A transition laid flat, facet by facet.
 
 Between two ellipses of different proportions lies no surface that unrolls: its

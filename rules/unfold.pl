@@ -28,11 +28,11 @@
               ]).
 :- use_module(trimmed, [trimmed/5, part_named/2]).
 :- use_module(unfold_wish, [wanted/3, wanted_in/4]).
-:- autoload(library(apply), [maplist/2]).
-:- autoload(library(error), [domain_error/2, existence_error/2, must_be/2]).
-:- autoload(library(lists), [append/2, append/3, member/2]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(error), [domain_error/2, existence_error/2, must_be/2]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
 /** <module> Unfolding: from a part of a model to its pattern, in one go.
 
 What has to be done before a part can be laid flat (development.pl), and what

@@ -6,7 +6,7 @@
             known_segments/2            % +Known, -Text
           ]).
 :- use_module(unfold_wish, [wish_form/2]).
-:- autoload(library(lists), [member/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> What is wrong with an unfolding, in English.
 
 unfold_ko.pl has the same heads in Korean (tests/rules/messages.plt).

@@ -2,8 +2,8 @@
           [ options_together/1          % +Options
           ]).
 :- use_module(verb_output, [usage_error/1]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/2]).
 /** <module> Which options of the verb unfold go together.
 
 An option that would say nothing is an error: who gave it wants something.

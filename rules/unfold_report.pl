@@ -14,10 +14,10 @@
               [v/5, p/3, origin/3, from_p/5, piece/3, joint/6]).
 :- use_module(trimmed, [part_named/2]).
 :- use_module(unfold, [pattern_of/2]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(apply), [maplist/2, maplist/3]).
-:- autoload(library(http/json), [json_write_dict/3]).
-:- autoload(library(option), [option/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(option), [option/2]).
 /** <module> What is said of patterns: their pieces, seams, sheet and area.
 */
 

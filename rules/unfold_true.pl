@@ -11,11 +11,11 @@
 :- use_module(true_shape, [part_facet/5]).
 :- use_module(unfold, [trimmed_part/3, other_parts/3, part_developed/4]).
 :- use_module(unfold_wish, [wanted_in/4]).
-:- autoload(library(apply), [include/3, maplist/3]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(ordsets),
-            [ord_memberchk/2, ord_subtract/3, ord_union/3]).
+:- use_module(library(apply), [include/3, maplist/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(ordsets),
+              [ord_memberchk/2, ord_subtract/3, ord_union/3]).
 /** <module> True patterns: what is round is unrolled, the rest laid flat.
 */
 

@@ -9,10 +9,10 @@
                 neighbours/3, polygon_name/3
               ]).
 :- use_module(store, [e/5, p/3, from_p/5, origin/3, edge_polygon/3]).
-:- autoload(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- autoload(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
-:- autoload(library(lists), [append/3, last/2, member/2, nth1/3]).
-:- autoload(library(ordsets), [ord_subtract/3]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
+:- use_module(library(lists), [append/3, last/2, member/2, nth1/3]).
+:- use_module(library(ordsets), [ord_subtract/3]).
 /** <module> What a user wants of a development (DV-7).
 
 A wish is wish(Wish, From), From `fact` (unfolding/2 of the model) or `flag`

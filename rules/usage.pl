@@ -10,8 +10,8 @@
 :- use_module(usage_unfold,
               [ unfold_option/1, wish_option/1, unfold_option_ko/2,
                 unfold_example/1 ]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [append/3, member/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3, member/2]).
 /** <module> What the program can do: verbs, options, examples.
 
 These tables are the command line: arguments.pl reads the options they list,

@@ -7,9 +7,9 @@
             output_written/2,           % :Writer, +Output
             usage_error/1               % +What
           ]).
-:- autoload(library(apply), [maplist/3]).
-:- autoload(library(lists), [member/2]).
-:- autoload(library(option), [option/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/3]).
 /** <module> What verbs are given, and where their results go.
 */
 

@@ -52,12 +52,13 @@
 :- use_module(view,
               [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
               ]).
-:- autoload(library(apply), [maplist/2, maplist/3, partition/4]).
-:- autoload(library(aggregate), [aggregate_all/3]).
-:- autoload(library(http/json), [json_write_dict/2]).
-:- autoload(library(lists), [append/3, member/2]).
-:- autoload(library(option), [option/2, option/3]).
-:- autoload(library(solution_sequences), [distinct/2]).
+:- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(http/json), [json_write_dict/2]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(solution_sequences), [distinct/2]).
+:- use_module(library(yall), [(>>)/3]).
 /** <module> What each verb of the command line does.
 
 A verb loads its models into the current world, which is empty, and goes the

@@ -36,9 +36,9 @@
               [ some_files/2, outputs/3, folder_exists/1, no_model_replaced/2,
                 output_written/2, usage_error/1
               ]).
-:- autoload(library(apply), [maplist/2, maplist/3, maplist/4]).
-:- autoload(library(lists), [append/2, append/3, last/2, member/2]).
-:- autoload(library(option), [option/2, option/3]).
+:- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- use_module(library(lists), [append/2, append/3, last/2, member/2]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> The verb unfold.
 
 Every solid and surface of the model becomes a pattern. First, all that is

@@ -22,7 +22,8 @@
 :- use_module(library(error), [must_be/2, domain_error/2]).
 :- use_module(library(apply),
               [foldl/5, foldl/6, maplist/2, maplist/3, maplist/4]).
-:- use_module(library(lists), [append/3, member/2, memberchk/2, nth1/3]).
+:- use_module(library(lists),
+              [append/3, member/2, memberchk/2, nth1/3, nth1/4]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ view/3, projection/1, screen/5, t/6, v/5, leaf_v/5, plane/6,

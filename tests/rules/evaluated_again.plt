@@ -560,8 +560,9 @@ test(missing_rows_return, Boundary == Expected) :-
              )),
     in_world(Other, ( evaluate(100), boundary(100, Expected) )).
 
-%   The box in the middle of a row of three begins at another corner: where faces
-%   and vertices are stays as it was; which of its faces they come from does not.
+%   The box in the middle of a row of three begins at another corner: where
+%   faces and vertices are stays as it was; which of its faces they come from
+%   does not.
 
 test(other_sources, Boundary == Expected) :-
     tree_world([ segment(1, solid, box(size(1,1,1))),

@@ -1,0 +1,51 @@
+# libraries.sh -- rules import every library predicate that they call:
+# SWI-Prolog 9.0.4 that is interrupted while it loads a library by itself may
+# lose it.
+. "$(dirname "$0")/../check.sh"
+
+here=$PWD
+cat >"$TMP/undefined.pl" <<'PROLOG'
+:- use_module(library(check), [list_undefined/1]).
+:- use_module(library(prolog_codewalk), [prolog_walk_code/1]).
+:- initialization(main, main).
+
+% The first walk is for the libraries that walking loads by itself.
+main :-
+    current_prolog_flag(argv, [File]),
+    prolog_walk_code([undefined(trace), on_trace(ignored),
+                      module_class([library])]),
+    set_prolog_flag(autoload, false),
+    set_prolog_flag(encoding, utf8),
+    load_files(rules:File, [silent(true)]),
+    list_undefined([module_class([user])]).
+
+ignored(_, _, _).
+PROLOG
+undefined() { # undefined RULES: what they call that is nowhere
+  swipl -f none -p foreign="$here/build" --on-error=status \
+    --on-warning=status "$TMP/undefined.pl" -- "$1/cli.pl"
+}
+check "nothing is undefined without autoloading" undefined "$here/rules"
+check "no rule asks for autoloading" \
+  eval '! grep -n "^:- *autoload" rules/*.pl rules/kernel/*.pl'
+
+mkdir "$TMP/tree"
+cp -r rules "$TMP/tree"
+echo 'planted(L) :- permutation(L, _).' >>"$TMP/tree/rules/check.pl"
+check "what is not imported is found" complains 1 'sg_check:permutation/2' \
+  undefined "$TMP/tree/rules"
+
+# In the program, nor do the libraries load others later; but for the one that
+# saved its state.
+cat >"$TMP/later.pl" <<'PROLOG'
+later(Files) :-
+    findall(File,
+            ( current_predicate(Module:'$autoload'/3),
+              \+ memberchk(Module, [qsave,zip]),
+              Module:'$autoload'(File, _, _) ),
+            Files).
+PROLOG
+check "the program loads no library later" output '^\[\]$' \
+  ./sanggwan query -q --format csv facts/cube.pl \
+  "consult('$TMP/later.pl'), later(Files)"
+check_report
