@@ -2,13 +2,12 @@
 /* What is wrong with CSG trees, said in both languages. */
 :- module(test_csg_faults, []).
 :- use_module(library(plunit)).
-:- use_module(rules(csg_en), []).
-:- use_module(rules(csg_ko), []).
 :- use_module(rules(csg_evaluate)).
 :- use_module(rules(messages)).
 :- use_module(rules(messages_ko)).
 :- use_module(rules(model)).
 :- use_module(rules(store)).
+:- use_module(tests(rules/message_text), [message_text/3]).
 
 %   wrong(Term, What): segment 2 is Term; 1 is a box, 8 a sheet, 9 a curve.
 
@@ -52,25 +51,8 @@ fault(Goal, What, Where) :-
                      true),
                \+ segment(2, _, _) )).
 
-heads(Module:Head, Heads) :-
-    findall(What, ( clause(Module:Head, _), arg(1, Head, What),
-                    numbervars(What, 0, _) ),
-            Heads).
-
-told(Language, Error, Text) :-
-    current_prolog_flag(message_language, Old),
-    setup_call_cleanup(
-        set_prolog_flag(message_language, Language),
-        phrase('$messages':translate_message(Error), Lines),
-        set_prolog_flag(message_language, Old)),
-    with_output_to(string(Text),
-                   print_message_lines(current_output, '', Lines)).
-
 :- begin_tests(csg_faults).
 
-test(same_heads, English == Korean) :-
-    heads(sg_csg_en:csg_en(_, _, _), English),
-    heads(sg_csg_ko:csg_ko(_, _, _), Korean).
 test(refused, [forall(wrong(Term, What)), true(Found = What)]) :-
     fault(tree_read(Term), Found, location(_, 4, 17)).
 test(in_the_second_file,
@@ -82,7 +64,7 @@ test(in_the_second_file,
                      true) )).
 test(told, forall(( wrong(Term, _), member(Language, [en,ko]) ))) :-
     fault(tree_read(Term), What, Where),
-    told(Language, error(model_error(csg(What)), Where), Text),
+    message_text(Language, error(model_error(csg(What)), Where), Text),
     sub_string(Text, Before, _, After, "\n  "),
     Before > 5,
     After > 5,
@@ -119,7 +101,7 @@ test(unnumbered, [forall(unnumbered(Term, What)), true(Found == What)]) :-
                    error(model_error(csg(Found)), _), true)).
 test(unnumbered_told, [forall(( unnumbered(_, What),
                                 member(Language, [en,ko]) ))]) :-
-    told(Language, error(model_error(csg(What)), _), Text),
+    message_text(Language, error(model_error(csg(What)), _), Text),
     \+ sub_string(Text, _, _, _, "operand("),
     ( sub_string(Text, _, _, _, "2") -> true ).
 

@@ -3,6 +3,7 @@
 :- use_module(library(plunit)).
 :- use_module(rules(messages)).
 :- use_module(rules(messages_ko)).
+:- use_module(tests(rules/message_text), [message_text/3]).
 
 % A table of messages in English and the one in Korean: NAME_en, NAME_ko.
 table(English/Arity, Korean/Arity) :-
@@ -45,16 +46,6 @@ topic_heads(Topic, Suffix, Heads) :-
             Heads0),
     sort(Heads0, Heads).
 
-text(Language, Term, Text) :-
-    current_prolog_flag(message_language, Old),
-    setup_call_cleanup(
-        set_prolog_flag(message_language, Language),
-        phrase('$messages':translate_message(Term), Lines),
-        set_prolog_flag(message_language, Old)),
-    with_output_to(string(Text0),
-                   print_message_lines(current_output, '', Lines)),
-    string_concat(Text, "\n", Text0).
-
 :- begin_tests(messages).
 
 test(both_languages, forall(table(English, Korean))) :-
@@ -80,28 +71,28 @@ test(all_tables, true(N >= 10)) :-
 
 test(place, Text == "a.pl:2:7: segment 1 has no vertex 9\n\c
                      \x20 Add it, or correct the number.") :-
-    text(en, error(model_error(missing(v, 1, 9)), location('a.pl', 2, 7)),
+    message_text(en, error(model_error(missing(v, 1, 9)), location('a.pl', 2, 7)),
          Text).
 test(no_place) :-
-    text(en, error(model_error(empty), location('a.pl', 0, 0)), Text),
+    message_text(en, error(model_error(empty), location('a.pl', 0, 0)), Text),
     sub_string(Text, 0, _, _, "a.pl: the model is empty").
 test(korean) :-
-    text(ko, error(model_error(empty), location('a.pl', 0, 0)), Text),
+    message_text(ko, error(model_error(empty), location('a.pl', 0, 0)), Text),
     sub_string(Text, 0, _, _, "a.pl: 모델이 비어").
 test(korean_of_korea) :-
-    text(ko_KR, sanggwan(interrupted), "중단되었습니다").
+    message_text(ko_KR, sanggwan(interrupted), "중단되었습니다").
 test(unknown_language) :-
-    text(fr, sanggwan(interrupted), "interrupted").
+    message_text(fr, sanggwan(interrupted), "interrupted").
 test(plurals, forall(member(N-Part, [1-"has 1 edge,", 2-"has 2 edges,"]))) :-
-    text(en, error(model_error(polygon(1, 1, edges(N))), _), Text),
+    message_text(en, error(model_error(polygon(1, 1, edges(N))), _), Text),
     once(sub_string(Text, _, _, _, Part)).
 test(unknown_procedure, Text == "프레디킷 foo/1 이(가) 없습니다") :-
-    text(ko, error(existence_error(procedure, foo/1), foo/1), Text).
+    message_text(ko, error(existence_error(procedure, foo/1), foo/1), Text).
 test(unknown_procedure_en) :-
-    text(en, error(existence_error(procedure, foo/1), foo/1), Text),
+    message_text(en, error(existence_error(procedure, foo/1), foo/1), Text),
     once(sub_string(Text, _, _, _, "foo/1")).
 test(other_errors) :-
-    text(ko, error(type_error(integer, a), _), Text),
+    message_text(ko, error(type_error(integer, a), _), Text),
     once(sub_string(Text, _, _, _, "integer")).
 
 :- end_tests(messages).

@@ -6,11 +6,10 @@
 :- use_module(rules(messages_ko)).
 :- use_module(rules(model_file)).
 :- use_module(rules(openscad)).
-:- use_module(rules(openscad_en), []).
-:- use_module(rules(openscad_ko), []).
 :- use_module(rules(openscad_text)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
+:- use_module(tests(rules/message_text), [message_text/3]).
 
 % with_csg(Text, Goal, File): Goal on a file of that Text.
 :- meta_predicate with_csg(+, -, 0).
@@ -310,25 +309,5 @@ test(in_words, forall(( faulty(Text, _, _, _), member(L, [en, ko]) ))) :-
              catch(read_csg(File, _), Error, true)),
     message_text(L, Error, Message),
     once(sub_string(Message, _, _, _, "\n  ")).
-test(same_heads, English == Korean) :-
-    heads(sg_openscad_en:openscad_en(_, _, _), English),
-    heads(sg_openscad_ko:openscad_ko(_, _, _), Korean).
-test(same_types, English == Korean) :-
-    heads(sg_openscad_en:value_type_en(_, _), English),
-    heads(sg_openscad_ko:value_type_ko(_, _), Korean).
-
-message_text(Language, Term, Text) :-
-    current_prolog_flag(message_language, Old),
-    setup_call_cleanup(
-        set_prolog_flag(message_language, Language),
-        phrase('$messages':translate_message(Term), Lines),
-        set_prolog_flag(message_language, Old)),
-    with_output_to(string(Text),
-                   print_message_lines(current_output, '', Lines)).
-
-heads(Module:Head, Heads) :-
-    findall(What, ( clause(Module:Head, _), arg(1, Head, What),
-                    numbervars(What, 0, _) ),
-            Heads).
 
 :- end_tests(openscad).

@@ -9,8 +9,6 @@
 :- use_module(rules(integrity)).
 :- use_module(rules(kernel)).
 :- use_module(rules(operand)).
-:- use_module(rules(operand_en)).
-:- use_module(rules(operand_ko)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
 :- use_module(tests('rules/shells')).
@@ -227,22 +225,6 @@ depths(Depths) :-
             Depths).
 
 /* - - - messages - - - */
-
-test(both_languages, En == Ko) :-
-    heads(sg_operand_en, operand_fault_en//1, operand_notice_en//2, En),
-    heads(sg_operand_ko, operand_fault_ko//1, operand_notice_ko//2, Ko),
-    En = [_,_,_|_].
-
-heads(Module, Name//N, Notice//M, Heads) :-
-    findall(Arguments,
-            ( member(F//A, [Name//N,Notice//M]),
-              Arity is A+2,
-              functor(Head, F, Arity),
-              clause(Module:Head, _),
-              Head =.. [_,What|_],
-              Arguments = What,
-              numbervars(Arguments, 0, _) ),
-            Heads).
 
 test(message) :-
     Edge = edge(1, 2, [0.0,0.0,0.0], [1.5,0.0,0.0], 1),

@@ -3,8 +3,7 @@
 :- use_module(rules(messages)).
 :- use_module(rules(messages_ko)).
 :- use_module(rules(primitive)).
-:- use_module(rules(primitive_en), []).
-:- use_module(rules(primitive_ko), []).
+:- use_module(tests(rules/message_text), [message_text/3]).
 
 refused(Term, What) :-
     catch(primitive_shape(Term, _, _, _),
@@ -105,31 +104,11 @@ test(placed_too, forall(wrong(Term, What))) :-
     refused(named(x, at([scale(-2)], Term)), What).
 test(told, forall(( wrong(Term, _), member(L, [en,ko]) ))) :-
     catch(primitive_shape(Term, _, _, _), error(model_error(What), _), true),
-    told(L, What, Text),
+    message_text(L, error(model_error(What), location('a.pl', 1, 1)), Text),
     sub_string(Text, B, _, A, "\n  "),
     B > 5,
     A > 5,
     !.
-test(same_heads, English == Korean) :-
-    heads(sg_primitive_en:primitive_en(_, _, _, _), English),
-    heads(sg_primitive_ko:primitive_ko(_, _, _, _), Korean).
-test(same_types, English == Korean) :-
-    heads(sg_primitive_en:type_en(_, _), English),
-    heads(sg_primitive_ko:type_ko(_, _), Korean).
 
 :- end_tests(wrong_primitives).
 
-told(Language, What, Text) :-
-    current_prolog_flag(message_language, Old),
-    Term = error(model_error(What), location('a.pl', 1, 1)),
-    setup_call_cleanup(
-        set_prolog_flag(message_language, Language),
-        phrase('$messages':translate_message(Term), Lines),
-        set_prolog_flag(message_language, Old)),
-    with_output_to(string(Text),
-                   print_message_lines(current_output, '', Lines)).
-
-heads(Module:Head, Heads) :-
-    findall(What, ( clause(Module:Head, _), arg(1, Head, What),
-                    numbervars(What, 0, _) ),
-            Heads).

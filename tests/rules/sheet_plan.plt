@@ -6,7 +6,6 @@
 :- use_module(rules(sheet_options)).
 :- use_module(rules(sheet_words)).
 :- use_module(rules(sheet_en)).
-:- use_module(rules(sheet_ko)).
 :- use_module(rules(csg_roots), [operand_lines/1, roots_alone/0]).
 :- use_module(rules(drawing), [write_drawing_stream/3]).
 :- use_module(rules(model), [load_model/1]).
@@ -470,17 +469,6 @@ test(faults, [forall(member(Options-What,
          ]))]) :-
     sheet_error(Options, Found),
     subsumes_term(What, Found).
-
-test(both_languages, true(En == Ko)) :-
-    heads(sg_sheet_en, sheet_en, En),
-    heads(sg_sheet_ko, sheet_ko, Ko),
-    En = [_,_,_,_|_].
-
-heads(Module, Name, Heads) :-
-    functor(Head, Name, 3),
-    findall(What, ( clause(Module:Head, _), arg(1, Head, What),
-                    numbervars(What, 0, _) ),
-            Heads).
 
 test(words_in_both) :-
     forall(sheet_word(Item, en, _), sheet_word(Item, ko, _)),

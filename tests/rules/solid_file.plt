@@ -14,8 +14,6 @@
 :- use_module(rules(solid_file)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/0]).
-:- use_module(rules(written_en), []).
-:- use_module(rules(written_ko), []).
 :- use_module(tests('rules/polyhedron')).
 :- use_module(tests('rules/checked')).
 :- use_module(tests('rules/random_shape')).
@@ -367,19 +365,5 @@ test(bad_ending, error(domain_error(mesh_ending, _))) :-
 joined_box(S) :-
     model(box, Parts, _),
     joined(Parts, S).
-
-%   Messages in both languages.
-
-heads(Module:Name, Heads) :-
-    Head =.. [Name,A,_,_],
-    findall(A, ( clause(Module:Head, _), numbervars(A, 0, _) ), Heads0),
-    sort(Heads0, Heads).
-
-test(languages, true(En == Ko)) :-
-    heads(sg_written_en:written_en, En),
-    heads(sg_written_ko:written_ko, Ko).
-test(languages_of_faults, true(En == Ko)) :-
-    heads(sg_written_en:unwritten_en, En),
-    heads(sg_written_ko:unwritten_ko, Ko).
 
 :- end_tests(solid_file).

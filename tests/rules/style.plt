@@ -7,9 +7,7 @@
 :- use_module(rules(ink)).
 :- use_module(rules(role)).
 :- use_module(rules(style)).
-:- use_module(rules(style_en)).
 :- use_module(rules(style_file)).
-:- use_module(rules(style_ko)).
 
 :- meta_predicate with_file(+, -, 0).
 
@@ -166,12 +164,5 @@ test(colours_of_dxf, [forall(member(RGB-N,
           rgb(165,0,0)-12, rgb(165,82,82)-13, rgb(254,1,0)-1 ])),
                       true(Found == N)]) :-
     dxf_colour(RGB, Found).
-
-% The heads of both languages are the same.
-test(languages, true(English =@= Korean)) :-
-    findall(What, clause(sg_style_en:style_en(What,_,_), _), English0),
-    findall(What, clause(sg_style_ko:style_ko(What,_,_), _), Korean0),
-    sort(English0, English),
-    sort(Korean0, Korean).
 
 :- end_tests(style).
