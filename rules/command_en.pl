@@ -1,0 +1,97 @@
+:- module(sg_command_en,
+          [ command_en//1               % +What
+          ]).
+:- use_module(message_parts, [syntax_words//1]).
+:- use_module(pattern_en, [pattern_fault_en//1]).
+:- use_module(sheet_en, [sheet_en//1]).
+:- use_module(unfold_en, [wish_en//3, unfold_en//1]).
+/** <module> What is wrong with a command line, in English.
+
+command_ko.pl has the same heads in Korean.
+*/
+
+%!  command_en(+What)// is semidet.
+%
+%   The message for usage_error(What).
+
+command_en(no_verb) -->
+    [ 'what should be done?', nl, '  Try sanggwan --help.' ].
+command_en(unknown_verb(Verb)) -->
+    [ 'there is no verb ~w'-[Verb], nl, '  Try sanggwan --help.' ].
+command_en(unknown_option(Text)) -->
+    [ 'unknown option ~w'-[Text], nl,
+      '  sanggwan VERB --help lists those of a verb.' ].
+command_en(no_value(Text)) -->
+    [ 'option ~w takes no value'-[Text] ].
+command_en(needs_value(Text)) -->
+    [ 'option ~w needs a value'-[Text] ].
+command_en(option_twice(Text)) -->
+    [ 'option ~w is given twice'-[Text] ].
+command_en(bad_value(Text, Value, one_of(Words))) -->
+    { atomic_list_concat(Words, ', ', All) },
+    [ 'option ~w: ~w is none of ~w'-[Text, Value, All] ].
+command_en(bad_value(Text, Value, number(Low))) -->
+    [ 'option ~w: ~w is no number from ~w on'-[Text, Value, Low] ].
+command_en(bad_value(Text, Value, number(Low, High))) -->
+    [ 'option ~w: ~w is no number from ~w to ~w'-[Text, Value, Low, High] ].
+command_en(bad_value(Text, Value, above(Low))) -->
+    [ 'option ~w: ~w is no number above ~w'-[Text, Value, Low] ].
+command_en(bad_value(Text, Value, whole(Low, High))) -->
+    [ 'option ~w: ~w is no whole number from ~w to ~w'-
+      [Text, Value, Low, High] ].
+command_en(no_size(Text, Value)) -->
+    [ 'option ~w: ~w is no size: width and height must be above 0'-
+      [Text, Value] ].
+command_en(bad_value(Text, Value, no_normal)) -->
+    !,
+    [ 'option ~w: ~w is no plane'-[Text, Value], nl,
+      '  A,B,C,D is the plane A*X + B*Y + C*Z + D = 0, with A, B or C other \c
+       than 0.' ].
+command_en(bad_value(Text, Value, Form)) -->
+    { atom(Form) },
+    [ 'option ~w: ~w should look like ~w'-[Text, Value, Form] ].
+command_en(no_files(What)) -->
+    [ '~w is missing'-[What], nl,
+      '  sanggwan VERB --help says what belongs there.' ].
+command_en(unfold(S, Wish, What)) -->
+    wish_en(S, Wish, What).
+command_en(unfold(What)) -->
+    unfold_en(What).
+command_en(one_operand(Verb)) -->
+    [ '~w needs two models or more'-[Verb], nl,
+      '  Name the other ones too; each file is one operand.' ].
+command_en(both_options(A, B)) -->
+    [ 'options ~w and ~w do not go together'-[A, B] ].
+command_en(needs_one_of(Options)) -->
+    { atomic_list_concat(Options, ' or ', Text) },
+    [ 'option ~w is missing'-[Text] ].
+command_en(no_output) -->
+    [ 'where should the result go? Give -o FILE (- is standard output)' ].
+command_en(replaces_model(File)) -->
+    [ '~w is the model; its picture would take its place'-[File], nl,
+      '  Give the picture another name.' ].
+command_en(ending(File, Endings)) -->
+    { atomic_list_concat(Endings, ' .', All) },
+    [ '~w: the ending decides the format; it can be .~w'-[File, All] ].
+command_en(no_folder(Folder)) -->
+    [ 'there is no folder ~w for the result'-[Folder], nl,
+      '  Make it first.' ].
+command_en(cannot_write(File, permission)) -->
+    [ '~w: the result may not be written there'-[File], nl,
+      '  Check the permissions of the file and its folder, or name another.' ].
+command_en(cannot_write(output, Why)) -->
+    [ 'the result cannot be written: ~w'-[Why], nl,
+      '  Make room, or send it elsewhere.' ].
+command_en(no_segment(S, Known)) -->
+    { atomic_list_concat(Known, ', ', All) },
+    [ 'there is no segment ~w, only ~w'-[S, All] ].
+command_en(pattern(What)) -->
+    pattern_fault_en(What).
+command_en(sheet(What)) -->
+    sheet_en(What).
+command_en(exact_format(Format)) -->
+    [ '--exact is for tables (csv, tsv, txt), not for ~w'-[Format] ].
+command_en(bad_goal(Text, Why)) -->
+    [ 'this is no goal: ~w ('-[Text] ],
+    syntax_words(Why),
+    [ ')' ].

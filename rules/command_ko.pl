@@ -1,0 +1,99 @@
+:- encoding(utf8).
+:- module(sg_command_ko,
+          [ command_ko//1               % +What
+          ]).
+:- use_module(message_parts, [syntax_words//1]).
+:- use_module(pattern_ko, [pattern_fault_ko//1]).
+:- use_module(sheet_ko, [sheet_ko//1]).
+:- use_module(unfold_ko, [wish_ko//3, unfold_ko//1]).
+/** <module> What is wrong with a command line, in Korean.
+
+command_en.pl has the same heads in English.
+*/
+
+%!  command_ko(+What)// is semidet.
+%
+%   The message for usage_error(What).
+
+command_ko(no_verb) -->
+    [ '무엇을 할까요?', nl, '  sanggwan --help 를 보십시오.' ].
+command_ko(unknown_verb(Verb)) -->
+    [ '~w 이라는 동사는 없습니다'-[Verb], nl,
+      '  sanggwan --help 를 보십시오.' ].
+command_ko(unknown_option(Text)) -->
+    [ '모르는 선택 사항 ~w'-[Text], nl,
+      '  sanggwan VERB --help 를 보십시오.' ].
+command_ko(no_value(Text)) -->
+    [ '~w 에는 값이 없습니다'-[Text] ].
+command_ko(needs_value(Text)) -->
+    [ '~w 에 값이 필요합니다'-[Text] ].
+command_ko(option_twice(Text)) -->
+    [ '~w 이(가) 두 번 주어졌습니다'-[Text] ].
+command_ko(bad_value(Text, Value, one_of(Words))) -->
+    { atomic_list_concat(Words, ', ', All) },
+    [ '~w: ~w 은(는) ~w 의 하나가 아닙니다'-[Text, Value, All] ].
+command_ko(bad_value(Text, Value, number(Low))) -->
+    [ '~w: ~w 은(는) ~w 이상의 수가 아닙니다'-[Text, Value, Low] ].
+command_ko(bad_value(Text, Value, number(Low, High))) -->
+    [ '~w: ~w 은(는) ~w 이상 ~w 이하의 수가 아닙니다'-[Text, Value, Low, High] ].
+command_ko(bad_value(Text, Value, above(Low))) -->
+    [ '~w: ~w 은(는) ~w 보다 큰 수가 아닙니다'-[Text, Value, Low] ].
+command_ko(bad_value(Text, Value, whole(Low, High))) -->
+    [ '~w: ~w 은(는) ~w 이상 ~w 이하의 정수가 아닙니다'-
+      [Text, Value, Low, High] ].
+command_ko(no_size(Text, Value)) -->
+    [ '~w: ~w 은(는) 크기가 아닙니다. 너비와 높이는 0보다 커야 합니다'-
+      [Text, Value] ].
+command_ko(bad_value(Text, Value, no_normal)) -->
+    !,
+    [ '~w: ~w 은(는) 평면이 아닙니다'-[Text, Value], nl,
+      '  A,B,C,D 는 평면 A*X + B*Y + C*Z + D = 0 이고, A, B, C 가운데 하나는 \c
+       0이 아니어야 합니다.' ].
+command_ko(bad_value(Text, Value, Form)) -->
+    { atom(Form) },
+    [ '~w: ~w 은(는) ~w 꼴이어야 합니다'-[Text, Value, Form] ].
+command_ko(no_files(What)) -->
+    [ '~w 이(가) 없습니다'-[What], nl,
+      '  sanggwan VERB --help 를 보십시오.' ].
+command_ko(unfold(S, Wish, What)) -->
+    wish_ko(S, Wish, What).
+command_ko(unfold(What)) -->
+    unfold_ko(What).
+command_ko(one_operand(Verb)) -->
+    [ '~w 에는 모델이 둘 이상 필요합니다'-[Verb], nl,
+      '  다른 모델도 지정하십시오. 파일 하나가 피연산자 하나입니다.' ].
+command_ko(both_options(A, B)) -->
+    [ '~w 와(과) ~w 은(는) 함께 쓸 수 없습니다'-[A, B] ].
+command_ko(needs_one_of(Options)) -->
+    { atomic_list_concat(Options, ', ', Text) },
+    [ '선택 사항이 빠졌습니다: ~w 가운데 하나'-[Text] ].
+command_ko(no_output) -->
+    [ '결과를 어디에 둘까요? -o FILE 을 주십시오 (- 는 표준 출력)' ].
+command_ko(replaces_model(File)) -->
+    [ '~w 은(는) 모델이며, 그림이 그 자리를 차지하게 됩니다'-[File], nl,
+      '  그림에 다른 이름을 주십시오.' ].
+command_ko(ending(File, Endings)) -->
+    { atomic_list_concat(Endings, ' .', All) },
+    [ '~w: 확장자가 형식을 정합니다. 쓸 수 있는 것: .~w'-[File, All] ].
+command_ko(no_folder(Folder)) -->
+    [ '결과를 둘 폴더가 없습니다: ~w'-[Folder], nl,
+      '  먼저 만드십시오.' ].
+command_ko(cannot_write(File, permission)) -->
+    [ '~w: 결과를 거기에 쓸 수 없습니다'-[File], nl,
+      '  파일과 폴더의 권한을 확인하거나 다른 폴더를 쓰십시오.' ].
+command_ko(cannot_write(output, Why)) -->
+    [ '결과를 쓸 수 없습니다: ~w'-[Why], nl,
+      '  자리를 만들거나 다른 곳으로 보내십시오.' ].
+command_ko(no_segment(S, Known)) -->
+    { atomic_list_concat(Known, ', ', All) },
+    [ '세그먼트 ~w 은(는) 없습니다. 있는 것: ~w'-[S, All] ].
+command_ko(pattern(What)) -->
+    pattern_fault_ko(What).
+command_ko(sheet(What)) -->
+    sheet_ko(What).
+command_ko(exact_format(Format)) -->
+    [ '--exact 는 표(csv, tsv, txt)에 쓰며 ~w에는 쓸 수 없습니다'-[Format] ].
+command_ko(bad_goal(Text, Why)) -->
+    [ '목표가 아닙니다: ~w ('-[Text] ],
+    syntax_words(Why),
+    [ ')' ].

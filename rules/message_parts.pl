@@ -1,0 +1,81 @@
+:- module(sg_message_parts,
+          [ place//3,                   % +File, +Line, +Column
+            counted//3,                 % +N, +One, +Many
+            shown_value/2,              % +Value, -Shown
+            syntax_words//1,            % +What
+            loading_fault//1,           % +Formal
+            manual_page//1              % +PI
+          ]).
+:- use_module(library(uri), [uri_encoded/3]).
+/** <module> Parts of messages that are the same in every language, or have none
+of their own.
+*/
+
+%!  place(+File, +Line, +Column)// is det.
+%
+%   As compilers write it, so that editors jump. A Line or Column of 0 is not
+%   known.
+
+place(File, Line, _) -->
+    { Line =:= 0 },
+    !,
+    [ '~w: '-[File] ].
+place(File, Line, Column) -->
+    { Column =:= 0 },
+    !,
+    [ '~w:~d: '-[File, Line] ].
+place(File, Line, Column) -->
+    [ '~w:~d:~d: '-[File, Line, Column] ].
+
+%!  counted(+N, +One, +Many)// is det.
+%
+%   1 edge, 2 edges.
+
+counted(N, One, Many) -->
+    { N =:= 1 -> Word = One ; Word = Many },
+    [ '~D ~w'-[N, Word] ].
+
+%!  shown_value(+Value, -Shown) is det.
+%
+%   Shown is what a message prints of Value: a variable, which has no name that
+%   anybody gave it, as _; what is nested deep as dots.
+
+shown_value(Value, Shown) :-
+    (   var(Value)
+    ->  Shown = '_'
+    ;   format(atom(Shown), "~W",
+               [Value,[quoted(true),numbervars(true),max_depth(12)]])
+    ).
+
+%!  syntax_words(+What)// is det.
+%
+%   What is wrong with a text that Prolog cannot read, in Prolog's words.
+
+syntax_words(float_overflow) -->
+    !,
+    [ 'the number is too large' ].
+syntax_words(What) -->
+    '$messages':syntax_error(What),
+    !.
+syntax_words(What) -->
+    [ '~w'-[What] ].
+
+%!  loading_fault(+Formal)// is det.
+%
+%   What Prolog says of an error in a rule file.
+
+loading_fault(syntax_error(What)) -->
+    !,
+    syntax_words(What).
+loading_fault(Formal) -->
+    '$messages':translate_message(error(Formal, _)).
+
+%!  manual_page(+PI)// is det.
+%
+%   Where Prolog's manual has PI.
+
+manual_page(Name/Arity) -->
+    { format(atom(Text), '~w/~d', [Name, Arity]),
+      uri_encoded(query_value, Text, Encoded)
+    },
+    [ '  https://www.swi-prolog.org/pldoc/man?predicate=~w'-[Encoded] ].
