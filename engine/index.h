@@ -79,8 +79,6 @@ void sg_index_sweep(sg_index *index, const struct sg_table *table);
 bool sg_index_reserve(sg_index *index, const struct sg_table *table, size_t n);
 /* Links a row that has room, with the hash that is its own. */
 void sg_index_chain(sg_index *index, uint64_t hash, sg_row row);
-uint64_t sg_index_hash_row(const sg_index *index, const struct sg_table *table,
-                           sg_row row);
 
 /* A walk along the chain of some values; SG_NO_ROW ends it.
  *   for (uint32_t at = sg_index_first(index, hash); at != SG_NO_ROW;
@@ -88,10 +86,6 @@ uint64_t sg_index_hash_row(const sg_index *index, const struct sg_table *table,
 uint32_t sg_index_first(const sg_index *index, uint64_t hash);
 uint32_t sg_index_next(const sg_index *index, uint32_t at);
 sg_row sg_index_row(const sg_index *index, uint32_t at);
-
-uint64_t sg_index_hash(const sg_relation_info *info, uint16_t mask,
-                       const sg_value *row);
-uint64_t sg_index_hash_member(int32_t s, int32_t member);
 
 size_t sg_index_bytes(const sg_index *index);
 /* True if every taken row below `linked` is chained where it belongs, once,

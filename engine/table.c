@@ -1,5 +1,6 @@
 /* table.c -- pages of cells and their slots. */
 #include "table.h"
+#include "index_hash.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,5 @@
 /* walk.c -- reading a version: values, views, walks over matching rows. */
+#include "index_hash.h"
 #include "world.h"
 
 #include <stdlib.h>

@@ -71,8 +71,9 @@ test(all_tables, true(N >= 10)) :-
 
 test(place, Text == "a.pl:2:7: segment 1 has no vertex 9\n\c
                      \x20 Add it, or correct the number.") :-
-    message_text(en, error(model_error(missing(v, 1, 9)), location('a.pl', 2, 7)),
-         Text).
+    message_text(en,
+                 error(model_error(missing(v, 1, 9)), location('a.pl', 2, 7)),
+                 Text).
 test(no_place) :-
     message_text(en, error(model_error(empty), location('a.pl', 0, 0)), Text),
     sub_string(Text, 0, _, _, "a.pl: the model is empty").
