@@ -19,7 +19,7 @@
 :- use_module(operand_name, [fault_named/2, note_unnumbered/3]).
 :- use_module(primitive, [is_primitive/1]).
 :- use_module(store,
-              [ p/3, t/6, segment/3, origin/3, assert_fact/1,
+              [ v/5, p/3, t/6, segment/3, origin/3, assert_fact/1,
                 retractall_facts/1, facts_transaction/1, fresh_id/3
               ]).
 :- use_module(library(apply), [foldl/4, foldl/5, maplist/4]).
@@ -219,8 +219,8 @@ few_leaves(Nodes, Count) :-
     ).
 
 %   leaf_completed(Above, N, Kind0, Term, Kind, Incomplete0, Incomplete): a leaf
-%   under a node whose term has become another primitive gets the rows of that.
-%   If somebody changed the rows, they count.
+%   under a node whose term has become another primitive gets the rows of that,
+%   and so does one that has no rows. If somebody changed the rows, they count.
 
 leaf_completed([_|_], N, Kind, Term, Kind, Incomplete, Incomplete) :-
     made_and_kept(N, leaf(primitive(Term))),    % also seen by kept_leaves/2
@@ -229,9 +229,7 @@ leaf_completed([_|_], N, Kind0, Term, Kind, Incomplete0, Incomplete) :-
     is_primitive(Term),
     !,
     From = primitive(Term),
-    (   recorded(N, leaf(From0)),
-        From0 \== From,
-        up_to_date(N, From0)
+    (   rows_wanted(N, From)
     ->  drop_boundary(N),
         primitive_rows(Term, N, Kind),
         replaced_segment(N, Kind, Term),
@@ -242,6 +240,16 @@ leaf_completed([_|_], N, Kind0, Term, Kind, Incomplete0, Incomplete) :-
     record(N, leaf(From)).
 leaf_completed(_, N, Kind, _, Kind, Incomplete0, Incomplete) :-
     lacking(N, Incomplete0, Incomplete).
+
+%   rows_wanted(N, From): leaf N has no rows, or those of another primitive.
+
+rows_wanted(N, From) :-
+    recorded(N, leaf(From0)),
+    From0 \== From,
+    up_to_date(N, From0),
+    !.
+rows_wanted(N, _) :-
+    \+ v(N, _, _, _, _).
 
 %   lacking(N, Incomplete0, Incomplete): with N if it has polygons and no
 %   triangles. Triangle 1, mostly there, needs no index.

@@ -39,6 +39,16 @@ test(leaf_edited, [E-R, Stale] == [1-1, [6]]) :-
                 evaluate,
                 statistics(E, R) )).
 
+%   What is said of segments alone, in facts, is a tree as in a file.
+
+test(leaves_of_facts, V == 6.0) :-
+    with_tree([ box(size(2,2,2)) ],
+              ( facts_transaction(
+                    ( assert_fact(segment(7, solid, box(size(1,1,2)))),
+                      assert_fact(segment(8, solid, difference([1,7]))) )),
+                evaluate,
+                volume(8, V) )).
+
 %   stale(Ss): nodes that had a boundary which is not right now.
 
 stale(Ss) :-
