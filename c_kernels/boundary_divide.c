@@ -1,6 +1,7 @@
 /* boundary_divide.c -- the triangles of one face (boundary_mesh.h). */
 #include "boundary_private.h"
 
+#include "delaunay.h"
 #include "flatness.h"
 #include "plane.h"
 
@@ -62,10 +63,24 @@ note_splits(sg_boundary_maker *m)
   return true;
 }
 
+/* How far rounding has moved the farthest vertex of the n edges at work. */
+static double
+moved_by(const sg_boundary_maker *m, size_t n)
+{
+  double farthest = 0;
+
+  for (size_t i = 0; i < n; i++) {
+    const double *at = m->b->at[m->from[i]], *was = m->b->was[m->from[i]];
+    double x = at[0] - was[0], y = at[1] - was[1], z = at[2] - was[2];
+    farthest = fmax(farthest, x * x + y * y + z * z);
+  }
+  return sqrt(farthest);
+}
+
 /* One try, with contacts taken exactly or, if reach > 0, within that. */
 static sg_outcome
 try_to_divide(sg_boundary_maker *m, const double (*at)[3], size_t n,
-              double reach)
+              double reach, double moved)
 {
   sg_newell sum;
   sg_plane plane;
@@ -81,7 +96,8 @@ try_to_divide(sg_boundary_maker *m, const double (*at)[3], size_t n,
   }
   return fill_work(m, at, n, plane.n) && sg_work_resolve(m->work, reach) &&
                  note_splits(m)
-             ? sg_work_triangulate(m->work, &m->found, &edge, m->poll)
+             ? sg_work_triangulate_moved(m->work, moved, &m->found, &edge,
+                                         m->poll)
              : SG_NO_SPACE;
 }
 
@@ -115,7 +131,7 @@ divide(sg_boundary_maker *m, size_t n)
 
   for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
     size_t splits = m->splits.n;
-    outcome = try_to_divide(m, at[i], n, 0);
+    outcome = try_to_divide(m, at[i], n, 0, moved_by(m, n));
     if (outcome == SG_DONE && !have_all(m, n)) {
       outcome = SG_STUCK;
     }
@@ -130,16 +146,18 @@ static sg_outcome
 divide_as_reader(sg_boundary_maker *m, size_t n)
 {
   const double(*at)[3] = (const double(*)[3])m->out->mesh.vertex;
-  sg_outcome outcome = try_to_divide(m, at, n, 0);
+  sg_outcome outcome = try_to_divide(m, at, n, 0, 0);
 
-  return outcome == SG_STUCK ? try_to_divide(m, at, n, reach_of(m)) : outcome;
+  return outcome == SG_STUCK ? try_to_divide(m, at, n, reach_of(m), 0)
+                             : outcome;
 }
 
 /* A convex quadrilateral needs no scratch relation; the rule takes the corner
- * that follows its first edge. */
+ * that follows its first edge. Not so where that makes a thin triangle. */
 static bool
-divide_quad(sg_boundary_maker *m, const double (*at)[3])
+divide_quad(sg_boundary_maker *m, const double (*at)[3], double moved)
 {
+  const int32_t *v = m->from;
   sg_newell sum;
   sg_plane plane;
   int axis = 0;
@@ -163,7 +181,8 @@ divide_quad(sg_boundary_maker *m, const double (*at)[3])
       return false;
     }
   }
-  return true;
+  return !sg_triangle_is_thin(at[v[0]], at[v[1]], at[v[2]], moved) &&
+         !sg_triangle_is_thin(at[v[2]], at[v[3]], at[v[0]], moved);
 }
 
 bool
@@ -173,7 +192,7 @@ sg_boundary_each_triangle(sg_boundary_maker *m, bool reader, size_t n,
   const double(*at)[3] =
       (const double(*)[3])(reader ? m->out->mesh.vertex : m->b->at);
 
-  if (ring && n == 4 && divide_quad(m, at)) {
+  if (ring && n == 4 && divide_quad(m, at, reader ? 0 : moved_by(m, n))) {
     const int32_t *v = m->from;
     return take(m, (int32_t[3]){v[0], v[1], v[2]}) &&
            take(m, (int32_t[3]){v[2], v[3], v[0]});

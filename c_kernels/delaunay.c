@@ -218,28 +218,36 @@ sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
 
 /* ---- thin triangles ---- */
 
-static bool
-is_thin(const sg_work *work, const sg_triangle *t)
+bool
+sg_triangle_is_thin(const double a[3], const double b[3], const double c[3],
+                    double moved)
 {
   double u[3], w[3], x = 0, y = 0, z = 0, square = 0;
 
   for (int k = 0; k < 3; k++) {
-    const double *p = sg_work_point(work, t->v[0])->p;
-
-    u[k] = sg_work_point(work, t->v[1])->p[k] - p[k];
-    w[k] = sg_work_point(work, t->v[2])->p[k] - p[k];
+    u[k] = b[k] - a[k];
+    w[k] = c[k] - a[k];
     x += u[k] * u[k];
     y += w[k] * w[k];
     z += (w[k] - u[k]) * (w[k] - u[k]);
   }
   for (int k = 0; k < 3; k++) {
-    double c =
+    double area =
         u[(k + 1) % 3] * w[(k + 2) % 3] - u[(k + 2) % 3] * w[(k + 1) % 3];
-    square += c * c;
+    square += area * area;
   }
   double longest = fmax(x, fmax(y, z));
+  double narrow = fmax(THIN * THIN * longest, 4 * moved * moved);
 
-  return square < THIN * THIN * longest * longest;
+  return square < narrow * longest;
+}
+
+static bool
+is_thin(const sg_work *work, const sg_triangle *t, double moved)
+{
+  return sg_triangle_is_thin(sg_work_point(work, t->v[0])->p,
+                             sg_work_point(work, t->v[1])->p,
+                             sg_work_point(work, t->v[2])->p, moved);
 }
 
 static bool
@@ -278,10 +286,11 @@ turn_all(const sg_work *work, const int32_t (*edge)[2], size_t edges,
 
 sg_outcome
 sg_triangles_thicken(const sg_work *work, const int32_t (*edge)[2],
-                     size_t edges, sg_triangles *triangles, const sg_poll *poll)
+                     size_t edges, double moved, sg_triangles *triangles,
+                     const sg_poll *poll)
 {
   for (size_t i = 0; i < triangles->n && triangles->n > 1; i++) {
-    if (is_thin(work, &triangles->item[i])) {
+    if (is_thin(work, &triangles->item[i], moved)) {
       return turn_all(work, edge, edges, triangles, poll);
     }
   }

@@ -22,12 +22,18 @@ sg_outcome sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
                                                   int32_t b),
                                  void *data, const sg_poll *poll);
 
+/* Whether a triangle is narrower than rounding allows for: than 2^-30 of its
+ * longest side, or than 2 * moved, if its corners were moved by that. Inexact.
+ */
+bool sg_triangle_is_thin(const double a[3], const double b[3],
+                         const double c[3], double moved);
+
 /* A triangle of a polygon can be so thin that rounding has turned it over:
  * where a chord passes a vertex that was meant to lie on it. If there is one
  * among the triangles, chords are turned, none that is an edge (a, b) of
  * edge[], either way. SG_DONE, SG_STOPPED or SG_NO_SPACE. */
 sg_outcome sg_triangles_thicken(const sg_work *work, const int32_t (*edge)[2],
-                                size_t edges, sg_triangles *triangles,
-                                const sg_poll *poll);
+                                size_t edges, double moved,
+                                sg_triangles *triangles, const sg_poll *poll);
 
 #endif

@@ -73,8 +73,8 @@ take_all(sg_work *work, sg_triangles *out, int32_t *edge, const sg_poll *poll)
 }
 
 sg_outcome
-sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
-                    const sg_poll *poll)
+sg_work_triangulate_moved(sg_work *work, double moved, sg_triangles *out,
+                          int32_t *edge, const sg_poll *poll)
 {
   size_t before = out->n, edges;
   int32_t(*of)[2] = note_edges(work, &edges);
@@ -88,9 +88,16 @@ sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
     sg_triangles fresh = {out->item ? out->item + before : NULL,
                           out->n - before, out->n - before};
 
-    outcome = sg_triangles_thicken(work, (const int32_t(*)[2])of, edges, &fresh,
-                                   poll);
+    outcome = sg_triangles_thicken(work, (const int32_t(*)[2])of, edges, moved,
+                                   &fresh, poll);
   }
   free(of);
   return outcome;
+}
+
+sg_outcome
+sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
+                    const sg_poll *poll)
+{
+  return sg_work_triangulate_moved(work, 0, out, edge, poll);
 }

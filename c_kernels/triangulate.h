@@ -31,5 +31,10 @@ typedef enum sg_outcome {
  * triangles found before it stay in `out`. The edges are used up. */
 sg_outcome sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
                                const sg_poll *poll);
+/* The same of vertices that rounding has moved by up to `moved`: a triangle no
+ * wider than that was flat, so chords are turned, as delaunay.h says. */
+sg_outcome sg_work_triangulate_moved(sg_work *work, double moved,
+                                     sg_triangles *out, int32_t *edge,
+                                     const sg_poll *poll);
 
 #endif

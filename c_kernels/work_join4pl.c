@@ -422,7 +422,7 @@ work_thicken(term_t work_term, term_t edges, term_t before, term_t after)
     memcpy(all.item[i].v, corner + 3 * i, sizeof all.item[i].v);
   }
   if (good) {
-    switch (sg_triangles_thicken(work, (const int32_t(*)[2])(void *)edge, n,
+    switch (sg_triangles_thicken(work, (const int32_t(*)[2])(void *)edge, n, 0,
                                  &all, &sg_prolog_poll)) {
     case SG_DONE:
       good = unify_triangles(after, work, &all);

@@ -8,7 +8,7 @@
 :- use_module(kernel,
               [ boundary_open/7, boundary_coarsen/3, boundary_close/1,
                 boundary_counts/2, boundary_meetings/4, boundary_add/2,
-                boundary_write/5
+                boundary_write/5, fill_triangles/1
               ]).
 :- use_module(mesh, [mesh_file_format/3, mesh_to_file/2, mesh_outcome/1]).
 :- use_module(model_writer, [write_model/1]).
@@ -18,7 +18,6 @@
               [ v/5, p/3, segment/3, origin/3, assert_fact/1, facts_snapshot/1,
                 fresh_id/3
               ]).
-:- use_module(triangulation, [complete_segments/0]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/5, foldl/6]).
 :- use_module(library(error), [existence_error/2, must_be/2]).
@@ -185,7 +184,7 @@ rounds_kept(_, _, Boundary, Clean) :-
     fresh_id(segment, 0, Clean),
     boundary_add(Boundary, Clean),
     assert_fact(segment(Clean, solid, rounded)),
-    complete_segments.
+    fill_triangles(_).
 
 %!  output_statistics(-Statistics) is det.
 %
@@ -327,7 +326,7 @@ rounded_copy(S, Single, Copy) :-
     ;   triangle_copy(S, false, soup, Triangles),
         triangle_copy(Triangles, Single, soup, Copy)
     ),
-    complete_segments.
+    fill_triangles(_).                  % what has no area needs none
 
 triangle_copy(S, Single, Form, Copy) :-
     boundary_open([S], [], Single, 0.0, Form, false, Boundary),

@@ -297,6 +297,32 @@ test(united_on_the_way, true(abs(V-15) =< 1.0e-9)) :-
     After.rounds =:= Before.rounds+1,
     After.solids =:= Before.solids+1.
 
+%   A corner that a cut has put on an edge of a quadrilateral lies beside that
+%   edge once it is rounded. No triangle may be as thin as that: these would lie
+%   over the face beside the edge, and ask for rounds.
+
+test(corner_on_an_edge, [forall(member(Ending-Slack, [off-0.0,stl-1.0e-6])),
+                         true(abs(V-5) =< Slack)]) :-
+    output_statistics(Before),
+    with_file(Ending, File,
+              ( in_new_world(( add_primitive(
+                                   polyhedron(points([[0,0,4],[3,0,0],
+                                                      [4,4,3],[4,4,1]]),
+                                              faces([[1,2,3],[1,4,2],
+                                                     [2,4,3],[1,3,4]])), _),
+                               add_primitive(
+                                   polyhedron(points([[2,3,3],[4,4,3],
+                                                      [0,0,4],[2,2,2]]),
+                                              faces([[1,3,2],[1,2,4],
+                                                     [2,3,4],[1,4,3]])), _),
+                               complete_segments,
+                               boolean(union([1,2]), 100),
+                               write_solid(File, 100) )),
+                good(File, []),
+                read_back(File, 7, _, 0, V) )),
+    output_statistics(After),
+    After.rounds =:= Before.rounds.
+
 %   Several solids in one file: each is checked, and united with itself, alone.
 
 test(several, [forall(member(Ending, [off,stl,obj,ply])),
