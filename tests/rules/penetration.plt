@@ -1,21 +1,20 @@
+:- module(test_penetration, []).
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).
-:- use_module(library(pairs)).
 :- use_module(library(random)).
 :- use_module(library(time)).
 :- use_module(rules(decision)).
 :- use_module(rules(store)).
 :- use_module(rules(chain)).
-:- use_module(rules(exact)).
 :- use_module(rules(model_file)).
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_side/4,
                 cut_seal/1
               ]).
-:- use_module(rules(mesh)).
 :- use_module(rules(penetration)).
 :- use_module(rules(triangulation)).
+:- use_module(tests(rules/penetration_fault), [faults/1, penetration_fault/1]).
 
 /* Penetration lines: closed forms, contacts of every kind, and what must hold
    of every model afterwards, on seeded random solids on a coarse grid, where
@@ -49,168 +48,6 @@ with_rules(Text, Goal) :-
     delete_file(File).
 
 box(A, B, C, X, Y, Z, at([translate(X,Y,Z)], box(size(A,B,C)))).
-
-/* - - - what must hold - - - */
-
-fault(Fault) :- edge_fault(Fault).
-fault(Fault) :- line_fault(Fault).
-fault(Fault) :- area_fault(Fault).
-fault(Fault) :- origin_fault(Fault).
-fault(Fault) :- chain_fault(Fault).
-
-%   In a solid every directed edge of a polygon is in that one alone, and has
-%   exactly one opposite.
-
-edge_fault(Fault) :-
-    findall(S-(V1-V2),
-            ( segment(S, Kind, _), Kind \== curve, p(S, _, Es),
-              member(E, Es), e(S, E, V1, V2, _) ),
-            Edges),
-    msort(Edges, Sorted),
-    (   append(_, [Edge,Edge|_], Sorted),
-        Fault = twice(Edge)
-    ;   member(S-(V1-V2), Edges),
-        segment(S, solid, _),
-        \+ ( e(S, E, V2, V1, _), p(S, _, Es), memberchk(E, Es) ),
-        Fault = alone(S, V1, V2)
-    ;   e(S, E, V1, V2, _),
-        \+ segment(S, curve, _),
-        \+ ( p(S, _, Es), memberchk(E, Es) ),
-        Fault = unused(S, E, V1, V2)
-    ).
-
-%   A piece is a real edge in both segments, at the same places. A contact in a
-%   point alone is at no piece's end, in both its polygons or their planes.
-
-line_fault(Fault) :-
-    line(L, S1, P1, A, A, S2, P2, B, B),
-    (   \+ same_place(S1, A, S2, B),
-        Fault = elsewhere(L)
-    ;   line(M, S1, _, A1, B1, S2, _, A2, B2),
-        M \== L,
-        ( memberchk(A, [A1,B1]) ; memberchk(B, [A2,B2]) ),
-        Fault = not_alone(L, M)
-    ;   member(S-P-V, [S1-P1-A,S2-P2-B]),
-        \+ polygon_edge(S, P, V, _),
-        \+ isolated_in(S, P, V),
-        Fault = not_in(L, S, P)
-    ).
-line_fault(Fault) :-
-    line(L, S1, P1, A1, B1, S2, P2, A2, B2),
-    A1 \== B1,
-    (   \+ edge_pair(S1, A1, B1),
-        Fault = no_edge(L, S1)
-    ;   \+ edge_pair(S2, A2, B2),
-        Fault = no_edge(L, S2)
-    ;   ( v(S1, A1, X, Y, Z), \+ v(S2, A2, X, Y, Z)
-        ; v(S1, B1, X, Y, Z), \+ v(S2, B2, X, Y, Z)
-        ),
-        Fault = elsewhere(L)
-    ;   \+ polygon_edge(S1, P1, A1, B1),
-        Fault = not_in(L, S1, P1)
-    ;   \+ polygon_edge(S2, P2, A2, B2),
-        Fault = not_in(L, S2, P2)
-    ).
-
-same_place(S1, A, S2, B) :-
-    vertex_exact(S1, A, X, Y, Z),
-    vertex_exact(S2, B, X, Y, Z).
-
-isolated_in(S, P, V) :-
-    \+ e(S, _, V, _, _),
-    v(S, V, X, Y, Z),
-    plane(S, P, Nx, Ny, Nz, D),
-    abs(X*Nx + Y*Ny + Z*Nz + D) < 1.0e-9*(1+abs(X)+abs(Y)+abs(Z)).
-
-edge_pair(S, A, B) :-
-    (   e(S, _, A, B, 1)
-    ;   e(S, _, B, A, 1)
-    ),
-    !.
-
-polygon_edge(S, P, A, B) :-
-    (   e(S, E, A, B, _)
-    ;   e(S, E, B, A, _)
-    ),
-    p(S, P, Es),
-    memberchk(E, Es),
-    !.
-
-%   The triangles of a polygon cover it: both have the same vector area.
-
-area_fault(area(S, P, Area, Sum)) :-
-    p(S, P, Es),
-    findall(C, ( member(E, Es), e(S, E, A, B, _), cross(S, A, B, C) ), Cs),
-    vector_sum(Cs, Area),
-    findall(C, ( t(S, P, _, V1, V2, V3),
-                 member(A-B, [V1-V2,V2-V3,V3-V1]),
-                 cross(S, A, B, C) ), Ts),
-    vector_sum(Ts, Sum),
-    \+ near(Area, Sum).
-area_fault(turned(S, P, T)) :-
-    t(S, P, T, V1, V2, V3),
-    plane(S, P, Nx, Ny, Nz, _),
-    findall(C, ( member(A-B, [V1-V2,V2-V3,V3-V1]), cross(S, A, B, C) ), Cs),
-    vector_sum(Cs, v(X,Y,Z)),
-    X*Nx + Y*Ny + Z*Nz =< 0.
-area_fault(no_triangles(S, P)) :-
-    p(S, P, _),
-    \+ t(S, P, _, _, _, _).
-
-cross(S, A, B, v(X,Y,Z)) :-
-    v(S, A, X1, Y1, Z1),
-    v(S, B, X2, Y2, Z2),
-    X is Y1*Z2-Z1*Y2,
-    Y is Z1*X2-X1*Z2,
-    Z is X1*Y2-Y1*X2.
-
-vector_sum(Vs, v(X,Y,Z)) :-
-    aggregate_all(sum(A), member(v(A,_,_), Vs), X),
-    aggregate_all(sum(A), member(v(_,A,_), Vs), Y),
-    aggregate_all(sum(A), member(v(_,_,A), Vs), Z).
-
-near(v(X1,Y1,Z1), v(X2,Y2,Z2)) :-
-    abs(X1-X2) =< 1.0e-9,
-    abs(Y1-Y2) =< 1.0e-9,
-    abs(Z1-Z2) =< 1.0e-9.
-
-%   Every vertex and edge that is an end of a line has an origin or was there.
-
-origin_fault(no_place(S, V)) :-
-    origin(S, v(V), _),
-    \+ v(S, V, _, _, _).
-origin_fault(no_edge(S, E)) :-
-    origin(S, e(E), _),
-    \+ e(S, E, _, _, _).
-origin_fault(unused(S, V)) :-
-    origin(S, v(V), _),
-    \+ e(S, _, V, _, _),
-    \+ line(_, S, _, V, V, _, _, _, _),
-    \+ line(_, _, _, _, _, S, _, V, V).
-
-%   The lines of a chain follow each other, and each line is in one chain.
-
-chain_fault(chain(S1, S2, Lines)) :-
-    chains(Chains),
-    member(chain(S1, S2, Kind, Lines), Chains),
-    (   chain_vertices(Lines, S1, Vs),
-        chain_vertices(Lines, S2, _)
-    ->  Vs = [First|_],
-        last(Vs, Last),
-        Kind == closed,
-        First \== Last
-    ;   true
-    ).
-chain_fault(count(N, M)) :-
-    chains(Chains),
-    aggregate_all(count,
-                  ( member(chain(_,_,_,Lines), Chains), member(_, Lines) ),
-                  N),
-    aggregate_all(count, line(_,_,_,_,_,_,_,_,_), M),
-    N =\= M.
-
-faults(Faults) :-
-    findall(Fault, limit(5, fault(Fault)), Faults).
 
 shape(Shape) :-
     chains(Chains),
@@ -387,7 +224,7 @@ test(touching_hole, F-Ls == []-[closed]) :-
                penetrate,
                chains(Cs),
                findall(K, member(chain(_,_,K,_), Cs), Ls),
-               findall(X, ( fault(X), X \= area(_,_,_,_) ), F) )).
+               findall(X, ( penetration_fault(X), X \= area(_,_,_,_) ), F) )).
 
 hollow :-
     assert_fact(segment(1, surface, hollow)),
@@ -587,75 +424,3 @@ random_solid(at([translate(X,Y,Z)|Turns], Shape)) :-
                   ]).
 
 :- end_tests(penetration).
-
-/* Meshes of others, where they are: they come out without error, with a line
-   where the files meet and no edge without an opposite. */
-
-:- multifile user:message_hook/3.
-
-user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
-user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
-
-shared(Folder) :-
-    atom_concat('../shared/data/', Folder, Path),
-    (   exists_directory(Path)
-    ->  true
-    ;   format("skipped: ~w is not there~n", [Path]),
-        fail
-    ).
-
-mesh_pair(Path, Second, First-Cut) :-
-    atomic_list_concat([Path, /, '*'], Pattern),
-    expand_file_name(Pattern, Files),
-    member(First, Files),
-    atomic_list_concat([Begin, End], 'src-mesh', First),
-    atomic_list_concat([Begin, Second, End], Cut).
-mesh_pair(Path, _, Left-Right) :-
-    atom_concat(Path, '/*_left.obj', Pattern),
-    expand_file_name(Pattern, Files),
-    member(Left, Files),
-    atom_concat(Begin, '_left.obj', Left),
-    atom_concat(Begin, '_right.obj', Right).
-
-meshes_fault(First-Second, Fault) :-
-    new_world(World),
-    in_world(World,
-             ( read_mesh(First, _),
-               read_mesh(Second, _),
-               complete_segments,
-               findall(F, mesh_fault(F), Faults0),
-               penetrate,
-               findall(F, mesh_fault(F), Faults)
-             )),
-    member(Fault, Faults),
-    \+ memberchk(Fault, Faults0).
-
-mesh_fault(Fault) :- edge_fault(Fault).
-mesh_fault(Fault) :- line_fault(Fault).
-mesh_fault(Fault) :- chain_fault(Fault).
-
-:- begin_tests(penetration_meshes).
-
-% 062 has triangles without area; their edges lie on one another.
-test(mcut, [condition(shared(mcut)), true(Bad == [])]) :-
-    findall(First-Fault,
-            ( mesh_pair('../shared/data/mcut', 'cut-mesh', First-Second),
-              \+ sub_atom(First, _, _, 0, '062.off'),
-              meshes_fault(First-Second, Fault) ),
-            Bad).
-test(mcut_meet, [condition(shared(mcut)), true(N >= 30)]) :-
-    aggregate_all(count,
-                  ( mesh_pair('../shared/data/mcut', 'cut-mesh', A-B),
-                    new_world(World),
-                    in_world(World,
-                             ( read_mesh(A, _), read_mesh(B, _),
-                               complete_segments, penetrate,
-                               once(line(_,_,_,_,_,_,_,_,_)) )) ),
-                  N).
-test(booleans, [condition(shared(booleans)), true(Bad == [])]) :-
-    findall(First-Fault,
-            ( mesh_pair('../shared/data/booleans', none, First-Second),
-              meshes_fault(First-Second, Fault) ),
-            Bad).
-
-:- end_tests(penetration_meshes).

@@ -1,24 +1,22 @@
 /* The fact engine from Prolog: every relation in every instantiation mode
-   against a plain list of the same facts, changes, transactions, worlds,
-   threads.
+   against a plain list of the same facts, and changes; worlds.plt has
+   transactions, worlds and threads.
 */
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
 :- use_module(library(apply)).
 :- use_module(library(aggregate)).
 :- use_module(library(sandbox), [safe_goal/1]).
-:- use_module(library(time), [call_with_time_limit/2]).
 :- use_module(rules(store)).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
 :- begin_tests(store, [setup(( new_world(W), set_world(W) ))]).
 
-%   in_new(:Goal): Goal in a world of its own.
+vs(Vs) :-
+    findall(V, v(1,V,_,_,_), Vs).
 
-:- meta_predicate in_new(0).
-
-in_new(Goal) :-
-    new_world(World),
-    in_world(World, Goal).
+add(V) :-
+    assert_fact(v(1,V,0,0,0)).
 
 %   answers(:Goal, -Answers, -Det): all answers, and whether the last one left
 %   no choice point.
@@ -109,14 +107,14 @@ relation_mode(Rows, Name, Query) :-
     query(Row, Mask, Query).
 
 test(every_mode, Wrong == []) :-
-    in_new(( fill(Rows),
+    in_new_world(( fill(Rows),
              findall(Query,
                      ( relation_mode(Rows, _, Query),
                        wrong_mode(Rows, Query) ),
                      Wrong) )).
 
 test(every_pair_of_variables, Wrong == []) :-
-    in_new(( fill(Rows),
+    in_new_world(( fill(Rows),
              findall(Query,
                      ( relation_pair(Query), wrong_mode(Rows, Query) ),
                      Wrong) )).
@@ -131,7 +129,7 @@ relation_pair(Query) :-
     arg(J, Query, X).
 
 test(partial_terms, Wrong == []) :-
-    in_new(( fill(Rows),
+    in_new_world(( fill(Rows),
              findall(Query,
                      ( partial(Query), wrong_mode(Rows, Query) ),
                      Wrong) )).
@@ -151,7 +149,7 @@ partial(origin(S,_,lpi(_,S-_))).
 partial(origin(_,_,[x|_])).
 
 test(values_that_no_row_has, Answers == []) :-
-    in_new(( fill(Rows),
+    in_new_world(( fill(Rows),
              findall(Query, ( stranger(Rows, Query), call(Query) ),
                      Answers) )).
 
@@ -168,12 +166,12 @@ stranger(Rows, Query) :-
     \+ memberchk(Query, Rows).
 
 test(integer_is_no_float, [fail]) :-
-    in_new(( assert_fact(v(1,1,1,2,3)), v(1,1,1,_,_) )).
+    in_new_world(( assert_fact(v(1,1,1,2,3)), v(1,1,1,_,_) )).
 
 % Changes and what is wrong with them.
 
 test(numbers_become_floats, X-Y-Z == 1.0-0.5-0.0) :-
-    in_new(( assert_fact(v(1,1,1,1r2,-0.0)), v(1,1,X,Y,Z) )).
+    in_new_world(( assert_fact(v(1,1,1,1r2,-0.0)), v(1,1,X,Y,Z) )).
 test(terms_read_back, true(Back =@= Term)) :-
     Term = f(1, -7, 134217727, 134217728, -134217728, -134217729,
              9223372036854775807, -9223372036854775808, 9223372036854775808,
@@ -182,13 +180,13 @@ test(terms_read_back, true(Back =@= Term)) :-
              '', a, 'A b', [], '[]', "", "text", "a\u0000b",
              '\uAC00\U0001F600', [1,2|3], [[]], g(), -(1), 1-(2-3), {x},
              'a,b'(c)),
-    in_new(( assert_fact(segment(1,solid,Term)), segment(1,_,Back) )).
+    in_new_world(( assert_fact(segment(1,solid,Term)), segment(1,_,Back) )).
 test(long_list_in_a_term, Last == 100000) :-
     numlist(1, 100000, List),
-    in_new(( assert_fact(segment(1,solid,List)), segment(1,_,Back) )),
+    in_new_world(( assert_fact(segment(1,solid,List)), segment(1,_,Back) )),
     last(Back, Last).
 test(term_is_found_by_its_words, S == 7) :-
-    in_new(( forall(between(1, 20, I),
+    in_new_world(( forall(between(1, 20, I),
                     assert_fact(origin(I,v(1),f(I,"x",[1.5,a])))),
              origin(S, _, f(7,"x",[1.5,a])) )).
 
@@ -236,9 +234,9 @@ few :-
     maplist(assert_fact, [v(1,1,0,0,0), v(1,2,1,0,0), e(1,1,1,2,1)]).
 
 test(refused, [forall(refused(Fact, Formal)), error(Formal, _)]) :-
-    in_new(( few, assert_fact(Fact) )).
+    in_new_world(( few, assert_fact(Fact) )).
 test(refused_changes_nothing, N == 2) :-
-    in_new(( few,
+    in_new_world(( few,
              forall(refused(Fact, _),
                     catch(assert_fact(Fact), error(_, _), true)),
              aggregate_all(count, v(_,_,_,_,_), N) )).
@@ -248,33 +246,33 @@ test(deep_term, error(resource_error(nesting_of_terms))) :-
     assert_fact(segment(9, solid, Deep)).
 test(cyclic_term, error(type_error(storable_term, _), _)) :-
     X = f(X),
-    in_new(assert_fact(segment(1,solid,X))).
+    in_new_world(assert_fact(segment(1,solid,X))).
 
 test(retract_is_nondet, Vs-Left == [1,2]-[]) :-
-    in_new(( few,
+    in_new_world(( few,
              findall(V, retract_fact(v(1,V,_,_,_)), Vs),
              findall(V, v(1,V,_,_,_), Left) )).
 test(retract_one, Left == [2]) :-
-    in_new(( few,
+    in_new_world(( few,
              once(retract_fact(v(_,_,_,_,_))),
              findall(V, v(1,V,_,_,_), Left) )).
 test(retract_last_is_det) :-
-    in_new(( few,
+    in_new_world(( few,
              call_cleanup(retract_fact(v(1,2,_,_,_)), Det = true),
              Det == true )).
 test(retract_skips_what_is_gone, Vs == [1]) :-
-    in_new(( few,
+    in_new_world(( few,
              findall(V,
                      ( retract_fact(v(1,V,_,_,_)),
                        retractall_facts(v(_,_,_,_,_)) ),
                      Vs) )).
 test(retractall_by_pattern, Left == [e(1,1,1,2,1)]) :-
-    in_new(( few,
+    in_new_world(( few,
              assert_fact(e(1,2,2,2,1)),
              retractall_facts(e(_,_,V,V,_)),
              findall(e(A,B,C,D,E), e(A,B,C,D,E), Left) )).
 test(retractall_of_segment, Left == [e(2,1,1,2,1)]) :-
-    in_new(( forall(member(S, [1,2]),
+    in_new_world(( forall(member(S, [1,2]),
                     ( assert_fact(v(S,1,0,0,0)), assert_fact(v(S,2,1,0,0)),
                       assert_fact(e(S,1,1,2,1)) )),
              assert_fact(e(1,2,2,1,1)),
@@ -283,36 +281,36 @@ test(retractall_of_segment, Left == [e(2,1,1,2,1)]) :-
              \+ e(1,_,1,_,_),
              v(1,2,_,_,_) )).
 test(retractall_of_segment_twice_a_variable, N == 1) :-
-    in_new(( assert_fact(v(1,1,0,0,0)), assert_fact(v(1,2,1,0,0)),
+    in_new_world(( assert_fact(v(1,1,0,0,0)), assert_fact(v(1,2,1,0,0)),
              assert_fact(e(1,1,1,2,1)),
              retractall_facts(e(1,_,V,V,_)),
              aggregate_all(count, e(_,_,_,_,_), N) )).
 test(retractall_of_no_segment) :-
-    in_new(( assert_fact(v(1,1,0,0,0)),
+    in_new_world(( assert_fact(v(1,1,0,0,0)),
              forall(member(S, [0,-1,9,2147483648,1.0,a]),
                     retractall_facts(v(S,_,_,_,_))),
              v(1,1,_,_,_) )).
 test(retractall_of_nothing) :-
-    in_new(retractall_facts(v(1,foo,_,_,_))).
+    in_new_world(retractall_facts(v(1,foo,_,_,_))).
 test(retractall_unknown, error(existence_error(relation, w/1), _)) :-
     retractall_facts(w(_)).
 
 % Logical update view.
 
 test(scan_sees_no_addition, N == 3) :-
-    in_new(( forall(between(1, 3, V), assert_fact(v(1,V,0,0,0))),
+    in_new_world(( forall(between(1, 3, V), assert_fact(v(1,V,0,0,0))),
              aggregate_all(count,
                            ( v(1,V,_,_,_),
                              V2 is V+100,
                              assert_fact(v(1,V2,0,0,0)) ),
                            N) )).
 test(scan_sees_no_retraction, Vs == [1,2,3]) :-
-    in_new(( forall(between(1, 3, V), assert_fact(v(1,V,0,0,0))),
+    in_new_world(( forall(between(1, 3, V), assert_fact(v(1,V,0,0,0))),
              findall(V,
                      ( v(1,V,_,_,_), retractall_facts(v(_,_,_,_,_)) ),
                      Vs) )).
 test(lookup_sees_no_change, Es == [1,2,3]) :-
-    in_new(( few,
+    in_new_world(( few,
              forall(between(2, 3, E), assert_fact(e(1,E,1,2,0))),
              findall(E,
                      ( e(1,E,1,_,_),
@@ -321,7 +319,7 @@ test(lookup_sees_no_change, Es == [1,2,3]) :-
                        assert_fact(e(1,E2,1,2,1)) ),
                      Es) )).
 test(lists_of_retracted_rows_stay, Ls == [[1],[1,1],[1,1,1]]) :-
-    in_new(( few,
+    in_new_world(( few,
              assert_fact(p(1,1,[1])),
              assert_fact(p(1,2,[1,1])),
              assert_fact(p(1,3,[1,1,1])),
@@ -335,7 +333,7 @@ test(lists_of_retracted_rows_stay, Ls == [[1],[1,1],[1,1,1]]) :-
 % Rows by number, members, ids.
 
 test(rows_by_number, Rows == Numbered) :-
-    in_new(( fill(_),
+    in_new_world(( fill(_),
              findall(v(S,V,X,Y,Z), v(S,V,X,Y,Z), Rows),
              findall(F,
                      ( fact_row(v(_,_,_,_,_), R),
@@ -345,15 +343,15 @@ test(rows_by_number, Rows == Numbered) :-
                        row_value(v, R, 2, X) ),
                      Numbered) )).
 test(row_of_new_fact, X == 4.0) :-
-    in_new(( assert_fact(v(1,1,4,0,0), Row), row_value(v/5, Row, 2, X) )).
+    in_new_world(( assert_fact(v(1,1,4,0,0), Row), row_value(v/5, Row, 2, X) )).
 test(retract_row, fail) :-
-    in_new(( assert_fact(v(1,1,4,0,0), Row),
+    in_new_world(( assert_fact(v(1,1,4,0,0), Row),
              retract_row(v, Row),
              ( retract_row(v, Row) ; row_value(v, Row, 2, _) ) )).
 test(no_such_row, fail) :-
-    in_new(( fact_row(v(_,_,_,_,_), 12345) ; row_value(v, -1, 0, _) )).
+    in_new_world(( fact_row(v(_,_,_,_,_), 12345) ; row_value(v, -1, 0, _) )).
 test(members, Wrong == []) :-
-    in_new(( fill(_),
+    in_new_world(( fill(_),
              findall(S-I, wrong_members(S, I), Wrong) )).
 
 wrong_members(S, I) :-
@@ -369,9 +367,9 @@ wrong_members(S, I) :-
          Det2 == exit ).
 
 test(member_given, [true]) :-
-    in_new(( fill(_), edge_polygon(1, 4, 2), vertex_triangle(1, 3, 1) )).
+    in_new_world(( fill(_), edge_polygon(1, 4, 2), vertex_triangle(1, 3, 1) )).
 test(fresh_ids, Ids == [1,2,6,7,1]) :-
-    in_new(( fresh_id(v,1,A), fresh_id(v,1,B),
+    in_new_world(( fresh_id(v,1,A), fresh_id(v,1,B),
              assert_fact(v(1,5,0,0,0)),
              fresh_id(v,1,C),
              facts_snapshot(fresh_id(v,1,D0)),
@@ -380,154 +378,6 @@ test(fresh_ids, Ids == [1,2,6,7,1]) :-
              Ids = [A,B,C,D,E] )).
 test(fresh_of_none, error(domain_error(relation_with_ids, view), _)) :-
     fresh_id(view, 1, _).
-
-% Transactions.
-
-vs(Vs) :-
-    findall(V, v(1,V,_,_,_), Vs).
-
-add(V) :-
-    assert_fact(v(1,V,0,0,0)).
-
-test(commit, Vs == [1,2]) :-
-    in_new(( facts_transaction(( add(1), add(2) )), vs(Vs) )).
-test(failure_rolls_back, Vs == [1]) :-
-    in_new(( add(1), \+ facts_transaction(( add(2), fail )), vs(Vs) )).
-test(exception_rolls_back, Vs == [1]) :-
-    in_new(( add(1),
-             catch(facts_transaction(( add(2), throw(x) )), x, true),
-             vs(Vs) )).
-test(time_limit_rolls_back, Vs == [1]) :-
-    in_new(( add(1),
-             catch(call_with_time_limit(0.05,
-                       facts_transaction(( add(2), repeat, fail ))),
-                   time_limit_exceeded, true),
-             vs(Vs) )).
-test(abort_rolls_back,
-     [ condition(current_prolog_flag(threads, true)),
-       Status-Vs == exception('$aborted')-[1]
-     ]) :-
-    new_world(W),
-    in_world(W, add(1)),
-    thread_self(Me),
-    thread_create(in_world(W,
-                           facts_transaction(( add(2),
-                                               thread_send_message(Me, in),
-                                               repeat, fail ))),
-                  Id),
-    thread_get_message(in),
-    thread_signal(Id, abort),
-    thread_join(Id, Status),
-    in_world(W, vs(Vs)).
-test(nested, Vs == [1,3]) :-
-    in_new(( facts_transaction(( add(1),
-                                 \+ facts_transaction(( add(2), fail )),
-                                 facts_transaction(add(3)) )),
-             vs(Vs) )).
-test(inner_commit_outer_rollback, Vs == []) :-
-    in_new(( \+ facts_transaction(( facts_transaction(add(1)), fail )),
-             vs(Vs) )).
-test(transaction_is_once, Vs == [1]) :-
-    in_new(( findall(V,
-                     facts_transaction(( member(V, [1,2]), add(V) )),
-                     _),
-             vs(Vs) )).
-test(snapshot, Inside-Vs == [1,2]-[1]) :-
-    in_new(( add(1),
-             facts_snapshot(( add(2), vs(Inside) )),
-             vs(Vs) )).
-test(undo_and_redo, States == [[1,2],[1],[],[1],[1,2]]) :-
-    in_new(( facts_transaction(add(1)),
-             facts_transaction(add(2)),
-             vs(A), facts_undo, vs(B), facts_undo, vs(C),
-             \+ facts_undo,
-             facts_redo, vs(D), facts_redo, vs(E),
-             \+ facts_redo,
-             States = [A,B,C,D,E] )).
-test(change_forgets_redo, fail) :-
-    in_new(( facts_transaction(add(1)), facts_undo, add(2), facts_redo )).
-test(unchanged_is_no_step, fail) :-
-    in_new(( facts_transaction(true), facts_undo )).
-test(undo_limit, N == 3) :-
-    in_new(( facts_undo_limit(3),
-             forall(between(1, 10, V), facts_transaction(add(V))),
-             aggregate_all(count, ( between(1, 10, _), facts_undo ), N) )).
-test(undo_inside, error(permission_error(undo, open_transaction, _), _)) :-
-    in_new(facts_transaction(facts_undo)).
-test(open_call_survives_rollback, Vs == [1,2,3]) :-
-    in_new(( add(1), add(2), add(3),
-             findall(V,
-                     ( v(1,V,_,_,_),
-                       \+ facts_transaction(( retractall_facts(v(_,_,_,_,_)),
-                                              add(V), fail )) ),
-                     Vs) )).
-
-% Worlds and threads.
-
-test(worlds_are_apart, A-B == [1]-[2]) :-
-    new_world(W1),
-    new_world(W2),
-    in_world(W1, add(1)),
-    in_world(W2, add(2)),
-    in_world(W1, vs(A)),
-    in_world(W2, vs(B)).
-test(in_world_restores, W == W1) :-
-    current_world(W),
-    new_world(W2),
-    catch(in_world(W2, throw(x)), x, true),
-    \+ in_world(W2, fail),
-    current_world(W1).
-test(transaction_in_another_world, Vs == []) :-
-    new_world(W),
-    in_new(\+ facts_transaction(( set_world(W), add(1), fail ))),
-    in_world(W, vs(Vs0)),
-    assertion(Vs0 == [1]),                  % that world had no transaction
-    in_new(vs(Vs)).
-test(no_world,
-     [ condition(current_prolog_flag(threads, true)),
-       Status == exception(existence_error(sg_world, current))
-     ]) :-
-    thread_create(catch(v(_,_,_,_,_), error(E, _), throw(E)), Id),
-    thread_join(Id, Status).
-test(no_handle, error(type_error(sg_world, x), _)) :-
-    set_world(x).
-test(handles_compare, Order == (<)) :-
-    new_world(A),
-    new_world(B),
-    compare(Order, A, B).
-test(other_thread_sees_before,
-     [condition(current_prolog_flag(threads, true)), Seen == [1]]) :-
-    new_world(W),
-    in_world(W, ( add(1),
-                  facts_transaction(( add(2),
-                                      thread_create(( set_world(W), vs(Vs),
-                                                      thread_exit(Vs) ),
-                                                    Id),
-                                      thread_join(Id, exited(Seen)) )) )).
-test(writers_take_turns,
-     [condition(current_prolog_flag(threads, true)), N == 400]) :-
-    new_world(W),
-    findall(Id,
-            ( between(1, 4, T),
-              thread_create(in_world(W, add_hundred(T)), Id) ),
-            Ids),
-    forall(member(Id, Ids), thread_join(Id, true)),
-    in_world(W, aggregate_all(count, v(_,_,_,_,_), N)).
-
-add_hundred(T) :-
-    forall(between(1, 100, V),
-           facts_transaction(( assert_fact(v(T,V,0,0,0)), v(T,V,_,_,_) ))).
-
-test(worlds_are_collected) :-
-    forall(between(1, 300, _),
-           in_new(forall(between(1, 20, V), add(V)))),
-    garbage_collect_atoms.
-test(pruned_calls_let_go, true(Versions =< 3)) :-
-    in_new(( add(1), add(2), add(3),
-             forall(between(1, 50, V0),
-                    ( V is V0+10, once(v(_,_,_,_,_)), add(V) )),
-             facts_statistics(v, Statistics),
-             Versions = Statistics.versions )).
 
 % The schema.
 
@@ -551,7 +401,7 @@ test(reading_is_safe, Unsafe == []) :-
 test(changing_is_not_safe, error(permission_error(call, sandboxed, _), _)) :-
     safe_goal(sg_store:assert_fact(v(1,1,0,0,0))).
 test(statistics, true(Lookups >= 1)) :-
-    in_new(( add(1), v(1,1,_,_,_),
+    in_new_world(( add(1), v(1,1,_,_,_),
              facts_statistics(v, Statistics),
              _{rows:1, lookups:Lookups} :< Statistics )).
 
@@ -560,7 +410,7 @@ test(statistics, true(Lookups >= 1)) :-
 :- dynamic mirror/5.
 
 test(random_against_dynamic_facts, Wrong == []) :-
-    in_new(( retractall(mirror(_,_,_,_,_)),
+    in_new_world(( retractall(mirror(_,_,_,_,_)),
              set_random(seed(20261121)),
              forall(between(1, 12, V), add(V)),
              findall(Step, ( between(1, 3000, Step), random_wrong ),
@@ -608,39 +458,3 @@ random_query(E, A, B, Query) :-
                            e(1,_,A,B,_), e(_,_,A,A,_), e(_,_,_,_,_) ]).
 
 :- end_tests(store).
-
-:- begin_tests(segments_key).
-
-%   keys(+Changes, -Keys): of segments 1 and 2 at first and after each change.
-
-keys(Changes, [Key|Keys]) :-
-    new_world(World),
-    in_world(World,
-             ( assert_fact(v(1, 1, 0.0, 0.0, 0.0)),
-               assert_fact(v(2, 1, 0.0, 0.0, 0.0)),
-               assert_fact(v(3, 1, 0.0, 0.0, 0.0)),
-               segments_key([1,2], Key),
-               findall(K, ( member(Change, Changes), call(Change),
-                            segments_key([1,2], K) ),
-                       Keys) )).
-
-test(nothing_changes, true(K == K1)) :-
-    keys([true], [K,K1]).
-test(another_segment, true(K == K1)) :-
-    keys([assert_fact(v(3, 2, 1.0, 0.0, 0.0))], [K,K1]).
-test(one_of_them, true(K \== K1)) :-
-    keys([assert_fact(v(2, 2, 1.0, 0.0, 0.0))], [K,K1]).
-test(undo, true(K-K1 == K2-K3)) :-
-    keys([facts_transaction(assert_fact(v(2, 2, 1.0, 0.0, 0.0))), facts_undo,
-          facts_redo],
-         [K,K1,K2,K3]).
-test(order, true(K1 \== K2)) :-
-    new_world(World),
-    in_world(World,
-             ( assert_fact(v(1, 1, 0.0, 0.0, 0.0)),
-               segments_key([1,2], K1),
-               segments_key([2,1], K2) )).
-test(no_list, error(type_error(list, a))) :-
-    segments_key(a, _).
-
-:- end_tests(segments_key).
