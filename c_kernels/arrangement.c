@@ -287,9 +287,33 @@ sg_arrangement_open(const sg_leaves *leaves, const sg_poll *poll)
   return a;
 }
 
+/* No more room than n things take; without memory it stays as it is. */
+static void *
+trimmed(void *array, size_t n, size_t size)
+{
+  void *less = realloc(array, n > 0 ? n * size : size);
+
+  if (less) {
+    array = less;
+  }
+  return array;
+}
+
+static void
+trim_arrays(sg_arrangement *a)
+{
+  a->cell = trimmed(a->cell, a->cells, sizeof *a->cell);
+  a->triangle = trimmed(a->triangle, a->triangles, sizeof *a->triangle);
+  a->side = trimmed(a->side, a->sides, sizeof *a->side);
+  a->cell_room = a->cells;
+  a->triangle_room = a->triangles;
+  a->side_room = a->sides;
+}
+
 void
 sg_arrangement_shed(sg_arrangement *a, const sg_leaf_views *views)
 {
+  trim_arrays(a);
   sg_key_table_clear(&a->barrier);
   sg_key_table_clear(&a->has_triangles);
   free(a->next_of_polygon);

@@ -59,6 +59,17 @@ add_origin(sg_arrangement_handle *h, terms *all, uint32_t point)
   return good;
 }
 
+/* They are kept for long: no more room than their words take. */
+static void
+trim_origins(sg_arrangement_handle *h, size_t words)
+{
+  uint32_t *less = realloc(h->origin, (words + 1) * sizeof *h->origin);
+
+  if (less) {
+    h->origin = less;
+  }
+}
+
 int
 sg_make_origins_ex(sg_arrangement_handle *h)
 {
@@ -82,6 +93,7 @@ sg_make_origins_ex(sg_arrangement_handle *h)
     }
   }
   h->origin = all.word;
+  trim_origins(h, all.n);
   return TRUE;
 }
 

@@ -41,8 +41,22 @@ lay_out(const sg_table *table, sg_row first, sg_sheet_page *out)
   }
 }
 
-/* In vacancies, if they hold all of the rows, else at the end: only the first
- * part may begin within a page. */
+/* The slot of the first of n rows: in the rest of a page that was vacant, a gap
+ * or vacant pages, if they hold all of the rows, else at the end. */
+static sg_row
+first_slot(sg_table *table, size_t n)
+{
+  size_t rest = table->rest_end - table->rest;
+  sg_row gap = n > rest ? sg_table_gap(table, n) : SG_NO_ROW;
+
+  if (gap != SG_NO_ROW) {
+    return gap;
+  }
+  return sg_table_vacancies(table) >= n ? sg_table_vacancy(table)
+                                        : table->slots;
+}
+
+/* Only the first part may begin within a page. */
 bool
 sg_append_begin(sg_append *a, sg_world *world, sg_relation relation, size_t n)
 {
@@ -51,8 +65,8 @@ sg_append_begin(sg_append *a, sg_world *world, sg_relation relation, size_t n)
 
   *a = (sg_append){.world = world, .relation = relation};
   sg_world_sweep_if_worth(world, relation, n, false);
-  bool again = sg_table_vacancies(table) >= n;
-  sg_row row = again ? sg_table_vacancy(table) : table->slots;
+  sg_row row = first_slot(table, n);
+  bool again = row < table->slots;
 
   sheet->place = row % SG_PAGE_ROWS;
   sheet->page = malloc((n / SG_PAGE_ROWS + 2) * sizeof(*sheet->page));
@@ -94,7 +108,8 @@ sg_append_shorten(sg_append *a, size_t n)
     for (unsigned c = 0; c < table->info->arity; c++) {
       for (size_t i = keep; page->refs && is_ref(table, c) && i < page->n;
            i++) {
-        sg_arena_give(&table->arena, (uint32_t *)page->column[c].list[i]);
+        sg_table_let_go(table, table->info->column[c].type,
+                        (uint32_t *)page->column[c].list[i]);
       }
     }
     page->n = keep;
@@ -301,6 +316,9 @@ sg_append_lists(sg_append *a, size_t page, unsigned column,
   for (size_t i = 0; good && i < of->n; i++) {
     uint32_t *list = sg_arena_take(&table->arena, 1 + (size_t)length[i]);
     good = list != NULL;
+    if (good) {
+      *list = (uint32_t)length[i];
+    }
     of->column[column].list[i] = (int32_t *)list;
   }
   sg_world_leave(a->world);

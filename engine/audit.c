@@ -42,6 +42,17 @@ map_bytes(const sg_map *map)
   return bytes;
 }
 
+static size_t
+versions_bytes(const sg_world *world, sg_relation relation)
+{
+  double bytes = 0;
+
+  for (const sg_version *v = world->versions; v; v = v->next) {
+    bytes += sg_map_share(v->map[relation]);
+  }
+  return (size_t)(bytes + 0.5);
+}
+
 void
 sg_world_statistics(sg_world *world, sg_relation relation, sg_statistics *out)
 {
@@ -54,6 +65,7 @@ sg_world_statistics(sg_world *world, sg_relation relation, sg_statistics *out)
       .rows = sg_version_count(seen, relation),
       .slots = table->slots,
       .bytes = table_bytes(table) + map_bytes(seen->map[relation]),
+      .version_bytes = versions_bytes(world, relation),
       .scans = atomic_load_explicit(&table->scans, memory_order_relaxed),
       .lookups = table->lookups};
   for (unsigned i = 0; i < table->indexes; i++) {
@@ -67,7 +79,7 @@ sg_world_statistics(sg_world *world, sg_relation relation, sg_statistics *out)
 
 /* ---- validity ---------------------------------------------------------- */
 
-/* What the map shows is taken, and counted right. */
+/* What the map shows is taken, and counted right; segments ascend. */
 static bool
 map_is_valid(const sg_table *table, const sg_map *map)
 {
@@ -83,7 +95,27 @@ map_is_valid(const sg_table *table, const sg_map *map)
       rows += (size_t)__builtin_popcountll(live->word[w]);
     }
   }
-  return !map || rows == map->rows;
+  return !map || (rows == map->rows && sg_ids_is_valid(map->ids));
+}
+
+/* What is on an empty stack is not taken, and the first is on top; its gaps are
+ * no longer than it says. */
+static bool
+stack_is_valid(const sg_table *table, size_t number)
+{
+  const sg_page *page = table->page[number];
+  unsigned in_row = 0;
+
+  for (unsigned e = 0; e < page->empties; e++) {
+    sg_row row = (sg_row)(number * SG_PAGE_ROWS + page->empty[e]);
+    bool on = e > 0 && page->empty[e - 1] == page->empty[e] + 1;
+    in_row = on ? in_row + 1 : 1;
+    if (sg_table_taken(table, row) || in_row > page->gap ||
+        (e > 0 && page->empty[e - 1] <= page->empty[e])) {
+      return false;
+    }
+  }
+  return page->empties == 0 || page->gap <= table->gap;
 }
 
 static bool
@@ -93,10 +125,8 @@ slots_are_valid(const sg_table *table)
 
   for (size_t i = 0; i < table->pages; i++) {
     const sg_page *page = table->page[i];
-    for (unsigned e = 0; e < page->empties; e++) {
-      if (sg_table_taken(table, (sg_row)(i * SG_PAGE_ROWS + page->empty[e]))) {
-        return false;
-      }
+    if (!stack_is_valid(table, i)) {
+      return false;
     }
     emptied += page->empties;
   }
@@ -166,6 +196,7 @@ sg_world_is_valid(sg_world *world)
   for (int r = 0; valid && r < SG_RELATIONS; r++) {
     sg_table *table = &world->table[r];
     valid = slots_are_valid(table) && runs_are_valid(table) &&
+            sg_arena_is_valid(&table->arena) &&
             keys_are_valid(table, world->current->map[r]);
     for (const sg_version *v = world->versions; valid && v; v = v->next) {
       valid = map_is_valid(table, v->map[r]);

@@ -112,17 +112,36 @@ check_row(sg_world *world, sg_relation relation, const sg_value *row,
 
 /* ---- slots ------------------------------------------------------------- */
 
-enum { LEAST_SLOTS = 8 * SG_PAGE_ROWS }; /* to be swept for rows in bulk */
+enum {
+  LEAST_SLOTS = 8 * SG_PAGE_ROWS, /* to be swept for rows in bulk */
+  LEAST_BYTES = 1 << 20           /* of lists and terms, to be swept for them */
+};
 
-/* Slots for n rows without a new page; empty stacks are for single rows. */
+/* Slots for n rows without a new page; rows in bulk want them in a row. */
 static bool
-has_room(const sg_table *table, size_t n, bool single)
+has_room(sg_table *table, size_t n, bool single)
 {
   size_t end = (SG_PAGE_ROWS - table->slots % SG_PAGE_ROWS) % SG_PAGE_ROWS;
   size_t vacancies = sg_table_vacancies(table);
 
   return single ? table->emptied + vacancies + end >= n
-                : vacancies >= n || end >= n;
+                : vacancies >= n || end >= n ||
+                      sg_table_gap(table, n) != SG_NO_ROW;
+}
+
+/* For n rows more, of which `dead` slots may have room. */
+static bool
+wants_slots(sg_table *table, size_t dead, size_t n, bool single)
+{
+  return !has_room(table, n, single) && table->written >= table->slots / 8 &&
+         dead >= table->slots / 4 && table->slots >= (single ? 1 : LEAST_SLOTS);
+}
+
+/* Dead rows may be few and have long lists or terms. */
+static bool
+wants_bytes(const sg_table *table)
+{
+  return table->arena.bytes > 2 * table->swept_bytes + LEAST_BYTES;
 }
 
 void
@@ -132,10 +151,9 @@ sg_world_sweep_if_worth(sg_world *world, sg_relation relation, size_t n,
   sg_table *table = &world->table[relation];
   const sg_map *map = world->current->map[relation];
   size_t rows = map ? map->rows : 0;
+  size_t dead = table->slots > rows ? table->slots - rows : 0;
 
-  if (!has_room(table, n, single) && table->written >= table->slots / 8 &&
-      table->slots > rows && table->slots - rows >= table->slots / 4 &&
-      table->slots >= (single ? 1 : LEAST_SLOTS)) {
+  if (dead > 0 && (wants_bytes(table) || wants_slots(table, dead, n, single))) {
     sg_world_sweep(world, relation);
   }
 }
@@ -339,10 +357,7 @@ empty_map(sg_map **map, uint64_t stamp)
     return false;
   }
   empty->holders = 1;
-  empty->ids = (*map)->ids;
-  if (empty->ids) {
-    empty->ids->holders++;
-  }
+  empty->ids = sg_ids_hold((*map)->ids);
   if (!sg_map_stamp_all(empty, stamp)) {
     sg_map_drop(empty);
     return false;

@@ -186,8 +186,8 @@ fresh_id(term_t name, term_t segment, term_t id)
 
 /* ---- statistics -------------------------------------------------------- */
 
-/* '$statistics'(+Relation, -Rows, -Slots, -Bytes, -IndexBytes, -Versions,
- * -Scans, -Lookups) is det. */
+/* '$statistics'(+Relation, -Rows, -Slots, -Bytes, -IndexBytes, -VersionBytes,
+ * -Versions, -Scans, -Lookups) is det. */
 static foreign_t
 statistics(term_t args, int count, void *control)
 {
@@ -205,9 +205,10 @@ statistics(term_t args, int count, void *control)
          PL_unify_uint64(args + 2, s.slots) &&
          PL_unify_uint64(args + 3, s.bytes) &&
          PL_unify_uint64(args + 4, s.index_bytes) &&
-         PL_unify_uint64(args + 5, s.versions) &&
-         PL_unify_uint64(args + 6, s.scans) &&
-         PL_unify_uint64(args + 7, s.lookups);
+         PL_unify_uint64(args + 5, s.version_bytes) &&
+         PL_unify_uint64(args + 6, s.versions) &&
+         PL_unify_uint64(args + 7, s.scans) &&
+         PL_unify_uint64(args + 8, s.lookups);
 }
 
 /* ---- installing -------------------------------------------------------- */
@@ -218,7 +219,7 @@ static const PL_extension predicates[] = {
     {"$relation", 5, relation, 0},
     {"$column", 7, column, PL_FA_VARARGS},
     {"fresh_id", 3, fresh_id, 0},
-    {"$statistics", 8, statistics, PL_FA_VARARGS},
+    {"$statistics", 9, statistics, PL_FA_VARARGS},
     {NULL, 0, NULL, 0},
 };
 

@@ -176,8 +176,8 @@ typedef struct sg_append {
 bool sg_append_open(sg_append *append, sg_world *world, sg_relation relation,
                     size_t n);
 /* Gives the rows of a page of the sheet lists of length[i] ids in an SG_LIST
- * column; lengths and ids are still to be written, by any thread. False: no
- * memory. */
+ * column, which their first words say; ids are still to be written, by any
+ * thread. False: no memory. */
 bool sg_append_lists(sg_append *append, size_t page, unsigned column,
                      const int32_t *length);
 /* Gives the rows of a page of the sheet copies of term[i] in an SG_TERM column.
@@ -290,9 +290,11 @@ sg_row sg_walk_next(sg_walk *walk);
 void sg_walk_rewind(sg_walk *walk);
 void sg_walk_close(sg_walk *walk);
 
-/* What a relation costs and how its indexes are used. */
+/* What a relation costs and how its indexes are used. `bytes` includes by what
+ * the version that is seen shows rows; `version_bytes` is by what all do that
+ * are held, what several share once. */
 typedef struct sg_statistics {
-  size_t rows, slots, bytes, index_bytes, versions;
+  size_t rows, slots, bytes, index_bytes, version_bytes, versions;
   uint64_t scans, lookups;
 } sg_statistics;
 void sg_world_statistics(sg_world *world, sg_relation relation,

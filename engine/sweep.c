@@ -1,7 +1,7 @@
 /* sweep.c -- slots that no version shows are used again.
  *
  * Layer: store, private. A page on which some rows are left has an empty stack,
- * for single rows; one without any is vacant, for many at a time.
+ * one without any is vacant (slots.c).
  */
 #include "table.h"
 
@@ -120,9 +120,9 @@ stack_page(sg_table *table, size_t number)
 {
   sg_page *page = table->page[number];
   size_t first = number * SG_PAGE_ROWS;
-  unsigned end = 0;
+  unsigned end = 0, in_row = 0;
 
-  page->empties = 0;
+  page->empties = page->gap = 0;
   page->vacant = first < table->slots && !has_taken(page);
   if (page->vacant) {
     table->vacant++;
@@ -134,6 +134,7 @@ stack_page(sg_table *table, size_t number)
   }
   for (unsigned place = end; place-- > 0;) {
     if (page->taken[place / 64] >> place % 64 & 1) {
+      in_row = 0;
       continue;
     }
     if (!page->empty) {
@@ -144,6 +145,7 @@ stack_page(sg_table *table, size_t number)
     }
     page->empty[page->empties++] = (uint16_t)place;
     table->emptied++;
+    page->gap = ++in_row > page->gap ? in_row : page->gap;
   }
 }
 
@@ -167,11 +169,15 @@ sg_table_sweep(sg_table *table, sg_map *const *map, size_t maps)
   for (unsigned i = 0; i < table->indexes; i++) {
     sg_index_wait(&table->index[i], table->slots);
   }
-  table->emptied = table->open = 0;
+  table->emptied = table->open = table->gap = 0;
   table->vacant = table->next_vacant = 0;
   table->rest = table->rest_end = 0;
   for (size_t i = 0; i < table->pages; i++) {
     stack_page(table, i);
+    if (table->page[i]->gap > table->gap) {
+      table->gap = table->page[i]->gap;
+    }
   }
   table->written = 0;
+  table->swept_bytes = table->arena.bytes;
 }

@@ -138,98 +138,30 @@ sg_table_reserve(sg_table *table, size_t n)
   return true;
 }
 
-size_t
-sg_table_vacancies(const sg_table *table)
+static size_t
+ref_words(sg_type type, const uint32_t *ref)
 {
-  return table->rest_end - table->rest + table->vacant * SG_PAGE_ROWS;
-}
-
-/* The first slot of the first vacant page from this one on. */
-static sg_row
-vacant_from(const sg_table *table, size_t number)
-{
-  while (number < table->pages && !table->page[number]->vacant) {
-    number++;
-  }
-  return (sg_row)(number * SG_PAGE_ROWS);
-}
-
-sg_row
-sg_table_vacancy(const sg_table *table)
-{
-  return table->rest < table->rest_end ? table->rest
-                                       : vacant_from(table, table->next_vacant);
-}
-
-sg_row
-sg_table_next_vacancy(const sg_table *table, sg_row row)
-{
-  size_t number = row / SG_PAGE_ROWS + 1;
-
-  return vacant_from(table,
-                     number > table->next_vacant ? number : table->next_vacant);
-}
-
-void
-sg_table_fill(sg_table *table, sg_row row, size_t n)
-{
-  sg_page *page = sg_table_page(table, row);
-  sg_row end = row + (sg_row)n;
-
-  if (row >= table->slots) {
-    table->slots = end;
-    return;
-  }
-  if (page->vacant) {
-    page->vacant = false;
-    table->vacant--;
-    table->next_vacant = row / SG_PAGE_ROWS + 1;
-    table->rest_end = row / SG_PAGE_ROWS * SG_PAGE_ROWS + SG_PAGE_ROWS;
-  }
-  table->rest = end;
-}
-
-/* A place from the empty stack of the first page that has one. */
-static sg_row
-slot_pop(sg_table *table)
-{
-  while (table->emptied > 0) {
-    sg_page *page = table->page[table->open];
-    if (page->empties > 0) {
-      table->emptied--;
-      return (sg_row)(table->open * SG_PAGE_ROWS) +
-             page->empty[--page->empties];
-    }
-    table->open++;
-  }
-  return SG_NO_ROW;
-}
-
-sg_row
-sg_table_slot(sg_table *table)
-{
-  sg_row row = slot_pop(table);
-
-  if (row == SG_NO_ROW && sg_table_vacancies(table) > 0) {
-    row = sg_table_vacancy(table);
-    sg_table_fill(table, row, 1);
-  } else if (row == SG_NO_ROW && sg_table_reserve(table, 1)) {
-    row = table->slots++;
-  }
-  return row;
+  return type == SG_LIST ? 1 + (size_t)ref[0] : sg_term_length(ref);
 }
 
 const uint32_t *
 sg_table_keep(sg_table *table, sg_type type, sg_value value)
 {
-  size_t words =
-      type == SG_LIST ? 1 + (size_t)value.list[0] : sg_term_length(value.term);
+  size_t words = ref_words(type, value.term);
   uint32_t *copy = sg_arena_take(&table->arena, words);
 
   if (copy) {
     memcpy(copy, value.term, words * sizeof(*copy));
   }
   return copy;
+}
+
+void
+sg_table_let_go(sg_table *table, sg_type type, const uint32_t *ref)
+{
+  if (ref) {
+    sg_arena_give(&table->arena, ref, ref_words(type, ref));
+  }
 }
 
 static bool
@@ -243,8 +175,9 @@ give_refs(sg_table *table, const sg_page *page, unsigned place,
           unsigned columns)
 {
   for (unsigned c = 0; c < columns; c++) {
-    if (is_ref(table->info->column[c].type)) {
-      sg_arena_give(&table->arena, page->cells[c].ref[place]);
+    sg_type type = table->info->column[c].type;
+    if (is_ref(type)) {
+      sg_table_let_go(table, type, page->cells[c].ref[place]);
     }
   }
 }

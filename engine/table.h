@@ -16,6 +16,7 @@
 #define SG_TABLE_H
 
 #include "arena.h"
+#include "ids.h"
 #include "index.h"
 #include "runs.h"
 #include "store.h"
@@ -32,10 +33,12 @@ typedef struct sg_page {
     const uint32_t **ref; /* SG_LIST, SG_TERM: into the arena */
   } cells[SG_MAX_COLUMNS];
   uint64_t taken[SG_LIVE_WORDS];
-  uint16_t *empty; /* the empty stack: null, or places below `slots` */
+  uint16_t *empty; /* the empty stack: null, or places below `slots`, the first
+                      on top */
   unsigned empties;
-  bool vacant; /* no slot was taken at the last sweep, nor since: for many */
-  bool fresh;  /* the segments of column 0 are not zero where nobody wrote */
+  unsigned gap; /* of these no more stand in a row */
+  bool vacant;  /* no slot was taken at the last sweep, nor since: for many */
+  bool fresh;   /* the segments of column 0 are not zero where nobody wrote */
 } sg_page;
 
 typedef struct sg_live {
@@ -49,23 +52,12 @@ typedef struct sg_chunk {
   sg_live *live[SG_CHUNK_PAGES]; /* null: no row of the page lives */
 } sg_chunk;
 
-/* The last id used, and the stamp of the last change, by segment in ascending
- * order. */
-typedef struct sg_ids {
-  uint32_t holders;
-  size_t count, room;
-  struct {
-    int32_t s, last;
-    uint64_t stamp;
-  } of[];
-} sg_ids;
-
 typedef struct sg_map {
   uint32_t holders;
   size_t rows;
   size_t chunks;
   sg_chunk **chunk; /* [chunks], null: no row lives there */
-  sg_ids *ids;      /* null: none used */
+  sg_ids *ids;
 } sg_map;
 
 typedef struct sg_table {
@@ -76,12 +68,14 @@ typedef struct sg_table {
   sg_row slots;          /* all slots ever written lie below */
   size_t emptied;        /* slots on empty stacks */
   size_t open;           /* no page before this one has an empty slot */
+  size_t gap;            /* no page has more of them in a row */
   size_t vacant;         /* pages that are vacant, all of them below `slots` */
   size_t next_vacant;    /* no page before this one is vacant */
   sg_row rest, rest_end; /* free slots of the last page that was vacant */
   size_t written;        /* rows since the last sweep */
   sg_runs keys;          /* rows that the key's index does not have */
   sg_arena arena;
+  size_t swept_bytes; /* of the arena, after the last sweep */
   sg_index index[SG_MAX_INDEXES];
   unsigned indexes;
   atomic_uint_least64_t scans;
@@ -112,6 +106,8 @@ uint64_t sg_map_stamp(const sg_map *map, int32_t s);
 uint64_t sg_map_last_stamp(const sg_map *map); /* the newest */
 bool sg_map_set_stamp(sg_map *map, int32_t s, uint64_t stamp);
 bool sg_map_stamp_all(sg_map *map, uint64_t stamp);
+/* The bytes of one holder of the map, as of sg_ids_share(). */
+double sg_map_share(const sg_map *map);
 
 /* Cells. */
 static inline sg_value
@@ -172,19 +168,25 @@ void sg_table_clear(sg_table *table);
 sg_row sg_table_slot(sg_table *table);
 /* Room for n rows at the end; slots do not grow. */
 bool sg_table_reserve(sg_table *table, size_t n);
-/* Free slots for rows that are written many at a time, below the end: first
- * the rest of a page, then whole ones, ascending. */
+/* Free slots of vacant pages, for rows that are written many at a time, below
+ * the end: first the rest of a page, then whole ones, ascending. */
 size_t sg_table_vacancies(const sg_table *table);
 /* The first of them; and the first on the next page behind those of `row`'s.
  * There are enough. */
 sg_row sg_table_vacancy(const sg_table *table);
 sg_row sg_table_next_vacancy(const sg_table *table, sg_row row);
-/* n rows are written from `row` on, on one page: a vacancy, or the end. */
+/* n free slots in a row among those for single rows, all on one page: the first
+ * of them. SG_NO_ROW: there are none. */
+sg_row sg_table_gap(sg_table *table, size_t n);
+/* n rows are written from `row` on, on one page: vacancies, a gap, or the
+ * end. */
 void sg_table_fill(sg_table *table, sg_row row, size_t n);
 /* Writes the cells of a row and takes the slot. False: no memory. */
 bool sg_table_write(sg_table *table, sg_row row, const sg_value *value);
 /* A copy of a list or term in the table's arena. Null: no memory. */
 const uint32_t *sg_table_keep(sg_table *table, sg_type type, sg_value value);
+/* Gives back such a copy, as long as it was made. Null does nothing. */
+void sg_table_let_go(sg_table *table, sg_type type, const uint32_t *ref);
 /* Gives the slot's memory back; the slot stays out of use until a sweep. */
 void sg_table_vacate(sg_table *table, sg_row row);
 /* Slots that none of the maps shows become empty. */

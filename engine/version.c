@@ -52,14 +52,6 @@ chunk_drop(sg_chunk *chunk)
   free(chunk);
 }
 
-static void
-ids_drop(sg_ids *ids)
-{
-  if (ids && --ids->holders == 0) {
-    free(ids);
-  }
-}
-
 void
 sg_map_drop(sg_map *map)
 {
@@ -69,7 +61,7 @@ sg_map_drop(sg_map *map)
   for (size_t i = 0; i < map->chunks; i++) {
     chunk_drop(map->chunk[i]);
   }
-  ids_drop(map->ids);
+  sg_ids_drop(map->ids);
   free(map->chunk);
   free(map);
 }
@@ -95,9 +87,7 @@ map_copy(const sg_map *map)
       copy->chunk[i]->holders++;
     }
   }
-  if (copy->ids) {
-    copy->ids->holders++;
-  }
+  sg_ids_hold(copy->ids);
   return copy;
 }
 
@@ -204,94 +194,26 @@ sg_map_empty_page(sg_map *map, size_t number)
   *live = NULL;
 }
 
-/* The place of s in ids, or where it would stand. */
-static size_t
-ids_place(const sg_ids *ids, int32_t s)
-{
-  size_t low = 0;
-  size_t high = ids ? ids->count : 0;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (ids->of[middle].s < s) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
-}
-
 int32_t
 sg_map_last_id(const sg_map *map, int32_t s)
 {
-  const sg_ids *ids = map ? map->ids : NULL;
-  size_t i = ids_place(ids, s);
+  const sg_ids_entry *entry = map ? sg_ids_find(map->ids, s) : NULL;
 
-  return ids && i < ids->count && ids->of[i].s == s ? ids->of[i].last : 0;
-}
-
-static sg_ids *
-ids_own(sg_ids **ids)
-{
-  sg_ids *old = *ids;
-  size_t count = old ? old->count : 0;
-  size_t room = count < 4 ? 4 : 2 * count;
-  sg_ids *owned;
-
-  if (old && old->holders == 1 && count < old->room) {
-    return old;
-  }
-  if (!(owned = malloc(sizeof(*owned) + room * sizeof(owned->of[0])))) {
-    return NULL;
-  }
-  if (old) {
-    memcpy(owned->of, old->of, count * sizeof(old->of[0]));
-  }
-  owned->holders = 1;
-  owned->count = count;
-  owned->room = room;
-  ids_drop(old);
-  return *ids = owned;
-}
-
-/* The entry of s in ids that are the map's own, made if it is new. Null: no
- * memory. */
-static sg_ids *
-ids_reach(sg_map *map, int32_t s, size_t *place)
-{
-  size_t i = ids_place(map->ids, s);
-  sg_ids *ids = map->ids;
-  bool known = ids && i < ids->count && ids->of[i].s == s;
-
-  *place = i;
-  if (known && ids->holders == 1) {
-    return ids;
-  }
-  if (!(ids = ids_own(&map->ids)) || known) {
-    return ids;
-  }
-  memmove(&ids->of[i + 1], &ids->of[i], (ids->count - i) * sizeof(ids->of[0]));
-  ids->of[i].s = s;
-  ids->of[i].last = 0;
-  ids->of[i].stamp = 0;
-  ids->count++;
-  return ids;
+  return entry ? entry->last : 0;
 }
 
 bool
 sg_map_used_id(sg_map *map, int32_t s, int32_t id)
 {
-  size_t i;
-  sg_ids *ids;
+  sg_ids_entry *entry;
 
   if (sg_map_last_id(map, s) >= id) {
     return true;
   }
-  if (!(ids = ids_reach(map, s, &i))) {
+  if (!(entry = sg_ids_reach(&map->ids, s))) {
     return false;
   }
-  ids->of[i].last = id;
+  entry->last = id;
   return true;
 }
 
@@ -358,9 +280,9 @@ sg_map_narrow(const sg_map *map, const int32_t *s, size_t n)
     return NULL;
   }
   out->holders = 1;
-  out->ids = map->ids;
-  if (out->ids) {
-    out->ids->holders++;
+  if (!sg_ids_narrow(map->ids, s, n, &out->ids)) {
+    sg_map_drop(out);
+    return NULL;
   }
   for (size_t i = 0; i < map->chunks * SG_CHUNK_PAGES; i++) {
     const sg_live *live = sg_map_live(map, i);
@@ -385,48 +307,59 @@ sg_map_narrow(const sg_map *map, const int32_t *s, size_t n)
 uint64_t
 sg_map_stamp(const sg_map *map, int32_t s)
 {
-  const sg_ids *ids = map ? map->ids : NULL;
-  size_t i = ids_place(ids, s);
+  const sg_ids_entry *entry = map ? sg_ids_find(map->ids, s) : NULL;
 
-  return ids && i < ids->count && ids->of[i].s == s ? ids->of[i].stamp : 0;
+  return entry ? entry->stamp : 0;
 }
 
 uint64_t
 sg_map_last_stamp(const sg_map *map)
 {
-  const sg_ids *ids = map ? map->ids : NULL;
-  uint64_t last = 0;
-
-  for (size_t i = 0; ids && i < ids->count; i++) {
-    last = ids->of[i].stamp > last ? ids->of[i].stamp : last;
-  }
-  return last;
+  return map ? sg_ids_last_stamp(map->ids) : 0;
 }
 
 bool
 sg_map_set_stamp(sg_map *map, int32_t s, uint64_t stamp)
 {
-  size_t i;
-  sg_ids *ids = ids_reach(map, s, &i);
+  sg_ids_entry *entry = sg_ids_reach(&map->ids, s);
 
-  if (!ids) {
-    return false;
+  if (entry) {
+    entry->stamp = stamp;
   }
-  ids->of[i].stamp = stamp;
-  return true;
+  return entry != NULL;
 }
 
 bool
 sg_map_stamp_all(sg_map *map, uint64_t stamp)
 {
-  if (!map->ids) {
-    return true;
+  return sg_ids_stamp_all(&map->ids, stamp);
+}
+
+/* ---- what it costs ----------------------------------------------------- */
+
+static double
+chunk_share(const sg_chunk *chunk)
+{
+  double bytes = sizeof *chunk;
+
+  for (size_t i = 0; i < SG_CHUNK_PAGES; i++) {
+    bytes +=
+        chunk->live[i] ? (double)sizeof(sg_live) / chunk->live[i]->holders : 0;
   }
-  if (!ids_own(&map->ids)) {
-    return false;
+  return bytes / chunk->holders;
+}
+
+double
+sg_map_share(const sg_map *map)
+{
+  double bytes = 0;
+
+  if (!map) {
+    return 0;
   }
-  for (size_t i = 0; i < map->ids->count; i++) {
-    map->ids->of[i].stamp = stamp;
+  bytes = (double)(sizeof *map + map->chunks * sizeof(sg_chunk *));
+  for (size_t c = 0; c < map->chunks; c++) {
+    bytes += map->chunk[c] ? chunk_share(map->chunk[c]) : 0;
   }
-  return true;
+  return (bytes + sg_ids_share(map->ids)) / map->holders;
 }

@@ -58,7 +58,8 @@ void sg_stack_clear(sg_stack *stack);
 void sg_world_sweep(sg_world *world, sg_relation relation);
 /* Does so when otherwise n rows more, in bulk or each in a slot of its own,
  * would open new pages, if at least a quarter of the slots is dead and enough
- * was written since the last sweep to pay for this one. */
+ * was written since the last sweep to pay for this one; or if lists and terms
+ * take twice as much as then, and some rows are dead. */
 void sg_world_sweep_if_worth(sg_world *world, sg_relation relation, size_t n,
                              bool single);
 

@@ -463,16 +463,17 @@ column(Relation, Position, Column, Type, Refers, Domain, Doc) :-
 %!  facts_statistics(?Relation, -Statistics:dict) is nondet.
 %
 %   Statistics is a dict with the rows, slots, bytes and index_bytes of a
-%   relation, how many versions of the world are held, and how often the
-%   relation was scanned and looked up by an index.
+%   relation, how many versions of the world are held and what all of them
+%   cost of it (version_bytes: which rows they show; `bytes` has that of one),
+%   and how often the relation was scanned and looked up by an index.
 
 facts_statistics(Relation,
                  _{rows:Rows, slots:Slots, bytes:Bytes,
-                   index_bytes:IndexBytes, versions:Versions,
-                   scans:Scans, lookups:Lookups}) :-
+                   index_bytes:IndexBytes, version_bytes:VersionBytes,
+                   versions:Versions, scans:Scans, lookups:Lookups}) :-
     relation(Relation, _, _),
-    '$statistics'(Relation, Rows, Slots, Bytes, IndexBytes, Versions,
-                  Scans, Lookups).
+    '$statistics'(Relation, Rows, Slots, Bytes, IndexBytes, VersionBytes,
+                  Versions, Scans, Lookups).
 
 /* ---- sandbox ------------------------------------------------------------
 
