@@ -182,6 +182,8 @@ hold_trees_ex(sg_arrangement_handle *h)
   return good;
 }
 
+static atomic_uint_fast64_t opened; /* arrangements, ever */
+
 /* arrangement_open(+Set, +Segments, +Wanted, -Arrangement) is det. */
 static foreign_t
 arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
@@ -219,6 +221,7 @@ arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
     free(h);
     return FALSE;
   }
+  h->number = atomic_fetch_add(&opened, 1);
   atomic_init(&h->holders, 1);
   return PL_unify_blob(out, h, sizeof *h, &arrangement_blob);
 }

@@ -155,6 +155,22 @@ arrangement_components(term_t t, term_t list)
   return good && PL_unify_nil(tail);
 }
 
+/* arrangement_numbers(+Pieces, -Numbers) is det. */
+static foreign_t
+arrangement_numbers(term_t t, term_t list)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  sg_pieces p;
+  int good = sg_get_pieces_ex(t, &p);
+
+  for (size_t i = 0; good && i < p.n; i++) {
+    good = PL_unify_list(tail, head, tail) &&
+           PL_unify_uint64(head, p.from[i]->number);
+  }
+  sg_pieces_clear(&p);
+  return good && PL_unify_nil(tail);
+}
+
 /* ---- choosing ---- */
 
 /* Reads [C-Sense, ...]. */
@@ -223,6 +239,7 @@ arrangement_select(term_t t, term_t senses, term_t out)
 
 static const PL_extension predicates[] = {
     {"arrangement_components", 2, arrangement_components, 0},
+    {"arrangement_numbers", 2, arrangement_numbers, 0},
     {"arrangement_select", 3, arrangement_select, 0},
     {NULL, 0, NULL, 0},
 };

@@ -3,6 +3,7 @@
  * Layer: glue. The doors are documented in rules/kernel/boolean.pl.
  */
 #include "solid4pl.h"
+#include "solid_region4pl.h"
 
 #include "face_merge.h"
 #include "glue.h"
@@ -13,12 +14,12 @@
 
 static atom_t atom_separate, atom_together;
 static functor_t functor_part3, functor_minus2, functor_origins1,
-    functor_apart1, functor_by_size1;
+    functor_apart1, functor_by_size1, functor_region1;
 
 static int
 failed(sg_merge_end end)
 {
-  return end == SG_MERGE_STOPPED ? FALSE : sg_no_memory();
+  return end == SG_MERGE_NO_MEMORY ? sg_no_memory() : FALSE;
 }
 
 static int
@@ -101,6 +102,21 @@ get_origins_ex(term_t t, bool *separate)
   return *separate || atom == atom_together || PL_domain_error("origins", t);
 }
 
+/* Of an open region. */
+static int
+get_merge_region_ex(term_t t, sg_merge_region *out)
+{
+  sg_region_handle *h;
+
+  if (!sg_get_region_ex(t, &h)) {
+    return FALSE;
+  }
+  const sg_old_region *region = &h->old.region;
+
+  *out = (sg_merge_region){region->leaf, region->leaves, region->box};
+  return TRUE;
+}
+
 static int
 get_flag_ex(term_t t, bool *out)
 {
@@ -113,7 +129,8 @@ get_flag_ex(term_t t, bool *out)
 
 /* Those that are ours; others are somebody else's. */
 static int
-get_options_ex(term_t list, sg_merge_options *out, sg_merge_pair **apart)
+get_options_ex(term_t list, sg_merge_options *out, sg_merge_pair **apart,
+               sg_merge_region *region)
 {
   term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
   term_t arg = PL_new_term_ref();
@@ -125,26 +142,31 @@ get_options_ex(term_t list, sg_merge_options *out, sg_merge_pair **apart)
          (!PL_get_arg(1, head, arg) ||
           !get_pairs_ex(arg, apart, &out->aparts))) ||
         (PL_is_functor(head, functor_by_size1) &&
-         (!PL_get_arg(1, head, arg) || !get_flag_ex(arg, &out->by_size)))) {
+         (!PL_get_arg(1, head, arg) || !get_flag_ex(arg, &out->by_size))) ||
+        (PL_is_functor(head, functor_region1) &&
+         (!PL_get_arg(1, head, arg) || !get_merge_region_ex(arg, region)))) {
       return FALSE;
     }
+    out->region = region->s ? region : NULL;
   }
   out->apart = *apart;
   return PL_get_nil_ex(tail);
 }
 
-/* solid_merge(+Solid, +Tolerance, +Options) is det. */
+/* solid_merge(+Solid, +Tolerance, +Options) is semidet: fails if it is apart.
+ */
 static foreign_t
 solid_merge(term_t t, term_t tolerance, term_t list)
 {
   sg_merge_options options = {.poll = &sg_prolog_poll};
   sg_merge_pair *apart = NULL;
+  sg_merge_region region = {.n = 0};
   sg_merge_end end = SG_MERGE_NO_MEMORY;
   sg_solid *solid;
 
   if (!sg_get_solid_ex(t, &solid) ||
       !get_tolerance_ex(tolerance, &options.tolerance) ||
-      !get_options_ex(list, &options, &apart)) {
+      !get_options_ex(list, &options, &apart, &region)) {
     free(apart);
     return FALSE;
   }
@@ -208,6 +230,7 @@ sg_install_face_merge(void)
   functor_part3 = PL_new_functor(PL_new_atom("part"), 3);
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   functor_origins1 = PL_new_functor(PL_new_atom("origins"), 1);
+  functor_region1 = PL_new_functor(PL_new_atom("region"), 1);
   functor_by_size1 = PL_new_functor(PL_new_atom("by_size"), 1);
   functor_apart1 = PL_new_functor(PL_new_atom("apart"), 1);
   PL_register_extensions_in_module("sg_kernel_boolean", predicates);

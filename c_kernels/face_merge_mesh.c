@@ -374,7 +374,7 @@ set_tolerance(sg_merge *m, const sg_box *box)
 static void
 begin_lists(sg_merge *m)
 {
-  sg_box box = sg_box_none();
+  sg_box box = m->options->region ? m->options->region->box : sg_box_none();
 
   for (uint32_t v = 0; v < m->solid->vertices; v++) {
     if (m->first[v + 2] > 0) {

@@ -1,10 +1,8 @@
 /* solid_old.c -- the rows of a solid, read: see solid_old.h. */
-#include "solid_old.h"
+#include "solid_old_private.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-enum { SPREAD = 1 << 16 }; /* ids beyond four times as many as rows */
 
 uint32_t *
 sg_old_new_places(size_t n)
@@ -19,21 +17,34 @@ sg_old_new_places(size_t n)
 
 /* ---- by id -------------------------------------------------------------- */
 
+sg_old_end
+sg_old_find_most(const sg_solid_old *old, int relation, unsigned column,
+                 const sg_poll *poll, int32_t *most)
+{
+  size_t n = sg_old_count(old, relation);
+
+  *most = 0;
+  for (uint32_t i = 0; i < n; i++) {
+    int32_t id = sg_old_int(old, relation, column, i);
+    if (sg_poll_every(poll, i)) {
+      return SG_OLD_FAILED;
+    }
+    *most = id > *most ? id : *most;
+  }
+  return (size_t)*most > 4 * n + SPREAD ? SG_OLD_UNFIT : SG_OLD_READ;
+}
+
 static sg_old_end
 read_ids(const sg_solid_old *old, int relation, unsigned column,
          const sg_poll *poll, sg_old_ids *out)
 {
   size_t n = sg_old_count(old, relation);
 
-  for (uint32_t i = 0; i < n; i++) {
-    int32_t id = sg_old_int(old, relation, column, i);
-    if (sg_poll_every(poll, i)) {
-      return SG_OLD_FAILED;
+  if (!out->held) { /* else it is known */
+    sg_old_end end = sg_old_find_most(old, relation, column, poll, &out->most);
+    if (end != SG_OLD_READ) {
+      return end;
     }
-    out->most = id > out->most ? id : out->most;
-  }
-  if ((size_t)out->most > 4 * n + SPREAD) {
-    return SG_OLD_UNFIT;
   }
   out->place = sg_old_new_places((size_t)out->most);
   for (uint32_t i = 0; out->place && i < n; i++) {
@@ -206,30 +217,52 @@ find_rows(sg_solid_old *old, int32_t s, const sg_poll *poll)
   return true;
 }
 
+/* What there is to know of the rows that were found. */
+static sg_old_end
+look_at_all(sg_solid_old *old, int32_t (*item_vertex)(const uint32_t *item),
+            const sg_poll *poll)
+{
+  sg_old_end end = read_all_ids(old, poll);
+
+  end = end == SG_OLD_READ
+            ? read_one_each(old, SG_OLD_FROM_V, &old->vertex,
+                            sg_old_count(old, SG_OLD_V), poll, &old->from)
+            : end;
+  end = end == SG_OLD_READ
+            ? read_one_each(old, SG_OLD_PLANE, &old->polygon,
+                            sg_old_count(old, SG_OLD_P), poll, &old->plane)
+            : end;
+  end = end == SG_OLD_READ ? read_origins(old, item_vertex, poll) : end;
+  end = end == SG_OLD_READ ? group_triangles(old, poll) : end;
+  end = end == SG_OLD_READ ? group_sources(old, poll) : end;
+  return end == SG_OLD_READ && !edges_are_used(old) ? SG_OLD_UNFIT : end;
+}
+
 sg_old_end
 sg_solid_old_read(const sg_view *const view[SG_OLD_RELATIONS], int32_t s,
                   int32_t (*item_vertex)(const uint32_t *item),
                   const sg_poll *poll, sg_solid_old *out)
 {
-  sg_old_end end = SG_OLD_FAILED;
-
   *out = (sg_solid_old){0};
   memcpy(out->view, view, sizeof out->view);
-  if (find_rows(out, s, poll)) {
-    end = read_all_ids(out, poll);
+  return find_rows(out, s, poll) ? look_at_all(out, item_vertex, poll)
+                                 : SG_OLD_FAILED;
+}
+
+sg_old_end
+sg_solid_old_read_region(const sg_view *const view[SG_OLD_RELATIONS], int32_t s,
+                         const int32_t *leaf, size_t n,
+                         int32_t (*item_vertex)(const uint32_t *item),
+                         const sg_poll *poll, sg_solid_old *out)
+{
+  *out = (sg_solid_old){0};
+  memcpy(out->view, view, sizeof out->view);
+  if (!find_rows(out, s, poll)) {
+    return SG_OLD_FAILED;
   }
-  end = end == SG_OLD_READ
-            ? read_one_each(out, SG_OLD_FROM_V, &out->vertex,
-                            sg_old_count(out, SG_OLD_V), poll, &out->from)
-            : end;
-  end = end == SG_OLD_READ
-            ? read_one_each(out, SG_OLD_PLANE, &out->polygon,
-                            sg_old_count(out, SG_OLD_P), poll, &out->plane)
-            : end;
-  end = end == SG_OLD_READ ? read_origins(out, item_vertex, poll) : end;
-  end = end == SG_OLD_READ ? group_triangles(out, poll) : end;
-  end = end == SG_OLD_READ ? group_sources(out, poll) : end;
-  return end == SG_OLD_READ && !edges_are_used(out) ? SG_OLD_UNFIT : end;
+  sg_old_end end = sg_old_narrow(out, leaf, n, item_vertex, poll);
+
+  return end == SG_OLD_READ ? look_at_all(out, item_vertex, poll) : end;
 }
 
 void
@@ -238,10 +271,15 @@ sg_solid_old_clear(sg_solid_old *old)
   for (int k = 0; k < SG_OLD_RELATIONS; k++) {
     sg_segment_rows_clear(&old->rows[k]);
   }
-  free(old->vertex.place);
-  free(old->edge.place);
-  free(old->polygon.place);
-  free(old->triangle.place);
+  sg_old_ids *const ids[] = {&old->vertex, &old->edge, &old->polygon,
+                             &old->triangle};
+
+  for (size_t k = 0; k < sizeof ids / sizeof *ids; k++) {
+    free(ids[k]->place);
+    free(ids[k]->held);
+  }
+  free(old->region.leaf);
+  free(old->region.row);
   free(old->from);
   free(old->origin);
   free(old->plane);

@@ -2,8 +2,8 @@
  *
  * Layer: glue. The door is documented in rules/kernel/boolean.pl.
  */
-#include "append4pl.h"
 #include "solid4pl.h"
+#include "solid_region4pl.h"
 
 #include "glue.h"
 #include "solid_over.h"
@@ -12,12 +12,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-
-static const sg_relation relation_of[SG_OLD_RELATIONS] = {
-    [SG_OLD_V] = SG_V,           [SG_OLD_E] = SG_E,
-    [SG_OLD_P] = SG_P,           [SG_OLD_PLANE] = SG_PLANE,
-    [SG_OLD_T] = SG_T,           [SG_OLD_FROM_V] = SG_FROM_V,
-    [SG_OLD_FROM_P] = SG_FROM_P, [SG_OLD_ORIGIN] = SG_ORIGIN};
 
 static int
 failed_ex(void)
@@ -50,8 +44,8 @@ exchange_ex(sg_world *world, const sg_solid_old *old, const sg_solid_over *over,
 {
   size_t n;
   sg_row *gone = list_gone(old, over, relation, &n);
-  bool good = gone && sg_world_exchange(world, relation_of[relation], gone, n,
-                                        over->fresh[relation].n, column);
+  bool good = gone && sg_world_exchange(world, sg_old_relation[relation], gone,
+                                        n, over->fresh[relation].n, column);
 
   free(gone);
   return good ? PL_handle_signals() >= 0 : sg_no_memory();
@@ -109,6 +103,16 @@ is_little(const sg_solid_over *over, const sg_solid *solid)
   return over->faces_stay * 2 < solid->faces;
 }
 
+/* Not to be written over these rows: most is new, or it does not fit. */
+static bool
+is_unfit(const sg_solid_rows *rows, const sg_solid_old *old,
+         const sg_solid_over *over)
+{
+  return old->region.leaf
+             ? !sg_solid_over_fits(rows, old, over, &sg_prolog_poll)
+             : is_little(over, rows->solid);
+}
+
 /* -1: it is not to be written over these rows. */
 static int
 write_over_ex(sg_world *world, const sg_solid_rows *rows,
@@ -119,8 +123,8 @@ write_over_ex(sg_world *world, const sg_solid_rows *rows,
                  ? TRUE
                  : failed_ex();
 
-  if (good && is_little(&over, rows->solid)) {
-    good = -1;
+  if (good && is_unfit(rows, old, &over)) {
+    good = PL_exception(0) ? FALSE : -1;
   } else if (good) {
     good = sg_solid_over_write(rows, old, s, crew, &sg_prolog_poll, &over)
                ? exchange_all_ex(world, old, &over)
@@ -130,13 +134,26 @@ write_over_ex(sg_world *world, const sg_solid_rows *rows,
   return good;
 }
 
+/* The same, of a solid. */
+static int
+write_solid_ex(sg_world *world, const sg_solid *solid, const sg_solid_old *old,
+               int32_t s, sg_crew *crew)
+{
+  sg_solid_rows rows = {0};
+  int good = sg_solid_rows_make(solid, crew, &sg_prolog_poll, &rows)
+                 ? write_over_ex(world, &rows, old, s, crew)
+                 : failed_ex();
+
+  sg_solid_rows_clear(&rows);
+  return good;
+}
+
 /* The same, from the rows of a version. */
 static int
 read_and_write_ex(sg_world *world, const sg_view view[SG_OLD_RELATIONS],
                   const sg_solid *solid, int32_t s, sg_crew *crew)
 {
   const sg_view *of[SG_OLD_RELATIONS];
-  sg_solid_rows rows = {0};
   sg_solid_old old;
   int good = FALSE;
 
@@ -145,9 +162,7 @@ read_and_write_ex(sg_world *world, const sg_view view[SG_OLD_RELATIONS],
   }
   switch (sg_solid_old_read(of, s, sg_term_vertex, &sg_prolog_poll, &old)) {
   case SG_OLD_READ:
-    good = sg_solid_rows_make(solid, crew, &sg_prolog_poll, &rows)
-               ? write_over_ex(world, &rows, &old, s, crew)
-               : failed_ex();
+    good = write_solid_ex(world, solid, &old, s, crew);
     break;
   case SG_OLD_UNFIT:
     good = -1;
@@ -156,7 +171,6 @@ read_and_write_ex(sg_world *world, const sg_view view[SG_OLD_RELATIONS],
     good = failed_ex();
     break;
   }
-  sg_solid_rows_clear(&rows);
   sg_solid_old_clear(&old);
   return good;
 }
@@ -170,7 +184,7 @@ with_views_ex(sg_world *world, const sg_version *version, const sg_solid *solid,
   bool good = crew;
 
   for (int k = 0; good && k < SG_OLD_RELATIONS; k++) {
-    good = sg_version_view(version, relation_of[k], &view[k]);
+    good = sg_version_view(version, sg_old_relation[k], &view[k]);
   }
   int end =
       good ? read_and_write_ex(world, view, solid, s, crew) : sg_no_memory();
@@ -202,7 +216,35 @@ solid_write_over(term_t solid_term, term_t s_term)
   return good == TRUE;
 }
 
+/* solid_write_region(+Solid, +S, +Region) is semidet. */
+static foreign_t
+solid_write_region(term_t solid_term, term_t s_term, term_t region)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_region_handle *h;
+  sg_solid *solid;
+  int32_t s;
+
+  if (!world || !sg_get_solid_ex(solid_term, &solid) ||
+      !sg_get_id_ex(s_term, &s) || !sg_get_region_ex(region, &h) ||
+      !sg_claim_ex(world)) {
+    return FALSE;
+  }
+  const sg_version *version = sg_world_version(world);
+  sg_crew *crew = sg_crew_open(0);
+  int good = !crew ? sg_no_memory()
+             : s == h->s && sg_segment_stamp(version, s) == h->stamp
+                 ? write_solid_ex(world, solid, &h->old, s, crew)
+                 : -1;
+
+  sg_crew_close(crew);
+  sg_version_drop(version);
+  sg_world_release(world);
+  return good == TRUE;
+}
+
 static const PL_extension predicates[] = {
+    {"solid_write_region", 3, solid_write_region, 0},
     {"solid_write_over", 2, solid_write_over, 0},
     {NULL, 0, NULL, 0},
 };

@@ -8,17 +8,21 @@
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
-                default_senses/4, passing_vertices/2
+                default_senses/4, passing_vertices/2, pieces_numbers/2,
+                pieces_changed/3, leaves_around/3, part_of_arrangement/3
               ]).
 :- use_module(csg_record, [not_kept/2, surfaces_among/2]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
-:- use_module(faces, [faces_merged/2]).
+:- use_module(faces, [faces_merged/2, region_faces_merged/3]).
 :- use_module(kernel,
-              [solid_close/1, solid_is_closed/1, segments_tolerance/3]).
+              [ solid_close/1, solid_is_closed/1, solid_region/3,
+                region_leaves/2, region_close/1, segments_tolerance/3
+              ]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module(passing, [passing_named/2]).
 :- use_module(csg_rows, [drop_boundary/1]).
-:- use_module(solid_rows, [solid_written/2, solid_written_over/2]).
+:- use_module(solid_rows,
+              [solid_written/2, solid_written_over/2, region_written_over/3]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [v/5, segment/3, assert_fact/1, facts_transaction/1]).
@@ -58,6 +62,14 @@ that two operands have in common stays or goes by how it looks in each.
 %     - over(Bool)
 %     Rows that S has are those of an earlier boundary: what of them is the same
 %     stays, with its ids. Default: `false`, S must have none.
+%     - earlier(Numbers)
+%     With over(true): that boundary was of this Expression too, with these
+%     options, made from the pieces with these Numbers.
+%     - pieces(-Numbers)
+%     Numbers are those of the pieces of this one (pieces_numbers/2).
+%     - made(-How)
+%     How is `around`: only around what had changed since the earlier one; or
+%     `whole`.
 %
 %   @error existence_error(segment, S1): an operand is not there
 %   @error geometry_error(operand(S1, Faults)): the result would be open, and so
@@ -74,12 +86,18 @@ boolean(Expression, S) :-
 boolean(Expression, S, Options0) :-
     expression_leaves(Expression, Leaves),
     tolerance(Leaves, Options0, Options),
-    made(Expression, Leaves, Options, Solid, Passing),
-    setup_call_cleanup(
-        true,
-        facts_transaction(sg_boolean:written(Solid, S, Expression, Passing,
-                                             Options)),
-        solid_close(Solid)).
+    (   made_around_changes(Expression, Leaves, S, Options, Numbers)
+    ->  How = around
+    ;   How = whole,
+        made(Expression, Leaves, Options, Solid, Passing, Numbers),
+        setup_call_cleanup(
+            true,
+            facts_transaction(sg_boolean:written(Solid, S, Expression, Passing,
+                                                 Options)),
+            solid_close(Solid))
+    ),
+    option(pieces(Numbers), Options0, _),
+    option(made(How), Options0, _).
 
 %   What the operands say, not what else is in the world; and of merging, what
 %   the result does, where an operand is far larger.
@@ -104,14 +122,14 @@ refuse_large(Tolerance, Smallest) :-
     ;   true
     ).
 
-%   made(+Expression, +Leaves, +Options, -Solid, -Passing): it must be closed,
-%   if its operands are. Where sheets of one operand nearly lie on each other,
-%   what was made to touch may have come apart, and one face of many may be
-%   opened by merging: then the one or the other is not done.
+%   made(+Expression, +Leaves, +Options, -Solid, -Passing, -Numbers): it must be
+%   closed, if its operands are. Where sheets of one operand nearly lie on each
+%   other, what was made to touch may have come apart, and one face of many may
+%   be opened by merging: then the one or the other is not done.
 
-made(Expression, Leaves, Options, Solid, Passing) :-
+made(Expression, Leaves, Options, Solid, Passing, Numbers) :-
     attempt(Options, Attempt, What),
-    selected_solid(Expression, Leaves, Attempt, Solid0, Passing0),
+    selected_solid(Expression, Leaves, Attempt, Solid0, Passing0, Numbers0),
     (   is_open(Leaves, Solid0)
     ->  solid_close(Solid0),
         maplist(checked_leaf, Leaves),
@@ -122,8 +140,9 @@ made(Expression, Leaves, Options, Solid, Passing) :-
     ),
     !,
     Solid = Solid0,
-    Passing = Passing0.
-made(_, _, _, _, _) :-
+    Passing = Passing0,
+    Numbers = Numbers0.
+made(_, _, _, _, _, _) :-
     throw(error(geometry_error(result_open), _)).
 
 attempt(Options, Options, first).
@@ -133,17 +152,18 @@ attempt(Options, [tolerance(0)|Options], contacts) :-
     option(tolerance(Tolerance), Options),
     Tolerance > 0.
 
-selected_solid(Expression, Leaves, Options, Solid, Passing) :-
+selected_solid(Expression, Leaves, Options, Solid, Passing, Numbers) :-
     with_arrangement(Leaves, Options,
-                     sg_boolean:selected(Expression, Solid, Passing)),
+                     sg_boolean:selected(Expression, Solid, Passing, Numbers)),
     catch(merged(Solid, Options),
           Error,
           ( solid_close(Solid),
             throw(Error)
           )).
 
-selected(Expression, Solid, Passing, Arrangement) :-
+selected(Expression, Solid, Passing, Numbers, Arrangement) :-
     passing_vertices(Arrangement, Passing),
+    pieces_numbers(Arrangement, Numbers),
     select_boundary(Arrangement, Expression, Solid).
 
 %   A decision of the user's may open what it likes.
@@ -185,6 +205,70 @@ rows_written(Solid, S, Options) :-
         )
     ;   solid_written(Solid, S)
     ).
+
+
+                /*******************************
+                *    AROUND WHAT HAS CHANGED   *
+                *******************************/
+
+%   made_around_changes(+Expression, +Leaves, +S, +Options, -Numbers) is
+%   semidet: the boundary is made anew where leaves have other pieces than it
+%   was made from, and near these. There faces do not depend on what is
+%   farther away: they are chosen and merged together with their neighbours,
+%   which stay as they are. Fails where that cannot be said, or is not worth
+%   it.
+
+made_around_changes(Expression, Leaves, S, Options, Numbers) :-
+    option(earlier(Earlier), Options),
+    decision_is_default(stays/3),
+    surfaces_among(Leaves, []),
+    with_arrangement(Leaves, Options,
+                     sg_boolean:selected_around(Expression, Leaves, S, Earlier,
+                                                Region, Solid, Passing,
+                                                Numbers)),
+    call_cleanup(
+        ( stage(faces, region_faces_merged(Solid, Region, Options)),
+          facts_transaction(sg_boolean:written_around(Solid, S, Region,
+                                                      Passing))
+        ),
+        ( solid_close(Solid),
+          region_close(Region)
+        )),
+    !.
+
+selected_around(Expression, Leaves, S, Earlier, Region, Solid, Passing, Numbers,
+                Arrangement) :-
+    pieces_changed(Arrangement, Earlier, Changed),
+    leaves_around(Arrangement, Changed, Around),
+    are_few(Around, Leaves),
+    passing_vertices(Arrangement, Passing),
+    pieces_numbers(Arrangement, Numbers),
+    stage(write, solid_region(S, Around, Region)),
+    region_leaves(Region, Inner),
+    leaves_around(Arrangement, Inner, Looked),
+    (   are_few(Looked, Leaves),
+        part_of_arrangement(Arrangement, Looked, Part),
+        catch(select_boundary(Part, Expression, Solid),
+              Error,
+              ( region_close(Region),
+                throw(Error)
+              ))
+    ->  true
+    ;   region_close(Region),
+        fail
+    ).
+
+%   are_few(+Some, +Leaves): no more than half of them.
+
+are_few(Some, Leaves) :-
+    length(Some, N),
+    length(Leaves, All),
+    2*N =< All.
+
+written_around(Solid, S, Region, Passing) :-
+    stage(write, ( region_written_over(Solid, S, Region),
+                   passing_named(S, Passing)
+                 )).
 
 %!  select_boundary(+Arrangement, +Expression, -Solid) is det.
 %

@@ -20,7 +20,7 @@
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module(csg_record,
               [ up_to_date/2, record/2, drop_record/1, recorded/2,
-                not_kept/2
+                record_pieces/2, recorded_pieces/2, not_kept/2
               ]).
 :- use_module(csg_rows,
               [copy_segments/3, drop_boundary/1, drop_pictures/1, was_cut/1]).
@@ -124,8 +124,7 @@ evaluated_node(Tolerance, S) :-
         made_from(S, Tolerance, From),
         (   up_to_date(S, From)
         ->  counted(reused)
-        ;   stage(rules, renewed(S, From)),
-            counted(evaluated)
+        ;   stage(rules, renewed(S, From))
         )
     ;   true
     ).
@@ -154,61 +153,83 @@ made_from(S, Tolerance, From) :-
     ).
 
 renewed(S, From) :-
-    earlier(S, Known, Over),
+    earlier(S, Earlier),
     drop_record(S),
-    made(From, Known, Over, S),
-    record(S, evaluated(From)).
+    made(From, Earlier, S, Numbers, How),
+    record(S, evaluated(From)),
+    (   Numbers == []
+    ->  true
+    ;   record_pieces(S, Numbers)
+    ),
+    counted(How).
 
-%   earlier(S, Known, Over): Known are the operands of the boundary that S has,
-%   with their stamps. Over is true if that is a Boolean's and nobody changed it
-%   since, or has lines on it.
+%   earlier(S, Earlier): what is known of the boundary that S has:
+%
+%     - none
+%     - from(From)             it is a Boolean's, of operands that were checked
+%     - over(From, Numbers)    the same, with the numbers of the pieces it was
+%                              made from; nobody changed it since, and it has
+%                              no lines
 
-earlier(S, Known, Over) :-
-    (   recorded(S, evaluated(From))
-    ->  (   From = of(_, Known0, _)
-        ->  Known = Known0,
-            (   up_to_date(S, From),
-                \+ was_cut(S)
-            ->  Over = true
-            ;   Over = false
-            )
-        ;   Known = [],
-            Over = false
+earlier(S, Earlier) :-
+    (   recorded(S, evaluated(From)),
+        From = of(_, _, _)
+    ->  (   up_to_date(S, From),
+            \+ was_cut(S),
+            recorded_pieces(S, Numbers)
+        ->  Earlier = over(From, Numbers)
+        ;   Earlier = from(From)
         )
-    ;   Known = [],
-        Over = false
+    ;   Earlier = none
     ).
 
-%   made(From, Known, Over, S): a segment alone is copied if it does not go
-%   through itself, nothing is nothing. Operands that are Known were checked
-%   before.
+%   made(From, Earlier, S, Numbers, How): a segment alone is copied if it does
+%   not go through itself, nothing is nothing. Numbers are those of the pieces
+%   it was made from, How is `whole` or `around` (boolean/3).
 
-made(join(Stamps, Matrix), _, _, S) :-
+made(join(Stamps, Matrix), _, S, [], whole) :-
     drop_boundary(S),
     pairs_keys(Stamps, Children),
     copy_segments(Children, Matrix, S).
-made(of(Expression, Stamps, Tolerance), Known, Over, S) :-
+made(of(Expression, Stamps, Tolerance), Earlier, S, Numbers, How) :-
     (   integer(Expression),
         \+ meets_itself(Expression)
     ->  drop_boundary(S),
         rounded_identity(Identity),
-        copy_segments([Expression], Identity, S)
+        copy_segments([Expression], Identity, S),
+        Numbers-How = []-whole
     ;   Expression == union([])
-    ->  drop_boundary(S)
-    ;   boolean_made(Expression, Stamps, Tolerance, Known, Over, S)
+    ->  drop_boundary(S),
+        Numbers-How = []-whole
+    ;   new_leaves(Earlier, Stamps, Leaves),
+        exclude(is_surface, Leaves, Solids),
+        maplist(checked_operand, Solids),
+        tolerance_options(Tolerance, Stamps, Options),
+        boolean_made(Earlier, Expression, Tolerance, S,
+                     [pieces(Numbers),made(How)|Options])
     ).
 
-boolean_made(Expression, Stamps, Tolerance, Known, Over, S) :-
-    ord_subtract(Stamps, Known, New),
-    pairs_keys(New, Leaves),
-    exclude(is_surface, Leaves, Solids),
-    maplist(checked_operand, Solids),
-    tolerance_options(Tolerance, Stamps, Options),
-    (   Over == true
-    ->  drop_pictures(S)
-    ;   drop_boundary(S)
+%   new_leaves(Earlier, Stamps, Leaves): those that were not checked before.
+
+new_leaves(Earlier, Stamps, Leaves) :-
+    (   Earlier == none
+    ->  New = Stamps
+    ;   arg(1, Earlier, of(_, Known, _)),
+        ord_subtract(Stamps, Known, New)
     ),
-    boolean(Expression, S, [over(Over)|Options]).
+    pairs_keys(New, Leaves).
+
+boolean_made(over(From, Numbers), Expression, Tolerance, S, Options) :-
+    !,
+    drop_pictures(S),
+    (   From = of(Expression0, _, Tolerance0),
+        Expression0-Tolerance0 == Expression-Tolerance
+    ->  boolean(Expression, S, [over(true),earlier(Numbers)|Options])
+    ;   boolean(Expression, S, [over(true)|Options])
+    ).
+boolean_made(_, Expression, _, S, Options) :-
+    drop_boundary(S),
+    boolean(Expression, S, Options).
 
 is_surface(S) :-
     segment(S, surface, _),
@@ -323,18 +344,23 @@ is_current(S) :-
 
 %!  csg_statistics(-Statistics:dict) is det.
 %
-%   How often in this thread the boundary of a node was `evaluated`, or `reused`
-%   as it was, since csg_statistics_reset/0; and `pieces`: pieces_statistics/1.
+%   How often in this thread the boundary of a node was `evaluated`, how many of
+%   these times only `around` what had changed, and how often it was `reused` as
+%   it was, since csg_statistics_reset/0; and `pieces`: pieces_statistics/1.
 
-csg_statistics(_{evaluated:Evaluated, reused:Reused, pieces:Pieces}) :-
-    count_of(evaluated, Evaluated),
+csg_statistics(_{evaluated:Evaluated, around:Around, reused:Reused,
+                 pieces:Pieces}) :-
+    count_of(whole, Whole),
+    count_of(around, Around),
+    Evaluated is Whole+Around,
     count_of(reused, Reused),
     pieces_statistics(Pieces).
 
 %!  csg_statistics_reset is det.
 
 csg_statistics_reset :-
-    nb_setval(sg_csg_evaluated, 0),
+    nb_setval(sg_csg_whole, 0),
+    nb_setval(sg_csg_around, 0),
     nb_setval(sg_csg_reused, 0).
 
 counted(What) :-

@@ -1,5 +1,6 @@
 :- module(sg_faces,
           [ faces_merged/2,             % +Solid, +Options
+            region_faces_merged/3,      % +Solid, +Region, +Options
             merge_faces/2               % +Part1, +Part2
           ]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
@@ -35,16 +36,33 @@ left at them vanish. Bodies that touch in an edge keep it.
 %   Others are ignored.
 
 faces_merged(Solid, Options) :-
+    merge_options(Options, Tolerance, BySize, Origins),
+    kept_apart(Solid, Tolerance, Apart),
+    solid_merge(Solid, Tolerance,
+                [origins(Origins), apart(Apart), by_size(BySize)]).
+
+merge_options(Options, Tolerance, BySize, Origins) :-
     (   option(tolerance(Tolerance), Options)
     ->  BySize0 = false
     ;   model_tolerance(Tolerance),
         BySize0 = true
     ),
     option(by_size(BySize), Options, BySize0),
-    option(origins(Origins), Options, together),
-    kept_apart(Solid, Tolerance, Apart),
+    option(origins(Origins), Options, together).
+
+%!  region_faces_merged(+Solid, +Region, +Options:list) is semidet.
+%
+%   Solid is a part of a larger solid: what comes from the leaves of Region (of
+%   solid_region/3) and from those near them. Merges its faces as faces_merged/2
+%   would those of all of it, and leaves those of Region. Fails where a face of
+%   Region and another might become one, or the default of merge_faces/2 does
+%   not hold.
+
+region_faces_merged(Solid, Region, Options) :-
+    decision_is_default(merge_faces/2),
+    merge_options(Options, Tolerance, BySize, Origins),
     solid_merge(Solid, Tolerance,
-                [origins(Origins), apart(Apart), by_size(BySize)]).
+                [origins(Origins), by_size(BySize), region(Region)]).
 
 kept_apart(_, _, []) :-
     decision_is_default(merge_faces/2),

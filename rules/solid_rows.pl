@@ -1,10 +1,12 @@
 :- module(sg_solid_rows,
           [ solid_written/2,            % +Solid, +S
             solid_written_over/2,       % +Solid, +S
+            region_written_over/3,      % +Solid, +S, +Region
             solid_written_by_rule/2     % +Solid, +S
           ]).
 :- use_module(kernel,
-              [ solid_write/2, solid_write_over/2, solid_vertices/2,
+              [ solid_write/2, solid_write_over/2, solid_write_region/3,
+                solid_vertices/2,
                 solid_faces/2, solid_parts/2
               ]).
 :- use_module(store, [assert_fact/1]).
@@ -35,6 +37,15 @@ solid_written(Solid, S) :-
 
 solid_written_over(Solid, S) :-
     solid_write_over(Solid, S).
+
+%!  region_written_over(+Solid, +S, +Region) is semidet.
+%
+%   The same of the faces of Region (of solid_region/3) alone: they become those
+%   of Solid. Fails if these do not fit among the others. To be called in a
+%   transaction.
+
+region_written_over(Solid, S, Region) :-
+    solid_write_region(Solid, S, Region).
 
 %!  solid_written_by_rule(+Solid, +S) is det.
 %

@@ -28,6 +28,11 @@
             solid_write/2,            % +Solid, +S
             % solid_over4pl.c
             solid_write_over/2,       % +Solid, +S
+            solid_write_region/3,     % +Solid, +S, +Region
+            % solid_region4pl.c
+            solid_region/3,           % +S, +Leaves, -Region
+            region_leaves/2,          % +Region, -Leaves
+            region_close/1,           % +Region
             % face_merge4pl.c
             solid_merge/3,            % +Solid, +Tolerance, +Options
             solid_neighbours/3,       % +Solid, +Tolerance, -Pairs
@@ -41,6 +46,7 @@
             arrangement_free_polygons/3, % +Arrangement, +Polygons, +Reach
             % arrangement_pieces4pl.c
             arrangement_components/2, % +Pieces, -Components
+            arrangement_numbers/2,    % +Pieces, -Numbers
             arrangement_select/3,     % +Pieces, +Senses, -Solid
             % arrangement_kept4pl.c
             pieces_kept/1,            % -Kept
@@ -197,15 +203,47 @@ Foreign predicates; see kernel.pl.
 %
 %   @see c_kernels/solid_over.h
 
+%!  solid_write_region(+Solid, +S, +Region) is semidet.
+%
+%   As solid_write_over/2, of the faces of Region alone, which was read from
+%   segment S: they become those of Solid. Fails, and changes nothing, if S has
+%   changed since; if the new faces are not bounded by the edges that the old
+%   ones were; or if a new vertex is where another one of S is.
+%
+%   @see c_kernels/solid_over.h
+
+/* - - - solid_region4pl.c - - - */
+
+%!  solid_region(+S, +Leaves:list, -Region) is semidet.
+%
+%   Region is a handle of the faces of segment S, a solid's rows, that come from
+%   Leaves: and from those that such faces come from, too, and so on. Fails if S
+%   has other rows than a solid becomes. It is closed by garbage collection, or
+%   at once by region_close/1.
+%
+%   @see c_kernels/solid_old.h
+
+%!  region_leaves(+Region, -Leaves:list) is det.
+%
+%   Leaves are those of Region, ascending.
+%
+%   @error type_error(region, Region); existence_error(region, Region): closed
+
+%!  region_close(+Region) is det.
+%
+%   @error as region_leaves/2
+
 /* - - - face_merge4pl.c - - - */
 
-%!  solid_merge(+Solid, +Tolerance, +Options:list) is det.
+%!  solid_merge(+Solid, +Tolerance, +Options:list) is semidet.
 %
 %   Makes coplanar neighbours in Solid one face each and drops vertices that lie
 %   straight (c_kernels/face_merge.h). Options: origins(separate): never faces
 %   of different segments; apart(Pairs): never these, as of solid_neighbours/3;
-%   by_size(true): a Tolerance no larger than 2^-13 of the size of Solid. Others
-%   are ignored.
+%   by_size(true): a Tolerance no larger than 2^-13 of the size of Solid;
+%   region(Region): Solid is a part of a larger one, of which only the faces of
+%   Region (solid_region/3) are wanted and left; then it fails if one of these
+%   and another might become one. Others are ignored.
 
 %!  solid_neighbours(+Solid, +Tolerance, -Pairs:list) is det.
 %
@@ -247,6 +285,11 @@ Foreign predicates; see kernel.pl.
 /* - - - arrangement_pieces4pl.c - - - */
 
 %!  arrangement_components(+Pieces:list, -Components:list) is det.
+%!  arrangement_numbers(+Pieces:list, -Numbers:list) is det.
+%
+%   Numbers are those of the arrangements in Pieces, a list of S-Arrangement, in
+%   order. In the life of the process each arrangement has a number of its own.
+
 %!  arrangement_select(+Pieces:list, +Senses:list, -Solid) is det.
 %
 %   Pieces are S-Arrangement, for each segment S an arrangement in which it was

@@ -7,33 +7,19 @@
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
-:- use_module(library(assoc)).
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).
 :- use_module(library(time)).
-:- use_module(rules(csg), [is_helper/1]).
 :- use_module(rules(csg_evaluate)).
-:- use_module(rules(model)).
 :- use_module(rules(model_file), [add_primitive/2]).
 :- use_module(rules(penetration), [penetrate/2]).
-:- use_module(rules(solid_file), [write_solid/2]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/0]).
+:- use_module(tests('rules/fresh_tree')).
 :- use_module(tests('rules/random_solid')).
 
-/* - - - a tree, and the same tree in another world - - - */
-
-%   tree_world(Segments, World): a world with these segment(S, Kind, Term), as
-%   if they had been read from a file.
-
-tree_world(Segments, World) :-
-    tmp_file_stream(File, Stream, [extension(pl)]),
-    forall(member(Segment, Segments), format(Stream, '~q.~n', [Segment])),
-    close(Stream),
-    new_world(World),
-    call_cleanup(in_world(World, load_model(File, [evaluate(false)])),
-                 delete_file(File)).
+/* - - - random trees - - - */
 
 %   The root 100 is over the nodes 101 and 102 over leaves 1, 2, ..., and over
 %   103, leaf 1 once more.
@@ -63,102 +49,7 @@ random_leaf(placed, Primitive) :-
     random_member(Kind, [blocks,anywhere]),
     random_leaf(Kind, Primitive).
 
-fresh(World) :-
-    findall(segment(S, Kind, Term),
-            ( segment(S, Kind, Term), \+ is_helper(S) ),
-            Segments),
-    tree_world(Segments, World).
-
-/* - - - what a segment has, but for ids - - - */
-
-%   boundary(S, Boundary): vertices as their places, polygons by these.
-
-boundary(S, boundary(Vertices, Polygons)) :-
-    findall(V-(X-Y-Z), v(S, V, X, Y, Z), Pairs),
-    list_to_assoc(Pairs, At),
-    findall(vertex(Place, Froms, Origins),
-            ( member(V-Place, Pairs),
-              findall(From, vertex_source(S, V, From), Froms),
-              findall(Name, vertex_origin(S, V, Name), Origins)
-            ),
-            Vertices0),
-    msort(Vertices0, Vertices),
-    findall(Polygon, polygon(S, At, Polygon), Polygons0),
-    msort(Polygons0, Polygons).
-
-%   Helpers have other numbers in another world.
-
-vertex_source(S, V, From) :-
-    from_v(S, V, S0, V0),
-    known_source(S0, V0, From).
-
-known_source(S0, Id, From) :-
-    (   is_helper(S0)
-    ->  From = helper(Id)
-    ;   From = S0-Id
-    ).
-
-vertex_origin(S, V, Name) :-
-    origin(S, v(V), Origin),
-    (   once(is_helper(_, _))
-    ->  functor(Origin, Name, _)
-    ;   Name = Origin
-    ).
-
-is_helper(S, x) :-
-    segment(S, _, _),
-    is_helper(S).
-
-polygon(S, At, polygon(Edges, Triangles, Plane, Sources)) :-
-    p(S, P, Es),
-    findall(e(A, B, Et),
-            ( member(E, Es),
-              e(S, E, V1, V2, Et),
-              get_assoc(V1, At, A),
-              get_assoc(V2, At, B)
-            ),
-            Edges0),
-    msort(Edges0, Edges),
-    findall(Triangle,
-            ( t(S, P, _, V1, V2, V3),
-              maplist(place_of(At), [V1,V2,V3], Corners),
-              from_least(Corners, Triangle)
-            ),
-            Triangles0),
-    msort(Triangles0, Triangles),
-    findall(plane(A, B, C, D), plane(S, P, A, B, C, D), Plane),
-    findall(Source-Sense,
-            ( from_p(S, P, S0, P0, Sense), known_source(S0, P0, Source) ),
-            Sources0),
-    msort(Sources0, Sources).
-
-place_of(At, V, Place) :-
-    get_assoc(V, At, Place).
-
-from_least([A,B,C], [X,Y,Z]) :-
-    min_member(Least, [A,B,C]),
-    member([X,Y,Z], [[A,B,C],[B,C,A],[C,A,B]]),
-    X == Least,
-    !.
-
-%   file_of(S, Codes): the mesh file of a segment.
-
-file_of(S, Codes) :-
-    (   v(S, _, _, _, _)
-    ->  tmp_file_stream(File, Stream, [extension(off)]),
-        close(Stream),
-        call_cleanup(( write_solid(File, S),
-                       read_file_to_codes(File, Codes, [])
-                     ),
-                     delete_file(File))
-    ;   Codes = []
-    ).
-
 /* - - - edits - - - */
-
-replaced(S, Term) :-
-    retractall_facts(segment(S, _, _)),
-    assert_fact(segment(S, solid, Term)).
 
 leaf(S) :-
     findall(S1, ( segment(S1, _, _), S1 < 90 ), Ss),
