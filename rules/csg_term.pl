@@ -64,7 +64,7 @@ operation_form(split, 'split(Operand, plane(A, B, C, D), below), or above; \c
 misshapen(Term, Form) :-
     compound(Term),
     \+ is_node_term(Term),
-    functor(Term, Name, _),
+    compound_name_arity(Term, Name, _),
     operation_form(Name, Form).
 
 %!  operation_names(-Names) is det.

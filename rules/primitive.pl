@@ -248,8 +248,8 @@ primitive_form(Name, Form) :-
 primitive_name(Term, Name) :-
     (   ( Term = named(_, Inner) ; Term = at(_, Inner) )
     ->  primitive_name(Inner, Name)
-    ;   callable(Term)
-    ->  functor(Term, Name, _)
+    ;   compound(Term)
+    ->  compound_name_arity(Term, Name, _)
     ;   Name = Term
     ).
 

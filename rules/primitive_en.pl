@@ -55,7 +55,7 @@ primitive_en(both(A, B), Term) -->
     [ '~w has both ~w(...) and ~w(...)'-[Name, A, B], nl,
       '  Keep one of them.' ].
 primitive_en(wrong_argument(A, Types), Term) -->
-    { functor(A, Name, _),
+    { compound_name_arity(A, Name, _),
       maplist(type_en, Types, Words),
       atomic_list_concat(Words, ', ', Text) },
     [ '~p should be ~w(~w)'-[A, Name, Text] ],

@@ -34,7 +34,7 @@ primitive_ko(both(A, B), Term) -->
     [ '~w 에 ~w(...) 와(과) ~w(...) 이(가) 함께 있습니다'-[Name, A, B], nl,
       '  하나만 남기십시오.' ].
 primitive_ko(wrong_argument(A, Types), Term) -->
-    { functor(A, Name, _),
+    { compound_name_arity(A, Name, _),
       maplist(type_ko, Types, Words),
       atomic_list_concat(Words, ', ', Text) },
     [ '~p 은(는) ~w(~w) 이어야 합니다'-[A, Name, Text] ],

@@ -17,6 +17,8 @@ wrong(circle(radius(1), facets(2)), wrong_argument(facets(2), [facets])).
 wrong(circle(radius(1,2)), wrong_argument(radius(1,2), [length])).
 wrong(ellipse(radius(1)), wrong_argument(radius(1), [length,length])).
 wrong(cylinder(height(1)), missing(radius)).
+wrong(box(), missing(size)).
+wrong(cylinder(radius(), height(1)), wrong_argument(radius(), [length])).
 wrong(hollow_cylinder(radius(1), inner(1), height(1)), inner_too_large).
 wrong(hollow_cylinder(radius(1), inner(2), height(1)), inner_too_large).
 wrong(hollow_cylinder(radius(2,1), inner(1.5,1), height(1)),
