@@ -60,7 +60,8 @@ openscad_en(argument(Name, Argument, Value, Type)) -->
 openscad_en(unknown_argument(Name, Argument, Names)) -->
     { argument_en(Argument, Word) },
     [ '~w has ~w, which is not read; these are'-[Name, Word] ],
-    openscad_names(Names).
+    openscad_names(Names),
+    [ nl, '  A .scad file has to go through `openscad -o FILE.csg` first.' ].
 openscad_en(childless(Name)) -->
     [ '~w has something below it'-[Name], nl,
       '  Put it beside it, under a group().' ].

@@ -52,7 +52,8 @@ openscad_ko(argument(Name, Argument, Value, Type)) -->
 openscad_ko(unknown_argument(Name, Argument, Names)) -->
     { argument_ko(Argument, Word) },
     [ '~w 의 ~w 은(는) 읽지 않습니다. 읽는 것은'-[Name, Word] ],
-    openscad_names(Names).
+    openscad_names(Names),
+    [ nl, '  .scad 파일은 먼저 `openscad -o FILE.csg` 로 바꾸십시오.' ].
 openscad_ko(childless(Name)) -->
     [ '~w 아래에 무엇이 있습니다'-[Name], nl,
       '  그 옆에, group() 아래에 두십시오.' ].
