@@ -50,14 +50,20 @@ is_asked_node(S) :-
     is_node(S),
     \+ \+ recorded(S, evaluated(of(_, _, _))).
 
+%   operand_of(S, S0): once, however often S0 is placed.
+
 operand_of(S, S0) :-
     expression(S, Expression),
     flat_leaves(Expression, Leaves),
-    member(K, Leaves),
-    (   S0 = K
-    ;   recorded(K, What),
-        arg(1, What, placed(S0-_, _))
-    ).
+    findall(Operand, ( member(K, Leaves), leaf_operand(K, Operand) ),
+            Operands0),
+    sort(Operands0, Operands),
+    member(S0, Operands).
+
+leaf_operand(K, K).
+leaf_operand(K, S0) :-
+    recorded(K, What),
+    arg(1, What, placed(S0-_, _)).
 
 expression(S, Expression) :-
     recorded(S, evaluated(of(Expression, _, _))).

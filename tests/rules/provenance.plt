@@ -75,6 +75,11 @@ test(covered, Verdict == covered(1)) :-
     with_tree([ box(size(2,2,2)), box(size(2,2,1)), union([1,2]) ],
               explanation(piece(3, 2-1), [because(_, Facts)])),
     Facts = [because(triangles_of(_, Verdict), _)].
+test(placed_twice, N == 1) :-
+    with_tree([ box(size(4,4,1)), box(size(1,1,3)),
+                difference([1, at([translate(1,0,-1)], 2),
+                               at([translate(-1,0,-1)], 2)]) ],
+              aggregate_all(count, explanation(piece(3, 2-1), _), N)).
 test(said, forall(member(Language, [en, ko]))) :-
     bored(Terms),
     current_prolog_flag(message_language, Old),
