@@ -7,7 +7,9 @@
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists),
-              [append/2, append/3, max_list/2, member/2, min_list/2, nth1/3]).
+              [ append/2, append/3, max_list/2, member/2, min_list/2, nth1/3,
+                same_length/2
+              ]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
 /** <module> What is behind an open surface, as a solid.
 
@@ -26,7 +28,8 @@ the solid, what is behind the surface is just what is inside.
 %   vertices and triangles of Surface in the order of their numbers. Skirt is
 %   sheet(...), the rest of its faces. Its own corners are rounded.
 %
-%   @error model_error(csg(no_front(Surface))): it faces nowhere on the whole
+%   @error model_error(csg(no_front(Surface))): it faces nowhere on the whole,
+%   or neighbours face opposite ways
 
 behind_surface(Surface, Box, polyhedron(points(Points), faces(Faces)),
                sheet(points(Points), faces(Skirt))) :-
@@ -36,7 +39,7 @@ behind_surface(Surface, Box, polyhedron(points(Points), faces(Faces)),
     keysort(Triangles0, Triangles),
     list_to_assoc(Vertices, Place),
     mean_normal(Surface, Triangles, Place, N),
-    border(Triangles, Border),
+    border(Surface, Triangles, Border),
     bottom(N, Box, Vertices, Low, Deep),
     findall(V, member(V-_, Border), Rim0),
     sort(Rim0, Rim),
@@ -76,13 +79,17 @@ turn_added(Place, _-Corners, Area0-[A0,B0,C0], Area-[A,B,C]) :-
 placed(Place, V, Point) :-
     get_assoc(V, Place, Point).
 
-%   border(Triangles, Border): the half-edges A-B that have no opposite.
+%   border(Surface, Triangles, Border): the half-edges A-B that have no opposite.
 
-border(Triangles, Border) :-
+border(Surface, Triangles, Border) :-
     findall(Edge, ( member(_-[A,B,C], Triangles),
                     member(Edge, [A-B, B-C, C-A]) ),
             Edges0),
     sort(Edges0, Edges),
+    (   same_length(Edges0, Edges)
+    ->  true
+    ;   csg_error(no_front(Surface))    % two run along an edge the same way
+    ),
     findall(A-B, ( member(A-B, Edges), \+ ord_memberchk(B-A, Edges) ),
             Border).
 

@@ -134,7 +134,7 @@ repaired_leaves(Options) :-
 %   throw_with_file(Fault, Context, Sources): an operand is named with its file.
 
 throw_with_file(Fault, Context0, Sources) :-
-    (   Fault = geometry_error(operand(Name, _)),
+    (   fault_operand(Fault, Name),
         var(Context0),
         name_root(Name, S),
         member(File-Last, Sources),
@@ -143,6 +143,10 @@ throw_with_file(Fault, Context0, Sources) :-
     ;   Context = Context0
     ),
     throw(error(Fault, Context)).
+
+fault_operand(geometry_error(operand(Name, _)), Name).
+fault_operand(model_error(csg(no_front(Name))), Name).
+fault_operand(model_error(csg(not_through(Name))), Name).
 
 %   asked_nodes(Verb, Files, Options, Sources): the world has what the files
 %   have, and on top the nodes that Verb makes of it. Sources are pairs

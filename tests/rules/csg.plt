@@ -12,6 +12,8 @@
 :- use_module(rules(model)).
 :- use_module(rules(provenance)).
 :- use_module(rules(store)).
+:- use_module(tests('rules/polyhedron'), [polyhedron/4]).
+:- use_module(rules(triangulation), [complete_segments/0]).
 :- use_module(tests('rules/csg_tree'),
               [faults/1, near/2, volume/2, with_tree/2, written/3]).
 
@@ -137,6 +139,17 @@ test(not_through, error(model_error(csg(not_through(2))), _)) :-
                 surface-at([translate(0,0,1)], rectangle(size(1,9))),
                 split(1, 2, below) ],
               true).
+
+%   A sheet of two triangles that look opposite ways has no side behind it.
+
+test(no_front, error(model_error(csg(no_front(2))), _)) :-
+    with_tree([ box(size(2,2,2)) ],
+              ( polyhedron(2, surface,
+                           [p(-3,-3,1), p(3,-3,1), p(3,3,1), p(-3,3,1)],
+                           [[1,2,3], [1,4,3]]),
+                complete_segments,
+                assert_fact(segment(3, solid, split(1, 2, below))),
+                evaluate )).
 
 %   The helper of a split is larger than the model; what is near is not.
 
