@@ -220,6 +220,7 @@ sg_roll_open(sg_roll *r)
 
   r->sum = NULL;
   r->apex = NULL;
+  r->layer += s->offset;
   if (s->kind == SG_SURFACE_FAN) {
     fan_frame(r);
     choose_grid(r, length(s->u) + length(s->v));
@@ -288,6 +289,7 @@ sg_roll_at(const sg_roll *r, double t, double h, double out[2])
   }
   double apex[2], sum = sum_at(r, t, apex), x, y;
 
+  h = sg_surface_before(s, t, h);
   if (s->kind == SG_SURFACE_CYLINDER) {
     x = sum;
     y = h * length(s->w) + cos(t) * dot(s->u, r->axis) +

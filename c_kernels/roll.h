@@ -20,6 +20,9 @@
  * the normal turning by psi about the generator, a cylinder is layer * psi
  * wider; of a cone the apex moves by layer * psi across the generator.
  *
+ * A surface that is itself parallel to one (its `offset`) is unrolled as that,
+ * with a layer farther out.
+ *
  * Results are multiples of 2^-47 of the size, so that they do not hang on the
  * last bit of the machine's sine.
  *
@@ -33,7 +36,8 @@
 
 typedef struct sg_roll {
   sg_surface surface; /* a cylinder, a fan, or a cone with k other than 1 */
-  double layer;       /* model units, along the outward normal */
+  double layer;       /* model units, along the outward normal; from
+                         sg_roll_open() on, of what the surface is parallel to */
   double start;       /* t, radians */
   /* The rest is made by sg_roll_open(). */
   double axis[3];      /* cylinder: unit; cone: from the apex to c; fan: unit,

@@ -1,5 +1,5 @@
-/* roll4pl.c -- surface_place/4, surfaces_meet/4, roll_points/3,
- * roll_curves/5 (documented in kernel/pattern.pl).
+/* roll4pl.c -- surface_place/4, surface_value/4, surfaces_meet/4,
+ * roll_points/3, roll_curves/5 (documented in kernel/pattern.pl).
  *
  * Layer: glue: converts, checks, raises; computes nothing. Angles are degrees
  * in Prolog and radians in C.
@@ -14,7 +14,8 @@
 #include <string.h>
 
 static functor_t FUNCTOR_minus2, FUNCTOR_point3, FUNCTOR_vector3,
-    FUNCTOR_plane4, FUNCTOR_roll3, FUNCTOR_place4, FUNCTOR_curve4;
+    FUNCTOR_plane4, FUNCTOR_roll3, FUNCTOR_place4, FUNCTOR_curve4,
+    FUNCTOR_parallel2;
 
 static const double DEGREE = 0.017453292519943295;
 
@@ -98,9 +99,36 @@ get_curved_ex(term_t t, int i, sg_surface *out)
   return TRUE;
 }
 
+static int get_surface_ex(term_t t, sg_surface *out);
+
+/* parallel(Surface, Distance) */
+static int
+get_parallel_ex(term_t t, sg_surface *out)
+{
+  term_t arg = PL_new_term_ref();
+  double distance;
+
+  _PL_get_arg(1, t, arg);
+  if (!get_surface_ex(arg, out)) {
+    return FALSE;
+  }
+  if (out->kind != SG_SURFACE_CYLINDER && out->kind != SG_SURFACE_CONE) {
+    return PL_domain_error("developable_surface", arg);
+  }
+  _PL_get_arg(2, t, arg);
+  if (!sg_get_finite_ex(arg, &distance)) {
+    return FALSE;
+  }
+  out->offset += distance;
+  return TRUE;
+}
+
 static int
 get_surface_ex(term_t t, sg_surface *out)
 {
+  if (PL_is_functor(t, FUNCTOR_parallel2)) {
+    return get_parallel_ex(t, out);
+  }
   int found = PL_is_functor(t, FUNCTOR_plane4);
 
   memset(out, 0, sizeof *out);
@@ -147,6 +175,24 @@ surface_place(term_t surface_term, term_t point, term_t t, term_t h)
   }
   sg_surface_place(&surface, x, &angle, &height);
   return sg_unify_double(t, angle / DEGREE) && sg_unify_double(h, height);
+}
+
+/* surface_value(+Surface, +Point, -Value, -Normal) is semidet. */
+static foreign_t
+surface_value(term_t surface_term, term_t point, term_t value_term,
+              term_t normal_term)
+{
+  sg_surface surface;
+  double x[3], value, normal[3];
+
+  if (!get_surface_ex(surface_term, &surface) || !get_point_ex(point, x)) {
+    return FALSE;
+  }
+  return sg_surface_value(&surface, x, &value, normal) &&
+         sg_unify_double(value_term, value) &&
+         PL_unify_term(normal_term, PL_FUNCTOR, FUNCTOR_vector3, PL_FLOAT,
+                       normal[0] + 0.0, PL_FLOAT, normal[1] + 0.0, PL_FLOAT,
+                       normal[2] + 0.0);
 }
 
 /* A list of 1 to SG_SURFACES_MOST surfaces. */
@@ -367,6 +413,7 @@ sg_install_roll(void)
 {
   static const PL_extension doors[] = {
       {"surface_place", 4, (pl_function_t)surface_place, 0},
+      {"surface_value", 4, (pl_function_t)surface_value, 0},
       {"surfaces_meet", 4, (pl_function_t)surfaces_meet, 0},
       {"roll_points", 3, (pl_function_t)roll_points, 0},
       {"roll_curves", 5, (pl_function_t)roll_curves, 0},
@@ -383,5 +430,6 @@ sg_install_roll(void)
   FUNCTOR_roll3 = functor("roll", 3);
   FUNCTOR_place4 = functor("place", 4);
   FUNCTOR_curve4 = functor("curve", 4);
+  FUNCTOR_parallel2 = functor("parallel", 2);
   PL_register_extensions_in_module("sg_kernel_pattern", doors);
 }

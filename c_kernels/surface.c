@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+static const double TURN = 6.283185307179586;
+
 static double
 dot(const double a[3], const double b[3])
 {
@@ -137,6 +139,144 @@ equation(const sg_surface *s, const double a[3], double *value, double slope[3])
   return true;
 }
 
+/* ---- parallel to a cylinder or cone ---- */
+
+/* The generator at t: a point of it (h = 0), its direction (h grows by 1), the
+ * normal (outward, not a unit), and what is at right angles to both. */
+typedef struct generator {
+  double at[3], along[3], normal[3], across[3];
+} generator;
+
+static void
+set_generator(const sg_surface *s, double t, generator *out)
+{
+  double c = cos(t), d = sin(t), turn[3] = {0, 0, 0};
+  double k = s->kind == SG_SURFACE_CONE ? s->k : 1;
+
+  memcpy(out->at, s->c, sizeof out->at);
+  add(out->at, c, s->u);
+  add(out->at, d, s->v);
+  memcpy(out->along, s->w, sizeof out->along);
+  add(out->along, (k - 1) * c, s->u);
+  add(out->along, (k - 1) * d, s->v);
+  add(turn, -d, s->u);
+  add(turn, c, s->v);
+  cross(turn, out->along, out->normal);
+  double way[3] = {out->at[0] - s->c[0], out->at[1] - s->c[1],
+                   out->at[2] - s->c[2]};
+
+  if (dot(out->normal, way) < 0) {
+    for (int i = 0; i < 3; i++) {
+      out->normal[i] = -out->normal[i];
+    }
+  }
+  cross(out->normal, out->along, out->across);
+}
+
+/* How far x is from the plane that holds the generator at t and its normal,
+ * and from the tangent plane. */
+static void
+offs(const sg_surface *s, const double x[3], double t, double *across,
+     double *above)
+{
+  generator g;
+
+  set_generator(s, t, &g);
+  double from[3] = {x[0] - g.at[0], x[1] - g.at[1], x[2] - g.at[2]};
+
+  *across = dot(from, g.across) / sqrt(dot(g.across, g.across));
+  *above = dot(from, g.normal) / sqrt(dot(g.normal, g.normal));
+}
+
+/* The t of the generator that x is nearest to, near t: by the secant, kept
+ * between two places where x lies on different sides. False: none is near. */
+static bool
+foot(const sg_surface *s, const double x[3], double *t)
+{
+  const double step = 0.05;
+  double a = *t, b, fa, fb, above;
+
+  offs(s, x, a, &fa, &above);
+  for (int i = 1; i <= 32; i++) { /* to both sides in turn */
+    b = *t + (i % 2 ? step : -step) * ((i + 1) / 2);
+    offs(s, x, b, &fb, &above);
+    if ((fa < 0) != (fb < 0)) {
+      break;
+    }
+    if (i == 32) {
+      return false;
+    }
+  }
+  for (int i = 0; i < 100 && fa != 0; i++) {
+    double m = a - fa * (b - a) / (fb - fa), fm;
+
+    if (!(fabs(m - a) < fabs(b - a) && fabs(m - b) < fabs(b - a))) {
+      m = (a + b) / 2;
+    }
+    offs(s, x, m, &fm, &above);
+    bool other = (fm < 0) != (fa < 0);
+
+    if (m == a || m == b) {
+      break;
+    }
+    if (other) {
+      b = a;
+      fb = fa;
+    } else {
+      fb /= 2; /* the Illinois rule: the other end comes nearer too */
+    }
+    a = m;
+    fa = fm;
+  }
+  *t = a;
+  return true;
+}
+
+/* As sg_surface_value(): the distance itself. */
+static bool
+parallel_value(const sg_surface *s, const double x[3], double *value,
+               double normal[3])
+{
+  double a[3], across;
+  generator g;
+
+  coordinates(s, x, a);
+  double t = atan2(a[1], a[0]);
+
+  if (!foot(s, x, &t)) {
+    return false;
+  }
+  offs(s, x, t, &across, value);
+  *value -= s->offset;
+  set_generator(s, t, &g);
+  double length = sqrt(dot(g.normal, g.normal));
+
+  for (int k = 0; k < 3; k++) {
+    normal[k] = g.normal[k] / length;
+  }
+  return true;
+}
+
+/* What a generator at t gains along w when it is moved. */
+static double
+gained(const sg_surface *s, double t)
+{
+  generator g;
+
+  if (s->offset == 0) {
+    return 0;
+  }
+  set_generator(s, t, &g);
+  return s->offset * dot(s->inverse[2], g.normal) /
+         sqrt(dot(g.normal, g.normal));
+}
+
+double
+sg_surface_before(const sg_surface *s, double t, double h)
+{
+  return h - gained(s, t);
+}
+
 bool
 sg_surface_value(const sg_surface *s, const double x[3], double *value,
                  double normal[3])
@@ -147,6 +287,9 @@ sg_surface_value(const sg_surface *s, const double x[3], double *value,
     memcpy(normal, s->plane, 3 * sizeof *normal);
     *value = dot(s->plane, x) + s->plane[3];
     return true;
+  }
+  if (s->offset != 0) {
+    return parallel_value(s, x, value, normal);
   }
   coordinates(s, x, a);
   if (!equation(s, a, value, slope)) {
@@ -184,6 +327,10 @@ sg_surface_place(const sg_surface *s, const double x[3], double *t, double *h)
   }
   *t = atan2(a[1], a[0]);
   *h = a[2];
+  if (s->offset != 0) {
+    foot(s, x, t);
+    *t = remainder(*t, TURN);
+  }
 }
 
 void
@@ -191,6 +338,15 @@ sg_surface_point(const sg_surface *s, double t, double h, double out[3])
 {
   double p = 1, q, z = h;
 
+  if (s->offset != 0) {
+    generator g;
+
+    set_generator(s, t, &g);
+    memcpy(out, g.at, sizeof g.at);
+    add(out, s->offset / sqrt(dot(g.normal, g.normal)), g.normal);
+    add(out, sg_surface_before(s, t, h), g.along);
+    return;
+  }
   if (s->kind == SG_SURFACE_FAN) {
     memcpy(out, s->c, 3 * sizeof *out);
     add(out, (1 - h + h * s->k) * t, s->u);

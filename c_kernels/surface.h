@@ -15,7 +15,14 @@
  * same. t in radians. Rounded; a surface has
  * no borders here (a cylinder goes on for ever).
  *
- * Source: rules/primitive_face.pl.
+ * With `offset` a cylinder or cone is the surface parallel to it, so far
+ * outside (negative: within): what the equation gives, moved along the normal,
+ * which is the same all along a generator. Its h is again the coordinate along
+ * w: (t, h) is where the moved generator has that. It is known where it is
+ * nearest to the generator at t, so not beyond its centres of curvature.
+ *
+ * Source: rules/primitive_face.pl; parallel surfaces of developable ones: do
+ * Carmo, Differential geometry of curves and surfaces, 3-5 (exercise 11).
  */
 #ifndef SG_SURFACE_H
 #define SG_SURFACE_H
@@ -39,6 +46,7 @@ typedef struct sg_surface {
   sg_surface_kind kind;
   double c[3], u[3], v[3], w[3];
   double k, k2;
+  double offset;        /* of a cylinder or cone, model units; else 0 */
   double plane[4];      /* a plane's, the rest is not used then; or a fan's */
   double inverse[3][3]; /* rows: the coordinates along u, v, w */
 } sg_surface;
@@ -64,6 +72,10 @@ void sg_surface_place(const sg_surface *surface, const double x[3], double *t,
 /* The point (t, h). Not for planes. */
 void sg_surface_point(const sg_surface *surface, double t, double h,
                       double out[3]);
+
+/* Of a point (t, h) of a surface with an offset, the h of the point that it was
+ * moved from; h itself where there is none. */
+double sg_surface_before(const sg_surface *surface, double t, double h);
 
 /* Moves x, by the shortest steps, to where n surfaces (1..SG_SURFACES_MOST)
  * meet: Newton's, with the step of least length. Exact to some roundings of

@@ -14,6 +14,7 @@
 :- use_module(store,
               [ e/5, p/3, piece/3, joint/6, segment/3, origin/3,
                 edge_polygon/3, facts_snapshot/1 ]).
+:- use_module(trimmed, [part_named/2]).
 :- use_module(unfold,
               [ unfoldable/1, pattern_of/2, wishes/3, wanted_of/3,
                 trimmed_part/3, part_developed/4, part_laid/4,
@@ -176,7 +177,12 @@ is_fresh(D) :-
 %   is_true(D, Part): D is what is round unrolled: Part of a segment.
 
 is_true(D, Part) :-
-    segment(D, pattern, true_development(_, Part)).
+    segment(D, pattern, true_development(_, Part0)),
+    (   Part0 = Leaf/Name,
+        part_named(Leaf, S)
+    ->  Part = S/Name
+    ;   Part = Part0
+    ).
 
 /* - - - an edge - - - */
 

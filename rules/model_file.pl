@@ -1,6 +1,7 @@
 :- module(sg_model_file,
           [ read_model/1,               % +File
             add_primitive/2,            % +Term, -S
+            add_shape/5,                % +Kind, +Term, +Points, +Chains, -S
             primitive_rows/3            % +Term, +S, -Kind
           ]).
 :- use_module(store,
@@ -514,6 +515,15 @@ add_primitive(Term, S) :-
 primitive_rows(Term, S, Kind) :-
     primitive_shape(Term, Kind, Points, Chains),
     shape_added(Kind, S, Points, Chains, none).
+
+%!  add_shape(+Kind, +Term, +Points, +Chains, -S) is det.
+%
+%   As add_primitive/2: S is a new segment of Kind with the name Term; Points
+%   and Chains are as of primitive_shape/4.
+
+add_shape(Kind, Term, Points, Chains, S) :-
+    facts_transaction(
+        sg_model_file:new_segment(Kind, Term, Points, Chains, S)).
 
 new_segment(Kind, Term, Points, Chains, S) :-
     greatest(Last, segment(Last, _, _), Last0),

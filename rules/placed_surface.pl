@@ -15,13 +15,17 @@
 A node of a CSG tree that places a leaf once more, and a helper that does, have
 the polygons of the leaf, in another place: csg_record.pl knows by which matrix.
 Here these count as primitives too, with the surfaces of the leaf moved; what is
-made of them is followed back to them, and no farther.
+made of them is followed back to them, and no farther. So do segments that lie
+parallel to a primitive: they say themselves what they are.
 */
 
 %!  placed_face(?S, ?P, ?What) is nondet.
 %
 %   As face_of/3, of copies too.
 
+placed_face(S, P, What) :-
+    is_parallel(S),
+    origin(S, face(P), What).
 placed_face(S, P, What) :-
     stands(S, Leaf, _),
     face_of(Leaf, P, What).
@@ -31,9 +35,19 @@ placed_face(S, P, What) :-
 %   As smooth_surface/3, of copies too.
 
 placed_surface(S, Part, Surface) :-
+    is_parallel(S),
+    origin(S, part(Part), Surface).
+placed_surface(S, Part, Surface) :-
     stands(S, Leaf, Matrix),
     smooth_surface(Leaf, Part, Surface0),
     surface_placed(Matrix, Surface0, Surface).
+
+%   is_parallel(S): S is the other side of a plate (true_parallel.pl).
+
+is_parallel(S) :-
+    segment(S, _, Term),
+    nonvar(Term),
+    Term = parallel(_, _).
 
 %   stands(S, Leaf, Matrix): S is primitive Leaf (Matrix is `none`), or a copy
 %   of it that Matrix placed.

@@ -10,8 +10,10 @@
           ]).
 :- use_module(leaf_face, [leaf_face/5]).
 :- use_module(primitive_face, [face_of/3]).
-:- use_module(store, [e/5, p/3, segment/3, from_p/5, edge_polygon/3]).
+:- use_module(store,
+              [e/5, p/3, segment/3, origin/3, from_p/5, edge_polygon/3]).
 :- use_module(trimmed, [trimmed_from/2]).
+:- use_module(true_parts, [drawn_polygon/4]).
 :- use_module(library(lists), [list_to_set/2, member/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Polygons, edges and segments by the names that people give them.
@@ -67,7 +69,11 @@ polygon_face(S, P, Leaf, What) :-
         from_p(S, P, S0, P0, _)
     ).
 
+own_face(S1, P1, none, What) :-
+    drawn_polygon(S1, P1, S, P),
+    face_of(S, P, What).
 own_face(S, P, none, What) :-
+    \+ origin(S, node(S), plate(_)),
     face_of(S, P, What).
 own_face(S, P, leaf(S0, Called), What) :-
     leaf_face(S, P, S0, Called, What).

@@ -4,6 +4,7 @@
             surface_point/4             % +Surface, +T, +H, -Point
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
+:- use_module(parallel_surface, [parallel_point/5]).
 :- use_module(primitive, [is_primitive/1, primitive/1, primitive_faces/3]).
 :- use_module(store, [p/3, segment/3]).
 :- use_module(library(lists), [member/2, nth1/3]).
@@ -135,6 +136,8 @@ surface_point(torus(C, U, V, W, K), T, S, Point) :-
     B is (1.0 + K*CosS)*SinT,
     D is K*SinS,
     combined(C, [A-U, B-V, D-W], Point).
+surface_point(parallel(Surface, Distance), T, H, Point) :-
+    parallel_point(Surface, Distance, T, H, Point).
 surface_point(fan(C, U, V, K), T, H, Point) :-
     A is (1.0-H+H*K)*T*pi/180.0,
     combined(C, [A-U, H-V], Point).

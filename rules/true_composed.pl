@@ -11,7 +11,8 @@
               [ composed_seam/4, creases/3, direction_of/3, divided_at/3,
                 from_seam/3, piece_facets/2, pieces_found/4, place_of/3
               ]).
-:- use_module(true_plate, [plate_layer/2, transition_resized/3]).
+:- use_module(true_plate, [plate_layer/2]).
+:- use_module(true_resized, [transition_resized/3]).
 :- use_module(library(apply), [foldl/5, foldl/6, maplist/3, maplist/4]).
 :- use_module(library(assoc),
               [assoc_to_list/2, get_assoc/3, list_to_assoc/2]).

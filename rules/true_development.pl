@@ -15,6 +15,7 @@
               [ layout/6, layout_points/2, layout_curves/2, layout_marks/6,
                 mirrored_half/4
               ]).
+:- use_module(true_parts, [facets_as_drawn/3]).
 :- use_module(true_pattern, [pattern_written/3]).
 :- use_module(true_shape,
               [ true_part/5, part_facets/4, facet_middle/2, facets_sense/3,
@@ -45,7 +46,8 @@ chord tolerance.
 %!  developable_part(?S, ?Part, -Surface) is nondet.
 %
 %   Part of segment S has a true development: it has facets of Surface, a
-%   cylinder, a cone, what is `ruled` between two ellipses, or a `transition`.
+%   cylinder, a cone, what is `ruled` between two ellipses, a `transition`, or
+%   what is `parallel` to a cylinder or cone.
 %   In a segment that was made of primitives, as by trimming, Part is Leaf/Name:
 %   the part Name of segment Leaf.
 
@@ -56,7 +58,7 @@ developable_part(S, Part, Surface) :-
     ),
     true_part(S, Part, Leaf, Name, Surface),
     functor(Surface, Kind, _),
-    memberchk(Kind, [cylinder, cone, ruled, transition]),
+    memberchk(Kind, [cylinder, cone, ruled, transition, parallel]),
     \+ ( placed_surface(Leaf, _, transition(pieces(Places))),
          memberchk(piece(Name, _, _, _), Places)
        ).
@@ -137,11 +139,12 @@ unrolled(S, Part, Options,
     ;   Bends = smooth
     ),
     facets_sense(Facets0, Shape0, Sense),
-    seam(Facets0, Shape0, Sense, Options, Seam, Around),
     facets_tolerance(Shape0, Tolerance),
     tips_moved(Facets0, Tolerance, Facets3, Shape0, Shape3),
     rims_kept(Facets3, Facets4, Shape3, Shape2),
-    spikes_cut(Facets4, Shape2, Facets2),
+    spikes_cut(Facets4, Shape2, Facets5),
+    facets_as_drawn(S, Facets5, Facets2),
+    seam(Facets2, Shape2, Sense, Options, Seam, Around),
     opened(Facets2, S-Part, Seam, Sense, Facets1, Shape2, Shape1),
     half_of(Facets1, S-Part, Seam, Around, Sense, Options, Facets,
             Shape1, Shape),

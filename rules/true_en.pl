@@ -34,8 +34,8 @@ true_en(flat_part(S, Part, Option)) -->
          height(H)), which does.' ].
 true_en(no_offset(S)) -->
     [ 'the surfaces of a plate of segment ~d are not known'-[S], nl,
-      '  With a thickness, penetrations are found for right circular \c
-         cylinders and cones, spheres, tori, transitions,', nl,
+      '  With a thickness, penetrations are found for cylinders and cones, \c
+         round spheres and tori, transitions,', nl,
       '  and what has flat faces, three of which meet at a corner.' ].
 true_en(bend(S, P1, P2, Degrees)) -->
     [ 'segment ~d: the fold between polygons ~d and ~d turns by ~2f degrees: \c

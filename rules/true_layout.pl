@@ -12,6 +12,7 @@
                                         % -Points, -Curves
           ]).
 :- use_module(kernel, [roll_curves/5, roll_points/3]).
+:- use_module(parallel_surface, [parallel_before/5]).
 :- use_module(primitive_face, [surface_point/4]).
 :- use_module(true_divide, [facet_index/2, generator_spans/5]).
 :- use_module(true_plate, [plate_layer/2]).
@@ -49,7 +50,7 @@ layout(Facets, Shape, Seam, Sense, Options,
        layout(Kind, Shape, Layer-Seam, frame(Turn, X0, Y0), Points, Curves)) :-
     plate_layer(Options, Layer),
     Shape = shape(Surface, _, _),
-    functor(Surface, Form, _),
+    rolled_form(Surface, Form),
     (   Form == ruled
     ->  Kind = flat,
         transition_points(Facets, Shape, Pairs0),
@@ -69,6 +70,14 @@ layout(Facets, Shape, Seam, Sense, Options,
     append([Turned|TurnedLists], All),
     corner(All, X0, Y0, _),
     in_frame(frame(Turn, X0, Y0), Keys-Raw, Edges-RawLists, Points, Curves).
+
+%   rolled_form(Surface, Form): `cylinder`, `cone` or `ruled`.
+
+rolled_form(Surface, Form) :-
+    (   Surface = parallel(Inner, _)
+    ->  functor(Inner, Form, _)
+    ;   functor(Surface, Form, _)
+    ).
 
 in_frame(Frame, Keys-Raw, Edges-RawLists, Points, Curves) :-
     maplist(framed(Frame), Raw, Placed),
@@ -209,7 +218,7 @@ key_pair(Nodes, Middle, Key, T-H) :-
 turn(Shape, Layer, Seam, Facets, Sense, turn(Mirror, Cos, Sin)) :-
     Shape = shape(Surface, _, _),
     mirror(Surface, Sense, Mirror),
-    (   Surface = cone(_, _, _, _, _)
+    (   rolled_form(Surface, cone)
     ->  roll(Shape, Layer, Seam, Roll),
         middle_generator(Facets, T),
         roll_points(Roll, [T-0.0,T-1.0], [X1-Y1,X2-Y2]),
@@ -224,7 +233,11 @@ turn(Shape, Layer, Seam, Facets, Sense, turn(Mirror, Cos, Sin)) :-
 
 %   mirror(Surface, Sense, Mirror): -1.0 if what is unrolled shows its inside.
 
-mirror(Surface, Sense, Mirror) :-
+mirror(Surface0, Sense, Mirror) :-
+    (   Surface0 = parallel(Surface, _)
+    ->  true
+    ;   Surface = Surface0
+    ),
     (   Surface = cone(_, _, _, _, K)
     ->  Mirror is Sense*sign(1.0-K)
     ;   Mirror is float(Sense)
@@ -373,7 +386,9 @@ key_at(Facets, shape(_, _, Nodes), T, H, Key) :-
 measures(cylinder, _, _, _, _-(X-Y1), _-(_-Y2), X, Y1, Y2).
 measures(cone, layout(_, Shape, _, _, _, _), Seam, T, H1-_, H2-_, Angle, R1,
          R2) :-
-    Shape = shape(Surface, _, _),
+    Shape = shape(Surface0, _, _),
+    before_moving(Surface0, T, H1, Surface, B1),
+    before_moving(Surface0, T, H2, Surface, B2),
     Surface = cone(_, _, _, _, K),
     roll_points(roll(Surface, 0.0, Seam), [T-0.0], [X-Y]),
     Angle0 is atan2(Y, X)*180.0/pi,
@@ -385,10 +400,20 @@ measures(cone, layout(_, Shape, _, _, _, _), Seam, T, H1-_, H2-_, Angle, R1,
     surface_point(Surface, T, 0.0, P),
     surface_point(Surface, T, Apex, Q),
     far(P, Q, Far),
-    R1 is Far*abs(1.0 - H1*(1.0-K)),
-    R2 is Far*abs(1.0 - H2*(1.0-K)).
+    R1 is Far*abs(1.0 - B1*(1.0-K)),
+    R2 is Far*abs(1.0 - B2*(1.0-K)).
 measures(flat, _, _, _, _-(X1-Y1), _-(X2-Y2), 0.0, 0.0, Length) :-
     Length is sqrt((X1-X2)**2 + (Y1-Y2)**2).
+
+%   before_moving(Surface0, T, H0, Surface, H): the point (T, H0) of Surface0 is
+%   that of Surface at (T, H), moved along the normal.
+
+before_moving(Surface0, T, H0, Surface, H) :-
+    (   Surface0 = parallel(Surface, Distance)
+    ->  parallel_before(Surface, Distance, T, H0, H)
+    ;   Surface = Surface0,
+        H = H0
+    ).
 
 
                 /*******************************
@@ -443,7 +468,7 @@ mirrors_surface(Surface, Seam, Twice, Places) :-
     pairs_keys_values(Pairs, Points1, Points2),
     corner([P,Q|Points1], _, _, Size),
     Off is 1.0e-7*Size,
-    functor(Surface, Kind, _),
+    rolled_form(Surface, Kind),
     \+ ( member(A-B, Pairs),
          \+ mirrors(Kind, P, Q, A, B, Off) ).
 

@@ -4,7 +4,10 @@
 :- use_module(placed_surface,
               [placed_face/3, placed_polygon/4, placed_surface/3]).
 :- use_module(primitive_face, [surface_point/4]).
-:- use_module(kernel, [roll_curves/5, surface_place/4, surfaces_meet/4]).
+:- use_module(kernel,
+              [ roll_curves/5, surface_place/4, surface_value/4,
+                surfaces_meet/4
+              ]).
 :- use_module(development_record, [record_drawn/4]).
 :- use_module(seam_measure, [pattern_area/2, seam_drawn/3]).
 :- use_module(store,
@@ -14,6 +17,7 @@
               ]).
 :- use_module(triangulation, [complete_segments/1]).
 :- use_module(true_surface, [meeting_surfaces/3]).
+:- use_module(vector, [cross_product/3, dot_product/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(assoc),
               [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
@@ -176,7 +180,7 @@ line_arc(D, S, P, E, Meets, Corners, Options, Points) :-
 
 on_curve(Surface, point(X,Y,Z)) :-
     (   functor(Surface, Kind, _),
-        memberchk(Kind, [cylinder,cone,ruled])
+        memberchk(Kind, [cylinder,cone,ruled,parallel])
     ->  surface_place(Surface, point(X,Y,Z), T, H),
         surface_point(Surface, T, H, point(X1,Y1,Z1)),
         Off is abs(X-X1) + abs(Y-Y1) + abs(Z-Z1),
@@ -232,7 +236,7 @@ facet_surface(S, P, Surface) :-
     placed_face(Leaf, P0, curved(Part, [_])),
     placed_surface(Leaf, Part, Surface),
     functor(Surface, Kind, _),
-    memberchk(Kind, [cylinder, cone, ruled]),
+    memberchk(Kind, [cylinder, cone, ruled, parallel]),
     !.
 
 rim_place(S, V, Surface, T, H) :-
@@ -258,7 +262,11 @@ arc_count(Surface, T1, T2, H, Options, N) :-
 
 %   chord_wanted(Surface, Options, Chord)
 
-chord_wanted(Surface, Options, Chord) :-
+chord_wanted(Surface0, Options, Chord) :-
+    (   Surface0 = parallel(Surface, _)
+    ->  true
+    ;   Surface = Surface0
+    ),
     arg(2, Surface, vector(A, B, C)),
     Usual is 1.0e-4*2.0*sqrt(A*A + B*B + C*C),
     option(chord(Chord0), Options, Usual),
@@ -338,16 +346,65 @@ corner(S, P, Es, Fold, Meets, A, Place) :-
     memberchk(A, [V1,V2]),
     \+ flat_neighbour(S, E, _),
     once(cutting_surface(S, P, E, Meets, Surface)),
-    vertex_point(S, From, P1),
-    vertex_point(S, To, P2),
+    maplist(vertex_point(S), [From,To], Ends),
     vertex_point(S, A, Point),
-    arc_reach(P1, P2, Reach),
-    polygon_plane(S, P, Plane1),
-    polygon_plane(S, Q, Plane2),
-    (   surfaces_meet([Surface,Plane1,Plane2], Reach, Point, Place0)
+    maplist(polygon_plane(S), [P,Q], Planes),
+    (   kept_side(S, P, V1, V2, Surface, Side),
+        met_on_fold(Surface, Planes, Ends, Point, Side, Place0)
     ->  Place = Place0
     ;   Place = none
     ).
+
+%   kept_side(S, P, V1, V2, Surface, Side): beside its edge V1-V2, which runs
+%   along Surface, P lies outside of that, 1, or inside, -1.
+
+kept_side(S, P, V1, V2, Surface, Side) :-
+    maplist(vertex_point(S), [V1,V2], [Point1,Point2]),
+    along_fold(Point1, Point1, Point2, 0.5, Middle),
+    surface_value(Surface, Middle, _, vector(A,B,C)),
+    polygon_plane(S, P, plane(NX,NY,NZ,_)),
+    way(Point1, Point2, X, Y, Z),
+    cross_product(p(NX,NY,NZ), p(X,Y,Z), Within),
+    dot_product(Within, p(A,B,C), Along),
+    Side is float(sign(Along)).
+
+%   met_on_fold(Surface, Planes, Ends, Point, Side, Place): Surface meets the
+%   fold, between Planes and Ends, near its end Point, so that the fold is on
+%   that Side of it. A fold may go through it twice, near Point: what is found
+%   first may be where it comes out again.
+
+met_on_fold(Surface, Planes, Ends, Point, Side, Place) :-
+    Ends = [End1,End2],
+    arc_reach(End1, End2, Reach),
+    Wide is 8.0*Reach,
+    far_end(Ends, Point, Far),
+    member(Times, [0.0,1.0,-1.0,4.0,-4.0]),
+    along_fold(Point, Point, Far, Times, Start),
+    surfaces_meet([Surface|Planes], Wide, Start, Place),
+    fold_leaves(Surface, Place, Far, Side),
+    arc_reach(Point, Place, Off),
+    Off =< Reach,
+    !.
+
+far_end([End1,End2], Point, Far) :-
+    (   End1 == Point
+    ->  Far = End2
+    ;   Far = End1
+    ).
+
+%   fold_leaves(Surface, Place, Far, Side): from Place, which is on Surface, to
+%   Far one comes to that Side of it.
+
+fold_leaves(Surface, Place, Far, Side) :-
+    surface_value(Surface, Place, _, vector(A,B,C)),
+    way(Place, Far, X, Y, Z),
+    Side*(A*X + B*Y + C*Z) > 0.0.
+
+along_fold(point(X0,Y0,Z0), Point, Far, Times, point(X,Y,Z)) :-
+    way(Point, Far, DX, DY, DZ),
+    X is X0 + Times*DX,
+    Y is Y0 + Times*DY,
+    Z is Z0 + Times*DZ.
 
 %   flat_neighbour(S, E, Q): beyond edge E there is the flat polygon Q.
 

@@ -7,6 +7,7 @@
             offset_surface/3            % +Surface, +Distance, -Offset
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
+:- use_module(parallel_surface, [parallel_plane/3]).
 :- use_module(placed_surface,
               [ placed_face/3, placed_feature/4, placed_polygon/4,
                 placed_surface/3
@@ -141,8 +142,8 @@ same_plane(plane(A,B,C,D), plane(A2,B2,C2,D2)) :-
 
 %!  generator_plane(+Surface, +T, -Plane) is det.
 %
-%   Plane holds the axis of Surface and its generator at T; of a fan it holds
-%   the generator, at right angles to the fan.
+%   Plane holds the axis of Surface and its generator at T; of a fan, and of
+%   what is parallel to another surface, it holds the generator and the normal.
 
 generator_plane(fan(C, U, V, K), T, Plane) :-
     !,
@@ -154,6 +155,9 @@ generator_plane(fan(C, U, V, K), T, Plane) :-
     cross(U, V, Across),
     cross(Across, Way, Normal),
     point_plane(Point, Normal, Plane).
+generator_plane(parallel(Surface, _), T, Plane) :-
+    !,
+    parallel_plane(Surface, T, Plane).
 generator_plane(Surface, T, Plane) :-
     exact_sin_cos(T, Sin, Cos),
     frame(Surface, C, U, V, W),
@@ -172,6 +176,9 @@ level_plane(fan(C, U, V, _), H, Plane) :-
     cross(U, V, Across),
     cross(U, Across, Normal),
     point_plane(Point, Normal, Plane).
+level_plane(parallel(Surface, _), H, Plane) :-
+    !,
+    level_plane(Surface, H, Plane).
 level_plane(Surface, H, Plane) :-
     frame(Surface, point(X,Y,Z), U, V, W),
     scaled_sum(1.0, vector(X,Y,Z), H, W, vector(X1,Y1,Z1)),

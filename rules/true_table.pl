@@ -130,8 +130,12 @@ true_length_columns(D, Unit, Columns) :-
 
 pattern_kind(D, Kind) :-
     (   segment(D, _, true_development(S, Part)),
-        developable_part(S, Part, Surface)
-    ->  functor(Surface, Kind, _)
+        developable_part(S, Part, Surface0)
+    ->  (   Surface0 = parallel(Surface, _)
+        ->  true
+        ;   Surface = Surface0
+        ),
+        functor(Surface, Kind, _)
     ;   Kind = cylinder
     ).
 

@@ -6,6 +6,7 @@
               [e/5, p/3, from_p/5, edge_polygon/3, facts_transaction/1]).
 :- use_module(triangulation, [complete_segments/0]).
 :- use_module(true_development, [true_development/4, developable_part/3]).
+:- use_module(true_parts, [drawn_wanted/4]).
 :- use_module(true_plate, [plate_parts/5]).
 :- use_module(true_rim, [rims_rounded/3]).
 :- use_module(true_shape, [part_facet/5]).
@@ -34,9 +35,9 @@ true_patterns(S, Wanted, Options, Ds) :-
     facts_transaction(sg_unfold_true:patterns(S, Wanted, Options, Ds)).
 
 patterns(S, Wanted, Options0, Ds) :-
-    plate(S, Options0, Options, S1),
-    trimmed_part(S1, Options, T),
-    wanted_in(T, S1, Wanted, Manual),
+    trimmed_as_cut(S, Options0, Options, S1, T),
+    drawn_wanted(S1, S, Wanted, Wanted1),
+    wanted_in(T, S1, Wanted1, Manual),
     option(removed(Removed0), Manual, []),
     sort(Removed0, Removed),
     findall(Part,
@@ -45,7 +46,7 @@ patterns(S, Wanted, Options0, Ds) :-
             Parts),
     option(cut(Cut), Manual, []),
     maplist(unrolled(T, Cut, Options), Parts, Unrolled),
-    unrolled_polygons(T, Parts, Unrolled, Options, Ps),
+    unrolled_polygons(T, Parts, Ps),
     ord_union(Removed, Ps, Done),
     findall(P, p(T, P, _), All0),
     sort(All0, All),
@@ -64,17 +65,12 @@ part_removed(T, Part, Removed) :-
     Removed \== [],
     forall(part_facet(T, Part, P, _, _), ord_memberchk(P, Removed)).
 
-%   unrolled_polygons(T, Parts, Ds, Options, Ps): Ps are the polygons that need
-%   no other pattern: those in Ds, and the other halves of these.
+%   unrolled_polygons(T, Parts, Ps): Ps are those of Parts, which need no other
+%   pattern.
 
-unrolled_polygons(T, Parts, Ds, Options, Ps) :-
-    findall(P, ( member(D, Ds), has_polygon(D, T, P) ), Ps0),
-    (   option(half(true), Options)
-    ->  findall(P, ( member(Part, Parts), part_facet(T, Part, P, _, _) ), Ps1),
-        append(Ps0, Ps1, Ps2)
-    ;   Ps2 = Ps0
-    ),
-    sort(Ps2, Ps).
+unrolled_polygons(T, Parts, Ps) :-
+    findall(P, ( member(Part, Parts), part_facet(T, Part, P, _, _) ), Ps0),
+    sort(Ps0, Ps).
 
 %   flat_wishes(T, Rest, Manual, Wishes): what of Manual is of Rest alone.
 
@@ -122,18 +118,32 @@ kept_apart_told(T, Rest, Ps, Manual) :-
     ;   print_message(warning, sanggwan(unfold(kept_apart(T, N))))
     ).
 
-%   plate(S, Options0, Options, S1): S1 is S, or what of its plate touches the
-%   others, which are then among Options.
+%   trimmed_as_cut(S, Options0, Options, S1, T): T is what is left of S1, which
+%   is cut instead of S; S itself if nothing is cut off.
 
-plate(S, Options0, [by(Others)|Options], S1) :-
+trimmed_as_cut(S, Options0, Options, S1, T) :-
+    parts_cut(S, Options0, Options1, S2),
+    trimmed_part(S2, Options1, T2),
+    (   T2 == S2
+    ->  S1 = S,
+        T = S,
+        Options = Options0
+    ;   S1 = S2,
+        T = T2,
+        Options = Options1
+    ).
+
+%   parts_cut(S, Options0, Options, S1): S1 is S, or what is cut instead: what
+%   of its plate touches the others, which are then among Options, in fine
+%   facets.
+
+parts_cut(S, Options0, [by(Others)|Options], S1) :-
     option(trim(_), Options0),
-    option(thickness(T), Options0),
-    T > 0,
     !,
     other_parts(S, Options0, Others0),
     plate_parts(S, Others0, Options0, Options, S1-Others),
     complete_segments.
-plate(S, Options, Options, S).
+parts_cut(S, Options, Options, S).
 
 %   unrolled(T, Cut, Options, Part, D): the seam is where an edge of it is to be
 %   cut, if nothing else is said.
@@ -178,10 +188,3 @@ same_direction(A, B) :-
     Off is abs(A-B),
     ( Off =:= 0 ; Off =:= 360 ),
     !.
-
-has_polygon(D, T, P) :-
-    p(D, Q, _),
-    (   from_p(D, Q, T, P0, _)
-    ->  P = P0
-    ;   P = Q
-    ).

@@ -30,6 +30,7 @@
             known_facets/3,           % +Known, +Ss, -Facets
             % roll4pl.c
             surface_place/4,          % +Surface, +Point, -T, -H
+            surface_value/4,          % +Surface, +Point, -Value, -Normal
             surfaces_meet/4,          % +Surfaces, +Reach, +Point0, -Point
             roll_points/3,            % +Roll, +Places, -Points
             roll_curves/5,            % +Roll, +Reach, +Tolerance, +Curves,
@@ -208,6 +209,12 @@ the drawn surface. Degrees; see roll.h.
 %
 %   T (-180..180) and H are the parameters of the point of Surface, a cylinder,
 %   cone or ruled surface, that Point is taken to: from the axis, at its H.
+
+%!  surface_value(+Surface, +Point, -Value, -Normal) is semidet.
+%
+%   Value is how far Point is from Surface, to first order, negative inside
+%   (below a plane); Normal, vector(X, Y, Z), is the unit normal there, outward.
+%   Fails where there is none, as on an axis. Rounded.
 
 %!  surfaces_meet(+Surfaces, +Reach, +Point0, -Point) is semidet.
 %

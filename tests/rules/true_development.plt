@@ -446,7 +446,7 @@ test(set_in, true((near(Width, 56*pi)))) :-
                true_length_rows(D, Rows),
                forall(member(Row, Rows), saddle_row(44, 30, 60, 10, Row)) )).
 test(no_offset, error(geometry_error(true(no_offset(1))), _)) :-
-    in_scene([ cylinder(radius(50,40), height(600), facets(24)),
+    in_scene([ cone(radius(50), top(40,20), height(600), facets(24)),
                cylinder(radius(5), height(600), facets(24)) ],
              plate_parts(2, [1], [thickness(4),size(inside)], _, _)).
 
