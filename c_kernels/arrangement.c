@@ -44,13 +44,7 @@ sg_arrangement_new_node(sg_arrangement *a)
 void
 sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other)
 {
-  uint32_t x = sg_arrangement_root(a, node), y = sg_arrangement_root(a, other);
-
-  if (x < y) {
-    a->parent[y] = x;
-  } else {
-    a->parent[x] = y;
-  }
+  sg_disjoint_join(a->parent, node, other);
 }
 
 /* ---- lines, and what touches ---- */

@@ -6,6 +6,7 @@
 #include "arrangement_private.h"
 
 #include "delaunay.h"
+#include "disjoint.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -215,23 +216,6 @@ insert_inside(taking *k, uint32_t last)
 
 /* ---- cells ---- */
 
-static uint32_t
-cell_root(uint32_t *cell, uint32_t i)
-{
-  while (cell[i] != i) {
-    i = cell[i] = cell[cell[i]];
-  }
-  return i;
-}
-
-static void
-unite(uint32_t *cell, uint32_t i, uint32_t other)
-{
-  uint32_t x = cell_root(cell, i), y = cell_root(cell, other);
-
-  cell[x < y ? y : x] = x < y ? x : y;
-}
-
 static bool
 is_line_after(const taking *k, uint32_t i, int c)
 {
@@ -255,7 +239,7 @@ join_few(taking *k)
         if (t[i].v[from] == t[other].v[(to + 1) % 3] &&
             t[i].v[(from + 1) % 3] == t[other].v[to] &&
             !is_line_after(k, i, from)) {
-          unite(k->cell, i, other);
+          sg_disjoint_join(k->cell, i, other);
         }
       }
     }
@@ -284,7 +268,7 @@ join_many(taking *k)
       if (good && *other == SG_NO_KEY) {
         *other = i;
       } else if (good) {
-        unite(k->cell, i, *other);
+        sg_disjoint_join(k->cell, i, *other);
       }
     }
   }
@@ -341,7 +325,7 @@ list_cells(const taking *k, divided *out)
       continue;
     }
     for (uint32_t j = i; j < k->found.n; j++) {
-      if (cell_root(k->cell, j) == i) {
+      if (sg_disjoint_root(k->cell, j) == i) {
         add_triangle(k, &k->found.item[j], out);
       }
     }

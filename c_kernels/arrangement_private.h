@@ -9,6 +9,7 @@
 #define SG_ARRANGEMENT_PRIVATE_H
 
 #include "arrangement.h"
+#include "disjoint.h"
 #include "id_set.h"
 
 /* A leaf. */
@@ -137,12 +138,7 @@ uint32_t sg_arrangement_new_node(sg_arrangement *a);
 static inline uint32_t
 sg_arrangement_root(sg_arrangement *a, uint32_t node)
 {
-  uint32_t *parent = a->parent;
-
-  while (parent[node] != node) {
-    node = parent[node] = parent[parent[node]];
-  }
-  return node;
+  return sg_disjoint_root(a->parent, node);
 }
 void sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other);
 

@@ -1,27 +1,11 @@
 /* bodies.c -- see bodies.h: union-find over vertices; the root of each is the
  * lowest. */
 #include "bodies.h"
+#include "disjoint.h"
 
 #include <stdlib.h>
 
 enum { ASKED = 1 << 15 }; /* triangles between questions */
-
-static uint32_t
-root_of(uint32_t *of, uint32_t i)
-{
-  while (of[i] != i) {
-    i = of[i] = of[of[i]];
-  }
-  return i;
-}
-
-static void
-join(uint32_t *of, uint32_t i, uint32_t k)
-{
-  uint32_t a = root_of(of, i), b = root_of(of, k);
-
-  of[a < b ? b : a] = a < b ? a : b;
-}
 
 /* From roots to numbers: a root comes before all that it stands for. */
 static size_t
@@ -56,8 +40,8 @@ sg_bodies_find(const sg_leaf_tree *tree, const sg_leaf_views *views,
     for (int k = 0; k < 3; k++) {
       at[k] = (uint32_t)sg_id_rows_place(vertex, leaf.v[k]);
     }
-    join(of, at[0], at[1]);
-    join(of, at[0], at[2]);
+    sg_disjoint_join(of, at[0], at[1]);
+    sg_disjoint_join(of, at[0], at[2]);
   }
   out->n = of ? number_roots(of, vertex->places) : 0;
   return of != NULL;

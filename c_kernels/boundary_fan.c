@@ -9,6 +9,7 @@
  */
 #include "boundary_private.h"
 
+#include "disjoint.h"
 #include "edge_pairs.h"
 #include "exact.h"
 
@@ -231,25 +232,7 @@ find_mates(fans *x, const sg_poll *poll)
 /* ---- fans
  * -------------------------------------------------------------------- */
 
-static uint32_t
-root(uint32_t *of, uint32_t i)
-{
-  while (of[i] != i) {
-    of[i] = of[of[i]];
-    i = of[i];
-  }
-  return i;
-}
-
-/* The lower root stays: a fan is named by its first corner. */
-static void
-unite(fans *x, uint32_t a, uint32_t b)
-{
-  a = root(x->fan, a);
-  b = root(x->fan, b);
-  x->fan[a > b ? a : b] = a < b ? a : b;
-}
-
+/* A fan is named by its first corner. */
 static void
 find_fans(fans *x)
 {
@@ -258,8 +241,8 @@ find_fans(fans *x)
   }
   for (uint32_t i = 0; i < x->corners; i++) {
     if (x->mate[i] != NO_MATE && x->mate[i] > i) {
-      unite(x, i, x->next[x->mate[i]]);
-      unite(x, x->next[i], x->mate[i]);
+      sg_disjoint_join(x->fan, i, x->next[x->mate[i]]);
+      sg_disjoint_join(x->fan, x->next[i], x->mate[i]);
     }
   }
 }
@@ -268,8 +251,9 @@ find_fans(fans *x)
 static bool
 run_together(fans *x, uint32_t a, uint32_t b)
 {
-  return root(x->fan, a) == root(x->fan, b) &&
-         root(x->fan, x->next[a]) == root(x->fan, x->next[b]);
+  return sg_disjoint_root(x->fan, a) == sg_disjoint_root(x->fan, b) &&
+         sg_disjoint_root(x->fan, x->next[a]) ==
+             sg_disjoint_root(x->fan, x->next[b]);
 }
 
 /* Exchanges mates of pairs that run together, of each fan once, since it is
@@ -285,7 +269,8 @@ part_fans(fans *x, unsigned char *parted)
       for (uint32_t k = 0; k < i; k++) {
         uint32_t a = x->edge[x->crowd[c].first + i];
         uint32_t b = x->edge[x->crowd[c].first + k];
-        uint32_t start = root(x->fan, a), end = root(x->fan, x->next[a]);
+        uint32_t start = sg_disjoint_root(x->fan, a),
+                 end = sg_disjoint_root(x->fan, x->next[a]);
         if (run_together(x, a, b) && !parted[start] && !parted[end]) {
           uint32_t mate = x->mate[a];
           make_mates(x, a, x->mate[b]);
@@ -352,7 +337,7 @@ rename_triangles(fans *x, const int32_t *name)
       while (x->from[i] != x->out->triangle[t][k]) {
         i++;
       }
-      x->out->triangle[t][k] = name[root(x->fan, i)];
+      x->out->triangle[t][k] = name[sg_disjoint_root(x->fan, i)];
     }
   }
 }
@@ -368,7 +353,7 @@ copy_crossed(fans *x, const int32_t *name, size_t n)
   }
   unsigned char *crossed = calloc(n + 1, 1);
   for (uint32_t i = 0; crossed && i < x->corners; i++) {
-    crossed[name[root(x->fan, i)]] = old[x->from[i]];
+    crossed[name[sg_disjoint_root(x->fan, i)]] = old[x->from[i]];
   }
   if (crossed) {
     free(old);
@@ -394,10 +379,11 @@ make_copies(fans *x)
   if (done && n > mesh->vertices && (done = copy_crossed(x, name, n))) {
     rename_triangles(x, name);
     for (uint32_t i = 0; i < x->corners; i++) {
-      memcpy(at[name[root(x->fan, i)]], mesh->vertex[x->from[i]], sizeof *at);
+      memcpy(at[name[sg_disjoint_root(x->fan, i)]], mesh->vertex[x->from[i]],
+             sizeof *at);
     }
     for (uint32_t i = 0; i < x->corners; i++) {
-      mesh->face.corner[i] = name[root(x->fan, i)];
+      mesh->face.corner[i] = name[sg_disjoint_root(x->fan, i)];
     }
     x->out->copies = n - mesh->vertices;
     double(*old)[3] = mesh->vertex;

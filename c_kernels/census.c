@@ -1,5 +1,6 @@
 /* census.c -- half-edges, shells and fans (census.h). */
 #include "census_private.h"
+#include "disjoint.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -81,25 +82,6 @@ join_loops(sg_counting *c, size_t p)
 
 /* Groups of half-edges ---------------------------------------------------- */
 
-static int32_t
-root(int32_t *of, int32_t p)
-{
-  while (of[p] != p) {
-    of[p] = of[of[p]];
-    p = of[p];
-  }
-  return p;
-}
-
-/* The lower root stays, so a shell is named by its lowest polygon. */
-static void
-unite(sg_counting *c, int32_t p, int32_t q)
-{
-  p = root(c->shell_of, p);
-  q = root(c->shell_of, q);
-  c->shell_of[p > q ? p : q] = p < q ? p : q;
-}
-
 /* One undirected edge of polygons; `edge` are its half-edges, places. Bodies
  * that touch along it leave their shells closed. */
 static bool
@@ -109,7 +91,8 @@ note_group(sg_counting *c, const int32_t *edge, size_t n, size_t forward)
 
   c->part->edges++;
   for (size_t i = 1; i < n; i++) {
-    unite(c, c->owner[edge[0]], c->owner[edge[i]]);
+    sg_disjoint_join(c->shell_of, (uint32_t)c->owner[edge[0]],
+                     (uint32_t)c->owner[edge[i]]);
   }
   if (n == 2 && forward == 1) {
     c->opposite[edge[0]] = edge[1];
@@ -276,14 +259,13 @@ open_shells(sg_counting *c)
 
   c->part->first_shell = out->shells;
   for (size_t p = d->polygon_begin[c->s]; p < d->polygon_begin[c->s + 1]; p++) {
-    int32_t r = root(c->shell_of, (int32_t)p);
-    c->shell_of[p] = r;
+    c->shell_of[p] = sg_disjoint_root(c->shell_of, (uint32_t)p);
   }
   for (size_t p = d->polygon_begin[c->s]; p < d->polygon_begin[c->s + 1]; p++) {
-    int32_t r = c->shell_of[p];
+    uint32_t r = c->shell_of[p];
     /* The root comes first: it is the lowest. */
-    int32_t shell = r == (int32_t)p ? (int32_t)out->shells++ : c->shell_of[r];
-    if (r == (int32_t)p) {
+    uint32_t shell = r == p ? (uint32_t)out->shells++ : c->shell_of[r];
+    if (r == p) {
       out->shell[shell] = (sg_shell){.segment = c->part->segment,
                                      .polygon = d->polygon_id[p],
                                      .closed = true};
@@ -326,18 +308,18 @@ count_shell_vertices(sg_counting *c)
   uint32_t *order = malloc((end - begin + 1) * sizeof *order);
 
   for (size_t p = begin; at && order && p < end; p++) {
-    at[(size_t)c->shell_of[p] - first + 1]++;
+    at[c->shell_of[p] - first + 1]++;
   }
   for (size_t i = 0; at && order && i < n; i++) {
     at[i + 1] += at[i];
   }
   for (size_t p = begin; at && order && p < end; p++) {
-    order[at[(size_t)c->shell_of[p] - first]++] = (uint32_t)p;
+    order[at[c->shell_of[p] - first]++] = (uint32_t)p;
   }
   for (size_t i = 0; at && order && i < end - begin; i++) {
     size_t p = order[i];
     sg_shell *shell = &c->out->shell[c->shell_of[p]];
-    uint32_t stamp = (uint32_t)c->shell_of[p] + 1;
+    uint32_t stamp = c->shell_of[p] + 1;
     for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
       int32_t v = d->from[d->list[k]];
       if (c->seen[v] != stamp) {
@@ -430,7 +412,7 @@ open_counting(sg_counting *c)
   memset(c->next, -1, d->edges * sizeof *c->next);
   memset(c->opposite, -1, d->edges * sizeof *c->opposite);
   for (size_t p = 0; p < d->polygons; p++) {
-    c->shell_of[p] = (int32_t)p;
+    c->shell_of[p] = (uint32_t)p;
   }
   return true;
 }

@@ -37,7 +37,7 @@ shell_of(const depths *d, size_t t)
   const sg_counting *c = d->c;
   int32_t p = c->d->polygon_of[d->begin + t];
 
-  return (size_t)c->shell_of[p] - d->first;
+  return c->shell_of[p] - d->first;
 }
 
 static void

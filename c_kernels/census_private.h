@@ -16,7 +16,7 @@ typedef struct sg_counting {
   int32_t *owner;        /* [edges] the polygon, or -1 */
   int32_t *next;         /* [edges] the half-edge that follows in its polygon */
   int32_t *opposite;     /* [edges] in a pair, else -1 */
-  int32_t *shell_of;     /* [polygons] union-find, later the shell */
+  uint32_t *shell_of;    /* [polygons] disjoint sets, later the shell */
   uint32_t *seen;        /* [vertices] */
   int32_t *fans;         /* [vertices] */
   uint32_t *triangles;   /* [polygons] how many */

@@ -5,6 +5,7 @@
  */
 #include "face_merge_sheet.h"
 
+#include "disjoint.h"
 #include "sort.h"
 
 #include <stdlib.h>
@@ -20,15 +21,6 @@ typedef struct joining {
   uint32_t *up;  /* [vertices] */
   bool *blocked; /* [vertices] */
 } joining;
-
-static uint32_t
-root_of(uint32_t *up, uint32_t v)
-{
-  while (up[v] != v) {
-    v = up[v] = up[up[v]];
-  }
-  return v;
-}
 
 static bool
 are_near(const sg_merge *m, uint32_t v, uint32_t w)
@@ -46,7 +38,7 @@ are_near(const sg_merge *m, uint32_t v, uint32_t w)
 static bool
 join(joining *j, uint32_t v, uint32_t w)
 {
-  uint32_t a = root_of(j->up, v), b = root_of(j->up, w);
+  uint32_t a = sg_disjoint_root(j->up, v), b = sg_disjoint_root(j->up, w);
 
   if (a == b || j->blocked[v] || j->blocked[w] || !are_near(j->m, a, b)) {
     return false;
@@ -125,7 +117,7 @@ is_moved(const joining *j, size_t triangle, uint32_t corner[3], bool *left)
   bool moved = false;
 
   for (int k = 0; k < 3; k++) {
-    corner[k] = root_of(j->up, was[k]);
+    corner[k] = sg_disjoint_root(j->up, was[k]);
     moved = moved || corner[k] != was[k];
   }
   *left = corner[0] != corner[1] && corner[1] != corner[2] &&
@@ -208,7 +200,7 @@ block(joining *j, bool *again)
         j->m->solid->triangle[i % 2 ? pair->high : pair->low];
     for (int k = 0; k < 3 && !sg_key_pairs_have(&before, pair); k++) {
       *again = true;
-      j->blocked[corner[k]] |= root_of(j->up, corner[k]) != corner[k];
+      j->blocked[corner[k]] |= sg_disjoint_root(j->up, corner[k]) != corner[k];
     }
   }
   free(after.item);
@@ -258,7 +250,7 @@ write_triangles(const sg_solid *solid, const sg_solid_face *face, uint32_t *up,
   for (uint32_t t = face->first; t < face->first + face->n; t++) {
     uint32_t *corner = out->triangle[out->triangles];
     for (int k = 0; k < 3; k++) {
-      corner[k] = root_of(up, solid->triangle[t][k]);
+      corner[k] = sg_disjoint_root(up, solid->triangle[t][k]);
     }
     if (corner[0] != corner[1] && corner[1] != corner[2] &&
         corner[2] != corner[0]) {

@@ -1,6 +1,7 @@
 /* lay.c -- see lay.h. */
 #include "lay.h"
 
+#include "disjoint.h"
 #include "flat_fit.h"
 #include "sort.h"
 #include "twofold.h"
@@ -69,24 +70,6 @@ typedef struct layer {
 } layer;
 
 #define NO_VERTEX UINT32_MAX
-
-static uint32_t
-find(uint32_t *class, uint32_t c)
-{
-  while (class[c] != c) {
-    class[c] = class[class[c]];
-    c = class[c];
-  }
-  return c;
-}
-
-static void
-unite(uint32_t *class, uint32_t a, uint32_t b)
-{
-  a = find(class, a);
-  b = find(class, b);
-  class[a > b ? a : b] = a < b ? a : b;
-}
 
 static place *
 new_spot(layer *l, uint32_t corner)
@@ -319,8 +302,8 @@ close_joints(layer *l, unsigned char *state, const sg_poll *poll)
     if (state[k] == SG_JOINT_SAME && !j->line && is_near(l, a[0], b[1]) &&
         is_near(l, a[1], b[0])) {
       state[k] = SG_JOINT_CLOSED;
-      unite(l->class, l->spot[a[0]], l->spot[b[1]]);
-      unite(l->class, l->spot[a[1]], l->spot[b[0]]);
+      sg_disjoint_join(l->class, l->spot[a[0]], l->spot[b[1]]);
+      sg_disjoint_join(l->class, l->spot[a[1]], l->spot[b[0]]);
     }
   }
   return true;
@@ -456,7 +439,7 @@ number_vertices(layer *l, const sg_poll *poll, bool *stopped)
   memset(l->number, 0xff, l->spots * sizeof *l->number);
   memset(l->of_spot, 0xff, l->spots * sizeof *l->of_spot);
   for (uint32_t c = 0; c < corners && !*stopped; c++) {
-    uint32_t *number = &l->number[find(l->class, l->spot[c])];
+    uint32_t *number = &l->number[sg_disjoint_root(l->class, l->spot[c])];
     if (*number == NO_VERTEX) {
       out->first[out->vertices] = c;
       *number = l->of_spot[l->spot[c]] = (uint32_t)out->vertices++;

@@ -7,6 +7,7 @@
  */
 #include "resolve_polygon.h"
 
+#include "disjoint.h"
 #include "sort.h"
 
 #include <stdlib.h>
@@ -76,25 +77,16 @@ typedef struct joiner {
   const sg_resolved_polygon *polygon;
   sg_key_table edge; /* vertex ids, smaller first: an edge or seam */
   sg_key_table side; /* vertex ids in order -> triangle */
-  size_t *root;      /* [triangles] */
+  uint32_t *root;    /* [triangles] disjoint sets */
   size_t *next;      /* [triangles]: in the same cell, ascending; 0: none */
 } joiner;
-
-static size_t
-root(joiner *j, size_t i)
-{
-  while (j->root[i] != i) {
-    i = j->root[i] = j->root[j->root[i]];
-  }
-  return i;
-}
 
 /* Chains the triangles of each cell from the root on, which is the first. */
 static void
 chain_cells(joiner *j)
 {
   for (size_t i = j->polygon->triangle.n; i-- > 0;) {
-    size_t first = root(j, i);
+    size_t first = sg_disjoint_root(j->root, (uint32_t)i);
     if (first != i) {
       j->next[i] = j->next[first];
       j->next[first] = i;
@@ -136,7 +128,7 @@ join_triangles(joiner *j)
   }
   for (size_t i = 0; i < polygon->triangle.n; i++) {
     const int32_t *v = polygon->triangle.item[i].v;
-    j->root[i] = i;
+    j->root[i] = (uint32_t)i;
     for (int k = 0; k < 3; k++) {
       if (!note(&j->side, v[k], v[(k + 1) % 3], i)) {
         return false;
@@ -150,8 +142,7 @@ join_triangles(joiner *j)
       uint32_t other =
           sg_key_table_get(&j->side, (uint32_t[2]){(uint32_t)b, (uint32_t)a});
       if (other != SG_NO_KEY && !is_border(j, a, b)) {
-        size_t x = root(j, i), y = root(j, other);
-        j->root[x < y ? y : x] = x < y ? x : y;
+        sg_disjoint_join(j->root, (uint32_t)i, (uint32_t)other);
       }
     }
   }

@@ -2,6 +2,7 @@
  * vertices, with the polygons that use it (scene_model.h).
  */
 #include "bounds.h"
+#include "disjoint.h"
 #include "edge_pairs.h"
 #include "scene_private.h"
 
@@ -55,25 +56,6 @@ joined_init(joined *j, sg_scene_builder *b)
 
 /* -------------------------------------------------------------- copies */
 
-/* The first of the set of i: sets are trees that go down to it. */
-static uint32_t
-first_of(uint32_t *set, uint32_t i)
-{
-  while (set[i] != i) {
-    set[i] = set[set[i]];
-    i = set[i];
-  }
-  return i;
-}
-
-static void
-unite(uint32_t *set, uint32_t i, uint32_t k)
-{
-  i = first_of(set, i);
-  k = first_of(set, k);
-  set[i > k ? i : k] = i > k ? k : i;
-}
-
 static bool
 find_group(const joined *j, int32_t a, int32_t b, sg_edge_group *group)
 {
@@ -100,15 +82,15 @@ enter_cuts(sg_scene_builder *b, joined *j)
       j->cut[own.begin] = true;
     }
     if (c->a >= 0 && c->b >= 0 && c->a2 >= 0 && c->b2 >= 0) {
-      unite(m->same, (uint32_t)c->a, (uint32_t)c->a2);
-      unite(m->same, (uint32_t)c->b, (uint32_t)c->b2);
+      sg_disjoint_join(m->same, (uint32_t)c->a, (uint32_t)c->a2);
+      sg_disjoint_join(m->same, (uint32_t)c->b, (uint32_t)c->b2);
       if (found && find_group(j, c->a2, c->b2, &other)) {
-        unite(j->set, (uint32_t)own.begin, (uint32_t)other.begin);
+        sg_disjoint_join(j->set, (uint32_t)own.begin, (uint32_t)other.begin);
       }
     }
   }
   for (size_t i = 0; m->same && i < m->dense.vertices; i++) {
-    m->same[i] = first_of(m->same, (uint32_t)i);
+    m->same[i] = sg_disjoint_root(m->same, (uint32_t)i);
   }
   return m->same != NULL;
 }
@@ -143,7 +125,7 @@ find_lines(sg_scene_builder *b, joined *j)
   }
   while (sg_edge_group_next(&j->pairs, &group) && !sg_scene_stop(b, groups++)) {
     uint32_t e = first_real(d, &j->pairs, &group);
-    uint32_t set = first_of(j->set, (uint32_t)group.begin);
+    uint32_t set = sg_disjoint_root(j->set, (uint32_t)group.begin);
     if (e != NO_LINE && group.low != group.high) {
       lines += j->first[set] == NO_LINE;
       j->first[set] = e < j->first[set] ? e : j->first[set];
@@ -203,7 +185,7 @@ number_edges(const sg_scene_builder *b, joined *j)
   sg_edge_group group = {0};
 
   while (sg_edge_group_next(&j->pairs, &group)) {
-    uint32_t line = j->first[first_of(j->set, (uint32_t)group.begin)];
+    uint32_t line = j->first[sg_disjoint_root(j->set, (uint32_t)group.begin)];
     bool own = line != NO_LINE &&
                (m->line[line].a == group.low || m->line[line].b == group.low);
     own =

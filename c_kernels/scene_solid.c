@@ -9,6 +9,7 @@
  * go through one another. A cavity is inside out; its solid is not taken for
  * one here, which only costs time.
  */
+#include "disjoint.h"
 #include "scene_private.h"
 
 #include <stdlib.h>
@@ -68,16 +69,6 @@ find_users(shells *s)
   }
 }
 
-static uint32_t
-root_of(uint32_t *shell, uint32_t p)
-{
-  while (shell[p] != p) {
-    shell[p] = shell[shell[p]];
-    p = shell[p];
-  }
-  return p;
-}
-
 /* The only polygon that has one of the edges from .. to - 1 of the pairs;
  * NO_POLYGON: none has; *several: more than one has. */
 static uint32_t
@@ -117,7 +108,7 @@ join_faces(sg_scene_builder *b, shells *s, const sg_edge_pairs *pairs)
     if (several || (p == NO_POLYGON) != (q == NO_POLYGON)) {
       s->solid[segment] = false;
     } else if (p != NO_POLYGON) {
-      s->shell[root_of(s->shell, p)] = root_of(s->shell, q);
+      sg_disjoint_join(s->shell, p, q);
     }
   }
 }
@@ -159,7 +150,7 @@ find_volumes(sg_scene_builder *b, shells *s)
 
   for (size_t i = 0; i < d->triangles && !sg_scene_stop(b, i); i++) {
     const int32_t *v = d->corner[i];
-    uint32_t root = root_of(s->shell, (uint32_t)d->polygon_of[i]);
+    uint32_t root = sg_disjoint_root(s->shell, (uint32_t)d->polygon_of[i]);
     if (!s->apex[root]) {
       s->apex[root] = d->at[v[0]];
     }

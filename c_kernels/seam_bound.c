@@ -1,6 +1,7 @@
 /* seam_bound.c -- see seam_bound.h. */
 #include "seam_bound.h"
 
+#include "disjoint.h"
 #include "seam_moats.h"
 #include "sort.h"
 
@@ -30,16 +31,6 @@ stops(const finder *x, size_t i, bool *stopped)
 {
   *stopped = *stopped || (i % POLL_EVERY == 0 && sg_poll_stop(x->poll));
   return *stopped;
-}
-
-static uint32_t
-find(uint32_t *class, uint32_t v)
-{
-  while (class[v] != v) {
-    class[v] = class[class[v]];
-    v = class[v];
-  }
-  return v;
 }
 
 /* ---- vertices ----------------------------------------------------------- */
@@ -102,8 +93,8 @@ count_fans(finder *x, uint32_t *fan, bool *stopped)
   }
   for (uint32_t j = 0; j < js->n && !stops(x, j, stopped); j++) {
     const uint32_t *a = js->joint[j].corner[0], *b = js->joint[j].corner[1];
-    fan[find(fan, a[0])] = find(fan, b[1]);
-    fan[find(fan, a[1])] = find(fan, b[0]);
+    sg_disjoint_join(fan, a[0], b[1]);
+    sg_disjoint_join(fan, a[1], b[0]);
   }
   for (uint32_t c = 0; c < f->corners && !stops(x, c, stopped); c++) {
     x->of.bent[f->vertex[c]] += fan[c] == c ? 2 * acos(-1.0) : 0;
@@ -184,10 +175,10 @@ find_tree(finder *x, double *length, bool *stopped)
   for (size_t i = 0; sorted == SG_SORTED && i < n && !stops(x, i, stopped);
        i++) {
     const int32_t *v = js->joint[x->edge[i].of].vertex;
-    uint32_t a = find(x->class, (uint32_t)v[0]);
-    uint32_t b = find(x->class, (uint32_t)v[1]);
+    uint32_t a = sg_disjoint_root(x->class, (uint32_t)v[0]);
+    uint32_t b = sg_disjoint_root(x->class, (uint32_t)v[1]);
     if (a != b) {
-      x->class[a] = b;
+      sg_disjoint_join(x->class, a, b);
       *length += x->edge[i].value;
       x->edge[x->edges++] = x->edge[i];
     }

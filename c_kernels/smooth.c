@@ -2,6 +2,7 @@
 #include "smooth_private.h"
 
 #include "bounds.h"
+#include "disjoint.h"
 #include "vector.h"
 
 #include <stdlib.h>
@@ -267,18 +268,6 @@ find_sides(sg_smooth_builder *b, bool *memory)
 /* ------------------------------------------------------ sheets and fans */
 
 static void
-unite(uint32_t *parent, uint32_t i, uint32_t j)
-{
-  i = sg_smooth_root(parent, i);
-  j = sg_smooth_root(parent, j);
-  if (i < j) {
-    parent[j] = i;
-  } else {
-    parent[i] = j;
-  }
-}
-
-static void
 find_sheets(sg_smooth_builder *b)
 {
   size_t sides = 3 * b->in->triangles;
@@ -290,9 +279,9 @@ find_sheets(sg_smooth_builder *b)
   for (size_t i = 0; i < sides; i++) {
     uint32_t j = b->out->across[i];
     if (j > i && (b->out->side[i] & SG_SIDE_SMOOTH)) {
-      unite(b->sheet, (uint32_t)i / 3, j / 3);
-      unite(b->root, (uint32_t)i, sg_smooth_next(j));
-      unite(b->root, sg_smooth_next((uint32_t)i), j);
+      sg_disjoint_join(b->sheet, (uint32_t)i / 3, j / 3);
+      sg_disjoint_join(b->root, (uint32_t)i, sg_smooth_next(j));
+      sg_disjoint_join(b->root, sg_smooth_next((uint32_t)i), j);
     }
   }
 }
@@ -304,7 +293,7 @@ number_fans(sg_smooth_builder *b)
 
   for (size_t i = 0; i < 3 * b->in->triangles; i++) {
     uint32_t root =
-        sg_smooth_root(b->root, (uint32_t)i); /* the smallest of them */
+        sg_disjoint_root(b->root, (uint32_t)i); /* the smallest of them */
     fan[i] = root == i ? (uint32_t)b->out->fans++ : fan[root];
   }
 }

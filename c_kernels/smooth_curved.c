@@ -2,6 +2,7 @@
  * be drawn so.
  */
 #include "bounds.h"
+#include "disjoint.h"
 #include "smooth_private.h"
 #include "vector.h"
 
@@ -107,7 +108,7 @@ find_bent(sg_smooth_builder *b)
   }
   for (uint32_t i = 0; i < 3 * b->in->triangles; i++) {
     uint32_t fan = out->fan[i];
-    out->curved[sg_smooth_root(b->sheet, i / 3)] |=
+    out->curved[sg_disjoint_root(b->sheet, i / 3)] |=
         is_round(b, i) || (!out->apex[fan] && bends_both_ways(&turn[fan]));
   }
   free(turn);
@@ -188,7 +189,7 @@ find_coarse(sg_smooth_builder *b)
     double size = size_of(b, s);
     for (uint32_t i = 3 * d->triangle_begin[s];
          i < 3 * d->triangle_begin[s + 1]; i++) {
-      uint32_t root = sg_smooth_root(b->sheet, i / 3);
+      uint32_t root = sg_disjoint_root(b->sheet, i / 3);
       if (b->out->curved[root] && (b->out->side[i] & SG_SIDE_SMOOTH) &&
           b->out->across[i] > i) {
         add_length(b, i, size, &sheet[root]);
@@ -209,7 +210,7 @@ sg_smooth_find_curved(sg_smooth_builder *b)
     return false;
   }
   for (uint32_t t = 0; t < b->in->triangles; t++) {
-    uint32_t root = sg_smooth_root(b->sheet, t);
+    uint32_t root = sg_disjoint_root(b->sheet, t);
     b->out->curved[t] = b->out->curved[root];
     b->out->coarse[t] = b->out->coarse[root];
   }

@@ -69,16 +69,6 @@ sg_smooth_surface(const sg_smooth_builder *b, uint32_t corner)
   return sg_known_surface_of(&b->known, b->in->polygon_of[corner / 3]);
 }
 
-static inline uint32_t
-sg_smooth_root(uint32_t *parent, uint32_t i)
-{
-  while (parent[i] != i) {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
-
 /* Which sheets are curved, and which coarse. False: no memory. */
 bool sg_smooth_find_curved(sg_smooth_builder *b);
 
