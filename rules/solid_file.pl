@@ -69,7 +69,8 @@ bodies touch in a point or an edge the formats with numbered vertices get copies
 %
 %   OFF, OBJ and PLY have polygons; one with holes, or that meets itself, or
 %   that another part of the solid touches inside, is divided into triangles. An
-%   empty solid gives a file without faces, with a warning.
+%   empty solid gives a file without faces, with a warning; so does one that
+%   rounding leaves nothing of.
 %
 %   @error existence_error(segment, S),
 %   geometry_error(written(faulty(S, Rounds, Fault))): Fault is one of open(N)
@@ -113,7 +114,7 @@ written(Format, File, S, Name, Options) :-
         ),
         boundary_close(Boundary)),
     said_rounds(File, Rounds),
-    said_empty(File, Counts).
+    said_empty(File, S, Counts).
 
 boundary_written(Boundary, Format, Names, Stream) :-
     boundary_write(Boundary, Stream, Format, Names, Outcome),
@@ -127,10 +128,12 @@ said_rounds(File, Rounds) :-
     ;   print_message(informational, sanggwan(written(File, rounds(Rounds))))
     ).
 
-said_empty(File, Counts) :-
-    (   arg(2, Counts, 0)
-    ->  print_message(warning, sanggwan(written(File, empty)))
-    ;   true
+said_empty(File, S, Counts) :-
+    (   \+ arg(2, Counts, 0)
+    ->  true
+    ;   p(S, _, _)
+    ->  print_message(warning, sanggwan(written(File, collapsed)))
+    ;   print_message(warning, sanggwan(written(File, empty)))
     ).
 
 %!  write_solids(+File, +Pairs:list, +Options:list) is det.

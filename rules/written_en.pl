@@ -20,6 +20,11 @@ written_en(rounds(N)) -->
        on coarser grids'-[N] ].
 written_en(empty) -->
     [ 'the solid is empty: a file without faces' ].
+written_en(collapsed) -->
+    [ 'the solid is thinner than the rounding of its coordinates: a file \c
+       without faces', nl,
+      '  Move it nearer to the origin, or write it in a format with doubles \c
+       (.off, .ply).' ].
 
 %!  unwritten_en(+What)// is det.
 %

@@ -17,6 +17,9 @@ written_ko(rounds(N)) -->
     [ '반올림으로 자신을 뚫고 지나가서, 더 성긴 격자에서 자신과 ~D번 합했다'-[N] ].
 written_ko(empty) -->
     [ '입체가 비어 있다: 면이 없는 파일' ].
+written_ko(collapsed) -->
+    [ '입체가 좌표의 반올림보다 얇다: 면이 없는 파일', nl,
+      '  원점 가까이로 옮기거나 배정밀도 형식(.off, .ply)으로 쓰십시오.' ].
 
 %!  unwritten_ko(+What)// is det.
 %

@@ -60,6 +60,14 @@ sed 's/3, 3/3, 1/' "$TMP/sheet.pl" >"$TMP/short.pl"
 check "and must go through" complains 3 'short.pl: .*does not go all the way' \
   sanggwan split $cube --by "$TMP/short.pl"
 
+# What float32 has no room for is not called empty.
+echo 'segment(1, solid, union([at([translate(1.0e9,0,0)], box(size(1,1,1)))])).' \
+  >"$TMP/far.pl"
+check "too thin for float32" complains 0 'far.stl: .*thinner than the rounding' \
+  sanggwan eval "$TMP/far.pl" -o "$TMP/far.stl"
+check "not for doubles" complains 0 'wrote .*far.off' \
+  sanggwan eval "$TMP/far.pl" -o "$TMP/far.off"
+
 # Files out, read back.
 for format in stl off obj ply pl; do
   check "$format" sanggwan eval -q $tree -o "$TMP/out.$format"
