@@ -79,7 +79,7 @@ turn_added(Place, _-Corners, Area0-[A0,B0,C0], Area-[A,B,C]) :-
 placed(Place, V, Point) :-
     get_assoc(V, Place, Point).
 
-%   border(Surface, Triangles, Border): the half-edges A-B that have no opposite.
+%   border(Surface, Triangles, Border): the half-edges A-B without an opposite.
 
 border(Surface, Triangles, Border) :-
     findall(Edge, ( member(_-[A,B,C], Triangles),

@@ -1,7 +1,7 @@
-/* Finds exports of the rules without documentation, undefined or useless
-   code, tabs, lines that are too wide, and programs that are not ASCII and do
-   not say so (where the locale is C they would be read otherwise). Warnings of
-   the compiler count:
+/* Finds exports of the rules without documentation, files that the map does
+   not name, undefined or useless code, tabs, lines that are too wide, and
+   programs that are not ASCII and do not say so (where the locale is C they
+   would be read otherwise). Warnings of the compiler count:
 
        swipl -f none -p foreign=build --on-warning=status --on-error=status \
              tools/lint.pl
@@ -69,6 +69,18 @@ finding(What) :-
     max_list(Codes, Most),
     Most > 127,
     format(atom(What), '~w: not ASCII, and without :- encoding(utf8)', [File]).
+
+%   The map names every file of rules; those of one language by their ending.
+
+finding(What) :-
+    read_file_to_string('ARCHITECTURE.md', Map, [encoding(utf8)]),
+    expand_file_name('rules/*.pl', Files),
+    member(File, Files),
+    file_base_name(File, Name),
+    \+ sub_string(Map, _, _, _, Name),
+    \+ ( member(Ending, ['_en.pl', '_ko.pl']),
+         sub_atom(Name, _, _, 0, Ending) ),
+    format(atom(What), 'ARCHITECTURE.md: nothing is said of ~w', [File]).
 
 documented(Module, Name, Arity) :-
     doc_comment(Objects, _, _, _),

@@ -19,6 +19,7 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(random)).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
 :- begin_tests(arrangement).
 
@@ -103,10 +104,6 @@ edit(Kind) :-
 move_by(apart, 0.0625).
 move_by(touching, By) :-
     random_member(By, [0.5, 1.0, -1.0, 0.25]).
-
-in_new_world(Goal) :-
-    new_world(World),
-    in_world(World, Goal).
 
 test(edited_as_if_new, [forall(( member(Kind, [apart,touching]),
                                  between(1, 6, Seed) ))]) :-

@@ -4,6 +4,7 @@
 :- use_module(rules(store), [new_world/1, in_world/2]).
 :- use_module(library(plunit)).
 :- use_module(library(filesex), [directory_file_path/3]).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
 :- decision(pick/3, "Which of two numbers is taken").
 
@@ -38,10 +39,6 @@ folder(Folder) :-
         assertz(file(folder, Folder))
     ).
 
-in_new_world(Goal) :-
-    new_world(World),
-    in_world(World, Goal).
-
 %   A new thread has no world.
 
 in_no_world(Goal) :-
@@ -75,7 +72,7 @@ test(listed, [By, Doc] == [default, "Which of two numbers is taken"]) :-
 test(placed) :-
     decision(pick/3, _, File:Line, _),
     file_base_name(File, 'decision.plt'),
-    Line == 8.
+    Line == 9.
 test(is_default) :-
     in_new_world(decision_is_default(pick/3)).
 test(is_no_decision,

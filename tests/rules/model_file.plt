@@ -7,15 +7,12 @@
 :- use_module(rules(model_writer)).
 :- use_module(rules(model), [load_model/1]).
 :- use_module(rules(penetration), [penetrate/0]).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
 % Goal in a new world that has read Text.
 with_model(Text, Goal) :-
     with_file(Text, File,
               in_new_world(( read_model(File), Goal ))).
-
-in_new_world(Goal) :-
-    new_world(World),
-    in_world(World, Goal).
 
 with_file(Text, File, Goal) :-
     setup_call_cleanup(

@@ -16,6 +16,7 @@
 :- use_module(rules(view)).
 :- use_module(tests('golden/goldens')).
 :- use_module(tests('rules/random_solid')).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
 /* Strokes of whole pictures: what is drawn is what drawn/7 has, all of it and
    nothing else; nothing is drawn twice, in random scenes and in the goldens. */
@@ -183,12 +184,6 @@ test(no_golden_twice, [forall(golden(Name, _))]) :-
     assertion(Name-Pairs == Name-[]).
 
 :- end_tests(stroke_picture).
-
-:- meta_predicate in_new_world(0).
-
-in_new_world(Goal) :-
-    new_world(World),
-    in_world(World, Goal).
 
 % A picture of many lines takes little of the stacks: no part is a term, and
 % no writer copies the strokes.

@@ -7,6 +7,7 @@
 :- use_module('../../rules/penetration').
 :- use_module(library(plunit)).
 :- use_module(library(random)).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
 :- begin_tests(tree).
 
@@ -14,12 +15,6 @@ boxes(Ats) :-
     forall(member(X-Y-Z, Ats),
            add_primitive(at([translate(X, Y, Z)], box(size(2, 2, 2))), _)),
     complete_segments.
-
-:- meta_predicate in_new_world(0).
-
-in_new_world(Goal) :-
-    new_world(World),
-    in_world(World, Goal).
 
 opened(Pairs) :-
     cut_set_open(Pairs, Set),
