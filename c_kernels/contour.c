@@ -299,18 +299,40 @@ turns(const sg_contour_finder *f, uint32_t side)
          (f->face[side / 3] > 0) != (f->face[across / 3] > 0);
 }
 
-/* Whether a side at which triangles turn from the eye is an outline: of a
- * coarse sheet always, of one that is drawn as smooth where no piece tells of
- * it, of any other where a polygon is folded. */
 static bool
-is_outline(sg_contour_finder *f, uint32_t side)
+bulges(const sg_contour_finder *f, uint32_t t)
+{
+  const uint8_t *side = f->in->smooth->side + 3 * (size_t)t;
+
+  return (side[0] | side[1] | side[2]) & SG_SIDE_BULGES;
+}
+
+/* Whether a side of a sheet that is drawn as smooth, at which triangles turn
+ * from the eye, may be seen beside its outline: not if the sheet is never seen
+ * there from the side it bends to. */
+static bool
+stands_in(const sg_contour_finder *f, uint32_t side)
+{
+  uint8_t flags = f->in->smooth->side[side];
+  uint32_t t = side / 3, u = f->in->smooth->across[side] / 3;
+
+  return (flags & SG_SIDE_SMOOTH) &&
+         ((flags & SG_SIDE_CONVEX) || !is_solid(f, t)) &&
+         (bulges(f, t) || bulges(f, u));
+}
+
+/* Whether a side at which triangles turn from the eye is an outline: of a
+ * coarse sheet always, of one that is drawn as smooth where it stands in, of
+ * any other where a polygon is folded. */
+static bool
+is_outline(const sg_contour_finder *f, uint32_t side)
 {
   const sg_smooth *smooth = f->in->smooth;
   uint8_t flags = smooth->side[side];
 
   return !smooth->curved[side / 3]  ? flags & SG_SIDE_FOLD
          : smooth->coarse[side / 3] ? flags & SG_SIDE_SMOOTH
-                                    : sg_contour_is_untold(f, side);
+                                    : stands_in(f, side);
 }
 
 /* The sides of a triangle that are outlines, each told of one of its two.
@@ -318,13 +340,16 @@ is_outline(sg_contour_finder *f, uint32_t side)
 static bool
 push_sides(sg_contour_finder *f, uint32_t t)
 {
+  const sg_smooth *smooth = f->in->smooth;
+  bool drawn_smooth = smooth->curved[t] && !smooth->coarse[t];
+
   for (uint8_t k = 0; k < 3; k++) {
     uint32_t side = 3 * t + k;
     sg_contour piece = {
-        .t = t, .side = {k, k}, .at = {0.0, 1.0}, .to = 1.0, .along = true};
-    if (side < f->in->smooth->across[side] && turns(f, side) &&
-        is_outline(f, side) && has_length(f, &piece) &&
-        !push_piece(f->out, &piece)) {
+        .t = t, .side = {k, k}, .at = {0.0, 1.0}, .along = true};
+    piece.to = drawn_smooth ? SG_STANDS_IN : 1.0;
+    if (side < smooth->across[side] && turns(f, side) && is_outline(f, side) &&
+        has_length(f, &piece) && !push_piece(f->out, &piece)) {
       return false;
     }
   }

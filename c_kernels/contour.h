@@ -29,22 +29,27 @@
  * The outline of a coarse sheet runs along the sides of its triangles, between
  * one that is turned to the eye and one that is not: that of the smooth surface
  * would lie visibly inside what is seen of it, and triangles would hide it. So
- * does that of a polygon that is not flat, where its triangles fold, and, of a
- * sheet that is drawn as smooth, an outline of triangles that no piece *tells*
- * of: the surface bends down there, a smooth one would bulge at one of the two
- * triangles, neither is crossed by a piece whose nearer half is turned to the
- * eye, and no piece across a triangle of the fans at its ends is nearer to its
- * middle than a thousandth of the picture of its segment.
+ * does that of a polygon that is not flat, where its triangles fold.
+ *
+ * What is seen of a sheet that is drawn as smooth ends where its triangles turn
+ * from the eye, too. As a rule a piece runs near; where it is hidden, or the
+ * surface is coarser than it bends, it may not. So such a side *stands in* for
+ * the outline: it is drawn where no other line is near (hide.h). It does where
+ * a smooth surface would bulge at one of the two triangles; of a solid only
+ * where the surface bends down, for else its own triangles hide it.
  *
  * Source: Hertzmann & Zorin 2000, Illustrating smooth surfaces, section 3
- * (interpolated contours); cusps, what is beside a piece and which outlines no
- * piece tells of are ours.
+ * (interpolated contours); cusps, what is beside a piece and what stands in are
+ * ours.
  */
 #ifndef SG_CONTOUR_H
 #define SG_CONTOUR_H
 
 #include "smooth.h"
 #include "view.h"
+
+/* `to` of a side that stands in. */
+#define SG_STANDS_IN 2.0
 
 typedef struct sg_contour_input {
   const sg_dense *dense;
@@ -62,7 +67,8 @@ typedef struct sg_contour {
   uint32_t t;
   uint8_t side[2]; /* 0 to 2 */
   double at[2];
-  double to;  /* 1: the surface beside it does not hide it, 0: it does */
+  double to;  /* 1: the surface beside it does not hide it, 0: it does;
+                 SG_STANDS_IN */
   bool along; /* it is a side, from end to end */
   size_t beside, besides; /* its places in sg_contours.beside */
 } sg_contour;

@@ -25,9 +25,6 @@ typedef struct sg_contour_finder {
                      piece */
   uint32_t *seen; /* [triangles] the last walk that was there */
   uint32_t walk;
-  size_t
-      measured; /* places + 1 of the segment whose picture was measured last */
-  double size;  /* its longer side */
   uint32_t *queue; /* [queued], of room queue_room */
   size_t queued, queue_room;
 } sg_contour_finder;
@@ -65,11 +62,6 @@ void sg_contour_point(const sg_contour_finder *f, const sg_contour *piece,
  * from outside. False: there is none. */
 bool sg_contour_across(const sg_contour_finder *f, uint32_t t,
                        sg_contour *piece);
-
-/* True if triangles of a sheet that is drawn as smooth turn from the eye at
- * this side, visibly, and no piece tells of it; its two triangles are known to
- * turn there. */
-bool sg_contour_is_untold(sg_contour_finder *f, uint32_t side);
 
 /* Appends what is beside the piece, and says how much. False: no memory. */
 bool sg_contour_find_beside(sg_contour_finder *f, sg_contour *piece);

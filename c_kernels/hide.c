@@ -98,14 +98,21 @@ lies_on(const sg_scene *scene, const sg_scene_line *line,
   return false;
 }
 
+double
+sg_line_far_end(const sg_scene *scene, const sg_scene_line *line)
+{
+  return line->look.stands_in
+             ? INFINITY
+             : sg_larger(scene->at[line->a][2], scene->at[line->b][2]);
+}
+
 static bool
 apart(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
       const double b[3])
 {
   double e = scene->close;
 
-  return sg_larger(a[2], b[2]) <= mask->low[2] ||
-         sg_larger(a[0], b[0]) < mask->low[0] - e ||
+  return sg_larger(a[0], b[0]) < mask->low[0] - e ||
          sg_smaller(a[0], b[0]) > mask->high[0] + e ||
          sg_larger(a[1], b[1]) < mask->low[1] - e ||
          sg_smaller(a[1], b[1]) > mask->high[1] + e;
@@ -135,12 +142,14 @@ sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
               const sg_scene_line *line, sg_hidden *out)
 {
   const double *a = scene->at[line->a], *b = scene->at[line->b];
+  double near = line->look.stands_in ? scene->near : 0.0;
   double t[2];
 
-  if (apart(scene, mask, a, b) || lies_on(scene, line, mask) ||
+  if (sg_line_far_end(scene, line) <= mask->low[2] ||
+      apart(scene, mask, a, b) || lies_on(scene, line, mask) ||
       !covered(scene, mask, a, b, t) ||
-      !depth_test(scene->tolerance, behind(scene, mask, a, b, t[0]),
-                  behind(scene, mask, a, b, t[1]), t)) {
+      !depth_test(scene->tolerance, near + behind(scene, mask, a, b, t[0]),
+                  near + behind(scene, mask, a, b, t[1]), t)) {
     return false;
   }
   out->from = t[0];
@@ -182,8 +191,36 @@ between(double x, double y, double t)
   return x + t * (y - x);
 }
 
-bool
-sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
+/* The part of line p-q that is nearer than what is near to line r-s, across
+ * it, if it runs along it more than across. */
+static bool
+near_part(const sg_scene *scene, const double p[3], const double q[3],
+          const double r[3], const double s[3], sg_overlap *out)
+{
+  double x = s[0] - r[0], y = s[1] - r[1];
+  double square = x * x + y * y, far = scene->near * sqrt(square);
+  double off_p = x * (p[1] - r[1]) - y * (p[0] - r[0]);
+  double off_q = x * (q[1] - r[1]) - y * (q[0] - r[0]);
+  double at_p = x * (p[0] - r[0]) + y * (p[1] - r[1]);
+  double at_q = x * (q[0] - r[0]) + y * (q[1] - r[1]);
+  double t[2] = {0.0, 1.0};
+
+  if (square <= scene->close * scene->close ||
+      fabs(off_q - off_p) > SG_NEAR_TURN * fabs(at_q - at_p) ||
+      !keep(at_p, at_q, t) || !keep(square - at_p, square - at_q, t) ||
+      !keep(far - off_p, far - off_q, t) ||
+      !keep(far + off_p, far + off_q, t)) {
+    return false;
+  }
+  out->from = t[0];
+  out->to = t[1];
+  out->from2 = between(at_p, at_q, t[0]) / square;
+  out->to2 = between(at_p, at_q, t[1]) / square;
+  return out->from2 != out->to2;
+}
+
+static bool
+overlapping_part(const sg_scene *scene, const sg_scene_line *a,
                  const sg_scene_line *b, sg_overlap *out)
 {
   const double *p = scene->at[a->a], *q = scene->at[a->b];
@@ -213,4 +250,15 @@ sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
   out->to2 = (out->to - at_r) / (at_s - at_r);
   return fabs(between(off_r, off_s, out->from2)) <= far &&
          fabs(between(off_r, off_s, out->to2)) <= far;
+}
+
+bool
+sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
+                 const sg_scene_line *b, sg_overlap *out)
+{
+  double(*at)[3] = scene->at;
+
+  return sg_line_yields_near(a, b)
+             ? near_part(scene, at[a->a], at[a->b], at[b->a], at[b->b], out)
+             : overlapping_part(scene, a, b, out);
 }

@@ -38,7 +38,8 @@ typedef struct sg_overlap {
 /* The part of the line that the mask hides; false: none. The line is one of
  * scene->line. The mask never hides a line that lies on it: between two of its
  * corners, an edge of its polygon (or a copy of one, by a penetration line), or
- * added as lying on it; nor one in its plane. */
+ * added as lying on it; nor one in its plane. What stands in is hidden by a
+ * mask behind it too, if that is near: there the surface goes on. */
 bool sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
                    const sg_scene_line *line, sg_hidden *out);
 
@@ -51,10 +52,25 @@ bool sg_mask_covers(const sg_scene *scene, const sg_scene_mask *mask,
  * where they are close they are so for a few places only. */
 #define SG_OVERLAP_TURN 0.03125
 
+/* The same of lines that are near one another. */
+#define SG_NEAR_TURN 1.0
+
 /* The part of line a that lies on line b in the picture; false: none longer
- * than what is close. */
+ * than what is close. If a stands in and b does not: the part that is near b,
+ * across b, where a runs along b more than across. */
 bool sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
                       const sg_scene_line *b, sg_overlap *out);
+
+/* Masks that begin farther from the eye hide nothing of the line. */
+double sg_line_far_end(const sg_scene *scene, const sg_scene_line *line);
+
+/* True if line a stands in where there is no line like b: near is as good as
+ * on it. */
+static inline bool
+sg_line_yields_near(const sg_scene_line *a, const sg_scene_line *b)
+{
+  return a->look.stands_in && !b->look.stands_in;
+}
 
 /* The length of a line in the picture, standardised. */
 double sg_line_length(const sg_scene *scene, const sg_scene_line *line);

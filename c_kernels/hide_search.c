@@ -287,7 +287,7 @@ sg_mask_grid_ask(const sg_mask_grid *masks, size_t at,
               .b = b,
               .low = {sg_smaller(a[0], b[0]), sg_smaller(a[1], b[1])},
               .high = {sg_larger(a[0], b[0]), sg_larger(a[1], b[1])},
-              .far = sg_larger(a[2], b[2]),
+              .far = sg_line_far_end(scene, line),
               .through = through,
               .seen = seen,
               .out = out};
@@ -459,6 +459,7 @@ overlap_compare(const void *a, const void *b)
 typedef struct crossing {
   const sg_line_grid *lines;
   uint32_t place; /* of the stretch */
+  bool stands_in; /* what is near it counts too */
   sg_seen *seen;
   sg_overlaps *out;
 } crossing;
@@ -486,15 +487,23 @@ ask_class(const crossing *q, unsigned class, const sg_grid_shape *shape)
   const sg_line_grid *lines = q->lines;
   const sg_grid *grid = &lines->grid[class];
   const sg_stretch *of = lines->stretch + lines->begin[class];
-  sg_grid_rows rows = sg_grid_rows_of(grid, shape);
+  sg_grid_rows rows;
+  sg_grid wide;
 
+  if (q->stands_in) {
+    wide = *grid;
+    wide.margin += lines->scene->near;
+    grid = &wide;
+  }
+  rows = sg_grid_rows_of(grid, shape);
   for (unsigned y = rows.y0; y < rows.y1; y++) {
     sg_grid_columns columns = sg_grid_row(grid, shape, rows, y);
     size_t row = (size_t)y * grid->nx;
     for (uint32_t k = grid->start[row + columns.x0];
          k < grid->start[row + columns.x1]; k++) {
-      if (may_lie_on(&lines->stretch[q->place], &of[grid->item[k]],
-                     lines->scene->close) &&
+      if ((q->stands_in ||
+           may_lie_on(&lines->stretch[q->place], &of[grid->item[k]],
+                      lines->scene->close)) &&
           !try_line(q, (uint32_t)lines->begin[class] + grid->item[k])) {
         return false;
       }
@@ -509,9 +518,11 @@ sg_line_grid_ask(const sg_line_grid *lines, size_t i, sg_seen *seen,
 {
   const sg_stretch *stretch = &lines->stretch[lines->place[i]];
   double direction = direction_of(stretch->from, stretch->to);
-  double spread = SLACK * SG_OVERLAP_TURN; /* the angle is less */
+  bool stands_in = lines->scene->line[lines->line[i]].look.stands_in;
+  double turn = stands_in ? SG_NEAR_TURN : SG_OVERLAP_TURN;
+  double spread = SLACK * turn; /* the angle is less */
   int first = class_of(direction - spread), last = class_of(direction + spread);
-  crossing q = {lines, lines->place[i], seen, out};
+  crossing q = {lines, lines->place[i], stands_in, seen, out};
   sg_grid_shape shape;
 
   out->n = 0;

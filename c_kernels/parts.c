@@ -324,8 +324,18 @@ hidden_of(const work *w, size_t k, size_t *n)
 }
 
 static bool
+stands_in(const work *w, size_t k)
+{
+  return w->scene->line[w->line[k]].look.stands_in;
+}
+
+/* What stands in comes after all others. */
+static bool
 before(const work *w, size_t j, size_t k)
 {
+  if (stands_in(w, j) != stands_in(w, k)) {
+    return stands_in(w, k);
+  }
   return w->role[j] != w->role[k] ? w->role[j] < w->role[k] : j < k;
 }
 
@@ -371,12 +381,26 @@ yields(const work *w, worker *of, size_t k, bool hidden)
   return true;
 }
 
+/* What is not longer than this is not drawn: of a line that stands in, what is
+ * left of it between others that are near, but not a short one as a whole. */
+static double
+least_drawn(const work *w, size_t k)
+{
+  double least = least_of(w, k);
+
+  return stands_in(w, k)
+             ? sg_smaller(least / SG_SHORTEST * w->scene->near, SG_WHOLE)
+             : least;
+}
+
 static bool
 push_parts(const work *w, worker *of, block *b, size_t k, bool hidden)
 {
+  double least = least_drawn(w, k);
+
   for (size_t i = 0; i < of->mine.n; i++) {
     interval x = of->mine.at[i];
-    if (x.to - x.from <= least_of(w, k)) {
+    if (x.to - x.from <= least) {
       continue;
     }
     if (b->parts == b->room) {
@@ -414,7 +438,7 @@ draw_line(work *w, worker *of, block *b, size_t k)
        push_gaps(&of->mine, set, n) && yields(w, of, k, false) &&
        push_parts(w, of, b, k, false);
   of->mine.n = 0;
-  for (size_t i = 0; ok && i < n; i++) {
+  for (size_t i = 0; ok && !stands_in(w, k) && i < n; i++) {
     ok = push(&of->mine, set[i].from, set[i].to);
   }
   ok = ok && yields(w, of, k, true) && push_parts(w, of, b, k, true);

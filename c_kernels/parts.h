@@ -11,6 +11,9 @@
 #include "crew.h"
 #include "hide_search.h"
 
+/* A part of a line that is longer than this is the whole line. */
+#define SG_WHOLE 0.999
+
 /* Of lines that lie on one another in the picture the first of these wins. */
 typedef enum sg_role {
   SG_PENETRATION,

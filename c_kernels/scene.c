@@ -163,6 +163,7 @@ make_places(viewing *w)
       sg_larger(in->tolerance, 8 * DBL_EPSILON * x.largest / scale);
   scene->close =
       sg_larger(SG_ONE_PLACE * side_of(&x) / scale, scene->tolerance);
+  scene->near = SG_NEAR * side_of(&x) / scale;
   scene->vertices = vertices + 2 * in->addeds;
   scene->at = calloc(scene->vertices + 1, sizeof *scene->at);
   for (size_t i = 0; scene->at && i < scene->vertices && !stop(w, i); i++) {

@@ -14,6 +14,10 @@
 
 #include "scene_model.h"
 
+/* Lines nearer than this part of the picture's longer side tell of one another:
+ * where one is seen, nobody misses the other. */
+#define SG_NEAR 2.5e-3
+
 /* A line that is no edge, such as a piece of an outline inside triangles. */
 typedef struct sg_scene_added {
   int32_t s, e;           /* e < 0; no two have the same s and e */
@@ -62,6 +66,8 @@ typedef struct sg_scene {
   double tolerance; /* what is nearer to a plane than this lies in it */
   double close;     /* what is nearer than this is in one place of the picture:
                        SG_ONE_PLACE of its longer side */
+  double near;  /* what is nearer than this tells of one another: SG_NEAR of the
+                   picture's longer side */
   double scale; /* picture units in one standardised unit, a power of 2: x and y
                    are from -1 to 1 */
 } sg_scene;

@@ -399,6 +399,16 @@ scene_edge(term_t a0, int arity, control_t control)
   PL_retry((intptr_t)next);
 }
 
+/* scene_near(+Scene, -Near) is det. */
+static foreign_t
+scene_near(term_t a0, int arity, void *context)
+{
+  handle *h = NULL;
+
+  (void)arity, (void)context;
+  return get_scene_ex(a0, &h) && sg_unify_double(a0 + 1, h->scene->near);
+}
+
 /* ---------------------------------------------------------------- joins */
 
 /* The answers of one call of occluder/7 or overlap/9. */
@@ -576,6 +586,7 @@ sg_install_scene(void)
       {"scene_open", 6, (pl_function_t)scene_open, PL_FA_VARARGS},
       {"scene_edge", 5, (pl_function_t)scene_edge,
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
+      {"scene_near", 2, (pl_function_t)scene_near, PL_FA_VARARGS},
       {"occluder", 7, (pl_function_t)occluder,
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
       {"overlap", 9, (pl_function_t)overlap,

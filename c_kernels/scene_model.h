@@ -31,6 +31,8 @@ typedef struct sg_look {
                              outline does not run along its edges */
   double folded;          /* the last part of an added line, 0 to 1, is hidden
                              by the surface it lies on */
+  bool stands_in; /* an added line that is drawn only where no other line
+                     is near (contour.h) */
 } sg_look;
 
 /* One real edge, drawn for all its directed ones; or, with a negative id, a

@@ -1,4 +1,5 @@
 /* scene_read4pl.c -- see scene4pl.h */
+#include "contour.h"
 #include "pattern4pl.h"
 #include "scene4pl.h"
 
@@ -311,7 +312,8 @@ read_piece(void *data, const row *r)
       .s = integer(r, 0),
       .e = -integer(r, 1),
       .look = {.faces = 2, .towards = 1, .away = 1, .left = 2}};
-  added->look.folded = 1.0 - number(r, 7);
+  added->look.stands_in = number(r, 7) == SG_STANDS_IN;
+  added->look.folded = added->look.stands_in ? 0.0 : 1.0 - number(r, 7);
   if (t >= 0 &&
       side_point(p, t, integer(r, 3), number(r, 4), added->screen[0]) &&
       side_point(p, t, integer(r, 5), number(r, 6), added->screen[1])) {

@@ -9,15 +9,14 @@
           ]).
 :- use_module(contour_beside,
               [ beside_piece/3, side_place/5, triangle_facing/3 ]).
-:- use_module(contour_told, [untold_side/2]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(kernel, [fill_contour/7]).
 :- use_module(known_surface, [known_surfaces/1]).
 :- use_module(smooth_sheet,
               [ smooth_sheets/3, smooth_side/3, across_side/3,
-                coarse_triangle/2, curved_triangle/2, fold_side/2, corner_fan/3,
-                fan_normal/3, fan_unit/3, corner_vertex/3, corner_place/3,
-                next_corner/2
+                convex_side/2, coarse_triangle/2, curved_triangle/2,
+                side_bulges/2, fold_side/2, corner_fan/3, fan_normal/3,
+                fan_unit/3, corner_vertex/3, corner_place/3, next_corner/2
               ]).
 :- use_module(vector, [dot_product/3]).
 :- use_module(stage, [stage/2]).
@@ -53,6 +52,11 @@ The outline of a coarse sheet runs along the sides of its triangles, between one
 that is turned to the eye and one that is not: that of the smooth surface would
 lie visibly inside what is seen of it, and triangles would hide it. So does that
 of a polygon that is not flat, where its triangles fold.
+
+What is seen of a sheet that is drawn as smooth ends where its triangles turn
+from the eye, too. As a rule a piece runs near; where it is hidden, or the
+surface is coarser than it bends, it may not. So such a side stands in for the
+outline: it is drawn where no other line is near (hidden_lines.pl).
 
 Sheets that are not curved, cylinders and cones for example, are folded along
 straight lines: their outlines are edges, as role.pl finds them. The fused
@@ -138,7 +142,7 @@ contour_pieces(S, Crease, Pieces) :-
 %   piece_along(Context, Piece): a side between a triangle that is turned to the
 %   eye and one that is not, which is an outline.
 
-piece_along(Context, piece(T,I,0.0,I,1.0,1.0,Ts)) :-
+piece_along(Context, piece(T,I,0.0,I,1.0,To,Ts)) :-
     Context = context(S, Sheets, _, _, _),
     t(S, _, T, _, _, _),
     member(I, [1,2,3]),
@@ -147,20 +151,36 @@ piece_along(Context, piece(T,I,0.0,I,1.0,1.0,Ts)) :-
     triangle_facing(S, T, Facing),
     triangle_facing(S, T2, Facing2),
     once(( Facing > 0, Facing2 =< 0 ; Facing =< 0, Facing2 > 0 )),
-    is_outline(Context, T-I),
+    is_outline(Context, T-I, To),
     sort([T,T2], Ts).
 
-%   Of a coarse sheet every smooth side, of one that is drawn as smooth one that
-%   no piece tells of, of others the folds of polygons.
+%   Of a coarse sheet every smooth side, of others the folds of polygons; of one
+%   that is drawn as smooth what stands in.
 
-is_outline(Context, T-I) :-
+is_outline(Context, T-I, To) :-
     Context = context(_, Sheets, _, _, _),
     (   \+ curved_triangle(Sheets, T)
-    ->  fold_side(Sheets, T-I)
+    ->  To = 1.0,
+        fold_side(Sheets, T-I)
     ;   coarse_triangle(Sheets, T)
-    ->  smooth_side(Sheets, T-I, _)
-    ;   untold_side(Context, T-I)
+    ->  To = 1.0,
+        smooth_side(Sheets, T-I, _)
+    ;   To = 2.0,
+        stands_in(Context, T-I)
     ).
+
+%   Where a smooth surface would bulge at one of the two triangles. Of a solid
+%   only where the surface bends down, for else its own triangles hide it.
+
+stands_in(Context, T-I) :-
+    Context = context(S, Sheets, _, _, _),
+    smooth_side(Sheets, T-I, T2-_),
+    (   is_solid(S)
+    ->  convex_side(Sheets, T-I)
+    ;   true
+    ),
+    once(( member(Bulging, [T,T2]), member(J, [1,2,3]),
+           side_bulges(Sheets, Bulging-J) )).
 
 %   What its own surface hides has nothing beside it.
 

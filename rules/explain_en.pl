@@ -278,6 +278,9 @@ statement_en(outline_piece(S, E, P, T)) -->
       [S, E, T, P, S, Word] ].
 statement_en(behind_fold(From)) -->
     [ 'from ~6g on it lies behind the fold of its own surface'-[From] ].
+statement_en(stands_in) -->
+    [ 'there triangles of a smooth surface turn from the eye: it is drawn \c
+       where it is seen and no other line is near' ].
 statement_en(same_line(S1, E1, S2, E2)) -->
     [ 'edge ~d of segment ~d is drawn as edge ~d of segment ~d'-
       [E1, S1, E2, S2] ].
@@ -294,6 +297,9 @@ statement_en(backs(S, N)) -->
        looks towards the eye (away: ~d)'-[S, Word, N] ].
 statement_en(hidden_part(From, To)) -->
     [ 'hidden from ~6g to ~6g'-[From, To] ].
+statement_en(surface_goes_on(S, P, From, To)) -->
+    [ 'from ~6g to ~6g the surface goes on near behind it, in polygon ~d of \c
+       segment ~d'-[From, To, P, S] ].
 statement_en(hiding_face(S, P, From, To, Behind)) -->
     { segment_word(S, Word) },
     [ 'polygon ~d of segment ~d~w hides it from ~6g to ~6g; in the middle it \c

@@ -6,7 +6,9 @@
 :- use_module(csg, [root_segment/1]).
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(hidden_lines,
-              [open_scene/2, hides/2, hides/4, lies_on/4, line_parts/5]).
+              [ open_scene/2, hides/2, hides/4, lies_on/4, line_parts/5,
+        stands_in/2
+      ]).
 :- use_module(interval,
               [intervals_union/3, intervals_subtract/3]).
 :- use_module(kernel, [scene_edge/5, occluder/7, overlap/9, line_covers/4]).
@@ -19,7 +21,7 @@
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(dcg/basics), [integer//1]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 
@@ -162,7 +164,8 @@ line_because(Scene, S, E, Wanted, Options, Because) :-
         keysort(Parts0, Parts1),
         pairs_values(Parts1, Parts)
     ),
-    append(Role, Parts, Because).
+    findall(because(stands_in, []), stands_in(S, E), Alone),
+    append([Role,Alone,Parts], Because).
 
 part_because(all, Line, Covers, Faces, Back, _, Hidden,
              From-because(hidden_part(From, To), Because)) :-
@@ -255,14 +258,24 @@ verdict(S, E, S2, T, By) :-
 %   hiding_faces(Line, Covers, Faces, Part, Because): nearest first.
 
 hiding_faces(Line, Covers, Faces, Part, Because) :-
-    findall(Depth-because(hiding_face(S, P, From, To, Behind), Ends),
+    findall(Depth-Statement,
             ( member(face(S-P, hides, From, To), Faces),
               common_part(Line, From-To, Part, _),
               face_depth(Line, Covers, S-P, From-To, Depth, Behind),
-              face_ends(Line, Covers, S-P, From-To, Ends) ),
+              face_hides(Line, Covers, S-P, From-To, Behind, Statement) ),
             Keyed0),
     keysort(Keyed0, Keyed),
     pairs_values(Keyed, Because).
+
+%   face_hides(Line, Covers, Polygon, Part, Behind, Because): what stands in is
+%   not drawn either where the polygon is near behind it.
+
+face_hides(Line, Covers, S-P, From-To, Behind, Because) :-
+    (   Behind < 0.0
+    ->  Because = because(surface_goes_on(S, P, From, To), [])
+    ;   face_ends(Line, Covers, S-P, From-To, Ends),
+        Because = because(hiding_face(S, P, From, To, Behind), Ends)
+    ).
 
 %   face_depth(Line, Covers, Polygon, Part, Depth, Behind): in the middle of
 %   Part the polygon is at Depth, and the line Behind it, in model units.

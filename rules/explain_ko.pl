@@ -275,6 +275,9 @@ statement_ko(outline_piece(S, E, P, T)) -->
        지난다. 그림에서 0 부터 1 까지'-[S, E, S, Word, P, T] ].
 statement_ko(behind_fold(From)) -->
     [ '~6g 부터는 제 곡면이 접힌 곳의 뒤에 있다'-[From] ].
+statement_ko(stands_in) -->
+    [ '매끄러운 곡면의 삼각형들이 여기서 눈에서 돌아선다: 보이고 가까이에 다른 선이 \c
+       없는 곳에만 그린다' ].
 statement_ko(same_line(S1, E1, S2, E2)) -->
     [ '세그먼트 ~d의 모서리 ~d은(는) 세그먼트 ~d의 모서리 ~d(으)로 그려진다'-
       [S1, E1, S2, E2] ].
@@ -290,6 +293,9 @@ statement_ko(backs(S, N)) -->
        없다 (뒷면: ~d)'-[S, Word, N] ].
 statement_ko(hidden_part(From, To)) -->
     [ '가려진 부분: ~6g 부터 ~6g 까지'-[From, To] ].
+statement_ko(surface_goes_on(S, P, From, To)) -->
+    [ '~6g 부터 ~6g 까지 바로 뒤에서 곡면이 이어진다: 세그먼트 ~d의 다각형 \c
+       ~d'-[From, To, S, P] ].
 statement_ko(hiding_face(S, P, From, To, Behind)) -->
     { segment_word(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g 부터 ~6g 까지 가린다. 가운데에서 ~6g \c

@@ -77,6 +77,7 @@ statement_keys(verdict, [verdict, rules]).
 statement_keys(hidden_line, [segment, edge, start, end]).
 statement_keys(outline_piece, [segment, edge, polygon, triangle]).
 statement_keys(behind_fold, [from]).
+statement_keys(stands_in, []).
 statement_keys(same_line, [segment1, edge1, segment2, edge2]).
 statement_keys(line_role, [role]).
 statement_keys(not_drawn, [role, lines]).
@@ -84,6 +85,7 @@ statement_keys(end_on, []).
 statement_keys(backs, [segment, count]).
 statement_keys(hidden_part, [from, to]).
 statement_keys(hiding_face, [segment, polygon, from, to, distance]).
+statement_keys(surface_goes_on, [segment, polygon, from, to]).
 statement_keys(ends_with_line, [which, at]).
 statement_keys(ends_at_edge, [which, at, segment, edge, start, end]).
 statement_keys(ends_in_face, [which, at, segment, polygon]).

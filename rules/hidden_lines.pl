@@ -7,7 +7,8 @@
             lies_on/4,                  % ?S, ?E, ?S2, -P
             hidden_interval/5,          % +Scene, +S, +E, -From, -To
             line_parts/5,               % +Scene, +S, +E, -Visible, -Hidden
-            hidden_by/6                 % ?S, ?E, -S2, -T, -From, -To
+            hidden_by/6,                % ?S, ?E, -S2, -T, -From, -To
+            stands_in/2                 % +S, +E
           ]).
 :- use_module(library(assoc), [list_to_assoc/2, get_assoc/3]).
 :- use_module(library(lists), [member/2, memberchk/2]).
@@ -29,7 +30,7 @@
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module(kernel,
-              [ scene_open/6, scene_edge/5, occluder/7, overlap/9,
+              [ scene_open/6, scene_edge/5, scene_near/2, occluder/7, overlap/9,
                 fill_drawn/4
               ]).
 /** <module> Hidden lines: the picture of a world.
@@ -38,6 +39,13 @@ picture/1 fills screen/5 and drawn/7. Hidden parts are kept, so that they can be
 dashed; nothing is drawn twice: where lines lie on one another in the picture a
 visible one is drawn, not a hidden one, and the role and the order of the edges
 decide between two of a kind (a box seen squarely has no hidden line at all).
+
+What is seen of a smooth surface ends where its triangles turn from the eye.
+Such a side stands in for the outline (contour.pl), where there is no other
+line: it comes last, and yields to lines that are near, nearer than 1/400 of the
+picture, and that it runs along more than across; and it is drawn only where it
+is seen, with nothing near behind it, for there the surface goes on. So wherever
+what is seen ends there is a line, and no second one beside it.
 
 The rules here define what is drawn. The join occluder/7 finds the triangles
 that hide a part of a line; triangles that are seen edge-on and the backs of
@@ -242,6 +250,26 @@ shortest(Scene, S, E, Least) :-
     scene_edge(Scene, S, E, Length, _),
     Least is 1.0e-7/Length.
 
+%   Of what stands in, what is left between others that are near is not drawn if
+%   it is no longer than what is near, but a short line as a whole is.
+shortest_drawn(Scene, S, E, Least) :-
+    (   stands_in(S, E)
+    ->  scene_edge(Scene, S, E, Length, _),
+        scene_near(Scene, Near),
+        Least is min(Near/Length, 0.999)
+    ;   shortest(Scene, S, E, Least)
+    ).
+
+%!  stands_in(+S, +E) is semidet.
+%
+%   True when line E of drawn/7 is a side at which triangles turn from the eye,
+%   which stands in for the outline of a smooth surface (contour.pl).
+
+stands_in(S, E) :-
+    E < 0,
+    K is -E,
+    contour(S, K, _, _, _, _, _, 2.0, _).
+
 %!  hidden_by(?S, ?E, -S2, -T, -From, -To) is nondet.
 %
 %   True when triangle T of segment S2 hides the part of edge E from From to To,
@@ -272,15 +300,21 @@ drawn_line(Scene, Which, Crease, S, E, Role) :-
     edge_role(S, E, Look, Crease, Role),
     once(role_drawn(Which, Role)).
 
-with_parts(Scene, (S-E)-Role, (S-E)-line(Role,Visible,Hidden)) :-
-    line_parts(Scene, S, E, Visible, Hidden).
+with_parts(Scene, (S-E)-Role, (S-E)-line(Rank-Role,Visible,Hidden)) :-
+    line_parts(Scene, S, E, Visible, Hidden0),
+    (   stands_in(S, E)
+    ->  Rank = last,
+        Hidden = []
+    ;   role_rank(Role, Rank),
+        Hidden = Hidden0
+    ).
 
-draw_line(Scene, Drawing, (S-E)-line(Role,Visible0,Hidden0), D0, D) :-
+draw_line(Scene, Drawing, (S-E)-line(Rank-Role,Visible0,Hidden0), D0, D) :-
     findall(over(Line2,Map), overlapped(Scene, Drawing, S, E, Line2, Map),
             Others),
-    foldl(yield(S-E, Role, visible), Others, Visible0, Visible),
-    foldl(yield(S-E, Role, hidden), Others, Hidden0, Hidden),
-    shortest(Scene, S, E, Least),
+    foldl(yield(Rank-(S-E), visible), Others, Visible0, Visible),
+    foldl(yield(Rank-(S-E), hidden), Others, Hidden0, Hidden),
+    shortest_drawn(Scene, S, E, Least),
     findall(From-part(To,Visibility),
             (   member(Visibility-Set, [visible-Visible, hidden-Hidden]),
                 member(From-To, Set),
@@ -302,9 +336,9 @@ overlapped(Scene, Drawing, S, E, (S2-E2)-Line2, map(From,To,From2,To2)) :-
 
 %   Visible parts give way to visible ones of a line that comes before; hidden
 %   ones to every visible one, and to hidden ones of a line that comes before.
-yield(Id, Role, Visibility, over(Id2-line(Role2,Visible,Hidden),Map),
+yield(Order, Visibility, over(Id2-line(Rank2-_,Visible,Hidden),Map),
       Set0, Set) :-
-    (   comes_before(Id2, Role2, Id, Role)
+    (   Rank2-Id2 @< Order
     ->  Before = true
     ;   Before = false
     ),
@@ -317,12 +351,6 @@ yield(Id, Role, Visibility, over(Id2-line(Role2,Visible,Hidden),Map),
     ->  subtract_mapped(Hidden, Map, Set1, Set)
     ;   Set = Set1
     ).
-
-comes_before(Id2, Role2, Id, Role) :-
-    role_rank(Role2, Rank2),
-    role_rank(Role, Rank),
-    !,
-    Rank2-Id2 @< Rank-Id.
 
 subtract_mapped(Theirs, map(From,To,From2,To2), Set0, Set) :-
     Low is min(From2, To2),

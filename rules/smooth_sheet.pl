@@ -70,7 +70,7 @@ the fused kernel.
 %   Normals  Fan -> normal(p(X,Y,Z)), unit, or apex(p(X,Y,Z))
 %   Curved   T -> true
 %   Known    P -> Id-Surface, by polygon_surface/4
-%   Coarse   T -> true
+%   Coarse   Size-Assoc: the longest side of the segment; T -> true
 
 %!  smooth_sheets(+S, +Crease, -Sheets) is det.
 %
@@ -478,14 +478,14 @@ not_one_line([U,W]) :-
 %   True when triangle T lies in a coarse sheet.
 
 coarse_triangle(Sheets, T) :-
-    arg(10, Sheets, Coarse),
+    arg(10, Sheets, _-Coarse),
     (   var(T)
     ->  assoc_to_keys(Coarse, Ts),
         member(T, Ts)
     ;   get_assoc(T, Coarse, true)
     ).
 
-coarse_triangles(Sheets, Coarse) :-
+coarse_triangles(Sheets, Size-Coarse) :-
     findall(T, curved_triangle(Sheets, T), Ts),
     longest_side(Sheets, Size),
     empty_assoc(None),
@@ -539,7 +539,7 @@ side_bulges(Sheets, T-I) :-
     curved_triangle(Sheets, T),
     smooth_side(Sheets, T-I, Across),
     side_bulge(Sheets, T-I, Across, _, Bulge),
-    longest_side(Sheets, Size),
+    arg(10, Sheets, Size-_),
     Bulge > 1.0e-4*Size.
 
 %   The arc from middle to middle of two chords that turn by an angle is a

@@ -13,6 +13,7 @@
             scene_open/6,             % +Segments, +Depth, +Tolerance,
                                       % +Smooth, +Known, -Scene
             scene_edge/5,             % +Scene, ?S, ?E, -Length, -Look
+            scene_near/2,             % +Scene, -Near
             occluder/7,               % +Scene, +S, +E, ?S2, ?T, -From, -To
             overlap/9,                % +Scene, +S, +E, ?S2, ?E2, -From, -To,
                                       % -From2, -To2
@@ -115,6 +116,11 @@ Foreign predicates; see kernel.pl.
 %   look(Faces,Towards,Away,Left,Right,Bend,Solid,Cut,Inside), see role.pl. In
 %   order of S and E.
 
+%!  scene_near(+Scene, -Near) is det.
+%
+%   Near, standardised, is how near a line must be to what stands in to tell of
+%   it: 1/400 of the picture's longer side.
+
 %!  occluder(+Scene, +S, +E, ?S2, ?T, -From, -To) is nondet.
 %
 %   True when triangle T of segment S2 hides the part of edge E of segment S
@@ -129,7 +135,9 @@ Foreign predicates; see kernel.pl.
 %!  overlap(+Scene, +S, +E, ?S2, ?E2, -From, -To, -From2, -To2) is nondet.
 %
 %   True when the part of edge E of segment S from From to To lies, in the
-%   picture, on the part of edge E2 of S2 from From2 to To2. Inexact.
+%   picture, on the part of edge E2 of S2 from From2 to To2. If E stands in
+%   (contour.pl) and E2 does not, it need only be near there, and E run along E2
+%   more than across. Inexact.
 %
 %   @error existence_error(drawn_edge, E)
 

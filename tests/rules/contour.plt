@@ -1,8 +1,10 @@
 :- module(test_contour, []).
 :- use_module(library(plunit)).
+:- use_module(library(occurs), [sub_term/2]).
 :- use_module(library(random)).
 :- use_module(rules(contour)).
 :- use_module(rules(decision)).
+:- use_module(rules(explain), [explanation/2]).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(model_file), [add_primitive/2]).
 :- use_module(rules(store)).
@@ -106,6 +108,11 @@ scaled_picture(Power, Parts) :-
                             300, 60, []),
                    findall(part(S,E,From,To,Visibility,Role),
                            drawn(_,S,E,From,To,Visibility,Role), Parts) )).
+
+rounded_part(drawn(D,S,E,From,To,Visibility,Role)) :-
+    drawn(D, S, E, From0, To0, Visibility, Role),
+    From is round(From0*1.0e9),
+    To is round(To0*1.0e9).
 
 :- begin_tests(contour).
 
@@ -321,11 +328,6 @@ truth(Goal, Truth) :-
     ;   Truth = false
     ).
 
-rounded_part(drawn(D,S,E,From,To,Visibility,Role)) :-
-    drawn(D, S, E, From0, To0, Visibility, Role),
-    From is round(From0*1.0e9),
-    To is round(To0*1.0e9).
-
 :- end_tests(contour).
 
 ruled(torus(radius(1), tube(0.4), facets(24), sides(16))).
@@ -351,6 +353,26 @@ mesh(turning(outline([[0,0],[0.5,0.1],[1,0.4],[1.1,0.9],[0.7,1.4],[0.6,1.8],
 mesh(sheet(points([[0,0,0],[1,0,0.6],[2,0,0],[0,1,0.5],[1,1,0],[2,1,0.7],
                    [0,2,0],[1,2,0.8],[2,2,0]]),
            faces([[1,2,5,4],[2,3,6,5],[4,5,8,7],[5,6,9,8]]))).
+
+% Fine along its circles, coarse across.
+pear :-
+    add_primitive(turning(outline([[0,0],[0.5,0.1],[1,0.4],[1.1,0.9],
+                                   [0.7,1.4],[0.6,1.8],[0,2]]),
+                          facets(40)), S),
+    nameless(S),
+    complete_segments([S]).
+
+stand_in_because(E, Because) :-
+    contour(1, K, _, _, _, _, _, 2.0, _),
+    E is -K,
+    explanation(hidden(1, E), [because(_, Because)]),
+    memberchk(because(stands_in, []), Because).
+
+within_visible(Because, From, To) :-
+    member(because(visible_part(From1, To1), _), Because),
+    From1 =< From+1.0e-9,
+    To =< To1+1.0e-9,
+    !.
 
 eye(301, 65).
 eye(20, 110).
@@ -380,14 +402,38 @@ test(coarse, Odd-Inner == []-[]) :-
                    findall(E, ( member(E-N, Ends), N mod 2 =:= 1 ), Odd),
                    findall(X-Y, ( member((X-Y)-_, Ends),
                                   \+ screen(1, _, X, Y, _) ), Inner) )).
-% Near a cusp of a mesh triangles turn from the eye where no piece runs.
-test(untold, Along = [_|_]) :-
-    in_new_world(( add_primitive(torus(radius(1), tube(0.4), facets(40),
-                                       sides(40)), _),
-                   nameless(1), complete_segments([1]),
-                   set_view(200, 110, 0), picture,
+% Where triangles of a mesh turn from the eye, sides stand in for the outline:
+% they are drawn where no line is near, and never hidden.
+test(stands_in, forall(member(Theta-Phi, [20-110, 33-65, 20-80]))) :-
+    in_new_world(( pear, set_view(Theta, Phi, 0), picture,
                    same_as_rule(1, 30),
-                   findall(T, contour(1, _, T, I, 0.0, I, 1.0, _, _), Along) )).
+                   findall(V, ( drawn(_, 1, E, _, _, V, _), stands_in(1, E) ),
+                           Vs),
+                   sort(Vs, [visible]) )).
+test(stands_in_by_rule, [ forall(member(Seed, [1,2,3,4,5])),
+                          Kernel == Rule ]) :-
+    a_view(Seed, Theta, Phi),
+    in_new_world(( pear, set_view(Theta, Phi, 0),
+                   picture([method(kernel)]),
+                   findall(D, rounded_part(D), Kernel),
+                   picture([method(rule)]),
+                   findall(D, rounded_part(D), Rule) )).
+% Why: what is drawn of it is seen, and in place of the rest is another line, or
+% the surface goes on.
+test(stands_in_because, Why == [drawn_instead,surface_goes_on]) :-
+    in_new_world(( pear, set_view(20, 110, 0), picture,
+                   findall(E-Because, stand_in_because(E, Because), All),
+                   forall(( member(E-Because, All),
+                            drawn(_, 1, E, From, To, _, _) ),
+                          within_visible(Because, From, To)),
+                   findall(Name, ( member(_-Because, All),
+                                   member(Name, [surface_goes_on,
+                                                 drawn_instead]),
+                                   sub_term(Term, Because),
+                                   compound(Term),
+                                   compound_name_arity(Term, Name, _) ),
+                           Names),
+                   sort(Names, Why) )).
 % A quadrangle with two corners up, seen across its fold, one half from behind.
 test(fold, Outlines == [visible]) :-
     in_new_world(( add_primitive(sheet(points([[0,0,0],[2,0,1],[2,2,0],

@@ -21,9 +21,9 @@ but for a run of dots no longer than is said here.
     OUTLINE_VIEWS=all       from all sides, not from a few
 */
 
-most_bare('suzanne.obj', 23).
-most_bare('cow.obj', 23).
-most_bare('beetle.obj', 44).
+most_bare('suzanne.obj', 1).
+most_bare('cow.obj', 1).
+most_bare('beetle.obj', 1).
 most_bare('teapot.obj', 0).
 
 from(Theta, Phi) :-
