@@ -6,7 +6,7 @@
 :- use_module(kernel, [census/1, self_meetings/2]).
 :- use_module(store, [segment/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists),
               [append/2, max_list/2, member/2, min_list/2, sum_list/2]).
 /** <module> The report of `check`: what a model holds, and its faults.

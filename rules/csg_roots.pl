@@ -5,7 +5,7 @@
             operand_lines/1,            % -Lines
             with_operand_lines/2        % +Lines, :Goal
           ]).
-:- use_module(csg, [node/4, root_segment/1, is_node/1, is_helper/1]).
+:- use_module(csg, [root_segment/1, is_node/1]).
 :- use_module(csg_record, [drop_record/1, joined_segment/1, record_joined/1]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(csg_term, [plain_name/2]).

@@ -26,8 +26,8 @@
               ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ p/3, joint/6, segment/3, assert_fact/1, retractall_facts/1,
-                facts_transaction/1, fresh_id/3
+              [ p/3, joint/6, segment/3, assert_fact/1, facts_transaction/1,
+                fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).

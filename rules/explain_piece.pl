@@ -12,7 +12,7 @@
 :- use_module(kernel, [model_tolerance/1, windings/3]).
 :- use_module(penetration, [penetrate/1]).
 :- use_module(store,
-              [v/5, p/3, t/6, plane/6, from_p/5, segment/3, facts_snapshot/1]).
+              [p/3, t/6, plane/6, from_p/5, segment/3, facts_snapshot/1]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [append/3, member/2, nth1/3, subtract/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).

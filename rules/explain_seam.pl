@@ -10,10 +10,10 @@
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(kernel, [model_tolerance/1]).
 :- use_module(part_edges, [edge_length/3, parts_attached/3]).
-:- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store,
-              [ e/5, p/3, piece/3, joint/6, segment/3, origin/3,
-                edge_polygon/3, facts_snapshot/1 ]).
+              [ e/5, piece/3, joint/6, segment/3, origin/3, edge_polygon/3,
+                facts_snapshot/1
+              ]).
 :- use_module(trimmed, [part_named/2]).
 :- use_module(unfold,
               [ unfoldable/1, pattern_of/2, wishes/3, wanted_of/3,

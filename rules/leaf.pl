@@ -17,7 +17,7 @@
 :- use_module(library(apply), [exclude/3, maplist/2]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/3, member/2]).
-:- use_module(library(ordsets), [ord_memberchk/2, ord_subtract/3, ord_union/3]).
+:- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
 :- use_module(library(pairs), [pairs_keys_values/3]).
 
 /** <module> Leaves: what the segments were before any cut.

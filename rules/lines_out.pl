@@ -12,9 +12,7 @@
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(error), [domain_error/2]).
 :- use_module(library(lists),
-              [ append/3, last/2, max_list/2, member/2, min_list/2, nth1/3,
-                numlist/3
-              ]).
+              [append/3, max_list/2, member/2, min_list/2, nth1/3, numlist/3]).
 :- use_module(library(option), [option/3]).
 
 /** <module> Penetration lines as files.

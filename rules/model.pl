@@ -32,10 +32,9 @@
 :- use_module(triangulation, [complete_segments/0]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(error), [must_be/2]).
-:- use_module(library(lists), [append/3, member/2, selectchk/3]).
+:- use_module(library(lists), [append/3, selectchk/3]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
-:- use_module(library(pairs), [pairs_keys/2]).
 /** <module> Models: load, save, and the words rules speak in.
 
 The paper's relations are storage: v, e, p, t. Rules read better over the

@@ -12,9 +12,7 @@
                 title_block/2
               ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3, member/2]).
-:- use_module(library(pairs), [pairs_values/2]).
+:- use_module(library(lists), [member/2]).
 /** <module> Model files written: canonical, one fact a line.
 
 Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,

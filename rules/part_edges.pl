@@ -13,7 +13,7 @@
 :- use_module(library(assoc),
               [empty_assoc/1, get_assoc/3, put_assoc/4]).
 :- use_module(library(lists), [append/3, member/2]).
-:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+:- use_module(library(pairs), [pairs_values/2]).
 /** <module> Edges that attach to a part of another edge only (DV-5).
 
 Models as they come often have polygons whose edge lies along a part of a longer

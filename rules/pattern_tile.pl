@@ -4,7 +4,7 @@
 :- use_module(pattern_paper,
               [line_strokes/3, page_sheet/2, pages_checked/1, sheet_line/4]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3, last/2, member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/3]).
 /** <module> A large sheet on many small pages.
 

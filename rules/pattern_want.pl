@@ -6,7 +6,6 @@
 :- use_module(pattern_text, [first_of/3]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store, [segment/3]).
-:- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/3]).

@@ -3,7 +3,6 @@
             edges_vertex_list/2,        % +Edges, -List
             polygon_fault/2             % +Edges, -Fault
           ]).
-:- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, last/2, member/2]).
 :- use_module(library(pairs), [pairs_keys/2, pairs_values/2]).
 /** <module> Polygons as they are typed in: vertex lists (PL-2).

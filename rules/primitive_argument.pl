@@ -10,8 +10,8 @@
           ]).
 :- use_module(angle, [chord_facets/4]).
 :- use_module(transition_outline, [outline_argument/2]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(lists), [append/3, member/2, nth1/3, same_length/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3, member/2, same_length/2]).
 /** <module> The named arguments of primitives, checked.
 
 The table of primitives (primitive.pl) lists for each what it takes:

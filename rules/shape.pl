@@ -9,7 +9,7 @@
             bent_sides_split/2          % +Faces0, -Faces
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
-:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(apply), [maplist/3, maplist/4]).
 :- use_module(library(lists), [append/2, append/3, numlist/3, reverse/2]).
 /** <module> What shapes of primitives are made of.
 

@@ -1,10 +1,9 @@
 :- module(sg_sheet_layout,
           [ layout/4                    % +Sights, +Room, +Scale, -Places
           ]).
-:- use_module(library(apply), [foldl/4, include/3, maplist/3, maplist/4]).
+:- use_module(library(apply), [include/3, maplist/3, maplist/4]).
 :- use_module(library(lists),
-              [ append/3, max_list/2, member/2, memberchk/2, min_list/2,
-                nth0/3, sum_list/2
+              [ append/3, max_list/2, member/2, min_list/2, nth0/3, sum_list/2
               ]).
 :- use_module(library(pairs), [pairs_values/2]).
 :- use_module(library(yall), [(>>)/4]).

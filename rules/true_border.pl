@@ -6,7 +6,7 @@
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
 :- use_module(true_surface, [level_plane/3]).
 :- use_module(true_tip, [settled/5]).
-:- use_module(library(apply), [foldl/5, foldl/6, maplist/3]).
+:- use_module(library(apply), [foldl/5, foldl/6]).
 :- use_module(library(assoc), [get_assoc/3, put_assoc/4]).
 :- use_module(library(lists), [append/2, member/2, select/3]).
 /** <module> True lines that go past a rim.

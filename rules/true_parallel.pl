@@ -9,7 +9,7 @@
 :- use_module(store, [assert_fact/1]).
 :- use_module(true_surface, [offset_surface/3]).
 :- use_module(vector, [angle_between/3, difference/3, dot_product/3]).
-:- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
+:- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists),
               [ append/2, append/3, last/2, member/2, min_list/2, nth1/3,

@@ -14,7 +14,7 @@
 :- use_module(true_flat, [flat_resized/3]).
 :- use_module(true_parallel, [parallel_made/3]).
 :- use_module(true_resized, [term_enlarged/3]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(lists),
               [max_list/2, member/2, memberchk/2, min_list/2]).
 :- use_module(library(option), [option/3]).

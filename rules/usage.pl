@@ -10,7 +10,6 @@
 :- use_module(usage_unfold,
               [ unfold_option/1, wish_option/1, unfold_option_ko/2,
                 unfold_example/1 ]).
-:- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> What the program can do: verbs, options, examples.
 
