@@ -331,6 +331,7 @@ is_current(S) :-
     ;   Tolerance = default
     ),
     made_from(S, Tolerance, From),
+    From == From0,                      % an instance has just been made
     up_to_date(S, From),
     (   node(S, join, Children, _)
     ->  forall(( member(Child, Children), is_node(Child) ), is_current(Child))

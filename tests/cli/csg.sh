@@ -131,7 +131,7 @@ check "query sees all" output '^3 +same +\[1\]' \
   sanggwan query $tree 'node(N, Operation, Children, _)'
 check "--stats" eval "sanggwan eval $tree --stats 2>&1 >'$TMP/summary' |
   python3 -c 'import json,sys; d = json.load(sys.stdin)[\"csg\"]
-assert d == {\"evaluated\": 1, \"reused\": 0, \"pieces\":
+assert d == {\"evaluated\": 1, \"around\": 0, \"reused\": 0, \"pieces\":
   {\"leaves\": 2, \"arrangements\": 1, \"made\": 2, \"found\": 0}}, d'"
 
 # What is wrong, with its place. The line after that says what to do.
