@@ -19,10 +19,15 @@ pattern_en(divided(Before, After)) -->
 pattern_en(opened(Before, After)) -->
     [ 'pieces are parted so that slits have room for tabs: of ~D in all there \c
        are now ~D'-[Before, After] ].
-pattern_en(without_tab(D, N, Es)) -->
-    [ 'pattern ~d: seams without a tab: ~D; neither side has room for one'
-      -[D, N] ],
-    without_tab_en(Es).
+pattern_en(opened_by_itself(Before, After)) -->
+    pattern_en(opened(Before, After)),
+    [ nl, '  With --no-open-slits they stay whole; much of the seam has no \c
+           tab then.' ].
+pattern_en(without_tab(D, N, Share, Help, Es)) -->
+    [ 'pattern ~d: seams without a tab: ~D (~2g % of the length of all); \c
+       neither side has room for one'-[D, N, Share] ],
+    without_tab_en(Es),
+    without_tab_help_en(Help).
 pattern_en(too_large(N)) -->
     [ '~D pieces with their tabs are larger than the page; each has a sheet, \c
        and goes beyond it'-[N], nl,
@@ -37,6 +42,11 @@ without_tab_en([]) -->
 without_tab_en(Es) -->
     { some_numbers(Es, Text) },
     [ nl, '  Edges: ~w'-[Text] ].
+
+without_tab_help_en(none) -->
+    [].
+without_tab_help_en(open_slits) -->
+    [ nl, '  With --open-slits pieces are parted until slits have room.' ].
 
 role_en(number, 'partner numbers').
 role_en(face_name, 'names of faces').

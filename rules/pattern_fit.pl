@@ -6,18 +6,18 @@
 :- use_module(pattern_nest, [fits_on/2]).
 :- use_module(pattern_slit, [opened_slits/3]).
 :- use_module(pattern_split, [split_piece/3]).
-:- use_module(pattern_tab, [deepest_tab/3, tabs/4]).
-:- use_module(library(apply), [foldl/5, maplist/3]).
-:- use_module(library(assoc), 
+:- use_module(pattern_tab, [deepest_tab/3, side_length/2, tabs/4]).
+:- use_module(library(apply), [foldl/5, include/3, maplist/3, maplist/4]).
+:- use_module(library(assoc),
               [gen_assoc/3, get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(error), [must_be/2]).
-:- use_module(library(lists), 
+:- use_module(library(lists),
               [ append/2, append/3, member/2, nth1/3, same_length/2,
-                subtract/3
+                subtract/3, sum_list/2
               ]).
 :- use_module(library(option), [option/3]).
-:- use_module(library(pairs), 
-              [group_pairs_by_key/2, pairs_keys_values/3]).
+:- use_module(library(pairs),
+              [ group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2 ]).
 /** <module> Pieces with their tabs, none larger than the paper.
 
 Whether a piece with its tabs fits on the paper is known only when it has them;
@@ -34,7 +34,9 @@ all do.
 %   them, name(D,K,Part) with Part from 1, each with its outline round its tabs
 %   (pattern_lines.pl). Tabs is tabs(Tabs,Butt): assocs, of tab(D,E,A,B) to what
 %   tabs/4 says, and of the seams D-J that have none to an edge of theirs.
-%   Options are tabs(Width) and open_slits(Bool). What was divided is told.
+%   Options are tabs(Width) and open_slits(Open): true, false, or `auto`, which
+%   it is if not given: where much of the seam would be without tabs. What was
+%   divided is told.
 %
 %   @error usage_error(pattern(tabs(Width, Most, W-H))): where pieces have to be
 %          divided, a page with room for W x H mm takes tabs of at most Most
@@ -42,13 +44,22 @@ all do.
 fitted_pieces(Pieces0, Paper, Options, Fitted, Tabs) :-
     option(tabs(Width), Options, 0),
     must_be(number, Width),
-    option(open_slits(Open), Options, false),
-    pieces_opened(Open, Width, Pieces0, Pieces1),
-    told_more(opened, Pieces0, Pieces1),
-    pieces_fitted(Pieces1, Paper, Width, [], Fitted, Tabs),
+    option(open_slits(Open), Options, auto),
+    pieces_opened(Open, Width, Pieces0, Pieces1, Known),
+    told_opened(Open, Pieces0, Pieces1),
+    pieces_fitted(Pieces1, Paper, Width, [], Known, Fitted, Tabs),
     told_more(divided, Pieces1, Fitted),
-    Tabs = tabs(_, Butt),
-    told_butt(Butt).
+    (   ( Open == true ; Pieces1 \== Pieces0 )
+    ->  Help = none
+    ;   Help = open_slits
+    ),
+    told_butt(Pieces1, Help, Tabs).
+
+told_opened(Open, Before, After) :-
+    (   Open == auto
+    ->  told_more(opened_by_itself, Before, After)
+    ;   told_more(opened, Before, After)
+    ).
 
 told_more(What, Before, After) :-
     length(Before, N0),
@@ -59,41 +70,144 @@ told_more(What, Before, After) :-
     ;   true
     ).
 
-%   Seams without tabs are told by their edges, pattern by pattern.
+%   told_butt(Pieces, Help, Tabs): seams without tabs are told by their edges,
+%   pattern by pattern, with the share of the seam that they are; Pieces are as
+%   they were before they were divided. Help is `open_slits` if these pieces may
+%   still be parted.
 
-told_butt(Butt) :-
+told_butt(Pieces, Help, tabs(_,Butt)) :-
     findall(D-E, gen_assoc(D-_, Butt, E), Pairs),
     group_pairs_by_key(Pairs, Groups),
     forall(member(D-Es0, Groups),
            ( length(Es0, N),
              sort(Es0, Es1),
              subtract(Es1, [0], Es),
+             include(is_of(D), Pieces, Own),
+             seam_lengths(Own, Butt, Without, All),
+             Share is 100*Without/All,
              print_message(informational,
-                           sanggwan(pattern(without_tab(D, N, Es)))) )).
+                           sanggwan(pattern(without_tab(D, N, Share, Help,
+                                                        Es)))) )).
 
-%   pieces_opened(Open, Width, Pieces0, Pieces): until no slit is left that
-%   opens; parting a piece moves tabs, which may close others.
+is_of(D, piece(name(D,_,_),_,_)).
 
-pieces_opened(Open, Width, Pieces0, Pieces) :-
-    (   Open == true,
-        Width > 0
-    ->  rounds(Most),
-        slits_opened(Most, Width, Pieces0, Pieces)
-    ;   Pieces = Pieces0
+%   seam_lengths(Pieces, Butt, Without, All): the length of the seams of Pieces
+%   that are in Butt, and of all of them.
+
+seam_lengths(Pieces, Butt, Without, All) :-
+    findall(Length-Own,
+            ( member(piece(name(D,_,_),_,Sides), Pieces),
+              member(Side, Sides),
+              Side = side(_,_,_,_,seam(J,_,1)),
+              side_length(Side, Length),
+              (   get_assoc(D-J, Butt, _)
+              ->  Own = Length
+              ;   Own = 0
+              )
+            ),
+            Lengths),
+    pairs_keys_values(Lengths, Alls, Withouts),
+    sum_list(Alls, All),
+    sum_list(Withouts, Without).
+
+
+                /*******************************
+                *            SLITS             *
+                *******************************/
+
+%   pieces_opened(Open, Width, Pieces0, Pieces, Known): until no slit is left
+%   that opens; parting a piece moves tabs, which may close others. Known is
+%   Pieces-Tabs as of pieces_tabs/3, or `none`.
+
+pieces_opened(_, Width, Pieces, Pieces, none) :-
+    Width =< 0,
+    !.
+pieces_opened(true, Width, Pieces0, Pieces, Known) :-
+    !,
+    rounds(Most),
+    slits_opened(Most, Width, Pieces0, Pieces, Known).
+pieces_opened(auto, Width, Pieces0, Pieces, Pieces-Tabs) :-
+    findall(D-Piece, ( member(Piece, Pieces0), Piece = piece(name(D,_,_),_,_) ),
+            Keyed),
+    group_pairs_by_key(Keyed, Groups0),
+    pairs_values(Groups0, Groups),
+    maplist(pattern_opened(Width), Groups, Opened, Tabss),
+    append(Opened, Pieces),
+    tabs_together(Tabss, Tabs).
+pieces_opened(false, _, Pieces, Pieces, none).
+
+%   pattern_opened(Width, Pieces0, Pieces, Tabs): the pieces of one pattern are
+%   parted if that is worth it.
+
+pattern_opened(Width, Pieces0, Pieces, Tabs) :-
+    pieces_tabs(Width, Pieces0, Tabs0),
+    share_without_tab(Pieces0, Tabs0, Share0),
+    (   few_without_tab(Few),
+        Share0 > Few,
+        Tabs0 = tabs(_, Butt0),
+        opened_slits(Pieces0, Butt0, First),
+        length(Pieces0, N0),
+        length(First, N),
+        worth_parting(Share0-0, N-N0),
+        rounds(Most),
+        slits_opened(Most, Width, Pieces0, Pieces0-Tabs0, Pieces1,
+                     Pieces1-Tabs1),
+        share_without_tab(Pieces1, Tabs1, Share1),
+        length(Pieces1, N1),
+        worth_parting(Share0-Share1, N1-N0)
+    ->  Pieces = Pieces1,
+        Tabs = Tabs1
+    ;   Pieces = Pieces0,
+        Tabs = Tabs0
     ).
+
+%   worth_parting(Share0-Share1, More): pieces that hang together are wanted
+%   too, so More pieces are only made if more than a tenth of the seam would be
+%   without tabs, more than half of that gets some, and as much of the seam for
+%   each of them as this.
+
+few_without_tab(0.1).
+
+worth_parting(Share0-Share1, More) :-
+    Share1 < Share0/2,
+    least_gain(Least),
+    Share0-Share1 >= Least*More.
+
+least_gain(0.003).
+
+tabs_together(Tabss, tabs(Tabs,Butt)) :-
+    findall(Pair, ( member(tabs(Own,_), Tabss), gen_pair(Own, Pair) ), Pairs),
+    findall(Pair, ( member(tabs(_,Own), Tabss), gen_pair(Own, Pair) ), Left),
+    list_to_assoc(Pairs, Tabs),
+    list_to_assoc(Left, Butt).
+
+gen_pair(Assoc, Key-Value) :-
+    gen_assoc(Key, Assoc, Value).
+
+%   share_without_tab(Pieces, Tabs, Share): how much of the seam of Pieces.
+
+share_without_tab(Pieces, tabs(_,Butt), Share) :-
+    seam_lengths(Pieces, Butt, Without, All),
+    Share is Without/max(All, 1.0e-300).
 
 rounds(6).
 
-slits_opened(0, _, Pieces, Pieces) :-
+slits_opened(N, Width, Pieces0, Pieces, Known) :-
+    pieces_tabs(Width, Pieces0, Tabs),
+    slits_opened(N, Width, Pieces0, Pieces0-Tabs, Pieces, Known).
+
+slits_opened(0, _, Pieces, Known, Pieces, Known) :-
     !.
-slits_opened(N, Width, Pieces0, Pieces) :-
-    pieces_tabs(Width, Pieces0, tabs(_,Butt)),
+slits_opened(N, Width, Pieces0, Known0, Pieces, Known) :-
+    Known0 = _-tabs(_, Butt),
     opened_slits(Pieces0, Butt, Pieces1),
     (   same_length(Pieces0, Pieces1)
-    ->  Pieces = Pieces0
+    ->  Pieces = Pieces0,
+        Known = Known0
     ;   numbered_parts(Pieces1, Pieces2),
         N1 is N-1,
-        slits_opened(N1, Width, Pieces2, Pieces)
+        pieces_tabs(Width, Pieces2, Tabs),
+        slits_opened(N1, Width, Pieces2, Pieces2-Tabs, Pieces, Known)
     ).
 
 pieces_tabs(Width, Pieces, tabs(Tabs,Butt)) :-
@@ -131,14 +245,17 @@ numbered_part(piece(name(D,K,_),Faces,Sides), piece(name(D,K,I),Faces,Sides),
                 *            PAPER             *
                 *******************************/
 
-%   pieces_fitted(Pieces0, Paper, Width, Tight, Fitted, Tabs): those of Pieces0
-%   whose places are in Tight are divided so that there is room for tabs all
-%   round their parts.
+%   pieces_fitted(Pieces0, Paper, Width, Tight, Known, Fitted, Tabs): those of
+%   Pieces0 whose places are in Tight are divided so that there is room for tabs
+%   all round their parts.
 
-pieces_fitted(Pieces0, Paper, Width, Tight, Fitted, Tabs) :-
+pieces_fitted(Pieces0, Paper, Width, Tight, Known, Fitted, Tabs) :-
     pieces_split(Pieces0, Paper, Width, Tight, Split, Origins),
     numbered_parts(Split, Pieces),
-    pieces_tabs(Width, Pieces, Tabs0),
+    (   Known = Pieces-Tabs0            % nothing was divided
+    ->  true
+    ;   pieces_tabs(Width, Pieces, Tabs0)
+    ),
     Tabs0 = tabs(Outward, _),
     maplist(fitted_piece(Outward), Pieces, Fitted0),
     findall(I,
@@ -153,7 +270,7 @@ pieces_fitted(Pieces0, Paper, Width, Tight, Fitted, Tabs) :-
         Tabs = Tabs0
     ;   append(More, Tight, Tight1),
         sort(Tight1, Tight2),
-        pieces_fitted(Pieces0, Paper, Width, Tight2, Fitted, Tabs)
+        pieces_fitted(Pieces0, Paper, Width, Tight2, Known, Fitted, Tabs)
     ).
 
 fitted_piece(Tabs, Piece, fitted(Piece,Outline)) :-

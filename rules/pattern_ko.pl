@@ -19,10 +19,15 @@ pattern_ko(divided(Before, After)) -->
 pattern_ko(opened(Before, After)) -->
     [ '틈에 풀칠 날개가 들어가도록 조각 ~D개를 나누어 ~D개가 되었습니다'
       -[Before, After] ].
-pattern_ko(without_tab(D, N, Es)) -->
-    [ '전개도 ~d: 이음매 ~D개에는 양쪽 어디에도 자리가 없어 풀칠 날개가 없습니다'
-      -[D, N] ],
-    without_tab_ko(Es).
+pattern_ko(opened_by_itself(Before, After)) -->
+    pattern_ko(opened(Before, After)),
+    [ nl, '  --no-open-slits 를 쓰면 나누지 않지만, 이음매의 많은 부분에 날개가 없습니다.'
+    ].
+pattern_ko(without_tab(D, N, Share, Help, Es)) -->
+    [ '전개도 ~d: 이음매 ~D개(모든 길이의 ~2g %)에는 양쪽 어디에도 자리가 없어 \c
+       풀칠 날개가 없습니다'-[D, N, Share] ],
+    without_tab_ko(Es),
+    without_tab_help_ko(Help).
 pattern_ko(too_large(N)) -->
     [ '조각 ~D개는 날개까지 치면 종이보다 커서, 따로 한 장씩 놓았지만 밖으로 나갑니다'
       -[N], nl,
@@ -36,6 +41,11 @@ without_tab_ko([]) -->
 without_tab_ko(Es) -->
     { some_numbers(Es, Text) },
     [ nl, '  모서리: ~w'-[Text] ].
+
+without_tab_help_ko(none) -->
+    [].
+without_tab_help_ko(open_slits) -->
+    [ nl, '  --open-slits 를 쓰면 틈에 자리가 생길 때까지 조각을 나눕니다.' ].
 
 role_ko(number, '짝 번호').
 role_ko(face_name, '면 이름').

@@ -2,6 +2,7 @@
           [ tabs/4,                     % +Width, +Pieces, -Tabs, -Butt
             least_tab/2,                % +Width, -Least
             deepest_tab/3,              % +Width, +Pieces, -Deep
+            side_length/2,              % +Side, -Length
             tab_shape/4                 % +Width, +Length, -Shape, -Area
           ]).
 :- use_module(kernel, [shapes_add/2, shapes_free/3, shapes_open/2]).
@@ -72,8 +73,11 @@ tabs(Width, Pieces, Tabs, Butt) :-
     list_to_assoc(Named, Shapes),
     findall(Seam-(Name-Side), seam_side(Pieces, Seam, Name, Side), Sides0),
     keysort(Sides0, Sides),
+    findall(k(Name,J,Which)-Side, side_key(Sides, Name, J, Which, Side), Keys0),
+    sort(1, @<, Keys0, Keys1),
+    list_to_assoc(Keys1, Keys),
     seam_runs(Width, Pieces, Runs),
-    foldl(run_tabs(Width, Shapes, Sides), Runs, Strips-Served0, []-[]),
+    foldl(run_tabs(Width, Shapes, Keys), Runs, Strips-Served0, []-[]),
     list_to_assoc(Served0, Served),
     group_pairs_by_key(Sides, Seams0),
     findall(Rank-Seam,
@@ -95,6 +99,10 @@ seam_side(Pieces, D-J, Name, Side) :-
     member(Side, Sides),
     Side = side(_, _, _, _, seam(J,_,_)).
 
+side_key(Sides, Name, J, Which, Side) :-
+    member(_-(Name-Side), Sides),
+    Side = side(_, _, _, _, seam(J,_,Which)).
+
 %   one_to_one(Sides0, Sides) is nondet: where a face was divided a seam has
 %   several parts on one side, not the same as on the other. Then each part of
 %   the first has a tab, if it has room.
@@ -113,6 +121,10 @@ seam_rank(Seam-Sides, Rank-(Seam-Sides)) :-
     Sides = [_-Side|_],
     side_length(Side, Length),
     Rank is -round(Length*1000).
+
+%!  side_length(+Side, -Length) is det.
+%
+%   Length, in millimetres, is that of a side as in pattern_piece.pl.
 
 side_length(side(_,_,_-A,_-B,_), Length) :-
     points_apart(A, B, Length).
@@ -170,10 +182,8 @@ run_tabs(Width, Shapes, Sides, Run, Tabs0-Served0, Tabs-Served) :-
         Served0 = Served
     ).
 
-key_side(Sides, k(Name,J,Which), Side) :-
-    Name = name(D, _, _),
-    Side = side(_, _, _, _, seam(J,_,Which)),
-    memberchk((D-J)-(Name-Side), Sides).
+key_side(Sides, Key, Side) :-
+    get_assoc(Key, Sides, Side).
 
 strip_on(Sides, Width, Least, Piece, Outline) :-
     Sides = [side(_,_,_-First,_,_)|_],

@@ -99,8 +99,9 @@ unfold_option(option(gap, '', number(0), 'MM', 'between pieces; default 3')).
 unfold_option(option(tabs, '', number(0), 'MM',
     'tabs to glue, so wide, on one side of each seam')).
 unfold_option(option('open-slits', '', flag, '',
-    'with --tabs: pieces are parted at folds where a slit has no room for \c
-     tabs')).
+    'with --tabs: pieces are parted at folds wherever a slit has no room for \c
+     tabs; --no-open-slits: nowhere; without either where more than a tenth \c
+     of the seam would have none')).
 unfold_option(option(numbers, '', flag, '',
     'numbers of partners on both sides of each seam, as is usual; \c
      --no-numbers: none')).
@@ -190,7 +191,8 @@ unfold_option_ko(margin, '쪽 둘레의 여백. 보통 10').
 unfold_option_ko(gap, '조각 사이의 간격. 보통 3').
 unfold_option_ko(tabs, '솔기마다 한쪽에 붙이는 풀칠 면의 너비').
 unfold_option_ko('open-slits',
-    '--tabs 와 함께: 틈이 좁아 날개가 들어가지 않으면 접는 선에서 조각을 나눈다').
+    '--tabs 와 함께: 틈이 좁아 날개가 들어가지 않는 곳마다 접는 선에서 조각을 나눈다. \c
+     --no-open-slits: 나누지 않는다. 둘 다 없으면 이음매의 10분의 1 넘게 날개가 없을 때만').
 unfold_option_ko(numbers,
     '솔기 양쪽에 짝의 번호를 쓴다(보통). --no-numbers: 쓰지 않는다').
 unfold_option_ko(names, '면의 이름: numbers(번호)나 words(base 같은 말)').
