@@ -2,6 +2,8 @@
  * each bucket by itself. */
 #include "edge_pairs.h"
 
+#include "sort.h"
+
 #include <stdlib.h>
 
 enum { SMALL = 24, DIRECTION_BIT = 32, UPPER_BIT = 33 };
@@ -29,12 +31,11 @@ compare(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
-static void
-sort_keys(uint64_t *key, size_t n)
+static sg_sort_end
+sort_keys(uint64_t *key, size_t n, const sg_poll *poll)
 {
   if (n > SMALL) {
-    qsort(key, n, sizeof *key, compare);
-    return;
+    return sg_sort(key, n, sizeof *key, compare, poll);
   }
   for (size_t i = 1; i < n; i++) {
     uint64_t k = key[i];
@@ -44,6 +45,7 @@ sort_keys(uint64_t *key, size_t n)
     }
     key[j] = k;
   }
+  return SG_SORTED;
 }
 
 /* bucket[v] becomes the begin of the bucket of v; afterwards, having been
@@ -89,11 +91,14 @@ sg_edge_pairs_make(size_t n, const int32_t *from, const int32_t *to,
     return false;
   }
   *stopped = !fill_buckets(out, from, to, poll);
-  for (size_t v = 0; v < vertices && !*stopped; v++) {
-    *stopped = sg_poll_every(poll, v);
-    sort_keys(out->key + out->bucket[v], out->bucket[v + 1] - out->bucket[v]);
+  sg_sort_end end = SG_SORTED;
+
+  for (size_t v = 0; v < vertices && !*stopped && end == SG_SORTED; v++) {
+    end = sort_keys(out->key + out->bucket[v],
+                    out->bucket[v + 1] - out->bucket[v], poll);
+    *stopped = end == SG_SORT_STOPPED || sg_poll_every(poll, v);
   }
-  return !*stopped;
+  return !*stopped && end == SG_SORTED;
 }
 
 void

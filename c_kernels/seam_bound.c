@@ -22,8 +22,8 @@ typedef struct finder {
   uint32_t *class;   /* [vertices + 1] */
   sg_measured *edge; /* [edges] of the minimum spanning tree, shortest first */
   size_t edges;
-  bool pointed, some_flat;
-  size_t inside; /* vertices of joints that are not on a border */
+  bool pointed, some_flat; /* every vertex; some alone is balanced */
+  size_t inside;           /* vertices of joints that are not on a border */
 } finder;
 
 static bool
@@ -132,7 +132,7 @@ look_over(finder *x, bool *stopped)
       int32_t v = js->joint[j].vertex[end];
       if (!seen[v] && !x->of.border[v]) {
         x->pointed &= x->of.bent[v] > SG_BENT_LEAST;
-        x->some_flat |= fabs(x->of.bent[v]) <= SG_BENT_LEAST;
+        x->some_flat |= sg_bends_balance(x->of.bent[v]);
         x->inside++;
       }
       seen[v] = true;
@@ -140,6 +140,48 @@ look_over(finder *x, bool *stopped)
   }
   free(seen);
   return seen && !*stopped;
+}
+
+/* ---- shells ------------------------------------------------------------- */
+
+/* Each vertex's shell, as far as joints hold it together. */
+static bool
+find_shells(finder *x, bool *stopped)
+{
+  const sg_joints *js = x->fl->joints;
+
+  for (uint32_t v = 0; v <= x->of.vertices; v++) {
+    x->class[v] = v;
+  }
+  for (uint32_t j = 0; j < js->n && !stops(x, j, stopped); j++) {
+    const int32_t *v = js->joint[j].vertex;
+    x->class[find(x->class, (uint32_t)v[0])] = find(x->class, (uint32_t)v[1]);
+  }
+  return !*stopped;
+}
+
+/* Whether pointed vertices of a shell with a border sum to two whole turns or
+ * more, so that some of them may be balanced. */
+static bool
+some_balance(finder *x, bool *balance, bool *stopped)
+{
+  size_t n = x->of.vertices;
+  double *sum = calloc(n + 1, sizeof *sum);
+  bool *open = calloc(n + 1, sizeof *open);
+  bool good = sum && open && find_shells(x, stopped);
+
+  *balance = false;
+  for (uint32_t v = 0; good && v < n; v++) {
+    uint32_t shell = find(x->class, v);
+    sum[shell] += x->of.border[v] ? 0 : x->of.bent[v];
+    open[shell] |= x->of.border[v];
+  }
+  for (size_t v = 0; good && v < n; v++) {
+    *balance |= open[v] && sum[v] > 4 * acos(-1.0) - 1e-6;
+  }
+  free(sum);
+  free(open);
+  return good;
 }
 
 /* ---- tree --------------------------------------------------------------- */
@@ -285,7 +327,11 @@ count_parts(const finder *x, size_t *parts, bool *stopped)
   bool *paired = calloc(n + 1, 1), *tripled = calloc(n + 1, 1);
   bool good = bend && paired && tripled;
 
-  for (int k = -1; good && k <= 1; k++) {
+  /* Three bends sum to less than three whole turns, and to no less than this.
+   */
+  double least = good && n > 0 ? fmin(0, floor(3 * bend[0].value / turns)) : 0;
+
+  for (double k = least; good && k <= 1; k++) {
     mark_pairs(bend, n, k * turns, paired);
     good = n > TRIPLES || mark_triples(x, bend, n, k * turns, tripled, stopped);
   }
@@ -337,13 +383,15 @@ static bool
 find_bounds(finder *x, sg_seam_bound *out, bool *stopped)
 {
   double length;
+  bool balance;
 
   if (!mark_borders(x, stopped) || !measure_bends(x, stopped) ||
-      !look_over(x, stopped) || !find_tree(x, &out->tree, stopped)) {
+      !look_over(x, stopped) || !some_balance(x, &balance, stopped) ||
+      !find_tree(x, &out->tree, stopped)) {
     return false;
   }
   out->by = SG_BOUND_MOATS;
-  if (x->pointed) {
+  if (x->pointed && !balance) {
     take(out, out->tree, SG_BOUND_TREE);
     return true;
   }

@@ -11,15 +11,18 @@
  * *unbalanced*: some seam leaves it. From that follow three bounds:
  *
  * - tree: if every vertex is pointed (bent by more than nothing), no set of
- * some vertices of a shell is balanced, but all are: the seam is a tree over
- * all of them. The shortest one is the minimum spanning tree.
+ *   some vertices of a closed shell is balanced, but all are: the seam is a
+ * tree over all of them. The shortest one is the minimum spanning tree. So it
+ * is where there is a border, if all vertices inside are bent by less than two
+ *   whole turns together: else some of them may be balanced, and no seam needs
+ * to reach the border (a box with a hole in a face).
  * - forest: if no vertex is flat, all are on the seam. It has no more parts
  * than balanced sets can be found; pairs and triples of vertices are counted,
  * all others have four or more. A minimum spanning tree less so many of its
  *   longest edges.
  * - moats: round each unbalanced set of vertices a moat that no other one
  *   overlaps. Each is crossed by a seam, so their widths add up to a bound.
- * They grow as in the method of Goemans and Williamson.
+ *   They grow as in the method of Goemans and Williamson.
  *
  * A border is one vertex, which balances everything; so are the vertices of
  * faces without area.

@@ -32,12 +32,12 @@ typedef struct moats {
 
 /* ---- sets --------------------------------------------------------------- */
 
-static bool
-is_unbalanced(double bent)
+bool
+sg_bends_balance(double sum)
 {
   const double turns = 4 * acos(-1.0);
 
-  return fabs(bent - turns * round(bent / turns)) > SG_BENT_LEAST;
+  return fabs(sum - turns * round(sum / turns)) <= SG_BENT_LEAST;
 }
 
 /* The first vertex of a set, and how much wider the moat of v is. */
@@ -90,7 +90,7 @@ unite(moats *m, uint32_t a, uint32_t b, double time)
   m->wider[b] -= m->wider[a];
   m->bent[a] += m->bent[b];
   m->free[a] |= m->free[b];
-  m->grows[a] = !m->free[a] && is_unbalanced(m->bent[a]);
+  m->grows[a] = !m->free[a] && !sg_bends_balance(m->bent[a]);
   m->next[a] = m->next[b];
   m->next[b] = next;
 }
@@ -187,8 +187,9 @@ expect_of(moats *m, uint32_t slow, uint32_t other, double time)
   }
 }
 
-/* The moats at a joint meet, if they have not grown slower than was expected.
- */
+/* The moats at a joint meet, if they have not grown slower than was expected. A
+ * gap that is too small for the time to go on is none: a short joint may meet
+ * late. */
 static bool
 meet(moats *m, meeting at)
 {
@@ -199,8 +200,10 @@ meet(moats *m, meeting at)
   if (!look_at(m, at.joint, at.time, set, &gap, &speed) || speed == 0) {
     return true;
   }
-  if (gap > 1e-12 * m->joints->joint[at.joint].length) {
-    return push(m, (meeting){at.time + gap / speed, at.joint});
+  double later = at.time + gap / speed;
+
+  if (gap > 1e-12 * m->joints->joint[at.joint].length && later > at.time) {
+    return push(m, (meeting){later, at.joint});
   }
   int slow = speed == 2 ? -1 : m->grows[set[0]];
 
@@ -256,7 +259,7 @@ make(moats *m)
     m->above[v] = m->next[v] = v;
     m->bent[v] = m->of->bent[v];
     m->free[v] = m->of->border[v];
-    m->grows[v] = !m->free[v] && is_unbalanced(m->bent[v]);
+    m->grows[v] = !m->free[v] && !sg_bends_balance(m->bent[v]);
   }
   return true;
 }

@@ -17,6 +17,10 @@ typedef struct sg_bent_vertices {
   bool *border; /* [vertices] */
 } sg_bent_vertices;
 
+/* True: bends of this sum may be all that a part of a seam has at its vertices:
+ * it is a multiple of 4 pi. */
+bool sg_bends_balance(double sum);
+
 /* The sum of the widths of moats that grow round all unbalanced sets of
  * vertices at once, along the joints that are no lines, until they meet; then
  * the sets are one. Not `on`: only until they first meet, each vertex for

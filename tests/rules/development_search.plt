@@ -232,4 +232,34 @@ test(bounds, [true(Broken == [])]) :-
               M.bound > M.seam*(1+1.0e-9) ),
             Broken).
 
+%   All vertices inside are pointed, but a seam over the 32 corners does not
+%   have to reach the border of the hole.
+
+test(bound_with_a_hole, true(Seam == 12.0927)) :-
+    lid_with_a_hole(16, 0.39, 0.1, Term),
+    in_model([Term], measures(1, [], M)),
+    assertion(M.bound =< M.seam*(1+1.0e-9)),
+    Seam is round(M.seam*1.0e4)/1.0e4.
+
+%   A closed prism of N sides, as high as H, with a hole of radius R in its lid,
+%   which is parted into N faces.
+
+lid_with_a_hole(N, H, R, sheet(points(Points), faces([Base|Faces]))) :-
+    findall([X,Y,Z],
+            ( member(Z-Radius, [0-1,H-1,H-R]),
+              between(1, N, I),
+              X is Radius*cos(2*pi*I/N),
+              Y is Radius*sin(2*pi*I/N) ),
+            Points),
+    numlist(1, N, Is),
+    reverse(Is, Base),
+    findall([A,B,C,D],
+            ( member(Ring, [0,N]),
+              between(1, N, I),
+              A is Ring+I,
+              B is Ring + I mod N + 1,
+              C is B+N,
+              D is A+N ),
+            Faces).
+
 :- end_tests(development_search).
