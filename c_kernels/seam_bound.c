@@ -155,7 +155,7 @@ find_shells(finder *x, bool *stopped)
   }
   for (uint32_t j = 0; j < js->n && !stops(x, j, stopped); j++) {
     const int32_t *v = js->joint[j].vertex;
-    x->class[find(x->class, (uint32_t)v[0])] = find(x->class, (uint32_t)v[1]);
+    sg_disjoint_join(x->class, (uint32_t)v[0], (uint32_t)v[1]);
   }
   return !*stopped;
 }
@@ -172,7 +172,7 @@ some_balance(finder *x, bool *balance, bool *stopped)
 
   *balance = false;
   for (uint32_t v = 0; good && v < n; v++) {
-    uint32_t shell = find(x->class, v);
+    uint32_t shell = sg_disjoint_root(x->class, v);
     sum[shell] += x->of.border[v] ? 0 : x->of.bent[v];
     open[shell] |= x->of.border[v];
   }

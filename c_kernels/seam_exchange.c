@@ -1,6 +1,8 @@
 /* seam_exchange.c -- see seam_exchange.h. */
 #include "seam_exchange.h"
 
+#include "sort.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -347,9 +349,9 @@ compare_ranks(const void *a, const void *b)
 }
 
 /* The joints between islands that were touched and others, in order, each once
- * or twice: how many. */
-static size_t
-find_again(exchange *x)
+ * or twice. False: no memory, or stopped. */
+static bool
+find_again(exchange *x, size_t *count, bool *stopped)
 {
   const sg_flattening *fl = x->fl;
   const sg_flat_faces *f = fl->faces;
@@ -365,17 +367,24 @@ find_again(exchange *x)
       }
     }
   }
-  qsort(x->again, n, sizeof *x->again, compare_ranks);
-  return n;
+  sg_sort_end end =
+      sg_sort(x->again, n, sizeof *x->again, compare_ranks, x->poll);
+
+  *count = n;
+  *stopped = end == SG_SORT_STOPPED;
+  return end == SG_SORTED;
 }
 
 /* What came off is joined where it can be. */
 static bool
 join_again(exchange *x, bool *stopped)
 {
-  size_t n = find_again(x);
   sg_joint_state state;
+  size_t n;
 
+  if (!find_again(x, &n, stopped)) {
+    return false;
+  }
   for (size_t i = 0; i < n; i++) {
     uint32_t j = x->in->order[x->again[i]];
     bool twice = i > 0 && x->again[i] == x->again[i - 1];
