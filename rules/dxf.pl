@@ -3,6 +3,7 @@
             group/3,                    % +Out, +Code, +Value
             section/2,                  % +Out, +Name
             (table)/3,                  % +Out, +Name, +N
+            application_table/1,        % +Out
             line_type/4                 % +Out, +Name, +Text, +Runs
           ]).
 :- use_module(dxf_colour, [dxf_colour/2]).
@@ -138,12 +139,19 @@ tables(Out, Types0, Layers0) :-
     table(Out, 'LAYER', N),
     forall(member(Layer, Layers), layer(Out, Layer)),
     group(Out, 0, 'ENDTAB'),
+    application_table(Out),
+    group(Out, 0, 'ENDSEC').
+
+%!  application_table(+Out) is det.
+%
+%   The table of whose data entities carry: Sanggwan's.
+
+application_table(Out) :-
     table(Out, 'APPID', 1),
     group(Out, 0, 'APPID'),
     group(Out, 2, 'SANGGWAN'),
     group(Out, 70, 0),
-    group(Out, 0, 'ENDTAB'),
-    group(Out, 0, 'ENDSEC').
+    group(Out, 0, 'ENDTAB').
 
 %!  section(+Out, +Name) is det.
 %

@@ -2,7 +2,10 @@
           [ write_lines_dxf/2           % +Out, +Chains
           ]).
 :- use_module(chain, [chain_points/2, chain_vertices/3]).
-:- use_module(dxf, [group/3, section/2, (table)/3, line_type/4]).
+:- use_module(dxf,
+              [ application_table/1, group/3, line_type/4, section/2,
+                (table)/3
+              ]).
 :- use_module(store, [line/9]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3, maplist/4]).
@@ -109,11 +112,7 @@ tables(Out, Drawn) :-
     table(Out, 'LAYER', N),
     forall(member(Layer, Layers), layer(Out, Layer)),
     group(Out, 0, 'ENDTAB'),
-    table(Out, 'APPID', 1),
-    group(Out, 0, 'APPID'),
-    group(Out, 2, 'SANGGWAN'),
-    group(Out, 70, 0),
-    group(Out, 0, 'ENDTAB'),
+    application_table(Out),
     group(Out, 0, 'ENDSEC').
 
 layer(Out, Layer) :-

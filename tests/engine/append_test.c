@@ -1,18 +1,9 @@
 /* append_test.c -- rows written in place: stamps, transactions, runs, slots
  * that are used again. */
+#include "asked.h"
 #include "rows.h"
 
 static rows some; /* of 5000 vertices, or polygons */
-
-static size_t
-count(sg_world *world, sg_relation relation)
-{
-  const sg_version *version = sg_world_version(world);
-  size_t n = sg_version_count(version, relation);
-
-  sg_version_drop(version);
-  return n;
-}
 
 static size_t
 bytes(sg_world *world, sg_relation relation)
@@ -114,17 +105,6 @@ test_shortened(void)
   sg_append_close(&a);
   CHECK("valid still", sg_world_is_valid(world));
   sg_world_drop(world);
-}
-
-static sg_row
-find_vertex(sg_world *world, int32_t s, int32_t v)
-{
-  const sg_version *version = sg_world_version(world);
-  sg_value key[SG_MAX_COLUMNS] = {{.i = s}, {.i = v}};
-  sg_row row = sg_version_find(version, SG_V, key);
-
-  sg_version_drop(version);
-  return row;
 }
 
 static size_t

@@ -3,6 +3,7 @@
 #include "../../engine/store.h"
 #include "../../engine/term.h"
 #include "../check.h"
+#include "asked.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -28,27 +29,6 @@ fill_vertices(sg_world *world, int32_t s, int32_t first, size_t n)
   free(ids);
   free(x);
   return status == SG_OK;
-}
-
-static sg_row
-find_vertex(sg_world *world, int32_t s, int32_t v)
-{
-  const sg_version *version = sg_world_version(world);
-  sg_value key[SG_MAX_COLUMNS] = {{.i = s}, {.i = v}};
-  sg_row row = sg_version_find(version, SG_V, key);
-
-  sg_version_drop(version);
-  return row;
-}
-
-static size_t
-count(sg_world *world, sg_relation relation)
-{
-  const sg_version *version = sg_world_version(world);
-  size_t n = sg_version_count(version, relation);
-
-  sg_version_drop(version);
-  return n;
 }
 
 static void
