@@ -1,6 +1,7 @@
 :- module(sg_true_parts,
           [ parts_made/3,               % +Sizes, +Options, -Parts
             drawn_polygon/4,            % +S1, ?P1, -S, ?P
+            polygon_drawn/4,            % +T, +P, -S, -P0
             drawn_wanted/4,             % +S1, +S, +Wanted, -Wanted1
             facets_as_drawn/3           % +S, +Facets0, -Facets
           ]).
@@ -14,9 +15,12 @@
 :- use_module(true_flat, [flat_resized/3]).
 :- use_module(true_parallel, [parallel_made/3]).
 :- use_module(true_resized, [term_enlarged/3]).
-:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(apply),
+              [foldl/4, maplist/2, maplist/3, partition/4]).
 :- use_module(library(lists),
-              [max_list/2, member/2, memberchk/2, min_list/2]).
+              [ append/2, append/3, max_list/2, member/2, memberchk/2,
+                min_list/2
+              ]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
@@ -235,6 +239,22 @@ drawn_polygon(S1, P1, S, P) :-
         once(p(S1, P1, _))
     ).
 
+%!  polygon_drawn(+T, +P, -S, -P0) is semidet.
+%
+%   Polygon P of segment T, which is a part that parts_made/3 made, or was
+%   trimmed of one, stands for polygon P0 of S, which is drawn; S-P0 is T-P if T
+%   is neither. Fails for the tip of a moved cone, which stands for nothing.
+
+polygon_drawn(T, P, S, P0) :-
+    (   from_p(T, P, _, _, _)
+    ->  once(placed_polygon(T, P, S1, P1))
+    ;   S1-P1 = T-P
+    ),
+    (   origin(S1, node(S1), plate(_))
+    ->  once(drawn_polygon(S1, P1, S, P0))
+    ;   S-P0 = T-P
+    ).
+
 %!  drawn_wanted(+S1, +S, +Wanted, -Wanted1) is det.
 %
 %   What is Wanted of segment S (unfold_wish.pl), said of S1, made of it.
@@ -267,32 +287,53 @@ edges_made(S1, S, Edges0, Edges) :-
 facets_as_drawn(S, Facets0, Facets) :-
     findall(drawn(D, P)-Facet,
             ( member(Facet, Facets0),
-              facet_drawn(S, Facet, D, P) ),
+              Facet = facet(P0, _, _, _),
+              polygon_drawn(S, P0, D, P) ),
             Pairs0),
-    (   Pairs0 == []
-    ->  Facets = Facets0
-    ;   keysort(Pairs0, Pairs),
-        group_pairs_by_key(Pairs, Groups),
-        maplist(put_together, Groups, Facets1),
-        sort(1, @=<, Facets1, Facets)
-    ).
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    maplist(put_together, Groups, Lists),
+    append(Lists, Facets1),
+    sort(1, @=<, Facets1, Facets).
 
-facet_drawn(S, facet(P, _, _, _), D, PD) :-
-    (   from_p(S, P, _, _, _)
-    ->  once(placed_polygon(S, P, S1, P1))
-    ;   S1-P1 = S-P
-    ),
-    once(drawn_polygon(S1, P1, D, PD)).
+%   put_together(Drawn-Group, Facets): one for each part of the facet that hangs
+%   together.
 
-put_together(_-[Facet], Facet) :-
+put_together(_-[Facet], [Facet]) :-
     !.
-put_together(drawn(D, PD)-Group, facet(P, T1, T2, Halves)) :-
-    findall(P0, member(facet(P0, _, _, _), Group), Ps),
-    min_list(Ps, P),
+put_together(drawn(D, PD)-Group, Facets) :-
     once(face_of(D, PD, curved(_, [T1-T2|_]))),
-    findall(Half, ( member(facet(_, _, _, Hs), Group), member(Half, Hs) ),
+    hanging_together(Group, Parts),
+    maplist(one_facet(T1, T2), Parts, Facets).
+
+one_facet(T1, T2, Part, facet(P, T1, T2, Halves)) :-
+    findall(P0, member(facet(P0, _, _, _), Part), Ps),
+    min_list(Ps, P),
+    findall(Half, ( member(facet(_, _, _, Hs), Part), member(Half, Hs) ),
             Halves0),
     uncancelled(Halves0, Halves).
+
+%   hanging_together(Facets, Parts): those with a half-edge in common, once each
+%   way, are of one part.
+
+hanging_together([], []).
+hanging_together([Facet|Facets], [Part|Parts]) :-
+    grown([Facet], Facets, Part, Rest),
+    hanging_together(Rest, Parts).
+
+grown([], Rest, [], Rest).
+grown([Facet|Queue], Others, [Facet|Part], Rest) :-
+    Facet = facet(_, _, _, Halves),
+    findall(B-A, member(half(A, B, _), Halves), Backs0),
+    sort(Backs0, Backs),
+    partition(beside(Backs), Others, Beside, Others1),
+    append(Beside, Queue, Queue1),
+    grown(Queue1, Others1, Part, Rest).
+
+beside(Backs, facet(_, _, _, Halves)) :-
+    member(half(A, B, _), Halves),
+    ord_memberchk(A-B, Backs),
+    !.
 
 %   uncancelled(Halves0, Halves): without those that run both ways.
 

@@ -197,6 +197,8 @@ other_parts(S, Options, Others) :-
 
 made_here(S) :-
     segment(S, _, trimmed(_, _, _)).
+made_here(S) :-
+    origin(S, node(S), plate(_)).
 
 root_stays(T, S, wanted(Root, _, _, _)) :-
     (   Root == none

@@ -12,12 +12,14 @@
 :- use_module(seam_measure, [pattern_area/2, seam_drawn/3]).
 :- use_module(store,
               [v/5, p/3, origin/3, from_p/5, piece/3, joint/6]).
-:- use_module(trimmed, [part_named/2]).
+:- use_module(trimmed, [part_named/2, trimmed_from/2]).
+:- use_module(true_parts, [polygon_drawn/4]).
 :- use_module(unfold, [pattern_of/2]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(option), [option/2]).
+:- use_module(library(ordsets), [ord_subtract/3]).
 /** <module> What is said of patterns: their pieces, seams, sheet and area.
 */
 
@@ -117,13 +119,35 @@ objective(D, Objective) :-
     ;   Objective = seam
     ).
 
-%   removed(D, T, PartPolygons, Polygons, Removed): how many of T are not in D.
+%   removed(D, T, PartPolygons, Polygons, Removed): how many of T are not in D;
+%   of a part in fine facets, how many that are drawn.
 
 removed(D, T, PartPolygons, Polygons, Removed) :-
-    (   from_p(D, _, _, _, _)
+    (   is_finer(T)
+    ->  findall(P0, ( p(T, P, _), polygon_drawn(T, P, _, P0) ), All0),
+        findall(P0, ( p(D, P, _), polygon_left(D, T, P, P0) ), Left0),
+        sort(All0, All),
+        sort(Left0, Left),
+        ord_subtract(All, Left, Gone),
+        length(Gone, Removed)
+    ;   from_p(D, _, _, _, _)
     ->  aggregate_all(count, ( p(T, P, _), \+ left_in(D, P) ), Removed)
     ;   Removed is PartPolygons-Polygons
     ).
+
+is_finer(T) :-
+    trimmed_from(T, S1),
+    origin(S1, p(_), p(_)),
+    !.
+
+%   polygon_left(D, T, P, P0): polygon P of pattern D is one that is drawn as P0.
+
+polygon_left(D, T, P, P0) :-
+    (   from_p(D, P, T, P1, _)
+    ->  true
+    ;   P1 = P
+    ),
+    polygon_drawn(T, P1, _, P0).
 
 %   left_in(D, P): polygon P is in D, or its triangles are.
 

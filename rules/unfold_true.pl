@@ -6,7 +6,7 @@
               [e/5, p/3, from_p/5, edge_polygon/3, facts_transaction/1]).
 :- use_module(triangulation, [complete_segments/0]).
 :- use_module(true_development, [true_development/4, developable_part/3]).
-:- use_module(true_parts, [drawn_wanted/4]).
+:- use_module(true_parts, [drawn_wanted/4, polygon_drawn/4]).
 :- use_module(true_plate, [plate_parts/5]).
 :- use_module(true_rim, [rims_rounded/3]).
 :- use_module(true_shape, [part_facet/5]).
@@ -48,7 +48,7 @@ patterns(S, Wanted, Options0, Ds) :-
     maplist(unrolled(T, Cut, Options), Parts, Unrolled),
     unrolled_polygons(T, Parts, Ps),
     ord_union(Removed, Ps, Done),
-    findall(P, p(T, P, _), All0),
+    findall(P, ( p(T, P, _), polygon_drawn(T, P, _, _) ), All0),
     sort(All0, All),
     ord_subtract(All, Done, Rest),
     (   Rest == [],
@@ -56,7 +56,8 @@ patterns(S, Wanted, Options0, Ds) :-
     ->  Ds = Unrolled
     ;   flat_wishes(T, Rest, Manual, FlatManual),
         kept_apart_told(T, Rest, Ps, Manual),
-        part_developed(T, [removed(Done)|FlatManual], Options, D),
+        findall(P, ( p(T, P, _), \+ ord_memberchk(P, Rest) ), Others),
+        part_developed(T, [removed(Others)|FlatManual], Options, D),
         rims_rounded(D, T, Options),
         append(Unrolled, [D], Ds)
     ).

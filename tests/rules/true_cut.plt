@@ -18,6 +18,9 @@
 :- use_module(rules(unfold_true)).
 :- use_module(rules(vector)).
 
+:- multifile user:message_hook/3.
+user:message_hook(sanggwan(unfold(alone(_))), informational, _).
+
 :- begin_tests(true_cut).
 
 :- meta_predicate in_scene(+, 0).
@@ -65,7 +68,10 @@ trimmed_area(Terms, S, Area) :-
                aggregate_all(sum(Part), triangle_area(T, Part), Area) )).
 
 triangle_area(S, Area) :-
-    t(S, _, _, A, B, C),
+    triangle_area(S, _, Area).
+
+triangle_area(S, Polygon, Area) :-
+    t(S, Polygon, _, A, B, C),
     maplist(place(S), [A,B,C], [P,Q,R]),
     difference(Q, P, U),
     difference(R, P, V),
@@ -276,7 +282,19 @@ sides_area(Sides, S, Area) :-
                complete_segments,
                trimmed(S, [Other], outside, T),
                complete_segments,
-               aggregate_all(sum(Part), triangle_area(T, Part), Area) )).
+               nth1(S, Sides, Side),
+               aggregate_all(sum(Part), ( triangle_area(T, P, Part),
+                                          \+ is_tip(Side, S, T, P) ), Area) )).
+
+%   The small face in which a moved pointed cone ends is not unfolded.
+is_tip(Term-Off, S, T, P) :-
+    Off =\= 0,
+    Term =.. [cone|Arguments],
+    \+ memberchk(top(_), Arguments),
+    (   T == S
+    ->  P =:= 2
+    ;   from_p(T, P, S, 2, _)
+    ).
 
 side_added(Term0-Off) :-
     fine(Term0, Term),
