@@ -43,16 +43,16 @@ english(error(model_error(What), Context)) -->
       Context = location(File, Line, Column)
     },
     place(File, Line, Column),
-    fault_en(What).
+    wrong_en(What).
 english(error(model_error(What), Context)) -->
     { var(Context) },
-    fault_en(What).
+    wrong_en(What).
 english(error(geometry_error(What), Context)) -->
     (   { nonvar(Context), Context = location(File, Line, Column) }
     ->  place(File, Line, Column)
     ;   []
     ),
-    fault_en(What).
+    wrong_en(What).
 english(error(usage_error(What), _)) -->
     command_en(What).
 english(error(domain_error(Domain, Value), _)) -->
@@ -71,7 +71,13 @@ english(sanggwan(What)) -->
     fault_en//1,
     notice_en//1.
 
-%   fault_en(What)//: what is wrong with a model, and what to do.
+%   wrong_en(What)//: what is wrong with a model, and what to do.
+
+wrong_en(What) -->
+    (   fault_en(What)
+    ->  []
+    ;   model_en(What)
+    ).
 
 fault_en(primitive(What, Term)) -->
     primitive_en(What, Term).
@@ -91,8 +97,6 @@ fault_en(true(What)) -->
     true_en(What).
 fault_en(style(What)) -->
     style_en(What).
-fault_en(What) -->
-    model_en(What).
 
 
                 /*******************************

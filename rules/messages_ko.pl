@@ -50,16 +50,16 @@ korean(error(model_error(What), Context)) -->
       Context = location(File, Line, Column)
     },
     place(File, Line, Column),
-    fault_ko(What).
+    wrong_ko(What).
 korean(error(model_error(What), Context)) -->
     { var(Context) },
-    fault_ko(What).
+    wrong_ko(What).
 korean(error(geometry_error(What), Context)) -->
     (   { nonvar(Context), Context = location(File, Line, Column) }
     ->  place(File, Line, Column)
     ;   []
     ),
-    fault_ko(What).
+    wrong_ko(What).
 korean(error(usage_error(What), _)) -->
     command_ko(What).
 korean(error(domain_error(Domain, Value), _)) -->
@@ -78,7 +78,13 @@ korean(sanggwan(What)) -->
     fault_ko//1,
     notice_ko//1.
 
-%   fault_ko(What)//: what is wrong with a model, and what to do.
+%   wrong_ko(What)//: what is wrong with a model, and what to do.
+
+wrong_ko(What) -->
+    (   fault_ko(What)
+    ->  []
+    ;   model_ko(What)
+    ).
 
 fault_ko(primitive(What, Term)) -->
     primitive_ko(What, Term).
@@ -98,8 +104,6 @@ fault_ko(true(What)) -->
     true_ko(What).
 fault_ko(style(What)) -->
     style_ko(What).
-fault_ko(What) -->
-    model_ko(What).
 
 
                 /*******************************

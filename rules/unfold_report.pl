@@ -140,7 +140,7 @@ is_finer(T) :-
     origin(S1, p(_), p(_)),
     !.
 
-%   polygon_left(D, T, P, P0): polygon P of pattern D is one that is drawn as P0.
+%   polygon_left(D, T, P, P0): polygon P of pattern D is drawn as P0.
 
 polygon_left(D, T, P, P0) :-
     (   from_p(D, P, T, P1, _)
