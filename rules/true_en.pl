@@ -36,7 +36,7 @@ true_en(no_offset(S)) -->
     [ 'the surfaces of a plate of segment ~d are not known'-[S], nl,
       '  With a thickness, penetrations are found for cylinders and cones, \c
          round spheres and tori, transitions,', nl,
-      '  and what has flat faces, three of which meet at a corner.' ].
+      '  and what has flat faces and is convex, or has corners of three.' ].
 true_en(bend(S, P1, P2, Degrees)) -->
     [ 'segment ~d: the fold between polygons ~d and ~d turns by ~2f degrees: \c
        no bend has such an angle'-[S, P1, P2, Degrees], nl,

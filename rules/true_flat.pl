@@ -6,6 +6,7 @@
                 assert_fact/1, fresh_id/3
               ]).
 :- use_module(triangulation, [complete_segments/1]).
+:- use_module(true_convex, [convex_resized/3]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [member/2]).
 /** <module> The other surface of a plate with flat faces.
@@ -14,19 +15,27 @@ Each face goes outward by the same distance, and stays parallel; a vertex goes,
 the shortest way, to where the planes of its faces have gone. That of an open
 sheet that lies in one plane or two goes at right angles to these. Where more
 than three faces meet, as in the apex of a pyramid, their planes may have no
-point in common then; and a face that is small may turn round.
+point in common then: the corner parts, which is known of convex solids
+(true_convex.pl). A face that is small may turn round.
 */
 
 %!  flat_resized(+S, +By, -S1) is semidet.
 %
 %   S1 is a new segment: S, whose faces are all flat, with each By farther out
-%   (model units; negative: within). Vertices, edges, polygons and the term have
-%   their numbers and names. Fails if there is no such segment.
+%   (model units; negative: within). Polygons and the term have their numbers
+%   and names; so have vertices and edges, if no corner parts. Fails if there is
+%   no such segment.
 
 flat_resized(S, By, S1) :-
     findall(V-Place, ( v(S, V, _, _, _), vertex_moved(S, By, V, Place) ),
             Places),
-    forall(v(S, V, _, _, _), memberchk(V-point(_,_,_), Places)),
+    (   forall(v(S, V, _, _, _), memberchk(V-point(_,_,_), Places))
+    ->  written(S, Places, S1)
+    ;   convex_resized(S, By, S1),
+        complete_segments([S1])
+    ).
+
+written(S, Places, S1) :-
     segment(S, Kind, Term),
     !,
     fresh_id(segment, 0, S1),

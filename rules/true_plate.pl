@@ -141,6 +141,7 @@ width_role(Width, Widths, Role) :-
 %   wider(A, B): by more than rounding.
 
 wider(A, B) :-
+    B < inf,
     A > B*(1.0 + 1.0e-9).
 
 %   What has flat faces is as wide as a box or prism is, or wider than any pipe.
