@@ -98,14 +98,6 @@ lies_on(const sg_scene *scene, const sg_scene_line *line,
   return false;
 }
 
-double
-sg_line_far_end(const sg_scene *scene, const sg_scene_line *line)
-{
-  return line->look.stands_in
-             ? INFINITY
-             : sg_larger(scene->at[line->a][2], scene->at[line->b][2]);
-}
-
 static bool
 apart(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
       const double b[3])

@@ -13,7 +13,10 @@
 #ifndef SG_HIDE_H
 #define SG_HIDE_H
 
+#include "bounds.h"
 #include "scene.h"
+
+#include <math.h>
 
 /* Parts that are not longer than this are not drawn (standardised units). */
 #define SG_SHORTEST 1e-7
@@ -62,7 +65,13 @@ bool sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
                       const sg_scene_line *b, sg_overlap *out);
 
 /* Masks that begin farther from the eye hide nothing of the line. */
-double sg_line_far_end(const sg_scene *scene, const sg_scene_line *line);
+static inline double
+sg_line_far_end(const sg_scene *scene, const sg_scene_line *line)
+{
+  return line->look.stands_in
+             ? INFINITY
+             : sg_larger(scene->at[line->a][2], scene->at[line->b][2]);
+}
 
 /* True if line a stands in where there is no line like b: near is as good as
  * on it. */

@@ -323,10 +323,11 @@ hidden_of(const work *w, size_t k, size_t *n)
   return w->block[k / BLOCK].hidden.at + w->span[k].from;
 }
 
+/* Only outlines do. */
 static bool
 stands_in(const work *w, size_t k)
 {
-  return w->scene->line[w->line[k]].look.stands_in;
+  return w->role[k] == SG_OUTLINE && w->scene->line[w->line[k]].look.stands_in;
 }
 
 /* What stands in comes after all others. */
