@@ -19,15 +19,22 @@ that are seen end, on a picture of 1000 dots, a visible line is within 2.5 dots,
 but for a run of dots no longer than is said here.
 
     OUTLINE_VIEWS=all       from all sides, not from a few
+    OUTLINE_VIEWS=N         from N random sides
 */
 
-most_bare('suzanne.obj', 1).
-most_bare('cow.obj', 1).
-most_bare('beetle.obj', 1).
+most_bare('suzanne.obj', 3).
+most_bare('cow.obj', 3).
+most_bare('beetle.obj', 3).
 most_bare('teapot.obj', 0).
 
 from(Theta, Phi) :-
-    (   getenv('OUTLINE_VIEWS', all)
+    (   getenv('OUTLINE_VIEWS', Text),
+        atom_number(Text, N)
+    ->  set_random(seed(88)),
+        between(1, N, _),
+        Theta is random(3600)/10,
+        Phi is random(1800)/10
+    ;   getenv('OUTLINE_VIEWS', all)
     ->  (   member(Theta, [0,33,77,120,200,270,300,341]),
             member(Phi, [20,65,90,110])
         ;   member(Theta, [10,50,63,100,153,180,233,260,333]),
