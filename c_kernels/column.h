@@ -35,6 +35,8 @@ typedef struct sg_view {
   size_t pages;
   const uint64_t *const *live; /* [pages][SG_LIVE_WORDS], bit = row lives */
   const uint64_t *none; /* live[i] of pages without a live row, or null */
+  int32_t (*span)[2];   /* [pages]: column 0 of live rows is from span[i][0] to
+                           span[i][1]; null: nobody knows */
   sg_column column[SG_MAX_COLUMNS];
 } sg_view;
 

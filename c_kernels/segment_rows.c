@@ -22,9 +22,9 @@ typedef struct walk {
   bool without; /* a view shows the other segments */
 } walk;
 
-/* The place of s in a sorted list, n: it is not there. */
+/* The place of the first in a sorted list that is not before s. */
 static size_t
-place_of(const int32_t *list, size_t n, int32_t s)
+first_from(const int32_t *list, size_t n, int32_t s)
 {
   size_t low = 0, high = n;
 
@@ -36,7 +36,16 @@ place_of(const int32_t *list, size_t n, int32_t s)
       high = middle;
     }
   }
-  return low < n && list[low] == s ? low : n;
+  return low;
+}
+
+/* The place of s in a sorted list, n: it is not there. */
+static size_t
+place_of(const int32_t *list, size_t n, int32_t s)
+{
+  size_t place = first_from(list, n, s);
+
+  return place < n && list[place] == s ? place : n;
 }
 
 static void
@@ -142,6 +151,18 @@ spread_runs(const walk *w, sg_segment_rows *out)
   return true;
 }
 
+/* False: no row of a wanted segment is on the page. */
+static bool
+may_have(const sg_view *view, size_t page, const walk *w)
+{
+  size_t at =
+      view->span ? first_from(w->wanted, w->segments, view->span[page][0]) : 0;
+
+  return view->live[page] != view->none &&
+         (!view->span ||
+          (at < w->segments && w->wanted[at] <= view->span[page][1]));
+}
+
 bool
 sg_segment_rows_find(const sg_view *view, const int32_t *wanted, size_t n,
                      const sg_poll *poll, sg_segment_rows *out)
@@ -151,7 +172,7 @@ sg_segment_rows_find(const sg_view *view, const int32_t *wanted, size_t n,
 
   *out = (sg_segment_rows){0};
   for (size_t page = 0; page < view->pages && good; page++) {
-    if (view->live[page] == view->none) {
+    if (!may_have(view, page, &w)) {
       continue;
     }
     walk_page(&w, view->live[page], view->column[0].page[page].i,

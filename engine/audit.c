@@ -118,6 +118,20 @@ stack_is_valid(const sg_table *table, size_t number)
   return page->empties == 0 || page->gap <= table->gap;
 }
 
+/* Taken rows are of segments that the page says it may have. */
+static bool
+span_is_valid(const sg_table *table, const sg_page *page)
+{
+  bool valid = true;
+
+  for (unsigned r = sg_live_next(page->taken, 0);
+       valid && table->info->column[0].type == SG_INT && r < SG_PAGE_ROWS;
+       r = sg_live_next(page->taken, r + 1)) {
+    valid = sg_page_may_have(page, page->cells[0].i[r]);
+  }
+  return valid;
+}
+
 static bool
 slots_are_valid(const sg_table *table)
 {
@@ -125,7 +139,7 @@ slots_are_valid(const sg_table *table)
 
   for (size_t i = 0; i < table->pages; i++) {
     const sg_page *page = table->page[i];
-    if (!stack_is_valid(table, i)) {
+    if (!stack_is_valid(table, i) || !span_is_valid(table, page)) {
       return false;
     }
     emptied += page->empties;

@@ -475,7 +475,8 @@ retract_with(sg_world *world, sg_relation relation, unsigned column, int32_t id)
   for (size_t i = 0; i < pages && good; i++) {
     const sg_live *live = sg_map_live(world->current->map[relation], i);
     uint64_t gone[SG_LIVE_WORDS];
-    if (live && find_gone(live, column, id, gone)) {
+    bool may = live && (column > 0 || sg_page_may_have(live->page, id));
+    if (may && find_gone(live, column, id, gone)) {
       good = hide_rows(world, relation, i, column, id, gone);
       changed = true;
     }

@@ -87,6 +87,9 @@ sweep_page(sg_table *table, size_t number, const uint64_t *gone)
     page->taken[w] &= ~gone[w];
     vacated = vacated || gone[w];
   }
+  if (vacated && table->info->column[0].type == SG_INT) {
+    sg_page_find_span(page);
+  }
   return vacated;
 }
 

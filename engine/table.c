@@ -87,6 +87,8 @@ page_open(const sg_relation_info *info)
     return NULL;
   }
   page->fresh = info->column[0].type == SG_INT; /* others nobody looks for */
+  atomic_init(&page->span.first, INT32_MAX);
+  atomic_init(&page->span.last, INT32_MIN);
   for (unsigned c = 0; c < info->arity; c++) {
     size_t bytes = SG_PAGE_ROWS * cell_bytes(info->column[c].type);
 
@@ -109,6 +111,39 @@ sg_page_show(sg_page *page, size_t place, size_t n)
     memset(s + place + n, 0, (SG_PAGE_ROWS - place - n) * sizeof *s);
     page->fresh = false;
   }
+}
+
+static void
+set_span(sg_page *page, int32_t first, int32_t last)
+{
+  atomic_store_explicit(&page->span.first, first, memory_order_relaxed);
+  atomic_store_explicit(&page->span.last, last, memory_order_relaxed);
+}
+
+void
+sg_page_extend(sg_page *page, const int32_t *s, size_t n)
+{
+  int32_t first = sg_page_first(page), last = sg_page_last(page);
+
+  for (size_t i = 0; i < n; i++) {
+    first = s[i] < first ? s[i] : first;
+    last = s[i] > last ? s[i] : last;
+  }
+  set_span(page, first, last);
+}
+
+void
+sg_page_find_span(sg_page *page)
+{
+  const int32_t *s = page->cells[0].i;
+  int32_t first = INT32_MAX, last = INT32_MIN;
+
+  for (unsigned r = sg_live_next(page->taken, 0); r < SG_PAGE_ROWS;
+       r = sg_live_next(page->taken, r + 1)) {
+    first = s[r] < first ? s[r] : first;
+    last = s[r] > last ? s[r] : last;
+  }
+  set_span(page, first, last);
 }
 
 bool
@@ -221,6 +256,9 @@ sg_table_write(sg_table *table, sg_row row, const sg_value *value)
     }
   }
   sg_page_show(page, place, 1);
+  if (info->column[0].type == SG_INT) {
+    sg_page_extend(page, &value[0].i, 1);
+  }
   page->taken[place / 64] |= UINT64_C(1) << place % 64;
   table->written++;
   return true;

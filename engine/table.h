@@ -26,6 +26,13 @@
 
 enum { SG_CHUNK_PAGES = 64, SG_MAX_INDEXES = 6 };
 
+/* All taken rows of a page are of segments from `first` to `last`, if column 0
+ * says segments: who looks for one passes other pages by. Read without the
+ * lock: a row that a held version shows is taken. */
+typedef struct sg_span {
+  atomic_int_least32_t first, last; /* first > last: none */
+} sg_span;
+
 typedef struct sg_page {
   union sg_cell_array {
     int32_t *i;           /* SG_INT, SG_ATOM */
@@ -39,6 +46,7 @@ typedef struct sg_page {
   unsigned gap; /* of these no more stand in a row */
   bool vacant;  /* no slot was taken at the last sweep, nor since: for many */
   bool fresh;   /* the segments of column 0 are not zero where nobody wrote */
+  sg_span span;
 } sg_page;
 
 typedef struct sg_live {
@@ -131,6 +139,30 @@ sg_page_value(const sg_page *page, const sg_relation_info *info,
   }
   return value;
 }
+
+static inline int32_t
+sg_page_first(const sg_page *page)
+{
+  return atomic_load_explicit(&page->span.first, memory_order_relaxed);
+}
+
+static inline int32_t
+sg_page_last(const sg_page *page)
+{
+  return atomic_load_explicit(&page->span.last, memory_order_relaxed);
+}
+
+/* False: no row of a segment is on the page. */
+static inline bool
+sg_page_may_have(const sg_page *page, int32_t s)
+{
+  return sg_page_first(page) <= s && s <= sg_page_last(page);
+}
+
+/* Rows of n segments are about to be taken. */
+void sg_page_extend(sg_page *page, const int32_t *s, size_t n);
+/* After rows were vacated: as the others have it. */
+void sg_page_find_span(sg_page *page);
 
 void sg_page_row(const sg_page *page, const sg_relation_info *info,
                  uint16_t mask, unsigned place, sg_value *out);

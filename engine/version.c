@@ -219,8 +219,9 @@ sg_map_used_id(sg_map *map, int32_t s, int32_t id)
 
 /* ---- the rows of some segments ------------------------------------------ */
 
-static bool
-is_among(const int32_t *s, size_t n, int32_t id)
+/* The place of the first that is not before id. */
+static size_t
+first_from(const int32_t *s, size_t n, int32_t id)
 {
   size_t low = 0, high = n;
 
@@ -232,7 +233,24 @@ is_among(const int32_t *s, size_t n, int32_t id)
       high = middle;
     }
   }
-  return low < n && s[low] == id;
+  return low;
+}
+
+static bool
+is_among(const int32_t *s, size_t n, int32_t id)
+{
+  size_t place = first_from(s, n, id);
+
+  return place < n && s[place] == id;
+}
+
+/* False: no row of one of the segments is on the page. */
+static bool
+may_have_any(const sg_page *page, const int32_t *s, size_t n)
+{
+  size_t place = first_from(s, n, sg_page_first(page));
+
+  return place < n && s[place] <= sg_page_last(page);
 }
 
 /* All rows of a page are of one segment. */
@@ -286,7 +304,8 @@ sg_map_narrow(const sg_map *map, const int32_t *s, size_t n)
   }
   for (size_t i = 0; i < map->chunks * SG_CHUNK_PAGES; i++) {
     const sg_live *live = sg_map_live(map, i);
-    if (!live || !find_rows(live, s, n, word)) {
+    if (!live || !may_have_any(live->page, s, n) ||
+        !find_rows(live, s, n, word)) {
       continue;
     }
     sg_live *owned = sg_map_own_live(out, live->page, i);

@@ -93,7 +93,9 @@ sg_version_view(const sg_version *version, sg_relation relation, sg_view *out)
   const uint64_t **live = malloc((pages + 1) * sizeof(*live));
 
   *out = (sg_view){.live = live, .none = nobody};
-  if (!live) {
+  if (!live || (info->column[0].type == SG_INT &&
+                !(out->span = malloc((pages + 1) * sizeof *out->span)))) {
+    sg_view_clear(out);
     return false;
   }
   for (unsigned c = 0; c < info->arity; c++) {
@@ -106,6 +108,10 @@ sg_version_view(const sg_version *version, sg_relation relation, sg_view *out)
   for (size_t i = 0; i < pages; i++) {
     const sg_live *page = sg_map_live(map, i);
     live[i] = page ? page->word : nobody;
+    if (page && out->span) {
+      out->span[i][0] = sg_page_first(page->page);
+      out->span[i][1] = sg_page_last(page->page);
+    }
     for (unsigned c = 0; page && c < info->arity; c++) {
       ((sg_cells *)out->column[c].page)[i].i = page->page->cells[c].i;
     }
@@ -118,6 +124,7 @@ void
 sg_view_clear(sg_view *view)
 {
   free((void *)view->live);
+  free(view->span);
   for (unsigned c = 0; c < SG_MAX_COLUMNS; c++) {
     free((void *)view->column[c].page);
   }
@@ -369,6 +376,14 @@ sg_walk_open_member(sg_walk *walk, const sg_version *version,
   return done;
 }
 
+/* False: no row of the segment that is asked for is on the page. */
+static bool
+may_match(const sg_walk *walk, const sg_page *page)
+{
+  return !(walk->mask & 1) || walk->info->column[0].type != SG_INT ||
+         sg_page_may_have(page, walk->row[0].i);
+}
+
 static sg_row
 scan_next(sg_walk *walk)
 {
@@ -379,7 +394,7 @@ scan_next(sg_walk *walk)
        walk->live = sg_map_live(map, ++page),
               walk->at = (sg_row)(page * SG_PAGE_ROWS)) {
     unsigned place = walk->at % SG_PAGE_ROWS;
-    if (!walk->live) {
+    if (!walk->live || !may_match(walk, walk->live->page)) {
       continue;
     }
     for (place = sg_live_next(walk->live->word, place); place < SG_PAGE_ROWS;

@@ -22,10 +22,10 @@
               [ v/5, p/3, t/6, segment/3, origin/3, assert_fact/1,
                 retractall_facts/1, facts_transaction/1, fresh_id/3
               ]).
-:- use_module(library(apply), [foldl/4, foldl/5, maplist/4]).
+:- use_module(library(apply), [exclude/3, foldl/4, foldl/5, maplist/4]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
 :- use_module(library(lists), [append/3, member/2, reverse/2]).
-:- use_module(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(ordsets), [ord_memberchk/2, ord_subtract/3]).
 /** <module> The CSG tree: nodes, operands, roots.
 
 A segment whose term is an operation (csg_term.pl) is a *node*; its boundary is
@@ -91,13 +91,10 @@ operand_segment(S, N) :-
 root_segment(S) :-
     findall(Operand, operand_segment(Operand, _), Operands0),
     sort(Operands0, Operands),
-    findall(Root,
-            ( segment(Root, Kind, _),
-              Kind \== pattern,
-              \+ ord_memberchk(Root, Operands),
-              \+ is_helper(Root) ),
-            Roots0),
-    sort(Roots0, Roots),
+    findall(Root, ( segment(Root, Kind, _), Kind \== pattern ), All0),
+    sort(All0, All),
+    ord_subtract(All, Operands, Others),
+    exclude(is_helper, Others, Roots),
     (   integer(S)
     ->  ord_memberchk(S, Roots)
     ;   member(S, Roots)

@@ -9,7 +9,7 @@
                 leaf_t/6, segment/3, origin/3, line/9, piece/3, joint/6,
                 title_block/2,
                 assert_fact/1, retractall_facts/1, facts_transaction/1,
-                relation_column/5
+                fresh_id/3, relation_column/5
               ]).
 :- use_module(model_text,
               [ open_model_text/2, close_model_text/1, model_text_bytes/3,
@@ -122,7 +122,7 @@ greatest(N, Goal, Greatest) :-
 %   streamed(Text, Shift, Ss0, Ss, Later): rows whose references are in the
 %   world already go into it as they are read, so a file in canonical order
 %   takes no memory but the world's. Later is the list of later(Row, Place) of
-%   the others, in order; Ss has the segments of all rows.
+%   the others, in order; Ss has the segments of all rows, some more than once.
 
 streamed(Text, Shift, Ss0, Ss, Later) :-
     next_fact(Text, Fact, Place),
@@ -138,9 +138,12 @@ streamed(Text, Shift, Ss0, Ss, Later) :-
         streamed(Text, Shift, Ss1, Ss, Later1)
     ).
 
+%   with_segment(Row, Ss0, Ss): rows of a segment mostly follow one another; one
+%   that comes back is there again.
+
 with_segment(Row, Ss0, Ss) :-
     (   segment_of(Row, S),
-        \+ memberchk(S, Ss0)
+        Ss0 \= [S|_]
     ->  Ss = [S|Ss0]
     ;   Ss = Ss0
     ).
@@ -526,7 +529,6 @@ add_shape(Kind, Term, Points, Chains, S) :-
         sg_model_file:new_segment(Kind, Term, Points, Chains, S)).
 
 new_segment(Kind, Term, Points, Chains, S) :-
-    greatest(Last, segment(Last, _, _), Last0),
-    S is Last0+1,
+    fresh_id(segment, 0, S),
     assert_fact(segment(S, Kind, Term)),
     shape_added(Kind, S, Points, Chains, none).

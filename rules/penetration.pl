@@ -36,10 +36,11 @@
 :- use_module(stage, [stage/2]).
 :- use_module(store, [segment/3, facts_snapshot/1, facts_transaction/1]).
 :- use_module(library(apply), [maplist/2, partition/4]).
+:- use_module(library(assoc), [get_assoc/3, ord_list_to_assoc/2]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/2]).
-:- use_module(library(ordsets), [ord_memberchk/2, ord_union/3]).
+:- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
 
 /** <module> Penetration lines: where segments go through each other.
 
@@ -137,13 +138,10 @@ penetrate(Which, Options) :-
 
 pairs_with_themselves(Pairs) :-
     aside_segments(Aside),
-    findall(S,
-            ( segment(S, Kind, _),
-              Kind \== curve,
-              \+ ord_memberchk(S, Aside),
-              \+ were_cut(S, S)
-            ),
-            Ss),
+    findall(S, ( segment(S, Kind, _), Kind \== curve ), All0),
+    sort(All0, All),
+    ord_subtract(All, Aside, Own),
+    findall(S, ( member(S, Own), \+ were_cut(S, S) ), Ss),
     partition(joined_segment, Ss, Joins, Others),
     segments_meeting_themselves(Others, Meeting),
     findall(S-S, ( member(S, Joins) ; member(S, Meeting) ), Pairs0),
@@ -152,10 +150,12 @@ pairs_with_themselves(Pairs) :-
 pairs_to_cut(all, Tolerance, Pairs) :-
     !,
     aside_segments(Aside),
+    findall(S-aside, member(S, Aside), Marked),
+    ord_list_to_assoc(Marked, Marks),
     findall(S1-S2,
             ( near_segments(Tolerance, S1, S2),
-              \+ ord_memberchk(S1, Aside),
-              \+ ord_memberchk(S2, Aside),
+              \+ get_assoc(S1, Marks, _),
+              \+ get_assoc(S2, Marks, _),
               may_cut(S1, S2)
             ),
             Pairs).

@@ -69,6 +69,28 @@ test_sweep(void)
   sg_world_drop(world);
 }
 
+/* Who looks for a segment passes pages by that cannot have it. */
+static void
+test_spans(void)
+{
+  sg_world *world = sg_world_open();
+  bool right = fill_vertices(world, 1, 1, SG_PAGE_ROWS) &&
+               fill_vertices(world, 7, 1, SG_PAGE_ROWS) &&
+               fill_vertices(world, 3, 1, 10) &&
+               fill_vertices(world, 9, 1, 8 * SG_PAGE_ROWS);
+  const sg_version *version = sg_world_version(world);
+  sg_view view;
+
+  CHECK("rows of four segments, and a view",
+        right && sg_version_view(version, SG_V, &view));
+  CHECK("a page of one", view.span[0][0] == 1 && view.span[0][1] == 1);
+  CHECK("a page of two", view.span[2][0] == 3 && view.span[2][1] == 9);
+  CHECK("valid", sg_world_is_valid(world));
+  sg_view_clear(&view);
+  sg_version_drop(version);
+  sg_world_drop(world);
+}
+
 /* A version of some segments: it keeps their rows, and lets others go. */
 static void
 test_narrow(void)
@@ -316,6 +338,7 @@ int
 main(void)
 {
   test_sweep();
+  test_spans();
   test_narrow();
   test_bulk();
   test_view();

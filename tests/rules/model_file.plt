@@ -23,6 +23,37 @@ with_file(Text, File, Goal) :-
         ),
         delete_file(File)).
 
+%   joins_inferences(N, Load, Cut): what it takes to load a file of N joins of
+%   two boxes each, apart from one another, and to cut them: a count, so the same
+%   on any machine.
+
+joins_inferences(N, Load, Cut) :-
+    findall(Line, ( between(1, N, I), join_line(I, Line) ), Lines),
+    atomic_list_concat(Lines, Text),
+    with_file(Text, File,
+              in_new_world(( inferences(load_model(File), Load),
+                             inferences(penetrate, Cut) ))).
+
+join_line(I, Line) :-
+    X is 3*I,
+    format(atom(Line),
+           "segment(~d, solid, join([at([translate(~w,0,0)], \c
+            box(size(1,1,1))), at([translate(~w,0.5,0)], \c
+            box(size(1,1,1)))])).~n",
+           [I,X,X]).
+
+truth(Goal, Truth) :-
+    (   Goal
+    ->  Truth = true
+    ;   Truth = false
+    ).
+
+inferences(Goal, N) :-
+    statistics(inferences, N0),
+    call(Goal),
+    statistics(inferences, N1),
+    N is N1-N0.
+
 % What reading Text raises, where; and the world stays as it was.
 fault(Text, What, Line:Column) :-
     with_file(Text, File,
@@ -165,6 +196,15 @@ test(canonical_line, Line == "v(1, 1, 0.1, -2.0e-7, 3.0)") :-
                ( world_text(Text),
                  split_string(Text, "\n", ".", Lines),
                  nth1(4, Lines, Line) )).
+
+%   Twice as many joins take twice as long, but for a twentieth.
+
+test(many_joins, [true([LoadTwice,CutTwice] == [true,true])]) :-
+    joins_inferences(20, _, _),         % what is loaded at the first use
+    joins_inferences(100, Load1, Cut1),
+    joins_inferences(200, Load2, Cut2),
+    truth(Load2 < 2.1*Load1, LoadTwice),
+    truth(Cut2 < 2.1*Cut1, CutTwice).
 
 :- end_tests(model_file).
 
