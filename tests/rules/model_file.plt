@@ -24,8 +24,8 @@ with_file(Text, File, Goal) :-
         delete_file(File)).
 
 %   joins_inferences(N, Load, Cut): what it takes to load a file of N joins of
-%   two boxes each, apart from one another, and to cut them: a count, so the same
-%   on any machine.
+%   two boxes each, apart from one another, and to cut them: a count, so the
+%   same on any machine.
 
 joins_inferences(N, Load, Cut) :-
     findall(Line, ( between(1, N, I), join_line(I, Line) ), Lines),
