@@ -7,6 +7,8 @@
               ]).
 :- use_module(triangulation, [complete_segments/1]).
 :- use_module(true_convex, [convex_resized/3]).
+:- use_module(vector,
+              [difference/3, dot_product/3, scaled/3, unit/2, vector_sum/3]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [member/2]).
 /** <module> The other surface of a plate with flat faces.
@@ -50,19 +52,18 @@ written(S, Places, S1) :-
 
 edges_kept(S, S1) :-
     \+ ( e(S, E, A, B, _),
-         edge_way(S, A, B, way(X1,Y1,Z1)),
+         edge_way(S, A, B, Way0),
          e(S1, E, _, _, _),
-         edge_way(S1, A, B, way(X2,Y2,Z2)),
-         X1*X2 + Y1*Y2 + Z1*Z2 =< 0.0
+         edge_way(S1, A, B, Way),
+         dot_product(Way0, Way, Along),
+         Along =< 0.0
        ).
 
-edge_way(S, A, B, way(X,Y,Z)) :-
+edge_way(S, A, B, Way) :-
     v(S, A, X1, Y1, Z1),
     v(S, B, X2, Y2, Z2),
     !,
-    X is X2-X1,
-    Y is Y2-Y1,
-    Z is Z2-Z1.
+    difference(p(X2,Y2,Z2), p(X1,Y1,Z1), Way).
 
 %   vertex_moved(S, By, V, Place): by the shortest way W with N*W = By for the
 %   unit normals N of all faces at V.
@@ -72,20 +73,17 @@ vertex_moved(S, By, V, point(X,Y,Z)) :-
     !,
     findall(Normal, normal_at(S, V, Normal), Normals0),
     sort(Normals0, Normals),
-    foldl(plane_moved(By), Normals, moved(way(0.0,0.0,0.0), []),
-          moved(way(DX,DY,DZ), _)),
+    foldl(plane_moved(By), Normals, moved(p(0.0,0.0,0.0), []),
+          moved(p(DX,DY,DZ), _)),
     X is X0+DX,
     Y is Y0+DY,
     Z is Z0+DZ.
 
-normal_at(S, V, way(A,B,C)) :-
+normal_at(S, V, Normal) :-
     e(S, E, V, _, _),
     edge_polygon(S, E, P),
-    plane(S, P, A0, B0, C0, _),
-    Length is sqrt(A0*A0 + B0*B0 + C0*C0),
-    A is A0/Length,
-    B is B0/Length,
-    C is C0/Length.
+    plane(S, P, A, B, C, _),
+    unit(p(A,B,C), Normal).
 
 %   plane_moved(By, Normal, Moved0, Moved): Moved is moved(Way, Basis), Basis
 %   unit vectors at right angles that span the normals so far. What a normal has
@@ -93,14 +91,14 @@ normal_at(S, V, way(A,B,C)) :-
 
 plane_moved(By, Normal, moved(Way0, Basis0), moved(Way, Basis)) :-
     foldl(less_along, Basis0, Normal, Rest),
-    dot(Rest, Rest, Square),
-    dot(Normal, Way0, Done),
+    dot_product(Rest, Rest, Square),
+    dot_product(Normal, Way0, Done),
     Left is By-Done,
     (   Square > 1.0e-12
     ->  F is Left/Square,
         added(Way0, F, Rest, Way),
         G is 1.0/sqrt(Square),
-        added(way(0.0,0.0,0.0), G, Rest, Unit),
+        added(p(0.0,0.0,0.0), G, Rest, Unit),
         Basis = [Unit|Basis0]
     ;   abs(Left) =< 1.0e-6*abs(By),
         Way = Way0,
@@ -108,14 +106,10 @@ plane_moved(By, Normal, moved(Way0, Basis0), moved(Way, Basis)) :-
     ).
 
 less_along(Unit, Way0, Way) :-
-    dot(Unit, Way0, Along),
+    dot_product(Unit, Way0, Along),
     F is -Along,
     added(Way0, F, Unit, Way).
 
-added(way(X0,Y0,Z0), F, way(A,B,C), way(X,Y,Z)) :-
-    X is X0 + F*A,
-    Y is Y0 + F*B,
-    Z is Z0 + F*C.
-
-dot(way(X1,Y1,Z1), way(X2,Y2,Z2), Dot) :-
-    Dot is X1*X2 + Y1*Y2 + Z1*Z2.
+added(Way0, F, Normal, Way) :-
+    scaled(F, Normal, More),
+    vector_sum(Way0, More, Way).

@@ -2,6 +2,10 @@
           [ transition_points/3         % +Facets, +Shape, -Pairs
           ]).
 :- use_module(true_shape, [key_place/4]).
+:- use_module(vector,
+              [ cross_product/3, difference/3, dot_product/3, unit/2,
+                vector_sum/3
+              ]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc),
               [assoc_to_list/2, get_assoc/3, list_to_assoc/2, put_assoc/4]).
@@ -44,7 +48,7 @@ first_laid(Facets, Nodes, Placed) :-
     space_point(Nodes, A, P),
     space_point(Nodes, B, Q),
     difference(Q, P, D),
-    dot(D, D, Square),
+    dot_product(D, D, Square),
     Length is sqrt(Square),
     (   H1 > H2
     ->  list_to_assoc([A-(0.0-Length),B-(0.0-0.0)], Placed)
@@ -73,9 +77,10 @@ all_laid(Facets0, Nodes, Placed0, Placed) :-
 facet_laid(Halves, A, B, Nodes, Placed0, Placed) :-
     space_point(Nodes, A, P),
     space_point(Nodes, B, Q),
-    unit_difference(Q, P, Along),
+    difference(Q, P, Way),
+    unit(Way, Along),
     normal(Halves, Nodes, Normal),
-    cross(Normal, Along, Left),
+    cross_product(Normal, Along, Left),
     get_assoc(A, Placed0, AX-AY),
     get_assoc(B, Placed0, BX-BY),
     Length is sqrt((BX-AX)**2 + (BY-AY)**2),
@@ -90,15 +95,15 @@ vertex_laid(Nodes, P, Along, Left, AX-AY, CX-CY, half(Key, _, _), Placed0,
     ->  Placed = Placed0
     ;   space_point(Nodes, Key, R),
         difference(R, P, D),
-        dot(D, Along, U),
-        dot(D, Left, V),
+        dot_product(D, Along, U),
+        dot_product(D, Left, V),
         X is AX + U*CX - V*CY,
         Y is AY + U*CY + V*CX,
         put_assoc(Key, Placed0, X-Y, Placed)
     ).
 
-space_point(Nodes, k(Id, _), Point) :-
-    get_assoc(Id, Nodes, node(_, _, Point, _)).
+space_point(Nodes, k(Id, _), p(X,Y,Z)) :-
+    get_assoc(Id, Nodes, node(_, _, point(X,Y,Z), _)).
 
 %   normal(Halves, Nodes, Normal): unit, by the cross products of the half-edges
 %   seen from one of them.
@@ -106,38 +111,13 @@ space_point(Nodes, k(Id, _), Point) :-
 normal(Halves, Nodes, Normal) :-
     Halves = [half(First, _, _)|_],
     space_point(Nodes, First, O),
-    foldl(half_cross(Nodes, O), Halves, vector(0.0,0.0,0.0), Sum),
+    foldl(half_cross(Nodes, O), Halves, p(0.0,0.0,0.0), Sum),
     unit(Sum, Normal).
 
-half_cross(Nodes, O, half(A, B, _), vector(X0,Y0,Z0), vector(X,Y,Z)) :-
+half_cross(Nodes, O, half(A, B, _), Sum0, Sum) :-
     space_point(Nodes, A, P),
     space_point(Nodes, B, Q),
     difference(P, O, U),
     difference(Q, O, V),
-    cross(U, V, vector(X1,Y1,Z1)),
-    X is X0+X1,
-    Y is Y0+Y1,
-    Z is Z0+Z1.
-
-difference(point(X1,Y1,Z1), point(X2,Y2,Z2), vector(X,Y,Z)) :-
-    X is X1-X2,
-    Y is Y1-Y2,
-    Z is Z1-Z2.
-
-unit_difference(P, Q, Unit) :-
-    difference(P, Q, D),
-    unit(D, Unit).
-
-unit(vector(X0,Y0,Z0), vector(X,Y,Z)) :-
-    Length is sqrt(X0*X0 + Y0*Y0 + Z0*Z0),
-    X is X0/Length,
-    Y is Y0/Length,
-    Z is Z0/Length.
-
-cross(vector(X1,Y1,Z1), vector(X2,Y2,Z2), vector(X,Y,Z)) :-
-    X is Y1*Z2 - Z1*Y2,
-    Y is Z1*X2 - X1*Z2,
-    Z is X1*Y2 - Y1*X2.
-
-dot(vector(X1,Y1,Z1), vector(X2,Y2,Z2), Dot) :-
-    Dot is X1*X2 + Y1*Y2 + Z1*Z2.
+    cross_product(U, V, W),
+    vector_sum(Sum0, W, Sum).
