@@ -51,9 +51,8 @@ shrink(double (*u)[3], size_t n)
 
 /* -------------------------------------------------------------- the eye */
 
-/* The direction from a point to the eye, unit. */
-static void
-to_eye(const sg_contour_input *in, const double p[3], double out[3])
+void
+sg_contour_to_eye(const sg_contour_input *in, const double p[3], double out[3])
 {
   const double *away = in->eye.row[2];
   double size;
@@ -90,18 +89,12 @@ find_g(sg_contour_finder *f, const sg_poll *poll)
       return false;
     }
     if (smooth->curved[i / 3]) {
-      to_eye(f->in, f->in->dense->at[sg_contour_vertex(f, i)], eye);
+      sg_contour_to_eye(f->in, f->in->dense->at[sg_contour_vertex(f, i)], eye);
       f->g[fan] = sg_dot(smooth->normal[fan], eye);
       f->g[fan] = fabs(f->g[fan]) < ZERO ? 0.0 : f->g[fan];
     }
   }
   return true;
-}
-
-static bool
-is_towards(const sg_contour_finder *f, uint32_t corner)
-{
-  return sg_contour_g(f, corner) >= 0.0;
 }
 
 /* --------------------------------------------------------- the triangles */
@@ -129,8 +122,8 @@ kind_of(const sg_contour_finder *f, uint32_t t)
 
   for (uint32_t i = 3 * t; i < 3 * t + 3; i++) {
     if (f->in->smooth->curved[t] && !sg_contour_is_apex(f, i)) {
-      towards += is_towards(f, i);
-      away += !is_towards(f, i);
+      towards += sg_contour_is_towards(f, i);
+      away += !sg_contour_is_towards(f, i);
     }
   }
   return face > 0 && away == 0      ? SG_CONTOUR_TOWARDS
@@ -147,21 +140,18 @@ zero_of(const sg_contour_finder *f, uint32_t a, uint32_t b)
   return sg_contour_g(f, a) / (sg_contour_g(f, a) - sg_contour_g(f, b));
 }
 
-/* The same in the picture, counted from the smaller vertex. */
-static double
-zero_in_picture(const sg_contour_finder *f, uint32_t a, uint32_t b)
+double
+sg_contour_zero(const sg_contour_finder *f, uint32_t side)
 {
   double(*at)[3] = f->in->dense->at;
+  uint32_t a = side, b = sg_contour_next(side);
   uint32_t v = sg_contour_vertex(f, a), w = sg_contour_vertex(f, b);
-  double zero, near_v, near_w;
+  double zero, near_low, near_high;
 
-  if (v > w) {
-    return zero_in_picture(f, b, a);
-  }
-  zero = zero_of(f, a, b);
-  near_v = (1.0 - zero) * distance(f->in, at[v]);
-  near_w = zero * distance(f->in, at[w]);
-  return near_w / (near_v + near_w);
+  zero = v < w ? zero_of(f, a, b) : zero_of(f, b, a);
+  near_low = (1.0 - zero) * distance(f->in, at[v < w ? v : w]);
+  near_high = zero * distance(f->in, at[v < w ? w : v]);
+  return near_high / (near_low + near_high);
 }
 
 /* End `end` of a piece is at corner `corner` of its triangle. */
@@ -176,20 +166,31 @@ end_at_corner(const sg_contour_finder *f, sg_contour *piece, int end,
       sg_contour_vertex(f, corner) < sg_contour_vertex(f, next) ? 0.0 : 1.0;
 }
 
-/* End `end` of a piece is on a side whose corners differ, or, where the sheet
- * ends there, at one of them. */
+bool
+sg_contour_bulges(const sg_contour_finder *f, uint32_t t)
+{
+  const uint8_t *side = f->in->smooth->side + 3 * (size_t)t;
+
+  return (side[0] | side[1] | side[2]) & SG_SIDE_BULGES;
+}
+
+/* End `end` of a piece is on a side whose corners differ: at its zero. Where
+ * the sheet ends and a smooth surface would bulge, at the corner at which the
+ * triangles turn from the eye: there the line is outermost in the picture. */
 static void
 end_on_side(const sg_contour_finder *f, sg_contour *piece, int end,
             uint32_t side)
 {
   uint32_t next = sg_contour_next(side);
+  bool away = f->face[side / 3] < 0;
 
-  if (f->in->smooth->side[side] & SG_SIDE_SMOOTH) {
+  if ((f->in->smooth->side[side] & SG_SIDE_SMOOTH) ||
+      !sg_contour_bulges(f, side / 3)) {
     piece->side[end] = (uint8_t)(side % 3);
-    piece->at[end] = zero_in_picture(f, side, next);
+    piece->at[end] = sg_contour_zero(f, side);
   } else {
-    bool away = f->face[side / 3] < 0;
-    end_at_corner(f, piece, end, is_towards(f, side) == away ? side : next);
+    end_at_corner(f, piece, end,
+                  sg_contour_is_towards(f, side) == away ? side : next);
   }
 }
 
@@ -232,8 +233,8 @@ sg_contour_across(const sg_contour_finder *f, uint32_t t, sg_contour *piece)
     if (sg_contour_is_apex(f, i)) {
       apex = i;
     } else if (!sg_contour_is_apex(f, next) &&
-               is_towards(f, i) != is_towards(f, next)) {
-      end = is_towards(f, i) ? 0 : 1;
+               sg_contour_is_towards(f, i) != sg_contour_is_towards(f, next)) {
+      end = sg_contour_is_towards(f, i) ? 0 : 1;
       end_on_side(f, piece, end, i);
       ends++;
     }
@@ -242,7 +243,8 @@ sg_contour_across(const sg_contour_finder *f, uint32_t t, sg_contour *piece)
     end_at_corner(f, piece, 1 - end, apex);
     ends = 2;
   }
-  piece->to = f->sense[t] >= 0 || !is_solid(f, t) ? 1.0 : 0.0;
+  piece->sense = f->sense[t] < 0 ? -1 : 1;
+  piece->to = piece->sense > 0 || !is_solid(f, t) ? 1.0 : 0.0;
   return ends == 2;
 }
 
@@ -299,14 +301,6 @@ turns(const sg_contour_finder *f, uint32_t side)
          (f->face[side / 3] > 0) != (f->face[across / 3] > 0);
 }
 
-static bool
-bulges(const sg_contour_finder *f, uint32_t t)
-{
-  const uint8_t *side = f->in->smooth->side + 3 * (size_t)t;
-
-  return (side[0] | side[1] | side[2]) & SG_SIDE_BULGES;
-}
-
 /* Whether a side of a sheet that is drawn as smooth, at which triangles turn
  * from the eye, may be seen beside its outline: not if the sheet is never seen
  * there from the side it bends to. */
@@ -318,7 +312,7 @@ stands_in(const sg_contour_finder *f, uint32_t side)
 
   return (flags & SG_SIDE_SMOOTH) &&
          ((flags & SG_SIDE_CONVEX) || !is_solid(f, t)) &&
-         (bulges(f, t) || bulges(f, u));
+         (sg_contour_bulges(f, t) || sg_contour_bulges(f, u));
 }
 
 /* Whether a side at which triangles turn from the eye is an outline: of a
@@ -366,6 +360,36 @@ push_across(sg_contour_finder *f, uint32_t t)
          !has_length(f, &piece) || push_piece(f->out, &piece);
 }
 
+static bool
+push_turn(sg_contours *out, const sg_turn *turn)
+{
+  if (out->turns == out->turn_room) {
+    size_t more = out->turn_room ? 2 * out->turn_room : 64;
+    sg_turn *wider = realloc(out->turn, more * sizeof *wider);
+    if (!wider) {
+      return false;
+    }
+    out->turn = wider;
+    out->turn_room = more;
+  }
+  out->turn[out->turns++] = *turn;
+  return true;
+}
+
+/* False: no memory. */
+static bool
+push_turns(sg_contour_finder *f, uint32_t t)
+{
+  sg_turn turn;
+
+  for (uint32_t side = 3 * t; side < 3 * t + 3; side++) {
+    if (sg_contour_turn(f, side, &turn) && !push_turn(f->out, &turn)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /* How triangles lie to the eye, and the senses of their pieces. False: stopped.
  */
 static bool
@@ -396,7 +420,7 @@ find_pieces(sg_contour_finder *f, const sg_poll *poll, bool *memory)
     if (t % POLL_EVERY == 0 && sg_poll_stop(poll)) {
       return false;
     }
-    if (!push_across(f, t) || !push_sides(f, t)) {
+    if (!push_across(f, t) || !push_sides(f, t) || !push_turns(f, t)) {
       *memory = false;
       return false;
     }
@@ -404,16 +428,27 @@ find_pieces(sg_contour_finder *f, const sg_poll *poll, bool *memory)
   return true;
 }
 
+/* False: no memory. */
+static bool
+find_beside(sg_contour_finder *f, sg_contour *piece)
+{
+  return piece->to == 0.0 || !has_length(f, piece) ||
+         sg_contour_find_beside(f, piece);
+}
+
 /* False: stopped, or no memory. */
 static bool
 find_besides(sg_contour_finder *f, const sg_poll *poll, bool *memory)
 {
-  for (size_t i = 0; i < f->out->n; i++) {
+  sg_contours *out = f->out;
+
+  for (size_t i = 0; i < out->n + out->turns; i++) {
+    sg_contour *piece =
+        i < out->n ? &out->piece[i] : &out->turn[i - out->n].seen;
     if (i % POLL_PIECES == 0 && sg_poll_stop(poll)) {
       return false;
     }
-    if (f->out->piece[i].to > 0.0 &&
-        !sg_contour_find_beside(f, &f->out->piece[i])) {
+    if (!find_beside(f, piece)) {
       *memory = false;
       return false;
     }
@@ -458,6 +493,7 @@ void
 sg_contours_clear(sg_contours *contours)
 {
   free(contours->piece);
+  free(contours->turn);
   free(contours->beside);
   *contours = (sg_contours){0};
 }

@@ -7,10 +7,11 @@
  * differ runs one piece. Zero counts as turned to the eye, so that pieces hang
  * together whatever lies where.
  *
- * Where a piece reaches the end of its sheet (a crease, a border, a penetration
- * line) it goes to that end of the side there at which the triangles themselves
- * turn from the eye: there the crease is outermost in the picture, and the two
- * meet. At an apex, which has no normal, a piece ends in it.
+ * A piece that reaches the end of its sheet (a crease, a border, a penetration
+ * line) ends there, at the zero of the side. Where a smooth surface would bulge
+ * at its triangle (SG_SIDE_BULGES), it goes to that end of the side at which
+ * the triangles themselves turn from the eye: there the line is outermost in
+ * the picture. At an apex, which has no normal, it ends in it.
  *
  * What is hidden. Of the surface beside an outline one half is nearer the eye.
  * If g is positive there, the surface bends away from the line of sight; if
@@ -38,9 +39,23 @@
  * a smooth surface would bulge at one of the two triangles; of a solid only
  * where the surface bends down, for else its own triangles hide it.
  *
+ * Lines on a smooth surface (creases, penetration lines, borders) are turned to
+ * the eye, or from it, as the surface is, not as the triangles are. Where both
+ * say the same of a side nothing is told of it, nor where a smooth surface
+ * would bulge. Else it has a *turn*, which says what the surface itself hides
+ * of the line: the part under whose surface the eye is (g < 0); of a solid, if
+ * the other face goes down from the line, only where the eye is under that,
+ * too, and if that goes up, all of the line if the eye is under that
+ * everywhere; of an open surface only if its triangle runs from the line
+ * towards the eye. The rest is not hidden by what is beside it, found as for a
+ * piece. So what is seen of a line ends where the outline does. If the surface
+ * bends towards the line of sight (the half with g < 0 is nearer), the back of
+ * an open one is what is seen, and towards and away change places; a solid
+ * hides the line on both sides of the outline, with its triangles.
+ *
  * Source: Hertzmann & Zorin 2000, Illustrating smooth surfaces, section 3
- * (interpolated contours); cusps, what is beside a piece and what stands in are
- * ours.
+ * (interpolated contours); cusps, what is beside a piece, what stands in, and
+ * turns are ours.
  */
 #ifndef SG_CONTOUR_H
 #define SG_CONTOUR_H
@@ -67,17 +82,28 @@ typedef struct sg_contour {
   uint32_t t;
   uint8_t side[2]; /* 0 to 2 */
   double at[2];
-  double to;  /* 1: the surface beside it does not hide it, 0: it does;
-                 SG_STANDS_IN */
-  bool along; /* it is a side, from end to end */
+  double to;    /* 1: the surface beside it does not hide it, 0: it does;
+                   SG_STANDS_IN */
+  bool along;   /* it is a side, from end to end */
+  int8_t sense; /* -1: the half with g < 0 is the nearer one, else 1 */
   size_t beside, besides; /* its places in sg_contours.beside */
 } sg_contour;
 
+/* A line along a side whose surface is turned to the eye otherwise than the
+ * triangle is. */
+typedef struct sg_turn {
+  sg_contour seen; /* the part that the surface does not hide: on one side; its
+                      `to` is 0 if there is none */
+  double from,
+      to; /* the part that it hides, counted as `at`; from == to: none */
+} sg_turn;
+
 typedef struct sg_contours {
   sg_contour *piece; /* [n], by triangle */
+  sg_turn *turn;     /* [turns], by triangle and side */
   uint32_t *beside; /* [besides]: triangles, of each piece in ascending order */
-  size_t n, besides;
-  size_t room, beside_room;
+  size_t n, turns, besides;
+  size_t room, turn_room, beside_room;
 } sg_contours;
 
 /* False: stopped by the poll, or no memory (then *memory is false). The caller

@@ -62,21 +62,53 @@ typedef struct rows {
   int32_t s, k; /* of the row written last */
 } rows;
 
+/* A relation whose rows are made of the outlines; its last column is what lies
+ * beside them. */
+typedef struct kind {
+  sg_relation relation;
+  unsigned last;
+  const sg_contour *(*piece)(const sg_contours *contours, size_t i);
+  void (*write)(rows *r, const sg_sheet_page *page, size_t i);
+} kind;
+
+static const sg_contour *
+piece_at(const sg_contours *contours, size_t i)
+{
+  return &contours->piece[i];
+}
+
+static const sg_contour *
+seen_at(const sg_contours *contours, size_t i)
+{
+  return &contours->turn[i].seen;
+}
+
 static bool
-make_lists(const rows *r, sg_append *a)
+make_lists(const rows *r, const kind *of, sg_append *a)
 {
   int32_t length[SG_PAGE_ROWS];
 
   for (size_t k = 0; k < a->sheet.pages; k++) {
     const sg_sheet_page *page = &a->sheet.page[k];
     for (size_t i = 0; i < page->n; i++) {
-      length[i] = (int32_t)r->contours->piece[page->from + i].besides;
+      length[i] = (int32_t)of->piece(r->contours, page->from + i)->besides;
     }
-    if (!sg_append_lists(a, k, 8, length)) {
+    if (!sg_append_lists(a, k, of->last, length)) {
       return false;
     }
   }
   return true;
+}
+
+/* What lies beside a piece, after its length. */
+static void
+write_beside(const rows *r, const sg_contour *piece, int32_t *list)
+{
+  list[0] = (int32_t)piece->besides;
+  for (size_t j = 0; j < piece->besides; j++) {
+    uint32_t t = r->contours->beside[piece->beside + j];
+    list[j + 1] = r->dense->triangle_id[t];
+  }
 }
 
 static void
@@ -97,32 +129,54 @@ write_row(rows *r, const sg_sheet_page *page, size_t i)
   c[5].i[i] = piece->side[1] + 1;
   c[6].f[i] = piece->at[1] + 0.0;
   c[7].f[i] = piece->to + 0.0;
-  c[8].list[i][0] = (int32_t)piece->besides;
-  for (size_t j = 0; j < piece->besides; j++) {
-    uint32_t t = r->contours->beside[piece->beside + j];
-    c[8].list[i][j + 1] = d->triangle_id[t];
-  }
+  write_beside(r, piece, c[8].list[i]);
+}
+
+static void
+write_turn(rows *r, const sg_sheet_page *page, size_t i)
+{
+  const sg_turn *turn = &r->contours->turn[page->from + i];
+  const sg_dense *d = r->dense;
+  const sg_blank *c = page->column;
+  uint32_t t = turn->seen.t;
+
+  c[0].i[i] = d->segment[sg_dense_segment_of(d, d->triangle_begin, t)];
+  c[1].i[i] = d->triangle_id[t];
+  c[2].i[i] = turn->seen.side[0] + 1;
+  c[3].f[i] = turn->from + 0.0;
+  c[4].f[i] = turn->to + 0.0;
+  write_beside(r, &turn->seen, c[5].list[i]);
 }
 
 static int
-replace_rows_ex(sg_world *world, rows *r)
+replace_relation_ex(sg_world *world, rows *r, const kind *of, size_t n)
 {
   sg_append a;
   bool good;
 
-  if (!sg_world_retract_all(world, SG_CONTOUR) ||
-      !sg_append_open(&a, world, SG_CONTOUR, r->contours->n)) {
+  if (!sg_world_retract_all(world, of->relation) ||
+      !sg_append_open(&a, world, of->relation, n)) {
     return sg_no_memory();
   }
-  good = make_lists(r, &a);
+  good = make_lists(r, of, &a);
   for (size_t k = 0; good && k < a.sheet.pages; k++) {
     for (size_t i = 0; i < a.sheet.page[k].n; i++) {
-      write_row(r, &a.sheet.page[k], i);
+      of->write(r, &a.sheet.page[k], i);
     }
   }
   good = good && sg_append_commit(&a);
   sg_append_close(&a);
   return good || sg_no_memory();
+}
+
+static int
+replace_rows_ex(sg_world *world, rows *r)
+{
+  static const kind pieces = {SG_CONTOUR, 8, piece_at, write_row};
+  static const kind turns = {SG_SURFACE_TURN, 5, seen_at, write_turn};
+
+  return replace_relation_ex(world, r, &pieces, r->contours->n) &&
+         replace_relation_ex(world, r, &turns, r->contours->turns);
 }
 
 /* --------------------------------------------------------------- finding */

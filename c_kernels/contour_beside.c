@@ -43,7 +43,7 @@ strip_open(strip *out, const sg_contour_finder *f, const sg_contour *piece)
           out->outward[k] * (n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]);
     }
   }
-  out->sense = f->sense[piece->t] < 0 ? -1 : 1;
+  out->sense = piece->sense;
   if ((lean < 0.0) != (out->sense < 0)) {
     out->outward[0] = -out->outward[0];
     out->outward[1] = -out->outward[1];

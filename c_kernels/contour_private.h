@@ -54,6 +54,21 @@ sg_contour_is_apex(const sg_contour_finder *f, uint32_t corner)
   return f->in->smooth->apex[f->in->smooth->fan[corner]];
 }
 
+/* Zero counts as turned to the eye. */
+static inline bool
+sg_contour_is_towards(const sg_contour_finder *f, uint32_t corner)
+{
+  return sg_contour_g(f, corner) >= 0.0;
+}
+
+/* The direction from a point of the model to the eye, unit. */
+void sg_contour_to_eye(const sg_contour_input *in, const double p[3],
+                       double out[3]);
+
+/* Where g is zero on a side whose corners differ: 0 at its smaller vertex, 1 at
+ * the other, in the picture. */
+double sg_contour_zero(const sg_contour_finder *f, uint32_t side);
+
 /* Where a piece begins or ends in the picture. */
 void sg_contour_point(const sg_contour_finder *f, const sg_contour *piece,
                       int end, double out[3]);
@@ -62,6 +77,14 @@ void sg_contour_point(const sg_contour_finder *f, const sg_contour *piece,
  * from outside. False: there is none. */
 bool sg_contour_across(const sg_contour_finder *f, uint32_t t,
                        sg_contour *piece);
+
+/* True if triangle t is of no known surface, and a smooth one would bulge at a
+ * side of it (SG_SIDE_BULGES). */
+bool sg_contour_bulges(const sg_contour_finder *f, uint32_t t);
+
+/* False: there, the line is turned to the eye as the triangle is, or none runs
+ * there on a smooth surface. What is beside it is left open. */
+bool sg_contour_turn(const sg_contour_finder *f, uint32_t side, sg_turn *out);
 
 /* Appends what is beside the piece, and says how much. False: no memory. */
 bool sg_contour_find_beside(sg_contour_finder *f, sg_contour *piece);

@@ -76,7 +76,7 @@ has_corner(const sg_scene_mask *mask, uint32_t v)
 }
 
 /* Whether the line lies on the triangle, as the model has it: as its side, as
- * an edge of its polygon, or as an added line that says so. */
+ * an edge of its polygon, or as is said of it. */
 static bool
 lies_on(const sg_scene *scene, const sg_scene_line *line,
         const sg_scene_mask *mask)
@@ -86,16 +86,16 @@ lies_on(const sg_scene *scene, const sg_scene_line *line,
   if (has_corner(mask, line->a) && has_corner(mask, line->b)) {
     return true;
   }
-  if (line->number != UINT32_MAX) {
-    return sg_scene_lies_on(scene->model, line->number,
-                            scene->model->dense.polygon_of[mask->triangle]);
-  }
-  for (uint32_t i = scene->lies_begin[k]; i < scene->lies_begin[k + 1]; i++) {
-    if (scene->lies_on[i] == mask->triangle) {
-      return true;
+  if (scene->lies_begin) {
+    for (uint32_t i = scene->lies_begin[k]; i < scene->lies_begin[k + 1]; i++) {
+      if (scene->lies_on[i] == mask->triangle) {
+        return true;
+      }
     }
   }
-  return false;
+  return line->number != UINT32_MAX &&
+         sg_scene_lies_on(scene->model, line->number,
+                          scene->model->dense.polygon_of[mask->triangle]);
 }
 
 static bool

@@ -41,7 +41,7 @@ typedef struct sg_overlap {
 /* The part of the line that the mask hides; false: none. The line is one of
  * scene->line. The mask never hides a line that lies on it: between two of its
  * corners, an edge of its polygon (or a copy of one, by a penetration line), or
- * added as lying on it; nor one in its plane. What stands in is hidden by a
+ * said to lie on it; nor one in its plane. What stands in is hidden by a
  * mask behind it too, if that is near: there the surface goes on. */
 bool sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
                    const sg_scene_line *line, sg_hidden *out);

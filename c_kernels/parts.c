@@ -264,9 +264,9 @@ least_of(const work *w, size_t k)
   return SG_SHORTEST / w->grid.stretch[w->grid.place[k]].length;
 }
 
-/* Among the sorted parts, the one from `from` to the line's end. */
+/* Puts a fold among the sorted parts. */
 static bool
-insert_fold(sg_hiddens *parts, double from)
+insert_fold(sg_hiddens *parts, const sg_scene_fold *fold)
 {
   size_t i = parts->n;
 
@@ -279,11 +279,44 @@ insert_fold(sg_hiddens *parts, double from)
     parts->part = wider;
     parts->room = more;
   }
-  for (; i > 0 && parts->part[i - 1].from > from; i--) {
+  for (; i > 0 && parts->part[i - 1].from > fold->from; i--) {
     parts->part[i] = parts->part[i - 1];
   }
-  parts->part[i] = (sg_hidden){.from = from, .to = 1.0};
+  parts->part[i] = (sg_hidden){.from = fold->from, .to = fold->to};
   parts->n++;
+  return true;
+}
+
+static bool
+hides(const work *w, const sg_scene_line *line, const sg_scene_fold *fold)
+{
+  return !sg_hide_sees_through(w->through, line->s, fold->s);
+}
+
+/* Whether all of a line is hidden at once: step 2, or it lies on a surface that
+ * hides all of it. */
+static bool
+is_hidden(const work *w, const sg_scene_line *line, sg_scene_folds on)
+{
+  for (size_t i = 0; i < on.n; i++) {
+    if (on.at[i].from <= 0.0 && on.at[i].to >= 1.0 &&
+        hides(w, line, &on.at[i])) {
+      return true;
+    }
+  }
+  return sg_look_is_back(&line->look) &&
+         !sg_hide_sees_through(w->through, line->s, line->s);
+}
+
+static bool
+insert_folds(const work *w, const sg_scene_line *line, sg_scene_folds on,
+             sg_hiddens *parts)
+{
+  for (size_t i = 0; i < on.n; i++) {
+    if (hides(w, line, &on.at[i]) && !insert_fold(parts, &on.at[i])) {
+      return false;
+    }
+  }
   return true;
 }
 
@@ -291,17 +324,16 @@ static bool
 find_hidden(work *w, worker *of, block *b, size_t k)
 {
   const sg_scene_line *line = &w->scene->line[w->line[k]];
-  bool solid = !sg_hide_sees_through(w->through, line->s, line->s);
-  double folded = solid ? line->look.folded : 0.0;
+  sg_scene_folds on = sg_scene_folds_of(w->scene, w->line[k]);
   bool good;
 
   w->span[k].from = (uint32_t)b->hidden.n;
-  if (solid && (sg_look_is_back(&line->look) || folded >= 1.0)) {
+  if (is_hidden(w, line, on)) {
     good = push(&b->hidden, 0.0, 1.0);
   } else {
     good = sg_mask_grid_ask(w->masks, w->line[k], w->through, true, &of->seen,
                             &of->masks) &&
-           (folded == 0.0 || insert_fold(&of->masks, 1.0 - folded)) &&
+           insert_folds(w, line, on, &of->masks) &&
            push_union(&b->hidden, of->masks.part, of->masks.n, least_of(w, k));
   }
   w->span[k].to = (uint32_t)b->hidden.n;

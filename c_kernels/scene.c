@@ -7,6 +7,7 @@
 #include "keys.h"
 #include "picture_points.h"
 #include "scene_private.h"
+#include "scene_turn.h"
 #include "smooth.h"
 #include "sort.h"
 
@@ -19,6 +20,7 @@ typedef struct viewing {
   const sg_scene_model *model;
   const sg_poll *poll;
   sg_scene *scene;
+  sg_turn_index turn;
   int8_t *facing; /* [polygons] 1 towards the eye, -1 away, 0 edge-on */
   uint64_t *key;  /* [masks] of the triangles that hide: order, then place */
   bool stopped;
@@ -250,38 +252,6 @@ look_at_faces(viewing *w)
 
 /* -------------------------------------------------------------- masks */
 
-enum { DIGIT_BITS = 11, DIGITS = 1 << DIGIT_BITS };
-
-/* Sorts by the upper half of the keys: by three digits, each kept stable. */
-static bool
-sort_keys(uint64_t **key, size_t n)
-{
-  uint64_t *from = *key, *to = malloc((n + 1) * sizeof *to);
-  size_t(*begin)[DIGITS + 1] = calloc(3, sizeof *begin);
-  bool good = to && begin;
-
-  for (size_t i = 0; good && i < n; i++) {
-    for (unsigned k = 0; k < 3; k++) {
-      begin[k][(from[i] >> (32 + k * DIGIT_BITS) & (DIGITS - 1)) + 1]++;
-    }
-  }
-  for (unsigned k = 0; good && k < 3; k++) {
-    uint64_t *swap = from;
-    for (size_t d = 0; d < DIGITS; d++) {
-      begin[k][d + 1] += begin[k][d];
-    }
-    for (size_t i = 0; i < n; i++) {
-      to[begin[k][from[i] >> (32 + k * DIGIT_BITS) & (DIGITS - 1)]++] = from[i];
-    }
-    from = to;
-    to = swap;
-  }
-  *key = from;
-  free(to);
-  free(begin);
-  return good;
-}
-
 /* A triangle as a mask; the back of a surface is turned over. */
 static sg_scene_mask
 mask_of(const viewing *w, uint32_t place)
@@ -317,7 +287,7 @@ make_masks(viewing *w)
   sg_scene *scene = w->scene;
 
   scene->mask = malloc((scene->masks + 1) * sizeof *scene->mask);
-  if (!scene->mask || !sort_keys(&w->key, scene->masks)) {
+  if (!scene->mask || !sg_sort_upper(&w->key, scene->masks)) {
     return false;
   }
   for (size_t i = 0; i < scene->masks && !stop(w, i); i++) {
@@ -352,13 +322,32 @@ facing_of_use(const viewing *w, uint32_t u)
   return facing_of(w, v, n);
 }
 
+/* The same, or, of a solid with a turn there, as its surface: turned to the eye
+ * if it shows some of the line. */
+static int
+facing_at_turns(const viewing *w, uint32_t u, const sg_turns *turns)
+{
+  const sg_dense *d = &w->model->dense;
+  int32_t polygon = w->model->use[u].polygon;
+
+  for (size_t i = 0; i < turns->n; i++) {
+    const sg_scene_turn *turn = turns->item[i].turn;
+    size_t s =
+        sg_dense_segment_of(d, d->triangle_begin, (uint32_t)turn->triangle);
+    if (d->polygon_of[turn->triangle] == polygon && w->model->solid[s]) {
+      return turn->from > 0.0 || turn->to < 1.0 ? 1 : -1;
+    }
+  }
+  return facing_of_use(w, u);
+}
+
 static void
-look_at_line(const viewing *w, size_t k, sg_look *look)
+look_at_line(const viewing *w, size_t k, const sg_turns *turns, sg_look *look)
 {
   const sg_scene_model *m = w->model;
 
   for (uint32_t u = m->use_begin[k]; u < m->use_begin[k + 1]; u++) {
-    int facing = facing_of_use(w, u);
+    int facing = facing_at_turns(w, u, turns);
     int side = facing * m->use[u].along;
     look->towards += facing > 0;
     look->away += facing < 0;
@@ -401,25 +390,53 @@ compare_added(const void *a, const void *b)
                         *(const sg_scene_added *const *)b);
 }
 
-/* Enters an added line, and what it lies on. */
+/* What the line that is entered next lies on. */
+static void
+enter_lies(sg_scene *scene, const int32_t *triangle, size_t n)
+{
+  uint32_t *end = &scene->lies_begin[scene->lines + 1];
+
+  for (size_t i = 0; i < n; i++) {
+    scene->lies_on[(*end)++] = triangle[i];
+  }
+}
+
+static void
+enter_fold(sg_scene *scene, sg_scene_fold fold)
+{
+  if (fold.from < fold.to) {
+    scene->fold[scene->fold_begin[scene->lines + 1]++] = fold;
+  }
+}
+
+/* What the next line lies on, and its folds, come after those of the others. */
+static void
+begin_line(sg_scene *scene)
+{
+  size_t k = scene->lines;
+
+  if (scene->lies_begin) {
+    scene->lies_begin[k + 1] = scene->lies_begin[k];
+    scene->fold_begin[k + 1] = scene->fold_begin[k];
+  }
+}
+
 static void
 enter_added(const viewing *w, const sg_scene_added *added)
 {
   sg_scene *scene = w->scene;
   uint32_t a =
       (uint32_t)(w->model->dense.vertices + 2 * (size_t)(added - w->in->added));
-  uint32_t end = scene->lies_begin[scene->lines];
 
-  for (size_t i = 0; i < added->triangles; i++) {
-    scene->lies_on[end + i] = added->lies_on[i];
-  }
+  begin_line(scene);
+  enter_lies(scene, added->lies_on, added->triangles);
+  enter_fold(scene, (sg_scene_fold){added->s, 1.0 - added->folded, 1.0});
   scene->line[scene->lines++] = (sg_scene_line){.s = added->s,
                                                 .e = added->e,
                                                 .a = a,
                                                 .b = a + 1,
                                                 .number = UINT32_MAX,
                                                 .look = added->look};
-  scene->lies_begin[scene->lines] = end + (uint32_t)added->triangles;
 }
 
 static void
@@ -427,17 +444,22 @@ enter_line(const viewing *w, size_t k)
 {
   sg_scene *scene = w->scene;
   sg_scene_line *line = &scene->line[scene->lines];
+  sg_turns turns;
 
+  begin_line(scene);
   *line = w->model->line[k];
+  turns = sg_turn_index_find(&w->turn, line->a, line->b);
+  for (size_t i = 0; i < turns.n; i++) {
+    const sg_scene_turn *turn = turns.item[i].turn;
+    enter_lies(scene, turn->lies_on, turn->triangles);
+    enter_fold(scene, sg_turn_fold(&w->turn, turn, line->a));
+  }
   line->a = w->model->same[line->a];
   line->b = w->model->same[line->b];
-  look_at_line(w, k, &line->look);
+  look_at_line(w, k, &turns, &line->look);
   line->look.bend = bend_of(w, k);
   line->look.inside = is_inside(w, k);
   scene->lines++;
-  if (scene->lies_begin) {
-    scene->lies_begin[scene->lines] = scene->lies_begin[scene->lines - 1];
-  }
 }
 
 /* Lines of the model and added ones, merged by segment and id. */
@@ -460,40 +482,60 @@ merge_lines(viewing *w, const sg_scene_added **added)
   }
 }
 
-/* Room for all lines; `added` becomes the added ones in order. */
-static bool
-line_room(viewing *w, const sg_scene_added **added)
+/* How much is said of the lines: what they lie on, and folds. */
+static void
+count_said(const viewing *w, size_t *lies, size_t *folds)
 {
-  size_t n = w->in->addeds, lies = 0;
-  size_t most = w->model->lines + n;
+  const sg_scene_model *m = w->model;
+
+  *lies = 0;
+  *folds = w->in->addeds;
+  for (size_t i = 0; i < w->in->addeds; i++) {
+    *lies += w->in->added[i].triangles;
+  }
+  for (size_t k = 0; w->turn.n > 0 && k < m->lines; k++) {
+    sg_turns turns = sg_turn_index_find(&w->turn, m->line[k].a, m->line[k].b);
+    *lies += sg_turns_lies(&turns);
+    *folds += turns.n;
+  }
+}
+
+/* Room for all lines, and for what is said of them. */
+static bool
+line_room(viewing *w)
+{
+  size_t most = w->model->lines + w->in->addeds, lies, folds;
   sg_scene *scene = w->scene;
 
-  for (size_t i = 0; i < n; i++) {
-    added[i] = &w->in->added[i];
-    lies += added[i]->triangles;
-  }
-  if (n > 1) {
-    qsort(added, n, sizeof *added, compare_added);
-  }
   scene->line = malloc((most + 1) * sizeof *scene->line);
-  if (n > 0) {
-    scene->lies_begin = calloc(most + 1, sizeof *scene->lies_begin);
-    scene->lies_on = malloc((lies + 1) * sizeof *scene->lies_on);
+  if (w->in->addeds == 0 && w->turn.n == 0) {
+    return scene->line != NULL;
   }
-  return scene->line && (n == 0 || (scene->lies_begin && scene->lies_on));
+  count_said(w, &lies, &folds);
+  scene->lies_begin = calloc(most + 1, sizeof *scene->lies_begin);
+  scene->lies_on = malloc((lies + 1) * sizeof *scene->lies_on);
+  scene->fold_begin = calloc(most + 1, sizeof *scene->fold_begin);
+  scene->fold = malloc((folds + 1) * sizeof *scene->fold);
+  return scene->line && scene->lies_begin && scene->lies_on &&
+         scene->fold_begin && scene->fold;
 }
 
 static bool
 make_lines(viewing *w)
 {
-  const sg_scene_added **added =
-      malloc((w->in->addeds + 1) * sizeof(sg_scene_added *));
-  bool good = added && line_room(w, added);
+  size_t n = w->in->addeds;
+  const sg_scene_added **added = malloc((n + 1) * sizeof(sg_scene_added *));
+  bool good = added && sg_turn_index_init(&w->turn, w->in) && line_room(w);
 
+  for (size_t i = 0; good && i < n; i++) {
+    added[i] = &w->in->added[i];
+  }
   if (good) {
+    qsort(added, n, sizeof *added, compare_added);
     merge_lines(w, added);
   }
   free(added);
+  sg_turn_index_clear(&w->turn);
   return good;
 }
 
@@ -529,6 +571,8 @@ sg_scene_close(sg_scene *scene)
     free(scene->line);
     free(scene->lies_begin);
     free(scene->lies_on);
+    free(scene->fold_begin);
+    free(scene->fold);
     free(scene->mask);
     free(scene);
   }

@@ -25,8 +25,21 @@ typedef struct sg_scene_added {
   const int32_t *lies_on; /* [triangles] places in the model: they never hide
                              it */
   size_t triangles;
+  double
+      folded; /* its last part, 0 to 1, is hidden by the surface it lies on */
   sg_look look;
 } sg_scene_added;
+
+/* A line along a side of a triangle that is turned to the eye otherwise than
+ * the triangle is (contour.h). */
+typedef struct sg_scene_turn {
+  int32_t s;
+  int32_t triangle;       /* its place in the model */
+  uint32_t v[2];          /* where the side begins and ends: places */
+  double from, to;        /* the part that the surface hides; equal: none */
+  const int32_t *lies_on; /* [triangles] as of an added line */
+  size_t triangles;
+} sg_scene_turn;
 
 /* What a scene is made from; the arrays belong to the caller. */
 typedef struct sg_scene_input {
@@ -35,6 +48,8 @@ typedef struct sg_scene_input {
   const bool *shown;           /* [vertices] that have a place; null: all */
   const sg_scene_added *added; /* [addeds] */
   size_t addeds;
+  const sg_scene_turn *turn; /* [turns] */
+  size_t turns;
   const bool *curved;  /* [polygons] that lie in curved sheets (smooth.h), whose
                           outlines are among `added`; null: none */
   const bool *faceted; /* [segments] that are what their facets are; null:
@@ -53,13 +68,21 @@ typedef struct sg_scene_mask {
   double low[3], high[3];
 } sg_scene_mask;
 
+/* A part of a line that a smooth surface it lies on hides. */
+typedef struct sg_scene_fold {
+  int32_t s;       /* the segment of the surface */
+  double from, to; /* 0 <= from < to <= 1 */
+} sg_scene_fold;
+
 typedef struct sg_scene {
   const sg_scene_model *model; /* what it was made from */
   double (*at)[3];      /* [vertices], standardised; the model's come first */
   sg_scene_line *line;  /* sorted by (s, e) */
-  uint32_t *lies_begin; /* [lines + 1] null: no lines were added */
-  int32_t *lies_on;     /* the triangles that added lines lie on: places in
-                           the model */
+  sg_scene_fold *fold;  /* line by line */
+  uint32_t *fold_begin; /* [lines + 1] null: no line has any */
+  uint32_t *lies_begin; /* [lines + 1] null: no line says what it lies on */
+  int32_t *lies_on;     /* the triangles that added lines, and those with turns,
+                           lie on: places in the model */
   sg_scene_mask *mask;  /* nearest first: sorted by low[2], rounded down to a
                            float, then by triangle */
   size_t vertices, lines, masks;
@@ -81,6 +104,14 @@ typedef struct sg_scene {
 sg_scene *sg_scene_open(const sg_scene_input *input, const sg_poll *poll,
                         bool *memory);
 void sg_scene_close(sg_scene *scene);
+
+/* The folds of a line. */
+typedef struct sg_scene_folds {
+  const sg_scene_fold *at;
+  size_t n;
+} sg_scene_folds;
+
+sg_scene_folds sg_scene_folds_of(const sg_scene *scene, uint32_t line);
 
 /* The place of edge (s, e) in scene->line; SIZE_MAX: not there. */
 size_t sg_scene_find(const sg_scene *scene, int32_t s, int32_t e);

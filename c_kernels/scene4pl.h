@@ -95,11 +95,13 @@ sg_kept_smooth *sg_kept_smooth_hold_ex(sg_kept_model *model,
                                        const sg_smoothness *as);
 void sg_kept_smooth_drop(sg_kept_smooth *kept);
 
-/* The pieces of contour/9 as lines of a scene. */
+/* The pieces of contour/9 as lines of a scene, and the rows of surface_turn/6.
+ */
 typedef struct sg_scene_pieces {
   sg_scene_added *added; /* [n] */
+  sg_scene_turn *turn;   /* [turns] */
   int32_t *lies_on;      /* what they lie on, one after another */
-  size_t n, lies;
+  size_t n, turns, lies;
 } sg_scene_pieces;
 
 /* Those of the model's segments whose triangles are there. False: stopped by

@@ -29,8 +29,6 @@ typedef struct sg_look {
   bool cut;               /* it is (part of) a penetration line */
   bool inside;            /* it lies inside a curved sheet (smooth.h), whose
                              outline does not run along its edges */
-  double folded;          /* the last part of an added line, 0 to 1, is hidden
-                             by the surface it lies on */
   bool stands_in; /* an added line that is drawn only where no other line
                      is near (contour.h) */
 } sg_look;
@@ -57,6 +55,9 @@ typedef struct sg_scene_model {
   uint32_t *same; /* [vertices] the first of those that penetration lines say
                      are one point */
   sg_known_surfaces surfaces; /* that its polygons stand for */
+  uint32_t (*cut)[2];         /* [cuts] places of the ends of all pieces of
+                                 penetration lines, copies too */
+  size_t cuts;
   size_t lines;
   double *facet_bend;    /* [lines] of the faces, whatever they stand for; null:
                             no surface is known */

@@ -264,6 +264,15 @@ count_piece(void *data, const row *r)
   p->out->lies += (size_t)r->view->column[8].page[r->page].list[r->at][0];
 }
 
+static void
+count_turn(void *data, const row *r)
+{
+  piecing *p = data;
+
+  p->out->turns++;
+  p->out->lies += (size_t)r->view->column[5].page[r->page].list[r->at][0];
+}
+
 /* The point at f of side i (from 1) of a triangle. False: it has no place. */
 static bool
 side_point(const piecing *p, int32_t triangle, int32_t i, double f,
@@ -283,21 +292,45 @@ side_point(const piecing *p, int32_t triangle, int32_t i, double f,
   return true;
 }
 
-/* The triangles of a row's list. */
-static void
-read_lies(piecing *p, const row *r, sg_scene_added *added)
+/* The triangles of a row's list, of segment s. Gives how many. */
+static size_t
+read_lies(piecing *p, const row *r, unsigned column, int32_t s,
+          const int32_t **lies_on)
 {
-  const int32_t *list = r->view->column[8].page[r->page].list[r->at];
+  const int32_t *list = r->view->column[column].page[r->page].list[r->at];
   int32_t *on = p->out->lies_on + p->out->lies;
+  size_t n = 0;
 
   for (int32_t i = 1; i <= list[0]; i++) {
-    int32_t at = sg_dense_triangle(&p->model->dense, added->s, list[i]);
+    int32_t at = sg_dense_triangle(&p->model->dense, s, list[i]);
     if (at >= 0) {
-      on[added->triangles++] = at;
+      on[n++] = at;
     }
   }
-  added->lies_on = on;
-  p->out->lies += added->triangles;
+  *lies_on = on;
+  p->out->lies += n;
+  return n;
+}
+
+static void
+read_turn(void *data, const row *r)
+{
+  piecing *p = data;
+  sg_scene_turn *turn = &p->out->turn[p->out->turns];
+  int32_t s = integer(r, 0), i = integer(r, 2);
+  int32_t t = sg_dense_triangle(&p->model->dense, s, integer(r, 1));
+
+  if (t >= 0) {
+    const int32_t *v = p->model->dense.corner[t];
+    uint32_t a = (uint32_t)v[i - 1], b = (uint32_t)v[i % 3];
+    *turn = (sg_scene_turn){.s = s,
+                            .triangle = t,
+                            .v = {a < b ? a : b, a < b ? b : a},
+                            .from = number(r, 3),
+                            .to = number(r, 4)};
+    turn->triangles = read_lies(p, r, 5, s, &turn->lies_on);
+    p->out->turns++;
+  }
 }
 
 /* Seen from the eye it has a face on one side only: an outline. */
@@ -313,11 +346,11 @@ read_piece(void *data, const row *r)
       .e = -integer(r, 1),
       .look = {.faces = 2, .towards = 1, .away = 1, .left = 2}};
   added->look.stands_in = number(r, 7) == SG_STANDS_IN;
-  added->look.folded = added->look.stands_in ? 0.0 : 1.0 - number(r, 7);
+  added->folded = added->look.stands_in ? 0.0 : 1.0 - number(r, 7);
   if (t >= 0 &&
       side_point(p, t, integer(r, 3), number(r, 4), added->screen[0]) &&
       side_point(p, t, integer(r, 5), number(r, 6), added->screen[1])) {
-    read_lies(p, r, added);
+    added->triangles = read_lies(p, r, 8, added->s, &added->lies_on);
     p->out->n++;
   }
 }
@@ -330,20 +363,25 @@ sg_scene_pieces_read(sg_scene_pieces *pieces, const sg_version *version,
   piecing p = {.model = model, .screen = screen, .out = pieces};
 
   *pieces = (sg_scene_pieces){0};
-  if (!each_row(version, SG_CONTOUR, poll, count_piece, &p, memory)) {
+  if (!each_row(version, SG_CONTOUR, poll, count_piece, &p, memory) ||
+      !each_row(version, SG_SURFACE_TURN, poll, count_turn, &p, memory)) {
     return false;
   }
   pieces->added = malloc((pieces->n + 1) * sizeof *pieces->added);
+  pieces->turn = malloc((pieces->turns + 1) * sizeof *pieces->turn);
   pieces->lies_on = malloc((pieces->lies + 1) * sizeof *pieces->lies_on);
-  pieces->n = pieces->lies = 0;
-  *memory = pieces->added && pieces->lies_on;
-  return *memory && each_row(version, SG_CONTOUR, poll, read_piece, &p, memory);
+  pieces->n = pieces->turns = pieces->lies = 0;
+  *memory = pieces->added && pieces->turn && pieces->lies_on;
+  return *memory &&
+         each_row(version, SG_CONTOUR, poll, read_piece, &p, memory) &&
+         each_row(version, SG_SURFACE_TURN, poll, read_turn, &p, memory);
 }
 
 void
 sg_scene_pieces_clear(sg_scene_pieces *pieces)
 {
   free(pieces->added);
+  free(pieces->turn);
   free(pieces->lies_on);
   *pieces = (sg_scene_pieces){0};
 }

@@ -184,9 +184,10 @@ is_fold(const sg_smooth_builder *b, uint32_t i, uint32_t j)
 }
 
 static uint8_t
-side_flags(const sg_smooth_builder *b, uint32_t i, uint32_t j, bool smooth)
+side_flags(const sg_smooth_builder *b, uint32_t i, uint32_t j, bool smooth,
+           bool cut)
 {
-  return (uint8_t)((smooth ? SG_SIDE_SMOOTH : 0) |
+  return (uint8_t)((smooth ? SG_SIDE_SMOOTH : 0) | (cut ? SG_SIDE_CUT : 0) |
                    (is_convex(b, i, j) ? SG_SIDE_CONVEX : 0) |
                    (is_fold(b, i, j) ? SG_SIDE_FOLD : 0));
 }
@@ -204,8 +205,8 @@ join_sides(sg_smooth_builder *b, uint32_t i, uint32_t j, bool cut)
   out->across[i] = j;
   out->across[j] = i;
   b->bend[i] = b->bend[j] = bend;
-  out->side[i] = side_flags(b, i, j, smooth);
-  out->side[j] = side_flags(b, j, i, smooth);
+  out->side[i] = side_flags(b, i, j, smooth, cut);
+  out->side[j] = side_flags(b, j, i, smooth, cut);
 }
 
 /* The sides between two vertices, sorted: lines come last. */

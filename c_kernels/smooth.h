@@ -48,6 +48,7 @@ enum {
   SG_SIDE_CONVEX = 2, /* the triangle across lies below this one, or in it */
   SG_SIDE_FOLD = 4,   /* a polygon that is not flat is folded there, by more
                          than a degree */
+  SG_SIDE_CUT = 16,   /* a penetration line runs there */
   SG_SIDE_BULGES = 8  /* it is in a curved sheet of no known surface, and a
                          smooth one would bulge there by more than a
                          ten-thousandth of its segment's longest side */

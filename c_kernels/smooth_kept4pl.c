@@ -135,38 +135,19 @@ find_polygons(sg_kept_smooth *kept, const sg_dense *d)
   return kept->curved != NULL;
 }
 
-/* The ends of the pieces of penetration lines, to be freed. Null: no memory. */
-static uint32_t (*cuts_of(const sg_scene_model *model, size_t *n))[2]
-{
-  uint32_t(*cut)[2] = malloc((model->lines + 1) * sizeof *cut);
-
-  *n = 0;
-  for (size_t k = 0; cut && k < model->lines; k++) {
-    if (model->line[k].look.cut) {
-      cut[*n][0] = model->line[k].a;
-      cut[(*n)++][1] = model->line[k].b;
-    }
-  }
-  return cut;
-}
-
 /* Sheets with the surfaces of `of`. False: stopped, or no memory. */
 static bool
 find_sheets(sg_kept_smooth *kept, const sg_scene_model *model, int32_t *of,
             bool *memory)
 {
   sg_smooth_input in = {.dense = &model->dense,
+                        .cut = (const uint32_t(*)[2])model->cut,
+                        .cuts = model->cuts,
                         .surfaces = model->surfaces,
                         .crease = kept->as.crease};
-  uint32_t(*cut)[2] = cuts_of(model, &in.cuts);
-  bool done;
 
   in.surfaces.of = of;
-  in.cut = (const uint32_t(*)[2])cut;
-  *memory = cut != NULL;
-  done = cut && sg_smooth_init(&kept->smooth, &in, &sg_prolog_poll, memory);
-  free(cut);
-  return done;
+  return sg_smooth_init(&kept->smooth, &in, &sg_prolog_poll, memory);
 }
 
 /* False: stopped, or no memory. */

@@ -169,3 +169,37 @@ sg_sort_measured(sg_measured *item, size_t n, const sg_poll *poll)
   free(spare);
   return stopped ? SG_SORT_STOPPED : SG_SORTED;
 }
+
+/* --------------------------------------------------------------- keys */
+
+enum { UPPER_BITS = 11, UPPER_DIGITS = 1 << UPPER_BITS };
+
+bool
+sg_sort_upper(uint64_t **key, size_t n)
+{
+  uint64_t *from = *key, *to = malloc((n + 1) * sizeof *to);
+  size_t(*begin)[UPPER_DIGITS + 1] = calloc(3, sizeof *begin);
+  bool good = to && begin;
+
+  for (size_t i = 0; good && i < n; i++) {
+    for (unsigned k = 0; k < 3; k++) {
+      begin[k][(from[i] >> (32 + k * UPPER_BITS) & (UPPER_DIGITS - 1)) + 1]++;
+    }
+  }
+  for (unsigned k = 0; good && k < 3; k++) {
+    uint64_t *swap = from;
+    for (size_t d = 0; d < UPPER_DIGITS; d++) {
+      begin[k][d + 1] += begin[k][d];
+    }
+    for (size_t i = 0; i < n; i++) {
+      to[begin[k][from[i] >> (32 + k * UPPER_BITS) & (UPPER_DIGITS - 1)]++] =
+          from[i];
+    }
+    from = to;
+    to = swap;
+  }
+  *key = from;
+  free(to);
+  free(begin);
+  return good;
+}

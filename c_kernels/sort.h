@@ -7,6 +7,7 @@
 
 #include "poll.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -31,5 +32,9 @@ typedef struct sg_measured {
 /* Sorts n items by value, equal ones as they stood (-0.0 is 0.0 then). Digit
  * by digit: takes time by n. */
 sg_sort_end sg_sort_measured(sg_measured *item, size_t n, const sg_poll *poll);
+
+/* Sorts n keys by their upper halves, equal ones as they stood: by three
+ * digits. *key: of malloc(), may be another array then. False: no memory. */
+bool sg_sort_upper(uint64_t **key, size_t n);
 
 #endif

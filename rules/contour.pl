@@ -4,11 +4,15 @@
             faceted_segments/1,         % -Faceted
             smooth_segment/1,           % +S
             contour_pieces/3,           % +S, +Crease, -Pieces
+            surface_turns/3,            % +S, +Crease, -Turns
             contour_ends/4,             % +S, +K, -Start, -End
             line_ends/4                 % +S, +E, -Start, -End
           ]).
 :- use_module(contour_beside,
-              [ beside_piece/3, side_place/5, triangle_facing/3 ]).
+              [ beside_piece/4, is_point/2, side_place/5, triangle_facing/3 ]).
+:- use_module(contour_side,
+              [ current_eye/1, corner_g/4, side_zero/3, towards_eye/4 ]).
+:- use_module(contour_turn, [side_turn/3]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
 :- use_module(kernel, [fill_contour/7]).
 :- use_module(known_surface, [known_surfaces/1]).
@@ -16,12 +20,12 @@
               [ smooth_sheets/3, smooth_side/3, across_side/3,
                 convex_side/2, coarse_triangle/2, curved_triangle/2,
                 side_bulges/2, fold_side/2, corner_fan/3, fan_normal/3,
-                fan_unit/3, corner_vertex/3, corner_place/3, next_corner/2
+                fan_unit/3, corner_vertex/3, next_corner/2
               ]).
 :- use_module(vector, [dot_product/3]).
 :- use_module(stage, [stage/2]).
 :- use_module(store, [contour/9, e/5, screen/5, segment/3, t/6]).
-:- use_module(view, [current_view/4, view_matrix/3]).
+:- use_module(view, [current_view/4]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [member/2, memberchk/2]).
@@ -34,10 +38,12 @@ goes through its zeros: across a triangle whose corners differ runs one piece.
 Zero counts as turned to the eye, so that pieces hang together whatever lies
 where.
 
-Where a piece reaches the end of its sheet (a crease, a border, a penetration
-line) it goes to that end of the side there at which the triangles themselves
-turn from the eye: there the crease is outermost in the picture, and the two
-meet. At an apex, which has no normal, a piece ends in it.
+A piece that reaches the end of its sheet (a crease, a border, a penetration
+line) ends there, at the zero of the side, and what is seen of the line does
+too (contour_turn.pl). Where a smooth surface would bulge at its triangle, which
+is of no known surface, it goes to that end of the side at which the triangles
+themselves turn from the eye: there the line is outermost in the picture. At an
+apex, which has no normal, a piece ends in it.
 
 Of the surface beside an outline one half is nearer the eye. If g is positive
 there, the surface bends away from the line of sight; if not, it comes between
@@ -69,9 +75,9 @@ kernel of all this is c_kernels/contour.c.
 
 %!  find_contours(+Segments, +Crease) is det.
 %
-%   Fill contour/9 of the current world for the view that screen/5 holds, from
-%   Segments, `all` or a list. Faces that bend by no more than Crease degrees
-%   hang together smoothly.
+%   Fill contour/9 and surface_turn/6 of the current world for the view that
+%   screen/5 holds, from Segments, `all` or a list. Faces that bend by no more
+%   than Crease degrees hang together smoothly.
 
 find_contours(Segments, Crease) :-
     current_view(Theta, Phi, Rho, Kind),
@@ -119,6 +125,37 @@ smooth_segment(_).
 %   find_contours/2 follows. Slow.
 
 contour_pieces(S, Crease, Pieces) :-
+    contour_context(S, Crease, Context, Acrosses),
+    findall(Piece,
+            ( member(_-across(Piece,Sense), Acrosses),
+              \+ is_point(S, Piece), besides(Context, Piece, Sense)
+            ; piece_along(Context, Piece),
+              \+ is_point(S, Piece)
+            ),
+            Pieces0),
+    sort(Pieces0, Pieces).
+
+%!  surface_turns(+S, +Crease, -Turns) is det.
+%
+%   Turns, sorted, are turn(T, I, From, To, Ts) for the rows of surface_turn/6
+%   that segment S has in the picture of screen/5: the rule that find_contours/2
+%   follows. Slow.
+
+surface_turns(S, Crease, Turns) :-
+    contour_context(S, Crease, Context, _),
+    Context = context(_, Sheets, _, _, _),
+    findall(Turn,
+            ( curved_triangle(Sheets, T), member(I, [1,2,3]),
+              side_turn(Context, T-I, Turn) ),
+            Turns0),
+    sort(Turns0, Turns).
+
+%   contour_context(S, Crease, Context, Acrosses): Context is context(S, Sheets,
+%   Eye, Gs, Found), how the segment lies to the eye: its sheets, the g of their
+%   fans, and the pieces across triangles, T -> across(Piece, Sense), which
+%   Acrosses lists.
+
+contour_context(S, Crease, Context, Acrosses) :-
     smooth_sheets(S, Crease, Sheets),
     current_eye(Eye),
     findall(T, curved_triangle(Sheets, T), Ts),
@@ -129,15 +166,7 @@ contour_pieces(S, Crease, Pieces) :-
               piece_across(context(S,Sheets,Eye,Gs,None), T, Across) ),
             Acrosses),
     list_to_assoc(Acrosses, Found),
-    Context = context(S, Sheets, Eye, Gs, Found),
-    findall(Piece,
-            ( member(_-across(Piece,_), Acrosses),
-              \+ is_point(S, Piece), besides(Context, Piece)
-            ; piece_along(Context, Piece),
-              \+ is_point(S, Piece)
-            ),
-            Pieces0),
-    sort(Pieces0, Pieces).
+    Context = context(S, Sheets, Eye, Gs, Found).
 
 %   piece_along(Context, Piece): a side between a triangle that is turned to the
 %   eye and one that is not, which is an outline.
@@ -184,18 +213,12 @@ stands_in(Context, T-I) :-
 
 %   What its own surface hides has nothing beside it.
 
-besides(Context, Piece) :-
+besides(Context, Piece, Sense) :-
     Piece = piece(_,_,_,_,_,To,Ts),
     (   To > 0.0
-    ->  beside_piece(Context, Piece, Ts)
+    ->  beside_piece(Context, Piece, Sense, Ts)
     ;   Ts = []
     ).
-
-is_point(S, piece(T,I1,F1,I2,F2,_,_)) :-
-    t(S, _, T, A, B, C),
-    side_place(S, t(A,B,C,A), I1, F1, Place1),
-    side_place(S, t(A,B,C,A), I2, F2, Place2),
-    Place1 == Place2.
 
 %   Values: Fan -> the value that Goal gives for each fan of triangles Ts.
 
@@ -208,64 +231,6 @@ fan_values(Goal, Sheets, Ts, Values) :-
     sort(Fans0, Fans),
     findall(Fan-Value, ( member(Fan, Fans), call(Goal, Fan, Value) ), Pairs),
     list_to_assoc(Pairs, Values).
-
-/* - - - the eye - - - */
-
-%   eye(Kind, Away, Rho, Right, Up), vectors p(X,Y,Z) of the model.
-
-current_eye(eye(Kind,Away,Rho,Right,Up)) :-
-    current_view(Theta, Phi, Rho, Kind),
-    view_matrix(Theta, Phi, Rows),
-    maplist(float_row, Rows, [Right,Up,Away]).
-
-float_row(r(A0,B0,C0), p(A,B,C)) :-
-    A is float(A0),
-    B is float(B0),
-    C is float(C0).
-
-%   to_eye(Eye, Point, Direction): unit.
-
-to_eye(eye(Kind,p(A,B,C),Rho,_,_), p(X,Y,Z), p(U,V,W)) :-
-    (   Kind == central
-    ->  U0 is -Rho*A - X,
-        V0 is -Rho*B - Y,
-        W0 is -Rho*C - Z
-    ;   U0 is -A,
-        V0 is -B,
-        W0 is -C
-    ),
-    Size is sqrt(U0*U0 + V0*V0 + W0*W0),
-    U is U0/Size,
-    V is V0/Size,
-    W is W0/Size.
-
-%   How far a point is from the eye, along its line of sight.
-
-distance(eye(Kind,Away,Rho,_,_), Point, Distance) :-
-    (   Kind == central
-    ->  dot_product(Point, Away, Depth),
-        Distance is Depth+Rho
-    ;   Distance = 1.0
-    ).
-
-
-/* - - - g - - - */
-
-%   towards_eye(Sheets, Eye, Fan, G); an apex has none. Nearly zero is zero.
-
-towards_eye(Sheets, Eye, Fan, G) :-
-    fan_normal(Sheets, Fan, Normal),
-    corner_place(Sheets, Fan, Place),
-    to_eye(Eye, Place, Direction),
-    dot_product(Normal, Direction, G0),
-    (   abs(G0) < 1.0e-12
-    ->  G = 0.0
-    ;   G = G0
-    ).
-
-corner_g(Sheets, Gs, Corner, G) :-
-    corner_fan(Sheets, Corner, Fan),
-    get_assoc(Fan, Gs, G).
 
 /* - - - pieces - - - */
 
@@ -327,18 +292,20 @@ piece_end(Context, T, end(Sign,I,F)) :-
     sign_of(G, Sign),
     sign_of(H, Other),
     Sign =\= Other,
-    (   smooth_side(Sheets, T-I0, _)
-    ->  I = I0,
-        side_zero(Context, T-I0, T-J0, F)
-    ;   outermost(Context, T, I0-Sign, J0-Other, I),
+    (   ends_at_corner(Sheets, T-I0)
+    ->  outermost(Context, T, I0-Sign, J0-Other, I),
         corner_on_side(Sheets, T-I, F)
+    ;   I = I0,
+        side_zero(Context, T-I0, F)
     ).
 
-sign_of(G, Sign) :-
-    (   G >= 0.0
-    ->  Sign = 1
-    ;   Sign = -1
-    ).
+%   Where the sheet ends and a smooth surface would bulge.
+
+ends_at_corner(Sheets, T-I) :-
+    \+ smooth_side(Sheets, T-I, _),
+    member(J, [1,2,3]),
+    side_bulges(Sheets, T-J),
+    !.
 
 %   The corner that is turned the other way than its triangle.
 
@@ -351,6 +318,12 @@ outermost(context(S,_,_,_,_), T, I1-Sign1, I2-_, I) :-
     (   Sign1 =:= Wanted
     ->  I = I1
     ;   I = I2
+    ).
+
+sign_of(G, Sign) :-
+    (   G >= 0.0
+    ->  Sign = 1
+    ;   Sign = -1
     ).
 
 apex_end(context(_,Sheets,_,_,_), T, I, F) :-
@@ -373,26 +346,6 @@ corner_on_side(Sheets, Corner, F) :-
     ->  F = 0.0
     ;   F = 1.0
     ).
-
-%   A zero of the model, counted from the side's start, in the picture, counted
-%   from its smaller vertex.
-
-side_zero(context(_,Sheets,Eye,Gs,_), C1, C2, F) :-
-    corner_vertex(Sheets, C1, V1),
-    corner_vertex(Sheets, C2, V2),
-    (   V1 < V2
-    ->  Low = C1,
-        High = C2
-    ;   Low = C2,
-        High = C1
-    ),
-    corner_g(Sheets, Gs, Low, G),
-    corner_g(Sheets, Gs, High, H),
-    Zero is G/(G-H),
-    maplist(corner_place(Sheets), [Low,High], [P,Q]),
-    distance(Eye, P, NearP),
-    distance(Eye, Q, NearQ),
-    F is Zero*NearQ/((1.0-Zero)*NearP + Zero*NearQ).
 
 %   A solid with a border, or inside out, is none.
 

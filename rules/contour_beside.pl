@@ -1,6 +1,8 @@
 :- module(sg_contour_beside,
-          [ beside_piece/3,             % +Context, +Piece, -Ts
+          [ beside_piece/4,             % +Context, +Piece, +Sense, -Ts
             side_place/5,               % +S, +Corners, +I, +F, -Place
+            is_point/2,                 % +S, +Piece
+            triangle_kind/4,            % +Context, +Sense, +T, -Kind
             triangle_facing/3           % +S, +T, -Facing
           ]).
 :- use_module(smooth_sheet,
@@ -35,13 +37,14 @@ nearer one, towards and away change places.
 
 :- set_prolog_flag(optimise, true).
 
-%!  beside_piece(+Context, +Piece, -Ts) is det.
+%!  beside_piece(+Context, +Piece, +Sense, -Ts) is det.
 %
 %   Ts, sorted, are the triangles beside Piece. Context, of contour.pl, says how
-%   the segment lies to the eye.
+%   the segment lies to the eye; Sense is 1 if the half of the surface beside
+%   Piece that is turned to the eye is the nearer one, else -1.
 
-beside_piece(Context, Piece, Ts) :-
-    piece_strip(Context, Piece, Strip),
+beside_piece(Context, Piece, Sense, Ts) :-
+    piece_strip(Context, Piece, Sense, Strip),
     arg(1, Piece, T),
     walk([T], Context, Strip, [T], Ts0),
     msort(Ts0, Ts).
@@ -85,7 +88,10 @@ piece_sense(context(_,_,_,_,Found), T, Sense) :-
 
 /* - - - how triangles lie to the eye - - - */
 
-%   towards, away or mixed, seen from the side of the surface that Sense says.
+%!  triangle_kind(+Context, +Sense, +T, -Kind) is det.
+%
+%   Kind is `towards`, `away` or `mixed`: how triangle T and its corners lie to
+%   the eye, seen from the side of the surface that Sense says.
 
 triangle_kind(Context, Sense, T, Kind) :-
     Context = context(S, Sheets, _, Gs, _),
@@ -147,7 +153,7 @@ triangle_facing(S, T, Facing) :-
 %   strip(From, Along, Outward, Length, Sense): From, X-Y, is where the piece
 %   starts, Along points to its end, Outward the way the surface looks.
 
-piece_strip(Context, piece(T,I1,F1,I2,F2,_,_),
+piece_strip(Context, piece(T,I1,F1,I2,F2,_,_), Sense,
             strip(X1-Y1,AX-AY,OX-OY,Length,Sense)) :-
     Context = context(S, Sheets, Eye, _, _),
     t(S, _, T, A, B, C),
@@ -158,7 +164,6 @@ piece_strip(Context, piece(T,I1,F1,I2,F2,_,_),
     Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
     AX is (X2-X1)/Length,
     AY is (Y2-Y1)/Length,
-    piece_sense(Context, T, Sense),
     findall(Lean, ( member(I, [1,2,3]),
                     normal_lean(Sheets, Eye, T-I, -AY, AX, Lean) ),
             Leans),
@@ -205,6 +210,16 @@ strip_place(S, Sheets, X0-Y0, AX-AY, OX-OY, Corner, U-H) :-
     screen(S, V, X, Y, _),
     U is (X-X0)*AX + (Y-Y0)*AY,
     H is (X-X0)*OX + (Y-Y0)*OY.
+
+%!  is_point(+S, +Piece) is semidet.
+%
+%   True when Piece, of segment S, begins and ends in one place of the picture.
+
+is_point(S, piece(T,I1,F1,I2,F2,_,_)) :-
+    t(S, _, T, A, B, C),
+    side_place(S, t(A,B,C,A), I1, F1, Place1),
+    side_place(S, t(A,B,C,A), I2, F2, Place2),
+    Place1 == Place2.
 
 %!  side_place(+S, +Corners, +I, +F, -Place) is det.
 %

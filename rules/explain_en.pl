@@ -281,6 +281,10 @@ statement_en(behind_fold(From)) -->
 statement_en(stands_in) -->
     [ 'there triangles of a smooth surface turn from the eye: it is drawn \c
        where it is seen and no other line is near' ].
+statement_en(turned_away(S, P, From, To)) -->
+    { segment_word(S, Word) },
+    [ 'from ~6g to ~6g the smooth surface that polygon ~d of segment ~d~w \c
+       stands for is turned away there, and hides it'-[From, To, P, S, Word] ].
 statement_en(same_line(S1, E1, S2, E2)) -->
     [ 'edge ~d of segment ~d is drawn as edge ~d of segment ~d'-
       [E1, S1, E2, S2] ].

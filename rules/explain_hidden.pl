@@ -6,9 +6,9 @@
 :- use_module(csg, [root_segment/1]).
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(hidden_lines,
-              [ open_scene/2, hides/2, hides/4, lies_on/4, line_parts/5,
-        stands_in/2
-      ]).
+              [ open_scene/2, hides/2, hides/4, lies_on/4, line_turn/7,
+                line_parts/5, stands_in/2
+              ]).
 :- use_module(interval,
               [intervals_union/3, intervals_subtract/3]).
 :- use_module(kernel, [scene_edge/5, occluder/7, overlap/9, line_covers/4]).
@@ -194,7 +194,8 @@ role_because(S, E, Look, Options, [because(line_role(Role), Not)]) :-
     ).
 
 %   own_surface(S, E, Look, Because): step 2, its faces look away and their
-%   solid is closed; or an outline inside triangles goes on behind its own fold.
+%   solid is closed; a smooth surface that it lies on is turned away there; or
+%   an outline inside triangles goes on behind its own fold.
 
 own_surface(S, E, _, Because) :-
     E < 0,
@@ -204,12 +205,19 @@ own_surface(S, E, _, Because) :-
             ( contour(S, K, _, _, _, _, _, From, _), From < 1.0,
               hides(S, S) ),
             Because).
-own_surface(S, _, look(_,0,Away,_,_,_,true,_,_),
-            [because(backs(S, Away), [])]) :-
-    Away > 0,
-    hides(S, S),
-    !.
-own_surface(_, _, _, []).
+own_surface(S, E, Look, Because) :-
+    findall(From-because(turned_away(S2, P, From, To), []),
+            ( line_turn(S, E, S2, T, From, To, _), From < To, hides(S, S2),
+              once(t(S2, P, T, _, _, _)) ),
+            Keyed0),
+    sort(Keyed0, Keyed),
+    pairs_values(Keyed, Turned),
+    (   Look = look(_,0,Away,_,_,_,true,_,_),
+        Away > 0,
+        hides(S, S)
+    ->  Because = [because(backs(S, Away), [])|Turned]
+    ;   Because = Turned
+    ).
 
 /* - - - what the joins say, by polygon - - - */
 
@@ -380,12 +388,19 @@ polygon_over(Line, Covers, Faces, S-P, Part, Depth, Statement) :-
     ;   Statement = line_in_face(S, P)
     ).
 
-%   is_known_on(Line, S, P): the line lies on P as the model says; or it is an
-%   outline inside triangles that runs in P or beside it.
+%   is_known_on(Line, S, P): the line lies on P as the model says, or beside it
+%   on a smooth surface; or it is an outline inside triangles that runs in P or
+%   beside it.
 
 is_known_on(line(_, S, E, _, _), S2, P) :-
     E > 0,
     lies_on(S, E, S2, P),
+    !.
+is_known_on(line(_, S, E, _, _), S2, P) :-
+    E > 0,
+    line_turn(S, E, S2, _, _, _, Ts),
+    member(T, Ts),
+    t(S2, P, T, _, _, _),
     !.
 is_known_on(line(_, S, E, _, _), S, P) :-
     E < 0,

@@ -278,6 +278,10 @@ statement_ko(behind_fold(From)) -->
 statement_ko(stands_in) -->
     [ '매끄러운 곡면의 삼각형들이 여기서 눈에서 돌아선다: 보이고 가까이에 다른 선이 \c
        없는 곳에만 그린다' ].
+statement_ko(turned_away(S, P, From, To)) -->
+    { segment_word(S, Word) },
+    [ '~6g 부터 ~6g 까지는 세그먼트 ~d~w의 다각형 ~d이(가) 나타내는 매끄러운 곡면이 \c
+       눈을 등지고 가린다'-[From, To, S, Word, P] ].
 statement_ko(same_line(S1, E1, S2, E2)) -->
     [ '세그먼트 ~d의 모서리 ~d은(는) 세그먼트 ~d의 모서리 ~d(으)로 그려진다'-
       [S1, E1, S2, E2] ].

@@ -78,6 +78,7 @@ statement_keys(hidden_line, [segment, edge, start, end]).
 statement_keys(outline_piece, [segment, edge, polygon, triangle]).
 statement_keys(behind_fold, [from]).
 statement_keys(stands_in, []).
+statement_keys(turned_away, [segment, polygon, from, to]).
 statement_keys(same_line, [segment1, edge1, segment2, edge2]).
 statement_keys(line_role, [role]).
 statement_keys(not_drawn, [role, lines]).

@@ -5,6 +5,7 @@
             hides/2,                    % +S, +S2
             hides/4,                    % +S, +E, +S2, +T
             lies_on/4,                  % ?S, ?E, ?S2, -P
+            line_turn/7,                % +S, +E, -S2, -T, -From, -To, -Ts
             hidden_interval/5,          % +Scene, +S, +E, -From, -To
             line_parts/5,               % +Scene, +S, +E, -Visible, -Hidden
             hidden_by/6,                % ?S, ?E, -S2, -T, -From, -To
@@ -26,7 +27,8 @@
 :- use_module(view, [project_world/0, screen_depth/1]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
-              [ segment/3, e/5, line/9, edge_polygon/3, contour/9,
+              [ segment/3, e/5, t/6, line/9, edge_polygon/3, contour/9,
+                surface_turn/6,
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module(kernel,
@@ -107,7 +109,8 @@ picture_method(auto, Method) :-
 outlines(Which, Segments, Crease) :-
     (   Which == feature
     ->  find_contours(Segments, Crease)
-    ;   retractall_facts(contour(_,_,_,_,_,_,_,_,_))
+    ;   retractall_facts(contour(_,_,_,_,_,_,_,_,_)),
+        retractall_facts(surface_turn(_,_,_,_,_,_))
     ).
 
 one_of(Domain, Values, Value) :-
@@ -141,10 +144,11 @@ seen_through(Pairs) :-
 
 %!  open_scene(-Scene, +Options) is det.
 %
-%   True when Scene is what the current world's screen/5 and contour/9 show: the
-%   lines and triangles for the joins scene_edge/5, occluder/7 and overlap/9. It
-%   does not follow later changes. Options segments(List), lines(Which),
-%   crease(Degrees) and tolerance(T) as for picture/1.
+%   True when Scene is what the current world's screen/5, contour/9 and
+%   surface_turn/6 show: the lines and triangles for the joins scene_edge/5,
+%   occluder/7 and overlap/9. It does not follow later changes. Options
+%   segments(List), lines(Which), crease(Degrees) and tolerance(T) as for
+%   picture/1.
 
 open_scene(Scene, Options) :-
     option(segments(Segments), Options, all),
@@ -211,12 +215,46 @@ same_ends(S, V1, V2, S2, W1, W2) :-
 same_ends(S, V1, V2, S2, W1, W2) :-
     line(_, S2, _, W1, W2, S, _, V1, V2).
 
+%!  line_turn(+S, +E, -S2, -T, -From, -To, -Ts) is nondet.
+%
+%   True when a smooth surface of segment S2 turns edge E of segment S otherwise
+%   than its triangle T is turned: surface_turn/6. It hides the part from From
+%   to To (0.0 at the start of E in the picture, 1.0 at its end; equal: none),
+%   and the triangles Ts of S2 do not hide E: the join occluder/7 keeps to that.
+
+line_turn(S, E, S2, T, From, To, Ts) :-
+    e(S, E, V1, V2, _),
+    copied_ends(S, V1, V2, S2, W1, W2),
+    surface_turn(S2, T, I, Low, High, Ts),
+    t(S2, _, T, A, B, C),
+    side_ends(I, A, B, C, U1, U2),
+    once(( W1-W2 == U1-U2 ; W1-W2 == U2-U1 )),
+    (   W1 < W2
+    ->  From = Low,
+        To = High
+    ;   From is 1.0-High,
+        To is 1.0-Low
+    ).
+
+%   With the ends in the order of the edge, whichever way the line runs.
+
+copied_ends(S, V1, V2, S2, W1, W2) :-
+    same_ends(S, V1, V2, S2, W1, W2).
+copied_ends(S, V1, V2, S2, W1, W2) :-
+    same_ends(S, V2, V1, S2, W2, W1),
+    S2-W1-W2 \== S-V1-V2.
+
+side_ends(1, A, B, _, A, B).
+side_ends(2, _, B, C, B, C).
+side_ends(3, A, _, C, C, A).
+
 %!  hidden_interval(+Scene, +S, +E, -From, -To) is nondet.
 %
 %   True when the part of edge E from From to To is hidden: all of it, if its
 %   faces are backs of a solid (step 2), or the part that a triangle hides
-%   (step 4); or of an outline in triangles the part that lies behind the fold
-%   of its own surface.
+%   (step 4); or the part that a smooth surface hides that it lies on: of an
+%   outline in triangles what lies behind the fold, of others what is turned
+%   away.
 
 hidden_interval(Scene, S, E, 0.0, 1.0) :-
     scene_edge(Scene, S, E, _, look(_,0,Away,_,_,_,true,_,_)),
@@ -228,6 +266,11 @@ hidden_interval(_, S, E, From, 1.0) :-
     contour(S, K, _, _, _, _, _, From, _),
     From < 1.0,
     hides(S, S).
+hidden_interval(_, S, E, From, To) :-
+    E > 0,
+    line_turn(S, E, S2, _, From, To, _),
+    From < To,
+    hides(S, S2).
 hidden_interval(Scene, S, E, From, To) :-
     occluder(Scene, S, E, S2, T, From, To),
     hides(S, E, S2, T).

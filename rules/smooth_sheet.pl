@@ -1,6 +1,7 @@
 :- module(sg_smooth_sheet,
           [ smooth_sheets/3,            % +S, +Crease, -Sheets
             smooth_side/3,              % +Sheets, +Side, ?Across
+            cut_side/3,                 % +S, +Sheets, +Side
             convex_side/2,              % +Sheets, +Side
             across_side/3,              % +Sheets, +Side, -Across
             curved_triangle/2,          % +Sheets, ?T
@@ -234,6 +235,16 @@ across_side(Sheets, Side, Across) :-
 smooth_side(Sheets, Side, Across) :-
     arg(4, Sheets, Sides),
     get_assoc(Side, Sides, across(Across, _, true)).
+
+%!  cut_side(+S, +Sheets, +Side) is semidet.
+%
+%   True when a penetration line runs along Side, of segment S.
+
+cut_side(S, Sheets, Side) :-
+    next_corner(Side, Next),
+    corner_vertex(Sheets, Side, V),
+    corner_vertex(Sheets, Next, W),
+    line_runs(S, V, W).
 
 %!  convex_side(+Sheets, +Side) is semidet.
 %

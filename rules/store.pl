@@ -23,6 +23,7 @@
             screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
             contour/9,                % ?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2,
                                       % ?To, ?Ts
+            surface_turn/6,           % ?S, ?T, ?I, ?From, ?To, ?Ts
             drawn/7,                  % ?D, ?S, ?E, ?From, ?To,
                                       % ?Visibility, ?Role
             assert_fact/1,            % +Fact
@@ -206,6 +207,14 @@ refers to any more is freed with its handle by atom garbage collection.
 %   across triangle T, from F1 on its side I1 to F2 on I2 (contour.pl). The part
 %   from 0 to To is not behind the surface next to it; the triangles Ts do not
 %   hide it either.
+
+%!  surface_turn(?S, ?T, ?I, ?From, ?To, ?Ts) is nondet.
+%
+%   True when a line along side I of triangle T of segment S is turned to the
+%   eye otherwise than T in the picture, since T stands for a smooth surface
+%   (contour_turn.pl). That surface hides the line from From to To (0.0 at the
+%   smaller vertex of the side, 1.0 at the other, in the picture; equal: no part
+%   of it), and the triangles Ts do not hide it.
 
 %!  drawn(?D, ?S, ?E, ?From, ?To, ?Visibility, ?Role) is nondet.
 %
@@ -504,6 +513,7 @@ sandbox:safe_primitive(sg_store:projection(_)).
 sandbox:safe_primitive(sg_store:title_block(_,_)).
 sandbox:safe_primitive(sg_store:screen(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:contour(_,_,_,_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:surface_turn(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:drawn(_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:edge_polygon(_,_,_)).
 sandbox:safe_primitive(sg_store:vertex_triangle(_,_,_)).

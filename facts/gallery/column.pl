@@ -16,4 +16,4 @@ segment(3, solid, at([translate(0, 0, 8.6)],
                      sphere(radius(1.1), facets(48), bands(24)))).
 segment(4, solid, named(column, union([1, 2, 3]))).
 
-view(310, 70, 0).
+view(300, 70, 0).

@@ -86,26 +86,27 @@ Foreign predicates; see kernel.pl.
 %!  fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth, +Known)
 %!      is semidet.
 %
-%   Replaces contour/9 of the current world by the outlines of the smooth
-%   surfaces of Segments, `all` or a list, seen from there, as contour.pl
-%   defines them. Smooth is smooth(Crease, Faceted): over which bend, in
-%   degrees, two faces do not hang together smoothly; which segments have no
-%   smooth surfaces. screen/5 holds the same view. Known are known_surfaces/1,
-%   or `kept`: what was known when the model of these segments was made, whose
-%   rows have not changed since. Fails if none is kept. Inexact.
+%   Replaces contour/9 and surface_turn/6 of the current world by the outlines
+%   of the smooth surfaces of Segments, `all` or a list, seen from there, and by
+%   the lines that they turn, as contour.pl defines them. Smooth is
+%   smooth(Crease, Faceted): over which bend, in degrees, two faces do not hang
+%   together smoothly; which segments have no smooth surfaces. screen/5 holds
+%   the same view. Known are known_surfaces/1, or `kept`: what was known when
+%   the model of these segments was made, whose rows have not changed since.
+%   Fails if none is kept. Inexact.
 
 /* - - - scene4pl.c - - - */
 
 %!  scene_open(+Segments, +Depth, +Tolerance, +Smooth, +Known, -Scene)
 %!      is semidet.
 %
-%   Scene is what screen/5 and contour/9 of the current world show of Segments,
-%   `all` or a list. Smooth is what contour/9 was made with, see fill_contour/7
-%   (there Known, too), or edges(Faceted): all outlines run along edges. Depth:
-%   see view_depth/5; Tolerance: what counts as equal, in a model of size [-1,1]
-%   (PL-5). A scene does not follow later changes, and is freed with its last
-%   reference. It is for one thread at a time: what is asked of it is noted in
-%   it.
+%   Scene is what screen/5, contour/9 and surface_turn/6 of the current world
+%   show of Segments, `all` or a list. Smooth is what contour/9 was made with,
+%   see fill_contour/7 (there Known, too), or edges(Faceted): all outlines run
+%   along edges. Depth: see view_depth/5; Tolerance: what counts as equal, in a
+%   model of size [-1,1] (PL-5). A scene does not follow later changes, and is
+%   freed with its last reference. It is for one thread at a time: what is asked
+%   of it is noted in it.
 
 %!  scene_edge(+Scene, ?S, ?E, -Length, -Look) is nondet.
 %
@@ -126,8 +127,8 @@ Foreign predicates; see kernel.pl.
 %   True when triangle T of segment S2 hides the part of edge E of segment S
 %   from From to To (0.0 at its start in the picture, 1.0 at its end), in order
 %   of From. A triangle never hides a line in its plane, nor one that lies on
-%   its polygon (lies_on/4 of hidden_lines.pl). Triangles seen edge-on and the
-%   backs of solids hide nothing. Inexact.
+%   its polygon (lies_on/4 of hidden_lines.pl) or beside it (line_turn/7).
+%   Triangles seen edge-on and the backs of solids hide nothing. Inexact.
 %
 %   @error existence_error(drawn_edge, E): scene_edge/5 does not have it
 %   @see [PL] section 6.3 step 4, row PL-13

@@ -5,10 +5,12 @@
 #include "../check.h"
 #include "model.h"
 
-/* The scene of a model with added lines, from its projection. */
+/* The scene of a model with added lines, and a turn or null, from its
+ * projection. */
 static sg_scene *
-scene_with(const sg_scene_model *seen, const model *m, const bool *shown,
-           const sg_scene_added *added, size_t addeds)
+scene_turned(const sg_scene_model *seen, const model *m, const bool *shown,
+             const sg_scene_added *added, size_t addeds,
+             const sg_scene_turn *turn)
 {
   double(*screen)[3] = malloc((m->vertices + 1) * sizeof *screen);
   sg_scene_input in = {.model = seen,
@@ -16,6 +18,8 @@ scene_with(const sg_scene_model *seen, const model *m, const bool *shown,
                        .shown = shown,
                        .added = added,
                        .addeds = addeds,
+                       .turn = turn,
+                       .turns = turn ? 1 : 0,
                        .depth = m->depth,
                        .tolerance = 1e-9};
   bool memory;
@@ -29,9 +33,17 @@ scene_with(const sg_scene_model *seen, const model *m, const bool *shown,
   return scene;
 }
 
-/* Whether all of a line is drawn visible. */
+static sg_scene *
+scene_with(const sg_scene_model *seen, const model *m, const bool *shown,
+           const sg_scene_added *added, size_t addeds)
+{
+  return scene_turned(seen, m, shown, added, addeds, NULL);
+}
+
+/* Whether that part of a line is drawn visible. */
 static bool
-is_visible(const sg_scene *scene, int32_t s, int32_t e)
+is_part_visible(const sg_scene *scene, int32_t s, int32_t e, double from,
+                double to)
 {
   size_t line = sg_scene_find(scene, s, e), n;
   sg_part *part;
@@ -44,12 +56,60 @@ is_visible(const sg_scene *scene, int32_t s, int32_t e)
     abort();
   }
   for (size_t i = 0; i < n; i++) {
-    visible |= part[i].line == line && !part[i].hidden && part[i].from == 0.0 &&
-               part[i].to == 1.0;
+    visible |= part[i].line == line && !part[i].hidden &&
+               part[i].from == from && part[i].to == to;
   }
   free(part);
   sg_mask_grid_clear(&masks);
   return visible;
+}
+
+static bool
+is_visible(const sg_scene *scene, int32_t s, int32_t e)
+{
+  return is_part_visible(scene, s, e, 0.0, 1.0);
+}
+
+/* An edge below a triangle; it has a turn, on a surface beside which that
+ * triangle is, and which hides a part of it. */
+static void
+turned_line(void)
+{
+  model *m = model_new();
+  const int32_t above = 0;
+  sg_scene_turn turn = {.s = 1,
+                        .triangle = 1,
+                        .v = {3, 4},
+                        .from = 0.25,
+                        .to = 0.5,
+                        .lies_on = &above,
+                        .triangles = 1};
+  sg_scene_model *seen;
+  sg_scene *scene;
+
+  model_segment(m, false);
+  model_vertex(m, -4, -4, 1);
+  model_vertex(m, 8, -4, 1);
+  model_vertex(m, -4, 8, 1);
+  model_vertex(m, 0, 0, 0);
+  model_vertex(m, 1, 0, 0);
+  model_vertex(m, 0, 1, 0);
+  model_polygon(m, 3, (int32_t[]){1, 2, 3});
+  model_polygon(m, 3, (int32_t[]){4, 5, 6});
+  model_project(m, 270, 0, 9, false);
+  seen = model_scene_model(m, NULL);
+  scene = scene_with(seen, m, NULL, NULL, 0);
+  CHECK("without a turn it is hidden",
+        !is_part_visible(scene, 1, 4, 0.0, 0.25) && !is_visible(scene, 1, 4));
+  sg_scene_close(scene);
+  scene = scene_turned(seen, m, NULL, NULL, 0, &turn);
+  CHECK("with it the surface alone hides it",
+        is_part_visible(scene, 1, 4, 0.0, 0.25) &&
+            is_part_visible(scene, 1, 4, 0.5, 1.0));
+  CHECK("other edges are as without", !is_visible(scene, 1, 5));
+  sg_scene_close(scene);
+  sg_scene_model_close(seen);
+  free(m);
 }
 
 /* A triangle seen from above, and lines below it. */
@@ -214,6 +274,7 @@ int
 main(void)
 {
   added_lines();
+  turned_line();
   flat_polygons();
   views();
   copies_without_place();

@@ -1,15 +1,15 @@
 :- module(test_contour_same,
           [ same_as_rule/2              % +S, +Crease
           ]).
-:- use_module(rules(contour), [contour_pieces/3]).
-:- use_module(rules(store), [contour/9]).
+:- use_module(rules(contour), [contour_pieces/3, surface_turns/3]).
+:- use_module(rules(store), [contour/9, surface_turn/6]).
 /** <module> The pieces of contour/9 against their rule, for tests.
 */
 
 %!  same_as_rule(+S, +Crease) is semidet.
 %
 %   True when the pieces that segment S has in contour/9, the kernel's, are
-%   those that the rule says.
+%   those that the rule says, and its turns in surface_turn/6, too.
 
 same_as_rule(S, Crease) :-
     contour_pieces(S, Crease, Rule),
@@ -19,7 +19,22 @@ same_as_rule(S, Crease) :-
     sort(Kernel0, Kernel),
     length(Rule, N),
     length(Kernel, N),
-    maplist(same_piece, Rule, Kernel).
+    maplist(same_piece, Rule, Kernel),
+    same_turns(S, Crease).
+
+same_turns(S, Crease) :-
+    surface_turns(S, Crease, Rule),
+    findall(turn(T,I,From,To,Ts),
+            ( surface_turn(S, T, I, From, To, Ts0), msort(Ts0, Ts) ),
+            Kernel0),
+    sort(Kernel0, Kernel),
+    length(Rule, N),
+    length(Kernel, N),
+    maplist(same_turn, Rule, Kernel).
+
+same_turn(turn(T,I,From,To,Ts), turn(T,I,From2,To2,Ts)) :-
+    close_to(From, From2),
+    close_to(To, To2).
 
 same_piece(piece(T,I1,F1,I2,F2,To,Ts), piece(T,J1,G1,J2,G2,Go,Us)) :-
     (   I1-I2 == J1-J2

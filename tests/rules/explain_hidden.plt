@@ -112,6 +112,7 @@ fault(_, _, _, Because, not_covered(From, To)) :-
     member(because(hidden_part(From, To), Under), Because),
     \+ member(because(backs(_, _), _), Under),
     findall(A-B, ( member(because(hiding_face(_,_,A,B,_), _), Under)
+                 ; member(because(turned_away(_,_,A,B), _), Under)
                  ; member(because(behind_fold(A), _), Under), B = 1.0 ),
             Faces0),
     msort(Faces0, Faces),

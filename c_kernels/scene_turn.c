@@ -1,0 +1,109 @@
+/* scene_turn.c -- see scene_turn.h */
+#include "scene_turn.h"
+
+#include <stdlib.h>
+
+static uint64_t
+key_of(const uint32_t *same, uint32_t a, uint32_t b)
+{
+  uint32_t v = same[a], w = same[b];
+
+  return v < w ? (uint64_t)v << 32 | w : (uint64_t)w << 32 | v;
+}
+
+static int
+compare(const void *a, const void *b)
+{
+  const sg_keyed_turn *x = a, *y = b;
+
+  return x->key != y->key ? (x->key > y->key) - (x->key < y->key)
+                          : (x->turn > y->turn) - (x->turn < y->turn);
+}
+
+bool
+sg_turn_index_init(sg_turn_index *index, const sg_scene_input *in)
+{
+  size_t n = in->turns;
+
+  *index = (sg_turn_index){.same = in->model->same, .n = n};
+  if (n == 0) {
+    return true;
+  }
+  index->item = malloc(n * sizeof *index->item);
+  index->has = calloc(in->model->dense.vertices + 1, sizeof *index->has);
+  if (!index->item || !index->has) {
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    const sg_scene_turn *turn = &in->turn[i];
+    index->item[i] =
+        (sg_keyed_turn){key_of(index->same, turn->v[0], turn->v[1]), turn};
+    index->has[index->same[turn->v[0]]] = true;
+    index->has[index->same[turn->v[1]]] = true;
+  }
+  qsort(index->item, n, sizeof *index->item, compare);
+  return true;
+}
+
+void
+sg_turn_index_clear(sg_turn_index *index)
+{
+  free(index->item);
+  free(index->has);
+  *index = (sg_turn_index){0};
+}
+
+sg_turns
+sg_turn_index_find(const sg_turn_index *index, uint32_t a, uint32_t b)
+{
+  size_t low = 0, high = index->n, end;
+  uint64_t key;
+
+  if (index->n == 0 || !index->has[index->same[a]] ||
+      !index->has[index->same[b]]) {
+    return (sg_turns){0};
+  }
+  key = key_of(index->same, a, b);
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (index->item[middle].key < key) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  for (end = low; end < index->n && index->item[end].key == key; end++) {
+  }
+  return (sg_turns){index->item + low, end - low};
+}
+
+size_t
+sg_turns_lies(const sg_turns *turns)
+{
+  size_t sum = 0;
+
+  for (size_t i = 0; i < turns->n; i++) {
+    sum += turns->item[i].turn->triangles;
+  }
+  return sum;
+}
+
+sg_scene_fold
+sg_turn_fold(const sg_turn_index *index, const sg_scene_turn *turn, uint32_t a)
+{
+  bool forward = index->same[turn->v[0]] == index->same[a];
+
+  return (sg_scene_fold){.s = turn->s,
+                         .from = forward ? turn->from : 1.0 - turn->to,
+                         .to = forward ? turn->to : 1.0 - turn->from};
+}
+
+sg_scene_folds
+sg_scene_folds_of(const sg_scene *scene, uint32_t line)
+{
+  const uint32_t *begin = scene->fold_begin;
+
+  return begin ? (sg_scene_folds){scene->fold + begin[line],
+                                  begin[line + 1] - begin[line]}
+               : (sg_scene_folds){0};
+}
