@@ -205,12 +205,12 @@ is_something(void *data, uint32_t triangle)
   return true;
 }
 
-/* Whether what lies in this box, once it is moved, may overlap something. */
+/* Whether what lies in this box, once it is moved, may overlap something: by
+ * the box round it alone. */
 static bool
 may_overlap(void *data, const sg_flat_box *box)
 {
   const trial *t = data;
-  sg_flat_question q = t->question;
   double corner[4][2];
 
   for (int k = 0; k < 4; k++) {
@@ -218,9 +218,9 @@ may_overlap(void *data, const sg_flat_box *box)
                           k > 1 ? box->high[1] : box->low[1]};
     sg_motion_move(&t->motion, at, corner[k]);
   }
-  q.corner = (const double(*)[2])corner;
-  q.corners = 4;
-  q.box = sg_flat_box_round(q.corner, 4);
+  const sg_flat_question q = {
+      .box = sg_flat_box_round((const double(*)[2])corner, 4)};
+
   return sg_flat_boxes_meet(&q.box, &t->onto->box) &&
          (!t->onto->index || sg_flat_index_near(t->onto->index, &t->fl->stock,
                                                 &q, is_something, NULL));

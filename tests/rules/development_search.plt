@@ -241,6 +241,39 @@ test(bound_with_a_hole, true(Seam == 12.0927)) :-
     assertion(M.bound =< M.seam*(1+1.0e-9)),
     Seam is round(M.seam*1.0e4)/1.0e4.
 
+%   Flat vertices need not be on the seam: a plate on an L, of little squares.
+
+test(bound_with_flat_vertices, true) :-
+    findall(X-Y, ( between(0, 19, X), between(0, 19, Y), min(X, Y) < 10 ),
+            Cells),
+    plate_of_squares(Cells, Term),
+    in_model([Term], measures(1, [effort(0)], M)),
+    assertion(M.bound =< M.seam*(1+1.0e-9)).
+
+plate_of_squares(Cells, polyhedron(points(Points), faces(Faces))) :-
+    findall(Square, ( member(Cell, Cells), square(Cells, Cell, Square) ),
+            Squares),
+    append(Squares, All),
+    sort(All, Points),
+    findall(Face, ( member(Square, Squares), maplist(place(Points), Square,
+                                                     Face) ),
+            Faces).
+
+place(Points, Point, I) :-
+    nth1(I, Points, Point),
+    !.
+
+square(_, X-Y, [[X,Y,1],[X1,Y,1],[X1,Y1,1],[X,Y1,1]]) :-
+    X1 is X+1, Y1 is Y+1.
+square(_, X-Y, [[X,Y,0],[X,Y1,0],[X1,Y1,0],[X1,Y,0]]) :-
+    X1 is X+1, Y1 is Y+1.
+square(Cells, X-Y, [[XA,YA,0],[XB,YB,0],[XB,YB,1],[XA,YA,1]]) :-
+    member(DX-DY, [1-0,0-1,(-1)-0,0-(-1)]),
+    NX is X+DX, NY is Y+DY,
+    \+ memberchk(NX-NY, Cells),
+    XA is X+max(0, DX)+max(0, DY), YA is Y+max(0, DY)+max(0, -DX),
+    XB is XA-DY, YB is YA+DX.
+
 %   A closed prism of N sides, as high as H, with a hole of radius R in its lid,
 %   which is parted into N faces.
 
