@@ -177,13 +177,17 @@ is_of_region(const sg_merge_region *region, const sg_solid_face *face)
                  compare_ids) != NULL;
 }
 
-/* No face of the region might be one with another face. */
+/* No face of the region might be one with another face, and what others are one
+ * need not be asked again. */
 static bool
 stands_apart(const sg_merge *m)
 {
   const sg_merge_region *region = m->options->region;
   const sg_solid_face *face = m->solid->face;
 
+  if (m->others != m->tolerance) {
+    return false;
+  }
   for (size_t i = 0; region && i < m->weaks; i++) {
     if (is_of_region(region, &face[m->weak[i][0]]) !=
         is_of_region(region, &face[m->weak[i][1]])) {

@@ -58,6 +58,7 @@ typedef struct sg_merge_region {
   const int32_t *s; /* [n]: ascending */
   size_t n;
   sg_box box; /* round the vertices of the other faces of the larger one */
+  sg_box was; /* round all vertices when these others were merged */
 } sg_merge_region;
 
 typedef struct sg_merge_options {
@@ -75,8 +76,9 @@ typedef struct sg_merge_options {
 
 typedef enum sg_merge_end {
   SG_MERGE_DONE,
-  SG_MERGE_APART, /* a face of the region and another might be one: that cannot
-                     be said without what is beyond */
+  SG_MERGE_APART, /* a face of the region and another might be one, or the size
+                     gives another tolerance now: that cannot be said without
+                     what is beyond */
   SG_MERGE_STOPPED,
   SG_MERGE_NO_MEMORY
 } sg_merge_end;

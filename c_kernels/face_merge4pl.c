@@ -113,7 +113,8 @@ get_merge_region_ex(term_t t, sg_merge_region *out)
   }
   const sg_old_region *region = &h->old.region;
 
-  *out = (sg_merge_region){region->leaf, region->leaves, region->box};
+  *out = (sg_merge_region){region->leaf, region->leaves, region->box,
+                           region->whole};
   return TRUE;
 }
 

@@ -47,7 +47,8 @@ typedef struct sg_old_region {
   size_t leaves;
   uint32_t *row; /* [rows]: of v, not of the region */
   size_t rows;
-  sg_box box; /* round the vertices of the other faces */
+  sg_box box;   /* round the vertices of the other faces */
+  sg_box whole; /* round all vertices */
 } sg_old_region;
 
 typedef struct sg_solid_old {

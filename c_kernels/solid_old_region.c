@@ -198,14 +198,15 @@ keep_v(narrowing *w, uint32_t i)
 {
   sg_solid_old *old = w->old;
   int32_t v = sg_old_int(old, SG_OLD_V, 1, i);
+  const double at[3] = {sg_old_float(old, SG_OLD_V, 2, i),
+                        sg_old_float(old, SG_OLD_V, 3, i),
+                        sg_old_float(old, SG_OLD_V, 4, i)};
 
   old->vertex.held[v] = w->vertex[v] != INSIDE;
   w->vertex[v] |= THERE;
+  sg_box_add(&old->region.whole, at);
   if (w->vertex[v] & OUTSIDE) {
-    sg_box_add(&old->region.box,
-               (const double[3]){sg_old_float(old, SG_OLD_V, 2, i),
-                                 sg_old_float(old, SG_OLD_V, 3, i),
-                                 sg_old_float(old, SG_OLD_V, 4, i)});
+    sg_box_add(&old->region.box, at);
   }
   if (!(w->vertex[v] & INSIDE)) {
     old->region.row[old->region.rows++] = old->rows[SG_OLD_V].row[i];
@@ -265,7 +266,7 @@ open_all(narrowing *w)
   size_t vertices = sg_old_count(old, SG_OLD_V);
   sg_old_end end = open_ids(w, SG_OLD_V, 1, &old->vertex, &w->vertex);
 
-  old->region.box = sg_box_none();
+  old->region.box = old->region.whole = sg_box_none();
   old->region.row = malloc((vertices + 1) * sizeof *old->region.row);
   if (!old->region.row) {
     return SG_OLD_FAILED;

@@ -66,7 +66,9 @@ that two operands have in common stays or goes by how it looks in each.
 %     With over(true): that boundary was of this Expression too, with these
 %     options, made from the pieces with these Numbers.
 %     - pieces(-Numbers)
-%     Numbers are those of the pieces of this one (pieces_numbers/2).
+%     Numbers are those of the pieces of this one (pieces_numbers/2); `unknown`
+%     if more than pieces decided what it is: a rule file, or what was tried
+%     because the result were open else.
 %     - made(-How)
 %     How is `around`: only around what had changed since the earlier one; or
 %     `whole`.
@@ -141,7 +143,12 @@ made(Expression, Leaves, Options, Solid, Passing, Numbers) :-
     !,
     Solid = Solid0,
     Passing = Passing0,
-    Numbers = Numbers0.
+    (   What == first,
+        decision_is_default(stays/3),
+        decision_is_default(merge_faces/2)
+    ->  Numbers = Numbers0
+    ;   Numbers = unknown
+    ).
 made(_, _, _, _, _, _) :-
     throw(error(geometry_error(result_open), _)).
 
@@ -220,7 +227,9 @@ rows_written(Solid, S, Options) :-
 
 made_around_changes(Expression, Leaves, S, Options, Numbers) :-
     option(earlier(Earlier), Options),
+    Earlier \== unknown,
     decision_is_default(stays/3),
+    decision_is_default(merge_faces/2),
     surfaces_among(Leaves, []),
     with_arrangement(Leaves, Options,
                      sg_boolean:selected_around(Expression, Leaves, S, Earlier,

@@ -118,15 +118,15 @@ drop_record(S) :-
     retractall_facts(origin(S, node(S), _)),
     retractall_facts(origin(S, node(pieces), _)).
 
-%!  record_pieces(+S, +Numbers:list) is det.
+%!  record_pieces(+S, +Numbers) is det.
 %
 %   Remember of segment S, whose record is there, that its rows were made from
-%   the pieces with these Numbers: pieces_numbers/2.
+%   the pieces with these Numbers: option pieces(Numbers) of boolean/3.
 
 record_pieces(S, Numbers) :-
     assert_fact(origin(S, node(pieces), pieces(Numbers))).
 
-%!  recorded_pieces(+S, -Numbers:list) is semidet.
+%!  recorded_pieces(+S, -Numbers) is semidet.
 
 recorded_pieces(S, Numbers) :-
     origin(S, node(pieces), pieces(Numbers)),

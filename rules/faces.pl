@@ -55,11 +55,10 @@ merge_options(Options, Tolerance, BySize, Origins) :-
 %   Solid is a part of a larger solid: what comes from the leaves of Region (of
 %   solid_region/3) and from those near them. Merges its faces as faces_merged/2
 %   would those of all of it, and leaves those of Region. Fails where a face of
-%   Region and another might become one, or the default of merge_faces/2 does
-%   not hold.
+%   Region and another might become one, or others might become one otherwise
+%   than before. The default of merge_faces/2 holds.
 
 region_faces_merged(Solid, Region, Options) :-
-    decision_is_default(merge_faces/2),
     merge_options(Options, Tolerance, BySize, Origins),
     solid_merge(Solid, Tolerance,
                 [origins(Origins), by_size(BySize), region(Region)]).

@@ -177,7 +177,7 @@ test_layers(int rounds)
     shake(&solid, 0.4 * TOLERANCE);
     sg_solid part = without_bottom(&solid);
     sg_solid before = copy_of(&part);
-    sg_merge_region region = {top, 1, others_box(&solid)};
+    sg_merge_region region = {top, 1, others_box(&solid), others_box(&solid)};
     sg_merge_options options = {.tolerance = TOLERANCE, .region = &region};
     bool hangs = top_hangs_on(&part);
     sg_merge_end end = sg_face_merge(&part, &options, NULL);
@@ -213,26 +213,44 @@ bent_bar(void)
   return solid;
 }
 
-/* The tolerance is by the size of all there is. */
-static void
-test_size(void)
+/* Merges a bent bar as a part of something that was, and is, as long as this.
+ */
+static sg_merge_end
+merge_bent(double was, double is, size_t *faces)
 {
   static const int32_t all[] = {1};
-  sg_merge_region region = {all, 1, sg_box_none()};
+  sg_merge_region region = {all, 1, sg_box_none(), sg_box_none()};
   sg_merge_options options = {
       .tolerance = 0x1p-8, .by_size = true, .region = &region};
   sg_solid solid = bent_bar();
 
+  for (int k = 0; k < 2; k++) {
+    sg_box_add(&region.was, (const double[3]){k * was, 0, 0});
+    sg_box_add(&region.box, (const double[3]){k * is, 0, 0});
+  }
+  sg_merge_end end = sg_face_merge(&solid, &options, NULL);
+
+  *faces = solid.faces;
+  sg_solid_clear(&solid);
+  return end;
+}
+
+/* The tolerance is by the size of all there is, and that of others with it. */
+static void
+test_size(void)
+{
+  size_t faces;
+
   CHECK("a small solid is merged with a small tolerance",
-        sg_face_merge(&solid, &options, NULL) == SG_MERGE_DONE &&
-            solid.faces == 7);
-  sg_solid_clear(&solid);
-  solid = bent_bar();
-  sg_box_add(&region.box, (const double[3]){1000, 0, 0});
+        merge_bent(2, 2, &faces) == SG_MERGE_DONE && faces == 7);
   CHECK("but not as a part of a large one",
-        sg_face_merge(&solid, &options, NULL) == SG_MERGE_DONE &&
-            solid.faces == 6);
-  sg_solid_clear(&solid);
+        merge_bent(1000, 1000, &faces) == SG_MERGE_DONE && faces == 6);
+  CHECK("nor of one that is as good as that",
+        merge_bent(1000, 50, &faces) == SG_MERGE_DONE && faces == 6);
+  CHECK("others had another tolerance",
+        merge_bent(20, 2, &faces) == SG_MERGE_APART && faces == 10);
+  CHECK("or a smaller one",
+        merge_bent(2, 20, &faces) == SG_MERGE_APART && faces == 10);
 }
 
 int

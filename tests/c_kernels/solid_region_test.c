@@ -274,7 +274,8 @@ box_is(const sg_solid_old *old, double x0, double x1)
   const sg_box *box = &old->region.box;
 
   return box->lo[0] == x0 && box->hi[0] == x1 && box->lo[1] == 0 &&
-         box->hi[2] == 1;
+         box->hi[2] == 1 && old->region.whole.lo[0] == 0 &&
+         old->region.whole.hi[0] == LENGTH;
 }
 
 static void
