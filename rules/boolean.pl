@@ -253,11 +253,7 @@ selected_around(Expression, Leaves, S, Earlier, Region, Solid, Passing, Numbers,
     passing_vertices(Arrangement, Passing),
     pieces_numbers(Arrangement, Numbers),
     stage(write, solid_region(S, Around, Region)),
-    region_leaves(Region, Inner),
-    leaves_around(Arrangement, Inner, Looked),
-    (   are_few(Looked, Leaves),
-        part_of_arrangement(Arrangement, Looked, Part),
-        catch(select_boundary(Part, Expression, Solid),
+    (   catch(selected_region(Region, Expression, Leaves, Solid, Arrangement),
               Error,
               ( region_close(Region),
                 throw(Error)
@@ -266,6 +262,15 @@ selected_around(Expression, Leaves, S, Earlier, Region, Solid, Passing, Numbers,
     ;   region_close(Region),
         fail
     ).
+
+%   The faces of the region, and those near them.
+
+selected_region(Region, Expression, Leaves, Solid, Arrangement) :-
+    region_leaves(Region, Inner),
+    leaves_around(Arrangement, Inner, Looked),
+    are_few(Looked, Leaves),
+    part_of_arrangement(Arrangement, Looked, Part),
+    select_boundary(Part, Expression, Solid).
 
 %   are_few(+Some, +Leaves): no more than half of them.
 
