@@ -1,6 +1,7 @@
 :- module(sg_sheet_marks,
           [ plane_marks/6,              % +View, +Section, +Box, +Scale,
                                         % +Others, -Marks
+            interrupted/2,              % +Marks, -Interrupted
             label_marks/4,              % +Letter, +Box, +Scale, -Marks
             marks_pads/4,               % +Marks, +Box, +Scale, -Pads
             hatching/2,                 % +Regions, -Hatching
@@ -31,9 +32,9 @@ letter(5.0).                            % how high
 %!  plane_marks(+View, +Section, +Box, +Scale, +Others, -Marks) is semidet.
 %
 %   Marks show where the plane of Section, a view, cuts what View shows within
-%   Box; they reach out so far that arrows and letters keep clear of those of
-%   Others. Fails if View does not see the plane edge-on, or its line goes past
-%   Box.
+%   Box; they reach out so far that arrows, letters and thick ends keep clear of
+%   those of Others. Fails if View does not see the plane edge-on, or its line
+%   goes past Box.
 
 plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
             box(X1,Y1,X2,Y2), Scale, Others, Marks) :-
@@ -52,7 +53,8 @@ plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
     ends_clear(Marks, Others),
     !.
 
-%   ends_clear(Marks, Others): their arrows and letters do not overlap.
+%   ends_clear(Marks, Others): their arrows, letters and thick ends do not
+%   overlap.
 
 ends_clear(Marks, Others) :-
     \+ ( member(Mark, Marks),
@@ -62,7 +64,8 @@ ends_clear(Marks, Others) :-
          overlap(R1, R2)
        ).
 
-end_rectangle(line(arrow,Points), rect(X1,Y1,X2,Y2)) :-
+end_rectangle(line(Role,Points), rect(X1,Y1,X2,Y2)) :-
+    end_role(Role),
     maplist(x_y, Points, Xs, Ys),
     margin(Xs, X1, X2),
     margin(Ys, Y1, Y2).
@@ -71,6 +74,9 @@ end_rectangle(text(X,Y,High,_), rect(X1,Y1,X2,Y2)) :-
     X2 is X+High*0.6,
     Y1 is Y-High*0.2,
     Y2 is Y+High*1.2.
+
+end_role(arrow).
+end_role(cutting_end).
 
 x_y(X-Y, X, Y).
 
@@ -166,6 +172,57 @@ towards(X1-Y1, X2-Y2, Far, X-Y) :-
     T is Far/Length,
     X is X1 + T*(X2-X1),
     Y is Y1 + T*(Y2-Y1).
+
+%!  interrupted(+Marks, -Interrupted) is det.
+%
+%   Interrupted are Marks, those of one view, without what its thin chain lines
+%   have in common with the place of a letter: no line goes through one.
+
+interrupted(Marks, Interrupted) :-
+    findall(Rectangle,
+            ( member(Mark, Marks),
+              Mark = text(_,_,_,_),
+              end_rectangle(Mark, Rectangle) ),
+            Letters),
+    maplist(spared(Letters), Marks, Parts),
+    append(Parts, Interrupted).
+
+spared(Letters, Mark, Parts) :-
+    (   Mark = line(cutting,[A,B])
+    ->  foldl(without, Letters, [A-B], Pieces),
+        findall(line(cutting,[P,Q]), member(P-Q, Pieces), Parts)
+    ;   Parts = [Mark]
+    ).
+
+%   without(Rectangle, Pieces, Outside): what of Pieces, From-To, is not within
+%   Rectangle.
+
+without(Rectangle, Pieces, Outside) :-
+    findall(Piece,
+            ( member(Piece0, Pieces),
+              outside(Rectangle, Piece0, Piece) ),
+            Outside).
+
+outside(rect(X1,Y1,X2,Y2), A-B, Piece) :-
+    A = AX-AY,
+    B = BX-BY,
+    Length is sqrt((BX-AX)**2 + (BY-AY)**2),
+    U is (BX-AX)/Length,
+    V is (BY-AY)/Length,
+    (   range(AX, U, X1, X2, LowX, HighX),
+        range(AY, V, Y1, Y2, LowY, HighY),
+        Low is max(0.0, max(LowX, LowY)),
+        High is min(Length, min(HighX, HighY)),
+        Low < High
+    ->  (   Low > 0.0,
+            towards(A, B, Low, P),
+            Piece = A-P
+        ;   High < Length,
+            towards(A, B, High, Q),
+            Piece = Q-B
+        )
+    ;   Piece = A-B
+    ).
 
 %!  chain_line(+A, +B, +Dash, +Role, -Lines) is det.
 %

@@ -7,7 +7,7 @@
 :- use_module(sheet_frame, [frame/5, bare_room/3]).
 :- use_module(sheet_layout, [layout/4]).
 :- use_module(sheet_marks,
-              [ plane_marks/6, label_marks/4, marks_pads/4,
+              [ plane_marks/6, interrupted/2, label_marks/4, marks_pads/4,
                 hatching/2, hatching_strokes/3
               ]).
 :- use_module(sheet_paper,
@@ -225,7 +225,8 @@ handy_scale(box(X1,Y1,X2,Y2), Scale) :-
 view_marks(Marking, cell(seen(View,_,_),Box,_), PerUnit, Marks) :-
     View = view(Name, _, _, Kind),
     findall(Section, member(Section-Name, Marking), Sections),
-    foldl(plane_marked(View, Box, PerUnit), Sections, [], Marks0),
+    foldl(plane_marked(View, Box, PerUnit), Sections, [], Marked),
+    interrupted(Marked, Marks0),
     (   Kind = section(_, _, _)
     ->  marks_pads(Marks0, Box, PerUnit, pads(_,Above,_,_)),
         label_marks(Name, Box, Above, PerUnit, Label),

@@ -212,6 +212,28 @@ test(many_sections, [forall(member(Angle, [first,third]))]) :-
          A1 < C2, C1 < A2, B1 < D2, D1 < B2,
          N \== M ).
 
+% A plane askew would go through the letter at the end of another.
+test(letters_spared, [forall(member(Model, [ 'cylinder(radius(10),height(50))',
+                                             'box(size(18,20,50))' ]))]) :-
+    format(atom(Text), 'segment(1, solid, ~w).', [Model]),
+    facts_file(Text, File),
+    drawn_file(File, [sheet(a4),section([x,y,'1,1,0,0','x=4'])], Drawing),
+    Drawing = drawing(_, Views),
+    forall(( member(view(_,Strokes,Texts), Views),
+             member(text(X,Y,High,_,_), Texts),
+             member(stroke(_,cutting,_,_,Points,_,_), Strokes) ),
+           \+ passes(Points, X, Y, High)),
+    once(( member(view(_,Strokes,_), Views),
+           member(stroke(_,cutting,_,_,_,_,_), Strokes) )).
+
+% passes(Points, X, Y, High): one of 50 points along Points is in the letter.
+passes([X1-Y1,X2-Y2], X, Y, High) :-
+    between(0, 50, I),
+    abs(X1 + I*(X2-X1)/50 - X) < 0.3*High,
+    At is Y1 + I*(Y2-Y1)/50,
+    At > Y-High,
+    At < Y.
+
 % At the largest standard scale it could not be seen.
 test(tiny, true(Wide > 20 000)) :-
     facts_file('segment(1, solid, box(size(1.0e-80,2.0e-80,3.0e-80))).', File),
