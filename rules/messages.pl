@@ -240,7 +240,8 @@ notice_en(nothing_drawn) -->
 fault_en(eye_in_model(D)) -->
     [ 'the eye is in or behind the model: its nearest point is at ~4g'-[D],
       nl,
-      '  Give a larger RHO, or use the parallel projection.' ].
+      '  Go further away (--eye, or a larger RHO), or use the parallel \c
+       projection.' ].
 
 
                 /*******************************

@@ -202,8 +202,10 @@ looking_view('--view', Text, _, View) :-
             R >= 0
         )
     ->  View = view(view,Theta,Phi,pictorial)
-    ;   usage_error(bad_value('--view', Text,
-                              'front, isometric, ... or THETA,PHI[,RHO]'))
+    ;   findall(Name, view_named(Name, _), Names),
+        atomic_list_concat(Names, ', ', All),
+        atom_concat(All, ' or THETA,PHI[,RHO]', Form),
+        usage_error(bad_value('--view', Text, Form))
     ).
 looking_view('--direction', Text, _, View) :-
     vector_option('--direction', Text, [X,Y,Z]),

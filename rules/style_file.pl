@@ -86,12 +86,25 @@ part_fault(properties(Properties), What) =>
         is_list(Properties)
     ->  member(Property, Properties),
         \+ is_property(Property),
-        What = property(Property)
+        property_fault(Property, What)
     ;   What = properties(Properties)
     ).
 part_fault(Part, What) =>
     \+ part_is_right(Part),
     What = Part.
+
+%   property_fault(Property, What): of a colour it is said which there are.
+
+property_fault(Property, What) :-
+    (   compound(Property),
+        compound_name_arguments(Property, colour, Colours),
+        length(Colours, N),
+        N =< 2,
+        member(Colour, Colours),
+        \+ is_colour(Colour)
+    ->  What = colour(Colour)
+    ;   What = property(Property)
+    ).
 
 part_is_right(visibility(Visibility)) :-
     nonvar(Visibility),

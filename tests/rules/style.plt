@@ -116,6 +116,10 @@ test(faults, [forall(member(Text-Fault,
               style(property(dashes([1])))/(1:19),
           "line(any, any, 1, [layer('a b')])."-
               style(property(layer('a b')))/(1:19),
+          "line(any, any, 1, [colour(pink)])."-style(colour(pink))/(1:19),
+          "line(any, any, 1, [colour(red,rgb(0,0,256))])."-
+              style(colour(rgb(0,0,256)))/(1:19),
+          "line(any, any, 1, [colour])."-style(property(colour))/(1:19),
           "paper(mauve)."-style(colour(mauve))/(1:7),
           "paper(rgb(0,0,256))."-style(colour(rgb(0,0,256)))/(1:7),
           "paper(white).\nv(1,1,0,0,0)."-style(fact(v,5))/(2:1),
