@@ -231,6 +231,9 @@ notice_en(sheet_tiny(N:M, How)) -->
     sheet_tiny_en(N, M, How).
 notice_en(nothing_drawn) -->
     [ 'there is nothing to draw' ].
+notice_en(style_in_vain(Segment)) -->
+    [ 'the style has lines of segment ~p, but the model has no such segment'-
+          [Segment] ].
 
 
                 /*******************************

@@ -229,6 +229,9 @@ notice_ko(sheet_tiny(N:M, How)) -->
     sheet_tiny_ko(N, M, How).
 notice_ko(nothing_drawn) -->
     [ '그릴 것이 없습니다' ].
+notice_ko(style_in_vain(Segment)) -->
+    [ '모양 파일이 세그먼트 ~p 의 선을 말하지만, 모델에 그런 세그먼트가 \c
+       없습니다'-[Segment] ].
 
 
                 /*******************************

@@ -1,7 +1,8 @@
 :- module(sg_style_file,
           [ style_rows/2,               % +Style, -Rows
             restyled/6,                 % +Rows, +Visib, +Role, +S, +Old, -New
-            rows_paper/2                % +Rows, -Colour
+            rows_paper/2,               % +Rows, -Colour
+            segment_in_vain/2           % +Rows, -Segment
           ]).
 :- use_module(model_text,
               [ open_model_text/2, close_model_text/1, next_term/3, no_fact/2,
@@ -180,13 +181,28 @@ row_matches(line(Visibility0,Role0,S0,Properties), line(Visibility,Role,S),
     is_or_any(Role0, Role),
     (   is_or_any(S0, S)
     ->  true
-    ;   segment(S, _, Term),
-        term_is_called(Term, S0)
+    ;   segment_is_called(S, S0)
     ).
 
 is_or_any(any, _) :-
     !.
 is_or_any(Value, Value).
+
+%!  segment_in_vain(+Rows, -Segment) is nondet.
+%
+%   True when Rows have a line for Segment, a number or a name, and no segment
+%   of the model has it. 0 is what is on the sheet but not of the model.
+
+segment_in_vain(Rows, Segment) :-
+    member(line(_,_,Segment,_), Rows),
+    Segment \== any,
+    Segment \== 0,
+    \+ segment(Segment, _, _),
+    \+ segment_is_called(_, Segment).
+
+segment_is_called(S, Name) :-
+    segment(S, _, Term),
+    term_is_called(Term, Name).
 
 %   A name, or the functor of what the segment is made from.
 

@@ -40,7 +40,7 @@
                 facts_transaction/1, new_world/1,
                 in_world/2
               ]).
-:- use_module(style_file, [style_rows/2]).
+:- use_module(style_file, [style_rows/2, segment_in_vain/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
                 output_written/2,
@@ -149,6 +149,7 @@ verb_run(draw, Files, Options, 0) :-
         said_if_nothing_drawn,
         WriteOptions = DrawingOptions
     ),
+    said_of_style(DrawingOptions),
     maplist(output_written(drawing_output(WriteOptions)), Outputs).
 verb_run(query, Arguments, Options, Status) :-
     (   append(Files, [Text], Arguments)
@@ -236,6 +237,13 @@ said_if_nothing_drawn :-
     ->  true
     ;   print_message(informational, sanggwan(nothing_drawn))
     ).
+
+%   said_of_style(Options): which segments the style names in vain.
+
+said_of_style(Options) :-
+    option(style(Rows), Options, []),
+    forall(distinct(Segment, segment_in_vain(Rows, Segment)),
+           print_message(informational, sanggwan(style_in_vain(Segment)))).
 
 %!  draw(+File) is det.
 %!  draw(+File, +Options) is det.

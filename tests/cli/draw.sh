@@ -145,4 +145,10 @@ echo 'segment(1, curve, line(from(0, 0, 0), to(0, 0, 5))).' >"$TMP/line.pl"
 check "a line seen end-on: a notice" says_so "$TMP/line.pl" --view top
 check "seen from elsewhere: none" eval "! says_so '$TMP/line.pl'"
 
+echo 'line(any, any, pipe, [none]). line(any, any, 1, [pen(2)]).' \
+  >"$TMP/style.pl"
+check "a style for no segment: a notice" eval \
+  '"$SANGGWAN" draw facts/cube.pl --style "$TMP/style.pl" -o "$TMP/a.svg" 2>&1 |
+     grep -c "lines of segment" | grep -qx 1'
+
 check_report

@@ -84,6 +84,16 @@ test(segment_by_name, [forall(member(Name, [glass, cylinder])),
                                     style(_,_,_,Pen,_)) ),
                        Pens)
              )).
+test(segments_in_vain, true(Vain == [glas,3,cone])) :-
+    rows("line(any, any, glass, []). line(any, any, glas, []).
+          line(any, any, cylinder, []). line(any, any, any, []).
+          line(any, any, 1, []). line(any, any, 3, []).
+          line(any, any, cone, []). line(any, text, 0, []). paper(white).",
+         Rows),
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, solid, named(glass, cylinder(1.0,2.0)))),
+               findall(Segment, segment_in_vain(Rows, Segment), Vain) )).
 test(none, true(Style == none)) :-
     style("line(any, any, any, [none]).", visible, crease, 1, Style).
 test(none_then_shown, true(Width == 0.5)) :-
