@@ -32,9 +32,9 @@ letter(5.0).                            % how high
 %!  plane_marks(+View, +Section, +Box, +Scale, +Others, -Marks) is semidet.
 %
 %   Marks show where the plane of Section, a view, cuts what View shows within
-%   Box; they reach out so far that arrows, letters and thick ends keep clear of
-%   those of Others. Fails if View does not see the plane edge-on, or its line
-%   goes past Box.
+%   Box; they reach out so far that arrows and letters stand beside Box, and with
+%   the thick ends keep clear of those of Others. Fails if View does not see the
+%   plane edge-on, or its line goes past Box.
 
 plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
             box(X1,Y1,X2,Y2), Scale, Others, Marks) :-
@@ -45,13 +45,38 @@ plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
     U is U0/Length,
     V is V0/Length,
     At is D/Length*Scale,
-    line_ends(U, V, At, box(X1*Scale,Y1*Scale,X2*Scale,Y2*Scale), P, Q),
-    beyond(Beyond),
+    maplist(scaled(Scale), [X1,Y1,X2,Y2], [A1,B1,A2,B2]),
+    line_ends(U, V, At, box(A1,B1,A2,B2), P, Q),
+    Cut = cut(P,Q,U-V,Letter),
+    least_beyond(Cut, rect(A1,B1,A2,B2), Least),
     between(0, 40, Step),               % two of a section, 24 sections
-    Out is Beyond + 9*Step,
-    chain_marks(P, Q, Out, U-V, Letter, Marks),
+    Out is Least + 9*Step,
+    chain_marks(Cut, Out, Marks),
     ends_clear(Marks, Others),
     !.
+
+scaled(Scale, X0, X) :-
+    X is X0*Scale.
+
+%   least_beyond(Cut, View, Least): Least is how far the line of Cut has to go on
+%   beyond View, a rectangle, so that its arrows and letters are not in there;
+%   but a line that is all but along a side need not go as far as that.
+
+least_beyond(Cut, View, Least) :-
+    beyond(Beyond),
+    (   between(0, 60, More),
+        Out is Beyond + More,
+        chain_marks(Cut, Out, Marks),
+        \+ reaches_into(Marks, View)
+    ->  Least = Out
+    ;   Least = Beyond
+    ).
+
+reaches_into(Marks, View) :-
+    member(Mark, Marks),
+    Mark \= line(cutting_end,_),
+    end_rectangle(Mark, Rectangle),
+    overlap(Rectangle, View).
 
 %   ends_clear(Marks, Others): their arrows, letters and thick ends do not
 %   overlap.
@@ -129,10 +154,10 @@ range(F, Step, X1, X2, Low, High) :-
         High is max(A, B)
     ).
 
-%   chain_marks(P, Q, Beyond, Normal, Letter, Marks): the line goes on beyond P
+%   chain_marks(cut(P,Q,Normal,Letter), Beyond, Marks): the line goes on beyond P
 %   and Q; the eye is on the side of Normal.
 
-chain_marks(P0, Q0, Beyond, Normal, Letter, Marks) :-
+chain_marks(cut(P0,Q0,Normal,Letter), Beyond, Marks) :-
     thick(Thick),
     Back is -Beyond,
     towards(P0, Q0, Back, P),

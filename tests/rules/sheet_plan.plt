@@ -226,6 +226,22 @@ test(letters_spared, [forall(member(Model, [ 'cylinder(radius(10),height(50))',
     once(( member(view(_,Strokes,_), Views),
            member(stroke(_,cutting,_,_,_,_,_), Strokes) )).
 
+% Nor is a letter on what the view shows, where the plane goes through a corner.
+test(letters_beside, [forall(member(Plane, ['1,0,1,-3', '1,0,1,30',
+                                             '2,0,-1,0' ]))]) :-
+    drawn_sheet(bracket, [sheet(a1),views('front,back'),section([Plane])],
+                Drawing),
+    Drawing = drawing(_, Views),
+    findall(A, ( member(view(Name,_,Texts), Views),
+                 memberchk(Name, [front,back]),
+                 member(text(X,Y,High,_,_), Texts),
+                 view_extent(Drawing, Name, X1, Y1, X2, Y2),
+                 A = at(X,Y,High,X1,Y1,X2,Y2) ),
+            Letters),
+    Letters = [_,_],
+    \+ ( member(at(X,Y,High,X1,Y1,X2,Y2), Letters),
+         X > X1, X < X2, Y > Y1, Y-High < Y2 ).
+
 % passes(Points, X, Y, High): one of 50 points along Points is in the letter.
 passes([X1-Y1,X2-Y2], X, Y, High) :-
     between(0, 50, I),
