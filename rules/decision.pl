@@ -364,7 +364,7 @@ user:message_hook(Error, error, _) :-
     (   first_error(_)
     ->  true
     ;   Error = error(_, Context),
-        var(Context),
+        \+ ( nonvar(Context), error_place(Context, _, _) ),
         source_location(_, Line)
     ->  assertz(first_error(at(Error, Line)))
     ;   assertz(first_error(Error))

@@ -218,7 +218,8 @@ tabs(Out) :-
 
 tabs_written(Out, Name, Width) :-
     develop(1, D),
-    pattern_layout([D], [tabs(Width)], layout(_, _, _, _, Tabs0, _)),
+    pattern_layout([D], [tabs(Width),open_slits(false)],
+                   layout(_, _, _, _, Tabs0, _)),
     findall(tab(E,Corners),
             ( gen_assoc(tab(D,E,_,_), Tabs0, Own),
               Own \= strip(_),

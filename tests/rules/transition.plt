@@ -15,6 +15,7 @@
 :- use_module(rules(trimmed)).
 :- use_module(rules(true_development)).
 :- use_module(rules(true_plate)).
+:- use_module(rules(true_resized), [transition_resized/3]).
 :- use_module(rules(true_table)).
 
 :- begin_tests(transition).
