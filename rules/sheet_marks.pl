@@ -32,9 +32,9 @@ letter(5.0).                            % how high
 %!  plane_marks(+View, +Section, +Box, +Scale, +Others, -Marks) is semidet.
 %
 %   Marks show where the plane of Section, a view, cuts what View shows within
-%   Box; they reach out so far that arrows and letters stand beside Box, and with
-%   the thick ends keep clear of those of Others. Fails if View does not see the
-%   plane edge-on, or its line goes past Box.
+%   Box; they reach out so far that arrows and letters stand beside Box, and
+%   with the thick ends keep clear of those of Others. Fails if View does not
+%   see the plane edge-on, or its line goes past Box.
 
 plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
             box(X1,Y1,X2,Y2), Scale, Others, Marks) :-
@@ -58,9 +58,9 @@ plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
 scaled(Scale, X0, X) :-
     X is X0*Scale.
 
-%   least_beyond(Cut, View, Least): Least is how far the line of Cut has to go on
-%   beyond View, a rectangle, so that its arrows and letters are not in there;
-%   but a line that is all but along a side need not go as far as that.
+%   least_beyond(Cut, View, Least): Least is how far the line of Cut has to go
+%   on beyond View, a rectangle, so that its arrows and letters are not in
+%   there; but a line that is all but along a side need not go as far as that.
 
 least_beyond(Cut, View, Least) :-
     beyond(Beyond),
@@ -154,8 +154,8 @@ range(F, Step, X1, X2, Low, High) :-
         High is max(A, B)
     ).
 
-%   chain_marks(cut(P,Q,Normal,Letter), Beyond, Marks): the line goes on beyond P
-%   and Q; the eye is on the side of Normal.
+%   chain_marks(cut(P,Q,Normal,Letter), Beyond, Marks): the line goes on beyond
+%   P and Q; the eye is on the side of Normal.
 
 chain_marks(cut(P0,Q0,Normal,Letter), Beyond, Marks) :-
     thick(Thick),
