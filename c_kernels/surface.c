@@ -188,25 +188,29 @@ offs(const sg_surface *s, const double x[3], double t, double *across,
   *above = dot(from, g.normal) / sqrt(dot(g.normal, g.normal));
 }
 
-/* The t of the generator that x is nearest to, near t: by the secant, kept
- * between two places where x lies on different sides. False: none is near. */
-static bool
-foot(const sg_surface *s, const double x[3], double *t)
+/* The t of the generator that x is nearest to. Its surface is convex: so that
+ * is where x is farthest above the tangent plane, or least below it, of all t;
+ * and there x goes from one side of the plane of generator and normal to the
+ * other. Found among `places`, then by the secant between two that have x on
+ * different sides. */
+static double
+foot(const sg_surface *s, const double x[3])
 {
-  const double step = 0.05;
-  double a = *t, b, fa, fb, above;
+  enum { places = 72 };
+  const double wide = TURN / places;
+  double t = 0, most = -INFINITY, fa, fb, above;
 
-  offs(s, x, a, &fa, &above);
-  for (int i = 1; i <= 32; i++) { /* to both sides in turn */
-    b = *t + (i % 2 ? step : -step) * ((i + 1) / 2);
-    offs(s, x, b, &fb, &above);
-    if ((fa < 0) != (fb < 0)) {
-      break;
-    }
-    if (i == 32) {
-      return false;
+  for (int i = 0; i < places; i++) {
+    offs(s, x, i * wide, &fa, &above);
+    if (above > most) {
+      most = above;
+      t = i * wide;
     }
   }
+  double a = t - wide, b = t + wide;
+
+  offs(s, x, a, &fa, &above);
+  offs(s, x, b, &fb, &above);
   for (int i = 0; i < 100 && fa != 0; i++) {
     double m = a - fa * (b - a) / (fb - fa), fm;
 
@@ -228,24 +232,17 @@ foot(const sg_surface *s, const double x[3], double *t)
     a = m;
     fa = fm;
   }
-  *t = a;
-  return true;
+  return a;
 }
 
 /* As sg_surface_value(): the distance itself. */
-static bool
+static void
 parallel_value(const sg_surface *s, const double x[3], double *value,
                double normal[3])
 {
-  double a[3], across;
+  double across, t = foot(s, x);
   generator g;
 
-  coordinates(s, x, a);
-  double t = atan2(a[1], a[0]);
-
-  if (!foot(s, x, &t)) {
-    return false;
-  }
   offs(s, x, t, &across, value);
   *value -= s->offset;
   set_generator(s, t, &g);
@@ -254,7 +251,6 @@ parallel_value(const sg_surface *s, const double x[3], double *value,
   for (int k = 0; k < 3; k++) {
     normal[k] = g.normal[k] / length;
   }
-  return true;
 }
 
 /* What a generator at t gains along w when it is moved. */
@@ -289,7 +285,8 @@ sg_surface_value(const sg_surface *s, const double x[3], double *value,
     return true;
   }
   if (s->offset != 0) {
-    return parallel_value(s, x, value, normal);
+    parallel_value(s, x, value, normal);
+    return true;
   }
   coordinates(s, x, a);
   if (!equation(s, a, value, slope)) {
@@ -328,8 +325,7 @@ sg_surface_place(const sg_surface *s, const double x[3], double *t, double *h)
   *t = atan2(a[1], a[0]);
   *h = a[2];
   if (s->offset != 0) {
-    foot(s, x, t);
-    *t = remainder(*t, TURN);
+    *t = remainder(foot(s, x), TURN);
   }
 }
 

@@ -420,6 +420,38 @@ fan(void)
   CHECK("none without width", !sg_surface_init(&roll.surface));
 }
 
+/* What lies within an oblique cone is far from its axis near the tip, so the
+ * direction from there says nothing of which generator is the nearest. */
+static void
+within_oblique_cones(void)
+{
+  static const double shift[3][2] = {{47, 45}, {-60, 10}, {0, 75}};
+  static const double top[3] = {0.0965, 0.095, 0.095}; /* a tenth of it */
+
+  for (int i = 0; i < 3; i++) {
+    double of[4][3] = {
+        {0, 0, 0}, {51, 0, 0}, {0, 51, 0}, {shift[i][0], shift[i][1], 200}};
+    sg_roll roll = opened(SG_SURFACE_CONE, of, 0, 0, 0);
+    sg_surface inner = roll.surface;
+
+    inner.offset = -1.5;
+    for (int j = -180; j < 180; j++) {
+      for (int k = 0; k <= 10; k++) {
+        double x[3], t, h, value, normal[3];
+
+        sg_surface_point(&inner, j * PI / 180, k * top[i], x);
+        sg_surface_place(&inner, x, &t, &h);
+        CHECK("the generator it was moved from",
+              fabs(remainder(t - j * PI / 180, 2 * PI)) < 1e-9 &&
+                  fabs(h - k * top[i]) < 1e-12);
+        CHECK("it lies on it", sg_surface_value(&inner, x, &value, normal) &&
+                                   fabs(value) < 1e-11);
+      }
+    }
+    sg_roll_clear(&roll);
+  }
+}
+
 int
 main(void)
 {
@@ -437,5 +469,6 @@ main(void)
   cylinders_meet();
   sine();
   fan();
+  within_oblique_cones();
   return check_report();
 }
