@@ -53,18 +53,21 @@ nested(Outlines, Paper, nested(Size,Places)) :-
             ( member(Name-_, Outlines), get_assoc(Name, ByName, Place) ),
             Places).
 
-%   way(Name,Loops,Angles,Width,Height): at which angles a piece is tried, and
-%   its box. A table, table(D,Part), is read from below or from the right.
+%   way(Name,Loops,Hull,Angles,Width,Height): the hull of a piece, at which angles
+%   it is tried, and its box. A table, table(D,Part), is read from below or from
+%   the right.
 
-outline_way(Name-Loops, way(Name,Loops,[0.0,90.0],W,H)) :-
+outline_way(Name-Loops, way(Name,Loops,Hull,[0.0,90.0],W,H)) :-
     Name = table(_, _),
     !,
     append(Loops, Points),
+    hull(Points, Hull),
     points_box(Points, W, H).
-outline_way(Name-Loops, way(Name,Loops,Angles,Width,Height)) :-
+outline_way(Name-Loops, way(Name,Loops,Hull,Angles,Width,Height)) :-
     append(Loops, Points),
+    hull(Points, Hull),
     points_box(Points, W, H),
-    least_box(Points, Degrees, LeastW, LeastH),
+    hull_box(Hull, Degrees, LeastW, LeastH),
     (   LeastW*LeastH > 0.98*W*H
     ->  Width = W,
         Height = H,
@@ -134,13 +137,13 @@ sorted_ways(Key, Ways, Sorted) :-
 
 %   The larger a piece is the earlier it is placed.
 
-way_rank(longest, way(_,_,_,W,H), Rank) :-
+way_rank(longest, way(_,_,_,_,W,H), Rank) :-
     Rank is -round(1000*max(W,H)).
-way_rank(area, way(_,_,_,W,H), Rank) :-
+way_rank(area, way(_,_,_,_,W,H), Rank) :-
     Rank is -round(1000*W*H).
-way_rank(higher, way(_,_,_,W,H), Rank) :-
+way_rank(higher, way(_,_,_,_,W,H), Rank) :-
     Rank is -round(1000*(min(W,H) + 0.1*max(W,H))).
-way_rank(wider, way(_,_,_,W,H), Rank) :-
+way_rank(wider, way(_,_,_,_,W,H), Rank) :-
     Rank is -round(1000*(W+H)).
 
 %   From below; from the left too, if that is another thing. A roll may be wider
@@ -231,7 +234,7 @@ tried(Paper, how(Ways,Side), trial(Score,how(Ways,Side),Pairs,Size), Left0,
     max_list([0|Is], Sheets),
     Score = score(Unplaced, Sheets, Used).
 
-way_piece(Side, way(Name,Loops,Angles0,_,_), Name, piece(Angles,Loops)) :-
+way_piece(Side, way(Name,Loops,_,Angles0,_,_), Name, piece(Angles,Loops)) :-
     (   Side == left,
         Name = table(_, _)
     ->  Angles = [90.0,180.0]
@@ -254,11 +257,11 @@ seen_place(_, _, Place, Place).
 paper_nesting(room(W,H,Gap), below, _, W-H, false, Gap).
 paper_nesting(room(W,H,Gap), left, _, H-W, false, Gap).
 paper_nesting(roll(Gap), width(Share), Ways, Width-Height, true, Gap) :-
-    findall(Area, ( member(way(_,_,_,W,H), Ways),
+    findall(Area, ( member(way(_,_,_,_,W,H), Ways),
                     Area is (W+Gap)*(H+Gap) ), Areas),
     sum_list(Areas, All),
-    findall(W, member(way(_,_,_,W,_), Ways), Ws),
-    findall(Side, ( member(way(_,_,_,W,H), Ways), Side is max(W, H)+Gap ),
+    findall(W, member(way(_,_,_,_,W,_), Ways), Ws),
+    findall(Side, ( member(way(_,_,_,_,W,H), Ways), Side is max(W, H)+Gap ),
             Sides),
     max_list([1.0|Ws], Widest),
     sum_list(Sides, Longest),
@@ -271,7 +274,7 @@ paper_nesting(roll(Gap), width(Share), Ways, Width-Height, true, Gap) :-
 raster(Paper, Ways, Raster) :-
     length(Ways, N),
     fine_pieces(Least, Most),
-    findall(Area, ( member(way(_,_,_,W,H), Ways), Area is W*H ), Areas),
+    findall(Area, ( member(way(_,_,_,_,W,H), Ways), Area is W*H ), Areas),
     sum_list(Areas, All),
     fine_sheets(Sheets),
     (   N >= Least,
@@ -302,9 +305,8 @@ used_size(Paper, Ways, Places, Size, Used) :-
     max_list([0|Is], Last),
     findall(X-Y,
             ( nth1(N, Places, place(Last,Degrees,DX,DY)),
-              nth1(N, Ways, way(_,[Loop|Loops],_,_,_)),
-              member(Own, [Loop|Loops]),
-              member(Point, Own),
+              nth1(N, Ways, way(_,_,Hull,_,_,_)),
+              member(Point, Hull),
               turned(Degrees, Point, X0-Y0),
               X is X0+DX,
               Y is Y0+DY
@@ -367,6 +369,9 @@ boxed(X-Y, box(X1,Y1,X2,Y2), box(X3,Y3,X4,Y4)) :-
 
 least_box(Points, Degrees, Width, Height) :-
     hull(Points, Hull),
+    hull_box(Hull, Degrees, Width, Height).
+
+hull_box(Hull, Degrees, Width, Height) :-
     hull_degrees(Hull, Angles),
     findall(box(Area,Angle,W,H),
             ( member(Angle, Angles),

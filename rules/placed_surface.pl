@@ -107,12 +107,12 @@ placed_polygon(S, P, Leaf, P0) :-
     ).
 
 goes_on(S) :-
+    once(from_p(S, _, _, _, _)),        % first: most have none
     \+ copy(S, _, _),
     (   is_helper(S)
     ->  true
     ;   is_node(S)
-    ),
-    once(from_p(S, _, _, _, _)).
+    ).
 
 %!  placed_feature(?S, ?V, ?Leaf, ?Feature) is nondet.
 %

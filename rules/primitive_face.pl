@@ -44,7 +44,9 @@ circle.
     ?- face_of(1, P, curved(Part, [T, _])).
 */
 
-:- thread_local last_faces/3.
+:- thread_local
+    last_term/2,                        % Term, Surfaces
+    last_face/2.                        % P, What
 
 %!  face_of(?S, ?P, ?What) is nondet.
 %
@@ -54,14 +56,9 @@ circle.
 face_of(S, P, What) :-
     segment(S, _, Term),
     names_primitive(Term),
-    faces(Term, Table, _),
-    (   integer(P)
-    ->  arg(P, Table, What),
-        once(p(S, P, _))
-    ;   var(P),
-        arg(P, Table, What),
-        once(p(S, P, _))
-    ).
+    remembered(Term, _),
+    last_face(P, What),
+    once(p(S, P, _)).
 
 %!  smooth_surface(?S, ?Part, ?Surface) is nondet.
 %
@@ -70,7 +67,7 @@ face_of(S, P, What) :-
 smooth_surface(S, Part, Surface) :-
     segment(S, _, Term),
     names_primitive(Term),
-    faces(Term, _, Surfaces),
+    remembered(Term, Surfaces),
     member(Part-Surface, Surfaces).
 
 %   names_primitive(Term): and no node of a CSG tree, however it is placed.
@@ -88,19 +85,20 @@ innermost(Term, Inner) :-
     ;   Inner = Term
     ).
 
-%   faces(Term, Table, Surfaces): those of the last term are remembered.
+%   remembered(Term, Surfaces): the faces of the last term are remembered, each by
+%   itself: a list of them all would be copied whenever one is asked for.
 
-faces(Term, Table, Surfaces) :-
-    last_faces(Last, Table0, Surfaces0),
+remembered(Term, Surfaces) :-
+    last_term(Last, Surfaces0),
     Last == Term,
     !,
-    Table = Table0,
     Surfaces = Surfaces0.
-faces(Term, Table, Surfaces) :-
+remembered(Term, Surfaces) :-
     primitive_faces(Term, Whats, Surfaces),
-    Table =.. [faces|Whats],
-    retractall(last_faces(_, _, _)),
-    assertz(last_faces(Term, Table, Surfaces)).
+    retractall(last_term(_, _)),
+    retractall(last_face(_, _)),
+    forall(nth1(P, Whats, What), assertz(last_face(P, What))),
+    assertz(last_term(Term, Surfaces)).
 
 %!  surface_point(+Surface, +T, +H, -Point) is det.
 %
