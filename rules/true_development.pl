@@ -15,7 +15,7 @@
               [ layout/6, layout_points/2, layout_curves/2, layout_marks/6,
                 mirrored_half/4
               ]).
-:- use_module(true_parts, [facets_as_drawn/3]).
+:- use_module(true_parts, [facets_as_drawn/4]).
 :- use_module(true_pattern, [pattern_written/3]).
 :- use_module(true_shape,
               [ true_part/5, part_facets/4, facet_middle/2, facets_sense/3,
@@ -143,7 +143,7 @@ unrolled(S, Part, Options,
     tips_moved(Facets0, Tolerance, Facets3, Shape0, Shape3),
     rims_kept(Facets3, Facets4, Shape3, Shape2),
     spikes_cut(Facets4, Shape2, Facets5),
-    facets_as_drawn(S, Facets5, Facets2),
+    facets_as_drawn(S, Facets5, Shape2, Facets2),
     seam(Facets2, Shape2, Sense, Options, Seam, Around),
     opened(Facets2, S-Part, Seam, Sense, Facets1, Shape2, Shape1),
     half_of(Facets1, S-Part, Seam, Around, Sense, Options, Facets,

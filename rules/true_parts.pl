@@ -3,7 +3,7 @@
             drawn_polygon/4,            % +S1, ?P1, -S, ?P
             polygon_drawn/4,            % +T, +P, -S, -P0
             drawn_wanted/4,             % +S1, +S, +Wanted, -Wanted1
-            facets_as_drawn/3           % +S, +Facets0, -Facets
+            facets_as_drawn/4           % +S, +Facets0, +Shape, -Facets
           ]).
 :- use_module(csg, [is_node/1]).
 :- use_module(model_file, [add_primitive/2]).
@@ -15,11 +15,12 @@
 :- use_module(true_flat, [flat_resized/3]).
 :- use_module(true_parallel, [parallel_made/3]).
 :- use_module(true_resized, [term_enlarged/3]).
+:- use_module(true_tip, [settled/5]).
 :- use_module(library(apply),
               [foldl/4, maplist/2, maplist/3, partition/4]).
 :- use_module(library(lists),
               [ append/2, append/3, max_list/2, member/2, memberchk/2,
-                min_list/2
+                min_list/2, selectchk/3
               ]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
@@ -36,7 +37,7 @@ touch (true_plate.pl). A part S1 that was made for this has
     origin(S1, p(P1), p(P))             its polygon P1 stands for polygon P of S
 
 and facets that stand for one facet are put together again when they are
-unrolled (facets_as_drawn/3): a pattern has the facets that are drawn.
+unrolled (facets_as_drawn/4): a pattern has the facets that are drawn.
 
 Which of two coincident faces a part keeps goes by the numbers of segments; so
 all parts are made again, in the order they had.
@@ -278,13 +279,13 @@ edges_made(S1, S, Edges0, Edges) :-
               drawn_polygon(S1, Q1, S, Q) ),
             Edges).
 
-%!  facets_as_drawn(+S, +Facets0, -Facets) is det.
+%!  facets_as_drawn(+S, +Facets0, +Shape, -Facets) is det.
 %
-%   Facets of segment S (true_shape.pl) that stand for one facet of what is
-%   drawn are one, with the smallest of their numbers: the half-edges between
-%   them are left out.
+%   Facets of segment S and their Shape (true_shape.pl): those that stand for
+%   one facet of what is drawn are one, with the smallest of their numbers: the
+%   half-edges between them are left out.
 
-facets_as_drawn(S, Facets0, Facets) :-
+facets_as_drawn(S, Facets0, Shape, Facets) :-
     findall(drawn(D, P)-Facet,
             ( member(Facet, Facets0),
               Facet = facet(P0, _, _, _),
@@ -292,26 +293,39 @@ facets_as_drawn(S, Facets0, Facets) :-
             Pairs0),
     keysort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
-    maplist(put_together, Groups, Lists),
+    maplist(put_together(Shape), Groups, Lists),
     append(Lists, Facets1),
     sort(1, @=<, Facets1, Facets).
 
-%   put_together(Drawn-Group, Facets): one for each part of the facet that hangs
+%   put_together(Shape, Drawn-Group, Facets): one for each part of the facet that hangs
 %   together.
 
-put_together(_-[Facet], [Facet]) :-
+put_together(_, _-[Facet], [Facet]) :-
     !.
-put_together(drawn(D, PD)-Group, Facets) :-
+put_together(Shape, drawn(D, PD)-Group, Facets) :-
     once(face_of(D, PD, curved(_, [T1-T2|_]))),
     hanging_together(Group, Parts),
-    maplist(one_facet(T1, T2), Parts, Facets).
+    maplist(one_facet(Shape, T1, T2), Parts, Facets).
 
-one_facet(T1, T2, Part, facet(P, T1, T2, Halves)) :-
+one_facet(Shape, T1, T2, Part, facet(P, T1, T2, Halves)) :-
     findall(P0, member(facet(P0, _, _, _), Part), Ps),
     min_list(Ps, P),
     findall(Half, ( member(facet(_, _, _, Hs), Part), member(Half, Hs) ),
             Halves0),
-    uncancelled(Halves0, Halves).
+    uncancelled(Halves0, Halves1),
+    rim_settled(0.0, Shape, Halves1, Halves2),
+    rim_settled(1.0, Shape, Halves2, Halves).
+
+%   rim_settled(Level, Shape, Halves0, Halves): a facet that is no plane is two
+%   triangles, one of which has a corner alone on the rim; so what goes along
+%   the rim in place of what was beyond it (true_border.pl) may be in one, and
+%   that piece of the rim in the other.
+
+rim_settled(Level, Shape, Halves0, Halves) :-
+    (   memberchk(half(_, _, tip), Halves0)
+    ->  settled(Halves0, level(Level), Shape, Halves0, Halves)
+    ;   Halves = Halves0
+    ).
 
 %   hanging_together(Facets, Parts): those with a half-edge in common, once each
 %   way, are of one part.
@@ -335,12 +349,23 @@ beside(Backs, facet(_, _, _, Halves)) :-
     ord_memberchk(A-B, Backs),
     !.
 
-%   uncancelled(Halves0, Halves): without those that run both ways.
+%   uncancelled(Halves0, Halves): without pairs that run both ways; where tips
+%   were given, one may run there twice and back once.
 
 uncancelled(Halves0, Halves) :-
-    findall(A-B, member(half(A, B, _), Halves0), Runs0),
-    sort(Runs0, Runs),
-    findall(half(A, B, Label),
-            ( member(half(A, B, Label), Halves0),
-              \+ ord_memberchk(B-A, Runs) ),
-            Halves).
+    findall(B-A, member(half(A, B, _), Halves0), Backs0),
+    sort(Backs0, Backs),
+    partition(runs_back(Backs), Halves0, Both, Once),
+    pairs_cancelled(Both, Left),
+    append(Once, Left, Halves).
+
+runs_back(Backs, half(A, B, _)) :-
+    ord_memberchk(A-B, Backs).
+
+pairs_cancelled([], []).
+pairs_cancelled([half(A, B, Label)|Halves0], Halves) :-
+    (   selectchk(half(B, A, _), Halves0, Halves1)
+    ->  pairs_cancelled(Halves1, Halves)
+    ;   Halves = [half(A, B, Label)|Halves2],
+        pairs_cancelled(Halves0, Halves2)
+    ).

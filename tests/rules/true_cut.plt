@@ -286,7 +286,45 @@ sides_area(Sides, S, Area) :-
                aggregate_all(sum(Part), ( triangle_area(T, P, Part),
                                           \+ is_tip(Side, S, T, P) ), Area) )).
 
+%   The line of the true surfaces goes over a rim within a side that is two
+%   triangles, one of which has a corner alone there.
+test(rim_of_two_triangles) :-
+    Header = cone(radius(65), height(200), shift(60,-68), facets(12)),
+    Branch = at([rotate(x,62),rotate(y,-30),translate(6,16,94)],
+                cone(radius(29), height(260), shift(45,46), facets(12))),
+    sides_area([Header-0,Branch-3], 2, Area0),
+    patterns([Header,Branch], 2,
+             [thickness(3),size(inside),set_in(true),role(branch),
+              k_factor(1.0)], Area),
+    near(Area, Area0).
+
+%   Plates within an oblique cone, up to where it ends.
+test(within_oblique_cone) :-
+    Header = cone(radius(51), height(200), shift(47,45), facets(12)),
+    Branch = at([rotate(x,74),rotate(y,4),translate(4,6,74)],
+                cylinder(radius(15), height(260), facets(12))),
+    patterns([Header,Branch], 1,
+             [thickness(3),set_in(true),role(header),k_factor(0.0)], Area),
+    patterns([Header,Branch], 1,
+             [thickness(0.003),set_in(true),role(header),k_factor(0.0)],
+             Area0),
+    Area < Area0,
+    Area > 0.9*Area0.
+
+%   A tip was given so that a piece of a generator ran there twice and back once.
+test(there_twice_and_back) :-
+    Cone = cone(radius(33,40), height(200), facets(24)),
+    Steps = [rotate(x,62),rotate(y,17),translate(19,5,93)],
+    patterns([Cone,at(Steps, sphere(radius(39)))], 1,
+             [thickness(2),size(outside),role(header),k_factor(1.0)], Area),
+    fine(Cone, Fine),
+    trimmed_area([Fine,at(Steps, sphere(radius(37), tolerance(0.1)))], 1,
+                 Area0),
+    abs(Area-Area0) =< 2.0e-3*Area0.
+
 %   The small face in which a moved pointed cone ends is not unfolded.
+is_tip(at(_, Term)-Off, S, T, P) :-
+    is_tip(Term-Off, S, T, P).
 is_tip(Term-Off, S, T, P) :-
     Off =\= 0,
     Term =.. [cone|Arguments],
