@@ -85,8 +85,8 @@ innermost(Term, Inner) :-
     ;   Inner = Term
     ).
 
-%   remembered(Term, Surfaces): the faces of the last term are remembered, each by
-%   itself: a list of them all would be copied whenever one is asked for.
+%   remembered(Term, Surfaces): the faces of the last term are remembered, each
+%   by itself: a list of them all would be copied whenever one is asked for.
 
 remembered(Term, Surfaces) :-
     last_term(Last, Surfaces0),

@@ -311,7 +311,7 @@ test(within_oblique_cone) :-
     Area < Area0,
     Area > 0.9*Area0.
 
-%   A tip was given so that a piece of a generator ran there twice and back once.
+%   Tips were given so that a piece of a generator runs there twice and back once.
 test(there_twice_and_back) :-
     Cone = cone(radius(33,40), height(200), facets(24)),
     Steps = [rotate(x,62),rotate(y,17),translate(19,5,93)],
