@@ -320,6 +320,8 @@ statement_en(ends_in_face(Which, At, S, P)) -->
     [ ', where the line goes through polygon ~d of segment ~d'-[P, S] ].
 statement_en(visible_part(From, To)) -->
     [ 'visible from ~6g to ~6g'-[From, To] ].
+statement_en(nowhere_visible) -->
+    [ 'no part of it is visible: ask hidden(...) what hides it' ].
 statement_en(nothing_over) -->
     [ 'no other face that could hide it lies on it in the picture' ].
 statement_en(face_behind(S, P, From, To, Before)) -->

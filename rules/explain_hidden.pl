@@ -162,10 +162,19 @@ line_because(Scene, S, E, Wanted, Options, Because) :-
                              Visible, Hidden, From-Part),
                 Parts0),
         keysort(Parts0, Parts1),
-        pairs_values(Parts1, Parts)
+        pairs_values(Parts1, Parts2),
+        some_parts(Wanted, Visible, Parts2, Parts)
     ),
     findall(because(stands_in, []), stands_in(S, E), Alone),
     append([Role,Alone,Parts], Because).
+
+%   some_parts(Wanted, Visible, Parts0, Parts): who asks why it is visible is
+%   told where it is not.
+
+some_parts(visible, [], [], Parts) =>
+    Parts = [because(nowhere_visible, [])].
+some_parts(_, _, Parts0, Parts) =>
+    Parts = Parts0.
 
 part_because(all, Line, Covers, Faces, Back, _, Hidden,
              From-because(hidden_part(From, To), Because)) :-

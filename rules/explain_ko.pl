@@ -316,6 +316,8 @@ statement_ko(ends_in_face(Which, At, S, P)) -->
     [ ': 선이 세그먼트 ~d의 다각형 ~d을(를) 뚫는 곳'-[S, P] ].
 statement_ko(visible_part(From, To)) -->
     [ '보이는 부분: ~6g 부터 ~6g 까지'-[From, To] ].
+statement_ko(nowhere_visible) -->
+    [ '보이는 부분이 없다: 무엇이 가리는지는 hidden(...) 으로 묻는다' ].
 statement_ko(nothing_over) -->
     [ '그림에서 그 위에 놓인, 선을 가릴 수 있는 다른 면이 없다' ].
 statement_ko(face_behind(S, P, From, To, Before)) -->

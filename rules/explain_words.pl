@@ -92,6 +92,7 @@ statement_keys(ends_at_edge, [which, at, segment, edge, start, end]).
 statement_keys(ends_in_face, [which, at, segment, polygon]).
 statement_keys(visible_part, [from, to]).
 statement_keys(nothing_over, []).
+statement_keys(nowhere_visible, []).
 statement_keys(face_behind, [segment, polygon, from, to, distance]).
 statement_keys(line_in_face, [segment, polygon]).
 statement_keys(let_through,

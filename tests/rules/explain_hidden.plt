@@ -221,6 +221,12 @@ test(nothing_over) :-
                                      visible_part(F, _), U),
                            [0.0-[nothing_over],0.75-[nothing_over]]),
                    \+ said(why_not(hidden(1, 1)), hidden_part(_, _)) )).
+test(nowhere_visible) :-
+    in_new_world(( behind_a_square,
+                   curve(3, [p(-0.3,1,0.2), p(0.3,1,0.2)]), picture,
+                   once(said(why_not(hidden(3, 1)), nowhere_visible)),
+                   \+ said(hidden(3, 1), nowhere_visible),
+                   \+ said(why_not(hidden(1, 1)), nowhere_visible) )).
 test(nearest_first, Ps == [3,2]) :-
     in_new_world(( behind_a_square, square(3, -1), picture,
                    findall(P, said(hidden(1, 1), hiding_face(P,_,_,_,_)),
