@@ -54,8 +54,8 @@ nested(Outlines, Paper, nested(Size,Places)) :-
             Places).
 
 %   way(Name,Loops,Hull,Angles,Width,Height): the hull of a piece, at which
-%   angles it is tried, and its box. A table, table(D,Part), is read from below or
-%   from the right.
+%   angles it is tried, and its box. A table, table(D,Part), is read from below
+%   or from the right.
 
 outline_way(Name-Loops, way(Name,Loops,Hull,[0.0,90.0],W,H)) :-
     Name = table(_, _),

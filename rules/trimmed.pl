@@ -3,7 +3,8 @@
             trimmed/5,                  % +S, +Others, +Side, +Options, -T
             stays_trimmed/4,            % +S, +Others, +Side, +Component
             trimmed_from/2,             % +T, -S
-            part_named/2                % +T, -S
+            part_named/2,               % +T, -S
+            part_named/4                % +T, +Part0, -S, -Part
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
@@ -180,4 +181,20 @@ part_named(T, S) :-
     (   origin(S1, node(S1), plate(S0))
     ->  part_named(S0, S)
     ;   S = S1
+    ).
+
+%!  part_named(+T, +Part0, -S, -Part) is det.
+%
+%   As part_named/2; Part0 of T (true_part/5) is Part of S: its name, or of
+%   which segment it is, and its name.
+
+part_named(T, Part0, S, Part) :-
+    part_named(T, S),
+    (   Part0 = Leaf0/Name
+    ->  part_named(Leaf0, Leaf),
+        (   Leaf == S
+        ->  Part = Name
+        ;   Part = Leaf/Name
+        )
+    ;   Part = Part0
     ).

@@ -4,7 +4,7 @@
 :- use_module(primitive, [primitive_faces/3]).
 :- use_module(placed_surface, [placed_surface/3]).
 :- use_module(store, [segment/3]).
-:- use_module(trimmed, [part_named/2]).
+:- use_module(trimmed, [part_named/2, part_named/4]).
 :- use_module(true_divide, [facet_index/2, generator_spans/5]).
 :- use_module(true_layout, [chord_tolerance/3, strip_ends/3, strip_layout/6]).
 :- use_module(true_pieces,
@@ -220,8 +220,8 @@ half_left(Laid0, Name, Around, Middle, Neutral, Laid) :-
         mirrored(Corners, Axis)
     ->  true
     ;   Name = S-Part,
-        part_named(S, Named),
-        throw(error(geometry_error(true(not_symmetric(Named, Part))), _))
+        part_named(S, Part, Named, Shown),
+        throw(error(geometry_error(true(not_symmetric(Named, Shown))), _))
     ).
 
 before(laid(piece(_, _, _, _-G2, _, _, _), _, _, _), Middle) :-

@@ -7,7 +7,7 @@
 :- use_module(placed_surface, [placed_surface/3]).
 :- use_module(primitive_face, [surface_point/4]).
 :- use_module(true_composed, [composed_unrolled/4]).
-:- use_module(trimmed, [part_named/2]).
+:- use_module(trimmed, [part_named/4]).
 :- use_module(true_border, [rims_kept/4]).
 :- use_module(true_divide,
               [facet_divided/7, facet_index/2, generator_spans/5]).
@@ -294,8 +294,8 @@ half_of(Facets0, Name, Seam, Around, Sense, Options, Facets, Shape0, Shape) :-
             mirrored_half(Facets0, Seam, Shape0, Sense)
         ->  true
         ;   Name = S-Part,
-            part_named(S, Named),
-            throw(error(geometry_error(true(not_symmetric(Named, Part))), _))
+            part_named(S, Part, Named, Shown),
+            throw(error(geometry_error(true(not_symmetric(Named, Shown))), _))
         ),
         foldl(cut_at(Name, half, Middle, Sense), Facets0, Lists,
               1000000-Shape0, _-Shape),

@@ -36,7 +36,8 @@ true_en(no_offset(S)) -->
     [ 'the surfaces of a plate of segment ~d are not known'-[S], nl,
       '  With a thickness, penetrations are found for cylinders and cones, \c
          round spheres and tori, transitions,', nl,
-      '  and what has flat faces and is convex, or has corners of three.' ].
+      '  and what has flat faces and is convex, or has corners of three; and \c
+         the plate must be thinner than there is room for within.' ].
 true_en(bend(S, P1, P2, Degrees)) -->
     [ 'segment ~d: the fold between polygons ~d and ~d turns by ~2f degrees: \c
        no bend has such an angle'-[S, P1, P2, Degrees], nl,

@@ -297,8 +297,8 @@ facets_as_drawn(S, Facets0, Shape, Facets) :-
     append(Lists, Facets1),
     sort(1, @=<, Facets1, Facets).
 
-%   put_together(Shape, Drawn-Group, Facets): one for each part of the facet that
-%   hangs together.
+%   put_together(Shape, Drawn-Group, Facets): one for each part of the facet
+%   that hangs together.
 
 put_together(_, _-[Facet], [Facet]) :-
     !.

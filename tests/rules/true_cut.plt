@@ -171,6 +171,15 @@ test(cut_at_an_edge, Degrees =:= 90.0) :-
                              [trim(outside)], [D|_]),
                once(origin(D, e(_), generator(1, Degrees, _, _, _))) )).
 
+test(named_as_drawn, error(geometry_error(true(not_symmetric(2, side))), _)) :-
+    Header = at([rotate(y,90),translate(-150,0,0)],
+                cylinder(radius(57), height(300), facets(16))),
+    Branch = at([rotate(y,40),translate(0,12,0)],
+                cylinder(radius(38), height(190), facets(16))),
+    in_scene([Header,Branch],
+             true_patterns(2, wanted(none,[],[],[]),
+                           [trim(outside),half(true)], _)).
+
 %   What nothing cuts is unfolded as it is drawn.
 test(alone, T-Count == 1-14) :-
     in_scene([cylinder(radius(50), height(300), facets(12)),
@@ -311,7 +320,7 @@ test(within_oblique_cone) :-
     Area < Area0,
     Area > 0.9*Area0.
 
-%   Tips were given so that a piece of a generator runs there twice and back once.
+%   Tips were given so that a piece of a generator runs there twice, back once.
 test(there_twice_and_back) :-
     Cone = cone(radius(33,40), height(200), facets(24)),
     Steps = [rotate(x,62),rotate(y,17),translate(19,5,93)],
