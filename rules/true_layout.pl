@@ -23,7 +23,9 @@
 :- use_module(library(assoc),
               [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
-:- use_module(library(lists), [append/2, max_list/2, member/2, min_list/2]).
+:- use_module(library(lists),
+              [append/2, max_list/2, max_member/2, member/2, min_list/2,
+               select/3]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Where a true development lies in its plane.
@@ -198,11 +200,45 @@ keys_unrolled(Shape, Layer, Seam, Keys, Pairs) :-
     Middle is Seam + 180.0,
     maplist(key_pair(Nodes, Middle), Keys, Places),
     roll_points(Roll, Places, Points),
-    pairs_keys_values(Pairs, Keys, Points).
+    pairs_keys_values(Pairs0, Keys, Points),
+    (   Layer =\= 0.0,
+        select(Apex-P0, Pairs0, Pairs1),
+        key_place(Nodes, Apex, any, _),
+        seam_ends(Nodes, Seam, Pairs0, Start, End)
+    ->  equally_far(P0, Start, End, P),
+        Pairs = [Apex-P|Pairs1]
+    ;   Pairs = Pairs0
+    ).
+
+%   seam_ends(Nodes, Seam, Pairs, Start, End): where the corner of the seam that
+%   is nearest to the apex lies, on both sides.
+
+seam_ends(Nodes, Seam, Pairs, Start, End) :-
+    findall(H-ends(P, Q),
+            ( member(k(Id, Turn)-P, Pairs),
+              key_place(Nodes, k(Id, Turn), T, H),
+              T \== any,
+              abs(T-Seam) < 1.0e-6,
+              Next is Turn+1,
+              memberchk(k(Id, Next)-Q, Pairs) ),
+            Ends),
+    max_member(_-ends(Start, End), Ends).
+
+%   equally_far(P0, A, B, P): the point nearest to P0 that is as far from A as
+%   from B: both sides of the seam are equally long.
+
+equally_far(X0-Y0, XA-YA, XB-YB, X-Y) :-
+    DX is XB-XA,
+    DY is YB-YA,
+    Off is (X0 - (XA+XB)/2.0)*DX + (Y0 - (YA+YB)/2.0)*DY,
+    F is Off/(DX*DX + DY*DY),
+    X is X0 - F*DX,
+    Y is Y0 - F*DY.
 
 roll(shape(Surface, _, _), Layer, Seam, roll(Surface, Layer, Seam)).
 
-%   An apex is where the generator in the middle has it.
+%   An apex is where the generator in the middle has it; in a layer that is not
+%   drawn others have it elsewhere.
 
 key_pair(Nodes, Middle, Key, T-H) :-
     key_place(Nodes, Key, T0, H),

@@ -331,6 +331,14 @@ test(there_twice_and_back) :-
                  Area0),
     abs(Area-Area0) =< 2.0e-3*Area0.
 
+%   In another layer the apex of an oblique cone goes round; both sides of the
+%   seam end where it is drawn, and are equally long.
+test(seam_of_a_layer, [forall(member(Seam, [[],[seam(30)],[seam(101)]]))]) :-
+    Cone = cone(radius(43), height(200), shift(-16,75), facets(12)),
+    Aside = at([translate(500,0,0)], cylinder(radius(20), height(50))),
+    patterns([Cone,Aside], 1,
+             [thickness(2),size(outside),k_factor(0.0)|Seam], _).
+
 %   The small face in which a moved pointed cone ends is not unfolded.
 is_tip(at(_, Term)-Off, S, T, P) :-
     is_tip(Term-Off, S, T, P).
