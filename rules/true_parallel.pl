@@ -1,5 +1,5 @@
 :- module(sg_true_parallel,
-          [ parallel_made/3             % +Term, +By, -S1
+          [ parallel_made/4             % +Term, +By, +Inmost, -S1
           ]).
 :- use_module(kernel, [surface_place/4]).
 :- use_module(model_file, [add_shape/5]).
@@ -23,7 +23,8 @@ cone is no such surface (parallel_surface.pl), and no primitive. Its facets lie
 between the same generators, moved, and end in the planes of base and top. A
 moved cone has no apex: outward its generators pass each other by, inward they
 meet before they reach one. There it ends in a small flat face: outward in the
-plane of the apex, inward where generators begin to meet.
+plane of the apex, inward, and where sides hang over, where generators begin to
+meet; also those of the layer that is unrolled.
 
 Such a segment S1 is called parallel(By, Term), and has (placed_surface.pl
 reads it)
@@ -32,13 +33,14 @@ reads it)
     origin(S1, part(Part), Surface)    as smooth_surface/3
 */
 
-%!  parallel_made(+Term, +By, -S1) is semidet.
+%!  parallel_made(+Term, +By, +Inmost, -S1) is semidet.
 %
 %   S1 is a new segment, what lies By outside the primitive Term, whose round
-%   faces are all cylinders or cones (model units; negative: within). Fails if
-%   there is no such thing.
+%   faces are all cylinders or cones (model units; negative: within). Of a
+%   pointed cone it ends before generators meet in the layer that is Inmost
+%   outside Term. Fails if there is no such thing.
 
-parallel_made(Term, By, S1) :-
+parallel_made(Term, By, Inmost, S1) :-
     primitive_faces(Term, Whats0, Surfaces0),
     maplist(parallel_surface(By), Surfaces0, Surfaces),
     primitive_shape(Term, Kind, Points0, Chains0),
@@ -47,7 +49,7 @@ parallel_made(Term, By, S1) :-
     length(Points0, Count),
     apex(Count, Parts, Surfaces0, Apex),
     maplist(corner_place(Surfaces0), Points0, Parts, Places),
-    tip_level(Apex, Surfaces0, Places, By, Level),
+    tip_level(Apex, Surfaces0, Places, By-Inmost, Level),
     moved_points(Apex, Places, Surfaces, Level, Points),
     maplist(faces_moved(Apex, Count, Surfaces), Whats0, Chains0, Lists),
     append(Lists, Faces0),
@@ -108,25 +110,25 @@ corner_place(Surfaces, Point, Part, Part-T-H) :-
     surface_place(Surface, Point, T, H0),
     H is float(round(H0)).
 
-%   tip_level(Apex, Surfaces, Places, By, Level): where the moved cone ends.
+%   tip_level(Apex, Surfaces, Places, By-Inmost, Level): where the moved cone
+%   ends.
 
 tip_level(none, _, _, _, none) :-
     !.
-tip_level(_, [_-Surface], Places, By, Level) :-
-    (   By > 0.0
-    ->  Level = 1.0
-    ;   findall(H, ( member(_-T-0.0, Places),
-                     regular_up_to(Surface, By, T, H) ),
-                Hs),
-        min_list(Hs, Level),
-        Level > 0.0
-    ).
+tip_level(_, [_-Surface], Places, By-Inmost, Level) :-
+    findall(H, ( member(_-T-0.0, Places),
+                 regular_up_to(Surface, By-Inmost, T, H) ),
+            Hs),
+    min_list([1.0|Hs], Level),
+    Level > 0.0.
 
-%   regular_up_to(Surface, By, T, H): moved inward, the generator at T and its
-%   neighbours do not yet meet at H: where the radius of curvature, which grows
-%   with the distance from the apex, is a twentieth more than By.
+%   regular_up_to(Surface, By-Inmost, T, H): in the layer Inmost the generator
+%   at T and its neighbours do not yet meet at H of what is By outside. The radius
+%   of curvature grows with the distance from the apex; beyond it, where the
+%   outside of an overhanging side comes, it is less than 0. With Inmost it must
+%   be more than 0, by a twentieth of how far is gone.
 
-regular_up_to(Surface, By, T, H) :-
+regular_up_to(Surface, By-Inmost, T, H) :-
     Before is T-0.01,
     After is T+0.01,
     parallel_generator(Surface, Before, Along1, Normal1),
@@ -135,7 +137,8 @@ regular_up_to(Surface, By, T, H) :-
     angle_between(Normal1, Normal2, Turning),
     parallel_generator(Surface, T, Along, _),
     dot_product(Along, Along, Square),
-    H0 is 1.0 - 1.05*abs(By)*Turning/(Angle*sqrt(Square)),
+    Way is 0.05*max(abs(By), abs(Inmost)) - Inmost,
+    H0 is 1.0 - Way*Turning/(Angle*sqrt(Square)),
     parallel_before(Surface, By, T, 0.0, Less),
     H is H0-Less.
 

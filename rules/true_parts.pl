@@ -13,7 +13,7 @@
 :- use_module(store,
               [p/3, segment/3, origin/3, from_p/5, assert_fact/1]).
 :- use_module(true_flat, [flat_resized/3]).
-:- use_module(true_parallel, [parallel_made/3]).
+:- use_module(true_parallel, [parallel_made/4]).
 :- use_module(true_resized, [term_enlarged/3]).
 :- use_module(true_tip, [settled/5]).
 :- use_module(library(apply),
@@ -49,7 +49,8 @@ all parts are made again, in the order they had.
 %   Parts are new segments, each By larger than S all round (model units), of
 %   fine facets; or the segments S, if nothing has to be changed, and those of
 %   them that cannot be made again without being resized: results of CSG trees.
-%   Of Options: chord(Tolerance).
+%   Of Options: chord(Tolerance); layer(Layer), how far outside of what is drawn
+%   that layer of the first part is that is unrolled.
 %
 %   @error geometry_error(true(no_offset(S))): no other side of its plate is
 %          known
@@ -61,7 +62,9 @@ parts_made(Sizes, Options, Parts) :-
     ->  Parts = Ss
     ;   triples(Sizes, Finers, Triples0),
         sort(1, @=<, Triples0, Triples),
-        foldl(part_made, Triples, [], Made),
+        Ss = [First|_],
+        option(layer(Layer), Options, 0.0),
+        foldl(part_made(First-Layer), Triples, [], Made),
         findall(S1, ( member(S, Ss), memberchk(S-S1, Made) ), Parts)
     ).
 
@@ -73,26 +76,33 @@ triples([], [], []).
 triples([S-By|Sizes], [Finer|Finers], [part(S, By, Finer)|Triples]) :-
     triples(Sizes, Finers, Triples).
 
-part_made(part(S, By, Finer), Made, [S-S1|Made]) :-
+part_made(First-Layer, part(S, By, Finer), Made, [S-S1|Made]) :-
     (   By =:= 0,
         Finer == kept
     ->  S1 = S
-    ;   made(By, Finer, S, S1)
+    ;   inmost(S, By, First-Layer, Inmost),
+        made(By, Inmost, Finer, S, S1)
     ->  polygons_known(S, S1),
         assert_fact(origin(S1, node(S1), plate(S)))
     ;   throw(error(geometry_error(true(no_offset(S))), _))
     ).
 
-made(By, _, S, S1) :-
+inmost(S, By, First-Layer, Inmost) :-
+    (   S == First
+    ->  Inmost is min(By, Layer)
+    ;   Inmost = By
+    ).
+
+made(By, _, _, S, S1) :-
     \+ smooth_surface(S, _, _),
     flat_resized(S, By, S1).
-made(By, Finer, S, S1) :-
+made(By, Inmost, Finer, S, S1) :-
     segment(S, _, Term0),
     is_primitive(Term0),
     term_finer(Finer, Term0, Term),
     (   term_enlarged(Term, By, Term1)
     ->  add_primitive(Term1, S1)
-    ;   parallel_made(Term, By, S1)
+    ;   parallel_made(Term, By, Inmost, S1)
     ).
 
 %   polygons_known(S, S1): which polygon of S each of S1 stands for.

@@ -100,7 +100,7 @@ plate_parts(S, Others, Options0, Options, S1-Others1) :-
     Layer is Layer0 - By,
     Options = [layer(Layer),size(Side)|Options0],
     findall(Other-OtherBy, member(Other, Others), OtherSizes),
-    parts_made([S-By|OtherSizes], Options0, [S1|Others1]).
+    parts_made([S-By|OtherSizes], [layer(Layer0)|Options0], [S1|Others1]).
 
 %   touches(Role, SetIn, Side): with which side its plate touches the others.
 

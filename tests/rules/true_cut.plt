@@ -339,6 +339,17 @@ test(seam_of_a_layer, [forall(member(Seam, [[],[seam(30)],[seam(101)]]))]) :-
     patterns([Cone,Aside], 1,
              [thickness(2),size(outside),k_factor(0.0)|Seam], _).
 
+%   Where the sides of a cone hang over, what is moved outward would come beyond
+%   its apex; and the layer that is unrolled is not the one that touches.
+test(overhanging_cone, [forall(member(Options,
+                                      [[thickness(2)],[thickness(0.1)],
+                                       [thickness(2),k_factor(0.3)]]))]) :-
+    Cone = cone(radius(43), height(200), shift(-16,75), facets(12)),
+    Pipe = at([rotate(x,70),translate(0,0,60)],
+              cylinder(radius(15), height(300), facets(12))),
+    patterns([Cone,Pipe], 1, Options, Area),
+    Area > 32000.
+
 %   The small face in which a moved pointed cone ends is not unfolded.
 is_tip(at(_, Term)-Off, S, T, P) :-
     is_tip(Term-Off, S, T, P).
