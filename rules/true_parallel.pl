@@ -125,8 +125,8 @@ tip_level(_, [_-Surface], Places, By-Inmost, Level) :-
 %   regular_up_to(Surface, By-Inmost, T, H): in the layer Inmost the generator
 %   at T and its neighbours do not yet meet at H of what is By outside. The
 %   radius of curvature grows with the distance from the apex; beyond it, where
-%   the outside of an overhanging side comes, it is less than 0. With Inmost it must
-%   be more than 0, by a twentieth of how far is gone.
+%   the outside of an overhanging side comes, it is less than 0. With Inmost it
+%   must be more than 0, by a twentieth of how far is gone.
 
 regular_up_to(Surface, By-Inmost, T, H) :-
     Before is T-0.01,
