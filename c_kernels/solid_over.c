@@ -32,15 +32,6 @@ old_at(const sg_solid_old *old, uint32_t i, double at[3])
   }
 }
 
-/* The key of a place. */
-static void
-place_key(const double at[3], uint32_t key[6])
-{
-  double p[3] = {at[0] + 0.0, at[1] + 0.0, at[2] + 0.0}; /* never -0.0 */
-
-  memcpy(key, p, sizeof p);
-}
-
 /* Where the old vertex is known; null: no memory. */
 static uint32_t *
 known_as(matching *m, uint32_t i)
@@ -54,7 +45,7 @@ known_as(matching *m, uint32_t i)
     return sg_key_table_put(&m->was, key);
   }
   old_at(m->old, i, at);
-  place_key(at, key);
+  sg_place_key(at, key);
   return sg_key_table_put(&m->made, key);
 }
 
@@ -103,8 +94,8 @@ is_same_vertex(const matching *m, uint32_t i, uint32_t v)
   double at[3];
 
   old_at(m->old, i, at);
-  place_key(at, key[0]);
-  place_key(m->solid->vertex[v].at, key[1]);
+  sg_place_key(at, key[0]);
+  sg_place_key(m->solid->vertex[v].at, key[1]);
   return memcmp(key[0], key[1], sizeof key[0]) == 0 &&
          same_terms(origin == SG_NO_PLACE
                         ? NULL
@@ -125,7 +116,7 @@ match_vertex(matching *m, uint32_t v)
     key[1] = (uint32_t)vertex->v;
     i = sg_key_table_get(&m->was, key);
   } else {
-    place_key(vertex->at, key);
+    sg_place_key(vertex->at, key);
     i = sg_key_table_get(&m->made, key);
   }
   if (i != SG_NO_KEY && m->out->gone[SG_OLD_V][i] && is_same_vertex(m, i, v)) {

@@ -24,6 +24,17 @@
 #include "solid_old.h"
 #include "solid_rows.h"
 
+#include <string.h>
+
+/* The key of a place, for a key table: of equal coordinates, be one -0.0. */
+static inline void
+sg_place_key(const double at[3], uint32_t key[6])
+{
+  double p[3] = {at[0] + 0.0, at[1] + 0.0, at[2] + 0.0}; /* never -0.0 */
+
+  memcpy(key, p, sizeof p);
+}
+
 /* Rows of one relation that are new: column[c] is an array by its type. */
 typedef struct sg_over_rows {
   size_t n;

@@ -5,8 +5,6 @@
 #include "edge_print.h"
 #include "key_table.h"
 
-#include <string.h>
-
 /* ---- edges -------------------------------------------------------------- */
 
 /* The id of a vertex of the solid, or one that no vertex has. */
@@ -54,15 +52,6 @@ same_bounds(const sg_solid *solid, const sg_solid_old *old,
 
 /* ---- vertices ----------------------------------------------------------- */
 
-/* The key of a place. */
-static void
-place_key(const double at[3], uint32_t key[6])
-{
-  double p[3] = {at[0] + 0.0, at[1] + 0.0, at[2] + 0.0}; /* never -0.0 */
-
-  memcpy(key, p, sizeof p);
-}
-
 /* The places of new vertices. False: no memory. */
 static bool
 list_new(const sg_solid_rows *rows, const sg_solid_over *over,
@@ -73,7 +62,7 @@ list_new(const sg_solid_rows *rows, const sg_solid_over *over,
     const double *at = rows->solid->vertex[v].at;
 
     if (over->vertex[v] == SG_NO_PLACE) {
-      place_key(at, key);
+      sg_place_key(at, key);
       sg_box_add(box, at);
       if (!sg_key_table_add(table, key)) {
         return false;
@@ -102,7 +91,7 @@ is_elsewhere(const double at[3], const sg_key_table *table, const sg_box *box)
   if (!is_in_box(box, at)) {
     return true;
   }
-  place_key(at, key);
+  sg_place_key(at, key);
   return sg_key_table_get(table, key) == SG_NO_KEY;
 }
 

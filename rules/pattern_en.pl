@@ -24,7 +24,7 @@ pattern_en(opened_by_itself(Before, After)) -->
     [ nl, '  With --no-open-slits they stay whole; much of the seam has no \c
            tab then.' ].
 pattern_en(without_tab(D, N, Share, Help, Es)) -->
-    [ 'pattern ~d: seams without a tab: ~D (~2g % of the length of all); \c
+    [ 'pattern ~d: seams without a tab: ~D (~3g % of the length of all); \c
        neither side has room for one'-[D, N, Share] ],
     without_tab_en(Es),
     without_tab_help_en(Help).

@@ -24,7 +24,7 @@ pattern_ko(opened_by_itself(Before, After)) -->
     [ nl, '  --no-open-slits 를 쓰면 나누지 않지만, 이음매의 많은 부분에 날개가 없습니다.'
     ].
 pattern_ko(without_tab(D, N, Share, Help, Es)) -->
-    [ '전개도 ~d: 이음매 ~D개(모든 길이의 ~2g %)에는 양쪽 어디에도 자리가 없어 \c
+    [ '전개도 ~d: 이음매 ~D개(모든 길이의 ~3g %)에는 양쪽 어디에도 자리가 없어 \c
        풀칠 날개가 없습니다'-[D, N, Share] ],
     without_tab_ko(Es),
     without_tab_help_ko(Help).
