@@ -4,6 +4,7 @@
  * Layer: glue.
  */
 #include "boundary_mesh.h"
+#include "dense4pl.h"
 #include "glue.h"
 #include "mesh4pl.h"
 

@@ -4,8 +4,8 @@
  * Layer: glue.
  */
 #include "census.h"
+#include "dense4pl.h"
 #include "glue.h"
-#include "mesh4pl.h"
 
 #include "../engine/install.h"
 #include "../engine/world4pl.h"

@@ -5,9 +5,9 @@
  */
 #include "development4pl.h"
 
+#include "dense4pl.h"
 #include "glue.h"
 #include "measure.h"
-#include "mesh4pl.h"
 
 #include "../engine/install.h"
 

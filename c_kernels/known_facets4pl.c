@@ -3,9 +3,9 @@
  *
  * Layer: glue.
  */
+#include "dense4pl.h"
 #include "glue.h"
 #include "known_surface4pl.h"
-#include "mesh4pl.h"
 
 #include "../engine/install.h"
 #include "../engine/world4pl.h"

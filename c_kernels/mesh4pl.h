@@ -5,7 +5,6 @@
 #ifndef SG_MESH4PL_H
 #define SG_MESH4PL_H
 
-#include "dense.h"
 #include "mesh.h"
 
 #include <SWI-Prolog.h>
@@ -22,8 +21,5 @@ int sg_name_segments_ex(term_t names, sg_mesh *mesh);
 /* Writes to a stream; `result` is ok or a fault. */
 int sg_write_mesh_ex(term_t stream, sg_mesh_format format, const sg_mesh *mesh,
                      term_t result);
-/* The n segments `wanted` of the current world, null: all but patterns;
- * sg_dense_clear() in any case. */
-int sg_get_dense_ex(const int32_t *wanted, size_t n, sg_dense *out);
 
 #endif

@@ -3,8 +3,8 @@
  *
  * Layer: glue.
  */
+#include "dense4pl.h"
 #include "glue.h"
-#include "mesh4pl.h"
 #include "operand_border.h"
 #include "segment_rows.h"
 

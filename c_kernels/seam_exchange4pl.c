@@ -6,7 +6,6 @@
 #include "development4pl.h"
 
 #include "glue.h"
-#include "mesh4pl.h"
 #include "seam_bound.h"
 #include "seam_exchange.h"
 

@@ -3,8 +3,8 @@
  *
  * Layer: glue.
  */
+#include "dense4pl.h"
 #include "glue.h"
-#include "mesh4pl.h"
 #include "self_cut.h"
 
 #include "../engine/install.h"
