@@ -12,7 +12,7 @@
 */
 :- use_module('../rules/boolean').
 :- use_module('../rules/csg_evaluate').
-:- use_module('../rules/model_file').
+:- use_module('../rules/primitive_rows').
 :- use_module('../rules/stage').
 :- use_module('../rules/store').
 :- use_module('../rules/triangulation').

@@ -8,7 +8,7 @@
 :- use_module('../rules/store').
 :- use_module('../rules/kernel').
 :- use_module('../rules/mesh').
-:- use_module('../rules/model_file').
+:- use_module('../rules/primitive_rows').
 :- use_module('../rules/triangulation').
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/2, maplist/3]).

@@ -18,7 +18,7 @@
 :- use_module('../rules/development_record').
 :- use_module('../rules/kernel').
 :- use_module('../rules/mesh').
-:- use_module('../rules/model_file').
+:- use_module('../rules/primitive_rows').
 :- use_module('../rules/stage').
 :- use_module('../rules/store').
 :- use_module('../rules/triangulation').

@@ -1,8 +1,8 @@
 :- module(sg_arguments,
-          [ parsed_arguments/4,         % +Specs, +Arguments, -Files, -Options
-            decimal_number/2            % +Text, -Number
+          [ parsed_arguments/4          % +Specs, +Arguments, -Files, -Options
           ]).
-:- use_module(library(apply), [foldl/4, maplist/2]).
+:- use_module(decimal, [decimal_number/2]).
+:- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [append/3, member/2, reverse/2]).
 :- use_module(library(option), [option/2]).
 /** <module> Command-line arguments.
@@ -177,31 +177,6 @@ number_of_type(whole(Low, High), Number, Value) :-
     Number =< High,
     Value is truncate(Number),
     Value =:= Number.
-
-%!  decimal_number(+Text, -Number) is semidet.
-%
-%   Text is Number as people write it, such as -12.5, .5 or 1e-3; Prolog's other
-%   ways (0x1F, 1r3, inf) are none here.
-
-decimal_number(Text, Number) :-
-    split_string(Text, "", " ", [Trimmed]),
-    string_chars(Trimmed, Chars0),
-    maplist(decimal_char, Chars0),
-    with_whole_part(Chars0, Chars),
-    catch(number_chars(Number, Chars), error(_, _), fail).
-
-decimal_char(Char) :-
-    (   char_type(Char, digit)
-    ->  true
-    ;   memberchk(Char, ['.',e,'E',+,-])
-    ).
-
-with_whole_part([Sign,'.'|Chars], [Sign,'0','.'|Chars]) :-
-    memberchk(Sign, [+,-]),
-    !.
-with_whole_part(['.'|Chars], ['0','.'|Chars]) :-
-    !.
-with_whole_part(Chars, Chars).
 
 %   gathered(Given, Options0, Options): repeated ones into one list.
 

@@ -12,7 +12,7 @@
                 check_node_term/1
               ]).
 :- use_module(kernel, [kept_leaves/2]).
-:- use_module(model_file, [add_primitive/2, primitive_rows/3]).
+:- use_module(primitive_rows, [add_primitive/2, primitive_rows/3]).
 :- use_module(csg_record,
               [record/2, recorded/2, up_to_date/2, made_and_kept/2]).
 :- use_module(csg_rows, [drop_boundary/1]).

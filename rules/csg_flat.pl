@@ -18,7 +18,7 @@
 :- use_module(csg_term, [csg_error/1, is_node_term/1, node_parts/4]).
 :- use_module(kernel, [kept_leaves/2, other_segments/1]).
 :- use_module(penetration, [penetration_chains/3]).
-:- use_module(model_file, [add_primitive/2]).
+:- use_module(primitive_rows, [add_primitive/2]).
 :- use_module(store,
               [ v/5, t/6, segment/3, from_p/5, segment_stamp/2, assert_fact/1,
                 facts_snapshot/1, fresh_id/3

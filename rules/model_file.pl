@@ -1,15 +1,12 @@
 :- module(sg_model_file,
-          [ read_model/1,               % +File
-            add_primitive/2,            % +Term, -S
-            add_shape/5,                % +Kind, +Term, +Points, +Chains, -S
-            primitive_rows/3            % +Term, +S, -Kind
+          [ read_model/1                % +File
           ]).
 :- use_module(store,
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, line/9, piece/3, joint/6,
                 title_block/2,
                 assert_fact/1, retractall_facts/1, facts_transaction/1,
-                fresh_id/3, relation_column/5
+                relation_column/5
               ]).
 :- use_module(model_text,
               [ open_model_text/2, close_model_text/1, model_text_bytes/3,
@@ -21,6 +18,7 @@
 :- use_module(polygon_list, [vertex_list_edges/2, polygon_fault/2]).
 :- use_module(progress, [progress_by/1]).
 :- use_module(primitive, [is_primitive/1, primitive_shape/4]).
+:- use_module(primitive_rows, [shape_rows/4]).
 :- use_module(shifted, [own_numbers/3, shifted/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
@@ -296,29 +294,11 @@ later_segment(later(segment(S, Kind, Name), Place)) :-
     ->  catch(primitive_shape(Name, Wanted, Points, Chains),
               error(model_error(What), _), place_error(Place, 3, What)),
         (   Kind == Wanted
-        ->  shape_added(Wanted, S, Points, Chains, Place)
+        ->  shape_rows(Wanted, S, Points, Chains)
         ;   place_error(Place, 2, kind(Name, Kind, Wanted))
         )
     ;   place_error(Place, 3, no_vertices(S, Name))
     ).
-
-%   S has no vertices yet, so no edges either: they are numbered from 1.
-
-shape_added(Kind, S, Points, Chains, Place) :-
-    foldl(point_added(S, Place), Points, 1, _),
-    list_to_assoc([S-1], Numbers),
-    (   Kind == curve
-    ->  foldl(chain_added(S, Place), Chains, Numbers, _)
-    ;   foldl(face_added(S, Place), Chains, 1-Numbers, _)
-    ).
-
-point_added(S, Place, point(X, Y, Z), V, V1) :-
-    row_added(v(S, V, X, Y, Z), Place),
-    V1 is V+1.
-
-face_added(S, Place, List, P-Numbers0, P1-Numbers) :-
-    list_polygon_added(S, P, List, Place, Numbers0, Numbers),
-    P1 is P+1.
 
 %   later_form(Item, Form): whether the list of a polygon has vertices or
 %   edges; decided for all before the first edges are made.
@@ -495,40 +475,3 @@ nodes_completed(Later) :-
             memberchk(N-Place, Places),
             place_error(Place, 3, What)
           )).
-
-%!  add_primitive(+Term, -S) is det.
-%
-%   Add the primitive Term (primitive.pl) to the current world, as a new
-%   segment S whose name is Term.
-%
-%   @error model_error(primitive(What, Term))
-
-add_primitive(Term, S) :-
-    primitive_shape(Term, Kind, Points, Chains),
-    facts_transaction(
-        sg_model_file:new_segment(Kind, Term, Points, Chains, S)).
-
-%!  primitive_rows(+Term, +S, -Kind) is det.
-%
-%   Add the rows of the primitive Term, which is of this Kind, to segment S,
-%   that has none; but for segment/3.
-%
-%   @error model_error(primitive(What, Term))
-
-primitive_rows(Term, S, Kind) :-
-    primitive_shape(Term, Kind, Points, Chains),
-    shape_added(Kind, S, Points, Chains, none).
-
-%!  add_shape(+Kind, +Term, +Points, +Chains, -S) is det.
-%
-%   As add_primitive/2: S is a new segment of Kind with the name Term; Points
-%   and Chains are as of primitive_shape/4.
-
-add_shape(Kind, Term, Points, Chains, S) :-
-    facts_transaction(
-        sg_model_file:new_segment(Kind, Term, Points, Chains, S)).
-
-new_segment(Kind, Term, Points, Chains, S) :-
-    fresh_id(segment, 0, S),
-    assert_fact(segment(S, Kind, Term)),
-    shape_added(Kind, S, Points, Chains, none).

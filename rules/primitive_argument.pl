@@ -9,7 +9,6 @@
             primitive_error/2           % +What, +Term
           ]).
 :- use_module(angle, [chord_facets/4]).
-:- use_module(transition_outline, [outline_argument/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2, same_length/2]).
 /** <module> The named arguments of primitives, checked.
@@ -131,6 +130,31 @@ argument_number(outline, Value, _, Outline) :-
     outline_argument(Value, Outline).
 argument_number(faces, List, Where, Faces) :-
     items(List, face, Where, Faces).
+
+%   outline_argument(Value, Outline): Outline is what a user wrote, of floats;
+%   fails if it is no outline.
+
+outline_argument(circle(R0), circle(R)) :-
+    lengths([R0], [R]).
+outline_argument(ellipse(A0, B0), ellipse(A, B)) :-
+    lengths([A0,B0], [A,B]).
+outline_argument(rectangle(A0, B0), rectangle(A, B)) :-
+    lengths([A0,B0], [A,B]).
+outline_argument(rectangle(A0, B0, R0), rectangle(A, B, R)) :-
+    lengths([A0,B0,R0], [A,B,R]).
+outline_argument(polygon(Points0), polygon(Points)) :-
+    is_list(Points0),
+    maplist(corner_argument, Points0, Points).
+
+lengths(Values, Lengths) :-
+    maplist(finite_number, Values, Lengths),
+    \+ ( member(Length, Lengths), Length =< 0.0 ).
+
+corner_argument(Corner, X-Y) :-
+    nonvar(Corner),
+    Corner = [X0,Y0],
+    finite_number(X0, X),
+    finite_number(Y0, Y).
 
 %   items(List, Type, Where, Items): the first that is wrong is named.
 

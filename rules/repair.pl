@@ -4,12 +4,12 @@
             welded_vertex/2             % +S, +Twin
           ]).
 :- use_module(kernel, [census/1]).
-:- use_module(model, [shell_facets/2]).
 :- use_module(store,
               [ v/5, e/5, p/3, segment/3, edge_polygon/3,
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module(triangulation, [complete_segments/0]).
+:- use_module(vocabulary, [shell_facets/2]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(error), [existence_error/2]).
 :- use_module(library(lists), [member/2, reverse/2, subtract/3]).

@@ -7,6 +7,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 
 % The relations, worlds and transactions, and the words for them.
 :- reexport(store).
+:- reexport(vocabulary).
 :- reexport(model).
 % The way of the data.
 :- reexport(csg, [node/4, root_segment/1, operand_segment/2]).
@@ -15,7 +16,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(integrity, [model_defect/1]).
 :- reexport(primitive, [primitive/1, primitive_form/2]).
 :- reexport(primitive_face).
-:- reexport(model_file, [add_primitive/2]).
+:- reexport(primitive_rows, [add_primitive/2]).
 :- reexport(mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(openscad, [read_csg/2]).
 :- reexport(solid_file, [write_solid/2, write_solid/3]).

@@ -7,12 +7,12 @@
             model_box/1                 % -Box
           ]).
 :- use_module(boolean, [boolean/3]).
-:- use_module(arguments, [decimal_number/2]).
+:- use_module(decimal, [decimal_number/2]).
 :- use_module(csg_half_space, [half_space/3]).
 :- use_module(csg_record, [drop_record/1]).
 :- use_module(csg_rows, [drop_boundary/1, segment_box/2]).
 :- use_module(kernel, [segments_tolerance/3]).
-:- use_module(model_file, [add_primitive/2]).
+:- use_module(primitive_rows, [add_primitive/2]).
 :- use_module(store,
               [ v/5, e/5, p/3, segment/3, from_p/5, edge_polygon/3,
                 assert_fact/1, retractall_facts/1, fresh_id/3

@@ -7,7 +7,7 @@
             looking/2,                  % +Options, -View
             scale_option/2              % +Options, -Millimetres
           ]).
-:- use_module(arguments, [decimal_number/2]).
+:- use_module(decimal, [decimal_number/2]).
 :- use_module(sheet_paper,
               [ paper/3, paper_size/3, scale_factor/2, unit_millimetres/2 ]).
 :- use_module(sheet_view, [view_named/2, view_towards/3]).

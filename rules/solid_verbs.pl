@@ -5,7 +5,7 @@
             empty_roots_warned/0,
             solid_verb_run/4            % +Verb, +Files, +Options, -Status
           ]).
-:- use_module(arguments, [decimal_number/2]).
+:- use_module(decimal, [decimal_number/2]).
 :- use_module(csg, [root_segment/1, is_node/1]).
 :- use_module(csg_evaluate, [evaluate/2]).
 :- use_module(csg_roots, [roots_alone/0]).

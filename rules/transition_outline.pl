@@ -1,6 +1,5 @@
 :- module(sg_transition_outline,
-          [ outline_argument/2,         % +Value, -Outline
-            outline_curves/3,           % +Outline, +Term, -Curves
+          [ outline_curves/3,           % +Outline, +Term, -Curves
             outline_frame/3,            % +Given, -Base, -Top
             outline_widest/2,           % +Outline, -Radius
             outline_middle/2,           % +Outline, -Middle
@@ -9,8 +8,7 @@
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
 :- use_module(outline, [outline_loops/4]).
-:- use_module(primitive_argument,
-              [finite_number/2, given/3, primitive_error/2]).
+:- use_module(primitive_argument, [given/3, primitive_error/2]).
 :- use_module(shape, [rectangle_loop/3]).
 :- use_module(vector,
               [ cross_product/3, difference/3, dot_product/3, scaled/3,
@@ -31,32 +29,6 @@ Arc = arc(C, U, V): C + cos(t)*U + sin(t)*V. Points and vectors are p(X,Y,Z). A
 *ring* is a list of node(P, Step): a corner of the polygon that stands for the
 outline, and what leads to the next one: `line`, or arc(Arc, T1, T2).
 */
-
-%!  outline_argument(+Value, -Outline) is semidet.
-%
-%   Outline is what a user wrote, of floats; fails if it is no outline.
-
-outline_argument(circle(R0), circle(R)) :-
-    lengths([R0], [R]).
-outline_argument(ellipse(A0, B0), ellipse(A, B)) :-
-    lengths([A0,B0], [A,B]).
-outline_argument(rectangle(A0, B0), rectangle(A, B)) :-
-    lengths([A0,B0], [A,B]).
-outline_argument(rectangle(A0, B0, R0), rectangle(A, B, R)) :-
-    lengths([A0,B0,R0], [A,B,R]).
-outline_argument(polygon(Points0), polygon(Points)) :-
-    is_list(Points0),
-    maplist(corner_argument, Points0, Points).
-
-lengths(Values, Lengths) :-
-    maplist(finite_number, Values, Lengths),
-    \+ ( member(Length, Lengths), Length =< 0.0 ).
-
-corner_argument(Corner, X-Y) :-
-    nonvar(Corner),
-    Corner = [X0,Y0],
-    finite_number(X0, X),
-    finite_number(Y0, Y).
 
 %!  outline_widest(+Outline, -Radius) is det.
 %

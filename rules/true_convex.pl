@@ -1,7 +1,7 @@
 :- module(sg_true_convex,
           [ convex_resized/3            % +S, +By, -S1
           ]).
-:- use_module(model_file, [add_shape/5]).
+:- use_module(primitive_rows, [add_shape/5]).
 :- use_module(store, [p/3, plane/6, segment/3, v/5]).
 :- use_module(vector, [cross_product/3, dot_product/3, difference/3, scaled/3,
                        unit/2, vector_sum/3]).

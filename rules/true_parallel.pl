@@ -2,7 +2,7 @@
           [ parallel_made/4             % +Term, +By, +Inmost, -S1
           ]).
 :- use_module(kernel, [surface_place/4]).
-:- use_module(model_file, [add_shape/5]).
+:- use_module(primitive_rows, [add_shape/5]).
 :- use_module(parallel_surface, [parallel_before/5, parallel_generator/4]).
 :- use_module(primitive, [primitive_faces/3, primitive_shape/4]).
 :- use_module(primitive_face, [surface_point/4]).

@@ -6,7 +6,7 @@
             facets_as_drawn/4           % +S, +Facets0, +Shape, -Facets
           ]).
 :- use_module(csg, [is_node/1]).
-:- use_module(model_file, [add_primitive/2]).
+:- use_module(primitive_rows, [add_primitive/2]).
 :- use_module(placed_surface, [placed_face/3, placed_polygon/4]).
 :- use_module(primitive, [is_primitive/1, primitive_parts/3]).
 :- use_module(primitive_face, [face_of/3, smooth_surface/3]).

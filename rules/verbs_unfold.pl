@@ -4,7 +4,7 @@
             patterns_given/1,           % +Options
             pattern_wanted/3            % +Item, +Options, -Wanted
           ]).
-:- use_module(arguments, [decimal_number/2]).
+:- use_module(decimal, [decimal_number/2]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(leaf_face, [roots_alone_named/0]).
 :- use_module(mesh, [write_mesh/3]).

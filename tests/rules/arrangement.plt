@@ -11,7 +11,7 @@
                 arrangement_seal/1, arrangement_components/2,
                 arrangement_select/3, solid_close/1
               ]).
-:- use_module('../../rules/model_file').
+:- use_module('../../rules/primitive_rows').
 :- use_module('../../rules/solid_rows').
 :- use_module('../../rules/store').
 :- use_module('../../rules/triangulation').

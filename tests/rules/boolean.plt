@@ -2,7 +2,7 @@
 :- use_module(library(plunit)).
 :- use_module('../../rules/arrangement').
 :- use_module('../../rules/boolean').
-:- use_module('../../rules/model_file').
+:- use_module('../../rules/primitive_rows').
 :- use_module('../../rules/store').
 :- use_module('../../rules/triangulation').
 :- use_module(library(aggregate)).

@@ -6,7 +6,7 @@
 :- use_module(rules(decision)).
 :- use_module(rules(explain), [explanation/2]).
 :- use_module(rules(hidden_lines)).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/1]).
 :- use_module(rules(view)).

@@ -18,7 +18,7 @@
 :- use_module(rules(view), [set_view/3]).
 :- use_module(tests('rules/random_solid')).
 :- use_module(rules(kernel)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
 

@@ -9,6 +9,7 @@
 :- use_module(rules(development)).
 :- use_module(rules(mesh)).
 :- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(pattern_drawing)).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).

@@ -7,7 +7,7 @@
 :- use_module(rules(development)).
 :- use_module(rules(development_record)).
 :- use_module(rules(model)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
 :- use_module(rules(unfold)).

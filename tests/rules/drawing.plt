@@ -8,7 +8,7 @@
 :- use_module(rules(drawing)).
 :- use_module(rules(hidden_lines), [picture/1]).
 :- use_module(rules(model), [load_model/1]).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(penetration), [penetrate/0]).
 :- use_module(rules(triangulation), [complete_segments/0]).
 

@@ -12,7 +12,7 @@
 :- use_module(library(readutil)).
 :- use_module(library(time)).
 :- use_module(rules(csg_evaluate)).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(penetration), [penetrate/2]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/0]).

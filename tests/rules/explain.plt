@@ -12,7 +12,7 @@
 :- use_module(rules(explain_words)).
 :- use_module(rules(explain_en), []).
 :- use_module(rules(explain_ko), []).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).
 :- use_module(tests('rules/grid_model')).

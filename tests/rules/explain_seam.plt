@@ -11,7 +11,7 @@
 :- use_module(rules(explain_en)).
 :- use_module(rules(explain_ko)).
 :- use_module(rules(model)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
 :- use_module(rules(true_development)).

@@ -7,7 +7,7 @@
 :- use_module(rules(decision), [use_rules/1]).
 :- use_module(rules(faces)).
 :- use_module(rules(kernel)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
 :- use_module(tests('rules/boolean_case'), [measured/2]).

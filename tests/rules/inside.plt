@@ -4,7 +4,7 @@
 :- use_module(library(random)).
 :- use_module(rules(inside)).
 :- use_module(rules(kernel), [windings/3]).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
 

@@ -10,7 +10,7 @@
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(kernel),
               [model_tolerance/1, cut_set_open/2, cut_set_close/1]).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(model), [load_model/1]).
 :- use_module(rules(penetration)).
 :- use_module(rules(resolve),

@@ -4,7 +4,7 @@
 :- use_module(rules(csg_evaluate)).
 :- use_module(rules(csg_record)).
 :- use_module(rules(kernel), [kept_leaves/2, other_segments/1]).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
 

@@ -10,7 +10,7 @@
 :- use_module(rules(decision)).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(known_surface)).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(penetration), [penetrate/0]).
 :- use_module(rules(primitive_face), [face_of/3, smooth_surface/3,
                                       surface_point/4]).

@@ -6,6 +6,7 @@
 :- use_module(rules(exact)).
 :- use_module(rules(leaf)).
 :- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(model_writer)).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).

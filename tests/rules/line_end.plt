@@ -10,7 +10,7 @@
               [operand_lines/1, with_operand_lines/2, roots_alone/0]).
 :- use_module(rules(explain), [explanation/3]).
 :- use_module(rules(hidden_lines)).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/0]).

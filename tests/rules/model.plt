@@ -2,6 +2,7 @@
 :- use_module(library(plunit)).
 :- use_module(rules(store)).
 :- use_module(rules(model)).
+:- use_module(rules(vocabulary)).
 
 in_model(File, Goal) :-
     new_world(World),

@@ -4,7 +4,7 @@
 :- use_module(rules(check)).
 :- use_module(rules(messages)).
 :- use_module(rules(messages_ko)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(openscad)).
 :- use_module(rules(openscad_text)).
 :- use_module(rules(store)).

@@ -2,7 +2,7 @@
 :- use_module(library(plunit)).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(model), [load_model/1]).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(sew), [borders_sewn/1]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/1]).

@@ -8,7 +8,7 @@
 :- use_module(rules(development), [develop/2]).
 :- use_module(rules(model), [load_model/1]).
 :- use_module(rules(pattern_drawing)).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(true_development), [true_development/4]).
 :- use_module(rules(pattern_number), [reads_turned/1]).
 :- use_module(rules(pattern_text), [written/4]).

@@ -9,7 +9,7 @@
 :- use_module(rules(csg_roots), [roots_alone/0]).
 :- use_module(rules(development), [develop/2]).
 :- use_module(rules(model), [load_model/1]).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(triangulation), [complete_segments/0]).
 :- use_module(rules(pattern_drawing),
               [ pattern_drawing/3, pattern_layout/3 ]).

@@ -7,7 +7,7 @@
 :- use_module(rules(decision)).
 :- use_module(rules(store)).
 :- use_module(rules(chain)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_side/4,
                 cut_seal/1

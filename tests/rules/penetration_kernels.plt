@@ -10,7 +10,7 @@
                 cut_enter_polygons/5, cut_work/4,
                 work_edge/6, work_close/1
               ]).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(penetration)).
 :- use_module(rules(triangulation)).
 

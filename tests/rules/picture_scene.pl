@@ -17,7 +17,7 @@ other, faces are seen edge-on, and solids touch.
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(rules(boolean)).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/0]).
 :- use_module(tests('rules/polyhedron')).

@@ -4,7 +4,7 @@
 :- use_module(library(plunit)).
 :- use_module(rules(hidden_lines)).
 :- use_module(rules(kernel), [scene_edge/5, scene_open/6]).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/1]).
 :- use_module(rules(view)).

@@ -3,7 +3,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(seam_measure)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).

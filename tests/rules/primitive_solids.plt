@@ -5,6 +5,7 @@
 :- use_module(rules(angle)).
 :- use_module(rules(check)).
 :- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(polygon_list)).
 :- use_module(rules(primitive)).
 :- use_module(rules(primitive_face)).

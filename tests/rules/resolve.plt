@@ -6,7 +6,7 @@
 :- use_module(library(random)).
 :- use_module(library(solution_sequences)).
 :- use_module(rules(chain)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(kernel),
               [cut_set_open/2, cut_set_close/1, model_tolerance/1]).
 :- use_module(rules(penetration)).

@@ -14,7 +14,7 @@
 :- use_module(rules(kernel), [known_facets/3]).
 :- use_module(rules(known_surface)).
 :- use_module(rules(model), [load_model/1, save_model/1]).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/0]).

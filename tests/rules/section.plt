@@ -4,7 +4,7 @@
 :- use_module(rules(section)).
 :- use_module(rules(csg_evaluate), [evaluate/0]).
 :- use_module(rules(csg_roots), [operand_lines/1, roots_alone/0]).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(triangulation), [complete_segments/0]).
 
 :- meta_predicate in_new(0), with(+, 0), tree(+, 0).

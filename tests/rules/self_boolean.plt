@@ -8,7 +8,7 @@
 :- use_module(rules(integrity)).
 :- use_module(rules(kernel), [segment_operand/2]).
 :- use_module(rules(mesh)).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(penetration), [penetrate/1]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/0]).

@@ -1,7 +1,7 @@
 :- module(test_sew, []).
 :- use_module(library(plunit)).
 :- use_module(rules(kernel)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(sew)).
 :- use_module(rules(triangulation)).

@@ -5,7 +5,7 @@
 :- use_module(rules(arrangement)).
 :- use_module(rules(boolean)).
 :- use_module(rules(kernel)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(solid_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).

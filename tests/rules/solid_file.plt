@@ -10,7 +10,7 @@
 :- use_module(rules(check)).
 :- use_module(rules(mesh)).
 :- use_module(rules(model)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(solid_file)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/0]).

@@ -7,7 +7,7 @@
 :- use_module(library(random)).
 :- use_module(rules(development)).
 :- use_module(rules(integrity)).
-:- use_module(rules(model_file)).
+:- use_module(rules(primitive_rows)).
 :- use_module(rules(penetration)).
 :- use_module(rules(primitive_face)).
 :- use_module(rules(store)).

@@ -2,7 +2,7 @@
 :- use_module('../../rules/store').
 :- use_module('../../rules/kernel').
 :- use_module('../../rules/primitive').
-:- use_module('../../rules/model_file').
+:- use_module('../../rules/primitive_rows').
 :- use_module('../../rules/triangulation').
 :- use_module('../../rules/penetration').
 :- use_module(library(plunit)).

@@ -3,7 +3,7 @@
 :- use_module(library(filesex)).
 :- use_module(rules(model), [load_model/1]).
 :- use_module(rules(contour), [line_ends/4]).
-:- use_module(rules(model_file), [add_primitive/2]).
+:- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation), [complete_segments/1]).
 :- use_module(rules(verbs)).
