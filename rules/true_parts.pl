@@ -97,6 +97,7 @@ made(By, _, _, S, S1) :-
     \+ smooth_surface(S, _, _),
     flat_resized(S, By, S1).
 made(By, Inmost, Finer, S, S1) :-
+    \+ is_node(S),
     segment(S, _, Term0),
     is_primitive(Term0),
     term_finer(Finer, Term0, Term),

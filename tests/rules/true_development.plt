@@ -5,6 +5,7 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(readutil)).
+:- use_module(rules(csg_evaluate), [evaluate/0]).
 :- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(penetration)).
@@ -449,6 +450,12 @@ test(no_offset, error(geometry_error(true(no_offset(1))), _)) :-
     in_scene([ cone(radius(50), top(40,20), height(600), facets(24)),
                cylinder(radius(5), height(600), facets(24)) ],
              plate_parts(2, [1], [thickness(4),size(inside)], _, _)).
+test(no_offset_of_a_copy, error(geometry_error(true(no_offset(3))), _)) :-
+    in_scene([ at([scale(2,1,1)], torus(radius(30), tube(4))),
+               cylinder(radius(5), height(60), facets(24)) ],
+             ( assert_fact(segment(3, solid, at([rotate(x, 90)], 1))),
+               evaluate,
+               plate_parts(2, [3], [thickness(1),size(inside)], _, _) )).
 
 % --- the table
 
