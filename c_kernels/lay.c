@@ -4,48 +4,14 @@
 #include "disjoint.h"
 #include "flat_fit.h"
 #include "sort.h"
-#include "twofold.h"
+#include "twin.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- numbers of twice the digits, without bounds ------------------------ */
-
-typedef struct twin {
-  double hi, lo;
-} twin;
-
-static twin
-plus(twin a, twin b)
-{
-  twin out;
-  double s, t;
-
-  sg_two_sum(a.hi, b.hi, &s, &t);
-  sg_two_sum(s, t + (a.lo + b.lo), &out.hi, &out.lo);
-  return out;
-}
-
-static twin
-minus(twin a, twin b)
-{
-  return plus(a, (twin){-b.hi, -b.lo});
-}
-
-static twin
-times(twin a, twin b)
-{
-  twin out;
-  double h, l;
-
-  sg_two_product(a.hi, b.hi, &h, &l);
-  sg_two_sum(h, l + (a.hi * b.lo + a.lo * b.hi), &out.hi, &out.lo);
-  return out;
-}
-
 typedef struct place {
-  twin x, y;
+  sg_twin x, y;
 } place;
 
 /* ---- laying out --------------------------------------------------------- */
@@ -79,68 +45,104 @@ new_spot(layer *l, uint32_t corner)
   return &l->at[l->spots++];
 }
 
-/* The root as it is in its own frame, whose x, along its longest side, goes up;
- * the start of that side is the origin. */
+static const double *
+corner_at(const layer *l, uint32_t corner)
+{
+  return l->dense->at[l->faces->vertex[corner]];
+}
+
+/* A face, of which the side from corner a to b is laid. */
+typedef struct hanging {
+  uint32_t a, b;
+  sg_twin_vector side;   /* from a to b in the solid */
+  sg_twin_vector normal; /* of the face, a unit vector to twice the digits */
+  sg_twin square;        /* of the side */
+  place at, up;          /* a in the pattern, and b from there */
+} hanging;
+
+static hanging
+hang(const layer *l, uint32_t face, uint32_t a, uint32_t b)
+{
+  static const double zero[3] = {0, 0, 0};
+  const place *la = &l->at[l->spot[a]], *lb = &l->at[l->spot[b]];
+  hanging out = {.a = a, .b = b, .at = *la};
+
+  out.side = sg_twin_difference(corner_at(l, a), corner_at(l, b));
+  out.square = sg_twin_dot(&out.side, &out.side);
+  out.up = (place){sg_twin_minus(lb->x, la->x), sg_twin_minus(lb->y, la->y)};
+  out.normal = sg_twin_difference(zero, l->faces->normal[face]);
+  sg_twin scale = sg_twin_unit_scale(sg_twin_dot(&out.normal, &out.normal));
+  for (int k = 0; k < 3; k++) {
+    out.normal.k[k] = sg_twin_times(out.normal.k[k], scale);
+  }
+  return out;
+}
+
+/* What c - a is of b - a in the solid, as a complex number u + iv, it is in the
+ * pattern. All of it has twice the digits: what hangs on a short side would
+ * show what that lost. */
+static void
+lay_corner(layer *l, const hanging *on, uint32_t c)
+{
+  place *out = new_spot(l, c);
+  sg_twin_vector way = sg_twin_difference(corner_at(l, on->a), corner_at(l, c));
+  sg_twin_vector area = sg_twin_cross(&on->side, &way);
+
+  *out = on->at;
+  if (on->square.hi > 0) {
+    sg_twin u = sg_twin_quotient(sg_twin_dot(&on->side, &way), on->square);
+    sg_twin v = sg_twin_quotient(sg_twin_dot(&on->normal, &area), on->square);
+    out->x = sg_twin_plus(out->x, sg_twin_minus(sg_twin_times(u, on->up.x),
+                                                sg_twin_times(v, on->up.y)));
+    out->y = sg_twin_plus(out->y, sg_twin_plus(sg_twin_times(u, on->up.y),
+                                               sg_twin_times(v, on->up.x)));
+  }
+}
+
+static void
+lay_others(layer *l, uint32_t face, uint32_t a, uint32_t b)
+{
+  const sg_flat_faces *f = l->faces;
+  hanging on = hang(l, face, a, b);
+
+  for (uint32_t c = f->corner_begin[face]; c < f->corner_begin[face + 1]; c++) {
+    if (c != a && c != b) {
+      lay_corner(l, &on, c);
+    }
+  }
+}
+
+/* The root's longest side goes up from the origin. */
 static void
 lay_root(layer *l, uint32_t face)
 {
   const sg_flat_faces *f = l->faces;
-  const double *from = f->side_begin[face] < f->side_begin[face + 1]
-                           ? f->at[f->side[f->longest[face]].from]
-                           : f->at[f->corner_begin[face]];
 
-  for (uint32_t c = f->corner_begin[face]; c < f->corner_begin[face + 1]; c++) {
-    *new_spot(l, c) =
-        (place){{-(f->at[c][1] - from[1]), 0}, {f->at[c][0] - from[0], 0}};
+  if (f->side_begin[face] == f->side_begin[face + 1]) {
+    return; /* it has no corner either */
   }
-}
+  const sg_flat_side *up = &f->side[f->longest[face]];
+  sg_twin_vector side =
+      sg_twin_difference(corner_at(l, up->from), corner_at(l, up->to));
 
-/* A corner c of a face whose side from a to b is laid: what c - a is of b - a
- * in the solid, as a complex number, it is in the pattern. */
-static void
-lay_corner(layer *l, const double normal[3], uint32_t a, uint32_t b, uint32_t c)
-{
-  const double *pa = l->dense->at[l->faces->vertex[a]];
-  const double *pb = l->dense->at[l->faces->vertex[b]];
-  const double *pc = l->dense->at[l->faces->vertex[c]];
-  const place *la = &l->at[l->spot[a]], *lb = &l->at[l->spot[b]];
-  place *out = new_spot(l, c);
-  double e[3], w[3], square = 0, along = 0, across;
-
-  for (int k = 0; k < 3; k++) {
-    e[k] = pb[k] - pa[k];
-    w[k] = pc[k] - pa[k];
-    square += e[k] * e[k];
-    along += e[k] * w[k];
+  *new_spot(l, up->from) = (place){{0, 0}, {0, 0}};
+  if (up->to != up->from) {
+    *new_spot(l, up->to) =
+        (place){{0, 0}, sg_twin_root(sg_twin_dot(&side, &side))};
   }
-  across = normal[0] * (e[1] * w[2] - e[2] * w[1]) +
-           normal[1] * (e[2] * w[0] - e[0] * w[2]) +
-           normal[2] * (e[0] * w[1] - e[1] * w[0]);
-  if (square > 0) {
-    twin u = {along / square, 0}, v = {across / square, 0};
-    twin x = minus(lb->x, la->x), y = minus(lb->y, la->y);
-    out->x = plus(la->x, minus(times(u, x), times(v, y)));
-    out->y = plus(la->y, plus(times(u, y), times(v, x)));
-  } else {
-    *out = *la;
-  }
+  lay_others(l, face, up->from, up->to);
 }
 
 /* The face that hangs on another one, by these sides. */
 static void
 lay_child(layer *l, uint32_t parent_side, uint32_t side)
 {
-  const sg_flat_faces *f = l->faces;
-  const sg_flat_side *on = &f->side[parent_side], *own = &f->side[side];
-  uint32_t face = f->face_of[side];
+  const sg_flat_side *on = &l->faces->side[parent_side];
+  const sg_flat_side *own = &l->faces->side[side];
 
   l->spot[own->from] = l->spot[on->to];
   l->spot[own->to] = l->spot[on->from];
-  for (uint32_t c = f->corner_begin[face]; c < f->corner_begin[face + 1]; c++) {
-    if (c != own->from && c != own->to) {
-      lay_corner(l, f->normal[face], own->from, own->to, c);
-    }
-  }
+  lay_others(l, l->faces->face_of[side], own->from, own->to);
 }
 
 static uint32_t
@@ -331,16 +333,16 @@ fit_piece(const layer *l, uint32_t piece, const turner *t, const sg_poll *poll,
   return sg_flat_fit_find(t->point, points, t->room, poll, stopped);
 }
 
-/* A direction as unit numbers of twice the digits: one step of Newton's. */
+/* A direction as unit numbers of twice the digits. */
 static void
 make_unit(double x, double y, place *out)
 {
-  twin rest = minus((twin){1, 0}, plus(times((twin){x, 0}, (twin){x, 0}),
-                                       times((twin){y, 0}, (twin){y, 0})));
-  twin scale = plus((twin){1, 0}, times(rest, (twin){0.5, 0}));
+  sg_twin scale = sg_twin_unit_scale(
+      sg_twin_plus(sg_twin_times(sg_twin_of(x), sg_twin_of(x)),
+                   sg_twin_times(sg_twin_of(y), sg_twin_of(y))));
 
-  out->x = times((twin){x, 0}, scale);
-  out->y = times((twin){y, 0}, scale);
+  out->x = sg_twin_times(sg_twin_of(x), scale);
+  out->y = sg_twin_times(sg_twin_of(y), scale);
 }
 
 static void
@@ -356,8 +358,9 @@ turn_piece(layer *l, uint32_t piece, sg_flat_fit to, const sg_poll *poll,
        s++) {
     place p = l->at[s];
     *stopped = sg_poll_every(poll, s);
-    l->at[s].x = plus(times(p.x, d.x), times(p.y, d.y));
-    l->at[s].y = minus(times(p.y, d.x), times(p.x, d.y));
+    l->at[s].x = sg_twin_plus(sg_twin_times(p.x, d.x), sg_twin_times(p.y, d.y));
+    l->at[s].y =
+        sg_twin_minus(sg_twin_times(p.y, d.x), sg_twin_times(p.x, d.y));
     const double at[2] = {l->at[s].x.hi, l->at[s].y.hi};
     for (int k = 0; k < 2; k++) {
       box->low[k] = at[k] < box->low[k] ? at[k] : box->low[k];
@@ -455,14 +458,14 @@ shift_piece(layer *l, uint32_t piece, const double to[2], const sg_poll *poll,
             bool *stopped)
 {
   sg_layout *out = l->out;
-  const twin x = {to[0], 0}, y = {to[1], 0};
+  const sg_twin x = sg_twin_of(to[0]), y = sg_twin_of(to[1]);
 
   for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1] && !*stopped;
        s++) {
     *stopped = sg_poll_every(poll, s);
     if (l->of_spot[s] != NO_VERTEX) {
-      out->at[l->of_spot[s]][0] = plus(l->at[s].x, x).hi + 0.0;
-      out->at[l->of_spot[s]][1] = plus(l->at[s].y, y).hi + 0.0;
+      out->at[l->of_spot[s]][0] = sg_twin_plus(l->at[s].x, x).hi + 0.0;
+      out->at[l->of_spot[s]][1] = sg_twin_plus(l->at[s].y, y).hi + 0.0;
     }
   }
   for (int c = 0; c < 2; c++) {

@@ -152,8 +152,7 @@ random_model(open) :-
     length(Gone, M),
     append(Gone, _, Ps1),
     forall(member(P, Gone), remove_polygon(S, P)),
-    retractall_facts(segment(S, _, _)),
-    assert_fact(segment(S, surface, open)).
+    open_surface(S).
 
 remove_polygon(S, P) :-
     p(S, P, Es),
@@ -180,6 +179,36 @@ united(Terms) :-
     complete_segments,
     boolean(union([1,2,3]), 4),
     forall(member(S, [1,2,3]), forget(S)).
+
+%   Two faces with a common side of a 1500th of the pattern's size, at any angle
+%   and anywhere.
+
+short_folds(Out) :-
+    how_many(N),
+    forall(between(1, N, I),
+           ( set_random(seed(I)),
+             format(atom(Name), 'short_~d', [I]),
+             unfolded(Name, two_on_a_short_side, Out) )).
+
+two_on_a_short_side :-
+    random(20.0, 340.0, Bend),
+    maplist(bent(Bend), [[-0.8,0.9], [-1.2,0.3], [-0.7,-0.9]], Left),
+    append([ [0,-0.0008,0], [0.9,-0.7,0], [1.3,0.1,0], [1,0.8,0],
+             [0,0.0008,0] ],
+           Left, Points),
+    random_rotation(Turn),
+    add_primitive(at(Turn, sheet(points(Points),
+                                 faces([[1,2,3,4,5], [5,6,7,8,1]]))),
+                  _).
+
+bent(Degrees, [X,Y], [X1,Y,Z1]) :-
+    Angle is Degrees*pi/180,
+    X1 is X*cos(Angle),
+    Z1 is X*sin(Angle).
+
+open_surface(S) :-
+    retractall_facts(segment(S, _, _)),
+    assert_fact(segment(S, surface, open)).
 
 %   Several shells in one segment, one in another, some that touch.
 
@@ -266,6 +295,8 @@ test(open, [true(Faults == [])]) :-
     faults(random_models(open, 400), Faults).
 test(blocks, [true(Faults == [])]) :-
     faults(blocks, Faults).
+test(short_folds, [true(Faults == [])]) :-
+    faults(short_folds, Faults).
 test(several_shells, [true(Faults == [])]) :-
     faults(several_shells, Faults).
 test(touching_shells, [true(Faults == [])]) :-
@@ -292,6 +323,18 @@ meshes_there :-
     ).
 
 % How long the seam is.
+
+% Nothing is lost behind a short fold: corners are rounded once, where they are.
+
+test(behind_short_folds, [true(Lost == [])]) :-
+    patterns_checked(short_folds, Results),
+    Results \== [],
+    findall(Shape,
+            ( member(R, Results),
+              get_dict(shape, R, Shape),
+              Shape >= 1.0e-15
+            ),
+            Lost).
 
 test(the_bound, [forall(bound_model(Name, Term, Bound)),
                  true(Seam =:= Tree)]) :-
