@@ -2,7 +2,8 @@
           [ parsed_arguments/4          % +Specs, +Arguments, -Files, -Options
           ]).
 :- use_module(decimal, [decimal_number/2]).
-:- use_module(library(apply), [foldl/4]).
+:- use_module(spelling, [near_words/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [append/3, member/2, reverse/2]).
 :- use_module(library(option), [option/2]).
 /** <module> Command-line arguments.
@@ -30,8 +31,9 @@ atom or `''`; Type one of
 %
 %   True when Arguments, a list of atoms, are Files (atoms) and Options.
 %
-%   @error usage_error(What): unknown_option(Text), no_value(Text),
-%   needs_value(Text), option_twice(Text), bad_value(Text, Value, Type)
+%   @error usage_error(What): unknown_option(Text, Near), Near those that may be
+%   meant, no_value(Text), needs_value(Text), option_twice(Text),
+%   bad_value(Text, Value, Type)
 
 parsed_arguments(Specs, Arguments, Files, Options) :-
     parsed(Arguments, Specs, Files, Given),
@@ -97,8 +99,24 @@ find_long(Text, Specs, Spec, Sense) :-
         spec_named(Positive, Specs, Spec),
         arg(3, Spec, flag)
     ->  Sense = false
-    ;   usage_error(unknown_option(Text))
+    ;   near_options(Text, Specs, Near),
+        usage_error(unknown_option(Text, Near))
     ).
+
+%   `--no-gird` may be --no-grid.
+
+near_options(Text, Specs, Near) :-
+    findall(Known,
+            ( member(option(Name,_,Type,_,_), Specs),
+              (   Known = Name
+              ;   Type == flag,
+                  atom_concat('no-', Name, Known)
+              )
+            ),
+            All),
+    atom_concat('--', Word, Text),
+    near_words(Word, All, Names),
+    maplist(atom_concat('--'), Names, Near).
 
 spec_named(Text, Specs, Spec) :-
     Spec = option(Name, _, _, _, _),
@@ -111,7 +129,7 @@ find_short(Letter, Specs, Spec, Text) :-
     (   member(Spec, Specs),
         arg(2, Spec, Letter)
     ->  true
-    ;   usage_error(unknown_option(Text))
+    ;   usage_error(unknown_option(Text, []))
     ).
 
 %   taken(Spec, Sense, Text, Value, Rest, Rest1, Given, Given1): the option

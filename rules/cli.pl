@@ -13,6 +13,7 @@
 :- use_module(messages_ko, []).
 :- use_module(progress, [with_progress/1]).
 :- use_module(solid_file, [output_statistics/1]).
+:- use_module(spelling, [near_words/3]).
 :- use_module(stage, [stages_reset/0, stage_seconds/2]).
 :- use_module(status, [error_status/2]).
 :- use_module(store, [new_world/1, in_world/2, facts_statistics/2]).
@@ -134,7 +135,7 @@ command([First|Rest], Status) :-
     ->  verb_command(First, Rest, Status)
     ;   sub_atom(First, 0, 1, _, -)
     ->  global_first([First|Rest], Status)
-    ;   usage_error(unknown_verb(First))
+    ;   unknown_verb(First)
     ).
 
 %   `sanggwan --lang ko --help`: common options may stand before the verb.
@@ -148,14 +149,19 @@ global_first(Arguments, Status) :-
         ->  append(After, Before, Rest),
             command([Verb|Rest], Status)
         ;   Files = [File|_],
-            usage_error(unknown_verb(File))
+            unknown_verb(File)
         )
     ;   parsed_arguments(Specs, Arguments, Files, _),
         (   Files = [File|_]
-        ->  usage_error(unknown_verb(File))
+        ->  unknown_verb(File)
         ;   usage_error(no_verb)
         )
     ).
+
+unknown_verb(Word) :-
+    findall(Verb, verb(Verb, _, _, _), Verbs),
+    near_words(Word, Verbs, Near),
+    usage_error(unknown_verb(Word, Near)).
 
 usage_error(What) :-
     throw(error(usage_error(What), _)).

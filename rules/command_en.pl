@@ -1,7 +1,7 @@
 :- module(sg_command_en,
           [ command_en//1               % +What
           ]).
-:- use_module(message_parts, [syntax_words//1]).
+:- use_module(message_parts, [meant_en//1, syntax_words//1]).
 :- use_module(pattern_en, [pattern_fault_en//1]).
 :- use_module(sheet_en, [sheet_en//1]).
 :- use_module(unfold_en, [wish_en//3, unfold_en//1]).
@@ -16,11 +16,14 @@ command_ko.pl has the same heads in Korean.
 
 command_en(no_verb) -->
     [ 'what should be done?', nl, '  Try sanggwan --help.' ].
-command_en(unknown_verb(Verb)) -->
-    [ 'there is no verb ~w'-[Verb], nl, '  Try sanggwan --help.' ].
-command_en(unknown_option(Text)) -->
-    [ 'unknown option ~w'-[Text], nl,
-      '  sanggwan VERB --help lists those of a verb.' ].
+command_en(unknown_verb(Verb, Near)) -->
+    [ 'there is no verb ~w'-[Verb] ],
+    meant_en(Near),
+    [ nl, '  Try sanggwan --help.' ].
+command_en(unknown_option(Text, Near)) -->
+    [ 'unknown option ~w'-[Text] ],
+    meant_en(Near),
+    [ nl, '  sanggwan VERB --help lists those of a verb.' ].
 command_en(no_value(Text)) -->
     [ 'option ~w takes no value'-[Text] ].
 command_en(needs_value(Text)) -->

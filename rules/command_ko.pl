@@ -2,7 +2,7 @@
 :- module(sg_command_ko,
           [ command_ko//1               % +What
           ]).
-:- use_module(message_parts, [syntax_words//1]).
+:- use_module(message_parts, [meant_ko//1, syntax_words//1]).
 :- use_module(pattern_ko, [pattern_fault_ko//1]).
 :- use_module(sheet_ko, [sheet_ko//1]).
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1]).
@@ -17,12 +17,14 @@ command_en.pl has the same heads in English.
 
 command_ko(no_verb) -->
     [ '무엇을 할까요?', nl, '  sanggwan --help 를 보십시오.' ].
-command_ko(unknown_verb(Verb)) -->
-    [ '~w 이라는 동사는 없습니다'-[Verb], nl,
-      '  sanggwan --help 를 보십시오.' ].
-command_ko(unknown_option(Text)) -->
-    [ '모르는 선택 사항 ~w'-[Text], nl,
-      '  sanggwan VERB --help 를 보십시오.' ].
+command_ko(unknown_verb(Verb, Near)) -->
+    [ '~w 이라는 동사는 없습니다'-[Verb] ],
+    meant_ko(Near),
+    [ nl, '  sanggwan --help 를 보십시오.' ].
+command_ko(unknown_option(Text, Near)) -->
+    [ '모르는 선택 사항 ~w'-[Text] ],
+    meant_ko(Near),
+    [ nl, '  sanggwan VERB --help 를 보십시오.' ].
 command_ko(no_value(Text)) -->
     [ '~w 에는 값이 없습니다'-[Text] ].
 command_ko(needs_value(Text)) -->

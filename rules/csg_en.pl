@@ -1,7 +1,10 @@
 :- module(sg_csg_en,
           [ csg_en//1                   % +What
           ]).
-:- use_module(csg_term, [operation_form/2, misshapen/2, operation_names/1]).
+:- use_module(csg_term,
+              [ misshapen/2, near_operands/2, operation_form/2,
+                operation_names/1 ]).
+:- use_module(message_parts, [meant_en//1]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(operand_name, [operand_name_en//1]).
 /** <module> What is wrong with a CSG tree, in English.
@@ -28,7 +31,10 @@ csg_en(unknown(Operand)) -->
        operation.' ].
 csg_en(unknown(Operand)) -->
     { operation_names(Names) },
-    [ '~p is no operand'-[Operand], nl,
+    [ '~p is no operand'-[Operand] ],
+    { near_operands(Operand, Near) },
+    meant_en(Near),
+    [ nl,
       '  An operand is the number of a segment, an operation (~w), or a \c
        primitive:'-[Names] ],
     primitive_names.

@@ -2,7 +2,10 @@
 :- module(sg_csg_ko,
           [ csg_ko//1                   % +What
           ]).
-:- use_module(csg_term, [operation_form/2, misshapen/2, operation_names/1]).
+:- use_module(csg_term,
+              [ misshapen/2, near_operands/2, operation_form/2,
+                operation_names/1 ]).
+:- use_module(message_parts, [meant_ko//1]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(operand_name, [operand_name_ko//1]).
 /** <module> What is wrong with a CSG tree, in Korean.
@@ -28,7 +31,10 @@ csg_ko(unknown(Operand)) -->
       '  피연산자는 세그먼트 번호, 기본 입체, 연산입니다.' ].
 csg_ko(unknown(Operand)) -->
     { operation_names(Names) },
-    [ '~p 은(는) 피연산자가 아닙니다'-[Operand], nl,
+    [ '~p 은(는) 피연산자가 아닙니다'-[Operand] ],
+    { near_operands(Operand, Near) },
+    meant_ko(Near),
+    [ nl,
       '  피연산자는 세그먼트 번호, 연산(~w), 기본 입체입니다:'-[Names] ],
     primitive_names.
 csg_ko(side(Side, Sides)) -->

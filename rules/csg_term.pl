@@ -2,6 +2,7 @@
           [ operation_form/2,           % ?Name, -Form
             misshapen/2,                % @Term, -Form
             operation_names/1,          % -Names
+            near_operands/2,            % @Term, -Near
             is_node_term/1,             % @Term
             node_parts/4,               % +Term, -Operation, -Operands, -Steps
             plain_name/2,               % +Term, -Name
@@ -9,9 +10,10 @@
             check_node_term/1,          % +Term
             csg_error/1                 % +What
           ]).
-:- use_module(primitive, [is_primitive/1]).
+:- use_module(primitive, [is_primitive/1, primitive/1]).
 :- use_module(primitive_argument, [finite_number/2, primitive_error/2]).
 :- use_module(placing, [step_motion/2]).
+:- use_module(spelling, [near_words/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> The terms of a CSG tree.
@@ -74,6 +76,24 @@ misshapen(Term, Form) :-
 operation_names(Names) :-
     findall(Name, operation_form(Name, _), All),
     atomic_list_concat(All, ', ', Names).
+
+%!  near_operands(@Term, -Near) is det.
+%
+%   Near are the names of operations and primitives that the one of Term may
+%   be meant for.
+
+near_operands(Term, Near) :-
+    (   callable(Term)
+    ->  functor(Term, Name, _),
+        findall(Known, operand_word(Known), Words),
+        near_words(Name, Words, Near)
+    ;   Near = []
+    ).
+
+operand_word(Name) :-
+    operation_form(Name, _).
+operand_word(Name) :-
+    primitive(Name).
 
 %!  is_node_term(@Term) is semidet.
 %

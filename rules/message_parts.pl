@@ -1,6 +1,9 @@
+:- encoding(utf8).
 :- module(sg_message_parts,
           [ place//3,                   % +File, +Line, +Column
             counted//3,                 % +N, +One, +Many
+            meant_en//1,                % +Near
+            meant_ko//1,                % +Near
             shown_value/2,              % +Value, -Shown
             syntax_words//1,            % +What
             loading_fault//1,           % +Formal
@@ -34,6 +37,25 @@ place(File, Line, Column) -->
 counted(N, One, Many) -->
     { N =:= 1 -> Word = One ; Word = Many },
     [ '~D ~w'-[N, Word] ].
+
+%!  meant_en(+Near)// is det.
+%!  meant_ko(+Near)// is det.
+%
+%   Which words may be meant by another one, near_words/3; nothing if none.
+
+meant_en([]) -->
+    !,
+    [].
+meant_en(Near) -->
+    { atomic_list_concat(Near, ' or ', Words) },
+    [ nl, '  Did you mean ~w?'-[Words] ].
+
+meant_ko([]) -->
+    !,
+    [].
+meant_ko(Near) -->
+    { atomic_list_concat(Near, ', ', Words) },
+    [ nl, '  혹시 ~w 입니까?'-[Words] ].
 
 %!  shown_value(+Value, -Shown) is det.
 %

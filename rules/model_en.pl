@@ -2,8 +2,9 @@
           [ model_en//1                 % +What
           ]).
 :- use_module(csg_en, [csg_en//1]).
-:- use_module(csg_term, [misshapen/2]).
-:- use_module(message_parts, [counted//3, shown_value/2, syntax_words//1]).
+:- use_module(csg_term, [misshapen/2, near_operands/2]).
+:- use_module(message_parts, 
+              [counted//3, meant_en//1, shown_value/2, syntax_words//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
 /** <module> What is wrong with the text or the facts of a model, in English.
@@ -103,7 +104,10 @@ model_en(no_vertices(_, Name)) -->
     !,
     csg_en(unknown(Name)).
 model_en(no_vertices(S, Name)) -->
-    [ 'segment ~d has no vertices, and ~p is no primitive'-[S, Name], nl,
+    [ 'segment ~d has no vertices, and ~p is no primitive'-[S, Name] ],
+    { near_operands(Name, Near) },
+    meant_en(Near),
+    [ nl,
       '  Give facts v/5 and p/3, an operation (docs/model_files.md), or a \c
        primitive: ' ],
     primitive_names.

@@ -3,8 +3,8 @@
           [ model_ko//1                 % +What
           ]).
 :- use_module(csg_ko, [csg_ko//1]).
-:- use_module(csg_term, [misshapen/2]).
-:- use_module(message_parts, [shown_value/2, syntax_words//1]).
+:- use_module(csg_term, [misshapen/2, near_operands/2]).
+:- use_module(message_parts, [meant_ko//1, shown_value/2, syntax_words//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
 /** <module> What is wrong with the text or the facts of a model, in Korean.
@@ -103,8 +103,10 @@ model_ko(no_vertices(_, Name)) -->
     !,
     csg_ko(unknown(Name)).
 model_ko(no_vertices(S, Name)) -->
-    [ '세그먼트 ~d 에 꼭지점이 없고 ~p 은(는) 기본 입체가 아닙니다'-[S, Name],
-      nl,
+    [ '세그먼트 ~d 에 꼭지점이 없고 ~p 은(는) 기본 입체가 아닙니다'-[S, Name] ],
+    { near_operands(Name, Near) },
+    meant_ko(Near),
+    [ nl,
       '  v/5 와 p/3, 연산(docs/model_files.md), 또는 기본 입체를 쓰십시오: ' ],
     primitive_names.
 model_ko(no_edges(S)) -->

@@ -3,6 +3,8 @@
             primitive_names//0,         %
             primitive_usage//1          % +Term
           ]).
+:- use_module(csg_term, [near_operands/2]).
+:- use_module(message_parts, [meant_en//1]).
 :- use_module(primitive, [primitive/1, primitive_form/2, primitive_name/2]).
 :- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with a primitive, in English.
@@ -36,7 +38,10 @@ primitive_usage(_) -->
 %   The message for model_error(primitive(What, Term)).
 
 primitive_en(unknown, Term) -->
-    [ '~p is no primitive; there are'-[Term] ],
+    [ '~p is no primitive'-[Term] ],
+    { near_operands(Term, Near) },
+    meant_en(Near),
+    [ nl, '  There are' ],
     primitive_names.
 primitive_en(unknown_argument(A), Term) -->
     { primitive_name(Term, Name) },

@@ -2,6 +2,8 @@
 :- module(sg_primitive_ko,
           [ primitive_ko//2             % +What, +Term
           ]).
+:- use_module(csg_term, [near_operands/2]).
+:- use_module(message_parts, [meant_ko//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0, primitive_usage//1]).
 :- use_module(library(apply), [maplist/3]).
@@ -15,7 +17,10 @@ The heads are those of primitive_en.pl (tests/rules/primitive.plt).
 %   The message for model_error(primitive(What, Term)).
 
 primitive_ko(unknown, Term) -->
-    [ '~p 은(는) 기본 입체가 아닙니다. 기본 입체:'-[Term] ],
+    [ '~p 은(는) 기본 입체가 아닙니다'-[Term] ],
+    { near_operands(Term, Near) },
+    meant_ko(Near),
+    [ nl, '  기본 입체:' ],
     primitive_names.
 primitive_ko(unknown_argument(A), Term) -->
     { primitive_name(Term, Name) },

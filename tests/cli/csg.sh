@@ -151,6 +151,8 @@ wrong() {
 }
 check "unknown operation" wrong 'segment 2 .*unoin\(\[1\]\) is no primitive' \
   'segment(2, solid, unoin([1])).'
+check "meant operation" complains 3 '^  Did you mean union\?$' \
+  sanggwan eval "$TMP/wrong.pl"
 check "unknown operand" wrong 'foo\(2\) is no operand' \
   'segment(2, solid, union([1, foo(2)])).'
 check "unknown placed operand" wrong 'foo is no operand' \

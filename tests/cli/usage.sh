@@ -55,6 +55,10 @@ check no-verb-stdout silent out
 run fly
 check unknown-verb status_is 2
 check unknown-verb-message has 'there is no verb fly'
+run unfld facts/cube.pl
+check meant-verb has 'Did you mean unfold?'
+LC_ALL=ko_KR.UTF-8 run unfld facts/cube.pl
+check meant-verb-ko has '혹시 unfold 입니까?'
 run query facts/cube.pl
 check no-goal status_is 2
 check no-goal-message has 'GOAL is missing'
@@ -75,6 +79,10 @@ check no-output-message has '-o FILE'
 run draw facts/cube.pl --colour
 check unknown-option status_is 2
 check unknown-option-message has 'unknown option --colour'
+run unfold facts/cube.pl --tab 5
+check meant-option has 'Did you mean --tabs?'
+run --lang ko unfold facts/cube.pl --thicknes 5
+check meant-option-ko has '혹시 --thickness 입니까?'
 run draw facts/cube.pl -x
 check unknown-letter has 'unknown option -x'
 run draw facts/cube.pl -o

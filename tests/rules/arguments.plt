@@ -38,14 +38,17 @@ test(end, F-O == ['-q', '--view']-[]) :- parsed("-- -q --view", F, O).
 test(number, O == [limit(3)]) :- parsed("--limit 3", _, O).
 test(empty_value, O == [view('')]) :- parsed("--view=", _, O).
 
-test(unknown) :- refused("--colour", unknown_option('--colour')).
-test(unknown_short) :- refused("-x", unknown_option('-x')).
+test(unknown) :- refused("--colour", unknown_option('--colour', [])).
+test(unknown_short) :- refused("-x", unknown_option('-x', [])).
+test(meant) :- refused("--limt 3", unknown_option('--limt', ['--limit'])).
+test(meant_no) :-
+    refused("--no-quite", unknown_option('--no-quite', ['--no-quiet'])).
 test(needs) :- refused("a --view", needs_value('--view')).
 test(needs_not_option) :- refused("--view --quiet", needs_value('--view')).
 test(needs_not_letter) :- refused("-v -q", needs_value('-v')).
 test(no_value) :- refused("--quiet=1", no_value('--quiet')).
 test(no_negative_of_values) :-
-    refused("--no-view", unknown_option('--no-view')).
+    refused("--no-view", unknown_option('--no-view', [])).
 test(twice) :- refused("-v 1 --view 2", option_twice('--view')).
 test(word) :-
     refused("--hidden x", bad_value('--hidden', x, one_of([dashed, removed]))).
