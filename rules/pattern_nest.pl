@@ -1,7 +1,8 @@
 :- module(sg_pattern_nest,
           [ nested/3,                   % +Outlines, +Paper, -Nested
             fits_on/2,                  % +Points, +Paper
-            least_box/4                 % +Points, -Degrees, -Width, -Height
+            least_box/4,                % +Points, -Degrees, -Width, -Height
+            hull/2                      % +Points, -Hull
           ]).
 :- use_module(kernel, [nest/7]).
 :- use_module(pattern_text, [first_of/3]).
@@ -407,6 +408,11 @@ hull_sides([X-Y|Points], X0-Y0, Step, I, Angles) :-
     ),
     I1 is I+1,
     hull_sides(Points, X-Y, Step, I1, Angles1).
+
+%!  hull(+Points, -Hull) is det.
+%
+%   Hull are those of Points, X-Y, that are corners of their convex hull,
+%   counter-clockwise; all that there are of one or two.
 
 hull(Points, Hull) :-
     sort(Points, Sorted),

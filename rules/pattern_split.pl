@@ -2,14 +2,15 @@
           [ split_piece/3,              % +Piece, +Paper, -Parts
             parted_piece/3              % +Piece, +Folds, -Parts
           ]).
+:- use_module(pattern_join, [joined_parts/4]).
 :- use_module(pattern_nest, [fits_on/2, least_box/4]).
 :- use_module(pattern_piece, [piece_points/2, within_shapes/2]).
 :- use_module(library(apply), [exclude/3, foldl/4, include/3, maplist/3]).
 :- use_module(library(assoc),
               [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
 :- use_module(library(lists),
-              [ append/3, last/2, member/2, nth1/3, select/3, sum_list/2 ]).
-:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+              [append/3, last/2, member/2, nth1/3, sum_list/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Pieces that are larger than a sheet, divided.
 
 Along folds, which become seams, if there are any: across the longer side of the
@@ -45,93 +46,6 @@ small_parts([Piece|Pieces], Paper, Parts) :-
     ),
     small_parts(Pieces, Paper, Parts1).
 
-%   joined_parts(Piece, Parts0, Paper, Parts): parts that fit on the paper
-%   together are not parted after all, along the longest fold first.
-
-joined_parts(_, [Piece], _, [Piece]) :-
-    !.
-joined_parts(piece(_,_,Sides), Parts0, Paper, Parts) :-
-    findall(Less-J,
-            ( member(side(_,_,_-(XA-YA),_-(XB-YB),fold(J,_,1)), Sides),
-              Less is -((XB-XA)**2 + (YB-YA)**2)
-            ),
-            Folds0),
-    keysort(Folds0, Folds1),
-    pairs_values(Folds1, Js),
-    list_to_assoc_of(Js, Folds),
-    lost_folds(Js, Parts0, Lost),
-    foldl(fold_joined(Folds, Paper), Lost, Parts0, Parts).
-
-lost_folds(Js, Parts, Lost) :-
-    findall(J, ( member(piece(_,_,Sides), Parts),
-                 member(side(_,_,_,_,seam(J,_,_)), Sides) ),
-            Seams0),
-    sort(Seams0, Seams1),
-    list_to_assoc_of(Seams1, Seams),
-    include(known(Seams), Js, Lost).
-
-known(Assoc, Key) :-
-    get_assoc(Key, Assoc, _).
-
-%   A face that a line divided has fold J several times: every two parts that
-%   have it in the same place are joined.
-
-fold_joined(Folds, Paper, J, Parts0, Parts) :-
-    (   joinable(J, Paper, Parts0, A, B, Rest)
-    ->  joined_piece(Folds, A, B, AB),
-        fold_joined(Folds, Paper, J, [AB|Rest], Parts)
-    ;   Parts = Parts0
-    ).
-
-joinable(J, Paper, Parts, A, B, Rest) :-
-    select(A, Parts, Parts1),
-    piece_seam(A, J, 1, SideA),
-    select(B, Parts1, Rest),
-    piece_seam(B, J, 2, SideB),
-    same_place(SideA, SideB),
-    piece_points(A, PointsA),
-    piece_points(B, PointsB),
-    append(PointsA, PointsB, Points),
-    fits_on(Points, Paper).
-
-piece_seam(piece(_,_,Sides), J, Which, Side) :-
-    Side = side(_, _, _, _, seam(J,_,Which)),
-    member(Side, Sides).
-
-%   same_place(Side1, Side2): one runs back along the other.
-
-same_place(side(_,_,_-(XA-YA),_-(XB-YB),_),
-           side(_,_,_-(XC-YC),_-(XD-YD),_)) :-
-    Near is 1.0e-9*(abs(XB-XA) + abs(YB-YA)),
-    abs(XA-XD) + abs(YA-YD) =< Near,
-    abs(XB-XC) + abs(YB-YC) =< Near.
-
-joined_piece(Folds, piece(Name,Faces1,Sides1), piece(_,Faces2,Sides2),
-             piece(Name,Faces,Sides)) :-
-    append(Faces1, Faces2, Faces),
-    append(Sides1, Sides2, Sides0),
-    findall(J-Side,
-            ( member(Side, Sides0),
-              Side = side(_, _, _, _, seam(J,_,_)),
-              get_assoc(J, Folds, _)
-            ),
-            Own0),
-    keysort(Own0, Own1),
-    group_pairs_by_key(Own1, Own2),
-    list_to_assoc(Own2, Own),
-    maplist(joined_side(Own), Sides0, Sides).
-
-joined_side(Own, Side0, Side) :-
-    Side0 = side(E, P, A, B, seam(J,Angle,Which)),
-    get_assoc(J, Own, Seams),
-    Other is 3-Which,
-    Side1 = side(_, _, _, _, seam(_,_,Other)),
-    member(Side1, Seams),
-    same_place(Side0, Side1),
-    !,
-    Side = side(E, P, A, B, fold(J,Angle,Which)).
-joined_side(_, Side, Side).
-
 
                 /*******************************
                 *            FOLDS             *
@@ -151,7 +65,7 @@ split_at_folds(Piece, Points, Parts) :-
             ),
             Costs0),
     keysort(Costs0, [_-Groups|_]),
-    maplist(group_part(Piece), Groups, Parts).
+    group_parts(Piece, Groups, Parts).
 
 %   fold(P1,P2,Length): the faces on both sides of each fold.
 
@@ -266,31 +180,60 @@ parted_piece(Piece, Folds, Parts) :-
                     ( Step = P1-P2 ; Step = P2-P1 ) ), Steps),
     findall(P, member(face(P,_), Faces), Ps),
     components(Ps, Steps, Groups),
-    maplist(group_part(Piece), Groups, Parts).
+    group_parts(Piece, Groups, Parts).
 
-%   A fold whose other side is in another part becomes a seam.
+%   group_parts(Piece, Groups, Parts): a part for each of Groups, lists of
+%   faces. A fold whose other side is in another part becomes a seam.
 
-group_part(piece(Name,Faces0,Sides0), Group, piece(Name,Faces,Sides)) :-
-    list_to_assoc_of(Group, Known),
-    include(face_known(Known), Faces0, Faces),
-    include(side_known(Known), Sides0, Sides1),
-    findall(J-Which, member(side(_,_,_,_,fold(J,_,Which)), Sides1), Own0),
-    sort(Own0, Own1),
-    list_to_assoc_of(Own1, Own),
-    maplist(parted_side(Own), Sides1, Sides).
+group_parts(piece(Name,Faces,Sides), Groups, Parts) :-
+    findall(P-I, ( nth1(I, Groups, Ps), member(P, Ps) ), Places0),
+    list_to_assoc(Places0, Places),
+    findall(I-Face,
+            ( member(Face, Faces),
+              Face = face(P, _),
+              get_assoc(P, Places, I)
+            ),
+            Faced),
+    grouped_values(Faced, FacesOf),
+    findall(J-I,
+            ( member(side(_,P,_,_,fold(J,_,_)), Sides),
+              get_assoc(P, Places, I)
+            ),
+            Folded),
+    grouped_values(Folded, Folds),
+    findall(I-Side,
+            ( member(Side0, Sides),
+              parted_side(Places, Folds, Side0, I, Side)
+            ),
+            Sided),
+    grouped_values(Sided, SidesOf),
+    findall(piece(Name,Own,OwnSides),
+            ( nth1(I, Groups, _),
+              values_of(I, FacesOf, Own),
+              values_of(I, SidesOf, OwnSides)
+            ),
+            Parts).
 
-face_known(Known, face(P,_)) :-
-    get_assoc(P, Known, _).
+parted_side(Places, Folds, side(E,P,A,B,Joint0), I, side(E,P,A,B,Joint)) :-
+    get_assoc(P, Places, I),
+    (   Joint0 = fold(J, Angle, Which),
+        \+ get_assoc(J, Folds, [I,I])
+    ->  Joint = seam(J, Angle, Which)
+    ;   Joint = Joint0
+    ).
 
-side_known(Known, side(_,P,_,_,_)) :-
-    get_assoc(P, Known, _).
+%   grouped_values(Pairs, Assoc): from each key to its values, in their order.
 
-parted_side(Own, side(E,P,A,B,fold(J,Angle,Which)), Side) :-
-    Other is 3-Which,
-    \+ get_assoc(J-Other, Own, _),
-    !,
-    Side = side(E, P, A, B, seam(J,Angle,Which)).
-parted_side(_, Side, Side).
+grouped_values(Pairs0, Assoc) :-
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Assoc).
+
+values_of(Key, Assoc, Values) :-
+    (   get_assoc(Key, Assoc, Values0)
+    ->  Values = Values0
+    ;   Values = []
+    ).
 
 
                 /*******************************

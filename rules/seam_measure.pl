@@ -2,12 +2,12 @@
           [ seam_drawn/3,               % +D, -Seam, -Longest
             pattern_area/2              % +D, -Area
           ]).
+:- use_module(disjoint_sets, [set_root/3, sets_joined/4]).
 :- use_module(part_edges, [edge_length/3]).
 :- use_module(store, [e/5, from_v/4, joint/6, t/6, v/5]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(assoc),
-              [empty_assoc/1, get_assoc/3, put_assoc/4]).
+:- use_module(library(assoc), [empty_assoc/1]).
 :- use_module(library(lists), [max_list/2, member/2, nth1/3, sum_list/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> How long the seams of a pattern are, as it is drawn.
@@ -32,16 +32,19 @@ seam_drawn(D, Seam, Longest) :-
     msort(Ends0, Ends),
     group_pairs_by_key(Ends, Groups),
     findall(I-J, ( member(_-[I,J], Groups), I =\= J ), Links),
-    empty_assoc(Roots0),
-    foldl(linked, Links, Roots0, Roots),
+    empty_assoc(Sets0),
+    foldl(linked, Links, Sets0, Sets),
     findall(Root-Length,
             ( nth1(I, Seams, seam(_, _, Length)),
-              root(Roots, I, Root) ),
+              set_root(Sets, I, Root) ),
             Parts0),
     keysort(Parts0, Parts),
     group_pairs_by_key(Parts, Welds),
     findall(Weld, ( member(_-Ls, Welds), sum_list(Ls, Weld) ), All),
     max_list([0.0|All], Longest).
+
+linked(I-J, Sets0, Sets) :-
+    sets_joined(I, J, Sets0, Sets).
 
 seam_length(seam(_, _, Length), Length).
 
@@ -63,25 +66,6 @@ end_name(D, W1, W2, Name) :-
     ->  Name = v(S, V)
     ;   W is min(W1, W2),
         Name = copy(W)
-    ).
-
-%   linked(I-J, Roots0, Roots), root(Roots, I, Root): disjoint sets, the root of
-%   each the smallest.
-
-linked(I-J, Roots0, Roots) :-
-    root(Roots0, I, A),
-    root(Roots0, J, B),
-    (   A =:= B
-    ->  Roots = Roots0
-    ;   Least is min(A, B),
-        Most is max(A, B),
-        put_assoc(Most, Roots0, Least, Roots)
-    ).
-
-root(Roots, I, Root) :-
-    (   get_assoc(I, Roots, J)
-    ->  root(Roots, J, Root)
-    ;   Root = I
     ).
 
 %!  pattern_area(+D, -Area) is det.
