@@ -204,7 +204,7 @@ san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
 # memory of ours: worlds, work, glue. Threads as above.
 VG     := valgrind -q --error-exitcode=9 --leak-check=full \
           --errors-for-leak-kinds=definite --suppressions=tests/swipl.supp
-VG_PLT := chain decision mesh model store tree view work
+VG_PLT := chain decision mesh model store tree view work worlds
 check-vg: $(B)/sanggwan.so $(C_TESTS)
 	@RUN='$(VG)' TEST_SECONDS=1200 tests/run $(filter-out %/cut_test %/mesh_fuzz_test, \
 	  $(C_TESTS))
