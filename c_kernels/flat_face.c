@@ -8,15 +8,17 @@
 #include <string.h>
 
 #define NO_CORNER UINT32_MAX
+#define NO_EDGE   UINT32_MAX
 
-/* What is under way: the triangles of each polygon, and which corner a vertex
- * is of the face that is being made. */
+/* What is under way: the triangles of each polygon, which corner a vertex is of
+ * the face that is being made, and which edges are sides already. */
 typedef struct maker {
   const sg_dense *dense;
   sg_flat_faces *out;
   double tolerance;
   uint32_t *begin, *triangle; /* [polygons + 1], [triangles] */
   uint32_t *corner;           /* [vertices] or NO_CORNER */
+  bool *is_side;              /* [edges] */
 } maker;
 
 /* ---- room --------------------------------------------------------------- */
@@ -240,13 +242,25 @@ corner_of(maker *m, int32_t v)
   return m->corner[v];
 }
 
+/* The number of the next side along an edge: that edge, if no side is it yet;
+ * else, and along NO_EDGE, that of a new chord. */
+static uint32_t
+side_number(maker *m, uint32_t edge)
+{
+  if (edge == NO_EDGE || m->is_side[edge]) {
+    return (uint32_t)(m->dense->edges + m->out->chords++);
+  }
+  m->is_side[edge] = true;
+  return edge;
+}
+
 static void
 add_side(maker *m, uint32_t edge, int32_t from, int32_t to)
 {
   sg_flat_faces *f = m->out;
 
   f->face_of[f->sides] = (uint32_t)f->faces;
-  f->side[f->sides].edge = edge;
+  f->side[f->sides].edge = side_number(m, edge);
   f->side[f->sides].from = corner_of(m, from);
   f->side[f->sides++].to = corner_of(m, to);
 }
@@ -300,6 +314,24 @@ forget_corners(maker *m)
   }
 }
 
+/* Takes the sides of the face under way back. */
+static void
+drop_sides(maker *m)
+{
+  sg_flat_faces *f = m->out;
+
+  forget_corners(m);
+  while (f->sides > f->side_begin[f->faces]) {
+    uint32_t edge = f->side[--f->sides].edge;
+    if (edge < m->dense->edges) {
+      m->is_side[edge] = false;
+    } else {
+      f->chords--;
+    }
+  }
+  f->corners = f->corner_begin[f->faces];
+}
+
 static void
 end_face(maker *m, uint32_t polygon)
 {
@@ -350,7 +382,7 @@ is_flat(maker *m)
   return true;
 }
 
-/* The edge of polygon p between two vertices; SG_NO_EDGE: it is a chord. */
+/* The edge of polygon p between two vertices, or NO_EDGE. */
 static uint32_t
 edge_between(const sg_dense *d, size_t p, int32_t from, int32_t to)
 {
@@ -360,7 +392,7 @@ edge_between(const sg_dense *d, size_t p, int32_t from, int32_t to)
       return (uint32_t)e;
     }
   }
-  return UINT32_MAX;
+  return NO_EDGE;
 }
 
 static void
@@ -375,9 +407,7 @@ add_bent(maker *m, size_t p)
     begin_face(m);
     for (int k = 0; k < 3; k++) {
       int32_t from = d->corner[t][k], to = d->corner[t][(k + 1) % 3];
-      uint32_t e = edge_between(d, p, from, to);
-      add_side(m, e != UINT32_MAX ? e : (uint32_t)(d->edges + m->out->chords++),
-               from, to);
+      add_side(m, edge_between(d, p, from, to), from, to);
     }
     add_triangle(m, t);
     end_face(m, (uint32_t)p);
@@ -388,7 +418,6 @@ static void
 add_polygon(maker *m, size_t p)
 {
   const sg_dense *d = m->dense;
-  sg_flat_faces *f = m->out;
 
   begin_face(m);
   for (uint32_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
@@ -396,9 +425,7 @@ add_polygon(maker *m, size_t p)
     add_side(m, (uint32_t)e, d->from[e], d->to[e]);
   }
   if (!is_flat(m) && m->begin[p] < m->begin[p + 1]) {
-    forget_corners(m);
-    f->corners = f->corner_begin[f->faces];
-    f->sides = f->side_begin[f->faces];
+    drop_sides(m);
     add_bent(m, p);
     return;
   }
@@ -453,7 +480,8 @@ sg_flat_faces_make(const sg_dense *dense, const bool *removed, double tolerance,
   m.begin = calloc(dense->polygons + 2, sizeof *m.begin);
   m.triangle = malloc((dense->triangles + 1) * sizeof *m.triangle);
   m.corner = malloc((dense->vertices + 1) * sizeof *m.corner);
-  made = m.begin && m.triangle && m.corner &&
+  m.is_side = calloc(dense->edges + 1, sizeof *m.is_side);
+  made = m.begin && m.triangle && m.corner && m.is_side &&
          take_room(out, dense, 2 * dense->list_begin[dense->polygons]);
   if (made) {
     memset(m.corner, 0xff, (dense->vertices + 1) * sizeof *m.corner);
@@ -465,5 +493,6 @@ sg_flat_faces_make(const sg_dense *dense, const bool *removed, double tolerance,
   free(m.begin);
   free(m.triangle);
   free(m.corner);
+  free(m.is_side);
   return made;
 }

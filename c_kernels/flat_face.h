@@ -5,7 +5,8 @@
  * within the tolerance, or a triangle of one that is not. Its *corners* are the
  * vertices it has, each once; its *sides* are its directed edges, or, in a
  * triangle of a polygon that is not flat, a *chord*: numbered on from the edges
- * of the segment.
+ * of the segment. So is a side along an edge that another side has already,
+ * which is a fault of the model: each side has a number of its own.
  *
  * The frame of a face: its first corner is the origin, x runs along its longest
  * side, the normal looks to the reader, who sees the outside. This is R1 and Rk

@@ -240,9 +240,7 @@ take_ends(const pairing *p, const sg_poll *poll, ends *out, bool *stopped)
   return !*stopped;
 }
 
-/* Joints in the order of their first edges. An edge has one joint at most, also
- * where it is in several faces, which it should not be. False: no memory, or
- * stopped. */
+/* Joints in the order of their first edges. False: no memory, or stopped. */
 static bool
 sort_joints(const pairing *p, const sg_poll *poll, bool *stopped)
 {

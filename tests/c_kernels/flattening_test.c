@@ -217,6 +217,18 @@ check_leaves(void)
   free(m);
 }
 
+/* How many sides have a number that no other has. */
+static size_t
+own_sides(const sg_flat_faces *f)
+{
+  size_t own = 0;
+
+  for (uint32_t k = 0; k < f->sides; k++) {
+    own += f->side_of[f->side[k].edge] == k;
+  }
+  return own;
+}
+
 /* A square that is folded along its diagonal: not flat, in two triangles. */
 static void
 check_bent(void)
@@ -233,6 +245,11 @@ check_bent(void)
   CHECK("a polygon that is not flat is its triangles",
         u.faces.bents == 1 && u.faces.faces == 2 && u.faces.chords == 2);
   CHECK("which hang together", u.layout.pieces == 1 && u.joints.n == 1);
+  forget(&u);
+  memcpy(m->corner[1], m->corner[0], sizeof m->corner[1]);
+  unfold(m, SG_ORDER_LONGEST, &u);
+  CHECK("two triangles along the same edges have sides of their own",
+        u.faces.sides == 6 && u.faces.chords == 4 && own_sides(&u.faces) == 6);
   forget(&u);
   free(m);
 }
@@ -305,13 +322,10 @@ check_edge_in_two_faces(void)
         sg_flat_faces_make(&m->dense, NULL, 1e-9, NULL, &u.faces, &stopped));
   CHECK("joints",
         sg_joints_make(&u.faces, &m->dense, 1e-9, NULL, &u.joints, &stopped));
-  CHECK("one for the edge", u.joints.n == 1);
-  for (uint32_t k = 0, with = 0; k < u.faces.sides; k++) {
-    with += u.joints.of_side[k] == 0;
-    CHECK("two sides have it", k + 1 < u.faces.sides || with == 2);
-    CHECK("no side has another",
-          u.joints.of_side[k] == 0 || u.joints.of_side[k] == SG_NO_JOINT);
-  }
+  CHECK("each side has a number of its own", own_sides(&u.faces) == 12);
+  CHECK("the second side along an edge is a chord",
+        u.faces.chords == 1 && u.faces.side[6].edge == m->dense.edges);
+  CHECK("both pairs are joints", u.joints.n == 2);
   forget(&u);
   free(m);
 }

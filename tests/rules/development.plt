@@ -54,6 +54,16 @@ folded_square(E, P) :-
             Edges),
     assert_fact(p(1, P, Edges)).
 
+%   shared_edges: two triangles that have the same half-edges, which is a fault.
+
+shared_edges :-
+    assert_fact(segment(1, surface, shared)),
+    forall(nth1(V, [0.0-0.0,1.0-0.0,0.0-1.0], X-Y),
+           assert_fact(v(1, V, X, Y, 0.0))),
+    forall(( between(1, 3, E), B is E mod 3 + 1 ),
+           assert_fact(e(1, E, E, B, 1))),
+    forall(between(1, 2, P), assert_fact(p(1, P, [1,2,3]))).
+
 %   seam_of(+D, -Length): all seams, each once.
 
 seam_of(D, Length) :-
@@ -380,6 +390,11 @@ test(no_joint, error(geometry_error(development(1, no_joint(999))))) :-
     in_model([box(size(1,1,1))], develop(1, [cut([999])], _)).
 test(no_polygon, error(geometry_error(development(1, no_polygon(99))))) :-
     in_model([box(size(1,1,1))], develop(1, [root(99)], _)).
+test(shared_edges, Lists-Edges == [[1,2,3],[4,5,6]]-[1,2,3,4,5,6]) :-
+    in_model([], ( shared_edges,
+                   develop(1, D),
+                   findall(List, p(D, _, List), Lists),
+                   findall(E, e(D, E, _, _, _), Edges) )).
 test(no_numbers, [ forall(member(E-P, [10-2147483647,2147483644-10])),
                    error(geometry_error(development(1, no_numbers))) ]) :-
     in_model([], ( folded_square(E, P), develop(1, _) )).
