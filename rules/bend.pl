@@ -289,13 +289,13 @@ neighbour_shifted(D, X0-Y0, fold(E, Q, Half), Ps-Shifts0, Ps1-Shifts) :-
     ).
 
 %   inward(D, E, NX, NY): the unit normal of edge E into its polygon, which lies
-%   on the left.
+%   on the left; (0, 0), if E has no length.
 
 inward(D, E, NX, NY) :-
     e(D, E, A, B, _),
     v(D, A, X1, Y1, _),
     v(D, B, X2, Y2, _),
-    Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
+    Length is max(sqrt((X2-X1)**2 + (Y2-Y1)**2), 1.0e-300),
     NX is (Y1-Y2)/Length,
     NY is (X2-X1)/Length.
 
@@ -378,8 +378,8 @@ vertex_at(D, V, X, Y, Known0, Known, W) :-
         put_assoc(V, Known0, [place(X, Y, V)], Known)
     ).
 
-%   sides_kept(D, P, Es, Offsets): no side turns round: it is longer than what
-%   is taken off at its two ends.
+%   sides_kept(D, P, Es, Offsets): no side turns round: if it has a length, it is
+%   longer than what is taken off at its two ends.
 
 sides_kept(D, P, Es, Offsets) :-
     (   member(E, Es),
@@ -392,6 +392,7 @@ sides_kept(D, P, Es, Offsets) :-
         v(D, A, AX, AY, _),
         v(D, B, BX, BY, _),
         Length is sqrt((BX-AX)**2 + (BY-AY)**2),
+        Length > 0.0,
         Off is NY*(X1-X2) - NX*(Y1-Y2),
         Off >= Length
     ->  named_segment(D, S),

@@ -23,7 +23,9 @@ it is flat whatever the rounding.
 %   C, D) (rationals) within Box; or `all` or `none`, if Plane passes Box at a
 %   distance.
 
-half_space(plane(A,B,C,D), box(X1,Y1,Z1,X2,Y2,Z2), Half) :-
+half_space(plane(A0,B0,C0,D0), box(X1,Y1,Z1,X2,Y2,Z2), Half) :-
+    Most is max(abs(A0), max(abs(B0), abs(C0))),
+    maplist(divided(Most), [A0,B0,C0,D0], [A,B,C,D]),
     maplist(middle, [X1-X2, Y1-Y2, Z1-Z2], [X,Y,Z]),
     R is max(sqrt((X2-X1)**2 + (Y2-Y1)**2 + (Z2-Z1)**2)*0.55, 1.0e-80),
     Length is sqrt(float(A*A + B*B + C*C)),
@@ -35,6 +37,11 @@ half_space(plane(A,B,C,D), box(X1,Y1,Z1,X2,Y2,Z2), Half) :-
     ;   maplist(part(Length), [A,B,C], [NX,NY,NZ]),
         tetrahedron(p(NX,NY,NZ), plane(A,B,C,D), p(X,Y,Z), Height, R, Half)
     ).
+
+%   divided(Divisor, N, Quotient): exactly, so that floats hold the squares.
+
+divided(Divisor, N, Quotient) :-
+    Quotient is N rdiv Divisor.
 
 middle(Low-High, Middle) :-
     Middle is (Low+High)/2.0.

@@ -160,13 +160,13 @@ development_measures(D, Measures) :-
 %
 %   Of two developments that with the lesser Score, in the standard order, is
 %   better; Measures as of flattening_measures/2. Lengths that are equal but for
-%   rounding are equal.
+%   rounding are equal: the faces are the measure of them, if they have area.
 %
 %   @error domain_error(objective, Objective)
 
 score(Objective, Measures, Main/Rest) :-
     Measures = measures(Seam0, Pieces, Longest0, Area, Boxes0, _, _),
-    Size is max(Area, 1.0e-300),
+    Size is max(max(Area, 1.0e-300), 1.0e-30*max(Boxes0, Seam0*Seam0)),
     Seam is round(Seam0/sqrt(Size)*1.0e9),
     Longest is round(Longest0/sqrt(Size)*1.0e9),
     Boxes is round(Boxes0/Size*1.0e9),

@@ -7,6 +7,7 @@
               [counted//3, meant_en//1, shown_value/2, syntax_words//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with the text or the facts of a model, in English.
 
 model_ko.pl has the same heads in Korean.
@@ -173,7 +174,8 @@ relation_word(p, polygon).
 
 key_en(Key) -->
     (   { is_list(Key) }
-    ->  { atomic_list_concat(Key, ', ', Text) },
+    ->  { maplist(term_to_atom, Key, Words),
+          atomic_list_concat(Words, ', ', Text) },
         [ 'with the numbers ~w'-[Text] ]
     ;   [ 'where one may stand' ]
     ).

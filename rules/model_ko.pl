@@ -7,6 +7,7 @@
 :- use_module(message_parts, [meant_ko//1, shown_value/2, syntax_words//1]).
 :- use_module(primitive, [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with the text or the facts of a model, in Korean.
 
 model_en.pl has the same heads in English.
@@ -169,7 +170,8 @@ relation_word(p, '다각형').
 
 key_ko(Key) -->
     (   { is_list(Key) }
-    ->  { atomic_list_concat(Key, ', ', Text) },
+    ->  { maplist(term_to_atom, Key, Words),
+          atomic_list_concat(Words, ', ', Text) },
         [ '번호 ~w'-[Text] ]
     ;   [ '하나만 있을 수 있습니다' ]
     ).

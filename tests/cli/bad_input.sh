@@ -37,6 +37,9 @@ refused open pl \
 e(1,3,1,3,1). p(1,1,[1,2,3]).' 'does not close at vertex' '2:21: '
 refused jump pl "${triangle}p(1,2,[1,2,3,1,-2])." 'a jump leads nowhere' '2:7: '
 refused twice pl "${triangle}v(1,3,0,0,0)." 'two facts v' '2:1: '
+refused origin_twice pl \
+  "${triangle}origin(1,v(1),line(2)). origin(1,v(1),line(3))." \
+  'two facts origin with the numbers 1, v(1)' '2:'
 refused empty pl '' 'the model is empty'
 refused comment pl '% nothing\n' 'the model is empty'
 refused open_comment pl 'v(1, 1, 0, 0, 0).\n/* open\n' 'pl:3: '

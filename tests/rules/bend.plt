@@ -68,6 +68,15 @@ tray(sheet(points([[0,0,30],[0,100,30],[0,0,0],[0,100,0],[60,0,0],
 deduction(R, T, K, Out, BD) :-
     BD is 2*(R+Out) - pi/2*(R+K*T).
 
+test(edge_without_length, true((near(Width, Width1), near(Area, Area1)))) :-
+    l_bracket(sheet(points(Points), faces([Face,[A,B|More]]))),
+    nth1(B, Points, Place),
+    append(Points, [Place], Points1),
+    length(Points1, N),
+    bent(sheet(points(Points), faces([Face,[A,B|More]])), [thickness(2)], D,
+         ( size(D, Width, _), area(D, Area) )),
+    bent(sheet(points(Points1), faces([Face,[A,B,N|More]])), [thickness(2)],
+         D1, ( size(D1, Width1, _), area(D1, Area1) )).
 test(l_bracket_by_its_outside, true(near(Width, 100-BD))) :-
     l_bracket(Term),
     deduction(3, 2, 0.44, 2, BD),

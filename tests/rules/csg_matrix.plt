@@ -87,6 +87,14 @@ test(half_space, forall(between(1, 300, Seed))) :-
     forall(( member(X, [X1,X2]), member(Y, [Y1,Y2]), member(Z, [Z1,Z2]) ),
            rightly(Half, plane(E,F,G,H), X, Y, Z)).
 
+%   However small or large its numbers are, a plane is the same one.
+
+test(half_space_of_any_size, [ forall(member(F, [1r10**320,10**320])),
+                               true(Half == Half1) ]) :-
+    maplist({F}/[N,M]>>(M is N*F), [1,-2,3,1r4], [A,B,C,D]),
+    half_space(plane(1,-2,3,1r4), box(0.0,0.0,0.0,1.0,1.0,1.0), Half),
+    half_space(plane(A,B,C,D), box(0.0,0.0,0.0,1.0,1.0,1.0), Half1).
+
 rightly(Half, plane(A,B,C,D), X, Y, Z) :-
     Height is A*rational(X) + B*rational(Y) + C*rational(Z) + D,
     (   Half == all

@@ -390,6 +390,10 @@ test(no_joint, error(geometry_error(development(1, no_joint(999))))) :-
     in_model([box(size(1,1,1))], develop(1, [cut([999])], _)).
 test(no_polygon, error(geometry_error(development(1, no_polygon(99))))) :-
     in_model([box(size(1,1,1))], develop(1, [root(99)], _)).
+test(score_without_area, [ forall(member(Objective,
+                                         [seam,pieces,longest,area])),
+                           true(integer(Main)) ]) :-
+    score(Objective, measures(1.0e90, 2, 1.0e90, 0.0, 1.0e180, 0, 0), Main/_).
 test(shared_edges, Lists-Edges == [[1,2,3],[4,5,6]]-[1,2,3,4,5,6]) :-
     in_model([], ( shared_edges,
                    develop(1, D),
