@@ -2,6 +2,7 @@
 #include "flat_face.h"
 
 #include "plane.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -105,33 +106,11 @@ group_triangles(maker *m, const sg_poll *poll)
 
 /* ---- the frame ---------------------------------------------------------- */
 
-static double
-dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void
-cross(const double a[3], const double b[3], double out[3])
-{
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static void
-difference(const double a[3], const double b[3], double out[3])
-{
-  for (int k = 0; k < 3; k++) {
-    out[k] = a[k] - b[k];
-  }
-}
-
 /* Makes a unit vector; false: it is nothing. */
 static bool
 make_unit(double v[3])
 {
-  double size = sqrt(dot(v, v));
+  double size = sqrt(sg_dot(v, v));
 
   for (int k = 0; k < 3 && size > 0; k++) {
     v[k] /= size;
@@ -150,7 +129,7 @@ any_square_to(const double x[3], double out[3])
   }
   const double axis[3] = {least == 0, least == 1, least == 2};
 
-  cross(x, axis, out);
+  sg_cross(x, axis, out);
   if (!make_unit(out)) {
     out[0] = out[1] = 0;
     out[2] = 1;
@@ -161,8 +140,8 @@ static void
 side_vector(const sg_flat_faces *f, const sg_dense *d, uint32_t side,
             double out[3])
 {
-  difference(d->at[sg_flat_side_to(f, side)], d->at[sg_flat_side_from(f, side)],
-             out);
+  sg_minus(d->at[sg_flat_side_to(f, side)], d->at[sg_flat_side_from(f, side)],
+           out);
 }
 
 static uint32_t
@@ -173,7 +152,7 @@ longest_side(const sg_flat_faces *f, const sg_dense *d, size_t face)
 
   for (uint32_t k = best; k < f->side_begin[face + 1]; k++) {
     side_vector(f, d, k, along);
-    double square = dot(along, along);
+    double square = sg_dot(along, along);
     if (square > most) {
       most = square;
       best = k;
@@ -193,19 +172,19 @@ place_corners(sg_flat_faces *f, const sg_dense *d, size_t face)
   if (f->side_begin[face] < f->side_begin[face + 1]) {
     side_vector(f, d, f->longest[face], x);
   }
-  off = dot(x, normal);
+  off = sg_dot(x, normal);
   for (int k = 0; k < 3; k++) {
     x[k] -= off * normal[k];
   }
   if (!make_unit(x)) {
     any_square_to(normal, x);
   }
-  cross(normal, x, y);
+  sg_cross(normal, x, y);
   for (uint32_t c = first; c < f->corner_begin[face + 1]; c++) {
     double v[3];
-    difference(d->at[f->vertex[c]], d->at[f->vertex[first]], v);
-    f->at[c][0] = dot(v, x);
-    f->at[c][1] = dot(v, y);
+    sg_minus(d->at[f->vertex[c]], d->at[f->vertex[first]], v);
+    f->at[c][0] = sg_dot(v, x);
+    f->at[c][1] = sg_dot(v, y);
   }
 }
 
@@ -218,7 +197,7 @@ sg_flat_face_lean(sg_flat_faces *f, const sg_dense *dense, uint32_t face,
   memcpy(n, normal, sizeof n);
   side_vector(f, dense, f->longest[face], x);
   if (make_unit(x)) {
-    double off = dot(n, x);
+    double off = sg_dot(n, x);
     for (int k = 0; k < 3; k++) {
       n[k] -= off * x[k];
     }

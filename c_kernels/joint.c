@@ -2,6 +2,7 @@
 #include "joint.h"
 
 #include "edge_pairs.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -67,20 +68,6 @@ typedef struct axis {
   double along[3], u[3], w[3];
 } axis;
 
-static double
-dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void
-cross(const double a[3], const double b[3], double out[3])
-{
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* Into the face of a side, square to the side: normal x direction. */
 static void
 inward(const pairing *p, uint32_t side, double out[3])
@@ -89,7 +76,7 @@ inward(const pairing *p, uint32_t side, double out[3])
   const double *b = p->dense->at[sg_flat_side_to(p->faces, side)];
   const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 
-  cross(p->faces->normal[p->faces->face_of[side]], along, out);
+  sg_cross(p->faces->normal[p->faces->face_of[side]], along, out);
 }
 
 /* Measured from the face of the first spoke. */
@@ -105,14 +92,14 @@ measure_angles(pairing *p, size_t n)
   for (int k = 0; k < 3; k++) {
     x.along[k] = first->forward ? b[k] - a[k] : a[k] - b[k];
   }
-  double size = sqrt(dot(x.along, x.along));
+  double size = sqrt(sg_dot(x.along, x.along));
 
   inward(p, first->side, x.u);
-  cross(x.along, x.u, x.w);
+  sg_cross(x.along, x.u, x.w);
   for (size_t i = 1; i < n; i++) {
     inward(p, p->spoke[i].side, into);
     p->spoke[i].angle =
-        atan2(dot(into, x.w) / (size > 0 ? size : 1), dot(into, x.u));
+        atan2(sg_dot(into, x.w) / (size > 0 ? size : 1), sg_dot(into, x.u));
     if (p->spoke[i].angle < 0) {
       p->spoke[i].angle += 2 * acos(-1.0);
     }
@@ -306,7 +293,7 @@ lies_in_plane(const pairing *p, uint32_t a, uint32_t b, const double at[3],
   for (uint32_t c = f->corner_begin[b]; c < f->corner_begin[b + 1]; c++) {
     const double *q = p->dense->at[f->vertex[c]];
     const double v[3] = {q[0] - at[0], q[1] - at[1], q[2] - at[2]};
-    if (fabs(dot(v, n)) > tolerance) {
+    if (fabs(sg_dot(v, n)) > tolerance) {
       return false;
     }
   }
@@ -323,13 +310,13 @@ measure(const pairing *p, sg_joint *j, double tolerance)
   const double along[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   double turn[3];
 
-  j->length = sqrt(dot(along, along));
+  j->length = sqrt(sg_dot(along, along));
   if (j->line) {
     return;
   }
-  cross(f->normal[a], f->normal[b], turn);
-  double sine = j->length > 0 ? dot(turn, along) / j->length : 0;
-  double cosine = dot(f->normal[a], f->normal[b]);
+  sg_cross(f->normal[a], f->normal[b], turn);
+  double sine = j->length > 0 ? sg_dot(turn, along) / j->length : 0;
+  double cosine = sg_dot(f->normal[a], f->normal[b]);
 
   j->angle = atan2(sine, cosine) * (180 / acos(-1.0)) + 0.0;
   bool first = f->area[a] >= f->area[b];

@@ -1,6 +1,8 @@
 /* roll.c -- see roll.h. */
 #include "roll.h"
 
+#include "vector.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,26 +21,6 @@ static const double gauss[HALF][2] = {
     {0.8656312023878318, 0.09515851168249279},
     {0.9445750230732326, 0.062253523938647894},
     {0.9894009349916499, 0.027152459411754096}};
-
-static double
-dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void
-cross(const double a[3], const double b[3], double out[3])
-{
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static double
-length(const double a[3])
-{
-  return sqrt(dot(a, a));
-}
 
 static void
 combine(double f, const double a[3], double g, const double b[3], double out[3])
@@ -64,7 +46,7 @@ rates(const sg_roll *r, double t, double *rate, double *turning)
 
   if (r->surface.kind == SG_SURFACE_CYLINDER) {
     combine(-sin(t), r->across[0], cos(t), r->across[1], e);
-    double speed = length(e);
+    double speed = sg_length(e);
 
     *turning = r->volume / (speed * speed);
     *rate = speed + r->layer * *turning;
@@ -73,11 +55,11 @@ rates(const sg_roll *r, double t, double *rate, double *turning)
 
     generator(r, t, g);
     combine(-sin(t), r->surface.u, cos(t), r->surface.v, e);
-    cross(g, e, n);
-    double square = dot(n, n);
+    sg_cross(g, e, n);
+    double square = sg_dot(n, n);
 
-    *rate = sqrt(square) / dot(g, g);
-    *turning = r->volume * length(g) / square;
+    *rate = sqrt(square) / sg_dot(g, g);
+    *turning = r->volume * sg_length(g) / square;
   }
 }
 
@@ -172,13 +154,13 @@ static void
 cylinder_frame(sg_roll *r)
 {
   const sg_surface *s = &r->surface;
-  double high = length(s->w), n[3];
+  double high = sg_length(s->w), n[3];
 
   combine(1 / high, s->w, 0, s->w, r->axis);
-  combine(1, s->u, -dot(s->u, r->axis), r->axis, r->across[0]);
-  combine(1, s->v, -dot(s->v, r->axis), r->axis, r->across[1]);
-  cross(r->across[0], r->across[1], n);
-  r->volume = length(n);
+  combine(1, s->u, -sg_dot(s->u, r->axis), r->axis, r->across[0]);
+  combine(1, s->v, -sg_dot(s->v, r->axis), r->axis, r->across[1]);
+  sg_cross(r->across[0], r->across[1], n);
+  r->volume = sg_length(n);
 }
 
 static void
@@ -188,8 +170,8 @@ cone_frame(sg_roll *r)
   double n[3], f = -1 / (1 - s->k);
 
   combine(f, s->w, 0, s->w, r->axis);
-  cross(s->u, s->v, n);
-  r->volume = fabs(dot(n, r->axis));
+  sg_cross(s->u, s->v, n);
+  r->volume = fabs(sg_dot(n, r->axis));
 }
 
 static void
@@ -198,9 +180,9 @@ fan_frame(sg_roll *r)
   const sg_surface *s = &r->surface;
   double *along = r->across[0];
 
-  combine(1 / length(s->u), s->u, 0, s->u, along);
-  combine(1, s->v, -dot(s->v, along), along, r->axis);
-  combine(1 / length(r->axis), r->axis, 0, r->axis, r->axis);
+  combine(1 / sg_length(s->u), s->u, 0, s->u, along);
+  combine(1, s->v, -sg_dot(s->v, along), along, r->axis);
+  combine(1 / sg_length(r->axis), r->axis, 0, r->axis, r->axis);
 }
 
 /* What is rounded to a multiple of the grid is at most about `size`. */
@@ -223,7 +205,7 @@ sg_roll_open(sg_roll *r)
   r->layer += s->offset;
   if (s->kind == SG_SURFACE_FAN) {
     fan_frame(r);
-    choose_grid(r, length(s->u) + length(s->v));
+    choose_grid(r, sg_length(s->u) + sg_length(s->v));
     return true;
   }
   if (s->kind == SG_SURFACE_CYLINDER) {
@@ -233,7 +215,7 @@ sg_roll_open(sg_roll *r)
   } else {
     return false;
   }
-  choose_grid(r, length(s->u) + length(s->v) + length(r->axis));
+  choose_grid(r, sg_length(s->u) + sg_length(s->v) + sg_length(r->axis));
   if (!fill_panels(r)) {
     sg_roll_clear(r);
     return false;
@@ -283,8 +265,9 @@ sg_roll_at(const sg_roll *r, double t, double h, double out[2])
   if (s->kind == SG_SURFACE_FAN) {
     double along = (1 - h + h * s->k) * t;
 
-    out[0] = rounded(r, along * length(s->u) + h * dot(s->v, r->across[0]));
-    out[1] = rounded(r, h * dot(s->v, r->axis));
+    out[0] =
+        rounded(r, along * sg_length(s->u) + h * sg_dot(s->v, r->across[0]));
+    out[1] = rounded(r, h * sg_dot(s->v, r->axis));
     return;
   }
   double apex[2], sum = sum_at(r, t, apex), x, y;
@@ -292,13 +275,13 @@ sg_roll_at(const sg_roll *r, double t, double h, double out[2])
   h = sg_surface_before(s, t, h);
   if (s->kind == SG_SURFACE_CYLINDER) {
     x = sum;
-    y = h * length(s->w) + cos(t) * dot(s->u, r->axis) +
-        sin(t) * dot(s->v, r->axis);
+    y = h * sg_length(s->w) + cos(t) * sg_dot(s->u, r->axis) +
+        sin(t) * sg_dot(s->v, r->axis);
   } else {
     double g[3];
 
     generator(r, t, g);
-    double far = (1 - h * (1 - s->k)) * length(g);
+    double far = (1 - h * (1 - s->k)) * sg_length(g);
 
     x = apex[0] + far * cos(sum);
     y = apex[1] + far * sin(sum);
@@ -313,12 +296,12 @@ sg_roll_generator(const sg_roll *r, double t)
   double g[3];
 
   if (r->surface.kind == SG_SURFACE_CYLINDER) {
-    return length(r->surface.w);
+    return sg_length(r->surface.w);
   }
   if (r->surface.kind == SG_SURFACE_FAN) {
     combine((r->surface.k - 1) * t, r->surface.u, 1, r->surface.v, g);
-    return length(g);
+    return sg_length(g);
   }
   generator(r, t, g);
-  return fabs(1 - r->surface.k) * length(g);
+  return fabs(1 - r->surface.k) * sg_length(g);
 }

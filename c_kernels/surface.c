@@ -1,25 +1,13 @@
 /* surface.c -- see surface.h. */
 #include "surface.h"
 
+#include "vector.h"
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 static const double TURN = 6.283185307179586;
-
-static double
-dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void
-cross(const double a[3], const double b[3], double out[3])
-{
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
 
 /* out += f * a */
 static void
@@ -33,7 +21,7 @@ add(double out[3], double f, const double a[3])
 static bool
 plane_init(double plane[4])
 {
-  double length = sqrt(dot(plane, plane));
+  double length = sqrt(sg_dot(plane, plane));
 
   for (int k = 0; k < 4; k++) {
     plane[k] /= length;
@@ -47,20 +35,20 @@ fan_init(sg_surface *s)
 {
   double n[3];
 
-  cross(s->u, s->v, n);
-  double square = dot(n, n);
+  sg_cross(s->u, s->v, n);
+  double square = sg_dot(n, n);
 
-  if (!(square > 1e-24 * dot(s->u, s->u) * dot(s->v, s->v))) {
+  if (!(square > 1e-24 * sg_dot(s->u, s->u) * sg_dot(s->v, s->v))) {
     return false;
   }
-  cross(s->v, n, s->inverse[0]);
-  cross(n, s->u, s->inverse[1]);
+  sg_cross(s->v, n, s->inverse[0]);
+  sg_cross(n, s->u, s->inverse[1]);
   for (int k = 0; k < 3; k++) {
     s->inverse[0][k] /= square;
     s->inverse[1][k] /= square;
   }
   memcpy(s->plane, n, sizeof n);
-  s->plane[3] = -dot(n, s->c);
+  s->plane[3] = -sg_dot(n, s->c);
   return plane_init(s->plane);
 }
 
@@ -73,11 +61,12 @@ sg_surface_init(sg_surface *s)
   if (s->kind == SG_SURFACE_FAN) {
     return fan_init(s);
   }
-  cross(s->v, s->w, s->inverse[0]);
-  cross(s->w, s->u, s->inverse[1]);
-  cross(s->u, s->v, s->inverse[2]);
-  double volume = dot(s->u, s->inverse[0]);
-  double size = sqrt(dot(s->u, s->u) * dot(s->v, s->v) * dot(s->w, s->w));
+  sg_cross(s->v, s->w, s->inverse[0]);
+  sg_cross(s->w, s->u, s->inverse[1]);
+  sg_cross(s->u, s->v, s->inverse[2]);
+  double volume = sg_dot(s->u, s->inverse[0]);
+  double size =
+      sqrt(sg_dot(s->u, s->u) * sg_dot(s->v, s->v) * sg_dot(s->w, s->w));
 
   for (int i = 0; i < 3; i++) {
     for (int k = 0; k < 3; k++) {
@@ -94,7 +83,7 @@ coordinates(const sg_surface *s, const double x[3], double out[3])
   double d[3] = {x[0] - s->c[0], x[1] - s->c[1], x[2] - s->c[2]};
 
   for (int i = 0; i < 3; i++) {
-    out[i] = dot(s->inverse[i], d);
+    out[i] = sg_dot(s->inverse[i], d);
   }
 }
 
@@ -161,16 +150,16 @@ set_generator(const sg_surface *s, double t, generator *out)
   add(out->along, (k - 1) * d, s->v);
   add(turn, -d, s->u);
   add(turn, c, s->v);
-  cross(turn, out->along, out->normal);
+  sg_cross(turn, out->along, out->normal);
   double way[3] = {out->at[0] - s->c[0], out->at[1] - s->c[1],
                    out->at[2] - s->c[2]};
 
-  if (dot(out->normal, way) < 0) {
+  if (sg_dot(out->normal, way) < 0) {
     for (int i = 0; i < 3; i++) {
       out->normal[i] = -out->normal[i];
     }
   }
-  cross(out->normal, out->along, out->across);
+  sg_cross(out->normal, out->along, out->across);
 }
 
 /* How far x is from the plane that holds the generator at t and its normal,
@@ -184,8 +173,8 @@ offs(const sg_surface *s, const double x[3], double t, double *across,
   set_generator(s, t, &g);
   double from[3] = {x[0] - g.at[0], x[1] - g.at[1], x[2] - g.at[2]};
 
-  *across = dot(from, g.across) / sqrt(dot(g.across, g.across));
-  *above = dot(from, g.normal) / sqrt(dot(g.normal, g.normal));
+  *across = sg_dot(from, g.across) / sqrt(sg_dot(g.across, g.across));
+  *above = sg_dot(from, g.normal) / sqrt(sg_dot(g.normal, g.normal));
 }
 
 /* The t of the generator that x is nearest to. Its surface is convex: so that
@@ -246,7 +235,7 @@ parallel_value(const sg_surface *s, const double x[3], double *value,
   offs(s, x, t, &across, value);
   *value -= s->offset;
   set_generator(s, t, &g);
-  double length = sqrt(dot(g.normal, g.normal));
+  double length = sqrt(sg_dot(g.normal, g.normal));
 
   for (int k = 0; k < 3; k++) {
     normal[k] = g.normal[k] / length;
@@ -263,8 +252,8 @@ gained(const sg_surface *s, double t)
     return 0;
   }
   set_generator(s, t, &g);
-  return s->offset * dot(s->inverse[2], g.normal) /
-         sqrt(dot(g.normal, g.normal));
+  return s->offset * sg_dot(s->inverse[2], g.normal) /
+         sqrt(sg_dot(g.normal, g.normal));
 }
 
 double
@@ -281,7 +270,7 @@ sg_surface_value(const sg_surface *s, const double x[3], double *value,
 
   if (s->kind == SG_SURFACE_PLANE || s->kind == SG_SURFACE_FAN) {
     memcpy(normal, s->plane, 3 * sizeof *normal);
-    *value = dot(s->plane, x) + s->plane[3];
+    *value = sg_dot(s->plane, x) + s->plane[3];
     return true;
   }
   if (s->offset != 0) {
@@ -296,7 +285,7 @@ sg_surface_value(const sg_surface *s, const double x[3], double *value,
   for (int i = 0; i < 3; i++) {
     add(normal, slope[i], s->inverse[i]);
   }
-  double length = sqrt(dot(normal, normal));
+  double length = sqrt(sg_dot(normal, normal));
 
   *value /= length;
   for (int k = 0; k < 3; k++) {
@@ -339,7 +328,7 @@ sg_surface_point(const sg_surface *s, double t, double h, double out[3])
 
     set_generator(s, t, &g);
     memcpy(out, g.at, sizeof g.at);
-    add(out, s->offset / sqrt(dot(g.normal, g.normal)), g.normal);
+    add(out, s->offset / sqrt(sg_dot(g.normal, g.normal)), g.normal);
     add(out, sg_surface_before(s, t, h), g.along);
     return;
   }
@@ -420,7 +409,7 @@ step(const sg_surface *const *surface, size_t n, double x[3], double *moved,
   }
   for (size_t i = 0; i < n; i++) {
     for (size_t j = 0; j < n; j++) {
-      a[i][j] = dot(normal[i], normal[j]);
+      a[i][j] = sg_dot(normal[i], normal[j]);
     }
   }
   if (!solve(n, a, value)) {
@@ -430,7 +419,7 @@ step(const sg_surface *const *surface, size_t n, double x[3], double *moved,
     add(by, -value[i], normal[i]);
   }
   add(x, 1, by);
-  *moved = sqrt(dot(by, by));
+  *moved = sqrt(sg_dot(by, by));
   return isfinite(*moved);
 }
 
@@ -455,7 +444,7 @@ sg_surfaces_meet(const sg_surface *const *surface, size_t n, double reach,
     }
     double way[3] = {at[0] - x[0], at[1] - x[1], at[2] - x[2]};
 
-    if (!(sqrt(dot(way, way)) <= reach)) {
+    if (!(sqrt(sg_dot(way, way)) <= reach)) {
       return false;
     }
     if (moved <= smallest) {
