@@ -161,16 +161,6 @@ triangulate_ex(cut_polygon *c)
 
 /* ---- writing ---- */
 
-static int
-add_ex(sg_world *world, sg_relation relation, const sg_value *row)
-{
-  sg_fault fault = {0};
-  sg_row out;
-
-  return sg_raise_status(sg_world_add(world, relation, row, &out, &fault),
-                         relation, &fault);
-}
-
 /* A version must not be held while rows are written: they would be copied.
  * So each of the following asks for one and drops it. */
 
@@ -314,9 +304,9 @@ new_edge_ex(const cut_polygon *c, const cut_edge *edge)
 
   if (!i || !o) {
     sg_no_memory();
-  } else if (add_ex(c->world, SG_E, row)) {
+  } else if (sg_add_row_ex(c->world, SG_E, row)) {
     sg_value said[SG_MAX_COLUMNS] = {[0].i = c->s, [1].term = i, [2].term = o};
-    good = add_ex(c->world, SG_ORIGIN, said);
+    good = sg_add_row_ex(c->world, SG_ORIGIN, said);
   }
   sg_term_close(&item);
   sg_term_close(&origin);
@@ -366,7 +356,7 @@ write_edges_ex(const cut_polygon *c)
     list[0] = n;
     sg_value row[SG_MAX_COLUMNS] = {
         [0].i = c->s, [1].i = c->p, [2].list = list};
-    good = add_ex(c->world, SG_P, row);
+    good = sg_add_row_ex(c->world, SG_P, row);
   }
   free(list);
   return good;
@@ -391,7 +381,7 @@ write_triangles_ex(const cut_polygon *c)
     if (t <= 0) {
       return PL_resource_error("fresh_ids");
     }
-    if (!add_ex(c->world, SG_T, row)) {
+    if (!sg_add_row_ex(c->world, SG_T, row)) {
       return FALSE;
     }
   }

@@ -290,6 +290,21 @@ put_off_curve(sg_writer *w, size_t i)
   }
 }
 
+/* As OFF and PLY have them: a point a line, then a face a line. */
+static void
+put_points_and_faces(sg_writer *w)
+{
+  const sg_mesh *mesh = w->mesh;
+
+  for (size_t i = 0; i < mesh->vertices && tick(w); i++) {
+    put_point(w, mesh->vertex[i]);
+    put_text(w, "\n");
+  }
+  for (size_t i = 0; i < mesh->face.count && tick(w); i++) {
+    put_list(w, &mesh->face, i, true, 0);
+  }
+}
+
 static bool
 write_off(sg_writer *w)
 {
@@ -300,13 +315,7 @@ write_off(sg_writer *w)
   put_text(w, " ");
   put_integer(w, mesh->face.count + mesh->curve.corners - mesh->curve.count);
   put_text(w, " 0\n");
-  for (size_t i = 0; i < mesh->vertices && tick(w); i++) {
-    put_point(w, mesh->vertex[i]);
-    put_text(w, "\n");
-  }
-  for (size_t i = 0; i < mesh->face.count && tick(w); i++) {
-    put_list(w, &mesh->face, i, true, 0);
-  }
+  put_points_and_faces(w);
   for (size_t i = 0; i < mesh->curve.count && tick(w); i++) {
     put_off_curve(w, i);
   }
@@ -372,13 +381,7 @@ write_ply(sg_writer *w)
   const sg_mesh *mesh = w->mesh;
 
   put_ply_header(w, "ascii");
-  for (size_t i = 0; i < mesh->vertices && tick(w); i++) {
-    put_point(w, mesh->vertex[i]);
-    put_text(w, "\n");
-  }
-  for (size_t i = 0; i < mesh->face.count && tick(w); i++) {
-    put_list(w, &mesh->face, i, true, 0);
-  }
+  put_points_and_faces(w);
   for (size_t i = 0; i < mesh->curve.count && tick(w); i++) {
     size_t n;
     const int32_t *v = corners(&mesh->curve, i, &n);

@@ -12,16 +12,6 @@
 
 /* ---- rows ---- */
 
-static int
-add_ex(sg_world *world, sg_relation relation, const sg_value *row)
-{
-  sg_fault fault = {0};
-  sg_row out;
-
-  return sg_raise_status(sg_world_add(world, relation, row, &out, &fault),
-                         relation, &fault);
-}
-
 /* A copy of the row with this key in the world as it is now; lists and terms
  * in it belong to the world. SG_NO_ROW: there is none. */
 static sg_row
@@ -49,7 +39,7 @@ keep_ex(sg_world *world, sg_relation from, sg_relation to, int32_t s,
 
   return read_row(world, to, s, id, known) != SG_NO_ROW ||
          read_row(world, from, s, id, row) == SG_NO_ROW ||
-         add_ex(world, to, row);
+         sg_add_row_ex(world, to, row);
 }
 
 /* The list of p/3, to be freed; null: no such row, or an exception. *row: where
@@ -113,7 +103,7 @@ keep_triangle_ex(sg_world *world, sg_row row,
                  const sg_value value[SG_MAX_COLUMNS])
 {
   (void)row;
-  return add_ex(world, SG_LEAF_T, value);
+  return sg_add_row_ex(world, SG_LEAF_T, value);
 }
 
 static int
@@ -133,7 +123,7 @@ keep_leaf_ex(sg_world *world, int32_t s, int32_t p)
   }
   if (good) {
     sg_value leaf[SG_MAX_COLUMNS] = {[0].i = s, [1].i = p, [2].list = list};
-    good = add_ex(world, SG_LEAF_P, leaf) &&
+    good = sg_add_row_ex(world, SG_LEAF_P, leaf) &&
            each_triangle_ex(world, s, p, keep_triangle_ex);
   }
   free(list);
@@ -181,7 +171,7 @@ say_origin_ex(sg_world *world, int32_t s, int32_t symbol, int32_t id,
     const sg_version *version = sg_world_version(world);
     bool known = sg_version_find(version, SG_ORIGIN, row) != SG_NO_ROW;
     sg_version_drop(version);
-    good = known || add_ex(world, SG_ORIGIN, row);
+    good = known || sg_add_row_ex(world, SG_ORIGIN, row);
   }
   sg_term_close(&item);
   return good;
@@ -202,7 +192,7 @@ write_vertex_ex(const sg_resolving *job, sg_world *world,
   for (unsigned c = 0; c < 3; c++) {
     row[c + 2].f = point->at[c] + 0.0;
   }
-  if (!add_ex(world, SG_V, row)) {
+  if (!sg_add_row_ex(world, SG_V, row)) {
     return FALSE;
   }
   sg_term_builder origin;
@@ -233,7 +223,7 @@ new_edge_ex(sg_world *world, int32_t s, const sg_resolved_edge *edge)
     PL_resource_error("fresh_ids");
     return 0;
   }
-  if (!add_ex(world, SG_E, row)) {
+  if (!sg_add_row_ex(world, SG_E, row)) {
     return 0;
   }
   sg_term_open(&origin);
@@ -328,7 +318,7 @@ write_triangles_ex(sg_world *world, const sg_resolved_polygon *polygon)
     if (t <= 0) {
       return PL_resource_error("fresh_ids");
     }
-    if (!add_ex(world, SG_T, row)) {
+    if (!sg_add_row_ex(world, SG_T, row)) {
       return FALSE;
     }
   }
@@ -354,7 +344,8 @@ write_polygon_ex(sg_world *world, const sg_resolved_polygon *polygon)
     sg_value fresh[SG_MAX_COLUMNS] = {
         [0].i = polygon->s, [1].i = polygon->p, [2].list = list};
     drop_gone(world, polygon->s, old, &kept);
-    good = add_ex(world, SG_P, fresh) && write_triangles_ex(world, polygon);
+    good =
+        sg_add_row_ex(world, SG_P, fresh) && write_triangles_ex(world, polygon);
   }
   sg_key_table_clear(&kept);
   free(old);

@@ -31,6 +31,9 @@ int sg_claim_ex(sg_world *world);
 int sg_raise_status(sg_status status, sg_relation relation,
                     const sg_fault *fault);
 
+/* Adds a row; false: an exception is pending. */
+int sg_add_row_ex(sg_world *world, sg_relation relation, const sg_value *row);
+
 /* The poll that asks Prolog for signals; after a stop return FALSE from the
  * foreign predicate, the exception is pending. */
 extern const sg_poll sg_prolog_poll;
