@@ -96,11 +96,20 @@ sanggwan(Arguments, Status) :-
     set_language(Arguments),
     setup_call_cleanup(
         asserta(running, Running),
-        ( catch(command(Arguments, Status0), Error,
+        ( catch(command_ended(Arguments, Status0), Error,
                 failed_status(Error, Status0)),
           strict_status(Arguments, Status0, Status)
         ),
         erase(Running)).
+
+%   command_ended(Arguments, Status): a verb that fails is a fault of the program.
+
+command_ended(Arguments, Status) :-
+    (   command(Arguments, Status0)
+    ->  Status = Status0
+    ;   print_message(error, sanggwan(no_end)),
+        Status = 4
+    ).
 
 %   set_language(Arguments): --lang, or what the environment says. The saved
 %   state would otherwise remember where it was made.

@@ -144,6 +144,9 @@ notice_en(no_answer) -->
 notice_en(warnings_are_errors(N)) -->
     counted(N, warning, warnings),
     [ ', and --strict was given' ].
+notice_en(no_end) -->
+    [ 'the work came to no end and to no result: a fault of the program', nl,
+      '  Please send the model and the command to those who made it.' ].
 notice_en(progress(Stage, Seconds)) -->
     [ '~w: ~0f s'-[Stage, Seconds] ].
 notice_en(progress(Stage, Done, Total, Rate, Left)) -->

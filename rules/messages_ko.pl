@@ -149,6 +149,9 @@ notice_ko(no_answer) -->
     [ '아니오' ].
 notice_ko(warnings_are_errors(N)) -->
     [ '경고 ~d개, --strict 가 주어졌습니다'-[N] ].
+notice_ko(no_end) -->
+    [ '일이 결과 없이 끝났습니다. 프로그램의 잘못입니다', nl,
+      '  모형과 명령을 만든 사람에게 보내 주십시오.' ].
 notice_ko(progress(Stage, Seconds)) -->
     [ '~w: ~0f초'-[Stage, Seconds] ].
 notice_ko(progress(Stage, Done, Total, Rate, Left)) -->

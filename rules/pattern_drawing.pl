@@ -10,9 +10,9 @@
 :- use_module(pattern_number, [seam_numbers/2]).
 :- use_module(pattern_outline, [loop_area/2]).
 :- use_module(pattern_paper,
-              [ grid_line/3, line_strokes/3, page_room/3, page_sheet/2,
-                pages_checked/1, paper_checked/1, pattern_paper/3, sheet_line/4,
-                sheet_of/4 ]).
+              [ extent_checked/1, grid_line/3, line_strokes/3, page_room/3,
+                page_sheet/2, pages_checked/1, paper_checked/1, pattern_paper/3,
+                sheet_line/4, sheet_of/4 ]).
 :- use_module(pattern_piece, [pattern_pieces/3]).
 :- use_module(pattern_text, [written/4]).
 :- use_module(pattern_table,
@@ -126,7 +126,9 @@ pattern_layout(Ds, Options,
     append(Piecess, Pieces0),
     option(gap(Gap), Options, 3),
     pattern_paper(Options, Gap, Paper),
-    least_pages(Pieces0, Paper, LeastPages),
+    pieces_points(Pieces0, Pointss),
+    extent_checked(Pointss),
+    least_pages(Pointss, Paper, LeastPages),
     pages_checked(LeastPages),
     fitted_pieces(Pieces0, Paper, Options, Fitted, tabs(Tabs,Butt)),
     maplist(fitted_parts, Fitted, Pieces, Outlines),
@@ -198,17 +200,21 @@ factor(Options, Factor) :-
     ;   domain_error(scale, Scale)
     ).
 
-%   least_pages(Pieces, Paper, Count): by area fewer than Count do not do.
+%   pieces_points(Pieces, Pointss): the corners of each shape of their faces.
 
-least_pages(_, roll(_), 1).
-least_pages(Pieces, room(W,H,_), Count) :-
-    findall(Area,
+pieces_points(Pieces, Pointss) :-
+    findall(Points,
             ( member(piece(_,Faces,_), Pieces),
               member(face(_,Shapes), Faces),
               member(Shape, Shapes),
-              pairs_values(Shape, Points),
-              loop_area(Points, Area) ),
-            Areas),
+              pairs_values(Shape, Points) ),
+            Pointss).
+
+%   least_pages(Pointss, Paper, Count): by area fewer than Count do not do.
+
+least_pages(_, roll(_), 1).
+least_pages(Pointss, room(W,H,_), Count) :-
+    maplist(loop_area, Pointss, Areas),
     sum_list(Areas, All),
     Count is max(1, ceiling(All/(W*H))).
 

@@ -86,6 +86,10 @@ pattern_fault_en(margin(Margin, W-H)) -->
 pattern_fault_en(pages(Count, Most)) -->
     [ 'the pattern would take ~D pages; ~D are the most'-[Count, Most], nl,
       '  Take a smaller --scale or a larger --page.' ].
+pattern_fault_en(large(Size, Most)) -->
+    [ 'the pattern would be ~4g mm large; ~4g mm are the most'-[Size, Most], nl,
+      '  Take a smaller --scale, such as 1:1000; are the units of the model \c
+         right?' ].
 pattern_fault_en(tabs(Width, Most, W-H)) -->
     [ '--tabs ~w: pieces have to be divided to fit on pages with room for \c
        ~1f x ~1f mm, and so wide tabs leave too little of it'-[Width, W, H], nl,

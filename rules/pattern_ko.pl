@@ -71,6 +71,9 @@ pattern_fault_ko(margin(Margin, W-H)) -->
 pattern_fault_ko(pages(Count, Most)) -->
     [ '전개도가 ~D쪽이 됩니다. ~D쪽까지만 됩니다'-[Count, Most], nl,
       '  더 작은 --scale 이나 더 큰 --page 를 쓰십시오.' ].
+pattern_fault_ko(large(Size, Most)) -->
+    [ '전개도의 크기가 ~4g mm 가 됩니다. ~4g mm 까지만 됩니다'-[Size, Most], nl,
+      '  1:1000 처럼 더 작은 --scale 을 쓰십시오. 모형의 단위가 맞습니까?' ].
 pattern_fault_ko(tabs(Width, Most, W-H)) -->
     [ '--tabs ~w: 조각을 ~1f x ~1f mm 자리에 맞게 나누어야 하는데, 날개가 그렇게 넓으면 \c
        남는 자리가 너무 작습니다'-[Width, W, H], nl,

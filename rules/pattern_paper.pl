@@ -8,13 +8,14 @@
             page_sheet/2,               % +Options, -Sheet
             paper_checked/1,            % +Options
             pages_checked/1,            % +Count
+            extent_checked/1,           % +Pointss
             sheet_window/2              % +Sheet, -Window
           ]).
 :- use_module(lettering, [lettering/2]).
 :- use_module(sheet_paper, [paper/3, paper_size/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(error), [must_be/2]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [max_member/2, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> The paper of a pattern: sizes, the check bar, the grid.
 
@@ -35,6 +36,10 @@ least_room(20.0).
 
 % More pages are a mistake of the scale.
 most_pages(5000).
+
+%   most_extent(Millimetres): no place on a sheet is farther from the first.
+
+most_extent(1.0e12).
 
 % The page of a sheet that is to be tiled if none is asked for.
 tile_page('A4').
@@ -96,6 +101,26 @@ pages_checked(Count) :-
     (   Count =< Most
     ->  true
     ;   throw(error(usage_error(pattern(pages(Count, Most))), _))
+    ).
+
+%!  extent_checked(+Pointss) is det.
+%
+%   Pointss are lists of X-Y in mm. A sheet counts in thousandths of them, which
+%   are whole numbers that floats hold.
+%
+%   @error usage_error(pattern(large(Size, Most))): a side is longer than Most mm
+
+extent_checked(Pointss) :-
+    most_extent(Most),
+    findall(Far,
+            ( member(Points, Pointss),
+              member(X-Y, Points),
+              Far is max(abs(X), abs(Y)) ),
+            Fars),
+    (   max_member(Size, Fars),
+        Size > Most
+    ->  throw(error(usage_error(pattern(large(Size, Most))), _))
+    ;   true
     ).
 
 page_size(Page, Width, Height) :-

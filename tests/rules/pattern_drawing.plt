@@ -280,6 +280,8 @@ test(many_pages, [ error(usage_error(pattern(pages(_, 5000)))) ]) :-
     drawn(cube_pattern(40), [page('A4'),scale(1000:1)], _).
 test(many_tiles, [ error(usage_error(pattern(pages(_, 5000)))) ]) :-
     drawn(cube_pattern(40), [page('A4'),scale(1000:1),tile(true)], _).
+test(large, [ error(usage_error(pattern(large(_, _)))) ]) :-
+    drawn(cube_pattern(1.0e13), [], _).
 % Tabs are no deeper than short seams let them; long ones on a page have limits.
 test(very_wide_tabs) :-
     drawn(cube_pattern(40), [page('A4'),tabs(500)], Drawings),
