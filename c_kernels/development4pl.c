@@ -478,7 +478,7 @@ void
 sg_install_development(void)
 {
   static const char *const name[] = {"open",    "joined",    "same_piece",
-                                     "overlap", "forbidden", "point",
+                                     "overlap", "forbidden", "short",
                                      "closed"};
   static const PL_extension doors[] = {
       {"flattening_open", 4, (pl_function_t)flattening_open, 0},

@@ -275,10 +275,19 @@ is_larger(const sg_island *a, const sg_island *b)
                                       : a->faces > b->faces;
 }
 
-static bool
-is_point(const sg_flat_box *box)
+static double
+longest_side(const sg_flat_box *box)
 {
-  return box->low[0] == box->high[0] && box->low[1] == box->high[1];
+  return fmax(box->high[0] - box->low[0], box->high[1] - box->low[1]);
+}
+
+/* Whether the smaller of two islands can hang on the joint. */
+static bool
+holds(const sg_joint *j, const sg_island *a, const sg_island *b)
+{
+  double hanging = fmin(longest_side(&a->box), longest_side(&b->box));
+
+  return hanging <= j->length * SG_FLAT_HOLDS || (j->flat && j->length > 0);
 }
 
 /* Faces of two islands. */
@@ -291,8 +300,8 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
   bool second = is_larger(b, a), overlap;
   sg_island *onto = second ? b : a, *moving = second ? a : b;
 
-  if (j->length <= 0 && !is_point(&moving->box)) {
-    *state = SG_JOINT_POINT;
+  if (!holds(j, a, b)) {
+    *state = SG_JOINT_SHORT;
     return true;
   }
   const sg_island_attempt of = {moving, onto, j->side[!second],

@@ -2,8 +2,9 @@
  *
  * Layer: kernel. Inexact. Faces that are joined form an *island*; at first each
  * is one of its own. A joint is joined by moving the smaller island so that its
- * side lies on the partner in the larger one, if then no triangle of it
- * overlaps one there deeper than `depth`. Whatever the order of the joints,
+ * side lies on the partner in the larger one, if it is long enough to hold it
+ * (SG_FLAT_HOLDS) and then no triangle of it overlaps one there deeper than
+ * `depth`. Whatever the order of the joints,
  * nothing ever overlaps.
  *
  * Source: rows DV-4 to DV-6; J. B. Kruskal, On the shortest spanning subtree of
@@ -21,7 +22,7 @@ typedef enum sg_joint_state {
   SG_JOINT_SAME,      /* its faces hang together already */
   SG_JOINT_OVERLAP,   /* refused: something would overlap */
   SG_JOINT_FORBIDDEN, /* not to be joined */
-  SG_JOINT_POINT,     /* refused: an edge without length holds nothing */
+  SG_JOINT_SHORT,     /* refused: its edge is too short to hold what hangs */
   SG_JOINT_CLOSED     /* its sides lie on each other all the same: a fold */
 } sg_joint_state;
 
@@ -53,6 +54,11 @@ typedef struct sg_flattening {
 
 /* Overlaps are refused that are deeper than this part of the sheet. */
 #define SG_FLAT_DEPTH 1e-9
+
+/* A fold holds what is up to so many times as long as it is. A shorter one
+ * would tear; and since its ends are doubles, what hangs on it would be turned,
+ * when folded back, by more than 1e-12. What is flat is not turned. */
+#define SG_FLAT_HOLDS 2048
 
 /* Every face an island. False: no memory, or (*stopped) stopped by the poll.
  * Owner: sg_flattening_clear() in any case. */

@@ -55,10 +55,7 @@ is_seam(const sg_flattening *fl, uint32_t j)
 static bool
 may_join(const sg_flattening *fl, uint32_t j)
 {
-  sg_joint_state state = (sg_joint_state)fl->state[j];
-
-  return is_seam(fl, j) && state != SG_JOINT_FORBIDDEN &&
-         state != SG_JOINT_POINT;
+  return is_seam(fl, j) && fl->state[j] != SG_JOINT_FORBIDDEN;
 }
 
 static bool
@@ -556,9 +553,10 @@ end(exchange *x)
   sg_flattening *fl = x->fl;
 
   for (uint32_t j = 0; j < fl->joints->n; j++) {
-    if (may_join(fl, j)) {
-      fl->state[j] = is_together(fl, &fl->joints->joint[j]) ? SG_JOINT_SAME
-                                                            : SG_JOINT_OVERLAP;
+    if (may_join(fl, j) && is_together(fl, &fl->joints->joint[j])) {
+      fl->state[j] = SG_JOINT_SAME;
+    } else if (may_join(fl, j) && fl->state[j] != SG_JOINT_SHORT) {
+      fl->state[j] = SG_JOINT_OVERLAP;
     }
   }
 }

@@ -41,8 +41,8 @@ typedef struct sg_exchange_end {
   bool settled;            /* no turn is left that would help */
 } sg_exchange_end;
 
-/* Exchanges what can be; joints that are not joined become SG_JOINT_SAME or
- * SG_JOINT_OVERLAP, as they are in the end.
+/* Exchanges what can be; joints that are not joined become
+ * SG_JOINT_SAME, SG_JOINT_OVERLAP or SG_JOINT_SHORT, as they are in the end.
  *
  * Returns: false: no memory, or (*stopped) stopped by the poll; then the
  *          flattening is to be restarted. */

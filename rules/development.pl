@@ -368,7 +368,7 @@ edge_kept(S, Flattening, E) :-
     join_faces(Flattening, J, Result),
     (   Result = overlap(P1, P2)
     ->  cannot_develop(S, overlap(E, P1, P2))
-    ;   Result == point
+    ;   Result == short
     ->  cannot_develop(S, edge_length(E))
     ;   true
     ).
@@ -423,8 +423,8 @@ other(P, Other, P, Other).
 %       It was to be cut.
 %     - forbidden
 %       may_join/2 is not true of it.
-%     - point
-%       The edge has no length.
+%     - short
+%       The edge is too short to hold what would hang on it, or has no length.
 %     - chosen(Js)
 %       Its faces hang together by the joints Js, one of which could be cut
 %       instead, for a shorter seam: it was to be cut, or no effort was left.
@@ -540,4 +540,4 @@ result_reason(same_piece, Flattening, J, cycle(Js)) :-
     joint_path(Flattening, J, Js).
 result_reason(overlap(P1,P2), _, _, overlap(P1,P2)).
 result_reason(forbidden, _, _, forbidden).
-result_reason(point, _, _, point).
+result_reason(short, _, _, short).

@@ -44,7 +44,7 @@ what_en(no_joint(E)) -->
     [ 'no two faces meet at edge ~d'-[E], nl,
       '  Name an edge that two polygons have.' ].
 what_en(edge_length(E)) -->
-    [ 'edge ~d has no length to join at'-[E] ].
+    [ 'edge ~d is too short to hold what would hang on it'-[E] ].
 what_en(no_numbers) -->
     [ 'polygons that are not flat become triangles, and no numbers above \c
        those of its polygons and edges are left for these', nl,

@@ -102,7 +102,7 @@ ranks(Js, Ranks) :-
 may_fold(Flattening, J) :-
     flattening_joint(Flattening, J, joint(_,_,_,_,_,_,_,Kind,State)),
     Kind \== line,
-    \+ memberchk(State, [forbidden,point]).
+    State \== forbidden.
 
 %   rounds(Js, Search, Exchanges0, Exchanges): the seams among Js are tried
 %   round and round, as long as that helps.

@@ -419,6 +419,9 @@ statement_en(may_not_join(S, E, By)) -->
     [ 'may_join(~d, ~d) refused it, by the rules of ~w'-[S, E, By] ].
 statement_en(no_length) -->
     [ 'it has no length that could hold two polygons together' ].
+statement_en(too_short) -->
+    [ 'it is too short: what would hang on it is more than 2,048 times as \c
+       long' ].
 statement_en(changed_since) -->
     [ 'the segment has changed since its pattern was made: why is not known \c
        any more' ].

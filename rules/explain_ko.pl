@@ -410,6 +410,8 @@ statement_ko(may_not_join(S, E, By)) -->
     [ 'may_join(~d, ~d)이(가) ~w의 규칙으로 거절했다'-[S, E, By] ].
 statement_ko(no_length) -->
     [ '두 다각형을 이을 길이가 없다' ].
+statement_ko(too_short) -->
+    [ '너무 짧다. 거기에 매달릴 부분이 2,048배보다 길다' ].
 statement_ko(changed_since) -->
     [ '전개도를 만든 뒤에 세그먼트가 바뀌었다: 까닭을 더는 알 수 없다' ].
 statement_ko(pattern_piece(S, _, N, 1)) -->

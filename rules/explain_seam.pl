@@ -271,7 +271,7 @@ reason_because(overlap(P1, P2), D, S, E, _,
 reason_because(cut_by_wish, _, _, _, _, [because(cut_by_wish, [])]).
 reason_because(forbidden, _, S, E, _, [because(may_not_join(S, E, By), [])]) :-
     decided_by(may_join/2, By).
-reason_because(point, _, _, _, _, [because(no_length, [])]).
+reason_because(short, _, _, _, _, [because(too_short, [])]).
 reason_because(free, _, _, _, _, [because(could_be_joined, [])]).
 
 order_because(D, [because(joined_in_order(By), [])|Exchanged]) :-

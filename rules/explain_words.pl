@@ -121,6 +121,7 @@ statement_keys(unrolled, [part]).
 statement_keys(kept_by_wish, []).
 statement_keys(may_not_join, [segment, edge, rules]).
 statement_keys(no_length, []).
+statement_keys(too_short, []).
 statement_keys(changed_since, []).
 statement_keys(pattern_piece, [segment, piece, polygons, pieces]).
 statement_keys(seams_out, [count]).

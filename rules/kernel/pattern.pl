@@ -93,7 +93,8 @@ Foreign predicates; see kernel.pl.
 %
 %   Tries to join the two faces of joint J: `joined`; `same_piece`: they hang
 %   together already; overlap(P1, P2): it would lay polygon P2 on P1;
-%   `forbidden`; `point`: the edge has no length.
+%   `forbidden`; `short`: the edge is too short to hold what would hang on it
+%   (SG_FLAT_HOLDS in flattening.h).
 
 %!  join_all(+Flattening, +Order) is det.
 %!  join_before(+Flattening, +Order, +J) is det.

@@ -296,11 +296,45 @@ check_no_length(void)
   add_polygon(m, 4, (int32_t[4]){3, 2, 5, 4});
   unfold(m, SG_ORDER_LONGEST, &u);
   CHECK("faces are not joined at a point",
-        u.layout.pieces == 2 && u.flattening.state[0] == SG_JOINT_POINT);
+        u.layout.pieces == 2 && u.flattening.state[0] == SG_JOINT_SHORT);
   CHECK("what is laid has places",
         isfinite(u.layout.at[0][0]) && isfinite(u.layout.at[0][1]));
   forget(&u);
   free(m);
+}
+
+/* Two faces on either side of an edge of some length, the second one bent up by
+ * some height: the state of their joint. */
+static sg_joint_state
+hung_on(double length, double height)
+{
+  model *m = new_model();
+  unfolded u;
+  sg_joint_state state;
+
+  add_vertex(m, 0, 0, 0);
+  add_vertex(m, 1, -1, 0);
+  add_vertex(m, 1, 1, 0);
+  add_vertex(m, 0, length, 0);
+  add_vertex(m, -1, 0, height);
+  add_polygon(m, 4, (int32_t[4]){0, 1, 2, 3});
+  add_polygon(m, 3, (int32_t[3]){0, 3, 4});
+  unfold(m, SG_ORDER_LONGEST, &u);
+  state = (sg_joint_state)u.flattening.state[0];
+  forget(&u);
+  free(m);
+  return state;
+}
+
+/* A fold holds what is up to 2048 times as long. */
+static void
+check_short(void)
+{
+  CHECK("what is not too long hangs",
+        hung_on(1.0 / 2000, 0) == SG_JOINT_JOINED);
+  CHECK("nor bent", hung_on(1.0 / 1000, 1) == SG_JOINT_JOINED);
+  CHECK("what is too long falls off", hung_on(1.0 / 2100, 1) == SG_JOINT_SHORT);
+  CHECK("what is flat stays", hung_on(1.0 / 4000, 0) == SG_JOINT_JOINED);
 }
 
 /* Two triangles on each side of an edge, of which two list the same edge. */
@@ -384,7 +418,7 @@ check_stopping(void)
   free(m);
 }
 
-/* A strip of squares up and down, joined from both ends: the last joint moves
+/* A strip up and down, joined from both ends: the last joint moves
  * half of it, and is stopped there. */
 static void
 check_stopped_merge(void)
@@ -401,7 +435,7 @@ check_stopped_merge(void)
   _Static_assert(4 * SQUARES < ROOM, "a model has room");
   for (int i = 0; i <= SQUARES; i++) {
     v[2 * i] = add_vertex(m, i, 0, i % 2);
-    v[2 * i + 1] = add_vertex(m, i, 1, i % 2);
+    v[2 * i + 1] = add_vertex(m, i, 8, i % 2);
   }
   for (int i = 0; i < SQUARES; i++) {
     add_polygon(
@@ -451,6 +485,7 @@ main(void)
   check_bent();
   check_no_area();
   check_no_length();
+  check_short();
   check_edge_in_two_faces();
   check_stopping();
   check_stopped_merge();

@@ -180,8 +180,7 @@ united(Terms) :-
     boolean(union([1,2,3]), 4),
     forall(member(S, [1,2,3]), forget(S)).
 
-%   Two faces with a common side of a 1500th of the pattern's size, at any angle
-%   and anywhere.
+%   Two faces with a common side that is short, at any angle and anywhere.
 
 short_folds(Out) :-
     how_many(N),
@@ -191,10 +190,13 @@ short_folds(Out) :-
              unfolded(Name, two_on_a_short_side, Out) )).
 
 two_on_a_short_side :-
+    random(3.0, 6.0, Exponent),
+    Half is 10**(-Exponent),
+    Low is -Half,
     random(20.0, 340.0, Bend),
     maplist(bent(Bend), [[-0.8,0.9], [-1.2,0.3], [-0.7,-0.9]], Left),
-    append([ [0,-0.0008,0], [0.9,-0.7,0], [1.3,0.1,0], [1,0.8,0],
-             [0,0.0008,0] ],
+    append([ [0,Low,0], [0.9,-0.7,0], [1.3,0.1,0], [1,0.8,0],
+             [0,Half,0] ],
            Left, Points),
     random_rotation(Turn),
     add_primitive(at(Turn, sheet(points(Points),

@@ -137,6 +137,16 @@ test(overlap, [true(Ps == [yes])]) :-
                findall(yes, ( says(seam(_), would_overlap(_, P1, P2)),
                               P1 =\= P2 ), Ps0)),
     sort(Ps0, Ps).
+test(too_short) :-
+    with_model(sheet(points([ [0,0,0], [1,-1,0], [1,1,0], [0,0.0001,0],
+                              [-1,0,1] ]),
+                     faces([[1,2,3,4], [4,5,1]])),
+               ( says(seam(1, E), too_short),
+                 says(pattern(1, 2), too_short),
+                 catch(develop(1, [keep([E])], _),
+                       error(geometry_error(development(1, Why)), _),
+                       true),
+                 Why = edge_length(E) )), !.
 test(why_a_piece_is_alone, [nondet]) :-
     hollow(Term),
     with_model(Term,
