@@ -1,11 +1,12 @@
 :- module(sg_lettering,
           [ lettering/2,                % +Text, -Lines
-            lettering_width/3           % +String, +Height, -Width
+            lettering_width/3,          % +String, +Height, -Width
+            lettering_drop/3            % +String, +Height, -Drop
           ]).
 :- use_module(hangul, [syllable/3]).
 :- use_module(letter, [letter/3]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/2, append/3]).
+:- use_module(library(lists), [append/2, append/3, max_list/2, member/2]).
 /** <module> Lettering: texts as lines of a pen.
 
 Where a format has no texts of its own (a plotter, a cutter), or only with
@@ -41,6 +42,23 @@ start(end, X, Width, Start) :-
 lettering_width(String, Height, Width) :-
     placed(String, _, Width0),
     Width is Width0*Height/6.
+
+%!  lettering_drop(+String, +Height, -Drop) is det.
+%
+%   Drop is how far String reaches below the line that capitals stand on, with
+%   the tail of a p or the end of a bracket, when these are Height high.
+
+lettering_drop(String, Height, Drop) :-
+    placed(String, Glyphs, _),
+    findall(Y, ( member(_-Strokes, Glyphs), stroke_depth(Strokes, Y) ), Ys),
+    max_list([0|Ys], Deepest),
+    Drop is Deepest*Height/6.
+
+stroke_depth(Strokes, Depth) :-
+    member(Stroke, Strokes),
+    member(Point, Stroke),
+    ( Point = _-Y ; Point = c(_,Y) ),
+    Depth is -Y.
 
 %   placed(String, Glyphs, Width): Glyphs are At-Strokes; between letters there
 %   is a quarter of the height of a capital.

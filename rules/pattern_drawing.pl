@@ -14,10 +14,11 @@
                 page_sheet/2, pages_checked/1, paper_checked/1, pattern_paper/3,
                 sheet_line/4, sheet_of/4 ]).
 :- use_module(pattern_piece, [pattern_pieces/3]).
-:- use_module(pattern_text, [written/4]).
+:- use_module(pattern_text, [written/5]).
 :- use_module(pattern_table,
               [pattern_tables/4, table_line/2, table_loops/2, table_name/2]).
 :- use_module(pattern_tile, [tiled/4]).
+:- use_module(pattern_parted, [parted_segments/2]).
 :- use_module(pattern_want, [wanted_text/4]).
 :- use_module(sheet_paper, [unit_millimetres/2]).
 :- use_module(library(apply),
@@ -277,11 +278,13 @@ sheet_drawing(Layout, Options, Count, I-Laid, Drawing, Skipped) :-
               table_view(Table, move(Sheet,Place), Height, View)
             ),
             Tables),
-    findall(Line, ( member(placed(_,_,Loops,Lines,_), Placed),
-                    inked_line(Loops, Lines, Line) ), Inked),
+    findall([A,B], ( member(placed(_,_,Loops,_,_), Placed),
+                     member(Loop, Loops), member(edge(_,A,B), Loop) ), Cuts),
+    findall([A,B], ( member(placed(_,_,_,Lines,_), Placed),
+                     member(line(_,_,A,B), Lines) ), Folds),
     findall(Want, ( member(P, Placed),
                     wanted_text(P, Options, Numbers, Want) ), Wanted),
-    written(Inked, Wanted, Letters, Skipped),
+    written(Cuts, Folds, Wanted, Letters, Skipped),
     letters_by_piece(Letters, ByPiece),
     maplist(piece_view(Height, ByPiece), Placed, Views),
     sheet_view(Sheet, Options, Count-I, Views0),
@@ -300,15 +303,38 @@ placed_piece(Sheet, Tabs, How, laid(Piece,Outline,Place),
     Move = move(Sheet, Place),
     findall(Loop, ( member(Ways, Outline),
                     findall(Edge, way_edge(Ways, Move, Edge), Loop) ),
-            Loops),
+            Loops0),
     findall(line(Role,E,A,B),
             ( piece_line(Piece, Tabs, How, line(Role,E,A0,B0)),
               moved(Move, A0, A),
               moved(Move, B0, B)
             ),
-            Lines),
+            Lines0),
+    parted(Loops0, Lines0, Loops, Lines),
     maplist(moved_side(Move), Sides0, Sides),
     maplist(moved_face(Move), Faces0, Faces).
+
+%   parted(Loops0, Lines0, Loops, Lines): what lies on each other in part, as
+%   in slits that have closed, is parted, so that it is known as the same.
+
+parted(Loops0, Lines0, Loops, Lines) :-
+    findall(A-B,
+            (   member(Loop, Loops0), member(edge(_,A,B), Loop)
+            ;   member(line(_,_,A,B), Lines0)
+            ),
+            Segments),
+    parted_segments(Segments, Partss),
+    foldl(parted_loop, Loops0, Partss-Loops, Partss1-[]),
+    foldl(parted_line, Lines0, Partss1-Lines, []-[]).
+
+parted_loop(Loop0, Partss0-[Loop|Loops], Partss-Loops) :-
+    foldl(parted_edge, Loop0, Partss0-Loop, Partss-[]).
+
+parted_edge(edge(E,_,_), [Parts|Partss]-Edges0, Partss-Edges) :-
+    findall(edge(E,A,B), member(A-B, Parts), Edges0, Edges).
+
+parted_line(line(Role,E,_,_), [Parts|Partss]-Lines0, Partss-Lines) :-
+    findall(line(Role,E,A,B), member(A-B, Parts), Lines0, Lines).
 
 way_edge(Ways, Move, edge(E,A,B)) :-
     member(way(E,Points), Ways),
@@ -348,12 +374,6 @@ moved_shape(Move, Shape0, Shape) :-
 
 moved_corner(Move, _-P0, P) :-
     moved(Move, P0, P).
-
-inked_line(Loops, _, [A,B]) :-
-    member(Loop, Loops),
-    member(edge(_,A,B), Loop).
-inked_line(_, Lines, [A,B]) :-
-    member(line(_,_,A,B), Lines).
 
 %   A view of a piece: letters, marks and folds first, so that it still hangs
 %   together when they are made; then holes, the outline last.

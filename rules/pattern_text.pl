@@ -1,9 +1,10 @@
 :- module(sg_pattern_text,
-          [ written/4,                  % +Lines, +Wanted, -Strokes, -Skipped
+          [ written/5,                  % +Cuts, +Folds, +Wanted, -Strokes,
+                                        % -Skipped
             first_of/3                  % +N, +List, -First
           ]).
 :- use_module(kernel, [shapes_add/2, shapes_free/3, shapes_open/2]).
-:- use_module(lettering, [lettering/2, lettering_width/3]).
+:- use_module(lettering, [lettering/2, lettering_drop/3, lettering_width/3]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [append/3, last/2, member/2, sum_list/2]).
 :- use_module(library(pairs), [pairs_values/2]).
@@ -19,6 +20,10 @@ What is wanted is
     want(Role, D, Text, Heights, end_of(A,B,Shapes))
                            on either side, near an end, within Shapes
     want(Role, D, Text, Heights, within(Shapes))   in a face
+    want(Role, D, Text, Heights, first_of([Place,...]))
+                           in the first of these places that has room
+    want(Role, D, Text, Heights, over_folds(Place))
+                           small, and perhaps over lines that are not cut
 
 Text is a String or underlined(String). Heights in millimetres, largest first;
 points X-Y, millimetres of the sheet, y up; Shapes are convex, lists of points.
@@ -31,17 +36,24 @@ The letters are those of lettering.pl.
 clear(0.35).
 touching(0.05).
 
-%!  written(+Lines, +Wanted, -Strokes, -Skipped) is det.
+% What is written over folds is at most so high, in millimetres.
+over_folds_height(2.5).
+
+%!  written(+Cuts, +Folds, +Wanted, -Strokes, -Skipped) is det.
 %
 %   Strokes are letters, letters(Role,D,Liness): lists of points, for those of
 %   Wanted that found room, in that order; Skipped counts the others by role, a
-%   list of Role-Count. Lines, lists of points, are what is drawn.
+%   list of Role-Count. Cuts and Folds, lists of points, are what is drawn: what
+%   is cut and all else.
 
-written(Lines, Wanted, Strokes, Skipped) :-
+written(Cuts, Folds, Wanted, Strokes, Skipped) :-
+    append(Cuts, Folds, Lines),
     line_cell(Lines, Cell),
-    shapes_open(Cell, Shapes),
-    forall(member(Line, Lines), line_entered(Line, Shapes)),
-    foldl(text_written(Shapes), Wanted, Found0-[], Found-Left),
+    shapes_open(Cell, Drawn),
+    shapes_open(Cell, Cut),
+    forall(member(Line, Lines), line_entered(Line, Drawn)),
+    forall(member(Line, Cuts), line_entered(Line, Cut)),
+    foldl(text_written(drawn(Drawn,Cut)), Wanted, Found0-[], Found-Left),
     Found = [],
     Strokes = Found0,
     role_counts(Left, Skipped).
@@ -65,10 +77,12 @@ line_entered([A,B|Points], Shapes) :-
     ),
     line_entered([B|Points], Shapes).
 
-text_written(Shapes, want(Role,D,Text,Heights,Place), Found0-Left,
+text_written(Drawn, want(Role,D,Text,Heights,Place), Found0-Left,
              Found-Left1) :-
-    (   text_place(Shapes, Text, Heights, Place, Height, At, Way, Box)
-    ->  shapes_add(Shapes, Box),
+    (   text_place(Drawn, Text, Heights, Place, Height, At, Way, Box)
+    ->  Drawn = drawn(All, Cut),
+        shapes_add(All, Box),
+        shapes_add(Cut, Box),
         text_lines(Text, Height, At, Way, Lines),
         Found0 = [letters(Role,D,Lines)|Found],
         Left1 = Left
@@ -87,38 +101,86 @@ role_counts(Roles0, Counts) :-
             ),
             Counts).
 
-%   text_place(Shapes, Text, Heights, Place, Height, At, Way, Box): the text has
-%   the middle of its lowest line At, which is its baseline if it is not
-%   underlined, and runs along Way, a unit vector.
+%   text_place(Drawn, Text, Heights, Place, Height, At, Way, Box): the text has
+%   the middle of its lowest line At, which is its baseline if it has no tails
+%   and is not underlined, and runs along Way, a unit vector.
 
-text_place(Shapes, Text, Heights, Place, Height, At, Way, Box) :-
+text_place(Drawn, Text, Heights, Place, Height, At, Way, Box) :-
     touching(Tolerance),
+    simple_place(Place, Drawn, Simple, Shapes, Most),
     member(Height, Heights),
+    Height =< Most,
     text_size(Text, Height, Width, All),
-    place_at(Place, Width, All, At, Way),
-    text_box(At, Way, Width, All, Box),
+    place_at(Simple, Width, All, At, Way, Reach),
+    clear_at_ends(Simple, Height, Clear),
+    text_box(At, Way, Width, All, Clear, Box),
     shapes_free(Shapes, Box, Tolerance),
+    reach_free(Reach, At, Way, Width, All, Shapes),
     !.
 
-%   text_size(Text, Height, Width, All): All is how high Text is with the line
-%   below it, if capitals are Height high.
+%   simple_place(Place, Drawn, Simple, Shapes, Most) is nondet: Simple is a place
+%   for place_at/6, where nothing of Shapes may be, and letters no higher than
+%   Most.
+
+simple_place(first_of(Places), Drawn, Simple, Shapes, Most) :-
+    !,
+    member(Place, Places),
+    simple_place(Place, Drawn, Simple, Shapes, Most).
+simple_place(over_folds(Simple), drawn(_,Cut), Simple, Cut, Most) :-
+    !,
+    over_folds_height(Most).
+simple_place(Simple, drawn(All,_), Simple, All, inf).
+
+%   A name ends well before a number beside it: `face 6` and 2 are not face 62.
+
+clear_at_ends(Place, Height, Clear) :-
+    clear(Clear0),
+    (   Place = within(_),
+        Height > 2.5
+    ->  Clear is 0.5*Height
+    ;   Clear = Clear0
+    ).
+
+%   reach_free(Reach, At, Way, Width, Height, Shapes): nothing is between a
+%   text and its edge, where a face or a tab may have ended. Reach says how far
+%   from the text the edge is, and whether below it or before it.
+
+reach_free(none, _, _, _, _, _).
+reach_free(below(Deep), At, Way, Width, _, Shapes) :-
+    Left is -Width/2,
+    Right is Width/2,
+    Low is -Deep,
+    nothing_in(box(Left,Right,Low,0.0), At, Way, Shapes).
+reach_free(before(Deep), At, Way, Width, Height, Shapes) :-
+    Left is -Width/2-Deep,
+    Right is -Width/2,
+    nothing_in(box(Left,Right,0.0,Height), At, Way, Shapes).
+
+nothing_in(Box, At, Way, Shapes) :-
+    box_corners(Box, At, Way, Corners),
+    shapes_free(Shapes, Corners, 0.01).
+
+%   text_size(Text, Height, Width, All): All is how high Text is with its tails
+%   or the line below it, if capitals are Height high.
 
 text_size(underlined(String), Height, Width, All) :-
     !,
     lettering_width(String, Height, Width),
     underline_drop(Height, Drop),
     All is Height+Drop.
-text_size(String, Height, Width, Height) :-
-    lettering_width(String, Height, Width).
+text_size(String, Height, Width, All) :-
+    lettering_width(String, Height, Width),
+    lettering_drop(String, Height, Drop),
+    All is Height+Drop.
 
 %   underline_drop(Height, Drop): how far the line is below the baseline.
 
 underline_drop(Height, Drop) :-
     Drop is 0.3*Height.
 
-%   place_at(Place, Width, Height, At, Way) is nondet: best first.
+%   place_at(Place, Width, Height, At, Way, Reach) is nondet: best first.
 
-place_at(along(A,B), Width, Height, At, U-V) :-
+place_at(along(A,B), Width, Height, At, U-V, below(Off)) :-
     A = XA-YA,
     B = XB-YB,
     Length is sqrt((XB-XA)**2 + (YB-YA)**2),
@@ -135,12 +197,12 @@ place_at(along(A,B), Width, Height, At, U-V) :-
     X is XA + T*Length*U - Off*V,
     Y is YA + T*Length*V + Off*U,
     At = X-Y.
-place_at(beside(Places), Width, Height, At, Way) :-
+place_at(beside(Places), Width, Height, At, Way, Reach) :-
     member(A-B, Places),
-    (   place_at(along(A,B), Width, Height, At, Way)
-    ;   place_across(A, B, Width, Height, At, Way)
+    (   place_at(along(A,B), Width, Height, At, Way, Reach)
+    ;   place_across(A, B, Width, Height, At, Way, Reach)
     ).
-place_at(end_of(XA-YA,XB-YB,Shapes), Width, Height, At, Way) :-
+place_at(end_of(XA-YA,XB-YB,Shapes), Width, Height, At, Way, none) :-
     Length is sqrt((XB-XA)**2 + (YB-YA)**2),
     2*Width+4 < Length,
     U is (XB-XA)/Length,
@@ -153,7 +215,7 @@ place_at(end_of(XA-YA,XB-YB,Shapes), Width, Height, At, Way) :-
     Y is YA + Along*V + Off*U,
     in_face(Shapes, X-Y),
     upright(U-V, X-Y, Height, Way, At).
-place_at(within(Shapes), Width, Height, At, Way) :-
+place_at(within(Shapes), Width, Height, At, Way, none) :-
     face_middles(Shapes, Middles),
     face_way(Shapes, Long),
     member(Middle, Middles),
@@ -165,7 +227,7 @@ place_at(within(Shapes), Width, Height, At, Way) :-
 
 %   From the middle of a short line into the face.
 
-place_across(XA-YA, XB-YB, Width, Height, X-Y, Way) :-
+place_across(XA-YA, XB-YB, Width, Height, X-Y, Way, before(0.9)) :-
     Length is sqrt((XB-XA)**2 + (YB-YA)**2),
     Length < 2*Width+1,
     Length > Height,
@@ -297,20 +359,26 @@ text_ends(X0-Y0, U-V, Width, Height, [XA-YA,XB-YB]) :-
     XB is MX + Width/2*U,
     YB is MY + Width/2*V.
 
-%   The box round a text, with some room. Digits and capitals have no tails.
+%   The box round a text, with some room, at its ends Clear.
 
-text_box(X0-Y0, U-V, Width, Height, Box) :-
-    clear(Clear),
+text_box(At, Way, Width, Height, Clear, Corners) :-
+    clear(Room),
     Left is -Width/2-Clear,
     Right is Width/2+Clear,
-    Low is -Clear,
-    High is Height+Clear,
+    Low is -Room,
+    High is Height+Room,
+    box_corners(box(Left,Right,Low,High), At, Way, Corners).
+
+%   box_corners(Box, At, Way, Corners): Box, box(Left,Right,Low,High), as seen
+%   from At, with Way to the right.
+
+box_corners(box(Left,Right,Low,High), X0-Y0, U-V, Corners) :-
     findall(X-Y,
             ( member(A-B, [Left-Low,Right-Low,Right-High,Left-High]),
               X is X0 + A*U - B*V,
               Y is Y0 + A*V + B*U
             ),
-            Box).
+            Corners).
 
 text_lines(underlined(String), Height, At0, Way, [[A,B]|Lines]) :-
     !,
@@ -324,7 +392,10 @@ text_lines(underlined(String), Height, At0, Way, [[A,B]|Lines]) :-
     Up is -Drop,
     below(At0, Way, Up, At),
     text_lines(String, Height, At, Way, Lines).
-text_lines(String, Height, X0-Y0, U-V, Lines) :-
+text_lines(String, Height, At0, U-V, Lines) :-
+    lettering_drop(String, Height, Drop),
+    Up is -Drop,
+    below(At0, U-V, Up, X0-Y0),
     High is round(Height*1000),
     lettering(text(0,0,High,middle,String), Lines0),
     maplist(maplist_point(X0, Y0, U, V), Lines0, Lines).

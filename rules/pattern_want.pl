@@ -9,27 +9,34 @@
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> What is to be written on a piece of a pattern.
 */
 
 %!  wanted_text(+Placed, +Options, +Numbers, -Want) is nondet.
 %
-%   Want, as of written/4 (pattern_text.pl), is a text of the piece Placed
+%   Want, as of written/5 (pattern_text.pl), is a text of the piece Placed
 %   (pattern_drawing.pl): numbers of seams first, then of generators, names of
 %   faces, and angles, as Options say; Numbers are those of seam_numbers/2.
 
-wanted_text(placed(Name,_,_,_,Sides), Options, Numbers,
-            want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],beside(Places))) :-
+wanted_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
+            want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],
+                 first_of([beside(Places),beside(Tabs),
+                           over_folds(beside(Places))]))) :-
     option(numbers(true), Options, true),
     get_assoc(Name, Numbers, Wanted),
-    findall((J-Which)-(A-B), member(side(_,_,_-A,_-B,seam(J,_,Which)), Sides),
+    findall((J-Which)-place(E,A,B),
+            member(side(E,_,_-A,_-B,seam(J,_,Which)), Sides),
             Pairs0),
     sort(1, @<, Pairs0, Pairs),
     list_to_assoc(Pairs, Placed),
+    folds_by_edge(Lines, Folds),
     member(N-Seams, Wanted),
     first_of(12, Seams, Some),
     findall(Place, ( member(Seam, Some), get_assoc(Seam, Placed, Place) ),
-            Places),
+            Sided),
+    findall(A-B, member(place(_,A,B), Sided), Places),
+    findall(Tab, ( member(Place, Sided), tab_at(Place, Folds, Tab) ), Tabs),
     number_text(N, Text).
 wanted_text(placed(Name,Faces,_,_,Sides), _, _,
             want(generator_number,Name,Text,[2.5,2.0,1.6],
@@ -54,6 +61,34 @@ wanted_text(placed(Name,_,_,_,Sides), Options, _,
     member(side(_,_,_-A,_-B,fold(_,Angle,1)), Sides),
     abs(Angle) > Threshold,
     angle_text(Angle, Text).
+
+%   folds_by_edge(Lines, Folds): Folds is an assoc from edges to the lines Q-P
+%   along which something may be folded there.
+
+folds_by_edge(Lines, Folds) :-
+    findall(E-(Q-P),
+            ( member(line(Role,E,Q,P), Lines),
+              memberchk(Role, [fold_down,fold_up,mark])
+            ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Folds).
+
+%   tab_at(Place, Folds, Tab) is nondet: Tab is P-Q where a tab is folded at a
+%   part Q-P of the side Place, so the tab is on the left of it.
+
+tab_at(place(E,XA-YA,XB-YB), Folds, (X-Y)-(XQ-YQ)) :-
+    get_assoc(E, Folds, Own),
+    DX is XB-XA,
+    DY is YB-YA,
+    Near is 1.0e-6*(DX*DX+DY*DY),
+    member((XQ-YQ)-(X-Y), Own),
+    abs(DX*(Y-YA) - DY*(X-XA)) =< Near,
+    abs(DX*(YQ-YA) - DY*(XQ-XA)) =< Near,
+    DX*(XQ-XA) + DY*(YQ-YA) >= -Near,
+    DX*(XB-X) + DY*(YB-Y) >= -Near,
+    DX*(X-XQ) + DY*(Y-YQ) > 0.
 
 number_text(N, Text) :-
     number_string(N, String),

@@ -10,7 +10,8 @@
 %
 %   Something is wrong with what a drawing cuts: crossing(View1,View2), lines
 %   that go through each other; inside(View1,View2), a piece within another;
-%   twice(A,B), a line that is cut twice; off(View), beyond the sheet.
+%   twice(A,B), a line, or a part of one, that is drawn twice; off(View), beyond
+%   the sheet.
 
 cut_fault(drawing(_,Views), crossing(V1,V2)) :-
     sides(Views, Sides0),
@@ -29,6 +30,13 @@ cut_fault(drawing(_,Views), twice(A,B)) :-
             Keys0),
     msort(Keys0, Keys),
     append(_, [[A,B],[A,B]|_], Keys).
+cut_fault(drawing(_,Views), twice(A,B)) :-
+    sides(Views, Sides0),
+    sort(2, @=<, Sides0, Sides),
+    append(_, [side(_,_,A,B)|Rest], Sides),
+    right_end(A, B, Right),
+    near(Rest, Right, side(_,_,C,D)),
+    lies_along(A, B, C, D).
 cut_fault(drawing(_,Views), inside(V1,V2)) :-
     member(view(V1,Strokes1,_), Views),
     member(view(V2,Strokes2,_), Views),
@@ -65,6 +73,22 @@ near([Side|Sides], Right, Near) :-
     Side = side(_, X, _, _),
     X =< Right,
     ( Near = Side ; near(Sides, Right, Near) ).
+
+%   Both ends of C-D are within two thousandths of a millimetre of the line
+%   through A-B, and over 20 thousandths of it lie along A-B.
+
+lies_along(A, B, C, D) :-
+    A = XA-YA,
+    B = XB-YB,
+    Length is sqrt((XB-XA)**2 + (YB-YA)**2),
+    Length > 20,
+    maplist(beside_line(A, B, Length), [C,D], [S,T]),
+    Over is min(Length, max(S, T)) - max(0, min(S, T)),
+    Over > 20.
+
+beside_line(XA-YA, XB-YB, Length, X-Y, Along) :-
+    abs((XB-XA)*(Y-YA) - (YB-YA)*(X-XA)) =< 2*Length,
+    Along is ((XB-XA)*(X-XA) + (YB-YA)*(Y-YA))/Length.
 
 turn(XA-YA, XB-YB, XC-YC, Sign) :-
     Sign is sign((XB-XA)*(YC-YA) - (YB-YA)*(XC-XA)).

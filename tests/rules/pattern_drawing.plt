@@ -11,7 +11,8 @@
 :- use_module(rules(primitive_rows), [add_primitive/2]).
 :- use_module(rules(true_development), [true_development/4]).
 :- use_module(rules(pattern_number), [reads_turned/1]).
-:- use_module(rules(pattern_text), [written/4]).
+:- use_module(rules(lettering), [lettering_width/3]).
+:- use_module(rules(pattern_text), [written/5]).
 :- use_module(tests('rules/pattern_case')).
 :- use_module(tests('rules/cut_checked')).
 
@@ -56,6 +57,27 @@ right(Drawings) :-
            ( cut_fault(Drawing, Fault)
            ->  print_message(error, format("~q", [Fault])), fail
            ;   true )).
+
+slit_pattern :-
+    pattern_from_faces([face(1, [1,2,3,4],   [0-0,40-0,40-10,0-10], 1),
+                        face(2, [2,5,6,3],   [40-0,50-0,50-10,40-10], 1),
+                        face(3, [3,6,7,8],   [40-10,50-10,50-30,40-30], 1),
+                        face(4, [9,3,8,10],  [20-10,40-10,40-30,20-30], 1),
+                        face(5, [4,9,10,12], [0-10,20-10,20-30,0-30], 1)]).
+
+% The height of capitals of a name in the middle of Face, between two numbers
+% that leave it Gap more than its letters at either side.
+number_beside_name(Gap, Face, Height) :-
+    lettering_width("HHH", 6.0, Width),
+    Left is 20-Width/2-Gap,
+    Right is 20+Width/2+Gap,
+    written([[Left-0.0,Left-20.0],[Right-0.0,Right-20.0]], [],
+            [want(face_name,p,"HHH",[6.0,4.5],within([Face]))],
+            [letters(face_name,p,Lines)], []),
+    findall(Y, ( member(Points, Lines), member(_-Y, Points) ), Ys),
+    min_list(Ys, Low),
+    max_list(Ys, High),
+    Height is round((High-Low)*10)/10.0.
 
 :- begin_tests(pattern_drawing).
 
@@ -124,7 +146,7 @@ test(read_turned_long) :-
     assertion(\+ reads_turned(1001)).
 test(underlined, [ true(Line-Below == 50.0-true) ]) :-
     Face = [0.0-0.0,100.0-0.0,100.0-100.0,0.0-100.0],
-    written([], [want(number,p,underlined("68"),[10.0],within([Face]))],
+    written([], [], [want(number,p,underlined("68"),[10.0],within([Face]))],
             [letters(number,p,[[XA-YA,XB-YA]|Lines])], []),
     Line is (XA+XB)/2,
     (   forall(( member(Points, Lines), member(_-Y, Points) ), Y > YA+2)
@@ -133,12 +155,53 @@ test(underlined, [ true(Line-Below == 50.0-true) ]) :-
     ).
 test(not_underlined, [ Same == true ]) :-
     Face = [0.0-0.0,100.0-0.0,100.0-100.0,0.0-100.0],
-    written([], [want(number,p,"7",[10.0],within([Face]))],
+    written([], [], [want(number,p,"7",[10.0],within([Face]))],
             [letters(number,p,Lines)], []),
     (   Lines = [_]
     ->  Same = true
     ;   Same = false
     ).
+% A slit has closed: one long side lies on two short ones. 160 mm are round the
+% piece, and 40 in it, once.
+test(no_part_is_cut_twice, [ Length =:= 200000 ]) :-
+    drawn(slit_pattern, [numbers(false)], [Drawing]),
+    assertion(right([Drawing])),
+    findall(L, ( stroke([Drawing], cut, stroke(_,_,_,_,Points,_,_)),
+                 length_of(Points, L) ), Ls),
+    sum_list(Ls, Length0),
+    Length is round(Length0/100)*100.
+% Names end well before a number beside them: `face 6` and 2 are not face 62.
+test(names_apart_from_numbers, [ Heights == [6.0,4.5] ]) :-
+    Face = [0.0-0.0,40.0-0.0,40.0-20.0,0.0-20.0],
+    findall(Height,
+            ( member(Gap, [4.0,2.0]),
+              number_beside_name(Gap, Face, Height) ),
+            Heights).
+% A tail that reaches below the line is a part of the text.
+test(tails_keep_clear, [ true(Least > 10.0) ]) :-
+    Line = [0.0-10.0,100.0-10.0],
+    Face = [0.0-10.0,100.0-10.0,100.0-19.0,0.0-19.0],
+    written([Line], [], [want(face_name,p,"gyp",[6.0],within([Face]))],
+            [letters(face_name,p,Lines)], []),
+    findall(Y, ( member(Points, Lines), member(_-Y, Points) ), Ys),
+    min_list(Ys, Least).
+% Between an edge and its number nothing is cut: at the tip of a needle the
+% number would stand beside it.
+test(not_beyond_a_needle, [ Skipped == [number-1] ]) :-
+    A = 0.0-0.0,
+    B = 6.0-0.0,
+    written([[A,B],[B,0.0-0.4],[0.0-0.4,A]], [],
+            [want(number,p,"7",[2.0,1.6],beside([A-B]))], [], Skipped).
+% What finds no room between folds is written over them, but over no cut.
+test(over_folds, [ Found-Skipped == 1-[number-1] ]) :-
+    findall([X-0.0,X-10.0], between(0, 20, X), Folds),
+    A = 10.0-0.0,
+    B = 11.0-0.0,
+    Want = want(number,p,"22",[2.0,1.6],
+                first_of([beside([A-B]),over_folds(beside([0.0-0.0-(20.0-0.0)]))])),
+    written([], Folds, [Want], Letters, []),
+    written(Folds, [], [Want], [], Skipped),
+    length(Letters, Found).
 test(inside_folds_up, [ Up-Down == 5-0 ]) :-
     drawn(cube_pattern(40), [inside(true)], Drawings),
     count(Drawings, fold_up, Up),
