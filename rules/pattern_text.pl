@@ -118,9 +118,9 @@ text_place(Drawn, Text, Heights, Place, Height, At, Way, Box) :-
     reach_free(Reach, At, Way, Width, All, Shapes),
     !.
 
-%   simple_place(Place, Drawn, Simple, Shapes, Most) is nondet: Simple is a place
-%   for place_at/6, where nothing of Shapes may be, and letters no higher than
-%   Most.
+%   simple_place(Place, Drawn, Simple, Shapes, Most) is nondet: Simple is a
+%   place for place_at/6, where nothing of Shapes may be, and letters no higher
+%   than Most.
 
 simple_place(first_of(Places), Drawn, Simple, Shapes, Most) :-
     !,

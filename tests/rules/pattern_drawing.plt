@@ -197,8 +197,9 @@ test(over_folds, [ Found-Skipped == 1-[number-1] ]) :-
     findall([X-0.0,X-10.0], between(0, 20, X), Folds),
     A = 10.0-0.0,
     B = 11.0-0.0,
+    Long = (0.0-0.0)-(20.0-0.0),
     Want = want(number,p,"22",[2.0,1.6],
-                first_of([beside([A-B]),over_folds(beside([0.0-0.0-(20.0-0.0)]))])),
+                first_of([beside([A-B]),over_folds(beside([Long]))])),
     written([], Folds, [Want], Letters, []),
     written(Folds, [], [Want], [], Skipped),
     length(Letters, Found).
