@@ -1,5 +1,7 @@
 :- module(sg_true_border,
-          [ rims_kept/4                 % +Facets0, -Facets, +Shape0, -Shape
+          [ rims_kept/4,                % +Facets0, -Facets, +Shape0, -Shape
+            level_kept/5                % +Level, +Facet0, -Facets, +Shape0,
+                                        % -Shape
           ]).
 :- use_module(kernel, [surface_place/4, surfaces_meet/4]).
 :- use_module(primitive_face, [surface_point/4]).
@@ -8,7 +10,7 @@
 :- use_module(true_tip, [settled/5]).
 :- use_module(library(apply), [foldl/5, foldl/6]).
 :- use_module(library(assoc), [get_assoc/3, put_assoc/4]).
-:- use_module(library(lists), [append/2, member/2, select/3]).
+:- use_module(library(lists), [append/2, member/2, min_list/2, select/3]).
 /** <module> True lines that go past a rim.
 
 A pipe ends at its rims. Where the line of the true surfaces goes past one and
@@ -34,6 +36,11 @@ facet_kept(Facet0, Facets, Shape0, Shape) :-
     ;   Facets = [],
         Shape = Shape1
     ).
+
+%!  level_kept(+Level, +Facet0, -Facets, +Shape0, -Shape) is det.
+%
+%   Facets is what is left of Facet0, one or none, without what is beyond Level:
+%   below it if that is 0.0, else above it.
 
 level_kept(Level, Facet0, Facets, Shape0, Shape) :-
     Facet0 = facet(P, T1, T2, Halves0),
@@ -79,11 +86,14 @@ half_parted(Level, half(A, B, Label), Parts, Shape0, Shape) :-
         Shape = Shape0
     ).
 
-%   rim_key(Level, A, B, Key, Shape0, Shape): where the edge meets the rim.
+%   rim_key(Level, A, B, Key, Shape0, Shape): where the edge meets the rim; the
+%   same point in both facets of a generator, however often these were carried
+%   round.
 
-rim_key(Level, A, B, k(Id, 0), Shape0, Shape) :-
+rim_key(Level, A, B, k(Id, Turn), Shape0, Shape) :-
     Shape0 = shape(Surface, Reach, Nodes0),
-    msort([A,B], Ends),
+    turned_once(A, B, Turn, A1, B1),
+    msort([A1,B1], Ends),
     Id = rim(Ends, Level),
     (   get_assoc(Id, Nodes0, _)
     ->  Shape = Shape0
@@ -92,11 +102,31 @@ rim_key(Level, A, B, k(Id, 0), Shape0, Shape) :-
         Shape = shape(Surface, Reach, Nodes)
     ).
 
+%   turned_once(A, B, Turn, A1, B1): A and B carried back by Turn, so that the
+%   one of them that is no apex is where it is first.
+
+turned_once(k(A, TurnA), k(B, TurnB), Turn, k(A, TurnA1), k(B, TurnB1)) :-
+    findall(Turn1, ( member(Turn1, [TurnA,TurnB]), Turn1 \== apex ), Turns),
+    min_list(Turns, Turn),
+    turned_back(TurnA, Turn, TurnA1),
+    turned_back(TurnB, Turn, TurnB1).
+
+turned_back(Turn0, By, Turn) :-
+    (   Turn0 == apex
+    ->  Turn = apex
+    ;   Turn is Turn0-By
+    ).
+
 rim_place(Shape, Level, [A,B], T, Point, Surfaces) :-
     Shape = shape(Surface, Reach, Nodes),
     key_place(Nodes, A, TA, HA),
     key_place(Nodes, B, TB, HB),
-    T0 is TA + (TB-TA)*(Level-HA)/(HB-HA),
+    (   TA == any
+    ->  T0 = TB
+    ;   TB == any
+    ->  T0 = TA
+    ;   T0 is TA + (TB-TA)*(Level-HA)/(HB-HA)
+    ),
     surface_point(Surface, T0, Level, Point0),
     (   edge_curve(Shape, A, B, meets(Other)),
         level_plane(Surface, Level, Plane),

@@ -8,6 +8,7 @@
 :- use_module(primitive_face, [surface_point/4]).
 :- use_module(true_composed, [composed_unrolled/4]).
 :- use_module(trimmed, [part_named/4]).
+:- use_module(true_apex, [apex_opened/5]).
 :- use_module(true_border, [rims_kept/4]).
 :- use_module(true_divide,
               [facet_divided/7, facet_index/2, generator_spans/5]).
@@ -17,6 +18,7 @@
               ]).
 :- use_module(true_parts, [facets_as_drawn/4]).
 :- use_module(true_pattern, [pattern_written/3]).
+:- use_module(true_plate, [plate_layer/2]).
 :- use_module(true_shape,
               [ true_part/5, part_facets/4, facet_middle/2, facets_sense/3,
                 shifted_facet/3
@@ -143,9 +145,11 @@ unrolled(S, Part, Options,
     tips_moved(Facets0, Tolerance, Facets3, Shape0, Shape3),
     rims_kept(Facets3, Facets4, Shape3, Shape2),
     spikes_cut(Facets4, Shape2, Facets5),
-    facets_as_drawn(S, Facets5, Shape2, Facets2),
-    seam(Facets2, Shape2, Sense, Options, Seam, Around),
-    opened(Facets2, S-Part, Seam, Sense, Facets1, Shape2, Shape1),
+    plate_layer(Options, Layer),
+    apex_opened(Facets5, Layer, Facets6, Shape2, Shape4),
+    facets_as_drawn(S, Facets6, Shape4, Facets2),
+    seam(Facets2, Shape4, Sense, Options, Seam, Around),
+    opened(Facets2, S-Part, Seam, Sense, Facets1, Shape4, Shape1),
     half_of(Facets1, S-Part, Seam, Around, Sense, Options, Facets,
             Shape1, Shape),
     layout(Facets, Shape, Seam, Sense, Options, Layout),

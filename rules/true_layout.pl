@@ -24,8 +24,7 @@
               [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
 :- use_module(library(lists),
-              [append/2, max_list/2, max_member/2, member/2, min_list/2,
-               select/3]).
+              [append/2, append/3, max_list/2, member/2, min_list/2]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Where a true development lies in its plane.
@@ -200,45 +199,12 @@ keys_unrolled(Shape, Layer, Seam, Keys, Pairs) :-
     Middle is Seam + 180.0,
     maplist(key_pair(Nodes, Middle), Keys, Places),
     roll_points(Roll, Places, Points),
-    pairs_keys_values(Pairs0, Keys, Points),
-    (   Layer =\= 0.0,
-        select(Apex-P0, Pairs0, Pairs1),
-        key_place(Nodes, Apex, any, _),
-        seam_ends(Nodes, Seam, Pairs0, Start, End)
-    ->  equally_far(P0, Start, End, P),
-        Pairs = [Apex-P|Pairs1]
-    ;   Pairs = Pairs0
-    ).
-
-%   seam_ends(Nodes, Seam, Pairs, Start, End): where the corner of the seam that
-%   is nearest to the apex lies, on both sides.
-
-seam_ends(Nodes, Seam, Pairs, Start, End) :-
-    findall(H-ends(P, Q),
-            ( member(k(Id, Turn)-P, Pairs),
-              key_place(Nodes, k(Id, Turn), T, H),
-              T \== any,
-              abs(T-Seam) < 1.0e-6,
-              Next is Turn+1,
-              memberchk(k(Id, Next)-Q, Pairs) ),
-            Ends),
-    max_member(_-ends(Start, End), Ends).
-
-%   equally_far(P0, A, B, P): the point nearest to P0 that is as far from A as
-%   from B: both sides of the seam are equally long.
-
-equally_far(X0-Y0, XA-YA, XB-YB, X-Y) :-
-    DX is XB-XA,
-    DY is YB-YA,
-    Off is (X0 - (XA+XB)/2.0)*DX + (Y0 - (YA+YB)/2.0)*DY,
-    F is Off/(DX*DX + DY*DY),
-    X is X0 - F*DX,
-    Y is Y0 - F*DY.
+    pairs_keys_values(Pairs, Keys, Points).
 
 roll(shape(Surface, _, _), Layer, Seam, roll(Surface, Layer, Seam)).
 
-%   An apex is where the generator in the middle has it; in a layer that is not
-%   drawn others have it elsewhere.
+%   An apex is where any generator has it: in a layer that is not drawn there is
+%   none (true_apex.pl).
 
 key_pair(Nodes, Middle, Key, T-H) :-
     key_place(Nodes, Key, T0, H),
@@ -326,7 +292,42 @@ curves(_, Shape, Layer-Seam, Facets, Chord, Curves) :-
               Places \== [],
               Edge = A-B,
               maplist(place_point(Roll, T1, T2), Places, Points) ),
-            Curves).
+            Met),
+    facet_edges(Facets, Edges),
+    findall((A-B)-Points,
+            ( member(edge(A, B, _, _), Edges),
+              tip_curve(Shape, Roll, Chord, A, B, Points) ),
+            Tips),
+    append(Met, Tips, Curves).
+
+%   tip_curve(Shape, Roll, Chord, A, B, Points): Points, one or more, between A
+%   and B, where a cone was cut off: halved until no middle is farther than
+%   Chord from its chord.
+
+tip_curve(Shape, Roll, Chord, A, B, Points) :-
+    Shape = shape(_, _, Nodes),
+    key_place(Nodes, A, T1, H),
+    key_place(Nodes, B, T2, H2),
+    H =:= H2,
+    edge_curve(Shape, A, B, tip(_)),
+    roll_points(Roll, [T1-H,T2-H], [P,Q]),
+    halved(tip(Roll, H, Chord), T1-P, T2-Q, Points, []),
+    Points \== [].
+
+halved(Tip, T1-P, T2-Q, Points0, Points) :-
+    Tip = tip(Roll, H, Chord),
+    T is (T1+T2)/2.0,
+    roll_points(Roll, [T-H], [M]),
+    (   off_chord(P, Q, M, Off),
+        Off > Chord,
+        abs(T2-T1) > 0.1
+    ->  halved(Tip, T1-P, T-M, Points0, [M|Points1]),
+        halved(Tip, T-M, T2-Q, Points1, Points)
+    ;   Points0 = Points
+    ).
+
+off_chord(X1-Y1, X2-Y2, X-Y, Off) :-
+    Off is sqrt((X - (X1+X2)/2.0)**2 + (Y - (Y1+Y2)/2.0)**2).
 
 %   place_point(Roll, T1, T2, Place, Point): a curve stays on its facet, between
 %   T1 and T2.

@@ -1,5 +1,6 @@
 :- module(sg_true_parallel,
-          [ parallel_made/4             % +Term, +By, +Inmost, -S1
+          [ parallel_made/4,            % +Term, +By, +Inmost, -S1
+            regular_level/5             % +Cone, +Ts, +By, +Inmost, -Level
           ]).
 :- use_module(kernel, [surface_place/4]).
 :- use_module(primitive_rows, [add_shape/5]).
@@ -116,11 +117,21 @@ corner_place(Surfaces, Point, Part, Part-T-H) :-
 tip_level(none, _, _, _, none) :-
     !.
 tip_level(_, [_-Surface], Places, By-Inmost, Level) :-
-    findall(H, ( member(_-T-0.0, Places),
-                 regular_up_to(Surface, By-Inmost, T, H) ),
-            Hs),
-    min_list([1.0|Hs], Level),
+    findall(T, member(_-T-0.0, Places), Ts),
+    regular_level(Surface, Ts, By, Inmost, Level),
     Level > 0.0.
+
+%!  regular_level(+Cone, +Ts, +By, +Inmost, -Level) is det.
+%
+%   Up to H = Level of what lies By outside Cone, which gets narrower, its
+%   generators at Ts (degrees) do not yet meet, neither there nor in the layer
+%   that is Inmost outside Cone; 1.0 if they do not at all.
+
+regular_level(Surface, Ts, By, Inmost, Level) :-
+    findall(H,
+            ( member(T, Ts), regular_up_to(Surface, By-Inmost, T, H) ),
+            Hs),
+    min_list([1.0|Hs], Level).
 
 %   regular_up_to(Surface, By-Inmost, T, H): in the layer Inmost the generator
 %   at T and its neighbours do not yet meet at H of what is By outside. The
@@ -137,8 +148,10 @@ regular_up_to(Surface, By-Inmost, T, H) :-
     angle_between(Normal1, Normal2, Turning),
     parallel_generator(Surface, T, Along, _),
     dot_product(Along, Along, Square),
+    Surface = cone(_, _, _, _, K),
+    Apex is 1.0/(1.0-K),
     Way is 0.05*max(abs(By), abs(Inmost)) - Inmost,
-    H0 is 1.0 - Way*Turning/(Angle*sqrt(Square)),
+    H0 is Apex - Way*Turning/(Angle*sqrt(Square)),
     parallel_before(Surface, By, T, 0.0, Less),
     H is H0-Less.
 

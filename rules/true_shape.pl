@@ -422,23 +422,46 @@ same_generator(Nodes, Key1, Key2) :-
 %!  edge_curve(+Shape, +Key1, +Key2, -Curve) is det.
 %
 %   What an edge between the keys truly is: `straight` in the pattern; level(H),
-%   a part of the rim of the primitive; or meets(Surface): where that of another
-%   segment meets the part's own.
+%   a part of the rim of the primitive; meets(Surface): where that of another
+%   segment meets the part's own; or tip(H), all of one height, where a cone was
+%   cut off (true_apex.pl).
 
 edge_curve(Shape, Key1, Key2, Curve) :-
     Shape = shape(Surface, _, Nodes),
     (   same_generator(Nodes, Key1, Key2)
     ->  Curve = straight
-    ;   Surface \= fan(_, _, _, _),
-        key_place(Nodes, Key1, _, H1),
-        key_place(Nodes, Key2, _, H2),
-        level(H1, H1, level),
-        H1 =:= H2
-    ->  Curve = level(H1)
+    ;   same_height(Nodes, Key1, Key2, H),
+        level_curve(Surface, H, Curve0)
+    ->  Curve = Curve0
     ;   met_by_both(Shape, Key1, Key2, Met)
     ->  Curve = meets(Met)
+    ;   narrowing(Surface),
+        same_height(Nodes, Key1, Key2, H)
+    ->  Curve = tip(H)
     ;   Curve = straight
     ).
+
+same_height(Nodes, Key1, Key2, H) :-
+    key_place(Nodes, Key1, _, H),
+    key_place(Nodes, Key2, _, H2),
+    H =:= H2.
+
+level_curve(Surface, H, Curve) :-
+    Surface \= fan(_, _, _, _),
+    level(H, H, level),
+    (   H > 0.5,
+        pointed(Surface)
+    ->  Curve = tip(H)
+    ;   Curve = level(H)
+    ).
+
+pointed(cone(_, _, _, _, K)) :-
+    K =:= 0.0.
+
+narrowing(parallel(Surface, _)) :-
+    narrowing(Surface).
+narrowing(cone(_, _, _, _, K)) :-
+    K < 1.0.
 
 %   Of several surfaces that both ends lie on it is the one that the middle of
 %   the edge is nearest to.
