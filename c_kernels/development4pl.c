@@ -457,7 +457,7 @@ flattening_measures(term_t handle, term_t out)
   return PL_unify_term(
       out, PL_FUNCTOR_CHARS, "measures", 7, PL_FLOAT, m.seam + 0.0, PL_INT64,
       (int64_t)d->layout.pieces, PL_FLOAT, m.longest + 0.0, PL_FLOAT,
-      m.area + 0.0, PL_FLOAT, m.boxes + 0.0, PL_INT64,
+      m.area + 0.0, PL_FLOAT, m.sheet + 0.0, PL_INT64,
       (int64_t)d->flattening.tests, PL_INT64, (int64_t)d->flattening.refused);
 }
 

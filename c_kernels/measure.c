@@ -112,6 +112,23 @@ measure_seams(const sg_flattening *fl, welds *w, const sg_poll *poll,
   return !*stopped;
 }
 
+/* Of the box round all pieces. */
+static double
+sheet_area(const sg_layout *layout)
+{
+  double size[2] = {0, 0};
+
+  for (int axis = 0; axis < 2; axis++) {
+    double low = INFINITY, high = -INFINITY;
+    for (size_t k = 0; k < layout->pieces; k++) {
+      low = fmin(low, layout->box[k].low[axis]);
+      high = fmax(high, layout->box[k].high[axis]);
+    }
+    size[axis] = fmax(high - low, 0);
+  }
+  return size[0] * size[1];
+}
+
 bool
 sg_measure(const sg_flattening *fl, const sg_layout *layout,
            const sg_poll *poll, sg_measures *out, bool *stopped)
@@ -120,10 +137,7 @@ sg_measure(const sg_flattening *fl, const sg_layout *layout,
 
   *out = (sg_measures){.area = fl->sheet * fl->sheet};
   *stopped = false;
-  for (size_t k = 0; k < layout->pieces; k++) {
-    const sg_flat_box *box = &layout->box[k];
-    out->boxes += (box->high[0] - box->low[0]) * (box->high[1] - box->low[1]);
-  }
+  out->sheet = sheet_area(layout);
   bool good = find_welds(fl, poll, &w, stopped) &&
               measure_seams(fl, &w, poll, out, stopped);
 

@@ -12,7 +12,7 @@ typedef struct sg_measures {
   double longest; /* weld: seams end to end between vertices where not just two
                      seams meet */
   double area;    /* of the pieces */
-  double boxes;   /* of the boxes round the pieces */
+  double sheet;   /* of the box round all pieces, as they lie */
 } sg_measures;
 
 /* What lies as in `layout`. False: no memory, or (*stopped) stopped. */

@@ -14,7 +14,7 @@ enum {
 
 /* Sides nearer than this part of the sheet lie on each other, in places that
  * are rounded again and again; sg_lay() decides in the end. */
-#define TOUCH 1e-10
+#define TOUCH 1e-12
 
 /* An exchange under way. What a turn changes is written down, to be undone. */
 typedef struct exchange {

@@ -13,7 +13,8 @@
               [ record_development/5, recorded_development/4, score/3,
                 cannot_develop/2
               ]).
-:- use_module(development_search, [search_effort/4, exchanged/6, folds/2]).
+:- use_module(development_search,
+              [usual_effort/3, objective_effort/3, exchanged/6, folds/2]).
 :- use_module(kernel,
               [ flattening_open/4, flattening_close/1, flattening_counts/4,
                 flattening_bent/2, flattening_invalid/2, flattening_joint/3,
@@ -22,7 +23,7 @@
                 flattening_write/2,
                 edge_joint/3, forbid_joint/2, join_faces/3, join_all/2,
                 join_before/3, join_folds/2, joint_order/3, joint_path/3,
-                segments_tolerance/3
+                seam_length/2, segments_tolerance/3
               ]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
@@ -32,7 +33,7 @@
 :- use_module(triangulation, [complete_segments/1]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
 :- use_module(library(error), [existence_error/2, must_be/2]).
-:- use_module(library(lists), [append/3, last/2, member/2, numlist/3]).
+:- use_module(library(lists), [append/3, last/2, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs), [pairs_values/2]).
 /** <module> Developments: a segment laid flat, face by face, joined at edges.
@@ -76,8 +77,8 @@ they have in S; only vertices are new.
 %       These polygons are laid in this order, each at the first edge, in the
 %       order of joints, that it shares with one laid before (DV-7).
 %     - minimize(Objective)
-%       `seam`, `pieces`, `longest` (the longest weld) or `area` (of the boxes
-%       round the pieces): several orders are tried and the best is kept.
+%       `seam`, `pieces`, `longest` (the longest weld) or `area` (of the sheet
+%       that the pieces lie on): several orders are tried and the best is kept.
 %       Default is the order of the least seam alone.
 %     - tries(Count)
 %       So many orders are tried; default 8.
@@ -195,34 +196,49 @@ has_polygon(S, P) :-
 
 /* - - - joining - - - */
 
+%   best_laid(S, Options, Root, Flattening, Order, Measures): of all plans that
+%   one stays laid which meets the objective best.
+
 best_laid(S, Options, Root, Flattening, Order, Measures) :-
-    orders_to_try(Options, Orders, Objective),
-    length(Orders, Count),
-    search_effort(Flattening, Options, Count, Effort),
-    How = how(Objective, Effort),
-    maplist(tried(S, Options, Root, Flattening, How), Orders, Scored),
-    sort(Scored, [_-(Best/Order/Measures)|_]),
-    (   last(Orders, Best)
+    plans(Flattening, Options, Objective, Plans0),
+    maplist(tried(S, Options, Root, Flattening, Objective), Plans0, Tried0),
+    findall(plan(Order0, Objective, 0),
+            member(tried(_, plan(Order0, _, _), _, _, deceived), Tried0),
+            Plans1),
+    maplist(tried(S, Options, Root, Flattening, Objective), Plans1, Tried1),
+    append(Tried0, Tried1, Tried),
+    sort(Tried, [tried(_, Best, Order, Measures, _)|_]),
+    (   last(Tried, tried(_, Best, _, _, _))
     ->  true
-    ;   laid(S, Options, Root, Flattening, How, Best, _)
+    ;   laid(S, Options, Root, Flattening, Best, _)
     ).
 
-tried(S, Options, Root, Flattening, How, Order,
-      Score-(Order/Exchanged/Measures)) :-
-    How = how(Objective, _),
-    laid(S, Options, Root, Flattening, How, Order, Exchanged),
+%   tried(S, Options, Root, Flattening, Objective, Plan, Tried): Tried is
+%   tried(Score, Plan, Exchanged, Measures, How). How is `deceived` if sides
+%   that seemed to lie on each other when folds were exchanged do not quite, so
+%   that the seam is longer than it should have become; else `true`.
+
+tried(S, Options, Root, Flattening, Objective, Plan,
+      tried(Score, Plan, Exchanged, Measures, How)) :-
+    laid(S, Options, Root, Flattening, Plan, Exchanged),
     stage(join, flattening_measures(Flattening, Measures)),
-    score(Objective, Measures, Score).
+    score(Objective, Measures, Score),
+    (   Exchanged = exchanged(_),
+        arg(1, Measures, Seam),
+        seam_length(Flattening, Hoped),
+        Seam > Hoped*(1+1.0e-9)
+    ->  How = deceived
+    ;   How = true
+    ).
 
-%   laid(S, Options, Root, Flattening, How, Order, Exchanged): Exchanged is
-%   Order, or exchanged(Order) if folds were exchanged.
+%   laid(S, Options, Root, Flattening, Plan, Exchanged): Exchanged is the order
+%   of the Plan, or exchanged(Order) if folds were exchanged.
 
-laid(S, Options, Root, Flattening, How, Order, Exchanged) :-
+laid(S, Options, Root, Flattening, plan(Order, Objective, Effort), Exchanged) :-
     flattening_restart(Flattening),
     wishes_joined(S, Flattening, Options),
     kept_folds(Options, Flattening, Kept),
     stage(rules, all_joined(S, Flattening, Order)),
-    How = how(Objective, Effort),
     (   decision_is_default(join_order/3)
     ->  exchanged(Flattening, Order, Kept, Objective, Effort, Exchanges)
     ;   Exchanges = 0
@@ -244,16 +260,25 @@ kept_folds(Options, Flattening, Kept) :-
     ;   Kept = []
     ).
 
-orders_to_try(Options, Orders, Objective) :-
+%   plans(Flattening, Options, Objective, Plans): Plans are plan(Order, For,
+%   Effort): joined in this order, then folds exchanged For an objective. What is
+%   done without an objective is always among them, so no objective makes it
+%   worse.
+
+plans(Flattening, Options, Objective, Plans) :-
+    usual_effort(Flattening, Options, Usual),
     (   option(minimize(Objective0), Options),
         decision_is_default(join_order/3)
     ->  Objective = Objective0,
         option(tries(Count), Options, 8),
         must_be(positive_integer, Count),
+        objective_effort(Options, Count, Effort),
         Last is Count-1,
-        numlist(0, Last, Orders)
+        findall(plan(Order, Objective, Effort), between(0, Last, Order),
+                Plans1),
+        Plans = [plan(0, seam, Usual)|Plans1]
     ;   Objective = seam,
-        Orders = [0]
+        Plans = [plan(0, seam, Usual)]
     ).
 
 all_joined(S, Flattening, Order) :-

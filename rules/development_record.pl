@@ -99,12 +99,12 @@ record_divided(D, S) :-
 
 record_drawn(D, Seam, Longest, Area) :-
     (   origin(D, node(D), laid(Options, Order, Stamp, Laid-Least))
-    ->  Laid = measures(_, Pieces, _, _, Boxes, Tests, Refused),
+    ->  Laid = measures(_, Pieces, _, _, Sheet, Tests, Refused),
         Least = bound(_, _, Tree),
         retractall_facts(origin(D, node(D), _)),
         assert_fact(origin(D, node(D),
                            laid(Options, Order, Stamp,
-                                measures(Seam, Pieces, Longest, Area, Boxes,
+                                measures(Seam, Pieces, Longest, Area, Sheet,
                                          Tests, Refused)
                                 - bound(null, null, Tree))))
     ;   true
@@ -131,7 +131,7 @@ divided_development(D, S, Options) :-
 %     - longest    the longest weld: seams end to end, as far as no others meet
 %                  them
 %     - area       of the pieces
-%     - boxes      of the boxes round the pieces
+%     - sheet      of the sheet that the pieces lie on, side by side
 %     - tree       the minimum spanning tree of the vertices over the edges
 %     - bound      what the seam cannot be less than (c_kernels/seam_bound.h)
 %     - bound_by   how that is proven: `tree`, `forest`, or `moats`
@@ -150,10 +150,10 @@ development_measures(D, Measures) :-
     ->  true
     ;   existence_error(development, D)
     ),
-    Laid = measures(Seam, Pieces, Longest, Area, Boxes, Tests, Refused),
+    Laid = measures(Seam, Pieces, Longest, Area, Sheet, Tests, Refused),
     Least = bound(Bound, By, Tree),
     Measures = _{seam:Seam, pieces:Pieces, longest:Longest, area:Area,
-                 boxes:Boxes, tree:Tree, bound:Bound, bound_by:By, tests:Tests,
+                 sheet:Sheet, tree:Tree, bound:Bound, bound_by:By, tests:Tests,
                  refused:Refused}.
 
 %!  score(+Objective, +Measures, -Score) is det.
@@ -165,13 +165,13 @@ development_measures(D, Measures) :-
 %   @error domain_error(objective, Objective)
 
 score(Objective, Measures, Main/Rest) :-
-    Measures = measures(Seam0, Pieces, Longest0, Area, Boxes0, _, _),
-    Size is max(max(Area, 1.0e-300), 1.0e-30*max(Boxes0, Seam0*Seam0)),
+    Measures = measures(Seam0, Pieces, Longest0, Area, Sheet0, _, _),
+    Size is max(max(Area, 1.0e-300), 1.0e-30*max(Sheet0, Seam0*Seam0)),
     Seam is round(Seam0/sqrt(Size)*1.0e9),
     Longest is round(Longest0/sqrt(Size)*1.0e9),
-    Boxes is round(Boxes0/Size*1.0e9),
-    Rest = [Seam,Pieces,Longest,Boxes],
-    (   nth_objective(Objective, Seam, Pieces, Longest, Boxes, Main0)
+    Sheet is round(Sheet0/Size*1.0e9),
+    Rest = [Seam,Pieces,Longest,Sheet],
+    (   nth_objective(Objective, Seam, Pieces, Longest, Sheet, Main0)
     ->  Main = Main0
     ;   throw(error(domain_error(objective, Objective), _))
     ).
@@ -179,7 +179,7 @@ score(Objective, Measures, Main/Rest) :-
 nth_objective(seam, Seam, _, _, _, Seam).
 nth_objective(pieces, _, Pieces, _, _, Pieces).
 nth_objective(longest, _, _, Longest, _, Longest).
-nth_objective(area, _, _, _, Boxes, Boxes).
+nth_objective(area, _, _, _, Sheet, Sheet).
 
 %!  cannot_develop(+S, +What)
 %

@@ -1,5 +1,6 @@
 :- module(sg_development_search,
-          [ search_effort/4,        % +Flattening, +Options, +Orders, -Effort
+          [ usual_effort/3,         % +Flattening, +Options, -Effort
+            objective_effort/3,     % +Options, +Orders, -Effort
             exchanged/6,            % +Flattening, +Order, +Kept, +Objective,
                                     % +Effort, -Exchanges
             exchanged_by_rule/5,    % +Flattening, +Order, +Kept, +Objective,
@@ -15,7 +16,7 @@
 :- use_module(library(apply), [exclude/3, foldl/4]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists), [last/2, member/2, nth1/3]).
-:- use_module(library(option), [option/2]).
+:- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs), [pairs_values/2]).
 /** <module> A shorter seam: folds of a development taken back for better ones.
 
@@ -31,24 +32,31 @@ exchanged/6 is the fused kernel, exchanged_by_rule/5 says the same turn by turn.
 @see c_kernels/seam_exchange.h
 */
 
-%!  search_effort(+Flattening, +Options:list, +Orders, -Effort) is det.
+%!  usual_effort(+Flattening, +Options:list, -Effort) is det.
 %
-%   Effort is how many faces may be laid or moved to find a shorter seam, for
-%   each of so many Orders of joints. As the option effort(Millions) says;
-%   otherwise 3 million for models of up to 10,000 faces, and 0 for others; 16
-%   times as many, and of any model, with minimize(_).
+%   Effort is how many faces may be laid or moved to find a shorter seam where
+%   no objective is given: as the option effort(Millions) says; otherwise 3
+%   million for models of up to 10,000 faces, and 0 for others.
 
-search_effort(Flattening, Options, Orders, Effort) :-
+usual_effort(Flattening, Options, Effort) :-
     (   option(effort(Millions), Options)
     ->  must_be(nonneg, Millions),
-        Effort is Millions*1_000_000//Orders
-    ;   option(minimize(_), Options)
-    ->  Effort is 48_000_000//Orders
+        Effort is Millions*1_000_000
     ;   flattening_counts(Flattening, Faces, _, _),
         Faces =< 10_000
     ->  Effort = 3_000_000
     ;   Effort = 0
     ).
+
+%!  objective_effort(+Options:list, +Orders, -Effort) is det.
+%
+%   Likewise for each of so many Orders of joints that are tried for an
+%   objective: a part of effort(Millions); 48, of any model.
+
+objective_effort(Options, Orders, Effort) :-
+    option(effort(Millions), Options, 48),
+    must_be(nonneg, Millions),
+    Effort is Millions*1_000_000//Orders.
 
 %!  exchanged(+Flattening, +Order, +Kept:list, +Objective, +Effort,
 %!            -Exchanges) is det.

@@ -76,7 +76,7 @@ Foreign predicates; see kernel.pl.
 
 %!  flattening_measures(+Flattening, -Measures) is det.
 %
-%   Measures is measures(Seam, Pieces, Longest, Area, Boxes, Tests, Refused),
+%   Measures is measures(Seam, Pieces, Longest, Area, Sheet, Tests, Refused),
 %   see measure.h: after flattening_lay/2. Tests is how many
 %   triangles were tested against each other, Refused how many joints would
 %   have made an overlap.

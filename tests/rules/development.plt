@@ -349,7 +349,7 @@ test(minimize, forall(member(Objective, [seam,pieces,longest,area]))) :-
 measure_of(seam, M, M.seam).
 measure_of(pieces, M, M.pieces).
 measure_of(longest, M, M.longest).
-measure_of(area, M, M.boxes).
+measure_of(area, M, M.sheet).
 
 test(reasons, forall(solid(Term))) :-
     in_model([Term],

@@ -110,6 +110,57 @@ test(never_longer, [forall(searched(_, Term))]) :-
     assertion(M1.bound > 0),
     assertion(M2.seam =< M1.seam*(1+1.0e-9)).
 
+%   Corners of four bytes, as in STL: sides that nearly lie on each other are
+%   seams in the end, so they are none while folds are exchanged.
+
+test(never_longer_where_sides_nearly_close) :-
+    rounded(torus(radius(1), tube(0.4), facets(24), sides(24)), Term),
+    in_model([Term],
+             ( measures(1, [effort(0)], M0),
+               measures(1, [], M1) )),
+    assertion(M1.seam =< M0.seam*(1+1.0e-9)).
+
+%   rounded(Term, Rounded): Rounded has the triangles of Term, with corners of
+%   24 binary digits.
+
+rounded(Term, polyhedron(points(Points), faces(Faces))) :-
+    in_model([Term],
+             ( findall([X,Y,Z],
+                       ( between(1, 576, V), v(1, V, X0, Y0, Z0),
+                         maplist(in_four_bytes, [X0,Y0,Z0], [X,Y,Z]) ),
+                       Points),
+               findall([A,B,C], t(1, _, _, A, B, C), Faces) )).
+
+in_four_bytes(X0, X) :-
+    (   X0 =:= 0
+    ->  X = 0
+    ;   Step is 2.0**(floor(log(abs(X0))/log(2))-23),
+        X is round(X0/Step)*Step
+    ).
+
+%   No objective makes it worse than it is without one.
+
+test(objective_never_worse,
+     [forall(( member(Objective, [seam,pieces,longest,sheet]),
+               searched(_, Term) ))]) :-
+    (   Objective == sheet
+    ->  Wish = area
+    ;   Wish = Objective
+    ),
+    in_model([Term],
+             ( measures(1, [], M0),
+               measures(1, [minimize(Wish)], M1) )),
+    assertion(M1.Objective =< M0.Objective*(1+1.0e-9)).
+
+test(sheet_is_that_of_all_pieces) :-
+    in_model([hollow_cylinder(radius(1), inner(0.6), height(1.6), facets(12))],
+             ( develop(1, D),
+               development_measures(D, M),
+               aggregate_all(max(X)-min(X), v(D, _, X, _, _), X2-X1),
+               aggregate_all(max(Y)-min(Y), v(D, _, _, Y, _), Y2-Y1) )),
+    assertion(M.pieces > 1),
+    assertion(abs(M.sheet - (X2-X1)*(Y2-Y1)) < 1.0e-9).
+
 test(torus_of_peers) :-
     in_model([torus(radius(1), tube(0.4), facets(24), sides(24))],
              measures(1, [], M)),
