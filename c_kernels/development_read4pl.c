@@ -73,6 +73,37 @@ flattening_invalid(term_t handle, term_t list)
   return PL_unify_nil(tail);
 }
 
+/* Side k, of a real edge, is joined to no other. */
+static bool
+is_border(const sg_development *d, uint32_t k)
+{
+  uint32_t e = d->faces.side[k].edge;
+
+  return e < d->dense.edges && d->dense.real[e] &&
+         d->joints.of_side[k] == SG_NO_JOINT;
+}
+
+/* flattening_borders(+Flattening, -Edges) is det. */
+static foreign_t
+flattening_borders(term_t handle, term_t list)
+{
+  sg_development *d;
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+
+  if (!sg_get_development_ex(handle, &d)) {
+    return FALSE;
+  }
+  for (uint32_t k = 0; k < d->faces.sides; k++) {
+    if (sg_poll_every(&sg_prolog_poll, k) ||
+        (is_border(d, k) &&
+         (!PL_unify_list(tail, head, tail) ||
+          !PL_unify_integer(head, sg_development_edge(d, k))))) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(tail);
+}
+
 /* ---- a joint ------------------------------------------------------------- */
 
 /* flattening_joint(+Flattening, +J, -Joint) is det. */
@@ -154,6 +185,7 @@ sg_install_development_read(void)
       {"flattening_counts", 4, (pl_function_t)flattening_counts, 0},
       {"flattening_bent", 2, (pl_function_t)flattening_bent, 0},
       {"flattening_invalid", 2, (pl_function_t)flattening_invalid, 0},
+      {"flattening_borders", 2, (pl_function_t)flattening_borders, 0},
       {"flattening_joint", 3, (pl_function_t)flattening_joint, 0},
       {"edge_joint", 3, (pl_function_t)edge_joint, 0},
       {NULL, 0, NULL, 0}};

@@ -9,6 +9,7 @@
           ]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(decision, [decision/2, decision_is_default/1]).
+:- use_module(development_border, [borders_told/2]).
 :- use_module(development_record,
               [ record_development/5, recorded_development/4, score/3,
                 cannot_develop/2
@@ -25,6 +26,7 @@
                 join_before/3, join_folds/2, joint_order/3, joint_path/3,
                 seam_length/2, segments_tolerance/3
               ]).
+:- use_module(polygon_name, [polygon_name/3]).
 :- use_module(stage, [stage/2]).
 :- use_module(store,
               [ p/3, joint/6, segment/3, assert_fact/1, facts_transaction/1,
@@ -91,8 +93,9 @@ they have in S; only vertices are new.
 %
 %   @error existence_error(segment, S)
 %   @error geometry_error(development(S, What)): What is empty, kind(Kind),
-%          not_flat(Ps), not_simple(Ps), no_polygon(P), overlap(E, P1, P2)
-%          (of an edge that is to be kept), no_joint(E), edge_length(E)
+%          not_flat(Ps), not_simple(Ps), no_polygon(P), no_joint(E),
+%          edge_length(E), overlap(edge(E, Face3, Face4), Face1, Face2) of an
+%          edge that is to be kept; a Face is face(P, Name), see polygon_name/3
 
 develop(S, D) :-
     develop(S, [], D).
@@ -123,6 +126,7 @@ developed(S, Options, D) :-
 written(S, Options, D, Flattening) :-
     all_valid(S, Flattening),
     flat_or_warned(S, Options, Flattening),
+    borders_told(S, Flattening),
     option(root(Root), Options, 0),
     best_laid(S, Options, Root, Flattening, Order, Measures),
     stage(join, flattening_bound(Flattening, Bound)),
@@ -392,11 +396,16 @@ edge_kept(S, Flattening, E) :-
     joint_at(S, Flattening, E, J),
     join_faces(Flattening, J, Result),
     (   Result = overlap(P1, P2)
-    ->  cannot_develop(S, overlap(E, P1, P2))
+    ->  flattening_joint(Flattening, J, joint(_,_,P3,P4,_,_,_,_,_)),
+        maplist(named_face(S), [P1,P2,P3,P4], [F1,F2,F3,F4]),
+        cannot_develop(S, overlap(edge(E, F3, F4), F1, F2))
     ;   Result == short
     ->  cannot_develop(S, edge_length(E))
     ;   true
     ).
+
+named_face(S, P, face(P, Name)) :-
+    polygon_name(S, P, Name).
 
 joint_at(S, Flattening, E, J) :-
     (   edge_joint(Flattening, E, J)

@@ -2,7 +2,8 @@
           [ development_en//2,          % +S, +What
             development_notice_en//2    % +S, +What
           ]).
-:- use_module(explain_words, [segment_word/2]).
+:- use_module(explain_words, [segment_word/2, face_word/2]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3]).
 /** <module> What is wrong with a development, in English.
 
@@ -36,9 +37,10 @@ what_en(not_flat(Ps)) -->
     [ 'these polygons are not flat: ' ],
     some_en(Ps),
     [ nl, '  Without strict(true) their triangles are used.' ].
-what_en(overlap(E, P1, P2)) -->
-    [ 'joined at edge ~d, which is to be kept, polygon ~d would lie on \c
-       polygon ~d'-[E, P2, P1], nl,
+what_en(overlap(edge(E, Face3, Face4), Face1, Face2)) -->
+    { maplist(face_word, [Face1,Face2,Face3,Face4], [W1,W2,W3,W4]) },
+    [ 'joined at edge ~d between polygon ~w and polygon ~w, which is to be \c
+       kept, polygon ~w would lie on polygon ~w'-[E, W3, W4, W2, W1], nl,
       '  Keep other edges, or let this one be a seam.' ].
 what_en(no_joint(E)) -->
     [ 'no two faces meet at edge ~d'-[E], nl,
@@ -71,8 +73,50 @@ some_en(Ids) -->
 %
 %   The message for the warning sanggwan(development(S, What)).
 
+development_notice_en(S, border(Kind, Sides)) -->
+    { segment_word(S, Name) },
+    [ 'segment ~d~w: '-[S, Name] ],
+    border_en(Kind, Sides).
 development_notice_en(S, in_triangles(Ps)) -->
     { segment_word(S, Name) },
     [ 'segment ~d~w: these polygons are not flat and are laid out as their \c
        triangles: '-[S, Name] ],
     some_en(Ps).
+
+border_en(open, Sides) -->
+    [ 'a solid, but these edges have no partner: ' ],
+    sides_en(Sides),
+    [ nl, '  They are borders of its pattern; is a face missing there?' ].
+border_en(turned, Sides) -->
+    [ 'polygons run along these edges in the same direction: ' ],
+    sides_en(Sides),
+    [ nl, '  They are not joined there: one of them is turned over.' ].
+border_en(crowded, Sides) -->
+    [ 'these edges have more than two polygons, and no partner is left for \c
+       them: ' ],
+    sides_en(Sides),
+    [ nl, '  Two that run in opposite directions are joined; others come apart \c
+           there.' ].
+
+%   sides_en(Sides): the first ones.
+
+sides_en(Sides) -->
+    { length(Sides, Count) },
+    sides_en(Sides, 6),
+    (   { Count =< 6 }
+    ->  []
+    ;   [ ', ... (~D in all)'-[Count] ]
+    ).
+
+sides_en([side(E, P, Name)|Sides], Most) -->
+    [ '~d of polygon ~d'-[E, P] ],
+    (   { Name == P }
+    ->  []
+    ;   [ ' (~p)'-[Name] ]
+    ),
+    (   { Sides = [_|_], Most > 1 }
+    ->  { Most1 is Most-1 },
+        [ ', ' ],
+        sides_en(Sides, Most1)
+    ;   []
+    ).

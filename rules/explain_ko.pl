@@ -381,6 +381,9 @@ statement_ko(cut_instead(E, Difference)) -->
 statement_ko(kept_instead(Difference, Pieces, Before)) -->
     { by_how_much_ko(Difference, Text), pieces_ko(Pieces, Before, PiecesText) },
     [ '여기를 가장 먼저 이으면 전개도 전체의 솔기는 ~w~w'-[Text, PiecesText] ].
+statement_ko(held_by_kept) -->
+    [ '이 모서리까지 유지할 수는 없습니다: 유지할 모서리들이 이미 그 다각형들을 \c
+       이어 줍니다' ].
 statement_ko(cut_here(Difference, Pieces, Before)) -->
     { by_how_much_ko(Difference, Text), pieces_ko(Pieces, Before, PiecesText) },
     [ '여기를 자르면 전개도 전체의 솔기는 ~w~w'-[Text, PiecesText] ].

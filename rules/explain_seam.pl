@@ -324,13 +324,25 @@ kept_because(D, E, [because(Statement, [])]) :-
     with_edge(keep, E, Options0, Options),
     development_measures(D, Before),
     catch(facts_snapshot(( develop(S, Options, D2),
-                           development_measures(D2, After) )),
-          error(geometry_error(development(_, overlap(_, P1, P2))), _),
-          After = none),
-    (   After == none
+                           kept_measures(D2, E, After) )),
+          error(geometry_error(development(_, overlap(_, face(P1, _),
+                                               face(P2, _)))), _),
+          After = overlap(P1, P2)),
+    (   After = overlap(P1, P2)
     ->  Statement = cannot_be_kept(S, P1, P2)
+    ;   After == seam
+    ->  Statement = held_by_kept
     ;   Difference is After.seam-Before.seam,
         Statement = kept_instead(Difference, After.pieces, Before.pieces)
+    ).
+
+%   kept_measures(D, E, Measures): `seam` if edge E is one in pattern D all the
+%   same, since other edges that are kept hold its polygons together.
+
+kept_measures(D, E, Measures) :-
+    (   ( joint(D, _, E, _, seam, _) ; joint(D, _, _, E, seam, _) )
+    ->  Measures = seam
+    ;   development_measures(D, Measures)
     ).
 
 %   cut_because(D, E, Because): the pattern with edge E cut.

@@ -2,6 +2,7 @@
           [ statement_keys/2,           % ?Name, ?Keys
             segment_word/2,             % +S, -Word
             polygon_word/3,             % +S, +P, -Word
+            face_word/2,                % +Face, -Word
             in_order/4,                 % +Seat1, +Seat2, -Small, -Large
             exact_text/3,               % +X, -Length, -Text
             point_text/2                % +Point, -Text
@@ -109,6 +110,7 @@ statement_keys(fold_on_the_way, [edge, polygon1, polygon2, length]).
 statement_keys(joined_in_order, [rules]).
 statement_keys(folds_exchanged, []).
 statement_keys(cut_instead, [edge, difference]).
+statement_keys(held_by_kept, []).
 statement_keys(kept_instead, [difference, pieces, pieces_before]).
 statement_keys(cut_here, [difference, pieces, pieces_before]).
 statement_keys(cannot_be_kept, [segment, polygon1, polygon2]).
@@ -161,7 +163,14 @@ plain_name(Name0, Name) :-
 %   of the primitive that S was made from, if it is one.
 
 polygon_word(S, P, Word) :-
-    polygon_name(S, P, Name0),
+    polygon_name(S, P, Name),
+    face_word(face(P, Name), Word).
+
+%!  face_word(+Face, -Word) is det.
+%
+%   Likewise of face(P, Name), Name as of polygon_name/3.
+
+face_word(face(P, Name0), Word) :-
     (   Name0 == P
     ->  Word = P
     ;   plain_numbers(Name0, Name),

@@ -3,13 +3,17 @@
             wanted_in/4,                % +T, +S, +Wanted, -Options
             wish_form/2                 % ?Name, -Form
           ]).
+:- use_module(development, [develop/3]).
 :- use_module(part_edges, [edge_length/3]).
 :- use_module(polygon_name,
               [ polygons_named/3, edges_named/3, joined_by/4, known_polygons/3,
                 neighbours/3, polygon_name/3
               ]).
-:- use_module(store, [e/5, p/3, from_p/5, origin/3, edge_polygon/3]).
-:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(store,
+              [ e/5, p/3, from_p/5, origin/3, joint/6, edge_polygon/3,
+                facts_snapshot/1
+              ]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
 :- use_module(library(lists), [append/3, last/2, member/2, nth1/3]).
 :- use_module(library(ordsets), [ord_subtract/3]).
@@ -73,12 +77,21 @@ wanted(S, Wishes, wanted(Root, Cut, Keep, Removed)) :-
     maplist(known_wish(S), Wishes),
     removed_polygons(S, Wishes, Removed),
     root_polygon(S, Wishes, Removed, Root0),
-    wished_edges(S, Wishes, cut, Cut),
+    wished_edges(S, Wishes, cut, Cut0),
+    exclude(edge_removed(Removed), Cut0, Cut),
     wished_edges(S, Wishes, keep, Keep0),
     kept_not_cut(S, Wishes, Cut, Removed),
     kept_sets(S, Wishes, Sets0),
     orders(S, Wishes, Cut, Removed, Root0, Root, Sets0, Keep1),
     append(Keep0, Keep1, Keep).
+
+%   An edge of a polygon that is removed is a border: it is cut.
+
+edge_removed(Removed, edge(_, P, Q)) :-
+    (   memberchk(P, Removed)
+    ->  true
+    ;   memberchk(Q, Removed)
+    ).
 
 wish_fault(From, S, Wish, What0) :-
     called(S, What0, What),
@@ -325,7 +338,7 @@ last_of_two(_, _, _, From, Keep, Keep, From).
                 *******************************/
 
 %   kept_sets(S, Wishes, Sets): Sets say which polygons hang together by edges
-%   that are kept. They cannot go round.
+%   that are kept. They cannot go round, unless that lies flat.
 
 kept_sets(S, Wishes, Sets) :-
     empty_assoc(None),
@@ -339,11 +352,21 @@ kept_joined([], _, _, Sets, Sets).
 kept_joined([kept(edge(E, P, Q), Wish, From)|Kept], S, Seen, Sets0, Sets) :-
     (   memberchk(E, Seen)
     ->  Sets1 = Sets0
-    ;   together(P, Q, Sets0)
-    ->  wish_fault(From, S, Wish, ring(E, P, Q))
-    ;   joined(P, Q, Sets0, Sets1)
+    ;   \+ together(P, Q, Sets0)
+    ->  joined(P, Q, Sets0, Sets1)
+    ;   lies_closed(S, E, Seen)
+    ->  Sets1 = Sets0
+    ;   wish_fault(From, S, Wish, ring(E, P, Q))
     ),
     kept_joined(Kept, S, [E|Seen], Sets1, Sets).
+
+%   lies_closed(S, E, Kept): with the edges Kept joined the sides of E lie on
+%   each other, as all round a flat vertex. So a ring may be kept.
+
+lies_closed(S, E, Kept) :-
+    facts_snapshot(( develop(S, [keep(Kept),effort(0)], D),
+                     once(( joint(D, _, E, _, fold, _)
+                          ; joint(D, _, _, E, fold, _) )) )).
 
 together(P, Q, Sets) :-
     first_of(P, Sets, First),

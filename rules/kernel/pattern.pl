@@ -15,6 +15,7 @@
             flattening_counts/4,      % +Flattening, -Faces, -Joints, -Step
             flattening_bent/2,        % +Flattening, -Polygons
             flattening_invalid/2,     % +Flattening, -Polygons
+            flattening_borders/2,     % +Flattening, -Edges
             flattening_joint/3,       % +Flattening, +J, -Joint
             edge_joint/3,             % +Flattening, +E, -J
             % development_write4pl.c
@@ -128,6 +129,10 @@ Foreign predicates; see kernel.pl.
 %!  flattening_invalid(+Flattening, -Polygons:list) is det.
 %
 %   Polygons, ascending, have an area and no triangles: they cross themselves.
+
+%!  flattening_borders(+Flattening, -Edges:list) is det.
+%
+%   Edges are real and have no partner.
 
 %!  flattening_joint(+Flattening, +J, -Joint) is det.
 %

@@ -414,7 +414,9 @@ test(kept_overlap, error(geometry_error(development(1, overlap(_,_,_))))) :-
 
 test(messages, forall(( member(What, [ kind(curve), kind(pattern), kind(cells),
                                        empty, not_simple([1]), not_flat([1,2]),
-                                       overlap(1,2,3), no_joint(1),
+                                       overlap(edge(1,face(1,base),face(3,3)),
+                                               face(2,top), face(4,4)),
+                                       no_joint(1),
                                        edge_length(1), no_polygon(1),
                                        no_numbers ]) ))) :-
     in_model([box(size(1,1,1))],
