@@ -5,7 +5,8 @@
             seam_reason/3,              % +D, ?J, -Reason
             join_order/3,               % +S, +E, -Key
             may_join/2,                 % +S, +E
-            joined_by_rule/2            % +S, +Flattening
+            joined_by_rule/2,           % +S, +Flattening
+            with_flattening/3           % +S, +Options, :Goal
           ]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(decision, [decision/2, decision_is_default/1]).

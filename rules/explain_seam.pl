@@ -5,6 +5,7 @@
 :- use_module(development,
               [ develop/3, development/2, join_order/3, may_join/2,
                 seam_reason/3 ]).
+:- use_module(development_instead, [seam_instead/4]).
 :- use_module(development_record,
               [recorded_development/4, development_measures/2]).
 :- use_module(explain_pair, [decided_by/2]).
@@ -212,7 +213,7 @@ edge_because(D, E, Kind, Because) :-
 joint_because(seam, D, J, E, E2, _,
               [because(seam_edge(S, E, E2, P1, P2, Length), Why)]) :-
     joint_facts(D, E, E2, S, P1, P2, Length),
-    seam_because(D, S, J, E, Length, Why).
+    seam_because(D, S, J, E, Why).
 joint_because(fold, D, _, E, E2, Angle,
               [because(fold_edge(S, E, E2, P1, P2, Length, Angle), Why)]) :-
     joint_facts(D, E, E2, S, P1, P2, Length),
@@ -233,43 +234,38 @@ of_segment(D, S) :-
 
 /* - - - a seam - - - */
 
-seam_because(D, S, J, E, Length, Because) :-
+seam_because(D, S, J, E, Because) :-
     (   is_true(D, Part)
     ->  Because = [because(cut_open(Part), [])]
     ;   is_fresh(D)
     ->  once(seam_reason(D, J, Reason)),
-        reason_because(Reason, D, S, E, Length, Because)
+        reason_because(Reason, D, S, J, E, Because)
     ;   Because = [because(changed_since, [])]
     ).
 
-reason_because(cycle(Js), D, _, E, Length, [Joined|Because]) :-
-    folds_on_way(Js, D, Count, Shortest, Least, Shown),
-    Joined = because(joined_already(Count, Shortest, Least), Shown),
+reason_because(cycle(Js), D, S, J, E, [Joined|Because]) :-
+    joined_on_way(Js, D, Joined, Shortest),
     order_because(D, Order),
-    Difference is Least-Length,
+    instead_because(D, S, J, Shortest, Instead),
     kept_because(D, E, Kept),
-    append(Order, [because(cut_instead(Shortest, Difference), [])|Kept],
-           Because).
-reason_because(exchange(Js, J2, P1, P2), D, S, E, _,
-               [ because(joined_already(Count, Shortest, Least), Shown),
+    append([Order,Instead,Kept], Because).
+reason_because(exchange(Js, J2, P1, P2), D, S, _, E,
+               [ Joined,
                  because(would_overlap_instead(S, E2, P1, P2), [])
                | Kept ]) :-
-    folds_on_way(Js, D, Count, Shortest, Least, Shown),
-    on_the_way(D, J2, _-fold(E2, _, _)),
+    joined_on_way(Js, D, Joined, _),
+    on_the_way(D, J2, _-fold(E2, _, _, _)),
     kept_because(D, E, Kept).
-reason_because(chosen(Js), D, _, E, Length,
-               [ because(joined_already(Count, Shortest, Least), Shown),
-                 because(cut_instead(Shortest, Difference), []),
-                 because(could_be_joined, [])
-               | Kept ]) :-
-    folds_on_way(Js, D, Count, Shortest, Least, Shown),
-    Difference is Least-Length,
-    kept_because(D, E, Kept).
-reason_because(overlap(P1, P2), D, S, E, _,
+reason_because(chosen(Js), D, S, J, E, [Joined|Because]) :-
+    joined_on_way(Js, D, Joined, Shortest),
+    instead_because(D, S, J, Shortest, Instead),
+    kept_because(D, E, Kept),
+    append([Instead,[because(could_be_joined, [])],Kept], Because).
+reason_because(overlap(P1, P2), D, S, _, E,
                [because(would_overlap(S, P1, P2), [])|Kept]) :-
     kept_because(D, E, Kept).
 reason_because(cut_by_wish, _, _, _, _, [because(cut_by_wish, [])]).
-reason_because(forbidden, _, S, E, _, [because(may_not_join(S, E, By), [])]) :-
+reason_because(forbidden, _, S, _, E, [because(may_not_join(S, E, By), [])]) :-
     decided_by(may_join/2, By).
 reason_because(short, _, _, _, _, [because(too_short, [])]).
 reason_because(free, _, _, _, _, [because(could_be_joined, [])]).
@@ -282,23 +278,33 @@ order_because(D, [because(joined_in_order(By), [])|Exchanged]) :-
     ;   Exchanged = []
     ).
 
-%   folds_on_way(Js, D, Count, Shortest, Least, Shown): how many joints Js of D
-%   are, the edge of the shortest and its length, and those that are said.
+%   joined_on_way(Js, D, Joined, Shortest): Joined says that joints Js of D hold
+%   polygons together; Shortest is the shortest of them, J-E of its edge E.
 
-folds_on_way(Js, D, Count, Shortest, Least, Shown) :-
+joined_on_way(Js, D, because(joined_already(Count, E, Least), Shown), J-E) :-
     maplist(on_the_way(D), Js, Folds),
-    least_fold(Folds, Least, Shortest),
+    keysort(Folds, [Least-fold(E, _, _, J)|_]),
     length(Folds, Count),
     shown_folds(Folds, Shown).
 
-%   on_the_way(D, J, Fold): Fold is Length-fold(E, P1, P2).
+%   on_the_way(D, J, Fold): Fold is Length-fold(E, P1, P2, J).
 
-on_the_way(D, J, Length-fold(E, P1, P2)) :-
+on_the_way(D, J, Length-fold(E, P1, P2, J)) :-
     once(joint(D, J, E, E2, _, _)),
     joint_facts(D, E, E2, _, P1, P2, Length).
 
-least_fold(Folds, Length, E) :-
-    keysort(Folds, [Length-fold(E, _, _)|_]).
+%   instead_because(D, S, J, Fold, Because): seam J joined, and the Fold cut.
+
+instead_because(D, S, J, Fold-E, Because) :-
+    seam_instead(D, J, Fold, Result),
+    (   Result = seam(Seam)
+    ->  development_measures(D, Before),
+        Difference is Seam-Before.seam,
+        Because = [because(cut_instead(E, Difference), [])]
+    ;   Result = overlap(P1, P2)
+    ->  Because = [because(would_overlap_instead(S, E, P1, P2), [])]
+    ;   Because = []
+    ).
 
 %   shown_folds(Folds, Shown): all, in order, or the shortest if they are many.
 
@@ -311,7 +317,7 @@ shown_folds(Folds0, Shown) :-
         append(Folds, _, Sorted)
     ),
     findall(because(fold_on_the_way(E, P1, P2, Length), []),
-            member(Length-fold(E, P1, P2), Folds),
+            member(Length-fold(E, P1, P2, _), Folds),
             Shown).
 
 /* - - - what it would cost - - - */

@@ -18,6 +18,7 @@
 :- use_module(rules(view), [set_view/3]).
 :- use_module(tests('rules/random_solid')).
 :- use_module(rules(kernel)).
+:- use_module(rules(polygon_name)).
 :- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
@@ -26,6 +27,14 @@
 
 user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
 user:message_hook(sanggwan(development(_, in_triangles(_))), warning, _).
+
+%   What was told of borders.
+
+:- dynamic told/2.
+
+user:message_hook(sanggwan(development(_, border(Kind, Sides))), warning, _) :-
+    findall(P, member(side(_, P, _), Sides), Ps),
+    assertz(test_development:told(Kind, Ps)).
 
 %   in_model(+Terms, :Goal): in a world of its own, of these primitives.
 
@@ -411,6 +420,74 @@ test(kept_overlap, error(geometry_error(development(1, overlap(_,_,_))))) :-
     in_model([torus(radius(2), tube(0.7), facets(12))],
              ( findall(E, ( e(1, E, A, B, _), A < B ), Es),
                develop(1, [keep(Es)], _) )).
+
+test(kept_overlap_named, true(Names == [P1,P2,P3,P4])) :-
+    catch(in_model([torus(radius(2), tube(0.7), facets(12))],
+                   ( findall(E, ( e(1, E, A, B, _), A < B ), Es),
+                     develop(1, [keep(Es)], _) )),
+          error(geometry_error(development(1, What)), _),
+          true),
+    What = overlap(edge(_, face(P1, _), face(P2, _)), face(P3, _),
+                   face(P4, _)),
+    What = overlap(edge(_, face(_, N1), face(_, N2)), face(_, N3),
+                   face(_, N4)),
+    in_model([torus(radius(2), tube(0.7), facets(12))],
+             maplist(numbered(1), [N1,N2,N3,N4], Names)).
+
+%   numbered(S, Name, P)
+
+numbered(S, Name, P) :-
+    polygons_named(S, Name, [P]).
+
+%   Edges that have no partner, though one would think so, are told.
+
+test(borders_told, [forall(bad_crate(Lists, Told0)), true(Told == Told0)]) :-
+    borders_told_of(Lists, Told).
+
+%   bad_crate(Faces, Told): a crate, open or with a face too many or turned over.
+
+bad_crate([[1,4,3,2],[1,2,6,5],[2,3,7,6],[3,4,8,7],[4,1,5,8],[5,6,7,8]], []).
+bad_crate([[1,4,3,2],[1,2,6,5],[2,3,7,6],[3,4,8,7],[4,1,5,8]],
+          [open-[2,3,4,5]]).
+bad_crate([[1,4,3,2],[1,2,6,5],[2,3,7,6],[3,4,8,7],[4,1,5,8],[8,7,6,5]],
+          [turned-[2,3,4,5,6,6,6,6]]).
+bad_crate([[1,4,3,2],[1,2,6,5],[2,3,7,6],[3,4,8,7],[4,1,5,8],[5,6,7,8],
+           [5,8,3]],
+          [open-[7,7],crowded-[5]]).
+
+borders_told_of(Lists, Told) :-
+    retractall(test_development:told(_, _)),
+    in_model([],
+             ( assert_fact(segment(1, solid, crate)),
+               forall(nth1(V, [ 0-0-0,2-0-0,2-2-0,0-2-0,
+                                0-0-1,2-0-1,2-2-1,0-2-1 ], X0-Y0-Z0),
+                      ( X is float(X0), Y is float(Y0), Z is float(Z0),
+                        assert_fact(v(1, V, X, Y, Z)) )),
+               findall(A-B-P,
+                       ( nth1(P, Lists, Vs), next_to(Vs, A, B) ),
+                       Sides),
+               forall(nth1(E, Sides, A-B-_), assert_fact(e(1, E, A, B, 1))),
+               forall(nth1(P, Lists, _),
+                      ( findall(E, nth1(E, Sides, _-_-P), Es),
+                        assert_fact(p(1, P, Es)) )),
+               complete_segments,
+               develop(1, _) )),
+    findall(Kind-Ps, test_development:told(Kind, Ps), Told).
+
+next_to(Vs, A, B) :-
+    append(_, [A,B|_], Vs).
+next_to([B|Vs], A, B) :-
+    last(Vs, A).
+
+test(border_messages,
+     forall(( member(Kind, [open,turned,crowded]),
+              member(Sides, [ [side(1,2,base)],
+                              [ side(1,1,1), side(2,2,2), side(3,3,3),
+                                side(4,4,4), side(5,5,5), side(6,6,6),
+                                side(7,7,7) ] ]) ))) :-
+    once(phrase(development_notice_en(1, border(Kind, Sides)), En)),
+    once(phrase(development_notice_ko(1, border(Kind, Sides)), Ko)),
+    assertion(En \== Ko).
 
 test(messages, forall(( member(What, [ kind(curve), kind(pattern), kind(cells),
                                        empty, not_simple([1]), not_flat([1,2]),

@@ -11,6 +11,7 @@
 :- use_module(rules(explain_en)).
 :- use_module(rules(explain_ko)).
 :- use_module(rules(model)).
+:- use_module(rules(penetration)).
 :- use_module(rules(primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(triangulation)).
@@ -331,6 +332,43 @@ test(unrolled_of_a_file, [true(Parts == [side])]) :-
     with_file(File,
               ( findall(Part, says(seam(1, _), cut_open(Part)), Parts0),
                 sort(Parts0, Parts) )).
+
+%   Parts of an edge that another segment divides are all joined or all cut.
+
+test(cut_instead_of_parts, true(Set == [0.0])) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(2, 2, 2)), _),
+               add_primitive(at([translate(1.1,0.7,0.6)], box(size(2, 2, 2))),
+                             _),
+               complete_segments,
+               penetrate,
+               unfold(2, D),
+               findall(Difference,
+                       ( seam_part(D, E),
+                         once(says(seam(2, E), cut_instead(_, Cost))),
+                         Difference is round(Cost*1.0e9)/1.0e9 ),
+                       Differences) )),
+    sort(Differences, Set).
+
+seam_part(D, E) :-
+    joint(D, _, E, _, seam, _),
+    edge_length(D, E, Length),
+    Length < 2-1.0e-9.
+
+%   What is kept is against joining one more.
+
+test(held_by_kept) :-
+    with_model(box(size(60, 40, 30)),
+               ( unfold(1, [keep(base-side(1)),keep(base-side(2))], D),
+                 edge_between(D, 3, 4, E),
+                 assertion(says(seam(1, E), held_by_kept)),
+                 assertion(\+ says(seam(1, E), kept_instead(_, _, _))) )).
+
+edge_between(D, P, Q, E) :-
+    joint(D, _, E, F, seam, _),
+    edge_polygon(D, E, P),
+    edge_polygon(D, F, Q).
 
 :- end_tests(explain_seam).
 

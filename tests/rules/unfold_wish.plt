@@ -26,6 +26,10 @@ wanted_of(Term, Wishes, Wanted) :-
 
 box(box(size(2, 3, 4))).
 
+% A square in quarters, its middle at height Z.
+quarters(Z, sheet(points([[0,0,0],[2,0,0],[2,2,0],[0,2,0],[1,1,Z]]),
+                  faces([[1,2,5],[2,3,5],[3,4,5],[4,1,5]]))).
+
 % The faults of a box: What is the term behind the wish.
 fault(Wishes, What) :-
     box(Box),
@@ -342,5 +346,26 @@ test(penetrated_edges, N == 6) :-       % four edges, two of them divided
                memberchk(cut(Es), Options),
                forall(member(E, Es), once(e(A, E, _, _, 1))),
                length(Es, N) )).
+
+%   A ring that lies flat may be kept, another one may not.
+
+test(flat_ring, Count == 4) :-
+    quarters(0, Term),
+    wanted_of(Term, [keep(1-2),keep(2-3),keep(3-4),keep(4-1)],
+              wanted(_, _, Keep, _)),
+    length(Keep, Count).
+test(bent_ring, true(What = ring(_, 1, 4))) :-
+    quarters(1, Term),
+    catch(wanted_of(Term, [keep(1-2),keep(2-3),keep(3-4),keep(4-1)], _),
+          error(model_error(unfold(1, keep(4-1), What0)), _),
+          true),
+    plain(What0, What).
+
+%   What is cut at a polygon that is removed, is.
+
+test(cut_at_removed, Cut == [10]) :-
+    box(Box),
+    wanted_of(Box, [removed(1),cut(1),cut(3-4)], wanted(_, Cut0, _, _)),
+    findall(E, member(edge(E, _, _), Cut0), Cut).
 
 :- end_tests(unfold_wish).
