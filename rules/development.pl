@@ -239,7 +239,8 @@ tried(S, Options, Root, Flattening, Objective, Plan,
 %   laid(S, Options, Root, Flattening, Plan, Exchanged): Exchanged is the order
 %   of the Plan, or exchanged(Order) if folds were exchanged.
 
-laid(S, Options, Root, Flattening, plan(Order, Objective, Effort), Exchanged) :-
+laid(S, Options, Root, Flattening, plan(Order, Objective, Effort),
+     Exchanged) :-
     flattening_restart(Flattening),
     wishes_joined(S, Flattening, Options),
     kept_folds(Options, Flattening, Kept),

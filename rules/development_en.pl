@@ -95,8 +95,8 @@ border_en(crowded, Sides) -->
     [ 'these edges have more than two polygons, and no partner is left for \c
        them: ' ],
     sides_en(Sides),
-    [ nl, '  Two that run in opposite directions are joined; others come apart \c
-           there.' ].
+    [ nl, '  Two that run in opposite directions are joined; others come \c
+           apart there.' ].
 
 %   sides_en(Sides): the first ones.
 
