@@ -267,8 +267,8 @@ kept_folds(Options, Flattening, Kept) :-
     ).
 
 %   plans(Flattening, Options, Objective, Plans): Plans are plan(Order, For,
-%   Effort): joined in this order, then folds exchanged For an objective. What is
-%   done without an objective is always among them, so no objective makes it
+%   Effort): joined in this order, then folds exchanged For an objective. What
+%   is done without an objective is always among them, so no objective makes it
 %   worse.
 
 plans(Flattening, Options, Objective, Plans) :-

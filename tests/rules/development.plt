@@ -444,7 +444,7 @@ numbered(S, Name, P) :-
 test(borders_told, [forall(bad_crate(Lists, Told0)), true(Told == Told0)]) :-
     borders_told_of(Lists, Told).
 
-%   bad_crate(Faces, Told): a crate, open or with a face too many or turned over.
+%   bad_crate(Faces, Told): a crate, open, or with a face too many, or turned.
 
 bad_crate([[1,4,3,2],[1,2,6,5],[2,3,7,6],[3,4,8,7],[4,1,5,8],[5,6,7,8]], []).
 bad_crate([[1,4,3,2],[1,2,6,5],[2,3,7,6],[3,4,8,7],[4,1,5,8]],
