@@ -35,6 +35,9 @@ mesh_en(bad_number(Text)) -->
 mesh_en(not_finite(Text)) -->
     [ 'a coordinate is ~w; it must be a finite number'-[Text], nl,
       '  Repair the model in the program that made it.' ].
+mesh_en(no_float32) -->
+    [ 'a coordinate is too large for STL, whose numbers go up to 3.4e38', nl,
+      '  Write .off, .obj or .ply, or choose other units.' ].
 mesh_en(too_far(Text)) -->
     [ 'the coordinate ~w is beyond 1.0e90'-[Text], nl,
       '  Choose other units: nothing can be computed at this size.' ].

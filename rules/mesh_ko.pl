@@ -36,6 +36,9 @@ mesh_ko(bad_number(Text)) -->
 mesh_ko(not_finite(Text)) -->
     [ '좌표가 ~w 입니다. 유한한 수여야 합니다'-[Text], nl,
       '  모델을 만든 프로그램에서 고치십시오.' ].
+mesh_ko(no_float32) -->
+    [ '좌표가 STL에 쓰기에는 너무 큽니다. STL의 수는 3.4e38 까지입니다', nl,
+      '  .off, .obj, .ply 로 쓰거나 다른 단위를 고르십시오.' ].
 mesh_ko(too_far(Text)) -->
     [ '좌표 ~w 이(가) 1.0e90 을 넘습니다'-[Text], nl,
       '  다른 단위를 쓰십시오. 이 크기로는 계산할 수 없습니다.' ].

@@ -60,6 +60,9 @@ english(error(domain_error(Domain, Value), _)) -->
 english(error(existence_error(directory, Folder), context(Writer, _))) -->
     { Writer == sg_output:writing/3 },
     command_en(no_folder(Folder)).
+english(error(representation_error(What), _)) -->
+    { What == float32 },
+    mesh_en(no_float32).
 english(error(cannot_write(File, Why), _)) -->
     command_en(cannot_write(File, Why)).
 english(sanggwan_interrupt(_)) -->

@@ -67,6 +67,9 @@ korean(error(domain_error(Domain, Value), _)) -->
 korean(error(existence_error(directory, Folder), context(Writer, _))) -->
     { Writer == sg_output:writing/3 },
     command_ko(no_folder(Folder)).
+korean(error(representation_error(What), _)) -->
+    { What == float32 },
+    mesh_ko(no_float32).
 korean(error(cannot_write(File, Why), _)) -->
     command_ko(cannot_write(File, Why)).
 korean(sanggwan_interrupt(_)) -->

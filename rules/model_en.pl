@@ -171,6 +171,7 @@ expected_en(one_of(Atoms)) -->
 relation_word(v, vertex).
 relation_word(e, edge).
 relation_word(p, polygon).
+relation_word(leaf_e, leaf_e).
 
 key_en(Key) -->
     (   { is_list(Key) }

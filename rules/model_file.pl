@@ -392,6 +392,8 @@ row_refused(Formal, Row, Place) :-
     ->  place_error(Place, Argument, missing(Relation, S, Id))
     ;   key_taken(Row, Name, Key)
     ->  place_error(Place, twice(Name, Key))
+    ;   Formal = existence_error(leaf_e, S-E)
+    ->  place_error(Place, missing(leaf_e, S, E))
     ;   place_error(Place, refused(Row, Formal))
     ).
 

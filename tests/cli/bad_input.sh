@@ -40,6 +40,8 @@ refused twice pl "${triangle}v(1,3,0,0,0)." 'two facts v' '2:1: '
 refused origin_twice pl \
   "${triangle}origin(1,v(1),line(2)). origin(1,v(1),line(3))." \
   'two facts origin with the numbers 1, v(1)' '2:'
+refused no_leaf_e pl "${triangle}leaf_p(1,1,[1,2,3])." \
+  'segment 1 has no leaf_e 1' '2:'
 refused empty pl '' 'the model is empty'
 refused comment pl '% nothing\n' 'the model is empty'
 refused open_comment pl 'v(1, 1, 0, 0, 0).\n/* open\n' 'pl:3: '
@@ -86,6 +88,13 @@ refused ply_truncated ply 'ply\nformat ascii 1.0\nelement vertex 3
 property float x\nproperty float y\nproperty float z\nelement face 1
 property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n' '' ''
 refused far_obj obj 'v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3\n' '' '2:'
+
+# What STL has no numbers for.
+echo 'segment(1, solid, box(size(1e60, 1e60, 1e60))).' >"$work/in/wide.pl"
+run eval "$work/in/wide.pl" -o "$work/to/a.stl"
+check 'too large for STL: exit code' status_is 4
+check 'too large for STL: message' has 'too large for STL'
+check 'too large for STL: nothing written' holds "$work/to"
 
 # A binary STL that promises more triangles than it has.
 { printf '%80s' binary; printf '\x10\x00\x00\x00'; head -c 50 /dev/zero; } \
