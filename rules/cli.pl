@@ -102,7 +102,7 @@ sanggwan(Arguments, Status) :-
         ),
         erase(Running)).
 
-%   command_ended(Arguments, Status): a verb that fails is a fault of the program.
+%   command_ended(Arguments, Status): a verb that fails is a fault of ours.
 
 command_ended(Arguments, Status) :-
     (   command(Arguments, Status0)
