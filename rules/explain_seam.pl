@@ -24,9 +24,10 @@
 :- use_module(unfold_wish, [wanted_in/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/2, append/3, member/2, select/3]).
+:- use_module(library(lists),
+              [append/2, append/3, max_list/2, member/2, select/3]).
 :- use_module(library(option), [option/2]).
-:- use_module(library(pairs), [pairs_values/2]).
+:- use_module(library(pairs), [pairs_keys/2, pairs_values/2]).
 
 /** <module> Explain: why an edge is a seam or a fold, and a piece alone.
 
@@ -283,7 +284,7 @@ order_because(D, [because(joined_in_order(By), [])|Exchanged]) :-
 
 joined_on_way(Js, D, because(joined_already(Count, E, Least), Shown), J-E) :-
     maplist(on_the_way(D), Js, Folds),
-    keysort(Folds, [Least-fold(E, _, _, J)|_]),
+    shortest_first(Folds, [Least-fold(E, _, _, J)|_]),
     length(Folds, Count),
     shown_folds(Folds, Shown).
 
@@ -306,13 +307,27 @@ instead_because(D, S, J, Fold-E, Because) :-
     ;   Because = []
     ).
 
+%   shortest_first(Folds0, Folds): those that are equally long but for rounding
+%   stay in order.
+
+shortest_first(Folds0, Folds) :-
+    pairs_keys(Folds0, Lengths),
+    max_list(Lengths, Longest),
+    Step is max(Longest, 1.0e-300)*1.0e-9,
+    findall(Rounded-Fold,
+            ( member(Fold, Folds0), Fold = Length-_,
+              Rounded is round(Length/Step) ),
+            Keyed),
+    keysort(Keyed, Sorted),
+    pairs_values(Sorted, Folds).
+
 %   shown_folds(Folds, Shown): all, in order, or the shortest if they are many.
 
 shown_folds(Folds0, Shown) :-
     length(Folds0, Count),
     (   Count =< 8
     ->  Folds = Folds0
-    ;   keysort(Folds0, Sorted),
+    ;   shortest_first(Folds0, Sorted),
         length(Folds, 8),
         append(Folds, _, Sorted)
     ),
