@@ -3,16 +3,14 @@
 
 #include "disjoint.h"
 #include "seam_moats.h"
+#include "seam_parts.h"
 #include "sort.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-  POLL_EVERY = 16384,
-  TRIPLES = 1000 /* vertices of models in which triples are looked for */
-};
+enum { POLL_EVERY = 16384 };
 
 /* What is known of the vertices of a development. */
 typedef struct finder {
@@ -230,124 +228,40 @@ find_tree(finder *x, double *length, bool *stopped)
 
 /* ---- forest ------------------------------------------------------------- */
 
-/* Which of n sorted bends have another one, or two others, so that the sum is
- * balanced. */
-static void
-mark_pairs(const sg_measured *bend, size_t n, double wanted, bool *paired)
+static int
+by_size(const void *a, const void *b)
 {
-  for (size_t i = 0, k = n; i < n; i++) {
-    while (k > 0 &&
-           bend[i].value + bend[k - 1].value > wanted + SG_BENT_LEAST) {
-      k--;
-    }
-    for (size_t m = k;
-         m > 0 && bend[i].value + bend[m - 1].value >= wanted - SG_BENT_LEAST;
-         m--) {
-      if (m - 1 != i) {
-        paired[i] = paired[m - 1] = true;
-      }
-    }
-  }
+  double x = *(const double *)a, y = *(const double *)b;
+
+  return (x > y) - (x < y);
 }
 
-static bool
-mark_triples(const finder *x, const sg_measured *bend, size_t n, double wanted,
-             bool *tripled, bool *stopped)
-{
-  for (size_t i = 0; i < n && !*stopped; i++) {
-    size_t a = i + 1, b = n;
-    *stopped = i % 64 == 0 && sg_poll_stop(x->poll);
-    while (a + 1 < b) {
-      double sum = bend[i].value + bend[a].value + bend[b - 1].value - wanted;
-      if (fabs(sum) <= 4 * SG_BENT_LEAST) {
-        tripled[i] = tripled[a] = tripled[b - 1] = true;
-      }
-      if (sum > 0) {
-        b--;
-      } else {
-        a++;
-      }
-    }
-  }
-  return !*stopped;
-}
-
-/* What is as bent as one that is marked is marked. */
-static void
-mark_equal(const sg_measured *bend, size_t n, bool *mark)
-{
-  const double near = 4 * SG_BENT_LEAST;
-
-  for (size_t i = 1; i < n; i++) {
-    mark[i] |= mark[i - 1] && bend[i].value - bend[i - 1].value <= near;
-  }
-  for (size_t i = n; i-- > 1;) {
-    mark[i - 1] |= mark[i] && bend[i].value - bend[i - 1].value <= near;
-  }
-}
-
-/* Bends of the vertices inside, sorted. Null: no memory, or stopped. */
-static sg_measured *
-sorted_bends(const finder *x, size_t *n, bool *stopped)
+/* Bends of the vertices inside, sorted: x->inside of them. Null: no memory. */
+static double *
+sorted_bends(const finder *x)
 {
   const sg_joints *js = x->fl->joints;
-  sg_measured *bend = malloc((x->of.vertices + 1) * sizeof *bend);
+  double *bend = malloc((x->of.vertices + 1) * sizeof *bend);
   bool *seen = calloc(x->of.vertices + 1, sizeof *seen);
-  sg_sort_end end = SG_SORT_NO_MEMORY;
+  size_t n = 0;
 
-  *n = 0;
   for (uint32_t j = 0; bend && seen && j < js->n; j++) {
     for (int k = 0; k < 2 && !js->joint[j].line; k++) {
       int32_t v = js->joint[j].vertex[k];
       if (!seen[v] && !x->of.border[v]) {
-        bend[(*n)++] = (sg_measured){x->of.bent[v], (uint32_t)v};
+        bend[n++] = x->of.bent[v];
       }
       seen[v] = true;
     }
   }
   if (bend && seen) {
-    end = sg_sort_measured(bend, *n, x->poll);
-    *stopped = end == SG_SORT_STOPPED;
-  }
-  free(seen);
-  if (end != SG_SORTED) {
+    qsort(bend, n, sizeof *bend, by_size);
+  } else {
     free(bend);
     bend = NULL;
   }
+  free(seen);
   return bend;
-}
-
-/* No seam has more parts than this that reach no border. */
-static bool
-count_parts(const finder *x, size_t *parts, bool *stopped)
-{
-  const double turns = 4 * acos(-1.0);
-  size_t n = 0, twos = 0, threes = 0;
-  sg_measured *bend = sorted_bends(x, &n, stopped);
-  bool *paired = calloc(n + 1, 1), *tripled = calloc(n + 1, 1);
-  bool good = bend && paired && tripled;
-
-  /* Three bends sum to less than three whole turns, and to no less than this.
-   */
-  double least = good && n > 0 ? fmin(0, floor(3 * bend[0].value / turns)) : 0;
-
-  for (double k = least; good && k <= 1; k++) {
-    mark_pairs(bend, n, k * turns, paired);
-    good = n > TRIPLES || mark_triples(x, bend, n, k * turns, tripled, stopped);
-  }
-  if (good) {
-    mark_equal(bend, n, paired);
-    mark_equal(bend, n, tripled);
-  }
-  for (size_t i = 0; good && i < n; i++) {
-    twos += paired[i];
-    threes += !paired[i] && (tripled[i] || n > TRIPLES);
-  }
-  *parts = twos / 2 + threes / 3 + (n - twos - threes) / 4 + 2;
-  free(bend);
-  free(paired);
-  free(tripled);
-  return good;
 }
 
 /* The shortest edges of the tree, so many that there are no more parts. */
@@ -355,15 +269,16 @@ static bool
 find_forest(const finder *x, double *length, bool *stopped)
 {
   size_t parts;
+  double *bend = sorted_bends(x);
+  bool good =
+      bend && sg_seam_parts_most(bend, x->inside, x->poll, &parts, stopped);
 
   *length = 0;
-  if (!count_parts(x, &parts, stopped)) {
-    return false;
-  }
-  for (size_t i = 0; i < x->edges && i + parts < x->inside; i++) {
+  for (size_t i = 0; good && i < x->edges && i + parts < x->inside; i++) {
     *length += x->edge[i].value;
   }
-  return true;
+  free(bend);
+  return good;
 }
 
 /* ---- all ---------------------------------------------------------------- */
