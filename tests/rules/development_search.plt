@@ -292,6 +292,17 @@ test(bound_with_a_hole, true(Seam == 12.0927)) :-
     assertion(M.bound =< M.seam*(1+1.0e-9)),
     Seam is round(M.seam*1.0e4)/1.0e4.
 
+%   One corner of four is bent inwards. No two or three of the eight vertices
+%   balance, so there are two parts at most: six edges of the tree, three on
+%   either side.
+
+test(bound_by_a_forest, true(By-Bound == forest-Wanted)) :-
+    in_model([prism(outline([[0,0],[4,0],[2,1],[1,4]]), height(7))],
+             measures(1, [], M)),
+    By = M.bound_by,
+    Bound is round(M.bound*1.0e6),
+    Wanted is round(2.0e6*(4+sqrt(5)+sqrt(10))).
+
 %   Flat vertices need not be on the seam: a plate on an L, of little squares.
 
 test(bound_with_flat_vertices, true) :-

@@ -120,6 +120,34 @@ test(same_in_any_order, [ Same == true ]) :-
     ->  Same = true
     ;   Same = Parts1-Parts2
     ).
+% Two folds, and room for two of three faces: the longer fold stays.
+test(longest_fold_first, [ forall(member(Below-Above-Left,
+                                         [15.0-12.0-[1,2], 12.0-15.0-[2,3]])),
+                           true(Pair == Left) ]) :-
+    steps(Below, Above, Piece),
+    split_piece(Piece, room(20,24,1), Parts),
+    member(piece(_,[face(A,_),face(B,_)],_), Parts),
+    !,
+    msort([A,B], Pair).
+% A strip askew, with faces longer than the page: halves of a fold are parted
+% and joined in one place only.
+test(askew, [ forall(member(Degrees, [0,30,90,147])) ]) :-
+    strip(12, 90.0, Piece0),
+    turned(Degrees, Piece0, Piece),
+    Room = room(48,48,1),
+    split_piece(Piece, Room, Parts),
+    forall(member(Part, Parts),
+           ( piece_points(Part, Points), assertion(fits_on(Points, Room)) )),
+    forall(( member(piece(_,_,Sides), Parts),
+             member(side(_,_,_-A,_-B,fold(J,_,1)), Sides) ),
+           assertion(( member(side(_,_,_-C,_-D,fold(J,_,2)), Sides),
+                       near(A, D),
+                       near(B, C) ))),
+    joints(Parts, fold, Folds),
+    assertion(Folds > 0),
+    maplist(part_area, Parts, Areas),
+    sum_list(Areas, Area),
+    assertion(abs(Area-90*120) < 1.0e-6).
 % Twice the faces take little more than twice the time.
 test(near_linear, [ forall(member(Room, [room(17,14,1),room(18,95,1)])),
                     true(Exponent < 1.25) ]) :-
@@ -176,6 +204,49 @@ test(others_stay, [ Roots == [1,1,3,4] ]) :-
     findall(Root, ( between(1, 4, I), set_root(Sets, I, Root) ), Roots).
 
 :- end_tests(disjoint_sets).
+
+% Three faces one above the other, the folds between them of two lengths.
+steps(Below, Above, piece(name(2,1,0),Faces,Sides)) :-
+    Least is min(Below, Above),
+    Faces = [ face(1,[[1-(0.0-0.0),2-(Least-0.0),4-(Below-10.0),3-(0.0-10.0)]]),
+              face(2,[[3-(0.0-10.0),4-(Below-10.0),6-(Above-20.0),
+                       5-(0.0-20.0)]]),
+              face(3,[[5-(0.0-20.0),6-(Above-20.0),8-(Least-30.0),
+                       7-(0.0-30.0)]]) ],
+    Sides = [ side(2,1,4-(Below-10.0),3-(0.0-10.0),fold(1,90.0,1)),
+              side(3,2,3-(0.0-10.0),4-(Below-10.0),fold(1,90.0,2)),
+              side(4,2,6-(Above-20.0),5-(0.0-20.0),fold(2,90.0,1)),
+              side(5,3,5-(0.0-20.0),6-(Above-20.0),fold(2,90.0,2)) ].
+
+turned(Degrees, piece(Name,Faces0,Sides0), piece(Name,Faces,Sides)) :-
+    findall(face(P,Shapes),
+            ( member(face(P,Shapes0), Faces0),
+              maplist(maplist(turned_corner(Degrees)), Shapes0, Shapes) ),
+            Faces),
+    findall(side(E,P,A,B,J),
+            ( member(side(E,P,A0,B0,J), Sides0),
+              maplist(turned_corner(Degrees), [A0,B0], [A,B]) ),
+            Sides).
+
+turned_corner(Degrees, W-(X0-Y0), W-(X-Y)) :-
+    Angle is Degrees*pi/180,
+    X is X0*cos(Angle) - Y0*sin(Angle),
+    Y is X0*sin(Angle) + Y0*cos(Angle).
+
+near(XA-YA, XB-YB) :-
+    abs(XA-XB) + abs(YA-YB) < 1.0e-6.
+
+part_area(piece(_,Faces,_), Area) :-
+    findall(A, ( member(face(_,Shapes), Faces), member(Shape, Shapes),
+                 shape_area(Shape, A) ), As),
+    sum_list(As, Area).
+
+shape_area([_-First|Corners], Area) :-
+    findall(A, ( append(_, [_-P,_-Q|_], Corners), cross(First, P, Q, A) ), As),
+    sum_list(As, Area).
+
+cross(X0-Y0, X1-Y1, X2-Y2, Area) :-
+    Area is ((X1-X0)*(Y2-Y0) - (X2-X0)*(Y1-Y0))/2.
 
 joined(I-J, Sets0, Sets) :-
     sets_joined(I, J, Sets0, Sets).
