@@ -4,6 +4,8 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(random)).
+:- use_module(library(filesex), [directory_file_path/3]).
+:- use_module(rules(mesh), [read_mesh/2]).
 :- use_module(rules(primitive_rows)).
 :- use_module(rules(penetration)).
 :- use_module(rules(store)).
@@ -184,6 +186,42 @@ short_sides(Out) :-
              scene(Kind, Terms),
              penetrated_written(Kind, Seed, Terms, Out) )).
 
+:- meta_predicate mesh_laid(+, 1).
+
+%   mesh_laid(+Name, :Goal): call(Goal, D) with the pattern of a mesh of
+%   ../shared/data whose borders were attached, while they are.
+
+mesh_laid(Name, Goal) :-
+    mesh_file(Name, File),
+    in_scene([],
+             facts_snapshot(
+                 ( read_mesh(File, [S]),
+                   complete_segments,
+                   wanted_of(S, [], Wanted),
+                   part_laid(S, Wanted, [], D),
+                   call(Goal, D) ))).
+
+mesh_file(Name, File) :-
+    absolute_file_name(sanggwan('../shared/data/meshes'), Folder),
+    directory_file_path(Folder, Name, File),
+    (   exists_file(File)
+    ->  true
+    ;   print_message(informational, format("skipped: ~w", [File])),
+        fail
+    ).
+
+mesh_faults(Name, Faults) :-
+    patterns_checked(mesh_written(Name), Results),
+    findall(Fault, ( member(R, Results), bad_pattern(R, 1.0e-12, Fault) ),
+            Faults).
+
+mesh_written(Name, Out) :-
+    mesh_laid(Name, test_unfold_checked:laid_written(Name, Out)).
+
+laid_written(Name, Out, D) :-
+    pattern_measures(D, M),
+    write_pattern(Out, Name, D, [reported(M.seam,M.pieces)]).
+
 :- begin_tests(unfold_checked).
 
 % Of faces that lie on each other one stays, on either side: not so `square`.
@@ -195,6 +233,12 @@ test(trimmed, [ forall(member(Kind, [pipes,three,cones,boxes,equal,square])),
 test(penetrated, [ forall(member(Kind, [pipes,cones,boxes,equal,square])),
                    Faults == [] ]) :-
     faults(all_penetrated(Kind), Faults).
+% Patches with vertices of their own along their borders: these are one in the
+% pattern, and no edge is lost.
+test(attached, [ forall(( member(Name, ['teapot.obj','beetle.obj']),
+                          mesh_file(Name, _) )),
+                 Faults == [] ]) :-
+    mesh_faults(Name, Faults).
 test(short_sides, Faults == []) :-
     faults(short_sides, Faults).
 
