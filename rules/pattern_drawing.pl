@@ -22,7 +22,7 @@
 :- use_module(pattern_want, [wanted_text/4]).
 :- use_module(sheet_paper, [unit_millimetres/2]).
 :- use_module(library(apply),
-              [foldl/4, foldl/6, maplist/3, maplist/4, maplist/5]).
+              [foldl/4, foldl/6, include/3, maplist/3, maplist/4, maplist/5]).
 :- use_module(library(assoc), 
               [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
 :- use_module(library(error), [domain_error/2]).
@@ -124,7 +124,8 @@ pattern_layout(Ds, Options,
     ;   From = outside
     ),
     maplist(pieces_of(look(Factor,From)), Ds, Piecess),
-    append(Piecess, Pieces0),
+    append(Piecess, All),
+    include(has_area, All, Pieces0),
     option(gap(Gap), Options, 3),
     pattern_paper(Options, Gap, Paper),
     pieces_points(Pieces0, Pointss),
@@ -200,6 +201,12 @@ factor(Options, Factor) :-
     ->  true
     ;   domain_error(scale, Scale)
     ).
+
+%   has_area(Piece): there is something to cut out.
+
+has_area(piece(_,Faces,_)) :-
+    member(face(_,[_|_]), Faces),
+    !.
 
 %   pieces_points(Pieces, Pointss): the corners of each shape of their faces.
 

@@ -335,6 +335,15 @@ test(nothing, [ Count == 0 ]) :-
     in_new(( assert_fact(segment(2, pattern, nothing)),
              pattern_drawing([2], [], Drawings) )),
     count(Drawings, cut, Count).
+test(no_area, [ Count == 0 ]) :-
+    in_new(( assert_fact(segment(1, surface, needle)),
+             forall(between(1, 3, V),
+                    ( X is float(V), assert_fact(v(1, V, X, 0.0, 0.0)) )),
+             forall(between(1, 3, E),
+                    ( B is E mod 3 + 1, assert_fact(e(1, E, E, B, 1)) )),
+             assert_fact(p(1, 1, [1,2,3])),
+             quietly(( develop(1, D), pattern_drawing([D], [], Drawings) )) )),
+    count(Drawings, cut, Count).
 test(many_pages, [ error(usage_error(pattern(pages(_, 5000)))) ]) :-
     drawn(cube_pattern(40), [page('A4'),scale(1000:1)], _).
 test(many_tiles, [ error(usage_error(pattern(pages(_, 5000)))) ]) :-
