@@ -12,6 +12,7 @@
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [list_to_assoc/2]).
 :- use_module(library(lists), [member/2, nth1/3]).
+:- use_module(library(option), [select_option/3]).
 /** <module> Patterns in files.
 
 A PDF has a page for each sheet. Other formats have a file for each, PATTERN-1,
@@ -23,15 +24,20 @@ PATTERN-2, if there are several. FOLD has no sheets.
 %   Write the patterns Ds to File in the format that its ending names: those of
 %   write_drawing/2, or `fold`. Files are those that were written. Options are
 %   those of pattern_drawing/3, of write_drawing/2 (style, dashes, title), and
-%   of write_fold/3.
+%   of write_fold/3; drawings(Drawings) are those of pattern_drawing/3, if they
+%   have been made.
 
-write_pattern(File, Ds, Options, Files) :-
+write_pattern(File, Ds, Options0, Files) :-
+    (   select_option(drawings(Drawings), Options0, Options)
+    ->  true
+    ;   Options = Options0
+    ),
     file_name_extension(_, Ending, File),
     downcase_atom(Ending, Format),
     (   Format == fold
     ->  write_fold(File, Ds, Options),
         Files = [File]
-    ;   pattern_drawing(Ds, Options, Drawings),
+    ;   ( var(Drawings) -> pattern_drawing(Ds, Options, Drawings) ; true ),
         format_written(Format, File, Ds, Drawings, Options, Files)
     ).
 

@@ -12,6 +12,7 @@
 :- use_module(model_text,
               [open_model_text/2, close_model_text/1, next_fact/3,
                place_error/3]).
+:- use_module(pattern_drawing, [pattern_drawing/3]).
 :- use_module(pattern_file, [numbered_files/3, write_pattern/4]).
 :- use_module(pattern_paper, [paper_checked/1]).
 :- use_module(penetration, [penetrate/2]).
@@ -71,7 +72,8 @@ unfold_run(Files, Options, 0) :-
           in_file(Files, S, Wish, What, Location)),
     reported(Ds, Options, All),
     tables_written(Options, Ds),
-    maplist(written_to(Options, Ds), Outputs).
+    sheets_once(Options, Ds, Outputs, Options1),
+    maplist(written_to(Options1, Ds), Outputs).
 
 %!  roots_apart(+Options:list) is det.
 %
@@ -418,6 +420,21 @@ table_written(Unit, D, File) :-
     ;   print_message(informational, sanggwan(wrote(File)))
     ).
 
+%   sheets_once(Options0, Ds, Outputs, Options): several drawings have the same
+%   sheets; they are laid out once, with what there is to say of them.
+
+sheets_once(Options, Ds, Outputs, [drawings(Drawings)|Options]) :-
+    findall(File, ( member(output(File,Format), Outputs), on_sheets(Format) ),
+            [_,_|_]),
+    !,
+    drawing_options(Options, DrawingOptions),
+    stage(write, pattern_drawing(Ds, DrawingOptions, Drawings)).
+sheets_once(Options, _, _, Options).
+
+on_sheets(Format) :-
+    is_drawing(Format),
+    Format \== fold.
+
 %   written_to(Options, Ds, Output): a drawing may take several files.
 
 written_to(Options, Ds, Output) :-
@@ -492,6 +509,8 @@ drawing_option(Options, scale(Scale)) :-
 drawing_option(Options, unit(Unit)) :-
     \+ option(scale(_), Options),       % which says it
     option(unit(Unit), Options).
+drawing_option(Options, drawings(Drawings)) :-
+    option(drawings(Drawings), Options).
 drawing_option(Options, style(Rows)) :-
     option(style(File), Options),
     style_rows(File, Rows).

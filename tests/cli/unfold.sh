@@ -238,6 +238,10 @@ check "no scale" complains 2 'scale fit is no scale' \
   sanggwan unfold "$box" --scale fit -o "$TMP/box.svg"
 check "several sheets" eval "sanggwan unfold $box --scale 100:1 --page A4 \
   -o $TMP/many.svg 2>&1 >/dev/null | grep -q 'wrote .*many-2.svg'"
+check "laid on sheets once for all drawings" eval "[ \$(sanggwan unfold $box \
+  --scale 100:1 --page A4 -o $TMP/once.pdf -o $TMP/once.svg -o $TMP/once.fold \
+  2>&1 >/dev/null | grep -c 'larger than the page') -eq 1 ]"
+check "as for one" cmp "$TMP/once-2.svg" "$TMP/many-2.svg"
 check "not on standard output" complains 2 'standard output takes one' \
   sanggwan unfold "$box" --scale 100:1 --page A4 -o - --format svg
 check "tabs" eval "[ \$(sanggwan unfold -q $box --scale 10:1 --tabs 5 -o - \
