@@ -28,6 +28,7 @@ DEVELOPMENT_BIG=yes: models of 20,000 to 300,000 triangles, too. */
 user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
 user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
 user:message_hook(sanggwan(development(_, in_triangles(_))), warning, _).
+user:message_hook(sanggwan(development(_, border(_, _))), warning, _).
 user:message_hook(sanggwan(_), informational, _).
 
 %   unfolded(+Name, :Build, +Out): write the pattern of every segment that has

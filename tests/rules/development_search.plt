@@ -25,6 +25,7 @@ pattern by development_checked.plt. */
 
 user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
 user:message_hook(sanggwan(development(_, in_triangles(_))), warning, _).
+user:message_hook(sanggwan(development(_, border(_, _))), warning, _).
 
 :- meta_predicate in_model(+, 0).
 
