@@ -176,7 +176,7 @@ primitive_row(turning, solid,
 primitive_row(transition, solid, Arguments, transition_shape,
               'transition(base(Outline), top(Outline), height(H), \c
                shift(X, Y), tilt(Degrees, Towards), turn(Degrees), \c
-               facets(N)), Outline one of circle(R), ellipse(A, B), \c
+               facets(N), divided(M)), Outline one of circle(R), ellipse(A, B), \c
                rectangle(A, B), rectangle(A, B, R), \c
                polygon([[X, Y], ...])') :-
     transition_arguments(Arguments).
@@ -217,6 +217,7 @@ transition_arguments([ argument(base, [[outline]], needed),
                        argument(height, [[length]], needed),
                        argument(tilt, [[number], [number, number]], [0.0]),
                        argument(turn, [[number]], [0.0]),
+                       argument(divided, [[count]], [1]),
                        Shift | Fineness
                      ]) :-
     shift(Shift),

@@ -8,6 +8,7 @@
               [ cross_product/3, difference/3, dot_product/3, scaled/3,
                 vector_sum/3
               ]).
+:- use_module(transition_division, [steps_divided/5]).
 :- use_module(transition_outline,
               [ outline_curves/3, outline_frame/3, outline_middle/2,
                 outline_rings/4, outline_widest/2, placed_curves/3
@@ -42,6 +43,9 @@ taken that leaves all else below the plane of the new triangle.
 %   A *direction* is the mean of those in which the two ends of a generator are
 %   seen, from +x, from the middles of the outlines, in their planes.
 %
+%   divided(N) of Given: each facet along an arc is N; what they stand for, the
+%   parts and their surfaces, stays as it is.
+%
 %   @error model_error(primitive(What, Term)): planes_cross, and what
 %   outline_curves/3 raises
 
@@ -61,21 +65,28 @@ sides_made(Given, N, M, Points, Sides, Surfaces) :-
     Given = given(Term, _, _),
     rings(Given, Term, Ring1, Ring2, Frames),
     below_each_other(Ring1, Ring2, Frames, Term),
-    ring_table(Ring1, Table1),
-    ring_table(Ring2, Table2),
+    ring_table(Ring1, Whole1),
+    ring_table(Ring2, Whole2),
+    steps_round(Whole1, Whole2, WholeSteps),
+    given(Given, divided, [Times]),
+    steps_divided(Times, Whole1-Whole2, WholeSteps, Tables, Steps),
+    Tables = Table1-Table2,
     functor(Table1, _, N),
     functor(Table2, _, M),
-    steps_round(Table1, Table2, Steps),
     pieces(Steps, Table1, Table2, Pieces0),
     named_pieces(Pieces0, 1, 1, Pieces),
-    Tables = Table1-Table2,
     maplist(piece_faces(Tables), Pieces, Lists),
     append(Lists, Sides),
     maplist(piece_surface(Tables), Pieces, Own),
     outlines_seen(Given, Frames, Seen1, Seen2),
     maplist(piece_place(Tables, Seen1, Seen2), Pieces, Places),
     append(Own, [side-transition(pieces(Places))], Surfaces),
-    append(Ring1, Ring2, Ring),
+    table_points(Table1, Points1),
+    table_points(Table2, Points2),
+    append(Points1, Points2, Points).
+
+table_points(Table, Points) :-
+    Table =.. [ring|Ring],
     maplist(node_point, Ring, Points).
 
 outlines_seen(Given, Base-Top, Seen1, Seen2) :-

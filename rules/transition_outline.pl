@@ -4,7 +4,8 @@
             outline_widest/2,           % +Outline, -Radius
             outline_middle/2,           % +Outline, -Middle
             outline_rings/4,            % +N, +Placed1, +Placed2, -Rings
-            placed_curves/3             % +Frame, +Curves, -Placed
+            placed_curves/3,            % +Frame, +Curves, -Placed
+            arc_point/3                 % +Arc, +T, -P
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
 :- use_module(outline, [outline_loops/4]).
@@ -347,6 +348,10 @@ steps([T1,T2|Ts], Arc, [node(P, arc(Arc, T1, T2))|Nodes]) :-
     arc_point(Arc, T1, P),
     steps([T2|Ts], Arc, Nodes).
 steps([_], _, []).
+
+%!  arc_point(+Arc, +T, -P) is det.
+%
+%   P is the point of Arc, in space, at T degrees.
 
 arc_point(arc(C, U, V), T, P) :-
     exact_sin_cos(T, Sin, Cos),

@@ -9,7 +9,7 @@
 :- use_module(true_layout, [chord_tolerance/3, strip_ends/3, strip_layout/6]).
 :- use_module(true_pieces,
               [ composed_seam/4, creases/3, direction_of/3, divided_at/3,
-                from_seam/3, piece_facets/2, pieces_found/4, place_of/3
+                from_seam/3, is_round/1, piece_facets/2, pieces_found/4, place_of/3
               ]).
 :- use_module(true_plate, [plate_layer/2]).
 :- use_module(true_resized, [transition_resized/3]).
@@ -299,7 +299,8 @@ goes_round(Laid) :-
     G2-G1 > 360.0 - 1.0e-6.
 
 %   generator(Laid, N, At) is nondet: from left to right: where each piece
-%   begins, within it, and where the last one ends.
+%   begins, within it, and where the last one ends. Where cones take turns they
+%   begin between facets: of these, too, N of each outline are numbered.
 
 generator(Laid, N, at(One, T, Beside)) :-
     nth1(I, Laid, One),
@@ -308,7 +309,8 @@ generator(Laid, N, at(One, T, Beside)) :-
     (   T = T1,
         I0 is I-1,
         (   nth1(I0, Laid, Before)
-        ->  Beside = Before
+        ->  Beside = Before,
+            numbered_between(N, Before, One)
         ;   Beside = none
         )
     ;   Beside = none,
@@ -318,9 +320,21 @@ generator(Laid, _, at(One, T, none)) :-
     last(Laid, One),
     One = laid(piece(_, _, _-T, _, _, _, _), _, _, _).
 
-generator_within(piece(_, _, T1-T2, _, Facets, shape(Surface, _, _), _), N,
-                 T) :-
-    Surface \= fan(_, _, _, _),
+%   numbered_between(N, Before, After): the generator where After begins.
+
+numbered_between(none, _, _) :-
+    !.
+numbered_between(N, laid(Piece1, _, _, _), laid(Piece2, _, _, _)) :-
+    (   \+ ( is_round(Piece1), is_round(Piece2) )
+    ->  true
+    ;   Piece2 = piece(_, _, T-_, _, _, _, _),
+        Place is T*N/360.0,
+        abs(Place - round(Place)) < 1.0e-6
+    ).
+
+generator_within(Piece, N, T) :-
+    is_round(Piece),
+    Piece = piece(_, _, T1-T2, _, Facets, _, _),
     (   N == none
     ->  findall(T0, member(facet(_, T0, _, _), Facets), Ts0)
     ;   First is ceiling(T1*N/360.0),

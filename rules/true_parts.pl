@@ -106,7 +106,8 @@ made(By, Inmost, Finer, S, S1) :-
     ;   parallel_made(Term, By, Inmost, S1)
     ).
 
-%   polygons_known(S, S1): which polygon of S each of S1 stands for.
+%   polygons_known(S, S1): which polygon of S each of S1 stands for: of the facets
+%   of a part of which another side is wanted, the nearest.
 
 polygons_known(S, S1) :-
     (   smooth_surface(S, _, _)
@@ -122,10 +123,11 @@ drawn_face(Drawn, What1, P) :-
     ->  true
     ;   What1 = curved(Part, [A-B]),
         Middle is (A+B)/2.0,
-        member(curved(Part, [From-To])-P, Drawn),
-        From < Middle,
-        Middle < To
-    ->  true
+        findall(Off-P0,
+                ( member(curved(Part, [From-To])-P0, Drawn),
+                  Off is max(0.0, max(From-Middle, Middle-To)) ),
+                Found),
+        keysort(Found, [_-P|_])
     ).
 
 
@@ -155,7 +157,7 @@ made_alone(S) :-
 unrolls_or_flat(S) :-
     forall(smooth_surface(S, _, Surface),
            ( functor(Surface, Kind, _),
-             memberchk(Kind, [cylinder,cone]) )).
+             memberchk(Kind, [cylinder,cone,fan,transition]) )).
 
 finer(Options, S, Finer) :-
     findall(Surface, smooth_surface(S, _, Surface), Surfaces),
@@ -208,6 +210,11 @@ term_finer(copied, Term, Term).
 term_finer(kept, Term, Term).
 term_finer(times(N), Term0, Term) :-
     innermost(Term0, Inner0, Inner, Term),
+    is_transition(Inner0),
+    !,
+    argument_replaced(Inner0, [divided], divided(N), Inner).
+term_finer(times(N), Term0, Term) :-
+    innermost(Term0, Inner0, Inner, Term),
     primitive_parts(Inner0, Parts, _),
     once(member(part(Count, curved(_, _)), Parts)),
     Facets is N*Count,
@@ -224,14 +231,23 @@ innermost(named(Name, Term0), Inner0, Inner, named(Name, Term)) :-
     innermost(Term0, Inner0, Inner, Term).
 innermost(Inner0, Inner0, Inner, Inner).
 
+%   The parts of a transition hang on its facets; so these are divided.
+
+is_transition(Term) :-
+    functor(Term, Name, _),
+    memberchk(Name, [transition,open_transition]).
+
 facets_replaced(Term0, Fineness, Term) :-
+    argument_replaced(Term0, [facets,tolerance,bands,sides], Fineness, Term).
+
+argument_replaced(Term0, Names, New, Term) :-
     Term0 =.. [Name|Arguments0],
     findall(Argument,
             ( member(Argument, Arguments0),
               functor(Argument, Of, _),
-              \+ memberchk(Of, [facets,tolerance,bands,sides]) ),
+              \+ memberchk(Of, Names) ),
             Arguments),
-    Term =.. [Name,Fineness|Arguments].
+    Term =.. [Name,New|Arguments].
 
 
                 /*******************************
@@ -314,7 +330,10 @@ facets_as_drawn(S, Facets0, Shape, Facets) :-
 put_together(_, _-[Facet], [Facet]) :-
     !.
 put_together(Shape, drawn(D, PD)-Group, Facets) :-
-    once(face_of(D, PD, curved(_, [T1-T2|_]))),
+    (   face_of(D, PD, curved(_, [T1-T2|_]))
+    ->  true
+    ;   Group = [facet(_, T1, T2, _)|_]         % of a flat part
+    ),
     hanging_together(Group, Parts),
     maplist(one_facet(Shape, T1, T2), Parts, Facets).
 

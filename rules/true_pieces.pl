@@ -6,12 +6,14 @@
             composed_seam/4,            % +Pieces, +Options, -Seam, -Around
             divided_at/3,               % +G, +Pieces0, -Pieces
             from_seam/3,                % +Pieces0, +Seam, -Pieces
-            creases/3                   % +Pieces, +Around, -Creases
+            creases/3,                  % +Pieces, +Around, -Creases
+            is_round/1                  % +Piece
           ]).
 :- use_module(primitive_face, [surface_point/4]).
 :- use_module(true_border, [rims_kept/4]).
 :- use_module(true_divide,
               [facet_divided/7, facet_index/2, generator_spans/5]).
+:- use_module(true_parts, [facets_as_drawn/4]).
 :- use_module(true_shape,
               [ facet_middle/2, facets_sense/3, part_facet/5, part_facets/4,
                 shifted_facet/3, true_part/5
@@ -62,7 +64,8 @@ piece_found(S, Part, Leaf, piece(Name, End, T1-T2, G1-G2),
         Tolerance is Reach*4.0e-6,
         tips_moved(Facets0, Tolerance, Facets2, Shape0, Shape2),
         rims_kept(Facets2, Facets3, Shape2, Shape),
-        spikes_cut(Facets3, Shape, Facets1),
+        spikes_cut(Facets3, Shape, Facets4),
+        facets_as_drawn(S, Facets4, Shape, Facets1),
         maplist(turned_to(T1), Facets1, Facets)
     ;   Facets = [],
         Sense = none,
@@ -252,7 +255,9 @@ seam_order(Seam, Piece0, Off-Piece) :-
 %!  creases(+Pieces, +Around, -Creases) is det.
 %
 %   Creases is a list of G-Degrees: by what the plate bends where two pieces
-%   meet, positive outward; less than a millionth is nothing.
+%   meet, positive outward; less than a millionth is nothing. Where a part of a
+%   cone begins there is no bend: outlines with arcs are smooth there, and so is
+%   what lies between them; cones that take turns only stand for that.
 
 creases(Pieces, Around, Creases) :-
     Pieces = [First|Rest],
@@ -264,6 +269,10 @@ creases(Pieces, Around, Creases) :-
     ),
     maplist(crease, Firsts, Nexts, Creases).
 
+crease(Piece1, Piece2, G-0.0) :-
+    Piece1 = piece(_, _, _, _-G, _, _, _),
+    ( is_round(Piece1) ; is_round(Piece2) ),
+    !.
 crease(Piece1, Piece2, G-Degrees) :-
     Piece1 = piece(_, _, _-T1, _-G, _, _, _),
     Piece2 = piece(_, _, T2-_, _, _, _, _),
@@ -277,6 +286,13 @@ crease(Piece1, Piece2, G-Degrees) :-
     ->  Degrees = 0.0
     ;   Degrees = Degrees0
     ).
+
+%!  is_round(+Piece) is semidet.
+%
+%   Piece is a part of a cone or cylinder; else it is flat.
+
+is_round(piece(_, _, _, _, _, shape(Surface, _, _), _)) :-
+    Surface \= fan(_, _, _, _).
 
 %   outward(Piece, T, Normal, Way): unit; Way is along the generator at T, so
 %   that a bend about it is positive outward.

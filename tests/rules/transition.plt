@@ -162,6 +162,37 @@ test(parallel_edges_are_trapezoids) :-
              aggregate_all(count, p(1, _, _), N)),
     N == 6.
 
+%   Each facet along an arc becomes three; what it stands for stays, also where
+%   cones take turns.
+test(divided, [forall(member(Outlines,
+                             [[base(rectangle(100,80)),top(circle(30))],
+                              [base(circle(40)),top(ellipse(30,20))],
+                              [base(rectangle(60,60,10)),top(circle(20))]]))]) :-
+    Common = [height(60),shift(10,5),tilt(15,40),facets(12)|Outlines],
+    Whole =.. [transition|Common],
+    Divided =.. [transition,divided(3)|Common],
+    in_scene([Whole,Divided],
+             ( faultless(2),
+               findall(Part-Surface, cone_of(1, Part, Surface), Surfaces1),
+               findall(Part-Surface, cone_of(2, Part, Surface), Surfaces2),
+               findall(C-A-B, face_of(1, _, curved(C, [A-B])), Facets1),
+               findall(C-A-B, face_of(2, _, curved(C, [A-B])), Facets2),
+               findall(I, face_of(1, _, side(I)), Sides1),
+               findall(I, face_of(2, _, side(I)), Sides2) )),
+    Surfaces1 == Surfaces2,
+    Sides1 == Sides2,
+    in_threes(Facets2, Facets1).
+
+cone_of(S, Part, Surface) :-
+    smooth_surface(S, Part, Surface),
+    Part = cone(_).
+
+in_threes([], []).
+in_threes([C-A-P,C-P-Q,C-Q-B|Facets2], [C-A-B|Facets1]) :-
+    near(P, (2*A+B)/3),
+    near(Q, (A+2*B)/3),
+    in_threes(Facets2, Facets1).
+
 test(open, [true(Kind-N == surface-0)]) :-
     in_scene([open_transition(base(circle(30)), top(rectangle(50,60)),
                               height(60))],
@@ -270,6 +301,17 @@ test(no_creases, [forall(member(Tilt, [0,20,35]))]) :-
               aggregate_all(max(Bend), ( joint(D, _, _, _, fold, A),
                                          Bend is abs(A) ), Most)),
     Most < 1.0e-5.
+
+%   Nor between cones that take turns; a generator and a diagonal for each part.
+test(cones_in_turns) :-
+    Term = open_transition(base(circle(60)), top(circle(35)), height(80),
+                           tilt(20), facets(24)),
+    developed(Term, [generators(12)], D,
+              ( aggregate_all(max(Bend), ( joint(D, _, _, _, fold, A),
+                                           Bend is abs(A) ), Most),
+                lengths(D, Lengths) )),
+    Most =:= 0.0,
+    length(Lengths, 25).
 
 %   A hood of flat sides is what develop/3 makes of its faces.
 test(folds_of_a_hood) :-

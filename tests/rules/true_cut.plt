@@ -129,6 +129,14 @@ missed([ prism(outline([[-60,0],[60,0],[4,50]]), height(120)),
 missed([ pyramid(base(96,89), height(125)),
          at([rotate(x,42),rotate(y,-89),translate(20,17,7)],
             cylinder(radius(8), height(260), facets(12))) ]).
+missed([ transition(base(rectangle(83,84)), top(ellipse(30,39)), height(75),
+                    shift(12,-9), tilt(13,349), facets(8)),
+         at([rotate(x,-70),rotate(y,41),translate(5,-28,62)],
+            cylinder(radius(13), height(260), facets(24))) ]).
+missed([ transition(base(ellipse(37,27)), top(rectangle(47,67)), height(73),
+                    shift(2,-30), tilt(11,191), facets(12)),
+         at([rotate(x,51),rotate(y,18),translate(-6,9,17)],
+            cylinder(radius(23), height(260), facets(12))) ]).
 missed([ cone(radius(77), height(137), facets(12)),
          at([rotate(x,-75),rotate(y,10),translate(38,-20,53)],
             cylinder(radius(9), height(260), facets(36))) ]).
@@ -221,11 +229,21 @@ solid(frustum, cone(radius(R), top(Top), height(H), facets(N))) :-
     size(H),
     random_member(N, [8,12,24,36]).
 
+solid(transition, transition(base(Base), top(Top), height(H), shift(X,Y),
+                             tilt(A,B), facets(N))) :-
+    maplist(random_between, [40,40,25,20,-30,-30,0,0],
+            [90,90,45,40,30,30,15,359], [C,D,E,F,X,Y,A,B]),
+    random_member(Base-Top, [rectangle(C,D)-ellipse(E,F),
+                             ellipse(E,F)-rectangle(C,D)]),
+    size(H),
+    random_member(N, [8,12,24,36]).
+
 size(Size) :-
     random_between(60, 140, Size).
 
 test(random, [forall(( scenes(2, N), between(1, N, Seed),
-                       member(Kind, [pyramid,box,prism,cone,frustum]),
+                       member(Kind, [pyramid,box,prism,cone,frustum,
+                                     transition]),
                        member(S, [1,2]) ))]) :-
     random_scene(Kind, Seed, Terms),
     maplist(fine, Terms, Fine),
