@@ -176,8 +176,8 @@ primitive_row(turning, solid,
 primitive_row(transition, solid, Arguments, transition_shape,
               'transition(base(Outline), top(Outline), height(H), \c
                shift(X, Y), tilt(Degrees, Towards), turn(Degrees), \c
-               facets(N), divided(M)), Outline one of circle(R), ellipse(A, B), \c
-               rectangle(A, B), rectangle(A, B, R), \c
+               facets(N), divided(M)), Outline one of circle(R), \c
+               ellipse(A, B), rectangle(A, B), rectangle(A, B, R), \c
                polygon([[X, Y], ...])') :-
     transition_arguments(Arguments).
 primitive_row(open_transition, surface, Arguments, open_transition_shape,

@@ -27,8 +27,8 @@ steps_divided(N, Ring1-Ring2, Steps0, Divided1-Divided2, Steps) :-
     maplist(step_divided(Ring1-Places1, Ring2-Places2), Steps0, Lists),
     append(Lists, Steps).
 
-%   ring_divided(N, Ring, Places, Divided): node I of Ring is the one at arg I of
-%   Places in Divided; the last arg is one more than all of these.
+%   ring_divided(N, Ring, Places, Divided): node I of Ring is in Divided where arg
+%   I of Places says; the last arg is one more than all of these.
 
 ring_divided(N, Ring, Places, Divided) :-
     Ring =.. [ring|Nodes],

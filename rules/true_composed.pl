@@ -9,7 +9,8 @@
 :- use_module(true_layout, [chord_tolerance/3, strip_ends/3, strip_layout/6]).
 :- use_module(true_pieces,
               [ composed_seam/4, creases/3, direction_of/3, divided_at/3,
-                from_seam/3, is_round/1, piece_facets/2, pieces_found/4, place_of/3
+                from_seam/3, is_round/1, piece_facets/2, pieces_found/4,
+                place_of/3
               ]).
 :- use_module(true_plate, [plate_layer/2]).
 :- use_module(true_resized, [transition_resized/3]).

@@ -106,8 +106,8 @@ made(By, Inmost, Finer, S, S1) :-
     ;   parallel_made(Term, By, Inmost, S1)
     ).
 
-%   polygons_known(S, S1): which polygon of S each of S1 stands for: of the facets
-%   of a part of which another side is wanted, the nearest.
+%   polygons_known(S, S1): which polygon of S each of S1 stands for: of the
+%   facets of a part of which another side is wanted, the nearest.
 
 polygons_known(S, S1) :-
     (   smooth_surface(S, _, _)
