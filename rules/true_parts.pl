@@ -15,6 +15,7 @@
 :- use_module(true_flat, [flat_resized/3]).
 :- use_module(true_parallel, [parallel_made/4]).
 :- use_module(true_resized, [term_enlarged/3]).
+:- use_module(true_part_loop, [facet_parted/3]).
 :- use_module(true_tip, [settled/5]).
 :- use_module(library(apply),
               [foldl/4, maplist/2, maplist/3, partition/4]).
@@ -321,7 +322,9 @@ facets_as_drawn(S, Facets0, Shape, Facets) :-
     keysort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
     maplist(put_together(Shape), Groups, Lists),
-    append(Lists, Facets1),
+    append(Lists, Facets2),
+    maplist(facet_parted(Shape), Facets2, Parted),
+    append(Parted, Facets1),
     sort(1, @=<, Facets1, Facets).
 
 %   put_together(Shape, Drawn-Group, Facets): one for each part of the facet

@@ -93,6 +93,20 @@ test(narrow_top) :-
     near(Area, pi*Sine*(From*From - To*To), 1.0e-4).
 
 
+%   The tube of a ring goes over one facet twice: its three parts are polygons
+%   of their own; of one polygon only one part was there.
+test(facet_in_parts, true(near(Area, 33076.45, 1.0e-4))) :-
+    in_scene([ cone(radius(50), height(200), facets(12)),
+               at([rotate(x,89),rotate(y,88),translate(-15,6,68)],
+                  torus(radius(28), tube(9), facets(12))) ],
+             ( true_patterns(1, wanted(none,[],[],[]),
+                             [ trim(outside), thickness(3), k_factor(1),
+                               set_in(true), chord(0.002), seam(183) ],
+                             [D|_]),
+               forall(p(D, P, _), once(t(D, P, _, _, _, _))),
+               pattern_area(D, Area) )).
+
+
                 /*******************************
                 *           K-FACTOR           *
                 *******************************/
