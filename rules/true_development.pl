@@ -274,8 +274,10 @@ cut_at(Name, Option, T0, Sense, Facet, Parts, N0-Shape0, N-Shape) :-
     ->  Name = S-Part,
         throw(error(geometry_error(true(flat_part(S, Part, Option))), _))
     ;   facet_divided(Facet, T, Sense, N0, Parts, Shape0, Shape),
-        Parts = [facet(_, _, _, Halves)|_],
-        foldl(later_cut, Halves, N0, N)
+        findall(Half,
+                ( member(facet(_, _, _, Halves), Parts), member(Half, Halves) ),
+                All),
+        foldl(later_cut, All, N0, N)
     ).
 
 later_cut(half(_, _, Label), N0, N) :-

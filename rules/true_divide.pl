@@ -8,11 +8,12 @@
           ]).
 :- use_module(kernel, [surface_place/4, surfaces_meet/4]).
 :- use_module(primitive_face, [surface_point/4]).
+:- use_module(true_part_loop, [facet_parted/3]).
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
 :- use_module(true_surface, [generator_plane/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Facets divided along a generator.
 
@@ -25,20 +26,22 @@ counts as lying on its right; so each crossing is one, whatever touches it.
 
 %!  facet_divided(+Facet, +T, +Sense, +N, -Parts, +Shape0, -Shape) is det.
 %
-%   Parts are the two parts of Facet on both sides of the generator at T, which
-%   is strictly between its own: facet(P/1, T1, T, _) and facet(P/2, T, T2, _).
+%   Parts are those of Facet on both sides of the generator at T, which is
+%   strictly between its own: facet(P/1, T1, T, _) and facet(P/2, T, T2, _), or,
+%   where a hole parts one of these, several (facet_parted/3).
 %   Their new half-edges are labelled cut(N+I) and -cut(N+I). Sense is 1 if
 %   facets run counter-clockwise with T to the right and H up, else -1.
 
-facet_divided(facet(P, T1, T2, Halves), T, Sense, N,
-              [facet(P/1, T1, T, Left), facet(P/2, T, T2, Right)],
-              Shape0, Shape) :-
+facet_divided(facet(P, T1, T2, Halves), T, Sense, N, Parts, Shape0, Shape) :-
     crossed(Halves, T, Left0, Right0, Crossings0, Shape0, Shape),
     in_order(Crossings0, Sense, Crossings),
     spans(Crossings, Sense, Spans),
     cut_halves(Spans, Sense, N, CutLeft, CutRight),
     append(Left0, CutLeft, Left),
-    append(Right0, CutRight, Right).
+    append(Right0, CutRight, Right),
+    maplist(facet_parted(Shape),
+            [facet(P/1, T1, T, Left),facet(P/2, T, T2, Right)], Lists),
+    append(Lists, Parts).
 
 %   crossed(Halves, T, Left, Right, Crossings, Shape0, Shape): a crossing is
 %   crossing(H, Way, Key), Way 1 where a half-edge goes to the right.

@@ -93,8 +93,18 @@ test(narrow_top) :-
     near(Area, pi*Sine*(From*From - To*To), 1.0e-4).
 
 
+%   in_one(D, P): polygon P has one outer loop: N half-edges of K outer loops
+%   have N - 2*K triangles, and more with holes.
+
+in_one(D, P) :-
+    p(D, P, Es),
+    length(Es, N),
+    aggregate_all(count, t(D, P, _, _, _, _), Count),
+    Count >= N-2.
+
 %   The tube of a ring goes over one facet twice: its three parts are polygons
-%   of their own; of one polygon only one part was there.
+%   of their own, also of what the seam leaves of the facet; of one polygon only
+%   one part was there.
 test(facet_in_parts, true(near(Area, 33076.45, 1.0e-4))) :-
     in_scene([ cone(radius(50), height(200), facets(12)),
                at([rotate(x,89),rotate(y,88),translate(-15,6,68)],
@@ -103,7 +113,7 @@ test(facet_in_parts, true(near(Area, 33076.45, 1.0e-4))) :-
                              [ trim(outside), thickness(3), k_factor(1),
                                set_in(true), chord(0.002), seam(183) ],
                              [D|_]),
-               forall(p(D, P, _), once(t(D, P, _, _, _, _))),
+               forall(p(D, P, _), in_one(D, P)),
                pattern_area(D, Area) )).
 
 
