@@ -2,6 +2,7 @@
           [ placed_face/3,              % ?S, ?P, ?What
             placed_surface/3,           % ?S, ?Part, ?Surface
             placed_polygon/4,           % +S, ?P, ?Leaf, ?P0
+            drawn_polygon/4,            % +S1, ?P1, -S, ?P
             placed_feature/4            % ?S, ?V, ?Leaf, ?Feature
           ]).
 :- use_module(csg, [is_helper/1, is_node/1]).
@@ -128,4 +129,18 @@ placed_feature(S, V, Leaf, Feature) :-
         Feature = p(P)
     ;   Leaf = S1,
         Feature = Feature1
+    ).
+
+%!  drawn_polygon(+S1, ?P1, -S, ?P) is nondet.
+%
+%   Polygon P1 of segment S1, a part that was made of what is drawn to be cut
+%   for a true pattern (true_parts.pl), stands for polygon P of the segment S
+%   that is drawn.
+
+drawn_polygon(S1, P1, S, P) :-
+    origin(S1, node(S1), plate(S)),
+    (   origin(S1, p(_), p(_))
+    ->  origin(S1, p(P1), p(P))
+    ;   P = P1,
+        once(p(S1, P1, _))
     ).

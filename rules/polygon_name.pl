@@ -9,11 +9,11 @@
             neighbours/3                % +S, +P, -Qs
           ]).
 :- use_module(leaf_face, [leaf_face/5]).
+:- use_module(placed_surface, [drawn_polygon/4]).
 :- use_module(primitive_face, [face_of/3]).
 :- use_module(store,
               [e/5, p/3, segment/3, origin/3, from_p/5, edge_polygon/3]).
 :- use_module(trimmed, [trimmed_from/2]).
-:- use_module(true_parts, [drawn_polygon/4]).
 :- use_module(library(lists), [list_to_set/2, member/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Polygons, edges and segments by the names that people give them.

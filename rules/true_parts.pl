@@ -1,17 +1,16 @@
 :- module(sg_true_parts,
           [ parts_made/3,               % +Sizes, +Options, -Parts
-            drawn_polygon/4,            % +S1, ?P1, -S, ?P
             polygon_drawn/4,            % +T, +P, -S, -P0
             drawn_wanted/4,             % +S1, +S, +Wanted, -Wanted1
             facets_as_drawn/4           % +S, +Facets0, +Shape, -Facets
           ]).
 :- use_module(csg, [is_node/1]).
 :- use_module(primitive_rows, [add_primitive/2]).
-:- use_module(placed_surface, [placed_face/3, placed_polygon/4]).
+:- use_module(placed_surface,
+              [drawn_polygon/4, placed_face/3, placed_polygon/4]).
 :- use_module(primitive, [is_primitive/1, primitive_parts/3]).
 :- use_module(primitive_face, [face_of/3, smooth_surface/3]).
-:- use_module(store,
-              [p/3, segment/3, origin/3, from_p/5, assert_fact/1]).
+:- use_module(store, [segment/3, origin/3, from_p/5, assert_fact/1]).
 :- use_module(true_flat, [flat_resized/3]).
 :- use_module(true_parallel, [parallel_made/4]).
 :- use_module(true_resized, [term_enlarged/3]).
@@ -254,19 +253,6 @@ argument_replaced(Term0, Names, New, Term) :-
                 /*******************************
                 *           AS DRAWN           *
                 *******************************/
-
-%!  drawn_polygon(+S1, ?P1, -S, ?P) is nondet.
-%
-%   Polygon P1 of segment S1, a part that parts_made/3 made, stands for polygon
-%   P of the segment S that is drawn.
-
-drawn_polygon(S1, P1, S, P) :-
-    origin(S1, node(S1), plate(S)),
-    (   origin(S1, p(_), p(_))
-    ->  origin(S1, p(P1), p(P))
-    ;   P = P1,
-        once(p(S1, P1, _))
-    ).
 
 %!  polygon_drawn(+T, +P, -S, -P0) is semidet.
 %
