@@ -2,11 +2,17 @@
           [ pattern_bent/2,             % +D, +Options
             bend_deduction/3            % +Degrees, +Options, -Deduction
           ]).
+:- use_module(bend_corner,
+              [corner_place/5, edge_inward/4, list_to_first/2, polygon_corners/4]).
+:- use_module(placed_surface,
+              [placed_face/3, placed_polygon/4, placed_surface/3]).
 :- use_module(store,
-              [ e/5, edge_polygon/3, from_v/4, joint/6, origin/3, p/3,
+              [ e/5, edge_polygon/3, from_p/5, from_v/4, joint/6, origin/3, p/3,
                 segment/3, t/6, v/5, assert_fact/1,
-                facts_transaction/1, fresh_id/3, retract_fact/1
+                facts_transaction/1, fresh_id/3, retract_fact/1,
+                retractall_facts/1
               ]).
+:- use_module(triangulation, [complete_segments/1]).
 :- use_module(trimmed, [part_named/2]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(assoc),
@@ -14,7 +20,7 @@
                 put_assoc/4
               ]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
-:- use_module(library(lists), [append/3, max_list/2, member/2]).
+:- use_module(library(lists), [append/3, max_list/2, member/2, subtract/3]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Folded plates: what bends take off a pattern.
@@ -37,7 +43,9 @@ Each face loses BD/2 at each of its bends, so the middle of the bend, which is
 where the bend line is marked, is the edge that the two faces share. The other
 edges of a face stay on their lines; a corner between two bends is taken off on
 both sides. Faces keep their polygons and edges; a corner at which faces come
-apart gets one vertex for each.
+apart gets one vertex for each. Where a hole goes over a fold, its border ends
+where it comes out of what the face loses: edges of which nothing is left there
+are left out.
 
 @see the textbook forms, as in DIN 6935 and Machinery's Handbook
 */
@@ -108,6 +116,8 @@ drawn_at(inside, Degrees, T, _, S) :-
 %
 %   @error geometry_error(true(bend(S, P1, P2, Degrees))): the plate of segment
 %   S would turn by 170 degrees or more
+%   @error geometry_error(true(bent_facet(S, P, Kind, Width))): nor of P, which
+%   is a facet of a `sphere` or a `torus`
 %   @error geometry_error(true(bend_too_wide(S, P, Width))): of polygon P
 %   nothing is left
 
@@ -229,13 +239,6 @@ edge_offsets(Bends, Offsets) :-
             Pairs),
     list_to_assoc(Pairs, Offsets).
 
-edge_offset(Offsets, E, Offset) :-
-    (   get_assoc(E, Offsets, Offset)
-    ->  true
-    ;   Offset = 0.0
-    ).
-
-
                 /*******************************
                 *            SHIFTS            *
                 *******************************/
@@ -281,24 +284,12 @@ neighbour_shifted(D, X0-Y0, fold(E, Q, Half), Ps-Shifts0, Ps1-Shifts) :-
     (   get_assoc(Q, Shifts0, _)
     ->  Ps1 = Ps,
         Shifts = Shifts0
-    ;   inward(D, E, NX, NY),
+    ;   edge_inward(D, E, NX, NY),
         X is X0 + 2.0*Half*NX,
         Y is Y0 + 2.0*Half*NY,
         put_assoc(Q, Shifts0, X-Y, Shifts),
         Ps1 = [Q|Ps]
     ).
-
-%   inward(D, E, NX, NY): the unit normal of edge E into its polygon, which lies
-%   on the left; (0, 0), if E has no length.
-
-inward(D, E, NX, NY) :-
-    e(D, E, A, B, _),
-    v(D, A, X1, Y1, _),
-    v(D, B, X2, Y2, _),
-    Length is max(sqrt((X2-X1)**2 + (Y2-Y1)**2), 1.0e-300),
-    NX is (Y1-Y2)/Length,
-    NY is (X2-X1)/Length.
-
 
                 /*******************************
                 *            CORNERS           *
@@ -313,51 +304,20 @@ polygon_bent(D, Offsets, Shifts, P, corners(Known0, Changes),
     p(D, P, Es),
     !,
     get_assoc(P, Shifts, Shift),
-    findall(A-out(E), ( member(E, Es), e(D, E, A, _, _) ), Outs),
-    findall(B-in(E), ( member(E, Es), e(D, E, _, B, _) ), Ins),
-    list_to_first(Ins, InTable),
-    foldl(corner_moved(D, Offsets, Shift, InTable), Outs, Known0-[],
-          Known-Pairs0),
+    polygon_corners(D, Offsets, Es, Corners),
+    foldl(corner_moved(D, Offsets, Shift), Corners, Known0-[], Known-Pairs0),
     sort(1, @<, Pairs0, Pairs1),
     list_to_assoc(Pairs1, Map),
-    sides_kept(D, P, Es, Offsets).
+    sides_kept(D, P, Corners, Offsets).
 
-list_to_first(Pairs0, Table) :-
-    sort(1, @<, Pairs0, Pairs),
-    list_to_assoc(Pairs, Table).
-
-corner_moved(D, Offsets, SX-SY, InTable, V-out(E2), Known0-Pairs,
-             Known-[V-W|Pairs]) :-
-    get_assoc(V, InTable, in(E1)),
-    v(D, V, X0, Y0, _),
-    corner_offset(D, Offsets, E1, E2, DX, DY),
-    X is X0 + DX + SX,
-    Y is Y0 + DY + SY,
-    vertex_at(D, V, X, Y, Known0, Known, W).
-
-%   corner_offset(D, Offsets, E1, E2, DX, DY): where the lines of the edges meet
-%   when they are moved inward.
-
-corner_offset(D, Offsets, E1, E2, DX, DY) :-
-    edge_offset(Offsets, E1, D1),
-    edge_offset(Offsets, E2, D2),
-    (   D1 =:= 0.0,
-        D2 =:= 0.0
-    ->  DX = 0.0,
-        DY = 0.0
-    ;   inward(D, E1, X1, Y1),
-        inward(D, E2, X2, Y2),
-        Cross is X1*Y2 - Y1*X2,
-        (   abs(Cross) > 1.0e-6
-        ->  DX is (D1*Y2 - D2*Y1)/Cross,
-            DY is (X1*D2 - X2*D1)/Cross
-        ;   D1 =\= 0.0
-        ->  DX is D1*X1,
-            DY is D1*Y1
-        ;   DX is D2*X2,
-            DY is D2*Y2
-        )
-    ).
+corner_moved(D, Offsets, SX-SY, Corner, Known0-Pairs0, Known-Pairs) :-
+    Corner = corner(V, _, _, Vs),
+    corner_place(D, Offsets, Corner, X1, Y1),
+    X is X1 + SX,
+    Y is Y1 + SY,
+    vertex_at(D, V, X, Y, Known0, Known, W),
+    findall(V1-W, member(V1, Vs), Here),
+    append(Here, Pairs0, Pairs).
 
 %   vertex_at(D, V, X, Y, Known0, Known, W): W is what vertex V is there: itself
 %   for the first polygon, and for others if they have it in the same place.
@@ -378,40 +338,75 @@ vertex_at(D, V, X, Y, Known0, Known, W) :-
         put_assoc(V, Known0, [place(X, Y, V)], Known)
     ).
 
-%   sides_kept(D, P, Es, Offsets): no side turns round: if it has a length, it is
-%   longer than what is taken off at its two ends.
+%   sides_kept(D, P, Corners, Offsets): no side turns round: if it has a length,
+%   it is longer than what is taken off at its two ends.
 
-sides_kept(D, P, Es, Offsets) :-
-    (   member(E, Es),
-        e(D, E, A, B, _),
-        once(( member(E0, Es), e(D, E0, _, A, _) )),
-        once(( member(E2, Es), e(D, E2, B, _, _) )),
-        corner_offset(D, Offsets, E0, E, X1, Y1),
-        corner_offset(D, Offsets, E, E2, X2, Y2),
-        inward(D, E, NX, NY),
-        v(D, A, AX, AY, _),
-        v(D, B, BX, BY, _),
-        Length is sqrt((BX-AX)**2 + (BY-AY)**2),
+sides_kept(D, P, Corners, Offsets) :-
+    findall(E-place(X, Y),
+            ( member(Corner, Corners),
+              Corner = corner(_, E, _, _),
+              corner_place(D, Offsets, Corner, X, Y) ),
+            Ends0),
+    list_to_first(Ends0, Ends),
+    (   member(Corner, Corners),
+        Corner = corner(_, _, E, _),
+        corner_place(D, Offsets, Corner, X1, Y1),
+        get_assoc(E, Ends, place(X2, Y2)),
+        side_length(D, E, Length),
         Length > 0.0,
-        Off is NY*(X1-X2) - NX*(Y1-Y2),
-        Off >= Length
-    ->  named_segment(D, S),
-        throw(error(geometry_error(true(bend_too_wide(S, P, Off))), _))
+        edge_inward(D, E, NX, NY),
+        Left is NY*(X2-X1) - NX*(Y2-Y1),
+        Left =< 0.0
+    ->  Off is Length-Left,
+        named_segment(D, S),
+        (   curved_facet(D, P, Kind)
+        ->  What = bent_facet(S, P, Kind, Off)
+        ;   What = bend_too_wide(S, P, Off)
+        ),
+        throw(error(geometry_error(true(What)), _))
     ;   true
     ).
+
+%   curved_facet(D, P, Kind): polygon P is a facet of a surface of this Kind,
+%   `sphere` or `torus`, that no plate can have by bending.
+
+curved_facet(D, P, Kind) :-
+    model_segment(D, S),
+    (   from_p(S, P, _, _, _)
+    ->  once(placed_polygon(S, P, Leaf, P0))
+    ;   Leaf-P0 = S-P
+    ),
+    placed_face(Leaf, P0, curved(Part, _)),
+    placed_surface(Leaf, Part, Surface),
+    functor(Surface, Kind, _),
+    memberchk(Kind, [sphere,torus]),
+    !.
+
+side_length(D, E, Length) :-
+    once(e(D, E, A, B, _)),
+    once(v(D, A, AX, AY, _)),
+    once(v(D, B, BX, BY, _)),
+    Length is sqrt((BX-AX)**2 + (BY-AY)**2).
 
 
                 /*******************************
                 *             ROWS             *
                 *******************************/
 
-%   changes_written(Changes, Known, D): the rows of D after the corners moved.
+%   changes_written(Changes, Known, D): the rows of D after the corners moved. A
+%   vertex that is at a corner of another one is none any more.
 
 changes_written(Changes, Known, D) :-
     forall(gen_assoc(V, Known, Places),
            vertex_rewritten(D, V, Places)),
     forall(member(change(P, Map), Changes),
-           polygon_rewritten(D, P, Map)).
+           polygon_rewritten(D, P, Map)),
+    forall(( member(change(_, Map), Changes),
+             gen_assoc(V, Map, _),
+             \+ get_assoc(V, Known, _) ),
+           ( retractall_facts(v(D, V, _, _, _)),
+             retractall_facts(from_v(D, V, _, _)) )),
+    complete_segments([D]).
 
 polygon_rewritten(D, P, Map) :-
     p(D, P, Es),
@@ -423,8 +418,25 @@ polygon_rewritten(D, P, Map) :-
              A-B \== A0-B0 ),
            ( retract_fact(e(D, E, A0, B0, Et)),
              assert_fact(e(D, E, A, B, Et)) )),
-    findall(T, t(D, P, T, _, _, _), Ts),
-    forall(member(T, Ts), triangle_rewritten(D, P, T, Map)).
+    findall(E, ( member(E, Es), once(e(D, E, V, V, _)) ), Gone),
+    (   Gone == []
+    ->  findall(T, t(D, P, T, _, _, _), Ts),
+        forall(member(T, Ts), triangle_rewritten(D, P, T, Map))
+    ;   edges_left_out(D, P, Es, Gone)
+    ).
+
+%   edges_left_out(D, P, Es, Gone): polygon P, of the edges Es, has those that
+%   are Gone no more, and is divided anew.
+
+edges_left_out(D, P, Es0, Gone) :-
+    subtract(Es0, Gone, Es),
+    retractall_facts(p(D, P, Es0)),
+    assert_fact(p(D, P, Es)),
+    forall(member(E, Gone),
+           ( retractall_facts(e(D, E, _, _, _)),
+             retractall_facts(origin(D, e(E), _)) )),
+    retractall_facts(t(D, P, _, _, _, _)),
+    retractall_facts(plane(D, P, _, _, _, _)).
 
 triangle_rewritten(D, P, T, Map) :-
     t(D, P, T, A0, B0, C0),

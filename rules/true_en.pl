@@ -45,4 +45,12 @@ true_en(bend(S, P1, P2, Degrees)) -->
 true_en(bend_too_wide(S, P, Width)) -->
     [ 'segment ~d: polygon ~d is narrower than what its bends take off, ~4f'-
       [S, P, Width], nl,
-      '  Take a smaller bend radius, or larger faces.' ].
+      '  Take a smaller --bend-radius or --thickness, or leave faces out that \c
+         are not needed: --remove base.' ].
+true_en(bent_facet(S, P, Kind, Width)) -->
+    [ 'segment ~d: polygon ~d, a facet of a ~w, is narrower than what its \c
+       bends take off, ~4f'-[S, P, Kind, Width], nl,
+      '  A ~w is not developable: a plate cannot be rolled to it, only bent \c
+         between flat facets.'-[Kind], nl,
+      '  Give it fewer facets, a smaller --bend-radius or --thickness; or \c
+         unfold it without --thickness, as thin sheet.' ].

@@ -44,4 +44,16 @@ true_ko(bend(S, P1, P2, Degrees)) -->
 true_ko(bend_too_wide(S, P, Width)) -->
     [ '세그먼트 ~d: 다각형 ~d가 굽힘으로 줄어드는 길이 ~4f보다 좁습니다'-
       [S, P, Width], nl,
-      '  굽힘 반지름을 줄이거나 면을 키우십시오.' ].
+      '  --bend-radius나 --thickness를 줄이거나, 필요 없는 면을 빼십시오: \c
+         --remove base.' ].
+true_ko(bent_facet(S, P, Kind, Width)) -->
+    { kind_ko(Kind, Word) },
+    [ '세그먼트 ~d: ~w의 다각형 ~d가 굽힘으로 줄어드는 길이 ~4f보다 좁습니다'-
+      [S, Word, P, Width], nl,
+      '  ~w 면은 전개할 수 없습니다: 판을 말아서는 만들 수 없고, 평면 조각 \c
+         사이를 굽힐 수만 있습니다.'-[Word], nl,
+      '  조각 수(facets)나 --bend-radius, --thickness를 줄이거나, --thickness \c
+         없이 얇은 판으로 펼치십시오.' ].
+
+kind_ko(sphere, '구').
+kind_ko(torus, '원환').

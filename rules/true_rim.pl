@@ -1,5 +1,6 @@
 :- module(sg_true_rim,
-          [ rims_rounded/3              % +D, +S, +Options
+          [ rims_rounded/3,             % +D, +S, +Options
+            pattern_measured/1          % +D
           ]).
 :- use_module(placed_surface,
               [placed_face/3, placed_polygon/4, placed_surface/3]).
@@ -66,10 +67,18 @@ rounded(D, S, Options) :-
         empty_assoc(Corners)
     ->  true
     ;   complete_segments([D]),
-        seam_drawn(D, Seam, Longest),
-        pattern_area(D, Area),
-        record_drawn(D, Seam, Longest, Area)
+        pattern_measured(D)
     ).
+
+%!  pattern_measured(+D) is det.
+%
+%   Remember how long the seams of pattern D are and how large it is now: after
+%   it was laid it was changed.
+
+pattern_measured(D) :-
+    seam_drawn(D, Seam, Longest),
+    pattern_area(D, Area),
+    record_drawn(D, Seam, Longest, Area).
 
 true_arc(D, S, P, E, Meets, Corners, Options, Points) :-
     (   rim_arc(D, S, P, E, Options, Points)

@@ -1,14 +1,17 @@
 :- module(sg_unfold_true,
           [ true_patterns/4             % +S, +Wanted, +Options, -Ds
           ]).
+:- use_module(bend, [pattern_bent/2]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module(store,
-              [e/5, p/3, from_p/5, edge_polygon/3, facts_transaction/1]).
+              [ e/5, p/3, origin/3, from_p/5, edge_polygon/3,
+                facts_transaction/1
+              ]).
 :- use_module(triangulation, [complete_segments/0]).
 :- use_module(true_development, [true_development/4, developable_part/3]).
 :- use_module(true_parts, [drawn_wanted/4, polygon_drawn/4]).
 :- use_module(true_plate, [plate_parts/5]).
-:- use_module(true_rim, [rims_rounded/3]).
+:- use_module(true_rim, [pattern_measured/1, rims_rounded/3]).
 :- use_module(true_shape, [part_facet/5]).
 :- use_module(unfold, [trimmed_part/3, other_parts/3, part_developed/4]).
 :- use_module(unfold_wish, [wanted_in/4]).
@@ -57,9 +60,20 @@ patterns(S, Wanted, Options0, Ds) :-
     ;   flat_wishes(T, Rest, Manual, FlatManual),
         kept_apart_told(T, Rest, Ps, Manual),
         findall(P, ( p(T, P, _), \+ ord_memberchk(P, Rest) ), Others),
-        part_developed(T, [removed(Others)|FlatManual], Options, D),
-        rims_rounded(D, T, Options),
+        flat_developed(T, [removed(Others)|FlatManual], Options, D),
         append(Unrolled, [D], Ds)
+    ).
+
+%   flat_developed(T, Manual, Options, D): what bends take off is taken off true
+%   rims and holes.
+
+flat_developed(T, Manual, Options, D) :-
+    part_developed(T, Manual, [thickness(0.0)|Options], D),
+    rims_rounded(D, T, Options),
+    pattern_bent(D, Options),
+    (   once(origin(D, e(_), e(_)))
+    ->  pattern_measured(D)
+    ;   true
     ).
 
 part_removed(T, Part, Removed) :-

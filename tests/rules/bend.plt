@@ -194,6 +194,24 @@ test(too_sharp, error(geometry_error(true(bend(1, _, _, _))), _)) :-
                        [10,9,0.1],[10,0,0.5],[0,0,0.5]]),
                faces([[1,2,3,4],[4,3,7,8]])),
          [thickness(1)], _, true).
+%   A leg whose end is slanted at the fold, in short steps: what is left beside
+%   the bend is cut off there. Steps shorter than that had been refused.
+test(short_edges_at_a_fold, true(near(Area, 10000-58*2-2*2/2-200*H+H*H/2))) :-
+    deduction(3, 2, 0.44, 2, BD),
+    H is BD/2,
+    bent(sheet(points([[0,0,40],[0,100,40],[0,0,0],[0,100,0],[60,2,0],
+                       [60,100,0],[2,2,0],[1,1,0],[0.4,0.4,0],[0.2,0.2,0]]),
+               faces([[1,2,4,3],[3,4,6,5,7,8,9,10]])),
+         [thickness(2),size(outside),bend_radius(3),k_factor(0.44)], D,
+         ( area(D, Area),
+           forall(( p(D, _, Es), member(E, Es) ),
+                  ( e(D, E, A, B, _), v(D, A, _, _, _), v(D, B, _, _, _) )),
+           aggregate_all(count, v(D, _, _, _, _), Count) )),
+    Count =:= 8.
+test(facet_of_a_sphere,
+     error(geometry_error(true(bent_facet(1, _, sphere, _))), _)) :-
+    bent(sphere(radius(10),facets(12)), [thickness(3),bend_radius(1000)], _,
+         true).
 test(too_narrow, error(geometry_error(true(bend_too_wide(1, _, _))), _)) :-
     bent(box(size(10,10,1)), [thickness(1),size(outside),bend_radius(5)], _,
          true).
