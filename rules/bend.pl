@@ -3,7 +3,9 @@
             bend_deduction/3            % +Degrees, +Options, -Deduction
           ]).
 :- use_module(bend_corner,
-              [corner_place/5, edge_inward/4, list_to_first/2, polygon_corners/4]).
+              [ corner_place/5, edge_inward/4, list_to_first/2,
+                polygon_corners/4
+              ]).
 :- use_module(placed_surface,
               [placed_face/3, placed_polygon/4, placed_surface/3]).
 :- use_module(store,
