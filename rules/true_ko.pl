@@ -47,7 +47,7 @@ true_ko(bend_too_wide(S, P, Width)) -->
       '  --bend-radius나 --thickness를 줄이거나, 필요 없는 면을 빼십시오: \c
          --remove base.' ].
 true_ko(bent_facet(S, P, Kind, Width)) -->
-    { kind_ko(Kind, Word) },
+    { kind_word(Kind, Word) },
     [ '세그먼트 ~d: ~w의 다각형 ~d가 굽힘으로 줄어드는 길이 ~4f보다 좁습니다'-
       [S, Word, P, Width], nl,
       '  ~w 면은 전개할 수 없습니다: 판을 말아서는 만들 수 없고, 평면 조각 \c
@@ -55,5 +55,5 @@ true_ko(bent_facet(S, P, Kind, Width)) -->
       '  조각 수(facets)나 --bend-radius, --thickness를 줄이거나, --thickness \c
          없이 얇은 판으로 펼치십시오.' ].
 
-kind_ko(sphere, '구').
-kind_ko(torus, '원환').
+kind_word(sphere, '구').
+kind_word(torus, '원환').
