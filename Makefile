@@ -19,8 +19,8 @@ SHELL   := /bin/bash
 B       := build
 CC      ?= cc
 PREFIX  ?= /usr/local
-# It stands in rules/cli.pl.
-VERSION := $(shell sed -n "s/^version('\(.*\)')\.$$/\1/p" rules/cli.pl)
+# It stands in rules/command/cli.pl.
+VERSION := $(shell sed -n "s/^version('\(.*\)')\.$$/\1/p" rules/command/cli.pl)
 
 # Goals that install what they need, beside what the build needs. deps.mk holds
 # what pkg-config says; make re-reads this file after making it, so the flags
@@ -53,19 +53,20 @@ OPT     ?= -O2
 WARN    := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
            -Wmissing-prototypes -Wswitch-enum -Werror
 # No SLP vectors: points that go through memory as pairs wait for their halves.
-CFLAGS  := -std=c11 -D_GNU_SOURCE $(OPT) -g -fPIC -ffp-contract=off \
-           -fno-tree-slp-vectorize
+# Headers are named from c_kernels/ (rows/sort.h), others of ours from here.
+CFLAGS  := -std=c11 -D_GNU_SOURCE -I. -Ic_kernels $(OPT) -g -fPIC \
+           -ffp-contract=off -fno-tree-slp-vectorize
 LIBS    := -lgmp -lz -lm -lpthread
 
-C_SRC   := $(wildcard engine/*.c c_kernels/*.c)
+C_SRC   := $(wildcard engine/*.c c_kernels/*.c c_kernels/*/*.c)
 EMBED   := engine/start.c engine/engine.c engine/question.c
 MAINS   := engine/main.c engine/boot.c $(EMBED)
 OBJS    := $(patsubst %.c,$(B)/%.o,$(filter-out $(MAINS),$(C_SRC)))
 # Without Prolog: what the C tests link.
 CORE    := $(filter-out %4pl.o %/install.o %/glue.o,$(OBJS))
-RULES   := $(wildcard rules/*.pl rules/kernel/*.pl)
+RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 
-all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
+all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 .PHONY: all packages so demo test check check-c check-rules check-embed check-cli bless \
         check-san san check-vg lint clean install uninstall bench
@@ -73,7 +74,7 @@ all: $(B)/sanggwan.so $(if $(wildcard rules/cli.pl),sanggwan)
 # --- objects and libraries -------------------------------------------------
 
 # exact.c: its own flags, whatever OPT says.
-$(B)/c_kernels/exact.o: OPT := -O2
+$(B)/c_kernels/number/exact.o: OPT := -O2
 $(B)/%4pl.o $(B)/c_kernels/glue.o $(B)/engine/engine.o \
   $(B)/engine/question.o: \
 	WARN += -Wno-sign-conversion
@@ -93,7 +94,7 @@ $(B)/sanggwan.so: $(OBJS)
 # on for what users call); state.S carries the saved state into the library.
 # While the rules are loaded autoloading is off: what a library of Prolog would
 # load when it is first needed is then loaded with it.
-LOAD = set_prolog_flag(autoload,false),load_files(user:'rules/cli.pl',[]), \
+LOAD = set_prolog_flag(autoload,false),load_files(user:'rules/command/cli.pl',[]), \
        set_prolog_flag(autoload,true)
 SAVE = qsave_program('$@',[class(development),goal(true),toplevel(halt), \
        init_file(none),foreign(no_save),stand_alone(false),autoload(false)])
@@ -125,9 +126,12 @@ sanggwan: $(B)/sanggwan
 # --- tests -----------------------------------------------------------------
 
 T       ?=
-C_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/c_kernels/*$(T)*_test.c \
-             tests/engine/*$(T)*_test.c))
-PLTS    := $(wildcard tests/rules/*$(T)*.plt)
+# T is a part of a name, or a folder.
+C_TESTS := $(patsubst %.c,$(B)/%,$(sort $(wildcard \
+             tests/c_kernels/*$(T)*_test.c tests/c_kernels/*/*$(T)*_test.c \
+             tests/c_kernels/$(or $(T),*)/*_test.c tests/engine/*$(T)*_test.c)))
+PLTS    := $(sort $(wildcard tests/rules/*$(T)*.plt \
+             tests/rules/*/*$(T)*.plt tests/rules/$(or $(T),*)/*.plt))
 CLIS    := $(wildcard tests/cli/*$(T)*.sh)
 
 $(B)/tests/%_test: tests/%_test.c tests/check.h $(CORE)
@@ -194,7 +198,7 @@ check-san:
 	  B=$(B)/san san
 san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
 	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
-	@$(B)/tests/c_kernels/mesh_fuzz_test 20000
+	@$(B)/tests/c_kernels/model/mesh_fuzz_test 20000
 	@echo 'skipped: the tests of rules that need threads'
 	@B=$(B) TEST_SECONDS=1200 ASAN_OPTIONS=detect_leaks=0 SWIPL="env \
 	  LD_PRELOAD=$$($(CC) -print-file-name=libasan.so) swipl --no-threads" \
@@ -210,16 +214,17 @@ check-vg: $(B)/sanggwan.so $(C_TESTS)
 	  $(C_TESTS))
 	@echo 'skipped: the tests of rules that need threads'
 	@SWIPL='$(VG) swipl --no-threads' TEST_SECONDS=1200 tests/run \
-	  $(filter $(VG_PLT:%=tests/rules/%.plt),$(PLTS))
+	  $(foreach t,$(VG_PLT),$(filter %/$(t).plt,$(PLTS)))
 
 # Layout and flaws of the C; documentation, width and layers of all.
 # tools/cppcheck.supp says what is not asked, and why.
-FORMATTED := $(wildcard engine/*.[ch] c_kernels/*.[ch] tests/*.h \
-               tests/*/*.[ch] bench/*.c docs/*.c)
+FORMATTED := $(wildcard engine/*.[ch] c_kernels/*.[ch] c_kernels/*/*.[ch] \
+               tests/*.h tests/*/*.[ch] tests/*/*/*.[ch] bench/*.c docs/*.c)
 lint: $(B)/sanggwan.so
 	@clang-format --dry-run -Werror $(FORMATTED)
 	@cppcheck -q -j 2 --enable=warning,portability,performance --std=c11 \
 	  --suppressions-list=tools/cppcheck.supp --error-exitcode=1 \
+	  -I. -Ic_kernels \
 	  engine c_kernels tests
 	@swipl -f none tools/check_layers.pl
 	@swipl -f none -p foreign=$(B) --on-warning=status --on-error=status \
@@ -249,7 +254,7 @@ install: all $(B)/sanggwan.1
 	@DESTDIR='$(DESTDIR)' tools/install '$(PREFIX)' $(VERSION) $(PL_ARCH)
 uninstall:
 	@DESTDIR='$(DESTDIR)' tools/install --remove '$(PREFIX)'
-$(B)/sanggwan.1: tools/manual.pl rules/usage.pl
+$(B)/sanggwan.1: tools/manual.pl rules/command/usage.pl
 	swipl -f none tools/manual.pl -- $(VERSION) $@
 
 clean:

@@ -1,9 +1,9 @@
 /* The driver behind bench/boolean_driver. */
-:- use_module('../rules/boolean').
-:- use_module('../rules/mesh').
+:- use_module('../rules/solid/boolean').
+:- use_module('../rules/model/mesh').
 :- use_module('../rules/stage').
 :- use_module('../rules/store').
-:- use_module('../rules/triangulation').
+:- use_module('../rules/polygon/triangulation').
 :- use_module(rows_off).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).

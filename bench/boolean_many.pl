@@ -10,12 +10,12 @@
    much memory all of it took, undo steps included.
    instance: a sphere of 300,000 triangles once more, turned.
 */
-:- use_module('../rules/boolean').
-:- use_module('../rules/csg_evaluate').
-:- use_module('../rules/primitive_rows').
+:- use_module('../rules/solid/boolean').
+:- use_module('../rules/solid/csg_evaluate').
+:- use_module('../rules/primitive/primitive_rows').
 :- use_module('../rules/stage').
 :- use_module('../rules/store').
-:- use_module('../rules/triangulation').
+:- use_module('../rules/polygon/triangulation').
 :- use_module(rows_off).
 :- use_module('../tests/rules/checked').
 :- use_module(library(aggregate)).

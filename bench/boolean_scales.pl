@@ -8,10 +8,10 @@
    triangle without area, none that penetrate each other, by the independent
    checker; for each also what `check` of the peers says.
 */
-:- use_module('../rules/boolean').
-:- use_module('../rules/mesh').
+:- use_module('../rules/solid/boolean').
+:- use_module('../rules/model/mesh').
 :- use_module('../rules/store').
-:- use_module('../rules/triangulation').
+:- use_module('../rules/polygon/triangulation').
 :- use_module('../tests/rules/checked').
 :- use_module(degenerate).
 :- use_module(rows_off).

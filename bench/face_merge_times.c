@@ -3,7 +3,7 @@
  * one becomes one, the other six faces. Prints the median milliseconds of one
  * and of all processors.
  */
-#include "../c_kernels/face_merge.h"
+#include "solid/face_merge.h"
 
 #include <math.h>
 #include <stdio.h>

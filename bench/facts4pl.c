@@ -1,5 +1,5 @@
 /* facts4pl.c -- rows in bulk for bench/facts.pl; part of the benchmark only. */
-#include "../engine/world4pl.h"
+#include "engine/world4pl.h"
 
 #include <stdlib.h>
 #include <time.h>

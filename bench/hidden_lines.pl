@@ -14,11 +14,11 @@
 */
 :- use_module('../rules/store').
 :- use_module('../rules/kernel').
-:- use_module('../rules/mesh').
-:- use_module('../rules/triangulation').
-:- use_module('../rules/penetration').
-:- use_module('../rules/view').
-:- use_module('../rules/hidden_lines').
+:- use_module('../rules/model/mesh').
+:- use_module('../rules/polygon/triangulation').
+:- use_module('../rules/penetration/penetration').
+:- use_module('../rules/picture/view').
+:- use_module('../rules/picture/hidden_lines').
 
 :- initialization(main, main).
 

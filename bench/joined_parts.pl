@@ -7,8 +7,8 @@
    n^1 twice as many take twice as long. LARGEST joins at most, 3,200 unless
    told.
 */
-:- use_module('../rules/model').
-:- use_module('../rules/penetration').
+:- use_module('../rules/model/model').
+:- use_module('../rules/penetration/penetration').
 :- use_module('../rules/store').
 :- use_module(library(aggregate)).
 

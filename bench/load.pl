@@ -1,10 +1,10 @@
 /* Reading and checking a mesh: see bench/load. */
 :- use_module('../rules/store').
 :- use_module('../rules/kernel', [solid_take/2]).
-:- use_module('../rules/mesh').
-:- use_module('../rules/solid_rows', [solid_written/2]).
-:- use_module('../rules/triangulation').
-:- use_module('../rules/check').
+:- use_module('../rules/model/mesh').
+:- use_module('../rules/solid/solid_rows', [solid_written/2]).
+:- use_module('../rules/polygon/triangulation').
+:- use_module('../rules/command/check').
 :- autoload(library(lists), [sum_list/2]).
 :- autoload(library(readutil), [read_file_to_string/3]).
 

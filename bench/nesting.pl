@@ -11,8 +11,8 @@
    one order is tried: the power of the number that they are between two rows.
 */
 :- use_module('../rules/sanggwan').
-:- use_module('../rules/pattern_nest').
-:- use_module('../rules/pattern_outline').
+:- use_module('../rules/pattern/pattern_nest').
+:- use_module('../rules/pattern/pattern_outline').
 
 :- initialization(main, main).
 

@@ -10,9 +10,9 @@
 */
 :- use_module('../rules/store').
 :- use_module('../rules/kernel').
-:- use_module('../rules/primitive_rows').
-:- use_module('../rules/triangulation').
-:- use_module('../rules/penetration').
+:- use_module('../rules/primitive/primitive_rows').
+:- use_module('../rules/polygon/triangulation').
+:- use_module('../rules/penetration/penetration').
 :- use_module(library(lists)).
 :- use_module(library(apply)).
 :- set_prolog_flag(optimise, true).

@@ -7,9 +7,9 @@
 */
 :- use_module('../rules/store').
 :- use_module('../rules/kernel').
-:- use_module('../rules/mesh').
-:- use_module('../rules/primitive_rows').
-:- use_module('../rules/triangulation').
+:- use_module('../rules/model/mesh').
+:- use_module('../rules/primitive/primitive_rows').
+:- use_module('../rules/polygon/triangulation').
 :- autoload(library(aggregate), [aggregate_all/3]).
 :- autoload(library(apply), [maplist/2, maplist/3]).
 :- autoload(library(lists), [last/2, member/2, nth0/3]).

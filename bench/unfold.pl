@@ -13,15 +13,15 @@
    where none is proven, and microseconds a triangle.
 */
 :- use_module('../rules/sanggwan').
-:- use_module('../rules/boolean').
-:- use_module('../rules/development').
-:- use_module('../rules/development_record').
+:- use_module('../rules/solid/boolean').
+:- use_module('../rules/development/development').
+:- use_module('../rules/development/development_record').
 :- use_module('../rules/kernel').
-:- use_module('../rules/mesh').
-:- use_module('../rules/primitive_rows').
+:- use_module('../rules/model/mesh').
+:- use_module('../rules/primitive/primitive_rows').
 :- use_module('../rules/stage').
 :- use_module('../rules/store').
-:- use_module('../rules/triangulation').
+:- use_module('../rules/polygon/triangulation').
 
 :- initialization(main, main).
 

@@ -12,7 +12,7 @@
 
 #include "install.h"
 
-#include "../c_kernels/glue.h"
+#include "c_kernels/glue.h"
 
 #include <pthread.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /* main.c -- the command line: the only file that knows every layer.
  *
- * Layer: engine. Thin: everything that a verb does is a rule (rules/cli.pl);
- * here Prolog is started on the saved rules and its answer becomes the exit
- * status.
+ * Layer: engine. Thin: everything that a verb does is a rule
+ * (rules/command/cli.pl); here Prolog is started on the saved rules and its
+ * answer becomes the exit status.
  */
 #include "start.h"
 

@@ -9,7 +9,7 @@
 #include "store.h"
 #include "term.h"
 
-#include "../c_kernels/poll.h"
+#include "c_kernels/poll.h"
 
 #include <gmp.h>
 

@@ -20,7 +20,7 @@ main :-
     ).
 
 fault(File-What) :-
-    member(Pattern, ['rules/*.pl', 'rules/kernel/*.pl']),
+    member(Pattern, ['rules/*.pl', 'rules/*/*.pl']),
     expand_file_name(Pattern, Files),
     member(File, Files),
     absolute_file_name(File, Path),
@@ -28,14 +28,51 @@ fault(File-What) :-
     rule_name(Path, Name),
     rule_fault(Name, Path, What).
 fault(File-What) :-
-    expand_file_name('{engine,c_kernels}/*.{c,h,def}', Files),
+    member(Pattern, ['engine/*.{c,h,def}', 'c_kernels/*.{c,h}',
+                     'c_kernels/*/*.{c,h}']),
+    expand_file_name(Pattern, Files),
     member(File, Files),
     include_line(File, Included),
     \+ may_include(File, Included),
     format(atom(What), 'may not include ~w', [Included]).
 
+%   The folders of rules and of kernels from the lowest up: the way of the
+%   data. A file stands on those of its own folder, of the folders before it,
+%   and on those beside the folders.
+
+folders(rules,
+        [ polygon, primitive, csg, penetration, solid, model, picture, sheet,
+          drawing, development, unrolling, unfolding, pattern, message,
+          explanation, command
+        ]).
+folders(c_kernels,
+        [ number, rows, polygon, join, penetration, solid, model, picture,
+          drawing, development, unrolling, pattern
+        ]).
+
+%   floor(Path, Floor): the number of the folder of Path, 0 beside the folders.
+
+floor(Path, Floor) :-
+    atomic_list_concat([Top|Rest], /, Path),
+    folders(Top, Folders),
+    (   Rest = [_]
+    ->  Floor = 0
+    ;   Rest = [Folder,_],
+        nth1(Floor, Folders, Folder)
+    ).
+
+goes_up(Path, Other) :-
+    floor(Path, Floor),
+    floor(Other, Above),
+    Above > Floor.
+
+
+                /*******************************
+                *             RULES            *
+                *******************************/
+
 %   The doors import no rule, but kernel.pl its topics, and nobody else does
-%   that; only the top imports what stands above rules.
+%   that. The facade imports from all floors, and nobody imports it.
 
 rule_fault(Name, Path, What) :-
     imported_file(Path, Other),
@@ -43,13 +80,21 @@ rule_fault(Name, Path, What) :-
     ->  Name \== 'kernel.pl'
     ;   door(Name)
     ->  true
-    ;   top(Other),
-        \+ top(Name)
+    ;   facade(Other)
+    ->  true
+    ;   \+ facade(Name),
+        atom_concat('rules/', Name, Rule),
+        atom_concat('rules/', Other, OtherRule),
+        goes_up(Rule, OtherRule)
     ),
     format(atom(What), 'may not import ~w', [Other]).
 rule_fault(Name, Path, 'only store.pl and kernel.pl load foreign code') :-
     \+ door(Name),
     xref_called(Path, use_foreign_library(_), _).
+rule_fault(Name, _, 'is in a folder that no order is known of') :-
+    \+ topic_of_kernel(Name),
+    atom_concat('rules/', Name, Rule),
+    \+ floor(Rule, _).
 
 imported_file(Path, Other) :-
     xref_defined(Path, _, imported(From)),
@@ -71,11 +116,7 @@ door(Name) :-
 topic_of_kernel(Name) :-
     sub_atom(Name, 0, _, _, 'kernel/').
 
-top('cli.pl').
-top('embedding.pl').
-top('verbs.pl').
-top('repl.pl').
-top('sanggwan.pl').
+facade('sanggwan.pl').
 
 
                 /*******************************
@@ -93,16 +134,19 @@ include_line(File, Included) :-
     split_string(Rest, "\"", "", Parts),
     (   Parts = [_,Name|_]
     ->  file_directory_name(File, Folder),
-        below_root(Folder, Name, Included)
+        included_path(Folder, Name, Included)
     ;   atom_string(Included, Rest)
     ).
 
-below_root(_, Name, Path) :-
-    string_concat("../", Path0, Name),
-    !,
-    atom_string(Path, Path0).
-below_root(Folder, Name, Path) :-
-    atomic_list_concat([Folder, Name], /, Path).
+%   A name is looked up beside the file, from c_kernels/, and from the root.
+
+included_path(Folder, Name, Path) :-
+    member(From, [Folder, c_kernels]),
+    atomic_list_concat([From, Name], /, Path),
+    exists_file(Path),
+    !.
+included_path(_, Name, Path) :-
+    atom_string(Path, Name).
 
 may_include(File, Included) :-
     layer(File, Layer),
@@ -112,7 +156,8 @@ may_include(File, Included) :-
         ;   true
         )
     ;   layer(Included, Other),
-        below(Layer, Other)
+        below(Layer, Other),
+        \+ goes_up(File, Included)
     ),
     !.
 
@@ -120,14 +165,14 @@ may_include(File, Included) :-
 %   file does.
 
 layer(Path, Layer) :-
-    file_directory_name(Path, Folder),
+    atomic_list_concat([Top|_], /, Path),
     file_base_name(Path, Base),
     file_name_extension(Name, _, Base),
-    (   layer(Folder, Base, Name, Layer0)
+    (   layer(Top, Base, Name, Layer0)
     ->  Layer = Layer0
     ;   sub_atom(Name, _, _, 0, '4pl')
-    ->  Layer = glue(Folder)
-    ;   Layer = pure(Folder)
+    ->  Layer = glue(Top)
+    ;   Layer = pure(Top)
     ).
 
 layer(engine,    'glue.def', _,    registry).
@@ -158,7 +203,7 @@ prolog_side(host).
 below(Layer, Layer).
 below(pure(_), shared).
 below(glue(_), shared).
-below(glue(Folder), pure(Folder)).
+below(glue(Top), pure(Top)).
 below(glue(_), arguments).
 below(glue(_), registry).
 below(glue(c_kernels), glue(engine)).

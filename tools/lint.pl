@@ -16,7 +16,7 @@
 :- prolog_load_context(directory, Tools),
    atom_concat(Tools, '/../rules/sanggwan.pl', Facade),
    load_files(user:Facade, [silent(true)]),
-   atom_concat(Tools, '/../rules/cli.pl', Cli),
+   atom_concat(Tools, '/../rules/command/cli.pl', Cli),
    load_files(sg_lint_cli:Cli, [silent(true), imports([])]).
 
 :- initialization(main, main).
@@ -47,8 +47,8 @@ finding(What) :-
 finding(What) :-
     member(Pattern, ['rules/*.pl', 'rules/*/*.pl',
                      'facts/*.pl', 'facts/*/*.pl',
-                     'tests/*.pl', 'tests/rules/*.pl*', 'tools/*.pl',
-                     'bench/*.pl', 'docs/*/*.pl']),
+                     'tests/*.pl', 'tests/rules/*.pl*', 'tests/rules/*/*.pl*',
+                     'tools/*.pl', 'bench/*.pl', 'docs/*/*.pl']),
     expand_file_name(Pattern, Files),
     member(File, Files),
     read_file_to_string(File, Text, [encoding(utf8)]),
@@ -59,7 +59,7 @@ finding(What) :-
 
 finding(What) :-
     member(Pattern, ['rules/*.pl', 'rules/*/*.pl',
-                     'tests/*.pl', 'tests/rules/*.pl*',
+                     'tests/*.pl', 'tests/rules/*.pl*', 'tests/rules/*/*.pl*',
                      'tools/*.pl', 'bench/*.pl']),
     expand_file_name(Pattern, Files),
     member(File, Files),
@@ -74,8 +74,10 @@ finding(What) :-
 
 finding(What) :-
     read_file_to_string('ARCHITECTURE.md', Map, [encoding(utf8)]),
-    expand_file_name('rules/*.pl', Files),
+    member(Pattern, ['rules/*.pl', 'rules/*/*.pl']),
+    expand_file_name(Pattern, Files),
     member(File, Files),
+    \+ sub_atom(File, 0, _, _, 'rules/kernel/'),
     file_base_name(File, Name),
     \+ sub_string(Map, _, _, _, Name),
     \+ ( member(Ending, ['_en.pl', '_ko.pl']),

@@ -3,10 +3,10 @@
        swipl tools/manual.pl -- VERSION build/sanggwan.1
 
    What every verb has in common is below; verbs, options and examples are in
-   rules/usage.pl.
+   rules/command/usage.pl.
 */
 :- module(sg_manual, []).
-:- use_module('../rules/usage',
+:- use_module('../rules/command/usage',
               [verb/4, verb_options/2, common_option/1, example/2]).
 :- use_module(library(lists), [member/2]).
 

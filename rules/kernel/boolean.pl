@@ -67,9 +67,9 @@ Foreign predicates; see kernel.pl.
 %   Where segments go through themselves: Segments has a
 %   self(S, Counts, Meetings) for each segment, by number. Counts are
 %   Kind-Count, Kind one of self_penetration, self_overlap and self_touching
-%   (c_kernels/self_cut.h), a pair of polygons counted once; Meetings are the
-%   first Most of each as meeting(Kind, P1, P2, X, Y, Z), P1 =< P2, in the order
-%   of the polygons: something they have in common is at X, Y, Z.
+%   (c_kernels/join/self_cut.h), a pair of polygons counted once; Meetings are
+%   the first Most of each as meeting(Kind, P1, P2, X, Y, Z), P1 =< P2, in the
+%   order of the polygons: something they have in common is at X, Y, Z.
 
 /* - - - operand4pl.c - - - */
 
@@ -142,7 +142,7 @@ Foreign predicates; see kernel.pl.
 
 %!  solid_take(+Segments, -Solid) is det.
 %
-%   Solid is a new handle of a boundary under way (c_kernels/solid.h): the
+%   Solid is a new handle of a boundary under way (c_kernels/solid/solid.h): the
 %   polygons of Segments as they are in t/6, e/5 and v/5, one face for each that
 %   has triangles. Segments are taken in ascending order, each once; vertices of
 %   different segments stay apart. The handle is freed by atom garbage
@@ -201,7 +201,7 @@ Foreign predicates; see kernel.pl.
 %   least that are free. Fails if S has other rows than a solid becomes, or most
 %   faces are new. Call it in a transaction.
 %
-%   @see c_kernels/solid_over.h
+%   @see c_kernels/solid/solid_over.h
 
 %!  solid_write_region(+Solid, +S, +Region) is semidet.
 %
@@ -210,7 +210,7 @@ Foreign predicates; see kernel.pl.
 %   changed since; if the new faces are not bounded by the edges that the old
 %   ones were; or if a new vertex is where another one of S is.
 %
-%   @see c_kernels/solid_over.h
+%   @see c_kernels/solid/solid_over.h
 
 /* - - - solid_region4pl.c - - - */
 
@@ -221,7 +221,7 @@ Foreign predicates; see kernel.pl.
 %   has other rows than a solid becomes. It is closed by garbage collection, or
 %   at once by region_close/1.
 %
-%   @see c_kernels/solid_old.h
+%   @see c_kernels/solid/solid_old.h
 
 %!  region_leaves(+Region, -Leaves:list) is det.
 %
@@ -238,12 +238,12 @@ Foreign predicates; see kernel.pl.
 %!  solid_merge(+Solid, +Tolerance, +Options:list) is semidet.
 %
 %   Makes coplanar neighbours in Solid one face each and drops vertices that lie
-%   straight (c_kernels/face_merge.h). Options: origins(separate): never faces
-%   of different segments; apart(Pairs): never these, as of solid_neighbours/3;
-%   by_size(true): a Tolerance no larger than 2^-13 of the size of Solid;
-%   region(Region): Solid is a part of a larger one, of which only the faces of
-%   Region (solid_region/3) are wanted and left; then it fails if one of these
-%   and another might become one. Others are ignored.
+%   straight (c_kernels/solid/face_merge.h). Options: origins(separate): never
+%   faces of different segments; apart(Pairs): never these, as of
+%   solid_neighbours/3; by_size(true): a Tolerance no larger than 2^-13 of the
+%   size of Solid; region(Region): Solid is a part of a larger one, of which
+%   only the faces of Region (solid_region/3) are wanted and left; then it fails
+%   if one of these and another might become one. Others are ignored.
 
 %!  solid_neighbours(+Solid, +Tolerance, -Pairs:list) is det.
 %
@@ -306,7 +306,7 @@ Foreign predicates; see kernel.pl.
 %
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
 %          be triangulated
-%   @see c_kernels/arrangement.h; rows CB-3 and CB-4
+%   @see c_kernels/solid/arrangement.h; rows CB-3 and CB-4
 
 /* - - - arrangement_kept4pl.c - - - */
 

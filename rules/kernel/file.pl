@@ -35,7 +35,7 @@ Foreign predicates; see kernel.pl.
 %       Parts are part(S, Kind, Name), Name '' if the file has none; Grain is a
 %       unit in the last place of the coordinates, 0.0 if they are exact.
 %     - fault(Code, Line, Column, Byte, Text, Wanted, Got, Limit)
-%       The file is bad, and nothing was added; see c_kernels/mesh.h.
+%       The file is bad, and nothing was added; see c_kernels/model/mesh.h.
 %
 %   @error permission_error(write, segment, S1): one of the segments has rows
 
@@ -56,8 +56,8 @@ Foreign predicates; see kernel.pl.
 %   Boundary is a handle for the polygons of the segments in the list, as a file
 %   will hold them: coordinates as multiples of Grid (a power of two; 0.0: as
 %   they are), then as float32 if Single; without what that has collapsed; in an
-%   order that depends on where things are alone. See c_kernels/boundary.h and
-%   boundary_mesh.h. Made lists S-V of vertices that cuts made: their
+%   order that depends on where things are alone. See c_kernels/model/boundary.h
+%   and boundary_mesh.h. Made lists S-V of vertices that cuts made: their
 %   coordinates are rounded already. Form is `polygons`, `triangles` or `soup`:
 %   the triangles of t/6, also those that rounding turned over, which else are
 %   taken out.

@@ -265,4 +265,4 @@ the drawn surface. Degrees; see roll.h.
 %   is a single sheet. Each of Places is place(Sheet,Turn,DX,DY): the piece,
 %   turned counterclockwise, goes DX,DY; Sheet 0 if it fits on none. Work is how
 %   many squares were looked at: a measure of time that is the same everywhere.
-%   See c_kernels/nest.h.
+%   See c_kernels/pattern/nest.h.

@@ -103,9 +103,9 @@ Foreign predicates; see kernel.pl.
 
 %!  exact_statistics(-Statistics:dict) is det.
 %
-%   The same for each predicate of the kernels (c_kernels/exact.h): a dict with
-%   `orient2d` and `orient3d`, asked of doubles; `turn`, `side`, `along` and
-%   `compare`, asked of derived points too.
+%   The same for each predicate of the kernels (c_kernels/number/exact.h): a
+%   dict with `orient2d` and `orient3d`, asked of doubles; `turn`, `side`,
+%   `along` and `compare`, asked of derived points too.
 
 exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
                    along:Along, compare:Compare}) :-
@@ -131,7 +131,7 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %!  census_defect(?Kind, ?S, ?A, ?B) is nondet.
 %
 %   True when segment S has a defect of this Kind; A and B as
-%   c_kernels/census.h says. One pass over the world a call.
+%   c_kernels/model/census.h says. One pass over the world a call.
 
 /* - - - tree4pl.c - - - */
 

@@ -1,8 +1,8 @@
 /* crew_test.c -- tasks are done once each, by whoever; crews that wait for the
  * next; and what several threads may ask at the same time. */
-#include "../../c_kernels/crew.h"
-#include "../../c_kernels/exact.h"
-#include "../check.h"
+#include "crew.h"
+#include "number/exact.h"
+#include "tests/check.h"
 
 #include <stdatomic.h>
 #include <stdbool.h>

@@ -2,10 +2,9 @@
 . "$(dirname "$0")/../check.sh"
 
 here=$PWD tree=$TMP/tree
-mkdir -p "$tree"/{engine,c_kernels}
-cp -r rules "$tree"
+mkdir -p "$tree/engine"
+cp -r rules c_kernels "$tree"
 cp engine/*.{c,h,def} "$tree/engine"
-cp c_kernels/*.[ch] "$tree/c_kernels"
 
 layers() { (cd "$tree" && swipl -f none "$here/tools/check_layers.pl"); }
 
@@ -16,26 +15,24 @@ planted=()
 plant() {
   printf '#include %s\n' "$2" >>"$tree/$1"
   local name=${2//\"/}
-  case $name in
-    ../*) name=${name#../} ;;
-    '<'*) ;;
-    *) name=${1%/*}/$name ;;
-  esac
+  [ -e "$tree/c_kernels/$name" ] && name=c_kernels/$name
+  [ -e "$tree/${1%/*}/${name##*/}" ] && name=${1%/*}/${name##*/}
   planted+=("$1: may not include $name")
 }
 
-for file in c_kernels/cut.c engine/store.c engine/sanggwan.h; do
+for file in c_kernels/join/cut.c engine/store.c engine/sanggwan.h; do
   plant $file '<SWI-Prolog.h>'
 done
-plant c_kernels/cut.c '"../engine/store.h"'
-plant c_kernels/cut.c '"glue.h"'
-plant engine/store.c '"../c_kernels/cut.h"'
+plant c_kernels/join/cut.c '"engine/store.h"'
+plant c_kernels/join/cut.c '"picture/scene.h"'
+plant c_kernels/join/cut.c '"glue.h"'
+plant engine/store.c '"c_kernels/join/cut.h"'
 plant engine/store.c '"store4pl.h"'
-plant engine/store4pl.c '"../c_kernels/cut.h"'
+plant engine/store4pl.c '"c_kernels/join/cut.h"'
 for file in main.c engine.c question.c host.h install.c boot.c start.c; do
   plant engine/$file '"store.h"'
-  plant engine/$file '"../c_kernels/cut.h"'
-  plant engine/$file '"../c_kernels/cut4pl.h"'
+  plant engine/$file '"c_kernels/join/cut.h"'
+  plant engine/$file '"c_kernels/penetration/cut4pl.h"'
 done
 
 # plant_import FILE OTHER: an import that should be found.
@@ -44,10 +41,13 @@ plant_import() {
   local name=${2//\'/}
   planted+=("rules/$1: may not import ${name#../}.pl")
 }
-plant_import model.pl cli
-plant_import store.pl model
-plant_import model.pl kernel/work
-plant_import kernel/work.pl "'../model'"
+plant_import model/model.pl "'../command/cli'"
+plant_import picture/view.pl "'../sheet/sheet'"
+plant_import vector.pl picture/view
+plant_import model/model.pl "'../sanggwan'"
+plant_import store.pl model/model
+plant_import model/model.pl "'../kernel/work'"
+plant_import kernel/work.pl "'../model/model'"
 check "faults are an error" status 1 layers
 layers 2>"$TMP/found"
 for line in "${planted[@]}"; do

@@ -23,15 +23,15 @@ ignored(_, _, _).
 PROLOG
 undefined() { # undefined RULES: what they call that is nowhere
   swipl -f none -p foreign="$here/build" --on-error=status \
-    --on-warning=status "$TMP/undefined.pl" -- "$1/cli.pl"
+    --on-warning=status "$TMP/undefined.pl" -- "$1/command/cli.pl"
 }
 check "nothing is undefined without autoloading" undefined "$here/rules"
 check "no rule asks for autoloading" \
-  eval '! grep -n "^:- *autoload" rules/*.pl rules/kernel/*.pl'
+  eval '! grep -n "^:- *autoload" rules/*.pl rules/*/*.pl'
 
 mkdir "$TMP/tree"
 cp -r rules "$TMP/tree"
-echo 'planted(L) :- permutation(L, _).' >>"$TMP/tree/rules/check.pl"
+echo 'planted(L) :- permutation(L, _).' >>"$TMP/tree/rules/command/check.pl"
 check "what is not imported is found" complains 1 'sg_check:permutation/2' \
   undefined "$TMP/tree/rules"
 

@@ -6,9 +6,9 @@ unset MAKEFLAGS MFLAGS MAKELEVEL B
 
 # A tree in which tools/deps only writes down what it is asked for.
 tree=$TMP/tree
-mkdir -p "$tree/tools" "$tree/rules"
+mkdir -p "$tree/tools" "$tree/rules/command"
 cp Makefile "$tree"
-cp rules/cli.pl "$tree/rules"
+cp rules/command/cli.pl "$tree/rules/command"
 printf '#!/bin/sh\necho "$*" >>asked\n' >"$tree/tools/deps"
 chmod +x "$tree/tools/deps"
 

@@ -7,11 +7,11 @@
    file_directory_name(Tests, Root),
    asserta(user:file_search_path(rules, Root)).
 :- use_module(rules('rules/store')).
-:- use_module(rules('rules/development'), [develop/2]).
-:- use_module(rules('rules/messages')).
-:- use_module(rules('rules/model'), [load_model/1]).
-:- use_module(rules('rules/pattern_file'), [write_pattern/4]).
-:- use_module(rules('rules/true_development'), [true_development/4]).
+:- use_module(rules('rules/development/development'), [develop/2]).
+:- use_module(rules('rules/message/messages')).
+:- use_module(rules('rules/model/model'), [load_model/1]).
+:- use_module(rules('rules/pattern/pattern_file'), [write_pattern/4]).
+:- use_module(rules('rules/unrolling/true_development'), [true_development/4]).
 
 :- initialization(main, main).
 

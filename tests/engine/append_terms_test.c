@@ -1,8 +1,8 @@
 /* append_terms_test.c -- terms in rows that are written in place: found by
  * their key, gone with their row, and given back when they are not shown. */
-#include "../../engine/store.h"
-#include "../../engine/term.h"
-#include "../check.h"
+#include "engine/store.h"
+#include "engine/term.h"
+#include "tests/check.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* arena_test.c -- pieces do not overlap, and what comes and goes needs no more
  * room than the most that there was at once. */
-#include "../../engine/arena.h"
-#include "../check.h"
+#include "engine/arena.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 

@@ -3,7 +3,7 @@
 #ifndef SG_TEST_ASKED_H
 #define SG_TEST_ASKED_H
 
-#include "../../engine/store.h"
+#include "engine/store.h"
 
 /* SG_NO_ROW: there is none. */
 static inline sg_row

@@ -3,8 +3,8 @@
  *
  *   bulk_fuzz_test [FIRST_SEED SEEDS]
  */
-#include "../../engine/store.h"
-#include "../check.h"
+#include "engine/store.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 #ifndef SG_TEST_ROWS_H
 #define SG_TEST_ROWS_H
 
-#include "../../engine/store.h"
-#include "../check.h"
+#include "engine/store.h"
+#include "tests/check.h"
 
 #include <string.h>
 

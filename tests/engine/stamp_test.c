@@ -1,7 +1,7 @@
 /* stamp_test.c -- equal stamps mean the same rows in the same slots, whatever
  * was done between: changes, transactions, undo and redo, held versions. */
-#include "../../engine/store.h"
-#include "../check.h"
+#include "engine/store.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,9 +6,9 @@
  * exchanged, and that of the root, which names all leaves. Narrow versions hold
  * the rows of the last 200 leaves. Undo keeps 64 steps.
  */
-#include "../../engine/store.h"
-#include "../../engine/term.h"
-#include "../check.h"
+#include "engine/store.h"
+#include "engine/term.h"
+#include "tests/check.h"
 
 #include <stdlib.h>
 

@@ -1,9 +1,9 @@
 /* store_rows_test.c -- the edges of the store: many rows, narrow versions,
  * views, lists, terms, members, ids. */
-#include "../../engine/store.h"
-#include "../../engine/term.h"
-#include "../check.h"
 #include "asked.h"
+#include "engine/store.h"
+#include "engine/term.h"
+#include "tests/check.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* store_test.c -- the store against a naive model. */
-#include "../../engine/store.h"
-#include "../check.h"
+#include "engine/store.h"
+#include "tests/check.h"
 
 #include <string.h>
 

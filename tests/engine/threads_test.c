@@ -1,7 +1,7 @@
 /* threads_test.c -- writers and readers at once; run it under
  * ThreadSanitizer too. */
-#include "../../engine/store.h"
-#include "../check.h"
+#include "engine/store.h"
+#include "tests/check.h"
 
 #include <pthread.h>
 #include <stdatomic.h>

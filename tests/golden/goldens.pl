@@ -3,12 +3,12 @@
             golden_file/2,              % +Name, -File
             golden_drawn/2              % +Name, +File
           ]).
-:- use_module(rules(cli), [sanggwan/2]).
+:- use_module(rules(command/cli), [sanggwan/2]).
 /** <module> Golden drawings: what `sanggwan draw` gave when somebody looked.
 
 tests/golden/NAME.svg is the drawing of `sanggwan draw WORDS`, or of `sanggwan
 unfold` if WORDS begin with that. Every picture of the gallery is one, and those
-listed here. tests/rules/golden.plt compares the bytes; `make bless`
+listed here. tests/rules/drawing/golden.plt compares the bytes; `make bless`
 (tools/bless.pl) writes them anew. LOOK at what changed before you commit it.
 */
 

@@ -20,11 +20,11 @@ are written here from v/5 and t/6: nothing of the way out is in them.
 :- use_module(library(assoc)).
 :- use_module(library(lists)).
 :- use_module(library(readutil)).
-:- use_module(rules(boolean)).
-:- use_module(rules(primitive_rows)).
-:- use_module(rules(solid_file)).
+:- use_module(rules(solid/boolean)).
+:- use_module(rules(primitive/primitive_rows)).
+:- use_module(rules(model/solid_file)).
 :- use_module(rules(store)).
-:- use_module(rules(triangulation)).
+:- use_module(rules(polygon/triangulation)).
 :- use_module(tests('rules/checked')).
 
 :- meta_predicate in_scene(+, 0).

@@ -4,10 +4,10 @@
 :- use_module(library(random)).
 :- use_module(library(sandbox), [safe_goal/1]).
 :- use_module(rules(exact)).
-:- use_module(rules(primitive_rows)).
-:- use_module(rules(penetration)).
+:- use_module(rules(primitive/primitive_rows)).
+:- use_module(rules(penetration/penetration)).
 :- use_module(rules(store)).
-:- use_module(rules(triangulation)).
+:- use_module(rules(polygon/triangulation)).
 
 /* Exact vertices: closed forms, what v/5 has of them, and that every point of
    a line lies exactly where its lines and planes do. */

@@ -2,9 +2,9 @@
 :- use_module(library(plunit)).
 :- use_module(library(apply)).
 :- use_module(library(time)).
-:- use_module(rules(boolean)).
-:- use_module(rules(model)).
-:- use_module(rules(penetration)).
+:- use_module(rules(solid/boolean)).
+:- use_module(rules(model/model)).
+:- use_module(rules(penetration/penetration)).
 :- use_module(rules(store)).
 
 /* An interrupt ends the whole way of the data soon, wherever it is, and leaves

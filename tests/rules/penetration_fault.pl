@@ -8,7 +8,7 @@
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).
 :- use_module(rules(store)).
-:- use_module(rules(chain)).
+:- use_module(rules(penetration/chain)).
 :- use_module(rules(exact)).
 :- use_module(library(solution_sequences), [limit/2]).
 /** <module> What must hold of every model that was penetrated. */

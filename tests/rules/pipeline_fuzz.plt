@@ -3,18 +3,18 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
-:- use_module(rules(chain)).
-:- use_module(rules(check)).
+:- use_module(rules(penetration/chain)).
+:- use_module(rules(command/check)).
 :- use_module(rules(kernel), [census/1]).
-:- use_module(rules(lines_out)).
-:- use_module(rules(mesh)).
-:- use_module(rules(model)).
-:- use_module(rules(model_writer)).
-:- use_module(rules(penetration)).
-:- use_module(rules(report)).
-:- use_module(rules(polygon_list)).
+:- use_module(rules(command/lines_out)).
+:- use_module(rules(model/mesh)).
+:- use_module(rules(model/model)).
+:- use_module(rules(model/model_writer)).
+:- use_module(rules(penetration/penetration)).
+:- use_module(rules(command/report)).
+:- use_module(rules(polygon/polygon_list)).
 :- use_module(rules(store)).
-:- use_module(rules(triangulation)).
+:- use_module(rules(polygon/triangulation)).
 :- use_module(tests('rules/soup')).
 
 /* The whole way of the data on random soups (soup.pl): load, complete,

@@ -6,9 +6,9 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
-:- use_module(rules(primitive_rows), [add_primitive/2]).
+:- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(store)).
-:- use_module(rules(triangulation), [complete_segments/0]).
+:- use_module(rules(polygon/triangulation), [complete_segments/0]).
 
 /* Primitives as segments of their own, and as the shells of one. */
 

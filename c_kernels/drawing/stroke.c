@@ -1,0 +1,553 @@
+/* stroke.c -- see stroke.h */
+#include "stroke.h"
+
+#include "rows/sort.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The cosine of the sharpest turn of a hidden line (40 degrees), and of a turn
+ * that is none (1 degree): straightest/2 of the rule. */
+#define SG_TURN     0.766
+#define SG_STRAIGHT 0.99985
+/* At a node of more ends only those across from each other are paired. */
+#define SG_MANY 12
+
+#define NONE SIZE_MAX
+
+enum { POLL_EVERY = 4096 };
+
+/* End 2i is the start of part i, 2i + 1 its end; dx, dy point away from it. The
+ * part is of edge e of segment s. */
+typedef struct end {
+  int64_t at[2];
+  size_t end;
+  double dx, dy;
+  int32_t s, e;
+} end;
+
+typedef struct work {
+  const sg_stroke_look *look;
+  sg_stroke_part *part;
+  size_t n;
+  end *ends;     /* [2n], by place and number */
+  size_t *mate;  /* [2n], of an end: another end, or NONE */
+  uint8_t *kind; /* [2n], of an end without a mate: sg_stroke_end */
+  bool *used;    /* [n] */
+  const sg_poll *poll;
+  bool memory;
+} work;
+
+/* -------------------------------------------------------------- orders */
+
+/* A part with the keys it is sorted by. */
+typedef struct keyed {
+  sg_stroke_part part;
+  int rank;
+  bool turned; /* b comes before a */
+} keyed;
+
+static int
+compare_points(const int64_t a[2], const int64_t b[2])
+{
+  return a[0] != b[0] ? (a[0] > b[0]) - (a[0] < b[0])
+                      : (a[1] > b[1]) - (a[1] < b[1]);
+}
+
+static int
+compare_numbers(double a, double b)
+{
+  return (a > b) - (a < b);
+}
+
+static int
+compare_integers(int64_t a, int64_t b)
+{
+  return (a > b) - (a < b);
+}
+
+/* As Prolog orders the terms of the rule. */
+static int
+compare_parts(const sg_stroke_part *a, const sg_stroke_part *b)
+{
+  int order = compare_integers(a->look, b->look);
+
+  order = order ? order : compare_integers(a->s, b->s);
+  order = order ? order : compare_integers(a->e, b->e);
+  order = order ? order : compare_numbers(a->from, b->from);
+  order = order ? order : compare_numbers(a->to, b->to);
+  order = order ? order : compare_points(a->a, b->a);
+  return order ? order : compare_points(a->b, b->b);
+}
+
+static int
+compare_places(const sg_stroke_part *a, const sg_stroke_part *b)
+{
+  int order = compare_integers(a->s, b->s);
+
+  order = order ? order : compare_integers(a->e, b->e);
+  order = order ? order : compare_numbers(a->from, b->from);
+  return order ? order : compare_parts(a, b);
+}
+
+static int
+by_edge(const void *a, const void *b)
+{
+  return compare_places(&((const keyed *)a)->part, &((const keyed *)b)->part);
+}
+
+static const int64_t *
+low(const keyed *k)
+{
+  return k->turned ? k->part.b : k->part.a;
+}
+
+static const int64_t *
+high(const keyed *k)
+{
+  return k->turned ? k->part.a : k->part.b;
+}
+
+static int
+compare_ends(const keyed *a, const keyed *b)
+{
+  int order = compare_points(low(a), low(b));
+
+  return order ? order : compare_points(high(a), high(b));
+}
+
+/* The foremost of those with the same ends comes first. */
+static int
+by_ends(const void *x, const void *y)
+{
+  const keyed *a = x, *b = y;
+  int order = compare_ends(a, b);
+
+  order = order ? order : compare_integers(b->rank, a->rank);
+  return order ? order : compare_places(&a->part, &b->part);
+}
+
+static int
+by_paint(const void *x, const void *y)
+{
+  const keyed *a = x, *b = y;
+  int order = compare_integers(a->rank, b->rank);
+
+  order = order ? order : compare_integers(a->part.look, b->part.look);
+  return order ? order : compare_places(&a->part, &b->part);
+}
+
+static bool
+sorted(work *w, void *base, size_t n, size_t size, sg_sort_compare *compare)
+{
+  sg_sort_end how = sg_sort(base, n, size, compare, w->poll);
+
+  w->memory = how != SG_SORT_NO_MEMORY;
+  return how == SG_SORTED;
+}
+
+/* -------------------------------------------------- which parts are drawn */
+
+static bool
+is_same_group(const sg_stroke_part *a, const sg_stroke_part *b)
+{
+  return a->look == b->look && a->s == b->s;
+}
+
+/* Neighbours of one edge that look alike become one; what has no length goes.
+ * Returns how many are left. */
+static size_t
+join_neighbours(keyed *k, size_t n)
+{
+  size_t out = 0;
+
+  for (size_t i = 0; i < n;) {
+    keyed whole = k[i++];
+    while (i < n && is_same_group(&whole.part, &k[i].part) &&
+           whole.part.e == k[i].part.e && whole.part.to == k[i].part.from) {
+      whole.part.to = k[i].part.to;
+      memcpy(whole.part.b, k[i++].part.b, sizeof whole.part.b);
+    }
+    int order = compare_points(whole.part.a, whole.part.b);
+    if (order) {
+      whole.turned = order > 0;
+      k[out++] = whole;
+    }
+  }
+  return out;
+}
+
+static size_t
+keep_foremost(keyed *k, size_t n)
+{
+  size_t out = 0;
+
+  for (size_t i = 0; i < n; i++) {
+    if (!out || compare_ends(&k[out - 1], &k[i])) {
+      k[out++] = k[i];
+    }
+  }
+  return out;
+}
+
+/* Leaves in w->part what is drawn, in painting order. */
+static bool
+choose_parts(work *w)
+{
+  keyed *k = malloc((w->n + 1) * sizeof *k);
+  bool done = false;
+
+  if (!k) {
+    w->memory = false;
+    return false;
+  }
+  for (size_t i = 0; i < w->n; i++) {
+    k[i] = (keyed){w->part[i], w->look[w->part[i].look].rank, false};
+  }
+  if (sorted(w, k, w->n, sizeof *k, by_edge)) {
+    w->n = join_neighbours(k, w->n);
+    if (sorted(w, k, w->n, sizeof *k, by_ends)) {
+      w->n = keep_foremost(k, w->n);
+      done = sorted(w, k, w->n, sizeof *k, by_paint);
+    }
+  }
+  for (size_t i = 0; done && i < w->n; i++) {
+    w->part[i] = k[i].part;
+  }
+  free(k);
+  return done;
+}
+
+/* ---------------------------------------------------------------- mates */
+
+/* Two ends that could be mates; bend: the cosine between them, -1 straight. */
+typedef struct pair {
+  double bend;
+  size_t a, b;
+} pair;
+
+static int
+compare_pairs(const void *x, const void *y)
+{
+  const pair *p = x, *q = y;
+  int order = compare_numbers(p->bend, q->bend);
+
+  order = order ? order : (p->a > q->a) - (p->a < q->a);
+  return order ? order : (p->b > q->b) - (p->b < q->b);
+}
+
+static pair
+pair_of(const end *a, const end *b)
+{
+  return (pair){a->dx * b->dx + a->dy * b->dy, a->end, b->end};
+}
+
+static int
+by_angle(const void *x, const void *y)
+{
+  const end *a = x, *b = y;
+  int order = compare_numbers(atan2(a->dy, a->dx), atan2(b->dy, b->dx));
+
+  return order ? order : (a->end > b->end) - (a->end < b->end);
+}
+
+/* The pairs of m ends of one group at a node; room for SG_MANY squared or m.
+ * Reorders the ends if they are many. */
+static size_t
+node_pairs(end *at, size_t m, pair *out)
+{
+  size_t n = 0;
+
+  if (m <= SG_MANY) {
+    for (size_t i = 0; i < m; i++) {
+      for (size_t j = i + 1; j < m; j++) {
+        out[n++] = pair_of(&at[i], &at[j]);
+      }
+    }
+  } else {
+    qsort(at, m, sizeof *at, by_angle);
+    for (; n < m / 2; n++) {
+      out[n] = pair_of(&at[n], &at[m / 2 + n]);
+    }
+  }
+  return n;
+}
+
+static bool
+mate_group(work *w, end *at, size_t m)
+{
+  bool hidden = w->look[w->part[at->end / 2].look].hidden;
+  pair few[SG_MANY * SG_MANY];
+  pair *p = m <= SG_MANY ? few : malloc(m * sizeof *p);
+  size_t n;
+
+  if (!p) {
+    w->memory = false;
+    return false;
+  }
+  n = node_pairs(at, m, p);
+  qsort(p, n, sizeof *p, compare_pairs);
+  for (size_t i = 0; i < n && (!hidden || -p[i].bend >= SG_TURN); i++) {
+    if (w->mate[p[i].a] == NONE && w->mate[p[i].b] == NONE) {
+      w->mate[p[i].a] = p[i].b;
+      w->mate[p[i].b] = p[i].a;
+    }
+  }
+  if (p != few) {
+    free(p);
+  }
+  return true;
+}
+
+static const sg_stroke_part *
+part_of(const work *w, const end *a)
+{
+  return &w->part[a->end / 2];
+}
+
+static bool
+is_hidden(const work *w, const end *a)
+{
+  return w->look[part_of(w, a)->look].hidden;
+}
+
+/* The end has no mate, but its line goes on. */
+static void
+mark_cut(work *w, const end *a)
+{
+  if (w->mate[a->end] == NONE) {
+    w->kind[a->end] = SG_END_CUT;
+  }
+}
+
+static int
+by_edge_of_end(const void *x, const void *y)
+{
+  const end *a = x, *b = y;
+  int order = compare_integers(a->s, b->s);
+
+  order = order ? order : compare_integers(a->e, b->e);
+  return order ? order : (a->end > b->end) - (a->end < b->end);
+}
+
+/* An edge goes on where some of it is visible and some hidden. Reorders the
+ * ends. */
+static void
+same_edges_go_on(work *w, end *at, size_t m)
+{
+  qsort(at, m, sizeof *at, by_edge_of_end);
+  for (size_t i = 0, j; i < m; i = j) {
+    size_t hidden = 0;
+    for (j = i; j < m && at[j].s == at[i].s && at[j].e == at[i].e; j++) {
+      hidden += is_hidden(w, &at[j]);
+    }
+    for (size_t k = i; k < j && hidden > 0 && hidden < j - i; k++) {
+      mark_cut(w, &at[k]);
+    }
+  }
+}
+
+/* The only visible or hidden line of a place goes on as one of the others if
+ * that is straight on. */
+static bool
+goes_straight_on(const work *w, const end *a, const end *b)
+{
+  const sg_stroke_part *p = part_of(w, a), *q = part_of(w, b);
+  bool kin = p->s == q->s && w->look[p->look].role == w->look[q->look].role;
+
+  return is_hidden(w, a) != is_hidden(w, b) &&
+         -(a->dx * b->dx + a->dy * b->dy) >= (kin ? SG_TURN : SG_STRAIGHT);
+}
+
+/* How the ends of one place end that have no mate. Reorders them. */
+static void
+node_kinds(work *w, end *at, size_t m)
+{
+  size_t hidden = 0;
+
+  for (size_t i = 0; i < m; i++) {
+    hidden += is_hidden(w, &at[i]);
+  }
+  if (hidden == 0 || hidden == m) {
+    return;
+  }
+  same_edges_go_on(w, at, m);
+  for (size_t i = 0; i < m; i++) {
+    bool alone = (is_hidden(w, &at[i]) ? hidden : m - hidden) == 1;
+    for (size_t j = 0; alone && j < m; j++) {
+      if (goes_straight_on(w, &at[i], &at[j])) {
+        mark_cut(w, &at[i]);
+      }
+    }
+  }
+}
+
+/* The ends of one place: mates in each group, then how the others end. */
+static bool
+node(work *w, end *at, size_t m)
+{
+  for (size_t i = 0, j; i < m; i = j) {
+    const sg_stroke_part *part = &w->part[at[i].end / 2];
+    for (j = i + 1; j < m && is_same_group(part, &w->part[at[j].end / 2]);
+         j++) {
+    }
+    if (j - i > 1 && !mate_group(w, &at[i], j - i)) {
+      return false;
+    }
+  }
+  node_kinds(w, at, m);
+  return true;
+}
+
+static int
+by_place(const void *x, const void *y)
+{
+  const end *a = x, *b = y;
+  int order = compare_points(a->at, b->at);
+
+  return order ? order : (a->end > b->end) - (a->end < b->end);
+}
+
+static void
+part_ends(const sg_stroke_part *p, size_t i, end out[2])
+{
+  double x = (double)(p->b[0] - p->a[0]), y = (double)(p->b[1] - p->a[1]);
+  double length = sqrt(x * x + y * y);
+
+  x /= length;
+  y /= length;
+  out[0] = (end){{p->a[0], p->a[1]}, 2 * i, x, y, p->s, p->e};
+  out[1] = (end){{p->b[0], p->b[1]}, 2 * i + 1, -x, -y, p->s, p->e};
+}
+
+static bool
+find_mates(work *w)
+{
+  for (size_t i = 0; i < w->n; i++) {
+    part_ends(&w->part[i], i, &w->ends[2 * i]);
+    w->mate[2 * i] = w->mate[2 * i + 1] = NONE;
+  }
+  if (!sorted(w, w->ends, 2 * w->n, sizeof *w->ends, by_place)) {
+    return false;
+  }
+  for (size_t i = 0, j, nodes = 0; i < 2 * w->n; i = j) {
+    if (nodes++ % POLL_EVERY == 0 && sg_poll_stop(w->poll)) {
+      return false;
+    }
+    for (j = i + 1;
+         j < 2 * w->n && !compare_points(w->ends[i].at, w->ends[j].at); j++) {
+    }
+    if (!node(w, &w->ends[i], j - i)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* --------------------------------------------------------------- chains */
+
+static const int64_t *
+end_point(const work *w, size_t e)
+{
+  const sg_stroke_part *p = &w->part[e / 2];
+
+  return e % 2 ? p->b : p->a;
+}
+
+/* The chain that begins with end e. */
+static void
+chain(work *w, size_t e, sg_strokes *out)
+{
+  sg_stroke *s = &out->item[out->n++];
+  size_t first = e, last = e;
+
+  s->first = out->parts;
+  for (; e != NONE && !w->used[e / 2]; e = w->mate[last]) {
+    w->used[e / 2] = true;
+    out->step[out->parts++] =
+        e % 2 ? -(int64_t)(e / 2) - 1 : (int64_t)(e / 2) + 1;
+    last = e ^ 1;
+  }
+  s->n = out->parts - s->first;
+  if (compare_points(end_point(w, first), end_point(w, last))) {
+    s->start = (sg_stroke_end)w->kind[first];
+    s->end = (sg_stroke_end)w->kind[last];
+  } else {
+    s->start = s->end = SG_END_RING;
+  }
+}
+
+/* Chains from every end without a mate, then the rings that are left. */
+static void
+group_chains(work *w, size_t from, size_t to, sg_strokes *out)
+{
+  for (size_t e = 2 * from; e < 2 * to; e++) {
+    if (!w->used[e / 2] && w->mate[e] == NONE) {
+      chain(w, e, out);
+    }
+  }
+  for (size_t i = from; i < to; i++) {
+    if (!w->used[i]) {
+      chain(w, 2 * i, out);
+    }
+  }
+}
+
+static void
+all_chains(work *w, sg_strokes *out)
+{
+  out->n = out->parts = 0;
+  out->part = w->part;
+  for (size_t i = 0, j; i < w->n; i = j) {
+    for (j = i + 1; j < w->n && is_same_group(&w->part[i], &w->part[j]); j++) {
+    }
+    group_chains(w, i, j, out);
+  }
+}
+
+static bool
+make_room(work *w, sg_strokes *out)
+{
+  size_t n = w->n;
+
+  w->ends = malloc((2 * n + 1) * sizeof *w->ends);
+  w->mate = malloc((2 * n + 1) * sizeof *w->mate);
+  w->kind = calloc(2 * n + 1, sizeof *w->kind);
+  w->used = calloc(n + 1, sizeof *w->used);
+  out->item = malloc((n + 1) * sizeof *out->item);
+  out->step = malloc((n + 1) * sizeof *out->step);
+  w->memory =
+      w->ends && w->mate && w->kind && w->used && out->item && out->step;
+  return w->memory;
+}
+
+bool
+sg_strokes_make(sg_stroke_part *part, size_t n, const sg_stroke_look *look,
+                const sg_poll *poll, sg_strokes *out, bool *memory)
+{
+  work w = {.look = look, .part = part, .n = n, .poll = poll, .memory = true};
+  bool done;
+
+  *out = (sg_strokes){0};
+  done = choose_parts(&w) && make_room(&w, out) && find_mates(&w);
+  if (done) {
+    all_chains(&w, out);
+  } else {
+    sg_strokes_clear(out);
+  }
+  free(w.ends);
+  free(w.mate);
+  free(w.kind);
+  free(w.used);
+  *memory = w.memory;
+  return done;
+}
+
+void
+sg_strokes_clear(sg_strokes *strokes)
+{
+  free(strokes->item);
+  free(strokes->step);
+  *strokes = (sg_strokes){0};
+}

@@ -1,0 +1,27 @@
+/* travel.h -- lines in an order that a lifted pen likes: the rule of
+ * rules/drawing/travel.pl fused.
+ *
+ * Layer: kernel. From where a line ends the pen goes to the nearest end of
+ * those not yet drawn; of equally near ones to the line that comes first, and
+ * to its start. About log n for each line.
+ */
+#ifndef SG_TRAVEL_H
+#define SG_TRAVEL_H
+
+#include "poll.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Where a line starts and ends on the sheet: x, y, below 2^52. */
+typedef struct sg_travel_line {
+  int64_t at[2][2];
+} sg_travel_line;
+
+/* The order of n lines for a pen that begins at 0, 0: order[n] are their
+ * numbers, from 1; below zero: from end to start. False: stopped by the poll,
+ * or no memory (then *memory is false). */
+bool sg_travel_order(const sg_travel_line *line, size_t n, int64_t *order,
+                     const sg_poll *poll, bool *memory);
+
+#endif

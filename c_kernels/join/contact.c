@@ -1,0 +1,370 @@
+/* contact.c -- where two triangles touch, but for rounding: see contact.h. */
+#include "contact.h"
+
+#include "number/exact.h"
+#include "number/vector.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* ---- vectors ---- */
+
+static double
+length(const double a[3])
+{
+  return sqrt(sg_dot(a, a));
+}
+
+static double
+distance(const double a[3], const double b[3])
+{
+  double d[3];
+
+  sg_minus(a, b, d);
+  return length(d);
+}
+
+/* ---- the pair in hand ---- */
+
+/* A triangle and its plane. One that is thinner than the reach has none. */
+typedef struct side {
+  const double (*at)[3];
+  double normal[3]; /* unit length */
+  bool plane;
+} side;
+
+typedef struct finder {
+  side side[2];
+  double reach;
+  sg_contact *out;
+  int n;
+} finder;
+
+/* False: the triangle has a side of hardly more than the reach. Its contacts
+ * cannot be told apart, so they stay as they are. */
+static bool
+set_side(side *out, const double at[3][3], double reach)
+{
+  double u[3], w[3], z[3];
+
+  out->at = at;
+  sg_minus(at[1], at[0], u);
+  sg_minus(at[2], at[0], w);
+  sg_minus(at[2], at[1], z);
+  sg_cross(u, w, out->normal);
+  double area = length(out->normal), a = length(u), b = length(w);
+  double c = length(z);
+
+  out->plane = area > reach * fmax(a, fmax(b, c)) && isfinite(area);
+  for (int k = 0; k < 3 && out->plane; k++) {
+    out->normal[k] /= area;
+  }
+  return fmin(a, fmin(b, c)) > 4 * reach;
+}
+
+/* How far the corners of `other` are above the plane of `of`. */
+static void
+heights(const side *of, const side *other, double out[3])
+{
+  for (int i = 0; i < 3; i++) {
+    double from[3];
+
+    sg_minus(other->at[i], of->at[0], from);
+    out[i] = sg_dot(of->normal, from);
+  }
+}
+
+static bool
+all_beyond(const double h[3], double reach)
+{
+  return (h[0] > reach && h[1] > reach && h[2] > reach) ||
+         (h[0] < -reach && h[1] < -reach && h[2] < -reach);
+}
+
+/* ---- exactly ---- */
+
+static bool
+equal(const double a[3], const double b[3])
+{
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+static bool
+collinear(const double a[3], const double b[3], const double c[3])
+{
+  for (int k = 0; k < 3; k++) {
+    int l = (k + 1) % 3;
+    if (sg_orient2d((double[2]){a[k], a[l]}, (double[2]){b[k], b[l]},
+                    (double[2]){c[k], c[l]}) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ---- corners ---- */
+
+/* How far p is from the segment a-b. */
+static double
+to_segment(const double a[3], const double b[3], const double p[3])
+{
+  double along[3], from[3], at[3];
+
+  sg_minus(b, a, along);
+  sg_minus(p, a, from);
+  double square = sg_dot(along, along);
+  double t = square > 0 ? fmin(fmax(sg_dot(along, from) / square, 0), 1) : 0;
+
+  for (int k = 0; k < 3; k++) {
+    at[k] = a[k] + t * along[k];
+  }
+  return distance(p, at);
+}
+
+/* Whether p, beside the plane of `s`, is inside the triangle. */
+static bool
+is_over(const side *s, const double p[3])
+{
+  for (int i = 0; i < 3; i++) {
+    double along[3], from[3], inward[3];
+
+    sg_minus(s->at[(i + 1) % 3], s->at[i], along);
+    sg_minus(p, s->at[i], from);
+    sg_cross(s->normal, along, inward);
+    if (!(sg_dot(inward, from) > 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static void
+add(finder *find, sg_feature f, sg_feature g, double apart, const double at[3],
+    bool exact)
+{
+  sg_contact *contact = &find->out[find->n++];
+
+  *contact = (sg_contact){{f, g}, apart, {at[0], at[1], at[2]}, exact};
+}
+
+/* What is near a point: a feature, how far, and whether without tolerance. */
+typedef struct near {
+  sg_feature f;
+  double apart;
+  bool exact;
+} near;
+
+/* The nearest corner of `s` within reach of p; false: there is none. */
+static bool
+nearest_corner(const side *s, const double p[3], double reach, near *out)
+{
+  out->apart = INFINITY;
+  for (int i = 0; i < 3; i++) {
+    double apart = distance(s->at[i], p);
+    if (apart <= reach && apart < out->apart) {
+      *out = (near){(sg_feature)(SG_CORNER_0 + i), apart, equal(s->at[i], p)};
+    }
+  }
+  return out->apart <= reach;
+}
+
+static bool
+nearest_edge(const side *s, const double p[3], double reach, near *out)
+{
+  out->apart = INFINITY;
+  for (int i = 0; i < 3; i++) {
+    const double *a = s->at[i], *b = s->at[(i + 1) % 3];
+    double apart = to_segment(a, b, p);
+    if (apart <= reach && apart < out->apart) {
+      *out = (near){(sg_feature)(SG_EDGE_0 + i), apart, collinear(a, b, p)};
+    }
+  }
+  return out->apart <= reach;
+}
+
+static bool
+face(const side *s, const double p[3], double reach, near *out)
+{
+  double from[3];
+
+  sg_minus(p, s->at[0], from);
+  *out = (near){SG_FACE, fabs(sg_dot(s->normal, from)), false};
+  if (!s->plane || out->apart > reach || !is_over(s, p)) {
+    return false;
+  }
+  out->exact = sg_orient3d(s->at[0], s->at[1], s->at[2], p) == 0;
+  return true;
+}
+
+static bool
+nearest(const side *s, const double p[3], double reach, near *out)
+{
+  *out = (near){SG_FACE, 0, false};
+  return nearest_corner(s, p, reach, out) || nearest_edge(s, p, reach, out) ||
+         face(s, p, reach, out);
+}
+
+/* Corner i of side k against the other triangle. */
+static void
+corner(finder *find, int k, int i)
+{
+  const double *p = find->side[k].at[i];
+  sg_feature own = (sg_feature)(SG_CORNER_0 + i);
+  near other;
+
+  if (!nearest(&find->side[!k], p, find->reach, &other)) {
+    return;
+  }
+  if (k == 0) {
+    add(find, own, other.f, other.apart, p, other.exact);
+  } else if (other.f >= SG_EDGE_0) { /* two corners: found from the first */
+    add(find, other.f, own, other.apart, p, other.exact);
+  }
+}
+
+/* ---- edges ---- */
+
+/* Edge i of the first against edge j of the second: contact if they pass each
+ * other within reach, and no end of either is within reach of the other (then
+ * that is the contact). */
+static void
+edges(finder *find, int i, int j)
+{
+  const double *a = find->side[0].at[i], *b = find->side[0].at[(i + 1) % 3];
+  const double *c = find->side[1].at[j], *d = find->side[1].at[(j + 1) % 3];
+  double u[3], w[3], n[3], from[3], p[3], q[3], at[3], m[3];
+
+  sg_minus(b, a, u);
+  sg_minus(d, c, w);
+  sg_minus(c, a, from);
+  sg_cross(u, w, n);
+  double square = sg_dot(n, n);
+  double parallel = length(u) * length(w) * 16 * DBL_EPSILON;
+
+  if (!(square > parallel * parallel) ||
+      fabs(sg_dot(from, n)) > find->reach * sqrt(square)) {
+    return;
+  }
+  sg_cross(from, w, m);
+  double s = sg_dot(m, n) / square;
+  sg_cross(from, u, m);
+  double t = sg_dot(m, n) / square;
+
+  if (!(s > 0 && s < 1 && t > 0 && t < 1)) {
+    return;
+  }
+  for (int k = 0; k < 3; k++) {
+    p[k] = a[k] + s * u[k];
+    q[k] = c[k] + t * w[k];
+    at[k] = 0.5 * p[k] + 0.5 * q[k];
+  }
+  double apart = distance(p, q);
+
+  if (apart <= find->reach && to_segment(c, d, a) > find->reach &&
+      to_segment(c, d, b) > find->reach && to_segment(a, b, c) > find->reach &&
+      to_segment(a, b, d) > find->reach) {
+    add(find, (sg_feature)(SG_EDGE_0 + i), (sg_feature)(SG_EDGE_0 + j), apart,
+        at, sg_orient3d(a, b, c, d) == 0);
+  }
+}
+
+/* Whether b is wholly beyond the reach on one side of the plane of a, which is
+ * not thin: most pairs end here, without a root. */
+static bool
+is_apart(const double a[3][3], const double b[3][3], double reach)
+{
+  double u[3], w[3], n[3];
+  int above = 0, below = 0;
+
+  sg_minus(a[1], a[0], u);
+  sg_minus(a[2], a[0], w);
+  sg_cross(u, w, n);
+  double square = sg_dot(n, n), limit = reach * reach * square;
+
+  if (!(square > 4 * reach * reach * (sg_dot(u, u) + sg_dot(w, w)))) {
+    return false;
+  }
+  for (int i = 0; i < 3; i++) {
+    double from[3];
+
+    sg_minus(b[i], a[0], from);
+    double h = sg_dot(n, from);
+    if (!(h * h > limit)) {
+      return false;
+    }
+    above += h > 0;
+    below += h < 0;
+  }
+  return above == 3 || below == 3;
+}
+
+static bool
+is_flush(const double a[3][3], const double b[3][3], const double h[3],
+         double reach)
+{
+  bool exact = true;
+
+  for (int i = 0; i < 3; i++) {
+    if (!(fabs(h[i]) <= reach)) {
+      return false;
+    }
+    exact = exact && sg_orient3d(a[0], a[1], a[2], b[i]) == 0;
+  }
+  return !exact;
+}
+
+int
+sg_contacts(const double a[3][3], const double b[3][3], double reach,
+            sg_contact out[SG_CONTACT_MAX], bool *flush)
+{
+  finder find = {.reach = reach, .out = out};
+  double h[2][3] = {{0}};
+
+  *flush = false;
+  if (is_apart(a, b, reach) || is_apart(b, a, reach)) {
+    return 0;
+  }
+
+  if (!set_side(&find.side[0], a, reach) ||
+      !set_side(&find.side[1], b, reach)) {
+    return 0;
+  }
+  for (int k = 0; k < 2; k++) {
+    if (find.side[!k].plane) {
+      heights(&find.side[!k], &find.side[k], h[k]);
+      if (all_beyond(h[k], reach)) {
+        return 0;
+      }
+    }
+  }
+  for (int k = 0; k < 2; k++) {
+    for (int i = 0; i < 3; i++) {
+      if (fabs(h[k][i]) <= reach) {
+        corner(&find, k, i);
+      }
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      edges(&find, i, j);
+    }
+  }
+  *flush = find.n > 0 && find.side[0].plane && is_flush(a, b, h[1], reach);
+  return find.n;
+}
+
+bool
+sg_contact_point(const double point[3], const double b[3][3], double reach,
+                 sg_contact *out)
+{
+  side s;
+  near found;
+
+  if (!set_side(&s, b, reach) || !nearest(&s, point, reach, &found)) {
+    return false;
+  }
+  *out = (sg_contact){.f = {SG_CORNER_0, found.f}, .distance = found.apart};
+  memcpy(out->at, point, sizeof out->at);
+  return true;
+}

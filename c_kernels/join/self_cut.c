@@ -1,0 +1,389 @@
+/* self_cut.c -- the join of a segment with itself (self_cut.h). */
+#include "self_cut.h"
+
+#include "bvh_join.h"
+#include "polygon/flatness.h"
+#include "rows/key_table.h"
+#include "self_pair.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  BLOCK = 2048, /* candidates in a task */
+  WORDS = 6,    /* three doubles */
+  POLL_EVERY = 1 << 15
+};
+
+const char *const sg_self_name[SG_SELF_KINDS] = {
+    [SG_SELF_PENETRATION] = "self_penetration",
+    [SG_SELF_OVERLAP] = "self_overlap",
+    [SG_SELF_TOUCHING] = "self_touching",
+};
+
+/* A meeting, and what it says about the one across the edge. */
+typedef struct found {
+  sg_self_meeting meeting;
+  sg_self_edge edge;
+} found;
+
+typedef struct block {
+  found *item;
+  size_t n, room;
+  bool failed; /* no memory */
+} block;
+
+typedef struct joiner {
+  sg_self_model model;
+  int32_t first; /* triangle */
+  size_t triangles;
+  uint32_t *place;
+  const unsigned char *changed; /* [triangles], or null */
+  uint32_t *some; /* [some_n] the triangles to ask, from first; null: all */
+  size_t some_n;
+  sg_bvh *tree, *some_tree;
+  sg_bvh_hits hits;
+  block *block;
+  size_t blocks;
+} joiner;
+
+/* ---- vertices in one place ---------------------------------------------- */
+
+static bool
+number_places(joiner *j, size_t vertices, const sg_poll *poll)
+{
+  const sg_dense *d = j->model.d;
+  sg_key_table table;
+  bool done = true;
+
+  j->place = malloc((vertices + 1) * sizeof *j->place);
+  sg_key_table_init(&table, WORDS);
+  for (size_t v = 0; v < vertices && j->place && done; v++) {
+    uint32_t key[WORDS], *number;
+    double at[3];
+
+    for (int k = 0; k < 3; k++) {
+      at[k] = d->at[j->model.first + v][k] + 0.0; /* no -0.0 */
+    }
+    memcpy(key, at, sizeof key);
+    number = sg_key_table_put(&table, key);
+    done = number && (v % POLL_EVERY != 0 || !sg_poll_stop(poll));
+    if (done) {
+      *number = *number == SG_NO_KEY ? (uint32_t)v : *number;
+      j->place[v] = *number;
+    }
+  }
+  sg_key_table_clear(&table);
+  j->model.place = j->place;
+  return j->place && done;
+}
+
+/* ---- candidates --------------------------------------------------------- */
+
+static sg_box
+box_of(const joiner *j, size_t triangle)
+{
+  const sg_dense *d = j->model.d;
+  sg_box box = sg_box_none();
+
+  for (int k = 0; k < 3; k++) {
+    sg_box_add(&box, d->at[d->corner[(size_t)j->first + triangle][k]]);
+  }
+  return box;
+}
+
+static void
+fill_boxes(const void *data, size_t begin, size_t end, sg_box *out)
+{
+  for (size_t i = begin; i < end; i++) {
+    out[i - begin] = box_of(data, i);
+  }
+}
+
+static void
+fill_some_boxes(const void *data, size_t begin, size_t end, sg_box *out)
+{
+  const joiner *j = data;
+
+  for (size_t i = begin; i < end; i++) {
+    out[i - begin] = box_of(j, j->some[i]);
+  }
+}
+
+static bool
+find_candidates(joiner *j, size_t vertices, sg_crew *crew, const sg_poll *poll)
+{
+  sg_box all = sg_box_none();
+
+  for (size_t v = 0; v < vertices; v++) {
+    sg_box_add(&all, j->model.d->at[j->model.first + v]);
+  }
+  j->tree = sg_bvh_grow(j->triangles, fill_boxes, j, NULL, &all, crew, poll);
+  if (j->tree && j->some) {
+    j->some_tree =
+        sg_bvh_grow(j->some_n, fill_some_boxes, j, j->some, &all, crew, poll);
+  }
+  const sg_bvh *tree = j->some ? j->some_tree : j->tree;
+
+  return j->tree && tree &&
+         sg_bvh_join(&(sg_bvh_pair){tree, j->tree}, 1, 0.0, crew, poll,
+                     &j->hits);
+}
+
+/* Of two triangles that are both asked, the hit that is left out. */
+static bool
+is_second(const joiner *j, uint32_t t, uint32_t u)
+{
+  return j->some && (t == u || (t > u && j->changed[t] && j->changed[u]));
+}
+
+static void
+keep(block *b, const found *item)
+{
+  if (b->n == b->room) {
+    size_t room = b->room ? 2 * b->room : 16;
+    found *more = realloc(b->item, room * sizeof *more);
+
+    if (!more) {
+      b->failed = true;
+      return;
+    }
+    b->item = more;
+    b->room = room;
+  }
+  b->item[b->n++] = *item;
+}
+
+static void
+test_block(void *data, size_t task)
+{
+  joiner *j = data;
+  size_t end = (task + 1) * BLOCK;
+  block *b = &j->block[task];
+
+  end = end < j->hits.n ? end : j->hits.n;
+  for (size_t i = task * BLOCK; i < end && !b->failed; i++) {
+    const sg_bvh *tree = j->some ? j->some_tree : j->tree;
+    uint32_t one = tree->item[j->hits.hit[i].a];
+    uint32_t other = j->tree->item[j->hits.hit[i].b];
+    int32_t t = j->first + (int32_t)one, u = j->first + (int32_t)other;
+    found item;
+
+    item.meeting.t[0] = t < u ? t : u;
+    item.meeting.t[1] = t < u ? u : t;
+    if (!is_second(j, one, other) &&
+        sg_self_pair(&j->model, item.meeting.t[0], item.meeting.t[1],
+                     &item.meeting, &item.edge)) {
+      keep(b, &item);
+    }
+    if (i % 256 == 0 && sg_crew_stopping()) {
+      return;
+    }
+  }
+}
+
+static bool
+test_candidates(joiner *j, sg_crew *crew, const sg_poll *poll)
+{
+  j->blocks = (j->hits.n + BLOCK - 1) / BLOCK;
+  j->block = calloc(j->blocks + 1, sizeof *j->block);
+  if (!j->block || !sg_crew_run(crew, j->blocks, test_block, j, poll)) {
+    return false;
+  }
+  for (size_t i = 0; i < j->blocks; i++) {
+    if (j->block[i].failed) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ---- together ----------------------------------------------------------- */
+
+static int
+by_edge(const void *x, const void *y)
+{
+  const sg_self_edge *a = &((const found *)x)->edge;
+  const sg_self_edge *b = &((const found *)y)->edge;
+
+  return a->face != b->face ? (a->face > b->face) - (a->face < b->face)
+         : a->u != b->u     ? (a->u > b->u) - (a->u < b->u)
+                            : (a->w > b->w) - (a->w < b->w);
+}
+
+static int
+by_triangles(const void *x, const void *y)
+{
+  const int32_t *a = ((const found *)x)->meeting.t;
+  const int32_t *b = ((const found *)y)->meeting.t;
+
+  return a[0] != b[0] ? (a[0] > b[0]) - (a[0] < b[0])
+                      : (a[1] > b[1]) - (a[1] < b[1]);
+}
+
+/* An edge that lies in a face, its triangles on both sides, goes through. The
+ * items are in the order of by_edge(). */
+static void
+go_through(found *item, size_t n)
+{
+  for (size_t i = 0, end; i < n; i = end) {
+    bool above = false, below = false;
+
+    for (end = i; end < n && by_edge(&item[i], &item[end]) == 0; end++) {
+      above |= item[end].edge.side > 0;
+      below |= item[end].edge.side < 0;
+    }
+    for (size_t k = i; k < end && above && below; k++) {
+      item[k].meeting.kind = SG_SELF_PENETRATION;
+    }
+  }
+}
+
+static void
+name_polygons(const sg_dense *d, sg_self_meeting *m)
+{
+  int32_t p = d->polygon_id[d->polygon_of[m->t[0]]];
+  int32_t q = d->polygon_id[d->polygon_of[m->t[1]]];
+
+  m->p[0] = p < q ? p : q;
+  m->p[1] = p < q ? q : p;
+}
+
+static bool
+gather(joiner *j, sg_self_meetings *out)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < j->blocks; i++) {
+    n += j->block[i].n;
+  }
+  found *all = malloc((n + 1) * sizeof *all);
+
+  out->item = malloc((n + 1) * sizeof *out->item);
+  if (!all || !out->item) {
+    free(all);
+    free(out->item);
+    out->item = NULL;
+    return false;
+  }
+  n = 0;
+  for (size_t i = 0; i < j->blocks; i++) {
+    if (j->block[i].n > 0) {
+      memcpy(all + n, j->block[i].item, j->block[i].n * sizeof *all);
+      n += j->block[i].n;
+    }
+  }
+  qsort(all, n, sizeof *all, by_edge);
+  go_through(all, n);
+  qsort(all, n, sizeof *all, by_triangles);
+  for (size_t i = 0; i < n; i++) {
+    out->item[i] = all[i].meeting;
+    name_polygons(j->model.d, &out->item[i]);
+  }
+  out->n = n;
+  free(all);
+  return true;
+}
+
+static void
+clear(joiner *j)
+{
+  for (size_t i = 0; j->block && i < j->blocks; i++) {
+    free(j->block[i].item);
+  }
+  free(j->block);
+  free(j->hits.hit);
+  free(j->place);
+  free(j->some);
+  sg_bvh_close(j->tree);
+  sg_bvh_close(j->some_tree);
+}
+
+static bool
+find_some(joiner *j)
+{
+  if (!j->changed) {
+    return true;
+  }
+  j->some = malloc((j->triangles + 1) * sizeof *j->some);
+  for (size_t i = 0; j->some && i < j->triangles; i++) {
+    if (j->changed[i]) {
+      j->some[j->some_n++] = (uint32_t)i;
+    }
+  }
+  return j->some != NULL;
+}
+
+bool
+sg_self_cut(const sg_dense *dense, size_t s, double tolerance, sg_crew *crew,
+            const sg_poll *poll, sg_self_meetings *out)
+{
+  return sg_self_cut_changed(dense, s, NULL, tolerance, crew, poll, out);
+}
+
+bool
+sg_self_cut_changed(const sg_dense *dense, size_t s,
+                    const unsigned char *changed, double tolerance,
+                    sg_crew *crew, const sg_poll *poll, sg_self_meetings *out)
+{
+  size_t vertices = dense->vertex_begin[s + 1] - dense->vertex_begin[s];
+  joiner j = {.model = {dense, dense->vertex_begin[s], NULL, tolerance},
+              .first = (int32_t)dense->triangle_begin[s],
+              .triangles =
+                  dense->triangle_begin[s + 1] - dense->triangle_begin[s],
+              .changed = changed};
+
+  *out = (sg_self_meetings){0};
+  bool done =
+      find_some(&j) && (j.triangles == 0 || (changed && j.some_n == 0) ||
+                        (number_places(&j, vertices, poll) &&
+                         find_candidates(&j, vertices, crew, poll) &&
+                         test_candidates(&j, crew, poll) && gather(&j, out)));
+
+  clear(&j);
+  return done;
+}
+
+/* ---- of polygons -------------------------------------------------------- */
+
+static int
+by_polygons(const void *x, const void *y)
+{
+  const sg_self_meeting *a = x, *b = y;
+
+  return a->p[0] != b->p[0]   ? (a->p[0] > b->p[0]) - (a->p[0] < b->p[0])
+         : a->p[1] != b->p[1] ? (a->p[1] > b->p[1]) - (a->p[1] < b->p[1])
+         : a->kind != b->kind ? (a->kind > b->kind) - (a->kind < b->kind)
+         : a->t[0] != b->t[0] ? (a->t[0] > b->t[0]) - (a->t[0] < b->t[0])
+                              : (a->t[1] > b->t[1]) - (a->t[1] < b->t[1]);
+}
+
+void
+sg_self_by_polygon(sg_self_meetings *meetings)
+{
+  sg_self_meeting *item = meetings->item;
+  size_t kept = 0;
+
+  if (meetings->n > 0) {
+    qsort(item, meetings->n, sizeof *item, by_polygons);
+  }
+  for (size_t i = 0; i < meetings->n; i++) {
+    if (kept == 0 || item[i].p[0] != item[kept - 1].p[0] ||
+        item[i].p[1] != item[kept - 1].p[1]) {
+      item[kept++] = item[i];
+    }
+  }
+  meetings->n = kept;
+}
+
+double
+sg_self_tolerance(const sg_dense *dense, size_t s)
+{
+  sg_flatness flatness;
+
+  sg_flatness_init(&flatness);
+  for (size_t v = dense->vertex_begin[s]; v < dense->vertex_begin[s + 1]; v++) {
+    sg_flatness_see(&flatness, dense->at[v]);
+  }
+  return flatness.any ? sg_flatness_tolerance(&flatness) : 0;
+}

@@ -1,0 +1,71 @@
+/* boundary_page.c -- faces in order round an edge (boundary_private.h). */
+#include "boundary_private.h"
+
+#include "number/exact.h"
+
+#include <stdlib.h>
+
+/* An edge, and the page that the others are counted from. */
+typedef struct hinge {
+  const double *u, *w, *first;
+} hinge;
+
+static int
+turn(int axis, const double a[3], const double b[3], const double c[3])
+{
+  int x = (axis + 1) % 3, y = (axis + 2) % 3;
+
+  return sg_orient2d((double[2]){a[x], a[y]}, (double[2]){b[x], b[y]},
+                     (double[2]){c[x], c[y]});
+}
+
+/* Of a point in the plane of the first page: on its side of the edge? */
+static bool
+is_beside_first(const hinge *h, const double p[3])
+{
+  for (int axis = 0; axis < 3; axis++) {
+    int side = turn(axis, h->u, h->w, h->first);
+    if (side != 0) {
+      return side == turn(axis, h->u, h->w, p);
+    }
+  }
+  return true; /* the first page has no area */
+}
+
+/* 0 at the first page, 1 up to opposite of it, 2 there, 3 behind. */
+static int
+quarter(const hinge *h, const double p[3])
+{
+  int side = sg_orient3d(h->u, h->w, h->first, p);
+
+  return side > 0 ? 1 : side < 0 ? 3 : is_beside_first(h, p) ? 0 : 2;
+}
+
+static int
+compare(const void *x, const void *y, void *data)
+{
+  const sg_page_at_edge *a = x, *b = y;
+  const hinge *h = data;
+  int qa = quarter(h, a->beside), qb = quarter(h, b->beside);
+  int order = qa != qb ? qa - qb
+              : qa == 1 || qa == 3
+                  ? -sg_orient3d(h->u, h->w, a->beside, b->beside)
+                  : 0;
+
+  return order ? order : (a->edge > b->edge) - (a->edge < b->edge);
+}
+
+bool
+sg_pages_order(const double u[3], const double w[3], sg_page_at_edge *page,
+               size_t n)
+{
+  double first[3] = {page[0].beside[0], page[0].beside[1], page[0].beside[2]};
+  hinge h = {u, w, first};
+  bool alternating = true;
+
+  qsort_r(page, n, sizeof *page, compare, &h);
+  for (size_t i = 0; i < n; i++) {
+    alternating &= page[i].forward != page[(i + 1) % n].forward;
+  }
+  return alternating;
+}

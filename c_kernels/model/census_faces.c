@@ -1,0 +1,281 @@
+/* census_faces.c -- areas, volumes, flatness, doubles (census.h). */
+#include "census_private.h"
+#include "number/vector.h"
+#include "polygon/flatness.h"
+#include "polygon/plane.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Safe from overflow and underflow, which are rare. */
+static double
+length(const double v[3])
+{
+  double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+
+  return square > 1e-280 && square < 1e300 ? sqrt(square)
+                                           : hypot(hypot(v[0], v[1]), v[2]);
+}
+
+/* Adds a triangle, seen from `o`, to its polygon. */
+static void
+add_triangle(sg_counting *c, size_t t, const double o[3])
+{
+  const sg_dense *d = c->d;
+  size_t p = (size_t)d->polygon_of[t];
+  double a[3], u[3], v[3], n[3];
+
+  for (int k = 0; k < 3; k++) {
+    double first = d->at[d->corner[t][0]][k];
+    a[k] = first - o[k];
+    u[k] = d->at[d->corner[t][1]][k] - first;
+    v[k] = d->at[d->corner[t][2]][k] - first;
+  }
+  sg_cross(u, v, n);
+  c->triangles[p]++;
+  c->area[p] += length(n) / 2;
+  c->volume[p] += a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+}
+
+/* The farthest that a vertex of polygon p is off its plane, and its longest
+ * edge. False: it has no plane. */
+static bool
+measure(const sg_counting *c, size_t p, sg_newell *sum, double *off,
+        double *longest)
+{
+  const sg_dense *d = c->d;
+  sg_plane plane;
+
+  sg_newell_init(sum);
+  *off = *longest = 0;
+  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+    const double *a = d->at[d->from[d->list[k]]];
+    const double *b = d->at[d->to[d->list[k]]];
+    double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+    sg_newell_edge(sum, a, b);
+    *longest = fmax(*longest, sqrt(x * x + y * y + z * z));
+  }
+  if (!sg_newell_plane(sum, &plane)) {
+    return false;
+  }
+  size_t n = d->list_begin[p + 1] - d->list_begin[p];
+  for (size_t k = d->list_begin[p]; n > 3 && k < d->list_begin[p + 1]; k++) {
+    *off =
+        fmax(*off, fabs(sg_plane_distance(&plane, d->at[d->from[d->list[k]]])));
+  }
+  return true;
+}
+
+/* Without triangles: those of a flat face, from its area vector. */
+static void
+add_face(sg_counting *c, size_t p, const sg_newell *sum, const double o[3])
+{
+  const double *n = sum->doubled;
+
+  c->area[p] = sg_newell_area(sum);
+  for (int k = 0; k < 3; k++) {
+    c->volume[p] += (sum->origin[k] - o[k]) * n[k];
+  }
+}
+
+bool
+sg_census_faces(sg_counting *c)
+{
+  const sg_dense *d = c->d;
+  double o[3], off, longest, tolerance = c->part->tolerance;
+  sg_newell sum;
+
+  for (int k = 0; k < 3; k++) {
+    o[k] = c->part->low[k] / 2 + c->part->high[k] / 2;
+  }
+  for (size_t t = d->triangle_begin[c->s]; t < d->triangle_begin[c->s + 1];
+       t++) {
+    add_triangle(c, t, o);
+  }
+  for (size_t p = d->polygon_begin[c->s]; p < d->polygon_begin[c->s + 1]; p++) {
+    int32_t id = d->polygon_id[p];
+    bool has_plane = measure(c, p, &sum, &off, &longest);
+    if (!c->triangles[p] && has_plane) {
+      add_face(c, p, &sum, o);
+    }
+    if ((!has_plane || 2 * c->area[p] <= tolerance * longest)
+            ? !sg_census_note(c, SG_DEFECT_FLAT, id, 0)
+            : off > tolerance && !sg_census_note(c, SG_DEFECT_BENT, id, 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Doubles ------------------------------------------------------------------ */
+
+typedef struct hashed {
+  uint64_t hash;
+  int32_t place;
+} hashed;
+
+static int
+compare_hashed(const void *a, const void *b)
+{
+  const hashed *x = a, *y = b;
+
+  return x->hash != y->hash ? (x->hash > y->hash) - (x->hash < y->hash)
+                            : (x->place > y->place) - (x->place < y->place);
+}
+
+static uint64_t
+mix(uint64_t h)
+{
+  h += 0x9e3779b97f4a7c15u;
+  h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
+  h = (h ^ h >> 27) * 0x94d049bb133111ebu;
+  return h ^ h >> 31;
+}
+
+/* Is each of the vertices of polygon p one of q, and as many? */
+static bool
+same_vertices(sg_counting *c, size_t p, size_t q)
+{
+  const sg_dense *d = c->d;
+  size_t n = d->list_begin[p + 1] - d->list_begin[p];
+
+  if (n != d->list_begin[q + 1] - d->list_begin[q]) {
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    bool found = false;
+    for (size_t k = 0; k < n && !found; k++) {
+      found = d->from[d->list[d->list_begin[p] + i]] ==
+              d->from[d->list[d->list_begin[q] + k]];
+    }
+    if (!found) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_census_doubles(sg_counting *c)
+{
+  const sg_dense *d = c->d;
+  size_t begin = d->polygon_begin[c->s], n = c->part->polygons;
+  hashed *face = malloc((n + 1) * sizeof *face);
+  bool done = face != NULL;
+
+  for (size_t i = 0; done && i < n; i++) {
+    size_t p = begin + i;
+    face[i] = (hashed){0, (int32_t)p};
+    for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+      face[i].hash += mix((uint64_t)d->from[d->list[k]]);
+    }
+  }
+  if (done) {
+    qsort(face, n, sizeof *face, compare_hashed);
+  }
+  for (size_t i = 1; done && i < n; i++) {
+    size_t p = (size_t)face[i - 1].place, q = (size_t)face[i].place;
+    if (face[i].hash == face[i - 1].hash && same_vertices(c, p, q)) {
+      done = sg_census_note(c, SG_DEFECT_DUPLICATE, d->polygon_id[p],
+                            d->polygon_id[q]);
+    }
+  }
+  free(face);
+  return done;
+}
+
+/* Vertices ----------------------------------------------------------------- */
+
+static bool
+note_twins(sg_counting *c, size_t begin, size_t end)
+{
+  const sg_dense *d = c->d;
+  hashed *at = malloc((end - begin + 1) * sizeof *at);
+  size_t n = end - begin;
+  bool done = at != NULL;
+
+  for (size_t i = 0; done && i < n; i++) {
+    uint64_t bits[3];
+    memcpy(bits, d->at[begin + i], sizeof bits);
+    at[i] = (hashed){mix(mix(mix(bits[0]) + bits[1]) + bits[2]),
+                     (int32_t)(begin + i)};
+  }
+  if (done) {
+    qsort(at, n, sizeof *at, compare_hashed);
+  }
+  for (size_t i = 1; done && i < n; i++) {
+    int32_t v = at[i - 1].place, w = at[i].place;
+    if (at[i].hash == at[i - 1].hash &&
+        !memcmp(d->at[v], d->at[w], sizeof d->at[v])) {
+      done =
+          sg_census_note(c, SG_DEFECT_TWIN, d->vertex_id[v], d->vertex_id[w]);
+    }
+  }
+  free(at);
+  return done;
+}
+
+/* Marks the ends of edges (seen = UINT32_MAX); notes short edges. */
+static bool
+note_edges(sg_counting *c)
+{
+  const sg_dense *d = c->d;
+
+  for (size_t e = d->edge_begin[c->s]; e < d->edge_begin[c->s + 1]; e++) {
+    const double *a = d->at[d->from[e]], *b = d->at[d->to[e]];
+    double length =
+        sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) +
+             (b[2] - a[2]) * (b[2] - a[2]));
+    c->seen[d->from[e]] = c->seen[d->to[e]] = UINT32_MAX;
+    if (c->owner[e] < 0) {
+      c->part->length += length;
+    }
+    /* Of a pair, once. */
+    if (length <= c->part->tolerance &&
+        (c->opposite[e] < 0 || c->opposite[e] > (int32_t)e) &&
+        !sg_census_note(c, SG_DEFECT_SHORT, d->edge_id[e], 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static void
+measure_box(sg_counting *c, size_t begin, size_t end)
+{
+  sg_flatness flatness;
+  sg_part *part = c->part;
+
+  sg_flatness_init(&flatness);
+  for (size_t v = begin; v < end; v++) {
+    sg_flatness_see(&flatness, c->d->at[v]);
+    for (int k = 0; k < 3; k++) {
+      double x = c->d->at[v][k];
+      part->low[k] = v == begin ? x : fmin(part->low[k], x);
+      part->high[k] = v == begin ? x : fmax(part->high[k], x);
+    }
+  }
+  part->tolerance = begin < end ? sg_flatness_tolerance(&flatness) : 0;
+}
+
+bool
+sg_census_vertices(sg_counting *c)
+{
+  const sg_dense *d = c->d;
+  size_t begin = d->vertex_begin[c->s], end = d->vertex_begin[c->s + 1];
+
+  measure_box(c, begin, end);
+  if (!note_edges(c) || !note_twins(c, begin, end)) {
+    return false;
+  }
+  for (size_t v = begin; v < end; v++) {
+    if ((!c->seen[v] &&
+         !sg_census_note(c, SG_DEFECT_UNUSED, d->vertex_id[v], 0)) ||
+        (c->fans[v] > 1 &&
+         !sg_census_note(c, SG_DEFECT_PINCHED, d->vertex_id[v], c->fans[v]))) {
+      return false;
+    }
+  }
+  return true;
+}

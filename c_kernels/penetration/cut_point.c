@@ -1,0 +1,372 @@
+#include "cut_point.h"
+
+#include "join/cut.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void
+sg_cut_points_init(sg_cut_points *points, const sg_cut_model *model)
+{
+  memset(points, 0, sizeof *points);
+  points->model = model;
+  sg_key_table_init(&points->of_made, 6);
+  sg_key_table_init(&points->of_place, 6);
+  sg_key_table_init(&points->of_name, 2);
+  sg_key_table_init(&points->by_itself, 1);
+}
+
+void
+sg_cut_points_clear(sg_cut_points *points)
+{
+  for (size_t i = 0; i < points->n; i++) {
+    sg_point_clear(&points->point[i].at);
+  }
+  free(points->point);
+  free(points->seat);
+  sg_key_table_clear(&points->of_made);
+  sg_key_table_clear(&points->of_place);
+  sg_key_table_clear(&points->of_name);
+  sg_key_table_clear(&points->by_itself);
+  sg_cut_points_init(points, points->model);
+}
+
+bool
+sg_cut_points_set_by_itself(sg_cut_points *points, int32_t s)
+{
+  uint32_t key = (uint32_t)s;
+  uint32_t *known = sg_key_table_put(&points->by_itself, &key);
+
+  if (known) {
+    *known = 1;
+  }
+  return known != NULL;
+}
+
+bool
+sg_cut_points_is_by_itself(const sg_cut_points *points, int32_t s)
+{
+  uint32_t key = (uint32_t)s;
+
+  return points->by_itself.n > 0 &&
+         sg_key_table_get(&points->by_itself, &key) != SG_NO_KEY;
+}
+
+int32_t
+sg_place_segment(const sg_cut_model *model, const sg_place *place)
+{
+  return place->kind == SG_ON_FACE ? model->triangle[place->a].s
+                                   : model->vertex[place->a].s;
+}
+
+sg_place
+sg_place_of(const sg_cut_model *model, uint32_t triangle, int f)
+{
+  const uint32_t *v = model->triangle[triangle].v;
+
+  if (f <= SG_CORNER_2) {
+    return (sg_place){SG_AT_VERTEX, v[f], 0};
+  }
+  if (f == SG_FACE) {
+    return (sg_place){SG_ON_FACE, triangle, 0};
+  }
+  uint32_t a = v[f - SG_EDGE_0], b = v[(f - SG_EDGE_0 + 1) % 3];
+
+  return (sg_place){SG_ON_EDGE, a < b ? a : b, a < b ? b : a};
+}
+
+static bool
+same_place(const sg_place *p, const sg_place *q)
+{
+  return p->kind == q->kind && p->a == q->a && p->b == q->b;
+}
+
+/* ---- seats and names ---- */
+
+static bool
+take_seat(sg_cut_points *points, uint32_t point, int32_t s, sg_place place,
+          int32_t v)
+{
+  if (points->seats == points->seat_room) {
+    size_t room = points->seat_room ? 2 * points->seat_room : 64;
+    sg_seat *grown = realloc(points->seat, room * sizeof *grown);
+
+    if (!grown) {
+      return false;
+    }
+    points->seat = grown;
+    points->seat_room = room;
+  }
+  points->seat[points->seats] =
+      (sg_seat){s, v, false, place, points->point[point].seat};
+  points->point[point].seat = (uint32_t)points->seats++;
+  if (v != 0) {
+    uint32_t key[2] = {(uint32_t)s, (uint32_t)v};
+    uint32_t *number = sg_key_table_put(&points->of_name, key);
+
+    if (!number) {
+      return false;
+    }
+    *number = point;
+  }
+  return true;
+}
+
+/* The point's seat for exactly this place; null: it has none. */
+static sg_seat *
+seat_at(const sg_cut_points *points, uint32_t point, const sg_place *place)
+{
+  for (uint32_t i = points->point[point].seat; i != SG_NO_KEY;
+       i = points->seat[i].next) {
+    if (same_place(&points->seat[i].place, place)) {
+      return &points->seat[i];
+    }
+  }
+  return NULL;
+}
+
+static bool
+seat_all(sg_cut_points *points, uint32_t point, const sg_made *made)
+{
+  for (int i = 0; i < made->n; i++) {
+    const sg_place *place = &made->place[i];
+    int32_t s = sg_place_segment(points->model, place);
+    int32_t v =
+        place->kind == SG_AT_VERTEX ? points->model->vertex[place->a].v : 0;
+
+    if (!seat_at(points, point, place) &&
+        !take_seat(points, point, s, *place, v)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+int32_t
+sg_cut_points_next_name(const sg_cut_points *points, uint32_t point, int32_t s,
+                        int32_t v)
+{
+  int32_t least = 0;
+
+  for (uint32_t i = points->point[point].seat; i != SG_NO_KEY;
+       i = points->seat[i].next) {
+    const sg_seat *seat = &points->seat[i];
+
+    if (seat->s == s && seat->v > v && (least == 0 || seat->v < least)) {
+      least = seat->v;
+    }
+  }
+  return least;
+}
+
+int32_t
+sg_cut_points_name(const sg_cut_points *points, uint32_t point, int32_t s)
+{
+  return sg_cut_points_next_name(points, point, s, 0);
+}
+
+bool
+sg_cut_points_set_name(sg_cut_points *points, uint32_t point, int32_t s,
+                       int32_t v)
+{
+  return take_seat(points, point, s, (sg_place){SG_ON_FACE, SG_NO_KEY, 0}, v);
+}
+
+uint32_t
+sg_cut_points_named(const sg_cut_points *points, int32_t s, int32_t v)
+{
+  uint32_t key[2] = {(uint32_t)s, (uint32_t)v};
+
+  return sg_key_table_get(&points->of_name, key);
+}
+
+void
+sg_cut_points_on_edge(sg_cut_points *points, uint32_t point,
+                      const sg_place *place)
+{
+  sg_seat *seat = seat_at(points, point, place);
+
+  if (seat) {
+    seat->edge = true;
+  }
+}
+
+/* ---- where a point is ---- */
+
+typedef struct plane {
+  sg_point p[3];
+} plane;
+
+static const double *
+position(const sg_cut_model *model, uint32_t vertex)
+{
+  return model->vertex[vertex].at;
+}
+
+static plane
+plane_of(const sg_cut_model *model, uint32_t triangle)
+{
+  plane out;
+
+  for (int i = 0; i < 3; i++) {
+    sg_point_set(&out.p[i], position(model, model->triangle[triangle].v[i]));
+  }
+  return out;
+}
+
+static bool
+edge_meets_face(const sg_cut_model *model, const sg_place *edge,
+                const sg_place *face, sg_point *out)
+{
+  plane f = plane_of(model, face->a);
+  sg_point a, b;
+
+  sg_point_set(&a, position(model, edge->a));
+  sg_point_set(&b, position(model, edge->b));
+  return sg_point_lpi(out, &a, &b, &f.p[0], &f.p[1], &f.p[2]);
+}
+
+static bool
+edge_meets_edge(const sg_cut_model *model, const sg_place *e, const sg_place *f,
+                sg_point *out)
+{
+  sg_point a, b, c, d;
+
+  sg_point_set(&a, position(model, e->a));
+  sg_point_set(&b, position(model, e->b));
+  sg_point_set(&c, position(model, f->a));
+  sg_point_set(&d, position(model, f->b));
+  for (int axis = 2; axis >= 0; axis--) {
+    if (sg_point_ll(out, axis, &a, &b, &c, &d)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static bool
+faces_meet(const sg_cut_model *model, const sg_made *made, sg_point *out)
+{
+  plane f[3];
+  const sg_point *const p[3][3] = {
+      {&f[0].p[0], &f[0].p[1], &f[0].p[2]},
+      {&f[1].p[0], &f[1].p[1], &f[1].p[2]},
+      {&f[2].p[0], &f[2].p[1], &f[2].p[2]},
+  };
+
+  for (int i = 0; i < 3; i++) {
+    f[i] = plane_of(model, made->place[i].a);
+  }
+  return sg_point_tpi(out, p);
+}
+
+/* Makes the exact point; false: there is no single one (or no memory). */
+static bool
+construct(const sg_cut_model *model, const sg_made *made, sg_point *out)
+{
+  const sg_place *p = &made->place[0], *q = &made->place[1];
+
+  for (int i = 0; i < made->n; i++) {
+    if (made->place[i].kind == SG_AT_VERTEX) {
+      sg_point_set(out, position(model, made->place[i].a));
+      return true;
+    }
+  }
+  if (made->n == 3) {
+    return faces_meet(model, made, out);
+  }
+  if (p->kind == SG_ON_EDGE && q->kind == SG_ON_EDGE) {
+    return edge_meets_edge(model, p, q, out);
+  }
+  if (p->kind == SG_ON_EDGE && q->kind == SG_ON_FACE) {
+    return edge_meets_face(model, p, q, out);
+  }
+  return p->kind == SG_ON_FACE && q->kind == SG_ON_EDGE &&
+         edge_meets_face(model, q, p, out);
+}
+
+/* ---- one point, however made ---- */
+
+static uint32_t
+new_point(sg_cut_points *points, const sg_point *at, const sg_made *made,
+          uint32_t *bucket)
+{
+  if (points->n == points->room) {
+    size_t room = points->room ? 2 * points->room : 64;
+    sg_cut_point *grown = realloc(points->point, room * sizeof *grown);
+
+    if (!grown) {
+      return SG_NO_KEY;
+    }
+    points->point = grown;
+    points->room = room;
+  }
+  uint32_t number = (uint32_t)points->n;
+  sg_cut_point *point = &points->point[number];
+
+  sg_point_copy(&point->at, at);
+  point->made = *made;
+  point->seat = SG_NO_KEY;
+  point->same_place = *bucket;
+  *bucket = number;
+  points->n++;
+  return number;
+}
+
+uint32_t
+sg_cut_points_at(sg_cut_points *points, const sg_point *at, const sg_made *made)
+{
+  uint32_t key[6];
+  double p[3] = {at->p[0] + 0.0, at->p[1] + 0.0, at->p[2] + 0.0};
+
+  memcpy(key, p, sizeof key);
+  uint32_t *bucket = sg_key_table_put(&points->of_place, key);
+
+  if (!bucket) {
+    return SG_NO_KEY;
+  }
+  for (uint32_t i = *bucket; i != SG_NO_KEY; i = points->point[i].same_place) {
+    if (sg_point_equal(&points->point[i].at, at)) {
+      return seat_all(points, i, made) ? i : SG_NO_KEY;
+    }
+  }
+  uint32_t number = new_point(points, at, made, bucket);
+
+  return number != SG_NO_KEY && seat_all(points, number, made) ? number
+                                                               : SG_NO_KEY;
+}
+
+uint32_t
+sg_cut_points_find(sg_cut_points *points, const sg_made *made)
+{
+  uint32_t key[6] = {0, SG_NO_KEY, SG_NO_KEY, SG_NO_KEY, SG_NO_KEY, SG_NO_KEY};
+  sg_point at;
+
+  if (made->n <= 2) {
+    for (int i = 0; i < made->n; i++) {
+      key[0] = 4 * key[0] + 1 + (uint32_t)made->place[i].kind;
+      key[2 * i + 1] = made->place[i].a;
+      key[2 * i + 2] = made->place[i].b;
+    }
+    uint32_t known = sg_key_table_get(&points->of_made, key);
+
+    if (known != SG_NO_KEY) {
+      return known;
+    }
+  }
+  if (!construct(points->model, made, &at)) {
+    return SG_NO_KEY;
+  }
+  uint32_t number = sg_cut_points_at(points, &at, made);
+
+  sg_point_clear(&at);
+  if (number != SG_NO_KEY && made->n <= 2) {
+    uint32_t *known = sg_key_table_put(&points->of_made, key);
+
+    if (!known) {
+      return SG_NO_KEY;
+    }
+    *known = number;
+  }
+  return number;
+}

@@ -1,0 +1,246 @@
+/* grid.c -- see grid.h */
+#include "grid.h"
+
+#include "number/bounds.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Cells are never smaller than this: finer ones would only repeat items. */
+#define SMALLEST 16 /* margins */
+
+/* A shape of so few rows takes all cells of its box: quicker than to look. */
+enum { MOST_CELLS_A_SIDE = 4096, FEW_ROWS = 2 };
+
+/* Items are entered so often at most, or MANY times each: where they are large
+ * and many the cells are wider. Between two polls there are so many entries, an
+ * item counting as AN_ITEM of them. */
+enum { MOST_ENTRIES = 1 << 26, MANY = 8, POLL_EVERY = 1 << 18, AN_ITEM = 64 };
+
+static void
+shape_box(const sg_grid_shape *shape, double low[2], double high[2])
+{
+  for (unsigned i = 0; i < shape->corners; i++) {
+    for (int k = 0; k < 2; k++) {
+      low[k] = sg_smaller(low[k], shape->at[i][k]);
+      high[k] = sg_larger(high[k], shape->at[i][k]);
+    }
+  }
+}
+
+static unsigned
+cells(double size, double cell)
+{
+  double n = floor(size / cell) + 1.0;
+
+  return n < MOST_CELLS_A_SIDE ? (unsigned)n : MOST_CELLS_A_SIDE;
+}
+
+/* The sides of the box of all items, and its corner. */
+static void
+find_box(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
+         double size[2])
+{
+  double high[2] = {-DBL_MAX, -DBL_MAX};
+  sg_grid_shape shape;
+
+  grid->low[0] = grid->low[1] = DBL_MAX;
+  for (size_t i = 0; i < n; i++) {
+    shape_of(data, i, &shape);
+    shape_box(&shape, grid->low, high);
+  }
+  for (int k = 0; k < 2; k++) {
+    grid->low[k] = n ? grid->low[k] - grid->margin : 0.0;
+    size[k] = n ? high[k] - grid->low[k] + grid->margin : 1.0;
+  }
+}
+
+static void
+choose_cells(sg_grid *grid, const double size[2], double cell)
+{
+  grid->nx = cells(size[0], cell);
+  grid->ny = cells(size[1], cell);
+  grid->wide[0] = size[0] / grid->nx;
+  grid->wide[1] = size[1] / grid->ny;
+  grid->per[0] = grid->nx / size[0];
+  grid->per[1] = grid->ny / size[1];
+}
+
+static unsigned
+cell_of(const sg_grid *grid, int k, double x)
+{
+  unsigned n = k ? grid->ny : grid->nx;
+  double c = (x - grid->low[k]) * grid->per[k];
+
+  return c <= 0.0 ? 0 : c < n ? (unsigned)c : n - 1;
+}
+
+sg_grid_rows
+sg_grid_rows_of(const sg_grid *grid, const sg_grid_shape *shape)
+{
+  double low[2] = {DBL_MAX, DBL_MAX}, high[2] = {-DBL_MAX, -DBL_MAX};
+
+  shape_box(shape, low, high);
+  return (sg_grid_rows){.y0 = cell_of(grid, 1, low[1] - grid->margin),
+                        .y1 = cell_of(grid, 1, high[1] + grid->margin) + 1,
+                        .x0 = cell_of(grid, 0, low[0] - grid->margin),
+                        .x1 = cell_of(grid, 0, high[0] + grid->margin) + 1};
+}
+
+/* Widens x by the part of side p-q that lies between y = low and y = high. */
+static void
+side_in_row(const double p[2], const double q[2], double low, double high,
+            double x[2])
+{
+  double dy = q[1] - p[1];
+  double ends[2] = {p[1], q[1]};
+
+  if (sg_larger(ends[0], ends[1]) < low ||
+      sg_smaller(ends[0], ends[1]) > high) {
+    return;
+  }
+  for (int i = 0; i < 2; i++) {
+    double y = sg_smaller(sg_larger(ends[i], low), high);
+    double at =
+        ends[i] == y ? (i ? q : p)[0] : p[0] + (y - p[1]) / dy * (q[0] - p[0]);
+    x[0] = sg_smaller(x[0], at);
+    x[1] = sg_larger(x[1], at);
+  }
+}
+
+sg_grid_columns
+sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape, sg_grid_rows rows,
+            unsigned y)
+{
+  double low = grid->low[1] + y * grid->wide[1] - grid->margin;
+  double high = low + grid->wide[1] + 2 * grid->margin;
+  double x[2] = {DBL_MAX, -DBL_MAX};
+
+  if (rows.y1 - rows.y0 <= FEW_ROWS || rows.x1 - rows.x0 == 1) {
+    return (sg_grid_columns){rows.x0, rows.x1};
+  }
+  if (y == 0) {
+    low = -DBL_MAX;
+  }
+  if (y == grid->ny - 1) {
+    high = DBL_MAX;
+  }
+  for (unsigned i = 0; i < shape->corners; i++) {
+    side_in_row(shape->at[i], shape->at[(i + 1) % shape->corners], low, high,
+                x);
+  }
+  if (x[0] > x[1]) {
+    return (sg_grid_columns){0, 0};
+  }
+  return (sg_grid_columns){cell_of(grid, 0, x[0] - grid->margin),
+                           cell_of(grid, 0, x[1] + grid->margin) + 1};
+}
+
+/* Counts the item in its cells (item null), or enters it there. Returns in how
+ * many. */
+static size_t
+enter(sg_grid *grid, const sg_grid_shape *shape, uint32_t *count,
+      uint32_t *item, uint32_t i)
+{
+  sg_grid_rows rows = sg_grid_rows_of(grid, shape);
+  size_t entries = 0;
+
+  for (unsigned y = rows.y0; y < rows.y1; y++) {
+    sg_grid_columns columns = sg_grid_row(grid, shape, rows, y);
+    for (unsigned x = columns.x0; x < columns.x1; x++) {
+      size_t cell = (size_t)y * grid->nx + x;
+      if (item) {
+        item[count[cell]] = i;
+      }
+      count[cell]++;
+    }
+    entries += columns.x1 - columns.x0;
+  }
+  return entries;
+}
+
+static size_t
+most_entries(const sg_grid *grid, size_t n)
+{
+  bool one = grid->nx == 1 && grid->ny == 1;
+
+  return one ? SIZE_MAX : n > MOST_ENTRIES / MANY ? MANY * n : MOST_ENTRIES;
+}
+
+/* All items: entered, or counted until they are too many. False: stopped. */
+static bool
+enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
+          const sg_poll *poll, size_t *entries)
+{
+  size_t asked = 0, most = most_entries(grid, n);
+  sg_grid_shape shape;
+
+  *entries = 0;
+  for (size_t i = 0; i < n && *entries <= most; i++) {
+    size_t done = *entries + AN_ITEM * i;
+    if (i == 0 || done - asked > POLL_EVERY) {
+      asked = done;
+      if (sg_poll_stop(poll)) {
+        return false;
+      }
+    }
+    shape_of(data, i, &shape);
+    *entries += enter(grid, &shape, grid->start + (grid->item ? 1 : 2),
+                      grid->item, (uint32_t)i);
+  }
+  return true;
+}
+
+/* start[]: how many items each cell has, two places on. False: stopped, or no
+ * memory. */
+static bool
+count_items(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
+            const void *data, const sg_poll *poll, bool *memory)
+{
+  double size[2], cell;
+  size_t entries;
+
+  find_box(grid, n, shape_of, data, size);
+  cell = sg_larger(SMALLEST * grid->margin,
+                   sqrt(size[0] * size[1] / ((double)n + 1.0)));
+  do {
+    choose_cells(grid, size, cell);
+    cell *= 2;
+    free(grid->start);
+    grid->start = calloc((size_t)grid->nx * grid->ny + 2, sizeof *grid->start);
+    *memory = grid->start != NULL;
+    if (!*memory || !enter_all(grid, n, shape_of, data, poll, &entries)) {
+      return false;
+    }
+  } while (entries > most_entries(grid, n));
+  return true;
+}
+
+bool
+sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
+             const void *data, double margin, const sg_poll *poll, bool *memory)
+{
+  size_t total, entries;
+
+  *grid = (sg_grid){.margin = margin};
+  if (!count_items(grid, n, shape_of, data, poll, memory)) {
+    return false;
+  }
+  total = (size_t)grid->nx * grid->ny;
+  for (size_t c = 2; c < total + 2; c++) {
+    grid->start[c] += grid->start[c - 1];
+  }
+  grid->item = malloc((grid->start[total + 1] + 1) * sizeof *grid->item);
+  *memory = grid->item != NULL;
+  return *memory && enter_all(grid, n, shape_of, data, poll, &entries);
+}
+
+void
+sg_grid_clear(sg_grid *grid)
+{
+  free(grid->start);
+  free(grid->item);
+  *grid = (sg_grid){0};
+}

@@ -1,0 +1,105 @@
+/* known_surface.h -- the smooth surfaces that facets of primitives stand for.
+ *
+ * Layer: kernel. A polygon that a primitive made is a facet of a surface that
+ * is known (rules/csg/known_surface.pl): then the surface says which way it
+ * looks at a vertex, and by how much two facets bend, not the facets. A surface
+ * is placed by any affine map: its normal is the gradient of what is zero on
+ * it, mapped by the transpose of the inverse; on which side it lies is told by
+ * the facet.
+ *
+ * In coordinates x, y, h along U, V, W from its centre a surface is
+ *
+ *   tapered  (x/A)^2 + (y/B)^2 = 1, A = 1-h+h*a, B = 1-h+h*b: cylinders (a, b
+ *            are 1), cones (a = b), and what is ruled between two ellipses
+ *   sphere   x^2 + y^2 + h^2 = 1
+ *   torus    (sqrt(x^2 + y^2) - 1)^2 + h^2 = a^2
+ *   bezier   a bicubic Bezier patch (bezier_patch.h), which has its control
+ *            points as its frame
+ *   free     anything: its facets have the normals that they have
+ *
+ * Source: placed normals: Turkowski 1990, Transformations of surface normal
+ * vectors.
+ */
+#ifndef SG_KNOWN_SURFACE_H
+#define SG_KNOWN_SURFACE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Degrees: the most that a bend between facets of one surface counts. A crease
+ * angle below shows all facets. */
+#define SG_FACET_BEND 1.0
+
+typedef enum sg_known_surface_kind {
+  SG_KNOWN_TAPERED,
+  SG_KNOWN_SPHERE,
+  SG_KNOWN_TORUS,
+  SG_KNOWN_BEZIER,
+  SG_KNOWN_FREE
+} sg_known_surface_kind;
+
+typedef struct sg_known_surface {
+  sg_known_surface_kind kind;
+  double frame[16][3]; /* the centre, U, V and W, or 16 control points */
+  double unit;         /* a power of two that makes U, V, W at most 1 */
+  double row[3][3];    /* times unit * (p - centre): the coordinates x, y, h */
+  double a, b;
+} sg_known_surface;
+
+/* The surfaces of a model. All zero: none is known. */
+typedef struct sg_known_surfaces {
+  sg_known_surface *surface; /* [n] */
+  size_t n;
+  int32_t *of; /* [polygons] the place of its surface, -1: not known; null: no
+                  polygon has one */
+} sg_known_surfaces;
+
+/* How many points and vectors the frame of a kind has. */
+static inline int
+sg_known_surface_rows(sg_known_surface_kind kind)
+{
+  return kind == SG_KNOWN_BEZIER ? 16 : 4;
+}
+
+/* A frame without volume makes the surface free. frame[rows][3] */
+void sg_known_surface_init(sg_known_surface *surface,
+                           sg_known_surface_kind kind, const double frame[][3],
+                           double a, double b);
+
+/* The surface where an affine map brings it: three rows A, B, C, D, the new x
+ * is A*x + B*y + C*z + D. Inexact. */
+void sg_known_surface_move(const sg_known_surface *surface,
+                           const double map[3][4], sg_known_surface *out);
+
+/* The unit normal at a point on the surface or near it, on the side of
+ * `facet`, the normal of a facet there, of any length. False: it has none there
+ * (an apex, an axis, a free one), or one so far from the facet's (78 degrees)
+ * that this is no facet of it. Inexact. */
+bool sg_known_surface_normal(const sg_known_surface *surface, const double p[3],
+                             const double facet[3], double out[3]);
+
+/* Two polygons that meet from `ends[0]` to `ends[1]`. */
+typedef struct sg_meeting {
+  int32_t polygon[2];
+  const double *normal[2]; /* of any length, both on one side of the sheet */
+  const double *ends[2];
+  double bend; /* of the polygons, in degrees */
+} sg_meeting;
+
+/* The surface of a polygon, -1: not known. */
+static inline int32_t
+sg_known_surface_of(const sg_known_surfaces *surfaces, int32_t polygon)
+{
+  return surfaces->of ? surfaces->of[polygon] : -1;
+}
+
+/* Degrees by which the surfaces of two polygons bend: not at all if they are
+ * one; else the larger bend at the ends. What has no known surface is flat. No
+ * less than what SG_FACET_BEND leaves of the bend of the polygons. Inexact. */
+double sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
+                              const sg_meeting *meeting);
+
+void sg_known_surfaces_clear(sg_known_surfaces *surfaces);
+
+#endif

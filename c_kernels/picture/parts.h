@@ -1,0 +1,60 @@
+/* parts.h -- the fused kernel of the hidden-line rule: the drawn parts of all
+ * lines of a scene at once.
+ *
+ * Layer: kernel. It computes what rules/picture/hidden_lines.pl and
+ * rules/picture/role.pl define, as long as no decision in them is replaced; a
+ * test holds the two against each other.
+ */
+#ifndef SG_PARTS_H
+#define SG_PARTS_H
+
+#include "crew.h"
+#include "hide_search.h"
+
+/* A part of a line that is longer than this is the whole line. */
+#define SG_WHOLE 0.999
+
+/* Of lines that lie on one another in the picture the first of these wins. */
+typedef enum sg_role {
+  SG_PENETRATION,
+  SG_OUTLINE,
+  SG_CREASE,
+  SG_BORDER,
+  SG_CURVE,
+  SG_SECTION,
+  SG_SMOOTH,
+  SG_MESH,
+  SG_ROLES
+} sg_role;
+
+typedef enum sg_which { SG_LINES_ALL, SG_LINES_FEATURE, SG_LINES_CUT } sg_which;
+
+typedef struct sg_part {
+  uint32_t line;   /* place in scene->line */
+  double from, to; /* 0 <= from < to <= 1 */
+  bool hidden;
+  sg_role role;
+} sg_part;
+
+/* The role of a line; crease: the bend, in degrees, over which it is one. */
+sg_role sg_look_role(const sg_look *look, double crease);
+const char *sg_role_name(sg_role role);
+
+/* True if a line of this role is drawn. */
+bool sg_role_drawn(sg_role role, sg_which which);
+
+/* What is drawn of a scene. */
+typedef struct sg_drawing {
+  sg_which which;
+  double crease; /* the bend, in degrees, over which an edge is a crease */
+  sg_hide_throughs through;
+} sg_drawing;
+
+/* The drawn parts, sorted by line and from, the same for any crew (null: the
+ * caller alone). *out is to be freed by the caller. False: stopped by the poll,
+ * or no memory (then *memory is false). */
+bool sg_parts_of(const sg_mask_grid *masks, const sg_drawing *drawing,
+                 sg_crew *crew, const sg_poll *poll, sg_part **out, size_t *n,
+                 bool *memory);
+
+#endif

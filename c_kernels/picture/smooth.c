@@ -1,0 +1,448 @@
+/* smooth.c -- see smooth.h */
+#include "smooth_private.h"
+
+#include "number/bounds.h"
+#include "number/vector.h"
+#include "rows/disjoint.h"
+
+#include <stdlib.h>
+
+/* A power of two that makes the coordinates of the model at most 1: products
+ * of areas neither overflow nor vanish, however large or small the model is. */
+static double
+unit_of(const sg_dense *d)
+{
+  double most = 0.0;
+  int exponent;
+
+  for (size_t i = 0; i < d->vertices; i++) {
+    for (int k = 0; k < 3; k++) {
+      most = sg_larger(most, fabs(d->at[i][k]));
+    }
+  }
+  frexp(most, &exponent);
+  return ldexp(1.0, exponent < -1022 ? 1022 : -exponent);
+}
+
+/* ----------------------------------------------------------------- faces */
+
+static void
+add_areas(sg_smooth_builder *b)
+{
+  for (size_t t = 0; t < b->in->triangles; t++) {
+    const double *p = sg_smooth_at(b, (uint32_t)(3 * t));
+    double u[3], w[3], n[3];
+    sg_smooth_difference(b, sg_smooth_at(b, (uint32_t)(3 * t + 1)), p, u);
+    sg_smooth_difference(b, sg_smooth_at(b, (uint32_t)(3 * t + 2)), p, w);
+    sg_cross(u, w, n);
+    for (int k = 0; k < 3; k++) {
+      b->area[b->in->polygon_of[t]][k] += n[k];
+    }
+  }
+}
+
+static const double *
+area_of(const sg_smooth_builder *b, uint32_t corner)
+{
+  return b->area[b->in->polygon_of[corner / 3]];
+}
+
+/* ----------------------------------------------------------------- sides */
+
+/* A side, or a piece of a penetration line, by its larger vertex. */
+typedef struct entry {
+  uint32_t high;
+  uint32_t side; /* SG_NO_SIDE: a line */
+} entry;
+
+typedef struct entries {
+  size_t *start; /* [vertices + 1]: those of each smaller vertex */
+  entry *item;
+} entries;
+
+static int
+entry_compare(const void *a, const void *b)
+{
+  const entry *x = a, *y = b;
+
+  return x->high != y->high ? (x->high > y->high) - (x->high < y->high)
+                            : (x->side > y->side) - (x->side < y->side);
+}
+
+static void
+sort_entries(entry *item, size_t n)
+{
+  if (n > 24) {
+    qsort(item, n, sizeof *item, entry_compare);
+    return;
+  }
+  for (size_t i = 1; i < n; i++) {
+    entry x = item[i];
+    size_t j = i;
+    for (; j > 0 && entry_compare(&x, &item[j - 1]) < 0; j--) {
+      item[j] = item[j - 1];
+    }
+    item[j] = x;
+  }
+}
+
+static void
+put_entry(entries *e, uint32_t v, uint32_t w, uint32_t side, bool count)
+{
+  uint32_t low = v < w ? v : w;
+
+  if (count) {
+    e->start[low + 1]++;
+  } else {
+    e->item[e->start[low]++] = (entry){v < w ? w : v, side};
+  }
+}
+
+static void
+put_entries(const sg_smooth_builder *b, entries *e, bool count)
+{
+  for (size_t i = 0; i < 3 * b->in->triangles; i++) {
+    uint32_t side = (uint32_t)i;
+    put_entry(e, sg_smooth_vertex(b, side),
+              sg_smooth_vertex(b, sg_smooth_next(side)), side, count);
+  }
+  for (size_t i = 0; i < b->input->cuts; i++) {
+    const uint32_t *cut = b->input->cut[i];
+    put_entry(e, cut[0], cut[1], SG_NO_SIDE, count);
+  }
+}
+
+/* Degrees by which two faces bend; a face without area does not. */
+static double
+bend_between(const double a[3], const double b[3])
+{
+  return sg_dot(a, a) > 0.0 && sg_dot(b, b) > 0.0 ? sg_angle(a, b) * SG_DEGREES
+                                                  : 0.0;
+}
+
+static bool
+is_convex(const sg_smooth_builder *b, uint32_t side, uint32_t other)
+{
+  double u[3];
+
+  sg_smooth_difference(b,
+                       sg_smooth_at(b, sg_smooth_next(sg_smooth_next(other))),
+                       sg_smooth_at(b, side), u);
+  return sg_dot(u, area_of(b, side)) <= 0.0;
+}
+
+/* Degrees by which the surfaces bend whose faces bend by so many. */
+static double
+surface_bend(const sg_smooth_builder *b, uint32_t i, uint32_t j, double bend)
+{
+  const sg_meeting meeting = {
+      .polygon = {b->in->polygon_of[i / 3], b->in->polygon_of[j / 3]},
+      .normal = {area_of(b, i), area_of(b, j)},
+      .ends = {sg_smooth_at(b, i), sg_smooth_at(b, sg_smooth_next(i))},
+      .bend = bend};
+
+  return sg_known_surfaces_bend(&b->known, &meeting);
+}
+
+/* Whether the sheet goes on across the side of triangles i and j. */
+static bool
+hangs_together(const sg_smooth_builder *b, uint32_t i, uint32_t j, double bend,
+               bool cut)
+{
+  if (cut && (sg_smooth_surface(b, i) < 0 ||
+              sg_smooth_surface(b, i) != sg_smooth_surface(b, j))) {
+    return bend <= SG_SMOOTH_FLAT;
+  }
+  return surface_bend(b, i, j, bend) <= b->input->crease + SG_SMOOTH_OVER;
+}
+
+/* The normal of the triangle of a corner, as long as twice its area. */
+static void
+triangle_normal(const sg_smooth_builder *b, uint32_t corner, double out[3])
+{
+  const double *p = sg_smooth_at(b, corner);
+  uint32_t next = sg_smooth_next(corner);
+  double u[3], w[3];
+
+  sg_smooth_difference(b, sg_smooth_at(b, next), p, u);
+  sg_smooth_difference(b, sg_smooth_at(b, sg_smooth_next(next)), p, w);
+  sg_cross(u, w, out);
+}
+
+/* Whether the polygon that two triangles are of is folded between them. */
+static bool
+is_fold(const sg_smooth_builder *b, uint32_t i, uint32_t j)
+{
+  double m[3], n[3];
+
+  if (b->in->polygon_of[i / 3] != b->in->polygon_of[j / 3]) {
+    return false;
+  }
+  triangle_normal(b, i, m);
+  triangle_normal(b, j, n);
+  return bend_between(m, n) > SG_FACET_BEND;
+}
+
+static uint8_t
+side_flags(const sg_smooth_builder *b, uint32_t i, uint32_t j, bool smooth,
+           bool cut)
+{
+  return (uint8_t)((smooth ? SG_SIDE_SMOOTH : 0) | (cut ? SG_SIDE_CUT : 0) |
+                   (is_convex(b, i, j) ? SG_SIDE_CONVEX : 0) |
+                   (is_fold(b, i, j) ? SG_SIDE_FOLD : 0));
+}
+
+static void
+join_sides(sg_smooth_builder *b, uint32_t i, uint32_t j, bool cut)
+{
+  sg_smooth *out = b->out;
+  double bend = bend_between(area_of(b, i), area_of(b, j));
+  bool smooth = hangs_together(b, i, j, bend, cut);
+
+  if (sg_smooth_vertex(b, i) == sg_smooth_vertex(b, j)) {
+    return; /* one of them is turned over */
+  }
+  out->across[i] = j;
+  out->across[j] = i;
+  b->bend[i] = b->bend[j] = bend;
+  out->side[i] = side_flags(b, i, j, smooth, cut);
+  out->side[j] = side_flags(b, j, i, smooth, cut);
+}
+
+/* The sides between two vertices, sorted: lines come last. */
+static void
+join_group(sg_smooth_builder *b, const entry *item, size_t n)
+{
+  size_t sides = n;
+
+  while (sides > 0 && item[sides - 1].side == SG_NO_SIDE) {
+    sides--;
+  }
+  if (sides == 2) {
+    join_sides(b, item[0].side, item[1].side, sides < n);
+  }
+}
+
+static bool
+join_all(sg_smooth_builder *b, entries *e)
+{
+  size_t from = 0;
+
+  for (size_t v = 0; v < b->in->vertices; v++) {
+    size_t to = e->start[v]; /* where the next vertex's begin, by now */
+    if (sg_smooth_stop(b, v)) {
+      return false;
+    }
+    sort_entries(e->item + from, to - from);
+    for (size_t i = from, j; i < to; i = j) {
+      for (j = i + 1; j < to && e->item[j].high == e->item[i].high; j++) {
+      }
+      join_group(b, e->item + i, j - i);
+    }
+    from = to;
+  }
+  return true;
+}
+
+static bool
+find_sides(sg_smooth_builder *b, bool *memory)
+{
+  entries e = {.start = calloc(b->in->vertices + 2, sizeof *e.start),
+               .item = malloc((3 * b->in->triangles + b->input->cuts + 1) *
+                              sizeof *e.item)};
+  bool done = false;
+
+  *memory = e.start && e.item;
+  if (*memory) {
+    put_entries(b, &e, true);
+    for (size_t v = 0; v < b->in->vertices; v++) {
+      e.start[v + 1] += e.start[v];
+    }
+    put_entries(b, &e, false);
+    done = join_all(b, &e);
+  }
+  free(e.start);
+  free(e.item);
+  return done;
+}
+
+/* ------------------------------------------------------ sheets and fans */
+
+static void
+find_sheets(sg_smooth_builder *b)
+{
+  size_t sides = 3 * b->in->triangles;
+
+  for (size_t i = 0; i < sides; i++) {
+    b->root[i] = (uint32_t)i;
+    b->sheet[i / 3] = (uint32_t)(i / 3);
+  }
+  for (size_t i = 0; i < sides; i++) {
+    uint32_t j = b->out->across[i];
+    if (j > i && (b->out->side[i] & SG_SIDE_SMOOTH)) {
+      sg_disjoint_join(b->sheet, (uint32_t)i / 3, j / 3);
+      sg_disjoint_join(b->root, (uint32_t)i, sg_smooth_next(j));
+      sg_disjoint_join(b->root, sg_smooth_next((uint32_t)i), j);
+    }
+  }
+}
+
+static void
+number_fans(sg_smooth_builder *b)
+{
+  uint32_t *fan = b->out->fan;
+
+  for (size_t i = 0; i < 3 * b->in->triangles; i++) {
+    uint32_t root =
+        sg_disjoint_root(b->root, (uint32_t)i); /* the smallest of them */
+    fan[i] = root == i ? (uint32_t)b->out->fans++ : fan[root];
+  }
+}
+
+/* --------------------------------------------------------------- normals */
+
+/* The way the surface looks at a corner, as long as the area of its face. */
+static void
+look_at_corner(const sg_smooth_builder *b, uint32_t i, double out[3])
+{
+  const sg_known_surfaces *known = &b->known;
+  const double *area = area_of(b, i);
+  int32_t of = sg_smooth_surface(b, i);
+  double size = 1.0;
+
+  if (of >= 0 && sg_known_surface_normal(&known->surface[of],
+                                         sg_smooth_at(b, i), area, out)) {
+    size = sg_length(area);
+    area = out;
+  }
+  for (int k = 0; k < 3; k++) {
+    out[k] = size * area[k];
+  }
+}
+
+static void
+add_corner(const sg_smooth_builder *b, uint32_t i)
+{
+  const double *p = sg_smooth_at(b, i);
+  double *normal = b->out->normal[b->out->fan[i]];
+  double area[3], u[3], w[3], weight;
+
+  look_at_corner(b, i, area);
+  sg_smooth_difference(b, sg_smooth_at(b, sg_smooth_next(i)), p, u);
+  sg_smooth_difference(b, sg_smooth_at(b, sg_smooth_next(sg_smooth_next(i))), p,
+                       w);
+  weight = sg_angle(u, w);
+  for (int k = 0; k < 3; k++) {
+    normal[k] += weight * area[k];
+  }
+}
+
+/* False: stopped. */
+static bool
+find_normals(sg_smooth_builder *b)
+{
+  sg_smooth *out = b->out;
+  double most = cos(sg_smaller(b->input->crease, 90.0) / SG_DEGREES);
+
+  for (size_t i = 0; i < 3 * b->in->triangles; i++) {
+    if (sg_smooth_stop(b, i)) {
+      return false;
+    }
+    add_corner(b, (uint32_t)i);
+  }
+  for (size_t f = 0; f < out->fans; f++) {
+    double size = sqrt(sg_dot(out->normal[f], out->normal[f]));
+    for (int k = 0; k < 3 && size > 0.0; k++) {
+      out->normal[f][k] /= size;
+    }
+  }
+  for (size_t i = 0; i < 3 * b->in->triangles; i++) {
+    double area[3], size;
+    look_at_corner(b, (uint32_t)i, area);
+    size = sg_length(area);
+    out->apex[out->fan[i]] |=
+        sg_dot(area, out->normal[out->fan[i]]) < most * size;
+  }
+  return !sg_poll_stop(b->poll);
+}
+
+/* -------------------------------------------------------------- building */
+
+static bool
+make_room(sg_smooth_builder *b)
+{
+  size_t triangles = b->in->triangles, sides = 3 * triangles;
+  sg_smooth *out = b->out;
+
+  b->area = calloc(b->in->polygons + 1, sizeof *b->area);
+  b->bend = calloc(sides + 1, sizeof *b->bend);
+  b->sheet = malloc((triangles + 1) * sizeof *b->sheet);
+  b->root = malloc((sides + 1) * sizeof *b->root);
+  out->across = malloc((sides + 1) * sizeof *out->across);
+  out->side = calloc(sides + 1, sizeof *out->side);
+  out->fan = malloc((sides + 1) * sizeof *out->fan);
+  out->curved = calloc(triangles + 1, sizeof *out->curved);
+  out->coarse = calloc(triangles + 1, sizeof *out->coarse);
+  return b->area && b->bend && b->sheet && b->root && out->across &&
+         out->side && out->fan && out->curved && out->coarse;
+}
+
+/* False: stopped, or no memory. */
+static bool
+make_fans(sg_smooth_builder *b, bool *memory)
+{
+  sg_smooth *out = b->out;
+
+  find_sheets(b);
+  number_fans(b);
+  out->normal = calloc(out->fans + 1, sizeof *out->normal);
+  out->apex = calloc(out->fans + 1, sizeof *out->apex);
+  *memory = out->normal && out->apex;
+  return *memory && !sg_poll_stop(b->poll) && find_normals(b) &&
+         (*memory = sg_smooth_find_curved(b));
+}
+
+bool
+sg_smooth_init(sg_smooth *smooth, const sg_smooth_input *input,
+               const sg_poll *poll, bool *memory)
+{
+  sg_smooth_builder b = {
+      .in = input->dense, .input = input, .out = smooth, .poll = poll};
+  bool done = false;
+
+  *smooth = (sg_smooth){0};
+  if (input->crease >= SG_FACET_BEND) {
+    b.known = input->surfaces;
+  }
+  b.unit = unit_of(input->dense);
+  *memory = make_room(&b);
+  if (*memory) {
+    for (size_t i = 0; i < 3 * input->dense->triangles; i++) {
+      smooth->across[i] = SG_NO_SIDE;
+    }
+    add_areas(&b);
+    done = !sg_poll_stop(poll) && find_sides(&b, memory) &&
+           !sg_poll_stop(poll) && make_fans(&b, memory);
+  }
+  free(b.area);
+  free(b.bend);
+  free(b.sheet);
+  free(b.root);
+  if (!done) {
+    sg_smooth_clear(smooth);
+  }
+  return done;
+}
+
+void
+sg_smooth_clear(sg_smooth *smooth)
+{
+  free(smooth->across);
+  free(smooth->side);
+  free(smooth->fan);
+  free(smooth->curved);
+  free(smooth->coarse);
+  free(smooth->normal);
+  free(smooth->apex);
+  *smooth = (sg_smooth){0};
+}

@@ -1,0 +1,507 @@
+/* complete.c -- planes and triangles for whole segments: see complete.h. */
+#include "complete_private.h"
+
+#include "flatness.h"
+#include "plane.h"
+#include "rows/key_table.h"
+#include "rows/keys.h"
+#include "rows/segment_rows.h"
+#include "rows/sort.h"
+#include "triangulate.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- what is read ------------------------------------------------------- */
+
+typedef struct vertex {
+  int32_t s, id;
+  double p[3];
+} vertex;
+
+typedef struct edge {
+  int32_t s, id, v1, v2;
+} edge;
+
+typedef struct polygon_key {
+  int32_t s, id;
+} polygon_key;
+
+typedef struct model {
+  vertex *v;
+  edge *e;
+  polygon_key *with_plane, *with_triangles;
+  sg_keys vertices, edges, planes, triangles;
+  sg_flatness flatness;
+  const sg_poll *poll;
+  bool stopped;
+} model;
+
+/* For every live row r of page i of a view. */
+#define EACH_ROW(view, i, r)                                                   \
+  for (unsigned r = sg_live_next((view)->live[i], 0); r < SG_PAGE_ROWS;        \
+       r = sg_live_next((view)->live[i], r + 1))
+
+static size_t
+count_rows(const sg_view *view)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < view->pages; i++) {
+    for (size_t k = 0; k < SG_LIVE_WORDS; k++) {
+      n += (size_t)__builtin_popcountll(view->live[i][k]);
+    }
+  }
+  return n;
+}
+
+static bool
+stops(model *m)
+{
+  m->stopped = m->stopped || sg_poll_stop(m->poll);
+  return m->stopped;
+}
+
+static int32_t
+int_at(const sg_view *view, int column, size_t i, unsigned r)
+{
+  return view->column[column].page[i].i[r];
+}
+
+/* False: no memory, or stopped. */
+static bool
+sort_keys(model *m, void *base, size_t size, size_t n, sg_keys *out)
+{
+  *out = (sg_keys){base, size, n, 0};
+  if (m->stopped) {
+    return false;
+  }
+  sg_sort_end end = sg_sort(base, n, size, sg_key_compare, m->poll);
+  m->stopped = end == SG_SORT_STOPPED;
+  return end == SG_SORTED;
+}
+
+static bool
+read_vertices(const sg_view *view, model *out)
+{
+  size_t n = 0;
+
+  out->v = malloc((count_rows(view) + 1) * sizeof *out->v);
+  if (!out->v) {
+    return false;
+  }
+  for (size_t i = 0; i < view->pages && !stops(out); i++) {
+    EACH_ROW(view, i, r)
+    {
+      vertex *v = &out->v[n++];
+      v->s = int_at(view, 0, i, r);
+      v->id = int_at(view, 1, i, r);
+      for (int k = 0; k < 3; k++) {
+        v->p[k] = view->column[2 + k].page[i].f[r];
+      }
+    }
+  }
+  return sort_keys(out, out->v, sizeof *out->v, n, &out->vertices);
+}
+
+static bool
+read_edges(const sg_view *view, model *out)
+{
+  size_t n = 0;
+
+  out->e = malloc((count_rows(view) + 1) * sizeof *out->e);
+  if (!out->e) {
+    return false;
+  }
+  for (size_t i = 0; i < view->pages && !stops(out); i++) {
+    EACH_ROW(view, i, r)
+    {
+      out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
+                           int_at(view, 2, i, r), int_at(view, 3, i, r)};
+    }
+  }
+  return sort_keys(out, out->e, sizeof *out->e, n, &out->edges);
+}
+
+/* The polygons that have a row in plane/6 or t/6. */
+static bool
+read_polygons(const sg_view *view, model *m, polygon_key **out, sg_keys *keys)
+{
+  size_t n = 0;
+
+  *out = malloc((count_rows(view) + 1) * sizeof **out);
+  if (!*out) {
+    return false;
+  }
+  for (size_t i = 0; i < view->pages && !stops(m); i++) {
+    EACH_ROW(view, i, r)
+    {
+      (*out)[n++] = (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
+    }
+  }
+  return sort_keys(m, *out, sizeof **out, n, keys);
+}
+
+static void
+model_clear(model *m)
+{
+  free(m->v);
+  free(m->e);
+  free(m->with_plane);
+  free(m->with_triangles);
+}
+
+/* What is flat depends on the size of the whole model. */
+static bool
+see_size(const sg_view *view, model *out)
+{
+  sg_flatness_init(&out->flatness);
+  for (size_t i = 0; i < view->pages && !stops(out); i++) {
+    sg_flatness_page(&out->flatness, view, i);
+  }
+  return !out->stopped;
+}
+
+static bool
+model_read(const sg_completion_input *in, model *out)
+{
+  return read_vertices(in->v, out) && read_edges(in->e, out) &&
+         read_polygons(in->plane, out, &out->with_plane, &out->planes) &&
+         read_polygons(in->t, out, &out->with_triangles, &out->triangles);
+}
+
+/* ---- one polygon -------------------------------------------------------- */
+
+/* A polygon with its edges' vertices, and scratch that is used again. */
+typedef struct task {
+  model *model;
+  sg_completion *out;
+  const sg_poll *poll;
+  sg_key_table counts; /* triangles a segment */
+  int32_t s, p;
+  bool needs_plane, needs_triangles;
+  size_t n, room;
+  const edge **e;
+  const vertex **start, **end; /* [n] */
+  sg_plane plane;
+  sg_work *work;
+  sg_triangles found;
+  bool stopped;
+} task;
+
+static bool
+fault(task *t, sg_fault_kind kind, int32_t a, int32_t b, double size)
+{
+  return sg_complete_add_fault(
+      t->out, &(sg_polygon_fault){t->s, t->p, kind, a, b, size});
+}
+
+static bool
+make_room(task *t, size_t n)
+{
+  bool done = true;
+
+  if (n > t->room) {
+    t->e = sg_complete_grown(t->e, n, sizeof *t->e, &done);
+    t->start = sg_complete_grown(t->start, n, sizeof *t->start, &done);
+    t->end = sg_complete_grown(t->end, n, sizeof *t->end, &done);
+    t->room = done ? n : t->room;
+  }
+  return done;
+}
+
+/* Looks its edges and vertices up. The store keeps references whole, so that
+ * none is missing. */
+static bool
+look_up(task *t, const int32_t *list)
+{
+  model *m = t->model;
+
+  t->n = (size_t)list[0];
+  if (!make_room(t, t->n)) {
+    return false;
+  }
+  for (size_t i = 0; i < t->n; i++) {
+    size_t at = sg_keys_find(&m->edges, t->s, list[1 + i]);
+    size_t v1 = sg_keys_find(&m->vertices, t->s, m->e[at].v1);
+    size_t v2 = sg_keys_find(&m->vertices, t->s, m->e[at].v2);
+    t->e[i] = &m->e[at];
+    t->start[i] = &m->v[v1];
+    t->end[i] = &m->v[v2];
+  }
+  return true;
+}
+
+/* Three edges in a ring: the third corner of the first edge, or null. */
+static const vertex *
+third_corner(const task *t)
+{
+  if (t->n != 3) {
+    return NULL;
+  }
+  int second = t->start[1] == t->end[0] ? 1 : 2, third = 3 - second;
+  bool ring = t->start[second] == t->end[0] &&
+              t->start[third] == t->end[second] && t->end[third] == t->start[0];
+  return ring ? t->end[second] : NULL;
+}
+
+static bool
+fill_work(task *t)
+{
+  if (!t->work && !(t->work = sg_work_open(t->plane.n))) {
+    return false;
+  }
+  sg_work_clear(t->work, t->plane.n);
+  for (size_t i = 0; i < t->n; i++) {
+    sg_point start, end;
+    sg_point_set(&start, t->start[i]->p);
+    sg_point_set(&end, t->end[i]->p);
+    int32_t a = sg_work_vertex(t->work, t->start[i]->id, &start);
+    int32_t b = sg_work_vertex(t->work, t->end[i]->id, &end);
+    if (a < 0 || b < 0 ||
+        (a != b && !sg_work_add(t->work, a, b, 1, t->e[i]->id))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* The edge that got stuck first, as ids. */
+static void
+name_edge(const task *t, int32_t stuck, int32_t out[2])
+{
+  const sg_work_edge *bad = sg_work_get(t->work, stuck);
+
+  out[0] = sg_work_id(t->work, bad->start);
+  out[1] = sg_work_id(t->work, bad->end);
+}
+
+/* With contacts taken exactly; if that gets stuck, once more with those that
+ * rounding may have opened. */
+static sg_outcome
+find_triangles(task *t, int32_t bad[2])
+{
+  double reach[2] = {0, sg_flatness_tolerance(&t->model->flatness)};
+  sg_outcome outcome = SG_STUCK;
+  int32_t stuck;
+
+  for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
+    if ((i > 0 && !fill_work(t)) || !sg_work_resolve(t->work, reach[i])) {
+      return SG_NO_SPACE;
+    }
+    t->found.n = 0;
+    outcome = sg_work_triangulate(t->work, &t->found, &stuck, t->poll);
+    if (outcome == SG_STUCK && i == 0) {
+      name_edge(t, stuck, bad);
+    }
+  }
+  return outcome;
+}
+
+static bool
+triangulate(task *t)
+{
+  int32_t bad[2] = {0, 0};
+
+  switch (find_triangles(t, bad)) {
+  case SG_DONE:
+    break;
+  case SG_STUCK:
+    return fault(t, SG_FAULT_EDGE, bad[0], bad[1], 0);
+  case SG_STOPPED:
+    t->stopped = true;
+    return false;
+  case SG_NO_SPACE:
+    return false;
+  }
+  for (size_t i = 0; i < t->found.n; i++) {
+    int32_t v[3];
+    for (int k = 0; k < 3; k++) {
+      v[k] = sg_work_id(t->work, t->found.item[i].v[k]);
+    }
+    if (!sg_complete_add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
+                                  v)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* A triangle needs no scratch relation; *done tells if it was one. */
+static bool
+quick_triangle(task *t, bool *done)
+{
+  const vertex *c = third_corner(t), *a = t->start[0], *b = t->end[0];
+  int axis = 0;
+  sg_point p[3];
+
+  *done = false;
+  if (!c) {
+    return true;
+  }
+  for (int k = 1; k < 3; k++) {
+    axis = fabs(t->plane.n[k]) > fabs(t->plane.n[axis]) ? k : axis;
+  }
+  sg_point_set(&p[0], a->p);
+  sg_point_set(&p[1], b->p);
+  sg_point_set(&p[2], c->p);
+  int turn = sg_point_turn(axis, &p[0], &p[1], &p[2]);
+  if (turn != (t->plane.n[axis] < 0 ? -1 : 1)) {
+    return true; /* the long way finds out what is wrong */
+  }
+  *done = true;
+  return sg_complete_add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
+                                  (const int32_t[3]){a->id, b->id, c->id});
+}
+
+static bool
+note_bent(task *t)
+{
+  double worst = 0;
+
+  for (size_t i = 0; i < t->n; i++) {
+    worst = fmax(worst, fabs(sg_plane_distance(&t->plane, t->start[i]->p)));
+  }
+  return worst <= sg_flatness_tolerance(&t->model->flatness) ||
+         fault(t, SG_FAULT_BENT, 0, 0, worst);
+}
+
+/* One vertex at which it does not close, an id, or 0. */
+static bool
+find_gap(task *t, int32_t *gap)
+{
+  *gap = 0;
+  if (third_corner(t)) {
+    return true;
+  }
+  if (!fill_work(t)) {
+    return false;
+  }
+  int32_t open = sg_work_unbalanced(t->work);
+  *gap = open == SG_WORK_NONE ? 0 : sg_work_id(t->work, open);
+  return true;
+}
+
+static bool
+do_polygon(task *t)
+{
+  sg_newell sum;
+  int32_t gap;
+  bool done = false;
+
+  sg_newell_init(&sum);
+  for (size_t i = 0; i < t->n; i++) {
+    sg_newell_edge(&sum, t->start[i]->p, t->end[i]->p);
+  }
+  bool flat = sg_newell_plane(&sum, &t->plane);
+  if (!flat) {
+    t->plane = (sg_plane){{0, 0, 1}, 0};
+  }
+  if (!find_gap(t, &gap)) {
+    return false;
+  }
+  if (gap) {
+    return fault(t, SG_FAULT_OPEN, gap, 0, 0);
+  }
+  if (!flat) {
+    return fault(t, SG_FAULT_NO_AREA, 0, 0, 0);
+  }
+  if (t->needs_plane &&
+      (!sg_complete_add_plane(&t->out->planes, t->s, t->p, &t->plane) ||
+       (t->n > 3 && !note_bent(t)))) {
+    return false;
+  }
+  if (!t->needs_triangles || !quick_triangle(t, &done) || done) {
+    return !t->needs_triangles || done;
+  }
+  return (t->n > 3 || fill_work(t)) && triangulate(t);
+}
+
+/* ---- all polygons ------------------------------------------------------- */
+
+enum { POLYGONS_A_POLL = 256 };
+
+/* The polygon of one row, if something of it is missing. */
+static bool
+do_row(task *t, const sg_view *view, size_t i, unsigned r)
+{
+  t->s = int_at(view, 0, i, r);
+  t->p = int_at(view, 1, i, r);
+  t->needs_plane = sg_keys_find(&t->model->planes, t->s, t->p) == SG_NOWHERE;
+  t->needs_triangles =
+      sg_keys_find(&t->model->triangles, t->s, t->p) == SG_NOWHERE;
+  return (!t->needs_plane && !t->needs_triangles) ||
+         (look_up(t, view->column[2].page[i].list[r]) && do_polygon(t));
+}
+
+static bool
+do_polygons(task *t, const sg_view *view)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < view->pages; i++) {
+    EACH_ROW(view, i, r)
+    {
+      if (++n % POLYGONS_A_POLL == 0 && sg_poll_stop(t->poll)) {
+        t->stopped = true;
+        return false;
+      }
+      if (!do_row(t, view, i, r)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+static bool
+complete(const sg_completion_input *in, const sg_view *vertices, task *t)
+{
+  model *m = t->model;
+  bool done =
+      see_size(vertices, m) && model_read(in, m) && do_polygons(t, in->p);
+
+  model_clear(m);
+  return done;
+}
+
+/* The rows of the segments that are to be completed. */
+static bool
+complete_some(const sg_completion_input *in, task *t)
+{
+  const sg_view *const all[] = {in->v, in->e, in->p, in->plane, in->t};
+  sg_view some[5] = {{0}};
+  sg_completion_input of = {&some[0], &some[1], &some[2], &some[3],
+                            &some[4], NULL,     0};
+  bool good = true;
+
+  for (int k = 0; k < 5 && good; k++) {
+    good = sg_segment_view_make(all[k], in->segment, in->segments, &some[k]);
+  }
+  good = good && complete(&of, in->v, t);
+  for (int k = 0; k < 5; k++) {
+    sg_segment_view_clear(&some[k]);
+  }
+  return good;
+}
+
+bool
+sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
+            const sg_poll *poll)
+{
+  model m = {.poll = poll};
+  task t = {.model = &m, .out = out, .poll = poll};
+
+  *out = (sg_completion){0};
+  sg_key_table_init(&t.counts, 1);
+  bool done = in->segment ? complete_some(in, &t) : complete(in, in->v, &t);
+  *stopped = t.stopped || m.stopped;
+  sg_key_table_clear(&t.counts);
+  sg_work_close(t.work);
+  free(t.found.item);
+  free(t.e);
+  free(t.start);
+  free(t.end);
+  return done;
+}

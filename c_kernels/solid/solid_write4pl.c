@@ -1,0 +1,263 @@
+/* solid_write4pl.c -- a solid as rows of a segment, as a predicate.
+ *
+ * Layer: glue. The door is documented in rules/kernel/boolean.pl.
+ */
+#include "rows/append4pl.h"
+#include "solid4pl.h"
+
+#include "glue.h"
+#include "solid_rows.h"
+
+#include "engine/install.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What the kernel writes in place; origin/3 follows. */
+enum { V, E, P, PLANE, T, FROM_V, FROM_P, RELATIONS };
+
+static const sg_relation written[RELATIONS] = {
+    SG_V, SG_E, SG_P, SG_PLANE, SG_T, SG_FROM_V, SG_FROM_P};
+
+/* ---- room --------------------------------------------------------------- */
+
+static int
+open_all_ex(sg_world *world, const sg_solid_rows *rows,
+            sg_append append[RELATIONS])
+{
+  const sg_solid *solid = rows->solid;
+  const size_t n[RELATIONS] = {[V] = rows->vertices,
+                               [E] = rows->edge[solid->faces],
+                               [P] = solid->faces,
+                               [PLANE] = solid->faces,
+                               [T] = solid->triangles,
+                               [FROM_V] = rows->plain,
+                               [FROM_P] = solid->faces + solid->parts};
+
+  for (int k = 0; k < RELATIONS; k++) {
+    if (!sg_append_open(&append[k], world, written[k], n[k])) {
+      while (k-- > 0) {
+        sg_append_close(&append[k]);
+      }
+      return sg_no_memory();
+    }
+  }
+  return TRUE;
+}
+
+static int
+make_lists_ex(const sg_solid_rows *rows, sg_append *p)
+{
+  int32_t length[SG_PAGE_ROWS];
+
+  for (size_t k = 0; k < p->sheet.pages; k++) {
+    const sg_sheet_page *page = &p->sheet.page[k];
+    const uint32_t *edge = rows->edge + page->from;
+    for (size_t i = 0; i < page->n; i++) {
+      length[i] = (int32_t)(edge[i + 1] - edge[i]);
+    }
+    if (!sg_append_lists(p, k, 2, length)) {
+      return sg_no_memory();
+    }
+    if (PL_handle_signals() < 0) {
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+/* ---- origins ------------------------------------------------------------ */
+
+enum { ITEM_WORDS = 8 };
+
+/* The rows of a page: origin(S, v(V), Origin). */
+typedef struct origins {
+  size_t n;
+  uint32_t word[SG_PAGE_ROWS][ITEM_WORDS];
+  const uint32_t *item[SG_PAGE_ROWS], *origin[SG_PAGE_ROWS];
+} origins;
+
+static void
+add_origin(origins *o, int32_t v, const uint32_t *origin)
+{
+  sg_term_builder b;
+
+  sg_term_open(&b);
+  sg_term_unary(&b, SG_SYMBOL_V, v);
+  const uint32_t *item = sg_term_words(&b); /* short: it cannot fail */
+
+  memcpy(o->word[o->n], item, sg_term_length(item) * sizeof *item);
+  o->item[o->n] = o->word[o->n];
+  o->origin[o->n++] = origin;
+  sg_term_close(&b);
+}
+
+static const uint32_t *
+origin_of(const sg_solid_rows *rows, size_t i)
+{
+  const sg_solid *solid = rows->solid;
+
+  return solid->origin ? solid->origin[rows->vertex[i] - solid->plain] : NULL;
+}
+
+/* Page k of the sheet gets the origins of vertices *i and on. */
+static int
+fill_origins_ex(const sg_solid_rows *rows, int32_t s, sg_append *a, size_t k,
+                origins *o, size_t *i)
+{
+  const sg_sheet_page *page = &a->sheet.page[k];
+
+  for (o->n = 0; o->n < page->n; (*i)++) {
+    const uint32_t *origin = origin_of(rows, *i);
+
+    if (origin) {
+      page->column[0].i[o->n] = s;
+      add_origin(o, (int32_t)*i + 1, origin);
+    }
+  }
+  if (!sg_append_terms(a, k, 1, o->item) ||
+      !sg_append_terms(a, k, 2, o->origin)) {
+    return sg_no_memory();
+  }
+  return PL_handle_signals() >= 0;
+}
+
+/* Somebody may have said where a vertex came from that was not there. */
+static int
+no_origins_ex(sg_world *world, int32_t s)
+{
+  const sg_version *version = sg_world_version(world);
+  sg_segment_rows rows = {0};
+  int none = sg_rows_of_segment_ex(version, SG_ORIGIN, s, &rows);
+
+  size_t n = none ? rows.begin[1] : 0;
+
+  for (size_t i = 0; none && i < n; i++) {
+    const uint32_t *item =
+        sg_version_value(version, SG_ORIGIN, rows.row[i], 1).term;
+
+    none = sg_term_vertex(item) == 0 ||
+           sg_raise_status(SG_EXISTS, SG_ORIGIN, &(sg_fault){0});
+  }
+  sg_segment_rows_clear(&rows);
+  sg_version_drop(version);
+  return none;
+}
+
+/* As no vertex of s had an origin, these are all. */
+static int
+add_origins_ex(sg_world *world, const sg_solid_rows *rows, int32_t s)
+{
+  size_t n = 0, next = rows->plain;
+  origins *o = malloc(sizeof *o);
+  sg_append a;
+
+  for (size_t i = rows->plain; i < rows->vertices; i++) {
+    n += origin_of(rows, i) != NULL;
+  }
+  if (!o || !sg_append_open(&a, world, SG_ORIGIN, n)) {
+    free(o);
+    return sg_no_memory();
+  }
+  int good = TRUE;
+
+  for (size_t k = 0; k < a.sheet.pages && good; k++) {
+    good = fill_origins_ex(rows, s, &a, k, o, &next);
+  }
+  good = good && (sg_append_commit(&a) || sg_no_memory());
+  sg_append_close(&a);
+  free(o);
+  return good;
+}
+
+/* ---- the door ----------------------------------------------------------- */
+
+static int
+commit_all_ex(sg_append append[RELATIONS], size_t planes, size_t sources)
+{
+  sg_append_shorten(&append[PLANE], planes);
+  sg_append_shorten(&append[FROM_P], sources);
+  for (int k = 0; k < RELATIONS; k++) {
+    append[k].sheet.ascends = true;
+    if (!sg_append_commit(&append[k])) {
+      return sg_no_memory();
+    }
+  }
+  return TRUE;
+}
+
+static int
+write_rows_ex(sg_world *world, const sg_solid_rows *rows, int32_t s,
+              sg_crew *crew)
+{
+  sg_append a[RELATIONS];
+  size_t planes, sources;
+  int good;
+
+  if (!open_all_ex(world, rows, a)) {
+    return FALSE;
+  }
+  const sg_solid_sheets out = {&a[V].sheet,     &a[E].sheet, &a[P].sheet,
+                               &a[PLANE].sheet, &a[T].sheet, &a[FROM_V].sheet,
+                               &a[FROM_P].sheet};
+  good = make_lists_ex(rows, &a[P]);
+  if (good && !sg_solid_rows_write(rows, s, crew, &sg_prolog_poll, &out,
+                                   &planes, &sources)) {
+    good = PL_exception(0) ? FALSE : sg_no_memory();
+  }
+  good = good && commit_all_ex(a, planes, sources) &&
+         add_origins_ex(world, rows, s);
+  for (int k = 0; k < RELATIONS; k++) {
+    sg_append_close(&a[k]);
+  }
+  return good;
+}
+
+/* In a world that is claimed. */
+static int
+write_solid_ex(sg_world *world, const sg_solid *solid, int32_t s)
+{
+  sg_crew *crew = sg_crew_open(0);
+  sg_solid_rows rows;
+
+  if (!crew) {
+    return sg_no_memory();
+  }
+  int good = sg_solid_rows_make(solid, crew, &sg_prolog_poll, &rows);
+
+  good = good              ? write_rows_ex(world, &rows, s, crew)
+         : PL_exception(0) ? FALSE
+                           : sg_no_memory();
+  sg_solid_rows_clear(&rows);
+  sg_crew_close(crew);
+  return good;
+}
+
+/* solid_write(+Solid, +S) is det. */
+static foreign_t
+solid_write(term_t solid_term, term_t s_term)
+{
+  sg_world *world = sg_current_world_ex();
+  sg_solid *solid;
+  int32_t s;
+
+  if (!world || !sg_get_solid_ex(solid_term, &solid) ||
+      !sg_get_id_ex(s_term, &s) || !sg_claim_ex(world)) {
+    return FALSE;
+  }
+  int good = sg_segment_is_empty_ex(world, s) && no_origins_ex(world, s) &&
+             write_solid_ex(world, solid, s);
+  sg_world_release(world);
+  return good;
+}
+
+static const PL_extension predicates[] = {
+    {"solid_write", 2, solid_write, 0},
+    {NULL, 0, NULL, 0},
+};
+
+void
+sg_install_solid_write(void)
+{
+  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
+}

@@ -1,0 +1,389 @@
+:- encoding(utf8).
+:- module(sg_cli,
+          [ main/1,                     % -Status
+            sanggwan/2                  % +Arguments, -Status
+          ]).
+:- use_module(arguments, [parsed_arguments/4]).
+:- use_module('../solid/csg_evaluate',
+              [csg_statistics/1, csg_statistics_reset/0]).
+:- use_module('../decision', [use_rules/1]).
+:- use_module('../kernel',
+              [exact_fallbacks/1, exact_statistics/1, tree_statistics/1]).
+:- use_module('../language', [language/1]).
+:- use_module('../message/messages', []).
+:- use_module('../message/messages_ko', []).
+:- use_module('../progress', [with_progress/1]).
+:- use_module('../model/solid_file', [output_statistics/1]).
+:- use_module('../spelling', [near_words/3]).
+:- use_module('../stage', [stages_reset/0, stage_seconds/2]).
+:- use_module('../status', [error_status/2]).
+:- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
+:- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
+:- use_module(user:'../sanggwan').
+:- use_module(verbs, [verb_run/4]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(option), [option/2, option/3]).
+/** <module> The command line: verbs, exit status, messages, timings.
+
+Data goes to standard output, everything else to standard error. The exit
+status is
+
+    0    done                           2    wrong usage, or a program error
+    1    the answer is no; or warnings  3    input unreadable or invalid
+         with --strict                  4    the geometry is not possible
+                                        130  interrupted
+
+An interrupt is an exception here: transactions roll back, files being written
+vanish, then the program ends.
+*/
+
+%!  main(-Status) is det.
+%
+%   Run the program's own arguments; engine/main.c ends with Status.
+
+main(Status) :-
+    current_prolog_flag(os_argv, Words),
+    own_arguments(Words, Arguments),
+    set_stream(user_output, encoding(utf8)),
+    set_stream(user_error, encoding(utf8)),
+    setup_call_cleanup(
+        interrupts_raise(Old),
+        sanggwan(Arguments, Status0),
+        maplist(restored, Old)),
+    flushed(Status0, Status).
+
+%   Those after the first `--`: engine/main.c puts it after Prolog's own.
+
+own_arguments(Words, Arguments) :-
+    (   append(_, ['--'|Arguments0], Words)
+    ->  Arguments = Arguments0
+    ;   Arguments = []
+    ).
+
+interrupts_raise([signal(int, OldInt), signal(term, OldTerm)]) :-
+    on_signal(int, OldInt, sg_cli:interrupt),
+    on_signal(term, OldTerm, sg_cli:interrupt).
+
+restored(signal(Signal, Handler)) :-
+    on_signal(Signal, _, Handler).
+
+:- public interrupt/1.
+
+interrupt(Signal) :-
+    throw(sanggwan_interrupt(Signal)).
+
+%   What is still in the buffers may not fit on the disk.
+
+flushed(Status, Status) :-
+    output_lost,
+    !.
+flushed(Status0, Status) :-
+    catch(( flush_output(user_output),
+            Status = Status0
+          ),
+          Error, failed_status(Error, Status)).
+
+%!  sanggwan(+Arguments, -Status) is det.
+%
+%   Do what the list of atoms Arguments says, in a new world; Status is the
+%   exit status. Never fails, never raises.
+
+sanggwan(Arguments, Status) :-
+    retractall(quiet),
+    retractall(output_lost),
+    flag(sg_cli_warnings, _, 0),
+    set_language(Arguments),
+    setup_call_cleanup(
+        asserta(running, Running),
+        ( catch(command_ended(Arguments, Status0), Error,
+                failed_status(Error, Status0)),
+          strict_status(Arguments, Status0, Status)
+        ),
+        erase(Running)).
+
+%   command_ended(Arguments, Status): a verb that fails is a fault of ours.
+
+command_ended(Arguments, Status) :-
+    (   command(Arguments, Status0)
+    ->  Status = Status0
+    ;   print_message(error, sanggwan(no_end)),
+        Status = 4
+    ).
+
+%   set_language(Arguments): --lang, or what the environment says. The saved
+%   state would otherwise remember where it was made.
+
+set_language(Arguments) :-
+    (   append(_, ['--lang', Language|_], Arguments)
+    ->  true
+    ;   member(Argument, Arguments),
+        atom_concat('--lang=', Language, Argument)
+    ->  true
+    ;   member(Variable, ['LC_ALL', 'LC_MESSAGES', 'LANG']),
+        getenv(Variable, Value),
+        Value \== ''
+    ->  atomic_list_concat([Language|_], '.', Value)
+    ;   Language = en
+    ),
+    (   memberchk(Language, ['C', 'POSIX'])
+    ->  set_prolog_flag(message_language, en)
+    ;   set_prolog_flag(message_language, Language)
+    ).
+
+command([], _) :-
+    usage_error(no_verb).
+command([First|Rest], Status) :-
+    (   memberchk(First, ['--help', '-h', help])
+    ->  help(Rest),
+        Status = 0
+    ;   First == '--version'
+    ->  print_version,
+        Status = 0
+    ;   verb(First, _, _, _)
+    ->  verb_command(First, Rest, Status)
+    ;   sub_atom(First, 0, 1, _, -)
+    ->  global_first([First|Rest], Status)
+    ;   unknown_verb(First)
+    ).
+
+%   `sanggwan --lang ko --help`: common options may stand before the verb.
+
+global_first(Arguments, Status) :-
+    verb_options(none, Specs),
+    (   append(Before, [Verb|After], Arguments),
+        ( verb(Verb, _, _, _) ; memberchk(Verb, ['--help', '--version']) )
+    ->  parsed_arguments(Specs, Before, Files, _),
+        (   Files == []
+        ->  append(After, Before, Rest),
+            command([Verb|Rest], Status)
+        ;   Files = [File|_],
+            unknown_verb(File)
+        )
+    ;   parsed_arguments(Specs, Arguments, Files, _),
+        (   Files = [File|_]
+        ->  unknown_verb(File)
+        ;   usage_error(no_verb)
+        )
+    ).
+
+unknown_verb(Word) :-
+    findall(Verb, verb(Verb, _, _, _), Verbs),
+    near_words(Word, Verbs, Near),
+    usage_error(unknown_verb(Word, Near)).
+
+usage_error(What) :-
+    throw(error(usage_error(What), _)).
+
+help(Words) :-
+    language(Language),
+    (   member(Word, Words),
+        verb(Word, _, _, _)
+    ->  print_usage(Word, Language)
+    ;   print_usage(Language)
+    ).
+
+print_version :-
+    version(Version),
+    current_prolog_flag(version, V),
+    Major is V//10000,
+    Minor is V//100 mod 100,
+    Patch is V mod 100,
+    format("sanggwan ~w (SWI-Prolog ~d.~d.~d)~n",
+           [Version, Major, Minor, Patch]).
+
+version('0.1.0').
+
+
+                /*******************************
+                *             RUNS             *
+                *******************************/
+
+verb_command(Verb, Arguments, Status) :-
+    verb_options(Verb, Specs),
+    parsed_arguments(Specs, Arguments, Files, Options),
+    (   option(help(true), Options)
+    ->  language(Language),
+        print_usage(Verb, Language),
+        Status = 0
+    ;   verb_in_world(Verb, Files, Options, Status)
+    ).
+
+verb_in_world(Verb, Files, Options, Status) :-
+    (   option(quiet(true), Options)
+    ->  assertz(quiet)
+    ;   true
+    ),
+    stages_reset,
+    csg_statistics_reset,
+    get_time(Start),
+    new_world(World),
+    in_world(World,
+             call_cleanup(
+                 verb_watched(Verb, Files, Options, Status),
+                 measured(Options, Start))).
+
+verb_watched(Verb, Files, Options, Status) :-
+    option(rules(Rules), Options, []),
+    maplist(use_rules, Rules),
+    (   ( Verb == repl ; option(quiet(true), Options) )
+    ->  verb_run(Verb, Files, Options, Status)
+    ;   with_progress(verb_run(Verb, Files, Options, Status))
+    ).
+
+%   measured(Options, Start): what --timings and --stats ask for, also after
+%   an error.
+
+measured(Options, Start) :-
+    (   option(timings(true), Options)
+    ->  get_time(End),
+        Total is End-Start,
+        findall(Name-Seconds, timing(Name, Seconds), Pairs0),
+        append(Pairs0, [total-Total], Pairs),
+        json_line(Pairs)
+    ;   true
+    ),
+    (   option(stats(true), Options)
+    ->  exact_fallbacks(Fallbacks),
+        exact_statistics(Exact),
+        tree_statistics(Trees),
+        csg_statistics(Csg),
+        output_statistics(Output),
+        findall(Relation-Dict, facts_statistics(Relation, Dict), Pairs1),
+        json_line([exact_fallbacks-Fallbacks,exact-Exact,
+                   trees-Trees,csg-Csg,output-Output|Pairs1])
+    ;   true
+    ).
+
+timing(Name, Seconds) :-
+    member(Name,
+           [ load, tree, resolve, join, chain, rules, enter, pieces, faces,
+             develop, write
+           ]),
+    (   stage_seconds(Name, Seconds0)
+    ->  Seconds = Seconds0
+    ;   Seconds = 0.0
+    ).
+
+json_line(Pairs) :-
+    format(user_error, "{", []),
+    json_members(Pairs),
+    format(user_error, "}~n", []).
+
+json_members([]).
+json_members([Name-Value|Pairs]) :-
+    format(user_error, "\"~w\":", [Name]),
+    (   is_dict(Value)
+    ->  json_write_dict(user_error, Value, [width(0)])
+    ;   integer(Value)
+    ->  format(user_error, "~d", [Value])
+    ;   format(user_error, "~6f", [Value])
+    ),
+    (   Pairs == []
+    ->  true
+    ;   format(user_error, ", ", []),
+        json_members(Pairs)
+    ).
+
+
+                /*******************************
+                *         EXIT STATUS          *
+                *******************************/
+
+%   failed_status(Error, Status): Error is printed and gives the exit status.
+
+failed_status(Error, Status) :-
+    (   Error = sanggwan_interrupt(Signal)
+    ->  print_message(error, sanggwan(interrupted)),
+        signal_status(Signal, Status)
+    ;   broken_pipe(Error)
+    ->  Status = 141
+    ;   error_status(Error, Status),
+        said(Error, Message),
+        print_message(error, Message)
+    ).
+
+%   said(Error, Message): what is printed of it.
+
+said(error(io_error(write, Stream), context(_, Why)), Message) :-
+    is_stream(Stream),
+    stream_property(Stream, alias(user_output)),
+    !,
+    assertz(output_lost),
+    Message = error(cannot_write(output, Why), _).
+said(Error, Message) :-
+    (   subsumes_term(error(_, _), Error)
+    ->  Message = Error
+    ;   Message = sanggwan(uncaught(Error))
+    ).
+
+signal_status(int, 130).
+signal_status(term, 143).
+
+%   The reader of a pipe has seen enough, as in `sanggwan query ... | head`.
+
+broken_pipe(error(io_error(write, _), context(_, Message))) :-
+    sub_atom(Message, _, _, _, 'roken pipe').
+
+strict_status(Arguments, Status0, Status) :-
+    flag(sg_cli_warnings, N, N),
+    (   N > 0,
+        Status0 == 0,
+        memberchk('--strict', Arguments)
+    ->  print_message(error, sanggwan(warnings_are_errors(N))),
+        Status = 1
+    ;   Status = Status0
+    ).
+
+
+                /*******************************
+                *           MESSAGES           *
+                *******************************/
+
+%   Messages of the program look like those of others: a line that begins with
+%   `sanggwan: `, or with the place in a file so that editors jump there.
+
+%   When the output is lost, Prolog fails to flush it again as it ends.
+
+:- dynamic quiet/0, running/0, output_lost/0.
+
+:- multifile user:message_hook/3.
+
+user:message_hook(error(io_error(write, _), _), error, _) :-
+    sg_cli:output_lost.
+user:message_hook(Term, Kind, Lines) :-
+    sg_cli:running,
+    sg_cli:shown(Kind, Term, Lines).
+
+:- public shown/3.
+
+%   Prolog has no words for some of its warnings.
+
+shown(_, _, []) :-
+    !.
+shown(error, Term, Lines) :-
+    print_prefixed('', Term, Lines).
+shown(warning, Term, Lines) :-
+    flag(sg_cli_warnings, N, N+1),
+    language(Language),
+    warning_word(Language, Word),
+    print_prefixed(Word, Term, Lines).
+shown(informational, Term, Lines) :-
+    (   quiet
+    ->  true
+    ;   print_prefixed('', Term, Lines)
+    ).
+
+warning_word(en, 'warning: ').
+warning_word(ko, '경고: ').
+
+print_prefixed(Word, Term, Lines) :-
+    (   member(Fault, [model_error(_),geometry_error(_)]),
+        subsumes_term(error(Fault, location(_, _, _)), Term)
+    ->  format(atom(Prefix), '~~N~w', [Word])
+    ;   source_location(File, Line)
+    ->  format(atom(Prefix), '~~N~w:~d: ~w', [File, Line, Word])
+    ;   format(atom(Prefix), '~~Nsanggwan: ~w', [Word])
+    ),
+    print_message_lines(user_error, '', [Prefix-[]|Lines]).

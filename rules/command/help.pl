@@ -1,0 +1,214 @@
+:- module(sg_help,
+          [ help/0,
+            help/1,                     % +What
+            short_answers/0
+          ]).
+:- use_module('../store', [relation/3, column_doc/3, relation_column/5]).
+:- use_module(library(lists), [append/3, member/2]).
+/** <module> Help, and answers that read back, in Prolog's top level.
+
+The documentation of the rules is written to plain facts when the program is
+built (tools/documentation.pl), so that PlDoc stays out of it.
+*/
+
+% documented(Module, Name, Arity, Modes, Summary, Text)
+:- dynamic documented/6.
+
+:- prolog_load_context(directory, Folder),
+   (   member(Place, ['/../documentation.pl', '/../../build/documentation.pl']),
+       atom_concat(Folder, Place, File),
+       exists_file(File)
+   ->  load_files(sg_help:File, [silent(true)])
+   ;   true
+   ).
+
+%!  short_answers is det.
+%
+%   Make the top level print answers whole, so that facts read back; only of
+%   lists that would fill the screen the first members, and a comment.
+
+short_answers :-
+    set_prolog_flag(answer_write_options,
+                    [quoted(true), portray(true), max_depth(0),
+                     spacing(next_argument)]),
+    set_prolog_flag(debugger_write_options,
+                    [quoted(true), portray(true), max_depth(20),
+                     spacing(next_argument), attributes(portray)]).
+
+:- multifile user:portray/1.
+
+user:portray(List) :-
+    is_list(List),
+    length(List, Length),
+    Length > 200,
+    List = [Id|_],
+    integer(Id),
+    length(First, 20),
+    append(First, _, List),
+    format("~w /* the first 20 of ~D */", [First, Length]).
+
+
+                /*******************************
+                *             HELP             *
+                *******************************/
+
+%!  help is det.
+%
+%   List the relations and predicates, with a line about each.
+
+help :-
+    format("help(Name) or help(Name/Arity) tells more. The relations:~n"),
+    forall(relation(Name, Arity, Doc),
+           help_line(Name/Arity, Doc)),
+    forall(setof(PI-Summary, public(Module, PI, Summary), Pairs),
+           ( format("~n~w~n", [Module]),
+             forall(member(PI-Summary, Pairs), help_line(PI, Summary))
+           )).
+
+help_line(PI, Doc) :-
+    format("  ~w~t~28|~w~n", [PI, Doc]).
+
+%   public(?Module, -PI, -Summary) is nondet: documented, and visible to users.
+
+public(Module, Name/Arity, Summary) :-
+    documented(Module, Name, Arity, _, Summary, _),
+    functor(Head, Name, Arity),
+    predicate_property(user:Head, imported_from(Module)),
+    Module \== sg_store.
+public(sg_store, Name/Arity, Summary) :-
+    documented(sg_store, Name, Arity, _, Summary, _),
+    \+ relation(Name, Arity, _).
+
+%!  help(+What) is det.
+%
+%   Show the documentation of What: a relation or a predicate, as Name/Arity,
+%   Name//Arity, a goal or a name alone; text counts as what it says. Of what is
+%   Prolog's own, say where its manual has it; on a terminal show the manual,
+%   if it is installed. Of a name that nobody knows, say so, with names that
+%   are like it. No pager is ever started away from a terminal.
+%
+%   @error instantiation_error
+
+help(What) :-
+    help_term(What, Term),
+    findall(Text, help_text(Term, Text), Texts),
+    (   Texts \== []
+    ->  forall(member(Text, Texts), format("~w~n", [Text]))
+    ;   findall(PI-Where, prolog_own(Term, PI, Where), Found),
+        sort(Found, [Own|More])
+    ->  help_of_prolog(Term, [Own|More])
+    ;   findall(Name, like(Term, Name), Names0),
+        sort(Names0, Names),
+        print_message(help, sanggwan(no_help(Term, Names)))
+    ).
+
+%   help_term(What, Term): "v/5" and 'v/5' are v/5.
+
+help_term(What, _) :-
+    var(What),
+    !,
+    throw(error(instantiation_error, context(help/1, _))).
+help_term(What, Term) :-
+    ( string(What) ; atom(What) ),
+    !,
+    (   catch(term_to_atom(Term0, What), error(_, _), fail),
+        nonvar(Term0),
+        named(Term0, _, _)
+    ->  Term = Term0
+    ;   atom_string(Term, What)
+    ).
+help_term(What, What).
+
+help_text(What, Text) :-
+    named(What, Name, Arity),
+    relation(Name, Arity, Doc),
+    relation_text(Name, Arity, Doc, Text).
+help_text(What, Text) :-
+    named(What, Name, Arity),
+    documented(_, Name, Arity, Modes, _, Body),
+    \+ relation(Name, Arity, _),
+    format(string(Text), "~w~n~w", [Modes, Body]).
+
+named(What, Name, Arity) :-
+    nonvar(What),
+    named_(What, Name, Arity),
+    atom(Name),
+    ( var(Arity) -> true ; integer(Arity) ).
+
+named_(Name/Arity, Name, Arity) :-
+    !.
+named_(Name//Arity0, Name, Arity) :-
+    !,
+    (   integer(Arity0)
+    ->  Arity is Arity0 + 2
+    ;   true
+    ).
+named_(Head, Name, Arity) :-
+    compound(Head),
+    !,
+    functor(Head, Name, Arity).
+named_(Name, Name, _).
+
+%   prolog_own(What, PI, Where) is nondet: PI is built in or of a library.
+
+prolog_own(What, Name/Arity, system) :-
+    named(What, Name, Arity),
+    current_predicate(system:Name/Arity),
+    functor(Head, Name, Arity),
+    \+ predicate_property(system:Head, imported_from(_)).
+prolog_own(What, Name/Arity, library(Library)) :-
+    named(What, Name, Arity),
+    '$in_library'(Name, Arity, Path),
+    file_base_name(Path, Library).
+
+help_of_prolog(What, Found) :-
+    (   on_terminal,
+        manual_loaded(Manual),
+        member(PI-_, Found),
+        in_manual(Manual, PI)
+    ->  prolog_help:help(What)
+    ;   forall(member(PI-Where, Found),
+               print_message(help, sanggwan(prolog_help(PI, Where))))
+    ).
+
+on_terminal :-
+    stream_property(user_input, tty(true)),
+    stream_property(user_output, tty(true)).
+
+%   manual_loaded(Manual): Manual is the module that knows Prolog's manual,
+%   which is large and here only from now on. An interrupt waits: SWI-Prolog
+%   9.0.4 may lose a library that is half loaded.
+
+manual_loaded(prolog_manual_index) :-
+    sig_atomic(load_files([library(help), library(pldoc/man_index)],
+                          [if(not_loaded), imports([]), silent(true)])).
+
+in_manual(Manual, PI) :-
+    catch(Manual:man_object_property(PI, id(_)), error(_, _), fail).
+
+%   like(What, Name) is nondet: Name is documented and much like What.
+
+like(What, Name) :-
+    ( named(What, Word, _) -> true ),
+    (   documented(_, Name, _, _, _, _)
+    ;   relation(Name, _, _)
+    ),
+    (   dwim_match(Word, Name)
+    ;   atom_length(Word, Length),
+        Length > 2,
+        sub_atom(Name, _, _, _, Word)
+    ).
+
+relation_text(Name, Arity, Doc, Text) :-
+    findall(Column, relation_column(Name, _, Column, _, _), Columns),
+    findall(Line,
+            ( relation_column(Name, Position, Column, Type, _),
+              column_doc(Name, Position, ColumnDoc),
+              format(string(Line), "    ~w~t~16|~w~t~24|~w",
+                     [Column, Type, ColumnDoc])
+            ),
+            Lines),
+    length(Columns, Arity),
+    atomic_list_concat(Columns, ', ', Arguments),
+    atomic_list_concat(Lines, '\n', Body),
+    format(string(Text), "~w(~w): ~w~n~n~w", [Name, Arguments, Doc, Body]).

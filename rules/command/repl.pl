@@ -1,0 +1,76 @@
+:- module(sg_repl,
+          [ repl/0
+          ]).
+:- use_module(help, [short_answers/0]).
+:- use_module(query, [query/2]).
+:- use_module('../store', [segment/3]).
+/** <module> The Prolog top level with a model loaded.
+
+On a terminal it is Prolog's own, with line editing and completion. Otherwise
+goals are read from standard input, one after the other, and all their answers
+printed as tables. Ctrl-C stops the goal, not the session; the transaction it
+was in is taken back.
+*/
+
+%!  repl is det.
+%
+%   Read goals and answer them until the input ends or `halt.`
+
+repl :-
+    stream_property(user_input, tty(true)),
+    !,
+    print_message(informational, sanggwan(greeting)),
+    forall(segment(S, Kind, Name),
+           print_message(informational, sanggwan(segment(S, Kind, Name)))),
+    short_answers,
+    set_prolog_flag(readline, true),
+    catch('$toplevel':setup_readline, error(_, _), true),
+    on_signal(int, Old, sg_repl:stopped),
+    setup_call_cleanup(true, query_loop, on_signal(int, _, Old)).
+repl :-
+    repeat,
+    catch(next_goal(Next), Error, ( unless_unread(Error), Next = goal )),
+    Next == end_of_file,
+    !.
+
+%   unless_unread(Error): print Error and go on, unless nobody reads on.
+
+unless_unread(Error) :-
+    Error = error(io_error(write, _), _),
+    !,
+    throw(Error).
+unless_unread(Error) :-
+    print_message(error, Error).
+
+:- public stopped/1.
+
+stopped(Signal) :-
+    throw(sanggwan_interrupt(Signal)).
+
+%   query_loop: Prolog's own, begun again after an error. (prolog/0 would give
+%   the keyboard to the debugger.)
+
+query_loop :-
+    repeat,
+    catch('$query_loop', Error, ( print_message(error, Error), fail )),
+    !.
+
+next_goal(Next) :-
+    read_term(user_input, Goal, [variable_names(Names), module(user)]),
+    (   Goal == end_of_file
+    ->  Next = end_of_file
+    ;   Next = goal,
+        shown_variables(Names, Bindings),
+        (   query(user:Goal, [bindings(Bindings)])
+        ->  true
+        ;   print_message(informational, sanggwan(no_answer))
+        )
+    ).
+
+shown_variables([], []).
+shown_variables([Name=Value|Names], Bindings) :-
+    (   sub_atom(Name, 0, _, _, '_')
+    ->  Bindings = Bindings1
+    ;   Bindings = [Name-Value|Bindings1]
+    ),
+    shown_variables(Names, Bindings1).

@@ -1,0 +1,178 @@
+:- encoding(utf8).
+:- module(sg_report,
+          [ print_report/2,             % +Format, +Report
+            counted/4                   % +Language, +What, +N, -Text
+          ]).
+:- use_module('../language', [language/1]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(lists), [member/2]).
+/** <module> How the report of check.pl is printed.
+
+As text in the language of the messages, or as JSON, which has none. The names
+of faults are those of model_defect/1 in every language.
+*/
+
+%!  print_report(+Format, +Report) is det.
+%
+%   Print Report to current output as `text` or `json`.
+
+print_report(json, Report) :-
+    json_write_dict(current_output, Report, [width(78)]),
+    nl.
+print_report(text, Report) :-
+    language(Language),
+    forall(member(S, Report.segments), print_segment(Language, S)),
+    (   Report.faults =:= 0
+    ->  say(Language, no_faults, [])
+    ;   counted(Language, fault, Report.faults, Faults),
+        say(Language, faults, [Faults])
+    ).
+
+print_segment(Language, S) :-
+    word(Language, S.kind, Kind),
+    shortened(S.name, Name),
+    say(Language, segment, [S.segment, Kind, Name]),
+    counted(Language, vertex, S.vertices, Vs),
+    counted(Language, edge, S.edges, Es),
+    counted(Language, polygon, S.polygons, Ps),
+    counted(Language, triangle, S.triangles, Ts),
+    say(Language, counts, [Vs, Es, Ps, Ts]),
+    [[X1,Y1,Z1], [X2,Y2,Z2]] = S.box,
+    say(Language, box, [X1,Y1,Z1, X2,Y2,Z2]),
+    (   S.polygons =:= 0
+    ->  true
+    ;   say(Language, area, [S.area])
+    ),
+    (   number(S.volume)
+    ->  say(Language, volume, [S.volume])
+    ;   true
+    ),
+    (   S.curve_edges =:= 0
+    ->  true
+    ;   say(Language, length, [S.length])
+    ),
+    forall(member(Shell, S.shells), print_shell(Language, Shell)),
+    (   S.border_edges =:= 0
+    ->  true
+    ;   counted(Language, border_edge, S.border_edges, Borders),
+        say(Language, borders, [Borders])
+    ),
+    print_defects(Language, fault, S.faults),
+    print_defects(Language, remark, S.remarks),
+    forall(member(Meeting, S.meetings), print_meeting(Language, Meeting)).
+
+%   A primitive's name is its term, which may be a page long.
+
+shortened(Name0, Name) :-
+    Most = 64,
+    (   sub_string(Name0, 0, Most, Rest, Start),
+        Rest > 3
+    ->  string_concat(Start, "...", Name)
+    ;   Name = Name0
+    ).
+
+print_shell(Language, Shell) :-
+    (   Shell.closed == true
+    ->  word(Language, closed, Word)
+    ;   word(Language, open, Word)
+    ),
+    counted(Language, polygon, Shell.polygons, Ps),
+    (   integer(Shell.euler)
+    ->  text(Language, euler, Format1),
+        format(string(Euler), Format1, [Shell.euler])
+    ;   Euler = ""
+    ),
+    (   integer(Shell.genus)
+    ->  text(Language, genus, Format2),
+        format(string(Genus), Format2, [Shell.genus])
+    ;   Genus = ""
+    ),
+    (   Shell.depth > 0
+    ->  text(Language, depth, Format3),
+        format(string(Depth), Format3, [Shell.depth])
+    ;   Depth = ""
+    ),
+    say(Language, shell, [Ps, Word, Euler, Genus, Depth]).
+
+print_defects(Language, Weight, Dict) :-
+    dict_pairs(Dict, _, Pairs),
+    word(Language, Weight, Word),
+    forall(member(Name-N, Pairs),
+           format("  ~w~t~8| ~w: ~D~n", [Word, Name, N])).
+
+print_meeting(Language, Meeting) :-
+    [P1,P2] = Meeting.polygons,
+    [X,Y,Z] = Meeting.at,
+    say(Language, meeting, [Meeting.kind, P1, P2, X, Y, Z]).
+
+say(Language, Line, Arguments) :-
+    text(Language, Line, Format),
+    format(Format, Arguments),
+    nl.
+
+%!  counted(+Language, +What, +N, -Text) is det.
+%
+%   Text is a string such as "1 edge", "2 edges"; What is `vertex`,
+%   `edge`, ...
+
+counted(en, What, N, Text) :-
+    noun(What, One, Many, _),
+    (   N =:= 1
+    ->  Word = One
+    ;   Word = Many
+    ),
+    format(string(Text), "~D ~w", [N, Word]).
+counted(ko, What, N, Text) :-
+    noun(What, _, _, Ko),
+    format(string(Text), "~w ~D개", [Ko, N]).
+
+noun(vertex,      vertex,        vertices,       '꼭지점').
+noun(edge,        edge,          edges,          '모서리').
+noun(polygon,     polygon,       polygons,       '다각형').
+noun(triangle,    triangle,      triangles,      '삼각형').
+noun(border_edge, 'border edge', 'border edges', '경계 모서리').
+noun(shell,       shell,         shells,         '껍질').
+noun(fault,       fault,         faults,         '잘못').
+
+word(Language, Word, Text) :-
+    (   translated(Word, English, Korean)
+    ->  (   Language == ko
+        ->  Text = Korean
+        ;   Text = English
+        )
+    ;   Text = Word
+    ).
+
+translated(solid,   solid,   '입체').
+translated(surface, surface, '곡면').
+translated(curve,   curve,   '곡선').
+translated(closed,  closed,  '닫힘').
+translated(open,    open,    '열림').
+translated(fault,   'FAULT', '잘못').
+translated(remark,  remark,  '참고').
+
+text(en, no_faults, "no faults").
+text(ko, no_faults, "잘못이 없습니다").
+text(_,  faults,    "~w").
+text(en, segment,   "segment ~d: ~w ~w").
+text(ko, segment,   "세그먼트 ~d: ~w ~w").
+text(_,  counts,    "  ~w, ~w, ~w, ~w").
+text(en, box,       "  box ~15|~w ~w ~w to ~w ~w ~w").
+text(ko, box,       "  범위 ~15|~w ~w ~w 에서 ~w ~w ~w 까지").
+text(en, area,      "  area ~15|~6g").
+text(ko, area,      "  넓이 ~15|~6g").
+text(en, volume,    "  volume ~15|~6g").
+text(ko, volume,    "  부피 ~15|~6g").
+text(en, length,    "  length ~15|~6g").
+text(ko, length,    "  길이 ~15|~6g").
+text(en, shell,     "  shell of ~w: ~w~w~w~w").
+text(ko, shell,     "  껍질(~w): ~w~w~w~w").
+text(en, depth,     ", inside ~d other").
+text(ko, depth,     ", 다른 껍질 ~d개 안").
+text(en, euler,     ", Euler characteristic ~d").
+text(ko, euler,     ", 오일러 지표 ~d").
+text(en, genus,     ", genus ~d").
+text(ko, genus,     ", 종수 ~d").
+text(_,  borders,   "  ~w").
+text(en, meeting,   "  ~w: polygons ~d and ~d at ~6g ~6g ~6g").
+text(ko, meeting,   "  ~w: 다각형 ~d, ~d, 위치 ~6g ~6g ~6g").

@@ -1,0 +1,232 @@
+:- encoding(utf8).
+:- module(sg_unfold_report,
+          [ unfold_report/2,            % +Ds, +Options
+            pattern_measures/2          % +D, -Measures
+          ]).
+:- use_module('../decision', [decision_is_default/1]).
+:- use_module('../development/development_record', [development_measures/2]).
+:- use_module('../kernel', [census/1]).
+:- use_module('../language', [language/1]).
+:- use_module('../development/polygon_name', [segment_title/2]).
+:- use_module(report, [counted/4]).
+:- use_module('../development/seam_measure', [pattern_area/2, seam_drawn/3]).
+:- use_module('../store',
+              [v/5, p/3, origin/3, from_p/5, piece/3, joint/6]).
+:- use_module('../solid/trimmed', [part_named/2, trimmed_from/2]).
+:- use_module('../unrolling/true_parts', [polygon_drawn/4]).
+:- use_module('../unfolding/unfold', [pattern_of/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(ordsets), [ord_subtract/3]).
+/** <module> What is said of patterns: their pieces, seams, sheet and area.
+*/
+
+%!  unfold_report(+Ds:list, +Options:list) is det.
+%
+%   Print the measures of the patterns Ds to current output, as text in the
+%   language of the messages, or with json(true) as JSON.
+
+unfold_report(Ds, Options) :-
+    census(Parts),
+    maplist(measured(Parts), Ds, All0),
+    (   option(thickness(T), Options),
+        T > 0
+    ->  maplist(measured_again, All0, All)
+    ;   All = All0
+    ),
+    (   option(json(true), Options)
+    ->  json_write_dict(current_output, All, [width(78)]),
+        nl
+    ;   language(Language),
+        maplist(print_pattern(Language), All)
+    ).
+
+%   measured_again(M0, M): bends have taken off what they need.
+
+measured_again(M0, M) :-
+    pattern_area(M0.pattern, Area),
+    seam_drawn(M0.pattern, Seam, Longest),
+    M = M0.put(_{pattern_area:Area, seam:Seam, longest:Longest, bound:null,
+                  bound_by:null}).
+
+%!  pattern_measures(+D, -Measures:dict) is det.
+%
+%   Measures of pattern D:
+%
+%     - segment, name      what was to be unfolded
+%     - part               that, or what was trimmed of it
+%     - pattern            D
+%     - polygons, pieces   how many there are in it
+%     - removed            how many polygons of the part are not
+%     - objective          what was to be small: seam, pieces, longest, area; or
+%                          `rules`, if a rule file says how to join
+%     - seam, bound, bound_by, longest  development_measures/2; of a pattern
+%                          that was not made by develop/3, or is bent, no
+%                          bound, and the rest by seam_drawn/3
+%     - width, height      of the sheet that the pieces lie on, side by side
+%     - area, pattern_area         of the part and of the pattern
+%
+%   Lengths and areas are in model units.
+
+pattern_measures(D, Measures) :-
+    census(Parts),
+    measured(Parts, D, Measures).
+
+measured(Parts, D, Measures) :-
+    pattern_of(D, T),
+    part_named(T, S),
+    segment_title(S, Title),
+    format(string(Name), '~w', [Title]),
+    memberchk(part(T, Counts, _, Area, _, _, _, _), Parts),
+    arg(4, Counts, PartPolygons),
+    aggregate_all(count, p(D, _, _), Polygons),
+    aggregate_all(r(min(X), max(X), min(Y), max(Y)), v(D, _, X, Y, _),
+                  r(X1, X2, Y1, Y2)),
+    Width is X2-X1,
+    Height is Y2-Y1,
+    removed(D, T, PartPolygons, Polygons, Removed),
+    seam_measures(D, Pieces, Seam, Bound, By, Longest, PatternArea),
+    objective(D, Objective),
+    Measures = _{segment:S, name:Name, part:T, pattern:D, polygons:Polygons,
+                 pieces:Pieces, removed:Removed, objective:Objective,
+                 seam:Seam, bound:Bound, bound_by:By, longest:Longest,
+                 width:Width, height:Height, area:Area,
+                 pattern_area:PatternArea}.
+
+seam_measures(D, Pieces, Seam, Bound, By, Longest, Area) :-
+    origin(D, node(D), _),
+    !,
+    development_measures(D, Measures),
+    _{pieces:Pieces, seam:Seam, bound:Bound, bound_by:By, longest:Longest,
+      area:Area} :< Measures.
+seam_measures(D, Pieces, Seam, null, null, Longest, Area) :-
+    aggregate_all(max(K), piece(D, _, K), Pieces),
+    seam_drawn(D, Seam, Longest),
+    pattern_area(D, Area).
+
+%   objective(D, Objective): what was to be small, or `rules` where a rule file
+%   has said how to join.
+
+objective(D, Objective) :-
+    (   \+ ( decision_is_default(join_order/3),
+             decision_is_default(may_join/2) )
+    ->  Objective = rules
+    ;   origin(D, node(D), laid(Options, _, _, _)),
+        option(minimize(Objective0), Options)
+    ->  Objective = Objective0
+    ;   Objective = seam
+    ).
+
+%   removed(D, T, PartPolygons, Polygons, Removed): how many of T are not in D;
+%   of a part in fine facets, how many that are drawn.
+
+removed(D, T, PartPolygons, Polygons, Removed) :-
+    (   is_finer(T)
+    ->  findall(P0, ( p(T, P, _), polygon_drawn(T, P, _, P0) ), All0),
+        findall(P0, ( p(D, P, _), polygon_left(D, T, P, P0) ), Left0),
+        sort(All0, All),
+        sort(Left0, Left),
+        ord_subtract(All, Left, Gone),
+        length(Gone, Removed)
+    ;   from_p(D, _, _, _, _)
+    ->  aggregate_all(count, ( p(T, P, _), \+ left_in(D, P) ), Removed)
+    ;   Removed is PartPolygons-Polygons
+    ).
+
+is_finer(T) :-
+    trimmed_from(T, S1),
+    origin(S1, p(_), p(_)),
+    !.
+
+%   polygon_left(D, T, P, P0): polygon P of pattern D is drawn as P0.
+
+polygon_left(D, T, P, P0) :-
+    (   from_p(D, P, T, P1, _)
+    ->  true
+    ;   P1 = P
+    ),
+    polygon_drawn(T, P1, _, P0).
+
+%   left_in(D, P): polygon P is in D, or its triangles are.
+
+left_in(D, P) :-
+    (   p(D, P, _)
+    ->  true
+    ;   from_p(D, _, _, P, _)
+    ->  true
+    ).
+
+
+                /*******************************
+                *             TEXT             *
+                *******************************/
+
+print_pattern(Language, M) :-
+    counted(Language, polygon, M.polygons, Polygons),
+    pieces(Language, M.pieces, Pieces),
+    say(Language, pattern, [M.segment, M.name, Polygons, Pieces]),
+    atom_concat('objective ', M.objective, Objective),
+    say(Language, Objective, []),
+    say(Language, seam, [M.seam]),
+    (   number(M.bound),
+        M.bound > 0
+    ->  atom_concat('bound ', M.bound_by, Key),
+        say(Language, Key, [M.bound])
+    ;   true
+    ),
+    say(Language, weld, [M.longest]),
+    say(Language, sheet, [M.width, M.height]),
+    say(Language, area, [M.pattern_area]),
+    (   M.removed =:= 0
+    ->  say(Language, all, [M.area])
+    ;   counted(Language, polygon, M.removed, Removed),
+        say(Language, without, [M.area, Removed])
+    ).
+
+pieces(ko, N, Text) :-
+    !,
+    format(string(Text), '조각 ~D개', [N]).
+pieces(_, 1, "1 piece") :-
+    !.
+pieces(_, N, Text) :-
+    format(string(Text), '~D pieces', [N]).
+
+say(Language, Key, Arguments) :-
+    (   text(Language, Key, Format)
+    ->  true
+    ;   text(en, Key, Format)
+    ),
+    format(Format, Arguments).
+
+text(en, pattern, "segment ~d: ~w, ~s in ~s~n").
+text(en, 'objective seam', "  objective    a short seam~n").
+text(en, 'objective pieces', "  objective    few pieces~n").
+text(en, 'objective longest', "  objective    no long weld~n").
+text(en, 'objective area', "  objective    a small sheet~n").
+text(en, 'objective rules', "  objective    as the rule file says~n").
+text(en, seam, "  seam         ~6g").
+text(en, 'bound tree', " (at least ~6g)").
+text(en, 'bound forest', " (at least ~6g, as a forest)").
+text(en, 'bound moats', " (at least ~6g, by moats)").
+text(en, weld, ", the longest weld ~6g~n").
+text(en, sheet, "  sheet        ~6g x ~6g~n").
+text(en, area, "  area         ~6g").
+text(en, all, " of ~6g~n").
+text(en, without, " of ~6g, without ~s~n").
+text(ko, pattern, "세그먼트 ~d: ~w, ~s, ~s~n").
+text(ko, 'objective seam', "  목표         짧은 솔기~n").
+text(ko, 'objective pieces', "  목표         적은 조각~n").
+text(ko, 'objective longest', "  목표         긴 용접선이 없음~n").
+text(ko, 'objective area', "  목표         작은 판~n").
+text(ko, 'objective rules', "  목표         규칙 파일대로~n").
+text(ko, seam, "  솔기         ~6g").
+text(ko, 'bound tree', " (적어도 ~6g)").
+text(ko, 'bound forest', " (적어도 ~6g, 숲으로)").
+text(ko, 'bound moats', " (적어도 ~6g, 해자로)").
+text(ko, weld, ", 가장 긴 용접선 ~6g~n").
+text(ko, sheet, "  판           ~6g x ~6g~n").
+text(ko, area, "  넓이         ~6g").
+text(ko, all, " / ~6g~n").
+text(ko, without, " / ~6g, ~s를 빼고~n").

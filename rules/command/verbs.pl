@@ -1,0 +1,544 @@
+:- module(sg_verbs,
+          [ verb_run/4,                 % +Verb, +Files, +Options, -Status
+            draw/1,                     % +File
+            draw/2,                     % +File, +Options
+            convert/2                   % +Files, +File
+          ]).
+:- use_module(check, [check_report/1, report_faults/2]).
+:- use_module('../csg/csg', [root_segment/1]).
+:- use_module('../solid/csg_evaluate', [evaluate/0]).
+:- use_module('../csg/csg_roots', 
+              [ aside_segments/1, roots_alone/0, operand_lines/1,
+                with_operand_lines/2
+              ]).
+:- use_module('../drawing/drawing', [write_drawing/2, drawing_format/2]).
+:- use_module('../explanation/explain',
+              [explain/2, explanation/3, print_explanations/1]).
+:- use_module('../sheet/eye', [set_eye/3]).
+:- use_module('../picture/hidden_lines', [picture/1]).
+:- use_module(lines_out, [write_lines/2, line_format/1]).
+:- use_module('../penetration/chain', [chain/5, chain_length/2]).
+:- use_module('../model/model',
+              [load_model/1, load_model/2, save_model/1, save_model/2]).
+:- use_module('../penetration/penetration', [penetrate/2]).
+:- use_module('../picture/sew', [borders_sewn/1]).
+:- use_module(query, [query/2, read_goal/3]).
+:- use_module(repl, [repl/0]).
+:- use_module(report, [print_report/2]).
+:- use_module(sheet_options,
+              [ sheet_wanted/1, sheet_request/3, request_facts/4,
+                request_title/2, looking/2,
+                scale_option/2
+              ]).
+:- use_module('../sheet/sheet_plan', [views_drawing/4]).
+:- use_module(solid_verbs,
+              [ solid_verb/1, solid_verb_run/4, solids_written/2,
+                empty_roots_warned/0 ]).
+:- use_module('../stage', [stage/2]).
+:- use_module('../store',
+              [ segment/3, line/9, origin/3, facts_snapshot/1,
+                facts_transaction/1, new_world/1,
+                in_world/2
+              ]).
+:- use_module('../drawing/style_file', [style_rows/2, segment_in_vain/2]).
+:- use_module(verb_output,
+              [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
+                output_written/2,
+                usage_error/1
+              ]).
+:- use_module(verbs_unfold,
+              [ unfold_run/3, roots_apart/1, patterns_given/1,
+                pattern_wanted/3 ]).
+:- use_module('../picture/view',
+              [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
+              ]).
+:- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(http/json), [json_write_dict/2]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(solution_sequences), [distinct/2]).
+:- use_module(library(yall), [(>>)/3]).
+/** <module> What each verb of the command line does.
+
+A verb loads its models into the current world, which is empty, and goes the
+way of the data as far as it needs to. Its result is an exit status: 0, or 1
+when the answer is no.
+*/
+
+%!  verb_run(+Verb, +Files, +Options, -Status) is det.
+%
+%   Do what Verb says with Files and Options, as arguments.pl gives them.
+
+verb_run(check, Files, Options, Status) :-
+    some_files(Files, 'MODEL'),
+    load_model(Files, Options),
+    empty_roots_warned,
+    roots_alone,
+    check_report(Report),
+    (   option(json(true), Options)
+    ->  print_report(json, Report)
+    ;   print_report(text, Report)
+    ),
+    (   report_faults(Report, 0),
+        \+ ( option(strict(true), Options),
+             member(Segment, Report.segments),
+             Segment.border_edges > 0 )
+    ->  Status = 0
+    ;   Status = 1
+    ).
+verb_run(convert, Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    outputs(Options, [pl, stl, off, obj, ply], Outputs),
+    some_outputs(Outputs),
+    (   member(output(_, Format), Outputs),
+        Format \== pl
+    ->  Triangles = true
+    ;   Triangles = false
+    ),
+    load_model(Files, [triangles(Triangles),evaluate(false)|Options]),
+    partition([output(_, pl)]>>true, Outputs, Trees, Meshes),
+    maplist(output_written(model_output), Trees),
+    (   Meshes == []
+    ->  true
+    ;   aside_segments([_|_])
+    ->  evaluate,
+        findall(S, root_segment(S), Roots),
+        solids_written(Roots, Meshes)
+    ;   maplist(output_written(model_output), Meshes)
+    ).
+verb_run(penetrate, Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    findall(Ending, line_format(Ending), Endings),
+    outputs(Options, Endings, Outputs0),
+    exact_outputs(Options, Outputs0),
+    load_model(Files, Options),
+    roots_alone,
+    penetrated(Options),
+    points_alone,
+    (   option(json(true), Options)
+    ->  print_chains,
+        Outputs = Outputs0
+    ;   Outputs0 == [],
+        line(_, _, _, _, _, _, _, _, _)
+    ->  option(format(Format), Options, pl),
+        Outputs = [output(-, Format)],
+        exact_outputs(Options, Outputs)
+    ;   Outputs = Outputs0
+    ),
+    maplist(output_written(lines_output(Options)), Outputs).
+verb_run(draw, Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    findall(Format, drawing_format(Format, _), Formats),
+    outputs(Options, Formats, Outputs),
+    some_outputs(Outputs),
+    no_model_replaced(Files, Outputs),
+    picture_options(Options, PictureOptions),
+    drawing_options(Options, DrawingOptions),
+    (   sheet_wanted(Options)
+    ->  sheet_request(Options, PictureOptions, Request),
+        load_model(Files, Options),
+        request_facts(Options, Files, Request, Full),
+        roots_ready(Options, PictureOptions, Lines),
+        sheet_made(Options, Full, Lines, Drawing),
+        request_title(Full, Title),
+        WriteOptions = [drawing(Drawing),title(Title)|DrawingOptions]
+    ;   eye(Options, Eye),
+        load_model(Files, Options),
+        picture_made(Options, Eye, PictureOptions, _),
+        said_if_nothing_drawn,
+        WriteOptions = DrawingOptions
+    ),
+    said_of_style(DrawingOptions),
+    maplist(output_written(drawing_output(WriteOptions)), Outputs).
+verb_run(query, Arguments, Options, Status) :-
+    (   append(Files, [Text], Arguments)
+    ->  true
+    ;   usage_error(no_files('GOAL'))
+    ),
+    (   Files == [],
+        exists_file(Text)
+    ->  usage_error(no_files('GOAL'))
+    ;   some_files(Files, 'MODEL')
+    ),
+    read_goal(Text, Goal, Bindings),
+    query_format(Options, Format),
+    load_model(Files, Options),
+    option(limit(Limit), Options, infinite),
+    (   query(user:Goal, [bindings(Bindings), format(Format), limit(Limit)])
+    ->  Status = 0
+    ;   Status = 1,
+        print_message(informational, sanggwan(no_answer))
+    ).
+verb_run(explain, Arguments, Options, Status) :-
+    (   append(Files, [Text], Arguments)
+    ->  true
+    ;   usage_error(no_files('ITEM'))
+    ),
+    (   Files == [],
+        exists_file(Text)
+    ->  usage_error(no_files('ITEM'))
+    ;   some_files(Files, 'MODEL')
+    ),
+    read_goal(Text, Item, _),
+    item_explained(Item, Files, Options, Status).
+verb_run(Verb, Files, Options, Status) :-
+    solid_verb(Verb),
+    solid_verb_run(Verb, Files, Options, Status).
+verb_run(unfold, Files, Options, Status) :-
+    unfold_run(Files, Options, Status).
+verb_run(repl, Files, Options, 0) :-
+    (   Files == []
+    ->  true
+    ;   load_model(Files, Options)
+    ),
+    repl.
+
+%   picture_made(Options, Eye, PictureOptions, Lines): the picture of what was
+%   loaded, roots alone; Lines as of operand_lines/1.
+
+picture_made(Options, Eye, PictureOptions, Lines) :-
+    roots_ready(Options, PictureOptions, Lines),
+    facts_transaction(
+        sg_verbs:pictured(Lines, Options, Eye, PictureOptions)).
+
+roots_ready(Options, PictureOptions, Lines) :-
+    empty_roots_warned,
+    operand_lines(Lines),
+    roots_alone,
+    known_segments(PictureOptions),
+    option(up(Axis), Options, z),
+    turn_up(Axis).
+
+%   sheet_made(Options, Request, Lines, Drawing): see views_drawing/4. Patches
+%   are sewn before a section cuts them.
+
+sheet_made(Options, Request, Lines, Drawing) :-
+    Cuts = cuts(segments_cut(Options), pieces_cut(Options)),
+    facts_snapshot(( borders_sewn(_),
+                     views_drawing(Request, Lines, sg_verbs:Cuts, Drawing) )).
+
+%   pictured(Lines, Options, Eye, PictureOptions): the picture of the current
+%   world, with the Lines of operands.
+
+pictured(Lines, Options, Eye, PictureOptions) :-
+    segments_cut(Options),
+    maplist(call, Eye),
+    (   aside_segments([_|_]),
+        \+ option(segments(_), PictureOptions)
+    ->  findall(S, root_segment(S), Roots),
+        Picture = [segments(Roots)|PictureOptions]
+    ;   Picture = PictureOptions
+    ),
+    with_operand_lines(Lines, picture(Picture)).
+
+said_if_nothing_drawn :-
+    (   drawn(_, _, _, _, _, _, _)
+    ->  true
+    ;   print_message(informational, sanggwan(nothing_drawn))
+    ).
+
+%   said_of_style(Options): which segments the style names in vain.
+
+said_of_style(Options) :-
+    option(style(Rows), Options, []),
+    forall(distinct(Segment, segment_in_vain(Rows, Segment)),
+           print_message(informational, sanggwan(style_in_vain(Segment)))).
+
+%!  draw(+File) is det.
+%!  draw(+File, +Options) is det.
+%
+%   Draw the current world to File, as the verb draw does; the ending is the
+%   format. The segments cut each other first. Options:
+%
+%     - view(Name), or view(Theta, Phi), view(Theta, Phi, Rho)
+%     - up(Axis): the axis of the model that points up in the picture, `x`,
+%       `y` or `z` (default), see turn_up/1
+%     - projection(Kind): `parallel` or `central`
+%     - lines(Which), crease(Degrees), segments(List): see picture/1
+%     - hidden(How), size(Size), ...: see write_drawing/2
+%     - sheet(Paper), views(Names), section(Planes), angle(Angle), scale(Scale),
+%       unit(Unit), 'title-block'(File), language(Language), 'no-frame'(Bool):
+%       a sheet, as the verb draw makes it; the values are atoms as after the
+%       options of that name, Planes a list of such. The world stays as it is.
+
+draw(File) :-
+    draw(File, []).
+
+draw(File, Options) :-
+    sheet_wanted(Options),
+    !,
+    sheet_request(Options, Options, Request),
+    request_facts(Options, [], Request, Full),
+    option(up(Axis), Options, z),
+    facts_snapshot(( operand_lines(Lines),
+                     roots_alone,
+                     turn_up(Axis),
+                     sheet_made(Options, Full, Lines, Drawing) )),
+    drawing_output([drawing(Drawing)|Options], File),
+    print_message(informational, sanggwan(wrote(File))).
+draw(File, Options) :-
+    findall(Goal, ( member(Option, Options), view_goal(Option, Goal) ), Eye),
+    operand_lines(Lines),
+    option(up(Axis), Options, z),
+    with_up(Axis, sg_verbs:pictured(Lines, Options, Eye, Options)),
+    said_if_nothing_drawn,
+    drawing_output(Options, File),
+    print_message(informational, sanggwan(wrote(File))).
+
+view_goal(view(Name), set_view(Name)).
+view_goal(view(Theta, Phi), set_view(Theta, Phi, 0)).
+view_goal(view(Theta, Phi, Rho), set_view(Theta, Phi, Rho)).
+view_goal(projection(Kind), set_projection(Kind)).
+
+%!  convert(+Files, +File) is det.
+%
+%   Write the models in Files, one name or a list, to File; the endings are
+%   the formats. The current world is not touched.
+
+convert(Files, File) :-
+    new_world(World),
+    in_world(World, ( load_model(Files), save_model(File) )).
+
+several_segments :-
+    segment(A, _, _),
+    segment(B, _, _),
+    A \== B,
+    !.
+
+%   segments_cut(Options): patches are sewn (sew.pl), and the segments cut each
+%   other, if there are several, and themselves. pieces_cut(Options): those of
+%   a section, which needs no notice.
+
+segments_cut(Options) :-
+    borders_sewn(_),
+    (   several_segments
+    ->  penetrated([themselves(true)|Options])
+    ;   pieces_cut(Options)
+    ).
+
+pieces_cut(Options) :-
+    penetrate(all, [themselves(true)|Options]).
+
+%   penetrated(Options): the segments cut each other, or a notice says why not.
+
+penetrated(Options) :-
+    penetrate(all, Options),
+    (   \+ several_segments
+    ->  print_message(informational, sanggwan(one_segment))
+    ;   line(_, _, _, _, _, _, _, _, _)
+    ->  true
+    ;   origin(_, v(_), _)
+    ->  true
+    ;   print_message(informational, sanggwan(do_not_meet))
+    ).
+
+%   points_alone: a notice if curves go through, which leaves points, no lines.
+
+points_alone :-
+    (   line(_, _, _, _, _, _, _, _, _)
+    ->  true
+    ;   aggregate_all(count, distinct(Origin, origin(_, v(_), Origin)), N),
+        N > 0
+    ->  print_message(informational, sanggwan(points_alone(N)))
+    ;   true
+    ).
+
+
+                /*******************************
+                *            WRITERS           *
+                *******************************/
+
+model_output(File) :-
+    save_model(File).
+
+%   item_explained(Item, Files, Options, Status): of a line of the picture, in
+%   the picture that draw would make.
+
+item_explained(Item, Files, Options, Status) :-
+    (   of_picture(Item)
+    ->  picture_options(Options, PictureOptions),
+        eye(Options, Eye),
+        load_model(Files, Options),
+        picture_made(Options, Eye, PictureOptions, Lines),
+        with_operand_lines(Lines,
+                           explained(Options, Item, PictureOptions, Status))
+    ;   load_model(Files, Options),
+        (   of_pattern(Item)
+        ->  pattern_asked(Item, Options, Wanted)
+        ;   Wanted = [],
+            penetrate(all, Options)
+        ),
+        explained(Options, Item, Wanted, Status)
+    ).
+
+%   pattern_asked(Item, Options, Wanted): what is wanted of patterns that are to
+%   be made for the question; [] if they are there.
+
+pattern_asked(_, Options, []) :-
+    patterns_given(Options),
+    !.
+pattern_asked(Item, Options, Wanted) :-
+    empty_roots_warned,
+    roots_apart(Options),
+    pattern_wanted(Item, Options, Wanted),
+    (   option(trim(_), Options)
+    ->  true
+    ;   penetrate(all, Options)
+    ).
+
+%   of_pattern(Item): of what `unfold` makes, of the roots alone.
+
+of_pattern(Item) :-
+    nonvar(Item),
+    functor(Item, Name, _),
+    memberchk(Name, [seam,fold,pattern]).
+
+of_picture(Item) :-
+    nonvar(Item),
+    functor(Item, Name, _),
+    memberchk(Name, [hidden,why_not]).
+
+%   explained(Options, Item, PictureOptions, Status): 1 if there is nothing to
+%   explain.
+
+explained(Options, Item, PictureOptions, Status) :-
+    (   option(json(true), Options)
+    ->  findall(Item-Because, explanation(Item, PictureOptions, Because), All),
+        print_explanations(All)
+    ;   explain(Item, PictureOptions)
+    ->  All = [Item]
+    ;   All = []
+    ),
+    (   All == []
+    ->  Status = 1
+    ;   Status = 0
+    ).
+
+%   print_chains: a summary of the penetration lines, as JSON.
+
+print_chains :-
+    findall(_{segments:[S1,S2], kind:Kind, pieces:N, length:Length},
+            ( chain(_, S1, S2, Kind, Lines),
+              length(Lines, N),
+              chain_length(Lines, Length) ),
+            Chains),
+    aggregate_all(count, line(_, _, _, _, _, _, _, _, _), Pieces),
+    json_write_dict(current_output, _{pieces:Pieces, chains:Chains}),
+    nl.
+
+lines_output(Options, File) :-
+    (   option(exact(true), Options)
+    ->  LineOptions = [exact(true)]
+    ;   LineOptions = []
+    ),
+    stage(write, write_lines(File, LineOptions)).
+
+%   exact_outputs(Options, Outputs): --exact is for tables.
+
+exact_outputs(Options, Outputs) :-
+    (   option(exact(true), Options),
+        member(output(_, Format), Outputs),
+        \+ memberchk(Format, [csv, tsv, txt])
+    ->  usage_error(exact_format(Format))
+    ;   true
+    ).
+
+drawing_output(Options, File) :-
+    stage(write, write_drawing(File, Options)).
+
+
+                /*******************************
+                *            OPTIONS           *
+                *******************************/
+
+picture_options(Options, Picture) :-
+    option(lines(Lines), Options, feature),
+    option(crease(Crease), Options, 30),
+    (   option(segment(Texts), Options)
+    ->  maplist(segment_number, Texts, Ss),
+        Picture = [lines(Lines), crease(Crease), segments(Ss)]
+    ;   Picture = [lines(Lines), crease(Crease)]
+    ).
+
+segment_number(Text, S) :-
+    (   atom_number(Text, S),
+        integer(S),
+        S > 0
+    ->  true
+    ;   usage_error(bad_value('--segment', Text, 'N'))
+    ).
+
+known_segments(Picture) :-
+    (   option(segments(Ss), Picture),
+        member(S, Ss),
+        \+ segment(S, _, _)
+    ->  findall(Known, segment(Known, _, _), All),
+        usage_error(no_segment(S, All))
+    ;   true
+    ).
+
+drawing_options(Options, Drawing) :-
+    findall(Option, drawing_option(Options, Option), Drawing).
+
+drawing_option(Options, hidden(Hidden)) :-
+    option(hidden(Hidden), Options).
+drawing_option(Options, style(Rows)) :-
+    option(style(File), Options),
+    style_rows(File, Rows).
+drawing_option(Options, dashes(How)) :-
+    option(dashes(How), Options).
+drawing_option(Options, png(How)) :-
+    option(png(How), Options).
+drawing_option(Options, dots(Dots)) :-
+    option(dpi(DotsPerInch), Options),
+    Dots is DotsPerInch/25.4.
+drawing_option(Options, scale(Scale)) :-
+    scale_option(Options, Scale).
+drawing_option(Options, size(Size)) :-
+    option(size(Size), Options),
+    (   split_string(Size, "x", "", Parts),
+        maplist(number_of, Parts, [W, H])
+    ->  (   W > 0,
+            H > 0
+        ->  true
+        ;   usage_error(no_size('--size', Size))
+        )
+    ;   usage_error(bad_value('--size', Size, 'WxH'))
+    ).
+
+number_of(Text, Number) :-
+    catch(number_string(Number, Text), error(_, _), fail).
+
+%   eye(Options, Goals): Goals set the view and the projection.
+
+eye(Options, Goals) :-
+    findall(Goal, eye_goal(Options, Goal), Goals).
+
+eye_goal(Options, Goal) :-
+    looking(Options, View),
+    (   View = eye(Eye, Target)
+    ->  option(projection(Kind), Options, parallel),
+        Goal = set_eye(Eye, Target, Kind)
+    ;   View = view(_, Theta, Phi, _),
+        eye_distance(Options, Rho),
+        Goal = set_view(Theta, Phi, Rho)
+    ).
+eye_goal(Options, set_projection(Kind)) :-
+    option(projection(Kind), Options).
+
+%   eye_distance(Options, Rho): 0 is as far as needed.
+
+eye_distance(Options, Rho) :-
+    (   option(view(View), Options),
+        split_string(View, ",", " ", [_, _, Text]),
+        number_of(Text, Rho0)
+    ->  Rho = Rho0
+    ;   Rho = 0
+    ).
+
+query_format(Options, Format) :-
+    (   option(json(true), Options)
+    ->  Format = json
+    ;   option(format(Format), Options, table)
+    ).

@@ -1,0 +1,537 @@
+:- module(sg_verbs_unfold,
+          [ unfold_run/3,               % +Files, +Options, -Status
+            roots_apart/1,              % +Options
+            patterns_given/1,           % +Options
+            pattern_wanted/3            % +Item, +Options, -Wanted
+          ]).
+:- use_module('../decimal', [decimal_number/2]).
+:- use_module('../csg/csg_rows', [drop_boundary/1]).
+:- use_module('../development/leaf_face', [roots_alone_named/0]).
+:- use_module('../model/mesh', [write_mesh/3]).
+:- use_module('../model/model', [load_model/2, save_model/1]).
+:- use_module('../model/model_text',
+              [open_model_text/2, close_model_text/1, next_fact/3,
+               place_error/3]).
+:- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
+:- use_module('../pattern/pattern_file', [numbered_files/3, write_pattern/4]).
+:- use_module('../pattern/pattern_paper', [paper_checked/1]).
+:- use_module('../penetration/penetration', [penetrate/2]).
+:- use_module('../development/polygon_name',
+              [segment_title/2, segments_named/2]).
+:- use_module(sheet_options, [scale_option/2]).
+:- use_module(solid_verbs, [empty_roots_warned/0]).
+:- use_module('../stage', [stage/2]).
+:- use_module('../store',
+              [ segment/3, unfolding/2, retractall_facts/1,
+                facts_snapshot/1
+              ]).
+:- use_module('../drawing/style_file', [style_rows/2]).
+:- use_module('../unfolding/unfold',
+              [ unfoldable/1, pattern_of/2, wishes/3, wanted_of/3,
+                unfolded_part/4
+              ]).
+:- use_module('../unrolling/true_table', [write_true_lengths/3]).
+:- use_module(unfold_options, [options_together/1]).
+:- use_module(unfold_report, [unfold_report/2]).
+:- use_module('../unfolding/unfold_true', [true_patterns/4]).
+:- use_module(verb_output,
+              [ some_files/2, outputs/3, folder_exists/1, no_model_replaced/2,
+                output_written/2, usage_error/1
+              ]).
+:- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- use_module(library(lists), [append/2, append/3, last/2, member/2]).
+:- use_module(library(option), [option/2, option/3]).
+/** <module> The verb unfold.
+
+Every solid and surface of the model becomes a pattern. First, all that is
+wanted is looked up in the model as the user wrote it; then the segments cut
+each other, so that the patterns have the penetration lines, or each is trimmed
+by the others; then they are laid flat.
+*/
+
+%!  unfold_run(+Files, +Options, -Status) is det.
+%
+%   As verb_run/4.
+
+unfold_run(Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    outputs(Options,
+            [ svg,pdf,eps,ps,png,dxf,hpgl,json,fold,pl,obj,off ],
+            Outputs),
+    options_together(Options),          % what is wrong is said at once
+    drawing_options(Options, DrawingOptions),
+    paper_checked(DrawingOptions),
+    table_output(Options, Tables),
+    append(Outputs, Tables, All),
+    no_model_replaced(Files, All),
+    flag_wishes(Options, Flags),
+    load_model(Files, Options),
+    empty_roots_warned,
+    roots_apart(Options),
+    catch(patterns(Options, Flags, Ds),
+          error(model_error(unfold(S, Wish, What)), Location),
+          in_file(Files, S, Wish, What, Location)),
+    reported(Ds, Options, All),
+    tables_written(Options, Ds),
+    sheets_once(Options, Ds, Outputs, Options1),
+    maplist(written_to(Options1, Ds), Outputs).
+
+%!  roots_apart(+Options:list) is det.
+%
+%   Only roots are unfolded. With --true what they are made of stays, as it
+%   tells which smooth surfaces their facets stand for.
+
+roots_apart(Options) :-
+    (   option(true(true), Options)
+    ->  true
+    ;   roots_alone_named
+    ).
+
+%   table_output(Options, Tables): Tables is a list of what --table says.
+
+table_output(Options, Tables) :-
+    (   option(table(File), Options)
+    ->  folder_exists(File),
+        Tables = [output(File, csv)]
+    ;   Tables = []
+    ).
+
+%   reported(Ds, Options, Outputs): on standard error if standard output is for
+%   what is written.
+
+reported(Ds, Options, Outputs) :-
+    (   memberchk(output(-, _), Outputs)
+    ->  current_output(Out),
+        setup_call_cleanup(
+            set_output(user_error),
+            unfold_report(Ds, Options),
+            set_output(Out))
+    ;   unfold_report(Ds, Options)
+    ).
+
+%   patterns(Options, Flags, Ds): Ds are the patterns of all that is to be
+%   unfolded, in order. Flags are the wishes among Options.
+
+patterns(Options, Flags, Ds) :-
+    known_wishes,
+    chosen(Options, Flags, Ss),
+    maplist(all_wanted(Flags), Ss, Wanteds),
+    (   option(trim(_), Options)
+    ->  true
+    ;   option(lines(false), Options)
+    ->  true
+    ;   penetrate(all, Options)
+    ),
+    develop_options(Options, DevelopOptions),
+    trimming(Options, All),
+    maplist(patterns_or_none(Ss, All, DevelopOptions), Ss, Wanteds, Dss),
+    append(Dss, Ds),
+    (   Ds == []
+    ->  throw(error(geometry_error(unfold(all_trimmed_away)), _))
+    ;   true
+    ).
+
+%!  patterns_given(+Options:list) is semidet.
+%
+%   True when the model has patterns, and the Options of the command line ask
+%   for no others.
+
+patterns_given(Options) :-
+    flag_wishes(Options, []),
+    develop_options(Options, []),
+    once(segment(_, pattern, _)).
+
+%!  pattern_wanted(+Item, +Options:list, -Wanted:list) is det.
+%
+%   Wanted are the options of explanation/3 for Item, a seam, a fold or a piece
+%   of a pattern, that the Options of the command line and the model ask for; to
+%   be called before lines change the segments.
+
+pattern_wanted(Item, Options, [wanted(Pairs)|How]) :-
+    flag_wishes(Options, Flags),
+    known_wishes,
+    (   item_segment(Item, S)
+    ->  Ss = [S]
+    ;   chosen(Options, Flags, Ss)
+    ),
+    findall(S-Wanted, ( member(S, Ss), all_wanted(Flags, S, Wanted) ), Pairs),
+    develop_options(Options, How0),
+    trimming(Options, All),
+    How = [by(All)|How0].
+
+item_segment(Item, S) :-
+    Item =.. [_,S0,_],
+    nonvar(S0),
+    (   pattern_of(S0, S1)
+    ->  S = S1
+    ;   S = S0
+    ),
+    unfoldable(S).
+
+%   trimming(Options, All): what parts are trimmed by.
+
+trimming(Options, All) :-
+    (   option(by(Text), Options)
+    ->  flag_terms('--by', Text, Names),
+        findall(S, unfoldable(S), Known),
+        findall(S, ( member(Name, Names), only_named(Name, Known, S) ), All0),
+        sort(All0, All)
+    ;   findall(S, unfoldable(S), All)
+    ).
+
+%   patterns_or_none(Ss, All, Options, S, Wanted, Ds): of several parts Ss, one
+%   of which nothing is left has no pattern.
+
+patterns_or_none(Ss, All, Options, S, Wanted, Ds) :-
+    catch(patterns_of(All, Options, S, Wanted, Ds),
+          error(geometry_error(trim(nothing_left(S, Side))), Context),
+          (   Ss = [_]
+          ->  throw(error(geometry_error(trim(nothing_left(S, Side))),
+                          Context))
+          ;   print_message(warning, sanggwan(trim(nothing_left(S, Side)))),
+              Ds = []
+          )).
+
+all_wanted(Flags, S, Wanted) :-
+    wishes(S, Flags, Wishes),
+    wanted_of(S, Wishes, Wanted).
+
+%   patterns_of(All, Options, S, Wanted, Ds): several, if they are true ones.
+
+patterns_of(All, Options0, S, Wanted, Ds) :-
+    findall(Other, ( member(Other, All), Other \== S ), Others),
+    Options = [by(Others)|Options0],
+    (   option(true(true), Options)
+    ->  true_patterns(S, Wanted, Options, Ds)
+    ;   unfolded_part(S, Wanted, Options, D),
+        Ds = [D]
+    ).
+
+develop_options(Options, Develop) :-
+    findall(Option, develop_option(Options, Option), Develop).
+
+develop_option(Options, seam(Degrees)) :-
+    option(seam(Text), Options),
+    (   decimal_number(Text, Degrees)
+    ->  true
+    ;   usage_error(bad_value('--seam', Text, 'DEGREES'))
+    ).
+develop_option(Options, Option) :-
+    develop_flag(Flag, Name),
+    Given =.. [Flag,Value],
+    option(Given, Options),
+    Option =.. [Name,Value].
+
+develop_flag(trim, trim).
+develop_flag(minimize, minimize).
+develop_flag(effort, effort).
+develop_flag(tolerance, tolerance).
+develop_flag(true, true).
+develop_flag(generators, generators).
+develop_flag(half, half).
+develop_flag(chord, chord).
+develop_flag(thickness, thickness).
+develop_flag(size, size).
+develop_flag(kfactor, k_factor).
+develop_flag('bend-radius', bend_radius).
+develop_flag('set-in', set_in).
+develop_flag('other-thickness', other_thickness).
+
+%   known_wishes: every unfolding/2 is of a segment that is there.
+
+known_wishes :-
+    (   unfolding(S, Wish),
+        \+ segment(S, _, _)
+    ->  throw(error(model_error(unfold(S, Wish, no_segment)), _))
+    ;   true
+    ).
+
+%   chosen(Options, Flags, Ss): what is to be unfolded.
+
+chosen(Options, Flags, Ss) :-
+    findall(S, unfoldable(S), All),
+    (   option(only(Text), Options)
+    ->  flag_terms('--only', Text, Names),
+        findall(S, ( member(Name, Names), only_named(Name, All, S) ), Ss0),
+        sort(Ss0, Ss)
+    ;   Ss = All
+    ),
+    (   Ss == []
+    ->  throw(error(geometry_error(unfold(nothing_to_unfold)), _))
+    ;   Ss = [_,_|_],
+        Flags = [Flag|_]
+    ->  functor(Flag, Name, _),
+        flag_option(Name, Option),
+        usage_error(unfold(which_segment(Option, Ss)))
+    ;   true
+    ).
+
+only_named(Name, All, S) :-
+    segments_named(Name, Ss),
+    (   Ss == []
+    ->  findall(S1-Title, ( member(S1, All), segment_title(S1, Title) ), Known),
+        usage_error(unfold(no_segment(Name, Known)))
+    ;   member(S, Ss),
+        (   memberchk(S, All)
+        ->  true
+        ;   segment(S, Kind, _),
+            throw(error(geometry_error(unfold(kind(S, Kind))), _))
+        )
+    ).
+
+
+                /*******************************
+                *            WISHES            *
+                *******************************/
+
+%   flag_wishes(Options, Flags): root(P), cut(E) ... as unfold_wish.pl has them.
+
+flag_wishes(Options, Flags) :-
+    findall(Wishes, option_wishes(Options, Wishes), Lists),
+    append(Lists, Flags).
+
+option_wishes(Options, [root(Name)]) :-
+    option(root(Text), Options),
+    flag_terms('--root', Text, Names),
+    (   Names = [Name]
+    ->  true
+    ;   usage_error(unfold(no_term('--root', Text)))
+    ).
+option_wishes(Options, Wishes) :-
+    member(Name, [cut,keep,removed]),
+    flag_option(Name, Option),
+    option_texts(Name, Options, Texts),
+    member(Text, Texts),
+    flag_terms(Option, Text, Terms),
+    findall(Wish, ( member(Term, Terms), Wish =.. [Name,Term] ), Wishes).
+option_wishes(Options, [order(Names)]) :-
+    option(order(Texts), Options),
+    member(Text, Texts),
+    flag_terms('--order', Text, Names).
+
+option_texts(Name, Options, Texts) :-
+    (   Name == removed
+    ->  option(remove(Texts), Options)
+    ;   Option =.. [Name,Texts],
+        option(Option, Options)
+    ).
+
+flag_option(root, '--root').
+flag_option(cut, '--cut').
+flag_option(keep, '--keep').
+flag_option(order, '--order').
+flag_option(removed, '--remove').
+
+%   flag_terms(Option, Text, Terms): names with commas between them; one with a
+%   capital needs no quotes, for there are no variables.
+
+flag_terms(Option, Text, Terms) :-
+    format(string(List), '[~w]', [Text]),
+    (   catch(term_string(Terms0, List,
+                          [ module(sg_model_syntax), cycles(false),
+                            dotlists(false), variable_names(Names)
+                          ]),
+              error(_, _), fail),
+        is_list(Terms0),
+        Terms0 = [_|_],
+        maplist(named_as_written, Names),
+        ground(Terms0)
+    ->  Terms = Terms0
+    ;   memberchk(Option, ['--only','--by'])
+    ->  usage_error(unfold(no_names(Option, Text)))
+    ;   usage_error(unfold(no_term(Option, Text)))
+    ).
+
+named_as_written(Name=Name).
+
+%   in_file(Files, S, Wish, What, Location): the error, with the place of the
+%   fact.
+
+in_file(Files, S, Wish, What, Location) :-
+    Error = unfold(S, Wish, What),
+    (   var(Location),
+        wish_place(Files, S, Wish, Place)
+    ->  place_error(Place, 2, Error)
+    ;   throw(error(model_error(Error), Location))
+    ).
+
+%   wish_place(Files, S, Wish, Place): of the last fact that says so of S; or of
+%   any segment, for those of a second file have numbers of their own there.
+
+wish_place(Files, S, Wish, Place) :-
+    findall(S1-Place1,
+            ( member(File, Files), file_wish_place(File, Wish, S1, Place1) ),
+            Places),
+    Places \== [],
+    (   findall(Place1, member(S-Place1, Places), Own),
+        last(Own, Place)
+    ->  true
+    ;   last(Places, _-Place)
+    ).
+
+%   file_wish_place(File, Wish, S, Place) is nondet.
+
+file_wish_place(File, Wish, S, Place) :-
+    file_name_extension(_, pl, File),
+    exists_file(File),
+    setup_call_cleanup(
+        open_model_text(File, Text),
+        wish_places(Text, Wish, Places),
+        close_model_text(Text)),
+    member(S-Place, Places).
+
+wish_places(Text, Wish, Places) :-
+    next_fact(Text, Fact, Place),
+    (   Fact == end_of_file
+    ->  Places = []
+    ;   Fact = unfolding(S, Said),
+        Said == Wish
+    ->  Places = [S-Place|Places1],
+        wish_places(Text, Wish, Places1)
+    ;   wish_places(Text, Wish, Places)
+    ).
+
+
+                /*******************************
+                *            OUTPUT            *
+                *******************************/
+
+%   tables_written(Options, Ds): of true lengths; of several patterns that have
+%   generators FILE.csv becomes FILE-1.csv, FILE-2.csv, ...
+
+tables_written(Options, Ds) :-
+    (   option(table(File), Options)
+    ->  findall(D, ( member(D, Ds), segment(D, _, true_development(_, _)) ),
+                Trues),
+        option(unit(Unit), Options, mm),
+        (   Trues == []
+        ->  print_message(warning, sanggwan(unfold(no_table(File))))
+        ;   File == (-)
+        ->  forall(member(D, Trues), table_written(Unit, D, File))
+        ;   numbered_files(Trues, File, Files),
+            maplist(table_written(Unit), Trues, Files)
+        )
+    ;   true
+    ).
+
+table_written(Unit, D, File) :-
+    stage(write, write_true_lengths(D, File, [unit(Unit)])),
+    (   File == (-)
+    ->  true
+    ;   print_message(informational, sanggwan(wrote(File)))
+    ).
+
+%   sheets_once(Options0, Ds, Outputs, Options): several drawings have the same
+%   sheets; they are laid out once, with what there is to say of them.
+
+sheets_once(Options, Ds, Outputs, [drawings(Drawings)|Options]) :-
+    findall(File, ( member(output(File,Format), Outputs), on_sheets(Format) ),
+            [_,_|_]),
+    !,
+    drawing_options(Options, DrawingOptions),
+    stage(write, pattern_drawing(Ds, DrawingOptions, Drawings)).
+sheets_once(Options, _, _, Options).
+
+on_sheets(Format) :-
+    is_drawing(Format),
+    Format \== fold.
+
+%   written_to(Options, Ds, Output): a drawing may take several files.
+
+written_to(Options, Ds, Output) :-
+    Output = output(File, Format),
+    (   File == (-)
+    ->  output_written(sg_verbs_unfold:pattern_output(Options, Ds), Output)
+    ;   is_drawing(Format)
+    ->  drawn(Options, Ds, File, Files),
+        forall(member(Name, Files),
+               print_message(informational, sanggwan(wrote(Name))))
+    ;   output_written(sg_verbs_unfold:pattern_output(Options, Ds), Output)
+    ).
+
+is_drawing(Format) :-
+    \+ memberchk(Format, [pl,obj,off]).
+
+drawn(Options, Ds, File, Files) :-
+    drawing_options(Options, DrawingOptions),
+    stage(write, write_pattern(File, Ds, DrawingOptions, Files)).
+
+%   pattern_output(Options, Ds, File): of the several sheets of a drawing,
+%   standard output can have the first only.
+
+pattern_output(Options, Ds, File) :-
+    file_name_extension(_, Ending, File),
+    downcase_atom(Ending, Format),
+    (   Format == pl
+    ->  facts_snapshot(( parts_alone(Options, Ds), save_model(File) ))
+    ;   memberchk(Format, [obj,off])
+    ->  stage(write, write_mesh(File, Ds, [format(Format)]))
+    ;   drawn(Options, Ds, File, Files),
+        (   Files = [_]
+        ->  true
+        ;   maplist(delete_file, Files),
+            length(Files, N),
+            usage_error(unfold(several_sheets(N)))
+        )
+    ).
+
+%   drawing_options(Options, DrawingOptions): as pattern_drawing/3 and
+%   write_drawing/2 have them.
+
+drawing_options(Options, DrawingOptions) :-
+    findall(Option, drawing_option(Options, Option), DrawingOptions).
+
+drawing_option(Options, Option) :-
+    member(Name,
+           [ page,tile,overlap,margin,gap,tabs,numbers,angles,inside,grid,
+             dashes
+           ]),
+    Option =.. [Name,_],
+    option(Option, Options).
+drawing_option(Options, fold_threshold(Degrees)) :-
+    option('fold-threshold'(Degrees), Options).
+drawing_option(Options, open_slits(Open)) :-
+    option('open-slits'(Open), Options).
+drawing_option(Options, names(Names)) :-
+    option(names(How), Options),
+    (   How == numbers
+    ->  Names = true
+    ;   Names = How
+    ).
+drawing_option(Options, scale(Scale)) :-
+    option(scale(_), Options),
+    (   catch(scale_option(Options, Scale0),
+              error(usage_error(sheet(scale(_))), _),
+              fail)
+    ->  Scale = Scale0
+    ;   option(scale(Text), Options),
+        usage_error(pattern(scale(Text)))
+    ).
+drawing_option(Options, unit(Unit)) :-
+    \+ option(scale(_), Options),       % which says it
+    option(unit(Unit), Options).
+drawing_option(Options, drawings(Drawings)) :-
+    option(drawings(Drawings), Options).
+drawing_option(Options, style(Rows)) :-
+    option(style(File), Options),
+    style_rows(File, Rows).
+drawing_option(Options, dots(Dots)) :-
+    option(dpi(DotsPerInch), Options),
+    Dots is DotsPerInch/25.4.
+
+%   parts_alone(Options, Ds): with --trim, what was unfolded and its patterns,
+%   without what they were trimmed of; else all stays, with its lines.
+
+parts_alone(Options, Ds) :-
+    (   option(trim(_), Options)
+    ->  findall(S, ( member(D, Ds), pattern_of(D, S) ), Ss),
+        append(Ss, Ds, Stay),
+        forall(( segment(S, _, _), \+ memberchk(S, Stay) ), drop_segment(S)),
+        forall(( unfolding(S, _), \+ memberchk(S, Stay) ),
+               retractall_facts(unfolding(S, _)))
+    ;   true
+    ).
+
+drop_segment(S) :-
+    drop_boundary(S),
+    retractall_facts(segment(S, _, _)).

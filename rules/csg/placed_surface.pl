@@ -1,0 +1,146 @@
+:- module(sg_placed_surface,
+          [ placed_face/3,              % ?S, ?P, ?What
+            placed_surface/3,           % ?S, ?Part, ?Surface
+            placed_polygon/4,           % +S, ?P, ?Leaf, ?P0
+            drawn_polygon/4,            % +S1, ?P1, -S, ?P
+            placed_feature/4            % ?S, ?V, ?Leaf, ?Feature
+          ]).
+:- use_module(csg, [is_helper/1, is_node/1]).
+:- use_module(csg_record, [recorded/2]).
+:- use_module('../primitive/primitive_face', [face_of/3, smooth_surface/3]).
+:- use_module(provenance, [origin_feature/3]).
+:- use_module('../store', [p/3, segment/3, origin/3, from_p/5]).
+:- use_module(library(apply), [maplist/3]).
+/** <module> Primitives and copies of them, where they stand.
+
+A node of a CSG tree that places a leaf once more, and a helper that does, have
+the polygons of the leaf, in another place: csg_record.pl knows by which matrix.
+Here these count as primitives too, with the surfaces of the leaf moved; what is
+made of them is followed back to them, and no farther. So do segments that lie
+parallel to a primitive: they say themselves what they are.
+*/
+
+%!  placed_face(?S, ?P, ?What) is nondet.
+%
+%   As face_of/3, of copies too.
+
+placed_face(S, P, What) :-
+    is_parallel(S),
+    origin(S, face(P), What).
+placed_face(S, P, What) :-
+    stands(S, Leaf, _),
+    face_of(Leaf, P, What).
+
+%!  placed_surface(?S, ?Part, ?Surface) is nondet.
+%
+%   As smooth_surface/3, of copies too.
+
+placed_surface(S, Part, Surface) :-
+    is_parallel(S),
+    origin(S, part(Part), Surface).
+placed_surface(S, Part, Surface) :-
+    stands(S, Leaf, Matrix),
+    smooth_surface(Leaf, Part, Surface0),
+    surface_placed(Matrix, Surface0, Surface).
+
+%   is_parallel(S): S is the other side of a plate (true_parallel.pl).
+
+is_parallel(S) :-
+    segment(S, _, Term),
+    nonvar(Term),
+    Term = parallel(_, _).
+
+%   stands(S, Leaf, Matrix): S is primitive Leaf (Matrix is `none`), or a copy
+%   of it that Matrix placed.
+
+stands(S, Leaf, Matrix) :-
+    segment(S, _, _),
+    (   copy(S, Leaf0, Matrix0)
+    ->  Leaf = Leaf0,
+        Matrix = Matrix0
+    ;   is_node(S)
+    ->  fail
+    ;   Leaf = S,
+        Matrix = none
+    ).
+
+copy(S, Leaf, Matrix) :-
+    recorded(S, What),
+    arg(1, What, placed(Leaf-_, Matrix)).
+
+%   surface_placed(Matrix, Term0, Term): with its points and vectors moved.
+
+surface_placed(none, Term, Term) :-
+    !.
+surface_placed(Matrix, point(X0,Y0,Z0), point(X,Y,Z)) :-
+    !,
+    maplist(row_times([X0,Y0,Z0,1.0]), Matrix, [X,Y,Z]).
+surface_placed(Matrix, vector(X0,Y0,Z0), vector(X,Y,Z)) :-
+    !,
+    maplist(row_times([X0,Y0,Z0,0.0]), Matrix, [X,Y,Z]).
+surface_placed(Matrix, Term0, Term) :-
+    (   compound(Term0)
+    ->  compound_name_arguments(Term0, Name, Arguments0),
+        maplist(surface_placed(Matrix), Arguments0, Arguments),
+        compound_name_arguments(Term, Name, Arguments)
+    ;   Term = Term0
+    ).
+
+row_times([X,Y,Z,One], [A,B,C,D], Number) :-
+    Number is float(A*X + B*Y + C*Z + D*One) + 0.0.
+
+%!  placed_polygon(+S, ?P, ?Leaf, ?P0) is nondet.
+%
+%   As polygon_from/5, but Leaf may be a copy; a copy is its own.
+
+placed_polygon(S, P, Leaf, P0) :-
+    copy(S, _, _),
+    !,
+    p(S, P, _),
+    Leaf = S,
+    P0 = P.
+placed_polygon(S, P, Leaf, P0) :-
+    from_p(S, P, S1, P1, _),
+    (   goes_on(S1)
+    ->  placed_polygon(S1, P1, Leaf, P0)
+    ;   Leaf = S1,
+        P0 = P1
+    ).
+
+goes_on(S) :-
+    once(from_p(S, _, _, _, _)),        % first: most have none
+    \+ copy(S, _, _),
+    (   is_helper(S)
+    ->  true
+    ;   is_node(S)
+    ).
+
+%!  placed_feature(?S, ?V, ?Leaf, ?Feature) is nondet.
+%
+%   As vertex_on/4, but Leaf may be a copy; of what was made again of other
+%   segments the polygons alone.
+
+placed_feature(S, V, Leaf, Feature) :-
+    origin(S, v(V), Origin),
+    origin_feature(Origin, S1, Feature1),
+    (   goes_on(S1)
+    ->  Feature1 = p(P1),
+        placed_polygon(S1, P1, Leaf, P),
+        Feature = p(P)
+    ;   Leaf = S1,
+        Feature = Feature1
+    ).
+
+%!  drawn_polygon(+S1, ?P1, -S, ?P) is nondet.
+%
+%   Polygon P1 of segment S1, a part that was made of what is drawn to be cut
+%   for a true pattern (true_parts.pl), stands for polygon P of the segment S
+%   that is drawn.
+
+drawn_polygon(S1, P1, S, P) :-
+    origin(S1, node(S1), plate(S)),
+    (   origin(S1, p(_), p(_))
+    ->  origin(S1, p(P1), p(P))
+    ;   P = P1,
+        once(p(S1, P1, _))
+    ).

@@ -1,0 +1,275 @@
+:- module(sg_ink,
+          [ inked/3,                    % +Drawing, +Options, -Inked
+            inked_lines/3,              % +Texts, +Inked, -Lines
+            inked_texts/2,              % +Inked, -Texts
+            inked_inks/2,               % +Inked, -Inks
+            dashes_option/3,            % +Options, +Default, -How
+            ink_width/2,                % +Ink, -Width
+            ink_colour/3,               % +Medium, +Ink, -RGB
+            ink_type/2,                 % +Ink, -Type
+            ink_runs/2,                 % +Ink, -Runs
+            ink_pen/2,                  % +Ink, -Pen
+            ink_layer/2,                % +Ink, -Layer
+            ink_lines/4                 % +How, +Ink, +Stroke, -Lines
+          ]).
+:- use_module('../sheet/dash', [stroke_dashes/3]).
+:- use_module('../decision', [default/1]).
+:- use_module('../sheet/lettering', [lettering/2]).
+:- use_module(style,
+              [ line_style/4, line_type/3, colour_rgb/2, layer_name/1,
+                paper_style/1
+              ]).
+:- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(error), [domain_error/2, type_error/2]).
+:- use_module(library(lists), [append/2, append/3, list_to_set/2, member/2]).
+:- use_module(library(option), [option/3]).
+/** <module> Ink: a drawing with the way it looks.
+
+A drawing (sheet.pl) says what is where; inked, it says how it looks too:
+
+    inked(Sheet, Paper, Views)      Paper: rgb(R,G,B)
+    view(Name, Lines, Texts)
+    line(Ink, Stroke)
+    text(Ink, Text)
+
+An ink is a style (style.pl), checked and in the units of the sheet: the
+writers of all formats ask it for its parts, and none of them knows how a line
+of some role looks.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+%!  inked(+Drawing, +Options, -Inked) is det.
+%
+%   Inked is Drawing with its inks, less what is not drawn. Options:
+%
+%     - style(Style): a style file, or its rows; see style_rows/2
+%     - hidden(How): `shown` makes the hidden lines solid
+%
+%   @error type_error(line_style, Style), type_error(colour, Colour): a rule
+%   file gave what is none; and those of style_rows/2
+
+inked(drawing(Sheet,Views0), Options, inked(Sheet,Paper,Views)) :-
+    option(style(Style), Options, []),
+    style_rows(Style, Rows),
+    paper(Rows, Paper),
+    option(hidden(Hidden), Options, dashed),
+    maplist(inked_view(how(Rows,Hidden)), Views0, Views).
+
+inked_view(How, view(Name,Strokes,Texts), view(Name,Lines,Written)) :-
+    inked_items(Strokes, How, none-none, Lines),
+    inked_items(Texts, How, none-none, Written).
+
+%   Neighbours mostly look alike: the last key and its ink are kept.
+
+inked_items([], _, _, []).
+inked_items([Item|Items], How, Last, Inked) :-
+    item_key(Item, Key),
+    (   Last = Key-Ink
+    ->  true
+    ;   key_ink(How, Key, Ink)
+    ),
+    (   Ink == none
+    ->  Inked = Inked1
+    ;   inked_item(Item, Ink, InkedItem),
+        Inked = [InkedItem|Inked1]
+    ),
+    inked_items(Items, How, Key-Ink, Inked1).
+
+item_key(stroke(Visibility,Role,S,_,_,_,_), key(Visibility,Role,S)).
+item_key(text(_,_,_,_,_), key(visible,text,0)).
+
+inked_item(Stroke, Ink, line(Ink,Stroke)) :-
+    Stroke = stroke(_, _, _, _, _, _, _).
+inked_item(Text, Ink0, text(Ink,Text)) :-
+    Text = text(_, _, Height, _, _),
+    letter_ink(Ink0, Height, Ink).
+
+%   Letters are drawn no wider than a tenth of their height (ISO 3098).
+
+letter_ink(ink(Width0,Colours,Type,Runs,Pen,Layer), Height,
+           ink(Width,Colours,Type,Runs,Pen,Layer)) :-
+    Width is max(1, min(Width0, round(Height/10))).
+
+key_ink(how(Rows,Hidden), key(Visibility,Role,S), Ink) :-
+    decided_style(Visibility, Role, S, Style0),
+    restyled(Rows, Visibility, Role, S, Style0, Style),
+    (   style_ink(Style, Ink0)
+    ->  shown_ink(Visibility, Hidden, Ink0, Ink)
+    ;   type_error(line_style, Style)
+    ).
+
+decided_style(Visibility, Role, S, Style) :-
+    (   line_style(Visibility, Role, S, Style0)
+    ->  Style = Style0
+    ;   once(default(line_style(Visibility, Role, S, Style)))
+    ).
+
+shown_ink(hidden, shown, ink(Width,Colours,_,_,Pen,Layer), Ink) :-
+    !,
+    Ink = ink(Width,Colours,solid,[],Pen,Layer).
+shown_ink(_, _, Ink, Ink).
+
+%   ink(Width, Colours, Type, Runs, Pen, Layer): Width and Runs in thousandths,
+%   Colours = colours(Screen,Print), Type what the style said, Runs [] if solid.
+
+style_ink(none, none) :-
+    !.
+style_ink(style(Width0,Colour,Type,Pen,Layer),
+          ink(Width,Colours,Type,Runs,Pen,Layer)) :-
+    number(Width0),
+    Width0 > 0,
+    Width0 =< 100,
+    Width is max(1, round(Width0*1000)),
+    colours(Colour, Colours),
+    type_runs(Type, Width0, Runs),
+    integer(Pen),
+    Pen >= 1,
+    Pen =< 255,
+    layer_name(Layer).
+
+colours(colour(Screen0,Print0), colours(Screen,Print)) :-
+    !,
+    colour_rgb(Screen0, Screen),
+    colour_rgb(Print0, Print).
+colours(Colour, colours(RGB,RGB)) :-
+    colour_rgb(Colour, RGB).
+
+type_runs(solid, _, []) :-
+    !.
+type_runs(Type, Width, Runs) :-
+    (   is_list(Type)
+    ->  Runs0 = Type,
+        Type = [_|_]
+    ;   line_type(Type, Width, Runs0)
+    ),
+    !,
+    length(Runs0, N),
+    N mod 2 =:= 0,
+    maplist(run_thousandths, Runs0, Runs).
+
+run_thousandths(Run0, Run) :-
+    number(Run0),
+    Run0 > 0,
+    Run0 =< 1000,
+    Run is max(1, round(Run0*1000)).
+
+paper(Rows, RGB) :-
+    (   rows_paper(Rows, Colour)
+    ->  true
+    ;   paper_style(Colour)
+    ->  true
+    ;   default(paper_style(Colour))
+    ),
+    (   colours(Colour, colours(RGB0,_))
+    ->  RGB = RGB0
+    ;   type_error(colour, Colour)
+    ).
+
+%!  inked_lines(+Texts, +Inked, -Lines) is det.
+%
+%   Lines are the lines of all views, in painting order. Texts is `drawn`: the
+%   letters of texts (lettering.pl) are among them; or `left`: they are not.
+
+inked_lines(Texts, inked(_,_,Views), Lines) :-
+    maplist(view_lines(Texts), Views, Own),
+    append(Own, Lines).
+
+%   Nothing is copied: a picture may have millions of points.
+
+view_lines(left, view(_,Lines,_), Lines).
+view_lines(drawn, view(_,Lines0,Written), Lines) :-
+    findall(line(Ink, stroke(visible,text,0,[],Points,joint,joint)),
+            ( member(text(Ink,Text), Written),
+              lettering(Text, Letters),
+              member(Points, Letters)
+            ),
+            Letters),
+    append(Lines0, Letters, Lines).
+
+%!  inked_texts(+Inked, -Texts) is det.
+%
+%   Texts are those of all views.
+
+inked_texts(inked(_,_,Views), Texts) :-
+    findall(Text, ( member(view(_,_,Own), Views), member(Text, Own) ), Texts).
+
+%!  inked_inks(+Inked, -Inks) is det.
+%
+%   Inks are those that are used, each once, in the order of their first use.
+
+inked_inks(inked(_,_,Views), Inks) :-
+    findall(Ink, view_ink(Views, Ink), Inks0),
+    list_to_set(Inks0, Inks).
+
+view_ink(Views, Ink) :-
+    member(view(_,Lines,Texts), Views),
+    (   changed_ink(Lines, none, Ink)
+    ;   member(text(Ink,_), Texts)
+    ).
+
+%   Each ink where another comes.
+
+changed_ink([line(Ink0,_)|Lines], Last, Ink) :-
+    (   Ink0 \== Last,
+        Ink = Ink0
+    ;   changed_ink(Lines, Ink0, Ink)
+    ).
+
+%!  dashes_option(+Options, +Default, -How) is det.
+%
+%   How dashes are written: dashes(How) of Options, where `auto` is what is
+%   best in the format, Default. How is one of
+%
+%     - fitted: as a property of the line, fitted to it
+%     - geometry: each dash is a line of its own, as cutters need it
+%     - type: as a line type with a name
+%
+%   @error domain_error(dashes, How)
+
+dashes_option(Options, Default, How) :-
+    option(dashes(How0), Options, auto),
+    (   How0 == auto
+    ->  How = Default
+    ;   memberchk(How0, [geometry,type])
+    ->  How = How0
+    ;   domain_error(dashes, How0)
+    ).
+
+%!  ink_width(+Ink, -Width) is det.
+%!  ink_colour(+Medium, +Ink, -RGB) is det.
+%!  ink_runs(+Ink, -Runs) is det.
+%!  ink_type(+Ink, -Type) is det.
+%!  ink_pen(+Ink, -Pen) is det.
+%!  ink_layer(+Ink, -Layer) is det.
+%
+%   The parts of an ink: Width and Runs in thousandths of a millimetre, Runs
+%   [] if it is solid; Medium is `screen` or `print`; Type as in a style.
+
+ink_width(ink(Width,_,_,_,_,_), Width).
+
+ink_colour(screen, ink(_,colours(RGB,_),_,_,_,_), RGB).
+ink_colour(print, ink(_,colours(_,RGB),_,_,_,_), RGB).
+
+ink_type(ink(_,_,Type,_,_,_), Type).
+
+ink_runs(ink(_,_,_,Runs,_,_), Runs).
+
+ink_pen(ink(_,_,_,_,Pen,_), Pen).
+
+ink_layer(ink(_,_,_,_,_,Layer), Layer).
+
+%!  ink_lines(+How, +Ink, +Stroke, -Lines) is det.
+%
+%   Lines are what a pen draws of Stroke, lists of points: its dashes if How is
+%   `geometry` and Ink is dashed, else all of it.
+
+ink_lines(How, Ink, Stroke, Lines) :-
+    ink_runs(Ink, Runs),
+    (   How == geometry,
+        Runs = [_|_]
+    ->  stroke_dashes(Stroke, Runs, Lines)
+    ;   Stroke = stroke(_, _, _, _, Points, _, _),
+        Lines = [Points]
+    ).

@@ -1,0 +1,201 @@
+:- module(sg_style,
+          [ line_style/4,               % +Visibility, +Role, +Segment, -Style
+            paper_style/1,              % -Colour
+            line_type/3,                % ?Type, +Width, -Runs
+            colour_name/2,              % ?Name, ?RGB
+            colour_rgb/2,               % +Colour, -RGB
+            layer_name/1,               % +Layer
+            sheet_role/1                % ?Role
+          ]).
+:- use_module('../decision', [decision/2]).
+:- use_module(pattern_look, [pattern_look/5]).
+:- use_module(library(apply), [maplist/3]).
+/** <module> How lines look.
+
+A style is what a writer has to know of a line, whatever the format:
+
+    style(Width, Colour, Dashes, Pen, Layer)
+
+  - Width: millimetres
+  - Colour: rgb(R,G,B), bytes; one of the names of colour_name/2; or
+    colour(Screen, Print), one for screens and one for paper
+  - Dashes: `solid`, a line type of line_type/3, or lengths in millimetres of
+    a dash, a gap, a dash, a gap, ...
+  - Pen: the pen of a plotter, 1 to 255
+  - Layer: of a CAD file, at most 31 letters, digits, `_`, `-` and `$`
+
+or `none` if such lines are not drawn. A rule file replaces line_style/4 and
+paper_style/1 for one world; a style file (style_file.pl) changes properties of
+what they say.
+
+@see ISO 128-2 for line types and widths
+*/
+
+:- decision(line_style/4, "How lines of a visibility, role and segment look").
+
+%!  line_style(+Visibility, +Role, +Segment, -Style) is semidet.
+%
+%   True when lines of Visibility and Role that belong to Segment have this
+%   Style; Segment is 0 for what belongs to the sheet, see sheet_role/1. A
+%   decision; where a rule file has no answer, this one holds.
+
+line_style(visible, Role, _, style(Width,Colour,Dashes,Pen,Layer)) :-
+    pattern_look(Role, Width, Colour, Dashes, Pen),
+    !,
+    upcase_atom(Role, Layer).
+line_style(Visibility, Role, _, style(Width,Colour,Dashes,Pen,Layer)) :-
+    line_width(Visibility, Role, Width),
+    line_colour(Role, Colour),
+    line_dashes(Visibility, Dashes),
+    line_pen(Visibility, Role, Pen),
+    line_layer(Visibility, Role, Layer).
+
+%   Widths of ISO 128-2, their ratio 1 to 2. A penetration line is what the
+%   drawing is about, so it is wider.
+
+line_width(Visibility, Role, Width) :-
+    (   width(Visibility, Role, Width0)
+    ->  Width = Width0
+    ;   once(width(Visibility, any, Width))
+    ).
+
+width(visible, penetration, 0.7).
+width(visible, smooth,      0.25).
+width(visible, mesh,        0.25).
+width(visible, frame,       0.7).
+width(visible, cutting_end, 0.7).
+width(visible, symbol,      0.35).
+width(visible, text,        0.7).     % at most, see ink.pl
+width(visible, field,       0.25).
+width(visible, hatching,    0.25).
+width(visible, cutting,     0.25).
+width(visible, axis,        0.25).
+width(visible, any,         0.5).
+width(hidden,  penetration, 0.35).
+width(hidden,  smooth,      0.18).
+width(hidden,  mesh,        0.18).
+width(hidden,  any,         0.25).
+
+line_colour(Role, Colour) :-
+    (   Role == penetration
+    ->  Colour = colour(rgb(170,0,0), black)
+    ;   Colour = black
+    ).
+
+line_dashes(visible, solid).
+line_dashes(hidden, hidden).
+
+line_pen(hidden, _, Pen) =>
+    Pen = 2.
+line_pen(visible, penetration, Pen) =>
+    Pen = 3.
+line_pen(visible, _, Pen) =>
+    Pen = 1.
+
+line_layer(Visibility, Role, Layer) :-
+    (   sheet_role(Role)
+    ->  Name = Role
+    ;   atomic_list_concat([Visibility,Role], '_', Name)
+    ),
+    upcase_atom(Name, Layer).
+
+%!  sheet_role(?Role) is nondet.
+%
+%   True when lines of Role are no lines of the model but of the sheet
+%   (sheet.pl), all of them `visible`; `text` is the role of texts.
+
+sheet_role(frame).
+sheet_role(field).
+sheet_role(hatching).
+sheet_role(cutting).
+sheet_role(cutting_end).
+sheet_role(arrow).
+sheet_role(symbol).
+sheet_role(axis).
+sheet_role(text).
+
+:- decision(paper_style/1, "The colour of the paper").
+
+%!  paper_style(-Colour) is det.
+%
+%   True when the sheet has this Colour, as in a style. A decision.
+
+paper_style(white).
+
+%!  line_type(?Type, +Width, -Runs) is nondet.
+%
+%   True when Type is a line type of ISO 128-2, and Runs are its dashes and
+%   gaps for a line of Width, in the same unit. `hidden` has the dashes that
+%   plotters had for hidden lines, 3 mm and 0.9 mm whatever the width.
+
+line_type(Type, Width, Runs) :-
+    type_runs(Type, Runs0),
+    maplist(times(Width), Runs0, Runs).
+line_type(hidden, _, [3.0,0.9]).
+
+times(Width, N, Run) :-
+    Run is N*Width.
+
+%   In widths of the line.
+
+type_runs(dashed,             [12,3]).
+type_runs(dashed_spaced,      [12,18]).
+type_runs(chain,              [24,3,0.5,3]).
+type_runs(chain_double,       [24,3,0.5,3,0.5,3]).
+type_runs(chain_triple,       [24,3,0.5,3,0.5,3,0.5,3]).
+type_runs(dotted,             [0.5,3]).
+type_runs(chain_dashed,       [24,3,6,3]).
+type_runs(dashed_dotted,      [12,3,0.5,3]).
+
+%!  colour_name(?Name, ?RGB) is nondet.
+%
+%   The colours that have names.
+
+colour_name(black,   rgb(0,0,0)).
+colour_name(white,   rgb(255,255,255)).
+colour_name(grey,    rgb(128,128,128)).
+colour_name(red,     rgb(170,0,0)).
+colour_name(green,   rgb(0,110,40)).
+colour_name(blue,    rgb(0,60,170)).
+colour_name(cyan,    rgb(0,130,150)).
+colour_name(magenta, rgb(150,0,120)).
+colour_name(yellow,  rgb(250,210,0)).
+colour_name(orange,  rgb(220,110,0)).
+colour_name(brown,   rgb(110,60,20)).
+
+%!  colour_rgb(+Colour, -RGB) is semidet.
+%
+%   True when Colour is a name or rgb(R,G,B), and RGB is it in bytes.
+
+colour_rgb(rgb(R,G,B), RGB) =>
+    byte(R),
+    byte(G),
+    byte(B),
+    RGB = rgb(R,G,B).
+colour_rgb(Name, RGB) =>
+    atom(Name),
+    colour_name(Name, RGB).
+
+%!  layer_name(+Layer) is semidet.
+%
+%   True when Layer is an atom that DXF R12 takes as the name of a layer.
+
+layer_name(Layer) :-
+    atom(Layer),
+    atom_length(Layer, N),
+    N > 0,
+    N =< 31,
+    forall(sub_atom(Layer, _, 1, _, Char), layer_char(Char)).
+
+layer_char(Char) :-
+    char_code(Char, Code),
+    Code < 128,
+    (   char_type(Char, alnum)
+    ;   memberchk(Char, ['_','-','$'])
+    ),
+    !.
+
+byte(N) :-
+    integer(N),
+    N >= 0,
+    N =< 255.

@@ -1,0 +1,229 @@
+:- module(sg_explain_words,
+          [ statement_keys/2,           % ?Name, ?Keys
+            segment_word/2,             % +S, -Word
+            polygon_word/3,             % +S, +P, -Word
+            face_word/2,                % +Face, -Word
+            in_order/4,                 % +Seat1, +Seat2, -Small, -Large
+            exact_text/3,               % +X, -Length, -Text
+            point_text/2                % +Point, -Text
+          ]).
+:- use_module('../development/polygon_name', [polygon_name/3]).
+:- use_module('../store', [segment/3]).
+:- use_module(library(terms), [mapargs/3]).
+
+/** <module> The statements of an explanation.
+
+What explain.pl says, statement by statement, with the names of its parts as
+JSON has them. Each has a clause in explain_en.pl and in explain_ko.pl.
+*/
+
+%!  statement_keys(?Name, ?Keys) is nondet.
+%
+%   True when the statement Name has the parts Keys, in this order.
+
+statement_keys(line, [line, segment1, polygon1, segment2, polygon2]).
+statement_keys(touch, [line, segment1, polygon1, segment2, polygon2]).
+statement_keys(point, [end, point, segment1, vertex1, segment2, vertex2]).
+statement_keys(contact, [kind, seat1, seat2]).
+statement_keys(made, [origin]).
+statement_keys(at, [segment, vertex, point]).
+statement_keys(side, [segment, vertex, point, side, triangle]).
+statement_keys(exact, [x, y, z]).
+statement_keys(also, [segment, vertex, place]).
+statement_keys(not_merged, [line, rules]).
+statement_keys(made_to_touch, []).
+statement_keys(touching, [count]).
+statement_keys(pieces, [count, rules]).
+statement_keys(piece, [number, triangle1, triangle2]).
+statement_keys(chain, [chain, kind, number, count]).
+statement_keys(chain_head, [chain, kind, segment1, segment2, count, length]).
+statement_keys(derived, [segment, vertex, point, place]).
+statement_keys(moved, [segment, vertex, point]).
+statement_keys(was_at, [segment, vertex, point]).
+statement_keys(original, [segment, vertex, point]).
+statement_keys(vertex_lines, [lines]).
+statement_keys(vertex_of, [segment, vertex]).
+statement_keys(lies_on, [segment, feature]).
+statement_keys(edge, [segment, edge, start, end]).
+statement_keys(edge_whole, [segment, edge]).
+statement_keys(edge_near, [segment, edge]).
+statement_keys(edge_of_line, [line]).
+statement_keys(part_of, [segment, edge, start, end]).
+statement_keys(edge_polygons, [segment, polygons]).
+statement_keys(edge_divided, [segment, edge, start, end]).
+statement_keys(edge_part, [segment, edge, start, end]).
+statement_keys(segments, [segment1, segment2]).
+statement_keys(lines_between, [count]).
+statement_keys(same_segment, []).
+statement_keys(refused, [segment1, segment2, rules]).
+statement_keys(no_common_piece, []).
+statement_keys(pair, [segment1, polygon1, segment2, polygon2]).
+statement_keys(pair_lines, [lines]).
+statement_keys(of_line, [line]).
+statement_keys(boxes_apart, [axis, high, low, lower]).
+statement_keys(no_line, []).
+statement_keys(elsewhere, [line, segment1, polygon1, segment2, polygon2]).
+statement_keys(triangles_apart, [count]).
+statement_keys(triangles, [reason, count]).
+statement_keys(example, [triangle1, triangle2]).
+statement_keys(common, [kind, end1, end2]).
+statement_keys(piece, [segment, polygon]).
+statement_keys(piece_of, [segment, polygon, sense]).
+statement_keys(polygon_in, [segment, polygon, node]).
+statement_keys(became, [segment, polygon, sense]).
+statement_keys(triangles_of, [count, verdict]).
+statement_keys(witness, [point]).
+statement_keys(round, [segment, below, above]).
+statement_keys(verdict, [verdict, rules]).
+statement_keys(hidden_line, [segment, edge, start, end]).
+statement_keys(outline_piece, [segment, edge, polygon, triangle]).
+statement_keys(behind_fold, [from]).
+statement_keys(stands_in, []).
+statement_keys(turned_away, [segment, polygon, from, to]).
+statement_keys(same_line, [segment1, edge1, segment2, edge2]).
+statement_keys(line_role, [role]).
+statement_keys(not_drawn, [role, lines]).
+statement_keys(end_on, []).
+statement_keys(backs, [segment, count]).
+statement_keys(hidden_part, [from, to]).
+statement_keys(hiding_face, [segment, polygon, from, to, distance]).
+statement_keys(surface_goes_on, [segment, polygon, from, to]).
+statement_keys(ends_with_line, [which, at]).
+statement_keys(ends_at_edge, [which, at, segment, edge, start, end]).
+statement_keys(ends_in_face, [which, at, segment, polygon]).
+statement_keys(visible_part, [from, to]).
+statement_keys(nothing_over, []).
+statement_keys(nowhere_visible, []).
+statement_keys(face_behind, [segment, polygon, from, to, distance]).
+statement_keys(line_in_face, [segment, polygon]).
+statement_keys(let_through,
+               [segment, polygon, from, to, decision, rules]).
+statement_keys(drawn_instead, [from, to, visibility, segment, edge, role]).
+statement_keys(seam_edge,
+               [segment, edge, partner, polygon1, polygon2, length]).
+statement_keys(fold_edge,
+               [segment, edge, partner, polygon1, polygon2, length, angle]).
+statement_keys(border_edge, [segment, edge, polygon]).
+statement_keys(line_in_polygon, [segment, edge, partner, polygon]).
+statement_keys(joined_already, [count, edge, length]).
+statement_keys(fold_on_the_way, [edge, polygon1, polygon2, length]).
+statement_keys(joined_in_order, [rules]).
+statement_keys(folds_exchanged, []).
+statement_keys(cut_instead, [edge, difference]).
+statement_keys(held_by_kept, []).
+statement_keys(kept_instead, [difference, pieces, pieces_before]).
+statement_keys(cut_here, [difference, pieces, pieces_before]).
+statement_keys(cannot_be_kept, [segment, polygon1, polygon2]).
+statement_keys(would_overlap, [segment, polygon1, polygon2]).
+statement_keys(would_overlap_instead, [segment, edge, polygon1, polygon2]).
+statement_keys(cut_by_wish, []).
+statement_keys(could_be_joined, []).
+statement_keys(cut_open, [part]).
+statement_keys(unrolled, [part]).
+statement_keys(kept_by_wish, []).
+statement_keys(may_not_join, [segment, edge, rules]).
+statement_keys(no_length, []).
+statement_keys(too_short, []).
+statement_keys(changed_since, []).
+statement_keys(pattern_piece, [segment, piece, polygons, pieces]).
+statement_keys(seams_out, [count]).
+statement_keys(no_seam_out, []).
+
+%!  segment_word(+S, -Word) is det.
+%
+%   Word is the name of segment S, or of the primitive it was made from, in
+%   parentheses and with a space before; '' if it has none.
+
+segment_word(S, Word) :-
+    (   segment(S, _, Name0),
+        plain_name(Name0, Name),
+        Name \== ''
+    ->  format(atom(Word), ' (~w)', [Name])
+    ;   Word = ''
+    ).
+
+plain_name(named(Name, _), Name) :-
+    !.
+plain_name(at(_, Name0), Name) :-
+    !,
+    plain_name(Name0, Name).
+plain_name(S, Name) :-
+    integer(S),
+    !,
+    format(atom(Name), 'segment ~d, placed', [S]).
+plain_name(Name0, Name) :-
+    (   compound(Name0)
+    ->  functor(Name0, Name, _)
+    ;   Name = Name0
+    ).
+
+%!  polygon_word(+S, +P, -Word) is det.
+%
+%   Word is the number of polygon P of segment S and, in parentheses, what it is
+%   of the primitive that S was made from, if it is one.
+
+polygon_word(S, P, Word) :-
+    polygon_name(S, P, Name),
+    face_word(face(P, Name), Word).
+
+%!  face_word(+Face, -Word) is det.
+%
+%   Likewise of face(P, Name), Name as of polygon_name/3.
+
+face_word(face(P, Name0), Word) :-
+    (   Name0 == P
+    ->  Word = P
+    ;   plain_numbers(Name0, Name),
+        format(atom(Word), '~w (~w)', [P, Name])
+    ).
+
+%   plain_numbers(Term0, Term): with 15 instead of 15.0.
+
+plain_numbers(Term0, Term) :-
+    (   float(Term0),
+        Term0 =:= truncate(Term0)
+    ->  Term is truncate(Term0)
+    ;   compound(Term0)
+    ->  mapargs(plain_numbers, Term0, Term)
+    ;   Term = Term0
+    ).
+
+%!  in_order(+Seat1, +Seat2, -Small, -Large) is det.
+%
+%   The two seats, that on the smaller feature first: a vertex, an edge, a
+%   face.
+
+in_order(Seat1, Seat2, Small, Large) :-
+    arg(3, Seat1, Place1),
+    arg(3, Seat2, Place2),
+    place_size(Place1, Size1),
+    place_size(Place2, Size2),
+    (   Size1 =< Size2
+    ->  Small = Seat1,
+        Large = Seat2
+    ;   Small = Seat2,
+        Large = Seat1
+    ).
+
+place_size(vertex(_), 0).
+place_size(edge(_, _), 1).
+place_size(face(_, _), 2).
+
+%!  exact_text(+X, -Length, -Text) is det.
+%
+%   Text is the rational X as people write it, Length characters.
+
+exact_text(X, Length, Text) :-
+    rational(X, N, D),
+    (   D =:= 1
+    ->  format(atom(Text), '~d', [N])
+    ;   format(atom(Text), '~d/~d', [N, D])
+    ),
+    atom_length(Text, Length).
+
+%!  point_text(+Point, -Text) is det.
+%
+%   Text is point(X,Y,Z) to 15 digits, for people.
+
+point_text(point(X,Y,Z), Text) :-
+    format(atom(Text), '(~15g, ~15g, ~15g)', [X, Y, Z]).

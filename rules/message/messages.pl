@@ -1,0 +1,387 @@
+:- module(sg_messages,
+          [ english//1                  % +Term
+          ]).
+:- use_module(command_en, [command_en//1]).
+:- use_module(csg_en, [csg_en//1]).
+:- use_module(explain_en, [statement_en//1, hidden_en//1]).
+:- use_module(openscad_en, [openscad_en//1]).
+:- use_module(development_en,
+              [ development_en//2, development_notice_en//2 ]).
+:- use_module(mesh_en, [mesh_en//1]).
+:- use_module(message_parts,
+              [counted//3, loading_fault//1, manual_page//1, place//3]).
+:- use_module(model_en, [model_en//1]).
+:- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
+:- use_module(true_en, [true_en//1]).
+:- use_module(unfold_en, [wish_en//3, unfold_en//1, trim_en//1]).
+:- use_module(primitive_en, [primitive_en//2]).
+:- use_module(style_en, [style_en//1]).
+:- use_module(sheet_en, [sheet_tiny_en//3]).
+:- use_module(pattern_en, [pattern_en//1]).
+:- use_module(written_en, [written_en//1, unwritten_en//1]).
+/** <module> Messages in English; messages_ko.pl has them in Korean.
+
+Every term that Sanggwan prints or raises has a clause of english//1 or, when
+it is error(model_error(What), location(File, Line, Column)) or
+error(geometry_error(What), _), of fault_en//1; and one in Korean with the
+same head (tests/rules/message/messages.plt). A fault says what is wrong, then
+on a new line what to do. Those of one topic are in files of their own,
+TOPIC_en.pl and TOPIC_ko.pl; what is left here is in a block for each file of
+rules.
+*/
+
+:- multifile prolog:message//1.
+
+prolog:message(Term) -->
+    english(Term).
+
+%!  english(+Term)// is semidet.
+%
+%   The message for Term in English.
+
+english(error(model_error(What), Context)) -->
+    { nonvar(Context),
+      Context = location(File, Line, Column)
+    },
+    place(File, Line, Column),
+    wrong_en(What).
+english(error(model_error(What), Context)) -->
+    { var(Context) },
+    wrong_en(What).
+english(error(geometry_error(What), Context)) -->
+    (   { nonvar(Context), Context = location(File, Line, Column) }
+    ->  place(File, Line, Column)
+    ;   []
+    ),
+    wrong_en(What).
+english(error(usage_error(What), _)) -->
+    command_en(What).
+english(error(domain_error(Domain, Value), _)) -->
+    drawing_en(domain(Domain, Value)).
+english(error(existence_error(directory, Folder), context(Writer, _))) -->
+    { Writer == sg_output:writing/3 },
+    command_en(no_folder(Folder)).
+english(error(representation_error(What), _)) -->
+    { What == float32 },
+    mesh_en(no_float32).
+english(error(cannot_write(File, Why), _)) -->
+    command_en(cannot_write(File, Why)).
+english(sanggwan_interrupt(_)) -->
+    notice_en(interrupted).
+english(sanggwan(What)) -->
+    notice_en(What).
+
+:- discontiguous
+    fault_en//1,
+    notice_en//1.
+
+%   wrong_en(What)//: what is wrong with a model, and what to do.
+
+wrong_en(What) -->
+    (   fault_en(What)
+    ->  []
+    ;   model_en(What)
+    ).
+
+fault_en(primitive(What, Term)) -->
+    primitive_en(What, Term).
+fault_en(csg(What)) -->
+    csg_en(What).
+fault_en(development(S, What)) -->
+    development_en(S, What).
+fault_en(operand(S, Faults)) -->
+    operand_en(S, Faults).
+fault_en(unfold(S, Wish, What)) -->
+    wish_en(S, Wish, What).
+fault_en(unfold(What)) -->
+    unfold_en(What).
+fault_en(trim(What)) -->
+    trim_en(What).
+fault_en(true(What)) -->
+    true_en(What).
+fault_en(style(What)) -->
+    style_en(What).
+
+
+                /*******************************
+                *            verbs             *
+                *******************************/
+
+notice_en(do_not_meet) -->
+    [ 'the segments do not meet: there are no penetration lines' ].
+notice_en(points_alone(N)) -->
+    [ 'the segments meet in points alone (~D): see explain vertex(S, V)'-
+      [N] ].
+notice_en(trim(What)) -->
+    trim_en(What).
+notice_en(unfold(What)) -->
+    unfold_en(What).
+notice_en(development(S, What)) -->
+    development_notice_en(S, What).
+notice_en(operand(What, S)) -->
+    operand_notice_en(What, S).
+notice_en(pattern(What)) -->
+    pattern_en(What).
+notice_en(one_segment) -->
+    [ 'one segment alone has no penetration lines' ].
+notice_en(empty_result(S, Name)) -->
+    [ 'segment ~d (~p) is empty: nothing is left of its operands'-[S, Name] ].
+notice_en(wrote(File)) -->
+    [ 'wrote ~w'-[File] ].
+notice_en(pen_travel(N, Way, Unsorted)) -->
+    { Metres is Way/1.0e6, Before is Unsorted/1.0e6 },
+    [ '~D lines for the pen; between them it goes ~3f m (~3f m unsorted)'-
+      [N, Metres, Before] ].
+notice_en(interrupted) -->
+    [ 'interrupted' ].
+notice_en(greeting) -->
+    [ 'Ask away: goals end with a full stop, halt. ends.', nl,
+      '  v/5 e/5 p/3 t/6 segment/3 are the model; penetrate. \c
+       draw(\'a.svg\'). show. rules.' ].
+notice_en(segment(S, Kind, Name)) -->
+    [ 'segment ~d: ~w ~p'-[S, Kind, Name] ].
+notice_en(uncaught(What)) -->
+    [ 'a goal or a rule ended with throw(~p)'-[What], nl,
+      '  Catch it there, or throw error(Formal, Context).' ].
+notice_en(no_answer) -->
+    [ 'no' ].
+notice_en(warnings_are_errors(N)) -->
+    counted(N, warning, warnings),
+    [ ', and --strict was given' ].
+notice_en(no_end) -->
+    [ 'the work came to no end and to no result: a fault of the program', nl,
+      '  Please send the model and the command to those who made it.' ].
+notice_en(progress(Stage, Seconds)) -->
+    [ '~w: ~0f s'-[Stage, Seconds] ].
+notice_en(progress(Stage, Done, Total, Rate, Left)) -->
+    [ '~w: ~D of ~D, ~0f a second, ~0f s left'-
+      [Stage, Done, Total, Rate, Left] ].
+
+
+notice_en(not_utf8(File, Line)) -->
+    [ '~w:~d: the file holds bytes that are not UTF-8, first in the fact \c
+       that ends here'-[File, Line], nl,
+      '  Save the file as UTF-8; names in it may be wrong.' ].
+
+
+                /*******************************
+                *             mesh             *
+                *******************************/
+
+fault_en(openscad(What)) -->
+    openscad_en(What).
+fault_en(mesh(Fault)) -->
+    mesh_en(Fault).
+fault_en(mesh(Fault, Byte)) -->
+    [ 'at byte ~D: '-[Byte] ],
+    mesh_en(Fault).
+
+fault_en(mesh_write(unsupported(Text))) -->
+    [ 'this format cannot hold ~w'-[Text], nl,
+      '  Write .obj or .ply instead.' ].
+
+fault_en(written(faulty(S, Rounds, What))) -->
+    [ 'segment ~d is not written, after ~D rounds: '-[S, Rounds] ],
+    unwritten_en(What).
+fault_en(no_triangles(S, P)) -->
+    [ 'polygon ~d of segment ~d has no triangles'-[P, S], nl,
+      '  It may be invalid: see what check says; else call \c
+       complete_segments.' ].
+
+notice_en(mesh(File, degenerate(N))) -->
+    [ '~w: '-[File] ],
+    counted(N, face, faces),
+    [ ' left out: without three different corners' ].
+notice_en(mesh(File, ignored(N, Line))) -->
+    [ '~w: '-[File] ],
+    counted(N, item, items),
+    [ ' of unknown kind passed over, the first in line ~D'-[Line] ].
+notice_en(mesh(File, no_curves(N))) -->
+    [ '~w: STL holds no curves: ~D left out'-[File, N] ].
+notice_en(written(File, What)) -->
+    [ '~w: '-[File] ],
+    written_en(What).
+notice_en(mesh(File, trailing(Bytes))) -->
+    [ '~w: '-[File] ],
+    counted(Bytes, byte, bytes),
+    [ ' behind the mesh passed over' ].
+
+
+                /*******************************
+                *            drawing           *
+                *******************************/
+
+%   drawing_en(domain(Domain, Value))//: options of a drawing.
+
+drawing_en(domain(sheet_size, W-H)) -->
+    { number(W), number(H) },
+    [ 'the picture would be ~0f x ~0f mm large'-[W,H], nl,
+      '  Take a smaller --scale; a side can be above 0 and up to 100000 mm.' ].
+drawing_en(domain(sheet_size, Size)) -->
+    [ 'no sheet has the size ~p'-[Size], nl,
+      '  Give width x height in mm, like 210x148, up to 100000.' ].
+drawing_en(domain(raster_size, W-H)) -->
+    [ 'a picture cannot have ~p x ~p dots'-[W, H], nl,
+      '  Each side has 1 to 16384, all together 67 million at most.' ].
+drawing_en(domain(dot_pattern, Pattern)) -->
+    [ 'no pattern of dots is written ~p'-[Pattern], nl,
+      '  Give N, for N on and N off, or a list [On, Off, ...].' ].
+drawing_en(domain(drawing_format, Ending)) -->
+    [ 'no drawing has the ending .~w'-[Ending], nl,
+      '  Drawings are .svg .pdf .eps .ps .png .dxf .hpgl .json .pl files.' ].
+drawing_en(domain(dashes, How)) -->
+    [ 'dashes are auto, geometry or type, not ~p'-[How] ].
+drawing_en(domain(png, How)) -->
+    [ 'a PNG is smooth or dots, not ~p'-[How] ].
+
+notice_en(sheet_tiny(N:M, How)) -->
+    sheet_tiny_en(N, M, How).
+notice_en(nothing_drawn) -->
+    [ 'there is nothing to draw' ].
+notice_en(style_in_vain(Segment)) -->
+    [ 'the style has lines of segment ~p, but the model has no such segment'-
+          [Segment] ].
+
+
+                /*******************************
+                *             view             *
+                *******************************/
+
+fault_en(eye_in_model(D)) -->
+    [ 'the eye is in or behind the model: its nearest point is at ~4g'-[D],
+      nl,
+      '  Go further away (--eye, or a larger RHO), or use the parallel \c
+       projection.' ].
+
+
+                /*******************************
+                *         triangulation        *
+                *******************************/
+
+fault_en(no_third_vertex(V1, V2)) -->
+    [ 'the edge from vertex ~d to ~d has no third vertex'-[V1, V2], nl,
+      '  The polygon crosses or overlaps itself there.' ].
+fault_en(polygon_edge(S, P, V1, V2)) -->
+    invalid_polygon_en(S, P, V1, V2).
+
+notice_en(polygon_edge(S, P, V1, V2)) -->
+    invalid_polygon_en(S, P, V1, V2),
+    [ nl, '  It is left out.' ].
+notice_en(no_area(S, Count, P)) -->
+    [ 'polygons without area in segment ~d: ~D (the first is ~d)'-
+      [S, Count, P], nl, '  Left out.' ].
+fault_en(tolerance(Tolerance, Most)) -->
+    [ 'a tolerance of ~4g is too large: a part is hardly larger'-[Tolerance],
+      nl,
+      '  Give --tolerance ~4g or less, or none.'-[Most] ].
+fault_en(result_open) -->
+    [ 'the result would not be closed', nl,
+      '  Give a larger or smaller --tolerance, or --repair the operands.' ].
+
+notice_en(opened(contacts)) -->
+    [ 'what nearly touches was left as it is: else the result were open', nl,
+      '  There may be splinters.' ].
+notice_en(opened(faces)) -->
+    [ 'coplanar faces were left apart: as one, the result were open' ].
+notice_en(contacts(Why)) -->
+    contacts_en(Why),
+    [ nl,
+      '  The lines are right for the model as it is; there may be splinters.' ].
+notice_en(not_flat(S, Count, P, Off)) -->
+    [ 'polygons that are not flat in segment ~d: ~D (the worst is ~d, by ~4g)'-
+      [S, Count, P, Off], nl,
+      '  Used as their triangles.' ].
+
+invalid_polygon_en(S, P, V1, V2) -->
+    [ 'polygon ~d of segment ~d is invalid: no triangle fits its edge from \c
+       vertex ~d to ~d'-[P, S, V1, V2], nl,
+      '  It crosses or overlaps itself, or a hole is outside or runs the \c
+       wrong way round.' ].
+
+
+                /*******************************
+                *           decision           *
+                *******************************/
+
+fault_en(rules(no_decision(PI))) -->
+    [ '~q is no decision, and nothing in this rule file calls it'-[PI], nl,
+      '  Correct its name (rules/0 lists the decisions), or remove it.' ].
+fault_en(rules(no_decisions)) -->
+    [ 'this rule file replaces no decision', nl,
+      '  Define one of those that rules/0 lists.' ].
+fault_en(rules(module_file)) -->
+    [ 'a rule file has no module header', nl,
+      '  Remove the directive :- module(...).' ].
+fault_en(rules(Formal)) -->
+    { \+ memberchk(Formal, [no_decision(_), no_decisions, module_file]) },
+    [ 'this rule file cannot be loaded: ' ],
+    loading_fault(Formal),
+    [ nl, '  Correct it; the rules are as they were before.' ].
+
+notice_en(decision(Name/Arity, Doc, By)) -->
+    [ '~q/~d: ~w'-[Name, Arity, Doc], nl,
+      '    defined by: ~w'-[By] ].
+
+
+
+
+                /*******************************
+                *         hidden_lines         *
+                *******************************/
+
+notice_en(lines_by_rules(Lines, Each)) -->
+    counted(Lines, line, lines),
+    [ ' drawn by the rules, not by the kernel: a decision is replaced', nl,
+      '  ~1f microseconds a line'-[Each] ].
+
+
+                /*******************************
+                *             help             *
+                *******************************/
+
+notice_en(no_help(What, Names)) -->
+    [ 'there is no help on ~p'-[What], nl ],
+    (   { Names == [] }
+    ->  [ '  help. lists what there is.' ]
+    ;   { atomic_list_concat(Names, ', ', All) },
+        [ '  Like it are: ~w; help. lists all.'-[All] ]
+    ).
+notice_en(prolog_help(PI, Where)) -->
+    [ '~q is Prolog\'s own (~q): see'-[PI, Where], nl ],
+    manual_page(PI).
+
+
+
+
+                /*******************************
+                *            explain           *
+                *******************************/
+
+notice_en(because(Statement)) -->
+    statement_en(Statement).
+notice_en(nothing_to_explain(piece(S, P))) -->
+    !,
+    [ 'there is nothing to explain in ~p'-[piece(S, P)], nl,
+      '  piece(S, P) is polygon P of S, a segment that is an operation on \c
+       solids; piece(S, S0-P0) is polygon P0 of its operand S0.' ].
+notice_en(nothing_to_explain(Item)) -->
+    { memberchk(Item, [hidden(_), hidden(_, _), why_not(_)]) },
+    !,
+    hidden_en(nothing(Item)).
+notice_en(nothing_to_explain(Item)) -->
+    [ 'there is nothing to explain in ~p'-[Item], nl,
+      '  Ask for line(L), vertex(S, V), edge(S, E), \c
+       pair(S1-P1, S2-P2), pair(S1, S2), piece(S, P) or piece(S, S0-P0), with \c
+       numbers of the model; \c
+       lines are there after penetrate. hidden(S, E) and \c
+       why_not(hidden(S, E)) are of the picture; seam(S, E), fold(S, E) and \c
+       pattern(S, K) of the flat pattern of segment S.' ].
+%   Why contacts within the tolerance were not made to touch (resolve.pl).
+
+contacts_en(wide(S, V)) -->
+    [ 'vertex ~d of segment ~d hangs together with others over more than '-
+      [V, S], 'three tolerances;', nl,
+      '  what touches within the tolerance was left as it is.' ].
+contacts_en(stuck(S, P)) -->
+    [ 'polygon ~d of segment ~d cannot take in all that touches it '-[P, S],
+      'within the tolerance;', nl, '  it was left as it is.' ].

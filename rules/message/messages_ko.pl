@@ -1,0 +1,375 @@
+:- encoding(utf8).
+:- module(sg_messages_ko,
+          [ korean//1                   % +Term
+          ]).
+:- use_module(command_ko, [command_ko//1]).
+:- use_module(csg_ko, [csg_ko//1]).
+:- use_module(explain_ko, [statement_ko//1, hidden_ko//1]).
+:- use_module(openscad_ko, [openscad_ko//1]).
+:- use_module(style_ko, [style_ko//1]).
+:- use_module(sheet_ko, [sheet_tiny_ko//3]).
+:- use_module(pattern_ko, [pattern_ko//1]).
+:- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
+:- use_module(development_ko,
+              [ development_ko//2, development_notice_ko//2 ]).
+:- use_module(mesh_ko, [mesh_ko//1]).
+:- use_module(message_parts, [loading_fault//1, manual_page//1, place//3]).
+:- use_module(model_ko, [model_ko//1]).
+:- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
+:- use_module(true_ko, [true_ko//1]).
+:- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
+:- use_module(primitive_ko, [primitive_ko//2]).
+/** <module> Messages in Korean; messages.pl has them in English.
+
+The heads are the same as in messages.pl, clause by clause
+(tests/rules/message/messages.plt).
+*/
+
+:- multifile prolog:message//2.
+
+prolog:message(ko, Term) -->
+    korean(Term).
+prolog:message(ko, Term) -->
+    prologs_own(Term).
+
+%   prologs_own(Term)//: errors of Prolog that people meet when they ask.
+
+prologs_own(error(existence_error(procedure, PI), _)) -->
+    [ '프레디킷 ~q 이(가) 없습니다'-[PI] ].
+prologs_own(error(instantiation_error, _)) -->
+    [ '변수에 값이 있어야 합니다' ].
+prologs_own(error(type_error(Type, Value), _)) -->
+    [ '형이 맞지 않습니다: ~w 이어야 하는데 ~p 입니다'-[Type, Value] ].
+
+%!  korean(+Term)// is semidet.
+%
+%   The message for Term in Korean.
+
+korean(error(model_error(What), Context)) -->
+    { nonvar(Context),
+      Context = location(File, Line, Column)
+    },
+    place(File, Line, Column),
+    wrong_ko(What).
+korean(error(model_error(What), Context)) -->
+    { var(Context) },
+    wrong_ko(What).
+korean(error(geometry_error(What), Context)) -->
+    (   { nonvar(Context), Context = location(File, Line, Column) }
+    ->  place(File, Line, Column)
+    ;   []
+    ),
+    wrong_ko(What).
+korean(error(usage_error(What), _)) -->
+    command_ko(What).
+korean(error(domain_error(Domain, Value), _)) -->
+    drawing_ko(domain(Domain, Value)).
+korean(error(existence_error(directory, Folder), context(Writer, _))) -->
+    { Writer == sg_output:writing/3 },
+    command_ko(no_folder(Folder)).
+korean(error(representation_error(What), _)) -->
+    { What == float32 },
+    mesh_ko(no_float32).
+korean(error(cannot_write(File, Why), _)) -->
+    command_ko(cannot_write(File, Why)).
+korean(sanggwan_interrupt(_)) -->
+    notice_ko(interrupted).
+korean(sanggwan(What)) -->
+    notice_ko(What).
+
+:- discontiguous
+    fault_ko//1,
+    notice_ko//1.
+
+%   wrong_ko(What)//: what is wrong with a model, and what to do.
+
+wrong_ko(What) -->
+    (   fault_ko(What)
+    ->  []
+    ;   model_ko(What)
+    ).
+
+fault_ko(primitive(What, Term)) -->
+    primitive_ko(What, Term).
+fault_ko(csg(What)) -->
+    csg_ko(What).
+fault_ko(development(S, What)) -->
+    development_ko(S, What).
+fault_ko(operand(S, Faults)) -->
+    operand_ko(S, Faults).
+fault_ko(unfold(S, Wish, What)) -->
+    wish_ko(S, Wish, What).
+fault_ko(unfold(What)) -->
+    unfold_ko(What).
+fault_ko(trim(What)) -->
+    trim_ko(What).
+fault_ko(true(What)) -->
+    true_ko(What).
+fault_ko(style(What)) -->
+    style_ko(What).
+
+
+                /*******************************
+                *            verbs             *
+                *******************************/
+
+notice_ko(do_not_meet) -->
+    [ '세그먼트들이 만나지 않아 상관선이 없습니다' ].
+notice_ko(points_alone(N)) -->
+    [ '세그먼트들이 점 ~D개에서만 만납니다: explain vertex(S, V)'-[N] ].
+notice_ko(trim(What)) -->
+    trim_ko(What).
+notice_ko(unfold(What)) -->
+    unfold_ko(What).
+notice_ko(development(S, What)) -->
+    development_notice_ko(S, What).
+notice_ko(operand(What, S)) -->
+    operand_notice_ko(What, S).
+notice_ko(pattern(What)) -->
+    pattern_ko(What).
+notice_ko(one_segment) -->
+    [ '세그먼트가 하나뿐이라 상관선이 없습니다' ].
+notice_ko(empty_result(S, Name)) -->
+    [ '세그먼트 ~d(~p) 이(가) 비었습니다. 피연산자에서 남은 것이 없습니다'-[S, Name] ].
+notice_ko(wrote(File)) -->
+    [ '~w 을(를) 썼습니다'-[File] ].
+notice_ko(pen_travel(N, Way, Unsorted)) -->
+    { Metres is Way/1.0e6, Before is Unsorted/1.0e6 },
+    [ '펜이 그리는 선 ~D개, 그 사이를 ~3f m 간다 (차례를 바꾸지 않으면 ~3f m)'-
+      [N, Metres, Before] ].
+notice_ko(interrupted) -->
+    [ '중단되었습니다' ].
+notice_ko(greeting) -->
+    [ '목표를 물어보십시오. 마침표로 끝나며 halt. 로 나갑니다.', nl,
+      '  모델은 v/5 e/5 p/3 t/6 segment/3 입니다. penetrate. \c
+       draw(\'a.svg\'). show. rules.' ].
+notice_ko(segment(S, Kind, Name)) -->
+    [ '세그먼트 ~d: ~w ~p'-[S, Kind, Name] ].
+notice_ko(uncaught(What)) -->
+    [ '목표나 규칙이 throw(~p) 로 끝났습니다'-[What], nl,
+      '  거기에서 잡거나 error(Formal, Context) 를 던지십시오.' ].
+notice_ko(no_answer) -->
+    [ '아니오' ].
+notice_ko(warnings_are_errors(N)) -->
+    [ '경고 ~d개, --strict 가 주어졌습니다'-[N] ].
+notice_ko(no_end) -->
+    [ '일이 결과 없이 끝났습니다. 프로그램의 잘못입니다', nl,
+      '  모형과 명령을 만든 사람에게 보내 주십시오.' ].
+notice_ko(progress(Stage, Seconds)) -->
+    [ '~w: ~0f초'-[Stage, Seconds] ].
+notice_ko(progress(Stage, Done, Total, Rate, Left)) -->
+    [ '~w: ~D / ~D, 초당 ~0f, 남은 시간 ~0f초'-
+      [Stage, Done, Total, Rate, Left] ].
+
+
+notice_ko(not_utf8(File, Line)) -->
+    [ '~w:~d: 파일에 UTF-8이 아닌 바이트가 있습니다. 처음은 여기서 끝나는 사실입니다'-
+      [File, Line], nl,
+      '  파일을 UTF-8로 저장하십시오. 이름이 잘못되었을 수 있습니다.' ].
+
+
+                /*******************************
+                *             mesh             *
+                *******************************/
+
+fault_ko(openscad(What)) -->
+    openscad_ko(What).
+fault_ko(mesh(Fault)) -->
+    mesh_ko(Fault).
+fault_ko(mesh(Fault, Byte)) -->
+    [ '~D번째 바이트: '-[Byte] ],
+    mesh_ko(Fault).
+
+fault_ko(mesh_write(unsupported(Text))) -->
+    [ '이 형식은 ~w 을(를) 담을 수 없습니다'-[Text], nl,
+      '  .obj 나 .ply 로 쓰십시오.' ].
+
+fault_ko(written(faulty(S, Rounds, What))) -->
+    [ '세그먼트 ~d을(를) 쓰지 않았다, ~D번 뒤: '-[S, Rounds] ],
+    unwritten_ko(What).
+fault_ko(no_triangles(S, P)) -->
+    [ '세그먼트 ~d의 다각형 ~d에 삼각형이 없습니다'-[S, P], nl,
+      '  잘못된 다각형일 수 있습니다: check로 살펴보거나 complete_segments를 \c
+       부르십시오.' ].
+
+notice_ko(mesh(File, degenerate(N))) -->
+    [ '~w: 서로 다른 세 꼭지점이 없는 면 ~D개를 뺐습니다'-[File, N] ].
+notice_ko(mesh(File, ignored(N, Line))) -->
+    [ '~w: 모르는 항목 ~D개를 건너뛰었습니다. 처음은 ~D번째 줄'-
+      [File, N, Line] ].
+notice_ko(mesh(File, no_curves(N))) -->
+    [ '~w: STL에는 곡선이 없어 ~D개를 뺐습니다'-[File, N] ].
+notice_ko(written(File, What)) -->
+    [ '~w: '-[File] ],
+    written_ko(What).
+notice_ko(mesh(File, trailing(Bytes))) -->
+    [ '~w: 메시 뒤의 ~D 바이트를 건너뛰었습니다'-[File, Bytes] ].
+
+
+                /*******************************
+                *            drawing           *
+                *******************************/
+
+drawing_ko(domain(sheet_size, W-H)) -->
+    { number(W), number(H) },
+    [ '그림이 ~0f x ~0f mm 나 된다'-[W,H], nl,
+      '  더 작은 --scale을 쓴다. 각 변은 0보다 크고 100000 mm까지 된다.' ].
+drawing_ko(domain(sheet_size, Size)) -->
+    [ '~p은(는) 종이의 크기가 아니다'-[Size], nl,
+      '  너비x높이를 210x148처럼 mm로 쓴다. 100000까지 된다.' ].
+drawing_ko(domain(raster_size, W-H)) -->
+    [ '그림은 ~p x ~p 점이 될 수 없다'-[W, H], nl,
+      '  한 변은 1에서 16384까지, 모두 6700만 점까지 된다.' ].
+drawing_ko(domain(dot_pattern, Pattern)) -->
+    [ '~p은(는) 점의 무늬가 아니다'-[Pattern], nl,
+      '  N개 찍고 N개 비우는 N이나 목록 [찍음, 비움, ...]으로 쓴다.' ].
+drawing_ko(domain(drawing_format, Ending)) -->
+    [ '확장자 .~w인 그림은 없다'-[Ending], nl,
+      '  그림은 .svg .pdf .eps .ps .png .dxf .hpgl .json .pl 파일이다.' ].
+drawing_ko(domain(dashes, How)) -->
+    [ '점선은 auto, geometry, type 가운데 하나이며 ~p 은(는) 아니다'-[How] ].
+drawing_ko(domain(png, How)) -->
+    [ 'PNG 는 smooth 또는 dots 이며 ~p 은(는) 아니다'-[How] ].
+
+notice_ko(sheet_tiny(N:M, How)) -->
+    sheet_tiny_ko(N, M, How).
+notice_ko(nothing_drawn) -->
+    [ '그릴 것이 없습니다' ].
+notice_ko(style_in_vain(Segment)) -->
+    [ '모양 파일이 세그먼트 ~p 의 선을 말하지만, 모델에 그런 세그먼트가 \c
+       없습니다'-[Segment] ].
+
+
+                /*******************************
+                *             view             *
+                *******************************/
+
+fault_ko(eye_in_model(D)) -->
+    [ '시점이 모델 안이나 뒤에 있습니다: 가장 가까운 점이 ~4g 입니다'-[D], nl,
+      '  더 멀리 가거나(--eye, 더 큰 RHO) 평행 투상을 쓰십시오.' ].
+
+
+                /*******************************
+                *           decision           *
+                *******************************/
+
+fault_ko(rules(no_decision(PI))) -->
+    [ '~q 은(는) 판단의 이름이 아니고, 이 규칙 파일에서 부르지도 않습니다'-[PI],
+      nl,
+      '  이름을 고치거나(rules/0 이 이름을 보여 줍니다) 지우십시오.' ].
+fault_ko(rules(no_decisions)) -->
+    [ '이 규칙 파일은 아무 판단도 바꾸지 않습니다', nl,
+      '  rules/0 이 보여 주는 판단 가운데 하나를 정의하십시오.' ].
+fault_ko(rules(module_file)) -->
+    [ '규칙 파일에는 모듈 머리말이 없어야 합니다', nl,
+      '  지시문 :- module(...) 을 지우십시오.' ].
+fault_ko(rules(Formal)) -->
+    { \+ memberchk(Formal, [no_decision(_), no_decisions, module_file]) },
+    [ '이 규칙 파일을 읽을 수 없습니다: ' ],
+    loading_fault(Formal),
+    [ nl, '  고치십시오. 규칙은 전과 같습니다.' ].
+
+notice_ko(decision(Name/Arity, Doc, By)) -->
+    [ '~q/~d: ~w'-[Name, Arity, Doc], nl,
+      '    정의한 곳: ~w'-[By] ].
+
+
+                /*******************************
+                *         triangulation        *
+                *******************************/
+
+fault_ko(no_third_vertex(V1, V2)) -->
+    [ '꼭지점 ~d 에서 ~d 로 가는 모서리에 셋째 꼭지점이 없습니다'-[V1, V2], nl,
+      '  다각형이 그곳에서 스스로 엇갈리거나 겹칩니다.' ].
+fault_ko(polygon_edge(S, P, V1, V2)) -->
+    invalid_polygon_ko(S, P, V1, V2).
+
+notice_ko(polygon_edge(S, P, V1, V2)) -->
+    invalid_polygon_ko(S, P, V1, V2),
+    [ nl, '  빼고 계속합니다.' ].
+notice_ko(no_area(S, Count, P)) -->
+    [ '세그먼트 ~d 의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
+      [S, Count, P], nl,
+      '  빼고 계속합니다.' ].
+fault_ko(tolerance(Tolerance, Most)) -->
+    [ '허용 오차 ~4g 는 너무 큽니다: 그보다 별로 크지 않은 부분이 있습니다'-
+      [Tolerance], nl,
+      '  --tolerance 를 ~4g 이하로 주거나 빼십시오.'-[Most] ].
+fault_ko(result_open) -->
+    [ '결과가 닫히지 않습니다', nl,
+      '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
+
+notice_ko(opened(contacts)) -->
+    [ '거의 닿는 곳을 그대로 두었습니다: 아니면 결과가 열립니다', nl,
+      '  부스러기가 남을 수 있습니다.' ].
+notice_ko(opened(faces)) -->
+    [ '한 평면의 면들을 나눈 채 두었습니다: 합치면 결과가 열립니다' ].
+notice_ko(contacts(Why)) -->
+    contacts_ko(Why),
+    [ nl, '  선은 모델 그대로에 대해 정확하지만, 가는 조각이 있을 수 있습니다.' ].
+notice_ko(not_flat(S, Count, P, Off)) -->
+    [ '세그먼트 ~d 의 다각형 ~D개는 평평하지 않습니다 (가장 심한 ~d: ~4g)'-
+      [S, Count, P, Off], nl,
+      '  삼각형으로 나누어 씁니다.' ].
+
+invalid_polygon_ko(S, P, V1, V2) -->
+    [ '세그먼트 ~d 의 다각형 ~d 은(는) 꼭지점 ~d 와 ~d 사이에서 스스로 \c
+       엇갈리거나 겹칩니다'-[S, P, V1, V2] ].
+
+
+                /*******************************
+                *         hidden_lines         *
+                *******************************/
+
+notice_ko(lines_by_rules(Lines, Each)) -->
+    [ '선 ~D 개를 커널이 아니라 규칙으로 그렸습니다: 판단이 바뀌었습니다'-[Lines], nl,
+      '  선마다 ~1f 마이크로초'-[Each] ].
+
+
+                /*******************************
+                *             help             *
+                *******************************/
+
+notice_ko(no_help(What, Names)) -->
+    [ '~p에 대한 도움말이 없습니다'-[What], nl ],
+    (   { Names == [] }
+    ->  [ '  help. 를 입력하면 목록을 볼 수 있습니다.' ]
+    ;   { atomic_list_concat(Names, ', ', All) },
+        [ '  비슷한 이름: ~w. 전체 목록은 help. 로 볼 수 있습니다.'-[All] ]
+    ).
+notice_ko(prolog_help(PI, Where)) -->
+    [ '~q은(는) Prolog 자체의 것입니다 (~q). 설명서:'-[PI, Where], nl ],
+    manual_page(PI).
+
+
+                /*******************************
+                *            explain           *
+                *******************************/
+
+notice_ko(because(Statement)) -->
+    statement_ko(Statement).
+notice_ko(nothing_to_explain(piece(S, P))) -->
+    !,
+    [ '~p 에는 설명할 것이 없습니다'-[piece(S, P)], nl,
+      '  piece(S, P) 는 입체의 연산인 세그먼트 S 의 다각형 P 이고, \c
+       piece(S, S0-P0) 는 그 피연산자 S0 의 다각형 P0 입니다.' ].
+notice_ko(nothing_to_explain(Item)) -->
+    { memberchk(Item, [hidden(_), hidden(_, _), why_not(_)]) },
+    !,
+    hidden_ko(nothing(Item)).
+notice_ko(nothing_to_explain(Item)) -->
+    [ '~p: 설명할 것이 없습니다'-[Item], nl,
+      '  line(L), vertex(S, V), edge(S, E), pair(S1-P1, S2-P2), \c
+       pair(S1, S2), piece(S, P), piece(S, S0-P0) 를 모델의 번호로 \c
+       물어보십시오. 선은 penetrate 다음에 \c
+       있습니다. seam(S, E), fold(S, E), pattern(S, K) 는 세그먼트 S 의 \c
+       전개도에 관한 것입니다.' ].
+%   허용 오차 안의 접촉을 맞추지 못한 까닭 (resolve.pl).
+
+contacts_ko(wide(S, V)) -->
+    [ '세그먼트 ~d 의 꼭짓점 ~d 이(가) 허용 오차의 세 배보다 넓게 다른 것과 '-
+      [S, V], '이어져 있습니다;', nl,
+      '  허용 오차 안에서 닿는 것을 그대로 두었습니다.' ].
+contacts_ko(stuck(S, P)) -->
+    [ '세그먼트 ~d 의 다각형 ~d 이(가) 허용 오차 안에서 닿는 것을 모두 '-
+      [S, P], '받아들이지 못합니다;', nl, '  그대로 두었습니다.' ].

@@ -1,0 +1,192 @@
+:- encoding(utf8).
+:- module(sg_unfold_ko,
+          [ wish_ko//3,                 % +S, +Wish, +What
+            unfold_ko//1,               % +What
+            trim_ko//1                  % +What
+          ]).
+:- use_module(unfold_en, [known_polygons_listed//2, known_segments/2]).
+:- use_module('../unfolding/unfold_wish', [wish_form/2]).
+/** <module> What is wrong with an unfolding, in Korean.
+
+unfold_en.pl has the same heads in English.
+*/
+
+%!  wish_ko(+S, +Wish, +What)// is det.
+%
+%   The message for unfold(S, Wish, What), as of unfold_wish.pl.
+
+wish_ko(S, Wish, What) -->
+    [ '세그먼트 ~d을(를) ~p(으)로 전개할 수 없습니다: '-[S, Wish] ],
+    wish_fault_ko(What).
+
+wish_fault_ko(no_segment) -->
+    [ '그런 세그먼트가 없습니다' ].
+wish_fault_ko(unknown_wish) -->
+    { findall(Form, wish_form(_, Form), Forms),
+      atomic_list_concat(Forms, ', ', All) },
+    [ '그런 지정은 없습니다', nl, '  쓸 수 있는 것: ~w.'-[All] ].
+wish_fault_ko(form(Form)) -->
+    [ '~w 꼴이어야 합니다'-[Form], nl,
+      '  다각형은 번호나 base, side(2) 같은 이름이고, 모서리는 번호, \c
+       base-side(2) 같은 두 다각형, 또는 양 끝 v(1)-v(2)입니다.' ].
+wish_fault_ko(no_polygon(Name, Ps, Names)) -->
+    [ '다각형 ~p이(가) 없습니다'-[Name], nl, '  있는 것: ' ],
+    known_polygons_listed(Ps, Names).
+wish_fault_ko(several(Name, Faces)) -->
+    [ '~p은(는) 다각형 하나가 아닙니다: '-[Name] ],
+    faces_ko(Faces).
+wish_fault_ko(no_edge(Name)) -->
+    [ '모서리 ~p이(가) 없습니다'-[Name] ].
+wish_fault_ko(apart(Name1, Name2, Face, Faces)) -->
+    [ '~p와(과) ~p은(는) 함께 가진 모서리가 없습니다'-[Name1, Name2], nl, '  ' ],
+    face_ko(Face),
+    [ '의 이웃: ' ],
+    faces_ko(Faces).
+wish_fault_ko(border(E, Face)) -->
+    face_ko(Face),
+    [ '의 모서리 ~d은(는) 짝이 없어, 잇거나 자를 것이 없습니다'-[E] ].
+wish_fault_ko(cut_and_keep(E, Face1, Face2)) -->
+    two_ko(Face1, Face2),
+    [ ' 사이의 모서리 ~d을(를) 자르면서 이으라고 했습니다'-[E] ].
+wish_fault_ko(two_roots(Face1, Face2)) -->
+    [ '기준면은 하나여야 합니다: ' ],
+    two_ko(Face1, Face2).
+wish_fault_ko(removed_root(Face)) -->
+    [ '기준면 ' ],
+    face_ko(Face),
+    [ '을(를) 빼라고 했습니다' ].
+wish_fault_ko(removed_all) -->
+    [ '다각형을 모두 빼면 남는 것이 없습니다' ].
+wish_fault_ko(removed_keep(E, Face)) -->
+    [ '모서리 ~d을(를) 이을 수 없습니다: '-[E] ],
+    face_ko(Face),
+    [ '을(를) 빼라고 했습니다' ].
+wish_fault_ko(order_removed(Face)) -->
+    face_ko(Face),
+    [ '을(를) 빼라고 했습니다' ].
+wish_fault_ko(order_twice(Face)) -->
+    face_ko(Face),
+    [ '이(가) 두 번 있습니다' ].
+wish_fault_ko(order_root(Root, First)) -->
+    [ '기준면은 ' ],
+    face_ko(Root),
+    [ '인데 차례는 ' ],
+    face_ko(First),
+    [ '에서 시작합니다' ].
+wish_fault_ko(order_apart(Face, Before)) -->
+    face_ko(Face),
+    [ '은(는) 앞의 것들과 함께 가진 모서리가 없습니다: ' ],
+    faces_ko(Before).
+wish_fault_ko(order_cut(Face, Before)) -->
+    face_ko(Face),
+    [ '와(과) 앞의 것들 사이의 모서리를 모두 자르라고 했습니다: ' ],
+    faces_ko(Before).
+wish_fault_ko(ring(E, Face1, Face2)) -->
+    two_ko(Face1, Face2),
+    [ ' 사이의 모서리 ~d까지 이으면 고리가 되어 평평하게 놓을 수 없습니다'-[E] ].
+
+two_ko(Face1, Face2) -->
+    face_ko(Face1),
+    [ '와(과) ' ],
+    face_ko(Face2).
+
+face_ko(face(P, Name)) -->
+    (   { Name == P }
+    ->  [ '다각형 ~d'-[P] ]
+    ;   [ '다각형 ~d (~p)'-[P, Name] ]
+    ).
+
+faces_ko(Faces) -->
+    listed_ko(Faces, 12).
+
+listed_ko([], _) -->
+    [ '없음' ].
+listed_ko([Face], _) -->
+    !,
+    face_ko(Face).
+listed_ko(Faces, 0) -->
+    !,
+    { length(Faces, N) },
+    [ '그 밖에 ~D개'-[N] ].
+listed_ko([Face|Faces], N) -->
+    face_ko(Face),
+    [ ', ' ],
+    { N1 is N-1 },
+    listed_ko(Faces, N1).
+
+%!  unfold_ko(+What)// is det.
+%
+%   The message for unfold(What), of an error or a notice.
+
+unfold_ko(nothing_to_unfold) -->
+    [ '전개할 것이 없습니다: 모델에 입체도 곡면도 없습니다' ].
+unfold_ko(no_segment(Name, Known)) -->
+    { known_segments(Known, All) },
+    [ '세그먼트 ~p이(가) 없습니다. 있는 것: ~w'-[Name, All] ].
+unfold_ko(kind(S, Kind)) -->
+    [ '세그먼트 ~d은(는) ~w(이)라 전개할 면이 없습니다'-[S, Kind] ].
+unfold_ko(which_segment(Option, Known)) -->
+    { atomic_list_concat(Known, ', ', All) },
+    [ '~w 은(는) 한 세그먼트에 대한 것인데 여럿을 전개합니다: ~w'-
+      [Option, All], nl, '  --only 로 하나를 고르십시오.' ].
+unfold_ko(no_term(Option, Text)) -->
+    [ '~w: ~w을(를) 읽을 수 없습니다'-[Option, Text], nl,
+      '  다각형은 번호나 base, side(2) 같은 이름, 모서리는 4-7, base-side(2), \c
+       v(1)-v(2) 이며 쉼표로 나눕니다.' ].
+unfold_ko(no_names(Option, Text)) -->
+    [ '~w: ~w을(를) 읽을 수 없습니다'-[Option, Text], nl,
+      '  세그먼트는 번호나 이름이며 쉼표로 나눕니다. 글자가 아닌 것이 든 이름은 \c
+       "\'a b\'" 처럼 따옴표 안에 따옴표로 씁니다.' ].
+unfold_ko(several_sheets(N)) -->
+    [ '도면이 ~D장이라 표준 출력에 쓸 수 없습니다'-[N], nl,
+      '  여러 장을 담는 .pdf나 파일에 쓰십시오.' ].
+unfold_ko(needs(Option, Needed)) -->
+    [ '~w 은(는) ~w 없이는 쓰이지 않습니다'-[Option, Needed], nl,
+      '  ~w 도 주십시오.'-[Needed] ].
+unfold_ko(no_table(File)) -->
+    [ '~w 을(를) 쓰지 않았습니다. 면소가 있는 전개도가 없습니다'-[File], nl,
+      '  --true 로 펼친 원기둥, 원뿔, 변이관에 있습니다.' ].
+unfold_ko(all_trimmed_away) -->
+    [ '모든 세그먼트가 다 잘려 나가 남는 것이 없습니다' ].
+unfold_ko(flanges(S, N, Most)) -->
+    [ '세그먼트 ~d: 솔기 ~D곳에서 두 플랜지가 한 모퉁이에서 굽어, 전개도에서 ~4g \c
+       까지 서로 겹칩니다'-[S, N, Most], nl,
+      '  모퉁이를 잘라 내거나 모형에서 한쪽을 줄이십시오.' ].
+unfold_ko(alone(S)) -->
+    [ '세그먼트 ~d은(는) 다른 것과 만나지 않아 잘라 낼 것이 없습니다'-[S] ].
+unfold_ko(attached(S, Welded, Divided)) -->
+    [ '세그먼트 ~d: 전개도를 위해 같은 자리의 꼭지점 ~D개를 합치고, 일부만 \c
+       맞닿는 모서리 ~D개를 나누었습니다'-[S, Welded, Divided] ].
+unfold_ko(root_gone(S, face(P, Name))) -->
+    [ '세그먼트 ~d: 기준면 '-[S] ],
+    face_ko(face(P, Name)),
+    [ '이(가) 잘려 나갔습니다' ].
+unfold_ko(kept_apart(S, N)) -->
+    [ '세그먼트 ~d: 모서리 ~D개를 이을 수 없습니다. 한쪽은 말린 것을 펴고 다른 \c
+       쪽은 평평하여 따로 전개합니다'-[S, N] ].
+unfold_ko(not_kept(S, E, Face1, Face2, Why)) -->
+    [ '세그먼트 ~d: '-[S] ],
+    two_ko(Face1, Face2),
+    [ ' 사이의 모서리 ~d을(를) 이을 수 없습니다: '-[E] ],
+    not_kept_ko(Why).
+
+not_kept_ko(overlap) -->
+    [ '전개도가 겹칩니다' ].
+not_kept_ko(same_piece) -->
+    [ '다른 길로 이미 이어졌습니다' ].
+
+%!  trim_ko(+What)// is det.
+%
+%   The message for trim(What).
+
+trim_ko(nothing_left(S, outside)) -->
+    [ '세그먼트 ~d은(는) 모두 다른 것의 안에 있어 남는 것이 없습니다'-[S] ].
+trim_ko(nothing_left(S, inside)) -->
+    [ '세그먼트 ~d은(는) 모두 다른 것의 밖에 있어 남는 것이 없습니다'-[S] ].
+trim_ko(kind(S, Kind)) -->
+    [ '세그먼트 ~d은(는) ~w(이)라 잘라 낼 수도, 다른 것을 자를 수도 \c
+       없습니다'-[S, Kind] ].
+trim_ko(open(S, V1, V2)) -->
+    [ '세그먼트 ~d은(는) 열려 있어 안쪽을 알 수 없습니다'-[S], nl,
+      '  평평한 끝은 막아서 보지만, 꼭지점 ~d에서 ~d(으)로 가는 경계는 평평하지 \c
+       않습니다.'-[V1, V2] ].

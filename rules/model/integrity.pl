@@ -1,0 +1,148 @@
+:- module(sg_integrity,
+          [ model_defect/1,             % ?Defect
+            defect_weight/2,            % ?Name, ?Weight
+            shell_defect/3              % ?Name, +Shells, +Shell
+          ]).
+:- use_module('../kernel', [census/1, census_defect/4, self_meetings/2]).
+:- use_module('../store', [segment/3]).
+:- use_module(library(lists), [member/2]).
+/** <module> What can be wrong with a model.
+
+A bad model is no error but a relation. The joins are one pass in C
+(c_kernels/model/census.h); what counts as a defect is decided here.
+*/
+
+%!  model_defect(?Defect) is nondet.
+%
+%   True when the current world has Defect, one of
+%
+%     - open_edge(S, E)
+%       A half-edge of a solid that has no opposite.
+%     - turned_edge(S, E1, E2)
+%       Two polygons use an edge in the same direction: one faces the wrong way.
+%     - nonmanifold_edge(S, E, N), touching_edge(S, E, N)
+%       N > 2 half-edges between the ends of E; of a touching_edge as many one
+%       way as the other, as where bodies touch along it.
+%     - shared_half_edge(S, E, P)
+%       E is in P and in another polygon.
+%     - open_polygon(S, P, N)
+%       N edges of P lead nowhere: its loops do not close.
+%     - duplicate_face(S, P1, P2)
+%     - inside_out(S)
+%       A solid whose volume is negative: its normals point inward.
+%     - nested_shell(S, P, Depth)
+%       Depth other shells of solid S go round the shell that has polygon P.
+%     - turned_shell(S, P)
+%       One of several shells of S is inside out, and no hollow: an even number
+%       of others go round it.
+%     - pinched_vertex(S, V, N)
+%       N separate fans of polygons meet at V.
+%     - degenerate_face(S, P), bent_face(S, P), short_edge(S, E)
+%       No area; off its plane; no length: all within the tolerance of the
+%       source.
+%     - twin_vertices(S, V1, V2), unused_vertex(S, V)
+%     - self_penetration(S, P1, P2), self_overlap(S, P1, P2)
+%       Two polygons of a segment (or one) go through each other, or lie in one
+%       plane and share some area.
+%     - self_touching(S, P1, P2)
+%       A point or an edge of one is on the other, and not as neighbours meet.
+%
+%   In order of the segments. A border of a surface is no defect.
+
+model_defect(Defect) :-
+    (   var(Defect)
+    ->  census_defect(Kind, S, A, B),
+        defect_census(Defect, Kind, S, A, B)
+    ;   defect_census(Defect, Kind, S, A, B),
+        census_defect(Kind, S, A, B)
+    ),
+    (   Kind == border_edge
+    ->  once(segment(S, solid, _))
+    ;   true
+    ).
+model_defect(inside_out(S)) :-
+    segment(S, solid, _),
+    census(Parts),
+    member(part(S, _, _, _, Volume, _, _, _), Parts),
+    Volume < 0.0.
+model_defect(Defect) :-
+    \+ \+ memberchk(Defect, [nested_shell(_,_,_),turned_shell(_,_)]),
+    segment(S, solid, _),
+    census(Parts),
+    member(part(S, _, _, _, _, _, Shells, _), Parts),
+    member(Shell, Shells),
+    shell_defect(Name, Shells, Shell),
+    defect_shell(Defect, Name, S, Shell).
+model_defect(Defect) :-
+    \+ \+ self_defect(Defect, _, _, _, _),
+    self_meetings(2147483647, Segments),
+    member(self(S, _, Meetings), Segments),
+    member(meeting(Kind, P1, P2, _, _, _), Meetings),
+    self_defect(Defect, Kind, S, P1, P2).
+
+%   defect_shell(?Defect, +Name, +S, +Shell).
+
+defect_shell(nested_shell(S, P, Depth), nested_shell, S, Shell) :-
+    arg(1, Shell, P),
+    arg(10, Shell, Depth).
+defect_shell(turned_shell(S, P), turned_shell, S, Shell) :-
+    arg(1, Shell, P).
+
+%!  shell_defect(?Name, +Shells, +Shell) is nondet.
+%
+%   True when Shell, a shell/10 of census/1 among the Shells of a solid, has the
+%   defect called Name: nested_shell or turned_shell.
+
+shell_defect(nested_shell, _, Shell) :-
+    arg(10, Shell, Depth),
+    Depth > 0.
+shell_defect(turned_shell, [_,_|_], Shell) :-
+    arg(9, Shell, Volume),
+    Volume < 0.0,
+    arg(10, Shell, Depth),
+    Depth mod 2 =:= 0.
+
+self_defect(self_penetration(S, P1, P2), self_penetration, S, P1, P2).
+self_defect(self_overlap(S, P1, P2),     self_overlap,     S, P1, P2).
+self_defect(self_touching(S, P1, P2),    self_touching,    S, P1, P2).
+
+%   defect_census(?Defect, ?Kind, ?S, ?A, ?B): the terms of C for Defect.
+
+defect_census(open_edge(S, E),            border_edge,      S, E, _).
+defect_census(turned_edge(S, E1, E2),     turned_edge,      S, E1, E2).
+defect_census(nonmanifold_edge(S, E, N),  nonmanifold_edge, S, E, N).
+defect_census(touching_edge(S, E, N),     touching_edge,    S, E, N).
+defect_census(shared_half_edge(S, E, P),  shared_half_edge, S, E, P).
+defect_census(open_polygon(S, P, N),      open_polygon,     S, P, N).
+defect_census(duplicate_face(S, P1, P2),  duplicate_face,   S, P1, P2).
+defect_census(pinched_vertex(S, V, N),    pinched_vertex,   S, V, N).
+defect_census(degenerate_face(S, P),      degenerate_face,  S, P, _).
+defect_census(bent_face(S, P),            bent_face,        S, P, _).
+defect_census(short_edge(S, E),           short_edge,       S, E, _).
+defect_census(twin_vertices(S, V1, V2),   twin_vertices,    S, V1, V2).
+defect_census(unused_vertex(S, V),        unused_vertex,    S, V, _).
+
+%!  defect_weight(?Name, ?Weight) is nondet.
+%
+%   True when a defect of this Name is a `fault`, that makes a model wrong, or a
+%   `remark`.
+
+defect_weight(open_edge,        fault).
+defect_weight(turned_edge,      fault).
+defect_weight(nonmanifold_edge, fault).
+defect_weight(shared_half_edge, fault).
+defect_weight(open_polygon,     fault).
+defect_weight(duplicate_face,   fault).
+defect_weight(inside_out,       fault).
+defect_weight(self_penetration, fault).
+defect_weight(self_overlap,     fault).
+defect_weight(touching_edge,    remark).
+defect_weight(nested_shell,     remark).
+defect_weight(turned_shell,     remark).
+defect_weight(pinched_vertex,   remark).
+defect_weight(degenerate_face,  remark).
+defect_weight(bent_face,        remark).
+defect_weight(short_edge,       remark).
+defect_weight(twin_vertices,    remark).
+defect_weight(unused_vertex,    remark).
+defect_weight(self_touching,    remark).

@@ -1,0 +1,145 @@
+:- module(sg_model,
+          [ load_model/1,               % +Files
+            load_model/2,               % +Files, +Options
+            save_model/1,               % +File
+            save_model/2                % +File, +Options
+          ]).
+:- use_module('../csg/csg', [complete_tree/1]).
+:- use_module('../csg/csg_term', [is_node_term/1]).
+:- use_module('../solid/csg_evaluate', [evaluate/2]).
+:- use_module(mesh, [read_mesh/3, write_mesh/3, mesh_ending/2]).
+:- use_module(model_file, [read_model/1]).
+:- use_module(model_writer, [write_model/1]).
+:- use_module(openscad, [read_csg/2]).
+:- use_module('../primitive/primitive_rows', [add_primitive/2]).
+:- use_module('../stage', [stage/2]).
+:- use_module('../store', [assert_fact/1, facts_transaction/1, fresh_id/3]).
+:- use_module('../polygon/triangulation', [complete_segments/0]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(error), [must_be/2]).
+:- use_module(library(option), [option/2, option/3]).
+/** <module> Models: load and save.
+
+What rules call the things of a model is in vocabulary.pl.
+*/
+
+%!  load_model(+Files) is det.
+%!  load_model(+Files, +Options) is det.
+%
+%   Add the models in Files, one name or a list of names, to the current
+%   world: their segments side by side, each polygon with its plane and
+%   triangles, the roots of CSG trees with their boundaries. The ending says
+%   what a file is: `.pl` facts, `.csg` a tree of OpenSCAD (openscad.pl), or a
+%   mesh (`.stl`, `.off`, `.obj`, `.ply`). `-` is standard input. All of them,
+%   or none.
+%   Options:
+%
+%     - from(Format): what standard input is (default `pl`)
+%     - triangles(false): do without planes and triangles
+%     - tolerance(T): see evaluate/2
+%     - evaluate(false): do without the boundaries of nodes (csg.pl)
+%
+%   @error error(model_error(What), location(File, Line, Column))
+
+load_model(Files) :-
+    load_model(Files, []).
+
+load_model(Files0, Options) :-
+    (   is_list(Files0)
+    ->  maplist(file_name, Files0, Files)
+    ;   file_name(Files0, File),
+        Files = [File]
+    ),
+    facts_transaction(
+        ( stage(load, maplist(sg_model:file_loaded(Options), Files)),
+          (   option(triangles(false), Options)
+          ->  true
+          ;   complete_segments
+          ),
+          (   option(evaluate(false), Options)
+          ->  true
+          ;   evaluate(all, Options)
+          ) )).
+
+%   file_name(Text, File): names may be given as "text".
+
+file_name(Text, File) :-
+    (   string(Text)
+    ->  atom_string(File, Text)
+    ;   must_be(atom, Text),
+        File = Text
+    ).
+
+file_loaded(Options, File) :-
+    option(from(From), Options, pl),
+    file_format(File, From, Format),
+    (   Format == pl
+    ->  read_model(File)
+    ;   Format == csg
+    ->  csg_added(File)
+    ;   mesh_ending(Format, Mesh)
+    ->  read_mesh(File, _, [format(Mesh)])
+    ;   no_model(File, Format, Why),
+        throw(error(model_error(Why), location(File, 0, 0)))
+    ).
+
+%   csg_added(File): the tree in a file of OpenSCAD, under the file's name. A
+%   fault of a node has no place in the file.
+
+csg_added(File) :-
+    read_csg(File, Term),
+    file_base_name(File, Base),
+    file_name_extension(Name, _, Base),
+    (   is_node_term(Term)
+    ->  fresh_id(segment, 0, S),
+        assert_fact(segment(S, solid, named(Name, Term))),
+        Made = [S],
+        Goal = complete_tree(Made)
+    ;   Goal = add_primitive(named(Name, Term), _)
+    ),
+    catch(Goal, error(model_error(What), _),
+          throw(error(model_error(What), location(File, 0, 0)))).
+
+%   no_model(File, Format, Why): Why a file with the ending Format is none.
+
+no_model(File, _, cannot_read(directory)) :-
+    exists_directory(File),
+    !.
+no_model(File, _, cannot_read(missing)) :-
+    \+ access_file(File, exist),
+    !.
+no_model(_, Format, unknown_format(Format, Formats)) :-
+    findall(F, known_format(F), Formats).
+
+known_format(pl).
+known_format(csg).
+known_format(Format) :-
+    mesh_ending(Format, _).
+
+file_format(-, From, From) :-
+    !.
+file_format(File, _, Format) :-
+    file_name_extension(_, Ending, File),
+    downcase_atom(Ending, Format).
+
+%!  save_model(+File) is det.
+%!  save_model(+File, +Options) is det.
+%
+%   Write the current world to File, in the format of its ending; `-` is
+%   standard output. Options:
+%
+%     - format(Format): what standard output gets (default `pl`)
+
+save_model(File) :-
+    save_model(File, []).
+
+save_model(File, Options) :-
+    option(format(To), Options, pl),
+    file_format(File, To, Format),
+    (   Format == pl
+    ->  stage(write, write_model(File))
+    ;   mesh_ending(Format, _)
+    ->  stage(write, write_mesh(File, all, [format(Format)]))
+    ;   findall(F, known_format(F), Formats),
+        throw(error(usage_error(ending(File, Formats)), _))
+    ).

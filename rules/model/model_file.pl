@@ -1,0 +1,480 @@
+:- module(sg_model_file,
+          [ read_model/1                % +File
+          ]).
+:- use_module('../store',
+              [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
+                leaf_t/6, segment/3, origin/3, line/9, piece/3, joint/6,
+                title_block/2,
+                assert_fact/1, retractall_facts/1, facts_transaction/1,
+                relation_column/5
+              ]).
+:- use_module(model_text,
+              [ open_model_text/2, close_model_text/1, model_text_bytes/3,
+                next_fact/3,
+                place_error/2, place_error/3
+              ]).
+:- use_module('../csg/csg', [complete_tree/1, is_node/1]).
+:- use_module('../csg/csg_term', [is_node_term/1]).
+:- use_module('../polygon/polygon_list',
+              [vertex_list_edges/2, polygon_fault/2]).
+:- use_module('../progress', [progress_by/1]).
+:- use_module('../primitive/primitive', [is_primitive/1, primitive_shape/4]).
+:- use_module('../primitive/primitive_rows', [shape_rows/4]).
+:- use_module(shifted, [own_numbers/3, shifted/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(assoc),
+              [empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(pairs), [pairs_keys/2]).
+/** <module> Model files: the paper's facts read into the world.
+
+A file holds facts of the relations (model_text.pl), in any order, and:
+
+  - `p(S, P, List)`. Where the file gives no e/5 of segment S, List is a
+    vertex list, counter-clockwise from outside; edges are made, numbered in
+    the order of the file. A negative number is a jump:
+    `[1,2,3,4,1,-5,6,7,8,5]` has no edge from 1 to 5. A list without jumps
+    closes itself (PL-2). Where the file gives e/5 of S, List is a list of
+    edges.
+  - `curve(S, [V1,V2,...])`: edges from each vertex to the next; `[V]` says
+    that S is a point.
+  - `segment(S, Kind, Name)`. Without it the kind follows from the rows:
+    `curve` without polygons, `solid` if every edge has its opposite, else
+    `surface`; the name is the file's. Where the file gives no vertices of S,
+    Name is a primitive term that makes them (primitive.pl), or a node of the
+    CSG tree (csg_term.pl), whose nested operands get segments of their own
+    after those of the file.
+  - `view(Theta, Phi, Rho)` and `projection(Kind)`, once each, and
+    `title_block(Item, Text)`, once for an item; they replace those of the
+    world.
+
+Reading adds to the world: the segments of a file come after those that are
+there, keeping their own numbers if there are none. It is all or nothing.
+
+Errors besides those of model_text.pl:
+
+    missing(Relation, S, Id)   a row that is referred to
+    twice(Name, Key)           two rows with one key
+    polygon(S, P, Why)         Why: list, edges(N), open(V), twice(V1, V2) or
+                               no_edge(V)
+    chain(S, V)                two equal neighbours in a curve
+    primitive(What, Term)      see primitive.pl
+    csg(What)                  see csg_term.pl
+    kind(Term, Kind, Wanted)   a cylinder is no surface
+    no_vertices(S, Name)   no_edges(S)   empty
+    refused(Row, Error)        anything else the store does not take
+*/
+
+%!  read_model(+File) is det.
+%
+%   Add the model in File (`-`: standard input) to the current world.
+%
+%   @error error(model_error(What), location(File, Line, Column)); the world
+%   is then as before.
+
+read_model(File) :-
+    open_model_text(File, Text), % may wait for input: no signals in a setup
+    setup_call_cleanup(
+        true,
+        ( progress_by(model_text_bytes(Text)),
+          facts_transaction(sg_model_file:text_added(Text))
+        ),
+        close_model_text(Text)).
+
+text_added(Text) :-
+    shifts(Shift),
+    catch(text_added(Text, Shift), error(model_error(What), Location),
+          own_numbers(What, Location, Shift)).
+
+text_added(Text, Shift) :-
+    arg(1, Text, Name),
+    streamed(Text, Shift, [], Ss0, Later),
+    later_added(Later),
+    sort(Ss0, Ss),
+    (   Ss == []
+    ->  throw(error(model_error(empty), location(Name, 0, 0)))
+    ;   maplist(segment_completed(Later, Name), Ss),
+        nodes_completed(Later)
+    ).
+
+%   shifts(Shift): Shift is shift(DS, DL), what is added to the segment and
+%   line numbers of the file.
+
+shifts(shift(DS, DL)) :-
+    greatest(S, segment(S, _, _), DS),
+    greatest(L, line(L, _, _, _, _, _, _, _, _), DL).
+
+:- meta_predicate greatest(?, 0, -).
+
+greatest(N, Goal, Greatest) :-
+    (   aggregate_all(max(N), Goal, Greatest0)
+    ->  Greatest = Greatest0
+    ;   Greatest = 0
+    ).
+
+
+                /*******************************
+                *           STREAMING          *
+                *******************************/
+
+%   streamed(Text, Shift, Ss0, Ss, Later): rows whose references are in the
+%   world already go into it as they are read, so a file in canonical order
+%   takes no memory but the world's. Later is the list of later(Row, Place) of
+%   the others, in order; Ss has the segments of all rows, some more than once.
+
+streamed(Text, Shift, Ss0, Ss, Later) :-
+    next_fact(Text, Fact, Place),
+    (   Fact == end_of_file
+    ->  Ss = Ss0,
+        Later = []
+    ;   shifted(Shift, Fact, Row),
+        with_segment(Row, Ss0, Ss1),
+        (   added_now(Row, Place)
+        ->  Later = Later1
+        ;   Later = [later(Row, Place)|Later1]
+        ),
+        streamed(Text, Shift, Ss1, Ss, Later1)
+    ).
+
+%   with_segment(Row, Ss0, Ss): rows of a segment mostly follow one another; one
+%   that comes back is there again.
+
+with_segment(Row, Ss0, Ss) :-
+    (   segment_of(Row, S),
+        Ss0 \= [S|_]
+    ->  Ss = [S|Ss0]
+    ;   Ss = Ss0
+    ).
+
+segment_of(v(S, _, _, _, _), S).
+segment_of(e(S, _, _, _, _), S).
+segment_of(p(S, _, _), S).
+segment_of(segment(S, _, _), S).
+segment_of(curve(S, _), S).
+
+added_now(p(S, P, Es), Place) :-
+    !,
+    has_edges(S),
+    maplist(edge_ends(S), Es, Edges),
+    sound_polygon(Edges, S, P, Place),
+    row_added(p(S, P, Es), Place).
+added_now(Row, Place) :-
+    ready(Row),
+    row_added(Row, Place).
+
+ready(v(_, _, _, _, _)).
+ready(e(S, _, V1, V2, _)) :-
+    has_vertex(S, V1),
+    has_vertex(S, V2).
+ready(plane(S, P, _, _, _, _)) :-
+    has_polygon(S, P).
+ready(t(S, P, _, V1, V2, V3)) :-
+    has_polygon(S, P),
+    has_vertex(S, V1),
+    has_vertex(S, V2),
+    has_vertex(S, V3).
+ready(leaf_v(S, V, _, _, _)) :-
+    has_vertex(S, V).
+ready(leaf_e(S, _, V1, V2, _)) :-
+    has_vertex(S, V1),
+    has_vertex(S, V2).
+ready(leaf_p(S, P, Es)) :-
+    has_polygon(S, P),
+    maplist(has_leaf_edge(S), Es).
+ready(leaf_t(S, P, T, V1, V2, V3)) :-
+    ready(t(S, P, T, V1, V2, V3)).
+ready(origin(_, _, _)).
+ready(from_v(S, V, _, _)) :-
+    has_vertex(S, V).
+ready(from_p(S, P, _, _, _)) :-
+    has_polygon(S, P).
+ready(line(_, _, _, _, _, _, _, _, _)).
+ready(unfolding(_, _)).
+ready(piece(S, P, _)) :-
+    has_polygon(S, P).
+ready(joint(S, _, E1, E2, _, _)) :-
+    has_edge(S, E1),
+    has_edge(S, E2).
+
+has_vertex(S, V) :-
+    once(v(S, V, _, _, _)).
+has_edges(S) :-
+    once(e(S, _, _, _, _)).
+has_polygon(S, P) :-
+    once(p(S, P, _)).
+has_edge(S, E) :-
+    once(e(S, E, _, _, _)).
+has_leaf_edge(S, E) :-
+    once(leaf_e(S, E, _, _, _)).
+edge_ends(S, E, V1-V2) :-
+    once(e(S, E, V1, V2, _)).
+
+
+                /*******************************
+                *             LATER            *
+                *******************************/
+
+%   later_added(Later): what had to wait, in the order of reference. Edges
+%   made from lists are numbered after those that are given.
+
+later_added(Later) :-
+    later_rows(Later, e/5),
+    later_of(Later, segment/3, Segments),
+    maplist(later_segment, Segments),
+    later_of(Later, p/3, Polygons0),
+    maplist(later_form, Polygons0, Polygons),
+    empty_assoc(Numbers0),
+    foldl(later_polygon, Polygons, Numbers0, Numbers),
+    later_of(Later, curve/2, Curves),
+    foldl(later_curve, Curves, Numbers, _),
+    later_rows(Later, plane/6),
+    later_rows(Later, t/6),
+    later_rows(Later, leaf_v/5),
+    later_rows(Later, leaf_e/5),
+    later_rows(Later, leaf_p/3),
+    later_rows(Later, leaf_t/6),
+    later_rows(Later, from_v/4),
+    later_rows(Later, from_p/5),
+    later_rows(Later, piece/3),
+    later_rows(Later, joint/6),
+    later_setting(Later, view/3),
+    later_setting(Later, projection/1),
+    later_title(Later).
+
+later_of([], _, []).
+later_of([Item|Later], Name/Arity, Items) :-
+    Item = later(Row, _),
+    (   functor(Row, Name, Arity)
+    ->  Items = [Item|Items1]
+    ;   Items = Items1
+    ),
+    later_of(Later, Name/Arity, Items1).
+
+later_rows(Later, Relation) :-
+    later_of(Later, Relation, Items),
+    forall(member(later(Row, Place), Items), row_added(Row, Place)).
+
+later_setting(Later, Relation) :-
+    later_of(Later, Relation, Items),
+    (   Items = [_, later(_, Place)|_]
+    ->  Relation = Name/_,
+        place_error(Place, twice(Name, -))
+    ;   Items = [later(Row, Place)]
+    ->  functor(Row, Name, Arity),
+        functor(Any, Name, Arity),
+        retractall_facts(Any),
+        row_added(Row, Place)
+    ;   true
+    ).
+
+%   later_title(Later): what the last file says of an item holds.
+
+later_title(Later) :-
+    later_of(Later, title_block/2, Items),
+    forall(member(later(title_block(Item, _), _), Items),
+           retractall_facts(title_block(Item, _))),
+    forall(member(later(Row, Place), Items), title_added(Row, Place)).
+
+title_added(Row, Place) :-
+    Row = title_block(Item, _),
+    (   title_block(Item, _)
+    ->  place_error(Place, twice(title_block, Item))
+    ;   row_added(Row, Place)
+    ).
+
+%   later_segment(Item): the row, and what its primitive makes.
+
+later_segment(later(segment(S, Kind, Name), Place)) :-
+    row_added(segment(S, Kind, Name), Place),
+    (   has_vertex(S, _)
+    ->  true
+    ;   is_node_term(Name)
+    ->  true
+    ;   is_primitive(Name)
+    ->  catch(primitive_shape(Name, Wanted, Points, Chains),
+              error(model_error(What), _), place_error(Place, 3, What)),
+        (   Kind == Wanted
+        ->  shape_rows(Wanted, S, Points, Chains)
+        ;   place_error(Place, 2, kind(Name, Kind, Wanted))
+        )
+    ;   place_error(Place, 3, no_vertices(S, Name))
+    ).
+
+%   later_form(Item, Form): whether the list of a polygon has vertices or
+%   edges; decided for all before the first edges are made.
+
+later_form(later(p(S, P, List), Place), form(Form, S, P, List, Place)) :-
+    (   has_edges(S)
+    ->  Form = edges
+    ;   Form = vertices
+    ).
+
+later_polygon(form(vertices, S, P, List, Place), Numbers0, Numbers) :-
+    list_polygon_added(S, P, List, Place, Numbers0, Numbers).
+later_polygon(form(edges, S, P, Es, Place), Numbers, Numbers) :-
+    (   maplist(edge_ends(S), Es, Edges)
+    ->  sound_polygon(Edges, S, P, Place),
+        row_added(p(S, P, Es), Place)
+    ;   member(E, Es),
+        \+ edge_ends(S, E, _),
+        place_error(Place, 3, missing(e, S, E))
+    ).
+
+list_polygon_added(S, P, List, Place, Numbers0, Numbers) :-
+    (   vertex_list_edges(List, Edges)
+    ->  true
+    ;   place_error(Place, 3, polygon(S, P, list))
+    ),
+    forall(member(V-_, Edges), known_vertex(S, V, Place, 3)),
+    sound_polygon(Edges, S, P, Place),
+    edges_added(Edges, S, Place, Es, Numbers0, Numbers),
+    row_added(p(S, P, Es), Place).
+
+known_vertex(S, V, Place, Argument) :-
+    (   has_vertex(S, V)
+    ->  true
+    ;   place_error(Place, Argument, missing(v, S, V))
+    ).
+
+sound_polygon(Edges, S, P, Place) :-
+    (   polygon_fault(Edges, Why)
+    ->  place_error(Place, 3, polygon(S, P, Why))
+    ;   true
+    ).
+
+later_curve(later(curve(S, Chain), Place), Numbers0, Numbers) :-
+    chain_added(S, Place, Chain, Numbers0, Numbers).
+
+chain_added(S, Place, Chain, Numbers0, Numbers) :-
+    forall(member(V, Chain), known_vertex(S, V, Place, 2)),
+    chain_edges(Chain, S, Place, Edges),
+    edges_added(Edges, S, Place, _, Numbers0, Numbers).
+
+chain_edges([_], _, _, []) :-
+    !.
+chain_edges([V, W|Vs], S, Place, [V-W|Edges]) :-
+    (   V =\= W
+    ->  chain_edges([W|Vs], S, Place, Edges)
+    ;   place_error(Place, 2, chain(S, V))
+    ).
+
+%   edges_added(Edges, S, Place, Es, Numbers0, Numbers): rows of e/5 for the
+%   edges V1-V2, numbered from the next number of S on.
+
+edges_added(Edges, S, Place, Es, Numbers0, Numbers) :-
+    (   get_assoc(S, Numbers0, E0)
+    ->  true
+    ;   greatest(E, e(S, E, _, _, _), Last),
+        E0 is Last+1
+    ),
+    numbered_edges(Edges, S, Place, E0, Es, E1),
+    put_assoc(S, Numbers0, E1, Numbers).
+
+numbered_edges([], _, _, E, [], E).
+numbered_edges([V1-V2|Edges], S, Place, E0, [E0|Es], E) :-
+    row_added(e(S, E0, V1, V2, 1), Place),
+    E1 is E0+1,
+    numbered_edges(Edges, S, Place, E1, Es, E).
+
+
+                /*******************************
+                *         ROWS, SEGMENTS       *
+                *******************************/
+
+%   row_added(Row, Place): Row is in the world, or the error says where.
+
+row_added(Row, Place) :-
+    catch(assert_fact(Row), error(Formal, _),
+          row_refused(Formal, Row, Place)).
+
+row_refused(Formal, Row, Place) :-
+    (   missing_reference(Row, Argument, Relation, S, Id)
+    ->  place_error(Place, Argument, missing(Relation, S, Id))
+    ;   key_taken(Row, Name, Key)
+    ->  place_error(Place, twice(Name, Key))
+    ;   Formal = existence_error(leaf_e, S-E)
+    ->  place_error(Place, missing(leaf_e, S, E))
+    ;   place_error(Place, refused(Row, Formal))
+    ).
+
+missing_reference(Row, Argument, Relation, S, Id) :-
+    Row =.. [Name, S|_],
+    member(Relation-Missing,
+           [v-has_vertex(S, Id), p-has_polygon(S, Id), e-has_edge(S, Id)]),
+    relation_column(Name, Position, _, int, Relation),
+    Argument is Position+1,
+    arg(Argument, Row, Id),
+    \+ call(Missing),
+    !.
+
+key_taken(Row, Name, Key) :-
+    row_key(Row, Name, Key, Same),
+    call(Same),
+    !.
+
+row_key(v(S, V, _, _, _), v, [S, V], v(S, V, _, _, _)).
+row_key(e(S, E, _, _, _), e, [S, E], e(S, E, _, _, _)).
+row_key(p(S, P, _), p, [S, P], p(S, P, _)).
+row_key(plane(S, P, _, _, _, _), plane, [S, P], plane(S, P, _, _, _, _)).
+row_key(t(S, _, T, _, _, _), t, [S, T], t(S, _, T, _, _, _)).
+row_key(leaf_v(S, V, _, _, _), leaf_v, [S, V], leaf_v(S, V, _, _, _)).
+row_key(leaf_e(S, E, _, _, _), leaf_e, [S, E], leaf_e(S, E, _, _, _)).
+row_key(leaf_p(S, P, _), leaf_p, [S, P], leaf_p(S, P, _)).
+row_key(leaf_t(S, _, T, _, _, _), leaf_t, [S, T], leaf_t(S, _, T, _, _, _)).
+row_key(origin(S, Item, _), origin, [S, Item], origin(S, Item, _)).
+row_key(from_v(S, V, _, _), from_v, [S, V], from_v(S, V, _, _)).
+row_key(from_p(S, P, T, Q, _), from_p, [S, P, T, Q], from_p(S, P, T, Q, _)).
+row_key(piece(S, P, _), piece, [S, P], piece(S, P, _)).
+row_key(joint(S, J, _, _, _, _), joint, [S, J], joint(S, J, _, _, _, _)).
+row_key(segment(S, _, _), segment, [S], segment(S, _, _)).
+row_key(line(L, _, _, _, _, _, _, _, _), line, [L],
+        line(L, _, _, _, _, _, _, _, _)).
+
+%   segment_completed(Later, File, S): S has a row, and edges.
+
+segment_completed(Later, File, S) :-
+    (   has_edges(S)
+    ->  true
+    ;   is_node(S)
+    ->  true
+    ;   member(later(curve(S, [_]), _), Later)
+    ->  true
+    ;   member(later(Row, Place), Later),
+        segment_of(Row, S)
+    ->  place_error(Place, no_edges(S))
+    ;   throw(error(model_error(no_edges(S)), location(File, 0, 0)))
+    ),
+    (   once(segment(S, _, _))
+    ->  true
+    ;   segment_kind(S, Kind),
+        file_name(File, Name),
+        assert_fact(segment(S, Kind, Name))
+    ).
+
+segment_kind(S, Kind) :-
+    (   \+ has_polygon(S, _)
+    ->  Kind = curve
+    ;   forall(e(S, _, V1, V2, _), once(e(S, _, V2, V1, _)))
+    ->  Kind = solid
+    ;   Kind = surface
+    ).
+
+file_name(File, Name) :-
+    file_base_name(File, Base),
+    file_name_extension(Name, _, Base).
+
+%   nodes_completed(Later): the CSG tree of the file. A fault is where the
+%   node is, or the one that it was written in.
+
+nodes_completed(Later) :-
+    findall(N-Place,
+            ( member(later(segment(N, _, Term), Place), Later),
+              is_node_term(Term) ),
+            Places),
+    pairs_keys(Places, Nodes),
+    catch(complete_tree(Nodes), error(model_error(What), nodes(Ns)),
+          ( member(N, Ns),
+            memberchk(N-Place, Places),
+            place_error(Place, 3, What)
+          )).

@@ -1,0 +1,477 @@
+:- module(sg_model_text,
+          [ open_model_text/2,          % +File, -Text
+            close_model_text/1,         % +Text
+            model_text_bytes/3,         % +Text, -Done, -Total
+            next_fact/3,                % +Text, -Fact, -Place
+            next_term/3,                % +Text, -Term, -Place
+            no_fact/2,                  % +Term, -What
+            place_error/2,              % +Place, +What
+            place_error/3,              % +Place, +Argument, +What
+            model_float/2               % +Value, -Float
+          ]).
+:- use_module('../store', [relation/3, relation_column/5, column_domain/3]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(lists), [member/2]).
+/** <module> The text of a model file: facts, each checked against the schema.
+
+A model file is DATA. Its terms are read, never run: a directive or a rule is
+an error, as is everything that is no fact of a relation of the schema. Terms
+are read in a module that has only the operators of Prolog itself, so nothing
+that is loaded can change what a file means.
+
+Besides the relations of the schema there is one fact that only files use:
+`curve(S, [V1, V2, ...])`, a chain of edges (PL-4). The relations of the
+picture (screen/5, contour/9, surface_turn/6, drawn/7) are computed and may not
+stand in a file.
+
+Every error is error(model_error(What), location(File, Line, Column)), lines
+and columns counted from 1. What is one of
+
+    cannot_read(Why)  syntax(Message)  too_long(Most)  early_end
+    directive(Goal)  rule(Head)  no_fact(Term)
+    unknown_relation(Name, Arity)  arity(Name, Given, Wanted)  computed(Name)
+    value(Relation, Column, Value, Expected)
+
+with Expected one of id, ids, steps, chain, float, finite, within(Most),
+distance, atom, text, ground and one_of(Values); model_file.pl adds its own.
+*/
+
+:- create_prolog_flag(sanggwan_longest_fact, 64_000_000,
+                      [type(integer), keep(true)]).
+
+%   The module that terms are read in: `system` is its only import.
+
+:- set_module(sg_model_syntax:base(system)).
+:- set_prolog_flag(sg_model_syntax:double_quotes, string).
+
+%!  open_model_text(+File, -Text) is det.
+%
+%   Open a model file; `-` is standard input, copied to a temporary file that
+%   vanishes with close_model_text/1, so that places in it can be found again.
+%
+%   @error model_error(cannot_read(Why))
+
+open_model_text(-, Text) :-
+    !,
+    Text = text('<stdin>', Copy, Stream),
+    tmp_file_stream(Copy, Out, [encoding(binary), extension(pl)]),
+    set_stream(user_input, type(binary)),
+    call_cleanup(copy_stream_data(user_input, Out), close(Out)),
+    open(Copy, read, Stream, [encoding(utf8)]),
+    asserta(decoding(Stream, '<stdin>')).
+open_model_text(File, text(File, File, Stream)) :-
+    catch(open(File, read, Stream, [encoding(utf8)]), Error,
+          cannot_read(File, Error)),
+    asserta(decoding(Stream, File)).
+
+%   Prolog warns of every fact with bytes that are no UTF-8, again when it is
+%   read once more, and names temporary files. Of all that becomes one warning
+%   of ours.
+
+:- thread_local decoding/2.             % Stream, File
+
+:- multifile user:message_hook/3.
+
+user:message_hook(io_warning(Stream, _), warning, _) :-
+    sg_model_text:undecoded(Stream).
+
+:- public undecoded/1.
+
+undecoded(Stream) :-
+    retract(decoding(Stream, File)),
+    !,
+    asserta(decoding(Stream, warned)),
+    (   File == warned
+    ->  true
+    ;   line_count(Stream, Line),
+        print_message(warning, sanggwan(not_utf8(File, Line)))
+    ).
+
+cannot_read(File, error(Formal, _)) :-
+    !,
+    (   exists_directory(File)
+    ->  Why = directory
+    ;   Formal = existence_error(_, _)
+    ->  Why = missing
+    ;   Formal = permission_error(_, _, _)
+    ->  Why = permission
+    ;   Why = Formal
+    ),
+    throw(error(model_error(cannot_read(Why)), location(File, 0, 0))).
+cannot_read(_, Ball) :-
+    throw(Ball).
+
+%!  close_model_text(+Text) is det.
+
+close_model_text(text(Name, Path, Stream)) :-
+    retractall(decoding(Stream, _)),
+    close(Stream),
+    (   Name == '<stdin>'
+    ->  delete_file(Path)
+    ;   true
+    ).
+
+%!  model_text_bytes(+Text, -Done, -Total) is det.
+%
+%   Of the Total bytes of Text, Done are read.
+
+model_text_bytes(text(_, Path, Stream), Done, Total) :-
+    byte_count(Stream, Done),
+    size_file(Path, Total).
+
+%!  next_fact(+Text, -Fact, -Place) is det.
+%
+%   Fact is the next fact of Text, with floats where the schema wants floats,
+%   or `end_of_file`. Place is where it stands, for place_error/2,3.
+
+next_fact(Text, Fact, Place) :-
+    next_term(Text, Term, Place),
+    (   Term == end_of_file
+    ->  Fact = end_of_file
+    ;   checked_fact(Term, Place, Fact)
+    ).
+
+%!  next_term(+Text, -Term, -Place) is det.
+%
+%   The same, whatever Term is.
+
+next_term(Text, Term, Place) :-
+    Text = text(Name, Path, Stream),
+    catch(read_term(Stream, Term,
+                    [ module(sg_model_syntax), term_position(Position),
+                      cycles(false), dotlists(false), var_prefix(false),
+                      syntax_errors(error)
+                    ]),
+          Error, syntax_failure(Error, Name, Stream)),
+    Place = place(Name, Path, Position),
+    (   Term == end_of_file
+    ->  at_real_end(Stream, Place)
+    ;   not_too_long(Stream, Position, Place)
+    ).
+
+syntax_failure(error(syntax_error(Message), Where), Name, Stream) :-
+    !,
+    stream_location(Where, Stream, Line, Column),
+    throw(error(model_error(syntax(Message)),
+                location(Name, Line, Column))).
+syntax_failure(error(resource_error(_), _), Name, Stream) :-
+    !,
+    line_count(Stream, Line),
+    throw(error(model_error(syntax(too_deep)), location(Name, Line, 0))).
+syntax_failure(error(io_error(read, _), _), Name, _) :-
+    !,
+    (   exists_directory(Name)
+    ->  Why = directory
+    ;   Why = io
+    ),
+    throw(error(model_error(cannot_read(Why)), location(Name, 0, 0))).
+syntax_failure(Error, _, _) :-
+    throw(Error).
+
+%   Of a comment without an end Prolog says no line: it is the file's last one.
+
+stream_location(Where, _, Line, Column) :-
+    (   Where = stream(_, Line, Column0, _)
+    ;   Where = file(_, Line, Column0, _)
+    ),
+    Line > 0,
+    !,
+    Column is Column0+1.
+stream_location(_, Stream, Line, 0) :-
+    line_count(Stream, Line).
+
+%   A fact `end_of_file.` in the middle would hide the rest of the file.
+
+at_real_end(Stream, Place) :-
+    (   peek_char(Stream, end_of_file)
+    ->  true
+    ;   place_error(Place, early_end)
+    ).
+
+not_too_long(Stream, Position, Place) :-
+    stream_position_data(char_count, Position, From),
+    character_count(Stream, To),
+    current_prolog_flag(sanggwan_longest_fact, Most),
+    (   To-From =< Most
+    ->  true
+    ;   place_error(Place, too_long(Most))
+    ).
+
+
+                /*******************************
+                *             PLACES           *
+                *******************************/
+
+%!  place_error(+Place, +What).
+%!  place_error(+Place, +Argument, +What).
+%
+%   Raise model_error(What) at the start of the fact, or at its Argument,
+%   counted from 1.
+
+place_error(Place, What) :-
+    Place = place(Name, _, Position),
+    stream_position_data(line_count, Position, Line),
+    stream_position_data(line_position, Position, Column0),
+    Column is Column0+1,
+    throw(error(model_error(What), location(Name, Line, Column))).
+
+place_error(Place, Argument, What) :-
+    catch(argument_location(Place, Argument, Line, Column), error(_, _),
+          fail),
+    !,
+    Place = place(Name, _, _),
+    throw(error(model_error(What), location(Name, Line, Column))).
+place_error(Place, _, What) :-
+    place_error(Place, What).
+
+%   The fact is read once more, now with the positions of its arguments; the
+%   characters up to the argument give line and column.
+
+argument_location(place(_, Path, Position), Argument, Line, Column) :-
+    setup_call_cleanup(
+        open(Path, read, Stream, [encoding(utf8)]),
+        ( asserta(decoding(Stream, warned)),
+          set_stream_position(Stream, Position),
+          read_term(Stream, _, [ module(sg_model_syntax),
+                                 subterm_positions(term_position(
+                                     _, _, _, _, Places)) ]),
+          nth_place(Argument, Places, From),
+          set_stream_position(Stream, Position),
+          stream_position_data(char_count, Position, Start),
+          Skip is From-Start,
+          forall(between(1, Skip, _), get_char(Stream, _)),
+          line_count(Stream, Line),
+          line_position(Stream, Column0),
+          Column is Column0+1
+        ),
+        ( retractall(decoding(Stream, _)),
+          close(Stream)
+        )).
+
+nth_place(1, [Place|_], From) :-
+    !,
+    arg(1, Place, From).
+nth_place(N, [_|Places], From) :-
+    N1 is N-1,
+    nth_place(N1, Places, From).
+
+
+                /*******************************
+                *            SCHEMA            *
+                *******************************/
+
+%   checked_fact(Term, Place, Fact)
+
+checked_fact(Term, Place, Fact) :-
+    compound(Term),
+    compound_name_arity(Term, Name, Arity),
+    relation_types(Name, Arity, Types),
+    !,
+    compound_name_arguments(Term, Name, Arguments),
+    checked_arguments(Types, Arguments, 1, Name, Place, Values),
+    compound_name_arguments(Fact, Name, Values).
+checked_fact(Term, Place, _) :-
+    no_fact(Term, What),
+    place_error(Place, What).
+
+%!  no_fact(+Term, -What) is det.
+%
+%   Term is no fact of the schema; What says why not.
+
+no_fact(Term, no_fact(Term)) :-
+    \+ callable(Term),
+    !.
+no_fact((:- Goal), directive(Goal)) :-
+    !.
+no_fact((?- Goal), directive(Goal)) :-
+    !.
+no_fact((Head :- _), rule(Head)) :-
+    !.
+no_fact((Head --> _), rule(Head)) :-
+    !.
+no_fact((Head => _), rule(Head)) :-
+    !.
+no_fact(Term, What) :-
+    name_arity(Term, Name, Arity),
+    (   computed(Name)
+    ->  What = computed(Name)
+    ;   file_relation(Name, Wanted)
+    ->  What = arity(Name, Arity, Wanted)
+    ;   What = unknown_relation(Name, Arity)
+    ).
+
+%   As functor/3, also for a compound without arguments, `projection()`.
+
+name_arity(Term, Name, Arity) :-
+    compound(Term),
+    !,
+    compound_name_arity(Term, Name, Arity).
+name_arity(Name, Name, 0).
+
+computed(screen).
+computed(contour).
+computed(surface_turn).
+computed(drawn).
+
+file_relation(curve, 2).
+file_relation(Name, Arity) :-
+    relation(Name, Arity, _),
+    \+ computed(Name).
+
+%   relation_types(Name, Arity, Types): column(Name, Type) of each argument of
+%   the facts that may stand in a file.
+
+:- dynamic relation_types_/3.
+
+relation_types(Name, Arity, Types) :-
+    (   relation_types_(Name, Arity, Types)
+    ->  true
+    ;   file_relation(Name, Arity),
+        column_types(Name, Types),
+        assertz(relation_types_(Name, Arity, Types))
+    ).
+
+column_types(curve, [column('S', id), column('Vs', chain)]) :-
+    !.
+column_types(Name, Types) :-
+    findall(Position-column(Column, Type),
+            ( relation_column(Name, Position, Column, Kind, _),
+              file_type(Kind, Name, Position, Type) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    findall(Type, member(_-Type, Pairs), Types).
+
+file_type(_, Name, Position, one_of(Values)) :-
+    column_domain(Name, Position, Values),
+    !.
+file_type(int, _, _, id).
+file_type(float, v, _, coordinate) :- !.
+file_type(float, view, 2, distance) :- !.
+file_type(float, _, _, float).
+file_type(list, p, _, steps) :- !.
+file_type(list, _, _, ids).
+file_type(atom, _, _, atom).
+file_type(term, title_block, _, text) :- !.
+file_type(term, _, _, ground).
+
+checked_arguments([], [], _, _, _, []).
+checked_arguments([column(Column, Type)|Types], [Value0|Values0], N, Name,
+                  Place, [Value|Values]) :-
+    (   typed(Type, Value0, Value)
+    ->  true
+    ;   expected(Type, Value0, Expected),
+        place_error(Place, N, value(Name, Column, Value0, Expected))
+    ),
+    N1 is N+1,
+    checked_arguments(Types, Values0, N1, Name, Place, Values).
+
+%   typed(Type, Value0, Value): Value0 of the file becomes Value of the row.
+
+typed(id, Id, Id) :-
+    is_id(Id).
+typed(coordinate, Value, Float) :-
+    model_float(Value, Float),
+    abs(Float) =< 1.0e90.
+typed(float, Value, Float) :-
+    model_float(Value, Float).
+typed(distance, Value, Float) :-
+    model_float(Value, Float),
+    Float >= 0.0.
+typed(steps, Steps, Steps) :-
+    is_list(Steps),
+    maplist(is_step, Steps).
+typed(chain, Chain, Chain) :-
+    is_list(Chain),
+    Chain = [_|_],
+    maplist(is_id, Chain).
+typed(ids, Ids, Ids) :-
+    is_list(Ids),
+    maplist(is_id, Ids).
+typed(one_of(Values), Value, Value) :-
+    atomic(Value),
+    memberchk(Value, Values).
+typed(atom, Atom, Atom) :-
+    atom(Atom).
+typed(text, Text, Atom) :-
+    string(Text),
+    !,
+    atom_string(Atom, Text).
+typed(text, Text, Text) :-
+    atomic(Text),
+    plain_term(Text, 0),
+    Text \== [].
+typed(ground, Term, Term) :-
+    ground(Term),
+    plain_term(Term, 64).
+
+is_id(Id) :-
+    integer(Id),
+    Id > 0,
+    Id =< 0x7fffffff.
+
+is_step(Step) :-
+    integer(Step),
+    Step =\= 0,
+    Id is abs(Step),
+    is_id(Id).
+
+%   Atoms, numbers that are neither rationals nor infinite, and compounds of
+%   them; neither strings nor dicts, so that names compare as one expects.
+
+plain_term(Term, _) :-
+    (   atom(Term)
+    ;   Term == []
+    ),
+    !.
+plain_term(Term, _) :-
+    number(Term),
+    !,
+    (   integer(Term)
+    ->  true
+    ;   model_float(Term, _)
+    ).
+plain_term(Term, Depth) :-
+    compound(Term),
+    \+ is_dict(Term),
+    Depth > 0,
+    Depth1 is Depth-1,
+    (   is_list(Term)
+    ->  Arguments = Term
+    ;   compound_name_arguments(Term, _, Arguments)
+    ),
+    forall(member(Argument, Arguments), plain_term(Argument, Depth1)).
+
+%!  model_float(+Value, -Float) is semidet.
+%
+%   Float is the number Value, an integer or a finite float, as a float that
+%   is not -0.0. Rationals, infinity and NaN fail.
+
+model_float(Value, Float) :-
+    float(Value),
+    !,
+    float_class(Value, Class),
+    Class \== infinite,
+    Class \== nan,
+    Float is Value + 0.0.
+model_float(Value, Float) :-
+    integer(Value),
+    catch(Float is float(Value), error(evaluation_error(_), _), fail).
+
+%   expected(Type, Value, Expected): what the message says. NaN and infinity
+%   are named for what they are.
+
+expected(Type, Value, finite) :-
+    float_type(Type),
+    float(Value),
+    \+ model_float(Value, _),
+    !.
+expected(coordinate, Value, within(1.0e90)) :-
+    model_float(Value, _),
+    !.
+expected(coordinate, _, float) :-
+    !.
+expected(Type, _, Type).
+
+float_type(coordinate).
+float_type(float).
+float_type(distance).

@@ -1,0 +1,174 @@
+:- module(sg_model_writer,
+          [ write_model/1,              % +File
+            write_model_to/1            % +Stream
+          ]).
+:- use_module('../csg/csg', [is_node/1, is_helper/1]).
+:- use_module('../output', [writing/3]).
+:- use_module('../polygon/polygon_list', [edges_vertex_list/2]).
+:- use_module('../store',
+              [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
+                leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9,
+                unfolding/2, piece/3, joint/6, view/3, projection/1,
+                title_block/2
+              ]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(lists), [member/2]).
+/** <module> Model files written: canonical, one fact a line.
+
+Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,
+plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4,
+from_p/5, piece/3, joint/6, every relation in the order of its key, and
+unfolding/2; then line/9, view/3, projection/1 and title_block/2. Floats have
+the fewest digits that read back to the same float. So equal worlds give equal
+bytes, a small change gives a small difference, and read_model/1 brings back the
+same relations.
+
+Where the edges of a segment are just what read_model/1 makes from vertex
+lists, as after reading vertex lists or a mesh, its polygons are written as
+vertex lists and e/5 is left out. Vertices of a segment that has no edges
+are written as curves of one point. Of a node of the CSG tree only segment/3 is
+written, as its boundary follows from it. The picture (screen/5, drawn/7) is
+computed and never written.
+*/
+
+%!  write_model(+File) is det.
+%
+%   Write the current world to File (`-`: standard output).
+
+write_model(-) :-
+    !,
+    write_model_to(current_output).
+write_model(File) :-
+    writing(File, text, sg_model_writer:write_model_to).
+
+%!  write_model_to(+Stream) is det.
+%
+%   Write the current world to Stream, which should be UTF-8.
+
+write_model_to(Stream) :-
+    write_line(Stream, '% Sanggwan model. One fact a line, in order.'),
+    all_segments(Ss),
+    forall(member(S, Ss), write_segment(Stream, S)),
+    write_lines(Stream),
+    write_rows(Stream, 1, view(_, _, _)),
+    write_rows(Stream, 1, projection(_)),
+    write_rows(Stream, Item, title_block(Item, _)).
+
+all_segments(Ss) :-
+    findall(S, segment(S, _, _), Ss0),
+    sort(Ss0, Ss).
+
+write_segment(_, S) :-
+    is_helper(S),
+    !.
+write_segment(Stream, S) :-
+    is_node(S),
+    !,
+    nl(Stream),
+    write_rows(Stream, 1, segment(S, _, _)),
+    write_rows(Stream, 1, unfolding(S, _)).
+write_segment(Stream, S) :-
+    nl(Stream),
+    write_rows(Stream, 1, segment(S, _, _)),
+    write_rows(Stream, V, v(S, V, _, _, _)),
+    (   listed_polygons(S, Lists)
+    ->  forall(member(Row, Lists), write_fact(Stream, Row))
+    ;   write_rows(Stream, E, e(S, E, _, _, _)),
+        write_rows(Stream, P, p(S, P, _)),
+        write_points(Stream, S)
+    ),
+    write_rows(Stream, P2, plane(S, P2, _, _, _, _)),
+    write_rows(Stream, T, t(S, _, T, _, _, _)),
+    write_rows(Stream, V3, leaf_v(S, V3, _, _, _)),
+    write_rows(Stream, E3, leaf_e(S, E3, _, _, _)),
+    write_rows(Stream, P3, leaf_p(S, P3, _)),
+    write_rows(Stream, T3, leaf_t(S, _, T3, _, _, _)),
+    write_origins(Stream, S),
+    write_rows(Stream, V4, from_v(S, V4, _, _)),
+    write_rows(Stream, P4-S0-P0, from_p(S, P4, S0, P0, _)),
+    write_rows(Stream, P5, piece(S, P5, _)),
+    write_rows(Stream, J, joint(S, J, _, _, _, _)),
+    write_rows(Stream, 1, unfolding(S, _)).
+
+%   write_lines(Stream): but for those of nodes, whose polygons are not written.
+
+write_lines(Stream) :-
+    findall(S, ( segment(S, _, _), is_node(S) ), Nodes),
+    findall(L-line(L, S1, P1, A1, B1, S2, P2, A2, B2),
+            ( line(L, S1, P1, A1, B1, S2, P2, A2, B2),
+              \+ memberchk(S1, Nodes),
+              \+ memberchk(S2, Nodes) ),
+            Rows0),
+    keysort(Rows0, Rows),
+    forall(member(_-Fact, Rows), write_fact(Stream, Fact)).
+
+%   write_origins(Stream, S): but for what is remembered of this world alone
+%   (csg_record.pl).
+
+write_origins(Stream, S) :-
+    findall(Item-origin(S, Item, Origin),
+            ( origin(S, Item, Origin), Item \= node(_) ),
+            Rows0),
+    keysort(Rows0, Rows),
+    forall(member(_-Fact, Rows), write_fact(Stream, Fact)).
+
+:- meta_predicate write_rows(+, ?, 0).
+
+%   write_rows(Stream, Key, Goal): every row Goal as a fact, by ascending Key.
+
+write_rows(Stream, Key, Module:Row) :-
+    findall(Key-Row, Module:Row, Rows0),
+    keysort(Rows0, Rows),
+    forall(member(_-Fact, Rows), write_fact(Stream, Fact)).
+
+write_fact(Stream, Fact) :-
+    write_term(Stream, Fact,
+               [ quoted(true), spacing(next_argument), numbervars(false),
+                 module(sg_model_syntax), float_format(''), fullstop(true),
+                 nl(true)
+               ]).
+
+write_line(Stream, Text) :-
+    format(Stream, '~w~n', [Text]).
+
+%   write_points(Stream, S): a segment without edges is points.
+
+write_points(Stream, S) :-
+    (   e(S, _, _, _, _)
+    ->  true
+    ;   forall(v(S, V, _, _, _), write_fact(Stream, curve(S, [V])))
+    ).
+
+%   listed_polygons(S, Rows): Rows are p(S, P, VertexList), in order, if they
+%   say all about the edges of S: real, numbered 1, 2, ... in their order.
+
+listed_polygons(S, Rows) :-
+    findall(P-Es, p(S, P, Es), Polygons0),
+    Polygons0 \== [],
+    keysort(Polygons0, Polygons),
+    numbered_in_order(Polygons, 1, Next),
+    aggregate_all(count, e(S, _, _, _, _), Count),
+    Next =:= Count+1,
+    listed_rows(Polygons, S, Rows).
+
+numbered_in_order([], Next, Next).
+numbered_in_order([_-Es|Polygons], E0, Next) :-
+    consecutive(Es, E0, E1),
+    numbered_in_order(Polygons, E1, Next).
+
+consecutive([], E, E).
+consecutive([E|Es], E, Next) :-
+    E1 is E+1,
+    consecutive(Es, E1, Next).
+
+listed_rows([], _, []).
+listed_rows([P-Es|Polygons], S, [p(S, P, List)|Rows]) :-
+    real_edges(Es, S, Edges),
+    edges_vertex_list(Edges, List),
+    listed_rows(Polygons, S, Rows).
+
+real_edges([], _, []).
+real_edges([E|Es], S, [V1-V2|Edges]) :-
+    once(e(S, E, V1, V2, Et)),
+    Et =:= 1,
+    real_edges(Es, S, Edges).

@@ -1,0 +1,439 @@
+:- module(sg_pattern_tab,
+          [ tabs/4,                     % +Width, +Pieces, -Tabs, -Butt
+            least_tab/2,                % +Width, -Least
+            deepest_tab/3,              % +Width, +Pieces, -Deep
+            side_length/2,              % +Side, -Length
+            tab_shape/4                 % +Width, +Length, -Shape, -Area
+          ]).
+:- use_module('../kernel', [shapes_add/2, shapes_free/3, shapes_open/2]).
+:- use_module('../decision', [decision/2, default/1]).
+:- use_module(pattern_outline, [loop_area/2]).
+:- use_module(pattern_strip, [seam_runs/3, strip_form/5]).
+:- use_module(pattern_trim, [trimmed_tab/4]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), 
+              [append/3, last/2, max_list/2, member/2, reverse/2]).
+:- use_module(library(pairs), 
+              [group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2]).
+/** <module> Tabs: what the two sides of a seam are glued with.
+
+One side of a seam gets a tab, a trapezoid that stands on it. Of both sides and
+of the forms of tab_shape/4 the largest is taken that lies on no face and on no
+other tab of its piece. Where that is less than half of what there would be in
+the open, the largest form is trimmed, as with scissors, to what is free beside
+the seam (pattern_trim.pl), if that leaves more. What remains of a seam gets
+tabs of its own, on whichever side has room. Before all others the facets of
+curves have tabs together (pattern_strip.pl). Where nothing fits that is as
+large as least_tab/2 says, the seam is a butt joint.
+
+Places along a seam are in millimetres from its start on its first side.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+% How deep a tab may lie in a face, in millimetres: far below what a knife can
+% do, far above what numbers are rounded by.
+touching(1.0e-6).
+
+% So many tabs a seam has at most, one beside the other.
+most_tabs(3).
+
+%!  least_tab(+Width, -Least) is det.
+%
+%   Least is how deep a tab is, in the middle, where tabs should be Width deep:
+%   1 mm, or a third of Width. Along the seam it is at least twice that.
+
+least_tab(Width, Least) :-
+    Least is min(1.0, Width/3).
+
+%!  deepest_tab(+Width, +Pieces, -Deep) is det.
+%
+%   Deep is how deep the tabs of Pieces may be that should be Width deep: less
+%   than Width if all seams are short.
+
+deepest_tab(Width, Pieces, Deep) :-
+    findall(Length,
+            ( seam_side(Pieces, _, _, Side), side_length(Side, Length) ),
+            Lengths),
+    max_list([0.0|Lengths], Longest),
+    Deep is min(Width, 0.45*Longest).
+
+%!  tabs(+Width, +Pieces, -Tabs, -Butt) is det.
+%
+%   Tabs are tab(D,E,A,B)-What: on side E from vertex A to vertex B, at most
+%   Width deep. What is a list of outlines, each a list of points in the order
+%   of the outline of the piece, as they follow each other; or strip(Points),
+%   the part that belongs to this side of a tab that it shares with its
+%   neighbours, which goes on where that of the side before ended. Butt lists
+%   the seams D-J that have none, as (D-J)-E, E the edge on their first side.
+
+tabs(Width, Pieces, Tabs, Butt) :-
+    maplist(piece_shapes(Width), Pieces, Named),
+    list_to_assoc(Named, Shapes),
+    findall(Seam-(Name-Side), seam_side(Pieces, Seam, Name, Side), Sides0),
+    keysort(Sides0, Sides),
+    findall(k(Name,J,Which)-Side, side_key(Sides, Name, J, Which, Side), Keys0),
+    sort(1, @<, Keys0, Keys1),
+    list_to_assoc(Keys1, Keys),
+    seam_runs(Width, Pieces, Runs),
+    foldl(run_tabs(Width, Shapes, Keys), Runs, Strips-Served0, []-[]),
+    list_to_assoc(Served0, Served),
+    group_pairs_by_key(Sides, Seams0),
+    findall(Rank-Seam,
+            ( member((D-J)-Own, Seams0),
+              \+ get_assoc(D-J, Served, _),
+              one_to_one(Own, Some),
+              seam_rank((D-J)-Some, Rank-Seam)
+            ),
+            Ranked0),
+    keysort(Ranked0, Ranked),
+    pairs_values(Ranked, Seams),
+    foldl(seam_tabs(Width, Shapes), Seams, Tabs0-Butt0, []-[]),
+    append(Strips, Tabs0, Tabs),
+    sort(1, @<, Butt0, Butt).
+
+seam_side(Pieces, D-J, Name, Side) :-
+    member(piece(Name,_,Sides), Pieces),
+    Name = name(D, _, _),
+    member(Side, Sides),
+    Side = side(_, _, _, _, seam(J,_,_)).
+
+side_key(Sides, Name, J, Which, Side) :-
+    member(_-(Name-Side), Sides),
+    Side = side(_, _, _, _, seam(J,_,Which)).
+
+%   one_to_one(Sides0, Sides) is nondet: where a face was divided a seam has
+%   several parts on one side, not the same as on the other. Then each part of
+%   the first has a tab, if it has room.
+
+one_to_one(Sides0, Sides) :-
+    (   Sides0 = [_,_,_|_]
+    ->  member(Side, Sides0),
+        Side = _-side(_, _, _, _, seam(_,_,1)),
+        Sides = [Side]
+    ;   Sides = Sides0
+    ).
+
+%   Long seams choose first, for they hold the most.
+
+seam_rank(Seam-Sides, Rank-(Seam-Sides)) :-
+    Sides = [_-Side|_],
+    side_length(Side, Length),
+    Rank is -round(Length*1000).
+
+%!  side_length(+Side, -Length) is det.
+%
+%   Length, in millimetres, is that of a side as in pattern_piece.pl.
+
+side_length(side(_,_,_-A,_-B,_), Length) :-
+    points_apart(A, B, Length).
+
+points_apart(XA-YA, XB-YB, Length) :-
+    Length is sqrt((XB-XA)**2 + (YB-YA)**2).
+
+piece_shapes(Width, piece(Name,Faces,_), Name-Shapes) :-
+    Cell is max(Width, 0.1),
+    findall(Shape,
+            ( member(face(_,Corners), Faces), member(Shape, Corners) ),
+            Solid),
+    shapes_cell(Solid, Cell, Side),
+    shapes_open(Side, Shapes),
+    forall(member(Corners, Solid),
+           ( maplist(corner_point, Corners, Points),
+             shapes_add(Shapes, Points)
+           )).
+
+corner_point(_-Point, Point).
+
+%   About as large as a face.
+
+shapes_cell(Solid, Least, Cell) :-
+    foldl(wider, Solid, 0-0.0, N-Sum),
+    Cell is max(Least, Sum/max(1, N)).
+
+wider([_-(XA-YA),_-(XB-YB)|_], N0-Sum0, N-Sum) :-
+    N is N0+1,
+    Sum is Sum0 + max(abs(XB-XA), abs(YB-YA)).
+
+
+
+                /*******************************
+                *            CURVES            *
+                *******************************/
+
+%   One tab for the seams of a run, on the side where there is room; if there is
+%   none on either, each seam is on its own.
+
+run_tabs(Width, Shapes, Sides, Run, Tabs0-Served0, Tabs-Served) :-
+    least_tab(Width, Least),
+    Run = [k(name(D,_,_),_,_)-_|_],
+    pairs_keys_values(Run, Keys, Partners0),
+    reverse(Partners0, Partners),
+    (   member(Own, [Keys,Partners]),
+        maplist(key_side(Sides), Own, OwnSides),
+        Own = [k(Name,_,_)|_],
+        get_assoc(Name, Shapes, Piece),
+        strip_on(OwnSides, Width, Least, Piece, Outline)
+    ->  strip_tabs(OwnSides, D, Outline, Tabs0, Tabs),
+        findall((D-J)-strip, member(k(_,J,_), Own), New),
+        append(New, Served, Served0)
+    ;   Tabs0 = Tabs,
+        Served0 = Served
+    ).
+
+key_side(Sides, Key, Side) :-
+    get_assoc(Key, Sides, Side).
+
+strip_on(Sides, Width, Least, Piece, Outline) :-
+    Sides = [side(_,_,_-First,_,_)|_],
+    findall(B, member(side(_,_,_,_-B,_), Sides), Ends),
+    last(Ends, Last),
+    points_apart(First, Last, Chord),
+    findall(Area-Deep,
+            tab_shape(Width, Chord, tab(_,_,_,_,Deep), Area),
+            Forms),
+    keysort(Forms, Sorted),
+    last(Sorted, _-Deepest),
+    touching(Tolerance),
+    strip_form([First|Ends], Deepest, Least, strip(Outline,Cells), _),
+    \+ ( member(Cell, Cells), \+ shapes_free(Piece, Cell, Tolerance) ),
+    !,
+    forall(member(Cell, Cells), shapes_add(Piece, Cell)).
+
+%   Each side has its part of the outline.
+
+strip_tabs([Side|Sides], D, [P,T,Q|Points], [Tab|Tabs0], Tabs) :-
+    strip_tab(D, Side, [P,T,Q], Tab),
+    rest_of_strip(Sides, D, [Q|Points], Tabs0, Tabs).
+
+rest_of_strip([Side], D, Points, [Tab|Tabs], Tabs) :-
+    !,
+    strip_tab(D, Side, Points, Tab).
+rest_of_strip([Side|Sides], D, [P,Q|Points], [Tab|Tabs0], Tabs) :-
+    strip_tab(D, Side, [P,Q], Tab),
+    rest_of_strip(Sides, D, [Q|Points], Tabs0, Tabs).
+
+strip_tab(D, side(E,_,A-_,B-_,_), Points, tab(D,E,A,B)-strip(Points)).
+
+
+                /*******************************
+                *           ONE SEAM           *
+                *******************************/
+
+seam_tabs(Width, Shapes, (D-J)-Sides, Tabs0-Butt0, Tabs-Butt) :-
+    maplist(glue_side(Shapes), Sides, Glues),
+    Sides = [_-First|_],
+    side_length(First, Length),
+    most_tabs(Most),
+    placed_between(0.0, Length, part(Length,Width,Glues), Most, Placed0, []),
+    keysort(Placed0, Placed),
+    group_pairs_by_key(Placed, BySide),
+    (   BySide == []
+    ->  First = side(E, _, _, _, _),
+        Tabs0 = Tabs,
+        Butt0 = [(D-J)-E|Butt]
+    ;   findall(Tab, ( member(By, BySide), side_tabs(D, Sides, By, Tab) ), New),
+        append(New, Tabs, Tabs0),
+        Butt0 = Butt
+    ).
+
+%   A side that may have tabs, and all that is in its piece.
+
+glue_side(Shapes, Name-Side, glue(Side,Own)) :-
+    get_assoc(Name, Shapes, Own).
+
+%   The second side runs back along the first one.
+
+side_tabs(D, [_-Side|_], 1-Outlines, tab(D,E,A,B)-Outlines) :-
+    Side = side(E, _, A-_, B-_, _).
+side_tabs(D, [_,_-Side|_], 2-Outlines0, tab(D,E,A,B)-Outlines) :-
+    Side = side(E, _, A-_, B-_, _),
+    reverse(Outlines0, Outlines).
+
+%   placed_between(From, To, part(Length,Width,Glues), Most, Placed0, Placed):
+%   Which-Outline for each tab between two places on the seam, in order; Which
+%   is the side. At most Most of them.
+
+placed_between(From, To, Part, Most, Placed0, Placed) :-
+    (   Most > 0,
+        part_long_enough(From, To, Part),
+        best_tab(From, To, Part, Which-Tab)
+    ->  tab_entered(Which, Tab, Part, Outline, Low, High),
+        More is Most-1,
+        placed_between(From, Low, Part, More, Placed0, Placed1),
+        Placed1 = [Which-Outline|Placed2],
+        placed_between(High, To, Part, More, Placed2, Placed)
+    ;   Placed0 = Placed
+    ).
+
+%   What is left of a seam is to be worth the trouble: a fifth of it, not less
+%   than three times the least tab.
+
+part_long_enough(From, To, part(Length,Width,_)) :-
+    Part is To-From,
+    least_tab(Width, Least),
+    Part >= 2*Least,
+    (   Part >= 0.99*Length
+    ->  true
+    ;   Part >= max(3*Least, 0.2*Length)
+    ).
+
+tab_entered(Which, Tab, part(Length,_,Glues), Outline, Low, High) :-
+    nth_glue(Which, Glues, glue(Side,Own)),
+    tab_outline(Side, Tab, Outline),
+    shapes_add(Own, Outline),
+    tab_ends(Tab, Start, End),
+    (   Which =:= 1
+    ->  Low = Start,
+        High = End
+    ;   Low is Length-End,
+        High is Length-Start
+    ).
+
+nth_glue(1, [Glue|_], Glue).
+nth_glue(2, [_,Glue|_], Glue).
+
+%   best_tab(From, To, Part, Which-Tab): the largest form that is free, on the
+%   first side if on both; or the largest form trimmed, if that leaves more. A
+%   tab is a list of Along-Deep, its corners: how far along its own side, and
+%   how far from that.
+
+best_tab(From, To, Part, Best) :-
+    Part = part(_, Width, _),
+    Length is To-From,
+    findall(Less-Shape,
+            ( tab_shape(Width, Length, Shape, Area), Less is -Area ),
+            Forms0),
+    keysort(Forms0, Forms),
+    Forms = [Most-Largest|_],
+    (   free_form(Forms, From, To, Part, Less, Free)
+    ->  true
+    ;   Less = 0
+    ),
+    findall(Trim-Trimmed,
+            ( Less > Most/2,
+              trimmed_form(Largest, From, To, Part, Trim, Trimmed),
+              Trim < Less
+            ),
+            Trims),
+    keysort(Trims, Sorted),
+    (   Sorted = [_-Best|_]
+    ->  true
+    ;   Less < 0,
+        Best = Free
+    ).
+
+free_form(Forms, From, To, Part, Less, Which-Tab) :-
+    member(Less-Shape, Forms),
+    glue_between(From, To, Part, Which, Start, End, glue(Side,Own)),
+    room_shape(Shape, Room),
+    shape_tab(Room, Start, End, Needed),
+    tab_outline(Side, Needed, Outline),
+    touching(Tolerance),
+    shapes_free(Own, Outline, Tolerance),
+    !,
+    shape_tab(Shape, Start, End, Tab).
+
+trimmed_form(Largest, From, To, Part, Less, Which-Tab) :-
+    Part = part(_, Width, _),
+    least_tab(Width, Least),
+    glue_between(From, To, Part, Which, Start, End, glue(Side,Own)),
+    Largest = tab(In1, Run1, In2, Run2, Deep),
+    Low is Start+In1,
+    High is End-In2,
+    Slope1 is Run1/Deep,
+    Slope2 is Run2/Deep,
+    trimmed_tab(within(Low,High,Slope1,Slope2,Deep), Least,
+                sg_pattern_tab:tab_free(Own, Side), Tab),
+    loop_area(Tab, Area),
+    Less is -abs(Area).
+
+%!  tab_free(+Own, +Side, +Tab) is semidet.
+%
+%   Nothing of the shapes Own is where Tab would be.
+
+tab_free(Own, Side, Tab) :-
+    tab_outline(Side, Tab, Outline),
+    touching(Tolerance),
+    shapes_free(Own, Outline, Tolerance).
+
+%   glue_between(From, To, Part, Which, Start, End, Glue): Start and End are the
+%   two places as the side sees them.
+
+glue_between(From, To, part(_,_,[Glue|_]), 1, From, To, Glue).
+glue_between(From, To, part(Length,_,[_,Glue|_]), 2, Start, End, Glue) :-
+    Start is Length-To,
+    End is Length-From.
+
+%   A tab needs a little more room than it takes: a knife has to go between it
+%   and what is beside it, and its line is to be no one else's.
+
+room_shape(tab(In1,Run1,In2,Run2,Deep), tab(In1,More1,In2,More2,More)) :-
+    More1 is 0.85*Run1,
+    More2 is 0.85*Run2,
+    More is 1.05*Deep.
+
+shape_tab(tab(In1,Run1,In2,Run2,Deep), Start, End,
+          [A-0.0,B-Deep,C-Deep,D-0.0]) :-
+    A is Start+In1,
+    B is A+Run1,
+    D is End-In2,
+    C is D-Run2.
+
+tab_ends([Start-_|Corners], Start, End) :-
+    append(_, [End-_], Corners),
+    !.
+
+%   tab_outline(Side, Tab, Points): in the order of the outline; the face is on
+%   the left of Side, the tab on its right. The ends of the side itself are
+%   copied, not computed.
+
+tab_outline(Side, Tab, Points) :-
+    Side = side(_, _, _-A, _-B, _),
+    A = XA-YA,
+    B = XB-YB,
+    side_length(Side, Length),
+    U is (XB-XA)/Length,
+    V is (YB-YA)/Length,
+    maplist(tab_point(A, B, Length, U, V), Tab, Points).
+
+tab_point(A, B, Length, U, V, Along-Deep, Point) :-
+    (   Deep =:= 0,
+        Along < 1.0e-9*Length
+    ->  Point = A
+    ;   Deep =:= 0,
+        Along > Length*(1-1.0e-9)
+    ->  Point = B
+    ;   A = XA-YA,
+        X is XA + Along*U + Deep*V,
+        Y is YA + Along*V - Deep*U,
+        Point = X-Y
+    ).
+
+:- decision(tab_shape/4, "The forms that a tab may have").
+
+%!  tab_shape(+Width, +Length, -Shape, -Area) is nondet.
+%
+%   True when a seam of Length may have a tab of this Shape, at most Width deep:
+%   tab(In1,Run1,In2,Run2,Deep) begins In1 from the start of the seam and ends
+%   In2 from its end, is Deep, and its upper corners stand Run1 and Run2 farther
+%   in. The largest that has room is taken; what is trimmed to its room is a
+%   part of the largest form. A decision.
+
+tab_shape(Width, Length, tab(In1,Run1,In2,Run2,Deep), Area) :-
+    least_tab(Width, Least),
+    member(Part, [1.0,0.75,0.55]),
+    Deep is min(Width, 0.45*Length)*Part,
+    Deep >= Least,
+    member(Slope1-Slope2, [ 1-1, 1.8-1.8, 3.5-3.5, 1-3.5, 3.5-1 ]),
+    Run1 is Deep*Slope1,
+    Run2 is Deep*Slope2,
+    member(In-Out, [0-0, 0.15-0, 0-0.15, 0.15-0.15]),
+    In1 is In*Length,
+    In2 is Out*Length,
+    Base is Length-In1-In2,
+    Base >= 2*Least,
+    Top is Base-Run1-Run2,
+    Top >= 0.1*Length,
+    Area is (Base+Top)/2*Deep.

@@ -1,0 +1,154 @@
+:- module(sg_pattern_table,
+          [ pattern_tables/4,           % +Ds, +Options, +Paper, -Tables
+            table_name/2,               % +Table, -Name
+            table_loops/2,              % +Table, -Loops
+            table_line/2                % +Table, -Points
+          ]).
+:- use_module('../sheet/lettering', [lettering/2]).
+:- use_module('../unrolling/true_table',
+              [row_height/2, true_length_marks/4, true_length_rows/2]).
+:- use_module(library(lists), [append/2, member/2]).
+:- use_module(library(option), [option/3]).
+/** <module> Tables of true lengths on the sheets of a pattern.
+
+A table is nested like a piece. One that is longer than the paper is divided
+between two rows; each part has the names of the columns.
+
+    table(D, Part, Marks, Size)
+
+is Part, 1, 2, ..., of the table of pattern D, or 0 if it is whole, Marks as of
+true_length_marks/4, Size W-H.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+% Letters, in millimetres: so high, or lower if the paper is narrow, down to
+% what can be read.
+letters(2.5).
+least_letters(1.25).
+
+% A table is made so much smaller rather than divided.
+least_share(0.7).
+
+%!  pattern_tables(+Ds, +Options, +Paper, -Tables) is det.
+%
+%   Tables are those of the patterns Ds that have generators, in parts that
+%   Paper (pattern_nest.pl) has room for; none if Options say table(false).
+%   Those with too many columns for it are left out, and counted in a message.
+
+pattern_tables(Ds, Options, Paper, Tables) :-
+    (   option(table(true), Options, true)
+    ->  findall(D-Rows,
+                ( member(D, Ds),
+                  true_length_rows(D, All),
+                  length(All, Rows),
+                  Rows > 0
+                ),
+                Trues),
+        findall(Parts,
+                ( member(D-Rows, Trues), table_parts(D, Rows, Paper, Parts) ),
+                Partss),
+        append(Partss, Tables),
+        told_left_out(Trues, Partss)
+    ;   Tables = []
+    ).
+
+told_left_out(All, Shown) :-
+    length(All, N0),
+    length(Shown, N1),
+    (   N0 > N1
+    ->  N is N0-N1,
+        print_message(informational, sanggwan(pattern(no_room(table,N))))
+    ;   true
+    ).
+
+%   table_parts(D, Rows, Paper, Parts) is semidet.
+
+table_parts(D, Rows, Paper, Parts) :-
+    letters(H),
+    true_length_marks(D, [height(H)], Marks, W-High),
+    (   Paper = roll(_)
+    ->  Parts = [table(D,0,Marks,W-High)]
+    ;   Paper = room(RoomW, RoomH, _),
+        whole_share(RoomW-RoomH, W-High, Share),
+        least_share(Least),
+        Share >= Least
+    ->  Small is H*min(1, Share),
+        true_length_marks(D, [height(Small)], SmallMarks, Size),
+        Parts = [table(D,0,SmallMarks,Size)]
+    ;   Paper = room(RoomW, RoomH, _),
+        part_room(RoomW-RoomH, W, Letters, High1),
+        row_height(Letters, Row),
+        Most is floor(High1/Row)-1,
+        Most >= 1,
+        findall(Part, table_part(D, Rows, Most, Letters, Part), Parts)
+    ).
+
+%   How much smaller the whole table has to be, upright or lying; a raster takes
+%   a little of the room (pattern_nest.pl).
+
+whole_share(RoomW-RoomH, W-H, Share) :-
+    Share is 0.96*max(min(RoomW/W, RoomH/H), min(RoomW/H, RoomH/W)).
+
+%   part_room(Room, W, Letters, High): how high a part may be; upright if that
+%   does not take much smaller letters.
+
+part_room(RoomW-RoomH, W, Letters, High) :-
+    letters(H),
+    Upright is min(1.0, 0.96*RoomW/W),
+    Lying is min(1.0, 0.96*RoomH/W),
+    least_share(Least),
+    (   Upright >= min(Least, Lying)
+    ->  Letters is H*Upright,
+        High is 0.96*RoomH
+    ;   Letters is H*Lying,
+        High is 0.96*RoomW
+    ),
+    least_letters(Smallest),
+    Letters >= Smallest.
+
+%   Parts are as long as each other, or nearly.
+
+table_part(D, Rows, Most, Letters, table(D,I,Marks,Size)) :-
+    Count is ceiling(Rows/Most),
+    between(1, Count, I),
+    From is (I-1)*Rows//Count + 1,
+    To is I*Rows//Count,
+    true_length_marks(D, [height(Letters),rows(From,To)], Marks, Size).
+
+%!  table_name(+Table, -Name) is det.
+%
+%   Name, an atom, is that of its view: table2, or table2-1 for a part.
+
+table_name(table(D,0,_,_), Name) :-
+    !,
+    format(atom(Name), 'table~d', [D]).
+table_name(table(D,I,_,_), Name) :-
+    format(atom(Name), 'table~d-~d', [D,I]).
+
+%!  table_loops(+Table, -Loops) is det.
+%
+%   Loops has its outline, as that of a piece.
+
+table_loops(table(_,_,_,W0-H0), [[0.0-0.0,W-0.0,W-H,0.0-H]]) :-
+    W is float(W0),
+    H is float(H0).
+
+%!  table_line(+Table, -Points) is nondet.
+%
+%   Points, X-Y, are a line of its frame or of its letters, which are drawn: it
+%   may lie on its side.
+
+table_line(table(_,_,Marks,_), Points) :-
+    member(Mark, Marks),
+    mark_points(Mark, Points).
+
+mark_points(line(_,Points), Points).
+mark_points(text(X,Y,High0,Text0), Points) :-
+    format(string(Text), '~w', [Text0]),
+    High is round(High0*1000),
+    lettering(text(0,0,High,middle,Text), Lines),
+    member(Line, Lines),
+    findall(XB-YB,
+            ( member(A-B, Line), XB is X + A/1000, YB is Y - B/1000 ),
+            Points).

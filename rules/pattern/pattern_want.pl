@@ -1,0 +1,136 @@
+:- encoding(utf8).
+:- module(sg_pattern_want,
+          [ wanted_text/4               % +Placed, +Options, +Numbers, -Want
+          ]).
+:- use_module(pattern_number, [reads_turned/1]).
+:- use_module(pattern_text, [first_of/3]).
+:- use_module('../development/polygon_name', [polygon_name/3]).
+:- use_module('../store', [segment/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
+/** <module> What is to be written on a piece of a pattern.
+*/
+
+%!  wanted_text(+Placed, +Options, +Numbers, -Want) is nondet.
+%
+%   Want, as of written/5 (pattern_text.pl), is a text of the piece Placed
+%   (pattern_drawing.pl): numbers of seams first, then of generators, names of
+%   faces, and angles, as Options say; Numbers are those of seam_numbers/2.
+
+wanted_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
+            want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],
+                 first_of([beside(Places),beside(Tabs),
+                           over_folds(beside(Places))]))) :-
+    option(numbers(true), Options, true),
+    get_assoc(Name, Numbers, Wanted),
+    findall((J-Which)-place(E,A,B),
+            member(side(E,_,_-A,_-B,seam(J,_,Which)), Sides),
+            Pairs0),
+    sort(1, @<, Pairs0, Pairs),
+    list_to_assoc(Pairs, Placed),
+    folds_by_edge(Lines, Folds),
+    member(N-Seams, Wanted),
+    first_of(12, Seams, Some),
+    findall(Place, ( member(Seam, Some), get_assoc(Seam, Placed, Place) ),
+            Sided),
+    findall(A-B, member(place(_,A,B), Sided), Places),
+    findall(Tab, ( member(Place, Sided), tab_at(Place, Folds, Tab) ), Tabs),
+    number_text(N, Text).
+wanted_text(placed(Name,Faces,_,_,Sides), _, _,
+            want(generator_number,Name,Text,[2.5,2.0,1.6],
+                 end_of(A,B,Shapes))) :-
+    memberchk(side(_,_,_,_,generator(_)), Sides),
+    findall(Shape,
+            ( member(face(_,Own), Faces), member(Shape, Own) ),
+            Shapes),
+    member(side(_,_,_-A,_-B,generator(N)), Sides),
+    number_text(N, Text).
+wanted_text(placed(Name,Faces,_,_,_), Options, _,
+            want(face_name,Name,Text,[6.0,4.5,3.2,2.5,2.0],within(Shapes))) :-
+    option(names(What), Options, false),
+    What \== false,
+    Name = name(D, _, _),
+    member(face(P,Shapes), Faces),
+    face_text(What, D, P, Text).
+wanted_text(placed(Name,_,_,_,Sides), Options, _,
+            want(angle,Name,Text,[2.5,2.0,1.6],along(A,B))) :-
+    option(angles(true), Options, false),
+    option(fold_threshold(Threshold), Options, 0.5),
+    member(side(_,_,_-A,_-B,fold(_,Angle,1)), Sides),
+    abs(Angle) > Threshold,
+    angle_text(Angle, Text).
+
+%   folds_by_edge(Lines, Folds): Folds is an assoc from edges to the lines Q-P
+%   along which something may be folded there.
+
+folds_by_edge(Lines, Folds) :-
+    findall(E-(Q-P),
+            ( member(line(Role,E,Q,P), Lines),
+              memberchk(Role, [fold_down,fold_up,mark])
+            ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Folds).
+
+%   tab_at(Place, Folds, Tab) is nondet: Tab is P-Q where a tab is folded at a
+%   part Q-P of the side Place, so the tab is on the left of it.
+
+tab_at(place(E,XA-YA,XB-YB), Folds, (X-Y)-(XQ-YQ)) :-
+    get_assoc(E, Folds, Own),
+    DX is XB-XA,
+    DY is YB-YA,
+    Near is 1.0e-6*(DX*DX+DY*DY),
+    member((XQ-YQ)-(X-Y), Own),
+    abs(DX*(Y-YA) - DY*(X-XA)) =< Near,
+    abs(DX*(YQ-YA) - DY*(XQ-XA)) =< Near,
+    DX*(XQ-XA) + DY*(YQ-YA) >= -Near,
+    DX*(XB-X) + DY*(YB-Y) >= -Near,
+    DX*(X-XQ) + DY*(Y-YQ) > 0.
+
+number_text(N, Text) :-
+    number_string(N, String),
+    (   reads_turned(N)
+    ->  Text = underlined(String)
+    ;   Text = String
+    ).
+
+%   In whole degrees, or tenths if that is needed.
+
+angle_text(Angle, Text) :-
+    Tenths is round(abs(Angle)*10),
+    (   Tenths mod 10 =:= 0
+    ->  Degrees is Tenths//10,
+        format(string(Text), '~d°', [Degrees])
+    ;   format(string(Text), '~1d°', [Tenths])
+    ).
+
+%   What the face is of its primitive, or of that of a leaf (polygon_name/3), if
+%   words are wanted and there are any.
+
+face_text(words, D, P, Text) :-
+    segment(D, _, Term),
+    ( Term = development(S) ; Term = true_development(S, _) ),
+    integer(S),
+    polygon_name(S, P, What),
+    What \== P,
+    face_words(What, Text),
+    !.
+face_text(_, _, P, Text) :-
+    number_text(P, Text).
+
+face_words(Leaf/What, Text) :-
+    !,
+    face_words(What, Text0),
+    format(string(Text), '~w/~s', [Leaf,Text0]).
+face_words(What, Text) :-
+    atom(What),
+    !,
+    atom_string(What, Text).
+face_words(What, Text) :-
+    compound(What),
+    What =.. [Name,I],
+    integer(I),
+    format(string(Text), '~w ~d', [Name,I]).

@@ -1,0 +1,184 @@
+:- module(sg_resolve,
+          [ resolve_contacts/2,         % +Set, +Tolerance
+            resolve_contacts_by_rule/2, % +Set, +Tolerance
+            resolved_seams/0
+          ]).
+:- use_module('../kernel', [cut_resolve/4, cut_touch/3]).
+:- use_module('../csg/leaf', [leaves_kept/1, place_kept/1]).
+:- use_module('../store',
+              [ v/5, e/5, p/3, t/6, origin/3, line/9, edge_polygon/3,
+                assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3
+              ]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(lists), [member/2, selectchk/3]).
+
+/** <module> Resolving contacts: what was meant to touch is made to touch.
+
+Solids that share a part of a face share it exactly only as long as nobody has
+turned them: coordinates are rounded, and afterwards one face lies a hair's
+breadth above the other, in places. Exact arithmetic would draw each hair. So
+before the exact arrangement, what is nearer than the tolerance is made to
+touch, with the same doubles on both sides:
+
+    vertex and vertex   one moves to the other
+    vertex and edge     the edge is divided there
+    edge and edge       both are divided where they pass each other
+    vertex and polygon  the polygon gets a corner of a triangle there
+
+A piece of an edge between two such points in a polygon enters it as a pair of
+auxiliary edges (a seam), and where two polygons lie on each other both get the
+same triangles. Nothing else changes: what is exact already is left alone, and
+what comes after decides exactly on what stands in v/5 and t/6.
+
+A vertex that moved or was made here has the origin `near(Origin)`, Origin as
+in penetration.pl; it is not exact. What was there before is kept
+(leaf.pl).
+
+@see c_kernels/penetration/resolve.h
+*/
+
+%!  resolve_contacts(+Set, +Tolerance) is semidet.
+%!  resolve_contacts_by_rule(+Set, +Tolerance) is semidet.
+%
+%   True if something was made to touch in the segments of cut set Set: then
+%   the world has changed, and Set no longer shows it. Tolerance is in model
+%   units, positive. Contacts that hang together over more than three
+%   tolerances, or that a polygon cannot take in, are tried again with less;
+%   in the end nothing is changed, with a warning: the lines are right for the
+%   model as it is, but may have splinters. cut_touch/3 is the fused kernel of
+%   the rule; a test holds the two together.
+
+resolve_contacts(Set, Tolerance) :-
+    Tolerance > 0,
+    parts(Parts),
+    closed_contacts(Parts, Set, Tolerance).
+
+closed_contacts([Part|Parts], Set, Tolerance) :-
+    Reach is Part*Tolerance,
+    cut_touch(Set, Reach, What),
+    (   atom(What)
+    ->  What == changed
+    ;   Parts == []
+    ->  print_message(warning, sanggwan(contacts(What))),
+        fail
+    ;   closed_contacts(Parts, Set, Tolerance)
+    ).
+
+parts([1, 2 ** -8, 2 ** -16]).
+
+resolve_contacts_by_rule(Set, Tolerance) :-
+    Tolerance > 0,
+    parts(Parts),
+    closed_contacts(Parts, Set, Tolerance, Changes),
+    Changes = changes(Vertices, Polygons),
+    Vertices-Polygons \== []-[],
+    findall(S-V, member(vertex(S, V, _, _, _, _), Vertices), Places),
+    maplist(place_kept, Places),
+    findall(S-P, member(polygon(S, P, _, _), Polygons), Cut),
+    leaves_kept(Cut),
+    maplist(write_vertex, Vertices),
+    maplist(write_polygon, Polygons).
+
+closed_contacts([Part|Parts], Set, Tolerance, Changes) :-
+    Reach is Part*Tolerance,
+    cut_resolve(Set, Reach, Vertices, Polygons),
+    (   is_list(Vertices)
+    ->  Changes = changes(Vertices, Polygons)
+    ;   Parts == []
+    ->  print_message(warning, sanggwan(contacts(Vertices))),
+        Changes = changes([], [])
+    ;   closed_contacts(Parts, Set, Tolerance, Changes)
+    ).
+
+write_vertex(vertex(S, V, X, Y, Z, Origin)) :-
+    retractall_facts(v(S, V, _, _, _)),
+    assert_fact(v(S, V, X, Y, Z)),
+    (   origin(S, v(V), _)
+    ->  true
+    ;   assert_fact(origin(S, v(V), Origin))
+    ).
+
+%   The polygon keeps its number, and its edges that were not divided theirs.
+
+write_polygon(polygon(S, P, Edges, Triangles)) :-
+    p(S, P, Es0),
+    !,
+    retract_one(p(S, P, Es0)),
+    findall(E, ( member(E, Es0), \+ is_kept(S, E, Edges) ), Gone),
+    maplist(write_edge(S), Edges, Es),
+    forall(member(E, Gone), retractall_facts(e(S, E, _, _, _))),
+    assert_fact(p(S, P, Es)),
+    retractall_facts(t(S, P, _, _, _, _)),
+    maplist(write_triangle(S, P), Triangles).
+
+retract_one(Fact) :-
+    retract_fact(Fact),
+    !.
+
+is_kept(S, E, Edges) :-
+    e(S, E, V1, V2, _),
+    memberchk(w(V1, V2, _, E), Edges).
+
+write_edge(S, w(V1, V2, _, E), E) :-
+    E > 0,
+    e(S, E, V1, V2, _),
+    !.
+write_edge(S, w(V1, V2, Et, Old), E) :-
+    fresh_id(e, S, E),
+    assert_fact(e(S, E, V1, V2, Et)),
+    (   Old > 0
+    ->  assert_fact(origin(S, e(E), e(Old)))
+    ;   assert_fact(origin(S, e(E), near))
+    ).
+
+write_triangle(S, P, t(V1, V2, V3)) :-
+    fresh_id(t, S, T),
+    assert_fact(t(S, P, T, V1, V2, V3)).
+
+%!  resolved_seams is det.
+%
+%   When the lines are found: the seams that resolve_contacts/2 entered, until
+%   then auxiliary edges, become edges of the lines that run along them. Those
+%   without a line (of segments that do not cut each other) go.
+
+resolved_seams :-
+    findall(S-E, origin(S, e(E), near), Seams),
+    maplist(name_seam, Seams).
+
+name_seam(S-Seam) :-
+    retract_one(origin(S, e(Seam), near)),
+    findall(E-A-B, ( part(S, Seam, E), e(S, E, A, B, _) ), Parts),
+    maplist(name_part(S), Parts).
+
+%   part(+S, +E, -Part): what was divided while lines were entered.
+
+part(_, E, E).
+part(S, E, Part) :-
+    origin(S, e(E1), e(E)),
+    part(S, E1, Part).
+
+name_part(S, E-A-B) :-
+    line_along(S, A, B, L),
+    !,
+    retractall_facts(e(S, E, _, _, _)),
+    assert_fact(e(S, E, A, B, 1)),
+    retractall_facts(origin(S, e(E), _)),
+    assert_fact(origin(S, e(E), line(L))).
+name_part(S, E-_-_) :-
+    edge_polygon(S, E, P),
+    p(S, P, Es0),
+    !,
+    selectchk(E, Es0, Es),
+    retract_one(p(S, P, Es0)),
+    assert_fact(p(S, P, Es)),
+    retractall_facts(e(S, E, _, _, _)),
+    retractall_facts(origin(S, e(E), _)).
+
+line_along(S, A, B, L) :-
+    line(L, S, _, A, B, _, _, _, _).
+line_along(S, A, B, L) :-
+    line(L, S, _, B, A, _, _, _, _).
+line_along(S, A, B, L) :-
+    line(L, _, _, _, _, S, _, A, B).
+line_along(S, A, B, L) :-
+    line(L, _, _, _, _, S, _, B, A).

@@ -1,0 +1,93 @@
+:- module(sg_role,
+          [ edge_role/5,                % +S, +E, +Look, +Crease, -Role
+            role_rank/2,                % ?Role, ?Rank
+            role_drawn/2                % ?Which, ?Role
+          ]).
+:- use_module('../decision', [decision/2]).
+/** <module> The role of a line in the picture.
+
+Of all the directed edges between two vertices one is drawn, a real one if
+there is one (PL-13 step 3). How its faces lie to the eye, as the join
+scene_edge/5 reports it, decides its role:
+
+    Look = look(Faces, Towards, Away, Left, Right, Bend, Solid, Cut, Inside)
+
+  - Faces: how often polygons use the edge
+  - Towards, Away: how many of these face the eye, or face away from it; one
+    seen edge-on is neither (step 1); one of a solid that stands for a smooth
+    surface faces the eye if that shows some of the edge (line_turn/7)
+  - Left, Right: how many lie on the left and right of the line in the picture
+  - Bend: degrees by which they are not flat, the largest of all pairs; facets
+    of known surfaces (known_surface.pl) bend as these do, those of one by one
+    degree at most
+  - Solid: `true` if the segment is a solid whose shells are closed, are not
+    inside out and do not go through themselves: its backs cannot be seen
+  - Cut: `true` if it is part of a penetration line
+  - Inside: `true` if it lies inside a smooth surface whose outline runs through
+    its triangles (contour.pl), not along their edges
+
+@see [PL] section 6.3, steps 1 to 3: PL-13.
+*/
+
+:- decision(edge_role/5, "The role of a line in the picture (PL-13)").
+
+%!  edge_role(+S, +E, +Look, +Crease, -Role) is det.
+%
+%   True when Role is the role of edge E, one of
+%
+%     - penetration: part of a penetration line
+%     - curve: in no polygon
+%     - border: in one polygon only
+%     - outline: all its faces lie on one side of it in the picture, and it is
+%       not inside a smooth surface
+%     - crease: its faces bend by more than Crease degrees
+%     - smooth: they bend, but less
+%     - mesh: they lie flat side by side
+%
+%   A decision.
+
+edge_role(_, _, look(Faces,_,_,Left,Right,Bend,_,Cut,Inside), Crease, Role) :-
+    (   Cut == true
+    ->  Role = penetration
+    ;   Faces =:= 0
+    ->  Role = curve
+    ;   Faces =:= 1
+    ->  Role = border
+    ;   Inside == false,
+        on_one_side(Left, Right)
+    ->  Role = outline
+    ;   Bend > Crease + 1.0e-6          % all sides of a prism alike
+    ->  Role = crease
+    ;   Bend > 0.01
+    ->  Role = smooth
+    ;   Role = mesh
+    ).
+
+on_one_side(Left, 0) :- Left > 0, !.
+on_one_side(0, Right) :- Right > 0.
+
+%!  role_rank(?Role, ?Rank) is nondet.
+%
+%   Of lines that lie on one another in the picture the one whose role has the
+%   smallest rank is drawn.
+
+role_rank(penetration, 0).
+role_rank(outline,     1).
+role_rank(crease,      2).
+role_rank(border,      3).
+role_rank(curve,       4).
+role_rank(section,     5).
+role_rank(smooth,      6).
+role_rank(mesh,        7).
+
+%!  role_drawn(?Which, ?Role) is nondet.
+%
+%   True when a picture with lines(Which) shows lines of this Role: `all` real
+%   edges, `feature` lines, or only the `penetration` lines.
+
+role_drawn(all, Role) :-
+    role_rank(Role, _).
+role_drawn(feature, Role) :-
+    role_rank(Role, Rank),
+    Rank < 6.
+role_drawn(penetration, penetration).

@@ -1,0 +1,94 @@
+:- module(sg_primitive_rows,
+          [ add_primitive/2,            % +Term, -S
+            add_shape/5,                % +Kind, +Term, +Points, +Chains, -S
+            primitive_rows/3,           % +Term, +S, -Kind
+            shape_rows/4                % +Kind, +S, +Points, +Chains
+          ]).
+:- use_module('../polygon/polygon_list',
+              [polygon_fault/2, vertex_list_edges/2]).
+:- use_module(primitive, [primitive_shape/4]).
+:- use_module('../store', [assert_fact/1, facts_transaction/1, fresh_id/3]).
+:- use_module(library(apply), [foldl/4]).
+/** <module> Primitives as rows of the world.
+
+The shape of a primitive (primitive_shape/4) becomes the vertices, edges and
+polygons of a segment, each numbered from 1 in the order of the shape.
+*/
+
+%!  add_primitive(+Term, -S) is det.
+%
+%   Add the primitive Term (primitive.pl) to the current world, as a new
+%   segment S whose name is Term.
+%
+%   @error model_error(primitive(What, Term))
+
+add_primitive(Term, S) :-
+    primitive_shape(Term, Kind, Points, Chains),
+    add_shape(Kind, Term, Points, Chains, S).
+
+%!  add_shape(+Kind, +Term, +Points, +Chains, -S) is semidet.
+%
+%   As add_primitive/2: S is a new segment of Kind with the name Term; Points
+%   and Chains are as of primitive_shape/4. Fails, and nothing is added, if one
+%   of Chains is no polygon.
+
+add_shape(Kind, Term, Points, Chains, S) :-
+    facts_transaction(
+        sg_primitive_rows:new_segment(Kind, Term, Points, Chains, S)).
+
+new_segment(Kind, Term, Points, Chains, S) :-
+    fresh_id(segment, 0, S),
+    assert_fact(segment(S, Kind, Term)),
+    shape_rows(Kind, S, Points, Chains).
+
+%!  primitive_rows(+Term, +S, -Kind) is det.
+%
+%   Add the rows of the primitive Term, which is of this Kind, to segment S,
+%   that has none; but for segment/3.
+%
+%   @error model_error(primitive(What, Term))
+
+primitive_rows(Term, S, Kind) :-
+    primitive_shape(Term, Kind, Points, Chains),
+    shape_rows(Kind, S, Points, Chains).
+
+%!  shape_rows(+Kind, +S, +Points, +Chains) is semidet.
+%
+%   Add Points as the vertices of segment S, that has no rows, and Chains as
+%   its polygons; of a curve, as runs of its edges. Fails if one is no polygon.
+
+shape_rows(Kind, S, Points, Chains) :-
+    foldl(point_row(S), Points, 1, _),
+    (   Kind == curve
+    ->  foldl(curve_rows(S), Chains, 1, _)
+    ;   foldl(polygon_rows(S), Chains, 1-1, _)
+    ).
+
+point_row(S, point(X, Y, Z), V, V1) :-
+    assert_fact(v(S, V, X, Y, Z)),
+    V1 is V+1.
+
+curve_rows(S, Chain, E0, E) :-
+    chain_edges(Chain, Edges),
+    edge_rows(Edges, S, E0, _, E).
+
+chain_edges([_], []) :-
+    !.
+chain_edges([V,W|Vs], [V-W|Edges]) :-
+    chain_edges([W|Vs], Edges).
+
+polygon_rows(S, List, P-E0, P1-E) :-
+    vertex_list_edges(List, Edges),
+    \+ polygon_fault(Edges, _),
+    edge_rows(Edges, S, E0, Es, E),
+    assert_fact(p(S, P, Es)),
+    P1 is P+1.
+
+%   edge_rows(Edges, S, E0, Es, E): e/5 for the edges V1-V2, numbered Es, from
+%   E0 on; E is the next number.
+
+edge_rows([], _, E, [], E).
+edge_rows([V1-V2|Edges], S, E0, [E0|Es], E) :-
+    assert_fact(e(S, E0, V1, V2, 1)),
+    E1 is E0+1,
+    edge_rows(Edges, S, E1, Es, E).

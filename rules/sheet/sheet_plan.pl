@@ -1,0 +1,503 @@
+:- module(sg_sheet_plan,
+          [ views_drawing/4             % +Request, +Lines, :Cuts, -Drawing
+          ]).
+:- use_module(eye, [eye_view/3]).
+:- use_module('../picture/section', [model_box/1, section_plane/3]).
+:- use_module(sheet, [placed_part/3]).
+:- use_module(sheet_frame, [frame/5, bare_room/3]).
+:- use_module(sheet_layout, [layout/4]).
+:- use_module(sheet_marks,
+              [ plane_marks/6, interrupted/2, label_marks/4, marks_pads/4,
+                hatching/2, hatching_strokes/3
+              ]).
+:- use_module(sheet_paper,
+              [ paper_name/3, paper_size/3, standard_scale/1, scale_factor/2 ]).
+:- use_module(sheet_view,
+              [ section_view/5, view_seen/5, view_cell/4, seen_box/2 ]).
+:- use_module('../store', [facts_snapshot/1]).
+:- use_module(stroke, [strokes/2]).
+:- use_module(library(apply),
+              [convlist/3, exclude/3, foldl/4, maplist/3, partition/4]).
+:- use_module(library(lists),
+              [ append/2, append/3, max_list/2, member/2, memberchk/2,
+                min_list/2, nth1/3
+              ]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(pairs), [pairs_values/2]).
+:- use_module(library(yall), [(>>)/3, (>>)/4]).
+/** <module> A sheet of several views, from the model to a drawing.
+
+What is asked for is a list:
+
+  - paper(Width,Height): millimetres
+  - views(Views): of sheet_view.pl, not sections; or eye(Eye,Target), eye.pl
+  - sections(Texts): where to cut, see section_plane/3
+  - angle(Angle): `first` or `third`
+  - scale(Scale): N:M; `standard`, the largest one with which everything fits;
+    or `fit`, as large as there is room
+  - unit(U): millimetres of a unit of the model
+  - frame(Bool): frame and title block
+  - facts(Facts): for sheet_frame.pl
+  - hidden(How): as for write_drawing/2; `usual` leaves hidden lines out of
+    sections and pictorial views
+  - picture(Options): for picture/1
+*/
+
+:- meta_predicate views_drawing(+, +, :, -).
+
+%!  views_drawing(+Request, +Lines, :Cuts, -Drawing) is det.
+%
+%   Drawing (sheet.pl) shows the current world, whose segments are roots, as
+%   Request says. Lines are operand_lines/1. Cuts is cuts(First,Again), goals
+%   that cut the segments by each other: First for the model, Again for what is
+%   left of it in a section. The world stays as it is.
+%
+%   @error usage_error(sheet(What)): section(Text), section_past(Text,Box),
+%   many_sections(Most), too_large(Scale,Paper,Fitting,Papers), no_room(Paper)
+
+views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
+    option(views(Views0), Request),
+    maplist(standing, Views0, Views),
+    option(sections(Texts), Request),
+    option(picture(Picture), Request),
+    sections(Texts, Sections),
+    maplist(section_seen(Lines, Module:Again, Picture), Sections, SeenCut),
+    facts_snapshot(( call(Module:First),
+                     maplist(whole_seen(Lines, Picture), Views, SeenWhole) )),
+    append(SeenWhole, SeenCut, All),
+    option(hidden(Hidden), Request),
+    maplist(shown(Hidden), All, Shown),
+    boxed_views(Shown, Boxed),
+    warned_if_empty(Boxed),
+    sheet_laid(Request, Sections, Boxed, Drawing).
+
+whole_seen(Lines, Picture, View, Seen) :-
+    view_seen(View, Lines, true, Picture, Seen).
+
+standing(View0, View) :-
+    (   View0 = eye(Eye, Target)
+    ->  eye_view(Eye, Target, View)
+    ;   View = View0
+    ).
+
+warned_if_empty(Boxed) :-
+    (   Boxed == []
+    ->  print_message(informational, sanggwan(nothing_drawn))
+    ;   true
+    ).
+
+%   sections(Texts, Sections): views A, B, ..., a letter for each.
+
+section_letters('ABCDEFGHJKLMNPQRSTUVWXYZ').
+
+sections(Texts, Sections) :-
+    section_letters(Letters),
+    atom_length(Letters, Most),
+    (   length(Texts, N),
+        N > Most
+    ->  sheet_error(many_sections(Most))
+    ;   true
+    ),
+    findall(Section,
+            ( nth1(I, Texts, Text), section_of(I, Text, Section) ),
+            Sections).
+
+section_of(I, Text, Section) :-
+    (   section_plane(Text, Plane, Axis)
+    ->  section_letters(Letters),
+        B is I-1,
+        sub_atom(Letters, B, 1, _, Letter),
+        section_view(Letter, Plane, Axis, Text, Section)
+    ;   sheet_error(section(Text))
+    ).
+
+section_seen(Lines, Again, Picture, View, Seen) :-
+    (   view_seen(View, Lines, Again, Picture, Seen0)
+    ->  Seen = Seen0
+    ;   View = view(_, _, _, section(_,_,Text)),
+        (   model_box(Box)
+        ->  true
+        ;   Box = none
+        ),
+        sheet_error(section_past(Text, Box))
+    ).
+
+sheet_error(What) :-
+    throw(error(usage_error(sheet(What)), _)).
+
+%   shown(Hidden, Seen0, Seen): without the hidden lines that are not to be
+%   drawn.
+
+shown(Hidden, seen(View,Parts0,Regions), seen(View,Parts,Regions)) :-
+    View = view(_, _, _, Kind),
+    (   ( Hidden == removed ; Hidden == usual, Kind \== side )
+    ->  exclude(hidden_part, Parts0, Parts)
+    ;   Parts = Parts0
+    ).
+
+hidden_part(part(hidden,_,_,_,_,_,_,_)).
+
+%   boxed_views(Seen, Boxed): Seen-Box of those in which there is something.
+
+boxed_views(All, Boxed) :-
+    convlist([Seen,Seen-Box]>>seen_box(Seen, Box), All, Boxed).
+
+
+                /*******************************
+                *            LAYOUT            *
+                *******************************/
+
+sheet_laid(Request, Sections, Boxed, Drawing) :-
+    option(paper(Width,Height), Request),
+    option(angle(Angle), Request),
+    option(unit(Unit), Request),
+    celled(Boxed, Angle, Celled),
+    marking(Sections, Celled, Marking),
+    sheet_room(Request, Width, Height, "", _, Room),
+    option(scale(Wanted), Request),
+    chosen_scale(Wanted, Request, layout_of(Celled,Marking,Unit), Room, Scale,
+                 Places),
+    scale_text(Scale, ScaleText),
+    sheet_room(Request, Width, Height, ScaleText, FrameMarks, _),
+    scale_value(Scale, Factor),
+    PerUnit is Factor*Unit,
+    findall(Region, ( member(cell(seen(_,_,Regions),_,_), Celled),
+                      member(Region0, Regions),
+                      millimetres(PerUnit, Region0, Region) ),
+            AllRegions),
+    hatching(AllRegions, Hatching),
+    maplist(view_drawn(PerUnit, Hatching, Marking, Places), Celled, Views),
+    frame_view(FrameMarks, Frame),
+    append(Views, Frame, AllViews),
+    W is round(Width*1000),
+    H is round(Height*1000),
+    Drawing = drawing(sheet(W,H,PerUnit), AllViews).
+
+sheet_room(Request, Width, Height, ScaleText, Marks, Room) :-
+    (   option(frame(true), Request)
+    ->  option(facts(Facts), Request),
+        option(angle(Angle), Request),
+        paper_name(Width, Height, Paper),
+        atom_string(Paper, PaperText),
+        frame(Width, Height,
+              [scale-ScaleText,paper-PaperText,angle-Angle|Facts],
+              Marks, Room)
+    ;   Marks = [],
+        bare_room(Width, Height, Room)
+    ).
+
+%   celled(Boxed, Angle, Celled): cell(Seen,Box,Cell) of each; the six sides
+%   choose first.
+
+celled(Boxed, Angle, Celled) :-
+    partition([seen(view(_,_,_,side),_,_)-_]>>true, Boxed, Sides, Others),
+    foldl(cell_taken(Angle), Sides, []-Celled, Taken-Rest),
+    foldl(cell_taken(Angle), Others, Taken-Rest, _-[]).
+
+cell_taken(Angle, Seen-Box, Taken-[cell(Seen,Box,Cell)|Rest],
+           [Cell|Taken]-Rest) :-
+    Seen = seen(View, _, _),
+    view_cell(View, Angle, Taken, Cell).
+
+%   marking(Sections, Celled, Marking): in which view the plane of each section
+%   is shown, Section-Name: the first that sees it edge-on.
+
+marking(Sections, Celled, Marking) :-
+    findall(Section-Name,
+            ( member(Section, Sections),
+              once(( member(cell(Seen,Box,_), Celled),
+                     Seen = seen(View, _, _),
+                     View = view(Name, _, _, Kind),
+                     Kind \== pictorial,
+                     View \== Section,
+                     handy_scale(Box, Scale),
+                     plane_marks(View, Section, Box, Scale, [], _) ))
+            ),
+            Marking).
+
+%   handy_scale(Box, Scale): with which Box is 100 mm large.
+
+handy_scale(box(X1,Y1,X2,Y2), Scale) :-
+    Scale is 100/max(1.0e-90, max(X2-X1, Y2-Y1)).
+
+%   view_marks(Marking, Cell, PerUnit, Marks): what is written round a view.
+
+view_marks(Marking, cell(seen(View,_,_),Box,_), PerUnit, Marks) :-
+    View = view(Name, _, _, Kind),
+    findall(Section, member(Section-Name, Marking), Sections),
+    foldl(plane_marked(View, Box, PerUnit), Sections, [], Marked),
+    interrupted(Marked, Marks0),
+    (   Kind = section(_, _, _)
+    ->  marks_pads(Marks0, Box, PerUnit, pads(_,Above,_,_)),
+        label_marks(Name, Box, Above, PerUnit, Label),
+        append(Marks0, Label, Marks)
+    ;   Marks = Marks0
+    ).
+
+plane_marked(View, Box, PerUnit, Section, Marks0, Marks) :-
+    plane_marks(View, Section, Box, PerUnit, Marks0, Own),
+    append(Marks0, Own, Marks).
+
+label_marks(Name, box(X1,Y1,X2,Y2), Above, PerUnit, Label) :-
+    Y is Y2 + Above/PerUnit,
+    label_marks(Name, box(X1,Y1,X2,Y), PerUnit, Label).
+
+sight(Marking, PerUnit, Celled, sight(Name,Cell,Box,Pads)) :-
+    Celled = cell(seen(view(Name,_,_,_),_,_), Box, Cell),
+    view_marks(Marking, Celled, PerUnit, Marks),
+    marks_pads(Marks, Box, PerUnit, Pads).
+
+
+                /*******************************
+                *            SCALE             *
+                *******************************/
+
+%   chosen_scale(Wanted, Request, Layout, Room, Scale, Places)
+
+chosen_scale(standard, Request, Layout, Room, Scale, Places) :-
+    !,
+    (   standard_scale(Scale0),
+        scale_value(Scale0, Factor),
+        laid_out(Layout, Room, Factor, Places0)
+    ->  (   is_tiny(Layout, Factor)
+        ->  print_message(warning, sanggwan(sheet_tiny(Scale0,fit))),
+            chosen_scale(fit, Request, Layout, Room, Scale, Places)
+        ;   Scale = Scale0,
+            Places = Places0
+        )
+    ;   request_paper(Request, Paper),
+        sheet_error(no_room(Paper))
+    ).
+chosen_scale(fit, Request, Layout, Room, factor(Scale), Places) :-
+    !,
+    (   likely_factor(Layout, Low),
+        laid_out(Layout, Room, Low, _)
+    ->  High is Low*2.5,
+        largest(24, Low, High, Layout, Room, Scale),
+        once(laid_out(Layout, Room, Scale, Places))
+    ;   request_paper(Request, Paper),
+        sheet_error(no_room(Paper))
+    ).
+chosen_scale(Scale, Request, Layout, Room, Scale, Places) :-
+    scale_value(Scale, Factor),
+    (   laid_out(Layout, Room, Factor, Places0)
+    ->  Places = Places0,
+        (   is_tiny(Layout, Factor)
+        ->  print_message(warning, sanggwan(sheet_tiny(Scale,as_asked)))
+        ;   true
+        )
+    ;   chosen_scale(standard, Request, Layout, Room, Fitting, _),
+        request_paper(Request, Paper),
+        larger_papers(Request, Layout, Factor, Papers),
+        sheet_error(too_large(Scale, Paper, Fitting, Papers))
+    ).
+
+%   likely_factor(Layout, Factor): the standard scales, and for a model that is
+%   too large or too small for them those with which its views are 0.5 mm to 2 m
+%   large.
+
+likely_factor(Layout, Factor) :-
+    standard_scale(Scale),
+    scale_value(Scale, Factor),
+    \+ is_tiny(Layout, Factor).
+likely_factor(layout_of(Celled,_,Unit), Factor) :-
+    findall(Scale,
+            ( member(cell(_,Box,_), Celled), handy_scale(Box, Scale) ),
+            Scales),
+    min_list(Scales, Handy),
+    between(0, 12, Halvings),
+    Factor is 20*Handy/Unit/2**Halvings.
+
+%   is_tiny(Layout, Factor): no view is a tenth of a millimetre large, so there
+%   is nothing to be seen.
+
+is_tiny(layout_of(Celled,_,Unit), Factor) :-
+    Celled \== [],
+    PerUnit is Factor*Unit,
+    \+ ( member(cell(_,box(X1,Y1,X2,Y2),_), Celled),
+         max(X2-X1, Y2-Y1)*PerUnit >= 0.1 ).
+
+scale_value(factor(Factor), Factor) :-
+    !.
+scale_value(Scale, Factor) :-
+    scale_factor(Scale, Factor).
+
+laid_out(layout_of(Celled,Marking,Unit), Room, Factor, Places) :-
+    PerUnit is Factor*Unit,
+    \+ ( member(cell(_,Box,_), Celled), larger_than_room(Box, PerUnit, Room) ),
+    maplist(sight(Marking, PerUnit), Celled, Sights0),
+    in_rows(Sights0, Sights),
+    layout(Sights, Room, PerUnit, Places),
+    !.
+
+%   in_rows(Sights0, Sights): as they stand; or, where more than three stand in
+%   line beside the front view, in rows (or columns) of fewer, beyond all
+%   others.
+
+in_rows(Sights, Sights).
+in_rows(Sights0, Sights) :-
+    findall(Way, ( member(sight(_,at(X,Y),_,_), Sights0),
+                   ( Way is abs(X) ; Way is abs(Y) ) ),
+            Ways),
+    max_list(Ways, Longest),
+    member(Most, [6,5,4,3]),
+    Most < Longest,
+    findall(X, ( member(sight(_,at(X,_),_,_), Sights0), X =< Most ), Xs),
+    findall(Y, ( member(sight(_,at(_,Y),_,_), Sights0), Y =< Most ), Ys),
+    max_list(Xs, Right),
+    max_list(Ys, Below),
+    maplist(folded(Most, Right, Below), Sights0, Sights).
+
+folded(Most, Right, Below, sight(Name,Cell0,Box,Pads),
+       sight(Name,Cell,Box,Pads)) :-
+    (   Cell0 = at(X0,0),
+        abs(X0) > Most
+    ->  folded_step(X0, Most, X, Row),
+        Y is Below+Row,
+        Cell = at(X,Y)
+    ;   Cell0 = at(0,Y0),
+        abs(Y0) > Most
+    ->  folded_step(Y0, Most, Y, Column),
+        X is Right+Column,
+        Cell = at(X,Y)
+    ;   Cell = Cell0
+    ).
+
+folded_step(N0, Most, N, Row) :-
+    Steps is abs(N0)-1,
+    N is sign(N0)*(Steps mod Most + 1),
+    Row is Steps//Most.
+
+larger_than_room(box(X1,Y1,X2,Y2), PerUnit, room(rect(A,B,C,D),_)) :-
+    (   (X2-X1)*PerUnit > C-A
+    ;   (Y2-Y1)*PerUnit > D-B
+    ),
+    !.
+
+%   largest(N, Low, High, Layout, Room, Scale): by halving, N times.
+
+largest(0, Low, _, _, _, Low) :-
+    !.
+largest(N, Low, High, Layout, Room, Scale) :-
+    Middle is (Low+High)/2,
+    N1 is N-1,
+    (   laid_out(Layout, Room, Middle, _)
+    ->  largest(N1, Middle, High, Layout, Room, Scale)
+    ;   largest(N1, Low, Middle, Layout, Room, Scale)
+    ).
+
+request_paper(Request, Paper) :-
+    option(paper(Width,Height), Request),
+    paper_name(Width, Height, Paper).
+
+%   larger_papers(Request, Layout, Factor, Papers): the smallest on which it
+%   fits, in a list; none if even A0 is too small.
+
+larger_papers(Request, Layout, Factor, Papers) :-
+    option(paper(Width,Height), Request),
+    (   paper_size(Name, Long, Short),
+        Long > max(Width, Height),
+        (   Width >= Height
+        ->  W = Long, H = Short
+        ;   W = Short, H = Long
+        ),
+        sheet_room(Request, W, H, "", _, Room),
+        laid_out(Layout, Room, Factor, _)
+    ->  Papers = [Name]
+    ;   Papers = []
+    ).
+
+scale_text(N:M, Text) :-
+    !,
+    format(string(Text), '~w:~w', [N, M]).
+scale_text(factor(Factor), Text) :-
+    (   Factor >= 1
+    ->  format(string(Text), '~4g:1', [Factor])
+    ;   M is 1/Factor,
+        format(string(Text), '1:~4g', [M])
+    ).
+
+
+                /*******************************
+                *           DRAWING            *
+                *******************************/
+
+view_drawn(PerUnit, Hatching, Marking, Places, Celled,
+           view(Name,Strokes,Texts)) :-
+    Celled = cell(seen(view(Name,_,_,_),Parts,Regions), _, _),
+    memberchk(place(Name,X,Y,Left,Top), Places),
+    Scale is PerUnit*1000,
+    Left1 is Left*1000,
+    Top1 is Top*1000,
+    Place = place(Scale,X,Y,Left1,Top1),
+    maplist(placed_part(Place), Parts, Placed),
+    strokes(Placed, Own),
+    maplist(placed_region(Place), Regions, Placed1),
+    hatching_strokes(Hatching, Placed1, Hatched),
+    view_marks(Marking, Celled, PerUnit, Marks),
+    marks_drawn(place(1000,X*PerUnit,Y*PerUnit,Left1,Top1), Marks, Lines,
+                Texts),
+    append([Hatched, Own, Lines], Strokes).
+
+millimetres(PerUnit, region(S,Edges0), region(S,Edges)) :-
+    findall((A1-B1)-(A2-B2),
+            ( member((X1-Y1)-(X2-Y2), Edges0),
+              maplist(times(PerUnit), [X1,Y1,X2,Y2], [A1,B1,A2,B2]) ),
+            Edges).
+
+times(Factor, X, Y) :-
+    Y is X*Factor.
+
+placed_region(Place, region(S,Edges0), region(S,Edges)) :-
+    maplist(placed_edge(Place), Edges0, Edges).
+
+placed_edge(Place, A0-B0, A-B) :-
+    placed_point(Place, A0, A),
+    placed_point(Place, B0, B).
+
+placed_point(place(Scale,X0,Y0,Left,Top), X-Y, A-B) :-
+    A is round((X-X0)*Scale + Left),
+    B is round((Y0-Y)*Scale + Top).
+
+%   marks_drawn(Place, Marks, Strokes, Texts): strokes of one role together.
+
+marks_drawn(Place, Marks, Strokes, Texts) :-
+    findall(Role-Stroke,
+            ( member(line(Role,Points), Marks),
+              line_stroke(Place, Role, Points, Stroke)
+            ),
+            Keyed0),
+    keysort(Keyed0, Keyed),
+    pairs_values(Keyed, Strokes),
+    findall(Text, ( member(Mark, Marks), mark_text(Place, Mark, Text) ),
+            Texts).
+
+line_stroke(Place, Role, Points0,
+            stroke(visible,Role,0,[],Points,End,End)) :-
+    maplist(placed_point(Place), Points0, Points),
+    Points = [First|_],
+    (   append(_, [Last], Points),
+        Last == First
+    ->  End = ring
+    ;   End = joint
+    ).
+
+mark_text(Place, text(X,Y,High,Text), Mark) :-
+    mark_text(Place, text(X,Y,High,middle,Text), Mark).
+mark_text(Place, text(X,Y,High0,Anchor,Text0), text(A,B,High,Anchor,Text)) :-
+    placed_point(Place, X-Y, A-B),
+    High is round(High0*1000),
+    text_to_string(Text0, Text).
+
+%   frame_view(Marks, Views): y runs down in its marks.
+
+frame_view([], []) :-
+    !.
+frame_view(Marks0, [view(frame,Strokes,Texts)]) :-
+    maplist(upturned, Marks0, Marks),
+    marks_drawn(place(1000,0,0,0,0), Marks, Strokes, Texts).
+
+upturned(line(Role,Points0), line(Role,Points)) :-
+    maplist([X-Y0,X-Y]>>(Y is -Y0), Points0, Points).
+upturned(text(X,Y0,High,Anchor,Text), text(X,Y,High,Anchor,Text)) :-
+    Y is -Y0.

@@ -1,0 +1,514 @@
+:- module(sg_arrangement,
+          [ with_arrangement/3,         % +Leaves, +Options, :Goal
+            components/2,               % +Arrangement, -Components
+            arranged_solid/3,           % +Arrangement, +Senses, -Solid
+            default_senses/4,           % +Arrangement, +Expression, +Open,
+                                        % -Senses
+            passing_vertices/2,         % +Arrangement, -Passing
+            pieces_numbers/2,           % +Arrangement, -Numbers
+            pieces_changed/3,           % +Arrangement, +Numbers, -Changed
+            leaves_around/3,            % +Arrangement, +Leaves, -Around
+            part_of_arrangement/3,      % +Arrangement, +Leaves, -Part
+            pieces_statistics/1         % -Statistics
+          ]).
+:- use_module('../kernel',
+              [ arrangement_open/4, arrangement_hold/1, arrangement_drop/1,
+                arrangement_polygons/3, arrangement_free_polygons/3,
+                arrangement_seal/1,
+                arrangement_components/2, arrangement_select/3,
+                arrangement_senses/4, arrangement_numbers/2,
+                pieces_kept/1, keep_pieces/1,
+                near_segments_of/3, segments_meeting_themselves/2,
+                segments_tolerance/3
+              ]).
+:- use_module('../penetration/entering',
+              [enter_polygons/4, close_works/1, stays_entered/1]).
+:- use_module('../csg/leaf', [were_cut/2]).
+:- use_module('../penetration/penetration', [leaf_lines/4, touching/2]).
+:- use_module(passing, [passing_places/2]).
+:- use_module('../stage', [stage/2]).
+:- use_module('../store',
+              [ v/5, segment/3, segment_stamps/2, segments_key/2,
+                facts_snapshot/1
+              ]).
+% Loaded with this file, not by the first Boolean that calls them.
+:- use_module(library(assoc),
+              [ assoc_to_keys/2, assoc_to_values/2, del_assoc/4, empty_assoc/1,
+                get_assoc/3, list_to_assoc/2,
+                ord_list_to_assoc/2, put_assoc/4
+              ]).
+:- use_module(library(ordsets),
+              [ ord_intersection/3, ord_memberchk/2, ord_subtract/3,
+                ord_union/3
+              ]).
+:- use_module(library(pairs), [pairs_keys/2]).
+:- use_module(library(apply),
+              [exclude/3, foldl/4, include/3, maplist/2, maplist/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(option), [option/2]).
+/** <module> Arrangements: leaves cut along all their lines, in pieces.
+
+The leaves of a CSG tree are arranged once, and any expression over them then
+only selects: nothing is rounded between two operations, and no cut is made
+twice.
+
+The pieces of a leaf depend on that leaf and on those near it. They are kept
+with the world under the stamps of these; a leaf that is edited, or moved, makes
+stale what it is near to and was near to, and nothing else. Where leaves were
+made to touch (resolve.pl) they hang together: all of them are stale at once,
+since a vertex that they share is shared by moving it.
+
+@see c_kernels/solid/arrangement.h; rows CB-1, CB-3 and CB-4
+*/
+
+:- meta_predicate with_arrangement(+, +, 1).
+
+%!  with_arrangement(+Leaves:list, +Options:list, :Goal) is semidet.
+%
+%   Call Goal with an arrangement of the segments Leaves added, which is good
+%   for this call only. The world stays as it is. Option:
+%
+%     - tolerance(Tolerance)
+%     What is nearer than this (model units) is made to touch first. Default:
+%     as segments_tolerance/3 sees the leaves.
+%
+%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
+%          be triangulated
+
+with_arrangement(Leaves0, Options, Goal) :-
+    sort(Leaves0, Leaves),
+    leaves_tolerance(Leaves, Options, Tolerance),
+    near_segments_of(Tolerance, Leaves, NearPairs),
+    ord_list_to_assoc(NearPairs, Near),
+    maplist(leaf_key(Tolerance), NearPairs, Keys),
+    setup_call_cleanup(
+        with_mutex(sg_pieces, held(Kept, Held)),
+        ( current(Leaves, Keys, Kept, Current0, Passing0, Stale0),
+          hanging_together(Stale0, Near, Kept, Stale),
+          include_current(Current0, Stale, Current),
+          counted(sg_pieces_made, Stale),
+          counted(sg_pieces_found, Current),
+          fresh_pieces(Stale, Near, Tolerance, Fresh, Touch),
+          setup_call_cleanup(
+              true,
+              ( keep(Leaves, Keys, Fresh, Touch),
+                append(Current, Fresh, Pieces0),
+                sort(1, @<, Pieces0, Pieces),
+                passing(Passing0, Stale, Touch, Passing),
+                call(Goal, arrangement(Pieces, Passing, Near))
+              ),
+              drop_fresh(Fresh))
+        ),
+        maplist(arrangement_drop, Held)).
+
+leaves_tolerance(Leaves, Options, Tolerance) :-
+    (   option(tolerance(_), Options)
+    ->  touching(Options, Tolerance)
+    ;   segments_tolerance(Leaves, Tolerance, _)
+    ).
+
+counted(Flag, Leaves) :-
+    length(Leaves, N),
+    flag(Flag, N0, N0+N).
+
+drop_fresh([_-Arrangement|_]) :-        % all the same one
+    arrangement_drop(Arrangement).
+drop_fresh([]).
+
+/* - - - what is near what - - - */
+
+%   Near is an assoc from each leaf to those near it, in order. A leaf's pieces
+%   depend on these.
+
+leaf_key(Tolerance, S-Others, key(Tolerance, Key)) :-
+    segments_key([S|Others], Key).
+
+/* - - - what is kept - - - */
+
+%   kept(-Kept): an assoc from leaves to their last two
+%   entry(Key, Arrangement, Cluster, Passing), the newest first.
+
+%
+%   What is kept is held, once for each entry. Two threads may be at it in one
+%   world, so it is only looked at or exchanged under the mutex sg_pieces.
+
+kept(Kept) :-
+    (   pieces_kept(Kept0)
+    ->  Kept = Kept0
+    ;   empty_assoc(Kept)
+    ).
+
+%   held(-Kept, -Held): all arrangements in Kept are held; Held: to be dropped.
+
+held(Kept, Held) :-
+    kept(Kept),
+    assoc_to_values(Kept, Entries),
+    findall(A, ( member(Es, Entries), member(entry(_, A, _, _), Es) ), As),
+    sort(As, Held),
+    maplist(arrangement_hold, Held).
+
+entries(S, Kept, Entries) :-
+    (   get_assoc(S, Kept, Entries0)
+    ->  Entries = Entries0
+    ;   Entries = []
+    ).
+
+%   current(+Leaves, +Keys, +Kept, -Current, -Passing, -Stale): Current has
+%   S-Arrangement of those that are kept under their keys, and Passing S-Places
+%   of those among them that have some.
+
+current([], [], _, [], [], []).
+current([S|Ss], [Key|Keys], Kept, Current, Passing, Stale) :-
+    entries(S, Kept, Entries),
+    (   memberchk(entry(Key, Arrangement, _, Places), Entries)
+    ->  Current = [S-Arrangement|Current1],
+        Stale = Stale1,
+        (   Places == []
+        ->  Passing = Passing1
+        ;   Passing = [S-Places|Passing1]
+        )
+    ;   Current = Current1,
+        Passing = Passing1,
+        Stale = [S|Stale1]
+    ),
+    current(Ss, Keys, Kept, Current1, Passing1, Stale1).
+
+%   hanging_together(+Stale0, +Near, +Kept, -Stale): with every leaf, and every
+%   one near it, those it was made to touch.
+
+hanging_together(Stale0, Near, Kept, Stale) :-
+    around(Stale0, Near, Around),
+    findall(S,
+            ( member(A, Around),
+              entries(A, Kept, Entries),
+              member(entry(_, _, Cluster, _), Entries),
+              member(S, Cluster),
+              get_assoc(S, Near, _)
+            ),
+            Touching0),
+    sort(Touching0, Touching),
+    ord_union(Stale0, Touching, Stale1),
+    (   Stale1 == Stale0
+    ->  Stale = Stale0
+    ;   hanging_together(Stale1, Near, Kept, Stale)
+    ).
+
+around(Ss, Near, Around) :-
+    findall(A,
+            ( member(S, Ss),
+              (   A = S
+              ;   get_assoc(S, Near, Others),
+                  member(A, Others)
+              )
+            ),
+            Around0),
+    sort(Around0, Around).
+
+include_current(Current0, Stale, Current) :-
+    exclude(is_among(Stale), Current0, Current).
+
+is_among(Stale, S-_) :-
+    ord_memberchk(S, Stale).
+
+%   keep(+Leaves, +Keys, +Fresh, +Touch): Fresh is kept, for the third last
+%   of a leaf, and for those of segments that are there no more.
+
+keep(_, _, [], _) :-
+    !.
+keep(Leaves, Keys, Fresh, Touch) :-
+    fresh_keys(Fresh, Leaves, Keys, Pairs),
+    list_to_assoc(Pairs, KeyOf),
+    with_mutex(sg_pieces, exchanged(Leaves, KeyOf, Touch, Fresh, Old)),
+    maplist(arrangement_drop, Old).
+
+%   fresh_keys(+Fresh, +Leaves, +Keys, -Pairs): S-Key of those in Fresh, which
+%   are Leaves; both ascend.
+
+fresh_keys([], _, _, []) :-
+    !.
+fresh_keys([S-_|Fresh], [S|Ss], [Key|Keys], Pairs) :-
+    !,
+    Pairs = [S-Key|Pairs1],
+    fresh_keys(Fresh, Ss, Keys, Pairs1).
+fresh_keys(Fresh, [_|Ss], [_|Keys], Pairs) :-
+    fresh_keys(Fresh, Ss, Keys, Pairs).
+
+%   exchanged(+Leaves, +KeyOf, +Touch, +Fresh, -Old): Leaves are alive.
+
+exchanged(Leaves, KeyOf, Touch, Fresh, Old) :-
+    kept(Kept0),
+    assoc_to_keys(Kept0, Ss),
+    ord_subtract(Ss, Leaves, Others),
+    exclude(is_alive, Others, Gone),
+    findall(A, ( member(S, Gone), get_assoc(S, Kept0, Es),
+                 member(entry(_, A, _, _), Es) ),
+            Old0),
+    foldl(forget_leaf, Gone, Kept0, Kept1),
+    foldl(keep_leaf(KeyOf, Touch), Fresh, Kept1-Old0, Kept-Old),
+    keep_pieces(Kept).
+
+is_alive(S) :-
+    segment(S, _, _),
+    !.
+is_alive(S) :-
+    v(S, _, _, _, _),
+    !.
+
+forget_leaf(S, Kept0, Kept) :-
+    del_assoc(S, Kept0, _, Kept).
+
+keep_leaf(KeyOf, touch(Clusters, Passings), S-Arrangement, Kept0-Old0,
+          Kept-Old) :-
+    get_assoc(S, KeyOf, Key),
+    cluster(S, Clusters, Cluster),
+    passing_of(S, Passings, Passing),
+    entries(S, Kept0, Entries0),
+    arrangement_hold(Arrangement),
+    (   Entries0 = [Last,entry(_, Gone, _, _)|_]
+    ->  Entries = [entry(Key, Arrangement, Cluster, Passing),Last],
+        Old = [Gone|Old0]
+    ;   Entries = [entry(Key, Arrangement, Cluster, Passing)|Entries0],
+        Old = Old0
+    ),
+    put_assoc(S, Kept0, Entries, Kept).
+
+cluster(S, Clusters, Cluster) :-
+    (   member(Cluster, Clusters),
+        ord_memberchk(S, Cluster)
+    ->  true
+    ;   Cluster = []
+    ).
+
+passing_of(S, Passings, Passing) :-
+    (   memberchk(S-Passing0, Passings)
+    ->  Passing = Passing0
+    ;   Passing = []
+    ).
+
+%   passing(+Kept, +Stale, +Touch, -Passing): the vertices that leaves have in
+%   pieces alone, as S-Places, of those that have some (passing.pl): what is
+%   kept of leaves that are not Stale, and what is new.
+
+passing(Kept, Stale, touch(_, Passings), Passing) :-
+    exclude(is_among(Stale), Kept, Old),
+    include(is_among(Stale), Passings, New),
+    append(Old, New, Passing).
+
+/* - - - new pieces - - - */
+
+%   fresh_pieces(+Stale, +Near, +Tolerance, -Fresh, -Touch): what is near stale
+%   leaves is cut with them, so that all lines that meet one of theirs are
+%   there.
+%   Touch: touch(Clusters, Passings), those that were made to touch, as lists,
+%   and the vertices they got for that.
+
+fresh_pieces([], _, _, [], touch([], [])) :-
+    !.
+fresh_pieces(Stale, Near, Tolerance, Fresh, touch(Clusters, Passings)) :-
+    around(Stale, Near, Segments),
+    findall(A-B,
+            ( member(A, Segments),
+              get_assoc(A, Near, Others0),
+              ord_intersection(Others0, Segments, Others),
+              member(B, Others),
+              A < B
+            ),
+            Different),
+    selves(Segments, Selves),
+    ord_union(Different, Selves, Pairs),
+    segment_stamps(Segments, Stamps),
+    facts_snapshot(sg_arrangement:arranged(Pairs, Stamps, Stale,
+                                           Tolerance, Arrangement,
+                                           Changed-Passings)),
+    findall(S-Arrangement, member(S, Stale), Fresh),
+    clusters(Changed, Near, Clusters).
+
+%   selves(+Segments, -Selves): S-S of those that are to be cut by themselves:
+%   then winding decides what of them is inside.
+
+selves(Segments, Selves) :-
+    stage(self, segments_meeting_themselves(Segments, Meeting)),
+    findall(S-S,
+            ( member(S, Segments),
+              (   ord_memberchk(S, Meeting)
+              ->  true
+              ;   were_cut(S, S)
+              )
+            ),
+            Selves).
+
+arranged(Pairs, Stamps, Wanted, Tolerance, Arrangement, Changed) :-
+    leaf_lines(Pairs, Wanted, Tolerance,
+               sg_arrangement:in_pieces(Stamps, Wanted, Tolerance,
+                                        Arrangement, Changed)).
+
+in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Passings, Set,
+          Polygons) :-
+    pairs_keys(Stamps0, Segments),
+    segment_stamps(Segments, Stamps),
+    ord_subtract(Stamps, Stamps0, ChangedStamps),
+    pairs_keys(ChangedStamps, Changed),
+    findall(S-Passing,
+            ( member(S, Changed),
+              passing_places(S, Passing),
+              Passing \== []
+            ),
+            Passings),
+    divided(Set, Segments-Wanted, Polygons, Tolerance, Arrangement).
+
+%   divided(+Set, +Leaves, +Polygons, +Tolerance, -Arrangement): mostly lines
+%   meet nothing in the polygons that they enter. Then a fused kernel enters and
+%   divides them; if there is one that is not so, the rules enter all.
+
+divided(Set, Leaves, Polygons, Tolerance, Arrangement) :-
+    stays_entered(Set),
+    stage(pieces, filled(Set, Leaves,
+                         arrangement_free_polygons(Polygons, Tolerance),
+                         Arrangement)),
+    !.
+divided(Set, Leaves, Polygons, Tolerance, Arrangement) :-
+    setup_call_cleanup(
+        true,
+        ( stage(enter, enter_polygons(is_list, Set, Polygons, Works)),
+          stage(pieces, filled(Set, Leaves,
+                               arrangement_polygons(Works, Tolerance),
+                               Arrangement))
+        ),
+        close_works(Works)).
+
+%   filled(+Set, +Leaves, +Fill, -Arrangement): it has what Fill puts there.
+
+filled(Set, Segments-Wanted, Fill, Arrangement) :-
+    arrangement_open(Set, Segments, Wanted, Arrangement),
+    (   catch(( filled_with(Fill, Arrangement),
+                arrangement_seal(Arrangement)
+              ),
+              Error,
+              ( arrangement_drop(Arrangement),
+                throw(Error)
+              ))
+    ->  true
+    ;   arrangement_drop(Arrangement),
+        fail
+    ).
+
+filled_with(arrangement_free_polygons(Polygons, Tolerance), Arrangement) :-
+    arrangement_free_polygons(Arrangement, Polygons, Tolerance).
+filled_with(arrangement_polygons(Works, Tolerance), Arrangement) :-
+    arrangement_polygons(Arrangement, Works, Tolerance).
+
+%   clusters(+Changed, +Near, -Clusters): what is connected by being near.
+
+clusters([], _, []).
+clusters([S|Ss], Near, [Cluster|Clusters]) :-
+    connected([S], Near, [S|Ss], [S], Cluster),
+    ord_subtract([S|Ss], Cluster, Rest),
+    clusters(Rest, Near, Clusters).
+
+connected([], _, _, Cluster, Cluster).
+connected([S|Ss], Near, In, Cluster0, Cluster) :-
+    get_assoc(S, Near, Others),
+    findall(A,
+            ( member(A, Others),
+              ord_memberchk(A, In),
+              \+ ord_memberchk(A, Cluster0)
+            ),
+            New0),
+    sort(New0, New),
+    ord_union(Cluster0, New, Cluster1),
+    append(New, Ss, Next),
+    connected(Next, Near, In, Cluster1, Cluster).
+
+/* - - - using it - - - */
+
+%!  components(+Arrangement, -Components:list) is det.
+%
+%   Components are the component(C, S, P, Point, Sides, Which) of an
+%   arrangement: arrangement_components/2.
+
+components(arrangement(Pieces, _, _), Components) :-
+    arrangement_components(Pieces, Components).
+
+%!  arranged_solid(+Arrangement, +Senses:list, -Solid) is det.
+%
+%   Solid is a handle of the boundary that the components C with C-Sense in
+%   Senses make, turned over where Sense is -1: arrangement_select/3.
+
+arranged_solid(arrangement(Pieces, _, _), Senses, Solid) :-
+    arrangement_select(Pieces, Senses, Solid).
+
+%!  passing_vertices(+Arrangement, -Passing:list) is det.
+%
+%   Passing are S-Places of the leaves that were made to touch others, as of
+%   passing_places/2: vertices that they have in pieces alone.
+
+passing_vertices(arrangement(_, Passing, _), Passing).
+
+%!  default_senses(+Arrangement, +Expression, +Open:list, -Senses:list) is det.
+%
+%   Senses as the default of stays/3 says (boolean.pl): its fused kernel.
+
+default_senses(arrangement(Pieces, _, _), Expression, Open, Senses) :-
+    arrangement_senses(Pieces, Expression, Open, Senses).
+
+%!  pieces_numbers(+Arrangement, -Numbers:list) is det.
+%
+%   Numbers has a number for the pieces of each leaf, ascending by leaves:
+%   pieces with the same number are the same.
+
+pieces_numbers(arrangement(Pieces, _, _), Numbers) :-
+    arrangement_numbers(Pieces, Numbers).
+
+%!  pieces_changed(+Arrangement, +Numbers:list, -Changed:list) is det.
+%
+%   Changed are the leaves with other pieces than had Numbers, of an earlier
+%   arrangement of the same leaves.
+
+pieces_changed(arrangement(Pieces, _, _), Numbers0, Changed) :-
+    arrangement_numbers(Pieces, Numbers),
+    changed(Pieces, Numbers0, Numbers, Changed).
+
+changed([], [], [], []).
+changed([S-_|Pieces], [Number0|Numbers0], [Number|Numbers], Changed) :-
+    (   Number0 == Number
+    ->  Changed = Changed1
+    ;   Changed = [S|Changed1]
+    ),
+    changed(Pieces, Numbers0, Numbers, Changed1).
+
+%!  leaves_around(+Arrangement, +Leaves:list, -Around:list) is det.
+%
+%   Around are Leaves and those near them, ascending.
+
+leaves_around(arrangement(_, _, Near), Leaves, Around) :-
+    around(Leaves, Near, Around).
+
+%!  part_of_arrangement(+Arrangement, +Leaves:list, -Part) is det.
+%
+%   Part is an arrangement of those of the leaves of Arrangement that are in
+%   Leaves, ascending, with the pieces that they have there.
+
+part_of_arrangement(arrangement(Pieces0, Passing, Near), Leaves,
+                    arrangement(Pieces, Passing, Near)) :-
+    include(is_among(Leaves), Pieces0, Pieces).
+
+%!  pieces_statistics(-Statistics:dict) is det.
+%
+%   Of how many leaves the world keeps the pieces, in how many arrangements; and
+%   how many were made, and found as they were, since the process started.
+
+pieces_statistics(_{leaves:Leaves, arrangements:Arrangements, made:Made,
+                    found:Found}) :-
+    flag(sg_pieces_made, Made, Made),
+    flag(sg_pieces_found, Found, Found),
+    kept(Kept),
+    assoc_to_keys(Kept, Ss),
+    length(Ss, Leaves),
+    findall(A,
+            ( member(S, Ss),
+              entries(S, Kept, Entries),
+              member(entry(_, A, _, _), Entries)
+            ),
+            As0),
+    sort(As0, As),
+    length(As, Arrangements).

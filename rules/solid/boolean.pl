@@ -1,0 +1,419 @@
+:- module(sg_boolean,
+          [ boolean/2,                  % +Expression, +S
+            boolean/3,                  % +Expression, +S, +Options
+            stays/3,                    % +Expression, +Component, -Sense
+            senses_by_rule/3,           % +Arrangement, +Expression, -Senses
+            expression_leaves/2,        % +Expression, -Leaves
+            select_boundary/3           % +Arrangement, +Expression, -Solid
+          ]).
+:- use_module(arrangement,
+              [ with_arrangement/3, components/2, arranged_solid/3,
+                default_senses/4, passing_vertices/2, pieces_numbers/2,
+                pieces_changed/3, leaves_around/3, part_of_arrangement/3
+              ]).
+:- use_module('../csg/csg_record', [not_kept/2, surfaces_among/2]).
+:- use_module('../decision', [decision/2, decision_is_default/1]).
+:- use_module(faces, [faces_merged/2, region_faces_merged/3]).
+:- use_module('../kernel',
+              [ solid_close/1, solid_is_closed/1, solid_region/3,
+                region_leaves/2, region_close/1, segments_tolerance/3
+              ]).
+:- use_module(operand, [checked_operand/1]).
+:- use_module(passing, [passing_named/2]).
+:- use_module('../csg/csg_rows', [drop_boundary/1]).
+:- use_module(solid_rows,
+              [solid_written/2, solid_written_over/2, region_written_over/3]).
+:- use_module('../stage', [stage/2]).
+:- use_module('../store',
+              [v/5, segment/3, assert_fact/1, facts_transaction/1]).
+:- use_module(library(apply), [convlist/3, maplist/2]).
+:- use_module(library(error),
+              [ domain_error/2, existence_error/2, instantiation_error/1,
+                type_error/2
+              ]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/2, option/3]).
+/** <module> Union, intersection, difference: what stays of the pieces.
+
+An expression is the number of a segment, or union(Es), intersection(Es) or
+difference(Es) of a list of expressions (the first without all the others). A
+piece stays if just one of its two sides is inside: so the rule is the same for
+any number of operands, for hollows and for shells in each other, and a face
+that two operands have in common stays or goes by how it looks in each.
+
+@see [CB] rows CB-1 to CB-4
+*/
+
+%!  boolean(+Expression, +S) is det.
+%!  boolean(+Expression, +S, +Options:list) is det.
+%
+%   The boundary of Expression becomes the rows of segment S; a solid of that
+%   number is made if there is none. One transaction; the operands stay as they
+%   are. Options: those of with_arrangement/3 and of
+%   faces_merged/2, and
+%
+%     - faces(pieces)
+%     Coplanar neighbours are left as they are (CB-5).
+%
+%     - tolerance(Tolerance)
+%     Default: as segments_tolerance/3 sees the operands.
+%     - grain(Grain)
+%     The default is at least this: what operands were made from shows no more.
+%     - over(Bool)
+%     Rows that S has are those of an earlier boundary: what of them is the same
+%     stays, with its ids. Default: `false`, S must have none.
+%     - earlier(Numbers)
+%     With over(true): that boundary was of this Expression too, with these
+%     options, made from the pieces with these Numbers.
+%     - pieces(-Numbers)
+%     Numbers are those of the pieces of this one (pieces_numbers/2); `unknown`
+%     if more than pieces decided what it is: a rule file, or what was tried
+%     because the result were open else.
+%     - made(-How)
+%     How is `around`: only around what had changed since the earlier one; or
+%     `whole`.
+%
+%   @error existence_error(segment, S1): an operand is not there
+%   @error geometry_error(operand(S1, Faults)): the result would be open, and so
+%          is operand S1
+%   @error geometry_error(tolerance(T, Most)): T is more than a sixteenth of the
+%          smallest operand
+%   @error geometry_error(result_open): no way was found to a closed result
+%   @error geometry_error(polygon_edge(S1, P, V1, V2)): with its lines, polygon
+%          P cannot be triangulated
+
+boolean(Expression, S) :-
+    boolean(Expression, S, []).
+
+boolean(Expression, S, Options0) :-
+    expression_leaves(Expression, Leaves),
+    tolerance(Leaves, Options0, Options),
+    (   made_around_changes(Expression, Leaves, S, Options, Numbers)
+    ->  How = around
+    ;   How = whole,
+        made(Expression, Leaves, Options, Solid, Passing, Numbers),
+        setup_call_cleanup(
+            true,
+            facts_transaction(sg_boolean:written(Solid, S, Expression, Passing,
+                                                 Options)),
+            solid_close(Solid))
+    ),
+    option(pieces(Numbers), Options0, _),
+    option(made(How), Options0, _).
+
+%   What the operands say, not what else is in the world; and of merging, what
+%   the result does, where an operand is far larger.
+
+tolerance(Leaves, Options0, Options) :-
+    segments_tolerance(Leaves, Tolerance0, Smallest),
+    (   option(tolerance(Given), Options0)
+    ->  refuse_large(Given, Smallest),
+        Options = Options0
+    ;   option(grain(Grain), Options0, 0),
+        Tolerance is max(Tolerance0, Grain),
+        Options = [tolerance(Tolerance),by_size(true)|Options0]
+    ).
+
+%   With a tolerance as large as the parts, everything is one point.
+
+refuse_large(Tolerance, Smallest) :-
+    Most is Smallest/16,
+    (   Tolerance > Most,
+        Tolerance > 0
+    ->  throw(error(geometry_error(tolerance(Tolerance, Most)), _))
+    ;   true
+    ).
+
+%   made(+Expression, +Leaves, +Options, -Solid, -Passing, -Numbers): it must be
+%   closed, if its operands are. Where sheets of one operand nearly lie on each
+%   other, what was made to touch may have come apart, and one face of many may
+%   be opened by merging: then the one or the other is not done.
+
+made(Expression, Leaves, Options, Solid, Passing, Numbers) :-
+    attempt(Options, Attempt, What),
+    selected_solid(Expression, Leaves, Attempt, Solid0, Passing0, Numbers0),
+    (   is_open(Leaves, Solid0)
+    ->  solid_close(Solid0),
+        maplist(checked_leaf, Leaves),
+        fail
+    ;   What == first
+    ->  true
+    ;   print_message(warning, sanggwan(opened(What)))
+    ),
+    !,
+    Solid = Solid0,
+    Passing = Passing0,
+    (   What == first,
+        decision_is_default(stays/3),
+        decision_is_default(merge_faces/2)
+    ->  Numbers = Numbers0
+    ;   Numbers = unknown
+    ).
+made(_, _, _, _, _, _) :-
+    throw(error(geometry_error(result_open), _)).
+
+attempt(Options, Options, first).
+attempt(Options, [faces(pieces)|Options], faces) :-
+    \+ option(faces(pieces), Options).
+attempt(Options, [tolerance(0)|Options], contacts) :-
+    option(tolerance(Tolerance), Options),
+    Tolerance > 0.
+
+selected_solid(Expression, Leaves, Options, Solid, Passing, Numbers) :-
+    with_arrangement(Leaves, Options,
+                     sg_boolean:selected(Expression, Solid, Passing, Numbers)),
+    catch(merged(Solid, Options),
+          Error,
+          ( solid_close(Solid),
+            throw(Error)
+          )).
+
+selected(Expression, Solid, Passing, Numbers, Arrangement) :-
+    passing_vertices(Arrangement, Passing),
+    pieces_numbers(Arrangement, Numbers),
+    select_boundary(Arrangement, Expression, Solid).
+
+%   A decision of the user's may open what it likes.
+
+is_open(Leaves, Solid) :-
+    decision_is_default(stays/3),
+    \+ solid_is_closed(Solid),
+    \+ ( member(S, Leaves),
+         is_surface(S)
+       ).
+
+checked_leaf(S) :-
+    (   is_surface(S)
+    ->  true
+    ;   checked_operand(S)
+    ).
+
+merged(Solid, Options) :-
+    (   option(faces(pieces), Options)
+    ->  true
+    ;   stage(faces, faces_merged(Solid, Options))
+    ).
+
+written(Solid, S, Expression, Passing, Options) :-
+    (   segment(S, _, _)
+    ->  true
+    ;   assert_fact(segment(S, solid, Expression))
+    ),
+    stage(write, ( rows_written(Solid, S, Options),
+                   passing_named(S, Passing)
+                 )).
+
+rows_written(Solid, S, Options) :-
+    (   option(over(true), Options)
+    ->  (   solid_written_over(Solid, S)
+        ->  true
+        ;   drop_boundary(S),
+            solid_written(Solid, S)
+        )
+    ;   solid_written(Solid, S)
+    ).
+
+
+                /*******************************
+                *    AROUND WHAT HAS CHANGED   *
+                *******************************/
+
+%   made_around_changes(+Expression, +Leaves, +S, +Options, -Numbers) is
+%   semidet: the boundary is made anew where leaves have other pieces than it
+%   was made from, and near these. There faces do not depend on what is
+%   farther away: they are chosen and merged together with their neighbours,
+%   which stay as they are. Fails where that cannot be said, or is not worth
+%   it.
+
+made_around_changes(Expression, Leaves, S, Options, Numbers) :-
+    option(earlier(Earlier), Options),
+    Earlier \== unknown,
+    decision_is_default(stays/3),
+    decision_is_default(merge_faces/2),
+    surfaces_among(Leaves, []),
+    with_arrangement(Leaves, Options,
+                     sg_boolean:selected_around(Expression, Leaves, S, Earlier,
+                                                Region, Solid, Passing,
+                                                Numbers)),
+    call_cleanup(
+        ( stage(faces, region_faces_merged(Solid, Region, Options)),
+          facts_transaction(sg_boolean:written_around(Solid, S, Region,
+                                                      Passing))
+        ),
+        ( solid_close(Solid),
+          region_close(Region)
+        )),
+    !.
+
+selected_around(Expression, Leaves, S, Earlier, Region, Solid, Passing, Numbers,
+                Arrangement) :-
+    pieces_changed(Arrangement, Earlier, Changed),
+    leaves_around(Arrangement, Changed, Around),
+    are_few(Around, Leaves),
+    passing_vertices(Arrangement, Passing),
+    pieces_numbers(Arrangement, Numbers),
+    stage(write, solid_region(S, Around, Region)),
+    (   catch(selected_region(Region, Expression, Leaves, Solid, Arrangement),
+              Error,
+              ( region_close(Region),
+                throw(Error)
+              ))
+    ->  true
+    ;   region_close(Region),
+        fail
+    ).
+
+%   The faces of the region, and those near them.
+
+selected_region(Region, Expression, Leaves, Solid, Arrangement) :-
+    region_leaves(Region, Inner),
+    leaves_around(Arrangement, Inner, Looked),
+    are_few(Looked, Leaves),
+    part_of_arrangement(Arrangement, Looked, Part),
+    select_boundary(Part, Expression, Solid).
+
+%   are_few(+Some, +Leaves): no more than half of them.
+
+are_few(Some, Leaves) :-
+    length(Some, N),
+    length(Leaves, All),
+    2*N =< All.
+
+written_around(Solid, S, Region, Passing) :-
+    stage(write, ( region_written_over(Solid, S, Region),
+                   passing_named(S, Passing)
+                 )).
+
+%!  select_boundary(+Arrangement, +Expression, -Solid) is det.
+%
+%   Solid is a handle of the boundary of Expression, from an open arrangement
+%   that has all its leaves.
+
+select_boundary(Arrangement, Expression, Solid) :-
+    stage(rules, senses(Arrangement, Expression, Senses)),
+    stage(pieces, arranged_solid(Arrangement, Senses, Solid)).
+
+senses(Arrangement, Expression, Senses) :-
+    decision_is_default(stays/3),
+    !,
+    expression_leaves(Expression, Leaves),
+    surfaces_among(Leaves, Open),
+    default_senses(Arrangement, Expression, Open, Senses).
+senses(Arrangement, Expression, Senses) :-
+    senses_by_rule(Arrangement, Expression, Senses).
+
+%!  senses_by_rule(+Arrangement, +Expression, -Senses:list) is det.
+%
+%   Senses are C-Sense of the components for which stays/3 holds.
+
+senses_by_rule(Arrangement, Expression, Senses) :-
+    components(Arrangement, Components),
+    convlist(kept(Expression), Components, Senses).
+
+kept(Expression, Component, C-Sense) :-
+    Component = component(C, _, _, _, _, _),
+    stays(Expression, Component, Sense).
+
+is_surface(S) :-
+    segment(S, surface, _),
+    !.
+
+:- decision(stays/3, "Which pieces of solids stay in a result (CB-4)").
+
+%!  stays(+Expression, +Component, -Sense) is semidet.
+%
+%   Decision: a component of an arrangement (arrangement_components/2) stays in
+%   the boundary of Expression, as it is (Sense 1) or turned over (-1). The
+%   default: if just one of its sides is inside, and no other piece in its place
+%   stays for it. A surface has no inside; of one, what is outside of everything
+%   else stays (CB-2).
+
+stays(Expression, component(_, S, _, _, Sides, only), Sense) :-
+    inside(below, Sides, Expression, Below),
+    inside(above, Sides, Expression, Above),
+    (   is_surface(S)
+    ->  once(leaf_of(Expression, S)),
+        Below-Above == false-false,
+        Sense = 1
+    ;   boundary(Below, Above, Sense)
+    ).
+
+boundary(true, false, 1).
+boundary(false, true, -1).
+
+inside(Where, Sides, Expression, Inside) :-
+    findall(S, goes_round(Where, Sides, S), Ss),
+    (   holds(Expression, Ss)
+    ->  Inside = true
+    ;   Inside = false
+    ).
+
+goes_round(below, Sides, S) :-
+    member(side(S, Below, _), Sides),
+    Below > 0.
+goes_round(above, Sides, S) :-
+    member(side(S, _, Above), Sides),
+    Above > 0.
+
+%   holds(+Expression, +Ss): it is true of a point that is inside just Ss.
+
+holds(S, Ss) :-
+    integer(S),
+    memberchk(S, Ss).
+holds(union(Es), Ss) :-
+    member(E, Es),
+    holds(E, Ss),
+    !.
+holds(intersection(Es), Ss) :-
+    \+ ( member(E, Es),
+         \+ holds(E, Ss)
+       ).
+holds(difference([First|Others]), Ss) :-
+    holds(First, Ss),
+    \+ holds(union(Others), Ss).
+
+%!  expression_leaves(+Expression, -Leaves:list) is det.
+%
+%   Leaves are the segments of Expression, each once, in order.
+%
+%   @error existence_error(segment, S)
+
+expression_leaves(Expression, Leaves) :-
+    findall(S, leaf_of(Expression, S), Leaves0),
+    sort(Leaves0, Leaves),
+    not_kept(Leaves, Others),
+    maplist(is_there, Others).
+
+leaf_of(Expression, _) :-
+    var(Expression),
+    !,
+    instantiation_error(Expression).
+leaf_of(Leaf, S) :-
+    integer(Leaf),
+    !,
+    S = Leaf.
+leaf_of(Expression, S) :-
+    compound(Expression),
+    Expression =.. [Operation, Es],
+    operation(Operation),
+    !,
+    (   is_list(Es),
+        Es = [_|_]
+    ->  member(E, Es),
+        leaf_of(E, S)
+    ;   domain_error(operands, Es)
+    ).
+leaf_of(Expression, _) :-
+    type_error(expression, Expression).
+
+operation(union).
+operation(intersection).
+operation(difference).
+
+is_there(S) :-
+    (   segment(S, _, _)
+    ->  true
+    ;   v(S, _, _, _, _)
+    ->  true
+    ;   existence_error(segment, S)
+    ).

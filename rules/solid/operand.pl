@@ -1,0 +1,129 @@
+:- module(sg_operand,
+          [ operand_faults/2,           % +S, -Faults
+            operand_notes/2,            % +S, -Notes
+            checked_operand/1           % +S
+          ]).
+:- use_module('../kernel',
+              [ census/1, segment_edges/4, segment_meets_itself/1,
+                segment_operand/2
+              ]).
+:- use_module('../store', [v/5, segment/3]).
+:- use_module(library(error), [existence_error/2]).
+:- use_module(library(lists), [member/2]).
+/** <module> What makes a segment unfit for a Boolean.
+
+Inside is where a segment goes round a point more than no times at all
+(inside.pl). For that number to mean something its boundary must be balanced:
+between any two vertices as many faces on one side as on the other. Everything
+else is decided by the number: shells in each other or through each other,
+touching or lying on each other, hollows, edges of four faces. So these are no
+faults; of some there are notes.
+
+@see row CB-4 of the requirements
+*/
+
+%   How many wrong edges are named.
+
+most_named(5).
+
+%!  operand_faults(+S, -Faults:list) is det.
+%
+%   Faults are the reasons for which segment S cannot be an operand, [] if it
+%   can:
+%
+%     - no_faces
+%     - open_edges(N, Edges)
+%       N edges have a face on one side only.
+%     - unbalanced_edges(N, Edges)
+%       N edges have more faces, and not as many on one side as on the other.
+%     - zero_volume
+%       No volume that could be told from rounding, and no shell that has one.
+%
+%   Edges are the first few, edge(V1, V2, [X1,Y1,Z1], [X2,Y2,Z2], Faces). A
+%   volume below zero is no fault (operand_notes/2). What S has is known
+%   afterwards, until it changes.
+%
+%   @error existence_error(segment, S)
+
+operand_faults(S, Faults) :-
+    (   segment(S, _, _)
+    ->  true
+    ;   existence_error(segment, S)
+    ),
+    segment_operand(S, Operand),
+    findall(Fault, operand_fault(S, Operand, Fault), Faults).
+
+operand_fault(_, operand(0, _, _, _, _, _), no_faces) :-
+    !.
+operand_fault(S, operand(_, _, false, _, _, _), Fault) :-
+    most_named(Most),
+    segment_edges(S, Most, edges(Open, Unbalanced, _), Edges0),
+    findall(F-Edge, ( member(E, Edges0), named_edge(S, E, F, Edge) ), Edges),
+    edge_fault(Open, Unbalanced, Edges, Fault).
+operand_fault(S, operand(_, _, true, Volume, Error, _), zero_volume) :-
+    abs(Volume) =< Error,
+    \+ has_volume(S, Error).
+
+edge_fault(Open, _, Edges, open_edges(Open, Named)) :-
+    Open > 0,
+    findall(Edge, member(open-Edge, Edges), Named).
+edge_fault(_, Unbalanced, Edges, unbalanced_edges(Unbalanced, Named)) :-
+    Unbalanced > 0,
+    findall(Edge, member(unbalanced-Edge, Edges), Named).
+
+named_edge(S, edge(V1, V2, Forward, Backward), Sort,
+           edge(V1, V2, [X1,Y1,Z1], [X2,Y2,Z2], N)) :-
+    N is Forward+Backward,
+    (   N =:= 1
+    ->  Sort = open
+    ;   Sort = unbalanced
+    ),
+    v(S, V1, X1, Y1, Z1),
+    v(S, V2, X2, Y2, Z2),
+    !.
+
+%   Shells whose volumes cancel each other.
+
+has_volume(S, Error) :-
+    census(Parts),
+    memberchk(part(S, _, _, _, _, _, Shells, _), Parts),
+    member(Shell, Shells),
+    arg(9, Shell, Volume),
+    abs(Volume) > Error,
+    !.
+
+%!  operand_notes(+S, -Notes:list) is det.
+%
+%   Notes are what a user may not expect of segment S, an operand without
+%   faults:
+%
+%     - inside_out
+%       Its volume is below zero: nothing is inside it.
+%     - meets_itself
+%       It goes through itself or lies on itself, so the result is not as a
+%       file shows it: what it goes round at least once is inside.
+
+operand_notes(S, Notes) :-
+    segment_operand(S, Operand),
+    findall(Note, operand_note(S, Operand, Note), Notes).
+
+operand_note(_, operand(_, _, _, Volume, Error, _), inside_out) :-
+    Volume < -Error.
+operand_note(S, _, meets_itself) :-
+    segment_meets_itself(S).
+
+%!  checked_operand(+S) is det.
+%
+%   Segment S can be an operand. A warning is printed if it is inside out.
+%
+%   @error geometry_error(operand(S, Faults)): as operand_faults/2 says
+
+checked_operand(S) :-
+    operand_faults(S, Faults),
+    (   Faults \== []
+    ->  throw(error(geometry_error(operand(S, Faults)), _))
+    ;   segment_operand(S, Operand),
+        operand_note(S, Operand, inside_out)
+    ->  print_message(warning, sanggwan(operand(inside_out, S)))
+    ;   true
+    ).

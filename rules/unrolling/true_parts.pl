@@ -1,0 +1,390 @@
+:- module(sg_true_parts,
+          [ parts_made/3,               % +Sizes, +Options, -Parts
+            polygon_drawn/4,            % +T, +P, -S, -P0
+            drawn_wanted/4,             % +S1, +S, +Wanted, -Wanted1
+            facets_as_drawn/4           % +S, +Facets0, +Shape, -Facets
+          ]).
+:- use_module('../csg/csg', [is_node/1]).
+:- use_module('../primitive/primitive_rows', [add_primitive/2]).
+:- use_module('../csg/placed_surface',
+              [drawn_polygon/4, placed_face/3, placed_polygon/4]).
+:- use_module('../primitive/primitive', [is_primitive/1, primitive_parts/3]).
+:- use_module('../primitive/primitive_face', [face_of/3, smooth_surface/3]).
+:- use_module('../store', [segment/3, origin/3, from_p/5, assert_fact/1]).
+:- use_module(true_flat, [flat_resized/3]).
+:- use_module(true_parallel, [parallel_made/4]).
+:- use_module(true_resized, [term_enlarged/3]).
+:- use_module(true_part_loop, [facet_parted/3]).
+:- use_module(true_tip, [settled/5]).
+:- use_module(library(apply),
+              [foldl/4, maplist/2, maplist/3, partition/4]).
+:- use_module(library(lists),
+              [ append/2, append/3, max_list/2, member/2, memberchk/2,
+                min_list/2, selectchk/3
+              ]).
+:- use_module(library(option), [option/3]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
+/** <module> The parts of a scene as they are cut for a true pattern.
+
+Facets meet elsewhere than the surfaces they stand for: they may miss an edge
+that the true surface goes over, or meet two in another order. So what is cut
+are not the parts that are drawn, but the same ones in facets so fine that they
+are within the chord tolerance, and as large as the sides of their plates that
+touch (true_plate.pl). A part S1 that was made for this has
+
+    origin(S1, node(S1), plate(S))      S is what is drawn
+    origin(S1, p(P1), p(P))             its polygon P1 stands for polygon P of S
+
+and facets that stand for one facet are put together again when they are
+unrolled (facets_as_drawn/4): a pattern has the facets that are drawn.
+
+Which of two coincident faces a part keeps goes by the numbers of segments; so
+all parts are made again, in the order they had.
+*/
+
+%!  parts_made(+Sizes, +Options, -Parts:list) is det.
+%
+%   Sizes is a list of S-By, first the part that is unfolded, then the others.
+%   Parts are new segments, each By larger than S all round (model units), of
+%   fine facets; or the segments S, if nothing has to be changed, and those of
+%   them that cannot be made again without being resized: results of CSG trees.
+%   Of Options: chord(Tolerance); layer(Layer), how far outside of what is drawn
+%   that layer of the first part is that is unrolled.
+%
+%   @error geometry_error(true(no_offset(S))): no other side of its plate is
+%          known
+
+parts_made(Sizes, Options, Parts) :-
+    pairs_keys_values(Sizes, Ss, Bys),
+    fineness(Ss, Options, Finers),
+    (   changes_nothing(Bys, Finers)
+    ->  Parts = Ss
+    ;   triples(Sizes, Finers, Triples0),
+        sort(1, @=<, Triples0, Triples),
+        Ss = [First|_],
+        option(layer(Layer), Options, 0.0),
+        foldl(part_made(First-Layer), Triples, [], Made),
+        findall(S1, ( member(S, Ss), memberchk(S-S1, Made) ), Parts)
+    ).
+
+changes_nothing(Bys, Finers) :-
+    \+ ( member(By, Bys), By =\= 0 ),
+    \+ ( member(Finer, Finers), memberchk(Finer, [times(_),within(_)]) ).
+
+triples([], [], []).
+triples([S-By|Sizes], [Finer|Finers], [part(S, By, Finer)|Triples]) :-
+    triples(Sizes, Finers, Triples).
+
+part_made(First-Layer, part(S, By, Finer), Made, [S-S1|Made]) :-
+    (   By =:= 0,
+        Finer == kept
+    ->  S1 = S
+    ;   inmost(S, By, First-Layer, Inmost),
+        made(By, Inmost, Finer, S, S1)
+    ->  polygons_known(S, S1),
+        assert_fact(origin(S1, node(S1), plate(S)))
+    ;   throw(error(geometry_error(true(no_offset(S))), _))
+    ).
+
+inmost(S, By, First-Layer, Inmost) :-
+    (   S == First
+    ->  Inmost is min(By, Layer)
+    ;   Inmost = By
+    ).
+
+made(By, _, _, S, S1) :-
+    \+ smooth_surface(S, _, _),
+    flat_resized(S, By, S1).
+made(By, Inmost, Finer, S, S1) :-
+    \+ is_node(S),
+    segment(S, _, Term0),
+    is_primitive(Term0),
+    term_finer(Finer, Term0, Term),
+    (   term_enlarged(Term, By, Term1)
+    ->  add_primitive(Term1, S1)
+    ;   parallel_made(Term, By, Inmost, S1)
+    ).
+
+%   polygons_known(S, S1): which polygon of S each of S1 stands for: of the
+%   facets of a part of which another side is wanted, the nearest.
+
+polygons_known(S, S1) :-
+    (   smooth_surface(S, _, _)
+    ->  findall(What-P, face_of(S, P, What), Drawn),
+        forall(( placed_face(S1, P1, What1),
+                 drawn_face(Drawn, What1, P) ),
+               assert_fact(origin(S1, p(P1), p(P))))
+    ;   true
+    ).
+
+drawn_face(Drawn, What1, P) :-
+    (   memberchk(What1-P, Drawn)
+    ->  true
+    ;   What1 = curved(Part, [A-B]),
+        Middle is (A+B)/2.0,
+        findall(Off-P0,
+                ( member(curved(Part, [From-To])-P0, Drawn),
+                  Off is max(0.0, max(From-Middle, Middle-To)) ),
+                Found),
+        keysort(Found, [_-P|_])
+    ).
+
+
+                /*******************************
+                *           FINENESS           *
+                *******************************/
+
+%   fineness(Ss, Options, Finers): what is done with the facets of each: `kept`,
+%   the segment stays as it is; `copied`, the same facets; times(N), N for each;
+%   within(Chord), others, no farther than that from the true surface. All are
+%   kept if one cannot be made again, or if the first is one whose facets are
+%   laid flat.
+
+fineness([S|Others], Options, Finers) :-
+    (   maplist(made_alone, [S|Others]),
+        unrolls_or_flat(S)
+    ->  maplist(finer(Options), [S|Others], Finers)
+    ;   maplist(kept, [S|Others], Finers)
+    ).
+
+kept(_, kept).
+
+made_alone(S) :-
+    \+ is_node(S),
+    \+ from_p(S, _, _, _, _).
+
+unrolls_or_flat(S) :-
+    forall(smooth_surface(S, _, Surface),
+           ( functor(Surface, Kind, _),
+             memberchk(Kind, [cylinder,cone,fan,transition]) )).
+
+finer(Options, S, Finer) :-
+    findall(Surface, smooth_surface(S, _, Surface), Surfaces),
+    findall(Radius,
+            ( member(Surface, Surfaces), surface_radius(Surface, Radius) ),
+            Radii),
+    (   Radii == []
+    ->  Finer = copied
+    ;   max_list(Radii, Greatest),
+        chord(Options, Greatest, Chord),
+        segment(S, _, Term),
+        widest_facet(Term, Width),
+        Wanted is 360.0/acos(1.0 - Chord/Greatest)*pi/360.0,
+        N is ceiling(Wanted*Width/360.0),
+        (   N =< 1
+        ->  Finer = copied
+        ;   unrolls_or_flat(S)
+        ->  Finer = times(N)
+        ;   Finer = within(Chord)
+        )
+    ).
+
+%   chord(Options, Radius, Chord): as for rims of flat faces, but no less than
+%   720 facets go round.
+
+chord(Options, Radius, Chord) :-
+    Usual is 2.0e-4*Radius,
+    option(chord(Chord0), Options, Usual),
+    Least is Radius*(1.0 - cos(pi/720.0)),
+    Chord is min(Radius, max(Least, Chord0)).
+
+surface_radius(Surface, Radius) :-
+    Surface =.. [Kind,_,vector(A,B,C),vector(D,E,F)|More],
+    Kind \== fan,
+    Base is max(sqrt(A*A + B*B + C*C), sqrt(D*D + E*E + F*F)),
+    (   Kind == cone,
+        More = [_,K]
+    ->  Radius is Base*max(1.0, K)
+    ;   Radius = Base
+    ).
+
+widest_facet(Term, Width) :-
+    primitive_parts(Term, Parts, _),
+    findall(W, member(part(_, curved(_, W)), Parts), Widths),
+    max_list(Widths, Width).
+
+%   term_finer(Finer, Term0, Term): with other facets.
+
+term_finer(copied, Term, Term).
+term_finer(kept, Term, Term).
+term_finer(times(N), Term0, Term) :-
+    innermost(Term0, Inner0, Inner, Term),
+    is_transition(Inner0),
+    !,
+    argument_replaced(Inner0, [divided], divided(N), Inner).
+term_finer(times(N), Term0, Term) :-
+    innermost(Term0, Inner0, Inner, Term),
+    primitive_parts(Inner0, Parts, _),
+    once(member(part(Count, curved(_, _)), Parts)),
+    Facets is N*Count,
+    facets_replaced(Inner0, facets(Facets), Inner).
+term_finer(within(Chord), Term0, Term) :-
+    innermost(Term0, Inner0, Inner, Term),
+    facets_replaced(Inner0, tolerance(Chord), Inner).
+
+innermost(at(Steps, Term0), Inner0, Inner, at(Steps, Term)) :-
+    !,
+    innermost(Term0, Inner0, Inner, Term).
+innermost(named(Name, Term0), Inner0, Inner, named(Name, Term)) :-
+    !,
+    innermost(Term0, Inner0, Inner, Term).
+innermost(Inner0, Inner0, Inner, Inner).
+
+%   The parts of a transition hang on its facets; so these are divided.
+
+is_transition(Term) :-
+    functor(Term, Name, _),
+    memberchk(Name, [transition,open_transition]).
+
+facets_replaced(Term0, Fineness, Term) :-
+    argument_replaced(Term0, [facets,tolerance,bands,sides], Fineness, Term).
+
+argument_replaced(Term0, Names, New, Term) :-
+    Term0 =.. [Name|Arguments0],
+    findall(Argument,
+            ( member(Argument, Arguments0),
+              functor(Argument, Of, _),
+              \+ memberchk(Of, Names) ),
+            Arguments),
+    Term =.. [Name,New|Arguments].
+
+
+                /*******************************
+                *           AS DRAWN           *
+                *******************************/
+
+%!  polygon_drawn(+T, +P, -S, -P0) is semidet.
+%
+%   Polygon P of segment T, which is a part that parts_made/3 made, or was
+%   trimmed of one, stands for polygon P0 of S, which is drawn; S-P0 is T-P if T
+%   is neither. Fails for the tip of a moved cone, which stands for nothing.
+
+polygon_drawn(T, P, S, P0) :-
+    (   from_p(T, P, _, _, _)
+    ->  once(placed_polygon(T, P, S1, P1))
+    ;   S1-P1 = T-P
+    ),
+    (   origin(S1, node(S1), plate(_))
+    ->  once(drawn_polygon(S1, P1, S, P0))
+    ;   S-P0 = T-P
+    ).
+
+%!  drawn_wanted(+S1, +S, +Wanted, -Wanted1) is det.
+%
+%   What is Wanted of segment S (unfold_wish.pl), said of S1, made of it.
+
+drawn_wanted(S, S, Wanted, Wanted) :-
+    !.
+drawn_wanted(S1, S, wanted(Root0, Cut0, Keep0, Removed0),
+             wanted(Root, Cut, Keep, Removed)) :-
+    (   Root0 \== none,
+        drawn_polygon(S1, Root, S, Root0)
+    ->  true
+    ;   Root = none
+    ),
+    maplist(edges_made(S1, S), [Cut0,Keep0], [Cut,Keep]),
+    findall(P1, ( member(P, Removed0), drawn_polygon(S1, P1, S, P) ), Removed).
+
+edges_made(S1, S, Edges0, Edges) :-
+    findall(edge(E, P1, Q1),
+            ( member(edge(E, P, Q), Edges0),
+              drawn_polygon(S1, P1, S, P),
+              drawn_polygon(S1, Q1, S, Q) ),
+            Edges).
+
+%!  facets_as_drawn(+S, +Facets0, +Shape, -Facets) is det.
+%
+%   Facets of segment S and their Shape (true_shape.pl): those that stand for
+%   one facet of what is drawn are one, with the smallest of their numbers: the
+%   half-edges between them are left out.
+
+facets_as_drawn(S, Facets0, Shape, Facets) :-
+    findall(drawn(D, P)-Facet,
+            ( member(Facet, Facets0),
+              Facet = facet(P0, _, _, _),
+              polygon_drawn(S, P0, D, P) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    maplist(put_together(Shape), Groups, Lists),
+    append(Lists, Facets2),
+    maplist(facet_parted(Shape), Facets2, Parted),
+    append(Parted, Facets1),
+    sort(1, @=<, Facets1, Facets).
+
+%   put_together(Shape, Drawn-Group, Facets): one for each part of the facet
+%   that hangs together.
+
+put_together(_, _-[Facet], [Facet]) :-
+    !.
+put_together(Shape, drawn(D, PD)-Group, Facets) :-
+    (   face_of(D, PD, curved(_, [T1-T2|_]))
+    ->  true
+    ;   Group = [facet(_, T1, T2, _)|_]         % of a flat part
+    ),
+    hanging_together(Group, Parts),
+    maplist(one_facet(Shape, T1, T2), Parts, Facets).
+
+one_facet(Shape, T1, T2, Part, facet(P, T1, T2, Halves)) :-
+    findall(P0, member(facet(P0, _, _, _), Part), Ps),
+    min_list(Ps, P),
+    findall(Half, ( member(facet(_, _, _, Hs), Part), member(Half, Hs) ),
+            Halves0),
+    uncancelled(Halves0, Halves1),
+    rim_settled(0.0, Shape, Halves1, Halves2),
+    rim_settled(1.0, Shape, Halves2, Halves).
+
+%   rim_settled(Level, Shape, Halves0, Halves): a facet that is no plane is two
+%   triangles, one of which has a corner alone on the rim; so what goes along
+%   the rim in place of what was beyond it (true_border.pl) may be in one, and
+%   that piece of the rim in the other.
+
+rim_settled(Level, Shape, Halves0, Halves) :-
+    (   memberchk(half(_, _, tip), Halves0)
+    ->  settled(Halves0, level(Level), Shape, Halves0, Halves)
+    ;   Halves = Halves0
+    ).
+
+%   hanging_together(Facets, Parts): those with a half-edge in common, once each
+%   way, are of one part.
+
+hanging_together([], []).
+hanging_together([Facet|Facets], [Part|Parts]) :-
+    grown([Facet], Facets, Part, Rest),
+    hanging_together(Rest, Parts).
+
+grown([], Rest, [], Rest).
+grown([Facet|Queue], Others, [Facet|Part], Rest) :-
+    Facet = facet(_, _, _, Halves),
+    findall(B-A, member(half(A, B, _), Halves), Backs0),
+    sort(Backs0, Backs),
+    partition(beside(Backs), Others, Beside, Others1),
+    append(Beside, Queue, Queue1),
+    grown(Queue1, Others1, Part, Rest).
+
+beside(Backs, facet(_, _, _, Halves)) :-
+    member(half(A, B, _), Halves),
+    ord_memberchk(A-B, Backs),
+    !.
+
+%   uncancelled(Halves0, Halves): without pairs that run both ways; where tips
+%   were given, one may run there twice and back once.
+
+uncancelled(Halves0, Halves) :-
+    findall(B-A, member(half(A, B, _), Halves0), Backs0),
+    sort(Backs0, Backs),
+    partition(runs_back(Backs), Halves0, Both, Once),
+    pairs_cancelled(Both, Left),
+    append(Once, Left, Halves).
+
+runs_back(Backs, half(A, B, _)) :-
+    ord_memberchk(A-B, Backs).
+
+pairs_cancelled([], []).
+pairs_cancelled([half(A, B, Label)|Halves0], Halves) :-
+    (   selectchk(half(B, A, _), Halves0, Halves1)
+    ->  pairs_cancelled(Halves1, Halves)
+    ;   Halves = [half(A, B, Label)|Halves2],
+        pairs_cancelled(Halves0, Halves2)
+    ).

@@ -1,0 +1,212 @@
+:- module(sg_true_plate,
+          [ plate_layer/2,              % +Options, -Layer
+            plate_parts/5               % +S, +Others, +Options0, -Options,
+                                        % -Parts
+          ]).
+:- use_module('../primitive/primitive_face', [smooth_surface/3]).
+:- use_module('../store', [segment/3]).
+:- use_module(true_parts, [parts_made/3]).
+:- use_module(true_resized, [outline_area/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(error), [domain_error/2, must_be/2]).
+:- use_module(library(lists), [max_list/2, member/2, min_list/2]).
+:- use_module(library(option), [option/2, option/3]).
+/** <module> The plate that a surface is made of: which layer of it is drawn.
+
+What is drawn is one surface; a plate has two, and a layer between them that
+keeps its length when the plate is rolled or bent, the *neutral* one. Options:
+
+    thickness(T)         of the plate; without it, it has none
+    size(Which)          `inside`, `middle` (default) or `outside`: which of its
+                         surfaces is drawn. Inside is where the axis is.
+    k_factor(K)          the neutral layer is K*T outside the inside: 0.5
+
+Where parts penetrate, not what is drawn meets, but what touches first. A branch
+is *set on* a header: its inside meets the outside of the header, and there the
+hole is marked too. Or it is *set in* the wall: its outside meets the inside of
+the header. The part with the smaller radius is the branch. Parts of one radius
+meet in a mitre: with their middles. Options:
+
+    set_in(true)         set in; by default set on
+    role(Role)           S is a `branch`, a `header` or one side of a `mitre`,
+                         whatever the radii
+    other_thickness(T2)  of the plate of the others: T
+*/
+
+%!  plate_layer(+Options, -Layer) is det.
+%
+%   Layer is how far outside the drawn surface the neutral one is.
+
+plate_layer(Options, Layer) :-
+    (   option(layer(Layer), Options)
+    ->  true
+    ;   plate(Options, T, Inner),
+        option(k_factor(K), Options, 0.5),
+        must_be(between(0.0, 1.0), K),
+        Layer is Inner + float(K)*T
+    ).
+
+%   plate(Options, T, Inner): Inner is how far outside what is drawn the inside
+%   is.
+
+plate(Options, T, Inner) :-
+    option(thickness(T), Options, 0.0),
+    size_inner(Options, T, Inner).
+
+size_inner(Options, T, Inner) :-
+    must_be(number, T),
+    (   T >= 0
+    ->  true
+    ;   domain_error(not_less_than_zero, T)
+    ),
+    option(size(Size), Options, middle),
+    must_be(oneof([inside,middle,outside]), Size),
+    inner(Size, T, Inner).
+
+inner(inside, _, 0.0).
+inner(middle, T, Inner) :- Inner is -T/2.0.
+inner(outside, T, Inner) :- Inner is -float(T).
+
+%!  plate_parts(+S, +Others, +Options0, -Options, -Parts) is det.
+%
+%   Parts is S1-Others1: new segments, S and Others again, in fine facets and as
+%   large as the surfaces in which their plates touch each other (parts_made/3).
+%   To be trimmed (trimmed/4) and then developed with Options, which have
+%   layer(Layer), and size(Size) for bends, instead of what Options0 say of the
+%   plate. What need not be changed is what was given.
+%
+%   @error geometry_error(true(no_offset(S))): no surface that is known is
+%   everywhere so far from that of S: it is not curved simply; or where its flat
+%   faces meet they would not, being moved
+
+plate_parts(S, Others, Options, Options, S1-Others1) :-
+    plate(Options, T, _),
+    T =:= 0,
+    !,
+    findall(Part-0.0, member(Part, [S|Others]), Sizes),
+    parts_made(Sizes, Options, [S1|Others1]).
+plate_parts(S, Others, Options0, Options, S1-Others1) :-
+    plate(Options0, T, Inner),
+    Outer is Inner + T,
+    option(other_thickness(T2), Options0, T),
+    size_inner(Options0, T2, OtherInner),
+    OtherOuter is OtherInner + T2,
+    part_role(Options0, S, Others, Role),
+    option(set_in(In), Options0, false),
+    must_be(boolean, In),
+    touches(Role, In, Side),
+    touching_sides(Side, Inner-Outer, OtherInner-OtherOuter, By, OtherBy),
+    plate_layer(Options0, Layer0),
+    Layer is Layer0 - By,
+    Options = [layer(Layer),size(Side)|Options0],
+    findall(Other-OtherBy, member(Other, Others), OtherSizes),
+    parts_made([S-By|OtherSizes], [layer(Layer0)|Options0], [S1|Others1]).
+
+%   touches(Role, SetIn, Side): with which side its plate touches the others.
+
+touches(branch, false, inside).
+touches(branch, true, outside).
+touches(header, false, outside).
+touches(header, true, inside).
+touches(mitre, _, middle).
+
+%   touching_sides(Side, Inner-Outer, OtherInner-OtherOuter, By, OtherBy): how
+%   much larger than drawn the sides are that touch.
+
+touching_sides(inside, Inner-_, _-OtherOuter, Inner, OtherOuter).
+touching_sides(outside, _-Outer, OtherInner-_, Outer, OtherInner).
+touching_sides(middle, Inner-Outer, OtherInner-OtherOuter, By, OtherBy) :-
+    By is (Inner+Outer)/2.0,
+    OtherBy is (OtherInner+OtherOuter)/2.0.
+
+part_role(Options, S, Others, Role) :-
+    (   option(role(Role), Options)
+    ->  must_be(oneof([branch,header,mitre]), Role)
+    ;   part_width(S, Width),
+        maplist(part_width, Others, Widths),
+        width_role(Width, Widths, Role)
+    ).
+
+width_role(Width, Widths, Role) :-
+    (   member(Other, Widths),
+        wider(Width, Other)
+    ->  Role = header
+    ;   Width < inf,
+        Widths \== [],
+        \+ ( member(Other, Widths), wider(Other, Width) )
+    ->  Role = mitre
+    ;   Role = branch
+    ).
+
+%   wider(A, B): by more than rounding.
+
+wider(A, B) :-
+    B < inf,
+    A > B*(1.0 + 1.0e-9).
+
+%   What has flat faces is as wide as a box or prism is, or wider than any pipe.
+
+part_width(S, Width) :-
+    (   segment(S, _, Term),
+        transition_width(Term, Width0)
+    ->  Width = Width0
+    ;   segment(S, _, Term),
+        flat_width(Term, Width0)
+    ->  Width = Width0
+    ;   smooth_surface(S, _, Surface),
+        Surface \= bezier(_)
+    ->  arg(2, Surface, vector(A, B, C)),
+        Width is sqrt(A*A + B*B + C*C)
+    ;   Width = inf
+    ).
+
+%   transition_width(Term, Width): half of the wider of its outlines.
+
+transition_width(at(_, Term), Width) :-
+    transition_width(Term, Width).
+transition_width(named(_, Term), Width) :-
+    transition_width(Term, Width).
+transition_width(Term, Width) :-
+    Term =.. [Name|Arguments],
+    memberchk(Name, [transition,open_transition]),
+    memberchk(base(Outline1), Arguments),
+    memberchk(top(Outline2), Arguments),
+    half_width(Outline1, Width1),
+    half_width(Outline2, Width2),
+    Width is max(Width1, Width2).
+
+half_width(circle(R), R).
+half_width(ellipse(A, B), Width) :-
+    Width is max(A, B).
+half_width(rectangle(A, B), Width) :-
+    Width is max(A, B)/2.0.
+half_width(rectangle(A, B, _), Width) :-
+    Width is max(A, B)/2.0.
+half_width(polygon(Corners), Width) :-
+    outline_area(Corners, Area),
+    Width is sqrt(abs(Area))/2.0.
+
+%   flat_width(Term, Width): half of what is neither the longest nor the
+%   shortest side of a box round it, as it stands.
+
+flat_width(at(_, Term), Width) :-
+    flat_width(Term, Width).
+flat_width(named(_, Term), Width) :-
+    flat_width(Term, Width).
+flat_width(box(size(A, B, C)), Width) :-
+    msort([A,B,C], [_,Middle,_]),
+    Width is Middle/2.0.
+flat_width(Term, Width) :-
+    Term =.. [prism|Arguments],
+    memberchk(outline(Corners), Arguments),
+    memberchk(height(H), Arguments),
+    findall(X, member([X,_], Corners), Xs),
+    findall(Y, member([_,Y], Corners), Ys),
+    extent(Xs, A),
+    extent(Ys, B),
+    flat_width(box(size(A, B, H)), Width).
+
+extent(Xs, Extent) :-
+    min_list(Xs, Least),
+    max_list(Xs, Most),
+    Extent is Most-Least.

@@ -1,0 +1,346 @@
+:- module(sg_true_tip,
+          [ tips_moved/5,               % +Facets0, +Tolerance, -Facets,
+                                        % +Shape0, -Shape
+            settled/5                   % +Halves0, +Line, +Shape, +All, -Halves
+          ]).
+:- use_module('../kernel', [roll_curves/5]).
+:- use_module(true_divide, [crossing_near/7]).
+:- use_module(true_shape,
+              [edge_curve/4, facet_middle/2, key_place/4, shifted_facet/3]).
+:- use_module(library(apply), [foldl/5, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(lists),
+              [append/2, append/3, member/2, nth1/3, reverse/2, select/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
+/** <module> Tips: where a true line goes past a generator that facets missed.
+
+The line of the true surfaces lies beside that of the facets. Where it turns
+back near a generator, as at the sides of a hole, it may reach the next facet,
+where the line of the facets does not. The part past the generator, a *tip*, is
+given to that facet: it gets the half-edges of the tip, and both facets the
+piece of the generator between its ends, each in its own direction; what is
+there twice, once each way, vanishes: of a hole that is all of the piece, which
+lies in the hole now. A tip may go on past the next generator.
+*/
+
+%!  tips_moved(+Facets0, +Tolerance, -Facets, +Shape0, -Shape) is det.
+%
+%   Facets are Facets0, with all tips in the facets where they are. Tips that
+%   reach less than Tolerance (model units) past a generator may stay.
+
+tips_moved(Facets0, Tolerance, Facets, Shape0, Shape) :-
+    findall(N-Facet, nth1(N, Facets0, Facet), Numbered),
+    list_to_assoc(Numbered, Table0),
+    ends_table(Numbered, Ends),
+    findall(N, member(N-_, Numbered), Queue),
+    moved(Queue, 10000, Ends, Tolerance, Table0, Table, Shape0, Shape),
+    findall(Facet,
+            ( member(N-_, Numbered), get_assoc(N, Table, Facet) ),
+            Facets).
+
+%   ends_table(Numbered, Ends): an assoc from start(Place) and end(Place) to the
+%   numbers of the facets that start or end at this generator.
+
+ends_table(Numbered, Ends) :-
+    findall(End-N,
+            ( member(N-facet(_, T1, T2, _), Numbered),
+              (   turn_place(T1, Place), End = start(Place)
+              ;   turn_place(T2, Place), End = end(Place)
+              ) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Ends).
+
+turn_place(T, Place) :-
+    Place is round(T*1.0e6) mod 360000000.
+
+moved([], _, _, _, Table, Table, Shape, Shape) :-
+    !.
+moved(_, 0, _, _, Table, Table, Shape, Shape) :-
+    !.
+moved([N|Queue], Most0, Ends, Tolerance, Table0, Table, Shape0, Shape) :-
+    Most is Most0-1,
+    get_assoc(N, Table0, Facet0),
+    (   facet_tip(Facet0, Ends, Table0, Tolerance, Tip, Facet1, Shape0, Shape1)
+    ->  Tip = tip(_, Q, _, _, _, _),
+        tip_given(Tip, N, Facet1, Table0, Table1, Shape1),
+        moved([N,Q|Queue], Most, Ends, Tolerance, Table1, Table, Shape1, Shape)
+    ;   moved(Queue, Most, Ends, Tolerance, Table0, Table, Shape0, Shape)
+    ).
+
+%   facet_tip(Facet0, Ends, Table, Tolerance, Tip, Facet, Shape0, Shape): the
+%   first tip of Facet0: tip(T, Q, Turns, Chain, From, To): the half-edges of
+%   Chain run from key From to To, both on the generator at T, and belong to
+%   facet Q carried round by Turns. Facet has the rest.
+
+facet_tip(Facet0, Ends, Table, Tolerance, tip(T, Q, Turns, Chain, From, To),
+          facet(P, T1, T2, Rest), Shape0, Shape) :-
+    Facet0 = facet(P, T1, T2, Halves0),
+    line_edges(Halves0, Shape0, Lines),
+    Lines \== [],
+    lines_parted(Lines, Facet0, Tolerance, Parted, Shape0, Shape),
+    Parted \== [],
+    list_to_assoc(Parted, Parts),
+    maplist(half_parts(Parts), Halves0, Lists),
+    append(Lists, Zoned),
+    member(Side-T, [start-T1,end-T2]),
+    chain(Zoned, Side, T, Shape, Chain, From, To),
+    neighbour(Side, T, From-To, Ends, Table, Shape, Q, Turns),
+    findall(Half,
+            ( member(_-Half, Zoned), \+ memberchk(Half, Chain) ),
+            Rest),
+    !.
+
+line_edges(Halves, Shape, Lines) :-
+    findall(A-B,
+            ( member(half(K1, K2, _), Halves),
+              msort([K1,K2], [A,B]),
+              edge_curve(Shape, A, B, meets(_)) ),
+            Lines0),
+    sort(Lines0, Lines).
+
+
+                /*******************************
+                *             PARTS            *
+                *******************************/
+
+%   lines_parted(Lines, Facet, Tolerance, Parted, Shape0, Shape): Parted is the
+%   list of Key1-Key2-Parts for the lines that are past a generator of the facet
+%   somewhere; Parts, from Key1 to Key2, are part(Zone, KeyA, KeyB): a part is
+%   `in`, or beyond the `start` or `end` of the facet, and ends at a generator.
+
+lines_parted(Lines, Facet, Tolerance, Parted, Shape0, Shape) :-
+    Facet = facet(_, T1, T2, _),
+    facet_middle(Facet, Middle),
+    Shape0 = shape(Surface, Reach, _),
+    maplist(asked_line(Shape0, Middle), Lines, Curves),
+    roll_curves(roll(Surface, 0.0, T1), Reach, Tolerance, Curves, Lists),
+    foldl(line_parted(T1, T2), Lines, Lists, []-Shape0, Parted-Shape).
+
+asked_line(Shape, Middle, A-B, curve(Middle, [Surface,Other], From, To)) :-
+    Shape = shape(Surface, _, Nodes),
+    edge_curve(Shape, A, B, meets(Other)),
+    A = k(Id1, _),
+    B = k(Id2, _),
+    get_assoc(Id1, Nodes, node(_, _, From, _)),
+    get_assoc(Id2, Nodes, node(_, _, To, _)).
+
+line_parted(T1, T2, A-B, Places, Parted0-Shape0, Parted-Shape) :-
+    Shape0 = shape(_, _, Nodes),
+    key_place(Nodes, A, TA, HA),
+    key_place(Nodes, B, TB, HB),
+    findall(s(T, H, none), member(place(T, H, _, _), Places), Inner),
+    append([s(TA, HA, A)|Inner], [s(TB, HB, B)], [First|Rest]),
+    (   member(s(T, _, _), [First|Rest]),
+        zone(T1, T2, T, Zone),
+        Zone \== in
+    ->  parts(First, Rest, line(A, B, T1, T2), A, in, Parts, Shape0, Shape),
+        Parted = [(A-B)-Parts|Parted0]
+    ;   Parted = Parted0,
+        Shape = Shape0
+    ).
+
+zone(T1, T2, T, Zone) :-
+    (   T < T1 - 1.0e-6
+    ->  Zone = start
+    ;   T > T2 + 1.0e-6
+    ->  Zone = end
+    ;   Zone = in
+    ).
+
+%   parts(S, Ss, Line, Start, Zone0, Parts, Shape0, Shape): the part that runs
+%   began at key Start and has been in Zone0 until S.
+
+parts(S1, Ss, Line, Start, Zone0, Parts, Shape0, Shape) :-
+    Line = line(_, _, T1, T2),
+    S1 = s(TS1, _, Key1),
+    zone(T1, T2, TS1, Zone1),
+    (   Zone0 == in
+    ->  Zone = Zone1
+    ;   Zone = Zone0
+    ),
+    (   Ss == []
+    ->  Parts = [part(Zone, Start, Key1)],
+        Shape = Shape0
+    ;   Ss = [S2|Ss2],
+        S2 = s(TS2, _, Key2),
+        zone(T1, T2, TS2, Zone2),
+        (   (   Zone1 == Zone2
+            ;   Zone1 == in, Key1 \== none, on_border(TS1, T1, T2)
+            ;   Zone2 == in, Key2 \== none, on_border(TS2, T1, T2)
+            )
+        ->  parts(S2, Ss2, Line, Start, Zone, Parts, Shape0, Shape)
+        ;   border(Zone1, Zone2, T1, T2, T),
+            line_crossing(Line, T, S1, S2, Key, Shape0, Shape1),
+            Parts = [part(Zone, Start, Key)|Parts1],
+            parts(S2, Ss2, Line, Key, in, Parts1, Shape1, Shape)
+        )
+    ).
+
+on_border(T, T1, T2) :-
+    ( abs(T-T1) =< 1.0e-6 ; abs(T-T2) =< 1.0e-6 ),
+    !.
+
+border(Zone1, Zone2, T1, T2, T) :-
+    (   ( Zone1 == start ; Zone2 == start )
+    ->  T = T1
+    ;   T = T2
+    ).
+
+line_crossing(line(A, B, _, _), T, s(TS1, H1, _), s(TS2, H2, _), Key, Shape0,
+              Shape) :-
+    H is H1 + (H2-H1)*(T-TS1)/(TS2-TS1),
+    crossing_near(A, B, T, H, Key, Shape0, Shape).
+
+half_parts(Parts, Half, Zoned) :-
+    Half = half(K1, K2, Label),
+    (   get_assoc(K1-K2, Parts, List)
+    ->  findall(Zone-half(A, B, Label), member(part(Zone, A, B), List), Zoned)
+    ;   get_assoc(K2-K1, Parts, List)
+    ->  findall(Zone-half(B, A, Label), member(part(Zone, A, B), List), Zoned0),
+        reverse(Zoned0, Zoned)
+    ;   Zoned = [in-Half]
+    ).
+
+
+                /*******************************
+                *             TIPS             *
+                *******************************/
+
+%   chain(Zoned, Side, T, Shape, Chain, From, To): half-edges end to end beyond
+%   the side, from one point of its generator to another.
+
+chain(Zoned, Side, T, Shape, [First|Chain], From, To) :-
+    member(Side-First, Zoned),
+    First = half(From, _, _),
+    on_generator(Shape, T, From),
+    chain_on(First, Zoned, Side, T, Shape, Chain, To).
+
+chain_on(half(A, B, _), Zoned, Side, T, Shape, Chain, To) :-
+    (   on_generator(Shape, T, B)
+    ->  Chain = [],
+        To = B
+    ;   member(Side-Next, Zoned),
+        Next = half(B, C, _),
+        C \== A
+    ->  Chain = [Next|Chain1],
+        chain_on(Next, Zoned, Side, T, Shape, Chain1, To)
+    ).
+
+on_generator(shape(_, _, Nodes), T, Key) :-
+    key_place(Nodes, Key, T1, _),
+    (   T1 == any
+    ->  true
+    ;   abs(T1-T) =< 1.0e-6
+    ).
+
+%   neighbour(Side, T, From-To, Ends, Table, Shape, Q, Turns): facet Q, carried
+%   round by Turns, is on the other side of the generator at T, and has a part
+%   of it where the tip is.
+
+neighbour(Side, T, From-To, Ends, Table, Shape, Q, Turns) :-
+    turn_place(T, Place),
+    (   Side == end
+    ->  get_assoc(start(Place), Ends, Qs)
+    ;   get_assoc(end(Place), Ends, Qs)
+    ),
+    Shape = shape(_, _, Nodes),
+    key_place(Nodes, From, _, H1),
+    key_place(Nodes, To, _, H2),
+    member(Q, Qs),
+    get_assoc(Q, Table, facet(P, TQ1, TQ2, Halves)),
+    (   Side == end
+    ->  Turns is round((T-TQ1)/360.0)
+    ;   Turns is round((T-TQ2)/360.0)
+    ),
+    shifted_facet(Turns, facet(P, TQ1, TQ2, Halves), facet(_, _, _, Shifted)),
+    member(half(A, B, _), Shifted),
+    on_generator(Shape, T, A),
+    on_generator(Shape, T, B),
+    key_place(Nodes, A, _, H3),
+    key_place(Nodes, B, _, H4),
+    max(H1, H2) >= min(H3, H4) - 1.0e-9,
+    min(H1, H2) =< max(H3, H4) + 1.0e-9,
+    !.
+
+%   tip_given(Tip, N, Facet, Table0, Table, Shape): facet N is Facet, without
+%   the tip; both it and Q get the piece of the generator.
+
+tip_given(tip(T, Q, Turns, Chain, From, To), N, Facet0, Table0, Table, Shape) :-
+    Facet0 = facet(P, T1, T2, Halves0),
+    get_assoc(Q, Table0, FacetQ0),
+    shifted_facet(Turns, FacetQ0, facet(PQ, TQ1, TQ2, HalvesQ0)),
+    HalvesP1 = [half(From, To, tip)|Halves0],
+    append(Chain, [half(To, From, tip)|HalvesQ0], HalvesQ1),
+    append(HalvesP1, HalvesQ1, All),
+    settled(HalvesP1, generator(T), Shape, All, HalvesP),
+    settled(HalvesQ1, generator(T), Shape, All, HalvesQ),
+    put_assoc(N, Table0, facet(P, T1, T2, HalvesP), Table1),
+    Back is -Turns,
+    shifted_facet(Back, facet(PQ, TQ1, TQ2, HalvesQ), FacetQ),
+    put_assoc(Q, Table1, FacetQ, Table).
+
+%!  settled(+Halves0, +Line, +Shape, +All, -Halves) is det.
+%
+%   Halves are Halves0, where half-edges along Line, generator(T) or level(H),
+%   are divided at all ends of the half-edges All that lie on it; two that are
+%   opposite vanish, if one came with a tip.
+
+settled(Halves0, Line, Shape, All, Halves) :-
+    line_keys(All, Line, Shape, Keys),
+    findall(Half,
+            ( member(Half0, Halves0),
+              elementary(Half0, Line, Shape, Keys, Half) ),
+            Halves1),
+    cancelled(Halves1, Halves).
+
+%   line_keys(Halves, Line, Shape, Keys): Place-Key of all on the line, in
+%   order.
+
+line_keys(Halves, Line, Shape, Keys) :-
+    findall(Place-Key,
+            ( member(half(A, B, _), Halves),
+              ( Key = A ; Key = B ),
+              on_line(Shape, Line, Key, Place) ),
+            Keys0),
+    sort(Keys0, Keys).
+
+%   on_line(Shape, Line, Key, Place): Key is on the line, at Place along it.
+
+on_line(Shape, generator(T), Key, H) :-
+    on_generator(Shape, T, Key),
+    Shape = shape(_, _, Nodes),
+    key_place(Nodes, Key, _, H).
+on_line(shape(_, _, Nodes), level(H), Key, T) :-
+    key_place(Nodes, Key, T, H1),
+    T \== any,
+    abs(H1-H) =< 1.0e-9.
+
+elementary(half(A, B, Label), Line, Shape, Keys, Half) :-
+    (   on_line(Shape, Line, A, Place1),
+        on_line(Shape, Line, B, Place2)
+    ->  findall(Key,
+                ( member(Place-Key, Keys),
+                  Place > min(Place1, Place2),
+                  Place < max(Place1, Place2) ),
+                Between0),
+        (   Place1 =< Place2
+        ->  Between = Between0
+        ;   reverse(Between0, Between)
+        ),
+        append([A|Between], [B], Way),
+        append(_, [C,D|_], Way),
+        Half = half(C, D, Label)
+    ;   Half = half(A, B, Label)
+    ).
+
+%   cancelled(Halves0, Halves): of a piece of the generator that came with a tip
+%   and one that was there.
+
+cancelled(Halves0, Halves) :-
+    (   select(half(A, B, tip), Halves0, Halves1),
+        select(half(B, A, _), Halves1, Halves2)
+    ->  cancelled(Halves2, Halves)
+    ;   Halves = Halves0
+    ).

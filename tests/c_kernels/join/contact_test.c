@@ -1,0 +1,214 @@
+/* contact_test.c -- contacts of two triangles: every pair of features, exact
+ * and nearly so, the same whichever triangle comes first; and better triangles.
+ */
+#include "join/contact.h"
+#include "polygon/delaunay.h"
+#include "tests/check.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double reach = 1e-9;
+
+/* ---- single contacts ---- */
+
+static const double flat[3][3] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+
+/* The one contact of `flat` and b, or nothing. */
+static bool
+one(double b[3][3], sg_feature f, sg_feature g, bool exact)
+{
+  sg_contact c[SG_CONTACT_MAX], d[SG_CONTACT_MAX];
+  bool flush;
+  int n = sg_contacts(flat, (const double(*)[3])b, reach, c, &flush);
+  int m = sg_contacts((const double(*)[3])b, flat, reach, d, &flush);
+
+  return n == 1 && m == 1 && c[0].f[0] == f && c[0].f[1] == g &&
+         c[0].exact == exact && d[0].f[0] == g && d[0].f[1] == f &&
+         d[0].exact == exact && c[0].distance <= reach;
+}
+
+static void
+test_features(void)
+{
+  const double e = 1e-12;
+  double on_corner[3][3] = {{0, 0, 0}, {-1, -1, 3}, {-2, -1, 5}};
+  double on_edge[3][3] = {{1, 0, 0}, {1, -1, 3}, {2, -1, 5}};
+  double on_face[3][3] = {{1, 1, 0}, {1, 2, 3}, {2, 1, 5}};
+  double crossing[3][3] = {{1, -1, -1}, {1, 1, 1}, {1, -3, 2}};
+
+  CHECK("corner on corner", one(on_corner, SG_CORNER_0, SG_CORNER_0, true));
+  CHECK("corner on edge", one(on_edge, SG_EDGE_0, SG_CORNER_0, true));
+  CHECK("corner on face", one(on_face, SG_FACE, SG_CORNER_0, true));
+  CHECK("edge on edge", one(crossing, SG_EDGE_0, SG_EDGE_0, true));
+  for (int k = 0; k < 3; k++) {
+    on_corner[k][2] += e;
+    on_edge[k][2] -= e;
+    on_face[k][2] += e;
+    crossing[k][2] -= e;
+  }
+  CHECK("corner near corner", one(on_corner, SG_CORNER_0, SG_CORNER_0, false));
+  CHECK("corner near edge", one(on_edge, SG_EDGE_0, SG_CORNER_0, false));
+  CHECK("corner near face", one(on_face, SG_FACE, SG_CORNER_0, false));
+  CHECK("edge near edge", one(crossing, SG_EDGE_0, SG_EDGE_0, false));
+}
+
+static int
+contacts(double b[3][3], double within, bool *flush)
+{
+  sg_contact c[SG_CONTACT_MAX];
+
+  return sg_contacts(flat, (const double(*)[3])b, within, c, flush);
+}
+
+static void
+test_none(void)
+{
+  double above[3][3] = {{1, 1, 1e-6}, {1, 2, 3}, {2, 1, 5}};
+  double through[3][3] = {{1, 1, -1}, {1, 2, 3}, {2, 1, 5}};
+  double huge[3][3] = {{1e300, 0, 0}, {-1e300, 1, 0}, {0, 1e300, 1e300}};
+  bool flush;
+
+  CHECK("beyond the reach", contacts(above, reach, &flush) == 0);
+  CHECK("within a wider one", contacts(above, 1e-5, &flush) == 1);
+  CHECK("what goes through touches nothing",
+        contacts(through, reach, &flush) == 0);
+  CHECK("smaller than the reach", contacts(above, 10, &flush) == 0);
+  CHECK("huge", contacts(huge, reach, &flush) >= 0);
+}
+
+static void
+test_flush(void)
+{
+  double beside[3][3] = {{4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+  double bent[3][3] = {{4, 0, 0}, {4, 4, 1e-13}, {0, 4, 0}};
+  bool flush;
+
+  CHECK("a side in common", contacts(beside, reach, &flush) == 2);
+  CHECK("in one plane exactly", !flush);
+  CHECK("and nearly", contacts(bent, reach, &flush) == 2 && flush);
+  bent[1][2] = 1;
+  CHECK("and not", contacts(bent, reach, &flush) == 2 && !flush);
+}
+
+/* ---- turned pairs of a grid ---- */
+
+/* The contacts of two triangles with corners on a small grid that are exact;
+ * and those of the same two, turned, must be the same features. */
+static void
+turn(const double rotation[3][3], double t[3][3])
+{
+  for (int i = 0; i < 3; i++) {
+    double at[3] = {t[i][0], t[i][1], t[i][2]};
+    for (int k = 0; k < 3; k++) {
+      t[i][k] = rotation[k][0] * at[0] + rotation[k][1] * at[1] +
+                rotation[k][2] * at[2];
+    }
+  }
+}
+
+static bool
+same_turned(void)
+{
+  static const double rotation[3][3] = {{2.0 / 3, -1.0 / 3, 2.0 / 3},
+                                        {2.0 / 3, 2.0 / 3, -1.0 / 3},
+                                        {-1.0 / 3, 2.0 / 3, 2.0 / 3}};
+  double t[2][3][3];
+  sg_contact before[SG_CONTACT_MAX], after[SG_CONTACT_MAX];
+  bool flush;
+
+  for (int i = 0; i < 18; i++) {
+    t[i / 9][i / 3 % 3][i % 3] = rand() % 3;
+  }
+  int n = sg_contacts((const double(*)[3])t[0], (const double(*)[3])t[1], reach,
+                      before, &flush);
+  turn(rotation, t[0]);
+  turn(rotation, t[1]);
+  int m = sg_contacts((const double(*)[3])t[0], (const double(*)[3])t[1], reach,
+                      after, &flush);
+  bool same = n == m;
+
+  for (int i = 0; i < n && same; i++) {
+    same = before[i].exact && before[i].f[0] == after[i].f[0] &&
+           before[i].f[1] == after[i].f[1];
+  }
+  return same;
+}
+
+/* ---- better triangles ---- */
+
+static bool
+is_side(void *data, int32_t a, int32_t b)
+{
+  int32_t n = *(int32_t *)data;
+
+  return (a + 1) % n == b || (b + 1) % n == a;
+}
+
+/* A long thin fan over a flat arc becomes a strip; a point inside and one on a
+ * chord become corners; the area stays. */
+static void
+test_delaunay(void)
+{
+  enum { N = 12 };
+  sg_work *work = sg_work_open((const double[3]){0, 0, 1});
+  sg_triangles list = {0};
+  int32_t n = N, edge, least = 0;
+  double area = 0, low = INFINITY;
+
+  for (int32_t i = 0; i < N + 2; i++) {
+    double angle = 2 * 3.14159265358979 * i / N;
+    sg_point p;
+    double at[3] = {cos(angle), sin(angle), 0};
+    if (i >= N) {
+      at[0] = at[1] = i == N ? 0.1 : 0;
+    }
+    sg_point_set(&p, at);
+    sg_work_vertex(work, i + 1, &p);
+  }
+  for (int32_t i = 0; i < N; i++) {
+    sg_work_add(work, i, (i + 1) % N, 1, 0);
+  }
+  CHECK("triangulated",
+        sg_work_triangulate(work, &list, &edge, NULL) == SG_DONE &&
+            list.n == N - 2);
+  CHECK("a point inside", sg_triangles_insert(work, &list, N) && list.n == N);
+  CHECK("one in the middle",
+        sg_triangles_insert(work, &list, N + 1) && list.n == N + 2);
+  CHECK("better",
+        sg_triangles_delaunay(work, &list, is_side, &n, NULL) == SG_DONE);
+  for (size_t i = 0; i < list.n; i++) {
+    const int32_t *v = list.item[i].v;
+    const double *a = sg_work_point(work, v[0])->p;
+    const double *b = sg_work_point(work, v[1])->p;
+    const double *c = sg_work_point(work, v[2])->p;
+    double one = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+
+    area += one / 2;
+    low = fmin(low, one);
+    least += v[0] >= N || v[1] >= N || v[2] >= N;
+  }
+  CHECK("the area stays",
+        fabs(area - N / 2 * sin(3.14159265358979 / 6)) < 1e-12);
+  CHECK("none is turned over", low > 0);
+  CHECK("all reach the middle", least == (int32_t)list.n);
+  free(list.item);
+  sg_work_close(work);
+}
+
+int
+main(void)
+{
+  bool same = true;
+
+  test_features();
+  test_none();
+  test_flush();
+  srand(1988);
+  for (int i = 0; i < 100000; i++) {
+    same = same_turned() && same;
+  }
+  CHECK("turned contacts are the same", same);
+  test_delaunay();
+  return check_report();
+}

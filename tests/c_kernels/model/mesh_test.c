@@ -1,0 +1,567 @@
+/* mesh_test.c -- mesh files: what is read, what is refused, what is written. */
+#include "tests/check.h"
+
+#include "model/mesh.h"
+#include "number/number.h"
+
+#include <locale.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static sg_mesh mesh;
+static sg_mesh_error error;
+
+static bool
+read_bytes(sg_mesh_format format, const char *bytes, size_t n)
+{
+  sg_mesh_options options = {SG_WELD_AUTO, false, NULL};
+
+  sg_mesh_clear(&mesh);
+  /* A copy of just this size, so that sanitizers see reads beyond it. */
+  char *copy = malloc(n ? n : 1);
+  memcpy(copy, bytes, n);
+  bool done = sg_mesh_read(format, copy, n, &options, &mesh, &error);
+  free(copy);
+  return done && sg_mesh_is_valid(&mesh);
+}
+
+static bool
+reads(sg_mesh_format format, const char *text)
+{
+  return read_bytes(format, text, strlen(text));
+}
+
+/* True if `text` is refused with `code` at this line. */
+static bool
+refuses(sg_mesh_format format, const char *text, sg_mesh_code code, size_t line)
+{
+  if (reads(format, text)) {
+    return false;
+  }
+  if (error.code != code || error.line != line) {
+    fprintf(stderr, "got %s, line %zu, column %zu: %s (%s)\n",
+            sg_mesh_code_name[error.code], error.line, error.column, error.text,
+            error.wanted);
+    return false;
+  }
+  return mesh.vertices == 0 && mesh.vertex == NULL;
+}
+
+/* Numbers ---------------------------------------------------------------- */
+
+static double
+number(const char *text)
+{
+  double x;
+
+  return sg_number_read(text, strlen(text), &x, NULL) == SG_NUMBER_OK ? x
+                                                                      : 12345;
+}
+
+static bool
+prints(double x, const char *text)
+{
+  char out[SG_NUMBER_SIZE];
+  size_t n = sg_number_print(x, out);
+
+  return n == strlen(text) && !strcmp(out, text);
+}
+
+static sg_number
+status(const char *text)
+{
+  double x;
+
+  return sg_number_read(text, strlen(text), &x, NULL);
+}
+
+static void
+test_reading_numbers(void)
+{
+  CHECK("integer", number("-12") == -12);
+  CHECK("point", number(".5") == 0.5 && number("5.") == 5);
+  CHECK("exponent", number("2.000000e+01") == 20 && number("1E-2") == 0.01);
+  CHECK("nearest", number("0.1") == 0.1 && number("123456789.123456789e-5") ==
+                                               123456789.123456789e-5);
+  CHECK("long",
+        number("0.1000000000000000055511151231257827021181583404541") == 0.1);
+  CHECK("half way", number("9007199254740993") == 9007199254740992.0);
+  CHECK("smallest", number("4.9e-324") == 4.9e-324);
+  CHECK("too small", number("1e-400") == 0);
+  CHECK("no minus zero", !signbit(number("-0.0")));
+  CHECK("words", status("blah") == SG_NUMBER_BAD);
+  CHECK("empty", status("") == SG_NUMBER_BAD && status("-") == SG_NUMBER_BAD);
+  CHECK("parts", status("1e") == SG_NUMBER_BAD && status(".") == SG_NUMBER_BAD);
+  CHECK("tail",
+        status("1x") == SG_NUMBER_BAD && status("0x10") == SG_NUMBER_BAD);
+  CHECK("comma", status("1,5") == SG_NUMBER_BAD);
+  CHECK("nan", status("-nan(ind)") == SG_NUMBER_NOT_FINITE);
+  CHECK("inf", status("Infinity") == SG_NUMBER_NOT_FINITE);
+  CHECK("old windows", status("1.#QNAN") == SG_NUMBER_NOT_FINITE);
+  CHECK("overflow", status("1e400") == SG_NUMBER_NOT_FINITE);
+}
+
+static void
+test_printing_numbers(void)
+{
+  CHECK("zero", prints(0, "0") && prints(-0.0, "0"));
+  CHECK("short", prints(0.1, "0.1") && prints(-12, "-12"));
+  CHECK("tail", prints(0.30000000000000004, "0.30000000000000004"));
+  CHECK("small", prints(1e-20, "1e-20") && prints(0.00123, "0.00123"));
+  CHECK("large", prints(123456789012345.0, "123456789012345"));
+  CHECK("largest", number("1.7976931348623157e308") == 0x1.fffffffffffffp1023);
+  unsigned long long seed = 88172645463325252u;
+  bool same = true;
+  for (int i = 0; i < 20000; i++) {
+    seed ^= seed << 13;
+    seed ^= seed >> 7;
+    seed ^= seed << 17;
+    double x = ldexp((double)(long long)seed, (int)(seed % 120) - 110);
+    char out[SG_NUMBER_SIZE];
+    sg_number_print(x, out);
+    same = same && number(out) == x;
+  }
+  CHECK("20000 doubles read back", same);
+}
+
+static void
+test_locale(void)
+{
+  if (!setlocale(LC_ALL, "de_DE.UTF-8") && !setlocale(LC_ALL, "fr_FR.UTF-8")) {
+    printf("skipped: no locale with a decimal comma is installed\n");
+    return;
+  }
+  CHECK("slow way", number("0.30000000000000004") == 0.30000000000000004);
+  CHECK("print", prints(0.30000000000000004, "0.30000000000000004"));
+  setlocale(LC_ALL, "C");
+}
+
+/* STL -------------------------------------------------------------------- */
+
+#define FACET(a, b, c)                                                         \
+  "facet normal 0 0 1\n outer loop\n  vertex " a "\n  vertex " b               \
+  "\n  vertex " c "\n endloop\nendfacet\n"
+#define TETRAHEDRON                                                            \
+  FACET("0 0 0", "0 1 0", "1 0 0")                                             \
+  FACET("0 0 0", "1 0 0", "0 0 1")                                             \
+  FACET("0 0 0", "0 0 1", "0 1 0") FACET("1 0 0", "0 1 0", "0 0 1")
+
+static void
+test_stl_text(void)
+{
+  CHECK("reads", reads(SG_MESH_STL, "solid a b \n" TETRAHEDRON "endsolid\n"));
+  CHECK("welds", mesh.vertices == 4 && mesh.welded == 8);
+  CHECK("faces", mesh.face.count == 4 && mesh.face.corners == 12);
+  CHECK("name", mesh.segments == 1 && !strcmp(mesh.name[0], "a b"));
+  CHECK("minus zero is zero",
+        reads(SG_MESH_STL, "solid\n" FACET("0 0 0", "1 0 0", "0 1 0")
+                               FACET("-0 0 0", "0 1 -0", "1 0 0") "endsolid") &&
+            mesh.vertices == 3);
+  CHECK("crlf and tabs",
+        reads(SG_MESH_STL, "solid x\r\n\tfacet normal\t0 0 1\r\nouter loop\r\n"
+                           "vertex 0 0 0\r\nvertex 1 0 0\r\nvertex 0 1 0\r\n"
+                           "endloop\r\nendfacet\r\nendsolid x\r\n"));
+  CHECK("two solids", reads(SG_MESH_STL, "solid a\n" TETRAHEDRON
+                                         "endsolid a\nsolid b\n" TETRAHEDRON
+                                         "endsolid b\n") &&
+                          mesh.segments == 2 && mesh.face.segment[7] == 1);
+  CHECK("nan in a normal is no matter",
+        reads(SG_MESH_STL, "solid\nfacet normal nan nan nan\nouter loop\n"
+                           "vertex 0 0 0 vertex 1 0 0 vertex 0 1 0\n"
+                           "endloop endfacet endsolid"));
+  CHECK("degenerate facets go",
+        reads(SG_MESH_STL, "solid\n" FACET("0 0 0", "0 0 0", "1 0 0")
+                               TETRAHEDRON "endsolid") &&
+            mesh.degenerate == 1 && mesh.face.count == 4);
+}
+
+static void
+test_stl_text_errors(void)
+{
+  CHECK("empty", refuses(SG_MESH_STL, "", SG_MESH_EMPTY_FILE, 1));
+  CHECK("blank", refuses(SG_MESH_STL, " \n\n", SG_MESH_EMPTY_FILE, 1));
+  CHECK("no facets",
+        refuses(SG_MESH_STL, "solid a\nendsolid a\n", SG_MESH_NO_FACES, 3));
+  CHECK("number",
+        refuses(SG_MESH_STL,
+                "solid\n" FACET("0 0 0", "0 blah 0", "1 0 0") "endsolid",
+                SG_MESH_BAD_NUMBER, 5) &&
+            !strcmp(error.text, "blah") && error.column == 12);
+  CHECK("nan", refuses(SG_MESH_STL,
+                       "solid\n" FACET("0 0 0", "0 0 nan", "1 0 0") "endsolid",
+                       SG_MESH_NOT_FINITE, 5));
+  CHECK("four corners",
+        refuses(
+            SG_MESH_STL,
+            "solid\n" FACET("0 0 0", "1 0 0", "0 1 0\nvertex 1 1 1") "endsolid",
+            SG_MESH_EXPECTED, 7) &&
+            !strcmp(error.wanted, "endloop"));
+  CHECK("truncated",
+        refuses(SG_MESH_STL, "solid a\n" TETRAHEDRON, SG_MESH_EXPECTED, 30) &&
+            !strcmp(error.text, ""));
+  CHECK("not stl", refuses(SG_MESH_STL, "hello\n", SG_MESH_EXPECTED, 1));
+}
+
+static size_t
+binary_stl(char *out, const char *header, uint32_t says, uint32_t holds)
+{
+  static const float corner[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
+  memset(out, 0, 84 + 50 * holds);
+  memcpy(out, header, strlen(header));
+  for (int i = 0; i < 4; i++) {
+    out[80 + i] = (char)(says >> 8 * i & 0xff);
+  }
+  for (uint32_t i = 0; i < holds; i++) {
+    for (int c = 0; c < 3; c++) {
+      float p[3] = {corner[c][0], corner[c][1], (float)i};
+      memcpy(out + 84 + 50 * i + 12 + 12 * c, p, sizeof p);
+    }
+  }
+  return 84 + 50 * holds;
+}
+
+static void
+test_stl_binary(void)
+{
+  char bytes[1024] = {0};
+  size_t n = binary_stl(bytes, "solid in name only", 3, 3);
+
+  CHECK("solid is no proof", read_bytes(SG_MESH_STL, bytes, n));
+  CHECK("counts", mesh.face.count == 3 && mesh.vertices == 9);
+  CHECK("grain of float32", mesh.grain == ldexp(1, 2 - 24));
+  CHECK("detected", sg_mesh_detect(bytes, n) == SG_MESH_STL);
+  CHECK("trailing bytes",
+        read_bytes(SG_MESH_STL, bytes, n + 7) && mesh.trailing == 7);
+  n = binary_stl(bytes, "truncated", 5, 3);
+  CHECK("truncated", !read_bytes(SG_MESH_STL, bytes, n) &&
+                         error.code == SG_MESH_TRUNCATED && error.got == 3 &&
+                         error.limit == 5);
+  n = binary_stl(bytes, "huge", 0xffffffffu, 3);
+  CHECK("a huge count allocates nothing",
+        !read_bytes(SG_MESH_STL, bytes, n) && error.code == SG_MESH_TRUNCATED);
+  n = binary_stl(bytes, "none", 0, 0);
+  CHECK("no triangles",
+        !read_bytes(SG_MESH_STL, bytes, n) && error.code == SG_MESH_NO_FACES);
+  n = binary_stl(bytes, "nan", 1, 1);
+  float nan = NAN;
+  memcpy(bytes + 84 + 16, &nan, 4);
+  CHECK("nan", !read_bytes(SG_MESH_STL, bytes, n) &&
+                   error.code == SG_MESH_NOT_FINITE && error.byte == 100);
+  CHECK("short header", !read_bytes(SG_MESH_STL, "solid\0\1\2", 8) &&
+                            error.code == SG_MESH_TRUNCATED);
+}
+
+/* OFF -------------------------------------------------------------------- */
+
+static void
+test_off(void)
+{
+  CHECK("reads", reads(SG_MESH_OFF, "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+                                    "3 0 1 2\n4 0 1 2 3 0.1 0.2 0.3\n") &&
+                     mesh.face.count == 2 && mesh.face.corners == 7);
+  CHECK("comments and counts behind the keyword",
+        reads(SG_MESH_OFF, "OFF 3 1 0 # counts\n\n#x\n0 0 0 # a\n1 0 0\n"
+                           "0 1 0\n3 0 1 2\n"));
+  CHECK("colours and normals",
+        reads(SG_MESH_OFF, "CNOFF\n3 1 0\n0 0 0 0 0 1 9 9 9 9\n"
+                           "1 0 0 0 0 1 9 9 9 9\n0 1 0 0 0 1 9 9 9 9\n"
+                           "3 0 1 2\n"));
+  CHECK("no keyword", reads(SG_MESH_OFF, "3 1 0\n0 0 0\n1 0 0\n0 1 0\n"
+                                         "3 0 1 2\n"));
+  CHECK("curves", reads(SG_MESH_OFF, "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n") &&
+                      mesh.curve.count == 1);
+  CHECK("soup is welded",
+        reads(SG_MESH_OFF, "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n0 1 0\n1 0 0\n"
+                           "1 1 0\n3 0 1 2\n3 3 4 5\n") &&
+            mesh.vertices == 4);
+  CHECK("repeated corners",
+        reads(SG_MESH_OFF, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n"
+                           "5 0 0 1 2 0\n") &&
+            mesh.face.corners == 3 && mesh.repeated == 2);
+}
+
+static void
+test_off_errors(void)
+{
+  CHECK("counts", refuses(SG_MESH_OFF, "OFF\n3 x 0\n", SG_MESH_BAD_COUNT, 2));
+  CHECK("negative",
+        refuses(SG_MESH_OFF, "OFF\n-3 1 0\n", SG_MESH_BAD_COUNT, 2));
+  CHECK("huge", refuses(SG_MESH_OFF, "OFF\n2000000000 1 0\n0 0 0\n",
+                        SG_MESH_TRUNCATED, 2));
+  CHECK("index",
+        refuses(SG_MESH_OFF, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
+                SG_MESH_BAD_INDEX, 6) &&
+            error.got == 3 && error.limit == 2);
+  CHECK("few faces",
+        refuses(SG_MESH_OFF, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+                SG_MESH_TRUNCATED, 7));
+  CHECK("short line", refuses(SG_MESH_OFF,
+                              "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n"
+                              "3 0 1 2\n",
+                              SG_MESH_EXPECTED, 4));
+  CHECK("binary", refuses(SG_MESH_OFF, "OFF BINARY\n", SG_MESH_UNSUPPORTED, 1));
+  CHECK("4OFF", refuses(SG_MESH_OFF, "4OFF\n", SG_MESH_UNSUPPORTED, 1));
+}
+
+/* OBJ -------------------------------------------------------------------- */
+
+static void
+test_obj(void)
+{
+  CHECK("corners of all kinds",
+        reads(SG_MESH_OBJ, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\n"
+                           "vn 0 0 1\nf 1/1 2/1 3/1\nf 1//1 3//1 4//1\n"
+                           "f 1/1/1 2/1/1 3/1/1 4/1/1\nf -4 -3 -2 -1\n") &&
+            mesh.face.count == 4 && mesh.face.corners == 14 &&
+            mesh.face.corner[10] == 0 && mesh.face.corner[13] == 3);
+  CHECK("objects part, groups in them do not",
+        reads(SG_MESH_OBJ, "v 0 0 0\nv 1 0 0\nv 0 1 0\no a\ng x\nf 1 2 3\n"
+                           "o b\nf 3 2 1\ng y\nf 1 2 3\no a\nl 1 2\n") &&
+            mesh.segments == 2 && !strcmp(mesh.name[1], "b") &&
+            mesh.face.segment[2] == 1 && mesh.curve.segment[0] == 0);
+  CHECK("groups part without objects",
+        reads(SG_MESH_OBJ, "v 0 0 0\nv 1 0 0\nv 0 1 0\ng empty\ng x y\n"
+                           "f 1 2 3\ng\nf 3 2 1\n") &&
+            mesh.segments == 2 && !strcmp(mesh.name[0], "x y") &&
+            mesh.name[1] == NULL);
+  CHECK("used before it is given",
+        reads(SG_MESH_OBJ, "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"));
+  CHECK("continued lines, comments, colours, unknown lines",
+        reads(SG_MESH_OBJ, "# c\nv 0 0 0 1 0 0\nv 1 0 \\\n 0\nv 0 1 0 # d\n"
+                           "f 1 2\\\n3\nfoo 1\n") &&
+            mesh.face.corners == 3 && mesh.ignored == 1 &&
+            mesh.ignored_line == 8);
+  CHECK("only a curve", reads(SG_MESH_OBJ, "v 0 0 0\nv 1 0 0\nl 1 2\n") &&
+                            mesh.curve.count == 1);
+}
+
+static void
+test_obj_errors(void)
+{
+#define V3 "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+  CHECK("zero", refuses(SG_MESH_OBJ, V3 "f 0 1 2\n", SG_MESH_BAD_INDEX, 4));
+  CHECK("beyond", refuses(SG_MESH_OBJ, V3 "f 1 2 4\n", SG_MESH_BAD_INDEX, 4) &&
+                      error.column == 7);
+  CHECK("before", refuses(SG_MESH_OBJ, V3 "f 1 2 -4\n", SG_MESH_BAD_INDEX, 4));
+  CHECK("word", refuses(SG_MESH_OBJ, V3 "f 1 2 x\n", SG_MESH_EXPECTED, 4));
+  CHECK("slashes",
+        refuses(SG_MESH_OBJ, V3 "f 1/2/3/4 2 3\n", SG_MESH_EXPECTED, 4));
+  CHECK("two corners",
+        refuses(SG_MESH_OBJ, V3 "f 1 2\n", SG_MESH_SHORT_FACE, 4));
+  CHECK("short vertex", refuses(SG_MESH_OBJ, "v 1 2\n", SG_MESH_EXPECTED, 1));
+  CHECK("infinite",
+        refuses(SG_MESH_OBJ, "v 1 2 1e999\n", SG_MESH_NOT_FINITE, 1));
+  CHECK("no faces", refuses(SG_MESH_OBJ, V3, SG_MESH_NO_FACES, 4));
+}
+
+/* PLY -------------------------------------------------------------------- */
+
+static void
+test_ply_text(void)
+{
+  CHECK("reads",
+        reads(SG_MESH_PLY,
+              "ply\nformat ascii 1.0\ncomment made by hand\n"
+              "element vertex 4\nproperty float x\nproperty uchar red\n"
+              "property float y\nproperty float z\n"
+              "element thing 2\nproperty list uchar int a\nproperty int b\n"
+              "element face 1\nproperty list uchar int vertex_indices\n"
+              "element edge 1\nproperty int vertex1\nproperty int vertex2\n"
+              "end_header\n0 9 0 0\n1 9 0 0\n1 9 1 0\n0 9 1 0\n"
+              "2 7 7 7\n0 7\n4 0 1 2 3\n0 2\n") &&
+            mesh.face.corners == 4 && mesh.curve.count == 1 &&
+            mesh.vertex[2][1] == 1 && mesh.ignored == 1);
+  CHECK("y is missing",
+        refuses(SG_MESH_PLY,
+                "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                "property float z\nend_header\n0 0\n",
+                SG_MESH_NO_PROPERTY, 3) &&
+            !strcmp(error.wanted, "y"));
+  CHECK("type", refuses(SG_MESH_PLY,
+                        "ply\nformat ascii 1.0\nelement vertex 1\n"
+                        "property quad x\n",
+                        SG_MESH_EXPECTED, 4));
+  CHECK("format",
+        refuses(SG_MESH_PLY, "ply\nformat ebcdic 1.0\n", SG_MESH_EXPECTED, 2));
+  CHECK("no end",
+        refuses(SG_MESH_PLY, "ply\nformat ascii 1.0\n", SG_MESH_EXPECTED, 3));
+#define PLY(data)                                                              \
+  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"                \
+  "property float y\nproperty float z\nelement face 1\n"                       \
+  "property list uchar int vertex_index\nend_header\n"                         \
+  "0 0 0\n1 0 0\n0 1 0\n" data
+  CHECK("index", refuses(SG_MESH_PLY, PLY("3 0 1 3\n"), SG_MESH_BAD_INDEX, 13));
+  CHECK("half an index",
+        refuses(SG_MESH_PLY, PLY("3 0 1 1.5\n"), SG_MESH_EXPECTED, 13));
+  CHECK("two corners",
+        refuses(SG_MESH_PLY, PLY("2 0 1\n"), SG_MESH_SHORT_FACE, 13));
+  CHECK("length", refuses(SG_MESH_PLY, PLY("-1 0 1\n"), SG_MESH_BAD_COUNT, 13));
+  CHECK("cut off", refuses(SG_MESH_PLY, PLY("3 0 1\n"), SG_MESH_EXPECTED, 14));
+  CHECK("huge", refuses(SG_MESH_PLY,
+                        "ply\nformat ascii 1.0\nelement vertex 2000000000\n"
+                        "property float x\nproperty float y\n"
+                        "property float z\nend_header\n0 0 0\n",
+                        SG_MESH_TRUNCATED, 8));
+}
+
+/* Writing and reading back ----------------------------------------------- */
+
+typedef struct buffer {
+  char *bytes;
+  size_t n;
+} buffer;
+
+static bool
+append(void *data, const char *bytes, size_t n)
+{
+  buffer *b = data;
+
+  b->bytes = realloc(b->bytes, b->n + n);
+  memcpy(b->bytes + b->n, bytes, n);
+  b->n += n;
+  return true;
+}
+
+static bool
+refuse_bytes(void *data, const char *bytes, size_t n)
+{
+  (void)data;
+  (void)bytes;
+  (void)n;
+  return false;
+}
+
+static bool
+same_mesh(const sg_mesh *a, const sg_mesh *b)
+{
+  return a->vertices == b->vertices && a->face.count == b->face.count &&
+         a->face.corners == b->face.corners &&
+         a->curve.corners == b->curve.corners &&
+         !memcmp(a->vertex, b->vertex, a->vertices * sizeof *a->vertex) &&
+         !memcmp(a->face.corner, b->face.corner,
+                 a->face.corners * sizeof *a->face.corner);
+}
+
+/* Writes `mesh` in this format and reads it again into `mesh`. */
+static bool
+goes_round(sg_mesh_format format, sg_mesh_format read_as)
+{
+  buffer b = {NULL, 0};
+  sg_mesh_sink sink = {append, &b};
+  sg_mesh before = mesh;
+
+  if (!sg_mesh_write(format, &mesh, &sink, NULL, &error)) {
+    fprintf(stderr, "not written: %s\n", error.text);
+    free(b.bytes);
+    return false;
+  }
+  mesh = (sg_mesh){0};
+  bool same = sg_mesh_detect(b.bytes, b.n) == read_as &&
+              read_bytes(read_as, b.bytes, b.n) && same_mesh(&before, &mesh);
+  sg_mesh_clear(&before);
+  free(b.bytes);
+  return same;
+}
+
+static void
+test_round(void)
+{
+  sg_mesh_sink no = {refuse_bytes, NULL};
+
+  reads(SG_MESH_OBJ, "v 0.1 0.30000000000000004 1e-20\nv 1 0 0\n"
+                     "v 1 1 -0.3333333333333333\nv 0 1 1e89\nv 7 7 7\n"
+                     "o first one\nf 1 2 3 4\no second\nf 1 3 2\nl 4 5 1\n");
+  CHECK("obj", goes_round(SG_MESH_OBJ, SG_MESH_OBJ));
+  CHECK("names", mesh.segments == 2 && !strcmp(mesh.name[0], "first one"));
+  reads(SG_MESH_OBJ, "v 0.1 0.30000000000000004 1e-20\nv 1 0 0\n"
+                     "v 1 1 -0.3333333333333333\nv 0 1 1e89\nv 7 7 7\n"
+                     "f 1 2 3 4\nf 1 3 2\nl 4 5\n");
+  CHECK("off", goes_round(SG_MESH_OFF, SG_MESH_OFF));
+  CHECK("ply", goes_round(SG_MESH_PLY, SG_MESH_PLY));
+  CHECK("binary ply", goes_round(SG_MESH_PLY_BINARY, SG_MESH_PLY));
+  CHECK("stl has no curves",
+        !sg_mesh_write(SG_MESH_STL, &mesh, &no, NULL, &error) &&
+            error.code == SG_MESH_UNSUPPORTED);
+  CHECK("a sink that fails",
+        !sg_mesh_write(SG_MESH_PLY, &mesh, &no, NULL, &error) &&
+            error.code == SG_MESH_WRITE_FAILED);
+  reads(SG_MESH_STL, "solid a\n" TETRAHEDRON "endsolid a\nsolid b\n" FACET(
+                         "0 0 0.1", "5 0 0", "0 5 0") "endsolid b\n");
+  CHECK("stl", goes_round(SG_MESH_STL, SG_MESH_STL));
+  CHECK("both solids", mesh.segments == 2 && !strcmp(mesh.name[1], "b"));
+  reads(SG_MESH_STL, "solid a\n" TETRAHEDRON "endsolid a\n");
+  CHECK("binary stl", goes_round(SG_MESH_STL_BINARY, SG_MESH_STL));
+}
+
+/* Big endian: the little endian file with each scalar turned round. */
+static void
+test_big_endian(void)
+{
+  static const unsigned char data[] = {
+      0, 0, 0, 0, 0, 0, 0,    0,    0, 0, 0, 0,       /* 0 0 0 */
+      0, 0, 0, 1, 0, 0, 0,    0,    0, 0, 0, 0,       /* 1 0 0 */
+      0, 0, 0, 0, 0, 1, 0,    0,    0, 0, 0, 0,       /* 0 1 0 */
+      0, 0, 0, 0, 0, 0, 0x3f, 0xf8, 0, 0, 0, 0, 0, 0, /* 0 0 1.5 */
+      3, 0, 0, 0, 1, 0, 2};
+  char file[512];
+  const char *header = "ply\nformat binary_big_endian 1.0\nelement vertex 3\n"
+                       "property int x\nproperty short y\nproperty ushort q\n"
+                       "property float z\nelement face 1\n"
+                       "property list uchar short vertex_indices\nend_header\n";
+  size_t n = strlen(header);
+
+  memcpy(file, header, n);
+  memcpy(file + n, data, 36);
+  memcpy(file + n + 36, data + 50, 7);
+  CHECK("big endian", read_bytes(SG_MESH_PLY, file, n + 43) &&
+                          mesh.vertex[1][0] == 1 && mesh.vertex[2][1] == 1 &&
+                          mesh.face.corner[2] == 2);
+  CHECK("cut off", !read_bytes(SG_MESH_PLY, file, n + 40) &&
+                       error.code == SG_MESH_TRUNCATED);
+}
+
+static bool
+stop(void *data)
+{
+  (void)data;
+  return true;
+}
+
+static void
+test_stop(void)
+{
+  sg_poll poll = {stop, NULL};
+  sg_mesh_options options = {SG_WELD_AUTO, false, &poll};
+  char text[9 * 5000 + 1];
+
+  text[0] = '\0';
+  for (int i = 0; i < 5000; i++) {
+    memcpy(text + 8 * i, "v 1 2 3\n", 9);
+  }
+  CHECK("stops", !sg_mesh_read(SG_MESH_OBJ, text, strlen(text), &options, &mesh,
+                               &error) &&
+                     error.code == SG_MESH_STOPPED);
+}
+
+int
+main(void)
+{
+  test_reading_numbers();
+  test_printing_numbers();
+  test_locale();
+  test_stl_text();
+  test_stl_text_errors();
+  test_stl_binary();
+  test_off();
+  test_off_errors();
+  test_obj();
+  test_obj_errors();
+  test_ply_text();
+  test_round();
+  test_big_endian();
+  test_stop();
+  sg_mesh_clear(&mesh);
+  return check_report();
+}

@@ -1,0 +1,282 @@
+/* hide_search_test.c -- the joins find what asking every triangle and every
+ * line finds, and parts are the same for any number of threads.
+ */
+#include "model.h"
+#include "picture/parts.h"
+#include "tests/check.h"
+
+static double
+uniform(double low, double high)
+{
+  return low + (high - low) * (rand() / (double)RAND_MAX);
+}
+
+/* On a coarse grid half of the time, so that much touches and lies in line. */
+static double
+coordinate(bool coarse)
+{
+  return coarse ? rand() % 5 - 2 : uniform(-2, 2);
+}
+
+static void
+random_triangles(model *m, bool coarse, int n)
+{
+  model_segment(m, false);
+  for (int i = 0; i < n; i++) {
+    int32_t v[3];
+    for (int k = 0; k < 3; k++) {
+      double x = coordinate(coarse), y = coordinate(coarse);
+      v[k] = model_vertex(m, x, y, coordinate(coarse));
+    }
+    model_polygon(m, 3, v);
+  }
+}
+
+static void
+random_boxes(model *m, bool coarse, int n)
+{
+  for (int i = 0; i < n; i++) {
+    double x = coordinate(coarse), y = coordinate(coarse);
+    double z = coordinate(coarse);
+    model_box(m, x, y, z, 1, coarse ? 1 + rand() % 2 : uniform(0.1, 2), 1);
+  }
+}
+
+static double
+bumps(double x, double y)
+{
+  return 0.3 * sin(5 * x) * cos(4 * y);
+}
+
+static bool
+same_hidden(const sg_hidden *a, const sg_hidden *b)
+{
+  return a->from == b->from && a->to == b->to && a->mask == b->mask;
+}
+
+/* Whether the masks found for a line are all that hide it. */
+static bool
+all_masks(const sg_mask_grid *masks, size_t line, sg_seen *seen,
+          sg_hiddens *found)
+{
+  const sg_scene *scene = masks->scene;
+  size_t wanted = 0;
+
+  if (!sg_mask_grid_ask(masks, line, NULL, false, seen, found)) {
+    return false;
+  }
+  for (size_t m = 0; m < scene->masks; m++) {
+    sg_hidden part = {.mask = (uint32_t)m};
+    bool there = false;
+    if (!sg_mask_hides(scene, &scene->mask[m], &scene->line[line], &part)) {
+      continue;
+    }
+    wanted++;
+    for (size_t i = 0; i < found->n && !there; i++) {
+      there = same_hidden(&found->part[i], &part);
+    }
+    if (!there) {
+      return false;
+    }
+  }
+  return wanted == found->n;
+}
+
+/* Whether the lines found for a line are all that overlap it. */
+static bool
+all_overlaps(const sg_line_grid *lines, size_t line, sg_seen *seen,
+             sg_overlaps *found)
+{
+  const sg_scene *scene = lines->scene;
+  size_t i = 0;
+
+  if (!sg_line_grid_ask(lines, line, seen, found)) {
+    return false;
+  }
+  for (size_t k = 0; k < scene->lines; k++) {
+    sg_overlap part;
+    if (k == line ||
+        !sg_lines_overlap(scene, &scene->line[line], &scene->line[k], &part)) {
+      continue;
+    }
+    if (i == found->n || found->part[i].line != k ||
+        found->part[i].from != part.from || found->part[i].to != part.to) {
+      return false;
+    }
+    i++;
+  }
+  return i == found->n;
+}
+
+/* Every line of a scene is asked; *answers grows by what was found. */
+static bool
+finds_all(const sg_scene *scene, size_t *answers)
+{
+  uint32_t *every = malloc((scene->lines + 1) * sizeof *every);
+  sg_seen seen_masks, seen_lines;
+  sg_hiddens hiddens = {0};
+  sg_overlaps overlaps = {0};
+  sg_mask_grid masks;
+  sg_line_grid lines;
+  bool memory, good = true;
+
+  for (size_t k = 0; k < scene->lines; k++) {
+    every[k] = (uint32_t)k;
+  }
+  if (!sg_seen_init(&seen_masks, scene->masks) ||
+      !sg_seen_init(&seen_lines, scene->lines) ||
+      !sg_mask_grid_init(&masks, scene, NULL, &memory) ||
+      !sg_line_grid_init(&lines, scene, every, scene->lines, NULL, &memory)) {
+    abort();
+  }
+  for (size_t k = 0; k < scene->lines && good; k++) {
+    good = all_masks(&masks, k, &seen_masks, &hiddens) &&
+           all_overlaps(&lines, k, &seen_lines, &overlaps);
+    *answers += hiddens.n + overlaps.n;
+  }
+  sg_mask_grid_clear(&masks);
+  sg_line_grid_clear(&lines);
+  sg_seen_clear(&seen_masks);
+  sg_seen_clear(&seen_lines);
+  free(hiddens.part);
+  free(overlaps.part);
+  free(every);
+  return good;
+}
+
+/* Some lines stand in, so that what is near them counts too. */
+static void
+let_stand_in(sg_scene *scene)
+{
+  for (size_t k = 0; k < scene->lines; k++) {
+    scene->line[k].look.stands_in = rand() % 4 == 0;
+  }
+}
+
+static void
+random_scenes(void)
+{
+  size_t wrong = 0, answers = 0;
+
+  for (unsigned seed = 1; seed <= 200; seed++) {
+    model *m = model_new();
+    bool coarse = seed % 2;
+    sg_scene_model *seen;
+    sg_scene *scene;
+
+    srand(seed);
+    random_triangles(m, coarse, 40);
+    random_boxes(m, coarse, 6);
+    if (coarse) {
+      model_project(m, 90 * (rand() % 4), 90 * (rand() % 3), 9, seed % 4 == 1);
+    } else {
+      model_project(m, uniform(0, 360), uniform(0, 180), 9, seed % 4 == 0);
+    }
+    scene = model_scene(m, NULL, &seen);
+    let_stand_in(scene);
+    if (!finds_all(scene, &answers)) {
+      fprintf(stderr, "scene %u\n", seed);
+      wrong++;
+    }
+    sg_scene_close(scene);
+    sg_scene_model_close(seen);
+    free(m);
+  }
+  CHECK("joins find all", wrong == 0);
+  CHECK("and there was something to find", answers > 10000);
+}
+
+/* The parts of a scene, drawn by a crew. */
+static sg_part *
+parts_by(const sg_mask_grid *masks, unsigned threads, size_t *n)
+{
+  sg_drawing drawing = {.which = SG_LINES_ALL, .crease = 30.0};
+  sg_crew *crew = threads ? sg_crew_open(threads) : NULL;
+  sg_part *part;
+  bool memory;
+
+  if (!sg_parts_of(masks, &drawing, crew, NULL, &part, n, &memory)) {
+    abort();
+  }
+  sg_crew_close(crew);
+  return part;
+}
+
+static bool
+same_parts(const sg_part *a, const sg_part *b, size_t n)
+{
+  for (size_t i = 0; i < n; i++) {
+    if (a[i].line != b[i].line || a[i].from != b[i].from ||
+        a[i].to != b[i].to || a[i].hidden != b[i].hidden ||
+        a[i].role != b[i].role) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static void
+threads(void)
+{
+  model *m = model_new();
+  sg_scene_model *seen;
+  sg_scene *scene;
+  sg_mask_grid masks;
+  sg_part *alone;
+  size_t n, n2;
+  bool memory, same = true;
+
+  model_sheet(m, 60, bumps);
+  model_project(m, 300, 65, 9, false);
+  scene = model_scene(m, NULL, &seen);
+  if (!sg_mask_grid_init(&masks, scene, NULL, &memory)) {
+    abort();
+  }
+  alone = parts_by(&masks, 0, &n);
+  for (unsigned k = 1; k <= 5; k++) {
+    sg_part *part = parts_by(&masks, k, &n2);
+    same = same && n == n2 && same_parts(alone, part, n);
+    free(part);
+  }
+  CHECK("the same parts for any number of threads", same);
+  CHECK("many", n > 10000);
+  free(alone);
+  sg_mask_grid_clear(&masks);
+  sg_scene_close(scene);
+  sg_scene_model_close(seen);
+  free(m);
+}
+
+/* Triangles over half of the picture, all in one place. */
+static void
+large_shape(const void *data, size_t i, sg_grid_shape *out)
+{
+  (void)data, (void)i;
+  *out = (sg_grid_shape){3, {{-1, -1}, {1, -1}, {-1, 1}}};
+}
+
+/* So many that as many cells would be entered more than 2^32 times. */
+static void
+large_items(void)
+{
+  enum { N = 120000 };
+  sg_grid grid;
+  bool memory,
+      done = sg_grid_init(&grid, N, large_shape, NULL, 1e-7, NULL, &memory);
+  size_t entries = done ? grid.start[(size_t)grid.nx * grid.ny] : 0;
+
+  CHECK("many large items have wide cells",
+        entries >= N && entries <= UINT32_C(1) << 26 && grid.nx > 1);
+  CHECK("each is there",
+        done && grid.item[0] == 0 && grid.item[N - 1] == N - 1);
+  sg_grid_clear(&grid);
+}
+
+int
+main(void)
+{
+  random_scenes();
+  threads();
+  large_items();
+  return check_report();
+}

@@ -1,0 +1,165 @@
+/* plane_test.c -- normals from whole loops, and what counts as flat. */
+#include "polygon/flatness.h"
+#include "polygon/plane.h"
+#include "tests/check.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+typedef const double place[3];
+
+static bool
+plane_of(place *loop, size_t n, sg_plane *out, double *area)
+{
+  sg_newell sum;
+
+  sg_newell_init(&sum);
+  for (size_t i = 0; i < n; i++) {
+    sg_newell_edge(&sum, loop[i], loop[(i + 1) % n]);
+  }
+  *area = sg_newell_area(&sum);
+  return sg_newell_plane(&sum, out);
+}
+
+static bool
+is_plane(const sg_plane *plane, double a, double b, double c, double d)
+{
+  return plane->n[0] == a && plane->n[1] == b && plane->n[2] == c &&
+         plane->d == d && !signbit(plane->n[0]) && !signbit(plane->n[1]);
+}
+
+static void
+test_normals(void)
+{
+  static place square[] = {{0, 0, 2}, {4, 0, 2}, {4, 4, 2}, {0, 4, 2}};
+  static place reflex[] = {{2, 2, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+  static place straight[] = {
+      {0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+  static place line[] = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
+  static place huge[] = {{0, 0, 0}, {1e150, 0, 0}, {0, 1e150, 0}};
+  static place tiny[] = {{0, 0, 0}, {1e-150, 0, 0}, {0, 1e-150, 0}};
+  sg_plane plane;
+  double area;
+
+  CHECK("a square", plane_of(square, 4, &plane, &area) && area == 16);
+  CHECK("its plane", is_plane(&plane, 0, 0, 1, -2));
+  CHECK("a reflex start",
+        plane_of(reflex, 4, &plane, &area) && plane.n[2] == 1);
+  CHECK("a straight start",
+        plane_of(straight, 5, &plane, &area) && plane.n[2] == 1 && area == 16);
+  CHECK("no area", !plane_of(line, 3, &plane, &area) && area == 0);
+  CHECK("huge", plane_of(huge, 3, &plane, &area) && plane.n[2] == 1);
+  CHECK("tiny", plane_of(tiny, 3, &plane, &area) && plane.n[2] == 1);
+}
+
+static void
+test_edges_in_any_order(void)
+{
+  static place outer[] = {{0, 0, 0}, {0, 9, 0}, {0, 9, 9}, {0, 0, 9}};
+  static place hole[] = {{0, 3, 3}, {0, 3, 6}, {0, 6, 6}, {0, 6, 3}};
+  sg_newell sum;
+  sg_plane plane;
+
+  sg_newell_init(&sum);
+  for (size_t i = 0; i < 4; i++) {
+    sg_newell_edge(&sum, hole[(i + 1) % 4], hole[i]);
+    sg_newell_edge(&sum, hole[i], hole[(i + 1) % 4]); /* a seam, too */
+    sg_newell_edge(&sum, hole[i], hole[(i + 1) % 4]);
+    sg_newell_edge(&sum, outer[i], outer[(i + 1) % 4]);
+  }
+  CHECK("a hole counts negative", sg_newell_area(&sum) == 81 - 9);
+  CHECK("outward", sg_newell_plane(&sum, &plane) && plane.n[0] == 1);
+  CHECK("in front is positive",
+        sg_plane_distance(&plane, (const double[3]){2, 0, 0}) == 2);
+}
+
+static double
+tolerance_of(place *points, size_t n)
+{
+  enum { ROWS = 8 };
+  double x[ROWS] = {0}, y[ROWS] = {0}, z[ROWS] = {0};
+  uint64_t live[SG_LIVE_WORDS] = {0};
+  const uint64_t *pages[1] = {live};
+  sg_cells cells[3] = {{.f = x}, {.f = y}, {.f = z}};
+  sg_view view = {.pages = 1, .live = pages};
+  sg_flatness flatness;
+
+  for (size_t i = 0; i < n; i++) {
+    x[i] = points[i][0];
+    y[i] = points[i][1];
+    z[i] = points[i][2];
+    live[0] |= (uint64_t)1 << i;
+  }
+  for (int k = 0; k < 3; k++) {
+    view.column[2 + k].page = &cells[k];
+  }
+  sg_flatness_init(&flatness);
+  sg_flatness_page(&flatness, &view, 0);
+  return sg_flatness_tolerance(&flatness);
+}
+
+static void
+test_tolerance(void)
+{
+  static place doubles[] = {{0, 0, 0},
+                            {8, 1.4142135623730951, 3.141592653589793}};
+  static place singles[] = {{0, 0, 0}, {8, 0.1f, 0.7f}};
+  static place decimals[] = {{0, 0, 0}, {8, 1.23456, 0.3}};
+  static place whole[] = {{0, 0, 0}, {8, 1, 0.5}};
+  static place halved[] = {{0, 0, 0}, {8, 3.28125, 0.03125}};
+  static place large[] = {{0, 0, 0}, {400001, 70003, 33333}};
+
+  CHECK("doubles: 2^-33 of the size",
+        tolerance_of(doubles, 2) == ldexp(8, -33));
+  CHECK("single precision", fabs(tolerance_of(singles, 2) - 3.8e-6) < 1e-7);
+  CHECK("five places", fabs(tolerance_of(decimals, 2) - 4e-5) < 1e-9);
+  CHECK("whole numbers are no rounded ones", tolerance_of(whole, 2) < 1e-5);
+  CHECK("however large", tolerance_of(large, 2) == ldexp(1, 19 - 33));
+  CHECK("nor are halves of halves, of as many places as decimals",
+        tolerance_of(halved, 2) == ldexp(8, -33));
+}
+
+/* Numbers of few bits, so that some vanish, and of many. */
+static double
+any_number(uint64_t *state)
+{
+  *state = *state * 6364136223846793005u + 1442695040888963407u;
+  int64_t n = (int64_t)(*state >> 33) - (INT64_C(1) << 30);
+
+  return *state >> 20 & 1 ? (double)(n % 4) : ldexp((double)n, -25);
+}
+
+static void
+test_triangles(void)
+{
+  uint64_t state = 1;
+  size_t same = 0;
+
+  for (int i = 0; i < 10000; i++) {
+    double at[3][3], area;
+    sg_plane edges = {{0}, 0}, whole = {{0}, 0};
+    sg_newell sum;
+
+    for (int k = 0; k < 9; k++) {
+      at[k / 3][k % 3] = any_number(&state);
+    }
+    sg_newell_init(&sum);
+    sg_newell_triangle(&sum, at[0], at[1], at[2]);
+    bool is = plane_of((place *)at, 3, &edges, &area);
+    same += sg_newell_plane(&sum, &whole) == is &&
+            sg_newell_area(&sum) == area &&
+            memcmp(&edges, &whole, sizeof edges) == 0;
+  }
+  CHECK("a triangle at once: bit for bit what its edges give", same == 10000);
+}
+
+int
+main(void)
+{
+  test_normals();
+  test_edges_in_any_order();
+  test_tolerance();
+  test_triangles();
+  return check_report();
+}

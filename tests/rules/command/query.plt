@@ -1,0 +1,58 @@
+:- encoding(utf8).
+:- module(test_query, []).
+:- use_module(library(plunit)).
+:- use_module(library(http/json)).
+:- use_module(rules(command/query)).
+
+row(1, a, "text").
+row(2.5, 'B c', [1,2]).
+row(-3, 'x,"y"', f(_)).
+
+printed(Text, Options, Output) :-
+    read_goal(Text, Goal, Bindings),
+    with_output_to(string(Output),
+                   ignore(query(test_query:Goal,
+                                [bindings(Bindings)|Options]))).
+
+:- begin_tests(query).
+
+test(table, T == "  A  B\n  1  a\n2.5  'B c'\n -3  'x,\"y\"'\n") :-
+    printed("row(A,B,_C)", [], T).
+test(csv, T == "A,B\n1,a\n2.5,B c\n-3,\"x,\"\"y\"\"\"\n") :-
+    printed("row(A,B,_C)", [format(csv)], T).
+test(json, A =@= [_{'A':1}, _{'A':2.5}, _{'A': -3}]) :-
+    printed("row(A,_,_)", [format(json)], T),
+    atom_json_dict(T, A, []).
+test(json_text, A =@= [_{'B':"B c", 'C':[1,2]}]) :-
+    printed("row(2.5,B,C)", [format(json)], T),
+    atom_json_dict(T, A, [value_string_as_atom(true)]).
+test(json_none, A == []) :-
+    printed("row(7,_,_)", [format(json)], T),
+    atom_json_dict(T, A, []).
+test(prolog, Goals =@= [row(1,a,"text"), row(2.5,'B c',[1,2]),
+                        row(-3,'x,"y"',f('$VAR'(0)))]) :-
+    printed("row(A,B,C)", [format(prolog)], T),
+    open_string(T, S),
+    findall(G, ( repeat, read_term(S, G, [var_prefix(false)]),
+                 ( G == end_of_file -> !, fail ; true ) ), Goals0),
+    maplist([G0,G1]>>( G0 = row(A,B,f(V)), var(V)
+                     -> G1 = row(A,B,f('$VAR'(0))) ; G1 = G0 ),
+            Goals0, Goals).
+test(limit, T == "A\n1\n") :-
+    printed("row(A,_,_)", [format(csv), limit(1)], T).
+test(yes, T == "yes\n") :-
+    printed("row(1,_,_)", [], T).
+test(nothing, T == "") :-
+    printed("row(7,_,_)", [], T).
+test(no_answer, fail) :-
+    read_goal("row(7,_,_)", G, B),
+    query(test_query:G, [bindings(B)]).
+test(order_of_text, Names == ['B', 'A']) :-
+    read_goal("foo(B,A,B,_X,_)", _, Bindings),
+    pairs_keys(Bindings, Names).
+test(syntax, error(usage_error(bad_goal(_, _)))) :-
+    read_goal("foo(", _, _).
+test(no_goal, error(usage_error(bad_goal(_, not_callable)))) :-
+    read_goal("5", _, _).
+
+:- end_tests(query).

@@ -1,0 +1,97 @@
+:- module(test_verbs, []).
+:- use_module(library(plunit)).
+:- use_module(library(filesex)).
+:- use_module(rules(model/model), [load_model/1]).
+:- use_module(rules(picture/contour), [line_ends/4]).
+:- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
+:- use_module(rules(store)).
+:- use_module(rules(polygon/triangulation), [complete_segments/1]).
+:- use_module(rules(command/verbs)).
+
+% Goal with the name of a new folder, which goes away, in an empty world.
+:- meta_predicate in_folder(1).
+in_folder(Goal) :-
+    tmp_file(sanggwan, Folder),
+    setup_call_cleanup(
+        make_directory(Folder),
+        ( new_world(World),
+          in_world(World, call(Goal, Folder))
+        ),
+        delete_directory_and_contents(Folder)).
+
+cube(Cube) :-
+    absolute_file_name(sanggwan('facts/cube.pl'), Cube).
+
+% Given(Name, Text): Text is Name as an atom or a string.
+given(atom, Name, Name).
+given(string, Name, Text) :-
+    atom_string(Name, Text).
+
+% The cube converted to an OFF file is a cube again.
+there_and_back(Kind, List, Folder) :-
+    cube(Cube),
+    directory_file_path(Folder, 'a.off', File),
+    given(Kind, Cube, From0),
+    given(Kind, File, To),
+    (   List == list
+    ->  From = [From0]
+    ;   From = From0
+    ),
+    convert(From, To),
+    \+ segment(_, _, _),
+    load_model(To),
+    aggregate_all(count, v(_, _, _, _, _), 8),
+    aggregate_all(count, p(_, _, _), 6).
+
+% A world with a cube in it, drawn to a file of the Kind of name.
+drawn(Kind, Folder) :-
+    cube(Cube),
+    given(Kind, Cube, Model),
+    load_model(Model),
+    directory_file_path(Folder, 'a.svg', File),
+    given(Kind, File, To),
+    draw(To, [view(front)]),
+    size_file(File, Size),
+    Size > 100.
+
+% The picture of a box that is drawn turned, and the world afterwards.
+drawn_up(Axis, Box, Drawn, Folder) :-
+    directory_file_path(Folder, 'a.svg', File),
+    add_primitive(Box, _),
+    complete_segments([1]),
+    vertices(Before),
+    draw(File, [view(20,70),up(Axis)]),
+    vertices(After),
+    assertion(Before == After),
+    findall(Length, drawn_line(Length), Lengths),
+    msort(Lengths, Drawn).
+
+vertices(Vertices) :-
+    findall(V-p(X,Y,Z), v(1, V, X, Y, Z), Vertices0),
+    sort(Vertices0, Vertices).
+
+drawn_line(Visibility-Length) :-
+    drawn(_, 1, E, From, To, Visibility, _),
+    line_ends(1, E, X1-Y1, X2-Y2),
+    Length is round((To-From)*sqrt((X2-X1)**2+(Y2-Y1)**2)*1.0e6).
+
+:- begin_tests(verbs).
+
+test(draw_up, Turned == Straight) :-
+    in_folder(drawn_up(y, box(size(1,3,2)), Turned)),
+    in_folder(drawn_up(z, box(size(1,2,3)), Straight)),
+    \+ in_folder(drawn_up(z, box(size(1,3,2)), Straight)).
+
+test(convert, forall(( member(Kind, [atom, string]),
+                       member(List, [one, list]) ))) :-
+    in_folder(there_and_back(Kind, List)).
+test(convert_other_ending, throws(error(usage_error(ending(_, _)), _))) :-
+    cube(Cube),
+    convert(Cube, "a.doc").
+test(convert_missing,
+     throws(error(model_error(cannot_read(missing)), _))) :-
+    convert("no/such.pl", "a.off").
+test(draw, forall(member(Kind, [atom, string]))) :-
+    in_folder(drawn(Kind)).
+
+:- end_tests(verbs).

@@ -1,0 +1,122 @@
+/* Parts of a workshop nested on sheets: none on another, and close together. */
+:- module(test_pattern_nest, []).
+:- use_module(library(plunit)).
+:- use_module(library(lists)).
+:- use_module(library(apply)).
+:- use_module(rules(pattern/pattern_nest)).
+:- use_module(rules(pattern/pattern_outline), [loop_area/2]).
+:- use_module(tests('rules/pattern/cut_checked')).
+
+% Parts of several forms, from a generator with a fixed start.
+parts(Seed, N, Least, Most, Parts) :-
+    set_random(seed(Seed)),
+    findall(I-Loops,
+            ( between(1, N, I),
+              random(U),
+              Size is Least+(Most-Least)*U,
+              Kind is I mod 5,
+              part(Kind, Size, Loops) ),
+            Parts).
+
+part(0, S, [Loop]) :-
+    R is S/2,
+    circle(R, 32, 1, Loop).
+part(1, S, [Outer,Inner]) :-
+    R is S/2,
+    circle(R, 32, 1, Outer),
+    R2 is 0.7*R,
+    circle(R2, 32, -1, Inner).
+part(2, S, [[0.0-0.0,S-0.0,S-H,0.0-H]]) :-
+    H is 0.6*S.
+part(3, S, [[0.0-0.0,S-0.0,S-T,T-T,T-S,0.0-S]]) :-
+    T is 0.25*S.
+part(4, S, [[0.0-0.0,S-0.0,0.0-H]]) :-
+    H is 0.7*S.
+
+circle(R, N, Way, Loop) :-
+    findall(X-Y,
+            ( between(1, N, I),
+              A is Way*2*pi*I/N,
+              X is R*cos(A),
+              Y is R*sin(A) ),
+            Loop).
+
+% Drawings, one for each sheet, of what is cut.
+sheets(Parts, Places, W-H, Drawings) :-
+    findall(I, member(_-place(I,_,_,_), Places), Is0),
+    sort(Is0, Is),
+    WM is round(W*1000),
+    HM is round(H*1000),
+    findall(drawing(sheet(WM,HM,1),Views),
+            ( member(I, Is),
+              findall(view(Name,Strokes,[]),
+                      ( member(Name-place(I,Degrees,DX,DY), Places),
+                        memberchk(Name-Loops, Parts),
+                        findall(stroke(visible,cut,1,[],Points,ring,ring),
+                                ( member([P|Ps], Loops),
+                                  append([P|Ps], [P], Round),
+                                  maplist(placed(Degrees, DX, DY), Round,
+                                          Points) ),
+                                Strokes) ),
+                      Views) ),
+            Drawings).
+
+placed(Degrees, DX, DY, X0-Y0, X-Y) :-
+    A is Degrees*pi/180,
+    X is round(1000*(X0*cos(A)-Y0*sin(A)+DX)),
+    Y is round(1000*(X0*sin(A)+Y0*cos(A)+DY)).
+
+area(Parts, Area) :-
+    findall(A, ( member(_-Loops, Parts), member(Loop, Loops),
+                 loop_area(Loop, A) ), As),
+    sum_list(As, Area).
+
+% A part in the hole of another is right; cut_fault/2 calls it inside.
+fault(Drawings, Fault) :-
+    member(Drawing, Drawings),
+    cut_fault(Drawing, Fault),
+    Fault \= inside(_, _).
+
+
+:- begin_tests(pattern_nest).
+
+test(no_overlap, [ forall(member(N-Least-Most,
+                                 [ 3-50-300, 12-40-200, 40-20-120 ])) ]) :-
+    parts(N, N, Least, Most, Parts),
+    nested(Parts, room(600,400,3), nested(Size,Places)),
+    sheets(Parts, Places, Size, Drawings),
+    assertion(\+ fault(Drawings, _)),
+    assertion(\+ member(_-place(0,_,_,_), Places)).
+test(roll_no_overlap, [ forall(member(N, [2,7,20])) ]) :-
+    parts(N, N, 30, 150, Parts),
+    nested(Parts, roll(3), nested(Size,Places)),
+    sheets(Parts, Places, Size, Drawings),
+    assertion(\+ fault(Drawings, _)),
+    assertion(length(Drawings, 1)).
+test(close_together, [ true(Share > 0.62) ]) :-
+    parts(1, 80, 100, 500, Parts),
+    nested(Parts, room(2000,1000,5), nested(_,Places)),
+    area(Parts, Area),
+    findall(I, member(_-place(I,_,_,_), Places), Is),
+    max_list(Is, Sheets),
+    Share is Area/(Sheets*2000*1000.0).
+% A disc that a ring has room for is put into it if the sheet is full else.
+test(in_a_hole, [ true(Sheets == [1,1]) ]) :-
+    circle(100, 48, 1, Outer),
+    circle(80, 48, -1, Inner),
+    circle(60, 48, 1, Disc),
+    nested([ring-[Outer,Inner],disc-[Disc]], room(220,220,3),
+           nested(_,Places)),
+    findall(I, member(_-place(I,_,_,_), Places), Sheets).
+test(tables_are_read, [ forall(member(W-H, [500-300,300-500])) ]) :-
+    parts(5, 10, 40, 200, Parts),
+    nested([table(2,0)-[[0.0-0.0,200.0-0.0,200.0-90.0,0.0-90.0]]|Parts],
+           room(W,H,3), nested(_,[_-place(_,Degrees,_,_)|_])),
+    assertion(memberchk(Degrees, [0.0,90.0])).
+test(same_again) :-
+    parts(9, 25, 20, 150, Parts),
+    nested(Parts, room(500,400,3), A),
+    nested(Parts, room(500,400,3), B),
+    assertion(A == B).
+
+:- end_tests(pattern_nest).

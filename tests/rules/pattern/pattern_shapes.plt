@@ -1,0 +1,243 @@
+/* Patterns of many shapes on paper: no tab lies on a face or on another tab, no
+   piece on another, nothing is cut twice. */
+:- module(test_pattern_shapes, []).
+:- use_module(library(plunit)).
+:- use_module(library(aggregate)).
+:- use_module(library(lists)).
+:- use_module(library(apply)).
+:- use_module(rules(store)).
+:- use_module(rules(csg/csg_roots), [roots_alone/0]).
+:- use_module(rules(development/development), [develop/2]).
+:- use_module(rules(model/model), [load_model/1]).
+:- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
+:- use_module(rules(polygon/triangulation), [complete_segments/0]).
+:- use_module(rules(pattern/pattern_drawing),
+              [ pattern_drawing/3, pattern_layout/3 ]).
+:- use_module(tests('rules/pattern/cut_checked')).
+
+shape(cube, box(size(40,40,40))).
+shape(cone, cone(radius(20),height(50),facets(24))).
+shape(oblique_cone, cone(radius(20),height(50),facets(24),shift(20,5))).
+shape(cylinder, cylinder(radius(20),height(60),facets(24))).
+shape(hollow, hollow_cylinder(radius(30),inner(20),height(50),facets(24))).
+shape(uv_sphere, sphere(radius(50),facets(24),bands(12))).
+shape(small_sphere, sphere(radius(20),facets(32),bands(16))).
+shape(torus, torus(radius(40),tube(15),facets(24),sides(12))).
+
+curve(fine_cylinder, cylinder(radius(20),height(30),facets(96))).
+curve(fine_cone, cone(radius(20),height(50),facets(120))).
+curve(fine_sphere, sphere(radius(20),facets(48),bands(24))).
+curve(fine_hollow,
+      hollow_cylinder(radius(30),inner(20),height(50),facets(72))).
+
+:- meta_predicate quietly(0).
+
+quietly(Goal) :-
+    setup_call_cleanup(
+        asserta((user:message_hook(_, Kind, _) :-
+                     memberchk(Kind, [warning,informational,silent])), Ref),
+        Goal,
+        erase(Ref)).
+
+of_term(Term, Options, Drawings) :-
+    new_world(World),
+    in_world(World,
+             ( loaded(Term),
+               develop(1, D),
+               quietly(pattern_drawing([D], Options, Drawings)) )).
+
+loaded(Term) :-
+    tmp_file_stream(File, Out, [extension(pl)]),
+    format(Out, 'segment(1, solid, ~q).~n', [Term]),
+    close(Out),
+    load_model(File).
+
+no_fault(Name, Drawings) :-
+    forall(( nth1(I, Drawings, Drawing), once(cut_fault(Drawing, Fault)) ),
+           ( print_message(error, format("~w, sheet ~w: ~q", [Name,I,Fault])),
+             fail )).
+
+%   The scale with which a model is about 150 mm large.
+model_scale(Scale) :-
+    findall(C, ( v(_, _, X, Y, Z), member(C, [X,Y,Z]) ), Cs),
+    max_list(Cs, High),
+    min_list(Cs, Low),
+    Scale is 150/(High-Low).
+
+model_file(File) :-
+    member(Folder, ['facts/figures','facts/gallery','facts/patterns']),
+    absolute_file_name(sanggwan(Folder), Path, [file_type(directory)]),
+    atom_concat(Path, '/*.pl', Pattern),
+    expand_file_name(Pattern, Files),
+    member(File, Files).
+
+of_file(File, Drawings) :-
+    new_world(World),
+    in_world(World,
+             quietly(( load_model(File),
+                       roots_alone,
+                       findall(S, ( segment(S, Kind, _),
+                                    memberchk(Kind, [solid,surface]),
+                                    \+ many_faces(S) ), Ss),
+                       Ss \== [],
+                       model_scale(Scale),
+                       findall(D, ( member(S, Ss), develop(S, D) ), Ds),
+                       pattern_drawing(Ds, [page('A3'),tabs(5),scale(Scale)],
+                                       Drawings) ))).
+
+many_faces(S) :-
+    findall(x, limit(1500, p(S,_,_)), Xs),
+    length(Xs, 1500).
+
+% How many sides have tabs, and how many seams have none.
+tab_counts(Term, Options, Tabs, Butt) :-
+    quietly(tabs_told(Term, Options, Tabs, Butt)).
+
+tabs_told(Term, Options, Tabs, Butt) :-
+    new_world(World),
+    in_world(World,
+             ( loaded(Term),
+               develop(1, D),
+               pattern_layout([D], Options, layout(_,_,_,_,Tabs0,Butt0)) )),
+    assoc_to_keys(Tabs0, TabKeys),
+    assoc_to_keys(Butt0, ButtKeys),
+    length(TabKeys, Tabs),
+    length(ButtKeys, Butt).
+
+%   told(Term, Options, Told): the notices about tabs; of seams without one how
+%   many there are, their share in hundredths of a per cent, what would help and
+%   how many edges are named.
+
+:- dynamic noticed/1.
+
+told(Term, Options, Told) :-
+    retractall(noticed(_)),
+    setup_call_cleanup(
+        asserta((user:message_hook(sanggwan(pattern(What)), _, _) :-
+                     assertz(test_pattern_shapes:noticed(What))), Ref),
+        tabs_told(Term, Options, _, _),
+        erase(Ref)),
+    findall(Notice, ( noticed(What), notice(What, Notice) ), Told).
+
+notice(opened_by_itself(N0,N), opened_by_itself(N0,N)).
+notice(opened(N0,N), opened(N0,N)).
+notice(without_tab(_,N,Share,Help,Es), without_tab(N,Parts,Help,Count)) :-
+    Parts is round(100*Share),
+    length(Es, Count).
+
+:- begin_tests(pattern_shapes).
+
+test(on_pages, [ forall(shape(Name,Term)) ]) :-
+    of_term(Term, [page('A4'),tabs(6)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+test(wide_tabs, [ forall(shape(Name,Term)) ]) :-
+    of_term(Term, [tabs(25)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+test(inside, [ forall(shape(Name,Term)) ]) :-
+    of_term(Term, [tabs(6),inside(true),gap(1)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+test(open_slits, [ forall(shape(Name,Term)) ]) :-
+    of_term(Term, [page('A3'),tabs(6),open_slits(true)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+test(curves, [ forall(( curve(Name,Term), member(Width, [2,6,15]) )) ]) :-
+    of_term(Term, [tabs(Width)], Drawings),
+    assertion(no_fault(Name, Drawings)).
+
+% Where slits are too narrow, near the equator, joints are butt.
+test(most_seams_have_tabs, [ true(2*Butt < Tabs) ]) :-
+    tab_counts(sphere(radius(50),facets(24),bands(12)),
+               [tabs(6),open_slits(false)], Tabs, Butt).
+% As is usual: a third of the seam of one sphere would be without tabs, so it
+% is parted; a twentieth of the other's, which stays whole. Seams too short for
+% tabs have none among parts either.
+test(slits_open_by_themselves,
+     [ forall(member(Term-Width-Same,
+                     [ sphere(radius(50),facets(48),bands(24))-5-true,
+                       box(size(40,30,20))-5-false,
+                       sphere(radius(100),facets(24),bands(12))-6-false,
+                       sphere(radius(6),facets(48),bands(24))-6-false ])),
+       true(Auto == Other) ]) :-
+    tab_counts(Term, [tabs(Width)], T1, B1),
+    Auto = T1-B1,
+    tab_counts(Term, [tabs(Width),open_slits(Same)], T2, B2),
+    Other = T2-B2.
+% Of the die in facts/gallery 16 % of the seam would get tabs by 261 parts more.
+test(worth_parting, [ Worth == [0.3-0.01-90, 0.16-0.0-20] ]) :-
+    findall(Before-After-More,
+            ( member(Before-After-More,
+                     [ 0.3-0.01-90, 0.3-0.2-1, 0.16-0.0-261, 0.16-0.0-20 ]),
+              sg_pattern_fit:worth_parting(Before-After, More) ),
+            Worth).
+% Each pattern by itself.
+test(one_of_two_is_parted, [ Counts == [49,1] ]) :-
+    new_world(World),
+    in_world(World,
+             ( maplist(add_primitive,
+                       [ sphere(radius(50),facets(48),bands(24)),
+                         sphere(radius(400),facets(24),bands(12)) ],
+                       Ss),
+               complete_segments,
+               maplist(develop, Ss, Ds),
+               quietly(pattern_layout(Ds, [tabs(5)], layout(_,_,Sheets,_,_,_)))
+             )),
+    findall(N, ( member(D, Ds),
+                 aggregate_all(count,
+                               ( member(Laid, Sheets),
+                                 member(laid(piece(name(D,_,_),_,_),_,_), Laid)
+                               ),
+                               N) ),
+            Counts).
+test(told_how_many_have_none, [ Told == [opened_by_itself(1,49),
+                                         without_tab(4,7,none,4)] ]) :-
+    told(sphere(radius(50),facets(48),bands(24)), [tabs(5)], Told).
+test(told_what_helps, [ Told == [without_tab(472,3199,open_slits,472)] ]) :-
+    told(sphere(radius(50),facets(48),bands(24)),
+         [tabs(5),open_slits(false)], Told).
+test(told_nothing, [ Told == [] ]) :-
+    told(box(size(40,30,20)), [tabs(5)], Told).
+test(open_slits_have_tabs, [ true(Butt == 0),
+                             forall(member(Term,
+                                 [ sphere(radius(50),facets(24),bands(12)),
+                                   sphere(radius(200),facets(48),bands(24)),
+                                   torus(radius(60),tube(20),facets(36),
+                                         sides(18)),
+                                   cone(radius(40),height(80),facets(48))
+                                 ])) ]) :-
+    tab_counts(Term, [tabs(6),open_slits(true)], _, Butt).
+% 1.3 mm each: no tabs of their own.
+test(facets_share_tabs, [ true(4*Butt < Tabs) ]) :-
+    tab_counts(cylinder(radius(20),height(30),facets(96)), [tabs(6)], Tabs,
+               Butt).
+test(facets_share_tabs_in_parts, [ true(Butt == 0) ]) :-
+    tab_counts(cylinder(radius(20),height(30),facets(96)),
+               [tabs(6),open_slits(true)], _, Butt).
+
+% The checker does find what is wrong.
+test(checker, [ Found == [crossing(b,a),inside(b,a),off(b),twice(0-0,9-0)] ]) :-
+    Square = [0-0,9000-0,9000-9000,0-9000,0-0],
+    Inner = [1000-1000,2000-1000,2000-2000,1000-1000],
+    Over = [8000-8000,20000-8000,20000-20000,8000-8000],
+    faults([a-Square,b-Over], 30000, F1),
+    faults([a-Square,b-Inner], 30000, F2),
+    faults([a-Square,b-Over], 15000, F3),
+    faults([a-[0-0,9-0,9-9,0-0],b-[9-0,0-0,0-(-9),9-0]], 30000, F4),
+    first([F1,F2,F3,F4], [crossing(_,_),inside(_,_),off(_),twice(_,_)],
+          Found).
+
+test(gallery, [ forall(model_file(File)) ]) :-
+    (   of_file(File, Drawings)
+    ->  assertion(no_fault(File, Drawings))
+    ;   format("skipped: ~w~n", [File])
+    ).
+
+faults(Pieces, Side, Faults) :-
+    findall(view(Name,[stroke(visible,cut,1,[],Points,ring,ring)],[]),
+            member(Name-Points, Pieces), Views),
+    findall(Fault, cut_fault(drawing(sheet(Side,Side,1),Views), Fault),
+            Faults).
+
+first(Faultss, Kinds, Found) :-
+    maplist([Faults,Kind,Kind]>>memberchk(Kind, Faults), Faultss, Kinds,
+            Found).
+
+:- end_tests(pattern_shapes).

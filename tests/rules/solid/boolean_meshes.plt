@@ -1,0 +1,104 @@
+:- module(test_boolean_meshes, []).
+:- use_module(library(plunit)).
+:- use_module(library(lists)).
+:- use_module(rules(solid/boolean), [boolean/3]).
+:- use_module(rules(kernel), [model_tolerance/1]).
+:- use_module(rules(model/mesh), [read_mesh/2]).
+:- use_module(rules(store)).
+:- use_module(rules(polygon/triangulation), [complete_segments/0]).
+:- use_module(tests('rules/boolean_case'), [measured/2, sample/3]).
+:- use_module(tests('rules/solid/mesh_pair')).
+
+/* Booleans of meshes of others, where they are: every pair with each operation.
+What bounds no solid is refused, with the reason; the rest obeys the laws.
+BOOLEAN_PAIRS=all prints a line for each pair; it also takes every two meshes of
+mcut, and what takes long. BOOLEAN_CASES=N places N times as many solids. */
+
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
+user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
+
+shared :-
+    (   exists_directory('../shared/data')
+    ->  true
+    ;   format("~nskipped: no ../shared/data~n", []),
+        fail
+    ).
+
+all :-
+    getenv('BOOLEAN_PAIRS', all).
+
+fault(Source, Name-Faults) :-
+    mesh_pair(Source, Name, First, Second),
+    \+ ( Name == 'src-mesh062.off', \+ all ),
+    outcome_faults(Name, First, Second, Faults).
+
+placed_fault(Seed-Name-Faults) :-
+    sample(placed, 4, Seed),
+    placed_pair(Seed, Name, [First,Second]),
+    outcome_faults(Name, First, Second, Faults).
+
+%   Whatever the tolerance, what merging makes goes through nothing.
+
+tolerance_fault(Name, Factor-Operation-Measure) :-
+    mesh_pair(booleans, Name, file(First), file(Second)),
+    new_world(World),
+    in_world(World,
+             ( read_mesh(First, _),
+               read_mesh(Second, _),
+               complete_segments,
+               model_tolerance(Least),
+               findall(Fault, made_fault(Least, Fault), Faults) )),
+    member(Factor-Operation-Measure, Faults).
+
+made_fault(Least, Factor-Operation-Measure) :-
+    nth1(I, [0.5,16,64,256,1024], Factor),
+    nth1(J, [union,intersection,difference], Operation),
+    Tolerance is Factor*Least,
+    Expression =.. [Operation,[1,2]],
+    S is 10*I+J,
+    boolean(Expression, S, [tolerance(Tolerance)]),
+    measured([S], [Measure]),
+    Measure.good \== yes.
+
+outcome_faults(Name, First, Second, Faults) :-
+    catch(pair_outcome(First, Second, Outcome), Error,
+          Outcome = outcome(unread, [], [Error])),
+    (   all
+    ->  print_outcome(Name, Outcome)
+    ;   true
+    ),
+    Outcome = outcome(_, _, Faults),
+    Faults \== [].
+
+print_outcome(Name, outcome(Closed, Results, Faults)) :-
+    format("~p ~w:", [Name,Closed]),
+    forall(member(Operation-Result, Results),
+           ( result_text(Result, Text), format(" ~w ~w", [Operation,Text]) )),
+    length(Faults, N),
+    format(" faults ~d~n", [N]).
+
+result_text(made(Seconds, M), Text) :-
+    format(atom(Text), "~3fs closed=~w penetrating=~d+~d+~d volume=~6g",
+           [Seconds,M.closed,M.crossing,M.overlap,M.in_line,M.volume]).
+result_text(refused(error(Formal, _)), Text) :-
+    !,
+    format(atom(Text), "refused(~p)", [Formal]).
+result_text(refused(Error), Text) :-
+    format(atom(Text), "refused(~p)", [Error]).
+
+:- begin_tests(boolean_meshes).
+
+test(mcut, [condition(shared), true(Faults == [])]) :-
+    findall(F, fault(mcut, F), Faults).
+test(booleans, [condition(shared), true(Faults == [])]) :-
+    findall(F, fault(booleans, F), Faults).
+test(tolerances, [condition(shared), true(Faults == [])]) :-
+    findall(F, tolerance_fault('Generic_Twin_7863.1.t0', F), Faults).
+test(mcut_all, [condition(( shared, all )), true(Faults == [])]) :-
+    findall(F, fault(mcut_all, F), Faults).
+test(placed, [condition(shared), true(Faults == [])]) :-
+    findall(F, placed_fault(F), Faults).
+
+:- end_tests(boolean_meshes).
