@@ -427,7 +427,7 @@ flattening_lay(term_t handle, term_t root)
     return FALSE;
   }
   in.flattening = &d->flattening;
-  in.touch = SG_LAY_TOUCH * d->flattening.sheet;
+  in.touch = SG_LAY_TOUCH * d->flattening.size;
   sg_layout_clear(&d->layout);
   d->laid = sg_lay(&in, &sg_prolog_poll, &d->layout, &stopped);
   return d->laid || stop_ex(stopped);

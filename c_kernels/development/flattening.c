@@ -97,6 +97,22 @@ new_islands(size_t n)
   return island;
 }
 
+static double
+longest_side_in_solid(const sg_dense *dense, const sg_flat_faces *faces)
+{
+  double longest = 0;
+
+  for (int k = 0; k < 3; k++) {
+    double low = INFINITY, high = -INFINITY;
+    for (size_t c = 0; c < faces->corners; c++) {
+      low = fmin(low, dense->at[faces->vertex[c]][k]);
+      high = fmax(high, dense->at[faces->vertex[c]][k]);
+    }
+    longest = fmax(longest, high - low);
+  }
+  return longest;
+}
+
 bool
 sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
                    const sg_joints *joints, const sg_poll *poll,
@@ -112,6 +128,7 @@ sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
       .dense = dense,
       .faces = faces,
       .joints = joints,
+      .size = longest_side_in_solid(dense, faces),
       .sheet = sqrt(area),
       .depth = SG_FLAT_DEPTH * sqrt(area),
       .state = calloc(joints->n + 1, sizeof *out->state),

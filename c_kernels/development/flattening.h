@@ -38,6 +38,7 @@ typedef struct sg_flattening {
   const sg_dense *dense; /* borrowed, as are these */
   const sg_flat_faces *faces;
   const sg_joints *joints;
+  double size;  /* the longest side of the faces' box in the solid */
   double sheet; /* the side of a square as large as all faces */
   double depth;
   unsigned char *state;            /* [joints] sg_joint_state */

@@ -26,10 +26,10 @@ typedef struct sg_lay_input {
 
 #define SG_NO_FACE UINT32_MAX
 
-/* Sides lie on each other if they are nearer than this part of the sheet: by
- * rounding alone. Ends that become one vertex move by as much, so the tolerance
- * of the model would be too much for folding back to 1e-12. */
-#define SG_LAY_TOUCH 1e-13
+/* Sides lie on each other if they are nearer than this part of the solid's
+ * size. Ends that become one vertex move by as much, so the tolerance of the
+ * model would be too much for folding back to 1e-12. */
+#define SG_LAY_TOUCH 5e-13
 
 typedef struct sg_layout {
   size_t pieces;
