@@ -1,12 +1,14 @@
 :- module(sg_placed_surface,
           [ placed_face/3,              % ?S, ?P, ?What
             placed_surface/3,           % ?S, ?Part, ?Surface
+            placed_term/2,              % +S, -Term
             placed_polygon/4,           % +S, ?P, ?Leaf, ?P0
             drawn_polygon/4,            % +S1, ?P1, -S, ?P
             placed_feature/4            % ?S, ?V, ?Leaf, ?Feature
           ]).
 :- use_module(csg, [is_helper/1, is_node/1]).
 :- use_module(csg_record, [recorded/2]).
+:- use_module('../primitive/primitive', [is_primitive/1]).
 :- use_module('../primitive/primitive_face', [face_of/3, smooth_surface/3]).
 :- use_module(provenance, [origin_feature/3]).
 :- use_module('../store', [p/3, segment/3, origin/3, from_p/5]).
@@ -42,6 +44,19 @@ placed_surface(S, Part, Surface) :-
     stands(S, Leaf, Matrix),
     smooth_surface(Leaf, Part, Surface0),
     surface_placed(Matrix, Surface0, Surface).
+
+%!  placed_term(+S, -Term) is semidet.
+%
+%   Term is the primitive that segment S is, or is a copy of, where S stands.
+
+placed_term(S, Term) :-
+    stands(S, Leaf, Matrix),
+    segment(Leaf, _, Term0),
+    is_primitive(Term0),
+    (   Matrix == none
+    ->  Term = Term0
+    ;   Term = at([matrix(Matrix)], Term0)
+    ).
 
 %   is_parallel(S): S is the other side of a plate (true_parallel.pl).
 

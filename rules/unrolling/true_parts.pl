@@ -5,12 +5,16 @@
             facets_as_drawn/4           % +S, +Facets0, +Shape, -Facets
           ]).
 :- use_module('../csg/csg', [is_node/1]).
-:- use_module('../primitive/primitive_rows', [add_primitive/2]).
 :- use_module('../csg/placed_surface',
-              [drawn_polygon/4, placed_face/3, placed_polygon/4]).
-:- use_module('../primitive/primitive', [is_primitive/1, primitive_parts/3]).
-:- use_module('../primitive/primitive_face', [face_of/3, smooth_surface/3]).
-:- use_module('../store', [segment/3, origin/3, from_p/5, assert_fact/1]).
+              [ drawn_polygon/4, placed_face/3, placed_polygon/4,
+                placed_surface/3, placed_term/2
+              ]).
+:- use_module('../polygon/triangulation', [complete_segments/0]).
+:- use_module('../primitive/primitive', [primitive_parts/3]).
+:- use_module('../primitive/primitive_rows', [add_primitive/2]).
+:- use_module('../solid/boolean', [boolean/2]).
+:- use_module('../solid/csg_flat', [flat_expression/2, flat_leaves/2]).
+:- use_module('../store', [origin/3, from_p/5, assert_fact/1, fresh_id/3]).
 :- use_module(true_flat, [flat_resized/3]).
 :- use_module(true_parallel, [parallel_made/4]).
 :- use_module(true_resized, [term_enlarged/3]).
@@ -48,7 +52,9 @@ all parts are made again, in the order they had.
 %   Sizes is a list of S-By, first the part that is unfolded, then the others.
 %   Parts are new segments, each By larger than S all round (model units), of
 %   fine facets; or the segments S, if nothing has to be changed, and those of
-%   them that cannot be made again without being resized: results of CSG trees.
+%   them that cannot be made again without being resized. Results of CSG trees
+%   are made again of the primitives they are made of, if they are not resized
+%   and not the first.
 %   Of Options: chord(Tolerance); layer(Layer), how far outside of what is drawn
 %   that layer of the first part is that is unrolled.
 %
@@ -70,7 +76,12 @@ parts_made(Sizes, Options, Parts) :-
 
 changes_nothing(Bys, Finers) :-
     \+ ( member(By, Bys), By =\= 0 ),
-    \+ ( member(Finer, Finers), memberchk(Finer, [times(_),within(_)]) ).
+    \+ ( member(Finer, Finers), changes(Finer) ).
+
+changes(times(_)).
+changes(within(_)).
+changes(composed(Finers)) :-
+    once(( member(_-Finer, Finers), changes(Finer) )).
 
 triples([], [], []).
 triples([S-By|Sizes], [Finer|Finers], [part(S, By, Finer)|Triples]) :-
@@ -93,25 +104,50 @@ inmost(S, By, First-Layer, Inmost) :-
     ;   Inmost = By
     ).
 
+made(By, _, composed(Finers), S, S1) :-
+    !,
+    By =:= 0,
+    composed_again(S, Finers, S1).
 made(By, _, _, S, S1) :-
-    \+ smooth_surface(S, _, _),
+    \+ placed_surface(S, _, _),
     flat_resized(S, By, S1).
 made(By, Inmost, Finer, S, S1) :-
-    \+ is_node(S),
-    segment(S, _, Term0),
-    is_primitive(Term0),
+    placed_term(S, Term0),
     term_finer(Finer, Term0, Term),
     (   term_enlarged(Term, By, Term1)
     ->  add_primitive(Term1, S1)
     ;   parallel_made(Term, By, Inmost, S1)
     ).
 
+%   composed_again(S, Finers, S1): S1 is the result of the same operations as S,
+%   on leaves made again.
+
+composed_again(S, Finers, S1) :-
+    flat_expression(S, Expression0),
+    findall(Leaf-Leaf1,
+            ( member(Leaf-Finer, Finers),
+              once(made(0, 0, Finer, Leaf, Leaf1)) ),
+            Made),
+    leaves_replaced(Made, Expression0, Expression),
+    complete_segments,
+    fresh_id(segment, 0, S1),
+    boolean(Expression, S1).
+
+leaves_replaced(Made, Leaf, Leaf1) :-
+    integer(Leaf),
+    !,
+    memberchk(Leaf-Leaf1, Made).
+leaves_replaced(Made, Expression0, Expression) :-
+    Expression0 =.. [Operation,Expressions0],
+    maplist(leaves_replaced(Made), Expressions0, Expressions),
+    Expression =.. [Operation,Expressions].
+
 %   polygons_known(S, S1): which polygon of S each of S1 stands for: of the
 %   facets of a part of which another side is wanted, the nearest.
 
 polygons_known(S, S1) :-
-    (   smooth_surface(S, _, _)
-    ->  findall(What-P, face_of(S, P, What), Drawn),
+    (   placed_surface(S, _, _)
+    ->  findall(What-P, placed_face(S, P, What), Drawn),
         forall(( placed_face(S1, P1, What1),
                  drawn_face(Drawn, What1, P) ),
                assert_fact(origin(S1, p(P1), p(P))))
@@ -137,30 +173,48 @@ drawn_face(Drawn, What1, P) :-
 
 %   fineness(Ss, Options, Finers): what is done with the facets of each: `kept`,
 %   the segment stays as it is; `copied`, the same facets; times(N), N for each;
-%   within(Chord), others, no farther than that from the true surface. All are
+%   within(Chord), others, no farther than that from the true surface;
+%   composed(Finers), the result of a CSG tree, of leaves Leaf-Finer. All are
 %   kept if one cannot be made again, or if the first is one whose facets are
 %   laid flat.
 
 fineness([S|Others], Options, Finers) :-
-    (   maplist(made_alone, [S|Others]),
-        unrolls_or_flat(S)
-    ->  maplist(finer(Options), [S|Others], Finers)
+    (   made_alone(S),
+        unrolls_or_flat(S),
+        maplist(finer_or_composed(Options), Others, FinersOfOthers)
+    ->  finer(Options, S, Finer),
+        Finers = [Finer|FinersOfOthers]
     ;   maplist(kept, [S|Others], Finers)
+    ).
+
+finer_or_composed(Options, S, Finer) :-
+    (   made_alone(S)
+    ->  finer(Options, S, Finer)
+    ;   is_node(S),
+        flat_expression(S, Expression),
+        flat_leaves(Expression, Leaves),
+        Leaves = [_|_],
+        maplist(placed_term, Leaves, _),
+        maplist(finer(Options), Leaves, Finers0),
+        pairs_keys_values(Finers, Leaves, Finers0),
+        Finer = composed(Finers)
     ).
 
 kept(_, kept).
 
 made_alone(S) :-
-    \+ is_node(S),
-    \+ from_p(S, _, _, _, _).
+    (   is_node(S)
+    ->  placed_term(S, _)
+    ;   \+ from_p(S, _, _, _, _)
+    ).
 
 unrolls_or_flat(S) :-
-    forall(smooth_surface(S, _, Surface),
+    forall(placed_surface(S, _, Surface),
            ( functor(Surface, Kind, _),
              memberchk(Kind, [cylinder,cone,fan,transition]) )).
 
 finer(Options, S, Finer) :-
-    findall(Surface, smooth_surface(S, _, Surface), Surfaces),
+    findall(Surface, placed_surface(S, _, Surface), Surfaces),
     findall(Radius,
             ( member(Surface, Surfaces), surface_radius(Surface, Radius) ),
             Radii),
@@ -168,7 +222,7 @@ finer(Options, S, Finer) :-
     ->  Finer = copied
     ;   max_list(Radii, Greatest),
         chord(Options, Greatest, Chord),
-        segment(S, _, Term),
+        placed_term(S, Term),
         widest_facet(Term, Width),
         Wanted is 360.0/acos(1.0 - Chord/Greatest)*pi/360.0,
         N is ceiling(Wanted*Width/360.0),
@@ -319,7 +373,7 @@ facets_as_drawn(S, Facets0, Shape, Facets) :-
 put_together(_, _-[Facet], [Facet]) :-
     !.
 put_together(Shape, drawn(D, PD)-Group, Facets) :-
-    (   face_of(D, PD, curved(_, [T1-T2|_]))
+    (   placed_face(D, PD, curved(_, [T1-T2|_]))
     ->  true
     ;   Group = [facet(_, T1, T2, _)|_]         % of a flat part
     ),

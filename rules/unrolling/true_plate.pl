@@ -3,8 +3,7 @@
             plate_parts/5               % +S, +Others, +Options0, -Options,
                                         % -Parts
           ]).
-:- use_module('../primitive/primitive_face', [smooth_surface/3]).
-:- use_module('../store', [segment/3]).
+:- use_module('../csg/placed_surface', [placed_surface/3, placed_term/2]).
 :- use_module(true_parts, [parts_made/3]).
 :- use_module(true_resized, [outline_area/2]).
 :- use_module(library(apply), [maplist/3]).
@@ -147,13 +146,13 @@ wider(A, B) :-
 %   What has flat faces is as wide as a box or prism is, or wider than any pipe.
 
 part_width(S, Width) :-
-    (   segment(S, _, Term),
+    (   placed_term(S, Term),
         transition_width(Term, Width0)
     ->  Width = Width0
-    ;   segment(S, _, Term),
+    ;   placed_term(S, Term),
         flat_width(Term, Width0)
     ->  Width = Width0
-    ;   smooth_surface(S, _, Surface),
+    ;   placed_surface(S, _, Surface),
         Surface \= bezier(_)
     ->  arg(2, Surface, vector(A, B, C)),
         Width is sqrt(A*A + B*B + C*C)

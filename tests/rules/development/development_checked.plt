@@ -373,8 +373,8 @@ test(trimmed_cylinders_as_stl, [true(Faults-Short == []-true)]) :-
     ;   Short = Seam
     ).
 
-% Round a vertex that is nearly flat a slit of 3.5e-13 of the size is closed, one
-% of 14e-13 is not: then all is exact to 1e-12.
+% Round a vertex that is nearly flat a slit of 3.5e-13 of the size is closed,
+% one of 14e-13 is not: then all is exact to 1e-12.
 
 test(nearly_flat_vertex, [true(Seams-Faults == [0-0,1-1]-[])]) :-
     patterns_checked(nearly_flat_vertices, Results),

@@ -18,13 +18,15 @@ true_parallel.pl. Areas
 :- use_module(rules(solid/trimmed)).
 :- use_module(rules(unfolding/unfold_true)).
 :- use_module(rules(vector)).
+:- use_module(rules(solid/csg_evaluate)).
+:- use_module(tests('rules/csg/csg_tree')).
 
 :- multifile user:message_hook/3.
 user:message_hook(sanggwan(unfold(alone(_))), informational, _).
 
 :- begin_tests(true_cut).
 
-:- meta_predicate in_scene(+, 0).
+:- meta_predicate in_scene(+, 0), in_tree(+, 0).
 
 in_scene(Terms, Goal) :-
     new_world(World),
@@ -37,14 +39,13 @@ in_scene(Terms, Goal) :-
 %   others; every polygon has its triangles, so it does not cross itself.
 
 patterns(Terms, S, Options, Area) :-
-    in_scene(Terms,
-             ( true_patterns(S, wanted(none,[],[],[]), [trim(outside)|Options],
-                             Ds),
-               forall(( member(D, Ds), p(D, P, _) ), once(t(D, P, _, _, _, _))),
-               seams_agree(Ds),
-               findall(Part, ( member(D, Ds), pattern_area(D, Part) ),
-                       Areas) )),
-    sum_list(Areas, Area).
+    in_scene(Terms, patterns_area(S, Options, Area)).
+
+patterns_area(S, Options, Area) :-
+    true_patterns(S, wanted(none,[],[],[]), [trim(outside)|Options], Ds),
+    forall(( member(D, Ds), p(D, P, _) ), once(t(D, P, _, _, _, _))),
+    seams_agree(Ds),
+    aggregate_all(sum(Part), ( member(D, Ds), pattern_area(D, Part) ), Area).
 
 %   seams_agree(Ds): both sides of each fold and seam are equally long.
 
@@ -146,6 +147,41 @@ test(few_facets, [forall(( missed(Terms), member(S, [1,2]) ))]) :-
     patterns(Terms, S, [], Area),
     maplist(fine, Terms, Fine),
     trimmed_area(Fine, S, Area0),
+    near(Area, Area0).
+
+%   Copies are cut as the primitives they are of; a result of a CSG tree cuts as
+%   its leaves do.
+
+in_tree(Terms, Goal) :-
+    with_tree(Terms, ( evaluate, complete_segments, Goal )).
+
+tee_header(cylinder(radius(40), height(200), facets(24))).
+
+tee_branch(cylinder(radius(25), height(120), facets(16))).
+
+tee_steps([rotate(x,60),scale(-1,1,1),translate(0,0,100)]).
+
+test(copy, [forall(member(Options, [[],[thickness(3)]]))]) :-
+    tee_header(Header),
+    tee_branch(Branch),
+    tee_steps(Steps),
+    patterns([Header,at(Steps, Branch)], 2, Options, Area0),
+    in_tree([Header,Branch,at(Steps, 2)],
+            patterns_area(3, [by([1])|Options], Area)),
+    abs(Area-Area0) =< 1.0e-9*Area0.
+
+test(cut_by_a_result) :-
+    tee_branch(Branch),
+    tee_steps(Steps),
+    Terms = [ cylinder(radius(40), height(200), facets(24)),
+              cylinder(radius(36), height(200), facets(24)),
+              difference([1,2]), at(Steps, Branch) ],
+    in_tree(Terms, patterns_area(4, [by([3])], Area)),
+    maplist(fine, Terms, Fine),
+    in_tree(Fine,
+            ( trimmed(4, [3], outside, T),
+              complete_segments,
+              aggregate_all(sum(Part), triangle_area(T, Part), Area0) )),
     near(Area, Area0).
 
 %   A pattern has the facets that are drawn, with their names, and numbers as
