@@ -17,7 +17,7 @@
 enum {
   SG_PAGE_ROWS = 4096,
   SG_LIVE_WORDS = SG_PAGE_ROWS / 64,
-  SG_MAX_COLUMNS = 9
+  SG_MAX_COLUMNS = 13
 };
 
 /* One page of one column. A list cell points at its length, then its ids. */

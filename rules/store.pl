@@ -21,8 +21,8 @@
             projection/1,             % ?Kind
             title_block/2,            % ?Item, ?Text
             screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
-            contour/9,                % ?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2,
-                                      % ?To, ?Ts
+            contour/13,               % ?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2,
+                                      % ?To, ?Ts, ?X1, ?Y1, ?X2, ?Y2
             surface_turn/6,           % ?S, ?T, ?I, ?From, ?To, ?Ts
             drawn/7,                  % ?D, ?S, ?E, ?From, ?To,
                                       % ?Visibility, ?Role
@@ -201,12 +201,14 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   True when vertex V of segment S is at Xs, Ys in the picture, Zs away.
 
-%!  contour(?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2, ?To, ?Ts) is nondet.
+%!  contour(?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2, ?To, ?Ts, ?X1, ?Y1, ?X2, ?Y2) is
+%!          nondet.
 %
 %   True when piece K of the outline of the smooth surface of segment S runs
 %   across triangle T, from F1 on its side I1 to F2 on I2 (contour.pl). The part
 %   from 0 to To is not behind the surface next to it; the triangles Ts do not
-%   hide it either.
+%   hide it either. In the picture it begins X1 to the right of that place and
+%   Y1 above, and ends X2 and Y2 beside the other: there the surface is.
 
 %!  surface_turn(?S, ?T, ?I, ?From, ?To, ?Ts) is nondet.
 %
@@ -219,7 +221,7 @@ refers to any more is freed with its handle by atom garbage collection.
 %!  drawn(?D, ?S, ?E, ?From, ?To, ?Visibility, ?Role) is nondet.
 %
 %   True when part D of the picture is edge E of segment S from From to To (0
-%   at its start, 1 at its end); if E is negative, piece -E of contour/9.
+%   at its start, 1 at its end); if E is negative, piece -E of contour/13.
 
 /* ---- changing -----------------------------------------------------------
 
@@ -512,7 +514,7 @@ sandbox:safe_primitive(sg_store:view(_,_,_)).
 sandbox:safe_primitive(sg_store:projection(_)).
 sandbox:safe_primitive(sg_store:title_block(_,_)).
 sandbox:safe_primitive(sg_store:screen(_,_,_,_,_)).
-sandbox:safe_primitive(sg_store:contour(_,_,_,_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:contour(_,_,_,_,_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:surface_turn(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:drawn(_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:edge_polygon(_,_,_)).

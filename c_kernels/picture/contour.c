@@ -66,14 +66,6 @@ sg_contour_to_eye(const sg_contour_input *in, const double p[3], double out[3])
   }
 }
 
-/* How far from the eye a point is, along the line of sight; the same for all
- * in a parallel picture. */
-static double
-distance(const sg_contour_input *in, const double p[3])
-{
-  return in->central ? sg_dot(p, in->eye.row[2]) + in->eye.rho : 1.0;
-}
-
 /* ----------------------------------------------------------- the corners */
 
 /* False: stopped. */
@@ -133,13 +125,6 @@ kind_of(const sg_contour_finder *f, uint32_t t)
 
 /* ------------------------------------------------------------ the pieces */
 
-/* Where g is zero on a side of the model, counted from its corner a. */
-static double
-zero_of(const sg_contour_finder *f, uint32_t a, uint32_t b)
-{
-  return sg_contour_g(f, a) / (sg_contour_g(f, a) - sg_contour_g(f, b));
-}
-
 double
 sg_contour_zero(const sg_contour_finder *f, uint32_t side)
 {
@@ -148,9 +133,10 @@ sg_contour_zero(const sg_contour_finder *f, uint32_t side)
   uint32_t v = sg_contour_vertex(f, a), w = sg_contour_vertex(f, b);
   double zero, near_low, near_high;
 
-  zero = v < w ? zero_of(f, a, b) : zero_of(f, b, a);
-  near_low = (1.0 - zero) * distance(f->in, at[v < w ? v : w]);
-  near_high = zero * distance(f->in, at[v < w ? w : v]);
+  zero =
+      v < w ? sg_contour_model_zero(f, a, b) : sg_contour_model_zero(f, b, a);
+  near_low = (1.0 - zero) * sg_contour_distance(f->in, at[v < w ? v : w]);
+  near_high = zero * sg_contour_distance(f->in, at[v < w ? w : v]);
   return near_high / (near_low + near_high);
 }
 
@@ -188,6 +174,7 @@ end_on_side(const sg_contour_finder *f, sg_contour *piece, int end,
       !sg_contour_bulges(f, side / 3)) {
     piece->side[end] = (uint8_t)(side % 3);
     piece->at[end] = sg_contour_zero(f, side);
+    sg_contour_rise(f, side, piece->rise[end]);
   } else {
     end_at_corner(f, piece, end,
                   sg_contour_is_towards(f, side) == away ? side : next);
@@ -271,6 +258,7 @@ sg_contour_point(const sg_contour_finder *f, const sg_contour *piece, int end,
   for (int k = 0; k < 3; k++) {
     out[k] =
         piece->at[end] == 1.0 ? b[k] : a[k] + piece->at[end] * (b[k] - a[k]);
+    out[k] += k < 2 ? piece->rise[end][k] : 0.0;
   }
 }
 
@@ -329,25 +317,54 @@ is_outline(const sg_contour_finder *f, uint32_t side)
                                     : stands_in(f, side);
 }
 
-/* The sides of a triangle that are outlines, each told of one of its two.
- * False: no memory. */
+/* False: no memory. */
 static bool
-push_sides(sg_contour_finder *f, uint32_t t)
+push_long(const sg_contour_finder *f, const sg_contour *piece)
+{
+  return !has_length(f, piece) || push_piece(f->out, piece);
+}
+
+/* The k-th side of a triangle, from end to end. False: no memory. */
+static bool
+push_side(const sg_contour_finder *f, uint32_t t, uint8_t k)
 {
   const sg_smooth *smooth = f->in->smooth;
   bool drawn_smooth = smooth->curved[t] && !smooth->coarse[t];
+  const sg_contour piece = {.t = t,
+                            .side = {k, k},
+                            .at = {0.0, 1.0},
+                            .to = drawn_smooth ? SG_STANDS_IN : 1.0,
+                            .along = true};
 
+  return push_long(f, &piece);
+}
+
+/* The sides of a triangle that are outlines, each told of one of its two.
+ * False: no memory. */
+static bool
+push_sides(const sg_contour_finder *f, uint32_t t)
+{
   for (uint8_t k = 0; k < 3; k++) {
     uint32_t side = 3 * t + k;
-    sg_contour piece = {
-        .t = t, .side = {k, k}, .at = {0.0, 1.0}, .along = true};
-    piece.to = drawn_smooth ? SG_STANDS_IN : 1.0;
-    if (side < smooth->across[side] && turns(f, side) && is_outline(f, side) &&
-        has_length(f, &piece) && !push_piece(f->out, &piece)) {
+    if (side < f->in->smooth->across[side] && turns(f, side) &&
+        is_outline(f, side) && !push_side(f, t, k)) {
       return false;
     }
   }
   return true;
+}
+
+/* A piece as it is, or, if it leaves a corner outside, by way of that. False:
+ * no memory. */
+static bool
+push_outermost(const sg_contour_finder *f, const sg_contour *piece)
+{
+  sg_contour half[2];
+
+  if (!sg_contour_outermost(f, piece, half)) {
+    return push_long(f, piece);
+  }
+  return push_long(f, &half[0]) && push_long(f, &half[1]);
 }
 
 /* False: no memory. */
@@ -357,7 +374,7 @@ push_across(sg_contour_finder *f, uint32_t t)
   sg_contour piece;
 
   return !f->sense[t] || !sg_contour_across(f, t, &piece) ||
-         !has_length(f, &piece) || push_piece(f->out, &piece);
+         push_outermost(f, &piece);
 }
 
 static bool

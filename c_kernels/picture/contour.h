@@ -7,6 +7,21 @@
  * differ runs one piece. Zero counts as turned to the eye, so that pieces hang
  * together whatever lies where.
  *
+ * A side is a chord: at its zero the surface is above it, by a part of the
+ * square of its length that is not the same for any two sides, and where the
+ * outline runs towards the eye that would be all one sees of it: hooks. So a
+ * piece begins and ends in the picture on the surface, which *rises* above the
+ * side as a circle does that has the normals of both ends, N1 and N2, at P1 and
+ * P2: at z of it by z (1 - z) / 2 (N2 - N1) . (P2 - P1) along the normal, up to
+ * the fourth power of the angle. Not where a line runs on the surface, for
+ * outline and line meet on the side; nor on other than known surfaces, whose
+ * normals are not known so well, nor beside triangles that such a line has cut,
+ * whose new corners lie in a facet.
+ *
+ * A piece is straight, the surface is not: if it leaves the corner that it
+ * parts from the two others outside in the picture, which lies on the surface,
+ * the outline goes by way of that. What hides lines beside it: scene_divided.h.
+ *
  * A piece that reaches the end of its sheet (a crease, a border, a penetration
  * line) ends there, at the zero of the side. Where a smooth surface would bulge
  * at its triangle (SG_SIDE_BULGES), it goes to that end of the side at which
@@ -82,10 +97,11 @@ typedef struct sg_contour {
   uint32_t t;
   uint8_t side[2]; /* 0 to 2 */
   double at[2];
-  double to;    /* 1: the surface beside it does not hide it, 0: it does;
-                   SG_STANDS_IN */
-  bool along;   /* it is a side, from end to end */
-  int8_t sense; /* -1: the half with g < 0 is the nearer one, else 1 */
+  double rise[2][2]; /* from there to the smooth surface, in the picture */
+  double to;         /* 1: the surface beside it does not hide it, 0: it does;
+                        SG_STANDS_IN */
+  bool along;        /* it is a side, from end to end */
+  int8_t sense;      /* -1: the half with g < 0 is the nearer one, else 1 */
   size_t beside, besides; /* its places in sg_contours.beside */
 } sg_contour;
 

@@ -129,6 +129,9 @@ write_row(rows *r, const sg_sheet_page *page, size_t i)
   c[5].i[i] = piece->side[1] + 1;
   c[6].f[i] = piece->at[1] + 0.0;
   c[7].f[i] = piece->to + 0.0;
+  for (size_t k = 0; k < 4; k++) {
+    c[9 + k].f[i] = piece->rise[k / 2][k % 2] + 0.0;
+  }
   write_beside(r, piece, c[8].list[i]);
 }
 

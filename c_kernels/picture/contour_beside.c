@@ -110,7 +110,7 @@ goes_on(const sg_contour_finder *f, const strip *s, uint32_t side, uint32_t u)
          kind_in(f, s, u) != SG_CONTOUR_AWAY && f->sense[u] * s->sense >= 0 &&
          crosses(f, s, side, &outmost) &&
          (kind_in(f, s, side / 3) == SG_CONTOUR_MIXED ||
-          outmost > SAME * s->length);
+          outmost > -SAME * s->length);
 }
 
 static bool

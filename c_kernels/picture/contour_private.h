@@ -1,4 +1,4 @@
-/* contour_private.h -- what contour.c and contour_beside.c share.
+/* contour_private.h -- what the files of contour.h share.
  *
  * Layer: kernel.
  */
@@ -6,6 +6,7 @@
 #define SG_CONTOUR_PRIVATE_H
 
 #include "contour.h"
+#include "number/vector.h"
 
 /* How a triangle and its corners lie to the eye. */
 typedef enum sg_contour_kind {
@@ -61,6 +62,21 @@ sg_contour_is_towards(const sg_contour_finder *f, uint32_t corner)
   return sg_contour_g(f, corner) >= 0.0;
 }
 
+/* How far from the eye a point is, along the line of sight; the same for all
+ * in a parallel picture. */
+static inline double
+sg_contour_distance(const sg_contour_input *in, const double p[3])
+{
+  return in->central ? sg_dot(p, in->eye.row[2]) + in->eye.rho : 1.0;
+}
+
+/* Where g is zero on a side of the model, counted from its corner a. */
+static inline double
+sg_contour_model_zero(const sg_contour_finder *f, uint32_t a, uint32_t b)
+{
+  return sg_contour_g(f, a) / (sg_contour_g(f, a) - sg_contour_g(f, b));
+}
+
 /* The direction from a point of the model to the eye, unit. */
 void sg_contour_to_eye(const sg_contour_input *in, const double p[3],
                        double out[3]);
@@ -68,6 +84,14 @@ void sg_contour_to_eye(const sg_contour_input *in, const double p[3],
 /* Where g is zero on a side whose corners differ: 0 at its smaller vertex, 1 at
  * the other, in the picture. */
 double sg_contour_zero(const sg_contour_finder *f, uint32_t side);
+
+/* From the zero of a side to the smooth surface, in the picture. */
+void sg_contour_rise(const sg_contour_finder *f, uint32_t side, double rise[2]);
+
+/* The two pieces by way of the corner that a piece leaves outside. False: it
+ * leaves none. */
+bool sg_contour_outermost(const sg_contour_finder *f, const sg_contour *piece,
+                          sg_contour half[2]);
 
 /* Where a piece begins or ends in the picture. */
 void sg_contour_point(const sg_contour_finder *f, const sg_contour *piece,

@@ -70,9 +70,26 @@ depth_test(double tolerance, double at_p, double at_q, double t[2])
 }
 
 static bool
-has_corner(const sg_scene_mask *mask, uint32_t v)
+has_corner(const uint32_t corner[3], uint32_t v)
 {
-  return mask->v[0] == v || mask->v[1] == v || mask->v[2] == v;
+  return corner[0] == v || corner[1] == v || corner[2] == v;
+}
+
+/* Whether the line runs between two corners of the mask, or of the triangle
+ * that it is a part of. */
+static bool
+is_side(const sg_scene *scene, const sg_scene_line *line,
+        const sg_scene_mask *mask)
+{
+  const sg_scene_model *m = scene->model;
+  const int32_t *c = m->dense.corner[mask->triangle];
+
+  if (mask->v[0] < m->dense.vertices) {
+    return has_corner(mask->v, line->a) && has_corner(mask->v, line->b);
+  }
+  const uint32_t corner[3] = {m->same[c[0]], m->same[c[1]], m->same[c[2]]};
+  return (has_corner(mask->v, line->a) && has_corner(mask->v, line->b)) ||
+         (has_corner(corner, line->a) && has_corner(corner, line->b));
 }
 
 /* Whether the line lies on the triangle, as the model has it: as its side, as
@@ -83,7 +100,7 @@ lies_on(const sg_scene *scene, const sg_scene_line *line,
 {
   size_t k = (size_t)(line - scene->line);
 
-  if (has_corner(mask, line->a) && has_corner(mask, line->b)) {
+  if (is_side(scene, line, mask)) {
     return true;
   }
   if (scene->lies_begin) {

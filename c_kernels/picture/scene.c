@@ -7,7 +7,9 @@
 #include "picture_points.h"
 #include "rows/keys.h"
 #include "rows/sort.h"
+#include "scene_divided.h"
 #include "scene_private.h"
+#include "scene_standard.h"
 #include "scene_turn.h"
 #include "smooth.h"
 
@@ -21,8 +23,10 @@ typedef struct viewing {
   const sg_poll *poll;
   sg_scene *scene;
   sg_turn_index turn;
+  sg_divided divided;
   int8_t *facing; /* [polygons] 1 towards the eye, -1 away, 0 edge-on */
-  uint64_t *key;  /* [masks] of the triangles that hide: order, then place */
+  uint64_t *key;  /* [masks] of what hides: order, then the place of a triangle,
+                     or behind all these that of a part */
   bool stopped;
 } viewing;
 
@@ -63,63 +67,6 @@ is_whole(const viewing *w, const int32_t v[3])
 
 /* ------------------------------------------------------------- places */
 
-typedef struct extent {
-  double low[3], high[3];
-  double largest; /* absolute coordinate */
-} extent;
-
-static void
-extent_add(extent *x, const double at[3], double depth)
-{
-  for (int k = 0; k < 3; k++) {
-    double c = at[k] * (k == 2 ? depth : 1.0);
-    x->low[k] = sg_smaller(x->low[k], c);
-    x->high[k] = sg_larger(x->high[k], c);
-    x->largest = sg_larger(x->largest, fabs(c));
-  }
-}
-
-static extent
-extent_of(const viewing *w)
-{
-  const sg_scene_input *in = w->in;
-  extent x = {{DBL_MAX, DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX, -DBL_MAX}, 0};
-
-  for (size_t i = 0; i < w->model->dense.vertices; i++) {
-    if (is_shown(w, (uint32_t)i)) {
-      extent_add(&x, in->screen[i], in->depth);
-    }
-  }
-  for (size_t i = 0; i < in->addeds; i++) {
-    extent_add(&x, in->added[i].screen[0], in->depth);
-    extent_add(&x, in->added[i].screen[1], in->depth);
-  }
-  return x;
-}
-
-/* The longer side of the picture. */
-static double
-side_of(const extent *x)
-{
-  bool some = x->low[0] <= x->high[0];
-
-  return some ? sg_larger(x->high[0] - x->low[0], x->high[1] - x->low[1]) : 0.0;
-}
-
-/* The scale and centre of the picture: PL-5, by a power of two. */
-static double
-standard_of(const extent *x, double centre[3])
-{
-  int power;
-
-  for (int k = 0; k < 3; k++) {
-    bool some = x->low[k] <= x->high[k];
-    centre[k] = some ? x->low[k] + (x->high[k] - x->low[k]) / 2 : 0.0;
-  }
-  frexp(side_of(x) / 2, &power);
-  return side_of(x) > 0 ? ldexp(1.0, power) : 1.0;
-}
-
 static void
 place(const viewing *w, const double at[3], const double centre[3],
       double out[3])
@@ -157,23 +104,21 @@ make_places(viewing *w)
   const sg_scene_input *in = w->in;
   sg_scene *scene = w->scene;
   size_t vertices = w->model->dense.vertices;
-  extent x = extent_of(w);
-  double centre[3], scale = standard_of(&x, centre);
+  sg_scene_standard to = sg_scene_standard_of(in);
 
-  scene->scale = scale;
+  scene->scale = to.scale;
   scene->tolerance =
-      sg_larger(in->tolerance, 8 * DBL_EPSILON * x.largest / scale);
-  scene->close =
-      sg_larger(SG_ONE_PLACE * side_of(&x) / scale, scene->tolerance);
-  scene->near = SG_NEAR * side_of(&x) / scale;
+      sg_larger(in->tolerance, 8 * DBL_EPSILON * to.largest / to.scale);
+  scene->close = sg_larger(SG_ONE_PLACE * to.side / to.scale, scene->tolerance);
+  scene->near = SG_NEAR * to.side / to.scale;
   scene->vertices = vertices + 2 * in->addeds;
   scene->at = calloc(scene->vertices + 1, sizeof *scene->at);
   for (size_t i = 0; scene->at && i < scene->vertices && !stop(w, i); i++) {
     size_t added = i - vertices; /* or meaningless */
     if (i >= vertices) {
-      place(w, in->added[added / 2].screen[added % 2], centre, scene->at[i]);
+      place(w, in->added[added / 2].screen[added % 2], to.centre, scene->at[i]);
     } else if (is_shown(w, (uint32_t)i)) {
-      place(w, in->screen[i], centre, scene->at[i]);
+      place(w, in->screen[i], to.centre, scene->at[i]);
     }
   }
   if (scene->at) {
@@ -197,16 +142,35 @@ order_of(double x)
 }
 
 /* Steps 1 and 2 of PL-13: triangles seen edge-on hide nothing, nor do backs of
- * solids. */
+ * solids. place: what its key says. */
 static void
-look_at_triangle(viewing *w, size_t i, bool solid, int facing)
+look_at_triangle(viewing *w, size_t place, const int32_t v[3], bool solid,
+                 int facing)
 {
-  const int32_t *v = w->model->dense.corner[i];
   double(*at)[3] = w->scene->at;
 
   if (facing > 0 || (facing < 0 && !solid)) {
     double near = sg_smaller(at[v[0]][2], sg_smaller(at[v[1]][2], at[v[2]][2]));
-    w->key[w->scene->masks++] = (uint64_t)order_of(near) << 32 | (uint32_t)i;
+    w->key[w->scene->masks++] =
+        (uint64_t)order_of(near) << 32 | (uint32_t)place;
+  }
+}
+
+/* The same of the parts of triangles that outlines divide. */
+static void
+look_at_parts(viewing *w)
+{
+  const sg_dense *d = &w->model->dense;
+  double(*at)[3] = w->scene->at;
+
+  for (size_t i = 0; i < w->divided.n; i++) {
+    const sg_divided_part *part = &w->divided.part[i];
+    const int32_t *v = part->v;
+    size_t s = sg_dense_segment_of(d, d->triangle_begin, part->of);
+    bool solid = w->model->solid[s];
+    double n[3];
+    sg_cross_at(at[v[0]], at[v[1]], at[v[2]], n);
+    look_at_triangle(w, d->triangles + i, v, solid, facing_of(w, v, n));
   }
 }
 
@@ -222,7 +186,7 @@ look_at_faces(viewing *w)
   bool done;
 
   w->facing = calloc(d->polygons + 1, 1);
-  w->key = malloc((d->triangles + 1) * sizeof *w->key);
+  w->key = malloc((d->triangles + w->divided.n + 1) * sizeof *w->key);
   for (size_t i = 0; area && w->facing && w->key && i < d->triangles; i++) {
     const int32_t *v = d->corner[i];
     int32_t p = d->polygon_of[i];
@@ -239,29 +203,52 @@ look_at_faces(viewing *w)
       int facing = facing_of(w, v, n);
       area[p] += n[2];
       w->facing[p] |= facing != 0;
-      look_at_triangle(w, i, w->model->solid[s], facing);
+      if (!sg_divided_has(&w->divided, i)) {
+        look_at_triangle(w, i, v, w->model->solid[s], facing);
+      }
     }
   }
   for (size_t p = 0; area && w->facing && p < d->polygons; p++) {
     w->facing[p] = (int8_t)(area[p] < 0.0 ? -w->facing[p] : w->facing[p]);
   }
   done = area && w->facing && w->key;
+  if (done) {
+    look_at_parts(w);
+  }
   free(area);
   return done;
 }
 
 /* -------------------------------------------------------------- masks */
 
-/* A triangle as a mask; the back of a surface is turned over. */
+/* The corners of what hides, of those that are one point the first. Gives the
+ * triangle that it is, or is a part of. */
+static uint32_t
+corners_of(const viewing *w, uint32_t place, uint32_t v[3])
+{
+  const sg_dense *d = &w->model->dense;
+  bool whole = place < d->triangles;
+  const sg_divided_part *part =
+      whole ? NULL : &w->divided.part[place - d->triangles];
+  const int32_t *c = whole ? d->corner[place] : part->v;
+
+  for (int k = 0; k < 3; k++) {
+    v[k] = whole ? w->model->same[c[k]] : (uint32_t)c[k];
+  }
+  return whole ? place : part->of;
+}
+
+/* What hides as a mask; the back of a surface is turned over. */
 static sg_scene_mask
 mask_of(const viewing *w, uint32_t place)
 {
   const sg_dense *d = &w->model->dense;
-  const uint32_t *same = w->model->same;
-  const int32_t *c = d->corner[place];
-  const uint32_t v[3] = {same[c[0]], same[c[1]], same[c[2]]};
   double(*at)[3] = w->scene->at;
-  sg_scene_mask mask = {.t = d->triangle_id[place], .triangle = (int32_t)place};
+  uint32_t v[3], triangle = corners_of(w, place, v);
+  sg_scene_mask mask = {
+      .s = d->segment[sg_dense_segment_of(d, d->triangle_begin, triangle)],
+      .t = d->triangle_id[triangle],
+      .triangle = (int32_t)triangle};
   double n[3], size;
   bool front;
 
@@ -283,7 +270,6 @@ mask_of(const viewing *w, uint32_t place)
 static bool
 make_masks(viewing *w)
 {
-  const sg_dense *d = &w->model->dense;
   sg_scene *scene = w->scene;
 
   scene->mask = malloc((scene->masks + 1) * sizeof *scene->mask);
@@ -291,10 +277,7 @@ make_masks(viewing *w)
     return false;
   }
   for (size_t i = 0; i < scene->masks && !stop(w, i); i++) {
-    uint32_t place = (uint32_t)w->key[i];
-    scene->mask[i] = mask_of(w, place);
-    scene->mask[i].s =
-        d->segment[sg_dense_segment_of(d, d->triangle_begin, place)];
+    scene->mask[i] = mask_of(w, (uint32_t)w->key[i]);
   }
   return true;
 }
@@ -549,8 +532,9 @@ sg_scene_open(const sg_scene_input *input, const sg_poll *poll, bool *memory)
                .poll = poll,
                .scene = calloc(1, sizeof(sg_scene))};
 
-  *memory = w.scene && make_places(&w) && look_at_faces(&w) && make_lines(&w) &&
-            make_masks(&w);
+  *memory = w.scene && sg_divided_init(&w.divided, input) && make_places(&w) &&
+            look_at_faces(&w) && make_lines(&w) && make_masks(&w);
+  sg_divided_clear(&w.divided);
   free(w.facing);
   free(w.key);
   if (w.scene) {

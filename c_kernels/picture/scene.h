@@ -25,6 +25,10 @@ typedef struct sg_scene_added {
   const int32_t *lies_on; /* [triangles] places in the model: they never hide
                              it */
   size_t triangles;
+  int32_t divides; /* a place in the model: this triangle hides as its parts do
+                      (scene_divided.h) */
+  uint8_t side[2]; /* of it, 0 to 2, where the line begins and ends; one side:
+                      it divides nothing */
   double
       folded; /* its last part, 0 to 1, is hidden by the surface it lies on */
   sg_look look;
@@ -59,11 +63,12 @@ typedef struct sg_scene_input {
   double tolerance;    /* what counts as equal, for a model of size [-1,1] */
 } sg_scene_input;
 
-/* A triangle that can hide lines. */
+/* A triangle that can hide lines, or a part of one that an outline divides. */
 typedef struct sg_scene_mask {
   int32_t s, t;
-  int32_t triangle; /* its place in the model */
-  uint32_t v[3];    /* counter-clockwise in the picture */
+  int32_t triangle; /* the place of the triangle in the model */
+  uint32_t v[3];    /* counter-clockwise in the picture; the first is no vertex
+                       of the model if it is a part */
   double normal[3]; /* unit; [2] > 0: away from the eye */
   double low[3], high[3];
 } sg_scene_mask;

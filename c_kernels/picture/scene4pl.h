@@ -95,7 +95,7 @@ sg_kept_smooth *sg_kept_smooth_hold_ex(sg_kept_model *model,
                                        const sg_smoothness *as);
 void sg_kept_smooth_drop(sg_kept_smooth *kept);
 
-/* The pieces of contour/9 as lines of a scene, and the rows of surface_turn/6.
+/* The pieces of contour/13 as lines of a scene, and the rows of surface_turn/6.
  */
 typedef struct sg_scene_pieces {
   sg_scene_added *added; /* [n] */

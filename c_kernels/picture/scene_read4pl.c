@@ -333,6 +333,24 @@ read_turn(void *data, const row *r)
   }
 }
 
+/* From the sides of its triangle to the surface; if that is another place, the
+ * triangle hides as its parts do. */
+static void
+rise(sg_scene_added *added, const row *r, int32_t triangle)
+{
+  bool rises = false;
+
+  for (unsigned k = 0; k < 4; k++) {
+    added->screen[k / 2][k % 2] += number(r, 9 + k);
+    rises |= number(r, 9 + k) != 0.0;
+  }
+  if (rises) {
+    added->divides = triangle;
+    added->side[0] = (uint8_t)(integer(r, 3) - 1);
+    added->side[1] = (uint8_t)(integer(r, 5) - 1);
+  }
+}
+
 /* Seen from the eye it has a face on one side only: an outline. */
 static void
 read_piece(void *data, const row *r)
@@ -350,6 +368,7 @@ read_piece(void *data, const row *r)
   if (t >= 0 &&
       side_point(p, t, integer(r, 3), number(r, 4), added->screen[0]) &&
       side_point(p, t, integer(r, 5), number(r, 6), added->screen[1])) {
+    rise(added, r, t);
     added->triangles = read_lies(p, r, 8, added->s, &added->lies_on);
     p->out->n++;
   }

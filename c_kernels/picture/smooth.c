@@ -366,6 +366,54 @@ find_normals(sg_smooth_builder *b)
   return !sg_poll_stop(b->poll);
 }
 
+/* --------------------------------------------------------- known surfaces */
+
+/* Whether a triangle stands on a known surface with all corners. */
+static bool
+is_whole_facet(const sg_smooth_builder *b, const bool *cut, uint32_t t)
+{
+  const int32_t *v = b->in->corner[t];
+
+  return sg_smooth_surface(b, 3 * t) >= 0 && !cut[v[0]] && !cut[v[1]] &&
+         !cut[v[2]];
+}
+
+/* cut: the vertices at which penetration lines end. */
+static void
+mark_known(sg_smooth_builder *b, const bool *cut)
+{
+  sg_smooth *out = b->out;
+
+  for (uint32_t i = 0; i < 3 * b->in->triangles; i++) {
+    if (out->curved[i / 3] && (out->side[i] & SG_SIDE_SMOOTH) &&
+        is_whole_facet(b, cut, i / 3) &&
+        is_whole_facet(b, cut, out->across[i] / 3)) {
+      out->side[i] |= SG_SIDE_KNOWN;
+    }
+  }
+}
+
+/* False: no memory. */
+static bool
+find_known(sg_smooth_builder *b)
+{
+  bool *cut;
+
+  if (b->known.n == 0) {
+    return true;
+  }
+  cut = calloc(b->in->vertices + 1, sizeof *cut);
+  if (!cut) {
+    return false;
+  }
+  for (size_t i = 0; i < b->input->cuts; i++) {
+    cut[b->input->cut[i][0]] = cut[b->input->cut[i][1]] = true;
+  }
+  mark_known(b, cut);
+  free(cut);
+  return true;
+}
+
 /* -------------------------------------------------------------- building */
 
 static bool
@@ -399,7 +447,7 @@ make_fans(sg_smooth_builder *b, bool *memory)
   out->apex = calloc(out->fans + 1, sizeof *out->apex);
   *memory = out->normal && out->apex;
   return *memory && !sg_poll_stop(b->poll) && find_normals(b) &&
-         (*memory = sg_smooth_find_curved(b));
+         (*memory = sg_smooth_find_curved(b) && find_known(b));
 }
 
 bool

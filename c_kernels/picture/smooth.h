@@ -49,9 +49,13 @@ enum {
   SG_SIDE_FOLD = 4,   /* a polygon that is not flat is folded there, by more
                          than a degree */
   SG_SIDE_CUT = 16,   /* a penetration line runs there */
-  SG_SIDE_BULGES = 8  /* it is in a curved sheet of no known surface, and a
+  SG_SIDE_BULGES = 8, /* it is in a curved sheet of no known surface, and a
                          smooth one would bulge there by more than a
                          ten-thousandth of its segment's longest side */
+  SG_SIDE_KNOWN = 32  /* it is smooth and in a curved sheet, and both triangles
+                         there stand on known surfaces with all corners: no
+                         penetration line ends at these, which would lie in a
+                         facet */
 };
 
 typedef struct sg_smooth {

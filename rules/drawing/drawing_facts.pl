@@ -6,7 +6,7 @@
                 ink_layer/2
               ]).
 :- use_module('../store',
-              [ segment/3, view/3, projection/1, screen/5, e/5, contour/9,
+              [ segment/3, view/3, projection/1, screen/5, e/5, contour/13,
                 drawn/7, origin/3, line/9
               ]).
 :- use_module(library(apply), [maplist/3]).
@@ -73,12 +73,13 @@ picture_row(e, Drawn, e(S,E,V1,V2,Et)) :-
     member(E, Es),
     E > 0,
     e(S, E, V1, V2, Et).
-picture_row(contour, Drawn, contour(S,K,T,I1,F1,I2,F2,To,Ts)) :-
+picture_row(contour, Drawn,
+            contour(S,K,T,I1,F1,I2,F2,To,Ts,X1,Y1,X2,Y2)) :-
     member(S-Es, Drawn),
     findall(K, ( member(E, Es), E < 0, K is -E ), Ks0),
     sort(Ks0, Ks),
     member(K, Ks),
-    contour(S, K, T, I1, F1, I2, F2, To, Ts).
+    contour(S, K, T, I1, F1, I2, F2, To, Ts, X1, Y1, X2, Y2).
 picture_row(origin, Drawn, origin(S,v(V),Origin)) :-
     drawn_vertex(Drawn, S, V),
     origin(S, v(V), Origin).

@@ -2,6 +2,8 @@
           [ hidden_because/4            % ?What, +Wanted, +Options, -Because
           ]).
 :- use_module('../penetration/contact', [edge_part/4]).
+:- use_module('../picture/contour', [contour_ends/4]).
+:- use_module('../picture/contour_hiding', [dividing_piece/3]).
 :- use_module('../csg/csg_roots', [aside_segments/1]).
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module(explain_pair, [decided_by/2]).
@@ -15,7 +17,7 @@
               [scene_edge/5, occluder/7, overlap/9, line_covers/4]).
 :- use_module('../picture/role', [edge_role/5, role_drawn/2]).
 :- use_module('../store',
-              [ e/5, t/6, line/9, contour/9, screen/5, drawn/7, leaf_e/5,
+              [ e/5, t/6, line/9, contour/13, screen/5, drawn/7, leaf_e/5,
                 edge_polygon/3
               ]).
 :- use_module('../picture/view', [screen_depth/1, screen_distance/2]).
@@ -67,7 +69,7 @@ line_statement(S, E, Line) :-
     ->  once(e(S, E, V1, V2, _)),
         Line = hidden_line(S, E, V1, V2)
     ;   K is -E,
-        contour(S, K, T, _, _, _, _, _, _),
+        contour(S, K, T, _, _, _, _, _, _, _, _, _, _),
         once(t(S, P, T, _, _, _)),
         Line = outline_piece(S, E, P, T)
     ).
@@ -212,7 +214,7 @@ own_surface(S, E, _, Because) :-
     !,
     K is -E,
     findall(because(behind_fold(From), []),
-            ( contour(S, K, _, _, _, _, _, From, _), From < 1.0,
+            ( contour(S, K, _, _, _, _, _, From, _, _, _, _, _), From < 1.0,
               hides(S, S) ),
             Because).
 own_surface(S, E, Look, Because) :-
@@ -333,29 +335,58 @@ face_end(Which, At, _, Line, Covers, S-P, Statement) :-
     Line = line(_, _, _, Least, _),
     abs(End-At) =< Least,
     !,
-    crossed_edge(Line, At, S, P, E, V1, V2),
-    Statement = ends_at_edge(Which, At, S, E, V1, V2).
+    picture_point(Line, At, X, Y, _),
+    aggregate_all(min(Off, Crossed), crossed(S, P, X-Y, Off, Crossed),
+                  min(_, Nearest)),
+    (   Nearest = edge(E,V1,V2)
+    ->  Statement = ends_at_edge(Which, At, S, E, V1, V2)
+    ;   Nearest = outline(E)
+    ->  Statement = ends_at_outline(Which, At, S, E)
+    ).
 face_end(Which, At, _, _, _, S-P, ends_in_face(Which, At, S, P)).
 
 cover_end(from, From, _, From).
 cover_end(to, _, To, To).
 
-%   crossed_edge(Line, At, S, P, E, V1, V2): the edge of P nearest to the line's
-%   point At in the picture.
+%   crossed(S, P, Place, Off, Crossed): an edge of P, straight or as the surface
+%   runs, or a piece of an outline that divides a triangle of it, is Off from
+%   Place in the picture.
 
-crossed_edge(Line, At, S, P, E, V1, V2) :-
-    picture_point(Line, At, X, Y, _),
-    aggregate_all(min(Off, edge(E0, A, B)),
-                  ( edge_polygon(S, E0, P),
-                    e(S, E0, A, B, 1),
-                    edge_distance(S, A, B, X, Y, Off) ),
-                  min(_, edge(E, V1, V2))).
-
-%   edge_distance(S, A, B, X, Y, Off): the distance of the point X,Y.
-
-edge_distance(S, A, B, X, Y, Off) :-
+crossed(S, P, Place, Off, edge(E,A,B)) :-
+    edge_polygon(S, E, P),
+    e(S, E, A, B, 1),
     screen(S, A, XA, YA, _),
     screen(S, B, XB, YB, _),
+    stretch_distance(XA-YA, XB-YB, Place, Off).
+crossed(S, P, Place, Off, edge(E,A,B)) :-
+    risen_side(S, P, A, B, Start, End),
+    edge_polygon(S, E, P),
+    once(( e(S, E, A, B, 1) ; e(S, E, B, A, 1) )),
+    stretch_distance(Start, End, Place, Off).
+crossed(S, P, Place, Off, outline(E)) :-
+    t(S, P, T, _, _, _),
+    dividing_piece(S, T, K),
+    E is -K,
+    contour_ends(S, K, Start, End),
+    stretch_distance(Start, End, Place, Off).
+
+%   risen_side(S, P, A, B, Start, End): a half of the side A-B of a triangle of
+%   P that an outline divides runs in the picture from Start to End, on the
+%   surface.
+
+risen_side(S, P, A, B, X-Y, End) :-
+    t(S, P, T, V1, V2, V3),
+    dividing_piece(S, T, K),
+    contour(S, K, T, I1, _, I2, _, _, _, _, _, _, _),
+    contour_ends(S, K, End1, End2),
+    member(I-End, [I1-End1,I2-End2]),
+    arg(I, t(V1,V2,V3), A),
+    J is I mod 3 + 1,
+    arg(J, t(V1,V2,V3), B),
+    member(V, [A,B]),
+    screen(S, V, X, Y, _).
+
+stretch_distance(XA-YA, XB-YB, X-Y, Off) :-
     DX is XB-XA,
     DY is YB-YA,
     Square is DX*DX + DY*DY,
@@ -415,7 +446,7 @@ is_known_on(line(_, S, E, _, _), S2, P) :-
 is_known_on(line(_, S, E, _, _), S, P) :-
     E < 0,
     K is -E,
-    contour(S, K, T0, _, _, _, _, _, Ts),
+    contour(S, K, T0, _, _, _, _, _, Ts, _, _, _, _),
     member(T, [T0|Ts]),
     t(S, P, T, _, _, _),
     !.
@@ -467,29 +498,28 @@ picture_length(S, E, Length) :-
     picture_ends(S, E, p(X1,Y1,_), p(X2,Y2,_)),
     Length is sqrt((X2-X1)**2 + (Y2-Y1)**2).
 
-picture_ends(S, E, Start, End) :-
+picture_ends(S, E, p(X1,Y1,Z1), p(X2,Y2,Z2)) :-
     E < 0,
     !,
     K is -E,
-    contour(S, K, T, I1, F1, I2, F2, _, _),
+    contour(S, K, T, I1, F1, I2, F2, _, _, _, _, _, _),
+    once(contour_ends(S, K, X1-Y1, X2-Y2)),
     once(t(S, _, T, A, B, C)),
-    side_point(S, t(A,B,C,A), I1, F1, Start),
-    side_point(S, t(A,B,C,A), I2, F2, End).
+    side_depth(S, t(A,B,C,A), I1, F1, Z1),
+    side_depth(S, t(A,B,C,A), I2, F2, Z2).
 picture_ends(S, E, p(X1,Y1,Z1), p(X2,Y2,Z2)) :-
     once(e(S, E, V1, V2, _)),
     once(screen(S, V1, X1, Y1, Z1)),
     once(screen(S, V2, X2, Y2, Z2)).
 
-%   side_point(S, Corners, I, F, Point): as in contour/9, on the I-th side, F of
+%   side_depth(S, Corners, I, F, Z): as in contour/13, on the I-th side, F of
 %   the way from its smaller vertex to the larger.
 
-side_point(S, Corners, I, F, p(X,Y,Z)) :-
+side_depth(S, Corners, I, F, Z) :-
     J is I+1,
     arg(I, Corners, V),
     arg(J, Corners, W),
     msort([V,W], [Low,High]),
-    once(screen(S, Low, X1, Y1, Z1)),
-    once(screen(S, High, X2, Y2, Z2)),
-    X is X1 + F*(X2-X1),
-    Y is Y1 + F*(Y2-Y1),
+    once(screen(S, Low, _, _, Z1)),
+    once(screen(S, High, _, _, Z2)),
     Z is Z1 + F*(Z2-Z1).

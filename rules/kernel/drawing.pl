@@ -86,7 +86,7 @@ Foreign predicates; see kernel.pl.
 %!  fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth, +Known)
 %!      is semidet.
 %
-%   Replaces contour/9 and surface_turn/6 of the current world by the outlines
+%   Replaces contour/13 and surface_turn/6 of the current world by the outlines
 %   of the smooth surfaces of Segments, `all` or a list, seen from there, and by
 %   the lines that they turn, as contour.pl defines them. Smooth is
 %   smooth(Crease, Faceted): over which bend, in degrees, two faces do not hang
@@ -100,8 +100,8 @@ Foreign predicates; see kernel.pl.
 %!  scene_open(+Segments, +Depth, +Tolerance, +Smooth, +Known, -Scene)
 %!      is semidet.
 %
-%   Scene is what screen/5, contour/9 and surface_turn/6 of the current world
-%   show of Segments, `all` or a list. Smooth is what contour/9 was made with,
+%   Scene is what screen/5, contour/13 and surface_turn/6 of the current world
+%   show of Segments, `all` or a list. Smooth is what contour/13 was made with,
 %   see fill_contour/7 (there Known, too), or edges(Faceted): all outlines run
 %   along edges. Depth: see view_depth/5; Tolerance: what counts as equal, in a
 %   model of size [-1,1] (PL-5). A scene does not follow later changes, and is
@@ -112,7 +112,7 @@ Foreign predicates; see kernel.pl.
 %
 %   True when the real edge E of segment S stands for all edges between its
 %   vertices (PL-13 step 3), and is not the second copy of a penetration line.
-%   Or, if E is negative, that piece -E of contour/9 is there. Length is its
+%   Or, if E is negative, that piece -E of contour/13 is there. Length is its
 %   length in the picture, standardised. Look is
 %   look(Faces,Towards,Away,Left,Right,Bend,Solid,Cut,Inside), see role.pl. In
 %   order of S and E.
@@ -128,7 +128,9 @@ Foreign predicates; see kernel.pl.
 %   from From to To (0.0 at its start in the picture, 1.0 at its end), in order
 %   of From. A triangle never hides a line in its plane, nor one that lies on
 %   its polygon (lies_on/4 of hidden_lines.pl) or beside it (line_turn/7).
-%   Triangles seen edge-on and the backs of solids hide nothing. Inexact.
+%   Triangles seen edge-on and the backs of solids hide nothing. One that an
+%   outline divides hides as its parts do (hiding_triangles/3 of
+%   contour_hiding.pl), each an answer. Inexact.
 %
 %   @error existence_error(drawn_edge, E): scene_edge/5 does not have it
 %   @see [PL] section 6.3 step 4, row PL-13

@@ -315,6 +315,10 @@ statement_en(ends_at_edge(Which, At, S, E, V1, V2)) -->
     which_end(Which, At),
     [ ', where it crosses edge ~d of segment ~d (~d-~d) in the picture'-
       [E, S, V1, V2] ].
+statement_en(ends_at_outline(Which, At, S, E)) -->
+    which_end(Which, At),
+    [ ', where it crosses the outline (~d) of segment ~d in the picture'-
+      [E, S] ].
 statement_en(ends_in_face(Which, At, S, P)) -->
     which_end(Which, At),
     [ ', where the line goes through polygon ~d of segment ~d'-[P, S] ].

@@ -311,6 +311,9 @@ statement_ko(ends_at_edge(Which, At, S, E, V1, V2)) -->
     which_end(Which, At),
     [ ': 그림에서 세그먼트 ~d의 모서리 ~d (~d-~d)과(와) 엇갈리는 곳'-
       [S, E, V1, V2] ].
+statement_ko(ends_at_outline(Which, At, S, E)) -->
+    which_end(Which, At),
+    [ ': 그림에서 세그먼트 ~d의 윤곽선 (~d)과(와) 엇갈리는 곳'-[S, E] ].
 statement_ko(ends_in_face(Which, At, S, P)) -->
     which_end(Which, At),
     [ ': 선이 세그먼트 ~d의 다각형 ~d을(를) 뚫는 곳'-[S, P] ].

@@ -90,6 +90,7 @@ statement_keys(hiding_face, [segment, polygon, from, to, distance]).
 statement_keys(surface_goes_on, [segment, polygon, from, to]).
 statement_keys(ends_with_line, [which, at]).
 statement_keys(ends_at_edge, [which, at, segment, edge, start, end]).
+statement_keys(ends_at_outline, [which, at, segment, edge]).
 statement_keys(ends_in_face, [which, at, segment, polygon]).
 statement_keys(visible_part, [from, to]).
 statement_keys(nothing_over, []).

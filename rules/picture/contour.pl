@@ -9,7 +9,9 @@
             line_ends/4                 % +S, +E, -Start, -End
           ]).
 :- use_module(contour_beside,
-              [ beside_piece/4, is_point/2, side_place/5, triangle_facing/3 ]).
+              [ beside_piece/4, is_point/2, end_rise/4, piece_place/5,
+                side_place/5, triangle_facing/3
+              ]).
 :- use_module(contour_side,
               [ current_eye/1, corner_g/4, side_zero/3, towards_eye/4 ]).
 :- use_module(contour_turn, [side_turn/3]).
@@ -24,7 +26,7 @@
               ]).
 :- use_module('../vector', [dot_product/3]).
 :- use_module('../stage', [stage/2]).
-:- use_module('../store', [contour/9, e/5, screen/5, segment/3, t/6]).
+:- use_module('../store', [contour/13, e/5, screen/5, segment/3, t/6]).
 :- use_module(view, [current_view/4]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
@@ -37,6 +39,16 @@ Along the sides of a curved sheet's triangles g runs linearly, and the outline
 goes through its zeros: across a triangle whose corners differ runs one piece.
 Zero counts as turned to the eye, so that pieces hang together whatever lies
 where.
+
+A side is a chord: at its zero the surface is above it, by a part of the square
+of its length that no two sides share, and where the outline runs towards the
+eye that would be all one sees of it: hooks. So in the picture a piece begins
+and ends on the surface (side_rise/3), but not where a line runs on it, for
+outline and line meet on the side, nor beside triangles that a line has cut.
+
+A piece is straight, the surface is not: it may leave a corner of its triangle
+outside in the picture that lies on the surface. Then the outline goes by way of
+that. What hides lines beside a piece is said in contour_hiding.pl.
 
 A piece that reaches the end of its sheet (a crease, a border, a penetration
 line) ends there, at the zero of the side, and what is seen of the line does
@@ -75,7 +87,7 @@ kernel of all this is c_kernels/picture/contour.c.
 
 %!  find_contours(+Segments, +Crease) is det.
 %
-%   Fill contour/9 and surface_turn/6 of the current world for the view that
+%   Fill contour/13 and surface_turn/6 of the current world for the view that
 %   screen/5 holds, from Segments, `all` or a list. Faces that bend by no more
 %   than Crease degrees hang together smoothly.
 
@@ -120,20 +132,67 @@ smooth_segment(_).
 
 %!  contour_pieces(+S, +Crease, -Pieces) is det.
 %
-%   Pieces, sorted, are piece(T, I1, F1, I2, F2, To, Ts) for the pieces of
-%   contour/9 that segment S has in the picture of screen/5: the rule that
-%   find_contours/2 follows. Slow.
+%   Pieces, sorted, are piece(T, I1, F1, I2, F2, To, Ts)-Rises for the pieces of
+%   contour/13 that segment S has in the picture of screen/5: the rule that
+%   find_contours/2 follows. Rises, [X1,Y1,X2,Y2], lead from the sides to the
+%   surface. Slow.
 
 contour_pieces(S, Crease, Pieces) :-
     contour_context(S, Crease, Context, Acrosses),
-    findall(Piece,
-            ( member(_-across(Piece,Sense), Acrosses),
-              \+ is_point(S, Piece), besides(Context, Piece, Sense)
-            ; piece_along(Context, Piece),
-              \+ is_point(S, Piece)
+    findall(Piece-Rises,
+            ( (   member(_-across(Across,Sense), Acrosses),
+                  outermost(Context, Across, Sense, Piece),
+                  \+ is_point(Context, Piece), besides(Context, Piece, Sense)
+              ;   piece_along(Context, Piece),
+                  \+ is_point(Context, Piece)
+              ),
+              piece_rises(Context, Piece, Rises)
             ),
             Pieces0),
     sort(Pieces0, Pieces).
+
+piece_rises(Context, piece(T,I1,F1,I2,F2,_,_), [X1,Y1,X2,Y2]) :-
+    end_rise(Context, T-I1, F1, X1-Y1),
+    end_rise(Context, T-I2, F2, X2-Y2).
+
+%   outermost(Context, Across, Sense, Piece): Piece is Across as it is or, if
+%   that leaves a corner outside, each of the two that go by way of it.
+
+outermost(Context, Across, Sense, Piece) :-
+    Across = piece(T, I1, F1, I2, F2, To, _),
+    arg(2, Context, Sheets),
+    (   leaves_outside(Context, Across, Sense, Corner)
+    ->  (   corner_on_side(Sheets, T-I2, Corner, F),
+            Piece = piece(T, I1, F1, I2, F, To, _)
+        ;   corner_on_side(Sheets, T-I1, Corner, F),
+            Piece = piece(T, I1, F, I2, F2, To, _)
+        )
+    ;   Piece = Across
+    ).
+
+%   In the picture a piece on the surface leaves the corner that it parts from
+%   the others outside: on the side that the surface looks to, and with the ends
+%   more than a right angle apart.
+
+leaves_outside(Context, Piece, Sense, Corner) :-
+    Piece = piece(T, I1, F1, I2, F2, _, _),
+    piece_rises(Context, Piece, Rises),
+    once(( member(Rise, Rises), Rise =\= 0.0 )),
+    parted_corner(T, I1, I2, Corner),
+    Context = context(S, Sheets, _, _, _),
+    corner_vertex(Sheets, Corner, V),
+    screen(S, V, X, Y, _),
+    piece_place(Context, T, I1, F1, X1-Y1),
+    piece_place(Context, T, I2, F2, X2-Y2),
+    Apart is (X1-X)*(X2-X) + (Y1-Y)*(Y2-Y),
+    Apart < 0.0,
+    Sense*((X1-X)*(Y2-Y) - (Y1-Y)*(X2-X)) < 1.0e-9*Apart.
+
+parted_corner(T, I1, I2, Corner) :-
+    (   next_corner(T-I2, T-I1)
+    ->  Corner = T-I1
+    ;   Corner = T-I2
+    ).
 
 %!  surface_turns(+S, +Crease, -Turns) is det.
 %
@@ -261,17 +320,16 @@ piece_across(Context, T, across(Piece,Sense)) :-
 %   The line of sight is a tangent, so the normal is seen across the piece: on
 %   its right, if the half that is turned to the eye is the nearer one.
 
-sense(context(S,Sheets,eye(_,_,_,Right,Up),_,_), piece(T,I1,F1,I2,F2,_,_),
-      Sense) :-
+sense(Context, piece(T,I1,F1,I2,F2,_,_), Sense) :-
+    Context = context(_, Sheets, eye(_,_,_,Right,Up), _, _),
     findall(X-Y,
             ( member(I, [1,2,3]), corner_fan(Sheets, T-I, Fan),
               fan_unit(Sheets, Fan, Normal),
               dot_product(Normal, Right, X), dot_product(Normal, Up, Y) ),
             Normals),
     foldl(added, Normals, 0.0-0.0, X-Y),
-    t(S, _, T, A, B, C),
-    side_place(S, t(A,B,C,A), I1, F1, X1-Y1),
-    side_place(S, t(A,B,C,A), I2, F2, X2-Y2),
+    piece_place(Context, T, I1, F1, X1-Y1),
+    piece_place(Context, T, I2, F2, X2-Y2),
     (   (X2-X1)*Y - (Y2-Y1)*X > 0.0
     ->  Sense = -1
     ;   Sense = 1
@@ -336,12 +394,22 @@ last_apex(Sheets, T, I) :-
     \+ fan_normal(Sheets, Fan, _),
     !.
 
-%   Side I begins at corner I: F is 0 there if its vertex is the smaller one.
+%   Side I begins at corner I.
 
 corner_on_side(Sheets, Corner, F) :-
-    next_corner(Corner, Next),
+    corner_on_side(Sheets, Corner, Corner, F).
+
+%   corner_on_side(Sheets, Side, Corner, F): F is 0 at Corner, an end of Side,
+%   if its vertex is the smaller one, else 1.
+
+corner_on_side(Sheets, Side, Corner, F) :-
+    next_corner(Side, Next),
+    (   Corner == Side
+    ->  Other = Next
+    ;   Other = Side
+    ),
     corner_vertex(Sheets, Corner, V),
-    corner_vertex(Sheets, Next, W),
+    corner_vertex(Sheets, Other, W),
     (   V < W
     ->  F = 0.0
     ;   F = 1.0
@@ -358,7 +426,7 @@ is_solid(S) :-
 %
 %   Start and End, X-Y, are where line E of drawn/7 begins and ends in the
 %   picture, whatever part of it is drawn: edge E of segment S, or, if E is
-%   negative, a piece of contour/9.
+%   negative, a piece of contour/13.
 
 line_ends(S, E, Start, End) :-
     (   E > 0
@@ -374,11 +442,17 @@ vertex_place(S, V, X-Y) :-
 
 %!  contour_ends(+S, +K, -Start, -End) is semidet.
 %
-%   Start and End, X-Y, are where piece K of contour/9 begins and ends in the
+%   Start and End, X-Y, are where piece K of contour/13 begins and ends in the
 %   picture.
 
 contour_ends(S, K, Start, End) :-
-    contour(S, K, T, I1, F1, I2, F2, _, _),
+    contour(S, K, T, I1, F1, I2, F2, _, _, X1, Y1, X2, Y2),
     t(S, _, T, A, B, C),
-    side_place(S, t(A,B,C,A), I1, F1, Start),
-    side_place(S, t(A,B,C,A), I2, F2, End).
+    side_place(S, t(A,B,C,A), I1, F1, Side1),
+    side_place(S, t(A,B,C,A), I2, F2, Side2),
+    risen(Side1, X1-Y1, Start),
+    risen(Side2, X2-Y2, End).
+
+risen(X0-Y0, DX-DY, X-Y) :-
+    X is X0+DX,
+    Y is Y0+DY.

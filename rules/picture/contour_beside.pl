@@ -1,10 +1,13 @@
 :- module(sg_contour_beside,
           [ beside_piece/4,             % +Context, +Piece, +Sense, -Ts
             side_place/5,               % +S, +Corners, +I, +F, -Place
-            is_point/2,                 % +S, +Piece
+            is_point/2,                 % +Context, +Piece
+            end_rise/4,                 % +Context, +Side, +F, -Rise
+            piece_place/5,              % +Context, +T, +I, +F, -Place
             triangle_kind/4,            % +Context, +Sense, +T, -Kind
             triangle_facing/3           % +S, +T, -Facing
           ]).
+:- use_module(contour_side, [side_rise/3]).
 :- use_module(smooth_sheet,
               [ smooth_side/3, across_side/3, convex_side/2, curved_triangle/2,
                 corner_fan/3, corner_vertex/3, next_corner/2,
@@ -26,8 +29,8 @@ piece sweeps across its direction. It goes on to a neighbour
   - unless the neighbour is turned from the eye, with all its corners, or has a
     piece whose other half is the nearer one,
   - from a triangle that is turned to the eye, with all its corners, only where
-    that side lies outside the piece; from others wherever the side lies in the
-    strip.
+    that side lies outside the piece or touches it; from others wherever the
+    side lies in the strip.
 
 Seen from the other side, where the half that is turned from the eye is the
 nearer one, towards and away change places.
@@ -73,7 +76,7 @@ goes_on(Context, Strip, T-I, T2) :-
     \+ ( piece_sense(Context, T2, Sense2), Sense2*Sense < 0 ),
     side_outmost(Context, Strip, T-I, Outmost, Same),
     (   triangle_kind(Context, Sense, T, towards)
-    ->  Outmost > Same
+    ->  Outmost > -Same
     ;   true
     ).
 
@@ -155,10 +158,9 @@ triangle_facing(S, T, Facing) :-
 
 piece_strip(Context, piece(T,I1,F1,I2,F2,_,_), Sense,
             strip(X1-Y1,AX-AY,OX-OY,Length,Sense)) :-
-    Context = context(S, Sheets, Eye, _, _),
-    t(S, _, T, A, B, C),
-    side_place(S, t(A,B,C,A), I1, F1, Start),
-    side_place(S, t(A,B,C,A), I2, F2, End),
+    Context = context(_, Sheets, Eye, _, _),
+    piece_place(Context, T, I1, F1, Start),
+    piece_place(Context, T, I2, F2, End),
     Start = X1-Y1,
     End = X2-Y2,
     Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
@@ -211,15 +213,38 @@ strip_place(S, Sheets, X0-Y0, AX-AY, OX-OY, Corner, U-H) :-
     U is (X-X0)*AX + (Y-Y0)*AY,
     H is (X-X0)*OX + (Y-Y0)*OY.
 
-%!  is_point(+S, +Piece) is semidet.
+%!  is_point(+Context, +Piece) is semidet.
 %
-%   True when Piece, of segment S, begins and ends in one place of the picture.
+%   True when Piece begins and ends in one place of the picture.
 
-is_point(S, piece(T,I1,F1,I2,F2,_,_)) :-
-    t(S, _, T, A, B, C),
-    side_place(S, t(A,B,C,A), I1, F1, Place1),
-    side_place(S, t(A,B,C,A), I2, F2, Place2),
+is_point(Context, piece(T,I1,F1,I2,F2,_,_)) :-
+    piece_place(Context, T, I1, F1, Place1),
+    piece_place(Context, T, I2, F2, Place2),
     Place1 == Place2.
+
+%!  piece_place(+Context, +T, +I, +F, -Place) is det.
+%
+%   Place, X-Y of the picture, is where a piece across triangle T, or along its
+%   side I, begins or ends, at F of that side: on the smooth surface, if F is
+%   within the side (side_rise/3).
+
+piece_place(Context, T, I, F, X-Y) :-
+    arg(1, Context, S),
+    t(S, _, T, A, B, C),
+    side_place(S, t(A,B,C,A), I, F, X0-Y0),
+    end_rise(Context, T-I, F, DX-DY),
+    X is X0+DX,
+    Y is Y0+DY.
+
+%!  end_rise(+Context, +Side, +F, -Rise) is det.
+%
+%   Rise is that of a piece that begins or ends at F of Side: none at its ends.
+
+end_rise(Context, Side, F, Rise) :-
+    (   ( F =:= 0.0 ; F =:= 1.0 )
+    ->  Rise = 0.0-0.0
+    ;   side_rise(Context, Side, Rise)
+    ).
 
 %!  side_place(+S, +Corners, +I, +F, -Place) is det.
 %

@@ -3,16 +3,20 @@
             to_eye/3,                   % +Eye, +Point, -Direction
             towards_eye/4,              % +Sheets, +Eye, +Fan, -G
             corner_g/4,                 % +Sheets, +Gs, +Corner, -G
-            side_zero/3                 % +Context, +Side, -F
+            side_zero/3,                % +Context, +Side, -F
+            side_rise/3                 % +Context, +Side, -Rise
           ]).
 :- use_module(smooth_sheet,
-              [ corner_fan/3, fan_normal/3, corner_vertex/3, corner_place/3,
-                next_corner/2
+              [ corner_fan/3, fan_normal/3, fan_unit/3, corner_vertex/3,
+                corner_place/3, corner_surface/3, next_corner/2, smooth_side/3,
+                curved_triangle/2
               ]).
-:- use_module('../vector', [dot_product/3]).
+:- use_module('../store', [line/9, screen/5]).
+:- use_module('../vector', [difference/3, dot_product/3]).
 :- use_module(view, [current_view/4, view_matrix/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3]).
+:- use_module(library(lists), [max_member/2, member/2]).
 /** <module> How smooth surfaces lie to the eye along the sides of triangles.
 
 The side of a vertex that a surface turns to the eye is told by g = normal .
@@ -94,7 +98,18 @@ corner_g(Sheets, Gs, Corner, G) :-
 %   F is where g is zero on Side, whose ends differ, counted from its smaller
 %   vertex, in the picture. Context is of contour.pl.
 
-side_zero(context(_,Sheets,Eye,Gs,_), Side, F) :-
+side_zero(Context, Side, F) :-
+    Context = context(_, Sheets, Eye, _, _),
+    model_zero(Context, Side, Low, High, Zero),
+    maplist(corner_place(Sheets), [Low,High], [P,Q]),
+    distance(Eye, P, NearP),
+    distance(Eye, Q, NearQ),
+    F is Zero*NearQ/((1.0-Zero)*NearP + Zero*NearQ).
+
+%   model_zero(Context, Side, Low, High, Zero): the same in the model, and the
+%   corners of the side, the one with the smaller vertex first.
+
+model_zero(context(_,Sheets,_,Gs,_), Side, Low, High, Zero) :-
     next_corner(Side, Next),
     corner_vertex(Sheets, Side, V1),
     corner_vertex(Sheets, Next, V2),
@@ -106,8 +121,105 @@ side_zero(context(_,Sheets,Eye,Gs,_), Side, F) :-
     ),
     corner_g(Sheets, Gs, Low, G),
     corner_g(Sheets, Gs, High, H),
-    Zero is G/(G-H),
-    maplist(corner_place(Sheets), [Low,High], [P,Q]),
-    distance(Eye, P, NearP),
-    distance(Eye, Q, NearQ),
-    F is Zero*NearQ/((1.0-Zero)*NearP + Zero*NearQ).
+    Zero is G/(G-H).
+
+%!  side_rise(+Context, +Side, -Rise) is det.
+%
+%   Rise, X-Y, leads in the picture from the zero of Side, whose ends differ, to
+%   the smooth surface, which rises there as a circle does that has the normals
+%   of both ends: along the normal N by
+%
+%       Zero*(1-Zero)/2 * (N2-N1).(P2-P1)
+%
+%   up to the fourth power of its angle. Where a line runs on the surface the
+%   outline meets it on the side; and the normals of other than known surfaces
+%   are not known so well: there Rise is 0.
+
+side_rise(Context, Side, Rise) :-
+    Context = context(S, Sheets, _, _, _),
+    (   known_side(S, Sheets, Side)
+    ->  surface_rise(Context, Side, Rise)
+    ;   Rise = 0.0-0.0
+    ).
+
+%   known_side(S, Sheets, Side): both triangles of a curved sheet at Side stand
+%   on known surfaces with all corners; those that penetration lines made lie in
+%   a facet.
+
+known_side(S, Sheets, T-I) :-
+    curved_triangle(Sheets, T),
+    smooth_side(Sheets, T-I, T2-_),
+    whole_facet(S, Sheets, T),
+    whole_facet(S, Sheets, T2).
+
+whole_facet(S, Sheets, T) :-
+    corner_surface(Sheets, T-1, _),
+    \+ ( member(I, [1,2,3]), corner_vertex(Sheets, T-I, V),
+         line_ends_at(S, V) ).
+
+line_ends_at(S, V) :-
+    (   line(_, S, _, V, _, _, _, _, _)
+    ;   line(_, S, _, _, V, _, _, _, _)
+    ;   line(_, _, _, _, _, S, _, V, _)
+    ;   line(_, _, _, _, _, S, _, _, V)
+    ),
+    !.
+
+surface_rise(Context, Side, X-Y) :-
+    Context = context(S, Sheets, Eye, _, _),
+    model_zero(Context, Side, Low, High, Zero),
+    maplist(corner_place(Sheets), [Low,High], [P1,P2]),
+    maplist(corner_unit(Sheets), [Low,High], [N1,N2]),
+    difference(P2, P1, Along),
+    difference(N2, N1, Turn),
+    part_way(N1, Turn, Zero, Normal),
+    part_way(P1, Along, Zero, OnSide),
+    dot_product(Turn, Along, Bend),
+    dot_product(Normal, Normal, Square),
+    Height is Zero*(1.0-Zero)/2.0*Bend/sqrt(Square),
+    part_way(OnSide, Normal, Height, Risen),
+    maplist(eye_place(Eye), [OnSide,Risen], [X1-Y1,X2-Y2]),
+    picture_scale(S, Sheets, Eye, [Low,High], Scale),
+    X is Scale*(X2-X1),
+    Y is Scale*(Y2-Y1).
+
+corner_unit(Sheets, Corner, Unit) :-
+    corner_fan(Sheets, Corner, Fan),
+    fan_unit(Sheets, Fan, Unit).
+
+part_way(p(X0,Y0,Z0), p(U,V,W), Part, p(X,Y,Z)) :-
+    X is X0 + Part*U,
+    Y is Y0 + Part*V,
+    Z is Z0 + Part*W.
+
+%   In the picture, but for its scale.
+
+eye_place(Eye, Point, X-Y) :-
+    Eye = eye(_, _, _, Right, Up),
+    distance(Eye, Point, Distance),
+    dot_product(Point, Right, X0),
+    dot_product(Point, Up, Y0),
+    X is X0/Distance,
+    Y is Y0/Distance.
+
+%   picture_scale(S, Sheets, Eye, Corners, Scale): what one is in the picture at
+%   the distance 1, told by the place of the corner that is farther from the
+%   middle; 0 if none is.
+
+picture_scale(S, Sheets, Eye, Corners, Scale) :-
+    (   arg(1, Eye, central)
+    ->  findall(Off-Corner,
+                ( member(Corner, Corners),
+                  corner_place(Sheets, Corner, Point),
+                  eye_place(Eye, Point, X-Y),
+                  Off is sqrt(X*X + Y*Y) ),
+                Offs),
+        max_member(Most-Farthest, Offs),
+        corner_vertex(Sheets, Farthest, V),
+        screen(S, V, XS, YS, _),
+        (   Most > 0.0
+        ->  Scale is sqrt(XS*XS + YS*YS)/Most
+        ;   Scale = 0.0
+        )
+    ;   Scale = 1.0
+    ).

@@ -89,7 +89,7 @@ has_normal(Sheets, Corner) :-
 is_solid(S) :-
     segment(S, solid, _).
 
-/* - - - under what the eye is: From-To, counted as in contour/9 - - - */
+/* - - - under what the eye is: From-To, counted as in contour/13 - - - */
 
 under_surface(Context, Side, Sense, Part) :-
     next_corner(Side, Next),
@@ -259,8 +259,7 @@ beside_seen(Context, T-I, Sense, From-To, Ts) :-
         F2 = 1.0
     ),
     Piece = piece(T, I, F1, I, F2, 1.0, _),
-    arg(1, Context, S),
-    (   is_point(S, Piece)
+    (   is_point(Context, Piece)
     ->  Ts = []
     ;   beside_piece(Context, Piece, Sense, Ts)
     ).

@@ -27,7 +27,7 @@
 :- use_module(view, [project_world/0, screen_depth/1]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
-              [ segment/3, e/5, t/6, line/9, edge_polygon/3, contour/9,
+              [ segment/3, e/5, t/6, line/9, edge_polygon/3, contour/13,
                 surface_turn/6,
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
@@ -48,6 +48,9 @@ line: it comes last, and yields to lines that are near, nearer than 1/400 of the
 picture, and that it runs along more than across; and it is drawn only where it
 is seen, with nothing near behind it, for there the surface goes on. So wherever
 what is seen ends there is a line, and no second one beside it.
+
+Near the outline of a known surface hides what the surface is, not its triangles
+(contour_hiding.pl): so what passes behind it ends at the outline that is drawn.
 
 The rules here define what is drawn. The join occluder/7 finds the triangles
 that hide a part of a line; triangles that are seen edge-on and the backs of
@@ -109,7 +112,7 @@ picture_method(auto, Method) :-
 outlines(Which, Segments, Crease) :-
     (   Which == feature
     ->  find_contours(Segments, Crease)
-    ;   retractall_facts(contour(_,_,_,_,_,_,_,_,_)),
+    ;   retractall_facts(contour(_,_,_,_,_,_,_,_,_,_,_,_,_)),
         retractall_facts(surface_turn(_,_,_,_,_,_))
     ).
 
@@ -144,7 +147,7 @@ seen_through(Pairs) :-
 
 %!  open_scene(-Scene, +Options) is det.
 %
-%   True when Scene is what the current world's screen/5, contour/9 and
+%   True when Scene is what the current world's screen/5, contour/13 and
 %   surface_turn/6 show: the lines and triangles for the joins scene_edge/5,
 %   occluder/7 and overlap/9. It does not follow later changes. Options
 %   segments(List), lines(Which), crease(Degrees) and tolerance(T) as for
@@ -263,7 +266,7 @@ hidden_interval(Scene, S, E, 0.0, 1.0) :-
 hidden_interval(_, S, E, From, 1.0) :-
     E < 0,
     K is -E,
-    contour(S, K, _, _, _, _, _, From, _),
+    contour(S, K, _, _, _, _, _, From, _, _, _, _, _),
     From < 1.0,
     hides(S, S).
 hidden_interval(_, S, E, From, To) :-
@@ -311,7 +314,7 @@ shortest_drawn(Scene, S, E, Least) :-
 stands_in(S, E) :-
     E < 0,
     K is -E,
-    contour(S, K, _, _, _, _, _, 2.0, _).
+    contour(S, K, _, _, _, _, _, 2.0, _, _, _, _, _).
 
 %!  hidden_by(?S, ?E, -S2, -T, -From, -To) is nondet.
 %

@@ -7,6 +7,7 @@
             curved_triangle/2,          % +Sheets, ?T
             coarse_triangle/2,          % +Sheets, ?T
             side_bulges/2,              % +Sheets, +Side
+            corner_surface/3,           % +Sheets, +Corner, -Surface
             fold_side/2,                % +Sheets, +Side
             corner_fan/3,               % +Sheets, +Corner, -Fan
             fan_corners/3,              % +Sheets, +Fan, -Corners
@@ -443,6 +444,11 @@ spread([T|Ts], Sheets, Curved0, Curved) :-
 round_corner(Sheets, Corner) :-
     corner_surface(Sheets, Corner, _-surface(Kind,_,_,_)),
     memberchk(Kind, [sphere,torus]).
+
+%!  corner_surface(+Sheets, +Corner, -Surface) is semidet.
+%
+%   Surface, Id-surface(Kind,_,_,_) as known_surface.pl has it, is the known one
+%   that the polygon of Corner is a facet of.
 
 corner_surface(sheets(Corners,_,_,_,_,_,_,_,Known,_), T-_, Surface) :-
     get_assoc(T, Corners, corners(P,_,_,_)),

@@ -9,7 +9,7 @@
           ]).
 :- use_module('../picture/contour', [line_ends/4]).
 :- use_module('../kernel', [drawn_box/1, drawn_strokes/5]).
-:- use_module('../store', [contour/9, drawn/7]).
+:- use_module('../store', [contour/13, drawn/7]).
 :- use_module(stroke, [strokes/2, picture_looks/1]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
@@ -148,7 +148,7 @@ placed_parts(Hidden, Place, Parts, Placed) :-
 %   contour_part(-Part): one that is no edge.
 
 contour_part(Part) :-
-    contour(S, K, _, _, _, _, _, _, _),
+    contour(S, K, _, _, _, _, _, _, _, _, _, _, _),
     E is -K,
     drawn_part(S, E, Part).
 

@@ -324,7 +324,7 @@ terms(Term, In, [Term|Terms]) :-
 written_row(segment, segment(_,_,_)).
 written_row(screen,  screen(_,_,_,_,_)).
 written_row(e,       e(_,_,_,_,_)).
-written_row(contour, contour(_,_,_,_,_,_,_,_,_)).
+written_row(contour, contour(_,_,_,_,_,_,_,_,_,_,_,_,_)).
 written_row(origin,  origin(_,_,_)).
 written_row(line,    line(_,_,_,_,_,_,_,_,_)).
 written_row(drawn,   drawn(_,_,_,_,_,_,_)).
@@ -340,7 +340,7 @@ needed_row(screen(S,V,_,_,_)) :-
     drawn_end(S, V).
 needed_row(e(S,E,_,_,_)) :-
     once(drawn(_,S,E,_,_,_,_)).
-needed_row(contour(S,K,_,_,_,_,_,_,_)) :-
+needed_row(contour(S,K,_,_,_,_,_,_,_,_,_,_,_)) :-
     E is -K,
     once(drawn(_,S,E,_,_,_,_)).
 needed_row(origin(S,v(V),_)) :-

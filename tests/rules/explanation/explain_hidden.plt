@@ -5,6 +5,8 @@
 :- use_module(library(occurs)).
 :- use_module(rules(decision), [use_rules/1]).
 :- use_module(rules(explanation/explain)).
+:- use_module(rules(picture/contour), [contour_ends/4]).
+:- use_module(rules(picture/contour_hiding), [dividing_piece/3]).
 :- use_module(rules(picture/hidden_lines)).
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(primitive/primitive)).
@@ -161,13 +163,16 @@ at(p(X1,Y1,Z1)-p(X2,Y2,Z2), T, p(X,Y,Z)) :-
     Y is Y1+T*(Y2-Y1),
     Z is Z1+T*(Z2-Z1).
 
-wrong_end(ends_at_edge(_, At, S, _, V1, V2), Line) :-
+wrong_end(ends_at_outline(_, At, S, E), Line) :-
+    at(Line, At, p(X,Y,_)),
+    K is -E,
+    contour_ends(S, K, Start, End),
+    off(0.01, X-Y, Start, End).
+wrong_end(ends_at_edge(_, At, S, E, V1, V2), Line) :-
+    \+ risen(S, E),
     at(Line, At, p(X,Y,_)),
     line_points(S, V1, V2, p(X1,Y1,_)-p(X2,Y2,_)),
-    Length is sqrt((X2-X1)**2+(Y2-Y1)**2),
-    Off is abs((X2-X1)*(Y-Y1)-(Y2-Y1)*(X-X1))/Length,
-    Along is ((X2-X1)*(X-X1)+(Y2-Y1)*(Y-Y1))/Length,
-    \+ ( Off < 1.0e-7, Along > -1.0e-7, Along < Length+1.0e-7 ).
+    off(1.0e-7, X-Y, X1-Y1, X2-Y2).
 wrong_end(ends_in_face(_, At, S, P), Line) :-
     at(Line, At, p(X,Y,Z)),
     face_depth(S, P, X, Y, Face),
@@ -176,6 +181,32 @@ wrong_end(ends_with_line(_, At), _) :-
     At =\= 0.0,
     At =\= 1.0.
 
+%   Where what an outline divides folds in the picture, the outline is near.
+
+off(Most, X-Y, X1-Y1, X2-Y2) :-
+    Length is sqrt((X2-X1)**2+(Y2-Y1)**2),
+    Off is abs((X2-X1)*(Y-Y1)-(Y2-Y1)*(X-X1))/Length,
+    Along is ((X2-X1)*(X-X1)+(Y2-Y1)*(Y-Y1))/Length,
+    \+ ( Off < Most, Along > -Most, Along < Length+Most ).
+
+%   What an outline on the surface divides is not where its plane is.
+
+risen(S, E) :-
+    edge_polygon(S, E, P),
+    divided(S, P).
+
+divided(S, P) :-
+    t(S, P, T, _, _, _),
+    dividing_piece(S, T, _),
+    !.
+
+wrong_side(Statement, _) :-
+    (   Statement = hiding_face(S,P,_,_,Off)
+    ;   Statement = face_behind(S,P,_,_,Off)
+    ),
+    divided(S, P),
+    !,
+    Off < 0.0.
 wrong_side(hiding_face(S, P, From, To, Behind), Line) :-
     \+ in_middle(Line, S, P, From, To, Behind).
 wrong_side(face_behind(S, P, From, To, Before), Line) :-

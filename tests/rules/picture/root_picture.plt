@@ -168,7 +168,7 @@ test(silhouette, [ forall(member(Name, [ball,ring])) ]) :-
     in_new_world(( evaluated_tree(Term),
                    roots_alone,
                    picture_lengths([], _),
-                   once(contour(_, _, _, _, _, _, _, _, _)) )),
+                   once(contour(_, _, _, _, _, _, _, _, _, _, _, _, _)) )),
     !.
 test(no_creases, [ forall(tree(_-Term)), true(Creases == []) ]) :-
     in_new_world(( evaluated_tree(Term),
