@@ -175,6 +175,10 @@ line_arc(D, S, P, E, Meets, Corners, Options, Points) :-
     true_point(S, Corners, A, PA),
     true_point(S, Corners, B, PB),
     maplist(on_curve(Surface), [PA,PB]),
+    \+ ( member(V-Point, [A-PA,B-PB]),
+         curve_leaves(S, P, E, V, Meets, Surface),
+         \+ on_surface(Surface, Point)
+       ),
     e(D, E, WA, WB, _),
     frame(S, P, PA, PB, D, WA, WB, Frame),
     curve_between(S, P, Surface, PA, PB, Frame, Options, Places),
@@ -196,6 +200,26 @@ on_curve(Surface, point(X,Y,Z)) :-
         Off < 1.0e-6*(1.0 + abs(X) + abs(Y) + abs(Z))
     ;   true
     ).
+
+%   curve_leaves(S, P, E, V, Meets, Surface): beyond V, an end of E, the border
+%   of P is another line: at a rim, say. A corner of that and of facets of a
+%   sphere may lie so that the true curve, drawn to it, goes over the rim.
+
+curve_leaves(S, P, E, V, Meets, Surface) :-
+    once(p(S, P, Es)),
+    member(Other, Es),
+    Other \== E,
+    e(S, Other, V1, V2, _),
+    memberchk(V, [V1,V2]),
+    \+ ( cutting_surface(S, P, Other, Meets, Surface1),
+         Surface1 == Surface
+       ),
+    !.
+
+on_surface(Surface, Point) :-
+    surface_value(Surface, Point, Value, vector(A,B,C)),
+    Point = point(X,Y,Z),
+    abs(Value) < 1.0e-6*sqrt(A*A + B*B + C*C)*(1.0 + abs(X) + abs(Y) + abs(Z)).
 
 %   cutting_surface(S, P, E, Meets, Surface): both ends of E, an edge of P, were
 %   met by facets of Surface, which is not flat.

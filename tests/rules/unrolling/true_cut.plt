@@ -468,4 +468,29 @@ moved(Surface, Off, T, H, Place) :-
 on(Surface, T-H, p(X,Y,Z)) :-
     surface_point(Surface, T, H, point(X,Y,Z)).
 
+%   A sphere over the rim of a top, its facets' corner with it beside the true
+%   one: the true curve was drawn to it, over the rim and back, and the polygon
+%   had no triangles. The top is a disc of 33 without a lens.
+test(sphere_over_a_rim, true(abs(Area-Exact) < 0.01*2.0*pi*33.0)) :-
+    lens(33.0, 15.9437, 24.0871, Lens),
+    Exact is 82.0*54.0 + pi*33.0*33.0 - Lens,
+    in_scene([ at([rotate(z,7),rotate(x,13),translate(10,-5,7)],
+                  transition(base(rectangle(82,54)), top(circle(33)),
+                             height(89), shift(-9,0), facets(12))),
+               at([rotate(x,-77),rotate(y,70),translate(25,-20,55)],
+                  sphere(radius(42), facets(36))) ],
+             ( true_patterns(1, wanted(none,[],[],[]),
+                             [trim(outside),chord(0.01)], [_,D]),
+               forall(p(D, P, _), once(t(D, P, _, _, _, _))),
+               pattern_area(D, Area) )).
+
+%   lens(R1, R2, D, Area): what two discs have in common whose middles are D
+%   apart.
+
+lens(R1, R2, D, Area) :-
+    Cos1 is (D*D + R1*R1 - R2*R2)/(2.0*D*R1),
+    Cos2 is (D*D + R2*R2 - R1*R1)/(2.0*D*R2),
+    Area is R1*R1*(acos(Cos1) - Cos1*sqrt(1.0-Cos1*Cos1)) +
+            R2*R2*(acos(Cos2) - Cos2*sqrt(1.0-Cos2*Cos2)).
+
 :- end_tests(true_cut).
