@@ -218,6 +218,7 @@ transition_arguments([ argument(base, [[outline]], needed),
                        argument(tilt, [[number], [number, number]], [0.0]),
                        argument(turn, [[number]], [0.0]),
                        argument(divided, [[count]], [1]),
+                       argument(as, [[outline,outline]], none),
                        Shift | Fineness
                      ]) :-
     shift(Shift),

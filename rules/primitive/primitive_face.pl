@@ -45,7 +45,8 @@ circle.
 */
 
 :- thread_local
-    last_term/2,                        % Term, Surfaces
+    last_term/1,                        % Term
+    last_surface/2,                     % Part, Surface
     last_face/2.                        % P, What
 
 %!  face_of(?S, ?P, ?What) is nondet.
@@ -56,7 +57,7 @@ circle.
 face_of(S, P, What) :-
     segment(S, _, Term),
     names_primitive(Term),
-    remembered(Term, _),
+    remembered(Term),
     last_face(P, What),
     once(p(S, P, _)).
 
@@ -67,8 +68,8 @@ face_of(S, P, What) :-
 smooth_surface(S, Part, Surface) :-
     segment(S, _, Term),
     names_primitive(Term),
-    remembered(Term, Surfaces),
-    member(Part-Surface, Surfaces).
+    remembered(Term),
+    last_surface(Part, Surface).
 
 %   names_primitive(Term): and no node of a CSG tree, however it is placed.
 
@@ -85,20 +86,22 @@ innermost(Term, Inner) :-
     ;   Inner = Term
     ).
 
-%   remembered(Term, Surfaces): the faces of the last term are remembered, each
-%   by itself: a list of them all would be copied whenever one is asked for.
+%   remembered(Term): the faces and surfaces of the last term are remembered,
+%   each by itself: a list of them all would be copied whenever one is asked for.
 
-remembered(Term, Surfaces) :-
-    last_term(Last, Surfaces0),
+remembered(Term) :-
+    last_term(Last),
     Last == Term,
-    !,
-    Surfaces = Surfaces0.
-remembered(Term, Surfaces) :-
+    !.
+remembered(Term) :-
     primitive_faces(Term, Whats, Surfaces),
-    retractall(last_term(_, _)),
+    retractall(last_term(_)),
+    retractall(last_surface(_, _)),
     retractall(last_face(_, _)),
     forall(nth1(P, Whats, What), assertz(last_face(P, What))),
-    assertz(last_term(Term, Surfaces)).
+    forall(member(Part-Surface, Surfaces),
+           assertz(last_surface(Part, Surface))),
+    assertz(last_term(Term)).
 
 %!  surface_point(+Surface, +T, +H, -Point) is det.
 %

@@ -8,7 +8,7 @@
               [ cross_product/3, difference/3, dot_product/3, scaled/3,
                 vector_sum/3
               ]).
-:- use_module(transition_division, [steps_divided/5]).
+:- use_module(transition_division, [rings_divided/3]).
 :- use_module(transition_outline,
               [ outline_curves/3, outline_frame/3, outline_middle/2,
                 outline_rings/4, outline_widest/2, placed_curves/3
@@ -43,8 +43,10 @@ taken that leaves all else below the plane of the new triangle.
 %   A *direction* is the mean of those in which the two ends of a generator are
 %   seen, from +x, from the middles of the outlines, in their planes.
 %
-%   divided(N) of Given: each facet along an arc is N; what they stand for, the
-%   parts and their surfaces, stays as it is.
+%   divided(N) of Given: each step along an arc is N. Between arcs that are not
+%   similar these have cones of their own, nearer to the smooth surface. as(Base,
+%   Top): it has the parts that it would have between these outlines, which are a
+%   little smaller or larger, if there is as much of each.
 %
 %   @error model_error(primitive(What, Term)): planes_cross, and what
 %   outline_curves/3 raises
@@ -63,14 +65,13 @@ open_transition_shape(Given, shape(Points, Sides, Surfaces)) :-
 
 sides_made(Given, N, M, Points, Sides, Surfaces) :-
     Given = given(Term, _, _),
-    rings(Given, Term, Ring1, Ring2, Frames),
+    given(Given, base, [Outline1]),
+    given(Given, top, [Outline2]),
+    rings(Given, Term, Outline1-Outline2, Ring1, Ring2, Frames),
     below_each_other(Ring1, Ring2, Frames, Term),
-    ring_table(Ring1, Whole1),
-    ring_table(Ring2, Whole2),
-    steps_round(Whole1, Whole2, WholeSteps),
-    given(Given, divided, [Times]),
-    steps_divided(Times, Whole1-Whole2, WholeSteps, Tables, Steps),
+    tables(Given, Ring1, Ring2, Tables),
     Tables = Table1-Table2,
+    steps_made(Given, Term, Tables, Steps),
     functor(Table1, _, N),
     functor(Table2, _, M),
     pieces(Steps, Table1, Table2, Pieces0),
@@ -98,11 +99,12 @@ outlines_seen(Given, Base-Top, Seen1, Seen2) :-
 
 node_point(node(p(X,Y,Z), _), point(X,Y,Z)).
 
-rings(Given, Term, Ring1, Ring2, Base-Top) :-
-    given(Given, base, [Outline1]),
-    given(Given, top, [Outline2]),
-    outline_widest(Outline1, R1),
-    outline_widest(Outline2, R2),
+%   rings(Given, Term, Outlines, Ring1, Ring2, Frames)
+
+rings(Given, Term, Outline1-Outline2, Ring1, Ring2, Base-Top) :-
+    as_drawn(Given, Outline1-Outline2, Drawn1-Drawn2),
+    outline_widest(Drawn1, R1),
+    outline_widest(Drawn2, R2),
     Widest is max(R1, R2),
     given_facets(Given, Widest, 360, N),
     outline_frame(Given, Base, Top),
@@ -112,8 +114,43 @@ rings(Given, Term, Ring1, Ring2, Base-Top) :-
     placed_curves(Top, Curves2, Placed2),
     outline_rings(N, Placed1, Placed2, Ring1-Ring2).
 
+as_drawn(Given, Outlines, Drawn1-Drawn2) :-
+    (   given(Given, as, [Drawn1,Drawn2])
+    ->  true
+    ;   Outlines = Drawn1-Drawn2
+    ).
+
+tables(Given, Ring1, Ring2, Tables) :-
+    ring_table(Ring1, Whole1),
+    ring_table(Ring2, Whole2),
+    given(Given, divided, [Times]),
+    rings_divided(Times, Whole1-Whole2, Tables).
+
 ring_table(Ring, Table) :-
     Table =.. [ring|Ring].
+
+%   steps_made(Given, Term, Tables, Steps): those round other outlines, if it is
+%   to be walked as round these, and can be.
+
+steps_made(Given, Term, Table1-Table2, Steps) :-
+    (   given(Given, as, [Outline1,Outline2]),
+        rings(Given, Term, Outline1-Outline2, Ring1, Ring2, _),
+        tables(Given, Ring1, Ring2, Other1-Other2),
+        same_size(Table1, Other1),
+        same_size(Table2, Other2),
+        steps_round(Other1, Other2, Steps),
+        \+ ( member(step(both, I, J), Steps),
+             step_at(Table1, I, Step1),
+             step_at(Table2, J, Step2),
+             \+ similar(Step1, Step2, _)
+           )
+    ->  true
+    ;   steps_round(Table1, Table2, Steps)
+    ).
+
+same_size(Table1, Table2) :-
+    functor(Table1, _, N),
+    functor(Table2, _, N).
 
 %   below_each_other(Ring1, Ring2, Frames, Term): each is on one side of the
 %   plane of the other.

@@ -8,9 +8,11 @@
                 facts_transaction/1
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
+:- use_module('../unrolling/transition_facet', [takes_turns/1]).
 :- use_module('../unrolling/true_development',
               [true_development/4, developable_part/3]).
-:- use_module('../unrolling/true_parts', [drawn_wanted/4, polygon_drawn/4]).
+:- use_module('../unrolling/true_parts',
+              [drawn_wanted/4, parts_made/3, polygon_drawn/4]).
 :- use_module('../unrolling/true_plate', [plate_parts/5]).
 :- use_module('../unrolling/true_rim', [pattern_measured/1, rims_rounded/3]).
 :- use_module('../unrolling/true_shape', [part_facet/5]).
@@ -135,12 +137,14 @@ kept_apart_told(T, Rest, Ps, Manual) :-
     ).
 
 %   trimmed_as_cut(S, Options0, Options, S1, T): T is what is left of S1, which
-%   is cut instead of S; S itself if nothing is cut off.
+%   is cut instead of S; S itself if nothing is cut off, and its facets stand for
+%   the surface themselves.
 
 trimmed_as_cut(S, Options0, Options, S1, T) :-
     parts_cut(S, Options0, Options1, S2),
     trimmed_part(S2, Options1, T2),
-    (   T2 == S2
+    (   T2 == S2,
+        \+ takes_turns(S)
     ->  S1 = S,
         T = S,
         Options = Options0
@@ -151,13 +155,19 @@ trimmed_as_cut(S, Options0, Options, S1, T) :-
 
 %   parts_cut(S, Options0, Options, S1): S1 is S, or what is cut instead: what
 %   of its plate touches the others, which are then among Options, in fine
-%   facets.
+%   facets. What stands for a smooth surface only as its facets are fine has
+%   such ones also where nothing is cut.
 
 parts_cut(S, Options0, [by(Others)|Options], S1) :-
     option(trim(_), Options0),
     !,
     other_parts(S, Options0, Others0),
     plate_parts(S, Others0, Options0, Options, S1-Others),
+    complete_segments.
+parts_cut(S, Options, Options, S1) :-
+    takes_turns(S),
+    !,
+    parts_made([S-0.0], Options, [S1]),
     complete_segments.
 parts_cut(S, Options, Options, S).
 

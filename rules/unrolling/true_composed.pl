@@ -8,12 +8,13 @@
 :- use_module(true_divide, [facet_index/2, generator_spans/5]).
 :- use_module(true_layout, [chord_tolerance/3, strip_ends/3, strip_layout/6]).
 :- use_module(true_pieces,
-              [ composed_seam/4, creases/3, direction_of/3, divided_at/3,
-                from_seam/3, is_round/1, piece_facets/2, pieces_found/4,
-                place_of/3
+              [ composed_seam/5, creases/3, direction_of/3, divided_at/3,
+                from_seam/3, is_round/1, on_border/2, piece_facets/2,
+                pieces_found/4, place_of/3
               ]).
+:- use_module(true_parts, [drawn_borders/2, pieces_as_drawn/3]).
 :- use_module(true_plate, [plate_layer/2]).
-:- use_module(true_resized, [transition_resized/3]).
+:- use_module(true_resized, [transition_parts_as/3, transition_resized/3]).
 :- use_module(library(apply), [foldl/5, foldl/6, maplist/3, maplist/4]).
 :- use_module(library(assoc),
               [assoc_to_list/2, get_assoc/3, list_to_assoc/2]).
@@ -48,7 +49,8 @@ composed_unrolled(S, Part, Options,
                   pattern(S, creases(Creases), Facets, Points, Curves,
                           Marks)) :-
     pieces_found(S, Part, Leaf, Pieces1),
-    composed_seam(Pieces1, Options, Seam, Around),
+    drawn_borders(Leaf, Borders),
+    composed_seam(Pieces1, Borders, Options, Seam, Around),
     divided_at(Seam, Pieces1, Pieces2),
     Middle is Seam + 180.0,
     (   option(half(true), Options)
@@ -69,10 +71,11 @@ composed_unrolled(S, Part, Options,
     ),
     maplist(laid_piece, Laid, Pieces),
     creases(Pieces, Joined, Creases),
-    generators(Laid, Around, Options, Generators),
+    generators(Laid, Borders, Around, Options, Generators),
     least_corner(Laid, Corner, Size),
     marks(Laid, Generators, Neutral, Corner, Marks),
-    merged(Laid, Corner, Size, Facets, Points, Curves).
+    merged(Laid, Corner, Size, Facets0, Points, Curves),
+    pieces_as_drawn(S, Facets0, Facets).
 
 
                 /*******************************
@@ -154,7 +157,8 @@ neutral_pieces(S, Leaf, Layer, Neutral) :-
     (   Layer =:= 0.0
     ->  Neutral = []
     ;   segment(Leaf, _, Term),
-        transition_resized(Term, Layer, Resized),
+        transition_resized(Term, Layer, Resized0),
+        transition_parts_as(Term, Resized0, Resized),
         catch(primitive_faces(Resized, _, Surfaces),
               error(model_error(_), _), fail),
         placed_surface(Leaf, _, transition(pieces(Places0))),
@@ -273,16 +277,16 @@ has_image(Table, Grid, Off0, Along0) :-
                 *          GENERATORS          *
                 *******************************/
 
-%   generators(Laid, Around, Options, Generators): generator(Number, Piece, T,
-%   Beside): at T of Piece, or of Beside, which is on its other side (`none`: it
-%   is within Piece).
+%   generators(Laid, Borders, Around, Options, Generators): generator(Number,
+%   Piece, T, Beside): at T of Piece, or of Beside, which is on its other side
+%   (`none`: it is within Piece). Borders are the directions between facets.
 
-generators(Laid, Around, Options, Generators) :-
+generators(Laid, Borders, Around, Options, Generators) :-
     (   option(generators(N), Options)
     ->  must_be(positive_integer, N)
     ;   N = none
     ),
-    findall(One, generator(Laid, N, One), Ones),
+    findall(One, generator(Laid, Borders, N, One), Ones),
     length(Ones, Count),
     findall(generator(Number, Piece, T, Beside),
             ( nth1(I, Ones, at(Piece, T, Beside)),
@@ -299,11 +303,11 @@ goes_round(Laid) :-
     last(Laid, laid(piece(_, _, _, _-G2, _, _, _), _, _, _)),
     G2-G1 > 360.0 - 1.0e-6.
 
-%   generator(Laid, N, At) is nondet: from left to right: where each piece
+%   generator(Laid, Borders, N, At) is nondet: from left to right: where each piece
 %   begins, within it, and where the last one ends. Where cones take turns they
 %   begin between facets: of these, too, N of each outline are numbered.
 
-generator(Laid, N, at(One, T, Beside)) :-
+generator(Laid, Borders, N, at(One, T, Beside)) :-
     nth1(I, Laid, One),
     One = laid(Piece, _, _, _),
     Piece = piece(_, _, T1-_, _, _, _, _),
@@ -311,21 +315,23 @@ generator(Laid, N, at(One, T, Beside)) :-
         I0 is I-1,
         (   nth1(I0, Laid, Before)
         ->  Beside = Before,
-            numbered_between(N, Before, One)
+            numbered_between(N, Borders, Before, One)
         ;   Beside = none
         )
     ;   Beside = none,
-        generator_within(Piece, N, T)
+        generator_within(Piece, Borders, N, T)
     ).
-generator(Laid, _, at(One, T, none)) :-
+generator(Laid, _, _, at(One, T, none)) :-
     last(Laid, One),
     One = laid(piece(_, _, _-T, _, _, _, _), _, _, _).
 
-%   numbered_between(N, Before, After): the generator where After begins.
+%   numbered_between(N, Borders, Before, After): the generator where After begins.
 
-numbered_between(none, _, _) :-
-    !.
-numbered_between(N, laid(Piece1, _, _, _), laid(Piece2, _, _, _)) :-
+numbered_between(none, Borders, _, laid(Piece, _, _, _)) :-
+    !,
+    Piece = piece(_, _, _, G-_, _, _, _),
+    on_border(Borders, G).
+numbered_between(N, _, laid(Piece1, _, _, _), laid(Piece2, _, _, _)) :-
     (   \+ ( is_round(Piece1), is_round(Piece2) )
     ->  true
     ;   Piece2 = piece(_, _, T-_, _, _, _, _),
@@ -333,11 +339,15 @@ numbered_between(N, laid(Piece1, _, _, _), laid(Piece2, _, _, _)) :-
         abs(Place - round(Place)) < 1.0e-6
     ).
 
-generator_within(Piece, N, T) :-
+generator_within(Piece, Borders, N, T) :-
     is_round(Piece),
     Piece = piece(_, _, T1-T2, _, Facets, _, _),
     (   N == none
-    ->  findall(T0, member(facet(_, T0, _, _), Facets), Ts0)
+    ->  findall(T0,
+                ( member(facet(_, T0, _, _), Facets),
+                  direction_of(Piece, T0, G),
+                  on_border(Borders, G) ),
+                Ts0)
     ;   First is ceiling(T1*N/360.0),
         Last is floor(T2*N/360.0),
         findall(T0, ( between(First, Last, K), T0 is 360.0*K/N ), Ts0)

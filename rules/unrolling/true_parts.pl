@@ -2,6 +2,8 @@
           [ parts_made/3,               % +Sizes, +Options, -Parts
             polygon_drawn/4,            % +T, +P, -S, -P0
             drawn_wanted/4,             % +S1, +S, +Wanted, -Wanted1
+            drawn_borders/2,            % +Leaf, -Directions
+            pieces_as_drawn/3,          % +S, +Facets0, -Facets
             facets_as_drawn/4           % +S, +Facets0, +Shape, -Facets
           ]).
 :- use_module('../csg/csg', [is_node/1]).
@@ -15,6 +17,8 @@
 :- use_module('../solid/boolean', [boolean/2]).
 :- use_module('../solid/csg_flat', [flat_expression/2, flat_leaves/2]).
 :- use_module('../store', [origin/3, from_p/5, assert_fact/1, fresh_id/3]).
+:- use_module(transition_facet,
+              [facet_borders/2, facet_in_direction/3, transition_facets/2]).
 :- use_module(true_flat, [flat_resized/3]).
 :- use_module(true_parallel, [parallel_made/4]).
 :- use_module(true_resized, [term_enlarged/3]).
@@ -143,10 +147,22 @@ leaves_replaced(Made, Expression0, Expression) :-
     Expression =.. [Operation,Expressions].
 
 %   polygons_known(S, S1): which polygon of S each of S1 stands for: of the
-%   facets of a part of which another side is wanted, the nearest.
+%   facets of a part of which another side is wanted, the nearest; of those of a
+%   transition that in the same direction.
 
 polygons_known(S, S1) :-
-    (   placed_surface(S, _, _)
+    (   transition_facets(S, Drawn)
+    ->  transition_facets(S1, Fine),
+        forall(member(G1-G2-P1, Fine),
+               ( G is (G1+G2)/2.0,
+                 facet_in_direction(Drawn, G, P),
+                 assert_fact(origin(S1, p(P1), p(P))) )),
+        findall(What-P,
+                ( member(What, [base,top]), placed_face(S, P, What) ),
+                Ends),
+        forall(( member(What-P, Ends), placed_face(S1, P1, What) ),
+               assert_fact(origin(S1, p(P1), p(P))))
+    ;   placed_surface(S, _, _)
     ->  findall(What-P, placed_face(S, P, What), Drawn),
         forall(( placed_face(S1, P1, What1),
                  drawn_face(Drawn, What1, P) ),
@@ -373,21 +389,41 @@ facets_as_drawn(S, Facets0, Shape, Facets) :-
 put_together(_, _-[Facet], [Facet]) :-
     !.
 put_together(Shape, drawn(D, PD)-Group, Facets) :-
-    (   placed_face(D, PD, curved(_, [T1-T2|_]))
+    (   stands_for_transition(D)
+    ->  facets_between(Group, T1, T2)
+    ;   placed_face(D, PD, curved(_, [T1-T2|_]))
     ->  true
     ;   Group = [facet(_, T1, T2, _)|_]         % of a flat part
     ),
     hanging_together(Group, Parts),
     maplist(one_facet(Shape, T1, T2), Parts, Facets).
 
+%   Facets of a transition may stand for one that is a part of another cone.
+
+stands_for_transition(S) :-
+    placed_term(S, Term),
+    innermost(Term, Inner, _, _),
+    is_transition(Inner).
+
+%   facets_between(Facets, T1, T2): they are between T1 and T2.
+
+facets_between(Facets, T1, T2) :-
+    findall(T, member(facet(_, T, _, _), Facets), Froms),
+    findall(T, member(facet(_, _, T, _), Facets), Tos),
+    min_list(Froms, T1),
+    max_list(Tos, T2).
+
 one_facet(Shape, T1, T2, Part, facet(P, T1, T2, Halves)) :-
     findall(P0, member(facet(P0, _, _, _), Part), Ps),
     min_list(Ps, P),
-    findall(Half, ( member(facet(_, _, _, Hs), Part), member(Half, Hs) ),
-            Halves0),
-    uncancelled(Halves0, Halves1),
+    outer_halves(Part, Halves1),
     rim_settled(0.0, Shape, Halves1, Halves2),
     rim_settled(1.0, Shape, Halves2, Halves).
+
+outer_halves(Facets, Halves) :-
+    findall(Half, ( member(facet(_, _, _, Hs), Facets), member(Half, Hs) ),
+            Halves0),
+    uncancelled(Halves0, Halves).
 
 %   rim_settled(Level, Shape, Halves0, Halves): a facet that is no plane is two
 %   triangles, one of which has a corner alone on the rim; so what goes along
@@ -442,3 +478,56 @@ pairs_cancelled([half(A, B, Label)|Halves0], Halves) :-
     ;   Halves = [half(A, B, Label)|Halves2],
         pairs_cancelled(Halves0, Halves2)
     ).
+
+
+                /*******************************
+                *      PIECES OF ONE FACET     *
+                *******************************/
+
+%!  drawn_borders(+Leaf, -Directions) is det.
+%
+%   Directions are those between facets of the transition Leaf, or of what it
+%   was made for (parts_made/3).
+
+drawn_borders(Leaf, Directions) :-
+    transition_facets(Leaf, Facets0),
+    findall(G1-G2-P,
+            ( member(G1-G2-P0, Facets0), polygon_drawn(Leaf, P0, _, P) ),
+            Facets),
+    facet_borders(Facets, Directions).
+
+%!  pieces_as_drawn(+S, +Facets0, -Facets) is det.
+%
+%   As facets_as_drawn/4 of the facets of several parts of segment S, between
+%   directions, when their keys are the same on both sides of a generator.
+
+pieces_as_drawn(S, Facets0, Facets) :-
+    findall(drawn(D, P)-Facet,
+            ( member(Facet, Facets0),
+              Facet = facet(P0, _, _, _),
+              whole(P0, Whole),
+              polygon_drawn(S, Whole, D, P) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    maplist(pieces_together, Groups, Lists),
+    append(Lists, Facets1),
+    sort(1, @=<, Facets1, Facets).
+
+whole(P0/_, P) :-
+    !,
+    whole(P0, P).
+whole(P, P).
+
+pieces_together(_-[Facet], [Facet]) :-
+    !.
+pieces_together(_-Group, Facets) :-
+    hanging_together(Group, Parts),
+    maplist(one_of_pieces, Parts, Facets).
+
+one_of_pieces([Facet], Facet) :-
+    !.
+one_of_pieces(Part, facet(P, G1, G2, Halves)) :-
+    sort(1, @=<, Part, [facet(P, _, _, _)|_]),      % a number before P/I
+    facets_between(Part, G1, G2),
+    outer_halves(Part, Halves).

@@ -3,7 +3,9 @@
             piece_facets/2,             % +Piece, -Facets
             place_of/3,                 % +Piece, +G, -T
             direction_of/3,             % +Piece, +T, -G
-            composed_seam/4,            % +Pieces, +Options, -Seam, -Around
+            composed_seam/5,            % +Pieces, +Borders, +Options, -Seam,
+                                        % -Around
+            on_border/2,                % +Borders, +G
             divided_at/3,               % +G, +Pieces0, -Pieces
             from_seam/3,                % +Pieces0, +Seam, -Pieces
             creases/3,                  % +Pieces, +Around, -Creases
@@ -15,14 +17,13 @@
               [facet_divided/7, facet_index/2, generator_spans/5]).
 :- use_module(true_parts, [facets_as_drawn/4]).
 :- use_module(true_shape,
-              [ facet_middle/2, facets_sense/3, part_facet/5, part_facets/4,
-                shifted_facet/3, true_part/5
+              [ facet_middle/2, facets_sense/3, piece_shape/6,
+                pieces_facets/4, shifted_facet/3, true_part/5
               ]).
 :- use_module(true_surface, [surface_normal_at/3]).
 :- use_module(true_spike, [spikes_cut/3]).
 :- use_module(true_tip, [tips_moved/5]).
 :- use_module(library(apply), [foldl/5, foldl/6, maplist/3, maplist/4]).
-:- use_module(library(assoc), [empty_assoc/1]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists), [append/2, append/3, member/2, min_list/2]).
 :- use_module(library(option), [option/2]).
@@ -48,35 +49,26 @@ facets run counter-clockwise with T to the right and H up, else -1.
 
 pieces_found(S, Part, Leaf, Pieces) :-
     once(true_part(S, Part, Leaf, _, transition(pieces(Places)))),
-    maplist(piece_found(S, Part, Leaf), Places, Pieces0),
+    pieces_facets(S, Part, Leaf, Table),
+    maplist(piece_found(S, Part, Table), Places, Pieces0),
     senses_known(Pieces0, Pieces).
 
-piece_found(S, Part, Leaf, piece(Name, End, T1-T2, G1-G2),
+piece_found(S, Part, Table, piece(Name, End, T1-T2, G1-G2),
             piece(Name, End, T1-T2, G1-G2, Facets, Shape, Sense)) :-
-    (   Part = Leaf/_
-    ->  Own = Leaf/Name
-    ;   Own = Name
-    ),
-    (   part_facet(S, Own, _, _, _)
-    ->  part_facets(S, Own, Facets0, Shape0),
+    piece_shape(S, Part, Table, Name, Facets1, Shape0),
+    (   Facets1 = [_|_]
+    ->  maplist(turned_to(T1), Facets1, Facets0),
         facets_sense(Facets0, Shape0, Sense),
         Shape0 = shape(_, Reach, _),
         Tolerance is Reach*4.0e-6,
         tips_moved(Facets0, Tolerance, Facets2, Shape0, Shape2),
         rims_kept(Facets2, Facets3, Shape2, Shape),
         spikes_cut(Facets3, Shape, Facets4),
-        facets_as_drawn(S, Facets4, Shape, Facets1),
-        maplist(turned_to(T1), Facets1, Facets)
+        facets_as_drawn(S, Facets4, Shape, Facets)
     ;   Facets = [],
         Sense = none,
-        empty_assoc(Nodes),
-        once(true_part(S, Part, Leaf, _, _)),
-        piece_surface(Leaf, Name, Surface),
-        Shape = shape(Surface, 0.0, Nodes)
+        Shape = Shape0
     ).
-
-piece_surface(Leaf, Name, Surface) :-
-    once(true_part(Leaf, Name, Leaf, Name, Surface)).
 
 turned_to(T1, Facet0, Facet) :-
     facet_middle(Facet0, Middle),
@@ -121,13 +113,13 @@ same_direction(G1, G2) :-
                 *             SEAM             *
                 *******************************/
 
-%!  composed_seam(+Pieces, +Options, -Seam, -Around) is det.
+%!  composed_seam(+Pieces, +Borders, +Options, -Seam, -Around) is det.
 %
 %   Seam is the direction in which the pattern begins: seam(Degrees) of Options,
 %   or by default the shortest generator, in the middle of a flat side, if there
-%   is one. Around is false if there is a gap: the pattern starts after it.
+%   is one, else in one of the directions Borders. Around is false if there is a gap: the pattern starts after it.
 
-composed_seam(Pieces, Options, Seam, Around) :-
+composed_seam(Pieces, Borders, Options, Seam, Around) :-
     findall(From-To,
             ( member(Piece, Pieces),
               piece_facets(Piece, Facets),
@@ -146,21 +138,30 @@ composed_seam(Pieces, Options, Seam, Around) :-
         Seam is float(rational(Seam0) - 360*floor(rational(Seam0)/360))
     ;   Around == false
     ->  Seam = Start
-    ;   shortest_seam(Pieces, Seam)
+    ;   shortest_seam(Pieces, Borders, Seam)
     ).
 
 %!  piece_facets(+Piece, -Facets) is det.
 
 piece_facets(piece(_, _, _, _, Facets, _, _), Facets).
 
-%   shortest_seam(Pieces, Seam): in the middle of a flat side, if there is one
+%!  on_border(+Borders, +G) is semidet.
+%
+%   G is one of the directions Borders, all but for rounding.
+
+on_border(Borders, G) :-
+    member(Border, Borders),
+    same_direction(Border, G),
+    !.
+
+%   shortest_seam(Pieces, Borders, Seam): in the middle of a flat side, if there is one
 %   that no hole interrupts there; of equal ones that with the smallest
 %   direction.
 
-shortest_seam(Pieces, Seam) :-
-    findall(Length-G, seam_candidate(Pieces, flat, Length, G), Flat),
+shortest_seam(Pieces, Borders, Seam) :-
+    findall(Length-G, seam_candidate(Pieces, flat, Borders, Length, G), Flat),
     (   Flat == []
-    ->  findall(Length-G, seam_candidate(Pieces, round, Length, G), Found)
+    ->  findall(Length-G, seam_candidate(Pieces, round, Borders, Length, G), Found)
     ;   Found = Flat
     ),
     pairs_keys(Found, Lengths),
@@ -169,7 +170,7 @@ shortest_seam(Pieces, Seam) :-
     findall(G, ( member(Length-G, Found), Length =< Most ), Shortest),
     min_list(Shortest, Seam).
 
-seam_candidate(Pieces, Which, Length, G) :-
+seam_candidate(Pieces, Which, Borders, Length, G) :-
     member(Piece, Pieces),
     Piece = piece(_, _, T1-T2, _, Facets, Shape, Sense),
     Shape = shape(Surface, _, _),
@@ -179,7 +180,9 @@ seam_candidate(Pieces, Which, Length, G) :-
         facet_index(Facets, Index),
         generator_spans(Index, T, Sense, Shape, [_])
     ;   Which = round,
-        member(facet(_, T, _, _), Facets)
+        member(facet(_, T, _, _), Facets),
+        direction_of(Piece, T, G0),
+        on_border(Borders, G0)
     ),
     direction_of(Piece, T, G0),
     G is G0 - 360.0*floor((G0 + 1.0e-9)/360.0),

@@ -1,6 +1,7 @@
 :- module(sg_true_resized,
           [ term_enlarged/3,            % +Term, +By, -Enlarged
             transition_resized/3,       % +Term, +By, -Resized
+            transition_parts_as/3,      % +Term, +Term0, -Term1
             outline_area/2              % +Corners, -Area
           ]).
 :- use_module('../primitive/primitive', [primitive_faces/3]).
@@ -94,6 +95,23 @@ transition_resized(Term0, By, Term) :-
     memberchk(Name, [transition,open_transition]),
     maplist(argument_resized(By), Arguments0, Arguments),
     Term =.. [Name|Arguments].
+
+%!  transition_parts_as(+Term, +Term0, -Term1) is det.
+%
+%   Term1 is Term0, which is Term, a transition, resized, of the same parts.
+
+transition_parts_as(at(_, Term), at(Steps, Term0), at(Steps, Term1)) :-
+    !,
+    transition_parts_as(Term, Term0, Term1).
+transition_parts_as(named(_, Term), named(Name, Term0), named(Name, Term1)) :-
+    !,
+    transition_parts_as(Term, Term0, Term1).
+transition_parts_as(Term, Term0, Term1) :-
+    Term =.. [_|Arguments],
+    memberchk(base(Base), Arguments),
+    memberchk(top(Top), Arguments),
+    Term0 =.. [Name|Arguments0],
+    Term1 =.. [Name,as(Base, Top)|Arguments0].
 
 argument_resized(By, base(Outline0), base(Outline)) :-
     !,

@@ -2,6 +2,9 @@
           [ true_part/5,                % ?S, ?Part, -Leaf, -Name, -Surface
             part_facet/5,               % +S, +Part, ?P, -T1, -T2
             part_facets/4,              % +S, +Part, -Facets, -Shape
+            pieces_facets/4,            % +S, +Part, +Leaf, -Table
+            piece_shape/6,              % +S, +Part, +Table, +Piece, -Facets,
+                                        % -Shape
             key_place/4,                % +Nodes, +Key, -T, -H
             edge_curve/4,               % +Shape, +Key1, +Key2, -Curve
             same_generator/3,           % +Nodes, +Key1, +Key2
@@ -20,6 +23,7 @@
 :- use_module(library(assoc),
               [empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists), [member/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Facets of a smooth surface, and where their vertices truly are.
 
 A *facet* is facet(P, T1, T2, Halves): polygon P (P/I: a part of it) stands for
@@ -110,6 +114,13 @@ part_facets(S, Part, Facets, shape(Surface, Reach, Nodes)) :-
     ->  list_to_assoc([], Meets)
     ;   meeting_surfaces(S, Leaf, Meets)
     ),
+    facets_placed(S, Part, Meets, Surface, Facets0, Facets,
+                  shape(Surface, Reach, Nodes)).
+
+%   facets_placed(S, Part, Meets, Surface, Facets0, Facets, Shape)
+
+facets_placed(S, Part, Meets, Surface, Facets0, Facets,
+              shape(Surface, Reach, Nodes)) :-
     facets_reach(S, Facets0, Reach),
     empty_assoc(Nodes0),
     Shape0 = shape(Surface, Reach, Nodes0),
@@ -118,6 +129,49 @@ part_facets(S, Part, Facets, shape(Surface, Reach, Nodes)) :-
     (   in_place(Facets0, Nodes)
     ->  maplist(keyed_facet(Nodes), Facets0, Facets)
     ;   throw(error(geometry_error(true(moved(S, Part))), _))
+    ).
+
+%!  pieces_facets(+S, +Part, +Leaf, -Table) is det.
+%!  piece_shape(+S, +Part, +Table, +Piece, -Facets, -Shape) is det.
+%
+%   As part_facets/4, of the parts of which a transition is made, many as they
+%   may be: Part of S is all of the transition Leaf. Facets is [] if nothing is
+%   left of the part Piece.
+
+pieces_facets(S, Part, Leaf, pieces(Facets, Surfaces, Meets)) :-
+    findall(Name-facet(P, T1, T2, Halves),
+            ( piece_polygon(S, Part, Leaf, P, P0),
+              placed_face(Leaf, P0, What),
+              piece_of(What, Name, T1, T2),
+              facet_halves(S, P, Halves) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Facets),
+    findall(Name-Surface,
+            ( placed_surface(Leaf, Name, Surface),
+              Surface \= transition(_) ),
+            Named),
+    list_to_assoc(Named, Surfaces),
+    meeting_surfaces(S, Leaf, Meets).
+
+piece_polygon(S, Part, Leaf, P, P0) :-
+    (   Part = Leaf/_
+    ->  placed_polygon(S, P, Leaf, P0)
+    ;   p(S, P, _),
+        P0 = P
+    ).
+
+piece_of(curved(Name, [T1-T2]), Name, T1, T2).
+piece_of(side(I), side(I), 0.0, 90.0).
+
+piece_shape(S, Part, pieces(Facets0, Surfaces, Meets), Piece, Facets, Shape) :-
+    get_assoc(Piece, Surfaces, Surface),
+    (   get_assoc(Piece, Facets0, Own)
+    ->  facets_placed(S, Part, Meets, Surface, Own, Facets, Shape)
+    ;   Facets = [],
+        empty_assoc(Nodes),
+        Shape = shape(Surface, 0.0, Nodes)
     ).
 
 facet_halves(S, P, Halves) :-

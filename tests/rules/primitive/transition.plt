@@ -18,6 +18,7 @@ developments,
 :- use_module(rules(unrolling/true_plate)).
 :- use_module(rules(unrolling/true_resized), [transition_resized/3]).
 :- use_module(rules(unrolling/true_table)).
+:- use_module(rules(unfolding/unfold_true)).
 
 :- begin_tests(transition).
 
@@ -163,8 +164,8 @@ test(parallel_edges_are_trapezoids) :-
              aggregate_all(count, p(1, _, _), N)),
     N == 6.
 
-%   Each facet along an arc becomes three; what it stands for stays, also where
-%   cones take turns.
+%   Each step along an arc becomes three. The flat sides stay as they are; and a
+%   cone that no other one follows.
 test(divided, [forall(member(Outlines,
                              [[base(rectangle(99,80)),top(circle(30))],
                               [base(circle(40)),top(ellipse(30,20))],
@@ -175,25 +176,102 @@ test(divided, [forall(member(Outlines,
     Divided =.. [transition,divided(3)|Common],
     in_scene([Whole,Divided],
              ( faultless(2),
-               findall(Part-Surface, cone_of(1, Part, Surface), Surfaces1),
-               findall(Part-Surface, cone_of(2, Part, Surface), Surfaces2),
-               findall(C-A-B, face_of(1, _, curved(C, [A-B])), Facets1),
-               findall(C-A-B, face_of(2, _, curved(C, [A-B])), Facets2),
-               findall(I, face_of(1, _, side(I)), Sides1),
-               findall(I, face_of(2, _, side(I)), Sides2) )),
-    Surfaces1 == Surfaces2,
-    Sides1 == Sides2,
-    in_threes(Facets2, Facets1).
+               findall(Fan, smooth_surface(1, side(_), Fan), Fans1),
+               findall(Fan, smooth_surface(2, side(_), Fan), Fans2),
+               round_facets(1, N1),
+               round_facets(2, N2) )),
+    maplist(near_surface, Fans1, Fans2),
+    N2 =:= 3*N1.
 
-cone_of(S, Part, Surface) :-
-    smooth_surface(S, Part, Surface),
-    Part = cone(_).
+round_facets(S, N) :-
+    aggregate_all(count, face_of(S, _, curved(_, _)), N).
 
-in_threes([], []).
-in_threes([C-A-P,C-P-Q,C-Q-B|Facets2], [C-A-B|Facets1]) :-
-    near(P, (2*A+B)/3),
-    near(Q, (A+2*B)/3),
-    in_threes(Facets2, Facets1).
+near_surface(Surface1, Surface2) :-
+    term_numbers(Surface1, Numbers1),
+    term_numbers(Surface2, Numbers2),
+    maplist(near, Numbers1, Numbers2).
+
+term_numbers(Term, Numbers) :-
+    (   number(Term)
+    ->  Numbers = [Term]
+    ;   Term =.. [_|Terms],
+        maplist(term_numbers, Terms, Lists),
+        append(Lists, Numbers)
+    ).
+
+%   What lies between arcs that are not similar: the pattern has the facets that
+%   are drawn, but is that of the smooth surface, few as they are: corners that
+%   few and many facets have in common are equally far from each other.
+smooth_between([base(circle(40)),top(ellipse(30,20))]).
+smooth_between([base(circle(60)),top(circle(35)),tilt(20)]).
+smooth_between([base(ellipse(25,40)),top(circle(30)),shift(20,-10),
+                tilt(10,50)]).
+
+test(smooth_surface_between, [forall(smooth_between(Outlines))]) :-
+    rim_corners(Outlines, 8, 0.01, Corners8),
+    rim_corners(Outlines, 16, 0.002, Corners16),
+    findall(Off,
+            ( member(P-A, Corners8),
+              member(Q-B, Corners8),
+              P @< Q,
+              same_corner(P, Corners16, C),
+              same_corner(Q, Corners16, D),
+              distance(A, B, L1),
+              distance(C, D, L2),
+              Off is abs(L1-L2) ),
+            Offs),
+    length(Offs, Count),
+    Count > 50,
+    max_list(Offs, Most),
+    Most < 0.01.
+
+%   The same with a plate, whose neutral layer has as many parts.
+test(plate_between, [forall(smooth_between(Outlines))]) :-
+    Term =.. [transition,height(80),facets(8)|Outlines],
+    in_scene([Term],
+             ( complete_patterns([thickness(2),size(outside)], D),
+               area(D, Area) )),
+    Fine =.. [transition,height(80),facets(16)|Outlines],
+    in_scene([Fine],
+             ( complete_patterns([thickness(2),size(outside)], D1),
+               area(D1, Area1) )),
+    near(Area, Area1, 1.0e-4).
+
+complete_patterns(Options, D) :-
+    true_patterns(1, wanted(none, [], [], []), Options, [D|_]).
+
+%   rim_corners(Outlines, Facets, Chord, Corners): Place-(X-Y), of corners of
+%   the primitive that are once in the pattern.
+rim_corners(Outlines, Facets, Chord, Corners) :-
+    Term =.. [transition,height(80),facets(Facets)|Outlines],
+    in_scene([Term],
+             ( aggregate_all(count, face_of(1, _, curved(_, _)), Sides),
+               complete_patterns([chord(Chord),seam(10)], D),
+               aggregate_all(count, p(D, _, _), Polygons),
+               once(from_v(D, _, S, _)),
+               findall([X,Y,Z]-(X2-Y2),
+                       ( v(1, _, X, Y, Z),
+                         corner_copy(S, X, Y, Z, V),
+                         findall(X1-Y1,
+                                 ( from_v(D, W, S, V),
+                                   v(D, W, X1, Y1, _) ),
+                                 [X2-Y2]) ),
+                       Corners) )),
+    Polygons =< Sides+2,
+    Polygons >= Sides.
+
+corner_copy(S, X, Y, Z, V) :-
+    v(S, V, X0, Y0, Z0),
+    abs(X-X0) + abs(Y-Y0) + abs(Z-Z0) < 1.0e-6,
+    !.
+
+same_corner([X,Y,Z], Corners, Place) :-
+    member([X1,Y1,Z1]-Place, Corners),
+    abs(X-X1) + abs(Y-Y1) + abs(Z-Z1) < 1.0e-6,
+    !.
+
+distance(X1-Y1, X2-Y2, Distance) :-
+    Distance is sqrt((X1-X2)**2 + (Y1-Y2)**2).
 
 test(open, [true(Kind-N == surface-0)]) :-
     in_scene([open_transition(base(circle(30)), top(rectangle(50,60)),
