@@ -87,7 +87,8 @@ innermost(Term, Inner) :-
     ).
 
 %   remembered(Term): the faces and surfaces of the last term are remembered,
-%   each by itself: a list of them all would be copied whenever one is asked for.
+%   each by itself: a list of them all would be copied whenever one is asked
+%   for.
 
 remembered(Term) :-
     last_term(Last),

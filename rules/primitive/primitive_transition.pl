@@ -44,9 +44,9 @@ taken that leaves all else below the plane of the new triangle.
 %   seen, from +x, from the middles of the outlines, in their planes.
 %
 %   divided(N) of Given: each step along an arc is N. Between arcs that are not
-%   similar these have cones of their own, nearer to the smooth surface. as(Base,
-%   Top): it has the parts that it would have between these outlines, which are a
-%   little smaller or larger, if there is as much of each.
+%   similar these have cones of their own, nearer to the smooth surface.
+%   as(Base, Top): it has the parts that it would have between these outlines,
+%   which are a little smaller or larger, if there is as much of each.
 %
 %   @error model_error(primitive(What, Term)): planes_cross, and what
 %   outline_curves/3 raises

@@ -137,8 +137,8 @@ kept_apart_told(T, Rest, Ps, Manual) :-
     ).
 
 %   trimmed_as_cut(S, Options0, Options, S1, T): T is what is left of S1, which
-%   is cut instead of S; S itself if nothing is cut off, and its facets stand for
-%   the surface themselves.
+%   is cut instead of S; S itself if nothing is cut off, and its facets stand
+%   for the surface themselves.
 
 trimmed_as_cut(S, Options0, Options, S1, T) :-
     parts_cut(S, Options0, Options1, S2),

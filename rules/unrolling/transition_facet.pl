@@ -16,9 +16,9 @@ drawn. So what a fine facet stands for goes by the direction in which it is seen
 
 %!  transition_facets(+S, -Facets) is semidet.
 %
-%   Facets are those of the primitive S, a transition, round it: G1-G2-P, polygon
-%   P between the directions G1 < G2, 0.0 =< G1 < 360.0. In order of G1. Fails
-%   if S is no transition.
+%   Facets are those of the primitive S, a transition, round it: G1-G2-P,
+%   polygon P between the directions G1 < G2, 0.0 =< G1 < 360.0. In order of G1.
+%   Fails if S is no transition.
 
 transition_facets(S, Facets) :-
     once(placed_surface(S, _, transition(pieces(Places)))),

@@ -303,9 +303,9 @@ goes_round(Laid) :-
     last(Laid, laid(piece(_, _, _, _-G2, _, _, _), _, _, _)),
     G2-G1 > 360.0 - 1.0e-6.
 
-%   generator(Laid, Borders, N, At) is nondet: from left to right: where each piece
-%   begins, within it, and where the last one ends. Where cones take turns they
-%   begin between facets: of these, too, N of each outline are numbered.
+%   generator(Laid, Borders, N, At) is nondet: from left to right: where each
+%   piece begins, within it, and where the last one ends. Where cones take turns
+%   they begin between facets: of these, too, N of each outline are numbered.
 
 generator(Laid, Borders, N, at(One, T, Beside)) :-
     nth1(I, Laid, One),
@@ -325,7 +325,8 @@ generator(Laid, _, _, at(One, T, none)) :-
     last(Laid, One),
     One = laid(piece(_, _, _-T, _, _, _, _), _, _, _).
 
-%   numbered_between(N, Borders, Before, After): the generator where After begins.
+%   numbered_between(N, Borders, Before, After): the generator where After
+%   begins.
 
 numbered_between(none, Borders, _, laid(Piece, _, _, _)) :-
     !,

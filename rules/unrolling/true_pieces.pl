@@ -117,7 +117,8 @@ same_direction(G1, G2) :-
 %
 %   Seam is the direction in which the pattern begins: seam(Degrees) of Options,
 %   or by default the shortest generator, in the middle of a flat side, if there
-%   is one, else in one of the directions Borders. Around is false if there is a gap: the pattern starts after it.
+%   is one, else in one of the directions Borders. Around is false if there is a
+%   gap: the pattern starts after it.
 
 composed_seam(Pieces, Borders, Options, Seam, Around) :-
     findall(From-To,
@@ -154,14 +155,15 @@ on_border(Borders, G) :-
     same_direction(Border, G),
     !.
 
-%   shortest_seam(Pieces, Borders, Seam): in the middle of a flat side, if there is one
-%   that no hole interrupts there; of equal ones that with the smallest
+%   shortest_seam(Pieces, Borders, Seam): in the middle of a flat side, if there
+%   is one that no hole interrupts there; of equal ones that with the smallest
 %   direction.
 
 shortest_seam(Pieces, Borders, Seam) :-
     findall(Length-G, seam_candidate(Pieces, flat, Borders, Length, G), Flat),
     (   Flat == []
-    ->  findall(Length-G, seam_candidate(Pieces, round, Borders, Length, G), Found)
+    ->  findall(Length-G, seam_candidate(Pieces, round, Borders, Length, G),
+                Found)
     ;   Found = Flat
     ),
     pairs_keys(Found, Lengths),
