@@ -24,6 +24,7 @@ kind, 12 unless told. */
 
 user:message_hook(sanggwan(unfold(_)), informational, _).
 user:message_hook(sanggwan(development(_, in_triangles(_))), warning, _).
+user:message_hook(sanggwan(development(_, border(_, _))), warning, _).
 
 scenes(N) :-
     (   getenv('UNFOLD_RANDOM', Text),
