@@ -20,13 +20,13 @@ reason that could be seen in it.
 
 borders_told(S, Flattening) :-
     flattening_borders(Flattening, Es),
+    findall(Kind-E, ( member(E, Es), border_fault(S, E, Kind) ), Faults),
     forall(member(Kind, [open,turned,crowded]),
-           kind_told(Kind, S, Es)).
+           kind_told(Kind, S, Faults)).
 
-kind_told(Kind, S, Es) :-
+kind_told(Kind, S, Faults) :-
     findall(side(E, P, Name),
-            ( member(E, Es),
-              border_fault(Kind, S, E),
+            ( member(Kind-E, Faults),
               once(edge_polygon(S, E, P)),
               polygon_name(S, P, Name) ),
             Sides),
@@ -36,10 +36,10 @@ kind_told(Kind, S, Es) :-
                       sanggwan(development(S, border(Kind, Sides))))
     ).
 
-%   border_fault(Kind, S, E): what is wrong at border edge E of segment S.
+%   border_fault(S, E, Kind): what is wrong at border edge E of segment S.
 %   Nothing, if its partner is a polygon that is left out.
 
-border_fault(Kind, S, E) :-
+border_fault(S, E, Kind) :-
     once(e(S, E, A, B, _)),
     sides_between(S, A, B, Along),
     sides_between(S, B, A, Against),
