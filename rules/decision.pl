@@ -45,6 +45,9 @@ has a fixed slot in each world's table (decision4pl.c).
 
 :- meta_predicate default(:), with_first_error(0, -).
 
+% What decides only reads (sandbox.pl).
+:- multifile sandbox:safe_primitive/1.
+
 % declared(Name, Arity, Module, Slot, Doc, File, Line), and how to call its
 % default: clauses that the directive leaves in the file that has it.
 :- multifile declared/7, default_goal/2.
@@ -84,6 +87,7 @@ decision_clauses(Name/Arity, Doc, Module,
                  [ sg_decision:declared(Name, Arity, Module, Slot, Doc, File,
                                         Line),
                    sg_decision:default_goal(Head, Module:Default),
+                   sandbox:safe_primitive(Module:Head),
                    (   Head :-
                            (   sg_kernel:rule_module(Slot, Rules)
                            ->  Rules:Head

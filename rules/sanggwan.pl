@@ -57,5 +57,6 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(command/repl, [repl/0]).
 :- reexport(command/help, [help/0, help/1]).
 :- use_module(command/embedding, []).
+:- use_module(sandbox, []).
 :- use_module(message/messages, []).
 :- use_module(message/messages_ko, []).
