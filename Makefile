@@ -15,8 +15,9 @@
 .SUFFIXES:
 .DEFAULT_GOAL := all
 SHELL   := /bin/bash
-# Another B is a build of another kind: see check-san.
+# Another B, anywhere, is a build of another kind: see check-san.
 B       := build
+$(if $(filter 1,$(words $(B))),,$(error B=$(B): make takes no spaces in names))
 CC      ?= cc
 PREFIX  ?= /usr/local
 # It stands in rules/command/cli.pl.
@@ -68,7 +69,7 @@ RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
-.PHONY: all packages so demo test check check-c check-rules check-embed check-cli bless \
+.PHONY: all sanggwan packages so demo test check check-c check-rules check-embed check-cli bless \
         check-san san check-vg lint clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
@@ -92,10 +93,10 @@ $(B)/sanggwan.so: $(OBJS)
 # boot is Prolog with our C in it; it compiles the rules and saves the state
 # (goal(true) keeps -g goals out of it, class(development) leaves autoloading
 # on for what users call); state.S carries the saved state into the library.
-# While the rules are loaded autoloading is off: what a library of Prolog would
-# load when it is first needed is then loaded with it.
-LOAD = set_prolog_flag(autoload,false),load_files(user:'rules/command/cli.pl',[]), \
-       set_prolog_flag(autoload,true)
+# Prolog that is told to autoload no more loads at once what its libraries have
+# declared to load when it is first needed.
+LOAD = load_files(user:'rules/command/cli.pl',[]), \
+       set_prolog_flag(autoload,false),set_prolog_flag(autoload,true)
 SAVE = qsave_program('$@',[class(development),goal(true),toplevel(halt), \
        init_file(none),foreign(no_save),stand_alone(false),autoload(false)])
 $(B)/boot: $(B)/engine/boot.o $(OBJS)
@@ -108,7 +109,7 @@ $(B)/sanggwan.prc: $(B)/boot $(B)/documentation.pl
 	  -g "$(strip $(SAVE))" -t halt
 # The rules alone, compiled: for a host in which Prolog already runs.
 $(B)/embedded.qlf: $(B)/boot $(RULES)
-	@echo ":- module(sg_embedded, []). :- use_module('../rules/sanggwan', [])." \
+	@echo ":- module(sg_embedded, []). :- use_module('$(CURDIR)/rules/sanggwan', [])." \
 	  > $(B)/embedded.pl
 	$(B)/boot -q -f none -O --on-error=status \
 	  -g "qcompile('$(B)/embedded.pl',[include(user)])" -t halt
@@ -121,7 +122,7 @@ $(B)/libsanggwan.a: $(OBJS) $(EMBED:%.c=$(B)/%.o) $(B)/state.o
 $(B)/sanggwan: $(B)/engine/main.o $(B)/libsanggwan.a
 	$(CC) $(EXTRA_CFLAGS) $^ -o $@ $(PL_LIBS) $(LIBS)
 sanggwan: $(B)/sanggwan
-	@ln -sf $< $@
+	@[ "$$(readlink $@)" = $< ] || ln -sf $< $@
 
 # --- tests -----------------------------------------------------------------
 
@@ -216,12 +217,14 @@ check-vg: $(B)/sanggwan.so $(C_TESTS)
 	@SWIPL='$(VG) swipl --no-threads' TEST_SECONDS=1200 tests/run \
 	  $(foreach t,$(VG_PLT),$(filter %/$(t).plt,$(PLTS)))
 
-# Layout and flaws of the C; documentation, width and layers of all.
+# Layout and flaws of the C, also what another compiler warns of; documentation, width and layers of all.
 # tools/cppcheck.supp says what is not asked, and why.
 FORMATTED := $(wildcard engine/*.[ch] c_kernels/*.[ch] c_kernels/*/*.[ch] \
                tests/*.h tests/*/*.[ch] tests/*/*/*.[ch] bench/*.c docs/*.c)
 lint: $(B)/sanggwan.so
 	@clang-format --dry-run -Werror $(FORMATTED)
+	@clang -fsyntax-only $(CFLAGS) $(WARN) -Wno-sign-conversion $(PL_CFLAGS) \
+	  -Iengine $(filter %.c,$(FORMATTED))
 	@cppcheck -q -j 2 --enable=warning,portability,performance --std=c11 \
 	  --suppressions-list=tools/cppcheck.supp --error-exitcode=1 \
 	  -I. -Ic_kernels \
@@ -251,7 +254,7 @@ bench: all
 # DESTDIR stands before every path, as packagers want; tools/install says what
 # goes where.
 install: all $(B)/sanggwan.1
-	@DESTDIR='$(DESTDIR)' tools/install '$(PREFIX)' $(VERSION) $(PL_ARCH)
+	@B=$(B) DESTDIR='$(DESTDIR)' tools/install '$(PREFIX)' $(VERSION) $(PL_ARCH)
 uninstall:
 	@DESTDIR='$(DESTDIR)' tools/install --remove '$(PREFIX)'
 $(B)/sanggwan.1: tools/manual.pl rules/command/usage.pl

@@ -6,10 +6,11 @@
 #   check "bad option is usage" status 2 $SANGGWAN draw --nonsense
 #   check_report
 #
-# Tests run in the project's root. $SANGGWAN is the program under test, $TMP a
-# folder that goes away at the end. The locale is C, as on a bare machine.
+# Tests run in the project's root. $B is the folder of the build, $SANGGWAN the
+# program under test, $TMP a folder that goes away at the end. The locale is C, as on a bare machine.
 export LANG=C LC_ALL=C
-: "${SANGGWAN:=./sanggwan}"
+B=$(realpath "${B:-build}")
+: "${SANGGWAN:=$B/sanggwan}"
 TMP=$(mktemp -d)
 trap 'rm -rf "$TMP"' EXIT
 check_passed=0 check_failed=0 check_skipped=0

@@ -162,7 +162,8 @@ typedef struct join {
   uint32_t **number; /* [segments][leaves], from 1; 0: none yet; null: none */
 } join;
 
-enum { REFUSED = UINT32_MAX }; /* a leaf without one of its corners */
+/* A leaf without one of its corners. */
+static const uint32_t REFUSED = UINT32_MAX;
 
 /* The pairs of trees of one sort, of two segments. A curve comes first, else
  * the smaller segment. */

@@ -273,7 +273,7 @@ hang_triangle(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
 /* Hangs free vertices of triangles that have no others together, leaf by leaf:
  * nodes of one leaf never meet those of another, so leaves are tasks. What is
  * left is LATE. leaf->component is a node at first. */
-enum { LATE = SG_NO_KEY - 1 };
+static const uint32_t LATE = SG_NO_KEY - 1;
 
 /* The nodes of a triangle; false: not all of its vertices are free. */
 static bool

@@ -43,7 +43,7 @@ if [ "$(id -u)" = 0 ]; then
 else
   as_nobody=()
 fi
-cp build/sanggwan facts/cube.pl "$work"
+cp "$B/sanggwan" facts/cube.pl "$work"
 if "${as_nobody[@]}" "$work/sanggwan" --version >/dev/null 2>&1; then
   chmod 444 "$work/to/a.svg"
   "${as_nobody[@]}" "$work/sanggwan" draw "$work/cube.pl" -o "$work/to/a.svg" \

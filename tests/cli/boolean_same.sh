@@ -41,7 +41,7 @@ same_order() {
 }
 
 case $SANGGWAN in /*) ;; *) SANGGWAN=$PWD/$SANGGWAN ;; esac
-checker=$PWD/build/tests/solid_checker
+checker=$B/tests/solid_checker
 if command -v taskset >/dev/null; then
   for verb in union intersection difference; do
     check "$verb: any number of threads" same_threads "$verb" off ball ring box

@@ -1,7 +1,7 @@
 #!/bin/bash
 # embed.sh -- docs/example.c as a user builds and runs it; the header in C++.
 . "$(dirname "$0")/../check.sh"
-EXAMPLE=build/docs/example
+EXAMPLE=$B/docs/example
 
 cat >"$TMP/expected" <<'TEXT'
 segment 1, a solid, has 556 edges

@@ -7,7 +7,8 @@
 # Source it, test, and end with `finish`.
 set -u
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-sanggwan=${SANGGWAN:-$here/sanggwan}
+B=$(cd "$here" && realpath "${B:-build}")
+sanggwan=${SANGGWAN:-$B/sanggwan}
 data=$here/../shared/data
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,21 +1,22 @@
 # installed.sh -- the installed copy: from the shell, from plain swipl, from C;
-# with the tree that it was built in moved away.
+# with the tree that it was made from, and the folder of the build outside of it,
+# taken away.
 . "$(dirname "$0")/../check.sh"
 
 unset DESTDIR PREFIX MAKEFLAGS MFLAGS MAKELEVEL
-tree=$TMP/tree prefix=$TMP/prefix models=$TMP/prefix/share/doc/sanggwan/facts
+tree=$TMP/tree built=$TMP/built prefix=$TMP/prefix models=$TMP/prefix/share/doc/sanggwan/facts
 
-# A copy of this tree. Its rules are newer than what was built from them, so
-# that the program with the rules inside is built there and knows this tree no
-# more.
+# A copy of this tree and of what was built from it. Its rules are newer, so that
+# the program with the rules inside is built there and knows this tree no more.
 copy_tree() {
-  mkdir "$tree" "$tree/build" &&
+  mkdir "$tree" "$built" &&
     cp -a Makefile LICENSE ./*.md tools rules engine c_kernels facts docs \
       "$tree" &&
-    cp -a build/engine build/c_kernels build/*.* "$tree/build" &&
+    cp -a "$B"/{engine,c_kernels} "$B"/*.* "$built" &&
     touch "$tree"/rules/*.pl
 }
-in_tree() { (cd "$tree" && nice make --no-print-directory "$@" </dev/null); }
+in_tree() { (cd "$tree" && nice make --no-print-directory B="$built" "$@" \
+  </dev/null); }
 
 # there FOLDER FILE...: these files are in FOLDER.
 there() {
@@ -50,7 +51,8 @@ check "make uninstall" in_tree uninstall DESTDIR="$TMP/stage" PREFIX=/opt/s
 check "nothing is left" no_files "$TMP/stage"
 
 # From here on only the prefix is left, and an empty folder to stand in.
-rm -rf "$tree"
+check "the tree has no build of its own" eval '[ ! -e "$tree/build" ]'
+rm -rf "$tree" "$built"
 mkdir "$TMP/empty"
 cd "$TMP/empty" || exit 1
 unset SANGGWAN

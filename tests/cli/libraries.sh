@@ -14,15 +14,15 @@ main :-
     current_prolog_flag(argv, [File]),
     prolog_walk_code([undefined(trace), on_trace(ignored),
                       module_class([library])]),
-    set_prolog_flag(autoload, false),
     set_prolog_flag(encoding, utf8),
     load_files(rules:File, [silent(true)]),
+    set_prolog_flag(autoload, false),
     list_undefined([module_class([user])]).
 
 ignored(_, _, _).
 PROLOG
 undefined() { # undefined RULES: what they call that is nowhere
-  swipl -f none -p foreign="$here/build" --on-error=status \
+  swipl -f none -p foreign="$B" --on-error=status \
     --on-warning=status "$TMP/undefined.pl" -- "$1/command/cli.pl"
 }
 check "nothing is undefined without autoloading" undefined "$here/rules"
@@ -46,6 +46,6 @@ later(Files) :-
             Files).
 PROLOG
 check "the program loads no library later" output '^\[\]$' \
-  ./sanggwan query -q --format csv facts/cube.pl \
+  "$SANGGWAN" query -q --format csv facts/cube.pl \
   "consult('$TMP/later.pl'), later(Files)"
 check_report

@@ -38,5 +38,9 @@ check "demo after a build" asks --install demo
 check "both" asks 'tests lint --install' test lint
 rm -rf "$tree/build"
 check "test first of all" asks 'tests --install' test
+check "a build elsewhere" asks '' B="$TMP/elsewhere" so
+check "is all there" grep -q -- " -o $TMP/elsewhere/" "$TMP/log"
+check "nowhere else" eval '! grep -q -- " -o build/" "$TMP/log"'
+check "a space is refused" complains 2 'no spaces' make -C "$tree" B="a b"
 check "clean looks for nothing" asks '' clean
 check_report

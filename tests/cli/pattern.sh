@@ -7,7 +7,7 @@ segment(1, solid, sphere(radius(50), facets(24), bands(12))).
 segment(2, solid, box(size(60, 40, 30))).
 segment(3, solid, cylinder(radius(20), height(60), facets(24), shift(30, 0))).
 END
-swipl -q -p foreign="${BUILD:-build}" tests/cli/pattern_files.pl -- "$work" \
+swipl -q -p foreign="$B" tests/cli/pattern_files.pl -- "$work" \
   >"$work/out" 2>"$work/err" </dev/null
 status=$?
 err=$(cat "$work/err")
@@ -83,7 +83,7 @@ check "FOLD: a box" python3 tests/cli/fold_check.py "$work/box.fold" 6 1
 for model in patterns/house:1 patterns/fig12:0 cube:1 hollow_block:-1; do
   for side in outside inside; do
     option=$([ $side = inside ] && echo --inside)
-    ./sanggwan unfold -q $option --only 1 "facts/${model%:*}.pl" \
+    "$sanggwan" unfold -q $option --only 1 "facts/${model%:*}.pl" \
       -o "$work/x.fold" \
       >"$work/out" 2>"$work/err" </dev/null
     faces=$(python3 -c 'import json, sys
@@ -94,8 +94,8 @@ print(len(json.load(open(sys.argv[1]))["faces_vertices"]))' "$work/x.fold")
 done
 mountains() { grep -o '"M"' "$1" | wc -l; }
 valleys() { grep -o '"V"' "$1" | wc -l; }
-./sanggwan unfold -q facts/patterns/house.pl -o "$work/out.fold" >"$work/out"
-./sanggwan unfold -q --inside facts/patterns/house.pl -o "$work/in.fold" \
+"$sanggwan" unfold -q facts/patterns/house.pl -o "$work/out.fold" >"$work/out"
+"$sanggwan" unfold -q --inside facts/patterns/house.pl -o "$work/in.fold" \
   >"$work/out"
 check "FOLD: mountains are valleys from inside" eval \
   '[ $(mountains "$work/out.fold") -gt 0 ] && \

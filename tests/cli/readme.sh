@@ -2,7 +2,7 @@
 . "$(dirname "$0")/../check.sh"
 
 cp -r README.md facts "$TMP"
-ln -s "$PWD/build/sanggwan" "$TMP/sanggwan"
+ln -s "$B/sanggwan" "$TMP/sanggwan"
 cd "$TMP" || exit 1
 
 # Its command lines, one after the other.

@@ -4,7 +4,7 @@
 
 root=$PWD
 cp -r docs facts "$TMP"
-ln -s "$PWD/build/sanggwan" "$TMP/sanggwan"
+ln -s "$B/sanggwan" "$TMP/sanggwan"
 cd "$TMP" || exit 1
 
 # shown COMMAND: the lines under it, up to the next empty one.

@@ -295,11 +295,11 @@ pair_agrees(const double a[3][3], const double b[3][3])
   sg_cut cut[SG_CUT_MAX];
   int n, expected;
   sg_cut_kind kind = sg_cut_triangles(a, b, cut, &n);
-  bool solid = half_spaces(a, ha) & half_spaces(b, hb);
+  bool solid_a = half_spaces(a, ha), solid_b = half_spaces(b, hb);
   bool flat = true;
 
   counts[kind][0]++;
-  if (!solid) {
+  if (!solid_a || !solid_b) {
     return kind == SG_CUT_NONE && n == 0;
   }
   for (int i = 0; i < 3; i++) {
