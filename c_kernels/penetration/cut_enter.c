@@ -68,19 +68,20 @@ typedef struct entering {
   sg_outcome outcome;
 } entering;
 
+bool
+sg_cut_is_in_work(const void *work, int32_t v)
+{
+  return sg_work_find(work, v) != SG_WORK_NONE;
+}
+
 /* The name that a point has in segment s, of several the one that `work` has;
  * 0: none. */
 static int32_t
 name_in_work(const sg_cut_set *set, const sg_work *work, uint32_t point,
              int32_t s)
 {
-  const sg_cut_points *points = &set->points;
-  int32_t first = sg_cut_points_name(points, point, s), v = first;
-
-  while (v != 0 && sg_work_find(work, v) == SG_WORK_NONE) {
-    v = sg_cut_points_next_name(points, point, s, v);
-  }
-  return v != 0 ? v : first;
+  return sg_cut_points_good_name(&set->points, point, s, sg_cut_is_in_work,
+                                 work);
 }
 
 static int32_t

@@ -45,6 +45,9 @@ void sg_outlines_clear(sg_outlines *all);
 const sg_split_edge *sg_cut_split_edge(const sg_cut_set *set, int32_t s,
                                        int32_t v1, int32_t v2);
 
+/* Whether a work has a vertex of this name (an sg_is_good_name). */
+bool sg_cut_is_in_work(const void *work, int32_t v);
+
 /* The edges of outline i go into an empty work, opened with its normal, in
  * pieces, labelled with their numbers; and so do the ends of its lines. An edge
  * of a vertex that is nowhere, or of a point without a name: SG_STUCK. */

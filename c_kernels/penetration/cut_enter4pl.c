@@ -20,13 +20,10 @@ static int32_t
 name_in_work_ex(sg_cut_handle *handle, const sg_work *work, uint32_t point,
                 int32_t s)
 {
-  const sg_cut_points *points = &handle->set.points;
-  int32_t first = sg_cut_name_ex(handle, point, s), v = first;
-
-  while (v != 0 && sg_work_find(work, v) == SG_WORK_NONE) {
-    v = sg_cut_points_next_name(points, point, s, v);
-  }
-  return v != 0 ? v : first;
+  return sg_cut_name_ex(handle, point, s) == 0
+             ? 0
+             : sg_cut_points_good_name(&handle->set.points, point, s,
+                                       sg_cut_is_in_work, work);
 }
 
 /* cut_enter_free(+Set, +S, +P, +Work) is semidet. */

@@ -17,19 +17,33 @@
 typedef struct fold {
   uint32_t low, high; /* points of the chord */
   const double *p, *q;
+  const sg_cut_piece *of;
   size_t cut;
 } fold;
 
+/* Those of the same chord and the same two polygons come together. */
 static int
-by_chord(const void *a, const void *b)
+by_polygons(const fold *x, const fold *y)
 {
-  const fold *x = a, *y = b;
-
   if (x->low != y->low) {
     return x->low < y->low ? -1 : 1;
   }
   if (x->high != y->high) {
     return x->high < y->high ? -1 : 1;
+  }
+  int by_s = memcmp(x->of->s, y->of->s, sizeof x->of->s);
+
+  return by_s != 0 ? by_s : memcmp(x->of->p, y->of->p, sizeof x->of->p);
+}
+
+static int
+by_chord(const void *a, const void *b)
+{
+  const fold *x = a, *y = b;
+  int order = by_polygons(x, y);
+
+  if (order != 0) {
+    return order;
   }
   return (x->cut > y->cut) - (x->cut < y->cut);
 }
@@ -82,17 +96,14 @@ find_folds(const sg_cut_set *set, fold *out)
 
     if (q) {
       out[n++] = (fold){cut->a < cut->b ? cut->a : cut->b,
-                        cut->a < cut->b ? cut->b : cut->a, p, q, i};
+                        cut->a < cut->b ? cut->b : cut->a,
+                        p,
+                        q,
+                        cut,
+                        i};
     }
   }
   return n;
-}
-
-static bool
-same_polygons(const sg_cut_piece *x, const sg_cut_piece *y)
-{
-  return memcmp(x->s, y->s, sizeof x->s) == 0 &&
-         memcmp(x->p, y->p, sizeof x->p) == 0;
 }
 
 bool
@@ -106,15 +117,13 @@ sg_cut_drop_folds(sg_cut_set *set)
   }
   qsort(list, n, sizeof *list, by_chord);
   for (size_t i = 0, end; i < n; i = end) {
-    for (end = i + 1; end < n && list[end].low == list[i].low &&
-                      list[end].high == list[i].high;
+    for (end = i + 1; end < n && by_polygons(&list[end], &list[i]) == 0;
          end++) {
     }
     for (size_t k = i; k < end; k++) {
       for (size_t l = i; l < end; l++) {
         if (same_place(list[k].p, list[l].q) &&
-            same_place(list[k].q, list[l].p) &&
-            same_polygons(&set->cut[list[k].cut], &set->cut[list[l].cut])) {
+            same_place(list[k].q, list[l].p)) {
           set->cut[list[k].cut].live = false;
         }
       }

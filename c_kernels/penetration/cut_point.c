@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { FEW = 8 }; /* seats of a point that are looked through */
+
 void
 sg_cut_points_init(sg_cut_points *points, const sg_cut_model *model)
 {
@@ -13,6 +15,8 @@ sg_cut_points_init(sg_cut_points *points, const sg_cut_model *model)
   sg_key_table_init(&points->of_made, 6);
   sg_key_table_init(&points->of_place, 6);
   sg_key_table_init(&points->of_name, 2);
+  sg_key_table_init(&points->of_seat, 4);
+  sg_key_table_init(&points->least, 2);
   sg_key_table_init(&points->by_itself, 1);
 }
 
@@ -27,6 +31,8 @@ sg_cut_points_clear(sg_cut_points *points)
   sg_key_table_clear(&points->of_made);
   sg_key_table_clear(&points->of_place);
   sg_key_table_clear(&points->of_name);
+  sg_key_table_clear(&points->of_seat);
+  sg_key_table_clear(&points->least);
   sg_key_table_clear(&points->by_itself);
   sg_cut_points_init(points, points->model);
 }
@@ -84,22 +90,83 @@ same_place(const sg_place *p, const sg_place *q)
 /* ---- seats and names ---- */
 
 static bool
+make_seat_room(sg_cut_points *points)
+{
+  if (points->seats < points->seat_room) {
+    return true;
+  }
+  size_t room = points->seat_room ? 2 * points->seat_room : 64;
+  sg_seat *grown = realloc(points->seat, room * sizeof *grown);
+
+  if (!grown) {
+    return false;
+  }
+  points->seat = grown;
+  points->seat_room = room;
+  return true;
+}
+
+static void
+seat_key(uint32_t point, const sg_place *place, uint32_t key[4])
+{
+  key[0] = point;
+  key[1] = (uint32_t)place->kind;
+  key[2] = place->a;
+  key[3] = place->b;
+}
+
+static bool
+list_seat(sg_cut_points *points, uint32_t point, uint32_t i)
+{
+  const sg_seat *seat = &points->seat[i];
+  uint32_t key[4], *number, *least;
+
+  seat_key(point, &seat->place, key);
+  number = sg_key_table_put(&points->of_seat, key);
+  if (!number) {
+    return false;
+  }
+  *number = i;
+  if (seat->v == 0) {
+    return true;
+  }
+  least =
+      sg_key_table_put(&points->least, (uint32_t[2]){point, (uint32_t)seat->s});
+  if (!least) {
+    return false;
+  }
+  *least = *least < (uint32_t)seat->v ? *least : (uint32_t)seat->v;
+  return true;
+}
+
+/* Puts the seats of a point in the tables: all that it has, when there are too
+ * many to look through, and then each new one, which is the first. */
+static bool
+list_seats(sg_cut_points *points, uint32_t point)
+{
+  const sg_cut_point *of = &points->point[point];
+  uint32_t n = of->seats < FEW ? 0 : of->seats == FEW ? FEW : 1, i = of->seat;
+
+  for (; n > 0; n--) {
+    if (!list_seat(points, point, i)) {
+      return false;
+    }
+    i = points->seat[i].next;
+  }
+  return true;
+}
+
+static bool
 take_seat(sg_cut_points *points, uint32_t point, int32_t s, sg_place place,
           int32_t v)
 {
-  if (points->seats == points->seat_room) {
-    size_t room = points->seat_room ? 2 * points->seat_room : 64;
-    sg_seat *grown = realloc(points->seat, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    points->seat = grown;
-    points->seat_room = room;
+  if (!make_seat_room(points)) {
+    return false;
   }
   points->seat[points->seats] =
       (sg_seat){s, v, false, place, points->point[point].seat};
   points->point[point].seat = (uint32_t)points->seats++;
+  points->point[point].seats++;
   if (v != 0) {
     uint32_t key[2] = {(uint32_t)s, (uint32_t)v};
     uint32_t *number = sg_key_table_put(&points->of_name, key);
@@ -109,13 +176,20 @@ take_seat(sg_cut_points *points, uint32_t point, int32_t s, sg_place place,
     }
     *number = point;
   }
-  return true;
+  return list_seats(points, point);
 }
 
 /* The point's seat for exactly this place; null: it has none. */
 static sg_seat *
 seat_at(const sg_cut_points *points, uint32_t point, const sg_place *place)
 {
+  uint32_t key[4], number;
+
+  if (points->point[point].seats >= FEW) {
+    seat_key(point, place, key);
+    number = sg_key_table_get(&points->of_seat, key);
+    return number == SG_NO_KEY ? NULL : &points->seat[number];
+  }
   for (uint32_t i = points->point[point].seat; i != SG_NO_KEY;
        i = points->seat[i].next) {
     if (same_place(&points->seat[i].place, place)) {
@@ -143,16 +217,21 @@ seat_all(sg_cut_points *points, uint32_t point, const sg_made *made)
 }
 
 int32_t
-sg_cut_points_next_name(const sg_cut_points *points, uint32_t point, int32_t s,
-                        int32_t v)
+sg_cut_points_name(const sg_cut_points *points, uint32_t point, int32_t s)
 {
   int32_t least = 0;
 
+  if (points->point[point].seats >= FEW) {
+    uint32_t known =
+        sg_key_table_get(&points->least, (uint32_t[2]){point, (uint32_t)s});
+
+    return known == SG_NO_KEY ? 0 : (int32_t)known;
+  }
   for (uint32_t i = points->point[point].seat; i != SG_NO_KEY;
        i = points->seat[i].next) {
     const sg_seat *seat = &points->seat[i];
 
-    if (seat->s == s && seat->v > v && (least == 0 || seat->v < least)) {
+    if (seat->s == s && seat->v > 0 && (least == 0 || seat->v < least)) {
       least = seat->v;
     }
   }
@@ -160,9 +239,24 @@ sg_cut_points_next_name(const sg_cut_points *points, uint32_t point, int32_t s,
 }
 
 int32_t
-sg_cut_points_name(const sg_cut_points *points, uint32_t point, int32_t s)
+sg_cut_points_good_name(const sg_cut_points *points, uint32_t point, int32_t s,
+                        sg_is_good_name *is_good, const void *data)
 {
-  return sg_cut_points_next_name(points, point, s, 0);
+  int32_t first = sg_cut_points_name(points, point, s), good = 0;
+
+  if (first == 0 || is_good(data, first)) {
+    return first;
+  }
+  for (uint32_t i = points->point[point].seat; i != SG_NO_KEY;
+       i = points->seat[i].next) {
+    const sg_seat *seat = &points->seat[i];
+
+    if (seat->s == s && seat->v > first && (good == 0 || seat->v < good) &&
+        is_good(data, seat->v)) {
+      good = seat->v;
+    }
+  }
+  return good != 0 ? good : first;
 }
 
 bool
@@ -307,6 +401,7 @@ new_point(sg_cut_points *points, const sg_point *at, const sg_made *made,
   sg_point_copy(&point->at, at);
   point->made = *made;
   point->seat = SG_NO_KEY;
+  point->seats = 0;
   point->same_place = *bucket;
   *bucket = number;
   points->n++;

@@ -47,6 +47,7 @@ typedef struct sg_cut_point {
   sg_point at;
   sg_made made;
   uint32_t seat;       /* the first, SG_NO_KEY: none */
+  uint32_t seats;      /* how many */
   uint32_t same_place; /* another point with the same doubles, SG_NO_KEY */
 } sg_cut_point;
 
@@ -58,6 +59,8 @@ typedef struct sg_cut_points {
   sg_key_table of_made;   /* pairs of places -> point */
   sg_key_table of_place;  /* three doubles -> first point there */
   sg_key_table of_name;   /* (s, v) -> point */
+  sg_key_table of_seat;   /* (point, place) -> seat, of points with many */
+  sg_key_table least;     /* (point, s) -> its smallest name, of the same */
   sg_key_table by_itself; /* the segments that are cut by themselves */
 } sg_cut_points;
 
@@ -88,9 +91,12 @@ uint32_t sg_cut_points_at(sg_cut_points *points, const sg_point *at,
  */
 int32_t sg_cut_points_name(const sg_cut_points *points, uint32_t point,
                            int32_t s);
-/* Its smallest name in segment s above v, 0: no more. */
-int32_t sg_cut_points_next_name(const sg_cut_points *points, uint32_t point,
-                                int32_t s, int32_t v);
+/* The smallest of its names in segment s for which `is_good` says so; if there
+ * is none, the smallest; 0: it has none. A name is asked about once at most. */
+typedef bool sg_is_good_name(const void *data, int32_t v);
+int32_t sg_cut_points_good_name(const sg_cut_points *points, uint32_t point,
+                                int32_t s, sg_is_good_name *is_good,
+                                const void *data);
 /* Gives it one; it must have none. False: no memory. */
 bool sg_cut_points_set_name(sg_cut_points *points, uint32_t point, int32_t s,
                             int32_t v);

@@ -434,14 +434,13 @@ static size_t
 rank_on_edge(const sg_cut_set *set, const sg_split_edge *edge, uint32_t point)
 {
   const sg_leaf_vertex *start = &set->model.vertex[edge->place.a];
-  int32_t v = start->v - 1;
 
   for (size_t i = 0; i < edge->n; i++) {
     if (edge->point[i] == point) {
       return i + 1;
     }
   }
-  return sg_cut_points_next_name(&set->points, point, start->s, v) == start->v
+  return sg_cut_points_named(&set->points, start->s, start->v) == point
              ? 0
              : edge->n + 1;
 }

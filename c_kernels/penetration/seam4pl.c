@@ -31,21 +31,26 @@ sg_cut_name_ex(sg_cut_handle *handle, uint32_t point, int32_t s)
   return (int32_t)(*next)++;
 }
 
+typedef struct in_polygon {
+  sg_cut_handle *handle;
+  int32_t s, p;
+} in_polygon;
+
 /* Whether vertex v is one of polygon p. */
 static bool
-is_in_polygon(sg_cut_handle *handle, int32_t s, int32_t p, int32_t v)
+is_in_polygon(const void *data, int32_t v)
 {
-  sg_row row = sg_cut_row_of(handle, SG_P, s, p);
+  const in_polygon *in = data;
+  const sg_version *version = in->handle->version;
+  sg_row row = sg_cut_row_of(in->handle, SG_P, in->s, in->p);
   const int32_t *list =
-      row == SG_NO_ROW ? NULL
-                       : sg_version_value(handle->version, SG_P, row, 2).list;
+      row == SG_NO_ROW ? NULL : sg_version_value(version, SG_P, row, 2).list;
 
   for (int32_t i = 1; list && i <= list[0]; i++) {
-    sg_row at = sg_cut_row_of(handle, SG_E, s, list[i]);
+    sg_row at = sg_cut_row_of(in->handle, SG_E, in->s, list[i]);
 
-    if (at != SG_NO_ROW &&
-        (sg_version_value(handle->version, SG_E, at, 2).i == v ||
-         sg_version_value(handle->version, SG_E, at, 3).i == v)) {
+    if (at != SG_NO_ROW && (sg_version_value(version, SG_E, at, 2).i == v ||
+                            sg_version_value(version, SG_E, at, 3).i == v)) {
       return true;
     }
   }
@@ -55,17 +60,10 @@ is_in_polygon(sg_cut_handle *handle, int32_t s, int32_t p, int32_t v)
 int32_t
 sg_cut_name_in(sg_cut_handle *handle, uint32_t point, int32_t s, int32_t p)
 {
-  const sg_cut_points *points = &handle->set.points;
-  int32_t first = sg_cut_points_name(points, point, s);
-  int32_t v = first;
+  const in_polygon in = {handle, s, p};
 
-  if (sg_cut_points_next_name(points, point, s, first) == 0) {
-    return first;
-  }
-  while (v != 0 && !is_in_polygon(handle, s, p, v)) {
-    v = sg_cut_points_next_name(points, point, s, v);
-  }
-  return v != 0 ? v : first;
+  return sg_cut_points_good_name(&handle->set.points, point, s, is_in_polygon,
+                                 &in);
 }
 
 static bool

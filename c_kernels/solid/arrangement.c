@@ -65,6 +65,19 @@ line_key(uint32_t leaf, int32_t v1, int32_t v2, uint32_t key[3])
   key[2] = (uint32_t)(v1 < v2 ? v2 : v1);
 }
 
+/* A line between two points runs between all vertices that are there. */
+static bool
+is_cut_line(const sg_arrangement *a, uint32_t leaf, int32_t v1, int32_t v2)
+{
+  const sg_cut_points *points = &a->leaves.set->points;
+  int32_t s = a->leaf[leaf].s;
+  uint32_t p = sg_cut_points_named(points, s, v1);
+  uint32_t q = p == SG_NO_KEY ? p : sg_cut_points_named(points, s, v2);
+  uint32_t key[3] = {leaf, p < q ? p : q, p < q ? q : p};
+
+  return q != SG_NO_KEY && sg_key_table_get(&a->cut_line, key) != SG_NO_KEY;
+}
+
 bool
 sg_arrangement_is_line(const sg_arrangement *a, uint32_t leaf, int32_t v1,
                        int32_t v2)
@@ -72,28 +85,19 @@ sg_arrangement_is_line(const sg_arrangement *a, uint32_t leaf, int32_t v1,
   uint32_t key[3];
 
   line_key(leaf, v1, v2, key);
-  return sg_key_table_get(&a->barrier, key) != SG_NO_KEY;
+  return sg_key_table_get(&a->barrier, key) != SG_NO_KEY ||
+         is_cut_line(a, leaf, v1, v2);
 }
 
 static bool
 note_line(sg_arrangement *a, int32_t s, const sg_cut_piece *piece)
 {
-  const sg_cut_points *points = &a->leaves.set->points;
-  uint32_t leaf = sg_arrangement_leaf(a, s), key[3];
+  uint32_t leaf = sg_arrangement_leaf(a, s);
+  uint32_t key[3] = {leaf, piece->a < piece->b ? piece->a : piece->b,
+                     piece->a < piece->b ? piece->b : piece->a};
 
-  if (leaf == SG_NO_KEY || !a->leaf[leaf].wanted) {
-    return true;
-  }
-  for (int32_t v = 0; (v = sg_cut_points_next_name(points, piece->a, s, v));) {
-    for (int32_t w = 0;
-         (w = sg_cut_points_next_name(points, piece->b, s, w));) {
-      line_key(leaf, v, w, key);
-      if (!sg_key_table_add(&a->barrier, key)) {
-        return false;
-      }
-    }
-  }
-  return true;
+  return leaf == SG_NO_KEY || !a->leaf[leaf].wanted ||
+         sg_key_table_add(&a->cut_line, key);
 }
 
 static bool
@@ -270,6 +274,7 @@ sg_arrangement_open(const sg_leaves *leaves, const sg_poll *poll)
   a->leaves = *leaves;
   a->leaf = calloc(leaves->n + 1, sizeof *a->leaf);
   sg_key_table_init(&a->barrier, 3);
+  sg_key_table_init(&a->cut_line, 3);
   sg_key_table_init(&a->has_triangles, 2);
   sg_key_table_init(&a->auxiliary, 3);
   if (!a->leaf || !lay_leaves(a) || !note_lines(a, poll) ||
@@ -309,6 +314,7 @@ sg_arrangement_shed(sg_arrangement *a, const sg_leaf_views *views)
 {
   trim_arrays(a);
   sg_key_table_clear(&a->barrier);
+  sg_key_table_clear(&a->cut_line);
   sg_key_table_clear(&a->has_triangles);
   free(a->next_of_polygon);
   free(a->cut_row);
@@ -339,6 +345,7 @@ sg_arrangement_close(sg_arrangement *a)
   }
   sg_segment_rows_clear(&a->rows);
   sg_key_table_clear(&a->barrier);
+  sg_key_table_clear(&a->cut_line);
   sg_key_table_clear(&a->has_triangles);
   sg_key_table_clear(&a->auxiliary);
   free(a->leaf);

@@ -73,7 +73,8 @@ struct sg_arrangement {
   sg_segment_rows rows;
   uint8_t *touched; /* [vertex_nodes]: on another leaf, or on a line */
   size_t vertex_nodes;
-  sg_key_table barrier;       /* leaf, two names: a line runs there */
+  sg_key_table cut_line;      /* leaf, two points: a line runs there */
+  sg_key_table barrier;       /* leaf, two names: as if a line ran there */
   sg_key_table auxiliary;     /* leaf, two names: an edge, and no line */
   sg_key_table has_triangles; /* leaf, polygon: the last of its triangles in the
                                  cut model */

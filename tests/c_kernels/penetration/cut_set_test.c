@@ -227,12 +227,64 @@ late_splits(void)
   sg_cut_set_clear(&set);
 }
 
+static bool
+is_this(const void *data, int32_t v)
+{
+  return v == *(const int32_t *)data;
+}
+
+typedef struct asking {
+  size_t asked;
+  int32_t from;
+} asking;
+
+static bool
+is_from(const void *data, int32_t v)
+{
+  asking *a = (asking *)data;
+
+  a->asked++;
+  return v >= a->from;
+}
+
+/* Many vertices in one place: no name is asked about twice. */
+static void
+many_names(void)
+{
+  enum { MANY = 20000 };
+  sg_cut_set set;
+  uint32_t p = SG_NO_KEY;
+  asking a = {0, MANY - 1};
+  int32_t none = MANY + 1;
+  bool good = true;
+
+  CHECK("points", two_boxes(&set, (double[3]){0, 0, 0}));
+  for (int32_t v = MANY; v > 8 && good; v--) { /* the smallest comes last */
+    double at[3] = {0, 0, 0};
+
+    good = sg_cut_model_vertex(&set.model, 1, v, at);
+    p = vertex_point(&set, 1, v);
+  }
+  CHECK("all are one point", good && p == vertex_point(&set, 2, 1));
+  CHECK("the first name", sg_cut_points_name(&set.points, p, 1) == 9);
+  CHECK("of another segment", sg_cut_points_name(&set.points, p, 2) == 1 &&
+                                  sg_cut_points_name(&set.points, p, 3) == 0);
+  CHECK("the first good name",
+        sg_cut_points_good_name(&set.points, p, 1, is_from, &a) == MANY - 1);
+  CHECK("each asked about once at most", a.asked < MANY);
+  CHECK("no good name: the first one",
+        sg_cut_points_good_name(&set.points, p, 1, is_this, &none) == 9);
+  CHECK("a seat each", set.points.point[p].seats == MANY - 8 + 1);
+  sg_cut_set_clear(&set);
+}
+
 /* A point made in two ways is one, and so are two vertices in one place. */
 static void
 points(void)
 {
   sg_cut_set set;
   /* A lower edge of the first box, the bottom of the second. */
+  const int32_t nine = 9;
   sg_made parallel = {2, {{SG_ON_EDGE, 0, 1}, {SG_ON_FACE, 12, 0}}};
 
   CHECK("apart", two_boxes(&set, (double[3]){1, 1, 1}));
@@ -252,7 +304,7 @@ points(void)
   CHECK("the same point", vertex_point(&set, 1, 9) == p);
   CHECK("with both names",
         sg_cut_points_name(&set.points, p, 1) < 9 &&
-            sg_cut_points_next_name(&set.points, p, 1, 8) == 9);
+            sg_cut_points_good_name(&set.points, p, 1, is_this, &nine) == 9);
   sg_cut_set_clear(&set);
 }
 
@@ -266,5 +318,6 @@ main(void)
   only_a_corner();
   late_splits();
   points();
+  many_names();
   return check_report();
 }
