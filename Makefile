@@ -27,7 +27,7 @@ VERSION := $(shell sed -n "s/^version('\(.*\)')\.$$/\1/p" rules/command/cli.pl)
 # what pkg-config says; make re-reads this file after making it, so the flags
 # are right even when SWI-Prolog was not there a moment ago. Packages are looked
 # for before each of these goals, whether or not deps.mk is there already.
-TESTING  := test check check-san bench
+TESTING  := test check check-san bench mutants
 LINTING  := lint check-vg
 INSTALLS := demo $(TESTING) $(LINTING)
 PURPOSES := $(if $(filter $(TESTING),$(MAKECMDGOALS)),tests) \
@@ -70,7 +70,7 @@ RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 .PHONY: all sanggwan packages so demo test check check-c check-rules check-embed check-cli bless \
-        check-san san check-vg lint clean install uninstall bench
+        mutants check-san san check-vg lint clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
 
@@ -185,6 +185,14 @@ check-embed: $(EMBEDS)
 	@tests/run $^
 check-cli: all $(B)/docs/example $(CHECKERS)
 	@tests/run $(CLIS)
+
+# Do the tests notice faults? N mutants of lines drawn by SEED; PART is a part
+# of the paths of their files; FULL=1 tries every test.
+N    ?= 20
+SEED ?= 1
+PART ?=
+mutants: all $(CHECKERS)
+	@tools/mutants $(N) $(SEED) $(PART)
 
 # --- checkers --------------------------------------------------------------
 
