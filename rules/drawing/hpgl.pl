@@ -163,6 +163,8 @@ plot_to(Out, H, Point, Before, ',') :-
     units(H, Point, X, Y),
     format(Out, '~w~d,~d', [Before, X, Y]).
 
+%   Letters may reach beyond the sheet: below zero, units are as long as above.
+
 units(H, X0-Y0, X, Y) :-
-    X is (2*X0+25)//50,
-    Y is (2*(H-Y0)+25)//50.
+    X is (2*X0+25) div 50,
+    Y is (2*(H-Y0)+25) div 50.
