@@ -135,6 +135,67 @@ same_turned(void)
   return same;
 }
 
+/* ---- scales ---- */
+
+/* Triangles on a grid, one lifted by less or more than the reach, have the same
+ * contacts in every unit: times a power of two, to the last bit. */
+static bool
+same_scaled(void)
+{
+  const double within = 0x1p-10;
+  double t[2][3][3], u[2][3][3];
+  sg_contact before[SG_CONTACT_MAX], after[SG_CONTACT_MAX];
+  bool flush, flush_too, same = true;
+  double lift = (rand() % 3) * 0.75 * within;
+
+  for (int i = 0; i < 18; i++) {
+    t[i / 9][i / 3 % 3][i % 3] = rand() % 4;
+  }
+  for (int i = 0; i < 3; i++) {
+    t[1][i][2] += lift;
+  }
+  int n = sg_contacts((const double(*)[3])t[0], (const double(*)[3])t[1],
+                      within, before, &flush);
+
+  for (int k = -40; k <= 40 && same; k += 5) {
+    for (int i = 0; i < 18; i++) {
+      u[i / 9][i / 3 % 3][i % 3] = ldexp(t[i / 9][i / 3 % 3][i % 3], k);
+    }
+    int m = sg_contacts((const double(*)[3])u[0], (const double(*)[3])u[1],
+                        ldexp(within, k), after, &flush_too);
+    same = m == n && flush == flush_too;
+    for (int i = 0; i < n && same; i++) {
+      same = before[i].f[0] == after[i].f[0] &&
+             before[i].f[1] == after[i].f[1] &&
+             before[i].exact == after[i].exact &&
+             ldexp(before[i].distance, k) == after[i].distance;
+    }
+  }
+  return same;
+}
+
+/* What lies within the reach is found whether that is above one or below. */
+static void
+test_reach(void)
+{
+  for (int k = -30; k <= 30; k += 3) {
+    double a[3][3] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+    double b[3][3] = {{1, 1, 0.001}, {1, 2, 3}, {2, 1, 5}};
+    sg_contact c[SG_CONTACT_MAX];
+    bool flush;
+
+    for (int i = 0; i < 9; i++) {
+      a[i / 3][i % 3] = ldexp(a[i / 3][i % 3], k);
+      b[i / 3][i % 3] = ldexp(b[i / 3][i % 3], k);
+    }
+    int n = sg_contacts((const double(*)[3])a, (const double(*)[3])b,
+                        ldexp(0.002, k), c, &flush);
+    CHECK("within the reach", n == 1 && c[0].f[0] == SG_FACE && !c[0].exact);
+    CHECK("beyond it", sg_contacts((const double(*)[3])a, (const double(*)[3])b,
+                                   ldexp(0.0009, k), c, &flush) == 0);
+  }
+}
+
 /* ---- better triangles ---- */
 
 static bool
@@ -209,6 +270,12 @@ main(void)
     same = same_turned() && same;
   }
   CHECK("turned contacts are the same", same);
+  same = true;
+  for (int i = 0; i < 5000; i++) {
+    same = same_scaled() && same;
+  }
+  CHECK("scaled contacts are the same", same);
+  test_reach();
   test_delaunay();
   return check_report();
 }

@@ -4,6 +4,8 @@
 :- use_module(library(http/json)).
 :- use_module(rules(command/query)).
 
+foo(_, _, _).
+
 row(1, a, "text").
 row(2.5, 'B c', [1,2]).
 row(-3, 'x,"y"', f(_)).
@@ -38,6 +40,13 @@ test(prolog, Goals =@= [row(1,a,"text"), row(2.5,'B c',[1,2]),
     maplist([G0,G1]>>( G0 = row(A,B,f(V)), var(V)
                      -> G1 = row(A,B,f('$VAR'(0))) ; G1 = G0 ),
             Goals0, Goals).
+% Unbound variables are A, B, ... of each answer, the same one twice alike.
+test(variables_csv, T == "A,B\n\"f(A,B,A)\",A\ng(A),B\n") :-
+    printed("member(A-B, [f(_X,_Y,_X)-_X, g(_)-_])", [format(csv)], T).
+test(variables_table, T == "B       A\nf(A,B)  A\n") :-
+    printed("B = f(A,_)", [], T).
+test(variables_prolog, T == "foo(A, B, A).\n") :-
+    printed("foo(A,B,A)", [format(prolog)], T).
 test(limit, T == "A\n1\n") :-
     printed("row(A,_,_)", [format(csv), limit(1)], T).
 test(yes, T == "yes\n") :-

@@ -118,6 +118,60 @@ test(turned, [ setup(set_random(seed(1989))), forall(between(1, 60, _)) ]) :-
     islands(loops(Loops), Again),
     same_points(Islands, Again).
 
+% Cells of a chessboard, some of them there: all corners lie at the heights of
+% others. Islands are the cells that hang together by sides, no hole is lost.
+test(cells, [ setup(set_random(seed(1990))), forall(between(1, 120, I)) ]) :-
+    Share is 0.3+0.1*(I mod 6),
+    findall(X-Y, ( between(1, 6, X), between(1, 6, Y), maybe(Share) ), Cells),
+    findall(S, ( member(X-Y, Cells), square(X, Y, 1, S) ), Squares),
+    region_islands(union(Squares), Islands),
+    findall(A, ( member(Island, Islands), island_area(Island, A) ), As0),
+    msort(As0, As),
+    patches(Cells, Sizes0),
+    msort(Sizes0, Sizes),
+    maplist([A,N]>>( A =:= N ), As, Sizes),
+    forall(member(island(Outline, Holes, Bays), Islands),
+           forall(( member(Hole, Holes) ; member(Hole, Bays) ),
+                  within(Hole, Outline))).
+% The same, taken out of a plate.
+test(cells_out, [ setup(set_random(seed(1991))), forall(between(1, 60, _)) ]) :-
+    findall(X-Y, ( between(1, 6, X), between(1, 6, Y), maybe(0.35) ), Cells),
+    findall(S, ( member(X-Y, Cells), square(X, Y, 1, S) ), Squares),
+    square(0, 0, 8, Plate),
+    region_islands(difference([Plate|Squares]), Islands),
+    findall(A, ( member(Island, Islands), island_area(Island, A) ), As),
+    sum_list(As, Area),
+    length(Cells, N),
+    Area =:= 64-N.
+
+island_area(island(Outline, Holes, Bays), Area) :-
+    append([[Outline],Holes,Bays], Loops),
+    maplist(loop_area, Loops, As),
+    sum_list(As, Area).
+
+% Every corner lies in the box of the outline.
+within(Hole, Outline) :-
+    pairs_keys_values(Hole, Xs, Ys),
+    pairs_keys_values(Outline, Us, Vs),
+    maplist(min_list, [Xs,Ys,Us,Vs], [X0,Y0,U0,V0]),
+    maplist(max_list, [Xs,Ys,Us,Vs], [X1,Y1,U1,V1]),
+    X0 >= U0, Y0 >= V0, X1 =< U1, Y1 =< V1.
+
+% How many cells hang together, patch by patch.
+patches([], []).
+patches([Cell|Cells], [Size|Sizes]) :-
+    patch([Cell], Cells, Left, 0, Size),
+    patches(Left, Sizes).
+
+patch([], Left, Left, Size, Size).
+patch([X-Y|Rest], Cells, Left, Size0, Size) :-
+    findall(U-V, ( member(DX-DY, [1-0,-1-0,0-1,0-(-1)]),
+                   U is X+DX, V is Y+DY, memberchk(U-V, Cells) ), Next),
+    subtract(Cells, Next, Cells1),
+    append(Next, Rest, Rest1),
+    Size1 is Size0+1,
+    patch(Rest1, Cells1, Left, Size1, Size).
+
 same_points(Islands1, Islands2) :-
     all_points(Islands1, Points),
     all_points(Islands2, Points).

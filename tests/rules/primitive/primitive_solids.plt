@@ -166,6 +166,36 @@ refused(Term, What) :-
 point_distance(point(X1, Y1, Z1), point(X2, Y2, Z2), D) :-
     D is sqrt((X1-X2)**2 + (Y1-Y2)**2 + (Z1-Z2)**2).
 
+% The loops of a polygon's edges, by the squares of twice their areas.
+outer_first(S, Es) :-
+    edge_loops(S, Es, Loops),
+    maplist(loop_square(S), Loops, [First|Others]),
+    forall(member(Other, Others), Other < First).
+
+edge_loops(_, [], []).
+edge_loops(S, [E|Es], [[E|Loop]|Loops]) :-
+    e(S, E, From, To, _),
+    loop_goes_on(S, Es, To, From, Loop, Rest),
+    edge_loops(S, Rest, Loops).
+
+loop_goes_on(_, Es, At, At, [], Es) :-
+    !.
+loop_goes_on(S, [E|Es], At, From, [E|Loop], Rest) :-
+    e(S, E, At, To, _),
+    loop_goes_on(S, Es, To, From, Loop, Rest).
+
+loop_square(S, Es, Square) :-
+    foldl(edge_area(S), Es, n(0,0,0), n(A,B,C)),
+    Square is A*A+B*B+C*C.
+
+edge_area(S, E, n(A0,B0,C0), n(A,B,C)) :-
+    e(S, E, V1, V2, _),
+    v(S, V1, X1, Y1, Z1),
+    v(S, V2, X2, Y2, Z2),
+    A is A0+Y1*Z2-Z1*Y2,
+    B is B0+Z1*X2-X1*Z2,
+    C is C0+X1*Y2-Y1*X2.
+
 :- begin_tests(primitive_solids).
 
 %   Chords pass the inner corners of the rings but for rounding.
@@ -186,6 +216,12 @@ test(closed_form, forall(solid(Term, Volume, Vertices, Polygons, Euler))) :-
                  E = Shell.euler ),
             Es),
     sum_list(Es, Euler).
+% Of the loops of a polygon the first is the one round all others.
+test(first_loop_is_outer, forall(solid(Term, _, _, _, _))) :-
+    in_new_world(( add_primitive(Term, S),
+                   forall(( p(S, P, Es), \+ outer_first(S, Es) ),
+                          ( format(user_error, '~w: ~w~n', [Term,P]), fail ))
+                 )).
 test(mirrored, forall(( solid(Term, V, _, _, _),
                         member(Step-F, [ mirror(x)-1, mirror(y)-1,
                                          mirror(z)-1, scale(-1)-1,

@@ -1,6 +1,7 @@
 :- module(test_hatching, []).
 :- use_module(library(plunit)).
 :- use_module(rules(sheet/hatching)).
+:- use_module(rules(sheet/sheet_marks)).
 
 % The edges of loops of points.
 loop_edges(Points, Edges) :-
@@ -112,5 +113,49 @@ test(smaller_than_spacing) :-
     hatch_lines(Edges, rising, 3000, Lines),
     length(Lines, N),
     N =< 1.
+
+% Segments 1 to 8 of a section: which way, and how far apart in tenths of the
+% spacing. A square of 60 mm, 3 mm apart.
+segment_hatched(1, rising, 10).
+segment_hatched(2, falling, 10).
+segment_hatched(3, rising, 7).
+segment_hatched(4, falling, 7).
+segment_hatched(5, rising, 10).
+segment_hatched(6, falling, 10).
+segment_hatched(7, rising, 7).
+segment_hatched(8, falling, 7).
+
+test(segments_differ, forall(segment_hatched(I, Way, Tenths))) :-
+    findall(S, ( between(1, 8, K), S is 10*K ), Segments),
+    Segment is 10*I,
+    rectangle(0, 0, 60 000, 60 000, R),
+    region([R], Edges),
+    hatching_strokes(hatching(3,Segments), [region(Segment,Edges)], Strokes),
+    findall(Points, member(stroke(visible,hatching,Segment,[],Points,joint,
+                                  joint), Strokes), Lines),
+    same_length(Lines, Strokes),
+    findall(C, ( member([X-Y,X1-Y1], Lines),
+                 (   Way == rising
+                 ->  abs(X+Y-X1-Y1) =< 1,
+                     C is X+Y
+                 ;   abs(X-Y-X1+Y1) =< 1,
+                     C is X-Y
+                 )
+               ),
+            Cs0),
+    same_length(Cs0, Lines),
+    sort(Cs0, Cs),
+    Step is 300*Tenths*sqrt(2),
+    forall(append(_, [C1,C2|_], Cs), abs(C2-C1-Step) =< 2).
+% A twelfth of the root of the largest area, in half millimetres, 1.5 to 6.
+test(spacing, [forall(member(Side-Spacing, [ 1-1.5, 24-2.0, 36-3.0, 60-5.0,
+                                             300-6.0 ])),
+               true(Found =:= Spacing)]) :-
+    Small is Side/3,
+    rectangle(0, 0, Side, Side, R1),
+    rectangle(0, 0, Small, Small, R2),
+    region([R1], E1),
+    region([R2], E2),
+    hatching([region(7,E2),region(3,E1),region(3,E2)], hatching(Found,[3,7])).
 
 :- end_tests(hatching).
