@@ -17,6 +17,10 @@
 /* What is nearer to an axis or an apex, in radii, has no normal. */
 #define NO_RADIUS 1e-9
 
+/* Degrees by which two points are off one straight line of a tapered surface,
+ * at most. */
+#define STRAIGHT 1e-4
+
 /* ---------------------------------------------------------------- making */
 
 /* The power of two that brings the largest coordinate of the axes between 1/2
@@ -136,6 +140,7 @@ gradient(const sg_known_surface *s, const double p[3], double out[3])
 {
   switch (s->kind) {
   case SG_KNOWN_TAPERED:
+  case SG_KNOWN_TURNED:
     return tapered_gradient(s, p, out);
   case SG_KNOWN_SPHERE:
     memcpy(out, p, 3 * sizeof *out);
@@ -149,18 +154,27 @@ gradient(const sg_known_surface *s, const double p[3], double out[3])
   return false;
 }
 
-/* The gradient, of any length, at a point of the model. */
-static bool
-placed_gradient(const sg_known_surface *s, const double p[3], double out[3])
+/* The coordinates x, y, h of a point of the model. */
+static void
+coordinates(const sg_known_surface *s, const double p[3], double out[3])
 {
-  double from[3], at[3], grad[3];
+  double from[3];
 
   for (int k = 0; k < 3; k++) {
     from[k] = (p[k] - s->frame[0][k]) * s->unit;
   }
   for (int i = 0; i < 3; i++) {
-    at[i] = sg_dot(s->row[i], from);
+    out[i] = sg_dot(s->row[i], from);
   }
+}
+
+/* The gradient, of any length, at a point of the model. */
+static bool
+placed_gradient(const sg_known_surface *s, const double p[3], double out[3])
+{
+  double at[3], grad[3];
+
+  coordinates(s, p, at);
   if (!gradient(s, at, grad)) {
     return false;
   }
@@ -192,34 +206,105 @@ sg_known_surface_normal(const sg_known_surface *s, const double p[3],
 
 /* ----------------------------------------------------------------- bends */
 
-/* The normal of a side of a meeting at one of its ends. */
-static void
-normal_at(const sg_known_surfaces *surfaces, const sg_meeting *m, int side,
-          int end, double out[3])
-{
-  int32_t of = sg_known_surface_of(surfaces, m->polygon[side]);
+/* One of two polygons that meet. */
+typedef struct side {
+  const sg_known_surface *surface; /* null: of none */
+  const double *facet;
+  double normal[2][3]; /* at the ends */
+  bool has[2];         /* the normal is that of the surface, or of a plane */
+} side;
 
-  if (of < 0 || !sg_known_surface_normal(&surfaces->surface[of], m->ends[end],
-                                         m->normal[side], out)) {
-    memcpy(out, m->normal[side], 3 * sizeof *out);
+static void
+make_side(const sg_known_surfaces *surfaces, const sg_meeting *m, int i,
+          side *out)
+{
+  int32_t of = sg_known_surface_of(surfaces, m->polygon[i]);
+
+  *out = (side){.surface = of < 0 ? NULL : &surfaces->surface[of],
+                .facet = m->normal[i]};
+  for (int end = 0; end < 2; end++) {
+    out->has[end] =
+        of < 0 || sg_known_surface_normal(out->surface, m->ends[end],
+                                          out->facet, out->normal[end]);
+    if (of < 0 || !out->has[end]) {
+      memcpy(out->normal[end], out->facet, sizeof out->normal[end]);
+    }
   }
 }
 
-double
+/* Whether p and q are on one straight line of a tapered surface. */
+static bool
+is_generator(const sg_known_surface *s, const double p[3], const double q[3])
+{
+  const double *end[2] = {p, q};
+  double way[2][3] = {{0.0}};
+
+  if (!s || !sg_known_surface_is_tapered(s)) {
+    return false;
+  }
+  for (int i = 0; i < 2; i++) {
+    double at[3], a, b;
+    coordinates(s, end[i], at);
+    a = 1.0 - at[2] + at[2] * s->a;
+    b = 1.0 - at[2] + at[2] * s->b;
+    if (a < NO_RADIUS || b < NO_RADIUS) { /* its apex */
+      return true;
+    }
+    way[i][0] = at[0] / a;
+    way[i][1] = at[1] / b;
+  }
+  return sg_angle(way[0], way[1]) * DEGREES < STRAIGHT;
+}
+
+/* Degrees by which two sides bend, where the normals of both are known; if
+ * that is nowhere, by the facets. */
+static double
+known_bend(const side x[2], double facets)
+{
+  double bend = -1.0;
+
+  for (int end = 0; end < 2; end++) {
+    if (x[0].has[end] && x[1].has[end]) {
+      bend = sg_larger(bend,
+                       sg_angle(x[0].normal[end], x[1].normal[end]) * DEGREES);
+    }
+  }
+  return bend < 0.0 ? facets : bend;
+}
+
+static bool
+is_edge(const sg_meeting *m, const side x[2])
+{
+  bool turned = x[0].surface && x[1].surface &&
+                x[0].surface->kind == SG_KNOWN_TURNED &&
+                x[1].surface->kind == SG_KNOWN_TURNED;
+
+  return !turned && !is_generator(x[0].surface, m->ends[0], m->ends[1]) &&
+         !is_generator(x[1].surface, m->ends[0], m->ends[1]) &&
+         known_bend(x, m->bend) > SG_FLAT_BEND;
+}
+
+sg_bend
 sg_known_surfaces_bend(const sg_known_surfaces *surfaces, const sg_meeting *m)
 {
   int32_t of[2] = {sg_known_surface_of(surfaces, m->polygon[0]),
                    sg_known_surface_of(surfaces, m->polygon[1])};
-  double bend = sg_smaller(m->bend, SG_FACET_BEND);
+  bool named = of[0] != SG_NOT_KNOWN && of[1] != SG_NOT_KNOWN;
+  sg_bend bend = {sg_smaller(m->bend, SG_FACET_BEND), false};
+  side x[2];
 
   if (of[0] < 0 && of[1] < 0) {
-    return m->bend;
+    return (sg_bend){m->bend,
+                     named && of[0] != of[1] && m->bend > SG_FLAT_BEND};
   }
-  for (int end = 0; end < 2 && of[0] != of[1]; end++) {
-    double n[2][3];
-    normal_at(surfaces, m, 0, end, n[0]);
-    normal_at(surfaces, m, 1, end, n[1]);
-    bend = sg_larger(bend, sg_angle(n[0], n[1]) * DEGREES);
+  if (of[0] != of[1]) {
+    make_side(surfaces, m, 0, &x[0]);
+    make_side(surfaces, m, 1, &x[1]);
+    for (int end = 0; end < 2; end++) {
+      bend.degrees = sg_larger(
+          bend.degrees, sg_angle(x[0].normal[end], x[1].normal[end]) * DEGREES);
+    }
+    bend.edge = named && m->bend > 0.0 && is_edge(m, x);
   }
   return bend;
 }

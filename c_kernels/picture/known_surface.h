@@ -1,4 +1,5 @@
-/* known_surface.h -- the smooth surfaces that facets of primitives stand for.
+/* known_surface.h -- the smooth surfaces that facets of primitives stand for,
+ * and the faces that their terms name.
  *
  * Layer: kernel. A polygon that a primitive made is a facet of a surface that
  * is known (rules/csg/known_surface.pl): then the surface says which way it
@@ -15,7 +16,14 @@
  *   torus    (sqrt(x^2 + y^2) - 1)^2 + h^2 = a^2
  *   bezier   a bicubic Bezier patch (bezier_patch.h), which has its control
  *            points as its frame
+ *   turned   as tapered, one of several that a divided curve was turned into
  *   free     anything: its facets have the normals that they have
+ *
+ * What stands for no surface may be (a part of) a *named face*. Where two
+ * different ones of all these meet and are not tangent is an *edge*, however
+ * little they bend. Not between surfaces that were turned together, nor along a
+ * straight line of a tapered one: there parts of a transition go on in each
+ * other, whose facets tell that only as well as they are fine.
  *
  * Source: placed normals: Turkowski 1990, Transformations of surface normal
  * vectors.
@@ -31,8 +39,12 @@
  * angle below shows all facets. */
 #define SG_FACET_BEND 1.0
 
+/* Degrees: what bends by no more is flat, or tangent. */
+#define SG_FLAT_BEND 0.01
+
 typedef enum sg_known_surface_kind {
   SG_KNOWN_TAPERED,
+  SG_KNOWN_TURNED,
   SG_KNOWN_SPHERE,
   SG_KNOWN_TORUS,
   SG_KNOWN_BEZIER,
@@ -51,9 +63,11 @@ typedef struct sg_known_surface {
 typedef struct sg_known_surfaces {
   sg_known_surface *surface; /* [n] */
   size_t n;
-  int32_t *of; /* [polygons] the place of its surface, -1: not known; null: no
-                  polygon has one */
+  int32_t *of; /* [polygons] the place of its surface; SG_NOT_KNOWN; less: of
+                  its named face. Null: nothing is known of any */
 } sg_known_surfaces;
+
+enum { SG_NOT_KNOWN = -1 };
 
 /* How many points and vectors the frame of a kind has. */
 static inline int
@@ -79,6 +93,13 @@ void sg_known_surface_move(const sg_known_surface *surface,
 bool sg_known_surface_normal(const sg_known_surface *surface, const double p[3],
                              const double facet[3], double out[3]);
 
+/* Whether facets of it are folded along straight lines. */
+static inline bool
+sg_known_surface_is_tapered(const sg_known_surface *surface)
+{
+  return surface->kind == SG_KNOWN_TAPERED || surface->kind == SG_KNOWN_TURNED;
+}
+
 /* Two polygons that meet from `ends[0]` to `ends[1]`. */
 typedef struct sg_meeting {
   int32_t polygon[2];
@@ -87,18 +108,24 @@ typedef struct sg_meeting {
   double bend; /* of the polygons, in degrees */
 } sg_meeting;
 
-/* The surface of a polygon, -1: not known. */
+/* The surface of a polygon, less than 0: of none. */
 static inline int32_t
 sg_known_surface_of(const sg_known_surfaces *surfaces, int32_t polygon)
 {
-  return surfaces->of ? surfaces->of[polygon] : -1;
+  return surfaces->of ? surfaces->of[polygon] : SG_NOT_KNOWN;
 }
+
+/* How two polygons bend where they meet. */
+typedef struct sg_bend {
+  double degrees;
+  bool edge; /* different surfaces or named faces meet there, not tangent */
+} sg_bend;
 
 /* Degrees by which the surfaces of two polygons bend: not at all if they are
  * one; else the larger bend at the ends. What has no known surface is flat. No
  * less than what SG_FACET_BEND leaves of the bend of the polygons. Inexact. */
-double sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
-                              const sg_meeting *meeting);
+sg_bend sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
+                               const sg_meeting *meeting);
 
 void sg_known_surfaces_clear(sg_known_surfaces *surfaces);
 

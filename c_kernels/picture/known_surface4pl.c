@@ -69,11 +69,10 @@ push_map(sg_known *known, const sg_known_map *map)
   return wider != NULL;
 }
 
-const char *const sg_known_kind_name[] = {[SG_KNOWN_TAPERED] = "tapered",
-                                          [SG_KNOWN_SPHERE] = "sphere",
-                                          [SG_KNOWN_TORUS] = "torus",
-                                          [SG_KNOWN_BEZIER] = "bezier",
-                                          [SG_KNOWN_FREE] = "free"};
+const char *const sg_known_kind_name[] = {
+    [SG_KNOWN_TAPERED] = "tapered", [SG_KNOWN_TURNED] = "turned",
+    [SG_KNOWN_SPHERE] = "sphere",   [SG_KNOWN_TORUS] = "torus",
+    [SG_KNOWN_BEZIER] = "bezier",   [SG_KNOWN_FREE] = "free"};
 
 static int
 get_kind_ex(term_t t, sg_known_surface_kind *out)
@@ -136,7 +135,7 @@ read_surface_ex(term_t t, sg_known *known)
          sg_no_memory();
 }
 
-/* run(First, Last, K), K counted among the surfaces from `base` on. */
+/* run(First, Last, K), K > 0 counted among the surfaces from `base` on. */
 static int
 read_run_ex(term_t t, int32_t s, int32_t base, sg_known *known)
 {
@@ -148,11 +147,14 @@ read_run_ex(term_t t, int32_t s, int32_t base, sg_known *known)
       return PL_exception(0) ? FALSE : PL_type_error("run", t);
     }
   }
-  if (x[2] < 1 || (size_t)x[2] > known->surfaces.n - (size_t)base) {
-    return PL_domain_error("surface_number", a + 2);
+  sg_known_run run = {s, x[0], x[1], SG_NOT_KNOWN, x[2]};
+  if (x[2] > 0) {
+    if ((size_t)x[2] > known->surfaces.n - (size_t)base) {
+      return PL_domain_error("surface_number", a + 2);
+    }
+    run.surface = base + x[2] - 1;
   }
-  return push_run(known, &(sg_known_run){s, x[0], x[1], base + x[2] - 1}) ||
-         sg_no_memory();
+  return push_run(known, &run) || sg_no_memory();
 }
 
 /* Of known(S, Surfaces, Runs). */
@@ -162,7 +164,7 @@ read_facets_ex(int32_t s, term_t surfaces, term_t runs, sg_known *known)
   term_t item = PL_new_term_ref();
   int32_t base = (int32_t)known->surfaces.n;
 
-  if (!push_run(known, &(sg_known_run){s, 0, 0, -1})) { /* it is known */
+  if (!push_run(known, &(sg_known_run){.s = s, .first = 0, .last = -1})) {
     return sg_no_memory();
   }
   while (PL_get_list(surfaces, item, surfaces)) {
@@ -363,17 +365,39 @@ typedef struct following {
   sg_known_surfaces *out; /* those of `known`, then those that were moved */
   size_t room;
   sg_key_table moved; /* the place of a map and a surface: the surface moved */
+  sg_key_table faces; /* what names a face: how many were named before */
 } following;
 
-/* The place of a surface becomes that of the surface moved. False: no memory.
- */
+/* In the key of a face that was moved, beside the place of the map. */
+#define MOVED_FACE UINT32_C(0x80000000)
+
+/* The face of this name: less than SG_NOT_KNOWN. False: no memory. */
+static bool
+name_face(following *f, uint32_t where, int32_t name, int32_t *out)
+{
+  uint32_t n = (uint32_t)f->faces.n, key[2] = {where, (uint32_t)name};
+  uint32_t *face = sg_key_table_put(&f->faces, key);
+
+  if (face && *face == SG_NO_KEY) {
+    *face = n;
+  }
+  *out = face ? SG_NOT_KNOWN - 1 - (int32_t)*face : SG_NOT_KNOWN;
+  return face != NULL;
+}
+
+/* The place of a surface, or a face, becomes that of the same moved. False: no
+ * memory. */
 static bool
 move_surface(following *f, const sg_known_map *map, int32_t *place)
 {
-  uint32_t key[2] = {(uint32_t)(map - f->known->map), (uint32_t)*place};
-  uint32_t *moved = sg_key_table_put(&f->moved, key);
+  uint32_t at = (uint32_t)(map - f->known->map);
+  uint32_t key[2] = {at, (uint32_t)*place}, *moved;
   sg_known_surface surface;
 
+  if (*place < 0) {
+    return name_face(f, at | MOVED_FACE, *place, place);
+  }
+  moved = sg_key_table_put(&f->moved, key);
   if (!moved) {
     return false;
   }
@@ -389,20 +413,34 @@ move_surface(following *f, const sg_known_map *map, int32_t *place)
   return true;
 }
 
-/* Whose facet polygon p of segment s is, -1: of none. False: no memory. */
+/* What polygon p is by a run at or before it. False: no memory. */
+static bool
+find_in_run(following *f, const sg_known_run *run, int32_t p, int32_t *out)
+{
+  if (p > run->last) {
+    return true;
+  }
+  *out = run->surface;
+  return run->surface >= 0 ||
+         name_face(f, (uint32_t)run->s, run->face < 0 ? run->face : p, out);
+}
+
+/* Whose facet polygon p of segment s is, or its face. False: no memory. */
 static bool
 find_surface(following *f, int32_t s, int32_t p, int32_t *out)
 {
   const sg_known_map *through[MOST_STEPS];
   size_t maps = 0;
 
-  *out = -1;
+  *out = SG_NOT_KNOWN;
   for (int step = 0; step < MOST_STEPS; step++) {
     const sg_known_run *run = find_run(f->known, s, p);
     const sg_known_map *map = find_map(f->known, s);
     const part *from;
     if (run) {
-      *out = p <= run->last ? run->surface : -1;
+      if (!find_in_run(f, run, p, out)) {
+        return false;
+      }
       break;
     }
     from = find_part(f->parts, s, p);
@@ -415,7 +453,7 @@ find_surface(following *f, int32_t s, int32_t p, int32_t *out)
     s = from->s0;
     p = from->p0;
   }
-  while (*out >= 0 && maps > 0) {
+  while (*out != SG_NOT_KNOWN && maps > 0) {
     if (!move_surface(f, through[--maps], out)) {
       return false;
     }
@@ -455,20 +493,22 @@ sg_known_surfaces_read(const sg_known *known, const sg_version *version,
 
   *out = (sg_known_surfaces){0};
   *memory = true;
-  if (n == 0) {
+  if (known->runs == 0) {
     return true;
   }
-  out->surface = malloc(n * sizeof *out->surface);
+  out->surface = malloc((n + 1) * sizeof *out->surface);
   out->of = malloc((dense->polygons + 1) * sizeof *out->of);
   *memory = out->surface && out->of;
-  if (*memory) {
+  if (*memory && n > 0) {
     out->n = n;
     memcpy(out->surface, known->surfaces.surface, n * sizeof *out->surface);
   }
   sg_key_table_init(&f.moved, 2);
+  sg_key_table_init(&f.faces, 2);
   done = *memory && read_parts(version, poll, &all, memory) &&
          find_polygons(&f, dense, poll, memory);
   sg_key_table_clear(&f.moved);
+  sg_key_table_clear(&f.faces);
   free(all.part);
   return done;
 }

@@ -1,5 +1,5 @@
 /* known_surface4pl.h -- the smooth surfaces that the polygons of a world stand
- * for.
+ * for, and the named faces they are of.
  *
  * Layer: glue. Include it before SWI-Prolog.h.
  */
@@ -17,10 +17,11 @@
 extern const char *const sg_known_kind_name[];
 
 /* Polygons first to last of segment s are facets of a surface (a place in
- * sg_known.surfaces, -1: of none). */
+ * sg_known.surfaces); or, if that is SG_NOT_KNOWN, of face `face` (less than
+ * 0), or each one a face (0). */
 typedef struct sg_known_run {
-  int32_t s, first, last;
-  int32_t surface;
+  int32_t s, first, last; /* first > last: it says only that s is known */
+  int32_t surface, face;
 } sg_known_run;
 
 /* Segment s has its polygons from others (from_p/5), moved as a whole: the new

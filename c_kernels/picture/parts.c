@@ -14,9 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Degrees: what counts as flat. */
-#define FLAT 0.01
-
 enum { POLL_EVERY = 4096 };
 
 /* ---------------------------------------------------------------- roles */
@@ -33,9 +30,10 @@ sg_look_role(const sg_look *look, double crease)
   if ((look->left == 0) != (look->right == 0) && !look->inside) {
     return SG_OUTLINE;
   }
-  return look->bend > crease + SG_SMOOTH_OVER ? SG_CREASE
-         : look->bend > FLAT                  ? SG_SMOOTH
-                                              : SG_MESH;
+  if (look->edge || look->bend > crease + SG_SMOOTH_OVER) {
+    return SG_CREASE;
+  }
+  return look->bend > SG_FLAT_BEND ? SG_SMOOTH : SG_MESH;
 }
 
 const char *

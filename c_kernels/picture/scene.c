@@ -362,7 +362,7 @@ is_inside(const viewing *w, size_t k)
 
   return w->in->curved && m->use_begin[k + 1] - m->use_begin[k] == 2 &&
          use[0].along != use[1].along && w->in->curved[use[0].polygon] &&
-         w->in->curved[use[1].polygon] &&
+         w->in->curved[use[1].polygon] && !m->line[k].look.edge &&
          bend_of(w, k) <= w->in->crease + SG_SMOOTH_OVER;
 }
 

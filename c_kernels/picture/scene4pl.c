@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static functor_t FUNCTOR_look9, FUNCTOR_edges1;
+static functor_t FUNCTOR_look10, FUNCTOR_edges1;
 static atom_t ATOM_all, ATOM_true, ATOM_false;
 
 /* ---------------------------------------------------------- the handle */
@@ -285,7 +285,7 @@ unify_bool(term_t t, bool value)
 static int
 unify_look(term_t t, const sg_look *look)
 {
-  term_t a = PL_new_term_refs(9);
+  term_t a = PL_new_term_refs(10);
   const unsigned count[5] = {look->faces, look->towards, look->away, look->left,
                              look->right};
 
@@ -294,11 +294,13 @@ unify_look(term_t t, const sg_look *look)
       return FALSE;
     }
   }
-  return sg_unify_double(a + 5, look->bend) && unify_bool(a + 6, look->solid) &&
-         unify_bool(a + 7, look->cut) && unify_bool(a + 8, look->inside) &&
-         PL_unify_term(t, PL_FUNCTOR, FUNCTOR_look9, PL_TERM, a, PL_TERM, a + 1,
-                       PL_TERM, a + 2, PL_TERM, a + 3, PL_TERM, a + 4, PL_TERM,
-                       a + 5, PL_TERM, a + 6, PL_TERM, a + 7, PL_TERM, a + 8);
+  return sg_unify_double(a + 5, look->bend) && unify_bool(a + 6, look->edge) &&
+         unify_bool(a + 7, look->solid) && unify_bool(a + 8, look->cut) &&
+         unify_bool(a + 9, look->inside) &&
+         PL_unify_term(t, PL_FUNCTOR, FUNCTOR_look10, PL_TERM, a, PL_TERM,
+                       a + 1, PL_TERM, a + 2, PL_TERM, a + 3, PL_TERM, a + 4,
+                       PL_TERM, a + 5, PL_TERM, a + 6, PL_TERM, a + 7, PL_TERM,
+                       a + 8, PL_TERM, a + 9);
 }
 
 int
@@ -595,7 +597,7 @@ sg_install_scene(void)
        PL_FA_NONDETERMINISTIC | PL_FA_VARARGS},
       {NULL, 0, NULL, 0}};
 
-  FUNCTOR_look9 = PL_new_functor(PL_new_atom("look"), 9);
+  FUNCTOR_look10 = PL_new_functor(PL_new_atom("look"), 10);
   FUNCTOR_edges1 = PL_new_functor(PL_new_atom("edges"), 1);
   ATOM_all = PL_new_atom("all");
   ATOM_true = PL_new_atom("true");

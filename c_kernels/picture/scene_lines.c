@@ -256,7 +256,7 @@ bend_between(const sg_scene_builder *b, const sg_scene_use *x,
 
 /* The same of the surfaces that the faces stand for; facets: what these bend.
  */
-static double
+static sg_bend
 surface_bend(const sg_scene_builder *b, const sg_scene_line *line,
              const sg_scene_use *x, const sg_scene_use *y, double facets)
 {
@@ -287,7 +287,9 @@ make_bend(sg_scene_builder *b, size_t k)
       double bend = bend_between(b, &use[i], &use[h]);
       if (m->facet_bend) {
         m->facet_bend[k] = sg_larger(m->facet_bend[k], bend);
-        bend = surface_bend(b, &m->line[k], &use[i], &use[h], bend);
+        sg_bend known = surface_bend(b, &m->line[k], &use[i], &use[h], bend);
+        bend = known.degrees;
+        look->edge |= known.edge;
       }
       look->bend = sg_larger(look->bend, bend);
     }

@@ -25,6 +25,8 @@ typedef struct sg_look {
   double bend;            /* degrees from flat, the largest; 0 to 180; where
                              faces stand for known surfaces, of these
                              (known_surface.h) */
+  bool edge;              /* different surfaces or named faces meet there, not
+                             tangent */
   bool solid;             /* nobody sees the backs of its segment's faces */
   bool cut;               /* it is (part of) a penetration line */
   bool inside;            /* it lies inside a curved sheet (smooth.h), whose

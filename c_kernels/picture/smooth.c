@@ -131,8 +131,8 @@ is_convex(const sg_smooth_builder *b, uint32_t side, uint32_t other)
   return sg_dot(u, area_of(b, side)) <= 0.0;
 }
 
-/* Degrees by which the surfaces bend whose faces bend by so many. */
-static double
+/* How the surfaces bend whose faces bend by so many degrees. */
+static sg_bend
 surface_bend(const sg_smooth_builder *b, uint32_t i, uint32_t j, double bend)
 {
   const sg_meeting meeting = {
@@ -151,9 +151,10 @@ hangs_together(const sg_smooth_builder *b, uint32_t i, uint32_t j, double bend,
 {
   if (cut && (sg_smooth_surface(b, i) < 0 ||
               sg_smooth_surface(b, i) != sg_smooth_surface(b, j))) {
-    return bend <= SG_SMOOTH_FLAT;
+    return bend <= SG_FLAT_BEND;
   }
-  return surface_bend(b, i, j, bend) <= b->input->crease + SG_SMOOTH_OVER;
+  sg_bend known = surface_bend(b, i, j, bend);
+  return !known.edge && known.degrees <= b->input->crease + SG_SMOOTH_OVER;
 }
 
 /* The normal of the triangle of a corner, as long as twice its area. */

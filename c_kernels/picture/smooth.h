@@ -3,8 +3,8 @@
  *
  * Layer: kernel. Two triangles hang together smoothly where they alone share a
  * side, run along it in opposite directions, and their faces bend by no more
- * than the crease angle, or not at all if a penetration line runs there. What
- * hangs together is a *sheet*.
+ * than the crease angle, or not at all if a penetration line runs there, and it
+ * is no edge by the terms (known_surface.h). What hangs together is a *sheet*.
  *
  * Where polygons are facets of a known surface (known_surface.h), this says how
  * much they bend, and which way they look at a vertex; facets of one surface

@@ -40,7 +40,7 @@ add_link(const sg_smooth_builder *b, turning *turn, uint32_t side,
   double u[3], size;
 
   t->links++;
-  if (b->bend[side] > SG_SMOOTH_FLAT) {
+  if (b->bend[side] > SG_FLAT_BEND) {
     sg_smooth_difference(b, sg_smooth_at(b, to), sg_smooth_at(b, from), u);
     size = sg_length(u);
     t->bends++;
@@ -65,7 +65,7 @@ is_tapered(const sg_smooth_builder *b, uint32_t corner)
 {
   int32_t of = sg_smooth_surface(b, corner);
 
-  return of >= 0 && b->known.surface[of].kind == SG_KNOWN_TAPERED;
+  return of >= 0 && sg_known_surface_is_tapered(&b->known.surface[of]);
 }
 
 static bool

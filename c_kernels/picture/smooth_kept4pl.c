@@ -108,8 +108,8 @@ leave_out(sg_kept_smooth *kept, const sg_dense *d, const bool *faceted)
   }
 }
 
-/* The surface of each polygon, of none in segments that are faceted. Null: no
- * memory. */
+/* The surface or named face of each polygon, of none in segments that are
+ * faceted. Null: no memory. */
 static int32_t *
 surfaces_but(const sg_known_surfaces *surfaces, const sg_dense *d,
              const bool *faceted)
@@ -118,7 +118,7 @@ surfaces_but(const sg_known_surfaces *surfaces, const sg_dense *d,
 
   for (size_t s = 0; of && s < d->segments; s++) {
     for (size_t p = d->polygon_begin[s]; p < d->polygon_begin[s + 1]; p++) {
-      of[p] = faceted[s] ? -1 : surfaces->of[p];
+      of[p] = faceted[s] ? SG_NOT_KNOWN : surfaces->of[p];
     }
   }
   return of;

@@ -9,9 +9,7 @@
 
 #include <math.h>
 
-/* Degrees: what counts as flat (as in parts.c). */
-#define SG_SMOOTH_FLAT 0.01
-#define SG_DEGREES     (180.0 / acos(-1.0))
+#define SG_DEGREES (180.0 / acos(-1.0))
 
 enum { SG_SMOOTH_POLL = 4096 };
 
@@ -62,7 +60,7 @@ sg_smooth_stop(const sg_smooth_builder *b, size_t i)
   return i % SG_SMOOTH_POLL == 0 && sg_poll_stop(b->poll);
 }
 
-/* The known surface of a corner, -1: none. */
+/* The known surface of a corner, less than 0: none. */
 static inline int32_t
 sg_smooth_surface(const sg_smooth_builder *b, uint32_t corner)
 {

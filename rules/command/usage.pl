@@ -7,6 +7,7 @@
             print_usage/2               % +Verb, +Language
           ]).
 :- encoding(utf8).
+:- use_module('../picture/role', [usual_crease/1]).
 :- use_module(usage_unfold,
               [ unfold_option/1, wish_option/1, unfold_option_ko/2,
                 unfold_example/1 ]).
@@ -118,9 +119,11 @@ verb_option(draw, option(hidden, '', one_of([dashed, removed, shown]), 'HOW',
 verb_option(Verb, option(lines, '', one_of([feature, all, penetration]),
     'WHICH', 'feature (as is usual), all, or penetration lines alone')) :-
     picture_verb(Verb).
-verb_option(Verb, option(crease, '', number(0), 'DEGREES',
-    'faces that bend by no more than DEGREES (as is usual, 30) are one smooth \c
-     surface')) :-
+verb_option(Verb, option(crease, '', number(0), 'DEGREES', Help)) :-
+    usual_crease(Usual),
+    format(atom(Help),
+           'faces of a mesh that bend by no more than DEGREES (as is \c
+            usual, ~w) are one smooth surface', [Usual]),
     picture_verb(Verb).
 verb_option(Verb, option(segment, '', each, 'N',
     'only segment N; may be repeated')) :-
@@ -266,8 +269,11 @@ option_ko('no-frame', '테두리와 표제란 없이').
 option_ko(projection, 'parallel(평행) 또는 central(중심)').
 option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임)').
 option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
-option_ko(crease,
-    'DEGREES(보통 30)도 이하로 꺾인 면은 이어진 매끄러운 곡면으로 본다').
+option_ko(crease, Help) :-
+    usual_crease(Usual),
+    format(atom(Help),
+           '메시에서 DEGREES(보통 ~w)도 이하로 꺾인 면은 이어진 매끄러운 \c
+            곡면으로 본다', [Usual]).
 option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
 option_ko(size, '종이 크기 mm').
 option_ko(style, '선의 모양을 정하는 사실 파일 (docs/drawings.md)').

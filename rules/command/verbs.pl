@@ -16,6 +16,7 @@
               [explain/2, explanation/3, print_explanations/1]).
 :- use_module('../sheet/eye', [set_eye/3]).
 :- use_module('../picture/hidden_lines', [picture/1]).
+:- use_module('../picture/role', [usual_crease/1]).
 :- use_module(lines_out, [write_lines/2, line_format/1]).
 :- use_module('../penetration/chain', [chain/5, chain_length/2]).
 :- use_module('../model/model',
@@ -454,7 +455,8 @@ drawing_output(Options, File) :-
 
 picture_options(Options, Picture) :-
     option(lines(Lines), Options, feature),
-    option(crease(Crease), Options, 30),
+    usual_crease(Usual),
+    option(crease(Crease), Options, Usual),
     (   option(segment(Texts), Options)
     ->  maplist(segment_number, Texts, Ss),
         Picture = [lines(Lines), crease(Crease), segments(Ss)]

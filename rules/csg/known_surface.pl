@@ -2,6 +2,8 @@
           [ known_surfaces/1,           % -Known
             segment_surfaces/3,         % +S, -Surfaces, -Runs
             polygon_surface/4,          % +S, +P, -Id, -Surface
+            polygon_face/3,             % +S, +P, -Id
+            flat_bend/1,                % -Degrees
             segment_facets/3,           % +S, -Surfaces, -Runs
             facets_of/2,                % +Ss, -Facets
             remember_facets/1,          % +Facets
@@ -9,7 +11,8 @@
             remember_only/1,            % +Facets
             facets_moved/1,             % +Matrix
             moved_surface/3,            % +Matrix, +Surface0, -Surface
-            surface_normal/4            % +Surface, +Point, +Facet, -Normal
+            surface_normal/4,           % +Surface, +Point, +Facet, -Normal
+            surface_straight/3          % +Surface, +Point1, +Point2
           ]).
 :- use_module(bezier_normal, [patch_normal/3]).
 :- use_module(csg_matrix, [identity_matrix/1, rounded_matrix/2]).
@@ -18,27 +21,36 @@
 :- use_module('../primitive/primitive',
               [is_primitive/1, primitive/1, primitive_parts/3]).
 :- use_module('../vector',
-              [ cross_product/3, difference/3, dot_product/3, scaled/3 ]).
+              [ angle_between/3, cross_product/3, difference/3, dot_product/3,
+                scaled/3 ]).
 :- use_module('../store',
               [ p/3, segment/3, origin/3, from_p/5, assert_fact/1,
                 retractall_facts/1
               ]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(lists), [append/2, last/2, member/2, nth1/3, reverse/2]).
-:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
-/** <module> Which smooth surfaces the polygons of a world stand for.
+:- use_module(library(apply), [foldl/4, foldl/5, maplist/3]).
+:- use_module(library(lists),
+              [append/2, append/3, last/2, member/2, nth1/3, reverse/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
+/** <module> Which smooth surfaces the polygons of a world stand for, and which
+faces they are.
 
 A polygon that a primitive made is a facet of a surface that its term tells
 (primitive_face.pl), and stays one when it is cut, placed, or becomes a part of
 a solid (from_p/5), also where that is moved as a whole. What the surface looks
 like counts in a drawing, not how finely it was divided: facets of one surface
-are no creases, and a vertex has the surface's normal.
+are no creases, and a vertex has the surface's normal. What stands for no
+surface is a face that the term names: base, side(2), face(7). Where two
+different surfaces or faces meet and are not tangent is an edge of the model,
+however little they bend.
 
 Facets that are too wide stand for themselves: a cylinder, cone or turning of
 fewer than nine facets to the full turn is a prism or a pyramid, such as a nut;
-of spheres and tori facets of a quarter turn or more. What is made of segments
-that are edited by hand keeps the surfaces of its terms; the kernel takes no
-normal that leans more than 78 degrees from the facet's.
+of spheres and tori facets of a quarter turn or more. Where the outline of a
+primitive, or its faces, are only a division of a curve (smooth(true)), nothing
+is known of its walls, and the surfaces that they turn into go on in each other.
+What is made of segments that are edited by hand keeps the surfaces of its
+terms; the kernel takes no normal that leans more than 78 degrees from the
+facet's.
 
 Where the terms and from_p/5 do not tell it any more, because what was combined
 is gone (csg_roots.pl) or all was turned (view.pl), it is remembered.
@@ -75,14 +87,17 @@ known_of(S, What) :-
 %   True when segment S has its polygons from a primitive, or from one that was
 %   placed, or when it is remembered whose facets they are (remember_facets/1).
 %   The polygons P1 to P2 of a run(P1, P2, K) are facets of the K-th of
-%   Surfaces, those in no run of none. Runs ascend. Surfaces are
+%   Surfaces; if K is 0, each of them is a face of its own, and if it is less,
+%   all of them are (a part of) face K. Of those in no run nothing is known.
+%   Runs ascend. Surfaces are
 %
 %       surface(Kind, [X,Y,Z, UX,UY,UZ, VX,VY,VZ, WX,WY,WZ], A, B)
 %
 %   by smooth_surface/3: a centre, three vectors and, with x, y, h along these,
 %   Kind `tapered`: (x/(1-h+h*A))^2 + (y/(1-h+h*B))^2 = 1, `sphere`: x^2 + y^2 +
 %   h^2 = 1, `torus`: (sqrt(x^2+y^2)-1)^2 + h^2 = A^2, or `free`; of `bezier`
-%   the numbers are those of 16 control points (bezier_normal.pl).
+%   the numbers are those of 16 control points (bezier_normal.pl). `turned` is
+%   as `tapered`, one of several that a divided curve was turned into.
 %
 %   Fails if the polygons are those of other segments, by from_p/5.
 
@@ -157,20 +172,35 @@ inner_term(Term, Inner) :-
 surface_runs([], _, _, []).
 surface_runs([part(N,What)|Parts], P0, Named, Runs) :-
     P1 is P0+N,
-    (   What = curved(Part, Turn),
-        once(nth1(K, Named, Part-Surface)),
-        stands_for(Turn, Surface)
+    (   part_number(What, Named, K)
     ->  Last is P1-1,
         Runs = [run(P0,Last,K)|Rest]
     ;   Runs = Rest
     ),
     surface_runs(Parts, P1, Named, Rest).
 
+%   part_number(What, Named, K): K as in a run of the part What.
+
+part_number(flat, _, 0).
+part_number(wall(I), _, K) :-
+    K is -I.
+part_number(curved(Part,Turn), Named, K) :-
+    once(nth1(I, Named, Part-Surface)),
+    (   stands_for(Turn, Surface)
+    ->  K = I
+    ;   Surface \= turned(_)
+    ->  K = 0
+    ).
+
 %   stands_for(Turn, Surface): a facet of so many degrees stands for it; every
 %   facet of a Bezier patch does.
 
 stands_for(Turn, Surface) :-
-    functor(Surface, Name, _),
+    (   Surface = turned(Inner)
+    ->  true
+    ;   Inner = Surface
+    ),
+    functor(Inner, Name, _),
     widest(Name, Widest),
     Turn < Widest.
 
@@ -181,6 +211,8 @@ widest(sphere,   90.0).
 widest(torus,    90.0).
 widest(bezier,   inf).
 
+plain_surface(turned(Inner), surface(turned,Frame,A,B)) :-
+    plain_surface(Inner, surface(tapered,Frame,A,B)).
 plain_surface(cylinder(C,U,V,W), surface(tapered,Frame,1.0,1.0)) :-
     frame(C, U, V, W, Frame).
 plain_surface(cone(C,U,V,W,K0), surface(tapered,Frame,K,K)) :-
@@ -223,28 +255,54 @@ part_of(vector(X2,Y2,Z2), vector(X,Y,Z), Part) :-
 %   moved with the join S1. Of what was combined the first part of P counts.
 
 polygon_surface(S, P, Id, Surface) :-
-    most_steps(Steps),
-    polygon_surface_(Steps, S, P, Id, Surface).
+    polygon_part(S, P, Id, surface(Surface)).
 
-polygon_surface_(Steps, S, P, Id, Surface) :-
+%!  polygon_face(+S, +P, -Id) is semidet.
+%
+%   True when polygon P of segment S is (a part of) a face that a term names,
+%   and no facet of a surface. Id is S0-face(P0) for polygon P0 of segment S0,
+%   S0-K for face K of it by segment_surfaces/3, or moved(S1, Id1).
+
+polygon_face(S, P, Id) :-
+    polygon_part(S, P, Id, face).
+
+polygon_part(S, P, Id, What) :-
+    most_steps(Steps),
+    polygon_part_(Steps, S, P, Id, What).
+
+polygon_part_(Steps, S, P, Id, What) :-
     (   segment_surfaces(S, Surfaces, Runs)
     ->  member(run(P1,P2,K), Runs),
         P >= P1,
         P =< P2,
         !,
-        nth1(K, Surfaces, Surface),
-        Id = S-K
+        run_part(K, S, P, Surfaces, Id, What)
     ;   Steps > 1,
         Steps1 is Steps-1,
         once(from_p(S, P, S0, P0, _)),
-        polygon_surface_(Steps1, S0, P0, Id0, Surface0),
+        polygon_part_(Steps1, S0, P0, Id0, What0),
         (   moved_join(S, Matrix)
-        ->  moved_surface(Matrix, Surface0, Surface),
+        ->  moved_part(What0, Matrix, What),
             Id = moved(S,Id0)
-        ;   Surface = Surface0,
+        ;   What = What0,
             Id = Id0
         )
     ).
+
+run_part(0, S, P, _, Id, What) =>
+    Id = S-face(P),
+    What = face.
+run_part(K, S, _, Surfaces, Id, What), K > 0 =>
+    nth1(K, Surfaces, Surface),
+    Id = S-K,
+    What = surface(Surface).
+run_part(K, S, _, _, Id, What) =>
+    Id = S-K,
+    What = face.
+
+moved_part(face, _, face).
+moved_part(surface(Surface0), Matrix, surface(Surface)) :-
+    moved_surface(Matrix, Surface0, Surface).
 
 %   How many results a polygon can have come through.
 
@@ -252,40 +310,76 @@ most_steps(32).
 
 %!  segment_facets(+S, -Surfaces, -Runs) is det.
 %
-%   As segment_surfaces/3, but of any segment, by polygon_surface/4: Surfaces
-%   are in the order of their first facets, Runs as long as can be.
+%   As segment_surfaces/3, but of any segment, by polygon_surface/4 and
+%   polygon_face/3: Surfaces are in the order of their first facets, faces that
+%   several polygons are of too, and Runs are as long as can be.
 
 segment_facets(S, Surfaces, Runs) :-
     findall(P, p(S, P, _), Ps0),
     sort(Ps0, Ps),
-    findall(Id-P, ( member(P, Ps), surface_id(S, P, Id) ), Facets),
-    group_pairs_by_key(Facets, Groups),
-    foldl(run_added(S), Groups, []-[], Numbered-Runs0),
+    findall(P-Part, ( member(P, Ps), part_of_polygon(S, P, Part) ), Parts),
+    faces_shared(Parts, Shared),
+    foldl(polygon_numbered(Shared), Parts, Numbers, numbers([],[]), Last),
+    group_pairs_by_key(Numbers, Groups),
+    foldl(run_added, Groups, [], Runs0),
     reverse(Runs0, Runs),
-    pairs_values(Numbered, Surfaces0),
+    Last = numbers(Numbered,_),
+    findall(Surface, member(_-Surface, Numbered), Surfaces0),
     reverse(Surfaces0, Surfaces).
 
-surface_id(S, P, Id) :-
-    (   polygon_surface(S, P, Id0, _)
-    ->  Id = Id0
-    ;   Id = none
+part_of_polygon(S, P, Part) :-
+    (   polygon_part(S, P, Id, What)
+    ->  Part = part(Id,What)
+    ;   Part = none
     ).
 
-%   Numbered are Id-Surface, the latest first.
+%   faces_shared(Parts, Shared): the faces that several polygons are of.
 
-run_added(_, none-_, Added, Added) :-
+faces_shared(Parts, Shared) :-
+    findall(Id, member(_-part(Id,face), Parts), Ids0),
+    msort(Ids0, Ids),
+    findall(Id, append(_, [Id,Id|_], Ids), Shared0),
+    sort(Shared0, Shared).
+
+%   polygon_numbered(Shared, P-Part, K-P, Numbers0, Numbers): K as in a run, or
+%   `none`. Numbers are numbers(Surfaces, Faces), Id-Surface and Id of those
+%   that have a number, the latest first.
+
+polygon_numbered(_, P-none, none-P, Numbers, Numbers).
+polygon_numbered(Shared, P-part(Id,face), K-P, numbers(Surfaces,Faces0),
+                 numbers(Surfaces,Faces)) :-
+    (   memberchk(Id, Shared)
+    ->  numbered(Id, Faces0, Faces, I),
+        K is -I
+    ;   K = 0,
+        Faces = Faces0
+    ).
+polygon_numbered(_, P-part(Id,surface(Surface)), K-P, numbers(Surfaces0,Faces),
+                 numbers(Surfaces,Faces)) :-
+    numbered(Id-Surface, Surfaces0, Surfaces, K).
+
+%   numbered(Item, Items0, Items, I): I is the place of Item from the end.
+
+numbered(Item, Items0, Items, I) :-
+    (   append(_, [Item|Rest], Items0)
+    ->  Items = Items0,
+        length([Item|Rest], I)
+    ;   Items = [Item|Items0],
+        length(Items, I)
+    ).
+
+run_added(none-_, Runs, Runs) :-
     !.
-run_added(S, Id-Ps, Numbered0-Runs, Numbered-[run(P1,P2,K)|Runs]) :-
+run_added(K-Ps, Runs, [run(P1,P2,K)|Runs]) :-
     Ps = [P1|_],
-    last(Ps, P2),
-    length(Numbered0, N0),
-    (   nth1(I, Numbered0, Id-_)
-    ->  Numbered = Numbered0,
-        K is N0+1-I
-    ;   polygon_surface(S, P1, Id, Surface),
-        Numbered = [Id-Surface|Numbered0],
-        K is N0+1
-    ).
+    last(Ps, P2).
+
+
+%!  flat_bend(-Degrees) is det.
+%
+%   What bends by no more is flat, or tangent.
+
+flat_bend(0.01).
 
 
                 /*******************************
@@ -295,7 +389,7 @@ run_added(S, Id-Ps, Numbered0-Runs, Numbered-[run(P1,P2,K)|Runs]) :-
 %!  facets_of(+Ss:list, -Facets:list) is det.
 %
 %   Facets has known(S, Surfaces, Runs), by segment_facets/3, of those of the
-%   segments Ss that have facets. Ss ascend.
+%   segments Ss of which something is known. Ss ascend.
 
 facets_of([], Facets) :-
     !,
@@ -365,17 +459,9 @@ surface_normal(surface(Kind,Frame,A,B), Point, Facet, Normal) :-
 
 placed_gradient(Kind, Frame, A, B, Point, p(X,Y,Z)) :-
     Kind \== free,
-    Frame = [CX,CY,CZ,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ],
-    U = p(UX,UY,UZ),
-    V = p(VX,VY,VZ),
-    W = p(WX,WY,WZ),
-    cross_product(V, W, RowU),
-    cross_product(W, U, RowV),
-    cross_product(U, V, RowW),
-    dot_product(U, RowU, Volume),
-    Volume =\= 0.0,
-    difference(Point, p(CX,CY,CZ), From),
-    maplist(coordinate(From, Volume), [RowU,RowV,RowW], Local),
+    surface_inverse(Frame, Volume, Rows),
+    Rows = [RowU,RowV,RowW],
+    surface_coordinates(Frame, Volume, Rows, Point, Local),
     gradient(Kind, A, B, Local, [GX,GY,GZ]),
     scaled(GX, RowU, p(X1,Y1,Z1)),
     scaled(GY, RowV, p(X2,Y2,Z2)),
@@ -384,9 +470,54 @@ placed_gradient(Kind, Frame, A, B, Point, p(X,Y,Z)) :-
     Y is Y1+Y2+Y3,
     Z is Z1+Z2+Z3.
 
+%   surface_inverse(Frame, Volume, Rows): Rows are those of the inverse of the
+%   matrix of U, V and W, times Volume.
+
+surface_inverse([_,_,_,UX,UY,UZ,VX,VY,VZ,WX,WY,WZ], Volume,
+                [RowU,RowV,RowW]) :-
+    U = p(UX,UY,UZ),
+    V = p(VX,VY,VZ),
+    W = p(WX,WY,WZ),
+    cross_product(V, W, RowU),
+    cross_product(W, U, RowV),
+    cross_product(U, V, RowW),
+    dot_product(U, RowU, Volume),
+    Volume =\= 0.0.
+
+surface_coordinates([CX,CY,CZ|_], Volume, Rows, Point, Local) :-
+    difference(Point, p(CX,CY,CZ), From),
+    maplist(coordinate(From, Volume), Rows, Local).
+
 coordinate(From, Volume, Row, Coordinate) :-
     dot_product(From, Row, Product),
     Coordinate is Product/Volume.
+
+%!  surface_straight(+Surface, +Point1, +Point2) is semidet.
+%
+%   True when Surface is tapered or turned, and both points, p(X,Y,Z), on it or
+%   near it, are on one straight line of it.
+
+surface_straight(surface(Kind,Frame,A,B), Point1, Point2) :-
+    memberchk(Kind, [tapered,turned]),
+    surface_inverse(Frame, Volume, Rows),
+    maplist(way_from_axis(Frame, Volume, Rows, A, B), [Point1,Point2], Ways),
+    (   memberchk(apex, Ways)
+    ->  true
+    ;   Ways = [Way1,Way2],
+        angle_between(Way1, Way2, Angle),
+        Angle*180/pi < 1.0e-4
+    ).
+
+way_from_axis(Frame, Volume, Rows, A, B, Point, Way) :-
+    surface_coordinates(Frame, Volume, Rows, Point, [X,Y,H]),
+    RA is 1.0-H+H*A,
+    RB is 1.0-H+H*B,
+    (   ( RA < 1.0e-9 ; RB < 1.0e-9 )
+    ->  Way = apex
+    ;   U is X/RA,
+        V is Y/RB,
+        Way = p(U,V,0.0)
+    ).
 
 gradient(tapered, A, B, [X,Y,H], [GX,GY,GH]) :-
     RA is 1.0-H+H*A,
@@ -400,6 +531,8 @@ gradient(tapered, A, B, [X,Y,H], [GX,GY,GH]) :-
     GX is Radius*U/RA,
     GY is Radius*V/RB,
     GH is -(U*U*(A-1.0)/RA + V*V*(B-1.0)/RB).
+gradient(turned, A, B, Local, Gradient) :-
+    gradient(tapered, A, B, Local, Gradient).
 gradient(sphere, _, _, Local, Local).
 gradient(torus, _, _, [X,Y,H], [GX,GY,H]) :-
     Radius is sqrt(X*X + Y*Y),

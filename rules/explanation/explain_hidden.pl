@@ -15,7 +15,8 @@
               [intervals_union/3, intervals_subtract/3]).
 :- use_module('../kernel',
               [scene_edge/5, occluder/7, overlap/9, line_covers/4]).
-:- use_module('../picture/role', [edge_role/5, role_drawn/2]).
+:- use_module('../picture/role',
+              [edge_role/5, role_drawn/2, usual_crease/1]).
 :- use_module('../store',
               [ e/5, t/6, line/9, contour/13, screen/5, drawn/7, leaf_e/5,
                 edge_polygon/3
@@ -197,7 +198,8 @@ role_because(S, E, _, _, [because(line_role(Role), [])]) :-
     drawn(_, S, E, _, _, _, Role),
     !.
 role_because(S, E, Look, Options, [because(line_role(Role), Not)]) :-
-    option(crease(Crease), Options, 30),
+    usual_crease(Usual),
+    option(crease(Crease), Options, Usual),
     option(lines(Which), Options, feature),
     edge_role(S, E, Look, Crease, Role),
     (   role_drawn(Which, Role)
@@ -224,7 +226,7 @@ own_surface(S, E, Look, Because) :-
             Keyed0),
     sort(Keyed0, Keyed),
     pairs_values(Keyed, Turned),
-    (   Look = look(_,0,Away,_,_,_,true,_,_),
+    (   Look = look(_,0,Away,_,_,_,_,true,_,_),
         Away > 0,
         hides(S, S)
     ->  Because = [because(backs(S, Away), [])|Turned]

@@ -198,10 +198,11 @@ Foreign predicates; see kernel.pl.
 %!  known_facets(+Known, +Ss:list, -Facets:list) is det.
 %
 %   Facets has known(S, Surfaces, Runs), as of known_surfaces/1, for each of the
-%   segments Ss that has polygons which are facets of surfaces, by what Known,
-%   of known_surfaces/1, says of it, or of those its polygons came from
-%   (from_p/5). Surfaces are in the order of their first facets. The fused
-%   kernel of segment_facets/3 (known_surface.pl). Inexact where they are moved.
+%   segments Ss that has polygons which are facets of surfaces, or named faces,
+%   by what Known, of known_surfaces/1, says of it, or of those its polygons
+%   came from (from_p/5). Surfaces are in the order of their first facets. The
+%   fused kernel of segment_facets/3 (known_surface.pl). Inexact where they are
+%   moved.
 
 /* - - - roll4pl.c: cylinders and cones unrolled - - -
 

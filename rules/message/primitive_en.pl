@@ -216,6 +216,7 @@ type_en(facets, 'a whole number from 3 to 1000000').
 type_en(count, 'a whole number from 1 to 1000000').
 type_en(factor, 'a factor from 0').
 type_en(number, 'a number').
+type_en(flag, 'true or false').
 type_en(turn, 'an angle above 0, to 360').
 type_en(outline, 'circle(R), ellipse(A, B), rectangle(A, B), \c
                   rectangle(A, B, R) or polygon([[X, Y], ...])').

@@ -191,6 +191,7 @@ type_ko(facets, '3에서 1000000까지의 정수').
 type_ko(count, '1에서 1000000까지의 정수').
 type_ko(factor, '0 이상의 배율').
 type_ko(number, '수').
+type_ko(flag, 'true 또는 false').
 type_ko(turn, '0보다 크고 360 이하인 각').
 type_ko(outline, 'circle(R), ellipse(A, B), rectangle(A, B), \c
                   rectangle(A, B, R) 또는 polygon([[X, Y], ...])').

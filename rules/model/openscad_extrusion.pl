@@ -52,11 +52,12 @@ centred(false, _, Term, Term).
 centred(true, H, Term, at([translate(0, 0, Z)], Term)) :-
     Z is -H/2.0.
 
-extrusion(node(_, _, _, _, Place), H, Turn, [A, B], Slices, Outline, Holes,
-          Term) :-
+extrusion(Node, H, Turn, [A, B], Slices, Outline, Holes, Term) :-
+    Node = node(_, _, _, _, Place),
+    smooth_argument(Node, Smooth),
     (   Holes == []
-    ->  Arguments = [height(H)]
-    ;   Arguments = [holes(Holes), height(H)]
+    ->  Arguments = [height(H)|Smooth]
+    ;   Arguments = [holes(Holes), height(H)|Smooth]
     ),
     (   Turn =:= 0,
         A =:= 0,
@@ -70,6 +71,22 @@ extrusion(node(_, _, _, _, Place), H, Turn, [A, B], Slices, Outline, Holes,
         Term =.. [prism, outline(Outline)|More]
     ),
     sound_primitive(Term, Place).
+
+%   smooth_argument(Node, Arguments): a circle below Node is a divided curve, so
+%   no wall over it is a face for itself.
+
+smooth_argument(Node, Arguments) :-
+    (   below(Node, circle)
+    ->  Arguments = [smooth(true)]
+    ;   Arguments = []
+    ).
+
+below(node(_, _, _, Children, _), Name) :-
+    member(Child, Children),
+    (   Child = node(_, Name, _, _, _)
+    ;   below(Child, Name)
+    ),
+    !.
 
 :- meta_predicate island_term(3, +, -).
 
@@ -267,10 +284,12 @@ turns_into_itself(Degrees, N, First) :-
         integer(Steps)
     ).
 
-turning_term(node(_, _, _, _, Place), Degrees, N, Outline, Holes, Term) :-
+turning_term(Node, Degrees, N, Outline, Holes, Term) :-
+    Node = node(_, _, _, _, Place),
+    smooth_argument(Node, Smooth),
     (   Degrees =:= 360
-    ->  Arguments = [facets(N)]
-    ;   Arguments = [angle(Degrees), facets(N)]
+    ->  Arguments = [facets(N)|Smooth]
+    ;   Arguments = [angle(Degrees), facets(N)|Smooth]
     ),
     (   Holes == []
     ->  Term =.. [turning, outline(Outline)|Arguments]

@@ -74,7 +74,8 @@ made(sphere, Node, _, Meaning) :-
     (   R > 0
     ->  openscad_fragments(Node, R, N),
         sphere_profile(R, N, Outline),
-        Meaning = solid(turning(outline(Outline), facets(N)))
+        Meaning = solid(turning(outline(Outline), facets(N),
+                                smooth(true)))
     ;   Meaning = nothing
     ).
 made(cylinder, Node, _, Meaning) :-
@@ -98,7 +99,7 @@ made(polyhedron, Node, Place, Meaning) :-
     exclude(is_short, Faces1, Faces),
     (   Faces == []
     ->  Meaning = nothing
-    ;   Term = polyhedron(points(Points), faces(Faces)),
+    ;   Term = polyhedron(points(Points), faces(Faces), smooth(true)),
         sound_primitive(Term, Place),
         Meaning = solid(Term)
     ).

@@ -23,7 +23,8 @@
               [ intervals_union/3, intervals_gaps/2, intervals_subtract/3,
                 intervals_within/4
               ]).
-:- use_module(role, [edge_role/5, role_rank/2, role_drawn/2]).
+:- use_module(role,
+              [edge_role/5, role_rank/2, role_drawn/2, usual_crease/1]).
 :- use_module(view, [project_world/0, screen_depth/1]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
@@ -84,7 +85,8 @@ picture :-
 picture(Options) :-
     option(lines(Which), Options, feature),
     one_of(lines, [all,feature,penetration], Which),
-    option(crease(Crease), Options, 30),
+    usual_crease(Usual),
+    option(crease(Crease), Options, Usual),
     must_be(number, Crease),
     option(method(Method0), Options, auto),
     one_of(method, [auto,kernel,rule], Method0),
@@ -158,7 +160,8 @@ open_scene(Scene, Options) :-
     option(tolerance(Tolerance), Options, 1.0e-9),
     option(lines(Which), Options, feature),
     (   Which == feature
-    ->  option(crease(Crease), Options, 30),
+    ->  usual_crease(Usual),
+        option(crease(Crease), Options, Usual),
         smoothness(Crease, Smooth)
     ;   faceted_segments(Faceted),
         Smooth = edges(Faceted)
@@ -260,7 +263,7 @@ side_ends(3, A, _, C, C, A).
 %   away.
 
 hidden_interval(Scene, S, E, 0.0, 1.0) :-
-    scene_edge(Scene, S, E, _, look(_,0,Away,_,_,_,true,_,_)),
+    scene_edge(Scene, S, E, _, look(_,0,Away,_,_,_,_,true,_,_)),
     Away > 0,
     hides(S, S).
 hidden_interval(_, S, E, From, 1.0) :-

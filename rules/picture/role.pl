@@ -1,8 +1,10 @@
 :- module(sg_role,
           [ edge_role/5,                % +S, +E, +Look, +Crease, -Role
             role_rank/2,                % ?Role, ?Rank
-            role_drawn/2                % ?Which, ?Role
+            role_drawn/2,               % ?Which, ?Role
+            usual_crease/1              % -Degrees
           ]).
+:- use_module('../csg/known_surface', [flat_bend/1]).
 :- use_module('../decision', [decision/2]).
 /** <module> The role of a line in the picture.
 
@@ -10,7 +12,8 @@ Of all the directed edges between two vertices one is drawn, a real one if
 there is one (PL-13 step 3). How its faces lie to the eye, as the join
 scene_edge/5 reports it, decides its role:
 
-    Look = look(Faces, Towards, Away, Left, Right, Bend, Solid, Cut, Inside)
+    Look = look(Faces, Towards, Away, Left, Right, Bend, Edge, Solid, Cut,
+                Inside)
 
   - Faces: how often polygons use the edge
   - Towards, Away: how many of these face the eye, or face away from it; one
@@ -20,6 +23,8 @@ scene_edge/5 reports it, decides its role:
   - Bend: degrees by which they are not flat, the largest of all pairs; facets
     of known surfaces (known_surface.pl) bend as these do, those of one by one
     degree at most
+  - Edge: `true` if different surfaces, or faces that the terms name, meet there
+    and are not tangent (known_surface.pl)
   - Solid: `true` if the segment is a solid whose shells are closed, are not
     inside out and do not go through themselves: its backs cannot be seen
   - Cut: `true` if it is part of a penetration line
@@ -40,13 +45,15 @@ scene_edge/5 reports it, decides its role:
 %     - border: in one polygon only
 %     - outline: all its faces lie on one side of it in the picture, and it is
 %       not inside a smooth surface
-%     - crease: its faces bend by more than Crease degrees
+%     - crease: it is an edge by the terms, or its faces bend by more than
+%       Crease degrees
 %     - smooth: they bend, but less
 %     - mesh: they lie flat side by side
 %
 %   A decision.
 
-edge_role(_, _, look(Faces,_,_,Left,Right,Bend,_,Cut,Inside), Crease, Role) :-
+edge_role(_, _, look(Faces,_,_,Left,Right,Bend,Edge,_,Cut,Inside), Crease,
+          Role) :-
     (   Cut == true
     ->  Role = penetration
     ;   Faces =:= 0
@@ -56,15 +63,25 @@ edge_role(_, _, look(Faces,_,_,Left,Right,Bend,_,Cut,Inside), Crease, Role) :-
     ;   Inside == false,
         on_one_side(Left, Right)
     ->  Role = outline
-    ;   Bend > Crease + 1.0e-6          % all sides of a prism alike
+    ;   Edge == true
     ->  Role = crease
-    ;   Bend > 0.01
+    ;   Bend > Crease + 1.0e-6          % all facets of a mesh alike
+    ->  Role = crease
+    ;   flat_bend(Flat),
+        Bend > Flat
     ->  Role = smooth
     ;   Role = mesh
     ).
 
 on_one_side(Left, 0) :- Left > 0, !.
 on_one_side(0, Right) :- Right > 0.
+
+%!  usual_crease(-Degrees) is det.
+%
+%   The crease angle where none is given: what bends by more is an edge, in a
+%   mesh of which nothing is known.
+
+usual_crease(30).
 
 %!  role_rank(?Role, ?Rank) is nondet.
 %

@@ -17,7 +17,10 @@
             corner_place/3,             % +Sheets, +Corner, -Place
             next_corner/2               % +Corner, -Next
           ]).
-:- use_module('../csg/known_surface', [polygon_surface/4, surface_normal/4]).
+:- use_module('../csg/known_surface',
+              [ polygon_face/3, polygon_surface/4, surface_normal/4,
+                surface_straight/3, flat_bend/1
+              ]).
 :- use_module('../vector',
               [ angle_between/3, cross_product/3, difference/3, dot_product/3,
                 scaled/3, unit/2
@@ -35,11 +38,12 @@
 
 Two triangles hang together smoothly where they alone share a side, run along
 it in opposite directions, and their faces bend by no more than the crease
-angle, or not at all if a penetration line runs there. What hangs together is a
-*sheet*; the corners of a sheet at a vertex that hang together are a *fan*. A
-fan has one normal, the mean of its faces' normals, weighted by their area and
-by the angle they fill there; where a face leans more than the crease angle from
-it, the vertex is an apex and has none.
+angle, or not at all if a penetration line runs there, and it is no edge by the
+terms (known_surface.pl). What hangs together is a *sheet*; the corners of a
+sheet at a vertex that hang together are a *fan*. A fan has one normal, the mean
+of its faces' normals, weighted by their area and by the angle they fill there;
+where a face leans more than the crease angle from it, the vertex is an apex and
+has none.
 
 Where polygons are facets of a known surface (known_surface.pl), this says how
 much they bend, and which way they look at a vertex; facets of one surface hang
@@ -63,7 +67,7 @@ c_kernels/picture/smooth.c is the fused kernel.
 :- set_prolog_flag(optimise, true).
 
 % sheets(Corners, Places, Areas, Sides, Fans, Members, Normals, Curved, Known,
-% Coarse), assocs:
+% Coarse, Faces), assocs:
 %   Corners  T -> corners(P, V1, V2, V3)
 %   Places   V -> p(X,Y,Z)
 %   Areas    P -> p(X,Y,Z), the polygon's normal, as long as twice its area
@@ -72,6 +76,7 @@ c_kernels/picture/smooth.c is the fused kernel.
 %   Normals  Fan -> normal(p(X,Y,Z)), unit, or apex(p(X,Y,Z))
 %   Curved   T -> true
 %   Known    P -> Id-Surface, by polygon_surface/4
+%   Faces    P -> Id, by polygon_face/3
 %   Coarse   Size-Assoc: the longest side of the segment; T -> true
 
 %!  smooth_sheets(+S, +Crease, -Sheets) is det.
@@ -81,7 +86,7 @@ c_kernels/picture/smooth.c is the fused kernel.
 
 smooth_sheets(S, Crease, Sheets) :-
     Sheets = sheets(Corners, Places, Areas, Sides, Fans, Members, Normals,
-                    Curved, Known, Coarse),
+                    Curved, Known, Coarse, Faces),
     findall(T-corners(P,A,B,C), t(S, P, T, A, B, C), Triangles0),
     keysort(Triangles0, Triangles),
     list_to_assoc(Triangles, Corners),
@@ -94,6 +99,10 @@ smooth_sheets(S, Crease, Sheets) :-
             ( Crease >= 1, member(P, Ps), polygon_surface(S, P, Id, Surface) ),
             Surfaces),
     list_to_assoc(Surfaces, Known),
+    findall(P-Id,
+            ( Crease >= 1, member(P, Ps), polygon_face(S, P, Id) ),
+            FaceList),
+    list_to_assoc(FaceList, Faces),
     empty_assoc(None),
     foldl(add_area(Places), Triangles, None, Areas),
     findall(Side-Across, side_across(S, Sheets, Triangles, Crease,
@@ -134,7 +143,7 @@ place(Places, V, Place) :-
 /* - - - sides - - - */
 
 side_across(S, Sheets, Triangles, Crease, Side, Across) :-
-    Sheets = sheets(_, _, Areas, _, _, _, _, _, _, _),
+    Sheets = sheets(_, _, Areas, _, _, _, _, _, _, _, _),
     findall((Low-High)-use(T-I,A,P),
             ( member(T-corners(P,V1,V2,V3), Triangles),
               member(I-A-B, [1-V1-V2, 2-V2-V3, 3-V3-V1]),
@@ -150,12 +159,13 @@ side_across(S, Sheets, Triangles, Crease, Side, Across) :-
     degrees_between(Area1, Area2, Bend),
     (   line_runs(S, Low, High),
         \+ one_surface(Sheets, P1, P2)
-    ->  Most = 0.01,
+    ->  flat_bend(Most),
         Degrees = Bend
     ;   Most is Crease + 1.0e-6,
-        surfaces_bend(Sheets, P1, P2, Side1, Bend, Degrees)
+        surfaces_bend(Sheets, P1, P2, Side1, Bend, Degrees, Edge)
     ),
-    (   Degrees =< Most
+    (   Degrees =< Most,
+        Edge \== true
     ->  Smooth = true
     ;   Smooth = false
     ),
@@ -167,42 +177,121 @@ one_surface(Sheets, P1, P2) :-
     get_assoc(P1, Known, Id-_),
     get_assoc(P2, Known, Id-_).
 
-%   surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees): the surfaces of polygons
-%   that bend by Bend along Side bend by Degrees: not at all if they are one,
-%   else by the more of both ends. Facets bend by one degree at most.
+%   surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees, Edge): the surfaces of
+%   polygons that bend by Bend along Side bend by Degrees: not at all if they
+%   are one, else by the more of both ends. Facets bend by one degree at most.
+%   Edge: different surfaces, or named faces, that are not tangent.
 
-surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees) :-
-    Sheets = sheets(_, _, Areas, _, _, _, _, _, Known, _),
-    (   \+ get_assoc(P1, Known, _),
+surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees, Edge) :-
+    arg(9, Sheets, Known),
+    arg(11, Sheets, Faces),
+    flat_bend(Flat),
+    (   one_surface(Sheets, P1, P2)
+    ->  Degrees is min(Bend, 1.0),
+        Edge = false
+    ;   \+ get_assoc(P1, Known, _),
         \+ get_assoc(P2, Known, _)
-    ->  Degrees = Bend
-    ;   one_surface(Sheets, P1, P2)
-    ->  Degrees is min(Bend, 1.0)
-    ;   next_corner(Side, Next),
-        get_assoc(P1, Areas, Area1),
-        get_assoc(P2, Areas, Area2),
-        findall(Angle,
-                ( member(Corner, [Side,Next]),
-                  corner_place(Sheets, Corner, Place),
-                  polygon_look(Known, P1, Place, Area1, Look1),
-                  polygon_look(Known, P2, Place, Area2, Look2),
-                  degrees_between(Look1, Look2, Angle) ),
-                Angles),
+    ->  Degrees = Bend,
+        (   get_assoc(P1, Faces, Id1),
+            get_assoc(P2, Faces, Id2),
+            Id1 \== Id2,
+            Bend > Flat
+        ->  Edge = true
+        ;   Edge = false
+        )
+    ;   side_looks(Sheets, P1, Side, Looks1),
+        side_looks(Sheets, P2, Side, Looks2),
+        maplist(looks_bend, Looks1, Looks2, Angles),
         max_list(Angles, Most),
-        Degrees is max(Most, min(Bend, 1.0))
+        Degrees is max(Most, min(Bend, 1.0)),
+        (   \+ turned_together(Known, P1, P2),
+            forall(member(P, [P1,P2]),
+                   ( known_or_face(Known, Faces, P),
+                     \+ is_generator(Sheets, P, Side) )),
+            Bend > 0.0,
+            known_bend(Looks1, Looks2, Bend, KnownBend),
+            KnownBend > Flat
+        ->  Edge = true
+        ;   Edge = false
+        )
     ).
+
+%   side_looks(Sheets, P, Side, Looks): how polygon P looks at both ends: a list
+%   of known(Look), of the surface or a flat face, and facet(Look), where the
+%   surface has none.
+
+side_looks(Sheets, P, Side, Looks) :-
+    next_corner(Side, Next),
+    maplist(side_look(Sheets, P), [Side,Next], Looks).
+
+side_look(Sheets, P, Corner, Look) :-
+    arg(3, Sheets, Areas),
+    arg(9, Sheets, Known),
+    get_assoc(P, Areas, Area),
+    corner_place(Sheets, Corner, Place),
+    (   surface_look(Known, P, Place, Area, Look0)
+    ->  Look = known(Look0)
+    ;   get_assoc(P, Known, _)
+    ->  Look = facet(Area)
+    ;   Look = known(Area)
+    ).
+
+looks_bend(Look1, Look2, Degrees) :-
+    arg(1, Look1, U),
+    arg(1, Look2, W),
+    degrees_between(U, W, Degrees).
+
+%   known_bend(Looks1, Looks2, Bend, Degrees): where both are known; Bend if
+%   that is nowhere.
+
+known_bend([A1,B1], [A2,B2], Bend, Degrees) :-
+    findall(Degrees0,
+            ( member(Look1-Look2, [A1-A2,B1-B2]),
+              Look1 = known(_),
+              Look2 = known(_),
+              looks_bend(Look1, Look2, Degrees0) ),
+            Found),
+    (   Found == []
+    ->  Degrees = Bend
+    ;   max_list(Found, Degrees)
+    ).
+
+known_or_face(Known, Faces, P) :-
+    (   get_assoc(P, Known, _)
+    ->  true
+    ;   get_assoc(P, Faces, _)
+    ).
+
+%   is_generator(Sheets, P, Side): along a straight line of a tapered surface.
+
+is_generator(Sheets, P, Side) :-
+    arg(9, Sheets, Known),
+    get_assoc(P, Known, _-Surface),
+    next_corner(Side, Next),
+    maplist(corner_place(Sheets), [Side,Next], [Place1,Place2]),
+    surface_straight(Surface, Place1, Place2).
+
+%   turned_together(Known, P1, P2): both were turned from a divided curve.
+
+turned_together(Known, P1, P2) :-
+    get_assoc(P1, Known, _-surface(turned,_,_,_)),
+    get_assoc(P2, Known, _-surface(turned,_,_,_)).
 
 %   polygon_look(Known, P, Place, Area, Look): Look is the way the surface of P
 %   looks at Place, as long as the Area of P.
 
 polygon_look(Known, P, Place, Area, Look) :-
-    (   get_assoc(P, Known, _-Surface),
-        surface_normal(Surface, Place, Area, Normal)
-    ->  dot_product(Area, Area, Square),
-        Size is sqrt(Square),
-        scaled(Size, Normal, Look)
+    (   surface_look(Known, P, Place, Area, Look0)
+    ->  Look = Look0
     ;   Look = Area
     ).
+
+surface_look(Known, P, Place, Area, Look) :-
+    get_assoc(P, Known, _-Surface),
+    surface_normal(Surface, Place, Area, Normal),
+    dot_product(Area, Area, Square),
+    Size is sqrt(Square),
+    scaled(Size, Normal, Look).
 
 line_runs(S, A, B) :-
     (   line(_, S, _, A, B, _, _, _, _)
@@ -263,7 +352,7 @@ convex_side(Sheets, T-I) :-
     Height =< 0.0.
 
 triangle_normal(Sheets, T, N) :-
-    Sheets = sheets(Corners, _, Areas, _, _, _, _, _, _, _),
+    Sheets = sheets(Corners, _, Areas, _, _, _, _, _, _, _, _),
     get_assoc(T, Corners, corners(P,_,_,_)),
     get_assoc(P, Areas, N).
 
@@ -381,7 +470,7 @@ normal_of(Sheets, Crease, Fan, Normal) :-
 %   The angle at a corner, and the way the surface looks there.
 
 corner_look(Sheets, T-I, Angle-Look) :-
-    Sheets = sheets(Corners, Places, Areas, _, _, _, _, _, Known, _),
+    Sheets = sheets(Corners, Places, Areas, _, _, _, _, _, Known, _, _),
     get_assoc(T, Corners, corners(P,V1,V2,V3)),
     get_assoc(P, Areas, Area),
     nth_turned(I, V1, V2, V3, A, B, C),
@@ -450,7 +539,7 @@ round_corner(Sheets, Corner) :-
 %   Surface, Id-surface(Kind,_,_,_) as known_surface.pl has it, is the known one
 %   that the polygon of Corner is a facet of.
 
-corner_surface(sheets(Corners,_,_,_,_,_,_,_,Known,_), T-_, Surface) :-
+corner_surface(sheets(Corners,_,_,_,_,_,_,_,Known,_,_), T-_, Surface) :-
     get_assoc(T, Corners, corners(P,_,_,_)),
     get_assoc(P, Known, Surface).
 
@@ -469,13 +558,15 @@ bends_both_ways(Sheets, Fan) :-
     not_one_line(Directions).
 
 on_tapered(Sheets, [Corner|Corners]) :-
-    corner_surface(Sheets, Corner, Id-surface(tapered,_,_,_)),
+    corner_surface(Sheets, Corner, Id-surface(Kind,_,_,_)),
+    memberchk(Kind, [tapered,turned]),
     forall(member(Other, Corners), corner_surface(Sheets, Other, Id-_)).
 
 bend_direction(Sheets, Corner, Direction) :-
     arg(4, Sheets, Sides),
     get_assoc(Corner, Sides, across(_, Bend, _)),
-    Bend > 0.01,
+    flat_bend(Flat),
+    Bend > Flat,
     next_corner(Corner, Next),
     corner_place(Sheets, Corner, P),
     corner_place(Sheets, Next, Q),

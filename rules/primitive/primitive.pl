@@ -13,7 +13,8 @@
               [ motion_mirrors/1, motion_stretch/2, moved/3, moved_vector/3,
                 step_motion/2
               ]).
-:- use_module(primitive_argument, [given_values/4, primitive_error/2]).
+:- use_module(primitive_argument,
+              [given/3, given_values/4, primitive_error/2]).
 :- use_module(primitive_extrusion, [prism_shape/2, pyramid_shape/2]).
 :- use_module(primitive_flat,
               [ box_shape/2, line_shape/2, polyhedron_shape/2,
@@ -32,7 +33,9 @@
 :- use_module(primitive_turning, [turning_shape/2]).
 :- use_module(shape, [loops_vertex_list/2, mirrored_faces/2]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(lists), [append/3, max_list/2, same_length/2]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists),
+              [append/3, max_list/2, member/2, nth1/3, same_length/2]).
 /** <module> Primitives: the table of them, and how they are placed.
 
 A primitive is a term with named arguments, in any order (the table below;
@@ -143,12 +146,14 @@ primitive_row(pyramid, solid,
                 argument(outline, [[points2]], none),
                 argument(holes, [[loops2]], [[]]),
                 argument(height, [[length]], needed),
-                Shift
+                Shift, Smooth
               ],
               pyramid_shape,
               'pyramid(base(A, B), height(H), shift(X, Y)), \c
-               or outline([[X, Y], ...]), holes([[[X, Y], ...], ...])') :-
-    shift(Shift).
+               or outline([[X, Y], ...]), holes([[[X, Y], ...], ...]), \c
+               smooth(true)') :-
+    shift(Shift),
+    smooth(Smooth).
 primitive_row(prism, solid,
               [ argument(outline, [[points2]], needed),
                 argument(holes, [[loops2]], [[]]),
@@ -156,23 +161,26 @@ primitive_row(prism, solid,
                 argument(twist, [[number]], [0.0]),
                 argument(scale, [[factor], [factor, factor]], [1.0]),
                 argument(slices, [[count]], none),
-                Shift
+                Shift, Smooth
               ],
               prism_shape,
               'prism(outline([[X, Y], ...]), holes([[[X, Y], ...], ...]), \c
                height(H), shift(X, Y), twist(Degrees), scale(FX, FY), \c
-               slices(N))') :-
-    shift(Shift).
+               slices(N), smooth(true))') :-
+    shift(Shift),
+    smooth(Smooth).
 primitive_row(turning, solid,
               [ argument(outline, [[points2]], needed),
                 argument(holes, [[loops2]], [[]]),
                 argument(angle, [[turn]], [360.0]),
                 argument(facets, [[count]], none),
-                argument(tolerance, [[length]], none)
+                argument(tolerance, [[length]], none),
+                Smooth
               ],
               turning_shape,
               'turning(outline([[R, Z], ...]), holes([[[R, Z], ...], ...]), \c
-               angle(Degrees), facets(N))').
+               angle(Degrees), facets(N), smooth(true))') :-
+    smooth(Smooth).
 primitive_row(transition, solid, Arguments, transition_shape,
               'transition(base(Outline), top(Outline), height(H), \c
                shift(X, Y), tilt(Degrees, Towards), turn(Degrees), \c
@@ -185,12 +193,13 @@ primitive_row(open_transition, surface, Arguments, open_transition_shape,
     transition_arguments(Arguments).
 primitive_row(polyhedron, solid, Arguments,
               polyhedron_shape,
-              'polyhedron(points([[X, Y, Z], ...]), faces([[1, 2, 3], ...]))'
-             ) :-
+              'polyhedron(points([[X, Y, Z], ...]), faces([[1, 2, 3], ...]), \c
+               smooth(true))') :-
     points_and_faces(Arguments).
 primitive_row(sheet, surface, Arguments,
               sheet_shape,
-              'sheet(points([[X, Y, Z], ...]), faces([[1, 2, 3], ...]))') :-
+              'sheet(points([[X, Y, Z], ...]), faces([[1, 2, 3], ...]), \c
+               smooth(true))') :-
     points_and_faces(Arguments).
 primitive_row(bezier, surface,
               [ argument(points, [[points3]], needed),
@@ -207,6 +216,8 @@ fineness([ argument(facets, [[facets]], none),
          ]).
 
 shift(argument(shift, [[number, number]], [0.0, 0.0])).
+
+smooth(argument(smooth, [[flag]], [false])).
 
 globe(argument(radius, [[length], [length, length, length]], needed),
       argument(bands, [[count]], none), Fineness) :-
@@ -225,8 +236,10 @@ transition_arguments([ argument(base, [[outline]], needed),
     fineness(Fineness).
 
 points_and_faces([ argument(points, [[points3]], needed),
-                   argument(faces, [[faces]], needed)
-                 ]).
+                   argument(faces, [[faces]], needed),
+                   Smooth
+                 ]) :-
+    smooth(Smooth).
 
 %!  primitive(?Name) is nondet.
 %
@@ -369,9 +382,12 @@ face_what(face(What, _), What).
 %!  primitive_parts(+Term, -Parts, -Surfaces) is det.
 %
 %   Parts are the polygons of the primitive Term, in order: part(N, flat) are N
-%   that stand for nothing else, part(N, curved(Part, Turn)) are N facets of one
-%   of Surfaces, Part-Surface as placed, that are Turn degrees of it wide. What
-%   was made last is remembered: most terms come again with every picture.
+%   faces, part(N, wall(I)) N of the I-th face that is several polygons,
+%   part(N, divided) N of what was divided before (an argument smooth(true)),
+%   and part(N, curved(Part, Turn)) N facets of one of Surfaces, Part-Surface as
+%   placed, that are Turn degrees of it wide. Surfaces that were turned from a
+%   divided outline are turned(Surface). What was made last is remembered: most
+%   terms come again with every picture.
 %
 %   @error as primitive_shape/4
 
@@ -394,8 +410,15 @@ remembered_parts(_, Given, Parts, Surfaces) :-
 remembered_parts(Maker, Given, Parts, Surfaces) :-
     (   globe_parts(Maker, Given, Parts, Surfaces)
     ->  true
-    ;   call(Maker, Given, shape(_, Faces, Surfaces)),
-        faces_parts(Faces, Parts)
+    ;   call(Maker, Given, shape(_, Faces, Surfaces0)),
+        (   given(Given, smooth, [true])
+        ->  maplist(divided_part, Faces, Each),
+            maplist(divided_surface, Surfaces0, Surfaces)
+        ;   walls_numbered(Faces, Walls),
+            maplist(face_part(Walls), Faces, Each),
+            Surfaces = Surfaces0
+        ),
+        parts_counted(Each, Parts)
     ),
     most_remembered(Most),
     (   predicate_property(last_parts(_, _, _, _), number_of_clauses(Most))
@@ -405,29 +428,55 @@ remembered_parts(Maker, Given, Parts, Surfaces) :-
     term_hash(Given, Hash),
     assertz(last_parts(Hash, Given, Parts, Surfaces)).
 
-%   Neighbours that are alike are one part.
+%   walls_numbered(Faces, Walls): Walls, an assoc, numbers what is flat and more
+%   than one polygon.
 
-faces_parts([], []).
-faces_parts([face(What, _)|Faces], [part(N, Part)|Parts]) :-
-    what_part(What, Part),
-    alike(Faces, Part, 1, N, Rest),
-    faces_parts(Rest, Parts).
+walls_numbered(Faces, Walls) :-
+    findall(What, ( member(face(What, _), Faces), What \= curved(_, _) ), Flat),
+    msort(Flat, Sorted),
+    findall(What, append(_, [What,What|_], Sorted), Several0),
+    sort(Several0, Several),
+    findall(What-I, nth1(I, Several, What), Numbered),
+    list_to_assoc(Numbered, Walls).
 
-alike([face(What, _)|Faces], Part, N0, N, Rest) :-
-    what_part(What, Part),
-    !,
-    N1 is N0+1,
-    alike(Faces, Part, N1, N, Rest).
-alike(Rest, _, N, N, Rest).
-
-what_part(What, Part) :-
+face_part(Walls, face(What, _), Part) :-
     (   What = curved(Name, Ranges)
-    ->  maplist(range_width, Ranges, Widths),
-        max_list(Widths, Width0),
-        Width is round(Width0*1.0e6)/1.0e6,
-        Part = curved(Name, Width)
+    ->  curved_part(Name, Ranges, Part)
+    ;   get_assoc(What, Walls, I)
+    ->  Part = wall(I)
     ;   Part = flat
     ).
+
+curved_part(Name, Ranges, curved(Name, Width)) :-
+    maplist(range_width, Ranges, Widths),
+    max_list(Widths, Width0),
+    Width is round(Width0*1.0e6)/1.0e6.
+
+%   Ends that are no part of what was divided are faces.
+
+divided_part(face(What, _), Part) :-
+    (   What = curved(Name, Ranges)
+    ->  curved_part(Name, Ranges, Part)
+    ;   ( memberchk(What, [base,top]) ; What = cap(_) )
+    ->  Part = flat
+    ;   Part = divided
+    ).
+
+divided_surface(Part-Surface, Part-turned(Surface)).
+
+%   Neighbours that are alike are one part.
+
+parts_counted([], []).
+parts_counted([Part|Each], [part(N, Part)|Parts]) :-
+    alike(Each, Part, 1, N, Rest),
+    parts_counted(Rest, Parts).
+
+alike([Next|Each], Part, N0, N, Rest) :-
+    Next == Part,
+    !,
+    N1 is N0+1,
+    alike(Each, Part, N1, N, Rest).
+alike(Rest, _, N, N, Rest).
 
 range_width(From-To, Width) :-
     Width is abs(To-From).
@@ -440,9 +489,13 @@ moved_surfaces(Motions, Surfaces0, Surfaces) :-
     maplist(moved_surface(Motions), Surfaces0, Surfaces).
 
 moved_surface(Motions, Part-Surface0, Part-Surface) :-
-    compound_name_arguments(Surface0, Name, Items0),
-    maplist(moved_item(Motions), Items0, Items),
-    compound_name_arguments(Surface, Name, Items).
+    (   Surface0 = turned(Inner0)
+    ->  moved_surface(Motions, Part-Inner0, Part-Inner),
+        Surface = turned(Inner)
+    ;   compound_name_arguments(Surface0, Name, Items0),
+        maplist(moved_item(Motions), Items0, Items),
+        compound_name_arguments(Surface, Name, Items)
+    ).
 
 moved_item(Motions, Item0, Item) :-
     (   Item0 = point(_, _, _)

@@ -119,6 +119,9 @@ argument_number(turn, Value, _, Number) :-
     finite_number(Value, Number),
     Number > 0.0,
     Number =< 360.0.
+argument_number(flag, Value, _, Value) :-
+    ( Value == true ; Value == false ),
+    !.
 argument_number(points2, List, Where, Points) :-
     items(List, point2, Where, Points).
 argument_number(points3, List, Where, Points) :-

@@ -160,7 +160,9 @@ test(roots_alone, Segments == [3-solid-lens]) :-
                 at([translate(7,7,7)], named(lens, intersection([1,2]))) ],
               ( roots_alone,
                 findall(S-K-T, segment(S, K, T), Segments),
-                \+ origin(_, _, _),
+                findall(What-Origin, origin(3, What, Origin), Origins),
+                Origins == [surfaces-on([],[run(1,6,0)])], % named faces
+                \+ ( origin(S2, _, _), S2 =\= 3 ),
                 \+ from_p(_, _, _, _, _),
                 \+ ( v(S1, _, _, _, _), S1 =\= 3 ),
                 volume(3, V),

@@ -136,7 +136,12 @@ means("polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0,0,0]], \c
        faces = [[0,1,2],[4,3,1,1],[1,3,2],[2,3,0],[0,0,1]]);",
       polyhedron(points([[0.0,0.0,0.0], [1.0,0.0,0.0], [0.0,1.0,0.0],
                          [0.0,0.0,1.0]]),
-                 faces([[3,2,1], [2,4,1], [3,4,2], [1,4,3]]))).
+                 faces([[3,2,1], [2,4,1], [3,4,2], [1,4,3]]),
+                 smooth(true))).
+means("linear_extrude(height = 3) { multmatrix([[1,0,0,2],[0,1,0,0],\c
+       [0,0,1,0],[0,0,0,1]]) { circle(r = 2, $fn = 4); } }",
+      prism(outline([[2.0,-2.0], [4.0,0.0], [2.0,2.0], [0.0,0.0]]),
+            height(3), smooth(true))).
 means("linear_extrude(height = 3, center = true) { union() { \c
          square(size = [1, 2]); square(size = [3, 1]); } }",
       at([translate(0,0,-1.5)],
@@ -291,7 +296,7 @@ test(volume, [ forall(measured(Text, Volume)),
     volume(Term, Ours).
 test(sphere_without_poles, Zs == [-1.5, -1.5, 1.5, 1.5]) :-
     csg("sphere($fn = 4, r = 2.1213203435596424);",
-        turning(outline(Points), facets(4))),
+        turning(outline(Points), facets(4), smooth(true))),
     findall(Z, ( member([_, Z0], Points), Z is round(Z0*1.0e6)/1.0e6 ), Zs).
 test(stdin, Term == cylinder(radius(1), height(1), facets(3))) :-
     with_csg("cylinder($fn = 3);", File,
