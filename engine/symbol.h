@@ -39,7 +39,9 @@
   SYMBOL(SECTION, "section")                                                   \
   SYMBOL(MESH, "mesh")                                                         \
   SYMBOL(NEAR, "near")                                                         \
-  SYMBOL(COMMA, ",")
+  SYMBOL(COMMA, ",")                                                           \
+  SYMBOL(S, "s")                                                               \
+  SYMBOL(SOURCE, "source")
 
 enum {
 #define SG_SYMBOL_ID(ID, text) SG_SYMBOL_##ID,

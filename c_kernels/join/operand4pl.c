@@ -5,6 +5,7 @@
  */
 #include "glue.h"
 #include "operand.h"
+#include "rows/grain4pl.h"
 #include "self_leaf.h"
 #include "tree4pl.h"
 
@@ -133,8 +134,9 @@ self_ex(asking *a, bool *out)
       return FALSE;
     }
     *out = false;
-    if (!operand.star && !sg_self_leaf_meets(a->kept->tree, &a->views, a->crew,
-                                             &sg_prolog_poll, out)) {
+    double grain = sg_grain_of(a->version, a->kept->tree->s);
+    if (!operand.star && !sg_self_leaf_meets(a->kept->tree, &a->views, grain,
+                                             a->crew, &sg_prolog_poll, out)) {
       return failed_ex();
     }
     known = *out ? SG_SELF_MEETS : SG_SELF_APART;

@@ -381,9 +381,9 @@ sg_self_tolerance(const sg_dense *dense, size_t s)
 {
   sg_flatness flatness;
 
-  sg_flatness_init(&flatness);
+  sg_flatness_init(&flatness, dense->grain[s]);
   for (size_t v = dense->vertex_begin[s]; v < dense->vertex_begin[s + 1]; v++) {
     sg_flatness_see(&flatness, dense->at[v]);
   }
-  return flatness.any ? sg_flatness_tolerance(&flatness) : 0;
+  return flatness.any ? sg_flatness_flat(&flatness) : 0;
 }

@@ -150,24 +150,25 @@ sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
 }
 
 static double
-tolerance_of(const joiner *j)
+tolerance_of(const joiner *j, double grain)
 {
   sg_flatness flatness;
 
-  sg_flatness_init(&flatness);
+  sg_flatness_init(&flatness, grain);
   for (size_t i = 0; i < j->tree->boxes->n; i++) {
     for (int k = 0; k < 3; k++) {
       sg_flatness_see(&flatness, j->leaf[i].at[k]);
     }
   }
-  return flatness.any ? sg_flatness_tolerance(&flatness) : 0;
+  return flatness.any ? sg_flatness_flat(&flatness) : 0;
 }
 
 /* True when a hit goes through; false also when the poll said stop. */
 static bool
-any_goes_through(const joiner *j, const sg_poll *poll, bool *stopped)
+any_goes_through(const joiner *j, double grain, const sg_poll *poll,
+                 bool *stopped)
 {
-  double tolerance = j->hits.n > 0 ? tolerance_of(j) : 0;
+  double tolerance = j->hits.n > 0 ? tolerance_of(j, grain) : 0;
 
   *stopped = false;
   for (size_t i = 0; i < j->hits.n && !*stopped; i++) {
@@ -184,12 +185,12 @@ any_goes_through(const joiner *j, const sg_poll *poll, bool *stopped)
 
 bool
 sg_self_leaf_meets(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                   sg_crew *crew, const sg_poll *poll, bool *out)
+                   double grain, sg_crew *crew, const sg_poll *poll, bool *out)
 {
   joiner j = {.tree = tree, .views = views};
   bool stopped = false, done = run(&j, crew, poll);
 
-  *out = done && any_goes_through(&j, poll, &stopped);
+  *out = done && any_goes_through(&j, grain, poll, &stopped);
   clear(&j);
   return done && !stopped;
 }

@@ -23,11 +23,13 @@ bool sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
                        sg_bvh_hits *out);
 
 /* Whether the segment goes through itself or lies on itself, by more than the
- * tolerance of its source (flatness.h). What only touches in points does not.
+ * tolerance of its source (flatness.h), whose grain is given. What only touches
+ * in points does not.
  *
  * Returns: false: no memory, or the poll said stop.
  * Cost:    as the join; it ends at the first such pair. */
 bool sg_self_leaf_meets(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                        sg_crew *crew, const sg_poll *poll, bool *out);
+                        double grain, sg_crew *crew, const sg_poll *poll,
+                        bool *out);
 
 #endif

@@ -1,6 +1,7 @@
 /* boundary.c -- see boundary.h. */
 #include "boundary.h"
 #include "boundary_touched.h"
+#include "polygon/flatness.h"
 #include "rows/sort.h"
 
 #include <math.h>
@@ -376,6 +377,22 @@ make_faces(const sg_boundary_source *source, const uint32_t *number,
   return end;
 }
 
+/* The coarsest of what the source was, the grid and float32. */
+static double
+grain_of(const sg_boundary_source *source, const sg_rounding *rounding,
+         const sg_boundary *boundary)
+{
+  double grain = fmax(source->dense->grain[source->s], rounding->grid);
+  double largest = 0;
+
+  for (size_t i = 0; i < boundary->vertices && rounding->single; i++) {
+    for (int k = 0; k < 3; k++) {
+      largest = fmax(largest, fabs(boundary->at[i][k]));
+    }
+  }
+  return fmax(grain, sg_flatness_single(largest));
+}
+
 sg_boundary_end
 sg_boundary_make(const sg_boundary_source *source, const sg_rounding *rounding,
                  const sg_poll *poll, sg_boundary *out)
@@ -388,6 +405,7 @@ sg_boundary_make(const sg_boundary_source *source, const sg_rounding *rounding,
                             ? make_vertices(source, rounding, poll, number, out)
                             : SG_BOUNDARY_NO_MEMORY;
   if (end == SG_BOUNDARY_DONE) {
+    out->grain = grain_of(source, rounding, out);
     end = make_faces(source, number, poll, out);
   }
   free(number);

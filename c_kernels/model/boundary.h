@@ -31,6 +31,7 @@ enum sg_turn {
 };
 
 typedef struct sg_boundary {
+  double grain; /* of the source, or what it is rounded to (flatness.h) */
   size_t vertices;
   double (*at)[3];      /* [vertices] ascending by x, y, z; all different */
   double (*was)[3];     /* [vertices] before rounding; of several the lowest */

@@ -13,6 +13,7 @@
 
 #include <SWI-Stream.h>
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -444,6 +445,7 @@ tolerance_of(const sg_boundary_mesh *m)
   uint32_t begin[2] = {0, (uint32_t)m->mesh.vertices};
 
   return sg_self_tolerance(&(sg_dense){.segments = 1,
+                                       .grain = (double[]){m->mesh.grain},
                                        .vertex_begin = begin,
                                        .vertices = m->mesh.vertices,
                                        .at = m->mesh.vertex},
@@ -524,6 +526,7 @@ append(const sg_mesh *from, sg_mesh *to)
   int32_t first = (int32_t)to->vertices, s = sg_mesh_add_segment(to, NULL, 0);
   bool done = s >= 0;
 
+  to->grain = fmax(to->grain, from->grain);
   for (size_t v = 0; done && v < from->vertices; v++) {
     done = sg_mesh_add_vertex(to, from->vertex[v]);
   }

@@ -63,6 +63,7 @@ sg_boundary_of_mesh(const sg_boundary_mesh *mesh, sg_boundary *out, bool *any)
   if (!open_boundary(mesh, out)) {
     return false;
   }
+  out->grain = mesh->mesh.grain;
   out->vertices = mesh->mesh.vertices;
   out->faces = mesh->triangles;
   memcpy(out->at, mesh->mesh.vertex, out->vertices * sizeof *out->at);

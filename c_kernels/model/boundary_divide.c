@@ -12,11 +12,11 @@ reach_of(sg_boundary_maker *m)
 {
   if (m->reach < 0) {
     sg_flatness flatness;
-    sg_flatness_init(&flatness);
+    sg_flatness_init(&flatness, m->b->grain);
     for (size_t v = 0; v < m->b->vertices; v++) {
       sg_flatness_see(&flatness, m->b->at[v]);
     }
-    m->reach = sg_flatness_tolerance(&flatness);
+    m->reach = sg_flatness_flat(&flatness);
   }
   return m->reach;
 }

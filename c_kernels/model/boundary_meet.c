@@ -8,6 +8,7 @@
 /* A mesh as a segment: some arrays stay the mesh's, the others are here. */
 typedef struct as_segment {
   sg_dense dense;
+  double grain;
   uint32_t begin[4][2];
   int32_t *ids, *places, *to;
 } as_segment;
@@ -35,7 +36,9 @@ open_segment(const sg_boundary_mesh *m, as_segment *s)
   s->begin[1][1] = (uint32_t)face->corners;
   s->begin[2][1] = (uint32_t)face->count;
   s->begin[3][1] = (uint32_t)m->triangles;
+  s->grain = m->mesh.grain;
   s->dense = (sg_dense){.segments = 1,
+                        .grain = &s->grain,
                         .vertex_begin = s->begin[0],
                         .edge_begin = s->begin[1],
                         .polygon_begin = s->begin[2],

@@ -311,7 +311,7 @@ sg_boundary_mesh_make(sg_boundary *boundary, const sg_form *form,
   sg_boundary_maker m = {
       .b = boundary, .form = form, .poll = poll, .out = out, .reach = -1};
 
-  *out = (sg_boundary_mesh){0};
+  *out = (sg_boundary_mesh){.mesh.grain = boundary->grain};
   bool done = open_maker(&m) && add_and_split(&m) && order_loops(&m) &&
               cancel_all(&m) && put_vertices(&m) && put_faces(&m) &&
               put_triangles(&m);

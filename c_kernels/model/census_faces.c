@@ -247,7 +247,7 @@ measure_box(sg_counting *c, size_t begin, size_t end)
   sg_flatness flatness;
   sg_part *part = c->part;
 
-  sg_flatness_init(&flatness);
+  sg_flatness_init(&flatness, c->d->grain[c->s]);
   for (size_t v = begin; v < end; v++) {
     sg_flatness_see(&flatness, c->d->at[v]);
     for (int k = 0; k < 3; k++) {
@@ -256,7 +256,7 @@ measure_box(sg_counting *c, size_t begin, size_t end)
       part->high[k] = v == begin ? x : fmax(part->high[k], x);
     }
   }
-  part->tolerance = begin < end ? sg_flatness_tolerance(&flatness) : 0;
+  part->tolerance = begin < end ? sg_flatness_flat(&flatness) : 0;
 }
 
 bool

@@ -1,12 +1,16 @@
 /* mesh.c -- building, cleaning and choosing: what all formats share. */
 #include "mesh.h"
 #include "mesh_private.h"
+#include "polygon/flatness.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MIN_DIGITS = 6 }; /* fewer digits are taken to be exact */
+enum {
+  DOUBLE_DIGITS = 15, /* a text with more has doubles */
+  STEPS = 100000      /* a text that tells fewer places apart is exact */
+};
 
 const char *const sg_mesh_code_name[SG_MESH_CODES] = {
     [SG_MESH_FINE] = "fine",
@@ -270,34 +274,28 @@ drop_empty_segments(sg_mesh *mesh)
   return true;
 }
 
+/* How fine the source is: as it says, or as its numbers were written. Decimals
+ * are rounded ones only if they tell many places apart along the longest side:
+ * 1000.5 in a box of 10 is exact. */
 static double
-largest_coordinate(const sg_mesh *mesh)
+source_grain(const sg_mesh_reader *r)
 {
-  double largest = 0;
+  double single = sg_flatness_single(r->single);
+  sg_flatness all;
 
-  for (size_t i = 0; i < mesh->vertices; i++) {
-    for (int k = 0; k < 3; k++) {
-      largest = fmax(largest, fabs(mesh->vertex[i][k]));
-    }
+  if (r->stated >= 0) {
+    return r->stated;
   }
-  return largest;
-}
+  if (r->digits > DOUBLE_DIGITS || r->widest == 0) {
+    return single;
+  }
+  sg_flatness_init(&all, 0);
+  for (size_t i = 0; i < r->mesh->vertices; i++) {
+    sg_flatness_see(&all, r->mesh->vertex[i]);
+  }
+  double unit = pow(10, floor(log10(r->widest)) + 1 - r->digits);
 
-/* How fine the source is. digits > 0: decimal ones; < 0: bits. */
-static double
-source_grain(const sg_mesh *mesh, int digits)
-{
-  double largest = largest_coordinate(mesh);
-  int exponent;
-
-  if (largest == 0 || (digits >= 0 && digits < MIN_DIGITS) || digits > 15) {
-    return 0;
-  }
-  if (digits < 0) {
-    frexp(largest, &exponent);
-    return ldexp(1.0, exponent + digits);
-  }
-  return pow(10, floor(log10(largest)) + 1 - digits);
+  return sg_flatness_size(&all) >= STEPS * unit ? fmax(single, unit) : single;
 }
 
 static bool
@@ -321,7 +319,7 @@ finish(sg_mesh_reader *r, sg_mesh_format format, sg_mesh_weld weld)
   if (!drop_empty_segments(mesh)) {
     return sg_mesh_fail_byte(r, SG_MESH_NO_MEMORY, 0, NULL, 0, 0);
   }
-  mesh->grain = source_grain(mesh, r->digits);
+  mesh->grain = source_grain(r);
   return true;
 }
 
@@ -336,6 +334,7 @@ open_reader(const char *bytes, size_t n)
                           .at = bytes + bom,
                           .end = bytes + n,
                           .line = 1,
+                          .stated = -1,
                           .line_start = bytes + bom};
 }
 

@@ -2,6 +2,7 @@
 #include "mesh_export.h"
 #include "polygon/loops.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 typedef struct exporter {
@@ -280,6 +281,9 @@ sg_mesh_export(const sg_dense *dense, bool triangles, sg_mesh *out,
   free(x.from);
   free(x.to);
   sg_loops_clear(&x.loops);
+  for (size_t s = 0; s < dense->segments; s++) {
+    out->grain = fmax(out->grain, dense->grain[s]);
+  }
   if (status != SG_EXPORT_DONE) {
     sg_mesh_clear(out);
   }

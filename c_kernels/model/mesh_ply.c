@@ -225,7 +225,12 @@ read_header_line(sg_ply *ply, const sg_word *w)
   if (sg_word_is(w, "property")) {
     return read_property(ply);
   }
-  return sg_word_is(w, "comment") || sg_word_is(w, "obj_info") ||
+  if (sg_word_is(w, "comment")) {
+    const char *text = ply->r->at;
+    sg_mesh_precision(ply->r, text, text + sg_word_rest(ply->r).n + 1);
+    return true;
+  }
+  return sg_word_is(w, "obj_info") ||
          sg_mesh_fail(ply->r, SG_MESH_EXPECTED, w, "end_header");
 }
 
@@ -403,8 +408,8 @@ read_coordinate(sg_ply *ply, sg_ply_type type, double *out)
     snprintf(ply->r->error->text, SG_MESH_TEXT, "%.6g", *out);
     return false;
   }
-  if (type == PLY_FLOAT32 && ply->coding != PLY_TEXT) {
-    ply->r->digits = -24;
+  if (type == PLY_FLOAT32) {
+    ply->r->single = fmax(ply->r->single, fabs(*out));
   }
   return true;
 }
@@ -412,14 +417,15 @@ read_coordinate(sg_ply *ply, sg_ply_type type, double *out)
 static bool
 read_index(sg_ply *ply, sg_ply_type type, int32_t *out)
 {
-  int digits = ply->r->digits;
+  const sg_mesh_reader before = *ply->r;
   sg_word w;
   double i;
 
   if (!read_scalar(ply, type, &w, &i)) {
     return false;
   }
-  ply->r->digits = digits;
+  ply->r->digits = before.digits;
+  ply->r->widest = before.widest;
   if (i != floor(i)) {
     return fail_at(ply, SG_MESH_EXPECTED, &w, "a vertex number", 0, 0);
   }
@@ -435,13 +441,14 @@ read_index(sg_ply *ply, sg_ply_type type, int32_t *out)
 static bool
 read_length(sg_ply *ply, sg_ply_type type, sg_word *w, uint64_t *out)
 {
-  int digits = ply->r->digits;
+  const sg_mesh_reader before = *ply->r;
   double n;
 
   if (!read_scalar(ply, type, w, &n)) {
     return false;
   }
-  ply->r->digits = digits;
+  ply->r->digits = before.digits;
+  ply->r->widest = before.widest;
   if (!(n >= 0 && n <= UINT32_MAX && n == floor(n))) {
     return fail_at(ply, SG_MESH_BAD_COUNT, w, "items of a list", 0, 0);
   }

@@ -21,6 +21,9 @@ typedef struct sg_mesh_reader {
   bool hash;      /* # starts a comment */
   bool backslash; /* \ at the end of a line continues it */
   int digits;     /* the most significant digits seen in a coordinate */
+  double widest;  /* the largest coordinate that has so many */
+  double single;  /* the largest coordinate of float32 */
+  double stated;  /* a unit in the last place, as a comment says; or -1 */
   bool one_segment;
   sg_mesh *mesh;
   sg_mesh_error *error;
@@ -50,6 +53,9 @@ bool sg_mesh_fail_byte(sg_mesh_reader *r, sg_mesh_code code, size_t byte,
                        const char *wanted, int64_t got, int64_t limit);
 /* False if the poll wants to stop; call it once an item. */
 bool sg_mesh_tick(sg_mesh_reader *r);
+
+/* Notes how fine the source was, if the text of a comment says that. */
+void sg_mesh_precision(sg_mesh_reader *r, const char *text, const char *end);
 
 /* A coordinate (counted in r->digits), and an index that must be in
  * 0 .. limit - 1 after `base` is taken off. */

@@ -86,6 +86,7 @@ read_record(sg_mesh_reader *r, const char *record, int32_t s)
         strcpy(r->error->text, isnan(p[k]) ? "nan" : p[k] < 0 ? "-inf" : "inf");
         return false;
       }
+      r->single = fmax(r->single, fabs(p[k]));
     }
     if (!sg_mesh_vertex(r, p) ||
         !sg_mesh_corner(r, &r->mesh->face, (int32_t)r->mesh->vertices - 1)) {
@@ -113,7 +114,6 @@ read_binary(sg_mesh_reader *r)
     }
   }
   r->mesh->trailing = n - HEADER - (size_t)count * RECORD;
-  r->digits = -24;
   return true;
 }
 

@@ -53,6 +53,21 @@ take_continuation(sg_mesh_reader *r)
   return false;
 }
 
+void
+sg_mesh_precision(sg_mesh_reader *r, const char *text, const char *end)
+{
+  static const char says[] = " precision ";
+  size_t n = sizeof says - 1;
+  double unit;
+
+  if ((size_t)(end - text) > n && !memcmp(text, says, n) &&
+      sg_number_read(text + n, (size_t)(end - text) - n, &unit, NULL) ==
+          SG_NUMBER_OK &&
+      unit >= 0 && unit <= SG_MESH_FARTHEST) {
+    r->stated = fmax(r->stated, unit);
+  }
+}
+
 /* To the next word of this line, or to its end. */
 static void
 skip_blanks(sg_mesh_reader *r)
@@ -61,7 +76,9 @@ skip_blanks(sg_mesh_reader *r)
     if (is_blank(*r->at)) {
       r->at++;
     } else if (r->hash && *r->at == '#') {
+      const char *comment = r->at + 1;
       skip_to_newline(r);
+      sg_mesh_precision(r, comment, r->at);
     } else if (!take_continuation(r)) {
       return;
     }
@@ -250,6 +267,10 @@ sg_mesh_coordinate(sg_mesh_reader *r, const sg_word *w, double *out)
   }
   if (digits > r->digits) {
     r->digits = digits;
+    r->widest = 0;
+  }
+  if (digits == r->digits) {
+    r->widest = fmax(r->widest, fabs(*out));
   }
   return true;
 }

@@ -73,6 +73,18 @@ put_integer(sg_writer *w, size_t i)
   put(w, text, (size_t)snprintf(text, sizeof text, "%zu", i));
 }
 
+/* A comment that the readers know (sg_mesh_precision()). */
+static void
+put_precision(sg_writer *w, const char *comment)
+{
+  char text[SG_NUMBER_SIZE];
+
+  put_text(w, comment);
+  put_text(w, " precision ");
+  put(w, text, sg_number_print(w->mesh->grain, text));
+  put_text(w, "\n");
+}
+
 static void
 put_point(sg_writer *w, const double p[3])
 {
@@ -311,6 +323,7 @@ write_off(sg_writer *w)
   const sg_mesh *mesh = w->mesh;
 
   put_text(w, "OFF\n");
+  put_precision(w, "#");
   put_integer(w, mesh->vertices);
   put_text(w, " ");
   put_integer(w, mesh->face.count + mesh->curve.corners - mesh->curve.count);
@@ -344,6 +357,7 @@ write_obj(sg_writer *w)
   const sg_mesh *mesh = w->mesh;
   int32_t segment = mesh->segments == 1 && !mesh->name[0] ? 0 : -1;
 
+  put_precision(w, "#");
   for (size_t i = 0; i < mesh->vertices && tick(w); i++) {
     put_text(w, "v ");
     put_point(w, mesh->vertex[i]);
@@ -361,7 +375,9 @@ put_ply_header(sg_writer *w, const char *format)
 {
   put_text(w, "ply\nformat ");
   put_text(w, format);
-  put_text(w, " 1.0\nelement vertex ");
+  put_text(w, " 1.0\n");
+  put_precision(w, "comment");
+  put_text(w, "element vertex ");
   put_integer(w, w->mesh->vertices);
   put_text(w, "\nproperty double x\nproperty double y\nproperty double z\n");
   put_text(w, "element face ");

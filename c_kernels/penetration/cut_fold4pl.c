@@ -11,6 +11,7 @@
 #include "glue.h"
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
+#include "rows/grain4pl.h"
 #include "rows/pattern4pl.h"
 
 #include "engine/install.h"
@@ -36,15 +37,17 @@ see_all_vertices(sg_cut_handle *handle)
 {
   sg_flatness flatness;
   sg_model_view view;
-  bool good = sg_model_view_make(handle->version, SG_V, &view);
+  double grain;
+  bool good = sg_model_view_make(handle->version, SG_V, &view) &&
+              sg_grain_of_all(handle->version, &grain);
 
-  sg_flatness_init(&flatness);
+  sg_flatness_init(&flatness, good ? grain : 0);
   for (size_t i = 0; good && i < view.shown.pages; i++) {
     sg_flatness_page(&flatness, &view.shown, i);
   }
   sg_model_view_clear(&view);
   if (good) {
-    see_tolerance(handle, sg_flatness_tolerance(&flatness));
+    see_tolerance(handle, sg_flatness_flat(&flatness));
     handle->flat_known = true;
   }
   return good;

@@ -2,6 +2,8 @@
  * from them is in resolve_point.c. */
 #include "resolve.h"
 
+#include "number/vector.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -208,7 +210,11 @@ node_of(sg_resolve *r, const sg_resolve_node *node)
       return SG_NO_KEY;
     }
     r->node.item[fresh].root = r->node.item[fresh].next = fresh;
+    r->node.item[fresh].side = r->side;
     *number = fresh;
+  }
+  if (number && r->side < r->node.item[*number].side) {
+    r->node.item[*number].side = r->side;
   }
   return number ? *number : SG_NO_KEY;
 }
@@ -343,6 +349,19 @@ keep(sg_resolve *r, const sg_resolve_leaf *leaf[2], const sg_contact *contact)
          keep_crossing(r, leaf, where, contact);
 }
 
+static double
+shortest_side(const sg_resolve_leaf *leaf)
+{
+  double shortest = INFINITY;
+
+  for (int i = 0; i < 3; i++) {
+    double side[3];
+    sg_minus(leaf->at[(i + 1) % 3], leaf->at[i], side);
+    shortest = fmin(shortest, sg_length(side));
+  }
+  return shortest;
+}
+
 bool
 sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
                 const sg_resolve_leaf *b)
@@ -354,6 +373,7 @@ sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
               ? sg_contacts(a->at, b->at, r->reach, contact, &flush)
               : 0;
 
+  r->side = n > 0 ? fmin(shortest_side(a), shortest_side(b)) : 0;
   for (int i = 0; i < n; i++) {
     if (!keep(r, leaf, &contact[i])) {
       return false;
@@ -381,6 +401,7 @@ sg_resolve_crossing(sg_resolve *r, uint32_t i, const sg_resolve_leaf *leaf)
       !sg_contact_point(node->at, leaf->at, r->reach, &contact)) {
     return true;
   }
+  r->side = shortest_side(leaf);
   if (!place_of(r, leaf, contact.f[1], &where) ||
       !SG_PUSH(r->near, (sg_resolve_near){i, leaf->s, leaf->p})) {
     return false;

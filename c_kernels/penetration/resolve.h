@@ -46,6 +46,7 @@ typedef struct sg_resolve_node {
   int32_t line[2][3]; /* these: S, V1, V2, smaller segment first */
   uint32_t leaf[2];   /* triangles that have them */
   double at[3];
+  double side;         /* the shortest of the triangles that touch there */
   uint32_t root, next; /* of its cluster: union-find, ring of members */
   uint32_t point;      /* number of the shared point, when finished */
 } sg_resolve_node;
@@ -107,6 +108,7 @@ typedef enum sg_resolved {
 
 typedef struct sg_resolve {
   double reach;
+  double side; /* the shortest of the pair in hand */
   const sg_poll *poll;
   unsigned steps; /* since poll was asked */
   bool stopped;   /* by poll */

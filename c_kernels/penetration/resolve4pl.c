@@ -378,7 +378,7 @@ resolve_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
               (sg_resolving_want_ex(job) && make_polygons_ex(job, stuck)));
 
   sg_resolving_name_segments(job);
-  return done;
+  return done && (job->r.wide || *stuck || sg_resolving_measure_ex(job));
 }
 
 /* vertices, polygons: lists, or why not, as cut_resolve/4 says. */
@@ -470,9 +470,9 @@ cut_resolve(term_t set, term_t reach, term_t vertices, term_t polygons)
   return done;
 }
 
-/* cut_touch(+Set, +Reach, -What) is det. */
+/* cut_touch(+Set, +Reach, -What, -Moves) is det. */
 static foreign_t
-cut_touch(term_t set, term_t reach, term_t what)
+cut_touch(term_t set, term_t reach, term_t what, term_t moves)
 {
   sg_resolving job = {0};
   const sg_resolved_polygon *stuck = NULL;
@@ -480,7 +480,8 @@ cut_touch(term_t set, term_t reach, term_t what)
   if (!open_ex(&job, set, reach)) {
     return FALSE;
   }
-  int done = resolve_ex(&job, &stuck) && write_result_ex(&job, stuck, what);
+  int done = resolve_ex(&job, &stuck) && write_result_ex(&job, stuck, what) &&
+             sg_resolving_unify_moves(&job, moves);
 
   clear(&job);
   return done;
@@ -491,7 +492,7 @@ sg_install_resolve(void)
 {
   static const PL_extension doors[] = {
       {"cut_resolve", 4, (pl_function_t)cut_resolve, 0},
-      {"cut_touch", 3, (pl_function_t)cut_touch, 0},
+      {"cut_touch", 4, (pl_function_t)cut_touch, 0},
       {NULL, 0, NULL, 0}};
 
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);

@@ -1,14 +1,15 @@
 /* resolve4pl.h -- a resolution under way, and how it is written.
  *
  * Layer: glue. Shared by resolve4pl.c (finding), resolve_body4pl.c (segments
- * that touch themselves), resolve_want4pl.c (the polygons it changes) and
- * resolve_write4pl.c (writing).
+ * that touch themselves), resolve_want4pl.c (the polygons it changes),
+ * resolve_moves4pl.c (how far things move) and resolve_write4pl.c (writing).
  */
 #ifndef SG_RESOLVE4PL_H
 #define SG_RESOLVE4PL_H
 
 #include "cut4pl.h"
 #include "join/bodies.h"
+#include "resolve_feature.h"
 #include "resolve_polygon.h"
 
 /* A segment that is paired with itself. Its bodies have the numbers below - 1,
@@ -24,6 +25,7 @@ typedef struct sg_resolving {
   SG_LIST_OF(sg_resolving_part) part;
   SG_LIST_OF(sg_resolved_polygon) polygon; /* by (s, p) */
   sg_key_table known;                      /* S, P: in `polygon` */
+  sg_resolve_moves moves;
 } sg_resolving;
 
 /* Finds the bodies of the segments that are paired with themselves. False: an
@@ -49,6 +51,12 @@ int sg_resolving_goes_on_ex(size_t i);
 /* Notes which polygons are to be made anew, when the points are there. False:
  * an exception. */
 int sg_resolving_want_ex(sg_resolving *job);
+
+/* How far things move, when segments have their names. */
+int sg_resolving_measure_ex(sg_resolving *job);
+
+/* What cut_touch/4 says of that. */
+int sg_resolving_unify_moves(const sg_resolving *job, term_t moves);
 
 /* Writes all into the current world: the fused kernel of resolve.pl,
  * resolve_contacts_by_rule/2, with the same rows in the same order. False: an

@@ -154,9 +154,9 @@ model_clear(model *m)
 
 /* What is flat depends on the size of the whole model. */
 static bool
-see_size(const sg_view *view, model *out)
+see_size(const sg_view *view, double grain, model *out)
 {
-  sg_flatness_init(&out->flatness);
+  sg_flatness_init(&out->flatness, grain);
   for (size_t i = 0; i < view->pages && !stops(out); i++) {
     sg_flatness_page(&out->flatness, view, i);
   }
@@ -282,7 +282,7 @@ name_edge(const task *t, int32_t stuck, int32_t out[2])
 static sg_outcome
 find_triangles(task *t, int32_t bad[2])
 {
-  double reach[2] = {0, sg_flatness_tolerance(&t->model->flatness)};
+  double reach[2] = {0, sg_flatness_flat(&t->model->flatness)};
   sg_outcome outcome = SG_STUCK;
   int32_t stuck;
 
@@ -363,7 +363,7 @@ note_bent(task *t)
   for (size_t i = 0; i < t->n; i++) {
     worst = fmax(worst, fabs(sg_plane_distance(&t->plane, t->start[i]->p)));
   }
-  return worst <= sg_flatness_tolerance(&t->model->flatness) ||
+  return worst <= sg_flatness_flat(&t->model->flatness) ||
          fault(t, SG_FAULT_BENT, 0, 0, worst);
 }
 
@@ -459,8 +459,8 @@ static bool
 complete(const sg_completion_input *in, const sg_view *vertices, task *t)
 {
   model *m = t->model;
-  bool done =
-      see_size(vertices, m) && model_read(in, m) && do_polygons(t, in->p);
+  bool done = see_size(vertices, in->grain, m) && model_read(in, m) &&
+              do_polygons(t, in->p);
 
   model_clear(m);
   return done;
@@ -473,7 +473,7 @@ complete_some(const sg_completion_input *in, task *t)
   const sg_view *const all[] = {in->v, in->e, in->p, in->plane, in->t};
   sg_view some[5] = {{0}};
   sg_completion_input of = {&some[0], &some[1], &some[2], &some[3],
-                            &some[4], NULL,     0};
+                            &some[4], NULL,     0,        in->grain};
   bool good = true;
 
   for (int k = 0; k < 5 && good; k++) {

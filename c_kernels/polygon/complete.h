@@ -56,6 +56,7 @@ typedef struct sg_completion_input {
   const sg_view *v, *e, *p, *plane, *t;
   const int32_t *segment;
   size_t segments;
+  double grain; /* of the coarsest source of all v (flatness.h) */
 } sg_completion_input;
 
 /* False: no memory, or stopped (*stopped). Polygons in row order. Owner: the

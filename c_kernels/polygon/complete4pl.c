@@ -3,6 +3,7 @@
  * Layer: glue. Doors in rules/kernel/world.pl.
  */
 #include "rows/append4pl.h"
+#include "rows/grain4pl.h"
 #include "rows/pattern4pl.h"
 
 #include "engine/install.h"
@@ -127,14 +128,19 @@ complete_ex(sg_world *world, const int32_t *segment, size_t segments,
 {
   sg_completion found;
   views v;
+  double grain;
   bool stopped;
 
   if (!views_open_ex(&v, world)) {
     return FALSE;
   }
+  if (!sg_grain_of_all(v.version, &grain)) {
+    views_close(&v);
+    return sg_no_memory();
+  }
   const sg_completion_input in = {&v.view[0], &v.view[1], &v.view[2],
                                   &v.view[3], &v.view[4], segment,
-                                  segments};
+                                  segments,   grain};
   int ok = sg_complete(&in, &found, &stopped, &sg_prolog_poll);
   views_close(&v);
   ok = ok ? add_rows_ex(world, &found) && unify_faults(faults, &found)
@@ -224,12 +230,14 @@ see_tolerance_ex(const sg_version *version, double *out)
 {
   sg_flatness flatness;
   sg_model_view view;
+  double grain;
 
-  if (!sg_model_view_make(version, SG_V, &view)) {
+  if (!sg_model_view_make(version, SG_V, &view) ||
+      !sg_grain_of_all(version, &grain)) {
     sg_model_view_clear(&view);
     return sg_no_memory();
   }
-  sg_flatness_init(&flatness);
+  sg_flatness_init(&flatness, grain);
   for (size_t i = 0; i < view.shown.pages; i++) {
     sg_flatness_page(&flatness, &view.shown, i);
     if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
@@ -238,7 +246,7 @@ see_tolerance_ex(const sg_version *version, double *out)
     }
   }
   sg_model_view_clear(&view);
-  *out = sg_flatness_tolerance(&flatness);
+  *out = sg_flatness_touch(&flatness);
   return TRUE;
 }
 
@@ -275,12 +283,6 @@ model_tolerance(term_t tolerance)
   return ok && sg_unify_double(tolerance, value);
 }
 
-/* What the vertices of segments say. */
-typedef struct seen {
-  double size, source; /* the two parts of the tolerance */
-  double smallest;     /* the size of the smallest */
-} seen;
-
 enum { SEEN = 1 << 16 }; /* vertices between questions */
 
 /* Segments that are seen, each a task. */
@@ -296,7 +298,6 @@ see_segment(void *data, size_t i)
   const seeing *all = data;
   const sg_column *column = all->view->column;
 
-  sg_flatness_init(&all->of[i]);
   for (size_t k = all->rows->begin[i]; k < all->rows->begin[i + 1]; k++) {
     size_t page = all->rows->row[k] / SG_PAGE_ROWS;
     size_t r = all->rows->row[k] % SG_PAGE_ROWS;
@@ -310,52 +311,44 @@ see_segment(void *data, size_t i)
   }
 }
 
-/* Of the segments' own vertices, those of `rows`. */
+/* Of the n segments' own vertices, those of `rows`. */
 static int
 see_rows_ex(const sg_view *view, const sg_segment_rows *rows, size_t n,
-            seen *out)
+            sg_flatness *of)
 {
-  seeing of = {view, rows, malloc((n + 1) * sizeof *of.of)};
+  seeing all = {view, rows, of};
   sg_crew *crew = rows->begin[n] < SEEN ? NULL : sg_crew_open(0);
-  sg_flatness all;
-  int good = of.of || sg_no_memory();
+  int good = sg_crew_run(crew, n, see_segment, &all, &sg_prolog_poll) ||
+             (!PL_exception(0) && sg_no_memory());
 
-  if (good && !sg_crew_run(crew, n, see_segment, &of, &sg_prolog_poll)) {
-    good = PL_exception(0) ? FALSE : sg_no_memory();
-  }
-  *out = (seen){0, 0, HUGE_VAL};
-  sg_flatness_init(&all);
-  for (size_t i = 0; good && i < n; i++) {
-    out->source = fmax(out->source, sg_flatness_of_source(&of.of[i]));
-    out->smallest = fmin(out->smallest, sg_flatness_size(&of.of[i]));
-    sg_flatness_enlarge(&all, &of.of[i]);
-  }
-  out->size = sg_flatness_of_size(&all);
-  out->smallest = n > 0 ? out->smallest : 0;
   sg_crew_close(crew);
-  free(of.of);
   return good;
 }
 
+/* One for each segment of the list: *out, [*n], to be freed. */
 static int
-see_segments_ex(term_t segments, seen *out)
+see_segments_ex(term_t segments, sg_flatness **out, size_t *n)
 {
   sg_world *world = sg_current_world_ex();
   sg_segment_rows rows = {0};
   sg_view view = {0};
   int32_t *s = NULL;
-  size_t n = 0;
 
-  if (!world || !sg_get_id_set_ex(segments, &s, &n)) {
+  *out = NULL;
+  if (!world || !sg_get_id_set_ex(segments, &s, n)) {
     return FALSE;
   }
   const sg_version *version = sg_world_version(world);
-  int good = sg_version_view(version, SG_V, &view) || sg_no_memory();
+  *out = malloc((*n + 1) * sizeof **out);
+  int good = (*out && sg_version_view(version, SG_V, &view)) || sg_no_memory();
 
-  if (good && !sg_segment_rows_find(&view, s, n, &sg_prolog_poll, &rows)) {
+  for (size_t i = 0; good && i < *n; i++) {
+    sg_flatness_init(&(*out)[i], sg_grain_of(version, s[i]));
+  }
+  if (good && !sg_segment_rows_find(&view, s, *n, &sg_prolog_poll, &rows)) {
     good = PL_exception(0) ? FALSE : sg_no_memory();
   }
-  good = good && see_rows_ex(&view, &rows, n, out);
+  good = good && see_rows_ex(&view, &rows, *n, *out);
   sg_segment_rows_clear(&rows);
   sg_view_clear(&view);
   sg_version_drop(version);
@@ -367,21 +360,36 @@ see_segments_ex(term_t segments, seen *out)
 static foreign_t
 segments_tolerance(term_t segments, term_t tolerance, term_t smallest)
 {
-  seen found;
+  sg_flatness *of, all;
+  size_t n;
+  int good = see_segments_ex(segments, &of, &n);
+  double least = HUGE_VAL;
 
-  return see_segments_ex(segments, &found) &&
-         sg_unify_double(tolerance, fmax(found.size, found.source)) &&
-         sg_unify_double(smallest, found.smallest);
+  sg_flatness_init(&all, 0);
+  for (size_t i = 0; good && i < n; i++) {
+    least = fmin(least, sg_flatness_size(&of[i]));
+    sg_flatness_join(&all, &of[i]);
+  }
+  free(of);
+  return good && sg_unify_double(tolerance, sg_flatness_touch(&all)) &&
+         sg_unify_double(smallest, n > 0 ? least : 0);
 }
 
-/* segments_grain(+Segments, -Grain) is det. */
+/* segment_grain(+S, -Grain) is det. */
 static foreign_t
-segments_grain(term_t segments, term_t grain)
+segment_grain(term_t segment, term_t grain)
 {
-  seen found;
+  sg_world *world = sg_current_world_ex();
+  int32_t s;
 
-  return see_segments_ex(segments, &found) &&
-         sg_unify_double(grain, found.source);
+  if (!world || !sg_get_id_ex(segment, &s)) {
+    return FALSE;
+  }
+  const sg_version *version = sg_world_version(world);
+  double found = sg_grain_of(version, s);
+
+  sg_version_drop(version);
+  return sg_unify_double(grain, found);
 }
 
 void
@@ -392,7 +400,7 @@ sg_install_complete(void)
       {"fill_triangles", 2, (pl_function_t)fill_triangles_of, 0},
       {"model_tolerance", 1, (pl_function_t)model_tolerance, 0},
       {"segments_tolerance", 3, (pl_function_t)segments_tolerance, 0},
-      {"segments_grain", 2, (pl_function_t)segments_grain, 0},
+      {"segment_grain", 2, (pl_function_t)segment_grain, 0},
       {NULL, 0, NULL, 0}};
 
   atom_not_closed = PL_new_atom("not_closed");

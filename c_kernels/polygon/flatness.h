@@ -1,11 +1,13 @@
-/* flatness.h -- how far off its plane a polygon may be and still be one face.
+/* flatness.h -- how far off a place may be that is meant to be there.
  *
- * Layer: kernel. Inexact. The tolerance is the larger of 2^-33 of the model's
- * size, made a power of two (upwards, so that an edit seldom changes it), and 4
- * units in the last place of its source. What the source
- * was is seen from the coordinates: they are all single precision numbers, or
- * all decimals with a few places; but not if all are whole, or have so few bits
- * that they may be exact.
+ * Layer: kernel. Inexact. What is known of a model is where its numbers come
+ * from; nothing is guessed from what they are. Doubles are exact but for their
+ * last places, which turning and moving rounds: 2^-44 of the farthest
+ * coordinate (256 units in the last place), made a power of two (upwards, so
+ * that an edit seldom changes it). A source that was rounded, as float32 or
+ * decimals, says how large a unit in its last place is: its grain. What was
+ * one place before is less than a grain apart, and what is a grain apart the
+ * source can tell apart.
  */
 #ifndef SG_FLATNESS_H
 #define SG_FLATNESS_H
@@ -16,28 +18,29 @@
 
 typedef struct sg_flatness {
   double low[3], high[3], largest;
+  double grain; /* of the coarsest source, model units; 0: doubles */
   bool any;
-  bool single; /* all are single precision numbers */
-  bool fine;   /* and some have so many bits that it is no chance */
-  int places;  /* decimal places, or more than SG_PLACES: not decimals */
 } sg_flatness;
 
-enum { SG_PLACES = 9 };
-
 /* Of all vertices in a view of v/5: init, then every page. */
-void sg_flatness_init(sg_flatness *out);
+void sg_flatness_init(sg_flatness *out, double grain);
 void sg_flatness_see(sg_flatness *model, const double point[3]);
 void sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page);
-double sg_flatness_tolerance(const sg_flatness *model); /* model units */
+
+/* What is nearer is in one place, model units. */
+double sg_flatness_touch(const sg_flatness *model);
+
+/* A polygon whose vertices are no farther off its plane is one face: 2^-33 of
+ * the model's size, or two grains. This moves nothing. */
+double sg_flatness_flat(const sg_flatness *model);
+
+/* One unit in the last place of float32 numbers up to this one. */
+double sg_flatness_single(double largest);
 
 /* The longest side of the box. */
 double sg_flatness_size(const sg_flatness *model);
 
-/* The two parts of it: from the size, and from the source. */
-double sg_flatness_of_size(const sg_flatness *model);
-double sg_flatness_of_source(const sg_flatness *model);
-
-/* Makes *model as large as both; sources are not joined. */
-void sg_flatness_enlarge(sg_flatness *model, const sg_flatness *other);
+/* Makes *model as large, and as coarse, as both. */
+void sg_flatness_join(sg_flatness *model, const sg_flatness *other);
 
 #endif

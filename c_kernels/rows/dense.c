@@ -351,7 +351,8 @@ sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
 
   *out = (sg_dense){0};
   *stopped = false;
-  if (!find_segments(views, wanted, n, out)) {
+  if (!find_segments(views, wanted, n, out) ||
+      !(out->grain = calloc(out->segments + 1, sizeof *out->grain))) {
     return false;
   }
   for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
@@ -378,7 +379,7 @@ sg_dense_clear(sg_dense *d)
       d->triangle_begin, d->vertex_id,    d->at,          d->edge_id,
       d->from,           d->to,           d->real,        d->polygon_id,
       d->list_begin,     d->list,         d->triangle_id, d->polygon_of,
-      d->corner};
+      d->corner,         d->grain};
 
   for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) {
     free(owned[i]);

@@ -14,6 +14,8 @@
 typedef struct sg_dense {
   size_t segments;
   int32_t *segment; /* [segments] numbers, ascending */
+  double *grain;    /* [segments] of their sources (polygon/flatness.h), which
+                       whoever knows the store fills in; else 0 */
   uint32_t *vertex_begin, *edge_begin, *polygon_begin, *triangle_begin;
 
   size_t vertices;

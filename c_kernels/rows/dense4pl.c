@@ -3,6 +3,7 @@
 #include "dense4pl.h"
 
 #include "glue.h"
+#include "grain4pl.h"
 #include "pattern4pl.h"
 
 #include "engine/world4pl.h"
@@ -28,6 +29,9 @@ make_dense(const sg_version *version, const int32_t *wanted, size_t n,
     const sg_dense_views views = {view[0].shown, view[1].shown, view[2].shown,
                                   view[3].shown};
     good = sg_dense_make(&views, wanted, n, &sg_prolog_poll, out, stopped);
+    for (size_t s = 0; good && s < out->segments; s++) {
+      out->grain[s] = sg_grain_of(version, out->segment[s]);
+    }
   }
   for (int k = 0; k < VIEWS; k++) {
     sg_model_view_clear(&view[k]);

@@ -14,6 +14,7 @@
 :- use_module('../message/messages_ko', []).
 :- use_module('../progress', [with_progress/1]).
 :- use_module('../model/solid_file', [output_statistics/1]).
+:- use_module('../penetration/resolve', [refusing_tight_moves/1]).
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../stage', [stages_reset/0, stage_seconds/2]).
 :- use_module('../status', [error_status/2]).
@@ -97,11 +98,17 @@ sanggwan(Arguments, Status) :-
     set_language(Arguments),
     setup_call_cleanup(
         asserta(running, Running),
-        ( catch(command_ended(Arguments, Status0), Error,
+        ( catch(strictly_ended(Arguments, Status0), Error,
                 failed_status(Error, Status0)),
           strict_status(Arguments, Status0, Status)
         ),
         erase(Running)).
+
+strictly_ended(Arguments, Status) :-
+    (   memberchk('--strict', Arguments)
+    ->  refusing_tight_moves(sg_cli:command_ended(Arguments, Status))
+    ;   command_ended(Arguments, Status)
+    ).
 
 %   command_ended(Arguments, Status): a verb that fails is a fault of ours.
 

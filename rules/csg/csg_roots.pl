@@ -9,7 +9,8 @@
 :- use_module(csg_record, [drop_record/1, joined_segment/1, record_joined/1]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(csg_term, [plain_name/2]).
-:- use_module('../kernel', [operand_borders/2]).
+:- use_module('../kernel', [operand_borders/2, segment_grain/2]).
+:- use_module(source, [source_noted/2]).
 :- use_module(known_surface, [facets_of/2, remember_facets/1]).
 :- use_module('../store',
               [ e/5, segment/3, origin/3, from_p/5, edge_polygon/3,
@@ -121,8 +122,10 @@ made_plain(S) :-
     assert_fact(segment(S, Kind, Name)),
     retractall_facts(from_v(S, _, _, _)),
     retractall_facts(from_p(S, _, _, _, _)),
+    segment_grain(S, Grain),
     (   joined_segment(S)
     ->  retractall_facts(origin(S, _, _)),
         record_joined(S)
     ;   retractall_facts(origin(S, _, _))
-    ).
+    ),
+    source_noted(S, Grain).

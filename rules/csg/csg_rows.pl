@@ -6,12 +6,13 @@
             was_cut/1,                  % +S
             segment_box/2               % +S, -Box
           ]).
-:- use_module(csg_matrix, [matrix_sign/2]).
+:- use_module(csg_matrix, [matrix_scale/2, matrix_sign/2]).
 :- use_module('../kernel',
               [ solid_take/2, solid_move/3, solid_write/2, solid_close/1,
                 node_origins/2
               ]).
 :- use_module(leaf, [were_cut/2, leaves_restored/1]).
+:- use_module(source, [source_kept/3]).
 :- use_module('../store',
               [ v/5, e/5, p/3, leaf_v/5, leaf_e/5, leaf_p/3, origin/3, line/9,
                 assert_fact/1, retractall_facts/1
@@ -29,9 +30,15 @@
 %   (three rows of four floats), with from_v/4 and from_p/5; polygons that have
 %   no triangles may be left out. What a penetration cut is copied as it was
 %   before. If Matrix mirrors, polygons turn round, so that outside stays
-%   outside. Inexact: places are rounded.
+%   outside. Inexact: places are rounded. S is as coarse as the coarsest of Ss
+%   (source.pl).
 
 copy_segments(Ss, Matrix, S) :-
+    segments_copied(Ss, Matrix, S),
+    matrix_scale(Matrix, Scale),
+    source_kept(Ss, Scale, S).
+
+segments_copied(Ss, Matrix, S) :-
     (   is_set(Ss),
         \+ ( member(S0, Ss), was_changed(S0) ),
         solid_take(Ss, Solid)

@@ -14,7 +14,7 @@
             cut_flat_within/2,        % +Set, +Tolerance
             % resolve4pl.c
             cut_resolve/4,            % +Set, +Reach, -Vertices, -Polygons
-            cut_touch/3,              % +Set, +Reach, -What
+            cut_touch/4,              % +Set, +Reach, -What, -Moves
             % seam4pl.c
             cut_seal/1,               % +Set
             cut_polygons/2,           % +Set, -Polygons
@@ -131,12 +131,24 @@ Foreign predicates; see kernel.pl.
 %   stuck(S, P) (polygon P cannot be triangulated so). Changes nothing.
 %   @see resolve.h
 
-%!  cut_touch(+Set, +Reach, -What) is det.
+%!  cut_touch(+Set, +Reach, -What, -Moves) is det.
 %
 %   Does what cut_resolve/4 says, as resolve.pl, resolve_contacts_by_rule/2
 %   would: What is `changed`. It is `same` if there is nothing to do, else
 %   wide(S, V) or stuck(S, P), and nothing was done. After an exception some of
 %   it may be: call it in a transaction.
+%
+%   Moves says how far things move:
+%
+%     - little
+%       no farther than doubles are rounded
+%     - moved(S1, S2, X, Y, Z, Move, 0.0, N)
+%       there are N places, and that at X, Y, Z, where S1 and S2 (0: none)
+%       touch, moves farthest
+%     - tight(S1, S2, X, Y, Z, Move, Feature, N)
+%       at N places it is more than a hundredth of the smallest feature near
+%       there: an edge, a wall or a gap of one segment. X, Y, Z is the worst.
+%   @see resolve_feature.h
 
 /* - - - seam4pl.c - - - */
 

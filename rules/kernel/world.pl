@@ -9,7 +9,7 @@
             fill_triangles/2,         % +Ss, -Faults
             model_tolerance/1,        % -Tolerance
             segments_tolerance/3,     % +Segments, -Tolerance, -Smallest
-            segments_grain/2,         % +Segments, -Grain
+            segment_grain/2,          % +S, -Grain
             % exact4pl.c
             exact_fallbacks/1,        % -Count
             exact_statistics/1,       % -Statistics
@@ -77,22 +77,20 @@ Foreign predicates; see kernel.pl.
 
 %!  model_tolerance(-Tolerance) is det.
 %
-%   How far off a place may be that is meant to be there: the larger of 2^-33
-%   of the model's size, made a power of two (so that an edit seldom changes
-%   it), and 4 units in the last place of its coordinates, as
-%   far as these show where they come from (single precision, or
-%   decimals; whole numbers are exact).
+%   What is nearer than this is in one place: the larger of 2^-44 of the
+%   farthest coordinate, made a power of two (so that an edit seldom changes
+%   it), and 7/8 of a unit in the last place of the coarsest source
+%   (segment_grain/2).
 
 %!  segments_tolerance(+Segments:list, -Tolerance, -Smallest) is det.
 %
-%   The same for Segments alone: by the size of all of them, and the coarsest
-%   source of any. Smallest is the longest side of the smallest one's box.
+%   The same for Segments alone. Smallest is the longest side of the smallest
+%   one's box.
 
-%!  segments_grain(+Segments:list, -Grain) is det.
+%!  segment_grain(+S, -Grain) is det.
 %
-%   Grain is the part of it that the sources say: 4 units in the last place of
-%   the coarsest, where coordinates are seen to be float32 or decimals
-%   that are not whole, else 0.
+%   Grain is a unit in the last place of the source of segment S, in model
+%   units, as origin(S, s(S), source(Grain)) says; 0.0: doubles.
 
 /* - - - exact4pl.c - - - */
 

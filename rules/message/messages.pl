@@ -274,6 +274,8 @@ fault_en(tolerance(Tolerance, Most)) -->
     [ 'a tolerance of ~4g is too large: a part is hardly larger'-[Tolerance],
       nl,
       '  Give --tolerance ~4g or less, or none.'-[Most] ].
+fault_en(tight(S1, S2, At, Move, Feature, N)) -->
+    tight_en(S1, S2, At, Move, Feature, N).
 fault_en(result_open) -->
     [ 'the result would not be closed', nl,
       '  Give a larger or smaller --tolerance, or --repair the operands.' ].
@@ -287,10 +289,34 @@ notice_en(contacts(Why)) -->
     contacts_en(Why),
     [ nl,
       '  The lines are right for the model as it is; there may be splinters.' ].
+notice_en(moved(S1, S2, At, Move, N)) -->
+    [ 'made to touch: ~D places, moved by ~4g at most, near '-[N, Move] ],
+    place_en(At, S1, S2).
+notice_en(tight(S1, S2, At, Move, Feature, N)) -->
+    tight_en(S1, S2, At, Move, Feature, N).
 notice_en(not_flat(S, Count, P, Off)) -->
     [ 'polygons that are not flat in segment ~d: ~D (the worst is ~d, by ~4g)'-
       [S, Count, P, Off], nl,
       '  Used as their triangles.' ].
+
+tight_en(S1, S2, At, Move, Feature, N) -->
+    [ 'made to touch: moved by ~4g where a feature is only ~4g large, near '-
+      [Move, Feature] ],
+    place_en(At, S1, S2),
+    (   { N > 1 }
+    ->  [ '; there are ~D such places'-[N] ]
+    ;   []
+    ),
+    [ nl,
+      '  That may be more than rounding: look there, or give --tolerance 0, \c
+       which moves nothing.' ].
+
+place_en([X, Y, Z], S1, S2) -->
+    [ '~8g ~8g ~8g'-[X, Y, Z] ],
+    (   { S2 =:= 0 }
+    ->  [ ' (segment ~d)'-[S1] ]
+    ;   [ ' (segments ~d and ~d)'-[S1, S2] ]
+    ).
 
 invalid_polygon_en(S, P, V1, V2) -->
     [ 'polygon ~d of segment ~d is invalid: no triangle fits its edge from \c

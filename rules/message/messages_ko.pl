@@ -295,6 +295,8 @@ fault_ko(tolerance(Tolerance, Most)) -->
     [ '허용 오차 ~4g 는 너무 큽니다: 그보다 별로 크지 않은 부분이 있습니다'-
       [Tolerance], nl,
       '  --tolerance 를 ~4g 이하로 주거나 빼십시오.'-[Most] ].
+fault_ko(tight(S1, S2, At, Move, Feature, N)) -->
+    tight_ko(S1, S2, At, Move, Feature, N).
 fault_ko(result_open) -->
     [ '결과가 닫히지 않습니다', nl,
       '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
@@ -307,10 +309,34 @@ notice_ko(opened(faces)) -->
 notice_ko(contacts(Why)) -->
     contacts_ko(Why),
     [ nl, '  선은 모델 그대로에 대해 정확하지만, 가는 조각이 있을 수 있습니다.' ].
+notice_ko(moved(S1, S2, At, Move, N)) -->
+    [ '닿게 한 곳 ~D개, 가장 많이 옮긴 거리 ~4g: '-[N, Move] ],
+    place_ko(At, S1, S2).
+notice_ko(tight(S1, S2, At, Move, Feature, N)) -->
+    tight_ko(S1, S2, At, Move, Feature, N).
 notice_ko(not_flat(S, Count, P, Off)) -->
     [ '세그먼트 ~d 의 다각형 ~D개는 평평하지 않습니다 (가장 심한 ~d: ~4g)'-
       [S, Count, P, Off], nl,
       '  삼각형으로 나누어 씁니다.' ].
+
+tight_ko(S1, S2, At, Move, Feature, N) -->
+    [ '닿게 하느라 ~4g 만큼 옮겼지만 그곳의 요소는 크기가 ~4g 뿐입니다: '-
+      [Move, Feature] ],
+    place_ko(At, S1, S2),
+    (   { N > 1 }
+    ->  [ '; 그런 곳이 ~D개 있습니다'-[N] ]
+    ;   []
+    ),
+    [ nl,
+      '  반올림 이상일 수 있습니다: 그곳을 살펴보거나, 아무것도 옮기지 않는 \c
+       --tolerance 0 을 주십시오.' ].
+
+place_ko([X, Y, Z], S1, S2) -->
+    [ '~8g ~8g ~8g'-[X, Y, Z] ],
+    (   { S2 =:= 0 }
+    ->  [ ' (세그먼트 ~d)'-[S1] ]
+    ;   [ ' (세그먼트 ~d, ~d)'-[S1, S2] ]
+    ).
 
 invalid_polygon_ko(S, P, V1, V2) -->
     [ '세그먼트 ~d 의 다각형 ~d 은(는) 꼭지점 ~d 와 ~d 사이에서 스스로 \c

@@ -29,7 +29,7 @@ every directed edge has as many opposite ones, else a `surface`, and a `curve`
 without polygons. It has its name from the file, or else the file's name.
 Vertices, edges and polygons are numbered from 1 in the order of the file. If
 the coordinates are rounded (float32, or 6 to 15 digits), `origin(S, s(S),
-source(Grain))` holds one unit in their last place.
+source(Grain))` holds one unit in their last place (docs/precision.md).
 
 What is taken and what is passed over: c_kernels/model/mesh.h.
 

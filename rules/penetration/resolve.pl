@@ -1,9 +1,10 @@
 :- module(sg_resolve,
           [ resolve_contacts/2,         % +Set, +Tolerance
             resolve_contacts_by_rule/2, % +Set, +Tolerance
+            refusing_tight_moves/1,     % :Goal
             resolved_seams/0
           ]).
-:- use_module('../kernel', [cut_resolve/4, cut_touch/3]).
+:- use_module('../kernel', [cut_resolve/4, cut_touch/4]).
 :- use_module('../csg/leaf', [leaves_kept/1, place_kept/1]).
 :- use_module('../store',
               [ v/5, e/5, p/3, t/6, origin/3, line/9, edge_polygon/3,
@@ -45,8 +46,10 @@ in penetration.pl; it is not exact. What was there before is kept
 %   units, positive. Contacts that hang together over more than three
 %   tolerances, or that a polygon cannot take in, are tried again with less;
 %   in the end nothing is changed, with a warning: the lines are right for the
-%   model as it is, but may have splinters. cut_touch/3 is the fused kernel of
-%   the rule; a test holds the two together.
+%   model as it is, but may have splinters. Where anything moves farther than
+%   doubles are rounded a message says so; where that is more than a hundredth
+%   of the smallest feature near it, it is a warning. cut_touch/4 is the fused
+%   kernel of the rule; a test holds the two together.
 
 resolve_contacts(Set, Tolerance) :-
     Tolerance > 0,
@@ -55,9 +58,10 @@ resolve_contacts(Set, Tolerance) :-
 
 closed_contacts([Part|Parts], Set, Tolerance) :-
     Reach is Part*Tolerance,
-    cut_touch(Set, Reach, What),
+    cut_touch(Set, Reach, What, Moves),
     (   atom(What)
-    ->  What == changed
+    ->  What == changed,
+        moves_said(Moves)
     ;   Parts == []
     ->  print_message(warning, sanggwan(contacts(What))),
         fail
@@ -65,6 +69,37 @@ closed_contacts([Part|Parts], Set, Tolerance) :-
     ).
 
 parts([1, 2 ** -8, 2 ** -16]).
+
+%   moves_said(Moves): what cut_touch/4 says of them.
+
+moves_said(little).
+moves_said(moved(S1, S2, X, Y, Z, Move, _, N)) :-
+    print_message(informational,
+                  sanggwan(moved(S1, S2, [X,Y,Z], Move, N))).
+moves_said(tight(S1, S2, X, Y, Z, Move, Feature, N)) :-
+    Tight = tight(S1, S2, [X,Y,Z], Move, Feature, N),
+    (   refused
+    ->  throw(error(geometry_error(Tight), _))
+    ;   print_message(warning, sanggwan(Tight))
+    ).
+
+:- thread_local refused/0.
+
+:- meta_predicate refusing_tight_moves(0).
+
+%!  refusing_tight_moves(:Goal) is semidet.
+%
+%   once/1 of Goal, in which resolve_contacts/2 moves nothing by more than a
+%   hundredth of the smallest feature near it.
+%
+%   @error geometry_error(tight(S1, S2, Place, Move, Feature, N)): it would;
+%          cut_touch/4 says what that is
+
+refusing_tight_moves(Goal) :-
+    setup_call_cleanup(
+        asserta(refused, Ref),
+        once(Goal),
+        erase(Ref)).
 
 resolve_contacts_by_rule(Set, Tolerance) :-
     Tolerance > 0,

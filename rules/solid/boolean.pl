@@ -23,6 +23,7 @@
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module(solid_rows,
               [solid_written/2, solid_written_over/2, region_written_over/3]).
+:- use_module('../csg/source', [source_kept/3]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [v/5, segment/3, assert_fact/1, facts_transaction/1]).
@@ -57,8 +58,6 @@ that two operands have in common stays or goes by how it looks in each.
 %
 %     - tolerance(Tolerance)
 %     Default: as segments_tolerance/3 sees the operands.
-%     - grain(Grain)
-%     The default is at least this: what operands were made from shows no more.
 %     - over(Bool)
 %     Rows that S has are those of an earlier boundary: what of them is the same
 %     stays, with its ids. Default: `false`, S must have none.
@@ -98,6 +97,7 @@ boolean(Expression, S, Options0) :-
                                                  Options)),
             solid_close(Solid))
     ),
+    source_kept(Leaves, 1, S),
     option(pieces(Numbers), Options0, _),
     option(made(How), Options0, _).
 
@@ -105,13 +105,11 @@ boolean(Expression, S, Options0) :-
 %   the result does, where an operand is far larger.
 
 tolerance(Leaves, Options0, Options) :-
-    segments_tolerance(Leaves, Tolerance0, Smallest),
+    segments_tolerance(Leaves, Tolerance, Smallest),
     (   option(tolerance(Given), Options0)
     ->  refuse_large(Given, Smallest),
         Options = Options0
-    ;   option(grain(Grain), Options0, 0),
-        Tolerance is max(Tolerance0, Grain),
-        Options = [tolerance(Tolerance),by_size(true)|Options0]
+    ;   Options = [tolerance(Tolerance),by_size(true)|Options0]
     ).
 
 %   With a tolerance as large as the parts, everything is one point.

@@ -14,7 +14,7 @@
               ]).
 :- use_module(csg_flat,
               [ flat_expression/2, flat_leaves/2, helpers/1, is_half/1,
-                half_surface/2, placed_source/3
+                half_surface/2
               ]).
 :- use_module('../csg/csg_matrix',
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
@@ -25,7 +25,7 @@
 :- use_module('../csg/csg_rows',
               [copy_segments/3, drop_boundary/1, drop_pictures/1, was_cut/1]).
 :- use_module('../kernel',
-              [segment_meets_itself/1, segments_grain/2, segments_tolerance/3]).
+              [segment_meets_itself/1, segments_tolerance/3]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module('../csg/operand_name', [fault_named/2]).
 :- use_module('../stage', [stage/2]).
@@ -34,12 +34,12 @@
                 facts_transaction/1, facts_snapshot/1
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
-:- use_module(library(apply), [exclude/3, foldl/4, maplist/2, partition/4]).
+:- use_module(library(apply), [exclude/3, include/3, maplist/2]).
 :- use_module(library(error), [existence_error/2]).
-:- use_module(library(lists), [append/3, max_list/2, member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(ordsets), [ord_subtract/3]).
-:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys/2]).
+:- use_module(library(pairs), [pairs_keys/2]).
 /** <module> Evaluating the CSG tree: the boundaries of nodes.
 
 A node is flattened (csg_flat.pl): placements are multiplied down to the leaves,
@@ -250,36 +250,17 @@ tolerance_options(default, Stamps, Options) :-
     !,
     pairs_keys(Stamps, Leaves),
     not_kept(Leaves, Others),
-    partition(is_half, Others, Halves, Placed),
+    include(is_half, Others, Halves),
     (   Halves == []
-    ->  instances_grain(Placed, Grain),
-        Options = [grain(Grain)]
+    ->  Options = []
     ;   ord_subtract(Leaves, Halves, Own),
         findall(Surface, ( member(Half, Halves), half_surface(Half, Surface) ),
                 Surfaces),
         append(Own, Surfaces, Real),
-        segments_tolerance(Real, Tolerance0, _),
-        instances_grain(Real, Grain),
-        Tolerance is max(Tolerance0, Grain),
+        segments_tolerance(Real, Tolerance, _),
         Options = [tolerance(Tolerance)]
     ).
 tolerance_options(Tolerance, _, [tolerance(Tolerance)]).
-
-%   instances_grain(Leaves, Grain): a leaf that is placed shows no more that it
-%   was made of float32 numbers, or decimals; that it is placed from does.
-
-instances_grain(Leaves, Grain) :-
-    findall(Leaf-Scale,
-            ( member(K, Leaves), placed_source(K, Leaf, Scale) ),
-            Pairs0),
-    keysort(Pairs0, Pairs),
-    group_pairs_by_key(Pairs, Grouped),
-    foldl(coarser, Grouped, 0.0, Grain).
-
-coarser(Leaf-Scales, Grain0, Grain) :-
-    segments_grain([Leaf], Own),
-    max_list(Scales, Scale),
-    Grain is max(Grain0, Own*Scale).
 
 rounded_identity(Rounded) :-
     identity_matrix(Identity),

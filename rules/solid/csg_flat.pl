@@ -3,15 +3,14 @@
             flat_leaves/2,              % +Expression, -Leaves
             helpers/1,                  % -Helpers
             is_half/1,                  % +S
-            half_surface/2,             % +S, -Surface
-            placed_source/3             % +S, -Source, -Scale
+            half_surface/2              % +S, -Surface
           ]).
 :- use_module('../csg/csg', [node/4, is_helper/1]).
 :- use_module(csg_behind, [behind_surface/4]).
 :- use_module(csg_half_space, [half_space/3]).
 :- use_module('../csg/csg_matrix',
               [ identity_matrix/1, steps_matrix/2, matrix_product/3,
-                matrix_plane/3, matrix_scale/2, rounded_matrix/2
+                matrix_plane/3, rounded_matrix/2
               ]).
 :- use_module('../csg/csg_record', [record/2, recorded/2, up_to_date/2]).
 :- use_module('../csg/csg_rows',
@@ -365,26 +364,6 @@ front_noted(K, Surface) :-
         sort(Vs0, Vs),
         forall(nth1(I, Vs, V), assert_fact(from_v(K, I, Surface, V)))
     ).
-
-%!  placed_source(+S, -Source, -Scale) is nondet.
-%
-%   True when the rows of segment S are those of Source, placed, maybe with
-%   others; what is 1 long in Source is at most about Scale in S.
-
-placed_source(S, Source, Scale) :-
-    recorded(S, What),
-    arg(1, What, From),
-    placed_from_source(From, Source0, Matrix),
-    matrix_scale(Matrix, Scale0),
-    (   Source = Source0,
-        Scale = Scale0
-    ;   placed_source(Source0, Source, Scale1),
-        Scale is Scale0*Scale1
-    ).
-
-placed_from_source(placed(Source-_, Matrix), Source, Matrix).
-placed_from_source(join(Stamps, Matrix), Source, Matrix) :-
-    member(Source-_, Stamps).
 
 %!  is_half(+S) is semidet.
 %

@@ -91,7 +91,10 @@ dense(void)
   model.vertex_begin[1] = (uint32_t)model.vertices;
   model.edge_begin[1] = (uint32_t)model.edges;
   model.polygon_begin[1] = (uint32_t)model.polygons;
+  static double grain[1];
+
   return (sg_dense){.segments = 1,
+                    .grain = grain,
                     .vertex_begin = model.vertex_begin,
                     .edge_begin = model.edge_begin,
                     .polygon_begin = model.polygon_begin,

@@ -253,6 +253,44 @@ test_stl_binary(void)
                             error.code == SG_MESH_TRUNCATED);
 }
 
+/* Sources ---------------------------------------------------------------- */
+
+/* The grain of a triangle of these coordinates as OFF. */
+static double
+grain_of(const char *comment, const char *coordinates)
+{
+  char text[256];
+
+  snprintf(text, sizeof text, "OFF\n%s\n3 1 0\n%s\n3 0 1 2\n", comment,
+           coordinates);
+  return read_bytes(SG_MESH_OFF, text, strlen(text)) ? mesh.grain : -1;
+}
+
+static void
+test_sources(void)
+{
+  CHECK("few digits are exact", grain_of("", "0 0 0\n1.25 0 0\n0 0.5 0") == 0);
+  CHECK("so are many of something far away",
+        grain_of("", "12345.5 0 0\n12355.5 0 0\n12345.5 10 0") == 0);
+  CHECK("the last place of the largest number of most digits",
+        fabs(grain_of("", "0 0 0\n7.12345 1 0\n0.123456 0.5 0") - 1e-5) <
+            1e-20);
+  CHECK("whatever the others",
+        fabs(grain_of("", "0 0 0\n1234.567890 1 0\n0.5 1e-9 0") - 1e-6) <
+            1e-20);
+  CHECK("17 digits are doubles",
+        grain_of("", "0 0 0\n0.12345678901234567 1 0\n1 0.123456 0") == 0);
+  CHECK("a comment says it",
+        grain_of("# precision 0.25", "0 0 0\n1 0 0\n0 1 0") == 0.25);
+  CHECK("or that these are doubles",
+        grain_of("# precision 0", "0 0 0\n1.234567 0 0\n0 1 0") == 0);
+  CHECK("a comment that does not say it",
+        grain_of("# precision -1", "0 0 0\n1 0 0\n0 1 0") == 0 &&
+            grain_of("# precision", "0 0 0\n1 0 0\n0 1 0") == 0 &&
+            grain_of("# precision nan", "0 0 0\n1 0 0\n0 1 0") == 0 &&
+            grain_of("# precisions 5", "0 0 0\n1 0 0\n0 1 0") == 0);
+}
+
 /* OFF -------------------------------------------------------------------- */
 
 static void
@@ -554,6 +592,7 @@ main(void)
   test_stl_text();
   test_stl_text_errors();
   test_stl_binary();
+  test_sources();
   test_off();
   test_off_errors();
   test_obj();

@@ -74,8 +74,8 @@ test_edges_in_any_order(void)
         sg_plane_distance(&plane, (const double[3]){2, 0, 0}) == 2);
 }
 
-static double
-tolerance_of(place *points, size_t n)
+static sg_flatness
+seen(place *points, size_t n, double grain)
 {
   enum { ROWS = 8 };
   double x[ROWS] = {0}, y[ROWS] = {0}, z[ROWS] = {0};
@@ -94,30 +94,40 @@ tolerance_of(place *points, size_t n)
   for (int k = 0; k < 3; k++) {
     view.column[2 + k].page = &cells[k];
   }
-  sg_flatness_init(&flatness);
+  sg_flatness_init(&flatness, grain);
   sg_flatness_page(&flatness, &view, 0);
-  return sg_flatness_tolerance(&flatness);
+  return flatness;
 }
 
+/* What the numbers look like does not matter: where they come from does. */
 static void
 test_tolerance(void)
 {
-  static place doubles[] = {{0, 0, 0},
-                            {8, 1.4142135623730951, 3.141592653589793}};
-  static place singles[] = {{0, 0, 0}, {8, 0.1f, 0.7f}};
-  static place decimals[] = {{0, 0, 0}, {8, 1.23456, 0.3}};
-  static place whole[] = {{0, 0, 0}, {8, 1, 0.5}};
-  static place halved[] = {{0, 0, 0}, {8, 3.28125, 0.03125}};
-  static place large[] = {{0, 0, 0}, {400001, 70003, 33333}};
+  static place near[] = {{0, 0, 0}, {8, 1.4142135623730951, 3.14}};
+  static place single[] = {{0, 0, 0}, {8, 0.1f, 0.7f}};
+  static place far[] = {{-1000001, 0, 0}, {-1000000.5, 0.25, 0}};
+  static place odd[] = {{0, 0, 0}, {0, 9, 0}};
+  sg_flatness a = seen(near, 2, 0), b = seen(single, 2, 0);
+  sg_flatness c = seen(far, 2, 0), d = seen(odd, 2, 0x1p-20);
 
-  CHECK("doubles: 2^-33 of the size",
-        tolerance_of(doubles, 2) == ldexp(8, -33));
-  CHECK("single precision", fabs(tolerance_of(singles, 2) - 3.8e-6) < 1e-7);
-  CHECK("five places", fabs(tolerance_of(decimals, 2) - 4e-5) < 1e-9);
-  CHECK("whole numbers are no rounded ones", tolerance_of(whole, 2) < 1e-5);
-  CHECK("however large", tolerance_of(large, 2) == ldexp(1, 19 - 33));
-  CHECK("nor are halves of halves, of as many places as decimals",
-        tolerance_of(halved, 2) == ldexp(8, -33));
+  CHECK("doubles: 256 units in the last place",
+        sg_flatness_touch(&a) == ldexp(8, -44) &&
+            sg_flatness_touch(&b) == ldexp(8, -44));
+  CHECK("of the farthest, upwards to a power of two",
+        sg_flatness_touch(&c) == ldexp(1, 20 - 44));
+  CHECK("rounded: less than a unit", sg_flatness_touch(&d) == 0x1.cp-21);
+  CHECK("flat: of the size", sg_flatness_flat(&a) == ldexp(8, -33));
+  CHECK("or two units", sg_flatness_flat(&d) == 0x1p-19);
+  CHECK("never less than what touches",
+        sg_flatness_flat(&c) == ldexp(1, 20 - 44));
+  CHECK("size", sg_flatness_size(&c) == 0.5);
+  sg_flatness_join(&a, &c);
+  sg_flatness_join(&a, &d);
+  CHECK("joined", sg_flatness_size(&a) == 1000009 && a.grain == 0x1p-20 &&
+                      a.largest == 1000001);
+  CHECK("float32", sg_flatness_single(8) == 0x1p-20 &&
+                       sg_flatness_single(7.9) == 0x1p-21 &&
+                       sg_flatness_single(0) == 0);
 }
 
 /* Numbers of few bits, so that some vanish, and of many. */

@@ -35,8 +35,12 @@ with_tree(Terms, Goal) :-
 
 %!  written(+Stream, +S, +Term) is det.
 %
-%   Segment S as a fact on Stream; Term as for with_tree/2.
+%   Segment S as a fact on Stream; Term as for with_tree/2. fact(Fact) is Fact
+%   itself.
 
+written(Stream, _, fact(Fact)) :-
+    !,
+    format(Stream, '~q.~n', [Fact]).
 written(Stream, S, Kind-Term) :-
     !,
     format(Stream, '~q.~n', [segment(S, Kind, Term)]).
