@@ -385,9 +385,15 @@ shown(informational, Term, Lines) :-
 warning_word(en, 'warning: ').
 warning_word(ko, '경고: ').
 
+%   names_place(Term): its message begins with a place itself.
+
+names_place(error(Fault, location(_, _, _))) :-
+    nonvar(Fault),
+    memberchk(Fault, [model_error(_),geometry_error(_)]).
+names_place(sanggwan(not_utf8(_, _))).
+
 print_prefixed(Word, Term, Lines) :-
-    (   member(Fault, [model_error(_),geometry_error(_)]),
-        subsumes_term(error(Fault, location(_, _, _)), Term)
+    (   names_place(Term)
     ->  format(atom(Prefix), '~~N~w', [Word])
     ;   source_location(File, Line)
     ->  format(atom(Prefix), '~~N~w:~d: ~w', [File, Line, Word])

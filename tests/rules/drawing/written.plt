@@ -641,6 +641,18 @@ png_of(Strokes, Rows, Dots, png(W,H,Depth,Colour,Chunks,Bits)) :-
         delete_file(File)),
     read_png(Codes, png(W,H,Depth,Colour,Chunks,Bits)).
 
+png_size(Options, W, H) :-
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [encoding(binary), extension(png)]),
+        ( write_drawing_stream(png, Out, Options),
+          close(Out),
+          read_file_to_codes(File, Codes, [type(binary)])
+        ),
+        delete_file(File)),
+    append(_, [0'I,0'H,0'D,0'R,0,0,W1,W0,0,0,H1,H0|_], Codes),
+    W is 256*W1+W0,
+    H is 256*H1+H0.
+
 % How much of the paper is covered, in square thousandths of a millimetre.
 ink_area(png(_,_,_,_,_,_), [], _, 0).
 ink_area(Png, Rows, Dots, Area) :-
@@ -719,6 +731,22 @@ test(line_types, true(Found == Named)) :-
     findall(Type-Runs, type(Type, Runs), Named0),
     msort(Found0, Found),
     msort([hidden-[3.0,0.9]|Named0], Named).
+
+% Without a size: 210 x 148 mm, six dots to a millimetre of a smooth picture,
+% 640 x 400 dots of one in dots.
+test(default_size, forall(member(Options-W-H, [ []-1260-888,
+                                                [png(dots)]-640-400 ]))) :-
+    new_world(World),
+    in_world(World, png_size(Options, W, H)).
+test(default_sheet, Box == 210-148) :-
+    new_world(World),
+    in_world(World, with_output_to(string(Text),
+                                   ( current_output(Out),
+                                     write_drawing_stream(svg, Out, []) ))),
+    read_svg(Text, svg(W,H,_,_,_,_,_)),
+    A is W//1000,
+    B is H//1000,
+    Box = A-B.
 
 % A line of a width covers its length times its width, and two half discs.
 test(png_covers, [forall(member(P-Q, [ (3000-3000)-(17000-3000),

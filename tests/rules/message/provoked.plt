@@ -1,0 +1,314 @@
+:- encoding(utf8).
+:- module(test_provoked, []).
+:- use_module(library(plunit)).
+:- use_module(library(filesex)).
+:- use_module(rules(command/cli)).
+:- use_module(rules(message/messages)).
+:- use_module(rules(model/mesh)).
+:- use_module(rules(polygon/triangulation)).
+:- use_module(rules(primitive/primitive_rows)).
+:- use_module(rules(store)).
+
+/* Every notice and every warning is provoked by a command, and no other
+   warning comes with it. A notice that no command here provokes is in
+   elsewhere/2, with the reason. */
+
+% --- models ------------------------------------------------------------------
+
+file('cube.pl', "segment(1, solid, box(size(1,1,1))).\n").
+file('far.pl', "segment(1, solid, box(size(1,1,1))).
+segment(2, solid, at([translate(9,0,0)], box(size(1,1,1)))).\n").
+file('cross.pl', "segment(1, solid, box(size(2,2,2))).
+segment(2, solid, at([translate(1,1,1)], box(size(2,2,2)))).\n").
+file('within.pl', "segment(1, solid, box(size(4,4,4))).
+segment(2, solid, at([translate(0,0,1)], box(size(1,1,1)))).\n").
+file('tip.pl', "segment(1, solid, box(size(2,2,2))).
+segment(2, solid, at([translate(0,0,4),rotate(x,180)],
+                     cone(radius(1), height(2), facets(8)))).\n").
+file('curve.pl', "v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,1,1,0).
+e(1,1,1,2,1). e(1,2,2,3,1). segment(1, curve, wire).
+segment(2, solid, box(size(1,1,1))).\n").
+file('latin.pl', "segment(1, solid, named('a\u00FFb', box(size(1,1,1)))).\n").
+file('style.pl', "line(any, any, glas, [width(1)]).\n").
+file('nowhere.pl', "line(any, any, any, [none]).\n").
+file('degenerate.off', "OFF\n4 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
+3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 1 1 2\n").
+file('ignored.obj', "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nflub 1 2\n\c
+f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n").
+file('inside_out.off', "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
+3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n").
+file('turned.off', "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
+3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n").
+file('twice.off', "OFF\n4 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
+3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 2 1\n").
+file('thin.off', "OFF\n5 6 0\n0 0 0\n2 0 0\n0 1 0\n0 0 1\n1 0 0\n\c
+3 0 2 1\n3 0 4 3\n3 4 1 3\n3 1 2 3\n3 2 0 3\n3 0 1 4\n").
+file('open.off', "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
+3 0 1 3\n3 1 2 3\n3 2 0 3\n").
+file('welded.off', "OFF\n12 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 0\n1 0 0\n0 0 1\n\c
+1 0 0\n0 1 0\n0 0 1\n0 1 0\n0 0 0\n0 0 1\n\c
+3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n").
+file('empty.pl', "segment(1, solid, box(size(1,1,1))).
+segment(2, solid, at([translate(9,0,0)], box(size(1,1,1)))).
+segment(3, solid, intersection([1,2])).\n").
+file('throws.pl', "edge_role(_, _, _, _, _) :- throw(oops).\n").
+file('box.pl', "segment(1, solid, box(size(9,9,1.5))).\n").
+file('wire.pl', "v(1,1,0,0,0). v(1,2,1,0,0). e(1,1,1,2,1).
+segment(1, curve, wire).\n").
+file('tiny.pl', "segment(1, solid, box(size(1.0e-11,1.0e-11,1.0e-11))).\n").
+file('pin.pl', "segment(1, solid, box(size(2,2,2))).
+v(2,1,0,0,-1). v(2,2,0.1,0.2,5). e(2,1,1,2,1). segment(2, curve, pin).\n").
+file('bent.pl', "v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,1,1,0.3). v(1,4,0,1,0).
+e(1,1,1,2,1). e(1,2,2,3,1). e(1,3,3,4,1). e(1,4,4,1,1).
+p(1,1,[1,2,3,4]). segment(1, surface, bent).\n").
+file('plug.pl', "segment(1, solid, box(size(4,4,2))).
+segment(2, solid, at([translate(0,0,1)], box(size(1,1,4)))).\n").
+file('two_welds.pl', "v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0). v(1,4,0,0,1).
+v(1,5,0,0,0). v(1,6,1,0,0). v(1,7,0,1,0).
+e(1,1,1,3,1). e(1,2,3,2,1). e(1,3,2,1,1). p(1,1,[1,2,3]).
+e(1,4,5,6,1). e(1,5,6,4,1). e(1,6,4,5,1). p(1,2,[4,5,6]).
+e(1,7,6,7,1). e(1,8,7,4,1). e(1,9,4,6,1). p(1,3,[7,8,9]).
+e(1,10,7,5,1). e(1,11,5,4,1). e(1,12,4,7,1). p(1,4,[10,11,12]).
+segment(1, solid, split).\n").
+file('grain.pl', "segment(1, solid, at([translate(1.0e9,0,0)],
+                     box(size(1,1,1)))).\n").
+file('bow.pl', "v(1,1,0,0,0). v(1,2,4,0,0). v(1,3,0,1,0). v(1,4,1,1,0).
+e(1,1,1,2,1). e(1,2,2,3,1). e(1,3,3,4,1). e(1,4,4,1,1).
+p(1,1,[1,2,3,4]). segment(1, surface, bow).\n").
+file('saw.pl', "segment(1, solid, cone(radius(40), height(200), facets(40))).
+\n").
+file('double.off', "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n\c
+3 0 1 2\n3 0 1 3\n3 0 1 4\n").
+file('house.pl', "segment(1, solid, named(case, box(size(200,300,40)))).\n").
+file('pipes.pl', "segment(1, solid,
+        cylinder(radius(2), height(8), facets(24))).
+segment(2, solid, at([translate(0,0,4),rotate(y,90)],
+                     cylinder(radius(1), height(6), facets(24)))).\n").
+file('role.pl', "edge_role(_, _, _, _, crease).\n").
+
+% command(Notice, Arguments): the command prints Notice; @(Name) is a file.
+command(do_not_meet, [penetrate, @('far.pl')]).
+command(one_segment, [penetrate, @('cube.pl')]).
+command(points_alone(_), [penetrate, @('pin.pl')]).
+command(no_area(_,1,_), [check, @('thin.off')]).
+command(not_flat(_,1,_,_), [check, @('bent.pl')]).
+command(polygon_edge(_,_,_,_), [check, @('bow.pl')]).
+command(wrote(_), [draw, @('cube.pl'), '-o', @('a.svg')]).
+command(pen_travel(_,_,_), [draw, @('cube.pl'), '-o', @('a.hpgl')]).
+command(nothing_drawn, [draw, @('wire.pl'), '--lines', penetration,
+                        '--sheet', 'A4', '-o', @('a.svg')]).
+command(style_in_vain(_), [draw, @('cube.pl'), '--style', @('style.pl'),
+                           '-o', @('a.svg')]).
+command(empty_result(_,_), [eval, @('empty.pl')]).
+command(warnings_are_errors(1), [eval, @('empty.pl'), '--strict']).
+command(not_utf8(_,_), [check, @('latin1.pl')]).
+command(mesh(_,degenerate(1)), [check, @('degenerate.off')]).
+command(mesh(_,ignored(1,_)), [check, @('ignored.obj')]).
+command(mesh(_,trailing(_)), [check, @('trailing.stl')]).
+command(mesh(_,no_curves(1)), [convert, @('curve.pl'), '-o', @('a.stl')]).
+command(operand(inside_out,_), [union, @('inside_out.off'), @('far.pl'),
+                                '-o', @('a.off')]).
+command(operand(repaired(turned,_),_),
+        [union, '--repair', @('inside_out.off'), @('far.pl'),
+         '-o', @('a.off')]).
+command(operand(repaired(duplicate,_),_),
+        [union, '--repair', @('twice.off'), @('far.pl'), '-o', @('a.off')]).
+command(operand(repaired(welded,_),_),
+        [union, '--repair', @('two_welds.pl'), @('far.pl'),
+         '-o', @('a.off')]).
+command(operand(surface(_),_), [union, @('turned.off'), @('far.pl'),
+                                '-o', @('a.off')]).
+command(nothing_to_explain(_), [explain, @('cube.pl'), 'line(7)']).
+command(nothing_to_explain(piece(_,_)), [explain, @('empty.pl'),
+                                         'piece(3,99)']).
+command(sheet_tiny(_,fit), [draw, @('tiny.pl'), '--sheet', 'A4', '--scale',
+                            standard, '-o', @('a.svg')]).
+command(sheet_tiny(_,as_asked), [draw, @('cube.pl'), '--sheet', 'A4',
+                                 '--scale', '1:99', '-o', @('a.svg')]).
+command(uncaught(oops), [draw, @('cube.pl'), '--rules', @('throws.pl'),
+                         '-o', @('a.svg')]).
+command(trim(nothing_left(_,outside)),
+        [unfold, @('within.pl'), '--trim', outside]).
+command(trim(nothing_left(_,inside)),
+        [unfold, @('far.pl'), '--trim', inside]).
+command(unfold(alone(_)), [unfold, @('far.pl'), '--trim', outside]).
+command(pattern(divided(_,_)), [unfold, @('house.pl'), '--page', 'A4',
+                                '-o', @('a.svg')]).
+command(pattern(opened(_,_)), [unfold, @('saw.pl'), '--tabs', '5',
+                               '--open-slits', '-o', @('a.svg')]).
+command(pattern(no_room(number,_)), [unfold, @('cube.pl'), '-o',
+                                     @('a.svg')]).
+command(pattern(without_tab(_,_,_,_,_)),
+        [unfold, @('saw.pl'), '--tabs', '5', '--no-open-slits',
+         '-o', @('a.svg')]).
+command(unfold(flanges(_,_,_)), [unfold, @('box.pl'), '--thickness', '1',
+                                 '-o', @('a.svg')]).
+command(unfold(root_gone(_,_)), [unfold, @('plug.pl'), '--trim', outside,
+                                 '--only', 2, '--root', base]).
+command(unfold(all_trimmed_away), [unfold, @('far.pl'), '--trim', inside]).
+command(unfold(nothing_to_unfold), [unfold, @('wire.pl')]).
+command(unfold(several_sheets(_)), [unfold, @('house.pl'), '--page', 'A4',
+                                    '-o', -, '--format', svg]).
+command(unfold(attached(_,_,_)), [unfold, @('two_welds.pl')]).
+command(unfold(kept_apart(_,_)), [unfold, @('pipes.pl'), '--true', '--only', 1,
+                                  '--no-lines', '--keep', 'side-top']).
+command(unfold(no_segment(_,_)), [unfold, @('cube.pl'), '--only', 7]).
+command(unfold(kind(_,_)), [unfold, @('curve.pl'), '--only', 1]).
+command(unfold(which_segment(_,_)), [unfold, @('far.pl'), '--root', top]).
+command(unfold(needs(_,_)), [unfold, @('cube.pl'), '--half']).
+command(unfold(no_term(_,_)), [unfold, @('cube.pl'), '--root', 'a(']).
+command(unfold(no_names(_,_)), [unfold, @('cube.pl'), '--only', 'a(']).
+command(lines_by_rules(_,_), [draw, @('cube.pl'), '--rules', @('role.pl'),
+                              '-o', @('a.svg')]).
+command(written(_,empty), [eval, @('empty.pl'), '-o', @('a.off')]).
+command(written(_,collapsed), [eval, @('grain.pl'), '-o', @('a.stl')]).
+command(development(_,in_triangles(_)), [unfold, @('bent.pl')]).
+command(development(_,border(_,_)), [unfold, @('double.off')]).
+command(unfold(no_table(_)), [unfold, @('cube.pl'), '--true', '--table',
+                              @('a.csv'), '-o', @('a.svg')]).
+
+% elsewhere(Notice, Why): no command here provokes it.
+elsewhere(interrupted, test('tests/cli/bad_output.sh')).
+elsewhere(progress(_,_), test('tests/cli/bad_output.sh')).
+elsewhere(progress(_,_,_,_,_), test('tests/cli/bad_output.sh')).
+elsewhere(no_help(_,_), test('tests/rules/command/help.plt')).
+elsewhere(prolog_help(_,_), test('tests/rules/command/help.plt')).
+elsewhere(no_answer, test('tests/rules/command/query.plt')).
+elsewhere(because(_), test('tests/rules/explanation/explain.plt')).
+elsewhere(operand(repaired(no_area,_),_), test('tests/rules/solid/repair.plt')).
+elsewhere(written(_,rounds(_)), test('tests/rules/model/solid_file.plt')).
+elsewhere(written(_,rounds(1)), test('tests/rules/model/solid_file.plt')).
+elsewhere(pattern(opened_by_itself(_,_)),
+          test('tests/rules/pattern/pattern_shapes.plt')).
+elsewhere(unfold(not_kept(_,_,_,_,_)), test('tests/cli/unfold.sh')).
+elsewhere(trim(open(_,_,_)), test('tests/rules/solid/trimmed.plt')).
+elsewhere(trim(kind(_,_)), test('tests/rules/solid/trimmed.plt')).
+elsewhere(pattern(too_large(_)), "pieces are divided first").
+elsewhere(tight(_,_,_,_,_,_), test('tests/rules/solid/precision.plt')).
+elsewhere(moved(_,_,_,_,_), test('tests/rules/solid/precision.plt')).
+elsewhere(opened(_), "a last resort: no model is known that comes apart").
+elsewhere(contacts(_), "a last resort: no model is known that has no rest").
+elsewhere(greeting, "of the top level alone").
+elsewhere(segment(_,_,_), "of the top level alone").
+elsewhere(decision(_/_,_,_), "of the top level alone").
+elsewhere(no_end, "a fault of the program").
+:- dynamic said/2.
+
+:- multifile user:message_hook/3.
+:- asserta((user:message_hook(Term, Kind, _) :-
+                test_provoked:kept(Term, Kind))).
+
+:- dynamic keeping/0.
+
+kept(Term, Kind) :-
+    keeping,
+    memberchk(Kind, [error,warning,informational,help]),
+    assertz(said(Kind, Term)),
+    fail.
+
+notices(Folder, Arguments0, Terms, Status) :-
+    maplist(argument(Folder), Arguments0, Arguments),
+    retractall(said(_, _)),
+    setup_call_cleanup(
+        assertz(keeping),
+        with_output_to(string(_), sanggwan(Arguments, Status)),
+        retractall(keeping)),
+    findall(Kind-Term, said(Kind, Term), Terms).
+
+what(sanggwan(What), What).
+what(error(model_error(What), _), What).
+what(error(geometry_error(What), _), What).
+what(error(usage_error(What), _), What).
+
+argument(Folder, @(Name), Path) :-
+    !,
+    directory_file_path(Folder, Name, Path).
+argument(_, Word, Word).
+
+:- dynamic folder/1.
+
+made_files :-
+    tmp_file(provoked, Folder),
+    make_directory(Folder),
+    assertz(folder(Folder)),
+    forall(file(Name, Text), written(Folder, Name, utf8, Text)),
+    file('latin.pl', Latin),
+    written(Folder, 'latin1.pl', iso_latin_1, Latin),
+    directory_file_path(Folder, 'trailing.stl', STL),
+    new_world(World),
+    in_world(World, ( add_primitive(box(size(1,1,1)), _),
+                      complete_segments,
+                      write_mesh(STL, all, [binary(true)]) )),
+    setup_call_cleanup(open(STL, append, Out, [type(binary)]),
+                       format(Out, 'behind it', []), close(Out)).
+
+written(Folder, Name, Encoding, Text) :-
+    directory_file_path(Folder, Name, Path),
+    setup_call_cleanup(open(Path, write, Out, [encoding(Encoding)]),
+                       write(Out, Text), close(Out)).
+
+removed_files :-
+    retract(folder(Folder)),
+    delete_directory_and_contents(Folder).
+
+:- begin_tests(provoked, [setup(made_files), cleanup(removed_files)]).
+
+test(command, forall(command(Notice, Arguments))) :-
+    folder(Folder),
+    notices(Folder, Arguments, Terms, Status),
+    (   member(_-Term, Terms),
+        what(Term, Said),
+        subsumes_term(Notice, Said)
+    ->  true
+    ;   format(user_error, '~q: ~q~n  status ~w: ~q~n',
+               [Notice,Arguments,Status,Terms]),
+        fail
+    ).
+
+% Every head of the tables of notices is in command/2 or in elsewhere/2.
+notice(Notice) :-
+    table_heads(sg_messages, notice_en/3, Heads),
+    member([Notice0], Heads),
+    (   inner(Notice0, Module:Table/Arity, Terms, Notice)
+    ->  table_heads(Module, Table/Arity, Inner),
+        member(Terms, Inner)
+    ;   Notice = Notice0
+    ).
+
+inner(trim(_), sg_unfold_en:trim_en/3, [W], trim(W)).
+inner(unfold(_), sg_unfold_en:unfold_en/3, [W], unfold(W)).
+inner(development(_,_), sg_development_en:development_notice_en/4, [S,W],
+      development(S,W)).
+inner(operand(_,_), sg_operand_en:operand_notice_en/4, [W,S], operand(W,S)).
+inner(pattern(_), sg_pattern_en:pattern_en/3, [W], pattern(W)).
+inner(written(F,_), sg_written_en:written_en/3, [W], written(F,W)).
+inner(contacts(_), sg_messages:contacts_en/3, [W], contacts(W)).
+inner(sheet_tiny(_:_,_), sg_sheet_en:sheet_tiny_en/5, [N,M,H],
+      sheet_tiny(N:M,H)).
+
+table_heads(Module, Name/Arity, Heads) :-
+    functor(Head, Name, Arity),
+    findall(Terms,
+            ( catch(clause(Module:Head, _), error(_, _), fail),
+              Head =.. [_|Arguments],
+              append(Terms, [_,_], Arguments) ),
+            Heads).
+
+test(all, forall(notice(Notice))) :-
+    (   command(Known, _),
+        \+ Known \= Notice
+    ->  true
+    ;   elsewhere(Known, Where),
+        \+ Known \= Notice
+    ->  (   Where = test(File)
+        ->  absolute_file_name(sanggwan(File), Path),
+            exists_file(Path)
+        ;   true
+        )
+    ;   format(user_error,
+               'nothing provokes ~p: it needs a command/2, or elsewhere/2~n',
+               [Notice]),
+        fail
+    ).
+
+:- end_tests(provoked).
