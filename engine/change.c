@@ -44,8 +44,9 @@ sg_world_key_ready(sg_world *world, sg_relation relation)
 static bool
 refers(sg_world *world, sg_relation relation, int32_t s, int32_t id)
 {
-  sg_value key[SG_MAX_COLUMNS] = {{.i = s}, {.i = id}};
+  sg_value key[SG_MAX_COLUMNS] = {{.i = s}};
 
+  key[sg_relation_id_column(relation)].i = id;
   return sg_table_find(&world->table[relation], world->current->map[relation],
                        key) != SG_NO_ROW;
 }
@@ -54,38 +55,33 @@ sg_status
 sg_world_check_reference(sg_world *world, sg_relation relation, unsigned column,
                          int32_t s, sg_value value, sg_fault *fault)
 {
-  const sg_column_info *info = &sg_relation_table[relation].column[column];
-  bool list = info->type == SG_LIST;
-  const int32_t *id = list ? value.list + 1 : &value.i;
+  const sg_relation_info *info = &sg_relation_table[relation];
+  bool list = info->column[column].type == SG_LIST;
+  bool negative = !list && info->with_sign[column] && value.i < 0;
+  sg_relation to =
+      negative ? info->negative[column] : info->column[column].refers;
+  const int32_t one = negative ? -value.i : value.i;
+  const int32_t *id = list ? value.list + 1 : &one;
   int32_t n = list ? value.list[0] : 1;
 
-  if (!sg_index_build(&world->table[info->refers].index[0],
-                      &world->table[info->refers])) {
+  if (!sg_index_build(&world->table[to].index[0], &world->table[to])) {
     return SG_NO_MEMORY;
   }
   for (int32_t i = 0; i < n; i++) {
-    if (!refers(world, info->refers, s, id[i])) {
-      *fault = (sg_fault){.column = column, .s = s, .id = id[i]};
+    if (!refers(world, to, s, id[i])) {
+      *fault = (sg_fault){.column = column, .to = to, .s = s, .id = id[i]};
       return SG_DANGLING;
     }
   }
   return SG_OK;
 }
 
-/* Everything that can be wrong with a row, but no memory. */
 static sg_status
-check_row(sg_world *world, sg_relation relation, const sg_value *row,
-          sg_fault *fault)
+check_references(sg_world *world, sg_relation relation, const sg_value *row,
+                 sg_fault *fault)
 {
-  sg_table *table = &world->table[relation];
-  const sg_relation_info *info = table->info;
+  const sg_relation_info *info = &sg_relation_table[relation];
 
-  for (unsigned c = 0; c < info->arity; c++) {
-    if (!sg_value_is_valid(info, c, row[c])) {
-      *fault = (sg_fault){.column = c};
-      return SG_INVALID;
-    }
-  }
   for (unsigned c = 0; c < info->arity; c++) {
     unsigned in = sg_relation_segment_column(relation, c);
     sg_status status = SG_OK;
@@ -97,7 +93,28 @@ check_row(sg_world *world, sg_relation relation, const sg_value *row,
       return status;
     }
   }
-  if (info->key == 0) {
+  return SG_OK;
+}
+
+static sg_status
+check_values(const sg_relation_info *info, const sg_value *row, sg_fault *fault)
+{
+  for (unsigned c = 0; c < info->arity; c++) {
+    if (!sg_value_is_valid(info, c, row[c])) {
+      *fault = (sg_fault){.column = c};
+      return SG_INVALID;
+    }
+  }
+  return SG_OK;
+}
+
+static sg_status
+check_key(sg_world *world, sg_relation relation, const sg_value *row,
+          sg_fault *fault)
+{
+  sg_table *table = &world->table[relation];
+
+  if (table->info->key == 0) {
     return SG_OK;
   }
   if (!sg_index_build(&table->index[0], table)) {
@@ -108,6 +125,24 @@ check_row(sg_world *world, sg_relation relation, const sg_value *row,
     return SG_EXISTS;
   }
   return SG_OK;
+}
+
+/* Everything that can be wrong with a row, but no memory. `early`: null, or
+ * true is put there if a row that it refers to is not there yet. */
+static sg_status
+check_row(sg_world *world, sg_relation relation, const sg_value *row,
+          bool *early, sg_fault *fault)
+{
+  sg_status status = check_values(&sg_relation_table[relation], row, fault);
+
+  if (status == SG_OK) {
+    status = check_references(world, relation, row, fault);
+  }
+  if (status == SG_DANGLING && early) {
+    *early = true;
+    status = SG_OK;
+  }
+  return status == SG_OK ? check_key(world, relation, row, fault) : status;
 }
 
 /* ---- slots ------------------------------------------------------------- */
@@ -180,26 +215,6 @@ sg_world_sweep(sg_world *world, sg_relation relation)
   free(map);
 }
 
-/* True if a version other than the current one shows the row; with many
- * versions the answer is true without a search. */
-static bool
-shown_elsewhere(const sg_world *world, sg_relation relation, sg_row row)
-{
-  const sg_map *seen = NULL;
-  unsigned n = 0;
-
-  for (const sg_version *v = world->versions; v; v = v->next) {
-    if (v == world->current || v->map[relation] == seen) {
-      continue;
-    }
-    seen = v->map[relation];
-    if (++n > 100 || sg_map_shows(seen, row)) {
-      return true;
-    }
-  }
-  return false;
-}
-
 sg_map *
 sg_world_own_map(sg_world *world, sg_relation relation)
 {
@@ -256,11 +271,12 @@ sg_world_put_row(sg_world *world, sg_map *map, sg_relation relation,
   return true;
 }
 
+/* `early`: null, or whether the row came before one that it refers to. */
 static sg_status
-add(sg_world *world, sg_relation relation, const sg_value *row, sg_row *out,
-    sg_fault *fault)
+add(sg_world *world, sg_relation relation, const sg_value *row, bool *early,
+    sg_row *out, sg_fault *fault)
 {
-  sg_status status = check_row(world, relation, row, fault);
+  sg_status status = check_row(world, relation, row, early, fault);
   sg_map *map;
   sg_row slot;
 
@@ -288,7 +304,7 @@ sg_world_add(sg_world *world, sg_relation relation, const sg_value *row,
   sg_status status;
 
   sg_world_enter(world);
-  status = add(world, relation, row, out ? out : &unused_row,
+  status = add(world, relation, row, NULL, out ? out : &unused_row,
                fault ? fault : &unused_fault);
   if (status == SG_OK) {
     sg_world_changed(world);
@@ -297,207 +313,27 @@ sg_world_add(sg_world *world, sg_relation relation, const sg_value *row,
   return status;
 }
 
-/* ---- retracting -------------------------------------------------------- */
-
-/* Column 0 of a row: its segment, if it is an id. */
-static int32_t
-first_id(const sg_table *table, sg_row row)
+sg_status
+sg_world_add_edit(sg_world *world, sg_relation relation, const sg_value *row,
+                  sg_row *out, sg_fault *fault)
 {
-  return sg_page_value(sg_table_page(table, row), table->info, 0,
-                       row % SG_PAGE_ROWS)
-      .i;
-}
-
-static bool
-retract(sg_world *world, sg_relation relation, sg_row row)
-{
-  sg_table *table = &world->table[relation];
-  sg_map *map;
-  sg_live *live;
-
-  if (!sg_map_shows(world->current->map[relation], row)) {
-    return false;
-  }
-  if (!(map = sg_world_own_map(world, relation)) ||
-      !(live = sg_map_own_live(map, sg_table_page(table, row),
-                               row / SG_PAGE_ROWS)) ||
-      !sg_world_stamp(world, map, relation, first_id(table, row))) {
-    return false;
-  }
-  live->word[row % SG_PAGE_ROWS / 64] &= ~(UINT64_C(1) << row % 64);
-  map->rows--;
-  if (!shown_elsewhere(world, relation, row)) {
-    sg_table_unlink(table, row);
-    sg_table_vacate(table, row);
-  }
-  return true;
-}
-
-bool
-sg_world_retract(sg_world *world, sg_relation relation, sg_row row)
-{
-  bool done;
+  bool early = false;
+  sg_status status;
 
   sg_world_enter(world);
-  done = retract(world, relation, row);
-  if (done) {
+  status = add(world, relation, row, &early, out, fault);
+  if (status == SG_OK && early && !sg_world_mark_row(world, relation, *out)) {
+    sg_world_remove(world, relation, *out);
+    status = SG_NO_MEMORY;
+  }
+  if (status == SG_OK) {
     sg_world_changed(world);
   }
   sg_world_leave(world);
-  return done;
+  return status;
 }
 
-/* An empty map that remembers the ids used. */
-static bool
-empty_map(sg_map **map, uint64_t stamp)
-{
-  sg_map *empty = calloc(1, sizeof(*empty));
-
-  if (!empty) {
-    return false;
-  }
-  empty->holders = 1;
-  empty->ids = sg_ids_hold((*map)->ids);
-  if (!sg_map_stamp_all(empty, stamp)) {
-    sg_map_drop(empty);
-    return false;
-  }
-  sg_map_drop(*map);
-  *map = empty;
-  return true;
-}
-
-bool
-sg_world_retract_all(sg_world *world, sg_relation relation)
-{
-  sg_version *version;
-  bool done = true;
-
-  sg_world_enter(world);
-  if (world->current->map[relation] &&
-      world->current->map[relation]->rows > 0) {
-    version = sg_world_own(world);
-    done = version && empty_map(&version->map[relation], ++world->stamps);
-    if (done) {
-      sg_world_sweep(world, relation);
-      sg_world_changed(world);
-    }
-  }
-  sg_world_leave(world);
-  return done;
-}
-
-/* ---- retracting many --------------------------------------------------- */
-
-/* Of 64 rows those with an id: mostly all or none. */
-static uint64_t
-with_id(const int32_t *cell, int32_t id)
-{
-  int32_t differ = 0;
-  uint64_t bits = 0;
-
-  for (unsigned i = 0; i < 64; i++) {
-    differ |= cell[i] ^ id;
-  }
-  if (differ == 0) {
-    return UINT64_MAX;
-  }
-  for (unsigned i = 0; i < 64; i++) {
-    bits |= (uint64_t)(cell[i] == id) << i;
-  }
-  return bits;
-}
-
-/* Rows of a page by their bits, `gone`. */
-static bool
-find_gone(const sg_live *live, unsigned column, int32_t id, uint64_t *gone)
-{
-  const int32_t *cell = live->page->cells[column].i;
-  uint64_t any = 0;
-
-  for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
-    gone[w] = live->word[w] ? live->word[w] & with_id(cell + w * 64, id) : 0;
-    any |= gone[w];
-  }
-  return any != 0;
-}
-
-/* A new stamp for each segment that loses rows of a page. */
-static bool
-stamp_gone(sg_world *world, sg_map *map, sg_relation relation,
-           const sg_page *page, const uint64_t *gone)
-{
-  int32_t stamped = 0;
-
-  for (unsigned r = sg_live_next(gone, 0); r < SG_PAGE_ROWS;
-       r = sg_live_next(gone, r + 1)) {
-    int32_t s = page->cells[0].i[r];
-    if (s != stamped && !sg_world_stamp(world, map, relation, s)) {
-      return false;
-    }
-    stamped = s;
-  }
-  return true;
-}
-
-/* The rows with this id in a column, of one page. Their slots are found by a
- * sweep. */
-static bool
-hide_rows(sg_world *world, sg_relation relation, size_t number, unsigned column,
-          int32_t id, const uint64_t *gone)
-{
-  sg_page *page = world->table[relation].page[number];
-  sg_map *map = sg_world_own_map(world, relation);
-  sg_live *live = map ? sg_map_own_live(map, page, number) : NULL;
-  uint64_t left = 0;
-
-  if (!live || !(column == 0 ? sg_world_stamp(world, map, relation, id)
-                             : stamp_gone(world, map, relation, page, gone))) {
-    return false;
-  }
-  for (unsigned w = 0; w < SG_LIVE_WORDS; w++) {
-    live->word[w] &= ~gone[w];
-    left |= live->word[w];
-    map->rows -= (size_t)__builtin_popcountll(gone[w]);
-  }
-  if (left == 0) {
-    sg_map_empty_page(map, number);
-  }
-  return true;
-}
-
-static bool
-retract_with(sg_world *world, sg_relation relation, unsigned column, int32_t id)
-{
-  size_t pages = world->table[relation].pages;
-  bool changed = false, good = true;
-
-  for (size_t i = 0; i < pages && good; i++) {
-    const sg_live *live = sg_map_live(world->current->map[relation], i);
-    uint64_t gone[SG_LIVE_WORDS];
-    bool may = live && (column > 0 || sg_page_may_have(live->page, id));
-    if (may && find_gone(live, column, id, gone)) {
-      good = hide_rows(world, relation, i, column, id, gone);
-      changed = true;
-    }
-  }
-  if (changed) {
-    sg_world_changed(world);
-  }
-  return good;
-}
-
-bool
-sg_world_retract_with(sg_world *world, sg_relation relation, unsigned column,
-                      int32_t id)
-{
-  bool good;
-
-  sg_world_enter(world);
-  good = retract_with(world, relation, column, id);
-  sg_world_leave(world);
-  return good;
-}
+/* ---- ids ---------------------------------------------------------------- */
 
 int32_t
 sg_world_fresh(sg_world *world, sg_relation relation, int32_t s)

@@ -2,6 +2,7 @@
  *
  * Layer: glue. Doors in rules/store.pl.
  */
+#include "edit4pl.h"
 #include "value4pl.h"
 
 #include "install.h"
@@ -10,9 +11,10 @@
 
 /* ---- adding ------------------------------------------------------------ */
 
+/* `early`: in a transaction it may come before what it refers to. */
 static int
 add_row_ex(sg_world *world, sg_relation relation, const sg_value *row,
-           sg_row *out, term_t fact)
+           bool early, sg_row *out, term_t fact)
 {
   sg_fault fault;
   sg_status status;
@@ -21,15 +23,18 @@ add_row_ex(sg_world *world, sg_relation relation, const sg_value *row,
     return FALSE;
   }
   status = sg_world_add(world, relation, row, out, &fault);
+  if (status == SG_DANGLING && early && sg_world_depth(world) > 0) {
+    status = sg_world_add_edit(world, relation, row, out, &fault);
+  }
   sg_world_release(world);
   return status == SG_EXISTS ? PL_permission_error("assert", "fact", fact)
                              : sg_raise_status(status, relation, &fault);
 }
 
 static int
-add_fact_ex(term_t fact, sg_row *out)
+add_fact_ex(term_t fact, bool early, sg_row *out)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_relation relation;
   const sg_relation_info *info;
   sg_value row[SG_MAX_COLUMNS];
@@ -44,7 +49,7 @@ add_fact_ex(term_t fact, sg_row *out)
   for (unsigned c = 0; done && c < info->arity; c++) {
     done = sg_get_value_ex(args + c, info, c, &row[c], &owned[c]);
   }
-  done = done && add_row_ex(world, relation, row, out, fact);
+  done = done && add_row_ex(world, relation, row, early, out, fact);
   for (unsigned c = 0; c < info->arity; c++) {
     free(owned[c]);
   }
@@ -57,7 +62,16 @@ assert_fact(term_t fact)
 {
   sg_row row;
 
-  return add_fact_ex(fact, &row);
+  return add_fact_ex(fact, true, &row);
+}
+
+/* assert_after(+Fact) is det. */
+static foreign_t
+assert_after(term_t fact)
+{
+  sg_row row;
+
+  return add_fact_ex(fact, false, &row);
 }
 
 /* assert_fact(+Fact, -Row) is det. */
@@ -66,7 +80,7 @@ assert_fact_row(term_t fact, term_t out)
 {
   sg_row row;
 
-  return add_fact_ex(fact, &row) && PL_unify_int64(out, row);
+  return add_fact_ex(fact, true, &row) && PL_unify_int64(out, row);
 }
 
 /* ---- rows by number ---------------------------------------------------- */
@@ -91,7 +105,7 @@ get_row_ex(term_t name, term_t row_term, sg_relation *relation, sg_row *row)
 static foreign_t
 row_value(term_t name, term_t row_term, term_t position, term_t value)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   const sg_version *version;
   sg_relation relation;
   sg_row row;
@@ -113,20 +127,20 @@ row_value(term_t name, term_t row_term, term_t position, term_t value)
   return done;
 }
 
-/* retract_row(+Relation, +Row) is semidet. */
+/* '$retract_row'(+Relation, +Row, +Cascade) is semidet. */
 static foreign_t
-retract_row(term_t name, term_t row_term)
+retract_row(term_t name, term_t row_term, term_t cascade_term)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_relation relation;
   sg_row row;
-  int done;
+  int done, cascade;
 
   if (!world || !get_row_ex(name, row_term, &relation, &row) ||
-      !sg_claim_ex(world)) {
+      !PL_get_bool_ex(cascade_term, &cascade) || !sg_claim_ex(world)) {
     return FALSE;
   }
-  done = sg_world_retract(world, relation, row);
+  done = sg_retract_edit_ex(world, relation, row, cascade);
   sg_world_release(world);
   return done;
 }
@@ -135,9 +149,10 @@ retract_row(term_t name, term_t row_term)
 
 static const PL_extension predicates[] = {
     {"assert_fact", 1, assert_fact, 0},
+    {"assert_after", 1, assert_after, 0},
     {"assert_fact", 2, assert_fact_row, 0},
     {"row_value", 4, row_value, 0},
-    {"retract_row", 2, retract_row, 0},
+    {"$retract_row", 3, retract_row, 0},
     {NULL, 0, NULL, 0},
 };
 

@@ -8,7 +8,7 @@
  * never changed: a new one takes its place in one step, and the old one stays
  * until the world ends, because another thread may be reading it.
  */
-#include "world4pl.h"
+#include "edit4pl.h"
 
 #include "install.h"
 
@@ -117,7 +117,7 @@ free_atom(atom_t atom)
 static foreign_t
 set_rule_modules(term_t pairs)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   rule_table *table;
 
   if (!world) {
@@ -141,7 +141,7 @@ set_rule_modules(term_t pairs)
 static foreign_t
 world_number(term_t number)
 {
-  const sg_world *world = sg_current_world_ex();
+  const sg_world *world = sg_edited_world_ex();
 
   return world && PL_unify_uint64(number, sg_world_number(world));
 }

@@ -98,6 +98,21 @@ put_rows(sg_world *world, sg_relation relation, size_t n,
   return good;
 }
 
+/* Rows of derived relations may refer to them. */
+static bool
+mark_rows(sg_world *world, sg_relation relation, const sg_row *gone, size_t n)
+{
+  bool good = true;
+  int32_t s, id;
+
+  for (size_t i = 0; i < n && good; i++) {
+    const sg_page *page = sg_table_page(&world->table[relation], gone[i]);
+    good = !sg_page_pair(page, relation, gone[i] % SG_PAGE_ROWS, &s, &id) ||
+           sg_world_mark_gone(world, relation, SG_MARK_MADE, s, id);
+  }
+  return good;
+}
+
 bool
 sg_world_exchange(sg_world *world, sg_relation relation, const sg_row *gone,
                   size_t gones, size_t n, const void *const *column)
@@ -107,7 +122,8 @@ sg_world_exchange(sg_world *world, sg_relation relation, const sg_row *gone,
   sg_world_enter(world);
   if (gones + n > 0) {
     sg_world_sweep_if_worth(world, relation, n, true);
-    good = hide_rows(world, relation, gone, gones) &&
+    good = mark_rows(world, relation, gone, gones) &&
+           hide_rows(world, relation, gone, gones) &&
            put_rows(world, relation, n, column);
     sg_world_changed(world);
   }

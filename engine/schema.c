@@ -9,7 +9,10 @@ const sg_relation_info sg_relation_table[SG_RELATIONS] = {
   [SG_##ID].column[POSITION] = {#NAME, SG_##TYPE, SG_##REFERS, DOC},
 #define DOMAIN(ID, POSITION, WORDS) [SG_##ID].domain[POSITION] = (WORDS),
 #define MOST(ID, POSITION, SIZE)    [SG_##ID].most[POSITION] = (SIZE),
-#define SIGNED(ID, POSITION)        [SG_##ID].with_sign[POSITION] = true,
+#define SIGNED(ID, POSITION, REFERS)                                           \
+  [SG_##ID].with_sign[POSITION] = true,                                        \
+  [SG_##ID].negative[POSITION] = SG_##REFERS,
+#define DERIVED(ID) [SG_##ID].derived = true,
 #include "relations.def"
 };
 

@@ -2,7 +2,7 @@
  *
  * Layer: glue. Doors in rules/store.pl.
  */
-#include "world4pl.h"
+#include "edit4pl.h"
 
 #include "install.h"
 
@@ -162,7 +162,7 @@ column(term_t args, int count, void *control)
 static foreign_t
 fresh_id(term_t name, term_t segment, term_t id)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_relation relation;
   int32_t fresh;
   int s;
@@ -191,7 +191,7 @@ fresh_id(term_t name, term_t segment, term_t id)
 static foreign_t
 statistics(term_t args, int count, void *control)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_relation relation;
   sg_statistics s;
 

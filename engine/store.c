@@ -22,6 +22,7 @@ version_new(sg_world *world, const sg_version *from)
   for (int r = 0; from && r < SG_RELATIONS; r++) {
     version->map[r] = sg_map_hold(from->map[r]);
   }
+  version->marks = from ? sg_marks_hold(from->marks) : NULL;
   version->next = world->versions;
   if (world->versions) {
     world->versions->previous = version;
@@ -51,6 +52,7 @@ version_free(sg_version *version)
   for (int r = 0; r < SG_RELATIONS; r++) {
     sg_map_drop(version->map[r]);
   }
+  sg_marks_drop(version->marks);
   free(version);
 }
 
@@ -228,6 +230,10 @@ sg_world_open(void)
   world->undo_limit = UNDO_LIMIT;
   for (int r = 0; r < SG_RELATIONS; r++) {
     sg_table_init(&world->table[r], (sg_relation)r);
+    for (int q = 0; q < SG_RELATIONS; q++) {
+      bool refers = sg_relation_refers((sg_relation)q, (sg_relation)r);
+      world->referring[r] |= (uint64_t)refers << q;
+    }
   }
   if (!(world->current = version_new(world, NULL))) {
     sg_world_drop(world);
@@ -437,8 +443,8 @@ sg_world_depth(sg_world *world)
   return depth;
 }
 
-sg_status
-sg_world_commit(sg_world *world)
+static sg_status
+commit(sg_world *world, bool is_step)
 {
   sg_status status = SG_NO_STEP;
 
@@ -446,18 +452,33 @@ sg_world_commit(sg_world *world)
   if (world->open.count > 0) {
     size_t depth = --world->open.count;
     sg_version *before = world->open.version[depth];
-    if (depth == 0 && world->changes != world->changes_at[0]) {
+    bool changed = depth == 0 && world->changes != world->changes_at[0];
+    if (changed && is_step) {
       world->undo.version[world->undo.count++] = before;
       stack_limit(&world->undo, world->undo_limit);
-      sg_stack_clear(&world->redo);
     } else {
       sg_version_release(before);
+    }
+    if (changed) {
+      sg_stack_clear(&world->redo);
     }
     unclaim(world);
     status = SG_OK;
   }
   sg_world_leave(world);
   return status;
+}
+
+sg_status
+sg_world_commit(sg_world *world)
+{
+  return commit(world, true);
+}
+
+sg_status
+sg_world_commit_change(sg_world *world)
+{
+  return commit(world, false);
 }
 
 sg_status

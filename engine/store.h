@@ -49,9 +49,11 @@ typedef struct sg_relation_info {
   uint16_t key; /* mask of the key's columns, 0: none */
   const char *doc;
   sg_column_info column[SG_MAX_COLUMNS];
-  const char *domain[SG_MAX_COLUMNS]; /* its words, or null: any value */
-  double most[SG_MAX_COLUMNS];        /* size of a float, or 0: any */
-  bool with_sign[SG_MAX_COLUMNS];     /* ids may be negative */
+  const char *domain[SG_MAX_COLUMNS];   /* its words, or null: any value */
+  double most[SG_MAX_COLUMNS];          /* size of a float, or 0: any */
+  bool with_sign[SG_MAX_COLUMNS];       /* ids may be negative: */
+  sg_relation negative[SG_MAX_COLUMNS]; /* -K is row K of this one */
+  bool derived; /* its rows go with what they refer to */
 } sg_relation_info;
 
 extern const sg_relation_info sg_relation_table[SG_RELATIONS];
@@ -59,6 +61,8 @@ extern const sg_relation_info sg_relation_table[SG_RELATIONS];
 /* The column that holds the ids which sg_world_fresh() makes: V of v, T of t,
  * D of drawn ... SG_MAX_COLUMNS: the relation has none. */
 unsigned sg_relation_id_column(sg_relation relation);
+/* True if a row of a relation may refer to one of relation `to`. */
+bool sg_relation_refers(sg_relation relation, sg_relation to);
 /* The column that names the segment in which a column's ids are. */
 unsigned sg_relation_segment_column(sg_relation relation, unsigned column);
 
@@ -89,8 +93,16 @@ typedef enum sg_status {
 typedef struct sg_fault {
   size_t row; /* of the buffer, 0 for a single row */
   unsigned column;
-  int32_t s, id; /* the missing row, for SG_DANGLING */
+  sg_relation to; /* of the missing row, for SG_DANGLING: */
+  int32_t s, id;
 } sg_fault;
+
+/* A row that lives and refers to one that is not there. */
+typedef struct sg_breach {
+  sg_relation relation, missing;
+  sg_row row;
+  int32_t s, id; /* of the missing row */
+} sg_breach;
 
 typedef struct sg_world sg_world;
 typedef struct sg_version sg_version;
@@ -205,10 +217,35 @@ bool sg_world_exchange(sg_world *world, sg_relation relation,
 bool sg_world_retract(sg_world *world, sg_relation relation, sg_row row);
 /* False: no memory. */
 bool sg_world_retract_all(sg_world *world, sg_relation relation);
+/* The same for who adds rows with the same keys again. */
+bool sg_world_retract_all_again(sg_world *world, sg_relation relation);
 /* All rows with this id in an SG_INT column: one look at the column. False: no
  * memory, some of them may live. */
 bool sg_world_retract_with(sg_world *world, sg_relation relation,
                            unsigned column, int32_t id);
+
+/* Whole worlds. A version is whole if every row that a row refers to is there,
+ * as relations.def has it. Kernels rely on it, and what they write themselves
+ * keeps it so. What a user edits goes through the functions below. Inside a
+ * transaction they only remember, with the version, what they may have broken:
+ * a version without such marks is whole, at no cost. Making it whole looks at
+ * what is marked: rows of derived relations that refer to nothing are dropped;
+ * if another row does, that is a breach and everything stays. `cascade`: such
+ * rows are dropped too. This thread has the world claimed.
+ *
+ * sg_world_retract_edit() outside a transaction, or when it cascades, retracts
+ * a row only if the world is whole then: SG_DANGLING, the breach says by which
+ * row it would not be. SG_NO_STEP: the row does not live. The two for many
+ * rows, and sg_world_add_edit(), which adds a row before what it refers to, are
+ * for transactions only. */
+bool sg_world_is_whole(sg_world *world); /* what this thread sees */
+sg_status sg_world_make_whole(sg_world *world, bool cascade, sg_breach *breach);
+sg_status sg_world_retract_edit(sg_world *world, sg_relation relation,
+                                sg_row row, bool cascade, sg_breach *breach);
+bool sg_world_retract_all_edit(sg_world *world, sg_relation relation);
+bool sg_world_retract_of_edit(sg_world *world, sg_relation relation, int32_t s);
+sg_status sg_world_add_edit(sg_world *world, sg_relation relation,
+                            const sg_value *row, sg_row *out, sg_fault *fault);
 
 /* The next id never yet used in relation (column 1, or column 2 of t, or
  * column 0 of segment, line, drawn) of segment s (0 for those three). Follows
@@ -228,6 +265,9 @@ void sg_world_release(sg_world *world);
 sg_status sg_world_begin(sg_world *world);
 sg_status sg_world_commit(sg_world *world);
 sg_status sg_world_rollback(sg_world *world);
+/* A commit that is no undo step: of a change outside any transaction, which
+ * needs one to be taken back if it cannot be. */
+sg_status sg_world_commit_change(sg_world *world);
 /* How many transactions this thread has open. */
 size_t sg_world_depth(sg_world *world);
 /* Steps back and forth, outside transactions only. A change outside any

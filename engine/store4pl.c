@@ -8,6 +8,7 @@
  * or term, a variable that stands twice) makes the call *strict*: each row is
  * then tried by unification before it counts as an answer.
  */
+#include "edit4pl.h"
 #include "value4pl.h"
 
 #include "install.h"
@@ -64,7 +65,7 @@ static int
 asking_open(asking *a, term_t args)
 {
   const sg_relation_info *info = &sg_relation_table[a->relation];
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_value row[SG_MAX_COLUMNS];
   uint16_t mask = 0;
   sg_bound bound = SG_OPEN;
@@ -164,7 +165,7 @@ retract_answer(asking *a, sg_row row)
     sg_version_drop(a->version);
     a->version = NULL;
   }
-  done = sg_world_retract(world, a->relation, row);
+  done = sg_retract_edit_ex(world, a->relation, row, false);
   sg_world_release(world);
   sg_world_let_go(world);
   return done;
@@ -328,7 +329,7 @@ retract_fact(term_t fact, control_t control)
 static int
 numbered_fact(term_t fact, term_t row_term)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_relation relation;
   int64_t number;
   asking a;
@@ -399,48 +400,75 @@ is_of_segment(sg_relation relation, term_t args, int32_t *s)
 enum { RETRACTED = 1 << 14 }; /* rows between questions for signals */
 
 static int
-retract_answers(asking *a, term_t args)
+retract_answers_ex(asking *a, term_t args)
 {
   sg_world *world = sg_version_world(a->version);
   sg_row row;
 
   a->strict = a->strict || a->open; /* a variable may stand twice */
   for (size_t n = 1; (row = next_answer(a, args)) != SG_NO_ROW; n++) {
-    sg_world_retract(world, a->relation, row);
-    if (n % RETRACTED == 0 && PL_handle_signals() < 0) {
+    if ((!sg_retract_edit_ex(world, a->relation, row, false) &&
+         PL_exception(0)) ||
+        (n % RETRACTED == 0 && PL_handle_signals() < 0)) {
       return FALSE;
     }
   }
   return !PL_exception(0);
 }
 
+static int
+retract_all_ex(sg_world *world, sg_relation relation, term_t args)
+{
+  asking a = asking_of(relation);
+  int32_t s;
+  int done;
+
+  if (are_free(args, 0, sg_relation_table[relation].arity)) {
+    return sg_world_retract_all_edit(world, relation) ||
+           PL_resource_error("memory");
+  }
+  if (is_of_segment(relation, args, &s)) {
+    return sg_world_retract_of_edit(world, relation, s) ||
+           PL_resource_error("memory");
+  }
+  if (!asking_open(&a, args)) {
+    return !PL_exception(0);
+  }
+  done = retract_answers_ex(&a, args);
+  asking_close(&a);
+  return done;
+}
+
+/* Outside a transaction it is one of its own, but no step to undo. */
+static int
+retract_alone_ex(sg_world *world, sg_relation relation, term_t args)
+{
+  if (!sg_raise_status(sg_world_begin(world), SG_NONE, NULL)) {
+    return FALSE;
+  }
+  if (retract_all_ex(world, relation, args) && sg_make_whole_ex(world, false)) {
+    sg_world_commit_change(world);
+    return TRUE;
+  }
+  sg_world_rollback(world);
+  return FALSE;
+}
+
 /* retractall_facts(?Fact) is det. */
 static foreign_t
 retractall_facts(term_t fact)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_relation relation;
   term_t args;
-  asking a;
-  int32_t s;
   int done;
 
   if (!world || !sg_get_fact_ex(fact, 0, &relation, &args) ||
       !sg_claim_ex(world)) {
     return FALSE;
   }
-  a = asking_of(relation);
-  if (are_free(args, 0, sg_relation_table[relation].arity)) {
-    done = sg_world_retract_all(world, relation) || PL_resource_error("memory");
-  } else if (is_of_segment(relation, args, &s)) {
-    done = sg_world_retract_with(world, relation, 0, s) ||
-           PL_resource_error("memory");
-  } else if (asking_open(&a, args)) {
-    done = retract_answers(&a, args);
-    asking_close(&a);
-  } else {
-    done = !PL_exception(0);
-  }
+  done = sg_world_depth(world) > 0 ? retract_all_ex(world, relation, args)
+                                   : retract_alone_ex(world, relation, args);
   sg_world_release(world);
   return done;
 }
@@ -452,7 +480,7 @@ retractall_facts(term_t fact)
 static int
 member_open(asking *a, term_t args, unsigned column)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_value s;
   sg_value id;
   void *none;

@@ -7,11 +7,25 @@
 #include <pthread.h>
 #include <stdatomic.h>
 
+/* What an edit may have broken (mark.c): */
+typedef enum sg_mark_kind {
+  SG_MARK_GONE,     /* row (s, id) was retracted */
+  SG_MARK_GONE_OF,  /* all rows of segment s were */
+  SG_MARK_GONE_ALL, /* or all rows */
+  SG_MARK_MADE,     /* a kernel retracted row (s, id): of derived relations */
+  SG_MARK_MADE_ALL, /* or all rows: alone may rows refer to it */
+  SG_MARK_ROW,      /* a row was added before what it refers to */
+  SG_MARK_ROWS      /* some rows were */
+} sg_mark_kind;
+
+typedef struct sg_mark sg_mark;
+
 struct sg_version {
   atomic_size_t holders;
   sg_world *world;
   sg_version *previous, *next; /* all versions of the world */
   sg_map *map[SG_RELATIONS];
+  sg_mark *marks; /* null: it is known to be whole */
 };
 
 /* A list of held versions: open transactions, undo steps, redo steps. */
@@ -37,6 +51,7 @@ struct sg_world {
   pthread_t writer; /* valid while writer_depth > 0 */
   size_t writer_depth;
   uint64_t stamps; /* the last one given out; never goes back */
+  uint64_t referring[SG_RELATIONS]; /* relations whose rows refer to this one */
   _Atomic(void *) note[SG_NOTES];
   void (*drop_note[SG_NOTES])(void *note);
 };
@@ -63,6 +78,19 @@ void sg_world_sweep(sg_world *world, sg_relation relation);
 void sg_world_sweep_if_worth(sg_world *world, sg_relation relation, size_t n,
                              bool single);
 
+/* Lists of marks are counted by their holders, and never change. */
+sg_mark *sg_marks_hold(sg_mark *mark);
+void sg_marks_drop(sg_mark *mark);
+typedef bool sg_use_mark(void *data, sg_mark_kind kind, sg_relation relation,
+                         int32_t s, int32_t id, sg_row row);
+/* Calls `use` with each until it says false, which is returned. */
+bool sg_marks_each(const sg_mark *mark, sg_use_mark *use, void *data);
+/* Marks the current version, in the first case unless no row can refer to the
+ * relation. False: no memory. */
+bool sg_world_mark_gone(sg_world *world, sg_relation relation,
+                        sg_mark_kind kind, int32_t s, int32_t id);
+bool sg_world_mark_row(sg_world *world, sg_relation relation, sg_row row);
+
 /* What the current version shows of a relation, for writing. Null: no
  * memory. */
 sg_map *sg_world_own_map(sg_world *world, sg_relation relation);
@@ -72,6 +100,14 @@ bool sg_world_stamp(sg_world *world, sg_map *map, sg_relation relation,
 /* Something was written: counts it and forgets the redo steps. */
 void sg_world_changed(sg_world *world);
 
+/* The segment and id by which others may refer to a row; false: they do not. */
+bool sg_page_pair(const sg_page *page, sg_relation relation, unsigned place,
+                  int32_t *s, int32_t *id);
+/* Retracts a row, whatever refers to it. False: it did not live, or no
+ * memory. */
+bool sg_world_remove(sg_world *world, sg_relation relation, sg_row row);
+/* The same without the lock. */
+bool sg_world_hide(sg_world *world, sg_relation relation, sg_row row);
 /* Writes a row that is right into a slot and shows it, in an owned map. False:
  * no memory. */
 bool sg_world_put_row(sg_world *world, sg_map *map, sg_relation relation,

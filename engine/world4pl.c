@@ -2,7 +2,7 @@
  *
  * Layer: glue. Doors in rules/store.pl.
  */
-#include "world4pl.h"
+#include "edit4pl.h"
 
 #include "install.h"
 
@@ -104,7 +104,7 @@ sg_current_world(void)
 }
 
 sg_world *
-sg_current_world_ex(void)
+sg_edited_world_ex(void)
 {
   sg_world *world = pthread_getspecific(current_key);
   term_t culprit;
@@ -135,7 +135,7 @@ new_world(term_t t)
 static foreign_t
 current_world(term_t t)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
 
   return world && unify_world(t, world);
 }
@@ -202,10 +202,9 @@ put_indicator(term_t t, sg_relation relation)
 }
 
 static int
-raise_dangling(sg_relation relation, const sg_fault *fault)
+raise_dangling(const sg_fault *fault)
 {
-  const sg_relation_info *info = &sg_relation_table[relation];
-  const char *name = sg_relation_table[info->column[fault->column].refers].name;
+  const char *name = sg_relation_table[fault->to].name;
   term_t t = PL_new_term_ref();
 
   return t &&
@@ -226,7 +225,7 @@ sg_raise_status(sg_status status, sg_relation relation, const sg_fault *fault)
     return PL_resource_error("memory");
   }
   if (status == SG_DANGLING) {
-    return raise_dangling(relation, fault);
+    return raise_dangling(fault);
   }
   if (!t || !put_indicator(t, relation)) {
     return FALSE;
@@ -253,7 +252,7 @@ sg_add_row_ex(sg_world *world, sg_relation relation, const sg_value *row)
 static foreign_t
 begin(term_t world_term, term_t depth)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_status status;
 
   if (!world || !unify_world(world_term, world) || !sg_claim_ex(world)) {
@@ -271,18 +270,24 @@ get_open_ex(term_t world_term, term_t depth, sg_world **world, size_t *out)
   return get_world_ex(world_term, world) && PL_get_size_ex(depth, out);
 }
 
-/* '$commit'(+World, +Depth) is det. */
+/* '$commit'(+World, +Depth, +Cascade) is det: the outermost transaction leaves
+ * the world whole, and so does one that cascades. */
 static foreign_t
-commit(term_t world_term, term_t depth_term)
+commit(term_t world_term, term_t depth_term, term_t cascade_term)
 {
   sg_world *world;
   size_t depth;
+  int cascade;
 
-  if (!get_open_ex(world_term, depth_term, &world, &depth)) {
+  if (!get_open_ex(world_term, depth_term, &world, &depth) ||
+      !PL_get_bool_ex(cascade_term, &cascade)) {
     return FALSE;
   }
   if (sg_world_depth(world) != depth) {
     return PL_permission_error("commit", "facts_transaction", world_term);
+  }
+  if ((depth == 1 || cascade) && !sg_make_whole_ex(world, cascade)) {
+    return FALSE;
   }
   return sg_raise_status(sg_world_commit(world), SG_NONE, NULL);
 }
@@ -306,7 +311,7 @@ end(term_t world_term, term_t depth_term)
 static int
 step(sg_status (*go)(sg_world *), const char *name)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   sg_status status;
   term_t t = PL_new_term_ref();
 
@@ -341,7 +346,7 @@ redo(void)
 static foreign_t
 undo_limit(term_t steps)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   size_t n;
 
   if (!world || !PL_get_size_ex(steps, &n) || !sg_claim_ex(world)) {
@@ -371,7 +376,7 @@ sg_segment_stamp(const sg_version *version, int32_t s)
 static foreign_t
 segment_stamp(term_t s, term_t t)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   int n;
 
   if (!world || !PL_get_integer_ex(s, &n)) {
@@ -407,7 +412,7 @@ unify_stamps_ex(const sg_version *version, term_t list, term_t out)
 static foreign_t
 segment_stamps(term_t list, term_t out)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
 
   if (!world) {
     return FALSE;
@@ -444,7 +449,7 @@ get_key_ex(const sg_version *version, term_t list, size_t n, key_part *out)
 static foreign_t
 segments_key(term_t list, term_t key)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_edited_world_ex();
   size_t n;
 
   if (!world) {
@@ -477,7 +482,7 @@ static const PL_extension predicates[] = {
     {"$world", 1, saved_world, 0},
     {"$set_world", 1, restore_world, 0},
     {"$begin", 2, begin, 0},
-    {"$commit", 2, commit, 0},
+    {"$commit", 3, commit, 0},
     {"$end", 2, end, 0},
     {"facts_undo", 0, undo, 0},
     {"facts_redo", 0, redo, 0},

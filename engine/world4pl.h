@@ -15,7 +15,10 @@
 
 #include <SWI-Prolog.h>
 
-/* The current world of this thread (borrowed). existence_error: none. */
+/* The current world of this thread (borrowed), whole: every row that a row
+ * refers to is there. This is how a door comes to a world, so none reads one
+ * that an open transaction has left broken: model_error(not_whole(Row,
+ * Missing)), whole4pl.c. existence_error: there is none. */
 sg_world *sg_current_world_ex(void);
 /* The same; null without an exception if there is none. */
 sg_world *sg_current_world(void);

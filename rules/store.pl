@@ -28,7 +28,9 @@
                                       % ?Visibility, ?Role
             assert_fact/1,            % +Fact
             assert_fact/2,            % +Fact, -Row
+            assert_after/1,           % +Fact
             retract_fact/1,           % ?Fact
+            retract_fact/2,           % ?Fact, +Options
             retractall_facts/1,       % ?Fact
             edge_polygon/3,           % ?S, ?E, ?P
             vertex_triangle/3,        % ?S, ?V, ?T
@@ -36,6 +38,7 @@
             row_value/4,              % +Relation, +Row, +Position, ?Value
             retract_row/2,            % +Relation, +Row
             facts_transaction/1,      % :Goal
+            facts_transaction/2,      % :Goal, +Options
             facts_snapshot/1,         % :Goal
             facts_undo/0,
             facts_redo/0,
@@ -83,10 +86,13 @@ refers to any more is freed with its handle by atom garbage collection.
 */
 
 :- use_module(library(apply), [maplist/3]).
+:- use_module(library(error), [must_be/2]).
 :- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/3]).
 
 :- meta_predicate
     facts_transaction(0),
+    facts_transaction(0, +),
     facts_snapshot(0),
     in_world(+, 0).
 
@@ -232,6 +238,17 @@ refers to any more is freed with its handle by atom garbage collection.
      list    a list of ids
      atom    one of column_domain/3
      term    any ground term of numbers, atoms, strings and compounds
+
+   A world is *whole* when every row that a row refers to is there (the column
+   Refers of relation_column/5). What changes it leaves it whole, or is refused:
+   inside a transaction anything goes, and its end is refused if the world is
+   not whole then. Who retracts a row takes along what rules made from it, the
+   rows of derived relations: `t` and `plane` with their polygon, `line`,
+   `screen`, `drawn` and so on. A row of v/5, e/5 and p/3 that something else
+   refers to goes only with what does, see the option cascade.
+
+   Kernels trust what they read: one that is asked in the middle of a
+   transaction first makes the world whole in the same way, or raises an error.
 */
 
 %!  assert_fact(+Fact) is det.
@@ -242,8 +259,9 @@ refers to any more is freed with its handle by atom garbage collection.
 %   @error existence_error(relation, Name/Arity)
 %   @error type_error(Type, Value), domain_error(Domain, Value),
 %          representation_error(int32)  if a value does not fit its column
-%   @error existence_error(Relation, S-Id)  if a row that Fact refers to is
-%          not there: an edge without its vertex, say
+%   @error existence_error(Relation, S-Id)  outside a transaction, if a row
+%          that Fact refers to is not there: an edge without its vertex, say.
+%          Inside one it may come later, see assert_after/1.
 %   @error permission_error(assert, fact, Fact)  if there is a row with the
 %          same key already
 
@@ -251,14 +269,41 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   The same; Row is the number of the new row, see fact_row/2.
 
+%!  assert_after(+Fact) is det.
+%
+%   As assert_fact/1, but the rows that Fact refers to must be there already,
+%   inside a transaction too: the error is raised here, and not at its end.
+
 %!  retract_fact(?Fact) is nondet.
 %
 %   Unifies Fact with a fact and retracts it, as retract/1 does: on
-%   backtracking the next one that was there at the call and still is.
+%   backtracking the next one that was there at the call and still is. Rows of
+%   derived relations that refer to it go along.
+%
+%   @error model_error(referred(Fact, Row))  outside a transaction, if another
+%          row refers to it
+
+%!  retract_fact(?Fact, +Options) is nondet.
+%
+%   The same; with the option cascade(true) rows that refer to it are retracted
+%   too, whatever they are, and those that refer to them.
+
+retract_fact(Fact, Options) :-
+    cascade(Options, Cascade),
+    fact_row(Fact, Row),
+    functor(Fact, Name, Arity),
+    '$retract_row'(Name/Arity, Row, Cascade).
+
+cascade(Options, Cascade) :-
+    option(cascade(Cascade), Options, false),
+    must_be(boolean, Cascade).
 
 %!  retractall_facts(?Fact) is det.
 %
 %   Retracts all facts that unify with Fact.
+%
+%   @error model_error(not_whole(Row, Missing))  outside a transaction, if Row
+%          refers to one of them; then all of them stay
 
 /* ---- rows by their number ---------------------------------------------- */
 
@@ -274,7 +319,10 @@ refers to any more is freed with its handle by atom garbage collection.
 
 %!  retract_row(+Relation, +Row:integer) is semidet.
 %
-%   Retracts the row; fails when it is not there.
+%   Retracts the row, as retract_fact/1 does; fails when it is not there.
+
+retract_row(Relation, Row) :-
+    '$retract_row'(Relation, Row, false).
 
 %!  edge_polygon(?S, ?E, ?P) is nondet.
 %
@@ -311,12 +359,32 @@ vertex_triangle(S, V, T) :-
 %   an exception or is interrupted, the world is as it was. Transactions
 %   nest; the outermost one that changed anything is one step for
 %   facts_undo/0. Other threads see none of its changes before it ends.
+%
+%   Inside it facts may be asserted and retracted in any order. At the end of
+%   the outermost one rows of derived relations that refer to nothing are
+%   dropped, and what else was changed is checked.
+%
+%   @error model_error(not_whole(Row, Missing))  if Row refers to the row
+%          Missing, v(S, V) say, that is not there in the end; the world is then
+%          as it was
 
 facts_transaction(Goal) :-
+    transaction(Goal, false).
+
+%!  facts_transaction(:Goal, +Options) is semidet.
+%
+%   The same; with the option cascade(true) rows that refer to what Goal has
+%   retracted are retracted at its end, instead of an error.
+
+facts_transaction(Goal, Options) :-
+    cascade(Options, Cascade),
+    transaction(Goal, Cascade).
+
+transaction(Goal, Cascade) :-
     setup_call_cleanup(
         '$begin'(World, Depth),
         (   call(Goal)
-        ->  '$commit'(World, Depth)
+        ->  '$commit'(World, Depth, Cascade)
         ),
         '$end'(World, Depth)).
 

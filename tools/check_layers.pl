@@ -179,6 +179,7 @@ layer(engine,    'glue.def', _,    registry).
 layer(engine,    _, install,       registry).
 layer(engine,    _, sanggwan,      public).
 layer(engine,    'start.h', _,     public).
+layer(engine,    'edit4pl.h', _,   edits).
 layer(engine,    _, Name,          host) :-
     memberchk(Name, [start, host, engine, question, main, boot]).
 layer(c_kernels, _, glue,          arguments).
@@ -194,7 +195,8 @@ prolog_side(arguments).
 prolog_side(registry).
 prolog_side(host).
 
-%   below(Layer, Other): a file of Layer may include one of Other. Kernels know
+%   below(Layer, Other): a file of Layer may include one of Other. Doors of
+%   kernels see whole worlds only, not those being edited. Kernels know
 %   no store and the store no geometry; what a kernel asks of its caller
 %   (poll.h), the view of a column (column.h) and rows being written (sheet.h)
 %   are for both. The host side
@@ -204,6 +206,8 @@ below(Layer, Layer).
 below(pure(_), shared).
 below(glue(_), shared).
 below(glue(Top), pure(Top)).
+below(glue(engine), edits).
+below(edits, glue(engine)).
 below(glue(_), arguments).
 below(glue(_), registry).
 below(glue(c_kernels), glue(engine)).

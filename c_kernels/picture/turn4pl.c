@@ -143,7 +143,7 @@ replace_ex(sg_world *world, sg_relation relation, const table *t)
   const void *column[] = {t->id[0], t->id[1], t->x[0],
                           t->x[1],  t->x[2],  t->x[3]};
 
-  return (sg_world_retract_all(world, relation) || sg_no_memory()) &&
+  return (sg_world_retract_all_again(world, relation) || sg_no_memory()) &&
          (t->n == 0 || sg_append_columns_ex(world, relation, t->n, column));
 }
 

@@ -101,6 +101,14 @@ fault_en(true(What)) -->
     true_en(What).
 fault_en(style(What)) -->
     style_en(What).
+fault_en(not_whole(Row, Missing)) -->
+    [ '~p refers to ~p, which is not there'-[Row, Missing], nl,
+      '  Retract it in the same facts_transaction/1, or assert ~p again; \c
+       the option cascade(true) retracts what refers to it.'-[Missing] ].
+fault_en(referred(Fact, Row)) -->
+    [ '~p is not retracted: ~p refers to it'-[Fact, Row], nl,
+      '  Change both in one facts_transaction/1, or retract both: \c
+       retract_fact(Fact, [cascade(true)]).' ].
 
 
                 /*******************************

@@ -107,6 +107,14 @@ fault_ko(true(What)) -->
     true_ko(What).
 fault_ko(style(What)) -->
     style_ko(What).
+fault_ko(not_whole(Row, Missing)) -->
+    [ '~p 이(가) 가리키는 ~p 이(가) 없습니다'-[Row, Missing], nl,
+      '  같은 facts_transaction/1 안에서 함께 지우거나 ~p 을(를) 다시 넣으십시오. \c
+       옵션 cascade(true) 는 그것을 가리키는 것도 지웁니다.'-[Missing] ].
+fault_ko(referred(Fact, Row)) -->
+    [ '~p 을(를) 지우지 않았습니다. ~p 이(가) 가리킵니다'-[Fact, Row], nl,
+      '  facts_transaction/1 하나에서 함께 바꾸거나 함께 지우십시오: \c
+       retract_fact(Fact, [cascade(true)]).' ].
 
 
                 /*******************************

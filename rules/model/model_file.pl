@@ -5,8 +5,8 @@
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, line/9, piece/3, joint/6,
                 title_block/2,
-                assert_fact/1, retractall_facts/1, facts_transaction/1,
-                relation_column/5
+                assert_fact/1, assert_after/1, retractall_facts/1,
+                facts_transaction/1, relation_column/5
               ]).
 :- use_module(model_text,
               [ open_model_text/2, close_model_text/1, model_text_bytes/3,
@@ -189,7 +189,13 @@ ready(from_v(S, V, _, _)) :-
     has_vertex(S, V).
 ready(from_p(S, P, _, _, _)) :-
     has_polygon(S, P).
-ready(line(_, _, _, _, _, _, _, _, _)).
+ready(line(_, S1, P1, A1, B1, S2, P2, A2, B2)) :-
+    has_polygon(S1, P1),
+    has_vertex(S1, A1),
+    has_vertex(S1, B1),
+    has_polygon(S2, P2),
+    has_vertex(S2, A2),
+    has_vertex(S2, B2).
 ready(unfolding(_, _)).
 ready(piece(S, P, _)) :-
     has_polygon(S, P).
@@ -236,6 +242,7 @@ later_added(Later) :-
     later_rows(Later, leaf_t/6),
     later_rows(Later, from_v/4),
     later_rows(Later, from_p/5),
+    later_rows(Later, line/9),
     later_rows(Later, piece/3),
     later_rows(Later, joint/6),
     later_setting(Later, view/3),
@@ -385,7 +392,7 @@ numbered_edges([V1-V2|Edges], S, Place, E0, [E0|Es], E) :-
 %   row_added(Row, Place): Row is in the world, or the error says where.
 
 row_added(Row, Place) :-
-    catch(assert_fact(Row), error(Formal, _),
+    catch(assert_after(Row), error(Formal, _),
           row_refused(Formal, Row, Place)).
 
 row_refused(Formal, Row, Place) :-
@@ -399,14 +406,27 @@ row_refused(Formal, Row, Place) :-
     ).
 
 missing_reference(Row, Argument, Relation, S, Id) :-
-    Row =.. [Name, S|_],
+    functor(Row, Name, _),
     member(Relation-Missing,
            [v-has_vertex(S, Id), p-has_polygon(S, Id), e-has_edge(S, Id)]),
     relation_column(Name, Position, _, int, Relation),
+    segment_position(Name, Position, Of),
+    arg(Of, Row, S),
     Argument is Position+1,
     arg(Argument, Row, Id),
     \+ call(Missing),
     !.
+
+%   segment_position(Name, Position, Argument): the ids in the column at
+%   Position are of the segment in Argument of the row.
+
+segment_position(Name, Position, Argument) :-
+    (   relation_column(Name, Position, Column, _, _),
+        sub_atom(Column, 0, _, _, 'S')
+    ->  Argument is Position+1
+    ;   Before is Position-1,
+        segment_position(Name, Before, Argument)
+    ).
 
 key_taken(Row, Name, Key) :-
     row_key(Row, Name, Key, Same),

@@ -259,16 +259,17 @@ move_origin(Point) :-
 %!  turned_by_rule(+Axes:list, +Origin:list) is det.
 %
 %   What the kernel turn_points/2 does: all rows of the current world that have
-%   a point, or a plane, are turned.
+%   a point, or a plane, are turned. One transaction.
 
 turned_by_rule(Axes, Origin) :-
     findall(New, ( placed_row(Old, Place0, New, Place), Old,
                    turned_point(Axes, Origin, Place0, Place) ),
             Rows),
-    retractall_facts(v(_,_,_,_,_)),
-    retractall_facts(leaf_v(_,_,_,_,_)),
-    retractall_facts(plane(_,_,_,_,_,_)),
-    maplist(assert_fact, Rows).
+    facts_transaction(
+        ( retractall_facts(v(_,_,_,_,_)),
+          retractall_facts(leaf_v(_,_,_,_,_)),
+          retractall_facts(plane(_,_,_,_,_,_)),
+          maplist(assert_fact, Rows) )).
 
 %   placed_row(Old, Place0, New, Place): rows that have a point, or a plane.
 

@@ -42,23 +42,24 @@ reads([ chain/5, chain_length/2, chain_points/2, chain_vertices/3, chains/1,
         view/3, view_matrix/3, winding/3, with_arrangement/3
       ]).
 
-writes([ add_primitive/2, assert_fact/1, assert_fact/2, boolean/2, boolean/3,
-         complete_segments/0, convert/2, develop/2, develop/3, draw/1,
-         draw/2, evaluate/0, evaluate/1, evaluate/2, evaluated/1,
-         faces_merged/2, facts_redo/0, facts_transaction/1, facts_undo/0,
-         facts_undo_limit/1, fresh_id/3, help/0, help/1, load_model/1,
-         load_model/2, move_origin/1, new_world/1, no_rules/1,
-         pattern_bent/2, pattern_measured/1, penetrate/0, penetrate/1,
-         penetrate/2, picture/0, picture/1, plate_parts/5, project_world/0,
-         read_csg/2, read_mesh/2, read_mesh/3, repair_operand/1, repaired/2,
-         repl/0, retract_fact/1, retract_row/2, retractall_facts/1,
-         rims_rounded/3, save_model/1, save_model/2, set_direction/3,
-         set_projection/1, set_view/1, set_view/3, set_world/1, show/0,
-         show/1, trimmed/4, trimmed/5, true_development/4, turn_up/1,
-         turned_by_rule/2, unfold/2, unfold/3, use_rules/1, welded_vertex/2,
-         with_up/2, write_drawing/2, write_lines/1, write_lines/2,
-         write_mesh/2, write_mesh/3, write_solid/2, write_solid/3,
-         write_true_lengths/2, write_true_lengths/3
+writes([ add_primitive/2, assert_after/1, assert_fact/1, assert_fact/2,
+         boolean/2, boolean/3, complete_segments/0, convert/2, develop/2,
+         develop/3, draw/1, draw/2, evaluate/0, evaluate/1, evaluate/2,
+         evaluated/1, faces_merged/2, facts_redo/0, facts_transaction/1,
+         facts_transaction/2, facts_undo/0, facts_undo_limit/1, fresh_id/3,
+         help/0, help/1, load_model/1, load_model/2, move_origin/1,
+         new_world/1, no_rules/1, pattern_bent/2, pattern_measured/1,
+         penetrate/0, penetrate/1, penetrate/2, picture/0, picture/1,
+         plate_parts/5, project_world/0, read_csg/2, read_mesh/2,
+         read_mesh/3, repair_operand/1, repaired/2, repl/0, retract_fact/1,
+         retract_fact/2, retract_row/2, retractall_facts/1, rims_rounded/3,
+         save_model/1, save_model/2, set_direction/3, set_projection/1,
+         set_view/1, set_view/3, set_world/1, show/0, show/1, trimmed/4,
+         trimmed/5, true_development/4, turn_up/1, turned_by_rule/2,
+         unfold/2, unfold/3, use_rules/1, welded_vertex/2, with_up/2,
+         write_drawing/2, write_lines/1, write_lines/2, write_mesh/2,
+         write_mesh/3, write_solid/2, write_solid/3, write_true_lengths/2,
+         write_true_lengths/3
        ]).
 
 %   is_safe(PI): with its arguments free; a meta-predicate with a goal that is

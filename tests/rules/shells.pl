@@ -67,7 +67,7 @@ welded :-
     findall(p(X,Y,Z)-V, v(1, V, X, Y, Z), Vs0),
     msort(Vs0, Vs),
     findall(W-V, same(Vs, W, V), Renamed),
-    maplist(renamed, Renamed),
+    facts_transaction(maplist(renamed, Renamed)),
     retractall_facts(t(1, _, _, _, _, _)),
     complete_segments.
 

@@ -31,9 +31,10 @@ test(leaf_edited, [E-R, Stale] == [1-1, [6]]) :-
     tree(Terms),
     with_tree(Terms,
               ( evaluate(5),
-                once(retract_fact(v(4, 1, X, Y, Z))),
+                once(v(4, 1, X, Y, Z)),
                 Z1 is Z+0.125,
-                assert_fact(v(4, 1, X, Y, Z1)),
+                facts_transaction(( retract_fact(v(4, 1, X, Y, Z)),
+                                    assert_fact(v(4, 1, X, Y, Z1)) )),
                 stale(Stale),
                 csg_statistics_reset,
                 evaluate,
@@ -113,8 +114,9 @@ test(edited_leaf_moves_its_instances, [V1, V2] == [8.0, 12.0]) :-
     with_tree([ box(size(1,1,1)), at([scale(2)], union([1])) ],
               ( volume(2, V1),
                 forall(( v(1, V, X, Y, Z), Z > 0.5 ),
-                       ( retract_fact(v(1, V, X, Y, Z)),
-                         assert_fact(v(1, V, X, Y, 1.5)) )),
+                       facts_transaction(
+                           ( retract_fact(v(1, V, X, Y, Z)),
+                             assert_fact(v(1, V, X, Y, 1.5)) ))),
                 evaluate,
                 volume(2, V2) )).
 test(leaves_stay, Same == true) :-
@@ -212,8 +214,8 @@ test(primitive_edited, [V1, V2, V3] == [4.0, 6.0, 7.0]) :-
 test(primitive_edited_and_rows_edited, V == 4.0) :-
     with_tree([ box(size(2,2,2)), at([translate(1,0,0)], box(size(2,2,2))),
                 difference([1,2]) ],
-              ( once(retract_fact(v(2, 1, X, Y, Z))),
-                assert_fact(v(2, 1, X, Y, Z)),
+              ( facts_transaction(( once(retract_fact(v(2, 1, X, Y, Z))),
+                                    assert_fact(v(2, 1, X, Y, Z)) )),
                 term_changed(2, at([translate(1.5,0,0)], box(size(2,2,2)))),
                 evaluate,
                 volume(3, V) )).

@@ -144,7 +144,7 @@ test(moved_back, After == Before) :-
              ( add([P1,P2,P3]),
                originals(Before),
                penetrate,
-               leaves_restored([1-2,1-3,2-3]),
+               facts_transaction(leaves_restored([1-2,1-3,2-3])),
                originals(After),
                \+ origin(_, _, _),
                \+ leaf_row(_) )).
@@ -194,7 +194,7 @@ test(restored, After == Before) :-
                     line(from(-3,0.3,0.7), to(3,0.1,0.9))]),
                originals(Before),
                penetrate,
-               leaves_restored([1-2,1-3]),
+               facts_transaction(leaves_restored([1-2,1-3])),
                originals(After),
                \+ origin(_, _, _),
                \+ leaf_row(_) )).

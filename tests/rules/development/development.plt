@@ -385,8 +385,9 @@ test(reason_of_wish, Reason == cut_by_wish) :-
 test(stale, error(existence_error(development, _))) :-
     in_model([box(size(1,1,1))],
              ( develop(1, D),
-               v(1, 1, X, Y, Z), retract_fact(v(1, 1, X, Y, Z)),
-               assert_fact(v(1, 1, X, Y, 5.0)),
+               v(1, 1, X, Y, Z),
+               facts_transaction(( retract_fact(v(1, 1, X, Y, Z)),
+                                   assert_fact(v(1, 1, X, Y, 5.0)) )),
                seam_reason(D, _, _) )).
 
 test(curve, error(geometry_error(development(1, kind(curve))))) :-

@@ -304,9 +304,10 @@ test(another_segment_than_that_of_the_file,
     long_box(Box),
     with_model(Box, ( develop(1, _), saved(File) )),
     with_file(File,
-              ( retract_fact(v(1, 1, X, Y, Z)),
+              ( v(1, 1, X, Y, Z),
                 X1 is X-1,
-                assert_fact(v(1, 1, X1, Y, Z)),
+                facts_transaction(( retract_fact(v(1, 1, X, Y, Z)),
+                                    assert_fact(v(1, 1, X1, Y, Z)) )),
                 development(1, D),
                 development_measures(D, _) )).
 

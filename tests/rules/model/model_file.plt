@@ -181,7 +181,8 @@ test(penetrated_too,
     absolute_file_name(sanggwan(Name), File, [extensions([pl])]),
     in_new_world(( load_model(File), penetrate, same_after_writing )).
 test(written_rows) :-
-    with_model("segment(2, surface, f('A b', [1,2.5], -3)).
+    with_model("v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0). p(1,1,[1,2,3]).
+        segment(2, surface, f('A b', [1,2.5], -3)).
         v(2,3,0.1,1.0e-7,1.0e22). v(2,1,0,0,0). v(2,2,3,0,0).
         e(2,9,1,2,1). e(2,7,2,3,1). e(2,8,3,1,0).
         p(2,4,[9,7,8]). plane(2,4,0,0,1,0). t(2,4,11,1,2,3).

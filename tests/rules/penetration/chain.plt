@@ -21,6 +21,8 @@ with_lines(Ends, Goal) :-
     in_world(World,
              ( assert_fact(segment(1, surface, one)),
                assert_fact(segment(2, surface, two)),
+               assert_fact(p(1, 1, [])),
+               assert_fact(p(2, 1, [])),
                forall(between(1, 9, V), vertex(V)),
                forall(nth1(L, Ends, A-B), line_piece(L, A, B)),
                Goal
@@ -65,6 +67,7 @@ random_ends(Ends) :-
 
 third_segment(Ends) :-
     assert_fact(segment(3, surface, three)),
+    assert_fact(p(3, 1, [])),
     forall(between(1, 9, V),
            ( X is float(V), assert_fact(v(3, V, X, 0.0, 0.0)) )),
     forall(( nth1(N, Ends, A-B), N mod 2 =:= 0 ),

@@ -144,9 +144,8 @@ move(none, _, _, _) :-
     !.
 move(Rows, S, V, At) :-
     maplist(times(At), Rows, [X,Y,Z]),
-    retract_fact(v(S, V, _, _, _)),
-    !,
-    assert_fact(v(S, V, X, Y, Z)).
+    facts_transaction(( retract_fact(v(S, V, _, _, _)),
+                        assert_fact(v(S, V, X, Y, Z)) )).
 
 times(X-Y-Z, A-B-C, R) :-
     R is A*X+B*Y+C*Z.

@@ -380,8 +380,8 @@ test(no_area_is_named, true(Warning == [no_area(1, 1, 1)])) :-
 test(bent_is_named, true(N == 2)) :-
     sample(square, Loops),
     with_polygon(Loops, flat,
-                 ( retract_fact(v(1, 4, X, Y, _)),
-                   assert_fact(v(1, 4, X, Y, 1.0)),
+                 ( facts_transaction(( retract_fact(v(1, 4, X, Y, _)),
+                                       assert_fact(v(1, 4, X, Y, 1.0)) )),
                    warnings(complete_segments, [not_flat(1, 1, 1, Off)]),
                    count_triangles(N)
                  )),

@@ -94,10 +94,11 @@ of_model(t(S, P, T, A, B, C)) :- t(S, P, T, A, B, C).
 edit(Kind) :-
     random_between(1, 10, S),
     move_by(Kind, By),
-    forall(v(S, V, X, Y, Z),
-           ( retract_fact(v(S, V, X, Y, Z)),
-             X1 is X+By,
-             assert_fact(v(S, V, X1, Y, Z)) )),
+    facts_transaction(
+        forall(v(S, V, X, Y, Z),
+               ( retract_fact(v(S, V, X, Y, Z)),
+                 X1 is X+By,
+                 assert_fact(v(S, V, X1, Y, Z)) ))),
     forall(plane(S, P, A, B, C, D), retract_fact(plane(S, P, A, B, C, D))),
     complete_segments.
 
@@ -134,10 +135,11 @@ test(stale_is_what_is_near, [true(Made == [20,2,0,0])]) :-
     Made = [First,Second,Third,Fourth].
 
 lifted(S) :-
-    forall(v(S, V, X, Y, Z),
-           ( retract_fact(v(S, V, X, Y, Z)),
-             Z1 is Z+0.5,
-             assert_fact(v(S, V, X, Y, Z1)) )).
+    facts_transaction(
+        forall(v(S, V, X, Y, Z),
+               ( retract_fact(v(S, V, X, Y, Z)),
+                 Z1 is Z+0.5,
+                 assert_fact(v(S, V, X, Y, Z1)) ))).
 
 %   made(+Leaves, -N): of how many the pieces had to be made.
 

@@ -25,9 +25,10 @@ box(A, B, C, X, Y, Z, at([translate(X,Y,Z)], box(size(A,B,C)))).
 
 turned(P) :-
     p(1, P, Es),
-    forall(( member(E, Es), e(1, E, A, B, T) ),
-           ( retractall_facts(e(1, E, _, _, _)),
-             assert_fact(e(1, E, B, A, T)) )),
+    facts_transaction(
+        forall(( member(E, Es), e(1, E, A, B, T) ),
+               ( retractall_facts(e(1, E, _, _, _)),
+                 assert_fact(e(1, E, B, A, T)) ))),
     retractall_facts(t(1, P, _, _, _, _)),
     retractall_facts(plane(1, P, _, _, _, _)),
     complete_segments.
@@ -95,9 +96,10 @@ test(both, Names == [open_edges,unbalanced_edges]) :-
 test(zero_volume, F == [zero_volume]) :-
     one_segment([box(size(1,1,1))],
                 ( findall(X-Y-Z-V, v(1, V, X, Y, Z), Vs),
-                  forall(member(X-Y-_-V, Vs),
-                         ( retractall_facts(v(1, V, _, _, _)),
-                           assert_fact(v(1, V, X, Y, 0.0)) )),
+                  facts_transaction(
+                      forall(member(X-Y-_-V, Vs),
+                             ( retractall_facts(v(1, V, _, _, _)),
+                               assert_fact(v(1, V, X, Y, 0.0)) ))),
                   operand_faults(1, F) )).
 test(volumes_that_cancel, F == []) :-
     box(1,1,1, 3,0,0, B),

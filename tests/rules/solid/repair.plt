@@ -28,8 +28,8 @@ apart(P) :-
     findall(V-W, ( member(V, Vs), new_vertex(V, W) ), New),
     forall(( member(E, Es), e(1, E, A, B, T), memberchk(A-A2, New),
              memberchk(B-B2, New) ),
-           ( retractall_facts(e(1, E, _, _, _)),
-             assert_fact(e(1, E, A2, B2, T)) )).
+           facts_transaction(( retractall_facts(e(1, E, _, _, _)),
+                               assert_fact(e(1, E, A2, B2, T)) ))).
 
 new_vertex(V, W) :-
     v(1, V, X, Y, Z),
@@ -38,9 +38,10 @@ new_vertex(V, W) :-
 
 turned(P) :-
     p(1, P, Es),
-    forall(( member(E, Es), e(1, E, A, B, T) ),
-           ( retractall_facts(e(1, E, _, _, _)),
-             assert_fact(e(1, E, B, A, T)) )),
+    facts_transaction(
+        forall(( member(E, Es), e(1, E, A, B, T) ),
+               ( retractall_facts(e(1, E, _, _, _)),
+                 assert_fact(e(1, E, B, A, T)) ))),
     retractall_facts(t(1, P, _, _, _, _)),
     retractall_facts(plane(1, P, _, _, _, _)),
     complete_segments.

@@ -203,10 +203,11 @@ test(has_no_rows_any_more, Rows1 == Rows2) :-
                     ( solid_take([1], Solid),
                       solid_written(Solid, 2),
                       rows_of(2, Rows1),
-                      maplist(retractall_facts,
-                              [ v(2,_,_,_,_), e(2,_,_,_,_), p(2,_,_),
-                                plane(2,_,_,_,_,_), t(2,_,_,_,_,_),
-                                from_v(2,_,_,_), from_p(2,_,_,_,_) ]),
+                      facts_transaction(
+                          maplist(retractall_facts,
+                                  [ v(2,_,_,_,_), e(2,_,_,_,_), p(2,_,_),
+                                    plane(2,_,_,_,_,_), t(2,_,_,_,_,_),
+                                    from_v(2,_,_,_), from_p(2,_,_,_,_) ])),
                       solid_written(Solid, 2),
                       rows_of(2, Rows2) )).
 test(rolled_back, Rows-Vs == []-[1]) :-

@@ -1,0 +1,129 @@
+/* suspect.c -- sorted lists of what may be missing. */
+#include "suspect.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool
+sg_grow(void *array, size_t n, size_t *room, size_t size)
+{
+  void *old, *more;
+
+  if (n < *room) {
+    return true;
+  }
+  memcpy(&old, array, sizeof old);
+  if (!(more = realloc(old, (2 * *room + 8) * size))) {
+    return false;
+  }
+  memcpy(array, &more, sizeof more);
+  *room = 2 * *room + 8;
+  return true;
+}
+
+bool
+sg_suspect_gone(sg_suspects *x, int32_t s, int32_t id)
+{
+  if (!sg_grow(&x->gone, x->n, &x->room, sizeof *x->gone)) {
+    return false;
+  }
+  x->gone[x->n++] = (sg_id_pair){s, id};
+  return true;
+}
+
+static int
+compare_pairs(const void *a, const void *b)
+{
+  const sg_id_pair *x = a, *y = b;
+
+  if (x->s != y->s) {
+    return x->s < y->s ? -1 : 1;
+  }
+  return (x->id > y->id) - (x->id < y->id);
+}
+
+static int
+compare_ints(const void *a, const void *b)
+{
+  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
+
+  return (x > y) - (x < y);
+}
+
+static int32_t
+least(int32_t a, int32_t b)
+{
+  return a < b ? a : b;
+}
+
+static int32_t
+most(int32_t a, int32_t b)
+{
+  return a > b ? a : b;
+}
+
+static void
+find_range(sg_suspects *x)
+{
+  bool any = x->all || x->ofs > 0;
+
+  x->first_s = x->all ? INT32_MIN : INT32_MAX;
+  x->last_s = x->all ? INT32_MAX : INT32_MIN;
+  x->first_id = any ? INT32_MIN : INT32_MAX;
+  x->last_id = any ? INT32_MAX : INT32_MIN;
+  for (size_t i = 0; i < x->ofs; i++) {
+    x->first_s = least(x->first_s, x->of[i]);
+    x->last_s = most(x->last_s, x->of[i]);
+  }
+  for (size_t i = 0; i < x->n; i++) {
+    x->first_s = least(x->first_s, x->gone[i].s);
+    x->last_s = most(x->last_s, x->gone[i].s);
+    x->first_id = least(x->first_id, x->gone[i].id);
+    x->last_id = most(x->last_id, x->gone[i].id);
+  }
+}
+
+void
+sg_suspects_order(sg_suspects *x)
+{
+  size_t n = 0;
+
+  if (x->n > 1) {
+    qsort(x->gone, x->n, sizeof *x->gone, compare_pairs);
+  }
+  for (size_t i = 0; i < x->n; i++) {
+    if (n == 0 || compare_pairs(&x->gone[n - 1], &x->gone[i]) != 0) {
+      x->gone[n++] = x->gone[i];
+    }
+  }
+  x->n = n;
+  if (x->ofs > 1) {
+    qsort(x->of, x->ofs, sizeof *x->of, compare_ints);
+  }
+  find_range(x);
+}
+
+bool
+sg_has_gone(const sg_suspects *x, int32_t s, int32_t id)
+{
+  sg_id_pair key = {s, id};
+
+  return x->n > 0 && s >= x->gone[0].s && s <= x->gone[x->n - 1].s &&
+         bsearch(&key, x->gone, x->n, sizeof key, compare_pairs);
+}
+
+bool
+sg_may_concern(const sg_suspects *x, int32_t s)
+{
+  return x->all ||
+         (x->n > 0 && s >= x->gone[0].s && s <= x->gone[x->n - 1].s) ||
+         (x->ofs > 0 && bsearch(&s, x->of, x->ofs, sizeof s, compare_ints));
+}
+
+void
+sg_suspects_clear(sg_suspects *x)
+{
+  free(x->gone);
+  free(x->of);
+  free(x->row);
+}
