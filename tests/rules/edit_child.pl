@@ -1,0 +1,54 @@
+/* Runs edit scripts FIRST .. LAST, one line of standard output before each and
+   one for what was wrong in it; edit_fuzz.plt reads them.
+
+       swipl -p foreign=build tests/rules/edit_child.pl -- FIRST LAST SECONDS
+
+   SECONDS: the time of a script, 0 for no limit (a Prolog without threads).
+*/
+:- module(sg_test_edit_child, []).
+
+:- multifile user:file_search_path/2.
+:- dynamic user:file_search_path/2.
+
+:- prolog_load_context(directory, Rules),
+   file_directory_name(Rules, Tests),
+   file_directory_name(Tests, Root),
+   asserta(user:file_search_path(sanggwan, Root)),
+   asserta(user:file_search_path(rules, sanggwan(rules))),
+   asserta(user:file_search_path(tests, sanggwan(tests))).
+
+:- use_module(user:rules(sanggwan)).
+:- use_module(tests('rules/edit_script')).
+:- use_module(library(lists)).
+:- use_module(library(time)).
+
+:- multifile user:message_hook/3.
+
+user:message_hook(_, Kind, _) :-
+    Kind \== error,
+    \+ getenv('EDIT_SAY', _).
+
+:- initialization(main, main).
+
+main :-
+    current_prolog_flag(argv, [First0,Last0,Seconds0]),
+    maplist(atom_number, [First0,Last0,Seconds0], [First,Last,Seconds]),
+    stream_property(Out, alias(user_output)),
+    open_null_stream(Null),
+    set_output(Null),
+    forall(between(First, Last, Seed),
+           ( format(Out, 'case ~d~n', [Seed]),
+             flush_output(Out),
+             run(Seconds, Seed, Wrong),
+             forall(member(W, Wrong),
+                    format(Out, 'wrong ~d ~W~n',
+                           [Seed, W, [quoted(true),max_depth(12)]])) )),
+    format(Out, 'done~n', []),
+    flush_output(Out).
+
+run(Seconds, Seed, Wrong) :-
+    (   Seconds > 0
+    ->  catch(call_with_time_limit(Seconds, script(Seed, Wrong)),
+              time_limit_exceeded, Wrong = [])
+    ;   script(Seed, Wrong)
+    ).

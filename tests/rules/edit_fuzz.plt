@@ -1,0 +1,114 @@
+:- module(test_edit_fuzz, []).
+:- use_module(library(plunit)).
+:- use_module(library(apply)).
+:- use_module(library(filesex)).
+:- use_module(library(lists)).
+:- use_module(library(process)).
+:- use_module(library(readutil)).
+
+/* Random edits and random questions (edit_script.pl), in processes of their
+own, so that one that ends or that never ends is seen, and named by its number.
+
+From the environment: EDIT_FUZZ=COUNT and EDIT_FUZZ_FROM=FIRST run others than
+those below. One alone, and what it does:
+
+    EDIT_SAY=1 EDIT_SCRATCH=/tmp swipl -p foreign=build \
+        tests/rules/edit_child.pl -- 7 7 0
+*/
+
+setting(Name, Default, Value) :-
+    (   getenv(Name, Text),
+        atom_number(Text, Value0)
+    ->  Value = Value0
+    ;   Value = Default
+    ).
+
+%   prolog(Program, Options): what runs Prolog, as in tests/run.
+
+prolog(Program, Options) :-
+    (   getenv('SWIPL', Text)
+    ->  split_string(Text, " ", " ", [Program|Options])
+    ;   Program = "swipl",
+        Options = []
+    ).
+
+%   scripts(First, Last, Folder, Wrong): Wrong is the list of what was wrong,
+%   terms wrong(Seed, What). A process has 500 scripts at most, so what an early
+%   one left behind is never far.
+
+scripts(First, Last, _, []) :-
+    First > Last,
+    !.
+scripts(First, Last, Folder, Wrong) :-
+    Until is min(Last, First+499),
+    child(First, Until, Folder, Lines, Status),
+    findall(wrong(Seed, What), told(Lines, Seed, What), Wrong1),
+    (   last(Lines, "done")
+    ->  Wrong2 = [],
+        Next is Until+1
+    ;   last_case(Lines, First, Seed),
+        Wrong2 = [wrong(Seed, ended(Status))],
+        Next is Seed+1
+    ),
+    append([Wrong1, Wrong2, Wrong3], Wrong),
+    scripts(Next, Last, Folder, Wrong3).
+
+%   child(First, Last, Folder, Lines, Status): 500 scripts take some ten
+%   seconds; after twenty minutes one of them has no end.
+
+child(First, Last, Folder, Lines, Status) :-
+    prolog(Program, Options),
+    absolute_file_name(tests('rules/edit_child.pl'), Child, [access(read)]),
+    absolute_file_name(foreign(sanggwan), Foreign,
+                       [file_type(executable), access(read)]),
+    file_directory_name(Foreign, Build),
+    format(atom(Where), 'foreign=~w', [Build]),
+    (   memberchk("--no-threads", Options)
+    ->  Seconds = 0
+    ;   Seconds = 20
+    ),
+    append(Options, ['-p',Where,Child,'--',First,Last,Seconds], Arguments),
+    process_create(path(timeout),
+                   ['-s','KILL',1200,Program|Arguments],
+                   [ stdout(pipe(Out)), stderr(null), cwd(Folder),
+                     environment(['EDIT_SCRATCH'=Folder]), process(Id) ]),
+    call_cleanup(lines(Out, Lines), close(Out)),
+    process_wait(Id, Status).
+
+lines(Out, Lines) :-
+    read_string(Out, _, Text),
+    split_string(Text, "\n", "", Lines0),
+    exclude(==(""), Lines0, Lines).
+
+told(Lines, Seed, What) :-
+    member(Line, Lines),
+    string_concat("wrong ", Rest, Line),
+    once(sub_string(Rest, Before, 1, _, " ")),
+    sub_string(Rest, 0, Before, _, Number),
+    number_string(Seed, Number),
+    sub_string(Rest, Before, _, 0, What).
+
+last_case(Lines, First, Seed) :-
+    (   reverse(Lines, Reversed),
+        member(Line, Reversed),
+        string_concat("case ", Number, Line)
+    ->  number_string(Seed, Number)
+    ;   Seed = First
+    ).
+
+with_folder(Folder, Goal) :-
+    tmp_file(edit, Folder),
+    setup_call_cleanup(make_directory(Folder), Goal,
+                       delete_directory_and_contents(Folder)).
+
+:- begin_tests(edit_fuzz).
+
+test(scripts, Wrong == []) :-
+    setting('EDIT_FUZZ', 400, Count),
+    setting('EDIT_FUZZ_FROM', 1, First),
+    Last is First+Count-1,
+    with_folder(Folder,
+                once(test_edit_fuzz:scripts(First, Last, Folder, Wrong))),
+    format("counted: ~d scripts of edits and questions~n", [Count]).
+
+:- end_tests(edit_fuzz).
