@@ -1,17 +1,29 @@
 :- module(sg_output,
-          [ writing/3                   % +File, +Type, :Goal
+          [ writing/3,                  % +File, +Type, :Goal
+            copied_to/3,                % +Target, +Ending, :Goal
+            files_together/1,           % :Goal
+            when_written/1              % :Goal
           ]).
+:- use_module(kernel,
+              [ atomic_open/3, atomic_scratch/3, atomic_sync/1,
+                atomic_commit/2, atomic_drop/1, device_file/1
+              ]).
+:- use_module(library(apply), [maplist/2]).
 :- use_module(library(error), [must_be/2]).
-:- use_module(library(filesex), [directory_file_path/3]).
+:- use_module(library(lists), [member/2, nth0/3, reverse/2, selectchk/3]).
 /** <module> Output files: whole, or not there at all.
 
-A file is written under another name beside it and renamed when it is
-complete, so nobody ever sees half of one: not after a failure, an error, an
-interrupt, nor on a full disk. The old file stays until the new one takes its
-place.
+A file is written under another name beside it, which nobody can guess, and
+takes its place when it is complete, so nobody ever sees half of one: not after
+a failure, an error, a signal, nor on a full disk. Files that are written
+together take their places together. engine/atomic_file.h has the rest.
 */
 
-:- meta_predicate writing(+, +, 1).
+:- meta_predicate
+    writing(+, +, 1),
+    copied_to(+, +, 1),
+    files_together(0),
+    when_written(0).
 
 %!  writing(+File, +Type, :Goal) is semidet.
 %
@@ -20,101 +32,230 @@ place.
 %   so does this, and File is as it was. A link is followed; what is no
 %   regular file (a device, a pipe) is written in place.
 %
-%   @error existence_error(directory, Folder), permission_error(_, _, Folder),
-%   cannot_write(File, permission), io_error(write, File): the disk is full.
+%   @error existence_error(directory, Folder), cannot_write(File, Why): see
+%   atomic_open/3
 
 writing(File, Type, Goal) :-
     must_be(oneof([text,binary]), Type),
-    file_target(File, Path),
-    (   written_in_place(Path)
-    ->  catch(written(Path, Type, Goal), Error, blame(Path, Path, Error))
-    ;   beside(Path, Temporary),
-        setup_call_cleanup(
-            true,
-            catch(( written(Temporary, Type, Goal),
-                    rename_file(Temporary, Path)
-                  ),
-                  Error, blame(Temporary, Path, Error)),
-            removed(Temporary))
-    ).
-
-%   The path that File names, links followed, in a folder that exists.
-
-file_target(File, Path) :-
-    absolute_file_name(File, Absolute, [expand(false)]),
-    (   read_link(Absolute, _, Target)
-    ->  Path = Target
-    ;   Path = Absolute
+    folder_there(File),
+    (   written_in_place(File)
+    ->  Where = in_place
+    ;   Where = apart
     ),
-    file_directory_name(Path, Folder),
+    setup_call_catcher_cleanup(
+        opened(Where, File, Id, Out),
+        ( catch(filled(Out, Type, Goal), Error, blame(File, Error)),
+          complete(Id, File)
+        ),
+        How,
+        left(How, Id, Out)).
+
+folder_there(File) :-
+    file_directory_name(File, Folder),
     (   exists_directory(Folder)
     ->  true
     ;   throw(error(existence_error(directory, Folder),
                     context(sg_output:writing/3, _)))
-    ),
-    (   exists_directory(Path)
-    ->  throw(error(permission_error(write, directory, Path),
-                    context(sg_output:writing/3, _)))
-    ;   exists_file(Path),
-        \+ access_file(Path, write)
-    ->  throw(error(cannot_write(Path, permission), _))
-    ;   true
     ).
 
-written_in_place(Path) :-
-    access_file(Path, exist),
-    \+ exists_file(Path).
+%   Devices and pipes, and the scratch files of copied_to/3.
 
-%   A name in the same folder that no other run, thread or call has: renaming
-%   does not cross file systems.
+written_in_place(File) :-
+    pending(Items),
+    Items \== none,
+    memberchk(scratch(_, File, _), Items),
+    !.
+written_in_place(File) :-
+    device_file(File).
 
-beside(Path, Temporary) :-
-    file_directory_name(Path, Folder),
-    file_base_name(Path, Base),
-    current_prolog_flag(pid, Pid),
-    flag(sg_output_file, N, N+1),
-    format(atom(Name), '.~w.~d-~d', [Base, Pid, N]),
-    directory_file_path(Folder, Name, Temporary).
+opened(in_place, File, none, Out) :-
+    catch(open(File, write, Out, [type(binary)]), Error, blame(File, Error)).
+opened(apart, File, Id, Out) :-
+    atomic_open(File, Id, Out).
 
 %   A full disk shows at the latest when the stream is closed, so it is closed
 %   before the file counts as written.
 
-written(Path, Type, Goal) :-
-    stream_options(Type, Options),
-    setup_call_cleanup(
-        open(Path, write, Out, Options),
-        ( once(call(Goal, Out)),
-          close(Out)
-        ),
-        closed(Out)).
+filled(Out, Type, Goal) :-
+    stream_type(Type, Out),
+    once(call(Goal, Out)),
+    atomic_sync(Out),
+    close(Out).
 
-stream_options(text, [encoding(utf8), newline(posix)]).
-stream_options(binary, [type(binary)]).
+stream_type(binary, _).
+stream_type(text, Out) :-
+    set_stream(Out, type(text)),
+    set_stream(Out, encoding(utf8)),
+    set_stream(Out, newline(posix)).
 
-closed(Out) :-
+complete(none, _) :-
+    !.
+complete(Id, File) :-
+    pending(Items),
+    (   Items == none
+    ->  placed([file(Id, File)])
+    ;   pended(file(Id, File))
+    ).
+
+left(exit, _, _) :-
+    !.
+left(_, Id, Out) :-
     (   is_stream(Out)
     ->  close(Out, [force(true)])
     ;   true
+    ),
+    (   Id == none
+    ->  true
+    ;   forgotten(Id)
     ).
 
-removed(Temporary) :-
-    (   exists_file(Temporary)
-    ->  delete_file(Temporary)
+forgotten(Id) :-
+    atomic_drop(Id),
+    pending(Items),
+    (   Items \== none,
+        selectchk(file(Id, _), Items, Rest)
+    ->  nb_setval(sg_output_pending, Rest)
     ;   true
     ).
 
+
+                /*******************************
+                *           TOGETHER           *
+                *******************************/
+
+%!  files_together(:Goal) is semidet.
+%
+%   Call Goal once. The files that it writes by writing/3 and copied_to/3
+%   appear when it has succeeded, all of them; if it fails or raises, or one of
+%   them cannot be put in its place, all files are as they were. Inside of
+%   another one it is just once/1.
+
+files_together(Goal) :-
+    pending(Items),
+    Items \== none,
+    !,
+    once(Goal).
+files_together(Goal) :-
+    setup_call_cleanup(
+        nb_setval(sg_output_pending, []),
+        ( once(Goal),
+          all_placed
+        ),
+        all_dropped).
+
+%!  when_written(:Goal) is semidet.
+%
+%   Call Goal, once, when the files of files_together/1 are there; at once
+%   outside of it.
+
+when_written(Goal) :-
+    pending(Items),
+    (   Items == none
+    ->  once(Goal)
+    ;   pended(said(Goal))
+    ).
+
+%!  copied_to(+Target, +Ending, :Goal) is semidet.
+%
+%   Call Goal with one more argument, the name of a file with this Ending, once.
+%   What it wrote there is copied, when all is complete, to Target: a device, a
+%   pipe, or `-`, standard output.
+
+copied_to(Target, Ending, Goal) :-
+    files_together(sg_output:scratch_written(Target, Ending, Goal)).
+
+scratch_written(Target, Ending, Goal) :-
+    atom_concat('.', Ending, Dotted),
+    atomic_scratch(Dotted, Id, File),
+    pended(scratch(Id, File, Target)),
+    call(Goal, File).
+
+%   pending(Items): what waits for its place in this thread, the last first;
+%   `none` outside of files_together/1.
+
+pending(Items) :-
+    (   nb_current(sg_output_pending, Items0)
+    ->  Items = Items0
+    ;   Items = none
+    ).
+
+pended(Item) :-
+    nb_getval(sg_output_pending, Items),
+    nb_setval(sg_output_pending, [Item|Items]).
+
+%   Pipes and devices go first: they may refuse, and nothing takes back what
+%   they took.
+
+all_placed :-
+    pending(Items0),
+    reverse(Items0, Items),
+    forall(member(scratch(_, File, Target), Items), copied(File, Target)),
+    findall(file(Id, File), member(file(Id, File), Items), Files),
+    placed(Files),
+    forall(member(said(Goal), Items), Goal).
+
+placed(Files) :-
+    findall(Id, member(file(Id, _), Files), Ids),
+    atomic_commit(Ids, Result),
+    (   Result = failed(I, Why)
+    ->  nth0(I, Files, file(_, File)),
+        throw(error(cannot_write(File, Why), _))
+    ;   true
+    ).
+
+all_dropped :-
+    pending(Items),
+    nb_setval(sg_output_pending, none),
+    maplist(dropped, Items).
+
+dropped(file(Id, _)) :-
+    atomic_drop(Id).
+dropped(scratch(Id, _, _)) :-
+    atomic_drop(Id).
+dropped(said(_)).
+
+copied(File, -) :-
+    !,
+    set_stream(user_output, type(binary)),
+    copied_bytes(File, user_output),
+    flush_output(user_output).
+copied(File, Target) :-
+    catch(setup_call_cleanup(
+              open(Target, write, Out, [type(binary)]),
+              ( copied_bytes(File, Out),
+                close(Out)
+              ),
+              left(copy, none, Out)),
+          Error, blame(Target, Error)).
+
+copied_bytes(File, Out) :-
+    setup_call_cleanup(
+        open(File, read, In, [type(binary)]),
+        copy_stream_data(In, Out),
+        close(In)).
+
 %   Raise Error again, about the file that was asked for.
 
-blame(Temporary, Path, error(Formal0, Context)) :-
-    nonvar(Formal0),
-    blamed(Formal0, Temporary, Path, Formal),
+blame(File, error(Formal, Context)) :-
+    nonvar(Formal),
+    blamed(Formal, File, Context, Why),
     !,
-    throw(error(Formal, Context)).
-blame(_, _, Error) :-
+    throw(error(cannot_write(File, Why), _)).
+blame(_, Error) :-
     throw(Error).
 
-blamed(io_error(write, _), _, Path, io_error(write, Path)).
-blamed(permission_error(_, _, Temporary), Temporary, Path,
-       cannot_write(Path, permission)).
-blamed(existence_error(_, Temporary), Temporary, Path,
-       cannot_write(Path, permission)).
+blamed(io_error(write, _), _, Context, Why) :-
+    (   nonvar(Context),
+        Context = context(_, Text),
+        nonvar(Text)
+    ->  (   full(Text, Why0)
+        ->  Why = Why0
+        ;   Why = Text
+        )
+    ;   Why = error
+    ).
+blamed(permission_error(open, source_sink, File), File, _, permission).
+
+full('No space left on device', full).
+full('Disk quota exceeded', full).
+full('File too large', too_large).

@@ -12,6 +12,7 @@
 :- use_module('../language', [language/1]).
 :- use_module('../message/messages', []).
 :- use_module('../message/messages_ko', []).
+:- use_module('../output', [files_together/1]).
 :- use_module('../progress', [with_progress/1]).
 :- use_module('../model/solid_file', [output_statistics/1]).
 :- use_module('../penetration/resolve', [refusing_tight_moves/1]).
@@ -235,8 +236,17 @@ verb_watched(Verb, Files, Options, Status) :-
     option(rules(Rules), Options, []),
     maplist(use_rules, Rules),
     (   ( Verb == repl ; option(quiet(true), Options) )
+    ->  verb_whole(Verb, Files, Options, Status)
+    ;   with_progress(verb_whole(Verb, Files, Options, Status))
+    ).
+
+%   verb_whole(Verb, Files, Options, Status): the files of a verb appear
+%   together, those of goals one by one.
+
+verb_whole(Verb, Files, Options, Status) :-
+    (   memberchk(Verb, [repl,query])
     ->  verb_run(Verb, Files, Options, Status)
-    ;   with_progress(verb_run(Verb, Files, Options, Status))
+    ;   files_together(verb_run(Verb, Files, Options, Status))
     ).
 
 %   measured(Options, Start): what --timings and --stats ask for, also after

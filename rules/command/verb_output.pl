@@ -1,12 +1,15 @@
 :- module(sg_verb_output,
           [ some_files/2,               % +Files, +What
             outputs/3,                  % +Options, +Formats, -Outputs
-            folder_exists/1,            % +File
+            may_be_written/1,           % +File
+            no_file/1,                  % +File
             some_outputs/1,             % +Outputs
             no_model_replaced/2,        % +Files, +Outputs
             output_written/2,           % :Writer, +Output
             usage_error/1               % +What
           ]).
+:- use_module('../kernel', [device_file/1]).
+:- use_module('../output', [copied_to/3, when_written/1]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/3]).
@@ -30,7 +33,7 @@ usage_error(What) :-
 %!  outputs(+Options, +Formats, -Outputs) is det.
 %
 %   Outputs is output(File, Format) of every -o, the ending checked before any
-%   work is done; the first of Formats is the default of standard output.
+%   work is done; the first of Formats is the default of what has no ending.
 %
 %   @error usage_error(ending(File, Formats)), usage_error(no_folder(Folder))
 
@@ -40,27 +43,53 @@ outputs(Options, Formats, Outputs) :-
     option(format(Default), Options, First),
     maplist(output(Formats, Default), Files, Outputs).
 
-output(_, Default, -, output(-, Default)) :-
-    !.
-output(Formats, _, File, output(File, Format)) :-
+output(Formats, Default, File0, output(File, Format)) :-
+    output_name(File0, File),
     file_name_extension(_, Ending, File),
-    downcase_atom(Ending, Format),
-    (   memberchk(Format, Formats)
-    ->  folder_exists(File)
+    downcase_atom(Ending, Format0),
+    (   memberchk(Format0, Formats),
+        File \== (-)
+    ->  Format = Format0,
+        may_be_written(File)
+    ;   no_file(File)
+    ->  Format = Default
     ;   usage_error(ending(File, Formats))
     ).
 
-%!  folder_exists(+File) is det.
-%
-%   A missing folder is found out before the work, not after it.
-%
-%   @error usage_error(no_folder(Folder))
+%   output_name(File0, File): standard output has many names. Written by one of
+%   these, a file that it was sent to would lose what is in it.
 
-folder_exists(File) :-
+output_name(File0, File) :-
+    (   memberchk(File0, ['/dev/stdout','/dev/fd/1','/proc/self/fd/1'])
+    ->  File = (-)
+    ;   File = File0
+    ).
+
+%!  no_file(+File) is semidet.
+%
+%   True of what is written as a stream: standard output (`-`), a device, a
+%   pipe.
+
+no_file(-) :-
+    !.
+no_file(File) :-
+    device_file(File).
+
+%!  may_be_written(+File) is det.
+%
+%   What is in the way of File is found out before the work, not after it.
+%
+%   @error usage_error(no_folder(Folder)), cannot_write(File, Why)
+
+may_be_written(File) :-
     file_directory_name(File, Folder),
-    (   exists_directory(Folder)
+    (   \+ exists_directory(Folder)
+    ->  usage_error(no_folder(Folder))
+    ;   exists_directory(File)
+    ->  throw(error(cannot_write(File, directory), _))
+    ;   access_file(File, write)
     ->  true
-    ;   usage_error(no_folder(Folder))
+    ;   throw(error(cannot_write(File, permission), _))
     ).
 
 %!  some_outputs(+Outputs) is det.
@@ -93,27 +122,13 @@ no_model_replaced(Files, Outputs) :-
 
 %!  output_written(:Writer, +Output) is det.
 %
-%   Writer gets a file name with the ending of the format. Standard output gets
-%   the bytes of a temporary file, so every writer knows files only.
+%   Writer gets a file name with the ending of the format. What is no file gets
+%   the bytes of a temporary one, so every writer knows files only.
 
-output_written(Writer, output(-, Format)) :-
+output_written(Writer, output(File, Format)) :-
+    no_file(File),
     !,
-    setup_call_cleanup(
-        tmp_file_stream(File, Temporary,
-                        [encoding(binary), extension(Format)]),
-        ( close(Temporary),
-          call(Writer, File),
-          copied_out(File)
-        ),
-        delete_file(File)).
+    copied_to(File, Format, Writer).
 output_written(Writer, output(File, _)) :-
     call(Writer, File),
-    print_message(informational, sanggwan(wrote(File))).
-
-copied_out(File) :-
-    set_stream(user_output, type(binary)),
-    setup_call_cleanup(
-        open(File, read, In, [type(binary)]),
-        copy_stream_data(In, user_output),
-        close(In)),
-    flush_output(user_output).
+    when_written(print_message(informational, sanggwan(wrote(File)))).

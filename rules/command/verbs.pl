@@ -18,6 +18,7 @@
 :- use_module('../picture/hidden_lines', [picture/1]).
 :- use_module('../picture/role', [usual_crease/1]).
 :- use_module(lines_out, [write_lines/2, line_format/1]).
+:- use_module('../output', [when_written/1]).
 :- use_module('../penetration/chain', [chain/5, chain_length/2]).
 :- use_module('../model/model',
               [load_model/1, load_model/2, save_model/1, save_model/2]).
@@ -277,7 +278,7 @@ draw(File, Options) :-
                      turn_up(Axis),
                      sheet_made(Options, Full, Lines, Drawing) )),
     drawing_output([drawing(Drawing)|Options], File),
-    print_message(informational, sanggwan(wrote(File))).
+    when_written(print_message(informational, sanggwan(wrote(File)))).
 draw(File, Options) :-
     findall(Goal, ( member(Option, Options), view_goal(Option, Goal) ), Eye),
     operand_lines(Lines),
@@ -285,7 +286,7 @@ draw(File, Options) :-
     with_up(Axis, sg_verbs:pictured(Lines, Options, Eye, Options)),
     said_if_nothing_drawn,
     drawing_output(Options, File),
-    print_message(informational, sanggwan(wrote(File))).
+    when_written(print_message(informational, sanggwan(wrote(File)))).
 
 view_goal(view(Name), set_view(Name)).
 view_goal(view(Theta, Phi), set_view(Theta, Phi, 0)).

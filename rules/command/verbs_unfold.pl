@@ -12,6 +12,7 @@
 :- use_module('../model/model_text',
               [open_model_text/2, close_model_text/1, next_fact/3,
                place_error/3]).
+:- use_module('../output', [when_written/1]).
 :- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
 :- use_module('../pattern/pattern_file', [numbered_files/3, write_pattern/4]).
 :- use_module('../pattern/pattern_paper', [paper_checked/1]).
@@ -35,8 +36,8 @@
 :- use_module(unfold_report, [unfold_report/2]).
 :- use_module('../unfolding/unfold_true', [true_patterns/4]).
 :- use_module(verb_output,
-              [ some_files/2, outputs/3, folder_exists/1, no_model_replaced/2,
-                output_written/2, usage_error/1
+              [ some_files/2, outputs/3, may_be_written/1, no_model_replaced/2,
+                no_file/1, output_written/2, usage_error/1
               ]).
 :- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [append/2, append/3, last/2, member/2]).
@@ -91,7 +92,7 @@ roots_apart(Options) :-
 
 table_output(Options, Tables) :-
     (   option(table(File), Options)
-    ->  folder_exists(File),
+    ->  ( File == (-) -> true ; may_be_written(File) ),
         Tables = [output(File, csv)]
     ;   Tables = []
     ).
@@ -415,11 +416,10 @@ tables_written(Options, Ds) :-
     ).
 
 table_written(Unit, D, File) :-
-    stage(write, write_true_lengths(D, File, [unit(Unit)])),
-    (   File == (-)
-    ->  true
-    ;   print_message(informational, sanggwan(wrote(File)))
-    ).
+    output_written(sg_verbs_unfold:table_output(Unit, D), output(File, csv)).
+
+table_output(Unit, D, File) :-
+    stage(write, write_true_lengths(D, File, [unit(Unit)])).
 
 %   sheets_once(Options0, Ds, Outputs, Options): several drawings have the same
 %   sheets; they are laid out once, with what there is to say of them.
@@ -440,12 +440,12 @@ on_sheets(Format) :-
 
 written_to(Options, Ds, Output) :-
     Output = output(File, Format),
-    (   File == (-)
-    ->  output_written(sg_verbs_unfold:pattern_output(Options, Ds), Output)
-    ;   is_drawing(Format)
+    (   is_drawing(Format),
+        \+ no_file(File)
     ->  drawn(Options, Ds, File, Files),
         forall(member(Name, Files),
-               print_message(informational, sanggwan(wrote(Name))))
+               when_written(print_message(informational,
+                                          sanggwan(wrote(Name)))))
     ;   output_written(sg_verbs_unfold:pattern_output(Options, Ds), Output)
     ).
 
@@ -469,8 +469,7 @@ pattern_output(Options, Ds, File) :-
     ;   drawn(Options, Ds, File, Files),
         (   Files = [_]
         ->  true
-        ;   maplist(delete_file, Files),
-            length(Files, N),
+        ;   length(Files, N),
             usage_error(unfold(several_sheets(N)))
         )
     ).

@@ -12,8 +12,15 @@
             boundary_counts/2,        % +Boundary, -Counts
             boundary_meetings/4,      % +Boundary, +All, +Exact, -Meetings
             boundary_add/2,           % +Boundary, +S
-            boundary_write/5          % +Boundary, +Stream, +Format, +Names,
+            boundary_write/5,         % +Boundary, +Stream, +Format, +Names,
                                       % -Result
+            % atomic_file4pl.c
+            atomic_open/3,            % +File, -Id, -Stream
+            atomic_scratch/3,         % +Ending, -Id, -File
+            atomic_sync/1,            % +Stream
+            atomic_commit/2,          % +Ids, -Result
+            atomic_drop/1,            % +Id
+            device_file/1             % +File
           ]).
 
 /** <module> Meshes and solids, from files and to them.
@@ -96,3 +103,43 @@ Foreign predicates; see kernel.pl.
 %!  boundary_write(+Boundary, +Stream, +Format, +Names, -Result) is det.
 %
 %   As mesh_write/5.
+
+/* - - - atomic_file4pl.c - - - */
+
+%!  atomic_open(+File, -Id:integer, -Stream) is det.
+%
+%   Stream, which is binary, writes what File is after atomic_commit/2 of Id:
+%   beside File, under a name that nobody can guess. See engine/atomic_file.h.
+%
+%   @error cannot_write(File, Why): Why is `permission`, `no_folder`,
+%   `directory`, `full`, `too_large`, `long_name`, `links` (in a circle), or
+%   words of the system
+
+%!  atomic_scratch(+Ending, -Id:integer, -File) is det.
+%
+%   File is an empty file that ends in Ending, in the folder for temporary
+%   files. It vanishes with atomic_drop/1 of Id, or when the process ends.
+%
+%   @error cannot_write(Ending, Why)
+
+%!  atomic_sync(+Stream) is det.
+%
+%   What was written to Stream is on the disk.
+%
+%   @error io_error(write, Stream)
+
+%!  atomic_commit(+Ids:list(integer), -Result) is det.
+%
+%   Put the files of atomic_open/3 in their places, all of them or none. Result
+%   is `done`, or failed(I, Why): the file number I of the list, from 0, could
+%   not be put there; Why as above. Then they still wait.
+
+%!  atomic_drop(+Id:integer) is det.
+%
+%   Forget the file of Id and delete what was written of it; nothing if it has
+%   been put in its place.
+
+%!  device_file(+File) is semidet.
+%
+%   True of a device, a pipe, a socket, links followed: what is there, but
+%   neither a file nor a folder.

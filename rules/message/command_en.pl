@@ -85,6 +85,27 @@ command_en(cannot_write(File, permission)) -->
 command_en(cannot_write(output, Why)) -->
     [ 'the result cannot be written: ~w'-[Why], nl,
       '  Make room, or send it elsewhere.' ].
+command_en(cannot_write(File, no_folder)) -->
+    [ '~w: there is no folder for the result'-[File], nl,
+      '  Make it first; of a link it is that of what the link names.' ].
+command_en(cannot_write(File, directory)) -->
+    [ '~w is a folder; the result is a file'-[File], nl,
+      '  Give the result another name.' ].
+command_en(cannot_write(File, full)) -->
+    [ '~w cannot be written: the disk is full'-[File], nl,
+      '  Make room, or send it elsewhere. Nothing was written.' ].
+command_en(cannot_write(File, too_large)) -->
+    [ '~w cannot be written: the system allows no file so large'-[File], nl,
+      '  Raise the limit (ulimit -f), or write less. Nothing was written.' ].
+command_en(cannot_write(File, long_name)) -->
+    [ '~w: the name is too long for a file'-[File], nl,
+      '  Most systems take 255 bytes, and 4,095 with the folders.' ].
+command_en(cannot_write(File, links)) -->
+    [ '~w is a link that leads back to itself'-[File], nl,
+      '  Remove it, or give the result another name.' ].
+command_en(cannot_write(File, Why)) -->
+    [ '~w cannot be written: ~w'-[File, Why], nl,
+      '  Give the result another place.' ].
 command_en(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ 'there is no segment ~w, only ~w'-[S, All] ].

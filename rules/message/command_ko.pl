@@ -86,6 +86,28 @@ command_ko(cannot_write(File, permission)) -->
 command_ko(cannot_write(output, Why)) -->
     [ '결과를 쓸 수 없습니다: ~w'-[Why], nl,
       '  자리를 만들거나 다른 곳으로 보내십시오.' ].
+command_ko(cannot_write(File, no_folder)) -->
+    [ '~w: 결과를 둘 폴더가 없습니다'-[File], nl,
+      '  먼저 만드십시오. 링크라면 링크가 가리키는 폴더입니다.' ].
+command_ko(cannot_write(File, directory)) -->
+    [ '~w 은(는) 폴더이며, 결과는 파일입니다'-[File], nl,
+      '  결과에 다른 이름을 주십시오.' ].
+command_ko(cannot_write(File, full)) -->
+    [ '~w 을(를) 쓸 수 없습니다: 디스크가 가득 찼습니다'-[File], nl,
+      '  자리를 만들거나 다른 곳으로 보내십시오. 아무것도 쓰지 않았습니다.' ].
+command_ko(cannot_write(File, too_large)) -->
+    [ '~w 을(를) 쓸 수 없습니다: 시스템이 그렇게 큰 파일을 허용하지 않습니다'-[File],
+      nl,
+      '  제한을 높이거나(ulimit -f) 더 적게 쓰십시오. 아무것도 쓰지 않았습니다.' ].
+command_ko(cannot_write(File, long_name)) -->
+    [ '~w: 파일 이름이 너무 깁니다'-[File], nl,
+      '  대부분의 시스템에서 255바이트, 폴더를 합해 4,095바이트까지입니다.' ].
+command_ko(cannot_write(File, links)) -->
+    [ '~w 은(는) 자기 자신으로 돌아오는 링크입니다'-[File], nl,
+      '  링크를 지우거나 결과에 다른 이름을 주십시오.' ].
+command_ko(cannot_write(File, Why)) -->
+    [ '~w 을(를) 쓸 수 없습니다: ~w'-[File, Why], nl,
+      '  결과를 다른 곳에 두십시오.' ].
 command_ko(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ '세그먼트 ~w 은(는) 없습니다. 있는 것: ~w'-[S, All] ].

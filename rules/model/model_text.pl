@@ -9,6 +9,7 @@
             place_error/3,              % +Place, +Argument, +What
             model_float/2               % +Value, -Float
           ]).
+:- use_module('../kernel', [atomic_scratch/3]).
 :- use_module('../store', [relation/3, relation_column/5, column_domain/3]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [member/2]).
@@ -54,9 +55,12 @@ distance, atom, text, ground and one_of(Values); model_file.pl adds its own.
 open_model_text(-, Text) :-
     !,
     Text = text('<stdin>', Copy, Stream),
-    tmp_file_stream(Copy, Out, [encoding(binary), extension(pl)]),
+    atomic_scratch('.pl', _, Copy),
     set_stream(user_input, type(binary)),
-    call_cleanup(copy_stream_data(user_input, Out), close(Out)),
+    setup_call_cleanup(
+        open(Copy, write, Out, [type(binary)]),
+        copy_stream_data(user_input, Out),
+        close(Out)),
     open(Copy, read, Stream, [encoding(utf8)]),
     asserta(decoding(Stream, '<stdin>')).
 open_model_text(File, text(File, File, Stream)) :-

@@ -5,7 +5,7 @@
 :- use_module('../drawing/drawing', [write_drawing/2]).
 :- use_module(fold_file, [write_fold/3]).
 :- use_module('../drawing/ink', [inked/3]).
-:- use_module('../output', [writing/3]).
+:- use_module('../output', [files_together/1, writing/3]).
 :- use_module(pattern_drawing, [pattern_drawing/3]).
 :- use_module('../drawing/pdf', [write_pdf_pages/3]).
 :- use_module('../store', [joint/6]).
@@ -49,12 +49,13 @@ format_written(pdf, File, _, Drawings, Options, [File]) :-
 format_written(_, File, Ds, Drawings, Options, Files) :-
     edge_joints(Ds, Joints),
     numbered_files(Drawings, File, Files),
-    forall(nth1(I, Drawings, Drawing),
-           ( nth1(I, Files, Name),
-             write_drawing(Name, [ drawing(Drawing), joints(Joints),
-                                   order(kept)
-                                 | Options
-                                 ]) )).
+    files_together(maplist(drawing_written([ joints(Joints), order(kept)
+                                           | Options
+                                           ]),
+                           Drawings, Files)).
+
+drawing_written(Options, Drawing, File) :-
+    write_drawing(File, [drawing(Drawing)|Options]).
 
 inked_by(Options, Drawing, Inked) :-
     inked(Drawing, Options, Inked).

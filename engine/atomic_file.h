@@ -1,0 +1,42 @@
+/* atomic_file.h -- files that appear whole, several at once, or not at all.
+ *
+ * Layer: engine; no Prolog. A file is written under a name that nobody can
+ * guess, beside the one that it is to have. When it is complete, the two change
+ * places in one step. Errors are values of errno, 0 is success. Any thread may
+ * call any of these at any time.
+ */
+#ifndef SG_ATOMIC_FILE_H
+#define SG_ATOMIC_FILE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Opens for writing what `path` will be when sg_atomic_commit() has been given
+ * *id; *fd is the caller's to close. The new file gets the owner, the mode and
+ * the access list of the file that is there. Links are followed as open() does.
+ * EISDIR: a folder; EACCES, EROFS, EPERM: it may not be written; ELOOP: links
+ * in a circle, or somebody else's link in a folder that all may write;
+ * ENOENT: there is no such
+ * folder; EXDEV: neither a regular file nor a new one. */
+int sg_atomic_open(const char *path, uint64_t *id, int *fd);
+
+/* The same for a file that only this process reads, in the folder for temporary
+ * files; it ends in `ending` and vanishes with sg_atomic_drop(). *path is its
+ * name, to free(). */
+int sg_atomic_scratch(const char *ending, uint64_t *id, char **path);
+
+/* Puts the n files, which are complete, in their places: all of them, and then
+ * they are gone from here, or none. After an error (*failed is the number of
+ * the file) what was there before is there again. A file with several hard
+ * links, or whose owner cannot be kept, keeps its inode: its content is
+ * replaced. */
+int sg_atomic_commit(const uint64_t *id, size_t n, size_t *failed);
+
+/* Forgets the file; what was written of it vanishes. */
+void sg_atomic_drop(uint64_t id);
+
+/* The same for all there are, and nothing is committed from now on: the process
+ * is about to be ended from outside. Waits for a commit that is under way. */
+void sg_atomic_end(void);
+
+#endif
