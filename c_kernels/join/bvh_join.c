@@ -10,7 +10,8 @@ enum {
   TASKS = 512,        /* pairs of nodes that are enough for all threads */
   SHARE = 16,         /* of them in a task */
   STEPS_ASKED = 4096, /* pairs of nodes between questions */
-  FEW = 1 << 17       /* boxes: threads would not be there in time */
+  FEW = 1 << 17,      /* boxes: threads would not be there in time */
+  FEW_ASKED = 1 << 11 /* the same, where each hit is asked about */
 };
 
 /* A group of nodes of each tree, some of which may overlap. */
@@ -38,6 +39,8 @@ typedef struct hit_list {
 typedef struct joiner {
   const sg_bvh_pair *pair;
   double reach;
+  sg_bvh_wants *wants; /* null: all are wanted */
+  void *data;
   groups *front; /* [fronts]: what the tasks begin with, in order */
   size_t fronts;
   hit_list *found; /* [tasks] */
@@ -45,6 +48,7 @@ typedef struct joiner {
 
 /* One task's descent. */
 typedef struct descent {
+  const joiner *join;
   frames frames;
   uint32_t pair;
   unsigned steps;
@@ -168,6 +172,14 @@ add_hit(hit_list *list, sg_bvh_hit hit)
 
 /* ---- descending ---- */
 
+static void
+take_hit(descent *d, sg_bvh_hit hit)
+{
+  if (!d->join->wants || d->join->wants(d->join->data, &hit)) {
+    add_hit(d->found, hit);
+  }
+}
+
 static void descend(descent *d, const groups *at);
 
 /* Lane k of group i meets the lanes `bits` of group j. */
@@ -178,9 +190,8 @@ go_on(descent *d, const groups *at, int k, unsigned bits)
     int l = __builtin_ctz(bits);
 
     if (at->level_i == 0 && at->level_j == 0) {
-      add_hit(d->found,
-              (sg_bvh_hit){d->pair, at->i * SG_BVH_WIDTH + (uint32_t)k,
-                           at->j * SG_BVH_WIDTH + (uint32_t)l});
+      take_hit(d, (sg_bvh_hit){d->pair, at->i * SG_BVH_WIDTH + (uint32_t)k,
+                               at->j * SG_BVH_WIDTH + (uint32_t)l});
       continue;
     }
     groups below = groups_below(at, k, l);
@@ -218,7 +229,7 @@ static void
 do_share(void *data, size_t task)
 {
   joiner *join = data;
-  descent d = {.found = &join->found[task]};
+  descent d = {.join = join, .found = &join->found[task]};
   size_t end = (task + 1) * SHARE;
 
   end = end < join->fronts ? end : join->fronts;
@@ -341,21 +352,29 @@ collect(const joiner *join, size_t tasks, sg_bvh_hits *out)
 
 /* Whether the caller alone does the join: it is small. */
 static bool
-is_small(const sg_bvh_pair *pair, size_t n)
+is_small(const joiner *join, size_t n)
 {
-  size_t boxes = 0;
+  size_t boxes = 0, few = join->wants ? FEW_ASKED : FEW;
 
-  for (size_t k = 0; k < n && boxes < FEW; k++) {
-    boxes += pair[k].a->n + pair[k].b->n;
+  for (size_t k = 0; k < n && boxes < few; k++) {
+    boxes += join->pair[k].a->n + join->pair[k].b->n;
   }
-  return boxes < FEW;
+  return boxes < few;
 }
 
 bool
 sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
             const sg_poll *poll, sg_bvh_hits *out)
 {
-  joiner join = {.pair = pair, .reach = reach};
+  return sg_bvh_join_wanted(pair, n, reach, NULL, NULL, crew, poll, out);
+}
+
+bool
+sg_bvh_join_wanted(const sg_bvh_pair *pair, size_t n, double reach,
+                   sg_bvh_wants *wants, void *data, sg_crew *crew,
+                   const sg_poll *poll, sg_bvh_hits *out)
+{
+  joiner join = {.pair = pair, .reach = reach, .wants = wants, .data = data};
   group_list front = {0};
   bool grew = true, good = add_tops(&join, n, &front);
 
@@ -369,7 +388,7 @@ sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
   join.fronts = front.n;
   join.found = calloc(tasks + 1, sizeof *join.found);
   good = good && join.found &&
-         sg_crew_run(is_small(pair, n) ? NULL : crew, tasks, do_share, &join,
+         sg_crew_run(is_small(&join, n) ? NULL : crew, tasks, do_share, &join,
                      poll) &&
          collect(&join, tasks, out);
   for (size_t k = 0; join.found && k < tasks; k++) {

@@ -35,4 +35,13 @@ typedef struct sg_bvh_hits {
 bool sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
                  const sg_poll *poll, sg_bvh_hits *out);
 
+/* Whether a hit is wanted. Called by any thread of the crew, several at a time;
+ * the answer may depend on the hit alone. */
+typedef bool sg_bvh_wants(void *data, const sg_bvh_hit *hit);
+
+/* The same, but for those that nobody wants: they take no memory. */
+bool sg_bvh_join_wanted(const sg_bvh_pair *pair, size_t n, double reach,
+                        sg_bvh_wants *wants, void *data, sg_crew *crew,
+                        const sg_poll *poll, sg_bvh_hits *out);
+
 #endif

@@ -110,6 +110,27 @@ fill_some_boxes(const void *data, size_t begin, size_t end, sg_box *out)
   }
 }
 
+/* Of two triangles that are both asked, the hit that is left out. */
+static bool
+is_second(const joiner *j, uint32_t t, uint32_t u)
+{
+  return j->some && (t == u || (t > u && j->changed[t] && j->changed[u]));
+}
+
+/* Most boxes that overlap are those of neighbours that have nothing else in
+ * common. */
+static bool
+may_meet(void *data, const sg_bvh_hit *hit)
+{
+  const joiner *j = data;
+  uint32_t t = (j->some ? j->some_tree : j->tree)->item[hit->a];
+  uint32_t u = j->tree->item[hit->b];
+
+  return !is_second(j, t, u) &&
+         sg_self_may_be_pair(&j->model, j->first + (int32_t)t,
+                             j->first + (int32_t)u);
+}
+
 static bool
 find_candidates(joiner *j, size_t vertices, sg_crew *crew, const sg_poll *poll)
 {
@@ -126,15 +147,8 @@ find_candidates(joiner *j, size_t vertices, sg_crew *crew, const sg_poll *poll)
   const sg_bvh *tree = j->some ? j->some_tree : j->tree;
 
   return j->tree && tree &&
-         sg_bvh_join(&(sg_bvh_pair){tree, j->tree}, 1, 0.0, crew, poll,
-                     &j->hits);
-}
-
-/* Of two triangles that are both asked, the hit that is left out. */
-static bool
-is_second(const joiner *j, uint32_t t, uint32_t u)
-{
-  return j->some && (t == u || (t > u && j->changed[t] && j->changed[u]));
+         sg_bvh_join_wanted(&(sg_bvh_pair){tree, j->tree}, 1, 0.0, may_meet, j,
+                            crew, poll, &j->hits);
 }
 
 static void
@@ -164,15 +178,13 @@ test_block(void *data, size_t task)
   end = end < j->hits.n ? end : j->hits.n;
   for (size_t i = task * BLOCK; i < end && !b->failed; i++) {
     const sg_bvh *tree = j->some ? j->some_tree : j->tree;
-    uint32_t one = tree->item[j->hits.hit[i].a];
-    uint32_t other = j->tree->item[j->hits.hit[i].b];
-    int32_t t = j->first + (int32_t)one, u = j->first + (int32_t)other;
+    int32_t t = j->first + (int32_t)tree->item[j->hits.hit[i].a];
+    int32_t u = j->first + (int32_t)j->tree->item[j->hits.hit[i].b];
     found item;
 
     item.meeting.t[0] = t < u ? t : u;
     item.meeting.t[1] = t < u ? u : t;
-    if (!is_second(j, one, other) &&
-        sg_self_pair(&j->model, item.meeting.t[0], item.meeting.t[1],
+    if (sg_self_pair(&j->model, item.meeting.t[0], item.meeting.t[1],
                      &item.meeting, &item.edge)) {
       keep(b, &item);
     }

@@ -3,10 +3,11 @@
 #include "polygon/flatness.h"
 #include "self_pair.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { BLOCK = 4096 }; /* leaves or hits in a task */
+enum { BLOCK = 4096 }; /* leaves in a task */
 
 /* A leaf at hand: beside its neighbours in Morton order. */
 typedef struct leaf {
@@ -19,8 +20,9 @@ typedef struct joiner {
   const sg_leaf_views *views;
   double reach;
   leaf *leaf; /* [n], by place in the tree */
+  double tolerance;
+  atomic_bool met;
   sg_bvh_hits hits;
-  unsigned char *kept; /* [hits] */
 } joiner;
 
 static size_t
@@ -74,62 +76,60 @@ share_corner(const leaf *a, const leaf *b)
   return false;
 }
 
-static void
-test_block(void *data, size_t task)
+/* Whether two leaves may have more in common than they share. */
+static bool
+may_meet(void *data, const sg_bvh_hit *hit)
+{
+  const joiner *j = data;
+  const leaf *a = &j->leaf[hit->a], *b = &j->leaf[hit->b];
+  sg_self_two two;
+
+  if (a->p == b->p) {
+    return false;
+  }
+  set_two(a, b, &two);
+  return sg_self_may_meet(&two) || (j->reach > 0 && !share_corner(a, b));
+}
+
+/* Whether they go through each other; nobody need ask after one that does. */
+static bool
+goes_through(void *data, const sg_bvh_hit *hit)
 {
   joiner *j = data;
+  const leaf *a = &j->leaf[hit->a], *b = &j->leaf[hit->b];
+  sg_self_two two;
 
-  for (size_t i = task * BLOCK; i < end_of(task, j->hits.n); i++) {
-    const leaf *a = &j->leaf[j->hits.hit[i].a], *b = &j->leaf[j->hits.hit[i].b];
-    sg_self_two two;
-
-    if (i % 256 == 0 && sg_crew_stopping()) {
-      return;
-    }
-    if (a->p != b->p) {
-      set_two(a, b, &two);
-      j->kept[i] =
-          sg_self_may_meet(&two) || (j->reach > 0 && !share_corner(a, b));
-    }
+  if (a->p == b->p || atomic_load_explicit(&j->met, memory_order_relaxed)) {
+    return false;
   }
+  set_two(a, b, &two);
+  if (sg_self_may_meet(&two) && sg_self_goes_through(&two, j->tolerance)) {
+    atomic_store_explicit(&j->met, true, memory_order_relaxed);
+  }
+  return false;
 }
 
-/* Leaves in j->hits those that are kept. */
 static bool
-run(joiner *j, sg_crew *crew, const sg_poll *poll)
+has_none(const sg_leaf_tree *tree)
 {
-  const sg_bvh *boxes = j->tree->boxes;
-
-  if (boxes->n == 0 || j->tree->curve) {
-    return true;
-  }
-  j->leaf = calloc(boxes->n, sizeof *j->leaf);
-  if (!j->leaf || !sg_crew_run(crew, blocks(boxes->n), read_block, j, poll) ||
-      !sg_bvh_join(&(sg_bvh_pair){boxes, boxes}, 1, j->reach, crew, poll,
-                   &j->hits)) {
-    return false;
-  }
-  j->kept = calloc(j->hits.n + 1, 1);
-  if (!j->kept || !sg_crew_run(crew, blocks(j->hits.n), test_block, j, poll)) {
-    return false;
-  }
-  size_t n = 0;
-
-  for (size_t i = 0; i < j->hits.n; i++) {
-    if (j->kept[i]) {
-      j->hits.hit[n++] = j->hits.hit[i];
-    }
-  }
-  j->hits.n = n;
-  return true;
+  return tree->boxes->n == 0 || tree->curve;
 }
 
-static void
-clear(joiner *j)
+static bool
+read_leaves(joiner *j, sg_crew *crew, const sg_poll *poll)
 {
-  free(j->leaf);
-  free(j->kept);
-  free(j->hits.hit);
+  size_t n = j->tree->boxes->n;
+
+  j->leaf = calloc(n, sizeof *j->leaf);
+  return j->leaf && sg_crew_run(crew, blocks(n), read_block, j, poll);
+}
+
+static bool
+join(joiner *j, sg_bvh_wants *wants, sg_crew *crew, const sg_poll *poll)
+{
+  const sg_bvh_pair pair = {j->tree->boxes, j->tree->boxes};
+
+  return sg_bvh_join_wanted(&pair, 1, j->reach, wants, j, crew, poll, &j->hits);
 }
 
 bool
@@ -138,14 +138,11 @@ sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
                   sg_bvh_hits *out)
 {
   joiner j = {.tree = tree, .views = views, .reach = reach};
-  bool done = run(&j, crew, poll);
+  bool done = has_none(tree) ||
+              (read_leaves(&j, crew, poll) && join(&j, may_meet, crew, poll));
 
-  *out = (sg_bvh_hits){0};
-  if (done) {
-    *out = j.hits;
-    j.hits.hit = NULL;
-  }
-  clear(&j);
+  free(j.leaf);
+  *out = j.hits;
   return done;
 }
 
@@ -163,34 +160,19 @@ tolerance_of(const joiner *j, double grain)
   return flatness.any ? sg_flatness_flat(&flatness) : 0;
 }
 
-/* True when a hit goes through; false also when the poll said stop. */
-static bool
-any_goes_through(const joiner *j, double grain, const sg_poll *poll,
-                 bool *stopped)
-{
-  double tolerance = j->hits.n > 0 ? tolerance_of(j, grain) : 0;
-
-  *stopped = false;
-  for (size_t i = 0; i < j->hits.n && !*stopped; i++) {
-    sg_self_two two;
-
-    set_two(&j->leaf[j->hits.hit[i].a], &j->leaf[j->hits.hit[i].b], &two);
-    if (sg_self_may_meet(&two) && sg_self_goes_through(&two, tolerance)) {
-      return true;
-    }
-    *stopped = i % BLOCK == BLOCK - 1 && sg_poll_stop(poll);
-  }
-  return false;
-}
-
 bool
 sg_self_leaf_meets(const sg_leaf_tree *tree, const sg_leaf_views *views,
                    double grain, sg_crew *crew, const sg_poll *poll, bool *out)
 {
   joiner j = {.tree = tree, .views = views};
-  bool stopped = false, done = run(&j, crew, poll);
+  bool done = has_none(tree) || read_leaves(&j, crew, poll);
 
-  *out = done && any_goes_through(&j, grain, poll, &stopped);
-  clear(&j);
-  return done && !stopped;
+  if (done && j.leaf) {
+    j.tolerance = tolerance_of(&j, grain);
+    done = join(&j, goes_through, crew, poll);
+  }
+  free(j.leaf);
+  free(j.hits.hit);
+  *out = done && atomic_load(&j.met);
+  return done;
 }

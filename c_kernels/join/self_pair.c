@@ -106,8 +106,8 @@ apart_along(const pair *p, const double m[3])
       at_a += m[k] * (p->a[i][k] - p->a[0][k]);
       at_b += m[k] * (p->b[i][k] - p->a[0][k]);
     }
-    a[0] = fmin(a[0], at_a), a[1] = fmax(a[1], at_a);
-    b[0] = fmin(b[0], at_b), b[1] = fmax(b[1], at_b);
+    a[0] = at_a < a[0] ? at_a : a[0], a[1] = at_a > a[1] ? at_a : a[1];
+    b[0] = at_b < b[0] ? at_b : b[0], b[1] = at_b > b[1] ? at_b : b[1];
   }
   if (a[0] <= b[1] && b[0] <= a[1]) {
     return false;
@@ -120,14 +120,15 @@ apart_along(const pair *p, const double m[3])
   return is_between(p, a[0] > b[1] ? m : back, o);
 }
 
-/* Seen along the normal of a: across its edges and those of b; or, sharing a
- * corner, half way between an edge of a and one of b that leave it. */
+/* Seen along the normal of a, or of b: across its edges and those of b; or,
+ * sharing a corner, half way between an edge of a and one of b that leave it.
+ */
 static bool
-apart_in_plane(const pair *p)
+apart_in_plane(const pair *p, corners of)
 {
   double n[3], e[3], m[3];
 
-  sg_shape_normal((corners)p->a, n);
+  sg_shape_normal(of, n);
   for (int i = 0; p->n == 0 && i < 6; i++) {
     const double *from = i < 3 ? p->a[i] : p->b[i - 3];
     const double *to = i < 3 ? p->a[(i + 1) % 3] : p->b[(i - 2) % 3];
@@ -167,7 +168,8 @@ plainly_apart(const pair *p)
     m[k] = p->a[0][k] + p->a[1][k] + p->a[2][k] -
            (p->b[0][k] + p->b[1][k] + p->b[2][k]);
   }
-  return apart_along(p, m) || apart_in_plane(p);
+  return apart_along(p, m) || apart_in_plane(p, (corners)p->a) ||
+         apart_in_plane(p, (corners)p->b);
 }
 
 /* ---- sharing an edge, or all -------------------------------------------- */
@@ -422,6 +424,16 @@ sg_self_goes_through(const sg_self_two *p, double tolerance)
              SG_SELF_TOUCHING ||
          (how == SG_CUT_CROSSING && !sg_cut_is_point(cut) &&
           reaches_in(p, cut, tolerance));
+}
+
+bool
+sg_self_may_be_pair(const sg_self_model *model, int32_t a, int32_t b)
+{
+  pair p;
+
+  fill(model, a, p.a, p.a_at);
+  fill(model, b, p.b, p.b_at);
+  return sg_self_may_meet(&p);
 }
 
 bool

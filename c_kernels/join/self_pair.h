@@ -39,6 +39,9 @@ bool sg_self_may_meet(sg_self_two *two);
  * sg_self_may_meet(). */
 bool sg_self_goes_through(const sg_self_two *two, double tolerance);
 
+/* Whether sg_self_pair() need be asked of a and b: sg_self_may_meet(). */
+bool sg_self_may_be_pair(const sg_self_model *model, int32_t a, int32_t b);
+
 /* True if triangles a and b meet. Sets `kind` and `at`, not `t`. */
 bool sg_self_pair(const sg_self_model *model, int32_t a, int32_t b,
                   sg_self_meeting *out, sg_self_edge *edge);

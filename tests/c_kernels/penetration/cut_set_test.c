@@ -266,15 +266,15 @@ many_names(void)
     p = vertex_point(&set, 1, v);
   }
   CHECK("all are one point", good && p == vertex_point(&set, 2, 1));
-  CHECK("the first name", sg_cut_points_name(&set.points, p, 1) == 9);
+  CHECK("the first name", sg_cut_points_name(&set.points, p, 1) == 1);
   CHECK("of another segment", sg_cut_points_name(&set.points, p, 2) == 1 &&
                                   sg_cut_points_name(&set.points, p, 3) == 0);
   CHECK("the first good name",
         sg_cut_points_good_name(&set.points, p, 1, is_from, &a) == MANY - 1);
   CHECK("each asked about once at most", a.asked < MANY);
   CHECK("no good name: the first one",
-        sg_cut_points_good_name(&set.points, p, 1, is_this, &none) == 9);
-  CHECK("a seat each", set.points.point[p].seats == MANY - 8 + 1);
+        sg_cut_points_good_name(&set.points, p, 1, is_this, &none) == 1);
+  CHECK("a seat each", set.points.point[p].seats == MANY - 8 + 2);
   sg_cut_set_clear(&set);
 }
 
