@@ -14,7 +14,9 @@
             work_meeting/6,           % +Work, +V1, +V2, ?E, ?How, ?Inside
             work_candidate/4,         % +Work, +V1, +V2, ?V3
             work_triangulate/2,       % +Work, -Triangles
-            work_thicken/4            % +Work, +Edges, +Triangles0, -Triangles
+            work_thicken/4,           % +Work, +Edges, +Triangles0, -Triangles
+            % outline4pl.c
+            loops_are_sound/1         % +Loops
           ]).
 
 /** <module> The edges of one polygon as a scratch relation, which lines enter.
@@ -121,3 +123,12 @@ Foreign predicates; see kernel.pl.
 %   If one of Triangles0 is so thin that rounding may have turned it over,
 %   chords between them are turned: all sides but those of Edges, the V1-V2 that
 %   Work had. What may be turned is decided exactly.
+
+/* - - - outline4pl.c - - - */
+
+%!  loops_are_sound(+Loops:list) is semidet.
+%
+%   True when Loops, lists of three or more X-Y, of which no two that follow
+%   each other are equal, are an outline and its holes: no two edges have a
+%   point in common but neighbours the one between them, and each loop after
+%   the first is inside of the first and in no other. Exact.

@@ -1,6 +1,7 @@
 :- module(sg_outline,
           [ outline_loops/4             % +Outline, +Holes, +Term, -Loops
           ]).
+:- use_module('../kernel', [loops_are_sound/1]).
 :- use_module(primitive_argument, [primitive_error/2]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
@@ -22,8 +23,10 @@ A loop is a list of X-Y of floats. Every decision is exact (rationals).
 outline_loops(Outline, Holes, Term, [Loop|Loops]) :-
     named_holes(Holes, 1, Named),
     maplist(sound_loop(Term), [outline-Outline|Named]),
-    no_crossing([outline-Outline|Named], Term),
-    maplist(hole_place(Outline, Named, Term), Named),
+    (   loops_are_sound([Outline|Holes])
+    ->  true
+    ;   unsound([outline-Outline|Named], Term)
+    ),
     turned_to(1, Outline, Loop),
     maplist(turned_to(-1), Holes, Loops).
 
@@ -58,6 +61,16 @@ area2(Points, Area) :-
 
 trapezoid(X-Y, (X0-Y0)-Area0, (X-Y)-Area) :-
     Area is Area0 + rational(X0)*rational(Y) - rational(X)*rational(Y0).
+
+
+%   unsound(Loops, Term): raises what is wrong, first of all. It has no answer
+%   for sound loops: these are what loops_are_sound/1 is true of.
+
+unsound(Loops, Term) :-
+    Loops = [outline-Outline|Holes],
+    no_crossing(Loops, Term),
+    maplist(hole_place(Outline, Holes, Term), Holes),
+    fail.
 
 
                 /*******************************
