@@ -1,13 +1,15 @@
 /* Draws mutants: copies of a source file with one small change in one line.
 
        swipl -f none tools/mutants.pl -- SEED N FOLDER [PART...]
+       swipl -f none tools/mutants.pl -- TABLE.csv FOLDER
 
    Writes N changed files as FOLDER/1, FOLDER/2, ... and a row for each on
    standard output, separated by tabs: number, file, line, what stood there,
    what stands there now. The files are those of rules/, c_kernels/ and engine/
    (every other one a rule, the longer ones oftener), or those whose path has
    one of PART in it. In every third mutant something is gone; in the others
-   something is different. Same seed, same sources: same mutants.
+   something is different. Same seed, same sources: same mutants. Of a table of
+   results (tools/mutants) those are written that survived.
 
    What a change may be: a comparison, an operator of arithmetic or a constant
    becomes its neighbour; a condition is negated or dropped; a goal, a
@@ -15,11 +17,21 @@
    as they are.
 */
 :- module(sg_mutants, []).
+:- use_module(library(csv)).
 :- use_module(library(dcg/basics)).
 :- use_module(library(readutil)).
 
 :- initialization(main, main).
 
+main :-
+    current_prolog_flag(argv, [Table,Folder]),
+    !,
+    make_directory_path(Folder),
+    csv_read_file(Table, [Head|Rows], [convert(false)]),
+    Head =.. [_|Columns],
+    findall(Values, ( member(Row, Rows), survivor(Columns, Row, Values) ),
+            Survivors),
+    forall(nth1(I, Survivors, Values), written_again(Folder, I, Values)).
 main :-
     current_prolog_flag(argv, [Seed0,N0,Folder|Parts]),
     atom_number(Seed0, Seed),
@@ -28,6 +40,51 @@ main :-
     make_directory_path(Folder),
     maplist(source_files(Parts), [rules,c], Sources),
     draw_all(1, N, Folder, Sources, []).
+
+survivor(Columns, Row, [File,Line,Was,Became]) :-
+    Row =.. [_|Cells],
+    maplist(cell(Columns, Cells), [file,line,was,became,result],
+            [File,Line,Was,Became,Result]),
+    downcase_atom(Result, survived).
+
+cell(Columns, Cells, Name, Cell) :-
+    nth1(I, Columns, Name),
+    nth1(I, Cells, Cell),
+    !.
+
+%   What stood in the line may have moved: in the nearest line that has it.
+
+written_again(Folder, I, [File,Line1,Was,Became]) :-
+    atom_number(Line1, Line0),
+    read_file_to_string(File, Text, [encoding(utf8)]),
+    split_string(Text, "\n", "", Lines),
+    findall(Off-(Line-At),
+            ( nth1(Line, Lines, Own),
+              sub_string(Own, At, _, _, Was),
+              Off is abs(Line-Line0)
+            ),
+            Places),
+    (   keysort(Places, [_-(Line-At)|_])
+    ->  true
+    ;   format(user_error, '~w:~w: ~w is there no more~n', [File,Line0,Was]),
+        fail
+    ),
+    findall(L, ( nth1(K, Lines, Own), K < Line, string_length(Own, L0),
+                 L is L0+1 ), Ls),
+    sum_list(Ls, Before0),
+    Start is Before0+At,
+    atom_length(Was, Length),
+    sub_string(Text, 0, Start, _, Before),
+    From is Start+Length,
+    sub_string(Text, From, _, 0, Behind),
+    atomic_list_concat([Folder,/,I], Copy),
+    setup_call_cleanup(open(Copy, write, Out, [encoding(utf8)]),
+                       format(Out, '~w~w~w', [Before,Became,Behind]),
+                       close(Out)),
+    atomic_list_concat([I,File,Line,Was,Became], '\t', Row),
+    writeln(Row),
+    !.
+written_again(_, _, _).
 
 draw_all(I, N, _, _, _) :-
     I > N,

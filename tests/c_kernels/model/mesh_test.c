@@ -583,9 +583,40 @@ test_stop(void)
                      error.code == SG_MESH_STOPPED);
 }
 
+/* What is valid: each fault alone makes a mesh invalid. */
+static void
+test_valid(void)
+{
+  const char *text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n";
+
+  CHECK("a triangle and a line", reads(SG_MESH_OBJ, text));
+  CHECK("of three vertices", mesh.vertices == 3 && mesh.face.corners == 3 &&
+                                 mesh.curve.corners == 2);
+  mesh.face.corner[2] = 3;
+  CHECK("a corner beyond the vertices", !sg_mesh_is_valid(&mesh));
+  mesh.face.corner[2] = -1;
+  CHECK("a corner before them", !sg_mesh_is_valid(&mesh));
+  mesh.face.corner[2] = 2;
+  CHECK("the last one", sg_mesh_is_valid(&mesh));
+  mesh.curve.corner[1] = 3;
+  CHECK("of a curve", !sg_mesh_is_valid(&mesh));
+  mesh.curve.corner[1] = 1;
+  mesh.face.segment[0] = (int32_t)mesh.segments;
+  CHECK("a segment beyond them", !sg_mesh_is_valid(&mesh));
+  mesh.face.segment[0] = 0;
+  mesh.face.start[1] = 2;
+  CHECK("two corners", !sg_mesh_is_valid(&mesh));
+  mesh.face.start[1] = 3;
+  mesh.vertex[2][1] = NAN;
+  CHECK("no number", !sg_mesh_is_valid(&mesh));
+  mesh.vertex[2][1] = 1;
+  CHECK("valid again", sg_mesh_is_valid(&mesh));
+}
+
 int
 main(void)
 {
+  test_valid();
   test_reading_numbers();
   test_printing_numbers();
   test_locale();

@@ -108,6 +108,31 @@ across(Surface, Plain, T-H) :-
 
 :- begin_tests(known_surface).
 
+% Facets of 45 degrees and more of a cylinder or cone stand for nothing round;
+% of a sphere or torus those of 90.
+test(widest, forall(member(Term-Round,
+        [ cylinder(radius(1), height(1), facets(9))-yes,
+          cylinder(radius(1), height(1), facets(8))-no,
+          cylinder(radius(1), height(1), facets(7))-no,
+          cone(radius(1), height(1), facets(9))-yes,
+          cone(radius(1), height(1), facets(7))-no,
+          cone(radius(2), top(1), height(1), facets(8))-no,
+          sphere(radius(1), facets(9), bands(5))-yes,
+          sphere(radius(1), facets(5), bands(3))-yes,
+          sphere(radius(1), facets(4), bands(2))-no,
+          torus(radius(2), tube(0.5), facets(5), sides(5))-yes,
+          torus(radius(2), tube(0.5), facets(9), sides(4))-no ]))) :-
+    in_new_world(( add_primitive(Term, S),
+                   (   p(S, P, _), polygon_surface(S, P, _, _)
+                   ->  Found = yes
+                   ;   Found = no
+                   ) )),
+    (   Found == Round
+    ->  true
+    ;   format(user_error, '~w: ~w~n', [Term,Found]),
+        fail
+    ).
+
 test(polygons, [ forall(( round_primitive(Term0), placed(Term0, Term) )),
                  Wrong == [] ]) :-
     in_new_world(( add_primitive(Term, S),

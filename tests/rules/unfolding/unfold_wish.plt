@@ -6,6 +6,7 @@
 :- use_module(rules(development/polygon_name)).
 :- use_module(rules(solid/trimmed)).
 :- use_module(rules(unfolding/unfold_wish)).
+:- use_module(tests('rules/message_text'), [message_text/3]).
 
 % What people want of a development, by numbers and by names, and what
 % contradicts itself.
@@ -34,9 +35,13 @@ quarters(Z, sheet(points([[0,0,0],[2,0,0],[2,2,0],[0,2,0],[1,1,Z]]),
 fault(Wishes, What) :-
     box(Box),
     catch(wanted_of(Box, Wishes, _),
-          error(model_error(unfold(1, _, What0)), _),
+          error(model_error(unfold(1, Wish, What0)), _),
           true),
     nonvar(What0),
+    forall(member(Language, [en,ko]),
+           ( message_text(Language,
+                          error(model_error(unfold(1, Wish, What0)), _), Text),
+             \+ sub_string(Text, _, _, _, "Unknown") )),
     plain(What0, What).
 
 % Faults name polygons with what they are; here the numbers do.
