@@ -39,6 +39,7 @@ has a fixed slot in each world's table (decision4pl.c).
               [ rule_module/2, set_rule_modules/1, world_number/1,
                 ended_world/1
               ]).
+:- use_module(limits, [text_beyond/5]).
 :- use_module(library(lists), [member/2, memberchk/2]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(occurs), [sub_term/2]).
@@ -342,13 +343,19 @@ free_module(Module, Id) :-
 load_rules(File, Module, Id) :-
     setup_call_cleanup(
         open(File, read, Stream, [encoding(utf8)]),
-        with_first_error(
-            load_files(Module:Id, [stream(Stream), silent(true)]),
-            Error),
+        rules_loaded(File, Stream, Module, Id, Error),
         close(Stream)),
     (   var(Error)
     ->  not_a_module(File, Id)
     ;   throw_rules_error(Error, File)
+    ).
+
+rules_loaded(File, Stream, Module, Id, Error) :-
+    (   text_beyond(program, Stream, What, Line, Column)
+    ->  throw(error(model_error(What), location(File, Line, Column)))
+    ;   with_first_error(
+            load_files(Module:Id, [stream(Stream), silent(true)]),
+            Error)
     ).
 
 not_a_module(File, Id) :-

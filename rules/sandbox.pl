@@ -49,6 +49,7 @@ sandbox:safe_primitive(sg_kernel_drawing:scene_edge(_,_,_,_,_)).
                 *            EXPORTS           *
                 *******************************/
 
+sandbox:safe_primitive(sg_limits:limit_value(_,_)).
 sandbox:safe_primitive(sg_primitive_face:face_of(_,_,_)).
 sandbox:safe_primitive(sg_primitive_face:smooth_surface(_,_,_)).
 sandbox:safe_primitive(sg_csg_evaluate:csg_statistics(_)).

@@ -55,6 +55,7 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(command/query, [query/2]).
 :- reexport(decision).
 :- reexport(command/repl, [repl/0]).
+:- reexport(limits, [limit_value/2, set_limit/2]).
 :- reexport(command/help, [help/0, help/1]).
 :- use_module(command/embedding, []).
 :- use_module(sandbox, []).

@@ -9,7 +9,9 @@
 :- use_module('../decision', [use_rules/1]).
 :- use_module('../kernel',
               [exact_fallbacks/1, exact_statistics/1, tree_statistics/1]).
+:- use_module('../decimal', [decimal_number/2]).
 :- use_module('../language', [language/1]).
+:- use_module('../limits', [limit_value/2, set_limit/2]).
 :- use_module('../message/messages', []).
 :- use_module('../message/messages_ko', []).
 :- use_module('../output', [files_together/1]).
@@ -219,6 +221,8 @@ verb_command(Verb, Arguments, Status) :-
     ).
 
 verb_in_world(Verb, Files, Options, Status) :-
+    option(limits(Limits), Options, ''),
+    limits_given(Limits),
     (   option(quiet(true), Options)
     ->  assertz(quiet)
     ;   true
@@ -231,6 +235,28 @@ verb_in_world(Verb, Files, Options, Status) :-
              call_cleanup(
                  verb_watched(Verb, Files, Options, Status),
                  measured(Options, Start))).
+
+%   limits_given(Text): NAME=N, with commas between them.
+
+limits_given('') :-
+    !.
+limits_given(Text) :-
+    split_string(Text, ",", " ", Parts),
+    maplist(limit_given(Text), Parts).
+
+limit_given(Text, Part) :-
+    (   split_string(Part, "=", " ", [NameText, MostText]),
+        atom_string(Name, NameText),
+        decimal_number(MostText, Most),
+        integer(Most),
+        Most > 0
+    ->  (   limit_value(Name, _)
+        ->  set_limit(Name, Most)
+        ;   findall(Known, limit_value(Known, _), All),
+            usage_error(bad_value('--limits', Name, one_of(All)))
+        )
+    ;   usage_error(bad_value('--limits', Text, 'depth=200,nodes=1000000'))
+    ).
 
 verb_watched(Verb, Files, Options, Status) :-
     option(rules(Rules), Options, []),

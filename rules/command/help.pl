@@ -3,6 +3,7 @@
             help/1,                     % +What
             short_answers/0
           ]).
+:- use_module('../limits', [term_of_text/3]).
 :- use_module('../store', [relation/3, column_doc/3, relation_column/5]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> Help, and answers that read back, in Prolog's top level.
@@ -111,7 +112,7 @@ help_term(What, _) :-
 help_term(What, Term) :-
     ( string(What) ; atom(What) ),
     !,
-    (   catch(term_to_atom(Term0, What), error(_, _), fail),
+    (   catch(term_of_text(What, Term0, []), error(_, _), fail),
         nonvar(Term0),
         named(Term0, _, _)
     ->  Term = Term0

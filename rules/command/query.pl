@@ -3,6 +3,7 @@
             read_goal/3,                % +Text, -Goal, -Bindings
             print_table/2               % +Names, +Rows
           ]).
+:- use_module('../limits', [term_of_text/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
@@ -22,7 +23,7 @@
 %   @error usage_error(bad_goal(Text, Why))
 
 read_goal(Text, Goal, Bindings) :-
-    catch(term_string(Goal, Text, [variable_names(Names)]),
+    catch(term_of_text(Text, Goal, [variable_names(Names)]),
           error(syntax_error(Why), _), bad_goal(Text, Why)),
     (   callable(Goal)
     ->  true

@@ -7,6 +7,7 @@
 :- use_module('../decimal', [decimal_number/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../development/leaf_face', [roots_alone_named/0]).
+:- use_module('../limits', [term_of_text/3]).
 :- use_module('../model/mesh', [write_mesh/3]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../model/model_text',
@@ -328,7 +329,7 @@ flag_option(removed, '--remove').
 
 flag_terms(Option, Text, Terms) :-
     format(string(List), '[~w]', [Text]),
-    (   catch(term_string(Terms0, List,
+    (   catch(term_of_text(List, Terms0,
                           [ module(sg_model_syntax), cycles(false),
                             dotlists(false), variable_names(Names)
                           ]),

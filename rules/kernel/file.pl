@@ -1,5 +1,7 @@
 :- module(sg_kernel_file,
-          [ % mesh4pl.c
+          [ % text_limits4pl.c
+            text_fault/4,             % +Kind, +Source, +Limits, -Fault
+            % mesh4pl.c
             mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
                                       % -Result
             % mesh_write4pl.c
@@ -27,6 +29,17 @@
 
 Foreign predicates; see kernel.pl.
 */
+
+/* - - - text_limits4pl.c - - - */
+
+%!  text_fault(+Kind, +Source, +Limits, -Fault) is semidet.
+%
+%   True when the text Source, a string or a stream of a file (from its
+%   beginning, wherever the stream is), is too deep or too long: Fault is the
+%   first fault(What, Line, Column), What one of `depth`, `blocks`, `digits`,
+%   `name` and `fact`. Limits is limits(Depth, Blocks, Digits, Name, Fact); Kind
+%   is `facts`, `goal`, `program` or `csg`. See
+%   c_kernels/model/text_limits.h.
 
 /* - - - mesh4pl.c - - - */
 

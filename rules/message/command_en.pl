@@ -2,6 +2,7 @@
           [ command_en//1               % +What
           ]).
 :- use_module(message_parts, [meant_en//1, syntax_words//1]).
+:- use_module(model_en, [limit_en//1]).
 :- use_module(pattern_en, [pattern_fault_en//1]).
 :- use_module(sheet_en, [sheet_en//1]).
 :- use_module(unfold_en, [wish_en//3, unfold_en//1]).
@@ -115,7 +116,13 @@ command_en(sheet(What)) -->
     sheet_en(What).
 command_en(exact_format(Format)) -->
     [ '--exact is for tables (csv, tsv, txt), not for ~w'-[Format] ].
+command_en(bad_goal(_, limit(Name, Most))) -->
+    [ 'the text of a goal has more than ~D '-[Most] ],
+    limit_en(Name),
+    [ nl, '  To allow more: --limits ~w=N, in a program set_limit(~w, N).'-
+      [Name, Name] ].
 command_en(bad_goal(Text, Why)) -->
+    { Why \= limit(_, _) },
     [ 'this is no goal: ~w ('-[Text] ],
     syntax_words(Why),
     [ ')' ].

@@ -3,6 +3,7 @@
           [ command_ko//1               % +What
           ]).
 :- use_module(message_parts, [meant_ko//1, syntax_words//1]).
+:- use_module(model_ko, [limit_ko//1]).
 :- use_module(pattern_ko, [pattern_fault_ko//1]).
 :- use_module(sheet_ko, [sheet_ko//1]).
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1]).
@@ -117,7 +118,14 @@ command_ko(sheet(What)) -->
     sheet_ko(What).
 command_ko(exact_format(Format)) -->
     [ '--exact 는 표(csv, tsv, txt)에 쓰며 ~w에는 쓸 수 없습니다'-[Format] ].
+command_ko(bad_goal(_, limit(Name, Most))) -->
+    [ '목표의 글이 너무 큽니다. ' ],
+    limit_ko(Name),
+    [ ': ~D 까지입니다'-[Most], nl,
+      '  더 허용하려면 --limits ~w=N, 프로그램에서는 set_limit(~w, N).'-
+      [Name, Name] ].
 command_ko(bad_goal(Text, Why)) -->
+    { Why \= limit(_, _) },
     [ '목표가 아닙니다: ~w ('-[Text] ],
     syntax_words(Why),
     [ ')' ].

@@ -4,6 +4,7 @@
             counted//3,                 % +N, +One, +Many
             meant_en//1,                % +Near
             meant_ko//1,                % +Near
+            shown_count/2,              % +Count, -Shown
             shown_value/2,              % +Value, -Shown
             syntax_words//1,            % +What
             loading_fault//1,           % +Formal
@@ -67,6 +68,20 @@ shown_value(Value, Shown) :-
     ->  Shown = '_'
     ;   format(atom(Shown), "~W",
                [Value,[quoted(true),numbervars(true),max_depth(12)]])
+    ).
+
+%!  shown_count(+Count, -Shown) is det.
+%
+%   A whole number or a float as text; of one that nobody reads, its size.
+
+shown_count(Count, Shown) :-
+    (   integer(Count),
+        Count < 10**15
+    ->  format(string(Shown), "~D", [Count])
+    ;   catch(Float is float(Count), error(_, _), fail)
+    ->  format(string(Shown), "~3g", [Float])
+    ;   Digits is msb(Count)*3//10,
+        format(string(Shown), "10^~D", [Digits])
     ).
 
 %!  syntax_words(+What)// is det.

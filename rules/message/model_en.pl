@@ -1,10 +1,13 @@
 :- module(sg_model_en,
-          [ model_en//1                 % +What
+          [ model_en//1,                % +What
+            limit_en//1                 % +Name
           ]).
 :- use_module(csg_en, [csg_en//1]).
 :- use_module('../csg/csg_term', [misshapen/2, near_operands/2]).
-:- use_module(message_parts, 
-              [counted//3, meant_en//1, shown_value/2, syntax_words//1]).
+:- use_module(message_parts,
+              [ counted//3, meant_en//1, shown_count/2, shown_value/2,
+                syntax_words//1
+              ]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(library(apply), [maplist/3]).
@@ -48,10 +51,17 @@ model_en(syntax(Message)) -->
     syntax_words(Message),
     [ nl,
       '  Write facts such as v(1, 1, 0.0, 0.0, 0.0). with a full stop.' ].
-model_en(too_long(Most)) -->
-    [ 'a fact is longer than ~D characters'-[Most], nl,
-      '  Is a full stop or a quote missing? Else raise the flag \c
-       sanggwan_longest_fact.' ].
+model_en(limit(Name, Most)) -->
+    [ 'more than ~D '-[Most] ],
+    limit_en(Name),
+    [ nl ],
+    limit_way_en(Name).
+model_en(limit(Name, Count, Most)) -->
+    { shown_count(Count, Shown) },
+    [ '~w '-[Shown] ],
+    limit_en(Name),
+    [ '; ~D are allowed'-[Most], nl ],
+    limit_way_en(Name).
 model_en(early_end) -->
     [ 'end_of_file stands in the middle of the file', nl,
       '  Remove it: what follows would be lost.' ].
@@ -199,3 +209,31 @@ polygon_en(twice(V1, V2)) -->
 polygon_en(no_edge(V)) -->
     [ 'has an edge from vertex ~d to itself'-[V], nl,
       '  Write the vertex once.' ].
+
+
+                /*******************************
+                *            limits            *
+                *******************************/
+
+%!  limit_en(+Name)// is det.
+%
+%   What the limit Name (limits.pl) is of.
+
+limit_en(depth) -->
+    [ 'levels of terms and lists in one another' ].
+limit_en(blocks) -->
+    [ 'levels of blocks in one another in a .csg file' ].
+limit_en(digits) -->
+    [ 'characters of a number' ].
+limit_en(name) -->
+    [ 'characters of a name or a text' ].
+limit_en(fact) -->
+    [ 'characters of a fact' ].
+limit_en(facets) -->
+    [ 'faces of a primitive' ].
+limit_en(nodes) -->
+    [ 'leaves of a tree, each as often as it is used' ].
+
+limit_way_en(Name) -->
+    [ '  To allow more: --limits ~w=N, in a program set_limit(~w, N).'-
+      [Name, Name] ].

@@ -1,10 +1,12 @@
 :- encoding(utf8).
 :- module(sg_model_ko,
-          [ model_ko//1                 % +What
+          [ model_ko//1,                % +What
+            limit_ko//1                 % +Name
           ]).
 :- use_module(csg_ko, [csg_ko//1]).
 :- use_module('../csg/csg_term', [misshapen/2, near_operands/2]).
-:- use_module(message_parts, [meant_ko//1, shown_value/2, syntax_words//1]).
+:- use_module(message_parts,
+              [meant_ko//1, shown_count/2, shown_value/2, syntax_words//1]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(library(apply), [maplist/3]).
@@ -48,10 +50,15 @@ model_ko(syntax(Message)) -->
     syntax_words(Message),
     [ nl,
       '  v(1, 1, 0.0, 0.0, 0.0). 과 같은 사실을 마침표와 함께 쓰십시오.' ].
-model_ko(too_long(Most)) -->
-    [ '사실 하나가 ~D 글자보다 깁니다'-[Most], nl,
-      '  마침표나 따옴표가 빠지지 않았습니까? 아니면 플래그 \c
-       sanggwan_longest_fact 를 올리십시오.' ].
+model_ko(limit(Name, Most)) -->
+    limit_ko(Name),
+    [ ': ~D 을(를) 넘습니다'-[Most], nl ],
+    limit_way_ko(Name).
+model_ko(limit(Name, Count, Most)) -->
+    { shown_count(Count, Shown) },
+    limit_ko(Name),
+    [ ': ~w 인데 ~D 까지입니다'-[Shown, Most], nl ],
+    limit_way_ko(Name).
 model_ko(early_end) -->
     [ '파일 중간에 end_of_file 이 있습니다', nl,
       '  지우십시오. 뒤의 내용을 잃게 됩니다.' ].
@@ -193,3 +200,31 @@ polygon_ko(twice(V1, V2)) -->
 polygon_ko(no_edge(V)) -->
     [ '꼭지점 ~d 에서 자기 자신으로 가는 모서리가 있습니다'-[V], nl,
       '  꼭지점을 한 번만 쓰십시오.' ].
+
+
+                /*******************************
+                *            limits            *
+                *******************************/
+
+%!  limit_ko(+Name)// is det.
+%
+%   What the limit Name (limits.pl) is of.
+
+limit_ko(depth) -->
+    [ '겹쳐 있는 항과 리스트의 깊이' ].
+limit_ko(blocks) -->
+    [ '.csg 파일에서 겹쳐 있는 블록' ].
+limit_ko(digits) -->
+    [ '수 하나의 글자 수' ].
+limit_ko(name) -->
+    [ '이름이나 글 하나의 글자 수' ].
+limit_ko(fact) -->
+    [ '사실 하나의 글자 수' ].
+limit_ko(facets) -->
+    [ '기본 입체 하나의 면' ].
+limit_ko(nodes) -->
+    [ '트리의 잎, 쓰이는 횟수만큼' ].
+
+limit_way_ko(Name) -->
+    [ '  더 허용하려면 --limits ~w=N, 프로그램에서는 set_limit(~w, N).'-
+      [Name, Name] ].

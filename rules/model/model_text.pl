@@ -1,5 +1,6 @@
 :- module(sg_model_text,
           [ open_model_text/2,          % +File, -Text
+            open_model_text/3,          % +Kind, +File, -Text
             close_model_text/1,         % +Text
             model_text_bytes/3,         % +Text, -Done, -Total
             next_fact/3,                % +Text, -Fact, -Place
@@ -10,6 +11,7 @@
             model_float/2               % +Value, -Float
           ]).
 :- use_module('../kernel', [atomic_scratch/3]).
+:- use_module('../limits', [limit_value/2, text_beyond/5]).
 :- use_module('../store', [relation/3, relation_column/5, column_domain/3]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [member/2]).
@@ -28,7 +30,7 @@ stand in a file.
 Every error is error(model_error(What), location(File, Line, Column)), lines
 and columns counted from 1. What is one of
 
-    cannot_read(Why)  syntax(Message)  too_long(Most)  early_end
+    cannot_read(Why)  syntax(Message)  limit(Name, Most)  early_end
     directive(Goal)  rule(Head)  no_fact(Term)
     unknown_relation(Name, Arity)  arity(Name, Given, Wanted)  computed(Name)
     value(Relation, Column, Value, Expected)
@@ -37,36 +39,62 @@ with Expected one of id, ids, steps, chain, float, finite, within(Most),
 distance, atom, text, ground and one_of(Values); model_file.pl adds its own.
 */
 
-:- create_prolog_flag(sanggwan_longest_fact, 64_000_000,
-                      [type(integer), keep(true)]).
-
 %   The module that terms are read in: `system` is its only import.
 
 :- set_module(sg_model_syntax:base(system)).
 :- set_prolog_flag(sg_model_syntax:double_quotes, string).
 
 %!  open_model_text(+File, -Text) is det.
+%!  open_model_text(+Kind, +File, -Text) is det.
 %
-%   Open a model file; `-` is standard input, copied to a temporary file that
-%   vanishes with close_model_text/1, so that places in it can be found again.
+%   Open a model file, `facts` or `csg`, that breaks no limit (limits.pl). What
+%   can be read once only, as `-`, standard input, is copied to a temporary file
+%   that vanishes with close_model_text/1: it is looked through first, and
+%   places in it are found again.
 %
-%   @error model_error(cannot_read(Why))
+%   @error model_error(cannot_read(Why)), model_error(limit(Name, Most))
 
-open_model_text(-, Text) :-
+open_model_text(File, Text) :-
+    open_model_text(facts, File, Text).
+
+open_model_text(Kind, File, Text) :-
+    text_opened(File, Text),
+    Text = text(Name, _, Stream),
+    asserta(decoding(Stream, Name)),
+    catch(no_limit_broken(Kind, Name, Stream), Error,
+          ( close_model_text(Text),
+            throw(Error)
+          )).
+
+no_limit_broken(Kind, Name, Stream) :-
+    (   text_beyond(Kind, Stream, What, Line, Column)
+    ->  throw(error(model_error(What), location(Name, Line, Column)))
+    ;   true
+    ).
+
+text_opened(-, text('<stdin>', Copy, Stream)) :-
     !,
-    Text = text('<stdin>', Copy, Stream),
-    atomic_scratch('.pl', _, Copy),
     set_stream(user_input, type(binary)),
+    copied(user_input, Copy, Stream).
+text_opened(File, Text) :-
+    catch(open(File, read, In, [encoding(utf8)]), Error,
+          cannot_read(File, Error)),
+    (   exists_file(File)
+    ->  Text = text(File, File, In)
+    ;   Text = text(File, Copy, Stream),
+        set_stream(In, encoding(octet)),
+        call_cleanup(catch(copied(In, Copy, Stream), Error,
+                           cannot_read(File, Error)),
+                     close(In))
+    ).
+
+copied(In, Copy, Stream) :-
+    atomic_scratch('.pl', _, Copy),
     setup_call_cleanup(
         open(Copy, write, Out, [type(binary)]),
-        copy_stream_data(user_input, Out),
+        copy_stream_data(In, Out),
         close(Out)),
-    open(Copy, read, Stream, [encoding(utf8)]),
-    asserta(decoding(Stream, '<stdin>')).
-open_model_text(File, text(File, File, Stream)) :-
-    catch(open(File, read, Stream, [encoding(utf8)]), Error,
-          cannot_read(File, Error)),
-    asserta(decoding(Stream, File)).
+    open(Copy, read, Stream, [encoding(utf8)]).
 
 %   Prolog warns of every fact with bytes that are no UTF-8, again when it is
 %   read once more, and names temporary files. Of all that becomes one warning
@@ -110,9 +138,9 @@ cannot_read(_, Ball) :-
 close_model_text(text(Name, Path, Stream)) :-
     retractall(decoding(Stream, _)),
     close(Stream),
-    (   Name == '<stdin>'
-    ->  delete_file(Path)
-    ;   true
+    (   Name == Path
+    ->  true
+    ;   delete_file(Path)
     ).
 
 %!  model_text_bytes(+Text, -Done, -Total) is det.
@@ -150,7 +178,7 @@ next_term(Text, Term, Place) :-
     Place = place(Name, Path, Position),
     (   Term == end_of_file
     ->  at_real_end(Stream, Place)
-    ;   not_too_long(Stream, Position, Place)
+    ;   true
     ).
 
 syntax_failure(error(syntax_error(Message), Where), Name, Stream) :-
@@ -190,15 +218,6 @@ at_real_end(Stream, Place) :-
     (   peek_char(Stream, end_of_file)
     ->  true
     ;   place_error(Place, early_end)
-    ).
-
-not_too_long(Stream, Position, Place) :-
-    stream_position_data(char_count, Position, From),
-    character_count(Stream, To),
-    current_prolog_flag(sanggwan_longest_fact, Most),
-    (   To-From =< Most
-    ->  true
-    ;   place_error(Place, too_long(Most))
     ).
 
 
@@ -406,7 +425,8 @@ typed(text, Text, Text) :-
     Text \== [].
 typed(ground, Term, Term) :-
     ground(Term),
-    plain_term(Term, 64).
+    limit_value(depth, Depth),
+    plain_term(Term, Depth).
 
 is_id(Id) :-
     integer(Id),

@@ -1,7 +1,7 @@
 :- module(sg_openscad_text,
           [ read_openscad/2             % +File, -Nodes
           ]).
-:- use_module(model_text, [open_model_text/2, close_model_text/1]).
+:- use_module(model_text, [open_model_text/3, close_model_text/1]).
 :- use_module(library(lists), [append/3]).
 :- use_module(library(readutil), [read_stream_to_codes/2]).
 /** <module> The text of an OpenSCAD .csg file.
@@ -38,7 +38,7 @@ and cannot_read(Why) as for model files.
 %   @error model_error(openscad(What)), see above
 
 read_openscad(File, Nodes) :-
-    open_model_text(File, Text),
+    open_model_text(csg, File, Text),
     setup_call_cleanup(
         true,
         ( Text = text(Name, _, Stream),

@@ -334,7 +334,7 @@ test(no_prolog, W = syntax(_)) :-
     fault("solid OpenSCAD_Model\n  facet normal 0 0 1\n", W, _).
 test(hidden_rest, W-P == early_end-(2:1)) :-
     after_triangle("end_of_file.\nv(1,4,0,0,0).", Text), fault(Text, W, P).
-test(too_deep, W == syntax(too_deep)) :-
+test(too_deep, W == limit(depth, 128)) :-
     length(L, 200000),
     maplist(=(0'[), L),
     length(R, 200000),

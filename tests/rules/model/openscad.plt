@@ -61,13 +61,24 @@ test(numbers, Numbers == [1, -1, 0, 0.5, 0.5, -2.5, 1.0e10, 1.5e-7, 12]) :-
              read_openscad(File, [node(_, _, [1-Numbers], _, _)])).
 test(empty, Nodes == []) :-
     with_csg(" // nothing\n", File, read_openscad(File, Nodes)).
-test(deep, N == 2000) :-
-    findall("group() { ", between(1, 2000, _), Opening),
-    findall("} ", between(1, 2000, _), Closing),
-    append([Opening, ["cube();"], Closing], Parts),
-    atomics_to_string(Parts, Text),
+test(deep, N == 512) :-
+    deep(512, Text),
     with_csg(Text, File, read_openscad(File, Nodes)),
     depth(Nodes, 0, N).
+test(too_deep, error(model_error(limit(blocks, 512)), _)) :-
+    deep(513, Text),
+    with_csg(Text, File, read_openscad(File, _)).
+test(deeper_by_limit, [cleanup(set_limit(blocks, 512)), N == 2000]) :-
+    set_limit(blocks, 2000),
+    deep(2000, Text),
+    with_csg(Text, File, read_openscad(File, Nodes)),
+    depth(Nodes, 0, N).
+
+deep(N, Text) :-
+    findall("group() { ", between(1, N, _), Opening),
+    findall("} ", between(1, N, _), Closing),
+    append([Opening, ["cube();"], Closing], Parts),
+    atomics_to_string(Parts, Text).
 
 depth([node(_, group, _, Nodes, _)], N0, N) :-
     !,

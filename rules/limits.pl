@@ -1,0 +1,104 @@
+:- module(sg_limits,
+          [ limit_value/2,              % ?Name, -Most
+            set_limit/2,                % +Name, +Most
+            within_limit/3,             % +Name, +Count, +Error
+            text_beyond/5,              % +Kind, +Source, -What, -Line, -Column
+            term_of_text/3              % +Text, -Term, +Options
+          ]).
+:- use_module(kernel, [text_fault/4]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(error), [must_be/2, domain_error/2]).
+/** <module> How much a text may ask for: the one table of limits.
+
+What comes from elsewhere, files and goals, is not built before it is known how
+large it will be. Texts are looked through as characters
+(c_kernels/model/text_limits.h), sizes are reckoned from numbers. Each limit can
+be raised, for the process: set_limit/2, on the command line `--limits`.
+*/
+
+%   limit_default(Name, Most)
+%
+%     - depth    terms, lists and operators in one another
+%     - blocks   blocks of a .csg file in one another
+%     - digits   characters of a number
+%     - name     characters of a name or a text
+%     - fact     characters of a fact
+%     - facets   faces of a primitive
+%     - nodes    leaves of a tree, each as often as it is used
+
+limit_default(depth, 128).
+limit_default(blocks, 512).
+limit_default(digits, 2000).
+limit_default(name, 65_536).
+limit_default(fact, 64_000_000).
+limit_default(facets, 1_000_000).
+limit_default(nodes, 100_000).
+
+%!  limit_value(?Name, -Most:integer) is nondet.
+%
+%   Most is how much there may be of what Name names.
+
+limit_value(Name, Most) :-
+    limit_default(Name, Default),
+    limit_flag(Name, Flag),
+    flag(Flag, Set, Set),
+    (   Set =:= 0
+    ->  Most = Default
+    ;   Most = Set
+    ).
+
+limit_flag(Name, Flag) :-
+    atom_concat(sg_limit_, Name, Flag).
+
+%!  set_limit(+Name, +Most:integer) is det.
+%
+%   Until the process ends there may be Most of what Name names. What is deeper
+%   than the default needs more of the C stack of its thread: half a kB each.
+%
+%   @error domain_error(limit, Name); type_error(positive_integer, Most)
+
+set_limit(Name, Most) :-
+    must_be(atom, Name),
+    must_be(positive_integer, Most),
+    (   limit_default(Name, _)
+    ->  limit_flag(Name, Flag),
+        flag(Flag, _, Most)
+    ;   domain_error(limit, Name)
+    ).
+
+%!  within_limit(+Name, +Count, +Location) is det.
+%
+%   Count, how many there would be of what Name names, is not above its limit.
+%
+%   @error error(model_error(limit(Name, Count, Most)), Location)
+
+within_limit(Name, Count, Location) :-
+    limit_value(Name, Most),
+    (   Count =< Most
+    ->  true
+    ;   throw(error(model_error(limit(Name, Count, Most)), Location))
+    ).
+
+%!  text_beyond(+Kind, +Source, -What, -Line, -Column) is semidet.
+%
+%   True when Source, a string or the stream of a file, breaks a limit: What is
+%   limit(Name, Most), at the place Line and Column. Kind as in text_fault/4.
+
+text_beyond(Kind, Source, limit(Name, Most), Line, Column) :-
+    maplist(limit_value, [depth, blocks, digits, name, fact], Mosts),
+    Limits =.. [limits|Mosts],
+    text_fault(Kind, Source, Limits, fault(Name, Line, Column)),
+    limit_value(Name, Most).
+
+%!  term_of_text(+Text, -Term, +Options) is det.
+%
+%   As term_string/3, of a Text that is no larger than a goal may be.
+%
+%   @error syntax_error(Why), with Why also limit(Name, Most)
+
+term_of_text(Text0, Term, Options) :-
+    format(string(Text), "~w", [Text0]),
+    (   text_beyond(goal, Text, What, _, _)
+    ->  throw(error(syntax_error(What), _))
+    ;   term_string(Term, Text, Options)
+    ).
