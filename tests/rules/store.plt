@@ -396,8 +396,13 @@ test(columns, Columns == ['S'-int, 'P'-int, 'Es'-list]) :-
     findall(C-T, relation_column(p, _, C, T, _), Columns).
 test(refers, R == v) :-
     relation_column(e, 2, 'V1', int, R).
-test(keys, Positions == [0,2]) :-
-    relation_key(t, Positions).
+test(keys, Keys == [ v-[0,1], e-[0,1], p-[0,1], plane-[0,1], t-[0,2],
+                     leaf_v-[0,1], leaf_e-[0,1], leaf_p-[0,1], leaf_t-[0,2],
+                     segment-[0], origin-[0,1], from_v-[0,1],
+                     from_p-[0,1,2,3], line-[0], piece-[0,1], joint-[0,1],
+                     title_block-[0], screen-[0,1], contour-[0,1],
+                     surface_turn-[0,1,2], drawn-[0] ]) :-
+    findall(Relation-Positions, relation_key(Relation, Positions), Keys).
 test(reading_is_safe, Unsafe == []) :-
     findall(G,
             ( relation(N, A, _), functor(G, N, A),

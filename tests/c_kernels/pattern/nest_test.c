@@ -4,8 +4,10 @@
 
 #include "pattern/flat_shapes.h"
 #include "pattern/nest.h"
+#include "pattern/nest_mask.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { MANY = 200 };
@@ -263,6 +265,49 @@ check_stopping(void)
   CHECK("it is not for want of memory", memory);
 }
 
+/* The runs of a mask are its squares, and it counts those that are covered. */
+static void
+check_runs(const sg_nest_paper *paper, unsigned i, double degrees)
+{
+  static pieces p;
+  sg_nest_mask m = {0};
+  size_t covered = 0, needed = 0, seen[2] = {0, 0};
+  unsigned widest = 0;
+
+  make_pieces(&p, 30);
+  CHECK("a mask",
+        sg_nest_mask_make(paper, 2000, 2000, &p.piece[i], degrees, &m) &&
+            m.square);
+  for (size_t k = 0; k < (size_t)m.w * m.h; k++) {
+    covered += m.square[k] == 1;
+    needed += m.square[k] != 0;
+  }
+  for (int only = 0; only < 2; only++) {
+    sg_nest_runs runs;
+    bool right = sg_nest_mask_runs(&m, only, &runs);
+
+    widest = 0;
+    for (size_t k = 0; right && k < runs.n; k++) {
+      const sg_nest_run *run = &runs.at[k];
+      unsigned wide = run->to - run->from + 1u;
+
+      widest = wide > widest ? wide : widest;
+      for (unsigned x = run->from; x <= run->to && right; x++) {
+        int square = m.square[run->row * m.w + x];
+        right = x < m.w && run->row < m.h && (only ? square == 1 : square != 0);
+        seen[only]++;
+      }
+    }
+    CHECK("runs of such squares", right);
+    CHECK("the widest", widest == runs.widest);
+    CHECK("covered ones", m.covered == covered);
+    free(runs.at);
+  }
+  CHECK("all of them", seen[0] == needed && seen[1] == covered);
+  CHECK("more than a few", covered > 20 && needed > covered);
+  free(m.square);
+}
+
 int
 main(void)
 {
@@ -277,6 +322,9 @@ main(void)
   check_stopping();
   check_random(&(sg_nest_paper){190, 277, 0.7, 2, false}, 60);
   check_random(&(sg_nest_paper){300, 4000, 1.5, 1, true}, 60);
+  for (unsigned i = 0; i < 20; i++) {
+    check_runs(&(sg_nest_paper){190, 277, 0.7, 2, false}, i, 9.0 * i);
+  }
   CHECK("too many squares", !sg_nest_paper_is_valid(&bad));
   return check_report();
 }
