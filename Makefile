@@ -61,7 +61,7 @@ LIBS    := -lgmp -lz -lm -lpthread
 
 C_SRC   := $(wildcard engine/*.c c_kernels/*.c c_kernels/*/*.c)
 EMBED   := engine/start.c engine/engine.c engine/question.c
-MAINS   := engine/main.c engine/boot.c $(EMBED)
+MAINS   := engine/main.c engine/signals.c engine/boot.c $(EMBED)
 OBJS    := $(patsubst %.c,$(B)/%.o,$(filter-out $(MAINS),$(C_SRC)))
 # Without Prolog: what the C tests link.
 CORE    := $(filter-out %4pl.o %/install.o %/glue.o,$(OBJS))
@@ -119,7 +119,7 @@ $(B)/state.o: engine/state.S $(B)/sanggwan.prc $(B)/embedded.qlf
 $(B)/libsanggwan.a: $(OBJS) $(EMBED:%.c=$(B)/%.o) $(B)/state.o
 	@rm -f $@
 	ar rcs $@ $^
-$(B)/sanggwan: $(B)/engine/main.o $(B)/libsanggwan.a
+$(B)/sanggwan: $(B)/engine/main.o $(B)/engine/signals.o $(B)/libsanggwan.a
 	$(CC) $(EXTRA_CFLAGS) $^ -o $@ $(PL_LIBS) $(LIBS)
 sanggwan: $(B)/sanggwan
 	@[ "$$(readlink $@)" = $< ] || ln -sf $< $@

@@ -4,6 +4,7 @@
  * (rules/command/cli.pl); here Prolog is started on the saved rules and its
  * answer becomes the exit status.
  */
+#include "signals.h"
 #include "start.h"
 
 #include <SWI-Prolog.h>
@@ -84,6 +85,21 @@ start(int argc, char **argv)
   return started;
 }
 
+/* What is said of an interrupt, in the user's language. */
+static const char *
+interrupted_words(void)
+{
+  predicate_t words_1 = PL_predicate("interrupted_words", 1, "sg_cli");
+  term_t t = PL_new_term_ref();
+  char *text;
+
+  return PL_call_predicate(NULL, PL_Q_NORMAL, words_1, t) &&
+                 PL_get_nchars(t, NULL, &text,
+                               CVT_STRING | REP_UTF8 | BUF_MALLOC)
+             ? text
+             : "";
+}
+
 /* sg_cli:main/1 gives the exit status; it reports its own errors. */
 static int
 run_cli(void)
@@ -96,7 +112,7 @@ run_cli(void)
       !PL_get_integer(status, &code)) {
     code = CANNOT_START;
   }
-  return code;
+  return sg_signals_status(code);
 }
 
 int
@@ -104,7 +120,9 @@ main(int argc, char **argv)
 {
   char **arguments = prolog_arguments(argc, argv);
 
-  if (!arguments || !start(argc + PROLOG_WORDS - 1, arguments)) {
+  sg_signals_note();
+  if (!arguments || !start(argc + PROLOG_WORDS - 1, arguments) ||
+      !sg_signals_start(interrupted_words())) {
     fprintf(stderr, "sanggwan: cannot start SWI-Prolog\n");
     return CANNOT_START;
   }

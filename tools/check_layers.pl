@@ -179,9 +179,10 @@ layer(engine,    'glue.def', _,    registry).
 layer(engine,    _, install,       registry).
 layer(engine,    _, sanggwan,      public).
 layer(engine,    'start.h', _,     public).
+layer(engine,    'atomic_file.h', _, shared).
 layer(engine,    'edit4pl.h', _,   edits).
 layer(engine,    _, Name,          host) :-
-    memberchk(Name, [start, host, engine, question, main, boot]).
+    memberchk(Name, [start, host, engine, question, main, signals, boot]).
 layer(c_kernels, _, glue,          arguments).
 layer(c_kernels, _, poll,          shared).
 layer(c_kernels, _, column,        shared).
@@ -214,3 +215,4 @@ below(glue(c_kernels), glue(engine)).
 below(glue(c_kernels), pure(engine)).
 below(host, registry).
 below(host, public).
+below(host, shared).

@@ -65,8 +65,7 @@ sg_cut_set_let_go(sg_cut_handle *handle)
 static void
 shut_handle(sg_cut_handle *handle)
 {
-  if (!handle->shut) {
-    handle->shut = true;
+  if (!atomic_exchange(&handle->shut, true)) {
     drop_opener(handle);
   }
 }

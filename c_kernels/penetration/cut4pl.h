@@ -47,8 +47,8 @@ typedef struct sg_cut_handle {
   double flat_within;      /* in what polygons have no folds */
   bool flat_known;         /* of all vertices, too */
   sg_cut_rows_by_id by_id[SG_CUT_TABLES];
-  bool grouped; /* its polygons are listed, its points have names */
-  bool shut;    /* for Prolog: cut_set_close/1 was called */
+  bool grouped;     /* its polygons are listed, its points have names */
+  atomic_bool shut; /* for Prolog: cut_set_close/1 was called */
   atomic_uint
       openers; /* glue that looks into it, and Prolog until it is shut */
   atomic_uint holders; /* the same glue, and Prolog's atom */

@@ -1,6 +1,7 @@
 :- encoding(utf8).
 :- module(sg_cli,
           [ main/1,                     % -Status
+            interrupted_words/1,        % -Text
             sanggwan/2                  % +Arguments, -Status
           ]).
 :- use_module(arguments, [parsed_arguments/4]).
@@ -37,7 +38,7 @@ status is
     0    done                           2    wrong usage, or a program error
     1    the answer is no; or warnings  3    input unreadable or invalid
          with --strict                  4    the geometry is not possible
-                                        130  interrupted
+                                        128+N  ended by signal N (130: Ctrl-C)
 
 An interrupt is an exception here: transactions roll back, files being written
 vanish, then the program ends.
@@ -65,6 +66,21 @@ own_arguments(Words, Arguments) :-
     ->  Arguments = Arguments0
     ;   Arguments = []
     ).
+
+%!  interrupted_words(-Text) is det.
+%
+%   Text is the line that is said of an interrupt, in the language that the
+%   program's own arguments and the environment ask for; engine/signals.c says
+%   it where the work has to be ended at once.
+
+interrupted_words(Text) :-
+    current_prolog_flag(os_argv, Words),
+    own_arguments(Words, Arguments),
+    set_language(Arguments),
+    phrase('$messages':translate_message(sanggwan(interrupted)), Lines),
+    with_output_to(string(Text), print_prefixed(current_output, '', _, Lines)).
+
+%   Those of other signals come as `term` (engine/signals.c).
 
 interrupts_raise([signal(int, OldInt), signal(term, OldTerm)]) :-
     on_signal(int, OldInt, sg_cli:interrupt),
@@ -406,16 +422,16 @@ user:message_hook(Term, Kind, Lines) :-
 shown(_, _, []) :-
     !.
 shown(error, Term, Lines) :-
-    print_prefixed('', Term, Lines).
+    print_prefixed(user_error, '', Term, Lines).
 shown(warning, Term, Lines) :-
     flag(sg_cli_warnings, N, N+1),
     language(Language),
     warning_word(Language, Word),
-    print_prefixed(Word, Term, Lines).
+    print_prefixed(user_error, Word, Term, Lines).
 shown(informational, Term, Lines) :-
     (   quiet
     ->  true
-    ;   print_prefixed('', Term, Lines)
+    ;   print_prefixed(user_error, '', Term, Lines)
     ).
 
 warning_word(en, 'warning: ').
@@ -428,11 +444,11 @@ names_place(error(Fault, location(_, _, _))) :-
     memberchk(Fault, [model_error(_),geometry_error(_)]).
 names_place(sanggwan(not_utf8(_, _))).
 
-print_prefixed(Word, Term, Lines) :-
+print_prefixed(Out, Word, Term, Lines) :-
     (   names_place(Term)
     ->  format(atom(Prefix), '~~N~w', [Word])
     ;   source_location(File, Line)
     ->  format(atom(Prefix), '~~N~w:~d: ~w', [File, Line, Word])
     ;   format(atom(Prefix), '~~Nsanggwan: ~w', [Word])
     ),
-    print_message_lines(user_error, '', [Prefix-[]|Lines]).
+    print_message_lines(Out, '', [Prefix-[]|Lines]).

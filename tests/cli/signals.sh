@@ -1,0 +1,98 @@
+#!/bin/bash
+# signals.sh -- a signal at any moment of a long run ends the program soon, with
+# its number, and leaves every folder as it was. SIGNAL_TIMES=N: at more moments.
+. "$(dirname "$0")/harness.bash"
+cd "$here" || exit 2
+times=${SIGNAL_TIMES:-3}
+to=$work/to
+export TMPDIR=$work/tmp
+mkdir "$to" "$TMPDIR"
+echo old >"$to/a.off"
+
+# Two balls of 4 N^2 triangles.
+awk -v n=120 'BEGIN { pi = 3.14159265358979
+  for (x = 0; x < 2; x++) {
+    file = "'"$work"'/ball" x ".obj"
+    for (i = 0; i <= n; i++) for (j = 0; j < 2 * n; j++)
+      printf "v %.15f %.15f %.15f\n", 0.7 * x + sin(pi*i/n) * cos(pi*j/n), \
+        sin(pi*i/n) * sin(pi*j/n), cos(pi*i/n) > file
+    for (i = 0; i < n; i++) for (j = 0; j < 2 * n; j++) {
+      a = i*2*n + j + 1; b = a + 2*n
+      c = i*2*n + (j+1) % (2*n) + 1; d = c + 2*n
+      if (i < n - 1) print "f", a, b, d > file
+      if (i > 0) print "f", a, d, c > file
+    }
+  }
+}'
+
+now() { date +%s%N; }
+
+# ended NAME SIGNAL MILLISECONDS ARGUMENT...: SIGNAL after so long; $status and
+# $took, ms. Nothing may be left behind.
+ended() {
+  local name=$1 signal=$2 after=$3 begin
+  shift 3
+  timeout -s KILL 60 "$sanggwan" "$@" >"$work/out" 2>"$work/err" </dev/null &
+  local watch=$!
+  sleep "$(printf '%d.%03d' $((after / 1000)) $((after % 1000)))"
+  local pid
+  pid=$(pgrep -P $watch) || pid=
+  begin=$(now)
+  [ -n "$pid" ] && kill -"$signal" "$pid" 2>/dev/null
+  wait $watch
+  status=$?
+  took=$((($(now) - begin) / 1000000))
+  [ "$took" -gt "$worst" ] && worst=$took
+  check "$name: only what was there" holds "$to" a.off
+  check "$name: nothing temporary" holds "$TMPDIR"
+}
+
+# Every signal, while a goal runs and while it waits.
+worst=0
+number() { kill -l "$1"; }
+for signal in HUP INT QUIT TERM USR1 ALRM XCPU; do
+  for goal in 'repeat, fail' 'sleep(30)'; do
+    ended "$signal, $goal" $signal 800 query facts/cube.pl "$goal"
+    check "$signal, $goal: its number" status_is $((128 + $(number $signal)))
+    check "$signal, $goal: said" has interrupted
+    check "$signal, $goal: soon" test "$took" -lt 1000
+  done
+done
+ended 'two signals' TERM 800 query facts/cube.pl \
+  'catch((repeat, fail), _, (repeat, fail))'
+check 'one that a goal catches: its number' status_is 143
+check 'one that a goal catches: soon' test "$took" -lt 1000
+
+# Those that were ignored stay so: nohup.
+(trap '' HUP && exec "$sanggwan" query facts/cube.pl 'sleep(1), X = 1' \
+  >"$work/out" 2>"$work/err") &
+sleep 0.6
+kill -HUP $!
+wait $!
+status=$?
+check 'nohup' status_is 0
+check 'nohup: the answer' has 1 "$work/out"
+
+# A long run: how long it takes, then moments of it.
+moments() {
+  local name=$1 begin whole i
+  shift
+  begin=$(now)
+  run "$@"
+  whole=$((($(now) - begin) / 1000000))
+  check "$name: runs" status_is 0
+  find "$to" -type f -delete
+  echo old >"$to/a.off"
+  for ((i = 1; i <= times; i++)); do
+    ended "$name, $i" TERM $((whole * i / (times + 1))) "$@"
+    check "$name, $i: its number" status_is 143
+    check "$name, $i: as it was" is "$(cat "$to/a.off")" old
+    check "$name, $i: soon" test "$took" -lt 1000
+  done
+}
+moments union union "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.off"
+moments draw draw "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.svg" \
+  -o "$to/a.pdf"
+printf 'counted: the slowest of %d ends took %d ms\n' \
+  "$((15 + 2 * times))" "$worst"
+finish
