@@ -36,9 +36,10 @@ typedef struct sg_cut_handle {
   uint32_t (*candidate)[2];            /* triangles, and then curve edges */
   size_t candidates, curve_candidates; /* the second: where those begin */
   bool joined;                         /* the candidates are there */
-  double reach;                        /* how near they are, at most */
-  sg_key_table next_name;              /* segment -> next id of v/5 */
-  sg_key_table line_of;                /* segment, two points -> line */
+  double *own;  /* [segments] how far each may reach; null: all alike */
+  double reach; /* how near they are, at most */
+  sg_key_table next_name; /* segment -> next id of v/5 */
+  sg_key_table line_of;   /* segment, two points -> line */
   uint8_t *real; /* [real_room]: the real edges of triangles that were asked */
   size_t real_room;
   sg_key_table edge_type;  /* segment, polygon, two vertices -> Et */
@@ -78,6 +79,8 @@ void sg_cut_set_let_go(sg_cut_handle *handle);
 int sg_cut_open_ex(sg_cut_handle *handle, term_t pairs);
 void sg_cut_open_clear(sg_cut_handle *handle);
 int sg_cut_join_ex(sg_cut_handle *handle);
+/* Where segment s is among those of the set; it is one of them. */
+size_t sg_cut_place_of(const sg_cut_handle *handle, int32_t s);
 
 /* The name of a point in segment s, made if it has none; 0: an exception
  * (seam4pl.c). */

@@ -81,9 +81,8 @@ compare_segments(const void *x, const void *y)
   return (a > b) - (a < b);
 }
 
-/* Where segment s is among those of the set; it is one of them. */
-static size_t
-place_of(const sg_cut_handle *handle, int32_t s)
+size_t
+sg_cut_place_of(const sg_cut_handle *handle, int32_t s)
 {
   const int32_t *at = bsearch(&s, handle->segment, handle->segments, sizeof s,
                               compare_segments);
@@ -101,7 +100,7 @@ fetch_vertex(void *data, int32_t s, int32_t v, double at[3])
   if (sg_key_table_get(&handle->next_name, &key) == SG_NO_KEY) {
     return false;
   }
-  return sg_leaf_vertex_at(handle->tree[place_of(handle, s)]->tree,
+  return sg_leaf_vertex_at(handle->tree[sg_cut_place_of(handle, s)]->tree,
                            &handle->views, v, at);
 }
 
@@ -142,11 +141,13 @@ sg_cut_open_clear(sg_cut_handle *handle)
   free(handle->segment);
   free(handle->pair);
   free(handle->candidate);
+  free(handle->own);
   sg_leaf_views_clear(&handle->views);
   handle->tree = NULL;
   handle->segment = NULL;
   handle->pair = NULL;
   handle->candidate = NULL;
+  handle->own = NULL;
   handle->segments = handle->pairs = 0;
   handle->candidates = handle->curve_candidates = 0;
 }
@@ -174,8 +175,8 @@ take_pairs(join *j, bool curve)
 
   j->pairs = 0;
   for (size_t i = 0; i < handle->pairs; i++) {
-    size_t a = place_of(handle, handle->pair[i][0]);
-    size_t b = place_of(handle, handle->pair[i][1]);
+    size_t a = sg_cut_place_of(handle, handle->pair[i][0]);
+    size_t b = sg_cut_place_of(handle, handle->pair[i][1]);
     const sg_leaf_tree *of_a = handle->tree[a]->tree;
     const sg_leaf_tree *of_b = handle->tree[b]->tree;
 
@@ -296,7 +297,7 @@ join_selves_ex(join *j, sg_crew *crew)
   int good = TRUE;
 
   for (size_t i = 0; i < handle->pairs && good; i++) {
-    size_t at = place_of(handle, handle->pair[i][0]);
+    size_t at = sg_cut_place_of(handle, handle->pair[i][0]);
     sg_bvh_hits hits;
 
     if (handle->pair[i][0] != handle->pair[i][1]) {

@@ -29,8 +29,11 @@ void
 sg_resolve_init(sg_resolve *r, double reach, sg_is_real_side *is_real,
                 void *data, const sg_poll *poll)
 {
-  *r = (sg_resolve){
-      .reach = reach, .poll = poll, .is_real = is_real, .data = data};
+  *r = (sg_resolve){.reach = reach,
+                    .here = reach,
+                    .poll = poll,
+                    .is_real = is_real,
+                    .data = data};
   sg_key_table_init(&r->segment, 1);
   sg_key_table_init(&r->known, 3);
   sg_key_table_init(&r->node_number, 6);
@@ -93,7 +96,7 @@ sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
 {
   sg_contact contact[SG_CONTACT_MAX];
   bool inexact;
-  int n = sg_contacts(a->at, b->at, r->reach, contact, &inexact);
+  int n = sg_contacts(a->at, b->at, r->here, contact, &inexact);
 
   if (n == 0) {
     return true;
@@ -213,8 +216,10 @@ node_of(sg_resolve *r, const sg_resolve_node *node)
     r->node.item[fresh].side = r->side;
     *number = fresh;
   }
-  if (number && r->side < r->node.item[*number].side) {
-    r->node.item[*number].side = r->side;
+  if (number) {
+    sg_resolve_node *known = &r->node.item[*number];
+    known->side = fmin(known->side, r->side);
+    known->reach = fmax(known->reach, r->here);
   }
   return number ? *number : SG_NO_KEY;
 }
@@ -370,7 +375,7 @@ sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
   sg_contact contact[SG_CONTACT_MAX];
   bool flush;
   int n = is_wanted(r, a->s)
-              ? sg_contacts(a->at, b->at, r->reach, contact, &flush)
+              ? sg_contacts(a->at, b->at, r->here, contact, &flush)
               : 0;
 
   r->side = n > 0 ? fmin(shortest_side(a), shortest_side(b)) : 0;
@@ -398,7 +403,7 @@ sg_resolve_crossing(sg_resolve *r, uint32_t i, const sg_resolve_leaf *leaf)
 
   if (leaf->s == node->line[0][0] || leaf->s == node->line[1][0] ||
       !is_wanted(r, leaf->s) ||
-      !sg_contact_point(node->at, leaf->at, r->reach, &contact)) {
+      !sg_contact_point(node->at, leaf->at, r->here, &contact)) {
     return true;
   }
   r->side = shortest_side(leaf);

@@ -5,10 +5,13 @@
 #include "resolve4pl.h"
 
 #include "glue.h"
+#include "polygon/flatness.h"
 #include "polygon/plane.h"
+#include "rows/grain4pl.h"
 
 #include "engine/install.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,6 +39,21 @@ get_leaf(const sg_resolving *job, uint32_t triangle, sg_resolve_leaf *out)
   sg_cut_model_corners(model, triangle, out->at);
 }
 
+/* How far apart what is to touch may be in these triangles: the coarser one's
+ * segment says it. */
+static void
+set_reach(sg_resolving *job, uint32_t a, uint32_t b)
+{
+  const sg_cut_handle *handle = job->handle;
+  const sg_leaf_triangle *t = handle->set.model.triangle;
+
+  if (handle->own) {
+    double x = handle->own[sg_cut_place_of(handle, t[a].s)];
+    double y = handle->own[sg_cut_place_of(handle, t[b].s)];
+    job->r.here = fmin(job->r.reach, fmax(x, y));
+  }
+}
+
 typedef bool use_pair(sg_resolve *r, const sg_resolve_leaf *a,
                       const sg_resolve_leaf *b);
 
@@ -51,8 +69,11 @@ each_pair_ex(sg_resolving *job, use_pair *use)
     }
     get_leaf(job, handle->candidate[i][0], &leaf[0]);
     get_leaf(job, handle->candidate[i][1], &leaf[1]);
-    if (leaf[0].s != leaf[1].s && !use(&job->r, &leaf[0], &leaf[1])) {
-      return sg_no_memory();
+    if (leaf[0].s != leaf[1].s) {
+      set_reach(job, leaf[0].triangle, leaf[1].triangle);
+      if (!use(&job->r, &leaf[0], &leaf[1])) {
+        return sg_no_memory();
+      }
     }
   }
   return TRUE;
@@ -105,6 +126,7 @@ each_crossing_ex(sg_resolving *job)
 
     if (k != SG_NO_KEY) {
       get_leaf(job, pair[!(i % 2)], &leaf);
+      set_reach(job, pair[0], pair[1]);
     }
     for (; k != SG_NO_KEY && good; k = chain.next[k]) {
       good = sg_resolve_crossing(&job->r, k / 2, &leaf);
@@ -487,11 +509,40 @@ cut_touch(term_t set, term_t reach, term_t what, term_t moves)
   return done;
 }
 
+/* cut_own_tolerances(+Set) is det. */
+static foreign_t
+cut_own_tolerances(term_t set)
+{
+  sg_cut_handle *handle;
+
+  if (!sg_get_cut_set_ex(set, &handle)) {
+    return FALSE;
+  }
+  if (!handle->own &&
+      !(handle->own = calloc(handle->segments + 1, sizeof *handle->own))) {
+    return sg_no_memory();
+  }
+  for (size_t i = 0; i < handle->segments; i++) {
+    const sg_box *box = &handle->tree[i]->tree->box;
+    sg_flatness flatness;
+
+    sg_flatness_init(&flatness,
+                     sg_grain_of(handle->version, handle->segment[i]));
+    if (box->lo[0] <= box->hi[0]) {
+      sg_flatness_see(&flatness, box->lo);
+      sg_flatness_see(&flatness, box->hi);
+    }
+    handle->own[i] = sg_flatness_touch(&flatness);
+  }
+  return TRUE;
+}
+
 void
 sg_install_resolve(void)
 {
   static const PL_extension doors[] = {
       {"cut_resolve", 4, (pl_function_t)cut_resolve, 0},
+      {"cut_own_tolerances", 1, (pl_function_t)cut_own_tolerances, 0},
       {"cut_touch", 4, (pl_function_t)cut_touch, 0},
       {NULL, 0, NULL, 0}};
 

@@ -11,18 +11,6 @@
 
 #include <stdlib.h>
 
-/* Where segment s is among those of the set; it is one of them. */
-static size_t
-place_of(const sg_cut_handle *handle, int32_t s)
-{
-  size_t i = 0;
-
-  while (handle->segment[i] != s) {
-    i++;
-  }
-  return i;
-}
-
 int
 sg_resolving_bodies_ex(sg_resolving *job)
 {
@@ -35,7 +23,7 @@ sg_resolving_bodies_ex(sg_resolving *job)
     if (handle->pair[i][0] != handle->pair[i][1]) {
       continue;
     }
-    if (!sg_bodies_find(handle->tree[place_of(handle, part.s)]->tree,
+    if (!sg_bodies_find(handle->tree[sg_cut_place_of(handle, part.s)]->tree,
                         &handle->views, &sg_prolog_poll, &part.bodies) ||
         !SG_PUSH(job->part, part)) {
       sg_bodies_clear(&part.bodies);

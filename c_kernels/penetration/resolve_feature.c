@@ -14,6 +14,10 @@
  * it is not many triangles; no more than MANY in any case. */
 enum { TIGHT = 100, SIDES = 4, MANY = 96, BLOCK = 1 << 16 };
 
+/* What a step of turning and moving rounds, beside the coordinates: it is never
+ * tight. */
+#define ROUNDING 0x1p-48
+
 /* ---- how far points move ---- */
 
 static double
@@ -72,8 +76,9 @@ typedef struct triangle {
 
 typedef struct near {
   const double *point;
-  double move, reach;
-  bool itself; /* the segment is made to touch in itself */
+  double reach;
+  double within; /* what is nearer is made to touch */
+  bool itself;   /* in the segment, too */
   size_t n;
   triangle item[MANY];
   uint32_t sheet[MANY]; /* disjoint sets */
@@ -206,7 +211,7 @@ nearest_sheet(near *all, double feature)
   for (uint32_t i = 0; i < all->n; i++) {
     if (sg_disjoint_root(all->sheet, i) !=
             sg_disjoint_root(all->sheet, (uint32_t)home) &&
-        !(all->itself && all->item[i].apart <= 2 * all->move)) {
+        !(all->itself && all->item[i].apart <= all->within)) {
       feature = fmin(feature, all->item[i].apart);
     }
   }
@@ -237,9 +242,12 @@ static void
 note_feature(const measuring *m, uint32_t point, int32_t s, double feature)
 {
   sg_resolve_moves *out = m->out;
-  double move = m->move[point];
+  double move = m->move[point], largest = 0;
 
-  if (!(move * TIGHT > feature)) {
+  for (int k = 0; k < 3; k++) {
+    largest = fmax(largest, fabs(m->r->point.item[point].at[k]));
+  }
+  if (!(move * TIGHT > feature) || move <= largest * ROUNDING) {
     return;
   }
   out->tight += !m->counted[point];
@@ -261,10 +269,9 @@ each_point(const measuring *m, const sg_leaf_tree *tree, bool itself,
 
   for (size_t i = 0; all && i < hits->n;) {
     uint32_t at = hits->hit[i].a, point = name[points->item[at]];
-    double move = m->move[point];
 
     *all = (near){.point = m->r->point.item[point].at,
-                  .move = move,
+                  .within = m->r->reach,
                   .reach = m->reach[point],
                   .itself = itself};
     for (; i < hits->n && hits->hit[i].a == at; i++) {

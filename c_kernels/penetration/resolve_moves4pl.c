@@ -14,28 +14,17 @@
  * thousand units in the last place of doubles. */
 enum { UNSAID = 40 };
 
-static int
-compare_segments(const void *a, const void *b)
-{
-  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 /* An sg_resolve_tree_of. */
 static const sg_leaf_tree *
 tree_of(const void *data, int32_t s, bool *itself)
 {
   const sg_resolving *job = data;
   const sg_cut_handle *handle = job->handle;
-  const int32_t *at = bsearch(&s, handle->segment, handle->segments, sizeof s,
-                              compare_segments);
-
   *itself = false;
   for (size_t i = 0; i < job->part.n; i++) {
     *itself = *itself || job->part.item[i].s == s;
   }
-  return at ? handle->tree[at - handle->segment]->tree : NULL;
+  return handle->tree[sg_cut_place_of(handle, s)]->tree;
 }
 
 int

@@ -151,8 +151,9 @@ unite_all(sg_resolve *r)
   }
   for (size_t i = 1; i < r->touch.n && !is_stopped(r); i++) {
     const sg_resolve_touch *x = &r->touch.item[i - 1], *y = x + 1;
-    if (same_edge(x, y) && distance(r->node.item[x->node].at,
-                                    r->node.item[y->node].at) <= r->reach) {
+    const sg_resolve_node *a = &r->node.item[x->node];
+    const sg_resolve_node *b = &r->node.item[y->node];
+    if (same_edge(x, y) && distance(a->at, b->at) <= fmax(a->reach, b->reach)) {
       unite(r, x->node, y->node);
     }
   }

@@ -13,6 +13,7 @@
             % cut_fold4pl.c
             cut_flat_within/2,        % +Set, +Tolerance
             % resolve4pl.c
+            cut_own_tolerances/1,     % +Set
             cut_resolve/4,            % +Set, +Reach, -Vertices, -Polygons
             cut_touch/4,              % +Set, +Reach, -What, -Moves
             % seam4pl.c
@@ -118,6 +119,11 @@ Foreign predicates; see kernel.pl.
 %   divide lines, as real edges do: the polygon keeps its shape.
 
 /* - - - resolve4pl.c - - - */
+
+%!  cut_own_tolerances(+Set) is det.
+%
+%   From now on two segments of Set reach no farther than the source of the
+%   coarser one says (docs/precision.md), whatever Reach is asked for.
 
 %!  cut_resolve(+Set, +Reach, -Vertices, -Polygons) is det.
 %

@@ -11,7 +11,7 @@
                 cut_vertices/2, near_segments_of/3
               ]).
 :- use_module('../csg/leaf', [origin_segment/2]).
-:- use_module(resolve, [resolve_contacts/2]).
+:- use_module(resolve, [resolve_contacts/2, tolerance_reach/2]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(ordsets), [ord_union/3]).
@@ -43,7 +43,8 @@ pairs_contacts([Pair], _, [Pair]) :-
     !.
 pairs_contacts(Pairs, Tolerance, Contacts) :-
     findall(S, ( member(S1-S2, Pairs), member(S, [S1,S2]) ), Segments),
-    near_segments_of(Tolerance, Segments, Near),
+    tolerance_reach(Tolerance, Reach),
+    near_segments_of(Reach, Segments, Near),
     findall(S1-S2, ( member(S1-Others, Near), member(S2, Others), S1 < S2 ),
             NearPairs),
     ord_union(Pairs, NearPairs, Contacts).

@@ -32,7 +32,8 @@
               [ contact_pairs/3, find_curve_points/1, met_pairs/4,
                 touching_pairs/2
               ]).
-:- use_module(resolve, [resolve_contacts/2, resolved_seams/0]).
+:- use_module(resolve,
+              [resolve_contacts/2, resolved_seams/0, tolerance_reach/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store', [segment/3, facts_snapshot/1, facts_transaction/1]).
 :- use_module(library(apply), [maplist/2, partition/4]).
@@ -152,8 +153,9 @@ pairs_to_cut(all, Tolerance, Pairs) :-
     aside_segments(Aside),
     findall(S-aside, member(S, Aside), Marked),
     ord_list_to_assoc(Marked, Marks),
+    tolerance_reach(Tolerance, Reach),
     findall(S1-S2,
-            ( near_segments(Tolerance, S1, S2),
+            ( near_segments(Reach, S1, S2),
               \+ get_assoc(S1, Marks, _),
               \+ get_assoc(S2, Marks, _),
               may_cut(S1, S2)
@@ -163,16 +165,19 @@ pairs_to_cut(Pairs, _, Pairs).
 
 %!  touching(+Options:list, -Tolerance) is det.
 %
-%   Tolerance is what option tolerance(T) says, or else model_tolerance/1.
+%   Tolerance is what option tolerance(T) says, or else model_tolerance/1 and no
+%   more than what is said of two segments (tolerance_reach/2).
 
 touching(Options, Tolerance) :-
     (   option(tolerance(Tolerance), Options)
-    ->  must_be(number, Tolerance),
-        (   Tolerance >= 0
+    ->  tolerance_reach(Tolerance, Reach),
+        must_be(number, Reach),
+        (   Reach >= 0
         ->  true
         ;   domain_error(not_less_than_zero, Tolerance)
         )
-    ;   model_tolerance(Tolerance)
+    ;   model_tolerance(Reach),
+        Tolerance = own(Reach)
     ).
 
 %   Cuts are taken between leaves (leaf.pl): where Pairs meet, what earlier
@@ -238,7 +243,8 @@ with_cut_set(Pairs, Tolerance, Goal) :-
     stage(tree, cut_set_open(Pairs, Set)), % long: no signals in a setup
     setup_call_cleanup(
         true,
-        ( cut_flat_within(Set, Tolerance),
+        ( tolerance_reach(Tolerance, Reach),
+          cut_flat_within(Set, Reach),
           call(Goal, Pairs, Set) ),
         cut_set_close(Set)).
 

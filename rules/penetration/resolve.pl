@@ -2,9 +2,11 @@
           [ resolve_contacts/2,         % +Set, +Tolerance
             resolve_contacts_by_rule/2, % +Set, +Tolerance
             refusing_tight_moves/1,     % :Goal
+            tolerance_reach/2,          % +Tolerance, -Reach
             resolved_seams/0
           ]).
-:- use_module('../kernel', [cut_resolve/4, cut_touch/4]).
+:- use_module('../kernel',
+              [cut_own_tolerances/1, cut_resolve/4, cut_touch/4]).
 :- use_module('../csg/leaf', [leaves_kept/1, place_kept/1]).
 :- use_module('../store',
               [ v/5, e/5, p/3, t/6, origin/3, line/9, edge_polygon/3,
@@ -42,19 +44,39 @@ in penetration.pl; it is not exact. What was there before is kept
 %!  resolve_contacts_by_rule(+Set, +Tolerance) is semidet.
 %
 %   True if something was made to touch in the segments of cut set Set: then
-%   the world has changed, and Set no longer shows it. Tolerance is in model
-%   units, positive. Contacts that hang together over more than three
-%   tolerances, or that a polygon cannot take in, are tried again with less;
-%   in the end nothing is changed, with a warning: the lines are right for the
-%   model as it is, but may have splinters. Where anything moves farther than
-%   doubles are rounded a message says so; where that is more than a hundredth
-%   of the smallest feature near it, it is a warning. cut_touch/4 is the fused
-%   kernel of the rule; a test holds the two together.
+%   the world has changed, and Set no longer shows it. Tolerance is as for
+%   tolerance_reach/2, positive. Contacts that hang together over more than
+%   three tolerances, or that a polygon cannot take in, are tried again with
+%   less; in the end nothing is changed, with a warning: the lines are right
+%   for the model as it is, but may have splinters. Where anything moves
+%   farther than doubles are rounded a message says so; where that is more
+%   than a hundredth of the smallest feature near it, it is a warning.
+%   cut_touch/4 is the fused kernel of the rule; a test holds the two
+%   together.
 
 resolve_contacts(Set, Tolerance) :-
-    Tolerance > 0,
+    set_reach(Set, Tolerance, Reach),
+    Reach > 0,
     parts(Parts),
-    closed_contacts(Parts, Set, Tolerance).
+    closed_contacts(Parts, Set, Reach).
+
+set_reach(Set, Tolerance, Reach) :-
+    tolerance_reach(Tolerance, Reach),
+    (   Tolerance = own(_)
+    ->  cut_own_tolerances(Set)
+    ;   true
+    ).
+
+%!  tolerance_reach(+Tolerance, -Reach) is det.
+%
+%   Nothing is made to touch that is farther apart than Reach. Tolerance is
+%   that number, or own(Reach): then it is also no farther apart than the source
+%   of the coarser of two segments says (cut_own_tolerances/1).
+
+tolerance_reach(own(Reach0), Reach) :-
+    !,
+    Reach = Reach0.
+tolerance_reach(Reach, Reach).
 
 closed_contacts([Part|Parts], Set, Tolerance) :-
     Reach is Part*Tolerance,
@@ -102,9 +124,10 @@ refusing_tight_moves(Goal) :-
         erase(Ref)).
 
 resolve_contacts_by_rule(Set, Tolerance) :-
-    Tolerance > 0,
+    set_reach(Set, Tolerance, Reach),
+    Reach > 0,
     parts(Parts),
-    closed_contacts(Parts, Set, Tolerance, Changes),
+    closed_contacts(Parts, Set, Reach, Changes),
     Changes = changes(Vertices, Polygons),
     Vertices-Polygons \== []-[],
     findall(S-V, member(vertex(S, V, _, _, _, _), Vertices), Places),

@@ -172,11 +172,11 @@ kind_cut(_, Plane, S, Name, N, Caps) :-
 half_boolean(Half, S, Operation, Kind, Name, K, N) :-
     add_primitive(Half, K),
     complete_segments([K]),
-    segments_tolerance([S], Tolerance, _),
+    segments_tolerance([S], Reach, _),
     fresh_id(segment, 0, N),
     assert_fact(segment(N, Kind, Name)),
     Expression =.. [Operation,[S,K]],
-    boolean(Expression, N, [tolerance(Tolerance),origins(separate)]).
+    boolean(Expression, N, [tolerance(own(Reach)),origins(separate)]).
 
 
                 /*******************************

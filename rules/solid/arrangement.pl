@@ -25,6 +25,7 @@
               [enter_polygons/4, close_works/1, stays_entered/1]).
 :- use_module('../csg/leaf', [were_cut/2]).
 :- use_module('../penetration/penetration', [leaf_lines/4, touching/2]).
+:- use_module('../penetration/resolve', [tolerance_reach/2]).
 :- use_module(passing, [passing_places/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
@@ -78,7 +79,8 @@ since a vertex that they share is shared by moving it.
 with_arrangement(Leaves0, Options, Goal) :-
     sort(Leaves0, Leaves),
     leaves_tolerance(Leaves, Options, Tolerance),
-    near_segments_of(Tolerance, Leaves, NearPairs),
+    tolerance_reach(Tolerance, Reach),
+    near_segments_of(Reach, Leaves, NearPairs),
     ord_list_to_assoc(NearPairs, Near),
     maplist(leaf_key(Tolerance), NearPairs, Keys),
     setup_call_cleanup(
@@ -104,7 +106,8 @@ with_arrangement(Leaves0, Options, Goal) :-
 leaves_tolerance(Leaves, Options, Tolerance) :-
     (   option(tolerance(_), Options)
     ->  touching(Options, Tolerance)
-    ;   segments_tolerance(Leaves, Tolerance, _)
+    ;   segments_tolerance(Leaves, Reach, _),
+        Tolerance = own(Reach)
     ).
 
 counted(Flag, Leaves) :-
@@ -354,7 +357,8 @@ in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Passings, Set,
               Passing \== []
             ),
             Passings),
-    divided(Set, Segments-Wanted, Polygons, Tolerance, Arrangement).
+    tolerance_reach(Tolerance, Reach),
+    divided(Set, Segments-Wanted, Polygons, Reach, Arrangement).
 
 %   divided(+Set, +Leaves, +Polygons, +Tolerance, -Arrangement): mostly lines
 %   meet nothing in the polygons that they enter. Then a fused kernel enters and

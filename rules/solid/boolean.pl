@@ -20,6 +20,7 @@
               ]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module(passing, [passing_named/2]).
+:- use_module('../penetration/resolve', [tolerance_reach/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module(solid_rows,
               [solid_written/2, solid_written_over/2, region_written_over/3]).
@@ -109,11 +110,13 @@ tolerance(Leaves, Options0, Options) :-
     (   option(tolerance(Given), Options0)
     ->  refuse_large(Given, Smallest),
         Options = Options0
-    ;   Options = [tolerance(Tolerance),by_size(true)|Options0]
+    ;   Options = [tolerance(own(Tolerance))|Options0]
     ).
 
 %   With a tolerance as large as the parts, everything is one point.
 
+refuse_large(own(_), _) :-
+    !.
 refuse_large(Tolerance, Smallest) :-
     Most is Smallest/16,
     (   Tolerance > Most,
@@ -155,7 +158,8 @@ attempt(Options, [faces(pieces)|Options], faces) :-
     \+ option(faces(pieces), Options).
 attempt(Options, [tolerance(0)|Options], contacts) :-
     option(tolerance(Tolerance), Options),
-    Tolerance > 0.
+    tolerance_reach(Tolerance, Reach),
+    Reach > 0.
 
 selected_solid(Expression, Leaves, Options, Solid, Passing, Numbers) :-
     with_arrangement(Leaves, Options,

@@ -257,8 +257,8 @@ tolerance_options(default, Stamps, Options) :-
         findall(Surface, ( member(Half, Halves), half_surface(Half, Surface) ),
                 Surfaces),
         append(Own, Surfaces, Real),
-        segments_tolerance(Real, Tolerance, _),
-        Options = [tolerance(Tolerance)]
+        segments_tolerance(Real, Reach, _),
+        Options = [tolerance(own(Reach))]
     ).
 tolerance_options(Tolerance, _, [tolerance(Tolerance)]).
 

@@ -6,6 +6,7 @@
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module('../kernel',
               [ model_tolerance/1, solid_merge/3, solid_neighbours/3 ]).
+:- use_module('../penetration/resolve', [tolerance_reach/2]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> Faces: coplanar neighbours become one (CB-5).
@@ -25,10 +26,10 @@ left at them vanish. Bodies that touch in an edge keep it.
 %
 %     - tolerance(Tolerance)
 %     What is not farther than this (model units) from a plane or a line lies in
-%     it. Default: model_tolerance/1.
+%     it (tolerance_reach/2). Default: model_tolerance/1.
 %     - by_size(Bool)
 %     No more than 2^-13 of the size of Solid, which may be a small part of the
-%     model. Default: `true` if no tolerance is given, else `false`.
+%     model. Default: `true` if no number is given, else `false`.
 %     - origins(Which)
 %     `separate`: faces that come from different segments never become one.
 %     Default: `together`.
@@ -42,8 +43,12 @@ faces_merged(Solid, Options) :-
                 [origins(Origins), apart(Apart), by_size(BySize)]).
 
 merge_options(Options, Tolerance, BySize, Origins) :-
-    (   option(tolerance(Tolerance), Options)
-    ->  BySize0 = false
+    (   option(tolerance(Given), Options)
+    ->  tolerance_reach(Given, Tolerance),
+        (   Given = own(_)
+        ->  BySize0 = true
+        ;   BySize0 = false
+        )
     ;   model_tolerance(Tolerance),
         BySize0 = true
     ),

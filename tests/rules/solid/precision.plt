@@ -318,6 +318,33 @@ monotone([Apart1-Shells1,Apart2-Shells2|Rest]) :-
     !,
     monotone([Apart2-Shells2|Rest]).
 
+%   Two boxes that have a slab in common, however thin.
+
+slab_case(Source, Size, [X,Y,Z], Slab) :-
+    cube(Size, [X,Y,Z], Box1),
+    Box1 = _-[X2,_,_],
+    X3 is float(X2-Slab*Size),
+    cube(Size, [X3,Y,Z], Box2),
+    made([Source,Source], [Box1,Box2], intersection,
+         result([Read1,Read2], T, Shells, Volume, Said)),
+    common_box(Read1, Read2, Common),
+    Common = [A,_,_]-[B,_,_],
+    box_volume(Common, Exact0),
+    Exact is float(Exact0),
+    Thick is B-A,
+    (   Thick > 2*T
+    ->  assertion(Shells == 1),
+        assertion(Said == []),
+        assertion(abs(Volume-Exact) =< (1.0e-9+T/Thick)*Exact)
+    ;   Thick > 0,
+        farthest(Read2, Farthest),
+        Thick > 2.0** -39*Farthest,
+        \+ nearly(Volume, Exact)
+    ->  assertion(Said \== [])
+    ;   true
+    ),
+    counted.
+
 %   A box without another: walls all round, and no lid.
 
 wall_case(Source, Size, Low, Wall) :-
@@ -414,6 +441,17 @@ test(walls) :-
     flag(precision_cases, Walls, 0),
     format("~ncounted: ~d walls~n", [Walls]).
 
+test(slabs) :-
+    set_random(seed(2019)),
+    cases(200, N),
+    gaps(Slabs),
+    forall(between(1, N, _),
+           ( random_family(Source, Size, Low),
+             random_member(Slab, Slabs),
+             ( slab_case(Source, Size, Low, Slab) ; true ) )),
+    flag(precision_cases, Cases, 0),
+    format("~ncounted: ~d slabs~n", [Cases]).
+
 %   Sources that differ: the coarser one counts.
 
 test(mixed_sources) :-
@@ -459,6 +497,30 @@ test(gap_far_away, [ forall(( member(X, [0, 1000.5, -1000000.5]),
     tree(union([ at([translate(X,0,0)], box(size(1,1,1))),
                  at([translate(Next,0,0)], box(size(1,1,1))) ]),
          1, Shells, _).
+%   What is large, far or coarse says nothing of what is beside it.
+
+test(small_in_a_large_scene, Shells == 3) :-
+    tree(union([ box(size(1000000,1,1)),
+                 at([translate(0,5,0)], box(size(1.0e-3,1.0e-3,1.0e-3))),
+                 at([translate(1.00001e-3,5,0)],
+                    box(size(1.0e-3,1.0e-3,1.0e-3))) ]),
+         1, Shells, _).
+
+test(fine_beside_coarse, Shells == 4) :-
+    cube(3.3, [1000.1,0.2,0.3], Box),
+    box_written(Box, stl, true, File),
+    new_world(World),
+    in_world(World,
+             ( file_loaded(File, 1),
+               assert_fact(segment(2, solid, box(size(1,1,1)))),
+               assert_fact(segment(3, solid,
+                                   at([translate(1.000001,0,0)], 2))),
+               assert_fact(segment(4, solid,
+                                   at([translate(2.000002,0,0)], 2))),
+               assert_fact(segment(5, solid, union([1,2,3,4]))),
+               evaluate(5),
+               measured(5, Shells, _) )).
+
 %   What is made to touch although it is no smaller than what is near: a word,
 %   and with that refused an error.
 
