@@ -174,7 +174,14 @@ $(EMBEDS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
 	$(CC) $(CFLAGS) $(WARN) -Wno-sign-conversion $(PL_CFLAGS) -Iengine \
 	  $(EXTRA_CFLAGS) $< $(B)/libsanggwan.a -o $@ $(PL_LIBS) $(LIBS)
 
-test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKERS)
+# An allocator that fails, before all others in a Prolog under test.
+FAILING := $(B)/tests/failing_malloc.so
+$(FAILING): tests/memory/failing_malloc.c $(B)/deps.mk
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARN) -Wno-sign-conversion -fno-builtin $(PL_CFLAGS) \
+	  -shared $< -o $@
+
+test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKERS) $(FAILING)
 	@tests/run $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
 check: test
 check-c: $(C_TESTS)
@@ -183,7 +190,7 @@ check-rules: $(B)/sanggwan.so $(B)/documentation.pl $(CHECKERS)
 	@tests/run $(PLTS)
 check-embed: $(EMBEDS)
 	@tests/run $^
-check-cli: all $(B)/docs/example $(CHECKERS)
+check-cli: all $(B)/docs/example $(CHECKERS) $(FAILING)
 	@tests/run $(CLIS)
 
 # Do the tests notice faults? N mutants of lines drawn by SEED; PART is a part

@@ -338,7 +338,7 @@ sg_world_add_edit(sg_world *world, sg_relation relation, const sg_value *row,
 int32_t
 sg_world_fresh(sg_world *world, sg_relation relation, int32_t s)
 {
-  int32_t id = 0;
+  int32_t id = -1;
   sg_map *map;
 
   if (sg_relation_id_column(relation) == SG_MAX_COLUMNS) {
@@ -346,11 +346,10 @@ sg_world_fresh(sg_world *world, sg_relation relation, int32_t s)
   }
   sg_world_enter(world);
   map = sg_world_own_map(world, relation);
-  if (map && sg_map_last_id(map, s) < INT32_MAX) {
-    id = sg_map_last_id(map, s) + 1;
-    if (!sg_map_used_id(map, s, id)) {
-      id = 0;
-    }
+  if (map && sg_map_last_id(map, s) == INT32_MAX) {
+    id = 0;
+  } else if (map && sg_map_used_id(map, s, sg_map_last_id(map, s) + 1)) {
+    id = sg_map_last_id(map, s);
   }
   sg_world_leave(world);
   return id;

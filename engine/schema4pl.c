@@ -177,11 +177,10 @@ fresh_id(term_t name, term_t segment, term_t id)
   if (!sg_claim_ex(world)) {
     return FALSE;
   }
-  fresh = sg_world_fresh(world, relation,
-                         sg_relation_id_column(relation) == 0 ? 0 : s);
+  fresh = sg_fresh_ex(world, relation,
+                      sg_relation_id_column(relation) == 0 ? 0 : s);
   sg_world_release(world);
-  return fresh > 0 ? PL_unify_integer(id, fresh)
-                   : PL_resource_error("fresh_ids");
+  return fresh > 0 && PL_unify_integer(id, fresh);
 }
 
 /* ---- statistics -------------------------------------------------------- */

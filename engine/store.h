@@ -248,8 +248,9 @@ sg_status sg_world_add_edit(sg_world *world, sg_relation relation,
                             const sg_value *row, sg_row *out, sg_fault *fault);
 
 /* The next id never yet used in relation (column 1, or column 2 of t, or
- * column 0 of segment, line, drawn) of segment s (0 for those three). Follows
- * roll-back: the same operation done again gives the same ids. */
+ * column 0 of segment, line, drawn) of segment s (0 for those three); 0: none
+ * is left; -1: no memory. Follows roll-back: the same operation done again
+ * gives the same ids. */
 int32_t sg_world_fresh(sg_world *world, sg_relation relation, int32_t s);
 
 /* Waits until no other thread has a transaction open or the world claimed,

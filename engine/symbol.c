@@ -9,16 +9,27 @@
 typedef struct entry {
   uint64_t hash;
   size_t length;
-  int32_t chained; /* the next symbol in the same bucket, -1: none */
-  char text[];
+  int32_t chained; /* the next symbol in the same bucket, and 1; 0: none */
+  const char *text;
 } entry;
+
+/* Where the first symbols stand: the known ones need no memory. */
+enum { FIRST_ROOM = 64 };
+_Static_assert((int)SG_KNOWN_SYMBOLS < (int)FIRST_ROOM,
+               "known symbols have room");
+static entry known_entry[SG_KNOWN_SYMBOLS];
+static entry *first_entries[FIRST_ROOM];
+static int32_t first_bucket[FIRST_ROOM];
 
 static struct {
   pthread_mutex_t lock;
   entry **entries;    /* [room], by symbol */
-  int32_t *bucket;    /* [room] */
-  size_t count, room; /* room is a power of two, or 0 */
-} symbols = {.lock = PTHREAD_MUTEX_INITIALIZER};
+  int32_t *bucket;    /* [room], as entry.chained */
+  size_t count, room; /* room is a power of two */
+} symbols = {.lock = PTHREAD_MUTEX_INITIALIZER,
+             .entries = first_entries,
+             .bucket = first_bucket,
+             .room = FIRST_ROOM};
 
 static uint64_t
 hash_text(const char *text, size_t length)
@@ -34,15 +45,12 @@ hash_text(const char *text, size_t length)
 static int32_t
 find(const char *text, size_t length, uint64_t hash)
 {
-  if (symbols.room == 0) {
-    return -1;
-  }
-  for (int32_t s = symbols.bucket[hash & (symbols.room - 1)]; s >= 0;
-       s = symbols.entries[s]->chained) {
-    const entry *e = symbols.entries[s];
+  for (int32_t s = symbols.bucket[hash & (symbols.room - 1)]; s > 0;
+       s = symbols.entries[s - 1]->chained) {
+    const entry *e = symbols.entries[s - 1];
     if (e->hash == hash && e->length == length &&
         memcmp(e->text, text, length) == 0) {
-      return s;
+      return s - 1;
     }
   }
   return -1;
@@ -55,29 +63,43 @@ chain(int32_t symbol)
   int32_t *bucket = &symbols.bucket[e->hash & (symbols.room - 1)];
 
   e->chained = *bucket;
-  *bucket = symbol;
+  *bucket = symbol + 1;
+}
+
+static int32_t
+add(entry *e)
+{
+  int32_t symbol = (int32_t)symbols.count++;
+
+  symbols.entries[symbol] = e;
+  chain(symbol);
+  return symbol;
 }
 
 static bool
 make_room(void)
 {
-  size_t room = symbols.room ? 2 * symbols.room : 64;
-  entry **entries;
-  int32_t *bucket;
+  size_t room = 2 * symbols.room;
 
   if (symbols.count < symbols.room) {
     return true;
   }
-  if (!(entries = realloc(symbols.entries, room * sizeof(*entries)))) {
+  entry **entries = malloc(room * sizeof(*entries));
+  int32_t *bucket = calloc(room, sizeof(*bucket));
+
+  if (!entries || !bucket) {
+    free(entries);
+    free(bucket);
     return false;
+  }
+  memcpy(entries, symbols.entries, symbols.count * sizeof(*entries));
+  if (symbols.entries != first_entries) {
+    free(symbols.entries);
+    free(symbols.bucket);
   }
   symbols.entries = entries;
-  if (!(bucket = realloc(symbols.bucket, room * sizeof(*bucket)))) {
-    return false;
-  }
   symbols.bucket = bucket;
   symbols.room = room;
-  memset(bucket, 0xff, room * sizeof(*bucket));
   for (size_t i = 0; i < symbols.count; i++) {
     chain((int32_t)i);
   }
@@ -90,6 +112,7 @@ intern(const char *text, size_t length)
   uint64_t hash = hash_text(text, length);
   int32_t symbol = find(text, length, hash);
   entry *e;
+  char *copy;
 
   if (symbol >= 0) {
     return symbol;
@@ -98,14 +121,11 @@ intern(const char *text, size_t length)
       !(e = malloc(sizeof(*e) + length + 1))) {
     return -1;
   }
-  e->hash = hash;
-  e->length = length;
-  memcpy(e->text, text, length);
-  e->text[length] = '\0';
-  symbol = (int32_t)symbols.count++;
-  symbols.entries[symbol] = e;
-  chain(symbol);
-  return symbol;
+  copy = (char *)(e + 1);
+  memcpy(copy, text, length);
+  copy[length] = '\0';
+  *e = (entry){.hash = hash, .length = length, .text = copy};
+  return add(e);
 }
 
 /* The known symbols take the first numbers, whoever comes first. */
@@ -121,9 +141,12 @@ enter(void)
   pthread_mutex_lock(&symbols.lock);
   while (symbols.count < SG_KNOWN_SYMBOLS) {
     const char *text = known[symbols.count];
-    if (intern(text, strlen(text)) < 0) {
-      abort(); /* not even a few dozen words fit in memory */
-    }
+    size_t length = strlen(text);
+    entry *e = &known_entry[symbols.count];
+
+    *e = (entry){
+        .hash = hash_text(text, length), .length = length, .text = text};
+    add(e);
   }
 }
 

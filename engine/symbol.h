@@ -39,6 +39,12 @@
   SYMBOL(SECTION, "section")                                                   \
   SYMBOL(MESH, "mesh")                                                         \
   SYMBOL(NEAR, "near")                                                         \
+  SYMBOL(LEAF, "leaf")                                                         \
+  SYMBOL(MADE, "made")                                                         \
+  SYMBOL(PRIMITIVE, "primitive")                                               \
+  SYMBOL(NODE, "node")                                                         \
+  SYMBOL(FOLD, "fold")                                                         \
+  SYMBOL(SEAM, "seam")                                                         \
   SYMBOL(COMMA, ",")                                                           \
   SYMBOL(S, "s")                                                               \
   SYMBOL(SOURCE, "source")

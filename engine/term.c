@@ -12,7 +12,7 @@ sg_term_open(sg_term_builder *b)
   b->word = b->few;
   b->room = SG_TERM_FEW;
   b->count = 1; /* word[0]: the byte count, when it is known */
-  b->failed = false;
+  b->failed = b->no_memory = false;
 }
 
 void
@@ -39,7 +39,7 @@ extend(sg_term_builder *b, size_t words)
     bool few = b->word == b->few;
     uint32_t *word = realloc(few ? NULL : b->word, room * sizeof(*word));
     if (!word) {
-      b->failed = true;
+      b->failed = b->no_memory = true;
       return NULL;
     }
     if (few) {

@@ -46,6 +46,7 @@ typedef struct sg_term_builder {
   uint32_t *word;
   size_t count, room;
   bool failed; /* no memory, or a text or number too long */
+  bool no_memory;
 } sg_term_builder;
 
 void sg_term_open(sg_term_builder *builder);

@@ -53,11 +53,12 @@ sg_symbol_atom(int32_t symbol)
       symbols.room = room;
     }
   }
-  if (place < symbols.room) {
-    if (!symbols.atom[place]) {
-      symbols.atom[place] = new_symbol_atom(symbol);
+  atom = place < symbols.room ? symbols.atom[place] : 0;
+  if (!atom) {
+    atom = new_symbol_atom(symbol);
+    if (place < symbols.room) {
+      symbols.atom[place] = atom; /* else no memory: made again next time */
     }
-    atom = symbols.atom[place];
   }
   pthread_mutex_unlock(&symbols.lock);
   return atom;
@@ -93,7 +94,7 @@ encode_mpz(mpz_srcptr z, sg_term_builder *out)
     return;
   }
   if (words > 64 && !(magnitude = malloc(words * sizeof(*magnitude)))) {
-    out->failed = true;
+    out->failed = out->no_memory = true;
     return;
   }
   mpz_export(magnitude, &words, -1, sizeof(*magnitude), 0, 0, z);
@@ -192,8 +193,11 @@ encode_head(term_t t, size_t *arity, encoding *to, int depth)
   atom_t name;
   int32_t symbol;
 
-  if (!PL_get_compound_name_arity(t, &name, arity) ||
-      (symbol = intern_atom(name)) < 0) {
+  if (!PL_get_compound_name_arity(t, &name, arity)) {
+    return false;
+  }
+  if ((symbol = intern_atom(name)) < 0) {
+    to->out->no_memory = true;
     return false;
   }
   sg_term_compound(to->out, symbol, *arity);
@@ -268,8 +272,10 @@ sg_get_term_ex(term_t t, uint32_t **out)
 
   if (!PL_is_acyclic(t) || !encode(t, &to, 0)) {
     sg_term_close(&builder);
-    return to.deep ? PL_resource_error("nesting_of_terms") /* not to be shown */
-                   : PL_type_error("storable_term", t);
+    return builder.no_memory ? PL_resource_error("memory")
+           : to.deep
+               ? PL_resource_error("nesting_of_terms") /* not to be shown */
+               : PL_type_error("storable_term", t);
   }
   words = sg_term_words(&builder);
   bytes = sg_term_length(words) * sizeof(*words);

@@ -60,6 +60,8 @@ bound_term(term_t t, const uint32_t **out, void **owned)
     } else {
       result = SG_PARTIAL;
     }
+  } else if (builder.no_memory) {
+    result = SG_PARTIAL; /* each row is looked at */
   }
   sg_term_close(&builder);
   return result;

@@ -236,6 +236,18 @@ sg_raise_status(sg_status status, sg_relation relation, const sg_fault *fault)
   return PL_domain_error("fact", t);
 }
 
+int32_t
+sg_fresh_ex(sg_world *world, sg_relation relation, int32_t s)
+{
+  int32_t id = sg_world_fresh(world, relation, s);
+
+  if (id <= 0) {
+    PL_resource_error(id == 0 ? "fresh_ids" : "memory");
+    return 0;
+  }
+  return id;
+}
+
 int
 sg_add_row_ex(sg_world *world, sg_relation relation, const sg_value *row)
 {

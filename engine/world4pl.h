@@ -36,6 +36,8 @@ int sg_raise_status(sg_status status, sg_relation relation,
 
 /* Adds a row; false: an exception is pending. */
 int sg_add_row_ex(sg_world *world, sg_relation relation, const sg_value *row);
+/* sg_world_fresh(); 0: an exception is pending. */
+int32_t sg_fresh_ex(sg_world *world, sg_relation relation, int32_t s);
 
 /* The poll that asks Prolog for signals; after a stop return FALSE from the
  * foreign predicate, the exception is pending. */

@@ -25,13 +25,10 @@ static const sg_relation written[RELATIONS] = {
 typedef struct writer {
   const sg_development *d;
   const sg_layout *layout;
-  int32_t to;      /* the pattern */
-  uint32_t *side;  /* [sides] in the order of their edges */
-  uint32_t *bent;  /* [faces of polygons that are not flat] */
-  int32_t kind[3]; /* symbols: fold, seam, line */
+  int32_t to;     /* the pattern */
+  uint32_t *side; /* [sides] in the order of their edges */
+  uint32_t *bent; /* [faces of polygons that are not flat] */
 } writer;
-
-enum { FOLD, SEAM, LINE };
 
 static int32_t
 vertex_id(const writer *w, uint32_t corner)
@@ -39,27 +36,28 @@ vertex_id(const writer *w, uint32_t corner)
   return (int32_t)w->layout->vertex[corner] + 1;
 }
 
-static int
+/* The symbol of the joint's kind. */
+static int32_t
 kind_of(const writer *w, size_t j)
 {
   const sg_joint *joint = &w->d->joints.joint[j];
   const uint32_t *face_of = w->d->faces.face_of;
 
   if (joint->line) {
-    return LINE;
+    return SG_SYMBOL_LINE;
   }
   if (!sg_joint_is_fold((sg_joint_state)w->d->flattening.state[j])) {
-    return SEAM;
+    return SG_SYMBOL_SEAM;
   }
   for (int k = 0; k < 2; k++) { /* of a polygon that is not flat */
     if (w->d->faces.side[joint->side[k]].edge >= w->d->dense.edges) {
-      return FOLD;
+      return SG_SYMBOL_FOLD;
     }
   }
   return w->d->faces.polygon[face_of[joint->side[0]]] ==
                  w->d->faces.polygon[face_of[joint->side[1]]]
-             ? LINE
-             : FOLD;
+             ? SG_SYMBOL_LINE
+             : SG_SYMBOL_FOLD;
 }
 
 /* ---- rows --------------------------------------------------------------- */
@@ -137,7 +135,7 @@ write_joint(const writer *w, size_t i, const sg_blank *c, size_t at)
   c[1].i[at] = (int32_t)i + 1;
   c[2].i[at] = sg_development_edge(w->d, j->side[0]);
   c[3].i[at] = sg_development_edge(w->d, j->side[1]);
-  c[4].i[at] = w->kind[kind_of(w, i)];
+  c[4].i[at] = kind_of(w, i);
   c[5].f[at] = j->angle + 0.0;
 }
 
@@ -251,14 +249,6 @@ sort_sides_ex(writer *w)
 static int
 write_all_ex(sg_world *world, writer *w)
 {
-  static const char *const kind[] = {"fold", "seam", "line"};
-
-  for (int k = 0; k < 3; k++) {
-    w->kind[k] = sg_symbol_intern(kind[k], strlen(kind[k]));
-    if (w->kind[k] < 0) {
-      return sg_no_memory();
-    }
-  }
   if (!sort_sides_ex(w)) {
     return FALSE;
   }

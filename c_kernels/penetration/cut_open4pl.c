@@ -28,7 +28,12 @@ want_segment_ex(sg_cut_handle *handle, int32_t s)
     return sg_no_memory();
   }
   if (*next == SG_NO_KEY) {
-    *next = (uint32_t)sg_world_fresh(handle->world, SG_V, s);
+    int32_t fresh = sg_fresh_ex(handle->world, SG_V, s);
+
+    if (fresh == 0) {
+      return FALSE;
+    }
+    *next = (uint32_t)fresh;
     handle->segment[handle->segments++] = s;
   }
   return TRUE;

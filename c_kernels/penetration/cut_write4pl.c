@@ -207,8 +207,9 @@ drop_old_ex(cut_polygon *c)
   if (!es) {
     return sg_no_memory();
   }
-  sg_world_retract(c->world, SG_P, row);
-  for (int32_t i = 1; i <= es[0]; i++) {
+  bool good = sg_world_retract(c->world, SG_P, row);
+
+  for (int32_t i = 1; i <= es[0] && good; i++) {
     int32_t v1 = 0, v2 = 0;
     sg_row edge = find_row(c, SG_E, es[i]);
 
@@ -216,12 +217,12 @@ drop_old_ex(cut_polygon *c)
       uint32_t key[3] = {(uint32_t)es[i], (uint32_t)v1, (uint32_t)v2};
 
       if (sg_key_table_get(&c->same, key) == SG_NO_KEY) {
-        sg_world_retract(c->world, SG_E, edge);
+        good = sg_world_retract(c->world, SG_E, edge);
       }
     }
   }
   free(es);
-  return TRUE;
+  return good || sg_no_memory();
 }
 
 /* symbol(Id) as a term; null: no memory. Close the builder afterwards. */
@@ -284,7 +285,7 @@ known_part(const cut_polygon *c, const cut_edge *edge)
 static int32_t
 new_edge_ex(const cut_polygon *c, const cut_edge *edge)
 {
-  int32_t e = sg_world_fresh(c->world, SG_E, c->s);
+  int32_t e = sg_fresh_ex(c->world, SG_E, c->s);
   sg_value row[SG_MAX_COLUMNS] = {[0].i = c->s,
                                   [1].i = e,
                                   [2].i = edge->v1,
@@ -293,8 +294,7 @@ new_edge_ex(const cut_polygon *c, const cut_edge *edge)
   sg_term_builder item, origin;
   int good = FALSE;
 
-  if (e <= 0) {
-    PL_resource_error("fresh_ids");
+  if (e == 0) {
     return 0;
   }
   const uint32_t *i = unary(&item, SG_SYMBOL_E, e);
@@ -366,11 +366,13 @@ static int
 write_triangles_ex(const cut_polygon *c)
 {
   for (size_t i = 0; i < c->triangles; i++) {
-    sg_world_retract(c->world, SG_T, c->triangle[i]);
+    if (!sg_world_retract(c->world, SG_T, c->triangle[i])) {
+      return sg_no_memory();
+    }
   }
   for (size_t i = 0; i < c->found.n; i++) {
     const int32_t *v = c->found.item[i].v;
-    int32_t t = sg_world_fresh(c->world, SG_T, c->s);
+    int32_t t = sg_fresh_ex(c->world, SG_T, c->s);
     sg_value row[SG_MAX_COLUMNS] = {[0].i = c->s,
                                     [1].i = c->p,
                                     [2].i = t,
@@ -378,10 +380,7 @@ write_triangles_ex(const cut_polygon *c)
                                     [4].i = sg_work_id(c->work, v[1]),
                                     [5].i = sg_work_id(c->work, v[2])};
 
-    if (t <= 0) {
-      return PL_resource_error("fresh_ids");
-    }
-    if (!sg_add_row_ex(c->world, SG_T, row)) {
+    if (t == 0 || !sg_add_row_ex(c->world, SG_T, row)) {
       return FALSE;
     }
   }

@@ -203,8 +203,11 @@ cut_lines(term_t t, term_t list)
     return FALSE;
   }
   const sg_cut_set *set = &handle->set;
-  int32_t number = sg_world_fresh(handle->world, SG_LINE, 0);
+  int32_t number = sg_fresh_ex(handle->world, SG_LINE, 0);
 
+  if (number == 0) {
+    return FALSE;
+  }
   for (size_t i = 0; i < set->pieces; i++) {
     const sg_cut_piece *k = &set->piece[i];
 

@@ -186,8 +186,8 @@ write_vertex_ex(const sg_resolving *job, sg_world *world,
       row[SG_MAX_COLUMNS] = {[0].i = place->s, [1].i = place->name};
   sg_row known = read_row(world, SG_V, place->s, place->name, old);
 
-  if (known != SG_NO_ROW) {
-    sg_world_retract(world, SG_V, known);
+  if (known != SG_NO_ROW && !sg_world_retract(world, SG_V, known)) {
+    return sg_no_memory();
   }
   for (unsigned c = 0; c < 3; c++) {
     row[c + 2].f = point->at[c] + 0.0;
@@ -211,7 +211,7 @@ write_vertex_ex(const sg_resolving *job, sg_world *world,
 static int32_t
 new_edge_ex(sg_world *world, int32_t s, const sg_resolved_edge *edge)
 {
-  int32_t e = sg_world_fresh(world, SG_E, s);
+  int32_t e = sg_fresh_ex(world, SG_E, s);
   sg_value row[SG_MAX_COLUMNS] = {[0].i = s,
                                   [1].i = e,
                                   [2].i = edge->v[0],
@@ -219,11 +219,7 @@ new_edge_ex(sg_world *world, int32_t s, const sg_resolved_edge *edge)
                                   [4].i = edge->et};
   sg_term_builder origin;
 
-  if (e <= 0) {
-    PL_resource_error("fresh_ids");
-    return 0;
-  }
-  if (!sg_add_row_ex(world, SG_E, row)) {
+  if (e == 0 || !sg_add_row_ex(world, SG_E, row)) {
     return 0;
   }
   sg_term_open(&origin);
@@ -249,9 +245,9 @@ runs(sg_world *world, int32_t s, int32_t e, const int32_t v[2])
 }
 
 /* The edges of the list, but those that are kept, go. `kept`, ascending. */
-static void
-drop_gone(sg_world *world, int32_t s, const int32_t *list,
-          const sg_key_table *kept)
+static int
+drop_gone_ex(sg_world *world, int32_t s, const int32_t *list,
+             const sg_key_table *kept)
 {
   sg_value old[SG_MAX_COLUMNS];
 
@@ -261,10 +257,11 @@ drop_gone(sg_world *world, int32_t s, const int32_t *list,
                      ? read_row(world, SG_E, s, list[i], old)
                      : SG_NO_ROW;
 
-    if (row != SG_NO_ROW) {
-      sg_world_retract(world, SG_E, row);
+    if (row != SG_NO_ROW && !sg_world_retract(world, SG_E, row)) {
+      return sg_no_memory();
     }
   }
+  return TRUE;
 }
 
 /* The numbers of the polygon's edges, as a list of p/3; those that are as they
@@ -297,8 +294,7 @@ drop_triangle_ex(sg_world *world, sg_row row,
                  const sg_value value[SG_MAX_COLUMNS])
 {
   (void)value;
-  sg_world_retract(world, SG_T, row);
-  return TRUE;
+  return sg_world_retract(world, SG_T, row) || sg_no_memory();
 }
 
 static int
@@ -311,14 +307,11 @@ write_triangles_ex(sg_world *world, const sg_resolved_polygon *polygon)
   }
   for (size_t i = 0; i < polygon->triangle.n; i++) {
     const int32_t *v = polygon->triangle.item[i].v;
-    int32_t t = sg_world_fresh(world, SG_T, s);
+    int32_t t = sg_fresh_ex(world, SG_T, s);
     sg_value row[SG_MAX_COLUMNS] = {[0].i = s,    [1].i = p,    [2].i = t,
                                     [3].i = v[0], [4].i = v[1], [5].i = v[2]};
 
-    if (t <= 0) {
-      return PL_resource_error("fresh_ids");
-    }
-    if (!sg_add_row_ex(world, SG_T, row)) {
+    if (t == 0 || !sg_add_row_ex(world, SG_T, row)) {
       return FALSE;
     }
   }
@@ -337,15 +330,15 @@ write_polygon_ex(sg_world *world, const sg_resolved_polygon *polygon)
 
   sg_key_table_init(&kept, 1);
   if (good) {
-    sg_world_retract(world, SG_P, row);
-    good = number_edges_ex(world, polygon, list, &kept);
+    good = (sg_world_retract(world, SG_P, row) || sg_no_memory()) &&
+           number_edges_ex(world, polygon, list, &kept);
   }
   if (good) {
     sg_value fresh[SG_MAX_COLUMNS] = {
         [0].i = polygon->s, [1].i = polygon->p, [2].list = list};
-    drop_gone(world, polygon->s, old, &kept);
-    good =
-        sg_add_row_ex(world, SG_P, fresh) && write_triangles_ex(world, polygon);
+    good = drop_gone_ex(world, polygon->s, old, &kept) &&
+           sg_add_row_ex(world, SG_P, fresh) &&
+           write_triangles_ex(world, polygon);
   }
   sg_key_table_clear(&kept);
   free(old);

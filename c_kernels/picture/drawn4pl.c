@@ -63,7 +63,9 @@ append_drawn_ex(sg_world *world, const sg_scene *scene, const sg_part *part,
 
   for (unsigned k = 0; k < SG_ROLES; k++) {
     const char *name = sg_role_name((sg_role)k);
-    role[k] = sg_symbol_intern(name, strlen(name));
+    if ((role[k] = sg_symbol_intern(name, strlen(name))) < 0) {
+      return sg_no_memory();
+    }
   }
   if (!sg_append_open(&a, world, SG_DRAWN, n)) {
     return sg_no_memory();

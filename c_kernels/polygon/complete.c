@@ -412,10 +412,13 @@ do_polygon(task *t)
        (t->n > 3 && !note_bent(t)))) {
     return false;
   }
-  if (!t->needs_triangles || !quick_triangle(t, &done) || done) {
-    return !t->needs_triangles || done;
+  if (!t->needs_triangles) {
+    return true;
   }
-  return (t->n > 3 || fill_work(t)) && triangulate(t);
+  if (!quick_triangle(t, &done)) {
+    return false;
+  }
+  return done || ((t->n > 3 || fill_work(t)) && triangulate(t));
 }
 
 /* ---- all polygons ------------------------------------------------------- */

@@ -60,8 +60,8 @@ number_triangles_ex(sg_world *world, sg_triangle_rows *rows)
     int32_t s = rows->s[i];
     size_t last = i;
     if (rows->t[i] == 0) { /* its segment's first */
-      if ((rows->t[i] = sg_world_fresh(world, SG_T, s)) <= 0) {
-        return PL_resource_error("fresh_ids");
+      if ((rows->t[i] = sg_fresh_ex(world, SG_T, s)) == 0) {
+        return FALSE;
       }
       continue;
     }

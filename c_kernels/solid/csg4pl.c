@@ -22,14 +22,7 @@ typedef struct record_form {
 static record_form form;
 static uint32_t node_form[2]; /* node(_) begins with this */
 static functor_t functor_minus2;
-static int32_t symbol_node;
 static atom_t atom_other;
-
-static int32_t
-symbol_of(const char *text)
-{
-  return sg_symbol_intern(text, strlen(text));
-}
 
 static void
 make_form(void)
@@ -37,13 +30,13 @@ make_form(void)
   sg_term_builder b;
 
   sg_term_open(&b);
-  sg_term_compound(&b, symbol_of("leaf"), 1);
-  sg_term_compound(&b, symbol_of("made"), 2);
-  sg_term_compound(&b, symbol_of("primitive"), 1);
+  sg_term_compound(&b, SG_SYMBOL_LEAF, 1);
+  sg_term_compound(&b, SG_SYMBOL_MADE, 2);
+  sg_term_compound(&b, SG_SYMBOL_PRIMITIVE, 1);
   memcpy(form.header, sg_term_words(&b) + 1, sizeof form.header);
   sg_term_close(&b);
   sg_term_open(&b);
-  sg_term_unary(&b, symbol_node, 1);
+  sg_term_unary(&b, SG_SYMBOL_NODE, 1);
   memcpy(node_form, sg_term_words(&b) + 1, sizeof node_form);
   sg_term_close(&b);
 }
@@ -77,7 +70,7 @@ record_of(const sg_version *version, int32_t s)
   sg_term_builder b;
 
   sg_term_open(&b);
-  sg_term_unary(&b, symbol_node, s);
+  sg_term_unary(&b, SG_SYMBOL_NODE, s);
   sg_value key[SG_MAX_COLUMNS] = {{.i = s}, {.term = sg_term_words(&b)}};
   sg_row row = sg_version_find(version, SG_ORIGIN, key);
 
@@ -218,7 +211,6 @@ static const PL_extension predicates[] = {
 void
 sg_install_csg(void)
 {
-  symbol_node = symbol_of("node");
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   atom_other = PL_new_atom("other");
   make_form();

@@ -64,6 +64,9 @@ english(error(existence_error(directory, Folder), context(Writer, _))) -->
 english(error(representation_error(What), _)) -->
     { What == float32 },
     mesh_en(no_float32).
+english(error(resource_error(What), _)) -->
+    { What == memory },
+    notice_en(no_memory).
 english(error(cannot_write(File, Why), _)) -->
     command_en(cannot_write(File, Why)).
 english(sanggwan_interrupt(_)) -->
@@ -156,6 +159,9 @@ notice_en(no_answer) -->
 notice_en(warnings_are_errors(N)) -->
     counted(N, warning, warnings),
     [ ', and --strict was given' ].
+notice_en(no_memory) -->
+    [ 'there is not enough memory for this', nl,
+      '  Nothing was changed. Smaller parts, or fewer facets, need less.' ].
 notice_en(no_end) -->
     [ 'the work came to no end and to no result: a fault of the program', nl,
       '  Please send the model and the command to those who made it.' ].

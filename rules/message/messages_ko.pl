@@ -70,6 +70,9 @@ korean(error(existence_error(directory, Folder), context(Writer, _))) -->
 korean(error(representation_error(What), _)) -->
     { What == float32 },
     mesh_ko(no_float32).
+korean(error(resource_error(What), _)) -->
+    { What == memory },
+    notice_ko(no_memory).
 korean(error(cannot_write(File, Why), _)) -->
     command_ko(cannot_write(File, Why)).
 korean(sanggwan_interrupt(_)) -->
@@ -160,6 +163,9 @@ notice_ko(no_answer) -->
     [ '아니오' ].
 notice_ko(warnings_are_errors(N)) -->
     [ '경고 ~d개, --strict 가 주어졌습니다'-[N] ].
+notice_ko(no_memory) -->
+    [ '메모리가 모자랍니다', nl,
+      '  아무것도 바뀌지 않았습니다. 나누거나 면을 줄이면 덜 듭니다.' ].
 notice_ko(no_end) -->
     [ '일이 결과 없이 끝났습니다. 프로그램의 잘못입니다', nl,
       '  모형과 명령을 만든 사람에게 보내 주십시오.' ].

@@ -396,7 +396,9 @@ row_added(Row, Place) :-
           row_refused(Formal, Row, Place)).
 
 row_refused(Formal, Row, Place) :-
-    (   missing_reference(Row, Argument, Relation, S, Id)
+    (   Formal = resource_error(_)
+    ->  throw(error(Formal, _))
+    ;   missing_reference(Row, Argument, Relation, S, Id)
     ->  place_error(Place, Argument, missing(Relation, S, Id))
     ;   key_taken(Row, Name, Key)
     ->  place_error(Place, twice(Name, Key))

@@ -171,6 +171,7 @@ command(unfold(no_table(_)), [unfold, @('cube.pl'), '--true', '--table',
 elsewhere(interrupted, test('tests/cli/bad_output.sh')).
 elsewhere(progress(_,_), test('tests/cli/bad_output.sh')).
 elsewhere(progress(_,_,_,_,_), test('tests/cli/bad_output.sh')).
+elsewhere(no_memory, test('tests/cli/memory.sh')).
 elsewhere(no_help(_,_), test('tests/rules/command/help.plt')).
 elsewhere(prolog_help(_,_), test('tests/rules/command/help.plt')).
 elsewhere(no_answer, test('tests/rules/command/query.plt')).
