@@ -23,7 +23,7 @@ be raised, for the process: set_limit/2, on the command line `--limits`.
 %     - digits   characters of a number
 %     - name     characters of a name or a text
 %     - fact     characters of a fact
-%     - facets   faces of a primitive
+%     - facets   corners of a primitive, for every facet has some
 %     - nodes    leaves of a tree, each as often as it is used
 
 limit_default(depth, 128).

@@ -20,4 +20,5 @@ formal_status(usage_error(_), 2).
 formal_status(model_error(_), 3).
 formal_status(geometry_error(_), 4).
 formal_status(resource_error(_), 4).
+formal_status(io_error(read, _), 3).
 formal_status(representation_error(float32), 4).

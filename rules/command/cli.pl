@@ -16,6 +16,7 @@
 :- use_module('../message/messages', []).
 :- use_module('../message/messages_ko', []).
 :- use_module('../output', [files_together/1]).
+:- use_module('../message/spoken', [spoken_lines/4]).
 :- use_module('../progress', [with_progress/1]).
 :- use_module('../model/solid_file', [output_statistics/1]).
 :- use_module('../penetration/resolve', [refusing_tight_moves/1]).
@@ -413,9 +414,13 @@ user:message_hook(error(io_error(write, _), _), error, _) :-
     sg_cli:output_lost.
 user:message_hook(Term, Kind, Lines) :-
     sg_cli:running,
-    sg_cli:shown(Kind, Term, Lines).
+    sg_cli:spoken(Kind, Term, Lines).
 
-:- public shown/3.
+:- public spoken/3.
+
+spoken(Kind, Term, Lines0) :-
+    spoken_lines(Kind, Term, Lines0, Lines),
+    shown(Kind, Term, Lines).
 
 %   Prolog has no words for some of its warnings.
 

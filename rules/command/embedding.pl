@@ -3,7 +3,9 @@
           ]).
 :- use_module('../decision', [use_rules/1]).
 :- use_module('../kernel', [world_number/1]).
+:- use_module('../message/spoken', [spoken_lines/4]).
 :- use_module('../model/model', [load_model/1, save_model/1]).
+:- use_module('../plain', [plain_term/2]).
 :- use_module(query, [read_goal/3]).
 :- use_module('../status', [error_status/2]).
 :- use_module('../store', [in_world/2]).
@@ -132,11 +134,13 @@ interruption(sanggwan_interrupt(_)).
 error_text(Error, Text) :-
     (   catch(message_text(Error, Text), _, fail)
     ->  true
-    ;   format(string(Text), "~q", [Error])
+    ;   plain_term(Error, Plain),
+        format(string(Text), "~q", [Plain])
     ).
 
 message_text(Term, Text) :-
-    '$messages':translate_message(Term, Lines, []),
+    '$messages':translate_message(Term, Lines0, []),
+    spoken_lines(error, Term, Lines0, Lines),
     lines_text(Lines, Text).
 
 lines_text(Lines, Text) :-
@@ -152,19 +156,20 @@ lines_text(Lines, Text) :-
 
 :- multifile user:message_hook/3.
 
-user:message_hook(_, Kind, Lines) :-
+user:message_hook(Term, Kind, Lines) :-
     sg_embedding:listening,
-    sg_embedding:heard(Kind, Lines).
+    sg_embedding:heard(Kind, Term, Lines).
 
-:- public heard/2.
+:- public heard/3.
 
-heard(informational, _).
-heard(warning, Lines) :-
-    keep(Lines).
-heard(error, Lines) :-
-    keep(Lines).
+heard(informational, _, _).
+heard(warning, Term, Lines) :-
+    keep(warning, Term, Lines).
+heard(error, Term, Lines) :-
+    keep(error, Term, Lines).
 
-keep(Lines) :-
+keep(Kind, Term, Lines0) :-
     world_number(World),
+    spoken_lines(Kind, Term, Lines0, Lines),
     lines_text(Lines, Text),
     assertz(warned(World, Text)).

@@ -4,6 +4,7 @@
             print_table/2               % +Names, +Rows
           ]).
 :- use_module('../limits', [term_of_text/3]).
+:- use_module('../plain', [plain_text/2, shown_text/2]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
@@ -84,9 +85,10 @@ blamed(Caller, Caller).
 %   answer and print it; Count of them there were.
 
 answers(table, Names, Values, _, Answer, Count) :-
-    findall(Values, Answer, Rows),
-    length(Rows, Count),
-    print_table(Names, Rows).
+    State = table(0, none),
+    forall(findnsols(1000, Values, Answer, Rows),
+           block_printed(State, Names, Rows)),
+    arg(1, State, Count).
 answers(csv, Names, Values, _, Answer, Count) :-
     (   Names == []
     ->  true
@@ -133,7 +135,8 @@ csv_line([]) :-
 csv_line(Values0) :-
     lettered(Values0, Values),
     maplist(csv_cell, Values, Cells),
-    atomic_list_concat(Cells, ',', Line),
+    atomic_list_concat(Cells, ',', Line0),
+    shown_text(Line0, Line),
     format("~w~n", [Line]).
 
 %   csv_cell(Value, Cell): in double quotes where RFC 4180 asks for them;
@@ -188,6 +191,29 @@ prolog_line(Goal0) :-
     write_term(Goal, [ quoted(true), spacing(next_argument),
                        numbervars(true), fullstop(true), nl(true) ]).
 
+%   block_printed(State, Names, Rows): answers are not kept. The columns are as
+%   wide as those of the first thousand rows need; a later cell that is wider
+%   puts its own row out of line.
+
+block_printed(_, _, []) :-
+    !.
+block_printed(State, Names, Rows) :-
+    State = table(Count0, Widths0),
+    length(Rows, More),
+    Count is Count0+More,
+    nb_setarg(1, State, Count),
+    (   Names == []
+    ->  (   Count0 =:= 0
+        ->  format("yes~n")
+        ;   true
+        )
+    ;   Widths0 == none
+    ->  table_printed(Names, Rows, Widths),
+        nb_setarg(2, State, Widths)
+    ;   maplist(row_texts, Rows, TextRows),
+        forall(member(Row, TextRows), print_row(Row, Widths0))
+    ).
+
 %!  print_table(+Names, +Rows) is det.
 %
 %   Print the lists of values Rows under Names on the current output: columns
@@ -203,6 +229,9 @@ print_table([], Rows) :-
 print_table(_, []) :-
     !.
 print_table(Names, Rows) :-
+    table_printed(Names, Rows, _).
+
+table_printed(Names, Rows, Widths) :-
     maplist(row_texts, Rows, TextRows),
     TextRows = [First|_],
     maplist(head_cell, Names, First, Heads),
@@ -214,14 +243,16 @@ row_texts(Values0, Cells) :-
     lettered(Values0, Values),
     maplist(value_cell, Values, Cells).
 
-value_cell('$text'(Text), cell(left, Text)) :-
-    !.
+value_cell('$text'(Text0), cell(left, Text)) :-
+    !,
+    plain_text(Text0, Text).
 value_cell(Value, cell(Side, Text)) :-
     (   number(Value)
     ->  Side = right
     ;   Side = left
     ),
-    format(string(Text), '~p', [Value]).
+    format(string(Text0), '~p', [Value]),
+    plain_text(Text0, Text).
 
 %   The head stands over its column: to the right over numbers.
 
@@ -259,7 +290,7 @@ row_parts([Cell|Cells], [Width|Widths], [Padded|Texts]) :-
 
 padded(cell(Side, Text), Width, Padded) :-
     string_length(Text, Length),
-    Pad is Width-Length,
+    Pad is max(0, Width-Length),
     format(string(Spaces), "~` t~*|", [Pad]),
     (   Side == right
     ->  string_concat(Spaces, Text, Padded)

@@ -4,6 +4,8 @@
             counted/4                   % +Language, +What, +N, -Text
           ]).
 :- use_module('../language', [language/1]).
+:- use_module('../plain', [plain_term/2]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
 /** <module> How the report of check.pl is printed.
@@ -107,7 +109,8 @@ print_meeting(Language, Meeting) :-
 
 say(Language, Line, Arguments) :-
     text(Language, Line, Format),
-    format(Format, Arguments),
+    maplist(plain_term, Arguments, Plain),
+    format(Format, Plain),
     nl.
 
 %!  counted(+Language, +What, +N, -Text) is det.

@@ -7,6 +7,7 @@
             complete_tree/1,            % +Nodes
             complete_tree/2             % +Nodes, -Incomplete
           ]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module(csg_term,
               [ is_node_term/1, node_parts/4, map_operands/3,
                 check_node_term/1
@@ -129,10 +130,6 @@ completed_tree(Nodes, Incomplete) :-
     empty_assoc(Kinds),
     foldl(visit([]), Nodes, seen(Kinds, []), seen(_, Incomplete)).
 
-%   most_leaves(Most): of one node, each counted as often as it is placed.
-
-most_leaves(1_000_000).
-
 %   visit(Above, N, Seen0, Seen): Seen is seen(Kinds, Incomplete): Kinds has
 %   N-(Kind-Count) of all that were visited, Count the number of leaves. Above
 %   are the nodes above N, the nearest first.
@@ -209,7 +206,7 @@ sides_of(solid, [inside,outside]).
 sides_of(surface, [below,above]).
 
 few_leaves(Nodes, Count) :-
-    most_leaves(Most),
+    limit_value(nodes, Most),
     (   Count =< Most
     ->  true
     ;   Nodes = [N|_],

@@ -4,6 +4,7 @@
 :- use_module('../csg/csg_term',
               [ misshapen/2, near_operands/2, operation_form/2,
                 operation_names/1 ]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module(message_parts, [meant_en//1]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module('../csg/operand_name', [operand_name_en//1]).
@@ -56,9 +57,11 @@ csg_en(cycle(Path)) -->
     [ 'a segment is its own operand: ~w'-[Text], nl,
       '  Take one of these out of the operands of the one before it.' ].
 csg_en(too_many(S, Leaves)) -->
+    { limit_value(nodes, Most) },
     operand_name_en(S),
     [ ' would be made of ~D leaves'-[Leaves], nl,
-      '  A million is the most: use its operands less often.' ].
+      '  ~D is the most: use its operands less often, or --limits nodes=N.'-
+      [Most] ].
 csg_en(no_front(S)) -->
     operand_name_en(S),
     [ ' cannot split a solid: its sides face all ways', nl,

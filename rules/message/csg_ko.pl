@@ -5,6 +5,7 @@
 :- use_module('../csg/csg_term',
               [ misshapen/2, near_operands/2, operation_form/2,
                 operation_names/1 ]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module(message_parts, [meant_ko//1]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module('../csg/operand_name', [operand_name_ko//1]).
@@ -55,9 +56,10 @@ csg_ko(cycle(Path)) -->
     [ '세그먼트가 자기 자신의 피연산자입니다: ~w'-[Text], nl,
       '  이 가운데 하나를 앞 세그먼트의 피연산자에서 빼십시오.' ].
 csg_ko(too_many(S, Leaves)) -->
+    { limit_value(nodes, Most) },
     operand_name_ko(S),
     [ ' 은(는) 리프 ~D개로 이루어지게 됩니다'-[Leaves], nl,
-      '  백만 개까지입니다. 피연산자를 덜 쓰십시오.' ].
+      '  ~D개까지입니다. 피연산자를 덜 쓰거나 --limits nodes=N.'-[Most] ].
 csg_ko(no_front(S)) -->
     operand_name_ko(S),
     [ ' 은(는) 사방을 향하므로 입체를 나눌 수 없습니다', nl,

@@ -29,18 +29,6 @@ The heads are the same as in messages.pl, clause by clause
 
 prolog:message(ko, Term) -->
     korean(Term).
-prolog:message(ko, Term) -->
-    prologs_own(Term).
-
-%   prologs_own(Term)//: errors of Prolog that people meet when they ask.
-
-prologs_own(error(existence_error(procedure, PI), _)) -->
-    [ '프레디킷 ~q 이(가) 없습니다'-[PI] ].
-prologs_own(error(instantiation_error, _)) -->
-    [ '변수에 값이 있어야 합니다' ].
-prologs_own(error(type_error(Type, Value), _)) -->
-    [ '형이 맞지 않습니다: ~w 이어야 하는데 ~p 입니다'-[Type, Value] ].
-
 %!  korean(+Term)// is semidet.
 %
 %   The message for Term in Korean.

@@ -230,7 +230,7 @@ limit_en(name) -->
 limit_en(fact) -->
     [ 'characters of a fact' ].
 limit_en(facets) -->
-    [ 'faces of a primitive' ].
+    [ 'corners of a primitive' ].
 limit_en(nodes) -->
     [ 'leaves of a tree, each as often as it is used' ].
 

@@ -221,7 +221,7 @@ limit_ko(name) -->
 limit_ko(fact) -->
     [ '사실 하나의 글자 수' ].
 limit_ko(facets) -->
-    [ '기본 입체 하나의 면' ].
+    [ '프리미티브 하나의 꼭짓점' ].
 limit_ko(nodes) -->
     [ '트리의 잎, 쓰이는 횟수만큼' ].
 

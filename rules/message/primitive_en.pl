@@ -4,7 +4,7 @@
             primitive_usage//1          % +Term
           ]).
 :- use_module('../csg/csg_term', [near_operands/2]).
-:- use_module(message_parts, [meant_en//1]).
+:- use_module(message_parts, [meant_en//1, shown_count/2]).
 :- use_module('../primitive/primitive',
               [primitive/1, primitive_form/2, primitive_name/2]).
 :- use_module(library(apply), [maplist/3]).
@@ -82,16 +82,20 @@ primitive_en(odd(Argument, N), _) -->
     [ '~w(~d) is odd'-[Argument, N], nl,
       '  The widest circle lies between two bands: give an even number.' ].
 primitive_en(too_many(N), Term) -->
+    { shown_count(N, Count) },
     { primitive_name(Term, Name) },
-    [ 'this ~w would have ~d facets in one way'-[Name, N], nl,
+    [ 'this ~w would have ~w facets in one way'-[Name, Count], nl,
       '  Give a larger tolerance, or fewer facets.' ].
 primitive_en(too_many_vertices(N, Most), Term) -->
     { primitive_name(Term, Name) },
-    [ 'this ~w would have ~D vertices; a primitive may have ~D'-
-          [Name, N, Most], nl,
-      '  Give a larger tolerance, or fewer facets, bands or slices.' ].
+    { shown_count(N, Count) },
+    [ 'this ~w would have ~w vertices; a primitive may have ~D'-
+          [Name, Count, Most], nl,
+      '  Give a larger tolerance, or fewer facets, bands or slices; or \c
+       --limits facets=N.' ].
 primitive_en(few_slices(N, Least), _) -->
-    [ 'this twist needs ~d slices or more, not ~d'-[Least, N], nl,
+    { shown_count(Least, Count) },
+    [ 'this twist needs ~w slices or more, not ~d'-[Count, N], nl,
       '  A slice turns less than half a turn.' ].
 primitive_en(no_step(Step), _) -->
     [ '~p is no step'-[Step], nl,

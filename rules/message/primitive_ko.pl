@@ -3,7 +3,7 @@
           [ primitive_ko//2             % +What, +Term
           ]).
 :- use_module('../csg/csg_term', [near_operands/2]).
-:- use_module(message_parts, [meant_ko//1]).
+:- use_module(message_parts, [meant_ko//1, shown_count/2]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0, primitive_usage//1]).
 :- use_module(library(apply), [maplist/3]).
@@ -59,16 +59,19 @@ primitive_ko(odd(Argument, N), _) -->
     [ '~w(~d) 은(는) 홀수입니다'-[Argument, N], nl,
       '  가장 넓은 원이 두 띠 사이에 있도록 짝수를 주십시오.' ].
 primitive_ko(too_many(N), Term) -->
+    { shown_count(N, Count) },
     { primitive_name(Term, Name) },
-    [ '이 ~w 은(는) 한 방향으로 면이 ~d 개가 됩니다'-[Name, N], nl,
+    [ '이 ~w 은(는) 한 방향으로 면이 ~w 개가 됩니다'-[Name, Count], nl,
       '  허용 오차를 키우거나 면의 수를 줄이십시오.' ].
 primitive_ko(too_many_vertices(N, Most), Term) -->
+    { shown_count(N, Count) },
     { primitive_name(Term, Name) },
-    [ '이 ~w 은(는) 꼭짓점이 ~D 개가 됩니다. 프리미티브에는 ~D 개까지 됩니다'-
-          [Name, N, Most], nl,
-      '  허용 오차를 키우거나 면, 띠, 층의 수를 줄이십시오.' ].
+    [ '이 ~w 은(는) 꼭짓점이 ~w 개가 됩니다. 프리미티브에는 ~D 개까지 됩니다'-
+          [Name, Count, Most], nl,
+      '  허용 오차를 키우거나 면, 띠, 층의 수를 줄이거나 --limits facets=N.' ].
 primitive_ko(few_slices(N, Least), _) -->
-    [ '이 twist 에는 층이 ~d 개 아니라 ~d 개 이상 있어야 합니다'-[N, Least],
+    { shown_count(Least, Count) },
+    [ '이 twist 에는 층이 ~d 개 아니라 ~w 개 이상 있어야 합니다'-[N, Count],
       nl, '  한 층은 반 바퀴보다 적게 돕니다.' ].
 primitive_ko(no_step(Step), _) -->
     [ '~p 은(는) 배치 단계가 아닙니다'-[Step], nl,

@@ -5,6 +5,7 @@
             openscad_fragments/3,       % +Node, +Radius, -N
             openscad_error/2            % +What, +Place
           ]).
+:- use_module('../limits', [within_limit/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(lists), [member/2]).
 /** <module> The arguments of a node of an OpenSCAD .csg file.
@@ -148,7 +149,9 @@ openscad_fragments(Node, Radius, N) :-
     ;   ByAngle is 360.0/Angle,
         BySize is Radius*2.0*pi/Size,
         N is ceiling(max(5.0, min(ByAngle, BySize)))
-    ).
+    ),
+    arg(5, Node, Place),
+    within_limit(facets, N, Place).
 
 node_fineness(Node, Count, Angle, Size) :-
     Node = node(_, _, Arguments, _, _),

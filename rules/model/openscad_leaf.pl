@@ -3,6 +3,7 @@
             leaf_made/2,                % +Node, -Meaning
             sound_primitive/2           % +Term, +Place
           ]).
+:- use_module('../limits', [within_limit/3]).
 :- use_module('../angle', [exact_sin_cos/3]).
 :- use_module(openscad_argument,
               [ openscad_argument/4, openscad_argument/5, openscad_knows/2,
@@ -69,10 +70,12 @@ made(cube, Node, _, Meaning) :-
         Meaning = solid(at([Step], box(size(A, B, C))))
     ;   Meaning = nothing
     ).
-made(sphere, Node, _, Meaning) :-
+made(sphere, Node, Place, Meaning) :-
     openscad_argument(Node, r, number, 1, R),
     (   R > 0
     ->  openscad_fragments(Node, R, N),
+        Corners is N*((N+1)//2),
+        within_limit(facets, Corners, Place),
         sphere_profile(R, N, Outline),
         Meaning = solid(turning(outline(Outline), facets(N),
                                 smooth(true)))

@@ -8,6 +8,7 @@
             vertices_within/2,          % +Count, +Given
             primitive_error/2           % +What, +Term
           ]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module('../angle', [chord_facets/4]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2, same_length/2]).
@@ -28,7 +29,6 @@ out and has no default); Stretch is the greatest factor of the placing.
 
 default_facets(40).
 most_facets(1_000_000).
-most_vertices(10_000_000).
 
 %!  given_values(+Given, +Wanted, +Term, -Values) is det.
 %
@@ -279,7 +279,7 @@ given_facets(Given, Radius, Degrees, N) :-
 %   @error too_many_vertices(Count, Most)
 
 vertices_within(Count, given(Term, _, _)) :-
-    most_vertices(Most),
+    limit_value(facets, Most),
     (   Count =< Most
     ->  true
     ;   primitive_error(too_many_vertices(Count, Most), Term)

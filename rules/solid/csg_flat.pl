@@ -26,7 +26,8 @@
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module(library(apply),
               [foldl/4, foldl/6, include/3, maplist/3, partition/4]).
-:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(assoc),
+              [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
 :- use_module(library(lists),
               [append/3, list_to_set/2, member/2, nth1/3, reverse/2]).
 /** <module> A CSG tree flattened to an expression over leaves.
@@ -213,7 +214,7 @@ leaves(Expression, Leaves0, Leaves) :-
 known_instances(Known) :-
     may_be_instances(Ss),
     partition(is_helper, Ss, Helpers, Nodes),
-    findall(Key-N, ( member(N, Nodes), same_key(N, Key) ), Pairs, Pairs1),
+    same_keys(Nodes, Pairs, Pairs1),
     findall(Key-K, ( member(K, Helpers), helper_key(K, Key) ), Pairs1),
     sort(1, @<, Pairs, Unique),         % of equal ones the first
     list_to_assoc(Unique, Known).
@@ -252,11 +253,24 @@ instance_term_(Inner) :-
         instance_term(Inner)
     ).
 
-same_key(N, Leaf-Rounded) :-
-    identity_matrix(Identity),
-    node(N, same, _, _),
-    same_leaf(N, Identity, Leaf, Matrix),
-    rounded_matrix(Matrix, Rounded).
+%   same_keys(Nodes, Pairs, Pairs1): Pairs has Leaf-Rounded-N for each of Nodes
+%   that is a leaf placed, then Pairs1. Each node under them is asked once.
+
+same_keys(Nodes, Pairs, Pairs1) :-
+    empty_assoc(Seen0),
+    foldl(same_key, Nodes, Pairs-Seen0, Pairs1-_).
+
+same_key(N, Pairs-Seen0, Pairs1-Seen) :-
+    (   node(N, same, _, _)
+    ->  same_leaf(N, Same, Seen0, Seen),
+        (   Same = Leaf-Matrix
+        ->  rounded_matrix(Matrix, Rounded),
+            Pairs = [Leaf-Rounded-N|Pairs1]
+        ;   Pairs = Pairs1
+        )
+    ;   Pairs = Pairs1,
+        Seen = Seen0
+    ).
 
 helper_key(K, Key) :-
     recorded(K, helper(From)),
@@ -265,20 +279,36 @@ helper_key(K, Key) :-
     ;   From = half(Key)
     ).
 
-%   same_leaf(S, Matrix0, Leaf, Matrix): S, placed by Matrix0, is Leaf placed by
-%   Matrix.
+%   same_leaf(S, Same, Seen0, Seen): Same is Leaf-Matrix, what S is, or `none`.
+%   Seen has it of all that were asked for.
 
-same_leaf(S, Matrix0, Leaf, Matrix) :-
-    node(S, Operation, Children, Steps),
-    (   Operation == leaf
-    ->  Leaf = S,
-        Matrix = Matrix0
-    ;   Operation == same
-    ->  Children = [Child],
-        steps_matrix(Steps, Placement),
-        matrix_product(Matrix0, Placement, Matrix1),
-        same_leaf(Child, Matrix1, Leaf, Matrix)
+same_leaf(S, Same, Seen, Seen) :-
+    get_assoc(S, Seen, Known),
+    !,
+    Same = Known.
+same_leaf(S, Same, Seen0, Seen) :-
+    (   node(S, Operation, Children, Steps)
+    ->  same_leaf(Operation, S, Children, Steps, Same, Seen0, Seen1)
+    ;   Same = none,
+        Seen1 = Seen0
+    ),
+    put_assoc(S, Seen1, Same, Seen).
+
+same_leaf(leaf, S, _, _, Same, Seen0, Seen) =>
+    identity_matrix(Identity),
+    Same = S-Identity,
+    Seen = Seen0.
+same_leaf(same, _, [Child], Steps, Same, Seen0, Seen) =>
+    same_leaf(Child, Same0, Seen0, Seen),
+    (   Same0 = Leaf-Matrix0
+    ->  steps_matrix(Steps, Placement),
+        matrix_product(Placement, Matrix0, Matrix),
+        Same = Leaf-Matrix
+    ;   Same = none
     ).
+same_leaf(_, _, _, _, Same, Seen0, Seen) =>
+    Same = none,
+    Seen = Seen0.
 
 %   instance(Rounded, Leaf, K, Known0, Known): K is Leaf placed by Rounded, with
 %   rows that are right.

@@ -63,7 +63,7 @@ run query facts/cube.pl
 check no-goal status_is 2
 check no-goal-message has 'GOAL is missing'
 run query facts/cube.pl 'foo(X)'
-check unknown-goal has 'sanggwan: Unknown procedure: foo/1'
+check unknown-goal has 'sanggwan: there is no predicate foo/1'
 run convert facts/wire_and_roof.pl -o "$work/a.stl"
 check lost-curve has '1 left out'
 rm -f "$work/a.stl"

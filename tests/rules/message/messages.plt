@@ -87,8 +87,47 @@ test(unknown_language) :-
 test(plurals, forall(member(N-Part, [1-"has 1 edge,", 2-"has 2 edges,"]))) :-
     message_text(en, error(model_error(polygon(1, 1, edges(N))), _), Text),
     once(sub_string(Text, _, _, _, Part)).
-test(unknown_procedure, Text == "프레디킷 foo/1 이(가) 없습니다") :-
-    message_text(ko, error(existence_error(procedure, foo/1), foo/1), Text).
+test(unknown_procedure) :-
+    message_text(ko, error(existence_error(procedure, foo/1), foo/1), Text),
+    sub_string(Text, 0, _, _, "프레디킷 foo/1 이(가) 없습니다").
+test(stack, forall(member(Language, [en, ko]))) :-
+    message_text(Language,
+                 error(resource_error(private_table_space), stack_overflow),
+                 Text),
+    \+ sub_string(Text, _, _, _, "private_table").
+test(own_words, Text == "assert_fact/1: this is no coordinate: 1") :-
+    message_text(en, error(domain_error(coordinate, 1),
+                           context(sg_store:assert_fact/1, _)), Text).
+
+%   What comes from files moves no cursor and fills no screen.
+
+test(control_characters, Codes == []) :-
+    message_text(en,
+                 error(model_error(no_fact('a\e]0;x\a\n\u202e\u0085\x7f\')),
+                       location('\e[2J.pl', 1, 1)), Text),
+    split_string(Text, "\n", "", [First|_]),
+    once(sub_string(First, _, _, _, "␛[2J.pl:1:1: ")),
+    string_codes(Text, All),
+    findall(Code, ( member(Code, All), Code \== 0'\n,
+                    ( Code < 0x20 ; Code >= 0x7f, Code =< 0x9f
+                    ; Code =:= 0x202e ) ), Codes).
+test(deep_and_long, true(Length < 4000)) :-
+    numlist(1, 100000, List),
+    foldl(inner, List, [], Deep),
+    message_text(en, error(model_error(no_fact(f(List, Deep))),
+                           location('a.pl', 1, 1)), Text1),
+    atomic_list_concat(List, Long),
+    message_text(en, error(model_error(no_fact(Long)),
+                           location('a.pl', 1, 1)), Text2),
+    string_length(Text1, Length1),
+    string_length(Text2, Length2),
+    Length is max(Length1, Length2).
+test(cyclic, true(Length < 4000)) :-
+    Term = f(Term, [a|Term]),
+    message_text(en, error(type_error(tree, Term), _), Text),
+    string_length(Text, Length).
+
+inner(N, Term, [N,Term]).
 test(unknown_procedure_en) :-
     message_text(en, error(existence_error(procedure, foo/1), foo/1), Text),
     once(sub_string(Text, _, _, _, "foo/1")).

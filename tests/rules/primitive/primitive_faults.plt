@@ -56,7 +56,7 @@ wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), scale(-1)),
 wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), twist(360), slices(2)),
       few_slices(2, 3)).
 wrong(prism(outline([[0,0],[1,0],[0,1]]), height(1), twist(-1.0e9)),
-      too_many_vertices(_, 10_000_000)).
+      too_many_vertices(_, 1_000_000)).
 wrong(sphere(radius(1), facets(1_000_000_000)), wrong_argument(_, [facets])).
 wrong(sphere(radius(1), facets(1_000_000)), too_many_vertices(_, _)).
 wrong(sphere(radius(1), tolerance(1.0e-9)), too_many_vertices(_, _)).

@@ -1,0 +1,45 @@
+:- module(sg_prolog_en,
+          [ prolog_en//2                % +Formal, +Context
+          ]).
+/** <module> Errors of Prolog that people meet, in English.
+
+prolog_ko.pl has the same heads in Korean. Only what the program itself and a
+host see is said in these words; where Sanggwan is a library, Prolog's own are.
+*/
+
+%!  prolog_en(+Formal, +Context)// is semidet.
+%
+%   The message for error(Formal, Context).
+
+prolog_en(resource_error(_), _) -->
+    [ 'there is not enough memory for this: Prolog\'s stacks are full', nl,
+      '  Ask for less at once: a smaller model, a goal that does not collect \c
+       all its answers.' ].
+prolog_en(io_error(Action, _), context(_, Why)) -->
+    [ 'a file or a stream failed: ~w (~w)'-[Action, Why], nl,
+      '  Check the disk, and who reads what is written.' ].
+prolog_en(existence_error(procedure, PI), _) -->
+    [ 'there is no predicate ~q'-[PI], nl,
+      '  The goal help. lists what there is.' ].
+prolog_en(existence_error(Kind, What), _) -->
+    { Kind \== procedure },
+    [ 'there is no ~w ~p'-[Kind, What] ].
+prolog_en(instantiation_error, _) -->
+    [ 'something must have a value before this is called' ].
+prolog_en(type_error(evaluable, What), _) -->
+    [ 'in arithmetic there is no ~p'-[What] ].
+prolog_en(type_error(Type, What), _) -->
+    { Type \== evaluable },
+    [ 'this should be of type ~w: ~p'-[Type, What] ].
+prolog_en(domain_error(Domain, What), _) -->
+    [ 'this is no ~w: ~p'-[Domain, What] ].
+prolog_en(representation_error(What), _) -->
+    [ 'this cannot be held: ~w'-[What] ].
+prolog_en(evaluation_error(What), _) -->
+    [ 'this cannot be computed: ~w'-[What] ].
+prolog_en(permission_error(Action, Kind, What), _) -->
+    [ 'there is no permission to ~w the ~w ~p'-[Action, Kind, What] ].
+prolog_en(syntax_error(What), _) -->
+    [ 'this is no Prolog text: ~w'-[What] ].
+prolog_en(timeout_error(Action, _), _) -->
+    [ 'it took too long: ~w'-[Action] ].

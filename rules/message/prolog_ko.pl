@@ -1,0 +1,44 @@
+:- encoding(utf8).
+:- module(sg_prolog_ko,
+          [ prolog_ko//2                % +Formal, +Context
+          ]).
+/** <module> Errors of Prolog that people meet, in Korean.
+
+prolog_en.pl has the same heads in English.
+*/
+
+%!  prolog_ko(+Formal, +Context)// is semidet.
+%
+%   The message for error(Formal, Context).
+
+prolog_ko(resource_error(_), _) -->
+    [ '메모리가 모자랍니다. 프롤로그의 스택이 찼습니다', nl,
+      '  한 번에 덜 청하십시오. 더 작은 모델, 답을 모두 모으지 않는 목표.' ].
+prolog_ko(io_error(Action, _), context(_, Why)) -->
+    [ '파일이나 스트림에 잘못이 있습니다: ~w (~w)'-[Action, Why], nl,
+      '  디스크와, 쓴 것을 읽는 쪽을 확인하십시오.' ].
+prolog_ko(existence_error(procedure, PI), _) -->
+    [ '프레디킷 ~q 이(가) 없습니다'-[PI], nl,
+      '  목표 help. 가 있는 것을 보여 줍니다.' ].
+prolog_ko(existence_error(Kind, What), _) -->
+    { Kind \== procedure },
+    [ '~w ~p 이(가) 없습니다'-[Kind, What] ].
+prolog_ko(instantiation_error, _) -->
+    [ '부르기 전에 변수에 값이 있어야 합니다' ].
+prolog_ko(type_error(evaluable, What), _) -->
+    [ '셈에 ~p 은(는) 없습니다'-[What] ].
+prolog_ko(type_error(Type, What), _) -->
+    { Type \== evaluable },
+    [ '형이 맞지 않습니다: ~w 이어야 하는데 ~p 입니다'-[Type, What] ].
+prolog_ko(domain_error(Domain, What), _) -->
+    [ '~w 이(가) 아닙니다: ~p'-[Domain, What] ].
+prolog_ko(representation_error(What), _) -->
+    [ '담을 수 없습니다: ~w'-[What] ].
+prolog_ko(evaluation_error(What), _) -->
+    [ '셈할 수 없습니다: ~w'-[What] ].
+prolog_ko(permission_error(Action, Kind, What), _) -->
+    [ '허락되지 않습니다: ~w ~w ~p'-[Action, Kind, What] ].
+prolog_ko(syntax_error(What), _) -->
+    [ '프롤로그 글이 아닙니다: ~w'-[What] ].
+prolog_ko(timeout_error(Action, _), _) -->
+    [ '너무 오래 걸렸습니다: ~w'-[Action] ].

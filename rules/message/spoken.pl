@@ -1,0 +1,59 @@
+:- module(sg_spoken,
+          [ spoken_lines/4              % +Kind, +Term, +Lines, -Spoken
+          ]).
+:- use_module('../language', [language/1]).
+:- use_module(messages, [english//1]).
+:- use_module(messages_ko, []).
+:- use_module('../plain', [plain_lines/3]).
+:- use_module(prolog_en, [prolog_en//2]).
+:- use_module(prolog_ko, [prolog_ko//2]).
+/** <module> Messages as the program says them and as a host gets them.
+
+Errors of Prolog itself are said in our words, in the language of people, and
+whatever comes from files is shown plain (plain.pl).
+*/
+
+%!  spoken_lines(+Kind, +Term, +Lines, -Spoken) is det.
+%
+%   Spoken are the lines of the message Term of this Kind, whose Lines are those
+%   that Prolog would print.
+
+spoken_lines(Kind, Term, Lines0, Lines) :-
+    (   prologs_own(Term, Formal, Context),
+        own_words(Formal, Context, Lines1)
+    ->  true
+    ;   Lines1 = Lines0
+    ),
+    plain_lines(Kind, Lines1, Lines).
+
+prologs_own(Term, Formal, Context) :-
+    nonvar(Term),
+    Term = error(Formal, Context),
+    nonvar(Formal),
+    \+ phrase(english(Term), _, _).
+
+own_words(Formal, Context, Lines) :-
+    language(Language),
+    (   Language == ko
+    ->  phrase(prolog_ko(Formal, Context), Lines0)
+    ;   phrase(prolog_en(Formal, Context), Lines0)
+    ),
+    called_in(Context, Lines, Lines0).
+
+%   called_in(Context)//: which predicate raised it, if a user can call that.
+
+called_in(Context) -->
+    { nonvar(Context),
+      Context = context(PI0, _),
+      nonvar(PI0),
+      strip_module(PI0, Module, PI),
+      nonvar(PI),
+      PI = Name/Arity,
+      atom(Name),
+      \+ sub_atom(Name, 0, _, _, '$'),
+      \+ sub_atom(Module, 0, _, _, '$')
+    },
+    !,
+    [ '~q/~w: '-[Name, Arity] ].
+called_in(_) -->
+    [].

@@ -1,0 +1,193 @@
+:- module(sg_plain,
+          [ plain_text/2,               % +Text, -Plain
+            plain_term/2,               % +Term, -Plain
+            plain_lines/3,              % +Kind, +Lines, -Plain
+            shown_text/2                % +Text, -Shown
+          ]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3, member/2]).
+/** <module> What comes from files, as it may be shown to people.
+
+Names in files may hold what moves the cursor, sets a title or turns writing
+round; terms may be deep or long. In messages and on a terminal each character
+that is not seen is seen: as its picture, U+2400 and on, or as U+FFFD; and what
+is deep or long is cut.
+*/
+
+%!  plain_text(+Text, -Plain:string) is det.
+%
+%   Plain is Text, an atom or a string, with pictures for control characters,
+%   and U+FFFD for those that change the direction or the lines of what follows.
+
+plain_text(Text, Plain) :-
+    atom_codes(Text, Codes0),
+    maplist(plain_code, Codes0, Codes),
+    string_codes(Plain, Codes).
+
+plain_code(Code0, Code) :-
+    (   Code0 < 0x20
+    ->  Code is 0x2400+Code0
+    ;   Code0 < 0x7f
+    ->  Code = Code0
+    ;   hidden_code(Code0)
+    ->  (   Code0 =:= 0x7f
+        ->  Code = 0x2421
+        ;   Code = 0xfffd
+        )
+    ;   Code = Code0
+    ).
+
+hidden_code(Code) :-
+    Code =< 0x9f,
+    !.
+hidden_code(Code) :-
+    hidden_range(From, To),
+    Code >= From,
+    Code =< To,
+    !.
+
+%   What is not seen but changes how the rest is, but for the two joiners, which
+%   scripts need.
+
+hidden_range(0x61c, 0x61c).
+hidden_range(0x200b, 0x200b).
+hidden_range(0x200e, 0x200f).
+hidden_range(0x2028, 0x202e).
+hidden_range(0x2060, 0x206f).
+hidden_range(0xd800, 0xdfff).
+hidden_range(0xfeff, 0xfeff).
+hidden_range(0xfff9, 0xfffb).
+hidden_range(0xe0000, 0xe007f).
+
+is_plain(Text) :-
+    atom_codes(Text, Codes),
+    \+ ( member(Code, Codes),
+         \+ plain_code(Code, Code) ).
+
+%!  shown_text(+Text, -Shown) is det.
+%
+%   Shown is Text, or on a terminal plain_text/2 of it.
+
+shown_text(Text, Shown) :-
+    (   stream_property(current_output, tty(true))
+    ->  plain_text(Text, Shown)
+    ;   Shown = Text
+    ).
+
+%!  plain_term(+Term, -Plain) is det.
+%
+%   Plain is Term with texts as in plain_text/2; what is deeper than 12, longer
+%   than 100 elements or 2000 characters is `...` there.
+
+plain_term(Term, Plain) :-
+    plain_term(Term, 12, Plain).
+
+plain_term(Term, _, Plain) :-
+    ( atom(Term) ; string(Term) ),
+    !,
+    short_text(Term, Text),
+    (   is_plain(Text)
+    ->  Plain = Text
+    ;   plain_text(Text, String),
+        (   atom(Term)
+        ->  atom_string(Plain, String)
+        ;   Plain = String
+        )
+    ).
+plain_term(Term, _, Plain) :-
+    \+ compound(Term),
+    !,
+    Plain = Term.
+plain_term(_, 0, ...) :-
+    !.
+plain_term(Term, Depth, Plain) :-
+    Term = [_|_],
+    !,
+    plain_list(Term, 100, Depth, Plain).
+plain_term(Term, Depth, Plain) :-
+    compound_name_arguments(Term, Name0, Arguments0),
+    (   atom(Name0)
+    ->  plain_term(Name0, Depth, Name)
+    ;   Name = Name0
+    ),
+    Depth1 is Depth-1,
+    length(Arguments0, Arity),
+    (   Arity =< 100
+    ->  Some = Arguments0
+    ;   length(Some0, 100),
+        append(Some0, _, Arguments0),
+        append(Some0, [...], Some)
+    ),
+    plain_terms(Some, Depth1, Arguments),
+    compound_name_arguments(Plain, Name, Arguments).
+
+plain_terms([], _, []).
+plain_terms([Term0|Terms0], Depth, [Term|Terms]) :-
+    plain_term(Term0, Depth, Term),
+    plain_terms(Terms0, Depth, Terms).
+
+%   Lists of codes are texts, for ~s; of numbers there are more.
+
+plain_list(List0, N, Depth, List) :-
+    (   nonvar(List0),
+        List0 = [Term0|Terms0]
+    ->  (   N =< 0,
+            \+ integer(Term0)
+        ->  List = [...]
+        ;   N < -2000
+        ->  List = []
+        ;   List = [Term|Terms],
+            Depth1 is Depth-1,
+            plain_term(Term0, Depth1, Term),
+            N1 is N-1,
+            plain_list(Terms0, N1, Depth, Terms)
+        )
+    ;   List0 == []
+    ->  List = []
+    ;   Depth1 is Depth-1,
+        plain_term(List0, Depth1, List)
+    ).
+
+short_text(Text, Short) :-
+    atom_length(Text, Length),
+    (   Length =< 2000
+    ->  Short = Text
+    ;   sub_string(Text, 0, 1000, _, Before),
+        atom(Text)
+    ->  atom_concat(Before, ..., Short)
+    ;   sub_string(Text, 0, 1000, _, Before),
+        string_concat(Before, "...", Short)
+    ).
+
+%!  plain_lines(+Kind, +Lines, -Plain) is det.
+%
+%   Plain are the Lines of a message, as print_message_lines/3 prints them, with
+%   plain values. What a message of the kind `help` says is not cut.
+
+plain_lines(help, Lines, Lines) :-
+    !.
+plain_lines(_, Lines0, Lines) :-
+    maplist(plain_or_same, Lines0, Lines).
+
+plain_or_same(Element0, Element) :-
+    (   plain_element(Element0, Element1)
+    ->  Element = Element1
+    ;   Element = Element0
+    ).
+
+plain_element(Element, _) :-
+    var(Element),
+    !,
+    fail.
+plain_element(Format-Values0, Format-Values) :-
+    plain_values(Values0, Values).
+plain_element(ansi(How, Format, Values0), ansi(How, Format, Values)) :-
+    plain_values(Values0, Values).
+
+%   Each value of its own, so none is lost.
+
+plain_values(Values0, Values) :-
+    (   is_list(Values0)
+    ->  maplist(plain_term, Values0, Values)
+    ;   plain_term(Values0, Values)
+    ).
