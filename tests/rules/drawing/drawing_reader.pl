@@ -2,6 +2,7 @@
           [ read_pdf/2,                 % +Text, -Document
             read_ps/2,                  % +Text, -Document
             read_dxf/2,                 % +Text, -Document
+            read_lines_dxf/2,           % +Text, -Document
             read_hpgl/2,                % +Text, -Document
             read_svg/2,                 % +Text, -Document
             read_png/2,                 % +Bytes, -Document
@@ -492,6 +493,79 @@ read_dxf(Text, dxf(Header,Types,Layers,Entities)) :-
            ( must(memberchk(Type, TypeNames), no_type(Name,Type)),
              must(between(1, 255, Colour), colour(Name,Colour)) )),
     dxf_entities(EntityGroups, tables(Types,Layers), Entities).
+
+%!  read_lines_dxf(+Text, -Document) is det.
+%
+%   Document is lines(Low, High, Entities): lines in space,
+%   line(Layer,Colour,Closed,Numbers,Points), Points X-Y-Z-Numbers, Numbers
+%   those of extended data; a POINT is one of one point.
+
+read_lines_dxf(Text, lines(Low,High,Entities)) :-
+    split_string(Text, "\n", "", Lines),
+    dxf_groups(Lines, Groups),
+    dxf_section("HEADER", Groups, Groups1, HeaderGroups),
+    dxf_section("TABLES", Groups1, Groups2, TableGroups),
+    dxf_section("ENTITIES", Groups2, [0-"EOF"], EntityGroups),
+    variables(HeaderGroups, Header),
+    must(memberchk("$ACADVER"-[1-"AC1009"], Header), version),
+    memberchk("$EXTMIN"-LowGroups, Header),
+    memberchk("$EXTMAX"-HighGroups, Header),
+    dxf_place(LowGroups, Low, []),
+    dxf_place(HighGroups, High, []),
+    dxf_tables(TableGroups, Tables),
+    must(memberchk("LTYPE"-[["CONTINUOUS"-Type]], Tables), type),
+    dxf_type(["CONTINUOUS"-Type], type(_,[])),
+    must(memberchk("APPID"-[["SANGGWAN"-[70-"0"]]], Tables), appid),
+    memberchk("LAYER"-Layers0, Tables),
+    maplist(dxf_layer, Layers0, Layers),
+    findall(Name, member(layer(Name,_,_), Layers), Names),
+    unique(Names, layers),
+    must(memberchk("0", Names), layer_0),
+    forall(member(layer(Name,_,OwnType), Layers),
+           must(OwnType == "CONTINUOUS", no_type(Name))),
+    line_entities(EntityGroups, Layers, Entities).
+
+dxf_place([10-X0,20-Y0,30-Z0|Rest], X-Y-Z, Rest) :-
+    maplist(number_of, [X0,Y0,Z0], [X,Y,Z]).
+
+line_entities([], _, []).
+line_entities([0-"POINT",8-Layer|Groups], Layers,
+              [line(Layer,Colour,point,Numbers,[Place-[]])|Entities]) :-
+    !,
+    must(memberchk(layer(Layer,Colour,_), Layers), no_layer(Layer)),
+    dxf_place(Groups, Place, Groups1),
+    extended(Groups1, Numbers, Rest),
+    line_entities(Rest, Layers, Entities).
+line_entities([0-"POLYLINE",8-Layer,66-"1"|Groups], Layers,
+              [line(Layer,Colour,Closed,Numbers,Points)|Entities]) :-
+    must(memberchk(layer(Layer,Colour,_), Layers), no_layer(Layer)),
+    dxf_place(Groups, Zero, [70-Flags0|Groups1]),
+    must(Zero =@= 0.0-0.0-0.0, elevation),
+    number_of(Flags0, Flags),
+    must(memberchk(Flags-Closed, [8-open,9-closed]), flags(Flags)),
+    extended(Groups1, Numbers, Groups2),
+    space_vertices(Groups2, Layer, Points, [0-"SEQEND",8-Layer|Rest]),
+    !,
+    line_entities(Rest, Layers, Entities).
+line_entities([Group|_], _, _) :-
+    throw(wrong(entity(Group))).
+
+extended([1001-"SANGGWAN"|Groups], Numbers, Rest) :-
+    extended_numbers(Groups, Numbers, Rest).
+
+extended_numbers([1071-N0|Groups], [N|Ns], Rest) :-
+    !,
+    number_of(N0, N),
+    extended_numbers(Groups, Ns, Rest).
+extended_numbers(Rest, [], Rest).
+
+space_vertices([0-"VERTEX",8-Layer|Groups], Layer, [Place-Numbers|Points],
+               Rest) :-
+    !,
+    dxf_place(Groups, Place, [70-"32"|Groups1]),
+    extended(Groups1, Numbers, Groups2),
+    space_vertices(Groups2, Layer, Points, Rest).
+space_vertices(Rest, _, [], Rest).
 
 dxf_groups([""], []) :-
     !.

@@ -18,6 +18,7 @@
 file('cube.pl', "segment(1, solid, box(size(1,1,1))).\n").
 file('far.pl', "segment(1, solid, box(size(1,1,1))).
 segment(2, solid, at([translate(9,0,0)], box(size(1,1,1)))).\n").
+file('latin1.txt', "no model\n").
 file('cross.pl', "segment(1, solid, box(size(2,2,2))).
 segment(2, solid, at([translate(1,1,1)], box(size(2,2,2)))).\n").
 file('within.pl', "segment(1, solid, box(size(4,4,4))).
@@ -265,6 +266,32 @@ test(command, forall(command(Notice, Arguments))) :-
                [Notice,Arguments,Status,Terms]),
         fail
     ).
+
+% What a command ends with: 0 done, 1 the answer is no, 2 usage, 3 the input is
+% wrong, 4 the geometry could not be done.
+ends(0, [check, @('cube.pl')]).
+ends(1, [check, @('two_welds.pl')]).
+ends(0, [explain, @('cross.pl'), 'line(1)']).
+ends(1, [explain, @('cube.pl'), 'line(7)']).
+ends(0, [explain, '--json', @('cross.pl'), 'line(1)']).
+ends(1, [explain, '--json', @('cube.pl'), 'line(7)']).
+ends(0, [query, @('cube.pl'), 'v(1,1,_,_,_)']).
+ends(1, [query, @('cube.pl'), 'v(9,1,_,_,_)']).
+ends(1, [query, '--format', json, @('cube.pl'), 'v(9,1,_,_,_)']).
+ends(2, [query, @('cube.pl'), 'v(']).
+ends(2, [nothing]).
+ends(2, [draw, '--nothing']).
+ends(2, [draw]).
+ends(3, [check, @('no_such.pl')]).
+ends(3, [check, @('latin1.txt')]).
+ends(4, [unfold, @('wire.pl')]).
+ends(4, [unfold, @('far.pl'), '--trim', inside]).
+ends(0, [help]).
+ends(0, [draw, '--help']).
+
+test(status, [ forall(ends(Status, Arguments)), true(Found == Status) ]) :-
+    folder(Folder),
+    notices(Folder, Arguments, _, Found).
 
 % Every head of the tables of notices is in command/2 or in elsewhere/2.
 notice(Notice) :-
