@@ -27,7 +27,7 @@
               ]).
 :- use_module('../store', [line/9, t/6, v/5]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(assoc),
               [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
                 put_assoc/4 ]).

@@ -153,8 +153,9 @@ test_interleaved(void)
   CHECK("two questions go on side by side",
         sanggwan_int(a, 0, &x) && sanggwan_int(b, 0, &y) && x == 3 && y == 6);
   CHECK("a question keeps what it sees",
-        sanggwan_run(world, "retractall_facts(v(1, _, _, _, _))") ==
-                SANGGWAN_DONE &&
+        sanggwan_run(world,
+                     "facts_transaction(retractall_facts(v(1,_,_,_,_)),"
+                     "                  [cascade(true)])") == SANGGWAN_DONE &&
             sanggwan_next(a) == SANGGWAN_DONE);
   sanggwan_query_close(a);
   CHECK("the other one goes on", sanggwan_next(b) == SANGGWAN_DONE);
