@@ -42,6 +42,17 @@ test(edge_no_vertex, fail) :-
     in_work(W, work_edge(W, _, 99, _, _, _)).
 test(edge_label, true(E == 3)) :-
     in_work(W, findall(E0, work_edge(W, E0, _, _, _, 3), [E])).
+% However it is asked, given values that are there, and such that are not, the
+% answers are those of all edges that agree.
+test(edge_modes, forall(( member(E, [_,1,7,8]), member(A, [_,1,5,9]),
+                          member(B, [_,2,7,9]), member(L, [_,3,8]) ))) :-
+    in_work(W, ( findall(edge(E0,A0,B0,T0,L0), work_edge(W, E0, A0, B0, T0, L0),
+                         All),
+                 findall(edge(E,A,B,T,L), member(edge(E,A,B,T,L), All),
+                         Wanted),
+                 findall(edge(E,A,B,T,L), work_edge(W, E, A, B, T, L),
+                         Found) )),
+    Found == Wanted.
 test(edge_type, error(type_error(integer, a))) :-
     in_work(W, work_edge(W, a, _, _, _, _)).
 test(edge_pair_is_last) :-
