@@ -277,6 +277,82 @@ test_files(const char *folder)
   sanggwan_close(world);
 }
 
+/* ---- what is deep, in a thread with little of a stack -------------------- */
+
+static const char *
+deep_file(const char *name, const char *before, const char *open, size_t n,
+          const char *close, const char *after)
+{
+  FILE *f = fopen(name, "w");
+
+  fputs(before, f);
+  for (size_t i = 0; i < n; i++) {
+    fputs(open, f);
+  }
+  fputs("1", f);
+  for (size_t i = 0; i < n; i++) {
+    fputs(close, f);
+  }
+  fputs(after, f);
+  fclose(f);
+  return name;
+}
+
+static void *
+small_thread(void *argument)
+{
+  static const char *const unit[][2] = {
+      {"[", "]"}, {"f(", ")"}, {"{", "}"}, {"(", ")"}, {"- ", ""}};
+  bool *good = argument;
+  size_t deep[] = {100, 2000, 30000};
+  sanggwan_attach();
+  sanggwan_world *w = sanggwan_open();
+
+  *good = w != NULL;
+  for (size_t k = 0; k < sizeof unit / sizeof *unit; k++) {
+    for (size_t d = 0; d < 3; d++) {
+      const char *file = deep_file("build/tests/deep.pl", "segment(1, solid, ",
+                                   unit[k][0], deep[d], unit[k][1], ").\n");
+      *good &= sanggwan_load(w, file) == SANGGWAN_INPUT;
+      *good &= strlen(sanggwan_message(w)) < 1000;
+      *good &= deep[d] == 100 || strstr(sanggwan_message(w), "depth=N");
+    }
+  }
+  const char *csg = deep_file("build/tests/deep.csg", "polyhedron(points=", "[",
+                              20000, "]", ",faces=[]);\n");
+  *good &= sanggwan_load(w, csg) == SANGGWAN_INPUT;
+  const char *goal =
+      deep_file("build/tests/deep.goal", "X = ", "f(", 2000, ")", "");
+  char text[8000] = "";
+  FILE *f = fopen(goal, "r");
+  *good &= fread(text, 1, sizeof text - 1, f) > 2000;
+  fclose(f);
+  *good &= sanggwan_run(w, text) == SANGGWAN_USAGE;
+  *good &= strstr(sanggwan_message(w), "depth=N") != NULL;
+  *good &= sanggwan_load(w, "facts/cube.pl") == SANGGWAN_DONE;
+  sanggwan_close(w);
+  sanggwan_detach();
+  return NULL;
+}
+
+static void
+test_small_stacks(void)
+{
+  size_t size[] = {128, 256};
+
+  for (size_t k = 0; k < 2; k++) {
+    pthread_attr_t attributes;
+    pthread_t thread;
+    bool good = false;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, size[k] * 1024);
+    pthread_create(&thread, &attributes, small_thread, &good);
+    pthread_join(thread, NULL);
+    pthread_attr_destroy(&attributes);
+    CHECK("what is deep is refused in a small stack", good);
+  }
+}
+
 /* ---- several worlds, several threads ----------------------------------- */
 
 static void
@@ -461,6 +537,7 @@ main(void)
   test_bad_goals();
   test_files(folder);
   test_two_worlds(folder);
+  test_small_stacks();
   test_threads();
   test_closing();
   test_memory();

@@ -1,0 +1,69 @@
+"""Writes files that ask for too much into the folder ARGV[1], each named by the
+limit it breaks (tests/cli/hostile.sh)."""
+import os
+import sys
+
+folder = sys.argv[1]
+
+
+def write(name, text):
+    with open(os.path.join(folder, name), 'wb') as out:
+        out.write(text if isinstance(text, bytes) else text.encode())
+
+
+deep, wide = 100000, 3000000
+write('depth.list.pl', 'p(1,1,' + '[' * deep + ']' * deep + ').\n')
+write('depth.open.pl', 'p(1,1,' + '[' * wide)
+write('depth.term.pl', 'segment(1,solid,' + 'f(' * deep + 'a' + ')' * deep
+      + ').\n')
+write('depth.small.pl', 'segment(1,solid,' + 'f(' * 2000 + 'a' + ')' * 2000
+      + ').\n')
+write('depth.prefix.pl', 'v(1,1,' + '- ' * deep + '1,0,0).\n')
+write('depth.infix.pl', 'v(1,1,' + '1+' * deep + '1,0,0).\n')
+write('depth.comma.pl', 'v(1,1,(' + '1,' * deep + '1),0,0).\n')
+write('depth.brace.pl', 'v(1,1,' + '{' * deep + '}' * deep + ',0,0).\n')
+write('depth.tree.pl', 'segment(1,solid,' + 'union([' * deep
+      + 'box(size(1,1,1))' + '])' * deep + ').\n')
+write('depth.hidden.pl', "v(1,1,0'(,0,0). /* ' */ p(1,1," + '[' * deep)
+write('digits.pl', 'v(1,1,' + '9' * 1000000 + ',0,0).\n')
+write('digits.radix.pl', "v(1,1,36'" + 'Z' * 1000000 + ',0,0).\n')
+write('name.pl', 'segment(1,solid,' + 'a' * 20000000 + ').\n')
+write('name.quoted.pl', "segment(1,solid,'" + '\\n' * 5000000 + "').\n")
+write('name.string.pl', 'title_block(name,"' + 'x' * 5000000 + '").\n')
+write('name.sign.pl', 'v(1,1,' + '+' * 5000000 + ',0,0).\n')
+write('facets.pl', 'segment(1,solid,sphere(radius(1),facets(3000),'
+      'bands(3000))).\n')
+
+step = 'multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {\n'
+write('blocks.csg', step * deep + 'cube(size=[1,1,1],center=false);\n'
+      + '}\n' * deep)
+write('blocks.open.csg', 'union() {\n' * deep)
+write('depth.csg', 'polyhedron(points=[' + '[' * deep + ']' * deep
+      + ',faces=[]);\n')
+write('depth.small.csg', 'polyhedron(points=[' + '[' * 20000 + ']' * 20000)
+write('digits.csg', 'cube(size=[' + '9' * 1000000 + ',1,1],center=false);\n')
+write('name.csg', 'a' * 10000000 + '();\n')
+write('name.string.csg', 'text(text="' + 'a' * 1000000 + '",size=10);\n')
+write('facets.csg', 'sphere($fn=1000000000,$fa=12,$fs=2,r=10);\n')
+write('facets.circle.csg', 'linear_extrude(height=1) '
+      '{circle($fn=1e9,$fa=12,$fs=2,r=10);}\n')
+
+# A tree that doubles, and a long chain that does not.
+rows = ['segment(1,solid,box(size(1,1,1))).\n']
+for i in range(2, 42):
+    rows.append('segment(%d,solid,union([%d,at([translate(%d,0,0)],%d)])).\n'
+                % (i, i - 1, 2 ** i, i - 1))
+write('nodes.pl', ''.join(rows))
+rows = ['segment(1,solid,box(size(1,1,1))).\n']
+for i in range(2, 2001):
+    rows.append('segment(%d,solid,at([translate(1,0,0)],%d)).\n' % (i, i - 1))
+write('chain.pl', ''.join(rows))
+write('nest.csg', step.replace('0]]', '0]]', 1) * 500
+      + 'cube(size=[1,1,1],center=false);\n' + '}\n' * 500)
+
+cube = open('facts/cube.pl').read()
+vertices = cube[cube.index('v(1'):]
+write('cursor.pl', "segment(1,solid,'\x1b]0;title\x07\x1b[2J\u202e\u2066').\n"
+      + vertices)
+write('cursor_fault.pl', "v(1,1,'\x1b[2J\n\x1b]0;title\x07\u202e',0,0).\n")
+write('cursor.csg', 'cube(size="\x1b[2J");\n')

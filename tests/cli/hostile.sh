@@ -1,0 +1,162 @@
+# Files that ask for too much, in every reader: refused at once, by the name of
+# the limit, with little memory; and nothing of them moves a cursor.
+. "$(dirname "$0")/harness.bash"
+cd "$here" || exit 1
+mkdir "$work/h"
+python3 tests/cli/hostile.py "$work/h" || exit 1
+SECONDS_EACH=${HOSTILE_SECONDS:-30} # of a busy machine's clock
+
+# bounded ARGUMENT...: run within two seconds of processor and 1.5 GB.
+bounded() {
+  (
+    ulimit -v 1500000
+    ulimit -t 2
+    timeout -s KILL "$SECONDS_EACH" "$sanggwan" "$@"
+  ) >"$work/out" 2>"$work/err" </dev/null
+  status=$?
+  err=$(head -c 2000 "$work/err")
+}
+
+short() { [ "$(wc -c <"$work/err")" -lt 4000 ]; }
+no_control() {
+  ! python3 - "$@" <<'P'
+import re, sys
+for name in sys.argv[1:]:
+    text = open(name, encoding='utf8', errors='replace').read()
+    if re.search('[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e'
+                 '\u2066-\u2069]', text):
+        sys.exit(0)
+sys.exit(1)
+P
+}
+no_prolog() {
+  ! grep -qE 'Unknown procedure|[Ss]tack limit|I/O error|Domain error|Type error|unexpectedly|_[G]?[0-9]{3,}|sg_[a-z]+:' "$work/err"
+}
+
+refused() { # NAME LIMIT ARGUMENT...
+  local name=$1 limit=$2
+  shift 2
+  bounded "$@"
+  check "$name.status" status_is 3
+  check "$name.names-the-limit" has "--limits $limit=N"
+  check "$name.short" short
+  check "$name.plain" no_control "$work/err"
+  check "$name.own-words" no_prolog
+}
+
+# Models, with the verb that makes what they ask for.
+for file in "$work"/h/*.*; do
+  name=${file##*/}
+  limit=${name%%.*}
+  case $limit in
+    depth | blocks | digits | name | facets | nodes)
+      refused "model.$name" "$limit" eval "$file" ;;
+  esac
+done
+
+# The same from a pipe, which can be read once only.
+for name in depth.small.pl name.pl; do
+  status=$(
+    (ulimit -v 1500000 -t 2
+     cat "$work/h/$name" | "$sanggwan" check - >"$work/out" 2>"$work/err"
+     echo $?)
+  )
+  check "stdin.$name" status_is 3
+  check "stdin.$name.limit" has "--limits ${name%%.*}=N"
+  mkfifo "$work/pipe.pl" 2>/dev/null
+  cat "$work/h/$name" >"$work/pipe.pl" 2>/dev/null &
+  bounded check "$work/pipe.pl"
+  wait
+  check "fifo.$name" status_is 3
+  check "fifo.$name.limit" has "--limits ${name%%.*}=N"
+done
+
+# Other readers: styles, title blocks, rules, goals.
+for name in depth.small.pl depth.prefix.pl digits.pl name.quoted.pl; do
+  limit=${name%%.*}
+  refused "style.$name" "$limit" draw facts/cube.pl \
+    --style "$work/h/$name" -o "$work/a.svg"
+  refused "title.$name" "$limit" draw facts/cube.pl --sheet A4 \
+    --title-block "$work/h/$name" -o "$work/a.svg"
+done
+for name in depth.small.pl depth.list.pl depth.brace.pl; do
+  refused "rules.$name" depth check facts/cube.pl --rules "$work/h/$name"
+done
+deep=$(printf '[%.0s' $(seq 30000))
+for goal in "X = $deep" "X = 0$(printf '9%.0s' $(seq 30000))" \
+  "X = a$(printf 'a%.0s' $(seq 70000))"; do
+  bounded query facts/cube.pl "$goal"
+  check "goal.status" status_is 2
+  check "goal.limit" has '--limits '
+  check "goal.short" short
+done
+bounded explain facts/cube.pl "line($deep"
+check explain-goal status_is 2
+check explain-goal-short short
+
+# What is large but allowed, or allowed by an option, takes no long time.
+bounded eval "$work/h/chain.pl"
+check chain-of-2000 status_is 0
+bounded eval "$work/h/nest.csg"
+check nested-500 status_is 0
+bounded check "$work/h/depth.small.pl" --limits depth=1000,name=9
+check another-limit status_is 3
+printf "segment(1, solid, '%s').\n%s" "$(printf 'n%.0s' $(seq 20))" \
+  "$(sed -n '/^v(/,$p' facts/cube.pl)" >"$work/n.pl"
+bounded check "$work/n.pl" --limits name=19
+check lowered has '--limits name=N'
+bounded check "$work/n.pl" --limits name=20
+check enough status_is 0
+for wrong in depth depth=0 depth=x depth=1.5 nothing=3 ,; do
+  bounded check facts/cube.pl --limits "$wrong"
+  check "limits.$wrong" status_is 2
+done
+
+# Names that would move the cursor, in messages, reports and answers.
+for file in cursor.pl cursor_fault.pl cursor.csg; do
+  for lang in en ko; do
+    bounded check "$work/h/$file" --lang $lang
+    check "$file.$lang" no_control "$work/err" "$work/out"
+  done
+done
+bounded query "$work/h/cursor.pl" 'segment(S, K, N)'
+check query-table no_control "$work/out"
+bounded check "$work/h/cursor.pl" -q --json
+check json-escapes has '\u001b' "$work/out"
+
+# Answers stream, in every format; a reader who has seen enough is no error.
+for format in table csv json prolog; do
+  (
+    ulimit -v 1000000
+    "$sanggwan" query facts/cube.pl --format $format \
+      'between(1, 640000, X)' 2>"$work/err"
+    echo $? >"$work/status"
+  ) | head -2 >"$work/out"
+  status=$(cat "$work/status")
+  check "head.$format" status_is 141
+  check "head.$format.silent" silent err
+done
+(
+  ulimit -v 1000000
+  "$sanggwan" query facts/cube.pl 'between(1, 640000, X)' >"$work/out"
+)
+check all-answers is "$(wc -l <"$work/out")" 640001
+
+# Errors of Prolog in our words.
+while IFS='|' read -r goal wanted; do
+  for lang in en ko; do
+    bounded query facts/cube.pl "$goal" --lang $lang
+    check "words.$goal.$lang" status_is "$wanted"
+    check "words.$goal.$lang.own" no_prolog
+    check "words.$goal.$lang.short" short
+  done
+done <<'GOALS'
+nobody(1)|2
+atom_length(X, Y)|2
+atom_length(f(x), Y)|2
+X is foo + 1|2
+set_prolog_flag(stack_limit, 50000000), numlist(1, 30000000, L)|4
+throw(error(io_error(close, s), context(system:close/1, 'No space')))|2
+assert_fact(v(1, 99, 1.0e300, 0, 0))|2
+GOALS
+finish
