@@ -162,6 +162,24 @@ parted([A,B,C], Others) :-
 
 :- begin_tests(development).
 
+% However a part lies in space, its pattern lies along the sheet.
+test(along_the_sheet,
+     forall(( member(Term-W-H, [ rectangle(size(7,2))-7-2,
+                                 rectangle(size(2,7))-7-2,
+                                 box(size(7,2,1))-9-6 ]),
+              member(Degrees, [0,17,40,90,133]) ))) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(at([rotate(axis(1,2,3),Degrees)], Term), _),
+               complete_segments,
+               develop(1, [], D),
+               findall(X, v(D, _, X, _, _), Xs),
+               findall(Y, v(D, _, _, Y, _), Ys) )),
+    maplist(min_list, [Xs,Ys], [X0,Y0]),
+    maplist(max_list, [Xs,Ys], [X1,Y1]),
+    abs(X1-X0-W) < 1.0e-9,
+    abs(Y1-Y0-H) < 1.0e-9.
+
 %   The seam is that of the vertex minimum spanning tree, and one piece.
 
 least(box(size(1,1,1)), 7.0).
