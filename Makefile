@@ -3,6 +3,7 @@
 #   make          the program (./sanggwan) and the library for plain swipl
 #   make demo     draws the figures into docs/gallery
 #   make test     every test; the last line counts them
+#   make test-all all cases of those that do a sample otherwise
 #   make install  PREFIX=/usr/local DESTDIR=
 #
 # `make demo` and `make test` install what is missing from Debian's packages.
@@ -27,7 +28,7 @@ VERSION := $(shell sed -n "s/^version('\(.*\)')\.$$/\1/p" rules/command/cli.pl)
 # what pkg-config says; make re-reads this file after making it, so the flags
 # are right even when SWI-Prolog was not there a moment ago. Packages are looked
 # for before each of these goals, whether or not deps.mk is there already.
-TESTING  := test check check-san bench mutants
+TESTING  := test test-all check check-san bench mutants
 LINTING  := lint check-vg
 INSTALLS := demo $(TESTING) $(LINTING)
 PURPOSES := $(if $(filter $(TESTING),$(MAKECMDGOALS)),tests) \
@@ -69,7 +70,7 @@ RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
-.PHONY: all sanggwan packages so demo test check check-c check-rules check-embed check-cli bless \
+.PHONY: all sanggwan packages so demo test test-all check check-c check-rules check-embed check-cli bless \
         mutants check-san san check-vg lint clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
@@ -183,6 +184,9 @@ $(FAILING): tests/memory/failing_malloc.c $(B)/deps.mk
 
 test: all $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKERS) $(FAILING)
 	@tests/run $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
+# What tests do a sample of otherwise, in full.
+test-all:
+	@TEST_ALL=1 $(MAKE) --no-print-directory test
 check: test
 check-c: $(C_TESTS)
 	@tests/run $^

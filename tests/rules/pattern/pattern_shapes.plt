@@ -14,6 +14,7 @@
 :- use_module(rules(pattern/pattern_drawing),
               [ pattern_drawing/3, pattern_layout/3 ]).
 :- use_module(tests('rules/pattern/cut_checked')).
+:- use_module(tests('rules/sample')).
 
 shape(cube, box(size(40,40,40))).
 shape(cone, cone(radius(20),height(50),facets(24))).
@@ -139,7 +140,9 @@ test(inside, [ forall(shape(Name,Term)) ]) :-
 test(open_slits, [ forall(shape(Name,Term)) ]) :-
     of_term(Term, [page('A3'),tabs(6),open_slits(true)], Drawings),
     assertion(no_fault(Name, Drawings)).
-test(curves, [ forall(( curve(Name,Term), member(Width, [2,6,15]) )) ]) :-
+test(curves, [ forall(sampled([Name,Width],
+                              ( curve(Name,Term),
+                                member(Width, [2,6,15]) ))) ]) :-
     of_term(Term, [tabs(Width)], Drawings),
     assertion(no_fault(Name, Drawings)).
 

@@ -13,6 +13,7 @@
 :- use_module(rules(penetration/resolve)).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation)).
+:- use_module(tests('rules/sample')).
 
 /* Things that touch but for rounding. A scene whose solids touch exactly is
    turned as a whole by random rotations, which opens every contact by a
@@ -25,7 +26,8 @@ turns(N0, N) :-
     ->  atom_number(Text, Times)
     ;   Times = 1
     ),
-    N is N0*Times.
+    few(N0//3, N0, N1),
+    N is max(1, N1)*Times.
 
 /* - - - scenes - - - */
 

@@ -12,6 +12,7 @@
 :- use_module(rules(picture/view)).
 :- use_module(tests('rules/contour_same'), [same_as_rule/2]).
 :- use_module(tests('rules/polyhedron'), [in_new_world/1]).
+:- use_module(tests('rules/sample')).
 
 :- multifile user:message_hook/3.
 
@@ -444,8 +445,9 @@ eye(88, 91).
 
 :- begin_tests(contour_rule).
 
-test(kernel, forall(( ruled(Term), eye(Theta, Phi),
-                      member(Kind, [parallel,central]) ))) :-
+test(kernel, forall(sampled([Term,Theta-Phi,Kind],
+                            ( ruled(Term), eye(Theta, Phi),
+                              member(Kind, [parallel,central]) )))) :-
     in_new_world(( add_primitive(Term, _), complete_segments([1]),
                    set_view(Theta, Phi, 0), set_projection(Kind),
                    picture([crease(50)]),

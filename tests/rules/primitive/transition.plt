@@ -19,6 +19,7 @@ developments,
 :- use_module(rules(unrolling/true_resized), [transition_resized/3]).
 :- use_module(rules(unrolling/true_table)).
 :- use_module(rules(unfolding/unfold_true)).
+:- use_module(tests('rules/sample')).
 
 :- begin_tests(transition).
 
@@ -207,7 +208,8 @@ smooth_between([base(circle(60)),top(circle(35)),tilt(20)]).
 smooth_between([base(ellipse(25,40)),top(circle(30)),shift(20,-10),
                 tilt(10,50)]).
 
-test(smooth_surface_between, [forall(smooth_between(Outlines))]) :-
+test(smooth_surface_between,
+     [forall(sampled([], smooth_between(Outlines)))]) :-
     rim_corners(Outlines, 8, 0.01, Corners8),
     rim_corners(Outlines, 16, 0.002, Corners16),
     findall(Off,
@@ -226,7 +228,7 @@ test(smooth_surface_between, [forall(smooth_between(Outlines))]) :-
     Most < 0.01.
 
 %   The same with a plate, whose neutral layer has as many parts.
-test(plate_between, [forall(smooth_between(Outlines))]) :-
+test(plate_between, [forall(sampled([], smooth_between(Outlines)))]) :-
     Term =.. [transition,height(80),facets(8)|Outlines],
     in_scene([Term],
              ( complete_patterns([thickness(2),size(outside)], D),

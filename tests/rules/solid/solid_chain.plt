@@ -12,11 +12,12 @@
 :- use_module(tests('rules/checked')).
 :- use_module(tests('rules/polyhedron')).
 :- use_module(tests('rules/random_shape')).
+:- use_module(tests('rules/sample')).
 
-/* Chains through files: 200 operations, each on the written result of the one
-before. Every file is closed and does not go through itself: write_solid/2 says
-so, or does not write it; at some steps also the engine that reads it, and the
-checker that shares nothing with it.
+/* Chains through files: 40 operations, with TEST_ALL=1 200, each on the written
+result of the one before. Every file is closed and does not go through itself:
+write_solid/2 says so, or does not write it; at some steps also the engine that
+reads it, and the checker that shares nothing with it.
 
 With CHAINS=all there are more chains, of finer shapes, in all formats, some far
 from the origin, and every step is looked at: about 15 minutes. */
@@ -43,7 +44,8 @@ more(off, 12, 24, 100).
 more(stl, 12, 9, 1000).
 more(off, 12, 24, 1000).
 
-operations(200).
+operations(N) :-
+    few(40, 200, N).
 
 chained(Ending, Seed, Facets, Away, Looks) :-
     set_random(seed(Seed)),

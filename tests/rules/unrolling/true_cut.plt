@@ -20,6 +20,7 @@ true_parallel.pl. Areas
 :- use_module(rules(vector)).
 :- use_module(rules(solid/csg_evaluate)).
 :- use_module(tests('rules/csg/csg_tree')).
+:- use_module(tests('rules/sample')).
 
 :- multifile user:message_hook/3.
 user:message_hook(sanggwan(unfold(alone(_))), informational, _).
@@ -143,7 +144,8 @@ missed([ cone(radius(77), height(137), facets(12)),
          at([rotate(x,-75),rotate(y,10),translate(38,-20,53)],
             cylinder(radius(9), height(260), facets(36))) ]).
 
-test(few_facets, [forall(( missed(Terms), member(S, [1,2]) ))]) :-
+test(few_facets, [forall(sampled([Terms,S],
+                                  ( missed(Terms), member(S, [1,2]) )))]) :-
     patterns(Terms, S, [], Area),
     maplist(fine, Terms, Fine),
     trimmed_area(Fine, S, Area0),
@@ -278,10 +280,11 @@ solid(transition, transition(base(Base), top(Top), height(H), shift(X,Y),
 size(Size) :-
     random_between(60, 140, Size).
 
-test(random, [forall(( scenes(2, N), between(1, N, Seed),
-                       member(Kind, [pyramid,box,prism,cone,frustum,
-                                     transition]),
-                       member(S, [1,2]) ))]) :-
+test(random, [forall(sampled([Kind,S],
+                             ( scenes(2, N), between(1, N, Seed),
+                               member(Kind, [pyramid,box,prism,cone,frustum,
+                                             transition]),
+                               member(S, [1,2]) )))]) :-
     random_scene(Kind, Seed, Terms),
     maplist(fine, Terms, Fine),
     (   catch(trimmed_area(Fine, S, Area0), error(geometry_error(_), _), fail)
@@ -322,12 +325,14 @@ branch(at([rotate(x,A),rotate(y,B),translate(X,Y,Z)],
     maplist(random_between, [40,-90,-20,-20,40,8,8,-60,-60],
             [90,90,20,20,100,24,24,60,60], [A,B,X,Y,Z,R1,R2,U,V]).
 
-test(thickness, [forall(( scenes(1, N), between(1, N, Seed),
-                          member(Kind, [elliptic,oblique,elliptic_cone,
-                                        oblique_cone,frustum,right]),
-                          member(S-Role-K, [1-header-1.0,2-branch-0.0]),
-                          member(Size-Off1-Off2, [outside-0-(-3),
-                                                  inside-3-0]) ))]) :-
+test(thickness,
+     [ forall(sampled([Kind,S,Size],
+                      ( scenes(1, N), between(1, N, Seed),
+                        member(Kind, [elliptic,oblique,elliptic_cone,
+                                      oblique_cone,frustum,right]),
+                        member(S-Role-K, [1-header-1.0,2-branch-0.0]),
+                        member(Size-Off1-Off2, [outside-0-(-3),
+                                                inside-3-0]) ))) ]) :-
     set_random(seed(Seed)),
     part(Kind, Header),
     branch(Branch),
