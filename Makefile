@@ -213,7 +213,9 @@ mutants: all $(CHECKERS)
 # asked for leaks, the C tests are.
 SAN := -fsanitize=address,undefined -fno-sanitize-recover=undefined \
        -fno-omit-frame-pointer
-check-san:
+# What needs them runs as it is built, for a minute: threads that come and go.
+check-san: $(B)/tests/embed/stress_test
+	@STRESS_SECONDS=60 tests/run $<
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san san
 san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)

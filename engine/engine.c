@@ -65,6 +65,11 @@ sanggwan_warnings(const sanggwan_world *world)
 
 /* ---- the process and its threads --------------------------------------- */
 
+/* Prolog's collection of atoms walks over the data of all threads. While a
+ * thread of the host begins or ends, none that we start is under way. A hook at
+ * the end of a thread may close a world: the lock is recursive. */
+static pthread_mutex_t ends = PTHREAD_RECURSIVE_MUTEX_INITIALIZER_NP;
+
 /* Messages in the language of the environment, not that of the machine where
  * the state was made. */
 static void
@@ -162,9 +167,14 @@ sanggwan_attach(void)
   if (!PL_is_initialised(NULL, NULL)) {
     return sg_host_refuse(SANGGWAN_USAGE, "sanggwan_start() comes first");
   }
-  if (PL_thread_self() < 0 && PL_thread_attach_engine(NULL) < 0) {
-    return sg_host_refuse(SANGGWAN_IMPOSSIBLE,
-                          "this thread cannot be attached");
+  if (PL_thread_self() < 0) {
+    pthread_mutex_lock(&ends);
+    int id = PL_thread_attach_engine(NULL);
+    pthread_mutex_unlock(&ends);
+    if (id < 0) {
+      return sg_host_refuse(SANGGWAN_IMPOSSIBLE,
+                            "this thread cannot be attached");
+    }
   }
   return SANGGWAN_DONE;
 }
@@ -173,7 +183,9 @@ void
 sanggwan_detach(void)
 {
   if (PL_is_initialised(NULL, NULL) && PL_thread_self() > 1) {
+    pthread_mutex_lock(&ends);
     PL_thread_destroy_engine();
+    pthread_mutex_unlock(&ends);
   }
 }
 
@@ -388,9 +400,11 @@ static void
 collect_handles(void)
 {
   if (!sg_host_obstacle()) {
+    pthread_mutex_lock(&ends);
     (void)PL_call_predicate(NULL, PL_Q_CATCH_EXCEPTION,
                             PL_predicate("garbage_collect_atoms", 0, "system"),
                             0);
+    pthread_mutex_unlock(&ends);
   }
 }
 
