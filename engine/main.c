@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PROLOG_WORDS = 5, WRONG_USAGE = 2, CANNOT_START = 4 };
+enum { PROLOG_WORDS = 5, WRONG_USAGE = 2, MOST_SHOWN = 200, CANNOT_START = 4 };
 
 /* argv with the options that make Prolog leave our words alone. */
 static char **
@@ -57,6 +57,18 @@ unreadable_word(char **words)
   return *words;
 }
 
+/* Says so and ends. What is no ASCII that is seen may be anything: a ?. */
+static _Noreturn void
+refuse_word(const char *word)
+{
+  fputs("sanggwan: this is no text in UTF-8: ", stderr);
+  for (int i = 0; word[i] && i < MOST_SHOWN; i++) {
+    fputc(word[i] >= ' ' && word[i] <= '~' ? word[i] : '?', stderr);
+  }
+  fputs(strlen(word) > MOST_SHOWN ? "...\n" : "\n", stderr);
+  exit(WRONG_USAGE);
+}
+
 /* As sg_start. Prolog reads words and file names in the letters of the locale
  * and dies of others, so where those are ASCII alone they are UTF-8 here. The
  * environment is as before afterwards: it also says the language. */
@@ -72,8 +84,7 @@ start(int argc, char **argv)
   setlocale(LC_CTYPE, "");
   word = unreadable_word(argv);
   if (word) {
-    fprintf(stderr, "sanggwan: this is no text in UTF-8: %s\n", word);
-    exit(WRONG_USAGE);
+    refuse_word(word);
   }
   started = sg_start(argc, argv);
   if (changed && old) {
