@@ -302,7 +302,8 @@ later_segment(later(segment(S, Kind, Name), Place)) :-
     ->  catch(primitive_shape(Name, Wanted, Points, Chains),
               error(model_error(What), _), place_error(Place, 3, What)),
         (   Kind == Wanted
-        ->  shape_rows(Wanted, S, Points, Chains)
+        ->  catch(shape_rows(Wanted, S, Points, Chains),
+                  error(model_error(Far), _), place_error(Place, 3, Far))
         ;   place_error(Place, 2, kind(Name, Kind, Wanted))
         )
     ;   place_error(Place, 3, no_vertices(S, Name))

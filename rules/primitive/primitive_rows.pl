@@ -56,6 +56,8 @@ primitive_rows(Term, S, Kind) :-
 %
 %   Add Points as the vertices of segment S, that has no rows, and Chains as
 %   its polygons; of a curve, as runs of its edges. Fails if one is no polygon.
+%
+%   @error model_error(value(v, coordinate, D, within(Most)))
 
 shape_rows(Kind, S, Points, Chains) :-
     foldl(point_row(S), Points, 1, _),
@@ -65,8 +67,12 @@ shape_rows(Kind, S, Points, Chains) :-
     ).
 
 point_row(S, point(X, Y, Z), V, V1) :-
-    assert_fact(v(S, V, X, Y, Z)),
+    catch(assert_fact(v(S, V, X, Y, Z)), error(domain_error(coordinate, D), _),
+          too_far(D)),
     V1 is V+1.
+
+too_far(D) :-
+    throw(error(model_error(value(v, coordinate, D, within(1.0e90))), _)).
 
 curve_rows(S, Chain, E0, E) :-
     chain_edges(Chain, Edges),

@@ -54,6 +54,15 @@ for file in "$work"/h/*.*; do
   esac
 done
 
+# Numbers that are read but are no places.
+printf 'cube(size=[1e308,1e308,1e308],center=true);\n' >"$work/far.csg"
+printf 'segment(1,solid,box(size(1.0e300,1,1))).\n' >"$work/far.pl"
+for file in far.csg far.pl; do
+  bounded eval "$work/$file"
+  check "$file" status_is 3
+  check "$file.words" no_prolog
+done
+
 # The same from a pipe, which can be read once only.
 for name in depth.small.pl name.pl; do
   status=$(
