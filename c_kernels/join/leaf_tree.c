@@ -351,29 +351,63 @@ sg_leaf_tree_bytes(const sg_leaf_tree *tree)
 typedef struct box_job {
   const sg_view *vertices;
   sg_segment_rows rows;
-  sg_box *out;
+  sg_box *box; /* one of the two is null */
+  sg_oriented_box *oriented;
 } box_job;
+
+/* The vertices of one segment. */
+typedef struct own_rows {
+  const sg_view *vertices;
+  const uint32_t *row;
+} own_rows;
+
+static void
+own_point(const void *data, size_t i, double out[3])
+{
+  const own_rows *of = data;
+
+  read_point(of->vertices, of->row[i], out);
+}
 
 static void
 box_task(void *data, size_t i)
 {
   box_job *job = data;
   const sg_segment_rows *rows = &job->rows;
+  own_rows of = {job->vertices, rows->row + rows->begin[i]};
+  size_t n = rows->begin[i + 1] - rows->begin[i];
 
-  job->out[i] = box_round(job->vertices, rows->row + rows->begin[i],
-                          rows->begin[i + 1] - rows->begin[i]);
+  if (job->box) {
+    job->box[i] = box_round(job->vertices, of.row, n);
+  } else if (n > 0) {
+    sg_oriented_box_make(n, own_point, &of, &job->oriented[i]);
+  }
+}
+
+static bool
+find_boxes(box_job *job, const int32_t *wanted, size_t n, sg_crew *crew,
+           const sg_poll *poll)
+{
+  bool good = sg_segment_rows_find(job->vertices, wanted, n, poll, &job->rows);
+
+  good = good && sg_crew_run(rows_of(&job->rows, n) < SMALL ? NULL : crew, n,
+                             box_task, job, poll);
+  sg_segment_rows_clear(&job->rows);
+  return good;
 }
 
 bool
 sg_leaf_boxes(const sg_view *vertices, const int32_t *wanted, size_t n,
               sg_crew *crew, const sg_poll *poll, sg_box *out)
 {
-  box_job job = {.vertices = vertices, .out = out};
-  bool good = sg_segment_rows_find(vertices, wanted, n, poll, &job.rows);
+  return find_boxes(&(box_job){.vertices = vertices, .box = out}, wanted, n,
+                    crew, poll);
+}
 
-  good = good && sg_crew_run(rows_of(&job.rows, n) < SMALL ? NULL : crew, n,
-                             box_task, &job, poll);
-
-  sg_segment_rows_clear(&job.rows);
-  return good;
+bool
+sg_leaf_oriented_boxes(const sg_view *vertices, const int32_t *wanted, size_t n,
+                       sg_crew *crew, const sg_poll *poll, sg_oriented_box *out)
+{
+  return find_boxes(&(box_job){.vertices = vertices, .oriented = out}, wanted,
+                    n, crew, poll);
 }

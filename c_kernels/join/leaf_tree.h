@@ -10,6 +10,7 @@
 #define SG_LEAF_TREE_H
 
 #include "bvh.h"
+#include "oriented_box.h"
 #include "rows/segment_rows.h"
 
 /* Views of v/5, e/5 and t/6, of one version. */
@@ -42,6 +43,12 @@ void sg_leaf_tree_close(sg_leaf_tree *tree);
  * or the poll said stop. */
 bool sg_leaf_boxes(const sg_view *vertices, const int32_t *wanted, size_t n,
                    sg_crew *crew, const sg_poll *poll, sg_box *out);
+
+/* The boxes along their own axes of n segments (ascending numbers) that have
+ * vertices. The same. */
+bool sg_leaf_oriented_boxes(const sg_view *vertices, const int32_t *wanted,
+                            size_t n, sg_crew *crew, const sg_poll *poll,
+                            sg_oriented_box *out);
 
 size_t sg_leaf_tree_bytes(const sg_leaf_tree *tree);
 

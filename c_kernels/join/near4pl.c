@@ -10,6 +10,9 @@
 #include "engine/install.h"
 
 #include <stdlib.h>
+#include <string.h>
+
+enum { CROWD = 16 }; /* other boxes */
 
 /* The segments of a version and their boxes. */
 typedef struct boxed {
@@ -109,34 +112,112 @@ find_boxes_ex(sg_world *world, const sg_version *version, sg_crew *crew,
   return good || (PL_exception(0) ? FALSE : sg_no_memory());
 }
 
-/* The pairs whose boxes overlap within the reach. */
+/* The pairs whose boxes overlap within the reach, as places. */
 static int
-join_boxes_ex(const boxed *all, double reach, near_pairs **out)
+join_boxes_ex(const boxed *all, double reach, sg_bvh_hits *hits)
 {
   sg_bvh *tree = sg_bvh_open(all->box, all->n, &sg_prolog_poll);
-  sg_bvh_hits hits = {0};
-  near_pairs *pairs = NULL;
+  bool good = tree && sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, reach, NULL,
+                                  &sg_prolog_poll, hits);
+  size_t n = 0;
 
-  if (tree && sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, reach, NULL,
-                          &sg_prolog_poll, &hits)) {
-    pairs = malloc(sizeof *pairs + (hits.n + 1) * sizeof pairs->pair[0]);
-  }
-  if (pairs) {
-    pairs->n = pairs->next = 0;
-    for (size_t k = 0; k < hits.n; k++) {
-      uint32_t i = tree->item[hits.hit[k].a], j = tree->item[hits.hit[k].b];
+  for (size_t k = 0; good && k < hits->n; k++) {
+    uint32_t i = tree->item[hits->hit[k].a], j = tree->item[hits->hit[k].b];
 
-      if (sg_box_overlap(&all->box[i], &all->box[j], reach)) {
-        pairs->pair[pairs->n][0] = all->s[i < j ? i : j];
-        pairs->pair[pairs->n++][1] = all->s[i < j ? j : i];
-      }
+    if (sg_box_overlap(&all->box[i], &all->box[j], reach)) {
+      hits->hit[n++] = (sg_bvh_hit){0, i < j ? i : j, i < j ? j : i};
     }
-    qsort(pairs->pair, pairs->n, sizeof pairs->pair[0], compare_pairs);
   }
-  free(hits.hit);
+  hits->n = n;
   sg_bvh_close(tree);
+  return good || (PL_exception(0) ? FALSE : sg_no_memory());
+}
+
+/* Which segments overlap so many others that it is worth to look at them along
+ * their own axes: where[i] is the place of segment i among these, or -1. */
+static size_t
+find_crowded(const boxed *all, const sg_bvh_hits *hits, int64_t *where,
+             int32_t *crowded)
+{
+  size_t n = 0;
+
+  memset(where, 0, all->n * sizeof *where);
+  for (size_t k = 0; k < hits->n; k++) {
+    where[hits->hit[k].a]++;
+    where[hits->hit[k].b]++;
+  }
+  for (size_t i = 0; i < all->n; i++) {
+    bool is_crowded = where[i] > CROWD;
+
+    where[i] = is_crowded ? (int64_t)n : -1;
+    if (is_crowded) {
+      crowded[n++] = all->s[i];
+    }
+  }
+  return n;
+}
+
+static void
+drop_apart(sg_bvh_hits *hits, const int64_t *where, const sg_oriented_box *box,
+           double reach)
+{
+  size_t n = 0;
+
+  for (size_t k = 0; k < hits->n; k++) {
+    int64_t i = where[hits->hit[k].a], j = where[hits->hit[k].b];
+
+    if (i < 0 || j < 0 || !sg_oriented_boxes_apart(&box[i], &box[j], reach)) {
+      hits->hit[n++] = hits->hit[k];
+    }
+  }
+  hits->n = n;
+}
+
+/* Drops pairs of segments that boxes along their own axes show to be apart. */
+static int
+drop_apart_ex(const sg_version *version, const boxed *all, double reach,
+              sg_crew *crew, sg_bvh_hits *hits)
+{
+  int64_t *where = malloc((all->n + 1) * sizeof *where);
+  int32_t *crowded = malloc((all->n + 1) * sizeof *crowded);
+  size_t n = where && crowded ? find_crowded(all, hits, where, crowded) : 0;
+  sg_oriented_box *box = malloc((n + 1) * sizeof *box);
+  sg_view vertices = {0};
+  int good = where && crowded && box;
+
+  if (good && n > 0) {
+    good = sg_version_view(version, SG_V, &vertices) &&
+           sg_leaf_oriented_boxes(&vertices, crowded, n, crew, &sg_prolog_poll,
+                                  box);
+    if (good) {
+      drop_apart(hits, where, box, 2 * reach); /* reach is along each axis */
+    }
+    sg_view_clear(&vertices);
+  }
+  free(where);
+  free(crowded);
+  free(box);
+  return good || (PL_exception(0) ? FALSE : sg_no_memory());
+}
+
+static int
+put_pairs_ex(const boxed *all, const sg_bvh_hits *hits, near_pairs **out)
+{
+  near_pairs *pairs =
+      malloc(sizeof *pairs + (hits->n + 1) * sizeof pairs->pair[0]);
+
+  if (!pairs) {
+    return sg_no_memory();
+  }
+  pairs->n = hits->n;
+  pairs->next = 0;
+  for (size_t k = 0; k < hits->n; k++) {
+    pairs->pair[k][0] = all->s[hits->hit[k].a];
+    pairs->pair[k][1] = all->s[hits->hit[k].b];
+  }
+  qsort(pairs->pair, pairs->n, sizeof pairs->pair[0], compare_pairs);
   *out = pairs;
-  return pairs || (PL_exception(0) ? FALSE : sg_no_memory());
+  return TRUE;
 }
 
 static int
@@ -144,6 +225,7 @@ find_near_ex(double reach, const wanted *of, near_pairs **out)
 {
   sg_world *world = sg_current_world_ex();
   boxed all = {0};
+  sg_bvh_hits hits = {0};
 
   if (!world) {
     return FALSE;
@@ -152,9 +234,12 @@ find_near_ex(double reach, const wanted *of, near_pairs **out)
   sg_crew *crew = sg_crew_open(0);
   int good = (crew || sg_no_memory()) && list_segments_ex(version, of, &all) &&
              find_boxes_ex(world, version, crew, &all) &&
-             join_boxes_ex(&all, reach, out);
+             join_boxes_ex(&all, reach, &hits) &&
+             drop_apart_ex(version, &all, reach, crew, &hits) &&
+             put_pairs_ex(&all, &hits, out);
 
   sg_crew_close(crew);
+  free(hits.hit);
   sg_version_drop(version);
   free(all.s);
   free(all.box);

@@ -2,6 +2,7 @@
 #include "self_cut.h"
 
 #include "bvh_join.h"
+#include "oriented_box.h"
 #include "polygon/flatness.h"
 #include "rows/key_table.h"
 #include "self_pair.h"
@@ -41,6 +42,7 @@ typedef struct joiner {
   const unsigned char *changed; /* [triangles], or null */
   uint32_t *some; /* [some_n] the triangles to ask, from first; null: all */
   size_t some_n;
+  sg_run run;
   sg_bvh *tree, *some_tree;
   sg_bvh_hits hits;
   block *block;
@@ -87,7 +89,10 @@ box_of(const joiner *j, size_t triangle)
   sg_box box = sg_box_none();
 
   for (int k = 0; k < 3; k++) {
-    sg_box_add(&box, d->at[d->corner[(size_t)j->first + triangle][k]]);
+    double at[3];
+
+    sg_run_turn(&j->run, d->at[d->corner[(size_t)j->first + triangle][k]], at);
+    sg_box_add(&box, at);
   }
   return box;
 }
@@ -131,13 +136,35 @@ may_meet(void *data, const sg_bvh_hit *hit)
                              j->first + (int32_t)u);
 }
 
+/* Needles that run askew overlap in boxes along x, y and z wherever they are:
+ * their boxes are taken along them. */
+static void
+find_run(joiner *j)
+{
+  const sg_dense *d = j->model.d;
+
+  for (size_t i = 0; i < j->triangles; i++) {
+    double t[3][3];
+
+    for (int k = 0; k < 3; k++) {
+      memcpy(t[k], d->at[d->corner[(size_t)j->first + i][k]], sizeof t[k]);
+    }
+    sg_run_add(&j->run, (const double(*)[3])t);
+  }
+  sg_run_end(&j->run);
+}
+
 static bool
 find_candidates(joiner *j, size_t vertices, sg_crew *crew, const sg_poll *poll)
 {
   sg_box all = sg_box_none();
 
+  find_run(j);
   for (size_t v = 0; v < vertices; v++) {
-    sg_box_add(&all, j->model.d->at[j->model.first + v]);
+    double at[3];
+
+    sg_run_turn(&j->run, j->model.d->at[j->model.first + v], at);
+    sg_box_add(&all, at);
   }
   j->tree = sg_bvh_grow(j->triangles, fill_boxes, j, NULL, &all, crew, poll);
   if (j->tree && j->some) {

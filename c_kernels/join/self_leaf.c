@@ -1,5 +1,6 @@
 #include "self_leaf.h"
 
+#include "oriented_box.h"
 #include "polygon/flatness.h"
 #include "self_pair.h"
 
@@ -20,6 +21,8 @@ typedef struct joiner {
   const sg_leaf_views *views;
   double reach;
   leaf *leaf; /* [n], by place in the tree */
+  sg_run run;
+  sg_bvh *turned; /* null: the tree's own boxes will do */
   double tolerance;
   atomic_bool met;
   sg_bvh_hits hits;
@@ -76,12 +79,89 @@ share_corner(const leaf *a, const leaf *b)
   return false;
 }
 
+/* ---- boxes along needles that run askew ---- */
+
+static void
+fill_turned(const void *data, size_t begin, size_t end, sg_box *out)
+{
+  const joiner *j = data;
+
+  for (size_t i = begin; i < end; i++) {
+    out[i - begin] = sg_box_none();
+    for (int k = 0; k < 3; k++) {
+      double at[3];
+
+      sg_run_turn(&j->run, j->leaf[i].at[k], at);
+      sg_box_add(&out[i - begin], at);
+    }
+  }
+}
+
+/* False: no memory, or stopped. */
+static bool
+grow_turned(joiner *j, sg_crew *crew, const sg_poll *poll)
+{
+  sg_box all = sg_box_none();
+  size_t n = j->tree->boxes->n;
+
+  for (size_t i = 0; i < n; i++) {
+    sg_run_add(&j->run, (const double(*)[3])j->leaf[i].at);
+  }
+  sg_run_end(&j->run);
+  if (!j->run.askew) {
+    return true;
+  }
+  for (size_t i = 0; i < n; i++) {
+    sg_box box;
+
+    fill_turned(j, i, i + 1, &box);
+    sg_box_join(&all, &box);
+  }
+  j->turned = sg_bvh_grow(n, fill_turned, j, NULL, &all, crew, poll);
+  return j->turned != NULL;
+}
+
+/* Places in the turned tree as places in the tree. */
+static sg_bvh_hit
+own_places(const joiner *j, const sg_bvh_hit *hit)
+{
+  if (!j->turned) {
+    return *hit;
+  }
+  uint32_t a = j->turned->item[hit->a], b = j->turned->item[hit->b];
+
+  return (sg_bvh_hit){0, a < b ? a : b, a < b ? b : a};
+}
+
+static int
+compare_hits(const void *x, const void *y)
+{
+  const sg_bvh_hit *a = x, *b = y;
+
+  return a->a != b->a ? (a->a > b->a) - (a->a < b->a)
+                      : (a->b > b->b) - (a->b < b->b);
+}
+
+static void
+take_own_places(joiner *j)
+{
+  for (size_t i = 0; j->turned && i < j->hits.n; i++) {
+    j->hits.hit[i] = own_places(j, &j->hits.hit[i]);
+  }
+  if (j->turned && j->hits.n > 0) {
+    qsort(j->hits.hit, j->hits.n, sizeof *j->hits.hit, compare_hits);
+  }
+}
+
+/* ---- pairs ---- */
+
 /* Whether two leaves may have more in common than they share. */
 static bool
 may_meet(void *data, const sg_bvh_hit *hit)
 {
   const joiner *j = data;
-  const leaf *a = &j->leaf[hit->a], *b = &j->leaf[hit->b];
+  sg_bvh_hit own = own_places(j, hit);
+  const leaf *a = &j->leaf[own.a], *b = &j->leaf[own.b];
   sg_self_two two;
 
   if (a->p == b->p) {
@@ -96,7 +176,8 @@ static bool
 goes_through(void *data, const sg_bvh_hit *hit)
 {
   joiner *j = data;
-  const leaf *a = &j->leaf[hit->a], *b = &j->leaf[hit->b];
+  sg_bvh_hit own = own_places(j, hit);
+  const leaf *a = &j->leaf[own.a], *b = &j->leaf[own.b];
   sg_self_two two;
 
   if (a->p == b->p || atomic_load_explicit(&j->met, memory_order_relaxed)) {
@@ -121,13 +202,15 @@ read_leaves(joiner *j, sg_crew *crew, const sg_poll *poll)
   size_t n = j->tree->boxes->n;
 
   j->leaf = calloc(n, sizeof *j->leaf);
-  return j->leaf && sg_crew_run(crew, blocks(n), read_block, j, poll);
+  return j->leaf && sg_crew_run(crew, blocks(n), read_block, j, poll) &&
+         grow_turned(j, crew, poll);
 }
 
 static bool
 join(joiner *j, sg_bvh_wants *wants, sg_crew *crew, const sg_poll *poll)
 {
-  const sg_bvh_pair pair = {j->tree->boxes, j->tree->boxes};
+  const sg_bvh *tree = j->turned ? j->turned : j->tree->boxes;
+  const sg_bvh_pair pair = {tree, tree};
 
   return sg_bvh_join_wanted(&pair, 1, j->reach, wants, j, crew, poll, &j->hits);
 }
@@ -141,7 +224,9 @@ sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
   bool done = has_none(tree) ||
               (read_leaves(&j, crew, poll) && join(&j, may_meet, crew, poll));
 
+  take_own_places(&j);
   free(j.leaf);
+  sg_bvh_close(j.turned);
   *out = j.hits;
   return done;
 }
@@ -173,6 +258,7 @@ sg_self_leaf_meets(const sg_leaf_tree *tree, const sg_leaf_views *views,
   }
   free(j.leaf);
   free(j.hits.hit);
+  sg_bvh_close(j.turned);
   *out = done && atomic_load(&j.met);
   return done;
 }

@@ -1,6 +1,8 @@
 /* winding.c -- how often triangles go round a point: see winding.h. */
 #include "winding.h"
 
+#include <math.h>
+
 /* The turn a, b, p seen from +x, p shifted: never 0 unless a and b are seen
  * in one place. */
 static int
@@ -28,6 +30,35 @@ sg_winding_of(const sg_point *a, const sg_point *b, const sg_point *c,
   }
   /* Counter-clockwise from +x, p is before it where p is below. */
   return sg_point_orient3d(a, b, c, p) == turn ? turn : 0;
+}
+
+/* Where y, z is across the edge from u along e, and how far that may be off:
+ * by what is rounded here, and in y, z. */
+static double
+across(const double e[2], const double u[3], const double at[3], double *off)
+{
+  double r = e[0] * (at[2] - u[2]), s = e[1] * (at[1] - u[1]);
+
+  *off += 0x1p-44 * (fabs(r) + fabs(s)) +
+          0x1p-50 * (fabs(e[0] * at[2]) + fabs(e[1] * at[1])) + 0x1p-1000;
+  return r - s;
+}
+
+bool
+sg_winding_misses(const double t[3][3], const double p[3])
+{
+  for (int i = 0; i < 3; i++) {
+    const double *u = t[i], *w = t[(i + 1) % 3];
+    double e[2] = {w[1] - u[1], w[2] - u[2]}, off = 0;
+    double third = across(e, u, t[(i + 2) % 3], &off);
+    double at = across(e, u, p, &off);
+
+    if (at < (third < 0 ? third : 0) - off ||
+        at > (third > 0 ? third : 0) + off) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /* Whether p is between a and b, all three on one line. */

@@ -20,6 +20,11 @@
 int sg_winding_of(const sg_point *a, const sg_point *b, const sg_point *c,
                   const sg_point *p);
 
+/* True if the line of the ray from p plainly misses triangle t, seen along x:
+ * then it counts 0 for p, and p does not lie on it. p are the doubles nearest
+ * to the point. Most of what boxes say of long thin triangles is settled so. */
+bool sg_winding_misses(const double t[3][3], const double p[3]);
+
 /* Whether p lies on the closed triangle (which may have no area). */
 bool sg_is_on_triangle(const sg_point *a, const sg_point *b, const sg_point *c,
                        const sg_point *p);

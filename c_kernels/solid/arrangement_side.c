@@ -157,19 +157,28 @@ lies_on(rays *r, size_t i, const sg_point corner[3], uint32_t row)
 }
 
 static void
-count(rays *r, size_t i, uint32_t row)
+read_corners(const rays *r, uint32_t row, double out[3][3])
 {
-  sg_arrangement *a = r->a;
-  const sg_point *at = &a->part[r->part[i]].at;
-  sg_point corner[3];
+  const sg_arrangement *a = r->a;
   int32_t v[3];
 
   sg_arranged_corners(a, row, v);
   for (int k = 0; k < 3; k++) {
-    double place[3] = {0};
+    out[k][0] = out[k][1] = out[k][2] = 0;
+    sg_leaf_vertex_at(a->leaf[r->leaf].tree, a->leaves.views, v[k], out[k]);
+  }
+}
 
-    sg_leaf_vertex_at(a->leaf[r->leaf].tree, a->leaves.views, v[k], place);
-    sg_point_set(&corner[k], place);
+static void
+count(rays *r, size_t i, uint32_t row)
+{
+  const sg_point *at = &r->a->part[r->part[i]].at;
+  sg_point corner[3];
+  double place[3][3];
+
+  read_corners(r, row, place);
+  for (int k = 0; k < 3; k++) {
+    sg_point_set(&corner[k], place[k]);
   }
   if (sg_is_on_triangle(&corner[0], &corner[1], &corner[2], at)) {
     lies_on(r, i, corner, row);
@@ -202,14 +211,34 @@ plant_rays(const rays *r, const sg_poll *poll)
   return tree;
 }
 
+/* What is joined: the rays, in a tree of their own, and the leaf. */
+typedef struct shooting {
+  const rays *rays;
+  const sg_bvh *tree, *boxes;
+} shooting;
+
+static bool
+may_count(void *data, const sg_bvh_hit *hit)
+{
+  const shooting *s = data;
+  const rays *r = s->rays;
+  double corner[3][3];
+
+  read_corners(r, s->boxes->item[hit->b], corner);
+  return !sg_winding_misses((const double(*)[3])corner,
+                            r->a->part[r->part[s->tree->item[hit->a]]].at.p);
+}
+
 static bool
 shoot(rays *r, sg_crew *crew, const sg_poll *poll)
 {
   const sg_bvh *boxes = r->a->leaf[r->leaf].tree->boxes;
   sg_bvh *tree = plant_rays(r, poll);
   sg_bvh_hits hits = {0};
-  bool good = tree != NULL &&
-              sg_bvh_join(&(sg_bvh_pair){tree, boxes}, 1, 0, crew, poll, &hits);
+  shooting s = {r, tree, boxes};
+  bool good =
+      tree != NULL && sg_bvh_join_wanted(&(sg_bvh_pair){tree, boxes}, 1, 0,
+                                         may_count, &s, crew, poll, &hits);
 
   for (size_t i = 0; i < hits.n && good; i++) {
     good = i % ASKED != ASKED - 1 || !sg_poll_stop(poll);

@@ -151,7 +151,9 @@ tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
 %   True when S1 and S2, S1 < S2, are segments whose boxes (round their
 %   vertices) overlap or are not farther apart than Reach along each axis.
 %   Ascending, as they are at the first call. Found by a tree of boxes: the
-%   other pairs are not looked at.
+%   other pairs are not looked at. Segments with more than 16 such others, as
+%   long thin ones askew may have, are looked at in boxes along their own axes
+%   too; two that are plainly apart so are not near.
 
 %!  near_segments_of(+Reach, +Ss:list, -Near:list) is det.
 %
