@@ -9,8 +9,8 @@
 #include "join/bvh_join.h"
 #include "join/winding.h"
 
-#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { TRIED = 3, POLL_EVERY = 4096 };
 
@@ -26,7 +26,9 @@ typedef struct depths {
   size_t begin, triangles;
   uint32_t *tried; /* [shells][TRIED] triangles, from 0; the same if few */
   double (*at)[3]; /* [shells * TRIED] */
-  bool *on;        /* [shells * TRIED]: on another shell */
+  sg_box *round;   /* [shells] */
+  const sg_bvh *rays, *faces;
+  bool *on; /* [shells * TRIED]: on another shell */
   turn *item;
   size_t n, room;
 } depths;
@@ -112,33 +114,73 @@ see(depths *d, uint32_t i, uint32_t t)
   return count == 0 || add_turn(d, i, (uint32_t)shell, count);
 }
 
+/* What is outside of a shell's box it does not go round. */
+static bool
+may_count(void *data, const sg_bvh_hit *hit)
+{
+  const depths *d = data;
+  size_t i = d->rays->item[hit->a], t = d->faces->item[hit->b];
+  size_t shell = shell_of(d, t);
+  const sg_dense *dense = d->c->d;
+  double corner[3][3];
+  sg_box point = sg_box_none();
+
+  sg_box_add(&point, d->at[i]);
+  if (shell == i / TRIED || !sg_box_overlap(&point, &d->round[shell], 0)) {
+    return false;
+  }
+  for (int k = 0; k < 3; k++) {
+    memcpy(corner[k], dense->at[dense->corner[d->begin + t][k]],
+           sizeof corner[k]);
+  }
+  return !sg_winding_misses((const double(*)[3])corner, d->at[i]);
+}
+
+/* Boxes of the triangles, and of the shells. */
+static void
+box_triangles(depths *d, sg_box *box)
+{
+  const sg_dense *dense = d->c->d;
+
+  for (size_t i = 0; i < d->shells; i++) {
+    d->round[i] = sg_box_none();
+  }
+  for (size_t t = 0; t < d->triangles; t++) {
+    box[t] = sg_box_none();
+    for (int k = 0; k < 3; k++) {
+      sg_box_add(&box[t], dense->at[dense->corner[d->begin + t][k]]);
+    }
+    sg_box_join(&d->round[shell_of(d, t)], &box[t]);
+  }
+}
+
 /* Trees of the triangles and of the rays of the points, joined. */
 static bool
 join(depths *d, const sg_poll *poll, sg_bvh **rays, sg_bvh **faces,
      sg_bvh_hits *hits)
 {
-  const sg_dense *dense = d->c->d;
   size_t points = d->shells * TRIED;
-  size_t room = points > d->triangles ? points : d->triangles;
-  sg_box *box = malloc((room + 1) * sizeof *box), all = sg_box_none();
+  sg_box *box = malloc((d->triangles + 1) * sizeof *box);
+  sg_box *ray = malloc((points + 1) * sizeof *ray);
+  bool good = box && ray;
 
-  for (size_t t = 0; t < d->triangles && box; t++) {
-    box[t] = sg_box_none();
-    for (int k = 0; k < 3; k++) {
-      sg_box_add(&box[t], dense->at[dense->corner[d->begin + t][k]]);
-    }
-    sg_box_join(&all, &box[t]);
+  if (good) {
+    box_triangles(d, box);
+    *faces = sg_bvh_open(box, d->triangles, poll);
   }
-  *faces = box ? sg_bvh_open(box, d->triangles, poll) : NULL;
-  for (size_t i = 0; i < points && box; i++) {
-    box[i] = sg_box_none();
-    sg_box_add(&box[i], d->at[i]);
-    box[i].hi[0] = fmax(box[i].hi[0], all.hi[0]);
+  for (size_t i = 0; i < points && good; i++) {
+    ray[i] = sg_box_none();
+    sg_box_add(&ray[i], d->at[i]);
   }
-  *rays = box ? sg_bvh_open(box, points, poll) : NULL;
+  good = good && *faces &&
+         sg_winding_shorten(d->round, d->shells, ray, points, poll);
+  *rays = good ? sg_bvh_open(ray, points, poll) : NULL;
   free(box);
-  return *faces && *rays &&
-         sg_bvh_join(&(sg_bvh_pair){*rays, *faces}, 1, 0, NULL, poll, hits);
+  free(ray);
+  d->rays = *rays;
+  d->faces = *faces;
+  return *rays && sg_bvh_join_wanted(&(sg_bvh_pair){*rays, *faces}, 1, 0,
+                                     may_count, d, NULL, poll, hits);
 }
 
 static int
@@ -227,7 +269,8 @@ sg_census_depths(sg_counting *c)
   d.tried = calloc(d.shells * TRIED, sizeof *d.tried);
   d.at = calloc(d.shells * TRIED, sizeof *d.at);
   d.on = calloc(d.shells * TRIED, sizeof *d.on);
-  bool done = d.tried && d.at && d.on;
+  d.round = malloc(d.shells * sizeof *d.round);
+  bool done = d.tried && d.at && d.on && d.round;
 
   if (done) {
     choose(&d);
@@ -236,6 +279,7 @@ sg_census_depths(sg_counting *c)
   free(d.tried);
   free(d.at);
   free(d.on);
+  free(d.round);
   free(d.item);
   return done;
 }

@@ -8,13 +8,18 @@
  */
 #include "arrangement_private.h"
 
+#include "join/bodies.h"
 #include "join/bvh_join.h"
 #include "join/winding.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { ASKED = 1 << 12, TRIES = 64 };
+enum {
+  ASKED = 1 << 12,
+  TRIES = 64,
+  MANY = 64 /* rays: it is worth to look at the bodies of the leaf */
+};
 
 /* The rays to one leaf. */
 typedef struct rays {
@@ -24,6 +29,9 @@ typedef struct rays {
   int *turns;     /* [n]: round where the ray begins */
   int *across;    /* [n]: how many more below than above */
   size_t n;
+  sg_box *ray;      /* [n] */
+  sg_bodies bodies; /* of the leaf, if the rays are many, */
+  sg_box *body;     /* [bodies.n] and their boxes; else null */
 } rays;
 
 /* ---- which rays ---- */
@@ -189,26 +197,77 @@ count(rays *r, size_t i, uint32_t row)
 
 /* ---- all rays to a leaf ---- */
 
+/* Boxes round what hangs together of the ray's leaf: each closed, so what is
+ * outside of its box it does not go round. */
+static bool
+find_bodies(rays *r, const sg_poll *poll)
+{
+  const sg_arrangement *a = r->a;
+  const sg_leaf_tree *tree = a->leaf[r->leaf].tree;
+
+  if (r->n < MANY) {
+    return true;
+  }
+  if (!sg_bodies_find(tree, a->leaves.views, poll, &r->bodies)) {
+    return false;
+  }
+  r->body = malloc((r->bodies.n + 1) * sizeof *r->body);
+  for (size_t i = 0; r->body && i < r->bodies.n; i++) {
+    r->body[i] = sg_box_none();
+  }
+  for (size_t i = 0; r->body && i < tree->boxes->n; i++) {
+    uint32_t row = tree->boxes->item[i];
+    double corner[3][3];
+    int32_t v[3];
+
+    sg_arranged_corners(a, row, v);
+    read_corners(r, row, corner);
+    for (int k = 0; k < 3; k++) {
+      sg_box_add(&r->body[sg_bodies_of(&r->bodies, v[k])], corner[k]);
+    }
+  }
+  return r->body != NULL;
+}
+
 static sg_bvh *
-plant_rays(const rays *r, const sg_poll *poll)
+plant_rays(rays *r, const sg_poll *poll)
 {
   const sg_box *all = &r->a->leaf[r->leaf].tree->box;
-  sg_box *box = malloc((r->n + 1) * sizeof *box);
   sg_bvh *tree = NULL;
+  bool good;
 
-  for (size_t i = 0; box && i < r->n; i++) {
+  r->ray = malloc((r->n + 1) * sizeof *r->ray);
+  good = r->ray && find_bodies(r, poll);
+  for (size_t i = 0; good && i < r->n; i++) {
     for (int k = 0; k < 3; k++) {
       double at = r->a->part[r->part[i]].at.p[k];
-      box[i].lo[k] = nextafter(at, -INFINITY);
-      box[i].hi[k] = nextafter(at, INFINITY);
+      r->ray[i].lo[k] = nextafter(at, -INFINITY);
+      r->ray[i].hi[k] = nextafter(at, INFINITY);
     }
-    box[i].hi[0] = fmax(box[i].hi[0], all->hi[0]);
+    if (!r->body) {
+      r->ray[i].hi[0] = fmax(r->ray[i].hi[0], all->hi[0]);
+    }
   }
-  if (box) {
-    tree = sg_bvh_open(box, r->n, poll);
+  good = good && (!r->body ||
+                  sg_winding_shorten(r->body, r->bodies.n, r->ray, r->n, poll));
+  if (good) {
+    tree = sg_bvh_open(r->ray, r->n, poll);
   }
-  free(box);
   return tree;
+}
+
+/* Whether the body of a triangle may be round where ray i begins. */
+static bool
+may_go_round(const rays *r, size_t i, uint32_t row)
+{
+  int32_t v[3];
+
+  if (!r->body) {
+    return true;
+  }
+  sg_arranged_corners(r->a, row, v);
+  return may_be_round(&r->body[sg_bodies_of(&r->bodies, v[0])],
+                      &r->a->part[r->part[i]].at);
 }
 
 /* What is joined: the rays, in a tree of their own, and the leaf. */
@@ -222,11 +281,15 @@ may_count(void *data, const sg_bvh_hit *hit)
 {
   const shooting *s = data;
   const rays *r = s->rays;
+  uint32_t i = s->tree->item[hit->a], row = s->boxes->item[hit->b];
   double corner[3][3];
 
-  read_corners(r, s->boxes->item[hit->b], corner);
+  if (!may_go_round(r, i, row)) {
+    return false;
+  }
+  read_corners(r, row, corner);
   return !sg_winding_misses((const double(*)[3])corner,
-                            r->a->part[r->part[s->tree->item[hit->a]]].at.p);
+                            r->a->part[r->part[i]].at.p);
 }
 
 static bool
@@ -334,6 +397,11 @@ sides_of_leaf(rays *r, founds *f, sg_crew *crew, const sg_poll *poll)
   good = r->turns && r->across && shoot(r, crew, poll) && keep_sides(r, f);
   free(r->turns);
   free(r->across);
+  free(r->ray);
+  free(r->body);
+  sg_bodies_clear(&r->bodies);
+  r->ray = NULL;
+  r->body = NULL;
   return good;
 }
 
