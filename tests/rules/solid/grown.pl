@@ -68,6 +68,13 @@ grown(apart, N, Shells, N) :-
               Z is 2.0*(I//(Across*Across)), Z1 is Z+1,
               prism([X-Y,X1-Y,X1-Y1,X-Y1], Z, Z1, Shell) ),
             Shells).
+%   N boxes in a row.
+grown(row, N, Shells, N) :-
+    findall(Shell,
+            ( between(1, N, I),
+              X is 2.0*I, X1 is X+1,
+              prism([X-0.0,X1-0.0,X1-1.0,X-1.0], 0.0, 1.0, Shell) ),
+            Shells).
 %   A comb of N teeth, one face with a corner for each.
 grown(comb, N, [Shell], Volume) :-
     Last is 2.0*N+1,

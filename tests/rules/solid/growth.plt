@@ -21,6 +21,7 @@ grown_size(apexes, 500).
 grown_size(needles, 400).
 grown_size(stack, 400).
 grown_size(apart, 2000).
+grown_size(row, 3000).
 grown_size(comb, 300).
 
 %   fault(Family, N, Fault): what the checker says of the union of all shells,

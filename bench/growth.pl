@@ -1,0 +1,186 @@
+/* How the time of a verb grows with the model:
+
+       swipl -p foreign=build bench/growth.pl -- [FAMILY...]
+
+   Each size is a run of build/sanggwan alone, three of them: the median of its
+   seconds of processor, the most memory it had, and the exponents of both from
+   the size before. What starting takes is taken off. A run that takes longer
+   than LIMIT seconds (60 unless told) ends its family.
+*/
+:- multifile user:file_search_path/2.
+:- prolog_load_context(directory, Bench),
+   file_directory_name(Bench, Root),
+   asserta(user:file_search_path(sanggwan, Root)),
+   asserta(user:file_search_path(rules, sanggwan(rules))),
+   asserta(user:file_search_path(tests, sanggwan(tests))).
+
+:- use_module('../tests/rules/solid/grown').
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(process)).
+:- use_module(library(readutil)).
+
+:- initialization(main, main).
+
+%   family(Name, Verb, Sizes): what is done with the model of each size.
+
+family(wedges,     union, [100,200,400]).
+family(identical,  union, [50,100,200]).
+family(apexes,     union, [500,1000,2000,4000]).
+family(needles,    union, [400,800,1600,3200]).
+family(comb,       union, [250,500,1000,2000]).
+family(stack,      union, [1000,2000,4000,8000]).
+family(apart,      union, [1000,2000,4000,8000]).
+family(row,        union, [1000,2000,4000,8000]).
+family(row,        check, [1000,2000,4000,8000]).
+family(apart,      check, [1000,2000,4000,8000]).
+family(apart,      draw,  [1000,2000,4000]).
+family(stack,      draw,  [250,500,1000]).
+family(comb,       draw,  [250,500,1000]).
+family(comb,       unfold, [25,50,100]).
+family(holes,      draw,  [500,1000,2000,4000]).
+family(rods,       penetrate, [400,800,1600]).
+family(rods,       union, [400,800,1600]).
+family(boxes,      penetrate, [1000,2000,4000]).
+family(chain,      penetrate, [500,1000,2000]).
+
+main :-
+    current_prolog_flag(argv, Names),
+    forall(( family(Name, Verb, Sizes),
+             ( Names == [] ; memberchk(Name, Names) ) ),
+           measured_family(Name, Verb, Sizes)).
+
+measured_family(Name, Verb, Sizes) :-
+    run_of([check,'-q','facts/cube.pl'], Start, _),
+    format("~w ~w~n", [Verb,Name]),
+    measured_sizes(Sizes, Name, Verb, Start, none).
+
+measured_sizes([], _, _, _, _).
+measured_sizes([N|Sizes], Name, Verb, Start, Before) :-
+    model_file(Name, N, File),
+    call_cleanup(medians(Verb, File, Seconds0, Memory), delete_file(File)),
+    (   Seconds0 == none
+    ->  format("~t~D~10|  longer than the limit~n", [N])
+    ;   Seconds is max(0.001, Seconds0-Start),
+        exponent(Before, N-Seconds, Growth),
+        format("~t~D~10| ~t~3f~19| s ~t~D~32| kB  ~w~n",
+               [N,Seconds,Memory,Growth]),
+        measured_sizes(Sizes, Name, Verb, Start, N-Seconds)
+    ).
+
+exponent(none, _, '') :-
+    !.
+exponent(N0-S0, N-S, Growth) :-
+    Power is log(S/S0)/log(N/N0),
+    format(atom(Growth), "n^~2f", [Power]).
+
+medians(Verb, File, Seconds, Memory) :-
+    verb_arguments(Verb, File, Arguments, Made),
+    findall(S-M, ( between(1, 3, _), run_of(Arguments, S, M) ), Runs),
+    forall(( member(F, Made), exists_file(F) ), delete_file(F)),
+    (   length(Runs, 3)
+    ->  msort(Runs, [_,Seconds-_,_]),
+        findall(M, member(_-M, Runs), Ms),
+        max_list(Ms, Memory)
+    ;   Seconds = none
+    ).
+
+verb_arguments(check, File, [check,'-q',File], []).
+verb_arguments(union, File, [union,'-q',File,Far,'-o',Out], [Far,Out]) :-
+    output(off, Out),
+    tmp_file_stream(Far, Stream, [extension(pl)]),
+    format(Stream, "segment(1, solid, at([translate(-9,-9,-9)], \c
+                    box(size(1,1,1)))).~n", []),
+    close(Stream).
+verb_arguments(draw, File, [draw,'-q',File,'-o',Out], [Out]) :-
+    output(svg, Out).
+verb_arguments(penetrate, File, [penetrate,'-q',File,'-o',Out], [Out]) :-
+    output(pl, Out).
+verb_arguments(unfold, File, [unfold,'-q',File,'-o',Out], [Out]) :-
+    output(svg, Out).
+
+output(Ending, File) :-
+    tmp_file(growth, Base),
+    file_name_extension(Base, Ending, File).
+
+%   run_of(Arguments, Seconds, Memory) is semidet: of build/sanggwan; fails if
+%   it takes longer than the limit. The code 1 of check is an answer.
+
+run_of(Arguments, Seconds, Memory) :-
+    (   getenv('LIMIT', Limit)
+    ->  true
+    ;   Limit = '60'
+    ),
+    append([timeout,Limit,'build/sanggwan'], Arguments, Command),
+    process_create(path(bash),
+                   [ '-c',
+                     'exec /usr/bin/time -o /dev/fd/3 -f "%U %S %M" \c
+                      "$@" 3>&1 >/dev/null 2>/dev/null',
+                     bash | Command ],
+                   [stdout(pipe(Out)), process(Pid)]),
+    call_cleanup(read_string(Out, _, Text), close(Out)),
+    process_wait(Pid, exit(Code)),
+    Code =< 1,
+    split_string(Text, "\n", " ", Lines0),
+    exclude(==(""), Lines0, Lines),
+    last(Lines, Line),
+    split_string(Line, " ", "", Words),
+    maplist([W,X]>>number_string(X, W), Words, [User,System,Memory]),
+    Seconds is User+System.
+
+%   model_file(Name, N, File): written anew.
+
+model_file(Name, N, File) :-
+    grown_family(Name),
+    !,
+    tmp_file_stream(File, Stream, [extension(off)]),
+    close(Stream),
+    grown_file(Name, N, File, _).
+model_file(Name, N, File) :-
+    tmp_file_stream(File, Stream, [extension(pl)]),
+    call_cleanup(segments(Name, N, Stream), close(Stream)).
+
+grown_family(Name) :-
+    clause(sg_test_grown:grown(Name, _, _, _), _),
+    !.
+
+%   A plate with N triangular holes.
+segments(holes, N, Stream) :-
+    C is ceiling(sqrt(N)),
+    M is C+1,
+    findall([[X1,Y1],[X2,Y2],[X3,Y3]],
+            ( between(1, N, I),
+              X is I//C, Y is I mod C,
+              X1 is X+0.1, Y1 is Y+0.1, X2 is X+0.7, Y2 is Y+0.2,
+              X3 is X+0.3, Y3 is Y+0.8 ),
+            Holes),
+    format(Stream, "segment(1, solid, prism(outline(~w), holes(~w), \c
+                    height(1))).~n",
+           [[[-1,-1],[M,-1],[M,M],[-1,M]],Holes]).
+%   N rods askew, each a segment.
+segments(rods, N, Stream) :-
+    forall(between(1, N, I),
+           ( X is (I mod 40)*0.01,
+             Y is (I//40)*0.01,
+             format(Stream,
+                    "segment(~d, solid, at([rotate(x,35), rotate(y,40), \c
+                     translate(~w,~w,0)], box(size(0.002,0.002,10)))).~n",
+                    [I,X,Y]) )).
+%   N boxes apart, each a segment.
+segments(boxes, N, Stream) :-
+    forall(between(1, N, I),
+           ( X is 2*(I mod 40),
+             Y is 2*(I//40),
+             format(Stream,
+                    "segment(~d, solid, at([translate(~w,~w,0)], \c
+                     box(size(1,1,1)))).~n",
+                    [I,X,Y]) )).
+%   N boxes, each through the next one.
+segments(chain, N, Stream) :-
+    forall(between(1, N, I),
+           ( X is 0.75*I,
+             Y is 0.25*(I mod 2),
+             format(Stream,
+                    "segment(~d, solid, at([translate(~w,~w,~w)], \c
+                     box(size(1,1,1)))).~n",
+                    [I,X,Y,Y]) )).
