@@ -11,7 +11,10 @@ host see is said in these words; where Sanggwan is a library, Prolog's own are.
 %
 %   The message for error(Formal, Context).
 
-prolog_en(resource_error(_), _) -->
+prolog_en(resource_error(nesting_of_terms), _) -->
+    [ 'a term is nested too deeply to be kept in a world' ].
+prolog_en(resource_error(What), _) -->
+    { What \== nesting_of_terms },
     [ 'there is not enough memory for this: Prolog\'s stacks are full', nl,
       '  Ask for less at once: a smaller model, a goal that does not collect \c
        all its answers.' ].

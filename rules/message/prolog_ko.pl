@@ -11,7 +11,10 @@ prolog_en.pl has the same heads in English.
 %
 %   The message for error(Formal, Context).
 
-prolog_ko(resource_error(_), _) -->
+prolog_ko(resource_error(nesting_of_terms), _) -->
+    [ '항이 너무 깊게 겹쳐 있어 월드에 둘 수 없습니다' ].
+prolog_ko(resource_error(What), _) -->
+    { What \== nesting_of_terms },
     [ '메모리가 모자랍니다. 프롤로그의 스택이 찼습니다', nl,
       '  한 번에 덜 청하십시오. 더 작은 모델, 답을 모두 모으지 않는 목표.' ].
 prolog_ko(io_error(Action, _), context(_, Why)) -->
