@@ -241,6 +241,9 @@ make_mesh(sg_merge *m, sg_solid *solid, sg_contracted *before)
       (m->briefs || solid->vertices - solid->plain > 1)) {
     end = sg_merge_contract(m, solid, before);
     if (end == SG_MERGE_DONE && before->triangle) {
+      end = sg_merge_note_contracted(m);
+    }
+    if (end == SG_MERGE_DONE && before->triangle) {
       sg_merge_mesh_clear(m);
       end = sg_merge_mesh(m);
     }
@@ -278,6 +281,7 @@ sg_face_merge(sg_solid *solid, const sg_merge_options *options,
 
   solid->closed = false;
   if (end == SG_MERGE_DONE && is_changed(&m)) {
+    sg_merge_note_dropped(&m);
     end = sg_merge_write(&m, solid);
   } else if (end == SG_MERGE_DONE) {
     solid->closed = m.regular;
@@ -289,6 +293,7 @@ sg_face_merge(sg_solid *solid, const sg_merge_options *options,
   }
   sg_merge_forget(&before);
   count_refused(&m, &done);
+  done.tight = m.tight;
   done.faces_after = solid->faces;
   done.vertices_after = solid->vertices;
   done.triangles_after = solid->triangles;

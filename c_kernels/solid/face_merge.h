@@ -83,12 +83,21 @@ typedef enum sg_merge_end {
   SG_MERGE_NO_MEMORY
 } sg_merge_end;
 
+/* Vertices of operands that vanish more than a hundredth of an edge there away
+ * from what stays; and the one that is worst beside its edge. */
+typedef struct sg_merge_tight {
+  size_t n;
+  sg_solid_vertex vertex;
+  double move, feature;
+} sg_merge_tight;
+
 /* What was done. */
 typedef struct sg_merge_counts {
   size_t faces_before, faces_after;
   size_t vertices_before, vertices_after;
   size_t triangles_before, triangles_after;
   size_t refused; /* groups of faces that stayed apart: invalid as one */
+  sg_merge_tight tight;
 } sg_merge_counts;
 
 /* Merges the faces of `solid`, drops vertices, also those in no triangle, and

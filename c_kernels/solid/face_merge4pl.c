@@ -154,11 +154,26 @@ get_options_ex(term_t list, sg_merge_options *out, sg_merge_pair **apart,
   return PL_get_nil_ex(tail);
 }
 
-/* solid_merge(+Solid, +Tolerance, +Options) is semidet: fails if it is apart.
- */
-static foreign_t
-solid_merge(term_t t, term_t tolerance, term_t list)
+static int
+unify_tight(term_t t, const sg_merge_tight *tight)
 {
+  const sg_solid_vertex *v = &tight->vertex;
+
+  return tight->n == 0
+             ? PL_unify_atom_chars(t, "none")
+             : PL_unify_term(t, PL_FUNCTOR_CHARS, "tight", 7, PL_INT, v->s,
+                             PL_FLOAT, v->at[0] + 0.0, PL_FLOAT, v->at[1] + 0.0,
+                             PL_FLOAT, v->at[2] + 0.0, PL_FLOAT, tight->move,
+                             PL_FLOAT, tight->feature, PL_INT64,
+                             (int64_t)tight->n);
+}
+
+/* solid_merge(+Solid, +Tolerance, +Options, -Tight) is semidet: fails if it is
+ * apart. */
+static foreign_t
+solid_merge(term_t t, term_t tolerance, term_t list, term_t tight)
+{
+  sg_merge_counts counts = {0};
   sg_merge_options options = {.poll = &sg_prolog_poll};
   sg_merge_pair *apart = NULL;
   sg_merge_region region = {.n = 0};
@@ -173,11 +188,11 @@ solid_merge(term_t t, term_t tolerance, term_t list)
   }
   options.crew = sg_crew_open(0);
   if (options.crew) {
-    end = sg_face_merge(solid, &options, NULL);
+    end = sg_face_merge(solid, &options, &counts);
   }
   sg_crew_close(options.crew);
   free(apart);
-  return end == SG_MERGE_DONE || failed(end);
+  return end == SG_MERGE_DONE ? unify_tight(tight, &counts.tight) : failed(end);
 }
 
 static int
@@ -218,7 +233,7 @@ solid_neighbours(term_t t, term_t tolerance, term_t pairs)
 }
 
 static const PL_extension predicates[] = {
-    {"solid_merge", 3, solid_merge, 0},
+    {"solid_merge", 4, solid_merge, 0},
     {"solid_neighbours", 3, solid_neighbours, 0},
     {NULL, 0, NULL, 0},
 };

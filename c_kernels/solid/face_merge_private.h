@@ -5,7 +5,8 @@
  * without length (face_merge_contract.c), groups of faces (face_merge_grow.c),
  * which vertices vanish (face_merge_vertex.c, face_merge_run.c), new triangles
  * (face_merge_fill.c, face_merge_hold.c), what they meet (face_merge_meet.c,
- * face_merge_sheet.c), the solid anew (face_merge_write.c).
+ * face_merge_sheet.c), how far that moves things (face_merge_tight.c), the
+ * solid anew (face_merge_write.c).
  */
 #ifndef SG_FACE_MERGE_PRIVATE_H
 #define SG_FACE_MERGE_PRIVATE_H
@@ -75,6 +76,7 @@ typedef struct sg_merge {
   size_t groups, room;
   uint8_t *fate;         /* [vertices]: SG_KEPT ... */
   uint32_t (*beside)[2]; /* [vertices]: the neighbours of a straight one */
+  sg_merge_tight tight;
 } sg_merge;
 
 static inline uint32_t
@@ -205,6 +207,13 @@ sg_merge_end sg_merge_fill(sg_merge *m, bool *again);
 /* Groups whose new triangles go through others, or lie on them, where the old
  * ones did not, have failed. */
 sg_merge_end sg_merge_meet(sg_merge *m);
+
+/* ---- face_merge_tight.c ---- */
+
+/* After brief edges were contracted, while they are known. */
+sg_merge_end sg_merge_note_contracted(sg_merge *m);
+/* Before the solid is written anew. */
+void sg_merge_note_dropped(sg_merge *m);
 
 /* ---- face_merge_write.c ---- */
 

@@ -34,7 +34,7 @@
             region_leaves/2,          % +Region, -Leaves
             region_close/1,           % +Region
             % face_merge4pl.c
-            solid_merge/3,            % +Solid, +Tolerance, +Options
+            solid_merge/4,            % +Solid, +Tolerance, +Options, -Tight
             solid_neighbours/3,       % +Solid, +Tolerance, -Pairs
             % arrangement4pl.c
             arrangement_open/4,       % +Set, +Segments, +Wanted, -Arrangement
@@ -235,7 +235,7 @@ Foreign predicates; see kernel.pl.
 
 /* - - - face_merge4pl.c - - - */
 
-%!  solid_merge(+Solid, +Tolerance, +Options:list) is semidet.
+%!  solid_merge(+Solid, +Tolerance, +Options:list, -Tight) is semidet.
 %
 %   Makes coplanar neighbours in Solid one face each and drops vertices that lie
 %   straight (c_kernels/solid/face_merge.h). Options: origins(separate): never
@@ -244,6 +244,10 @@ Foreign predicates; see kernel.pl.
 %   size of Solid; region(Region): Solid is a part of a larger one, of which
 %   only the faces of Region (solid_region/3) are wanted and left; then it fails
 %   if one of these and another might become one. Others are ignored.
+%
+%   Tight is `none`, or tight(S0, X, Y, Z, Move, Edge, N) if N vertices of
+%   operands vanish farther from what stays than a hundredth of an edge there;
+%   the worst is one of segment S0.
 
 %!  solid_neighbours(+Solid, +Tolerance, -Pairs:list) is det.
 %

@@ -290,6 +290,8 @@ fault_en(tolerance(Tolerance, Most)) -->
       '  Give --tolerance ~4g or less, or none.'-[Most] ].
 fault_en(tight(S1, S2, At, Move, Feature, N)) -->
     tight_en(S1, S2, At, Move, Feature, N).
+fault_en(flattened(S, At, Move, Edge, N)) -->
+    flattened_en(S, At, Move, Edge, N).
 fault_en(result_open) -->
     [ 'the result would not be closed', nl,
       '  Give a larger or smaller --tolerance, or --repair the operands.' ].
@@ -308,6 +310,8 @@ notice_en(moved(S1, S2, At, Move, N)) -->
     place_en(At, S1, S2).
 notice_en(tight(S1, S2, At, Move, Feature, N)) -->
     tight_en(S1, S2, At, Move, Feature, N).
+notice_en(flattened(S, At, Move, Edge, N)) -->
+    flattened_en(S, At, Move, Edge, N).
 notice_en(not_flat(S, Count, P, Off)) -->
     [ 'polygons that are not flat in segment ~d: ~D (the worst is ~d, by ~4g)'-
       [S, Count, P, Off], nl,
@@ -317,6 +321,15 @@ tight_en(S1, S2, At, Move, Feature, N) -->
     [ 'made to touch: moved by ~4g where a feature is only ~4g large, near '-
       [Move, Feature] ],
     place_en(At, S1, S2),
+    other_places_en(N).
+
+flattened_en(S, At, Move, Edge, N) -->
+    [ 'made one face: ~4g off it, where an edge is only ~4g long, near '-
+      [Move, Edge] ],
+    place_en(At, S, 0),
+    other_places_en(N).
+
+other_places_en(N) -->
     (   { N > 1 }
     ->  [ '; there are ~D such places'-[N] ]
     ;   []

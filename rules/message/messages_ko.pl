@@ -299,6 +299,8 @@ fault_ko(tolerance(Tolerance, Most)) -->
       '  --tolerance 를 ~4g 이하로 주거나 빼십시오.'-[Most] ].
 fault_ko(tight(S1, S2, At, Move, Feature, N)) -->
     tight_ko(S1, S2, At, Move, Feature, N).
+fault_ko(flattened(S, At, Move, Edge, N)) -->
+    flattened_ko(S, At, Move, Edge, N).
 fault_ko(result_open) -->
     [ '결과가 닫히지 않습니다', nl,
       '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
@@ -316,6 +318,8 @@ notice_ko(moved(S1, S2, At, Move, N)) -->
     place_ko(At, S1, S2).
 notice_ko(tight(S1, S2, At, Move, Feature, N)) -->
     tight_ko(S1, S2, At, Move, Feature, N).
+notice_ko(flattened(S, At, Move, Edge, N)) -->
+    flattened_ko(S, At, Move, Edge, N).
 notice_ko(not_flat(S, Count, P, Off)) -->
     [ '세그먼트 ~d 의 다각형 ~D개는 평평하지 않습니다 (가장 심한 ~d: ~4g)'-
       [S, Count, P, Off], nl,
@@ -325,6 +329,15 @@ tight_ko(S1, S2, At, Move, Feature, N) -->
     [ '닿게 하느라 ~4g 만큼 옮겼지만 그곳의 요소는 크기가 ~4g 뿐입니다: '-
       [Move, Feature] ],
     place_ko(At, S1, S2),
+    other_places_ko(N).
+
+flattened_ko(S, At, Move, Edge, N) -->
+    [ '한 면으로 합치느라 ~4g 만큼 벗어난 곳의 모서리 길이가 ~4g 뿐입니다: '-
+      [Move, Edge] ],
+    place_ko(At, S, 0),
+    other_places_ko(N).
+
+other_places_ko(N) -->
     (   { N > 1 }
     ->  [ '; 그런 곳이 ~D개 있습니다'-[N] ]
     ;   []

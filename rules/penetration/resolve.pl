@@ -2,6 +2,7 @@
           [ resolve_contacts/2,         % +Set, +Tolerance
             resolve_contacts_by_rule/2, % +Set, +Tolerance
             refusing_tight_moves/1,     % :Goal
+            tight_said/1,               % +Tight
             tolerance_reach/2,          % +Tolerance, -Reach
             resolved_seams/0
           ]).
@@ -99,7 +100,16 @@ moves_said(moved(S1, S2, X, Y, Z, Move, _, N)) :-
     print_message(informational,
                   sanggwan(moved(S1, S2, [X,Y,Z], Move, N))).
 moves_said(tight(S1, S2, X, Y, Z, Move, Feature, N)) :-
-    Tight = tight(S1, S2, [X,Y,Z], Move, Feature, N),
+    tight_said(tight(S1, S2, [X,Y,Z], Move, Feature, N)).
+
+%!  tight_said(+Tight) is det.
+%
+%   Tight is what would be moved by more than a hundredth of the smallest
+%   feature near it: a warning, or under refusing_tight_moves/1 an error.
+%
+%   @error geometry_error(Tight)
+
+tight_said(Tight) :-
     (   refused
     ->  throw(error(geometry_error(Tight), _))
     ;   print_message(warning, sanggwan(Tight))
@@ -111,11 +121,12 @@ moves_said(tight(S1, S2, X, Y, Z, Move, Feature, N)) :-
 
 %!  refusing_tight_moves(:Goal) is semidet.
 %
-%   once/1 of Goal, in which resolve_contacts/2 moves nothing by more than a
-%   hundredth of the smallest feature near it.
+%   once/1 of Goal, in which nothing is moved by more than a hundredth of the
+%   smallest feature near it, neither to touch nor to be flat.
 %
-%   @error geometry_error(tight(S1, S2, Place, Move, Feature, N)): it would;
-%          cut_touch/4 says what that is
+%   @error geometry_error(tight(S1, S2, Place, Move, Feature, N)),
+%          geometry_error(flattened(S, Place, Move, Edge, N)): it would; see
+%          cut_touch/4, solid_merge/4
 
 refusing_tight_moves(Goal) :-
     setup_call_cleanup(

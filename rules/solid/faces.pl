@@ -5,8 +5,8 @@
           ]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module('../kernel',
-              [ model_tolerance/1, solid_merge/3, solid_neighbours/3 ]).
-:- use_module('../penetration/resolve', [tolerance_reach/2]).
+              [ model_tolerance/1, solid_merge/4, solid_neighbours/3 ]).
+:- use_module('../penetration/resolve', [tight_said/1, tolerance_reach/2]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> Faces: coplanar neighbours become one (CB-5).
@@ -40,7 +40,21 @@ faces_merged(Solid, Options) :-
     merge_options(Options, Tolerance, BySize, Origins),
     kept_apart(Solid, Tolerance, Apart),
     solid_merge(Solid, Tolerance,
-                [origins(Origins), apart(Apart), by_size(BySize)]).
+                [origins(Origins), apart(Apart), by_size(BySize)], Tight),
+    flattened(Options, Tight).
+
+%   flattened(Options, Tight): what solid_merge/4 says of moves, if they are
+%   farther than the sources of the numbers explain.
+
+flattened(_, none) :-
+    !.
+flattened(Options, _) :-
+    \+ ( option(tolerance(Given), Options),
+         number(Given)
+       ),
+    !.
+flattened(_, tight(S, X, Y, Z, Move, Edge, N)) :-
+    tight_said(flattened(S, [X,Y,Z], Move, Edge, N)).
 
 merge_options(Options, Tolerance, BySize, Origins) :-
     (   option(tolerance(Given), Options)
@@ -66,7 +80,8 @@ merge_options(Options, Tolerance, BySize, Origins) :-
 region_faces_merged(Solid, Region, Options) :-
     merge_options(Options, Tolerance, BySize, Origins),
     solid_merge(Solid, Tolerance,
-                [origins(Origins), by_size(BySize), region(Region)]).
+                [origins(Origins), by_size(BySize), region(Region)], Tight),
+    flattened(Options, Tight).
 
 kept_apart(_, _, []) :-
     decision_is_default(merge_faces/2),

@@ -175,17 +175,18 @@ test(bad_origins, [error(domain_error(origins, apart))]) :-
 test(bad_part, [error(type_error(part, x))]) :-
     in_model([box(size(1, 1, 1))],
              ( solid_take([1], Solid),
-               solid_merge(Solid, 0, [apart([x-part(1, 1, 1)])]) )).
+               solid_merge(Solid, 0, [apart([x-part(1, 1, 1)])], _) )).
 test(bad_sense, [error(domain_error(sense, 0))]) :-
     in_model([box(size(1, 1, 1))],
              ( solid_take([1], Solid),
-               solid_merge(Solid, 0, [apart([part(1, 1, 0)-part(1, 1, 1)])]) )).
+               solid_merge(Solid, 0, [apart([part(1, 1, 0)-part(1, 1, 1)])],
+                           _) )).
 test(bad_list, [error(type_error(list, x))]) :-
     in_model([box(size(1, 1, 1))], ( solid_take([1], Solid),
-                                     solid_merge(Solid, 0, [apart(x)]) )).
+                                     solid_merge(Solid, 0, [apart(x)], _) )).
 test(closed, [error(existence_error(solid, _))]) :-
     in_model([box(size(1, 1, 1))], ( solid_take([1], Solid),
                                      solid_close(Solid),
-                                     solid_merge(Solid, 0, []) )).
+                                     solid_merge(Solid, 0, [], _) )).
 
 :- end_tests(faces).

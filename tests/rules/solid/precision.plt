@@ -34,7 +34,7 @@ cases(N0, N) :-
 
 user:message_hook(sanggwan(Said), _, _) :-
     functor(Said, Name, _),
-    memberchk(Name, [tight,moved,opened,contacts,no_area]),
+    memberchk(Name, [tight,moved,flattened,opened,contacts,no_area]),
     assertz(test_precision:said(Said)).
 
 /* - - - boxes in files - - - */
@@ -559,6 +559,20 @@ test(a_gap_of_the_same_segment, Word == tight) :-
     said(Said),
     !,
     functor(Said, Word, _).
+
+%   A step that is lower than the tolerance goes, with a word, or not at all.
+
+step(Height, union([ box(size(4,4,4)),
+                     at([translate(1,1,4)], box(size(2,2,Height))) ])).
+
+test(a_step, [ forall(member(Height-Words, [ 0.005-[flattened], 0.05-[] ])),
+               true(Found == Words) ]) :-
+    step(Height, Term),
+    evaluated_with(0.01, Term),
+    findall(Word, ( said(Said), functor(Said, Word, _) ), Found).
+test(a_step_refused, error(geometry_error(flattened(_, _, _, _, _)))) :-
+    step(0.005, Term),
+    refusing_tight_moves(test_precision:evaluated_with(0.01, Term)).
 
 %   What was known stays known.
 

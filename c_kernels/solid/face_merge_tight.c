@@ -1,0 +1,118 @@
+/* face_merge_tight.c -- how far merging moves what operands have, beside what
+ * is there: see face_merge_private.h.
+ *
+ * Layer: kernel. Inexact. What cuts have made is of no size of its own, so only
+ * vertices of operands are looked at, and the edges between them.
+ */
+#include "face_merge_private.h"
+
+#include "number/vector.h"
+
+#include <stdlib.h>
+
+enum { TIGHT = 100 }; /* a move that is more than 1 / TIGHT of an edge is */
+
+/* What a step of turning and moving rounds, beside the coordinates. */
+#define ROUNDING 0x1p-48
+
+static void
+note(sg_merge *m, uint32_t v, double move, double feature)
+{
+  const double *at = sg_merge_at(m, v);
+  double largest = fmax(fabs(at[0]), fmax(fabs(at[1]), fabs(at[2])));
+  sg_merge_tight *out = &m->tight;
+
+  if (!(move * TIGHT > feature) || move <= ROUNDING * largest) {
+    return;
+  }
+  out->n++;
+  if (out->n == 1 || move * out->feature > out->move * feature) {
+    out->vertex = m->solid->vertex[v];
+    out->move = move;
+    out->feature = feature;
+  }
+}
+
+static double
+between(const sg_merge *m, uint32_t v, uint32_t w)
+{
+  double d[3];
+
+  sg_minus(sg_merge_at(m, v), sg_merge_at(m, w), d);
+  return sg_length(d);
+}
+
+/* Both are vertices of one operand. */
+static bool
+are_given(const sg_merge *m, uint32_t v, uint32_t w)
+{
+  const sg_solid *solid = m->solid;
+
+  return v < solid->plain && w < solid->plain &&
+         solid->vertex[v].s == solid->vertex[w].s;
+}
+
+sg_merge_end
+sg_merge_note_contracted(sg_merge *m)
+{
+  const sg_solid *solid = m->solid;
+  unsigned char *used = calloc(solid->vertices + 1, 1);
+
+  for (size_t t = 0; used && t < solid->triangles; t++) {
+    for (int k = 0; k < 3; k++) {
+      used[solid->triangle[t][k]] = 1;
+    }
+  }
+  for (size_t i = 0; used && i < m->briefs; i++) {
+    uint32_t v = m->brief[i][0], w = m->brief[i][1];
+    if (are_given(m, v, w) && (!used[v] || !used[w])) {
+      double length = between(m, v, w);
+      note(m, used[v] ? w : v, length, length);
+    }
+  }
+  free(used);
+  return used ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
+}
+
+/* How far a vertex is from where its faces will be. One face alone has no other
+ * plane than before. */
+static double
+move_of(const sg_merge *m, uint32_t v)
+{
+  double move = 0;
+
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    uint32_t group = m->group_of[m->face_of[m->leaving[i].half / 3]];
+    if (group != SG_NOTHING && m->group[group].n > 1 &&
+        m->group[group].state != SG_AS_IT_WAS) {
+      move = fmax(move, fabs(sg_plane_distance(&m->group[group].plane,
+                                               sg_merge_at(m, v))));
+    }
+  }
+  return move;
+}
+
+/* The shortest edge to another vertex of its operand. */
+static double
+edge_of(const sg_merge *m, uint32_t v)
+{
+  double edge = INFINITY;
+
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    uint32_t w = m->leaving[i].to;
+    if (are_given(m, v, w) && !sg_half_is_auxiliary(m, m->leaving[i].half)) {
+      edge = fmin(edge, between(m, v, w));
+    }
+  }
+  return edge;
+}
+
+void
+sg_merge_note_dropped(sg_merge *m)
+{
+  for (uint32_t v = 0; m->fate && v < m->solid->plain; v++) {
+    if (m->fate[v] == SG_INNER || m->fate[v] == SG_DROPPED) {
+      note(m, v, move_of(m, v), edge_of(m, v));
+    }
+  }
+}
