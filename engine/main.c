@@ -96,6 +96,16 @@ start(int argc, char **argv)
   return started;
 }
 
+/* The verb is repl, where Ctrl-C stops a goal. */
+static bool
+is_top_level(char **words)
+{
+  while (*words && strcmp(*words, "repl") != 0) {
+    words++;
+  }
+  return *words != NULL;
+}
+
 /* What is said of an interrupt, in the user's language. */
 static const char *
 interrupted_words(void)
@@ -133,7 +143,7 @@ main(int argc, char **argv)
 
   sg_signals_note();
   if (!arguments || !start(argc + PROLOG_WORDS - 1, arguments) ||
-      !sg_signals_start(interrupted_words())) {
+      !sg_signals_start(interrupted_words(), is_top_level(argv))) {
     fprintf(stderr, "sanggwan: cannot start SWI-Prolog\n");
     return CANNOT_START;
   }

@@ -29,7 +29,8 @@ static bool ignored[ENDINGS];
 static int wake[2] = {-1, -1};
 static const char *said;
 static atomic_bool is_said;
-static atomic_int received; /* the last one that was not SIGINT */
+static bool goals_only;     /* SIGINT stops a goal, not the program */
+static atomic_int received; /* what is to end the process */
 
 static bool
 is_ignored(int signal)
@@ -70,7 +71,6 @@ end_now(int signal)
   _exit(AFTER_SIGNAL + signal);
 }
 
-/* SIGINT may stop a goal only (repl), so nothing is ended after it. */
 static void *
 listen(void *data)
 {
@@ -87,10 +87,10 @@ listen(void *data)
     if (n < 0 || read(wake[0], &number, 1) != 1) {
       continue;
     }
-    if (number != SIGINT && last) {
-      end_now(last); /* asked twice */
-    }
-    if (number != SIGINT) {
+    if (number != SIGINT || !goals_only) {
+      if (last) {
+        end_now(last); /* asked twice */
+      }
       last = number;
       atomic_store(&received, last);
     }
@@ -113,11 +113,12 @@ start_thread(void)
 }
 
 bool
-sg_signals_start(const char *words)
+sg_signals_start(const char *words, bool interrupts_goals)
 {
   struct sigaction action = {0};
 
   said = words;
+  goals_only = interrupts_goals;
   if (pipe2(wake, O_CLOEXEC | O_NONBLOCK) != 0 || !start_thread()) {
     return false;
   }

@@ -17,8 +17,9 @@
 void sg_signals_note(void);
 
 /* From now on signals end the program; `words`, which must live as long as the
- * process, is said where Prolog did not come to say it. */
-bool sg_signals_start(const char *words);
+ * process, is said where Prolog did not come to say it. If `interrupts_goals`,
+ * SIGINT ends what Prolog does, and the program goes on. */
+bool sg_signals_start(const char *words, bool interrupts_goals);
 
 /* Prolog has said what there is to say: `status` with the number of the signal
  * that ended it, if one did. */

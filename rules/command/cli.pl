@@ -54,10 +54,7 @@ main(Status) :-
     own_arguments(Words, Arguments),
     set_stream(user_output, encoding(utf8)),
     set_stream(user_error, encoding(utf8)),
-    setup_call_cleanup(
-        interrupts_raise(Old),
-        sanggwan(Arguments, Status0),
-        maplist(restored, Old)),
+    sanggwan(Arguments, Status0),
     flushed(Status0, Status).
 
 %   Those after the first `--`: engine/main.c puts it after Prolog's own.
@@ -72,23 +69,17 @@ own_arguments(Words, Arguments) :-
 %
 %   Text is the line that is said of an interrupt, in the language that the
 %   program's own arguments and the environment ask for; engine/signals.c says
-%   it where the work has to be ended at once.
+%   it where the work has to be ended at once. From now on an interrupt is an
+%   exception; other signals than SIGINT come as `term`.
 
 interrupted_words(Text) :-
+    on_signal(int, _, sg_cli:interrupt),
+    on_signal(term, _, sg_cli:interrupt),
     current_prolog_flag(os_argv, Words),
     own_arguments(Words, Arguments),
     set_language(Arguments),
     phrase('$messages':translate_message(sanggwan(interrupted)), Lines),
     with_output_to(string(Text), print_prefixed(current_output, '', _, Lines)).
-
-%   Those of other signals come as `term` (engine/signals.c).
-
-interrupts_raise([signal(int, OldInt), signal(term, OldTerm)]) :-
-    on_signal(int, OldInt, sg_cli:interrupt),
-    on_signal(term, OldTerm, sg_cli:interrupt).
-
-restored(signal(Signal, Handler)) :-
-    on_signal(Signal, _, Handler).
 
 :- public interrupt/1.
 

@@ -91,10 +91,10 @@ ask_shared(int life)
       break;
     }
   }
-  must(sanggwan_run(world,
-                    "fresh_id(segment, 0, S), "
-                    "assert_fact(segment(S, solid, thread)), "
-                    "retract_fact(segment(S, solid, thread))") == SANGGWAN_DONE,
+  must(sanggwan_run(world, "facts_transaction(( fresh_id(segment, 0, S), "
+                           "assert_fact(segment(S, solid, thread)), "
+                           "retract_fact(segment(S, solid, thread)) ))") ==
+           SANGGWAN_DONE,
        "change", world);
   if (life % 2) {
     sanggwan_query_close(q);
