@@ -2,6 +2,7 @@
 :- module(test_provoked, []).
 :- use_module(library(plunit)).
 :- use_module(library(filesex)).
+:- use_module(library(http/json)).
 :- use_module(rules(command/cli)).
 :- use_module(rules(message/messages)).
 :- use_module(rules(model/mesh)).
@@ -293,6 +294,29 @@ ends(0, [draw, '--help']).
 test(status, [ forall(ends(Status, Arguments)), true(Found == Status) ]) :-
     folder(Folder),
     notices(Folder, Arguments, _, Found).
+
+% With --json the output is JSON, and only then.
+reports(check, [@('cross.pl')]).
+reports(penetrate, [@('cross.pl')]).
+reports(eval, [@('cross.pl')]).
+reports(explain, [@('cross.pl'), 'line(1)']).
+reports(unfold, [@('cube.pl')]).
+
+printed(Arguments0, Text) :-
+    folder(Folder),
+    maplist(argument(Folder), Arguments0, Arguments),
+    with_output_to(string(Text), sanggwan(Arguments, 0)).
+
+is_json(Text) :-
+    catch(atom_json_dict(Text, Term, []), _, fail),
+    ( is_dict(Term) ; is_list(Term) ),
+    !.
+
+test(json, forall(reports(Verb, Arguments))) :-
+    printed([Verb,'--json'|Arguments], With),
+    printed([Verb|Arguments], Without),
+    is_json(With),
+    \+ is_json(Without).
 
 % Every head of the tables of notices is in command/2 or in elsewhere/2.
 notice(Notice) :-
