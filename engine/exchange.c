@@ -98,7 +98,7 @@ put_rows(sg_world *world, sg_relation relation, size_t n,
   return good;
 }
 
-/* Rows of derived relations may refer to them. */
+/* Others may refer to them: pictures, and what a user added by hand. */
 static bool
 mark_rows(sg_world *world, sg_relation relation, const sg_row *gone, size_t n)
 {
@@ -108,7 +108,7 @@ mark_rows(sg_world *world, sg_relation relation, const sg_row *gone, size_t n)
   for (size_t i = 0; i < n && good; i++) {
     const sg_page *page = sg_table_page(&world->table[relation], gone[i]);
     good = !sg_page_pair(page, relation, gone[i] % SG_PAGE_ROWS, &s, &id) ||
-           sg_world_mark_gone(world, relation, SG_MARK_MADE, s, id);
+           sg_world_mark_gone(world, relation, SG_MARK_MADE, false, s, id);
   }
   return good;
 }

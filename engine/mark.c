@@ -133,11 +133,9 @@ is_referred(const sg_world *world, sg_relation relation, bool derived)
 
 bool
 sg_world_mark_gone(sg_world *world, sg_relation relation, sg_mark_kind kind,
-                   int32_t s, int32_t id)
+                   bool derived, int32_t s, int32_t id)
 {
-  bool made = kind == SG_MARK_MADE || kind == SG_MARK_MADE_ALL;
-
-  return !is_referred(world, relation, made) ||
+  return !is_referred(world, relation, derived) ||
          mark_version(
              world,
              &(sg_mark){.kind = kind, .relation = relation, .s = s, .id = id});

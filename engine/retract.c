@@ -87,7 +87,7 @@ retract_one(sg_world *world, sg_relation relation, sg_row row, bool made)
   if (done && made &&
       sg_page_pair(sg_table_page(&world->table[relation], row), relation,
                    row % SG_PAGE_ROWS, &s, &id)) {
-    done = sg_world_mark_gone(world, relation, SG_MARK_MADE, s, id);
+    done = sg_world_mark_gone(world, relation, SG_MARK_MADE, true, s, id);
   }
   done = done && sg_world_remove(world, relation, row);
   if (done) {
@@ -140,8 +140,8 @@ retract_all(sg_world *world, sg_relation relation, bool again)
       world->current->map[relation]->rows > 0) {
     version = sg_world_own(world);
     done = version &&
-           (again ||
-            sg_world_mark_gone(world, relation, SG_MARK_MADE_ALL, 0, 0)) &&
+           (again || sg_world_mark_gone(world, relation, SG_MARK_MADE_ALL, true,
+                                        0, 0)) &&
            empty_map(&version->map[relation], ++world->stamps);
     if (done) {
       sg_world_sweep(world, relation);

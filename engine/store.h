@@ -327,6 +327,9 @@ bool sg_walk_open(sg_walk *walk, const sg_version *version,
                   sg_relation relation, uint16_t mask, const sg_value *row);
 bool sg_walk_open_member(sg_walk *walk, const sg_version *version,
                          sg_relation relation, int32_t s, int32_t member);
+/* True if there is a row that such a walk finds, or no memory to look. */
+bool sg_version_has_member(const sg_version *version, sg_relation relation,
+                           int32_t s, int32_t member);
 sg_row sg_walk_next(sg_walk *walk);
 void sg_walk_rewind(sg_walk *walk);
 void sg_walk_close(sg_walk *walk);

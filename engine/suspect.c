@@ -126,4 +126,5 @@ sg_suspects_clear(sg_suspects *x)
   free(x->gone);
   free(x->of);
   free(x->row);
+  *x = (sg_suspects){0};
 }

@@ -376,6 +376,21 @@ sg_walk_open_member(sg_walk *walk, const sg_version *version,
   return done;
 }
 
+bool
+sg_version_has_member(const sg_version *version, sg_relation relation,
+                      int32_t s, int32_t member)
+{
+  sg_walk walk;
+  bool has;
+
+  if (!sg_walk_open_member(&walk, version, relation, s, member)) {
+    return true;
+  }
+  has = walk.count > 0;
+  sg_walk_close(&walk);
+  return has;
+}
+
 /* False: no row of the segment that is asked for is on the page. */
 static bool
 may_match(const sg_walk *walk, const sg_page *page)

@@ -9,8 +9,7 @@
  * is.
  *
  * References lead to relations above (relations.def), so one pass downwards
- * finds all rows. They are found by indexes where there are some and few rows
- * have gone; otherwise by one look at the columns.
+ * finds all rows: by indexes where few rows have gone, or by one look at all.
  */
 #include "suspect.h"
 #include "world.h"
@@ -32,7 +31,7 @@ typedef struct check {
   const sg_version *version;
   bool cascade;
   bool drops; /* this pass drops rows, the one before it finds a breach */
-  bool made;  /* marks of kernels are read, and those of users were */
+  bool made;  /* marks of kernels are read */
   bool broken;
   sg_breach *breach;
   sg_suspects of[SG_RELATIONS];
@@ -232,8 +231,7 @@ scan(check *c, sg_relation relation, sg_relation to)
   return true;
 }
 
-/* The mask that a walk by a column's ids is asked with: 0, the members; none:
- * SG_MAX_COLUMNS bits that are no mask. */
+/* The mask that a walk by a column's ids is asked with; 0: by members. */
 enum { NO_MASK = 0xffff };
 
 static uint16_t
@@ -305,8 +303,8 @@ look_up(check *c, sg_relation relation, sg_relation to, unsigned column,
   unsigned in = sg_relation_segment_column(relation, column);
   uint16_t mask = mask_of(table, column);
   sg_value key[SG_MAX_COLUMNS] = {0};
+  bool good = true;
   sg_walk walk;
-  bool good;
 
   key[in].i = gone.s;
   key[column].i = negative ? -gone.id : gone.id;
@@ -433,14 +431,28 @@ read_mark(void *data, sg_mark_kind kind, sg_relation relation, int32_t s,
   return false;
 }
 
-/* Looks for a breach, and if there is none for rows to drop. */
+static void
+clear_suspects(check *c)
+{
+  for (int r = 0; r < SG_RELATIONS; r++) {
+    sg_suspects_clear(&c->of[r]);
+  }
+}
+
+/* Looks for a breach, and if there is none for rows to drop: because of what
+ * users did, then of what kernels did, who know what they do. */
 static bool
 passes(check *c, const sg_mark *marks)
 {
   bool good = sg_marks_each(marks, read_mark, c) && (c->cascade || pass(c));
 
-  c->drops = c->made = true;
-  return good && (c->broken || (sg_marks_each(marks, read_mark, c) && pass(c)));
+  c->drops = true;
+  if (!good || c->broken || !pass(c)) {
+    return c->broken;
+  }
+  clear_suspects(c);
+  c->cascade = c->made = true;
+  return sg_marks_each(marks, read_mark, c) && pass(c);
 }
 
 static bool
@@ -459,9 +471,7 @@ drop_rows(check *c)
 static void
 clear(check *c)
 {
-  for (int r = 0; r < SG_RELATIONS; r++) {
-    sg_suspects_clear(&c->of[r]);
-  }
+  clear_suspects(c);
   free(c->drop);
 }
 
@@ -553,8 +563,8 @@ sg_world_retract_edit(sg_world *world, sg_relation relation, sg_row row,
   sg_world_enter(world);
   if (sg_version_live(world->current, relation, row)) {
     status = !row_pair(world, relation, row, &gone) ||
-                     sg_world_mark_gone(world, relation, SG_MARK_GONE, gone.s,
-                                        gone.id)
+                     sg_world_mark_gone(world, relation, SG_MARK_GONE, false,
+                                        gone.s, gone.id)
                  ? SG_OK
                  : SG_NO_MEMORY;
   }
@@ -570,7 +580,7 @@ mark_many(sg_world *world, sg_relation relation, sg_mark_kind kind, int32_t s)
   bool good;
 
   sg_world_enter(world);
-  good = sg_world_mark_gone(world, relation, kind, s, 0);
+  good = sg_world_mark_gone(world, relation, kind, false, s, 0);
   sg_world_leave(world);
   return good;
 }

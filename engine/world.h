@@ -12,8 +12,8 @@ typedef enum sg_mark_kind {
   SG_MARK_GONE,     /* row (s, id) was retracted */
   SG_MARK_GONE_OF,  /* all rows of segment s were */
   SG_MARK_GONE_ALL, /* or all rows */
-  SG_MARK_MADE,     /* a kernel retracted row (s, id): of derived relations */
-  SG_MARK_MADE_ALL, /* or all rows: alone may rows refer to it */
+  SG_MARK_MADE,     /* a kernel retracted row (s, id) of what it made: */
+  SG_MARK_MADE_ALL, /* or all rows: whatever refers to them goes too */
   SG_MARK_ROW,      /* a row was added before what it refers to */
   SG_MARK_ROWS      /* some rows were */
 } sg_mark_kind;
@@ -86,9 +86,9 @@ typedef bool sg_use_mark(void *data, sg_mark_kind kind, sg_relation relation,
 /* Calls `use` with each until it says false, which is returned. */
 bool sg_marks_each(const sg_mark *mark, sg_use_mark *use, void *data);
 /* Marks the current version, in the first case unless no row can refer to the
- * relation. False: no memory. */
+ * relation; `derived`: none of a derived relation. False: no memory. */
 bool sg_world_mark_gone(sg_world *world, sg_relation relation,
-                        sg_mark_kind kind, int32_t s, int32_t id);
+                        sg_mark_kind kind, bool derived, int32_t s, int32_t id);
 bool sg_world_mark_row(sg_world *world, sg_relation relation, sg_row row);
 
 /* What the current version shows of a relation, for writing. Null: no

@@ -187,7 +187,19 @@ runs(const cut_polygon *c, sg_row row, int32_t *v1, int32_t *v2)
   return true;
 }
 
-/* Retracts p/3, and the edges of it that are there no more as they were. */
+/* Whether a polygon has edge `e`. */
+static bool
+is_used(const cut_polygon *c, int32_t e)
+{
+  const sg_version *version = sg_world_version(c->world);
+  bool used = sg_version_has_member(version, SG_P, c->s, e);
+
+  sg_version_drop(version);
+  return used;
+}
+
+/* Retracts p/3, and the edges of it that are there no more as they were, and
+ * that no other polygon has. */
 static int
 drop_old_ex(cut_polygon *c)
 {
@@ -216,7 +228,7 @@ drop_old_ex(cut_polygon *c)
     if (edge != SG_NO_ROW && runs(c, edge, &v1, &v2)) {
       uint32_t key[3] = {(uint32_t)es[i], (uint32_t)v1, (uint32_t)v2};
 
-      if (sg_key_table_get(&c->same, key) == SG_NO_KEY) {
+      if (sg_key_table_get(&c->same, key) == SG_NO_KEY && !is_used(c, es[i])) {
         good = sg_world_retract(c->world, SG_E, edge);
       }
     }

@@ -244,7 +244,19 @@ runs(sg_world *world, int32_t s, int32_t e, const int32_t v[2])
          row[3].i == v[1];
 }
 
-/* The edges of the list, but those that are kept, go. `kept`, ascending. */
+/* Whether a polygon has edge `e` of segment s. */
+static bool
+is_used(sg_world *world, int32_t s, int32_t e)
+{
+  const sg_version *version = sg_world_version(world);
+  bool used = sg_version_has_member(version, SG_P, s, e);
+
+  sg_version_drop(version);
+  return used;
+}
+
+/* The edges of the list go, but those that are kept, and those that another
+ * polygon has. `kept`, ascending. */
 static int
 drop_gone_ex(sg_world *world, int32_t s, const int32_t *list,
              const sg_key_table *kept)
@@ -257,7 +269,8 @@ drop_gone_ex(sg_world *world, int32_t s, const int32_t *list,
                      ? read_row(world, SG_E, s, list[i], old)
                      : SG_NO_ROW;
 
-    if (row != SG_NO_ROW && !sg_world_retract(world, SG_E, row)) {
+    if (row != SG_NO_ROW && !is_used(world, s, list[i]) &&
+        !sg_world_retract(world, SG_E, row)) {
       return sg_no_memory();
     }
   }

@@ -13,7 +13,8 @@
 :- use_module('../csg/leaf', [curve_kept/1]).
 :- use_module('../store',
               [ e/5, p/3, t/6, segment/3, origin/3,
-                assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3
+                assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3,
+                edge_polygon/3
               ]).
 :- use_module('../polygon/triangulation', [work_triangles/2]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
@@ -90,12 +91,14 @@ retract_once(Fact) :-
     retract_fact(Fact),
     !.
 
-%   The edges of the polygon that are there no more as they were.
+%   The edges of the polygon that are there no more as they were, and that no
+%   other polygon has.
 
 drop_divided(S, Es, Edges) :-
     forall(( member(E, Es),
              e(S, E, V1, V2, _),
-             \+ memberchk(w(V1, V2, _, E), Edges)
+             \+ memberchk(w(V1, V2, _, E), Edges),
+             \+ edge_polygon(S, E, _)
            ),
            retractall_facts(e(S, E, _, _, _))).
 

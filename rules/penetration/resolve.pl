@@ -173,7 +173,12 @@ write_polygon(polygon(S, P, Edges, Triangles)) :-
     p(S, P, Es0),
     !,
     retract_one(p(S, P, Es0)),
-    findall(E, ( member(E, Es0), \+ is_kept(S, E, Edges) ), Gone),
+    findall(E,
+            ( member(E, Es0),
+              \+ is_kept(S, E, Edges),
+              \+ edge_polygon(S, E, _)
+            ),
+            Gone),
     maplist(write_edge(S), Edges, Es),
     forall(member(E, Gone), retractall_facts(e(S, E, _, _, _))),
     assert_fact(p(S, P, Es)),
