@@ -259,7 +259,7 @@ lint: $(B)/sanggwan.so
 
 # The gallery: each picture by the command that stands under it.
 demo: all
-	@swipl tools/gallery.pl
+	@swipl -p foreign=$(B) tools/gallery.pl
 # Writes the golden drawings anew. Look at those that changed.
 bless: $(B)/sanggwan.so
 	@swipl -p foreign=$(B) tools/bless.pl

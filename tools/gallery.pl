@@ -1,6 +1,6 @@
 /* Draws the pictures of the gallery and writes its page.
 
-       swipl tools/gallery.pl [-- PROGRAM]
+       swipl -p foreign=build tools/gallery.pl [-- PROGRAM]
 
    Run in the project's root. docs/gallery/pictures.pl lists the pictures;
    each is drawn by the very command that the page shows under it. PROGRAM

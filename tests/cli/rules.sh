@@ -39,7 +39,8 @@ check "rules leave fewer lines" \
 
 # The page of the gallery shows the commands of its list: no picture is drawn.
 rm docs/gallery/index.html
-check "the page is written" swipl "$root/tools/gallery.pl" -- /bin/true
+check "the page is written" \
+  swipl -p foreign="$B" "$root/tools/gallery.pl" -- /bin/true
 check "the page is the gallery's" \
   cmp docs/gallery/index.html "$root/docs/gallery/index.html"
 
