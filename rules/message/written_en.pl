@@ -34,11 +34,16 @@ unwritten_en(open(N)) -->
     [ 'it is open at ~D edges'-[N], nl,
       '  Only a closed boundary can be written as a solid; see check.' ].
 unwritten_en(undivided(N)) -->
-    [ '~D of its faces cannot be divided into triangles'-[N], nl,
-      '  Write it as .pl, or in a format with doubles (.off, .ply).' ].
+    [ '~D of its faces cannot be divided into triangles'-[N] ],
+    instead_en(other_file).
 unwritten_en(crossing(N)) -->
-    [ 'sheets of it cross along ~D edges'-[N], nl,
-      '  Write it as .pl, or in a format with doubles (.off, .ply).' ].
+    [ 'sheets of it cross along ~D edges'-[N] ],
+    instead_en(other_file).
 unwritten_en(penetrates(N, meeting(_, X, Y, Z))) -->
-    [ 'it goes through itself in ~D places, first near ~g ~g ~g'-[N,X,Y,Z],
-      nl, '  Write it as .pl, or in a format with doubles (.off, .ply).' ].
+    [ 'it goes through itself in ~D places, first near ~g ~g ~g'-[N,X,Y,Z] ],
+    instead_en(other_file).
+
+instead_en(other_file) -->
+    [ nl,
+      '  Write it as .pl, which keeps it as it is; for .stl, a format with \c
+       doubles (.off, .ply) may do.' ].

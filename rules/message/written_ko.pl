@@ -29,11 +29,16 @@ unwritten_ko(open(N)) -->
     [ '모서리 ~D개에서 열려 있다'-[N], nl,
       '  닫힌 경계만 입체로 쓸 수 있다. check를 보라.' ].
 unwritten_ko(undivided(N)) -->
-    [ '면 ~D개를 삼각형으로 나눌 수 없다'-[N], nl,
-      '  .pl이나 배정도 형식(.off, .ply)으로 쓰라.' ].
+    [ '면 ~D개를 삼각형으로 나눌 수 없다'-[N] ],
+    instead_ko(other_file).
 unwritten_ko(crossing(N)) -->
-    [ '모서리 ~D개를 따라 면들이 서로 엇갈린다'-[N], nl,
-      '  .pl이나 배정도 형식(.off, .ply)으로 쓰라.' ].
+    [ '모서리 ~D개를 따라 면들이 서로 엇갈린다'-[N] ],
+    instead_ko(other_file).
 unwritten_ko(penetrates(N, meeting(_, X, Y, Z))) -->
-    [ '~D곳에서 자신을 뚫고 지나간다. 처음은 ~g ~g ~g 근처다'-[N,X,Y,Z], nl,
-      '  .pl이나 배정도 형식(.off, .ply)으로 쓰라.' ].
+    [ '~D곳에서 자신을 뚫고 지나간다. 처음은 ~g ~g ~g 근처다'-[N,X,Y,Z] ],
+    instead_ko(other_file).
+
+instead_ko(other_file) -->
+    [ nl,
+      '  있는 그대로 담는 .pl로 쓰라. .stl이라면 배정도 형식(.off, .ply)으로도 \c
+       될 수 있다.' ].

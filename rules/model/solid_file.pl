@@ -284,11 +284,13 @@ united_round(Fault0, S0, Round, Most, Task, Boundary, Rounds) :-
     Task = task(S, Manner),
     Manner = manner(Single, _, _),
     (   rounded_copy(S0, Single, S1)
-    ->  true
-    ;   Done is Round-1,
+    ->  united(S1, S2)
+    ;   Fault0 = open(_)
+    ->  Done is Round-1,
         throw(error(geometry_error(written(faulty(S, Done, Fault0))), _))
+    ;   S1 = S0,                        % a coarser grid may still do
+        S2 = S0
     ),
-    united(S1, S2),
     rounded(S2, Manner, Boundary0),
     (   boundary_fault(Boundary0, all, true, _)
     ->  output_grid(Single, Round, S1, Grid),
