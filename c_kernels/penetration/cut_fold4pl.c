@@ -270,6 +270,7 @@ cut_flat_within(term_t t, term_t tolerance)
     return FALSE;
   }
   see_tolerance(handle, value);
+  handle->set.flat_within = fmax(handle->set.flat_within, MOVED * value);
   return TRUE;
 }
 

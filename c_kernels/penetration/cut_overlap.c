@@ -1,29 +1,31 @@
-/* cut_overlap.c -- chords inside a common part of two polygons are no lines.
+/* cut_overlap.c -- chords inside a common part of two faces are no lines.
  *
  * Polygons that resolving laid on each other (resolve.h) have the same
  * triangles there, which need not be coplanar exactly. Two triangles a, b, p
  * and b, a, q of the one, and the same two of the other, cut each other along
  * their chord a-b: the first of the one with the second of the other, and the
  * other way round. Where two polygons go THROUGH each other along a common
- * chord, the corners p and q of one are not those of the other.
+ * chord, the corners p and q of one are not those of the other. What is said of
+ * chords goes for the edges inside a face, too (cut_face.c).
  */
 #include "cut_private.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* A cut along a chord in both polygons. The corners opposite to it, p in the
- * first and q in the second triangle, as vertices of the model. */
+/* A cut along a chord in both faces, which are named by the smaller polygon of
+ * each there. The corners opposite to it, p in the first and q in the second
+ * triangle, as vertices of the model. */
 typedef struct fold {
   uint32_t low, high; /* points of the chord */
+  int32_t s[2], face[2];
   const double *p, *q;
-  const sg_cut_piece *of;
   size_t cut;
 } fold;
 
-/* Those of the same chord and the same two polygons come together. */
+/* Those of the same chord and the same two faces come together. */
 static int
-by_polygons(const fold *x, const fold *y)
+by_faces(const fold *x, const fold *y)
 {
   if (x->low != y->low) {
     return x->low < y->low ? -1 : 1;
@@ -31,16 +33,16 @@ by_polygons(const fold *x, const fold *y)
   if (x->high != y->high) {
     return x->high < y->high ? -1 : 1;
   }
-  int by_s = memcmp(x->of->s, y->of->s, sizeof x->of->s);
+  int by_s = memcmp(x->s, y->s, sizeof x->s);
 
-  return by_s != 0 ? by_s : memcmp(x->of->p, y->of->p, sizeof x->of->p);
+  return by_s != 0 ? by_s : memcmp(x->face, y->face, sizeof x->face);
 }
 
 static int
 by_chord(const void *a, const void *b)
 {
   const fold *x = a, *y = b;
-  int order = by_polygons(x, y);
+  int order = by_faces(x, y);
 
   if (order != 0) {
     return order;
@@ -62,10 +64,9 @@ is_at(const sg_cut_set *set, const double at[3], uint32_t point)
   return !p->exactly && same_place(p->p, at);
 }
 
-/* The corner of a triangle that neither end of the cut is; null: an end of the
- * cut is no corner of it. */
-static const double *
-opposite(const sg_cut_set *set, uint32_t triangle, const sg_cut_piece *cut)
+/* The side of a triangle that a cut is all of; -1: none. */
+static int
+side_of(const sg_cut_set *set, uint32_t triangle, const sg_cut_piece *cut)
 {
   const uint32_t *v = set->model.triangle[triangle].v;
 
@@ -74,51 +75,73 @@ opposite(const sg_cut_set *set, uint32_t triangle, const sg_cut_piece *cut)
     const double *b = set->model.vertex[v[(k + 1) % 3]].at;
     if ((is_at(set, a, cut->a) && is_at(set, b, cut->b)) ||
         (is_at(set, a, cut->b) && is_at(set, b, cut->a))) {
-      return set->model.vertex[v[(k + 2) % 3]].at;
+      return k;
     }
   }
-  return NULL;
+  return -1;
 }
 
-static size_t
-find_folds(const sg_cut_set *set, fold *out)
+/* Whether a cut is such a chord: 1, 0, or -1: no memory. */
+static int
+find_fold(sg_cut_set *set, size_t i, fold *out)
 {
-  size_t n = 0;
+  const sg_cut_piece *cut = &set->cut[i];
+  const double *corner[2];
+  int side[2];
 
-  for (size_t i = 0; i < set->cuts; i++) {
-    const sg_cut_piece *cut = &set->cut[i];
-
-    if (cut->edge[0] != SG_NO_KEY || cut->edge[1] != SG_NO_KEY) {
-      continue;
+  for (int k = 0; k < 2; k++) {
+    side[k] = side_of(set, cut->triangle[k], cut);
+    if (side[k] < 0) {
+      return 0;
     }
-    const double *p = opposite(set, cut->triangle[0], cut);
-    const double *q = p ? opposite(set, cut->triangle[1], cut) : NULL;
-
-    if (q) {
-      out[n++] = (fold){cut->a < cut->b ? cut->a : cut->b,
-                        cut->a < cut->b ? cut->b : cut->a,
-                        p,
-                        q,
-                        cut,
-                        i};
+    const uint32_t *v = set->model.triangle[cut->triangle[k]].v;
+    corner[k] = set->model.vertex[v[(side[k] + 2) % 3]].at;
+  }
+  *out = (fold){.low = cut->a < cut->b ? cut->a : cut->b,
+                .high = cut->a < cut->b ? cut->b : cut->a,
+                .p = corner[0],
+                .q = corner[1],
+                .s = {cut->s[0], cut->s[1]},
+                .cut = i};
+  for (int k = 0; k < 2; k++) {
+    int inside =
+        sg_cut_is_inside(set, cut->triangle[k], side[k], &out->face[k]);
+    if (inside <= 0) {
+      return inside;
     }
   }
-  return n;
+  return 1;
+}
+
+/* False: no memory. */
+static bool
+find_folds(sg_cut_set *set, fold *out, size_t *n)
+{
+  *n = 0;
+  for (size_t i = 0; i < set->cuts; i++) {
+    int found = find_fold(set, i, &out[*n]);
+
+    if (found < 0) {
+      return false;
+    }
+    *n += (size_t)found;
+  }
+  return true;
 }
 
 bool
 sg_cut_drop_folds(sg_cut_set *set)
 {
   fold *list = malloc((set->cuts + 1) * sizeof *list);
-  size_t n = list ? find_folds(set, list) : 0, kept = 0;
+  size_t n = 0, kept = 0;
 
-  if (!list) {
+  if (!list || !find_folds(set, list, &n)) {
+    free(list);
     return false;
   }
   qsort(list, n, sizeof *list, by_chord);
   for (size_t i = 0, end; i < n; i = end) {
-    for (end = i + 1; end < n && by_polygons(&list[end], &list[i]) == 0;
-         end++) {
+    for (end = i + 1; end < n && by_faces(&list[end], &list[i]) == 0; end++) {
     }
     for (size_t k = i; k < end; k++) {
       for (size_t l = i; l < end; l++) {

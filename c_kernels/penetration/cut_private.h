@@ -11,7 +11,35 @@ bool sg_cut_room(void **array, size_t n, size_t *room, size_t size);
  * counts. False: no memory. */
 bool sg_cut_add_piece(sg_cut_set *set, const sg_cut_piece *piece);
 
-/* Drops the cuts along chords where polygons lie on each other. False: no
+/* Whether side 0..2 of a leaf triangle is inside a face: a chord of its
+ * polygon, or an edge that only one other triangle has, which goes on in the
+ * same plane: exactly, or within set->flat_within. 1, 0, or -1: no memory. Only
+ * asked where a cut lies on it. *face: the smaller polygon of the face there.
+ */
+int sg_cut_is_inside(sg_cut_set *set, uint32_t triangle, int side,
+                     int32_t *face);
+
+/* Whether a cut of two triangles is inside the faces of both. */
+int sg_cut_along_inside(sg_cut_set *set, const uint32_t t[2],
+                        const sg_cut *cut);
+
+/* Notes that corners at the ends of a cut are inside a common part of two
+ * faces. False: no memory. */
+bool sg_cut_note_inside(sg_cut_set *set, const uint32_t t[2],
+                        const sg_cut *cut);
+
+/* Whether two triangles are in one plane within set->flat_within, as those are
+ * that were made to touch; false if it is 0. */
+bool sg_cut_is_flat_pair(const sg_cut_set *set, const uint32_t t[2]);
+
+/* Keeps a point in common of two triangles in one plane until all cuts are
+ * entered; then those that are inside no common part become contacts. False: no
+ * memory. */
+bool sg_cut_put_off(sg_cut_set *set, const uint32_t t[2],
+                    const sg_cut_end *end);
+bool sg_cut_touch_flat(sg_cut_set *set);
+
+/* Drops the cuts inside faces where these lie on each other. False: no
  * memory. */
 bool sg_cut_drop_folds(sg_cut_set *set);
 

@@ -14,6 +14,8 @@ sg_cut_set_init(sg_cut_set *set, sg_is_real *is_real, void *data)
   sg_key_table_init(&set->piece_number, SG_KEY_WORDS);
   sg_key_table_init(&set->edge_number, 2);
   sg_key_table_init(&set->late, 2);
+  sg_key_table_init(&set->side_of, 2);
+  sg_key_table_init(&set->inside, 3);
 }
 
 void
@@ -27,6 +29,10 @@ sg_cut_set_clear(sg_cut_set *set)
   sg_key_table_clear(&set->piece_number);
   sg_key_table_clear(&set->edge_number);
   sg_key_table_clear(&set->late);
+  sg_key_table_clear(&set->side_of);
+  sg_key_table_clear(&set->inside);
+  free(set->flat_touch);
+  free(set->next_side);
   free(set->cut);
   free(set->contact);
   free(set->piece);
@@ -167,8 +173,8 @@ order_sides(sg_cut_piece *piece)
   }
 }
 
-/* Keeps one cut of positive length: 1; 0: a chord in a common plane, which is
- * no line; -1: no memory. */
+/* Keeps one cut of positive length: 1; 0: inside faces in a common plane, which
+ * is no line; -1: no memory. */
 static int
 keep_cut(sg_cut_set *set, const uint32_t t[2], const sg_cut *cut, bool coplanar)
 {
@@ -181,11 +187,13 @@ keep_cut(sg_cut_set *set, const uint32_t t[2], const sg_cut *cut, bool coplanar)
                         SG_NO_KEY,
                         true};
 
+  int inside = coplanar ? sg_cut_along_inside(set, t, cut) : 0;
+
+  if (inside != 0) {
+    return inside > 0 && sg_cut_note_inside(set, t, cut) ? 0 : -1;
+  }
   if (!find_carriers(set, cut, &piece)) {
     return -1;
-  }
-  if (coplanar && piece.edge[0] == SG_NO_KEY && piece.edge[1] == SG_NO_KEY) {
-    return 0;
   }
   piece.a = sg_cut_end_point(set, t, &cut->end[0]);
   piece.b = sg_cut_end_point(set, t, &cut->end[1]);
@@ -222,6 +230,17 @@ is_shared(const sg_cut_model *model, const uint32_t t[2], const sg_cut *cut)
          is_shared_corner(model, t, &cut->end[1]);
 }
 
+/* 0, or -1: no memory. */
+static int
+keep_point(sg_cut_set *set, const uint32_t t[2], const sg_cut_end *end,
+           bool coplanar)
+{
+  if (coplanar || sg_cut_is_flat_pair(set, t)) {
+    return sg_cut_put_off(set, t, end) ? 0 : -1;
+  }
+  return sg_cut_touch(set, t, end);
+}
+
 static bool
 of_one_polygon(const sg_leaf_triangle *a, const sg_leaf_triangle *b)
 {
@@ -246,10 +265,11 @@ sg_cut_set_enter(sg_cut_set *set, uint32_t t1, uint32_t t2)
       sg_cut_triangles((const double(*)[3])a, (const double(*)[3])b, cut, &n);
 
   for (int i = 0; i < n; i++) {
+    bool coplanar = kind == SG_CUT_COPLANAR;
     int one = is_shared(&set->model, t, &cut[i]) ? 0
               : sg_cut_is_point(&cut[i])
-                  ? sg_cut_touch(set, t, &cut[i].end[0])
-                  : keep_cut(set, t, &cut[i], kind == SG_CUT_COPLANAR);
+                  ? keep_point(set, t, &cut[i].end[0], coplanar)
+                  : keep_cut(set, t, &cut[i], coplanar);
 
     if (one < 0) {
       return -1;
@@ -268,7 +288,7 @@ curve_place(const sg_leaf_edge *edge)
 }
 
 /* Notes the point of a curve edge at this end of its cut: 1, or 0 where it is
- * an end of the edge, or only a chord is met. -1: no memory. */
+ * an end of the edge, or inside a face it runs in. -1: no memory. */
 static int
 keep_curve_point(sg_cut_set *set, const sg_leaf_edge *edge, uint32_t t,
                  const sg_cut_end *end, bool coplanar)
@@ -280,10 +300,11 @@ keep_curve_point(sg_cut_set *set, const sg_leaf_edge *edge, uint32_t t,
     return 0;
   }
   if (coplanar && made.place[1].kind == SG_ON_EDGE) {
-    int real = is_real_edge(set, t, (int)end->f[1]);
+    int32_t face;
+    int inside = sg_cut_is_inside(set, t, (int)end->f[1] - SG_EDGE_0, &face);
 
-    if (real <= 0) {
-      return real;
+    if (inside != 0) {
+      return inside > 0 ? 0 : -1;
     }
   }
   uint32_t point = sg_cut_points_find(&set->points, &made);
@@ -558,7 +579,7 @@ share_edge_points(sg_cut_set *set)
 bool
 sg_cut_set_seal(sg_cut_set *set)
 {
-  if (!sg_cut_drop_folds(set)) {
+  if (!sg_cut_touch_flat(set) || !sg_cut_drop_folds(set)) {
     return false;
   }
   order_edges(set);

@@ -19,6 +19,9 @@
  * polygon. What its triangles share as neighbours is no cut. A contact is a
  * point that two segments have in common and no piece: it splits the real edges
  * it lies on and enters nothing else.
+ *
+ * Faces, not polygons, make lines: where two polygons lie on each other, what
+ * is inside the face of both is none (cut_face.c).
  */
 #ifndef SG_CUT_SET_H
 #define SG_CUT_SET_H
@@ -39,6 +42,12 @@ typedef struct sg_cut_contact {
   int32_t s[2], p[2]; /* the smallest polygons that have the point */
   uint32_t point;
 } sg_cut_contact;
+
+/* A point that two triangles in one plane have in common, and no more. */
+typedef struct sg_cut_flat_touch {
+  uint32_t t[2];
+  sg_cut_end end;
+} sg_cut_flat_touch;
 
 /* A real edge and the points on it, in order from place.a to place.b once
  * sealed. Of a curve: place.a, place.b by number, not by direction. */
@@ -72,6 +81,13 @@ typedef struct sg_cut_set {
   size_t cuts, cut_room, pieces, piece_room;
   sg_cut_contact *contact; /* as entered; once sealed those alone, by s, p */
   size_t contacts, contact_room;
+  sg_cut_flat_touch *flat_touch; /* as entered; none once sealed */
+  size_t flat_touches, flat_touch_room;
+  double flat_within;        /* what is off by no more is one face */
+  sg_key_table side_of;      /* (a, b), a < b: the last side filed there */
+  sg_key_table inside;       /* cut_face.c says of what */
+  uint32_t *next_side;       /* [3 * sided]: the one before; SG_NO_KEY */
+  size_t sided, side_room;   /* triangles whose sides are filed */
   sg_key_table piece_number; /* cut_set.c says of what */
   sg_split_edge *edge;
   size_t edges, edge_room;

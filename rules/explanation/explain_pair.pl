@@ -104,8 +104,13 @@ elsewhere(Place1, Place2, Reasons, First) :-
                 First),
         First \== []
     ->  true
+    ;   member(because(triangles(coplanar_inside,_), _), Reasons)
+    ->  First = [because(no_line, []), because(inside_faces, [])]
     ;   First = [because(no_line, [])]
     ).
+
+%   Polygons in one plane that have no line there are inside the faces that they
+%   are parts of: only borders of these are lines.
 
 %   line_there(+Place1, +Place2, -Line) is nondet: a line of the two segments
 %   that lies where the two polygons meet.

@@ -87,8 +87,8 @@ Foreign predicates; see kernel.pl.
 %!  cut_enter(+Set, +T1, +T2, -Count) is det.
 %
 %   What T1 and T2 have in common goes into Set: Count pieces of positive
-%   length. In a common plane only pieces of real edges count, no chords.
-%   Exact.
+%   length. In a common plane only borders of faces count: real edges that are
+%   not inside one, no chords. Exact, but for what cut_flat_within/2 allows.
 
 %!  cut_find(+Set) is det.
 %
@@ -116,7 +116,8 @@ Foreign predicates; see kernel.pl.
 %   Polygons whose vertices are no farther off their planes than four times
 %   Tolerance, or the tolerance of the model as it is now, have no folds in Set.
 %   Say it before the first cut is found. Of others the chords between triangles
-%   divide lines, as real edges do: the polygon keeps its shape.
+%   divide lines, as real edges do: the polygon keeps its shape. Neighbours that
+%   are no farther off one plane are one face.
 
 /* - - - resolve4pl.c - - - */
 

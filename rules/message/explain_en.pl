@@ -221,6 +221,9 @@ statement_en(boxes_apart(Axis, High, Low, Lower)) -->
       [One, Axis, High, Other, Low] ].
 statement_en(no_line) -->
     [ 'give no line' ].
+statement_en(inside_faces) -->
+    [ 'their common part is inside faces: polygons of one segment that go on \c
+       in one plane are one face, and only its border is a line' ].
 statement_en(elsewhere(L, S1, P1, S2, P2)) -->
     [ 'where they meet is line ~d, of polygon ~d of segment ~d and polygon ~d \c
        of segment ~d; along an edge one polygon has it'-[L, P1, S1, P2, S2] ].

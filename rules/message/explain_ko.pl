@@ -221,6 +221,9 @@ statement_ko(boxes_apart(Axis, High, Low, Lower)) -->
       [One, Axis, High, Other, Low] ].
 statement_ko(no_line) -->
     [ '선을 만들지 않는다' ].
+statement_ko(inside_faces) -->
+    [ '공통 부분이 면의 안에 있다. 한 세그먼트에서 한 평면으로 이어지는 \c
+       다각형들은 한 면이고, 그 경계만 선이 된다' ].
 statement_ko(elsewhere(L, S1, P1, S2, P2)) -->
     [ '만나는 곳은 세그먼트 ~d의 다각형 ~d과(와) 세그먼트 ~d의 다각형 ~d의 선 \c
        ~d이다. 모서리를 따라가는 선은 한 다각형이 가진다'-[S1, P1, S2, P2, L] ].

@@ -62,6 +62,7 @@ statement_keys(pair_lines, [lines]).
 statement_keys(of_line, [line]).
 statement_keys(boxes_apart, [axis, high, low, lower]).
 statement_keys(no_line, []).
+statement_keys(inside_faces, []).
 statement_keys(elsewhere, [line, segment1, polygon1, segment2, polygon2]).
 statement_keys(triangles_apart, [count]).
 statement_keys(triangles, [reason, count]).

@@ -48,7 +48,10 @@
 The rules of section 5 of the paper, over the joins of kernel.pl:
 
   1. Candidate pairs of leaf triangles come from trees of boxes; what a pair
-     has in common is a *cut*, exact, its ends known by their features.
+     has in common is a *cut*, exact, its ends known by their features. In a
+     common plane only borders of faces are lines: what hangs together flat is
+     one face, of however many polygons (a mesh's triangles), and an edge inside
+     it is none.
   2. Each piece of a cut enters both its polygons as an edge pair, so that the
      polygons stay what they are: sets of directed edges. Against the edges
      that are there it is divided, dropped where it is contained (step 4).

@@ -216,6 +216,26 @@ test(point_alone, Kinds == ['vertex-face']) :-
 test(no_line) :-
     pair_says(flat_corner, no_line).
 
+%   A triangle of a floor, and another floor on both sides of it: what they have
+%   in common is no border.
+
+test(inside_faces) :-
+    new_world(World),
+    in_world(World,
+             ( add_shape(1, shape(floor, surface,
+                                  [p(0,0,0), p(8,0,0), p(8,8,0), p(0,8,0),
+                                   p(3,3,0), p(5,3,0), p(4,5,0)],
+                                  [[[5,6,7]], [[1,2,3,4],[5,7,6]]])),
+               add_shape(2, shape(floor, surface,
+                                  [p(1,1,0), p(7,1,0), p(7,7,0), p(1,7,0)],
+                                  [[[1,2,3,4]]])),
+               complete_segments,
+               penetrate,
+               said(pair(1-1,2-1), no_line),
+               said(pair(1-1,2-1), inside_faces),
+               \+ line(_, 1, 1, _, _, 2, _, _, _) )),
+    !.
+
 %   A sheet that stands against an edge of a box meets both its faces there; the
 %   line is that of one.
 

@@ -272,16 +272,22 @@ vertex_point(S, V, p(X,Y,Z)) :-
 %
 %   The triangles of segment S in the current world that have area:
 %   leaf(P, Triangle, Real, Spaces, Box), Real the features that are real
-%   edges.
+%   edges: edge(Feature, border), or edge(Feature, inside) for one inside a
+%   face, which only one other triangle has, the other way round, in the same
+%   plane and on its other side.
 
 leaves(S, Leaves) :-
     findall(leaf(P, tri(A,B,C), Real, Spaces, Low-High),
             ( t(S, P, _, V1, V2, V3),
               maplist(vertex_point(S), [V1,V2,V3], [A,B,C]),
               spaces(tri(A,B,C), Spaces),
-              findall(F, ( member(F-(V-W), [[1,2]-(V1-V2), [2,3]-(V2-V3),
-                                            [1,3]-(V3-V1)]),
-                           is_real(S, V, W) ),
+              findall(edge(F, Where),
+                      ( member(F-(V-W-X), [[1,2]-(V1-V2-V3), [2,3]-(V2-V3-V1),
+                                           [1,3]-(V3-V1-V2)]),
+                        is_real(S, V, W),
+                        ( is_inside(S, V, W, X)
+                        -> Where = inside
+                        ;  Where = border ) ),
                       Real),
               box([A,B,C], Low, High)
             ),
@@ -292,6 +298,26 @@ is_real(S, V, W) :-
     ;   e(S, _, W, V, 1)
     ),
     !.
+
+%   is_inside(S, V, W, X): the edge from V to W of the triangle V, W, X.
+
+is_inside(S, V, W, X) :-
+    findall(How-U, triangle_at(S, V, W, How, U), Beside),
+    msort(Beside, [back-Y, same-X]),
+    maplist(vertex_point(S), [V,W,X,Y], [A,B,C,D]),
+    spaces(tri(A,B,C), spaces(Plane, _, [Beyond|_])),
+    value(Plane, D, 0),
+    value(Beyond, D, Side),
+    Side < 0.
+
+triangle_at(S, V, W, How, U) :-
+    t(S, _, _, A, B, C),
+    member(P-Q-U, [A-B-C, B-C-A, C-A-B]),
+    (   P-Q == V-W
+    ->  How = same
+    ;   P-Q == W-V
+    ->  How = back
+    ).
 
 box(Points, p(X1,Y1,Z1), p(X2,Y2,Z2)) :-
     findall(X, member(p(X,_,_), Points), Xs),
@@ -377,8 +403,8 @@ apart(tri(A,B,C), spaces(Plane, _, _)) :-
 %
 %   The penetration lines of two segments: P1-P2-Piece for every piece of
 %   positive length that polygons P1 and P2 have in common by two of their
-%   triangles. In a common plane these are parts of real edges: borders of
-%   polygons, not of the triangles in them.
+%   triangles. In a common plane these are parts of the borders of faces: of
+%   real edges that are not inside one, nor of the triangles in polygons.
 
 common_lines(Leaves1, Leaves2, Lines) :-
     findall(P1-P2-(A-B),
@@ -396,7 +422,7 @@ is_line(coplanar, Leaf1, Leaf2, A-B) :-
     member(leaf(_, _, Real, Spaces, _), [Leaf1,Leaf2]),
     feature(Spaces, A, Fa),
     feature(Spaces, B, Fb),
-    member(Edge, Real),
+    member(edge(Edge, border), Real),
     subset(Fa, Edge),
     subset(Fb, Edge),
     !.
@@ -404,10 +430,18 @@ is_line(coplanar, Leaf1, Leaf2, A-B) :-
 %!  common_points(+Leaves1, +Leaves2, -Points) is det.
 %
 %   The points, in standard order, that the leaves of two segments have in
-%   common as a point alone, though they may lie on a line of other leaves.
+%   common as a point alone, though they may lie on a line of other leaves. In a
+%   common plane none that two leaves of the same two segments have in common
+%   with more: it is inside what their faces share.
 
 common_points(Leaves1, Leaves2, Points) :-
-    findall(A, leaf_piece(Leaves1, Leaves2, _, _, _, A-A), Points0),
+    findall(Kind-(A-B), leaf_piece(Leaves1, Leaves2, _, _, Kind, A-B), All),
+    findall(A, ( member(coplanar-(P-Q), All), P \== Q, member(A, [P,Q]) ),
+            Shared0),
+    sort(Shared0, Shared),
+    findall(A, ( member(Kind-(A-A), All),
+                 \+ ( Kind == coplanar, memberchk(A, Shared) ) ),
+            Points0),
     sort(Points0, Points).
 
 /* - - - sets of points on lines - - - */

@@ -299,7 +299,7 @@ needed(Segments, S1, S2, Runs, Point) :-
     member(S, [S1,S2]),
     memberchk(segment(S, Leaves, _, _), Segments),
     member(leaf(_, Triangle, Real, _, _), Leaves),
-    member(Corners, Real),
+    member(edge(Corners, _), Real),
     nth1(1, Corners, I),
     nth1(2, Corners, J),
     arg(I, Triangle, A),
