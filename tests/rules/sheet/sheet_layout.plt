@@ -138,4 +138,38 @@ test(scales_fall) :-
     findall(F, ( standard_scale(S), scale_factor(S, F) ), Fs),
     sort(0, @>, Fs, Fs).
 
+% The frame leaves 20 mm on the left and 10 elsewhere; all marks are on paper.
+% The symbol of the angle: a cone 7 mm long, from 3.5 to 7 high, and 11 mm
+% beside it, right for the first, left for the third angle, two circles.
+test(frame, forall(( member(Angle-Way, [first-1,third-(-1)]),
+                     member(W-H, [420.0-297.0,297.0-210.0]) ))) :-
+    frame(W, H, [language-en,angle-Angle,scale-"1:1",paper-"A3"], Marks, Room),
+    X2 is W-10,
+    Y2 is H-10,
+    member(line(frame,Outer), Marks),
+    box_of(Outer, box(U1,V1,U2,V2)),
+    maplist(as_near, [U1,V1,U2,V2], [20.0,10.0,X2,Y2]),
+    forall(( member(line(_,Ps), Marks), member(X-Y, Ps) ),
+           ( X >= 0, X =< W, Y >= 0, Y =< H )),
+    findall(Box, ( member(line(symbol,Ps), Marks), box_of(Ps, Box) ),
+            [box(A1,B1,A2,B2),box(C1,D1,C2,D2),box(E1,F1,E2,F2)]),
+    Long is A2-A1, High is B2-B1, Large is D2-D1, Small is F2-F1,
+    maplist(as_near, [Long,High,Large,Small], [7.0,7.0,7.0,3.5]),
+    Apart is Way*((C1+C2)-(A1+A2))/2,
+    Same is (E1+E2)-(C1+C2),
+    Level is (D1+D2)-(B1+B2),
+    maplist(as_near, [Apart,Same,Level], [11.0,0.0,0.0]),
+    Room = room(rect(R1,S1,R2,S2),[rect(T1,T2,X2,Y2)]),
+    T3 is X2-186, T4 is Y2-42, R3 is X2-6, S3 is Y2-6,
+    maplist(as_near, [R1,S1,R2,S2,T1,T2], [26.0,16.0,R3,S3,T3,T4]),
+    !.
+
+box_of(Ps, box(X1,Y1,X2,Y2)) :-
+    pairs_keys_values(Ps, Xs, Ys),
+    maplist(min_list, [Xs,Ys], [X1,Y1]),
+    maplist(max_list, [Xs,Ys], [X2,Y2]).
+
+as_near(A, B) :-
+    abs(A-B) < 1.0e-6.
+
 :- end_tests(sheet_layout).
