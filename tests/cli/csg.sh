@@ -169,7 +169,7 @@ check "a cycle" wrong 'a segment is its own operand: 2 -> 3 -> 2' \
   'segment(2, solid, union([1, 3])).' 'segment(3, solid, union([2, 1])).'
 check "itself" wrong 'a segment is its own operand: 2 -> 2' \
   'segment(2, solid, union([1, 2])).'
-check "absurdly many leaves" wrong 'segment 31 would be made of 1,048,576' \
+check "absurdly many leaves" wrong 'segment 28 would be made of 131,072' \
   "$(for i in $(seq 12 31); do
        echo "segment($i, solid, union([$((i == 12 ? 1 : i - 1)), \
          at([translate($i, 0, 0)], $((i == 12 ? 1 : i - 1)))]))."
