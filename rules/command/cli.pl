@@ -435,7 +435,8 @@ warning_word(ko, '경고: ').
 
 %   names_place(Term): its message begins with a place itself.
 
-names_place(error(Fault, location(_, _, _))) :-
+names_place(error(Fault, Where)) :-
+    subsumes_term(location(_, _, _), Where),
     nonvar(Fault),
     memberchk(Fault, [model_error(_),geometry_error(_)]).
 names_place(sanggwan(not_utf8(_, _))).

@@ -1,0 +1,32 @@
+# precision.sh -- what a tolerance moves is said, and with --strict refused.
+. "$(dirname "$0")/harness.bash"
+
+cat >"$work/step.pl" <<'MODEL'
+segment(1, solid, union([box(size(4,4,4)),
+    at([translate(1,1,4)], box(size(2,2,0.005)))])).
+MODEL
+cat >"$work/wall.pl" <<'MODEL'
+segment(1, solid, at([translate(1000000.5,0,0)], difference([box(size(10,10,10)),
+    at([translate(0,0,0.25)], box(size(9.5,9.5,20)))]))).
+MODEL
+
+run eval "$work/wall.pl" --strict
+check "a wall far away" status_is 0
+check "has its volume" has "volume 120.062" "$work/out"
+check "without a word" silent err
+
+run eval "$work/step.pl" --tolerance 0.01
+check "a step lower than the tolerance" status_is 0
+check "is a warning" has "sanggwan: warning: made one face: 0.005 off it"
+check "with the place" has "near 0 0 4 (segment"
+
+run eval "$work/step.pl" --tolerance 0.01 --strict -o "$work/step.off"
+check "refused" status_is 4
+check "by the program's name" has "sanggwan: made one face: 0.005 off it"
+check "nothing is written" absent "$work/step.off"
+
+run eval "$work/step.pl" --strict -o "$work/step.off"
+check "without it all is done" status_is 0
+check "a file says what it holds" has "# precision 0" "$work/step.off"
+
+finish
