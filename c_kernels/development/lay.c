@@ -112,25 +112,30 @@ lay_others(layer *l, uint32_t face, uint32_t a, uint32_t b)
   }
 }
 
-/* The root's longest side goes up from the origin. */
+/* The root's longest side goes up from the origin; of a face whose edges are
+ * all auxiliary, which has none, what leads from its first corner to the next.
+ */
 static void
 lay_root(layer *l, uint32_t face)
 {
   const sg_flat_faces *f = l->faces;
+  bool has_side = f->side_begin[face] < f->side_begin[face + 1];
+  uint32_t first = f->corner_begin[face], end = f->corner_begin[face + 1];
 
-  if (f->side_begin[face] == f->side_begin[face + 1]) {
-    return; /* it has no corner either */
+  if (first == end) {
+    return;
   }
-  const sg_flat_side *up = &f->side[f->longest[face]];
-  sg_twin_vector side =
-      sg_twin_difference(corner_at(l, up->from), corner_at(l, up->to));
+  uint32_t a = has_side ? f->side[f->longest[face]].from : first;
+  uint32_t b = has_side          ? f->side[f->longest[face]].to
+               : first + 1 < end ? first + 1
+                                 : first;
+  sg_twin_vector side = sg_twin_difference(corner_at(l, a), corner_at(l, b));
 
-  *new_spot(l, up->from) = (place){{0, 0}, {0, 0}};
-  if (up->to != up->from) {
-    *new_spot(l, up->to) =
-        (place){{0, 0}, sg_twin_root(sg_twin_dot(&side, &side))};
+  *new_spot(l, a) = (place){{0, 0}, {0, 0}};
+  if (b != a) {
+    *new_spot(l, b) = (place){{0, 0}, sg_twin_root(sg_twin_dot(&side, &side))};
   }
-  lay_others(l, face, up->from, up->to);
+  lay_others(l, face, a, b);
 }
 
 /* The face that hangs on another one, by these sides. */

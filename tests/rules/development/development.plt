@@ -400,6 +400,20 @@ test(reason_of_wish, Reason == cut_by_wish) :-
                joint(D, J, 1, _, seam, _),
                seam_reason(D, J, Reason) )).
 
+%   A face whose edges were all made auxiliary has no side, but corners.
+test(no_real_edge, [N,Area] == [24,4.0]) :-
+    in_model([box(size(2,2,2))],
+             ( p(1, 1, Es),
+               facts_transaction(forall(( member(E, Es), e(1, E, A, B, _) ),
+                                        ( retract_fact(e(1, E, A, B, _)),
+                                          assert_fact(e(1, E, A, B, 0)) ))),
+               develop(1, D),
+               aggregate_all(count, e(D, _, _, _, _), N),
+               findall(X-Y, ( p(D, 1, Fs), member(F, Fs), e(D, F, V, _, _),
+                              v(D, V, X, Y, _) ),
+                       [X1-Y1,X2-Y2,X3-Y3|_]),
+               Area is round(abs((X2-X1)*(Y3-Y2)-(X3-X2)*(Y2-Y1)))*1.0 )).
+
 test(stale, error(existence_error(development, _))) :-
     in_model([box(size(1,1,1))],
              ( develop(1, D),
