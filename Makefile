@@ -8,7 +8,8 @@
 #
 # `make demo` and `make test` install what is missing from Debian's packages.
 # While working: `make check-rules T=store`, `make check-c T=mesh`,
-# `make check-cli T=bad`; `make lint`, `make check-san`, `make check-vg`.
+# `make check-cli T=bad`; `make lint`, `make check-san`, `make check-vg`,
+# `make coverage`.
 #
 # Flat, no recursion. Everything made goes to build/.
 
@@ -71,7 +72,7 @@ RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 .PHONY: all sanggwan packages so demo test test-all check check-c check-rules check-embed check-cli bless \
-        mutants check-san san check-vg lint clean install uninstall bench
+        mutants check-san san coverage covered check-vg lint clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
 
@@ -225,6 +226,22 @@ san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
 	@B=$(B) TEST_SECONDS=1200 ASAN_OPTIONS=detect_leaks=0 SWIPL="env \
 	  LD_PRELOAD=$$($(CC) -print-file-name=libasan.so) swipl --no-threads" \
 	  tests/run $(PLTS)
+
+# How much of what decides exactly the C tests go through: lines and branches of
+# each file, from gcov. The rules' tests go through the rest of it.
+EXACT := $(addprefix c_kernels/,number/exact number/exact_point number/integers \
+           number/number join/cut penetration/cut_point polygon/plane)
+coverage:
+	@OPT=-O1 EXTRA_CFLAGS='--coverage -Wno-maybe-uninitialized' \
+	  $(MAKE) --no-print-directory -s B=$(B)/coverage covered
+covered: $(C_TESTS)
+	@find $(B) -name '*.gcda' -delete
+	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
+	@gcov -n -b $(EXACT:%=$(B)/%.gcda) | awk -F "['%:]" \
+	  '/^File/ { own = $$2 ~ /[.]c$$/; file = $$2 } \
+	   own && /^Lines/ { lines = $$2 } \
+	   own && /^Taken/ { printf "%-34s lines %6.2f %%, branches %6.2f %%\n", \
+	                            file, lines, $$2 }'
 
 # Memcheck: the C tests that are not long, and the rules where Prolog holds
 # memory of ours: worlds, work, glue. Threads as above.
