@@ -141,6 +141,9 @@ sg_cut_is_inside(sg_cut_set *set, uint32_t triangle, int k, int32_t *face)
   if (real <= 0) {
     return real < 0 ? -1 : 1;
   }
+  if (!set->of_faces) {
+    return 0;
+  }
   if (!file_sides(set)) {
     return -1;
   }

@@ -274,11 +274,25 @@ cut_flat_within(term_t t, term_t tolerance)
   return TRUE;
 }
 
+/* cut_of_faces(+Set) is det. */
+static foreign_t
+cut_of_faces(term_t t)
+{
+  sg_cut_handle *handle;
+
+  if (!sg_get_cut_set_ex(t, &handle)) {
+    return FALSE;
+  }
+  handle->set.of_faces = true;
+  return TRUE;
+}
+
 void
 sg_install_cut_fold(void)
 {
   static const PL_extension doors[] = {
       {"cut_flat_within", 2, (pl_function_t)cut_flat_within, 0},
+      {"cut_of_faces", 1, (pl_function_t)cut_of_faces, 0},
       {NULL, 0, NULL, 0}};
 
   PL_register_extensions_in_module("sg_kernel_penetration", doors);

@@ -83,6 +83,7 @@ typedef struct sg_cut_set {
   size_t contacts, contact_room;
   sg_cut_flat_touch *flat_touch; /* as entered; none once sealed */
   size_t flat_touches, flat_touch_room;
+  bool of_faces;             /* else an edge inside a face is as any other */
   double flat_within;        /* what is off by no more is one face */
   sg_key_table side_of;      /* (a, b), a < b: the last side filed there */
   sg_key_table inside;       /* cut_face.c says of what */

@@ -12,6 +12,7 @@
             cut_ends/4,               % +Set, +T1, +T2, -Cuts
             % cut_fold4pl.c
             cut_flat_within/2,        % +Set, +Tolerance
+            cut_of_faces/1,           % +Set
             % resolve4pl.c
             cut_own_tolerances/1,     % +Set
             cut_resolve/4,            % +Set, +Reach, -Vertices, -Polygons
@@ -118,6 +119,12 @@ Foreign predicates; see kernel.pl.
 %   Say it before the first cut is found. Of others the chords between triangles
 %   divide lines, as real edges do: the polygon keeps its shape. Neighbours that
 %   are no farther off one plane are one face.
+
+%!  cut_of_faces(+Set) is det.
+%
+%   From now on lines of Set are of faces, not of polygons: an edge inside a
+%   face counts as a chord. A Boolean does not say so: it needs all edges of
+%   what was made to touch, and makes faces of what it chose.
 
 /* - - - resolve4pl.c - - - */
 

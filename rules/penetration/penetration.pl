@@ -19,6 +19,7 @@
 :- use_module(joints, [merge_joints/2]).
 :- use_module('../kernel',
               [ cut_set_open/2, cut_set_close/1, cut_flat_within/2,
+                cut_of_faces/1,
                 cut_candidate/3, cut_find/1,
                 cut_side/4, cut_enter/4, cut_triangle/5, cut_ends/4,
                 near_segments/3, cut_seal/1, cut_chains/2, cut_polygons/2,
@@ -266,6 +267,7 @@ arranged(Pairs, Set) :-
 %   Write is how a polygon is written.
 
 arranged(Write, Pairs, Set) :-
+    cut_of_faces(Set),
     stage(rules, ( find_lines(Set),
                    enter_lines(Write, Set),
                    split_curves(Pairs, Set)
@@ -334,6 +336,7 @@ lined(Wanted, Goal, _, Set) :-
     call(Goal, Set, Polygons).
 
 chained(Chains, _, Set) :-
+    cut_of_faces(Set),
     stage(rules, ( find_lines(Set),
                    merge_joints(Set, near),
                    stage(chain, cut_chains(Set, Chains))
