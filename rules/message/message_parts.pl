@@ -1,6 +1,7 @@
 :- encoding(utf8).
 :- module(sg_message_parts,
-          [ place//3,                   % +File, +Line, +Column
+          [ located//1,                 % +Context
+            endless_goal/2,             % +Context, -Goal
             counted//3,                 % +N, +One, +Many
             meant_en//1,                % +Near
             meant_ko//1,                % +Near
@@ -15,10 +16,20 @@
 of their own.
 */
 
-%!  place(+File, +Line, +Column)// is det.
+%!  located(?Context)// is det.
 %
-%   As compilers write it, so that editors jump. A Line or Column of 0 is not
-%   known.
+%   The place of an error in a file, as compilers write it, so that editors
+%   jump; nothing if its Context is no location(File, Line, Column). A Line or
+%   Column of 0 is not known.
+
+located(Context) -->
+    { nonvar(Context),
+      Context = location(File, Line, Column)
+    },
+    !,
+    place(File, Line, Column).
+located(_) -->
+    [].
 
 place(File, Line, _) -->
     { Line =:= 0 },
@@ -30,6 +41,16 @@ place(File, Line, Column) -->
     [ '~w:~d: '-[File, Line] ].
 place(File, Line, Column) -->
     [ '~w:~d:~d: '-[File, Line, Column] ].
+
+%!  endless_goal(+Context, -Goal) is semidet.
+%
+%   True when Context is that of stacks that overflowed because Goal calls
+%   itself without end.
+
+endless_goal(Context, Goal) :-
+    is_dict(Context, stack_overflow),
+    get_dict(cycle, Context, [frame(_, Goal0, _)|_]),
+    strip_module(Goal0, _, Goal).
 
 %!  counted(+N, +One, +Many)// is det.
 %

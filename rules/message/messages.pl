@@ -9,7 +9,7 @@
               [ development_en//2, development_notice_en//2 ]).
 :- use_module(mesh_en, [mesh_en//1]).
 :- use_module(message_parts,
-              [counted//3, loading_fault//1, manual_page//1, place//3]).
+              [counted//3, loading_fault//1, located//1, manual_page//1]).
 :- use_module(model_en, [model_en//1]).
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
 :- use_module(true_en, [true_en//1]).
@@ -40,19 +40,10 @@ prolog:message(Term) -->
 %   The message for Term in English.
 
 english(error(model_error(What), Context)) -->
-    { nonvar(Context),
-      Context = location(File, Line, Column)
-    },
-    place(File, Line, Column),
-    wrong_en(What).
-english(error(model_error(What), Context)) -->
-    { var(Context) },
+    located(Context),
     wrong_en(What).
 english(error(geometry_error(What), Context)) -->
-    (   { nonvar(Context), Context = location(File, Line, Column) }
-    ->  place(File, Line, Column)
-    ;   []
-    ),
+    located(Context),
     wrong_en(What).
 english(error(usage_error(What), _)) -->
     command_en(What).

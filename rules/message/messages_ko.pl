@@ -13,7 +13,7 @@
 :- use_module(development_ko,
               [ development_ko//2, development_notice_ko//2 ]).
 :- use_module(mesh_ko, [mesh_ko//1]).
-:- use_module(message_parts, [loading_fault//1, manual_page//1, place//3]).
+:- use_module(message_parts, [loading_fault//1, located//1, manual_page//1]).
 :- use_module(model_ko, [model_ko//1]).
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
 :- use_module(true_ko, [true_ko//1]).
@@ -34,19 +34,10 @@ prolog:message(ko, Term) -->
 %   The message for Term in Korean.
 
 korean(error(model_error(What), Context)) -->
-    { nonvar(Context),
-      Context = location(File, Line, Column)
-    },
-    place(File, Line, Column),
-    wrong_ko(What).
-korean(error(model_error(What), Context)) -->
-    { var(Context) },
+    located(Context),
     wrong_ko(What).
 korean(error(geometry_error(What), Context)) -->
-    (   { nonvar(Context), Context = location(File, Line, Column) }
-    ->  place(File, Line, Column)
-    ;   []
-    ),
+    located(Context),
     wrong_ko(What).
 korean(error(usage_error(What), _)) -->
     command_ko(What).

@@ -1,6 +1,7 @@
 :- module(sg_prolog_en,
           [ prolog_en//2                % +Formal, +Context
           ]).
+:- use_module(message_parts, [endless_goal/2]).
 /** <module> Errors of Prolog that people meet, in English.
 
 prolog_ko.pl has the same heads in Korean. Only what the program itself and a
@@ -13,6 +14,12 @@ host see is said in these words; where Sanggwan is a library, Prolog's own are.
 
 prolog_en(resource_error(nesting_of_terms), _) -->
     [ 'a term is nested too deeply to be kept in a world' ].
+prolog_en(resource_error(What), Context) -->
+    { What \== nesting_of_terms,
+      endless_goal(Context, Goal)
+    },
+    !,
+    [ '~p calls itself without end: Prolog\'s stacks are full'-[Goal] ].
 prolog_en(resource_error(What), _) -->
     { What \== nesting_of_terms },
     [ 'there is not enough memory for this: Prolog\'s stacks are full', nl,

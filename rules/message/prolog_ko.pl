@@ -2,6 +2,7 @@
 :- module(sg_prolog_ko,
           [ prolog_ko//2                % +Formal, +Context
           ]).
+:- use_module(message_parts, [endless_goal/2]).
 /** <module> Errors of Prolog that people meet, in Korean.
 
 prolog_en.pl has the same heads in English.
@@ -13,6 +14,12 @@ prolog_en.pl has the same heads in English.
 
 prolog_ko(resource_error(nesting_of_terms), _) -->
     [ '항이 너무 깊게 겹쳐 있어 월드에 둘 수 없습니다' ].
+prolog_ko(resource_error(What), Context) -->
+    { What \== nesting_of_terms,
+      endless_goal(Context, Goal)
+    },
+    !,
+    [ '~p: 끝없이 자기를 부릅니다. 프롤로그의 스택이 찼습니다'-[Goal] ].
 prolog_ko(resource_error(What), _) -->
     { What \== nesting_of_terms },
     [ '메모리가 모자랍니다. 프롤로그의 스택이 찼습니다', nl,

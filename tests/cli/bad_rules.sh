@@ -31,5 +31,5 @@ rules 'singleton' 2 $'\nmay_cut(A, _) :- none(_).' \
   'r.pl:2: warning: Singleton variables: [A]'
 rules 'throws' 2 'may_cut(_, _) :- throw(my_error).' 'throw(my_error)'
 rules 'endless' 4 'may_cut(A, B) :- may_cut(A, B), atom(A).' \
-  'may_cut(1, 2)'
+  'may_cut(1,2) calls itself without end'
 finish

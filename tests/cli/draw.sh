@@ -128,7 +128,7 @@ check "no file left" test ! -e "$TMP/big.png"
 
 mkdir "$TMP/disk"
 if mount -t tmpfs -o size=4k tiny "$TMP/disk" 2>/dev/null; then
-  check "full disk" complains 2 'No space left' \
+  check "full disk" complains 2 'the disk is full' \
     draw facts/figures/fig13.pl -o "$TMP/disk/a.svg"
   check "full disk: nothing left" leaves "$TMP/disk"
   umount "$TMP/disk"

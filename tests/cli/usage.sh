@@ -64,6 +64,9 @@ check no-goal status_is 2
 check no-goal-message has 'GOAL is missing'
 run query facts/cube.pl 'foo(X)'
 check unknown-goal has 'sanggwan: there is no predicate foo/1'
+run query facts/cube.pl 'retract_fact(v(1, 1, _, _, _))'
+check torn-world status_is 3
+check torn-world-message has 'sanggwan: v(1,1,0.0,0.0,0.0) is not retracted'
 run convert facts/wire_and_roof.pl -o "$work/a.stl"
 check lost-curve has '1 left out'
 rm -f "$work/a.stl"
