@@ -255,7 +255,8 @@ check-vg: $(B)/sanggwan.so $(C_TESTS)
 	@SWIPL='$(VG) swipl --no-threads' TEST_SECONDS=1200 tests/run \
 	  $(foreach t,$(VG_PLT),$(filter %/$(t).plt,$(PLTS)))
 
-# Layout and flaws of the C, also what another compiler warns of; documentation, width and layers of all.
+# Layout and flaws of the C, also what another compiler warns of;
+# documentation, width and layers of all.
 # tools/cppcheck.supp says what is not asked, and why.
 FORMATTED := $(wildcard engine/*.[ch] c_kernels/*.[ch] c_kernels/*/*.[ch] \
                tests/*.h tests/*/*.[ch] tests/*/*/*.[ch] bench/*.c docs/*.c)

@@ -62,7 +62,7 @@ static _Noreturn void
 refuse_word(const char *word)
 {
   fputs("sanggwan: this is no text in UTF-8: ", stderr);
-  for (int i = 0; word[i] && i < MOST_SHOWN; i++) {
+  for (int i = 0; i < MOST_SHOWN && word[i]; i++) {
     fputc(word[i] >= ' ' && word[i] <= '~' ? word[i] : '?', stderr);
   }
   fputs(strlen(word) > MOST_SHOWN ? "...\n" : "\n", stderr);

@@ -210,8 +210,11 @@ scan(check *c, sg_relation relation, sg_relation to)
   const sg_map *map = c->version->map[relation];
   const sg_relation_info *info = &sg_relation_table[relation];
   size_t pages = map ? map->chunks * SG_CHUNK_PAGES : 0;
-  links by = to == SG_NONE ? (links){0} : links_of(relation, to);
+  links by = {0};
 
+  if (to != SG_NONE) {
+    by = links_of(relation, to);
+  }
   for (size_t i = 0; i < pages; i++) {
     const sg_live *live = sg_map_live(map, i);
     for (unsigned r = live ? sg_live_next(live->word, 0) : SG_PAGE_ROWS;
