@@ -2,113 +2,9 @@
  * at every single allocation, and stopped; points that change their order. */
 #include "penetration/resolve_polygon.h"
 #include "tests/check.h"
+#include "tests/memory/refusals.h"
 
-#include <gmp.h>
-#include <stdlib.h>
 #include <string.h>
-
-/* ---- memory that ends ---- */
-
-static bool counting;
-static long left = -1; /* allocations that will be had; below 0: all */
-static long living;    /* allocations not yet freed */
-
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t n, size_t size);
-void *__libc_realloc(void *old, size_t size);
-void __libc_free(void *old);
-
-static bool
-is_refused(void)
-{
-  return counting && left >= 0 && left-- == 0;
-}
-
-static void *
-counted(void *made)
-{
-  living += counting && made;
-  return made;
-}
-
-void *
-malloc(size_t size)
-{
-  return is_refused() ? NULL : counted(__libc_malloc(size));
-}
-
-void *
-calloc(size_t n, size_t size)
-{
-  return is_refused() ? NULL : counted(__libc_calloc(n, size));
-}
-
-void *
-realloc(void *old, size_t size)
-{
-  if (is_refused()) {
-    return NULL;
-  }
-  return old ? __libc_realloc(old, size) : counted(__libc_malloc(size));
-}
-
-void
-free(void *old)
-{
-  living -= counting && old;
-  __libc_free(old);
-}
-#endif
-
-/* Whether the functions above are used: a checker may have its own. */
-static bool
-is_counted(void)
-{
-  void *(*volatile ask)(size_t size) = malloc; /* else it may be left out */
-
-  counting = true;
-  left = 0;
-  void *made = ask(1);
-
-  left = -1;
-  free(made);
-  counting = false;
-  return made == NULL;
-}
-
-/* GMP ends the program without memory: it has its own. */
-static void *
-big_malloc(size_t size)
-{
-  long kept = left;
-  void *made;
-
-  left = -1;
-  made = malloc(size);
-  left = kept;
-  return made;
-}
-
-static void *
-big_realloc(void *old, size_t before, size_t size)
-{
-  long kept = left;
-  void *made;
-
-  (void)before;
-  left = -1;
-  made = realloc(old, size);
-  left = kept;
-  return made;
-}
-
-static void
-big_free(void *old, size_t size)
-{
-  (void)size;
-  free(old);
-}
 
 /* ---- boxes ---- */
 
@@ -412,7 +308,7 @@ test_order(void)
 int
 main(void)
 {
-  mp_set_memory_functions(big_malloc, big_realloc, big_free);
+  spare_gmp();
   test_boxes();
   test_no_memory();
   test_stopped();

@@ -1,0 +1,127 @@
+/* refusals.h -- memory that ends where a C test says so.
+ *
+ *   spare_gmp();                     // first in main()
+ *   left = n; living = 0; counting = true;
+ *   ...                              // allocation n, from 0, is refused
+ *   left = -1; counting = false;     // and living: what was not freed
+ *
+ * A checker of memory may have its own allocator: ask is_counted() first.
+ */
+#ifndef SG_REFUSALS_H
+#define SG_REFUSALS_H
+
+#include <gmp.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+/* Of each thread. Volatile: a compiler may think that malloc() does not read
+ * them. */
+static _Thread_local volatile bool counting;
+/* Allocations that will be had; below 0: all. */
+static _Thread_local volatile long left = -1;
+static _Thread_local volatile long living; /* allocations not yet freed */
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t n, size_t size);
+void *__libc_realloc(void *old, size_t size);
+void __libc_free(void *old);
+
+static bool
+is_refused(void)
+{
+  return counting && left >= 0 && left-- == 0;
+}
+
+static void *
+counted(void *made)
+{
+  living += counting && made;
+  return made;
+}
+
+void *
+malloc(size_t size)
+{
+  return is_refused() ? NULL : counted(__libc_malloc(size));
+}
+
+void *
+calloc(size_t n, size_t size)
+{
+  return is_refused() ? NULL : counted(__libc_calloc(n, size));
+}
+
+void *
+realloc(void *old, size_t size)
+{
+  if (is_refused()) {
+    return NULL;
+  }
+  return old ? __libc_realloc(old, size) : counted(__libc_malloc(size));
+}
+
+void
+free(void *old)
+{
+  living -= counting && old;
+  __libc_free(old);
+}
+#endif
+
+/* Whether the functions above are used: a checker may have its own. */
+static bool
+is_counted(void)
+{
+  void *(*volatile ask)(size_t size) = malloc; /* else it may be left out */
+
+  counting = true;
+  left = 0;
+  void *made = ask(1);
+
+  left = -1;
+  free(made);
+  counting = false;
+  return made == NULL;
+}
+
+/* GMP ends the program without memory: it is never refused. */
+static void *
+big_malloc(size_t size)
+{
+  long kept = left;
+  void *made;
+
+  left = -1;
+  made = malloc(size);
+  left = kept;
+  return made;
+}
+
+static void *
+big_realloc(void *old, size_t before, size_t size)
+{
+  long kept = left;
+  void *made;
+
+  (void)before;
+  left = -1;
+  made = realloc(old, size);
+  left = kept;
+  return made;
+}
+
+static void
+big_free(void *old, size_t size)
+{
+  (void)size;
+  free(old);
+}
+
+static void
+spare_gmp(void)
+{
+  mp_set_memory_functions(big_malloc, big_realloc, big_free);
+}
+
+#endif
