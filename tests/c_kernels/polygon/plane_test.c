@@ -53,6 +53,35 @@ test_normals(void)
   CHECK("tiny", plane_of(tiny, 3, &plane, &area) && plane.n[2] == 1);
 }
 
+/* Beyond the doubles there is no plane; the area says so. */
+static void
+test_out_of_range(void)
+{
+  static place wide[] = {{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}};
+  static place slanted[] = {{0, 0, 0}, {1e200, 1e200, 0}, {0, 1, 1e200}};
+  static place most[] = {{0, 0, 0}, {1.3e154, 0, 0}, {0, 1.3e154, 1.3e154}};
+  static place small[] = {{0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}};
+  static place far[] = {{1e15, 1, 0}, {1e15, 2, 0}, {1e15, 1, 1}};
+  sg_newell none;
+  sg_plane plane;
+  double area;
+
+  CHECK("an area beyond the doubles",
+        !plane_of(wide, 3, &plane, &area) && isinf(area));
+  CHECK("in several components",
+        !plane_of(slanted, 3, &plane, &area) && !isfinite(area));
+  CHECK("components that fit, a length that does not",
+        !plane_of(most, 3, &plane, &area) && isinf(area));
+  CHECK("an area below the doubles",
+        !plane_of(small, 3, &plane, &area) && area == 0);
+  CHECK("small and far: its own normal", plane_of(far, 3, &plane, &area) &&
+                                             area == 0.5 &&
+                                             is_plane(&plane, 1, 0, 0, -1e15));
+  sg_newell_init(&none);
+  CHECK("no edges", !sg_newell_plane(&none, &plane));
+  CHECK("no edges, no area", sg_newell_area(&none) == 0);
+}
+
 static void
 test_edges_in_any_order(void)
 {
@@ -168,6 +197,7 @@ int
 main(void)
 {
   test_normals();
+  test_out_of_range();
   test_edges_in_any_order();
   test_tolerance();
   test_triangles();
