@@ -19,8 +19,7 @@ typedef struct sg_exactly sg_exactly;
 /* A point: its nearest double position, and, only where that is not the point
  * itself, what it is. `exactly` null: the doubles ARE the point.
  * Owner: whoever made it calls sg_point_clear(), also of a copy. Copies share
- * `exactly`; all of them may be asked by one thread at a time only, and cleared
- * by any. */
+ * `exactly`; any threads may ask them at once, and any may clear its own. */
 typedef struct sg_point {
   double p[3];
   sg_exactly *exactly;
