@@ -179,6 +179,19 @@ read_facet(sg_mesh_reader *r, int32_t s)
          sg_mesh_end(r, &r->mesh->face, s);
 }
 
+/* What follows the solid's own name in the line of its end may be the comment
+ * that other formats have (put_precision()). */
+static void
+read_end(sg_mesh_reader *r, const sg_word *name)
+{
+  sg_word rest = sg_word_rest(r);
+  const char *after = rest.text + name->n, *end = rest.text + rest.n;
+
+  if (rest.n > name->n && !memcmp(rest.text, name->text, name->n)) {
+    sg_mesh_precision(r, name->n > 0 ? after : after - 1, end);
+  }
+}
+
 static bool
 read_solid(sg_mesh_reader *r)
 {
@@ -190,7 +203,7 @@ read_solid(sg_mesh_reader *r)
       return sg_mesh_fail(r, SG_MESH_EXPECTED, &w, "facet or endsolid");
     }
     if (sg_word_is(&w, "endsolid")) {
-      sg_word_rest(r);
+      read_end(r, &name);
       return true;
     }
     if (!sg_word_is(&w, "facet")) {

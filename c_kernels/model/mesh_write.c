@@ -126,14 +126,21 @@ corners(const sg_mesh_lists *lists, size_t i, size_t *n)
   return lists->corner + lists->start[i];
 }
 
-/* A name on one line: line ends become blanks. */
+/* A name on one line, without blanks at its ends: line ends become blanks. */
 static void
 put_name(sg_writer *w, size_t segment)
 {
   const char *name = w->mesh->name[segment];
+  size_t n = name ? strlen(name) : 0, i = 0;
 
-  for (const char *c = name ? name : ""; *c; c++) {
-    put(w, (unsigned char)*c < ' ' ? " " : c, 1);
+  while (n > 0 && (unsigned char)name[n - 1] <= ' ') {
+    n--;
+  }
+  while (i < n && (unsigned char)name[i] <= ' ') {
+    i++;
+  }
+  for (; i < n; i++) {
+    put(w, (unsigned char)name[i] < ' ' ? " " : name + i, 1);
   }
 }
 
@@ -221,7 +228,7 @@ write_stl(sg_writer *w)
     }
     put_text(w, "endsolid ");
     put_name(w, s);
-    put_text(w, "\n");
+    put_precision(w, "");
   }
   return !w->failed;
 }

@@ -291,6 +291,35 @@ test_sources(void)
             grain_of("# precisions 5", "0 0 0\n1 0 0\n0 1 0") == 0);
 }
 
+/* Of a solid of this name whose end has these words. */
+static double
+grain_of_solid(const char *name, const char *end)
+{
+  char text[512];
+
+  snprintf(text, sizeof text, "solid %s\n%sendsolid %s\n", name,
+           FACET("0 0 0", "1 0 0", "0 1 0"), end);
+  return read_bytes(SG_MESH_STL, text, strlen(text)) ? mesh.grain : -1;
+}
+
+static void
+test_sources_of_stl(void)
+{
+  CHECK("after the name", grain_of_solid("a b", "a b precision 0.25") == 0.25);
+  CHECK("of no name", grain_of_solid("", "precision 0.25") == 0.25 &&
+                          grain_of_solid("", " precision 0.25") == 0.25);
+  CHECK("blanks at the ends of a name",
+        grain_of_solid(" a ", " a  precision 0.25") == 0 &&
+            grain_of_solid(" a ", " a precision 0.25") == 0.25);
+  CHECK("a name that looks so",
+        grain_of_solid("a precision 0.25", "a precision 0.25") == 0 &&
+            grain_of_solid("a precision 0.25",
+                           "a precision 0.25 precision 2") == 2);
+  CHECK("another name", grain_of_solid("a", "b precision 0.25") == 0 &&
+                            grain_of_solid("a", "ab precision 0.25") == 0 &&
+                            grain_of_solid("a", "") == 0);
+}
+
 /* OFF -------------------------------------------------------------------- */
 
 static void
@@ -624,6 +653,7 @@ main(void)
   test_stl_text_errors();
   test_stl_binary();
   test_sources();
+  test_sources_of_stl();
   test_off();
   test_off_errors();
   test_obj();

@@ -73,6 +73,7 @@ source(text(17)).
 source(text(9)).
 source(places(6)).
 source(mesh(stl, true)).
+source(mesh(stl, false)).
 source(mesh(ply, true)).
 source(mesh(ply, false)).
 source(mesh(obj, false)).
@@ -577,7 +578,7 @@ test(a_step_refused, error(geometry_error(flattened(_, _, _, _, _)))) :-
 %   What was known stays known.
 
 test(saved, [ forall(member(Ending-Options, [ pl-[], off-[], obj-[], ply-[],
-                                              ply-[binary(true)],
+                                              ply-[binary(true)], stl-[],
                                               stl-[binary(true)] ])),
               true(Again =:= Grain) ]) :-
     cube(3.3, [100.1,0.2,0.3], Box),
@@ -594,6 +595,34 @@ test(saved, [ forall(member(Ending-Options, [ pl-[], off-[], obj-[], ply-[],
     assertion(Grain =:= 2.0** -17),
     new_world(Second),
     in_world(Second, ( file_loaded(File, 1), segment_grain(1, Again) )).
+%   A file that is converted says what was rounded once, whatever its names and
+%   on whatever way it came.
+
+test(converted, [ forall(member(Name, ['', a, 'a b', ' a ', 'a precision 3',
+                                       'precision 3', 'a\nb', 'endsolid'])),
+                  true(Again =:= 1.0e-5) ]) :-
+    box_text('~5f', [0.12345,0.2,0.3]-[7.12345,3.4,5.6], Text),
+    tmp_file_stream(First, Stream, [extension(off)]),
+    write(Stream, Text),
+    close(Stream),
+    new_world(World),
+    in_world(World, ( file_loaded(First, 1),
+                      retractall_facts(segment(1, _, _)),
+                      assert_fact(segment(1, solid, Name)),
+                      tmp_file_stream(Second, Stream2, [extension(stl)]),
+                      close(Stream2),
+                      write_mesh(Second, [1]) )),
+    stl_again(Second, Third),
+    stl_again(Third, Fourth),
+    new_world(Last),
+    in_world(Last, ( file_loaded(Fourth, 1), segment_grain(1, Again) )).
+
+stl_again(File, Next) :-
+    new_world(World),
+    in_world(World, ( file_loaded(File, 1),
+                      tmp_file_stream(Next, Stream, [extension(stl)]),
+                      close(Stream),
+                      write_mesh(Next, [1]) )).
 test(copied, Grains == [Once,Thrice,Thrice,Once,Once]) :-
     cube(3.3, [100.1,0.2,0.3], Box),
     box_written(Box, stl, true, File),
