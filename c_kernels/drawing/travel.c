@@ -235,10 +235,10 @@ take(tree *t, size_t end)
 }
 
 bool
-sg_travel_order(const sg_travel_line *line, size_t n, int64_t *order,
-                const sg_poll *poll, bool *memory)
+sg_travel_order(const sg_travel_line *line, size_t n, const int64_t from[2],
+                int64_t *order, const sg_poll *poll, bool *memory)
 {
-  nearest q = {{0.0, 0.0}, 0.0, 0};
+  nearest q = {{(double)from[0], (double)from[1]}, 0.0, 0};
   tree t;
   bool going = tree_init(&t, line, n, poll, memory);
 

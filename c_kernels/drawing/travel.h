@@ -18,10 +18,11 @@ typedef struct sg_travel_line {
   int64_t at[2][2];
 } sg_travel_line;
 
-/* The order of n lines for a pen that begins at 0, 0: order[n] are their
+/* The order of n lines for a pen that begins at `from`: order[n] are their
  * numbers, from 1; below zero: from end to start. False: stopped by the poll,
  * or no memory (then *memory is false). */
-bool sg_travel_order(const sg_travel_line *line, size_t n, int64_t *order,
-                     const sg_poll *poll, bool *memory);
+bool sg_travel_order(const sg_travel_line *line, size_t n,
+                     const int64_t from[2], int64_t *order, const sg_poll *poll,
+                     bool *memory);
 
 #endif

@@ -1,4 +1,4 @@
-/* travel4pl.c -- travel_order/2 (documented in kernel/drawing.pl).
+/* travel4pl.c -- travel_order/3 (documented in kernel/drawing.pl).
  *
  * Layer: glue.
  */
@@ -92,14 +92,15 @@ unify_order(term_t list, const int64_t *order, size_t n)
   return PL_unify(list, all);
 }
 
-/* travel_order(+Strokes, -Order) is det. */
+/* travel_order(+Start, +Strokes, -Order) is det. */
 static foreign_t
-travel_order(term_t strokes, term_t list)
+travel_order(term_t start, term_t strokes, term_t list)
 {
-  sg_travel_line *line;
-  int64_t *order = NULL;
+  sg_travel_line *line = NULL;
+  int64_t *order = NULL, from[2];
   size_t n;
-  int ok = get_lines_ex(strokes, &line, &n);
+  int ok = get_point_ex(start, PL_new_term_ref(), from) &&
+           get_lines_ex(strokes, &line, &n);
 
   if (ok && !(order = malloc((n + 1) * sizeof *order))) {
     ok = sg_no_memory();
@@ -107,7 +108,7 @@ travel_order(term_t strokes, term_t list)
   if (ok) {
     bool memory;
 
-    if (sg_travel_order(line, n, order, &sg_prolog_poll, &memory)) {
+    if (sg_travel_order(line, n, from, order, &sg_prolog_poll, &memory)) {
       ok = unify_order(list, order, n);
     } else {
       ok = memory ? FALSE : sg_no_memory();
@@ -122,7 +123,7 @@ void
 sg_install_travel(void)
 {
   static const PL_extension doors[] = {
-      {"travel_order", 2, (pl_function_t)travel_order, 0}, {NULL, 0, NULL, 0}};
+      {"travel_order", 3, (pl_function_t)travel_order, 0}, {NULL, 0, NULL, 0}};
 
   FUNCTOR_stroke7 = PL_new_functor(PL_new_atom("stroke"), 7);
   FUNCTOR_minus2 = PL_new_functor(PL_new_atom("-"), 2);

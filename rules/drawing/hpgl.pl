@@ -5,7 +5,7 @@
               [ inked_inks/2, inked_lines/3, dashes_option/3, ink_pen/2,
                 ink_runs/2, ink_type/2, ink_lines/4
               ]).
-:- use_module(travel, [short_travel/2, travel_length/2]).
+:- use_module(travel, [short_travel/3, travel_length/3]).
 :- use_module(library(apply), [convlist/3, foldl/4, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [last/2, list_to_set/2, member/2, sum_list/2]).
@@ -65,20 +65,23 @@ plot_pen(Out, How-Order, Lines, Pen, travel(N0,Way0,Unsorted0),
     sort(1, @<, Keys0, Keys),
     list_to_assoc(Keys, Inks),
     convlist(pen_stroke(Pen), Lines, Strokes),
-    ordered(Order, Strokes, Ordered),
+    How = plot(_, _, H),
+    ordered(Order, 0-H, Strokes, Ordered),
     length(Strokes, N1),
-    travel_length(Ordered, Way1),
-    travel_length(Strokes, Unsorted1),
+    travel_length(0-H, Ordered, Way1),
+    travel_length(0-H, Strokes, Unsorted1),
     N is N0+N1,
     Way is Way0+Way1,
     Unsorted is Unsorted0+Unsorted1,
     foldl(plot(Out, How, Inks), Ordered, pen(solid,none), pen(Type,_)),
     line_type(Out, How, Type, solid).
 
-ordered(kept, Strokes, Strokes) :-
+%   The pen begins in the plotter's origin.
+
+ordered(kept, _, Strokes, Strokes) :-
     !.
-ordered(short, Strokes, Ordered) :-
-    short_travel(Strokes, Ordered).
+ordered(short, Start, Strokes, Ordered) :-
+    short_travel(Start, Strokes, Ordered).
 
 pen_stroke(Pen, line(Ink,Stroke), Stroke) :-
     ink_pen(Ink, Pen).

@@ -1,28 +1,38 @@
 :- module(sg_travel,
-          [ short_travel/2,             % +Strokes, -Ordered
-            short_travel_by_rule/2,     % +Strokes, -Ordered
-            travel_length/2             % +Strokes, -Length
+          [ short_travel/3,             % +Start, +Strokes, -Ordered
+            short_travel_by_rule/3,     % +Start, +Strokes, -Ordered
+            travel_length/3             % +Start, +Strokes, -Length
           ]).
-:- use_module('../kernel', [travel_order/2]).
+:- use_module('../kernel', [travel_order/3]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [last/2, reverse/2, selectchk/3]).
 /** <module> Travel: strokes in an order that a lifted pen likes.
 
 From where a stroke ends the pen goes to the nearest end of those not yet
-drawn, and draws from there.
+drawn, and draws from there. That may leave ends behind that are far away; where
+the way is no shorter than in the order that was given, that order stays.
 */
 
 :- set_prolog_flag(optimise, true).
 
-%!  short_travel(+Strokes, -Ordered) is det.
+%!  short_travel(+Start, +Strokes, -Ordered) is det.
 %
-%   Ordered are Strokes (stroke.pl) in a better order for a plotter that
-%   begins at 0-0, some of them backwards.
+%   Ordered are Strokes (stroke.pl) in an order in which a plotter that begins
+%   at Start, X-Y, has no longer way, some of them backwards.
 
-short_travel(Strokes, Ordered) :-
-    travel_order(Strokes, Order),
+short_travel(Start, Strokes, Ordered) :-
+    travel_order(Start, Strokes, Order),
     compound_name_arguments(Array, strokes, Strokes),
-    maplist(ordered_stroke(Array), Order, Ordered).
+    maplist(ordered_stroke(Array), Order, Ordered0),
+    shorter(Start, Strokes, Ordered0, Ordered).
+
+shorter(Start, Strokes0, Strokes1, Strokes) :-
+    travel_length(Start, Strokes0, Length0),
+    travel_length(Start, Strokes1, Length1),
+    (   Length1 < Length0
+    ->  Strokes = Strokes1
+    ;   Strokes = Strokes0
+    ).
 
 ordered_stroke(Array, I, Stroke) :-
     (   I > 0
@@ -32,14 +42,15 @@ ordered_stroke(Array, I, Stroke) :-
         backwards(Stroke0, Stroke)
     ).
 
-%!  short_travel_by_rule(+Strokes, -Ordered) is det.
+%!  short_travel_by_rule(+Start, +Strokes, -Ordered) is det.
 %
-%   The same: what short_travel/2 means. The kernel travel_order/2 stands in
+%   The same: what short_travel/3 means. The kernel travel_order/3 stands in
 %   for it. Quadratic.
 
-short_travel_by_rule(Strokes, Ordered) :-
+short_travel_by_rule(Start, Strokes, Ordered) :-
     maplist(with_ends, Strokes, Lines),
-    travel(Lines, 0-0, Ordered).
+    travel(Lines, Start, Ordered0),
+    shorter(Start, Strokes, Ordered0, Ordered).
 
 %   line(First,Last,Stroke)
 
@@ -95,13 +106,13 @@ backwards(stroke(Visibility,Role,S,Es0,Points0,Start,End),
     reverse(Es0, Es),
     reverse(Points0, Points).
 
-%!  travel_length(+Strokes, -Length) is det.
+%!  travel_length(+Start, +Strokes, -Length) is det.
 %
-%   Length is how far the pen goes lifted, from 0-0 on, if it draws Strokes in
+%   Length is how far the pen goes lifted, from Start on, if it draws Strokes in
 %   this order; in the unit of their points.
 
-travel_length(Strokes, Length) :-
-    foldl(travelled, Strokes, (0-0)-0.0, _-Length).
+travel_length(Start, Strokes, Length) :-
+    foldl(travelled, Strokes, Start-0.0, _-Length).
 
 travelled(Stroke, At-Length0, Last-Length) :-
     with_ends(Stroke, line(First,Last,_)),

@@ -29,7 +29,7 @@
             drawn_strokes/5,          % +Place, +Removed, +Looks, +Others,
                                       % -Strokes
             % travel4pl.c
-            travel_order/2,           % +Strokes, -Order
+            travel_order/3,           % +Start, +Strokes, -Order
             % raster4pl.c
             raster_dots/4,            % +Width, +Height, +Strokes, -Dots
             raster_png/5,             % +Width, +Height, +Dots, +Palette, -Bytes
@@ -195,10 +195,10 @@ Foreign predicates; see kernel.pl.
 
 /* - - - travel4pl.c - - - */
 
-%!  travel_order(+Strokes:list, -Order:list) is det.
+%!  travel_order(+Start, +Strokes:list, -Order:list) is det.
 %
-%   Order has the numbers of Strokes, from 1, in the order of short_travel/2 of
-%   travel.pl, those drawn backwards below zero: its fused kernel.
+%   Order has the numbers of Strokes, from 1, in the order of nearest ends that
+%   short_travel/3 of travel.pl has, those drawn backwards below zero.
 
 /* - - - raster4pl.c - - - */
 

@@ -23,48 +23,66 @@ edges(Strokes, Edges) :-
 :- begin_tests(travel).
 
 test(nothing, true(Ordered == [])) :-
-    short_travel([], Ordered).
+    short_travel(0-0, [], Ordered).
 test(backwards, true(Ordered ==
         [stroke(hidden,outline,1,[2,1],[0-0,5-0,9-0],joint,cut)])) :-
-    short_travel([stroke(hidden,outline,1,[1,2],[9-0,5-0,0-0],cut,joint)],
+    short_travel(0-0, [stroke(hidden,outline,1,[1,2],[9-0,5-0,0-0],cut,joint)],
                  Ordered).
 test(nearest, true(Edges == [2,3,1])) :-
     line(1, 90-0, 100-0, L1),
     line(2, 0-0, 10-0, L2),
     line(3, 50-0, 12-0, L3),
-    short_travel([L1,L2,L3], Ordered),
+    short_travel(0-0, [L1,L2,L3], Ordered),
     findall(E, member(stroke(_,_,_,[E],_,_,_), Ordered), Edges).
 test(kernel_is_rule, [forall(between(1, 60, Seed))]) :-
     N is Seed*3,
     random_strokes(Seed, N, Strokes),
-    short_travel(Strokes, Kernel),
-    short_travel_by_rule(Strokes, Rule),
+    short_travel(0-0, Strokes, Kernel),
+    short_travel_by_rule(0-0, Strokes, Rule),
     assertion(Seed-Kernel == Seed-Rule).
 test(kernel_is_rule_on_a_grid, [forall(between(1, 60, Seed))]) :-
     set_random(seed(Seed)),
     findall(Line, ( between(1, 70, E),
                     maplist(random_between(0, 4), [X,Y,X1,Y1]),
                     line(E, X-Y, X1-Y1, Line) ), Strokes),
-    short_travel(Strokes, Kernel),
-    short_travel_by_rule(Strokes, Rule),
+    short_travel(0-0, Strokes, Kernel),
+    short_travel_by_rule(0-0, Strokes, Rule),
     assertion(Seed-Kernel == Seed-Rule).
 test(length, true(Length =:= 30.0)) :-
     line(1, 3-4, 9-9, L1),
     line(2, 9-34, 0-0, L2),
-    travel_length([L1,L2], Length).
+    travel_length(0-0, [L1,L2], Length).
 test(bad, [forall(member(Strokes-Error,
                          [ x-type_error(list, x), [x]-type_error(stroke, x),
                            [stroke(_,_,_,_,[],_,_)]-type_error(_, _),
                            [stroke(_,_,_,_,[x],_,_)]-type_error(pair, x) ])),
            throws(error(Error, _))]) :-
-    short_travel(Strokes, _).
+    short_travel(0-0, Strokes, _).
+%   The nearest end next may be the longer way: the order is then as it was.
+
+test(never_longer, [forall(between(1, 1000, Seed))]) :-
+    set_random(seed(Seed)),
+    random_between(1, 9, N),
+    random_between(1, 12, Wide),
+    findall(Line, ( between(1, N, E),
+                    maplist(random_between(0, Wide), [X,Y,X1,Y1]),
+                    line(E, X-Y, X1-Y1, Line) ), Strokes),
+    maplist(random_between(0, Wide), [X0,Y0]),
+    short_travel(X0-Y0, Strokes, Ordered),
+    short_travel_by_rule(X0-Y0, Strokes, Rule),
+    assertion(Seed-Ordered == Seed-Rule),
+    travel_length(X0-Y0, Strokes, Before),
+    travel_length(X0-Y0, Ordered, After),
+    assertion(After =< Before),
+    edges(Strokes, Edges),
+    edges(Ordered, Edges).
 test(all_and_shorter, [forall(between(1, 10, Seed)), true]) :-
     random_strokes(Seed, 600, Strokes),
-    short_travel(Strokes, Ordered),
+    short_travel(0-0, Strokes, Ordered),
     edges(Strokes, Edges),
     edges(Ordered, Edges),
-    travel_length(Strokes, Before),
-    travel_length(Ordered, After),
+    travel_length(0-0, Strokes, Before),
+    travel_length(0-0, Ordered, After),
     After < Before/5.
 
 :- end_tests(travel).
