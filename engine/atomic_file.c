@@ -441,21 +441,24 @@ keep_content(entry *e)
   return error;
 }
 
-/* Back to what was there before place(). */
+/* Back to what was there before place(). What cannot be put back stays under
+ * the name it was kept by. */
 static void
 undo(entry *e)
 {
+  bool back = true;
+
   if (e->old && e->in_place) {
-    if (e->placed) {
-      replace_content(e->old, e->path);
-    }
+    back = !e->placed || replace_content(e->old, e->path) == 0;
   } else if (e->old) {
-    rename(e->old, e->path);
+    back = rename(e->old, e->path) == 0;
   } else if (e->placed) {
     unlink(e->path);
   }
   if (e->old) {
-    unlink(e->old);
+    if (back) {
+      unlink(e->old);
+    }
     free(e->old);
     e->old = NULL;
   }

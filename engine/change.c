@@ -13,7 +13,7 @@ sg_value_is_valid(const sg_relation_info *info, unsigned column, sg_value value)
   switch (info->column[column].type) {
   case SG_INT:
     return value.i >= 1 || info->domain[column] || /* glue knows its words */
-           (info->with_sign[column] && value.i != 0);
+           (info->with_sign[column] && value.i != 0 && value.i != INT32_MIN);
   case SG_ATOM:
     return value.i >= 0;
   case SG_FLOAT:

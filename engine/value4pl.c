@@ -196,7 +196,7 @@ get_int_ex(term_t t, int32_t *out)
     return PL_is_variable(t) ? PL_instantiation_error(t)
                              : PL_type_error("integer", t);
   }
-  if (!PL_get_int64(t, &i) || i > INT32_MAX || i < INT32_MIN) {
+  if (!PL_get_int64(t, &i) || i > INT32_MAX || i < -INT32_MAX) {
     return PL_representation_error("int32");
   }
   *out = (int32_t)i;

@@ -49,6 +49,6 @@ main :-
 run(Seconds, Seed, Wrong) :-
     (   Seconds > 0
     ->  catch(call_with_time_limit(Seconds, script(Seed, Wrong)),
-              time_limit_exceeded, Wrong = [])
+              time_limit_exceeded, Wrong = [no_end])
     ;   script(Seed, Wrong)
     ).

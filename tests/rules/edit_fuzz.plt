@@ -65,7 +65,7 @@ child(First, Last, Folder, Lines, Status) :-
     format(atom(Where), 'foreign=~w', [Build]),
     (   memberchk("--no-threads", Options)
     ->  Seconds = 0
-    ;   Seconds = 20
+    ;   Seconds = 120
     ),
     append(Options, ['-p',Where,Child,'--',First,Last,Seconds], Arguments),
     process_create(path(timeout),

@@ -202,6 +202,8 @@ refused(v(1,0,0,0,0),      domain_error(positive_integer, 0)).
 refused(v(1,-1,0,0,0),     type_error(nonneg, -1)).
 refused(v(1,2147483648,0,0,0), representation_error(int32)).
 refused(v(1,99999999999999999999,0,0,0), representation_error(int32)).
+refused(drawn(1,1,-2147483648,0,1,visible,outline),
+        representation_error(int32)). % 2147483648 is the piece it would name
 refused(v(1,9,a,0,0),      type_error(float, a)).
 refused(v(1,9,"1",0,0),    type_error(float, "1")).
 refused(v(1,9,0,X,0),      domain_error(finite_float, X)) :- X is inf.
