@@ -293,17 +293,34 @@ arc_count(Surface, T1, T2, H, Options, N) :-
     Off is sqrt((X-(X1+X2)/2)**2 + (Y-(Y1+Y2)/2)**2 + (Z-(Z1+Z2)/2)**2),
     N is max(1, ceiling(sqrt(Off/Chord))).
 
-%   chord_wanted(Surface, Options, Chord)
+%   chord_wanted(Surface, Options, Chord): the size of Surface does not depend
+%   on which of its ends is the lower one, nor on which two conjugate diameters
+%   of an end it is given by.
 
-chord_wanted(Surface0, Options, Chord) :-
-    (   Surface0 = parallel(Surface, _)
-    ->  true
-    ;   Surface = Surface0
-    ),
-    arg(2, Surface, vector(A, B, C)),
-    Usual is 1.0e-4*2.0*sqrt(A*A + B*B + C*C),
+chord_wanted(Surface, Options, Chord) :-
+    half_width(Surface, Half),
+    Usual is 1.0e-4*2.0*Half,
     option(chord(Chord0), Options, Usual),
     Chord is max(Chord0, Usual*1.0e-3).
+
+half_width(parallel(Surface, _), Half) =>
+    half_width(Surface, Half).
+half_width(cone(_, U, V, _, K), Half) =>
+    ellipse_radius(U, V, Radius),
+    Half is Radius*max(1.0, abs(K)).
+half_width(ruled(_, U1, V1, _, U2, V2), Half) =>
+    ellipse_radius(U1, V1, Radius1),
+    ellipse_radius(U2, V2, Radius2),
+    Half is max(Radius1, Radius2).
+half_width(Surface, Half) =>
+    arg(2, Surface, U),
+    arg(3, Surface, V),
+    ellipse_radius(U, V, Half).
+
+%   The root of the mean square of its half axes.
+
+ellipse_radius(vector(AX,AY,AZ), vector(BX,BY,BZ), Radius) :-
+    Radius is sqrt((AX*AX + AY*AY + AZ*AZ + BX*BX + BY*BY + BZ*BZ)/2.0).
 
 %   frame(S, P, PA, PB, D, WA, WB, Frame): P of S, at PA-PB, is laid at WA-WB of
 %   D.

@@ -515,6 +515,46 @@ test(rims, true((abs(Area - 2*pi*25) < 0.01, near(Most, 5)))) :-
                min_list(Rs, Least),
                near(Least, 5) )).
 
+%   Which end of a part is the lower one, and which way its axes are turned,
+%   makes no difference.
+
+test(rims_of_turned, [ forall(turned_pair(Term1, Term2)),
+                       true(near(Area1, Area2)) ]) :-
+    ends_area(Term1, Area1),
+    ends_area(Term2, Area2).
+
+turned_pair(cone(radius(A), top(B), height(H), facets(7)),
+            cone(radius(B), top(A), height(H), facets(7))) :-
+    random_sizes([A,B,H]).
+turned_pair(cone(radius(A,B), top(C,D), height(H), facets(9)),
+            cone(radius(C,D), top(A,B), height(H), facets(9))) :-
+    random_sizes([A,B,C,D,H]).
+turned_pair(at([scale(1,K,1)],
+               cone(radius(A), top(B), height(H), facets(12))),
+            at([scale(K,1,1)],
+               cone(radius(A), top(B), height(H), facets(12)))) :-
+    random_sizes([A,B,H,K]).
+turned_pair(at([scale(1,K,1)], cylinder(radius(A), height(H), facets(12))),
+            at([scale(K,1,1)], cylinder(radius(A), height(H), facets(12)))) :-
+    random_sizes([A,H,K]).
+
+random_sizes(Sizes) :-
+    set_random(seed(51)),
+    between(1, 8, _),
+    maplist(random_size, Sizes).
+
+random_size(Size) :-
+    random(X),
+    Size is 0.5+5*X.
+
+ends_area(Term, Area) :-
+    in_scene([Term],
+             ( findall(P, ( p(1, P, Es), length(Es, 4) ), Sides),
+               develop(1, [removed(Sides)], D),
+               rims_rounded(D, 1, []),
+               sound_areas(D),
+               area(D, Area) )).
+
 sound_areas(D) :-
     area(D, Area),
     outline_area(D, Outline),
