@@ -299,29 +299,13 @@ is_apart(const double a[3][3], const double b[3][3], double reach)
   return above == 3 || below == 3;
 }
 
-static bool
-is_flush(const double a[3][3], const double b[3][3], const double h[3],
-         double reach)
-{
-  bool exact = true;
-
-  for (int i = 0; i < 3; i++) {
-    if (!(fabs(h[i]) <= reach)) {
-      return false;
-    }
-    exact = exact && sg_orient3d(a[0], a[1], a[2], b[i]) == 0;
-  }
-  return !exact;
-}
-
 int
 sg_contacts(const double a[3][3], const double b[3][3], double reach,
-            sg_contact out[SG_CONTACT_MAX], bool *flush)
+            sg_contact out[SG_CONTACT_MAX])
 {
   finder find = {.reach = reach, .out = out};
   double h[2][3] = {{0}};
 
-  *flush = false;
   if (is_apart(a, b, reach) || is_apart(b, a, reach)) {
     return 0;
   }
@@ -350,7 +334,6 @@ sg_contacts(const double a[3][3], const double b[3][3], double reach,
       edges(&find, i, j);
     }
   }
-  *flush = find.n > 0 && find.side[0].plane && is_flush(a, b, h[1], reach);
   return find.n;
 }
 

@@ -20,11 +20,12 @@ typedef struct sg_contact {
 enum { SG_CONTACT_MAX = 24 };
 
 /* The contacts of triangles a and b, each pair of features once. Returns how
- * many: none of a triangle with a side shorter than 4 times the reach. *flush:
- * they touch and lie in one plane within the reach, but not exactly. Requires
- * reach > 0 and finite. */
+ * many: none of a triangle with a side shorter than 4 times the reach. If all
+ * are exact, nothing has to move: where the triangles lie on each other, the
+ * corners of what they have in common are contacts, and three that are exact
+ * make the planes one. Requires reach > 0 and finite. */
 int sg_contacts(const double a[3][3], const double b[3][3], double reach,
-                sg_contact out[SG_CONTACT_MAX], bool *flush);
+                sg_contact out[SG_CONTACT_MAX]);
 
 /* The smallest feature of triangle b within reach of a point, of which only
  * f[1], distance and at are set; false: there is none. */

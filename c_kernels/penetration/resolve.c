@@ -95,8 +95,8 @@ sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
                const sg_resolve_leaf *b)
 {
   sg_contact contact[SG_CONTACT_MAX];
-  bool inexact;
-  int n = sg_contacts(a->at, b->at, r->here, contact, &inexact);
+  bool inexact = false;
+  int n = sg_contacts(a->at, b->at, r->here, contact);
 
   if (n == 0) {
     return true;
@@ -373,10 +373,7 @@ sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
 {
   const sg_resolve_leaf *leaf[2] = {a, b};
   sg_contact contact[SG_CONTACT_MAX];
-  bool flush;
-  int n = is_wanted(r, a->s)
-              ? sg_contacts(a->at, b->at, r->here, contact, &flush)
-              : 0;
+  int n = is_wanted(r, a->s) ? sg_contacts(a->at, b->at, r->here, contact) : 0;
 
   r->side = n > 0 ? fmin(shortest_side(a), shortest_side(b)) : 0;
   for (int i = 0; i < n; i++) {
