@@ -32,6 +32,7 @@ typedef struct sg_self_meeting {
   int32_t t[2]; /* places of triangles, t[0] < t[1] */
   int32_t p[2]; /* ids of their polygons, p[0] <= p[1] */
   double at[3]; /* a point of what they have in common; inexact */
+  bool line;    /* that is more than points */
 } sg_self_meeting;
 
 typedef struct sg_self_meetings {

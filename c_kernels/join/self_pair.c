@@ -356,6 +356,10 @@ meet(const sg_self_model *m, const pair *p, const int32_t t[2],
   }
   double end[2][3];
 
+  out->line = false;
+  for (int i = 0; i < n; i++) {
+    out->line = out->line || !sg_cut_is_point(&cut[i]);
+  }
   for (int k = 0; k < 2; k++) {
     sg_shape_end((corners)p->a, (corners)p->b, &cut[0].end[k], end[k]);
   }
@@ -370,6 +374,7 @@ static bool
 lie_over(const sg_self_model *m, const pair *p, sg_self_meeting *out)
 {
   out->kind = kind_within(p, SG_SELF_OVERLAP, m->tolerance);
+  out->line = true;
   for (int k = 0; k < 3; k++) {
     out->at[k] = p->a[0][k] / 3 + p->a[1][k] / 3 + p->a[2][k] / 3;
   }

@@ -438,26 +438,14 @@ unify_meeting(term_t t, const sg_self_meeting *m)
                        PL_FLOAT, m->at[1] + 0.0, PL_FLOAT, m->at[2] + 0.0);
 }
 
-/* The tolerance of a segment of this mesh (self_cut.h). */
-static double
-tolerance_of(const sg_boundary_mesh *m)
-{
-  uint32_t begin[2] = {0, (uint32_t)m->mesh.vertices};
-
-  return sg_self_tolerance(&(sg_dense){.segments = 1,
-                                       .grain = (double[]){m->mesh.grain},
-                                       .vertex_begin = begin,
-                                       .vertices = m->mesh.vertices,
-                                       .at = m->mesh.vertex},
-                           0);
-}
-
-/* Adds to `list` those that are no mere touching. */
+/* Adds to `list` those that are no mere touching in a point; of triangles that
+ * are not `all`, no touching at all. */
 static int
-add_meetings(term_t tail, term_t head, const sg_self_meetings *found)
+add_meetings(term_t tail, term_t head, bool all, const sg_self_meetings *found)
 {
   for (size_t i = 0; i < found->n; i++) {
-    if (found->item[i].kind != SG_SELF_TOUCHING &&
+    if ((found->item[i].kind != SG_SELF_TOUCHING ||
+         (all && found->item[i].line)) &&
         (!PL_unify_list(tail, head, tail) ||
          !unify_meeting(head, &found->item[i]))) {
       return FALSE;
@@ -466,32 +454,29 @@ add_meetings(term_t tail, term_t head, const sg_self_meetings *found)
   return TRUE;
 }
 
-/* boundary_meetings(+Boundary, +All, +Exact, -Meetings) is det. */
+/* boundary_meetings(+Boundary, +All, -Meetings) is det. */
 static foreign_t
-boundary_meetings(term_t boundary, term_t all_term, term_t exact_term,
-                  term_t meetings)
+boundary_meetings(term_t boundary, term_t all_term, term_t meetings)
 {
   handle *h;
-  int all, exact, done = TRUE;
+  int all, done = TRUE;
   term_t tail = PL_copy_term_ref(meetings), head = PL_new_term_ref();
   sg_crew *crew;
 
-  if (!get_boundary_ex(boundary, &h) || !PL_get_bool_ex(all_term, &all) ||
-      !PL_get_bool_ex(exact_term, &exact)) {
+  if (!get_boundary_ex(boundary, &h) || !PL_get_bool_ex(all_term, &all)) {
     return FALSE;
   }
   if (!(crew = sg_crew_open(0))) {
     return sg_no_memory();
   }
   for (size_t i = 0; done && i < h->segments; i++) {
-    double tolerance = exact ? 0 : tolerance_of(&h->part[i]);
     sg_self_meetings found;
-    if (!sg_boundary_mesh_meetings(&h->part[i], all, tolerance, crew,
-                                   &sg_prolog_poll, &found)) {
+    if (!sg_boundary_mesh_meetings(&h->part[i], all, crew, &sg_prolog_poll,
+                                   &found)) {
       done = PL_exception(0) ? FALSE : sg_no_memory();
       break;
     }
-    done = add_meetings(tail, head, &found);
+    done = add_meetings(tail, head, all, &found);
     free(found.item);
   }
   sg_crew_close(crew);
@@ -569,7 +554,7 @@ static const PL_extension predicates[] = {
     {"boundary_coarsen", 3, boundary_coarsen, 0},
     {"boundary_close", 1, boundary_close, 0},
     {"boundary_counts", 2, boundary_counts, 0},
-    {"boundary_meetings", 4, boundary_meetings, 0},
+    {"boundary_meetings", 3, boundary_meetings, 0},
     {"boundary_add", 2, boundary_add, 0},
     {"boundary_write", 5, boundary_write, 0},
     {NULL, 0, NULL, 0},

@@ -67,18 +67,17 @@ close_segment(as_segment *s)
 }
 
 bool
-sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all,
-                          double tolerance, sg_crew *crew, const sg_poll *poll,
-                          sg_self_meetings *out)
+sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all, sg_crew *crew,
+                          const sg_poll *poll, sg_self_meetings *out)
 {
   as_segment s;
   bool done = open_segment(mesh, &s);
 
   *out = (sg_self_meetings){0};
   if (done && mesh->mesh.face.count > 0) {
-    done = all ? sg_self_cut(&s.dense, 0, tolerance, crew, poll, out)
-               : sg_self_cut_changed(&s.dense, 0, mesh->changed, tolerance,
-                                     crew, poll, out);
+    done = all ? sg_self_cut(&s.dense, 0, 0, crew, poll, out)
+               : sg_self_cut_changed(&s.dense, 0, mesh->changed, 0, crew, poll,
+                                     out);
   }
   close_segment(&s);
   return done;
@@ -92,7 +91,7 @@ find_coarse(const sg_boundary_mesh *mesh, sg_crew *crew, const sg_poll *poll,
 {
   sg_self_meetings met;
 
-  if (!sg_boundary_mesh_meetings(mesh, true, 0, crew, poll, &met)) {
+  if (!sg_boundary_mesh_meetings(mesh, true, crew, poll, &met)) {
     return false;
   }
   for (size_t v = 0; mesh->crossed && v < mesh->mesh.vertices; v++) {

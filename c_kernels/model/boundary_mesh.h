@@ -60,10 +60,10 @@ bool sg_boundary_of_mesh(const sg_boundary_mesh *mesh, sg_boundary *out,
 void sg_boundary_mesh_clear(sg_boundary_mesh *mesh);
 
 /* Where it goes through itself: meetings of its triangles with those that are
- * changed, or of all. False: no memory, or stopped. See self_cut.h. */
+ * changed, or of all, exactly. False: no memory, or stopped. See self_cut.h. */
 bool sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all,
-                               double tolerance, sg_crew *crew,
-                               const sg_poll *poll, sg_self_meetings *out);
+                               sg_crew *crew, const sg_poll *poll,
+                               sg_self_meetings *out);
 
 /* The mesh with the vertices of those triangles that go through each other, by
  * any distance, on the grid of `rounding`, and those no farther from them than

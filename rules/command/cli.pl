@@ -104,6 +104,8 @@ flushed(Status0, Status) :-
 
 sanggwan(Arguments, Status) :-
     retractall(quiet),
+    retractall(told_once),
+    retractall(told(_)),
     retractall(output_lost),
     flag(sg_cli_warnings, _, 0),
     set_language(Arguments),
@@ -234,6 +236,10 @@ verb_in_world(Verb, Files, Options, Status) :-
     (   option(quiet(true), Options)
     ->  assertz(quiet)
     ;   true
+    ),
+    (   Verb == repl
+    ->  true
+    ;   assertz(told_once)
     ),
     stages_reset,
     csg_statistics_reset,
@@ -397,7 +403,9 @@ strict_status(Arguments, Status0, Status) :-
 
 %   When the output is lost, Prolog fails to flush it again as it ends.
 
-:- dynamic quiet/0, running/0, output_lost/0.
+%   Each pass over a model may find the same; a command says it once.
+
+:- dynamic quiet/0, running/0, output_lost/0, told_once/0, told/1.
 
 :- multifile user:message_hook/3.
 
@@ -420,10 +428,17 @@ shown(_, _, []) :-
 shown(error, Term, Lines) :-
     print_prefixed(user_error, '', Term, Lines).
 shown(warning, Term, Lines) :-
-    flag(sg_cli_warnings, N, N+1),
     language(Language),
     warning_word(Language, Word),
-    print_prefixed(user_error, Word, Term, Lines).
+    with_output_to(atom(Text),
+                   print_prefixed(current_output, Word, Term, Lines)),
+    (   told_once,
+        told(Text)
+    ->  true
+    ;   assertz(told(Text)),
+        flag(sg_cli_warnings, N, N+1),
+        print_prefixed(user_error, Word, Term, Lines)
+    ).
 shown(informational, Term, Lines) :-
     (   quiet
     ->  true

@@ -1,7 +1,7 @@
 :- encoding(utf8).
 :- module(sg_solid_verbs,
           [ solid_verb/1,               % ?Verb
-            solids_written/2,           % +Ss, +Outputs
+            solids_written/3,           % +Ss, +Outputs, +Options
             empty_roots_warned/0,
             solid_verb_run/4            % +Verb, +Files, +Options, -Status
           ]).
@@ -66,8 +66,8 @@ solid_verb_run(Verb, Files, Options, 0) :-
     ->  summary(Options, Ss)
     ;   partition(takes_one(Verb, Ss), Outputs, Apart, Together),
         forall(( member(Output, Apart), member(S, Ss) ),
-               part_written(S, Output)),
-        solids_written(Ss, Together)
+               part_written(Options, S, Output)),
+        solids_written(Ss, Together, Options)
     ).
 
 %   takes_one(Verb, Ss, Output): the format does not tell the parts Ss of split
@@ -77,35 +77,42 @@ takes_one(split, [_,_|_], output(File, Format)) :-
     File \== (-),
     memberchk(Format, [stl, off, ply]).
 
-%   part_written(S, Output): S goes to the file with its name before the ending.
+%   part_written(Options, S, Output): S goes to the file with its name before
+%   the ending.
 
-part_written(S, output(File0, Format)) :-
+part_written(Options, S, output(File0, Format)) :-
     segment(S, _, Term),
     result_name(Term, Name),
     file_name_extension(Base, Ending, File0),
     format(atom(Base1), '~w-~w', [Base,Name]),
     file_name_extension(Base1, Ending, File),
-    solids_written([S], [output(File, Format)]).
+    solids_written([S], [output(File, Format)], Options).
 
-%!  solids_written(+Ss, +Outputs) is det.
+%!  solids_written(+Ss, +Outputs, +Options) is det.
 %
-%   Write the roots Ss to Outputs; to meshes as solid_file.pl does. The rest of
+%   Write the roots Ss to Outputs; to meshes as solid_file.pl does. With
+%   repair(true) no two triangles of what is written go through each other, not
+%   even such as an operand has brought and no tolerance could tell. The rest of
 %   the world may be gone afterwards.
 
-solids_written(Ss, Outputs) :-
+solids_written(Ss, Outputs, Options) :-
     partition([output(_, pl)]>>true, Outputs, Models, Meshes),
     findall(S-Name,
             ( member(S, Ss), segment(S, _, Term), result_name(Term, Name) ),
             Pairs),
-    maplist(output_written(sg_solid_verbs:solids_output(Pairs)), Meshes),
+    (   option(repair(true), Options)
+    ->  Check = all
+    ;   Check = changed
+    ),
+    maplist(output_written(sg_solid_verbs:solids_output(Pairs, Check)), Meshes),
     (   Models == []
     ->  true
     ;   roots_alone,
         maplist(output_written(save_model), Models)
     ).
 
-solids_output(Pairs, File) :-
-    write_solids(File, Pairs, []).
+solids_output(Pairs, Check, File) :-
+    write_solids(File, Pairs, [check(Check)]).
 
 %   result_name(Term, Name): what a segment with this Term is called in a file.
 

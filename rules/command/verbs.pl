@@ -34,7 +34,7 @@
               ]).
 :- use_module('../sheet/sheet_plan', [views_drawing/4]).
 :- use_module(solid_verbs,
-              [ solid_verb/1, solid_verb_run/4, solids_written/2,
+              [ solid_verb/1, solid_verb_run/4, solids_written/3,
                 empty_roots_warned/0 ]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
@@ -106,7 +106,7 @@ verb_run(convert, Files, Options, 0) :-
     ;   aside_segments([_|_])
     ->  evaluate,
         findall(S, root_segment(S), Roots),
-        solids_written(Roots, Meshes)
+        solids_written(Roots, Meshes, [])
     ;   maplist(output_written(model_output), Meshes)
     ).
 verb_run(penetrate, Files, Options, 0) :-

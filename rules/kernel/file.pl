@@ -12,7 +12,7 @@
             boundary_coarsen/3,       % +Boundary, +Grid, -Coarser
             boundary_close/1,         % +Boundary
             boundary_counts/2,        % +Boundary, -Counts
-            boundary_meetings/4,      % +Boundary, +All, +Exact, -Meetings
+            boundary_meetings/3,      % +Boundary, +All, -Meetings
             boundary_add/2,           % +Boundary, +S
             boundary_write/5,         % +Boundary, +Stream, +Format, +Names,
                                       % -Result
@@ -100,13 +100,14 @@ Foreign predicates; see kernel.pl.
 %   vertices were added; for Stuck faces no triangles were found; Cancelled
 %   faces lay on each other, back to back.
 
-%!  boundary_meetings(+Boundary, +All, +Exact, -Meetings) is det.
+%!  boundary_meetings(+Boundary, +All, -Meetings) is det.
 %
 %   Meetings are meeting(Kind, X, Y, Z), where triangles go through each other
-%   (`self_penetration`) or share some area (`self_overlap`), as self_meetings/2
-%   says: exactly if Exact, else beyond the tolerance. Unless All, only those
-%   where one of the two is not as the segment has it: rounding, a cut, or
-%   dividing a polygon has made it.
+%   (`self_penetration`) or share some area (`self_overlap`), exactly. If All,
+%   also where they touch along more than an edge that they share
+%   (`self_touching`): sheets may cross there. Else only meetings where one of
+%   the two is not as the segment has it: rounding, a cut, or dividing a polygon
+%   has made it.
 
 %!  boundary_add(+Boundary, +S) is det.
 %

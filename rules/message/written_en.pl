@@ -12,12 +12,12 @@ written_ko.pl has the same heads in Korean (tests/rules/model/solid_file.plt).
 %   The notice written(File, What).
 
 written_en(rounds(1)) -->
-    [ 'rounding made it go through itself; united with itself once, \c
-       on a coarser grid' ].
+    [ 'as rounded it goes through itself or lies on itself; united with \c
+       itself once, on a coarser grid' ].
 written_en(rounds(N)) -->
     { N > 1 },
-    [ 'rounding made it go through itself; united with itself ~D times, \c
-       on coarser grids'-[N] ].
+    [ 'as rounded it goes through itself or lies on itself; united with \c
+       itself ~D times, on coarser grids'-[N] ].
 written_en(empty) -->
     [ 'the solid is empty: a file without faces' ].
 written_en(collapsed) -->
@@ -41,6 +41,10 @@ unwritten_en(crossing(N)) -->
     instead_en(other_file).
 unwritten_en(penetrates(N, meeting(_, X, Y, Z))) -->
     [ 'it goes through itself in ~D places, first near ~g ~g ~g'-[N,X,Y,Z] ],
+    instead_en(other_file).
+unwritten_en(touches(N, meeting(_, X, Y, Z))) -->
+    [ 'it lies on itself along a line in ~D places, first near \c
+       ~g ~g ~g'-[N,X,Y,Z] ],
     instead_en(other_file).
 
 instead_en(other_file) -->

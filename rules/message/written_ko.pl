@@ -11,10 +11,10 @@
 %   As written_en//1.
 
 written_ko(rounds(1)) -->
-    [ '반올림으로 자신을 뚫고 지나가서, 더 성긴 격자에서 자신과 한 번 합했다' ].
+    [ '반올림된 입체가 자신을 뚫고 지나가거나 자신에 닿아서, 더 성긴 격자에서 자신과 한 번 합했다' ].
 written_ko(rounds(N)) -->
     { N > 1 },
-    [ '반올림으로 자신을 뚫고 지나가서, 더 성긴 격자에서 자신과 ~D번 합했다'-[N] ].
+    [ '반올림된 입체가 자신을 뚫고 지나가거나 자신에 닿아서, 더 성긴 격자에서 자신과 ~D번 합했다'-[N] ].
 written_ko(empty) -->
     [ '입체가 비어 있다: 면이 없는 파일' ].
 written_ko(collapsed) -->
@@ -36,6 +36,9 @@ unwritten_ko(crossing(N)) -->
     instead_ko(other_file).
 unwritten_ko(penetrates(N, meeting(_, X, Y, Z))) -->
     [ '~D곳에서 자신을 뚫고 지나간다. 처음은 ~g ~g ~g 근처다'-[N,X,Y,Z] ],
+    instead_ko(other_file).
+unwritten_ko(touches(N, meeting(_, X, Y, Z))) -->
+    [ '~D곳에서 선을 따라 자신에 닿는다. 처음은 ~g ~g ~g 근처다'-[N,X,Y,Z] ],
     instead_ko(other_file).
 
 instead_ko(other_file) -->

@@ -7,7 +7,7 @@
 :- use_module('../solid/boolean', [boolean/3]).
 :- use_module('../kernel',
               [ boundary_open/7, boundary_coarsen/3, boundary_close/1,
-                boundary_counts/2, boundary_meetings/4, boundary_add/2,
+                boundary_counts/2, boundary_meetings/3, boundary_add/2,
                 boundary_write/5, fill_triangles/1
               ]).
 :- use_module(mesh, [mesh_file_format/3, mesh_to_file/2, mesh_outcome/1]).
@@ -19,7 +19,7 @@
                 fresh_id/3
               ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(apply), [foldl/5, foldl/6]).
+:- use_module(library(apply), [foldl/5, foldl/6, partition/4]).
 :- use_module(library(error), [existence_error/2, must_be/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs), [pairs_keys_values/3]).
@@ -37,10 +37,9 @@ solid goes to a mesh file in these steps.
     polygon has made is checked against everything; the rest is as the solid has
     it.
  3. If something is wrong, the rounded mesh is united with itself, rounded, and
-    checked again. What goes through itself even then goes to a coarser grid:
-    the triangles concerned and what is near their corners, no others
-    (output_grid/4 below says how coarse).
-    Five times at most.
+    checked again, all of it. What goes through itself even then goes to a
+    coarser grid: the triangles concerned and what is near their corners, no
+    others (output_grid/4 below says how coarse). Five times at most.
  4. The file is written beside, and takes its name.
 
 The bytes depend on where the solid is alone: vertices ascend by their
@@ -64,7 +63,8 @@ share.
 %     - shared(true)
 %       No copies: vertices and edges in which bodies touch stay shared.
 %     - check(Which)
-%       `changed`, as step 2 says; `all`: every triangle; or `none`.
+%       `changed`, as step 2 says; `all`: every triangle, and none may lie on
+%       another along more than an edge of both; or `none`.
 %     - rounds(N)
 %       Of step 3; default 5.
 %
@@ -75,8 +75,9 @@ share.
 %
 %   @error existence_error(segment, S),
 %   geometry_error(written(faulty(S, Rounds, Fault))): Fault is one of open(N)
-%   edges, undivided(N) faces, crossing(N) edges, penetrates(N, Meeting) as of
-%   boundary_meetings/4. No file then, nor is an old one touched
+%   edges, undivided(N) faces, crossing(N) edges, penetrates(N, Meeting) or
+%   touches(N, Meeting) as of boundary_meetings/3. No file then, nor is an old
+%   one touched
 
 write_solid(File, S) :-
     write_solid(File, S, []).
@@ -234,7 +235,7 @@ clean_boundary(S, Manner, Options, Boundary, Rounds) :-
     (   Which == none
     ->  Boundary = Boundary0,
         Rounds = 0
-    ;   boundary_fault(Boundary0, Which, true, Fault)
+    ;   boundary_fault(Boundary0, Which, Fault)
     ->  boundary_close(Boundary0),
         next_round(Fault, S, 1, Most, task(S, Manner), Boundary, Rounds)
     ;   Boundary = Boundary0,
@@ -245,9 +246,9 @@ rounded(S, manner(Single, Form, Copies), Boundary) :-
     findall(S-V, origin(S, v(V), _), Made),
     boundary_open([S], Made, Single, 0.0, Form, Copies, Boundary).
 
-%   boundary_fault(Boundary, Which, Exact, Fault): the first fault there is.
+%   boundary_fault(Boundary, Which, Fault): the first fault there is.
 
-boundary_fault(Boundary, Which, Exact, Fault) :-
+boundary_fault(Boundary, Which, Fault) :-
     boundary_counts(Boundary, Counts),
     Counts = counts(_, _, _, Open, Crossing, _, _, Stuck, _),
     (   Stuck > 0
@@ -260,11 +261,18 @@ boundary_fault(Boundary, Which, Exact, Fault) :-
         ->  All = true
         ;   All = false
         ),
-        boundary_meetings(Boundary, All, Exact, Meetings),
-        Meetings = [First|_],
-        length(Meetings, N),
-        Fault = penetrates(N, First)
+        boundary_meetings(Boundary, All, Meetings),
+        partition(only_touches, Meetings, Touches, Through),
+        (   Through = [First|_]
+        ->  length(Through, N),
+            Fault = penetrates(N, First)
+        ;   Touches = [First|_],
+            length(Touches, N),
+            Fault = touches(N, First)
+        )
     ).
+
+only_touches(meeting(self_touching, _, _, _)).
 
 %   next_round(Fault, S, Round, Most, Task, Boundary, Rounds): S, rounded, has
 %   Fault; it is united with itself, and Boundary is what comes out: with what
@@ -292,7 +300,7 @@ united_round(Fault0, S0, Round, Most, Task, Boundary, Rounds) :-
         S2 = S0
     ),
     rounded(S2, Manner, Boundary0),
-    (   boundary_fault(Boundary0, all, true, _)
+    (   boundary_fault(Boundary0, all, _)
     ->  output_grid(Single, Round, S1, Grid),
         boundary_coarsen(Boundary0, Grid, Boundary1),
         boundary_close(Boundary0),
@@ -301,15 +309,11 @@ united_round(Fault0, S0, Round, Most, Task, Boundary, Rounds) :-
         Rounds = Round
     ).
 
-%   judged(Boundary0, S, Round, Most, Task, Boundary, Rounds): what the last
-%   round leaves may go through itself within the tolerance that check allows.
+%   judged(Boundary0, S, Round, Most, Task, Boundary, Rounds): Boundary0 is what
+%   came of Round.
 
 judged(Boundary0, S, Round, Most, Task, Boundary, Rounds) :-
-    (   Round < Most
-    ->  Exact = true
-    ;   Exact = false
-    ),
-    (   boundary_fault(Boundary0, all, Exact, Fault)
+    (   boundary_fault(Boundary0, all, Fault)
     ->  (   closed_copy(Boundary0, Copy)
         ->  true
         ;   Copy = S

@@ -297,14 +297,13 @@ test_turned(void)
   double was = volume();
   CHECK("turned over", make(1, false, true, false) && is_clean());
   CHECK("nothing lies on anything",
-        sg_boundary_mesh_meetings(&mesh, true, 0, NULL, NULL, &met) &&
-            met.n == 0);
+        sg_boundary_mesh_meetings(&mesh, true, NULL, NULL, &met) && met.n == 0);
   CHECK("the volume", fabs(volume() - was) < 1e-12);
   free(met.item);
   drop_turned = false;
   CHECK("it may stay, and then it lies on another",
         make(1, false, true, false) && is_clean() &&
-            sg_boundary_mesh_meetings(&mesh, true, 0, NULL, NULL, &met) &&
+            sg_boundary_mesh_meetings(&mesh, true, NULL, NULL, &met) &&
             met.n > 0);
   drop_turned = true;
   free(met.item);
