@@ -4,16 +4,14 @@
 #include "bvh_join.h"
 #include "oriented_box.h"
 #include "polygon/flatness.h"
-#include "rows/key_table.h"
+#include "rows/places.h"
 #include "self_pair.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-  BLOCK = 2048, /* candidates in a task */
-  WORDS = 6,    /* three doubles */
-  POLL_EVERY = 1 << 15
+  BLOCK = 2048 /* candidates in a task */
 };
 
 const char *const sg_self_name[SG_SELF_KINDS] = {
@@ -48,37 +46,6 @@ typedef struct joiner {
   block *block;
   size_t blocks;
 } joiner;
-
-/* ---- vertices in one place ---------------------------------------------- */
-
-static bool
-number_places(joiner *j, size_t vertices, const sg_poll *poll)
-{
-  const sg_dense *d = j->model.d;
-  sg_key_table table;
-  bool done = true;
-
-  j->place = malloc((vertices + 1) * sizeof *j->place);
-  sg_key_table_init(&table, WORDS);
-  for (size_t v = 0; v < vertices && j->place && done; v++) {
-    uint32_t key[WORDS], *number;
-    double at[3];
-
-    for (int k = 0; k < 3; k++) {
-      at[k] = d->at[j->model.first + v][k] + 0.0; /* no -0.0 */
-    }
-    memcpy(key, at, sizeof key);
-    number = sg_key_table_put(&table, key);
-    done = number && (v % POLL_EVERY != 0 || !sg_poll_stop(poll));
-    if (done) {
-      *number = *number == SG_NO_KEY ? (uint32_t)v : *number;
-      j->place[v] = *number;
-    }
-  }
-  sg_key_table_clear(&table);
-  j->model.place = j->place;
-  return j->place && done;
-}
 
 /* ---- candidates --------------------------------------------------------- */
 
@@ -339,6 +306,15 @@ clear(joiner *j)
 }
 
 static bool
+find_places(joiner *j, size_t vertices, const sg_poll *poll)
+{
+  const double(*at)[3] = (const double(*)[3])j->model.d->at + j->model.first;
+
+  j->model.place = j->place = sg_places_of(at, vertices, poll);
+  return j->place != NULL;
+}
+
+static bool
 find_some(joiner *j)
 {
   if (!j->changed) {
@@ -375,7 +351,7 @@ sg_self_cut_changed(const sg_dense *dense, size_t s,
   *out = (sg_self_meetings){0};
   bool done =
       find_some(&j) && (j.triangles == 0 || (changed && j.some_n == 0) ||
-                        (number_places(&j, vertices, poll) &&
+                        (find_places(&j, vertices, poll) &&
                          find_candidates(&j, vertices, crew, poll) &&
                          test_candidates(&j, crew, poll) && gather(&j, out)));
 

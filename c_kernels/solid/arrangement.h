@@ -42,10 +42,16 @@ typedef struct sg_component {
                           those it lies on, by segment. All others: 0, 0 */
   size_t sides;
   bool second;  /* it lies on a piece of a segment with a smaller number, or of
-                   its own with a smaller triangle: one of the two is enough.
+                   its own in a smaller polygon: one of the two is enough.
                    A solid's is never second to a surface's */
   bool unknown; /* it has no area: nobody could say */
 } sg_component;
+
+/* A polygon of a leaf that counts for several (sewing.h). */
+typedef struct sg_weight {
+  int32_t s, p;
+  int weight;
+} sg_weight;
 
 /* What the leaves are taken from: all borrowed, until the arrangement closes.
  * Segments ascending. Near pairs are those that the set has cut: all that a
@@ -61,6 +67,8 @@ typedef struct sg_leaves {
   const sg_knots *const *knots; /* [n]: of the trees */
   const int32_t (*near)[2];     /* [pairs]: segments */
   size_t pairs;
+  const sg_weight *weight; /* [weights]: by s, p; all others count once */
+  size_t weights;
 } sg_leaves;
 
 /* Null: no memory, or stopped. The set is sealed, and nothing enters it any

@@ -13,7 +13,7 @@
 #include <SWI-Stream.h>
 #include <stdlib.h>
 
-static functor_t functor_work3;
+static functor_t functor_work3, functor_weight3;
 static atom_t atom_surface;
 
 /* ---- the handle ---- */
@@ -34,6 +34,7 @@ close_handle(sg_arrangement_handle *h)
   free(h->s);
   free(h->wanted);
   free(h->surface);
+  free(h->weight);
   free(h->origin_at);
   free(h->origin);
   h->tree = NULL;
@@ -42,6 +43,7 @@ close_handle(sg_arrangement_handle *h)
   h->s = NULL;
   h->wanted = NULL;
   h->surface = NULL;
+  h->weight = NULL;
   h->origin_at = NULL;
   h->origin = NULL;
   h->n = 0;
@@ -140,6 +142,38 @@ get_leaves_ex(term_t segments, term_t wanted, sg_arrangement_handle *h)
   return good;
 }
 
+/* Reads [weight(S, P, Weight), ...], ascending. */
+static int
+get_weights_ex(term_t list, sg_arrangement_handle *h)
+{
+  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
+  term_t arg = PL_new_term_ref();
+  size_t length;
+
+  if (PL_skip_list(list, 0, &length) != PL_LIST) {
+    return PL_type_error("list", list);
+  }
+  if (!(h->weight = calloc(length + 1, sizeof *h->weight))) {
+    return sg_no_memory();
+  }
+  for (; h->weights < length; h->weights++) {
+    sg_weight *one = &h->weight[h->weights];
+
+    if (!PL_get_list_ex(tail, head, tail)) {
+      return FALSE;
+    }
+    if (!PL_is_functor(head, functor_weight3)) {
+      return PL_type_error("weight", head);
+    }
+    if (!PL_get_arg(1, head, arg) || !sg_get_id_ex(arg, &one->s) ||
+        !PL_get_arg(2, head, arg) || !sg_get_id_ex(arg, &one->p) ||
+        !PL_get_arg(3, head, arg) || !PL_get_integer_ex(arg, &one->weight)) {
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
 /* Which leaves are surfaces, by segment/3. */
 static int
 find_surfaces_ex(sg_arrangement_handle *h)
@@ -184,9 +218,10 @@ hold_trees_ex(sg_arrangement_handle *h)
 
 static atomic_uint_fast64_t opened; /* arrangements, ever */
 
-/* arrangement_open(+Set, +Segments, +Wanted, -Arrangement) is det. */
+/* arrangement_open(+Set, +Segments, +Wanted, +Weights, -Arrangement) is det. */
 static foreign_t
-arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
+arrangement_open(term_t set, term_t segments, term_t wanted, term_t weights,
+                 term_t out)
 {
   sg_arrangement_handle *h = calloc(1, sizeof *h);
 
@@ -198,8 +233,8 @@ arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
     return FALSE;
   }
   sg_cut_set_keep(h->set);
-  int good = get_leaves_ex(segments, wanted, h) && find_surfaces_ex(h) &&
-             hold_trees_ex(h);
+  int good = get_leaves_ex(segments, wanted, h) && get_weights_ex(weights, h) &&
+             find_surfaces_ex(h) && hold_trees_ex(h);
 
   if (good) {
     h->arrangement = sg_arrangement_open(
@@ -212,7 +247,9 @@ arrangement_open(term_t set, term_t segments, term_t wanted, term_t out)
                      .n = h->n,
                      .knots = h->knots,
                      .near = (const int32_t(*)[2])h->set->pair,
-                     .pairs = h->set->pairs},
+                     .pairs = h->set->pairs,
+                     .weight = h->weight,
+                     .weights = h->weights},
         &sg_prolog_poll);
     good = h->arrangement || (PL_exception(0) ? FALSE : sg_no_memory());
   }
@@ -369,7 +406,7 @@ arrangement_seal(term_t t)
 }
 
 static const PL_extension predicates[] = {
-    {"arrangement_open", 4, arrangement_open, 0},
+    {"arrangement_open", 5, arrangement_open, 0},
     {"arrangement_hold", 1, arrangement_hold, 0},
     {"arrangement_drop", 1, arrangement_drop, 0},
     {"arrangement_polygons", 3, arrangement_polygons, 0},
@@ -381,6 +418,7 @@ void
 sg_install_arrangement(void)
 {
   functor_work3 = PL_new_functor(PL_new_atom("work"), 3);
+  functor_weight3 = PL_new_functor(PL_new_atom("weight"), 3);
   atom_surface = PL_new_atom("surface");
   PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -142,6 +142,31 @@ is_before(const rays *r, const sg_part *part)
          (!leaf[r->leaf].surface || leaf[part->leaf].surface);
 }
 
+static int
+compare_weights(const void *x, const void *y)
+{
+  const sg_weight *a = x, *b = y;
+
+  return a->s != b->s ? (a->s > b->s) - (a->s < b->s)
+                      : (a->p > b->p) - (a->p < b->p);
+}
+
+/* How often the triangle of a row counts. */
+static int
+weight_of(const rays *r, uint32_t row)
+{
+  const sg_leaves *leaves = &r->a->leaves;
+
+  if (leaves->weights == 0) {
+    return 1;
+  }
+  sg_weight key = {r->a->leaf[r->leaf].s, sg_arranged_polygon(r->a, row), 0};
+  const sg_weight *known = bsearch(&key, leaves->weight, leaves->weights,
+                                   sizeof key, compare_weights);
+
+  return known ? known->weight : 1;
+}
+
 /* A triangle that has the point. */
 static void
 lies_on(rays *r, size_t i, const sg_point corner[3], uint32_t row)
@@ -149,7 +174,7 @@ lies_on(rays *r, size_t i, const sg_point corner[3], uint32_t row)
   sg_part *part = &r->a->part[r->part[i]];
   int axis = seen_along(part->normal);
   int turn = sg_point_turn(axis, &corner[0], &corner[1], &corner[2]);
-  int same = turn * part->normal[axis];
+  int same = turn * part->normal[axis] * weight_of(r, row);
 
   if (turn == 0 || !is_within(corner, &part->at, axis, turn)) {
     part->again = true;
@@ -159,7 +184,8 @@ lies_on(rays *r, size_t i, const sg_point corner[3], uint32_t row)
   if (begins(part->normal) * part->normal[0] < 0) {
     r->turns[i] += part->normal[0] * same;
   }
-  if (r->leaf == part->leaf ? row < part->row : is_before(r, part)) {
+  if (r->leaf == part->leaf ? sg_arranged_polygon(r->a, row) < part->p
+                            : is_before(r, part)) {
     part->second = true;
   }
 }
@@ -191,7 +217,8 @@ count(rays *r, size_t i, uint32_t row)
   if (sg_is_on_triangle(&corner[0], &corner[1], &corner[2], at)) {
     lies_on(r, i, corner, row);
   } else {
-    r->turns[i] += sg_winding_of(&corner[0], &corner[1], &corner[2], at);
+    r->turns[i] += weight_of(r, row) *
+                   sg_winding_of(&corner[0], &corner[1], &corner[2], at);
   }
 }
 

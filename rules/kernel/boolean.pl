@@ -36,8 +36,11 @@
             % face_merge4pl.c
             solid_merge/4,            % +Solid, +Tolerance, +Options, -Tight
             solid_neighbours/3,       % +Solid, +Tolerance, -Pairs
+            % sewing4pl.c
+            segment_sewn/2,           % +S, -Weights
             % arrangement4pl.c
-            arrangement_open/4,       % +Set, +Segments, +Wanted, -Arrangement
+            arrangement_open/5,       % +Set, +Segments, +Wanted, +Weights,
+                                      % -Arrangement
             arrangement_polygons/3,   % +Arrangement, +Works, +Reach
             arrangement_seal/1,       % +Arrangement
             arrangement_hold/1,       % +Arrangement
@@ -256,9 +259,23 @@ Foreign predicates; see kernel.pl.
 %   other way than polygon P0 of S0. Sorted by S0, P0 and Sense, 1 before -1,
 %   each pair once, the lesser part first.
 
+/* - - - sewing4pl.c - - - */
+
+%!  segment_sewn(+S, -Weights:list) is semidet.
+%
+%   Vertices of segment S that are in one place become one, the first of them,
+%   and so do polygons that lie on each other, turned round or not: those that
+%   count for several are the P-Weight in Weights, ascending, Weight not 1: how
+%   often they count, turned over if it is negative. Polygons that cancel each
+%   other fall out. Vertices stay, used or not. Fails, and changes nothing, if
+%   no two vertices are in one place. Call it in a facts_snapshot/1.
+%
+%   @see c_kernels/solid/sewing.h
+
 /* - - - arrangement4pl.c - - - */
 
-%!  arrangement_open(+Set, +Segments:list, +Wanted:list, -Arrangement) is det.
+%!  arrangement_open(+Set, +Segments:list, +Wanted:list, +Weights:list,
+%!                   -Arrangement) is det.
 %!  arrangement_polygons(+Arrangement, +Works:list, +Reach) is det.
 %!  arrangement_seal(+Arrangement) is det.
 %!  arrangement_hold(+Arrangement) is det.

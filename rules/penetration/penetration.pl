@@ -24,7 +24,7 @@
                 cut_side/4, cut_enter/4, cut_triangle/5, cut_ends/4,
                 near_segments/3, cut_seal/1, cut_chains/2, cut_polygons/2,
                 cut_polygons_of/3, model_tolerance/1,
-                segments_meeting_themselves/2
+                segments_meeting_themselves/2, segment_sewn/2
               ]).
 :- use_module('../csg/leaf',
               [ leaves_kept/1, were_cut/2, earlier_cuts/2, leaves_restored/1
@@ -312,14 +312,16 @@ chains_of_leaves(Pairs, Tolerance, Chains) :-
 
 %!  leaf_lines(+Pairs:list, +Wanted:list, +Tolerance, :Goal) is semidet.
 %
-%   The lines of Pairs, before they enter any polygon: call(Goal, Set, Polygons)
-%   gets the cut set and, as S-P, the polygons of the segments Wanted in which
-%   lines run, and those in which lines of these run.
+%   The lines of Pairs, before they enter any polygon:
+%   call(Goal, Set, Polygons, Weights) gets the cut set and, as S-P, the
+%   polygons of the segments Wanted in which lines run, and those in which lines
+%   of these run.
 %   What touches within Tolerance is made to touch first, in the world, and
 %   earlier cuts of these segments are taken back: call it in a
-%   facts_snapshot/1.
+%   facts_snapshot/1. Solids S with S-S in Pairs are sewn then (segment_sewn/2):
+%   Weights has the weight(S, P, Weight) of their polygons.
 
-:- meta_predicate leaf_lines(+, +, +, 2).
+:- meta_predicate leaf_lines(+, +, +, 3).
 
 leaf_lines(Pairs, Wanted, Tolerance, Goal) :-
     earlier_cuts(Pairs, Earlier),
@@ -328,12 +330,29 @@ leaf_lines(Pairs, Wanted, Tolerance, Goal) :-
     ;   leaves_restored(Earlier)
     ),
     contact_pairs(Pairs, Tolerance, Contacts),
-    touched(Pairs, Contacts, Tolerance, lined(Wanted, Goal), _).
+    touched(Pairs, Contacts, Tolerance, sewn(Wanted, Tolerance, Goal), _).
 
-lined(Wanted, Goal, _, Set) :-
+%   What is sewn has other rows than Set was opened with.
+
+sewn(Wanted, Tolerance, Goal, Pairs, Set) :-
+    findall(S-Weights,
+            ( member(S-S, Pairs),
+              segment(S, solid, _),
+              segment_sewn(S, Weights)
+            ),
+            Sewn),
+    (   Sewn == []
+    ->  lined(Wanted, Goal, [], Pairs, Set)
+    ;   findall(weight(S, P, Weight),
+                ( member(S-Weights, Sewn), member(P-Weight, Weights) ),
+                All),
+        with_cut_set(Pairs, Tolerance, lined(Wanted, Goal, All))
+    ).
+
+lined(Wanted, Goal, Weights, _, Set) :-
     stage(rules, find_lines(Set)),
     cut_polygons_of(Set, Wanted, Polygons),
-    call(Goal, Set, Polygons).
+    call(Goal, Set, Polygons, Weights).
 
 chained(Chains, _, Set) :-
     cut_of_faces(Set),

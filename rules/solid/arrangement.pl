@@ -12,7 +12,7 @@
             pieces_statistics/1         % -Statistics
           ]).
 :- use_module('../kernel',
-              [ arrangement_open/4, arrangement_hold/1, arrangement_drop/1,
+              [ arrangement_open/5, arrangement_hold/1, arrangement_drop/1,
                 arrangement_polygons/3, arrangement_free_polygons/3,
                 arrangement_seal/1,
                 arrangement_components/2, arrangement_select/3,
@@ -346,7 +346,7 @@ arranged(Pairs, Stamps, Wanted, Tolerance, Arrangement, Changed) :-
                                         Arrangement, Changed)).
 
 in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Passings, Set,
-          Polygons) :-
+          Polygons, Weights) :-
     pairs_keys(Stamps0, Segments),
     segment_stamps(Segments, Stamps),
     ord_subtract(Stamps, Stamps0, ChangedStamps),
@@ -358,7 +358,8 @@ in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Passings, Set,
             ),
             Passings),
     tolerance_reach(Tolerance, Reach),
-    divided(Set, Segments-Wanted, Polygons, Reach, Arrangement).
+    divided(Set, leaves(Segments, Wanted, Weights), Polygons, Reach,
+            Arrangement).
 
 %   divided(+Set, +Leaves, +Polygons, +Tolerance, -Arrangement): mostly lines
 %   meet nothing in the polygons that they enter. Then a fused kernel enters and
@@ -382,8 +383,8 @@ divided(Set, Leaves, Polygons, Tolerance, Arrangement) :-
 
 %   filled(+Set, +Leaves, +Fill, -Arrangement): it has what Fill puts there.
 
-filled(Set, Segments-Wanted, Fill, Arrangement) :-
-    arrangement_open(Set, Segments, Wanted, Arrangement),
+filled(Set, leaves(Segments, Wanted, Weights), Fill, Arrangement) :-
+    arrangement_open(Set, Segments, Wanted, Weights, Arrangement),
     (   catch(( filled_with(Fill, Arrangement),
                 arrangement_seal(Arrangement)
               ),

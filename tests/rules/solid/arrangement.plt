@@ -6,7 +6,7 @@ rules/solid/arrangement.pl. */ :- use_module(library(plunit)).
 :- use_module(rules(penetration/joints), [merge_joints/2]).
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_find/1, cut_seal/1,
-                cut_polygons_of/3, arrangement_open/4, arrangement_drop/1,
+                cut_polygons_of/3, arrangement_open/5, arrangement_drop/1,
                 arrangement_polygons/3, arrangement_free_polygons/3,
                 arrangement_seal/1, arrangement_components/2,
                 arrangement_select/3, solid_close/1
@@ -221,18 +221,21 @@ test(free_polygons, [true(Compared-Crossed == 14-true)]) :-
 %   Nothing more is filled into what is sealed; what is not has no pieces.
 
 test(sealed_twice, error(permission_error(fill, arrangement, _))) :-
-    with_two_boxes([Set]>>( arrangement_open(Set, [1,2], [1,2], Arrangement),
+    with_two_boxes([Set]>>( arrangement_open(Set, [1,2], [1,2], [],
+                                     Arrangement),
                             cut_polygons_of(Set, [1,2], Polygons),
                             arrangement_free_polygons(Arrangement, Polygons,
                                                       0.0),
                             arrangement_seal(Arrangement),
                             arrangement_seal(Arrangement) )).
 test(filled_late, error(permission_error(fill, arrangement, _))) :-
-    with_two_boxes([Set]>>( arrangement_open(Set, [1,2], [1,2], Arrangement),
+    with_two_boxes([Set]>>( arrangement_open(Set, [1,2], [1,2], [],
+                                     Arrangement),
                             arrangement_seal(Arrangement),
                             arrangement_free_polygons(Arrangement, [], 0.0) )).
 test(selected_early, error(permission_error(select, arrangement, _))) :-
-    with_two_boxes([Set]>>( arrangement_open(Set, [1,2], [1,2], Arrangement),
+    with_two_boxes([Set]>>( arrangement_open(Set, [1,2], [1,2], [],
+                                     Arrangement),
                             arrangement_select([1-Arrangement], [], _) )).
 
 with_two_boxes(Goal) :-
@@ -280,12 +283,12 @@ alike_in(Set, Ss, How) :-
     merge_joints(Set, straight),
     cut_polygons_of(Set, Ss, Polygons),
     stays_entered(Set),
-    arrangement_open(Set, Ss, Ss, Fused),
+    arrangement_open(Set, Ss, Ss, [], Fused),
     (   Polygons == []
     ->  How = apart
     ;   arrangement_free_polygons(Fused, Polygons, 0.0)
     ->  enter_polygons(is_list, Set, Polygons, Works),
-        arrangement_open(Set, Ss, Ss, Ruled),
+        arrangement_open(Set, Ss, Ss, [], Ruled),
         arrangement_polygons(Ruled, Works, 0.0),
         close_works(Works),
         maplist(chosen(Ss), [Fused,Ruled], [Rows1,Rows2]),

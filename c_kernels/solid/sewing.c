@@ -1,0 +1,356 @@
+/* sewing.c -- see sewing.h. */
+#include "sewing.h"
+
+#include "join/cut.h"
+#include "number/exact.h"
+#include "rows/edge_print.h"
+#include "rows/places.h"
+#include "rows/sort.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ASKED = 1 << 14 }; /* polygons between questions */
+
+/* A half-edge, `last` is NO_CORNER; or a triangle, its lowest corner first. */
+typedef struct part {
+  uint32_t first, second, last;
+} part;
+
+static const uint32_t NO_CORNER = UINT32_MAX;
+static const int32_t ANOTHER = INT32_MIN; /* as a weight: the same as another */
+
+/* A polygon by what it is made of, whichever way round. */
+typedef struct print {
+  uint64_t value;
+  uint32_t polygon;
+} print;
+
+typedef struct sewer {
+  const sg_dense *d;
+  sg_sewing *out;
+  uint32_t *begin;    /* [polygons + 1] in triangle[] */
+  uint32_t *triangle; /* by polygon */
+  print *print;       /* [polygons], by value, then by polygon */
+  part *part[2];      /* room for those of any polygon */
+} sewer;
+
+/* ---- vertices ---- */
+
+/* What was seen last where a vertex is. */
+typedef struct seen {
+  uint32_t polygon, vertex;
+  bool twice; /* a polygon has two vertices there */
+} seen;
+
+static void
+see(seen *all, const uint32_t *vertex, uint32_t polygon, int32_t v)
+{
+  seen *here = &all[vertex[v]];
+
+  here->twice =
+      here->twice || (here->polygon == polygon && here->vertex != (uint32_t)v);
+  here->polygon = polygon;
+  here->vertex = (uint32_t)v;
+}
+
+/* Corners of a polygon's triangles need not be on its edges. */
+static void
+see_all(const sewer *s, seen *all)
+{
+  const sg_dense *d = s->d;
+  const uint32_t *vertex = s->out->vertex;
+
+  for (uint32_t p = 0; p < d->polygons; p++) {
+    for (uint32_t i = d->list_begin[p]; i < d->list_begin[p + 1]; i++) {
+      see(all, vertex, p, d->from[d->list[i]]);
+      see(all, vertex, p, d->to[d->list[i]]);
+    }
+    for (uint32_t i = s->begin[p]; i < s->begin[p + 1]; i++) {
+      for (int k = 0; k < 3; k++) {
+        see(all, vertex, p, d->corner[s->triangle[i]][k]);
+      }
+    }
+  }
+}
+
+static bool
+find_vertices(sewer *s, const sg_poll *poll)
+{
+  size_t n = s->d->vertices;
+  uint32_t *vertex = sg_places_of((const double(*)[3])s->d->at, n, poll);
+  seen *all = malloc((n + 1) * sizeof *all);
+  bool good = vertex && all;
+
+  s->out->vertex = vertex;
+  for (size_t v = 0; good && v < n; v++) {
+    all[v] = (seen){UINT32_MAX, 0, false};
+  }
+  if (good) {
+    see_all(s, all);
+  }
+  for (uint32_t v = 0; good && v < n; v++) {
+    if (all[vertex[v]].twice) {
+      vertex[v] = v; /* a first one comes before the others */
+    }
+    s->out->any = s->out->any || vertex[v] != v;
+  }
+  free(all);
+  return good;
+}
+
+/* ---- polygons ---- */
+
+static bool
+sort_triangles(sewer *s)
+{
+  const sg_dense *d = s->d;
+
+  s->begin = calloc(d->polygons + 2, sizeof *s->begin);
+  s->triangle = malloc((d->triangles + 1) * sizeof *s->triangle);
+  if (!s->begin || !s->triangle) {
+    return false;
+  }
+  for (size_t t = 0; t < d->triangles; t++) {
+    s->begin[d->polygon_of[t] + 2]++;
+  }
+  for (size_t p = 2; p < d->polygons + 2; p++) {
+    s->begin[p] += s->begin[p - 1];
+  }
+  for (uint32_t t = 0; t < d->triangles; t++) {
+    s->triangle[s->begin[d->polygon_of[t] + 1]++] = t;
+  }
+  return true;
+}
+
+static size_t
+edges_of(const sewer *s, uint32_t p)
+{
+  return s->d->list_begin[p + 1] - s->d->list_begin[p];
+}
+
+static size_t
+triangles_of(const sewer *s, uint32_t p)
+{
+  return s->begin[p + 1] - s->begin[p];
+}
+
+/* Half-edge i of a polygon. */
+static part
+edge_at(const sewer *s, uint32_t p, size_t i)
+{
+  int32_t e = s->d->list[s->d->list_begin[p] + i];
+  const uint32_t *vertex = s->out->vertex;
+
+  return (part){vertex[s->d->from[e]], vertex[s->d->to[e]], NO_CORNER};
+}
+
+static part
+triangle_at(const sewer *s, uint32_t p, size_t i)
+{
+  const int32_t *corner = s->d->corner[s->triangle[s->begin[p] + i]];
+  const uint32_t *vertex = s->out->vertex;
+  uint32_t v[3] = {vertex[corner[0]], vertex[corner[1]], vertex[corner[2]]};
+  int k = v[1] < v[0] ? 1 : 0;
+
+  k = v[2] < v[k] ? 2 : k;
+  return (part){v[k], v[(k + 1) % 3], v[(k + 2) % 3]};
+}
+
+static part
+turned_round(part one)
+{
+  return one.last == NO_CORNER ? (part){one.second, one.first, NO_CORNER}
+                               : (part){one.first, one.last, one.second};
+}
+
+/* The same for all equal polygons; rarely for others. */
+static uint64_t
+print_of(const sewer *s, uint32_t p)
+{
+  size_t n = edges_of(s, p);
+  uint64_t sum = sg_spread_bits(n);
+
+  for (size_t i = 0; i < n; i++) {
+    part one = edge_at(s, p, i);
+    sum += sg_spread_bits((uint64_t)one.first << 32 | one.second) +
+           sg_spread_bits((uint64_t)one.second << 32 | one.first);
+  }
+  return sum;
+}
+
+static int
+by_print(const void *x, const void *y)
+{
+  uint64_t a = ((const print *)x)->value, b = ((const print *)y)->value;
+
+  return (a > b) - (a < b);
+}
+
+static int
+compare_parts(const void *x, const void *y)
+{
+  const part *a = x, *b = y;
+
+  return a->first != b->first ? (a->first > b->first) - (a->first < b->first)
+         : a->second != b->second
+             ? (a->second > b->second) - (a->second < b->second)
+             : (a->last > b->last) - (a->last < b->last);
+}
+
+typedef part part_at(const sewer *s, uint32_t p, size_t i);
+
+static void
+sort_parts(const sewer *s, uint32_t p, part_at *at, size_t n, bool turned,
+           part *out)
+{
+  for (size_t i = 0; i < n; i++) {
+    part one = at(s, p, i);
+    out[i] = turned ? turned_round(one) : one;
+  }
+  if (n > 0) {
+    qsort(out, n, sizeof *out, compare_parts);
+  }
+}
+
+/* Whether polygons of n such parts each have the same; q may be turned round.
+ */
+static bool
+have_same(const sewer *s, uint32_t p, uint32_t q, part_at *at, size_t n,
+          bool turned)
+{
+  sort_parts(s, p, at, n, false, s->part[0]);
+  sort_parts(s, q, at, n, turned, s->part[1]);
+  return memcmp(s->part[0], s->part[1], n * sizeof(part)) == 0;
+}
+
+/* Exactly in one plane: then it is the same however it is divided. */
+static bool
+is_flat(const sewer *s, uint32_t p)
+{
+  const sg_dense *d = s->d;
+  size_t first = s->begin[p], end = s->begin[p + 1];
+  double at[3][3];
+
+  for (size_t i = first, axis = SIZE_MAX; axis > 2; i++) {
+    if (i == end) {
+      return true; /* no triangle has an area */
+    }
+    for (int k = 0; k < 3; k++) {
+      memcpy(at[k], d->at[d->corner[s->triangle[i]][k]], sizeof at[k]);
+    }
+    axis = (size_t)sg_cut_axis((const double(*)[3])at);
+  }
+  for (size_t i = 3 * first; i < 3 * end; i++) {
+    const double *x = d->at[d->corner[s->triangle[i / 3]][i % 3]];
+    if (sg_orient3d(at[0], at[1], at[2], x) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* 1: q is p; -1: p turned round; 0: another one. */
+static int
+same_way(const sewer *s, uint32_t p, uint32_t q)
+{
+  size_t edges = edges_of(s, p), triangles = triangles_of(s, p);
+
+  for (int turned = 0; edges == edges_of(s, q) && turned < 2; turned++) {
+    if (have_same(s, p, q, edge_at, edges, turned)) {
+      bool same = (triangles == triangles_of(s, q) &&
+                   have_same(s, p, q, triangle_at, triangles, turned)) ||
+                  is_flat(s, p);
+      return !same ? 0 : turned ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+/* Those of one print: each is added to the first that it is the same as. */
+static void
+weigh_run(const sewer *s, const print *run, size_t n)
+{
+  for (size_t i = 0; i < n; i++) {
+    int32_t *weight = s->out->weight;
+    int way = 0;
+
+    for (size_t k = 0; k < i && way == 0; k++) {
+      if (weight[run[k].polygon] != ANOTHER) {
+        way = same_way(s, run[k].polygon, run[i].polygon);
+        weight[run[k].polygon] += way;
+      }
+    }
+    weight[run[i].polygon] = way == 0 ? 1 : ANOTHER;
+  }
+}
+
+static bool
+make_prints(sewer *s, const sg_poll *poll)
+{
+  size_t n = s->d->polygons, most = 0;
+
+  s->print = malloc((n + 1) * sizeof *s->print);
+  s->out->weight = calloc(n + 1, sizeof *s->out->weight);
+  for (uint32_t p = 0; s->print && s->out->weight && p < n; p++) {
+    size_t edges = edges_of(s, p), triangles = triangles_of(s, p);
+
+    s->print[p] = (print){print_of(s, p), p};
+    most = edges > most ? edges : most;
+    most = triangles > most ? triangles : most;
+    if (p % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+      return false;
+    }
+  }
+  for (int k = 0; k < 2; k++) {
+    s->part[k] = malloc((most + 1) * sizeof(part));
+  }
+  return s->print && s->out->weight && s->part[0] && s->part[1] &&
+         sg_sort(s->print, n, sizeof *s->print, by_print, poll) == SG_SORTED;
+}
+
+static bool
+weigh_polygons(sewer *s, const sg_poll *poll)
+{
+  size_t n = s->d->polygons;
+
+  if (!make_prints(s, poll)) {
+    return false;
+  }
+  for (size_t i = 0, end; i < n; i = end) {
+    for (end = i + 1; end < n && s->print[end].value == s->print[i].value;
+         end++) {
+    }
+    weigh_run(s, s->print + i, end - i);
+  }
+  for (size_t p = 0; p < n; p++) {
+    int32_t *weight = &s->out->weight[p];
+    *weight = *weight == ANOTHER ? 0 : *weight;
+  }
+  return true;
+}
+
+bool
+sg_sewing_find(const sg_dense *dense, const sg_poll *poll, sg_sewing *out)
+{
+  sewer s = {.d = dense, .out = out};
+
+  *out = (sg_sewing){0};
+  bool good = sort_triangles(&s) && find_vertices(&s, poll) &&
+              (!out->any || weigh_polygons(&s, poll));
+
+  free(s.begin);
+  free(s.triangle);
+  free(s.print);
+  free(s.part[0]);
+  free(s.part[1]);
+  return good;
+}
+
+void
+sg_sewing_clear(sg_sewing *sewing)
+{
+  free(sewing->vertex);
+  free(sewing->weight);
+  *sewing = (sg_sewing){0};
+}
