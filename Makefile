@@ -57,16 +57,17 @@ WARN    := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
            -Wmissing-prototypes -Wswitch-enum -Werror
 # No SLP vectors: points that go through memory as pairs wait for their halves.
 # Headers are named from c_kernels/ (rows/sort.h), others of ours from here.
-CFLAGS  := -std=c11 -D_GNU_SOURCE -I. -Ic_kernels $(OPT) -g -fPIC \
+CFLAGS  := -std=c11 -D_GNU_SOURCE -I. -Ic_kernels -I$(B) $(OPT) -g -fPIC \
            -ffp-contract=off -fno-tree-slp-vectorize
 LIBS    := -lgmp -lz -lm -lpthread
 
 C_SRC   := $(wildcard engine/*.c c_kernels/*.c c_kernels/*/*.c)
 EMBED   := engine/start.c engine/engine.c engine/question.c
 MAINS   := engine/main.c engine/signals.c engine/boot.c $(EMBED)
-OBJS    := $(patsubst %.c,$(B)/%.o,$(filter-out $(MAINS),$(C_SRC)))
+OBJS    := $(patsubst %.c,$(B)/%.o,$(filter-out $(MAINS),$(C_SRC))) \
+           $(B)/doors.o
 # Without Prolog: what the C tests link.
-CORE    := $(filter-out %4pl.o %/install.o %/glue.o,$(OBJS))
+CORE    := $(filter-out %4pl.o %/install.o %/glue.o %/door.o %/doors.o,$(OBJS))
 RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
@@ -78,13 +79,24 @@ all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 # exact.c: its own flags, whatever OPT says.
 $(B)/c_kernels/number/exact.o: OPT := -O2
-$(B)/%4pl.o $(B)/c_kernels/glue.o $(B)/engine/engine.o \
+$(B)/%4pl.o $(B)/c_kernels/glue.o $(B)/c_kernels/door.o $(B)/doors.o \
+  $(B)/engine/engine.o \
   $(B)/engine/question.o: \
 	WARN += -Wno-sign-conversion
-$(B)/%.o: %.c $(B)/deps.mk
+# The doors between Prolog and C are made (c_kernels/doors.def); headers that do
+# not change are left alone.
+$(B)/doors.made: tools/doors.pl $(wildcard tools/doors_*.pl rules/kernel/*.pl) \
+                  c_kernels/doors.def
+	@mkdir -p $(B)
+	swipl -f none $< -- $(B)
+	@touch $@
+$(B)/doors.c: $(B)/doors.made ;
+$(B)/doors.o: $(B)/doors.c $(B)/deps.mk
+	$(CC) $(CFLAGS) $(WARN) $(PL_CFLAGS) $(EXTRA_CFLAGS) -MMD -MP -c $< -o $@
+$(B)/%.o: %.c $(B)/deps.mk | $(B)/doors.made
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(WARN) $(PL_CFLAGS) $(EXTRA_CFLAGS) -MMD -MP -c $< -o $@
--include $(patsubst %.c,$(B)/%.d,$(C_SRC))
+-include $(patsubst %.c,$(B)/%.d,$(C_SRC)) $(B)/doors.d
 
 so: $(B)/sanggwan.so
 $(B)/sanggwan.so: $(OBJS)

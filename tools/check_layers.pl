@@ -184,6 +184,11 @@ layer(engine,    'edit4pl.h', _,   edits).
 layer(engine,    _, Name,          host) :-
     memberchk(Name, [start, host, engine, question, main, signals, boot]).
 layer(c_kernels, _, glue,          arguments).
+layer(c_kernels, _, door,          arguments).
+layer(c_kernels, _, call,          rows).
+layer(c_kernels, _, Name,          rows) :-
+    sub_atom(Name, _, _, 0, '_rows').
+layer(doors,     _, _,             rows).
 layer(c_kernels, _, poll,          shared).
 layer(c_kernels, _, column,        shared).
 layer(c_kernels, _, sheet,         shared).
@@ -205,6 +210,11 @@ prolog_side(host).
 
 below(Layer, Layer).
 below(pure(_), shared).
+below(rows, shared).
+below(rows, pure(_)).
+below(glue(_), rows).
+below(arguments, rows).
+below(arguments, glue(engine)).
 below(glue(_), shared).
 below(glue(Top), pure(Top)).
 below(glue(engine), edits).

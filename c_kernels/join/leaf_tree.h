@@ -11,7 +11,7 @@
 
 #include "bvh.h"
 #include "oriented_box.h"
-#include "rows/segment_rows.h"
+#include "rows/by_segment.h"
 
 /* Views of v/5, e/5 and t/6, of one version. */
 typedef struct sg_leaf_views {

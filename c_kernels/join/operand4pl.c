@@ -5,7 +5,7 @@
  */
 #include "glue.h"
 #include "operand.h"
-#include "rows/grain4pl.h"
+#include "rows/grain_rows.h"
 #include "self_leaf.h"
 #include "tree4pl.h"
 

@@ -7,7 +7,7 @@
 #include "glue.h"
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
-#include "rows/grain4pl.h"
+#include "rows/grain_rows.h"
 
 #include "engine/install.h"
 

@@ -1,6 +1,6 @@
 /* scene_read4pl.c -- see scene4pl.h */
 #include "contour.h"
-#include "rows/pattern4pl.h"
+#include "rows/pattern_rows.h"
 #include "scene4pl.h"
 
 #include "engine/symbol.h"

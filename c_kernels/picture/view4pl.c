@@ -4,7 +4,7 @@
  * Layer: glue.
  */
 #include "rows/append4pl.h"
-#include "rows/pattern4pl.h"
+#include "rows/pattern_rows.h"
 
 #include "glue.h"
 #include "picture_points.h"

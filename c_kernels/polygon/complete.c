@@ -3,9 +3,9 @@
 
 #include "flatness.h"
 #include "plane.h"
+#include "rows/by_segment.h"
 #include "rows/key_table.h"
 #include "rows/keys.h"
-#include "rows/segment_rows.h"
 #include "rows/sort.h"
 #include "triangulate.h"
 

@@ -3,8 +3,8 @@
  * Layer: glue. Doors in rules/kernel/world.pl.
  */
 #include "rows/append4pl.h"
-#include "rows/grain4pl.h"
-#include "rows/pattern4pl.h"
+#include "rows/grain_rows.h"
+#include "rows/pattern_rows.h"
 
 #include "engine/install.h"
 
@@ -12,7 +12,7 @@
 #include "crew.h"
 #include "flatness.h"
 #include "glue.h"
-#include "rows/segment_rows.h"
+#include "rows/by_segment.h"
 
 #include <math.h>
 #include <pthread.h>

@@ -5,8 +5,8 @@
  */
 #include "glue.h"
 #include "operand_border.h"
+#include "rows/by_segment.h"
 #include "rows/dense4pl.h"
-#include "rows/segment_rows.h"
 
 #include "engine/install.h"
 #include "engine/world4pl.h"

@@ -8,9 +8,9 @@
 
 #include "join/bvh.h"
 #include "poll.h"
-#include "rows/segment_rows.h"
+#include "rows/by_segment.h"
 
-/* The relations that a solid is written to (solid_rows.h), and origin/3. */
+/* The relations that a solid is written to (solid_out.h), and origin/3. */
 enum {
   SG_OLD_V,
   SG_OLD_E,

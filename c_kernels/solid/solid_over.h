@@ -12,7 +12,7 @@
  *   - All other rows go. What is new has the least ids that are free, in the
  *     order of the solid.
  *
- * So but for the ids the segment has the rows that solid_rows.h would write.
+ * So but for the ids the segment has the rows that solid_out.h would write.
  *
  * Of a REGION (solid_old.h) nothing else is looked at: its new faces have to go
  * in where the old ones were.
@@ -22,7 +22,7 @@
 
 #include "sheet.h"
 #include "solid_old.h"
-#include "solid_rows.h"
+#include "solid_out.h"
 
 #include <string.h>
 

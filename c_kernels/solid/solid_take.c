@@ -1,8 +1,8 @@
 /* solid_take.c -- segments as a solid: see solid_take.h. */
 #include "solid_take.h"
 
+#include "rows/by_segment.h"
 #include "rows/key_table.h"
-#include "rows/segment_rows.h"
 #include "rows/sort.h"
 
 #include <stdlib.h>

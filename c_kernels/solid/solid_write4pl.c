@@ -6,7 +6,7 @@
 #include "solid4pl.h"
 
 #include "glue.h"
-#include "solid_rows.h"
+#include "solid_out.h"
 
 #include "engine/install.h"
 

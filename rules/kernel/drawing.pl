@@ -1,42 +1,5 @@
-:- module(sg_kernel_drawing,
-          [ % view4pl.c
-            fill_screen/4,            % +Theta, +Phi, +Rho, +Kind
-            view_range/5,             % +Theta, +Phi, -Near, -Far, -Reach
-            view_depth/5,             % +Theta, +Phi, +Rho, +Kind, -Depth
-            sine_cosine/3,            % +Degrees, -Sine, -Cosine
-            % turn4pl.c
-            turn_points/2,            % +Axes, +Origin
-            % contour4pl.c
-            fill_contour/7,           % +Segments, +Theta, +Phi, +Rho, +Kind,
-                                      % +Smooth, +Known
-            % scene4pl.c
-            scene_open/6,             % +Segments, +Depth, +Tolerance,
-                                      % +Smooth, +Known, -Scene
-            scene_edge/5,             % +Scene, ?S, ?E, -Length, -Look
-            scene_near/2,             % +Scene, -Near
-            occluder/7,               % +Scene, +S, +E, ?S2, ?T, -From, -To
-            overlap/9,                % +Scene, +S, +E, ?S2, ?E2, -From, -To,
-                                      % -From2, -To2
-            % covers4pl.c
-            line_covers/4,            % +Scene, +S, +E, -Covers
-            % drawn4pl.c
-            fill_drawn/4,             % +Scene, +Which, +Crease, +Through
-            % stroke4pl.c
-            stroke_looks/2,           % +Parts, -Looks
-            stroke_chains/3,          % +Parts, +Looks, -Strokes
-            % drawn_stroke4pl.c
-            drawn_box/1,              % -Box
-            drawn_strokes/5,          % +Place, +Removed, +Looks, +Others,
-                                      % -Strokes
-            % travel4pl.c
-            travel_order/3,           % +Start, +Strokes, -Order
-            % raster4pl.c
-            raster_dots/4,            % +Width, +Height, +Strokes, -Dots
-            raster_png/5,             % +Width, +Height, +Dots, +Palette, -Bytes
-            % canvas4pl.c
-            canvas_png/6              % +Width, +Height, +Scale, +Paper, +Lines,
-                                      % -Bytes
-          ]).
+:- module(sg_kernel_drawing, []).
+:- sg_kernel:export_doors.
 
 /** <module> From vertices to ink: views, outlines, scenes, strokes, dots.
 

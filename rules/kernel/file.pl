@@ -1,29 +1,5 @@
-:- module(sg_kernel_file,
-          [ % text_limits4pl.c
-            text_fault/4,             % +Kind, +Source, +Limits, -Fault
-            % mesh4pl.c
-            mesh_add/6,               % +Stream, +Format, +Weld, +One, +S,
-                                      % -Result
-            % mesh_write4pl.c
-            mesh_write/5,             % +Stream, +Format, +Ss, +Names, -Result
-            % boundary4pl.c
-            boundary_open/7,          % +Ss, +Made, +Single, +Grid, +Form,
-                                      % +Copies, -Boundary
-            boundary_coarsen/3,       % +Boundary, +Grid, -Coarser
-            boundary_close/1,         % +Boundary
-            boundary_counts/2,        % +Boundary, -Counts
-            boundary_meetings/3,      % +Boundary, +All, -Meetings
-            boundary_add/2,           % +Boundary, +S
-            boundary_write/5,         % +Boundary, +Stream, +Format, +Names,
-                                      % -Result
-            % atomic_file4pl.c
-            atomic_open/3,            % +File, -Id, -Stream
-            atomic_scratch/3,         % +Ending, -Id, -File
-            atomic_sync/1,            % +Stream
-            atomic_commit/2,          % +Ids, -Result
-            atomic_drop/1,            % +Id
-            device_file/1             % +File
-          ]).
+:- module(sg_kernel_file, []).
+:- sg_kernel:export_doors.
 
 /** <module> Meshes and solids, from files and to them.
 

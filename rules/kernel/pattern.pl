@@ -1,57 +1,15 @@
-:- module(sg_kernel_pattern,
-          [ % development4pl.c
-            flattening_open/4,        % +S, +Tolerance, +Removed, -Flattening
-            flattening_close/1,       % +Flattening
-            flattening_restart/1,     % +Flattening
-            flattening_lay/2,         % +Flattening, +Root
-            flattening_measures/2,    % +Flattening, -Measures
-            forbid_joint/2,           % +Flattening, +J
-            join_faces/3,             % +Flattening, +J, -Result
-            join_all/2,               % +Flattening, +Order
-            join_before/3,            % +Flattening, +Order, +J
-            joint_order/3,            % +Flattening, +Order, -Joints
-            joint_path/3,             % +Flattening, +J, -Joints
-            % development_read4pl.c
-            flattening_counts/4,      % +Flattening, -Faces, -Joints, -Step
-            flattening_bent/2,        % +Flattening, -Polygons
-            flattening_invalid/2,     % +Flattening, -Polygons
-            flattening_borders/2,     % +Flattening, -Edges
-            flattening_joint/3,       % +Flattening, +J, -Joint
-            edge_joint/3,             % +Flattening, +E, -J
-            % development_write4pl.c
-            flattening_write/2,       % +Flattening, +D
-            % seam_exchange4pl.c
-            exchange_seams/6,         % +Flattening, +Order, +Kept, +Objective,
-                                      % +Effort, -Exchanges
-            join_folds/2,             % +Flattening, +Joints
-            seam_length/2,            % +Flattening, -Length
-            flattening_bound/2,       % +Flattening, -Bound
-            fold_path/4,              % +Flattening, +P, +Q, -Joints
-            % known_facets4pl.c
-            known_facets/3,           % +Known, +Ss, -Facets
-            % roll4pl.c
-            surface_place/4,          % +Surface, +Point, -T, -H
-            surface_value/4,          % +Surface, +Point, -Value, -Normal
-            surfaces_meet/4,          % +Surfaces, +Reach, +Point0, -Point
-            roll_points/3,            % +Roll, +Places, -Points
-            roll_curves/5,            % +Roll, +Reach, +Tolerance, +Curves,
-                                      % -Lists
-            % nest4pl.c
-            shapes_open/2,            % +Size, -Shapes
-            shapes_add/2,             % +Shapes, +Shape
-            shapes_free/3,            % +Shapes, +Shape, +Tolerance
-            nest/7                    % +Size, +Square, +Gap, +One, +Pieces,
-                                      % -Places, -Work
-          ]).
+:- module(sg_kernel_pattern, []).
+:- sg_kernel:export_doors.
 
 /** <module> Laying flat, unrolling, and placing pieces on sheets.
 
 Foreign predicates; see kernel.pl.
 */
 
-/* - - - development4pl.c - - - */
+/* - - - development_rows.c - - - */
 
-%!  flattening_open(+S, +Tolerance, +Removed:list, -Flattening) is det.
+%!  flattening_open(+S:id, +Tolerance:number, +Removed:set(id),
+%!                  -Flattening:flattening) is det.
 %
 %   Flattening is a handle on segment S being laid flat, without the polygons
 %   Removed: its faces, each in a frame of its own, and its joints, numbered
@@ -62,20 +20,20 @@ Foreign predicates; see kernel.pl.
 %
 %   @error representation_error(int32): no numbers are left for these
 
-%!  flattening_close(+Flattening) is det.
+%!  flattening_close(+Flattening:flattening) is det.
 
-%!  flattening_restart(+Flattening) is det.
+%!  flattening_restart(+Flattening:flattening) is det.
 %
 %   Nothing is joined, as at first; what is forbidden stays so.
 
-%!  flattening_lay(+Flattening, +Root) is det.
+%!  flattening_lay(+Flattening:flattening, +Root:int) is det.
 %
 %   Finds where everything lies, as joined by now, see lay.h. Root is a polygon,
 %   or 0. Joints whose sides lie on each other become `closed`.
 %
 %   @error existence_error(polygon, Root)
 
-%!  flattening_measures(+Flattening, -Measures) is det.
+%!  flattening_measures(+Flattening:flattening, -Measures:flat_measures) is det.
 %
 %   Measures is measures(Seam, Pieces, Longest, Area, Sheet, Tests, Refused),
 %   see measure.h: after flattening_lay/2. Tests is how many
@@ -84,57 +42,58 @@ Foreign predicates; see kernel.pl.
 %
 %   @error permission_error(lay, flattening, Flattening)
 
-%!  forbid_joint(+Flattening, +J) is det.
+%!  forbid_joint(+Flattening:flattening, +J:id) is det.
 %
 %   Joint J is not to be joined.
 %
 %   @error permission_error(forbid, joint, J): it is joined already
 
-%!  join_faces(+Flattening, +J, -Result) is det.
+%!  join_faces(+Flattening:flattening, +J:id, -Result:join_result) is det.
 %
 %   Tries to join the two faces of joint J: `joined`; `same_piece`: they hang
 %   together already; overlap(P1, P2): it would lay polygon P2 on P1;
 %   `forbidden`; `short`: the edge is too short to hold what would hang on it
 %   (SG_FLAT_HOLDS in flattening.h).
 
-%!  join_all(+Flattening, +Order) is det.
-%!  join_before(+Flattening, +Order, +J) is det.
+%!  join_all(+Flattening:flattening, +Order:count) is det.
+%!  join_before(+Flattening:flattening, +Order:count, +J:id) is det.
 %
 %   join_faces/3 for all joints that are open, as joint_order/3 has them; for
 %   those before joint J. With order 0, join_all/2 is the fused kernel of
 %   development.pl, joined_by_rule/2.
 
-%!  joint_order(+Flattening, +Order, -Joints:list) is det.
+%!  joint_order(+Flattening:flattening, +Order:count, -Joints:list(id)) is det.
 %
 %   All joints; those that are flat come first. Order 0 is the default of
 %   join_order/3; 1: those that bend least; 2: those that run up and down; 3 and
 %   on: as 0, but with lengths changed by up to a tenth, by chance.
 
-%!  joint_path(+Flattening, +J, -Joints:list) is det.
+%!  joint_path(+Flattening:flattening, +J:id, -Joints:list(id)) is det.
 %
 %   The joints that are joined on the way from one face of J to the other, []
 %   if there is no way.
 
-/* - - - development_read4pl.c - - - */
+/* - - - development_read_rows.c - - - */
 
-%!  flattening_counts(+Flattening, -Faces, -Joints, -Step) is det.
+%!  flattening_counts(+Flattening:flattening, -Faces:count, -Joints:count,
+%!                    -Step:number) is det.
 %
 %   How many faces and joints there are. What differs by less than Step (model
 %   units) is mostly equal for joint_order/2: it is rounded to that.
 
-%!  flattening_bent(+Flattening, -Polygons:list) is det.
+%!  flattening_bent(+Flattening:flattening, -Polygons:list(id)) is det.
 %
 %   Polygons, ascending, are not flat.
 
-%!  flattening_invalid(+Flattening, -Polygons:list) is det.
+%!  flattening_invalid(+Flattening:flattening, -Polygons:list(id)) is det.
 %
 %   Polygons, ascending, have an area and no triangles: they cross themselves.
 
-%!  flattening_borders(+Flattening, -Edges:list) is det.
+%!  flattening_borders(+Flattening:flattening, -Edges:list(id)) is det.
 %
 %   Edges are real and have no partner.
 
-%!  flattening_joint(+Flattening, +J, -Joint) is det.
+%!  flattening_joint(+Flattening:flattening, +J:id, -Joint:joint_fact) is det.
 %
 %   Joint is joint(E1, E2, P1, P2, Length, p(X,Y,Z), Angle, Kind, State): edge
 %   E1 of polygon P1 and its partner E2 of P2, E1 < E2, the length and the
@@ -144,23 +103,24 @@ Foreign predicates; see kernel.pl.
 %
 %   @error existence_error(joint, J)
 
-%!  edge_joint(+Flattening, +E, -J) is semidet.
+%!  edge_joint(+Flattening:flattening, +E:id, -J:id) is semidet.
 %
 %   Joint J has edge E.
 
-/* - - - development_write4pl.c - - - */
+/* - - - development_write_rows.c - - - */
 
-%!  flattening_write(+Flattening, +D) is det.
+%!  flattening_write(+Flattening:flattening, +D:id) is det.
 %
 %   Writes the rows of the pattern D, which has none: v e p plane t piece joint
 %   from_v from_p, after flattening_lay/2.
 %
 %   @error permission_error(write, segment, D)
 
-/* - - - seam_exchange4pl.c - - - */
+/* - - - seam_exchange_rows.c - - - */
 
-%!  exchange_seams(+Flattening, +Order, +Kept:list, +Objective, +Effort,
-%!                 -Exchanges) is det.
+%!  exchange_seams(+Flattening:flattening, +Order:count, +Kept:list(id),
+%!                 +Objective:exchange_objective, +Effort:count,
+%!                 -Exchanges:count) is det.
 %
 %   What is joined, in the order of joints Order, is exchanged for folds that
 %   leave less seam, see seam_exchange.h; the joints Kept stay folds. Objective
@@ -168,25 +128,25 @@ Foreign predicates; see kernel.pl.
 %   many faces may be laid or moved for that. Exchanges is how many have helped.
 %   The fused kernel of development_search.pl, exchanged_by_rule/5.
 
-%!  join_folds(+Flattening, +Joints:list) is det.
+%!  join_folds(+Flattening:flattening, +Joints:list(id)) is det.
 %
 %   Restarts and joins just Joints, as they were joined before: nothing is asked
 %   about overlaps.
 %
 %   @error existence_error(joint, Joints)
 
-%!  seam_length(+Flattening, -Length) is det.
+%!  seam_length(+Flattening:flattening, -Length:number) is det.
 %
 %   The length of all joints that are neither joined nor have sides that lie on
 %   each other all the same, as joined by now; model units.
 
-%!  flattening_bound(+Flattening, -Bound) is det.
+%!  flattening_bound(+Flattening:flattening, -Bound:seam_bound) is det.
 %
 %   Bound is bound(Least, By, Tree): no seam is less than Least, as is proven by
 %   `tree`, `forest` or `moats`; Tree is the minimum spanning tree of the
 %   vertices. Model units; see seam_bound.h.
 
-%!  fold_path(+Flattening, +P, +Q, -Joints:list) is det.
+%!  fold_path(+Flattening:flattening, +P:id, +Q:id, -Joints:list(id)) is det.
 %
 %   The joints that are joined on the way between polygons P and Q of the
 %   pattern, [] if there is no way.

@@ -1,54 +1,5 @@
-:- module(sg_kernel_penetration,
-          [ % cut4pl.c
-            cut_set_open/2,           % +Pairs, -Set
-            cut_set_close/1,          % +Set
-            cut_candidate/3,          % +Set, -T1, -T2
-            curve_candidate/3,        % +Set, -E, -T
-            cut_side/4,               % +Set, +T1, +T2, -Side
-            cut_enter/4,              % +Set, +T1, +T2, -Count
-            cut_find/1,               % +Set
-            curve_enter/4,            % +Set, +E, +T, -Count
-            cut_triangle/5,           % +Set, +T, -S, -P, -Id
-            cut_ends/4,               % +Set, +T1, +T2, -Cuts
-            % cut_fold4pl.c
-            cut_flat_within/2,        % +Set, +Tolerance
-            cut_of_faces/1,           % +Set
-            % resolve4pl.c
-            cut_own_tolerances/1,     % +Set
-            cut_resolve/4,            % +Set, +Reach, -Vertices, -Polygons
-            cut_touch/4,              % +Set, +Reach, -What, -Moves
-            % seam4pl.c
-            cut_seal/1,               % +Set
-            cut_polygons/2,           % +Set, -Polygons
-            cut_polygons_of/3,        % +Set, +Segments, -Polygons
-            cut_entering/4,           % +Set, +S, +P, -Pieces
-            cut_was_divided/1,        % +Set
-            cut_agree/1,              % +Set
-            cut_late_polygons/2,      % +Set, -Polygons
-            % cut_enter4pl.c
-            cut_enter_free/4,         % +Set, +S, +P, +Work
-            cut_enter_polygons/5,     % +Set, +Polygons, -Works, ?End, -Rest
-            cut_work/4,               % +Set, +S, +P, -Work
-            % split4pl.c
-            cut_crossing/8,           % +Set, +Work, +S, +K, +E, +V1, +V2, -X
-            cut_note/5,               % +Set, +S, +V1, +V2, +X
-            cut_between/6,            % +Set, +Work, +S, +V1, +V2, -X
-            cut_divided/4,            % +Set, +Work, +S, -Divided
-            % line4pl.c
-            cut_joints/3,             % +Set, +How, -Joints
-            cut_join/2,               % +Set, +Point
-            cut_settle/1,             % +Set
-            cut_name/4,               % +Set, +Point, +S, -V
-            cut_lines/2,              % +Set, -Lines
-            cut_line/5,               % +Set, +S, +V1, +V2, -L
-            cut_vertices/2,           % +Set, -Vertices
-            cut_split_edges/3,        % +Set, +S, -Splits
-            % chain4pl.c
-            cut_chains/2,             % +Set, -Chains
-            line_chains/1,            % -Chains
-            % cut_write4pl.c
-            cut_write/4               % +Set, +S, +P, +Work
-          ]).
+:- module(sg_kernel_penetration, []).
+:- sg_kernel:export_doors.
 
 /** <module> Cut sets: what segments have in common, and what polygons become.
 

@@ -1,23 +1,5 @@
-:- module(sg_kernel_work,
-          [ % work4pl.c
-            work_open/3,              % +S, +P, -Work
-            work_close/1,             % +Work
-            work_add/6,               % +Work, +V1, +V2, +Et, +Label, -E
-            work_delete/2,            % +Work, +E
-            work_split/5,             % +Work, +E, +V, -E1, -E2
-            work_resolve/2,           % +Work, +Reach
-            work_gap/2,               % +Work, -V
-            work_turn/5,              % +Work, +V1, +V2, +V3, -Turn
-            % work_join4pl.c
-            work_edge/6,              % +Work, ?E, ?V1, ?V2, ?Et, ?Label
-            work_oldest/4,            % +Work, -E, -V1, -V2
-            work_meeting/6,           % +Work, +V1, +V2, ?E, ?How, ?Inside
-            work_candidate/4,         % +Work, +V1, +V2, ?V3
-            work_triangulate/2,       % +Work, -Triangles
-            work_thicken/4,           % +Work, +Edges, +Triangles0, -Triangles
-            % outline4pl.c
-            loops_are_sound/1         % +Loops
-          ]).
+:- module(sg_kernel_work, []).
+:- sg_kernel:export_doors.
 
 /** <module> The edges of one polygon as a scratch relation, which lines enter.
 

@@ -1,29 +1,8 @@
 :- module(sg_kernel_world,
-          [ % decision4pl.c
-            rule_module/2,            % +Slot, -Module
-            set_rule_modules/1,       % +Pairs
-            world_number/1,           % -Number
-            ended_world/1,            % -Number
-            % complete4pl.c
-            fill_triangles/1,         % -Faults
-            fill_triangles/2,         % +Ss, -Faults
-            model_tolerance/1,        % -Tolerance
-            segments_tolerance/3,     % +Segments, -Tolerance, -Smallest
-            segment_grain/2,          % +S, -Grain
-            % exact4pl.c
-            exact_fallbacks/1,        % -Count
-            exact_statistics/1,       % -Statistics
-            % leaf4pl.c
-            leaves_keep/1,            % +Polygons
-            % census4pl.c
-            census/1,                 % -Parts
-            census_defect/4,          % ?Kind, ?S, ?A, ?B
-            % tree4pl.c
-            tree_statistics/1,        % -Statistics
-            % near4pl.c
-            near_segments/3,          % +Reach, -S1, -S2
-            near_segments_of/3        % +Reach, +Ss, -Near
+          [ exact_statistics/1,       % -Statistics
+            tree_statistics/1         % -Statistics
           ]).
+:- sg_kernel:export_doors.
 
 /** <module> What the world is: its rules, triangles, tolerances, trees, census.
 

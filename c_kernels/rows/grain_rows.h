@@ -1,12 +1,14 @@
-/* grain4pl.h -- how fine the source of a segment was.
+/* grain_rows.h -- how fine the source of a segment was.
  *
- * Layer: glue. origin(S, s(S), source(Grain)) says one unit in the last place
+ * Layer: rows. origin(S, s(S), source(Grain)) says one unit in the last place
  * of its coordinates, in model units. Without it they are doubles.
  */
-#ifndef SG_GRAIN4PL_H
-#define SG_GRAIN4PL_H
+#ifndef SG_GRAIN_ROWS_H
+#define SG_GRAIN_ROWS_H
 
-#include "engine/world4pl.h"
+#include "engine/store.h"
+#include "engine/symbol.h"
+#include "engine/term.h"
 
 /* Of segment s; 0: doubles. */
 double sg_grain_of(const sg_version *version, int32_t s);

@@ -1,5 +1,5 @@
-/* grain4pl.c -- how fine the source of a segment was: see grain4pl.h. */
-#include "grain4pl.h"
+/* grain_rows.c -- how fine the source of a segment was: see grain_rows.h. */
+#include "grain_rows.h"
 
 #include "column.h"
 

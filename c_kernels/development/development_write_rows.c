@@ -1,19 +1,10 @@
-/* development_write4pl.c -- a development as rows (documented in
- * kernel/pattern.pl).
- *
- * Layer: glue.
- */
-#include "development4pl.h"
-#include "rows/append4pl.h"
+/* development_write_rows.c -- a development as rows. */
+#include "development_rows.h"
 
-#include "glue.h"
+#include "doors/pattern.h"
+#include "rows/append_rows.h"
 
-#include "engine/install.h"
 #include "engine/symbol.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* ---- what is written ---------------------------------------------------- */
 
@@ -196,43 +187,43 @@ make_lists(const writer *w, sg_append *a, size_t page)
   return sg_append_lists(a, page, 2, length);
 }
 
-static int
-write_relation_ex(sg_world *world, const writer *w, int relation)
+static bool
+write_relation(sg_call *call, sg_world *world, const writer *w, int relation)
 {
   sg_append a;
-  int good = TRUE;
+  bool good = true;
 
   if (!sg_append_open(&a, world, written[relation], rows_of(w, relation))) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   for (size_t k = 0; good && k < a.sheet.pages; k++) {
     const sg_sheet_page *page = &a.sheet.page[k];
-    good = relation != P || make_lists(w, &a, k) || sg_no_memory();
+    good = relation != P || make_lists(w, &a, k) || sg_call_no_memory(call);
     for (size_t i = 0; good && i < page->n; i++) {
       page->column[0].i[i] = w->to;
       write_of[relation](w, page->from + i, page->column, i);
     }
-    good = good && PL_handle_signals() >= 0;
+    good = good && !sg_poll_stop(&call->poll);
   }
-  good = good && (sg_append_commit(&a) || sg_no_memory());
+  good = good && (sg_append_commit(&a) || sg_call_no_memory(call));
   sg_append_close(&a);
   return good;
 }
 
-static int
-sort_sides_ex(writer *w)
+static bool
+sort_sides(sg_call *call, writer *w)
 {
   const sg_flat_faces *f = &w->d->faces;
   size_t edges = w->d->dense.edges + f->chords, n = 0, bents = 0;
 
-  w->side = malloc((f->sides + 1) * sizeof *w->side);
-  w->bent = malloc((f->bent_faces + 1) * sizeof *w->bent);
+  w->side = sg_call_alloc(call, f->sides * sizeof *w->side);
+  w->bent = sg_call_alloc(call, f->bent_faces * sizeof *w->bent);
   if (!w->side || !w->bent) {
-    return sg_no_memory();
+    return false;
   }
   for (size_t e = 0; e < edges; e++) {
-    if (sg_poll_every(&sg_prolog_poll, e)) {
-      return FALSE;
+    if (sg_poll_every(&call->poll, e)) {
+      return false;
     }
     if (f->side_of[e] != SG_NO_SIDE_OF) {
       w->side[n++] = f->side_of[e];
@@ -243,52 +234,34 @@ sort_sides_ex(writer *w)
       w->bent[bents++] = face;
     }
   }
-  return TRUE;
+  return true;
 }
 
-static int
-write_all_ex(sg_world *world, writer *w)
+static bool
+write_all(sg_call *call, sg_world *world, writer *w)
 {
-  if (!sort_sides_ex(w)) {
-    return FALSE;
+  if (!sg_segment_is_empty(call, world, w->to) || !sort_sides(call, w)) {
+    return false;
   }
   for (int k = 0; k < RELATIONS; k++) {
-    if (!write_relation_ex(world, w, k)) {
-      return FALSE;
+    if (!write_relation(call, world, w, k)) {
+      return false;
     }
   }
-  return TRUE;
+  return true;
 }
 
-/* ---- the door ----------------------------------------------------------- */
-
-/* flattening_write(+Flattening, +D) is det. */
-static foreign_t
-flattening_write(term_t handle, term_t to)
+bool
+sg_door_flattening_write(sg_call *call, sg_development *d, int32_t to)
 {
-  sg_world *world = sg_current_world_ex();
-  sg_development *d;
-  int32_t s;
+  sg_world *world;
 
-  if (!world || !sg_get_development_ex(handle, &d) || !sg_get_id_ex(to, &s) ||
-      !sg_development_is_laid_ex(d, handle) || !sg_claim_ex(world)) {
-    return FALSE;
+  if (!sg_development_is_laid(call, d) || !(world = sg_call_claim(call))) {
+    return false;
   }
-  writer w = {.d = d, .layout = &d->layout, .to = s};
-  int good = sg_segment_is_empty_ex(world, s) && write_all_ex(world, &w);
+  writer w = {.d = d, .layout = &d->layout, .to = to};
+  bool good = write_all(call, world, &w);
 
-  free(w.side);
-  free(w.bent);
   sg_world_release(world);
   return good;
-}
-
-void
-sg_install_development_write(void)
-{
-  static const PL_extension doors[] = {
-      {"flattening_write", 2, (pl_function_t)flattening_write, 0},
-      {NULL, 0, NULL, 0}};
-
-  PL_register_extensions_in_module("sg_kernel_pattern", doors);
 }

@@ -1,4 +1,4 @@
-#include "segment_rows.h"
+#include "by_segment.h"
 
 #include <stdlib.h>
 #include <string.h>

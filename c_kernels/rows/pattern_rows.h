@@ -1,12 +1,13 @@
-/* pattern4pl.h -- what a model is: all segments but the patterns made of them.
+/* pattern_rows.h -- what a model is: all segments but the patterns made of
+ * them.
  *
- * Layer: glue. Drawing, checking and the tolerance of a model leave
- * developments aside. Include it before SWI-Prolog.h.
+ * Layer: rows. Drawing, checking and the tolerance of a model leave
+ * developments aside.
  */
-#ifndef SG_PATTERN4PL_H
-#define SG_PATTERN4PL_H
+#ifndef SG_PATTERN_ROWS_H
+#define SG_PATTERN_ROWS_H
 
-#include "engine/world4pl.h"
+#include "engine/store.h"
 
 typedef struct sg_model_view {
   sg_view shown; /* what is to be looked at */

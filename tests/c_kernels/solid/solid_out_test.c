@@ -1,7 +1,7 @@
-/* solid_rows_test.c -- rows of solids: borders against a count, cells in their
+/* solid_out_test.c -- rows of solids: borders against a count, cells in their
  * places whatever the number of threads. */
 #include "solid/solid_border.h"
-#include "solid/solid_rows.h"
+#include "solid/solid_out.h"
 #include "tests/check.h"
 
 #include <math.h>

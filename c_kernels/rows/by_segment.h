@@ -1,10 +1,10 @@
-/* segment_rows.h -- the rows of some segments, found in one walk of a relation;
+/* by_segment.h -- the rows of some segments, found in one walk of a relation;
  * and rows by id.
  *
  * Layer: kernel.
  */
-#ifndef SG_SEGMENT_ROWS_H
-#define SG_SEGMENT_ROWS_H
+#ifndef SG_BY_SEGMENT_H
+#define SG_BY_SEGMENT_H
 
 #include "column.h"
 #include "poll.h"

@@ -1,4 +1,4 @@
-/* solid_rows.h -- the rows that a solid becomes in a segment.
+/* solid_out.h -- the rows that a solid becomes in a segment.
  *
  * Layer: kernel. First what is counted (sg_solid_rows_make()), so that the
  * store can make room, then every cell in place (sg_solid_rows_write()).
@@ -8,8 +8,8 @@
  * half-edges of its triangles that have no opposite one in the same face, in
  * the order of the triangles; triangles by face.
  */
-#ifndef SG_SOLID_ROWS_H
-#define SG_SOLID_ROWS_H
+#ifndef SG_SOLID_OUT_H
+#define SG_SOLID_OUT_H
 
 #include "crew.h"
 #include "poll.h"

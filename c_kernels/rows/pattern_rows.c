@@ -1,10 +1,8 @@
-/* pattern4pl.c -- see pattern4pl.h.
- *
- * Layer: glue; no predicates of its own.
+/* pattern_rows.c -- see pattern_rows.h.
  */
-#include "pattern4pl.h"
+#include "pattern_rows.h"
 
-#include "segment_rows.h"
+#include "by_segment.h"
 
 #include "engine/symbol.h"
 

@@ -1,5 +1,5 @@
-/* solid_rows.c -- the rows that a solid becomes: see solid_rows.h. */
-#include "solid_rows.h"
+/* solid_out.c -- the rows that a solid becomes: see solid_out.h. */
+#include "solid_out.h"
 
 #include "polygon/plane.h"
 #include "solid_border.h"

@@ -1,0 +1,160 @@
+/* call.c -- see call.h. */
+#include "call.h"
+
+#include <stdlib.h>
+
+/* Allocated for a call: the header of a block. */
+typedef struct sg_call_block {
+  struct sg_call_block *next, *previous;
+  max_align_t bytes[];
+} block;
+
+static bool
+ask_host(void *data)
+{
+  sg_call *call = data;
+
+  call->stopped = call->stopped || sg_poll_stop(call->host);
+  return call->stopped;
+}
+
+void
+sg_call_open(sg_call *call, const sg_poll *host, sg_world *(*find_world)(void))
+{
+  *call = (sg_call){
+      .poll = {ask_host, call}, .host = host, .find_world = find_world};
+}
+
+sg_world *
+sg_call_world(sg_call *call)
+{
+  if (!call->world && call->find_world) {
+    call->world = call->find_world();
+  }
+  return call->world;
+}
+
+sg_world *
+sg_call_claim(sg_call *call)
+{
+  sg_world *world = sg_call_world(call);
+
+  return world && sg_world_claim(world, &call->poll) ? world : NULL;
+}
+
+/* ---- refusals ---- */
+
+static bool
+refuse(sg_call *call, sg_refusal refusal)
+{
+  if (call->refusal.how == SG_REFUSED_NOTHING) {
+    call->refusal = refusal;
+  }
+  return false;
+}
+
+bool
+sg_call_no_memory(sg_call *call)
+{
+  return refuse(call, (sg_refusal){.how = SG_REFUSED_MEMORY});
+}
+
+bool
+sg_call_ended(sg_call *call)
+{
+  return call->stopped ? false : sg_call_no_memory(call);
+}
+
+bool
+sg_call_domain(sg_call *call, const char *what, int argument)
+{
+  return refuse(call, (sg_refusal){.how = SG_REFUSED_DOMAIN,
+                                   .what = what,
+                                   .argument = argument});
+}
+
+bool
+sg_call_missing(sg_call *call, const char *what, int argument)
+{
+  return refuse(call, (sg_refusal){.how = SG_REFUSED_EXISTENCE,
+                                   .what = what,
+                                   .argument = argument});
+}
+
+bool
+sg_call_forbidden(sg_call *call, const char *action, const char *what,
+                  int argument)
+{
+  return refuse(call, (sg_refusal){.how = SG_REFUSED_PERMISSION,
+                                   .action = action,
+                                   .what = what,
+                                   .argument = argument});
+}
+
+bool
+sg_call_forbidden_id(sg_call *call, const char *action, const char *what,
+                     int64_t id)
+{
+  return refuse(call, (sg_refusal){.how = SG_REFUSED_PERMISSION,
+                                   .action = action,
+                                   .what = what,
+                                   .number = id});
+}
+
+bool
+sg_call_cannot_hold(sg_call *call, const char *what)
+{
+  return refuse(call,
+                (sg_refusal){.how = SG_REFUSED_REPRESENTATION, .what = what});
+}
+
+bool
+sg_call_status(sg_call *call, sg_status status, sg_relation relation,
+               const sg_fault *fault)
+{
+  return status == SG_OK ||
+         refuse(call, (sg_refusal){.how = SG_REFUSED_ROW,
+                                   .status = status,
+                                   .relation = relation,
+                                   .fault = fault ? *fault : (sg_fault){0}});
+}
+
+/* ---- memory ---- */
+
+void *
+sg_call_alloc(sg_call *call, size_t bytes)
+{
+  return sg_call_realloc(call, NULL, bytes);
+}
+
+void *
+sg_call_realloc(sg_call *call, void *at, size_t bytes)
+{
+  block *old = at ? (block *)((char *)at - offsetof(block, bytes)) : NULL;
+  block *b = bytes < SIZE_MAX / 2 ? realloc(old, sizeof *b + bytes) : NULL;
+
+  if (!b) {
+    sg_call_no_memory(call);
+    return NULL;
+  }
+  if (!old) {
+    b->previous = NULL;
+    b->next = call->blocks;
+  }
+  if (b->next) {
+    b->next->previous = b;
+  }
+  *(b->previous ? &b->previous->next : &call->blocks) = b;
+  return b->bytes;
+}
+
+void
+sg_call_close(sg_call *call)
+{
+  while (call->blocks) {
+    block *b = call->blocks;
+
+    call->blocks = b->next;
+    free(b);
+  }
+}

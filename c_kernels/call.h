@@ -1,0 +1,114 @@
+/* call.h -- what a door hands to its function: how to stop, where rows are,
+ * what was refused, and memory for as long as the call lasts.
+ *
+ * Layer: rows. A function sg_door_NAME() stands behind each predicate of
+ * rules/kernel/ that has types; doors/TOPIC.h, made from those modules and from
+ * doors.def, has their prototypes. They know the store, not Prolog:
+ *
+ *   bool sg_door_NAME(sg_call *call, IN in, ..., OUT *out, ...);
+ *
+ * True: the answer is yes, and all of `out` is filled. False: the answer is no,
+ * or `call` says what was refused, or its poll said stop; what was allocated
+ * is freed with the call. A test makes a sg_call of its own, with a world.
+ */
+#ifndef SG_CALL_H
+#define SG_CALL_H
+
+#include "poll.h"
+
+#include "engine/store.h"
+
+#include <stdint.h>
+
+/* The standard errors of Prolog, by the name of their terms. */
+typedef enum sg_refused {
+  SG_REFUSED_NOTHING,
+  SG_REFUSED_MEMORY,         /* resource_error(memory) */
+  SG_REFUSED_DOMAIN,         /* domain_error(what, culprit) */
+  SG_REFUSED_EXISTENCE,      /* existence_error(what, culprit) */
+  SG_REFUSED_PERMISSION,     /* permission_error(action, what, culprit) */
+  SG_REFUSED_REPRESENTATION, /* representation_error(what) */
+  SG_REFUSED_ROW             /* what sg_status says of a row */
+} sg_refused;
+
+typedef struct sg_refusal {
+  sg_refused how;
+  const char *action, *what; /* of static life */
+  int argument;              /* the culprit: argument 1.., or 0: this: */
+  int64_t number;
+  sg_status status; /* of SG_REFUSED_ROW */
+  sg_relation relation;
+  sg_fault fault;
+} sg_refusal;
+
+typedef struct sg_call {
+  sg_poll poll;                  /* remembers that it said stop */
+  const sg_poll *host;           /* what it asks */
+  bool stopped;                  /* it said stop */
+  sg_world *(*find_world)(void); /* a world that is whole; null: refused */
+  sg_world *world;               /* borrowed; null: not asked for yet */
+  sg_refusal refusal;
+  struct sg_call_block *blocks; /* private */
+} sg_call;
+
+/* A call of nothing yet; `find_world` may be null if call->world is set. */
+void sg_call_open(sg_call *call, const sg_poll *host,
+                  sg_world *(*find_world)(void));
+/* Frees what it has. */
+void sg_call_close(sg_call *call);
+
+/* The current world, whole; null: there is none, and the caller knows why. */
+sg_world *sg_call_world(sg_call *call);
+/* The same, claimed for writing: sg_world_release() it. Null: also a stop. */
+sg_world *sg_call_claim(sg_call *call);
+
+/* All of these return false. The first that is refused counts. */
+bool sg_call_no_memory(sg_call *call);
+/* After a kernel that was stopped or, if not, had no memory. */
+bool sg_call_ended(sg_call *call);
+bool sg_call_domain(sg_call *call, const char *what, int argument);
+bool sg_call_missing(sg_call *call, const char *what, int argument);
+bool sg_call_forbidden(sg_call *call, const char *action, const char *what,
+                       int argument);
+/* The same of a number that is no argument. */
+bool sg_call_forbidden_id(sg_call *call, const char *action, const char *what,
+                          int64_t id);
+bool sg_call_cannot_hold(sg_call *call, const char *what);
+/* SG_OK: true. */
+bool sg_call_status(sg_call *call, sg_status status, sg_relation relation,
+                    const sg_fault *fault);
+
+/* Memory until the call is closed, null: refused. The second also moves what
+ * the first or it gave; `at` may be null. */
+void *sg_call_alloc(sg_call *call, size_t bytes);
+void *sg_call_realloc(sg_call *call, void *at, size_t bytes);
+
+/* Lists of arguments and of answers: NAME has `n` of T `at`. An empty one is
+ * zeros. NAME_add() adds one; an answer may also be put at what outlives the
+ * call, with room 0. */
+#define SG_CALL_LIST(NAME, T)                                                  \
+  typedef struct NAME {                                                        \
+    T *at;                                                                     \
+    size_t n, room;                                                            \
+  } NAME;                                                                      \
+  static inline bool NAME##_add(sg_call *call, NAME *list, T x)                \
+  {                                                                            \
+    if (list->n == list->room) {                                               \
+      size_t room = list->room ? 2 * list->room : 8;                           \
+      T *at = sg_call_realloc(call, list->at, room * sizeof *at);              \
+      if (!at) {                                                               \
+        return false;                                                          \
+      }                                                                        \
+      list->at = at;                                                           \
+      list->room = room;                                                       \
+    }                                                                          \
+    list->at[list->n++] = x;                                                   \
+    return true;                                                               \
+  }                                                                            \
+  typedef struct NAME NAME
+
+SG_CALL_LIST(sg_int_list, int32_t);
+SG_CALL_LIST(sg_count_list, size_t);
+SG_CALL_LIST(sg_number_list, double);
+
+#endif

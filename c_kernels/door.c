@@ -1,0 +1,264 @@
+/* door.c -- see door.h.
+ *
+ * Layer: glue.
+ */
+#include "door.h"
+
+#include "engine/world4pl.h"
+
+#include <SWI-Stream.h>
+#include <stdlib.h>
+
+/* ---- a call ---- */
+
+void
+sg_door_open(sg_call *call)
+{
+  sg_call_open(call, &sg_prolog_poll, sg_current_world_ex);
+}
+
+static int
+raise_refusal(const sg_refusal *r, term_t t0)
+{
+  term_t culprit = PL_new_term_ref();
+
+  if (!(r->argument ? PL_put_term(culprit, t0 + (term_t)(r->argument - 1))
+                    : PL_put_int64(culprit, r->number))) {
+    return FALSE;
+  }
+  switch (r->how) {
+  case SG_REFUSED_NOTHING:
+    break;
+  case SG_REFUSED_MEMORY:
+    return sg_no_memory();
+  case SG_REFUSED_DOMAIN:
+    return PL_domain_error(r->what, culprit);
+  case SG_REFUSED_EXISTENCE:
+    return PL_existence_error(r->what, culprit);
+  case SG_REFUSED_PERMISSION:
+    return PL_permission_error(r->action, r->what, culprit);
+  case SG_REFUSED_REPRESENTATION:
+    return PL_representation_error(r->what);
+  case SG_REFUSED_ROW:
+    return sg_raise_status(r->status, r->relation, &r->fault);
+  }
+  return FALSE;
+}
+
+foreign_t
+sg_door_close(sg_call *call, term_t t0, int done)
+{
+  if (!done && !PL_exception(0) && call->refusal.how != SG_REFUSED_NOTHING) {
+    raise_refusal(&call->refusal, t0);
+  }
+  sg_call_close(call);
+  return (foreign_t)done;
+}
+
+/* ---- handles ---- */
+
+static void
+let_go(sg_handle *handle)
+{
+  if (atomic_fetch_sub(&handle->users, 1) == 1) {
+    handle->type->free(handle->object);
+    handle->object = NULL;
+  }
+}
+
+/* False: it is closed. */
+static bool
+take(sg_handle *handle)
+{
+  unsigned users = atomic_load(&handle->users);
+
+  while (users > 0 &&
+         !atomic_compare_exchange_weak(&handle->users, &users, users + 1)) {
+  }
+  if (users > 0 && atomic_load(&handle->closed)) {
+    let_go(handle);
+    return false;
+  }
+  return users > 0;
+}
+
+static void
+shut(sg_handle *handle)
+{
+  if (!atomic_exchange(&handle->closed, true)) {
+    let_go(handle);
+  }
+}
+
+int
+sg_handle_release(atom_t atom)
+{
+  sg_handle *handle = PL_blob_data(atom, NULL, NULL);
+
+  shut(handle);
+  free(handle);
+  return TRUE;
+}
+
+int
+sg_handle_write(IOSTREAM *out, atom_t atom, int flags)
+{
+  const sg_handle *handle = PL_blob_data(atom, NULL, NULL);
+
+  (void)flags;
+  Sfprintf(out, handle->closed ? "<%s>(closed)" : "<%s>(%p)",
+           handle->type->blob.name, (const void *)handle);
+  return TRUE;
+}
+
+/* The handle that t is, open or not. */
+static int
+find(term_t t, sg_handle_type *type, sg_handle **out)
+{
+  PL_blob_t *blob;
+  void *data;
+
+  if (!PL_get_blob(t, &data, NULL, &blob) || blob != &type->blob) {
+    return PL_is_variable(t) ? PL_instantiation_error(t)
+                             : PL_type_error(type->blob.name, t);
+  }
+  *out = data;
+  return TRUE;
+}
+
+int
+sg_handle_get(term_t t, sg_handle_type *type, sg_handle **out)
+{
+  sg_handle *handle;
+
+  *out = NULL;
+  if (!find(t, type, &handle)) {
+    return FALSE;
+  }
+  if (!take(handle)) {
+    return PL_existence_error(type->blob.name, t);
+  }
+  *out = handle;
+  return TRUE;
+}
+
+void
+sg_handle_done(sg_handle *handle)
+{
+  if (handle) {
+    let_go(handle);
+  }
+}
+
+int
+sg_handle_unify(term_t t, sg_handle_type *type, void *object)
+{
+  sg_handle *handle = malloc(sizeof *handle);
+
+  if (!handle) {
+    type->free(object);
+    return sg_no_memory();
+  }
+  handle->object = object;
+  handle->type = type;
+  atomic_init(&handle->users, 1);
+  atomic_init(&handle->closed, false);
+  return PL_unify_blob(t, handle, sizeof *handle, &type->blob);
+}
+
+int
+sg_handle_close(term_t t, sg_handle_type *type)
+{
+  sg_handle *handle;
+
+  if (!sg_handle_get(t, type, &handle)) {
+    return FALSE;
+  }
+  shut(handle);
+  sg_handle_done(handle);
+  return TRUE;
+}
+
+/* ---- words, terms, lists ---- */
+
+int
+sg_door_word(term_t t, const atom_t *word, int n, const char *type)
+{
+  atom_t name;
+
+  if (!PL_get_atom_ex(t, &name)) {
+    return -1;
+  }
+  for (int k = 0; k < n; k++) {
+    if (word[k] == name) {
+      return k;
+    }
+  }
+  PL_domain_error(type, t);
+  return -1;
+}
+
+int
+sg_door_functor(term_t t, functor_t functor, const char *type)
+{
+  return PL_is_functor(t, functor) ||
+         (PL_is_variable(t) ? PL_instantiation_error(t)
+                            : PL_type_error(type, t));
+}
+
+int
+sg_door_length(term_t list, size_t *n)
+{
+  switch (PL_skip_list(list, 0, n)) {
+  case PL_LIST:
+    return TRUE;
+  case PL_PARTIAL_LIST:
+    return PL_instantiation_error(list);
+  default:
+    return PL_type_error("list", list);
+  }
+}
+
+static int
+compare_ids(const void *x, const void *y)
+{
+  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
+
+  return (a > b) - (a < b);
+}
+
+static int
+get_list_of_ids(sg_call *call, term_t t, sg_int_list *out)
+{
+  int32_t *id;
+
+  if (!sg_get_ids_ex(t, &id, &out->n)) {
+    return FALSE;
+  }
+  out->at = sg_call_alloc(call, (out->n + 1) * sizeof *out->at);
+  for (size_t i = 0; out->at && i < out->n; i++) {
+    out->at[i] = id[i];
+  }
+  free(id);
+  return out->at != NULL;
+}
+
+int
+get_set_id(sg_call *call, term_t t, sg_int_list *out)
+{
+  size_t kept = 0;
+
+  if (!get_list_of_ids(call, t, out)) {
+    return FALSE;
+  }
+  if (out->n > 1) {
+    qsort(out->at, out->n, sizeof *out->at, compare_ids);
+  }
+  for (size_t i = 0; i < out->n; i++) {
+    if (kept == 0 || out->at[kept - 1] != out->at[i]) {
+      out->at[kept++] = out->at[i];
+    }
+  }
+  out->n = kept;
+  return TRUE;
+}

@@ -1,0 +1,172 @@
+/* door.h -- what the doors made by tools/doors.pl are put together from.
+ *
+ * Layer: glue. get_TYPE() reads an argument, put_TYPE() makes a term; both
+ * return FALSE with an exception pending, or with a refusal in the call.
+ */
+#ifndef SG_DOOR_H
+#define SG_DOOR_H
+
+#include "call.h"
+#include "glue.h"
+
+#include <SWI-Prolog.h>
+#include <stdatomic.h>
+
+/* ---- a call ---- */
+
+/* Where a nondeterministic door goes on: the function moves it, or sets it to
+ * SG_DOOR_LAST with the last answer. */
+enum { SG_DOOR_FIRST = 0 };
+#define SG_DOOR_LAST SIZE_MAX
+
+void sg_door_open(sg_call *call);
+/* Raises what was refused, frees what the call has; returns `done`. t0: the
+ * first argument. */
+foreign_t sg_door_close(sg_call *call, term_t t0, int done);
+
+/* ---- handles ---- */
+
+typedef struct sg_handle_type {
+  PL_blob_t blob; /* the first */
+  void (*free)(void *object);
+} sg_handle_type;
+
+/* Behind the blob. The object is freed when it is closed, or forgotten, and no
+ * call looks at it. */
+typedef struct sg_handle {
+  void *object;
+  sg_handle_type *type;
+  atomic_uint users; /* calls, and Prolog until it is closed */
+  atomic_bool closed;
+} sg_handle;
+
+int sg_handle_release(atom_t atom);
+int sg_handle_write(IOSTREAM *out, atom_t atom, int flags);
+
+#define SG_HANDLE_TYPE(NAME, FREE)                                             \
+  {                                                                            \
+    .blob = {.magic = PL_BLOB_MAGIC,                                           \
+             .flags = PL_BLOB_UNIQUE | PL_BLOB_NOCOPY,                         \
+             .name = NAME,                                                     \
+             .release = sg_handle_release,                                     \
+             .write = sg_handle_write},                                        \
+    .free = FREE                                                               \
+  }
+
+/* The open handle that t is, in use until sg_handle_done() (null: nothing):
+ * type_error(Type, t), existence_error(Type, t). */
+int sg_handle_get(term_t t, sg_handle_type *type, sg_handle **out);
+void sg_handle_done(sg_handle *handle);
+/* Unifies t with a handle of the object, and owns it also after a failure. */
+int sg_handle_unify(term_t t, sg_handle_type *type, void *object);
+int sg_handle_close(term_t t, sg_handle_type *type);
+
+/* ---- simple types ---- */
+
+static inline int
+get_id(sg_call *call, term_t t, int32_t *out)
+{
+  (void)call;
+  return sg_get_id_ex(t, out);
+}
+
+static inline int
+get_int(sg_call *call, term_t t, int32_t *out)
+{
+  (void)call;
+  return sg_get_int32_ex(t, out);
+}
+
+/* 0 or more: type_error(not_less_than_zero, t). */
+static inline int
+get_count(sg_call *call, term_t t, size_t *out)
+{
+  (void)call;
+  return PL_get_size_ex(t, out);
+}
+
+static inline int
+get_number(sg_call *call, term_t t, double *out)
+{
+  (void)call;
+  return sg_get_finite_ex(t, out);
+}
+
+static inline int
+get_bool(sg_call *call, term_t t, bool *out)
+{
+  int is;
+
+  (void)call;
+  if (!PL_get_bool_ex(t, &is)) {
+    return FALSE;
+  }
+  *out = is;
+  return TRUE;
+}
+
+int get_set_id(sg_call *call, term_t t, sg_int_list *out);
+
+#define put_id(t, x)     PL_put_int64(t, (int64_t)(x))
+#define put_int(t, x)    PL_put_int64(t, (int64_t)(x))
+#define put_count(t, x)  PL_put_int64(t, (int64_t)(x))
+#define put_number(t, x) PL_put_float(t, (x) + 0.0)
+#define put_bool(t, x)   PL_put_bool(t, (x))
+
+/* ---- words, terms, lists ---- */
+
+/* Which of n words t is, -1: an exception. */
+int sg_door_word(term_t t, const atom_t *word, int n, const char *type);
+/* t is such a term: instantiation_error, type_error(type, t). */
+int sg_door_functor(term_t t, functor_t functor, const char *type);
+/* The length of a list, as glue.h has it. */
+int sg_door_length(term_t list, size_t *n);
+/* Among many steps: false if Prolog wants to stop. */
+static inline int
+sg_door_goes_on(size_t i)
+{
+  return i % 4096 != 4095 || PL_handle_signals() >= 0;
+}
+
+/* get_list_TYPE() and put_list_TYPE(): GET(call, t, &x), PUT(t, x). */
+#define SG_DOOR_GET_LIST(TYPE, LIST, GET)                                      \
+  static int get_list_##TYPE(sg_call *call, term_t t, LIST *out)               \
+  {                                                                            \
+    term_t tail = PL_copy_term_ref(t), head = PL_new_term_ref();               \
+    term_t rest = PL_new_term_ref();                                           \
+    size_t n;                                                                  \
+                                                                               \
+    *out = (LIST){0};                                                          \
+    if (!sg_door_length(t, &n) ||                                              \
+        (n > 0 && !(out->at = sg_call_alloc(call, n * sizeof *out->at)))) {    \
+      return FALSE;                                                            \
+    }                                                                          \
+    for (out->room = n; out->n < n; out->n++) {                                \
+      if (!sg_door_goes_on(out->n) || !PL_get_list(tail, head, tail) ||        \
+          !GET(call, head, &out->at[out->n])) {                                \
+        return FALSE;                                                          \
+      }                                                                        \
+      PL_reset_term_refs(rest);                                                \
+      rest = PL_new_term_ref();                                                \
+    }                                                                          \
+    return TRUE;                                                               \
+  }
+
+#define SG_DOOR_PUT_LIST(TYPE, LIST, PUT)                                      \
+  static int put_list_##TYPE(term_t t, const LIST *x)                          \
+  {                                                                            \
+    term_t head = PL_new_term_ref(), rest;                                     \
+                                                                               \
+    PL_put_nil(t);                                                             \
+    for (size_t i = x->n; i > 0; i--) {                                        \
+      rest = PL_new_term_ref();                                                \
+      if (!sg_door_goes_on(i) || !PUT(head, x->at[i - 1]) ||                   \
+          !PL_cons_list(t, head, t)) {                                         \
+        return FALSE;                                                          \
+      }                                                                        \
+      PL_reset_term_refs(rest);                                                \
+    }                                                                          \
+    return TRUE;                                                               \
+  }
+
+#endif

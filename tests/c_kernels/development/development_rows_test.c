@@ -1,0 +1,126 @@
+/* development_rows_test.c -- a cube laid flat through the functions of the
+ * doors, without Prolog.
+ */
+#include "development/development_rows.h"
+#include "doors/pattern.h"
+
+#include "tests/c_kernels/cube_world.h"
+#include "tests/check.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { CUBE = 1, PATTERN = 2 };
+
+static sg_call call;
+
+static size_t
+rows_in(const sg_world *world, sg_relation relation)
+{
+  const sg_version *version = sg_world_version((sg_world *)world);
+  size_t n = sg_version_count(version, relation);
+
+  sg_version_drop(version);
+  return n;
+}
+
+static sg_development *
+opened(const sg_int_list *removed)
+{
+  sg_development *d = NULL;
+
+  return sg_door_flattening_open(&call, CUBE, 1e-9, removed, &d) ? d : NULL;
+}
+
+static void
+counts(sg_development *d)
+{
+  size_t faces, joints;
+  double step;
+  sg_int_list borders = {0};
+
+  CHECK("counts", sg_door_flattening_counts(&call, d, &faces, &joints, &step));
+  CHECK("faces and joints", faces == 6 && joints == 12);
+  CHECK("borders", sg_door_flattening_borders(&call, d, &borders));
+  CHECK("a cube has none", borders.n == 0);
+}
+
+static void
+joins(sg_development *d)
+{
+  sg_joint_fact joint;
+  sg_join_result result;
+  sg_int_list order = {0}, path = {0};
+  int32_t j = 0;
+
+  CHECK("order", sg_door_joint_order(&call, d, 0, &order));
+  CHECK("each joint once", order.n == 12 && order.at[0] >= 1);
+  CHECK("a joint", sg_door_flattening_joint(&call, d, order.at[0], &joint));
+  CHECK("a right angle", fabs(joint.angle - 90) < 1e-9);
+  CHECK("not joined yet", joint.state == SG_JOINT_OPEN);
+  CHECK("edge", sg_door_edge_joint(&call, d, joint.edge2, &j));
+  CHECK("its joint", j == order.at[0]);
+  CHECK("join", sg_door_join_faces(&call, d, j, &result));
+  CHECK("joined", result.is == SG_JOIN_RESULT_JOINED);
+  CHECK("path", sg_door_joint_path(&call, d, j, &path));
+  CHECK("over itself", path.n == 1 && path.at[0] == j);
+  CHECK("joint 13", !sg_door_flattening_joint(&call, d, 13, &joint));
+  CHECK("is missing",
+        call.refusal.how == SG_REFUSED_EXISTENCE && call.refusal.argument == 2);
+  call.refusal.how = SG_REFUSED_NOTHING;
+}
+
+static void
+writes(sg_world *world, sg_development *d)
+{
+  sg_flat_measures m;
+
+  CHECK("not laid", !sg_door_flattening_write(&call, d, PATTERN));
+  CHECK("refused", call.refusal.how == SG_REFUSED_PERMISSION &&
+                       !strcmp(call.refusal.action, "lay"));
+  call.refusal.how = SG_REFUSED_NOTHING;
+  CHECK("join all", sg_door_join_all(&call, d, 0));
+  CHECK("no polygon 9", !sg_door_flattening_lay(&call, d, 9));
+  call.refusal.how = SG_REFUSED_NOTHING;
+  CHECK("lay", sg_door_flattening_lay(&call, d, 1));
+  CHECK("measures", sg_door_flattening_measures(&call, d, &m));
+  CHECK("of a cube",
+        m.pieces == 1 && fabs(m.area - 6) < 1e-12 && fabs(m.seam - 7) < 1e-12);
+  CHECK("write", sg_door_flattening_write(&call, d, PATTERN));
+  CHECK("vertices", rows_in(world, SG_V) == 8 + 14);
+  CHECK("pieces", rows_in(world, SG_PIECE) == 6);
+  CHECK("joints", rows_in(world, SG_JOINT) == 12);
+  CHECK("twice", !sg_door_flattening_write(&call, d, PATTERN));
+  CHECK("is refused", call.refusal.how == SG_REFUSED_PERMISSION &&
+                          call.refusal.number == PATTERN);
+  call.refusal.how = SG_REFUSED_NOTHING;
+}
+
+int
+main(void)
+{
+  int32_t gone[] = {2, 5};
+  const sg_int_list none = {0}, two = {gone, 2, 2};
+  sg_world *world = sg_world_open();
+  size_t faces, joints;
+  double step;
+
+  sg_call_open(&call, NULL, NULL);
+  call.world = world;
+  CHECK("a cube", world && add_cube(world, CUBE));
+  sg_development *d = opened(&none);
+
+  CHECK("open", d != NULL);
+  counts(d);
+  joins(d);
+  writes(world, d);
+  sg_development_free(d);
+  d = opened(&two);
+  CHECK("without two",
+        sg_door_flattening_counts(&call, d, &faces, &joints, &step));
+  CHECK("are four", faces == 4);
+  sg_development_free(d);
+  sg_call_close(&call);
+  sg_world_let_go(world);
+  return check_report();
+}
