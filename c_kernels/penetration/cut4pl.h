@@ -32,6 +32,7 @@ typedef struct sg_cut_handle {
   int32_t *segment;    /* those of the pairs, ascending */
   sg_kept_tree **tree; /* [segments], held */
   size_t segments;
+  uint8_t *sharing;                    /* [segments]: sg_cut_shares_edges() */
   sg_leaf_views views;                 /* of the version */
   uint32_t (*candidate)[2];            /* triangles, and then curve edges */
   size_t candidates, curve_candidates; /* the second: where those begin */
@@ -63,6 +64,10 @@ int sg_get_cut_set_ex(term_t t, sg_cut_handle **out);
 sg_row sg_cut_row_of(sg_cut_handle *handle, sg_relation relation, int32_t s,
                      int32_t id);
 void sg_cut_rows_clear(sg_cut_handle *handle);
+
+/* Whether polygons of segment s may have edges in common, in the version: those
+ * that are written share none unless these do. */
+bool sg_cut_shares_edges(sg_cut_handle *handle, int32_t s);
 
 /* Notes the polygons of all split edges, or of those that are late: each has a
  * triangle beside the edge, which is in the model, since the point is in it.

@@ -3,7 +3,8 @@
  * A face is what hangs together flat, of however many polygons: a mesh's
  * triangles are polygons of their own. Where the faces of two segments lie on
  * each other, their borders are lines, and the edges between polygons of one
- * face are none; nor is a vertex inside a face a contact.
+ * face are none; nor is a vertex inside a face a contact. Vertices of a segment
+ * in one place are one here, so that triangles need not share any.
  *
  * All triangles at an edge along which something lies are in the model, as
  * their boxes have that in common, too. So an edge is asked about only where
@@ -15,8 +16,52 @@
 #include "number/vector.h"
 
 #include <math.h>
+#include <string.h>
+
+/* ---- vertices by their places ---- */
+
+/* Numbers the places of the vertices that came since. False: no memory. */
+static bool
+number_places(sg_cut_set *set)
+{
+  const sg_cut_model *model = &set->model;
+
+  while (set->placed < model->vertices) {
+    const sg_leaf_vertex *vertex = &model->vertex[set->placed];
+    uint32_t key[6];
+
+    if (!sg_cut_room((void **)&set->place_of, set->placed, &set->place_room,
+                     sizeof *set->place_of)) {
+      return false;
+    }
+    for (int k = 0; k < 3; k++) {
+      double x = vertex->at[k] + 0.0; /* no -0.0 */
+      memcpy(&key[2 * k], &x, sizeof x);
+    }
+    uint32_t *first = sg_key_table_put(&set->at_place, key);
+    if (!first) {
+      return false;
+    }
+    if (*first == SG_NO_KEY) {
+      *first = (uint32_t)set->placed;
+    }
+    set->place_of[set->placed++] = *first;
+  }
+  return true;
+}
 
 /* ---- triangles by their edges ---- */
+
+/* Side k of a triangle, as its places: the smaller one first. */
+static void
+side_key(const sg_cut_set *set, uint32_t triangle, uint32_t k, uint32_t out[2])
+{
+  const uint32_t *v = set->model.triangle[triangle].v;
+  uint32_t a = set->place_of[v[k]], b = set->place_of[v[(k + 1) % 3]];
+
+  out[0] = a < b ? a : b;
+  out[1] = a < b ? b : a;
+}
 
 /* Files the triangles that came since. False: no memory. */
 static bool
@@ -24,8 +69,10 @@ file_sides(sg_cut_set *set)
 {
   const sg_cut_model *model = &set->model;
 
+  if (!number_places(set)) {
+    return false;
+  }
   while (set->sided < model->triangles) {
-    const uint32_t *v = model->triangle[set->sided].v;
     size_t room = set->side_room;
 
     if (!sg_cut_room((void **)&set->next_side, 3 * set->sided + 2, &room,
@@ -34,10 +81,10 @@ file_sides(sg_cut_set *set)
     }
     set->side_room = room;
     for (uint32_t k = 0; k < 3; k++) {
-      uint32_t a = v[k], b = v[(k + 1) % 3];
-      uint32_t side = 3 * (uint32_t)set->sided + k;
-      uint32_t *last = sg_key_table_put(
-          &set->side_of, (uint32_t[2]){a < b ? a : b, a < b ? b : a});
+      uint32_t key[2], side = 3 * (uint32_t)set->sided + k;
+
+      side_key(set, (uint32_t)set->sided, k, key);
+      uint32_t *last = sg_key_table_put(&set->side_of, key);
       if (!last) {
         return false;
       }
@@ -49,27 +96,29 @@ file_sides(sg_cut_set *set)
   return true;
 }
 
-/* The only other triangle side between the ends of side k of a triangle, if it
- * runs the other way; SG_NO_KEY: there is none, or several. */
+/* The only other triangle side of the segment between the ends of side k of a
+ * triangle, if it runs the other way; SG_NO_KEY: there is none, or several. */
 static uint32_t
 other_side(const sg_cut_set *set, uint32_t triangle, uint32_t k)
 {
   const sg_leaf_triangle *leaf = set->model.triangle;
-  uint32_t a = leaf[triangle].v[k], b = leaf[triangle].v[(k + 1) % 3];
-  uint32_t other = SG_NO_KEY;
-  uint32_t side = sg_key_table_get(&set->side_of,
-                                   (uint32_t[2]){a < b ? a : b, a < b ? b : a});
+  uint32_t other = SG_NO_KEY, key[2];
+
+  side_key(set, triangle, k, key);
+  uint32_t side = sg_key_table_get(&set->side_of, key);
 
   for (; side != SG_NO_KEY; side = set->next_side[side]) {
-    if (side != 3 * triangle + k) {
+    if (leaf[side / 3].s == leaf[triangle].s && side != 3 * triangle + k) {
       if (other != SG_NO_KEY) {
         return SG_NO_KEY;
       }
       other = side;
     }
   }
-  return other != SG_NO_KEY && leaf[other / 3].v[other % 3] == b ? other
-                                                                 : SG_NO_KEY;
+  return other != SG_NO_KEY && set->place_of[leaf[other / 3].v[other % 3]] ==
+                                   set->place_of[leaf[triangle].v[(k + 1) % 3]]
+             ? other
+             : SG_NO_KEY;
 }
 
 /* ---- flat ---- */
@@ -196,14 +245,18 @@ sg_cut_is_flat_pair(const sg_cut_set *set, const uint32_t t[2])
 /* ---- contacts ---- */
 
 /* Where vertex v of the model stands among those that lie in a common part of
- * faces of these segments. */
+ * faces of these segments. Null: no memory. */
 static uint32_t *
 vertex_inside(sg_cut_set *set, const uint32_t t[2], uint32_t v)
 {
   const sg_leaf_triangle *leaf = set->model.triangle;
   int32_t s = leaf[t[0]].s, other = leaf[t[1]].s;
+
+  if (!number_places(set)) {
+    return NULL;
+  }
   uint32_t key[3] = {(uint32_t)(s < other ? s : other),
-                     (uint32_t)(s < other ? other : s), v};
+                     (uint32_t)(s < other ? other : s), set->place_of[v]};
 
   return sg_key_table_put(&set->inside, key);
 }

@@ -10,6 +10,7 @@
 #include "glue.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* The table of a relation; -1: it has none. */
 static int
@@ -95,6 +96,76 @@ sg_cut_row_of(sg_cut_handle *handle, sg_relation relation, int32_t s,
   uint32_t row = sg_id_rows_find(&handle->by_id[k].of[place], id);
 
   return row == SG_NO_ID_ROW ? SG_NO_ROW : row;
+}
+
+/* ---- edges of several polygons ---- */
+
+/* Notes the edges of a polygon in *seen, a bit an edge. 1: one was there
+ * before; 0; -1: no memory. */
+static int
+see_edges(const int32_t *list, uint8_t **seen, size_t *room)
+{
+  for (int32_t i = 1; i <= list[0]; i++) {
+    size_t at = (size_t)list[i] / 8;
+    uint8_t bit = (uint8_t)(1 << list[i] % 8);
+
+    if (at >= *room) {
+      uint8_t *grown = realloc(*seen, 2 * at + 64);
+      if (!grown) {
+        return -1;
+      }
+      memset(grown + *room, 0, 2 * at + 64 - *room);
+      *seen = grown;
+      *room = 2 * at + 64;
+    }
+    if ((*seen)[at] & bit) {
+      return 1;
+    }
+    (*seen)[at] |= bit;
+  }
+  return 0;
+}
+
+/* Without memory: they may. */
+static bool
+find_sharing(const sg_cut_handle *handle, int32_t s)
+{
+  sg_view view;
+  sg_segment_rows rows = {0};
+  uint8_t *seen = NULL;
+  size_t room = 0;
+  int shares = 0;
+
+  if (!sg_version_view(handle->version, SG_P, &view)) {
+    return true;
+  }
+  if (!sg_segment_rows_find(&view, &s, 1, NULL, &rows)) {
+    shares = -1;
+  }
+  for (size_t i = 0; shares == 0 && i < rows.begin[1]; i++) {
+    shares =
+        see_edges(sg_version_value(handle->version, SG_P, rows.row[i], 2).list,
+                  &seen, &room);
+  }
+  free(seen);
+  sg_segment_rows_clear(&rows);
+  sg_view_clear(&view);
+  return shares != 0;
+}
+
+bool
+sg_cut_shares_edges(sg_cut_handle *handle, int32_t s)
+{
+  enum { UNKNOWN, ALONE, SHARED };
+  size_t place = segment_place(handle, s);
+
+  if (place == SIZE_MAX) {
+    return true;
+  }
+  if (handle->sharing[place] == UNKNOWN) {
+    handle->sharing[place] = find_sharing(handle, s) ? SHARED : ALONE;
+  }
+  return handle->sharing[place] == SHARED;
 }
 
 /* ---- beside split edges ---- */

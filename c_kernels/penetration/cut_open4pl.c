@@ -124,7 +124,8 @@ sg_cut_open_ex(sg_cut_handle *handle, term_t pairs)
           compare_segments);
   }
   handle->tree = calloc(handle->segments + 1, sizeof(sg_kept_tree *));
-  if (!handle->tree || !(crew = sg_crew_open(0))) {
+  handle->sharing = calloc(handle->segments + 1, sizeof *handle->sharing);
+  if (!handle->tree || !handle->sharing || !(crew = sg_crew_open(0))) {
     return sg_no_memory();
   }
   good =
@@ -147,12 +148,14 @@ sg_cut_open_clear(sg_cut_handle *handle)
   free(handle->pair);
   free(handle->candidate);
   free(handle->own);
+  free(handle->sharing);
   sg_leaf_views_clear(&handle->views);
   handle->tree = NULL;
   handle->segment = NULL;
   handle->pair = NULL;
   handle->candidate = NULL;
   handle->own = NULL;
+  handle->sharing = NULL;
   handle->segments = handle->pairs = 0;
   handle->candidates = handle->curve_candidates = 0;
 }

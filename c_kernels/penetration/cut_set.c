@@ -14,6 +14,7 @@ sg_cut_set_init(sg_cut_set *set, sg_is_real *is_real, void *data)
   sg_key_table_init(&set->piece_number, SG_KEY_WORDS);
   sg_key_table_init(&set->edge_number, 2);
   sg_key_table_init(&set->late, 2);
+  sg_key_table_init(&set->at_place, 6);
   sg_key_table_init(&set->side_of, 2);
   sg_key_table_init(&set->inside, 3);
 }
@@ -29,9 +30,11 @@ sg_cut_set_clear(sg_cut_set *set)
   sg_key_table_clear(&set->piece_number);
   sg_key_table_clear(&set->edge_number);
   sg_key_table_clear(&set->late);
+  sg_key_table_clear(&set->at_place);
   sg_key_table_clear(&set->side_of);
   sg_key_table_clear(&set->inside);
   free(set->flat_touch);
+  free(set->place_of);
   free(set->next_side);
   free(set->cut);
   free(set->contact);

@@ -85,7 +85,10 @@ typedef struct sg_cut_set {
   size_t flat_touches, flat_touch_room;
   bool of_faces;             /* else an edge inside a face is as any other */
   double flat_within;        /* what is off by no more is one face */
-  sg_key_table side_of;      /* (a, b), a < b: the last side filed there */
+  sg_key_table at_place;     /* coordinates: the first vertex there */
+  uint32_t *place_of;        /* [placed]: of a vertex, this one */
+  size_t placed, place_room; /* vertices that are numbered so */
+  sg_key_table side_of;      /* (a, b), a < b, of these: the last side there */
   sg_key_table inside;       /* cut_face.c says of what */
   uint32_t *next_side;       /* [3 * sided]: the one before; SG_NO_KEY */
   size_t sided, side_room;   /* triangles whose sides are filed */

@@ -191,6 +191,9 @@ runs(const cut_polygon *c, sg_row row, int32_t *v1, int32_t *v2)
 static bool
 is_used(const cut_polygon *c, int32_t e)
 {
+  if (!sg_cut_shares_edges(c->handle, c->s)) {
+    return false;
+  }
   const sg_version *version = sg_world_version(c->world);
   bool used = sg_version_has_member(version, SG_P, c->s, e);
 

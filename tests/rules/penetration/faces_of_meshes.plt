@@ -175,6 +175,34 @@ different(I, I-Labels-Polygons-OfMeshes) :-
 found(Goal, Found) :-
     catch(Goal, Error, Found = Error).
 
+%   loose(+Shape0, -Shape): no two faces have a point in common.
+
+loose(shape(Label,Kind,Points0,Faces0),
+      shape(loose(Label),Kind,Points,Faces)) :-
+    foldl(loose_face(Points0), Faces0, Faces, []-1, Points1-_),
+    reverse(Points1, Points).
+
+loose_face(Points0, Loops0, Loops, State0, State) :-
+    foldl(loose_loop(Points0), Loops0, Loops, State0, State).
+
+loose_loop(Points0, Loop0, Loop, Points1-N1, Points-N) :-
+    length(Loop0, Corners),
+    N is N1+Corners,
+    Last is N-1,
+    numlist(N1, Last, Loop),
+    maplist(nth_point(Points0), Loop0, New),
+    reverse(New, Turned),
+    append(Turned, Points1, Points).
+
+loose_different(I, I-Labels-Whole-Loose) :-
+    model_shapes(I, Shapes),
+    meshes(Shapes, Meshes),
+    maplist(loose, Meshes, LooseMeshes),
+    in_scene(Meshes, found(exact(Whole), Whole)),
+    in_scene(LooseMeshes, found(exact(Loose), Loose)),
+    Whole \== Loose,
+    maplist(shape_label, Meshes, Labels).
+
 %   turned(-Found): after it was turned, so that nothing touches exactly any
 %   more: lengths.
 
@@ -282,5 +310,10 @@ test(turned, Bad == []) :-
     bad(turned_different, Bad).
 test(pictured, Bad == []) :-
     bad(pictured_different, Bad).
+
+%   Triangles as STL has them, each with corners of its own.
+
+test(loose, Bad == []) :-
+    bad(loose_different, Bad).
 
 :- end_tests(faces_of_meshes).
