@@ -73,7 +73,7 @@ RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 .PHONY: all sanggwan packages so demo test test-all check check-c check-rules check-embed check-cli bless \
-        mutants check-san san coverage covered check-vg lint clean install uninstall bench
+        mutants check-san san tsan coverage covered check-vg lint clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
 
@@ -231,6 +231,8 @@ check-san: $(B)/tests/embed/stress_test
 	@STRESS_SECONDS=60 tests/run $<
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san san
+	@OPT=-O1 EXTRA_CFLAGS='$(TSAN)' $(MAKE) --no-print-directory -s \
+	  B=$(B)/tsan tsan
 san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
 	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
 	@$(B)/tests/c_kernels/model/mesh_fuzz_test 20000
@@ -238,6 +240,20 @@ san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
 	@B=$(B) TEST_SECONDS=1200 ASAN_OPTIONS=detect_leaks=0 SWIPL="env \
 	  LD_PRELOAD=$$($(CC) -print-file-name=libasan.so) swipl --no-threads" \
 	  tests/run $(PLTS)
+
+# ThreadSanitizer, the same way: a Prolog without threads of its own leaves those
+# of the store, and of crews, which share the work on meshes and pictures.
+TSAN     := -fsanitize=thread -fno-omit-frame-pointer -Wno-maybe-uninitialized
+TSAN_C   := crew threads exact_point bvh leaf_tree hide_search solid_rows
+TSAN_PLT := solid/ model/mesh picture/hidden_lines penetration/penetration_m \
+            penetration/resolve penetration/self_cut
+tsan: export TSAN_OPTIONS = die_after_fork=0 exitcode=66
+tsan: $(B)/sanggwan.so $(CHECKERS) \
+      $(foreach t,$(TSAN_C),$(filter %/$(t)_test,$(C_TESTS)))
+	@B=$(B) TEST_SECONDS=1200 tests/run $(filter %_test,$^)
+	@B=$(B) TEST_SECONDS=1200 SWIPL="env \
+	  LD_PRELOAD=$$($(CC) -print-file-name=libtsan.so) swipl --no-threads" \
+	  tests/run $(sort $(foreach t,$(TSAN_PLT),$(filter tests/rules/$(t)%,$(PLTS))))
 
 # How much of what decides exactly the C tests go through: lines and branches of
 # each file, from gcov. The rules' tests go through the rest of it.

@@ -56,6 +56,8 @@ struct sg_world {
   void (*drop_note[SG_NOTES])(void *note);
 };
 
+_Static_assert(SG_RELATIONS <= 64, "sg_world.referring has a bit for each");
+
 /* Takes the lock when no other thread writes; leave releases it. */
 void sg_world_enter(sg_world *world);
 void sg_world_leave(sg_world *world);

@@ -10,10 +10,11 @@
 own, so that one that ends or that never ends is seen, and named by its number.
 
 From the environment: EDIT_FUZZ=COUNT and EDIT_FUZZ_FROM=FIRST run others than
-those below. One alone, and what it does:
+those below; of threads that share a world a tenth of COUNT. One alone, and what
+it does:
 
     EDIT_SAY=1 EDIT_SCRATCH=/tmp swipl -p foreign=build \
-        tests/rules/edit_child.pl -- 7 7 0
+        tests/rules/edit_child.pl -- 7 7 0 1
 */
 
 setting(Name, Default, Value) :-
@@ -32,16 +33,16 @@ prolog(Program, Options) :-
         Options = []
     ).
 
-%   scripts(First, Last, Folder, Wrong): Wrong is the list of what was wrong,
-%   terms wrong(Seed, What). A process has 500 scripts at most, so what an early
-%   one left behind is never far.
+%   scripts(First, Last, Threads, Folder, Wrong): Wrong is the list of what
+%   was wrong, terms wrong(Seed, What). A process has 500 scripts at most, so
+%   what an early one left behind is never far.
 
-scripts(First, Last, _, []) :-
+scripts(First, Last, _, _, []) :-
     First > Last,
     !.
-scripts(First, Last, Folder, Wrong) :-
+scripts(First, Last, Threads, Folder, Wrong) :-
     Until is min(Last, First+499),
-    child(First, Until, Folder, Lines, Status),
+    child([First,Until], Threads, Folder, Lines, Status),
     findall(wrong(Seed, What), told(Lines, Seed, What), Wrong1),
     (   last(Lines, "done")
     ->  Wrong2 = [],
@@ -51,12 +52,12 @@ scripts(First, Last, Folder, Wrong) :-
         Next is Seed+1
     ),
     append([Wrong1, Wrong2, Wrong3], Wrong),
-    scripts(Next, Last, Folder, Wrong3).
+    scripts(Next, Last, Threads, Folder, Wrong3).
 
-%   child(First, Last, Folder, Lines, Status): 500 scripts take some ten
+%   child(Range, Threads, Folder, Lines, Status): 500 scripts take some ten
 %   seconds; after twenty minutes one of them has no end.
 
-child(First, Last, Folder, Lines, Status) :-
+child([First,Last], Threads, Folder, Lines, Status) :-
     prolog(Program, Options),
     absolute_file_name(tests('rules/edit_child.pl'), Child, [access(read)]),
     absolute_file_name(foreign(sanggwan), Foreign,
@@ -67,7 +68,8 @@ child(First, Last, Folder, Lines, Status) :-
     ->  Seconds = 0
     ;   Seconds = 120
     ),
-    append(Options, ['-p',Where,Child,'--',First,Last,Seconds], Arguments),
+    append(Options, ['-p',Where,Child,'--',First,Last,Seconds,Threads],
+           Arguments),
     process_create(path(timeout),
                    ['-s','KILL',1200,Program|Arguments],
                    [ stdout(pipe(Out)), stderr(null), cwd(Folder),
@@ -101,14 +103,24 @@ with_folder(Folder, Goal) :-
     setup_call_cleanup(make_directory(Folder), Goal,
                        delete_directory_and_contents(Folder)).
 
+%   run(Count, First, Threads, Wrong)
+
+run(Count, First, Threads, Wrong) :-
+    Last is First+Count-1,
+    with_folder(Folder, once(scripts(First, Last, Threads, Folder, Wrong))).
+
 :- begin_tests(edit_fuzz).
 
 test(scripts, Wrong == []) :-
     setting('EDIT_FUZZ', 400, Count),
     setting('EDIT_FUZZ_FROM', 1, First),
-    Last is First+Count-1,
-    with_folder(Folder,
-                once(test_edit_fuzz:scripts(First, Last, Folder, Wrong))),
+    run(Count, First, 1, Wrong),
     format("counted: ~d scripts of edits and questions~n", [Count]).
+test(threads, [condition(current_prolog_flag(threads, true)), Wrong == []]) :-
+    setting('EDIT_FUZZ', 400, Count),
+    setting('EDIT_FUZZ_FROM', 1, First),
+    Worlds is max(1, Count//10),
+    run(Worlds, First, 3, Wrong),
+    format("counted: ~d worlds edited by 3 threads~n", [Worlds]).
 
 :- end_tests(edit_fuzz).

@@ -1,5 +1,5 @@
 :- module(sg_test_edit_script,
-          [ script/2                    % +Seed, -Wrong
+          [ script/3                    % +Threads, +Seed, -Wrong
           ]).
 /** <module> Random edits of random worlds, and random questions about them.
 
@@ -17,18 +17,44 @@ edit_fuzz.plt runs scripts in processes of their own.
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).
+:- use_module(library(thread)).
 :- use_module(rules(sanggwan)).
 :- use_module(tests('rules/soup')).
 :- use_module(tests('rules/whole_world')).
 
-%!  script(+Seed:integer, -Wrong:list) is det.
+%!  script(+Threads:integer, +Seed:integer, -Wrong:list) is det.
 %
-%   Wrong is the list of what was wrong in the script of this Seed.
+%   Wrong is the list of what was wrong in the script of this Seed. Each of two
+%   Threads or more runs a script in the same world, at the same time.
 
-script(Seed, Wrong) :-
+script(1, Seed, Wrong) :-
+    !,
     soup(Seed, Soup), % seeds the random numbers
     new_world(World),
     in_world(World, scene(Soup, Wrong)).
+script(Threads, Seed, Wrong) :-
+    soup(Seed, Soup),
+    new_world(World),
+    findall(sg_test_edit_script:quiet_scene(World, Soup, _),
+            between(1, Threads, _), Goals),
+    concurrent(Threads, Goals, []),
+    findall(W,
+            ( member(_:quiet_scene(_, _, Ws), Goals),
+              member(W, Ws),
+              W \= dangles(_, _) ),
+            Wrong1),
+    in_world(World, findall(dangles(Row, Missing), dangling(Row, Missing),
+                            Wrong2)),
+    append(Wrong1, Wrong2, Wrong).
+
+%   quiet_scene(World, Soup, Wrong): what a thread does.
+
+quiet_scene(World, Soup, Wrong) :-
+    setup_call_cleanup(
+        ( open_null_stream(Null),
+          set_output(Null) ),
+        in_world(World, scene(Soup, Wrong)),
+        close(Null)).
 
 scene(Soup, Wrong) :-
     random_between(1, 3, N),
