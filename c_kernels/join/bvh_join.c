@@ -41,6 +41,8 @@ typedef struct joiner {
   double reach;
   sg_bvh_wants *wants; /* null: all are wanted */
   void *data;
+  sg_bvh_apart *apart; /* null, but in one tree with itself */
+  const void *fans;
   groups *front; /* [fronts]: what the tasks begin with, in order */
   size_t fronts;
   hit_list *found; /* [tasks] */
@@ -192,6 +194,11 @@ go_on(descent *d, const groups *at, int k, unsigned bits)
     if (at->level_i == 0 && at->level_j == 0) {
       take_hit(d, (sg_bvh_hit){d->pair, at->i * SG_BVH_WIDTH + (uint32_t)k,
                                at->j * SG_BVH_WIDTH + (uint32_t)l});
+      continue;
+    }
+    if (d->join->apart && d->join->apart(d->join->fans, at->level_i,
+                                         at->i * SG_BVH_WIDTH + (size_t)k,
+                                         at->j * SG_BVH_WIDTH + (size_t)l)) {
       continue;
     }
     groups below = groups_below(at, k, l);
@@ -362,19 +369,10 @@ is_small(const joiner *join, size_t n)
   return boxes < few;
 }
 
-bool
-sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
-            const sg_poll *poll, sg_bvh_hits *out)
+static bool
+join_all(joiner join, size_t n, sg_crew *crew, const sg_poll *poll,
+         sg_bvh_hits *out)
 {
-  return sg_bvh_join_wanted(pair, n, reach, NULL, NULL, crew, poll, out);
-}
-
-bool
-sg_bvh_join_wanted(const sg_bvh_pair *pair, size_t n, double reach,
-                   sg_bvh_wants *wants, void *data, sg_crew *crew,
-                   const sg_poll *poll, sg_bvh_hits *out)
-{
-  joiner join = {.pair = pair, .reach = reach, .wants = wants, .data = data};
   group_list front = {0};
   bool grew = true, good = add_tops(&join, n, &front);
 
@@ -397,4 +395,37 @@ sg_bvh_join_wanted(const sg_bvh_pair *pair, size_t n, double reach,
   free(join.found);
   free(front.at);
   return good;
+}
+
+bool
+sg_bvh_join_wanted(const sg_bvh_pair *pair, size_t n, double reach,
+                   sg_bvh_wants *wants, void *data, sg_crew *crew,
+                   const sg_poll *poll, sg_bvh_hits *out)
+{
+  joiner join = {.pair = pair, .reach = reach, .wants = wants, .data = data};
+
+  return join_all(join, n, crew, poll, out);
+}
+
+bool
+sg_bvh_join_itself(const sg_bvh *tree, double reach, sg_bvh_wants *wants,
+                   void *data, sg_bvh_apart *apart, const void *fans,
+                   sg_crew *crew, const sg_poll *poll, sg_bvh_hits *out)
+{
+  const sg_bvh_pair pair = {tree, tree};
+  joiner join = {.pair = &pair,
+                 .reach = reach,
+                 .wants = wants,
+                 .data = data,
+                 .apart = apart,
+                 .fans = fans};
+
+  return join_all(join, 1, crew, poll, out);
+}
+
+bool
+sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
+            const sg_poll *poll, sg_bvh_hits *out)
+{
+  return sg_bvh_join_wanted(pair, n, reach, NULL, NULL, crew, poll, out);
 }

@@ -44,4 +44,14 @@ bool sg_bvh_join_wanted(const sg_bvh_pair *pair, size_t n, double reach,
                         sg_bvh_wants *wants, void *data, sg_crew *crew,
                         const sg_poll *poll, sg_bvh_hits *out);
 
+/* Whether nothing is wanted of what is below boxes a and b of a level (1 or
+ * more) of a tree that is joined with itself. As sg_bvh_wants. */
+typedef bool sg_bvh_apart(const void *data, unsigned level, size_t a, size_t b);
+
+/* One tree with itself, the same; `apart`, with data of its own, may be null.
+ */
+bool sg_bvh_join_itself(const sg_bvh *tree, double reach, sg_bvh_wants *wants,
+                        void *data, sg_bvh_apart *apart, const void *fans,
+                        sg_crew *crew, const sg_poll *poll, sg_bvh_hits *out);
+
 #endif

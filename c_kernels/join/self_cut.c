@@ -2,6 +2,7 @@
 #include "self_cut.h"
 
 #include "bvh_join.h"
+#include "fan.h"
 #include "oriented_box.h"
 #include "polygon/flatness.h"
 #include "rows/places.h"
@@ -121,6 +122,35 @@ find_run(joiner *j)
   sg_run_end(&j->run);
 }
 
+/* An sg_fan_read. Triangles of one polygon are asked about like others. */
+static void
+read_triangle(const void *data, size_t place, sg_fan_triangle *out)
+{
+  const joiner *j = data;
+  const sg_dense *d = j->model.d;
+  const int32_t *corner = d->corner[(size_t)j->first + j->tree->item[place]];
+
+  for (int k = 0; k < 3; k++) {
+    memcpy(out->at[k], d->at[corner[k]], sizeof out->at[k]);
+    out->name[k] = j->place[(uint32_t)corner[k] - j->model.first];
+  }
+  out->polygon = -1;
+}
+
+/* All triangles with all. */
+static bool
+join_itself(joiner *j, sg_crew *crew, const sg_poll *poll)
+{
+  sg_fans *fans;
+  bool done =
+      sg_fans_open(j->tree, read_triangle, j, false, &fans) &&
+      sg_bvh_join_itself(j->tree, 0.0, may_meet, j, fans ? sg_fans_apart : NULL,
+                         fans, crew, poll, &j->hits);
+
+  sg_fans_close(fans);
+  return done;
+}
+
 static bool
 find_candidates(joiner *j, size_t vertices, sg_crew *crew, const sg_poll *poll)
 {
@@ -138,11 +168,12 @@ find_candidates(joiner *j, size_t vertices, sg_crew *crew, const sg_poll *poll)
     j->some_tree =
         sg_bvh_grow(j->some_n, fill_some_boxes, j, j->some, &all, crew, poll);
   }
-  const sg_bvh *tree = j->some ? j->some_tree : j->tree;
-
-  return j->tree && tree &&
-         sg_bvh_join_wanted(&(sg_bvh_pair){tree, j->tree}, 1, 0.0, may_meet, j,
-                            crew, poll, &j->hits);
+  if (j->tree && !j->some) {
+    return join_itself(j, crew, poll);
+  }
+  return j->tree && j->some_tree &&
+         sg_bvh_join_wanted(&(sg_bvh_pair){j->some_tree, j->tree}, 1, 0.0,
+                            may_meet, j, crew, poll, &j->hits);
 }
 
 static void

@@ -1,5 +1,6 @@
 #include "self_leaf.h"
 
+#include "fan.h"
 #include "oriented_box.h"
 #include "polygon/flatness.h"
 #include "self_pair.h"
@@ -153,6 +154,20 @@ take_own_places(joiner *j)
   }
 }
 
+/* ---- fans ---- */
+
+/* An sg_fan_read. */
+static void
+read_triangle(const void *data, size_t place, sg_fan_triangle *out)
+{
+  const joiner *j = data;
+  const leaf *from = &j->leaf[j->turned ? j->turned->item[place] : place];
+
+  memcpy(out->at, from->at, sizeof out->at);
+  memcpy(out->name, from->v, sizeof out->name);
+  out->polygon = from->p;
+}
+
 /* ---- pairs ---- */
 
 /* Whether two leaves may have more in common than they share. */
@@ -206,13 +221,20 @@ read_leaves(joiner *j, sg_crew *crew, const sg_poll *poll)
          grow_turned(j, crew, poll);
 }
 
+/* by_place: what touches in a point only is not wanted. */
 static bool
-join(joiner *j, sg_bvh_wants *wants, sg_crew *crew, const sg_poll *poll)
+join(joiner *j, sg_bvh_wants *wants, bool by_place, sg_crew *crew,
+     const sg_poll *poll)
 {
   const sg_bvh *tree = j->turned ? j->turned : j->tree->boxes;
-  const sg_bvh_pair pair = {tree, tree};
+  sg_fans *fans;
+  bool done =
+      sg_fans_open(tree, read_triangle, j, by_place, &fans) &&
+      sg_bvh_join_itself(tree, j->reach, wants, j, fans ? sg_fans_apart : NULL,
+                         fans, crew, poll, &j->hits);
 
-  return sg_bvh_join_wanted(&pair, 1, j->reach, wants, j, crew, poll, &j->hits);
+  sg_fans_close(fans);
+  return done;
 }
 
 bool
@@ -221,8 +243,8 @@ sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
                   sg_bvh_hits *out)
 {
   joiner j = {.tree = tree, .views = views, .reach = reach};
-  bool done = has_none(tree) ||
-              (read_leaves(&j, crew, poll) && join(&j, may_meet, crew, poll));
+  bool done = has_none(tree) || (read_leaves(&j, crew, poll) &&
+                                 join(&j, may_meet, false, crew, poll));
 
   take_own_places(&j);
   free(j.leaf);
@@ -254,7 +276,7 @@ sg_self_leaf_meets(const sg_leaf_tree *tree, const sg_leaf_views *views,
 
   if (done && j.leaf) {
     j.tolerance = tolerance_of(&j, grain);
-    done = join(&j, goes_through, crew, poll);
+    done = join(&j, goes_through, true, crew, poll);
   }
   free(j.leaf);
   free(j.hits.hit);
