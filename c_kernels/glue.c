@@ -1,4 +1,8 @@
 /* glue.c, layer glue: reads and checks arguments; computes nothing. */
+#include <SWI-Stream.h>
+
+#include <SWI-Prolog.h>
+
 #include "glue.h"
 
 #include <math.h>
@@ -156,6 +160,36 @@ sg_get_doubles_ex(term_t list, double **out, size_t *n)
   }
   *out = numbers;
   return TRUE;
+}
+
+int
+sg_get_bytes_ex(term_t stream, size_t most, char **out, size_t *n)
+{
+  enum { CHUNK = 1 << 18 }; /* between polls */
+  IOSTREAM *in;
+  size_t room = 0, got = 0;
+
+  if (!PL_get_stream(stream, &in, SIO_INPUT)) {
+    return FALSE;
+  }
+  do {
+    *n += got;
+    if (room - *n < CHUNK) {
+      room = 2 * room + CHUNK;
+      char *data = realloc(*out, room);
+      if (!data) {
+        PL_release_stream(in);
+        return sg_no_memory();
+      }
+      *out = data;
+    }
+    if (PL_handle_signals() < 0) {
+      PL_release_stream_noerror(in);
+      return FALSE;
+    }
+    got = Sfread(*out + *n, 1, CHUNK, in);
+  } while (got > 0 && *n <= most);
+  return PL_release_stream(in);
 }
 
 int

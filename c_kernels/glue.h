@@ -28,6 +28,10 @@ int sg_get_id_set_ex(term_t list, int32_t **out, size_t *n);
 /* A proper list of finite numbers into a fresh array, as sg_get_ids_ex(). */
 int sg_get_doubles_ex(term_t list, double **out, size_t *n);
 
+/* What the input stream still has, up to more than `most` octets, in a fresh
+ * array; free() it, after an error too. */
+int sg_get_bytes_ex(term_t stream, size_t most, char **out, size_t *n);
+
 /* Adds 0.0, so that -0.0 is never seen in Prolog. */
 int sg_unify_double(term_t t, double value);
 /* Unifies with the list of n ids. */

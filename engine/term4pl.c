@@ -72,10 +72,12 @@ sg_atom_symbol(atom_t atom)
   size_t length;
   int32_t symbol = -1;
 
+  PL_STRINGS_MARK();
   if (t && PL_put_atom(t, atom) &&
       PL_get_nchars(t, &length, &text, CVT_ATOM | REP_UTF8)) {
     symbol = sg_symbol_find(text, length);
   }
+  PL_STRINGS_RELEASE();
   PL_reset_term_refs(t);
   return symbol;
 }
@@ -153,15 +155,19 @@ encode_text(term_t t, bool atom, sg_term_builder *out)
 {
   char *text;
   size_t length;
+  int is_text; /* no blob */
 
-  if (!PL_get_nchars(t, &length, &text,
-                     (atom ? CVT_ATOM : CVT_STRING) | REP_UTF8)) {
-    return false; /* a blob */
-  }
-  if (atom) {
+  PL_STRINGS_MARK();
+  is_text = PL_get_nchars(t, &length, &text,
+                          (atom ? CVT_ATOM : CVT_STRING) | REP_UTF8);
+  if (is_text && atom) {
     sg_term_atom(out, text, length);
-  } else {
+  } else if (is_text) {
     sg_term_string(out, text, length);
+  }
+  PL_STRINGS_RELEASE();
+  if (!is_text) {
+    return false;
   }
   return true;
 }
@@ -174,10 +180,12 @@ intern_atom(atom_t atom)
   size_t length;
   int32_t symbol = -1;
 
+  PL_STRINGS_MARK();
   if (t && PL_put_atom(t, atom) &&
       PL_get_nchars(t, &length, &text, CVT_ATOM | REP_UTF8)) {
     symbol = sg_symbol_intern(text, length);
   }
+  PL_STRINGS_RELEASE();
   PL_reset_term_refs(t);
   return symbol;
 }

@@ -176,15 +176,17 @@ check_domain_ex(const char *words, term_t t)
   size_t length;
   size_t n;
 
-  if (!PL_get_nchars(t, &n, &text, CVT_ATOM | CVT_INTEGER | REP_UTF8)) {
-    return PL_type_error("atom", t);
+  bool is_text, found = false;
+
+  PL_STRINGS_MARK();
+  is_text = PL_get_nchars(t, &n, &text, CVT_ATOM | CVT_INTEGER | REP_UTF8);
+  while (is_text && !found && next_word(&rest, &word, &length)) {
+    found = length == n && memcmp(word, text, n) == 0;
   }
-  while (next_word(&rest, &word, &length)) {
-    if (length == n && memcmp(word, text, n) == 0) {
-      return TRUE;
-    }
-  }
-  return raise_domain_words(words, t);
+  PL_STRINGS_RELEASE();
+  return found     ? TRUE
+         : is_text ? raise_domain_words(words, t)
+                   : PL_type_error("atom", t);
 }
 
 static int
@@ -269,11 +271,14 @@ get_symbol_ex(term_t t, int32_t *out)
   if (PL_is_variable(t)) {
     return PL_instantiation_error(t);
   }
-  if (!PL_get_nchars(t, &length, &text, CVT_ATOM | REP_UTF8)) {
-    return PL_type_error("atom", t);
-  }
-  *out = sg_symbol_intern(text, length);
-  return *out >= 0 || PL_resource_error("memory");
+  int is_text;
+
+  PL_STRINGS_MARK();
+  is_text = PL_get_nchars(t, &length, &text, CVT_ATOM | REP_UTF8);
+  *out = is_text ? sg_symbol_intern(text, length) : -1;
+  PL_STRINGS_RELEASE();
+  return !is_text ? PL_type_error("atom", t)
+                  : *out >= 0 || PL_resource_error("memory");
 }
 
 /* A coordinate may be so far out, and no farther (0: any). */

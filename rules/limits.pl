@@ -3,6 +3,7 @@
             set_limit/2,                % +Name, +Most
             within_limit/3,             % +Name, +Count, +Error
             text_beyond/5,              % +Kind, +Source, -What, -Line, -Column
+            text_limits/1,              % -Limits
             term_of_text/3              % +Text, -Term, +Options
           ]).
 :- use_module(kernel, [text_fault/4]).
@@ -23,6 +24,7 @@ be raised, for the process: set_limit/2, on the command line `--limits`.
 %     - digits   characters of a number
 %     - name     characters of a name or a text
 %     - fact     characters of a fact
+%     - file     octets of a .csg file, which is read as a whole
 %     - facets   corners of a primitive, for every facet has some
 %     - nodes    leaves of a tree, each as often as it is used
 
@@ -31,6 +33,7 @@ limit_default(blocks, 512).
 limit_default(digits, 2000).
 limit_default(name, 65_536).
 limit_default(fact, 64_000_000).
+limit_default(file, 16_000_000).
 limit_default(facets, 1_000_000).
 limit_default(nodes, 100_000).
 
@@ -85,10 +88,17 @@ within_limit(Name, Count, Location) :-
 %   limit(Name, Most), at the place Line and Column. Kind as in text_fault/4.
 
 text_beyond(Kind, Source, limit(Name, Most), Line, Column) :-
-    maplist(limit_value, [depth, blocks, digits, name, fact], Mosts),
-    Limits =.. [limits|Mosts],
+    text_limits(Limits),
     text_fault(Kind, Source, Limits, fault(Name, Line, Column)),
     limit_value(Name, Most).
+
+%!  text_limits(-Limits) is det.
+%
+%   Limits are those of texts, as text_fault/4 and csg_nodes/4 want them.
+
+text_limits(Limits) :-
+    maplist(limit_value, [depth, blocks, digits, name, fact, file], Mosts),
+    Limits =.. [limits|Mosts].
 
 %!  term_of_text(+Text, -Term, +Options) is det.
 %

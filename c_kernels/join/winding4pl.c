@@ -35,13 +35,16 @@ get_exact_ex(term_t t, mpq_t out)
   if (PL_is_rational(t)) { /* as text: PL_get_mpq() of 9.0.4 fails */
     char *text, *bar;
 
-    if (!PL_get_chars(t, &text, CVT_RATIONAL | CVT_INTEGER | CVT_EXCEPTION)) {
-      return FALSE;
-    }
-    if ((bar = strchr(text, 'r'))) {
+    int good;
+    PL_STRINGS_MARK();
+    good = PL_get_chars(t, &text, CVT_RATIONAL | CVT_INTEGER | CVT_EXCEPTION);
+    if (good && (bar = strchr(text, 'r'))) {
       *bar = '/';
     }
-    return mpq_set_str(out, text, 10) == 0 || PL_type_error("rational", t);
+    good = good &&
+           (mpq_set_str(out, text, 10) == 0 || PL_type_error("rational", t));
+    PL_STRINGS_RELEASE();
+    return good;
   }
   if (!sg_get_finite_ex(t, &d)) {
     return FALSE;

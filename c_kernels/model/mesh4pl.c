@@ -21,8 +21,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CHUNK = 8192, FIRST_BYTES = 1 << 16 };
-
 static atom_t ATOM_auto, ATOM_all, ATOM_none, ATOM_curve, ATOM_solid,
     ATOM_surface;
 
@@ -69,44 +67,6 @@ get_weld_ex(term_t t, sg_mesh_weld *out)
                             : SG_WELD_NONE;
   return name == ATOM_auto || name == ATOM_all || name == ATOM_none ||
          PL_domain_error("mesh_weld", t);
-}
-
-typedef struct bytes {
-  char *data;
-  size_t n, room;
-} bytes;
-
-/* All of the stream. */
-static int
-get_bytes_ex(term_t stream, bytes *out)
-{
-  IOSTREAM *in;
-  size_t got = 0;
-
-  if (!PL_get_stream(stream, &in, SIO_INPUT)) {
-    return FALSE;
-  }
-  do {
-    out->n += got;
-    if (out->n == out->room) {
-      size_t room = out->room ? 2 * out->room : FIRST_BYTES;
-      char *data = realloc(out->data, room);
-      if (!data) {
-        PL_release_stream(in);
-        return sg_no_memory();
-      }
-      out->data = data;
-      out->room = room;
-    }
-    if (PL_handle_signals() < 0) {
-      PL_release_stream_noerror(in);
-      return FALSE;
-    }
-    size_t some =
-        out->room - out->n < CHUNK * 64 ? out->room - out->n : CHUNK * 64;
-    got = Sfread(out->data + out->n, 1, some, in);
-  } while (got > 0);
-  return PL_release_stream(in);
 }
 
 /* Rows ------------------------------------------------------------------- */
@@ -279,7 +239,8 @@ mesh_add(term_t a0, int arity, void *context)
   sg_mesh_format format;
   sg_mesh_error error;
   sg_mesh mesh;
-  bytes data = {0};
+  char *data = NULL;
+  size_t n = 0;
   int32_t first;
   int one;
 
@@ -290,10 +251,9 @@ mesh_add(term_t a0, int arity, void *context)
     return FALSE;
   }
   options.one_segment = one;
-  int done = get_bytes_ex(a0, &data);
-  bool good =
-      done && sg_mesh_read(format, data.data, data.n, &options, &mesh, &error);
-  free(data.data);
+  int done = sg_get_bytes_ex(a0, SIZE_MAX, &data, &n);
+  bool good = done && sg_mesh_read(format, data, n, &options, &mesh, &error);
+  free(data);
   if (!good) {
     return done && sg_unify_mesh_fault_ex(a0 + 5, &error);
   }

@@ -30,14 +30,17 @@ sg_name_segments_ex(term_t names, sg_mesh *mesh)
   size_t n;
 
   for (size_t i = 0; i < mesh->segments; i++) {
-    if (!PL_get_list_ex(tail, head, tail) ||
-        !PL_get_nchars(head, &n, &text,
-                       CVT_ATOM | CVT_STRING | CVT_WRITEQ | CVT_EXCEPTION |
-                           REP_UTF8)) {
-      return FALSE;
+    int good = PL_get_list_ex(tail, head, tail);
+    PL_STRINGS_MARK();
+    good = good && PL_get_nchars(head, &n, &text,
+                                 CVT_ATOM | CVT_STRING | CVT_WRITEQ |
+                                     CVT_EXCEPTION | REP_UTF8);
+    if (good && n && !(mesh->name[i] = strndup(text, n))) {
+      good = sg_no_memory();
     }
-    if (n && !(mesh->name[i] = strndup(text, n))) {
-      return sg_no_memory();
+    PL_STRINGS_RELEASE();
+    if (!good) {
+      return FALSE;
     }
   }
   return PL_get_nil_ex(tail);

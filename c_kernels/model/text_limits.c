@@ -5,6 +5,19 @@
 
 enum { GOAL_WORDS = 8 };
 
+const char *
+sg_text_fault_name(sg_text_fault fault)
+{
+  static const char *const name[] = {
+      [SG_TEXT_GOOD] = "none",     [SG_TEXT_DEPTH] = "depth",
+      [SG_TEXT_BLOCKS] = "blocks", [SG_TEXT_DIGITS] = "digits",
+      [SG_TEXT_NAME] = "name",     [SG_TEXT_FACT] = "fact",
+      [SG_TEXT_FILE] = "file",     [SG_TEXT_NO_MEMORY] = "memory",
+  };
+
+  return name[fault];
+}
+
 void
 sg_text_scan_open(sg_text_scan *s, sg_text_kind kind,
                   const sg_text_limits *most)
@@ -80,7 +93,7 @@ count_word(sg_text_scan *s)
   uint64_t most =
       s->kind == SG_TEXT_GOAL ? GOAL_WORDS * s->most.depth : s->most.depth;
 
-  if (s->kind == SG_TEXT_PROGRAM || s->kind == SG_TEXT_CSG) {
+  if (s->kind == SG_TEXT_PROGRAM) {
     return;
   }
   *(s->n ? &s->level[s->n - 1].words : &s->top) += 1;
@@ -100,12 +113,6 @@ begin_word(sg_text_scan *s, sg_text_state state)
 static void
 open_bracket(sg_text_scan *s, char bracket)
 {
-  if (s->kind == SG_TEXT_CSG && bracket == '{') {
-    if (++s->blocks > s->most.blocks) {
-      faulty(s, SG_TEXT_BLOCKS);
-    }
-    return;
-  }
   if (bracket != '(') {
     count_word(s);
   }
@@ -126,11 +133,9 @@ open_bracket(sg_text_scan *s, char bracket)
 }
 
 static void
-close_bracket(sg_text_scan *s, uint32_t c)
+close_bracket(sg_text_scan *s)
 {
-  if (s->kind == SG_TEXT_CSG && c == '}') {
-    s->blocks -= s->blocks > 0;
-  } else if (s->n > 0) {
+  if (s->n > 0) {
     s->depth -= s->level[--s->n].words;
   }
 }
@@ -157,12 +162,6 @@ end_fact(sg_text_scan *s)
 
 /* One character ---------------------------------------------------------- */
 
-static bool
-is_csg(const sg_text_scan *s)
-{
-  return s->kind == SG_TEXT_CSG;
-}
-
 /* c begins something, or is white; s->glued: nothing was between it and the
  * name before it. */
 static void
@@ -176,13 +175,13 @@ begin(sg_text_scan *s, uint32_t c)
     return;
   }
   s->in_fact = s->in_fact || (c != '%' && c != '/');
-  if (c == '"' || (!is_csg(s) && (c == '\'' || c == '`'))) {
+  if (c == '"' || c == '\'' || c == '`') {
     begin_word(s, SG_TEXT_QUOTED);
     s->quote = c;
     if (c == '`') {
       count_word(s); /* a list */
     }
-  } else if (c == '%' && !is_csg(s)) {
+  } else if (c == '%') {
     s->state = SG_TEXT_LINE;
   } else if (c == '/') {
     s->state = SG_TEXT_SLASH;
@@ -191,7 +190,7 @@ begin(sg_text_scan *s, uint32_t c)
   } else if (c == '[' || c == '{') {
     open_bracket(s, (char)c);
   } else if (c == ')' || c == ']' || c == '}') {
-    close_bracket(s, c);
+    close_bracket(s);
   } else if (c == ',') {
     comma(s);
   } else if (is_digit(c)) {
@@ -241,9 +240,9 @@ in_number(sg_text_scan *s, uint32_t c)
     s->only_digits = s->only_digits && is_digit(c);
   } else if (c == '.') {
     s->state = SG_TEXT_POINT;
-  } else if (c == '\'' && s->only_zero && !is_csg(s)) {
+  } else if (c == '\'' && s->only_zero) {
     s->state = SG_TEXT_CHARACTER;
-  } else if (c == '\'' && s->word <= 2 && !is_csg(s)) {
+  } else if (c == '\'' && s->word <= 2) {
     longer(s, s->most.digits, SG_TEXT_DIGITS); /* 16'FF */
     s->only_zero = s->only_digits = false;
   } else {
@@ -263,7 +262,7 @@ in_point(sg_text_scan *s, uint32_t c)
   } else if (is_digit(c)) {
     count_word(s); /* 0x1.5 are three */
     begin(s, c);
-  } else if (!is_csg(s) && (is_white(c) || c == '%')) {
+  } else if (is_white(c) || c == '%') {
     end_fact(s);
     begin(s, c);
   } else {
@@ -284,10 +283,10 @@ in_sign(sg_text_scan *s, uint32_t c)
 {
   bool stop = s->last == '.' && s->word == 1;
 
-  if (stop && !is_csg(s) && (is_white(c) || c == '%')) {
+  if (stop && (is_white(c) || c == '%')) {
     end_fact(s);
     begin(s, c);
-  } else if (is_sign(c) && !is_csg(s)) {
+  } else if (is_sign(c)) {
     longer(s, s->most.name, SG_TEXT_NAME);
   } else {
     s->glued = true;
@@ -301,8 +300,6 @@ in_slash(sg_text_scan *s, uint32_t c)
   if (c == '*') {
     s->state = SG_TEXT_COMMENT;
     s->star = false;
-  } else if (c == '/' && is_csg(s)) {
-    s->state = SG_TEXT_LINE;
   } else {
     s->in_fact = true;
     begin_word(s, SG_TEXT_SIGN);
@@ -317,7 +314,7 @@ in_slash(sg_text_scan *s, uint32_t c)
 static void
 in_alone(sg_text_scan *s, uint32_t c)
 {
-  if (c == '/' && !is_csg(s)) {
+  if (c == '/') {
     faulty(s, SG_TEXT_DEPTH);
   } else if (is_sign(c)) {
     begin_word(s, SG_TEXT_SIGN);
@@ -335,7 +332,7 @@ in_quoted(sg_text_scan *s, uint32_t c)
     s->state = SG_TEXT_ESCAPE;
     s->before_escape = SG_TEXT_QUOTED;
   } else if (c == s->quote) {
-    s->state = is_csg(s) ? SG_TEXT_WHITE : SG_TEXT_QUOTED_END;
+    s->state = SG_TEXT_QUOTED_END;
     return;
   }
   longer(s, s->most.name, SG_TEXT_NAME);
@@ -359,7 +356,7 @@ in_escape(sg_text_scan *s, uint32_t c)
 {
   longer(s, s->most.name, SG_TEXT_NAME);
   s->state = SG_TEXT_QUOTED;
-  if (!is_csg(s) && (c == 'x' || digit_value(c) < 8)) {
+  if (c == 'x' || digit_value(c) < 8) {
     s->base = c == 'x' ? 16 : 8;
     s->state = SG_TEXT_CODE;
   }

@@ -22,11 +22,10 @@
 #include <stdint.h>
 
 typedef enum sg_text_kind {
-  SG_TEXT_FACTS,   /* Prolog terms, data */
-  SG_TEXT_GOAL,    /* a goal: its commas are no depth up to eight times it */
-  SG_TEXT_PROGRAM, /* clauses: of depth only the brackets count, and what is
-                      long is no fault */
-  SG_TEXT_CSG      /* calls with blocks, as OpenSCAD writes them */
+  SG_TEXT_FACTS,  /* Prolog terms, data */
+  SG_TEXT_GOAL,   /* a goal: its commas are no depth up to eight times it */
+  SG_TEXT_PROGRAM /* clauses: of depth only the brackets count, and what is
+                     long is no fault */
 } sg_text_kind;
 
 typedef enum sg_text_fault {
@@ -36,16 +35,18 @@ typedef enum sg_text_fault {
   SG_TEXT_DIGITS,
   SG_TEXT_NAME,
   SG_TEXT_FACT,
+  SG_TEXT_FILE,
   SG_TEXT_NO_MEMORY
 } sg_text_fault;
 
 /* No more than these, all above zero. */
 typedef struct sg_text_limits {
   uint64_t depth;  /* see above */
-  uint64_t blocks; /* { } in one another */
+  uint64_t blocks; /* { } in one another, of a .csg file (csg_text.h) */
   uint64_t digits; /* of a number, with its letters and its point */
   uint64_t name;   /* characters of a name or a text, as written */
   uint64_t fact;   /* characters from the first of a fact to its full stop */
+  uint64_t file;   /* octets of a file that is read as a whole */
 } sg_text_limits;
 
 typedef enum sg_text_state {
@@ -86,11 +87,13 @@ typedef struct sg_text_scan {
   bool glued, only_zero, only_digits, star;
   bool in_fact;
   uint64_t word, fact; /* lengths so far */
-  uint64_t depth, blocks;
+  uint64_t depth;
   uint64_t top; /* words outside brackets */
   sg_text_level *level;
   size_t n, room;
 } sg_text_scan;
+
+const char *sg_text_fault_name(sg_text_fault fault);
 
 void sg_text_scan_open(sg_text_scan *s, sg_text_kind kind,
                        const sg_text_limits *most);

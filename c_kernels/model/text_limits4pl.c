@@ -7,7 +7,7 @@
 #include <SWI-Prolog.h>
 
 #include "glue.h"
-#include "model/text_limits.h"
+#include "model/text_limits4pl.h"
 #include <errno.h>
 #include <string.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ void sg_install_text_limits(void);
 
 enum { CHUNK = 4096 }; /* on the stack, which may be small */
 
-static atom_t kind_atom[4], fault_atom[7];
+static atom_t kind_atom[3];
 static functor_t FUNCTOR_fault3;
 
 static int
@@ -27,7 +27,7 @@ get_kind_ex(term_t t, sg_text_kind *out)
   if (!PL_get_atom_ex(t, &name)) {
     return FALSE;
   }
-  for (int k = SG_TEXT_FACTS; k <= SG_TEXT_CSG; k++) {
+  for (int k = SG_TEXT_FACTS; k <= SG_TEXT_PROGRAM; k++) {
     if (name == kind_atom[k]) {
       *out = (sg_text_kind)k;
       return TRUE;
@@ -36,14 +36,14 @@ get_kind_ex(term_t t, sg_text_kind *out)
   return PL_domain_error("text_kind", t);
 }
 
-static int
-get_limits_ex(term_t t, sg_text_limits *out)
+int
+sg_get_text_limits_ex(term_t t, sg_text_limits *out)
 {
-  uint64_t *const to[] = {&out->depth, &out->blocks, &out->digits, &out->name,
-                          &out->fact};
+  uint64_t *const to[] = {&out->depth, &out->blocks, &out->digits,
+                          &out->name,  &out->fact,   &out->file};
   term_t a = PL_new_term_ref();
 
-  for (int k = 0; k < 5; k++) {
+  for (int k = 0; k < 6; k++) {
     int64_t value;
     if (!PL_get_arg(k + 1, t, a) || !PL_get_int64_ex(a, &value)) {
       return FALSE;
@@ -92,7 +92,7 @@ text_fault(term_t kind_term, term_t source, term_t limits, term_t fault)
   char *text;
   int good;
 
-  if (!get_kind_ex(kind_term, &kind) || !get_limits_ex(limits, &most)) {
+  if (!get_kind_ex(kind_term, &kind) || !sg_get_text_limits_ex(limits, &most)) {
     return FALSE;
   }
   sg_text_scan_open(&scan, kind, &most);
@@ -108,9 +108,9 @@ text_fault(term_t kind_term, term_t source, term_t limits, term_t fault)
     return sg_no_memory();
   }
   return good && scan.fault &&
-         PL_unify_term(fault, PL_FUNCTOR, FUNCTOR_fault3, PL_ATOM,
-                       fault_atom[scan.fault], PL_INT64, (int64_t)scan.line,
-                       PL_INT64, (int64_t)scan.column);
+         PL_unify_term(fault, PL_FUNCTOR, FUNCTOR_fault3, PL_CHARS,
+                       sg_text_fault_name(scan.fault), PL_INT64,
+                       (int64_t)scan.line, PL_INT64, (int64_t)scan.column);
 }
 
 static const PL_extension predicates[] = {
@@ -121,15 +121,10 @@ static const PL_extension predicates[] = {
 void
 sg_install_text_limits(void)
 {
-  static const char *const kind[] = {"facts", "goal", "program", "csg"};
-  static const char *const fault[] = {"none", "depth", "blocks", "digits",
-                                      "name", "fact",  "memory"};
+  static const char *const kind[] = {"facts", "goal", "program"};
 
-  for (int k = 0; k < 4; k++) {
+  for (int k = 0; k < 3; k++) {
     kind_atom[k] = PL_new_atom(kind[k]);
-  }
-  for (int k = 0; k < 7; k++) {
-    fault_atom[k] = PL_new_atom(fault[k]);
   }
   FUNCTOR_fault3 = PL_new_functor(PL_new_atom("fault"), 3);
   PL_register_extensions_in_module("sg_kernel_file", predicates);

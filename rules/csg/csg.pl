@@ -161,6 +161,7 @@ visit([Parent|Above], N, _, _) :-
 
 visit_node(Nodes, Kind0, Term0, Seen0, Seen, Kind-Count) :-
     Nodes = [N|_],
+    few_operands(Nodes, Term0),
     catch(numbered(N, Kind0, Term0, Term), error(model_error(What), _),
           node_error(Nodes, What)),
     node_parts(Term, Operation, Children, _),
@@ -211,6 +212,29 @@ few_leaves(Nodes, Count) :-
     ->  true
     ;   Nodes = [N|_],
         node_error(Nodes, csg(too_many(N, Count)))
+    ).
+
+%   few_operands(Nodes, Term): the same of what stands in Term, before any of it
+%   is made. Helpers are parts of what was looked at already.
+
+few_operands([N|_], _) :-
+    is_helper(N),
+    !.
+few_operands(Nodes, Term) :-
+    term_leaves(Term, 0, Count),
+    few_leaves(Nodes, Count).
+
+term_leaves(Term, Count0, Count) :-
+    (   is_node_term(Term)
+    ->  node_parts(Term, _, Operands, _),
+        operands_leaves(Operands, Count0, Count)
+    ;   Count is Count0+1
+    ).
+
+operands_leaves(Operands, Count0, Count) :-
+    (   is_list(Operands)
+    ->  foldl(term_leaves, Operands, Count0, Count)
+    ;   Count = Count0                  % a fault of its own
     ).
 
 %   leaf_completed(Above, N, Kind0, Term, Kind, Incomplete0, Incomplete): a leaf

@@ -12,10 +12,18 @@ Foreign predicates; see kernel.pl.
 %
 %   True when the text Source, a string or a stream of a file (from its
 %   beginning, wherever the stream is), is too deep or too long: Fault is the
-%   first fault(What, Line, Column), What one of `depth`, `blocks`, `digits`,
-%   `name` and `fact`. Limits is limits(Depth, Blocks, Digits, Name, Fact); Kind
-%   is `facts`, `goal`, `program` or `csg`. See
-%   c_kernels/model/text_limits.h.
+%   first fault(What, Line, Column), What one of `depth`, `digits`, `name`
+%   and `fact`. Limits is limits(Depth, Blocks, Digits, Name, Fact, File).
+%   Kind is `facts`, `goal` or `program`. See c_kernels/model/text_limits.h.
+
+/* - - - csg_text4pl.c - - - */
+
+%!  csg_nodes(+Stream, +File, +Limits, -Result) is det.
+%
+%   Reads Stream, the text of the .csg file File, to its end. Result is
+%   nodes(Nodes), or fault(What, Line, Column) with What as of text_fault/4,
+%   `blocks`, `file`, or an error of openscad_text.pl, which also has the form
+%   of Nodes.
 
 /* - - - mesh4pl.c - - - */
 

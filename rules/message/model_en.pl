@@ -229,6 +229,8 @@ limit_en(name) -->
     [ 'characters of a name or a text' ].
 limit_en(fact) -->
     [ 'characters of a fact' ].
+limit_en(file) -->
+    [ 'octets of a .csg file' ].
 limit_en(facets) -->
     [ 'corners of a primitive' ].
 limit_en(nodes) -->

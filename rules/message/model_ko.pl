@@ -220,6 +220,8 @@ limit_ko(name) -->
     [ '이름이나 글 하나의 글자 수' ].
 limit_ko(fact) -->
     [ '사실 하나의 글자 수' ].
+limit_ko(file) -->
+    [ '.csg 파일의 바이트' ].
 limit_ko(facets) -->
     [ '프리미티브 하나의 꼭짓점' ].
 limit_ko(nodes) -->

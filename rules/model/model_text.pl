@@ -66,6 +66,8 @@ open_model_text(Kind, File, Text) :-
             throw(Error)
           )).
 
+no_limit_broken(csg, _, _) :-
+    !.                                  % csg_nodes/4 does
 no_limit_broken(Kind, Name, Stream) :-
     (   text_beyond(Kind, Stream, What, Line, Column)
     ->  throw(error(model_error(What), location(Name, Line, Column)))

@@ -43,6 +43,7 @@ write('depth.csg', 'polyhedron(points=[' + '[' * deep + ']' * deep
 write('depth.small.csg', 'polyhedron(points=[' + '[' * 20000 + ']' * 20000)
 write('digits.csg', 'cube(size=[' + '9' * 1000000 + ',1,1],center=false);\n')
 write('name.csg', 'a' * 10000000 + '();\n')
+write('file.csg', 'cube(size=[1,1,1],center=true);\n' * 520000)
 write('name.string.csg', 'text(text="' + 'a' * 1000000 + '",size=10);\n')
 write('facets.csg', 'sphere($fn=1000000000,$fa=12,$fs=2,r=10);\n')
 write('facets.circle.csg', 'linear_extrude(height=1) '
@@ -67,3 +68,11 @@ write('cursor.pl', "segment(1,solid,'\x1b]0;title\x07\x1b[2J\u202e\u2066').\n"
       + vertices)
 write('cursor_fault.pl', "v(1,1,'\x1b[2J\n\x1b]0;title\x07\u202e',0,0).\n")
 write('cursor.csg', 'cube(size="\x1b[2J");\n')
+
+# Much text, little model: what has * is read, but is no part.
+write('large.csg', 'cube(size=[1,1,1],center=true);*group() {\n'
+      + ''.join('multmatrix([[1, 0, 0, %d], [0, 1, 0, %r], [0, 0, 1, 0], '
+                '[0, 0, 0, 1]]) {\n\tcube(size = [1, 2, 3], center = false);'
+                '\n}\n' % (i, i / 7) for i in range(15000)) + '}\n')
+write('nodes.flat.pl', 'segment(1,solid,union(['
+      + ','.join(['box(size(1,1,1))'] * 150000) + '])).\n')

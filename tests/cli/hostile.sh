@@ -49,7 +49,7 @@ for file in "$work"/h/*.*; do
   name=${file##*/}
   limit=${name%%.*}
   case $limit in
-    depth | blocks | digits | name | facets | nodes)
+    depth | blocks | digits | name | file | facets | nodes)
       refused "model.$name" "$limit" eval "$file" ;;
   esac
 done
@@ -108,6 +108,8 @@ bounded eval "$work/h/chain.pl"
 check chain-of-2000 status_is 0
 bounded eval "$work/h/nest.csg"
 check nested-500 status_is 0
+bounded eval "$work/h/large.csg"
+check large-csg status_is 0
 bounded check "$work/h/depth.small.pl" --limits depth=1000,name=9
 check another-limit status_is 3
 printf "segment(1, solid, '%s').\n%s" "$(printf 'n%.0s' $(seq 20))" \

@@ -9,7 +9,7 @@ static sg_text_scan last;
 static sg_text_fault
 fed(sg_text_kind kind, const char *text, uint64_t depth, size_t n)
 {
-  sg_text_limits most = {depth, 3, 10, 12, 60};
+  sg_text_limits most = {depth, 3, 10, 12, 60, 60};
   size_t length = strlen(text);
 
   sg_text_scan_open(&last, kind, &most);
@@ -76,11 +76,6 @@ main(void)
   CHECK("programs too",
         depth(SG_TEXT_PROGRAM, "a:-b,c,d,(e,f,g,h,i,j,k,l).") == 1);
   CHECK("but not their brackets", depth(SG_TEXT_PROGRAM, "a:-f(g([b])).") == 3);
-  CHECK("blocks", fed(SG_TEXT_CSG, "a(){a(){a(){}}}", 9, 99) == SG_TEXT_GOOD);
-  CHECK("too many blocks",
-        fed(SG_TEXT_CSG, "a(){a(){a(){a(){", 9, 99) == SG_TEXT_BLOCKS);
-  CHECK("text of .csg", fed(SG_TEXT_CSG, "a(\"{{\\\"{{\");//{{{{{\n/*{{{{{*/",
-                            9, 99) == SG_TEXT_GOOD);
   CHECK("digits", fault("f(12345.7890).") == SG_TEXT_GOOD);
   CHECK("too many digits", fault("f(12345.67890).") == SG_TEXT_DIGITS);
   CHECK("name", fault("f(abcdefghijkl).") == SG_TEXT_GOOD);

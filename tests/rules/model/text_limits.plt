@@ -83,7 +83,7 @@ thought_deeper(Text, Depth) :-
     (   Depth1 =:= 0
     ->  true
     ;   sg_kernel_file:text_fault(facts, Text,
-                                  limits(Depth1, 9, 999, 999, 9999), _)
+                                  limits(Depth1, 9, 999, 999, 9999, 9), _)
     ).
 
 % The cases that are read count; most random texts are not.
