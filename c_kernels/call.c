@@ -6,6 +6,7 @@
 /* Allocated for a call: the header of a block. */
 typedef struct sg_call_block {
   struct sg_call_block *next, *previous;
+  void *adopted; /* freed with it, or null */
   max_align_t bytes[];
 } block;
 
@@ -71,6 +72,23 @@ sg_call_domain(sg_call *call, const char *what, int argument)
   return refuse(call, (sg_refusal){.how = SG_REFUSED_DOMAIN,
                                    .what = what,
                                    .argument = argument});
+}
+
+bool
+sg_call_domain_pair(sg_call *call, const char *what, int argument)
+{
+  return refuse(call, (sg_refusal){.how = SG_REFUSED_DOMAIN,
+                                   .what = what,
+                                   .argument = argument,
+                                   .pair = true});
+}
+
+bool
+sg_call_domain_of(sg_call *call, const char *what, int64_t number)
+{
+  return refuse(
+      call,
+      (sg_refusal){.how = SG_REFUSED_DOMAIN, .what = what, .number = number});
 }
 
 bool
@@ -140,12 +158,26 @@ sg_call_realloc(sg_call *call, void *at, size_t bytes)
   if (!old) {
     b->previous = NULL;
     b->next = call->blocks;
+    b->adopted = NULL;
   }
   if (b->next) {
     b->next->previous = b;
   }
   *(b->previous ? &b->previous->next : &call->blocks) = b;
   return b->bytes;
+}
+
+bool
+sg_call_adopt(sg_call *call, void *memory)
+{
+  void *bytes = sg_call_alloc(call, 0);
+
+  if (!bytes) {
+    free(memory);
+    return false;
+  }
+  call->blocks->adopted = memory;
+  return true;
 }
 
 void
@@ -155,6 +187,7 @@ sg_call_close(sg_call *call)
     block *b = call->blocks;
 
     call->blocks = b->next;
+    free(b->adopted);
     free(b);
   }
 }

@@ -35,6 +35,7 @@ typedef struct sg_refusal {
   sg_refused how;
   const char *action, *what; /* of static life */
   int argument;              /* the culprit: argument 1.., or 0: this: */
+  bool pair;                 /* the culprit: that argument - the next */
   int64_t number;
   sg_status status; /* of SG_REFUSED_ROW */
   sg_relation relation;
@@ -67,10 +68,13 @@ bool sg_call_no_memory(sg_call *call);
 /* After a kernel that was stopped or, if not, had no memory. */
 bool sg_call_ended(sg_call *call);
 bool sg_call_domain(sg_call *call, const char *what, int argument);
+/* The same of argument - the next one. */
+bool sg_call_domain_pair(sg_call *call, const char *what, int argument);
 bool sg_call_missing(sg_call *call, const char *what, int argument);
 bool sg_call_forbidden(sg_call *call, const char *action, const char *what,
                        int argument);
-/* The same of a number that is no argument. */
+/* The same of numbers that are no argument. */
+bool sg_call_domain_of(sg_call *call, const char *what, int64_t number);
 bool sg_call_forbidden_id(sg_call *call, const char *action, const char *what,
                           int64_t id);
 bool sg_call_cannot_hold(sg_call *call, const char *what);
@@ -82,6 +86,18 @@ bool sg_call_status(sg_call *call, sg_status status, sg_relation relation,
  * the first or it gave; `at` may be null. */
 void *sg_call_alloc(sg_call *call, size_t bytes);
 void *sg_call_realloc(sg_call *call, void *at, size_t bytes);
+
+/* Frees what malloc() gave when the call is closed; false: refused, and freed
+ * at once. */
+bool sg_call_adopt(sg_call *call, void *memory);
+
+/* An atom of Prolog: to be compared, and given back. */
+typedef uintptr_t sg_atom;
+
+typedef struct sg_bytes {
+  const uint8_t *at;
+  size_t n;
+} sg_bytes;
 
 /* Lists of arguments and of answers: NAME has `n` of T `at`. An empty one is
  * zeros. NAME_add() adds one; an answer may also be put at what outlives the
@@ -109,6 +125,7 @@ void *sg_call_realloc(sg_call *call, void *at, size_t bytes);
 
 SG_CALL_LIST(sg_int_list, int32_t);
 SG_CALL_LIST(sg_count_list, size_t);
+SG_CALL_LIST(sg_integer_list, int64_t);
 SG_CALL_LIST(sg_number_list, double);
 
 #endif

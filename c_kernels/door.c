@@ -18,12 +18,22 @@ sg_door_open(sg_call *call)
 }
 
 static int
+put_culprit(term_t t, const sg_refusal *r, term_t t0)
+{
+  term_t a = t0 + (term_t)(r->argument - 1);
+
+  return r->argument == 0 ? PL_put_int64(t, r->number)
+         : r->pair
+             ? PL_cons_functor(t, PL_new_functor(PL_new_atom("-"), 2), a, a + 1)
+             : PL_put_term(t, a);
+}
+
+static int
 raise_refusal(const sg_refusal *r, term_t t0)
 {
   term_t culprit = PL_new_term_ref();
 
-  if (!(r->argument ? PL_put_term(culprit, t0 + (term_t)(r->argument - 1))
-                    : PL_put_int64(culprit, r->number))) {
+  if (!put_culprit(culprit, r, t0)) {
     return FALSE;
   }
   switch (r->how) {

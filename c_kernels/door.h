@@ -105,13 +105,51 @@ get_bool(sg_call *call, term_t t, bool *out)
   return TRUE;
 }
 
+static inline int
+get_integer(sg_call *call, term_t t, int64_t *out)
+{
+  (void)call;
+  return PL_get_int64_ex(t, out);
+}
+
+static inline int
+get_atom(sg_call *call, term_t t, sg_atom *out)
+{
+  (void)call;
+  return PL_get_atom_ex(t, out);
+}
+
+/* A string of codes 0 to 255; good as long as the term is. */
+static inline int
+get_bytes(sg_call *call, term_t t, sg_bytes *out)
+{
+  char *text;
+
+  (void)call;
+  if (!PL_get_nchars(t, &out->n, &text,
+                     CVT_STRING | CVT_EXCEPTION | REP_ISO_LATIN_1)) {
+    return FALSE;
+  }
+  out->at = (const uint8_t *)text;
+  return TRUE;
+}
+
 int get_set_id(sg_call *call, term_t t, sg_int_list *out);
 
-#define put_id(t, x)     PL_put_int64(t, (int64_t)(x))
-#define put_int(t, x)    PL_put_int64(t, (int64_t)(x))
-#define put_count(t, x)  PL_put_int64(t, (int64_t)(x))
-#define put_number(t, x) PL_put_float(t, (x) + 0.0)
-#define put_bool(t, x)   PL_put_bool(t, (x))
+#define put_id(t, x)      PL_put_int64(t, (int64_t)(x))
+#define put_int(t, x)     PL_put_int64(t, (int64_t)(x))
+#define put_count(t, x)   PL_put_int64(t, (int64_t)(x))
+#define put_integer(t, x) PL_put_int64(t, x)
+#define put_atom(t, x)    PL_put_atom(t, x)
+#define put_number(t, x)  PL_put_float(t, (x) + 0.0)
+#define put_bool(t, x)    PL_put_bool(t, (x))
+
+static inline int
+put_bytes(term_t t, const sg_bytes *x)
+{
+  return PL_put_variable(t) && PL_unify_chars(t, PL_STRING | REP_ISO_LATIN_1,
+                                              x->n, (const char *)x->at);
+}
 
 /* ---- words, terms, lists ---- */
 

@@ -27,12 +27,17 @@
 %   record(Struct, Header, Name, Fields) or either(Struct, Alternatives);
 %   Close, Header and Enum are `-` where there is none.
 
-:- dynamic type/2.
+%   by_hand(Topic, Doors)
+
+:- dynamic type/2, by_hand/2.
 
 read_types(File) :-
     read_file_to_terms(File, Terms, []),
     forall(member(Term, Terms), add_type(Term)).
 
+add_type(by_hand(Topic,Doors)) :-
+    !,
+    assertz(by_hand(Topic, Doors)).
 add_type(Term) :-
     type_of_term(Term, Type, What),
     \+ type(Type, _),
@@ -59,8 +64,11 @@ type_of_term(either(Type,Alternatives), Type, either(Struct,Alternatives)) :-
 simple(id,      int32_t).
 simple(int,     int32_t).
 simple(count,   size_t).
+simple(integer, int64_t).
 simple(number,  double).
 simple(bool,    bool).
+simple(atom,    sg_atom).
+simple(bytes,   sg_bytes).
 simple(set(id), sg_int_list).
 
 is_type(Type) :-
@@ -98,6 +106,7 @@ c_list(id, sg_int_list) :- !.
 c_list(int, sg_int_list) :- !.
 c_list(count, sg_count_list) :- !.
 c_list(number, sg_number_list) :- !.
+c_list(integer, sg_integer_list) :- !.
 c_list(Type, List) :-
     type_name(Type, Name),
     format(atom(List), "sg_~w_list", [Name]).
@@ -114,7 +123,7 @@ type_name(set(Type), Name) :-
 type_name(Type, Type).
 
 by_value(Type) :-
-    memberchk(Type, [id, int, count, number, bool]),
+    memberchk(Type, [id, int, count, integer, number, bool, atom]),
     !.
 by_value(Type) :-
     type(Type, What),
@@ -143,7 +152,7 @@ topic_doors(File, topic(Topic,Doors)) :-
     mode_texts(Lines, Texts),
     maplist(text_modes(File), Texts, Modes0),
     append(Modes0, Modes),
-    convlist(mode_door(File), Modes, Doors).
+    convlist(mode_door(Topic), Modes, Doors).
 
 %   mode_texts(Lines, Texts): modes on lines one after the other are one text.
 
@@ -188,15 +197,29 @@ forall_named([Name=Variable|Names]) :-
     downcase_atom(Name, Variable),
     forall_named(Names).
 
-mode_door(File, Mode, door(Name,Arguments,Determinism)) :-
+%   Fails for a door by hand.
+
+mode_door(Topic, Mode, door(Name,Arguments,Determinism)) :-
     (   Mode = (Head is Determinism)
     ->  true
-    ;   fault("~w: ~w says not how many answers there are", [File,Mode])
+    ;   fault("kernel/~w.pl: ~w: how many answers?", [Topic,Mode])
     ),
-    Head =.. [Name|Modes],
-    maplist(typed_argument, Modes, Arguments),
-    forall(( member(Argument, Arguments), \+ known_mode(Argument) ),
-           fault("~w: ~w: + and - only", [File,Mode])).
+    functor(Head, Name, Arity),
+    \+ is_by_hand(Topic, Name/Arity),
+    Head =.. [_|Modes],
+    maplist(argument(Topic, Name), Modes, Arguments).
+
+is_by_hand(Topic, Door) :-
+    by_hand(Topic, Doors),
+    memberchk(Door, Doors),
+    !.
+
+argument(Topic, Name, Mode, Argument) :-
+    (   typed_argument(Mode, Argument)
+    ->  true
+    ;   fault("kernel/~w.pl: ~w: ~w is no +X:Type or -X:Type",
+              [Topic,Name,Mode])
+    ).
 
 %   +X:Type is read as (+X):Type or +(X:Type), whichever the operators say.
 
@@ -206,10 +229,8 @@ typed_argument(Mode, arg(In,Variable,Type)) :-
     ;   Mode = Argument:Type,
         Argument =.. [In,Variable]
     ),
+    memberchk(In, [+,-]),
     is_type(Type).
-
-known_mode(arg(+,_,_)).
-known_mode(arg(-,_,_)).
 
 fault(Format, Arguments) :-
     format(user_error, "tools/doors.pl: ", []),
@@ -244,7 +265,8 @@ use(Type, Types0, [Type|Types]) :-
 part(list(Type), Type).
 part(Type, Part) :-
     type(Type, record(_,_,_,Fields)),
-    member(_:Part, Fields).
+    member(_:Part, Fields),
+    Part \== any.
 part(Type, Part) :-
     type(Type, either(_,Alternatives)),
     member(Alternative, Alternatives),

@@ -71,9 +71,13 @@ reader(words(_,_,Words), Type) :-
            [Type,N,Type]),
     format("  (void)call;~n"),
     format("  *out = (~w)(k < 0 ? 0 : k);~n  return k >= 0;~n", [CType]).
-reader(record(_,_,_,Fields), Type) :-
+reader(record(_,_,Name0,Fields), Type) :-
+    (   Name0 == (-)
+    ->  Name = pair
+    ;   Name = Name0
+    ),
     format("  term_t a = PL_new_term_ref();~n~n"),
-    format("  return sg_door_functor(t, functor_~w, \"~w\")", [Type,Type]),
+    format("  return sg_door_functor(t, functor_~w, \"~w\")", [Type,Name]),
     foldl(read_field(out), Fields, 1, _),
     format(";~n").
 reader(either(_,Alternatives), Type) :-
@@ -85,6 +89,9 @@ reader(either(_,Alternatives), Type) :-
     foldl(read_alternative(Type), Alternatives, 0, _),
     format("  }~n  return PL_type_error(\"~w\", t);~n", [Type]).
 
+read_field(_, _:any, I0, I) :-
+    !,
+    I is I0+1.
 read_field(Struct, Member:Type, I0, I) :-
     type_name(Type, Name),
     format(" &&~n         PL_get_arg(~d, t, a) && get_~w(call, a, &~w->~w)",

@@ -28,7 +28,9 @@ header_type(Type) :-
 declared(list(Type)) :-
     !,
     c_list(Type, List),
-    \+ memberchk(List, [sg_int_list, sg_count_list, sg_number_list]).
+    \+ memberchk(List, [ sg_int_list, sg_count_list, sg_number_list,
+                         sg_integer_list
+                       ]).
 declared(Type) :-
     type(Type, _).
 
@@ -78,6 +80,8 @@ alternative(Alternative) :-
     forall(member(Field, Fields), field(Field)),
     format("    } ~w;~n", [Name]).
 
+field(_:any) :-
+    !.
 field(Name:Type) :-
     c_type(Type, CType),
     format("  ~w ~w;~n", [CType,Name]).

@@ -156,16 +156,18 @@ Foreign predicates; see kernel.pl.
 %
 %   @error representation_error(look), representation_error(sheet_coordinate)
 
-/* - - - travel4pl.c - - - */
+/* - - - travel_rows.c - - - */
 
-%!  travel_order(+Start, +Strokes:list, -Order:list) is det.
+%!  travel_order(+Start:sheet_point, +Strokes:list(travelled_stroke),
+%!               -Order:list(integer)) is det.
 %
 %   Order has the numbers of Strokes, from 1, in the order of nearest ends that
 %   short_travel/3 of travel.pl has, those drawn backwards below zero.
 
-/* - - - raster4pl.c - - - */
+/* - - - raster_rows.c - - - */
 
-%!  raster_dots(+Width, +Height, +Strokes, -Dots) is det.
+%!  raster_dots(+Width:int, +Height:int, +Strokes:list(dot_stroke),
+%!              -Dots:bytes) is det.
 %
 %   Dots is a string of Width*Height codes, by rows from the top: the inks that
 %   Strokes leave on paper, whose ink is 0. Each is
@@ -175,20 +177,22 @@ Foreign predicates; see kernel.pl.
 %   pattern runs on across joints; a later stroke covers an earlier one; what
 %   is outside is left out. Exact: integers only.
 %
-%   @error domain_error(raster_size, Width-Height), domain_error(pen, Stroke),
+%   @error domain_error(raster_size, Width-Height), domain_error(pen, Strokes),
 %          domain_error(raster_coordinate, X): farther than 2^20
 %   @see [PL] section 6.4, row PL-14
 
-%!  raster_png(+Width, +Height, +Dots, +Palette, -Bytes) is det.
+%!  raster_png(+Width:int, +Height:int, +Dots:bytes, +Palette:list(rgb),
+%!             -Bytes:bytes) is det.
 %
 %   Bytes is a string of the bytes of a PNG file that shows Dots; ink N has the
 %   N-th colour of Palette, a list of rgb(Red,Green,Blue), counted from 0.
 %
 %   @error domain_error(palette, Palette): empty, too long, or too short
 
-/* - - - canvas4pl.c - - - */
+/* - - - canvas_rows.c - - - */
 
-%!  canvas_png(+Width, +Height, +Scale, +Paper, +Lines, -Bytes) is det.
+%!  canvas_png(+Width:int, +Height:int, +Scale:number, +Paper:rgb,
+%!             +Lines:list(canvas_line_fact), -Bytes:bytes) is det.
 %
 %   Bytes are a PNG file, Width x Height dots, three bytes each, of Lines with
 %   smooth edges on paper of the colour Paper, rgb(R,G,B). Each of Lines is
@@ -196,5 +200,6 @@ Foreign predicates; see kernel.pl.
 %   Points are X-Y, X to the right, Y DOWN. Lengths are in a unit that is Scale
 %   dots, and a thousandth of a millimetre; the file says so. Inexact.
 %
-%   @error domain_error(raster_size, Width-Height), domain_error(pen_width, W),
-%          domain_error(raster_coordinate, X): farther than 2^20 dots
+%   @error domain_error(raster_size, Width-Height),
+%          domain_error(pen_width, Lines),
+%          domain_error(raster_coordinate, Lines): farther than 2^20 dots

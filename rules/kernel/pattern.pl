@@ -201,23 +201,26 @@ the drawn surface. Degrees; see roll.h.
 %   than Reach from the line between them. Each list has place(T, H, X, Y), T
 %   within half a turn of T0.
 
-/* - - - nest4pl.c - - - */
+/* - - - nest_rows.c - - - */
 
-%!  shapes_open(+Size, -Shapes) is det.
+%!  shapes_open(+Size:number, -Shapes:shapes) is det.
 %
 %   Shapes is a handle for convex shapes on paper, none yet, each of them about
 %   of this Size (up to a million times as large or small).
 
-%!  shapes_add(+Shapes, +Shape) is det.
+%!  shapes_add(+Shapes:shapes, +Shape:list(paper_point)) is det.
 %
 %   Shape, a list of 2 (a line) to 8 points X-Y in order, is one more.
 
-%!  shapes_free(+Shapes, +Shape, +Tolerance) is semidet.
+%!  shapes_free(+Shapes:shapes, +Shape:list(paper_point),
+%!              +Tolerance:number) is semidet.
 %
 %   True when no shape of Shapes overlaps Shape deeper than Tolerance, 0 or
 %   more; how deep is how far one of the two has to be moved to be free.
 
-%!  nest(+Size, +Square, +Gap, +One, +Pieces, -Places, -Work) is det.
+%!  nest(+Size:paper_point, +Square:number, +Gap:int, +One:bool,
+%!       +Pieces:list(nest_piece_fact), -Places:list(nest_place),
+%!       -Work:integer) is det.
 %
 %   Lays Pieces, each piece(Degrees,Loops), on sheets of Size, W-H: one after
 %   the other, on the first sheet that takes it, as low and then as far left as

@@ -54,7 +54,7 @@ test(length, true(Length =:= 30.0)) :-
     travel_length(0-0, [L1,L2], Length).
 test(bad, [forall(member(Strokes-Error,
                          [ x-type_error(list, x), [x]-type_error(stroke, x),
-                           [stroke(_,_,_,_,[],_,_)]-type_error(_, _),
+                           [stroke(_,_,_,_,[],_,_)]-domain_error(stroke, _),
                            [stroke(_,_,_,_,[x],_,_)]-type_error(pair, x) ])),
            throws(error(Error, _))]) :-
     short_travel(0-0, Strokes, _).
