@@ -86,8 +86,9 @@ check 'top level: the goal' has interrupted
 check 'top level: the next one' has after "$work/out"
 
 # Those that were ignored stay so: nohup.
-(trap '' HUP && exec "$sanggwan" query facts/cube.pl 'sleep(1), X = 1' \
-  >"$work/out" 2>"$work/err") &
+trap '' HUP
+"$sanggwan" query facts/cube.pl 'sleep(1), X = 1' >"$work/out" 2>"$work/err" &
+trap - HUP
 sleep 0.6
 kill -HUP $!
 wait $!

@@ -5,7 +5,7 @@
 near(Name, Seconds) :-
     stage_seconds(Name, S),
     S >= Seconds-0.001,
-    S < Seconds+0.05.
+    S < Seconds+0.15.
 
 :- begin_tests(stage, [setup(stages_reset)]).
 
