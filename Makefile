@@ -147,7 +147,9 @@ C_TESTS := $(patsubst %.c,$(B)/%,$(sort $(wildcard \
              tests/c_kernels/$(or $(T),*)/*_test.c tests/engine/*$(T)*_test.c)))
 PLTS    := $(sort $(wildcard tests/rules/*$(T)*.plt \
              tests/rules/*/*$(T)*.plt tests/rules/$(or $(T),*)/*.plt))
-CLIS    := $(wildcard tests/cli/*$(T)*.sh)
+CLIS    := $(wildcard tests/cli/*$(T)*.sh tests/transcripts/*$(T)*.txt \
+             tests/$(or $(T),transcripts)/*.txt)
+CLIS    := $(sort $(CLIS))
 
 $(B)/tests/%_test: tests/%_test.c tests/check.h $(CORE)
 	@mkdir -p $(@D)
@@ -306,9 +308,10 @@ lint: $(B)/sanggwan.so
 # The gallery: each picture by the command that stands under it.
 demo: all
 	@swipl -p foreign=$(B) tools/gallery.pl
-# Writes the golden drawings anew. Look at those that changed.
-bless: $(B)/sanggwan.so
+# Writes the golden drawings and the transcripts anew. Look at what changed.
+bless: all
 	@swipl -p foreign=$(B) tools/bless.pl
+	@tests/transcript.py --bless tests/transcripts/*.txt
 
 # --- measuring -------------------------------------------------------------
 

@@ -1,6 +1,7 @@
 :- module(sg_output,
           [ writing/3,                  % +File, +Type, :Goal
             copied_to/3,                % +Target, +Ending, :Goal
+            asked_for/2,                % +File, -Target
             files_together/1,           % :Goal
             when_written/1              % :Goal
           ]).
@@ -61,9 +62,8 @@ folder_there(File) :-
 %   Devices and pipes, and the scratch files of copied_to/3.
 
 written_in_place(File) :-
-    pending(Items),
-    Items \== none,
-    memberchk(scratch(_, File, _), Items),
+    asked_for(File, Target),
+    Target \== File,
     !.
 written_in_place(File) :-
     device_file(File).
@@ -169,6 +169,18 @@ scratch_written(Target, Ending, Goal) :-
     atomic_scratch(Dotted, Id, File),
     pended(scratch(Id, File, Target)),
     call(Goal, File).
+
+%!  asked_for(+File, -Target) is det.
+%
+%   Target is what the user called File: of a file of copied_to/3 where it goes.
+
+asked_for(File, Target) :-
+    pending(Items),
+    (   Items \== none,
+        memberchk(scratch(_, File, Target0), Items)
+    ->  Target = Target0
+    ;   Target = File
+    ).
 
 %   pending(Items): what waits for its place in this thread, the last first;
 %   `none` outside of files_together/1.

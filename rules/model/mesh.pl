@@ -12,7 +12,7 @@
               [ mesh_add/6, mesh_write/5, boundary_open/7, boundary_write/5,
                 boundary_close/1
               ]).
-:- use_module('../output', [writing/3]).
+:- use_module('../output', [asked_for/2, writing/3]).
 :- use_module('../store',
               [ segment/3, assert_fact/1, facts_transaction/1, fresh_id/3 ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
@@ -249,7 +249,8 @@ without_curves(Format, File, Segments) :-
     aggregate_all(count,
                   ( member(S, Segments), segment(S, curve, _) ), Curves),
     !,
-    warned(Curves, mesh(File, no_curves(Curves))).
+    asked_for(File, Target),
+    warned(Curves, mesh(Target, no_curves(Curves))).
 without_curves(_, _, _).
 
 %!  mesh_file_format(+File, +Options, -Format) is det.

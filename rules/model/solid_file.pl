@@ -12,6 +12,7 @@
               ]).
 :- use_module(mesh, [mesh_file_format/3, mesh_to_file/2, mesh_outcome/1]).
 :- use_module(model_writer, [write_model/1]).
+:- use_module('../output', [asked_for/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
@@ -127,16 +128,20 @@ said_rounds(File, Rounds) :-
     flag(sg_solid_rounds, Sum, Sum+Rounds),
     (   Rounds =:= 0
     ->  true
-    ;   print_message(informational, sanggwan(written(File, rounds(Rounds))))
+    ;   said_of(File, informational, rounds(Rounds))
     ).
 
 said_empty(File, S, Counts) :-
     (   \+ arg(2, Counts, 0)
     ->  true
     ;   p(S, _, _)
-    ->  print_message(warning, sanggwan(written(File, collapsed)))
-    ;   print_message(warning, sanggwan(written(File, empty)))
+    ->  said_of(File, warning, collapsed)
+    ;   said_of(File, warning, empty)
     ).
+
+said_of(File, Kind, What) :-
+    asked_for(File, Target),
+    print_message(Kind, sanggwan(written(Target, What))).
 
 %!  write_solids(+File, +Pairs:list, +Options:list) is det.
 %
