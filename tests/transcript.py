@@ -23,7 +23,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SANGGWAN = os.path.realpath(
     os.environ.get("SANGGWAN", os.path.join(ROOT, os.environ.get("B", "build"), "sanggwan")))
 SECONDS = 120
-PROGRESS = re.compile(r"sanggwan: \w+: \d+ ?(s|초)$")
+PROGRESS = re.compile(r"\S+: \w+: (\d+ ?(s|초)$|[\d,]+ (of|/) [\d,]+, )")
 NUMBER = re.compile(r"[-+]?\d+\.\d+(?:[eE][-+]?\d+)?")
 
 
