@@ -188,6 +188,14 @@ plain_element(ansi(How, Format, Values0), ansi(How, Format, Values)) :-
 
 plain_values(Values0, Values) :-
     (   is_list(Values0)
-    ->  maplist(plain_term, Values0, Values)
-    ;   plain_term(Values0, Values)
+    ->  maplist(plain_value, Values0, Values)
+    ;   plain_value(Values0, Values)
     ).
+
+%   Variables have no names of the machine: they are _, or A, B where a value
+%   has one more than once.
+
+plain_value(Term, Plain) :-
+    plain_term(Term, Plain0),
+    copy_term(Plain0, Plain, _),
+    numbervars(Plain, 0, _, [singletons(true)]).

@@ -67,7 +67,10 @@ def said_by(command, folder, environment):
               if not PROGRESS.match(line)]
     if done.returncode:
         lines.append("  [%d]" % done.returncode)
-    return [line.replace(folder, "FOLDER").rstrip() for line in lines]
+    lines = [line.replace(folder, "FOLDER").rstrip() for line in lines]
+    while lines and not lines[-1]:
+        lines.pop()
+    return lines
 
 
 def same(line, other):

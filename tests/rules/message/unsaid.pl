@@ -106,4 +106,5 @@ unsaid(written_en, unwritten_en(open(_))).
 unsaid(written_en, unwritten_en(undivided(_))).
 unsaid(written_en, unwritten_en(crossing(_))).
 unsaid(written_en, unwritten_en(penetrates(_,meeting(_,_,_,_)))).
+unsaid(written_en, unwritten_en(touches(_,meeting(_,_,_,_)))).
 unsaid(written_en, instead_en(other_file)).
