@@ -91,9 +91,6 @@ void *sg_call_realloc(sg_call *call, void *at, size_t bytes);
  * at once. */
 bool sg_call_adopt(sg_call *call, void *memory);
 
-/* An atom of Prolog: to be compared, and given back. */
-typedef uintptr_t sg_atom;
-
 typedef struct sg_bytes {
   const uint8_t *at;
   size_t n;

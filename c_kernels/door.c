@@ -254,6 +254,30 @@ get_list_of_ids(sg_call *call, term_t t, sg_int_list *out)
 }
 
 int
+get_symbol(sg_call *call, term_t t, int32_t *out)
+{
+  static _Thread_local atom_t last;
+  static _Thread_local int32_t symbol;
+  atom_t atom;
+
+  if (!PL_get_atom_ex(t, &atom)) {
+    return FALSE;
+  }
+  if (atom != last) {
+    symbol = sg_intern_atom(atom);
+    last = symbol < 0 ? 0 : atom;
+  }
+  *out = symbol;
+  return symbol >= 0 || sg_call_no_memory(call);
+}
+
+int
+put_symbol(term_t t, int32_t symbol)
+{
+  return PL_put_atom(t, sg_symbol_atom(symbol));
+}
+
+int
 get_set_id(sg_call *call, term_t t, sg_int_list *out)
 {
   size_t kept = 0;

@@ -112,12 +112,10 @@ get_integer(sg_call *call, term_t t, int64_t *out)
   return PL_get_int64_ex(t, out);
 }
 
-static inline int
-get_atom(sg_call *call, term_t t, sg_atom *out)
-{
-  (void)call;
-  return PL_get_atom_ex(t, out);
-}
+/* An atom as a symbol of the store (engine/symbol.h), made when there is none:
+ * for words of which there are few. */
+int get_symbol(sg_call *call, term_t t, int32_t *out);
+int put_symbol(term_t t, int32_t symbol);
 
 /* A string of codes 0 to 255; good as long as the term is. */
 static inline int
@@ -140,7 +138,6 @@ int get_set_id(sg_call *call, term_t t, sg_int_list *out);
 #define put_int(t, x)     PL_put_int64(t, (int64_t)(x))
 #define put_count(t, x)   PL_put_int64(t, (int64_t)(x))
 #define put_integer(t, x) PL_put_int64(t, x)
-#define put_atom(t, x)    PL_put_atom(t, x)
 #define put_number(t, x)  PL_put_float(t, (x) + 0.0)
 #define put_bool(t, x)    PL_put_bool(t, (x))
 

@@ -64,8 +64,8 @@ sg_symbol_atom(int32_t symbol)
   return atom;
 }
 
-int32_t
-sg_atom_symbol(atom_t atom)
+static int32_t
+symbol_of(atom_t atom, int32_t (*find)(const char *text, size_t length))
 {
   term_t t = PL_new_term_ref();
   char *text;
@@ -75,11 +75,23 @@ sg_atom_symbol(atom_t atom)
   PL_STRINGS_MARK();
   if (t && PL_put_atom(t, atom) &&
       PL_get_nchars(t, &length, &text, CVT_ATOM | REP_UTF8)) {
-    symbol = sg_symbol_find(text, length);
+    symbol = find(text, length);
   }
   PL_STRINGS_RELEASE();
   PL_reset_term_refs(t);
   return symbol;
+}
+
+int32_t
+sg_atom_symbol(atom_t atom)
+{
+  return symbol_of(atom, sg_symbol_find);
+}
+
+int32_t
+sg_intern_atom(atom_t atom)
+{
+  return symbol_of(atom, sg_symbol_intern);
 }
 
 /* ---- encoding ---------------------------------------------------------- */

@@ -54,6 +54,8 @@ int sg_get_relation_ex(term_t t, sg_relation *out);
 /* Symbols and atoms. The atom is the symbol's for ever. -1: no such symbol. */
 atom_t sg_symbol_atom(int32_t symbol);
 int32_t sg_atom_symbol(atom_t atom);
+/* The same; it is made when there is none. -1: no memory. */
+int32_t sg_intern_atom(atom_t atom);
 
 /* A ground term into a builder that is open. False without an exception:
  * not ground, or holds something that has no text (a stream, a dict). */

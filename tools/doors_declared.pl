@@ -67,7 +67,7 @@ simple(count,   size_t).
 simple(integer, int64_t).
 simple(number,  double).
 simple(bool,    bool).
-simple(atom,    sg_atom).
+simple(symbol,  int32_t).
 simple(bytes,   sg_bytes).
 simple(set(id), sg_int_list).
 
@@ -123,7 +123,7 @@ type_name(set(Type), Name) :-
 type_name(Type, Type).
 
 by_value(Type) :-
-    memberchk(Type, [id, int, count, integer, number, bool, atom]),
+    memberchk(Type, [id, int, count, integer, number, bool, symbol]),
     !.
 by_value(Type) :-
     type(Type, What),

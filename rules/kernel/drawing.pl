@@ -128,26 +128,29 @@ Foreign predicates; see kernel.pl.
 %   S-S2 for which hides(S, S2) is not true. The fused kernel of
 %   hidden_lines.pl.
 
-/* - - - stroke4pl.c - - - */
+/* - - - stroke_rows.c - - - */
 
-%!  stroke_looks(+Parts:list, -Looks:list) is det.
+%!  stroke_looks(+Parts:list(looking_part), -Looks:list(look_name)) is det.
 %
 %   Looks are the Visibility-Role that Parts (stroke.pl) have, each once.
 
-%!  stroke_chains(+Parts:list, +Looks:list, -Strokes:list) is det.
+%!  stroke_chains(+Parts:list(sheet_part), +Looks:list(ranked_look),
+%!                -Strokes:list(sheet_stroke)) is det.
 %
 %   As strokes/2 of stroke.pl: the fused kernel. Looks are look(Visibility,Role,
 %   Rank), in standard order, all that Parts have; Rank is their place in
 %   painting.
 
-/* - - - drawn_stroke4pl.c - - - */
+/* - - - drawn_stroke_rows.c - - - */
 
-%!  drawn_box(-Box) is semidet.
+%!  drawn_box(-Box:paper_box) is semidet.
 %
 %   Box is b(X1,Y1,X2,Y2) round the parts that drawn/7 has of edges, in the
 %   picture's own coordinates. Fails if there are none.
 
-%!  drawn_strokes(+Place, +Removed, +Looks, +Others:list, -Strokes:list) is det.
+%!  drawn_strokes(+Place:drawing_place, +Removed:symbol,
+%!                +Looks:list(ranked_look), +Others:list(sheet_part),
+%!                -Strokes:list(sheet_stroke)) is det.
 %
 %   Strokes are those of the parts that drawn/7 has of edges, placed as
 %   placed_part/3 of sheet.pl says, and of Others, which are placed; those with

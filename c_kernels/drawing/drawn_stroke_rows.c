@@ -1,0 +1,207 @@
+/* drawn_stroke_rows.c -- the edges of drawn/7 as strokes on a sheet, without a
+ * term for each part: the fused kernel of sheet.pl, sheet_strokes_by_rule/4.
+ */
+#include "stroke_rows.h"
+
+#include <math.h>
+
+/* A row of drawn/7 that is an edge. */
+typedef struct drawn {
+  int32_t s, e, visibility, role; /* the last two are symbols */
+  double from, to;
+  double a[2], b[2]; /* in the picture */
+} drawn;
+
+typedef bool use_drawn(sg_call *call, void *data, const drawn *row);
+
+/* ---- rows ---- */
+
+/* The row that begins with two ids. */
+static sg_row
+find_row(const sg_version *version, sg_relation relation, int32_t s, int32_t id)
+{
+  return sg_version_find(version, relation,
+                         (sg_value[SG_MAX_COLUMNS]){{.i = s}, {.i = id}});
+}
+
+static bool
+place_vertex(const sg_version *version, int32_t s, int32_t v, double out[2])
+{
+  sg_row row = find_row(version, SG_SCREEN, s, v);
+
+  if (row == SG_NO_ROW) {
+    return false;
+  }
+  out[0] = sg_version_value(version, SG_SCREEN, row, 2).f;
+  out[1] = sg_version_value(version, SG_SCREEN, row, 3).f;
+  return true;
+}
+
+/* Exact at both ends. */
+static double
+between(double at, double a, double b)
+{
+  return at == 1.0 ? b : a + at * (b - a);
+}
+
+/* False: the edge, or a place of its ends, is not there. */
+static bool
+place_drawn(const sg_version *version, drawn *row)
+{
+  sg_row edge = find_row(version, SG_E, row->s, row->e);
+  double start[2], end[2];
+
+  if (edge == SG_NO_ROW ||
+      !place_vertex(version, row->s, sg_version_value(version, SG_E, edge, 2).i,
+                    start) ||
+      !place_vertex(version, row->s, sg_version_value(version, SG_E, edge, 3).i,
+                    end)) {
+    return false;
+  }
+  for (int k = 0; k < 2; k++) {
+    row->a[k] = between(row->from, start[k], end[k]);
+    row->b[k] = between(row->to, start[k], end[k]);
+  }
+  return true;
+}
+
+/* Calls `use` with each row of drawn/7 that is an edge. */
+static bool
+each_row(sg_call *call, const sg_version *version, use_drawn *use, void *data)
+{
+  sg_view view;
+  bool good = true;
+
+  if (!sg_version_view(version, SG_DRAWN, &view)) {
+    return sg_call_no_memory(call);
+  }
+  for (size_t i = 0; i < view.pages && good; i++) {
+    const sg_column *c = view.column;
+
+    for (unsigned r = sg_live_next(view.live[i], 0); r < SG_PAGE_ROWS && good;
+         r = sg_live_next(view.live[i], r + 1)) {
+      drawn row = {.s = c[1].page[i].i[r],
+                   .e = c[2].page[i].i[r],
+                   .from = c[3].page[i].f[r],
+                   .to = c[4].page[i].f[r],
+                   .visibility = c[5].page[i].i[r],
+                   .role = c[6].page[i].i[r]};
+
+      good = row.e < 0 || !place_drawn(version, &row) || use(call, data, &row);
+    }
+    good = good && !sg_poll_stop(&call->poll);
+  }
+  sg_view_clear(&view);
+  return good;
+}
+
+static bool
+each_drawn(sg_call *call, use_drawn *use, void *data)
+{
+  sg_world *world = sg_call_world(call);
+  const sg_version *version = world ? sg_world_version(world) : NULL;
+  bool good;
+
+  if (!version) {
+    return world ? sg_call_no_memory(call) : false;
+  }
+  good = ((sg_index_ready(version, SG_E, 0x03, &call->poll) &&
+           sg_index_ready(version, SG_SCREEN, 0x03, &call->poll)) ||
+          sg_call_ended(call)) &&
+         each_row(call, version, use, data);
+  sg_version_drop(version);
+  return good;
+}
+
+/* ---- the box ---- */
+
+typedef struct box {
+  bool any;
+  double low[2], high[2];
+} box;
+
+static bool
+box_add(sg_call *call, void *data, const drawn *row)
+{
+  box *b = data;
+
+  (void)call;
+  for (int k = 0; k < 2; k++) {
+    double low = fmin(row->a[k], row->b[k]), high = fmax(row->a[k], row->b[k]);
+
+    b->low[k] = b->any ? fmin(b->low[k], low) : low;
+    b->high[k] = b->any ? fmax(b->high[k], high) : high;
+  }
+  b->any = true;
+  return true;
+}
+
+bool
+sg_door_drawn_box(sg_call *call, sg_paper_box *out)
+{
+  box b = {0};
+  bool good = each_drawn(call, box_add, &b) && b.any;
+
+  *out = (sg_paper_box){b.low[0], b.low[1], b.high[0], b.high[1]};
+  return good;
+}
+
+/* ---- the strokes ---- */
+
+/* Parts under way. */
+typedef struct parts {
+  const sg_drawing_place *place;
+  int32_t removed; /* a visibility */
+  const sg_ranked_look_list *looks;
+  sg_stroke_parts part;
+  size_t last;
+} parts;
+
+static bool
+on_sheet(const parts *p, const double at[2], int64_t out[2])
+{
+  static const double far = 0x1p52;
+  double x = round((at[0] - p->place->x) * p->place->scale + p->place->left);
+  double y = round((p->place->y - at[1]) * p->place->scale + p->place->top);
+
+  if (!(fabs(x) < far && fabs(y) < far)) {
+    return false;
+  }
+  out[0] = (int64_t)x;
+  out[1] = (int64_t)y;
+  return true;
+}
+
+static bool
+part_add(sg_call *call, void *data, const drawn *row)
+{
+  parts *p = data;
+  sg_stroke_part part = {
+      .s = row->s, .e = row->e, .from = row->from, .to = row->to};
+
+  if (row->visibility == p->removed) {
+    return true;
+  }
+  p->last = sg_looks_find(p->looks, row->visibility, row->role, p->last);
+  if (p->last == p->looks->n) {
+    return sg_call_cannot_hold(call, "look");
+  }
+  part.look = (uint32_t)p->last;
+  if (!on_sheet(p, row->a, part.a) || !on_sheet(p, row->b, part.b)) {
+    return sg_call_cannot_hold(call, "sheet_coordinate");
+  }
+  return sg_stroke_parts_add(call, &p->part, part);
+}
+
+bool
+sg_door_drawn_strokes(sg_call *call, const sg_drawing_place *place,
+                      int32_t removed, const sg_ranked_look_list *looks,
+                      const sg_sheet_part_list *others,
+                      sg_sheet_stroke_list *strokes)
+{
+  parts p = {.place = place, .removed = removed, .looks = looks};
+
+  return each_drawn(call, part_add, &p) &&
+         sg_parts_add(call, others, 4, looks, &p.part) &&
+         sg_strokes_of(call, looks, &p.part, strokes);
+}
