@@ -67,6 +67,24 @@ plain_side(const double m[3], const double o[3], const double x[3])
   return !(fabs(sum) > 1e-14 * size + 1e-290) ? 0 : sum > 0 ? 1 : -1;
 }
 
+/* The same of x and the plane of a triangle. */
+static int
+plain_turn(corners of, const double x[3])
+{
+  double u[3], v[3], d[3], sum = 0, size = 0;
+
+  sg_minus(of[1], of[0], u);
+  sg_minus(of[2], of[0], v);
+  sg_minus(x, of[0], d);
+  for (int k = 0; k < 3; k++) {
+    int g = (k + 1) % 3, h = (k + 2) % 3;
+
+    sum += (u[g] * v[h] - u[h] * v[g]) * d[k];
+    size += (fabs(u[g] * v[h]) + fabs(u[h] * v[g])) * fabs(d[k]);
+  }
+  return !(fabs(sum) > 1e-14 * size + 1e-290) ? 0 : sum > 0 ? 1 : -1;
+}
+
 static bool
 is_shared(const int *of, int n, int corner)
 {
@@ -158,11 +176,32 @@ apart_in_plane(const pair *p, corners of)
   return false;
 }
 
-/* First across the way between their middles. */
+/* Whether the corners of x but those shared are on one side of the plane of a
+ * triangle. */
+static bool
+beside(const pair *p, corners of, corners x, const int *shared)
+{
+  int sides = 0, n = 0;
+
+  for (int i = 0; i < 3; i++) {
+    if (!is_shared(shared, p->n, i)) {
+      sides += plain_turn(of, x[i]);
+      n++;
+    }
+  }
+  return sides == n || sides == -n;
+}
+
+/* First by their planes, then across the way between their middles. */
 static bool
 plainly_apart(const pair *p)
 {
   double m[3];
+
+  if (beside(p, (corners)p->a, (corners)p->b, p->same) ||
+      beside(p, (corners)p->b, (corners)p->a, p->shared)) {
+    return true;
+  }
 
   for (int k = 0; k < 3; k++) {
     m[k] = p->a[0][k] + p->a[1][k] + p->a[2][k] -
@@ -203,6 +242,10 @@ folded(const pair *p)
   int other_a = 3 - p->shared[0] - p->shared[1];
   int other_b = 3 - p->same[0] - p->same[1];
   const double *u = p->a[p->shared[0]], *w = p->a[p->shared[1]];
+
+  if (plain_turn((corners)p->a, p->b[other_b]) != 0) {
+    return false;
+  }
   int axis = best_axis((corners)p->a);
   int side_a = turn(axis, u, w, p->a[other_a]);
   int side_b = turn(axis, u, w, p->b[other_b]);
