@@ -1,12 +1,9 @@
 /* self_cut.c -- the join of a segment with itself (self_cut.h). */
 #include "self_cut.h"
 
-#include "bvh_join.h"
-#include "fan.h"
-#include "oriented_box.h"
 #include "polygon/flatness.h"
 #include "rows/places.h"
-#include "self_pair.h"
+#include "self_join.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -39,10 +36,6 @@ typedef struct joiner {
   size_t triangles;
   uint32_t *place;
   const unsigned char *changed; /* [triangles], or null */
-  uint32_t *some; /* [some_n] the triangles to ask, from first; null: all */
-  size_t some_n;
-  sg_run run;
-  sg_bvh *tree, *some_tree;
   sg_bvh_hits hits;
   block *block;
   size_t blocks;
@@ -50,130 +43,37 @@ typedef struct joiner {
 
 /* ---- candidates --------------------------------------------------------- */
 
-static sg_box
-box_of(const joiner *j, size_t triangle)
-{
-  const sg_dense *d = j->model.d;
-  sg_box box = sg_box_none();
-
-  for (int k = 0; k < 3; k++) {
-    double at[3];
-
-    sg_run_turn(&j->run, d->at[d->corner[(size_t)j->first + triangle][k]], at);
-    sg_box_add(&box, at);
-  }
-  return box;
-}
-
 static void
-fill_boxes(const void *data, size_t begin, size_t end, sg_box *out)
-{
-  for (size_t i = begin; i < end; i++) {
-    out[i - begin] = box_of(data, i);
-  }
-}
-
-static void
-fill_some_boxes(const void *data, size_t begin, size_t end, sg_box *out)
+read_triangle(const void *data, uint32_t i, sg_self_triangle *out)
 {
   const joiner *j = data;
 
-  for (size_t i = begin; i < end; i++) {
-    out[i - begin] = box_of(j, j->some[i]);
-  }
-}
-
-/* Of two triangles that are both asked, the hit that is left out. */
-static bool
-is_second(const joiner *j, uint32_t t, uint32_t u)
-{
-  return j->some && (t == u || (t > u && j->changed[t] && j->changed[u]));
+  sg_self_read_triangle(&j->model, j->first + (int32_t)i, out);
 }
 
 /* Most boxes that overlap are those of neighbours that have nothing else in
  * common. */
 static bool
-may_meet(void *data, const sg_bvh_hit *hit)
+may_meet(void *data, const sg_self_triangle *a, const sg_self_triangle *b)
 {
-  const joiner *j = data;
-  uint32_t t = (j->some ? j->some_tree : j->tree)->item[hit->a];
-  uint32_t u = j->tree->item[hit->b];
+  sg_self_two two;
 
-  return !is_second(j, t, u) &&
-         sg_self_may_be_pair(&j->model, j->first + (int32_t)t,
-                             j->first + (int32_t)u);
-}
-
-/* Needles that run askew overlap in boxes along x, y and z wherever they are:
- * their boxes are taken along them. */
-static void
-find_run(joiner *j)
-{
-  const sg_dense *d = j->model.d;
-
-  for (size_t i = 0; i < j->triangles; i++) {
-    double t[3][3];
-
-    for (int k = 0; k < 3; k++) {
-      memcpy(t[k], d->at[d->corner[(size_t)j->first + i][k]], sizeof t[k]);
-    }
-    sg_run_add(&j->run, (const double(*)[3])t);
-  }
-  sg_run_end(&j->run);
-}
-
-/* An sg_fan_read. Triangles of one polygon are asked about like others. */
-static void
-read_triangle(const void *data, size_t place, sg_fan_triangle *out)
-{
-  const joiner *j = data;
-  const sg_dense *d = j->model.d;
-  const int32_t *corner = d->corner[(size_t)j->first + j->tree->item[place]];
-
-  for (int k = 0; k < 3; k++) {
-    memcpy(out->at[k], d->at[corner[k]], sizeof out->at[k]);
-    out->name[k] = j->place[(uint32_t)corner[k] - j->model.first];
-  }
-  out->polygon = -1;
-}
-
-/* All triangles with all. */
-static bool
-join_itself(joiner *j, sg_crew *crew, const sg_poll *poll)
-{
-  sg_fans *fans;
-  bool done =
-      sg_fans_open(j->tree, read_triangle, j, false, &fans) &&
-      sg_bvh_join_itself(j->tree, 0.0, may_meet, j, fans ? sg_fans_apart : NULL,
-                         fans, crew, poll, &j->hits);
-
-  sg_fans_close(fans);
-  return done;
+  (void)data;
+  sg_self_two_of(a, b, &two);
+  return sg_self_may_meet(&two);
 }
 
 static bool
-find_candidates(joiner *j, size_t vertices, sg_crew *crew, const sg_poll *poll)
+find_candidates(joiner *j, sg_crew *crew, const sg_poll *poll)
 {
-  sg_box all = sg_box_none();
+  const sg_self_joining joining = {.n = j->triangles,
+                                   .read = read_triangle,
+                                   .wants = may_meet,
+                                   .data = j,
+                                   .in_polygons = true,
+                                   .changed = j->changed};
 
-  find_run(j);
-  for (size_t v = 0; v < vertices; v++) {
-    double at[3];
-
-    sg_run_turn(&j->run, j->model.d->at[j->model.first + v], at);
-    sg_box_add(&all, at);
-  }
-  j->tree = sg_bvh_grow(j->triangles, fill_boxes, j, NULL, &all, crew, poll);
-  if (j->tree && j->some) {
-    j->some_tree =
-        sg_bvh_grow(j->some_n, fill_some_boxes, j, j->some, &all, crew, poll);
-  }
-  if (j->tree && !j->some) {
-    return join_itself(j, crew, poll);
-  }
-  return j->tree && j->some_tree &&
-         sg_bvh_join_wanted(&(sg_bvh_pair){j->some_tree, j->tree}, 1, 0.0,
-                            may_meet, j, crew, poll, &j->hits);
+  return sg_self_join(&joining, crew, poll, &j->hits);
 }
 
 static void
@@ -202,13 +102,10 @@ test_block(void *data, size_t task)
 
   end = end < j->hits.n ? end : j->hits.n;
   for (size_t i = task * BLOCK; i < end && !b->failed; i++) {
-    const sg_bvh *tree = j->some ? j->some_tree : j->tree;
-    int32_t t = j->first + (int32_t)tree->item[j->hits.hit[i].a];
-    int32_t u = j->first + (int32_t)j->tree->item[j->hits.hit[i].b];
     found item;
 
-    item.meeting.t[0] = t < u ? t : u;
-    item.meeting.t[1] = t < u ? u : t;
+    item.meeting.t[0] = j->first + (int32_t)j->hits.hit[i].a;
+    item.meeting.t[1] = j->first + (int32_t)j->hits.hit[i].b;
     if (sg_self_pair(&j->model, item.meeting.t[0], item.meeting.t[1],
                      &item.meeting, &item.edge)) {
       keep(b, &item);
@@ -331,9 +228,6 @@ clear(joiner *j)
   free(j->block);
   free(j->hits.hit);
   free(j->place);
-  free(j->some);
-  sg_bvh_close(j->tree);
-  sg_bvh_close(j->some_tree);
 }
 
 static bool
@@ -346,18 +240,13 @@ find_places(joiner *j, size_t vertices, const sg_poll *poll)
 }
 
 static bool
-find_some(joiner *j)
+any_changed(const joiner *j)
 {
-  if (!j->changed) {
-    return true;
+  size_t i = 0;
+
+  for (; j->changed && i < j->triangles && !j->changed[i]; i++) {
   }
-  j->some = malloc((j->triangles + 1) * sizeof *j->some);
-  for (size_t i = 0; j->some && i < j->triangles; i++) {
-    if (j->changed[i]) {
-      j->some[j->some_n++] = (uint32_t)i;
-    }
-  }
-  return j->some != NULL;
+  return !j->changed || i < j->triangles;
 }
 
 bool
@@ -381,10 +270,9 @@ sg_self_cut_changed(const sg_dense *dense, size_t s,
 
   *out = (sg_self_meetings){0};
   bool done =
-      find_some(&j) && (j.triangles == 0 || (changed && j.some_n == 0) ||
-                        (find_places(&j, vertices, poll) &&
-                         find_candidates(&j, vertices, crew, poll) &&
-                         test_candidates(&j, crew, poll) && gather(&j, out)));
+      j.triangles == 0 || !any_changed(&j) ||
+      (find_places(&j, vertices, poll) && find_candidates(&j, crew, poll) &&
+       test_candidates(&j, crew, poll) && gather(&j, out));
 
   clear(&j);
   return done;

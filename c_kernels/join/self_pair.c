@@ -474,14 +474,22 @@ sg_self_goes_through(const sg_self_two *p, double tolerance)
           reaches_in(p, cut, tolerance));
 }
 
-bool
-sg_self_may_be_pair(const sg_self_model *model, int32_t a, int32_t b)
+void
+sg_self_two_of(const sg_self_triangle *a, const sg_self_triangle *b,
+               sg_self_two *out)
 {
-  pair p;
+  memcpy(out->a, a->at, sizeof out->a);
+  memcpy(out->b, b->at, sizeof out->b);
+  memcpy(out->a_at, a->v, sizeof out->a_at);
+  memcpy(out->b_at, b->v, sizeof out->b_at);
+}
 
-  fill(model, a, p.a, p.a_at);
-  fill(model, b, p.b, p.b_at);
-  return sg_self_may_meet(&p);
+void
+sg_self_read_triangle(const sg_self_model *model, int32_t t,
+                      sg_self_triangle *out)
+{
+  fill(model, t, out->at, out->v);
+  out->p = model->d->polygon_of[t];
 }
 
 bool

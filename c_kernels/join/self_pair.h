@@ -30,6 +30,16 @@ typedef struct sg_self_two {
   int n, shared[3], same[3]; /* shared[k] of a is same[k] of b; set here */
 } sg_self_two;
 
+/* A triangle; corners with one number are one corner. */
+typedef struct sg_self_triangle {
+  double at[3][3];
+  uint32_t v[3];
+  int32_t p; /* its polygon */
+} sg_self_triangle;
+
+void sg_self_two_of(const sg_self_triangle *a, const sg_self_triangle *b,
+                    sg_self_two *out);
+
 /* False: they have nothing in common but corners that they share and the edge
  * between them (or one has a corner twice). True: they may have. */
 bool sg_self_may_meet(sg_self_two *two);
@@ -39,8 +49,9 @@ bool sg_self_may_meet(sg_self_two *two);
  * sg_self_may_meet(). */
 bool sg_self_goes_through(const sg_self_two *two, double tolerance);
 
-/* Whether sg_self_pair() need be asked of a and b: sg_self_may_meet(). */
-bool sg_self_may_be_pair(const sg_self_model *model, int32_t a, int32_t b);
+/* Triangle t (a place). */
+void sg_self_read_triangle(const sg_self_model *model, int32_t t,
+                           sg_self_triangle *out);
 
 /* True if triangles a and b meet. Sets `kind` and `at`, not `t`. */
 bool sg_self_pair(const sg_self_model *model, int32_t a, int32_t b,
