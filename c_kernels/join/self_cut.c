@@ -44,7 +44,7 @@ typedef struct joiner {
 /* ---- candidates --------------------------------------------------------- */
 
 static void
-read_triangle(const void *data, uint32_t i, sg_self_triangle *out)
+read_triangle(const void *data, uint32_t i, sg_fan_triangle *out)
 {
   const joiner *j = data;
 
@@ -54,7 +54,7 @@ read_triangle(const void *data, uint32_t i, sg_self_triangle *out)
 /* Most boxes that overlap are those of neighbours that have nothing else in
  * common. */
 static bool
-may_meet(void *data, const sg_self_triangle *a, const sg_self_triangle *b)
+may_meet(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
 {
   sg_self_two two;
 

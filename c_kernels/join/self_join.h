@@ -13,11 +13,13 @@
 #include "bvh_join.h"
 #include "self_pair.h"
 
+#include <stdatomic.h>
+
 /* Triangle i. */
-typedef void sg_self_read(const void *data, uint32_t i, sg_self_triangle *out);
+typedef void sg_self_read(const void *data, uint32_t i, sg_fan_triangle *out);
 /* As sg_bvh_wants: of triangles i < k. */
-typedef bool sg_self_wants(void *data, const sg_self_triangle *i,
-                           const sg_self_triangle *k);
+typedef bool sg_self_wants(void *data, const sg_fan_triangle *i,
+                           const sg_fan_triangle *k);
 
 typedef struct sg_self_joining {
   size_t n;
@@ -30,6 +32,7 @@ typedef struct sg_self_joining {
   double reach;       /* above 0: also pairs that are no farther apart */
   const sg_bvh *tree; /* over boxes along x, y, z of all: triangle i is at place
                          i; or null */
+  const atomic_bool *done;      /* once it is set no more is wanted; or null */
   const unsigned char *changed; /* [n] pairs one of which is; null: all */
 } sg_self_joining;
 

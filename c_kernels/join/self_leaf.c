@@ -13,7 +13,7 @@ typedef struct joiner {
   const sg_leaf_tree *tree;
   const sg_leaf_views *views;
   double reach;
-  sg_self_triangle *leaf; /* [n], by place in the tree */
+  sg_fan_triangle *leaf; /* [n], by place in the tree */
   double tolerance;
   atomic_bool met;
   sg_bvh_hits hits;
@@ -40,27 +40,27 @@ read_block(void *data, size_t task)
 
   for (size_t i = task * BLOCK; i < end_of(task, boxes->n); i++) {
     sg_leaf row = sg_leaf_at(j->tree, j->views, boxes->item[i]);
-    sg_self_triangle *out = &j->leaf[i];
+    sg_fan_triangle *out = &j->leaf[i];
 
-    out->p = row.p;
+    out->polygon = row.p;
     for (int k = 0; k < 3; k++) {
-      out->v[k] = (uint32_t)row.v[k];
+      out->name[k] = (uint32_t)row.v[k];
       sg_leaf_vertex_at(j->tree, j->views, row.v[k], out->at[k]);
     }
   }
 }
 
 static void
-read_leaf(const void *data, uint32_t i, sg_self_triangle *out)
+read_leaf(const void *data, uint32_t i, sg_fan_triangle *out)
 {
   *out = ((const joiner *)data)->leaf[i];
 }
 
 static bool
-share_corner(const sg_self_triangle *a, const sg_self_triangle *b)
+share_corner(const sg_fan_triangle *a, const sg_fan_triangle *b)
 {
   for (int i = 0; i < 9; i++) {
-    if (a->v[i / 3] == b->v[i % 3]) {
+    if (a->name[i / 3] == b->name[i % 3]) {
       return true;
     }
   }
@@ -69,12 +69,12 @@ share_corner(const sg_self_triangle *a, const sg_self_triangle *b)
 
 /* Whether two leaves may have more in common than they share. */
 static bool
-may_meet(void *data, const sg_self_triangle *a, const sg_self_triangle *b)
+may_meet(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
 {
   const joiner *j = data;
   sg_self_two two;
 
-  if (a->p == b->p) {
+  if (a->polygon == b->polygon) {
     return false;
   }
   sg_self_two_of(a, b, &two);
@@ -83,12 +83,13 @@ may_meet(void *data, const sg_self_triangle *a, const sg_self_triangle *b)
 
 /* Whether they go through each other; nobody need ask after one that does. */
 static bool
-goes_through(void *data, const sg_self_triangle *a, const sg_self_triangle *b)
+goes_through(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
 {
   joiner *j = data;
   sg_self_two two;
 
-  if (a->p == b->p || atomic_load_explicit(&j->met, memory_order_relaxed)) {
+  if (a->polygon == b->polygon ||
+      atomic_load_explicit(&j->met, memory_order_relaxed)) {
     return false;
   }
   sg_self_two_of(a, b, &two);
@@ -123,7 +124,8 @@ join(joiner *j, sg_self_wants *wants, bool by_place, sg_crew *crew,
                                    .data = j,
                                    .by_place = by_place,
                                    .reach = j->reach,
-                                   .tree = j->tree->boxes};
+                                   .tree = j->tree->boxes,
+                                   .done = &j->met};
 
   return sg_self_join(&joining, crew, poll, &j->hits);
 }

@@ -475,21 +475,21 @@ sg_self_goes_through(const sg_self_two *p, double tolerance)
 }
 
 void
-sg_self_two_of(const sg_self_triangle *a, const sg_self_triangle *b,
+sg_self_two_of(const sg_fan_triangle *a, const sg_fan_triangle *b,
                sg_self_two *out)
 {
   memcpy(out->a, a->at, sizeof out->a);
   memcpy(out->b, b->at, sizeof out->b);
-  memcpy(out->a_at, a->v, sizeof out->a_at);
-  memcpy(out->b_at, b->v, sizeof out->b_at);
+  memcpy(out->a_at, a->name, sizeof out->a_at);
+  memcpy(out->b_at, b->name, sizeof out->b_at);
 }
 
 void
 sg_self_read_triangle(const sg_self_model *model, int32_t t,
-                      sg_self_triangle *out)
+                      sg_fan_triangle *out)
 {
-  fill(model, t, out->at, out->v);
-  out->p = model->d->polygon_of[t];
+  fill(model, t, out->at, out->name);
+  out->polygon = model->d->polygon_of[t];
 }
 
 bool

@@ -5,6 +5,7 @@
 #ifndef SG_SELF_PAIR_H
 #define SG_SELF_PAIR_H
 
+#include "fan.h"
 #include "self_cut.h"
 
 typedef struct sg_self_model {
@@ -30,14 +31,7 @@ typedef struct sg_self_two {
   int n, shared[3], same[3]; /* shared[k] of a is same[k] of b; set here */
 } sg_self_two;
 
-/* A triangle; corners with one number are one corner. */
-typedef struct sg_self_triangle {
-  double at[3][3];
-  uint32_t v[3];
-  int32_t p; /* its polygon */
-} sg_self_triangle;
-
-void sg_self_two_of(const sg_self_triangle *a, const sg_self_triangle *b,
+void sg_self_two_of(const sg_fan_triangle *a, const sg_fan_triangle *b,
                     sg_self_two *out);
 
 /* False: they have nothing in common but corners that they share and the edge
@@ -51,7 +45,7 @@ bool sg_self_goes_through(const sg_self_two *two, double tolerance);
 
 /* Triangle t (a place). */
 void sg_self_read_triangle(const sg_self_model *model, int32_t t,
-                           sg_self_triangle *out);
+                           sg_fan_triangle *out);
 
 /* True if triangles a and b meet. Sets `kind` and `at`, not `t`. */
 bool sg_self_pair(const sg_self_model *model, int32_t a, int32_t b,

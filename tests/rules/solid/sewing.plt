@@ -237,9 +237,10 @@ test(goes_round, [forall(between(1, 60, Seed)), all(_ == [])]) :-
 test(no_cuts, [forall(member(Family, [wedges,identical,stack])),
                Polygons == 0]) :-
     found(Family, 20, found(Polygons, _, _)).
-test(pairs, [forall(member(Family, [identical,stack])), true(N2 =< 2.1*N1)]) :-
-    found(Family, 40, found(_, N1, _)),
-    found(Family, 80, found(_, N2, _)).
+test(pairs, [forall(member(Family, [identical,stack,wedges])),
+             true(N2 =< 2.2*N1)]) :-
+    found(Family, 100, found(_, N1, _)),
+    found(Family, 200, found(_, N2, _)).
 test(united, [forall(( few(40, 400, N), between(1, N, Seed) )),
               all(What == [])]) :-
     wrong(Seed, What).

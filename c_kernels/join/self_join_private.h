@@ -1,0 +1,53 @@
+/* self_join_private.h -- what the files of self_join.h share.
+ *
+ * Layer: kernel.
+ */
+#ifndef SG_SELF_JOIN_PRIVATE_H
+#define SG_SELF_JOIN_PRIVATE_H
+
+#include "self_join.h"
+
+#include "oriented_box.h"
+#include "rows/key_table.h"
+
+/* A flat polygon of many triangles. */
+typedef struct sg_self_face {
+  int32_t p;
+  uint32_t first, n; /* in in_face[] of the joiner */
+  double at[3][3];   /* of a triangle with an area */
+  int axis, turn;    /* how that is seen */
+  sg_box box;
+} sg_self_face;
+
+typedef struct sg_self_joiner {
+  const sg_self_joining *of;
+  sg_run run;
+  sg_bvh *tree;            /* of all, if that of the caller will not do */
+  const uint32_t *filling; /* the list whose boxes are asked for; null: all */
+  sg_self_face *face;      /* [faces] */
+  size_t faces;
+  uint32_t *face_of; /* [n]; SG_NO_KEY: of none; null: there are no faces */
+  uint32_t *in_face; /* triangles, face by face */
+  uint32_t *single;  /* the others */
+  size_t singles;
+  sg_key_table corner;     /* face, vertex */
+  sg_key_table border;     /* face, two vertices -> how many triangles */
+  const sg_bvh_pair *pair; /* of the join under way */
+  sg_bvh_hits hits;
+} sg_self_joiner;
+
+/* The box of triangle i, along the run. */
+sg_box sg_self_box_of(const sg_self_joiner *j, uint32_t i);
+
+/* Parts triangles into faces and single ones (self_face.c). What is within
+ * reach of a face must be asked for one by one: then there are none. False: no
+ * memory. */
+bool sg_self_find_faces(sg_self_joiner *j);
+void sg_self_clear_faces(sg_self_joiner *j);
+
+/* Whether a triangle has nothing in common with face f but a corner, or an edge
+ * that is an edge of the face. Exact. */
+bool sg_self_misses(const sg_self_joiner *j, uint32_t f,
+                    const sg_fan_triangle *t);
+
+#endif
