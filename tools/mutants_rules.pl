@@ -17,7 +17,8 @@ rule_site(File, Start, End, New) :-
 
 clause_of(In, Term, Position) :-
     repeat,
-    read_term(In, Term, [subterm_positions(Position), module(sg_mutants_rules)]),
+    read_term(In, Term, [ subterm_positions(Position),
+                          module(sg_mutants_rules) ]),
     (   Term == end_of_file
     ->  !,
         fail

@@ -1,7 +1,7 @@
 :- module(default_look,
           [ colour/2,                   % ?Name, ?RGB
             type/2,                     % ?Name, ?Runs
-            default_look/8              % ?V, ?Role, Width, Screen, Print, Runs, Pen, Layer
+            default_look/8              % ?Visibility, ?Role, and how it looks
           ]).
 /* Tables of style.pl, stated a second time, for tests. */
 

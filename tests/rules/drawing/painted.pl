@@ -1,5 +1,5 @@
 :- module(painted,
-          [ painted/7                   % +Content, +Kind, +Defs, +H, +Labels, -Fills, -Paths
+          [ painted/7                   % see below
           ]).
 :- use_module(reader_words).
 :- use_module(library(apply)).

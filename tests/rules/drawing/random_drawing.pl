@@ -1,3 +1,4 @@
+:- encoding(utf8).
 :- module(random_drawing,
           [ case/3,
             expected/4,
@@ -13,8 +14,7 @@
 :- use_module(rules(sheet/lettering)).
 :- use_module(rules(store)).
 :- use_module(default_look).
-/* Random drawings with random styles, for tests, and what is to be read of them.
-*/
+/* Random drawings with random styles, for tests; what is to be read of them. */
 
 % A style of any look for each visibility, role and segment that is drawn.
 % look(Width, Screen, Print, Runs, Pen, Layer), and its row of a style file.
