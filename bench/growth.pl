@@ -2,9 +2,9 @@
 
        swipl -p foreign=build bench/growth.pl -- [FAMILY...]
 
-   Each size is a run of build/sanggwan alone, three of them: the median of its
-   seconds of processor, the most memory it had, and the exponents of both from
-   the size before. What starting takes is taken off. A run that takes longer
+   Each size is a run of build/sanggwan alone, three of them (or RUNS): the median
+   of its seconds of processor, the most memory it had, and the exponent from the
+   size before. What starting takes is taken off. A run that takes longer
    than LIMIT seconds (60 unless told) ends its family.
 */
 :- multifile user:file_search_path/2.
@@ -43,6 +43,19 @@ family(rods,       penetrate, [400,800,1600]).
 family(rods,       union, [400,800,1600]).
 family(boxes,      penetrate, [1000,2000,4000]).
 family(chain,      penetrate, [500,1000,2000]).
+family(boxes,      query, [2500,5000,10000]).
+family(boxes,      check, [2500,5000,10000]).
+family(boxes,      draw,  [1000,2000,4000]).
+family(parts,      check, [1000,2000,4000]).
+family(ball,       twice, [5000,10000,20000,40000]).
+family(overlap,    union, [500,1000,2000,4000]).
+family(nested,     check, [250,500,1000,2000]).
+family(nested,     union, [250,500,1000,2000]).
+family(cylinder,   check, [1000,2000,4000]).
+family(cylinder,   union, [1000,2000,4000]).
+family(cylinder,   draw,  [1000,2000,4000]).
+family(cylinder,   unfold, [500,1000,2000]).
+family(folds,      unfold, [500,1000,2000]).
 
 main :-
     current_prolog_flag(argv, Names),
@@ -76,10 +89,13 @@ exponent(N0-S0, N-S, Growth) :-
 
 medians(Verb, File, Seconds, Memory) :-
     verb_arguments(Verb, File, Arguments, Made),
-    findall(S-M, ( between(1, 3, _), run_of(Arguments, S, M) ), Runs),
+    environment('RUNS', 3, N),
+    findall(S-M, ( between(1, N, _), run_of(Arguments, S, M) ), Runs),
     forall(( member(F, Made), exists_file(F) ), delete_file(F)),
-    (   length(Runs, 3)
-    ->  msort(Runs, [_,Seconds-_,_]),
+    (   length(Runs, N)
+    ->  msort(Runs, Sorted),
+        Middle is N//2,
+        nth0(Middle, Sorted, Seconds-_),
         findall(M, member(_-M, Runs), Ms),
         max_list(Ms, Memory)
     ;   Seconds = none
@@ -96,6 +112,9 @@ verb_arguments(draw, File, [draw,'-q',File,'-o',Out], [Out]) :-
     output(svg, Out).
 verb_arguments(penetrate, File, [penetrate,'-q',File,'-o',Out], [Out]) :-
     output(pl, Out).
+verb_arguments(query, File, [query,'-q',File,'v(S, V, X, Y, Z)'], []).
+verb_arguments(twice, File, [union,'-q',File,File,'-o',Out], [Out]) :-
+    output(off, Out).
 verb_arguments(unfold, File, [unfold,'-q',File,'-o',Out], [Out]) :-
     output(svg, Out).
 
@@ -107,10 +126,7 @@ output(Ending, File) :-
 %   it takes longer than the limit. The code 1 of check is an answer.
 
 run_of(Arguments, Seconds, Memory) :-
-    (   getenv('LIMIT', Limit)
-    ->  true
-    ;   Limit = '60'
-    ),
+    environment('LIMIT', 60, Limit),
     append([timeout,Limit,'build/sanggwan'], Arguments, Command),
     process_create(path(bash),
                    [ '-c',
@@ -128,8 +144,20 @@ run_of(Arguments, Seconds, Memory) :-
     maplist([W,X]>>number_string(X, W), Words, [User,System,Memory]),
     Seconds is User+System.
 
+%   environment(Name, Default, Number)
+
+environment(Name, Default, Number) :-
+    (   getenv(Name, Text)
+    ->  atom_number(Text, Number)
+    ;   Number = Default
+    ).
+
 %   model_file(Name, N, File): written anew.
 
+model_file(parts, N, File) :-
+    !,
+    tmp_file_stream(File, Stream, [extension(stl)]),
+    call_cleanup(forall(between(1, N, I), part(Stream, I)), close(Stream)).
 model_file(Name, N, File) :-
     grown_family(Name),
     !,
@@ -143,6 +171,20 @@ model_file(Name, N, File) :-
 grown_family(Name) :-
     clause(sg_test_grown:grown(Name, _, _, _), _),
     !.
+
+%   A tetrahedron as a solid of its own.
+
+part(Stream, I) :-
+    X is 2*I,
+    X1 is X+1,
+    A = X-0-0, B = X1-0-0, C = X-1-0, D = X-0-1,
+    format(Stream, "solid part~d~n", [I]),
+    forall(member([P,Q,R], [[A,C,B],[A,B,D],[B,C,D],[C,A,D]]),
+           ( format(Stream, "facet normal 0 0 0~nouter loop~n", []),
+             forall(member(U-V-W, [P,Q,R]),
+                    format(Stream, "vertex ~d ~d ~d~n", [U,V,W])),
+             format(Stream, "endloop~nendfacet~n", []) )),
+    format(Stream, "endsolid part~d~n", [I]).
 
 %   A plate with N triangular holes.
 segments(holes, N, Stream) :-
@@ -175,6 +217,14 @@ segments(boxes, N, Stream) :-
                     "segment(~d, solid, at([translate(~w,~w,0)], \c
                      box(size(1,1,1)))).~n",
                     [I,X,Y]) )).
+%   A cylinder on N corners, long and askew.
+segments(cylinder, N, Stream) :-
+    format(Stream, "segment(1, solid, at([rotate(x,35), rotate(y,40)], \c
+                    prism(outline(", []),
+    findall([X,Y],
+            ( between(1, N, I), A is 2*pi*I/N, X is cos(A), Y is sin(A) ),
+            Outline),
+    format(Stream, "~w), height(50)))).~n", [Outline]).
 %   N boxes, each through the next one.
 segments(chain, N, Stream) :-
     forall(between(1, N, I),

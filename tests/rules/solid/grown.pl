@@ -84,6 +84,86 @@ grown(comb, N, [Shell], Volume) :-
     prism([1.0-(-1.0),Last-(-1.0),Last-0.0|Corners], 0.0, 1.0, Shell),
     Volume is 3.0*N.
 
+%   A ball of about N triangles.
+grown(ball, N, [shell([p(0.0,0.0,1.0),p(0.0,0.0,-1.0)|Points],Faces)],
+      Volume) :-
+    Bands is max(2, round(sqrt(N/4))),
+    Round is 2*Bands,
+    Last is Bands-1,
+    findall(p(X,Y,Z),
+            ( between(1, Last, I), between(1, Round, J),
+              A is pi*I/Bands, B is 2*pi*J/Round,
+              X is sin(A)*cos(B), Y is sin(A)*sin(B), Z is cos(A) ),
+            Points),
+    findall(Face, ball_face(Bands, Round, Face), Faces),
+    findall(V, ball_volume(Bands, Round, V), Vs),
+    sum_list(Vs, Volume).
+%   N boxes along a diagonal, each over a quarter of the one before it, with
+%   their floors in one plane.
+grown(overlap, N, Shells, Volume) :-
+    findall(Shell,
+            ( between(1, N, I),
+              A is 0.5*I, B is A+1,
+              prism([A-A,B-A,B-B,A-B], 0.0, 1.0, Shell) ),
+            Shells),
+    Volume is N-0.25*(N-1).
+%   N boxes, each in the one before it: every second is a hollow.
+grown(nested, N, Shells, Volume) :-
+    findall(Shell,
+            ( between(1, N, I),
+              A is float(N-I+1),
+              B is -A,
+              prism([B-B,A-B,A-A,B-A], B, A, shell(Ps, Fs0)),
+              (   I mod 2 =:= 1
+              ->  Fs = Fs0
+              ;   maplist(reverse, Fs0, Fs)
+              ),
+              Shell = shell(Ps, Fs) ),
+            Shells),
+    findall(V,
+            ( between(1, N, I), V is (2*I)**3*(-1)**(N-I) ),
+            Vs),
+    sum_list(Vs, Volume).
+%   A sheet with N folds, as thick as they are high.
+grown(folds, N, [Shell], Volume) :-
+    numlist(0, N, Is),
+    findall(X-Y, ( member(I, Is), X is float(I), Y is float(I mod 2) ), Low),
+    reverse(Is, Back),
+    findall(X-Y, ( member(I, Back), X is float(I), Y is I mod 2+1.0 ), High),
+    append(Low, High, Outline),
+    prism(Outline, 0.0, 1.0, Shell),
+    Volume is float(N).
+
+%   Vertices 1 and 2 are the poles.
+
+ball_face(_, Round, [1,A,B]) :-
+    ball_ring(Round, 1, _, A, B).
+ball_face(Bands, Round, [2,B,A]) :-
+    Last is Bands-1,
+    ball_ring(Round, Last, _, A, B).
+ball_face(Bands, Round, Face) :-
+    Last is Bands-2,
+    between(1, Last, I),
+    I1 is I+1,
+    ball_ring(Round, I, J, A, B),
+    ball_ring(Round, I1, J, C, D),
+    member(Face, [[A,C,D],[A,D,B]]).
+
+ball_ring(Round, I, J, A, B) :-
+    between(1, Round, J),
+    A is 2+(I-1)*Round+J,
+    B is 2+(I-1)*Round+J mod Round+1.
+
+%   Of the pyramids from the middle to the rings: frusta between circles of
+%   Round corners.
+
+ball_volume(Bands, Round, V) :-
+    between(1, Bands, I),
+    A is pi*(I-1)/Bands,
+    B is pi*I/Bands,
+    Area is Round/2*sin(2*pi/Round),
+    V is Area/3*(cos(A)-cos(B))*(sin(A)**2+sin(A)*sin(B)+sin(B)**2).
+
 tooth(I, [B-0.0,B-1.0,A-1.0,A-0.0|Corners], Rest) :-
     A is 2.0*I-0.5,
     B is 2.0*I+0.5,
