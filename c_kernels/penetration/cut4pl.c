@@ -293,19 +293,34 @@ cut_enter(term_t set, term_t t1, term_t t2, term_t count)
   return n < 0 ? sg_no_memory() : PL_unify_integer(count, n);
 }
 
+/* cut_without_twins(+Set) is det. */
+static foreign_t
+cut_without_twins(term_t set)
+{
+  sg_cut_handle *handle;
+
+  if (!sg_get_cut_set_ex(set, &handle)) {
+    return FALSE;
+  }
+  handle->without_quiet = true;
+  return TRUE;
+}
+
 /* The join as a whole: what the rule find_cuts_by_rule/1 does pair by pair. */
 static foreign_t
 cut_find(term_t set)
 {
   sg_cut_handle *handle;
 
-  if (!sg_get_cut_set_ex(set, &handle) || !sg_cut_join_ex(handle)) {
+  if (!sg_get_cut_set_ex(set, &handle) || !sg_cut_join_ex(handle) ||
+      (handle->without_quiet && !sg_cut_quiet_ex(handle))) {
     return FALSE;
   }
   for (size_t k = 0; k < handle->curve_candidates; k++) {
     const uint32_t *pair = handle->candidate[k];
 
-    if (sg_cut_set_enter(&handle->set, pair[0], pair[1]) < 0) {
+    if ((!handle->without_quiet || !handle->quiet[k]) &&
+        sg_cut_set_enter(&handle->set, pair[0], pair[1]) < 0) {
       return sg_no_memory();
     }
     if (k % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
@@ -422,6 +437,7 @@ cut_ends(term_t set, term_t t1, term_t t2, term_t cuts)
 static const PL_extension predicates[] = {
     {"cut_set_open", 2, cut_set_open, 0},
     {"cut_set_close", 1, cut_set_close, 0},
+    {"cut_without_twins", 1, cut_without_twins, 0},
     {"cut_candidate", 3, cut_candidate, PL_FA_NONDETERMINISTIC},
     {"curve_candidate", 3, curve_candidate, PL_FA_NONDETERMINISTIC},
     {"cut_side", 4, cut_side, 0},

@@ -37,8 +37,10 @@ typedef struct sg_cut_handle {
   uint32_t (*candidate)[2];            /* triangles, and then curve edges */
   size_t candidates, curve_candidates; /* the second: where those begin */
   bool joined;                         /* the candidates are there */
-  double *own;  /* [segments] how far each may reach; null: all alike */
-  double reach; /* how near they are, at most */
+  uint8_t *quiet; /* [curve_candidates] cut_twin.h; null: not asked for yet */
+  bool without_quiet; /* those are left out: cut_without_twins/1 */
+  double *own;        /* [segments] how far each may reach; null: all alike */
+  double reach;       /* how near they are, at most */
   sg_key_table next_name; /* segment -> next id of v/5 */
   sg_key_table line_of;   /* segment, two points -> line */
   uint8_t *real; /* [real_room]: the real edges of triangles that were asked */
@@ -84,6 +86,9 @@ void sg_cut_set_let_go(sg_cut_handle *handle);
 int sg_cut_open_ex(sg_cut_handle *handle, term_t pairs);
 void sg_cut_open_clear(sg_cut_handle *handle);
 int sg_cut_join_ex(sg_cut_handle *handle);
+/* Finds which candidates are quiet, when they are there. False: an exception.
+ */
+int sg_cut_quiet_ex(sg_cut_handle *handle);
 /* Where segment s is among those of the set; it is one of them. */
 size_t sg_cut_place_of(const sg_cut_handle *handle, int32_t s);
 

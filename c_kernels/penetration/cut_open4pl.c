@@ -6,6 +6,7 @@
  * near are never looked at.
  */
 #include "cut4pl.h"
+#include "cut_twin.h"
 
 #include "glue.h"
 #include "join/bvh_join.h"
@@ -147,6 +148,7 @@ sg_cut_open_clear(sg_cut_handle *handle)
   free(handle->segment);
   free(handle->pair);
   free(handle->candidate);
+  free(handle->quiet);
   free(handle->own);
   free(handle->sharing);
   sg_leaf_views_clear(&handle->views);
@@ -347,6 +349,21 @@ join_ex(join *j, sg_crew *crew)
     }
   }
   return TRUE;
+}
+
+int
+sg_cut_quiet_ex(sg_cut_handle *handle)
+{
+  if (handle->quiet) {
+    return TRUE;
+  }
+  if (!(handle->quiet = calloc(handle->curve_candidates + 1, 1))) {
+    return sg_no_memory();
+  }
+  sg_sort_end end = sg_cut_find_quiet(
+      &handle->set.model, (const uint32_t(*)[2])handle->candidate,
+      handle->curve_candidates, handle->quiet, &sg_prolog_poll);
+  return end == SG_SORTED || (end == SG_SORT_NO_MEMORY && sg_no_memory());
 }
 
 int

@@ -90,21 +90,11 @@ segment_number(sg_resolve *r, int32_t s)
   return number ? *number : SG_NO_KEY;
 }
 
-bool
-sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
-               const sg_resolve_leaf *b)
+/* Two segments touch. False: no memory. */
+static bool
+group(sg_resolve *r, int32_t s, int32_t other, bool inexact)
 {
-  sg_contact contact[SG_CONTACT_MAX];
-  bool inexact = false;
-  int n = sg_contacts(a->at, b->at, r->here, contact);
-
-  if (n == 0) {
-    return true;
-  }
-  for (int i = 0; i < n; i++) {
-    inexact = inexact || !contact[i].exact;
-  }
-  uint32_t i = segment_number(r, a->s), j = segment_number(r, b->s);
+  uint32_t i = segment_number(r, s), j = segment_number(r, other);
 
   if (i == SG_NO_KEY || j == SG_NO_KEY) {
     return false;
@@ -114,6 +104,26 @@ sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
   r->group.item[i < j ? j : i] = i < j ? i : j;
   r->inexact.item[i < j ? i : j] |= inexact || r->inexact.item[i < j ? j : i];
   return true;
+}
+
+bool
+sg_resolve_touch_exactly(sg_resolve *r, int32_t s, int32_t other)
+{
+  return group(r, s, other, false);
+}
+
+bool
+sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
+               const sg_resolve_leaf *b)
+{
+  sg_contact contact[SG_CONTACT_MAX];
+  bool inexact = false;
+  int n = sg_contacts(a->at, b->at, r->here, contact);
+
+  for (int i = 0; i < n; i++) {
+    inexact = inexact || !contact[i].exact;
+  }
+  return n == 0 || group(r, a->s, b->s, inexact);
 }
 
 bool

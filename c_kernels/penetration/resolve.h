@@ -148,6 +148,8 @@ void sg_resolve_init(sg_resolve *r, double reach, sg_is_real_side *is_real,
                      void *data, const sg_poll *poll);
 void sg_resolve_clear(sg_resolve *r);
 
+/* Notes that two segments touch exactly somewhere. False: no memory. */
+bool sg_resolve_touch_exactly(sg_resolve *r, int32_t s, int32_t other);
 /* Looks whether a pair touches inexactly. False: no memory. */
 bool sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
                     const sg_resolve_leaf *b);

@@ -57,8 +57,16 @@ set_reach(sg_resolving *job, uint32_t a, uint32_t b)
 typedef bool use_pair(sg_resolve *r, const sg_resolve_leaf *a,
                       const sg_resolve_leaf *b);
 
+/* Two triangles that touch exactly, and no more: see cut_twin.h. */
+static bool
+use_quiet(sg_resolve *r, const sg_resolve_leaf *a, const sg_resolve_leaf *b)
+{
+  return sg_resolve_touch_exactly(r, a->s, b->s);
+}
+
+/* use_pair of all, but `quiet` of those that are. */
 static int
-each_pair_ex(sg_resolving *job, use_pair *use)
+each_pair_ex(sg_resolving *job, use_pair *use, use_pair *quiet)
 {
   const sg_cut_handle *handle = job->handle;
   sg_resolve_leaf leaf[2];
@@ -71,7 +79,7 @@ each_pair_ex(sg_resolving *job, use_pair *use)
     get_leaf(job, handle->candidate[i][1], &leaf[1]);
     if (leaf[0].s != leaf[1].s) {
       set_reach(job, leaf[0].triangle, leaf[1].triangle);
-      if (!use(&job->r, &leaf[0], &leaf[1])) {
+      if (!(handle->quiet[i] ? quiet : use)(&job->r, &leaf[0], &leaf[1])) {
         return sg_no_memory();
       }
     }
@@ -387,15 +395,16 @@ finish_ex(sg_resolving *job)
 static int
 resolve_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
 {
-  if (!sg_cut_join_ex(job->handle) || !sg_resolving_bodies_ex(job) ||
-      !each_pair_ex(job, sg_resolve_see)) {
+  if (!sg_cut_join_ex(job->handle) || !sg_cut_quiet_ex(job->handle) ||
+      !sg_resolving_bodies_ex(job) ||
+      !each_pair_ex(job, sg_resolve_see, use_quiet)) {
     return FALSE;
   }
   if (!sg_resolve_is_needed(&job->r)) {
     return TRUE;
   }
-  int done = each_pair_ex(job, sg_resolve_pair) && each_crossing_ex(job) &&
-             finish_ex(job) && name_places_ex(job) &&
+  int done = each_pair_ex(job, sg_resolve_pair, sg_resolve_pair) &&
+             each_crossing_ex(job) && finish_ex(job) && name_places_ex(job) &&
              (job->r.wide ||
               (sg_resolving_want_ex(job) && make_polygons_ex(job, stuck)));
 

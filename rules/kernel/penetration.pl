@@ -42,6 +42,13 @@ Foreign predicates; see kernel.pl.
 %   length. In a common plane only borders of faces count: real edges that are
 %   not inside one, no chords. Exact, but for what cut_flat_within/2 allows.
 
+%!  cut_without_twins(+Set) is det.
+%
+%   From now on cut_find/1 leaves out what lies inside where two segments have
+%   the same triangles (c_kernels/penetration/cut_twin.h): nothing changes there
+%   from one triangle to the next. A Boolean says so, which asks for each
+%   component of a segment on which sides of the others it is.
+
 %!  cut_find(+Set) is det.
 %
 %   As cut_enter/4 for every cut_candidate/3 of Set whose triangles are on both
