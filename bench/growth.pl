@@ -4,8 +4,8 @@
 
    Each size is a run of build/sanggwan alone, three of them (or RUNS): the
    median of its seconds of processor, the most memory it had, and the exponent
-   from the size before. What starting takes is taken off. A run that takes longer
-   than LIMIT seconds (60 unless told) ends its family.
+   from the size before. What starting takes is taken off. A run that takes
+   longer than LIMIT seconds (60 unless told) ends its family.
 */
 :- multifile user:file_search_path/2.
 :- prolog_load_context(directory, Bench),
