@@ -24,8 +24,8 @@
 
 %   family(Name, Verb, Sizes): what is done with the model of each size.
 
-family(wedges,     union, [100,200,400]).
-family(identical,  union, [50,100,200]).
+family(wedges,     union, [400,800,1600,3200]).
+family(identical,  union, [400,800,1600,3200]).
 family(apexes,     union, [500,1000,2000,4000]).
 family(needles,    union, [400,800,1600,3200]).
 family(comb,       union, [250,500,1000,2000]).
