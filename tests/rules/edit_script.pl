@@ -451,6 +451,11 @@ documented_words(_, Arity, Words) :-
 
 :- dynamic heads_read/0, head_of/3.
 
+:- op(200, fy, sg_test_modes:(?)).
+:- op(200, fy, sg_test_modes:(:)).
+:- op(200, fy, sg_test_modes:(@)).
+:- op(200, fy, sg_test_modes:(!)).
+
 documented_head(Name, Arity, Head) :-
     (   heads_read
     ->  true
@@ -472,7 +477,9 @@ source_heads(Name, Arity, Head) :-
     sub_string(Rest, Before, _, _, ") is "),
     End is Before+1,
     sub_string(Rest, 0, End, _, HeadText),
-    catch(term_string(Head, HeadText, [variable_names(Names)]), _, fail),
+    catch(term_string(Head, HeadText,
+                      [variable_names(Names),module(sg_test_modes)]), _,
+          fail),
     maplist([N=N]>>true, Names),
     functor(Head, Name, Arity).
 
