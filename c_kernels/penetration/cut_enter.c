@@ -170,7 +170,7 @@ add_split_edge(entering *in, const sg_outline_edge *edge)
       sg_cut_split_edge(in->set, in->s, edge->v1, edge->v2);
   size_t n = split ? split->n : 0;
   bool forward = n > 0 && in->set->model.vertex[split->place.a].v == edge->v1;
-  int32_t from = enter_vertex(in, edge->v1);
+  int32_t from = enter_vertex(in, edge->v1), added = 0;
 
   for (size_t i = 0; i <= n && from != SG_WORK_NONE; i++) {
     int32_t to = i == n
@@ -183,10 +183,11 @@ add_split_edge(entering *in, const sg_outline_edge *edge)
       in->outcome = SG_NO_SPACE;
       return false;
     }
+    added += from != to;
     from = to;
   }
-  if (n > 0 && !split->late && from != SG_WORK_NONE) {
-    note_points(in->work, (int32_t)n);
+  if (added > 1 && !split->late && from != SG_WORK_NONE) {
+    note_points(in->work, added - 1);
   }
   return from != SG_WORK_NONE;
 }

@@ -66,7 +66,7 @@ enter_place(maker *m, const sg_resolve_place *place)
 static bool
 add_edge(maker *m, int32_t a, int32_t b, const sg_polygon_row *row)
 {
-  return a == b || sg_work_add(m->work, a, b, row->et, row->e);
+  return sg_work_add(m->work, a, b, row->et, row->e) != 0;
 }
 
 /* Adds a row in the parts it is divided into. */

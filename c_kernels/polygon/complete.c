@@ -259,8 +259,7 @@ fill_work(task *t)
     sg_point_set(&end, t->end[i]->p);
     int32_t a = sg_work_vertex(t->work, t->start[i]->id, &start);
     int32_t b = sg_work_vertex(t->work, t->end[i]->id, &end);
-    if (a < 0 || b < 0 ||
-        (a != b && !sg_work_add(t->work, a, b, 1, t->e[i]->id))) {
+    if (a < 0 || b < 0 || !sg_work_add(t->work, a, b, 1, t->e[i]->id)) {
       return false;
     }
   }

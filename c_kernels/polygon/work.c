@@ -297,6 +297,9 @@ int32_t
 sg_work_add(sg_work *work, int32_t start, int32_t end, int32_t et,
             int64_t label)
 {
+  if (start == end) {
+    return SG_WORK_NONE;
+  }
   if (!edge_room(work, 1)) {
     return 0;
   }

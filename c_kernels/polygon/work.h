@@ -69,7 +69,8 @@ const sg_point *sg_work_point(const sg_work *work, int32_t vertex);
 int32_t sg_work_vertices(const sg_work *work); /* how many handles */
 
 /* Adds edge start -> end as the youngest; returns its handle, 0: no memory.
- * Requires start != end. The same edge may be added twice (a bad polygon). */
+ * From a vertex to itself there is no edge: SG_WORK_NONE. The same edge may be
+ * added twice (a bad polygon). */
 int32_t sg_work_add(sg_work *work, int32_t start, int32_t end, int32_t et,
                     int64_t label);
 /* Deletes a living edge. */

@@ -53,15 +53,14 @@ sg_work_move_edges(sg_work *work, int32_t from, int32_t to)
   while ((e = work->vertex[from].first_out) != 0) {
     sg_work_edge old = work->edge[e].edge;
     sg_work_delete(work, e);
-    if (old.end != to && !sg_work_add(work, to, old.end, old.et, old.label)) {
+    if (!sg_work_add(work, to, old.end, old.et, old.label)) {
       return false;
     }
   }
   while ((e = work->vertex[from].first_in) != 0) {
     sg_work_edge old = work->edge[e].edge;
     sg_work_delete(work, e);
-    if (old.start != to &&
-        !sg_work_add(work, old.start, to, old.et, old.label)) {
+    if (!sg_work_add(work, old.start, to, old.et, old.label)) {
       return false;
     }
   }

@@ -112,6 +112,29 @@ test_candidates(int vertices, int grid, int edges, int rounds)
   CHECK("there were candidates", many > 20);
 }
 
+/* Edges from anywhere to anywhere, also to where they begin, some twice. */
+static void
+test_any_edges(void)
+{
+  unsigned bad = 0;
+
+  for (int round = 0; round < 2000; round++) {
+    scene s;
+    int vertices = 3 + pick(9);
+
+    open_scene(&s, vertices, 4, 0);
+    for (int i = 0; i < 14; i++) {
+      int v = pick(vertices), w = pick(vertices);
+      int32_t e = sg_work_add(s.work, v, w, 1, 0);
+      bad += v == w ? e != SG_WORK_NONE : e <= 0;
+    }
+    bad += !sg_work_is_valid(s.work);
+    bad += !sg_work_resolve(s.work, pick(2)) || !sg_work_is_valid(s.work);
+    sg_work_close(s.work);
+  }
+  CHECK("any edges: the lists stay right", bad == 0);
+}
+
 static void
 test_triangulate(void)
 {
@@ -212,6 +235,7 @@ main(void)
   test_candidates(9, 4, 6, 300);
   test_candidates(40, 12, 12, 200);
   test_candidates(120, 60, 60, 100);
+  test_any_edges();
   test_triangulate();
   test_along();
   return check_report();
