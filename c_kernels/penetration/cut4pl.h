@@ -39,8 +39,9 @@ typedef struct sg_cut_handle {
   bool joined;                         /* the candidates are there */
   uint8_t *quiet; /* [curve_candidates] cut_twin.h; null: not asked for yet */
   bool without_quiet; /* those are left out: cut_without_twins/1 */
-  double *own;        /* [segments] how far each may reach; null: all alike */
-  double reach;       /* how near they are, at most */
+  double *own;  /* [segments] what its source explains; null: not asked yet */
+  bool by_own;  /* each reaches no farther than that */
+  double reach; /* how near they are, at most */
   sg_key_table next_name; /* segment -> next id of v/5 */
   sg_key_table line_of;   /* segment, two points -> line */
   uint8_t *real; /* [real_room]: the real edges of triangles that were asked */

@@ -31,6 +31,7 @@ sg_resolve_init(sg_resolve *r, double reach, sg_is_real_side *is_real,
 {
   *r = (sg_resolve){.reach = reach,
                     .here = reach,
+                    .rounded = reach,
                     .poll = poll,
                     .is_real = is_real,
                     .data = data};
@@ -261,6 +262,17 @@ set_along(sg_resolve_touch *touch, const sg_resolve_leaf *leaf,
   }
 }
 
+/* Notes how far a node is from what it is to touch. */
+static void
+note_gap(sg_resolve *r, uint32_t node, double apart)
+{
+  double *gap = &r->node.item[node].gap;
+
+  if (apart > r->rounded && apart > *gap) {
+    *gap = apart;
+  }
+}
+
 /* Notes that a node is on the edge or face `where` of the leaf. */
 static bool
 add_touch(sg_resolve *r, uint32_t node, const sg_resolve_leaf *leaf,
@@ -272,6 +284,7 @@ add_touch(sg_resolve *r, uint32_t node, const sg_resolve_leaf *leaf,
                      (uint32_t)(face ? leaf->p : where->v[1])};
   uint32_t *seen = sg_key_table_put(&r->seen, key);
 
+  note_gap(r, node, apart);
   if (!seen || *seen != SG_NO_KEY) {
     return seen != NULL;
   }
@@ -294,6 +307,14 @@ add_near(sg_resolve *r, uint32_t node, const sg_resolve_leaf *leaf[2])
          SG_PUSH(r->near, (sg_resolve_near){node, leaf[1]->s, leaf[1]->p});
 }
 
+static bool
+add_join(sg_resolve *r, uint32_t a, uint32_t b, double apart)
+{
+  note_gap(r, a, apart);
+  note_gap(r, b, apart);
+  return SG_PUSH(r->join, (struct sg_resolve_join){a, b, apart});
+}
+
 /* Two vertices. */
 static bool
 keep_join(sg_resolve *r, const sg_resolve_leaf *leaf[2], const place where[2],
@@ -304,7 +325,7 @@ keep_join(sg_resolve *r, const sg_resolve_leaf *leaf[2], const place where[2],
       a == SG_NO_KEY ? SG_NO_KEY : vertex_node(r, leaf[1], where[1].corner[0]);
 
   return b != SG_NO_KEY && add_near(r, a, leaf) && add_near(r, b, leaf) &&
-         SG_PUSH(r->join, (struct sg_resolve_join){a, b, apart});
+         add_join(r, a, b, apart);
 }
 
 /* Two edges. */
@@ -423,7 +444,5 @@ sg_resolve_crossing(sg_resolve *r, uint32_t i, const sg_resolve_leaf *leaf)
   }
   uint32_t vertex = vertex_node(r, leaf, where.corner[0]);
 
-  return vertex != SG_NO_KEY &&
-         SG_PUSH(r->join,
-                 (struct sg_resolve_join){i, vertex, contact.distance});
+  return vertex != SG_NO_KEY && add_join(r, i, vertex, contact.distance);
 }

@@ -48,6 +48,7 @@ typedef struct sg_resolve_node {
   double at[3];
   double side;         /* the shortest of the triangles that touch there */
   double reach;        /* the farthest of the pairs that have it */
+  double gap;          /* the widest there that rounding does not explain */
   uint32_t root, next; /* of its cluster: union-find, ring of members */
   uint32_t point;      /* number of the shared point, when finished */
 } sg_resolve_node;
@@ -108,9 +109,11 @@ typedef enum sg_resolved {
 } sg_resolved;
 
 typedef struct sg_resolve {
-  double reach; /* the farthest */
-  double here;  /* of the pair in hand, no farther: the caller's to set */
-  double side;  /* the shortest of the pair in hand */
+  double reach;   /* the farthest */
+  double here;    /* of the pair in hand, no farther: the caller's to set */
+  double rounded; /* what is no farther apart in this pair was rounded so: the
+                     caller's to set, too */
+  double side;    /* the shortest of the pair in hand */
   const sg_poll *poll;
   unsigned steps; /* since poll was asked */
   bool stopped;   /* by poll */

@@ -39,18 +39,20 @@ get_leaf(const sg_resolving *job, uint32_t triangle, sg_resolve_leaf *out)
   sg_cut_model_corners(model, triangle, out->at);
 }
 
-/* How far apart what is to touch may be in these triangles: the coarser one's
- * segment says it. */
+/* How far apart what is to touch may be in these triangles, and what was
+ * rounded: the coarser one's segment says it. */
 static void
 set_reach(sg_resolving *job, uint32_t a, uint32_t b)
 {
   const sg_cut_handle *handle = job->handle;
   const sg_leaf_triangle *t = handle->set.model.triangle;
 
-  if (handle->own) {
-    double x = handle->own[sg_cut_place_of(handle, t[a].s)];
-    double y = handle->own[sg_cut_place_of(handle, t[b].s)];
-    job->r.here = fmin(job->r.reach, fmax(x, y));
+  double x = handle->own[sg_cut_place_of(handle, t[a].s)];
+  double y = handle->own[sg_cut_place_of(handle, t[b].s)];
+
+  job->r.rounded = fmax(x, y);
+  if (handle->by_own) {
+    job->r.here = fmin(job->r.reach, job->r.rounded);
   }
 }
 
@@ -453,6 +455,29 @@ write_result_ex(sg_resolving *job, const sg_resolved_polygon *stuck,
   return sg_resolving_write_ex(job) && PL_unify_atom_chars(what, "changed");
 }
 
+/* How far apart what was one place may be in each segment, by its source. */
+static bool
+find_own(sg_cut_handle *handle)
+{
+  if (handle->own) {
+    return true;
+  }
+  handle->own = calloc(handle->segments + 1, sizeof *handle->own);
+  for (size_t i = 0; handle->own && i < handle->segments; i++) {
+    const sg_box *box = &handle->tree[i]->tree->box;
+    sg_flatness flatness;
+
+    sg_flatness_init(&flatness,
+                     sg_grain_of(handle->version, handle->segment[i]));
+    if (box->lo[0] <= box->hi[0]) {
+      sg_flatness_see(&flatness, box->lo);
+      sg_flatness_see(&flatness, box->hi);
+    }
+    handle->own[i] = sg_flatness_touch(&flatness);
+  }
+  return handle->own != NULL;
+}
+
 static int
 open_ex(sg_resolving *job, term_t set, term_t reach)
 {
@@ -463,6 +488,9 @@ open_ex(sg_resolving *job, term_t set, term_t reach)
   }
   if (!(r > 0)) {
     return PL_domain_error("positive", reach);
+  }
+  if (!find_own(job->handle)) {
+    return sg_no_memory();
   }
   if (!job->handle->joined) {
     job->handle->reach = r;
@@ -527,22 +555,7 @@ cut_own_tolerances(term_t set)
   if (!sg_get_cut_set_ex(set, &handle)) {
     return FALSE;
   }
-  if (!handle->own &&
-      !(handle->own = calloc(handle->segments + 1, sizeof *handle->own))) {
-    return sg_no_memory();
-  }
-  for (size_t i = 0; i < handle->segments; i++) {
-    const sg_box *box = &handle->tree[i]->tree->box;
-    sg_flatness flatness;
-
-    sg_flatness_init(&flatness,
-                     sg_grain_of(handle->version, handle->segment[i]));
-    if (box->lo[0] <= box->hi[0]) {
-      sg_flatness_see(&flatness, box->lo);
-      sg_flatness_see(&flatness, box->hi);
-    }
-    handle->own[i] = sg_flatness_touch(&flatness);
-  }
+  handle->by_own = true;
   return TRUE;
 }
 

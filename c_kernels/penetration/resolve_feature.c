@@ -1,5 +1,6 @@
-/* resolve_feature.c -- see resolve_feature.h. The points of a segment are boxes
- * of a tree, each with what is near it, and are joined with the segment's. */
+/* resolve_feature.c -- see resolve_feature.h. The points that move are boxes of
+ * a tree, each with what is near it, and are joined with the segments that they
+ * are near, and in each with its triangles. */
 #include "resolve_feature.h"
 
 #include "join/bvh_join.h"
@@ -218,10 +219,30 @@ nearest_sheet(near *all, double feature)
   return feature;
 }
 
+/* The distance to a segment that has nothing there. */
+static double
+nearest(const near *all)
+{
+  double feature = INFINITY;
+
+  for (size_t i = 0; i < all->n; i++) {
+    feature = fmin(feature, all->item[i].apart);
+  }
+  return feature;
+}
+
 /* ---- all points of a segment ---- */
+
+/* A point that moves, and a segment that it is of, or near. */
+typedef struct at {
+  int32_t s;
+  uint32_t point;
+  bool of;
+} at;
 
 typedef struct measuring {
   const sg_resolve *r;
+  const sg_resolve_trees *trees;
   const sg_leaf_views *views;
   const double *move, *reach; /* [points] */
   sg_crew *crew;
@@ -239,10 +260,11 @@ by_point(const void *a, const void *b)
 }
 
 static void
-note_feature(const measuring *m, uint32_t point, int32_t s, double feature)
+note_feature(const measuring *m, uint32_t point, int32_t s, double move,
+             double feature)
 {
   sg_resolve_moves *out = m->out;
-  double move = m->move[point], largest = 0;
+  double largest = 0;
 
   for (int k = 0; k < 3; k++) {
     largest = fmax(largest, fabs(m->r->point.item[point].at[k]));
@@ -252,7 +274,8 @@ note_feature(const measuring *m, uint32_t point, int32_t s, double feature)
   }
   out->tight += !m->counted[point];
   m->counted[point] = 1;
-  if (out->feature == 0 || move * out->feature > out->move * feature) {
+  double more = move * out->feature - out->move * feature;
+  if (out->feature == 0 || more > 0 || (more == 0 && move > out->move)) {
     out->tight_point = point;
     out->tight_segment = s;
     out->move = move;
@@ -263,126 +286,211 @@ note_feature(const measuring *m, uint32_t point, int32_t s, double feature)
 /* Goes over the hits, which are sorted by points. */
 static bool
 each_point(const measuring *m, const sg_leaf_tree *tree, bool itself,
-           const sg_bvh *points, const uint32_t *name, const sg_bvh_hits *hits)
+           const sg_bvh *points, const at *place, const sg_bvh_hits *hits)
 {
   near *all = malloc(sizeof *all);
 
   for (size_t i = 0; all && i < hits->n;) {
-    uint32_t at = hits->hit[i].a, point = name[points->item[at]];
+    uint32_t a = hits->hit[i].a, point = place[points->item[a]].point;
+    bool of = place[points->item[a]].of;
 
     *all = (near){.point = m->r->point.item[point].at,
                   .within = m->r->reach,
                   .reach = m->reach[point],
                   .itself = itself};
-    for (; i < hits->n && hits->hit[i].a == at; i++) {
+    for (; i < hits->n && hits->hit[i].a == a; i++) {
       if (all->n < MANY) {
         add(all, tree, m->views, tree->boxes->item[hits->hit[i].b]);
       }
     }
-    double feature = nearest_sheet(all, shortest_edge(all, INFINITY));
+    double feature =
+        of ? nearest_sheet(all, shortest_edge(all, INFINITY)) : nearest(all);
     if (feature < INFINITY) {
-      note_feature(m, point, tree->s, fmax(feature, 1e-300));
+      note_feature(m, point, tree->s, m->move[point], fmax(feature, 1e-300));
     }
   }
   free(all);
   return all != NULL;
 }
 
-/* Some points, `name`, of a segment. */
-static bool
-measure_some(const measuring *m, const sg_leaf_tree *tree, bool itself,
-             const uint32_t *name, size_t n)
+/* The boxes of n points, each with what is near it. Null: no memory, or the
+ * poll said stop. */
+static sg_bvh *
+open_points(const measuring *m, const at *place, size_t n)
 {
   sg_box *box = malloc((n + 1) * sizeof *box);
-  sg_bvh *points = NULL;
-  sg_bvh_hits hits = {0};
 
   for (size_t i = 0; box && i < n; i++) {
-    const double *at = m->r->point.item[name[i]].at;
+    const double *p = m->r->point.item[place[i].point].at;
     for (int k = 0; k < 3; k++) {
-      box[i].lo[k] = at[k] - m->reach[name[i]];
-      box[i].hi[k] = at[k] + m->reach[name[i]];
+      box[i].lo[k] = p[k] - m->reach[place[i].point];
+      box[i].hi[k] = p[k] + m->reach[place[i].point];
     }
   }
-  points = box ? sg_bvh_open(box, n, m->poll) : NULL;
+  sg_bvh *points = box ? sg_bvh_open(box, n, m->poll) : NULL;
+  free(box);
+  return points;
+}
+
+/* Some points of a segment, or near it. */
+static bool
+measure_some(const measuring *m, const sg_leaf_tree *tree, bool itself,
+             const at *place, size_t n)
+{
+  sg_bvh_hits hits = {0};
+  sg_bvh *points = open_points(m, place, n);
   sg_bvh_pair pair = {points, tree->boxes};
   bool done = points && sg_bvh_join(&pair, 1, 0, m->crew, m->poll, &hits);
 
   if (done && hits.n > 0) {
     qsort(hits.hit, hits.n, sizeof *hits.hit, by_point);
-    done = each_point(m, tree, itself, points, name, &hits);
+    done = each_point(m, tree, itself, points, place, &hits);
   }
   free(hits.hit);
   sg_bvh_close(points);
-  free(box);
   return done;
 }
 
-typedef struct at {
-  int32_t s;
-  uint32_t point;
-} at;
+/* ---- which points, and of what ---- */
 
+/* By segments and points, one that is of the segment first. */
 static int
 by_segment(const void *a, const void *b)
 {
   const at *x = a, *y = b;
 
-  return x->s != y->s ? (x->s < y->s ? -1 : 1)
-                      : (x->point > y->point) - (x->point < y->point);
+  return x->s != y->s           ? (x->s < y->s ? -1 : 1)
+         : x->point != y->point ? (x->point < y->point ? -1 : 1)
+                                : y->of - x->of;
 }
 
-/* The places of points that move, by segments. Null: no memory. */
+/* The points that move, of no segment yet. Null: no memory. */
 static at *
-find_places(const sg_resolve *r, const double *move, size_t *n)
+find_moved(const measuring *m, size_t *n)
 {
-  at *found = malloc((r->place.n + 1) * sizeof *found);
+  at *found = malloc((m->r->point.n + 1) * sizeof *found);
 
   *n = 0;
-  for (size_t i = 0; found && i < r->place.n; i++) {
-    const sg_resolve_place *place = &r->place.item[i];
-    if (move[place->point] > 0) {
-      found[(*n)++] = (at){place->s, place->point};
+  for (uint32_t i = 0; found && i < m->r->point.n; i++) {
+    if (m->move[i] > 0) {
+      found[(*n)++] = (at){0, i, false};
     }
-  }
-  if (found && *n > 0) {
-    qsort(found, *n, sizeof *found, by_segment);
   }
   return found;
 }
 
-static bool
-measure_segments(const measuring *m, sg_resolve_tree_of *tree_of,
-                 const void *data)
+/* The boxes of all segments; of one without triangles any will do. */
+static sg_bvh *
+open_segments(const measuring *m)
 {
-  size_t n;
-  at *place = find_places(m->r, m->move, &n);
-  uint32_t *name = malloc(BLOCK * sizeof *name);
-  bool done = place && name;
+  const sg_resolve_trees *trees = m->trees;
+  sg_box *box = malloc((trees->n + 1) * sizeof *box);
+
+  for (size_t i = 0; box && i < trees->n; i++) {
+    bool itself;
+    const sg_leaf_tree *tree = trees->tree(trees->data, trees->s[i], &itself);
+    box[i] = tree->boxes ? tree->box : (sg_box){0};
+  }
+  sg_bvh *open = box ? sg_bvh_open(box, trees->n, m->poll) : NULL;
+  free(box);
+  return open;
+}
+
+/* Joins the points that move with the segments that they may be near. */
+static bool
+join_segments(const measuring *m, const at *moved, size_t n, sg_bvh_hits *hits)
+{
+  sg_bvh *points = open_points(m, moved, n);
+  sg_bvh *segments = points ? open_segments(m) : NULL;
+  sg_bvh_pair pair = {points, segments};
+  bool done = segments && sg_bvh_join(&pair, 1, 0, m->crew, m->poll, hits);
+
+  for (size_t i = 0; done && i < hits->n; i++) {
+    hits->hit[i].a = points->item[hits->hit[i].a];
+    hits->hit[i].b = segments->item[hits->hit[i].b];
+  }
+  sg_bvh_close(points);
+  sg_bvh_close(segments);
+  return done;
+}
+/* The points that move, by segments that they are of or may be near, each once.
+ * Null: no memory, or the poll said stop. */
+static at *
+find_places(const measuring *m, size_t *n)
+{
+  const sg_resolve *r = m->r;
+  sg_bvh_hits hits = {0};
+  size_t moves, all = 0;
+  at *moved = find_moved(m, &moves), *found = NULL;
+
+  if (moved && (moves == 0 || join_segments(m, moved, moves, &hits))) {
+    found = malloc((hits.n + r->place.n + 1) * sizeof *found);
+  }
+  for (size_t i = 0; found && i < hits.n; i++) {
+    found[all++] =
+        (at){m->trees->s[hits.hit[i].b], moved[hits.hit[i].a].point, false};
+  }
+  for (size_t i = 0; found && i < r->place.n; i++) {
+    if (m->move[r->place.item[i].point] > 0) {
+      found[all++] = (at){r->place.item[i].s, r->place.item[i].point, true};
+    }
+  }
+  if (found && all > 0) {
+    qsort(found, all, sizeof *found, by_segment);
+  }
+  *n = 0;
+  for (size_t i = 0; found && i < all; i++) {
+    if (*n == 0 || found[*n - 1].s != found[i].s ||
+        found[*n - 1].point != found[i].point) {
+      found[(*n)++] = found[i];
+    }
+  }
+  free(moved);
+  free(hits.hit);
+  return found;
+}
+
+/* Gaps that were closed though what was known of them told the two apart. */
+static void
+measure_gaps(const measuring *m)
+{
+  for (size_t i = 0; i < m->r->node.n; i++) {
+    const sg_resolve_node *node = &m->r->node.item[i];
+    if (node->gap > 0) {
+      note_feature(m, node->point, node->s, node->gap, node->gap);
+    }
+  }
+}
+
+static bool
+measure_segments(const measuring *m)
+{
+  size_t n = 0;
+  at *place = find_places(m, &n);
+  bool done = place;
 
   for (size_t i = 0, k = 0; done && i < n; i += k) {
     bool itself;
-    const sg_leaf_tree *tree = tree_of(data, place[i].s, &itself);
-    for (k = 0; k < BLOCK && i + k < n && place[i + k].s == place[i].s; k++) {
-      name[k] = place[i + k].point;
+    const sg_leaf_tree *tree =
+        m->trees->tree(m->trees->data, place[i].s, &itself);
+    for (k = 1; k < BLOCK && i + k < n && place[i + k].s == place[i].s; k++) {
     }
     done = !tree || tree->curve || !tree->boxes ||
-           measure_some(m, tree, itself, name, k);
+           measure_some(m, tree, itself, place + i, k);
     done = done && !sg_poll_stop(m->poll);
   }
   free(place);
-  free(name);
   return done;
 }
 
 bool
-sg_resolve_measure(const sg_resolve *r, sg_resolve_tree_of *tree_of,
-                   const void *data, const sg_leaf_views *views, sg_crew *crew,
+sg_resolve_measure(const sg_resolve *r, const sg_resolve_trees *trees,
+                   const sg_leaf_views *views, sg_crew *crew,
                    const sg_poll *poll, sg_resolve_moves *out)
 {
   double *move = find_moves(r), *reach = move ? find_reaches(r, move) : NULL;
   unsigned char *counted = calloc(r->point.n + 1, 1);
-  measuring m = {r, views, move, reach, crew, poll, counted, out};
+  measuring m = {r, trees, views, move, reach, crew, poll, counted, out};
   bool done = reach && counted;
 
   *out = (sg_resolve_moves){0};
@@ -392,7 +500,10 @@ sg_resolve_measure(const sg_resolve *r, sg_resolve_tree_of *tree_of,
       out->point = i;
     }
   }
-  done = done && measure_segments(&m, tree_of, data);
+  done = done && measure_segments(&m);
+  if (done) {
+    measure_gaps(&m);
+  }
   free(move);
   free(reach);
   free(counted);

@@ -3,9 +3,10 @@
  *
  * Layer: kernel. Inexact. A FEATURE of a segment, seen from a shared point, is
  * an edge that is near it, or the distance to another sheet of the segment: a
- * wall, or a gap. A move is TIGHT if it is more than a hundredth of the
- * smallest feature there: then what is made to touch may be other than what
- * was meant.
+ * wall, or a gap; or the gap between two segments, one that is closed, but for
+ * what their sources explain (sg_resolve.rounded), or one beside it. A move is
+ * TIGHT if it is more than a hundredth of the smallest feature there: then what
+ * is made to touch may be other than what was meant.
  */
 #ifndef SG_RESOLVE_FEATURE_H
 #define SG_RESOLVE_FEATURE_H
@@ -13,10 +14,14 @@
 #include "join/leaf_tree.h"
 #include "resolve.h"
 
-/* The tree of segment s (never a body); null: it has none. *itself: it is made
- * to touch in itself. */
-typedef const sg_leaf_tree *sg_resolve_tree_of(const void *data, int32_t s,
-                                               bool *itself);
+/* The trees of all segments (never of a body). *itself: this one is made to
+ * touch in itself. */
+typedef struct sg_resolve_trees {
+  const int32_t *s; /* [n] */
+  size_t n;
+  const sg_leaf_tree *(*tree)(const void *data, int32_t s, bool *itself);
+  const void *data;
+} sg_resolve_trees;
 
 typedef struct sg_resolve_moves {
   double farthest; /* how far the point that moved farthest did; 0: none */
@@ -30,9 +35,8 @@ typedef struct sg_resolve_moves {
 
 /* After sg_resolve_finish(), when segments have their names. False: no memory,
  * or the poll said stop. */
-bool sg_resolve_measure(const sg_resolve *r, sg_resolve_tree_of *tree_of,
-                        const void *data, const sg_leaf_views *views,
-                        sg_crew *crew, const sg_poll *poll,
-                        sg_resolve_moves *out);
+bool sg_resolve_measure(const sg_resolve *r, const sg_resolve_trees *trees,
+                        const sg_leaf_views *views, sg_crew *crew,
+                        const sg_poll *poll, sg_resolve_moves *out);
 
 #endif

@@ -14,7 +14,7 @@
  * thousand units in the last place of doubles. */
 enum { UNSAID = 40 };
 
-/* An sg_resolve_tree_of. */
+/* Of an sg_resolve_trees. */
 static const sg_leaf_tree *
 tree_of(const void *data, int32_t s, bool *itself)
 {
@@ -30,10 +30,12 @@ tree_of(const void *data, int32_t s, bool *itself)
 int
 sg_resolving_measure_ex(sg_resolving *job)
 {
+  const sg_cut_handle *handle = job->handle;
+  const sg_resolve_trees trees = {handle->segment, handle->segments, tree_of,
+                                  job};
   sg_crew *crew = sg_crew_open(0);
-  int done =
-      crew && sg_resolve_measure(&job->r, tree_of, job, &job->handle->views,
-                                 crew, &sg_prolog_poll, &job->moves);
+  int done = crew && sg_resolve_measure(&job->r, &trees, &handle->views, crew,
+                                        &sg_prolog_poll, &job->moves);
 
   sg_crew_close(crew);
   return done || (!PL_exception(0) && sg_no_memory());

@@ -309,8 +309,12 @@ notice_en(not_flat(S, Count, P, Off)) -->
       '  Used as their triangles.' ].
 
 tight_en(S1, S2, At, Move, Feature, N) -->
-    [ 'made to touch: moved by ~4g where a feature is only ~4g large, near '-
-      [Move, Feature] ],
+    (   { Move =:= Feature }
+    ->  [ 'made to touch: a gap of ~4g, which rounding does not explain, near '-
+          [Move] ]
+    ;   [ 'made to touch: moved by ~4g where a feature is only ~4g large, near '-
+          [Move, Feature] ]
+    ),
     place_en(At, S1, S2),
     other_places_en(N).
 

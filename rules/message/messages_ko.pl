@@ -317,8 +317,12 @@ notice_ko(not_flat(S, Count, P, Off)) -->
       '  삼각형으로 나누어 씁니다.' ].
 
 tight_ko(S1, S2, At, Move, Feature, N) -->
-    [ '닿게 하느라 ~4g 만큼 옮겼지만 그곳의 요소는 크기가 ~4g 뿐입니다: '-
-      [Move, Feature] ],
+    (   { Move =:= Feature }
+    ->  [ '반올림으로 설명되지 않는 ~4g 만큼의 틈을 닿게 하였습니다: '-
+          [Move] ]
+    ;   [ '닿게 하느라 ~4g 만큼 옮겼지만 그곳의 요소는 크기가 ~4g 뿐입니다: '-
+          [Move, Feature] ]
+    ),
     place_ko(At, S1, S2),
     other_places_ko(N).
 

@@ -25,6 +25,21 @@ check "refused" status_is 4
 check "by the program's name" has "sanggwan: made one face: 0.005 off it"
 check "nothing is written" absent "$work/step.off"
 
+cat >"$work/gap.pl" <<'MODEL'
+segment(1, solid, box(size(1,1,1))).
+segment(2, solid, at([translate(1.0005,0,0)], box(size(1,1,1)))).
+MODEL
+run union "$work/gap.pl" --tolerance 0.001 -o "$work/gap.off"
+check "a gap that a tolerance closes" status_is 0
+check "is a warning, too" has \
+  "warning: made to touch: a gap of 0.0005, which rounding does not explain"
+check "with its place" has "near 0.5 0.5 0 (segments 1 and 2)"
+run union "$work/gap.pl" --tolerance 0.001 --strict -o "$work/no_gap.off"
+check "it is refused" status_is 4
+check "and not written" absent "$work/no_gap.off"
+run union "$work/gap.pl" --strict -o "$work/gap.off"
+check "left open it needs no word" status_is 0
+
 run eval "$work/step.pl" --strict -o "$work/step.off"
 check "without it all is done" status_is 0
 check "a file says what it holds" has "# precision 0" "$work/step.off"
