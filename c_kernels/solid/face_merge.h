@@ -70,7 +70,11 @@ typedef struct sg_merge_options {
   const sg_merge_pair *apart; /* [aparts]: sorted, never these */
   size_t aparts;
   const sg_merge_region *region; /* or null: the solid is all there is */
-  sg_crew *crew;                 /* null: the caller alone */
+  /* How far the source of segment s lets vertices of it move without a word;
+     null: not at all. */
+  double (*explained)(void *data, int32_t s);
+  void *data;
+  sg_crew *crew; /* null: the caller alone */
   const sg_poll *poll;
 } sg_merge_options;
 
@@ -84,7 +88,8 @@ typedef enum sg_merge_end {
 } sg_merge_end;
 
 /* Vertices of operands that vanish more than a hundredth of an edge there away
- * from what stays; and the one that is worst beside its edge. */
+ * from what stays, and farther than their sources explain; and the one that is
+ * worst beside its edge. */
 typedef struct sg_merge_tight {
   size_t n;
   sg_solid_vertex vertex;

@@ -7,14 +7,17 @@
 
 #include "face_merge.h"
 #include "glue.h"
+#include "polygon/flatness.h"
+#include "rows/grain_rows.h"
 
 #include "engine/install.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static atom_t atom_separate, atom_together;
 static functor_t functor_part3, functor_minus2, functor_origins1,
-    functor_apart1, functor_by_size1, functor_region1;
+    functor_apart1, functor_by_size1, functor_region1, functor_own1;
 
 static int
 failed(sg_merge_end end)
@@ -154,6 +157,74 @@ get_options_ex(term_t list, sg_merge_options *out, sg_merge_pair **apart,
   return PL_get_nil_ex(tail);
 }
 
+/* ---- what sources explain ---- */
+
+typedef struct sources {
+  const sg_solid *solid;
+  double tolerance; /* by the rule; 0: it was given */
+  bool known;       /* the other two are */
+  double coarsest, rounding;
+} sources;
+
+static void
+see_sources(sources *x, const sg_version *version)
+{
+  const sg_solid *solid = x->solid;
+  sg_flatness all;
+
+  sg_flatness_init(&all, 0);
+  for (size_t v = 0; v < solid->vertices; v++) {
+    sg_flatness_see(&all, solid->vertex[v].at);
+  }
+  x->rounding = sg_flatness_touch(&all);
+  for (size_t f = 0; f < solid->faces; f++) {
+    if (f == 0 || solid->face[f].s != solid->face[f - 1].s) {
+      x->coarsest = fmax(x->coarsest, sg_grain_of(version, solid->face[f].s));
+    }
+  }
+  x->known = true;
+}
+
+/* Of sg_merge_options. The tolerance is that of the coarsest segment. */
+static double
+explained(void *data, int32_t s)
+{
+  sources *x = data;
+  sg_world *world = sg_current_world_ex();
+  sg_flatness own;
+
+  if (!world) {
+    return 0;
+  }
+  const sg_version *version = sg_world_version(world);
+
+  if (!x->known) {
+    see_sources(x, version);
+  }
+  sg_flatness_init(&own, sg_grain_of(version, s));
+  sg_version_drop(version);
+  return x->tolerance > 0 && own.grain >= x->coarsest
+             ? x->tolerance
+             : fmax(sg_flatness_touch(&own),
+                    x->tolerance > 0 ? x->rounding : 0);
+}
+
+/* A number, or own(Number): that of the coarsest segment. */
+static int
+get_own_tolerance_ex(term_t t, double *out, sources *x)
+{
+  term_t arg = PL_new_term_ref();
+
+  if (!PL_is_functor(t, functor_own1)) {
+    return get_tolerance_ex(t, out);
+  }
+  if (!PL_get_arg(1, t, arg) || !get_tolerance_ex(arg, out)) {
+    return FALSE;
+  }
+  x->tolerance = *out;
+  return TRUE;
+}
+
 static int
 unify_tight(term_t t, const sg_merge_tight *tight)
 {
@@ -178,14 +249,18 @@ solid_merge(term_t t, term_t tolerance, term_t list, term_t tight)
   sg_merge_pair *apart = NULL;
   sg_merge_region region = {.n = 0};
   sg_merge_end end = SG_MERGE_NO_MEMORY;
+  sources of = {0};
   sg_solid *solid;
 
   if (!sg_get_solid_ex(t, &solid) ||
-      !get_tolerance_ex(tolerance, &options.tolerance) ||
+      !get_own_tolerance_ex(tolerance, &options.tolerance, &of) ||
       !get_options_ex(list, &options, &apart, &region)) {
     free(apart);
     return FALSE;
   }
+  of.solid = solid;
+  options.explained = explained;
+  options.data = &of;
   options.crew = sg_crew_open(0);
   if (options.crew) {
     end = sg_face_merge(solid, &options, &counts);
@@ -219,11 +294,12 @@ solid_neighbours(term_t t, term_t tolerance, term_t pairs)
 {
   sg_merge_options options = {.poll = &sg_prolog_poll};
   sg_merge_pair *pair = NULL;
+  sources of = {0};
   sg_solid *solid;
   size_t n = 0;
 
   if (!sg_get_solid_ex(t, &solid) ||
-      !get_tolerance_ex(tolerance, &options.tolerance)) {
+      !get_own_tolerance_ex(tolerance, &options.tolerance, &of)) {
     return FALSE;
   }
   sg_merge_end end = sg_face_merge_pairs(solid, &options, &pair, &n);
@@ -246,6 +322,7 @@ sg_install_face_merge(void)
   functor_part3 = PL_new_functor(PL_new_atom("part"), 3);
   functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
   functor_origins1 = PL_new_functor(PL_new_atom("origins"), 1);
+  functor_own1 = PL_new_functor(PL_new_atom("own"), 1);
   functor_region1 = PL_new_functor(PL_new_atom("region"), 1);
   functor_by_size1 = PL_new_functor(PL_new_atom("by_size"), 1);
   functor_apart1 = PL_new_functor(PL_new_atom("apart"), 1);

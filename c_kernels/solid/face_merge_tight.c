@@ -2,7 +2,7 @@
  * is there: see face_merge_private.h.
  *
  * Layer: kernel. Inexact. What cuts have made is of no size of its own, so only
- * vertices of operands are looked at, and the edges between them.
+ * vertices of operands are looked at, and the edges that end there.
  */
 #include "face_merge_private.h"
 
@@ -22,7 +22,10 @@ note(sg_merge *m, uint32_t v, double move, double feature)
   double largest = fmax(fabs(at[0]), fmax(fabs(at[1]), fabs(at[2])));
   sg_merge_tight *out = &m->tight;
 
-  if (!(move * TIGHT > feature) || move <= ROUNDING * largest) {
+  if (!(move * TIGHT > feature) || move <= ROUNDING * largest ||
+      (m->options->explained &&
+       move <=
+           m->options->explained(m->options->data, m->solid->vertex[v].s))) {
     return;
   }
   out->n++;
@@ -65,9 +68,10 @@ sg_merge_note_contracted(sg_merge *m)
   }
   for (size_t i = 0; used && i < m->briefs; i++) {
     uint32_t v = m->brief[i][0], w = m->brief[i][1];
-    if (are_given(m, v, w) && (!used[v] || !used[w])) {
+    if (v < solid->plain && (!used[v] || !used[w]) &&
+        (w >= solid->plain || are_given(m, v, w))) {
       double length = between(m, v, w);
-      note(m, used[v] ? w : v, length, length);
+      note(m, used[v] && w < solid->plain ? w : v, length, length);
     }
   }
   free(used);

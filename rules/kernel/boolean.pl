@@ -184,16 +184,17 @@ Foreign predicates; see kernel.pl.
 %!  solid_merge(+Solid, +Tolerance, +Options:list, -Tight) is semidet.
 %
 %   Makes coplanar neighbours in Solid one face each and drops vertices that lie
-%   straight (c_kernels/solid/face_merge.h). Options: origins(separate): never
-%   faces of different segments; apart(Pairs): never these, as of
-%   solid_neighbours/3; by_size(true): a Tolerance no larger than 2^-13 of the
-%   size of Solid; region(Region): Solid is a part of a larger one, of which
-%   only the faces of Region (solid_region/3) are wanted and left; then it fails
-%   if one of these and another might become one. Others are ignored.
+%   straight (c_kernels/solid/face_merge.h). Tolerance is a number, or
+%   own(Number), which follows from the coarsest segment. Options:
+%   origins(separate): never faces of different segments; apart(Pairs): never
+%   these, as of solid_neighbours/3; by_size(true): a Tolerance no larger than
+%   2^-13 of the size of Solid; region(Region): Solid is a part of a larger one,
+%   of which only the faces of Region (solid_region/3) are wanted and left; then
+%   it fails if one of these and another might become one. Others are ignored.
 %
 %   Tight is `none`, or tight(S0, X, Y, Z, Move, Edge, N) if N vertices of
-%   operands vanish farther from what stays than a hundredth of an edge there;
-%   the worst is one of segment S0.
+%   operands vanish farther from what stays than a hundredth of an edge there,
+%   and than their own sources explain; the worst is one of segment S0.
 
 %!  solid_neighbours(+Solid, +Tolerance, -Pairs:list) is det.
 %

@@ -310,10 +310,10 @@ notice_en(not_flat(S, Count, P, Off)) -->
 
 tight_en(S1, S2, At, Move, Feature, N) -->
     (   { Move =:= Feature }
-    ->  [ 'made to touch: a gap of ~4g, which rounding does not explain, near '-
-          [Move] ]
-    ;   [ 'made to touch: moved by ~4g where a feature is only ~4g large, near '-
-          [Move, Feature] ]
+    ->  [ 'made to touch: a gap of ~4g, which rounding does not explain, \c
+           near '-[Move] ]
+    ;   [ 'made to touch: moved by ~4g where a feature is only ~4g large, \c
+           near '-[Move, Feature] ]
     ),
     place_en(At, S1, S2),
     other_places_en(N).

@@ -6,7 +6,7 @@
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module('../kernel',
               [ model_tolerance/1, solid_merge/4, solid_neighbours/3 ]).
-:- use_module('../penetration/resolve', [tight_said/1, tolerance_reach/2]).
+:- use_module('../penetration/resolve', [tight_said/1]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> Faces: coplanar neighbours become one (CB-5).
@@ -41,29 +41,22 @@ faces_merged(Solid, Options) :-
     kept_apart(Solid, Tolerance, Apart),
     solid_merge(Solid, Tolerance,
                 [origins(Origins), apart(Apart), by_size(BySize)], Tight),
-    flattened(Options, Tight).
+    flattened(Tight).
 
-%   flattened(Options, Tight): what solid_merge/4 says of moves, if they are
-%   farther than the sources of the numbers explain.
+%   flattened(Tight): what solid_merge/4 says of moves.
 
-flattened(_, none) :-
-    !.
-flattened(Options, _) :-
-    \+ ( option(tolerance(Given), Options),
-         number(Given)
-       ),
-    !.
-flattened(_, tight(S, X, Y, Z, Move, Edge, N)) :-
+flattened(none).
+flattened(tight(S, X, Y, Z, Move, Edge, N)) :-
     tight_said(flattened(S, [X,Y,Z], Move, Edge, N)).
 
 merge_options(Options, Tolerance, BySize, Origins) :-
-    (   option(tolerance(Given), Options)
-    ->  tolerance_reach(Given, Tolerance),
-        (   Given = own(_)
+    (   option(tolerance(Tolerance), Options)
+    ->  (   Tolerance = own(_)
         ->  BySize0 = true
         ;   BySize0 = false
         )
-    ;   model_tolerance(Tolerance),
+    ;   model_tolerance(Reach),
+        Tolerance = own(Reach),
         BySize0 = true
     ),
     option(by_size(BySize), Options, BySize0),
@@ -81,7 +74,7 @@ region_faces_merged(Solid, Region, Options) :-
     merge_options(Options, Tolerance, BySize, Origins),
     solid_merge(Solid, Tolerance,
                 [origins(Origins), by_size(BySize), region(Region)], Tight),
-    flattened(Options, Tight).
+    flattened(Tight).
 
 kept_apart(_, _, []) :-
     decision_is_default(merge_faces/2),

@@ -408,8 +408,8 @@ evaluated_with(Tolerance, Term) :-
              ( assert_fact(segment(1, solid, Term)),
                evaluate(1, [tolerance(Tolerance)]) )).
 
-%   coarse_scene(Terms, Options, Words): a box of float32, and what is beside it,
-%   Gap-[Y,Z]-Size.
+%   coarse_scene(Terms, Options, Words): a box of float32, and beside it what
+%   Gap-[Y,Z]-Size says.
 
 coarse_scene(Terms, Options, Words) :-
     retractall(said(_)),
@@ -434,6 +434,18 @@ beside(X, Gap-[Y,Z]-Size0, S, S1) :-
     YAt is Y+DY/2,
     assert_fact(segment(S, solid, at([translate(XAt,YAt,Z)], box(Size)))),
     S1 is S+1.
+
+%   fine_beside_coarse(Term, Words): Term, and a box of float32 far from it.
+
+fine_beside_coarse(Term, Words) :-
+    retractall(said(_)),
+    box_written([1000.1,0.2,0.3]-[1003.4,3.5,3.6], stl, true, File),
+    new_world(World),
+    in_world(World,
+             ( file_loaded(File, 1),
+               assert_fact(segment(2, solid, union([1,Term]))),
+               evaluate(2) )),
+    findall(Word, ( said(Said), functor(Said, Word, _) ), Words).
 
 %   made_of(S, Ss): segments Ss have their rows, as operands of S.
 
@@ -687,6 +699,24 @@ test(a_step, [ forall(member(Height-Words, [ 0.005-[flattened], 0.05-[] ])),
 test(a_step_refused, error(geometry_error(flattened(_, _, _, _, _)))) :-
     step(0.005, Term),
     refusing_tight_moves(test_precision:evaluated_with(0.01, Term)).
+
+%   Beside a coarse operand a finer one's step is no rounding: a word.
+
+test(a_step_beside_coarse,
+     [ forall(( member(Fine, [ union([ box(size(4,4,4)),
+                                       at([translate(0,0,4)],
+                                          box(size(2,2,Height))) ]),
+                               prism(outline([ [0,0], [4,0], [4,Low], [2,Low],
+                                               [2,4], [0,4] ]), height(1)) ]),
+                member(Height-Words, [ 1.0e-3-[], 1.0e-4-[], 3.0e-5-[flattened],
+                                       1.0e-6-[flattened] ]),
+                Low is 4-Height )),
+       true(Found == Words) ]) :-
+    fine_beside_coarse(Fine, Found).
+test(a_step_beside_coarse_refused,
+     error(geometry_error(flattened(_, _, _, _, _)))) :-
+    step(3.0e-5, Fine),
+    refusing_tight_moves(test_precision:fine_beside_coarse(Fine, _)).
 
 %   What was known stays known.
 
