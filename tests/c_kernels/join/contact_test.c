@@ -54,6 +54,56 @@ test_features(void)
   CHECK("edge near edge", one(crossing, SG_EDGE_0, SG_EDGE_0, false));
 }
 
+/* The feature of a triangle whose corners are counted from corner i on. */
+static sg_feature
+counted_from(sg_feature f, int i)
+{
+  int first = f < SG_EDGE_0 ? SG_CORNER_0 : SG_EDGE_0;
+
+  return f == SG_FACE ? f : (sg_feature)(first + ((int)f - first + 3 - i) % 3);
+}
+
+/* The contact of flat and b is found whichever corners are their first ones. */
+static bool
+from_all_corners(double b[3][3], sg_feature f, sg_feature g)
+{
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      double a2[3][3], b2[3][3];
+      sg_contact c[SG_CONTACT_MAX];
+      for (int k = 0; k < 3; k++) {
+        memcpy(a2[k], flat[(k + i) % 3], sizeof a2[k]);
+        memcpy(b2[k], b[(k + j) % 3], sizeof b2[k]);
+      }
+      int n =
+          sg_contacts((const double(*)[3])a2, (const double(*)[3])b2, reach, c);
+      if (n != 1 || c[0].f[0] != counted_from(f, i) ||
+          c[0].f[1] != counted_from(g, j)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+static void
+test_all_corners(void)
+{
+  for (int near = 0; near < 2; near++) {
+    const double e = near ? 1e-12 : 0;
+    double on_corner[3][3] = {{0, 0, e}, {-1, -1, 3}, {-2, -1, 5}};
+    double on_edge[3][3] = {{1, 0, e}, {1, -1, 3}, {2, -1, 5}};
+    double on_face[3][3] = {{1, 1, e}, {1, 2, 3}, {2, 1, 5}};
+    double crossing[3][3] = {{1, -1, -1 - e}, {1, 1, 1 - e}, {1, -3, 2 - e}};
+
+    CHECK("any corner on any",
+          from_all_corners(on_corner, SG_CORNER_0, SG_CORNER_0));
+    CHECK("on any edge", from_all_corners(on_edge, SG_EDGE_0, SG_CORNER_0));
+    CHECK("on the face", from_all_corners(on_face, SG_FACE, SG_CORNER_0));
+    CHECK("any edge on any", from_all_corners(crossing, SG_EDGE_0, SG_EDGE_0));
+  }
+}
+
 static int
 contacts(double b[3][3], double within)
 {
@@ -354,6 +404,7 @@ main(void)
   bool same = true;
 
   test_features();
+  test_all_corners();
   test_none();
   test_exact();
   srand(1988);
