@@ -107,6 +107,33 @@ test_shortened(void)
   sg_world_drop(world);
 }
 
+/* Rows of two segments on one page, the ids of the second go on from those of
+ * the first: whatever lies where, each is found in its own segment alone. */
+static void
+test_two_segments(void)
+{
+  bool good = true;
+
+  for (size_t n = 20; n <= 260; n += 20) {
+    for (size_t from = 1; from < n; from += 7) {
+      sg_world *world = sg_world_open();
+      make_rows(&some, SG_V, 1, 1, n, (const int32_t[3]){1, 1, 1});
+      for (size_t k = from; k < n; k++) {
+        some.i[0][k] = 2;
+      }
+      good = good && append(world, &some);
+      for (int32_t v = 1; good && v <= (int32_t)n; v++) {
+        bool first = v <= (int32_t)from;
+        good = (find_vertex(world, 1, v) != SG_NO_ROW) == first &&
+               (find_vertex(world, 2, v) != SG_NO_ROW) == !first;
+      }
+      good = good && sg_world_is_valid(world);
+      sg_world_drop(world);
+    }
+  }
+  CHECK("two segments on a page", good);
+}
+
 static size_t
 index_bytes(sg_world *world, sg_relation relation)
 {
@@ -355,6 +382,7 @@ main(void)
   test_transactions();
   test_closed_without_commit();
   test_shortened();
+  test_two_segments();
   test_runs();
   test_used_again();
   test_late_twice();
