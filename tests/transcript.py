@@ -24,6 +24,7 @@ SANGGWAN = os.path.realpath(
     os.environ.get("SANGGWAN", os.path.join(ROOT, os.environ.get("B", "build"), "sanggwan")))
 SECONDS = 120
 PROGRESS = re.compile(r"\S+: \w+: (\d+ ?(s|초)$|[\d,]+ (of|/) [\d,]+, )")
+BRACKET = re.compile(r" *([\]}])|([\[{]) *")  # Prologs differ in JSON's blanks
 NUMBER = re.compile(r"[-+]?\d+\.\d+(?:[eE][-+]?\d+)?")
 
 
@@ -74,6 +75,7 @@ def said_by(command, folder, environment):
 
 
 def same(line, other):
+    line, other = (BRACKET.sub(r"\1\2", text) for text in (line, other))
     if line == other:
         return True
     if NUMBER.split(line) != NUMBER.split(other):
