@@ -65,6 +65,86 @@ sg_door_close(sg_call *call, term_t t0, int done)
   return (foreign_t)done;
 }
 
+/* ---- many answers ---- */
+
+/* Between two answers. */
+typedef struct answers {
+  sg_call call;
+  size_t n, next;
+  max_align_t rows[];
+} answers;
+
+static void
+drop_answers(answers *a)
+{
+  sg_call_close(&a->call);
+  free(a);
+}
+
+/* The first answer from `i` on that fits, which is tried, not kept. The number
+ * of rows: there is none, or an exception. */
+static size_t
+find_answer(const answers *a, term_t t0, size_t i,
+            int (*answer)(term_t t0, const void *rows, size_t i))
+{
+  size_t n = a->n;
+
+  for (; i < n; i++) {
+    fid_t frame = PL_open_foreign_frame();
+    int fits = frame && answer(t0, a->rows, i);
+
+    if (!frame || PL_exception(0)) {
+      return n;
+    }
+    PL_discard_foreign_frame(frame);
+    if (fits) {
+      return i;
+    }
+    if (!sg_door_goes_on(i)) {
+      return n;
+    }
+  }
+  return n;
+}
+
+foreign_t
+sg_door_answer(term_t t0, control_t control, size_t size,
+               int (*ask)(sg_call *call, term_t t0, void *rows, size_t *n),
+               int (*answer)(term_t t0, const void *rows, size_t i))
+{
+  answers *a;
+
+  if (PL_foreign_control(control) == PL_PRUNED) {
+    drop_answers(PL_foreign_context_address(control));
+    return TRUE;
+  }
+  if (PL_foreign_control(control) == PL_REDO) {
+    a = PL_foreign_context_address(control);
+  } else {
+    if (!(a = calloc(1, sizeof *a + size))) {
+      return (foreign_t)sg_no_memory();
+    }
+    sg_door_open(&a->call);
+    if (!ask(&a->call, t0, a->rows, &a->n)) {
+      sg_door_close(&a->call, t0, FALSE);
+      free(a);
+      return FALSE;
+    }
+    a->next = find_answer(a, t0, 0, answer);
+  }
+  size_t here = a->next, n = a->n;
+
+  /* What comes after is looked for first: it must not see this one's terms. */
+  a->next = here < n ? find_answer(a, t0, here + 1, answer) : n;
+  bool good = here < n && !PL_exception(0) && answer(t0, a->rows, here);
+
+  if (good && a->next < n) {
+    PL_retry_address(a);
+  }
+  drop_answers(a);
+  return (foreign_t)good;
+}
+
 /* ---- handles ---- */
 
 static void

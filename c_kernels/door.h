@@ -14,15 +14,18 @@
 
 /* ---- a call ---- */
 
-/* Where a nondeterministic door goes on: the function moves it, or sets it to
- * SG_DOOR_LAST with the last answer. */
-enum { SG_DOOR_FIRST = 0 };
-#define SG_DOOR_LAST SIZE_MAX
-
 void sg_door_open(sg_call *call);
 /* Raises what was refused, frees what the call has; returns `done`. t0: the
  * first argument. */
 foreign_t sg_door_close(sg_call *call, term_t t0, int done);
+
+/* A nondeterministic door. At the first call `ask` fills *rows, a list of
+ * call.h of `size` bytes, with all answers; `answer` unifies the arguments with
+ * the i-th. The last one that fits leaves no choice point. */
+foreign_t sg_door_answer(term_t t0, control_t control, size_t size,
+                         int (*ask)(sg_call *call, term_t t0, void *rows,
+                                    size_t *n),
+                         int (*answer)(term_t t0, const void *rows, size_t i));
 
 /* ---- handles ---- */
 

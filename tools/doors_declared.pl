@@ -9,8 +9,9 @@
             is_handle/1,              % +Type
             closes/3,                 % +Name, +Arguments, -Type
             enumerator_name/3,        % +Type, +Word, -Name
+            row_columns/2,            % +Arguments, -Columns
             topic_doors/2,            % +File, -Topic
-            used/3                    % +Doors, ?Mode, -Types
+            used/3                    % +Doors, +Modes, -Types
           ]).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
@@ -141,6 +142,14 @@ enumerator_name(Type, Word, Name) :-
 closes(Name, [arg(+,_,Type)], Type) :-
     type(Type, handle(_,_,Name)).
 
+%   row_columns(Arguments, Columns): of a nondeterministic door, the arguments
+%   that an answer has, as Name:Type.
+
+row_columns(Arguments, Columns) :-
+    findall(Name:Type,
+            ( member(arg(Mode,Name,Type), Arguments), Mode \== (+) ),
+            Columns).
+
 %   topic_doors(File, topic(Name, Doors)): each of the Doors is
 %   door(Name, Arguments, Determinism), an argument is arg(Mode, Name, Type).
 
@@ -217,7 +226,7 @@ is_by_hand(Topic, Door) :-
 argument(Topic, Name, Mode, Argument) :-
     (   typed_argument(Mode, Argument)
     ->  true
-    ;   fault("kernel/~w.pl: ~w: ~w is no +X:Type or -X:Type",
+    ;   fault("kernel/~w.pl: ~w: ~w is no +X:Type, -X:Type or ?X:Type",
               [Topic,Name,Mode])
     ).
 
@@ -229,7 +238,7 @@ typed_argument(Mode, arg(In,Variable,Type)) :-
     ;   Mode = Argument:Type,
         Argument =.. [In,Variable]
     ),
-    memberchk(In, [+,-]),
+    memberchk(In, [+,-,?]),
     is_type(Type).
 
 fault(Format, Arguments) :-
@@ -243,13 +252,14 @@ fault(Format, Arguments) :-
                 *         TYPES IN USE         *
                 *******************************/
 
-%   used(Doors, Mode, Types): the types that arguments of Mode have, and what
-%   these are made of, each after its own parts.
+%   used(Doors, Modes, Types): the types that arguments of these Modes have, and
+%   what these are made of, each after its own parts.
 
-used(Doors, Mode, Types) :-
+used(Doors, Modes, Types) :-
     findall(Type,
             ( member(door(_,Arguments,_), Doors),
-              member(arg(Mode,_,Type), Arguments)
+              member(arg(Mode,_,Type), Arguments),
+              memberchk(Mode, Modes)
             ),
             Direct),
     foldl(use, Direct, [], Reversed),

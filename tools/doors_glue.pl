@@ -14,9 +14,9 @@ glue(Topics) :-
     forall(member(topic(Topic,_), Topics),
            format("#include \"doors/~w.h\"~n", [Topic])),
     findall(Door, ( member(topic(_,Doors), Topics), member(Door, Doors) ), All),
-    used(All, _, Types),
-    used(All, +, In),
-    used(All, -, Out),
+    used(All, [+,-,?], Types),
+    used(All, [+], In),
+    used(All, [-,?], Out),
     forall(member(Type, Types), names(Type)),
     forall(member(Type, In), reader(Type)),
     forall(member(Type, Out), writer(Type)),
@@ -189,64 +189,82 @@ write_alternative(Type, Alternative, K0, K) :-
                 *           WRAPPERS           *
                 *******************************/
 
-wrapper(door(Name,Arguments,Determinism)) :-
-    length(Arguments, Arity),
-    format("~nstatic foreign_t~n~w_~d(term_t t0, int arity, ", [Name,Arity]),
-    format("control_t control)~n{~n  (void)arity;~n  (void)control;~n"),
+wrapper(door(Name,Arguments,nondet)) :-
+    !,
+    answerer(Name, Arguments),
+    asker(Name, Arguments),
+    prolog_function(Name, Arguments),
+    format("  return sg_door_answer(t0, control, sizeof(sg_~w_rows), ", [Name]),
+    format("ask_~w, answer_~w);~n}~n", [Name,Name]).
+wrapper(door(Name,Arguments,_)) :-
+    prolog_function(Name, Arguments),
+    format("  (void)control;~n"),
     (   closes(Name, Arguments, Type)
     ->  format("  return (foreign_t)sg_handle_close(t0, &handle_~w);~n",
                [Type])
-    ;   wrapped(Determinism, Name, Arguments)
+    ;   wrapped(Name, Arguments)
     ),
     format("}~n").
 
-wrapped(nondet, Name, Arguments) :-
-    !,
-    format("  size_t next = SG_DOOR_FIRST;~n~n"),
-    format("  if (PL_foreign_control(control) == PL_PRUNED) {~n"),
-    format("    return TRUE;~n  }~n"),
-    format("  if (PL_foreign_control(control) == PL_REDO) {~n"),
-    format("    next = (size_t)PL_foreign_context(control);~n  }~n"),
-    variables(Arguments),
-    format("  bool more = true;~n~n  sg_door_open(&call);~n"),
-    format("  int done = "),
-    conjunction(Arguments, input),
-    format("TRUE;~n~n  while (done) {~n"),
-    format("    fid_t frame = PL_open_foreign_frame();~n~n"),
-    format("    done = frame && "),
-    function(Name, Arguments, ", &next"),
-    format(";~n    more = next != SG_DOOR_LAST;~n"),
-    format("    if (!done) {~n      PL_discard_foreign_frame(frame);~n"),
-    format("      break;~n    }~n    if ("),
-    conjunction(Arguments, output),
-    format("TRUE) {~n      PL_close_foreign_frame(frame);~n"),
-    format("      break;~n    }~n"),
-    format("    done = more && !PL_exception(0);~n"),
-    format("    PL_discard_foreign_frame(frame);~n  }~n"),
-    finish(Arguments),
-    format("  done = (int)sg_door_close(&call, t0, done);~n"),
-    format("  if (done && more) {~n    PL_retry((intptr_t)next);~n  }~n"),
-    format("  return (foreign_t)done;~n").
-wrapped(_, Name, Arguments) :-
-    variables(Arguments),
-    format("~n  sg_door_open(&call);~n"),
-    format("  int done = "),
-    conjunction(Arguments, input),
-    function(Name, Arguments, ""),
-    format(" && "),
-    conjunction(Arguments, output),
-    format("TRUE;~n~n"),
-    finish(Arguments),
-    format("  return sg_door_close(&call, t0, done);~n").
+prolog_function(Name, Arguments) :-
+    length(Arguments, Arity),
+    format("~nstatic foreign_t~n~w_~d(term_t t0, int arity, ", [Name,Arity]),
+    format("control_t control)~n{~n  (void)arity;~n").
 
-variables(Arguments) :-
-    format("  sg_call call;~n"),
+%   Of a nondeterministic door: ask_NAME() finds all answers, answer_NAME() is
+%   one of them.
+
+asker(Name, Arguments) :-
+    format("~nstatic int~nask_~w(sg_call *call, term_t t0, void *rows, ",
+           [Name]),
+    format("size_t *n)~n{~n"),
+    inputs(Arguments),
+    format("  int done = "),
+    conjunction(Arguments, input),
+    format("sg_door_~w(call", [Name]),
+    forall(( nth0(I, Arguments, arg(+,_,Type)) ), passed(+, Type, I)),
+    format(", rows);~n~n"),
+    finish(Arguments),
+    format("  (void)t0;~n  *n = ((const sg_~w_rows *)rows)->n;~n", [Name]),
+    format("  return done;~n}~n").
+
+answerer(Name, Arguments) :-
+    format("~nstatic int~nanswer_~w(term_t t0, const void *rows, ", [Name]),
+    format("size_t i)~n{~n  const sg_~w_rows *all = rows;~n", [Name]),
+    format("  const sg_~w_row *x = &all->at[i];~n", [Name]),
+    format("  term_t r = PL_new_term_ref();~n~n  return "),
+    forall(( nth0(I, Arguments, arg(Mode,Member,Type)), Mode \== (+) ),
+           ( type_name(Type, TypeName),
+             (   by_value(Type)
+             ->  Address = ''
+             ;   Address = '&'
+             ),
+             format("put_~w(r, ~wx->~w) && PL_unify(t0 + ~d, r) &&~n         ",
+                    [TypeName,Address,Member,I])
+           )),
+    format("TRUE;~n}~n").
+
+inputs(Arguments) :-
+    forall(nth0(I, Arguments, arg(+,_,Type)), variable(+, Type, I)).
+
+wrapped(Name, Arguments) :-
+    format("  sg_call here, *call = &here;~n"),
     (   member(arg(-,_,Out), Arguments),
         \+ is_handle(Out)
     ->  format("  term_t r = PL_new_term_ref();~n")
     ;   true
     ),
-    forall(nth0(I, Arguments, arg(Mode,_,Type)), variable(Mode, Type, I)).
+    forall(nth0(I, Arguments, arg(Mode,_,Type)), variable(Mode, Type, I)),
+    format("~n  sg_door_open(call);~n"),
+    format("  int done = "),
+    conjunction(Arguments, input),
+    format("sg_door_~w(call", [Name]),
+    forall(nth0(I, Arguments, arg(Mode,_,Type)), passed(Mode, Type, I)),
+    format(") && "),
+    conjunction(Arguments, output),
+    format("TRUE;~n~n"),
+    finish(Arguments),
+    format("  return sg_door_close(call, t0, done);~n").
 
 variable(+, Type, I) :-
     type(Type, handle(_,_,_)),
@@ -270,7 +288,7 @@ conjunct(input, +, Type, I) :-
     (   is_handle(Type)
     ->  format("sg_handle_get(t0 + ~d, &handle_~w, &x~d) &&~n    ",
                [I,Type,I])
-    ;   format("get_~w(&call, t0 + ~d, &x~d) &&~n    ", [Name,I,I])
+    ;   format("get_~w(call, t0 + ~d, &x~d) &&~n    ", [Name,I,I])
     ).
 conjunct(output, -, Type, I) :-
     !,
@@ -283,11 +301,6 @@ conjunct(output, -, Type, I) :-
     ;   format("put_~w(r, &x~d) && PL_unify(t0 + ~d, r) &&~n    ", [Name,I,I])
     ).
 conjunct(_, _, _, _).
-
-function(Name, Arguments, More) :-
-    format("sg_door_~w(&call", [Name]),
-    forall(nth0(I, Arguments, arg(Mode,_,Type)), passed(Mode, Type, I)),
-    format("~w)", [More]).
 
 passed(+, Type, I) :-
     by_value(Type),

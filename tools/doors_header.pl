@@ -10,7 +10,7 @@ header(Topic, Doors) :-
     format("/* Made by tools/doors.pl from rules/kernel/~w.pl. */~n", [Topic]),
     format("#ifndef SG_DOORS_~w_H~n#define SG_DOORS_~w_H~n~n", [Upper,Upper]),
     format("#include \"call.h\"~n~n"),
-    used(Doors, _, Types),
+    used(Doors, [+,-,?], Types),
     forall(member(Type, Types), header_type(Type)),
     forall(member(Door, Doors), prototype(Door)),
     format("#endif~n").
@@ -89,15 +89,23 @@ field(Name:Type) :-
 prototype(door(Name,Arguments,_)) :-
     closes(Name, Arguments, _),
     !.
-prototype(door(Name,Arguments,Determinism)) :-
+prototype(door(Name,Arguments,nondet)) :-
+    !,
+    row_columns(Arguments, Columns),
+    format("typedef struct sg_~w_row {~n", [Name]),
+    forall(member(Column, Columns), field(Column)),
+    format("} sg_~w_row;~n~nSG_CALL_LIST(sg_~w_rows, sg_~w_row);~n~n",
+           [Name,Name,Name]),
+    format("bool sg_door_~w(sg_call *call", [Name]),
+    forall(( member(Argument, Arguments), Argument = arg(+,_,_) ),
+           ( parameter(Argument, Parameter),
+             format(", ~w", [Parameter]) )),
+    format(", sg_~w_rows *rows);~n~n", [Name]).
+prototype(door(Name,Arguments,_)) :-
     format("bool sg_door_~w(sg_call *call", [Name]),
     forall(member(Argument, Arguments),
            ( parameter(Argument, Parameter),
              format(", ~w", [Parameter]) )),
-    (   Determinism == nondet
-    ->  format(", size_t *next")
-    ;   true
-    ),
     format(");~n~n").
 
 parameter(arg(-,Name,Type), Parameter) :-

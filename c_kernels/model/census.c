@@ -5,22 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const sg_defect_name[SG_DEFECTS] = {
-    [SG_DEFECT_BORDER] = "border_edge",
-    [SG_DEFECT_TURNED] = "turned_edge",
-    [SG_DEFECT_NONMANIFOLD] = "nonmanifold_edge",
-    [SG_DEFECT_CROWDED] = "touching_edge",
-    [SG_DEFECT_SHARED] = "shared_half_edge",
-    [SG_DEFECT_OPEN] = "open_polygon",
-    [SG_DEFECT_FLAT] = "degenerate_face",
-    [SG_DEFECT_BENT] = "bent_face",
-    [SG_DEFECT_DUPLICATE] = "duplicate_face",
-    [SG_DEFECT_PINCHED] = "pinched_vertex",
-    [SG_DEFECT_UNUSED] = "unused_vertex",
-    [SG_DEFECT_TWIN] = "twin_vertices",
-    [SG_DEFECT_SHORT] = "short_edge",
-};
-
 bool
 sg_census_note(sg_counting *c, sg_defect_kind kind, int32_t a, int32_t b)
 {

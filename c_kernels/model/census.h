@@ -26,8 +26,6 @@ typedef enum sg_defect_kind {
   SG_DEFECTS
 } sg_defect_kind;
 
-extern const char *const sg_defect_name[SG_DEFECTS];
-
 typedef struct sg_defect {
   sg_defect_kind kind;
   int32_t segment; /* number */

@@ -6,9 +6,10 @@
 Foreign predicates; see kernel.pl.
 */
 
-/* - - - view4pl.c - - - */
+/* - - - view_rows.c - - - */
 
-%!  fill_screen(+Theta, +Phi, +Rho, +Kind) is det.
+%!  fill_screen(+Theta:number, +Phi:number, +Rho:number,
+%!              +Kind:projection) is det.
 %
 %   Replaces screen/5 of the current world by where each vertex is seen from
 %   there; Kind is `parallel` or `central`. Computes what eye_point/4,
@@ -18,24 +19,26 @@ Foreign predicates; see kernel.pl.
 %          front of the eye
 %   @see [PL] section 6.1 and 6.2, row PL-11
 
-%!  view_range(+Theta, +Phi, -Near, -Far, -Reach) is semidet.
+%!  view_range(+Theta:number, +Phi:number, -Near:number, -Far:number,
+%!             -Reach:number) is semidet.
 %
 %   True when the vertices of the current world have their depth, counted from
 %   the origin away from the eye, between Near and Far, and the farthest one
 %   is Reach from the origin. Fails if there are no vertices.
 
-%!  view_depth(+Theta, +Phi, +Rho, +Kind, -Depth) is det.
+%!  view_depth(+Theta:number, +Phi:number, +Rho:number, +Kind:projection,
+%!             -Depth:number) is det.
 %
 %   True when one unit of Zs is Depth model units where the model is nearest:
 %   1.0 in a parallel projection.
 
-%!  sine_cosine(+Degrees, -Sine, -Cosine) is det.
+%!  sine_cosine(+Degrees:number, -Sine:number, -Cosine:number) is det.
 %
 %   Multiples of 90 degrees are exact; the rest is rounded to 2^-48.
 
-/* - - - turn4pl.c - - - */
+/* - - - turn_rows.c - - - */
 
-%!  turn_points(+Axes:list, +Origin:list) is det.
+%!  turn_points(+Axes:list(int), +Origin:list(number)) is det.
 %
 %   Every point of the current world (v/5, leaf_v/5) and every plane goes to
 %   where turned_point/4 of view.pl says. Axes are 1, 2 and 3 in some order and
