@@ -18,6 +18,8 @@ mcut, and what takes long. BOOLEAN_CASES=N places N times as many solids. */
 
 user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
 user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
+user:message_hook(sanggwan(tight(_, _, _, _, _, _)), warning, _).
+user:message_hook(sanggwan(flattened(_, _, _, _, _)), warning, _).
 
 shared :-
     (   exists_directory('../shared/data')
