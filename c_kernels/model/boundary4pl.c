@@ -294,7 +294,7 @@ read_parts_ex(handle *h, const sg_dense *d, term_t made_list, const manner *how)
   return done;
 }
 
-/* polygons, triangles or soup. */
+/* polygons, flat, triangles or soup. */
 static int
 get_form_ex(term_t t, manner *out)
 {
@@ -305,7 +305,8 @@ get_form_ex(term_t t, manner *out)
   }
   out->keep_turned = !strcmp(name, "soup");
   out->form.triangles = out->keep_turned || !strcmp(name, "triangles");
-  return out->form.triangles || !strcmp(name, "polygons") ||
+  out->form.flat = !strcmp(name, "flat");
+  return out->form.triangles || out->form.flat || !strcmp(name, "polygons") ||
          PL_domain_error("boundary_form", t);
 }
 

@@ -1,6 +1,8 @@
 /* boundary_loop.c -- every face as a loop that begins with its lowest vertex,
  * or as triangles (boundary_mesh.h). */
 #include "boundary_private.h"
+#include "join/cut.h"
+#include "number/exact.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -132,6 +134,28 @@ add_knot(sg_boundary_maker *m, const int32_t (*edge)[2], size_t n)
   return sg_boundary_each_triangle(m, false, n, false, take_loop_triangle);
 }
 
+/* Whether the n corners of m->from lie in one plane, exactly: then it does not
+ * matter how who reads the face divides it. */
+static bool
+is_flat(const sg_boundary_maker *m, size_t n)
+{
+  const double(*at)[3] = (const double(*)[3])m->b->at;
+  double t[3][3];
+  bool area = false;
+
+  memcpy(t[0], at[m->from[0]], sizeof t[0]);
+  memcpy(t[1], at[m->from[1]], sizeof t[1]);
+  for (size_t i = 2; i < n; i++) {
+    if (!area) { /* the first that is not in line with those two */
+      memcpy(t[2], at[m->from[i]], sizeof t[2]);
+      area = sg_cut_axis((const double(*)[3])t) >= 0;
+    } else if (sg_orient3d(t[0], t[1], t[2], at[m->from[i]]) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 static bool
 add_polygon(sg_boundary_maker *m, size_t f)
 {
@@ -152,7 +176,7 @@ add_polygon(sg_boundary_maker *m, size_t f)
     return add_knot(m, (const int32_t(*)[2])m->b->edge + begin, n);
   }
   follow_loop(m, n);
-  return m->form->triangles
+  return m->form->triangles || (m->form->flat && !is_flat(m, n))
              ? sg_boundary_each_triangle(m, false, n, true, take_loop_triangle)
              : add_loop(m, n);
 }

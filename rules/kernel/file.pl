@@ -62,9 +62,10 @@ Foreign predicates; see kernel.pl.
 %   they are), then as float32 if Single; without what that has collapsed; in an
 %   order that depends on where things are alone. See c_kernels/model/boundary.h
 %   and boundary_mesh.h. Made lists S-V of vertices that cuts made: their
-%   coordinates are rounded already. Form is `polygons`, `triangles` or `soup`:
-%   the triangles of t/6, also those that rounding turned over, which else are
-%   taken out.
+%   coordinates are rounded already. Form is `polygons`, `flat` (a
+%   polygon of more than three corners is flat to the last digit), `triangles`,
+%   or `soup`: the triangles of t/6, also those that rounding turned over, which
+%   else are taken out.
 %   If Copies, every edge has two faces and every vertex one fan.
 %
 %   @error representation_error(float32): a coordinate is too large

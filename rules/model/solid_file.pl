@@ -304,7 +304,8 @@ united_round(Fault0, S0, Round, Most, Task, Boundary, Rounds) :-
     ;   S1 = S0,                        % a coarser grid may still do
         S2 = S0
     ),
-    rounded(S2, Manner, Boundary0),
+    in_rounds(Manner, Rounded),
+    rounded(S2, Rounded, Boundary0),
     (   boundary_fault(Boundary0, all, _)
     ->  output_grid(Single, Round, S1, Grid),
         boundary_coarsen(Boundary0, Grid, Boundary1),
@@ -312,6 +313,15 @@ united_round(Fault0, S0, Round, Most, Task, Boundary, Rounds) :-
         judged(Boundary1, S2, Round, Most, Task, Boundary, Rounds)
     ;   Boundary = Boundary0,
         Rounds = Round
+    ).
+
+%   in_rounds(Manner0, Manner): what is thin may go through itself as somebody
+%   else divides it, so polygons that are not quite flat go as triangles.
+
+in_rounds(manner(Single, Form0, Copies), manner(Single, Form, Copies)) :-
+    (   Form0 == polygons
+    ->  Form = flat
+    ;   Form = Form0
     ).
 
 %   judged(Boundary0, S, Round, Most, Task, Boundary, Rounds): Boundary0 is what

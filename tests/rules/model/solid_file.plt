@@ -8,6 +8,8 @@
 :- use_module(library(readutil)).
 :- use_module(rules(solid/boolean)).
 :- use_module(rules(command/check)).
+:- use_module(rules(kernel),
+              [boundary_open/7, boundary_counts/2, boundary_close/1]).
 :- use_module(rules(model/mesh)).
 :- use_module(rules(model/model)).
 :- use_module(rules(primitive/primitive_rows)).
@@ -322,6 +324,26 @@ test(corner_on_an_edge, [forall(member(Ending-Slack, [off-0.0,stl-1.0e-6])),
                 read_back(File, 7, _, 0, V) )),
     output_statistics(After),
     After.rounds =:= Before.rounds.
+
+%   A box with a corner hardly off the planes of its three faces: these stay
+%   polygons, unless they have to be flat to the last digit.
+
+test(flat, Faces == [polygons-6,flat-9,triangles-12]) :-
+    in_new_world(( polyhedron(1, solid,
+                              [p(0,0,0),p(1,0,0),p(1,1,0),p(0,1,0),
+                               p(0,0,1),p(1,0,1),p(1.000000000000001,
+                               1.000000000000001,1.000000000000001),p(0,1,1)],
+                              [[1,4,3,2],[5,6,7,8],[1,2,6,5],[2,3,7,6],
+                               [3,4,8,7],[4,1,5,8]]),
+                   findall(Form-N,
+                           ( member(Form, [polygons,flat,triangles]),
+                             faces_of_form(Form, N) ),
+                           Faces) )).
+
+faces_of_form(Form, N) :-
+    boundary_open([1], [], false, 0.0, Form, true, Boundary),
+    boundary_counts(Boundary, counts(_, N, _, 0, 0, _, _, 0, _)),
+    boundary_close(Boundary).
 
 %   Several solids in one file: each is checked, and united with itself, alone.
 

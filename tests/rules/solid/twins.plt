@@ -139,7 +139,7 @@ test(some, [forall(case(Seed)), true(Faults == [])]) :-
     B = M2.volume,
     findall(Fault,
             ( member(Fault-Goal,
-                     [ components(N)-(N < 400),
+                     [ components(N)-(N < 500),
                        both(U,I,A,B)-near(U+I, A+B),
                        first(D,I,A)-near(D+I, A),
                        second(E,I,B)-near(E+I, B) ]),
