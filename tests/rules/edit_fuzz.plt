@@ -51,8 +51,8 @@ scripts(First, Last, Threads, Folder, Wrong) :-
         Wrong2 = [wrong(Seed, ended(Status))],
         Next is Seed+1
     ),
-    append([Wrong1, Wrong2, Wrong3], Wrong),
-    scripts(Next, Last, Threads, Folder, Wrong3).
+    scripts(Next, Last, Threads, Folder, Wrong3),
+    append([Wrong1, Wrong2, Wrong3], Wrong).
 
 %   child(Range, Threads, Folder, Lines, Status): 500 scripts take some ten
 %   seconds; after twenty minutes one of them has no end.
