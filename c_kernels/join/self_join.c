@@ -335,7 +335,7 @@ static bool
 join_faces(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
            const sg_poll *poll)
 {
-  sg_bvh_hits met;
+  sg_bvh_hits met = {0};
   sg_bvh_pair *pair = calloc(j->faces + 1, sizeof *pair);
   bool good = pair && meet_faces(j, tree, crew, poll, &met);
   uint32_t *list = good ? malloc((met.n + 1) * sizeof *list) : NULL;

@@ -224,13 +224,13 @@ segment_sewn(term_t t, term_t weights)
 {
   sewn s = {.world = sg_current_world_ex()};
 
-  if (!s.world || !sg_get_id_ex(t, &s.s) ||
-      !sg_get_dense_ex(&s.s, 1, &s.dense)) {
+  if (!s.world || !sg_get_id_ex(t, &s.s)) {
     return FALSE;
   }
   s.version = sg_world_version(s.world);
-  int good = sg_sewing_find(&s.dense, &sg_prolog_poll, &s.sewing) ||
-             (PL_exception(0) ? FALSE : sg_no_memory());
+  int good = sg_get_dense_ex(&s.s, 1, &s.dense) &&
+             (sg_sewing_find(&s.dense, &sg_prolog_poll, &s.sewing) ||
+              (PL_exception(0) ? FALSE : sg_no_memory()));
   good = good && s.sewing.any && write_ex(&s) && unify_weights(&s, weights);
 
   sg_sewing_clear(&s.sewing);
