@@ -39,7 +39,7 @@ has a fixed slot in each world's table (decision4pl.c).
               [ rule_module/2, set_rule_modules/1, world_number/1,
                 ended_world/1
               ]).
-:- use_module(limits, [text_beyond/5]).
+:- use_module(text_file, [with_text/4]).
 :- use_module(library(lists), [member/2, memberchk/2]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(occurs), [sub_term/2]).
@@ -341,21 +341,13 @@ free_module(Module, Id) :-
     catch('$destroy_module'(Module), error(_, _), true).
 
 load_rules(File, Module, Id) :-
-    setup_call_cleanup(
-        open(File, read, Stream, [encoding(utf8)]),
-        rules_loaded(File, Stream, Module, Id, Error),
-        close(Stream)),
+    with_text(program, File, text(_, _, Stream),
+              with_first_error(
+                  load_files(Module:Id, [stream(Stream), silent(true)]),
+                  Error)),
     (   var(Error)
     ->  not_a_module(File, Id)
     ;   throw_rules_error(Error, File)
-    ).
-
-rules_loaded(File, Stream, Module, Id, Error) :-
-    (   text_beyond(program, Stream, What, Line, Column)
-    ->  throw(error(model_error(What), location(File, Line, Column)))
-    ;   with_first_error(
-            load_files(Module:Id, [stream(Stream), silent(true)]),
-            Error)
     ).
 
 not_a_module(File, Id) :-

@@ -2,7 +2,8 @@
           [ repl/0
           ]).
 :- use_module(help, [short_answers/0]).
-:- use_module(query, [query/2]).
+:- use_module(query, [query/2, read_goal/3]).
+:- use_module('../limits', [text_beyond/5]).
 :- use_module('../store', [segment/3]).
 /** <module> The Prolog top level with a model loaded.
 
@@ -24,6 +25,9 @@ repl :-
            print_message(informational, sanggwan(segment(S, Kind, Name)))),
     short_answers,
     set_prolog_flag(readline, true),
+    wrap_predicate('$toplevel':read_query_line(_, Text), sg_repl, Read,
+                   ( Read,
+                     sg_repl:looked_through(Text) )),
     catch('$toplevel':setup_readline, error(_, _), true),
     on_signal(int, Old, sg_repl:stopped),
     setup_call_cleanup(true, query_loop, on_signal(int, _, Old)).
@@ -47,6 +51,19 @@ unless_unread(Error) :-
 stopped(Signal) :-
     throw(sanggwan_interrupt(Signal)).
 
+%   looked_through(Text): true unless Text is too much for a goal; then that is
+%   said, and Prolog reads the next one.
+
+:- public looked_through/1.
+
+looked_through(Text) :-
+    (   atom_string(Text, String),
+        text_beyond(goal, String, What, _, _)
+    ->  print_message(error, error(usage_error(bad_goal('', What)), _)),
+        fail
+    ;   true
+    ).
+
 %   query_loop: Prolog's own, begun again after an error. (prolog/0 would give
 %   the keyboard to the debugger.)
 
@@ -55,22 +72,16 @@ query_loop :-
     catch('$query_loop', Error, ( print_message(error, Error), fail )),
     !.
 
+%   The text of a goal is looked through before it is read (limits.pl).
+
 next_goal(Next) :-
-    read_term(user_input, Goal, [variable_names(Names), module(user)]),
-    (   Goal == end_of_file
+    '$raw_read'(user_input, Text),
+    (   Text == end_of_file
     ->  Next = end_of_file
     ;   Next = goal,
-        shown_variables(Names, Bindings),
+        read_goal(Text, Goal, Bindings),
         (   query(user:Goal, [bindings(Bindings)])
         ->  true
         ;   print_message(informational, sanggwan(no_answer))
         )
     ).
-
-shown_variables([], []).
-shown_variables([Name=Value|Names], Bindings) :-
-    (   sub_atom(Name, 0, _, _, '_')
-    ->  Bindings = Bindings1
-    ;   Bindings = [Name-Value|Bindings1]
-    ),
-    shown_variables(Names, Bindings1).

@@ -11,8 +11,8 @@
 :- use_module('../model/mesh', [write_mesh/3]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../model/model_text',
-              [open_model_text/2, close_model_text/1, next_fact/3,
-               place_error/3]).
+              [next_fact/3, place_error/3]).
+:- use_module('../text_file', [with_text/4]).
 :- use_module('../output', [when_written/1]).
 :- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
 :- use_module('../pattern/pattern_file', [numbered_files/3, write_pattern/4]).
@@ -376,10 +376,7 @@ wish_place(Files, S, Wish, Place) :-
 file_wish_place(File, Wish, S, Place) :-
     file_name_extension(_, pl, File),
     exists_file(File),
-    setup_call_cleanup(
-        open_model_text(File, Text),
-        wish_places(Text, Wish, Places),
-        close_model_text(Text)),
+    with_text(facts, File, Text, wish_places(Text, Wish, Places)),
     member(S-Place, Places).
 
 wish_places(Text, Wish, Places) :-

@@ -5,9 +5,8 @@
             segment_in_vain/2           % +Rows, -Segment
           ]).
 :- use_module('../model/model_text',
-              [ open_model_text/2, close_model_text/1, next_term/3, no_fact/2,
-                place_error/2, place_error/3
-              ]).
+              [next_term/3, no_fact/2, place_error/2, place_error/3]).
+:- use_module('../text_file', [with_text/4]).
 :- use_module('../picture/role', [role_rank/2]).
 :- use_module('../store', [segment/3]).
 :- use_module(style,
@@ -44,10 +43,7 @@ style_rows(Rows, Rows) :-
     is_list(Rows),
     !.
 style_rows(File, Rows) :-
-    setup_call_cleanup(
-        open_model_text(File, Text),
-        text_rows(Text, Rows),
-        close_model_text(Text)).
+    with_text(facts, File, Text, text_rows(Text, Rows)).
 
 text_rows(Text, Rows) :-
     next_term(Text, Term, Place),

@@ -8,10 +8,14 @@
             shown_count/2,              % +Count, -Shown
             shown_value/2,              % +Value, -Shown
             syntax_words//1,            % +What
-            loading_fault//1,           % +Formal
+            loading_fault//2,           % :Words, +Formal
+            loading_warnings/2,         % +Term, -Whats
             manual_page//1              % +PI
           ]).
+:- use_module(library(apply), [convlist/3]).
+:- use_module(library(lists), [member/2]).
 :- use_module(library(uri), [uri_encoded/3]).
+:- meta_predicate loading_fault(4, +, ?, ?).
 /** <module> Parts of messages that are the same in every language, or have none
 of their own.
 */
@@ -118,15 +122,75 @@ syntax_words(What) -->
 syntax_words(What) -->
     [ '~w'-[What] ].
 
-%!  loading_fault(+Formal)// is det.
+%!  loading_fault(:Words, +Formal)// is det.
 %
-%   What Prolog says of an error in a rule file.
+%   What is said of an error in a rule file; Words is prolog_en or prolog_ko.
 
-loading_fault(syntax_error(What)) -->
+loading_fault(_, syntax_error(What)) -->
     !,
     syntax_words(What).
-loading_fault(Formal) -->
+loading_fault(Words, Formal) -->
+    call(Words, Formal, _),
+    !.
+loading_fault(_, Formal) -->
     '$messages':translate_message(error(Formal, _)).
+
+%!  loading_warnings(+Term, -Whats) is semidet.
+%
+%   Whats are what the message Term of Prolog warns of while a rule file is
+%   loaded: once(Names) and often(Names), variables; branch(Name), one that only
+%   some branches know; always_same(Compared), apart(PI), redefined(PI),
+%   failed(Directive).
+
+loading_warnings(singletons(_, Names), [once(Shown)]) :-
+    atomic_list_concat(Names, ', ', Shown).
+loading_warnings(multitons(_, Names), [often(Shown)]) :-
+    atomic_list_concat(Names, ', ', Shown).
+loading_warnings(discontiguous(PI0, _), [apart(PI)]) :-
+    strip_module(PI0, _, PI).
+loading_warnings(redefined_procedure(_, PI), [redefined(PI)]).
+loading_warnings(goal_failed(directive, Goal0), [failed(Goal)]) :-
+    strip_module(Goal0, _, Goal).
+loading_warnings(compiler_warnings(_, Warnings), Whats) :-
+    (   prolog_load_context(variable_names, Names)
+    ->  true
+    ;   Names = []
+    ),
+    convlist(compiler_warning(Names), Warnings, Whats).
+
+%   Of variables that have no name, nothing is said.
+
+compiler_warning(Names, Warning, What) :-
+    compiler_warning(Warning, What0),
+    term_variables(What0, Variables),
+    \+ ( member(V, Variables),
+         \+ ( member(_=V1, Names),
+              V1 == V ) ),
+    copy_term(What0-Names, What-Bindings),
+    named_alike(Bindings).
+
+compiler_warning(Warning, What) :-
+    Warning =.. [Kind|Arguments],
+    (   memberchk(Kind, [unbalanced_var,branch_singleton,negation_singleton])
+    ->  Arguments = [V],
+        What = branch(V)
+    ;   Kind == multiton
+    ->  Arguments = [V],
+        What = often(V)
+    ;   Kind == always
+    ->  Arguments = [_, Name, Argument],
+        Test =.. [Name, Argument],
+        What = always_same(Test)
+    ;   Arguments = [A, B],
+        What = always_same(A-B)
+    ).
+
+named_alike([]).
+named_alike([Name=Name|Bindings]) :-
+    !,
+    named_alike(Bindings).
+named_alike([_|Bindings]) :-
+    named_alike(Bindings).
 
 %!  manual_page(+PI)// is det.
 %

@@ -9,7 +9,8 @@
               [ development_en//2, development_notice_en//2 ]).
 :- use_module(mesh_en, [mesh_en//1]).
 :- use_module(message_parts,
-              [counted//3, loading_fault//1, located//1, manual_page//1]).
+              [counted//3, loading_fault//2, located//1, manual_page//1]).
+:- use_module(prolog_en, [prolog_en//2]).
 :- use_module(model_en, [model_en//1]).
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
 :- use_module(true_en, [true_en//1]).
@@ -363,7 +364,7 @@ fault_en(rules(module_file)) -->
 fault_en(rules(Formal)) -->
     { \+ memberchk(Formal, [no_decision(_), no_decisions, module_file]) },
     [ 'this rule file cannot be loaded: ' ],
-    loading_fault(Formal),
+    loading_fault(prolog_en, Formal),
     [ nl, '  Correct it; the rules are as they were before.' ].
 
 notice_en(decision(Name/Arity, Doc, By)) -->

@@ -13,7 +13,8 @@
 :- use_module(development_ko,
               [ development_ko//2, development_notice_ko//2 ]).
 :- use_module(mesh_ko, [mesh_ko//1]).
-:- use_module(message_parts, [loading_fault//1, located//1, manual_page//1]).
+:- use_module(message_parts, [loading_fault//2, located//1, manual_page//1]).
+:- use_module(prolog_ko, [prolog_ko//2]).
 :- use_module(model_ko, [model_ko//1]).
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
 :- use_module(true_ko, [true_ko//1]).
@@ -259,7 +260,7 @@ fault_ko(rules(module_file)) -->
 fault_ko(rules(Formal)) -->
     { \+ memberchk(Formal, [no_decision(_), no_decisions, module_file]) },
     [ '이 규칙 파일을 읽을 수 없습니다: ' ],
-    loading_fault(Formal),
+    loading_fault(prolog_ko, Formal),
     [ nl, '  고치십시오. 규칙은 전과 같습니다.' ].
 
 notice_ko(decision(Name/Arity, Doc, By)) -->

@@ -6,6 +6,7 @@
 
 prolog_ko.pl has the same heads in Korean. Only what the program itself and a
 host see is said in these words; where Sanggwan is a library, Prolog's own are.
+A Formal warning(What) is a warning while rules load, loading_warnings/2.
 */
 
 %!  prolog_en(+Formal, +Context)// is semidet.
@@ -53,3 +54,20 @@ prolog_en(syntax_error(What), _) -->
     [ 'this is no Prolog text: ~w'-[What] ].
 prolog_en(timeout_error(Action, _), _) -->
     [ 'it took too long: ~w'-[Action] ].
+prolog_en(warning(once(Names)), _) -->
+    [ 'a variable stands once only: ~w'-[Names], nl,
+      '  Write _ where its value does not matter.' ].
+prolog_en(warning(often(Names)), _) -->
+    [ 'a variable stands more than once, though its name begins with _: ~w'-
+      [Names] ].
+prolog_en(warning(branch(Name)), _) -->
+    [ 'a variable is used in one branch only: ~w'-[Name] ].
+prolog_en(warning(always_same(Compared)), _) -->
+    [ 'a test has always the same result: ~p'-[Compared] ].
+prolog_en(warning(apart(PI)), _) -->
+    [ 'the clauses of ~p are not together'-[PI], nl,
+      '  Move them, or write :- discontiguous ~p.'-[PI] ].
+prolog_en(warning(redefined(PI)), _) -->
+    [ '~p is there already, and is defined again'-[PI] ].
+prolog_en(warning(failed(Goal)), _) -->
+    [ 'this directive failed: ~p'-[Goal] ].

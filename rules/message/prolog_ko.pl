@@ -52,3 +52,19 @@ prolog_ko(syntax_error(What), _) -->
     [ '프롤로그 글이 아닙니다: ~w'-[What] ].
 prolog_ko(timeout_error(Action, _), _) -->
     [ '너무 오래 걸렸습니다: ~w'-[Action] ].
+prolog_ko(warning(once(Names)), _) -->
+    [ '한 번만 나오는 변수: ~w'-[Names], nl,
+      '  값이 쓰이지 않으면 _ 로 쓰십시오.' ].
+prolog_ko(warning(often(Names)), _) -->
+    [ '이름이 _ 로 시작하는데 여러 번 나오는 변수: ~w'-[Names] ].
+prolog_ko(warning(branch(Name)), _) -->
+    [ '한 갈래에서만 쓰이는 변수: ~w'-[Name] ].
+prolog_ko(warning(always_same(Compared)), _) -->
+    [ '결과가 늘 같은 검사: ~p'-[Compared] ].
+prolog_ko(warning(apart(PI)), _) -->
+    [ '~p 의 절들이 떨어져 있습니다'-[PI], nl,
+      '  모으거나 :- discontiguous ~p. 를 쓰십시오.'-[PI] ].
+prolog_ko(warning(redefined(PI)), _) -->
+    [ '이미 있는 ~p 을(를) 다시 정의합니다'-[PI] ].
+prolog_ko(warning(failed(Goal)), _) -->
+    [ '이 지시문이 실패했습니다: ~p'-[Goal] ].

@@ -4,6 +4,8 @@
 :- use_module('../language', [language/1]).
 :- use_module(messages, [english//1]).
 :- use_module(messages_ko, []).
+:- use_module(message_parts, [loading_warnings/2]).
+:- use_module(library(lists), [append/3]).
 :- use_module('../plain', [plain_lines/3]).
 :- use_module(prolog_en, [prolog_en//2]).
 :- use_module(prolog_ko, [prolog_ko//2]).
@@ -22,6 +24,10 @@ spoken_lines(Kind, Term, Lines0, Lines) :-
     (   prologs_own(Term, Formal, Context),
         own_words(Formal, Context, Lines1)
     ->  true
+    ;   Kind == warning,
+        nonvar(Term),
+        loading_warnings(Term, Whats)
+    ->  warning_lines(Whats, Lines1)
     ;   Lines1 = Lines0
     ),
     plain_lines(Kind, Lines1, Lines).
@@ -31,6 +37,17 @@ prologs_own(Term, Formal, Context) :-
     Term = error(Formal, Context),
     nonvar(Formal),
     \+ phrase(english(Term), _, _).
+
+%   warning_lines(Whats, Lines): nothing is said of nothing.
+
+warning_lines([], []).
+warning_lines([What|Whats], Lines) :-
+    own_words(warning(What), _, Lines0),
+    (   Whats == []
+    ->  Lines = Lines0
+    ;   warning_lines(Whats, Lines1),
+        append(Lines0, [nl|Lines1], Lines)
+    ).
 
 own_words(Formal, Context, Lines) :-
     language(Language),

@@ -9,14 +9,14 @@
                 facts_transaction/1, relation_column/5
               ]).
 :- use_module(model_text,
-              [ open_model_text/2, close_model_text/1, model_text_bytes/3,
-                next_fact/3,
+              [ model_text_bytes/3, next_fact/3,
                 place_error/2, place_error/3
               ]).
 :- use_module('../csg/csg', [complete_tree/1, is_node/1]).
 :- use_module('../csg/csg_term', [is_node_term/1]).
 :- use_module('../polygon/polygon_list',
               [vertex_list_edges/2, polygon_fault/2]).
+:- use_module('../text_file', [with_text/4]).
 :- use_module('../progress', [progress_by/1]).
 :- use_module('../primitive/primitive', [is_primitive/1, primitive_shape/4]).
 :- use_module('../primitive/primitive_rows', [shape_rows/4]).
@@ -74,13 +74,10 @@ Errors besides those of model_text.pl:
 %   is then as before.
 
 read_model(File) :-
-    open_model_text(File, Text), % may wait for input: no signals in a setup
-    setup_call_cleanup(
-        true,
-        ( progress_by(model_text_bytes(Text)),
-          facts_transaction(sg_model_file:text_added(Text))
-        ),
-        close_model_text(Text)).
+    with_text(facts, File, Text,
+              ( progress_by(model_text_bytes(Text)),
+                facts_transaction(sg_model_file:text_added(Text))
+              )).
 
 text_added(Text) :-
     shifts(Shift),

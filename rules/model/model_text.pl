@@ -1,8 +1,5 @@
 :- module(sg_model_text,
-          [ open_model_text/2,          % +File, -Text
-            open_model_text/3,          % +Kind, +File, -Text
-            close_model_text/1,         % +Text
-            model_text_bytes/3,         % +Text, -Done, -Total
+          [ model_text_bytes/3,         % +Text, -Done, -Total
             next_fact/3,                % +Text, -Fact, -Place
             next_term/3,                % +Text, -Term, -Place
             no_fact/2,                  % +Term, -What
@@ -10,8 +7,7 @@
             place_error/3,              % +Place, +Argument, +What
             model_float/2               % +Value, -Float
           ]).
-:- use_module('../kernel', [atomic_scratch/3]).
-:- use_module('../limits', [limit_value/2, text_beyond/5]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module('../store', [relation/3, relation_column/5, column_domain/3]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [member/2]).
@@ -43,107 +39,6 @@ distance, atom, text, ground and one_of(Values); model_file.pl adds its own.
 
 :- set_module(sg_model_syntax:base(system)).
 :- set_prolog_flag(sg_model_syntax:double_quotes, string).
-
-%!  open_model_text(+File, -Text) is det.
-%!  open_model_text(+Kind, +File, -Text) is det.
-%
-%   Open a model file, `facts` or `csg`, that breaks no limit (limits.pl). What
-%   can be read once only, as `-`, standard input, is copied to a temporary file
-%   that vanishes with close_model_text/1: it is looked through first, and
-%   places in it are found again.
-%
-%   @error model_error(cannot_read(Why)), model_error(limit(Name, Most))
-
-open_model_text(File, Text) :-
-    open_model_text(facts, File, Text).
-
-open_model_text(Kind, File, Text) :-
-    text_opened(File, Text),
-    Text = text(Name, _, Stream),
-    asserta(decoding(Stream, Name)),
-    catch(no_limit_broken(Kind, Name, Stream), Error,
-          ( close_model_text(Text),
-            throw(Error)
-          )).
-
-no_limit_broken(csg, _, _) :-
-    !.                                  % csg_nodes/4 does
-no_limit_broken(Kind, Name, Stream) :-
-    (   text_beyond(Kind, Stream, What, Line, Column)
-    ->  throw(error(model_error(What), location(Name, Line, Column)))
-    ;   true
-    ).
-
-text_opened(-, text('<stdin>', Copy, Stream)) :-
-    !,
-    set_stream(user_input, type(binary)),
-    copied(user_input, Copy, Stream).
-text_opened(File, Text) :-
-    catch(open(File, read, In, [encoding(utf8)]), Error,
-          cannot_read(File, Error)),
-    (   exists_file(File)
-    ->  Text = text(File, File, In)
-    ;   Text = text(File, Copy, Stream),
-        set_stream(In, encoding(octet)),
-        call_cleanup(catch(copied(In, Copy, Stream), Error,
-                           cannot_read(File, Error)),
-                     close(In))
-    ).
-
-copied(In, Copy, Stream) :-
-    atomic_scratch('.pl', _, Copy),
-    setup_call_cleanup(
-        open(Copy, write, Out, [type(binary)]),
-        copy_stream_data(In, Out),
-        close(Out)),
-    open(Copy, read, Stream, [encoding(utf8)]).
-
-%   Prolog warns of every fact with bytes that are no UTF-8, again when it is
-%   read once more, and names temporary files. Of all that becomes one warning
-%   of ours.
-
-:- thread_local decoding/2.             % Stream, File
-
-:- multifile user:message_hook/3.
-
-user:message_hook(io_warning(Stream, _), warning, _) :-
-    sg_model_text:undecoded(Stream).
-
-:- public undecoded/1.
-
-undecoded(Stream) :-
-    retract(decoding(Stream, File)),
-    !,
-    asserta(decoding(Stream, warned)),
-    (   File == warned
-    ->  true
-    ;   line_count(Stream, Line),
-        print_message(warning, sanggwan(not_utf8(File, Line)))
-    ).
-
-cannot_read(File, error(Formal, _)) :-
-    !,
-    (   exists_directory(File)
-    ->  Why = directory
-    ;   Formal = existence_error(_, _)
-    ->  Why = missing
-    ;   Formal = permission_error(_, _, _)
-    ->  Why = permission
-    ;   Why = Formal
-    ),
-    throw(error(model_error(cannot_read(Why)), location(File, 0, 0))).
-cannot_read(_, Ball) :-
-    throw(Ball).
-
-%!  close_model_text(+Text) is det.
-
-close_model_text(text(Name, Path, Stream)) :-
-    retractall(decoding(Stream, _)),
-    close(Stream),
-    (   Name == Path
-    ->  true
-    ;   delete_file(Path)
-    ).
 
 %!  model_text_bytes(+Text, -Done, -Total) is det.
 %

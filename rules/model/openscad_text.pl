@@ -1,9 +1,9 @@
 :- module(sg_openscad_text,
           [ read_openscad/2             % +File, -Nodes
           ]).
-:- use_module(model_text, [open_model_text/3, close_model_text/1]).
 :- use_module('../kernel', [csg_nodes/4]).
 :- use_module('../limits', [limit_value/2, text_limits/1]).
+:- use_module('../text_file', [with_text/4]).
 /** <module> The text of an OpenSCAD .csg file.
 
 That is what `openscad -o FILE.csg` writes: a tree of calls with their numbers
@@ -39,13 +39,8 @@ and cannot_read(Why) as for model files.
 
 read_openscad(File, Nodes) :-
     text_limits(Limits),
-    open_model_text(csg, File, Text),
-    setup_call_cleanup(
-        true,
-        ( Text = text(Name, _, Stream),
-          csg_nodes(Stream, Name, Limits, Result)
-        ),
-        close_model_text(Text)),
+    with_text(csg, File, text(Name, _, Stream),
+              csg_nodes(Stream, Name, Limits, Result)),
     (   Result = nodes(Nodes0)
     ->  Nodes = Nodes0
     ;   Result = fault(What, Line, Column),

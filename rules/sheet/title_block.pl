@@ -2,8 +2,8 @@
           [ title_block_read/2          % +File, -Items
           ]).
 :- use_module('../model/model_text',
-              [open_model_text/2, close_model_text/1, next_fact/3,
-               place_error/2]).
+              [next_fact/3, place_error/2]).
+:- use_module('../text_file', [with_text/4]).
 :- use_module(library(lists), [memberchk/2]).
 /** <module> A file of facts for the title block.
 
@@ -19,11 +19,7 @@ facts may stand in a model file.
 %   title_block_only(Name)
 
 title_block_read(File, Items) :-
-    open_model_text(File, Text),
-    setup_call_cleanup(
-        true,
-        items_read(Text, [], Items),
-        close_model_text(Text)).
+    with_text(facts, File, Text, items_read(Text, [], Items)).
 
 items_read(Text, Known, Items) :-
     next_fact(Text, Fact, Place),

@@ -91,6 +91,10 @@ done
 for name in depth.small.pl depth.list.pl depth.brace.pl; do
   refused "rules.$name" depth check facts/cube.pl --rules "$work/h/$name"
 done
+mkfifo "$work/rules.pl"
+cat "$work/h/depth.list.pl" >"$work/rules.pl" 2>/dev/null &
+refused rules.fifo depth check facts/cube.pl --rules "$work/rules.pl"
+wait
 deep=$(printf '[%.0s' $(seq 30000))
 for goal in "X = $deep" "X = 0$(printf '9%.0s' $(seq 30000))" \
   "X = a$(printf 'a%.0s' $(seq 70000))"; do
@@ -99,6 +103,10 @@ for goal in "X = $deep" "X = 0$(printf '9%.0s' $(seq 30000))" \
   check "goal.limit" has '--limits '
   check "goal.short" short
 done
+"$sanggwan" repl <<<"X = $deep.
+X = after." >"$work/out" 2>"$work/err"
+check repl-goal has '--limits depth='
+check repl-goes-on has after "$work/out"
 bounded explain facts/cube.pl "line($deep"
 check explain-goal status_is 2
 check explain-goal-short short

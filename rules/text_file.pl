@@ -1,0 +1,107 @@
+:- module(sg_text_file,
+          [ with_text/4                 % +Kind, +File, -Text, :Goal
+          ]).
+:- use_module(kernel, [atomic_scratch/3]).
+:- use_module(limits, [text_beyond/5]).
+/** <module> Files of text, looked through before they are read.
+*/
+
+:- meta_predicate with_text(+, +, -, 0).
+
+%!  with_text(+Kind, +File, -Text, :Goal) is semidet.
+%
+%   Call Goal once, with Text open: text(Name, Path, Stream), Name that of File
+%   for messages. It breaks no limit (limits.pl) of texts of this Kind: `facts`,
+%   `program`, or `csg`, of which csg_nodes/4 finds that. What can be read once
+%   only, as `-`, standard input, or a pipe, is copied to a temporary file, Path,
+%   that vanishes with Text: it is looked through first, and places in it are
+%   found again.
+%
+%   @error model_error(cannot_read(Why)), model_error(limit(Name, Most)), with
+%   location(Name, Line, Column)
+
+with_text(Kind, File, Text, Goal) :-
+    text_opened(File, Text), % may wait for input: no signals in a setup
+    Text = text(Name, Path, Stream),
+    setup_call_cleanup(
+        asserta(decoding(Stream, Name)),
+        ( no_limit_broken(Kind, Name, Stream),
+          once(Goal)
+        ),
+        closed(Name, Path, Stream)).
+
+no_limit_broken(Kind, Name, Stream) :-
+    (   Kind \== csg,
+        text_beyond(Kind, Stream, What, Line, Column)
+    ->  throw(error(model_error(What), location(Name, Line, Column)))
+    ;   true
+    ).
+
+closed(Name, Path, Stream) :-
+    retractall(decoding(Stream, _)),
+    close(Stream),
+    (   Name == Path
+    ->  true
+    ;   delete_file(Path)
+    ).
+
+text_opened(-, text('<stdin>', Copy, Stream)) :-
+    !,
+    set_stream(user_input, type(binary)),
+    copied(user_input, Copy, Stream).
+text_opened(File, Text) :-
+    catch(open(File, read, In, [encoding(utf8)]), Error,
+          cannot_read(File, Error)),
+    (   exists_file(File)
+    ->  Text = text(File, File, In)
+    ;   Text = text(File, Copy, Stream),
+        set_stream(In, encoding(octet)),
+        call_cleanup(catch(copied(In, Copy, Stream), Error,
+                           cannot_read(File, Error)),
+                     close(In))
+    ).
+
+copied(In, Copy, Stream) :-
+    atomic_scratch('.pl', _, Copy),
+    setup_call_cleanup(
+        open(Copy, write, Out, [type(binary)]),
+        copy_stream_data(In, Out),
+        close(Out)),
+    open(Copy, read, Stream, [encoding(utf8)]).
+
+%   Prolog warns of every fact with bytes that are no UTF-8, again when it is
+%   read once more, and names temporary files. Of all that becomes one warning
+%   of ours.
+
+:- thread_local decoding/2.             % Stream, File
+
+:- multifile user:message_hook/3.
+
+user:message_hook(io_warning(Stream, _), warning, _) :-
+    sg_text_file:undecoded(Stream).
+
+:- public undecoded/1.
+
+undecoded(Stream) :-
+    retract(decoding(Stream, File)),
+    !,
+    asserta(decoding(Stream, warned)),
+    (   File == warned
+    ->  true
+    ;   line_count(Stream, Line),
+        print_message(warning, sanggwan(not_utf8(File, Line)))
+    ).
+
+cannot_read(File, error(Formal, _)) :-
+    !,
+    (   exists_directory(File)
+    ->  Why = directory
+    ;   Formal = existence_error(_, _)
+    ->  Why = missing
+    ;   Formal = permission_error(_, _, _)
+    ->  Why = permission
+    ;   Why = Formal
+    ),
+    throw(error(model_error(cannot_read(Why)), location(File, 0, 0))).
+cannot_read(_, Ball) :-
+    throw(Ball).
