@@ -3,7 +3,8 @@
             copied_to/3,                % +Target, +Ending, :Goal
             asked_for/2,                % +File, -Target
             files_together/1,           % :Goal
-            when_written/1              % :Goal
+            when_written/1,             % :Goal
+            write_fact/2                % +Stream, +Fact
           ]).
 :- use_module(kernel,
               [ atomic_open/3, atomic_scratch/3, atomic_sync/1,
@@ -181,6 +182,19 @@ asked_for(File, Target) :-
     ->  Target = Target0
     ;   Target = File
     ).
+
+%!  write_fact(+Stream, +Fact) is det.
+%
+%   Write Fact as a line of a file of facts. Of an interrupt that comes while it
+%   writes, write_term/3 of SWI-Prolog 9.0.4 says in a message that there was
+%   one, and goes on; so it waits for the end of the line.
+
+write_fact(Stream, Fact) :-
+    sig_atomic(write_term(Stream, Fact,
+                          [ quoted(true), spacing(next_argument),
+                            numbervars(false), module(sg_model_syntax),
+                            float_format(''), fullstop(true), nl(true)
+                          ])).
 
 %   pending(Items): what waits for its place in this thread, the last first;
 %   `none` outside of files_together/1.

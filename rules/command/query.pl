@@ -188,8 +188,9 @@ json_value(Value, Json) :-
 
 prolog_line(Goal0) :-
     lettered(Goal0, Goal),
-    write_term(Goal, [ quoted(true), spacing(next_argument),
-                       numbervars(true), fullstop(true), nl(true) ]).
+    sig_atomic(write_term(Goal, [ quoted(true), spacing(next_argument),
+                                  numbervars(true), fullstop(true),
+                                  nl(true) ])). % see write_fact/2
 
 %   block_printed(State, Names, Rows): answers are not kept. The columns are as
 %   wide as those of the first thousand rows need; a later cell that is wider

@@ -5,6 +5,7 @@
               [ inked_inks/2, ink_width/2, ink_colour/3, ink_runs/2, ink_pen/2,
                 ink_layer/2
               ]).
+:- use_module('../output', [write_fact/2]).
 :- use_module('../store',
               [ segment/3, view/3, projection/1, screen/5, e/5, contour/13,
                 drawn/7, origin/3, line/9
@@ -145,9 +146,3 @@ place(X0-Y0, X-Y) :-
 
 millimetres(N, X) :-
     X is N/1000.0.
-
-write_fact(Out, Fact) :-
-    write_term(Out, Fact,
-               [ quoted(true), spacing(next_argument), numbervars(false),
-                 float_format(''), fullstop(true), nl(true)
-               ]).

@@ -3,7 +3,7 @@
             write_model_to/1            % +Stream
           ]).
 :- use_module('../csg/csg', [is_node/1, is_helper/1]).
-:- use_module('../output', [writing/3]).
+:- use_module('../output', [write_fact/2, writing/3]).
 :- use_module('../polygon/polygon_list', [edges_vertex_list/2]).
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
@@ -71,8 +71,8 @@ write_segment(Stream, S) :-
     nl(Stream),
     write_rows(Stream, 1, segment(S, _, _)),
     write_rows(Stream, V, v(S, V, _, _, _)),
-    (   listed_polygons(S, Lists)
-    ->  forall(member(Row, Lists), write_fact(Stream, Row))
+    (   are_listed(S)
+    ->  in_order(P0, p(S, P0, Es), write_listed(Stream, S, P0, Es))
     ;   write_rows(Stream, E, e(S, E, _, _, _)),
         write_rows(Stream, P, p(S, P, _)),
         write_points(Stream, S)
@@ -94,13 +94,12 @@ write_segment(Stream, S) :-
 
 write_lines(Stream) :-
     findall(S, ( segment(S, _, _), is_node(S) ), Nodes),
-    findall(L-line(L, S1, P1, A1, B1, S2, P2, A2, B2),
-            ( line(L, S1, P1, A1, B1, S2, P2, A2, B2),
-              \+ memberchk(S1, Nodes),
-              \+ memberchk(S2, Nodes) ),
-            Rows0),
-    keysort(Rows0, Rows),
-    forall(member(_-Fact, Rows), write_fact(Stream, Fact)).
+    Line = line(L, S1, _, _, _, S2, _, _, _),
+    in_order(L,
+             ( Line,
+               \+ memberchk(S1, Nodes),
+               \+ memberchk(S2, Nodes) ),
+             write_fact(Stream, Line)).
 
 %   write_origins(Stream, S): but for what is remembered of this world alone
 %   (csg_record.pl).
@@ -112,21 +111,42 @@ write_origins(Stream, S) :-
     keysort(Rows0, Rows),
     forall(member(_-Fact, Rows), write_fact(Stream, Fact)).
 
-:- meta_predicate write_rows(+, ?, 0).
+:- meta_predicate write_rows(+, ?, 0), in_order(?, 0, 0).
 
 %   write_rows(Stream, Key, Goal): every row Goal as a fact, by ascending Key.
 
 write_rows(Stream, Key, Module:Row) :-
-    findall(Key-Row, Module:Row, Rows0),
-    keysort(Rows0, Rows),
-    forall(member(_-Fact, Rows), write_fact(Stream, Fact)).
+    in_order(Key, Module:Row, write_fact(Stream, Row)).
 
-write_fact(Stream, Fact) :-
-    write_term(Stream, Fact,
-               [ quoted(true), spacing(next_argument), numbervars(false),
-                 module(sg_model_syntax), float_format(''), fullstop(true),
-                 nl(true)
-               ]).
+%   in_order(Key, Row, Goal): call Goal for every Row, by ascending Key. Keys
+%   that are numbers without many gaps are counted up: nothing is kept, so an
+%   interrupt is heard at each row, however many there are.
+
+in_order(Key, Row, Goal) :-
+    var(Key),
+    Keys = keys(0, 0),
+    \+ ( Row,
+         \+ counted(Key, Keys) ),
+    Keys = keys(Count, Last),
+    Last =< 2*Count,
+    !,
+    forall(between(1, Last, Key),
+           forall(Row, Goal)).
+in_order(Key, Row, Goal) :-
+    findall(Key-Row, Row, Rows0),
+    keysort(Rows0, Rows),
+    forall(member(Key-Row, Rows), Goal).
+
+counted(Key, Keys) :-
+    integer(Key),
+    Key > 0,
+    Keys = keys(Count0, Last0),
+    Count is Count0+1,
+    nb_setarg(1, Keys, Count),
+    (   Key > Last0
+    ->  nb_setarg(2, Keys, Key)
+    ;   true
+    ).
 
 write_line(Stream, Text) :-
     format(Stream, '~w~n', [Text]).
@@ -139,33 +159,34 @@ write_points(Stream, S) :-
     ;   forall(v(S, V, _, _, _), write_fact(Stream, curve(S, [V])))
     ).
 
-%   listed_polygons(S, Rows): Rows are p(S, P, VertexList), in order, if they
-%   say all about the edges of S: real, numbered 1, 2, ... in their order.
+%   are_listed(S): vertex lists say all about the edges of S: they are real,
+%   numbered 1, 2, ... in their order.
 
-listed_polygons(S, Rows) :-
-    findall(P-Es, p(S, P, Es), Polygons0),
-    Polygons0 \== [],
-    keysort(Polygons0, Polygons),
-    numbered_in_order(Polygons, 1, Next),
+are_listed(S) :-
+    once(p(S, _, _)),
+    Edges = next(1),
+    in_order(P, p(S, P, Es), follow(Es, S, Edges)),
     aggregate_all(count, e(S, _, _, _, _), Count),
-    Next =:= Count+1,
-    listed_rows(Polygons, S, Rows).
+    Edges = next(Next),
+    Next =:= Count+1.
 
-numbered_in_order([], Next, Next).
-numbered_in_order([_-Es|Polygons], E0, Next) :-
-    consecutive(Es, E0, E1),
-    numbered_in_order(Polygons, E1, Next).
+%   follow(Es, S, Edges): Es are real edges of S from the one that is next.
+
+follow(Es, S, Edges) :-
+    arg(1, Edges, Next0),
+    consecutive(Es, Next0, Next),
+    real_edges(Es, S, _),
+    nb_setarg(1, Edges, Next).
+
+write_listed(Stream, S, P, Es) :-
+    real_edges(Es, S, Edges),
+    edges_vertex_list(Edges, List),
+    write_fact(Stream, p(S, P, List)).
 
 consecutive([], E, E).
 consecutive([E|Es], E, Next) :-
     E1 is E+1,
     consecutive(Es, E1, Next).
-
-listed_rows([], _, []).
-listed_rows([P-Es|Polygons], S, [p(S, P, List)|Rows]) :-
-    real_edges(Es, S, Edges),
-    edges_vertex_list(Edges, List),
-    listed_rows(Polygons, S, Rows).
 
 real_edges([], _, []).
 real_edges([E|Es], S, [V1-V2|Edges]) :-

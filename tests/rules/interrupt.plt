@@ -3,6 +3,8 @@
 :- use_module(library(apply)).
 :- use_module(library(time)).
 :- use_module(rules(solid/boolean)).
+:- use_module(rules(command/verbs)).
+:- use_module(rules(model/mesh)).
 :- use_module(rules(model/model)).
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(store)).
@@ -39,7 +41,7 @@ sphere_written(Out, N, X) :-
              ( I < N -> format(Out, "f ~d ~d ~d~n", [A,B,C]) ; true ),
              ( I > 1 -> format(Out, "f ~d ~d ~d~n", [A,C,D]) ; true ) )).
 
-:- dynamic file/1, signal_at/1, over/0.
+:- dynamic file/1, signal_at/1, over/0, thrown/0.
 
 make_files :-
     setting('INTERRUPT_RINGS', 40, N),
@@ -63,13 +65,15 @@ rows(Rows) :-
             Rows).
 
 %   interrupted(:Goal, +Seconds, -Took): Goal gets a signal after Seconds; Took
-%   is what the processor did from then on, or `done`.
+%   is what the processor did from then on; `done` if there was none in time;
+%   `lost` if there was, and Goal went on.
 
 :- meta_predicate interrupted(0, +, -).
 
 interrupted(Goal, Seconds, Took) :-
     retractall(over),
     retractall(signal_at(_)),
+    retractall(thrown),
     thread_self(Me),
     thread_create(interrupt_after(Me, Seconds), Id),
     catch(( call(Goal), assertz(over), How = done ), interrupt,
@@ -80,6 +84,8 @@ interrupted(Goal, Seconds, Took) :-
     (   How == stopped
     ->  signal_at(Begin),
         Took is End-Begin
+    ;   retract(thrown)
+    ->  Took = lost
     ;   Took = done
     ).
 
@@ -89,8 +95,15 @@ interrupt_after(Thread, Seconds) :-
     ->  true
     ;   statistics(process_cputime, Now),
         assertz(signal_at(Now)),
-        thread_signal(Thread, (test_interrupt:over -> true ; throw(interrupt)))
+        thread_signal(Thread, test_interrupt:unless_over)
     ).
+
+unless_over :-
+    over,
+    !.
+unless_over :-
+    assertz(thrown),
+    throw(interrupt).
 
 %   moment(+Whole, -Seconds): moments over the time that all of it takes.
 
@@ -108,6 +121,24 @@ seconds_of(Goal, Seconds) :-
 load_and_penetrate(Files) :-
     load_model(Files),
     penetrate.
+
+late_writing(Ending, File, Seconds, Took) :-
+    Goal = facts_snapshot(written(Ending, File)),
+    seconds_of(Goal, Whole),
+    member(I, [1,2,3,4]),
+    Seconds is Whole*I/5,
+    interrupted(Goal, Seconds, Took),
+    Took \== done,
+    ( Took == lost -> true ; Took > 0.2 ).
+
+written(pl, File) :-
+    !,
+    save_model(File).
+written(Ending, File) :-
+    (   memberchk(Ending, [stl,off,obj])
+    ->  write_mesh(File, [1,2])
+    ;   draw(File)
+    ).
 
 lines(N) :-
     aggregate_all(count, line(_, _, _, _, _, _, _, _, _), N).
@@ -182,6 +213,23 @@ test(combining, Bad-Faces == []-[N]) :-
                        Faces0) )),
     sort(Faces0, Faces),
     Faces = [N|_].
+%   A writer is at work within one call of Prolog's mostly.
+
+test(writing, Bad == []) :-
+    files(Files),
+    tmp_file(interrupt, Folder),
+    make_directory(Folder),
+    new_world(World),
+    findall(late(Ending, Seconds, Took),
+            ( member(Ending, [pl,stl,off,obj,svg,dxf,json]),
+              format(atom(File), '~w/a.~w', [Folder, Ending]),
+              in_world(World, ( ( segment(1, _, _)
+                                ->  true
+                                ;   load_model(Files)
+                                ),
+                                late_writing(Ending, File, Seconds, Took) ))
+            ), Bad),
+    delete_directory_and_contents(Folder).
 test(time_limit, Rows == Before) :-
     files(Files),
     new_world(World),
