@@ -60,7 +60,10 @@ test(bad, [forall(member(Strokes-Error,
     short_travel(0-0, Strokes, _).
 %   The nearest end next may be the longer way: the order is then as it was.
 
-test(never_longer, [forall(between(1, 1000, Seed))]) :-
+test(never_longer, Longer == []) :-
+    findall(Seed, ( between(1, 1000, Seed), longer(Seed) ), Longer).
+
+longer(Seed) :-
     set_random(seed(Seed)),
     random_between(1, 9, N),
     random_between(1, 12, Wide),
@@ -70,12 +73,12 @@ test(never_longer, [forall(between(1, 1000, Seed))]) :-
     maplist(random_between(0, Wide), [X0,Y0]),
     short_travel(X0-Y0, Strokes, Ordered),
     short_travel_by_rule(X0-Y0, Strokes, Rule),
-    assertion(Seed-Ordered == Seed-Rule),
     travel_length(X0-Y0, Strokes, Before),
     travel_length(X0-Y0, Ordered, After),
-    assertion(After =< Before),
     edges(Strokes, Edges),
-    edges(Ordered, Edges).
+    \+ ( Ordered == Rule,
+         After =< Before,
+         edges(Ordered, Edges) ).
 test(all_and_shorter, [forall(between(1, 10, Seed)), true]) :-
     random_strokes(Seed, 600, Strokes),
     short_travel(0-0, Strokes, Ordered),
