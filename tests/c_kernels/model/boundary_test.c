@@ -117,7 +117,7 @@ make(double grid, bool single, bool triangles, bool copies)
   sg_dense d = dense();
   sg_boundary boundary;
   sg_rounding rounding = {grid, single};
-  sg_form form = {triangles, copies};
+  sg_form form = {.triangles = triangles, .copies = copies};
 
   sg_boundary_mesh_clear(&mesh);
   bool done =
