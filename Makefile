@@ -260,7 +260,8 @@ tsan: $(B)/sanggwan.so $(CHECKERS) \
 # How much of what decides exactly the C tests go through: lines and branches of
 # each file, from gcov. The rules' tests go through the rest of it.
 EXACT := $(addprefix c_kernels/,number/exact number/exact_point number/integers \
-           number/number join/cut penetration/cut_point polygon/plane)
+           number/number join/cut penetration/cut_point penetration/cut_overlap \
+           penetration/cut_contact polygon/plane)
 coverage:
 	@OPT=-O1 EXTRA_CFLAGS='--coverage -Wno-maybe-uninitialized' \
 	  $(MAKE) --no-print-directory -s B=$(B)/coverage covered

@@ -219,7 +219,7 @@ find(term_t t, sg_handle_type *type, sg_handle **out)
 int
 sg_handle_get(term_t t, sg_handle_type *type, sg_handle **out)
 {
-  sg_handle *handle;
+  sg_handle *handle = NULL;
 
   *out = NULL;
   if (!find(t, type, &handle)) {
