@@ -9,7 +9,7 @@
 /* Readers of mesh files, for tests: they share nothing with the product.
 
    Faces are lists of X-Y-Z, as the file has them; Format is stl, stl_binary,
-   off, obj, ply or ply_binary. What is not as the format says throws wrong(_).
+   off, obj, ply or ply_binary. What is not as it says throws wrong(_).
 */
 
 must(Goal, What) :-
@@ -142,7 +142,7 @@ floats(N, [A,B,C,D|Bytes0], [X|Xs], Bytes) :-
     N1 is N-1,
     floats(N1, Bytes0, Xs, Bytes).
 
-%   real(Bits, E, M, X): of IEEE 754, with E and M bits of exponent and mantissa.
+%   real(Bits, E, M, X): of IEEE 754, E bits of exponent and M of mantissa.
 
 real(Bits, E, M, X) :-
     Sign is 1-2*((Bits >> (E+M)) /\ 1),
@@ -168,7 +168,8 @@ ply_header(Codes, Format, V, F, Bits, Body) :-
     exclude([["comment"|_]]>>true, Rows0, Rows),
     Rows = [ ["element","vertex",V0], ["property",Type,"x"],
              ["property",Type,"y"], ["property",Type,"z"],
-             ["element","face",F0], ["property","list",Counted,"int",_],
+             ["element","face",F0],
+             ["property","list",Counted,"int",_],
              ["end_header"] ],
     maplist(number_string, [V,F], [V0,F0]),
     memberchk(Type-Bits, ["double"-64,"float"-32]),
@@ -182,7 +183,8 @@ binary_points(N, Bits, Bytes0, [X-Y-Z|Points], Bytes) :-
     binary_points(N1, Bits, Bytes1, Points, Bytes).
 
 binary_number(64, X, [A,B,C,D,E,F,G,H|Bytes], Bytes) :-
-    Bits is A + B<<8 + C<<16 + D<<24 + E<<32 + F<<40 + G<<48 + H<<56,
+    Bits is A + B<<8 + C<<16 + D<<24 + E<<32 + F<<40 + G<<48 +
+            H<<56,
     real(Bits, 11, 52, X).
 binary_number(32, X, Bytes0, Bytes) :-
     floats(1, Bytes0, [X], Bytes).
