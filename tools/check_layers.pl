@@ -97,7 +97,7 @@ rule_fault(Name, _, 'is in a folder that no order is known of') :-
     \+ floor(Rule, _).
 
 imported_file(Path, Other) :-
-    xref_defined(Path, _, imported(From)),
+    xref_uses_file(Path, _, From),
     rule_name(From, Other).
 
 %   rule_name(Path, Name): Name is the path from rules/ to one of our files.

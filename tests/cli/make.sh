@@ -6,8 +6,10 @@ unset MAKEFLAGS MFLAGS MAKELEVEL B
 
 # A tree in which tools/deps only writes down what it is asked for.
 tree=$TMP/tree
-mkdir -p "$tree/tools" "$tree/rules/command"
+mkdir -p "$tree/tools" "$tree/rules/command" "$tree/c_kernels"
 cp Makefile "$tree"
+cp tools/doors*.pl "$tree/tools"
+cp c_kernels/doors.def "$tree/c_kernels"
 cp rules/command/cli.pl "$tree/rules/command"
 printf '#!/bin/sh\necho "$*" >>asked\n' >"$tree/tools/deps"
 chmod +x "$tree/tools/deps"
