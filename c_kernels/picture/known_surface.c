@@ -293,9 +293,8 @@ sg_known_surfaces_bend(const sg_known_surfaces *surfaces, const sg_meeting *m)
   sg_bend bend = {sg_smaller(m->bend, SG_FACET_BEND), false};
   side x[2];
 
-  if (of[0] < 0 && of[1] < 0) {
-    return (sg_bend){m->bend,
-                     named && of[0] != of[1] && m->bend > SG_FLAT_BEND};
+  if (of[0] < 0 && of[1] < 0 && !(named && of[0] == of[1])) {
+    return (sg_bend){m->bend, named && m->bend > SG_FLAT_BEND};
   }
   if (of[0] != of[1]) {
     make_side(surfaces, m, 0, &x[0]);

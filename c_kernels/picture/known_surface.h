@@ -122,7 +122,8 @@ typedef struct sg_bend {
 } sg_bend;
 
 /* Degrees by which the surfaces of two polygons bend: not at all if they are
- * one; else the larger bend at the ends. What has no known surface is flat. No
+ * one, or one named face, as the walls of a prism that turns; else the larger
+ * bend at the ends. What has no known surface is flat. No
  * less than what SG_FACET_BEND leaves of the bend of the polygons. Inexact. */
 sg_bend sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
                                const sg_meeting *meeting);

@@ -11,6 +11,7 @@
               [face_of/3, smooth_surface/3, surface_point/4]).
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(csg/csg), [root_segment/1]).
+:- use_module(rules(csg/known_surface), [polygon_face/3]).
 :- use_module(rules(csg/csg_roots), [roots_alone/0]).
 :- use_module(rules(solid/csg_evaluate), [evaluate/0]).
 :- use_module(rules(model/model), [load_model/1, save_model/1]).
@@ -419,6 +420,19 @@ from_above(Goal) :-
     picture([]),
     call(Goal).
 
+%   inner_crease(S): a crease between polygons of one named face.
+
+inner_crease(S) :-
+    drawn(_, S, E, _, _, _, crease),
+    once(e(S, E, A, B, _)),
+    findall(Id,
+            ( ( e(S, F, A, B, _) ; e(S, F, B, A, _) ),
+              edge_polygon(S, F, P),
+              polygon_face(S, P, Id)
+            ),
+            [Id1,Id2]),
+    Id1 == Id2.
+
 :- begin_tests(flat_pyramids).
 
 test(drawn, [ forall(flat(_, Term)), Count == 4 ]) :-
@@ -437,5 +451,13 @@ test(read_back, [ forall(flat(_, Term)), Count == 4 ]) :-
         delete_file(File)).
 test(kernel, [ forall(flat(_, Term)), nondet ]) :-
     in_tree(Term, from_above(( root_segment(S), same_as_rule(S, 30) ))).
+
+%   A wall of a prism that turns is one face, however much its triangles bend.
+
+test(twisted_walls, [ forall(member(Slices, [2,3,5,8])), Count == 0 ]) :-
+    in_tree(prism(outline([[0,0],[4,0],[4,4],[0,4]]), height(4), twist(60),
+                  slices(Slices)),
+            from_above(( root_segment(S),
+                         aggregate_all(count, inner_crease(S), Count) ))).
 
 :- end_tests(flat_pyramids).
