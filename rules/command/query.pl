@@ -147,11 +147,11 @@ csv_cell(Value, Cell) :-
     ->  format(string(Text), "~w", [Value])
     ;   format(string(Text), "~q", [Value])
     ),
-    split_string(Text, "\"", "", Parts),
-    (   Parts = [_],
-        split_string(Text, ",\r\n", "", [_])
+    (   \+ ( member(Special, ['"', ',', '\r', '\n']),
+             sub_string(Text, _, _, _, Special) )
     ->  Cell = Text
-    ;   atomic_list_concat(Parts, '""', Inner),
+    ;   atomic_list_concat(Parts, '"', Text),
+        atomic_list_concat(Parts, '""', Inner),
         format(string(Cell), "\"~w\"", [Inner])
     ).
 

@@ -465,7 +465,8 @@ statement_text(Statement, Text) :-
     phrase('$messages':translate_message(sanggwan(because(Statement))), Lines),
     with_output_to(string(Text0),
                    print_message_lines(current_output, '', Lines)),
-    split_string(Text0, "", "\n", [Text]).
+    string_concat(Text, "\n", Text0),   % split_string/4 parts at NUL too
+    !.
 
 because_json(because(Statement, Because), json(All)) :-
     Statement =.. [Name|Values0],

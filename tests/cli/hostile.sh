@@ -143,6 +143,15 @@ check query-table no_control "$work/out"
 bounded check "$work/h/cursor.pl" -q --json
 check json-escapes has '\u001b' "$work/out"
 
+# A NUL in a name parts no sentence and no cell.
+printf '%s\n' "segment(1, solid, named('a\\x0\\b', box(size(1, 1, 1))))." \
+  'segment(2, solid, at([translate(0.5, 0.5, 0.5)], box(size(1, 1, 1)))).' \
+  >"$work/nul.pl"
+bounded explain "$work/nul.pl" 'line(1)'
+check nul-explained status_is 0
+bounded query facts/cube.pl --format csv "X = 'a\\x0\\b', Y = 'c\"d'"
+check nul-cell is "$(tr '\0' @ <"$work/out" | tail -1)" 'a@b,"c""d"'
+
 # Answers stream, in every format; a reader who has seen enough is no error.
 for format in table csv json prolog; do
   (
