@@ -24,7 +24,7 @@ SANGGWAN = os.path.realpath(
     os.environ.get("SANGGWAN", os.path.join(ROOT, os.environ.get("B", "build"), "sanggwan")))
 SECONDS = 120
 PROGRESS = re.compile(r"\S+: \w+: (\d+ ?(s|초)$|[\d,]+ (of|/) [\d,]+, )")
-BRACKET = re.compile(r" *([\]}])|([\[{]) *")  # Prologs differ in JSON's blanks
+BRACKET = re.compile(r" *([\]}])|([\[{,:]) *")  # Prologs differ in JSON's blanks
 NUMBER = re.compile(r"[-+]?\d+\.\d+(?:[eE][-+]?\d+)?")
 
 

@@ -20,7 +20,6 @@ unsaid(messages, fault_en(result_open)).
 unsaid(messages, notice_en(opened(contacts))).
 unsaid(messages, notice_en(opened(faces))).
 unsaid(messages, notice_en(contacts(_))).
-unsaid(messages, tight_en(_,_,_,_,_,_)).
 unsaid(messages, flattened_en(_,_,_,_,_)).
 unsaid(command_en, command_en(cannot_write(_,no_folder))).
 unsaid(command_en, command_en(cannot_write(_,too_large))).
