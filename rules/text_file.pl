@@ -1,12 +1,13 @@
 :- module(sg_text_file,
-          [ with_text/4                 % +Kind, +File, -Text, :Goal
+          [ with_text/4,                % +Kind, +File, -Text, :Goal
+            with_text_again/3           % +Path, -Stream, :Goal
           ]).
 :- use_module(kernel, [atomic_scratch/3]).
 :- use_module(limits, [text_beyond/5]).
 /** <module> Files of text, looked through before they are read.
 */
 
-:- meta_predicate with_text(+, +, -, 0).
+:- meta_predicate with_text(+, +, -, 0), with_text_again(+, -, 0).
 
 %!  with_text(+Kind, +File, -Text, :Goal) is semidet.
 %
@@ -29,6 +30,19 @@ with_text(Kind, File, Text, Goal) :-
           once(Goal)
         ),
         closed(Name, Path, Stream)).
+
+%!  with_text_again(+Path, -Stream, :Goal) is semidet.
+%
+%   Call Goal once, with Stream on the Path of a text that is open already: what
+%   was warned of is not told twice.
+
+with_text_again(Path, Stream, Goal) :-
+    setup_call_cleanup(
+        open(Path, read, Stream, [encoding(utf8)]),
+        ( asserta(decoding(Stream, warned)),
+          once(Goal)
+        ),
+        closed(Path, Path, Stream)).
 
 no_limit_broken(Kind, Name, Stream) :-
     (   Kind \== csg,

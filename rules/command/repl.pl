@@ -1,6 +1,7 @@
 :- module(sg_repl,
           [ repl/0
           ]).
+:- use_module(library(prolog_wrap), [wrap_predicate/4]).
 :- use_module(help, [short_answers/0]).
 :- use_module(query, [query/2, read_goal/3]).
 :- use_module('../limits', [text_beyond/5]).

@@ -8,6 +8,7 @@
             model_float/2               % +Value, -Float
           ]).
 :- use_module('../limits', [limit_value/2]).
+:- use_module('../text_file', [with_text_again/3]).
 :- use_module('../store', [relation/3, relation_column/5, column_domain/3]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [member/2]).
@@ -148,10 +149,9 @@ place_error(Place, _, What) :-
 %   characters up to the argument give line and column.
 
 argument_location(place(_, Path, Position), Argument, Line, Column) :-
-    setup_call_cleanup(
-        open(Path, read, Stream, [encoding(utf8)]),
-        ( asserta(decoding(Stream, warned)),
-          set_stream_position(Stream, Position),
+    with_text_again(
+        Path, Stream,
+        ( set_stream_position(Stream, Position),
           read_term(Stream, _, [ module(sg_model_syntax),
                                  subterm_positions(term_position(
                                      _, _, _, _, Places)) ]),
@@ -163,9 +163,6 @@ argument_location(place(_, Path, Position), Argument, Line, Column) :-
           line_count(Stream, Line),
           line_position(Stream, Column0),
           Column is Column0+1
-        ),
-        ( retractall(decoding(Stream, _)),
-          close(Stream)
         )).
 
 nth_place(1, [Place|_], From) :-

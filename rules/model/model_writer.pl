@@ -170,12 +170,14 @@ are_listed(S) :-
     Edges = next(Next),
     Next =:= Count+1.
 
-%   follow(Es, S, Edges): Es are real edges of S from the one that is next.
+%   follow(Es, S, Edges): Es are real edges of S from the one that is next, and
+%   a list of vertices says them all.
 
 follow(Es, S, Edges) :-
     arg(1, Edges, Next0),
     consecutive(Es, Next0, Next),
-    real_edges(Es, S, _),
+    real_edges(Es, S, Pairs),
+    edges_vertex_list(Pairs, _),
     nb_setarg(1, Edges, Next).
 
 write_listed(Stream, S, P, Es) :-
