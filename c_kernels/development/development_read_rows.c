@@ -134,6 +134,9 @@ sg_door_edge_joint(sg_call *call, sg_development *d, int32_t e, int32_t *number)
   uint32_t side = place == SIZE_MAX ? SG_NO_SIDE_OF : d->faces.side_of[place];
   uint32_t j = side == SG_NO_SIDE_OF ? SG_NO_JOINT : d->joints.of_side[side];
 
-  *number = (int32_t)j + 1;
-  return j != SG_NO_JOINT;
+  if (j == SG_NO_JOINT) {
+    return false;
+  }
+  *number = (int32_t)(j + 1);
+  return true;
 }

@@ -222,17 +222,17 @@ join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
             const sg_poll *poll)
 {
   rooted r = {.j = j, .tree = tree};
-  const sg_bvh_pair pair = {tree, tree};
   sg_bvh_hits found = {0};
 
-  j->pair = &pair;
+  j->only = (sg_bvh_pair){tree, tree};
+  j->pair = &j->only;
   bool good =
       sg_fans_open(tree, read_place, &r, j->of->by_place, &r.fans) &&
       (j->of->reach > 0 || sg_spines_open(tree, read_place, &r, &r.spines)) &&
       sg_bvh_join_itself(tree, j->of->reach, wants_pair, j,
                          r.fans || r.spines ? are_apart : NULL, &r, crew, poll,
                          &found) &&
-      take(j, &found, &pair);
+      take(j, &found, j->pair);
 
   sg_fans_close(r.fans);
   sg_spines_close(r.spines);
@@ -298,11 +298,11 @@ meet_faces(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
     box[f] = j->face[f].box;
   }
   sg_bvh *faces = box ? sg_bvh_open(box, j->faces, poll) : NULL;
-  const sg_bvh_pair pair = {faces, tree};
 
-  j->pair = &pair;
-  bool good =
-      faces && sg_bvh_join_wanted(&pair, 1, 0, wants_face, j, crew, poll, out);
+  j->only = (sg_bvh_pair){faces, tree};
+  j->pair = &j->only;
+  bool good = faces &&
+              sg_bvh_join_wanted(j->pair, 1, 0, wants_face, j, crew, poll, out);
 
   for (size_t i = 0; i < out->n; i++) {
     sg_bvh_hit *hit = &out->hit[i];

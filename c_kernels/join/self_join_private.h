@@ -33,6 +33,7 @@ typedef struct sg_self_joiner {
   sg_key_table corner;     /* face, vertex */
   sg_key_table border;     /* face, two vertices -> how many triangles */
   const sg_bvh_pair *pair; /* of the join under way */
+  sg_bvh_pair only;        /* where it has one */
   sg_bvh_hits hits;
 } sg_self_joiner;
 

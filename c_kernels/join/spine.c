@@ -261,11 +261,11 @@ arc_at(const sg_spines *s, const spine *one, unsigned level, size_t at)
 {
   sg_fan_triangle t;
 
-  if (level > 0) {
-    return one->level[level][at];
+  if (level == 0) {
+    s->read(s->data, at, &t);
+    return arc_of(one, &t);
   }
-  s->read(s->data, at, &t);
-  return arc_of(one, &t);
+  return one->level[level][at];
 }
 
 /* False: no memory. */

@@ -113,7 +113,7 @@ is_right(void)
 static bool
 needle_is_right(int *on)
 {
-  double from[3], way[3] = {0};
+  double from[3] = {0}, way[3] = {0};
   sg_point v[3], p;
   int t[3], lo, hi, place = rand() % 7;
   bool beside;
