@@ -25,6 +25,7 @@ SANGGWAN = os.path.realpath(
 SECONDS = 120
 PROGRESS = re.compile(r"\S+: \w+: (\d+ ?(s|초)$|[\d,]+ (of|/) [\d,]+, )")
 BRACKET = re.compile(r" *([\]}])|([\[{,:]) *")  # Prologs differ in JSON's blanks
+PROLOG = re.compile(r"\(SWI-Prolog [\d.]+\)")
 NUMBER = re.compile(r"[-+]?\d+\.\d+(?:[eE][-+]?\d+)?")
 
 
@@ -68,7 +69,8 @@ def said_by(command, folder, environment):
               if not PROGRESS.match(line)]
     if done.returncode:
         lines.append("  [%d]" % done.returncode)
-    lines = [line.replace(folder, "FOLDER").rstrip() for line in lines]
+    lines = [PROLOG.sub("(SWI-Prolog)", line.replace(folder, "FOLDER")).rstrip()
+             for line in lines]
     while lines and not lines[-1]:
         lines.pop()
     return lines
