@@ -296,19 +296,6 @@ sg_door_functor(term_t t, functor_t functor, const char *type)
                             : PL_type_error(type, t));
 }
 
-int
-sg_door_length(term_t list, size_t *n)
-{
-  switch (PL_skip_list(list, 0, n)) {
-  case PL_LIST:
-    return TRUE;
-  case PL_PARTIAL_LIST:
-    return PL_instantiation_error(list);
-  default:
-    return PL_type_error("list", list);
-  }
-}
-
 static int
 compare_ids(const void *x, const void *y)
 {
@@ -345,7 +332,7 @@ get_symbol(sg_call *call, term_t t, int32_t *out)
   }
   if (atom != last) {
     symbol = sg_intern_atom(atom);
-    last = symbol < 0 ? 0 : atom;
+    last = symbol < 0 ? 0 : sg_symbol_atom(symbol); /* kept for ever */
   }
   *out = symbol;
   return symbol >= 0 || sg_call_no_memory(call);

@@ -157,8 +157,6 @@ put_bytes(term_t t, const sg_bytes *x)
 int sg_door_word(term_t t, const atom_t *word, int n, const char *type);
 /* t is such a term: instantiation_error, type_error(type, t). */
 int sg_door_functor(term_t t, functor_t functor, const char *type);
-/* The length of a list, as glue.h has it. */
-int sg_door_length(term_t list, size_t *n);
 /* Among many steps: false if Prolog wants to stop. */
 static inline int
 sg_door_goes_on(size_t i)
@@ -175,7 +173,7 @@ sg_door_goes_on(size_t i)
     size_t n;                                                                  \
                                                                                \
     *out = (LIST){0};                                                          \
-    if (!sg_door_length(t, &n) ||                                              \
+    if (!sg_list_length_ex(t, &n) ||                                           \
         (n > 0 && !(out->at = sg_call_alloc(call, n * sizeof *out->at)))) {    \
       return FALSE;                                                            \
     }                                                                          \

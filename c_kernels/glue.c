@@ -66,9 +66,8 @@ sg_get_finites_ex(term_t first, size_t n, double *out)
   return TRUE;
 }
 
-/* The length of a proper list, or an exception. */
-static int
-list_length_ex(term_t list, size_t *n)
+int
+sg_list_length_ex(term_t list, size_t *n)
 {
   switch (PL_skip_list(list, 0, n)) {
   case PL_LIST:
@@ -87,7 +86,7 @@ sg_get_ids_ex(term_t list, int32_t **out, size_t *n)
   int32_t *ids = NULL;
 
   *out = NULL;
-  if (!list_length_ex(list, n)) {
+  if (!sg_list_length_ex(list, n)) {
     return FALSE;
   }
   if (*n && !(ids = malloc(*n * sizeof *ids))) {
@@ -145,7 +144,7 @@ sg_get_doubles_ex(term_t list, double **out, size_t *n)
   double *numbers = NULL;
 
   *out = NULL;
-  if (!list_length_ex(list, n)) {
+  if (!sg_list_length_ex(list, n)) {
     return FALSE;
   }
   if (*n && !(numbers = malloc(*n * sizeof *numbers))) {

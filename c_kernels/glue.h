@@ -21,6 +21,8 @@ int sg_get_int32_ex(term_t t, int32_t *out);
 int sg_get_finite_ex(term_t t, double *out);
 /* n finite numbers, each a term of its own. */
 int sg_get_finites_ex(term_t first, size_t n, double *out);
+/* The length of a proper list: instantiation_error, type_error(list). */
+int sg_list_length_ex(term_t list, size_t *n);
 /* A proper list of ids into a fresh array (*out null when empty); free() it. */
 int sg_get_ids_ex(term_t list, int32_t **out, size_t *n);
 /* The same for a set of ids: ascending, each once. */

@@ -79,8 +79,8 @@ sg_looks_of(sg_call *call, const sg_ranked_look_list *looks)
 
 /* ---- parts ---- */
 
-static bool
-get_point(sg_call *call, const sg_sheet_point *p, int64_t out[2])
+bool
+sg_sheet_point_at(sg_call *call, const sg_sheet_point *p, int64_t out[2])
 {
   const int64_t far = INT64_C(1) << 52;
 
@@ -110,8 +110,8 @@ sg_parts_add(sg_call *call, const sg_sheet_part_list *parts, int argument,
       return sg_call_domain(call, "look", argument);
     }
     part.look = (uint32_t)last;
-    if (!get_point(call, &from->a, part.a) ||
-        !get_point(call, &from->b, part.b) ||
+    if (!sg_sheet_point_at(call, &from->a, part.a) ||
+        !sg_sheet_point_at(call, &from->b, part.b) ||
         !sg_stroke_parts_add(call, out, part)) {
       return false;
     }

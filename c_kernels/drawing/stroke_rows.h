@@ -16,6 +16,9 @@ sg_stroke_look *sg_looks_of(sg_call *call, const sg_ranked_look_list *looks);
 size_t sg_looks_find(const sg_ranked_look_list *looks, int32_t visibility,
                      int32_t role, size_t last);
 
+/* domain_error(sheet_coordinate, X): not below 2^52. */
+bool sg_sheet_point_at(sg_call *call, const sg_sheet_point *p, int64_t out[2]);
+
 SG_CALL_LIST(sg_stroke_parts, sg_stroke_part);
 
 /* Adds parts: domain_error(look, Argument), domain_error(sheet_coordinate, X).

@@ -1,21 +1,6 @@
 /* travel_rows.c -- travel_order/3. */
-#include "doors/drawing.h"
+#include "stroke_rows.h"
 #include "travel.h"
-
-static bool
-is_on_sheet(sg_call *call, const sg_sheet_point *p, int64_t out[2])
-{
-  const int64_t far = INT64_C(1) << 52;
-
-  out[0] = p->x;
-  out[1] = p->y;
-  for (int k = 0; k < 2; k++) {
-    if (out[k] <= -far || out[k] >= far) {
-      return sg_call_domain_of(call, "sheet_coordinate", out[k]);
-    }
-  }
-  return true;
-}
 
 bool
 sg_door_travel_order(sg_call *call, const sg_sheet_point *start,
@@ -27,7 +12,7 @@ sg_door_travel_order(sg_call *call, const sg_sheet_point *start,
   int64_t *order = sg_call_alloc(call, n * sizeof *order), from[2];
   bool memory;
 
-  if (!line || !order || !is_on_sheet(call, start, from)) {
+  if (!line || !order || !sg_sheet_point_at(call, start, from)) {
     return false;
   }
   for (size_t i = 0; i < n; i++) {
@@ -36,8 +21,8 @@ sg_door_travel_order(sg_call *call, const sg_sheet_point *start,
     if (points->n == 0) {
       return sg_call_domain(call, "stroke", 2);
     }
-    if (!is_on_sheet(call, &points->at[0], line[i].at[0]) ||
-        !is_on_sheet(call, &points->at[points->n - 1], line[i].at[1])) {
+    if (!sg_sheet_point_at(call, &points->at[0], line[i].at[0]) ||
+        !sg_sheet_point_at(call, &points->at[points->n - 1], line[i].at[1])) {
       return false;
     }
   }
