@@ -100,6 +100,14 @@ sg_call_missing(sg_call *call, const char *what, int argument)
 }
 
 bool
+sg_call_missing_id(sg_call *call, const char *what, int64_t id)
+{
+  return refuse(
+      call,
+      (sg_refusal){.how = SG_REFUSED_EXISTENCE, .what = what, .number = id});
+}
+
+bool
 sg_call_forbidden(sg_call *call, const char *action, const char *what,
                   int argument)
 {
@@ -135,6 +143,32 @@ sg_call_status(sg_call *call, sg_status status, sg_relation relation,
                                    .status = status,
                                    .relation = relation,
                                    .fault = fault ? *fault : (sg_fault){0}});
+}
+
+/* ---- rows ---- */
+
+int32_t
+sg_call_fresh(sg_call *call, sg_world *world, sg_relation relation, int32_t s)
+{
+  int32_t id = sg_world_fresh(world, relation, s);
+
+  if (id == 0) {
+    refuse(call, (sg_refusal){.how = SG_REFUSED_RESOURCE, .what = "fresh_ids"});
+  } else if (id < 0) {
+    sg_call_no_memory(call);
+  }
+  return id > 0 ? id : 0;
+}
+
+bool
+sg_call_add_row(sg_call *call, sg_world *world, sg_relation relation,
+                const sg_value *row)
+{
+  sg_fault fault = {0};
+  sg_row out;
+
+  return sg_call_status(call, sg_world_add(world, relation, row, &out, &fault),
+                        relation, &fault);
 }
 
 /* ---- memory ---- */

@@ -24,6 +24,7 @@
 typedef enum sg_refused {
   SG_REFUSED_NOTHING,
   SG_REFUSED_MEMORY,         /* resource_error(memory) */
+  SG_REFUSED_RESOURCE,       /* resource_error(what) */
   SG_REFUSED_DOMAIN,         /* domain_error(what, culprit) */
   SG_REFUSED_EXISTENCE,      /* existence_error(what, culprit) */
   SG_REFUSED_PERMISSION,     /* permission_error(action, what, culprit) */
@@ -75,12 +76,19 @@ bool sg_call_forbidden(sg_call *call, const char *action, const char *what,
                        int argument);
 /* The same of numbers that are no argument. */
 bool sg_call_domain_of(sg_call *call, const char *what, int64_t number);
+bool sg_call_missing_id(sg_call *call, const char *what, int64_t id);
 bool sg_call_forbidden_id(sg_call *call, const char *action, const char *what,
                           int64_t id);
 bool sg_call_cannot_hold(sg_call *call, const char *what);
 /* SG_OK: true. */
 bool sg_call_status(sg_call *call, sg_status status, sg_relation relation,
                     const sg_fault *fault);
+
+/* sg_world_fresh(); 0: refused. */
+int32_t sg_call_fresh(sg_call *call, sg_world *world, sg_relation relation,
+                      int32_t s);
+bool sg_call_add_row(sg_call *call, sg_world *world, sg_relation relation,
+                     const sg_value *row);
 
 /* Memory until the call is closed, null: refused. The second also moves what
  * the first or it gave; `at` may be null. */

@@ -41,6 +41,8 @@ raise_refusal(const sg_refusal *r, term_t t0)
     break;
   case SG_REFUSED_MEMORY:
     return sg_no_memory();
+  case SG_REFUSED_RESOURCE:
+    return PL_resource_error(r->what);
   case SG_REFUSED_DOMAIN:
     return PL_domain_error(r->what, culprit);
   case SG_REFUSED_EXISTENCE:
@@ -71,6 +73,7 @@ sg_door_close(sg_call *call, term_t t0, int done)
 typedef struct answers {
   sg_call call;
   size_t n, next;
+  bool fresh; /* every answer fits: the outputs are variables, all different */
   max_align_t rows[];
 } answers;
 
@@ -81,6 +84,25 @@ drop_answers(answers *a)
   free(a);
 }
 
+static bool
+are_fresh(term_t t0, unsigned outputs)
+{
+  for (unsigned i = 0; outputs >> i != 0; i++) {
+    if (!(outputs >> i & 1)) {
+      continue;
+    }
+    if (!PL_is_variable(t0 + i)) {
+      return false;
+    }
+    for (unsigned k = 0; k < i; k++) {
+      if (outputs >> k & 1 && PL_compare(t0 + i, t0 + k) == 0) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /* The first answer from `i` on that fits, which is tried, not kept. The number
  * of rows: there is none, or an exception. */
 static size_t
@@ -89,6 +111,9 @@ find_answer(const answers *a, term_t t0, size_t i,
 {
   size_t n = a->n;
 
+  if (a->fresh) {
+    return i;
+  }
   for (; i < n; i++) {
     fid_t frame = PL_open_foreign_frame();
     int fits = frame && answer(t0, a->rows, i);
@@ -108,7 +133,7 @@ find_answer(const answers *a, term_t t0, size_t i,
 }
 
 foreign_t
-sg_door_answer(term_t t0, control_t control, size_t size,
+sg_door_answer(term_t t0, unsigned outputs, control_t control, size_t size,
                int (*ask)(sg_call *call, term_t t0, void *rows, size_t *n),
                int (*answer)(term_t t0, const void *rows, size_t i))
 {
@@ -130,6 +155,7 @@ sg_door_answer(term_t t0, control_t control, size_t size,
       free(a);
       return FALSE;
     }
+    a->fresh = are_fresh(t0, outputs);
     a->next = find_answer(a, t0, 0, answer);
   }
   size_t here = a->next, n = a->n;

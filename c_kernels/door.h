@@ -21,11 +21,12 @@ foreign_t sg_door_close(sg_call *call, term_t t0, int done);
 
 /* A nondeterministic door. At the first call `ask` fills *rows, a list of
  * call.h of `size` bytes, with all answers; `answer` unifies the arguments with
- * the i-th. The last one that fits leaves no choice point. */
-foreign_t sg_door_answer(term_t t0, control_t control, size_t size,
-                         int (*ask)(sg_call *call, term_t t0, void *rows,
-                                    size_t *n),
-                         int (*answer)(term_t t0, const void *rows, size_t i));
+ * the i-th. The last one that fits leaves no choice point. `outputs`: bit k,
+ * t0 + k may be unbound. */
+foreign_t
+sg_door_answer(term_t t0, unsigned outputs, control_t control, size_t size,
+               int (*ask)(sg_call *call, term_t t0, void *rows, size_t *n),
+               int (*answer)(term_t t0, const void *rows, size_t i));
 
 /* ---- handles ---- */
 
@@ -203,6 +204,28 @@ sg_door_goes_on(size_t i)
       PL_reset_term_refs(rest);                                                \
     }                                                                          \
     return TRUE;                                                               \
+  }
+
+/* put_list_TYPE() of objects; owns all of them, also after a failure. */
+#define SG_DOOR_PUT_HANDLES(TYPE, LIST)                                        \
+  static int put_list_##TYPE(term_t t, const LIST *x)                          \
+  {                                                                            \
+    term_t head = PL_new_term_ref(), rest;                                     \
+    int good = TRUE;                                                           \
+                                                                               \
+    PL_put_nil(t);                                                             \
+    for (size_t i = x->n; i > 0; i--) {                                        \
+      rest = PL_new_term_ref();                                                \
+      if (!(good = good && sg_door_goes_on(i))) {                              \
+        sg_handle_type_##TYPE.free(x->at[i - 1]);                              \
+      } else {                                                                 \
+        PL_put_variable(head);                                                 \
+        good = sg_handle_unify(head, &sg_handle_type_##TYPE, x->at[i - 1]) &&  \
+               PL_cons_list(t, head, t);                                       \
+      }                                                                        \
+      PL_reset_term_refs(rest);                                                \
+    }                                                                          \
+    return good;                                                               \
   }
 
 #endif

@@ -15,7 +15,7 @@ glue(Topics) :-
            format("#include \"doors/~w.h\"~n", [Topic])),
     findall(Door, ( member(topic(_,Doors), Topics), member(Door, Doors) ), All),
     used(All, [+,-,?], Types),
-    used(All, [+], In),
+    used(All, [+,?], In),
     used(All, [-,?], Out),
     forall(member(Type, Types), names(Type)),
     forall(member(Type, In), reader(Type)),
@@ -34,7 +34,8 @@ names(_).
 names(handle(Struct,Free,_), Type) :-
     format("~nstatic void~nfree_~w(void *object)~n{~n", [Type]),
     format("  ~w((~w *)object);~n}~n", [Free,Struct]),
-    format("static sg_handle_type handle_~w =~n", [Type]),
+    format("extern sg_handle_type sg_handle_type_~w;~n", [Type]),
+    format("sg_handle_type sg_handle_type_~w =~n", [Type]),
     format("  SG_HANDLE_TYPE(\"~w\", free_~w);~n", [Type,Type]).
 names(words(_,_,Words), Type) :-
     length(Words, N),
@@ -118,6 +119,11 @@ read_alternative_field(Member, Field:Type, I0, I) :-
 %   writer(Type): put_TYPE(); words are passed by value, others by address.
 
 writer(list(Type)) :-
+    is_handle(Type),
+    !,
+    c_list(Type, List),
+    format("~nSG_DOOR_PUT_HANDLES(~w, ~w)~n", [Type,List]).
+writer(list(Type)) :-
     !,
     type_name(Type, Name),
     c_list(Type, List),
@@ -194,13 +200,16 @@ wrapper(door(Name,Arguments,nondet)) :-
     answerer(Name, Arguments),
     asker(Name, Arguments),
     prolog_function(Name, Arguments),
-    format("  return sg_door_answer(t0, control, sizeof(sg_~w_rows), ", [Name]),
-    format("ask_~w, answer_~w);~n}~n", [Name,Name]).
+    findall(Bit, ( nth0(I, Arguments, arg(Mode,_,_)), Mode \== (+),
+                   Bit is 1<<I ), Bits),
+    sum_list(Bits, Outputs),
+    format("  return sg_door_answer(t0, ~d, control, ", [Outputs]),
+    format("sizeof(sg_~w_rows), ask_~w, answer_~w);~n}~n", [Name,Name,Name]).
 wrapper(door(Name,Arguments,_)) :-
     prolog_function(Name, Arguments),
     format("  (void)control;~n"),
     (   closes(Name, Arguments, Type)
-    ->  format("  return (foreign_t)sg_handle_close(t0, &handle_~w);~n",
+    ->  format("  return (foreign_t)sg_handle_close(t0, &sg_handle_type_~w);~n",
                [Type])
     ;   wrapped(Name, Arguments)
     ),
@@ -222,7 +231,8 @@ asker(Name, Arguments) :-
     format("  int done = "),
     conjunction(Arguments, input),
     format("sg_door_~w(call", [Name]),
-    forall(( nth0(I, Arguments, arg(+,_,Type)) ), passed(+, Type, I)),
+    forall(( nth0(I, Arguments, arg(Mode,_,Type)), Mode \== (-) ),
+           passed(Mode, Type, I)),
     format(", rows);~n~n"),
     finish(Arguments),
     format("  (void)t0;~n  *n = ((const sg_~w_rows *)rows)->n;~n", [Name]),
@@ -245,7 +255,8 @@ answerer(Name, Arguments) :-
     format("TRUE;~n}~n").
 
 inputs(Arguments) :-
-    forall(nth0(I, Arguments, arg(+,_,Type)), variable(+, Type, I)).
+    forall(( nth0(I, Arguments, arg(Mode,_,Type)), Mode \== (-) ),
+           variable(Mode, Type, I)).
 
 wrapped(Name, Arguments) :-
     format("  sg_call here, *call = &here;~n"),
@@ -270,31 +281,47 @@ variable(+, Type, I) :-
     type(Type, handle(_,_,_)),
     !,
     format("  sg_handle *x~d = NULL;~n", [I]).
-variable(_, Type, I) :-
+variable(Mode, Type, I) :-
     c_type(Type, CType),
-    format("  ~w x~d = {0};~n", [CType,I]).
+    format("  ~w x~d = {0};~n", [CType,I]),
+    (   Mode == (?)
+    ->  format("  const ~w *given~d = NULL;~n", [CType,I])
+    ;   true
+    ).
 
 %   Handles are unified first: they are owned then.
 
 conjunction(Arguments, What) :-
-    forall(( nth0(I, Arguments, arg(Mode,_,Type)), is_handle(Type) ),
+    forall(( nth0(I, Arguments, arg(Mode,_,Type)), has_handles(Type) ),
            conjunct(What, Mode, Type, I)),
-    forall(( nth0(I, Arguments, arg(Mode,_,Type)), \+ is_handle(Type) ),
+    forall(( nth0(I, Arguments, arg(Mode,_,Type)), \+ has_handles(Type) ),
            conjunct(What, Mode, Type, I)).
+
+has_handles(list(Type)) :-
+    !,
+    is_handle(Type).
+has_handles(Type) :-
+    is_handle(Type).
 
 conjunct(input, +, Type, I) :-
     !,
     type_name(Type, Name),
     (   is_handle(Type)
-    ->  format("sg_handle_get(t0 + ~d, &handle_~w, &x~d) &&~n    ",
+    ->  format("sg_handle_get(t0 + ~d, &sg_handle_type_~w, &x~d) &&~n    ",
                [I,Type,I])
     ;   format("get_~w(call, t0 + ~d, &x~d) &&~n    ", [Name,I,I])
     ).
+conjunct(input, ?, Type, I) :-
+    !,
+    type_name(Type, Name),
+    format("(PL_is_variable(t0 + ~d) ||~n     ", [I]),
+    format("(get_~w(call, t0 + ~d, &x~d) && (given~d = &x~d))) &&~n    ",
+           [Name,I,I,I,I]).
 conjunct(output, -, Type, I) :-
     !,
     type_name(Type, Name),
     (   is_handle(Type)
-    ->  format("sg_handle_unify(t0 + ~d, &handle_~w, x~d) &&~n    ",
+    ->  format("sg_handle_unify(t0 + ~d, &sg_handle_type_~w, x~d) &&~n    ",
                [I,Type,I])
     ;   by_value(Type)
     ->  format("put_~w(r, x~d) && PL_unify(t0 + ~d, r) &&~n    ", [Name,I,I])
@@ -309,6 +336,9 @@ passed(+, Type, I) :-
     ->  format(", x~d->object", [I])
     ;   format(", x~d", [I])
     ).
+passed(?, _, I) :-
+    !,
+    format(", given~d", [I]).
 passed(_, _, I) :-
     format(", &x~d", [I]).
 

@@ -97,7 +97,7 @@ prototype(door(Name,Arguments,nondet)) :-
     format("} sg_~w_row;~n~nSG_CALL_LIST(sg_~w_rows, sg_~w_row);~n~n",
            [Name,Name,Name]),
     format("bool sg_door_~w(sg_call *call", [Name]),
-    forall(( member(Argument, Arguments), Argument = arg(+,_,_) ),
+    forall(( member(Argument, Arguments), \+ Argument = arg(-,_,_) ),
            ( parameter(Argument, Parameter),
              format(", ~w", [Parameter]) )),
     format(", sg_~w_rows *rows);~n~n", [Name]).
@@ -111,6 +111,9 @@ prototype(door(Name,Arguments,_)) :-
 parameter(arg(-,Name,Type), Parameter) :-
     c_type(Type, CType),
     format(atom(Parameter), "~w *~w", [CType,Name]).
+parameter(arg(?,Name,Type), Parameter) :-
+    c_type(Type, CType),
+    format(atom(Parameter), "const ~w *~w", [CType,Name]).
 parameter(arg(+,Name,Type), Parameter) :-
     c_type(Type, CType),
     (   by_value(Type)

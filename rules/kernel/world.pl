@@ -105,7 +105,7 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %   Depth), P the lowest polygon, Depth how many other shells of the segment go
 %   round it; Defects are Kind-Count of census_defect/4.
 
-%!  census_defect(?Kind:defect_kind, ?S:int, ?A:int, ?B:int) is nondet.
+%!  census_defect(-Kind:defect_kind, -S:int, -A:int, -B:int) is nondet.
 %
 %   True when segment S has a defect of this Kind; A and B as
 %   c_kernels/model/census.h says. One pass over the world a call.
