@@ -43,6 +43,26 @@ sg_call_claim(sg_call *call)
   return world && sg_world_claim(world, &call->poll) ? world : NULL;
 }
 
+const sg_version *
+sg_call_version(sg_call *call)
+{
+  sg_world *world = sg_call_world(call);
+
+  if (world && !call->version && !(call->version = sg_world_version(world))) {
+    sg_call_no_memory(call);
+  }
+  return call->version;
+}
+
+sg_crew *
+sg_call_crew(sg_call *call)
+{
+  if (!call->crew && !(call->crew = sg_crew_open(0))) {
+    sg_call_no_memory(call);
+  }
+  return call->crew;
+}
+
 /* ---- refusals ---- */
 
 static bool
@@ -215,8 +235,18 @@ sg_call_adopt(sg_call *call, void *memory)
 }
 
 void
+sg_call_rest(sg_call *call)
+{
+  sg_version_drop(call->version);
+  sg_crew_close(call->crew);
+  call->version = NULL;
+  call->crew = NULL;
+}
+
+void
 sg_call_close(sg_call *call)
 {
+  sg_call_rest(call);
   while (call->blocks) {
     block *b = call->blocks;
 

@@ -14,6 +14,7 @@
 #ifndef SG_CALL_H
 #define SG_CALL_H
 
+#include "crew.h"
 #include "poll.h"
 
 #include "engine/store.h"
@@ -49,6 +50,8 @@ typedef struct sg_call {
   bool stopped;                  /* it said stop */
   sg_world *(*find_world)(void); /* a world that is whole; null: refused */
   sg_world *world;               /* borrowed; null: not asked for yet */
+  const sg_version *version;     /* held; null: the same */
+  sg_crew *crew;                 /* the same */
   sg_refusal refusal;
   struct sg_call_block *blocks; /* private */
 } sg_call;
@@ -56,12 +59,18 @@ typedef struct sg_call {
 /* A call of nothing yet; `find_world` may be null if call->world is set. */
 void sg_call_open(sg_call *call, const sg_poll *host,
                   sg_world *(*find_world)(void));
-/* Frees what it has. */
+/* Lets the version and the crew go: the memory is still good. */
+void sg_call_rest(sg_call *call);
+/* The same, and frees what it has. */
 void sg_call_close(sg_call *call);
 
 /* The current world, whole; null: there is none, and the caller knows why. */
 sg_world *sg_call_world(sg_call *call);
-/* The same, claimed for writing: sg_world_release() it. Null: also a stop. */
+/* Its version when this was asked first, and threads to work with; both until
+ * the call rests or is closed. Null: refused. */
+const sg_version *sg_call_version(sg_call *call);
+sg_crew *sg_call_crew(sg_call *call);
+/* The world, claimed for writing: sg_world_release() it. Null: also a stop. */
 sg_world *sg_call_claim(sg_call *call);
 
 /* All of these return false. The first that is refused counts. */

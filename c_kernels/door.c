@@ -155,6 +155,7 @@ sg_door_answer(term_t t0, unsigned outputs, control_t control, size_t size,
       free(a);
       return FALSE;
     }
+    sg_call_rest(&a->call);
     a->fresh = are_fresh(t0, outputs);
     a->next = find_answer(a, t0, 0, answer);
   }

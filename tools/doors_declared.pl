@@ -25,8 +25,9 @@
 
 %   type(Type, What), in the order of the file: What is
 %   handle(Struct, Free, Close), words(Enum, Header, Words),
-%   record(Struct, Header, Name, Fields) or either(Struct, Alternatives);
-%   Close, Header and Enum are `-` where there is none.
+%   record(Struct, Header, Name, Fields), dict(Struct, Fields) or
+%   either(Struct, Alternatives). Close, Header and Enum are `-` where there is
+%   none.
 
 %   by_hand(Topic, Doors)
 
@@ -57,6 +58,8 @@ type_of_term(record(Type,Term), Type, record(Struct,-,Name,Fields)) :-
 type_of_term(record(Type,Struct,Header,Term), Type,
              record(Struct,Header,Name,Fields)) :-
     Term =.. [Name|Fields].
+type_of_term(dict(Type,Fields), Type, dict(Struct,Fields)) :-
+    atom_concat(sg_, Type, Struct).
 type_of_term(either(Type,Alternatives), Type, either(Struct,Alternatives)) :-
     atom_concat(sg_, Type, Struct).
 
@@ -101,6 +104,7 @@ c_type_of(words(Enum0,_,_), Enum) :-
     ;   Enum = Enum0
     ).
 c_type_of(record(Struct,_,_,_), Struct).
+c_type_of(dict(Struct,_), Struct).
 c_type_of(either(Struct,_), Struct).
 
 c_list(id, sg_int_list) :- !.
@@ -277,6 +281,9 @@ part(Type, Part) :-
     type(Type, record(_,_,_,Fields)),
     member(_:Part, Fields),
     Part \== any.
+part(Type, Part) :-
+    type(Type, dict(_,Fields)),
+    member(_:Part, Fields).
 part(Type, Part) :-
     type(Type, either(_,Alternatives)),
     member(Alternative, Alternatives),

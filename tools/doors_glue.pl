@@ -42,6 +42,9 @@ names(words(_,_,Words), Type) :-
     format("~nstatic atom_t word_~w[~d];~n", [Type,N]).
 names(record(_,_,_,_), Type) :-
     format("~nstatic functor_t functor_~w;~n", [Type]).
+names(dict(_,Fields), Type) :-
+    length(Fields, N),
+    format("~nstatic atom_t word_~w[~d];~n", [Type,N]).
 names(either(_,Alternatives), Type) :-
     length(Alternatives, N),
     format("~nstatic atom_t word_~w[~d];~nstatic functor_t functor_~w[~d];~n",
@@ -147,6 +150,10 @@ writer(words(_,_,_), Type) :-
 writer(record(_,_,_,Fields), Type) :-
     write_fields(Fields, "x->", "  "),
     format("PL_cons_functor_v(t, functor_~w, a);~n", [Type]).
+writer(dict(_,Fields), Type) :-
+    length(Fields, N),
+    write_fields(Fields, "x->", "  "),
+    format("PL_put_dict(t, 0, ~d, word_~w, a);~n", [N,Type]).
 writer(either(_,Alternatives), Type) :-
     format("  switch (x->is) {~n"),
     foldl(write_alternative(Type), Alternatives, 0, _),
@@ -366,6 +373,9 @@ install_type(record(_,_,Name,Fields), Type) :-
     length(Fields, Arity),
     format("  functor_~w = PL_new_functor(PL_new_atom(\"~w\"), ~d);~n",
            [Type,Name,Arity]).
+install_type(dict(_,Fields), Type) :-
+    findall(Key, member(Key:_, Fields), Keys),
+    foldl(install_word(Type), Keys, 0, _).
 install_type(either(_,Alternatives), Type) :-
     foldl(install_alternative(Type), Alternatives, 0, _).
 

@@ -53,6 +53,8 @@ declaration(words(-,_,Words), Type) :-
 declaration(words(Enum,Header,_), _) :-
     Enum \== (-),
     format("#include \"~w\"~n", [Header]).
+declaration(dict(Struct,Fields), Type) :-
+    declaration(record(Struct,-,_,Fields), Type).
 declaration(record(Struct,-,_,Fields), _) :-
     !,
     format("typedef struct ~w {~n", [Struct]),

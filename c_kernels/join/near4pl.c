@@ -85,8 +85,7 @@ list_segments_ex(const sg_version *version, const wanted *of, boxed *out)
 
 /* Boxes: of trees that are kept, else from the vertices. */
 static int
-find_boxes_ex(sg_world *world, const sg_version *version, sg_crew *crew,
-              boxed *out)
+find_boxes_ex(const sg_version *version, sg_crew *crew, boxed *out)
 {
   int32_t *missing = malloc((out->n + 1) * sizeof *missing);
   sg_box *box = malloc((out->n + 1) * sizeof *box);
@@ -95,7 +94,7 @@ find_boxes_ex(sg_world *world, const sg_version *version, sg_crew *crew,
   int good = missing && box && sg_version_view(version, SG_V, &vertices);
 
   for (size_t i = 0; i < out->n && good; i++) {
-    if (!sg_kept_box(world, version, out->s[i], &out->box[i])) {
+    if (!sg_kept_box(version, out->s[i], &out->box[i])) {
       missing[m++] = out->s[i];
     }
   }
@@ -233,7 +232,7 @@ find_near_ex(double reach, const wanted *of, near_pairs **out)
   const sg_version *version = sg_world_version(world);
   sg_crew *crew = sg_crew_open(0);
   int good = (crew || sg_no_memory()) && list_segments_ex(version, of, &all) &&
-             find_boxes_ex(world, version, crew, &all) &&
+             find_boxes_ex(version, crew, &all) &&
              join_boxes_ex(&all, reach, &hits) &&
              drop_apart_ex(version, &all, reach, crew, &hits) &&
              put_pairs_ex(&all, &hits, out);

@@ -17,21 +17,21 @@ Foreign predicates; see kernel.pl.
 %   the first Most of each as meeting(Kind, P1, P2, X, Y, Z), P1 =< P2, in the
 %   order of the polygons: something they have in common is at X, Y, Z.
 
-/* - - - operand4pl.c - - - */
+/* - - - operand_rows.c - - - */
 
-%!  segments_meeting_themselves(+Segments:list, -Which:list) is det.
+%!  segments_meeting_themselves(+Segments:set(id), -Which:list(id)) is det.
 %
 %   Which are those of Segments, each there once, for which
 %   segment_meets_itself/1 is true; ascending. Cheaper than one by one.
 
-%!  segment_meets_itself(+S) is semidet.
+%!  segment_meets_itself(+S:id) is semidet.
 %
 %   True when the triangles of segment S go through each other or lie on each
 %   other, by more than the tolerance of its source; so its own cuts count.
 %   What neighbours share does not, and vertices in one place are two. Known
 %   afterwards, until the segment changes.
 
-%!  segment_operand(+S, -Operand) is det.
+%!  segment_operand(+S:id, -Operand:operand_facts) is det.
 %
 %   What a Boolean must know of segment S each time: Operand is
 %   operand(Triangles, HalfEdges, Balanced, Volume, Error, Star). Balanced:
@@ -41,7 +41,8 @@ Foreign predicates; see kernel.pl.
 %   from the middle of its box, so it does not go through itself; `false` says
 %   nothing. Known afterwards, until the segment changes.
 
-%!  segment_edges(+S, +Most, -Counts, -Edges) is det.
+%!  segment_edges(+S:id, +Most:int, -Counts:edge_counts,
+%!                -Edges:list(operand_edge)) is det.
 %
 %   The edges of segment S that are no pairs of half-edges: Counts is
 %   edges(Open, Unbalanced, Crowded), how many are of one half-edge; of more,

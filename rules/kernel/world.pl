@@ -1,6 +1,5 @@
 :- module(sg_kernel_world,
-          [ exact_statistics/1,       % -Statistics
-            tree_statistics/1         % -Statistics
+          [ exact_statistics/1        % -Statistics
           ]).
 :- sg_kernel:export_doors.
 
@@ -110,18 +109,14 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %   True when segment S has a defect of this Kind; A and B as
 %   c_kernels/model/census.h says. One pass over the world a call.
 
-/* - - - tree4pl.c - - - */
+/* - - - tree_rows.c - - - */
 
-%!  tree_statistics(-Statistics:dict) is det.
+%!  tree_statistics(-Statistics:tree_counts) is det.
 %
 %   What the current world keeps for joins: a dict with its `trees` (one for
 %   each segment that was joined and has not changed since), their `leaves`
 %   (triangles, or edges of curves) and `bytes`, and how many were `grown` and
 %   how many `found` there since the world was made.
-
-tree_statistics(_{trees:Trees, leaves:Leaves, bytes:Bytes,
-                  grown:Grown, found:Found}) :-
-    '$tree_statistics'(Trees, Leaves, Bytes, Grown, Found).
 
 /* - - - near4pl.c - - - */
 
