@@ -4,6 +4,7 @@
 #   make demo     draws the figures into docs/gallery
 #   make test     every test; the last line counts them
 #   make test-all all cases of those that do a sample otherwise
+#   make docs     the reference and the list of files, in build/docs
 #   make install  PREFIX=/usr/local DESTDIR=
 #
 # `make demo` and `make test` install what is missing from Debian's packages.
@@ -73,7 +74,8 @@ RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 .PHONY: all sanggwan packages so demo test test-all check check-c check-rules check-embed check-cli bless \
-        mutants check-san san tsan coverage covered check-vg lint clean install uninstall bench
+        mutants check-san san tsan coverage covered check-vg lint \
+        docs clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
 
@@ -300,6 +302,7 @@ lint: $(B)/sanggwan.so
 	  -I. -Ic_kernels \
 	  engine c_kernels tests
 	@swipl -f none tools/check_layers.pl
+	@swipl -f none tools/house.pl -- check docs/architecture.svg
 	@swipl -f none -p foreign=$(B) --on-warning=status --on-error=status \
 	  tools/lint.pl
 	@echo 'lint: nothing found'
@@ -313,6 +316,22 @@ demo: all
 bless: all
 	@swipl -p foreign=$(B) tools/bless.pl
 	@tests/transcript.py --bless tests/transcripts/*.txt
+
+# What is written of the house from its own files.
+docs: $(B)/documentation.pl
+	@swipl -f none tools/house.pl -- drawing docs/architecture.svg
+	@swipl -f none tools/house.pl -- files $(B)/docs/files.md
+	@swipl -f none -p foreign=$(B) tools/reference.pl -- $(B)/docs/reference.md
+	@echo 'docs: $(B)/docs/files.md, $(B)/docs/reference.md'
+
+# What clangd and other tools ask of each C file.
+compile_commands.json: $(B)/doors.made $(B)/deps.mk
+	@{ echo '[' && \
+	   printf '{"directory": "$(CURDIR)", "file": "%s", "arguments": [%s]},\n' \
+	     $(foreach f,$(filter %.c,$(FORMATTED)),$f \
+	       '$(foreach w,$(CC) $(CFLAGS) $(PL_CFLAGS) -Iengine -c $f,"$w",)') | \
+	     sed 's/,]/]/; $$s/,$$//' && \
+	   echo ']'; } >$@
 
 # --- measuring -------------------------------------------------------------
 
@@ -332,4 +351,4 @@ $(B)/sanggwan.1: tools/manual.pl rules/command/usage.pl
 	swipl -f none tools/manual.pl -- $(VERSION) $@
 
 clean:
-	rm -rf $(B) sanggwan
+	rm -rf $(B) sanggwan compile_commands.json

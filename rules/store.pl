@@ -82,7 +82,7 @@ here use; the thread that loads the library gets one, other threads begin
 without and get `existence_error(sg_world, current)`. A world that nothing
 refers to any more is freed with its handle by atom garbage collection.
 
-@see [PL] section 2 for the five relations; ARCHITECTURE.md
+@see [PL] section 2 for the five relations; docs/internals/store.md
 */
 
 :- use_module(library(apply), [maplist/3]).

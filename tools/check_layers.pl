@@ -6,6 +6,7 @@
 :- module(sg_check_layers, []).
 :- use_module(library(prolog_xref)).
 :- use_module(library(readutil)).
+:- use_module(folders).
 
 :- initialization(main, main).
 
@@ -35,20 +36,6 @@ fault(File-What) :-
     include_line(File, Included),
     \+ may_include(File, Included),
     format(atom(What), 'may not include ~w', [Included]).
-
-%   The folders of rules and of kernels from the lowest up: the way of the
-%   data. A file stands on those of its own folder, of the folders before it,
-%   and on those beside the folders.
-
-folders(rules,
-        [ polygon, primitive, csg, penetration, solid, model, picture, sheet,
-          drawing, development, unrolling, unfolding, pattern, message,
-          explanation, command
-        ]).
-folders(c_kernels,
-        [ number, rows, polygon, join, penetration, solid, model, picture,
-          drawing, development, unrolling, pattern
-        ]).
 
 %   floor(Path, Floor): the number of the folder of Path, 0 beside the folders.
 

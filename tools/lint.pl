@@ -70,20 +70,6 @@ finding(What) :-
     Most > 127,
     format(atom(What), '~w: not ASCII, and without :- encoding(utf8)', [File]).
 
-%   The map names every file of rules; those of one language by their ending.
-
-finding(What) :-
-    read_file_to_string('ARCHITECTURE.md', Map, [encoding(utf8)]),
-    member(Pattern, ['rules/*.pl', 'rules/*/*.pl']),
-    expand_file_name(Pattern, Files),
-    member(File, Files),
-    \+ sub_atom(File, 0, _, _, 'rules/kernel/'),
-    file_base_name(File, Name),
-    \+ sub_string(Map, _, _, _, Name),
-    \+ ( member(Ending, ['_en.pl', '_ko.pl']),
-         sub_atom(Name, _, _, 0, Ending) ),
-    format(atom(What), 'ARCHITECTURE.md: nothing is said of ~w', [File]).
-
 documented(Module, Name, Arity) :-
     doc_comment(Objects, _, _, _),
     documents(Objects, Module:Described),

@@ -33,7 +33,7 @@ no difference in which order the segments came. What is put back is that of
 the segments that are connected with the new pairs by earlier cuts; the
 others are left alone.
 
-@see ARCHITECTURE.md, sections 5 and 6
+@see docs/internals/penetration.md
 */
 
 %!  leaves_kept(+Polygons:list) is det.

@@ -24,7 +24,7 @@ that holds it, its *place*:
 
 Nothing is stored for this: origin/3 and the edges say it.
 
-@see ARCHITECTURE.md, sections 5 and 6
+@see docs/internals/penetration.md
 */
 
 %!  vertex_place(+S, +V, ?P, -Place) is semidet.

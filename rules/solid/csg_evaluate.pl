@@ -56,7 +56,7 @@ evaluation.
 A `join` puts the boundaries of its operands side by side. Under another
 operation it is their union: the same solid.
 
-@see row CB-1; ARCHITECTURE.md, section 6
+@see row CB-1; docs/internals/boolean.md
 */
 
 %!  evaluate is det.

@@ -10,6 +10,24 @@ layers() { (cd "$tree" && swipl -f none "$here/tools/check_layers.pl"); }
 
 check "this tree is in order" layers
 
+# tools/house.pl finds files that say nothing of themselves, folders that nobody
+# listed, and a drawing of another tree.
+house() {
+  (cd "$tree" && swipl -f none "$here/tools/house.pl" -- check "$1")
+}
+check "the drawing is of this tree" house "$here/docs/architecture.svg"
+mkdir "$tree/rules/cellar"
+echo ':- module(sg_mute, []).' >"$tree/rules/cellar/mute.pl"
+sed 's/hidden lines/lines/' docs/architecture.svg >"$TMP/old.svg"
+check "another tree is not" status 1 house "$TMP/old.svg"
+house "$TMP/old.svg" 2>"$TMP/found"
+for line in 'rules/cellar/mute.pl: its first lines do not say what it is' \
+  'rules/cellar: not in tools/folders.pl' \
+  "$TMP/old.svg: not as the tree is; make docs"; do
+  check "$line" grep -qxF "$line" "$TMP/found"
+done
+rm -r "$tree/rules/cellar"
+
 # plant FILE NAME: an #include that should be found.
 planted=()
 plant() {
