@@ -2,11 +2,13 @@
 #include "call.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Allocated for a call: the header of a block. */
 typedef struct sg_call_block {
   struct sg_call_block *next, *previous;
-  void *adopted; /* freed with it, or null */
+  void *held; /* released with it, or null */
+  void (*release)(void *held);
   max_align_t bytes[];
 } block;
 
@@ -112,6 +114,25 @@ sg_call_domain_of(sg_call *call, const char *what, int64_t number)
 }
 
 bool
+sg_call_at(sg_call *call, size_t item, int field)
+{
+  call->refusal.item = item;
+  call->refusal.field = field;
+  return false;
+}
+
+bool
+sg_call_geometry(sg_call *call, const char *what, const int32_t *number,
+                 size_t numbers)
+{
+  sg_refusal refusal = {
+      .how = SG_REFUSED_GEOMETRY, .what = what, .numbers = numbers};
+
+  memcpy(refusal.of, number, numbers * sizeof *number);
+  return refuse(call, refusal);
+}
+
+bool
 sg_call_missing(sg_call *call, const char *what, int argument)
 {
   return refuse(call, (sg_refusal){.how = SG_REFUSED_EXISTENCE,
@@ -212,7 +233,7 @@ sg_call_realloc(sg_call *call, void *at, size_t bytes)
   if (!old) {
     b->previous = NULL;
     b->next = call->blocks;
-    b->adopted = NULL;
+    b->held = NULL;
   }
   if (b->next) {
     b->next->previous = b;
@@ -222,16 +243,21 @@ sg_call_realloc(sg_call *call, void *at, size_t bytes)
 }
 
 bool
-sg_call_adopt(sg_call *call, void *memory)
+sg_call_hold(sg_call *call, void *object, void (*release)(void *object))
 {
-  void *bytes = sg_call_alloc(call, 0);
-
-  if (!bytes) {
-    free(memory);
+  if (!sg_call_alloc(call, 0)) {
+    release(object);
     return false;
   }
-  call->blocks->adopted = memory;
+  call->blocks->held = object;
+  call->blocks->release = release;
   return true;
+}
+
+bool
+sg_call_adopt(sg_call *call, void *memory)
+{
+  return sg_call_hold(call, memory, free);
 }
 
 void
@@ -251,7 +277,9 @@ sg_call_close(sg_call *call)
     block *b = call->blocks;
 
     call->blocks = b->next;
-    free(b->adopted);
+    if (b->held) {
+      b->release(b->held);
+    }
     free(b);
   }
 }

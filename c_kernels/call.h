@@ -30,6 +30,7 @@ typedef enum sg_refused {
   SG_REFUSED_EXISTENCE,      /* existence_error(what, culprit) */
   SG_REFUSED_PERMISSION,     /* permission_error(action, what, culprit) */
   SG_REFUSED_REPRESENTATION, /* representation_error(what) */
+  SG_REFUSED_GEOMETRY,       /* geometry_error(what(number, ...)) */
   SG_REFUSED_ROW             /* what sg_status says of a row */
 } sg_refused;
 
@@ -37,8 +38,12 @@ typedef struct sg_refusal {
   sg_refused how;
   const char *action, *what; /* of static life */
   int argument;              /* the culprit: argument 1.., or 0: this: */
+  size_t item;               /* of that, if it is a list, this item, 1.., */
+  int field;                 /* or, not 0, an argument of the item */
   bool pair;                 /* the culprit: that argument - the next */
   int64_t number;
+  int32_t of[4]; /* [numbers]: of SG_REFUSED_GEOMETRY */
+  size_t numbers;
   sg_status status; /* of SG_REFUSED_ROW */
   sg_relation relation;
   sg_fault fault;
@@ -83,11 +88,17 @@ bool sg_call_domain_pair(sg_call *call, const char *what, int argument);
 bool sg_call_missing(sg_call *call, const char *what, int argument);
 bool sg_call_forbidden(sg_call *call, const char *action, const char *what,
                        int argument);
+/* After one of these: not the argument, a list, but its item, from 1, or, if
+ * field is not 0, that argument of the item. */
+bool sg_call_at(sg_call *call, size_t item, int field);
 /* The same of numbers that are no argument. */
 bool sg_call_domain_of(sg_call *call, const char *what, int64_t number);
 bool sg_call_missing_id(sg_call *call, const char *what, int64_t id);
 bool sg_call_forbidden_id(sg_call *call, const char *action, const char *what,
                           int64_t id);
+/* geometry_error(what(number, ...)), of 4 numbers at most. */
+bool sg_call_geometry(sg_call *call, const char *what, const int32_t *number,
+                      size_t numbers);
 bool sg_call_cannot_hold(sg_call *call, const char *what);
 /* SG_OK: true. */
 bool sg_call_status(sg_call *call, sg_status status, sg_relation relation,
@@ -107,6 +118,8 @@ void *sg_call_realloc(sg_call *call, void *at, size_t bytes);
 /* Frees what malloc() gave when the call is closed; false: refused, and freed
  * at once. */
 bool sg_call_adopt(sg_call *call, void *memory);
+/* The same of any object. */
+bool sg_call_hold(sg_call *call, void *object, void (*release)(void *object));
 
 typedef struct sg_bytes {
   const uint8_t *at;

@@ -4,8 +4,6 @@
  */
 #include "door.h"
 
-#include "engine/world4pl.h"
-
 #include <SWI-Stream.h>
 #include <stdlib.h>
 
@@ -17,15 +15,47 @@ sg_door_open(sg_call *call)
   sg_call_open(call, &sg_prolog_poll, sg_current_world_ex);
 }
 
+/* What sg_call_at() says of an argument. */
+static int
+put_part(term_t t, const sg_refusal *r, term_t list)
+{
+  int good = PL_put_term(t, list);
+
+  for (size_t i = 1; good && i < r->item; i++) {
+    good = PL_get_tail(t, t);
+  }
+  return good && PL_get_head(t, t) &&
+         (r->field == 0 || PL_get_arg((size_t)r->field, t, t));
+}
+
 static int
 put_culprit(term_t t, const sg_refusal *r, term_t t0)
 {
   term_t a = t0 + (term_t)(r->argument - 1);
 
   return r->argument == 0 ? PL_put_int64(t, r->number)
+         : r->item > 0    ? put_part(t, r, a)
          : r->pair
              ? PL_cons_functor(t, PL_new_functor(PL_new_atom("-"), 2), a, a + 1)
              : PL_put_term(t, a);
+}
+
+/* error(geometry_error(what(N, ...)), _) */
+static int
+raise_geometry(const sg_refusal *r)
+{
+  term_t t = PL_new_term_ref(), number = PL_new_term_refs(4);
+
+  for (size_t i = 0; i < r->numbers; i++) {
+    if (!PL_put_integer(number + i, r->of[i])) {
+      return FALSE;
+    }
+  }
+  return PL_cons_functor_v(t, PL_new_functor(PL_new_atom(r->what), r->numbers),
+                           number) &&
+         PL_unify_term(number, PL_FUNCTOR_CHARS, "error", 2, PL_FUNCTOR_CHARS,
+                       "geometry_error", 1, PL_TERM, t, PL_VARIABLE) &&
+         PL_raise_exception(number);
 }
 
 static int
@@ -51,6 +81,8 @@ raise_refusal(const sg_refusal *r, term_t t0)
     return PL_permission_error(r->action, r->what, culprit);
   case SG_REFUSED_REPRESENTATION:
     return PL_representation_error(r->what);
+  case SG_REFUSED_GEOMETRY:
+    return raise_geometry(r);
   case SG_REFUSED_ROW:
     return sg_raise_status(r->status, r->relation, &r->fault);
   }
@@ -267,6 +299,24 @@ sg_handle_done(sg_handle *handle)
   }
 }
 
+static void
+end_use(void *handle)
+{
+  let_go(handle);
+}
+
+int
+sg_handle_hold(sg_call *call, term_t t, sg_handle_type *type, void **object)
+{
+  sg_handle *handle;
+
+  if (!sg_handle_get(t, type, &handle)) {
+    return FALSE;
+  }
+  *object = handle->object;
+  return sg_call_hold(call, handle, end_use);
+}
+
 int
 sg_handle_unify(term_t t, sg_handle_type *type, void *object)
 {
@@ -363,6 +413,18 @@ get_symbol(sg_call *call, term_t t, int32_t *out)
   }
   *out = symbol;
   return symbol >= 0 || sg_call_no_memory(call);
+}
+
+int
+get_term(sg_call *call, term_t t, const uint32_t **out)
+{
+  uint32_t *term;
+
+  if (!sg_get_term_ex(t, &term) || !sg_call_adopt(call, term)) {
+    return FALSE;
+  }
+  *out = term;
+  return TRUE;
 }
 
 int

@@ -9,6 +9,8 @@
 #include "call.h"
 #include "glue.h"
 
+#include "engine/world4pl.h"
+
 #include <SWI-Prolog.h>
 #include <stdatomic.h>
 
@@ -61,6 +63,9 @@ int sg_handle_write(IOSTREAM *out, atom_t atom, int flags);
  * type_error(Type, t), existence_error(Type, t). */
 int sg_handle_get(term_t t, sg_handle_type *type, sg_handle **out);
 void sg_handle_done(sg_handle *handle);
+/* The same, in use until the call is closed. */
+int sg_handle_hold(sg_call *call, term_t t, sg_handle_type *type,
+                   void **object);
 /* Unifies t with a handle of the object, and owns it also after a failure. */
 int sg_handle_unify(term_t t, sg_handle_type *type, void *object);
 int sg_handle_close(term_t t, sg_handle_type *type);
@@ -121,6 +126,23 @@ get_integer(sg_call *call, term_t t, int64_t *out)
 int get_symbol(sg_call *call, term_t t, int32_t *out);
 int put_symbol(term_t t, int32_t symbol);
 
+/* A ground term, coded (engine/term.h). */
+int get_term(sg_call *call, term_t t, const uint32_t **out);
+
+/* 1, or -1: reversed. */
+static inline int
+get_sense(sg_call *call, term_t t, bool *reversed)
+{
+  int32_t sense;
+
+  (void)call;
+  if (!sg_get_int32_ex(t, &sense)) {
+    return FALSE;
+  }
+  *reversed = sense == -1;
+  return sense == 1 || sense == -1 || PL_domain_error("sense", t);
+}
+
 /* A string of codes 0 to 255; good as long as the term is. */
 static inline int
 get_bytes(sg_call *call, term_t t, sg_bytes *out)
@@ -144,6 +166,8 @@ int get_set_id(sg_call *call, term_t t, sg_int_list *out);
 #define put_integer(t, x) PL_put_int64(t, x)
 #define put_number(t, x)  PL_put_float(t, (x) + 0.0)
 #define put_bool(t, x)    PL_put_bool(t, (x))
+#define put_sense(t, x)   PL_put_integer(t, (x) ? -1 : 1)
+#define put_term(t, x)    sg_put_term(t, x)
 
 static inline int
 put_bytes(term_t t, const sg_bytes *x)

@@ -564,6 +564,19 @@ sg_version_stamp(const sg_version *version, sg_relation relation, int32_t s)
 }
 
 uint64_t
+sg_segment_stamp(const sg_version *version, int32_t s)
+{
+  static const sg_relation rows[] = {SG_V, SG_E, SG_P};
+  uint64_t last = 0;
+
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    uint64_t stamp = sg_version_stamp(version, rows[i], s);
+    last = stamp > last ? stamp : last;
+  }
+  return last;
+}
+
+uint64_t
 sg_version_last_stamp(const sg_version *version, sg_relation relation)
 {
   return sg_map_last_stamp(version->map[relation]);

@@ -286,6 +286,9 @@ bool sg_version_live(const sg_version *version, sg_relation relation,
  * sg_world_fresh() makes ids (s is 0 for the three it names). */
 uint64_t sg_version_stamp(const sg_version *version, sg_relation relation,
                           int32_t s);
+
+/* The last of those of v/5, e/5 and p/3: what segment_stamp/2 says. */
+uint64_t sg_segment_stamp(const sg_version *version, int32_t s);
 /* The newest stamp of all segments: the same for the whole relation. */
 uint64_t sg_version_last_stamp(const sg_version *version, sg_relation relation);
 sg_value sg_version_value(const sg_version *version, sg_relation relation,

@@ -371,19 +371,6 @@ undo_limit(term_t steps)
 
 /* ---- stamps ------------------------------------------------------------ */
 
-uint64_t
-sg_segment_stamp(const sg_version *version, int32_t s)
-{
-  static const sg_relation rows[] = {SG_V, SG_E, SG_P};
-  uint64_t last = 0;
-
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    uint64_t stamp = sg_version_stamp(version, rows[i], s);
-    last = stamp > last ? stamp : last;
-  }
-  return last;
-}
-
 /* segment_stamp(+S, -Stamp) is det. */
 static foreign_t
 segment_stamp(term_t s, term_t t)

@@ -43,9 +43,6 @@ int32_t sg_fresh_ex(sg_world *world, sg_relation relation, int32_t s);
  * foreign predicate, the exception is pending. */
 extern const sg_poll sg_prolog_poll;
 
-/* segment_stamp/2. */
-uint64_t sg_segment_stamp(const sg_version *version, int32_t s);
-
 /* The relation of this name and arity, SG_NONE: there is none. */
 sg_relation sg_relation_named(atom_t name, size_t arity);
 /* The same for a term that names one: v, or v/5. */

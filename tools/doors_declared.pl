@@ -7,6 +7,7 @@
             type_name/2,              % +Type, -Name
             by_value/1,               % +Type
             is_handle/1,              % +Type
+            is_nested/2,              % +Types, +Type
             closes/3,                 % +Name, +Arguments, -Type
             enumerator_name/3,        % +Type, +Word, -Name
             row_columns/2,            % +Arguments, -Columns
@@ -74,6 +75,8 @@ simple(bool,    bool).
 simple(symbol,  int32_t).
 simple(bytes,   sg_bytes).
 simple(set(id), sg_int_list).
+simple(sense,   bool).
+simple(term,    'const uint32_t *').
 
 is_type(Type) :-
     simple(Type, _),
@@ -109,6 +112,7 @@ c_type_of(either(Struct,_), Struct).
 
 c_list(id, sg_int_list) :- !.
 c_list(int, sg_int_list) :- !.
+c_list(symbol, sg_int_list) :- !.
 c_list(count, sg_count_list) :- !.
 c_list(number, sg_number_list) :- !.
 c_list(integer, sg_integer_list) :- !.
@@ -128,7 +132,9 @@ type_name(set(Type), Name) :-
 type_name(Type, Type).
 
 by_value(Type) :-
-    memberchk(Type, [id, int, count, integer, number, bool, symbol]),
+    memberchk(Type, [ id, int, count, integer, number, bool, symbol, sense,
+                      term
+                    ]),
     !.
 by_value(Type) :-
     type(Type, What),
@@ -136,6 +142,13 @@ by_value(Type) :-
 
 is_handle(Type) :-
     type(Type, handle(_,_,_)).
+
+%   is_nested(Types, Type): something of Types is made of Type.
+
+is_nested(Types, Type) :-
+    member(Whole, Types),
+    part(Whole, Type),
+    !.
 
 enumerator_name(Type, Word, Name) :-
     format(atom(Name0), "SG_~w_~w", [Type,Word]),
@@ -288,5 +301,8 @@ part(Type, Part) :-
     type(Type, either(_,Alternatives)),
     member(Alternative, Alternatives),
     compound(Alternative),
-    Alternative =.. [_|Fields],
-    member(_:Part, Fields).
+    (   Alternative = _:Part
+    ->  true
+    ;   Alternative =.. [_|Fields],
+        member(_:Part, Fields)
+    ).

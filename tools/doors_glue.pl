@@ -18,6 +18,8 @@ glue(Topics) :-
     used(All, [+,?], In),
     used(All, [-,?], Out),
     forall(member(Type, Types), names(Type)),
+    forall(( member(Type, In), is_handle(Type), is_nested(In, Type) ),
+           handle_reader(Type)),
     forall(member(Type, In), reader(Type)),
     forall(member(Type, Out), writer(Type)),
     forall(member(Door, All), wrapper(Door)),
@@ -49,6 +51,17 @@ names(either(_,Alternatives), Type) :-
     length(Alternatives, N),
     format("~nstatic atom_t word_~w[~d];~nstatic functor_t functor_~w[~d];~n",
            [Type,N,Type,N]).
+
+%   handle_reader(Type): get_TYPE(), of a handle inside of something else, which
+%   is in use until the call is closed.
+
+handle_reader(Type) :-
+    c_type(Type, CType),
+    format("~nstatic int~nget_~w(sg_call *call, term_t t, ~w*out)~n{~n",
+           [Type,CType]),
+    format("  void *object;~n~n"),
+    format("  if (!sg_handle_hold(call, t, &handle_~w, &object)) {~n", [Type]),
+    format("    return FALSE;~n  }~n  *out = object;~n  return TRUE;~n}~n").
 
 %   reader(Type): get_TYPE(), of what is no simple type.
 
@@ -91,7 +104,14 @@ reader(either(_,Alternatives), Type) :-
     format("    return PL_instantiation_error(t);~n  }~n"),
     format("  if (PL_get_name_arity(t, &name, &arity)) {~n"),
     foldl(read_alternative(Type), Alternatives, 0, _),
-    format("  }~n  return PL_type_error(\"~w\", t);~n", [Type]).
+    format("  }~n"),
+    (   memberchk(Member:Of, Alternatives)
+    ->  enumerator_name(Type, Member, Enumerator),
+        type_name(Of, Name),
+        format("  out->is = ~w;~n", [Enumerator]),
+        format("  return get_~w(call, t, &out->~w);~n", [Name,Member])
+    ;   format("  return PL_type_error(\"~w\", t);~n", [Type])
+    ).
 
 read_field(_, _:any, I0, I) :-
     !,
@@ -102,6 +122,8 @@ read_field(Struct, Member:Type, I0, I) :-
            [I0,Name,Struct,Member]),
     I is I0+1.
 
+read_alternative(_, _:_, K, K) :-
+    !.
 read_alternative(Type, Alternative, K0, K) :-
     K is K0+1,
     Alternative =.. [Name|Fields],
@@ -175,15 +197,22 @@ write_fields(Fields, Struct, Indent) :-
 
 write_field(Struct, Member:Type, I0, I) :-
     I is I0+1,
-    put_call(Type, I0, Struct, Member).
+    format(string(Term), "a + ~d", [I0]),
+    put_call(Type, Term, Struct, Member).
 
-put_call(Type, I, Struct, Member) :-
+put_call(Type, Term, Struct, Member) :-
     type_name(Type, Name),
     (   by_value(Type)
-    ->  format("put_~w(a + ~d, ~w~w) && ", [Name,I,Struct,Member])
-    ;   format("put_~w(a + ~d, &~w~w) && ", [Name,I,Struct,Member])
+    ->  format("put_~w(~w, ~w~w) && ", [Name,Term,Struct,Member])
+    ;   format("put_~w(~w, &~w~w) && ", [Name,Term,Struct,Member])
     ).
 
+write_alternative(Type, Member:Of, K, K) :-
+    !,
+    enumerator_name(Type, Member, Enumerator),
+    format("  case ~w:~n    return ", [Enumerator]),
+    put_call(Of, t, "x->", Member),
+    format("TRUE;~n").
 write_alternative(Type, Alternative, K0, K) :-
     K is K0+1,
     Alternative =.. [Name|Fields],
@@ -383,6 +412,8 @@ install_word(Type, Word, K0, K) :-
     format("  word_~w[~d] = PL_new_atom(\"~w\");~n", [Type,K0,Word]),
     K is K0+1.
 
+install_alternative(_, _:_, K, K) :-
+    !.
 install_alternative(Type, Alternative, K0, K) :-
     functor(Alternative, Name, Arity),
     install_word(Type, Name, K0, K),

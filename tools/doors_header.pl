@@ -65,7 +65,7 @@ declaration(record(_,Header,_,_), _) :-
 declaration(either(Struct,Alternatives), Type) :-
     format("typedef struct ~w {~n  enum {~n", [Struct]),
     forall(member(Alternative, Alternatives),
-           ( functor(Alternative, Name, _),
+           ( alternative_name(Alternative, Name),
              enumerator(Type, Name) )),
     format("  } is;~n  union {~n"),
     forall(( member(Alternative, Alternatives), compound(Alternative) ),
@@ -76,6 +76,16 @@ enumerator(Type, Word) :-
     enumerator_name(Type, Word, Name),
     format("  ~w,~n", [Name]).
 
+alternative_name(Name:_, Name) :-
+    !.
+alternative_name(Alternative, Name) :-
+    functor(Alternative, Name, _).
+
+alternative(Field) :-
+    Field = _:_,
+    !,
+    write("  "),
+    field(Field).
 alternative(Alternative) :-
     Alternative =.. [Name|Fields],
     format("    struct {~n"),

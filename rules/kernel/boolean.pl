@@ -50,9 +50,9 @@ Foreign predicates; see kernel.pl.
 %   of the first two sorts by their vertices, edge(V1, V2, Forward, Backward),
 %   V1 < V2 or the same: how many half-edges run from V1 to V2, and back.
 
-/* - - - operand_border4pl.c - - - */
+/* - - - operand_border_rows.c - - - */
 
-%!  operand_borders(+Ss:list, -Borders:list) is det.
+%!  operand_borders(+Ss:set(id), -Borders:list(operand_border)) is det.
 %
 %   Borders are border(S, P, V1, V2, Q), ascending by S, V1, V2: S is one of the
 %   results Ss, its polygon P has the edge from V1 to V2, V1 < V2, and Q its
@@ -67,20 +67,20 @@ Foreign predicates; see kernel.pl.
 %   list, `on` if it lies on one. Numbers of any sort count exactly. Exact.
 %   @see winding.h
 
-/* - - - csg4pl.c - - - */
+/* - - - csg_rows.c - - - */
 
-%!  kept_leaves(+Ss:list, -Kinds:list) is det.
+%!  kept_leaves(+Ss:list(integer), -Kinds:list(symbol)) is det.
 %
 %   Kinds are those of the segments Ss, in order: the kind, as segment/3 has it,
 %   of one that is a primitive and has the rows that were made from it, by its
 %   record (made_and_kept/2); `other` for the others.
 
-%!  other_segments(-Ss:list) is det.
+%!  other_segments(-Ss:list(id)) is det.
 %
 %   Ss are the segments of which kept_leaves/2 says `other`, in the order of the
 %   rows of segment/3.
 
-%!  node_origins(+S, -Origins:list) is det.
+%!  node_origins(+S:id, -Origins:list(node_origin)) is det.
 %
 %   Origins are Item-Origin of all origin(S, Item, Origin) with an Item node(_),
 %   in the order of their rows.
@@ -204,9 +204,9 @@ Foreign predicates; see kernel.pl.
 %   other way than polygon P0 of S0. Sorted by S0, P0 and Sense, 1 before -1,
 %   each pair once, the lesser part first.
 
-/* - - - sewing4pl.c - - - */
+/* - - - sewing_rows.c - - - */
 
-%!  segment_sewn(+S, -Weights:list) is semidet.
+%!  segment_sewn(+S:id, -Weights:list(polygon_weight)) is semidet.
 %
 %   Vertices of segment S that are in one place become one, the first of them,
 %   and so do polygons that lie on each other, turned round or not: those that

@@ -1,17 +1,12 @@
-/* operand_border4pl.c -- where the boundary of a result turns from one operand
- * to another (documented in kernel/boolean.pl).
- *
- * Layer: glue.
+/* operand_border_rows.c -- where the boundary of a result turns from one
+ * operand to another.
  */
-#include "glue.h"
-#include "operand_border.h"
+#include "doors/boolean.h"
 #include "rows/by_segment.h"
-#include "rows/dense4pl.h"
-
-#include "engine/install.h"
-#include "engine/world4pl.h"
+#include "rows/dense_rows.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static int32_t
 cell(const sg_view *view, uint32_t row, int column)
@@ -104,81 +99,58 @@ fill_operands(const sg_dense *d, const from_rows *from, uint32_t *begin,
   each_row(d, from, fill_row, &(filling){end, operand});
 }
 
-static int
-find_ex(const sg_dense *d, const from_rows *from, sg_operand_borders *out)
+static bool
+find(sg_call *call, const sg_dense *d, const from_rows *from,
+     sg_operand_borders *out)
 {
   size_t n = from->rows->begin[from->n];
-  uint32_t *begin = calloc(d->polygons + 2, sizeof *begin);
-  int32_t *operand = malloc((n + 1) * sizeof *operand);
-  bool stopped = false, done = false;
+  uint32_t *begin = sg_call_alloc(call, (d->polygons + 2) * sizeof *begin);
+  int32_t *operand = sg_call_alloc(call, (n + 1) * sizeof *operand);
+  bool stopped = false;
 
-  if (begin && operand) {
-    fill_operands(d, from, begin, operand);
-    done = sg_operand_borders_find(d, &(sg_operands_of){begin, operand},
-                                   &sg_prolog_poll, out, &stopped);
+  if (!begin || !operand) {
+    return false;
   }
-  free(begin);
-  free(operand);
-  return done || (stopped ? FALSE : sg_no_memory());
+  memset(begin, 0, (d->polygons + 2) * sizeof *begin);
+  fill_operands(d, from, begin, operand);
+  return sg_operand_borders_find(d, &(sg_operands_of){begin, operand},
+                                 &call->poll, out, &stopped) ||
+         sg_call_ended(call);
 }
 
-/* Of n segments, ascending. */
-static int
-read_ex(const int32_t *s, size_t n, sg_operand_borders *out)
+static bool
+find_of_version(sg_call *call, const sg_version *version, const sg_int_list *ss,
+                sg_operand_borders *out)
 {
-  sg_world *world = sg_current_world_ex();
-  const sg_version *version = world ? sg_world_version(world) : NULL;
   sg_view view = {0};
   sg_segment_rows rows = {0};
   sg_dense dense = {0};
-  int done = FALSE;
+  bool good =
+      (sg_version_view(version, SG_FROM_P, &view) &&
+       sg_segment_rows_find(&view, ss->at, ss->n, &call->poll, &rows)) ||
+      sg_call_ended(call);
 
-  if (!version) {
-    return FALSE;
-  }
-  if (!sg_version_view(version, SG_FROM_P, &view)) {
-    done = sg_no_memory();
-  } else if (!sg_segment_rows_find(&view, s, n, &sg_prolog_poll, &rows)) {
-    done = PL_exception(0) ? FALSE : sg_no_memory();
-  } else {
-    done = sg_get_dense_ex(s, n, &dense) &&
-           find_ex(&dense, &(from_rows){&view, s, n, &rows}, out);
-    sg_dense_clear(&dense);
-  }
+  good = good && sg_dense_read(call, ss->at, ss->n, &dense) &&
+         find(call, &dense, &(from_rows){&view, ss->at, ss->n, &rows}, out);
+  sg_dense_clear(&dense);
   sg_segment_rows_clear(&rows);
   sg_view_clear(&view);
-  sg_version_drop(version);
-  return done;
+  return good;
 }
 
-/* operand_borders(+Ss, -Borders) is det. */
-static foreign_t
-operand_borders(term_t segments, term_t borders)
+bool
+sg_door_operand_borders(sg_call *call, const sg_int_list *ss,
+                        sg_operand_border_list *borders)
 {
-  term_t tail = PL_copy_term_ref(borders), head = PL_new_term_ref();
+  sg_world *world = sg_call_world(call);
+  const sg_version *version = world ? sg_world_version(world) : NULL;
   sg_operand_borders found = {0};
-  int32_t *s = NULL;
-  size_t n = 0;
-  int done = sg_get_id_set_ex(segments, &s, &n) && read_ex(s, n, &found);
+  bool good = version && find_of_version(call, version, ss, &found) &&
+              sg_call_adopt(call, found.item);
 
-  for (size_t i = 0; done && i < found.n; i++) {
-    const sg_operand_border *b = &found.item[i];
-    done = PL_unify_list(tail, head, tail) &&
-           PL_unify_term(head, PL_FUNCTOR_CHARS, "border", 5, PL_INT, b->s,
-                         PL_INT, b->polygon[0], PL_INT, b->low, PL_INT, b->high,
-                         PL_INT, b->polygon[1]);
+  if (good) {
+    *borders = (sg_operand_border_list){found.item, found.n, 0};
   }
-  free(s);
-  free(found.item);
-  return done && PL_unify_nil(tail);
-}
-
-void
-sg_install_operand_border(void)
-{
-  static const PL_extension doors[] = {
-      {"operand_borders", 2, (pl_function_t)operand_borders, 0},
-      {NULL, 0, NULL, 0}};
-
-  PL_register_extensions_in_module("sg_kernel_boolean", doors);
+  sg_version_drop(version);
+  return good;
 }

@@ -1,14 +1,8 @@
-/* sewing4pl.c -- shells of a segment that touch exactly, in its rows
- * (documented in kernel/boolean.pl).
- *
- * Layer: glue.
- */
-#include "glue.h"
-#include "rows/append4pl.h"
-#include "rows/dense4pl.h"
+/* sewing_rows.c -- shells of a segment that touch exactly, in its rows. */
+#include "doors/boolean.h"
+#include "rows/append_rows.h"
+#include "rows/dense_rows.h"
 #include "sewing.h"
-
-#include "engine/install.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +11,7 @@ enum { MOST_INTS = 6 }; /* columns of integers: those of t/6 */
 
 /* A segment at hand. */
 typedef struct sewn {
+  sg_call *call;
   sg_world *world;
   const sg_version *version;
   int32_t s;
@@ -101,17 +96,18 @@ ints_of(sg_relation relation)
   return relation == SG_T ? 6 : relation == SG_E ? 5 : 2;
 }
 
-static int
-fill_ex(const sewn *s, sg_relation relation, const sg_segment_rows *rows,
-        exchange *out)
+static bool
+fill(const sewn *s, sg_relation relation, const sg_segment_rows *rows,
+     exchange *out)
 {
   size_t most = rows->begin[1] + 1;
   unsigned ints = ints_of(relation);
 
-  out->gone = malloc(most * sizeof *out->gone);
+  out->gone = sg_call_alloc(s->call, most * sizeof *out->gone);
   for (unsigned c = 0; c < ints; c++) {
-    if (!(out->column[c] = malloc(most * sizeof(int32_t))) || !out->gone) {
-      return sg_no_memory();
+    out->column[c] = sg_call_alloc(s->call, most * sizeof(int32_t));
+    if (!out->column[c] || !out->gone) {
+      return false;
     }
   }
   for (size_t i = 0; i < rows->begin[1]; i++) {
@@ -130,26 +126,22 @@ fill_ex(const sewn *s, sg_relation relation, const sg_segment_rows *rows,
     }
     out->n += comes;
   }
-  return TRUE;
+  return true;
 }
 
 /* The rows of a relation of integers that come, or one from which some go. */
-static int
-exchange_ex(const sewn *s, sg_relation relation)
+static bool
+exchange_rows(const sewn *s, sg_relation relation)
 {
   sg_segment_rows rows;
   exchange x = {0};
-  int good = sg_rows_of_segment_ex(s->version, relation, s->s, &rows) &&
-             fill_ex(s, relation, &rows, &x) &&
-             (sg_world_exchange(s->world, relation, x.gone, x.gones, x.n,
-                                (const void *const *)x.column) ||
-              sg_no_memory());
+  bool good = sg_rows_of_segment(s->call, s->version, relation, s->s, &rows) &&
+              fill(s, relation, &rows, &x) &&
+              (sg_world_exchange(s->world, relation, x.gone, x.gones, x.n,
+                                 (const void *const *)x.column) ||
+               sg_call_no_memory(s->call));
 
   sg_segment_rows_clear(&rows);
-  free(x.gone);
-  for (int c = 0; c < MOST_INTS; c++) {
-    free(x.column[c]);
-  }
   return good;
 }
 
@@ -168,85 +160,68 @@ keep_edges(sewn *s, bool kept)
   }
 }
 
-static int
-find_kept_edges_ex(sewn *s)
+static bool
+find_kept_edges(sewn *s)
 {
-  if (!(s->kept = malloc(s->dense.edges + 1))) {
-    return sg_no_memory();
+  if (!(s->kept = sg_call_alloc(s->call, s->dense.edges + 1))) {
+    return false;
   }
   memset(s->kept, true, s->dense.edges);
   keep_edges(s, false);
   keep_edges(s, true);
-  return TRUE;
+  return true;
 }
 
 /* What refers to others goes before these. */
-static int
-write_ex(sewn *s)
+static bool
+write_rows(sewn *s)
 {
   static const sg_relation changed[] = {SG_T, SG_PLANE, SG_P, SG_E};
-  int good = find_kept_edges_ex(s) && sg_claim_ex(s->world);
+  bool good = true;
 
-  if (!good) {
-    return FALSE;
+  if (!find_kept_edges(s) || !sg_call_claim(s->call)) {
+    return false;
   }
   for (size_t i = 0; i < sizeof changed / sizeof *changed && good; i++) {
-    good = exchange_ex(s, changed[i]);
+    good = exchange_rows(s, changed[i]);
   }
   sg_world_release(s->world);
   return good;
 }
 
-/* ---- doors ---- */
+/* ---- the door ---- */
 
-/* [P-Weight, ...] of those that do not count once. */
-static int
-unify_weights(const sewn *s, term_t list)
+/* Those that do not count once. */
+static bool
+list_weights(const sewn *s, sg_polygon_weight_list *out)
 {
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-
   for (size_t p = 0; p < s->dense.polygons; p++) {
-    int weight = s->sewing.weight[p];
+    sg_polygon_weight one = {s->dense.polygon_id[p], s->sewing.weight[p]};
 
-    if (weight != 0 && weight != 1 &&
-        (!PL_unify_list(tail, head, tail) ||
-         !PL_unify_term(head, PL_FUNCTOR_CHARS, "-", 2, PL_INT,
-                        (int)s->dense.polygon_id[p], PL_INT, weight))) {
-      return FALSE;
+    if (one.weight != 0 && one.weight != 1 &&
+        !sg_polygon_weight_list_add(s->call, out, one)) {
+      return false;
     }
   }
-  return PL_unify_nil(tail);
+  return true;
 }
 
-/* segment_sewn(+S, -Weights) is semidet. */
-static foreign_t
-segment_sewn(term_t t, term_t weights)
+bool
+sg_door_segment_sewn(sg_call *call, int32_t id, sg_polygon_weight_list *weights)
 {
-  sewn s = {.world = sg_current_world_ex()};
+  sewn s = {.call = call, .world = sg_call_world(call), .s = id};
 
-  if (!s.world || !sg_get_id_ex(t, &s.s)) {
-    return FALSE;
+  if (!s.world) {
+    return false;
   }
   s.version = sg_world_version(s.world);
-  int good = sg_get_dense_ex(&s.s, 1, &s.dense) &&
-             (sg_sewing_find(&s.dense, &sg_prolog_poll, &s.sewing) ||
-              (PL_exception(0) ? FALSE : sg_no_memory()));
-  good = good && s.sewing.any && write_ex(&s) && unify_weights(&s, weights);
+  bool good = sg_dense_read(call, &id, 1, &s.dense) &&
+              (sg_sewing_find(&s.dense, &call->poll, &s.sewing) ||
+               sg_call_ended(call)) &&
+              s.sewing.any && write_rows(&s) && list_weights(&s, weights);
 
   sg_sewing_clear(&s.sewing);
   sg_dense_clear(&s.dense);
   sg_version_drop(s.version);
-  free(s.kept);
   return good;
-}
-
-static const PL_extension predicates[] = {
-    {"segment_sewn", 2, segment_sewn, 0},
-    {NULL, 0, NULL, 0},
-};
-
-void
-sg_install_sewing(void)
-{
-  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

@@ -1,0 +1,201 @@
+/* csg_rows.c -- leaves of the CSG tree that need no looking at; what is said of
+ * nodes.
+ */
+#include "doors/boolean.h"
+#include "rows/append_rows.h"
+
+#include "engine/symbol.h"
+#include "engine/term.h"
+
+#include <string.h>
+
+enum { HEADERS = 6 };
+
+/* What a record of rules/csg/csg_record.pl begins with:
+ * leaf(made(primitive(...), ...)). */
+typedef struct record_form {
+  uint32_t header[HEADERS];
+} record_form;
+
+/* What tells leaves from others, found once a call. */
+typedef struct looking {
+  const sg_version *version;
+  record_form form;
+  int32_t other; /* the symbol */
+} looking;
+
+static void
+make_form(record_form *form)
+{
+  sg_term_builder b;
+
+  sg_term_open(&b);
+  sg_term_compound(&b, SG_SYMBOL_LEAF, 1);
+  sg_term_compound(&b, SG_SYMBOL_MADE, 2);
+  sg_term_compound(&b, SG_SYMBOL_PRIMITIVE, 1);
+  memcpy(form->header, sg_term_words(&b) + 1, sizeof form->header);
+  sg_term_close(&b);
+}
+
+/* False: no memory. sg_version_drop(version) in any case. */
+static bool
+look(sg_call *call, looking *out)
+{
+  sg_world *world = sg_call_world(call);
+
+  *out = (looking){.version = world ? sg_world_version(world) : NULL,
+                   .other = sg_symbol_intern("other", 5)};
+  make_form(&out->form);
+  return world && (out->other >= 0 || sg_call_no_memory(call));
+}
+
+/* The record says that rows with this stamp were made from `term`. */
+static bool
+says(const record_form *form, const uint32_t *record, const uint32_t *term,
+     uint64_t stamp)
+{
+  size_t words = sg_term_length(term) - 1; /* without the count */
+  sg_term_builder b;
+
+  sg_term_open(&b);
+  sg_term_int(&b, (int64_t)stamp);
+  const uint32_t *number = sg_term_words(&b); /* short: it cannot fail */
+  size_t digits = sg_term_length(number) - 1;
+  const uint32_t *at = record + 1;
+  bool same =
+      sg_term_length(record) - 1 == HEADERS + words + digits &&
+      memcmp(at, form->header, sizeof form->header) == 0 &&
+      memcmp(at + HEADERS, term + 1, words * sizeof *term) == 0 &&
+      memcmp(at + HEADERS + words, number + 1, digits * sizeof *number) == 0;
+
+  sg_term_close(&b);
+  return same;
+}
+
+/* origin(S, node(S), Record): null, there is none. */
+static const uint32_t *
+record_of(const sg_version *version, int32_t s)
+{
+  sg_term_builder b;
+
+  sg_term_open(&b);
+  sg_term_unary(&b, SG_SYMBOL_NODE, s);
+  sg_value key[SG_MAX_COLUMNS] = {{.i = s}, {.term = sg_term_words(&b)}};
+  sg_row row = sg_version_find(version, SG_ORIGIN, key);
+
+  sg_term_close(&b);
+  return row == SG_NO_ROW ? NULL
+                          : sg_version_value(version, SG_ORIGIN, row, 2).term;
+}
+
+/* The symbol of its kind, or of `other`. */
+static int32_t
+kind_of(const looking *k, int32_t s)
+{
+  sg_row row = sg_version_find(k->version, SG_SEGMENT,
+                               (sg_value[SG_MAX_COLUMNS]){{.i = s}});
+  const uint32_t *record = row == SG_NO_ROW ? NULL : record_of(k->version, s);
+
+  return record && says(&k->form, record,
+                        sg_version_value(k->version, SG_SEGMENT, row, 2).term,
+                        sg_segment_stamp(k->version, s))
+             ? sg_version_value(k->version, SG_SEGMENT, row, 1).i
+             : k->other;
+}
+
+bool
+sg_door_kept_leaves(sg_call *call, const sg_integer_list *ss,
+                    sg_int_list *kinds)
+{
+  looking k;
+  bool good = look(call, &k);
+
+  for (size_t i = 0; good && i < ss->n; i++) {
+    int64_t s = ss->at[i];
+
+    good = !sg_poll_every(&call->poll, i) &&
+           sg_int_list_add(call, kinds,
+                           s > 0 && s <= INT32_MAX ? kind_of(&k, (int32_t)s)
+                                                   : k.other);
+  }
+  sg_version_drop(k.version);
+  return good;
+}
+
+bool
+sg_door_other_segments(sg_call *call, sg_int_list *ss)
+{
+  looking k;
+  sg_walk walk = {0};
+  bool good =
+      look(call, &k) && (sg_walk_open(&walk, k.version, SG_SEGMENT, 0, NULL) ||
+                         sg_call_no_memory(call));
+
+  for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
+    int32_t s = sg_version_value(k.version, SG_SEGMENT, row, 0).i;
+
+    good = kind_of(&k, s) != k.other || sg_int_list_add(call, ss, s);
+  }
+  sg_walk_close(&walk);
+  sg_version_drop(k.version);
+  return good;
+}
+
+/* The item is node(_). */
+static bool
+is_of_node(const uint32_t *item)
+{
+  sg_term_builder b;
+
+  sg_term_open(&b);
+  sg_term_unary(&b, SG_SYMBOL_NODE, 1);
+  bool is = sg_term_length(item) > 2 &&
+            memcmp(item + 1, sg_term_words(&b) + 1, 2 * sizeof *item) == 0;
+
+  sg_term_close(&b);
+  return is;
+}
+
+/* A copy for as long as the call lasts. */
+static const uint32_t *
+copied(sg_call *call, const uint32_t *term)
+{
+  size_t bytes = sg_term_length(term) * sizeof *term;
+  uint32_t *copy = sg_call_alloc(call, bytes);
+
+  return copy ? memcpy(copy, term, bytes) : NULL;
+}
+
+static bool
+add_origin(sg_call *call, const sg_version *version, sg_row row,
+           sg_node_origin_list *out)
+{
+  const uint32_t *item = sg_version_value(version, SG_ORIGIN, row, 1).term;
+
+  if (!is_of_node(item)) {
+    return true;
+  }
+  sg_node_origin origin = {
+      copied(call, item),
+      copied(call, sg_version_value(version, SG_ORIGIN, row, 2).term)};
+
+  return origin.item && origin.origin &&
+         sg_node_origin_list_add(call, out, origin);
+}
+
+bool
+sg_door_node_origins(sg_call *call, int32_t s, sg_node_origin_list *origins)
+{
+  sg_world *world = sg_call_world(call);
+  const sg_version *version = world ? sg_world_version(world) : NULL;
+  sg_segment_rows rows = {0};
+  bool good = version && sg_rows_of_segment(call, version, SG_ORIGIN, s, &rows);
+  size_t n = good ? rows.begin[1] : 0;
+
+  for (size_t i = 0; good && i < n; i++) {
+    good = add_origin(call, version, rows.row[i], origins);
+  }
+  sg_segment_rows_clear(&rows);
+  sg_version_drop(version);
+  return good;
+}
