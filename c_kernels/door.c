@@ -106,15 +106,11 @@ typedef struct answers {
   sg_call call;
   size_t n, next;
   bool fresh; /* every answer fits: the outputs are variables, all different */
-  max_align_t rows[];
+  max_align_t rows[1]; /* a list of call.h */
 } answers;
 
-static void
-drop_answers(answers *a)
-{
-  sg_call_close(&a->call);
-  free(a);
-}
+_Static_assert(sizeof(sg_int_list) <= sizeof(max_align_t),
+               "a list fits answers.rows");
 
 static bool
 are_fresh(term_t t0, unsigned outputs)
@@ -164,44 +160,52 @@ find_answer(const answers *a, term_t t0, size_t i,
   return n;
 }
 
-foreign_t
-sg_door_answer(term_t t0, unsigned outputs, control_t control, size_t size,
-               int (*ask)(sg_call *call, term_t t0, void *rows, size_t *n),
-               int (*answer)(term_t t0, const void *rows, size_t i))
+/* Gives the answer in hand, which is `a`->next. 1: the last one, 0: none; -1:
+ * more will come. */
+static int
+give_answer(answers *a, term_t t0,
+            int (*answer)(term_t t0, const void *rows, size_t i))
 {
-  answers *a;
-
-  if (PL_foreign_control(control) == PL_PRUNED) {
-    drop_answers(PL_foreign_context_address(control));
-    return TRUE;
-  }
-  if (PL_foreign_control(control) == PL_REDO) {
-    a = PL_foreign_context_address(control);
-  } else {
-    if (!(a = calloc(1, sizeof *a + size))) {
-      return (foreign_t)sg_no_memory();
-    }
-    sg_door_open(&a->call);
-    if (!ask(&a->call, t0, a->rows, &a->n)) {
-      sg_door_close(&a->call, t0, FALSE);
-      free(a);
-      return FALSE;
-    }
-    sg_call_rest(&a->call);
-    a->fresh = are_fresh(t0, outputs);
-    a->next = find_answer(a, t0, 0, answer);
-  }
   size_t here = a->next, n = a->n;
 
   /* What comes after is looked for first: it must not see this one's terms. */
   a->next = here < n ? find_answer(a, t0, here + 1, answer) : n;
-  bool good = here < n && !PL_exception(0) && answer(t0, a->rows, here);
-
-  if (good && a->next < n) {
-    PL_retry_address(a);
+  if (here >= n || PL_exception(0) || !answer(t0, a->rows, here)) {
+    return 0;
   }
-  drop_answers(a);
-  return (foreign_t)good;
+  return a->next < n ? -1 : 1;
+}
+
+foreign_t
+sg_door_answer(term_t t0, unsigned outputs, control_t control,
+               int (*ask)(sg_call *call, term_t t0, void *rows, size_t *n),
+               int (*answer)(term_t t0, const void *rows, size_t i))
+{
+  answers first, *a = &first, *kept = NULL;
+
+  if (PL_foreign_control(control) != PL_FIRST_CALL) {
+    a = kept = PL_foreign_context_address(control);
+  } else {
+    first = (answers){.fresh = are_fresh(t0, outputs)};
+    sg_door_open(&first.call);
+    if (!ask(&first.call, t0, first.rows, &first.n)) {
+      return sg_door_close(&first.call, t0, FALSE);
+    }
+    sg_call_rest(&first.call);
+    first.next = find_answer(&first, t0, 0, answer);
+  }
+  int given =
+      PL_foreign_control(control) == PL_PRUNED ? 1 : give_answer(a, t0, answer);
+
+  if (given < 0 && (kept || (kept = malloc(sizeof *kept)))) {
+    if (a != kept) {
+      *kept = first; /* nothing in the call is asked any more */
+    }
+    PL_retry_address(kept);
+  }
+  sg_call_close(&a->call);
+  free(kept);
+  return given < 0 ? (foreign_t)sg_no_memory() : (foreign_t)given;
 }
 
 /* ---- handles ---- */

@@ -22,13 +22,13 @@ void sg_door_open(sg_call *call);
 foreign_t sg_door_close(sg_call *call, term_t t0, int done);
 
 /* A nondeterministic door. At the first call `ask` fills *rows, a list of
- * call.h of `size` bytes, with all answers; `answer` unifies the arguments with
+ * call.h, with all answers; `answer` unifies the arguments with
  * the i-th. The last one that fits leaves no choice point. `outputs`: bit k,
  * t0 + k may be unbound. */
-foreign_t
-sg_door_answer(term_t t0, unsigned outputs, control_t control, size_t size,
-               int (*ask)(sg_call *call, term_t t0, void *rows, size_t *n),
-               int (*answer)(term_t t0, const void *rows, size_t i));
+foreign_t sg_door_answer(term_t t0, unsigned outputs, control_t control,
+                         int (*ask)(sg_call *call, term_t t0, void *rows,
+                                    size_t *n),
+                         int (*answer)(term_t t0, const void *rows, size_t i));
 
 /* ---- handles ---- */
 

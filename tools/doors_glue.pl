@@ -240,7 +240,7 @@ wrapper(door(Name,Arguments,nondet)) :-
                    Bit is 1<<I ), Bits),
     sum_list(Bits, Outputs),
     format("  return sg_door_answer(t0, ~d, control, ", [Outputs]),
-    format("sizeof(sg_~w_rows), ask_~w, answer_~w);~n}~n", [Name,Name,Name]).
+    format("ask_~w, answer_~w);~n}~n", [Name,Name]).
 wrapper(door(Name,Arguments,_)) :-
     prolog_function(Name, Arguments),
     format("  (void)control;~n"),

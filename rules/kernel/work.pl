@@ -6,9 +6,9 @@
 Foreign predicates; see kernel.pl.
 */
 
-/* - - - work4pl.c - - - */
+/* - - - work_rows.c - - - */
 
-%!  work_open(+S, +P, -Work) is det.
+%!  work_open(+S:id, +P:id, -Work:work) is det.
 %
 %   Work is a scratch relation with the edges of polygon P, in the order of its
 %   list, each labelled with its number. Vertices are named as in v/5, edges
@@ -19,27 +19,27 @@ Foreign predicates; see kernel.pl.
 %
 %   @error existence_error(polygon, P)
 
-%!  work_close(+Work) is det.
+%!  work_close(+Work:work) is det.
 %
 %   Frees Work now. Using it afterwards is existence_error(work, Work).
 
-%!  work_add(+Work, +V1, +V2, +Et, +Label, -E) is det.
+%!  work_add(+Work:work, +V1:id, +V2:id, +Et:int, +Label:integer, -E:id) is det.
 %
 %   Adds the edge V1-V2 as the youngest; Et is 0 or 1, Label any integer of 64
 %   bits. Nothing is checked against the other edges.
 %
 %   @error existence_error(work_vertex, V), domain_error(another_vertex, V2)
 
-%!  work_delete(+Work, +E) is det.
+%!  work_delete(+Work:work, +E:id) is det.
 %
 %   @error existence_error(work_edge, E)
 
-%!  work_split(+Work, +E, +V, -E1, -E2) is det.
+%!  work_split(+Work:work, +E:id, +V:id, -E1:id, -E2:id) is det.
 %
 %   Replaces E by its pieces to and from V, which lies on it; they keep its Et
 %   and label.
 
-%!  work_resolve(+Work, +Reach) is det.
+%!  work_resolve(+Work:work, +Reach:number) is det.
 %
 %   Makes what touches exactly meet in one vertex: vertices in one place become
 %   the first of them, edges with a vertex inside are split there, and opposite
@@ -47,26 +47,28 @@ Foreign predicates; see kernel.pl.
 %   contacts are shared vertices. If Reach is above 0.0, what is nearer than
 %   that (model units) is made to touch first.
 
-%!  work_gap(+Work, -V) is semidet.
+%!  work_gap(+Work:work, -V:id) is semidet.
 %
 %   True when the polygon does not close at vertex V, the first such.
 
-%!  work_turn(+Work, +V1, +V2, +V3, -Turn) is det.
+%!  work_turn(+Work:work, +V1:id, +V2:id, +V3:id, -Turn:int) is det.
 %
 %   Turn is 1 if V1, V2, V3 turn left seen from outside, -1 right, 0 neither.
 
-/* - - - work_join4pl.c - - - */
+/* - - - work_join_rows.c - - - */
 
-%!  work_edge(+Work, ?E, ?V1, ?V2, ?Et, ?Label) is nondet.
+%!  work_edge(+Work:work, ?E:id, ?V1:id, ?V2:id, -Et:int, -Label:integer)
+%!      is nondet.
 %
-%   True when Work has the edge E from V1 to V2. Oldest first; edges that are
-%   added meanwhile are not seen. Given E, or V1 or V2, it looks up.
+%   True when Work has the edge E from V1 to V2. Oldest first, as they
+%   are at the first call. Given E, or V1 or V2, it looks up.
 
-%!  work_oldest(+Work, -E, -V1, -V2) is semidet.
+%!  work_oldest(+Work:work, -E:id, -V1:id, -V2:id) is semidet.
 %
 %   The first solution of work_edge/6. Fails if there are no edges.
 
-%!  work_meeting(+Work, +V1, +V2, ?E, ?How, ?Inside) is nondet.
+%!  work_meeting(+Work:work, +V1:id, +V2:id, -E:id, -How:meeting_how,
+%!               -Inside:list(meeting_end)) is nondet.
 %
 %   True when edge E meets the segment V1-V2 other than in a shared end.
 %   Oldest edge first, as they are at the first call. How is
@@ -85,22 +87,23 @@ Foreign predicates; see kernel.pl.
 %   Also `v1_at_start`, `v1_at_end`, `v2_at_start`, `v2_at_end`: different
 %   vertices in one place. Exact.
 
-%!  work_candidate(+Work, +V1, +V2, ?V3) is nondet.
+%!  work_candidate(+Work:work, +V1:id, +V2:id, +N:count, -V3:id) is semidet.
 %
-%   True when V3 can be the third vertex of the edge V1-V2: steps (3), 4 (I)
+%   V3 is number N, from 0, of the vertices that can be the third one of the
+%   edge V1-V2: steps (3), 4 (I)
 %   and 4 (II) of PL-6 as one join. V3 lies to the left, and no edge meets the
 %   closed triangle other than in its corners, or along its sides. Ends of
 %   edges leaving V2 first, then starts of edges entering V1, then other
-%   vertices, near ones first; each once. Exact. Leaves a choice point: commit
-%   to one before you change Work.
+%   vertices, near ones first; each once. Exact.
 
-%!  work_triangulate(+Work, -Triangles) is det.
+%!  work_triangulate(+Work:work, -Triangles:list(corners)) is det.
 %
 %   Triangles are terms t(V1, V2, V3), as work_triangles/2 of triangulation.pl
 %   finds them one by one: the fused kernel. Uses up the edges; any that are
 %   left begin with one that has no third vertex.
 
-%!  work_thicken(+Work, +Edges:list, +Triangles0:list, -Triangles:list) is det.
+%!  work_thicken(+Work:work, +Edges:list(id_pair), +Triangles0:list(corners),
+%!               -Triangles:list(corners)) is det.
 %
 %   If one of Triangles0 is so thin that rounding may have turned it over,
 %   chords between them are turned: all sides but those of Edges, the V1-V2 that

@@ -8,7 +8,7 @@
 :- use_module('../kernel',
               [ fill_triangles/1, fill_triangles/2, model_tolerance/1,
                 work_open/3, work_close/1, work_resolve/2, work_gap/2,
-                work_edge/6, work_oldest/4, work_candidate/4,
+                work_edge/6, work_oldest/4, work_candidate/5,
                 work_add/6, work_delete/2, work_triangulate/2,
                 work_thicken/4
               ]).
@@ -23,10 +23,10 @@ step. The numbers are the paper's.
 
     1. The edges Es of polygon P are put into a buffer   work_open/3
     2. Choose an edge V1-V2 of Es                        work_oldest/4
-    3. Choose V3: the end of an edge leaving V2, the     work_candidate/4
+    3. Choose V3: the end of an edge leaving V2, the     work_candidate/5
        start of one entering V1, or any other vertex
-    4. (I) V1-V2-V3 turns as P does                      work_candidate/4
-       (II) no other edge meets it                       work_candidate/4
+    4. (I) V1-V2-V3 turns as P does                      work_candidate/5
+       (II) no other edge meets it                       work_candidate/5
        (3) delete and add edges (3-1 ... 3-5)            take_off/5
     5. V1-V2-V3 is a triangle
     6. Until Es is empty                                 the recursion
@@ -111,11 +111,18 @@ taken_off(Work, Triangles) :-
     ).
 
 third_vertex(Work, E, V1, V2, V3) :-
-    work_candidate(Work, V1, V2, V3),                           % 3, (I), (II)
+    candidate(Work, V1, V2, 0, V3),                             % 3, (I), (II)
     take_off(Work, E, V1, V2, V3),                              % (3)
     !.
 third_vertex(_, _, V1, V2, _) :-
     throw(error(geometry_error(no_third_vertex(V1, V2)), _)).
+
+candidate(Work, V1, V2, N, V3) :-
+    work_candidate(Work, V1, V2, N, X),
+    (   V3 = X
+    ;   N1 is N+1,
+        candidate(Work, V1, V2, N1, V3)
+    ).
 
 %   take_off(+Work, +E, +V1, +V2, +V3): step 4 (3). Fails with nothing changed
 %   (3-5) if a side that is missing is there the other way round.
