@@ -60,7 +60,8 @@ handle_reader(Type) :-
     format("~nstatic int~nget_~w(sg_call *call, term_t t, ~w*out)~n{~n",
            [Type,CType]),
     format("  void *object;~n~n"),
-    format("  if (!sg_handle_hold(call, t, &handle_~w, &object)) {~n", [Type]),
+    format("  if (!sg_handle_hold(call, t, &sg_handle_type_~w, &object)) {~n",
+           [Type]),
     format("    return FALSE;~n  }~n  *out = object;~n  return TRUE;~n}~n").
 
 %   reader(Type): get_TYPE(), of what is no simple type.

@@ -5,12 +5,14 @@
  */
 #include "arrangement4pl.h"
 
+#include "door.h"
 #include "glue.h"
-#include "solid4pl.h"
 
 #include "engine/install.h"
 
 #include <stdlib.h>
+
+extern sg_handle_type sg_handle_type_solid;
 
 static functor_t functor_component6, functor_side3, functor_point3,
     functor_minus2;
@@ -234,7 +236,14 @@ arrangement_select(term_t t, term_t senses, term_t out)
     sg_solid_clear(&solid);
     return FALSE;
   }
-  return sg_unify_solid(out, &solid);
+  sg_solid *object = malloc(sizeof *object);
+
+  if (!object) {
+    sg_solid_clear(&solid);
+    return sg_no_memory();
+  }
+  *object = solid;
+  return sg_handle_unify(out, &sg_handle_type_solid, object);
 }
 
 static const PL_extension predicates[] = {

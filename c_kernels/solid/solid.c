@@ -21,6 +21,15 @@ sg_solid_clear(sg_solid *solid)
   *solid = (sg_solid){0};
 }
 
+void
+sg_solid_free(sg_solid *solid)
+{
+  if (solid) {
+    sg_solid_clear(solid);
+    free(solid);
+  }
+}
+
 typedef struct closing {
   const sg_solid *solid;
   atomic_uint_fast64_t sum; /* wraps: any order gives the same */

@@ -60,6 +60,8 @@ typedef struct sg_solid {
 } sg_solid;
 
 void sg_solid_clear(sg_solid *solid);
+/* Of one that is itself of malloc(), or null. */
+void sg_solid_free(sg_solid *solid);
 
 /* Whether each edge runs as often back as there: it bounds something. Where
  * that is not known, by a fingerprint: wrong once in 2^64. */

@@ -85,9 +85,9 @@ Foreign predicates; see kernel.pl.
 %   Origins are Item-Origin of all origin(S, Item, Origin) with an Item node(_),
 %   in the order of their rows.
 
-/* - - - solid4pl.c - - - */
+/* - - - solid_rows.c - - - */
 
-%!  solid_take(+Segments, -Solid) is det.
+%!  solid_take(+Segments:set(id), -Solid:solid) is det.
 %
 %   Solid is a new handle of a boundary under way (c_kernels/solid/solid.h): the
 %   polygons of Segments as they are in t/6, e/5 and v/5, one face for each that
@@ -95,7 +95,8 @@ Foreign predicates; see kernel.pl.
 %   different segments stay apart. The handle is freed by atom garbage
 %   collection, or at once by solid_close/1.
 
-%!  solid_move(+Solid, +Matrix, -Again:list) is semidet.
+%!  solid_move(+Solid:solid, +Matrix:list(list(number)),
+%!             -Again:list(count)) is semidet.
 %
 %   Put Solid somewhere else: three rows [A,B,C,D] of Matrix give the new
 %   coordinates, A*X+B*Y+C*Z+D. If Matrix mirrors, triangles turn round. Again
@@ -103,26 +104,25 @@ Foreign predicates; see kernel.pl.
 %   rounding turned one over. Fails if a coordinate is larger than v/5 takes;
 %   Solid is then good for nothing.
 
-%!  solid_counts(+Solid, -Vertices, -Faces, -Triangles) is det.
+%!  solid_counts(+Solid:solid, -Vertices:count, -Faces:count,
+%!               -Triangles:count) is det.
 %
 %   How many Solid has.
 %
 %   @error type_error(solid, Solid)
 %   @error existence_error(solid, Solid): closed
 
-%!  solid_close(+Solid) is det.
+%!  solid_close(+Solid:solid) is det.
 %
 %   Frees what Solid holds; it cannot be used any more.
 
-%!  solid_is_closed(+Solid) is semidet.
+%!  solid_is_closed(+Solid:solid) is semidet.
 %
 %   True when every edge of its triangles runs as often back as there.
 
-/* - - - solid_list4pl.c - - - */
-
-%!  solid_vertices(+Solid, -Vertices:list) is det.
-%!  solid_faces(+Solid, -Faces:list) is det.
-%!  solid_parts(+Solid, -Parts:list) is det.
+%!  solid_vertices(+Solid:solid, -Vertices:list(solid_vertex_fact)) is det.
+%!  solid_faces(+Solid:solid, -Faces:list(solid_face_fact)) is det.
+%!  solid_parts(+Solid:solid, -Parts:list(solid_part_fact)) is det.
 %
 %   What is in a solid: vertex(V, X, Y, Z, From), V from 1, From S0-V0 or
 %   made(Origin); face(S0, P0, Sense, Triangles), Sense -1 if it looks the other
@@ -130,18 +130,18 @@ Foreign predicates; see kernel.pl.
 %   Auxiliary is for the edge V1-V2, and so on; and after merging
 %   part(Face, S0, P0, Sense), Face from 1.
 
-/* - - - solid_write4pl.c - - - */
+/* - - - solid_write_rows.c - - - */
 
-%!  solid_write(+Solid, +S) is det.
+%!  solid_write(+Solid:solid, +S:id) is det.
 %
 %   As solid_rows.pl, solid_written_by_rule/2: Solid as rows of segment S. Call
 %   it in a transaction.
 %
 %   @error permission_error(write, segment, S): it has rows
 
-/* - - - solid_over4pl.c - - - */
+/* - - - solid_over_rows.c - - - */
 
-%!  solid_write_over(+Solid, +S) is semidet.
+%!  solid_write_over(+Solid:solid, +S:id) is semidet.
 %
 %   The rows of segment S, which were a solid's, become those of Solid. What is
 %   the same stays with its ids, so ids need not be dense: what is new has the
@@ -150,7 +150,7 @@ Foreign predicates; see kernel.pl.
 %
 %   @see c_kernels/solid/solid_over.h
 
-%!  solid_write_region(+Solid, +S, +Region) is semidet.
+%!  solid_write_region(+Solid:solid, +S:id, +Region:region) is semidet.
 %
 %   As solid_write_over/2, of the faces of Region alone, which was read from
 %   segment S: they become those of Solid. Fails, and changes nothing, if S has
@@ -159,9 +159,7 @@ Foreign predicates; see kernel.pl.
 %
 %   @see c_kernels/solid/solid_over.h
 
-/* - - - solid_region4pl.c - - - */
-
-%!  solid_region(+S, +Leaves:list, -Region) is semidet.
+%!  solid_region(+S:id, +Leaves:set(id), -Region:region) is semidet.
 %
 %   Region is a handle of the faces of segment S, a solid's rows, that come from
 %   Leaves: and from those that such faces come from, too, and so on. Fails if S
@@ -170,19 +168,20 @@ Foreign predicates; see kernel.pl.
 %
 %   @see c_kernels/solid/solid_old.h
 
-%!  region_leaves(+Region, -Leaves:list) is det.
+%!  region_leaves(+Region:region, -Leaves:list(id)) is det.
 %
 %   Leaves are those of Region, ascending.
 %
 %   @error type_error(region, Region); existence_error(region, Region): closed
 
-%!  region_close(+Region) is det.
+%!  region_close(+Region:region) is det.
 %
 %   @error as region_leaves/2
 
-/* - - - face_merge4pl.c - - - */
+/* - - - face_merge_rows.c - - - */
 
-%!  solid_merge(+Solid, +Tolerance, +Options:list, -Tight) is semidet.
+%!  solid_merge(+Solid:solid, +Tolerance:merge_tolerance,
+%!              +Options:list(merge_option), -Tight:merge_move) is semidet.
 %
 %   Makes coplanar neighbours in Solid one face each and drops vertices that lie
 %   straight (c_kernels/solid/face_merge.h). Tolerance is a number, or
@@ -191,13 +190,14 @@ Foreign predicates; see kernel.pl.
 %   these, as of solid_neighbours/3; by_size(true): a Tolerance no larger than
 %   2^-13 of the size of Solid; region(Region): Solid is a part of a larger one,
 %   of which only the faces of Region (solid_region/3) are wanted and left; then
-%   it fails if one of these and another might become one. Others are ignored.
+%   it fails if one of these and another might become one.
 %
 %   Tight is `none`, or tight(S0, X, Y, Z, Move, Edge, N) if N vertices of
 %   operands vanish farther from what stays than a hundredth of an edge there,
 %   and than their own sources explain; the worst is one of segment S0.
 
-%!  solid_neighbours(+Solid, +Tolerance, -Pairs:list) is det.
+%!  solid_neighbours(+Solid:solid, +Tolerance:merge_tolerance,
+%!                   -Pairs:list(merge_pair)) is det.
 %
 %   Pairs are the Part1-Part2 of which faces in Solid are neighbours and may lie
 %   in one plane. A part is part(S0, P0, Sense), Sense -1 if the face looks the

@@ -1,16 +1,11 @@
-/* solid_write4pl.c -- a solid as rows of a segment, as a predicate.
- *
- * Layer: glue. The door is documented in rules/kernel/boolean.pl.
- */
-#include "rows/append4pl.h"
-#include "solid4pl.h"
-
-#include "glue.h"
+/* solid_write_rows.c -- a solid as rows of a segment. */
+#include "doors/boolean.h"
+#include "rows/append_rows.h"
 #include "solid_out.h"
 
-#include "engine/install.h"
+#include "engine/symbol.h"
+#include "engine/term.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* What the kernel writes in place; origin/3 follows. */
@@ -21,9 +16,9 @@ static const sg_relation written[RELATIONS] = {
 
 /* ---- room --------------------------------------------------------------- */
 
-static int
-open_all_ex(sg_world *world, const sg_solid_rows *rows,
-            sg_append append[RELATIONS])
+static bool
+open_all(sg_call *call, sg_world *world, const sg_solid_rows *rows,
+         sg_append append[RELATIONS])
 {
   const sg_solid *solid = rows->solid;
   const size_t n[RELATIONS] = {[V] = rows->vertices,
@@ -39,14 +34,14 @@ open_all_ex(sg_world *world, const sg_solid_rows *rows,
       while (k-- > 0) {
         sg_append_close(&append[k]);
       }
-      return sg_no_memory();
+      return sg_call_no_memory(call);
     }
   }
-  return TRUE;
+  return true;
 }
 
-static int
-make_lists_ex(const sg_solid_rows *rows, sg_append *p)
+static bool
+make_lists(sg_call *call, const sg_solid_rows *rows, sg_append *p)
 {
   int32_t length[SG_PAGE_ROWS];
 
@@ -57,13 +52,13 @@ make_lists_ex(const sg_solid_rows *rows, sg_append *p)
       length[i] = (int32_t)(edge[i + 1] - edge[i]);
     }
     if (!sg_append_lists(p, k, 2, length)) {
-      return sg_no_memory();
+      return sg_call_no_memory(call);
     }
-    if (PL_handle_signals() < 0) {
-      return FALSE;
+    if (sg_poll_stop(&call->poll)) {
+      return false;
     }
   }
-  return TRUE;
+  return true;
 }
 
 /* ---- origins ------------------------------------------------------------ */
@@ -101,9 +96,9 @@ origin_of(const sg_solid_rows *rows, size_t i)
 }
 
 /* Page k of the sheet gets the origins of vertices *i and on. */
-static int
-fill_origins_ex(const sg_solid_rows *rows, int32_t s, sg_append *a, size_t k,
-                origins *o, size_t *i)
+static bool
+fill_origins(sg_call *call, const sg_solid_rows *rows, int32_t s, sg_append *a,
+             size_t k, origins *o, size_t *i)
 {
   const sg_sheet_page *page = &a->sheet.page[k];
 
@@ -115,21 +110,19 @@ fill_origins_ex(const sg_solid_rows *rows, int32_t s, sg_append *a, size_t k,
       add_origin(o, (int32_t)*i + 1, origin);
     }
   }
-  if (!sg_append_terms(a, k, 1, o->item) ||
-      !sg_append_terms(a, k, 2, o->origin)) {
-    return sg_no_memory();
-  }
-  return PL_handle_signals() >= 0;
+  return sg_append_terms(a, k, 1, o->item) &&
+                 sg_append_terms(a, k, 2, o->origin)
+             ? !sg_poll_stop(&call->poll)
+             : sg_call_no_memory(call);
 }
 
 /* Somebody may have said where a vertex came from that was not there. */
-static int
-no_origins_ex(sg_world *world, int32_t s)
+static bool
+no_origins(sg_call *call, sg_world *world, int32_t s)
 {
   const sg_version *version = sg_world_version(world);
   sg_segment_rows rows = {0};
-  int none = sg_rows_of_segment_ex(version, SG_ORIGIN, s, &rows);
-
+  bool none = sg_rows_of_segment(call, version, SG_ORIGIN, s, &rows);
   size_t n = none ? rows.begin[1] : 0;
 
   for (size_t i = 0; none && i < n; i++) {
@@ -137,7 +130,7 @@ no_origins_ex(sg_world *world, int32_t s)
         sg_version_value(version, SG_ORIGIN, rows.row[i], 1).term;
 
     none = sg_term_vertex(item) == 0 ||
-           sg_raise_status(SG_EXISTS, SG_ORIGIN, &(sg_fault){0});
+           sg_call_status(call, SG_EXISTS, SG_ORIGIN, NULL);
   }
   sg_segment_rows_clear(&rows);
   sg_version_drop(version);
@@ -145,68 +138,67 @@ no_origins_ex(sg_world *world, int32_t s)
 }
 
 /* As no vertex of s had an origin, these are all. */
-static int
-add_origins_ex(sg_world *world, const sg_solid_rows *rows, int32_t s)
+static bool
+add_origins(sg_call *call, sg_world *world, const sg_solid_rows *rows,
+            int32_t s)
 {
   size_t n = 0, next = rows->plain;
-  origins *o = malloc(sizeof *o);
+  origins *o = sg_call_alloc(call, sizeof *o);
   sg_append a;
 
   for (size_t i = rows->plain; i < rows->vertices; i++) {
     n += origin_of(rows, i) != NULL;
   }
   if (!o || !sg_append_open(&a, world, SG_ORIGIN, n)) {
-    free(o);
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
-  int good = TRUE;
+  bool good = true;
 
   for (size_t k = 0; k < a.sheet.pages && good; k++) {
-    good = fill_origins_ex(rows, s, &a, k, o, &next);
+    good = fill_origins(call, rows, s, &a, k, o, &next);
   }
-  good = good && (sg_append_commit(&a) || sg_no_memory());
+  good = good && (sg_append_commit(&a) || sg_call_no_memory(call));
   sg_append_close(&a);
-  free(o);
   return good;
 }
 
 /* ---- the door ----------------------------------------------------------- */
 
-static int
-commit_all_ex(sg_append append[RELATIONS], size_t planes, size_t sources)
+static bool
+commit_all(sg_call *call, sg_append append[RELATIONS], size_t planes,
+           size_t sources)
 {
   sg_append_shorten(&append[PLANE], planes);
   sg_append_shorten(&append[FROM_P], sources);
   for (int k = 0; k < RELATIONS; k++) {
     append[k].sheet.ascends = true;
     if (!sg_append_commit(&append[k])) {
-      return sg_no_memory();
+      return sg_call_no_memory(call);
     }
   }
-  return TRUE;
+  return true;
 }
 
-static int
-write_rows_ex(sg_world *world, const sg_solid_rows *rows, int32_t s,
-              sg_crew *crew)
+static bool
+write_rows(sg_call *call, sg_world *world, const sg_solid_rows *rows, int32_t s,
+           sg_crew *crew)
 {
   sg_append a[RELATIONS];
   size_t planes, sources;
-  int good;
 
-  if (!open_all_ex(world, rows, a)) {
-    return FALSE;
+  if (!open_all(call, world, rows, a)) {
+    return false;
   }
   const sg_solid_sheets out = {&a[V].sheet,     &a[E].sheet, &a[P].sheet,
                                &a[PLANE].sheet, &a[T].sheet, &a[FROM_V].sheet,
                                &a[FROM_P].sheet};
-  good = make_lists_ex(rows, &a[P]);
-  if (good && !sg_solid_rows_write(rows, s, crew, &sg_prolog_poll, &out,
-                                   &planes, &sources)) {
-    good = PL_exception(0) ? FALSE : sg_no_memory();
-  }
-  good = good && commit_all_ex(a, planes, sources) &&
-         add_origins_ex(world, rows, s);
+  bool good = make_lists(call, rows, &a[P]) &&
+              (sg_solid_rows_write(rows, s, crew, &call->poll, &out, &planes,
+                                   &sources) ||
+               sg_call_ended(call)) &&
+              commit_all(call, a, planes, sources) &&
+              add_origins(call, world, rows, s);
+
   for (int k = 0; k < RELATIONS; k++) {
     sg_append_close(&a[k]);
   }
@@ -214,50 +206,34 @@ write_rows_ex(sg_world *world, const sg_solid_rows *rows, int32_t s,
 }
 
 /* In a world that is claimed. */
-static int
-write_solid_ex(sg_world *world, const sg_solid *solid, int32_t s)
+static bool
+write_solid(sg_call *call, sg_world *world, const sg_solid *solid, int32_t s)
 {
-  sg_crew *crew = sg_crew_open(0);
+  sg_crew *crew = sg_call_crew(call);
   sg_solid_rows rows;
 
   if (!crew) {
-    return sg_no_memory();
+    return false;
   }
-  int good = sg_solid_rows_make(solid, crew, &sg_prolog_poll, &rows);
+  bool good = sg_solid_rows_make(solid, crew, &call->poll, &rows) ||
+              sg_call_ended(call);
 
-  good = good              ? write_rows_ex(world, &rows, s, crew)
-         : PL_exception(0) ? FALSE
-                           : sg_no_memory();
+  good = good && write_rows(call, world, &rows, s, crew);
   sg_solid_rows_clear(&rows);
-  sg_crew_close(crew);
   return good;
 }
 
-/* solid_write(+Solid, +S) is det. */
-static foreign_t
-solid_write(term_t solid_term, term_t s_term)
+bool
+sg_door_solid_write(sg_call *call, sg_solid *solid, int32_t s)
 {
-  sg_world *world = sg_current_world_ex();
-  sg_solid *solid;
-  int32_t s;
+  sg_world *world = sg_call_claim(call);
 
-  if (!world || !sg_get_solid_ex(solid_term, &solid) ||
-      !sg_get_id_ex(s_term, &s) || !sg_claim_ex(world)) {
-    return FALSE;
+  if (!world) {
+    return false;
   }
-  int good = sg_segment_is_empty_ex(world, s) && no_origins_ex(world, s) &&
-             write_solid_ex(world, solid, s);
+  bool good = sg_segment_is_empty(call, world, s) &&
+              no_origins(call, world, s) && write_solid(call, world, solid, s);
+
   sg_world_release(world);
   return good;
-}
-
-static const PL_extension predicates[] = {
-    {"solid_write", 2, solid_write, 0},
-    {NULL, 0, NULL, 0},
-};
-
-void
-sg_install_solid_write(void)
-{
-  PL_register_extensions_in_module("sg_kernel_boolean", predicates);
 }

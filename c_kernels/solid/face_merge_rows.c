@@ -1,0 +1,182 @@
+/* face_merge_rows.c -- faces of a solid that become one. */
+#include "doors/boolean.h"
+#include "face_merge.h"
+#include "polygon/flatness.h"
+#include "rows/grain_rows.h"
+#include "solid_region_rows.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- what sources explain ---- */
+
+typedef struct sources {
+  const sg_version *version;
+  const sg_solid *solid;
+  double tolerance; /* by the rule; 0: it was given */
+  bool known;       /* the other two are */
+  double coarsest, rounding;
+} sources;
+
+static void
+see_sources(sources *x)
+{
+  const sg_solid *solid = x->solid;
+  sg_flatness all;
+
+  sg_flatness_init(&all, 0);
+  for (size_t v = 0; v < solid->vertices; v++) {
+    sg_flatness_see(&all, solid->vertex[v].at);
+  }
+  x->rounding = sg_flatness_touch(&all);
+  for (size_t f = 0; f < solid->faces; f++) {
+    if (f == 0 || solid->face[f].s != solid->face[f - 1].s) {
+      x->coarsest =
+          fmax(x->coarsest, sg_grain_of(x->version, solid->face[f].s));
+    }
+  }
+  x->known = true;
+}
+
+/* Of sg_merge_options. The tolerance is that of the coarsest segment. */
+static double
+explained(void *data, int32_t s)
+{
+  sources *x = data;
+  sg_flatness own;
+
+  if (!x->known) {
+    see_sources(x);
+  }
+  sg_flatness_init(&own, sg_grain_of(x->version, s));
+  return x->tolerance > 0 && own.grain >= x->coarsest
+             ? x->tolerance
+             : fmax(sg_flatness_touch(&own),
+                    x->tolerance > 0 ? x->rounding : 0);
+}
+
+/* ---- options ---- */
+
+/* *own: the tolerance if it is own(Number). */
+static bool
+take_tolerance(sg_call *call, const sg_merge_tolerance *given,
+               sg_merge_options *out, double *own)
+{
+  bool by_rule = given->is == SG_MERGE_TOLERANCE_OWN;
+
+  out->tolerance = by_rule ? given->own.number : given->given;
+  *own = by_rule ? out->tolerance : 0;
+  return out->tolerance >= 0 || sg_call_domain(call, "not_less_than_zero", 2);
+}
+
+static bool
+take_apart(sg_call *call, const sg_merge_pair_list *pairs,
+           sg_merge_options *out)
+{
+  sg_merge_pair *pair = sg_call_alloc(call, pairs->n * sizeof *pair);
+
+  for (size_t i = 0; pair && i < pairs->n; i++) {
+    pair[i] = pairs->at[i];
+    sg_merge_pair_order(&pair[i]);
+  }
+  if (pair && pairs->n > 0) {
+    qsort(pair, pairs->n, sizeof *pair, sg_merge_pair_compare);
+  }
+  out->apart = pair;
+  out->aparts = pairs->n;
+  return pair != NULL;
+}
+
+static bool
+take_option(sg_call *call, const sg_merge_option *option, sg_merge_options *out,
+            sg_merge_region *region)
+{
+  switch (option->is) {
+  case SG_MERGE_OPTION_ORIGINS:
+    out->separate = option->origins.which == SG_ORIGINS_SEPARATE;
+    break;
+  case SG_MERGE_OPTION_BY_SIZE:
+    out->by_size = option->by_size.is;
+    break;
+  case SG_MERGE_OPTION_REGION: {
+    const sg_old_region *of = &option->region.of->old.region;
+
+    *region = (sg_merge_region){of->leaf, of->leaves, of->box, of->whole};
+    out->region = region;
+    break;
+  }
+  case SG_MERGE_OPTION_APART:
+    return take_apart(call, &option->apart.pairs, out);
+  }
+  return true;
+}
+
+static bool
+refuse(sg_call *call, sg_merge_end end)
+{
+  return end == SG_MERGE_NO_MEMORY && sg_call_no_memory(call);
+}
+
+/* ---- the doors ---- */
+
+bool
+sg_door_solid_merge(sg_call *call, sg_solid *solid,
+                    const sg_merge_tolerance *tolerance,
+                    const sg_merge_option_list *options, sg_merge_move *tight)
+{
+  sources of = {.version = sg_call_version(call), .solid = solid};
+  sg_merge_counts counts = {0};
+  sg_merge_region region;
+  sg_merge_options all = {.poll = &call->poll,
+                          .explained = explained,
+                          .data = &of,
+                          .crew = sg_call_crew(call)};
+
+  if (!of.version || !all.crew ||
+      !take_tolerance(call, tolerance, &all, &of.tolerance)) {
+    return false;
+  }
+  for (size_t i = 0; i < options->n; i++) {
+    if (!take_option(call, &options->at[i], &all, &region)) {
+      return false;
+    }
+  }
+  sg_merge_end end = sg_face_merge(solid, &all, &counts);
+  const sg_merge_tight *t = &counts.tight;
+  const double *at = t->vertex.at;
+
+  if (end != SG_MERGE_DONE) {
+    return refuse(call, end);
+  }
+  tight->is = SG_MERGE_MOVE_NONE;
+  if (t->n > 0) {
+    tight->is = SG_MERGE_MOVE_TIGHT;
+    tight->tight.s = t->vertex.s;
+    tight->tight.x = at[0];
+    tight->tight.y = at[1];
+    tight->tight.z = at[2];
+    tight->tight.move = t->move;
+    tight->tight.edge = t->feature;
+    tight->tight.n = t->n;
+  }
+  return true;
+}
+
+bool
+sg_door_solid_neighbours(sg_call *call, sg_solid *solid,
+                         const sg_merge_tolerance *tolerance,
+                         sg_merge_pair_list *pairs)
+{
+  sg_merge_options options = {.poll = &call->poll};
+  double own;
+
+  if (!take_tolerance(call, tolerance, &options, &own)) {
+    return false;
+  }
+  sg_merge_end end =
+      sg_face_merge_pairs(solid, &options, &pairs->at, &pairs->n);
+
+  return end == SG_MERGE_DONE ? sg_call_adopt(call, pairs->at)
+                              : refuse(call, end);
+}

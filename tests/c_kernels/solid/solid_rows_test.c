@@ -1,0 +1,175 @@
+/* solid_rows_test.c -- a cube as a solid under way, and back as rows, through
+ * the functions of the doors, without Prolog: solid_rows.c, solid_write_rows.c,
+ * solid_over_rows.c and face_merge_rows.c.
+ */
+#include "doors/boolean.h"
+
+#include "tests/c_kernels/cube_world.h"
+#include "tests/check.h"
+
+#include <string.h>
+
+enum { CUBE = 1, WRITTEN = 2 };
+
+static sg_call call;
+
+static size_t
+rows_of(sg_relation relation)
+{
+  const sg_version *version = sg_world_version(call.world);
+  size_t n = sg_version_count(version, relation);
+
+  sg_version_drop(version);
+  return n;
+}
+
+static bool
+was_refused(sg_refused how)
+{
+  bool was = call.refusal.how == how;
+
+  call.refusal.how = SG_REFUSED_NOTHING;
+  return was;
+}
+
+static sg_solid *
+taken(int32_t s)
+{
+  sg_solid *solid = NULL;
+
+  sg_call_rest(&call); /* it is another version now */
+  return sg_door_solid_take(&call, &(sg_int_list){&s, 1, 1}, &solid) ? solid
+                                                                     : NULL;
+}
+
+/* Moves it along x; mirrored: then through x = 0. */
+static bool
+moved(sg_solid *solid, double by, bool mirrored, size_t *again)
+{
+  double row[3][4] = {
+      {mirrored ? -1 : 1, 0, 0, by}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+  sg_number_list rows[3] = {{row[0], 4, 4}, {row[1], 4, 4}, {row[2], 4, 4}};
+  sg_count_list list = {0};
+  bool good = sg_door_solid_move(&call, solid,
+                                 &(sg_list_number_list){rows, 3, 3}, &list);
+
+  *again = list.n;
+  CHECK("no matrix",
+        !sg_door_solid_move(&call, solid, &(sg_list_number_list){rows, 2, 2},
+                            &list) &&
+            was_refused(SG_REFUSED_DOMAIN));
+  return good;
+}
+
+static void
+takes(void)
+{
+  sg_solid *solid = taken(CUBE);
+  size_t vertices = 0, faces = 0, triangles = 0, again = 9;
+  sg_solid_vertex_fact_list points = {0};
+  sg_solid_face_fact_list sides = {0};
+  sg_solid_part_fact_list parts = {0};
+
+  CHECK("taken", solid && sg_door_solid_counts(&call, solid, &vertices, &faces,
+                                               &triangles));
+  CHECK("a cube", vertices == 8 && faces == 6 && triangles == 12);
+  CHECK("closed", sg_door_solid_is_closed(&call, solid));
+  CHECK("moved", moved(solid, 2, true, &again) && again == 0);
+  CHECK("vertices", sg_door_solid_vertices(&call, solid, &points));
+  CHECK("the second went to 1, 0, 0",
+        points.n == 8 && points.at[1].x == 1 && points.at[1].number == 2 &&
+            points.at[1].from.is == SG_SOLID_VERTEX_FROM_OF &&
+            points.at[1].from.of.s == CUBE && points.at[1].from.of.v == 2);
+  CHECK("faces", sg_door_solid_faces(&call, solid, &sides));
+  CHECK("of two triangles each",
+        sides.n == 6 && !sides.at[5].reversed && sides.at[5].triangles.n == 2);
+  CHECK("no parts", sg_door_solid_parts(&call, solid, &parts) && parts.n == 0);
+  sg_solid_free(solid);
+}
+
+static void
+writes(void)
+{
+  sg_solid *solid = taken(CUBE);
+  size_t again;
+
+  CHECK("written", sg_door_solid_write(&call, solid, WRITTEN));
+  CHECK("rows", rows_of(SG_V) == 16 && rows_of(SG_P) == 12 &&
+                    rows_of(SG_T) == 24 && rows_of(SG_FROM_V) == 8 &&
+                    rows_of(SG_FROM_P) == 6);
+  CHECK("not twice", !sg_door_solid_write(&call, solid, WRITTEN) &&
+                         was_refused(SG_REFUSED_PERMISSION));
+  CHECK("the same over it", sg_door_solid_write_over(&call, solid, WRITTEN));
+  CHECK("changes nothing", rows_of(SG_V) == 16 && rows_of(SG_P) == 12);
+  CHECK("not over what no solid became",
+        !sg_door_solid_write_over(&call, solid, CUBE) &&
+            was_refused(SG_REFUSED_NOTHING));
+  CHECK("elsewhere", moved(solid, 3, false, &again));
+  CHECK("most is new", !sg_door_solid_write_over(&call, solid, WRITTEN) &&
+                           was_refused(SG_REFUSED_NOTHING));
+  sg_solid_free(solid);
+}
+
+static void
+regions(void)
+{
+  int32_t leaf = CUBE;
+  sg_region *region = NULL;
+  sg_int_list leaves = {0};
+  sg_solid *solid = taken(CUBE);
+
+  CHECK("region", sg_door_solid_region(&call, WRITTEN,
+                                       &(sg_int_list){&leaf, 1, 1}, &region));
+  CHECK("its leaves", sg_door_region_leaves(&call, region, &leaves) &&
+                          leaves.n == 1 && leaves.at[0] == CUBE);
+  CHECK("of another segment",
+        !sg_door_solid_write_region(&call, solid, CUBE, region) &&
+            was_refused(SG_REFUSED_NOTHING));
+  CHECK("the same", sg_door_solid_write_region(&call, solid, WRITTEN, region));
+  CHECK("changes nothing", rows_of(SG_V) == 16 && rows_of(SG_P) == 12);
+  sg_region_free(region);
+  sg_solid_free(solid);
+}
+
+static void
+merges(void)
+{
+  sg_solid *solid = taken(CUBE);
+  sg_merge_tolerance tolerance = {.is = SG_MERGE_TOLERANCE_GIVEN, .given = -1};
+  sg_merge_option option[2] = {
+      {.is = SG_MERGE_OPTION_ORIGINS, .origins.which = SG_ORIGINS_TOGETHER},
+      {.is = SG_MERGE_OPTION_BY_SIZE, .by_size.is = true}};
+  const sg_merge_option_list options = {option, 2, 2};
+  sg_merge_move move;
+  sg_merge_pair_list pairs = {0};
+
+  CHECK("negative",
+        !sg_door_solid_merge(&call, solid, &tolerance, &options, &move) &&
+            was_refused(SG_REFUSED_DOMAIN));
+  tolerance.given = 1e-9;
+  CHECK("no neighbours",
+        sg_door_solid_neighbours(&call, solid, &tolerance, &pairs) &&
+            pairs.n == 0);
+  CHECK("merged",
+        sg_door_solid_merge(&call, solid, &tolerance, &options, &move));
+  CHECK("a cube is as it was",
+        solid->faces == 6 && move.is == SG_MERGE_MOVE_NONE);
+  sg_solid_free(solid);
+}
+
+int
+main(void)
+{
+  sg_call_open(&call, NULL, NULL);
+  call.world = sg_world_open();
+  CHECK("a cube", call.world && add_cube(call.world, CUBE));
+  takes();
+  writes();
+  regions();
+  merges();
+  sg_world *world = call.world;
+
+  sg_call_close(&call);
+  sg_world_let_go(world);
+  return check_report();
+}
