@@ -126,6 +126,13 @@ typedef struct sg_bytes {
   size_t n;
 } sg_bytes;
 
+/* A number with an exact value: `text`, as N or N/D, or if that is null,
+ * `number`. */
+typedef struct sg_exact {
+  const char *text;
+  double number;
+} sg_exact;
+
 /* Lists of arguments and of answers: NAME has `n` of T `at`. An empty one is
  * zeros. NAME_add() adds one; an answer may also be put at what outlives the
  * call, with room 0. */

@@ -4,8 +4,11 @@
  */
 #include "door.h"
 
+#include "ids.h"
+
 #include <SWI-Stream.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- a call ---- */
 
@@ -377,29 +380,7 @@ sg_door_functor(term_t t, functor_t functor, const char *type)
                             : PL_type_error(type, t));
 }
 
-static int
-compare_ids(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
-static int
-get_list_of_ids(sg_call *call, term_t t, sg_int_list *out)
-{
-  int32_t *id;
-
-  if (!sg_get_ids_ex(t, &id, &out->n)) {
-    return FALSE;
-  }
-  out->at = sg_call_alloc(call, (out->n + 1) * sizeof *out->at);
-  for (size_t i = 0; out->at && i < out->n; i++) {
-    out->at[i] = id[i];
-  }
-  free(id);
-  return out->at != NULL;
-}
+SG_DOOR_GET_LIST(id, sg_int_list, get_id)
 
 int
 get_symbol(sg_call *call, term_t t, int32_t *out)
@@ -437,22 +418,36 @@ put_symbol(term_t t, int32_t symbol)
   return PL_put_atom(t, sg_symbol_atom(symbol));
 }
 
+/* As text: PL_get_mpq() of 9.0.4 fails. */
+int
+get_exact(sg_call *call, term_t t, sg_exact *out)
+{
+  char *text, *bar, *kept = NULL;
+  size_t n;
+
+  out->text = NULL;
+  if (!PL_is_rational(t)) {
+    return sg_get_finite_ex(t, &out->number);
+  }
+  PL_STRINGS_MARK();
+  if (PL_get_nchars(t, &n, &text, CVT_RATIONAL | CVT_INTEGER | CVT_EXCEPTION) &&
+      (kept = sg_call_alloc(call, n + 1))) {
+    memcpy(kept, text, n + 1);
+  }
+  PL_STRINGS_RELEASE();
+  if (kept && (bar = strchr(kept, 'r'))) {
+    *bar = '/';
+  }
+  out->text = kept;
+  return kept != NULL;
+}
+
 int
 get_set_id(sg_call *call, term_t t, sg_int_list *out)
 {
-  size_t kept = 0;
-
-  if (!get_list_of_ids(call, t, out)) {
+  if (!get_list_id(call, t, out)) {
     return FALSE;
   }
-  if (out->n > 1) {
-    qsort(out->at, out->n, sizeof *out->at, compare_ids);
-  }
-  for (size_t i = 0; i < out->n; i++) {
-    if (kept == 0 || out->at[kept - 1] != out->at[i]) {
-      out->at[kept++] = out->at[i];
-    }
-  }
-  out->n = kept;
+  out->n = sg_sort_ids(out->at, out->n);
   return TRUE;
 }

@@ -158,6 +158,9 @@ get_bytes(sg_call *call, term_t t, sg_bytes *out)
   return TRUE;
 }
 
+/* A number of any sort, exactly. */
+int get_exact(sg_call *call, term_t t, sg_exact *out);
+
 int get_set_id(sg_call *call, term_t t, sg_int_list *out);
 
 #define put_id(t, x)      PL_put_int64(t, (int64_t)(x))

@@ -4,6 +4,7 @@
 #include <SWI-Prolog.h>
 
 #include "glue.h"
+#include "ids.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -102,38 +103,13 @@ sg_get_ids_ex(term_t list, int32_t **out, size_t *n)
   return TRUE;
 }
 
-static int
-compare_ids(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
-/* Ascending, each once; returns how many are left. */
-static size_t
-make_set(int32_t *id, size_t n)
-{
-  size_t kept = 0;
-
-  if (n > 1) {
-    qsort(id, n, sizeof *id, compare_ids);
-  }
-  for (size_t i = 0; i < n; i++) {
-    if (kept == 0 || id[kept - 1] != id[i]) {
-      id[kept++] = id[i];
-    }
-  }
-  return kept;
-}
-
 int
 sg_get_id_set_ex(term_t list, int32_t **out, size_t *n)
 {
   if (!sg_get_ids_ex(list, out, n)) {
     return FALSE;
   }
-  *n = make_set(*out, *n);
+  *n = sg_sort_ids(*out, *n);
   return TRUE;
 }
 

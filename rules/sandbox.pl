@@ -31,7 +31,7 @@ sandbox:safe_primitive(sg_kernel_world:segments_tolerance(_,_,_)).
 sandbox:safe_primitive(sg_kernel_world:near_segments(_,_,_)).
 sandbox:safe_primitive(sg_kernel_world:census(_)).
 sandbox:safe_primitive(sg_kernel_world:census_defect(_,_,_,_)).
-sandbox:safe_primitive(sg_kernel_world:'$exact_fallbacks'(_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_kernel_world:exact_statistics(_)).
 sandbox:safe_primitive(sg_kernel_penetration:line_chains(_)).
 sandbox:safe_primitive(sg_kernel_boolean:segment_operand(_,_)).
 sandbox:safe_primitive(sg_kernel_boolean:segment_edges(_,_,_,_)).

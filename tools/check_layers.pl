@@ -201,6 +201,7 @@ below(rows, shared).
 below(rows, pure(_)).
 below(glue(_), rows).
 below(arguments, rows).
+below(arguments, pure(c_kernels)).
 below(arguments, glue(engine)).
 below(glue(_), shared).
 below(glue(Top), pure(Top)).

@@ -74,6 +74,7 @@ simple(number,  double).
 simple(bool,    bool).
 simple(symbol,  int32_t).
 simple(bytes,   sg_bytes).
+simple(exact,   sg_exact).
 simple(set(id), sg_int_list).
 simple(sense,   bool).
 simple(term,    'const uint32_t *').

@@ -49,8 +49,13 @@ names(dict(_,Fields), Type) :-
     format("~nstatic atom_t word_~w[~d];~n", [Type,N]).
 names(either(_,Alternatives), Type) :-
     length(Alternatives, N),
-    format("~nstatic atom_t word_~w[~d];~nstatic functor_t functor_~w[~d];~n",
-           [Type,N,Type,N]).
+    format("~nstatic atom_t word_~w[~d];~n", [Type,N]),
+    (   member(Alternative, Alternatives),
+        compound(Alternative),
+        \+ Alternative = _:_
+    ->  format("static functor_t functor_~w[~d];~n", [Type,N])
+    ;   true
+    ).
 
 %   handle_reader(Type): get_TYPE(), of a handle inside of something else, which
 %   is in use until the call is closed.

@@ -2,6 +2,7 @@
 #include "development_rows.h"
 
 #include "doors/pattern.h"
+#include "rows/sort.h"
 
 #include <stdlib.h>
 
@@ -102,26 +103,16 @@ sg_door_flattening_joint(sg_call *call, sg_development *d, int32_t number,
   return true;
 }
 
-static int
-compare_ids(const void *a, const void *b)
-{
-  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 /* The place of an edge with this id, SIZE_MAX: none. */
 static size_t
 place_of_edge(const sg_development *d, int32_t e)
 {
   const sg_dense *of = &d->dense;
-  const int32_t *at =
-      of->edges ? bsearch(&e, of->edge_id, of->edges, sizeof e, compare_ids)
-                : NULL;
+  size_t place = sg_find_id(of->edge_id, of->edges, e);
   size_t chord =
       (size_t)e - 1 - (of->edges ? (size_t)of->edge_id[of->edges - 1] : 0);
 
-  return at                        ? (size_t)(at - of->edge_id)
+  return place != SIZE_MAX         ? place
          : chord < d->faces.chords ? of->edges + chord
                                    : SIZE_MAX;
 }

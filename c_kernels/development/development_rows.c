@@ -4,6 +4,7 @@
 #include "doors/pattern.h"
 #include "measure.h"
 #include "rows/dense_rows.h"
+#include "rows/sort.h"
 
 #include <stdlib.h>
 
@@ -48,14 +49,6 @@ sg_development_edge(const sg_development *d, uint32_t side)
 
 /* ---- opening ------------------------------------------------------------ */
 
-static int
-compare_ids(const void *a, const void *b)
-{
-  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 /* Which polygons are to be left out; *out null: none. */
 static bool
 find_removed(sg_call *call, const sg_int_list *list, const sg_dense *d,
@@ -72,8 +65,7 @@ find_removed(sg_call *call, const sg_int_list *list, const sg_dense *d,
     if (sg_poll_every(&call->poll, p)) {
       return false;
     }
-    (*out)[p] = bsearch(&d->polygon_id[p], list->at, list->n, sizeof *list->at,
-                        compare_ids);
+    (*out)[p] = sg_find_id(list->at, list->n, d->polygon_id[p]) != SIZE_MAX;
   }
   return true;
 }

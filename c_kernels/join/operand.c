@@ -5,6 +5,7 @@
 
 #include "number/exact.h"
 #include "rows/edge_pairs.h"
+#include "rows/sort.h"
 
 #include <float.h>
 #include <math.h>
@@ -313,23 +314,6 @@ typedef struct half_edges {
   size_t vertices;
 } half_edges;
 
-static int
-compare_ids(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
-static int32_t
-place_of(const half_edges *h, int32_t v)
-{
-  const int32_t *at =
-      bsearch(&v, h->vertex, h->vertices, sizeof v, compare_ids);
-
-  return (int32_t)(at - h->vertex);
-}
-
 static int32_t
 int_at(const sg_view *view, unsigned column, uint32_t row)
 {
@@ -353,17 +337,10 @@ read_edges(const sg_view *e, int32_t s, const sg_poll *poll, half_edges *h)
     h->vertex[2 * i] = h->from[i] = int_at(e, 2, rows.row[i]);
     h->vertex[2 * i + 1] = h->to[i] = int_at(e, 3, rows.row[i]);
   }
-  if (done && n > 0) {
-    qsort(h->vertex, 2 * n, sizeof *h->vertex, compare_ids);
-  }
-  for (size_t i = 0; i < 2 * n && done; i++) {
-    if (h->vertices == 0 || h->vertex[i] != h->vertex[h->vertices - 1]) {
-      h->vertex[h->vertices++] = h->vertex[i];
-    }
-  }
+  h->vertices = done ? sg_sort_ids(h->vertex, 2 * n) : 0;
   for (size_t i = 0; i < n && done; i++) {
-    h->from[i] = place_of(h, h->from[i]);
-    h->to[i] = place_of(h, h->to[i]);
+    h->from[i] = (int32_t)sg_find_id(h->vertex, h->vertices, h->from[i]);
+    h->to[i] = (int32_t)sg_find_id(h->vertex, h->vertices, h->to[i]);
   }
   sg_segment_rows_clear(&rows);
   return done;

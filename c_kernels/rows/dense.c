@@ -2,6 +2,8 @@
  * if they are not so already, then copied in that order. */
 #include "dense.h"
 
+#include "sort.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,14 +29,6 @@ compare_keys(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
-static int
-compare_ids(const void *a, const void *b)
-{
-  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 /* The place of segment s, or -1. Rows of a segment come together, so the last
  * place is tried first. */
 static int64_t
@@ -43,13 +37,11 @@ segment_place(const sg_dense *d, int32_t s, size_t *last)
   if (*last < d->segments && d->segment[*last] == s) {
     return (int64_t)*last;
   }
-  const int32_t *found =
-      d->segments ? bsearch(&s, d->segment, d->segments, sizeof s, compare_ids)
-                  : NULL;
-  if (!found) {
+  size_t found = sg_find_id(d->segment, d->segments, s);
+  if (found == SIZE_MAX) {
     return -1;
   }
-  *last = (size_t)(found - d->segment);
+  *last = found;
   return (int64_t)*last;
 }
 
@@ -113,16 +105,8 @@ find_segments(const sg_dense_views *views, const int32_t *wanted, size_t n,
     free(list.id);
     return false;
   }
-  if (list.n) {
-    qsort(list.id, list.n, sizeof *list.id, compare_ids);
-  }
-  for (size_t i = 0; i < list.n; i++) {
-    if (d->segments == 0 || d->segment[d->segments - 1] != list.id[i]) {
-      d->segment = list.id;
-      d->segment[d->segments++] = list.id[i];
-    }
-  }
   d->segment = list.id;
+  d->segments = sg_sort_ids(list.id, list.n);
   return true;
 }
 
@@ -205,9 +189,8 @@ place_of(const int32_t *id, const uint32_t *begin, uint64_t s, int32_t wanted)
   if (guess < n && first[guess] == wanted) {
     return (int32_t)(begin[s] + guess);
   }
-  const int32_t *found =
-      n ? bsearch(&wanted, first, n, sizeof *first, compare_ids) : NULL;
-  return found ? (int32_t)(found - id) : -1;
+  size_t found = sg_find_id(first, n, wanted);
+  return found == SIZE_MAX ? -1 : (int32_t)(begin[s] + found);
 }
 
 static int32_t

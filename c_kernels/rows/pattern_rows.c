@@ -3,18 +3,11 @@
 #include "pattern_rows.h"
 
 #include "by_segment.h"
+#include "sort.h"
 
 #include "engine/symbol.h"
 
 #include <stdlib.h>
-
-static int
-compare_ids(const void *a, const void *b)
-{
-  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
-
-  return (x > y) - (x < y);
-}
 
 /* The numbers of the segments that are patterns, ascending: *out null if there
  * is none. False: no memory. */
@@ -41,9 +34,7 @@ find_patterns(const sg_version *version, int32_t **out, size_t *n)
     }
   }
   sg_view_clear(&view);
-  if (*n > 0) {
-    qsort(*out, *n, sizeof **out, compare_ids);
-  }
+  *n = sg_sort_ids(*out, *n);
   return good;
 }
 

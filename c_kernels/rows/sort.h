@@ -5,6 +5,7 @@
 #ifndef SG_SORT_H
 #define SG_SORT_H
 
+#include "ids.h"
 #include "poll.h"
 
 #include <stdbool.h>

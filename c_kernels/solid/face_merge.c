@@ -1,5 +1,6 @@
 /* face_merge.c -- coplanar neighbours become one face: see face_merge.h. */
 #include "face_merge_private.h"
+#include "rows/sort.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -162,19 +163,10 @@ count_refused(const sg_merge *m, sg_merge_counts *out)
 
 /* ---- a region ----------------------------------------------------------- */
 
-static int
-compare_ids(const void *a, const void *b)
-{
-  const int32_t *x = a, *y = b;
-
-  return (*x > *y) - (*x < *y);
-}
-
 static bool
 is_of_region(const sg_merge_region *region, const sg_solid_face *face)
 {
-  return bsearch(&face->s, region->s, region->n, sizeof *region->s,
-                 compare_ids) != NULL;
+  return sg_find_id(region->s, region->n, face->s) != SIZE_MAX;
 }
 
 /* No face of the region might be one with another face, and what others are one

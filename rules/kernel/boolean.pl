@@ -6,9 +6,9 @@
 Foreign predicates; see kernel.pl.
 */
 
-/* - - - self4pl.c - - - */
+/* - - - self_rows.c - - - */
 
-%!  self_meetings(+Most:integer, -Segments:list) is det.
+%!  self_meetings(+Most:integer, -Segments:list(self_segment)) is det.
 %
 %   Where segments go through themselves: Segments has a
 %   self(S, Counts, Meetings) for each segment, by number. Counts are
@@ -59,9 +59,10 @@ Foreign predicates; see kernel.pl.
 %   opposite, and they are parts of operands (from_p/5), of no common one. The
 %   fused kernel of operands_meet/2 (csg_roots.pl).
 
-/* - - - winding4pl.c - - - */
+/* - - - winding_rows.c - - - */
 
-%!  windings(+S, +Points, -Windings) is det.
+%!  windings(+S:id, +Points:list(exact_point),
+%!           -Windings:list(winding)) is det.
 %
 %   How often the triangles of segment S go round each point(X, Y, Z) of the
 %   list, `on` if it lies on one. Numbers of any sort count exactly. Exact.

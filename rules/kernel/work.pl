@@ -109,9 +109,9 @@ Foreign predicates; see kernel.pl.
 %   chords between them are turned: all sides but those of Edges, the V1-V2 that
 %   Work had. What may be turned is decided exactly.
 
-/* - - - outline4pl.c - - - */
+/* - - - outline_rows.c - - - */
 
-%!  loops_are_sound(+Loops:list) is semidet.
+%!  loops_are_sound(+Loops:list(list(paper_point))) is semidet.
 %
 %   True when Loops, lists of three or more X-Y, of which no two that follow
 %   each other are equal, are an outline and its holes: no two edges have a

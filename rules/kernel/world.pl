@@ -1,6 +1,4 @@
-:- module(sg_kernel_world,
-          [ exact_statistics/1        % -Statistics
-          ]).
+:- module(sg_kernel_world, []).
 :- sg_kernel:export_doors.
 
 /** <module> What the world is: its rules, triangles, tolerances, trees, census.
@@ -70,22 +68,18 @@ Foreign predicates; see kernel.pl.
 %   Grain is a unit in the last place of the source of segment S, in model
 %   units, as origin(S, s(S), source(Grain)) says; 0.0: doubles.
 
-/* - - - exact4pl.c - - - */
+/* - - - exact_rows.c - - - */
 
-%!  exact_fallbacks(-Count) is det.
+%!  exact_fallbacks(-Count:count) is det.
 %
 %   How many exact decisions have needed integers since the process started,
 %   because doubles could not decide.
 
-%!  exact_statistics(-Statistics:dict) is det.
+%!  exact_statistics(-Statistics:exact_counts) is det.
 %
 %   The same for each predicate of the kernels (c_kernels/number/exact.h): a
 %   dict with `orient2d` and `orient3d`, asked of doubles; `turn`, `side`,
 %   `along` and `compare`, asked of derived points too.
-
-exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
-                   along:Along, compare:Compare}) :-
-    '$exact_fallbacks'(Orient2d, Orient3d, Turn, Side, Along, Compare).
 
 /* - - - leaf4pl.c - - - */
 
@@ -118,9 +112,9 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %   (triangles, or edges of curves) and `bytes`, and how many were `grown` and
 %   how many `found` there since the world was made.
 
-/* - - - near4pl.c - - - */
+/* - - - near_rows.c - - - */
 
-%!  near_segments(+Reach, -S1, -S2) is nondet.
+%!  near_segments(+Reach:number, ?S1:id, ?S2:id) is nondet.
 %
 %   True when S1 and S2, S1 < S2, are segments whose boxes (round their
 %   vertices) overlap or are not farther apart than Reach along each axis.
@@ -129,7 +123,8 @@ exact_statistics(_{orient2d:Orient2d, orient3d:Orient3d, turn:Turn, side:Side,
 %   long thin ones askew may have, are looked at in boxes along their own axes
 %   too; two that are plainly apart so are not near.
 
-%!  near_segments_of(+Reach, +Ss:list, -Near:list) is det.
+%!  near_segments_of(+Reach:number, +Ss:set(id),
+%!                   -Near:list(near_others)) is det.
 %
 %   Near has S-Others for each of the segments Ss, each once, ascending: Others
 %   are those of Ss that near_segments/3 has with S, ascending.

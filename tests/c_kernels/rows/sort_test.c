@@ -103,6 +103,26 @@ sorts_measured(size_t n)
   return good;
 }
 
+/* Ids: each once, ascending, each found where it is. */
+static bool
+sorts_ids(size_t n)
+{
+  static int32_t id[MOST];
+  bool good = true;
+
+  for (size_t i = 0; i < n; i++) {
+    id[i] = 2 * (rand() % 1000);
+  }
+  size_t kept = sg_sort_ids(id, n);
+
+  for (size_t i = 0; i < kept; i++) {
+    good = good && (i == 0 || id[i - 1] < id[i]) &&
+           sg_find_id(id, kept, id[i]) == i &&
+           sg_find_id(id, kept, id[i] + 1) == SIZE_MAX;
+  }
+  return good && (n == 0) == (kept == 0);
+}
+
 int
 main(void)
 {
@@ -132,5 +152,6 @@ main(void)
         is_whole(array, MOST) && (end == SG_SORTED) == is_stable(array, MOST);
   }
   CHECK("nothing is lost when it is stopped", whole);
+  CHECK("ids", sorts_ids(0) && sorts_ids(1) && sorts_ids(MOST));
   return check_report();
 }

@@ -127,8 +127,14 @@ test(last_is_det, Pairs == [1-2]) :-
                    Pairs = [S1-S2] )).
 test(reach_negative, error(domain_error(not_less_than_zero, -1))) :-
     in_new_world(near(-1, _)).
-test(bound, error(uninstantiation_error(1))) :-
-    in_new_world(near_segments(0, 1, _)).
+test(bound, [Second,Pairs] == [[2,3],[1-2]]) :-
+    in_new_world(( three, boxes([9-9-9]),
+                   findall(S2, near_segments(0, 1, S2), Second),
+                   near_segments(0, 1, 2),
+                   \+ near_segments(0, 2, 1),
+                   findall(S1-2, near_segments(0, S1, 2), Pairs) )).
+test(bound_to_what_is_no_segment, error(type_error(integer, a))) :-
+    in_new_world(near_segments(0, a, _)).
 test(near_of_some, Near == [1-[2],2-[1],3-[],9-[]]) :-
     in_new_world(( boxes([0-0-0, 1-0-0, 9-0-0, 0-1-0]),
                    near_segments_of(0, [3,9,1,2,1], Near) )).

@@ -139,7 +139,9 @@ test(type, error(type_error(pair, a))) :-
     loops_are_sound([[a,b,c]]).
 test(type, error(type_error(list, _))) :-
     loops_are_sound([1.0-2.0]).
-test(few, error(domain_error(loop, _))) :-
-    loops_are_sound([[0.0-0.0,1.0-0.0]]).
+test(few, error(domain_error(loop, [0.0-0.0,1.0-0.0]))) :-
+    loops_are_sound([[0.0-0.0,1.0-0.0,1.0-1.0],[0.0-0.0,1.0-0.0]]).
+test(none, error(domain_error(loops, []))) :-
+    loops_are_sound([]).
 
 :- end_tests(outline).

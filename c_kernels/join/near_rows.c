@@ -1,0 +1,245 @@
+/* near_rows.c -- which segments are near each other.
+ *
+ * Layer: rows.
+ */
+#include "bvh_join.h"
+#include "doors/world.h"
+#include "rows/sort.h"
+#include "tree_rows.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { CROWD = 16 }; /* other boxes */
+
+/* Segments of a version and their boxes. */
+typedef struct boxed {
+  const sg_version *version;
+  double reach;
+  size_t n;
+  int32_t *s; /* ascending */
+  sg_box *box;
+} boxed;
+
+static int
+compare_pairs(const void *x, const void *y)
+{
+  const sg_near_segments_row *a = x, *b = y;
+
+  return a->s1 != b->s1 ? sg_compare_ids(&a->s1, &b->s1)
+                        : sg_compare_ids(&a->s2, &b->s2);
+}
+
+static void
+sort_pairs(sg_near_segments_rows *pairs)
+{
+  if (pairs->n > 0) {
+    qsort(pairs->at, pairs->n, sizeof *pairs->at, compare_pairs);
+  }
+}
+
+/* The segments of segment/3 that are wanted; null: all. */
+static bool
+list_segments(sg_call *call, const sg_int_list *wanted, boxed *out)
+{
+  size_t n = sg_version_count(out->version, SG_SEGMENT);
+  sg_walk walk;
+
+  out->s = sg_call_alloc(call, n * sizeof *out->s);
+  out->box = sg_call_alloc(call, n * sizeof *out->box);
+  if (!out->s || !out->box ||
+      !sg_walk_open(&walk, out->version, SG_SEGMENT, 0, NULL)) {
+    return sg_call_no_memory(call);
+  }
+  for (sg_row row; (row = sg_walk_next(&walk)) != SG_NO_ROW && out->n < n;) {
+    int32_t id = sg_version_value(out->version, SG_SEGMENT, row, 0).i;
+
+    if (!wanted || sg_find_id(wanted->at, wanted->n, id) != SIZE_MAX) {
+      out->s[out->n++] = id;
+    }
+  }
+  sg_walk_close(&walk);
+  out->n = sg_sort_ids(out->s, out->n);
+  return true;
+}
+
+/* Boxes: of trees that are kept, else from the vertices. */
+static bool
+find_boxes(sg_call *call, boxed *out)
+{
+  int32_t *missing = sg_call_alloc(call, out->n * sizeof *missing);
+  sg_box *box = sg_call_alloc(call, out->n * sizeof *box);
+  sg_crew *crew = sg_call_crew(call);
+  size_t m = 0;
+  sg_view vertices = {0};
+
+  if (!missing || !box || !crew) {
+    return false;
+  }
+  for (size_t i = 0; i < out->n; i++) {
+    if (!sg_kept_box(out->version, out->s[i], &out->box[i])) {
+      missing[m++] = out->s[i];
+    }
+  }
+  bool good =
+      m == 0 || (sg_version_view(out->version, SG_V, &vertices) &&
+                 sg_leaf_boxes(&vertices, missing, m, crew, &call->poll, box));
+
+  for (size_t i = 0, k = 0; k < m && good; i++) {
+    if (out->s[i] == missing[k]) {
+      out->box[i] = box[k++];
+    }
+  }
+  sg_view_clear(&vertices);
+  return good || sg_call_ended(call);
+}
+
+/* The pairs whose boxes overlap within the reach, as places. */
+static bool
+join_boxes(sg_call *call, const boxed *all, sg_bvh_hits *hits)
+{
+  sg_bvh *tree = sg_bvh_open(all->box, all->n, &call->poll);
+  bool good = tree && sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, all->reach,
+                                  NULL, &call->poll, hits);
+  size_t n = 0;
+
+  for (size_t k = 0; good && k < hits->n; k++) {
+    uint32_t i = tree->item[hits->hit[k].a], j = tree->item[hits->hit[k].b];
+
+    if (sg_box_overlap(&all->box[i], &all->box[j], all->reach)) {
+      hits->hit[n++] = (sg_bvh_hit){0, i < j ? i : j, i < j ? j : i};
+    }
+  }
+  hits->n = n;
+  sg_bvh_close(tree);
+  return good || sg_call_ended(call);
+}
+
+/* Which segments overlap so many others that it is worth to look at them along
+ * their own axes: where[i] is the place of segment i among these, or -1. */
+static size_t
+find_crowded(const boxed *all, const sg_bvh_hits *hits, int64_t *where,
+             int32_t *crowded)
+{
+  size_t n = 0;
+
+  memset(where, 0, all->n * sizeof *where);
+  for (size_t k = 0; k < hits->n; k++) {
+    where[hits->hit[k].a]++;
+    where[hits->hit[k].b]++;
+  }
+  for (size_t i = 0; i < all->n; i++) {
+    bool is_crowded = where[i] > CROWD;
+
+    where[i] = is_crowded ? (int64_t)n : -1;
+    if (is_crowded) {
+      crowded[n++] = all->s[i];
+    }
+  }
+  return n;
+}
+
+static void
+drop_hits(sg_bvh_hits *hits, const int64_t *where, const sg_oriented_box *box,
+          double reach)
+{
+  size_t n = 0;
+
+  for (size_t k = 0; k < hits->n; k++) {
+    int64_t i = where[hits->hit[k].a], j = where[hits->hit[k].b];
+
+    if (i < 0 || j < 0 || !sg_oriented_boxes_apart(&box[i], &box[j], reach)) {
+      hits->hit[n++] = hits->hit[k];
+    }
+  }
+  hits->n = n;
+}
+
+/* Drops pairs of segments that boxes along their own axes show to be apart. */
+static bool
+drop_apart(sg_call *call, const boxed *all, sg_bvh_hits *hits)
+{
+  int64_t *where = sg_call_alloc(call, all->n * sizeof *where);
+  int32_t *crowded = sg_call_alloc(call, all->n * sizeof *crowded);
+  size_t n = where && crowded ? find_crowded(all, hits, where, crowded) : 0;
+  sg_oriented_box *box = sg_call_alloc(call, n * sizeof *box);
+  sg_view vertices = {0};
+
+  if (!box || n == 0) {
+    return where && crowded && box;
+  }
+  bool good = sg_version_view(all->version, SG_V, &vertices) &&
+              sg_leaf_oriented_boxes(&vertices, crowded, n, sg_call_crew(call),
+                                     &call->poll, box);
+  if (good) {
+    drop_hits(hits, where, box, 2 * all->reach); /* it is along each axis */
+  }
+  sg_view_clear(&vertices);
+  return good || sg_call_ended(call);
+}
+
+/* The pairs of wanted segments (null: of all) that are near each other. */
+static bool
+find_near(sg_call *call, double reach, const sg_int_list *wanted,
+          sg_near_segments_rows *out)
+{
+  boxed all = {.version = sg_call_version(call), .reach = reach};
+  sg_bvh_hits hits = {0};
+
+  if (reach < 0) {
+    return sg_call_domain(call, "not_less_than_zero", 1);
+  }
+  bool good = all.version && list_segments(call, wanted, &all) &&
+              find_boxes(call, &all) && join_boxes(call, &all, &hits) &&
+              drop_apart(call, &all, &hits);
+
+  for (size_t k = 0; k < hits.n && good; k++) {
+    good = sg_near_segments_rows_add(
+        call, out,
+        (sg_near_segments_row){all.s[hits.hit[k].a], all.s[hits.hit[k].b]});
+  }
+  free(hits.hit);
+  sort_pairs(out);
+  return good;
+}
+
+bool
+sg_door_near_segments(sg_call *call, double reach, const int32_t *s1,
+                      const int32_t *s2, sg_near_segments_rows *rows)
+{
+  (void)s1;
+  (void)s2;
+  return find_near(call, reach, NULL, rows);
+}
+
+bool
+sg_door_near_segments_of(sg_call *call, double reach, const sg_int_list *ss,
+                         sg_near_others_list *near)
+{
+  sg_near_segments_rows pairs = {0};
+
+  if (!find_near(call, reach, ss, &pairs)) {
+    return false;
+  }
+  for (size_t i = 0, n = pairs.n; i < n; i++) { /* both ways round */
+    const sg_near_segments_row back = {pairs.at[i].s2, pairs.at[i].s1};
+
+    if (!sg_near_segments_rows_add(call, &pairs, back)) {
+      return false;
+    }
+  }
+  sort_pairs(&pairs);
+  for (size_t i = 0, k = 0; i < ss->n; i++) {
+    sg_near_others of = {.s = ss->at[i]};
+
+    for (; k < pairs.n && pairs.at[k].s1 == of.s; k++) {
+      if (!sg_int_list_add(call, &of.others, pairs.at[k].s2)) {
+        return false;
+      }
+    }
+    if (!sg_near_others_list_add(call, near, of)) {
+      return false;
+    }
+  }
+  return true;
+}
