@@ -25,6 +25,7 @@ be raised, for the process: set_limit/2, on the command line `--limits`.
 %     - name     characters of a name or a text
 %     - fact     characters of a fact
 %     - file     octets of a .csg file, which is read as a whole
+%     - text     octets of another text: of facts, 5 MB are read in a second
 %     - facets   corners of a primitive, for every facet has some
 %     - nodes    leaves of a tree, each as often as it is used
 
@@ -34,6 +35,7 @@ limit_default(digits, 2000).
 limit_default(name, 65_536).
 limit_default(fact, 64_000_000).
 limit_default(file, 16_000_000).
+limit_default(text, 500_000_000).
 limit_default(facets, 1_000_000).
 limit_default(nodes, 100_000).
 

@@ -2,17 +2,21 @@
           [ plain_text/2,               % +Text, -Plain
             plain_term/2,               % +Term, -Plain
             plain_lines/3,              % +Kind, +Lines, -Plain
-            shown_text/2                % +Text, -Shown
+            shown_text/2,               % +Text, -Shown
+            plain_json/2                % +Out, :Goal
           ]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> What comes from files, as it may be shown to people.
 
 Names in files may hold what moves the cursor, sets a title or turns writing
-round; terms may be deep or long. In messages and on a terminal each character
-that is not seen is seen: as its picture, U+2400 and on, or as U+FFFD; and what
-is deep or long is cut.
+round; terms may be deep or long. Wherever people read them each character that
+is not seen is seen: as its picture, U+2400 and on, or as U+FFFD; and what is
+deep or long is cut. Formats that have escapes escape these characters.
+plain_code/2 alone decides which they are.
 */
+
+:- meta_predicate plain_json(+, 0).
 
 %!  plain_text(+Text, -Plain:string) is det.
 %
@@ -72,6 +76,48 @@ shown_text(Text, Shown) :-
     (   stream_property(current_output, tty(true))
     ->  plain_text(Text, Shown)
     ;   Shown = Text
+    ).
+
+%!  plain_json(+Out, :Goal) is det.
+%
+%   Call Goal once, which prints JSON to the current output: it goes to stream
+%   Out with escapes (`\u202e`) for what is not seen, and for what Out has no
+%   characters for. What is outside of its texts, line ends too, is seen.
+
+plain_json(Out, Goal) :-
+    with_output_to(string(Text), Goal),
+    stream_property(Out, encoding(Encoding)),
+    (   memberchk(Encoding, [utf8, unicode_be, unicode_le, wchar_t])
+    ->  Last = 0x10ffff
+    ;   Last = 0x7e
+    ),
+    string_codes(Text, Codes),
+    (   escaped_at(Codes, Last)
+    ->  foldl(json_code(Last), Codes, Escaped, []),
+        format(Out, "~s", [Escaped])
+    ;   write(Out, Text)
+    ).
+
+escaped_at([Code|Codes], Last) :-
+    (   Code < 0x7f
+    ->  escaped_at(Codes, Last)
+    ;   Code =< Last,
+        plain_code(Code, Code)
+    ->  escaped_at(Codes, Last)
+    ;   true
+    ).
+
+json_code(Last, Code, Codes, Rest) :-
+    (   Code < 0x7f
+    ->  Codes = [Code|Rest]
+    ;   Code =< Last,
+        plain_code(Code, Code)
+    ->  Codes = [Code|Rest]
+    ;   Code < 0x10000
+    ->  format(codes(Codes, Rest), "\\u~|~`0t~16r~4+", [Code])
+    ;   High is 0xd800 + ((Code-0x10000) >> 10),
+        Low is 0xdc00 + ((Code-0x10000) /\ 0x3ff),
+        format(codes(Codes, Rest), "\\u~16r\\u~16r", [High,Low])
     ).
 
 %!  plain_term(+Term, -Plain) is det.

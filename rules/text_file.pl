@@ -3,7 +3,7 @@
             with_text_again/3           % +Path, -Stream, :Goal
           ]).
 :- use_module(kernel, [atomic_scratch/3]).
-:- use_module(limits, [text_beyond/5]).
+:- use_module(limits, [limit_value/2, text_beyond/5]).
 /** <module> Files of text, looked through before they are read.
 */
 
@@ -22,11 +22,12 @@
 %   location(Name, Line, Column)
 
 with_text(Kind, File, Text, Goal) :-
-    text_opened(File, Text), % may wait for input: no signals in a setup
+    size_limit(Kind, Limit),
+    text_opened(File, Limit, Text), % may wait for input: no signals in a setup
     Text = text(Name, Path, Stream),
     setup_call_cleanup(
         asserta(decoding(Stream, Name)),
-        ( no_limit_broken(Kind, Name, Stream),
+        ( no_limit_broken(Kind, Limit, Text),
           once(Goal)
         ),
         closed(Name, Path, Stream)).
@@ -44,8 +45,19 @@ with_text_again(Path, Stream, Goal) :-
         ),
         closed(Path, Path, Stream)).
 
-no_limit_broken(Kind, Name, Stream) :-
-    (   Kind \== csg,
+size_limit(Kind, limit(Name, Most)) :-
+    (   Kind == csg
+    ->  Name = file
+    ;   Name = text
+    ),
+    limit_value(Name, Most).
+
+no_limit_broken(Kind, Limit, text(Name, Path, Stream)) :-
+    (   arg(2, Limit, Most),
+        size_file(Path, Size),
+        Size > Most
+    ->  throw(error(model_error(Limit), location(Name, 0, 0)))
+    ;   Kind \== csg,
         text_beyond(Kind, Stream, What, Line, Column)
     ->  throw(error(model_error(What), location(Name, Line, Column)))
     ;   true
@@ -59,27 +71,30 @@ closed(Name, Path, Stream) :-
     ;   delete_file(Path)
     ).
 
-text_opened(-, text('<stdin>', Copy, Stream)) :-
+text_opened(-, Limit, text('<stdin>', Copy, Stream)) :-
     !,
     set_stream(user_input, type(binary)),
-    copied(user_input, Copy, Stream).
-text_opened(File, Text) :-
+    copied(user_input, Limit, Copy, Stream).
+text_opened(File, Limit, Text) :-
     catch(open(File, read, In, [encoding(utf8)]), Error,
           cannot_read(File, Error)),
     (   exists_file(File)
     ->  Text = text(File, File, In)
     ;   Text = text(File, Copy, Stream),
         set_stream(In, encoding(octet)),
-        call_cleanup(catch(copied(In, Copy, Stream), Error,
+        call_cleanup(catch(copied(In, Limit, Copy, Stream), Error,
                            cannot_read(File, Error)),
                      close(In))
     ).
 
-copied(In, Copy, Stream) :-
+%   copied(In, Limit, Copy, Stream): no more than shows that it is too large.
+
+copied(In, limit(_, Most), Copy, Stream) :-
+    Enough is Most+1,
     atomic_scratch('.pl', _, Copy),
     setup_call_cleanup(
         open(Copy, write, Out, [type(binary)]),
-        copy_stream_data(In, Out),
+        copy_stream_data(In, Out, Enough),
         close(Out)),
     open(Copy, read, Stream, [encoding(utf8)]).
 

@@ -4,7 +4,7 @@
             print_table/2               % +Names, +Rows
           ]).
 :- use_module('../limits', [term_of_text/3]).
-:- use_module('../plain', [plain_text/2, shown_text/2]).
+:- use_module('../plain', [plain_json/2, plain_text/2, shown_text/2]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
@@ -164,7 +164,9 @@ json_object(Names, Values0) :-
     maplist(json_value, Values, Jsons),
     pairs_keys_values(Pairs, Names, Jsons),
     dict_pairs(Dict, _, Pairs),
-    json_write_dict(current_output, Dict, [width(0)]).
+    put_char(' '),
+    plain_json(current_output,
+               json_write_dict(current_output, Dict, [width(0)])).
 
 json_value(Value, Value) :-
     number(Value),

@@ -4,7 +4,7 @@
             counted/4                   % +Language, +What, +N, -Text
           ]).
 :- use_module('../language', [language/1]).
-:- use_module('../plain', [plain_term/2]).
+:- use_module('../plain', [plain_json/2, plain_term/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
@@ -19,7 +19,8 @@ of faults are those of model_defect/1 in every language.
 %   Print Report to current output as `text` or `json`.
 
 print_report(json, Report) :-
-    json_write_dict(current_output, Report, [width(78)]),
+    plain_json(current_output,
+               json_write_dict(current_output, Report, [width(78)])),
     nl.
 print_report(text, Report) :-
     language(Language),

@@ -15,6 +15,7 @@
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../solid/operand', [operand_faults/2]).
 :- use_module('../csg/operand_name', [name_root/2]).
+:- use_module('../plain', [plain_json/2, plain_text/2]).
 :- use_module('../primitive/primitive', [is_primitive/1]).
 :- use_module('../solid/repair', [repair_operand/1]).
 :- use_module(report, [counted/4]).
@@ -310,7 +311,8 @@ summary(Options, Ss) :-
     census(Parts),
     maplist(measured(Parts), Ss, Dicts),
     (   option(json(true), Options)
-    ->  json_write_dict(current_output, Dicts, [width(0)]),
+    ->  plain_json(current_output,
+                   json_write_dict(current_output, Dicts, [width(0)])),
         nl
     ;   language(Language),
         forall(member(Dict, Dicts), print_summary(Language, Dict))
@@ -338,8 +340,9 @@ print_summary(Language, D) :-
             Texts),
     atomic_list_concat(Texts, ', ', Counts),
     measure_words(Language, Area, Volume),
+    plain_text(D.name, Name),
     format("~w: ~w, ~w ~6g, ~w ~6g~n",
-           [D.name, Counts, Area, D.area, Volume, D.volume]).
+           [Name, Counts, Area, D.area, Volume, D.volume]).
 
 measure_words(ko, '넓이', '부피') :-
     !.

@@ -7,6 +7,7 @@
 :- use_module('../development/development_record', [development_measures/2]).
 :- use_module('../kernel', [census/1]).
 :- use_module('../language', [language/1]).
+:- use_module('../plain', [plain_json/2, plain_text/2]).
 :- use_module('../development/polygon_name', [segment_title/2]).
 :- use_module(report, [counted/4]).
 :- use_module('../development/seam_measure', [pattern_area/2, seam_drawn/3]).
@@ -37,7 +38,8 @@ unfold_report(Ds, Options) :-
     ;   All = All0
     ),
     (   option(json(true), Options)
-    ->  json_write_dict(current_output, All, [width(78)]),
+    ->  plain_json(current_output,
+                   json_write_dict(current_output, All, [width(78)])),
         nl
     ;   language(Language),
         maplist(print_pattern(Language), All)
@@ -166,7 +168,8 @@ left_in(D, P) :-
 print_pattern(Language, M) :-
     counted(Language, polygon, M.polygons, Polygons),
     pieces(Language, M.pieces, Pieces),
-    say(Language, pattern, [M.segment, M.name, Polygons, Pieces]),
+    plain_text(M.name, Name),
+    say(Language, pattern, [M.segment, Name, Polygons, Pieces]),
     atom_concat('objective ', M.objective, Objective),
     say(Language, Objective, []),
     say(Language, seam, [M.seam]),

@@ -228,7 +228,7 @@ common_option(option(rules, '', each, 'FILE',
     'rules that replace decisions; may be repeated')).
 common_option(option(limits, '', value, 'NAME=N,...',
     'how much a text may ask for: depth, blocks, digits, name, fact, file, \c
-     facets, nodes')).
+     text, facets, nodes')).
 common_option(option(strict, '', flag, '',
     'a warning makes the exit code 1')).
 common_option(option(quiet, q, flag, '', 'no notices, no progress')).
@@ -299,7 +299,7 @@ option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
 option_ko(limits, '글이 청할 수 있는 크기: depth, blocks, digits, name, fact, file, \c
-facets, nodes').
+text, facets, nodes').
 option_ko(strict, '경고가 있으면 종료 코드 1').
 option_ko(quiet, '알림과 진행 표시 없이').
 option_ko(timings, '단계별 시간을 JSON으로 표준 오류에').

@@ -12,9 +12,11 @@
 :- use_module(hpgl, [write_hpgl/3]).
 :- use_module(ink, [inked/3]).
 :- use_module('../output', [writing/3]).
+:- use_module('../plain', [plain_text/2]).
 :- use_module('../sheet/sheet', [sheet_drawing/3]).
 :- use_module(svg, [write_svg/3]).
 :- use_module(library(error), [domain_error/2]).
+:- use_module(library(option), [select_option/3]).
 /** <module> Drawings: the picture of the current world, written to files.
 
 What drawn/7 and screen/5 hold (hidden_lines.pl fills them) is laid on a sheet
@@ -87,7 +89,12 @@ write_drawing_stream(Format, Out, Options) :-
 write_format(png, Out, Options) :-
     !,
     write_png(Out, Options).
-write_format(Format, Out, Options) :-
+write_format(Format, Out, Options0) :-
+    (   select_option(title(Title0), Options0, Rest)
+    ->  plain_text(Title0, Title),
+        Options = [title(Title)|Rest]
+    ;   Options = Options0
+    ),
     sheet_drawing(210-148, Options, Drawing),
     inked(Drawing, Options, Inked),
     write_inked(Format, Out, Inked, Options).

@@ -5,6 +5,7 @@
               [ inked_inks/2, inked_texts/2, ink_width/2, ink_colour/3,
                 ink_runs/2, ink_pen/2, ink_layer/2
               ]).
+:- use_module('../plain', [plain_json/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(http/json), [json_write/3]).
 :- use_module(library(lists), [member/2, nth0/3]).
@@ -48,11 +49,11 @@ list_end(Out) :-
     format(Out, '~n  ]', []).
 
 write_member(Out, Json, Before, ",\n    ") :-
-    write(Out, Before),
+    format(Out, '~w ', [Before]),
     json_on_a_line(Out, Json).
 
 json_on_a_line(Out, Json) :-
-    json_write(Out, Json, [width(1 000 000 000)]).
+    plain_json(Out, json_write(current_output, Json, [width(1 000 000 000)])).
 
 write_texts(Out, Inked, Inks) :-
     inked_texts(Inked, Texts),

@@ -22,6 +22,7 @@
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(error), [domain_error/2, type_error/2]).
+:- use_module('../plain', [plain_text/2]).
 :- use_module(library(lists), [append/2, append/3, list_to_set/2, member/2]).
 :- use_module(library(option), [option/3]).
 /** <module> Ink: a drawing with the way it looks.
@@ -82,8 +83,9 @@ item_key(text(_,_,_,_,_), key(visible,text,0)).
 
 inked_item(Stroke, Ink, line(Ink,Stroke)) :-
     Stroke = stroke(_, _, _, _, _, _, _).
-inked_item(Text, Ink0, text(Ink,Text)) :-
-    Text = text(_, _, Height, _, _),
+inked_item(text(X,Y,Height,Anchor,Text0), Ink0,
+           text(Ink,text(X,Y,Height,Anchor,Text))) :-
+    plain_text(Text0, Text),
     letter_ink(Ink0, Height, Ink).
 
 %   Letters are drawn no wider than a tenth of their height (ISO 3098).

@@ -20,6 +20,7 @@
 :- use_module('../message/explain_words', [statement_keys/2, in_order/4]).
 :- use_module('../message/messages', []).
 :- use_module('../message/messages_ko', []).
+:- use_module('../plain', [plain_json/2, plain_text/2]).
 :- use_module('../penetration/joints', [merge_line/2]).
 :- use_module('../csg/provenance', [vertex_from/4, vertex_on/4]).
 :- use_module('../store',
@@ -444,7 +445,8 @@ edge_origin(S, E, because(edge_whole(S,E), [])).
 
 print_explanations(Explanations) :-
     maplist(explanation_json, Explanations, Jsons),
-    json_write(current_output, Jsons, [width(72), tab(1000)]),
+    plain_json(current_output,
+               json_write(current_output, Jsons, [width(72), tab(1000)])),
     nl.
 
 explanation_json(Item-Because, json([item=Text, because=Jsons])) :-
@@ -465,8 +467,9 @@ statement_text(Statement, Text) :-
     phrase('$messages':translate_message(sanggwan(because(Statement))), Lines),
     with_output_to(string(Text0),
                    print_message_lines(current_output, '', Lines)),
-    string_concat(Text, "\n", Text0),   % split_string/4 parts at NUL too
-    !.
+    string_concat(Text1, "\n", Text0),  % split_string/4 parts at NUL too
+    !,
+    plain_text(Text1, Text).
 
 because_json(because(Statement, Because), json(All)) :-
     Statement =.. [Name|Values0],

@@ -1,3 +1,4 @@
+:- encoding(utf8).
 :- module(sg_messages,
           [ english//1                  % +Term
           ]).
@@ -204,6 +205,10 @@ notice_en(mesh(File, ignored(N, Line))) -->
     [ ' of unknown kind passed over, the first in line ~D'-[Line] ].
 notice_en(mesh(File, no_curves(N))) -->
     [ '~w: STL holds no curves: ~D left out'-[File, N] ].
+notice_en(mesh(File, other_names(N))) -->
+    [ '~w: '-[File] ],
+    counted(N, name, names),
+    [ ' in which what is not seen is a picture (␛) or a blank now' ].
 notice_en(written(File, What)) -->
     [ '~w: '-[File] ],
     written_en(What).

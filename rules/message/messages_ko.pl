@@ -193,6 +193,9 @@ notice_ko(mesh(File, ignored(N, Line))) -->
       [File, N, Line] ].
 notice_ko(mesh(File, no_curves(N))) -->
     [ '~w: STL에는 곡선이 없어 ~D개를 뺐습니다'-[File, N] ].
+notice_ko(mesh(File, other_names(N))) -->
+    [ '~w: 이름 ~D개에서 보이지 않는 글자를 그림(␛)이나 빈칸으로 바꾸었습니다'-
+      [File, N] ].
 notice_ko(written(File, What)) -->
     [ '~w: '-[File] ],
     written_ko(What).

@@ -231,6 +231,8 @@ limit_en(fact) -->
     [ 'characters of a fact' ].
 limit_en(file) -->
     [ 'octets of a .csg file' ].
+limit_en(text) -->
+    [ 'octets of a text' ].
 limit_en(facets) -->
     [ 'corners of a primitive' ].
 limit_en(nodes) -->

@@ -222,6 +222,8 @@ limit_ko(fact) -->
     [ '사실 하나의 글자 수' ].
 limit_ko(file) -->
     [ '.csg 파일의 바이트' ].
+limit_ko(text) -->
+    [ '글의 바이트' ].
 limit_ko(facets) -->
     [ '프리미티브 하나의 꼭짓점' ].
 limit_ko(nodes) -->

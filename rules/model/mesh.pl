@@ -6,6 +6,7 @@
             mesh_ending/2,              % ?Ending, ?Format
             mesh_file_format/3,         % +File, +Options, -Format
             mesh_to_file/2,             % +File, :Goal
+            mesh_names/4,               % +File, +Format, +Names0, -Names
             mesh_outcome/1              % +Outcome
           ]).
 :- use_module('../kernel',
@@ -13,10 +14,11 @@
                 boundary_close/1
               ]).
 :- use_module('../output', [asked_for/2, writing/3]).
+:- use_module('../plain', [plain_text/2]).
 :- use_module('../store',
               [ segment/3, assert_fact/1, facts_transaction/1, fresh_id/3 ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(apply), [foldl/6, maplist/2, maplist/3]).
 :- use_module(library(error), [domain_error/2, existence_error/2, must_be/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/3]).
@@ -217,7 +219,8 @@ write_mesh(File, Segments) :-
 
 write_mesh(File, Segments0, Options) :-
     mesh_file_format(File, Options, Format),
-    segments_names(Segments0, Segments, Names),
+    segments_names(Segments0, Segments, Names0),
+    mesh_names(File, Format, Names0, Names),
     option(canonical(Canonical), Options, false),
     must_be(boolean, Canonical),
     (   Canonical == true
@@ -241,6 +244,42 @@ mesh_to_file(-, Goal) :-
         set_stream(user_output, type(text))).
 mesh_to_file(File, Goal) :-
     writing(File, binary, Goal).
+
+%!  mesh_names(+File, +Format, +Names0:list, -Names:list) is det.
+%
+%   Names are those of segments, Names0, as a File in Format has them: its names
+%   are a line each, and it has no escapes, so what is not seen stands there as
+%   in plain_text/2, line ends and tabs as blanks. That is a warning.
+
+mesh_names(File, Format, Names0, Names) :-
+    (   memberchk(Format, [stl, obj])
+    ->  foldl(mesh_name, Names0, Names, 0, N),
+        asked_for(File, Target),
+        warned(N, mesh(Target, other_names(N)))
+    ;   Names = Names0
+    ).
+
+mesh_name(Name0, Name, N0, N) :-
+    (   ( atom(Name0) ; string(Name0) )
+    ->  Text0 = Name0
+    ;   format(string(Text0), "~q", [Name0])
+    ),
+    atom_codes(Text0, Codes0),
+    maplist(line_code, Codes0, Codes),
+    string_codes(Text1, Codes),
+    plain_text(Text1, Text),
+    (   string_codes(Text, Codes0)
+    ->  Name = Text0,
+        N = N0
+    ;   Name = Text,
+        N is N0+1
+    ).
+
+line_code(Code0, Code) :-
+    (   between(9, 13, Code0)
+    ->  Code = 32
+    ;   Code = Code0
+    ).
 
 %   without_curves(Format, File, Segments): warn of what STL cannot hold.
 

@@ -10,7 +10,10 @@
                 boundary_counts/2, boundary_meetings/3, boundary_add/2,
                 boundary_write/5, fill_triangles/1
               ]).
-:- use_module(mesh, [mesh_file_format/3, mesh_to_file/2, mesh_outcome/1]).
+:- use_module(mesh,
+              [ mesh_file_format/3, mesh_to_file/2, mesh_names/4,
+                mesh_outcome/1
+              ]).
 :- use_module(model_writer, [write_model/1]).
 :- use_module('../output', [asked_for/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
@@ -106,13 +109,13 @@ solid_format(File, Options, Format) :-
 written(pl, File, _, _, _) :-
     !,
     write_model(File).
-written(Format, File, S, Name, Options) :-
+written(Format, File, S, Name0, Options) :-
+    mesh_names(File, Format, [Name0], Names),
     format_manner(Format, Options, Manner),
     clean_boundary(S, Manner, Options, Boundary, Rounds),
     call_cleanup(
         ( mesh_to_file(File,
-                       sg_solid_file:boundary_written(Boundary, Format,
-                                                      [Name])),
+                       sg_solid_file:boundary_written(Boundary, Format, Names)),
           boundary_counts(Boundary, Counts)
         ),
         boundary_close(Boundary)),
@@ -162,7 +165,8 @@ write_solids(File, Pairs, Options) :-
                      sg_solid_file:all_written(Format, File, Pairs, Options))).
 
 all_written(Format, File, Pairs, Options) :-
-    pairs_keys_values(Pairs, Ss, Names),
+    pairs_keys_values(Pairs, Ss, Names0),
+    mesh_names(File, Format, Names0, Names),
     format_manner(Format, Options, Manner),
     foldl(clean_segment(Manner, Options), Ss, CleanSs, 0, Rounds),
     Manner = manner(Single, Form, Copies),

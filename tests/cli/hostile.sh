@@ -23,8 +23,8 @@ no_control() {
 import re, sys
 for name in sys.argv[1:]:
     text = open(name, encoding='utf8', errors='replace').read()
-    if re.search('[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e'
-                 '\u2066-\u2069]', text):
+    if re.search('[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b\u200e\u200f'
+                 '\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb]', text):
         sys.exit(0)
 sys.exit(1)
 P
@@ -44,12 +44,15 @@ refused() { # NAME LIMIT ARGUMENT...
   check "$name.own-words" no_prolog
 }
 
+# A file of nothing, as large as no model (it has no blocks on the disk).
+truncate -s 600M "$work/h/text.pl"
+
 # Models, with the verb that makes what they ask for.
 for file in "$work"/h/*.*; do
   name=${file##*/}
   limit=${name%%.*}
   case $limit in
-    depth | blocks | digits | name | file | facets | nodes)
+    depth | blocks | digits | name | file | text | facets | nodes)
       refused "model.$name" "$limit" eval "$file" ;;
   esac
 done
@@ -79,6 +82,16 @@ for name in depth.small.pl name.pl; do
   check "fifo.$name" status_is 3
   check "fifo.$name.limit" has "--limits ${name%%.*}=N"
 done
+
+# Input that never ends.
+status=$(
+  (ulimit -v 1500000 -t 2
+   yes 'v(1, 1, 0, 0, 0).' | "$sanggwan" check - --limits text=1000000 \
+     >"$work/out" 2>"$work/err"
+   echo "${PIPESTATUS[1]}")
+)
+check endless status_is 3
+check endless.limit has '--limits text=N'
 
 # Other readers: styles, title blocks, rules, goals.
 for name in depth.small.pl depth.prefix.pl digits.pl name.quoted.pl; do
@@ -142,6 +155,64 @@ bounded query "$work/h/cursor.pl" 'segment(S, K, N)'
 check query-table no_control "$work/out"
 bounded check "$work/h/cursor.pl" -q --json
 check json-escapes has '\u001b' "$work/out"
+
+# Such a name as a word of its own and inside a term, in every verb and format
+# (.csv is data as it is): seen, or escaped.
+python3 - "$work/h/cursor.pl" "$work/title.pl" <<'P'
+import sys
+name = 'a\\x1b\\[2J\\u202e\\u2066b\\x0\\c\\nd\\x85\\e\\u200f\\U000E0041'
+text = open(sys.argv[1], encoding='utf8').read()
+with open(sys.argv[1], 'w') as out:
+    out.write("segment(1,solid,'%s').\n" % name + text[text.index('v(1'):])
+    out.write("segment(2,solid,named('x%s',at([translate(0.5,0.5,0.5)],"
+              "box(size(1,1,1))))).\n" % name)
+with open(sys.argv[2], 'w') as out:
+    out.write('title_block(name, "%s").\n' % name)
+P
+names=0
+clean() { # NAME STATUS ARGUMENT...: nothing of it in what was written
+  local name=$1 wanted=$2
+  shift 2
+  bounded "$@"
+  check "$name.status" status_is "$wanted"
+  for file in "$work/out" "$work/err" "$work"/named.*; do
+    [ ! -e "$file" ] || check "$name.${file##*/}" no_control "$file"
+  done
+  rm -f "$work"/named.*
+  names=$((names + 1))
+}
+for ending in svg eps ps dxf hpgl json pl; do
+  clean "draw.$ending" 0 draw "$work/h/cursor.pl" --sheet A4 \
+    --title-block "$work/title.pl" -o "$work/named.$ending"
+done
+for ending in obj off pl; do
+  clean "convert.$ending" 0 convert "$work/h/cursor.pl" -o "$work/named.$ending"
+  clean "union.$ending" 0 union "$work/h/cursor.pl" -o "$work/named.$ending"
+  clean "unfold.$ending" 0 unfold "$work/h/cursor.pl" -o "$work/named.$ending"
+done
+bounded convert "$work/h/cursor.pl" -o "$work/named.obj"
+check 'OBJ: said' has 'what is not seen'
+check 'OBJ: nothing cut' has 'b␀c d' "$work/named.obj"
+clean convert.stl 0 convert "$work/h/cursor.pl" -o "$work/named.stl"
+clean strict 1 convert "$work/h/cursor.pl" --strict -o "$work/named.stl"
+for ending in pl obj dxf svg txt; do
+  clean "penetrate.$ending" 0 penetrate "$work/h/cursor.pl" \
+    -o "$work/named.$ending"
+done
+clean unfold.svg 0 unfold "$work/h/cursor.pl" --names words -o "$work/named.svg"
+for json in '' --json; do
+  clean "check$json" 0 check "$work/h/cursor.pl" $json
+  clean "eval$json" 0 eval "$work/h/cursor.pl" $json
+  clean "unfold$json" 0 unfold "$work/h/cursor.pl" $json
+  clean "explain$json" 0 explain "$work/h/cursor.pl" 'line(1)' $json
+  [ -z "$json" ] ||
+    check 'JSON that is read' python3 -m json.tool "$work/out" "$work/json"
+done
+for format in table json prolog; do
+  clean "query.$format" 0 query "$work/h/cursor.pl" --format $format \
+    'segment(S, K, N)'
+done
+printf 'counted: %d commands with such names\n' "$names"
 
 # A NUL in a name parts no sentence and no cell.
 printf '%s\n' "segment(1, solid, named('a\\x0\\b', box(size(1, 1, 1))))." \
