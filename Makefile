@@ -219,7 +219,7 @@ check-cli: all $(B)/docs/example $(CHECKERS) $(FAILING)
 N    ?= 20
 SEED ?= 1
 PART ?=
-mutants: all $(CHECKERS)
+mutants: all $(CHECKERS) $(FAILING)
 	@tools/mutants $(N) $(SEED) $(PART)
 
 # --- checkers --------------------------------------------------------------
