@@ -157,6 +157,11 @@ typedef struct sg_exact {
   }                                                                            \
   typedef struct NAME NAME
 
+/* point(X, Y, Z), and vector(X, Y, Z). */
+typedef struct sg_xyz {
+  double at[3];
+} sg_xyz;
+
 SG_CALL_LIST(sg_int_list, int32_t);
 SG_CALL_LIST(sg_count_list, size_t);
 SG_CALL_LIST(sg_integer_list, int64_t);

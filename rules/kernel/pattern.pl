@@ -164,7 +164,7 @@ Foreign predicates; see kernel.pl.
 %   fused kernel of segment_facets/3 (known_surface.pl). Inexact where they are
 %   moved.
 
-/* - - - roll4pl.c: cylinders and cones unrolled - - -
+/* - - - roll_rows.c: cylinders and cones unrolled - - -
 
 A surface is a term of primitive_face.pl, or plane(Nx, Ny, Nz, D): Nx*X + Ny*Y +
 Nz*Z + D = 0. A roll is roll(Surface, Layer, Start): a cylinder or a cone (but
@@ -172,28 +172,34 @@ one with K = 1) is unrolled from the generator at Start, as it is Layer outside
 the drawn surface. Degrees; see roll.h.
 */
 
-%!  surface_place(+Surface, +Point, -T, -H) is det.
+%!  surface_place(+Surface:offset_surface, +Point:point, -T:number,
+%!                -H:number) is det.
 %
 %   T (-180..180) and H are the parameters of the point of Surface, a cylinder,
 %   cone or ruled surface, that Point is taken to: from the axis, at its H.
 
-%!  surface_value(+Surface, +Point, -Value, -Normal) is semidet.
+%!  surface_value(+Surface:offset_surface, +Point:point, -Value:number,
+%!                -Normal:vector) is semidet.
 %
 %   Value is how far Point is from Surface, to first order, negative inside
 %   (below a plane); Normal, vector(X, Y, Z), is the unit normal there, outward.
 %   Fails where there is none, as on an axis. Rounded.
 
-%!  surfaces_meet(+Surfaces, +Reach, +Point0, -Point) is semidet.
+%!  surfaces_meet(+Surfaces:list(offset_surface), +Reach:number,
+%!                +Point0:point, -Point:point) is semidet.
 %
 %   Point is a point near Point0 on all of one to three Surfaces. Fails if
 %   there is none within Reach, or they touch there. Rounded.
 
-%!  roll_points(+Roll, +Places, -Points) is det.
+%!  roll_points(+Roll:roll_fact, +Places:list(paper_point),
+%!              -Points:list(paper_point)) is det.
 %
 %   Where the points of the surface at Places, a list of T-H, are unrolled:
 %   Points is the list of X-Y. T is at most about a turn from the start.
 
-%!  roll_curves(+Roll, +Reach, +Tolerance, +Curves, -Lists) is det.
+%!  roll_curves(+Roll:roll_fact, +Reach:number, +Tolerance:number,
+%!              +Curves:list(roll_curve_fact),
+%!              -Lists:list(list(roll_place_fact))) is det.
 %
 %   Points on Curves between their ends, so many that no chord is farther than
 %   Tolerance from the unrolled curve. A curve is curve(T0, Surfaces, From, To):
