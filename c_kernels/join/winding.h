@@ -13,24 +13,12 @@
 #ifndef SG_WINDING_H
 #define SG_WINDING_H
 
-#include "bvh.h"
 #include "number/exact.h"
 
 /* What triangle a, b, c counts for point p: +1 where the ray leaves through
  * it, -1 where it enters, 0. Of an open surface the sum means nothing. */
 int sg_winding_of(const sg_point *a, const sg_point *b, const sg_point *c,
                   const sg_point *p);
-
-/* True if the line of the ray from p plainly misses triangle t, seen along x:
- * then it counts 0 for p, and p does not lie on it. p are the doubles nearest
- * to the point. Most of what boxes say of long thin triangles is settled so. */
-bool sg_winding_misses(const double t[3][3], const double p[3]);
-
-/* Shortens the rays of n points, which begin in the boxes ray[i], to what can
- * go round them: each ends (hi[0]) where the last of the closed `bodies` ends
- * whose box has its beginning. False: no memory, or the poll said stop. */
-bool sg_winding_shorten(const sg_box *body, size_t bodies, sg_box *ray,
-                        size_t n, const sg_poll *poll);
 
 /* Whether p lies on the closed triangle (which may have no area). */
 bool sg_is_on_triangle(const sg_point *a, const sg_point *b, const sg_point *c,

@@ -38,7 +38,7 @@ typedef struct sg_shell {
   int32_t polygon; /* the lowest id in it */
   size_t vertices, edges, polygons;
   int64_t euler; /* vertices - edges + faces; a face with h holes counts 1-h */
-  size_t depth;  /* how many other shells of the segment go round it */
+  size_t depth;  /* how many closed others of the segment go round it */
   bool closed;   /* as many half-edges one way as the other on every edge */
   bool pinched;  /* some vertex has several fans */
   double area, volume; /* volume > 0: normals point outward */

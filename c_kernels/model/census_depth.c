@@ -3,35 +3,35 @@
  *
  * Asked at the middle of a triangle of the shell that is on no other shell, if
  * there is one among the few that are tried: exact there. Shells that go
- * through each other have no depth; theirs is that of the point.
+ * through each other have no depth; theirs is that of the point. A walk over
+ * the points (join/tour.h) knows which shells go round where it is; one that
+ * is open goes round nothing.
  */
 #include "census_private.h"
-#include "join/bvh_join.h"
-#include "join/winding.h"
+#include "join/tour.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIED = 3, POLL_EVERY = 4096 };
-
-/* What triangles of one shell count at one point. */
-typedef struct turn {
-  uint32_t point, shell;
-  int count;
-} turn;
+enum { TRIED = 3 };
 
 typedef struct depths {
   const sg_counting *c;
   size_t first, shells; /* shell i of the segment is first + i */
   size_t begin, triangles;
   uint32_t *tried; /* [shells][TRIED] triangles, from 0; the same if few */
-  double (*at)[3]; /* [shells * TRIED] */
-  sg_box *round;   /* [shells] */
-  const sg_bvh *rays, *faces;
-  bool *on; /* [shells * TRIED]: on another shell */
-  turn *item;
-  size_t n, room;
+  sg_point *at;    /* [shells * TRIED] */
+  bool *on;        /* [shells * TRIED]: on another shell */
+  uint32_t *depth; /* [shells * TRIED] */
+  int *turns;      /* [shells] round where the walk is */
+  uint32_t round;  /* of how many shells that is not 0 */
 } depths;
+
+static const sg_shell *
+shell_at(const depths *d, size_t i)
+{
+  return &d->c->out->shell[d->first + i];
+}
 
 static size_t
 shell_of(const depths *d, size_t t)
@@ -40,16 +40,6 @@ shell_of(const depths *d, size_t t)
   int32_t p = c->d->polygon_of[d->begin + t];
 
   return c->shell_of[p] - d->first;
-}
-
-static void
-corners(const depths *d, size_t t, sg_point out[3])
-{
-  const sg_dense *dense = d->c->d;
-
-  for (int k = 0; k < 3; k++) {
-    sg_point_set(&out[k], dense->at[dense->corner[d->begin + t][k]]);
-  }
 }
 
 /* The first, a middle and the last triangle of each shell. */
@@ -69,186 +59,113 @@ choose(depths *d)
   }
   for (size_t i = 0; i < d->shells * TRIED; i++) {
     const int32_t *v = dense->corner[d->begin + d->tried[i]];
+    double at[3];
 
     for (int k = 0; k < 3; k++) {
-      d->at[i][k] = dense->at[v[0]][k] / 3 + dense->at[v[1]][k] / 3 +
-                    dense->at[v[2]][k] / 3;
+      at[k] = dense->at[v[0]][k] / 3 + dense->at[v[1]][k] / 3 +
+              dense->at[v[2]][k] / 3;
     }
+    sg_point_set(&d->at[i], at);
   }
   free(count);
 }
 
-static bool
-add_turn(depths *d, uint32_t point, uint32_t shell, int count)
-{
-  if (d->n == d->room) {
-    size_t room = 2 * d->room + 64;
-    turn *more = realloc(d->item, room * sizeof *more);
-
-    if (!more) {
-      return false;
-    }
-    d->item = more;
-    d->room = room;
-  }
-  d->item[d->n++] = (turn){point, shell, count};
-  return true;
-}
-
-/* What triangle t counts at point i. False: no memory. */
-static bool
-see(depths *d, uint32_t i, uint32_t t)
-{
-  size_t shell = shell_of(d, t);
-  sg_point corner[3], at;
-
-  if (shell == i / TRIED) {
-    return true;
-  }
-  corners(d, t, corner);
-  sg_point_set(&at, d->at[i]);
-  d->on[i] =
-      d->on[i] || sg_is_on_triangle(&corner[0], &corner[1], &corner[2], &at);
-  int count = sg_winding_of(&corner[0], &corner[1], &corner[2], &at);
-
-  return count == 0 || add_turn(d, i, (uint32_t)shell, count);
-}
-
-/* What is outside of a shell's box it does not go round. */
-static bool
-may_count(void *data, const sg_bvh_hit *hit)
+static void
+corners(const void *data, uint32_t t, double out[3][3])
 {
   const depths *d = data;
-  size_t i = d->rays->item[hit->a], t = d->faces->item[hit->b];
-  size_t shell = shell_of(d, t);
   const sg_dense *dense = d->c->d;
-  double corner[3][3];
-  sg_box point = sg_box_none();
 
-  sg_box_add(&point, d->at[i]);
-  if (shell == i / TRIED || !sg_box_overlap(&point, &d->round[shell], 0)) {
-    return false;
-  }
   for (int k = 0; k < 3; k++) {
-    memcpy(corner[k], dense->at[dense->corner[d->begin + t][k]],
-           sizeof corner[k]);
+    memcpy(out[k], dense->at[dense->corner[d->begin + t][k]], sizeof out[k]);
   }
-  return !sg_winding_misses((const double(*)[3])corner, d->at[i]);
 }
 
-/* Boxes of the triangles, and of the shells. */
 static void
-box_triangles(depths *d, sg_box *box)
+pass(void *data, uint32_t t, int turns)
 {
-  const sg_dense *dense = d->c->d;
+  depths *d = data;
+  size_t shell = shell_of(d, t);
 
-  for (size_t i = 0; i < d->shells; i++) {
-    d->round[i] = sg_box_none();
-  }
-  for (size_t t = 0; t < d->triangles; t++) {
-    box[t] = sg_box_none();
-    for (int k = 0; k < 3; k++) {
-      sg_box_add(&box[t], dense->at[dense->corner[d->begin + t][k]]);
-    }
-    sg_box_join(&d->round[shell_of(d, t)], &box[t]);
+  if (shell_at(d, shell)->closed) {
+    d->round -= d->turns[shell] != 0;
+    d->turns[shell] += turns;
+    d->round += d->turns[shell] != 0;
   }
 }
 
-/* Trees of the triangles and of the rays of the points, joined. */
-static bool
-join(depths *d, const sg_poll *poll, sg_bvh **rays, sg_bvh **faces,
-     sg_bvh_hits *hits)
-{
-  size_t points = d->shells * TRIED;
-  sg_box *box = malloc((d->triangles + 1) * sizeof *box);
-  sg_box *ray = malloc((points + 1) * sizeof *ray);
-  bool good = box && ray;
-
-  if (good) {
-    box_triangles(d, box);
-    *faces = sg_bvh_open(box, d->triangles, poll);
-  }
-  for (size_t i = 0; i < points && good; i++) {
-    ray[i] = sg_box_none();
-    sg_box_add(&ray[i], d->at[i]);
-  }
-  good = good && *faces &&
-         sg_winding_shorten(d->round, d->shells, ray, points, poll);
-  *rays = good ? sg_bvh_open(ray, points, poll) : NULL;
-  free(box);
-  free(ray);
-  d->rays = *rays;
-  d->faces = *faces;
-  return *rays && sg_bvh_join_wanted(&(sg_bvh_pair){*rays, *faces}, 1, 0,
-                                     may_count, d, NULL, poll, hits);
-}
-
-static int
-by_point_and_shell(const void *x, const void *y)
-{
-  const turn *a = x, *b = y;
-
-  return a->point != b->point ? (a->point > b->point) - (a->point < b->point)
-                              : (a->shell > b->shell) - (a->shell < b->shell);
-}
-
-/* How many shells go round each point. */
 static void
-count_depths(depths *d, uint32_t *out)
+lies_on(void *data, size_t i, uint32_t t)
 {
-  if (d->n > 0) {
-    qsort(d->item, d->n, sizeof *d->item, by_point_and_shell);
-  }
-  for (size_t i = 0, end; i < d->n; i = end) {
-    int sum = 0;
+  depths *d = data;
 
-    for (end = i;
-         end < d->n && by_point_and_shell(&d->item[i], &d->item[end]) == 0;
-         end++) {
-      sum += d->item[end].count;
-    }
-    out[d->item[i].point] += sum != 0;
-  }
+  d->on[i] = d->on[i] || shell_of(d, t) != i / TRIED;
 }
 
-static bool
-set_depths(depths *d, sg_shell *shell)
+static void
+arrive(void *data, size_t i)
 {
-  uint32_t *depth = calloc(d->shells * TRIED + 1, sizeof *depth);
+  depths *d = data;
 
-  if (!depth) {
-    return false;
-  }
-  count_depths(d, depth);
+  d->depth[i] = d->round - (d->turns[i / TRIED] != 0);
+}
+
+static void
+set_depths(const depths *d, sg_shell *shell)
+{
   for (size_t i = 0; i < d->shells; i++) {
     size_t k = i * TRIED, end = k + TRIED;
 
     while (k + 1 < end && d->on[k]) {
       k++;
     }
-    shell[d->first + i].depth = depth[k];
+    shell[d->first + i].depth = d->depth[k];
   }
-  free(depth);
-  return true;
+}
+
+/* A tree of the triangles. */
+static sg_bvh *
+plant(const depths *d, const sg_poll *poll)
+{
+  sg_box *box = malloc((d->triangles + 1) * sizeof *box);
+  sg_bvh *tree = NULL;
+
+  for (uint32_t t = 0; box && t < d->triangles; t++) {
+    double at[3][3];
+
+    corners(d, t, at);
+    box[t] = sg_box_none();
+    for (int k = 0; k < 3; k++) {
+      sg_box_add(&box[t], at[k]);
+    }
+  }
+  if (box) {
+    tree = sg_bvh_open(box, d->triangles, poll);
+  }
+  free(box);
+  return tree;
 }
 
 static bool
-see_all(depths *d, const sg_poll *poll, bool *stopped)
+walk(depths *d, const sg_poll *poll)
 {
-  sg_bvh *rays = NULL, *faces = NULL;
-  sg_bvh_hits hits = {0};
-  bool done = join(d, poll, &rays, &faces, &hits);
+  size_t n = d->shells * TRIED;
+  const sg_point **at = malloc(n * sizeof *at);
+  sg_bvh *tree = at ? plant(d, poll) : NULL;
+  sg_tour way = {.tree = tree,
+                 .data = d,
+                 .corners = corners,
+                 .pass = pass,
+                 .on = lies_on,
+                 .arrive = arrive};
 
-  for (size_t i = 0; i < hits.n && done; i++) {
-    done = see(d, rays->item[hits.hit[i].a], faces->item[hits.hit[i].b]);
-    if (i % POLL_EVERY == POLL_EVERY - 1 && sg_poll_stop(poll)) {
-      *stopped = true;
-      done = false;
-    }
+  for (size_t i = 0; at && i < n; i++) {
+    at[i] = &d->at[i];
   }
-  free(hits.hit);
-  sg_bvh_close(rays);
-  sg_bvh_close(faces);
+  bool done = tree && sg_tour_over(&way, at, n, poll);
+
+  free(at);
+  sg_bvh_close(tree);
   return done;
 }
 
@@ -269,17 +186,21 @@ sg_census_depths(sg_counting *c)
   d.tried = calloc(d.shells * TRIED, sizeof *d.tried);
   d.at = calloc(d.shells * TRIED, sizeof *d.at);
   d.on = calloc(d.shells * TRIED, sizeof *d.on);
-  d.round = malloc(d.shells * sizeof *d.round);
-  bool done = d.tried && d.at && d.on && d.round;
+  d.depth = calloc(d.shells * TRIED, sizeof *d.depth);
+  d.turns = calloc(d.shells, sizeof *d.turns);
+  bool done = d.tried && d.at && d.on && d.depth && d.turns;
 
   if (done) {
     choose(&d);
-    done = see_all(&d, c->poll, &c->stopped) && set_depths(&d, c->out->shell);
+    done = walk(&d, c->poll);
+  }
+  if (done) {
+    set_depths(&d, c->out->shell);
   }
   free(d.tried);
   free(d.at);
   free(d.on);
-  free(d.round);
-  free(d.item);
+  free(d.depth);
+  free(d.turns);
   return done;
 }

@@ -157,8 +157,7 @@ bool sg_arrangement_find_parts(sg_arrangement *a, sg_crew *crew,
                                const sg_poll *poll);
 
 /* The sides of all components (arrangement_side.c). */
-bool sg_arrangement_find_sides(sg_arrangement *a, sg_crew *crew,
-                               const sg_poll *poll);
+bool sg_arrangement_find_sides(sg_arrangement *a, const sg_poll *poll);
 
 /* Another point inside a component, by part->tries (arrangement_point.c).
  * False: no memory. */

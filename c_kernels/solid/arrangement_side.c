@@ -1,40 +1,32 @@
 /* arrangement_side.c -- on which side of the leaves components are: see
  * arrangement.h.
  *
- * Layer: kernel. The ray of winding.h, from the point of a component in
- * direction +x. A triangle that has the point lies as the component does; the
- * ray's own shift says on which side of it the ray begins, and the triangle
- * makes the difference to the other.
+ * Layer: kernel. A walk (join/tour.h) over the points of components counts how
+ * often a leaf goes round each. A triangle that has the point lies as the
+ * component does; the walk's own shift says on which side of it the walk is,
+ * and the triangle makes the difference to the other.
  */
 #include "arrangement_private.h"
 
-#include "join/bodies.h"
-#include "join/bvh_join.h"
-#include "join/winding.h"
+#include "join/tour.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum {
-  ASKED = 1 << 12,
-  TRIES = 64,
-  MANY = 64 /* rays: it is worth to look at the bodies of the leaf */
-};
+enum { TRIES = 64 };
 
-/* The rays to one leaf. */
-typedef struct rays {
+/* The points that are asked of one leaf. */
+typedef struct asked {
   sg_arrangement *a;
   uint32_t leaf;
   uint32_t *part; /* [n] */
-  int *turns;     /* [n]: round where the ray begins */
+  int *turns;     /* [n]: how often it goes round the shifted point */
   int *across;    /* [n]: how many more below than above */
   size_t n;
-  sg_box *ray;      /* [n] */
-  sg_bodies bodies; /* of the leaf, if the rays are many, */
-  sg_box *body;     /* [bodies.n] and their boxes; else null */
-} rays;
+  int here; /* how often it goes round where the walk is */
+} asked;
 
-/* ---- which rays ---- */
+/* ---- which points ---- */
 
 static int
 compare_pairs(const void *x, const void *y)
@@ -106,7 +98,7 @@ may_be_round(const sg_box *box, const sg_point *at)
   return true;
 }
 
-/* ---- one ray ---- */
+/* ---- one point ---- */
 
 /* The axis along which a triangle with these signs of its normal is seen. */
 static int
@@ -123,18 +115,17 @@ is_within(const sg_point corner[3], const sg_point *p, int axis, int turn)
          sg_point_turn(axis, &corner[2], &corner[0], p) == turn;
 }
 
-/* On which side of its component's plane the ray begins: 1 above. The shift of
- * winding.h, and where that runs along the plane, backwards. */
+/* On which side of its component's plane the walk is: 1 above. */
 static int
 begins(const int normal[3])
 {
   return normal[1] != 0 ? normal[1] : normal[2] != 0 ? normal[2] : -normal[0];
 }
 
-/* Whether pieces of the ray's leaf are there for those of another, where both
- * lie on each other. */
+/* Whether pieces of the leaf are there for those of another, where both lie on
+ * each other. */
 static bool
-is_before(const rays *r, const sg_part *part)
+is_before(const asked *r, const sg_part *part)
 {
   const sg_arranged *leaf = r->a->leaf;
 
@@ -153,7 +144,7 @@ compare_weights(const void *x, const void *y)
 
 /* How often the triangle of a row counts. */
 static int
-weight_of(const rays *r, uint32_t row)
+weight_of(const asked *r, uint32_t row)
 {
   const sg_leaves *leaves = &r->a->leaves;
 
@@ -167,32 +158,10 @@ weight_of(const rays *r, uint32_t row)
   return known ? known->weight : 1;
 }
 
-/* A triangle that has the point. */
 static void
-lies_on(rays *r, size_t i, const sg_point corner[3], uint32_t row)
+read_corners(const void *data, uint32_t row, double out[3][3])
 {
-  sg_part *part = &r->a->part[r->part[i]];
-  int axis = seen_along(part->normal);
-  int turn = sg_point_turn(axis, &corner[0], &corner[1], &corner[2]);
-  int same = turn * part->normal[axis] * weight_of(r, row);
-
-  if (turn == 0 || !is_within(corner, &part->at, axis, turn)) {
-    part->again = true;
-    return;
-  }
-  r->across[i] += same;
-  if (begins(part->normal) * part->normal[0] < 0) {
-    r->turns[i] += part->normal[0] * same;
-  }
-  if (r->leaf == part->leaf ? sg_arranged_polygon(r->a, row) < part->p
-                            : is_before(r, part)) {
-    part->second = true;
-  }
-}
-
-static void
-read_corners(const rays *r, uint32_t row, double out[3][3])
-{
+  const asked *r = data;
   const sg_arrangement *a = r->a;
   int32_t v[3];
 
@@ -203,10 +172,12 @@ read_corners(const rays *r, uint32_t row, double out[3][3])
   }
 }
 
+/* A triangle that has the point. */
 static void
-count(rays *r, size_t i, uint32_t row)
+lies_on(void *data, size_t i, uint32_t row)
 {
-  const sg_point *at = &r->a->part[r->part[i]].at;
+  asked *r = data;
+  sg_part *part = &r->a->part[r->part[i]];
   sg_point corner[3];
   double place[3][3];
 
@@ -214,128 +185,55 @@ count(rays *r, size_t i, uint32_t row)
   for (int k = 0; k < 3; k++) {
     sg_point_set(&corner[k], place[k]);
   }
-  if (sg_is_on_triangle(&corner[0], &corner[1], &corner[2], at)) {
-    lies_on(r, i, corner, row);
-  } else {
-    r->turns[i] += weight_of(r, row) *
-                   sg_winding_of(&corner[0], &corner[1], &corner[2], at);
+  int axis = seen_along(part->normal);
+  int turn = sg_point_turn(axis, &corner[0], &corner[1], &corner[2]);
+  int same = turn * part->normal[axis] * weight_of(r, row);
+
+  if (turn == 0 || !is_within(corner, &part->at, axis, turn)) {
+    part->again = true;
+    return;
+  }
+  r->across[i] += same;
+  if (r->leaf == part->leaf ? sg_arranged_polygon(r->a, row) < part->p
+                            : is_before(r, part)) {
+    part->second = true;
   }
 }
 
-/* ---- all rays to a leaf ---- */
+static void
+pass(void *data, uint32_t row, int turns)
+{
+  asked *r = data;
 
-/* Boxes round what hangs together of the ray's leaf: each closed, so what is
- * outside of its box it does not go round. */
+  r->here += turns * weight_of(r, row);
+}
+
+static void
+arrive(void *data, size_t i)
+{
+  asked *r = data;
+
+  r->turns[i] = r->here;
+}
+
 static bool
-find_bodies(rays *r, const sg_poll *poll)
+walk(asked *r, const sg_poll *poll)
 {
-  const sg_arrangement *a = r->a;
-  const sg_leaf_tree *tree = a->leaf[r->leaf].tree;
+  const sg_point **at = malloc((r->n + 1) * sizeof *at);
+  sg_tour way = {.tree = r->a->leaf[r->leaf].tree->boxes,
+                 .data = r,
+                 .corners = read_corners,
+                 .pass = pass,
+                 .on = lies_on,
+                 .arrive = arrive};
+  bool good = at != NULL;
 
-  if (r->n < MANY) {
-    return true;
-  }
-  if (!sg_bodies_find(tree, a->leaves.views, poll, &r->bodies)) {
-    return false;
-  }
-  r->body = malloc((r->bodies.n + 1) * sizeof *r->body);
-  for (size_t i = 0; r->body && i < r->bodies.n; i++) {
-    r->body[i] = sg_box_none();
-  }
-  for (size_t i = 0; r->body && i < tree->boxes->n; i++) {
-    uint32_t row = tree->boxes->item[i];
-    double corner[3][3];
-    int32_t v[3];
-
-    sg_arranged_corners(a, row, v);
-    read_corners(r, row, corner);
-    for (int k = 0; k < 3; k++) {
-      sg_box_add(&r->body[sg_bodies_of(&r->bodies, v[k])], corner[k]);
-    }
-  }
-  return r->body != NULL;
-}
-
-static sg_bvh *
-plant_rays(rays *r, const sg_poll *poll)
-{
-  const sg_box *all = &r->a->leaf[r->leaf].tree->box;
-  sg_bvh *tree = NULL;
-  bool good;
-
-  r->ray = malloc((r->n + 1) * sizeof *r->ray);
-  good = r->ray && find_bodies(r, poll);
   for (size_t i = 0; good && i < r->n; i++) {
-    for (int k = 0; k < 3; k++) {
-      double at = r->a->part[r->part[i]].at.p[k];
-      r->ray[i].lo[k] = nextafter(at, -INFINITY);
-      r->ray[i].hi[k] = nextafter(at, INFINITY);
-    }
-    if (!r->body) {
-      r->ray[i].hi[0] = fmax(r->ray[i].hi[0], all->hi[0]);
-    }
+    at[i] = &r->a->part[r->part[i]].at;
   }
-  good = good && (!r->body ||
-                  sg_winding_shorten(r->body, r->bodies.n, r->ray, r->n, poll));
-  if (good) {
-    tree = sg_bvh_open(r->ray, r->n, poll);
-  }
-  return tree;
-}
-
-/* Whether the body of a triangle may be round where ray i begins. */
-static bool
-may_go_round(const rays *r, size_t i, uint32_t row)
-{
-  int32_t v[3];
-
-  if (!r->body) {
-    return true;
-  }
-  sg_arranged_corners(r->a, row, v);
-  return may_be_round(&r->body[sg_bodies_of(&r->bodies, v[0])],
-                      &r->a->part[r->part[i]].at);
-}
-
-/* What is joined: the rays, in a tree of their own, and the leaf. */
-typedef struct shooting {
-  const rays *rays;
-  const sg_bvh *tree, *boxes;
-} shooting;
-
-static bool
-may_count(void *data, const sg_bvh_hit *hit)
-{
-  const shooting *s = data;
-  const rays *r = s->rays;
-  uint32_t i = s->tree->item[hit->a], row = s->boxes->item[hit->b];
-  double corner[3][3];
-
-  if (!may_go_round(r, i, row)) {
-    return false;
-  }
-  read_corners(r, row, corner);
-  return !sg_winding_misses((const double(*)[3])corner,
-                            r->a->part[r->part[i]].at.p);
-}
-
-static bool
-shoot(rays *r, sg_crew *crew, const sg_poll *poll)
-{
-  const sg_bvh *boxes = r->a->leaf[r->leaf].tree->boxes;
-  sg_bvh *tree = plant_rays(r, poll);
-  sg_bvh_hits hits = {0};
-  shooting s = {r, tree, boxes};
-  bool good =
-      tree != NULL && sg_bvh_join_wanted(&(sg_bvh_pair){tree, boxes}, 1, 0,
-                                         may_count, &s, crew, poll, &hits);
-
-  for (size_t i = 0; i < hits.n && good; i++) {
-    good = i % ASKED != ASKED - 1 || !sg_poll_stop(poll);
-    count(r, tree->item[hits.hit[i].a], boxes->item[hits.hit[i].b]);
-  }
-  free(hits.hit);
-  sg_bvh_close(tree);
+  r->here = 0;
+  good = good && sg_tour_over(&way, at, r->n, poll);
+  free(at);
   return good;
 }
 
@@ -388,7 +286,7 @@ find(founds *f, const found *one)
 }
 
 static bool
-keep_sides(const rays *r, founds *f)
+keep_sides(const asked *r, founds *f)
 {
   for (size_t i = 0; i < r->n; i++) {
     const sg_part *part = &r->a->part[r->part[i]];
@@ -412,7 +310,7 @@ keep_sides(const rays *r, founds *f)
 }
 
 static bool
-sides_of_leaf(rays *r, founds *f, sg_crew *crew, const sg_poll *poll)
+sides_of_leaf(asked *r, founds *f, const sg_poll *poll)
 {
   bool good;
 
@@ -421,21 +319,16 @@ sides_of_leaf(rays *r, founds *f, sg_crew *crew, const sg_poll *poll)
   }
   r->turns = calloc(r->n, sizeof *r->turns);
   r->across = calloc(r->n, sizeof *r->across);
-  good = r->turns && r->across && shoot(r, crew, poll) && keep_sides(r, f);
+  good = r->turns && r->across && walk(r, poll) && keep_sides(r, f);
   free(r->turns);
   free(r->across);
-  free(r->ray);
-  free(r->body);
-  sg_bodies_clear(&r->bodies);
-  r->ray = NULL;
-  r->body = NULL;
   return good;
 }
 
 /* The components to be asked for a leaf. */
 static void
-choose_rays(rays *r, const uint32_t (*near)[2], size_t n, const size_t *first,
-            const uint32_t *order)
+choose_points(asked *r, const uint32_t (*near)[2], size_t n,
+              const size_t *first, const uint32_t *order)
 {
   r->n = 0;
   for (size_t i = 0; i < n; i++) {
@@ -456,19 +349,19 @@ choose_rays(rays *r, const uint32_t (*near)[2], size_t n, const size_t *first,
 }
 
 static bool
-ask_all(sg_arrangement *a, founds *f, sg_crew *crew, const sg_poll *poll)
+ask_all(sg_arrangement *a, founds *f, const sg_poll *poll)
 {
   size_t *first = NULL, n = 0;
   uint32_t *order = NULL, (*near)[2] = near_leaves(a, &n);
-  rays r = {.a = a, .part = malloc((a->parts + 1) * sizeof *r.part)};
+  asked r = {.a = a, .part = malloc((a->parts + 1) * sizeof *r.part)};
   bool good = near && r.part && sort_parts(a, &first, &order);
 
   for (size_t i = 0, end; i < n && good; i = end) {
     for (end = i; end < n && near[end][0] == near[i][0]; end++) {
     }
     r.leaf = near[i][0];
-    choose_rays(&r, (const uint32_t(*)[2])near + i, end - i, first, order);
-    good = sides_of_leaf(&r, f, crew, poll);
+    choose_points(&r, (const uint32_t(*)[2])near + i, end - i, first, order);
+    good = sides_of_leaf(&r, f, poll);
   }
   free(near);
   free(order);
@@ -532,13 +425,13 @@ move_points(sg_arrangement *a, const sg_poll *poll)
 }
 
 bool
-sg_arrangement_find_sides(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
+sg_arrangement_find_sides(sg_arrangement *a, const sg_poll *poll)
 {
   int64_t left = 1;
 
   for (int i = 0; i < TRIES && left > 0; i++) {
     founds f = {0};
-    bool good = ask_all(a, &f, crew, poll) && take_sides(a, &f);
+    bool good = ask_all(a, &f, poll) && take_sides(a, &f);
 
     free(f.item);
     left = good ? move_points(a, poll) : -1;
@@ -558,7 +451,7 @@ sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
          sg_arrangement_flood(a, crew, poll) &&
          sg_arrangement_find_made(a, crew, poll) &&
          sg_arrangement_find_parts(a, crew, poll) &&
-         sg_arrangement_find_sides(a, crew, poll);
+         sg_arrangement_find_sides(a, poll);
 }
 
 size_t

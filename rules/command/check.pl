@@ -21,8 +21,8 @@ a solid), length (of curves), border_edges, shells, faults and remarks (dicts of
 counts), meetings: the first places where the segment goes through itself, dicts
 of kind, polygons ([P1,P2]) and at ([X,Y,Z]); faults and remarks count them all.
 A shell has polygon (its first), vertices, edges, polygons, closed, euler, genus
-(null unless a closed manifold), area, volume and depth: how many other shells
-of its segment go round it. Model units.
+(null unless a closed manifold), area, volume and depth: how many other
+closed shells of its segment go round it. Model units.
 */
 
 %!  check_report(-Report) is det.

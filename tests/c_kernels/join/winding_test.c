@@ -1,13 +1,10 @@
 /* winding_test.c -- points of a grid against boxes on it, alone, in each other,
- * hollow and inside out, where most rays meet edges and corners; and what is
- * said beforehand of rays, in doubles.
+ * hollow and inside out, where most rays meet edges and corners.
  */
 #include "join/winding.h"
 #include "tests/check.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { BOXES = 4, SIDE = 5 };
 
@@ -167,138 +164,6 @@ test_needles(void)
   CHECK("many points on them", on > 4000);
 }
 
-/* ---- what a ray plainly misses ---- */
-
-/* Which side of u-w the point is on, seen along x; exact on a small grid. */
-static double
-side_of(const double u[3], const double w[3], const double p[3])
-{
-  return (w[1] - u[1]) * (p[2] - u[2]) - (w[2] - u[2]) * (p[1] - u[1]);
-}
-
-/* Whether the point is beyond an edge of what is seen of the triangle. */
-static bool
-is_beyond(const double t[3][3], const double p[3])
-{
-  for (int i = 0; i < 3; i++) {
-    const double *u = t[i], *w = t[(i + 1) % 3];
-    double third = side_of(u, w, t[(i + 2) % 3]), at = side_of(u, w, p);
-
-    if (at < fmin(third, 0) || at > fmax(third, 0)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-static bool
-counts(const double t[3][3], const double p[3])
-{
-  sg_point corner[3], at;
-
-  for (int k = 0; k < 3; k++) {
-    sg_point_set(&corner[k], t[k]);
-  }
-  sg_point_set(&at, p);
-  return sg_winding_of(&corner[0], &corner[1], &corner[2], &at) != 0 ||
-         sg_is_on_triangle(&corner[0], &corner[1], &corner[2], &at);
-}
-
-static void
-test_misses(void)
-{
-  int wrong = 0, missed = 0, counted = 0, lost = 0;
-  double t[3][3], p[3];
-
-  for (int i = 0; i < 100000; i++) { /* on a grid: no more, no less */
-    double far = i % 2 ? 0 : 1e6;
-    for (int k = 0; k < 9; k++) {
-      t[k / 3][k % 3] = far + rand() % 5;
-    }
-    for (int k = 0; k < 3; k++) {
-      p[k] = far + rand() % 9 / 2.0;
-    }
-    bool said = sg_winding_misses((const double(*)[3])t, p);
-    wrong += said != is_beyond((const double(*)[3])t, p);
-    missed += said;
-  }
-  CHECK("beyond an edge, and only then", wrong == 0);
-  CHECK("many are", missed > 30000 && missed < 90000);
-  for (int i = 0; i < 100000; i++) { /* beside an edge by what is rounded */
-    double far = ldexp(1, i % 40), part = rand() / (double)RAND_MAX;
-    for (int k = 0; k < 9; k++) {
-      t[k / 3][k % 3] = far + rand() / (double)RAND_MAX;
-    }
-    for (int k = 0; k < 3; k++) {
-      p[k] = t[0][k] + part * (t[1][k] - t[0][k]);
-      p[k] = nextafter(p[k], rand() % 2 ? INFINITY : -INFINITY);
-    }
-    bool count = counts((const double(*)[3])t, p);
-    counted += count;
-    lost += count && sg_winding_misses((const double(*)[3])t, p);
-  }
-  CHECK("what counts is never missed", lost == 0);
-  CHECK("many count", counted > 10000);
-}
-
-/* ---- how far rays go ---- */
-
-enum { BODIES = 30, RAYS = 50 };
-
-static sg_box
-random_extent(int size)
-{
-  sg_box out;
-
-  for (int k = 0; k < 3; k++) {
-    out.lo[k] = rand() % 20;
-    out.hi[k] = out.lo[k] + rand() % size;
-  }
-  return out;
-}
-
-static bool
-stop(void *data)
-{
-  (void)data;
-  return true;
-}
-
-static void
-test_shorten(void)
-{
-  sg_box body[BODIES], ray[RAYS], begin[RAYS];
-  int wrong = 0, longer = 0, short_ones = 0;
-
-  for (int i = 0; i < 300; i++) {
-    size_t bodies = (size_t)i % (BODIES + 1);
-    for (size_t k = 0; k < bodies; k++) {
-      body[k] = random_extent(9);
-    }
-    for (int k = 0; k < RAYS; k++) {
-      ray[k] = begin[k] = random_extent(2);
-    }
-    if (!sg_winding_shorten(body, bodies, ray, RAYS, NULL)) {
-      wrong++;
-    }
-    for (int k = 0; k < RAYS; k++) {
-      sg_box wanted = begin[k];
-      for (size_t l = 0; l < bodies; l++) {
-        if (sg_box_overlap(&body[l], &begin[k], 0)) {
-          wanted.hi[0] = fmax(wanted.hi[0], body[l].hi[0]);
-        }
-      }
-      wrong += memcmp(&wanted, &ray[k], sizeof wanted) != 0;
-      longer += wanted.hi[0] > begin[k].hi[0];
-      short_ones += wanted.hi[0] == begin[k].hi[0];
-    }
-  }
-  CHECK("to the end of the last body it begins in", wrong == 0);
-  CHECK("some go on, some do not", longer > 1000 && short_ones > 1000);
-  CHECK("stopped",
-        !sg_winding_shorten(body, BODIES, ray, RAYS, &(sg_poll){stop, NULL}));
-}
-
 int
 main(void)
 {
@@ -311,8 +176,6 @@ main(void)
   }
   CHECK("boxes on a grid", right);
   test_needles();
-  test_misses();
-  test_shorten();
   for (int i = 0; i < 4; i++) {
     sg_point_set(&v[i], (const double[3]){i, 2 * i, 3 * i});
   }
