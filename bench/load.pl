@@ -1,8 +1,7 @@
 /* Reading and checking a mesh: see bench/load. */
 :- use_module('../rules/store').
-:- use_module('../rules/kernel', [solid_take/2]).
+:- use_module('../rules/kernel', [solid_take/2, solid_write/2]).
 :- use_module('../rules/model/mesh').
-:- use_module('../rules/solid/solid_rows', [solid_written/2]).
 :- use_module('../rules/polygon/triangulation').
 :- use_module('../rules/command/check').
 :- autoload(library(lists), [sum_list/2]).
@@ -37,7 +36,7 @@ measured(File) :-
 written :-
     rows(Rows0),
     solid_take([1], Solid),
-    seconds(facts_transaction(solid_written(Solid, 2)), Write),
+    seconds(facts_transaction(solid_write(Solid, 2)), Write),
     rows(Rows),
     Written is Rows-Rows0,
     PerRow is Write*1.0e9/Written,

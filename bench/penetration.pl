@@ -13,6 +13,7 @@
 :- use_module('../rules/primitive/primitive_rows').
 :- use_module('../rules/polygon/triangulation').
 :- use_module('../rules/penetration/penetration').
+:- use_module('../tests/oracle/cut', [cut_pair/3]).
 :- use_module(library(lists)).
 :- use_module(library(apply)).
 :- set_prolog_flag(optimise, true).
@@ -62,7 +63,7 @@ signed(Set, N) :-
 
 entered(Set, N) :-
     counted(( cut_candidate(Set, T1, T2),
-              sg_penetration:cut_pair(Set, T1, T2) ),
+              cut_pair(Set, T1, T2) ),
             N).
 
 :- meta_predicate counted(0, -).

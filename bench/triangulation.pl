@@ -10,6 +10,7 @@
 :- use_module('../rules/store').
 :- use_module('../rules/kernel').
 :- use_module('../rules/polygon/triangulation').
+:- use_module('../tests/oracle/triangulation').
 :- use_module(library(lists)).
 :- use_module(library(apply)).
 :- use_module(library(random)).

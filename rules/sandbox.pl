@@ -53,12 +53,9 @@ sandbox:safe_primitive(sg_limits:limit_value(_,_)).
 sandbox:safe_primitive(sg_primitive_face:face_of(_,_,_)).
 sandbox:safe_primitive(sg_primitive_face:smooth_surface(_,_,_)).
 sandbox:safe_primitive(sg_csg_evaluate:csg_statistics(_)).
-sandbox:safe_primitive(sg_triangulation:polygon_triangles(_,_,_)).
-sandbox:safe_primitive(sg_penetration:triangle_cut(_,_,_,_,_)).
 sandbox:safe_primitive(sg_penetration:penetration_chains(_)).
 sandbox:safe_primitive(sg_penetration:penetration_chains(_,_,_)).
 sandbox:safe_primitive(sg_boolean:select_boundary(_,_,_)).
-sandbox:safe_primitive(sg_boolean:senses_by_rule(_,_,_)).
 sandbox:safe_primitive(sg_development:seam_reason(_,_,_)).
 sandbox:safe_primitive(sg_development_record:development_measures(_,_)).
 sandbox:safe_primitive(sg_hidden_lines:open_scene(_,_)).

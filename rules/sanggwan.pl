@@ -20,9 +20,9 @@ themselves are named sg_ + file, since Prolog's table of modules is flat.
 :- reexport(model/mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(model/openscad, [read_csg/2]).
 :- reexport(model/solid_file, [write_solid/2, write_solid/3]).
-:- reexport(polygon/triangulation, [complete_segments/0, polygon_triangles/3]).
+:- reexport(polygon/triangulation, [complete_segments/0]).
 :- reexport(solid/arrangement, [with_arrangement/3, components/2]).
-:- reexport(solid/boolean, except([stays/3])).
+:- reexport(solid/boolean, except([stays/3, senses_by_rule/3])).
 :- reexport(solid/faces, [faces_merged/2]).
 :- reexport(solid/trimmed, [trimmed/4, trimmed/5]).
 :- reexport(unfolding/unfold, [unfold/2, unfold/3]).

@@ -220,9 +220,9 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   True when a line along side I of triangle T of segment S is turned to the
 %   eye otherwise than T in the picture, since T stands for a smooth surface
-%   (contour_turn.pl). That surface hides the line from From to To (0.0 at the
-%   smaller vertex of the side, 1.0 at the other, in the picture; equal: no part
-%   of it), and the triangles Ts do not hide it.
+%   (tests/oracle/contour_turn.pl). That surface hides the line from From to To
+%   (0.0 at the smaller vertex of the side, 1.0 at the other, in the picture;
+%   equal: no part of it), and the triangles Ts do not hide it.
 
 %!  drawn(?D, ?S, ?E, ?From, ?To, ?Visibility, ?Role) is nondet.
 %

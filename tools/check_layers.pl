@@ -29,6 +29,18 @@ fault(File-What) :-
     rule_name(Path, Name),
     rule_fault(Name, Path, What).
 fault(File-What) :-
+    member(Top-Tops, ['rules'-[rules], 'tests/oracle'-[rules,'tests/oracle']]),
+    member(Pattern, ['/*.pl', '/*/*.pl']),
+    atom_concat(Top, Pattern, Those),
+    expand_file_name(Those, Files),
+    member(File, Files),
+    absolute_file_name(File, Path),
+    xref_source(Path, [silent(true)]),
+    xref_uses_file(Path, _, From),
+    of_the_tree(From, Other),
+    \+ ( member(Folder, Tops), in_folder(Other, Folder) ),
+    format(atom(What), 'may not import ~w', [Other]).
+fault(File-What) :-
     member(Pattern, ['engine/*.{c,h,def}', 'c_kernels/*.{c,h}',
                      'c_kernels/*/*.{c,h}']),
     expand_file_name(Pattern, Files),
@@ -36,6 +48,17 @@ fault(File-What) :-
     include_line(File, Included),
     \+ may_include(File, Included),
     format(atom(What), 'may not include ~w', [Included]).
+
+%   of_the_tree(Path, Name): Name is the path from the root to one of our files.
+
+of_the_tree(Path, Name) :-
+    absolute_file_name('.', Root0),
+    atom_concat(Root0, /, Root),
+    atom_concat(Root, Name, Path).
+
+in_folder(Name, Folder) :-
+    atom_concat(Folder, /, Start),
+    sub_atom(Name, 0, _, _, Start).
 
 %   floor(Path, Floor): the number of the folder of Path, 0 beside the folders.
 

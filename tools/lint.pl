@@ -47,7 +47,8 @@ finding(What) :-
 finding(What) :-
     member(Pattern, ['rules/*.pl', 'rules/*/*.pl',
                      'facts/*.pl', 'facts/*/*.pl',
-                     'tests/*.pl', 'tests/rules/*.pl*', 'tests/rules/*/*.pl*',
+                     'tests/*.pl', 'tests/oracle/*.pl',
+                     'tests/rules/*.pl*', 'tests/rules/*/*.pl*',
                      'tools/*.pl', 'bench/*.pl', 'docs/*/*.pl']),
     expand_file_name(Pattern, Files),
     member(File, Files),
@@ -59,7 +60,8 @@ finding(What) :-
 
 finding(What) :-
     member(Pattern, ['rules/*.pl', 'rules/*/*.pl',
-                     'tests/*.pl', 'tests/rules/*.pl*', 'tests/rules/*/*.pl*',
+                     'tests/*.pl', 'tests/oracle/*.pl',
+                     'tests/rules/*.pl*', 'tests/rules/*/*.pl*',
                      'tools/*.pl', 'bench/*.pl']),
     expand_file_name(Pattern, Files),
     member(File, Files),

@@ -11,8 +11,7 @@
 :- use_module('../development/polygon_name', [segment_title/2]).
 :- use_module(report, [counted/4]).
 :- use_module('../development/seam_measure', [pattern_area/2, seam_drawn/3]).
-:- use_module('../store',
-              [v/5, p/3, origin/3, from_p/5, piece/3, joint/6]).
+:- use_module('../store', [v/5, p/3, origin/3, from_p/5, piece/3]).
 :- use_module('../solid/trimmed', [part_named/2, trimmed_from/2]).
 :- use_module('../unrolling/true_parts', [polygon_drawn/4]).
 :- use_module('../unfolding/unfold', [pattern_of/2]).

@@ -1,7 +1,6 @@
 :- module(sg_csg_roots,
           [ aside_segments/1,           % -Ss
             roots_alone/0,
-            operands_meet/2,            % +S, -Border
             operand_lines/1,            % -Lines
             with_operand_lines/2        % +Lines, :Goal
           ]).
@@ -13,9 +12,8 @@
 :- use_module(source, [source_noted/2]).
 :- use_module(known_surface, [facets_of/2, remember_facets/1]).
 :- use_module('../store',
-              [ e/5, segment/3, origin/3, from_p/5, edge_polygon/3,
-                assert_fact/1, retractall_facts/1, facts_transaction/1,
-                fresh_id/3
+              [ e/5, segment/3, origin/3, from_p/5, assert_fact/1,
+                retractall_facts/1, facts_transaction/1, fresh_id/3
               ]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [member/2]).
@@ -58,7 +56,7 @@ roots_alone :-
 %!  with_operand_lines(+Lines, :Goal) is semidet.
 %
 %   Lines are border(S, P, V1, V2, Q), where the boundaries of root nodes turn
-%   from one operand to another (operands_meet/2). While Goal runs, once, they
+%   from one operand to another (operand_borders/2). While Goal runs, once, they
 %   are line/9 of these segments with themselves, as far as their edges are
 %   there: so they are drawn as penetration lines, however little they bend.
 
@@ -76,27 +74,6 @@ with_operand_lines(Lines, Goal) :-
     findall(L, ( member(Line, Lines), line_added(Line, L) ), Ls),
     once(Goal),
     forall(member(L, Ls), retractall_facts(line(L, _, _, _, _, _, _, _, _))).
-
-%!  operands_meet(+S, -Border) is nondet.
-%
-%   True when Border is border(S, P, V1, V2, Q): polygon P of S has the edge
-%   from V1 to V2, V1 < V2, and Q its opposite, and they are parts of operands,
-%   of no common one. The rule of operand_borders/2.
-
-operands_meet(S, border(S, P, V1, V2, Q)) :-
-    e(S, E, V1, V2, _),
-    V1 < V2,
-    e(S, Twin, V2, V1, _),
-    edge_polygon(S, E, P),
-    edge_polygon(S, Twin, Q),
-    is_part(S, P),
-    is_part(S, Q),
-    \+ ( from_p(S, P, K, _, _),
-         from_p(S, Q, K, _, _) ).
-
-is_part(S, P) :-
-    from_p(S, P, _, _, _),
-    !.
 
 line_added(border(S, P, V1, V2, Q), L) :-
     once(e(S, _, V1, V2, _)),

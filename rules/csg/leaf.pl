@@ -1,7 +1,5 @@
 :- module(sg_leaf,
           [ leaves_kept/1,              % +Polygons
-            leaves_kept_by_rule/1,      % +Polygons
-            place_kept/1,               % +Vertex
             curve_kept/1,               % +S
             were_cut/2,                 % ?S1, ?S2
             origin_segment/2,           % +Origin, -S
@@ -38,46 +36,17 @@ others are left alone.
 
 %!  leaves_kept(+Polygons:list) is det.
 %
-%   What leaves_kept_by_rule/1 says, all at once.
-
-leaves_kept(Polygons) :-
-    leaves_keep(Polygons).
-
-%!  leaves_kept_by_rule(+Polygons:list) is det.
-%
 %   Writes leaf_e/5, leaf_p/3 and leaf_t/6 of the polygons S-P, which are
 %   about to be cut; those that have them keep them.
 
-leaves_kept_by_rule(Polygons) :-
-    maplist(leaf_kept, Polygons).
-
-leaf_kept(S-P) :-
-    (   leaf_p(S, P, _)
-    ->  true
-    ;   p(S, P, Es)
-    ->  maplist(leaf_edge_kept(S), Es),
-        assert_fact(leaf_p(S, P, Es)),
-        forall(t(S, P, T, V1, V2, V3),
-               assert_fact(leaf_t(S, P, T, V1, V2, V3)))
-    ).
+leaves_kept(Polygons) :-
+    leaves_keep(Polygons).
 
 leaf_edge_kept(S, E) :-
     (   leaf_e(S, E, _, _, _)
     ->  true
     ;   e(S, E, V1, V2, Et)
     ->  assert_fact(leaf_e(S, E, V1, V2, Et))
-    ).
-
-%!  place_kept(+Vertex) is det.
-%
-%   Writes leaf_v/5 of the vertex S-V, which is about to be moved.
-
-place_kept(S-V) :-
-    (   leaf_v(S, V, _, _, _)
-    ->  true
-    ;   v(S, V, X, Y, Z)
-    ->  assert_fact(leaf_v(S, V, X, Y, Z))
-    ;   true
     ).
 
 %!  curve_kept(+Curve) is det.

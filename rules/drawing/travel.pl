@@ -1,11 +1,10 @@
 :- module(sg_travel,
           [ short_travel/3,             % +Start, +Strokes, -Ordered
-            short_travel_by_rule/3,     % +Start, +Strokes, -Ordered
             travel_length/3             % +Start, +Strokes, -Length
           ]).
 :- use_module('../kernel', [travel_order/3]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(lists), [last/2, reverse/2, selectchk/3]).
+:- use_module(library(lists), [last/2, reverse/2]).
 /** <module> Travel: strokes in an order that a lifted pen likes.
 
 From where a stroke ends the pen goes to the nearest end of those not yet
@@ -42,16 +41,6 @@ ordered_stroke(Array, I, Stroke) :-
         backwards(Stroke0, Stroke)
     ).
 
-%!  short_travel_by_rule(+Start, +Strokes, -Ordered) is det.
-%
-%   The same: what short_travel/3 means. The kernel travel_order/3 stands in
-%   for it. Quadratic.
-
-short_travel_by_rule(Start, Strokes, Ordered) :-
-    maplist(with_ends, Strokes, Lines),
-    travel(Lines, Start, Ordered0),
-    shorter(Start, Strokes, Ordered0, Ordered).
-
 %   line(First,Last,Stroke)
 
 with_ends(Stroke, line(First,Last,Stroke)) :-
@@ -59,47 +48,12 @@ with_ends(Stroke, line(First,Last,Stroke)) :-
     Points = [First|_],
     last(Points, Last).
 
-travel([], _, []) :-
-    !.
-travel([Line|Lines], At, [Stroke|Strokes]) :-
-    nearer_end(Line, At, Way),
-    nearest(Lines, At, Way-Line, _-Nearest),
-    selectchk(Nearest, [Line|Lines], Rest),
-    drawn_from(Nearest, At, Stroke, End),
-    travel(Rest, End, Strokes).
-
-nearest([], _, Best, Best).
-nearest([Line|Lines], At, Way0-Line0, Best) :-
-    nearer_end(Line, At, Way),
-    (   Way < Way0
-    ->  nearest(Lines, At, Way-Line, Best)
-    ;   nearest(Lines, At, Way0-Line0, Best)
-    ).
-
-nearer_end(line(First,Last,_), At, Way) :-
-    way(At, First, WayFirst),
-    way(At, Last, WayLast),
-    Way is min(WayFirst, WayLast).
-
 %   The square of the way: it is only compared.
 
 way(XA-YA, XB-YB, Way) :-
     X is float(XB-XA),
     Y is float(YB-YA),
     Way is X*X + Y*Y.
-
-%   drawn_from(Line, At, Stroke, End): Stroke is drawn from the end nearer to
-%   At, and stops at End.
-
-drawn_from(line(First,Last,Stroke0), At, Stroke, End) :-
-    way(At, First, WayFirst),
-    way(At, Last, WayLast),
-    (   WayFirst =< WayLast
-    ->  Stroke = Stroke0,
-        End = Last
-    ;   backwards(Stroke0, Stroke),
-        End = First
-    ).
 
 backwards(stroke(Visibility,Role,S,Es0,Points0,Start,End),
           stroke(Visibility,Role,S,Es,Points,End,Start)) :-

@@ -2,8 +2,7 @@
           [ hidden_because/4            % ?What, +Wanted, +Options, -Because
           ]).
 :- use_module('../penetration/contact', [edge_part/4]).
-:- use_module('../picture/contour', [contour_ends/4]).
-:- use_module('../picture/contour_hiding', [dividing_piece/3]).
+:- use_module('../picture/contour', [contour_ends/4, dividing_piece/3]).
 :- use_module('../csg/csg_roots', [aside_segments/1]).
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module(explain_pair, [decided_by/2]).

@@ -57,7 +57,7 @@ Foreign predicates; see kernel.pl.
 %   Borders are border(S, P, V1, V2, Q), ascending by S, V1, V2: S is one of the
 %   results Ss, its polygon P has the edge from V1 to V2, V1 < V2, and Q its
 %   opposite, and they are parts of operands (from_p/5), of no common one. The
-%   fused kernel of operands_meet/2 (csg_roots.pl).
+%   rule is tests/oracle/operand_border.pl.
 
 /* - - - winding_rows.c - - - */
 
@@ -135,8 +135,8 @@ Foreign predicates; see kernel.pl.
 
 %!  solid_write(+Solid:solid, +S:id) is det.
 %
-%   As solid_rows.pl, solid_written_by_rule/2: Solid as rows of segment S. Call
-%   it in a transaction.
+%   Appends the rows of Solid to segment S, which must have none; the rule is
+%   tests/oracle/solid_rows.pl. Call it in a transaction.
 %
 %   @error permission_error(write, segment, S): it has rows
 

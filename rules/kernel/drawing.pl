@@ -96,7 +96,7 @@ Foreign predicates; see kernel.pl.
 %   its polygon (lies_on/4 of hidden_lines.pl) or beside it (line_turn/7).
 %   Triangles seen edge-on and the backs of solids hide nothing. One that an
 %   outline divides hides as its parts do (hiding_triangles/3 of
-%   contour_hiding.pl), each an answer. Inexact.
+%   tests/oracle/contour_hiding.pl), each an answer. Inexact.
 %
 %   @error existence_error(drawn_edge, E): scene_edge/5 does not have it
 %   @see [PL] section 6.3 step 4, row PL-13

@@ -126,7 +126,7 @@ Foreign predicates; see kernel.pl.
 %   leave less seam, see seam_exchange.h; the joints Kept stay folds. Objective
 %   is `seam`, or `pieces`: fewer of them is worth any seam. Effort is about how
 %   many faces may be laid or moved for that. Exchanges is how many have helped.
-%   The fused kernel of development_search.pl, exchanged_by_rule/5.
+%   Its rule is tests/oracle/seam_exchange.pl.
 
 %!  join_folds(+Flattening:flattening, +Joints:list(id)) is det.
 %

@@ -66,7 +66,7 @@ Foreign predicates; see kernel.pl.
 %!  cut_ends(+Set, +T1, +T2, -Cuts) is det.
 %
 %   Cuts is the list of cut(Kind, End1, End2) that T1 and T2 have in common, as
-%   in penetration.pl, triangle_cut/5. Exact; changes nothing.
+%   in tests/oracle/cut.pl, triangle_cut/5. Exact; changes nothing.
 
 /* - - - cut_fold4pl.c - - - */
 
@@ -105,7 +105,7 @@ Foreign predicates; see kernel.pl.
 
 %!  cut_touch(+Set, +Reach, -What, -Moves) is det.
 %
-%   Does what cut_resolve/4 says, as resolve.pl, resolve_contacts_by_rule/2
+%   Does what cut_resolve/4 says, as tests/oracle/resolve.pl
 %   would: What is `changed`. It is `same` if there is nothing to do, else
 %   wide(S, V) or stuck(S, P), and nothing was done. After an exception some of
 %   it may be: call it in a transaction.
@@ -253,7 +253,7 @@ Foreign predicates; see kernel.pl.
 
 %!  line_chains(-Chains) is det.
 %
-%   As chain.pl, chains_by_rule/1.
+%   Chains are those of chains/1; the rule is tests/oracle/chain.pl.
 
 /* - - - cut_write4pl.c - - - */
 

@@ -35,7 +35,7 @@ Foreign predicates; see kernel.pl.
 %
 %   Adds plane/6 for every polygon of the current world, or of the segments Ss,
 %   that has none, and t/6 for every polygon that has none, in row order;
-%   computes what polygon_triangles/3 of triangulation.pl says. Faults is a list
+%   computes what tests/oracle/triangulation.pl says. Faults is a list
 %   of fault(S, P, What) in the order of the polygons, What being
 %
 %     - not_closed(V)
@@ -85,7 +85,7 @@ Foreign predicates; see kernel.pl.
 
 %!  leaves_keep(+Polygons:list) is semidet.
 %
-%   As leaf.pl, leaves_kept_by_rule/1. Fails if one is not there.
+%   As leaf.pl, leaves_kept/1. Fails if one is not there.
 
 /* - - - census_rows.c - - - */
 

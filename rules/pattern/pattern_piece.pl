@@ -1,11 +1,10 @@
 :- module(sg_pattern_piece,
           [ pattern_pieces/3,           % +D, +Look, -Pieces
-            piece_box/2,                % +Piece, -Box
             piece_points/2,             % +Piece, -Points
             within_shapes/2             % +Point, +Shapes
           ]).
 :- use_module('../store', [e/5, joint/6, origin/3, p/3, piece/3, t/6, v/5]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
@@ -190,17 +189,3 @@ piece_points(piece(_,Faces,_), Points) :-
               member(_-Point, Shape)
             ),
             Points).
-
-%!  piece_box(+Piece, -Box) is semidet.
-%
-%   Box is box(X1,Y1,X2,Y2) round Piece. Fails if it has no faces.
-
-piece_box(Piece, Box) :-
-    piece_points(Piece, [X-Y|Points]),
-    foldl(boxed, Points, box(X,Y,X,Y), Box).
-
-boxed(X-Y, box(X1,Y1,X2,Y2), box(X3,Y3,X4,Y4)) :-
-    X3 is min(X1, X),
-    Y3 is min(Y1, Y),
-    X4 is max(X2, X),
-    Y4 is max(Y2, Y).

@@ -1,20 +1,17 @@
 :- module(sg_resolve,
           [ resolve_contacts/2,         % +Set, +Tolerance
-            resolve_contacts_by_rule/2, % +Set, +Tolerance
             refusing_tight_moves/1,     % :Goal
             tight_said/1,               % +Tight
             tolerance_reach/2,          % +Tolerance, -Reach
             resolved_seams/0
           ]).
-:- use_module('../kernel',
-              [cut_own_tolerances/1, cut_resolve/4, cut_touch/4]).
-:- use_module('../csg/leaf', [leaves_kept/1, place_kept/1]).
+:- use_module('../kernel', [cut_own_tolerances/1, cut_touch/4]).
 :- use_module('../store',
-              [ v/5, e/5, p/3, t/6, origin/3, line/9, edge_polygon/3,
-                assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3
+              [ e/5, p/3, origin/3, line/9, edge_polygon/3, assert_fact/1,
+                retract_fact/1, retractall_facts/1
               ]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(lists), [member/2, selectchk/3]).
+:- use_module(library(lists), [selectchk/3]).
 
 /** <module> Resolving contacts: what was meant to touch is made to touch.
 
@@ -42,7 +39,6 @@ in penetration.pl; it is not exact. What was there before is kept
 */
 
 %!  resolve_contacts(+Set, +Tolerance) is semidet.
-%!  resolve_contacts_by_rule(+Set, +Tolerance) is semidet.
 %
 %   True if something was made to touch in the segments of cut set Set: then
 %   the world has changed, and Set no longer shows it. Tolerance is as for
@@ -52,8 +48,6 @@ in penetration.pl; it is not exact. What was there before is kept
 %   for the model as it is, but may have splinters. Where anything moves
 %   farther than doubles are rounded a message says so; where that is more
 %   than a hundredth of the smallest feature near it, it is a warning.
-%   cut_touch/4 is the fused kernel of the rule; a test holds the two
-%   together.
 
 resolve_contacts(Set, Tolerance) :-
     set_reach(Set, Tolerance, Reach),
@@ -134,80 +128,9 @@ refusing_tight_moves(Goal) :-
         once(Goal),
         erase(Ref)).
 
-resolve_contacts_by_rule(Set, Tolerance) :-
-    set_reach(Set, Tolerance, Reach),
-    Reach > 0,
-    parts(Parts),
-    closed_contacts(Parts, Set, Reach, Changes),
-    Changes = changes(Vertices, Polygons),
-    Vertices-Polygons \== []-[],
-    findall(S-V, member(vertex(S, V, _, _, _, _), Vertices), Places),
-    maplist(place_kept, Places),
-    findall(S-P, member(polygon(S, P, _, _), Polygons), Cut),
-    leaves_kept(Cut),
-    maplist(write_vertex, Vertices),
-    maplist(write_polygon, Polygons).
-
-closed_contacts([Part|Parts], Set, Tolerance, Changes) :-
-    Reach is Part*Tolerance,
-    cut_resolve(Set, Reach, Vertices, Polygons),
-    (   is_list(Vertices)
-    ->  Changes = changes(Vertices, Polygons)
-    ;   Parts == []
-    ->  print_message(warning, sanggwan(contacts(Vertices))),
-        Changes = changes([], [])
-    ;   closed_contacts(Parts, Set, Tolerance, Changes)
-    ).
-
-write_vertex(vertex(S, V, X, Y, Z, Origin)) :-
-    retractall_facts(v(S, V, _, _, _)),
-    assert_fact(v(S, V, X, Y, Z)),
-    (   origin(S, v(V), _)
-    ->  true
-    ;   assert_fact(origin(S, v(V), Origin))
-    ).
-
-%   The polygon keeps its number, and its edges that were not divided theirs.
-
-write_polygon(polygon(S, P, Edges, Triangles)) :-
-    p(S, P, Es0),
-    !,
-    retract_one(p(S, P, Es0)),
-    findall(E,
-            ( member(E, Es0),
-              \+ is_kept(S, E, Edges),
-              \+ edge_polygon(S, E, _)
-            ),
-            Gone),
-    maplist(write_edge(S), Edges, Es),
-    forall(member(E, Gone), retractall_facts(e(S, E, _, _, _))),
-    assert_fact(p(S, P, Es)),
-    retractall_facts(t(S, P, _, _, _, _)),
-    maplist(write_triangle(S, P), Triangles).
-
 retract_one(Fact) :-
     retract_fact(Fact),
     !.
-
-is_kept(S, E, Edges) :-
-    e(S, E, V1, V2, _),
-    memberchk(w(V1, V2, _, E), Edges).
-
-write_edge(S, w(V1, V2, _, E), E) :-
-    E > 0,
-    e(S, E, V1, V2, _),
-    !.
-write_edge(S, w(V1, V2, Et, Old), E) :-
-    fresh_id(e, S, E),
-    assert_fact(e(S, E, V1, V2, Et)),
-    (   Old > 0
-    ->  assert_fact(origin(S, e(E), e(Old)))
-    ;   assert_fact(origin(S, e(E), near))
-    ).
-
-write_triangle(S, P, t(V1, V2, V3)) :-
-    fresh_id(t, S, T),
-    assert_fact(t(S, P, T, V1, V2, V3)).
 
 %!  resolved_seams is det.
 %

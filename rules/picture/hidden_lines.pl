@@ -51,7 +51,7 @@ is seen, with nothing near behind it, for there the surface goes on. So wherever
 what is seen ends there is a line, and no second one beside it.
 
 Near the outline of a known surface hides what the surface is, not its triangles
-(contour_hiding.pl): so what passes behind it ends at the outline that is drawn.
+(contour.pl): so what passes behind it ends at the outline that is drawn.
 
 The rules here define what is drawn. The join occluder/7 finds the triangles
 that hide a part of a line; triangles that are seen edge-on and the backs of

@@ -1,8 +1,6 @@
 :- module(sg_sheet,
           [ sheet_drawing/3,            % +Default, +Options, -Drawing
             sheet_strokes/4,            % +Default, +Options, -Sheet, -Strokes
-            sheet_strokes_by_rule/4,    % +Default, +Options, -Sheet, -Strokes
-            drawing_strokes/2,          % +Drawing, -Strokes
             scaled_drawing/3,           % +Factor, +Drawing, -Scaled
             picture_parts/1,            % -Parts
             placed_part/3               % +Place, +Part0, -Part
@@ -10,10 +8,9 @@
 :- use_module('../picture/contour', [line_ends/4]).
 :- use_module('../kernel', [drawn_box/1, drawn_strokes/5]).
 :- use_module('../store', [contour/13, drawn/7]).
-:- use_module(stroke, [strokes/2, picture_looks/1]).
+:- use_module(stroke, [picture_looks/1]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
-:- use_module(library(lists), [append/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(yall), [(>>)/4]).
 /** <module> The sheet: the picture laid on paper.
@@ -73,14 +70,6 @@ sheet_drawing(Default, Options, Drawing) :-
         sheet_strokes(Default, Options, Sheet, Strokes)
     ).
 
-%!  drawing_strokes(+Drawing, -Strokes) is det.
-%
-%   The strokes of all views, in painting order.
-
-drawing_strokes(drawing(_, Views), Strokes) :-
-    maplist([view(_, Own, _),Own]>>true, Views, All),
-    append(All, Strokes).
-
 %!  scaled_drawing(+Factor, +Drawing, -Scaled) is det.
 %
 %   Scaled is Drawing in another unit: Factor of it are one of Drawing's.
@@ -111,7 +100,6 @@ scaled(Factor, X0, X) :-
     X is round(X0*Factor).
 
 %!  sheet_strokes(+Default, +Options, -Sheet, -Strokes) is det.
-%!  sheet_strokes_by_rule(+Default, +Options, -Sheet, -Strokes) is det.
 %
 %   The Sheet and the Strokes of what drawn/7 holds, as sheet_drawing/3 lays
 %   them out. The kernels drawn_box/1 and drawn_strokes/5 do for edges what the
@@ -129,14 +117,6 @@ sheet_strokes(Default, Options, Sheet, Strokes) :-
     ),
     picture_looks(Looks),
     drawn_strokes(Place, Removed, Looks, Placed, Strokes).
-
-sheet_strokes_by_rule(Default, Options, Sheet, Strokes) :-
-    hidden_option(Options, Hidden),
-    picture_parts(Parts),
-    parts_box(Parts, Box),
-    box_place(Box, Default, Options, Sheet, Place),
-    placed_parts(Hidden, Place, Parts, Placed),
-    strokes(Placed, Strokes).
 
 placed_parts(Hidden, Place, Parts, Placed) :-
     (   Hidden == removed

@@ -16,14 +16,13 @@
 :- use_module(faces, [faces_merged/2, region_faces_merged/3]).
 :- use_module('../kernel',
               [ solid_close/1, solid_is_closed/1, solid_region/3,
+                solid_write/2, solid_write_over/2, solid_write_region/3,
                 region_leaves/2, region_close/1, segments_tolerance/3
               ]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module(passing, [passing_named/2]).
 :- use_module('../penetration/resolve', [tolerance_reach/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
-:- use_module(solid_rows,
-              [solid_written/2, solid_written_over/2, region_written_over/3]).
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
@@ -207,12 +206,12 @@ written(Solid, S, Expression, Passing, Options) :-
 
 rows_written(Solid, S, Options) :-
     (   option(over(true), Options)
-    ->  (   solid_written_over(Solid, S)
+    ->  (   solid_write_over(Solid, S)
         ->  true
         ;   drop_boundary(S),
-            solid_written(Solid, S)
+            solid_write(Solid, S)
         )
-    ;   solid_written(Solid, S)
+    ;   solid_write(Solid, S)
     ).
 
 
@@ -282,7 +281,7 @@ are_few(Some, Leaves) :-
     2*N =< All.
 
 written_around(Solid, S, Region, Passing) :-
-    stage(write, ( region_written_over(Solid, S, Region),
+    stage(write, ( solid_write_region(Solid, S, Region),
                    passing_named(S, Passing)
                  )).
 

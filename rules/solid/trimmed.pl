@@ -12,9 +12,8 @@
               ]).
 :- use_module(closing, [closed_by_caps/1]).
 :- use_module('../decision', [decision/2]).
-:- use_module('../kernel', [solid_close/1, solid_is_closed/1]).
+:- use_module('../kernel', [solid_close/1, solid_is_closed/1, solid_write/2]).
 :- use_module(passing, [passing_named/2]).
-:- use_module(solid_rows, [solid_written/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ origin/3, p/3, segment/3, assert_fact/1, facts_snapshot/1,
@@ -118,7 +117,7 @@ written(Solid, Passing, Term, T) :-
     ;   Kind = surface
     ),
     assert_fact(segment(T, Kind, Term)),
-    stage(write, ( solid_written(Solid, T),
+    stage(write, ( solid_write(Solid, T),
                    passing_named(T, Passing)
                  )).
 

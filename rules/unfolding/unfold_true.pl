@@ -4,9 +4,7 @@
 :- use_module('../development/bend', [pattern_bent/2]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
 :- use_module('../store',
-              [ e/5, p/3, origin/3, from_p/5, edge_polygon/3,
-                facts_transaction/1
-              ]).
+              [e/5, p/3, origin/3, edge_polygon/3, facts_transaction/1]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module('../unrolling/transition_facet', [takes_turns/1]).
 :- use_module('../unrolling/true_development',

@@ -1,7 +1,7 @@
 :- module(test_contour_same,
           [ same_as_rule/2              % +S, +Crease
           ]).
-:- use_module(rules(picture/contour), [contour_pieces/3, surface_turns/3]).
+:- use_module(tests('oracle/contour'), [contour_pieces/3, surface_turns/3]).
 :- use_module(rules(store), [contour/13, surface_turn/6]).
 /** <module> The pieces of contour/13 against their rule, for tests.
 */

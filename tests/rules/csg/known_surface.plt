@@ -21,6 +21,7 @@
 :- use_module(rules(picture/view)).
 :- use_module(tests('rules/contour_same'), [same_as_rule/2]).
 :- use_module(tests('rules/polyhedron'), [in_new_world/1]).
+:- use_module(tests('oracle/known_surface')).
 
 % Which polygons stand for which surface, and how it looks: against
 % primitive_face.pl, which makes the whole shape, and surface_point/4.

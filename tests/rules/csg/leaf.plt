@@ -11,6 +11,7 @@
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation)).
+:- use_module(tests('oracle/leaf')).
 
 /* A second penetration: whatever order the segments come in, the same lines,
    as exact points, with the same origins. */

@@ -17,6 +17,7 @@
 :- use_module(tests('rules/development/development_model')).
 :- use_module(tests('rules/pattern_checked')).
 :- use_module(tests('rules/random_solid')).
+:- use_module(tests('oracle/seam_exchange')).
 
 /* Folds exchanged for a shorter seam. That nothing overlaps is asked of every
 pattern by development_checked.plt. */

@@ -1,6 +1,7 @@
 :- module(test_travel, []).
 :- use_module(library(plunit)).
 :- use_module(rules(drawing/travel)).
+:- use_module(tests('oracle/travel')).
 
 line(E, A, B, stroke(visible,outline,1,[E],[A,B],joint,joint)).
 

@@ -5,8 +5,8 @@
 :- use_module(library(occurs)).
 :- use_module(rules(decision), [use_rules/1]).
 :- use_module(rules(explanation/explain)).
-:- use_module(rules(picture/contour), [contour_ends/4]).
-:- use_module(rules(picture/contour_hiding), [dividing_piece/3]).
+:- use_module(rules(picture/contour), [contour_ends/4, dividing_piece/3]).
+:- use_module(tests('oracle/view'), [screen_plane/5]).
 :- use_module(rules(picture/hidden_lines)).
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(primitive/primitive)).

@@ -8,6 +8,7 @@
 :- use_module(rules(command/lines_out)).
 :- use_module(rules(model/model_file)).
 :- use_module(rules(model/model_writer)).
+:- use_module(tests('oracle/chain')).
 
 /* Chains of lines, written by hand: only line/9 and v/5 matter here. */
 

@@ -9,6 +9,7 @@
 :- use_module(rules(kernel)).
 :- use_module(rules(penetration/penetration)).
 :- use_module(tests('rules/penetration/oracle')).
+:- use_module(tests('oracle/cut')).
 
 /* Two triangles with corners on a small grid: the engine and the oracle see
 the same pieces, their ends in the same features. The classes that occurred are

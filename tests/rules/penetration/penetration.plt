@@ -15,6 +15,7 @@
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(tests(rules/penetration_fault), [faults/1, penetration_fault/1]).
+:- use_module(tests('oracle/cut')).
 
 /* Penetration lines: closed forms, contacts of every kind, and what must hold
    of every model afterwards, on seeded random solids on a coarse grid, where

@@ -13,6 +13,7 @@
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(polygon/triangulation)).
+:- use_module(tests('oracle/cut')).
 
 /* The fused kernels of a penetration against their rules: seeded random solids
    on a coarse grid, where most contacts are degenerate, and in between. */
@@ -185,7 +186,7 @@ test(join, Bad == []) :-
             ( between(1, 200, Seed),
               with_solids(Seed, found(cut_find, Kernel)),
               with_solids(Seed,
-                          found(sg_penetration:find_cuts_by_rule, Rule)),
+                          found(find_cuts_by_rule, Rule)),
               Kernel \== Rule ),
             Bad).
 

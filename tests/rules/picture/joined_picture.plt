@@ -13,8 +13,8 @@
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(model/model), [load_model/1]).
 :- use_module(rules(penetration/penetration)).
-:- use_module(rules(penetration/resolve),
-              [resolve_contacts/2, resolve_contacts_by_rule/2]).
+:- use_module(rules(penetration/resolve), [resolve_contacts/2]).
+:- use_module(tests('oracle/resolve')).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 :- use_module(rules(picture/view)).

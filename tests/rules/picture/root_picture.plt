@@ -20,6 +20,7 @@
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 :- use_module(rules(picture/view)).
 :- use_module(tests('rules/polyhedron'), [in_new_world/1]).
+:- use_module(tests('oracle/known_surface')).
 
 /* What a picture needs to know of smooth surfaces stays known when the roots of
    a CSG tree are alone, when they are turned, and when they are written. */

@@ -6,6 +6,7 @@
 :- use_module(rules(kernel)).
 :- use_module(rules(store)).
 :- use_module(tests('rules/polyhedron')).
+:- use_module(tests('oracle/view')).
 
 :- begin_tests(view).
 

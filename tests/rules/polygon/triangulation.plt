@@ -9,6 +9,7 @@
 :- use_module(rules(polygon/triangulation)).
 :- use_module(tests('rules/polygon/polygon_sample')).
 :- use_module(tests('rules/sample')).
+:- use_module(tests('oracle/triangulation')).
 
 % ---- samples
 

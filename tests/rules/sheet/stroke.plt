@@ -1,6 +1,7 @@
 :- module(test_stroke, []).
 :- use_module(library(plunit)).
 :- use_module(rules(sheet/stroke)).
+:- use_module(tests('oracle/stroke')).
 
 % A whole edge.
 line(Visibility, E, A, B, part(Visibility,outline,1,E,0.0,1.0,A,B)).

@@ -17,6 +17,7 @@
 :- use_module(tests('golden/goldens')).
 :- use_module(tests('rules/random_solid')).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
+:- use_module(tests('oracle/stroke')).
 
 /* Strokes of whole pictures: what is drawn is what drawn/7 has, all of it and
    nothing else; nothing is drawn twice, in random scenes and in the goldens. */

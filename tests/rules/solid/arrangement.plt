@@ -9,10 +9,9 @@ rules/solid/arrangement.pl. */ :- use_module(library(plunit)).
                 cut_polygons_of/3, arrangement_open/5, arrangement_drop/1,
                 arrangement_polygons/3, arrangement_free_polygons/3,
                 arrangement_seal/1, arrangement_components/2,
-                arrangement_select/3, solid_close/1
+                arrangement_select/3, solid_close/1, solid_write/2
               ]).
 :- use_module(rules(primitive/primitive_rows)).
-:- use_module(rules(solid/solid_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(library(aggregate)).
@@ -309,7 +308,7 @@ chosen(Ss, Arrangement, Rows-Sources-Components) :-
     arrangement_components(Pieces, Components),
     findall(C-1, member(component(C,_,_,_,_,_), Components), Senses),
     arrangement_select(Pieces, Senses, Solid),
-    facts_snapshot(( solid_written(Solid, 100),
+    facts_snapshot(( solid_write(Solid, 100),
                      rows(Rows),
                      findall(P-S0-P0, from_p(100, P, S0, P0, _), Sources) )),
     solid_close(Solid).

@@ -7,6 +7,7 @@
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation)).
+:- use_module(tests('oracle/winding')).
 
 /* Points inside, outside and on solids: the fused kernel against the rule, and
    both against what is known. */

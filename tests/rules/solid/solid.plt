@@ -6,7 +6,7 @@
 :- use_module(rules(solid/boolean)).
 :- use_module(rules(kernel)).
 :- use_module(rules(primitive/primitive_rows)).
-:- use_module(rules(solid/solid_rows)).
+:- use_module(tests('oracle/solid_rows')).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation)).
 
@@ -88,7 +88,7 @@ plane_differs(S1, S2, P) :-
 %   both_ways(+Solid, -Rows, -Differ): by the kernel and by the rule.
 
 both_ways(Solid, Rows, Differ) :-
-    facts_transaction(solid_written(Solid, 501)),
+    facts_transaction(solid_write(Solid, 501)),
     facts_transaction(solid_written_by_rule(Solid, 502)),
     rows_of(501, Rows),
     rows_of(502, Rows2),
@@ -141,7 +141,7 @@ test(same_as_before, Parts1 == Parts2) :-
                    forall(between(1, 5, S),
                           ( solid_take([S], Solid),
                             S2 is S+10,
-                            solid_written(Solid, S2),
+                            solid_write(Solid, S2),
                             segment(S, Kind, Name),
                             assert_fact(segment(S2, Kind, Name)) )),
                    census(All),
@@ -191,36 +191,36 @@ test(nothing, Rows == []) :-
 
 test(has_rows, error(permission_error(write, segment, 1))) :-
     with_primitives([box(size(1,1,1))],
-                    ( solid_take([1], Solid), solid_written(Solid, 1) )).
+                    ( solid_take([1], Solid), solid_write(Solid, 1) )).
 test(has_origins, error(permission_error(assert, fact, origin/3))) :-
     with_primitives([box(size(1,1,1))],
                     ( assert_fact(origin(2, node(2), n)),
                       assert_fact(origin(2, v(1), mine)),
                       solid_take([1], Solid),
-                      solid_written(Solid, 2) )).
+                      solid_write(Solid, 2) )).
 test(has_no_rows_any_more, Rows1 == Rows2) :-
     with_primitives([box(size(1,1,1))],
                     ( solid_take([1], Solid),
-                      solid_written(Solid, 2),
+                      solid_write(Solid, 2),
                       rows_of(2, Rows1),
                       facts_transaction(
                           maplist(retractall_facts,
                                   [ v(2,_,_,_,_), e(2,_,_,_,_), p(2,_,_),
                                     plane(2,_,_,_,_,_), t(2,_,_,_,_,_),
                                     from_v(2,_,_,_), from_p(2,_,_,_,_) ])),
-                      solid_written(Solid, 2),
+                      solid_write(Solid, 2),
                       rows_of(2, Rows2) )).
 test(rolled_back, Rows-Vs == []-[1]) :-
     with_primitives([box(size(1,1,1))],
                     ( solid_take([1], Solid),
-                      \+ facts_transaction(( solid_written(Solid, 2), fail )),
+                      \+ facts_transaction(( solid_write(Solid, 2), fail )),
                       rows_of(2, Rows),
                       fresh_id(v, 2, V),
                       Vs = [V] )).
 test(undone, Counts == [8, 0, 8]) :-
     with_primitives([box(size(1,1,1))],
                     ( solid_take([1], Solid),
-                      facts_transaction(solid_written(Solid, 2)),
+                      facts_transaction(solid_write(Solid, 2)),
                       count(2, N1),
                       facts_undo,
                       count(2, N2),

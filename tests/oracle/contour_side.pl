@@ -1,4 +1,4 @@
-:- module(sg_contour_side,
+:- module(sg_oracle_contour_side,
           [ current_eye/1,              % -Eye
             to_eye/3,                   % +Eye, +Point, -Direction
             towards_eye/4,              % +Sheets, +Eye, +Fan, -G
@@ -11,9 +11,9 @@
                 corner_place/3, corner_surface/3, next_corner/2, smooth_side/3,
                 curved_triangle/2
               ]).
-:- use_module('../store', [line/9, screen/5]).
-:- use_module('../vector', [difference/3, dot_product/3]).
-:- use_module(view, [current_view/4, view_matrix/3]).
+:- use_module('../../rules/store', [line/9, screen/5]).
+:- use_module('../../rules/vector', [difference/3, dot_product/3]).
+:- use_module('../../rules/picture/view', [current_view/4, view_matrix/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3]).
 :- use_module(library(lists), [max_member/2, member/2]).

@@ -1,4 +1,4 @@
-:- module(sg_contour_turn,
+:- module(sg_oracle_contour_turn,
           [ side_turn/3                 % +Context, +Side, -Turn
           ]).
 :- use_module(contour_beside,
@@ -13,8 +13,8 @@
                 fan_normal/3, fan_unit/3, corner_vertex/3, corner_place/3,
                 next_corner/2
               ]).
-:- use_module('../store', [screen/5, segment/3]).
-:- use_module('../vector', [difference/3, dot_product/3]).
+:- use_module('../../rules/store', [screen/5, segment/3]).
+:- use_module('../../rules/vector', [difference/3, dot_product/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(assoc), [get_assoc/3]).
 :- use_module(library(lists), [member/2, sum_list/2]).

@@ -1,7 +1,8 @@
-:- module(sg_bezier_normal,
+:- module(sg_oracle_bezier_normal,
           [ patch_normal/3              % +Numbers, +Point, -Normal
           ]).
-:- use_module('../vector', [cross_product/3, difference/3, dot_product/3]).
+:- use_module('../../rules/vector',
+              [cross_product/3, difference/3, dot_product/3]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [member/2]).
 /** <module> The normal of a bicubic Bezier patch at a point of it.

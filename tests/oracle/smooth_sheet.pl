@@ -1,4 +1,4 @@
-:- module(sg_smooth_sheet,
+:- module(sg_oracle_smooth_sheet,
           [ smooth_sheets/3,            % +S, +Crease, -Sheets
             smooth_side/3,              % +Sheets, +Side, ?Across
             cut_side/3,                 % +S, +Sheets, +Side
@@ -17,15 +17,16 @@
             corner_place/3,             % +Sheets, +Corner, -Place
             next_corner/2               % +Corner, -Next
           ]).
-:- use_module('../csg/known_surface',
+:- use_module(known_surface,
               [ polygon_face/3, polygon_surface/4, surface_normal/4,
-                surface_straight/3, flat_bend/1
+                surface_straight/3
               ]).
-:- use_module('../vector',
+:- use_module('../../rules/csg/known_surface', [flat_bend/1]).
+:- use_module('../../rules/vector',
               [ angle_between/3, cross_product/3, difference/3, dot_product/3,
                 scaled/3, unit/2
               ]).
-:- use_module('../store', [line/9, t/6, v/5]).
+:- use_module('../../rules/store', [line/9, t/6, v/5]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(assoc),

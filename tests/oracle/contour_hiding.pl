@@ -1,9 +1,9 @@
-:- module(sg_contour_hiding,
-          [ hiding_triangles/3,         % +S, +T, -Triangles
-            dividing_piece/3            % +S, +T, -K
+:- module(sg_oracle_contour_hiding,
+          [ hiding_triangles/3          % +S, +T, -Triangles
           ]).
-:- use_module(contour, [contour_ends/4]).
-:- use_module('../store', [contour/13, screen/5, t/6]).
+:- use_module('../../rules/picture/contour',
+              [contour_ends/4, dividing_piece/3]).
+:- use_module('../../rules/store', [contour/13, screen/5, t/6]).
 :- use_module(library(lists), [member/2]).
 /** <module> What hides lines near the outline of a smooth surface.
 
@@ -37,16 +37,6 @@ hiding_triangles(S, T, Triangles) :-
         Triangles = [Places]
     ;   Triangles = Parts
     ).
-
-%!  dividing_piece(+S, +T, -K) is nondet.
-%
-%   True when piece K of contour/13 runs across triangle T of segment S, and
-%   begins or ends above it on the surface.
-
-dividing_piece(S, T, K) :-
-    contour(S, K, T, I1, _, I2, _, _, _, X1, Y1, X2, Y2),
-    I1 =\= I2,
-    \+ ( X1 =:= 0.0, Y1 =:= 0.0, X2 =:= 0.0, Y2 =:= 0.0 ).
 
 %   P is the corner that the piece parts from Q and R; it crosses the side from
 %   P to Q at A, that from R to P at B.

@@ -1,51 +1,17 @@
-:- module(sg_solid_rows,
-          [ solid_written/2,            % +Solid, +S
-            solid_written_over/2,       % +Solid, +S
-            region_written_over/3,      % +Solid, +S, +Region
-            solid_written_by_rule/2     % +Solid, +S
+:- module(sg_oracle_solid_rows,
+          [ solid_written_by_rule/2     % +Solid, +S
           ]).
-:- use_module('../kernel',
-              [ solid_write/2, solid_write_over/2, solid_write_region/3,
-                solid_vertices/2,
-                solid_faces/2, solid_parts/2
-              ]).
-:- use_module('../store', [assert_fact/1]).
+:- use_module('../../rules/kernel',
+              [solid_vertices/2, solid_faces/2, solid_parts/2]).
+:- use_module('../../rules/store', [assert_fact/1]).
 :- use_module(library(apply), [foldl/4, foldl/5]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists),
               [append/3, member/2, nth1/3, selectchk/3]).
-/** <module> The rows of a solid.
+/** <module> The rule of solid_write/2: the rows of a solid, one by one.
 
 @see c_kernels/solid/solid.h
 */
-
-%!  solid_written(+Solid, +S) is det.
-%
-%   Appends the rows of Solid, a boundary under way, to segment S: what
-%   solid_written_by_rule/2 says, all at once. To be called in a transaction.
-%
-%   @error permission_error(write, segment, S): it has rows
-
-solid_written(Solid, S) :-
-    solid_write(Solid, S).
-
-%!  solid_written_over(+Solid, +S) is semidet.
-%
-%   The rows of segment S, a solid that was written before, become those of
-%   Solid, and what is the same stays as it is: but for the ids, as if S had had
-%   no rows. Fails if that is not worth it. To be called in a transaction.
-
-solid_written_over(Solid, S) :-
-    solid_write_over(Solid, S).
-
-%!  region_written_over(+Solid, +S, +Region) is semidet.
-%
-%   The same of the faces of Region (of solid_region/3) alone: they become those
-%   of Solid. Fails if these do not fit among the others. To be called in a
-%   transaction.
-
-region_written_over(Solid, S, Region) :-
-    solid_write_region(Solid, S, Region).
 
 %!  solid_written_by_rule(+Solid, +S) is det.
 %

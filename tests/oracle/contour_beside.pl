@@ -1,6 +1,5 @@
-:- module(sg_contour_beside,
+:- module(sg_oracle_contour_beside,
           [ beside_piece/4,             % +Context, +Piece, +Sense, -Ts
-            side_place/5,               % +S, +Corners, +I, +F, -Place
             is_point/2,                 % +Context, +Piece
             end_rise/4,                 % +Context, +Side, +F, -Rise
             piece_place/5,              % +Context, +T, +I, +F, -Place
@@ -8,13 +7,14 @@
             triangle_facing/3           % +S, +T, -Facing
           ]).
 :- use_module(contour_side, [side_rise/3]).
+:- use_module('../../rules/picture/contour', [side_place/5]).
 :- use_module(smooth_sheet,
               [ smooth_side/3, across_side/3, convex_side/2, curved_triangle/2,
                 corner_fan/3, corner_vertex/3, next_corner/2,
                 fan_unit/3
               ]).
-:- use_module('../vector', [dot_product/3]).
-:- use_module('../store', [screen/5, t/6]).
+:- use_module('../../rules/vector', [dot_product/3]).
+:- use_module('../../rules/store', [screen/5, t/6]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3]).
 :- use_module(library(lists), [append/3, member/2, memberchk/2, sum_list/2]).
@@ -244,24 +244,4 @@ end_rise(Context, Side, F, Rise) :-
     (   ( F =:= 0.0 ; F =:= 1.0 )
     ->  Rise = 0.0-0.0
     ;   side_rise(Context, Side, Rise)
-    ).
-
-%!  side_place(+S, +Corners, +I, +F, -Place) is det.
-%
-%   Place, X-Y of the picture, is F of the way along the I-th side, from its
-%   smaller vertex to the larger one. Corners is t(V1,V2,V3,V1).
-
-side_place(S, Corners, I, F, X-Y) :-
-    J is I+1,
-    arg(I, Corners, V),
-    arg(J, Corners, W),
-    Low is min(V, W),
-    High is max(V, W),
-    screen(S, Low, X1, Y1, _),
-    screen(S, High, X2, Y2, _),
-    (   F =:= 1.0
-    ->  X = X2,
-        Y = Y2
-    ;   X is X1 + F*(X2-X1),
-        Y is Y1 + F*(Y2-Y1)
     ).
