@@ -296,7 +296,7 @@ copy_triangles(matcher *m, const cell *from, const cell *to)
     for (size_t i = 0; i < from->triangles; i++) {
       const int32_t *v =
           source->triangle.item[m->triangle.item[from->first_triangle + i]].v;
-      struct sg_corners corners;
+      sg_triangle corners;
       for (int k = 0; k < 3; k++) {
         const sg_resolve_place *place = sg_resolve_place_of(
             m->r, point_of(m, source->s, v[turn ? 2 - k : k]), target->s);

@@ -314,7 +314,7 @@ triangulate(maker *m, const bool *used, sg_key_table *edges,
   }
 
   for (size_t i = 0; i < triangles.n && done; i++) {
-    struct sg_corners corners;
+    sg_triangle corners;
     for (int k = 0; k < 3; k++) {
       corners.v[k] = sg_work_id(m->work, triangles.item[i].v[k]);
     }

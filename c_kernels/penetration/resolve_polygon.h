@@ -5,6 +5,7 @@
 #ifndef SG_RESOLVE_POLYGON_H
 #define SG_RESOLVE_POLYGON_H
 
+#include "polygon/triangulate.h"
 #include "resolve.h"
 
 /* A row of e/5, with where its ends are (before anything moved). */
@@ -22,7 +23,7 @@ typedef struct sg_resolved_polygon {
   int32_t s, p;
   bool no_area; /* then it has no triangles, before and after */
   SG_LIST_OF(sg_resolved_edge) edge;
-  SG_LIST_OF(struct sg_corners { int32_t v[3]; }) triangle;
+  SG_LIST_OF(sg_triangle) triangle;
 } sg_resolved_polygon;
 
 /* Divides the edges of polygon out->p of segment out->s, enters its seams and

@@ -81,9 +81,9 @@ Foreign predicates; see kernel.pl.
 %   dict with `orient2d` and `orient3d`, asked of doubles; `turn`, `side`,
 %   `along` and `compare`, asked of derived points too.
 
-/* - - - leaf4pl.c - - - */
+/* - - - leaf_rows.c - - - */
 
-%!  leaves_keep(+Polygons:list) is semidet.
+%!  leaves_keep(+Polygons:list(segment_polygon)) is semidet.
 %
 %   As leaf.pl, leaves_kept/1. Fails if one is not there.
 

@@ -6,9 +6,9 @@
           ]).
 :- use_module(joints, [merge_near_lines/2, has_near_lines/1]).
 :- use_module('../kernel',
-              [ cut_entering/4, cut_enter_free/4, cut_enter_polygons/5,
-                cut_work/4, cut_crossing/8, cut_note/5, cut_between/6,
-                cut_divided/4, cut_agree/1, cut_was_divided/1,
+              [ cut_entering/4, cut_enter_free/4, cut_queue/2,
+                cut_enter_queued/2, cut_work/4, cut_crossing/8, cut_note/5,
+                cut_between/6, cut_divided/4, cut_agree/1, cut_was_divided/1,
                 cut_late_polygons/2, work_add/6, work_delete/2, work_edge/6,
                 work_meeting/6, work_close/1
               ]).
@@ -67,16 +67,25 @@ close_work(work(_, _, Work)) :-
 %   there, go into a scratch relation, and then the pieces of cuts one by one.
 
 %   cut_enter_free/4 is the fused kernel for those that meet nothing, and
-%   cut_enter_polygons/5 does all of these that come first.
+%   cut_enter_queued/2 does all of these up to one that does.
 
 enter_all(Set, Polygons, Works) :-
-    cut_enter_polygons(Set, Polygons, Works, End, Rest),
-    (   Rest = [Polygon|Others]
+    cut_queue(Set, Polygons),
+    enter_queued(Set, Polygons, Works).
+
+enter_queued(Set, Polygons, Works) :-
+    cut_enter_queued(Set, Free),
+    entered(Free, Polygons, Others, Works, Works1),
+    (   Others = [Polygon|Others1]
     ->  enter_cuts(Set, Polygon, Work),
-        End = [Work|Works1],
-        enter_all(Set, Others, Works1)
-    ;   End = []
+        Works1 = [Work|Works2],
+        enter_queued(Set, Others1, Works2)
+    ;   Works1 = []
     ).
+
+entered([], Polygons, Polygons, Works, Works).
+entered([Work|Free], [S-P|Polygons], Others, [work(S, P, Work)|Works], End) :-
+    entered(Free, Polygons, Others, Works, End).
 
 enter_cuts(Set, S-P, work(S, P, Work)) :-
     cut_work(Set, S, P, Work),

@@ -90,10 +90,10 @@ parts([1, 2 ** -8, 2 ** -16]).
 %   moves_said(Moves): what cut_touch/4 says of them.
 
 moves_said(little).
-moves_said(moved(S1, S2, X, Y, Z, Move, _, N)) :-
+moves_said(move(moved, S1-S2, p(X,Y,Z), Move, _, N)) :-
     print_message(informational,
                   sanggwan(moved(S1, S2, [X,Y,Z], Move, N))).
-moves_said(tight(S1, S2, X, Y, Z, Move, Feature, N)) :-
+moves_said(move(tight, S1-S2, p(X,Y,Z), Move, Feature, N)) :-
     tight_said(tight(S1, S2, [X,Y,Z], Move, Feature, N)).
 
 %!  tight_said(+Tight) is det.

@@ -9,9 +9,9 @@
 
 /* Segment s: vertex 1 + x + 2y + 4z, polygons 1..6 of four edges each, every
  * polygon in two triangles; of the k-th cube of the segment, from 0, all ids
- * are after those of the one before. */
+ * are after those of the one before. It is moved along the diagonal. */
 static inline bool
-add_cube_again(sg_world *world, int32_t s, int32_t k)
+add_cube_moved(sg_world *world, int32_t s, int32_t k, double along)
 {
   static const int32_t face[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
                                      {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
@@ -35,7 +35,7 @@ add_cube_again(sg_world *world, int32_t s, int32_t k)
   for (int32_t i = 0; i < 8; i++) {
     vertex[i] = 8 * k + i + 1;
     for (int c = 0; c < 3; c++) {
-      at[c][i] = i >> c & 1;
+      at[c][i] = (i >> c & 1) + along;
     }
   }
   for (int32_t i = 0; i < 12; i++) {
@@ -62,9 +62,15 @@ add_cube_again(sg_world *world, int32_t s, int32_t k)
 }
 
 static inline bool
+add_cube_again(sg_world *world, int32_t s, int32_t k)
+{
+  return add_cube_moved(world, s, k, 0);
+}
+
+static inline bool
 add_cube(sg_world *world, int32_t s)
 {
-  return add_cube_again(world, s, 0);
+  return add_cube_moved(world, s, 0, 0);
 }
 
 #endif

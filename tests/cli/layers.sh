@@ -50,7 +50,7 @@ plant engine/store4pl.c '"c_kernels/join/cut.h"'
 for file in main.c engine.c question.c host.h install.c boot.c start.c; do
   plant engine/$file '"store.h"'
   plant engine/$file '"c_kernels/join/cut.h"'
-  plant engine/$file '"c_kernels/penetration/cut4pl.h"'
+  plant engine/$file '"c_kernels/penetration/cut_rows.h"'
 done
 
 # plant_import FILE OTHER: an import that should be found.

@@ -2,7 +2,7 @@
           [ resolve_contacts_by_rule/2  % +Set, +Tolerance
           ]).
 :- use_module(leaf, [leaves_kept_by_rule/1, place_kept/1]).
-:- use_module('../../rules/kernel', [cut_resolve/4]).
+:- use_module('../../rules/kernel', [cut_resolve/5]).
 :- use_module('../../rules/penetration/resolve', []).
 :- use_module('../../rules/store',
               [ v/5, e/5, p/3, t/6, origin/3, edge_polygon/3, assert_fact/1,
@@ -34,11 +34,11 @@ resolve_contacts_by_rule(Set, Tolerance) :-
 
 closed_contacts([Part|Parts], Set, Tolerance, Changes) :-
     Reach is Part*Tolerance,
-    cut_resolve(Set, Reach, Vertices, Polygons),
-    (   is_list(Vertices)
+    cut_resolve(Set, Reach, What, Vertices, Polygons),
+    (   atom(What)
     ->  Changes = changes(Vertices, Polygons)
     ;   Parts == []
-    ->  print_message(warning, sanggwan(contacts(Vertices))),
+    ->  print_message(warning, sanggwan(contacts(What))),
         Changes = changes([], [])
     ;   closed_contacts(Parts, Set, Tolerance, Changes)
     ).

@@ -7,7 +7,7 @@
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_find/1, cut_seal/1,
                 cut_polygons/2, cut_entering/4, cut_enter_free/4,
-                cut_enter_polygons/5, cut_work/4,
+                cut_queue/2, cut_enter_queued/2, cut_work/4,
                 work_edge/6, work_close/1
               ]).
 :- use_module(rules(primitive/primitive_rows)).
@@ -126,26 +126,27 @@ entered_at_once(How) :-
         ( cut_find(Set),
           cut_seal(Set),
           cut_polygons(Set, Polygons),
-          cut_enter_polygons(Set, Polygons, Works, [], Rest),
-          (   same_works(Polygons, Works, Set, Rest)
+          cut_queue(Set, Polygons),
+          cut_enter_queued(Set, Works),
+          (   same_works(Works, Polygons, Set)
           ->  length(Works, N),
               How = alike(N)
           ;   How = different
           ),
-          forall(member(work(_, _, Work), Works), work_close(Work))
+          forall(member(Work, Works), work_close(Work))
         ),
         cut_set_close(Set)).
 
-same_works([S-P|Polygons], [work(S, P, Work)|Works], Set, Rest) :-
-    !,
+same_works([Work|Works], [S-P|Polygons], Set) :-
     findall(E, work_row(Work, E), Edges),
     work_edges(Set, S-P, cut_enter_free(Set, S, P), Alone),
     Edges == Alone,
-    same_works(Polygons, Works, Set, Rest).
-same_works(Rest, [], _, Rest) :-
-    Rest = [].
-same_works([S-P|Rest], [], Set, [S-P|Rest]) :-
-    work_edges(Set, S-P, cut_enter_free(Set, S, P), none).
+    same_works(Works, Polygons, Set).
+same_works([], Rest, Set) :-
+    (   Rest = [S-P|_]
+    ->  work_edges(Set, S-P, cut_enter_free(Set, S, P), none)
+    ;   true
+    ).
 
 %   written_by(+Write, -Rows): all that is in the world after this.
 

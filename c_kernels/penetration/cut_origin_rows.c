@@ -1,10 +1,10 @@
-/* cut_origin4pl.c -- cut sets: what made a point, as in origin/3.
+/* cut_origin_rows.c -- cut sets: what made a point, as in origin/3.
  *
- * Layer: glue; no predicates of its own.
+ * Layer: rows.
  */
-#include "cut4pl.h"
+#include "cut_rows.h"
 
-#include "glue.h"
+#include <string.h>
 
 /* S-(A,B) for an edge, smaller vertex first. */
 static void
@@ -109,16 +109,28 @@ sg_cut_build_origin(sg_term_builder *b, const sg_cut_points *points,
   }
 }
 
-int
-sg_unify_origin(term_t t, const sg_cut_points *points, uint32_t point)
+const uint32_t *
+sg_cut_term(sg_call *call, sg_term_builder *b)
+{
+  const uint32_t *words = sg_term_words(b);
+  size_t bytes = words ? sg_term_length(words) * sizeof *words : 0;
+  uint32_t *copy = words ? sg_call_alloc(call, bytes) : NULL;
+
+  if (copy) {
+    memcpy(copy, words, bytes);
+  } else {
+    sg_call_no_memory(call);
+  }
+  sg_term_close(b);
+  return copy;
+}
+
+const uint32_t *
+sg_cut_origin(sg_call *call, const sg_cut_points *points, uint32_t point)
 {
   sg_term_builder b;
 
   sg_term_open(&b);
   sg_cut_build_origin(&b, points, point);
-  const uint32_t *words = sg_term_words(&b);
-  int good = words ? sg_unify_term(t, words) : sg_no_memory();
-
-  sg_term_close(&b);
-  return good;
+  return sg_cut_term(call, &b);
 }

@@ -1,20 +1,19 @@
-/* cut_fold4pl.c -- cut sets: polygons that are not flat, and their folds.
+/* cut_fold_rows.c -- cut sets: polygons that are not flat, and their folds.
  *
- * Layer: glue. The door is documented in rules/kernel/penetration.pl. Such a
+ * Layer: rows. The door is documented in rules/kernel/penetration.pl. Such a
  * polygon is used as its triangles, so the chords between these are *folds*: a
  * line is divided where it crosses one, and the polygon is triangulated along
  * it again. A fold is an edge pair of the polygon while that is cut, of type 0
  * and label 0, and no row of e/5.
  */
-#include "cut4pl.h"
+#include "cut_rows.h"
 
-#include "glue.h"
+#include "doors/penetration.h"
+
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
 #include "rows/grain_rows.h"
 #include "rows/pattern_rows.h"
-
-#include "engine/install.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -228,9 +227,9 @@ read_sides(const sg_cut_handle *handle, int32_t s, int32_t p, sides *out)
   return good;
 }
 
-int
-sg_cut_add_folds_ex(sg_cut_handle *handle, int32_t s, int32_t p,
-                    sg_outlines *out)
+bool
+sg_cut_add_folds(sg_call *call, sg_cut_handle *handle, int32_t s, int32_t p,
+                 sg_outlines *out)
 {
   sides all = {0};
   int bent = sg_cut_is_bent(handle, s, p);
@@ -244,7 +243,7 @@ sg_cut_add_folds_ex(sg_cut_handle *handle, int32_t s, int32_t p,
     }
   }
   free(all.side);
-  return good || sg_no_memory();
+  return good || sg_call_no_memory(call);
 }
 
 int
@@ -257,43 +256,21 @@ sg_cut_is_real_or_fold(void *data, uint32_t triangle, int edge)
   return real != 0 ? real : sg_cut_is_bent(handle, leaf->s, leaf->p);
 }
 
-/* ---- door ---- */
+/* ---- doors ---- */
 
-/* cut_flat_within(+Set, +Tolerance) is det. */
-static foreign_t
-cut_flat_within(term_t t, term_t tolerance)
+bool
+sg_door_cut_flat_within(sg_call *call, sg_cut_handle *handle, double tolerance)
 {
-  sg_cut_handle *handle;
-  double value;
-
-  if (!sg_get_cut_set_ex(t, &handle) || !sg_get_finite_ex(tolerance, &value)) {
-    return FALSE;
-  }
-  see_tolerance(handle, value);
-  handle->set.flat_within = fmax(handle->set.flat_within, MOVED * value);
-  return TRUE;
+  (void)call;
+  see_tolerance(handle, tolerance);
+  handle->set.flat_within = fmax(handle->set.flat_within, MOVED * tolerance);
+  return true;
 }
 
-/* cut_of_faces(+Set) is det. */
-static foreign_t
-cut_of_faces(term_t t)
+bool
+sg_door_cut_of_faces(sg_call *call, sg_cut_handle *handle)
 {
-  sg_cut_handle *handle;
-
-  if (!sg_get_cut_set_ex(t, &handle)) {
-    return FALSE;
-  }
+  (void)call;
   handle->set.of_faces = true;
-  return TRUE;
-}
-
-void
-sg_install_cut_fold(void)
-{
-  static const PL_extension doors[] = {
-      {"cut_flat_within", 2, (pl_function_t)cut_flat_within, 0},
-      {"cut_of_faces", 1, (pl_function_t)cut_of_faces, 0},
-      {NULL, 0, NULL, 0}};
-
-  PL_register_extensions_in_module("sg_kernel_penetration", doors);
+  return true;
 }

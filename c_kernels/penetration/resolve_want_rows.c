@@ -1,56 +1,56 @@
-/* resolve_want4pl.c -- which polygons are to be made anew: see resolve4pl.h.
+/* resolve_want_rows.c -- which polygons are to be made anew: see
+ * resolve_rows.h.
  *
- * Layer: glue.
+ * Layer: rows.
  */
-#include "resolve4pl.h"
+#include "resolve_rows.h"
 
-#include "glue.h"
 #include "rows/sort.h"
 
 /* Notes that polygon p of segment s is to be made anew. */
-static int
-want_polygon_ex(sg_resolving *job, int32_t s, int32_t p)
+static bool
+want_polygon(sg_call *call, sg_resolving *job, int32_t s, int32_t p)
 {
   uint32_t *known =
       sg_key_table_put(&job->known, (uint32_t[2]){(uint32_t)s, (uint32_t)p});
 
   if (!known) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   if (*known == SG_NO_KEY) {
     *known = 0;
     return SG_PUSH(job->polygon, (sg_resolved_polygon){.s = s, .p = p}) ||
-           sg_no_memory();
+           sg_call_no_memory(call);
   }
-  return TRUE;
+  return true;
 }
 
-static int
-want_polygons_of_ex(sg_resolving *job, int32_t s, int32_t e)
+static bool
+want_polygons_of(sg_call *call, sg_resolving *job, int32_t s, int32_t e)
 {
   sg_walk walk;
-  int good = TRUE;
+  bool good = true;
 
-  if (!sg_index_ready(job->handle->version, SG_P, 0, &sg_prolog_poll)) {
-    return FALSE;
+  if (!sg_index_ready(job->handle->version, SG_P, 0, &call->poll)) {
+    return false;
   }
   if (!sg_walk_open_member(&walk, job->handle->version, SG_P,
                            sg_resolving_segment(job, s), e)) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
     int32_t p = sg_version_value(job->handle->version, SG_P, row, 1).i;
-    good = want_polygon_ex(job, s, p);
+    good = want_polygon(call, job, s, p);
   }
   sg_walk_close(&walk);
   return good;
 }
 
 /* The polygons on both sides of a divided edge. */
-static int
-want_neighbours_ex(sg_resolving *job, const sg_resolve_split *split)
+static bool
+want_neighbours(sg_call *call, sg_resolving *job, const sg_resolve_split *split)
 {
-  int good = TRUE;
+  bool good = true;
 
   for (int turn = 0; turn < 2 && good; turn++) {
     sg_value row[SG_MAX_COLUMNS] = {[0].i = sg_resolving_segment(job, split->s),
@@ -58,27 +58,28 @@ want_neighbours_ex(sg_resolving *job, const sg_resolve_split *split)
                                     [3].i = split->v[!turn]};
     sg_walk walk;
 
-    if (!sg_index_ready(job->handle->version, SG_E, 0x0d, &sg_prolog_poll)) {
-      return FALSE;
+    if (!sg_index_ready(job->handle->version, SG_E, 0x0d, &call->poll)) {
+      return false;
     }
     if (!sg_walk_open(&walk, job->handle->version, SG_E, 0x0d, row)) {
-      return sg_no_memory();
+      return sg_call_no_memory(call);
     }
     for (sg_row found; good && (found = sg_walk_next(&walk)) != SG_NO_ROW;) {
       int32_t e = sg_version_value(job->handle->version, SG_E, found, 1).i;
-      good = want_polygons_of_ex(job, split->s, e);
+      good = want_polygons_of(call, job, split->s, e);
     }
     sg_walk_close(&walk);
   }
   return good;
 }
 
-static int
-sort_ex(void *item, size_t n, size_t size, sg_sort_compare *compare)
+static bool
+sort(sg_call *call, void *item, size_t n, size_t size, sg_sort_compare *compare)
 {
-  sg_sort_end end = sg_sort(item, n, size, compare, &sg_prolog_poll);
+  sg_sort_end end = sg_sort(item, n, size, compare, &call->poll);
 
-  return end == SG_SORTED || (end == SG_SORT_NO_MEMORY && sg_no_memory());
+  return end == SG_SORTED ||
+         (end == SG_SORT_NO_MEMORY && sg_call_no_memory(call));
 }
 
 static int
@@ -92,19 +93,19 @@ by_polygon(const void *a, const void *b)
 }
 
 /* Polygons with three points or more may lie on others. */
-static int
-want_covered_ex(sg_resolving *job)
+static bool
+want_covered(sg_call *call, sg_resolving *job)
 {
   sg_resolve_near *near = job->r.near.item;
   size_t n = job->r.near.n;
-  int good = sort_ex(near, n, sizeof *near, by_polygon);
+  bool good = sort(call, near, n, sizeof *near, by_polygon);
 
   for (size_t i = 0, first = 0; i < n && good; i++) {
     if (near[i].s != near[first].s || near[i].p != near[first].p) {
       first = i;
     }
     if (i == first + 2) {
-      good = want_polygon_ex(job, near[i].s, near[i].p);
+      good = want_polygon(call, job, near[i].s, near[i].p);
     }
   }
   return good;
@@ -118,22 +119,22 @@ compare_results(const void *a, const void *b)
   return x->s != y->s ? (x->s < y->s ? -1 : 1) : (x->p > y->p) - (x->p < y->p);
 }
 
-int
-sg_resolving_want_ex(sg_resolving *job)
+bool
+sg_resolving_want(sg_call *call, sg_resolving *job)
 {
   const sg_resolve *r = &job->r;
-  int good = want_covered_ex(job);
+  bool good = want_covered(call, job);
 
   for (size_t i = 0; i < r->split.n && good; i++) {
-    good = sg_resolving_goes_on_ex(i) &&
-           want_neighbours_ex(job, &r->split.item[i]);
+    good = sg_resolving_goes_on(call, i) &&
+           want_neighbours(call, job, &r->split.item[i]);
   }
   for (size_t i = r->first_inside; i < r->place.n && good; i++) {
-    good = want_polygon_ex(job, r->place.item[i].s, r->place.item[i].p);
+    good = want_polygon(call, job, r->place.item[i].s, r->place.item[i].p);
   }
   for (size_t i = 0; i < r->seam.n && good; i++) {
-    good = want_polygon_ex(job, r->seam.item[i].s, r->seam.item[i].p);
+    good = want_polygon(call, job, r->seam.item[i].s, r->seam.item[i].p);
   }
-  return good && sort_ex(job->polygon.item, job->polygon.n,
-                         sizeof *job->polygon.item, compare_results);
+  return good && sort(call, job->polygon.item, job->polygon.n,
+                      sizeof *job->polygon.item, compare_results);
 }

@@ -1,11 +1,9 @@
-/* resolve_write4pl.c -- what was made to touch, into the world: see
- * resolve4pl.h.
+/* resolve_write_rows.c -- what was made to touch, into the world: see
+ * resolve_rows.h.
  *
- * Layer: glue.
+ * Layer: rows.
  */
-#include "resolve4pl.h"
-
-#include "glue.h"
+#include "resolve_rows.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -31,21 +29,21 @@ read_row(sg_world *world, sg_relation relation, int32_t s, int32_t id,
 }
 
 /* A row of another relation with the same columns, unless its key is there. */
-static int
-keep_ex(sg_world *world, sg_relation from, sg_relation to, int32_t s,
-        int32_t id)
+static bool
+keep(sg_call *call, sg_world *world, sg_relation from, sg_relation to,
+     int32_t s, int32_t id)
 {
   sg_value row[SG_MAX_COLUMNS], known[SG_MAX_COLUMNS];
 
   return read_row(world, to, s, id, known) != SG_NO_ROW ||
          read_row(world, from, s, id, row) == SG_NO_ROW ||
-         sg_add_row_ex(world, to, row);
+         sg_call_add_row(call, world, to, row);
 }
 
 /* The list of p/3, to be freed; null: no such row, or an exception. *row: where
  * it is. */
 static int32_t *
-read_list_ex(sg_world *world, int32_t s, int32_t p, sg_row *row)
+read_list(sg_call *call, sg_world *world, int32_t s, int32_t p, sg_row *row)
 {
   sg_value value[SG_MAX_COLUMNS];
   int32_t *list = NULL;
@@ -57,18 +55,19 @@ read_list_ex(sg_world *world, int32_t s, int32_t p, sg_row *row)
     if (list) {
       memcpy(list, value[2].list, size);
     } else {
-      sg_no_memory();
+      sg_call_no_memory(call);
     }
   }
   return list;
 }
 
-typedef int use_triangle_ex(sg_world *world, sg_row row,
-                            const sg_value value[SG_MAX_COLUMNS]);
+typedef bool use_triangle(sg_call *call, sg_world *world, sg_row row,
+                          const sg_value value[SG_MAX_COLUMNS]);
 
 /* Calls `use` with each triangle of a polygon, in order. */
-static int
-each_triangle_ex(sg_world *world, int32_t s, int32_t p, use_triangle_ex *use)
+static bool
+each_triangle(sg_call *call, sg_world *world, int32_t s, int32_t p,
+              use_triangle *use)
 {
   sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = p};
   const sg_version *version = sg_world_version(world);
@@ -82,14 +81,14 @@ each_triangle_ex(sg_world *world, int32_t s, int32_t p, use_triangle_ex *use)
     }
     sg_walk_close(&walk);
   }
-  int done = good || sg_no_memory();
+  bool done = good || sg_call_no_memory(call);
 
   for (size_t i = 0; i < rows.n && done; i++) {
     sg_value value[SG_MAX_COLUMNS];
     for (unsigned c = 0; c < 6; c++) {
       value[c] = sg_version_value(version, SG_T, rows.item[i], c);
     }
-    done = use(world, rows.item[i], value);
+    done = use(call, world, rows.item[i], value);
   }
   sg_version_drop(version);
   free(rows.item);
@@ -98,43 +97,42 @@ each_triangle_ex(sg_world *world, int32_t s, int32_t p, use_triangle_ex *use)
 
 /* ---- what was there before is kept (leaf.pl) ---- */
 
-static int
-keep_triangle_ex(sg_world *world, sg_row row,
-                 const sg_value value[SG_MAX_COLUMNS])
+static bool
+keep_triangle(sg_call *call, sg_world *world, sg_row row,
+              const sg_value value[SG_MAX_COLUMNS])
 {
   (void)row;
-  return sg_add_row_ex(world, SG_LEAF_T, value);
+  return sg_call_add_row(call, world, SG_LEAF_T, value);
 }
 
-static int
-keep_leaf_ex(sg_world *world, int32_t s, int32_t p)
+static bool
+keep_leaf(sg_call *call, sg_world *world, int32_t s, int32_t p)
 {
   sg_value known[SG_MAX_COLUMNS];
   sg_row row;
 
   if (read_row(world, SG_LEAF_P, s, p, known) != SG_NO_ROW) {
-    return TRUE;
+    return true;
   }
-  int32_t *list = read_list_ex(world, s, p, &row);
-  int good = list != NULL;
+  int32_t *list = read_list(call, world, s, p, &row);
+  bool good = list != NULL;
 
   for (int32_t i = 1; good && i <= list[0]; i++) {
-    good = keep_ex(world, SG_E, SG_LEAF_E, s, list[i]);
+    good = keep(call, world, SG_E, SG_LEAF_E, s, list[i]);
   }
   if (good) {
     sg_value leaf[SG_MAX_COLUMNS] = {[0].i = s, [1].i = p, [2].list = list};
-    good = sg_add_row_ex(world, SG_LEAF_P, leaf) &&
-           each_triangle_ex(world, s, p, keep_triangle_ex);
+    good = sg_call_add_row(call, world, SG_LEAF_P, leaf) &&
+           each_triangle(call, world, s, p, keep_triangle);
   }
   free(list);
-  return good || (row == SG_NO_ROW && !PL_exception(0));
+  return good || row == SG_NO_ROW;
 }
 
 /* ---- vertices ---- */
 
-/* near(v(S, V)), or near(ll(S1-(V1, V2), S2-(V3, V4))). */
-static void
-build_origin(sg_term_builder *b, const sg_resolve_node *node)
+void
+sg_resolving_build_origin(sg_term_builder *b, const sg_resolve_node *node)
 {
   sg_term_compound(b, SG_SYMBOL_NEAR, 1);
   if (node->v) {
@@ -154,9 +152,9 @@ build_origin(sg_term_builder *b, const sg_resolve_node *node)
 }
 
 /* Writes origin(S, Symbol(Id), Origin); one that is there stays. */
-static int
-say_origin_ex(sg_world *world, int32_t s, int32_t symbol, int32_t id,
-              sg_term_builder *origin)
+static bool
+say_origin(sg_call *call, sg_world *world, int32_t s, int32_t symbol,
+           int32_t id, sg_term_builder *origin)
 {
   sg_term_builder item;
 
@@ -165,21 +163,21 @@ say_origin_ex(sg_world *world, int32_t s, int32_t symbol, int32_t id,
   sg_value row[SG_MAX_COLUMNS] = {[0].i = s,
                                   [1].term = sg_term_words(&item),
                                   [2].term = sg_term_words(origin)};
-  int good = row[1].term && row[2].term ? TRUE : sg_no_memory();
+  bool good = row[1].term && row[2].term ? true : sg_call_no_memory(call);
 
   if (good) {
     const sg_version *version = sg_world_version(world);
     bool known = sg_version_find(version, SG_ORIGIN, row) != SG_NO_ROW;
     sg_version_drop(version);
-    good = known || sg_add_row_ex(world, SG_ORIGIN, row);
+    good = known || sg_call_add_row(call, world, SG_ORIGIN, row);
   }
   sg_term_close(&item);
   return good;
 }
 
-static int
-write_vertex_ex(const sg_resolving *job, sg_world *world,
-                const sg_resolve_place *place)
+static bool
+write_vertex(sg_call *call, const sg_resolving *job, sg_world *world,
+             const sg_resolve_place *place)
 {
   const sg_resolve_point *point = &job->r.point.item[place->point];
   sg_value old[SG_MAX_COLUMNS],
@@ -187,19 +185,20 @@ write_vertex_ex(const sg_resolving *job, sg_world *world,
   sg_row known = read_row(world, SG_V, place->s, place->name, old);
 
   if (known != SG_NO_ROW && !sg_world_retract(world, SG_V, known)) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   for (unsigned c = 0; c < 3; c++) {
     row[c + 2].f = point->at[c] + 0.0;
   }
-  if (!sg_add_row_ex(world, SG_V, row)) {
-    return FALSE;
+  if (!sg_call_add_row(call, world, SG_V, row)) {
+    return false;
   }
   sg_term_builder origin;
 
   sg_term_open(&origin);
-  build_origin(&origin, &job->r.node.item[point->node]);
-  int good = say_origin_ex(world, place->s, SG_SYMBOL_V, place->name, &origin);
+  sg_resolving_build_origin(&origin, &job->r.node.item[point->node]);
+  bool good =
+      say_origin(call, world, place->s, SG_SYMBOL_V, place->name, &origin);
 
   sg_term_close(&origin);
   return good;
@@ -209,9 +208,10 @@ write_vertex_ex(const sg_resolving *job, sg_world *world,
 
 /* Writes a new edge with its origin; its number, 0: an exception. */
 static int32_t
-new_edge_ex(sg_world *world, int32_t s, const sg_resolved_edge *edge)
+new_edge(sg_call *call, sg_world *world, int32_t s,
+         const sg_resolved_edge *edge)
 {
-  int32_t e = sg_fresh_ex(world, SG_E, s);
+  int32_t e = sg_call_fresh(call, world, SG_E, s);
   sg_value row[SG_MAX_COLUMNS] = {[0].i = s,
                                   [1].i = e,
                                   [2].i = edge->v[0],
@@ -219,7 +219,7 @@ new_edge_ex(sg_world *world, int32_t s, const sg_resolved_edge *edge)
                                   [4].i = edge->et};
   sg_term_builder origin;
 
-  if (e == 0 || !sg_add_row_ex(world, SG_E, row)) {
+  if (e == 0 || !sg_call_add_row(call, world, SG_E, row)) {
     return 0;
   }
   sg_term_open(&origin);
@@ -228,7 +228,7 @@ new_edge_ex(sg_world *world, int32_t s, const sg_resolved_edge *edge)
   } else {
     sg_term_atom(&origin, "near", 4);
   }
-  int good = say_origin_ex(world, s, SG_SYMBOL_E, e, &origin);
+  bool good = say_origin(call, world, s, SG_SYMBOL_E, e, &origin);
 
   sg_term_close(&origin);
   return good ? e : 0;
@@ -257,9 +257,9 @@ is_used(sg_world *world, int32_t s, int32_t e)
 
 /* The edges of the list go, but those that are kept, and those that another
  * polygon has. `kept`, ascending. */
-static int
-drop_gone_ex(sg_world *world, int32_t s, const int32_t *list,
-             const sg_key_table *kept)
+static bool
+drop_gone(sg_call *call, sg_world *world, int32_t s, const int32_t *list,
+          const sg_key_table *kept)
 {
   sg_value old[SG_MAX_COLUMNS];
 
@@ -271,17 +271,17 @@ drop_gone_ex(sg_world *world, int32_t s, const int32_t *list,
 
     if (row != SG_NO_ROW && !is_used(world, s, list[i]) &&
         !sg_world_retract(world, SG_E, row)) {
-      return sg_no_memory();
+      return sg_call_no_memory(call);
     }
   }
-  return TRUE;
+  return true;
 }
 
 /* The numbers of the polygon's edges, as a list of p/3; those that are as they
  * were are also noted in `kept`. */
-static int
-number_edges_ex(sg_world *world, const sg_resolved_polygon *polygon,
-                int32_t *list, sg_key_table *kept)
+static bool
+number_edges(sg_call *call, sg_world *world, const sg_resolved_polygon *polygon,
+             int32_t *list, sg_key_table *kept)
 {
   list[0] = (int32_t)polygon->edge.n;
   for (size_t i = 0; i < polygon->edge.n; i++) {
@@ -291,67 +291,69 @@ number_edges_ex(sg_world *world, const sg_resolved_polygon *polygon,
     if (edge->label > 0 && runs(world, polygon->s, edge->label, edge->v)) {
       uint32_t *known = sg_key_table_put(kept, &key);
       if (!known) {
-        return sg_no_memory();
+        return sg_call_no_memory(call);
       }
       *known = 0;
       list[i + 1] = edge->label;
-    } else if ((list[i + 1] = new_edge_ex(world, polygon->s, edge)) == 0) {
-      return FALSE;
+    } else if ((list[i + 1] = new_edge(call, world, polygon->s, edge)) == 0) {
+      return false;
     }
   }
-  return TRUE;
+  return true;
 }
 
-static int
-drop_triangle_ex(sg_world *world, sg_row row,
-                 const sg_value value[SG_MAX_COLUMNS])
+static bool
+drop_triangle(sg_call *call, sg_world *world, sg_row row,
+              const sg_value value[SG_MAX_COLUMNS])
 {
   (void)value;
-  return sg_world_retract(world, SG_T, row) || sg_no_memory();
+  return sg_world_retract(world, SG_T, row) || sg_call_no_memory(call);
 }
 
-static int
-write_triangles_ex(sg_world *world, const sg_resolved_polygon *polygon)
+static bool
+write_triangles(sg_call *call, sg_world *world,
+                const sg_resolved_polygon *polygon)
 {
   int32_t s = polygon->s, p = polygon->p;
 
-  if (!each_triangle_ex(world, s, p, drop_triangle_ex)) {
-    return FALSE;
+  if (!each_triangle(call, world, s, p, drop_triangle)) {
+    return false;
   }
   for (size_t i = 0; i < polygon->triangle.n; i++) {
     const int32_t *v = polygon->triangle.item[i].v;
-    int32_t t = sg_fresh_ex(world, SG_T, s);
+    int32_t t = sg_call_fresh(call, world, SG_T, s);
     sg_value row[SG_MAX_COLUMNS] = {[0].i = s,    [1].i = p,    [2].i = t,
                                     [3].i = v[0], [4].i = v[1], [5].i = v[2]};
 
-    if (t == 0 || !sg_add_row_ex(world, SG_T, row)) {
-      return FALSE;
+    if (t == 0 || !sg_call_add_row(call, world, SG_T, row)) {
+      return false;
     }
   }
-  return TRUE;
+  return true;
 }
 
 /* The polygon keeps its number, and its edges that were not divided theirs. */
-static int
-write_polygon_ex(sg_world *world, const sg_resolved_polygon *polygon)
+static bool
+write_polygon(sg_call *call, sg_world *world,
+              const sg_resolved_polygon *polygon)
 {
   sg_row row;
-  int32_t *old = read_list_ex(world, polygon->s, polygon->p, &row);
+  int32_t *old = read_list(call, world, polygon->s, polygon->p, &row);
   int32_t *list = malloc((polygon->edge.n + 1) * sizeof *list);
   sg_key_table kept;
-  int good = old && (list || sg_no_memory());
+  bool good = old && (list || sg_call_no_memory(call));
 
   sg_key_table_init(&kept, 1);
   if (good) {
-    good = (sg_world_retract(world, SG_P, row) || sg_no_memory()) &&
-           number_edges_ex(world, polygon, list, &kept);
+    good = (sg_world_retract(world, SG_P, row) || sg_call_no_memory(call)) &&
+           number_edges(call, world, polygon, list, &kept);
   }
   if (good) {
     sg_value fresh[SG_MAX_COLUMNS] = {
         [0].i = polygon->s, [1].i = polygon->p, [2].list = list};
-    good = drop_gone_ex(world, polygon->s, old, &kept) &&
-           sg_add_row_ex(world, SG_P, fresh) &&
-           write_triangles_ex(world, polygon);
+    good = drop_gone(call, world, polygon->s, old, &kept) &&
+           sg_call_add_row(call, world, SG_P, fresh) &&
+           write_triangles(call, world, polygon);
   }
   sg_key_table_clear(&kept);
   free(old);
@@ -362,43 +364,43 @@ write_polygon_ex(sg_world *world, const sg_resolved_polygon *polygon)
 /* ---- all ---- */
 
 /* What was there is kept first. */
-static int
-write_all_ex(const sg_resolving *job, sg_world *world)
+static bool
+write_all(sg_call *call, const sg_resolving *job, sg_world *world)
 {
   const sg_resolve_place *place = job->r.place.item;
-  int good = TRUE;
+  bool good = true;
 
   for (size_t i = 0; i < job->r.place.n && good; i++) {
-    good = sg_resolving_goes_on_ex(i) &&
+    good = sg_resolving_goes_on(call, i) &&
            (!sg_resolving_changes(job, &place[i]) ||
-            keep_ex(world, SG_V, SG_LEAF_V, place[i].s, place[i].name));
+            keep(call, world, SG_V, SG_LEAF_V, place[i].s, place[i].name));
   }
   for (size_t i = 0; i < job->polygon.n && good; i++) {
     const sg_resolved_polygon *polygon = &job->polygon.item[i];
-    good = sg_resolving_goes_on_ex(i) &&
-           keep_leaf_ex(world, polygon->s, polygon->p);
+    good = sg_resolving_goes_on(call, i) &&
+           keep_leaf(call, world, polygon->s, polygon->p);
   }
   for (size_t i = 0; i < job->r.place.n && good; i++) {
-    good =
-        sg_resolving_goes_on_ex(i) && (!sg_resolving_changes(job, &place[i]) ||
-                                       write_vertex_ex(job, world, &place[i]));
+    good = sg_resolving_goes_on(call, i) &&
+           (!sg_resolving_changes(job, &place[i]) ||
+            write_vertex(call, job, world, &place[i]));
   }
   for (size_t i = 0; i < job->polygon.n && good; i++) {
-    good = sg_resolving_goes_on_ex(i) &&
-           write_polygon_ex(world, &job->polygon.item[i]);
+    good = sg_resolving_goes_on(call, i) &&
+           write_polygon(call, world, &job->polygon.item[i]);
   }
   return good;
 }
 
-int
-sg_resolving_write_ex(const sg_resolving *job)
+bool
+sg_resolving_write(sg_call *call, const sg_resolving *job)
 {
   sg_world *world = job->handle->world;
 
-  if (!sg_claim_ex(world)) {
-    return FALSE;
+  if (!sg_world_claim(world, &call->poll)) {
+    return false;
   }
-  int good = write_all_ex(job, world);
+  bool good = write_all(call, job, world);
 
   sg_world_release(world);
   return good;

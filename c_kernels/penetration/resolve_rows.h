@@ -1,13 +1,14 @@
-/* resolve4pl.h -- a resolution under way, and how it is written.
+/* resolve_rows.h -- a resolution under way, and how it is written.
  *
- * Layer: glue. Shared by resolve4pl.c (finding), resolve_body4pl.c (segments
- * that touch themselves), resolve_want4pl.c (the polygons it changes),
- * resolve_moves4pl.c (how far things move) and resolve_write4pl.c (writing).
+ * Layer: rows. Shared by resolve_rows.c (finding), resolve_body_rows.c
+ * (segments that touch themselves), resolve_want_rows.c (the polygons it
+ * changes), resolve_moves_rows.c (how far things move) and resolve_write_rows.c
+ * (writing).
  */
-#ifndef SG_RESOLVE4PL_H
-#define SG_RESOLVE4PL_H
+#ifndef SG_RESOLVE_ROWS_H
+#define SG_RESOLVE_ROWS_H
 
-#include "cut4pl.h"
+#include "cut_rows.h"
 #include "join/bodies.h"
 #include "resolve_feature.h"
 #include "resolve_polygon.h"
@@ -28,9 +29,9 @@ typedef struct sg_resolving {
   sg_resolve_moves moves;
 } sg_resolving;
 
-/* Finds the bodies of the segments that are paired with themselves. False: an
- * exception. Owner: sg_resolving_bodies_clear() in any case. */
-int sg_resolving_bodies_ex(sg_resolving *job);
+/* Finds the bodies of the segments that are paired with themselves. Owner:
+ * sg_resolving_bodies_clear() in any case. */
+bool sg_resolving_bodies(sg_call *call, sg_resolving *job);
 void sg_resolving_bodies_clear(sg_resolving *job);
 
 /* What stands for segment s where vertex v of it is: a body, or s. */
@@ -45,22 +46,25 @@ void sg_resolving_name_segments(sg_resolving *job);
 bool sg_resolving_changes(const sg_resolving *job,
                           const sg_resolve_place *place);
 
-/* False, with an exception: a signal stops it. To be asked at each step i. */
-int sg_resolving_goes_on_ex(size_t i);
+/* False: it is to stop. To be asked at each step i. */
+bool sg_resolving_goes_on(sg_call *call, size_t i);
 
-/* Notes which polygons are to be made anew, when the points are there. False:
- * an exception. */
-int sg_resolving_want_ex(sg_resolving *job);
+/* Notes which polygons are to be made anew, when the points are there. */
+bool sg_resolving_want(sg_call *call, sg_resolving *job);
 
 /* How far things move, when segments have their names. */
-int sg_resolving_measure_ex(sg_resolving *job);
+bool sg_resolving_measure(sg_call *call, sg_resolving *job);
 
 /* What cut_touch/4 says of that. */
-int sg_resolving_unify_moves(const sg_resolving *job, term_t moves);
+struct sg_touch_moves;
+void sg_resolving_moves(const sg_resolving *job, struct sg_touch_moves *out);
+
+/* near(v(S, V)), or near(ll(S1-(V1, V2), S2-(V3, V4))). */
+void sg_resolving_build_origin(sg_term_builder *b, const sg_resolve_node *node);
 
 /* Writes all into the current world: the fused kernel of resolve.pl,
- * resolve_contacts_by_rule/2, with the same rows in the same order. False: an
- * exception; what was written by then stands (roll the transaction back). */
-int sg_resolving_write_ex(const sg_resolving *job);
+ * resolve_contacts_by_rule/2, with the same rows in the same order. False:
+ * what was written by then stands (roll the transaction back). */
+bool sg_resolving_write(sg_call *call, const sg_resolving *job);
 
 #endif

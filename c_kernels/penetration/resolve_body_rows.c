@@ -1,18 +1,16 @@
-/* resolve_body4pl.c -- segments that are made to touch in themselves: see
- * resolve4pl.h.
+/* resolve_body_rows.c -- segments that are made to touch in themselves: see
+ * resolve_rows.h.
  *
- * Layer: glue. resolve.h makes things of different segments touch. For a
+ * Layer: rows. resolve.h makes things of different segments touch. For a
  * segment that is paired with itself its bodies stand in: they have numbers
  * below zero, and no vertex, edge or polygon in common.
  */
-#include "resolve4pl.h"
-
-#include "glue.h"
+#include "resolve_rows.h"
 
 #include <stdlib.h>
 
-int
-sg_resolving_bodies_ex(sg_resolving *job)
+bool
+sg_resolving_bodies(sg_call *call, sg_resolving *job)
 {
   const sg_cut_handle *handle = job->handle;
   int32_t below = 0;
@@ -24,14 +22,14 @@ sg_resolving_bodies_ex(sg_resolving *job)
       continue;
     }
     if (!sg_bodies_find(handle->tree[sg_cut_place_of(handle, part.s)]->tree,
-                        &handle->views, &sg_prolog_poll, &part.bodies) ||
+                        &handle->views, &call->poll, &part.bodies) ||
         !SG_PUSH(job->part, part)) {
       sg_bodies_clear(&part.bodies);
-      return PL_exception(0) ? FALSE : sg_no_memory();
+      return sg_call_ended(call);
     }
     below -= (int32_t)part.bodies.n;
   }
-  return TRUE;
+  return true;
 }
 
 int32_t

@@ -1,13 +1,10 @@
-/* cut_ids4pl.c -- cut sets: rows by id, and what is beside a split edge.
+/* cut_ids_rows.c -- cut sets: rows by id, and what is beside a split edge.
  *
- * Layer: glue; no predicates of its own. A cut set asks for some thousand rows
- * of what may be millions, just once. Most are found by counting; for the
- * others to walk the segments is cheaper than to build the indexes of the
- * relations.
+ * Layer: rows. A cut set asks for some thousand rows of what may be millions,
+ * just once. Most are found by counting; for the others to walk the segments is
+ * cheaper than to build the indexes of the relations.
  */
-#include "cut4pl.h"
-
-#include "glue.h"
+#include "cut_rows.h"
 
 #include <stdlib.h>
 #include <string.h>

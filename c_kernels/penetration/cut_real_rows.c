@@ -1,10 +1,10 @@
-/* cut_real4pl.c -- cut sets: which edges of leaf triangles are real.
+/* cut_real_rows.c -- cut sets: which edges of leaf triangles are real.
  *
- * Layer: glue; no predicates of its own. The edges of a polygon are read when
+ * Layer: rows. The edges of a polygon are read when
  * the first cut comes near it. What is found for a triangle is kept with its
  * number, what is found for a polygon of many edges in a table.
  */
-#include "cut4pl.h"
+#include "cut_rows.h"
 
 #include <stdlib.h>
 #include <string.h>

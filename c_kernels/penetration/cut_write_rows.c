@@ -1,16 +1,13 @@
-/* cut_write4pl.c -- a polygon that was cut, back into the world.
+/* cut_write_rows.c -- a polygon that was cut, back into the world.
  *
- * Layer: glue. The fused kernel of cut_rows.pl, write_polygon_by_rule/2: the
+ * Layer: rows. The fused kernel of cut_rows.pl, write_polygon_by_rule/2: the
  * same rows in the same order with the same numbers; a test holds the two
  * together. The door is documented in rules/kernel/penetration.pl.
  */
-#include "cut4pl.h"
+#include "cut_rows.h"
 
-#include "glue.h"
+#include "doors/penetration.h"
 #include "polygon/triangulate.h"
-#include "polygon/work4pl.h"
-
-#include "engine/install.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -137,26 +134,26 @@ restore_edges(cut_polygon *c)
 }
 
 /* A polygon that had triangles gets new ones. */
-static int
-triangulate_ex(cut_polygon *c)
+static bool
+triangulate(sg_call *call, cut_polygon *c)
 {
   int32_t edge;
 
   if (c->triangles == 0) {
-    return TRUE;
+    return true;
   }
-  switch (sg_work_triangulate(c->work, &c->found, &edge, &sg_prolog_poll)) {
+  switch (sg_work_triangulate(c->work, &c->found, &edge, &call->poll)) {
   case SG_DONE:
-    return TRUE;
+    return true;
   case SG_STUCK:
     c->stuck = true;
-    return restore_edges(c) || sg_no_memory();
+    return restore_edges(c) || sg_call_no_memory(call);
   case SG_STOPPED:
-    return FALSE;
+    return false;
   case SG_NO_SPACE:
     break;
   }
-  return sg_no_memory();
+  return sg_call_no_memory(call);
 }
 
 /* ---- writing ---- */
@@ -203,13 +200,13 @@ is_used(const cut_polygon *c, int32_t e)
 
 /* Retracts p/3, and the edges of it that are there no more as they were, and
  * that no other polygon has. */
-static int
-drop_old_ex(cut_polygon *c)
+static bool
+drop_old(sg_call *call, cut_polygon *c)
 {
   sg_row row = find_row(c, SG_P, c->p);
 
   if (row == SG_NO_ROW) {
-    return FALSE;
+    return false;
   }
   const sg_version *version = sg_world_version(c->world);
   const int32_t *list = sg_version_value(version, SG_P, row, 2).list;
@@ -220,7 +217,7 @@ drop_old_ex(cut_polygon *c)
   }
   sg_version_drop(version);
   if (!es) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   bool good = sg_world_retract(c->world, SG_P, row);
 
@@ -237,7 +234,7 @@ drop_old_ex(cut_polygon *c)
     }
   }
   free(es);
-  return good || sg_no_memory();
+  return good || sg_call_no_memory(call);
 }
 
 /* symbol(Id) as a term; null: no memory. Close the builder afterwards. */
@@ -298,16 +295,16 @@ known_part(const cut_polygon *c, const cut_edge *edge)
 
 /* Writes a new edge with its origin; its number, 0: an exception. */
 static int32_t
-new_edge_ex(const cut_polygon *c, const cut_edge *edge)
+new_edge(sg_call *call, const cut_polygon *c, const cut_edge *edge)
 {
-  int32_t e = sg_fresh_ex(c->world, SG_E, c->s);
+  int32_t e = sg_call_fresh(call, c->world, SG_E, c->s);
   sg_value row[SG_MAX_COLUMNS] = {[0].i = c->s,
                                   [1].i = e,
                                   [2].i = edge->v1,
                                   [3].i = edge->v2,
                                   [4].i = is_fold(edge) ? 1 : edge->et};
   sg_term_builder item, origin;
-  int good = FALSE;
+  bool good = false;
 
   if (e == 0) {
     return 0;
@@ -318,10 +315,10 @@ new_edge_ex(const cut_polygon *c, const cut_edge *edge)
                           : unary(&origin, SG_SYMBOL_LINE, (int32_t)edge->line);
 
   if (!i || !o) {
-    sg_no_memory();
-  } else if (sg_add_row_ex(c->world, SG_E, row)) {
+    sg_call_no_memory(call);
+  } else if (sg_call_add_row(call, c->world, SG_E, row)) {
     sg_value said[SG_MAX_COLUMNS] = {[0].i = c->s, [1].term = i, [2].term = o};
-    good = sg_add_row_ex(c->world, SG_ORIGIN, said);
+    good = sg_call_add_row(call, c->world, SG_ORIGIN, said);
   }
   sg_term_close(&item);
   sg_term_close(&origin);
@@ -331,7 +328,7 @@ new_edge_ex(const cut_polygon *c, const cut_edge *edge)
 /* The number of an edge in the world: as it was, as another polygon has it, or
  * new. 0: an exception. */
 static int32_t
-edge_number_ex(const cut_polygon *c, const cut_edge *edge)
+edge_number(sg_call *call, const cut_polygon *c, const cut_edge *edge)
 {
   int32_t v1 = 0, v2 = 0;
 
@@ -345,18 +342,18 @@ edge_number_ex(const cut_polygon *c, const cut_edge *edge)
     int32_t part = known_part(c, edge);
 
     if (part != 0) {
-      return part > 0 ? part : sg_no_memory();
+      return part > 0 ? part : sg_call_no_memory(call);
     }
   }
-  return new_edge_ex(c, edge);
+  return new_edge(call, c, edge);
 }
 
-static int
-write_edges_ex(const cut_polygon *c)
+static bool
+write_edges(sg_call *call, const cut_polygon *c)
 {
   int32_t *list = malloc((c->edges + 1) * sizeof *list);
   int32_t n = 0;
-  int good = list ? TRUE : sg_no_memory();
+  bool good = list ? true : sg_call_no_memory(call);
 
   for (size_t i = 0; i < c->edges && good; i++) {
     const cut_edge *edge = &c->edge[i];
@@ -364,30 +361,30 @@ write_edges_ex(const cut_polygon *c)
     if (is_fold(edge) && edge->line == SG_NO_KEY) {
       continue;
     }
-    list[++n] = edge_number_ex(c, edge);
+    list[++n] = edge_number(call, c, edge);
     good = list[n] != 0;
   }
   if (good) {
     list[0] = n;
     sg_value row[SG_MAX_COLUMNS] = {
         [0].i = c->s, [1].i = c->p, [2].list = list};
-    good = sg_add_row_ex(c->world, SG_P, row);
+    good = sg_call_add_row(call, c->world, SG_P, row);
   }
   free(list);
   return good;
 }
 
-static int
-write_triangles_ex(const cut_polygon *c)
+static bool
+write_triangles(sg_call *call, const cut_polygon *c)
 {
   for (size_t i = 0; i < c->triangles; i++) {
     if (!sg_world_retract(c->world, SG_T, c->triangle[i])) {
-      return sg_no_memory();
+      return sg_call_no_memory(call);
     }
   }
   for (size_t i = 0; i < c->found.n; i++) {
     const int32_t *v = c->found.item[i].v;
-    int32_t t = sg_fresh_ex(c->world, SG_T, c->s);
+    int32_t t = sg_call_fresh(call, c->world, SG_T, c->s);
     sg_value row[SG_MAX_COLUMNS] = {[0].i = c->s,
                                     [1].i = c->p,
                                     [2].i = t,
@@ -395,50 +392,40 @@ write_triangles_ex(const cut_polygon *c)
                                     [4].i = sg_work_id(c->work, v[1]),
                                     [5].i = sg_work_id(c->work, v[2])};
 
-    if (t == 0 || !sg_add_row_ex(c->world, SG_T, row)) {
-      return FALSE;
+    if (t == 0 || !sg_call_add_row(call, c->world, SG_T, row)) {
+      return false;
     }
   }
-  return TRUE;
+  return true;
 }
 
-static int
-read_ex(cut_polygon *c)
+static bool
+read_polygon(sg_call *call, cut_polygon *c)
 {
   const sg_version *version = sg_world_version(c->world);
   bool good = copy_edges(c) && find_triangles(c, version);
 
   sg_version_drop(version);
-  return (good || sg_no_memory()) && all_lines_known(c) && triangulate_ex(c) &&
-         !c->stuck;
+  return (good || sg_call_no_memory(call)) && all_lines_known(c) &&
+         triangulate(call, c) && !c->stuck;
 }
 
-static foreign_t
-cut_write(term_t set, term_t s, term_t p, term_t work)
+bool
+sg_door_cut_write(sg_call *call, sg_cut_handle *set, int32_t s, int32_t p,
+                  sg_work *work)
 {
-  cut_polygon c = {.world = sg_current_world_ex()};
-  int good = FALSE;
+  cut_polygon c = {.handle = set,
+                   .world = sg_call_world(call),
+                   .work = work,
+                   .s = s,
+                   .p = p};
+  bool good = false;
 
-  if (!c.world || !sg_get_cut_set_ex(set, &c.handle) ||
-      !sg_get_id_ex(s, &c.s) || !sg_get_id_ex(p, &c.p) ||
-      !sg_get_work_ex(work, &c.work)) {
-    return FALSE;
-  }
-  if (read_ex(&c) && sg_claim_ex(c.world)) {
-    good = drop_old_ex(&c) && write_edges_ex(&c) && write_triangles_ex(&c);
+  if (c.world && read_polygon(call, &c) && sg_call_claim(call)) {
+    good = drop_old(call, &c) && write_edges(call, &c) &&
+           write_triangles(call, &c);
     sg_world_release(c.world);
   }
   polygon_clear(&c);
   return good;
-}
-
-static const PL_extension predicates[] = {
-    {"cut_write", 4, cut_write, 0},
-    {NULL, 0, NULL, 0},
-};
-
-void
-sg_install_cut_write(void)
-{
-  PL_register_extensions_in_module("sg_kernel_penetration", predicates);
 }

@@ -1,15 +1,11 @@
-/* leaf4pl.c -- polygons as they are before a cut, kept.
+/* leaf_rows.c -- polygons as they are before a cut, kept.
  *
- * Layer: glue. The fused kernel of leaf.pl, leaves_kept_by_rule/1: the same
+ * Layer: rows. The fused kernel of leaf.pl, leaves_kept_by_rule/1: the same
  * rows in the same order; a test holds the two together. The door is documented
  * in rules/kernel/world.pl.
  */
-#include "engine/world4pl.h"
-
-#include "glue.h"
+#include "doors/world.h"
 #include "rows/key_table.h"
-
-#include "engine/install.h"
 
 #include <stdlib.h>
 
@@ -89,23 +85,24 @@ find(const keeping *k, sg_relation relation, int32_t s, int32_t id)
                          (sg_value[SG_MAX_COLUMNS]){{.i = s}, {.i = id}});
 }
 
-/* FALSE without an exception: there is no such edge. */
-static int
-keep_edge_ex(keeping *k, int32_t s, int32_t e)
+/* false without an exception: there is no such edge. */
+static bool
+keep_edge(sg_call *call, keeping *k, int32_t s, int32_t e)
 {
   uint32_t *seen =
       sg_key_table_put(&k->seen, (uint32_t[2]){(uint32_t)s, (uint32_t)e});
   sg_row row;
 
   if (!seen || *seen == 1) {
-    return seen || sg_no_memory();
+    return seen || sg_call_no_memory(call);
   }
   *seen = 1;
   if (find(k, SG_LEAF_E, s, e) != SG_NO_ROW) {
-    return TRUE;
+    return true;
   }
   row = find(k, SG_E, s, e);
-  return row != SG_NO_ROW && (copy_row(k, SG_E, row, &k->e) || sg_no_memory());
+  return row != SG_NO_ROW &&
+         (copy_row(k, SG_E, row, &k->e) || sg_call_no_memory(call));
 }
 
 static bool
@@ -125,61 +122,55 @@ keep_triangles(keeping *k, int32_t s, int32_t p)
   return good;
 }
 
-/* FALSE without an exception: there is no such polygon, or an edge of it is
+/* false without an exception: there is no such polygon, or an edge of it is
  * not there. */
-static int
-keep_polygon_ex(keeping *k, int32_t s, int32_t p)
+static bool
+keep_polygon(sg_call *call, keeping *k, int32_t s, int32_t p)
 {
   sg_row row;
-  int good = TRUE;
+  bool good = true;
 
   if (find(k, SG_LEAF_P, s, p) != SG_NO_ROW) {
-    return TRUE;
+    return true;
   }
   if ((row = find(k, SG_P, s, p)) == SG_NO_ROW) {
-    return FALSE;
+    return false;
   }
   const int32_t *list = sg_version_value(k->version, SG_P, row, 2).list;
 
   for (int32_t i = 1; i <= list[0] && good; i++) {
-    good = keep_edge_ex(k, s, list[i]);
+    good = keep_edge(call, k, s, list[i]);
   }
   return good && ((copy_row(k, SG_P, row, &k->p) && keep_triangles(k, s, p)) ||
-                  sg_no_memory());
+                  sg_call_no_memory(call));
 }
 
-static int
-keep_all_ex(keeping *k, term_t polygons)
+static bool
+keep_all(sg_call *call, keeping *k, const sg_segment_polygon_list *polygons)
 {
-  term_t tail = PL_copy_term_ref(polygons), head = PL_new_term_ref();
-  term_t arg = PL_new_term_ref();
   sg_key_table known; /* polygons of this list */
-  int good = TRUE;
+  bool good = true;
 
   sg_key_table_init(&known, 2);
-  for (size_t n = 1; good && PL_get_list_ex(tail, head, tail); n++) {
-    int32_t id[2] = {0};
-    for (int i = 0; i < 2 && good; i++) {
-      good = PL_get_arg(i + 1, head, arg) ? sg_get_id_ex(arg, &id[i])
-                                          : PL_type_error("polygon", head);
-    }
+  for (size_t i = 0; good && i < polygons->n; i++) {
+    int32_t s = polygons->at[i].s, p = polygons->at[i].p;
     uint32_t *there =
-        good ? sg_key_table_put(&known,
-                                (uint32_t[2]){(uint32_t)id[0], (uint32_t)id[1]})
-             : NULL;
-    good = good && (there || sg_no_memory());
+        sg_key_table_put(&known, (uint32_t[2]){(uint32_t)s, (uint32_t)p});
+
+    good = there || sg_call_no_memory(call);
     if (good && *there == SG_NO_KEY) {
       *there = 1;
-      good = keep_polygon_ex(k, id[0], id[1]);
+      good = keep_polygon(call, k, s, p);
     }
-    good = good && (n % ASKED != 0 || PL_handle_signals() >= 0);
+    good = good && (i % ASKED != ASKED - 1 || !sg_poll_stop(&call->poll));
   }
   sg_key_table_clear(&known);
-  return good && !PL_exception(0) && PL_get_nil_ex(tail);
+  return good;
 }
 
-static int
-add_rows_ex(sg_world *world, sg_relation relation, const leaf_rows *rows)
+static bool
+add_rows(sg_call *call, sg_world *world, sg_relation relation,
+         const leaf_rows *rows)
 {
   const void *column[COLUMNS] = {0};
   sg_fault fault = {0};
@@ -188,26 +179,26 @@ add_rows_ex(sg_world *world, sg_relation relation, const leaf_rows *rows)
     bool list = sg_relation_table[relation].column[c].type == SG_LIST;
     column[c] = list ? (const void *)rows->list : (const void *)rows->i[c];
   }
-  return sg_raise_status(
-      sg_world_add_many(world, relation, rows->n, column, &fault), relation,
-      &fault);
+  return sg_call_status(
+      call, sg_world_add_many(world, relation, rows->n, column, &fault),
+      relation, &fault);
 }
 
-/* leaves_keep(+Polygons) is semidet. */
-static foreign_t
-leaves_keep(term_t polygons)
+bool
+sg_door_leaves_keep(sg_call *call, const sg_segment_polygon_list *polygons)
 {
-  sg_world *world = sg_current_world_ex();
+  sg_world *world = sg_call_claim(call);
 
-  if (!world || !sg_claim_ex(world)) {
-    return FALSE;
+  if (!world) {
+    return false;
   }
   keeping k = {.version = sg_world_version(world)};
 
   sg_key_table_init(&k.seen, 2);
-  int good = keep_all_ex(&k, polygons) && add_rows_ex(world, SG_LEAF_E, &k.e) &&
-             add_rows_ex(world, SG_LEAF_P, &k.p) &&
-             add_rows_ex(world, SG_LEAF_T, &k.t);
+  bool good = keep_all(call, &k, polygons) &&
+              add_rows(call, world, SG_LEAF_E, &k.e) &&
+              add_rows(call, world, SG_LEAF_P, &k.p) &&
+              add_rows(call, world, SG_LEAF_T, &k.t);
 
   sg_key_table_clear(&k.seen);
   rows_clear(&k.e);
@@ -216,15 +207,4 @@ leaves_keep(term_t polygons)
   sg_version_drop(k.version);
   sg_world_release(world);
   return good;
-}
-
-static const PL_extension predicates[] = {
-    {"leaves_keep", 1, leaves_keep, 0},
-    {NULL, 0, NULL, 0},
-};
-
-void
-sg_install_leaf(void)
-{
-  PL_register_extensions_in_module("sg_kernel_world", predicates);
 }

@@ -1,14 +1,14 @@
-/* cut_open4pl.c -- cut sets: the segments, their trees, and the candidates.
+/* cut_open_rows.c -- cut sets: the segments, their trees, and the candidates.
  *
- * Layer: glue; no predicates of its own. Trees are kept with the world
- * (tree4pl.h). All pairs of segments are joined at once; what comes out is
- * given numbers in the order of the join, so that triangles which nothing comes
- * near are never looked at.
+ * Layer: rows. Trees are kept with the world (tree_rows.h). All
+ * pairs of segments are joined at once; what comes out is given numbers in the
+ * order of the join, so that triangles which nothing comes near are never
+ * looked at.
  */
-#include "cut4pl.h"
+#include "cut_rows.h"
 #include "cut_twin.h"
 
-#include "glue.h"
+#include "doors/penetration.h"
 #include "join/bvh_join.h"
 #include "join/self_leaf.h"
 
@@ -19,64 +19,52 @@ enum { ASKED = 1 << 14 }; /* hits between questions */
 
 /* ---- the segments ---- */
 
-static int
-want_segment_ex(sg_cut_handle *handle, int32_t s)
+static bool
+want_segment(sg_call *call, sg_cut_handle *handle, int32_t s)
 {
   uint32_t key = (uint32_t)s;
   uint32_t *next = sg_key_table_put(&handle->next_name, &key);
 
   if (!next) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   if (*next == SG_NO_KEY) {
-    int32_t fresh = sg_fresh_ex(handle->world, SG_V, s);
+    int32_t fresh = sg_call_fresh(call, handle->world, SG_V, s);
 
     if (fresh == 0) {
-      return FALSE;
+      return false;
     }
     *next = (uint32_t)fresh;
     handle->segment[handle->segments++] = s;
   }
-  return TRUE;
+  return true;
 }
 
-/* Reads [S1-S2, ...]. */
-static int
-get_pairs_ex(term_t list, sg_cut_handle *handle)
+static bool
+note_pairs(sg_call *call, sg_cut_handle *handle, const sg_id_pair_list *pairs)
 {
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-  term_t arg = PL_new_term_ref();
-  size_t n;
+  size_t n = pairs->n;
 
-  if (PL_skip_list(list, 0, &n) != PL_LIST) {
-    return PL_type_error("list", list);
-  }
   handle->pair = malloc((n + 1) * sizeof *handle->pair);
   handle->segment = malloc((2 * n + 1) * sizeof *handle->segment);
   if (!handle->pair || !handle->segment) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
-  for (size_t i = 0; i < n; i++) {
-    if (!PL_get_list_ex(tail, head, tail)) {
-      return FALSE;
+  for (; handle->pairs < n; handle->pairs++) {
+    int32_t *s = handle->pair[handle->pairs];
+
+    s[0] = pairs->at[handle->pairs].a;
+    s[1] = pairs->at[handle->pairs].b;
+    if (!want_segment(call, handle, s[0]) ||
+        !want_segment(call, handle, s[1])) {
+      return false;
     }
-    if (!PL_is_functor(head, PL_new_functor(PL_new_atom("-"), 2))) {
-      return PL_type_error("pair", head);
+    if (s[0] == s[1] &&
+        !sg_cut_points_set_by_itself(&handle->set.points, s[0])) {
+      return sg_call_no_memory(call);
     }
-    for (int k = 0; k < 2; k++) {
-      if (!PL_get_arg(k + 1, head, arg) ||
-          !sg_get_id_ex(arg, &handle->pair[i][k]) ||
-          !want_segment_ex(handle, handle->pair[i][k])) {
-        return FALSE;
-      }
-    }
-    if (handle->pair[i][0] == handle->pair[i][1] &&
-        !sg_cut_points_set_by_itself(&handle->set.points, handle->pair[i][0])) {
-      return sg_no_memory();
-    }
-    handle->pairs++;
   }
-  return TRUE;
+  return true;
 }
 
 static int
@@ -110,15 +98,12 @@ fetch_vertex(void *data, int32_t s, int32_t v, double at[3])
                            &handle->views, v, at);
 }
 
-int
-sg_cut_open_ex(sg_cut_handle *handle, term_t pairs)
+bool
+sg_cut_open(sg_call *call, sg_cut_handle *handle, const sg_id_pair_list *pairs)
 {
-  sg_crew *crew;
-  int good;
-
-  if (!get_pairs_ex(pairs, handle) ||
-      !sg_leaf_views_ex(handle->version, &handle->views)) {
-    return FALSE;
+  if (!note_pairs(call, handle, pairs) ||
+      !sg_leaf_views_open(call, handle->version, &handle->views)) {
+    return false;
   }
   if (handle->segments > 0) {
     qsort(handle->segment, handle->segments, sizeof *handle->segment,
@@ -126,16 +111,13 @@ sg_cut_open_ex(sg_cut_handle *handle, term_t pairs)
   }
   handle->tree = calloc(handle->segments + 1, sizeof(sg_kept_tree *));
   handle->sharing = calloc(handle->segments + 1, sizeof *handle->sharing);
-  if (!handle->tree || !handle->sharing || !(crew = sg_crew_open(0))) {
-    return sg_no_memory();
+  if (!handle->tree || !handle->sharing) {
+    return sg_call_no_memory(call);
   }
-  good =
-      sg_trees_hold_ex(handle->world, handle->version, &handle->views,
-                       handle->segment, handle->segments, crew, handle->tree);
-  sg_crew_close(crew);
   handle->set.model.fetch = fetch_vertex;
   handle->set.model.fetch_data = handle;
-  return good;
+  return sg_trees_hold(call, handle->version, &handle->views, handle->segment,
+                       handle->segments, handle->tree);
 }
 
 void
@@ -261,15 +243,15 @@ box_of(const sg_cut_model *model, bool curve, uint32_t number)
 }
 
 /* Makes candidates of hits; those whose exact boxes miss are dropped. */
-static int
-keep_hits_ex(join *j, const sg_bvh_hits *hits)
+static bool
+keep_hits(sg_call *call, join *j, const sg_bvh_hits *hits)
 {
   sg_cut_handle *handle = j->handle;
   size_t room = handle->candidates + hits->n + 1;
   uint32_t(*grown)[2] = realloc(handle->candidate, room * sizeof *grown);
 
   if (!grown) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   handle->candidate = grown;
   for (size_t k = 0; k < hits->n; k++) {
@@ -278,12 +260,12 @@ keep_hits_ex(join *j, const sg_bvh_hits *hits)
     const sg_cut_model *model = &handle->set.model;
     uint32_t a, b;
 
-    if (k % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
-      return FALSE;
+    if (k % ASKED == ASKED - 1 && sg_poll_stop(&call->poll)) {
+      return false;
     }
     if (!number_of(j, place[0], hit->a, &a) ||
         !number_of(j, place[1], hit->b, &b)) {
-      return sg_no_memory();
+      return sg_call_no_memory(call);
     }
     if (a == REFUSED || b == REFUSED) {
       continue;
@@ -296,15 +278,15 @@ keep_hits_ex(join *j, const sg_bvh_hits *hits)
       grown[handle->candidates++][1] = b - 1;
     }
   }
-  return TRUE;
+  return true;
 }
 
 /* The candidates of segments with themselves: they are never let out. */
-static int
-join_selves_ex(join *j, sg_crew *crew)
+static bool
+join_selves(sg_call *call, join *j, sg_crew *crew)
 {
   sg_cut_handle *handle = j->handle;
-  int good = TRUE;
+  bool good = true;
 
   for (size_t i = 0; i < handle->pairs && good; i++) {
     size_t at = sg_cut_place_of(handle, handle->pair[i][0]);
@@ -314,75 +296,75 @@ join_selves_ex(join *j, sg_crew *crew)
       continue;
     }
     if (!sg_self_leaf_join(handle->tree[at]->tree, &handle->views,
-                           handle->reach, crew, &sg_prolog_poll, &hits)) {
-      return PL_exception(0) ? FALSE : sg_no_memory();
+                           handle->reach, crew, &call->poll, &hits)) {
+      return sg_call_ended(call);
     }
     j->place[0][0] = j->place[0][1] = at;
-    good = keep_hits_ex(j, &hits); /* all of pair 0 */
+    good = keep_hits(call, j, &hits); /* all of pair 0 */
     free(hits.hit);
   }
   return good;
 }
 
-static int
-join_ex(join *j, sg_crew *crew)
+static bool
+join_all(sg_call *call, join *j, sg_crew *crew)
 {
   for (int curve = 0; curve < 2; curve++) {
     sg_bvh_hits hits;
-    int good;
+    bool good;
 
     take_pairs(j, curve);
-    if (!sg_bvh_join(j->pair, j->pairs, j->handle->reach, crew, &sg_prolog_poll,
+    if (!sg_bvh_join(j->pair, j->pairs, j->handle->reach, crew, &call->poll,
                      &hits)) {
-      return PL_exception(0) ? FALSE : sg_no_memory();
+      return sg_call_ended(call);
     }
-    good = keep_hits_ex(j, &hits);
+    good = keep_hits(call, j, &hits);
     free(hits.hit);
     if (!good) {
-      return FALSE;
+      return false;
     }
-    if (!curve && !join_selves_ex(j, crew)) {
-      return FALSE;
+    if (!curve && !join_selves(call, j, crew)) {
+      return false;
     }
     if (!curve) {
       j->handle->curve_candidates = j->handle->candidates;
     }
   }
-  return TRUE;
+  return true;
 }
 
-int
-sg_cut_quiet_ex(sg_cut_handle *handle)
+bool
+sg_cut_quiet(sg_call *call, sg_cut_handle *handle)
 {
   if (handle->quiet) {
-    return TRUE;
+    return true;
   }
   if (!(handle->quiet = calloc(handle->curve_candidates + 1, 1))) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   sg_sort_end end = sg_cut_find_quiet(
       &handle->set.model, (const uint32_t(*)[2])handle->candidate,
-      handle->curve_candidates, handle->quiet, &sg_prolog_poll);
-  return end == SG_SORTED || (end == SG_SORT_NO_MEMORY && sg_no_memory());
+      handle->curve_candidates, handle->quiet, &call->poll);
+  return end == SG_SORTED ||
+         (end == SG_SORT_NO_MEMORY && sg_call_no_memory(call));
 }
 
-int
-sg_cut_join_ex(sg_cut_handle *handle)
+bool
+sg_cut_join(sg_call *call, sg_cut_handle *handle)
 {
   join j = {.handle = handle};
-  sg_crew *crew;
+  sg_crew *crew = handle->joined ? NULL : sg_call_crew(call);
 
   if (handle->joined) {
-    return TRUE;
+    return true;
   }
   handle->candidates = 0;
   j.place = malloc((handle->pairs + 1) * sizeof *j.place);
   j.pair = malloc((handle->pairs + 1) * sizeof *j.pair);
   j.number = calloc(handle->segments + 1, sizeof(uint32_t *));
-  crew = sg_crew_open(0);
-  handle->joined = j.place && j.pair && j.number && crew ? join_ex(&j, crew)
-                                                         : sg_no_memory();
-  sg_crew_close(crew);
+  handle->joined = j.place && j.pair && j.number && crew
+                       ? join_all(call, &j, crew)
+                       : sg_call_no_memory(call);
   for (size_t i = 0; j.number && i < handle->segments; i++) {
     free(j.number[i]);
   }

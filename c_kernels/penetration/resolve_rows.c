@@ -1,15 +1,14 @@
-/* resolve4pl.c -- what touches but for rounding, as predicates.
+/* resolve_rows.c -- what touches but for rounding, as predicates.
  *
- * Layer: glue. The doors are documented in rules/kernel/penetration.pl.
+ * Layer: rows. The doors are documented in rules/kernel/penetration.pl.
  */
-#include "resolve4pl.h"
+#include "resolve_rows.h"
 
-#include "glue.h"
+#include "doors/penetration.h"
+
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
 #include "rows/grain_rows.h"
-
-#include "engine/install.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -19,8 +18,6 @@ enum {
   ASKED = 1 << 14, /* pairs between questions */
   FEW = 1 << 10    /* polygons, or rows looked up */
 };
-
-static functor_t functor_minus2, functor_w4, functor_t3, functor_near1;
 
 /* ---- pairs ---- */
 
@@ -67,26 +64,26 @@ use_quiet(sg_resolve *r, const sg_resolve_leaf *a, const sg_resolve_leaf *b)
 }
 
 /* use_pair of all, but `quiet` of those that are. */
-static int
-each_pair_ex(sg_resolving *job, use_pair *use, use_pair *quiet)
+static bool
+each_pair(sg_call *call, sg_resolving *job, use_pair *use, use_pair *quiet)
 {
   const sg_cut_handle *handle = job->handle;
   sg_resolve_leaf leaf[2];
 
   for (size_t i = 0; i < handle->curve_candidates; i++) {
-    if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
-      return FALSE;
+    if (i % ASKED == ASKED - 1 && sg_poll_stop(&call->poll)) {
+      return false;
     }
     get_leaf(job, handle->candidate[i][0], &leaf[0]);
     get_leaf(job, handle->candidate[i][1], &leaf[1]);
     if (leaf[0].s != leaf[1].s) {
       set_reach(job, leaf[0].triangle, leaf[1].triangle);
       if (!(handle->quiet[i] ? quiet : use)(&job->r, &leaf[0], &leaf[1])) {
-        return sg_no_memory();
+        return sg_call_no_memory(call);
       }
     }
   }
-  return TRUE;
+  return true;
 }
 
 /* The crossings found on the triangles: a chain for each triangle. */
@@ -118,15 +115,15 @@ chain_crossings(const sg_resolving *job, chains *out)
 
 /* Crossings of edges against the leaves of third segments, which lie beside
  * the leaves that have them. */
-static int
-each_crossing_ex(sg_resolving *job)
+static bool
+each_crossing(sg_call *call, sg_resolving *job)
 {
   const sg_cut_handle *handle = job->handle;
   chains chain = {0};
   bool good = chain_crossings(job, &chain), stopped = false;
 
   for (size_t i = 0; i < 2 * handle->curve_candidates && good; i++) {
-    if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
+    if (i % ASKED == ASKED - 1 && sg_poll_stop(&call->poll)) {
       stopped = true;
       break;
     }
@@ -144,15 +141,15 @@ each_crossing_ex(sg_resolving *job)
   }
   free(chain.first);
   free(chain.next);
-  return !stopped && (good || sg_no_memory());
+  return !stopped && (good || sg_call_no_memory(call));
 }
 
 /* ---- polygons ---- */
 
-int
-sg_resolving_goes_on_ex(size_t i)
+bool
+sg_resolving_goes_on(sg_call *call, size_t i)
 {
-  return i % FEW != FEW - 1 || PL_handle_signals() >= 0;
+  return i % FEW != FEW - 1 || !sg_poll_stop(&call->poll);
 }
 
 static void
@@ -207,8 +204,9 @@ get_normal(const sg_version *version, int32_t s, int32_t p, double out[3])
 }
 
 /* Makes the polygons. *stuck: the one that cannot be triangulated so. */
-static int
-make_polygons_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
+static bool
+make_polygons(sg_call *call, sg_resolving *job,
+              const sg_resolved_polygon **stuck)
 {
   const sg_version *version = job->handle->version;
   sg_resolved end = SG_RESOLVED;
@@ -218,8 +216,8 @@ make_polygons_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
     double normal[3];
     size_t n;
 
-    if (!sg_resolving_goes_on_ex(i)) {
-      return FALSE;
+    if (!sg_resolving_goes_on(call, i)) {
+      return false;
     }
     int32_t s = sg_resolving_segment(job, polygon->s);
     sg_polygon_row *rows = get_rows(version, s, polygon->p, &n);
@@ -227,21 +225,21 @@ make_polygons_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
     bool area = get_normal(version, s, polygon->p, normal);
     polygon->no_area = !area;
     end = rows ? sg_resolve_polygon(&job->r, normal, rows, n, polygon,
-                                    &sg_prolog_poll)
+                                    &call->poll)
                : SG_RESOLVE_NO_MEMORY;
     free(rows);
     *stuck = end == SG_UNRESOLVED ? polygon : NULL;
   }
   if (end == SG_RESOLVED) {
     end = sg_resolve_match(&job->r, job->polygon.item, job->polygon.n,
-                           &sg_prolog_poll);
+                           &call->poll);
   }
-  return end == SG_RESOLVE_NO_MEMORY ? sg_no_memory()
+  return end == SG_RESOLVE_NO_MEMORY ? sg_call_no_memory(call)
                                      : end != SG_RESOLVE_STOPPED;
 }
 
-static int
-name_places_ex(sg_resolving *job)
+static bool
+name_places(sg_call *call, sg_resolving *job)
 {
   for (size_t i = 0; i < job->r.place.n; i++) {
     sg_resolve_place *place = &job->r.place.item[i];
@@ -250,31 +248,15 @@ name_places_ex(sg_resolving *job)
     if (place->name == 0) {
       uint32_t *next = sg_key_table_put(&job->handle->next_name, &key);
       if (!next || *next == SG_NO_KEY) {
-        return sg_no_memory();
+        return sg_call_no_memory(call);
       }
       place->name = (int32_t)(*next)++;
     }
   }
-  return TRUE;
+  return true;
 }
 
-/* ---- as terms ---- */
-
-/* near(v(S, V)) or near(ll(S1-(A,B), S2-(C,D))). */
-static int
-put_origin(term_t t, const sg_resolve_node *node)
-{
-  if (node->v) {
-    return PL_unify_term(t, PL_FUNCTOR, functor_near1, PL_FUNCTOR_CHARS, "v", 2,
-                         PL_INT, node->s, PL_INT, node->v);
-  }
-  return PL_unify_term(t, PL_FUNCTOR, functor_near1, PL_FUNCTOR_CHARS, "ll", 2,
-                       PL_FUNCTOR, functor_minus2, PL_INT, node->line[0][0],
-                       PL_FUNCTOR_CHARS, ",", 2, PL_INT, node->line[0][1],
-                       PL_INT, node->line[0][2], PL_FUNCTOR, functor_minus2,
-                       PL_INT, node->line[1][0], PL_FUNCTOR_CHARS, ",", 2,
-                       PL_INT, node->line[1][1], PL_INT, node->line[1][2]);
-}
+/* ---- what changes ---- */
 
 bool
 sg_resolving_changes(const sg_resolving *job, const sg_resolve_place *place)
@@ -289,142 +271,104 @@ sg_resolving_changes(const sg_resolving *job, const sg_resolve_place *place)
   return memcmp(from, to, sizeof from) != 0;
 }
 
-static int
-unify_vertices(sg_resolving *job, term_t list)
+static const uint32_t *
+origin_of(sg_call *call, const sg_resolve_node *node)
 {
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-  term_t origin = PL_new_term_ref();
+  sg_term_builder b;
 
+  sg_term_open(&b);
+  sg_resolving_build_origin(&b, node);
+  return sg_cut_term(call, &b);
+}
+
+static bool
+give_vertices(sg_call *call, const sg_resolving *job, sg_vertex_fact_list *out)
+{
   for (size_t i = 0; i < job->r.place.n; i++) {
     const sg_resolve_place *place = &job->r.place.item[i];
     const sg_resolve_point *point = &job->r.point.item[place->point];
 
-    if (!sg_resolving_goes_on_ex(i)) {
-      return FALSE;
+    if (!sg_resolving_goes_on(call, i)) {
+      return false;
     }
     if (!sg_resolving_changes(job, place)) {
       continue;
     }
-    PL_put_variable(origin);
-    if (!put_origin(origin, &job->r.node.item[point->node]) ||
-        !PL_unify_list(tail, head, tail) ||
-        !PL_unify_term(head, PL_FUNCTOR_CHARS, "vertex", 6, PL_INT, place->s,
-                       PL_INT, place->name, PL_FLOAT, point->at[0] + 0.0,
-                       PL_FLOAT, point->at[1] + 0.0, PL_FLOAT,
-                       point->at[2] + 0.0, PL_TERM, origin)) {
-      return FALSE;
+    const sg_vertex_fact vertex = {
+        .s = place->s,
+        .v = place->name,
+        .x = point->at[0],
+        .y = point->at[1],
+        .z = point->at[2],
+        .origin = origin_of(call, &job->r.node.item[point->node])};
+
+    if (!vertex.origin || !sg_vertex_fact_list_add(call, out, vertex)) {
+      return false;
     }
   }
-  return PL_unify_nil(tail);
+  return true;
 }
 
-static int
-unify_edges(const sg_resolved_polygon *polygon, term_t list)
+static bool
+give_polygons(sg_call *call, const sg_resolving *job,
+              sg_resolved_fact_list *out)
 {
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-
-  for (size_t i = 0; i < polygon->edge.n; i++) {
-    const sg_resolved_edge *edge = &polygon->edge.item[i];
-    if (!PL_unify_list(tail, head, tail) ||
-        !PL_unify_term(head, PL_FUNCTOR, functor_w4, PL_INT, edge->v[0], PL_INT,
-                       edge->v[1], PL_INT, edge->et, PL_INT, edge->label)) {
-      return FALSE;
-    }
-  }
-  return PL_unify_nil(tail);
-}
-
-static int
-unify_triangles(const sg_resolved_polygon *polygon, term_t list)
-{
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-
-  for (size_t i = 0; i < polygon->triangle.n; i++) {
-    const int32_t *v = polygon->triangle.item[i].v;
-    if (!PL_unify_list(tail, head, tail) ||
-        !PL_unify_term(head, PL_FUNCTOR, functor_t3, PL_INT, v[0], PL_INT, v[1],
-                       PL_INT, v[2])) {
-      return FALSE;
-    }
-  }
-  return PL_unify_nil(tail);
-}
-
-static int
-unify_polygons(sg_resolving *job, term_t list)
-{
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-
   for (size_t i = 0; i < job->polygon.n; i++) {
     const sg_resolved_polygon *polygon = &job->polygon.item[i];
-    if (!sg_resolving_goes_on_ex(i)) {
-      return FALSE;
+    sg_resolved_fact one = {.s = polygon->s, .p = polygon->p};
+
+    for (size_t k = 0; k < polygon->edge.n; k++) {
+      if (!sg_resolved_edge_fact_list_add(call, &one.edges,
+                                          polygon->edge.item[k])) {
+        return false;
+      }
     }
-    fid_t frame = PL_open_foreign_frame();
-    term_t edges = PL_new_term_ref(), triangles = PL_new_term_ref();
-    int good =
-        unify_edges(polygon, edges) && unify_triangles(polygon, triangles) &&
-        PL_unify_list(tail, head, tail) &&
-        PL_unify_term(head, PL_FUNCTOR_CHARS, "polygon", 4, PL_INT, polygon->s,
-                      PL_INT, polygon->p, PL_TERM, edges, PL_TERM, triangles);
-    PL_close_foreign_frame(frame);
-    if (!good) {
-      return FALSE;
+    for (size_t k = 0; k < polygon->triangle.n; k++) {
+      if (!sg_corners_list_add(call, &one.triangles,
+                               polygon->triangle.item[k])) {
+        return false;
+      }
+    }
+    if (!sg_resolving_goes_on(call, i) ||
+        !sg_resolved_fact_list_add(call, out, one)) {
+      return false;
     }
   }
-  return PL_unify_nil(tail);
-}
-
-/* Name(S, Id) */
-static int
-unify_place(term_t t, const char *name, int32_t s, int32_t id)
-{
-  return PL_unify_term(t, PL_FUNCTOR_CHARS, name, 2, PL_INT, s, PL_INT, id);
+  return true;
 }
 
 /* ---- the door ---- */
 
-static int
-finish_ex(sg_resolving *job)
+static bool
+finish(sg_call *call, sg_resolving *job)
 {
   sg_resolved end = sg_resolve_finish(&job->r);
 
-  return end == SG_RESOLVED || (end == SG_RESOLVE_NO_MEMORY && sg_no_memory());
+  return end == SG_RESOLVED ||
+         (end == SG_RESOLVE_NO_MEMORY && sg_call_no_memory(call));
 }
 
 /* All that must change; nothing if everything touches exactly. *wide, *stuck:
  * why it cannot be done. */
-static int
-resolve_ex(sg_resolving *job, const sg_resolved_polygon **stuck)
+static bool
+resolve(sg_call *call, sg_resolving *job, const sg_resolved_polygon **stuck)
 {
-  if (!sg_cut_join_ex(job->handle) || !sg_cut_quiet_ex(job->handle) ||
-      !sg_resolving_bodies_ex(job) ||
-      !each_pair_ex(job, sg_resolve_see, use_quiet)) {
-    return FALSE;
+  if (!sg_cut_join(call, job->handle) || !sg_cut_quiet(call, job->handle) ||
+      !sg_resolving_bodies(call, job) ||
+      !each_pair(call, job, sg_resolve_see, use_quiet)) {
+    return false;
   }
   if (!sg_resolve_is_needed(&job->r)) {
-    return TRUE;
+    return true;
   }
-  int done = each_pair_ex(job, sg_resolve_pair, sg_resolve_pair) &&
-             each_crossing_ex(job) && finish_ex(job) && name_places_ex(job) &&
-             (job->r.wide ||
-              (sg_resolving_want_ex(job) && make_polygons_ex(job, stuck)));
+  bool done =
+      each_pair(call, job, sg_resolve_pair, sg_resolve_pair) &&
+      each_crossing(call, job) && finish(call, job) && name_places(call, job) &&
+      (job->r.wide ||
+       (sg_resolving_want(call, job) && make_polygons(call, job, stuck)));
 
   sg_resolving_name_segments(job);
-  return done && (job->r.wide || *stuck || sg_resolving_measure_ex(job));
-}
-
-/* vertices, polygons: lists, or why not, as cut_resolve/4 says. */
-static int
-unify_result(sg_resolving *job, const sg_resolved_polygon *stuck,
-             term_t vertices, term_t polygons)
-{
-  const sg_resolve_node *wide = job->r.wide;
-
-  return wide ? unify_place(vertices, "wide", wide->s, wide->v)
-         : stuck
-             ? unify_place(vertices, "stuck", stuck->s, stuck->p)
-             : unify_vertices(job, vertices) && unify_polygons(job, polygons);
+  return done && (job->r.wide || *stuck || sg_resolving_measure(call, job));
 }
 
 static bool
@@ -438,21 +382,24 @@ changes_any(const sg_resolving *job)
   return job->polygon.n > 0;
 }
 
-/* Writes what changes; what: `changed` or `same`, or why not. */
-static int
-write_result_ex(sg_resolving *job, const sg_resolved_polygon *stuck,
-                term_t what)
+/* What is to be done, or why it cannot be. */
+static void
+give_result(const sg_resolving *job, const sg_resolved_polygon *stuck,
+            sg_resolution *out)
 {
   const sg_resolve_node *wide = job->r.wide;
 
-  if (wide || stuck) {
-    return wide ? unify_place(what, "wide", wide->s, wide->v)
-                : unify_place(what, "stuck", stuck->s, stuck->p);
+  if (wide) {
+    out->is = SG_RESOLUTION_WIDE;
+    out->wide.s = wide->s;
+    out->wide.v = wide->v;
+  } else if (stuck) {
+    out->is = SG_RESOLUTION_STUCK;
+    out->stuck.s = stuck->s;
+    out->stuck.p = stuck->p;
+  } else {
+    out->is = changes_any(job) ? SG_RESOLUTION_CHANGED : SG_RESOLUTION_SAME;
   }
-  if (!changes_any(job)) {
-    return PL_unify_atom_chars(what, "same");
-  }
-  return sg_resolving_write_ex(job) && PL_unify_atom_chars(what, "changed");
 }
 
 /* How far apart what was one place may be in each segment, by its source. */
@@ -478,26 +425,22 @@ find_own(sg_cut_handle *handle)
   return handle->own != NULL;
 }
 
-static int
-open_ex(sg_resolving *job, term_t set, term_t reach)
+static bool
+begin(sg_call *call, sg_resolving *job, sg_cut_handle *handle, double reach)
 {
-  double r;
-
-  if (!sg_get_cut_set_ex(set, &job->handle) || !sg_get_finite_ex(reach, &r)) {
-    return FALSE;
+  job->handle = handle;
+  if (!(reach > 0)) {
+    return sg_call_domain(call, "positive", 2);
   }
-  if (!(r > 0)) {
-    return PL_domain_error("positive", reach);
+  if (!find_own(handle)) {
+    return sg_call_no_memory(call);
   }
-  if (!find_own(job->handle)) {
-    return sg_no_memory();
+  if (!handle->joined) {
+    handle->reach = reach;
   }
-  if (!job->handle->joined) {
-    job->handle->reach = r;
-  }
-  sg_resolve_init(&job->r, r, sg_cut_is_real, job->handle, &sg_prolog_poll);
+  sg_resolve_init(&job->r, reach, sg_cut_is_real, handle, &call->poll);
   sg_key_table_init(&job->known, 2);
-  return TRUE;
+  return true;
 }
 
 static void
@@ -512,65 +455,54 @@ clear(sg_resolving *job)
   sg_resolve_clear(&job->r);
 }
 
-/* cut_resolve(+Set, +Reach, -Vertices, -Polygons) is det. */
-static foreign_t
-cut_resolve(term_t set, term_t reach, term_t vertices, term_t polygons)
+bool
+sg_door_cut_resolve(sg_call *call, sg_cut_handle *handle, double reach,
+                    sg_resolution *what, sg_vertex_fact_list *vertices,
+                    sg_resolved_fact_list *polygons)
 {
   sg_resolving job = {0};
   const sg_resolved_polygon *stuck = NULL;
 
-  if (!open_ex(&job, set, reach)) {
-    return FALSE;
+  if (!begin(call, &job, handle, reach)) {
+    return false;
   }
-  int done =
-      resolve_ex(&job, &stuck) && unify_result(&job, stuck, vertices, polygons);
+  bool good = resolve(call, &job, &stuck);
 
+  if (good) {
+    give_result(&job, stuck, what);
+    good = what->is != SG_RESOLUTION_CHANGED ||
+           (give_vertices(call, &job, vertices) &&
+            give_polygons(call, &job, polygons));
+  }
   clear(&job);
-  return done;
+  return good;
 }
 
-/* cut_touch(+Set, +Reach, -What, -Moves) is det. */
-static foreign_t
-cut_touch(term_t set, term_t reach, term_t what, term_t moves)
+bool
+sg_door_cut_touch(sg_call *call, sg_cut_handle *handle, double reach,
+                  sg_resolution *what, sg_touch_moves *moves)
 {
   sg_resolving job = {0};
   const sg_resolved_polygon *stuck = NULL;
 
-  if (!open_ex(&job, set, reach)) {
-    return FALSE;
+  if (!begin(call, &job, handle, reach)) {
+    return false;
   }
-  int done = resolve_ex(&job, &stuck) && write_result_ex(&job, stuck, what) &&
-             sg_resolving_unify_moves(&job, moves);
+  bool good = resolve(call, &job, &stuck);
 
+  if (good) {
+    give_result(&job, stuck, what);
+    sg_resolving_moves(&job, moves);
+    good = what->is != SG_RESOLUTION_CHANGED || sg_resolving_write(call, &job);
+  }
   clear(&job);
-  return done;
+  return good;
 }
 
-/* cut_own_tolerances(+Set) is det. */
-static foreign_t
-cut_own_tolerances(term_t set)
+bool
+sg_door_cut_own_tolerances(sg_call *call, sg_cut_handle *handle)
 {
-  sg_cut_handle *handle;
-
-  if (!sg_get_cut_set_ex(set, &handle)) {
-    return FALSE;
-  }
+  (void)call;
   handle->by_own = true;
-  return TRUE;
-}
-
-void
-sg_install_resolve(void)
-{
-  static const PL_extension doors[] = {
-      {"cut_resolve", 4, (pl_function_t)cut_resolve, 0},
-      {"cut_own_tolerances", 1, (pl_function_t)cut_own_tolerances, 0},
-      {"cut_touch", 4, (pl_function_t)cut_touch, 0},
-      {NULL, 0, NULL, 0}};
-
-  functor_minus2 = PL_new_functor(PL_new_atom("-"), 2);
-  functor_w4 = PL_new_functor(PL_new_atom("w"), 4);
-  functor_t3 = PL_new_functor(PL_new_atom("t"), 3);
-  functor_near1 = PL_new_functor(PL_new_atom("near"), 1);
-  PL_register_extensions_in_module("sg_kernel_penetration", doors);
+  return true;
 }

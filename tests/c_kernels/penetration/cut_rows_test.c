@@ -1,0 +1,109 @@
+/* cut_rows_test.c -- two cubes that go through each other, through the
+ * functions of the doors, without Prolog.
+ */
+#include "doors/penetration.h"
+#include "doors/world.h"
+#include "penetration/cut_rows.h"
+
+#include "tests/c_kernels/cube_world.h"
+#include "tests/check.h"
+
+#include <string.h>
+
+enum { FIRST = 1, SECOND = 2 };
+
+static sg_call call;
+
+static void
+pairs(sg_cut_handle *set)
+{
+  sg_cut_candidate_rows all = {0};
+  sg_triangle_cut_list cuts = {0};
+  int32_t side, s, p, t;
+  size_t touching = 0;
+
+  CHECK("candidates", sg_door_cut_candidate(&call, set, &all));
+  CHECK("no triangle 9", !sg_door_cut_side(&call, set, 0, 900, &side));
+  CHECK("is missing",
+        call.refusal.how == SG_REFUSED_EXISTENCE && call.refusal.argument == 3);
+  call.refusal = (sg_refusal){0};
+  for (size_t i = 0; i < all.n; i++) {
+    CHECK("cuts",
+          sg_door_cut_ends(&call, set, all.at[i].t1, all.at[i].t2, &cuts));
+    touching += cuts.n > 0;
+  }
+  CHECK("some are near, fewer touch", touching > 0 && touching <= all.n);
+  CHECK("triangle", sg_door_cut_triangle(&call, set, all.at[0].t1, &s, &p, &t));
+  CHECK("of the first", s == FIRST);
+}
+
+static void
+lines(sg_cut_handle *set)
+{
+  sg_piece_chain_list chains = {0};
+  sg_segment_polygon_list all = {0}, of_none = {0};
+  sg_vertex_fact_list vertices = {0};
+  sg_line_fact_list facts = {0};
+  int32_t segment = 7;
+  const sg_int_list none = {&segment, 1, 1};
+
+  CHECK("find", sg_door_cut_find(&call, set));
+  CHECK("seal", sg_door_cut_seal(&call, set));
+  CHECK("chains", sg_door_cut_chains(&call, set, &chains));
+  CHECK("one, closed",
+        chains.n == 1 && chains.at[0].kind == SG_CHAIN_KIND_CLOSED);
+  CHECK("comes back to its start",
+        chains.at[0].points.n == chains.at[0].polygons.n + 1 &&
+            chains.at[0].points.at[0].x ==
+                chains.at[0].points.at[chains.at[0].polygons.n].x);
+  CHECK("polygons", sg_door_cut_polygons(&call, set, &all));
+  CHECK("three of each", all.n == 6);
+  CHECK("of another", sg_door_cut_polygons_of(&call, set, &none, &of_none));
+  CHECK("none", of_none.n == 0);
+  CHECK("vertices", sg_door_cut_vertices(&call, set, &vertices));
+  CHECK("are new", vertices.n >= 12 && vertices.at[0].v > 8);
+  CHECK("lines", sg_door_cut_lines(&call, set, &facts));
+  CHECK("from 1", facts.n == chains.at[0].polygons.n && facts.at[0].l == 1);
+}
+
+static void
+leaves(sg_world *world)
+{
+  sg_segment_polygon kept[] = {{FIRST, 1}, {FIRST, 1}, {FIRST, 2}};
+  sg_segment_polygon gone[] = {{FIRST, 9}};
+  const sg_segment_polygon_list two = {kept, 3, 3}, none = {gone, 1, 1};
+
+  CHECK("keep", sg_door_leaves_keep(&call, &two));
+  const sg_version *version = sg_world_version(world);
+
+  CHECK("each once", sg_version_count(version, SG_LEAF_P) == 2);
+  CHECK("edges", sg_version_count(version, SG_LEAF_E) == 8);
+  CHECK("triangles", sg_version_count(version, SG_LEAF_T) == 4);
+  sg_version_drop(version);
+  CHECK("no polygon 9", !sg_door_leaves_keep(&call, &none));
+  CHECK("is no error", call.refusal.how == SG_REFUSED_NOTHING);
+}
+
+int
+main(void)
+{
+  sg_id_pair both[] = {{FIRST, SECOND}};
+  const sg_id_pair_list list = {both, 1, 1};
+  sg_world *world = sg_world_open();
+  sg_cut_handle *set = NULL;
+
+  sg_call_open(&call, NULL, NULL);
+  call.world = world;
+  CHECK("two cubes", world && add_cube(world, FIRST) &&
+                         add_cube_moved(world, SECOND, 0, 0.5));
+  CHECK("open", sg_door_cut_set_open(&call, &list, &set));
+  sg_cut_set_keep(set);
+  sg_cut_set_let_go(set); /* as when its handle is closed */
+  pairs(set);
+  lines(set);
+  sg_cut_set_let_go(set);
+  leaves(world);
+  sg_call_close(&call);
+  sg_world_let_go(world);
+  return check_report();
+}
