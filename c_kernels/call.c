@@ -260,6 +260,71 @@ sg_call_adopt(sg_call *call, void *memory)
   return sg_call_hold(call, memory, free);
 }
 
+const uint32_t *
+sg_call_term(sg_call *call, sg_term_builder *builder)
+{
+  const uint32_t *words = sg_term_words(builder);
+  uint32_t *kept = NULL;
+
+  if (!words) {
+    sg_call_no_memory(call);
+  } else if (words == builder->few) {
+    size_t bytes = sg_term_length(words) * sizeof *words;
+
+    if ((kept = sg_call_alloc(call, bytes))) {
+      memcpy(kept, words, bytes);
+    }
+  } else if (sg_call_adopt(call, builder->word)) {
+    kept = builder->word;
+    sg_term_open(builder);
+  } else {
+    sg_term_open(builder); /* it is freed */
+  }
+  sg_term_close(builder);
+  return kept;
+}
+
+/* ---- streams ---- */
+
+size_t
+sg_call_read(sg_call *call, const sg_input *in, char *to, size_t n)
+{
+  size_t got = sg_poll_stop(&call->poll) ? 0 : in->read(in->data, to, n);
+
+  call->stopped = call->stopped || got == SIZE_MAX;
+  return call->stopped ? 0 : got;
+}
+
+bool
+sg_call_read_all(sg_call *call, const sg_input *in, size_t most, char **out,
+                 size_t *n)
+{
+  enum { CHUNK = 1 << 18 }; /* between polls */
+  size_t room = 0, got = 0;
+
+  *out = NULL;
+  *n = 0;
+  do {
+    *n += got;
+    if (room - *n < CHUNK) {
+      room = 2 * room + CHUNK;
+      char *more = realloc(*out, room);
+
+      if (!more) {
+        sg_call_no_memory(call);
+        break;
+      }
+      *out = more;
+    }
+    got = sg_call_read(call, in, *out + *n, CHUNK);
+  } while (got > 0 && *n <= most);
+  if (call->stopped || call->refusal.how != SG_REFUSED_NOTHING) {
+    free(*out);
+    *out = NULL;
+  }
+  return *out != NULL;
+}
+
 void
 sg_call_rest(sg_call *call)
 {

@@ -18,6 +18,7 @@
 #include "poll.h"
 
 #include "engine/store.h"
+#include "engine/term.h"
 
 #include <stdint.h>
 
@@ -120,6 +121,30 @@ void *sg_call_realloc(sg_call *call, void *at, size_t bytes);
 bool sg_call_adopt(sg_call *call, void *memory);
 /* The same of any object. */
 bool sg_call_hold(sg_call *call, void *object, void (*release)(void *object));
+
+/* What a builder has, until the call is closed; null: refused. Closes the
+ * builder. */
+const uint32_t *sg_call_term(sg_call *call, sg_term_builder *builder);
+
+/* A stream that the host reads: up to n octets, 0 at the end, SIZE_MAX: it
+ * failed, and the host knows why. */
+typedef struct sg_input {
+  size_t (*read)(void *data, char *to, size_t n);
+  void *data;
+} sg_input;
+
+/* One that it writes; false: it failed, and the host knows why. */
+typedef struct sg_output {
+  bool (*write)(void *data, const char *bytes, size_t n);
+  void *data;
+} sg_output;
+
+/* What was read; 0: the end, or the call has stopped. */
+size_t sg_call_read(sg_call *call, const sg_input *in, char *to, size_t n);
+/* All that comes, or the first part of it, which is more than `most` octets.
+ * False: *out is null. Owner: the caller, free(). */
+bool sg_call_read_all(sg_call *call, const sg_input *in, size_t most,
+                      char **out, size_t *n);
 
 typedef struct sg_bytes {
   const uint8_t *at;

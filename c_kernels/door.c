@@ -7,8 +7,10 @@
 #include "ids.h"
 
 #include <SWI-Stream.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* ---- a call ---- */
 
@@ -416,6 +418,124 @@ int
 put_symbol(term_t t, int32_t symbol)
 {
   return PL_put_atom(t, sg_symbol_atom(symbol));
+}
+
+/* The text of t in UTF-8, which may have zeros, and a zero behind it. */
+static int
+get_utf8(sg_call *call, term_t t, unsigned flags, const char **out, size_t *n)
+{
+  char *text, *kept = NULL;
+
+  PL_STRINGS_MARK();
+  if (PL_get_nchars(t, n, &text, flags | CVT_EXCEPTION | REP_UTF8) &&
+      (kept = sg_call_alloc(call, *n + 1))) {
+    memcpy(kept, text, *n + 1);
+  }
+  PL_STRINGS_RELEASE();
+  *out = kept;
+  return kept != NULL;
+}
+
+int
+get_name(sg_call *call, term_t t, const char **out)
+{
+  size_t n;
+
+  return get_utf8(call, t, CVT_ATOM | CVT_STRING | CVT_WRITEQ, out, &n);
+}
+
+/* ---- streams ---- */
+
+static size_t
+read_stream(void *data, char *to, size_t n)
+{
+  IOSTREAM *in;
+
+  if (!PL_get_stream((term_t)data, &in, SIO_INPUT)) {
+    return SIZE_MAX;
+  }
+  n = Sfread(to, 1, n, in);
+  return PL_release_stream(in) ? n : SIZE_MAX;
+}
+
+int
+get_input(sg_call *call, term_t t, sg_input *out)
+{
+  (void)call;
+  *out = (sg_input){read_stream, (void *)t};
+  return TRUE;
+}
+
+/* PL_release_stream() raises what went wrong. */
+static bool
+write_stream(void *data, const char *bytes, size_t n)
+{
+  IOSTREAM *out;
+
+  if (!PL_get_stream((term_t)data, &out, SIO_OUTPUT)) {
+    return false;
+  }
+  bool good = Sfwrite(bytes, 1, n, out) == n;
+
+  return PL_release_stream(out) && good;
+}
+
+int
+get_output(sg_call *call, term_t t, sg_output *out)
+{
+  (void)call;
+  *out = (sg_output){write_stream, (void *)t};
+  return TRUE;
+}
+
+/* A string, or a file, being read. */
+typedef struct text_source {
+  const char *text; /* null: a file */
+  size_t n;
+  int file;
+  off_t at;
+} text_source;
+
+/* What cannot be read is the reader's to say. */
+static size_t
+read_text(void *data, char *to, size_t n)
+{
+  text_source *from = data;
+  ssize_t got;
+
+  if (!from->text) {
+    do {
+      got = pread(from->file, to, n, from->at);
+    } while (got < 0 && errno == EINTR);
+    from->at += got > 0 ? got : 0;
+    return got > 0 ? (size_t)got : 0;
+  }
+  n = n < from->n ? n : from->n;
+  memcpy(to, from->text, n);
+  from->text += n;
+  from->n -= n;
+  return n;
+}
+
+int
+get_text(sg_call *call, term_t t, sg_input *out)
+{
+  text_source *from = sg_call_alloc(call, sizeof *from);
+  IOSTREAM *in;
+
+  *out = (sg_input){read_text, from};
+  if (!from) {
+    return FALSE;
+  }
+  *from = (text_source){0};
+  if (PL_is_string(t)) {
+    return get_utf8(call, t, CVT_STRING, &from->text, &from->n);
+  }
+  if (!PL_get_stream(t, &in, SIO_INPUT)) {
+    return FALSE;
+  }
+  from->file = Sfileno(in);
+  return PL_release_stream(in);
 }
 
 /* As text: PL_get_mpq() of 9.0.4 fails. */

@@ -158,6 +158,17 @@ get_bytes(sg_call *call, term_t t, sg_bytes *out)
   return TRUE;
 }
 
+/* The text of an atom or a string; of another term, what writeq/1 writes. It is
+ * put as an atom. Zero-terminated UTF-8. */
+int get_name(sg_call *call, term_t t, const char **out);
+#define put_name(t, x) PL_put_chars(t, PL_ATOM | REP_UTF8, (size_t)-1, x)
+
+/* Streams; a text is a string, or what the file of a stream has from its
+ * beginning, wherever that is. Whether it is one is seen when it is used. */
+int get_input(sg_call *call, term_t t, sg_input *out);
+int get_output(sg_call *call, term_t t, sg_output *out);
+int get_text(sg_call *call, term_t t, sg_input *out);
+
 /* A number of any sort, exactly. */
 int get_exact(sg_call *call, term_t t, sg_exact *out);
 

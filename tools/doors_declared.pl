@@ -75,6 +75,10 @@ simple(bool,    bool).
 simple(symbol,  int32_t).
 simple(bytes,   sg_bytes).
 simple(exact,   sg_exact).
+simple(name,    'const char *').
+simple(input,   sg_input).
+simple(output,  sg_output).
+simple(text,    sg_input).
 simple(set(id), sg_int_list).
 simple(sense,   bool).
 simple(term,    'const uint32_t *').
@@ -134,7 +138,7 @@ type_name(Type, Type).
 
 by_value(Type) :-
     memberchk(Type, [ id, int, count, integer, number, bool, symbol, sense,
-                      term
+                      term, name
                     ]),
     !.
 by_value(Type) :-

@@ -12,12 +12,6 @@ enum {
   BLOCK = 2048 /* candidates in a task */
 };
 
-const char *const sg_self_name[SG_SELF_KINDS] = {
-    [SG_SELF_PENETRATION] = "self_penetration",
-    [SG_SELF_OVERLAP] = "self_overlap",
-    [SG_SELF_TOUCHING] = "self_touching",
-};
-
 /* A meeting, and what it says about the one across the edge. */
 typedef struct found {
   sg_self_meeting meeting;

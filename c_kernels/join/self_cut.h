@@ -25,8 +25,6 @@ typedef enum sg_self_kind {
   SG_SELF_KINDS
 } sg_self_kind;
 
-extern const char *const sg_self_name[SG_SELF_KINDS];
-
 typedef struct sg_self_meeting {
   sg_self_kind kind;
   int32_t t[2]; /* places of triangles, t[0] < t[1] */

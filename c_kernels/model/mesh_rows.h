@@ -1,24 +1,23 @@
-/* mesh_rows.h -- the rows of a part of a mesh, written in place.
+/* mesh_rows.h -- what reading and writing meshes share.
  *
- * Layer: kernel. A page of a sheet at a time. Ids are dense, from 1: vertices
- * as in the part, edges as in the part and real; polygon i has the edges of
- * face i, one after another.
+ * Layer: rows. False: see call.h.
  */
 #ifndef SG_MESH_ROWS_H
 #define SG_MESH_ROWS_H
 
-#include "mesh_part.h"
-#include "sheet.h"
+#include "doors/file.h"
+#include "mesh.h"
 
-/* v/5, e/5 and p/3 of segment s. The lists of p/3 have room for the lengths
- * that sg_mesh_rows_lengths() gave: [page->n]. */
-void sg_mesh_rows_vertices(const sg_mesh *mesh, const sg_mesh_part *part,
-                           int32_t s, const sg_sheet_page *page);
-void sg_mesh_rows_edges(const sg_mesh_part *part, int32_t s,
-                        const sg_sheet_page *page);
-void sg_mesh_rows_lengths(const sg_mesh_part *part, const sg_sheet_page *page,
-                          int32_t *length);
-void sg_mesh_rows_polygons(const sg_mesh_part *part, int32_t s,
-                           const sg_sheet_page *page);
+/* Adds the segments of a mesh to the current world, numbered from `first`. */
+bool sg_mesh_add_rows(sg_call *call, const sg_mesh *mesh, int32_t first,
+                      sg_mesh_part_fact_list *parts);
+
+/* Gives the segments of a mesh their names, and writes it. */
+bool sg_mesh_send(sg_call *call, sg_mesh *mesh, const sg_name_list *names,
+                  sg_mesh_format format, const sg_output *to,
+                  sg_mesh_written *result);
+
+/* True: the error is an answer. False: it is none, but for this call. */
+bool sg_mesh_refused(sg_call *call, const sg_mesh_error *error);
 
 #endif

@@ -51,3 +51,12 @@ sg_dense_read(sg_call *call, const int32_t *wanted, size_t n, sg_dense *out)
   sg_version_drop(version);
   return made || sg_call_ended(call);
 }
+
+bool
+sg_dense_read_these(sg_call *call, const sg_int_list *wanted, sg_dense *out)
+{
+  static const int32_t none;
+
+  return sg_dense_read(call, wanted->n > 0 ? wanted->at : &none, wanted->n,
+                       out);
+}

@@ -12,5 +12,8 @@
  * sg_dense_clear() in any case. */
 bool sg_dense_read(sg_call *call, const int32_t *wanted, size_t n,
                    sg_dense *out);
+/* The same of a list, which may be empty. */
+bool sg_dense_read_these(sg_call *call, const sg_int_list *wanted,
+                         sg_dense *out);
 
 #endif

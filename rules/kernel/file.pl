@@ -6,9 +6,10 @@
 Foreign predicates; see kernel.pl.
 */
 
-/* - - - text_limits4pl.c - - - */
+/* - - - text_limits_rows.c - - - */
 
-%!  text_fault(+Kind, +Source, +Limits, -Fault) is semidet.
+%!  text_fault(+Kind:text_kind, +Source:text, +Limits:text_limits,
+%!             -Fault:text_fault_place) is semidet.
 %
 %   True when the text Source, a string or a stream of a file (from its
 %   beginning, wherever the stream is), is too deep or too long: Fault is the
@@ -16,18 +17,20 @@ Foreign predicates; see kernel.pl.
 %   and `fact`. Limits is limits(Depth, Blocks, Digits, Name, Fact, File).
 %   Kind is `facts`, `goal` or `program`. See c_kernels/model/text_limits.h.
 
-/* - - - csg_text4pl.c - - - */
+/* - - - csg_text_rows.c - - - */
 
-%!  csg_nodes(+Stream, +File, +Limits, -Result) is det.
+%!  csg_nodes(+Stream:input, +File:name, +Limits:text_limits,
+%!            -Result:term) is det.
 %
 %   Reads Stream, the text of the .csg file File, to its end. Result is
 %   nodes(Nodes), or fault(What, Line, Column) with What as of text_fault/4,
 %   `blocks`, `file`, or an error of openscad_text.pl, which also has the form
 %   of Nodes.
 
-/* - - - mesh4pl.c - - - */
+/* - - - mesh_rows.c - - - */
 
-%!  mesh_add(+Stream, +Format, +Weld, +One, +S, -Result) is det.
+%!  mesh_add(+Stream:input, +Format:mesh_format, +Weld:mesh_weld, +One:bool,
+%!           +S:id, -Result:mesh_added) is det.
 %
 %   Reads the octets of Stream to its end as Format (`stl`, `off`, `obj`,
 %   `ply`, `any`) and adds v/5, e/5 and p/3 of the segments in it, numbered
@@ -43,19 +46,21 @@ Foreign predicates; see kernel.pl.
 %
 %   @error permission_error(write, segment, S1): one of the segments has rows
 
-/* - - - mesh_write4pl.c - - - */
+/* - - - mesh_write_rows.c - - - */
 
-%!  mesh_write(+Stream, +Format, +Segments, +Names, -Result) is det.
+%!  mesh_write(+Stream:output, +Format:mesh_format, +Segments:list(id),
+%!             +Names:list(name), -Result:mesh_written) is det.
 %
 %   Writes the listed segments to Stream as Format (also `stl_binary`,
 %   `ply_binary`). Segments ascend; Names are theirs, '' for none. Result is
 %   `ok`, no_triangles(S, P): polygon P must be written as triangles and has
 %   none (nothing was written), or a fault/8 as of mesh_add/6.
 
-/* - - - boundary4pl.c - - - */
+/* - - - boundary_rows.c - - - */
 
-%!  boundary_open(+Segments, +Made, +Single, +Grid, +Form, +Copies, -Boundary)
-%!                is det.
+%!  boundary_open(+Segments:list(id), +Made:list(id_pair), +Single:bool,
+%!                +Grid:number, +Form:boundary_form, +Copies:bool,
+%!                -Boundary:boundary) is det.
 %
 %   Boundary is a handle for the polygons of the segments in the list, as a file
 %   will hold them: coordinates as multiples of Grid (a power of two; 0.0: as
@@ -70,14 +75,15 @@ Foreign predicates; see kernel.pl.
 %
 %   @error representation_error(float32): a coordinate is too large
 
-%!  boundary_coarsen(+Boundary, +Grid, -Coarser) is det.
+%!  boundary_coarsen(+Boundary:boundary, +Grid:number,
+%!                   -Coarser:boundary) is det.
 %
 %   Coarser is another handle for Boundary, with the vertices of those triangles
 %   that go through each other on multiples of Grid, and what is near these.
 
-%!  boundary_close(+Boundary) is det.
+%!  boundary_close(+Boundary:boundary) is det.
 
-%!  boundary_counts(+Boundary, -Counts) is det.
+%!  boundary_counts(+Boundary:boundary, -Counts:boundary_counts) is det.
 %
 %   Counts = counts(Vertices, Faces, Triangles, Open, Crossing, Touching,
 %   Copies, Stuck, Cancelled): Open edges lack an opposite; at Crossing edges
@@ -85,7 +91,8 @@ Foreign predicates; see kernel.pl.
 %   vertices were added; for Stuck faces no triangles were found; Cancelled
 %   faces lay on each other, back to back.
 
-%!  boundary_meetings(+Boundary, +All, -Meetings) is det.
+%!  boundary_meetings(+Boundary:boundary, +All:bool,
+%!                    -Meetings:list(boundary_meeting)) is det.
 %
 %   Meetings are meeting(Kind, X, Y, Z), where triangles go through each other
 %   (`self_penetration`) or share some area (`self_overlap`), exactly. If All,
@@ -94,12 +101,13 @@ Foreign predicates; see kernel.pl.
 %   the two is not as the segment has it: rounding, a cut, or dividing a polygon
 %   has made it.
 
-%!  boundary_add(+Boundary, +S) is det.
+%!  boundary_add(+Boundary:boundary, +S:id) is det.
 %
 %   Add the vertices, edges and polygons of Boundary as segment S, of several
 %   segments as S, S+1, ...
 
-%!  boundary_write(+Boundary, +Stream, +Format, +Names, -Result) is det.
+%!  boundary_write(+Boundary:boundary, +Stream:output, +Format:mesh_format,
+%!                 +Names:list(name), -Result:mesh_written) is det.
 %
 %   As mesh_write/5.
 
