@@ -106,7 +106,7 @@ reader(record(_,_,Name0,Fields), Type) :-
 reader(either(_,Alternatives), Type) :-
     format("  atom_t name;~n  size_t arity;~n"),
     format("  term_t a = PL_new_term_ref();~n~n"),
-    format("  (void)call;~n  if (PL_is_variable(t)) {~n"),
+    format("  (void)call;~n  (void)a;~n  if (PL_is_variable(t)) {~n"),
     format("    return PL_instantiation_error(t);~n  }~n"),
     format("  if (PL_get_name_arity(t, &name, &arity)) {~n"),
     foldl(read_alternative(Type), Alternatives, 0, _),

@@ -28,12 +28,11 @@ Foreign predicates; see kernel.pl.
 %   True when the world Number had set_rule_modules/1 called for it and has
 %   ended. Each call of set_rule_modules/1 is reported once.
 
-/* - - - complete4pl.c - - - */
+/* - - - fill_rows.c - - - */
 
-%!  fill_triangles(-Faults) is det.
-%!  fill_triangles(+Ss:list, -Faults) is det.
+%!  fill_triangles(+Ss:segments_asked, -Faults:list(fault_fact)) is det.
 %
-%   Adds plane/6 for every polygon of the current world, or of the segments Ss,
+%   Adds plane/6 for every polygon of the segments Ss, a list, or `all`,
 %   that has none, and t/6 for every polygon that has none, in row order;
 %   computes what tests/oracle/triangulation.pl says. Faults is a list
 %   of fault(S, P, What) in the order of the polygons, What being
@@ -51,19 +50,22 @@ Foreign predicates; see kernel.pl.
 %
 %   The triangles are exact decisions; planes and Distance are rounded.
 
-%!  model_tolerance(-Tolerance) is det.
+/* - - - tolerance_rows.c - - - */
+
+%!  model_tolerance(-Tolerance:number) is det.
 %
 %   What is nearer than this is in one place: the larger of 2^-44 of the
 %   farthest coordinate, made a power of two (so that an edit seldom changes
 %   it), and 7/8 of a unit in the last place of the coarsest source
 %   (segment_grain/2).
 
-%!  segments_tolerance(+Segments:list, -Tolerance, -Smallest) is det.
+%!  segments_tolerance(+Segments:set(id), -Tolerance:number,
+%!                     -Smallest:number) is det.
 %
 %   The same for Segments alone. Smallest is the longest side of the smallest
 %   one's box.
 
-%!  segment_grain(+S, -Grain) is det.
+%!  segment_grain(+S:id, -Grain:number) is det.
 %
 %   Grain is a unit in the last place of the source of segment S, in model
 %   units, as origin(S, s(S), source(Grain)) says; 0.0: doubles.

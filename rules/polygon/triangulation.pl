@@ -4,15 +4,13 @@
             work_triangles/2            % +Work, -Triangles
           ]).
 :- use_module('../kernel',
-              [ fill_triangles/1, fill_triangles/2, work_oldest/4,
-                work_triangulate/2
-              ]).
+              [fill_triangles/2, work_oldest/4, work_triangulate/2]).
 :- use_module('../store', [facts_transaction/1]).
 :- use_module(library(lists), [last/2, member/2]).
 
 /** <module> Polygons into triangles.
 
-The kernel fill_triangles/1 triangulates whole segments (PL-6), work_triangles/2
+The kernel fill_triangles/2 triangulates whole segments (PL-6), work_triangles/2
 a polygon that lines have entered. Concave, hollow, several times hollow and
 internally cut polygons are all taken alike. tests/oracle/triangulation.pl is
 the rule, section 4 of the paper step by step; it gives the same triangles in
@@ -54,16 +52,10 @@ complete_segments(Ss) :-
     filled(Ss).
 
 filled(Which) :-
-    facts_transaction(( filled(Which, Faults),
+    facts_transaction(( fill_triangles(Which, Faults),
                         refuse_open(Faults)
                       )),
     warn(Faults).
-
-filled(all, Faults) :-
-    !,
-    fill_triangles(Faults).
-filled(Ss, Faults) :-
-    fill_triangles(Ss, Faults).
 
 refuse_open(Faults) :-
     (   member(fault(S, P, not_closed(V)), Faults)

@@ -1,0 +1,136 @@
+/* fill_rows.c -- planes and triangles of whole segments. */
+#include "complete.h"
+#include "doors/world.h"
+#include "rows/append_rows.h"
+#include "rows/grain_rows.h"
+
+/* ---- rows ---- */
+
+/* t counts from 0 in each segment: from its next fresh id instead. */
+static bool
+number_triangles(sg_call *call, sg_world *world, sg_triangle_rows *rows)
+{
+  for (size_t i = 0; i < rows->n; i++) {
+    int32_t s = rows->s[i];
+    size_t last = i;
+    if (rows->t[i] == 0) { /* its segment's first */
+      if ((rows->t[i] = sg_call_fresh(call, world, SG_T, s)) == 0) {
+        return false;
+      }
+      continue;
+    }
+    while (rows->s[--last] != s) {
+    }
+    rows->t[i] = rows->t[last] + 1;
+  }
+  return true;
+}
+
+static bool
+add_rows(sg_call *call, sg_world *world, sg_completion *found)
+{
+  sg_plane_rows *p = &found->planes;
+  sg_triangle_rows *t = &found->triangles;
+  const void *const plane[] = {p->s, p->p, p->c[0], p->c[1], p->c[2], p->c[3]};
+  const void *const triangle[] = {t->s, t->p, t->t, t->v[0], t->v[1], t->v[2]};
+
+  return sg_append_columns(call, world, SG_PLANE, p->n, plane) &&
+         number_triangles(call, world, t) &&
+         sg_append_columns(call, world, SG_T, t->n, triangle);
+}
+
+/* ---- faults ---- */
+
+static sg_fault_what
+what_of(const sg_polygon_fault *f)
+{
+  sg_fault_what what = {.is = SG_FAULT_WHAT_NO_AREA};
+
+  switch (f->kind) {
+  case SG_FAULT_OPEN:
+    what.is = SG_FAULT_WHAT_NOT_CLOSED;
+    what.not_closed.v = f->a;
+    break;
+  case SG_FAULT_EDGE:
+    what.is = SG_FAULT_WHAT_NOT_SIMPLE;
+    what.not_simple.v1 = f->a;
+    what.not_simple.v2 = f->b;
+    break;
+  case SG_FAULT_BENT:
+    what.is = SG_FAULT_WHAT_NOT_FLAT;
+    what.not_flat.distance = f->size;
+    break;
+  case SG_FAULT_NO_AREA:
+    break;
+  }
+  return what;
+}
+
+static bool
+list_faults(sg_call *call, const sg_completion *found, sg_fault_fact_list *out)
+{
+  for (size_t i = 0; i < found->faults; i++) {
+    const sg_polygon_fault *f = &found->fault[i];
+
+    if (!sg_fault_fact_list_add(call, out,
+                                (sg_fault_fact){f->s, f->p, what_of(f)})) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ---- the door ---- */
+
+static const sg_relation READ[5] = {SG_V, SG_E, SG_P, SG_PLANE, SG_T};
+
+/* Of n segments, null: of all. */
+static bool
+find_missing(sg_call *call, const int32_t *segment, size_t n,
+             sg_completion *found)
+{
+  const sg_version *version = sg_call_version(call);
+  sg_view view[5] = {{0}};
+  double grain;
+  bool stopped, good = version && sg_grain_of_all(version, &grain);
+
+  *found = (sg_completion){0};
+  for (int i = 0; good && i < 5; i++) {
+    good = sg_version_view(version, READ[i], &view[i]);
+  }
+  good =
+      good &&
+      sg_complete(&(sg_completion_input){&view[0], &view[1], &view[2], &view[3],
+                                         &view[4], segment, n, grain},
+                  found, &stopped, &call->poll);
+  for (int i = 0; i < 5; i++) {
+    sg_view_clear(&view[i]);
+  }
+  return good || sg_call_ended(call);
+}
+
+bool
+sg_door_fill_triangles(sg_call *call, const sg_segments_asked *ss,
+                       sg_fault_fact_list *faults)
+{
+  bool all = ss->is == SG_SEGMENTS_ASKED_ALL;
+  sg_completion found;
+
+  if (!all && ss->these.n == 0) {
+    return true;
+  }
+  /* What is missing stays so until it is added. */
+  sg_world *world = sg_call_claim(call);
+
+  if (!world) {
+    return false;
+  }
+  bool good = find_missing(call, all ? NULL : ss->these.at,
+                           all ? 0 : ss->these.n, &found) &&
+              add_rows(call, world, &found) &&
+              list_faults(call, &found, faults);
+
+  sg_completion_clear(&found);
+  sg_world_release(world);
+  return good;
+}
