@@ -24,10 +24,10 @@
 
 %   family(Name, Verb, Sizes): what is done with the model of each size.
 
-family(wedges,     union, [400,800,1600,3200]).
+family(wedges,     union, [800,1600,3200,6400]).
 family(identical,  union, [400,800,1600,3200]).
 family(apexes,     union, [500,1000,2000,4000]).
-family(needles,    union, [400,800,1600,3200]).
+family(needles,    union, [1600,3200,6400,12800]).
 family(comb,       union, [250,500,1000,2000]).
 family(stack,      union, [1000,2000,4000,8000]).
 family(apart,      union, [1000,2000,4000,8000]).
@@ -49,8 +49,8 @@ family(boxes,      draw,  [1000,2000,4000]).
 family(parts,      check, [1000,2000,4000]).
 family(ball,       twice, [5000,10000,20000,40000]).
 family(overlap,    union, [500,1000,2000,4000]).
-family(nested,     check, [250,500,1000,2000]).
-family(nested,     union, [250,500,1000,2000]).
+family(nested,     check, [1000,2000,4000,8000]).
+family(nested,     union, [1000,2000,4000,8000]).
 family(cylinder,   check, [1000,2000,4000]).
 family(cylinder,   union, [1000,2000,4000]).
 family(cylinder,   draw,  [1000,2000,4000]).

@@ -228,7 +228,8 @@ join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
   j->pair = &j->only;
   bool good =
       sg_fans_open(tree, read_place, &r, j->of->by_place, &r.fans) &&
-      (j->of->reach > 0 || sg_spines_open(tree, read_place, &r, &r.spines)) &&
+      (j->of->reach > 0 ||
+       sg_spines_open(tree, read_place, &r, j->of->by_place, &r.spines)) &&
       sg_bvh_join_itself(tree, j->of->reach, wants_pair, j,
                          r.fans || r.spines ? are_apart : NULL, &r, crew, poll,
                          &found) &&

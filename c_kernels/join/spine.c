@@ -37,9 +37,36 @@ struct sg_spines {
   const sg_bvh *tree;
   sg_fan_read *read;
   const void *data;
+  bool by_place;
   spine spine[MOST];
   size_t n;
 };
+
+/* A name for a place: mostly no other has it. */
+static uint32_t
+name_of_place(const double at[3])
+{
+  uint64_t h = 0;
+
+  for (int k = 0; k < 3; k++) {
+    double x = at[k] + 0.0; /* -0.0 is 0.0 */
+    uint64_t bits;
+
+    memcpy(&bits, &x, sizeof bits);
+    h = (h ^ bits) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 32;
+  }
+  return (uint32_t)h;
+}
+
+static void
+read_at(const sg_spines *s, size_t place, sg_fan_triangle *out)
+{
+  s->read(s->data, place, out);
+  for (int k = 0; s->by_place && k < 3; k++) {
+    out->name[k] = name_of_place(out->at[k]);
+  }
+}
 
 /* ---- which edges ---- */
 
@@ -65,7 +92,7 @@ count_corners(const sg_spines *s, edges *e, bool *any)
   for (size_t i = 0; e->corners && i < s->tree->n; i++) {
     sg_fan_triangle t;
 
-    s->read(s->data, i, &t);
+    read_at(s, i, &t);
     for (int k = 0; k < 3; k++) {
       unsigned char *here = &e->corners[t.name[k] & e->mask];
       *here = (unsigned char)(*here < MANY ? *here + 1 : MANY);
@@ -124,7 +151,7 @@ count_edges(const sg_spines *s, edges *e)
   for (size_t i = 0; i < s->tree->n; i++) {
     sg_fan_triangle t;
 
-    s->read(s->data, i, &t);
+    read_at(s, i, &t);
     for (int k = 0; k < 3; k++) {
       if (has_many(e, t.name[k]) && has_many(e, t.name[(k + 1) % 3]) &&
           !count_edge(e, &t, k)) {
@@ -223,16 +250,33 @@ look_at(const spine *s, const double x[3], double way[2], double *out)
   *out = near > 0x1p-300 && far < 0x1p300 ? *out : 1;
 }
 
+/* Whether a corner is an end of the spine. */
+static bool
+is_end(const spine *s, bool by_place, const sg_fan_triangle *t, int k)
+{
+  const edge *e = &s->edge;
+
+  for (int i = 0; i < 2; i++) {
+    if (t->name[k] == e->name[i] &&
+        (!by_place ||
+         (t->at[k][0] == e->at[i][0] && t->at[k][1] == e->at[i][1] &&
+          t->at[k][2] == e->at[i][2]))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /* The arc of a triangle; all of the circle, if that is more than a sixth. */
 static arc
-arc_of(const spine *s, const sg_fan_triangle *t)
+arc_of(const spine *s, bool by_place, const sg_fan_triangle *t)
 {
   arc box = {{2, 2}, {-2, -2}};
   double way[3][2], out = 0, close = 1;
   int n = 0;
 
   for (int k = 0; k < 3; k++) {
-    if (t->name[k] != s->edge.name[0] && t->name[k] != s->edge.name[1]) {
+    if (!is_end(s, by_place, t, k)) {
       look_at(s, t->at[k], way[n++], &out);
     }
   }
@@ -262,8 +306,8 @@ arc_at(const sg_spines *s, const spine *one, unsigned level, size_t at)
   sg_fan_triangle t;
 
   if (level == 0) {
-    s->read(s->data, at, &t);
-    return arc_of(one, &t);
+    read_at(s, at, &t);
+    return arc_of(one, s->by_place, &t);
   }
   return one->level[level][at];
 }
@@ -298,7 +342,7 @@ find_level(const sg_spines *s, spine *one, unsigned level)
 
 bool
 sg_spines_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
-               sg_spines **out)
+               bool by_place, sg_spines **out)
 {
   sg_spines *s = calloc(1, sizeof *s);
   bool good = s != NULL;
@@ -307,7 +351,8 @@ sg_spines_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
   if (!good) {
     return false;
   }
-  *s = (sg_spines){.tree = tree, .read = read, .data = data};
+  *s = (sg_spines){
+      .tree = tree, .read = read, .data = data, .by_place = by_place};
   good = choose_spines(s);
   for (size_t i = 0; good && i < s->n; i++) {
     for (unsigned level = 1; level < tree->levels && good; level++) {

@@ -14,10 +14,11 @@
 
 typedef struct sg_spines sg_spines;
 
-/* *out is null if no edge is one. False: no memory. Owner: sg_spines_close() in
- * any case. Cost: linear. */
+/* *out is null if no edge is one. Corners are one where their names are equal,
+ * or if `by_place`, where they are. False: no memory. Owner: sg_spines_close()
+ * in any case. Cost: linear. */
 bool sg_spines_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
-                    sg_spines **out);
+                    bool by_place, sg_spines **out);
 void sg_spines_close(sg_spines *spines);
 
 /* Whether no triangle below box a of a level (1 or more) has more in common

@@ -15,6 +15,7 @@ enum { MOST = 1 << 14 };
 static sg_fan_triangle triangle[MOST];
 static unsigned char changed[MOST];
 static atomic_long asked;
+static bool by_place;
 
 static void
 read_triangle(const void *data, uint32_t i, sg_fan_triangle *out)
@@ -41,6 +42,7 @@ joined(size_t n, bool some)
   const sg_self_joining joining = {.n = n,
                                    .read = read_triangle,
                                    .wants = goes_through,
+                                   .by_place = by_place,
                                    .changed = some ? changed : NULL};
   sg_bvh_hits hits;
 
@@ -141,6 +143,15 @@ random_triangle(sg_fan_triangle *t)
   }
 }
 
+/* What is in one place is not taken for one. */
+static void
+part_names(size_t n)
+{
+  for (size_t i = 0; i < 3 * n; i++) {
+    triangle[i / 3].name[i % 3] = (uint32_t)i;
+  }
+}
+
 static void
 test_same(void)
 {
@@ -153,6 +164,10 @@ test_same(void)
     for (; n < end; n++) {
       random_triangle(&triangle[n]);
       triangle[n].polygon = (int32_t)(rand() % 3 ? n : n / 2);
+    }
+    by_place = i % 3 == 2;
+    if (by_place) {
+      part_names(n);
     }
     for (size_t k = 0; k < n; k++) {
       changed[k] = rand() % (i % 2 ? 2 : 40) == 0;
@@ -233,9 +248,12 @@ asked_of(size_t n, bool book)
   } else {
     make_brush(n);
   }
+  if (by_place) {
+    part_names(n);
+  }
   sg_bvh_hits hits = joined(n, false);
 
-  CHECK("nothing goes through", hits.n == 0);
+  CHECK("nothing goes through", by_place || hits.n == 0);
   free(hits.hit);
   return atomic_load(&asked);
 }
@@ -243,7 +261,10 @@ asked_of(size_t n, bool book)
 static void
 test_growth(void)
 {
-  for (int book = 0; book < 2; book++) {
+  for (int way = 0; way < 3; way++) {
+    bool book = way > 0;
+
+    by_place = way == 2;
     long few = asked_of(1024, book), more = asked_of(MOST, book);
 
     CHECK("some of each", few < 40L * 1024);
