@@ -60,6 +60,14 @@ sandbox:safe_primitive(sg_development:seam_reason(_,_,_)).
 sandbox:safe_primitive(sg_development_record:development_measures(_,_)).
 sandbox:safe_primitive(sg_hidden_lines:open_scene(_,_)).
 sandbox:safe_primitive(sg_hidden_lines:hidden_by(_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_hidden_lines:hidden_by_polygon(_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_penetration:touches(_,_)).
+sandbox:safe_primitive(sg_measures:volume(_,_)).
+sandbox:safe_primitive(sg_inside:inside(_,_)).
+sandbox:safe_primitive(sg_inside:winding(_,_,_)).
+sandbox:safe_primitive(sg_operand:operand_faults(_,_)).
+sandbox:safe_primitive(sg_measures:area(_,_)).
+sandbox:safe_primitive(sg_measures:bounding_box(_,_,_)).
 sandbox:safe_primitive(sg_hidden_lines:hidden_interval(_,_,_,_,_)).
 sandbox:safe_primitive(sg_explain:explain(_)).
 sandbox:safe_primitive(sg_explain:explain(_,_)).

@@ -1,62 +1,102 @@
 :- module(sanggwan, []).
 /** <module> The facade: everything that a user or a rule file calls.
 
-`use_module(library(sanggwan))` loads this. It only re-exports; the modules
-themselves are named sg_ + file, since Prolog's table of modules is flat.
+`use_module(library(sanggwan))` loads this. It only re-exports, topic by topic;
+sanggwan_help/0 lists the topics. What is not here can be imported from the
+module that has it.
 */
+:- use_module(command/topics, [topic/2]).
 
-% The relations, worlds and transactions, and the words for them.
-:- reexport(store).
-:- reexport(vocabulary).
-:- reexport(model/model).
-% The way of the data.
-:- reexport(csg/csg, [node/4, root_segment/1, operand_segment/2]).
-:- reexport(solid/csg_evaluate, except([csg_statistics_reset/0])).
-:- reexport(csg/provenance).
-:- reexport(model/integrity, [model_defect/1]).
-:- reexport(primitive/primitive, [primitive/1, primitive_form/2]).
-:- reexport(primitive/primitive_face).
-:- reexport(primitive/primitive_rows, [add_primitive/2]).
-:- reexport(model/mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
-:- reexport(model/openscad, [read_csg/2]).
-:- reexport(model/solid_file, [write_solid/2, write_solid/3]).
-:- reexport(polygon/triangulation, [complete_segments/0]).
-:- reexport(solid/arrangement, [with_arrangement/3, components/2]).
-:- reexport(solid/boolean, except([stays/3, senses_by_rule/3])).
-:- reexport(solid/faces, [faces_merged/2]).
-:- reexport(solid/trimmed, [trimmed/4, trimmed/5]).
-:- reexport(unfolding/unfold, [unfold/2, unfold/3]).
-:- reexport(penetration/penetration,
-            except([ may_cut/2, leaf_lines/4, touching/2 ])).
-:- reexport(development/development,
-            [ develop/2, develop/3, development/2, seam_reason/3 ]).
-:- reexport(development/development_record, [development_measures/2]).
+:- topic(relations, "The relations: rows that you can ask and change").
+:- reexport(store,
+            [ segment/3, v/5, e/5, p/3, plane/6, t/6, line/9, origin/3,
+              from_v/4, from_p/5, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6,
+              unfolding/2, piece/3, joint/6, view/3, projection/1,
+              title_block/2, screen/5, contour/13, surface_turn/6, drawn/7 ]).
+
+:- topic(asking, "Asking what is there").
+:- reexport(csg/csg, [root_segment/1, operand_segment/2, node/4]).
 :- reexport(exact, [vertex_exact/5]).
-:- reexport(solid/operand).
-:- reexport(solid/repair).
+:- reexport(store,
+            [ edge_polygon/3, vertex_triangle/3, relation/3,
+              relation_column/5 ]).
+:- reexport(model/measures, [volume/2, area/2, bounding_box/3]).
+:- reexport(penetration/penetration, [touches/2]).
 :- reexport(solid/inside, [inside/2, winding/3]).
-:- reexport(kernel, [exact_statistics/1]).
-:- reexport(penetration/chain).
-:- reexport(explanation/explain,
-            [explain/1, explain/2, explanation/2, explanation/3]).
-:- reexport(command/lines_out, [write_lines/1, write_lines/2]).
-:- reexport(picture/view).
-:- reexport(picture/role, [edge_role/5]).
-:- reexport(picture/hidden_lines).
-:- reexport(drawing/drawing, [write_drawing/2, drawing_format/2]).
-:- reexport(drawing/terminal).
-:- reexport(unrolling/true_development).
-:- reexport(unrolling/true_table).
-:- reexport(unrolling/true_plate, [plate_parts/5]).
-:- reexport(unrolling/true_rim).
-:- reexport(development/bend, [pattern_bent/2]).
-% Verbs, questions, other rules.
-:- reexport(command/verbs, [draw/1, draw/2, convert/2]).
+:- reexport(model/integrity, [model_defect/1]).
+:- reexport(primitive/primitive_face, [face_of/3, smooth_surface/3]).
 :- reexport(command/query, [query/2]).
-:- reexport(decision).
+:- reexport(vocabulary,
+            [ half_edge/1, half_edge_ends/3, half_edge_twin/2,
+              half_edge_facet/2, facet/1, facet_loops/2, facet_plane/2,
+              facet_triangle/2, facet_neighbour/2, vertex_point/2,
+              vertex_half_edge/2, edge_facets/2, shell_facets/2 ]).
+
+:- topic(changing, "Changing worlds, reading and writing models").
+:- reexport(model/model,
+            [ load_model/1, load_model/2, save_model/1, save_model/2 ]).
+:- reexport(model/openscad, [read_csg/2]).
+:- reexport(command/verbs, [convert/2]).
+:- reexport(store,
+            [ assert_fact/1, assert_fact/2, retract_fact/1, retract_fact/2,
+              retractall_facts/1, fresh_id/3, facts_transaction/1,
+              facts_snapshot/1, facts_undo/0, facts_redo/0, new_world/1,
+              current_world/1, set_world/1, in_world/2 ]).
+:- reexport(primitive/primitive_rows, [add_primitive/2]).
+:- reexport(primitive/primitive, [primitive/1]).
+:- reexport(polygon/triangulation, [complete_segments/0]).
+:- reexport(limits, [set_limit/2, limit_value/2]).
+
+:- topic(cutting, "Cutting: penetration lines").
+:- reexport(penetration/penetration,
+            [ penetrate/0, penetrate/1, penetrate/2, penetration_chains/1 ]).
+:- reexport(penetration/chain, [chain/5, chain_length/2, chain_points/2]).
+:- reexport(command/lines_out, [write_lines/2]).
+
+:- topic(combining, "Combining solids").
+:- reexport(solid/boolean, [boolean/2, boolean/3]).
+:- reexport(solid/csg_evaluate,
+            [ evaluate/0, evaluate/1, evaluate/2, evaluated/1 ]).
+:- reexport(solid/trimmed, [trimmed/4, trimmed/5]).
+:- reexport(model/solid_file, [write_solid/2, write_solid/3]).
+:- reexport(solid/operand, [operand_faults/2]).
+:- reexport(solid/repair, [repair_operand/1]).
+:- reexport(csg/provenance,
+            [ vertex_from/4, edge_from/3, polygon_from/5, operand_face/3,
+              operand_edge/3 ]).
+
+:- topic(drawing, "Drawing: views, pictures, hidden lines").
+:- reexport(picture/hidden_lines,
+            [ picture/0, picture/1, hidden_by/6, hidden_by_polygon/6 ]).
+:- reexport(command/verbs, [draw/1, draw/2]).
+:- reexport(drawing/terminal, [show/0, show/1]).
+:- reexport(drawing/drawing, [write_drawing/2]).
+:- reexport(picture/view,
+            [ set_view/1, set_view/3, set_direction/3, set_projection/1,
+              current_view/4 ]).
+
+:- topic(unfolding, "Unfolding: developments and patterns").
+:- reexport(unfolding/unfold, [unfold/2, unfold/3]).
+:- reexport(development/development,
+            [ develop/2, develop/3, development/2 ]).
+:- reexport(development/development_record, [development_measures/2]).
+:- reexport(unrolling/true_development,
+            [ true_development/4, developable_part/3 ]).
+:- reexport(unrolling/true_table,
+            [ write_true_lengths/2, write_true_lengths/3, true_length_rows/2 ]).
+:- reexport(development/bend, [pattern_bent/2]).
+
+:- topic(explaining, "Explaining").
+:- reexport(explanation/explain,
+            [ explain/1, explain/2, explanation/2, explanation/3 ]).
+
+:- topic(rules, "Rules that decide, and help").
+:- reexport(decision,
+            [ rules/0, use_rules/1, no_rules/1, rule_file/1, default/1 ]).
 :- reexport(command/repl, [repl/0]).
-:- reexport(limits, [limit_value/2, set_limit/2]).
-:- reexport(command/help, [help/0, help/1]).
+:- reexport(command/help, [sanggwan_help/0, sanggwan_help/1]).
+
+% What goals and messages need, without a name for users.
 :- use_module(command/embedding, []).
 :- use_module(sandbox, []).
 :- use_module(message/messages, []).

@@ -26,6 +26,7 @@
 :- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
 :- use_module(user:'../sanggwan').
+:- use_module(user:help, [help/0, help/1]).
 :- use_module(verbs, [verb_run/4]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(http/json), [json_write_dict/3]).

@@ -1,11 +1,16 @@
 :- module(sg_help,
           [ help/0,
             help/1,                     % +What
+            sanggwan_help/0,
+            sanggwan_help/1,            % +What
             short_answers/0
           ]).
 :- use_module('../limits', [term_of_text/3]).
 :- use_module('../store', [relation/3, column_doc/3, relation_column/5]).
+:- use_module(examples, [example/4]).
+:- use_module(topics, [topic_predicates/3]).
 :- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(solution_sequences), [distinct/2]).
 /** <module> Help, and answers that read back, in Prolog's top level.
 
 The documentation of the rules is written to plain facts when the program is
@@ -54,46 +59,77 @@ user:portray(List) :-
                 *******************************/
 
 %!  help is det.
+%!  sanggwan_help is det.
 %
-%   List the relations and predicates, with a line about each.
+%   Say where to start, and list the topics. In the program this is help/0; in a
+%   Prolog of your own, whose help stays Prolog's, sanggwan_help/0.
 
 help :-
-    format("help(Name) or help(Name/Arity) tells more. The relations:~n"),
-    forall(relation(Name, Arity, Doc),
-           help_line(Name/Arity, Doc)),
-    forall(setof(PI-Summary, public(Module, PI, Summary), Pairs),
-           ( format("~n~w~n", [Module]),
-             forall(member(PI-Summary, Pairs), help_line(PI, Summary))
-           )).
+    format("Start here:~n~n"),
+    forall(start(Goal, What), format("  ?- ~w~t~44|~w~n", [Goal, What])),
+    format("~nTopics, more with help(Topic):~n~n"),
+    forall(topic_predicates(Topic, Title, _), help_line(Topic, Title)),
+    format("~nhelp(Name) or help(Name/Arity) says all of one predicate.~n").
+
+sanggwan_help :-
+    help.
+
+start("load_model('facts/two_cubes.pl').", "read a model file, or a mesh").
+start("segment(S, Kind, Name).", "its parts; v/5, e/5, p/3 have their rows").
+start("volume(1, V).", "how large one is").
+start("penetrate, chain(C, S1, S2, Kind, Ls).", "cut, and the lines of it").
+start("explain(line(1)).", "why the first one is there").
+start("show.", "a picture in the terminal").
+start("draw('two_cubes.svg').", "a drawing in a file").
 
 help_line(PI, Doc) :-
     format("  ~w~t~28|~w~n", [PI, Doc]).
 
-%   public(?Module, -PI, -Summary) is nondet: documented, and visible to users.
+%   help_topic(+Title, +Predicates): each with a line about it.
 
-public(Module, Name/Arity, Summary) :-
-    documented(Module, Name, Arity, _, Summary, _),
+help_topic(Title, Predicates) :-
+    format("~w~n~n", [Title]),
+    forall(( member(Name/Arity, Predicates), summary(Name, Arity, Summary) ),
+           help_line(Name/Arity, Summary)).
+
+summary(Name, Arity, Summary) :-
+    (   relation(Name, Arity, Doc)
+    ->  Summary = Doc
+    ;   called(Name, Arity, Module),
+        documented(Module, Name, Arity, _, Doc, _)
+    ->  Summary = Doc
+    ;   Summary = ''
+    ).
+
+%   called(?Name, ?Arity, -Module) is nondet: Module has it, users call it.
+
+called(Name, Arity, Module) :-
+    topic_predicates(_, _, Predicates),
+    member(Name/Arity, Predicates),
     functor(Head, Name, Arity),
-    predicate_property(user:Head, imported_from(Module)),
-    Module \== sg_store.
-public(sg_store, Name/Arity, Summary) :-
-    documented(sg_store, Name, Arity, _, Summary, _),
-    \+ relation(Name, Arity, _).
+    predicate_property(sanggwan:Head, imported_from(Module)).
 
 %!  help(+What) is det.
+%!  sanggwan_help(+What) is det.
 %
-%   Show the documentation of What: a relation or a predicate, as Name/Arity,
-%   Name//Arity, a goal or a name alone; text counts as what it says. Of what is
-%   Prolog's own, say where its manual has it; on a terminal show the manual,
-%   if it is installed. Of a name that nobody knows, say so, with names that
-%   are like it. No pager is ever started away from a terminal.
+%   Show the documentation of What: a topic, or a relation or a predicate as
+%   Name/Arity, Name//Arity, a goal or a name alone; text counts as what it
+%   says. Of what is Prolog's own, say where its manual has it; on a terminal
+%   show the manual, if it is installed. Of a name that nobody knows, say so,
+%   with names that are like it. No pager is ever started away from a terminal.
 %
 %   @error instantiation_error
+
+sanggwan_help(What) :-
+    help(What).
 
 help(What) :-
     help_term(What, Term),
     findall(Text, help_text(Term, Text), Texts),
-    (   Texts \== []
+    (   atom(Term),
+        topic_predicates(Term, Title, Predicates)
+    ->  help_topic(Title, Predicates)
+    ;   Texts \== []
     ->  forall(member(Text, Texts), format("~w~n", [Text]))
     ;   findall(PI-Where, prolog_own(Term, PI, Where), Found),
         sort(Found, [Own|More])
@@ -126,9 +162,27 @@ help_text(What, Text) :-
     relation_text(Name, Arity, Doc, Text).
 help_text(What, Text) :-
     named(What, Name, Arity),
-    documented(_, Name, Arity, Modes, _, Body),
+    distinct(Name/Arity-Module,
+             ( called(Name, Arity, Module)
+             ; \+ called(Name, Arity, _),
+               documented(Module, Name, Arity, _, _, _)
+             )),
+    documented(Module, Name, Arity, Modes, _, Body),
     \+ relation(Name, Arity, _),
-    format(string(Text), "~w~n~w", [Modes, Body]).
+    example_text(Name/Arity, Example),
+    format(string(Text), "~w~n~w~w", [Modes, Body, Example]).
+
+%   example_text(+PI, -Text): its example, or nothing.
+
+example_text(PI, Text) :-
+    (   example(PI, Model, Goal, Answer)
+    ->  (   Model == none
+        ->  Load = ""
+        ;   format(string(Load), "    ?- load_model(~q).~n", [Model])
+        ),
+        format(string(Text), "~n~n~w    ?- ~w~n    ~w.", [Load, Goal, Answer])
+    ;   Text = ""
+    ).
 
 named(What, Name, Arity) :-
     nonvar(What),

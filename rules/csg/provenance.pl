@@ -3,9 +3,11 @@
             vertex_on/4,                % ?S, ?V, ?S0, ?Feature
             polygon_from/5,             % ?S, ?P, ?S0, ?P0, ?Sense
             edge_from/3,                % ?S, ?E, ?From
+            operand_face/3,             % ?S, ?P, ?Operand
+            operand_edge/3,             % ?S, ?E, ?Operand
             origin_feature/3            % +Origin, ?S, ?Feature
           ]).
-:- use_module(csg, [is_node/1, is_helper/1]).
+:- use_module(csg, [is_node/1, is_helper/1, operand_segment/2]).
 :- use_module('../exact', [vertex_exact/5]).
 :- use_module('../store',
               [ e/5, p/3, t/6, from_v/4, from_p/5, origin/3, edge_polygon/3,
@@ -13,6 +15,7 @@
               ]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(lists), [member/2]).
+:- use_module(library(solution_sequences), [distinct/2]).
 /** <module> Where the vertices, edges and faces of a result come from.
 
 Over from_v/4 and from_p/5, which name the segments that were combined, also
@@ -110,6 +113,48 @@ made(S) :-
     ;   is_node(S)
     ),
     once(from_p(S, _, _, _, _)).
+
+%!  operand_face(?S, ?P, ?Operand) is nondet.
+%
+%   True when polygon P of S, a node's boundary, has a part of a face of
+%   Operand: one of the operands of S, or of their operands, down to the leaves.
+%   A segment that several operands use belongs to all of them.
+
+operand_face(S, P, Operand) :-
+    distinct(S-P-Operand,
+             ( polygon_from(S, P, Leaf, _, _),
+               operand_above(S, Leaf, Operand)
+             )).
+
+%!  operand_edge(?S, ?E, ?Operand) is nondet.
+%
+%   True when half-edge E of S, a node's boundary, lies on an edge of Operand,
+%   or where a face of Operand meets another one. Operand is as in
+%   operand_face/3.
+
+operand_edge(S, E, Operand) :-
+    distinct(S-E-Operand,
+             ( edge_from(S, E, From),
+               edge_leaf(From, Leaf),
+               operand_above(S, Leaf, Operand)
+             )).
+
+edge_leaf(edge(S0,_), S0).
+edge_leaf(cut(S1-_,_), S1).
+edge_leaf(cut(_,S2-_), S2).
+
+%   operand_above(+S, +Leaf, -Operand): Operand is Leaf, or has it among its
+%   operands, and is below S.
+
+operand_above(S, Leaf, Operand) :-
+    operand_segment(Above, S),
+    (   Above == Leaf
+    ->  Operand = Leaf
+    ;   operand_above(Above, Leaf, _)
+    ->  (   Operand = Above
+        ;   operand_above(Above, Leaf, Operand)
+        )
+    ).
 
 %!  edge_from(?S, ?E, ?From) is nondet.
 %

@@ -6,7 +6,8 @@
             penetration_chains/1,       % -Chains
             penetration_chains/3,       % +Pairs, +Options, -Chains
             leaf_lines/4,               % +Pairs, +Wanted, +Tolerance, :Goal
-            touching/2                  % +Options, -Tolerance
+            touching/2,                 % +Options, -Tolerance
+            touches/2                   % ?S1, ?S2
           ]).
 :- use_module('../csg/csg_record', [joined_segment/1]).
 :- use_module('../csg/csg_roots', [aside_segments/1]).
@@ -31,6 +32,7 @@
               [ contact_pairs/3, find_curve_points/1, met_pairs/4,
                 touching_pairs/2
               ]).
+:- use_module('../polygon/triangulation', [new_segments_complete/0]).
 :- use_module(resolve,
               [resolve_contacts/2, resolved_seams/0, tolerance_reach/2]).
 :- use_module('../stage', [stage/2]).
@@ -135,7 +137,8 @@ penetrate(Which, Options) :-
         append(Selves, Pairs0, Pairs)
     ;   Pairs = Pairs0
     ),
-    facts_transaction(sg_penetration:penetrated_leaves(Pairs, Tolerance)).
+    facts_transaction(( new_segments_complete,
+                        sg_penetration:penetrated_leaves(Pairs, Tolerance) )).
 
 %   pairs_with_themselves(-Pairs): S-S for what is to be cut by itself.
 
@@ -180,6 +183,39 @@ touching(Options, Tolerance) :-
         )
     ;   model_tolerance(Reach),
         Tolerance = own(Reach)
+    ).
+
+%!  touches(?S1, ?S2) is nondet.
+%
+%   True when segments S1 and S2 have a point of their boundaries in common, as
+%   they are, or within the tolerance of penetrate/0. Nothing is cut. Of two
+%   unbound segments S1 is the smaller one.
+
+touches(S1, S2) :-
+    facts_snapshot(sg_penetration:pairs_touching(S1, S2, Met)),
+    member(Pair, Met),
+    asked_pair(S1, S2, Pair).
+
+pairs_touching(S1, S2, Met) :-
+    new_segments_complete,
+    touching([], Tolerance),
+    tolerance_reach(Tolerance, Reach),
+    findall(Low-High,
+            ( near_segments(Reach, Low, High), asked_pair(S1, S2, Low-High) ),
+            Pairs),
+    earlier_cuts(Pairs, Earlier),
+    ord_union(Earlier, Pairs, All),
+    met_leaves(All, Pairs, Tolerance, Met).
+
+%   asked_pair(?S1, ?S2, +Pair) is semidet: S1 and S2 are Pair, in either order
+%   if one of them is known.
+
+asked_pair(S1, S2, Low-High) :-
+    (   S1 = Low,
+        S2 = High
+    ->  true
+    ;   S1 = High,
+        S2 = Low
     ).
 
 %   Cuts are taken between leaves (leaf.pl): where Pairs meet, what earlier
@@ -300,6 +336,7 @@ penetration_chains(Which, Options, Chains) :-
         sg_penetration:chains_of_leaves(Pairs, Tolerance, Chains)).
 
 chains_of_leaves(Pairs, Tolerance, Chains) :-
+    new_segments_complete,
     earlier_cuts(Pairs, Earlier),
     (   Earlier == []
     ->  true

@@ -9,12 +9,14 @@
             hidden_interval/5,          % +Scene, +S, +E, -From, -To
             line_parts/5,               % +Scene, +S, +E, -Visible, -Hidden
             hidden_by/6,                % ?S, ?E, -S2, -T, -From, -To
+            hidden_by_polygon/6,        % ?S, ?E, -S2, -P, -From, -To
             stands_in/2                 % +S, +E
           ]).
 :- use_module(library(assoc), [list_to_assoc/2, get_assoc/3]).
 :- use_module(library(lists), [member/2, memberchk/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(option), [option/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
 :- use_module(contour, [faceted_segments/1, find_contours/2, smoothness/2]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
@@ -26,6 +28,7 @@
 :- use_module(role,
               [edge_role/5, role_rank/2, role_drawn/2, usual_crease/1]).
 :- use_module(view, [project_world/0, screen_depth/1]).
+:- use_module('../polygon/triangulation', [new_segments_complete/0]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ segment/3, e/5, t/6, line/9, edge_polygon/3, contour/13,
@@ -92,7 +95,8 @@ picture(Options) :-
     one_of(method, [auto,kernel,rule], Method0),
     picture_method(Method0, Method),
     facts_transaction(
-        (   project_world,
+        (   new_segments_complete,
+            project_world,
             option(segments(Segments), Options, all),
             outlines(Which, Segments, Crease),
             open_scene(Scene, Options),
@@ -318,6 +322,29 @@ stands_in(S, E) :-
     E < 0,
     K is -E,
     contour(S, K, _, _, _, _, _, 2.0, _, _, _, _, _).
+
+%!  hidden_by_polygon(?S, ?E, -S2, -P, -From, -To) is nondet.
+%
+%   True when polygon P of segment S2 hides the part of edge E from From to To,
+%   in the picture that screen/5 holds: the parts that its triangles hide, put
+%   together.
+
+hidden_by_polygon(S, E, S2, P, From, To) :-
+    open_scene(Scene, []),
+    findall(p(S,E,S2,P)-(From0-To0),
+            ( scene_edge(Scene, S, E, _, _),
+              occluder(Scene, S, E, S2, T, From0, To0),
+              hides(S, E, S2, T),
+              t(S2, P, T, _, _, _)
+            ),
+            Parts0),
+    keysort(Parts0, Parts),
+    group_pairs_by_key(Parts, Groups),
+    member(p(S,E,S2,P)-Intervals0, Groups),
+    sort(Intervals0, Intervals),
+    shortest(Scene, S, E, Least),
+    intervals_union(Least, Intervals, Union),
+    member(From-To, Union).
 
 %!  hidden_by(?S, ?E, -S2, -T, -From, -To) is nondet.
 %

@@ -1,11 +1,13 @@
 :- module(sg_triangulation,
           [ complete_segments/0,
             complete_segments/1,        % +Ss
+            new_segments_complete/0,
+            untriangulated/1,           % +S
             work_triangles/2            % +Work, -Triangles
           ]).
 :- use_module('../kernel',
               [fill_triangles/2, work_oldest/4, work_triangulate/2]).
-:- use_module('../store', [facts_transaction/1]).
+:- use_module('../store', [p/3, t/6, segment/3, facts_transaction/1]).
 :- use_module(library(lists), [last/2, member/2]).
 
 /** <module> Polygons into triangles.
@@ -33,6 +35,28 @@ work_triangles(Work, Triangles) :-
     ->  throw(error(geometry_error(no_third_vertex(V1, V2)), _))
     ;   true
     ).
+
+%!  new_segments_complete is det.
+%
+%   complete_segments/1 of the segments that have polygons and not one triangle:
+%   those that somebody asserted and nobody completed. What is computed from
+%   triangles calls it first; it costs two lookups a segment.
+
+new_segments_complete :-
+    findall(S, ( segment(S, _, _), untriangulated(S) ), Ss),
+    (   Ss == []
+    ->  true
+    ;   complete_segments(Ss)
+    ).
+
+%!  untriangulated(+S) is semidet.
+%
+%   True when segment S has polygons and not one triangle.
+
+untriangulated(S) :-
+    \+ t(S, _, _, _, _, _),
+    p(S, _, _),
+    !.
 
 %!  complete_segments is det.
 %!  complete_segments(+Ss:list) is det.

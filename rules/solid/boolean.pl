@@ -20,6 +20,7 @@
                 region_leaves/2, region_close/1, segments_tolerance/3
               ]).
 :- use_module(operand, [checked_operand/1]).
+:- use_module('../polygon/triangulation', [new_segments_complete/0]).
 :- use_module(passing, [passing_named/2]).
 :- use_module('../penetration/resolve', [tolerance_reach/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
@@ -85,6 +86,7 @@ boolean(Expression, S) :-
     boolean(Expression, S, []).
 
 boolean(Expression, S, Options0) :-
+    new_segments_complete,
     expression_leaves(Expression, Leaves),
     tolerance(Leaves, Options0, Options),
     (   made_around_changes(Expression, Leaves, S, Options, Numbers)

@@ -3,7 +3,9 @@
             winding/3                   % +S, +Point, -Winding
           ]).
 :- use_module('../kernel', [windings/3]).
-:- use_module('../store', [segment/3]).
+:- use_module('../polygon/triangulation',
+              [complete_segments/1, untriangulated/1]).
+:- use_module('../store', [segment/3, facts_snapshot/1]).
 
 /** <module> What is inside what: winding numbers, exactly.
 
@@ -26,7 +28,7 @@ is the rule, and a test compares the two.
 
 inside(S, Point) :-
     segment(S, solid, _),
-    windings(S, [Point], [Winding]),
+    winding(S, Point, Winding),
     integer(Winding),
     Winding > 0.
 
@@ -37,4 +39,9 @@ inside(S, Point) :-
 %   surface the number means nothing.
 
 winding(S, Point, Winding) :-
-    windings(S, [Point], [Winding]).
+    (   integer(S),
+        untriangulated(S)
+    ->  facts_snapshot(( complete_segments([S]),
+                         windings(S, [Point], [Winding]) ))
+    ;   windings(S, [Point], [Winding])
+    ).

@@ -7,7 +7,9 @@
               [ census/1, segment_edges/4, segment_meets_itself/1,
                 segment_operand/2
               ]).
-:- use_module('../store', [v/5, segment/3]).
+:- use_module('../polygon/triangulation',
+              [new_segments_complete/0, untriangulated/1]).
+:- use_module('../store', [v/5, segment/3, facts_snapshot/1]).
 :- use_module(library(error), [existence_error/2]).
 :- use_module(library(lists), [member/2]).
 /** <module> What makes a segment unfit for a Boolean.
@@ -50,6 +52,12 @@ operand_faults(S, Faults) :-
     ->  true
     ;   existence_error(segment, S)
     ),
+    (   untriangulated(S)
+    ->  facts_snapshot(( new_segments_complete, faults_of(S, Faults) ))
+    ;   faults_of(S, Faults)
+    ).
+
+faults_of(S, Faults) :-
     segment_operand(S, Operand),
     findall(Fault, operand_fault(S, Operand, Fault), Faults).
 

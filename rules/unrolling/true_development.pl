@@ -101,6 +101,7 @@ developable_part(S, Part, Surface) :-
 
 true_development(S, Part, Options, D) :-
     must_be(positive_integer, S),
+    must_be(list, Options),
     (   segment(S, _, _)
     ->  true
     ;   throw(error(existence_error(segment, S), _))

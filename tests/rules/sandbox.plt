@@ -10,54 +10,39 @@
 :- use_module(rules(sanggwan)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
-reads([ chain/5, chain_length/2, chain_points/2, chain_vertices/3, chains/1,
-        checked_operand/1, column_doc/3, column_domain/3, components/2,
-        contour/13, csg_statistics/1, current_view/4, current_world/1,
-        decision/2, decision/4, decision_is_default/1, default/1,
-        developable_part/3, development/2, development_measures/2,
-        drawing_format/2, drawn/7, e/5, edge_facets/2, edge_from/3,
-        edge_polygon/3, edge_role/5, exact_statistics/1, explain/1, explain/2,
-        explanation/2, explanation/3, expression_leaves/2, eye_point/4,
-        face_of/3, facet/1, facet_loops/2, facet_neighbour/2, facet_plane/2,
-        facet_triangle/2, fact_row/2, facts_snapshot/1, facts_statistics/2,
-        from_p/5, from_v/4, generator_mark/4, half_edge/1, half_edge_ends/3,
-        half_edge_facet/2, half_edge_twin/2, hidden_by/6, hidden_interval/5,
-        hides/2, hides/4, in_world/2, inside/2, joint/6, leaf_e/5, leaf_p/3,
-        leaf_t/6, leaf_v/5, lies_on/4, limit_value/2, line/9, line_parts/5,
-        line_turn/7, model_defect/1, named_view/3, node/4, open_scene/2,
-        operand_faults/2, operand_notes/2, operand_segment/2, origin/3,
-        origin_feature/3, p/3, penetration_chains/1, penetration_chains/3,
-        piece/3, plane/6, polygon_from/5, primitive/1, primitive_form/2,
-        projection/1, query/2, relation/3, relation_column/5, relation_key/2,
-        root_segment/1, row_height/2, row_value/4, rule_file/1, rules/0,
-        screen/5, screen_depth/1, screen_distance/2, seam_reason/3, segment/3,
-        segment_stamp/2, segment_stamps/2, segments_key/2, select_boundary/3,
-        shell_facets/2, smooth_surface/3, stands_in/2, surface_point/4,
-        surface_turn/6, t/6, title_block/2, true_length_columns/3,
-        true_length_marks/4, true_length_rows/2, unfolding/2, v/5,
-        vertex_exact/5, vertex_from/4, vertex_half_edge/2, vertex_on/4,
-        vertex_point/2, vertex_triangle/3, view/3, view_matrix/3, winding/3,
-        with_arrangement/3
+reads([ area/2, bounding_box/3, chain/5, chain_length/2, chain_points/2,
+        contour/13, current_view/4, current_world/1, default/1,
+        developable_part/3, development/2, development_measures/2, drawn/7,
+        e/5, edge_facets/2, edge_from/3, edge_polygon/3, explain/1,
+        explain/2, explanation/2, explanation/3, face_of/3, facet/1,
+        facet_loops/2, facet_neighbour/2, facet_plane/2, facet_triangle/2,
+        facts_snapshot/1, from_p/5, from_v/4, half_edge/1, half_edge_ends/3,
+        half_edge_facet/2, half_edge_twin/2, hidden_by/6,
+        hidden_by_polygon/6, in_world/2, inside/2, joint/6, leaf_e/5,
+        leaf_p/3, leaf_t/6, leaf_v/5, limit_value/2, line/9, model_defect/1,
+        node/4, operand_edge/3, operand_face/3, operand_faults/2,
+        operand_segment/2, origin/3, p/3, penetration_chains/1, piece/3,
+        plane/6, polygon_from/5, primitive/1, projection/1, query/2,
+        relation/3, relation_column/5, root_segment/1, rule_file/1, rules/0,
+        screen/5, segment/3, shell_facets/2, smooth_surface/3,
+        surface_turn/6, t/6, title_block/2, touches/2, true_length_rows/2,
+        unfolding/2, v/5, vertex_exact/5, vertex_from/4, vertex_half_edge/2,
+        vertex_point/2, vertex_triangle/3, view/3, volume/2, winding/3
       ]).
 
-writes([ add_primitive/2, assert_after/1, assert_fact/1, assert_fact/2,
-         boolean/2, boolean/3, complete_segments/0, convert/2, develop/2,
-         develop/3, draw/1, draw/2, evaluate/0, evaluate/1, evaluate/2,
-         evaluated/1, faces_merged/2, facts_redo/0, facts_transaction/1,
-         facts_transaction/2, facts_undo/0, facts_undo_limit/1, fresh_id/3,
-         help/0, help/1, load_model/1, load_model/2, move_origin/1,
-         new_world/1, no_rules/1, pattern_bent/2, pattern_measured/1,
+writes([ add_primitive/2, assert_fact/1, assert_fact/2, boolean/2, boolean/3,
+         complete_segments/0, convert/2, develop/2, develop/3, draw/1,
+         draw/2, evaluate/0, evaluate/1, evaluate/2, evaluated/1,
+         facts_redo/0, facts_transaction/1, facts_undo/0, fresh_id/3,
+         load_model/1, load_model/2, new_world/1, no_rules/1, pattern_bent/2,
          penetrate/0, penetrate/1, penetrate/2, picture/0, picture/1,
-         plate_parts/5, project_world/0, read_csg/2, read_mesh/2, read_mesh/3,
-         repair_operand/1, repaired/2, repl/0, retract_fact/1, retract_fact/2,
-         retract_row/2, retractall_facts/1, rims_rounded/3, save_model/1,
+         repair_operand/1, repl/0, read_csg/2, retract_fact/1, retract_fact/2,
+         retractall_facts/1, sanggwan_help/0, sanggwan_help/1, save_model/1,
          save_model/2, set_direction/3, set_limit/2, set_projection/1,
          set_view/1, set_view/3, set_world/1, show/0, show/1, trimmed/4,
-         trimmed/5, true_development/4, turn_up/1, unfold/2, unfold/3,
-         use_rules/1, welded_vertex/2, with_up/2, write_drawing/2,
-         write_lines/1, write_lines/2, write_mesh/2, write_mesh/3,
-         write_solid/2, write_solid/3, write_true_lengths/2,
-         write_true_lengths/3
+         trimmed/5, true_development/4, unfold/2, unfold/3, use_rules/1,
+         write_drawing/2, write_lines/2, write_solid/2, write_solid/3,
+         write_true_lengths/2, write_true_lengths/3
        ]).
 
 %   is_safe(PI): with its arguments free; a meta-predicate with a goal that is
@@ -73,7 +58,6 @@ is_safe_goal(Goal) :-
 with_goal(Goal, facts_snapshot(Goal)).
 with_goal(Goal, in_world(_, Goal)).
 with_goal(Goal, query(Goal, [])).
-with_goal(Goal, with_arrangement([1], [], [_]>>Goal)).
 
 facade_export(Name/Arity) :-
     module_property(sanggwan, exports(PIs)),

@@ -176,6 +176,14 @@ test(hidden_by, S-T == 2-1) :-
                    set_view(front), project_world,
                    hidden_by(1, 1, S, T, From, To),
                    near(From, 0.5), near(To, 0.75) )).
+test(hidden_by_polygon, Parts == [part(2,1,0.25,0.75)]) :-
+    in_new_world(( curve(1, [p(-1,1,0), p(1,1,0)]),
+                   polyhedron(2, surface,
+                              [p(0.5,0,0),p(0,0,1),p(-0.5,0,0),p(0,0,-1)],
+                              [[1,2,3,4]]),
+                   set_view(front), project_world,
+                   findall(part(S,P,From,To),
+                           hidden_by_polygon(1, 1, S, P, From, To), Parts) )).
 test(hidden_interval_order, all(F-T == [0.25-0.5,0.5-0.75])) :-
     in_new_world(( curve(1, [p(-1,1,0), p(1,1,0)]),
                    polyhedron(2, surface,

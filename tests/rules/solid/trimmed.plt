@@ -1,6 +1,6 @@
 :- module(test_trimmed, []).
 :- use_module(library(plunit)).
-:- use_module(rules(sanggwan)).
+:- use_module(rules(sanggwan), except([area/2])).
 :- use_module(rules(solid/trimmed)).
 :- use_module(rules(solid/closing)).
 
