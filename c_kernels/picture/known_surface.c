@@ -215,7 +215,7 @@ typedef struct side {
 } side;
 
 static void
-make_side(const sg_known_surfaces *surfaces, const sg_meeting *m, int i,
+make_side(const sg_known_surfaces *surfaces, const sg_facets_meeting *m, int i,
           side *out)
 {
   int32_t of = sg_known_surface_of(surfaces, m->polygon[i]);
@@ -273,7 +273,7 @@ known_bend(const side x[2], double facets)
 }
 
 static bool
-is_edge(const sg_meeting *m, const side x[2])
+is_edge(const sg_facets_meeting *m, const side x[2])
 {
   bool turned = x[0].surface && x[1].surface &&
                 x[0].surface->kind == SG_KNOWN_TURNED &&
@@ -285,7 +285,8 @@ is_edge(const sg_meeting *m, const side x[2])
 }
 
 sg_bend
-sg_known_surfaces_bend(const sg_known_surfaces *surfaces, const sg_meeting *m)
+sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
+                       const sg_facets_meeting *m)
 {
   int32_t of[2] = {sg_known_surface_of(surfaces, m->polygon[0]),
                    sg_known_surface_of(surfaces, m->polygon[1])};

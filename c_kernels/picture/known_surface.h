@@ -101,12 +101,12 @@ sg_known_surface_is_tapered(const sg_known_surface *surface)
 }
 
 /* Two polygons that meet from `ends[0]` to `ends[1]`. */
-typedef struct sg_meeting {
+typedef struct sg_facets_meeting {
   int32_t polygon[2];
   const double *normal[2]; /* of any length, both on one side of the sheet */
   const double *ends[2];
   double bend; /* of the polygons, in degrees */
-} sg_meeting;
+} sg_facets_meeting;
 
 /* The surface of a polygon, less than 0: of none. */
 static inline int32_t
@@ -126,7 +126,7 @@ typedef struct sg_bend {
  * bend at the ends. What has no known surface is flat. No
  * less than what SG_FACET_BEND leaves of the bend of the polygons. Inexact. */
 sg_bend sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
-                               const sg_meeting *meeting);
+                               const sg_facets_meeting *meeting);
 
 void sg_known_surfaces_clear(sg_known_surfaces *surfaces);
 

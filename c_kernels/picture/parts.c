@@ -156,7 +156,7 @@ enum { BLOCK = 256 }; /* lines that are one task */
 /* What was found of some of the drawn lines, one after another. */
 typedef struct block {
   intervals hidden; /* before anything is taken away */
-  sg_part *part;
+  sg_drawn_part *part;
   size_t parts, room;
 } block;
 
@@ -436,7 +436,7 @@ push_parts(const work *w, worker *of, block *b, size_t k, bool hidden)
     }
     if (b->parts == b->room) {
       size_t more = b->room ? 2 * b->room : BLOCK + BLOCK / 4;
-      sg_part *wider = realloc(b->part, more * sizeof *wider);
+      sg_drawn_part *wider = realloc(b->part, more * sizeof *wider);
       if (!wider) {
         return false;
       }
@@ -444,7 +444,7 @@ push_parts(const work *w, worker *of, block *b, size_t k, bool hidden)
       b->room = more;
     }
     b->part[b->parts++] =
-        (sg_part){w->line[k], x.from, x.to, hidden, w->role[k]};
+        (sg_drawn_part){w->line[k], x.from, x.to, hidden, w->role[k]};
   }
   return true;
 }
@@ -452,7 +452,7 @@ push_parts(const work *w, worker *of, block *b, size_t k, bool hidden)
 static int
 part_compare(const void *a, const void *b)
 {
-  const sg_part *x = a, *y = b;
+  const sg_drawn_part *x = a, *y = b;
 
   return (x->from > y->from) - (x->from < y->from);
 }
@@ -553,10 +553,10 @@ work_clear(work *w)
 }
 
 /* The parts of all blocks, in order; null: no memory. */
-static sg_part *
+static sg_drawn_part *
 gather_parts(const work *w, size_t *n)
 {
-  sg_part *all;
+  sg_drawn_part *all;
 
   *n = 0;
   for (size_t i = 0; i < w->blocks; i++) {
@@ -574,7 +574,7 @@ gather_parts(const work *w, size_t *n)
 
 bool
 sg_parts_of(const sg_mask_grid *masks, const sg_drawing *drawing, sg_crew *crew,
-            const sg_poll *poll, sg_part **out, size_t *n, bool *memory)
+            const sg_poll *poll, sg_drawn_part **out, size_t *n, bool *memory)
 {
   work w = {
       .masks = masks, .scene = masks->scene, .through = &drawing->through};

@@ -29,12 +29,12 @@ typedef enum sg_role {
 
 typedef enum sg_which { SG_LINES_ALL, SG_LINES_FEATURE, SG_LINES_CUT } sg_which;
 
-typedef struct sg_part {
+typedef struct sg_drawn_part {
   uint32_t line;   /* place in scene->line */
   double from, to; /* 0 <= from < to <= 1 */
   bool hidden;
   sg_role role;
-} sg_part;
+} sg_drawn_part;
 
 /* The role of a line; crease: the bend, in degrees, over which it is one. */
 sg_role sg_look_role(const sg_look *look, double crease);
@@ -54,7 +54,7 @@ typedef struct sg_drawing {
  * caller alone). *out is to be freed by the caller. False: stopped by the poll,
  * or no memory (then *memory is false). */
 bool sg_parts_of(const sg_mask_grid *masks, const sg_drawing *drawing,
-                 sg_crew *crew, const sg_poll *poll, sg_part **out, size_t *n,
-                 bool *memory);
+                 sg_crew *crew, const sg_poll *poll, sg_drawn_part **out,
+                 size_t *n, bool *memory);
 
 #endif

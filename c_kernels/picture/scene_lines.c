@@ -264,7 +264,7 @@ surface_bend(const sg_scene_builder *b, const sg_scene_line *line,
   const double *n = b->normal[y->polygon];
   double way = -x->along * y->along,
          turned[3] = {n[0] * way, n[1] * way, n[2] * way};
-  const sg_meeting meeting = {
+  const sg_facets_meeting meeting = {
       .polygon = {x->polygon, y->polygon},
       .normal = {b->normal[x->polygon], turned},
       .ends = {m->dense.at[line->a], m->dense.at[line->b]},

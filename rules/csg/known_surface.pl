@@ -43,7 +43,7 @@ facet's.
 Where the terms and from_p/5 do not tell it any more, because what was combined
 is gone (csg_roots.pl) or all was turned (view.pl), it is remembered.
 
-c_kernels/picture/known_surface.c and known_surface4pl.c are the fused kernel.
+c_kernels/picture/known_surface.c and known_surface_rows.c are the fused kernel.
 */
 
 %!  known_surfaces(-Known:list) is det.

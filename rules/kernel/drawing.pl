@@ -47,10 +47,11 @@ Foreign predicates; see kernel.pl.
 %   @error domain_error(axes, Axes), representation_error(coordinate): one
 %          would be larger than any that v/5 takes
 
-/* - - - contour4pl.c - - - */
+/* - - - contour_rows.c - - - */
 
-%!  fill_contour(+Segments, +Theta, +Phi, +Rho, +Kind, +Smooth, +Known)
-%!      is semidet.
+%!  fill_contour(+Segments:chosen_segments, +Theta:number, +Phi:number,
+%!               +Rho:number, +Kind:projection, +Smooth:smoothness,
+%!               +Known:known_model) is semidet.
 %
 %   Replaces contour/13 and surface_turn/6 of the current world by the outlines
 %   of the smooth surfaces of Segments, `all` or a list, seen from there, and by
@@ -61,10 +62,10 @@ Foreign predicates; see kernel.pl.
 %   the model of these segments was made, whose rows have not changed since.
 %   Fails if none is kept. Inexact.
 
-/* - - - scene4pl.c - - - */
+/* - - - scene_rows.c - - - */
 
-%!  scene_open(+Segments, +Depth, +Tolerance, +Smooth, +Known, -Scene)
-%!      is semidet.
+%!  scene_open(+Segments:chosen_segments, +Depth:number, +Tolerance:number,
+%!             +Smooth:outlines, +Known:known_model, -Scene:scene) is semidet.
 %
 %   Scene is what screen/5, contour/13 and surface_turn/6 of the current world
 %   show of Segments, `all` or a list. Smooth is what contour/13 was made with,
@@ -74,7 +75,8 @@ Foreign predicates; see kernel.pl.
 %   freed with its last reference. It is for one thread at a time: what is asked
 %   of it is noted in it.
 
-%!  scene_edge(+Scene, ?S, ?E, -Length, -Look) is nondet.
+%!  scene_edge(+Scene:scene, ?S:id, ?E:int, -Length:number,
+%!             -Look:line_look) is nondet.
 %
 %   True when the real edge E of segment S stands for all edges between its
 %   vertices (PL-13 step 3), and is not the second copy of a penetration line.
@@ -83,12 +85,15 @@ Foreign predicates; see kernel.pl.
 %   look(Faces,Towards,Away,Left,Right,Bend,Edge,Solid,Cut,Inside), see role.pl.
 %   In order of S and E.
 
-%!  scene_near(+Scene, -Near) is det.
+%!  scene_near(+Scene:scene, -Near:number) is det.
 %
 %   Near, standardised, is how near a line must be to what stands in to tell of
 %   it: 1/400 of the picture's longer side.
 
-%!  occluder(+Scene, +S, +E, ?S2, ?T, -From, -To) is nondet.
+/* - - - occluder_rows.c - - - */
+
+%!  occluder(+Scene:scene, +S:id, +E:int, ?S2:id, ?T:id, -From:number,
+%!           -To:number) is nondet.
 %
 %   True when triangle T of segment S2 hides the part of edge E of segment S
 %   from From to To (0.0 at its start in the picture, 1.0 at its end), in order
@@ -101,7 +106,8 @@ Foreign predicates; see kernel.pl.
 %   @error existence_error(drawn_edge, E): scene_edge/5 does not have it
 %   @see [PL] section 6.3 step 4, row PL-13
 
-%!  overlap(+Scene, +S, +E, ?S2, ?E2, -From, -To, -From2, -To2) is nondet.
+%!  overlap(+Scene:scene, +S:id, +E:int, ?S2:id, ?E2:int, -From:number,
+%!          -To:number, -From2:number, -To2:number) is nondet.
 %
 %   True when the part of edge E of segment S from From to To lies, in the
 %   picture, on the part of edge E2 of S2 from From2 to To2. If E stands in
@@ -110,9 +116,7 @@ Foreign predicates; see kernel.pl.
 %
 %   @error existence_error(drawn_edge, E)
 
-/* - - - covers4pl.c - - - */
-
-%!  line_covers(+Scene, +S, +E, -Covers:list) is det.
+%!  line_covers(+Scene:scene, +S:id, +E:int, -Covers:list(line_cover)) is det.
 %
 %   Covers has a covers(S2, T, From, To, Behind1, Behind2) for each triangle T
 %   of S2 that hides lines and lies on edge E of S in the picture, from From to
@@ -122,9 +126,10 @@ Foreign predicates; see kernel.pl.
 %
 %   @error existence_error(drawn_edge, E)
 
-/* - - - drawn4pl.c - - - */
+/* - - - drawn_rows.c - - - */
 
-%!  fill_drawn(+Scene, +Which, +Crease, +Through:list) is det.
+%!  fill_drawn(+Scene:scene, +Which:lines, +Crease:number,
+%!             +Through:list(hide_through)) is det.
 %
 %   Replaces drawn/7 of the current world by the drawn parts of the lines Which
 %   (`all`, `feature`, `penetration`); Crease as in edge_role/5; Through are the

@@ -153,9 +153,10 @@ Foreign predicates; see kernel.pl.
 %
 %   @error existence_error(polygon, P)
 
-/* - - - known_facets4pl.c - - - */
+/* - - - known_facets_rows.c - - - */
 
-%!  known_facets(+Known, +Ss:list, -Facets:list) is det.
+%!  known_facets(+Known:list(known_segment), +Ss:set(id),
+%!               -Facets:list(known_segment)) is det.
 %
 %   Facets has known(S, Surfaces, Runs), as of known_surfaces/1, for each of the
 %   segments Ss that has polygons which are facets of surfaces, or named faces,

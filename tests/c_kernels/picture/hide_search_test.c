@@ -187,12 +187,12 @@ random_scenes(void)
 }
 
 /* The parts of a scene, drawn by a crew. */
-static sg_part *
+static sg_drawn_part *
 parts_by(const sg_mask_grid *masks, unsigned threads, size_t *n)
 {
   sg_drawing drawing = {.which = SG_LINES_ALL, .crease = 30.0};
   sg_crew *crew = threads ? sg_crew_open(threads) : NULL;
-  sg_part *part;
+  sg_drawn_part *part;
   bool memory;
 
   if (!sg_parts_of(masks, &drawing, crew, NULL, &part, n, &memory)) {
@@ -203,7 +203,7 @@ parts_by(const sg_mask_grid *masks, unsigned threads, size_t *n)
 }
 
 static bool
-same_parts(const sg_part *a, const sg_part *b, size_t n)
+same_parts(const sg_drawn_part *a, const sg_drawn_part *b, size_t n)
 {
   for (size_t i = 0; i < n; i++) {
     if (a[i].line != b[i].line || a[i].from != b[i].from ||
@@ -222,7 +222,7 @@ threads(void)
   sg_scene_model *seen;
   sg_scene *scene;
   sg_mask_grid masks;
-  sg_part *alone;
+  sg_drawn_part *alone;
   size_t n, n2;
   bool memory, same = true;
 
@@ -234,7 +234,7 @@ threads(void)
   }
   alone = parts_by(&masks, 0, &n);
   for (unsigned k = 1; k <= 5; k++) {
-    sg_part *part = parts_by(&masks, k, &n2);
+    sg_drawn_part *part = parts_by(&masks, k, &n2);
     same = same && n == n2 && same_parts(alone, part, n);
     free(part);
   }

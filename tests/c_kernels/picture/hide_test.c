@@ -259,7 +259,7 @@ finishes(model *m, int asks)
   sg_scene_model *seen;
   sg_scene *scene = model_scene(m, &poll, &seen);
   sg_mask_grid masks = {0};
-  sg_part *part = NULL;
+  sg_drawn_part *part = NULL;
   size_t n;
 
   if (scene && sg_mask_grid_init(&masks, scene, &poll, &memory)) {

@@ -12,7 +12,7 @@ typedef struct picture {
   sg_scene_model *model;
   sg_scene *scene;
   sg_mask_grid masks;
-  sg_part *part;
+  sg_drawn_part *part;
   size_t parts;
 } picture;
 
@@ -45,7 +45,7 @@ drawn_length(const picture *p, bool hidden)
   double sum = 0;
 
   for (size_t i = 0; i < p->parts; i++) {
-    const sg_part *part = &p->part[i];
+    const sg_drawn_part *part = &p->part[i];
     if (part->hidden == hidden) {
       sum += (part->to - part->from) * p->scene->scale *
              sg_line_length(p->scene, &p->scene->line[part->line]);

@@ -136,7 +136,7 @@ wrong_samples(const model *m, const picture *p, const eye *e, size_t *sure)
   size_t wrong = 0;
 
   for (size_t i = 0; i < p->parts; i++) {
-    const sg_part *part = &p->part[i];
+    const sg_drawn_part *part = &p->part[i];
     for (int k = 0; k < 3; k++) {
       double at = part->from + (part->to - part->from) * (0.12 + 0.38 * k);
       long double point[3];

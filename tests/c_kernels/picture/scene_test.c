@@ -46,7 +46,7 @@ is_part_visible(const sg_scene *scene, int32_t s, int32_t e, double from,
                 double to)
 {
   size_t line = sg_scene_find(scene, s, e), n;
-  sg_part *part;
+  sg_drawn_part *part;
   sg_mask_grid masks;
   sg_drawing all_lines = {.which = SG_LINES_ALL, .crease = 30.0};
   bool memory, visible = false;

@@ -9,7 +9,7 @@ enum { MOST = 8 };
 
 /* The parts of line 1 of a scene in which it stands in. */
 typedef struct drawn {
-  sg_part part[MOST];
+  sg_drawn_part part[MOST];
   size_t n;
 } drawn;
 
@@ -20,7 +20,7 @@ draw_first(model *m, drawn *out)
   sg_scene_model *seen;
   sg_scene *scene = model_scene(m, NULL, &seen);
   sg_mask_grid masks;
-  sg_part *part;
+  sg_drawn_part *part;
   size_t n;
   bool memory;
 
@@ -45,7 +45,7 @@ draw_first(model *m, drawn *out)
 static bool
 is_part(const drawn *d, size_t i, double from, double to)
 {
-  const sg_part *part = &d->part[i];
+  const sg_drawn_part *part = &d->part[i];
 
   return !part->hidden && fabs(part->from - from) < 1e-9 &&
          fabs(part->to - to) < 1e-9;

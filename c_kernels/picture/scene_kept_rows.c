@@ -1,9 +1,7 @@
-/* scene_kept4pl.c -- the models of scenes, kept with their world: see
- * scene4pl.h.
+/* scene_kept_rows.c -- the models of scenes, kept with their world: see
+ * scene_rows.h.
  */
-#include "scene4pl.h"
-
-#include "glue.h"
+#include "scene_rows.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -23,7 +21,7 @@ sg_kept_model_drop(sg_kept_model *kept)
   if (kept && atomic_fetch_sub(&kept->holders, 1) == 1) {
     sg_kept_smooth_drop(kept->smooth);
     sg_scene_model_close(kept->model);
-    free(kept->chosen.s);
+    free(kept->chosen.these.at);
     free(kept);
   }
 }
@@ -72,16 +70,17 @@ stamps_of(const sg_version *version, uint64_t out[SG_SCENE_STAMPS])
 }
 
 static bool
-same_chosen(const sg_chosen *a, const sg_chosen *b)
+same_chosen(const sg_chosen_segments *a, const sg_chosen_segments *b)
 {
-  return a->all == b->all && a->n == b->n &&
-         (a->n == 0 || memcmp(a->s, b->s, a->n * sizeof *a->s) == 0);
+  return a->is == b->is && a->these.n == b->these.n &&
+         (a->these.n == 0 ||
+          memcmp(a->these.at, b->these.at, a->these.n * sizeof(int32_t)) == 0);
 }
 
 /* Its place; or of the one for the same segments, whose rows have changed; or
  * of the oldest. Under the lock. */
 static int
-place_in(const model_store *store, const sg_chosen *chosen)
+place_in(const model_store *store, const sg_chosen_segments *chosen)
 {
   int i = 0;
 
@@ -103,7 +102,7 @@ put_first(model_store *store, int place, sg_kept_model *kept)
 
 /* The model, held; null: it is not kept. */
 static sg_kept_model *
-find_model(model_store *store, const sg_chosen *chosen,
+find_model(model_store *store, const sg_chosen_segments *chosen,
            const uint64_t stamp[SG_SCENE_STAMPS])
 {
   sg_kept_model *found = NULL;
@@ -134,53 +133,58 @@ keep_model(model_store *store, sg_kept_model *kept)
   pthread_mutex_unlock(&store->lock);
 }
 
-/* A new model, held; null: stopped, or no memory. */
+/* A new model, held. */
 static sg_kept_model *
-new_model(const sg_version *version, const sg_chosen *chosen,
-          const sg_known *known, const uint64_t stamp[SG_SCENE_STAMPS],
-          bool *memory)
+new_model(sg_call *call, const sg_chosen_segments *chosen,
+          const sg_known_segment_list *known,
+          const uint64_t stamp[SG_SCENE_STAMPS])
 {
-  sg_kept_model *kept = calloc(1, sizeof *kept);
-  int32_t *s = malloc((chosen->n + 1) * sizeof *s);
+  sg_scene_model *model = sg_scene_model_read(call, chosen, known);
+  size_t n = chosen->these.n;
+  sg_kept_model *kept = model ? calloc(1, sizeof *kept) : NULL;
+  int32_t *s = model ? malloc((n + 1) * sizeof *s) : NULL;
 
-  *memory = kept && s;
-  if (*memory) {
-    kept->model =
-        sg_scene_model_read(version, chosen, known, &sg_prolog_poll, memory);
-  }
-  if (!kept || !kept->model) {
+  if (!kept || !s) {
     free(kept);
     free(s);
+    if (model) {
+      sg_scene_model_close(model);
+      sg_call_no_memory(call);
+    }
     return NULL;
   }
-  for (size_t i = 0; i < chosen->n; i++) {
-    s[i] = chosen->s[i];
+  for (size_t i = 0; i < n; i++) {
+    s[i] = chosen->these.at[i];
   }
   atomic_init(&kept->holders, 1);
-  kept->chosen = (sg_chosen){chosen->all, s, chosen->n};
+  kept->chosen = (sg_chosen_segments){chosen->is, {{s, n, n}}};
+  kept->model = model;
   memcpy(kept->stamp, stamp, sizeof kept->stamp);
   return kept;
 }
 
 sg_kept_model *
-sg_kept_model_hold_ex(sg_world *world, const sg_version *version,
-                      const sg_chosen *chosen, const sg_known *known)
+sg_kept_model_hold(sg_call *call, const sg_chosen_segments *chosen,
+                   const sg_known_model *known)
 {
-  model_store *store = store_of(world);
+  const sg_version *version = sg_call_version(call);
+  model_store *store = version ? store_of(sg_call_world(call)) : NULL;
   uint64_t stamp[SG_SCENE_STAMPS];
   sg_kept_model *kept;
-  bool memory = store != NULL;
 
+  if (!store) {
+    if (version) {
+      sg_call_no_memory(call);
+    }
+    return NULL;
+  }
   stamps_of(version, stamp);
-  kept = store ? find_model(store, chosen, stamp) : NULL;
-  if (store && !kept && !known->kept) {
-    kept = new_model(version, chosen, known, stamp, &memory);
+  kept = find_model(store, chosen, stamp);
+  if (!kept && known->is != SG_KNOWN_MODEL_KEPT) {
+    kept = new_model(call, chosen, &known->segments, stamp);
     if (kept) {
       keep_model(store, kept);
     }
-  }
-  if (!memory) {
-    sg_no_memory();
   }
   return kept;
 }
