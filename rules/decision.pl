@@ -75,6 +75,8 @@ has a fixed slot in each world's table (decision4pl.c).
 decision(Decision, _) :-
     throw(error(permission_error(call, directive, decision(Decision)), _)).
 
+:- public decision_clauses/4, default_clause/3.
+
 system:term_expansion((:- decision(Decision, Doc)), Clauses) :-
     prolog_load_context(module, Module),
     predicate_property(Module:decision(_, _), imported_from(sg_decision)),

@@ -16,6 +16,8 @@ rule. Where all arguments of a mode have types, the glue is made from it
 %   export_doors: the module being loaded exports what C registered in it, if
 %   its name does not begin with $.
 
+:- public export_doors/0.
+
 export_doors :-
     prolog_load_context(module, Module),
     forall(( current_predicate(_, Module:Head),

@@ -1,6 +1,5 @@
 :- module(sg_progress,
           [ with_progress/1,            % :Goal
-            progress/2,                 % +Done, +Total
             progress_by/1               % :Goal
           ]).
 :- use_module(stage, [current_stage/1]).
@@ -9,9 +8,9 @@
 While a goal runs under with_progress/1, a second thread makes it look at the
 open stage (stage.pl) after two seconds and print where the work is: on a
 terminal one line that is written over twice a second, elsewhere plain lines
-at 2, 4, 8, ... seconds. Rules that know how far they are call progress/2;
-then the time left is shown too. Long kernels poll for signals, so they are
-seen too.
+at 2, 4, 8, ... seconds. Rules that can say how far they are call
+progress_by/1; then the time left is shown too. Long kernels poll for signals,
+so they are seen too.
 */
 
 :- meta_predicate
@@ -36,13 +35,6 @@ with_progress(Goal) :-
         )).
 with_progress(Goal) :-
     once(Goal).
-
-%!  progress(+Done, +Total) is det.
-%
-%   Of the open stage, Done of Total parts are done.
-
-progress(Done, Total) :-
-    nb_setval(sg_progress, Done/Total).
 
 %!  progress_by(:Goal) is det.
 %
@@ -85,12 +77,10 @@ look(Seconds) :-
     ;   Stage = run
     ),
     nb_getval(sg_progress, Part0),
-    (   Part0 = by(Goal)
-    ->  (   catch(call(Goal, Done, Total), error(_, _), fail)
-        ->  Part = Done/Total
-        ;   Part = none
-        )
-    ;   Part = Part0
+    (   Part0 = by(Goal),
+        catch(call(Goal, Done, Total), error(_, _), fail)
+    ->  Part = Done/Total
+    ;   Part = none
     ),
     notice(Part, Stage, Seconds, Notice),
     (   stream_property(user_error, tty(true))

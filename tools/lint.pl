@@ -1,7 +1,7 @@
-/* Finds exports of the rules without documentation, files that the map does
-   not name, undefined or useless code, tabs, lines that are too wide, and
-   programs that are not ASCII and do not say so (where the locale is C they
-   would be read otherwise). Warnings of the compiler count:
+/* Finds exports of the rules without documentation, predicates of the rules
+   that only tests reach, undefined or useless code, tabs, lines that are too
+   wide, and programs that are not ASCII and do not say so (where the locale is
+   C they would be read otherwise). Warnings of the compiler count:
 
        swipl -f none -p foreign=build --on-warning=status --on-error=status \
              tools/lint.pl
@@ -12,12 +12,14 @@
 :- use_module(library(pldoc/doc_process), [doc_comment/4]).
 :- use_module(library(check)).
 :- use_module(library(readutil)).
+:- use_module(unreached, [load_oracles/0, unreached/1]).
 
 :- prolog_load_context(directory, Tools),
    atom_concat(Tools, '/../rules/sanggwan.pl', Facade),
    load_files(user:Facade, [silent(true)]),
    atom_concat(Tools, '/../rules/command/cli.pl', Cli),
-   load_files(sg_lint_cli:Cli, [silent(true), imports([])]).
+   load_files(sg_lint_cli:Cli, [silent(true), imports([])]),
+   load_oracles.
 
 :- initialization(main, main).
 
@@ -36,7 +38,8 @@ finding(What) :-
     module_property(Module, exports(Exports)),
     sub_atom(Module, 0, _, _, sg_),
     module_property(Module, file(File)),
-    sub_atom(File, _, _, _, '/rules/'),
+    member(Folder, ['/rules/','/tests/oracle/']),
+    sub_atom(File, _, _, _, Folder),
     Module \== sg_sanggwan,
     member(Name/Arity, Exports),
     functor(Head, Name, Arity),
@@ -44,6 +47,9 @@ finding(What) :-
     \+ documented(Module, Name, Arity),
     format(atom(What), '~w: ~w/~w is exported without documentation',
            [File, Name, Arity]).
+finding(What) :-
+    unreached(PI),
+    format(atom(What), '~q: nothing that a user can do runs it', [PI]).
 finding(What) :-
     member(Pattern, ['rules/*.pl', 'rules/*/*.pl',
                      'facts/*.pl', 'facts/*/*.pl',

@@ -168,20 +168,6 @@ sg_door_work_delete(sg_call *call, sg_work *work, int32_t e)
 }
 
 bool
-sg_door_work_split(sg_call *call, sg_work *work, int32_t e, int32_t v,
-                   int32_t *e1, int32_t *e2)
-{
-  int32_t vertex;
-
-  if (!has_edge(call, work, e) || !sg_work_known(call, work, v, &vertex)) {
-    return false;
-  }
-  *e1 = sg_work_split(work, e, vertex);
-  *e2 = *e1 + 1;
-  return *e1 || sg_call_no_memory(call);
-}
-
-bool
 sg_door_work_resolve(sg_call *call, sg_work *work, double reach)
 {
   return sg_work_resolve(work, reach) || sg_call_no_memory(call);
@@ -197,20 +183,5 @@ sg_door_work_gap(sg_call *call, sg_work *work, int32_t *v)
     return false;
   }
   *v = sg_work_id(work, gap);
-  return true;
-}
-
-bool
-sg_door_work_turn(sg_call *call, sg_work *work, int32_t v1, int32_t v2,
-                  int32_t v3, int32_t *turn)
-{
-  int32_t v[3];
-
-  if (!sg_work_known(call, work, v1, &v[0]) ||
-      !sg_work_known(call, work, v2, &v[1]) ||
-      !sg_work_known(call, work, v3, &v[2])) {
-    return false;
-  }
-  *turn = sg_work_turn(work, v[0], v[1], v[2]);
   return true;
 }

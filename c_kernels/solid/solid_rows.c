@@ -77,17 +77,6 @@ sg_door_solid_move(sg_call *call, sg_solid *solid,
 /* ---- what is in it ---- */
 
 bool
-sg_door_solid_counts(sg_call *call, sg_solid *solid, size_t *vertices,
-                     size_t *faces, size_t *triangles)
-{
-  (void)call;
-  *vertices = solid->vertices;
-  *faces = solid->faces;
-  *triangles = solid->triangles;
-  return true;
-}
-
-bool
 sg_door_solid_is_closed(sg_call *call, sg_solid *solid)
 {
   bool alone = solid->closed || solid->triangles < MANY;

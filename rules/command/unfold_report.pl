@@ -1,7 +1,7 @@
 :- encoding(utf8).
 :- module(sg_unfold_report,
           [ unfold_report/2,            % +Ds, +Options
-            pattern_measures/2          % +D, -Measures
+            pattern_measures/3          % +Parts, +D, -Measures
           ]).
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../development/development_record', [development_measures/2]).
@@ -30,7 +30,7 @@
 
 unfold_report(Ds, Options) :-
     census(Parts),
-    maplist(measured(Parts), Ds, All0),
+    maplist(pattern_measures(Parts), Ds, All0),
     (   option(thickness(T), Options),
         T > 0
     ->  maplist(measured_again, All0, All)
@@ -52,9 +52,9 @@ measured_again(M0, M) :-
     M = M0.put(_{pattern_area:Area, seam:Seam, longest:Longest, bound:null,
                   bound_by:null}).
 
-%!  pattern_measures(+D, -Measures:dict) is det.
+%!  pattern_measures(+Parts, +D, -Measures:dict) is det.
 %
-%   Measures of pattern D:
+%   Measures of pattern D, with Parts of census/1:
 %
 %     - segment, name      what was to be unfolded
 %     - part               that, or what was trimmed of it
@@ -71,11 +71,7 @@ measured_again(M0, M) :-
 %
 %   Lengths and areas are in model units.
 
-pattern_measures(D, Measures) :-
-    census(Parts),
-    measured(Parts, D, Measures).
-
-measured(Parts, D, Measures) :-
+pattern_measures(Parts, D, Measures) :-
     pattern_of(D, T),
     part_named(T, S),
     segment_title(S, Title),

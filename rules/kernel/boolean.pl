@@ -105,17 +105,11 @@ Foreign predicates; see kernel.pl.
 %   rounding turned one over. Fails if a coordinate is larger than v/5 takes;
 %   Solid is then good for nothing.
 
-%!  solid_counts(+Solid:solid, -Vertices:count, -Faces:count,
-%!               -Triangles:count) is det.
-%
-%   How many Solid has.
-%
-%   @error type_error(solid, Solid)
-%   @error existence_error(solid, Solid): closed
-
 %!  solid_close(+Solid:solid) is det.
 %
 %   Frees what Solid holds; it cannot be used any more.
+%
+%   @error type_error(solid, Solid), existence_error(solid, Solid): closed
 
 %!  solid_is_closed(+Solid:solid) is semidet.
 %

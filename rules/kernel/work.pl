@@ -34,11 +34,6 @@ Foreign predicates; see kernel.pl.
 %
 %   @error existence_error(work_edge, E)
 
-%!  work_split(+Work:work, +E:id, +V:id, -E1:id, -E2:id) is det.
-%
-%   Replaces E by its pieces to and from V, which lies on it; they keep its Et
-%   and label.
-
 %!  work_resolve(+Work:work, +Reach:number) is det.
 %
 %   Makes what touches exactly meet in one vertex: vertices in one place become
@@ -50,10 +45,6 @@ Foreign predicates; see kernel.pl.
 %!  work_gap(+Work:work, -V:id) is semidet.
 %
 %   True when the polygon does not close at vertex V, the first such.
-
-%!  work_turn(+Work:work, +V1:id, +V2:id, +V3:id, -Turn:int) is det.
-%
-%   Turn is 1 if V1, V2, V3 turn left seen from outside, -1 right, 0 neither.
 
 /* - - - work_join_rows.c - - - */
 

@@ -5,8 +5,7 @@
             is_primitive/1,             % @Term
             primitive_shape/4,          % +Term, -Kind, -Points, -Chains
             primitive_faces/3,          % +Term, -Whats, -Surfaces
-            primitive_parts/3,          % +Term, -Parts, -Surfaces
-            moved_surfaces/3            % +Motions, +Surfaces0, -Surfaces
+            primitive_parts/3           % +Term, -Parts, -Surfaces
           ]).
 :- use_module(bezier, [bezier_shape/2]).
 :- use_module(placing,
@@ -481,12 +480,7 @@ alike(Rest, _, N, N, Rest).
 range_width(From-To, Width) :-
     Width is abs(To-From).
 
-%!  moved_surfaces(+Motions, +Surfaces0, -Surfaces) is det.
-%
-%   Surfaces0, Part-Surface, moved.
-
-moved_surfaces(Motions, Surfaces0, Surfaces) :-
-    maplist(moved_surface(Motions), Surfaces0, Surfaces).
+%   moved_surface(Motions, Part-Surface0, Part-Surface): moved.
 
 moved_surface(Motions, Part-Surface0, Part-Surface) :-
     (   Surface0 = turned(Inner0)

@@ -1,6 +1,5 @@
 :- module(sg_primitive_argument,
           [ given_values/4,             % +Given, +Wanted, +Term, -Values
-            argument_type/1,            % ?Type
             finite_number/2,            % +Value, -Float
             given/3,                    % +Given, +Name, -Value
             given_one/3,                % +Given, +Names, -NameValue
@@ -19,7 +18,7 @@ The table of primitives (primitive.pl) lists for each what it takes:
     argument(Name, Forms, Default)
 
 Forms are the possible lists of types of its numbers; Default is `needed`,
-`none`, or a list of values. Types are listed by argument_type/1. A maker gets
+`none`, or a list of values. argument_number/4 has the types. A maker gets
 
     given(Term, Stretch, Values)
 
@@ -86,13 +85,6 @@ numbers_of([], [], _, []).
 numbers_of([Type|Types], [Value|Values], Where, [Number|Numbers]) :-
     argument_number(Type, Value, Where, Number),
     numbers_of(Types, Values, Where, Numbers).
-
-%!  argument_type(?Type) is nondet.
-%
-%   True when the value of an argument may be of Type.
-
-argument_type(Type) :-
-    clause(argument_number(Type, _, _, _), _).
 
 argument_number(facets, N, _, N) :-
     integer(N),

@@ -1,9 +1,11 @@
 :- module(sg_oracle_solid_rows,
-          [ solid_written_by_rule/2     % +Solid, +S
+          [ solid_written_by_rule/2,    % +Solid, +S
+            solid_counts/4              % +Solid, -Vertices, -Faces, -Triangles
           ]).
 :- use_module('../../rules/kernel',
               [solid_vertices/2, solid_faces/2, solid_parts/2]).
 :- use_module('../../rules/store', [assert_fact/1]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, foldl/5]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists),
@@ -12,6 +14,18 @@
 
 @see c_kernels/solid/solid.h
 */
+
+%!  solid_counts(+Solid, -Vertices, -Faces, -Triangles) is det.
+%
+%   How many Solid has.
+
+solid_counts(Solid, Vertices, Faces, Triangles) :-
+    solid_vertices(Solid, Vs),
+    solid_faces(Solid, Fs),
+    length(Vs, Vertices),
+    length(Fs, Faces),
+    aggregate_all(count, ( member(face(_, _, _, Ts), Fs), member(_, Ts) ),
+                  Triangles).
 
 %!  solid_written_by_rule(+Solid, +S) is det.
 %

@@ -55,7 +55,7 @@ static void
 changes(sg_work *work)
 {
   sg_work_meeting_rows met = {0};
-  int32_t e, e1, e2, v, turn;
+  int32_t e, v;
 
   CHECK("vertex 9", !sg_door_work_add(&call, work, 1, 9, 0, 0, &e) &&
                         is_missing("work_vertex", 9));
@@ -63,16 +63,14 @@ changes(sg_work *work)
                       call.refusal.how == SG_REFUSED_DOMAIN &&
                       call.refusal.argument == 3);
   call.refusal = (sg_refusal){0};
-  CHECK("turn", sg_door_work_turn(&call, work, 1, 3, 4, &turn) && turn == 1);
   CHECK("meeting", sg_door_work_meeting(&call, work, 1, 4, &met));
   CHECK("the diagonal meets no edge", met.n == 0);
   CHECK("meeting", sg_door_work_meeting(&call, work, 1, 3, &met));
   CHECK("the edge itself",
         met.n == 1 && met.at[0].how == SG_CONTAINED && met.at[0].inside.n == 0);
-  CHECK("split", sg_door_work_split(&call, work, 1, 4, &e1, &e2) && e2 == 6);
+  CHECK("delete", sg_door_work_delete(&call, work, 1));
   CHECK("edge 1", !sg_door_work_delete(&call, work, 1));
   call.refusal = (sg_refusal){0};
-  CHECK("delete", sg_door_work_delete(&call, work, e1));
   CHECK("a gap", sg_door_work_gap(&call, work, &v) && v == 1);
 }
 

@@ -87,17 +87,10 @@ test(add_unknown, error(existence_error(work_vertex, 99))) :-
     in_work(W, work_add(W, 3, 99, 1, 0, _)).
 test(add_type, error(domain_error(edge_type, 2))) :-
     in_work(W, work_add(W, 1, 3, 2, 0, _)).
-test(split, true(X-Y == e(1,5,1)-e(5,2,1))) :-
-    in_work(W, ( work_split(W, 1, 5, E1, E2),
-                 work_edge(W, E1, A, B, _, L), X = e(A,B,L),
-                 work_edge(W, E2, C, D, _, M), Y = e(C,D,M) )).
 test(gap, true(V == 2)) :-
     in_work(W, ( work_delete(W, 2), work_gap(W, V) )).
 test(no_gap, fail) :-
     in_work(W, work_gap(W, _)).
-test(turn, true([A,B,C] == [1,-1,0])) :-
-    in_work(W, ( work_turn(W, 1, 2, 3, A), work_turn(W, 1, 3, 2, B),
-                 work_turn(W, 1, 2, 1, C) )).
 
 test(meeting_only_ends, true(Met == [1-contained])) :-
     in_work(W, findall(E-How, work_meeting(W, 1, 2, E, How, _), Met)).

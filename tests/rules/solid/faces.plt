@@ -10,6 +10,7 @@
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation)).
+:- use_module(tests('oracle/solid_rows'), [solid_counts/4]).
 :- use_module(tests('rules/boolean_case'), [measured/2]).
 
 %   merged(+Terms, +Expression, +Options, -Counts): of solids 1, 2, ..., Counts

@@ -10,7 +10,7 @@
 :- use_module(rules(unfolding/unfold)).
 :- use_module(rules(message/unfold_en)).
 :- use_module(rules(message/unfold_ko)).
-:- use_module(rules(command/unfold_report)).
+:- use_module(tests('rules/pattern_measured')).
 
 % From parts of a model to their patterns: wishes, trimming, edges that attach
 % in parts, penetration lines.
@@ -263,7 +263,7 @@ test(pattern_itself, error(geometry_error(unfold(kind(2, pattern))))) :-
 % The report.
 test(measures, [P,K,W,H] == [6,1,4.0,3.0]) :-
     with_parts([box(size(1, 1, 1))],
-               ( unfold(1, D), pattern_measures(D, M),
+               ( unfold(1, D), pattern_measured(D, M),
                  forall(member(Key-Value, [ seam-7, bound-7, area-6,
                                             pattern_area-6 ]),
                         ( get_dict(Key, M, Measure), near(Measure, Value) )),
@@ -272,7 +272,7 @@ test(measures, [P,K,W,H] == [6,1,4.0,3.0]) :-
                          [P,K,W,H]) )).
 test(measures_removed, R == 2) :-
     with_parts([box(size(1, 1, 1))],
-               ( unfold(1, [removed([base,top])], D), pattern_measures(D, M),
+               ( unfold(1, [removed([base,top])], D), pattern_measured(D, M),
                  get_dict(pattern_area, M, Area), near(Area, 4),
                  get_dict(removed, M, R) )).
 

@@ -12,7 +12,7 @@
 :- use_module(rules(polygon/triangulation)).
 :- use_module(rules(solid/trimmed)).
 :- use_module(rules(unfolding/unfold)).
-:- use_module(rules(command/unfold_report)).
+:- use_module(tests('rules/pattern_measured')).
 :- use_module(tests('rules/pattern_checked')).
 
 /* Parts that go through each other anyhow, each trimmed by the others and laid
@@ -146,7 +146,7 @@ patterns_written(Name, Side, Out) :-
 
 one_written(Name, T, Out) :-
     unfold(T, D),
-    pattern_measures(D, M),
+    pattern_measured(D, M),
     get_dict(seam, M, Seam),
     get_dict(pieces, M, Pieces),
     format(atom(Title), '~w-~d', [Name,T]),
@@ -220,7 +220,7 @@ mesh_written(Name, Out) :-
     mesh_laid(Name, test_unfold_checked:laid_written(Name, Out)).
 
 laid_written(Name, Out, D) :-
-    pattern_measures(D, M),
+    pattern_measured(D, M),
     write_pattern(Out, Name, D, [reported(M.seam,M.pieces)]).
 
 :- begin_tests(unfold_checked).

@@ -13,7 +13,7 @@ true_plate.pl,
 :- use_module(rules(unrolling/true_plate)).
 :- use_module(rules(unrolling/true_table)).
 :- use_module(rules(unfolding/unfold)).
-:- use_module(rules(command/unfold_report)).
+:- use_module(tests('rules/pattern_measured')).
 :- use_module(rules(unfolding/unfold_true)).
 :- use_module(rules(unfolding/unfold_wish)).
 :- use_module(tests('rules/sample')).
@@ -178,7 +178,7 @@ test(hole_over_a_ridge,
              ( forall(p(D, P, _), once(plane(D, P, _, _, _, _))),
                findall(Y, ridge_corner(D, Y), Ys),
                pattern_area(D, Area),
-               pattern_measures(D, Measures) )),
+               pattern_measured(D, Measures) )),
     Slant is sqrt(60*60 + 50*50)/60,
     Exact is 120*120*(1+Slant) + 2*60*50 - pi*18*18*Slant,
     near(Area, Exact, 1.0e-6),
@@ -298,7 +298,7 @@ test(steps_past_a_hole) :-
 test(named) :-
     duct(Terms),
     patterns(Terms, 2, [thickness(2),size(outside)], [D|_],
-             pattern_measures(D, M)),
+             pattern_measured(D, M)),
     _{segment:2, seam:Seam, longest:Longest} :< M,
     near(Seam, 60, 1.0e-6),
     near(Longest, Seam).
