@@ -2,6 +2,7 @@
  * functions of the doors, without Prolog.
  */
 #include "doors/penetration.h"
+#include "doors/work.h"
 #include "doors/world.h"
 #include "penetration/cut_rows.h"
 
@@ -10,7 +11,7 @@
 
 #include <string.h>
 
-enum { FIRST = 1, SECOND = 2 };
+enum { FIRST = 1, SECOND = 2, THIRD = 3 };
 
 static sg_call call;
 
@@ -66,6 +67,82 @@ lines(sg_cut_handle *set)
   CHECK("from 1", facts.n == chains.at[0].polygons.n && facts.at[0].l == 1);
 }
 
+/* Six polygons enter and are written; only their own rows change. */
+static void
+writes(sg_world *world, sg_cut_handle *set)
+{
+  sg_segment_polygon_list polygons = {0};
+  sg_work_list works = {0}, more = {0};
+  sg_entering_piece_list pieces = {0};
+  sg_vertex_fact_list vertices = {0};
+  int32_t x;
+
+  CHECK("polygons", sg_door_cut_polygons(&call, set, &polygons));
+  CHECK("queue", sg_door_cut_queue(&call, set, &polygons));
+  CHECK("enter", sg_door_cut_enter_queued(&call, set, &works));
+  CHECK("all are free", works.n == polygons.n && polygons.n > 0);
+  CHECK("no more", sg_door_cut_enter_queued(&call, set, &more) && more.n == 0);
+  CHECK("nothing was divided", !sg_door_cut_was_divided(&call, set));
+  CHECK("entering", sg_door_cut_entering(&call, set, polygons.at[0].s,
+                                         polygons.at[0].p, &pieces));
+  CHECK("pieces", pieces.n > 0);
+  CHECK("nothing between",
+        !sg_door_cut_between(&call, set, works.at[0], polygons.at[0].s,
+                             pieces.at[0].v1, pieces.at[0].v2, &x));
+  CHECK("is no error", call.refusal.how == SG_REFUSED_NOTHING);
+  CHECK("vertices", sg_door_cut_vertices(&call, set, &vertices));
+  for (size_t i = 0; i < vertices.n; i++) {
+    const sg_vertex_fact *v = &vertices.at[i];
+    const sg_value row[SG_MAX_COLUMNS] = {
+        {.i = v->s}, {.i = v->v}, {.f = v->x}, {.f = v->y}, {.f = v->z}};
+
+    CHECK("vertex", sg_call_add_row(&call, world, SG_V, row));
+  }
+  for (size_t i = 0; i < works.n; i++) {
+    CHECK("write", sg_door_cut_write(&call, set, polygons.at[i].s,
+                                     polygons.at[i].p, works.at[i]));
+    sg_work_close(works.at[i]);
+  }
+  const sg_version *version = sg_world_version(world);
+
+  CHECK("twelve polygons", sg_version_count(version, SG_P) == 12);
+  CHECK("more edges", sg_version_count(version, SG_E) > 48);
+  CHECK("more triangles", sg_version_count(version, SG_T) > 24);
+  CHECK("with origins", sg_version_count(version, SG_ORIGIN) > 0);
+  sg_version_drop(version);
+}
+
+/* What touches but for rounding: a cube on a cube. */
+static void
+touches(sg_world *world)
+{
+  sg_id_pair both[] = {{FIRST, THIRD}};
+  const sg_id_pair_list list = {both, 1, 1};
+  sg_cut_handle *set = NULL;
+  sg_resolution what;
+  sg_touch_moves moves;
+  sg_vertex_fact_list vertices = {0};
+  sg_resolved_fact_list polygons = {0};
+
+  CHECK("a third", add_cube_moved(world, THIRD, 0, -1 - 1e-9));
+  CHECK("open", sg_door_cut_set_open(&call, &list, &set));
+  CHECK("no reach", !sg_door_cut_touch(&call, set, 0, &what, &moves));
+  CHECK("is refused",
+        call.refusal.how == SG_REFUSED_DOMAIN && call.refusal.argument == 2);
+  call.refusal = (sg_refusal){0};
+  CHECK("resolve",
+        sg_door_cut_resolve(&call, set, 1e-6, &what, &vertices, &polygons));
+  CHECK("one vertex each", what.is == SG_RESOLUTION_CHANGED && vertices.n > 0 &&
+                               vertices.at[0].origin);
+  CHECK("touch", sg_door_cut_touch(&call, set, 1e-6, &what, &moves));
+  CHECK("changed", what.is == SG_RESOLUTION_CHANGED);
+  CHECK("tight: a gap that no source explains is closed",
+        moves.is == SG_TOUCH_MOVES_MOVE &&
+            moves.move.how == SG_TOUCH_MOVE_HOW_TIGHT &&
+            moves.move.s.s1 == FIRST && moves.move.s.s2 == THIRD);
+  sg_cut_set_let_go(set);
+}
+
 static void
 leaves(sg_world *world)
 {
@@ -96,13 +173,18 @@ main(void)
   call.world = world;
   CHECK("two cubes", world && add_cube(world, FIRST) &&
                          add_cube_moved(world, SECOND, 0, 0.5));
+  CHECK("planes", sg_door_fill_triangles(
+                      &call, &(sg_segments_asked){.is = SG_SEGMENTS_ASKED_ALL},
+                      &(sg_fault_fact_list){0}));
   CHECK("open", sg_door_cut_set_open(&call, &list, &set));
   sg_cut_set_keep(set);
   sg_cut_set_let_go(set); /* as when its handle is closed */
   pairs(set);
-  lines(set);
-  sg_cut_set_let_go(set);
   leaves(world);
+  lines(set);
+  writes(world, set);
+  sg_cut_set_let_go(set);
+  touches(world);
   sg_call_close(&call);
   sg_world_let_go(world);
   return check_report();
