@@ -3,6 +3,7 @@
           [ located//1,                 % +Context
             endless_goal/2,             % +Context, -Goal
             counted//3,                 % +N, +One, +Many
+            near_predicates/2,          % +PI, -Near
             meant_en//1,                % +Near
             meant_ko//1,                % +Near
             shown_count/2,              % +Count, -Shown
@@ -12,9 +13,10 @@
             loading_warnings/2,         % +Term, -Whats
             manual_page//1              % +PI
           ]).
-:- use_module(library(apply), [convlist/3]).
+:- use_module(library(apply), [convlist/3, maplist/3]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(uri), [uri_encoded/3]).
+:- use_module('../spelling', [near_words/3]).
 :- meta_predicate loading_fault(4, +, ?, ?).
 /** <module> Parts of messages that are the same in every language, or have none
 of their own.
@@ -73,15 +75,40 @@ meant_en([]) -->
     !,
     [].
 meant_en(Near) -->
-    { atomic_list_concat(Near, ' or ', Words) },
+    { maplist(near_text, Near, Atoms),
+      atomic_list_concat(Atoms, ' or ', Words)
+    },
     [ nl, '  Did you mean ~w?'-[Words] ].
 
 meant_ko([]) -->
     !,
     [].
 meant_ko(Near) -->
-    { atomic_list_concat(Near, ', ', Words) },
+    { maplist(near_text, Near, Atoms),
+      atomic_list_concat(Atoms, ', ', Words)
+    },
     [ nl, '  혹시 ~w 입니까?'-[Words] ].
+
+near_text(Near, Text) :-
+    format(atom(Text), '~w', [Near]).
+
+%!  near_predicates(+PI, -Near:list) is det.
+%
+%   Near are the exports of the facade, Name/Arity, whose name is near to that of
+%   PI, near_words/3.
+
+near_predicates(PI, Near) :-
+    strip_module(PI, _, Word/_),
+    module_property(sanggwan, exports(Exports)),
+    findall(Name, member(Name/_, Exports), Names0),
+    sort(Names0, Names),
+    near_words(Word, Names, Words),
+    findall(Name/Arity,
+            ( member(Name, Words), member(Name/Arity, Exports) ),
+            Near0),
+    sort(Near0, Near),
+    !.
+near_predicates(_, []).
 
 %!  shown_value(+Value, -Shown) is det.
 %

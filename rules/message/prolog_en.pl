@@ -1,7 +1,7 @@
 :- module(sg_prolog_en,
           [ prolog_en//2                % +Formal, +Context
           ]).
-:- use_module(message_parts, [endless_goal/2]).
+:- use_module(message_parts, [endless_goal/2, near_predicates/2, meant_en//1]).
 /** <module> Errors of Prolog that people meet, in English.
 
 prolog_ko.pl has the same heads in Korean. Only what the program itself and a
@@ -30,8 +30,10 @@ prolog_en(io_error(Action, _), context(_, Why)) -->
     [ 'a file or a stream failed: ~w (~w)'-[Action, Why], nl,
       '  Check the disk, and who reads what is written.' ].
 prolog_en(existence_error(procedure, PI), _) -->
-    [ 'there is no predicate ~q'-[PI], nl,
-      '  The goal help. lists what there is.' ].
+    { near_predicates(PI, Near) },
+    [ 'there is no predicate ~q'-[PI] ],
+    meant_en(Near),
+    [ nl, '  The goal help. lists what there is.' ].
 prolog_en(existence_error(Kind, What), _) -->
     { Kind \== procedure },
     [ 'there is no ~w ~p'-[Kind, What] ].

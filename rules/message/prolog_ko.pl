@@ -2,7 +2,7 @@
 :- module(sg_prolog_ko,
           [ prolog_ko//2                % +Formal, +Context
           ]).
-:- use_module(message_parts, [endless_goal/2]).
+:- use_module(message_parts, [endless_goal/2, near_predicates/2, meant_ko//1]).
 /** <module> Errors of Prolog that people meet, in Korean.
 
 prolog_en.pl has the same heads in English.
@@ -28,8 +28,10 @@ prolog_ko(io_error(Action, _), context(_, Why)) -->
     [ '파일이나 스트림에 잘못이 있습니다: ~w (~w)'-[Action, Why], nl,
       '  디스크와, 쓴 것을 읽는 쪽을 확인하십시오.' ].
 prolog_ko(existence_error(procedure, PI), _) -->
-    [ '프레디킷 ~q 이(가) 없습니다'-[PI], nl,
-      '  목표 help. 가 있는 것을 보여 줍니다.' ].
+    { near_predicates(PI, Near) },
+    [ '프레디킷 ~q 이(가) 없습니다'-[PI] ],
+    meant_ko(Near),
+    [ nl, '  목표 help. 가 있는 것을 보여 줍니다.' ].
 prolog_ko(existence_error(Kind, What), _) -->
     { Kind \== procedure },
     [ '~w ~p 이(가) 없습니다'-[Kind, What] ].
