@@ -101,32 +101,6 @@ get_row_ex(term_t name, term_t row_term, sg_relation *relation, sg_row *row)
   return TRUE;
 }
 
-/* row_value(+Relation, +Row, +Position, ?Value) is semidet. */
-static foreign_t
-row_value(term_t name, term_t row_term, term_t position, term_t value)
-{
-  sg_world *world = sg_edited_world_ex();
-  const sg_version *version;
-  sg_relation relation;
-  sg_row row;
-  int c;
-  int done;
-
-  if (!world || !get_row_ex(name, row_term, &relation, &row) ||
-      !PL_get_integer_ex(position, &c)) {
-    return FALSE;
-  }
-  if (c < 0 || c >= (int)sg_relation_table[relation].arity) {
-    return PL_domain_error("column_position", position);
-  }
-  version = sg_world_version(world);
-  done = sg_version_live(version, relation, row) &&
-         sg_unify_value(value, sg_relation_table[relation].column[c].type,
-                        sg_version_value(version, relation, row, (unsigned)c));
-  sg_version_drop(version);
-  return done;
-}
-
 /* '$retract_row'(+Relation, +Row, +Cascade) is semidet. */
 static foreign_t
 retract_row(term_t name, term_t row_term, term_t cascade_term)
@@ -151,7 +125,6 @@ static const PL_extension predicates[] = {
     {"assert_fact", 1, assert_fact, 0},
     {"assert_after", 1, assert_after, 0},
     {"assert_fact", 2, assert_fact_row, 0},
-    {"row_value", 4, row_value, 0},
     {"$retract_row", 3, retract_row, 0},
     {NULL, 0, NULL, 0},
 };

@@ -18,8 +18,7 @@ module that has it.
 :- reexport(csg/csg, [root_segment/1, operand_segment/2, node/4]).
 :- reexport(exact, [vertex_exact/5]).
 :- reexport(store,
-            [ edge_polygon/3, vertex_triangle/3, relation/3,
-              relation_column/5 ]).
+            [edge_polygon/3, relation/3, relation_column/5]).
 :- reexport(model/measures, [volume/2, area/2, bounding_box/3]).
 :- reexport(penetration/penetration, [touches/2]).
 :- reexport(solid/inside, [inside/2, winding/3]).
@@ -36,22 +35,22 @@ module that has it.
 :- reexport(model/model,
             [ load_model/1, load_model/2, save_model/1, save_model/2 ]).
 :- reexport(model/openscad, [read_csg/2]).
+:- reexport(model/mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(command/verbs, [convert/2]).
 :- reexport(store,
             [ assert_fact/1, assert_fact/2, retract_fact/1, retract_fact/2,
               retractall_facts/1, fresh_id/3, facts_transaction/1,
-              facts_snapshot/1, facts_undo/0, facts_redo/0, new_world/1,
+              facts_snapshot/1, facts_undo/0, facts_redo/0,
+              facts_undo_limit/1, new_world/1,
               current_world/1, set_world/1, in_world/2 ]).
 :- reexport(primitive/primitive_rows, [add_primitive/2]).
-:- reexport(primitive/primitive, [primitive/1]).
-:- reexport(polygon/triangulation, [complete_segments/0]).
 :- reexport(limits, [set_limit/2, limit_value/2]).
 
 :- topic(cutting, "Cutting: penetration lines").
 :- reexport(penetration/penetration,
             [ penetrate/0, penetrate/1, penetrate/2, penetration_chains/1 ]).
 :- reexport(penetration/chain, [chain/5, chain_length/2, chain_points/2]).
-:- reexport(command/lines_out, [write_lines/2]).
+:- reexport(command/lines_out, [write_lines/1, write_lines/2]).
 
 :- topic(combining, "Combining solids").
 :- reexport(solid/boolean, [boolean/2, boolean/3]).
@@ -70,7 +69,6 @@ module that has it.
             [ picture/0, picture/1, hidden_by/6, hidden_by_polygon/6 ]).
 :- reexport(command/verbs, [draw/1, draw/2]).
 :- reexport(drawing/terminal, [show/0, show/1]).
-:- reexport(drawing/drawing, [write_drawing/2]).
 :- reexport(picture/view,
             [ set_view/1, set_view/3, set_direction/3, set_projection/1,
               current_view/4 ]).
@@ -83,7 +81,8 @@ module that has it.
 :- reexport(unrolling/true_development,
             [ true_development/4, developable_part/3 ]).
 :- reexport(unrolling/true_table,
-            [ write_true_lengths/2, write_true_lengths/3, true_length_rows/2 ]).
+            [ write_true_lengths/2, write_true_lengths/3, true_length_rows/2,
+              generator_mark/4 ]).
 :- reexport(development/bend, [pattern_bent/2]).
 
 :- topic(explaining, "Explaining").

@@ -35,8 +35,6 @@
             edge_polygon/3,           % ?S, ?E, ?P
             vertex_triangle/3,        % ?S, ?V, ?T
             fact_row/2,               % ?Fact, ?Row
-            row_value/4,              % +Relation, +Row, +Position, ?Value
-            retract_row/2,            % +Relation, +Row
             facts_transaction/1,      % :Goal
             facts_transaction/2,      % :Goal, +Options
             facts_snapshot/1,         % :Goal
@@ -54,7 +52,6 @@
             relation/3,               % ?Name, ?Arity, ?Doc
             relation_column/5,        % ?Relation, ?Position, ?Column, ?Type,
                                       % ?Refers
-            relation_key/2,           % ?Relation, -Positions
             column_doc/3,             % ?Relation, ?Position, ?Doc
             column_domain/3,          % ?Relation, ?Position, -Values
             facts_statistics/2        % ?Relation, -Statistics
@@ -312,18 +309,6 @@ cascade(Options, Cascade) :-
 %   True when Fact is row number Row of its relation, whose name must be
 %   given. A row keeps its number as long as it is there.
 
-%!  row_value(+Relation, +Row:integer, +Position:integer, ?Value) is semidet.
-%
-%   True when Value is in the column at Position (from 0) of the row.
-%   Relation is a name or Name/Arity.
-
-%!  retract_row(+Relation, +Row:integer) is semidet.
-%
-%   Retracts the row, as retract_fact/1 does; fails when it is not there.
-
-retract_row(Relation, Row) :-
-    '$retract_row'(Relation, Row, false).
-
 %!  edge_polygon(?S, ?E, ?P) is nondet.
 %
 %   True when edge E is in polygon P of segment S. Given S and E it is found
@@ -518,21 +503,6 @@ column_domain(Relation, Position, Values) :-
 domain_value(String, Value) :-
     term_string(Value, String).
 
-%!  relation_key(?Relation, -Positions:list(integer)) is nondet.
-%
-%   True when the columns at Positions together name a row of Relation: no two
-%   rows have the same. Positions is never empty.
-
-relation_key(Relation, Positions) :-
-    relation_number(_, Relation, Arity, Mask, _),
-    Mask > 0,
-    Last is Arity-1,
-    findall(Position,
-            (   between(0, Last, Position),
-                Mask /\ (1<<Position) =\= 0
-            ),
-            Positions).
-
 column(Relation, Position, Column, Type, Refers, Domain, Doc) :-
     relation_number(Number, Relation, Arity, _, _),
     Last is Arity-1,
@@ -588,14 +558,12 @@ sandbox:safe_primitive(sg_store:drawn(_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:edge_polygon(_,_,_)).
 sandbox:safe_primitive(sg_store:vertex_triangle(_,_,_)).
 sandbox:safe_primitive(sg_store:fact_row(_,_)).
-sandbox:safe_primitive(sg_store:row_value(_,_,_,_)).
 sandbox:safe_primitive(sg_store:current_world(_)).
 sandbox:safe_primitive(sg_store:segment_stamp(_,_)).
 sandbox:safe_primitive(sg_store:segment_stamps(_,_)).
 sandbox:safe_primitive(sg_store:segments_key(_,_)).
 sandbox:safe_primitive(sg_store:relation(_,_,_)).
 sandbox:safe_primitive(sg_store:relation_column(_,_,_,_,_)).
-sandbox:safe_primitive(sg_store:relation_key(_,_)).
 sandbox:safe_primitive(sg_store:column_doc(_,_,_)).
 sandbox:safe_primitive(sg_store:column_domain(_,_,_)).
 sandbox:safe_primitive(sg_store:facts_statistics(_,_)).

@@ -21,8 +21,6 @@ example(vertex_exact/5, 'facts/two_cubes.pl', "vertex_exact(2, 1, X, Y, Z).",
         "X = 225179981368525r2251799813685248, Y = _, Z = _").
 example(edge_polygon/3, 'facts/two_cubes.pl',
         "edge_polygon(1, 1, P).", "P = 1").
-example(vertex_triangle/3, 'facts/two_cubes.pl',
-        "vertex_triangle(1, 1, T), t(1, P, T, _, _, _).", "T = 2, P = 1").
 example(volume/2, 'facts/two_cubes.pl', "volume(1, V).", "V = 8.0").
 example(area/2, 'facts/two_cubes.pl', "area(1, A).", "A = 24.0").
 example(bounding_box/3, 'facts/two_cubes.pl', "bounding_box(1, Low, High).",
@@ -81,6 +79,15 @@ example(read_csg/2, none,
         "open('m.csg', write, Out), write(Out, 'cube(size=[1,2,3]);'), \c
          close(Out), read_csg('m.csg', Term).",
         "Out = _, Term = at(_, box(size(1,2,3)))").
+example(read_mesh/2, none,
+        "convert('facts/cube.pl', 'c.off'), \c
+         read_mesh('c.off', Ss).", "Ss = [1]").
+example(read_mesh/3, none,
+        "convert('facts/cube.pl', 'c.off'), \c
+         read_mesh('c.off', Ss, [join(false)]).", "Ss = [1]").
+example(write_mesh/2, 'facts/cube.pl', "write_mesh('cube.ply', all).", "true").
+example(write_mesh/3, 'facts/cube.pl', "write_mesh('cube.stl', [1], []).",
+        "true").
 example(convert/2, none, "convert('facts/cube.pl', 'cube.stl').", "true").
 example(assert_fact/1, none,
         "assert_fact(segment(1, curve, wire)), segment(S, _, _).", "S = 1").
@@ -97,9 +104,6 @@ example(fresh_id/3, 'facts/two_cubes.pl', "fresh_id(v, 1, V).", "V = 9").
 example(add_primitive/2, none,
         "add_primitive(box(size(1, 2, 3)), S), volume(S, V).",
         "S = 1, V = 6.0").
-example(primitive/1, none, "primitive(box).", "true").
-example(complete_segments/0, 'facts/two_cubes.pl',
-        "retractall_facts(t(1, 1, _, _, _, _)), complete_segments.", "true").
 example(facts_transaction/1, 'facts/two_cubes.pl',
         "facts_transaction(( retract_fact(view(_, _, _)), fail )).", "false").
 example(facts_snapshot/1, 'facts/two_cubes.pl',
@@ -110,6 +114,8 @@ example(facts_undo/0, 'facts/two_cubes.pl',
 example(facts_redo/0, 'facts/two_cubes.pl',
         "penetrate, facts_undo, facts_redo, once(line(L,_,_,_,_,_,_,_,_)).",
         "L = 1").
+example(facts_undo_limit/1, 'facts/two_cubes.pl',
+        "facts_undo_limit(0), penetrate, facts_undo.", "false").
 example(new_world/1, none, "new_world(W), in_world(W, \\+ segment(_, _, _)).",
         "W = _").
 example(in_world/2, none,
@@ -145,6 +151,8 @@ example(chain_points/2, 'facts/two_cubes.pl',
 example(penetration_chains/1, 'facts/two_cubes.pl',
         "penetration_chains([chain(S1, S2, Kind, _, _)]).",
         "S1 = 1, S2 = 2, Kind = closed").
+example(write_lines/1, 'facts/two_cubes.pl',
+        "penetrate, write_lines('lines.dxf').", "true").
 example(write_lines/2, 'facts/two_cubes.pl',
         "penetrate, write_lines('lines.csv', []).", "true").
 
@@ -194,8 +202,6 @@ example(draw/2, 'facts/two_cubes.pl', "draw('two.pdf', [hidden(removed)]).",
         "true").
 example(show/0, 'facts/two_cubes.pl', "show.", "true").
 example(show/1, 'facts/two_cubes.pl', "show([width(40)]).", "true").
-example(write_drawing/2, 'facts/two_cubes.pl',
-        "picture, write_drawing('two.dxf', []).", "true").
 example(set_view/1, 'facts/two_cubes.pl', "set_view(front), view(T, P, _).",
         "T = 270.0, P = 90.0").
 example(set_view/3, 'facts/two_cubes.pl',
@@ -246,6 +252,9 @@ example(pattern_bent/2, 'facts/two_cubes.pl',
 example(true_length_rows/2, 'facts/pipes.pl',
         "true_development(1, _, [], D), true_length_rows(D, [Row|_]).",
         "D = _, Row = row(_,_,_,_,_,_,_,_,_)").
+example(generator_mark/4, 'facts/pipes.pl',
+        "true_development(1, _, [], D), generator_mark(D, 1, From, To).",
+        "D = _, From = _, To = _").
 
 % Explaining.
 example(explain/1, 'facts/two_cubes.pl',

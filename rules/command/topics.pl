@@ -17,6 +17,9 @@ topic, to which all belongs that is exported after it.
 %
 %   Directive of sanggwan.pl: what it exports from here on is of Topic.
 
+% A directive runs it, no rule does.
+:- public topic/2.
+
 topic(Topic, Title) :-
     exported(Before),
     retractall(begun(Topic, _, _)),

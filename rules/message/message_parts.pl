@@ -94,8 +94,8 @@ near_text(Near, Text) :-
 
 %!  near_predicates(+PI, -Near:list) is det.
 %
-%   Near are the exports of the facade, Name/Arity, whose name is near to that of
-%   PI, near_words/3.
+%   Near are the exports of the facade, Name/Arity, whose name is near to that
+%   of PI, near_words/3.
 
 near_predicates(PI, Near) :-
     strip_module(PI, _, Word/_),

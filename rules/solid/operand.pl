@@ -1,11 +1,9 @@
 :- module(sg_operand,
           [ operand_faults/2,           % +S, -Faults
-            operand_notes/2,            % +S, -Notes
             checked_operand/1           % +S
           ]).
 :- use_module('../kernel',
-              [ census/1, segment_edges/4, segment_meets_itself/1,
-                segment_operand/2
+              [ census/1, segment_edges/4, segment_operand/2
               ]).
 :- use_module('../polygon/triangulation',
               [new_segments_complete/0, untriangulated/1]).
@@ -19,7 +17,7 @@ Inside is where a segment goes round a point more than no times at all
 between any two vertices as many faces on one side as on the other. Everything
 else is decided by the number: shells in each other or through each other,
 touching or lying on each other, hollows, edges of four faces. So these are no
-faults; of some there are notes.
+faults.
 
 @see row CB-4 of the requirements
 */
@@ -42,8 +40,8 @@ most_named(5).
 %       No volume that could be told from rounding, and no shell that has one.
 %
 %   Edges are the first few, edge(V1, V2, [X1,Y1,Z1], [X2,Y2,Z2], Faces). A
-%   volume below zero is no fault (operand_notes/2). What S has is known
-%   afterwards, until it changes.
+%   volume below zero is no fault. What S has is known afterwards, until it
+%   changes.
 %
 %   @error existence_error(segment, S)
 
@@ -100,26 +98,6 @@ has_volume(S, Error) :-
     abs(Volume) > Error,
     !.
 
-%!  operand_notes(+S, -Notes:list) is det.
-%
-%   Notes are what a user may not expect of segment S, an operand without
-%   faults:
-%
-%     - inside_out
-%       Its volume is below zero: nothing is inside it.
-%     - meets_itself
-%       It goes through itself or lies on itself, so the result is not as a
-%       file shows it: what it goes round at least once is inside.
-
-operand_notes(S, Notes) :-
-    segment_operand(S, Operand),
-    findall(Note, operand_note(S, Operand, Note), Notes).
-
-operand_note(_, operand(_, _, _, Volume, Error, _), inside_out) :-
-    Volume < -Error.
-operand_note(S, _, meets_itself) :-
-    segment_meets_itself(S).
-
 %!  checked_operand(+S) is det.
 %
 %   Segment S can be an operand. A warning is printed if it is inside out.
@@ -130,8 +108,8 @@ checked_operand(S) :-
     operand_faults(S, Faults),
     (   Faults \== []
     ->  throw(error(geometry_error(operand(S, Faults)), _))
-    ;   segment_operand(S, Operand),
-        operand_note(S, Operand, inside_out)
+    ;   segment_operand(S, operand(_, _, _, Volume, Error, _)),
+        Volume < -Error
     ->  print_message(warning, sanggwan(operand(inside_out, S)))
     ;   true
     ).

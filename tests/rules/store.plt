@@ -345,18 +345,13 @@ test(rows_by_number, Rows == Numbered) :-
              findall(F,
                      ( fact_row(v(_,_,_,_,_), R),
                        F = v(_,_,_,_,_),
-                       fact_row(F, R),
-                       arg(3, F, X),
-                       row_value(v, R, 2, X) ),
+                       fact_row(F, R) ),
                      Numbered) )).
 test(row_of_new_fact, X == 4.0) :-
-    in_new_world(( assert_fact(v(1,1,4,0,0), Row), row_value(v/5, Row, 2, X) )).
-test(retract_row, fail) :-
     in_new_world(( assert_fact(v(1,1,4,0,0), Row),
-             retract_row(v, Row),
-             ( retract_row(v, Row) ; row_value(v, Row, 2, _) ) )).
+                   fact_row(v(_,_,X,_,_), Row) )).
 test(no_such_row, fail) :-
-    in_new_world(( fact_row(v(_,_,_,_,_), 12345) ; row_value(v, -1, 0, _) )).
+    in_new_world(fact_row(v(_,_,_,_,_), 12345)).
 test(members, Wrong == []) :-
     in_new_world(( fill(_),
              findall(S-I, wrong_members(S, I), Wrong) )).
@@ -398,13 +393,6 @@ test(columns, Columns == ['S'-int, 'P'-int, 'Es'-list]) :-
     findall(C-T, relation_column(p, _, C, T, _), Columns).
 test(refers, R == v) :-
     relation_column(e, 2, 'V1', int, R).
-test(keys, Keys == [ v-[0,1], e-[0,1], p-[0,1], plane-[0,1], t-[0,2],
-                     leaf_v-[0,1], leaf_e-[0,1], leaf_p-[0,1], leaf_t-[0,2],
-                     segment-[0], origin-[0,1], from_v-[0,1],
-                     from_p-[0,1,2,3], line-[0], piece-[0,1], joint-[0,1],
-                     title_block-[0], screen-[0,1], contour-[0,1],
-                     surface_turn-[0,1,2], drawn-[0] ]) :-
-    findall(Relation-Positions, relation_key(Relation, Positions), Keys).
 test(reading_is_safe, Unsafe == []) :-
     findall(G,
             ( relation(N, A, _), functor(G, N, A),

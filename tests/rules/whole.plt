@@ -65,9 +65,6 @@ test(vertex_of_an_edge,
 test(edge_of_a_polygon,
      error(model_error(referred(e(1,1,_,_,_), p(1,_,_))), _)) :-
     with_box(retract_fact(e(1, 1, _, _, _))).
-test(row_by_its_number, error(model_error(referred(_, _)), _)) :-
-    with_box(( fact_row(v(1, 1, _, _, _), Row),
-               retract_row(v, Row) )).
 test(refused_stays, N == 8) :-
     with_box(( raised(retract_fact(v(1, 1, _, _, _)), _),
                count(v(1, _, _, _, _), N) )).
