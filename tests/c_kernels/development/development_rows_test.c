@@ -96,6 +96,38 @@ writes(sg_world *world, sg_development *d)
   call.refusal.how = SG_REFUSED_NOTHING;
 }
 
+/* Of a cube laid flat as joined by default, whose seams are seven edges. */
+static void
+exchanges(sg_development *d)
+{
+  const sg_int_list none = {0};
+  sg_int_list path = {0}, folds = {0};
+  sg_seam_bound bound;
+  size_t helped;
+  double before = 0, after = 0;
+
+  CHECK("joined",
+        sg_door_flattening_restart(&call, d) && sg_door_join_all(&call, d, 0));
+  CHECK("seam",
+        sg_door_seam_length(&call, d, &before) && fabs(before - 7) < 1e-12);
+  CHECK("exchange",
+        sg_door_exchange_seams(&call, d, 0, &none, SG_EXCHANGE_OBJECTIVE_SEAM,
+                               1000, &helped));
+  CHECK("no worse", sg_door_seam_length(&call, d, &after) && after <= before);
+  CHECK("a bound", sg_door_flattening_bound(&call, d, &bound));
+  CHECK("is reached by a cube",
+        fabs(bound.bound - 7) < 1e-9 && bound.bound <= after + 1e-9);
+  CHECK("folds between 1 and 6", sg_door_fold_path(&call, d, 1, 6, &path));
+  CHECK("there are", path.n > 0 && path.n < 6);
+  CHECK("no polygon 9", !sg_door_fold_path(&call, d, 1, 9, &folds) &&
+                            call.refusal.how == SG_REFUSED_EXISTENCE &&
+                            call.refusal.argument == 3);
+  call.refusal.how = SG_REFUSED_NOTHING;
+  CHECK("these alone", sg_door_join_folds(&call, d, &path));
+  CHECK("are joined", sg_door_seam_length(&call, d, &after) &&
+                          fabs(after - (12 - (double)path.n)) < 1e-12);
+}
+
 int
 main(void)
 {
@@ -114,6 +146,7 @@ main(void)
   counts(d);
   joins(d);
   writes(world, d);
+  exchanges(d);
   sg_development_free(d);
   d = opened(&two);
   CHECK("without two",

@@ -4,6 +4,7 @@
  * on a line or plane, a few units in the last place off, on grids, far from
  * the origin, tiny, huge, subnormal.
  */
+#include "doors/world.h"
 #include "number/exact.h"
 #include "tests/check.h"
 
@@ -480,6 +481,24 @@ test_counts(void)
   CHECK("all of them", sum == sg_exact_fallbacks());
 }
 
+/* The same counts through the functions of the doors. */
+static void
+test_counts_told(void)
+{
+  sg_exact_counts counts = {0};
+  size_t n = 0;
+  sg_call call;
+
+  sg_call_open(&call, NULL, NULL);
+  CHECK("fall-backs",
+        sg_door_exact_fallbacks(&call, &n) && n == sg_exact_fallbacks());
+  CHECK("of each", sg_door_exact_statistics(&call, &counts));
+  CHECK("add up", counts.orient2d + counts.orient3d + counts.turn +
+                          counts.side + counts.along + counts.compare ==
+                      n);
+  sg_call_close(&call);
+}
+
 int
 main(void)
 {
@@ -496,5 +515,6 @@ main(void)
           family == 1 || sg_exact_fallbacks() > before);
   }
   test_counts();
+  test_counts_told();
   return check_report();
 }

@@ -1,0 +1,214 @@
+/* drawing_rows_test.c -- a cube from its vertices to ink, through the functions
+ * of the doors, without Prolog.
+ */
+#include "doors/drawing.h"
+#include "picture/parts.h"
+
+#include "tests/c_kernels/cube_world.h"
+#include "tests/check.h"
+
+#include "engine/symbol.h"
+
+#include <string.h>
+
+static sg_call call;
+
+static bool
+is_domain(const char *what, int argument)
+{
+  const sg_refusal *r = &call.refusal;
+  bool is = r->how == SG_REFUSED_DOMAIN && !strcmp(r->what, what) &&
+            r->argument == argument;
+
+  call.refusal = (sg_refusal){.how = SG_REFUSED_NOTHING};
+  return is;
+}
+
+/* drawn/7 of a cube: nine edges are visible. */
+static bool
+draw_cube(void)
+{
+  const sg_chosen_segments all = {.is = SG_CHOSEN_SEGMENTS_ALL};
+  const sg_outlines edges = {.is = SG_OUTLINES_EDGES};
+  const sg_known_model nothing = {.is = SG_KNOWN_MODEL_SEGMENTS};
+  const sg_hide_through_list none = {0};
+  sg_scene_index *scene = NULL;
+  bool good =
+      add_cube(call.world, 1) &&
+      sg_door_fill_screen(&call, 30, 60, 9, SG_PROJECTION_PARALLEL) &&
+      sg_door_scene_open(&call, &all, 1, 1e-9, &edges, &nothing, &scene) &&
+      sg_door_fill_drawn(&call, scene, SG_LINES_ALL, 30, &none);
+
+  sg_scene_index_close(scene);
+  return good;
+}
+
+/* Every role, visible and hidden. */
+static sg_ranked_look_list
+looks(void)
+{
+  static sg_ranked_look look[2 * SG_ROLES];
+
+  for (int i = 0; i < 2 * SG_ROLES; i++) {
+    const char *name = sg_role_name((sg_role)(i / 2));
+    look[i] = (sg_ranked_look){i % 2 ? SG_SYMBOL_HIDDEN : SG_SYMBOL_VISIBLE,
+                               sg_symbol_intern(name, strlen(name)), i};
+  }
+  return (sg_ranked_look_list){look, 2 * SG_ROLES, 0};
+}
+
+/* How many edges the strokes of drawn/7 run along; SIZE_MAX: refused. */
+static size_t
+edges_drawn(const sg_ranked_look_list *look, double scale, int32_t removed)
+{
+  const sg_drawing_place place = {scale, 0, 0, 0, 0};
+  const sg_sheet_part_list none = {0};
+  sg_sheet_stroke_list strokes = {0};
+  size_t n = 0;
+
+  if (!sg_door_drawn_strokes(&call, &place, removed, look, &none, &strokes)) {
+    return SIZE_MAX;
+  }
+  for (size_t i = 0; i < strokes.n; i++) {
+    n += strokes.at[i].edges.n;
+  }
+  return n;
+}
+
+static void
+drawn(void)
+{
+  const sg_ranked_look_list look = looks(), none = {0};
+  sg_paper_box box;
+
+  CHECK("nothing is drawn", !sg_door_drawn_box(&call, &box));
+  CHECK("a cube", draw_cube());
+  CHECK("its box", sg_door_drawn_box(&call, &box));
+  CHECK("is round it", box.x2 - box.x1 > 1 && box.x2 - box.x1 < 1.5 &&
+                           box.y2 - box.y1 > 1 && box.y2 - box.y1 < 1.8);
+  CHECK("its edges", edges_drawn(&look, 100, -1) == 12);
+  CHECK("but the hidden", edges_drawn(&look, 100, SG_SYMBOL_HIDDEN) == 9);
+  CHECK("without looks", edges_drawn(&none, 100, -1) == SIZE_MAX &&
+                             call.refusal.how == SG_REFUSED_REPRESENTATION);
+  call.refusal.how = SG_REFUSED_NOTHING;
+  CHECK("too large", edges_drawn(&look, 1e17, -1) == SIZE_MAX &&
+                         call.refusal.how == SG_REFUSED_REPRESENTATION);
+  call.refusal.how = SG_REFUSED_NOTHING;
+}
+
+/* Two parts of one edge, and a hidden one of another. */
+static void
+chains(void)
+{
+  const sg_ranked_look_list look = looks();
+  int32_t role = look.at[0].role;
+  sg_sheet_part part[] = {
+      {SG_SYMBOL_VISIBLE, role, 1, 1, 0, 0.5, {0, 0}, {50, 0}},
+      {SG_SYMBOL_VISIBLE, role, 1, 1, 0.5, 1, {50, 0}, {100, 0}},
+      {SG_SYMBOL_HIDDEN, role, 1, 2, 0, 1, {100, 0}, {100, 70}}};
+  sg_looking_part looking[] = {{SG_SYMBOL_VISIBLE, role},
+                               {SG_SYMBOL_VISIBLE, role},
+                               {SG_SYMBOL_HIDDEN, role},
+                               {SG_SYMBOL_VISIBLE, role}};
+  const sg_sheet_part_list parts = {part, 3, 0};
+  sg_look_name_list names = {0};
+  sg_sheet_stroke_list strokes = {0};
+
+  CHECK("looks", sg_door_stroke_looks(
+                     &call, &(sg_looking_part_list){looking, 4, 0}, &names));
+  CHECK("each once",
+        names.n == 2 && names.at[1].visibility == SG_SYMBOL_HIDDEN);
+  CHECK("chains", sg_door_stroke_chains(&call, &parts, &look, &strokes));
+  CHECK("of one look each", strokes.n == 2);
+  CHECK("no look", !sg_door_stroke_chains(
+                       &call, &parts, &(sg_ranked_look_list){0}, &strokes) &&
+                       is_domain("look", 1));
+  part[0].a.x = INT64_C(1) << 53;
+  CHECK("far away", !sg_door_stroke_chains(&call, &parts, &look, &strokes) &&
+                        is_domain("sheet_coordinate", 0));
+}
+
+static void
+travels(void)
+{
+  const sg_sheet_point start = {0, 0};
+  sg_sheet_point far[] = {{100, 0}, {60, 0}}, near[] = {{10, 0}, {50, 0}};
+  sg_travelled_stroke stroke[] = {{{far, 2, 0}}, {{near, 2, 0}}};
+  sg_travelled_stroke_list strokes = {stroke, 2, 0};
+  sg_integer_list order = {0};
+
+  CHECK("travel", sg_door_travel_order(&call, &start, &strokes, &order));
+  CHECK("the near one, then the other backwards",
+        order.n == 2 && order.at[0] == 2 && order.at[1] == -1);
+  stroke[0].points.n = 0;
+  CHECK("a stroke of nothing",
+        !sg_door_travel_order(&call, &start, &strokes, &order) &&
+            is_domain("stroke", 2));
+}
+
+static bool
+is_png(const sg_bytes *bytes)
+{
+  return bytes->n > 8 && memcmp(bytes->at, "\x89PNG\r\n\x1a\n", 8) == 0;
+}
+
+static void
+dots(void)
+{
+  sg_dot_point line[] = {{1, 1}, {5, 1}};
+  sg_dot_stroke stroke = {7, 1, {0}, {line, 2, 0}};
+  const sg_dot_stroke_list strokes = {&stroke, 1, 0};
+  sg_rgb colour[8] = {{255, 255, 255}};
+  sg_bytes raster = {0}, file = {0};
+  size_t inked = 0;
+
+  CHECK("dots", sg_door_raster_dots(&call, 8, 4, &strokes, &raster));
+  for (size_t i = 0; i < raster.n; i++) {
+    inked += raster.at[i] == 7;
+  }
+  CHECK("of ink", raster.n == 32 && inked == 5 && raster.at[8 + 3] == 7);
+  CHECK("file", sg_door_raster_png(&call, 8, 4, &raster,
+                                   &(sg_rgb_list){colour, 8, 0}, &file) &&
+                    is_png(&file));
+  CHECK("ink 7 has no colour",
+        !sg_door_raster_png(&call, 8, 4, &raster, &(sg_rgb_list){colour, 7, 0},
+                            &file) &&
+            is_domain("palette", 4));
+  CHECK("no width", !sg_door_raster_dots(&call, 0, 4, &strokes, &raster) &&
+                        is_domain("raster_size", 1));
+}
+
+static void
+smooth(void)
+{
+  const sg_rgb paper = {255, 255, 255}, odd = {256, 0, 0};
+  sg_paper_point point[] = {{1, 1}, {6, 2}};
+  sg_canvas_line_fact line = {{0, 0, 0}, 1, true, {point, 2, 0}};
+  const sg_canvas_line_fact_list lines = {&line, 1, 0};
+  sg_bytes file = {0};
+
+  CHECK("canvas", sg_door_canvas_png(&call, 8, 4, 1, &paper, &lines, &file) &&
+                      is_png(&file));
+  CHECK("no colour", !sg_door_canvas_png(&call, 8, 4, 1, &odd, &lines, &file) &&
+                         is_domain("byte", 0));
+  line.width = 0;
+  CHECK("no pen", !sg_door_canvas_png(&call, 8, 4, 1, &paper, &lines, &file) &&
+                      is_domain("pen_width", 5));
+}
+
+int
+main(void)
+{
+  sg_world *world = sg_world_open();
+
+  sg_call_open(&call, NULL, NULL);
+  call.world = world;
+  drawn();
+  chains();
+  travels();
+  dots();
+  smooth();
+  sg_call_close(&call);
+  sg_world_let_go(world);
+  return check_report();
+}

@@ -1,0 +1,100 @@
+/* nest_rows_test.c -- shapes on paper and pieces on sheets, through the
+ * functions of the doors, without Prolog.
+ */
+#include "doors/pattern.h"
+#include "pattern/flat_shapes.h"
+
+#include "tests/check.h"
+
+#include <string.h>
+
+static sg_call call;
+
+static bool
+is_domain(const char *what, int argument)
+{
+  const sg_refusal *r = &call.refusal;
+  bool is = r->how == SG_REFUSED_DOMAIN && !strcmp(r->what, what) &&
+            r->argument == argument;
+
+  call.refusal = (sg_refusal){.how = SG_REFUSED_NOTHING};
+  return is;
+}
+
+/* A square from x to x + 10, as high. */
+static sg_paper_point_list
+square(sg_paper_point at[4], double x)
+{
+  for (int i = 0; i < 4; i++) {
+    at[i] = (sg_paper_point){x + (i == 1 || i == 2 ? 10 : 0), i < 2 ? 0 : 10};
+  }
+  return (sg_paper_point_list){at, 4, 0};
+}
+
+static void
+shapes(void)
+{
+  sg_paper_point a[4], b[4], few[4];
+  const sg_paper_point_list one = square(a, 0), other = square(b, 9);
+  sg_paper_point_list point = square(few, 0);
+  sg_flat_shapes *all = NULL;
+
+  point.n = 1;
+  CHECK("no size",
+        !sg_door_shapes_open(&call, 0, &all) && is_domain("size", 1));
+  CHECK("open", sg_door_shapes_open(&call, 10, &all));
+  CHECK("free", sg_door_shapes_free(&call, all, &one, 0));
+  CHECK("add", sg_door_shapes_add(&call, all, &one));
+  CHECK("overlaps by 1", !sg_door_shapes_free(&call, all, &other, 0.5) &&
+                             call.refusal.how == SG_REFUSED_NOTHING);
+  CHECK("no deeper than 2", sg_door_shapes_free(&call, all, &other, 2));
+  CHECK("below 0", !sg_door_shapes_free(&call, all, &other, -1) &&
+                       is_domain("not_less_than_zero", 3));
+  CHECK("a point", !sg_door_shapes_add(&call, all, &point) &&
+                       is_domain("convex_shape", 2));
+  sg_flat_shapes_close(all);
+}
+
+static bool
+nest(double width, int32_t gap, bool one, size_t loops,
+     sg_nest_place_list *places)
+{
+  static double upright[] = {0};
+  sg_paper_point at[4];
+  sg_paper_point_list loop = square(at, 0);
+  sg_nest_piece_fact piece[2] = {{{upright, 1, 0}, {&loop, loops, 0}},
+                                 {{upright, 1, 0}, {&loop, 1, 0}}};
+  const sg_paper_point size = {width, 12};
+  int64_t work = 0;
+
+  return sg_door_nest(&call, &size, 0.5, gap, one,
+                      &(sg_nest_piece_fact_list){piece, 2, 0}, places, &work) &&
+         work > 0;
+}
+
+static void
+nests(void)
+{
+  sg_nest_place_list p = {0};
+
+  CHECK("beside", nest(30, 1, false, 1, &p) && p.n == 2);
+  CHECK("on one sheet", p.at[0].sheet == 1 && p.at[1].sheet == 1 &&
+                            p.at[1].by[0] >= p.at[0].by[0] + 10);
+  CHECK("narrow", nest(12, 1, false, 1, &p) && p.n == 2);
+  CHECK("on two", p.at[0].sheet == 1 && p.at[1].sheet == 2);
+  CHECK("one sheet", nest(12, 1, true, 1, &p));
+  CHECK("does not take both", p.at[0].sheet == 1 && p.at[1].sheet == 0);
+  CHECK("no outline", !nest(30, 1, false, 0, &p) && is_domain("outline", 5));
+  CHECK("no gap", !nest(30, -1, false, 1, &p) && is_domain("gap", 3));
+  CHECK("no paper", !nest(-30, 1, false, 1, &p) && is_domain("paper", 1));
+}
+
+int
+main(void)
+{
+  sg_call_open(&call, NULL, NULL);
+  shapes();
+  nests();
+  sg_call_close(&call);
+  return check_report();
+}
