@@ -29,39 +29,36 @@ sg_cut_name(sg_call *call, sg_cut_handle *handle, uint32_t point, int32_t s)
   return (int32_t)(*next)++;
 }
 
-typedef struct in_polygon {
-  sg_cut_handle *handle;
-  int32_t s, p;
-} in_polygon;
-
-/* Whether vertex v is one of polygon p. */
-static bool
-is_in_polygon(const void *data, int32_t v)
+/* The smaller of two names, 0: none, if v is one of the point too. */
+static int32_t
+better_name(const sg_cut_set *set, uint32_t point, int32_t s, int32_t v,
+            int32_t best)
 {
-  const in_polygon *in = data;
-  const sg_version *version = in->handle->version;
-  sg_row row = sg_cut_row_of(in->handle, SG_P, in->s, in->p);
-  const int32_t *list =
-      row == SG_NO_ROW ? NULL : sg_version_value(version, SG_P, row, 2).list;
-
-  for (int32_t i = 1; list && i <= list[0]; i++) {
-    sg_row at = sg_cut_row_of(in->handle, SG_E, in->s, list[i]);
-
-    if (at != SG_NO_ROW && (sg_version_value(version, SG_E, at, 2).i == v ||
-                            sg_version_value(version, SG_E, at, 3).i == v)) {
-      return true;
-    }
-  }
-  return false;
+  return (best == 0 || v < best) &&
+                 sg_cut_points_named(&set->points, s, v) == point
+             ? v
+             : best;
 }
 
+/* Of a point with many names there are few in a polygon. */
 int32_t
 sg_cut_name_in(sg_cut_handle *handle, uint32_t point, int32_t s, int32_t p)
 {
-  const in_polygon in = {handle, s, p};
+  const sg_version *version = handle->version;
+  sg_row row = sg_cut_row_of(handle, SG_P, s, p);
+  const int32_t *list =
+      row == SG_NO_ROW ? NULL : sg_version_value(version, SG_P, row, 2).list;
+  int32_t best = 0;
 
-  return sg_cut_points_good_name(&handle->set.points, point, s, is_in_polygon,
-                                 &in);
+  for (int32_t i = 1; list && i <= list[0]; i++) {
+    sg_row at = sg_cut_row_of(handle, SG_E, s, list[i]);
+
+    for (unsigned end = 2; at != SG_NO_ROW && end < 4; end++) {
+      best = better_name(&handle->set, point, s,
+                         sg_version_value(version, SG_E, at, end).i, best);
+    }
+  }
+  return best != 0 ? best : sg_cut_points_name(&handle->set.points, point, s);
 }
 
 static bool

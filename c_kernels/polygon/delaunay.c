@@ -87,23 +87,21 @@ typedef struct turner {
   sg_key_table side; /* a, b of a triangle a, b, c -> 3 i + place of a */
   bool (*is_fixed)(void *data, int32_t a, int32_t b);
   void *data;
+  bool *fresh, *asked; /* [triangles] turned in this round; to be looked at */
 } turner;
 
+/* Of triangle i; sides that were turned away stay known, and nobody asks. */
 static bool
-note_sides(turner *t)
+note_sides(turner *t, size_t i)
 {
-  sg_key_table_clear(&t->side);
-  sg_key_table_init(&t->side, 2);
-  for (size_t i = 0; i < t->triangles->n; i++) {
-    for (uint32_t k = 0; k < 3; k++) {
-      const int32_t *v = t->triangles->item[i].v;
-      uint32_t *place = sg_key_table_put(
-          &t->side, (uint32_t[2]){(uint32_t)v[k], (uint32_t)v[(k + 1) % 3]});
-      if (!place) {
-        return false;
-      }
-      *place = 3 * (uint32_t)i + k;
+  for (uint32_t k = 0; k < 3; k++) {
+    const int32_t *v = t->triangles->item[i].v;
+    uint32_t *place = sg_key_table_put(
+        &t->side, (uint32_t[2]){(uint32_t)v[k], (uint32_t)v[(k + 1) % 3]});
+    if (!place) {
+      return false;
     }
+    *place = 3 * (uint32_t)i + k;
   }
   return true;
 }
@@ -148,50 +146,73 @@ is_better(const turner *t, int32_t a, int32_t b, int32_t c, int32_t d)
 
 /* Turns side k of triangle i if that is better. Both triangles are new then,
  * and the sides noted of them no longer right. */
-static bool
-turn_side(turner *t, size_t i, int k, bool *fresh)
+static void
+turn_side(turner *t, size_t i, int k)
 {
   sg_triangle *one = &t->triangles->item[i];
   int32_t a = one->v[k], b = one->v[(k + 1) % 3], c = one->v[(k + 2) % 3];
   uint32_t place =
       sg_key_table_get(&t->side, (uint32_t[2]){(uint32_t)b, (uint32_t)a});
 
-  if (place == SG_NO_KEY || fresh[place / 3] || t->is_fixed(t->data, a, b)) {
-    return false;
+  if (place == SG_NO_KEY || t->fresh[place / 3] || t->is_fixed(t->data, a, b)) {
+    return;
   }
   sg_triangle *other = &t->triangles->item[place / 3];
   int32_t d = other->v[(place % 3 + 2) % 3];
 
   if (sg_work_turn(t->work, c, a, d) <= 0 ||
       sg_work_turn(t->work, d, b, c) <= 0 || !is_better(t, a, b, c, d)) {
-    return false;
+    return;
   }
   *one = (sg_triangle){{c, a, d}};
   *other = (sg_triangle){{d, b, c}};
-  fresh[i] = fresh[place / 3] = true;
-  return true;
+  t->fresh[i] = t->fresh[place / 3] = true;
 }
 
-/* Turns what is better turned, once over all. *turned: something was. */
+/* Turns what is better turned, once over all that may be. */
 static sg_outcome
-turn_sides(turner *t, bool *fresh, bool *turned, const sg_poll *poll)
+turn_sides(turner *t, const sg_poll *poll)
 {
-  if (!note_sides(t)) {
-    return SG_NO_SPACE;
-  }
-  *turned = false;
   for (size_t i = 0; i < t->triangles->n; i++) {
-    fresh[i] = false;
+    t->fresh[i] = false;
   }
   for (size_t i = 0; i < t->triangles->n; i++) {
     if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
       return SG_STOPPED;
     }
-    for (int k = 0; k < 3 && !fresh[i]; k++) {
-      *turned = turn_side(t, i, k, fresh) || *turned;
+    for (int k = 0; k < 3 && t->asked[i] && !t->fresh[i]; k++) {
+      turn_side(t, i, k);
     }
   }
   return SG_DONE;
+}
+
+/* What was turned, and what is beside it, is looked at in the next round; what
+ * was there before has been. False: no memory. *turned: something was. */
+static bool
+note_turned(turner *t, bool *turned)
+{
+  *turned = false;
+  for (size_t i = 0; i < t->triangles->n; i++) {
+    t->asked[i] = t->fresh[i];
+    *turned = *turned || t->fresh[i];
+    if (t->fresh[i] && !note_sides(t, i)) {
+      return false;
+    }
+  }
+  for (size_t i = 0; i < t->triangles->n; i++) {
+    const int32_t *v = t->triangles->item[i].v;
+
+    for (int k = 0; k < 3 && t->fresh[i]; k++) {
+      uint32_t beside = sg_key_table_get(
+          &t->side, (uint32_t[2]){(uint32_t)v[(k + 1) % 3], (uint32_t)v[k]});
+
+      if (beside != SG_NO_KEY) {
+        t->asked[beside / 3] = true;
+      }
+    }
+  }
+  return true;
 }
 
 sg_outcome
@@ -203,16 +224,29 @@ sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
     ROUNDS = 64
   }; /* each better than the one before; rounding might
         make two of them go round */
-  turner t = {work, triangles, {0}, is_fixed, data};
-  bool *fresh = malloc(triangles->n + 1), turned = true;
-  sg_outcome end = fresh ? SG_DONE : SG_NO_SPACE;
+  turner t = {.work = work,
+              .triangles = triangles,
+              .is_fixed = is_fixed,
+              .data = data,
+              .fresh = malloc(triangles->n + 1),
+              .asked = malloc(triangles->n + 1)};
+  sg_outcome end = t.fresh && t.asked ? SG_DONE : SG_NO_SPACE;
+  bool turned = true;
 
   sg_key_table_init(&t.side, 2);
+  for (size_t i = 0; i < triangles->n && end == SG_DONE; i++) {
+    t.asked[i] = true;
+    end = note_sides(&t, i) ? SG_DONE : SG_NO_SPACE;
+  }
   for (int round = 0; round < ROUNDS && end == SG_DONE && turned; round++) {
-    end = turn_sides(&t, fresh, &turned, poll);
+    end = turn_sides(&t, poll);
+    if (end == SG_DONE && !note_turned(&t, &turned)) {
+      end = SG_NO_SPACE;
+    }
   }
   sg_key_table_clear(&t.side);
-  free(fresh);
+  free(t.fresh);
+  free(t.asked);
   return end;
 }
 
