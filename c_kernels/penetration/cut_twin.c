@@ -7,6 +7,12 @@
 
 enum { ASKED = 1 << 13 }; /* steps between questions */
 
+/* Whether the corners of a triangle are quiet, asked for one other segment. */
+typedef struct asked {
+  uint32_t other; /* SG_NO_KEY: not asked yet */
+  bool quiet;
+} asked;
+
 typedef struct finder {
   const sg_cut_model *model;
   const uint32_t (*pair)[2];
@@ -15,6 +21,8 @@ typedef struct finder {
   sg_key_table twin;    /* triangle, S of the other: it, or SEVERAL */
   sg_key_table valence; /* S, place -> its triangles there */
   sg_key_table twins;   /* S, S of the other, place -> those with a twin */
+  asked *asked;         /* [triangles]: what was asked last */
+  uint8_t *quiet;       /* [n]: first, whether a pair are twins */
   const sg_poll *poll;
   bool stopped;
 } finder;
@@ -95,8 +103,9 @@ find_twins(finder *f, bool *any)
   for (size_t i = 0; i < f->n && goes_on(f, i); i++) {
     uint32_t a = f->pair[i][0], b = f->pair[i][1];
 
-    if (f->model->triangle[a].s == f->model->triangle[b].s ||
-        !is_twin(f, a, b)) {
+    f->quiet[i] =
+        f->model->triangle[a].s != f->model->triangle[b].s && is_twin(f, a, b);
+    if (!f->quiet[i]) {
       continue;
     }
     if (!note_twin(f, a, b) || !note_twin(f, b, a)) {
@@ -149,7 +158,7 @@ count_twins(finder *f)
     uint32_t s = (uint32_t)f->model->triangle[a].s;
     uint32_t other = (uint32_t)f->model->triangle[b].s;
 
-    if (s == other || twin_of(f, a, (int32_t)other) != b ||
+    if (!f->quiet[i] || twin_of(f, a, (int32_t)other) != b ||
         twin_of(f, b, (int32_t)s) != a) {
       continue;
     }
@@ -165,7 +174,7 @@ count_twins(finder *f)
 }
 
 static bool
-all_quiet(const finder *f, uint32_t triangle, uint32_t s, uint32_t other)
+find_all_quiet(const finder *f, uint32_t triangle, uint32_t s, uint32_t other)
 {
   for (int k = 0; k < 3; k++) {
     uint32_t at = place_of(f, triangle, k);
@@ -180,6 +189,18 @@ all_quiet(const finder *f, uint32_t triangle, uint32_t s, uint32_t other)
     }
   }
   return true;
+}
+
+/* The pairs of a triangle are mostly with one other segment. */
+static bool
+all_quiet(const finder *f, uint32_t triangle, uint32_t s, uint32_t other)
+{
+  asked *of = &f->asked[triangle];
+
+  if (of->other != other) {
+    *of = (asked){other, find_all_quiet(f, triangle, s, other)};
+  }
+  return of->quiet;
 }
 
 /* ---- pairs ---- */
@@ -200,32 +221,43 @@ may_meet(const finder *f, uint32_t a, uint32_t b)
 }
 
 static bool
-is_quiet(const finder *f, uint32_t a, uint32_t b)
+is_quiet(const finder *f, size_t i)
 {
+  uint32_t a = f->pair[i][0], b = f->pair[i][1];
   uint32_t s = (uint32_t)f->model->triangle[a].s;
   uint32_t other = (uint32_t)f->model->triangle[b].s;
 
-  return s != other && all_quiet(f, a, s, other) && all_quiet(f, b, s, other) &&
-         (twin_of(f, a, (int32_t)other) == b || !may_meet(f, a, b));
+  return s != other && all_quiet(f, a, s, other) && all_quiet(f, b, other, s) &&
+         ((f->quiet[i] && twin_of(f, a, (int32_t)other) == b) ||
+          !may_meet(f, a, b));
 }
 
 sg_sort_end
 sg_cut_find_quiet(const sg_cut_model *model, const uint32_t (*pair)[2],
                   size_t n, uint8_t *quiet, const sg_poll *poll)
 {
-  finder f = {.model = model, .pair = pair, .n = n, .poll = poll};
+  finder f = {.model = model,
+              .pair = pair,
+              .n = n,
+              .quiet = quiet,
+              .asked = malloc((model->triangles + 1) * sizeof *f.asked),
+              .poll = poll};
   bool any = false;
 
   sg_key_table_init(&f.twin, 2);
   sg_key_table_init(&f.valence, 2);
   sg_key_table_init(&f.twins, 3);
-  bool good = number_places(&f) && find_twins(&f, &any) &&
+  for (size_t t = 0; f.asked && t < model->triangles; t++) {
+    f.asked[t] = (asked){SG_NO_KEY, false};
+  }
+  bool good = f.asked && number_places(&f) && find_twins(&f, &any) &&
               (!any || (count_valences(&f) && count_twins(&f)));
 
   for (size_t i = 0; i < n && good && any && goes_on(&f, i); i++) {
-    quiet[i] = is_quiet(&f, pair[i][0], pair[i][1]);
+    quiet[i] = is_quiet(&f, i);
   }
   free(f.place);
+  free(f.asked);
   sg_key_table_clear(&f.twin);
   sg_key_table_clear(&f.valence);
   sg_key_table_clear(&f.twins);
