@@ -422,6 +422,15 @@ unify_atomic(term_t t, const uint32_t **at)
   return FALSE;
 }
 
+static int unify_node(term_t t0, const uint32_t **at);
+
+static int
+unify_argument(term_t t, const uint32_t **at)
+{
+  return (**at & 15) == SG_TERM_COMPOUND ? unify_node(t, at)
+                                         : unify_atomic(t, at);
+}
+
 static int
 unify_node(term_t t0, const uint32_t **at)
 {
@@ -431,12 +440,17 @@ unify_node(term_t t0, const uint32_t **at)
 
   while (done && (**at & 15) == SG_TERM_COMPOUND) {
     size_t arity = **at >> 4;
-    atom_t name = sg_symbol_atom((int32_t)(*at)[1]);
+    int32_t symbol = (int32_t)(*at)[1];
     *at += 2;
+    if (symbol == SG_SYMBOL_CONS && arity == 2) { /* of most there are */
+      done = PL_unify_list(t, arg, t) && unify_argument(arg, at);
+      continue;
+    }
+    atom_t name = sg_symbol_atom(symbol);
     done = name && PL_unify_compound(t, PL_new_functor(name, arity));
     for (size_t i = 1; done && i < arity; i++) {
       _PL_get_arg(i, t, arg);
-      done = unify_node(arg, at);
+      done = unify_argument(arg, at);
     }
     if (!done || arity == 0) {
       PL_reset_term_refs(t);

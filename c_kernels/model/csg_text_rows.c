@@ -12,8 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What is written often. */
+typedef enum often { NODE, LOCATION, STRING, OFTEN } often;
+
 typedef struct reader {
   sg_csg_text text;
+  int32_t symbol[OFTEN];
   sg_term_builder out;
   const sg_poll *poll;
   const char *file;
@@ -66,10 +70,16 @@ put_atom(reader *r, const char *name)
   sg_term_atom(&r->out, name, strlen(name));
 }
 
+static int32_t
+symbol_of(const char *name)
+{
+  return sg_symbol_intern(name, strlen(name));
+}
+
 static void
 put_functor(reader *r, const char *name, size_t arity)
 {
-  sg_term_compound(&r->out, sg_symbol_intern(name, strlen(name)), arity);
+  sg_term_compound(&r->out, symbol_of(name), arity);
 }
 
 static void
@@ -171,7 +181,7 @@ value(reader *r)
     return next(r);
   }
   if (t->word == SG_CSG_STRING) {
-    put_functor(r, "string", 1);
+    sg_term_compound(&r->out, r->symbol[STRING], 1);
     return put_string(r, t) && next(r);
   }
   if (is_sign(t, "[")) {
@@ -232,7 +242,7 @@ body(reader *r)
 static bool
 node(reader *r)
 {
-  put_functor(r, "node", 5);
+  sg_term_compound(&r->out, r->symbol[NODE], 5);
   if (!modifiers(r)) {
     return false;
   }
@@ -245,7 +255,7 @@ node(reader *r)
       !items(r, ")", argument) || !body(r)) {
     return false;
   }
-  put_functor(r, "location", 3);
+  sg_term_compound(&r->out, r->symbol[LOCATION], 3);
   put_atom(r, r->file);
   sg_term_int(&r->out, (int64_t)line);
   sg_term_int(&r->out, (int64_t)column);
@@ -344,7 +354,10 @@ bool
 sg_door_csg_nodes(sg_call *call, const sg_input *stream, const char *file,
                   const sg_text_limits *limits, const uint32_t **result)
 {
-  reader r = {.poll = &call->poll, .file = file};
+  reader r = {
+      .symbol = {symbol_of("node"), symbol_of("location"), symbol_of("string")},
+      .poll = &call->poll,
+      .file = file};
   char *text = NULL;
   size_t n = 0;
 
