@@ -57,17 +57,6 @@ sg_get_finite_ex(term_t t, double *out)
 }
 
 int
-sg_get_finites_ex(term_t first, size_t n, double *out)
-{
-  for (size_t i = 0; i < n; i++) {
-    if (!sg_get_finite_ex(first + i, &out[i])) {
-      return FALSE;
-    }
-  }
-  return TRUE;
-}
-
-int
 sg_list_length_ex(term_t list, size_t *n)
 {
   switch (PL_skip_list(list, 0, n)) {
@@ -111,77 +100,4 @@ sg_get_id_set_ex(term_t list, int32_t **out, size_t *n)
   }
   *n = sg_sort_ids(*out, *n);
   return TRUE;
-}
-
-int
-sg_get_doubles_ex(term_t list, double **out, size_t *n)
-{
-  term_t tail = PL_copy_term_ref(list), head = PL_new_term_ref();
-  double *numbers = NULL;
-
-  *out = NULL;
-  if (!sg_list_length_ex(list, n)) {
-    return FALSE;
-  }
-  if (*n && !(numbers = malloc(*n * sizeof *numbers))) {
-    return sg_no_memory();
-  }
-  for (size_t i = 0; i < *n; i++) {
-    if (!PL_get_list_ex(tail, head, tail) ||
-        !sg_get_finite_ex(head, &numbers[i])) {
-      free(numbers);
-      return FALSE;
-    }
-  }
-  *out = numbers;
-  return TRUE;
-}
-
-int
-sg_get_bytes_ex(term_t stream, size_t most, char **out, size_t *n)
-{
-  enum { CHUNK = 1 << 18 }; /* between polls */
-  IOSTREAM *in;
-  size_t room = 0, got = 0;
-
-  if (!PL_get_stream(stream, &in, SIO_INPUT)) {
-    return FALSE;
-  }
-  do {
-    *n += got;
-    if (room - *n < CHUNK) {
-      room = 2 * room + CHUNK;
-      char *data = realloc(*out, room);
-      if (!data) {
-        PL_release_stream(in);
-        return sg_no_memory();
-      }
-      *out = data;
-    }
-    if (PL_handle_signals() < 0) {
-      PL_release_stream_noerror(in);
-      return FALSE;
-    }
-    got = Sfread(*out + *n, 1, CHUNK, in);
-  } while (got > 0 && *n <= most);
-  return PL_release_stream(in);
-}
-
-int
-sg_unify_double(term_t t, double value)
-{
-  return PL_unify_float(t, value + 0.0);
-}
-
-int
-sg_unify_ids(term_t t, const int32_t *ids, size_t n)
-{
-  term_t tail = PL_copy_term_ref(t), head = PL_new_term_ref();
-
-  for (size_t i = 0; i < n; i++) {
-    if (!PL_unify_list(tail, head, tail) || !PL_unify_integer(head, ids[i])) {
-      return FALSE;
-    }
-  }
-  return PL_unify_nil(tail);
 }

@@ -19,25 +19,12 @@ int sg_get_int32_ex(term_t t, int32_t *out);
 /* A finite number as a double, never -0.0: type_error(number),
  * domain_error(finite). */
 int sg_get_finite_ex(term_t t, double *out);
-/* n finite numbers, each a term of its own. */
-int sg_get_finites_ex(term_t first, size_t n, double *out);
 /* The length of a proper list: instantiation_error, type_error(list). */
 int sg_list_length_ex(term_t list, size_t *n);
 /* A proper list of ids into a fresh array (*out null when empty); free() it. */
 int sg_get_ids_ex(term_t list, int32_t **out, size_t *n);
 /* The same for a set of ids: ascending, each once. */
 int sg_get_id_set_ex(term_t list, int32_t **out, size_t *n);
-/* A proper list of finite numbers into a fresh array, as sg_get_ids_ex(). */
-int sg_get_doubles_ex(term_t list, double **out, size_t *n);
-
-/* What the input stream still has, up to more than `most` octets, in a fresh
- * array; free() it, after an error too. */
-int sg_get_bytes_ex(term_t stream, size_t most, char **out, size_t *n);
-
-/* Adds 0.0, so that -0.0 is never seen in Prolog. */
-int sg_unify_double(term_t t, double value);
-/* Unifies with the list of n ids. */
-int sg_unify_ids(term_t t, const int32_t *ids, size_t n);
 
 /* resource_error(memory). */
 int sg_no_memory(void);

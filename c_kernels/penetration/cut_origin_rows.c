@@ -110,27 +110,11 @@ sg_cut_build_origin(sg_term_builder *b, const sg_cut_points *points,
 }
 
 const uint32_t *
-sg_cut_term(sg_call *call, sg_term_builder *b)
-{
-  const uint32_t *words = sg_term_words(b);
-  size_t bytes = words ? sg_term_length(words) * sizeof *words : 0;
-  uint32_t *copy = words ? sg_call_alloc(call, bytes) : NULL;
-
-  if (copy) {
-    memcpy(copy, words, bytes);
-  } else {
-    sg_call_no_memory(call);
-  }
-  sg_term_close(b);
-  return copy;
-}
-
-const uint32_t *
 sg_cut_origin(sg_call *call, const sg_cut_points *points, uint32_t point)
 {
   sg_term_builder b;
 
   sg_term_open(&b);
   sg_cut_build_origin(&b, points, point);
-  return sg_cut_term(call, &b);
+  return sg_call_term(call, &b);
 }

@@ -116,9 +116,7 @@ int32_t sg_cut_name_in(sg_cut_handle *handle, uint32_t point, int32_t s,
  * (cut_origin_rows.c). */
 void sg_cut_build_origin(sg_term_builder *b, const sg_cut_points *points,
                          uint32_t point);
-/* What was built, as a term that lasts as long as the call, and closes the
- * builder; the same of what made a point. Null: refused. */
-const uint32_t *sg_cut_term(sg_call *call, sg_term_builder *b);
+/* The same as a term that lasts as long as the call. Null: refused. */
 const uint32_t *sg_cut_origin(sg_call *call, const sg_cut_points *points,
                               uint32_t point);
 

@@ -278,7 +278,7 @@ origin_of(sg_call *call, const sg_resolve_node *node)
 
   sg_term_open(&b);
   sg_resolving_build_origin(&b, node);
-  return sg_cut_term(call, &b);
+  return sg_call_term(call, &b);
 }
 
 static bool

@@ -1,5 +1,7 @@
 #include "by_segment.h"
 
+#include "ids.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -295,17 +297,9 @@ sg_segment_view_clear(sg_view *view)
 /* ---- rows by id ---- */
 
 typedef struct id_row {
-  int32_t id;
+  int32_t id; /* the first: sg_compare_ids() */
   uint32_t row;
 } id_row;
-
-static int
-compare_ids(const void *x, const void *y)
-{
-  int32_t a = ((const id_row *)x)->id, b = ((const id_row *)y)->id;
-
-  return (a > b) - (a < b);
-}
 
 static int32_t
 id_of(const sg_view *view, uint32_t row)
@@ -342,7 +336,7 @@ make_sorted(const sg_view *view, const uint32_t *row, size_t n, sg_id_rows *out)
   for (size_t i = 0; i < n; i++) {
     pair[i] = (id_row){id_of(view, row[i]), row[i]};
   }
-  qsort(pair, n, sizeof *pair, compare_ids);
+  qsort(pair, n, sizeof *pair, sg_compare_ids);
   for (size_t i = 0; i < n; i++) {
     out->id[i] = pair[i].id;
     out->row[i] = pair[i].row;

@@ -1,5 +1,6 @@
 /* sewing_rows.c -- shells of a segment that touch exactly, in its rows. */
 #include "doors/boolean.h"
+#include "ids.h"
 #include "rows/append_rows.h"
 #include "rows/dense_rows.h"
 #include "sewing.h"
@@ -29,29 +30,14 @@ typedef struct exchange {
 
 /* ---- what becomes of a row ---- */
 
-static int
-compare_ids(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
-static size_t
-place_of(const int32_t *ids, size_t n, int32_t id)
-{
-  const int32_t *at = bsearch(&id, ids, n, sizeof id, compare_ids);
-
-  return (size_t)(at - ids);
-}
-
 /* The id of the vertex that vertex v becomes. */
 static int32_t
 vertex_of(const sewn *s, int32_t v)
 {
   const sg_dense *d = &s->dense;
 
-  return d->vertex_id[s->sewing.vertex[place_of(d->vertex_id, d->vertices, v)]];
+  return d
+      ->vertex_id[s->sewing.vertex[sg_find_id(d->vertex_id, d->vertices, v)]];
 }
 
 static bool
@@ -59,7 +45,7 @@ falls_out(const sewn *s, int32_t p)
 {
   const sg_dense *d = &s->dense;
 
-  return s->sewing.weight[place_of(d->polygon_id, d->polygons, p)] == 0;
+  return s->sewing.weight[sg_find_id(d->polygon_id, d->polygons, p)] == 0;
 }
 
 /* Whether a row goes, and *comes: as `row` then. Column 1 of all but t/6 is the
@@ -72,7 +58,7 @@ changes(const sewn *s, sg_relation relation, int32_t row[MOST_INTS],
   bool moved = false;
 
   *comes = relation == SG_E
-               ? s->kept[place_of(s->dense.edge_id, s->dense.edges, row[1])]
+               ? s->kept[sg_find_id(s->dense.edge_id, s->dense.edges, row[1])]
                : !falls_out(s, row[1]);
   if (!*comes) {
     return true;
