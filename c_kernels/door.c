@@ -446,12 +446,27 @@ get_name(sg_call *call, term_t t, const char **out)
 
 /* ---- streams ---- */
 
+/* The stream for input or output: PL_get_stream() takes one for the other. */
+static int
+get_stream(term_t t, int way, IOSTREAM **out)
+{
+  if (!PL_get_stream(t, out, way)) {
+    return FALSE;
+  }
+  if ((*out)->flags & way) {
+    return TRUE;
+  }
+  PL_release_stream_noerror(*out);
+  return PL_permission_error(way == SIO_INPUT ? "input" : "output", "stream",
+                             t);
+}
+
 static size_t
 read_stream(void *data, char *to, size_t n)
 {
   IOSTREAM *in;
 
-  if (!PL_get_stream((term_t)data, &in, SIO_INPUT)) {
+  if (!get_stream((term_t)data, SIO_INPUT, &in)) {
     return SIZE_MAX;
   }
   n = Sfread(to, 1, n, in);
@@ -472,7 +487,7 @@ write_stream(void *data, const char *bytes, size_t n)
 {
   IOSTREAM *out;
 
-  if (!PL_get_stream((term_t)data, &out, SIO_OUTPUT)) {
+  if (!get_stream((term_t)data, SIO_OUTPUT, &out)) {
     return false;
   }
   bool good = Sfwrite(bytes, 1, n, out) == n;
@@ -531,7 +546,7 @@ get_text(sg_call *call, term_t t, sg_input *out)
   if (PL_is_string(t)) {
     return get_utf8(call, t, CVT_STRING, &from->text, &from->n);
   }
-  if (!PL_get_stream(t, &in, SIO_INPUT)) {
+  if (!get_stream(t, SIO_INPUT, &in)) {
     return FALSE;
   }
   from->file = Sfileno(in);

@@ -395,7 +395,7 @@ forget_gone(const sg_cut_set *set, sg_split_edge *edge)
   size_t kept = 0;
 
   for (size_t i = 0; i < edge->n; i++) {
-    if (!set->gone[edge->point[i]]) {
+    if (edge->point[i] >= set->linked || !set->gone[edge->point[i]]) {
       edge->point[kept++] = edge->point[i];
     }
   }

@@ -3,6 +3,7 @@
 
 #include "tests/check.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static int asked;
@@ -94,9 +95,99 @@ without_a_world_there_is_none(void)
   sg_call_close(&call);
 }
 
+/* A stream of 10 octets, three at a time, that fails if it is told so. */
+static size_t
+give(void *data, char *to, size_t n)
+{
+  int *left = data;
+  size_t got = *left < 3 ? (size_t)*left : 3;
+
+  if (*left < 0) {
+    return SIZE_MAX;
+  }
+  memset(to, 'x', got < n ? got : n);
+  *left -= (int)got;
+  return got;
+}
+
+static void
+streams_are_read(void)
+{
+  int left = 10;
+  sg_input in = {give, &left};
+  sg_call call;
+  char *text;
+  size_t n;
+
+  sg_call_open(&call, NULL, NULL);
+  CHECK("all of it", sg_call_read_all(&call, &in, SIZE_MAX, &text, &n));
+  CHECK("all of it", n == 10 && !memcmp(text, "xxxxxxxxxx", n));
+  free(text);
+  left = 10;
+  CHECK("too much", sg_call_read_all(&call, &in, 4, &text, &n) && n > 4);
+  free(text);
+  left = -1;
+  CHECK("a failure", !sg_call_read_all(&call, &in, 4, &text, &n) && !text);
+  CHECK("the host knows",
+        call.stopped && call.refusal.how == SG_REFUSED_NOTHING);
+  sg_call_close(&call);
+}
+
+/* Short and long terms last as long as the call. */
+static void
+terms_are_kept(void)
+{
+  const uint32_t *kept[2];
+  sg_term_builder b;
+  sg_call call;
+
+  sg_call_open(&call, NULL, NULL);
+  for (int k = 0; k < 2; k++) {
+    sg_term_open(&b);
+    for (int i = 0; i < (k ? 1000 : 2); i++) {
+      sg_term_compound(&b, SG_SYMBOL_CONS, 2);
+      sg_term_int(&b, i);
+    }
+    sg_term_nil(&b);
+    kept[k] = sg_call_term(&call, &b);
+  }
+  CHECK("kept", kept[0] && kept[1] &&
+                    sg_term_length(kept[0]) == 1 + 2 * 3 + 1 &&
+                    sg_term_length(kept[1]) == 1 + 1000 * 3 + 1);
+  sg_term_open(&b);
+  b.failed = true;
+  CHECK("a term that failed", !sg_call_term(&call, &b));
+  CHECK("is refused", call.refusal.how == SG_REFUSED_MEMORY);
+  sg_call_close(&call);
+}
+
+/* The version is that of the first question until the call rests. */
+static void
+a_call_has_a_version(void)
+{
+  sg_world *world = sg_world_open();
+  const sg_value row[5] = {{.i = 1}, {.i = 1}};
+  sg_call call;
+
+  sg_call_open(&call, NULL, NULL);
+  call.world = world;
+  const sg_version *version = sg_call_version(&call);
+  CHECK("a row", sg_world_add(world, SG_V, row, NULL, NULL) == SG_OK);
+  CHECK("one version", sg_call_version(&call) == version &&
+                           sg_version_count(version, SG_V) == 0);
+  CHECK("threads", sg_call_crew(&call) == sg_call_crew(&call));
+  sg_call_rest(&call);
+  CHECK("another", sg_version_count(sg_call_version(&call), SG_V) == 1);
+  sg_call_close(&call);
+  sg_world_drop(world);
+}
+
 int
 main(void)
 {
+  streams_are_read();
+  terms_are_kept();
+  a_call_has_a_version();
   a_stop_is_remembered();
   the_first_refusal_counts();
   lists_grow();
