@@ -6,6 +6,7 @@
           ]).
 :- use_module('../decimal', [decimal_number/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
+:- use_module('../csg/placed_surface', [asked_once/1]).
 :- use_module('../development/leaf_face', [roots_alone_named/0]).
 :- use_module('../limits', [term_of_text/3]).
 :- use_module('../model/mesh', [write_mesh/3]).
@@ -70,13 +71,16 @@ unfold_run(Files, Options, 0) :-
     load_model(Files, Options),
     empty_roots_warned,
     roots_apart(Options),
-    catch(patterns(Options, Flags, Ds),
-          error(model_error(unfold(S, Wish, What)), Location),
-          in_file(Files, S, Wish, What, Location)),
-    reported(Ds, Options, All),
+    asked_once(patterns_reported(Files, Options, Flags, All, Ds)),
     tables_written(Options, Ds),
     sheets_once(Options, Ds, Outputs, Options1),
     maplist(written_to(Options1, Ds), Outputs).
+
+patterns_reported(Files, Options, Flags, Outputs, Ds) :-
+    catch(patterns(Options, Flags, Ds),
+          error(model_error(unfold(S, Wish, What)), Location),
+          in_file(Files, S, Wish, What, Location)),
+    reported(Ds, Options, Outputs).
 
 %!  roots_apart(+Options:list) is det.
 %

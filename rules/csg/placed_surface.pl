@@ -4,14 +4,17 @@
             placed_term/2,              % +S, -Term
             placed_polygon/4,           % +S, ?P, ?Leaf, ?P0
             drawn_polygon/4,            % +S1, ?P1, -S, ?P
-            placed_feature/4            % ?S, ?V, ?Leaf, ?Feature
+            placed_feature/4,           % ?S, ?V, ?Leaf, ?Feature
+            facet_surface/3,            % +S, +P, -Surface
+            asked_once/1                % :Goal
           ]).
 :- use_module(csg, [is_helper/1, is_node/1]).
 :- use_module(csg_record, [recorded/2]).
 :- use_module('../primitive/primitive', [is_primitive/1]).
 :- use_module('../primitive/primitive_face', [face_of/3, smooth_surface/3]).
 :- use_module(provenance, [origin_feature/3]).
-:- use_module('../store', [p/3, segment/3, origin/3, from_p/5]).
+:- use_module('../store',
+              [p/3, segment/3, origin/3, from_p/5, segment_stamp/2]).
 :- use_module(library(apply), [maplist/3]).
 /** <module> Primitives and copies of them, where they stand.
 
@@ -20,16 +23,90 @@ the polygons of the leaf, in another place: csg_record.pl knows by which matrix.
 Here these count as primitives too, with the surfaces of the leaf moved; what is
 made of them is followed back to them, and no farther. So do segments that lie
 parallel to a primitive: they say themselves what they are.
+
+Unrolling asks of each facet what it is of, often. Under asked_once/1 it is
+found for a whole segment at the first question, and kept as relations.
 */
+
+:- meta_predicate asked_once(0).
+
+:- thread_local
+    keeping/0,
+    filled/3,                           % Relation, S, Stamp
+    face_/3,                            % as placed_face/3
+    surface_/3,                         % as placed_surface/3
+    polygon_/4,                         % as placed_polygon/4
+    facet_/3,                           % as facet_surface/3
+    drawn_/4.                           % as drawn_polygon/4
+
+%!  asked_once(:Goal) is semidet.
+%
+%   Call Goal once. Meanwhile each of the relations here is found once for a
+%   segment and kept. Goal may make segments; of those that are there it changes
+%   no name and no origin.
+
+asked_once(Goal) :-
+    (   keeping
+    ->  once(Goal)
+    ;   setup_call_cleanup(asserta(keeping), once(Goal), forgotten)
+    ).
+
+forgotten :-
+    retractall(keeping),
+    retractall(filled(_, _, _)),
+    retractall(face_(_, _, _)),
+    retractall(surface_(_, _, _)),
+    retractall(polygon_(_, _, _, _)),
+    retractall(facet_(_, _, _)),
+    retractall(drawn_(_, _, _, _)).
+
+%   kept(Relation, S): Relation is filled for segment S. A segment that was
+%   taken back has left its number to another one, with another stamp.
+
+kept(Relation, S) :-
+    integer(S),
+    keeping,
+    segment_stamp(S, Stamp),
+    (   filled(Relation, S, Stamp)
+    ->  true
+    ;   retractall(filled(Relation, S, _)),
+        fill(Relation, S),
+        assertz(filled(Relation, S, Stamp))
+    ).
+
+fill(face, S) :-
+    retractall(face_(S, _, _)),
+    forall(found_face(S, P, What), assertz(face_(S, P, What))).
+fill(surface, S) :-
+    retractall(surface_(S, _, _)),
+    forall(found_surface(S, Part, Surface),
+           assertz(surface_(S, Part, Surface))).
+fill(polygon, S) :-
+    retractall(polygon_(S, _, _, _)),
+    forall(found_polygon(S, P, Leaf, P0), assertz(polygon_(S, P, Leaf, P0))).
+fill(facet, S) :-
+    retractall(facet_(S, _, _)),
+    forall(( p(S, P, _), once(found_facet(S, P, Surface)) ),
+           assertz(facet_(S, P, Surface))).
+fill(drawn, S) :-
+    retractall(drawn_(S, _, _, _)),
+    forall(( p(S, P, _), found_drawn(S, P, Drawn, P0) ),
+           assertz(drawn_(S, P, Drawn, P0))).
 
 %!  placed_face(?S, ?P, ?What) is nondet.
 %
 %   As face_of/3, of copies too.
 
 placed_face(S, P, What) :-
+    (   kept(face, S)
+    ->  face_(S, P, What)
+    ;   found_face(S, P, What)
+    ).
+
+found_face(S, P, What) :-
     is_parallel(S),
     origin(S, face(P), What).
-placed_face(S, P, What) :-
+found_face(S, P, What) :-
     stands(S, Leaf, _),
     face_of(Leaf, P, What).
 
@@ -38,9 +115,15 @@ placed_face(S, P, What) :-
 %   As smooth_surface/3, of copies too.
 
 placed_surface(S, Part, Surface) :-
+    (   kept(surface, S)
+    ->  surface_(S, Part, Surface)
+    ;   found_surface(S, Part, Surface)
+    ).
+
+found_surface(S, Part, Surface) :-
     is_parallel(S),
     origin(S, part(Part), Surface).
-placed_surface(S, Part, Surface) :-
+found_surface(S, Part, Surface) :-
     stands(S, Leaf, Matrix),
     smooth_surface(Leaf, Part, Surface0),
     surface_placed(Matrix, Surface0, Surface).
@@ -109,12 +192,18 @@ row_times([X,Y,Z,One], [A,B,C,D], Number) :-
 %   As polygon_from/5, but Leaf may be a copy; a copy is its own.
 
 placed_polygon(S, P, Leaf, P0) :-
+    (   kept(polygon, S)
+    ->  polygon_(S, P, Leaf, P0)
+    ;   found_polygon(S, P, Leaf, P0)
+    ).
+
+found_polygon(S, P, Leaf, P0) :-
     copy(S, _, _),
     !,
     p(S, P, _),
     Leaf = S,
     P0 = P.
-placed_polygon(S, P, Leaf, P0) :-
+found_polygon(S, P, Leaf, P0) :-
     from_p(S, P, S1, P1, _),
     (   goes_on(S1)
     ->  placed_polygon(S1, P1, Leaf, P0)
@@ -129,6 +218,27 @@ goes_on(S) :-
     ->  true
     ;   is_node(S)
     ).
+
+%!  facet_surface(+S, +P, -Surface) is semidet.
+%
+%   True when polygon P of segment S is a facet of Surface, by placed_surface/3:
+%   of S itself, or of what P was cut from.
+
+facet_surface(S, P, Surface) :-
+    (   kept(facet, S)
+    ->  facet_(S, P, Surface)
+    ;   found_facet(S, P, Surface)
+    ),
+    !.
+
+found_facet(S, P, Surface) :-
+    (   from_p(S, P, _, _, _)
+    ->  once(placed_polygon(S, P, Leaf, P0))
+    ;   Leaf = S,
+        P0 = P
+    ),
+    placed_face(Leaf, P0, curved(Part, _)),
+    placed_surface(Leaf, Part, Surface).
 
 %!  placed_feature(?S, ?V, ?Leaf, ?Feature) is nondet.
 %
@@ -153,6 +263,12 @@ placed_feature(S, V, Leaf, Feature) :-
 %   that is drawn.
 
 drawn_polygon(S1, P1, S, P) :-
+    (   kept(drawn, S1)
+    ->  drawn_(S1, P1, S, P)
+    ;   found_drawn(S1, P1, S, P)
+    ).
+
+found_drawn(S1, P1, S, P) :-
     origin(S1, node(S1), plate(S)),
     (   origin(S1, p(_), p(_))
     ->  origin(S1, p(P1), p(P))

@@ -6,13 +6,11 @@
               [ corner_place/5, edge_inward/4, list_to_first/2,
                 polygon_corners/4
               ]).
-:- use_module('../csg/placed_surface',
-              [placed_face/3, placed_polygon/4, placed_surface/3]).
+:- use_module('../csg/placed_surface', [facet_surface/3]).
 :- use_module('../store',
-              [ e/5, edge_polygon/3, from_p/5, from_v/4, joint/6, origin/3, p/3,
-                segment/3, t/6, v/5, assert_fact/1,
-                facts_transaction/1, fresh_id/3, retract_fact/1,
-                retractall_facts/1
+              [ e/5, edge_polygon/3, from_v/4, joint/6, origin/3, p/3,
+                segment/3, t/6, v/5, assert_fact/1, facts_transaction/1,
+                fresh_id/3, retract_fact/1, retractall_facts/1
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module('../solid/trimmed', [part_named/2]).
@@ -374,15 +372,9 @@ sides_kept(D, P, Corners, Offsets) :-
 
 curved_facet(D, P, Kind) :-
     model_segment(D, S),
-    (   from_p(S, P, _, _, _)
-    ->  once(placed_polygon(S, P, Leaf, P0))
-    ;   Leaf-P0 = S-P
-    ),
-    placed_face(Leaf, P0, curved(Part, _)),
-    placed_surface(Leaf, Part, Surface),
+    facet_surface(S, P, Surface),
     functor(Surface, Kind, _),
-    memberchk(Kind, [sphere,torus]),
-    !.
+    memberchk(Kind, [sphere,torus]).
 
 side_length(D, E, Length) :-
     once(e(D, E, A, B, _)),

@@ -1,6 +1,7 @@
 :- module(sg_unfold_true,
           [ true_patterns/4             % +S, +Wanted, +Options, -Ds
           ]).
+:- use_module('../csg/placed_surface', [asked_once/1]).
 :- use_module('../development/bend', [pattern_bent/2]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
 :- use_module('../store',
@@ -36,7 +37,8 @@
 %   that touch (plate_parts/5). One transaction.
 
 true_patterns(S, Wanted, Options, Ds) :-
-    facts_transaction(sg_unfold_true:patterns(S, Wanted, Options, Ds)).
+    asked_once(facts_transaction(
+                   sg_unfold_true:patterns(S, Wanted, Options, Ds))).
 
 patterns(S, Wanted, Options0, Ds) :-
     trimmed_as_cut(S, Options0, Options, S1, T),

@@ -4,7 +4,7 @@
           ]).
 :- use_module('../development/bend', [pattern_bent/2]).
 :- use_module('../store', [segment/3, facts_transaction/1]).
-:- use_module('../csg/placed_surface', [placed_surface/3]).
+:- use_module('../csg/placed_surface', [asked_once/1, placed_surface/3]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
 :- use_module(true_composed, [composed_unrolled/4]).
 :- use_module('../solid/trimmed', [part_named/4]).
@@ -110,9 +110,10 @@ true_development(S, Part, Options, D) :-
     ->  true
     ;   throw(error(geometry_error(true(no_part(S, Part))), _))
     ),
-    unrolled(S, Part, Options, Pattern),
-    facts_transaction(
-        sg_true_development:developed(S, Part, Options, Pattern, D)).
+    asked_once(( unrolled(S, Part, Options, Pattern),
+                 facts_transaction(
+                     sg_true_development:developed(S, Part, Options, Pattern,
+                                                   D)) )).
 
 developed(S, Part, Options, Pattern, D) :-
     pattern_written(true_development(S, Part), Pattern, D),

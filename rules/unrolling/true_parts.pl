@@ -25,7 +25,7 @@
 :- use_module(true_part_loop, [facet_parted/3]).
 :- use_module(true_tip, [settled/5]).
 :- use_module(library(apply),
-              [foldl/4, maplist/2, maplist/3, partition/4]).
+              [foldl/4, include/3, maplist/2, maplist/3, partition/4]).
 :- use_module(library(lists),
               [ append/2, append/3, max_list/2, member/2, memberchk/2,
                 min_list/2, selectchk/3
@@ -172,6 +172,12 @@ polygons_known(S, S1) :-
 
 drawn_face(Drawn, What1, P) :-
     (   memberchk(What1-P, Drawn)
+    ->  true
+    ;   What1 = curved(Part, [A-B]),
+        Middle is (A+B)/2.0,
+        member(curved(Part, [From-To])-P, Drawn),
+        Middle >= From,
+        Middle =< To
     ->  true
     ;   What1 = curved(Part, [A-B]),
         Middle is (A+B)/2.0,
@@ -377,19 +383,22 @@ facets_as_drawn(S, Facets0, Shape, Facets) :-
             Pairs0),
     keysort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
-    maplist(put_together(Shape), Groups, Lists),
+    findall(D, member(drawn(D, _)-_, Groups), Ds0),
+    sort(Ds0, Ds),
+    include(stands_for_transition, Ds, Transitions),
+    maplist(put_together(Shape, Transitions), Groups, Lists),
     append(Lists, Facets2),
     maplist(facet_parted(Shape), Facets2, Parted),
     append(Parted, Facets1),
     sort(1, @=<, Facets1, Facets).
 
-%   put_together(Shape, Drawn-Group, Facets): one for each part of the facet
-%   that hangs together.
+%   put_together(Shape, Transitions, Drawn-Group, Facets): one for each part of
+%   the facet that hangs together. Transitions are the segments of that kind.
 
-put_together(_, _-[Facet], [Facet]) :-
+put_together(_, _, _-[Facet], [Facet]) :-
     !.
-put_together(Shape, drawn(D, PD)-Group, Facets) :-
-    (   stands_for_transition(D)
+put_together(Shape, Transitions, drawn(D, PD)-Group, Facets) :-
+    (   memberchk(D, Transitions)
     ->  facets_between(Group, T1, T2)
     ;   placed_face(D, PD, curved(_, [T1-T2|_]))
     ->  true

@@ -2,8 +2,7 @@
           [ rims_rounded/3,             % +D, +S, +Options
             pattern_measured/1          % +D
           ]).
-:- use_module('../csg/placed_surface',
-              [placed_face/3, placed_polygon/4, placed_surface/3]).
+:- use_module('../csg/placed_surface', [facet_surface/3, placed_polygon/4]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
 :- use_module('../kernel',
               [ roll_curves/5, surface_place/4, surface_value/4,
@@ -129,8 +128,8 @@ rim_arc(D, S, P, E, Options, Points) :-
     e(S, E, A, B, _),
     e(S, Twin, B, A, _),
     once(edge_polygon(S, Twin, Q)),
-    facet_surface(S, Q, Surface),
-    \+ facet_surface(S, P, _),
+    unrolled_surface(S, Q, Surface),
+    \+ unrolled_surface(S, P, _),
     rim_place(S, A, Surface, TA, H),
     rim_place(S, B, Surface, TB0, H),
     TB is TB0 + 360.0*round((TA-TB0)/360.0),
@@ -169,7 +168,7 @@ polygon_leaf(S, P, Leaf) :-
 %   curve stays as it is, and so does its edge.
 
 line_arc(D, S, P, E, Meets, Corners, Options, Points) :-
-    \+ facet_surface(S, P, _),
+    \+ unrolled_surface(S, P, _),
     cutting_surface(S, P, E, Meets, Surface),
     e(S, E, A, B, _),
     true_point(S, Corners, A, PA),
@@ -261,16 +260,13 @@ laid_in(frame(_, _, _, X1-Y1, CX-CY), place(_, _, U, V), X-Y) :-
     X is X1 + U*CX - V*CY,
     Y is Y1 + U*CY + V*CX.
 
-facet_surface(S, P, Surface) :-
-    (   from_p(S, P, _, _, _)
-    ->  once(placed_polygon(S, P, Leaf, P0))
-    ;   Leaf-P0 = S-P
-    ),
-    placed_face(Leaf, P0, curved(Part, [_])),
-    placed_surface(Leaf, Part, Surface),
+%   unrolled_surface(S, P, Surface): polygon P is a facet of a surface that is
+%   straight one way.
+
+unrolled_surface(S, P, Surface) :-
+    facet_surface(S, P, Surface),
     functor(Surface, Kind, _),
-    memberchk(Kind, [cylinder, cone, ruled, parallel]),
-    !.
+    memberchk(Kind, [cylinder, cone, ruled, parallel]).
 
 rim_place(S, V, Surface, T, H) :-
     v(S, V, X, Y, Z),
@@ -366,7 +362,7 @@ in_frame(frame(point(XA,YA,ZA), [AX,AY,AZ], [LX,LY,LZ], X1-Y1, CX-CY),
 corners_moved(D, S, Meets, Corners) :-
     findall(A-Place-corner(P, Fold),
             ( p(D, P, Es),
-              \+ facet_surface(S, P, _),
+              \+ unrolled_surface(S, P, _),
               member(Fold, Es),
               corner(S, P, Es, Fold, Meets, A, Place) ),
             Found0),
@@ -462,7 +458,7 @@ flat_neighbour(S, E, Q) :-
     e(S, E, A, B, _),
     e(S, Twin, B, A, _),
     edge_polygon(S, Twin, Q),
-    \+ facet_surface(S, Q, _),
+    \+ unrolled_surface(S, Q, _),
     !.
 
 %   true_point(S, Corners, V, Point): fails for a corner that has none.

@@ -9,11 +9,11 @@
 :- use_module('../angle', [exact_sin_cos/3]).
 :- use_module('../primitive/parallel_surface', [parallel_plane/3]).
 :- use_module('../csg/placed_surface',
-              [ placed_face/3, placed_feature/4, placed_polygon/4,
+              [ facet_surface/3, placed_face/3, placed_feature/4,
                 placed_surface/3
               ]).
 :- use_module('../store',
-              [ e/5, line/9, plane/6, from_p/5, edge_polygon/3 ]).
+              [e/5, line/9, plane/6, edge_polygon/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [list_to_assoc/2]).
 :- use_module(library(lists), [member/2]).
@@ -31,13 +31,7 @@ one meet: not where their facets do.
 %   primitive that it was a facet of, or else its plane.
 
 polygon_surface(S, P, Surface) :-
-    (   from_p(S, P, _, _, _)
-    ->  once(placed_polygon(S, P, Leaf, P0))
-    ;   Leaf = S,
-        P0 = P
-    ),
-    (   placed_face(Leaf, P0, curved(Part, _)),
-        placed_surface(Leaf, Part, Smooth),
+    (   facet_surface(S, P, Smooth),
         Smooth \= bezier(_)
     ->  Surface = Smooth
     ;   plane(S, P, A, B, C, D),
@@ -59,23 +53,21 @@ meeting_surfaces(S, Leaf, Table) :-
     maplist(group_surfaces, Groups, List),
     list_to_assoc(List, Table).
 
-met_place(S, Leaf, V, on(S2, P2)) :-
-    met_polygon(S, Leaf, V, S2, P2).
-met_place(S, Leaf, V, along(S2, E2)) :-
-    placed_feature(S, V, S2, e(E2)),
-    S2 \== Leaf,
-    S2 \== S.
-
-met_polygon(S, _, V, S2, P2) :-
+met_place(S, _, V, on(S2, P2)) :-
     line(_, S, _, A, B, S2, P2, _, _),
     ( V = A ; V = B ).
-met_polygon(S, _, V, S1, P1) :-
+met_place(S, _, V, on(S1, P1)) :-
     line(_, S1, P1, _, _, S, _, A, B),
     ( V = A ; V = B ).
-met_polygon(S, Leaf, V, S2, P2) :-
+met_place(S, Leaf, V, Place) :-
     placed_feature(S, V, S2, Feature),
     S2 \== Leaf,
-    feature_polygon(Feature, S2, P2).
+    (   feature_polygon(Feature, S2, P2),
+        Place = on(S2, P2)
+    ;   Feature = e(E2),
+        S2 \== S,
+        Place = along(S2, E2)
+    ).
 
 feature_polygon(p(P), _, P).
 feature_polygon(e(E), S, P) :-

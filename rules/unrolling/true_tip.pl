@@ -92,11 +92,14 @@ facet_tip(Facet0, Ends, Table, Tolerance, tip(T, Q, Turns, Chain, From, To),
             Rest),
     !.
 
+%   line_edges(Halves, Shape, Lines): line(Key1, Key2, Other), Key1 @< Key2, of
+%   those half-edges along which Other meets the surface.
+
 line_edges(Halves, Shape, Lines) :-
-    findall(A-B,
+    findall(line(A, B, Other),
             ( member(half(K1, K2, _), Halves),
               msort([K1,K2], [A,B]),
-              edge_curve(Shape, A, B, meets(_)) ),
+              edge_curve(Shape, A, B, meets(Other)) ),
             Lines0),
     sort(Lines0, Lines).
 
@@ -118,15 +121,14 @@ lines_parted(Lines, Facet, Tolerance, Parted, Shape0, Shape) :-
     roll_curves(roll(Surface, 0.0, T1), Reach, Tolerance, Curves, Lists),
     foldl(line_parted(T1, T2), Lines, Lists, []-Shape0, Parted-Shape).
 
-asked_line(Shape, Middle, A-B, curve(Middle, [Surface,Other], From, To)) :-
-    Shape = shape(Surface, _, Nodes),
-    edge_curve(Shape, A, B, meets(Other)),
+asked_line(shape(Surface, _, Nodes), Middle, line(A, B, Other),
+           curve(Middle, [Surface,Other], From, To)) :-
     A = k(Id1, _),
     B = k(Id2, _),
     get_assoc(Id1, Nodes, node(_, _, From, _)),
     get_assoc(Id2, Nodes, node(_, _, To, _)).
 
-line_parted(T1, T2, A-B, Places, Parted0-Shape0, Parted-Shape) :-
+line_parted(T1, T2, line(A, B, _), Places, Parted0-Shape0, Parted-Shape) :-
     Shape0 = shape(_, _, Nodes),
     key_place(Nodes, A, TA, HA),
     key_place(Nodes, B, TB, HB),

@@ -1,10 +1,13 @@
 :- module(test_placed_surface, []).
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
+:- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(prolog_wrap)).
 :- use_module(rules(solid/csg_evaluate)).
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(csg/placed_surface)).
+:- use_module(rules(model/model), [load_model/1]).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(rules(unrolling/true_development)).
@@ -75,6 +78,46 @@ near(A, B) :-
 very_near(A, B) :-
     abs(A-B) < 1.0e-9*abs(B).
 
+%   all_known(Known): what each polygon is, asked one by one.
+
+all_known(Known) :-
+    findall(known(S, P, Faces, Polygons, Surfaces),
+            ( segment(S, _, _),
+              p(S, P, _),
+              findall(What, placed_face(S, P, What), Faces),
+              findall(Leaf-P0, placed_polygon(S, P, Leaf, P0), Polygons),
+              findall(Surface, facet_surface(S, P, Surface), Surfaces) ),
+            Known).
+
+%   known_once(Term, Kind): the surface of segment 1, which is Term and then not
+%   there any more.
+
+known_once(Term, Kind) :-
+    facts_snapshot(( add_primitive(Term, 1),
+                     once(( p(1, P, _), facet_surface(1, P, Surface) )),
+                     functor(Surface, Kind, _) )).
+
+%   segment_asked(Goal, Times): how often Goal asks segment/3.
+
+:- meta_predicate segment_asked(0, -).
+
+segment_asked(Goal, Times) :-
+    flag(test_segment_asked, _, 0),
+    setup_call_cleanup(
+        wrap_predicate(sg_store:segment(_, _, _), counted, Asked,
+                       ( flag(test_segment_asked, N, N+1), Asked )),
+        once(Goal),
+        unwrap_predicate(sg_store:segment/3, counted)),
+    flag(test_segment_asked, Times, Times).
+
+saddle_unrolled :-
+    asked_once(forall(member(S-Other, [1-2,2-1]),
+                      ( wanted_of(S, [], Wanted),
+                        true_patterns(S, Wanted,
+                                      [true(true),trim(outside),by([Other])],
+                                      Ds),
+                        Ds = [_|_] ))).
+
 :- begin_tests(placed_surface).
 
 test(a_copy, [true(Polygons == 16)]) :-
@@ -111,5 +154,22 @@ test(with_what_is_flat, [true(Count == 2)]) :-
             ( wanted_of(S, [], Wanted),
               true_patterns(S, Wanted, [true(true)], Ds) )),
     length(Ds, Count).
+
+test(asked_once, [forall(member(Term, [ difference([1,2]), union([5,2]),
+                                        difference([5,6]) ])),
+                  true(Once == Each)]) :-
+    of_tree(Term, _, ( all_known(Each), asked_once(all_known(Once)) )).
+test(another_segment_of_the_number, [true(Kinds == [cylinder,sphere])]) :-
+    new_world(World),
+    in_world(World, asked_once(maplist(known_once,
+                                       [ cylinder(radius(1), height(1)),
+                                         sphere(radius(1)) ],
+                                       Kinds))).
+test(asked_once_of_a_saddle, [true(Times < 1000)]) :-
+    new_world(World),
+    in_world(World,
+             ( load_model('facts/patterns/saddle.pl'),
+               complete_segments,
+               segment_asked(saddle_unrolled, Times) )).
 
 :- end_tests(placed_surface).
