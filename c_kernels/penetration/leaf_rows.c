@@ -4,6 +4,8 @@
  * rows in the same order; a test holds the two together. The door is documented
  * in rules/kernel/world.pl.
  */
+#include "leaf_rows.h"
+
 #include "doors/world.h"
 #include "rows/key_table.h"
 
@@ -185,13 +187,9 @@ add_rows(sg_call *call, sg_world *world, sg_relation relation,
 }
 
 bool
-sg_door_leaves_keep(sg_call *call, const sg_segment_polygon_list *polygons)
+sg_leaves_keep(sg_call *call, sg_world *world,
+               const sg_segment_polygon_list *polygons)
 {
-  sg_world *world = sg_call_claim(call);
-
-  if (!world) {
-    return false;
-  }
   keeping k = {.version = sg_world_version(world)};
 
   sg_key_table_init(&k.seen, 2);
@@ -205,6 +203,17 @@ sg_door_leaves_keep(sg_call *call, const sg_segment_polygon_list *polygons)
   rows_clear(&k.p);
   rows_clear(&k.t);
   sg_version_drop(k.version);
-  sg_world_release(world);
+  return good;
+}
+
+bool
+sg_door_leaves_keep(sg_call *call, const sg_segment_polygon_list *polygons)
+{
+  sg_world *world = sg_call_claim(call);
+  bool good = world && sg_leaves_keep(call, world, polygons);
+
+  if (world) {
+    sg_world_release(world);
+  }
   return good;
 }

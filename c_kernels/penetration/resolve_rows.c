@@ -271,16 +271,6 @@ sg_resolving_changes(const sg_resolving *job, const sg_resolve_place *place)
   return memcmp(from, to, sizeof from) != 0;
 }
 
-static const uint32_t *
-origin_of(sg_call *call, const sg_resolve_node *node)
-{
-  sg_term_builder b;
-
-  sg_term_open(&b);
-  sg_resolving_build_origin(&b, node);
-  return sg_call_term(call, &b);
-}
-
 static bool
 give_vertices(sg_call *call, const sg_resolving *job, sg_vertex_fact_list *out)
 {
@@ -300,7 +290,7 @@ give_vertices(sg_call *call, const sg_resolving *job, sg_vertex_fact_list *out)
         .x = point->at[0],
         .y = point->at[1],
         .z = point->at[2],
-        .origin = origin_of(call, &job->r.node.item[point->node])};
+        .origin = sg_resolving_origin(call, &job->r.node.item[point->node])};
 
     if (!vertex.origin || !sg_vertex_fact_list_add(call, out, vertex)) {
       return false;

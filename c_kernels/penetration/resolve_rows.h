@@ -59,8 +59,8 @@ bool sg_resolving_measure(sg_call *call, sg_resolving *job);
 struct sg_touch_moves;
 void sg_resolving_moves(const sg_resolving *job, struct sg_touch_moves *out);
 
-/* near(v(S, V)), or near(ll(S1-(V1, V2), S2-(V3, V4))). */
-void sg_resolving_build_origin(sg_term_builder *b, const sg_resolve_node *node);
+/* near(v(S, V)), or near(ll(S1-(V1, V2), S2-(V3, V4))), as sg_call_term(). */
+const uint32_t *sg_resolving_origin(sg_call *call, const sg_resolve_node *node);
 
 /* Writes all into the current world: the fused kernel of resolve.pl,
  * resolve_contacts_by_rule/2, with the same rows in the same order. False:
