@@ -1,5 +1,6 @@
 /* flat_index.c -- see flat_index.h. */
 #include "flat_index.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -64,16 +65,7 @@ sg_flat_stock_clear(sg_flat_stock *stock)
 bool
 sg_flat_stock_reserve(sg_flat_stock *stock, size_t room)
 {
-  if (room > stock->room) {
-    size_t more = room > 2 * stock->room ? room : 2 * stock->room;
-    sg_flat_box *box = realloc(stock->box, more * sizeof *box);
-    if (!box) {
-      return false;
-    }
-    stock->box = box;
-    stock->room = more;
-  }
-  return true;
+  return sg_list_need(&stock->box, room, &stock->room, sizeof *stock->box);
 }
 
 /* One that was given back, or another one; SG_NO_ITEM: no memory. */
@@ -85,14 +77,9 @@ new_node(sg_flat_stock *stock)
   if (n != SG_NO_ITEM) {
     stock->free_node = stock->node[n].next;
   } else {
-    if (stock->nodes == stock->node_room) {
-      size_t room = 2 * stock->node_room + 64;
-      sg_flat_node *node = realloc(stock->node, room * sizeof *node);
-      if (!node) {
-        return SG_NO_ITEM;
-      }
-      stock->node = node;
-      stock->node_room = room;
+    if (!sg_list_grow(&stock->node, stock->nodes, &stock->node_room,
+                      sizeof *stock->node)) {
+      return SG_NO_ITEM;
     }
     n = (uint32_t)stock->nodes++;
   }
@@ -114,14 +101,9 @@ new_outline(sg_flat_stock *stock)
     stock->free_outline = (uint32_t)stock->outline[n].corners;
     return n;
   }
-  if (stock->outlines == stock->outline_room) {
-    size_t room = 2 * stock->outline_room + 64;
-    sg_flat_outline *outline = realloc(stock->outline, room * sizeof *outline);
-    if (!outline) {
-      return SG_NO_ITEM;
-    }
-    stock->outline = outline;
-    stock->outline_room = room;
+  if (!sg_list_grow(&stock->outline, stock->outlines, &stock->outline_room,
+                    sizeof *stock->outline)) {
+    return SG_NO_ITEM;
   }
   return (uint32_t)stock->outlines++;
 }

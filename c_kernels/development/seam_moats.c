@@ -1,5 +1,6 @@
 /* seam_moats.c -- see seam_moats.h. */
 #include "seam_moats.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -108,14 +109,8 @@ push(moats *m, meeting new)
 {
   size_t i = m->n++;
 
-  if (m->n > m->room) {
-    size_t room = 2 * m->n;
-    meeting *more = realloc(m->heap, room * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    m->heap = more;
-    m->room = room;
+  if (!sg_list_need(&m->heap, m->n, &m->room, sizeof *m->heap)) {
+    return false;
   }
   for (; i > 0 && is_before(&new, &m->heap[(i - 1) / 2]); i = (i - 1) / 2) {
     m->heap[i] = m->heap[(i - 1) / 2];

@@ -1,4 +1,5 @@
 #include "bvh_join.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -158,16 +159,9 @@ groups_below(const groups *at, int k, int l)
 static void
 add_hit(hit_list *list, sg_bvh_hit hit)
 {
-  if (list->n == list->room) {
-    size_t room = list->room ? 2 * list->room : 256;
-    sg_bvh_hit *grown = realloc(list->hit, room * sizeof *grown);
-
-    if (!grown) {
-      list->failed = true;
-      return;
-    }
-    list->hit = grown;
-    list->room = room;
+  if (!sg_list_grow(&list->hit, list->n, &list->room, sizeof *list->hit)) {
+    list->failed = true;
+    return;
   }
   list->hit[list->n++] = hit;
 }
@@ -257,15 +251,8 @@ typedef struct group_list {
 static bool
 add_groups(group_list *list, groups at)
 {
-  if (list->n == list->room) {
-    size_t room = list->room ? 2 * list->room : 64;
-    groups *grown = realloc(list->at, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    list->at = grown;
-    list->room = room;
+  if (!sg_list_grow(&list->at, list->n, &list->room, sizeof *list->at)) {
+    return false;
   }
   list->at[list->n++] = at;
   return true;

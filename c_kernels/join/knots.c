@@ -1,5 +1,6 @@
 /* knots.c -- see knots.h: the corners of all triangles, by their vertices. */
 #include "knots.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 
@@ -145,22 +146,6 @@ is_plain(const corner *c, size_t n)
   return at->last == c->next;
 }
 
-static bool
-room_for(void **array, size_t n, size_t *room, size_t size)
-{
-  if (n < *room) {
-    return true;
-  }
-  size_t more = 2 * *room + 16;
-  void *grown = realloc(*array, more * size);
-
-  if (grown) {
-    *array = grown;
-    *room = more;
-  }
-  return grown != NULL;
-}
-
 /* Notes a knot, and its edges to vertices of higher places. */
 static bool
 note(fans *f, uint32_t place, const corner *c, size_t n)
@@ -168,8 +153,8 @@ note(fans *f, uint32_t place, const corner *c, size_t n)
   const sg_id_rows *table = &f->tree->vertex;
   sg_knots *out = f->out;
 
-  if (!room_for((void **)&out->vertex, out->vertices, &f->vertex_room,
-                sizeof *out->vertex)) {
+  if (!sg_list_grow(&out->vertex, out->vertices, &f->vertex_room,
+                    sizeof *out->vertex)) {
     return false;
   }
   out->vertex[out->vertices++] = id_of(table, place);
@@ -177,8 +162,8 @@ note(fans *f, uint32_t place, const corner *c, size_t n)
     if (c[i].next != c[i + 1].next || (i > 0 && c[i].next == c[i - 1].next)) {
       continue;
     }
-    if (!room_for((void **)&out->edge, out->edges, &f->edge_room,
-                  sizeof *out->edge)) {
+    if (!sg_list_grow(&out->edge, out->edges, &f->edge_room,
+                      sizeof *out->edge)) {
       return false;
     }
     out->edge[out->edges][0] = id_of(table, place);

@@ -2,6 +2,7 @@
 #include "self_cut.h"
 
 #include "polygon/flatness.h"
+#include "rows/list.h"
 #include "rows/places.h"
 #include "self_join.h"
 
@@ -73,16 +74,9 @@ find_candidates(joiner *j, sg_crew *crew, const sg_poll *poll)
 static void
 keep(block *b, const found *item)
 {
-  if (b->n == b->room) {
-    size_t room = b->room ? 2 * b->room : 16;
-    found *more = realloc(b->item, room * sizeof *more);
-
-    if (!more) {
-      b->failed = true;
-      return;
-    }
-    b->item = more;
-    b->room = room;
+  if (!sg_list_grow(&b->item, b->n, &b->room, sizeof *b->item)) {
+    b->failed = true;
+    return;
   }
   b->item[b->n++] = *item;
 }

@@ -2,6 +2,7 @@
 
 #include "number/vector.h"
 #include "rows/key_table.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -125,15 +126,8 @@ count_edge(edges *e, const sg_fan_triangle *t, int k)
     return false;
   }
   if (*number == SG_NO_KEY) {
-    if (e->n == e->room) {
-      size_t room = 2 * e->room + 64;
-      edge *more = realloc(e->item, room * sizeof *more);
-
-      if (!more) {
-        return false;
-      }
-      e->item = more;
-      e->room = room;
+    if (!sg_list_grow(&e->item, e->n, &e->room, sizeof *e->item)) {
+      return false;
     }
     *number = (uint32_t)e->n;
     edge *fresh = &e->item[e->n++];

@@ -6,6 +6,7 @@
  */
 #include "tour.h"
 
+#include "rows/list.h"
 #include "winding.h"
 
 #include <float.h>
@@ -226,16 +227,9 @@ box_of_points(const walker *k, unsigned level, uint32_t at)
 static void
 put(walker *k, const node *one)
 {
-  if (k->n == k->room) {
-    size_t room = 2 * k->room + 256;
-    node *grown = realloc(k->near, room * sizeof *grown);
-
-    if (!grown) {
-      k->failed = true;
-      return;
-    }
-    k->near = grown;
-    k->room = room;
+  if (!sg_list_grow(&k->near, k->n, &k->room, sizeof *k->near)) {
+    k->failed = true;
+    return;
   }
   k->near[k->n++] = *one;
 }

@@ -2,6 +2,7 @@
 #include "tree_rows.h"
 
 #include "doors/world.h"
+#include "rows/list.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -135,15 +136,8 @@ make_entry(tree_store *store, int32_t s)
   if (place < store->n && store->of[place].s == s) {
     return &store->of[place];
   }
-  if (store->n == store->room) {
-    size_t room = 2 * store->room + 8;
-    entry *more = realloc(store->of, room * sizeof *more);
-
-    if (!more) {
-      return NULL;
-    }
-    store->of = more;
-    store->room = room;
+  if (!sg_list_grow(&store->of, store->n, &store->room, sizeof *store->of)) {
+    return NULL;
   }
   memmove(store->of + place + 1, store->of + place,
           (store->n++ - place) * sizeof *store->of);

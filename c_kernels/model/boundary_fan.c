@@ -12,6 +12,7 @@
 #include "number/exact.h"
 #include "rows/disjoint.h"
 #include "rows/edge_pairs.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -87,20 +88,6 @@ point_beside(const fans *x, uint32_t edge)
 /* ---- mates ------------------------------------------------------------------
  */
 
-static bool
-room_for(void **array, size_t *room, size_t n, size_t size)
-{
-  if (n <= *room) {
-    return true;
-  }
-  void *more = realloc(*array, 2 * n * size);
-  if (more) {
-    *array = more;
-    *room = 2 * n;
-  }
-  return more != NULL;
-}
-
 static void
 make_mates(fans *x, uint32_t a, uint32_t b)
 {
@@ -134,14 +121,8 @@ match_pages(fans *x, const sg_page_at_edge *page, size_t n, bool alternating)
 static bool
 keep_crowd(fans *x, const sg_page_at_edge *page, size_t n)
 {
-  void *crowds = x->crowd, *edges = x->edge;
-  bool done =
-      room_for(&crowds, &x->crowd_room, x->crowds + 1, sizeof *x->crowd);
-
-  x->crowd = crowds;
-  done = done && room_for(&edges, &x->edge_room, x->edges + n, sizeof *x->edge);
-  x->edge = edges;
-  if (!done) {
+  if (!sg_list_grow(&x->crowd, x->crowds, &x->crowd_room, sizeof *x->crowd) ||
+      !sg_list_need(&x->edge, x->edges + n, &x->edge_room, sizeof *x->edge)) {
     return false;
   }
   x->crowd[x->crowds++] = (crowd){(uint32_t)x->edges, (uint32_t)(n / 2)};
@@ -173,12 +154,10 @@ add_crowd(fans *x, const sg_edge_pairs *pairs, const sg_edge_group *group)
   const double *u = x->out->mesh.vertex[group->low];
   const double *w = x->out->mesh.vertex[group->high];
   size_t n = group->end - group->begin;
-  void *pages = x->page;
 
-  if (!room_for(&pages, &x->page_room, n, sizeof *x->page)) {
+  if (!sg_list_need(&x->page, n, &x->page_room, sizeof *x->page)) {
     return false;
   }
-  x->page = pages;
   for (size_t i = 0; i < n; i++) {
     uint32_t edge = sg_edge_group_edge(pairs, group->begin + i);
     x->page[i].edge = edge;

@@ -13,6 +13,7 @@
 #include "boundary.h"
 #include "number/exact.h"
 #include "rows/key_table.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -124,14 +125,8 @@ compare_flat(const void *x, const void *y, void *boundary)
 static bool
 add_record(cleaner *c, uint32_t face, int32_t from, int32_t to, uint32_t place)
 {
-  if (c->n == c->room) {
-    size_t room = 2 * c->room + 64;
-    record *more = realloc(c->item, room * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    c->item = more;
-    c->room = room;
+  if (!sg_list_grow(&c->item, c->n, &c->room, sizeof *c->item)) {
+    return false;
   }
   uint32_t key[2] = {(uint32_t)from, (uint32_t)to};
   uint32_t *first = sg_key_table_put(&c->like, key);
@@ -216,14 +211,8 @@ opposite(cleaner *c, uint32_t face, int32_t from, int32_t to)
 static bool
 put_in_hand(cleaner *c, size_t *n, int32_t from, int32_t to)
 {
-  if (*n == c->hand_room) {
-    size_t room = 2 * c->hand_room + 16;
-    int32_t(*more)[2] = realloc(c->at_hand, room * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    c->at_hand = more;
-    c->hand_room = room;
+  if (!sg_list_grow(&c->at_hand, *n, &c->hand_room, sizeof *c->at_hand)) {
+    return false;
   }
   c->at_hand[*n][0] = from;
   c->at_hand[(*n)++][1] = to;
@@ -300,15 +289,7 @@ find_direction(const cleaner *c, size_t n, double out[3])
 static bool
 line_room(cleaner *c, size_t n)
 {
-  if (n > c->line_room) {
-    along *more = realloc(c->line, 2 * n * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    c->line = more;
-    c->line_room = 2 * n;
-  }
-  return true;
+  return sg_list_need(&c->line, n, &c->line_room, sizeof *c->line);
 }
 
 /* Its vertices in their order along the line. If they are on one exactly, that

@@ -3,6 +3,7 @@
 #include "boundary_private.h"
 
 #include "rows/key_table.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -11,14 +12,9 @@ bool
 sg_boundary_note_split(sg_edge_splits *splits, int32_t from, int32_t to,
                        int32_t v)
 {
-  if (splits->n == splits->room) {
-    size_t room = 2 * splits->room + 16;
-    sg_edge_split *more = realloc(splits->item, room * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    splits->item = more;
-    splits->room = room;
+  if (!sg_list_grow(&splits->item, splits->n, &splits->room,
+                    sizeof *splits->item)) {
+    return false;
   }
   splits->item[splits->n++] =
       (sg_edge_split){from < to ? from : to, from < to ? to : from, v, 0};
@@ -83,14 +79,8 @@ typedef struct edges {
 static bool
 put_edge(edges *out, int32_t from, int32_t to)
 {
-  if (out->n == out->room) {
-    size_t room = 2 * out->room + 1024;
-    int32_t(*more)[2] = realloc(out->edge, room * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    out->edge = more;
-    out->room = room;
+  if (!sg_list_grow(&out->edge, out->n, &out->room, sizeof *out->edge)) {
+    return false;
   }
   out->edge[out->n][0] = from;
   out->edge[out->n++][1] = to;

@@ -2,6 +2,7 @@
 #include "boundary_touched.h"
 
 #include "rows/key_table.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -124,14 +125,8 @@ put_chord(finder *f, size_t p, uint64_t ends)
   uint32_t *first = sg_key_table_put(
       &f->ends, (uint32_t[2]){(uint32_t)(ends >> 32), (uint32_t)ends});
 
-  if (f->n == f->chord_room) {
-    size_t room = 2 * f->chord_room + 256;
-    chord *more = realloc(f->chord, room * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    f->chord = more;
-    f->chord_room = room;
+  if (!sg_list_grow(&f->chord, f->n, &f->chord_room, sizeof *f->chord)) {
+    return false;
   }
   if (!first) {
     return false;

@@ -1,6 +1,7 @@
 /* census.c -- half-edges, shells and fans (census.h). */
 #include "census_private.h"
 #include "rows/disjoint.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -10,14 +11,9 @@ sg_census_note(sg_counting *c, sg_defect_kind kind, int32_t a, int32_t b)
 {
   sg_census *out = c->out;
 
-  if (out->defects == out->defect_room) {
-    size_t room = 2 * out->defect_room + 64;
-    sg_defect *more = realloc(out->defect, room * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    out->defect = more;
-    out->defect_room = room;
+  if (!sg_list_grow(&out->defect, out->defects, &out->defect_room,
+                    sizeof *out->defect)) {
+    return false;
   }
   c->part->defects[kind]++;
   out->defect[out->defects++] = (sg_defect){kind, c->part->segment, a, b};
@@ -124,12 +120,8 @@ note_groups(sg_counting *c, const sg_edge_pairs *pairs, const int32_t *edge)
 
   while (sg_edge_group_next(pairs, &group)) {
     size_t n = group.end - group.begin;
-    if (n > room) {
-      int32_t *more = realloc(places, (room = 2 * n + 8) * sizeof *more);
-      if (!more) {
-        break;
-      }
-      places = more;
+    if (!sg_list_need(&places, n, &room, sizeof *places)) {
+      break;
     }
     for (size_t i = 0; i < n; i++) {
       places[i] = edge[sg_edge_group_edge(pairs, group.begin + i)];

@@ -1,5 +1,6 @@
 /* text_limits.c -- what of a text is too deep or too long (text_limits.h). */
 #include "model/text_limits.h"
+#include "rows/list.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -116,15 +117,9 @@ open_bracket(sg_text_scan *s, char bracket)
   if (bracket != '(') {
     count_word(s);
   }
-  if (s->n == s->room) {
-    size_t room = s->room ? 2 * s->room : 64;
-    sg_text_level *level = realloc(s->level, room * sizeof *level);
-    if (!level) {
-      faulty(s, SG_TEXT_NO_MEMORY);
-      return;
-    }
-    s->level = level;
-    s->room = room;
+  if (!sg_list_grow(&s->level, s->n, &s->room, sizeof *s->level)) {
+    faulty(s, SG_TEXT_NO_MEMORY);
+    return;
   }
   s->level[s->n++] = (sg_text_level){bracket, 0};
   if (s->n > s->most.depth) {

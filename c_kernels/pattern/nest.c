@@ -1,6 +1,7 @@
 /* nest.c -- see nest.h */
 #include "nest.h"
 #include "nest_mask.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,15 +56,8 @@ add_page(nesting *n)
 {
   size_t wide = (size_t)n->w + 1;
 
-  if (n->pages == n->room) {
-    size_t room = n->room ? 2 * n->room : 4;
-    page *more = realloc(n->page, room * sizeof *more);
-
-    if (!more) {
-      return false;
-    }
-    n->page = more;
-    n->room = room;
+  if (!sg_list_grow(&n->page, n->pages, &n->room, sizeof *n->page)) {
+    return false;
   }
   page *p = &n->page[n->pages];
 

@@ -1,5 +1,6 @@
 /* nest_mask.c -- a piece at an angle: see nest_mask.h. */
 #include "nest_mask.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -254,14 +255,8 @@ sg_nest_mask_runs(sg_nest_mask *m, bool covered, sg_nest_runs *out)
         out->at[out->n - 1].to = (uint16_t)x;
         continue;
       }
-      if (out->n == room) {
-        room = room ? 2 * room : 64;
-        sg_nest_run *more = realloc(out->at, room * sizeof *more);
-
-        if (!more) {
-          return false;
-        }
-        out->at = more;
+      if (!sg_list_grow(&out->at, out->n, &room, sizeof *out->at)) {
+        return false;
       }
       out->at[out->n++] = (sg_nest_run){(uint16_t)y, (uint16_t)x, (uint16_t)x};
     }

@@ -11,8 +11,8 @@ sg_cut_touch(sg_cut_set *set, const uint32_t t[2], const sg_cut_end *end)
   uint32_t point = sg_cut_end_point(set, t, end);
 
   if (point == SG_NO_KEY ||
-      !sg_cut_room((void **)&set->contact, set->contacts, &set->contact_room,
-                   sizeof *set->contact)) {
+      !sg_list_grow(&set->contact, set->contacts, &set->contact_room,
+                    sizeof *set->contact)) {
     return -1;
   }
   int swap = leaf[t[0]].s == leaf[t[1]].s && leaf[t[1]].p < leaf[t[0]].p;

@@ -1,34 +1,17 @@
 #include "cut_enter.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 /* ---- outlines ---- */
 
-static bool
-make_room(void **rows, size_t *room, size_t n, size_t size)
-{
-  if (n < *room) {
-    return true;
-  }
-  size_t more = 2 * *room + 16;
-  void *grown = realloc(*rows, more * size);
-
-  if (!grown) {
-    return false;
-  }
-  *rows = grown;
-  *room = more;
-  return true;
-}
-
 bool
 sg_outlines_add(sg_outlines *all, int32_t s, int32_t p, const double normal[3])
 {
-  void *rows = all->polygon;
-  bool good = make_room(&rows, &all->room, all->n, sizeof *all->polygon);
+  bool good =
+      sg_list_grow(&all->polygon, all->n, &all->room, sizeof *all->polygon);
 
-  all->polygon = rows;
   if (good) {
     all->polygon[all->n++] =
         (sg_outline){s, p, {normal[0], normal[1], normal[2]}, all->edges, 0};
@@ -39,10 +22,9 @@ sg_outlines_add(sg_outlines *all, int32_t s, int32_t p, const double normal[3])
 bool
 sg_outlines_add_edge(sg_outlines *all, const sg_outline_edge *edge)
 {
-  void *rows = all->edge;
-  bool good = make_room(&rows, &all->edge_room, all->edges, sizeof *all->edge);
+  bool good =
+      sg_list_grow(&all->edge, all->edges, &all->edge_room, sizeof *all->edge);
 
-  all->edge = rows;
   if (good) {
     all->edge[all->edges++] = *edge;
     all->polygon[all->n - 1].n++;

@@ -30,8 +30,8 @@ number_places(sg_cut_set *set)
     const sg_leaf_vertex *vertex = &model->vertex[set->placed];
     uint32_t key[6];
 
-    if (!sg_cut_room((void **)&set->place_of, set->placed, &set->place_room,
-                     sizeof *set->place_of)) {
+    if (!sg_list_grow(&set->place_of, set->placed, &set->place_room,
+                      sizeof *set->place_of)) {
       return false;
     }
     for (int k = 0; k < 3; k++) {
@@ -75,8 +75,8 @@ file_sides(sg_cut_set *set)
   while (set->sided < model->triangles) {
     size_t room = set->side_room;
 
-    if (!sg_cut_room((void **)&set->next_side, 3 * set->sided + 2, &room,
-                     sizeof *set->next_side)) {
+    if (!sg_list_grow(&set->next_side, 3 * set->sided + 2, &room,
+                      sizeof *set->next_side)) {
       return false;
     }
     set->side_room = room;
@@ -285,8 +285,8 @@ sg_cut_note_inside(sg_cut_set *set, const uint32_t t[2], const sg_cut *cut)
 bool
 sg_cut_put_off(sg_cut_set *set, const uint32_t t[2], const sg_cut_end *end)
 {
-  if (!sg_cut_room((void **)&set->flat_touch, set->flat_touches,
-                   &set->flat_touch_room, sizeof *set->flat_touch)) {
+  if (!sg_list_grow(&set->flat_touch, set->flat_touches, &set->flat_touch_room,
+                    sizeof *set->flat_touch)) {
     return false;
   }
   set->flat_touch[set->flat_touches++] =

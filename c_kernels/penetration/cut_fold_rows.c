@@ -13,6 +13,7 @@
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
 #include "rows/grain_rows.h"
+#include "rows/list.h"
 #include "rows/pattern_rows.h"
 
 #include <math.h>
@@ -185,14 +186,8 @@ has_side(const sides *all, int32_t v1, int32_t v2)
 static bool
 push_triangle(sides *all, const int32_t v[3])
 {
-  if (all->n + 3 > all->room) {
-    size_t room = 2 * all->room + 12;
-    int32_t(*grown)[2] = realloc(all->side, room * sizeof *grown);
-    if (!grown) {
-      return false;
-    }
-    all->side = grown;
-    all->room = room;
+  if (!sg_list_need(&all->side, all->n + 3, &all->room, sizeof *all->side)) {
+    return false;
   }
   for (int k = 0; k < 3; k++) {
     all->side[all->n][0] = v[k];

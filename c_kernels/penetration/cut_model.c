@@ -1,4 +1,5 @@
 #include "cut_model.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,34 +21,16 @@ sg_cut_model_clear(sg_cut_model *model)
   sg_cut_model_init(model);
 }
 
-/* Room for one more of `size` bytes in a growing array. */
-static void *
-room_for_one(void *array, size_t n, size_t *room, size_t size)
-{
-  if (n < *room) {
-    return array;
-  }
-  size_t more = *room ? 2 * *room : 64;
-  void *grown = realloc(array, more * size);
-
-  if (grown) {
-    *room = more;
-  }
-  return grown;
-}
-
 bool
 sg_cut_model_vertex(sg_cut_model *model, int32_t s, int32_t v,
                     const double at[3])
 {
   uint32_t key[2] = {(uint32_t)s, (uint32_t)v};
-  void *grown = room_for_one(model->vertex, model->vertices,
-                             &model->vertex_room, sizeof *model->vertex);
 
-  if (!grown) {
+  if (!sg_list_grow(&model->vertex, model->vertices, &model->vertex_room,
+                    sizeof *model->vertex)) {
     return false;
   }
-  model->vertex = grown;
   uint32_t *number = sg_key_table_put(&model->vertex_number, key);
 
   if (!number) {
@@ -112,7 +95,6 @@ sg_cut_model_triangle(sg_cut_model *model, int32_t s, int32_t p, int32_t t,
                       const int32_t v[3], bool *known)
 {
   sg_leaf_triangle triangle = {s, p, t, {0, 0, 0}};
-  void *grown;
 
   if (!reach_all(model, s, v, 3, triangle.v, known)) {
     return false;
@@ -120,12 +102,10 @@ sg_cut_model_triangle(sg_cut_model *model, int32_t s, int32_t p, int32_t t,
   if (!*known) {
     return true;
   }
-  grown = room_for_one(model->triangle, model->triangles, &model->triangle_room,
-                       sizeof *model->triangle);
-  if (!grown) {
+  if (!sg_list_grow(&model->triangle, model->triangles, &model->triangle_room,
+                    sizeof *model->triangle)) {
     return false;
   }
-  model->triangle = grown;
   model->triangle[model->triangles++] = triangle;
   return true;
 }
@@ -135,7 +115,6 @@ sg_cut_model_edge(sg_cut_model *model, int32_t s, int32_t e, const int32_t v[2],
                   bool *known)
 {
   sg_leaf_edge edge = {s, e, {0, 0}};
-  void *grown;
 
   if (!reach_all(model, s, v, 2, edge.v, known)) {
     return false;
@@ -143,12 +122,10 @@ sg_cut_model_edge(sg_cut_model *model, int32_t s, int32_t e, const int32_t v[2],
   if (!*known) {
     return true;
   }
-  grown = room_for_one(model->edge, model->edges, &model->edge_room,
-                       sizeof *model->edge);
-  if (!grown) {
+  if (!sg_list_grow(&model->edge, model->edges, &model->edge_room,
+                    sizeof *model->edge)) {
     return false;
   }
-  model->edge = grown;
   model->edge[model->edges++] = edge;
   return true;
 }

@@ -10,8 +10,8 @@
 bool
 sg_cut_set_add_polygon(sg_cut_set *set, int32_t s, int32_t p)
 {
-  if (!sg_cut_room((void **)&set->polygon, set->polygons, &set->polygon_room,
-                   sizeof *set->polygon)) {
+  if (!sg_list_grow(&set->polygon, set->polygons, &set->polygon_room,
+                    sizeof *set->polygon)) {
     return false;
   }
   set->polygon[set->polygons++] = (sg_cut_polygon){s, p, 0, 0};

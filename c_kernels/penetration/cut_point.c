@@ -1,6 +1,7 @@
 #include "cut_point.h"
 
 #include "join/cut.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -92,18 +93,8 @@ same_place(const sg_place *p, const sg_place *q)
 static bool
 make_seat_room(sg_cut_points *points)
 {
-  if (points->seats < points->seat_room) {
-    return true;
-  }
-  size_t room = points->seat_room ? 2 * points->seat_room : 64;
-  sg_seat *grown = realloc(points->seat, room * sizeof *grown);
-
-  if (!grown) {
-    return false;
-  }
-  points->seat = grown;
-  points->seat_room = room;
-  return true;
+  return sg_list_grow(&points->seat, points->seats, &points->seat_room,
+                      sizeof *points->seat);
 }
 
 static void
@@ -385,15 +376,9 @@ static uint32_t
 new_point(sg_cut_points *points, const sg_point *at, const sg_made *made,
           uint32_t *bucket)
 {
-  if (points->n == points->room) {
-    size_t room = points->room ? 2 * points->room : 64;
-    sg_cut_point *grown = realloc(points->point, room * sizeof *grown);
-
-    if (!grown) {
-      return SG_NO_KEY;
-    }
-    points->point = grown;
-    points->room = room;
+  if (!sg_list_grow(&points->point, points->n, &points->room,
+                    sizeof *points->point)) {
+    return SG_NO_KEY;
   }
   uint32_t number = (uint32_t)points->n;
   sg_cut_point *point = &points->point[number];

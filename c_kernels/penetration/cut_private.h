@@ -3,9 +3,7 @@
 #define SG_CUT_PRIVATE_H
 
 #include "cut_set.h"
-
-/* Makes room for one more in a growing array; false: no memory. */
-bool sg_cut_room(void **array, size_t n, size_t *room, size_t size);
+#include "rows/list.h"
 
 /* Adds a piece, or finds the same one. Along an edge the smaller polygon
  * counts. False: no memory. */

@@ -48,23 +48,6 @@ sg_cut_set_clear(sg_cut_set *set)
   sg_cut_set_init(set, set->is_real, set->data);
 }
 
-bool
-sg_cut_room(void **array, size_t n, size_t *room, size_t size)
-{
-  if (n < *room) {
-    return true;
-  }
-  size_t more = *room ? 2 * *room : 32;
-  void *grown = realloc(*array, more * size);
-
-  if (!grown) {
-    return false;
-  }
-  *array = grown;
-  *room = more;
-  return true;
-}
-
 /* ---- real edges ---- */
 
 /* Whether a feature of a triangle is a real edge: 1 or 0; -1: no memory. */
@@ -83,8 +66,8 @@ split_edge(sg_cut_set *set, const sg_place *place)
   uint32_t *number =
       sg_key_table_put(&set->edge_number, (uint32_t[2]){place->a, place->b});
 
-  if (!number || !sg_cut_room((void **)&set->edge, set->edges, &set->edge_room,
-                              sizeof *set->edge)) {
+  if (!number || !sg_list_grow(&set->edge, set->edges, &set->edge_room,
+                               sizeof *set->edge)) {
     return SG_NO_KEY;
   }
   if (*number == SG_NO_KEY) {
@@ -101,8 +84,8 @@ put_on_edge(sg_cut_set *set, const sg_place *place, uint32_t point)
   uint32_t number = split_edge(set, place);
   sg_split_edge *edge = &set->edge[number];
 
-  if (number == SG_NO_KEY || !sg_cut_room((void **)&edge->point, edge->n,
-                                          &edge->room, sizeof *edge->point)) {
+  if (number == SG_NO_KEY ||
+      !sg_list_grow(&edge->point, edge->n, &edge->room, sizeof *edge->point)) {
     return false;
   }
   edge->point[edge->n++] = point;
@@ -201,8 +184,7 @@ keep_cut(sg_cut_set *set, const uint32_t t[2], const sg_cut *cut, bool coplanar)
   piece.a = sg_cut_end_point(set, t, &cut->end[0]);
   piece.b = sg_cut_end_point(set, t, &cut->end[1]);
   if (piece.a == SG_NO_KEY || piece.b == SG_NO_KEY ||
-      !sg_cut_room((void **)&set->cut, set->cuts, &set->cut_room,
-                   sizeof *set->cut)) {
+      !sg_list_grow(&set->cut, set->cuts, &set->cut_room, sizeof *set->cut)) {
     return -1;
   }
   if (piece.a == piece.b) {
@@ -433,8 +415,8 @@ sg_cut_add_piece(sg_cut_set *set, const sg_cut_piece *piece)
   piece_key(set, piece, key);
   uint32_t *number = sg_key_table_put(&set->piece_number, key);
 
-  if (!number || !sg_cut_room((void **)&set->piece, set->pieces,
-                              &set->piece_room, sizeof *set->piece)) {
+  if (!number || !sg_list_grow(&set->piece, set->pieces, &set->piece_room,
+                               sizeof *set->piece)) {
     return false;
   }
   if (*number == SG_NO_KEY) {
@@ -498,7 +480,7 @@ points_between(const sg_cut_set *set, uint32_t number, uint32_t a, uint32_t b,
   size_t low = i < j ? i : j, high = i < j ? j : i;
 
   for (size_t k = low + 1; k < high; k++) {
-    if (!sg_cut_room((void **)list, *n, room, sizeof **list)) {
+    if (!sg_list_grow(list, *n, room, sizeof **list)) {
       return false;
     }
     (*list)[(*n)++] = edge->point[k - 1];

@@ -7,24 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool
-sg_list_grow(void *item, size_t n, size_t *room, size_t size)
-{
-  if (n < *room) {
-    return true;
-  }
-  size_t more = *room ? *room * 2 : 16;
-  void *old, *grown;
-
-  memcpy(&old, item, sizeof old);
-  if (!(grown = realloc(old, more * size))) {
-    return false;
-  }
-  memcpy(item, &grown, sizeof grown);
-  *room = more;
-  return true;
-}
-
 void
 sg_resolve_init(sg_resolve *r, double reach, sg_is_real_side *is_real,
                 void *data, const sg_poll *poll)

@@ -28,6 +28,7 @@
 #include "join/contact.h"
 #include "poll.h"
 #include "rows/key_table.h"
+#include "rows/list.h"
 
 /* Whether side `side` (from corner `side` on) of a leaf triangle is a real
  * edge, and no chord: 1 or 0; -1: no memory. */
@@ -93,13 +94,6 @@ typedef struct sg_resolve_near {
   uint32_t n;
   int32_t s, p;
 } sg_resolve_near;
-
-/* A growing array. */
-#define SG_LIST_OF(type)                                                       \
-  struct {                                                                     \
-    type *item;                                                                \
-    size_t n, room;                                                            \
-  }
 
 typedef enum sg_resolved {
   SG_RESOLVED,
@@ -177,11 +171,5 @@ uint32_t sg_resolve_point_of(const sg_resolve *r, int32_t s, int32_t v);
 /* The points on an edge (either way round); null: none. */
 const sg_resolve_split *sg_resolve_split_of(const sg_resolve *r, int32_t s,
                                             int32_t v1, int32_t v2);
-
-/* Makes room for one more of `size` bytes; false: no memory. */
-bool sg_list_grow(void *item, size_t n, size_t *room, size_t size);
-#define SG_PUSH(list, ...)                                                     \
-  (sg_list_grow(&(list).item, (list).n, &(list).room, sizeof *(list).item) &&  \
-   ((list).item[(list).n++] = __VA_ARGS__, true))
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "number/bounds.h"
 #include "number/vector.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -265,14 +266,8 @@ sg_contour_point(const sg_contour_finder *f, const sg_contour *piece, int end,
 static bool
 push_piece(sg_contours *out, const sg_contour *piece)
 {
-  if (out->n == out->room) {
-    size_t more = out->room ? 2 * out->room : 64;
-    sg_contour *wider = realloc(out->piece, more * sizeof *wider);
-    if (!wider) {
-      return false;
-    }
-    out->piece = wider;
-    out->room = more;
+  if (!sg_list_grow(&out->piece, out->n, &out->room, sizeof *out->piece)) {
+    return false;
   }
   out->piece[out->n++] = *piece;
   return true;
@@ -380,14 +375,9 @@ push_across(sg_contour_finder *f, uint32_t t)
 static bool
 push_turn(sg_contours *out, const sg_turn *turn)
 {
-  if (out->turns == out->turn_room) {
-    size_t more = out->turn_room ? 2 * out->turn_room : 64;
-    sg_turn *wider = realloc(out->turn, more * sizeof *wider);
-    if (!wider) {
-      return false;
-    }
-    out->turn = wider;
-    out->turn_room = more;
+  if (!sg_list_grow(&out->turn, out->turns, &out->turn_room,
+                    sizeof *out->turn)) {
+    return false;
   }
   out->turn[out->turns++] = *turn;
   return true;

@@ -2,6 +2,7 @@
 #include "contour_private.h"
 
 #include "number/bounds.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -116,14 +117,8 @@ goes_on(const sg_contour_finder *f, const strip *s, uint32_t side, uint32_t u)
 static bool
 enqueue(sg_contour_finder *f, uint32_t t)
 {
-  if (f->queued == f->queue_room) {
-    size_t more = f->queue_room ? 2 * f->queue_room : 64;
-    uint32_t *wider = realloc(f->queue, more * sizeof *wider);
-    if (!wider) {
-      return false;
-    }
-    f->queue = wider;
-    f->queue_room = more;
+  if (!sg_list_grow(&f->queue, f->queued, &f->queue_room, sizeof *f->queue)) {
+    return false;
   }
   f->queue[f->queued++] = t;
   f->seen[t] = f->walk;
@@ -191,14 +186,9 @@ sg_contour_find_beside(sg_contour_finder *f, sg_contour *piece)
     return false;
   }
   qsort(f->queue, f->queued, sizeof *f->queue, compare);
-  if (out->besides + f->queued > out->beside_room) {
-    size_t more = 2 * out->beside_room + f->queued + 256;
-    uint32_t *wider = realloc(out->beside, more * sizeof *wider);
-    if (!wider) {
-      return false;
-    }
-    out->beside = wider;
-    out->beside_room = more;
+  if (!sg_list_need(&out->beside, out->besides + f->queued, &out->beside_room,
+                    sizeof *out->beside)) {
+    return false;
   }
   piece->beside = out->besides;
   piece->besides = f->queued;

@@ -2,6 +2,7 @@
 #include "hide_search.h"
 
 #include "number/bounds.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -41,29 +42,10 @@ is_new(sg_seen *seen, uint32_t thing)
 
 /* Room for one more in a growing array; false: no memory. */
 static bool
-room(void **array, size_t *room_for, size_t n, size_t size)
-{
-  void *wider;
-  size_t more = *room_for ? 2 * *room_for : 32;
-
-  if (n < *room_for) {
-    return true;
-  }
-  wider = realloc(*array, more * size);
-  if (wider) {
-    *array = wider;
-    *room_for = more;
-  }
-  return wider != NULL;
-}
-
-static bool
 add_hidden(sg_hiddens *out, const sg_hidden *part)
 {
-  void *array = out->part;
-  bool ok = room(&array, &out->room, out->n, sizeof *part);
+  bool ok = sg_list_grow(&out->part, out->n, &out->room, sizeof *part);
 
-  out->part = array;
   if (ok) {
     out->part[out->n++] = *part;
   }
@@ -73,10 +55,8 @@ add_hidden(sg_hiddens *out, const sg_hidden *part)
 static bool
 add_overlap(sg_overlaps *out, const sg_overlap *part)
 {
-  void *array = out->part;
-  bool ok = room(&array, &out->room, out->n, sizeof *part);
+  bool ok = sg_list_grow(&out->part, out->n, &out->room, sizeof *part);
 
-  out->part = array;
   if (ok) {
     out->part[out->n++] = *part;
   }

@@ -2,6 +2,7 @@
 #include "known_surface_rows.h"
 
 #include "rows/key_table.h"
+#include "rows/list.h"
 #include "rows/live_rows.h"
 
 #include <stdlib.h>
@@ -107,14 +108,8 @@ push_surface(following *f, const sg_known_surface *surface)
 {
   sg_known_surfaces *all = f->out;
 
-  if (all->n == f->room) {
-    size_t room = 2 * f->room + 16;
-    sg_known_surface *wider = realloc(all->surface, room * sizeof *wider);
-    if (!wider) {
-      return false;
-    }
-    all->surface = wider;
-    f->room = room;
+  if (!sg_list_grow(&all->surface, all->n, &f->room, sizeof *all->surface)) {
+    return false;
   }
   all->surface[all->n++] = *surface;
   return true;

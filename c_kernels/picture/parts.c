@@ -7,6 +7,7 @@
 #include "parts.h"
 
 #include "number/bounds.h"
+#include "rows/list.h"
 #include "smooth.h"
 
 #include <pthread.h>
@@ -72,14 +73,8 @@ typedef struct intervals {
 static bool
 push(intervals *set, double from, double to)
 {
-  if (set->n == set->room) {
-    size_t more = set->room ? 2 * set->room : 32;
-    interval *wider = realloc(set->at, more * sizeof *wider);
-    if (!wider) {
-      return false;
-    }
-    set->at = wider;
-    set->room = more;
+  if (!sg_list_grow(&set->at, set->n, &set->room, sizeof *set->at)) {
+    return false;
   }
   set->at[set->n++] = (interval){from, to};
   return true;
@@ -268,14 +263,9 @@ insert_fold(sg_hiddens *parts, const sg_scene_fold *fold)
 {
   size_t i = parts->n;
 
-  if (parts->n == parts->room) {
-    size_t more = 2 * parts->room + 32;
-    sg_hidden *wider = realloc(parts->part, more * sizeof *wider);
-    if (!wider) {
-      return false;
-    }
-    parts->part = wider;
-    parts->room = more;
+  if (!sg_list_grow(&parts->part, parts->n, &parts->room,
+                    sizeof *parts->part)) {
+    return false;
   }
   for (; i > 0 && parts->part[i - 1].from > fold->from; i--) {
     parts->part[i] = parts->part[i - 1];
@@ -434,14 +424,8 @@ push_parts(const work *w, worker *of, block *b, size_t k, bool hidden)
     if (x.to - x.from <= least) {
       continue;
     }
-    if (b->parts == b->room) {
-      size_t more = b->room ? 2 * b->room : BLOCK + BLOCK / 4;
-      sg_drawn_part *wider = realloc(b->part, more * sizeof *wider);
-      if (!wider) {
-        return false;
-      }
-      b->part = wider;
-      b->room = more;
+    if (!sg_list_grow(&b->part, b->parts, &b->room, sizeof *b->part)) {
+      return false;
     }
     b->part[b->parts++] =
         (sg_drawn_part){w->line[k], x.from, x.to, hidden, w->role[k]};

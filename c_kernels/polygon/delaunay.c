@@ -2,6 +2,7 @@
 #include "delaunay.h"
 
 #include "rows/key_table.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,14 +17,8 @@ enum { ASKED = 1 << 12 }; /* triangles between questions */
 static bool
 push(sg_triangles *out, int32_t a, int32_t b, int32_t c)
 {
-  if (out->n == out->room) {
-    size_t room = out->room ? out->room * 2 : 16;
-    sg_triangle *item = realloc(out->item, room * sizeof *item);
-    if (!item) {
-      return false;
-    }
-    out->item = item;
-    out->room = room;
+  if (!sg_list_grow(&out->item, out->n, &out->room, sizeof *out->item)) {
+    return false;
   }
   out->item[out->n++] = (sg_triangle){{a, b, c}};
   return true;

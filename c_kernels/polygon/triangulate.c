@@ -2,20 +2,15 @@
 #include "triangulate.h"
 
 #include "delaunay.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 
 static bool
 push(sg_triangles *out, const sg_triangle *t)
 {
-  if (out->n == out->room) {
-    size_t room = out->room ? out->room * 2 : 64;
-    sg_triangle *item = realloc(out->item, room * sizeof *item);
-    if (!item) {
-      return false;
-    }
-    out->item = item;
-    out->room = room;
+  if (!sg_list_grow(&out->item, out->n, &out->room, sizeof *out->item)) {
+    return false;
   }
   out->item[out->n++] = *t;
   return true;

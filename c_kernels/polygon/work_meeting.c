@@ -3,6 +3,7 @@
  *
  * Layer: kernel. Exact throughout.
  */
+#include "rows/list.h"
 #include "work_private.h"
 
 #include <math.h>
@@ -134,14 +135,8 @@ sg_work_meets(const sg_work *work, int32_t v1, int32_t v2, int32_t e)
 bool
 sg_meetings_push(sg_meetings *out, const sg_meeting *met)
 {
-  if (out->n == out->room) {
-    size_t room = out->room ? out->room * 2 : 8;
-    sg_meeting *item = realloc(out->item, room * sizeof *item);
-    if (!item) {
-      return false;
-    }
-    out->item = item;
-    out->room = room;
+  if (!sg_list_grow(&out->item, out->n, &out->room, sizeof *out->item)) {
+    return false;
   }
   out->item[out->n++] = *met;
   return true;
@@ -372,15 +367,9 @@ push_near(sg_candidates *walk, int32_t vertex, const double from[2])
 {
   const double *at = walk->work->vertex[vertex].at;
 
-  if (walk->n == walk->room) {
-    size_t room = walk->room ? walk->room * 2 : 32;
-    near *grown = realloc(walk->near, room * sizeof *grown);
-    if (!grown) {
-      walk->no_memory = true;
-      return false;
-    }
-    walk->near = grown;
-    walk->room = room;
+  if (!sg_list_grow(&walk->near, walk->n, &walk->room, sizeof *walk->near)) {
+    walk->no_memory = true;
+    return false;
   }
   walk->near[walk->n++] =
       (near){hypot(at[0] - from[0], at[1] - from[1]), vertex};

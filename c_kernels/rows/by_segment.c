@@ -1,4 +1,5 @@
 #include "by_segment.h"
+#include "list.h"
 
 #include "ids.h"
 
@@ -62,16 +63,9 @@ add_rows(walk *w, uint32_t row, uint32_t n)
     last->n += n;
     return;
   }
-  if (w->runs == w->room) {
-    size_t room = w->room ? 2 * w->room : 64;
-    run *grown = realloc(w->run, room * sizeof *grown);
-
-    if (!grown) {
-      w->failed = true;
-      return;
-    }
-    w->run = grown;
-    w->room = room;
+  if (!sg_list_grow(&w->run, w->runs, &w->room, sizeof *w->run)) {
+    w->failed = true;
+    return;
   }
   w->run[w->runs++] = (run){w->which, row, n};
 }

@@ -2,6 +2,7 @@
  * if they are not so already, then copied in that order. */
 #include "dense.h"
 
+#include "list.h"
 #include "sort.h"
 
 #include <stdlib.h>
@@ -55,14 +56,8 @@ typedef struct id_list {
 static bool
 add_id(id_list *list, int32_t id)
 {
-  if (list->n == list->room) {
-    size_t room = 2 * list->room + 16;
-    int32_t *more = realloc(list->id, room * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    list->id = more;
-    list->room = room;
+  if (!sg_list_grow(&list->id, list->n, &list->room, sizeof *list->id)) {
+    return false;
   }
   list->id[list->n++] = id;
   return true;
@@ -115,14 +110,8 @@ find_segments(const sg_dense_views *views, const int32_t *wanted, size_t n,
 static bool
 add_row(rows *out, uint64_t key, size_t page, unsigned row)
 {
-  if (out->n == out->room) {
-    size_t room = 2 * out->room + 64;
-    row_key *more = realloc(out->row, room * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    out->row = more;
-    out->room = room;
+  if (!sg_list_grow(&out->row, out->n, &out->room, sizeof *out->row)) {
+    return false;
   }
   out->row[out->n++] = (row_key){key, (uint32_t)page, row};
   return true;

@@ -8,6 +8,7 @@
 #include "face_merge_hold.h"
 
 #include "polygon/delaunay.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -89,15 +90,9 @@ add_side(filler *f, uint32_t half)
     before = to;
     to = next;
   }
-  if (f->sides == f->room) {
-    size_t room = f->room ? f->room * 2 : 64;
-    side *list = realloc(f->side, room * sizeof *list);
-    if (!list) {
-      f->no_memory = true;
-      return false;
-    }
-    f->side = list;
-    f->room = room;
+  if (!sg_list_grow(&f->side, f->sides, &f->room, sizeof *f->side)) {
+    f->no_memory = true;
+    return false;
   }
   f->side[f->sides++] = (side){from, to, auxiliary, false};
   return from != to;
@@ -195,15 +190,10 @@ see_inside(filler *f, uint32_t half)
   if (f->m->fate[v] != SG_KEPT || first_side_of(f, v)) {
     return true;
   }
-  if (f->insides == f->inside_room) {
-    size_t room = f->inside_room ? f->inside_room * 2 : 64;
-    uint32_t *list = realloc(f->inside, room * sizeof *list);
-    if (!list) {
-      f->no_memory = true;
-      return false;
-    }
-    f->inside = list;
-    f->inside_room = room;
+  if (!sg_list_grow(&f->inside, f->insides, &f->inside_room,
+                    sizeof *f->inside)) {
+    f->no_memory = true;
+    return false;
   }
   f->inside[f->insides++] = v;
   return true;

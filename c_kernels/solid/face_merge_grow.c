@@ -5,6 +5,7 @@
  */
 #include "face_merge_private.h"
 
+#include "rows/list.h"
 #include "rows/sort.h"
 
 #include <math.h>
@@ -44,14 +45,8 @@ typedef struct seed {
 static sg_group *
 add_group(sg_merge *m, uint32_t first, uint32_t n)
 {
-  if (m->groups == m->room) {
-    size_t room = m->room ? m->room * 2 : 64;
-    sg_group *group = realloc(m->group, room * sizeof *group);
-    if (!group) {
-      return NULL;
-    }
-    m->group = group;
-    m->room = room;
+  if (!sg_list_grow(&m->group, m->groups, &m->room, sizeof *m->group)) {
+    return NULL;
   }
   sg_group *group = &m->group[m->groups];
   *group = (sg_group){.first = first, .n = n, .largest = m->member[first]};
@@ -66,16 +61,8 @@ add_group(sg_merge *m, uint32_t first, uint32_t n)
 static bool
 reserve(sg_merge *m, size_t n)
 {
-  if (m->members + n <= m->member_room) {
-    return true;
-  }
-  size_t room = 2 * (m->members + n);
-  uint32_t *member = realloc(m->member, room * sizeof *member);
-  if (member) {
-    m->member = member;
-    m->member_room = room;
-  }
-  return member;
+  return sg_list_need(&m->member, m->members + n, &m->member_room,
+                      sizeof *m->member);
 }
 
 sg_group *

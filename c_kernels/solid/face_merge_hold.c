@@ -1,5 +1,6 @@
 /* face_merge_hold.c -- see face_merge_hold.h. */
 #include "face_merge_hold.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 
@@ -32,14 +33,9 @@ is_wanted(const sg_merge *m, uint32_t half)
 static bool
 add(sg_holds *holds, uint32_t from, uint32_t to)
 {
-  if (holds->n == holds->room) {
-    size_t room = holds->room ? holds->room * 2 : 16;
-    uint32_t(*list)[2] = realloc(holds->pair, room * sizeof *list);
-    if (!list) {
-      return false;
-    }
-    holds->pair = list;
-    holds->room = room;
+  if (!sg_list_grow(&holds->pair, holds->n, &holds->room,
+                    sizeof *holds->pair)) {
+    return false;
   }
   holds->pair[holds->n][0] = from;
   holds->pair[holds->n++][1] = to;

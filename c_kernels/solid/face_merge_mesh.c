@@ -8,6 +8,7 @@
 
 #include "join/bvh.h"
 #include "number/vector.h"
+#include "rows/list.h"
 
 #include <float.h>
 #include <math.h>
@@ -198,15 +199,9 @@ sg_merge_may_join(const sg_merge *m, uint32_t f, uint32_t g)
 static void
 note(finds *found, edge_list *list, uint32_t a, uint32_t b)
 {
-  if (list->n == list->room) {
-    size_t room = list->room ? list->room * 2 : 64;
-    uint32_t(*pair)[2] = realloc(list->pair, room * sizeof *pair);
-    if (!pair) {
-      found->no_memory = true;
-      return;
-    }
-    list->pair = pair;
-    list->room = room;
+  if (!sg_list_grow(&list->pair, list->n, &list->room, sizeof *list->pair)) {
+    found->no_memory = true;
+    return;
   }
   list->pair[list->n][0] = a;
   list->pair[list->n++][1] = b;

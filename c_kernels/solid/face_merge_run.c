@@ -7,6 +7,7 @@
  * polygonal approximation of plane curves, 1972.
  */
 #include "face_merge_private.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -32,58 +33,40 @@ typedef struct runner {
 
 /* ---- growing arrays ----------------------------------------------------- */
 
-/* Makes room for one more; null: no memory. */
-static void *
-grown(void *base, size_t n, size_t *room, size_t size)
-{
-  if (n < *room) {
-    return base;
-  }
-  size_t more = *room ? *room * 2 : 64;
-  void *fresh = realloc(base, more * size);
-  if (fresh) {
-    *room = more;
-  }
-  return fresh;
-}
-
 static bool
 push_vertex(runner *r, uint32_t v)
 {
-  uint32_t *vertex = grown(r->vertex, r->n, &r->room, sizeof *vertex);
+  bool good = sg_list_grow(&r->vertex, r->n, &r->room, sizeof *r->vertex);
 
-  if (vertex) {
-    r->vertex = vertex;
+  if (good) {
     r->vertex[r->n++] = v;
   }
-  return vertex;
+  return good;
 }
 
 static bool
 push_open(runner *r, size_t from, size_t to)
 {
-  size_t(*open)[2] = grown(r->open, r->opens, &r->open_room, sizeof *open);
+  bool good = sg_list_grow(&r->open, r->opens, &r->open_room, sizeof *r->open);
 
-  if (open) {
-    r->open = open;
+  if (good) {
     r->open[r->opens][0] = from;
     r->open[r->opens++][1] = to;
   }
-  return open;
+  return good;
 }
 
 static bool
 push_shortcut(runner *r, uint32_t a, uint32_t b, uint32_t farthest)
 {
-  shortcut *list =
-      grown(r->shortcut, r->shortcuts, &r->shortcut_room, sizeof *list);
+  bool good = sg_list_grow(&r->shortcut, r->shortcuts, &r->shortcut_room,
+                           sizeof *r->shortcut);
 
-  if (list) {
-    r->shortcut = list;
+  if (good) {
     r->shortcut[r->shortcuts++] =
         (shortcut){a < b ? a : b, a < b ? b : a, farthest};
   }
-  return list;
+  return good;
 }
 
 /* ---- places ------------------------------------------------------------- */

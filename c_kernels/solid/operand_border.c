@@ -1,6 +1,7 @@
 /* operand_border.c -- see operand_border.h. */
 #include "operand_border.h"
 
+#include "rows/list.h"
 #include "rows/sort.h"
 
 #include <stdlib.h>
@@ -50,15 +51,8 @@ is_border(const sg_operands_of *of, uint32_t p, uint32_t q)
 static bool
 keep(sg_operand_borders *out, size_t *room, const sg_operand_border *border)
 {
-  if (out->n == *room) {
-    size_t more = 2 * *room + 256;
-    sg_operand_border *item = realloc(out->item, more * sizeof *item);
-
-    if (!item) {
-      return false;
-    }
-    out->item = item;
-    *room = more;
+  if (!sg_list_grow(&out->item, out->n, &*room, sizeof *out->item)) {
+    return false;
   }
   out->item[out->n++] = *border;
   return true;

@@ -2,6 +2,7 @@
 #include "solid_over.h"
 
 #include "rows/key_table.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -239,20 +240,6 @@ sorted(int32_t (*source)[3], size_t n)
   return left;
 }
 
-static bool
-room_for(int32_t (**list)[3], size_t *room, size_t n)
-{
-  if (n > *room) {
-    void *more = realloc(*list, 2 * n * sizeof **list);
-    if (!more) {
-      return false;
-    }
-    *list = more;
-    *room = 2 * n;
-  }
-  return true;
-}
-
 static void
 set_source(int32_t to[3], int32_t s, int32_t p, bool reversed)
 {
@@ -276,7 +263,7 @@ list_new_sources(matching *m, uint32_t f, size_t *n)
     end++;
   }
   *n = 1 + end - m->part;
-  if (!room_for(&m->new_source, &m->new_room, *n)) {
+  if (!sg_list_need(&m->new_source, *n, &m->new_room, sizeof *m->new_source)) {
     return false;
   }
   set_source(m->new_source[0], face->s, face->p, face->reversed);
@@ -294,7 +281,7 @@ list_old_sources(matching *m, uint32_t p, size_t *n)
   const sg_old_groups *of = &m->old->sources;
 
   *n = of->begin[p + 1] - of->begin[p];
-  if (!room_for(&m->old_source, &m->old_room, *n)) {
+  if (!sg_list_need(&m->old_source, *n, &m->old_room, sizeof *m->old_source)) {
     return false;
   }
   for (size_t i = 0; i < *n; i++) {

@@ -1,5 +1,6 @@
 /* roll_curve.c -- see roll_curve.h. */
 #include "roll_curve.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,15 +23,8 @@ typedef struct growing {
 static bool
 append(growing *out, const sg_roll_place *place)
 {
-  if (out->n == out->room) {
-    size_t room = out->room ? 2 * out->room : 16;
-    sg_roll_place *more = realloc(out->place, room * sizeof *more);
-
-    if (!more) {
-      return false;
-    }
-    out->place = more;
-    out->room = room;
+  if (!sg_list_grow(&out->place, out->n, &out->room, sizeof *out->place)) {
+    return false;
   }
   out->place[out->n++] = *place;
   return true;

@@ -1,0 +1,53 @@
+/* list_test.c -- the growing array. */
+#include "rows/list.h"
+
+#include "tests/check.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+static void
+pushes(void)
+{
+  SG_LIST_OF(int32_t) all = {0};
+  bool good = true, kept = true;
+
+  for (int32_t i = 0; i < 1000; i++) {
+    good = good && SG_PUSH(all, i);
+  }
+  for (int32_t i = 0; i < 1000; i++) {
+    kept = kept && all.item[i] == i;
+  }
+  CHECK("push", good && all.n == 1000 && all.room >= 1000);
+  CHECK("what was there stays", kept);
+  CHECK("room is doubled", all.room < 4000);
+  free(all.item);
+}
+
+static void
+needs(void)
+{
+  int64_t(*pair)[2] = NULL;
+  size_t room = 0;
+
+  CHECK("need", sg_list_need(&pair, 100, &room, sizeof *pair));
+  CHECK("all of it", room >= 100);
+  pair[99][1] = 7;
+  CHECK("less", sg_list_need(&pair, 50, &room, sizeof *pair) && room >= 100);
+  CHECK("one more", sg_list_grow(&pair, room, &room, sizeof *pair));
+  CHECK("stays", pair[99][1] == 7);
+
+  size_t before = room;
+
+  CHECK("too much", !sg_list_need(&pair, SIZE_MAX / 2, &room, sizeof *pair));
+  CHECK("changes nothing", room == before && pair[99][1] == 7);
+  free(pair);
+}
+
+int
+main(void)
+{
+  pushes();
+  needs();
+  return check_report();
+}
