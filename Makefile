@@ -28,7 +28,8 @@ VERSION := $(shell sed -n "s/^version('\(.*\)')\.$$/\1/p" rules/command/cli.pl)
 
 # Goals that install what they need, beside what the build needs. deps.mk holds
 # what pkg-config says; make re-reads this file after making it, so the flags
-# are right even when SWI-Prolog was not there a moment ago. Packages are looked
+# are right even when SWI-Prolog was not there a moment ago. Its headers are those
+# of a system: what a compiler warns of there is not ours. Packages are looked
 # for before each of these goals, whether or not deps.mk is there already.
 TESTING  := test test-all check check-san bench mutants
 LINTING  := lint check-vg
@@ -44,7 +45,8 @@ $(B)/deps.mk: tools/deps Makefile \
               | $(if $(filter $(INSTALLS),$(MAKECMDGOALS)),packages)
 	@mkdir -p $(B)
 	@$(LOOK)
-	@{ echo "PL_CFLAGS := $$(pkg-config --cflags-only-I swipl)" && \
+	@{ echo "PL_CFLAGS := $$(pkg-config --cflags-only-I swipl | \
+	                         sed 's/-I */-isystem /g')" && \
 	   echo "PL_LIBS := $$(pkg-config --libs swipl)" && \
 	   echo "PL_ARCH := $$(swipl -g 'current_prolog_flag(arch, A), write(A)' \
 	                         -t halt)"; } > $@
@@ -53,9 +55,11 @@ packages:
 
 OPT     ?= -O2
 # -ffp-contract=off: no fused multiply-add may change a sign (exact.h).
-# Glue: Prolog's own types mix signs, hence -Wno-sign-conversion there.
+# Glue: Prolog's own types mix signs, hence -Wno-sign-conversion there. Constants
+# that are enums stand in sums of doubles: clang 19 warns of that by -Wextra.
 WARN    := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
-           -Wmissing-prototypes -Wswitch-enum -Werror
+           -Wmissing-prototypes -Wswitch-enum -Wno-enum-float-conversion \
+           -Werror
 # No SLP vectors: points that go through memory as pairs wait for their halves.
 # Headers are named from c_kernels/ (rows/sort.h), others of ours from here.
 CFLAGS  := -std=c11 -D_GNU_SOURCE -I. -Ic_kernels -I$(B) $(OPT) -g -fPIC \

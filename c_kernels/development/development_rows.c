@@ -175,7 +175,7 @@ sg_door_join_faces(sg_call *call, sg_development *d, int32_t number,
   if (!sg_flattening_join(&d->flattening, j, &call->poll, &state, &stopped)) {
     return sg_call_ended(call);
   }
-  result->is = (int)state;
+  result->is = (unsigned)state;
   if (state == SG_JOINT_OVERLAP) {
     const uint32_t *face = d->flattening.overlap;
 
