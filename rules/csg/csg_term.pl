@@ -10,7 +10,8 @@
             check_node_term/1,          % +Term
             csg_error/1                 % +What
           ]).
-:- use_module('../primitive/primitive', [is_primitive/1, primitive/1]).
+:- use_module('../primitive/primitive',
+              [is_primitive/1, primitive/1, primitive_form/2]).
 :- use_module('../primitive/primitive_argument',
               [finite_number/2, primitive_error/2]).
 :- use_module('../primitive/placing', [step_motion/2]).
@@ -62,13 +63,17 @@ operation_form(split, 'split(Operand, plane(A, B, C, D), below), or above; \c
 %!  misshapen(@Term, -Form) is semidet.
 %
 %   True when Term has the name of an operation, but not its arguments, which
-%   are as Form says.
+%   are as Form says; or is the mere name of a primitive.
 
 misshapen(Term, Form) :-
-    compound(Term),
+    callable(Term),
     \+ is_node_term(Term),
-    compound_name_arity(Term, Name, _),
-    operation_form(Name, Form).
+    functor(Term, Name, _),
+    (   operation_form(Name, Form)
+    ->  true
+    ;   atom(Term),
+        primitive_form(Name, Form)
+    ).
 
 %!  operation_names(-Names) is det.
 %

@@ -2,11 +2,10 @@
           [ csg_en//1                   % +What
           ]).
 :- use_module('../csg/csg_term',
-              [ misshapen/2, near_operands/2, operation_form/2,
-                operation_names/1 ]).
+              [near_operands/2, operation_form/2, operation_names/1]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module(message_parts, [meant_en//1]).
-:- use_module(primitive_en, [primitive_names//0]).
+:- use_module(primitive_en, [misshapen_en//1, primitive_names//0]).
 :- use_module('../csg/operand_name', [operand_name_en//1]).
 /** <module> What is wrong with a CSG tree, in English.
 
@@ -25,9 +24,9 @@ csg_en(no_operands(Name)) -->
     [ '~w has no operands'-[Name], nl,
       '  Give one or more: numbers of segments, primitives, or operations.' ].
 csg_en(unknown(Operand)) -->
-    { misshapen(Operand, Form) },
+    misshapen_en(Operand),
     !,
-    [ '~p should look like ~w'-[Operand, Form], nl,
+    [ nl,
       '  An operand is the number of a segment, a primitive, or an \c
        operation.' ].
 csg_en(unknown(Operand)) -->

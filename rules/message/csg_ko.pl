@@ -3,11 +3,11 @@
           [ csg_ko//1                   % +What
           ]).
 :- use_module('../csg/csg_term',
-              [ misshapen/2, near_operands/2, operation_form/2,
-                operation_names/1 ]).
+              [near_operands/2, operation_form/2, operation_names/1]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module(message_parts, [meant_ko//1]).
 :- use_module(primitive_en, [primitive_names//0]).
+:- use_module(primitive_ko, [misshapen_ko//1]).
 :- use_module('../csg/operand_name', [operand_name_ko//1]).
 /** <module> What is wrong with a CSG tree, in Korean.
 
@@ -26,9 +26,9 @@ csg_ko(no_operands(Name)) -->
     [ '~w 에 피연산자가 없습니다'-[Name], nl,
       '  세그먼트 번호, 기본 입체, 연산을 하나 이상 주십시오.' ].
 csg_ko(unknown(Operand)) -->
-    { misshapen(Operand, Form) },
+    misshapen_ko(Operand),
     !,
-    [ '~p 은(는) ~w 꼴이어야 합니다'-[Operand, Form], nl,
+    [ nl,
       '  피연산자는 세그먼트 번호, 기본 입체, 연산입니다.' ].
 csg_ko(unknown(Operand)) -->
     { operation_names(Names) },

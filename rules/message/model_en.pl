@@ -2,14 +2,13 @@
           [ model_en//1,                % +What
             limit_en//1                 % +Name
           ]).
-:- use_module(csg_en, [csg_en//1]).
-:- use_module('../csg/csg_term', [misshapen/2, near_operands/2]).
+:- use_module('../csg/csg_term', [near_operands/2]).
 :- use_module(message_parts,
               [ counted//3, meant_en//1, shown_count/2, shown_value/2,
                 syntax_words//1
               ]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
-:- use_module(primitive_en, [primitive_names//0]).
+:- use_module(primitive_en, [misshapen_en//1, primitive_names//0]).
 :- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with the text or the facts of a model, in English.
 
@@ -111,9 +110,9 @@ model_en(kind(Term, Kind, Wanted)) -->
     [ 'a ~w is a ~w, not a ~w'-[Name, Wanted, Kind], nl,
       '  Write segment(S, ~w, ~w(...)).'-[Wanted, Name] ].
 model_en(no_vertices(_, Name)) -->
-    { misshapen(Name, _) },
+    misshapen_en(Name),
     !,
-    csg_en(unknown(Name)).
+    [ nl, '  Or give the segment facts v/5 and p/3.' ].
 model_en(no_vertices(S, Name)) -->
     [ 'segment ~d has no vertices, and ~p is no primitive'-[S, Name] ],
     { near_operands(Name, Near) },

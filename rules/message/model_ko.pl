@@ -3,12 +3,12 @@
           [ model_ko//1,                % +What
             limit_ko//1                 % +Name
           ]).
-:- use_module(csg_ko, [csg_ko//1]).
-:- use_module('../csg/csg_term', [misshapen/2, near_operands/2]).
+:- use_module('../csg/csg_term', [near_operands/2]).
 :- use_module(message_parts,
               [meant_ko//1, shown_count/2, shown_value/2, syntax_words//1]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
+:- use_module(primitive_ko, [misshapen_ko//1]).
 :- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with the text or the facts of a model, in Korean.
 
@@ -107,9 +107,9 @@ model_ko(kind(Term, Kind, Wanted)) -->
     [ '~w 의 종류는 ~w 이며 ~w 이(가) 아닙니다'-[Name, Wanted, Kind], nl,
       '  segment(S, ~w, ~w(...)) 로 쓰십시오.'-[Wanted, Name] ].
 model_ko(no_vertices(_, Name)) -->
-    { misshapen(Name, _) },
+    misshapen_ko(Name),
     !,
-    csg_ko(unknown(Name)).
+    [ nl, '  아니면 세그먼트에 v/5 와 p/3 을 쓰십시오.' ].
 model_ko(no_vertices(S, Name)) -->
     [ '세그먼트 ~d 에 꼭지점이 없고 ~p 은(는) 기본 입체가 아닙니다'-[S, Name] ],
     { near_operands(Name, Near) },

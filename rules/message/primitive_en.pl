@@ -1,9 +1,10 @@
 :- module(sg_primitive_en,
           [ primitive_en//2,            % +What, +Term
+            misshapen_en//1,            % +Term
             primitive_names//0,         %
             primitive_usage//1          % +Term
           ]).
-:- use_module('../csg/csg_term', [near_operands/2]).
+:- use_module('../csg/csg_term', [misshapen/2, near_operands/2]).
 :- use_module(message_parts, [meant_en//1, shown_count/2]).
 :- use_module('../primitive/primitive',
               [primitive/1, primitive_form/2, primitive_name/2]).
@@ -35,10 +36,21 @@ primitive_usage(Term) -->
 primitive_usage(_) -->
     [].
 
+%!  misshapen_en(+Term)// is semidet.
+%
+%   What should stand in the place of Term, misshapen/2.
+
+misshapen_en(Term) -->
+    { misshapen(Term, Form) },
+    [ '~p should look like ~w'-[Term, Form] ].
+
 %!  primitive_en(+What, +Term)// is det.
 %
 %   The message for model_error(primitive(What, Term)).
 
+primitive_en(unknown, Term) -->
+    misshapen_en(Term),
+    !.
 primitive_en(unknown, Term) -->
     [ '~p is no primitive'-[Term] ],
     { near_operands(Term, Near) },

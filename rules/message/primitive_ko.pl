@@ -1,8 +1,9 @@
 :- encoding(utf8).
 :- module(sg_primitive_ko,
-          [ primitive_ko//2             % +What, +Term
+          [ primitive_ko//2,            % +What, +Term
+            misshapen_ko//1             % +Term
           ]).
-:- use_module('../csg/csg_term', [near_operands/2]).
+:- use_module('../csg/csg_term', [misshapen/2, near_operands/2]).
 :- use_module(message_parts, [meant_ko//1, shown_count/2]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0, primitive_usage//1]).
@@ -12,10 +13,21 @@
 The heads are those of primitive_en.pl (tests/rules/primitive/primitive.plt).
 */
 
+%!  misshapen_ko(+Term)// is semidet.
+%
+%   What should stand in the place of Term, misshapen/2.
+
+misshapen_ko(Term) -->
+    { misshapen(Term, Form) },
+    [ '~p 은(는) ~w 꼴이어야 합니다'-[Term, Form] ].
+
 %!  primitive_ko(+What, +Term)// is det.
 %
 %   The message for model_error(primitive(What, Term)).
 
+primitive_ko(unknown, Term) -->
+    misshapen_ko(Term),
+    !.
 primitive_ko(unknown, Term) -->
     [ '~p 은(는) 기본 입체가 아닙니다'-[Term] ],
     { near_operands(Term, Near) },

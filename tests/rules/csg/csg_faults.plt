@@ -3,9 +3,11 @@
 :- module(test_csg_faults, []).
 :- use_module(library(plunit)).
 :- use_module(rules(solid/csg_evaluate)).
+:- use_module(rules(csg/csg_term), [operation_form/2]).
 :- use_module(rules(message/messages)).
 :- use_module(rules(message/messages_ko)).
 :- use_module(rules(model/model)).
+:- use_module(rules(primitive/primitive), [primitive/1]).
 :- use_module(rules(store)).
 :- use_module(tests(rules/message_text), [message_text/3]).
 
@@ -104,5 +106,24 @@ test(unnumbered_told, [forall(( unnumbered(_, What),
     message_text(Language, error(model_error(csg(What)), _), Text),
     \+ sub_string(Text, _, _, _, "operand("),
     ( sub_string(Text, _, _, _, "2") -> true ).
+
+%   A mere name is told its arguments, not that it may be meant for itself.
+
+mere_name(Name) :-
+    primitive(Name).
+mere_name(Name) :-
+    operation_form(Name, _).
+
+test(mere_name, [forall(( mere_name(Name), member(Language, [en,ko]),
+                          member(What, [ csg(unknown(Name)),
+                                         primitive(unknown, Name),
+                                         no_vertices(1, Name) ]) ))]) :-
+    message_text(Language, error(model_error(What), _), Text),
+    sub_string(Text, Before, _, _, Name),
+    sub_string(Text, Between, _, _, "("),
+    Between > Before,
+    \+ sub_string(Text, _, _, _, "Did you mean"),
+    \+ sub_string(Text, _, _, _, "혹시"),
+    !.
 
 :- end_tests(csg_faults).
