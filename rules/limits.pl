@@ -2,6 +2,7 @@
           [ limit_value/2,              % ?Name, -Most
             set_limit/2,                % +Name, +Most
             within_limit/3,             % +Name, +Count, +Error
+            within_depth/1,             % @Term
             text_beyond/5,              % +Kind, +Source, -What, -Line, -Column
             text_limits/1,              % -Limits
             term_of_text/3              % +Text, -Term, +Options
@@ -82,6 +83,46 @@ within_limit(Name, Count, Location) :-
     (   Count =< Most
     ->  true
     ;   throw(error(model_error(limit(Name, Count, Most)), Location))
+    ).
+
+%!  within_depth(@Term) is det.
+%
+%   Term is no deeper than what writes it can go down its stack: 2,000 levels,
+%   or the limit `depth` if that is more. A list is as deep as its deepest
+%   member and one; what is in itself is too deep.
+%
+%   @error model_error(limit(depth, Most))
+
+within_depth(Term) :-
+    limit_value(depth, Limit),
+    Most is max(2000, Limit),
+    (   deeper(Term, Most)
+    ->  throw(error(model_error(limit(depth, Most)), _))
+    ;   true
+    ).
+
+deeper(Term, Most) :-
+    compound(Term),
+    Most1 is Most-1,
+    (   Most1 < 0
+    ->  true
+    ;   Term = [_|_]
+    ->  '$skip_list'(_, Term, End),
+        (   End = [_|_]                 % a list that ends in itself
+        ;   member_of(Term, Member),
+            deeper(Member, Most1)
+        ;   deeper(End, Most1)
+        )
+    ;   arg(_, Term, Argument),
+        deeper(Argument, Most1)
+    ),
+    !.
+
+member_of(List, Member) :-
+    nonvar(List),
+    List = [First|Rest],
+    (   Member = First
+    ;   member_of(Rest, Member)
     ).
 
 %!  text_beyond(+Kind, +Source, -What, -Line, -Column) is semidet.

@@ -3,7 +3,7 @@
             read_goal/3,                % +Text, -Goal, -Bindings
             print_table/2               % +Names, +Rows
           ]).
-:- use_module('../limits', [term_of_text/3]).
+:- use_module('../limits', [term_of_text/3, within_depth/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2, shown_text/2]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(http/json), [json_write_dict/3]).
@@ -124,9 +124,10 @@ counted(Answer, Print, Count) :-
     arg(1, State, Count).
 
 %   lettered(Term0, Term): unbound variables of an answer are A, B, ..., so
-%   that the same answer always gives the same text.
+%   that the same answer always gives the same text. It is not too deep.
 
 lettered(Term0, Term) :-
+    within_depth(Term0),
     copy_term(Term0, Term, _),
     numbervars(Term, 0, _).
 

@@ -241,6 +241,20 @@ done
 )
 check all-answers is "$(wc -l <"$work/out")" 640001
 
+# Answers deeper than what writes them can go: said, in every format.
+for format in table csv json prolog; do
+  for goal in 'numlist(1, 30000, L), foldl([_,T,f(T)]>>true, L, x, X)' \
+    'numlist(1, 30000, L), foldl([_,T,T+1]>>true, L, x, X)' \
+    'X = f(X)' 'X = [a|X]' 'X = [a,f(b,X)]'; do
+    bounded query facts/cube.pl --format $format "$goal"
+    check "deep.$format.$goal" status_is 3
+    check "deep.$format.$goal.said" has '--limits depth=N'
+  done
+  bounded query facts/cube.pl --format $format \
+    'numlist(1, 30000, L), foldl([_,T,f(T)]>>true, [1,2,3], x, X)'
+  check "long.$format" status_is 0
+done
+
 # Errors of Prolog in our words.
 while IFS='|' read -r goal wanted; do
   for lang in en ko; do
