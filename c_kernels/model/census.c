@@ -373,6 +373,7 @@ open_counting(sg_counting *c)
   c->triangles = calloc(d->polygons + 1, sizeof *c->triangles);
   c->area = calloc(d->polygons + 1, sizeof *c->area);
   c->volume = calloc(d->polygons + 1, sizeof *c->volume);
+  c->sides = calloc(d->polygons + 1, sizeof *c->sides);
   c->loops_of = calloc(d->polygons + 1, sizeof *c->loops_of);
   c->bad = calloc(d->polygons + 1, sizeof *c->bad);
   c->from = malloc((longest + 1) * sizeof *c->from);
@@ -380,8 +381,9 @@ open_counting(sg_counting *c)
   c->out->part = calloc(d->segments + 1, sizeof *c->out->part);
   c->out->shell = calloc(d->polygons + 1, sizeof *c->out->shell);
   if (!c->owner || !c->next || !c->opposite || !c->shell_of || !c->seen ||
-      !c->fans || !c->triangles || !c->area || !c->volume || !c->loops_of ||
-      !c->bad || !c->from || !c->to || !c->out->part || !c->out->shell) {
+      !c->fans || !c->triangles || !c->area || !c->volume || !c->sides ||
+      !c->loops_of || !c->bad || !c->from || !c->to || !c->out->part ||
+      !c->out->shell) {
     return false;
   }
   memset(c->owner, -1, d->edges * sizeof *c->owner);
@@ -399,7 +401,7 @@ close_counting(sg_counting *c)
   void *const owned[] = {c->owner,  c->next,     c->opposite,  c->shell_of,
                          c->seen,   c->fans,     c->triangles, c->area,
                          c->volume, c->loops_of, c->bad,       c->from,
-                         c->to};
+                         c->to,     c->sides};
 
   for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) {
     free(owned[i]);
@@ -408,10 +410,10 @@ close_counting(sg_counting *c)
 }
 
 bool
-sg_census_make(const sg_dense *dense, const sg_poll *poll, sg_census *out,
-               bool *stopped)
+sg_census_make(const sg_dense *dense, const double (*plane)[4],
+               const sg_poll *poll, sg_census *out, bool *stopped)
 {
-  sg_counting c = {.d = dense, .out = out, .poll = poll};
+  sg_counting c = {.d = dense, .plane = plane, .out = out, .poll = poll};
 
   *out = (sg_census){0};
   bool done = open_counting(&c);

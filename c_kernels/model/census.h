@@ -23,6 +23,10 @@ typedef enum sg_defect_kind {
   SG_DEFECT_UNUSED,      /* vertex a has no edge */
   SG_DEFECT_TWIN,        /* vertices a and b are at the same place */
   SG_DEFECT_SHORT,       /* half-edge a is shorter than the tolerance */
+  SG_DEFECT_PLANE,       /* the plane of polygon a is not through its corners,
+                            or looks the other way */
+  SG_DEFECT_TRIANGLES,   /* the triangles of polygon a do not cover it once, or
+                            one is turned over */
   SG_DEFECTS
 } sg_defect_kind;
 
@@ -61,11 +65,14 @@ typedef struct sg_census {
   size_t defect_room;
 } sg_census;
 
-/* Returns: false: no memory, or (*stopped) stopped by the poll.
+/* `plane`: [polygons] A, B, C, D as the model has them, NaN where it has none;
+ * null: none at all.
+ *
+ * Returns: false: no memory, or (*stopped) stopped by the poll.
  * Cost:    about linear.
  * Owner:   sg_census_clear() in any case. */
-bool sg_census_make(const sg_dense *dense, const sg_poll *poll, sg_census *out,
-                    bool *stopped);
+bool sg_census_make(const sg_dense *dense, const double (*plane)[4],
+                    const sg_poll *poll, sg_census *out, bool *stopped);
 void sg_census_clear(sg_census *census);
 
 #endif

@@ -18,6 +18,27 @@ length(const double v[3])
                                            : hypot(hypot(v[0], v[1]), v[2]);
 }
 
+static uint64_t
+mix(uint64_t h)
+{
+  h += 0x9e3779b97f4a7c15u;
+  h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
+  h = (h ^ h >> 27) * 0x94d049bb133111ebu;
+  return h ^ h >> 31;
+}
+
+/* A number for the side from a to b; that from b to a is what cancels it. So
+ * the sides of triangles have the sum of a polygon's edges if, and but for a
+ * chance of 2^-64 only if, they end where it ends. */
+static uint64_t
+side(int32_t a, int32_t b)
+{
+  uint64_t low = (uint64_t)(a < b ? a : b), high = (uint64_t)(a < b ? b : a);
+  uint64_t one = mix(mix(low) + high);
+
+  return a < b ? one : 0 - one;
+}
+
 /* Adds a triangle, seen from `o`, to its polygon. */
 static void
 add_triangle(sg_counting *c, size_t t, const double o[3])
@@ -36,33 +57,44 @@ add_triangle(sg_counting *c, size_t t, const double o[3])
   c->triangles[p]++;
   c->area[p] += length(n) / 2;
   c->volume[p] += a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+  for (int k = 0; k < 3; k++) {
+    c->sides[p] += side(d->corner[t][k], d->corner[t][(k + 1) % 3]);
+  }
 }
 
-/* The farthest that a vertex of polygon p is off its plane, and its longest
- * edge. False: it has no plane. */
+typedef struct measures {
+  sg_newell sum;
+  double off;             /* the farthest that a vertex is off its plane */
+  double longest, around; /* edge, sum of the edges */
+  uint64_t sides;
+} measures;
+
+/* False: polygon p has no plane. */
 static bool
-measure(const sg_counting *c, size_t p, sg_newell *sum, double *off,
-        double *longest)
+measure(const sg_counting *c, size_t p, measures *m)
 {
   const sg_dense *d = c->d;
   sg_plane plane;
 
-  sg_newell_init(sum);
-  *off = *longest = 0;
+  *m = (measures){.off = 0};
+  sg_newell_init(&m->sum);
   for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
     const double *a = d->at[d->from[d->list[k]]];
     const double *b = d->at[d->to[d->list[k]]];
     double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
-    sg_newell_edge(sum, a, b);
-    *longest = fmax(*longest, sqrt(x * x + y * y + z * z));
+    double edge = sqrt(x * x + y * y + z * z);
+    sg_newell_edge(&m->sum, a, b);
+    m->longest = fmax(m->longest, edge);
+    m->around += edge;
+    m->sides += side(d->from[d->list[k]], d->to[d->list[k]]);
   }
-  if (!sg_newell_plane(sum, &plane)) {
+  if (!sg_newell_plane(&m->sum, &plane)) {
     return false;
   }
   size_t n = d->list_begin[p + 1] - d->list_begin[p];
   for (size_t k = d->list_begin[p]; n > 3 && k < d->list_begin[p + 1]; k++) {
-    *off =
-        fmax(*off, fabs(sg_plane_distance(&plane, d->at[d->from[d->list[k]]])));
+    const double *at = d->at[d->from[d->list[k]]];
+    m->off = fmax(m->off, fabs(sg_plane_distance(&plane, at)));
   }
   return true;
 }
@@ -79,12 +111,59 @@ add_face(sg_counting *c, size_t p, const sg_newell *sum, const double o[3])
   }
 }
 
+/* Triangles fill a flat polygon once if they end where it ends and none is
+ * turned over, so that they have its area. */
+static bool
+triangles_fill(const sg_counting *c, size_t p, const measures *m)
+{
+  double corners = (double)(c->d->list_begin[p + 1] - c->d->list_begin[p]);
+  double enough = c->part->tolerance * m->around * corners;
+
+  return c->sides[p] == m->sides &&
+         (m->off > c->part->tolerance ||
+          c->area[p] <= sg_newell_area(&m->sum) + enough);
+}
+
+/* Is what the model has for the plane of polygon p its plane? */
+static bool
+has_own_plane(const sg_counting *c, size_t p, const measures *m)
+{
+  const sg_dense *d = c->d;
+  const double *own = c->plane[p], *n = m->sum.doubled;
+  double enough = 16 * c->part->tolerance + m->off;
+
+  if (isnan(own[0])) {
+    return true;
+  }
+  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+    const double *at = d->at[d->from[d->list[k]]];
+    double off = own[0] * at[0] + own[1] * at[1] + own[2] * at[2] + own[3];
+    if (!(fabs(off) <= enough)) {
+      return false;
+    }
+  }
+  return own[0] * n[0] + own[1] * n[1] + own[2] * n[2] > 0 &&
+         fabs(length(own) - 1) < 1e-6;
+}
+
+/* What is kept of polygon p beside its corners, against these. */
+static bool
+note_derived(sg_counting *c, size_t p, const measures *m)
+{
+  int32_t id = c->d->polygon_id[p];
+
+  return (!c->plane || has_own_plane(c, p, m) ||
+          sg_census_note(c, SG_DEFECT_PLANE, id, 0)) &&
+         (!c->triangles[p] || triangles_fill(c, p, m) ||
+          sg_census_note(c, SG_DEFECT_TRIANGLES, id, 0));
+}
+
 bool
 sg_census_faces(sg_counting *c)
 {
   const sg_dense *d = c->d;
-  double o[3], off, longest, tolerance = c->part->tolerance;
-  sg_newell sum;
+  double o[3], tolerance = c->part->tolerance;
+  measures m;
 
   for (int k = 0; k < 3; k++) {
     o[k] = c->part->low[k] / 2 + c->part->high[k] / 2;
@@ -95,13 +174,17 @@ sg_census_faces(sg_counting *c)
   }
   for (size_t p = d->polygon_begin[c->s]; p < d->polygon_begin[c->s + 1]; p++) {
     int32_t id = d->polygon_id[p];
-    bool has_plane = measure(c, p, &sum, &off, &longest);
+    bool has_plane = measure(c, p, &m);
     if (!c->triangles[p] && has_plane) {
-      add_face(c, p, &sum, o);
+      add_face(c, p, &m.sum, o);
     }
-    if ((!has_plane || 2 * c->area[p] <= tolerance * longest)
-            ? !sg_census_note(c, SG_DEFECT_FLAT, id, 0)
-            : off > tolerance && !sg_census_note(c, SG_DEFECT_BENT, id, 0)) {
+    if (!has_plane || sg_newell_area(&m.sum) * 2 <= tolerance * m.longest) {
+      if (!sg_census_note(c, SG_DEFECT_FLAT, id, 0)) {
+        return false;
+      }
+    } else if (!note_derived(c, p, &m) ||
+               (m.off > tolerance &&
+                !sg_census_note(c, SG_DEFECT_BENT, id, 0))) {
       return false;
     }
   }
@@ -122,15 +205,6 @@ compare_hashed(const void *a, const void *b)
 
   return x->hash != y->hash ? (x->hash > y->hash) - (x->hash < y->hash)
                             : (x->place > y->place) - (x->place < y->place);
-}
-
-static uint64_t
-mix(uint64_t h)
-{
-  h += 0x9e3779b97f4a7c15u;
-  h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
-  h = (h ^ h >> 27) * 0x94d049bb133111ebu;
-  return h ^ h >> 31;
 }
 
 /* Is each of the vertices of polygon p one of q, and as many? */

@@ -8,6 +8,7 @@
 
 typedef struct sg_counting {
   const sg_dense *d;
+  const double (*plane)[4]; /* [polygons] or null */
   sg_census *out;
   const sg_poll *poll;
   bool stopped;
@@ -21,6 +22,7 @@ typedef struct sg_counting {
   int32_t *fans;         /* [vertices] */
   uint32_t *triangles;   /* [polygons] how many */
   double *area, *volume; /* [polygons] the volume six times */
+  uint64_t *sides;       /* [polygons] of triangles, see side() */
   int32_t *loops_of;     /* [polygons] */
   bool *bad;             /* [polygons] has an edge that is no pair */
   sg_loops loops;

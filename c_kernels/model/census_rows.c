@@ -2,18 +2,51 @@
 #include "census.h"
 #include "doors/world.h"
 #include "rows/dense_rows.h"
+#include "rows/live_rows.h"
+
+#include <math.h>
 
 #include <string.h>
+
+typedef struct planes {
+  const sg_dense *dense;
+  double (*of)[4]; /* [polygons] */
+} planes;
+
+static void
+read_plane(void *reader, const sg_live_row *row)
+{
+  const planes *all = reader;
+  int32_t p =
+      sg_dense_polygon(all->dense, sg_row_int(row, 0), sg_row_int(row, 1));
+
+  for (unsigned k = 0; p >= 0 && k < 4; k++) {
+    all->of[p][k] = sg_row_number(row, 2 + k);
+  }
+}
+
+static bool
+read_planes(sg_call *call, planes *all)
+{
+  all->of = sg_call_alloc(call, (all->dense->polygons + 1) * sizeof *all->of);
+  for (size_t p = 0; all->of && p < all->dense->polygons; p++) {
+    all->of[p][0] = NAN;
+  }
+  return all->of && sg_each_row(call, SG_PLANE, read_plane, all);
+}
 
 /* sg_census_clear() in any case. */
 static bool
 make_census(sg_call *call, sg_census *out)
 {
   sg_dense dense;
-  bool stopped, good = sg_dense_read(call, NULL, 0, &dense);
+  planes all = {&dense, NULL};
+  bool stopped;
+  bool good = sg_dense_read(call, NULL, 0, &dense) && read_planes(call, &all);
 
   *out = (sg_census){0};
-  good = good && (sg_census_make(&dense, &call->poll, out, &stopped) ||
+  good = good && (sg_census_make(&dense, (const double(*)[4])all.of,
+                                 &call->poll, out, &stopped) ||
                   sg_call_ended(call));
   sg_dense_clear(&dense);
   return good;

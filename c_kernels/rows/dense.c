@@ -359,26 +359,32 @@ sg_dense_clear(sg_dense *d)
   *d = (sg_dense){0};
 }
 
-int32_t
-sg_dense_vertex(const sg_dense *d, int32_t s, int32_t v)
+static int32_t
+find_place(const sg_dense *d, const int32_t *ids, const uint32_t *begin,
+           int32_t s, int32_t id)
 {
   size_t last = 0;
   int64_t place = segment_place(d, s, &last);
 
-  return place < 0
-             ? -1
-             : place_of(d->vertex_id, d->vertex_begin, (uint64_t)place, v);
+  return place < 0 ? -1 : place_of(ids, begin, (uint64_t)place, id);
+}
+
+int32_t
+sg_dense_vertex(const sg_dense *d, int32_t s, int32_t v)
+{
+  return find_place(d, d->vertex_id, d->vertex_begin, s, v);
+}
+
+int32_t
+sg_dense_polygon(const sg_dense *d, int32_t s, int32_t p)
+{
+  return find_place(d, d->polygon_id, d->polygon_begin, s, p);
 }
 
 int32_t
 sg_dense_triangle(const sg_dense *d, int32_t s, int32_t t)
 {
-  size_t last = 0;
-  int64_t place = segment_place(d, s, &last);
-
-  return place < 0
-             ? -1
-             : place_of(d->triangle_id, d->triangle_begin, (uint64_t)place, t);
+  return find_place(d, d->triangle_id, d->triangle_begin, s, t);
 }
 
 size_t

@@ -57,7 +57,8 @@ void sg_dense_clear(sg_dense *dense);
 /* The place of vertex v of segment s, -1: there is none. */
 int32_t sg_dense_vertex(const sg_dense *dense, int32_t s, int32_t v);
 
-/* The same of triangle t. */
+/* The same of polygon p, and of triangle t. */
+int32_t sg_dense_polygon(const sg_dense *dense, int32_t s, int32_t p);
 int32_t sg_dense_triangle(const sg_dense *dense, int32_t s, int32_t t);
 
 /* The segment (a place) that a vertex, an edge, ... of this place is in. */

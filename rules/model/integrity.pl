@@ -40,6 +40,9 @@ A bad model is no error but a relation. The joins are one pass in C
 %     - degenerate_face(S, P), bent_face(S, P), short_edge(S, E)
 %       No area; off its plane; no length: all within the tolerance of the
 %       source.
+%     - wrong_plane(S, P), wrong_triangles(S, P)
+%       plane/6 or t/6 is not as the corners of P have it: another plane, the
+%       other side, or triangles that do not cover P once, as it is turned.
 %     - twin_vertices(S, V1, V2), unused_vertex(S, V)
 %     - self_penetration(S, P1, P2), self_overlap(S, P1, P2)
 %       Two polygons of a segment (or one) go through each other, or lie in one
@@ -119,6 +122,8 @@ defect_census(pinched_vertex(S, V, N),    pinched_vertex,   S, V, N).
 defect_census(degenerate_face(S, P),      degenerate_face,  S, P, _).
 defect_census(bent_face(S, P),            bent_face,        S, P, _).
 defect_census(short_edge(S, E),           short_edge,       S, E, _).
+defect_census(wrong_plane(S, P),          wrong_plane,      S, P, _).
+defect_census(wrong_triangles(S, P),      wrong_triangles,  S, P, _).
 defect_census(twin_vertices(S, V1, V2),   twin_vertices,    S, V1, V2).
 defect_census(unused_vertex(S, V),        unused_vertex,    S, V, _).
 
@@ -135,6 +140,8 @@ defect_weight(open_polygon,     fault).
 defect_weight(duplicate_face,   fault).
 defect_weight(inside_out,       fault).
 defect_weight(self_penetration, fault).
+defect_weight(wrong_plane,      fault).
+defect_weight(wrong_triangles,  fault).
 defect_weight(self_overlap,     fault).
 defect_weight(touching_edge,    remark).
 defect_weight(nested_shell,     remark).

@@ -1,5 +1,7 @@
 :- encoding(utf8).
 :- module(test_check, []).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(http/json)).
 :- use_module(rules(command/check)).
@@ -168,6 +170,61 @@ test(same_lines_in_korean) :-
     length(Lines, N),
     length(LinesKo, N),
     N > 5.
+
+%   change(Wanted, Olds, Rows): rows of the one polygon that are not as its
+%   corners have them, in the place of Olds.
+
+change([wrong_plane], [Old], [plane(1, 1, Nx, Ny, Nz, D)]) :-
+    Old = plane(1, 1, Nx0, Ny0, Nz0, D0),
+    call(Old),
+    member(Nx0-Nx, [0.0-0.0,0.0-1.0e-3]),
+    member(Ny0-Ny, [0.0-0.0,0.0-0.002]),
+    member(Nz, [Nz0,-1.0,2.0]),
+    member(D, [D0,1.0e-3,-2.0]),
+    [Nx,Ny,Nz,D] \== [Nx0,Ny0,Nz0,D0].
+change([wrong_triangles], [Old], Rows) :-
+    Old = t(1, 1, T, A, B, C),
+    call(Old),
+    (   Rows = []                       % missing, turned, another corner
+    ;   Rows = [t(1, 1, T, B, A, C)]
+    ;   v(1, V, _, _, _),
+        \+ memberchk(V, [A,B,C]),
+        Rows = [t(1, 1, T, A, B, V)]
+    ).
+change([wrong_triangles], [], [t(1, 1, 99, A, B, C)]) :-
+    t(1, 1, _, A, B, C).
+
+derived(Defects) :-
+    findall(Name,
+            ( member(Name, [wrong_plane,wrong_triangles]),
+              functor(Defect, Name, 2),
+              once(model_defect(Defect)) ),
+            Defects).
+
+changed(Olds, Rows, Found) :-
+    facts_snapshot(( maplist(retract_fact, Olds),
+                     maplist(assert_fact, Rows),
+                     derived(Found) )).
+
+an_l("v 0 0 0\nv 4 0 0\nv 4 1 0\nv 2 1 0\nv 2 3 0\nv 0 3 0\nf 1 2 3 4 5 6\n").
+
+test(derived_as_made, Defects == []) :-
+    an_l(Text),
+    with(obj, Text, ( complete_segments, derived(Defects) )).
+test(derived_otherwise, Wrong == []) :-
+    an_l(Text),
+    with(obj, Text,
+         ( complete_segments,
+           findall(change(Wanted, Olds, Rows), change(Wanted, Olds, Rows),
+                   Changes),
+           findall(Rows-Found,
+                   ( member(change(Wanted, Olds, Rows), Changes),
+                     changed(Olds, Rows, Found),
+                     Found \== Wanted ),
+                   Wrong) )),
+    length(Changes, N),
+    assertion(N > 50).
+
 test(empty) :-
     new_world(World),
     in_world(World, check_report(R)),
