@@ -81,12 +81,13 @@ view_kept(sg_call *call, sg_scene_index *index, const request *q)
 
 bool
 sg_door_scene_open(sg_call *call, const sg_chosen_segments *segments,
-                   double depth, double tolerance, const sg_outlines *smooth,
-                   const sg_known_model *known, sg_scene_index **scene)
+                   double depth, double tolerance,
+                   const sg_drawn_outlines *smooth, const sg_known_model *known,
+                   sg_scene_index **scene)
 {
   request q = {.depth = depth,
                .tolerance = tolerance,
-               .smooth = smooth->is == SG_OUTLINES_SMOOTH};
+               .smooth = smooth->is == SG_DRAWN_OUTLINES_SMOOTH};
   sg_scene_index *index = calloc(1, sizeof *index);
 
   if (q.smooth) {

@@ -1,6 +1,6 @@
 /* arrangement_choice.h -- a solid under way, from what is chosen of leaves.
  *
- * Layer: kernel. Between arrangement_select.c and arrangement_rows.c.
+ * Layer: kernel. Between arrangement_select.c and arrangement_uncut.c.
  */
 #ifndef SG_ARRANGEMENT_CHOICE_H
 #define SG_ARRANGEMENT_CHOICE_H
@@ -74,7 +74,7 @@ void sg_choice_set_triangle(sg_solid *out, size_t at, const uint32_t v[3],
                             uint8_t auxiliary, bool reversed);
 
 /* All chosen polygons that are not cut, into an empty solid
- * (arrangement_rows.c). False: no memory, or stopped. */
+ * (arrangement_uncut.c). False: no memory, or stopped. */
 bool sg_choice_add_rows(sg_choice *k, sg_crew *crew, const sg_poll *poll);
 
 #endif

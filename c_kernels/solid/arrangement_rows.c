@@ -1,301 +1,345 @@
-/* arrangement_rows.c -- chosen polygons that are not cut, into a solid: see
- * arrangement_choice.h.
- *
- * Layer: kernel. These are the bulk, and each leaf's are a task of its own: it
- * looks which triangles and vertices there are; then all get their places; then
- * it fills them. So nothing depends on which thread did what.
- */
-#include "arrangement_choice.h"
+/* arrangement_rows.c -- see arrangement_rows.h: opening, filling, sealing. */
+#include "arrangement_rows.h"
+
+#include "doors/boolean.h"
+#include "doors/penetration.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static uint8_t
-auxiliary_of(const sg_arrangement *a, uint32_t leaf, const int32_t v[3])
+/* ---- closing ---- */
+
+/* What only sealing needs, or who looks into the pieces. */
+static void
+close_rows(sg_arrangement_handle *h)
 {
-  uint8_t bits = 0;
-
-  for (int c = 0; c < 3 && a->auxiliary.n > 0; c++) {
-    uint32_t key[3] = {leaf, (uint32_t)v[c], (uint32_t)v[(c + 1) % 3]};
-
-    if (sg_key_table_get(&a->auxiliary, key) != SG_NO_KEY) {
-      bits |= (uint8_t)(1 << c);
+  sg_arrangement_close(h->arrangement);
+  h->arrangement = NULL;
+  for (size_t i = 0; h->tree && i < h->n; i++) {
+    if (h->tree[i]) {
+      sg_kept_tree_drop(h->tree[i]);
     }
   }
-  return bits;
+  if (h->set) {
+    sg_cut_set_let_go(h->set);
+  }
+  if (h->version) {
+    sg_leaf_views_clear(&h->views);
+    sg_version_drop(h->version);
+    sg_world_let_go(h->world);
+  }
+  free(h->tree);
+  free(h->own);
+  free(h->knots);
+  free(h->s);
+  free(h->wanted);
+  free(h->surface);
+  free(h->weight);
+  free(h->origin_at);
+  free(h->origin);
 }
 
-static int
-compare_chosen(const void *x, const void *y)
+void
+sg_arrangement_handle_free(sg_arrangement_handle *h)
 {
-  const sg_chosen_row *a = x, *b = y;
-
-  return a->p != b->p ? (a->p > b->p) - (a->p < b->p)
-                      : (a->row > b->row) - (a->row < b->row);
+  if (h) {
+    if (h->arrangement) {
+      close_rows(h);
+    }
+    free(h);
+  }
 }
 
-/* The chosen triangles, polygon by polygon. */
+/* The first argument is it. */
 static bool
-choose_rows(sg_source *from)
+is_open(sg_call *call, const sg_arrangement_handle *h)
 {
-  const sg_arranged *leaf = from->leaf;
-  bool sorted = true;
-  int32_t last = INT32_MIN;
-
-  from->list = malloc((leaf->rows + 1) * sizeof *from->list);
-  for (size_t i = 0; from->list && i < leaf->rows; i++) {
-    uint32_t c = leaf->component[i];
-
-    if (c != SG_NO_KEY && sg_sense_of(from, c) != 0) {
-      int32_t p = sg_arranged_polygon(from->a, leaf->row[i]);
-
-      from->list[from->n++] = (sg_chosen_row){p, (uint32_t)i};
-      sorted = sorted && last <= p;
-      last = p;
-    }
-  }
-  if (from->list && !sorted) {
-    qsort(from->list, from->n, sizeof *from->list, compare_chosen);
-  }
-  return from->list != NULL;
+  return h->arrangement || sg_call_missing(call, "arrangement", 1);
 }
 
-/* A vertex that is not numbered yet. */
 static bool
-note_vertex(sg_source *from, uint32_t node, int32_t v)
+is_unsealed(sg_call *call, const sg_arrangement_handle *h)
 {
-  uint32_t *number = &from->number[node - from->leaf->node];
-
-  if (!from->a->touched[node]) {
-    *number = (uint32_t)from->fresh_n;
-    from->fresh[from->fresh_n++] = (sg_chosen_corner){node, v};
-    return true;
-  }
-  sg_chosen_corner *all = sg_choice_grown(from->touching, from->touching_n,
-                                          &from->touching_room, sizeof *all);
-
-  if (!all) {
-    return false;
-  }
-  *number = 0;
-  from->touching = all;
-  all[from->touching_n++] = (sg_chosen_corner){node, v};
-  return true;
-}
-
-/* First task: which triangles, how many faces, which vertices. */
-static void
-look_at_rows(void *data, size_t task)
-{
-  sg_source *from = &((sg_choice *)data)->from[task];
-  const sg_arranged *leaf = from->leaf;
-
-  from->failed = !choose_rows(from);
-  if (!from->failed) {
-    size_t most = leaf->tree->vertex.places;
-
-    most = most < 3 * from->n ? most : 3 * from->n;
-    from->fresh = malloc((most + 1) * sizeof *from->fresh);
-    from->failed = !from->fresh;
-  }
-  for (size_t i = 0; i < from->n && !from->failed; i++) {
-    int32_t v[3];
-
-    if (i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_crew_stopping()) {
-      return;
-    }
-    sg_arranged_corners(from->a, leaf->row[from->list[i].row], v);
-    from->faces += i == 0 || from->list[i - 1].p != from->list[i].p;
-    for (int c = 0; c < 3 && !from->failed; c++) {
-      uint32_t node = sg_arrangement_own_node(leaf, v[c]);
-
-      if (from->number[node - leaf->node] == SG_NO_KEY) {
-        from->failed = !note_vertex(from, node, v[c]);
-      }
-    }
-  }
-}
-
-/* The triangles of the chosen cells, which come after; *cells: how many. */
-static size_t
-count_cells(const sg_source *from, size_t *cells)
-{
-  const sg_arranged *leaf = from->leaf;
-  size_t n = 0;
-
-  for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
-    const sg_cell *cell = &from->a->cell[i];
-
-    if (sg_sense_of(from, cell->component) != 0) {
-      n += cell->n;
-      ++*cells;
-    }
-  }
-  return n;
-}
-
-/* For this much, and for the chosen cells with all of their corners: what has
- * a million rows is not to be moved because of a few thousand cells. */
-static bool
-make_room(sg_choice *k, size_t vertices, size_t triangles, size_t faces)
-{
-  sg_solid *out = k->out;
-  size_t cells = 0, parts = 0;
-
-  for (size_t i = 0; i < k->n; i++) {
-    parts += count_cells(&k->from[i], &cells);
-    vertices += k->from[i].touching_n;
-  }
-  k->vertex_room = vertices + 3 * parts + 1;
-  k->triangle_room = triangles + parts + 1;
-  k->face_room = faces + cells + 1;
-  out->vertex = malloc(k->vertex_room * sizeof *out->vertex);
-  out->triangle = malloc(k->triangle_room * sizeof *out->triangle);
-  out->auxiliary = malloc(k->triangle_room * sizeof *out->auxiliary);
-  out->face = malloc(k->face_room * sizeof *out->face);
-  return out->vertex && out->triangle && out->auxiliary && out->face;
-}
-
-/* Between the tasks: where each leaf's part begins; and vertices that touch, of
- * all leaves. */
-static bool
-lay_out(sg_choice *k)
-{
-  size_t vertices = 0, triangles = 0, faces = 0;
-
-  for (size_t i = 0; i < k->n; i++) {
-    sg_source *from = &k->from[i];
-
-    if (from->failed) {
-      return false;
-    }
-    from->first_vertex = vertices;
-    from->first_triangle = triangles;
-    from->first_face = faces;
-    vertices += from->fresh_n;
-    triangles += from->n;
-    faces += from->faces;
-  }
-  if (!make_room(k, vertices, triangles, faces)) {
-    return false;
-  }
-  k->out->vertices = vertices;
-  k->out->triangles = triangles;
-  k->out->faces = faces;
-  for (size_t i = 0; i < k->n; i++) {
-    for (size_t c = 0; c < k->from[i].touching_n; c++) {
-      const sg_chosen_corner *one = &k->from[i].touching[c];
-
-      k->from[i].number[one->node - k->from[i].leaf->node] = SG_NO_KEY;
-      if (sg_choice_plain_vertex(k, &k->from[i], one->node, one->v) ==
-          SG_NO_KEY) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-static void
-place_vertices(const sg_choice *k, sg_source *from)
-{
-  for (size_t i = 0; i < from->fresh_n; i++) {
-    const sg_chosen_corner *one = &from->fresh[i];
-    sg_solid_vertex *out = &k->out->vertex[from->first_vertex + i];
-    double at[3] = {0};
-
-    sg_leaf_vertex_at(from->leaf->tree, from->a->leaves.views, one->v, at);
-    *out = (sg_solid_vertex){.at = {at[0] + 0.0, at[1] + 0.0, at[2] + 0.0},
-                             .s = from->leaf->s,
-                             .v = one->v};
-    from->number[one->node - from->leaf->node] =
-        (uint32_t)(from->first_vertex + i);
-  }
-}
-
-static void
-place_triangle(const sg_choice *k, sg_source *from, size_t i)
-{
-  const sg_arranged *leaf = from->leaf;
-  bool reversed = sg_sense_of(from, leaf->component[from->list[i].row]) < 0;
-  size_t at = from->first_triangle + i;
-  int32_t name[3];
-  uint32_t v[3];
-
-  sg_arranged_corners(from->a, leaf->row[from->list[i].row], name);
-  for (int c = 0; c < 3; c++) {
-    v[c] = from->number[sg_arrangement_own_node(leaf, name[c]) - leaf->node];
-  }
-  from->collapsed = from->collapsed || sg_is_collapsed(v);
-  sg_choice_set_triangle(k->out, at, v,
-                         auxiliary_of(from->a, from->place, name), reversed);
-}
-
-/* Second task: vertices, triangles and faces in their places. */
-static void
-place_rows(void *data, size_t task)
-{
-  const sg_choice *k = data;
-  sg_source *from = &((sg_choice *)data)->from[task];
-  size_t face = from->first_face;
-
-  place_vertices(k, from);
-  for (size_t i = 0; i < from->n; i++) {
-    if (i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_crew_stopping()) {
-      return;
-    }
-    if (i == 0 || from->list[i - 1].p != from->list[i].p) {
-      uint32_t c = from->leaf->component[from->list[i].row];
-
-      k->out->face[face++] = (sg_solid_face){
-          from->leaf->s, from->list[i].p, sg_sense_of(from, c) < 0,
-          (uint32_t)(from->first_triangle + i), 0};
-    }
-    k->out->face[face - 1].n++;
-    place_triangle(k, from, i);
-  }
-}
-
-/* Drops triangles whose corners became one, and faces of such alone. */
-static void
-drop_collapsed(sg_solid *out)
-{
-  size_t triangles = 0, faces = 0;
-
-  for (size_t i = 0; i < out->faces; i++) {
-    sg_solid_face face = out->face[i];
-    size_t end = face.first + face.n;
-
-    out->face[faces] = face;
-    out->face[faces].first = (uint32_t)triangles;
-    for (size_t t = face.first; t < end; t++) {
-      if (!sg_is_collapsed(out->triangle[t])) {
-        memmove(out->triangle[triangles], out->triangle[t],
-                sizeof out->triangle[t]);
-        out->auxiliary[triangles++] = out->auxiliary[t];
-      }
-    }
-    out->face[faces].n = (uint32_t)triangles - out->face[faces].first;
-    faces += out->face[faces].n > 0;
-  }
-  out->triangles = triangles;
-  out->faces = faces;
+  return is_open(call, h) &&
+         (!h->sealing || sg_call_forbidden(call, "fill", "arrangement", 1));
 }
 
 bool
-sg_choice_add_rows(sg_choice *k, sg_crew *crew, const sg_poll *poll)
+sg_door_arrangement_hold(sg_call *call, sg_arrangement_handle *h)
 {
-  bool collapsed = false;
-
-  if (!sg_crew_run(crew, k->n, look_at_rows, k, poll) || !lay_out(k) ||
-      !sg_crew_run(crew, k->n, place_rows, k, poll)) {
+  if (!is_open(call, h)) {
     return false;
   }
-  for (size_t i = 0; i < k->n; i++) {
-    collapsed = collapsed || k->from[i].collapsed;
+  atomic_fetch_add(&h->holders, 1);
+  return true;
+}
+
+bool
+sg_door_arrangement_drop(sg_call *call, sg_arrangement_handle *h)
+{
+  if (!is_open(call, h)) {
+    return false;
   }
-  if (collapsed) {
-    drop_collapsed(k->out);
+  if (atomic_fetch_sub(&h->holders, 1) == 1) {
+    close_rows(h);
   }
   return true;
+}
+
+/* ---- opening ---- */
+
+/* Room for n items, and one, zeroed; null: refused. */
+static void *
+room_for(sg_call *call, size_t n, size_t size)
+{
+  void *room = calloc(n + 1, size);
+
+  if (!room) {
+    sg_call_no_memory(call);
+  }
+  return room;
+}
+
+static bool
+take_leaves(sg_call *call, const sg_int_list *segments,
+            const sg_int_list *wanted, sg_arrangement_handle *h)
+{
+  h->n = segments->n;
+  h->s = room_for(call, h->n, sizeof *h->s);
+  h->wanted = room_for(call, h->n, sizeof *h->wanted);
+  if (!h->s || !h->wanted) {
+    return false;
+  }
+  memcpy(h->s, segments->at, h->n * sizeof *h->s);
+  for (size_t i = 0, k = 0; i < wanted->n; i++) {
+    while (k < h->n && h->s[k] < wanted->at[i]) {
+      k++;
+    }
+    if (k == h->n || h->s[k] != wanted->at[i]) {
+      return sg_call_domain(call, "segments", 3);
+    }
+    h->wanted[k] = true;
+  }
+  return true;
+}
+
+static bool
+take_weights(sg_call *call, const sg_arrangement_weight_list *weights,
+             sg_arrangement_handle *h)
+{
+  h->weight = room_for(call, weights->n, sizeof *h->weight);
+  for (size_t i = 0; h->weight && i < weights->n; i++) {
+    h->weight[i] = weights->at[i];
+  }
+  return h->weight != NULL;
+}
+
+/* Which leaves are surfaces, by segment/3. */
+static bool
+find_surfaces(sg_call *call, sg_arrangement_handle *h)
+{
+  const sg_version *version = h->set->version;
+
+  h->surface = room_for(call, h->n, sizeof *h->surface);
+  for (size_t i = 0; h->surface && i < h->n; i++) {
+    sg_value key[SG_MAX_COLUMNS] = {[0].i = h->s[i]};
+    sg_row row = sg_version_find(version, SG_SEGMENT, key);
+
+    h->surface[i] =
+        row != SG_NO_ROW &&
+        sg_version_value(version, SG_SEGMENT, row, 1).i == SG_SYMBOL_SURFACE;
+  }
+  return h->surface != NULL;
+}
+
+static bool
+hold_trees(sg_call *call, sg_arrangement_handle *h)
+{
+  const sg_version *version = h->set->version;
+
+  h->own = room_for(call, h->n, sizeof(sg_leaf_tree *));
+  h->knots = room_for(call, h->n, sizeof(sg_knots *));
+  h->tree = room_for(call, h->n, sizeof(sg_kept_tree *));
+  bool good = h->tree && h->own && h->knots &&
+              sg_trees_hold(call, version, &h->set->views, h->s, h->n, h->tree);
+
+  for (size_t i = 0; good && i < h->n; i++) {
+    h->own[i] = h->tree[i]->tree;
+    good = !h->wanted[i] || sg_kept_knots(call, h->tree[i], version,
+                                          &h->set->views, &h->knots[i]);
+  }
+  return good;
+}
+
+static atomic_uint_fast64_t opened; /* arrangements, ever */
+
+static bool
+open_rows(sg_call *call, size_t weights, sg_arrangement_handle *h)
+{
+  h->arrangement = sg_arrangement_open(
+      &(sg_leaves){.set = &h->set->set,
+                   .views = &h->set->views,
+                   .s = h->s,
+                   .tree = h->own,
+                   .wanted = h->wanted,
+                   .surface = h->surface,
+                   .n = h->n,
+                   .knots = h->knots,
+                   .near = (const int32_t(*)[2])h->set->pair,
+                   .pairs = h->set->pairs,
+                   .weight = h->weight,
+                   .weights = weights},
+      &call->poll);
+  h->number = atomic_fetch_add(&opened, 1);
+  atomic_init(&h->holders, 1);
+  return h->arrangement || sg_call_ended(call);
+}
+
+bool
+sg_door_arrangement_open(sg_call *call, sg_cut_handle *set,
+                         const sg_int_list *segments, const sg_int_list *wanted,
+                         const sg_arrangement_weight_list *weights,
+                         sg_arrangement_handle **out)
+{
+  sg_arrangement_handle *h = room_for(call, 0, sizeof *h);
+
+  if (!h) {
+    return false;
+  }
+  sg_cut_set_keep(set);
+  h->set = set;
+  if (!take_leaves(call, segments, wanted, h) ||
+      !take_weights(call, weights, h) || !find_surfaces(call, h) ||
+      !hold_trees(call, h) || !open_rows(call, weights->n, h)) {
+    close_rows(h);
+    free(h);
+    return false;
+  }
+  *out = h;
+  return true;
+}
+
+/* ---- filling ---- */
+
+/* geometry_error(polygon_edge(S, P, V1, V2)) */
+static bool
+refuse_stuck(sg_call *call, const sg_entered *polygon, int32_t e)
+{
+  const sg_work_edge *edge = sg_work_get(polygon->work, e);
+  const int32_t at[4] = {polygon->s, polygon->p,
+                         edge ? sg_work_id(polygon->work, edge->start) : 0,
+                         edge ? sg_work_id(polygon->work, edge->end) : 0};
+
+  return sg_call_geometry(call, "polygon_edge", at, 4);
+}
+
+bool
+sg_door_arrangement_polygons(sg_call *call, sg_arrangement_handle *h,
+                             const sg_entered_polygon_list *works, double reach)
+{
+  sg_crew *crew;
+  size_t stuck = 0;
+  int32_t edge = 0;
+
+  if (!is_unsealed(call, h) || !(crew = sg_call_crew(call))) {
+    return false;
+  }
+  sg_outcome outcome =
+      sg_arrangement_polygons(h->arrangement, works->at, works->n, reach, crew,
+                              &call->poll, &stuck, &edge);
+
+  return outcome == SG_DONE    ? true
+         : outcome == SG_STUCK ? refuse_stuck(call, &works->at[stuck], edge)
+                               : sg_call_ended(call);
+}
+
+bool
+sg_door_arrangement_free_polygons(sg_call *call, sg_arrangement_handle *h,
+                                  const sg_segment_polygon_list *polygons,
+                                  double reach)
+{
+  sg_outlines outlines = {0};
+  bool good = is_unsealed(call, h);
+
+  for (size_t i = 0; good && i < polygons->n; i++) {
+    const sg_segment_polygon *one = &polygons->at[i];
+
+    good = !sg_poll_every(&call->poll, i) &&
+           sg_cut_outline(call, h->set, one->s, one->p, &outlines);
+  }
+  sg_crew *crew = good ? sg_call_crew(call) : NULL;
+  sg_outcome outcome =
+      crew ? sg_arrangement_free_polygons(h->arrangement, &outlines, reach,
+                                          crew, &call->poll)
+           : SG_STUCK;
+
+  sg_outlines_clear(&outlines);
+  return outcome == SG_DONE || (outcome != SG_STUCK && sg_call_ended(call));
+}
+
+/* ---- sealing: pieces are kept for long ---- */
+
+/* The rows of the wanted leaves, and of nothing else. Null: refused. */
+static const sg_version *
+own_rows(sg_call *call, const sg_arrangement_handle *h)
+{
+  uint64_t relations = UINT64_C(1) << SG_V | UINT64_C(1) << SG_T;
+  sg_int_list s = {0};
+
+  for (size_t i = 0; i < h->n; i++) {
+    if (h->wanted[i] && !sg_int_list_add(call, &s, h->s[i])) {
+      return NULL;
+    }
+    relations |= (uint64_t)(h->wanted[i] && h->own[i]->curve) << SG_E;
+  }
+  const sg_version *own =
+      sg_version_narrow(h->set->version, relations, s.at, s.n);
+
+  if (!own) {
+    sg_call_no_memory(call);
+  }
+  return own;
+}
+
+/* Lets go of the cut set, of the trees of leaves that are not wanted, and of
+ * all rows but those of the others. */
+static bool
+shed(sg_call *call, sg_arrangement_handle *h)
+{
+  const sg_version *own = own_rows(call, h);
+
+  if (!own) {
+    return false;
+  }
+  if (!sg_leaf_views_open(call, own, &h->views)) {
+    sg_leaf_views_clear(&h->views);
+    sg_version_drop(own);
+    return false;
+  }
+  h->version = own;
+  h->world = sg_world_keep(h->set->world);
+  sg_arrangement_shed(h->arrangement, &h->views);
+  sg_cut_set_let_go(h->set);
+  h->set = NULL;
+  for (size_t i = 0; i < h->n; i++) {
+    if (!h->wanted[i]) {
+      sg_kept_tree_drop(h->tree[i]);
+      h->tree[i] = NULL;
+    }
+  }
+  return true;
+}
+
+bool
+sg_door_arrangement_seal(sg_call *call, sg_arrangement_handle *h)
+{
+  sg_crew *crew;
+
+  if (!is_unsealed(call, h) || !(crew = sg_call_crew(call))) {
+    return false;
+  }
+  h->sealing = true; /* if that fails it is half done, and good for nothing */
+  return (sg_arrangement_seal(h->arrangement, crew, &call->poll) ||
+          sg_call_ended(call)) &&
+         sg_arrangement_make_origins(call, h) && shed(call, h);
 }

@@ -2,10 +2,10 @@
  * operand to another.
  */
 #include "doors/boolean.h"
+#include "ids.h"
 #include "rows/by_segment.h"
 #include "rows/dense_rows.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static int32_t
@@ -18,17 +18,11 @@ cell(const sg_view *view, uint32_t row, int column)
 static size_t
 place_of(const sg_dense *d, size_t s, int32_t p)
 {
-  size_t low = d->polygon_begin[s], end = d->polygon_begin[s + 1], high = end;
+  size_t begin = d->polygon_begin[s];
+  size_t at =
+      sg_find_id(d->polygon_id + begin, d->polygon_begin[s + 1] - begin, p);
 
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (d->polygon_id[middle] < p) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < end && d->polygon_id[low] == p ? low : SIZE_MAX;
+  return at == SIZE_MAX ? at : begin + at;
 }
 
 /* The rows of from_p/5 of n segments. */

@@ -5,7 +5,6 @@
 #include "rows/dense_rows.h"
 #include "sewing.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum { MOST_INTS = 6 }; /* columns of integers: those of t/6 */

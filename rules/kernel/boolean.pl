@@ -212,14 +212,16 @@ Foreign predicates; see kernel.pl.
 %
 %   @see c_kernels/solid/sewing.h
 
-/* - - - arrangement4pl.c - - - */
+/* - - - arrangement_rows.c - - - */
 
-%!  arrangement_open(+Set, +Segments:list, +Wanted:list, +Weights:list,
-%!                   -Arrangement) is det.
-%!  arrangement_polygons(+Arrangement, +Works:list, +Reach) is det.
-%!  arrangement_seal(+Arrangement) is det.
-%!  arrangement_hold(+Arrangement) is det.
-%!  arrangement_drop(+Arrangement) is det.
+%!  arrangement_open(+Set:cut_set, +Segments:set(id), +Wanted:set(id),
+%!                   +Weights:list(arrangement_weight),
+%!                   -Arrangement:arrangement) is det.
+%!  arrangement_polygons(+Arrangement:arrangement,
+%!                       +Works:list(entered_polygon), +Reach:number) is det.
+%!  arrangement_seal(+Arrangement:arrangement) is det.
+%!  arrangement_hold(+Arrangement:arrangement) is det.
+%!  arrangement_drop(+Arrangement:arrangement) is det.
 %
 %   The segments Wanted, which are among Segments, in pieces along the lines of
 %   cut set Set, which is sealed. Polygons that were entered are told with what
@@ -232,9 +234,9 @@ Foreign predicates; see kernel.pl.
 %   @error permission_error(fill, arrangement, Arrangement): it is sealed, or
 %          sealing it was stopped
 
-/* - - - arrangement_free4pl.c - - - */
-
-%!  arrangement_free_polygons(+Arrangement, +Polygons:list, +Reach) is semidet.
+%!  arrangement_free_polygons(+Arrangement:arrangement,
+%!                            +Polygons:list(segment_polygon),
+%!                            +Reach:number) is semidet.
 %
 %   What arrangement_polygons/3 does after enter_polygons/4 of entering.pl, for
 %   all of the polygons S-P together, many at a time. Fails, and nothing is
@@ -243,15 +245,19 @@ Foreign predicates; see kernel.pl.
 %
 %   @error existence_error(polygon, P)
 
-/* - - - arrangement_pieces4pl.c - - - */
+/* - - - arrangement_piece_rows.c - - - */
 
-%!  arrangement_components(+Pieces:list, -Components:list) is det.
-%!  arrangement_numbers(+Pieces:list, -Numbers:list) is det.
+%!  arrangement_components(
+%!      +Pieces:list(arrangement_piece),
+%!      -Components:list(component_fact)) is det.
+%!  arrangement_numbers(+Pieces:list(arrangement_piece),
+%!                      -Numbers:list(integer)) is det.
 %
 %   Numbers are those of the arrangements in Pieces, a list of S-Arrangement, in
 %   order. In the life of the process each arrangement has a number of its own.
 
-%!  arrangement_select(+Pieces:list, +Senses:list, -Solid) is det.
+%!  arrangement_select(+Pieces:list(arrangement_piece),
+%!                     +Senses:list(component_sense), -Solid:solid) is det.
 %
 %   Pieces are S-Arrangement, for each segment S an arrangement in which it was
 %   wanted. A component is
@@ -277,11 +283,13 @@ Foreign predicates; see kernel.pl.
 %   Kept is the term that was kept last with the current world (arrangement.pl),
 %   a copy. What it holds, arrangements too, lives as long.
 
-/* - - - expression4pl.c - - - */
+/* - - - expression_rows.c - - - */
 
-%!  arrangement_senses(+Pieces:list, +Expression, +Open:list,
-%!                     -Senses:list) is det.
+%!  arrangement_senses(+Pieces:list(arrangement_piece),
+%!                     +Expression:list(expression_node_fact),
+%!                     +Open:list(id), -Senses:list(component_sense)) is det.
 %
 %   The fused kernel of boolean.pl, stays/3: Senses are the C-Sense of the
 %   components that stay in the boundary of Expression; Open are the segments
-%   among its leaves that are surfaces.
+%   among its leaves that are surfaces. Expression has its nodes, each before
+%   its operands: node(leaf, S), or node(Operation, N) with N operands.

@@ -65,7 +65,8 @@ Foreign predicates; see kernel.pl.
 /* - - - scene_rows.c - - - */
 
 %!  scene_open(+Segments:chosen_segments, +Depth:number, +Tolerance:number,
-%!             +Smooth:outlines, +Known:known_model, -Scene:scene) is semidet.
+%!             +Smooth:drawn_outlines, +Known:known_model,
+%!             -Scene:scene) is semidet.
 %
 %   Scene is what screen/5, contour/13 and surface_turn/6 of the current world
 %   show of Segments, `all` or a list. Smooth is what contour/13 was made with,

@@ -454,7 +454,26 @@ passing_vertices(arrangement(_, Passing, _), Passing).
 %   Senses as the default of stays/3 says (boolean.pl): its fused kernel.
 
 default_senses(arrangement(Pieces, _, _), Expression, Open, Senses) :-
-    arrangement_senses(Pieces, Expression, Open, Senses).
+    phrase(nodes(Expression), Nodes),
+    arrangement_senses(Pieces, Nodes, Open, Senses).
+
+%   nodes(Expression)//: its nodes, each before its operands.
+
+nodes(Expression) -->
+    (   { compound(Expression) }
+    ->  { compound_name_arguments(Expression, Operation, [Operands]),
+          length(Operands, N)
+        },
+        [node(Operation,N)],
+        operand_nodes(Operands)
+    ;   [node(leaf,Expression)]
+    ).
+
+operand_nodes([]) -->
+    [].
+operand_nodes([Operand|Operands]) -->
+    nodes(Operand),
+    operand_nodes(Operands).
 
 %!  pieces_numbers(+Arrangement, -Numbers:list) is det.
 %

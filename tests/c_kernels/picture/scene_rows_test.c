@@ -16,7 +16,7 @@ enum { CUBE = 1, OTHER = 2 };
 
 static sg_call call;
 static const sg_chosen_segments all = {.is = SG_CHOSEN_SEGMENTS_ALL};
-static const sg_outlines edges = {.is = SG_OUTLINES_EDGES};
+static const sg_drawn_outlines edges = {.is = SG_DRAWN_OUTLINES_EDGES};
 static const sg_known_model kept = {.is = SG_KNOWN_MODEL_KEPT};
 static const sg_known_model nothing = {.is = SG_KNOWN_MODEL_SEGMENTS};
 
@@ -163,8 +163,8 @@ static void
 outlines(void)
 {
   sg_scene_index *scene = NULL;
-  const sg_outlines smooth = {.is = SG_OUTLINES_SMOOTH,
-                              .smooth = {.crease = 120}};
+  const sg_drawn_outlines smooth = {.is = SG_DRAWN_OUTLINES_SMOOTH,
+                                    .smooth = {.crease = 120}};
 
   CHECK("of a cube", outlined(30));
   CHECK("there is none", rows_in(SG_CONTOUR) == 0);

@@ -1,17 +1,11 @@
-/* arrangement_origin4pl.c -- what made the vertices of pieces, kept with them:
- * see arrangement4pl.h.
- *
- * Layer: glue; no predicates of its own. Every selection needs them, so they
- * are made when the pieces are.
+/* arrangement_origin_rows.c -- what made the vertices of pieces, kept with
+ * them: see arrangement_rows.h. Every selection needs them, so they are made
+ * when the pieces are.
  */
-#include "arrangement4pl.h"
-
-#include "glue.h"
+#include "arrangement_rows.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-enum { ASKED = 1 << 10 }; /* origins between questions */
 
 /* Terms one after another. */
 typedef struct terms {
@@ -70,15 +64,15 @@ trim_origins(sg_arrangement_handle *h, size_t words)
   }
 }
 
-int
-sg_make_origins_ex(sg_arrangement_handle *h)
+bool
+sg_arrangement_make_origins(sg_call *call, sg_arrangement_handle *h)
 {
   size_t points = h->set->set.points.n;
   terms all = {0};
 
   h->origin_at = malloc((points + 1) * sizeof *h->origin_at);
   if (!h->origin_at) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   memset(h->origin_at, 0xff, points * sizeof *h->origin_at);
   for (size_t leaf = 0; leaf < h->n; leaf++) {
@@ -88,13 +82,13 @@ sg_make_origins_ex(sg_arrangement_handle *h)
     for (size_t i = 0; i < n; i++) {
       if (!add_origin(h, &all, made[i].point)) {
         free(all.word);
-        return sg_no_memory();
+        return sg_call_no_memory(call);
       }
     }
   }
   h->origin = all.word;
   trim_origins(h, all.n);
-  return TRUE;
+  return true;
 }
 
 /* What made a vertex. */
@@ -106,9 +100,9 @@ words_of(const sg_pieces *p, const sg_made_by *by)
   return from->origin + from->origin_at[by->point];
 }
 
-int
-sg_give_origins_ex(const sg_pieces *p, sg_solid *solid,
-                   const sg_made_by *made_by)
+bool
+sg_arrangement_give_origins(sg_call *call, const sg_pieces *p, sg_solid *solid,
+                            const sg_made_by *made_by)
 {
   size_t made = solid->vertices - solid->plain, n = 0;
 
@@ -118,7 +112,7 @@ sg_give_origins_ex(const sg_pieces *p, sg_solid *solid,
   solid->origin = malloc((made + 1) * sizeof *solid->origin);
   solid->origin_words = malloc((n + 1) * sizeof *solid->origin_words);
   if (!solid->origin || !solid->origin_words) {
-    return sg_no_memory();
+    return sg_call_no_memory(call);
   }
   uint32_t *to = solid->origin_words;
 
@@ -126,12 +120,12 @@ sg_give_origins_ex(const sg_pieces *p, sg_solid *solid,
     const uint32_t *words = words_of(p, &made_by[i]);
     size_t length = sg_term_length(words);
 
-    if (i % ASKED == ASKED - 1 && PL_handle_signals() < 0) {
-      return FALSE;
+    if (sg_poll_every(&call->poll, i)) {
+      return false;
     }
     memcpy(to, words, length * sizeof *to);
     solid->origin[i] = to;
     to += length;
   }
-  return TRUE;
+  return true;
 }
