@@ -9,9 +9,9 @@
 
 /* Segment s: vertex 1 + x + 2y + 4z, polygons 1..6 of four edges each, every
  * polygon in two triangles; of the k-th cube of the segment, from 0, all ids
- * are after those of the one before. It is moved along the diagonal. */
+ * are after those of the one before. */
 static inline bool
-add_cube_moved(sg_world *world, int32_t s, int32_t k, double along)
+add_cube_at(sg_world *world, int32_t s, int32_t k, const double by[3])
 {
   static const int32_t face[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
                                      {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
@@ -35,7 +35,7 @@ add_cube_moved(sg_world *world, int32_t s, int32_t k, double along)
   for (int32_t i = 0; i < 8; i++) {
     vertex[i] = 8 * k + i + 1;
     for (int c = 0; c < 3; c++) {
-      at[c][i] = (i >> c & 1) + along;
+      at[c][i] = (i >> c & 1) + by[c];
     }
   }
   for (int32_t i = 0; i < 12; i++) {
@@ -59,6 +59,13 @@ add_cube_moved(sg_world *world, int32_t s, int32_t k, double along)
                            (const void *[]){of, polygon, triangle, corner[0],
                                             corner[1], corner[2]},
                            NULL) == SG_OK;
+}
+
+/* Moved along the diagonal. */
+static inline bool
+add_cube_moved(sg_world *world, int32_t s, int32_t k, double along)
+{
+  return add_cube_at(world, s, k, (double[3]){along, along, along});
 }
 
 static inline bool

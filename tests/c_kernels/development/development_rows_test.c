@@ -128,6 +128,34 @@ exchanges(sg_development *d)
                           fabs(after - (12 - (double)path.n)) < 1e-12);
 }
 
+/* Joint 1 must not be joined; of the rest those before joint 2. */
+static void
+forbids(sg_development *d)
+{
+  sg_int_list bent = {0}, invalid = {0}, order = {0};
+  sg_join_result result;
+  sg_joint_fact joint;
+  size_t joined = 0;
+
+  CHECK("every face is flat",
+        sg_door_flattening_bent(&call, d, &bent) && bent.n == 0);
+  CHECK("and valid",
+        sg_door_flattening_invalid(&call, d, &invalid) && invalid.n == 0);
+  CHECK("order", sg_door_joint_order(&call, d, 0, &order));
+  CHECK("forbid", sg_door_forbid_joint(&call, d, order.at[1]));
+  CHECK("before the third", sg_door_join_before(&call, d, 0, order.at[2]));
+  for (int32_t j = 1; j <= 12; j++) {
+    CHECK("joint", sg_door_flattening_joint(&call, d, j, &joint));
+    joined += joint.state == SG_JOINT_JOINED;
+  }
+  CHECK("is the first alone", joined == 1);
+  CHECK("not this", sg_door_join_faces(&call, d, order.at[1], &result) &&
+                        result.is == SG_JOIN_RESULT_FORBIDDEN);
+  CHECK("too late", !sg_door_forbid_joint(&call, d, order.at[0]) &&
+                        call.refusal.how == SG_REFUSED_PERMISSION);
+  call.refusal.how = SG_REFUSED_NOTHING;
+}
+
 int
 main(void)
 {
@@ -147,6 +175,9 @@ main(void)
   joins(d);
   writes(world, d);
   exchanges(d);
+  sg_development_free(d);
+  d = opened(&none);
+  forbids(d);
   sg_development_free(d);
   d = opened(&two);
   CHECK("without two",

@@ -74,6 +74,22 @@ changes(sg_work *work)
   CHECK("a gap", sg_door_work_gap(&call, work, &v) && v == 1);
 }
 
+/* The diagonal there and back touches only in vertices that are shared. */
+static void
+resolves(sg_work *work)
+{
+  sg_work_edge_rows all = {0}, left = {0};
+  int32_t e;
+
+  CHECK("there and back", sg_door_work_add(&call, work, 1, 4, 0, 0, &e) &&
+                              sg_door_work_add(&call, work, 4, 1, 0, 0, &e));
+  CHECK("six",
+        sg_door_work_edge(&call, work, NULL, NULL, NULL, &all) && all.n == 6);
+  CHECK("resolve", sg_door_work_resolve(&call, work, 0));
+  CHECK("four",
+        sg_door_work_edge(&call, work, NULL, NULL, NULL, &left) && left.n == 4);
+}
+
 static void
 triangles(sg_work *work)
 {
@@ -113,6 +129,9 @@ main(void)
   sg_work_close(work);
   CHECK("again", sg_door_work_open(&call, CUBE, 1, &work));
   changes(work);
+  sg_work_close(work);
+  CHECK("a third time", sg_door_work_open(&call, CUBE, 1, &work));
+  resolves(work);
   sg_work_close(work);
   sg_call_close(&call);
   sg_world_let_go(world);
