@@ -6,8 +6,9 @@
 
    The list takes what each file says of itself in its first lines: `<module>`
    of rules, `X.h -- ...` of C. A file of C that says nothing is told of by the
-   header of its name. `check` fails for a file without such a line, and for a
-   drawing that is not the one that would be made.
+   header of its name. `check` fails for a file without such a line, for a door
+   that no test of C calls, and for a drawing that is not the one that would be
+   made.
 */
 :- module(sg_house, []).
 :- use_module(folders).
@@ -54,6 +55,10 @@ fault(File, Fault) :-
          read_file_to_string(File, Text, [encoding(utf8)]) ),
     format(atom(Fault), "~w: not as the tree is; make docs", [File]).
 fault(_, Fault) :-
+    texts_of(['tests/c_kernels/*.[ch]','tests/c_kernels/*/*.[ch]'], Tests),
+    untested_door(Tests, Door),
+    format(atom(Fault), "~w: no test in tests/c_kernels calls it", [Door]).
+fault(_, Fault) :-
     member(Top, [rules,c_kernels]),
     atom_concat(Top, '/*', Pattern),
     expand_file_name(Pattern, Paths),
@@ -63,6 +68,26 @@ fault(_, Fault) :-
     Name \== kernel,
     \+ folder(Top, Name, _),
     format(atom(Fault), "~w: not in tools/folders.pl", [Path]).
+
+
+%   untested_door(Tests, Door): the row layer has the function Door, and no test
+%   without Prolog names it.
+
+untested_door(Tests, Door) :-
+    texts_of(['c_kernels/*/*_rows.c'], Rows),
+    split_string(Rows, "\n", "", Lines),
+    member(Line, Lines),
+    string_concat("sg_door_", _, Line),
+    split_string(Line, "(", "", [Door|_]),
+    string_concat(Door, "(", Call),
+    \+ sub_string(Tests, _, _, _, Call).
+
+texts_of(Patterns, Text) :-
+    maplist(expand_file_name, Patterns, Files0),
+    append(Files0, Files),
+    maplist([File,Part]>>read_file_to_string(File, Part, [encoding(utf8)]),
+            Files, Parts),
+    atomics_to_string(Parts, Text).
 
 
                 /*******************************
