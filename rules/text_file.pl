@@ -58,7 +58,9 @@ no_limit_broken(Kind, Limit, text(Name, Path, Stream)) :-
         Size > Most
     ->  throw(error(model_error(Limit), location(Name, 0, 0)))
     ;   Kind \== csg,
-        text_beyond(Kind, Stream, What, Line, Column)
+        catch(text_beyond(Kind, Stream, What, Line, Column),
+              error(io_error(read, From), Context),
+              cannot_read(Name, error(io_error(read, From), Context)))
     ->  throw(error(model_error(What), location(Name, Line, Column)))
     ;   true
     ).
@@ -129,6 +131,8 @@ cannot_read(File, error(Formal, _)) :-
     ->  Why = missing
     ;   Formal = permission_error(_, _, _)
     ->  Why = permission
+    ;   Formal = io_error(_, _)
+    ->  Why = io
     ;   Why = Formal
     ),
     throw(error(model_error(cannot_read(Why)), location(File, 0, 0))).

@@ -29,6 +29,7 @@ sub_term(Term, Term) :-
     nonvar(Term).
 sub_term(Inner, Term) :-
     compound(Term),
+    Term \= {_},                        % no words, but how they are made
     arg(_, Term, Term1),
     sub_term(Inner, Term1).
 
