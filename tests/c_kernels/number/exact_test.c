@@ -7,6 +7,7 @@
 #include "doors/world.h"
 #include "number/exact.h"
 #include "tests/check.h"
+#include "tests/memory/refusals.h"
 
 #include <float.h>
 #include <math.h>
@@ -498,9 +499,76 @@ test_counts_told(void)
   sg_call_close(&call);
 }
 
+/* ---- memory ---- */
+
+/* Each question that needs whole numbers, and each point that is made. */
+static void
+ask_all(const sg_point p[6])
+{
+  const sg_point *const plane[3][3] = {
+      {&p[0], &p[1], &p[2]}, {&p[0], &p[1], &p[3]}, {&p[0], &p[2], &p[3]}};
+  sg_point out, copy;
+
+  (void)sg_point_orient3d(&p[0], &p[1], &p[2], &p[4]);
+  for (int axis = 0; axis < 3; axis++) {
+    (void)sg_point_turn(axis, &p[0], &p[1], &p[4]);
+    (void)sg_point_compare(axis, &p[4], &p[5]);
+    if (sg_point_ll(&out, axis, &p[0], &p[1], &p[2], &p[5])) {
+      (void)sg_point_compare(axis, &out, &p[4]);
+      sg_point_clear(&out);
+    }
+  }
+  (void)sg_point_along(&p[0], &p[1], &p[4], &p[5]);
+  (void)sg_point_along(&p[0], &p[1], &p[4], &p[4]);
+  (void)sg_point_equal(&p[4], &p[5]);
+  if (sg_point_lpi(&out, &p[3], &p[4], &p[0], &p[1], &p[2])) {
+    sg_point_copy(&copy, &out);
+    (void)sg_point_orient3d(&copy, &p[1], &p[2], &out);
+    sg_point_clear(&copy);
+    sg_point_clear(&out);
+  }
+  if (sg_point_tpi(&out, plane)) {
+    sg_point_clear(&out);
+  }
+}
+
+/* Points of one plane, and one above it; two that are made, and rational. */
+static void
+test_memory(void)
+{
+  const double at[4][3] = {
+      {0.1, 0.2, 0.3}, {1.1, 0.27, 0.9}, {0.13, 1.7, 0.35}, {0.4, 0.5, 9.7}};
+  sg_point p[6];
+
+  if (!is_counted()) {
+    printf("skipped: blocks that stay: the checker has its own\n");
+    return;
+  }
+  for (int i = 0; i < 4; i++) {
+    sg_point_set(&p[i], at[i]);
+  }
+  const sg_point below = {{0.7, 0.3, -9.1}, NULL};
+  CHECK("a point between",
+        sg_point_lpi(&p[4], &p[3], &below, &p[0], &p[1], &p[2]) &&
+            sg_point_ll(&p[5], 2, &p[0], &p[1], &p[2], &p[3]));
+  ask_all(p);
+  uint64_t before = sg_exact_fallbacks();
+  living = 0;
+  counting = true;
+  ask_all(p);
+  counting = false;
+  CHECK("nothing is kept", living == 0);
+  CHECK("whole numbers were needed", sg_exact_fallbacks() > before + 1);
+  for (int i = 0; i < 6; i++) {
+    sg_point_clear(&p[i]);
+  }
+}
+
 int
 main(void)
 {
+  spare_gmp();
+  test_memory();
   test_conventions();
   test_none();
   test_rounding();
