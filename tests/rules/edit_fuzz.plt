@@ -5,6 +5,7 @@
 :- use_module(library(lists)).
 :- use_module(library(process)).
 :- use_module(library(readutil)).
+:- use_module(tests('rules/sample'), [few/3]).
 
 /* Random edits and random questions (edit_script.pl), in processes of their
 own, so that one that ends or that never ends is seen, and named by its number.
@@ -112,12 +113,14 @@ run(Count, First, Threads, Wrong) :-
 :- begin_tests(edit_fuzz).
 
 test(scripts, Wrong == []) :-
-    setting('EDIT_FUZZ', 400, Count),
+    few(100, 400, Few),
+    setting('EDIT_FUZZ', Few, Count),
     setting('EDIT_FUZZ_FROM', 1, First),
     run(Count, First, 1, Wrong),
     format("counted: ~d scripts of edits and questions~n", [Count]).
 test(threads, [condition(current_prolog_flag(threads, true)), Wrong == []]) :-
-    setting('EDIT_FUZZ', 400, Count),
+    few(100, 400, Few),
+    setting('EDIT_FUZZ', Few, Count),
     setting('EDIT_FUZZ_FROM', 1, First),
     Worlds is max(1, Count//10),
     run(Worlds, First, 3, Wrong),

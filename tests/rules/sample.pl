@@ -1,6 +1,7 @@
 :- module(sg_test_sample,
           [ all_wanted/0,
             sampled/2,                  % +Classes, :Goal
+            shared/3,                   % +I, +Tests, :Goal
             few/3                       % +Few, +All, -N
           ]).
 /** <module> A sample by default, all of it on demand.
@@ -13,7 +14,7 @@ do all; counts of more, such as TRUE_CUT_RANDOM=50, are of that.
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 
-:- meta_predicate sampled(+, 0).
+:- meta_predicate sampled(+, 0), shared(+, +, 0).
 
 %!  all_wanted is semidet.
 
@@ -50,6 +51,19 @@ sampled(Classes, Goal) :-
     sort(Taken0, Taken),
     member(I, Taken),
     nth0(I, Cases, Classes-Variables).
+
+%!  shared(+I, +Tests, :Goal) is nondet.
+%
+%   The I-th share, from 1, of the solutions of Goal, if each of so many Tests is
+%   to have another one; all of them, if all are wanted.
+
+shared(_, _, Goal) :-
+    all_wanted,
+    !,
+    call(Goal).
+shared(I, Tests, Goal) :-
+    call_nth(Goal, Nth),
+    Nth mod Tests =:= I mod Tests.
 
 %   leaps(N, Order): 0 .. N-1, each far from the one before.
 

@@ -128,16 +128,16 @@ notice(without_tab(_,N,Share,Help,Es), without_tab(N,Parts,Help,Count)) :-
 
 :- begin_tests(pattern_shapes).
 
-test(on_pages, [ forall(shape(Name,Term)) ]) :-
+test(on_pages, [ forall(shared(1, 4, shape(Name,Term))) ]) :-
     of_term(Term, [page('A4'),tabs(6)], Drawings),
     assertion(no_fault(Name, Drawings)).
-test(wide_tabs, [ forall(shape(Name,Term)) ]) :-
+test(wide_tabs, [ forall(shared(2, 4, shape(Name,Term))) ]) :-
     of_term(Term, [tabs(25)], Drawings),
     assertion(no_fault(Name, Drawings)).
-test(inside, [ forall(shape(Name,Term)) ]) :-
+test(inside, [ forall(shared(3, 4, shape(Name,Term))) ]) :-
     of_term(Term, [tabs(6),inside(true),gap(1)], Drawings),
     assertion(no_fault(Name, Drawings)).
-test(open_slits, [ forall(shape(Name,Term)) ]) :-
+test(open_slits, [ forall(shared(4, 4, shape(Name,Term))) ]) :-
     of_term(Term, [page('A3'),tabs(6),open_slits(true)], Drawings),
     assertion(no_fault(Name, Drawings)).
 test(curves, [ forall(sampled([Name,Width],

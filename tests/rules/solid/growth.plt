@@ -6,6 +6,7 @@
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 :- use_module(rules(store)).
 :- use_module(tests('rules/boolean_case')).
+:- use_module(tests('rules/sample')).
 :- use_module(tests('rules/solid/grown')).
 
 /* Solids that grow: what it takes to unite one grows with its result, or, where
@@ -15,14 +16,20 @@
 
 limit(100).                             % seconds
 
-grown_size(wedges, 200).
-grown_size(identical, 120).
-grown_size(apexes, 500).
-grown_size(needles, 400).
-grown_size(stack, 400).
-grown_size(apart, 2000).
-grown_size(row, 3000).
-grown_size(comb, 300).
+%   size(Family, Few, All)
+
+size(wedges, 80, 200).
+size(identical, 60, 120).
+size(apexes, 200, 500).
+size(needles, 150, 400).
+size(stack, 150, 400).
+size(apart, 700, 2000).
+size(row, 1000, 3000).
+size(comb, 120, 300).
+
+grown_size(Family, N) :-
+    size(Family, Few, All),
+    few(Few, All, N).
 
 %   fault(Family, N, Fault): what the checker says of the union of all shells,
 %   read from one file, is not right.
