@@ -19,6 +19,7 @@ edit_fuzz.plt runs scripts in processes of their own.
 :- use_module(library(readutil)).
 :- use_module(library(thread)).
 :- use_module(rules(sanggwan)).
+:- use_module(rules(store), [column_domain/3]).  % not for users
 :- use_module(tests('rules/soup')).
 :- use_module(tests('rules/whole_world')).
 

@@ -54,8 +54,8 @@ sampled(Classes, Goal) :-
 
 %!  shared(+I, +Tests, :Goal) is nondet.
 %
-%   The I-th share, from 1, of the solutions of Goal, if each of so many Tests is
-%   to have another one; all of them, if all are wanted.
+%   The I-th share, from 1, of the solutions of Goal, if each of so many Tests
+%   is to have another one; all of them, if all are wanted.
 
 shared(_, _, Goal) :-
     all_wanted,
