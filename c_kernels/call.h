@@ -15,7 +15,7 @@
 #define SG_CALL_H
 
 #include "crew.h"
-#include "poll.h"
+#include "engine/poll.h"
 
 #include "engine/store.h"
 #include "engine/term.h"

@@ -14,7 +14,7 @@
 #ifndef SG_CREW_H
 #define SG_CREW_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stddef.h>
 

@@ -12,7 +12,7 @@
 
 #include "install.h"
 
-#include "c_kernels/glue.h"
+#include <SWI-Prolog.h>
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -124,7 +124,7 @@ set_rule_modules(term_t pairs)
     return FALSE;
   }
   if (!(table = calloc(1, sizeof *table))) {
-    return sg_no_memory();
+    return PL_resource_error("memory");
   }
   table->world = sg_world_number(world);
   if (!fill_table_ex(pairs, table)) {

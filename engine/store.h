@@ -19,9 +19,9 @@
 #ifndef SG_STORE_H
 #define SG_STORE_H
 
-#include "c_kernels/column.h"
-#include "c_kernels/poll.h"
-#include "c_kernels/sheet.h"
+#include "column.h"
+#include "poll.h"
+#include "sheet.h"
 
 #include <stdbool.h>
 #include <stddef.h>

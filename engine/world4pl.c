@@ -248,16 +248,6 @@ sg_fresh_ex(sg_world *world, sg_relation relation, int32_t s)
   return id;
 }
 
-int
-sg_add_row_ex(sg_world *world, sg_relation relation, const sg_value *row)
-{
-  sg_fault fault = {0};
-  sg_row out;
-
-  return sg_raise_status(sg_world_add(world, relation, row, &out, &fault),
-                         relation, &fault);
-}
-
 /* ---- transactions ------------------------------------------------------ */
 
 /* '$begin'(-World, -Depth) is det. */

@@ -9,7 +9,7 @@
 #include "store.h"
 #include "term.h"
 
-#include "c_kernels/poll.h"
+#include "poll.h"
 
 #include <gmp.h>
 
@@ -34,8 +34,6 @@ int sg_claim_ex(sg_world *world);
 int sg_raise_status(sg_status status, sg_relation relation,
                     const sg_fault *fault);
 
-/* Adds a row; false: an exception is pending. */
-int sg_add_row_ex(sg_world *world, sg_relation relation, const sg_value *row);
 /* sg_world_fresh(); 0: an exception is pending. */
 int32_t sg_fresh_ex(sg_world *world, sg_relation relation, int32_t s);
 

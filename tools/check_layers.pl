@@ -199,9 +199,9 @@ layer(c_kernels, _, call,          rows).
 layer(c_kernels, _, Name,          rows) :-
     sub_atom(Name, _, _, 0, '_rows').
 layer(doors,     _, _,             rows).
-layer(c_kernels, _, poll,          shared).
-layer(c_kernels, _, column,        shared).
-layer(c_kernels, _, sheet,         shared).
+layer(engine,    _, poll,          shared).
+layer(engine,    _, column,        shared).
+layer(engine,    _, sheet,         shared).
 
 %   prolog_side(Layer): it may know SWI-Prolog. Kernels and the store do not,
 %   nor what hosts include.
@@ -230,7 +230,7 @@ below(glue(_), shared).
 below(glue(Top), pure(Top)).
 below(glue(engine), edits).
 below(edits, glue(engine)).
-below(glue(_), arguments).
+below(glue(c_kernels), arguments).
 below(glue(_), registry).
 below(glue(c_kernels), glue(engine)).
 below(glue(c_kernels), pure(engine)).

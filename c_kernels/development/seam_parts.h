@@ -12,7 +12,7 @@
 #ifndef SG_SEAM_PARTS_H
 #define SG_SEAM_PARTS_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -11,7 +11,7 @@
 #ifndef SG_CANVAS_H
 #define SG_CANVAS_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stdbool.h>
 #include <stddef.h>

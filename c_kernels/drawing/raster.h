@@ -6,7 +6,7 @@
 #ifndef SG_RASTER_H
 #define SG_RASTER_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stdbool.h>
 #include <stddef.h>

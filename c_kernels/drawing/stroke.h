@@ -13,7 +13,7 @@
 #ifndef SG_STROKE_H
 #define SG_STROKE_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stddef.h>
 #include <stdint.h>

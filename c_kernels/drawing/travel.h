@@ -8,7 +8,7 @@
 #ifndef SG_TRAVEL_H
 #define SG_TRAVEL_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stddef.h>
 #include <stdint.h>

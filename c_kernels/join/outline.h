@@ -7,7 +7,7 @@
 #ifndef SG_OUTLINE_H
 #define SG_OUTLINE_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stddef.h>
 

@@ -21,7 +21,7 @@
 #ifndef SG_MESH_H
 #define SG_MESH_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stdbool.h>
 #include <stddef.h>

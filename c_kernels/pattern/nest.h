@@ -11,7 +11,7 @@
 #ifndef SG_NEST_H
 #define SG_NEST_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stddef.h>
 #include <stdint.h>

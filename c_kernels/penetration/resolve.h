@@ -25,8 +25,8 @@
 #ifndef SG_RESOLVE_H
 #define SG_RESOLVE_H
 
+#include "engine/poll.h"
 #include "join/contact.h"
-#include "poll.h"
 #include "rows/key_table.h"
 #include "rows/list.h"
 

@@ -7,7 +7,7 @@
 #ifndef SG_GRID_H
 #define SG_GRID_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stddef.h>
 #include <stdint.h>

@@ -7,7 +7,7 @@
 #ifndef SG_PICTURE_POINTS_H
 #define SG_PICTURE_POINTS_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -8,8 +8,8 @@
 #ifndef SG_SCENE_MODEL_H
 #define SG_SCENE_MODEL_H
 
+#include "engine/poll.h"
 #include "known_surface.h"
-#include "poll.h"
 #include "rows/dense.h"
 
 #include <stdbool.h>

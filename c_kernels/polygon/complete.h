@@ -8,8 +8,8 @@
 #ifndef SG_COMPLETE_H
 #define SG_COMPLETE_H
 
-#include "column.h"
-#include "poll.h"
+#include "engine/column.h"
+#include "engine/poll.h"
 
 #include <stdbool.h>
 #include <stddef.h>

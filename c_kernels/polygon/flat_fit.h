@@ -5,7 +5,7 @@
 #ifndef SG_FLAT_FIT_H
 #define SG_FLAT_FIT_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 /* A unit vector along the longer side of a box. */
 typedef struct sg_flat_fit {

@@ -12,7 +12,7 @@
 #ifndef SG_FLATNESS_H
 #define SG_FLATNESS_H
 
-#include "column.h"
+#include "engine/column.h"
 
 #include <stdbool.h>
 

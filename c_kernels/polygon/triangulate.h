@@ -7,7 +7,7 @@
 #ifndef SG_TRIANGULATE_H
 #define SG_TRIANGULATE_H
 
-#include "poll.h"
+#include "engine/poll.h"
 #include "work.h"
 
 typedef struct sg_triangle {

@@ -6,8 +6,8 @@
 #ifndef SG_BY_SEGMENT_H
 #define SG_BY_SEGMENT_H
 
-#include "column.h"
-#include "poll.h"
+#include "engine/column.h"
+#include "engine/poll.h"
 
 #include <stdbool.h>
 

@@ -7,8 +7,8 @@
 #ifndef SG_DENSE_H
 #define SG_DENSE_H
 
-#include "column.h"
-#include "poll.h"
+#include "engine/column.h"
+#include "engine/poll.h"
 
 /* The things of segment i (a place) are begin[i] .. begin[i + 1] - 1. */
 typedef struct sg_dense {

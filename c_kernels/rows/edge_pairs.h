@@ -6,7 +6,7 @@
 #ifndef SG_EDGE_PAIRS_H
 #define SG_EDGE_PAIRS_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* grain_rows.c -- how fine the source of a segment was: see grain_rows.h. */
 #include "grain_rows.h"
 
-#include "column.h"
+#include "engine/column.h"
 
 #include <math.h>
 #include <string.h>

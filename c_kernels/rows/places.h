@@ -5,7 +5,7 @@
 #ifndef SG_PLACES_H
 #define SG_PLACES_H
 
-#include "poll.h"
+#include "engine/poll.h"
 
 #include <stddef.h>
 #include <stdint.h>

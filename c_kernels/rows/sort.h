@@ -5,8 +5,8 @@
 #ifndef SG_SORT_H
 #define SG_SORT_H
 
+#include "engine/poll.h"
 #include "ids.h"
-#include "poll.h"
 
 #include <stdbool.h>
 #include <stddef.h>

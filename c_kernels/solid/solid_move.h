@@ -5,7 +5,7 @@
 #ifndef SG_SOLID_MOVE_H
 #define SG_SOLID_MOVE_H
 
-#include "poll.h"
+#include "engine/poll.h"
 #include "solid.h"
 
 typedef enum sg_solid_moved {

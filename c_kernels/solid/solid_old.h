@@ -6,8 +6,8 @@
 #ifndef SG_SOLID_OLD_H
 #define SG_SOLID_OLD_H
 
+#include "engine/poll.h"
 #include "join/bvh.h"
-#include "poll.h"
 #include "rows/by_segment.h"
 
 /* The relations that a solid is written to (solid_out.h), and origin/3. */

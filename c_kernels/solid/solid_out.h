@@ -12,8 +12,8 @@
 #define SG_SOLID_OUT_H
 
 #include "crew.h"
-#include "poll.h"
-#include "sheet.h"
+#include "engine/poll.h"
+#include "engine/sheet.h"
 #include "solid.h"
 
 /* What becomes of a solid, which must outlive it. */

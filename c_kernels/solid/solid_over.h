@@ -20,7 +20,7 @@
 #ifndef SG_SOLID_OVER_H
 #define SG_SOLID_OVER_H
 
-#include "sheet.h"
+#include "engine/sheet.h"
 #include "solid_old.h"
 #include "solid_out.h"
 

@@ -5,8 +5,8 @@
 #ifndef SG_SOLID_TAKE_H
 #define SG_SOLID_TAKE_H
 
-#include "column.h"
-#include "poll.h"
+#include "engine/column.h"
+#include "engine/poll.h"
 #include "solid.h"
 
 typedef struct sg_solid_input {

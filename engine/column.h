@@ -1,7 +1,8 @@
 /* column.h -- what a kernel sees of a relation: pages of typed columns.
  *
- * Layer: kernel. Shapes only: the store fills a view of ONE version, glue
- * hands it over, the kernel loops page by page and skips dead rows.
+ * Layer: store, and kernels. Shapes only: the store fills a view of ONE
+ * version, glue hands it over, the kernel loops page by page and skips dead
+ * rows.
  *
  *   for (size_t i = 0; i < view.pages; i++)
  *     for (unsigned r = sg_live_next(view.live[i], 0); r < SG_PAGE_ROWS;

@@ -1,9 +1,10 @@
 /* sheet.h -- rows being written: where a kernel puts their cells.
  *
- * Layer: kernel. Shapes only: the store makes room for n rows, glue hands the
- * sheet over, the kernel fills every cell in place, with several threads if it
- * likes (a task to a page, or to rows that are one after another); the store
- * shows them all at once. A column's cells are contiguous within a page.
+ * Layer: store, and kernels. Shapes only: the store makes room for n rows, glue
+ * hands the sheet over, the kernel fills every cell in place, with several
+ * threads if it likes (a task to a page, or to rows that are one after
+ * another); the store shows them all at once. A column's cells are contiguous
+ * within a page.
  *
  *   for (size_t k = 0; k < sheet.pages; k++)
  *     for (size_t i = 0; i < sheet.page[k].n; i++)

@@ -1,7 +1,8 @@
 /* poll.h -- how a long kernel asks whether it should stop.
  *
- * Layer: kernel. The glue passes PL_handle_signals() in here; kernels never
- * know Prolog. Ask every 10 ms at most, on the calling thread only.
+ * Layer: store, and kernels. The glue passes PL_handle_signals() in here;
+ * kernels never know Prolog. Ask every 10 ms at most, on the calling thread
+ * only.
  */
 #ifndef SG_POLL_H
 #define SG_POLL_H
