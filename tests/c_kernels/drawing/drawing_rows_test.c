@@ -29,7 +29,7 @@ static bool
 draw_cube(void)
 {
   const sg_chosen_segments all = {.is = SG_CHOSEN_SEGMENTS_ALL};
-  const sg_outlines edges = {.is = SG_OUTLINES_EDGES};
+  const sg_drawn_outlines edges = {.is = SG_DRAWN_OUTLINES_EDGES};
   const sg_known_model nothing = {.is = SG_KNOWN_MODEL_SEGMENTS};
   const sg_hide_through_list none = {0};
   sg_scene_index *scene = NULL;
