@@ -4,6 +4,7 @@
             facet_in_direction/3,       % +Facets, +G, -P
             facet_borders/2             % +Facets, -Directions
           ]).
+:- use_module('../near', [whole_turns/2]).
 :- use_module('../csg/placed_surface', [placed_face/3, placed_surface/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/3, last/2, member/2]).
@@ -43,7 +44,7 @@ facet_seen(curved(Name, [T1-T2]), Named, P, Facet) :-
     facet_from(G3, G4, P, Facet).
 
 facet_from(G1, G2, P, G3-G4-P) :-
-    By is 360.0*floor((G1 + 1.0e-9)/360.0),
+    whole_turns(G1, By),
     G3 is G1-By,
     G4 is G2-By.
 

@@ -3,6 +3,7 @@
             level_kept/5                % +Level, +Facet0, -Facets, +Shape0,
                                         % -Shape
           ]).
+:- use_module('../near', [off_sign/2]).
 :- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
@@ -66,12 +67,12 @@ side(shape(_, _, Nodes), Level, Key, Side) :-
     ->  Off is H
     ;   Off is Level-H
     ),
-    (   Off < -1.0e-9
-    ->  Side = beyond
-    ;   Off > 1.0e-9
-    ->  Side = within
-    ;   Side = on
-    ).
+    off_sign(Off, Sign),
+    sign_side(Sign, Side).
+
+sign_side(-1, beyond).
+sign_side(0,  on).
+sign_side(1,  within).
 
 %   half_parted(Level, Half, Parts, Shape0, Shape): in two if it goes through
 %   the rim.

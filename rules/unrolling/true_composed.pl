@@ -1,6 +1,10 @@
 :- module(sg_true_composed,
           [ composed_unrolled/4         % +S, +Part, +Options, -Pattern
           ]).
+:- use_module('../near',
+              [ tolerance/2, same_angle/2, before_angle/2, between_angles/3,
+                whole_turns/2, less_part/2
+              ]).
 :- use_module('../primitive/primitive', [primitive_faces/3]).
 :- use_module('../csg/placed_surface', [placed_surface/3]).
 :- use_module('../store', [segment/3]).
@@ -105,7 +109,7 @@ middle_piece(Pieces, Motions, Piece, Motion, G) :-
     G is (First+Last)/2.0,
     nth1(I, Pieces, Piece),
     Piece = piece(_, _, _, _-G2, _, _, _),
-    G2 >= G - 1.0e-9,
+    \+ less_part(G2, G),
     !,
     nth1(I, Motions, Motion).
 
@@ -230,7 +234,7 @@ half_left(Laid0, Name, Around, Middle, Neutral, Laid) :-
     ).
 
 before(laid(piece(_, _, _, _-G2, _, _, _), _, _, _), Middle) :-
-    G2 < Middle + 1.0e-6.
+    \+ before_angle(Middle, G2).
 
 %   mirrored(Points, Axis): the mirror image of each in the line through the two
 %   points of Axis is one of them.
@@ -246,7 +250,8 @@ mirrored(Points, [X1-Y1,X2-Y2]) :-
             Places),
     findall(Far, ( member(Off-_, Places), Far is abs(Off) ), Fars),
     max_list([Length|Fars], Size),
-    Grid is 1.0e-6*Size,
+    tolerance(surface, Of),
+    Grid is Of*Size,
     findall(Bin-(Off-Along),
             ( member(Off-Along, Places), bin(Grid, Off, Bin) ),
             Bins0),
@@ -301,7 +306,7 @@ generators(Laid, Borders, Around, Options, Generators) :-
 goes_round(Laid) :-
     Laid = [laid(piece(_, _, _, G1-_, _, _, _), _, _, _)|_],
     last(Laid, laid(piece(_, _, _, _-G2, _, _, _), _, _, _)),
-    G2-G1 > 360.0 - 1.0e-6.
+    \+ before_angle(G2-G1, 360.0).
 
 %   generator(Laid, Borders, N, At) is nondet: from left to right: where each
 %   piece begins, within it, and where the last one ends. Where cones take turns
@@ -336,8 +341,7 @@ numbered_between(N, _, laid(Piece1, _, _, _), laid(Piece2, _, _, _)) :-
     (   \+ ( is_round(Piece1), is_round(Piece2) )
     ->  true
     ;   Piece2 = piece(_, _, T-_, _, _, _, _),
-        Place is T*N/360.0,
-        abs(Place - round(Place)) < 1.0e-6
+        same_angle(T, 360.0*round(T*N/360.0)/N)
     ).
 
 generator_within(Piece, Borders, N, T) :-
@@ -355,8 +359,7 @@ generator_within(Piece, Borders, N, T) :-
     ),
     sort(Ts0, Ts),
     member(T, Ts),
-    T > T1 + 1.0e-6,
-    T < T2 - 1.0e-6.
+    between_angles(T1, T, T2).
 
 %   marks(Laid, Generators, Neutral, Corner, Marks): as layout_marks/6.
 
@@ -385,7 +388,8 @@ generator_mark(generator(Number, One0, T0, Beside), Indexed, Neutral, X0-Y0,
     ),
     One = laid(Piece, Motion, _, _),
     direction_of(Piece, T, G),
-    Degrees is G - 360.0*floor((G + 1.0e-9)/360.0) + 0.0,
+    whole_turns(G, By),
+    Degrees is G - By + 0.0,
     in_height_order(Piece, Spans, Upward),
     member(H1-H2, Upward),
     strip(Piece, Neutral, Strip),
@@ -447,7 +451,8 @@ merged(Laid, X0-Y0, Size, Facets, Points, Curves) :-
     append(Lists, Placed0),
     keysort(Placed0, Placed),
     group_pairs_by_key(Placed, Groups),
-    Near is 1.0e-7*Size,
+    tolerance(place, Of),
+    Near is Of*Size,
     maplist(places_told_apart(Near), Groups, Named),
     append(Named, Pairs),
     findall((I-Key)-New, member(named(I, Key, New, _), Pairs), Renaming0),

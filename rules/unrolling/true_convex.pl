@@ -1,6 +1,7 @@
 :- module(sg_true_convex,
           [ convex_resized/3            % +S, +By, -S1
           ]).
+:- use_module('../near', [tolerance/2, is_rounding/2, is_on_surface/2]).
 :- use_module('../primitive/primitive_rows', [add_shape/5]).
 :- use_module('../store', [p/3, plane/6, segment/3, v/5]).
 :- use_module('../vector',
@@ -35,10 +36,11 @@ convex_resized(S, By, S1) :-
     maplist(unit_plane(S), Ps, Planes0),
     findall(p(X,Y,Z), v(S, _, X, Y, Z), Corners),
     extent(Corners, Size),
-    Near is 1.0e-9*Size,
-    Flat is 1.0e-6*Size,
+    tolerance(rounding, Rounding),
+    Near is Rounding*Size,
     \+ ( member(Plane, Planes0), member(Corner, Corners),
-         above(Plane, Corner, Off), Off > Flat ),
+         above(Plane, Corner, Off),
+         Off > 0.0, \+ is_on_surface(Off, Size) ),
     maplist(moved_plane(By), Planes0, Planes),
     findall(Point,
             ( three(Planes, A, B, C),
@@ -84,7 +86,7 @@ common_point(plane(N1,D1), plane(N2,D2), plane(N3,D3), Point) :-
     cross_product(N3, N1, C2),
     cross_product(N1, N2, C3),
     dot_product(N1, C1, Volume),
-    abs(Volume) > 1.0e-9,
+    \+ is_rounding(Volume, 1.0),
     F1 is -D1/Volume,
     F2 is -D2/Volume,
     F3 is -D3/Volume,

@@ -2,6 +2,7 @@
           [ true_development/4,         % +S, ?Part, +Options, -D
             developable_part/3          % ?S, ?Part, -Surface
           ]).
+:- use_module('../near', [before_angle/2, between_angles/3, longer/2]).
 :- use_module('../development/bend', [pattern_bent/2]).
 :- use_module('../store', [segment/3, facts_transaction/1]).
 :- use_module('../csg/placed_surface', [asked_once/1, placed_surface/3]).
@@ -24,7 +25,7 @@
                 shifted_facet/3
               ]).
 :- use_module(true_spike, [spikes_cut/3]).
-:- use_module(true_tip, [tips_moved/5]).
+:- use_module(true_tip, [tips_moved/4]).
 :- use_module(library(apply), [foldl/4, foldl/5, foldl/6, maplist/3]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
@@ -143,8 +144,7 @@ unrolled(S, Part, Options,
     ;   Bends = smooth
     ),
     facets_sense(Facets0, Shape0, Sense),
-    facets_tolerance(Shape0, Tolerance),
-    tips_moved(Facets0, Tolerance, Facets3, Shape0, Shape3),
+    tips_moved(Facets0, Facets3, Shape0, Shape3),
     rims_kept(Facets3, Facets4, Shape3, Shape2),
     spikes_cut(Facets4, Shape2, Facets5),
     plate_layer(Options, Layer),
@@ -159,11 +159,6 @@ unrolled(S, Part, Options,
     layout_curves(Layout, Curves),
     generators(Facets, Seam, Around, Options, Generators),
     layout_marks(Layout, Facets, Sense, Seam, Generators, Marks).
-
-%   facets_tolerance(Shape, Tolerance): how fine tips are looked for.
-
-facets_tolerance(shape(_, Reach, _), Tolerance) :-
-    Tolerance is Reach*4.0e-6.
 
 is_flat(shape(ruled(_, _, _, _, _, _), _, _)).
 
@@ -234,9 +229,8 @@ shortest_generator(Facets, Starts, Shape, Sense, Seam) :-
     ),
     pairs_keys(Lengths, Ls),
     min_list(Ls, Least),
-    Most is Least*(1.0 + 1.0e-9),
     once(( member(Length-Seam, Lengths),
-           Length =< Most )).
+           \+ longer(Length, Least) )).
 
 generator_length(Index, T, Sense, Shape, Count, Length) :-
     Shape = shape(Surface, _, _),
@@ -268,7 +262,7 @@ cut_at(Name, Option, T0, Sense, Facet, Parts, N0-Shape0, N-Shape) :-
     Facet = facet(_, T1, T2, _),
     facet_middle(Facet, Middle),
     T is T0 + 360.0*round((Middle-T0)/360.0),
-    (   ( T < T1 + 1.0e-6 ; T > T2 - 1.0e-6 )
+    (   \+ between_angles(T1, T, T2)
     ->  Parts = [Facet],
         Shape = Shape0,
         N = N0
@@ -333,15 +327,15 @@ generators(Facets, Seam, Around, Options, Generators) :-
         findall(I-T,
                 ( between(0, N, I0),
                   T is Seam + 360.0*I0/N,
-                  T < Last + 1.0e-6,
+                  \+ before_angle(Last, T),
                   generator_number(I0, N, Around, I) ),
                 Generators)
     ;   length(Ts, Count),
         N is Count-1,
         findall(I-T,
                 ( nth0(I0, Ts, T),
-                  T < Last + 1.0e-6,
-                  (   T > Seam + 360.0 - 1.0e-6
+                  \+ before_angle(Last, T),
+                  (   \+ before_angle(T, Seam + 360.0)
                   ->  generator_number(I0, N, Around, I)
                   ;   I is I0+1
                   ) ),
@@ -362,7 +356,7 @@ apart(Ts0, Ts) :-
     apart_(Ts1, Ts).
 
 apart_([A,B|Ts0], Ts) :-
-    B-A < 1.0e-6,
+    \+ before_angle(A, B),
     !,
     apart_([A|Ts0], Ts).
 apart_([A|Ts0], [A|Ts]) :-

@@ -6,6 +6,8 @@
             facet_index/2,              % +Facets, -Index
             generator_spans/5           % +Index, +T, +Sense, +Shape, -Spans
           ]).
+:- use_module('../near',
+              [same_angle/2, between_angles/3, less_part/2, off_sign/2]).
 :- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
 :- use_module(true_part_loop, [facet_parted/3]).
@@ -84,14 +86,13 @@ key_side(shape(_, _, Nodes), Key, T, Side) :-
     key_place(Nodes, Key, T1, _),
     (   T1 == any
     ->  Side = on
-    ;   Off is T1-T,
-        (   Off < -1.0e-9
-        ->  Side = left
-        ;   Off > 1.0e-9
-        ->  Side = right
-        ;   Side = on
-        )
+    ;   off_sign(T1-T, Sign),
+        sign_side(Sign, Side)
     ).
+
+sign_side(-1, left).
+sign_side(0,  on).
+sign_side(1,  right).
 
 %   crossing_key(K1, K2, Side2, T, Key, H, ...): K1 is on the left.
 
@@ -233,16 +234,16 @@ generator_spans(Index, T, Sense, Shape, Spans) :-
 
 facet_span(facet(_, T1, T2, Halves), T, Sense, Shape, H1-H2) :-
     Shape = shape(_, _, Nodes),
-    (   T > T1 + 1.0e-6,
-        T < T2 - 1.0e-6
+    (   between_angles(T1, T, T2)
     ->  crossed(Halves, T, _, _, Crossings0, Shape, _),
         in_order(Crossings0, Sense, Crossings),
         span_heights(Crossings, Sense, 0, none, Pairs),
         member(H1-H2, Pairs)
-    ;   ( abs(T-T1) =< 1.0e-6 ; abs(T-T2) =< 1.0e-6 )
+    ;   member(Own, [T1,T2]),
+        same_angle(T, Own)
     ->  member(half(K1, K2, _), Halves),
-        on_generator(Nodes, T, K1, A),
-        on_generator(Nodes, T, K2, B),
+        on_generator(Nodes, Own, K1, A),
+        on_generator(Nodes, Own, K2, B),
         A =\= B,
         H1 is min(A, B),
         H2 is max(A, B)
@@ -252,7 +253,7 @@ on_generator(Nodes, T, Key, H) :-
     key_place(Nodes, Key, T1, H),
     (   T1 == any
     ->  true
-    ;   abs(T-T1) < 2.0e-6
+    ;   same_angle(T, T1)
     ).
 
 span_heights([], _, _, _, []).
@@ -269,7 +270,7 @@ span_heights([crossing(H, Way, _)|Crossings], Sense, Depth0, From, Pairs) :-
 
 joined_spans([], []).
 joined_spans([A-B,C-D|Spans0], Spans) :-
-    C =< B + 1.0e-9,
+    \+ less_part(B, C),
     !,
     E is max(B, D),
     joined_spans([A-E|Spans0], Spans).

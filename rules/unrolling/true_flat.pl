@@ -1,6 +1,7 @@
 :- module(sg_true_flat,
           [ flat_resized/3              % +S, +By, -S1
           ]).
+:- use_module('../near', [is_on_surface/2]).
 :- use_module('../store',
               [ e/5, p/3, plane/6, segment/3, v/5, edge_polygon/3,
                 assert_fact/1, fresh_id/3
@@ -94,13 +95,13 @@ plane_moved(By, Normal, moved(Way0, Basis0), moved(Way, Basis)) :-
     dot_product(Rest, Rest, Square),
     dot_product(Normal, Way0, Done),
     Left is By-Done,
-    (   Square > 1.0e-12
+    (   \+ is_on_surface(sqrt(Square), 1.0)
     ->  F is Left/Square,
         added(Way0, F, Rest, Way),
         G is 1.0/sqrt(Square),
         added(p(0.0,0.0,0.0), G, Rest, Unit),
         Basis = [Unit|Basis0]
-    ;   abs(Left) =< 1.0e-6*abs(By),
+    ;   is_on_surface(Left, abs(By)),
         Way = Way0,
         Basis = Basis0
     ).

@@ -11,6 +11,10 @@
             strip_layout/6              % +Strip, +Facets, +Motion, +Chord,
                                         % -Points, -Curves
           ]).
+:- use_module('../near',
+              [ tolerance/2, same_angle/2, before_angle/2, whole_turns/2,
+                same_part/2, is_on_surface/2
+              ]).
 :- use_module('../kernel', [roll_curves/5, roll_points/3]).
 :- use_module('../primitive/parallel_surface', [parallel_before/5]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
@@ -169,7 +173,8 @@ chord_tolerance(Options, Size, Chord) :-
     option(chord(Chord0), Options, Usual),
     must_be(number, Chord0),
     (   Chord0 > 0
-    ->  Chord is max(Chord0, 1.0e-7*Size)
+    ->  tolerance(place, Of),
+        Chord is max(Chord0, Of*Size)
     ;   domain_error(chord, Chord0)
     ).
 
@@ -344,9 +349,10 @@ place_point(Roll, T1, T2, place(T, H, X, Y), Point) :-
 %   once. T1 to T2 is the facet, less a little at its generators.
 
 facet_edges(Facets, Edges) :-
+    tolerance(surface, Of),
     findall(edge(A, B, T1, T2),
             ( member(facet(_, Start, End, Halves), Facets),
-              Margin is 1.0e-6*(End-Start),
+              Margin is Of*(End-Start),
               T1 is Start + Margin,
               T2 is End - Margin,
               member(half(K1, K2, _), Halves),
@@ -397,7 +403,8 @@ layout_marks(Layout, Facets, Sense, Seam, Generators, Marks) :-
               member(H1-H2, Spans),
               mark_ends(Kind, Layout, Facets, T, H1, H2, P, Q),
               measures(Kind, Layout, Seam, T, H1-P, H2-Q, Position, From, To),
-              Degrees is T - 360.0*floor((T+1.0e-9)/360.0) + 0.0,
+              whole_turns(T, By),
+              Degrees is T - By + 0.0,
               Mark = mark(Number, Degrees, Position, From, To, P, Q) ),
             Marks).
 
@@ -416,8 +423,8 @@ key_at(Facets, shape(_, _, Nodes), T, H, Key) :-
     member(facet(_, _, _, Halves), Facets),
     member(half(Key, _, _), Halves),
     key_place(Nodes, Key, T1, H1),
-    abs(T-T1) < 1.0e-6,
-    abs(H-H1) < 1.0e-9,
+    same_angle(T, T1),
+    same_part(H, H1),
     !.
 
 measures(cylinder, _, _, _, _-(X-Y1), _-(_-Y2), X, Y1, Y2).
@@ -429,7 +436,7 @@ measures(cone, layout(_, Shape, _, _, _, _), Seam, T, H1-_, H2-_, Angle, R1,
     Surface = cone(_, _, _, _, K),
     roll_points(roll(Surface, 0.0, Seam), [T-0.0], [X-Y]),
     Angle0 is atan2(Y, X)*180.0/pi,
-    (   Angle0 < -1.0e-7
+    (   before_angle(Angle0, 0.0)
     ->  Angle is Angle0 + 360.0
     ;   Angle is max(0.0, Angle0)
     ),
@@ -491,8 +498,8 @@ has_image(Table, Twice, T, H) :-
     between(From, To, Bin),
     get_assoc(Bin, Table, Places),
     member(T2-H2, Places),
-    abs(T2-Image) < 1.0e-6,
-    abs(H2-H) < 1.0e-7,
+    same_angle(T2, Image),
+    is_on_surface(H2-H, 1.0),
     !.
 
 mirrors_surface(Surface, Seam, Twice, Places) :-
@@ -504,7 +511,8 @@ mirrors_surface(Surface, Seam, Twice, Places) :-
     roll_points(Roll, [Seam-0.0,End-0.0], [P,Q]),
     pairs_keys_values(Pairs, Points1, Points2),
     corner([P,Q|Points1], _, _, Size),
-    Off is 1.0e-7*Size,
+    tolerance(place, Of),
+    Off is Of*Size,
     rolled_form(Surface, Kind),
     \+ ( member(A-B, Pairs),
          \+ mirrors(Kind, P, Q, A, B, Off) ).

@@ -1,6 +1,7 @@
 :- module(sg_true_pattern,
           [ pattern_written/3           % +Term, +Pattern, -D
           ]).
+:- use_module('../near', [same_direction/2]).
 :- use_module('../development/development_record', [drop_pattern/1]).
 :- use_module('../store',
               [ e/5, p/3, plane/6, segment/3, v/5, assert_fact/1, fresh_id/3
@@ -269,13 +270,13 @@ joint_angle(creases(Creases, Between), Kind, _, P1, P2, Angle) :-
     Kind \== line,
     get_assoc(P1, Between, From1-To1),
     get_assoc(P2, Between, From2-To2),
-    (   same_turn(To1, From2)
+    (   same_direction(To1, From2)
     ->  T = To1
-    ;   same_turn(To2, From1),
+    ;   same_direction(To2, From1),
         T = To2
     ),
     member(T0-Angle, Creases),
-    same_turn(T0, T),
+    same_direction(T0, T),
     !.
 joint_angle(bent, Kind, S, P1, P2, Angle) :-
     Kind \== line,
@@ -291,10 +292,6 @@ joint_angle(bent, Kind, S, P1, P2, Angle) :-
     ;   Angle = Angle0
     ).
 joint_angle(_, _, _, _, _, 0.0).
-
-same_turn(T1, T2) :-
-    Turns is (T1-T2)/360.0,
-    abs(Turns - round(Turns)) < 1.0e-8.
 
 %   polygon_above(S, P, Plane): its vertex that is farthest from Plane is above.
 

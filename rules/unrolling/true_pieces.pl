@@ -11,6 +11,10 @@
             creases/3,                  % +Pieces, +Around, -Creases
             is_round/1                  % +Piece
           ]).
+:- use_module('../near',
+              [ tolerance/2, same_angle/2, between_angles/3, same_direction/2,
+                whole_turns/2, longer/2
+              ]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
 :- use_module(true_border, [rims_kept/4]).
 :- use_module(true_divide,
@@ -22,7 +26,7 @@
               ]).
 :- use_module(true_surface, [surface_normal_at/3]).
 :- use_module(true_spike, [spikes_cut/3]).
-:- use_module(true_tip, [tips_moved/5]).
+:- use_module(true_tip, [tips_moved/4]).
 :- use_module(library(apply), [foldl/5, foldl/6, maplist/3, maplist/4]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists), [append/2, append/3, member/2, min_list/2]).
@@ -59,9 +63,7 @@ piece_found(S, Part, Table, piece(Name, End, T1-T2, G1-G2),
     (   Facets1 = [_|_]
     ->  maplist(turned_to(T1), Facets1, Facets0),
         facets_sense(Facets0, Shape0, Sense),
-        Shape0 = shape(_, Reach, _),
-        Tolerance is Reach*4.0e-6,
-        tips_moved(Facets0, Tolerance, Facets2, Shape0, Shape2),
+        tips_moved(Facets0, Facets2, Shape0, Shape2),
         rims_kept(Facets2, Facets3, Shape2, Shape),
         spikes_cut(Facets3, Shape, Facets4),
         facets_as_drawn(S, Facets4, Shape, Facets)
@@ -98,15 +100,12 @@ piece_sense(Up, piece(Name, End, Ts, Gs, Facets, Shape, _),
 %   G is the direction, degrees, of the generator at T of Piece.
 
 place_of(piece(_, _, T1-T2, G1-G2, _, _, _), G0, T) :-
-    G is G0 + 360.0*ceiling((G1 - 1.0e-7 - G0)/360.0),
+    tolerance(angle, Near),
+    G is G0 + 360.0*ceiling((G1 - Near - G0)/360.0),
     T is T1 + (T2-T1)*(G-G1)/(G2-G1).
 
 direction_of(piece(_, _, T1-T2, G1-G2, _, _, _), T, G) :-
     G is G1 + (G2-G1)*(T-T1)/(T2-T1).
-
-same_direction(G1, G2) :-
-    Turns is (G1-G2)/360.0,
-    abs(Turns - round(Turns)) < 1.0e-9.
 
 
                 /*******************************
@@ -168,8 +167,8 @@ shortest_seam(Pieces, Borders, Seam) :-
     ),
     pairs_keys(Found, Lengths),
     min_list(Lengths, Least),
-    Most is Least*(1.0 + 1.0e-9),
-    findall(G, ( member(Length-G, Found), Length =< Most ), Shortest),
+    findall(G, ( member(Length-G, Found), \+ longer(Length, Least) ),
+            Shortest),
     min_list(Shortest, Seam).
 
 seam_candidate(Pieces, Which, Borders, Length, G) :-
@@ -187,7 +186,8 @@ seam_candidate(Pieces, Which, Borders, Length, G) :-
         on_border(Borders, G0)
     ),
     direction_of(Piece, T, G0),
-    G is G0 - 360.0*floor((G0 + 1.0e-9)/360.0),
+    whole_turns(G0, By),
+    G is G0 - By,
     generator_length(Surface, T, Length).
 
 generator_length(Surface, T, Length) :-
@@ -211,7 +211,7 @@ divided_at(G, Pieces0, Pieces) :-
 piece_divided(G, Piece, Pieces) :-
     Piece = piece(Name, End, T1-T2, G1-G2, Facets0, Shape0, Sense),
     place_of(Piece, G, T),
-    (   ( T < T1 + 1.0e-6 ; T > T2 - 1.0e-6 )
+    (   \+ between_angles(T1, T, T2)
     ->  Pieces = [Piece]
     ;   foldl(facet_at(T, Sense), Facets0, Lists, Shape0, Shape),
         append(Lists, Facets),
@@ -228,7 +228,7 @@ left_of(Facet, T) :-
 
 facet_at(T, Sense, Facet, Parts, Shape0, Shape) :-
     Facet = facet(_, T1, T2, _),
-    (   ( T < T1 + 1.0e-6 ; T > T2 - 1.0e-6 )
+    (   \+ between_angles(T1, T, T2)
     ->  Parts = [Facet],
         Shape = Shape0
     ;   facet_divided(Facet, T, Sense, 1, Parts, Shape0, Shape)
@@ -246,7 +246,8 @@ from_seam(Pieces0, Seam, Pieces) :-
 
 seam_order(Seam, Piece0, Off-Piece) :-
     Piece0 = piece(Name, End, Ts, G1-G2, Facets, Shape, Sense),
-    Turns is floor((G1 + 1.0e-6 - Seam)/360.0),
+    tolerance(angle, Near),
+    Turns is floor((G1 + Near - Seam)/360.0),
     H1 is G1 - 360.0*Turns,
     H2 is G2 - 360.0*Turns,
     Off = H1,
@@ -287,7 +288,7 @@ crease(Piece1, Piece2, G-Degrees) :-
     cross(N1, N2, Across),
     dot(Across, Way, Sin),
     Degrees0 is atan2(Sin, Cos)*180.0/pi,
-    (   abs(Degrees0) < 1.0e-6
+    (   same_angle(Degrees0, 0.0)
     ->  Degrees = 0.0
     ;   Degrees = Degrees0
     ).

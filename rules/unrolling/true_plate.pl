@@ -3,6 +3,7 @@
             plate_parts/5               % +S, +Others, +Options0, -Options,
                                         % -Parts
           ]).
+:- use_module('../near', [longer/2]).
 :- use_module('../csg/placed_surface', [placed_surface/3, placed_term/2]).
 :- use_module(true_parts, [parts_made/3]).
 :- use_module(true_resized, [outline_area/2]).
@@ -141,7 +142,7 @@ width_role(Width, Widths, Role) :-
 
 wider(A, B) :-
     B < inf,
-    A > B*(1.0 + 1.0e-9).
+    longer(A, B).
 
 %   What has flat faces is as wide as a box or prism is, or wider than any pipe.
 

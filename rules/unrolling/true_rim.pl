@@ -2,6 +2,7 @@
           [ rims_rounded/3,             % +D, +S, +Options
             pattern_measured/1          % +D
           ]).
+:- use_module('../near', [same_part/2, is_rounding/2, is_on_surface/2]).
 :- use_module('../csg/placed_surface', [facet_surface/3, placed_polygon/4]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
 :- use_module('../kernel',
@@ -196,7 +197,7 @@ on_curve(Surface, point(X,Y,Z)) :-
     ->  surface_place(Surface, point(X,Y,Z), T, H),
         surface_point(Surface, T, H, point(X1,Y1,Z1)),
         Off is abs(X-X1) + abs(Y-Y1) + abs(Z-Z1),
-        Off < 1.0e-6*(1.0 + abs(X) + abs(Y) + abs(Z))
+        is_on_surface(Off, 1.0 + abs(X) + abs(Y) + abs(Z))
     ;   true
     ).
 
@@ -218,7 +219,8 @@ curve_leaves(S, P, E, V, Meets, Surface) :-
 on_surface(Surface, Point) :-
     surface_value(Surface, Point, Value, vector(A,B,C)),
     Point = point(X,Y,Z),
-    abs(Value) < 1.0e-6*sqrt(A*A + B*B + C*C)*(1.0 + abs(X) + abs(Y) + abs(Z)).
+    is_on_surface(Value, sqrt(A*A + B*B + C*C)
+                         *(1.0 + abs(X) + abs(Y) + abs(Z))).
 
 %   cutting_surface(S, P, E, Meets, Surface): both ends of E, an edge of P, were
 %   met by facets of Surface, which is not flat.
@@ -272,10 +274,10 @@ rim_place(S, V, Surface, T, H) :-
     v(S, V, X, Y, Z),
     surface_place(Surface, point(X,Y,Z), T, H0),
     member(H, [0.0,1.0]),
-    abs(H-H0) < 1.0e-9,
+    same_part(H, H0),
     surface_point(Surface, T, H, point(X1,Y1,Z1)),
     Off is abs(X-X1) + abs(Y-Y1) + abs(Z-Z1),
-    Off < 1.0e-9*(1.0 + abs(X) + abs(Y) + abs(Z)),
+    is_rounding(Off, 1.0 + abs(X) + abs(Y) + abs(Z)),
     !.
 
 %   arc_count(Surface, T1, T2, H, Options, N): N equal chords are near enough.

@@ -12,6 +12,10 @@
             facets_sense/3,             % +Facets, +Shape, -Sense
             shifted_facet/3             % +Turns, +Facet, -Shifted
           ]).
+:- use_module('../near',
+              [ same_angle/2, before_angle/2, same_part/2,
+                less_part/2, is_rounding/2
+              ]).
 :- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
 :- use_module('../csg/placed_surface',
               [placed_face/3, placed_polygon/4, placed_surface/3]).
@@ -203,11 +207,11 @@ wider(X-Y-Z, box(A0,B0,C0,D0,E0,F0), box(A,B,C,D,E,F)) :-
 in_place(Facets, Nodes) :-
     \+ ( member(facet(_, T1, T2, Halves), Facets),
          Middle is (T1+T2)/2.0,
-         Most is (T2-T1)*0.51 + 1.0e-6,
+         Most is (T2-T1)*0.51,
          member(half(V, _, _), Halves),
          get_assoc(V, Nodes, node(T, _, _, [])),
          T \== any,
-         abs(T - 360.0*round((T-Middle)/360.0) - Middle) > Most
+         before_angle(Most, abs(T - 360.0*round((T-Middle)/360.0) - Middle))
        ).
 
 
@@ -267,11 +271,11 @@ facet_place(Surface, facet(_, T1, T2, _), Point, Border, T, H) :-
     near_turn(Middle, T0, T3),
     level(H0, H, Level),
     (   ( Surface = cone(_, _, _, _, K) ; Surface = fan(_, _, _, K) ),
-        abs(1.0 - H*(1.0-K)) < 1.0e-9
+        same_part(1.0, H*(1.0-K))
     ->  T = any,
         Border = apex
     ;   member(T, [T1,T2]),
-        abs(T-T3) < 1.0e-6
+        same_angle(T, T3)
     ->  Border = generator
     ;   T = T3,
         Border = Level
@@ -282,7 +286,7 @@ near_turn(Middle, T0, T) :-
 
 level(H0, H, Border) :-
     (   member(H, [0.0,1.0]),
-        abs(H-H0) < 1.0e-9
+        same_part(H, H0)
     ->  Border = level
     ;   H = H0,
         Border = none
@@ -341,16 +345,16 @@ kept_in_order(Shape, I, Facet, Nodes0, Nodes) :-
 past(facet(_, T1, T2, _), I, Nodes, V, W, T) :-
     Middle is (T1+T2)/2.0,
     node_near(Nodes, Middle, V, TV),
-    (   TV > T2 + 1.0e-9
+    (   less_part(T2, TV)
     ->  T is T2 - I*1.0e-3*(T2-T1),
         node_near(Nodes, Middle, W, TW),
-        TW =< T2 + 1.0e-9,
-        TW >= T - 1.0e-9
-    ;   TV < T1 - 1.0e-9,
+        \+ less_part(T2, TW),
+        \+ less_part(TW, T)
+    ;   less_part(TV, T1),
         T is T1 + I*1.0e-3*(T2-T1),
         node_near(Nodes, Middle, W, TW),
-        TW >= T1 - 1.0e-9,
-        TW =< T + 1.0e-9
+        \+ less_part(TW, T1),
+        \+ less_part(T, TW)
     ).
 
 node_near(Nodes, Middle, V, T) :-
@@ -437,7 +441,7 @@ facets_sense(Facets, shape(_, _, Nodes), Sense) :-
     Facet = facet(_, _, _, Halves),
     facet_middle(Facet, Middle),
     foldl(half_area(Nodes, Middle), Halves, 0.0, Area),
-    abs(Area) > 1.0e-9,
+    \+ is_rounding(Area, 1.0),
     !,
     (   Area > 0.0
     ->  Sense = 1
@@ -470,7 +474,7 @@ same_generator(Nodes, Key1, Key2) :-
     key_place(Nodes, Key2, T2, _),
     (   ( T1 == any ; T2 == any )
     ->  true
-    ;   abs(T1-T2) < 1.0e-9
+    ;   same_part(T1, T2)
     ).
 
 %!  edge_curve(+Shape, +Key1, +Key2, -Curve) is det.

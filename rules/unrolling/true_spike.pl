@@ -1,6 +1,7 @@
 :- module(sg_true_spike,
           [ spikes_cut/3                % +Facets0, +Shape, -Facets
           ]).
+:- use_module('../near', [is_on_surface/2]).
 :- use_module('../kernel', [surfaces_meet/4]).
 :- use_module(true_shape, [edge_curve/4]).
 :- use_module(library(apply), [maplist/3]).
@@ -83,7 +84,7 @@ lies_on(Shape, Other, A, B, C) :-
     surfaces_meet([Surface,Other,plane(NX,NY,NZ,D)], Reach, point(X,Y,Z),
                   point(X4,Y4,Z4)),
     Off is sqrt((X4-X3)**2 + (Y4-Y3)**2 + (Z4-Z3)**2),
-    Off < 1.0e-6*Reach.
+    is_on_surface(Off, Reach).
 
 key_point(shape(_, _, Nodes), k(Id, _), Point) :-
     get_assoc(Id, Nodes, node(_, _, Point, _)).

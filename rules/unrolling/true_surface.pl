@@ -6,6 +6,7 @@
             surface_normal_at/3,        % +Surface, +T, -Normal
             offset_surface/3            % +Surface, +Distance, -Offset
           ]).
+:- use_module('../near', [same_direction/2, same_part/2, is_rounding/2]).
 :- use_module('../angle', [exact_sin_cos/3]).
 :- use_module('../primitive/parallel_surface', [parallel_plane/3]).
 :- use_module('../csg/placed_surface',
@@ -101,18 +102,14 @@ edge_guide(S, E, Plane) :-
     once(edge_polygon(S, Twin, Q)),
     placed_face(S, P, curved(Part, [A1-A2])),
     placed_face(S, Q, curved(Part, [B1-B2])),
-    (   same_turn(A2, B1)
+    (   same_direction(A2, B1)
     ->  T = A2
-    ;   same_turn(A1, B2),
+    ;   same_direction(A1, B2),
         T = A1
     ),
     placed_surface(S, Part, Surface),
     generator_plane(Surface, T, Plane),
     !.
-
-same_turn(T1, T2) :-
-    Turns is (T1-T2)/360.0,
-    abs(Turns - round(Turns)) < 1.0e-9.
 
 %   distinct(Surfaces0, Surfaces): polygons of one flat face have planes that
 %   differ by rounding.
@@ -127,10 +124,10 @@ distinct([Surface|Surfaces0], Surfaces) :-
     distinct(Surfaces0, Rest).
 
 same_plane(plane(A,B,C,D), plane(A2,B2,C2,D2)) :-
-    abs(A-A2) < 1.0e-9,
-    abs(B-B2) < 1.0e-9,
-    abs(C-C2) < 1.0e-9,
-    abs(D-D2) < 1.0e-9*(1.0 + abs(D)).
+    same_part(A, A2),
+    same_part(B, B2),
+    same_part(C, C2),
+    is_rounding(D-D2, 1.0 + abs(D)).
 
 %!  generator_plane(+Surface, +T, -Plane) is det.
 %
@@ -258,14 +255,14 @@ offset_(cone(C,U,V,W,K), Distance, cone(C,U1,V1,W,K1)) :-
     K1 is (K*R + By)/(R + By).
 offset_(sphere(C,U,V,W), Distance, sphere(C,U1,V1,W1)) :-
     round_axes(U, V, W, R, R1),
-    abs(R-R1) =< 1.0e-9*R,
+    is_rounding(R-R1, R),
     F is 1.0 + Distance/R,
     enlarged(F, U, U1),
     enlarged(F, V, V1),
     enlarged(F, W, W1).
 offset_(torus(C,U,V,W,K), Distance, torus(C,U,V,W,K1)) :-
     round_axes(U, V, W, R, R1),
-    abs(R-R1) =< 1.0e-9*R,
+    is_rounding(R-R1, R),
     K1 is K + Distance/R,
     K1 > 0.0.
 
@@ -284,11 +281,11 @@ round_axes(U, V, W, R, H) :-
     dot(W, W, WW),
     R is sqrt(UU),
     H is sqrt(WW),
-    abs(UU-VV) =< 1.0e-9*UU,
+    is_rounding(UU-VV, UU),
     right_angle(U, V, R*R),
     right_angle(U, W, R*H),
     right_angle(V, W, R*H).
 
 right_angle(A, B, Size) :-
     dot(A, B, Dot),
-    abs(Dot) =< 1.0e-9*Size.
+    is_rounding(Dot, Size).

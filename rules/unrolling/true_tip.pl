@@ -1,8 +1,11 @@
 :- module(sg_true_tip,
-          [ tips_moved/5,               % +Facets0, +Tolerance, -Facets,
-                                        % +Shape0, -Shape
+          [ tips_moved/4,               % +Facets0, -Facets, +Shape0, -Shape
             settled/5                   % +Halves0, +Line, +Shape, +All, -Halves
           ]).
+:- use_module('../near',
+              [ tolerance/2, same_angle/2, before_angle/2,
+                same_part/2, less_part/2
+              ]).
 :- use_module('../kernel', [roll_curves/5]).
 :- use_module(true_divide, [crossing_near/7]).
 :- use_module(true_shape,
@@ -23,12 +26,15 @@ there twice, once each way, vanishes: of a hole that is all of the piece, which
 lies in the hole now. A tip may go on past the next generator.
 */
 
-%!  tips_moved(+Facets0, +Tolerance, -Facets, +Shape0, -Shape) is det.
+%!  tips_moved(+Facets0, -Facets, +Shape0, -Shape) is det.
 %
 %   Facets are Facets0, with all tips in the facets where they are. Tips that
-%   reach less than Tolerance (model units) past a generator may stay.
+%   reach past a generator by less than where surfaces meet is known may stay.
 
-tips_moved(Facets0, Tolerance, Facets, Shape0, Shape) :-
+tips_moved(Facets0, Facets, Shape0, Shape) :-
+    Shape0 = shape(_, Reach, _),
+    tolerance(surface, Near),
+    Tolerance is 4.0*Near*Reach,
     findall(N-Facet, nth1(N, Facets0, Facet), Numbered),
     list_to_assoc(Numbered, Table0),
     ends_table(Numbered, Ends),
@@ -144,9 +150,9 @@ line_parted(T1, T2, line(A, B, _), Places, Parted0-Shape0, Parted-Shape) :-
     ).
 
 zone(T1, T2, T, Zone) :-
-    (   T < T1 - 1.0e-6
+    (   before_angle(T, T1)
     ->  Zone = start
-    ;   T > T2 + 1.0e-6
+    ;   before_angle(T2, T)
     ->  Zone = end
     ;   Zone = in
     ).
@@ -181,7 +187,7 @@ parts(S1, Ss, Line, Start, Zone0, Parts, Shape0, Shape) :-
     ).
 
 on_border(T, T1, T2) :-
-    ( abs(T-T1) =< 1.0e-6 ; abs(T-T2) =< 1.0e-6 ),
+    ( same_angle(T, T1) ; same_angle(T, T2) ),
     !.
 
 border(Zone1, Zone2, T1, T2, T) :-
@@ -234,7 +240,7 @@ on_generator(shape(_, _, Nodes), T, Key) :-
     key_place(Nodes, Key, T1, _),
     (   T1 == any
     ->  true
-    ;   abs(T1-T) =< 1.0e-6
+    ;   same_angle(T1, T)
     ).
 
 %   neighbour(Side, T, From-To, Ends, Table, Shape, Q, Turns): facet Q, carried
@@ -262,8 +268,8 @@ neighbour(Side, T, From-To, Ends, Table, Shape, Q, Turns) :-
     on_generator(Shape, T, B),
     key_place(Nodes, A, _, H3),
     key_place(Nodes, B, _, H4),
-    max(H1, H2) >= min(H3, H4) - 1.0e-9,
-    min(H1, H2) =< max(H3, H4) + 1.0e-9,
+    \+ less_part(max(H1, H2), min(H3, H4)),
+    \+ less_part(max(H3, H4), min(H1, H2)),
     !.
 
 %   tip_given(Tip, N, Facet, Table0, Table, Shape): facet N is Facet, without
@@ -317,7 +323,7 @@ on_line(Shape, generator(T), Key, H) :-
 on_line(shape(_, _, Nodes), level(H), Key, T) :-
     key_place(Nodes, Key, T, H1),
     T \== any,
-    abs(H1-H) =< 1.0e-9.
+    same_part(H1, H).
 
 elementary(half(A, B, Label), Line, Shape, Keys, Half) :-
     (   on_line(Shape, Line, A, Place1),

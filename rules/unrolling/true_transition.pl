@@ -1,6 +1,7 @@
 :- module(sg_true_transition,
           [ transition_points/3         % +Facets, +Shape, -Pairs
           ]).
+:- use_module('../near', [same_angle/2]).
 :- use_module(true_shape, [key_place/4]).
 :- use_module('../vector',
               [ cross_product/3, difference/3, dot_product/3, unit/2,
@@ -42,8 +43,8 @@ first_laid(Facets, Nodes, Placed) :-
     member(half(A, B, _), Halves),
     key_place(Nodes, A, T1, H1),
     key_place(Nodes, B, T2, H2),
-    abs(T1-T) < 1.0e-6,
-    abs(T2-T) < 1.0e-6,
+    same_angle(T1, T),
+    same_angle(T2, T),
     !,
     space_point(Nodes, A, P),
     space_point(Nodes, B, Q),

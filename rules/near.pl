@@ -1,0 +1,133 @@
+:- module(sg_near,
+          [ tolerance/2,                % ?Of, -Tolerance
+            same_angle/2,               % +T1, +T2
+            before_angle/2,             % +T1, +T2
+            between_angles/3,           % +T1, +T, +T2
+            same_direction/2,           % +T1, +T2
+            whole_turns/2,              % +T, -By
+            same_part/2,                % +H1, +H2
+            less_part/2,                % +H1, +H2
+            off_sign/2,                 % +Off, -Sign
+            is_rounding/2,              % +Off, +Size
+            longer/2,                   % +Length1, +Length2
+            is_on_surface/2             % +Off, +Size
+          ]).
+/** <module> Numbers that are meant to be equal, and differ by rounding.
+
+What has an id is compared by its id. These are for what was computed and has
+none: where a generator is on a surface, where a line ends on paper. Each kind
+of number has one tolerance, here, with its reason. Arguments may be
+expressions.
+*/
+
+:- set_prolog_flag(optimise, true).
+
+%!  tolerance(?Of, -Tolerance) is nondet.
+%
+%   Numbers that differ by no more than Tolerance are one.
+%
+%     - angle: of generators, in degrees. That of a point is known to rounding
+%       over its distance from the axis, far less; facets are far wider.
+%     - rounding: of numbers of the size of one: heights from 0 to 1, whole
+%       turns, a length over another. Thousands of roundings.
+%     - place: of points of a pattern, over its size: sums along all its pieces.
+%     - surface: of points where surfaces meet, over the size of the model: they
+%       are found by steps, which end at less.
+
+tolerance(angle,    1.0e-6).
+tolerance(rounding, 1.0e-9).
+tolerance(place,    1.0e-7).
+tolerance(surface,  1.0e-6).
+
+%!  same_angle(+T1, +T2) is semidet.
+%
+%   True when T1 and T2, degrees, are one generator.
+
+same_angle(T1, T2) :-
+    tolerance(angle, Near),
+    abs(T1-T2) =< Near.
+
+%!  before_angle(+T1, +T2) is semidet.
+%
+%   True when T1 is less than T2, and not the same_angle/2.
+
+before_angle(T1, T2) :-
+    tolerance(angle, Near),
+    T1 < T2 - Near.
+
+%!  between_angles(+T1, +T, +T2) is semidet.
+%
+%   True when T lies between T1 and T2, and is neither.
+
+between_angles(T1, T, T2) :-
+    before_angle(T1, T),
+    before_angle(T, T2).
+
+%!  same_direction(+T1, +T2) is semidet.
+%
+%   True when T1 and T2, degrees, differ by whole turns.
+
+same_direction(T1, T2) :-
+    Turns is (T1-T2)/360.0,
+    same_part(Turns, round(Turns)).
+
+%!  whole_turns(+T, -By) is det.
+%
+%   By, degrees, are whole turns: T-By is from 0 up to 360; what is 360 but for
+%   rounding is about 0.
+
+whole_turns(T, By) :-
+    tolerance(rounding, Near),
+    By is 360.0*floor((T + Near)/360.0).
+
+%!  same_part(+H1, +H2) is semidet.
+%
+%   True when H1 and H2, parts of one thing, are the same.
+
+same_part(H1, H2) :-
+    is_rounding(H1-H2, 1.0).
+
+%!  less_part(+H1, +H2) is semidet.
+%
+%   True when H1 is less than H2, and not the same_part/2.
+
+less_part(H1, H2) :-
+    tolerance(rounding, Near),
+    H1 < H2 - Near.
+
+%!  off_sign(+Off, -Sign) is det.
+%
+%   Sign, -1, 0 or 1, is that of Off, a difference of parts of one thing.
+
+off_sign(Off, Sign) :-
+    (   is_rounding(Off, 1.0)
+    ->  Sign = 0
+    ;   Off < 0.0
+    ->  Sign = -1
+    ;   Sign = 1
+    ).
+
+%!  is_rounding(+Off, +Size) is semidet.
+%
+%   True when Off is what rounding makes of 0 in numbers of this Size.
+
+is_rounding(Off, Size) :-
+    tolerance(rounding, Near),
+    abs(Off) =< Near*Size.
+
+%!  longer(+Length1, +Length2) is semidet.
+%
+%   True when Length1 is more than Length2, and not by rounding.
+
+longer(Length1, Length2) :-
+    tolerance(rounding, Near),
+    Length1 > Length2*(1.0 + Near).
+
+%!  is_on_surface(+Off, +Size) is semidet.
+%
+%   True when what is Off a surface, or Off another point, lies there;
+%   coordinates are of this Size.
+
+is_on_surface(Off, Size) :-
+    tolerance(surface, Near),
+    abs(Off) =< Near*Size.
