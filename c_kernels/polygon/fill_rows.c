@@ -1,8 +1,11 @@
 /* fill_rows.c -- planes and triangles of whole segments. */
 #include "complete.h"
 #include "doors/world.h"
+#include "ids.h"
 #include "rows/append_rows.h"
 #include "rows/grain_rows.h"
+
+#include <string.h>
 
 /* ---- rows ---- */
 
@@ -133,4 +136,64 @@ sg_door_fill_triangles(sg_call *call, const sg_segments_asked *ss,
   sg_completion_clear(&found);
   sg_world_release(world);
   return good;
+}
+
+/* ---- segments that nobody has completed ---- */
+
+/* Of ascending segments, those that have rows of a relation (has), or those
+ * that have none, are left. Rows of a segment mostly stand together. */
+static bool
+leave(sg_call *call, const sg_version *version, sg_relation relation, bool has,
+      sg_int_list *ss)
+{
+  bool *there = sg_call_alloc(call, ss->n);
+  sg_view view;
+  int32_t last = 0;
+  size_t n = 0;
+
+  if (!there || !sg_version_view(version, relation, &view)) {
+    return sg_call_no_memory(call);
+  }
+  memset(there, 0, ss->n);
+  for (size_t page = 0; page < view.pages && !call->stopped; page++) {
+    for (unsigned i = sg_live_next(view.live[page], 0); i < SG_PAGE_ROWS;
+         i = sg_live_next(view.live[page], i + 1)) {
+      int32_t s = view.column[0].page[page].i[i];
+      size_t at = s == last ? SIZE_MAX : sg_find_id(ss->at, ss->n, s);
+
+      last = s;
+      if (at != SIZE_MAX) {
+        there[at] = true;
+      }
+    }
+    sg_poll_every(&call->poll, page);
+  }
+  sg_view_clear(&view);
+  for (size_t i = 0; i < ss->n; i++) {
+    if (there[i] == has) {
+      ss->at[n++] = ss->at[i];
+    }
+  }
+  ss->n = n;
+  return !call->stopped;
+}
+
+bool
+sg_door_untriangulated_segments(sg_call *call, sg_int_list *ss)
+{
+  const sg_version *version = sg_call_version(call);
+  sg_walk walk = {0};
+  bool good = version && (sg_walk_open(&walk, version, SG_SEGMENT, 0, NULL) ||
+                          sg_call_no_memory(call));
+
+  for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
+    int32_t s = sg_version_value(version, SG_SEGMENT, row, 0).i;
+
+    good =
+        sg_version_stamp(version, SG_P, s) == 0 || sg_int_list_add(call, ss, s);
+  }
+  sg_walk_close(&walk);
+  ss->n = good ? sg_sort_ids(ss->at, ss->n) : 0;
+  return good && (ss->n == 0 || leave(call, version, SG_T, false, ss)) &&
+         (ss->n == 0 || leave(call, version, SG_P, true, ss));
 }

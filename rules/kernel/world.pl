@@ -50,6 +50,11 @@ Foreign predicates; see kernel.pl.
 %
 %   The triangles are exact decisions; planes and Distance are rounded.
 
+%!  untriangulated_segments(-Ss:list(id)) is det.
+%
+%   Ss are the segments of segment/3 that have polygons and not one triangle,
+%   ascending.
+
 /* - - - tolerance_rows.c - - - */
 
 %!  model_tolerance(-Tolerance:number) is det.

@@ -6,8 +6,10 @@
             work_triangles/2            % +Work, -Triangles
           ]).
 :- use_module('../kernel',
-              [fill_triangles/2, work_oldest/4, work_triangulate/2]).
-:- use_module('../store', [p/3, t/6, segment/3, facts_transaction/1]).
+              [ fill_triangles/2, untriangulated_segments/1, work_oldest/4,
+                work_triangulate/2
+              ]).
+:- use_module('../store', [p/3, t/6, facts_transaction/1]).
 :- use_module(library(lists), [last/2, member/2]).
 
 /** <module> Polygons into triangles.
@@ -40,10 +42,10 @@ work_triangles(Work, Triangles) :-
 %
 %   complete_segments/1 of the segments that have polygons and not one triangle:
 %   those that somebody asserted and nobody completed. What is computed from
-%   triangles calls it first; it costs two lookups a segment.
+%   triangles calls it first; it costs one look at the rows of t/6.
 
 new_segments_complete :-
-    findall(S, ( segment(S, _, _), untriangulated(S) ), Ss),
+    untriangulated_segments(Ss),
     (   Ss == []
     ->  true
     ;   complete_segments(Ss)

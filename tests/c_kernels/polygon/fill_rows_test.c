@@ -2,6 +2,7 @@
  * it, through the functions of the doors, without Prolog.
  */
 #include "doors/world.h"
+#include "engine/term.h"
 
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
@@ -46,6 +47,23 @@ add_open(void)
                       NULL, NULL) == SG_OK;
 }
 
+static bool
+add_segment(sg_world *world, int32_t s)
+{
+  sg_term_builder b;
+
+  sg_term_open(&b);
+  sg_term_int(&b, s);
+  bool good = sg_world_add(world, SG_SEGMENT,
+                           (sg_value[]){{.i = s},
+                                        {.i = SG_SYMBOL_SOLID},
+                                        {.term = sg_term_words(&b)}},
+                           NULL, NULL) == SG_OK;
+
+  sg_term_close(&b);
+  return good;
+}
+
 static void
 fills(void)
 {
@@ -65,6 +83,22 @@ fills(void)
         faults.n == 1 && faults.at[0].s == OPEN && faults.at[0].p == 1 &&
             faults.at[0].what.is == SG_FAULT_WHAT_NOT_CLOSED);
   sg_call_rest(&call);
+}
+
+/* The cube has triangles from the beginning, the open polygon never has. */
+static void
+untriangulated(void)
+{
+  sg_int_list none = {0}, one = {0};
+
+  CHECK("no segments",
+        sg_door_untriangulated_segments(&call, &none) && none.n == 0);
+  for (int32_t s = CUBE; s <= OPEN + 1; s++) {
+    CHECK("segment", add_segment(call.world, s));
+  }
+  sg_call_rest(&call);
+  CHECK("one of three", sg_door_untriangulated_segments(&call, &one) &&
+                            one.n == 1 && one.at[0] == OPEN);
 }
 
 static void
@@ -92,6 +126,7 @@ main(void)
   call.world = sg_world_open();
   CHECK("a cube", call.world && add_cube(call.world, CUBE) && add_open());
   fills();
+  untriangulated();
   tolerances();
   sg_world *world = call.world;
 
