@@ -1,6 +1,7 @@
 /* self_join.c -- see self_join.h. */
 #include "self_join_private.h"
 
+#include "rows/list.h"
 #include "spine.h"
 
 #include <stdlib.h>
@@ -151,19 +152,18 @@ wants_of_face(void *data, const sg_bvh_hit *hit)
 static bool
 take(sg_self_joiner *j, const sg_bvh_hits *found, const sg_bvh_pair *pair)
 {
-  sg_bvh_hit *more =
-      realloc(j->hits.hit, (j->hits.n + found->n + 1) * sizeof *more);
+  size_t room = j->hits.n;
 
-  if (!more) {
+  if (!sg_list_need(&j->hits.hit, j->hits.n + found->n, &room,
+                    sizeof *j->hits.hit)) {
     return false;
   }
-  j->hits.hit = more;
   for (size_t i = 0; i < found->n; i++) {
     const sg_bvh_pair *of = &pair[found->hit[i].pair];
     uint32_t a = triangle_at(j, of->a, found->hit[i].a);
     uint32_t b = triangle_at(j, of->b, found->hit[i].b);
 
-    more[j->hits.n++] = (sg_bvh_hit){0, a < b ? a : b, a < b ? b : a};
+    j->hits.hit[j->hits.n++] = (sg_bvh_hit){0, a < b ? a : b, a < b ? b : a};
   }
   return true;
 }

@@ -3,6 +3,7 @@
 #include "boundary_private.h"
 #include "join/cut.h"
 #include "number/exact.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,14 +20,9 @@ sg_boundary_no_memory(sg_boundary_maker *m)
 static bool
 end_loop(sg_boundary_maker *m, bool changed)
 {
-  if (m->loop.count == m->changed_room) {
-    size_t room = 2 * m->changed_room + 1024;
-    unsigned char *more = realloc(m->changed, room);
-    if (!more) {
-      return sg_boundary_no_memory(m);
-    }
-    m->changed = more;
-    m->changed_room = room;
+  if (!sg_list_grow(&m->changed, m->loop.count, &m->changed_room,
+                    sizeof *m->changed)) {
+    return sg_boundary_no_memory(m);
   }
   m->changed[m->loop.count] = changed;
   return sg_mesh_end_list(&m->loop, 0) || sg_boundary_no_memory(m);
@@ -49,20 +45,11 @@ take_loop_triangle(sg_boundary_maker *m, const int32_t v[3])
 bool
 sg_boundary_room(sg_boundary_maker *m, size_t n)
 {
-  int32_t **array[] = {&m->from, &m->to};
+  size_t room = m->room; /* of both */
 
-  if (n <= m->room) {
-    return true;
-  }
-  for (int i = 0; i < 2; i++) {
-    int32_t *more = realloc(*array[i], 2 * n * sizeof *more);
-    if (!more) {
-      return sg_boundary_no_memory(m);
-    }
-    *array[i] = more;
-  }
-  m->room = 2 * n;
-  return true;
+  return (sg_list_need(&m->from, n, &room, sizeof *m->from) &&
+          sg_list_need(&m->to, n, &m->room, sizeof *m->to)) ||
+         sg_boundary_no_memory(m);
 }
 
 /* True if the n edges at work, joined, are one loop that passes each of its

@@ -1,6 +1,7 @@
 /* mesh_export.c -- see mesh_export.h. */
 #include "mesh_export.h"
 #include "polygon/loops.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,19 +50,10 @@ order_triangles(exporter *x)
 static bool
 make_room(exporter *x, size_t n)
 {
-  if (n <= x->room) {
-    return true;
-  }
-  int32_t **array[] = {&x->from, &x->to};
-  for (int i = 0; i < 2; i++) {
-    int32_t *more = realloc(*array[i], 2 * n * sizeof *more);
-    if (!more) {
-      return false;
-    }
-    *array[i] = more;
-  }
-  x->room = 2 * n;
-  return true;
+  size_t room = x->room; /* of both */
+
+  return sg_list_need(&x->from, n, &room, sizeof *x->from) &&
+         sg_list_need(&x->to, n, &x->room, sizeof *x->to);
 }
 
 /* An edge of the polygon at work, by its ends whatever its direction. */

@@ -11,6 +11,7 @@
 #include "doors/penetration.h"
 #include "join/bvh_join.h"
 #include "join/self_leaf.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -247,13 +248,14 @@ static bool
 keep_hits(sg_call *call, join *j, const sg_bvh_hits *hits)
 {
   sg_cut_handle *handle = j->handle;
-  size_t room = handle->candidates + hits->n + 1;
-  uint32_t(*grown)[2] = realloc(handle->candidate, room * sizeof *grown);
+  size_t room = handle->candidates;
 
-  if (!grown) {
+  if (!sg_list_need(&handle->candidate, handle->candidates + hits->n, &room,
+                    sizeof *handle->candidate)) {
     return sg_call_no_memory(call);
   }
-  handle->candidate = grown;
+  uint32_t(*candidate)[2] = handle->candidate;
+
   for (size_t k = 0; k < hits->n; k++) {
     const sg_bvh_hit *hit = &hits->hit[k];
     const size_t *place = j->place[hit->pair];
@@ -274,8 +276,8 @@ keep_hits(sg_call *call, join *j, const sg_bvh_hits *hits)
     sg_box of_b = box_of(model, false, b - 1);
 
     if (sg_box_overlap(&of_a, &of_b, handle->reach)) {
-      grown[handle->candidates][0] = a - 1;
-      grown[handle->candidates++][1] = b - 1;
+      candidate[handle->candidates][0] = a - 1;
+      candidate[handle->candidates++][1] = b - 1;
     }
   }
   return true;

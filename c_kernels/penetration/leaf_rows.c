@@ -8,6 +8,7 @@
 
 #include "doors/world.h"
 #include "rows/key_table.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 
@@ -38,25 +39,14 @@ rows_clear(leaf_rows *rows)
 static bool
 make_room(leaf_rows *rows)
 {
-  size_t room = rows->room ? 2 * rows->room : 256;
-  const int32_t **list;
-
-  if (rows->n < rows->room) {
-    return true;
-  }
   for (int c = 0; c < COLUMNS; c++) {
-    int32_t *more = realloc(rows->i[c], room * sizeof *more);
-    if (!more) {
+    size_t room = rows->room; /* of all */
+
+    if (!sg_list_grow(&rows->i[c], rows->n, &room, sizeof *rows->i[c])) {
       return false;
     }
-    rows->i[c] = more;
   }
-  if (!(list = realloc(rows->list, room * sizeof(int32_t *)))) {
-    return false;
-  }
-  rows->list = list;
-  rows->room = room;
-  return true;
+  return sg_list_grow(&rows->list, rows->n, &rows->room, sizeof(int32_t *));
 }
 
 /* A row of a relation once more, lists by reference. */

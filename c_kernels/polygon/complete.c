@@ -6,6 +6,7 @@
 #include "rows/by_segment.h"
 #include "rows/key_table.h"
 #include "rows/keys.h"
+#include "rows/list.h"
 #include "rows/sort.h"
 #include "triangulate.h"
 
@@ -200,15 +201,11 @@ fault(task *t, sg_fault_kind kind, int32_t a, int32_t b, double size)
 static bool
 make_room(task *t, size_t n)
 {
-  bool done = true;
+  size_t of_e = t->room, of_start = t->room; /* of all three */
 
-  if (n > t->room) {
-    t->e = sg_complete_grown(t->e, n, sizeof *t->e, &done);
-    t->start = sg_complete_grown(t->start, n, sizeof *t->start, &done);
-    t->end = sg_complete_grown(t->end, n, sizeof *t->end, &done);
-    t->room = done ? n : t->room;
-  }
-  return done;
+  return sg_list_need(&t->e, n, &of_e, sizeof *t->e) &&
+         sg_list_need(&t->start, n, &of_start, sizeof *t->start) &&
+         sg_list_need(&t->end, n, &t->room, sizeof *t->end);
 }
 
 /* Looks its edges and vertices up. The store keeps references whole, so that

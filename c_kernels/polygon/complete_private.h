@@ -10,8 +10,6 @@
 #include "plane.h"
 #include "rows/key_table.h"
 
-/* One column with more room; on failure as it was, and *done false. */
-void *sg_complete_grown(void *column, size_t room, size_t size, bool *done);
 bool sg_complete_add_plane(sg_plane_rows *rows, int32_t s, int32_t p,
                            const sg_plane *plane);
 /* It gets the next number of its segment; `counts` has how many each has. */

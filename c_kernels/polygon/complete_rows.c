@@ -1,6 +1,7 @@
 /* complete_rows.c -- the rows that a completion writes: see complete_private.h.
  */
 #include "complete_private.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 
@@ -22,35 +23,24 @@ sg_completion_clear(sg_completion *out)
   *out = (sg_completion){0};
 }
 
-void *
-sg_complete_grown(void *column, size_t room, size_t size, bool *done)
+/* One more in an array whose room is that of others, too. */
+static bool
+widen(void *item, size_t n, size_t room, size_t size)
 {
-  void *more = realloc(column, room * size);
-
-  if (!more) {
-    *done = false;
-    return column;
-  }
-  return more;
+  return sg_list_grow(item, n, &room, size);
 }
 
 bool
 sg_complete_add_plane(sg_plane_rows *rows, int32_t s, int32_t p,
                       const sg_plane *plane)
 {
-  if (rows->n == rows->room) {
-    size_t room = rows->room ? rows->room * 2 : 256;
-    bool done = true;
-    rows->s = sg_complete_grown(rows->s, room, sizeof *rows->s, &done);
-    rows->p = sg_complete_grown(rows->p, room, sizeof *rows->p, &done);
-    for (int k = 0; k < 4; k++) {
-      rows->c[k] =
-          sg_complete_grown(rows->c[k], room, sizeof *rows->c[k], &done);
-    }
-    if (!done) {
-      return false;
-    }
-    rows->room = room;
+  bool good = widen(&rows->s, rows->n, rows->room, sizeof *rows->s);
+
+  for (int k = 0; k < 4; k++) {
+    good = good && widen(&rows->c[k], rows->n, rows->room, sizeof *rows->c[k]);
+  }
+  if (!good || !sg_list_grow(&rows->p, rows->n, &rows->room, sizeof *rows->p)) {
+    return false;
   }
   rows->s[rows->n] = s;
   rows->p[rows->n] = p;
@@ -79,20 +69,14 @@ bool
 sg_complete_add_triangle(sg_triangle_rows *rows, sg_key_table *counts,
                          int32_t s, int32_t p, const int32_t v[3])
 {
-  if (rows->n == rows->room) {
-    size_t room = rows->room ? rows->room * 2 : 256;
-    bool done = true;
-    rows->s = sg_complete_grown(rows->s, room, sizeof *rows->s, &done);
-    rows->p = sg_complete_grown(rows->p, room, sizeof *rows->p, &done);
-    rows->t = sg_complete_grown(rows->t, room, sizeof *rows->t, &done);
-    for (int k = 0; k < 3; k++) {
-      rows->v[k] =
-          sg_complete_grown(rows->v[k], room, sizeof *rows->v[k], &done);
-    }
-    if (!done) {
-      return false;
-    }
-    rows->room = room;
+  bool good = widen(&rows->s, rows->n, rows->room, sizeof *rows->s) &&
+              widen(&rows->p, rows->n, rows->room, sizeof *rows->p);
+
+  for (int k = 0; k < 3; k++) {
+    good = good && widen(&rows->v[k], rows->n, rows->room, sizeof *rows->v[k]);
+  }
+  if (!good || !sg_list_grow(&rows->t, rows->n, &rows->room, sizeof *rows->t)) {
+    return false;
   }
   if (!next_number(counts, s, &rows->t[rows->n])) {
     return false;
@@ -109,14 +93,9 @@ sg_complete_add_triangle(sg_triangle_rows *rows, sg_key_table *counts,
 bool
 sg_complete_add_fault(sg_completion *out, const sg_polygon_fault *fault)
 {
-  if (out->faults == out->fault_room) {
-    size_t room = out->fault_room ? out->fault_room * 2 : 16;
-    bool done = true;
-    out->fault = sg_complete_grown(out->fault, room, sizeof *out->fault, &done);
-    if (!done) {
-      return false;
-    }
-    out->fault_room = room;
+  if (!sg_list_grow(&out->fault, out->faults, &out->fault_room,
+                    sizeof *out->fault)) {
+    return false;
   }
   out->fault[out->faults++] = *fault;
   return true;

@@ -1,28 +1,17 @@
 /* loops.c -- see loops.h. Edges in loop order, the common case, need no
  * search; others are sorted by their start. */
 #include "loops.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 
 static bool
 make_room(sg_loops *loops, size_t n)
 {
-  if (n <= loops->room) {
-    return true;
-  }
-  size_t room = 2 * n + 16;
-  int32_t *next = realloc(loops->next, room * sizeof *next);
-  if (next) {
-    loops->next = next;
-  }
-  int32_t *order = realloc(loops->order, 2 * room * sizeof *order);
-  if (order) {
-    loops->order = order;
-  }
-  if (next && order) {
-    loops->room = room;
-  }
-  return next && order;
+  size_t room = loops->room; /* of both; order: two of each */
+
+  return sg_list_need(&loops->next, n, &room, sizeof *loops->next) &&
+         sg_list_need(&loops->order, n, &loops->room, 2 * sizeof *loops->order);
 }
 
 /* First every edge takes the one behind it in the arrays if that starts where

@@ -1,6 +1,7 @@
 /* arrangement.c -- nodes, lines, and opening an arrangement: see arrangement.h.
  */
 #include "arrangement_private.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,15 +27,8 @@ sg_arrangement_leaf(const sg_arrangement *a, int32_t s)
 uint32_t
 sg_arrangement_new_node(sg_arrangement *a)
 {
-  if (a->nodes == a->node_room) {
-    size_t room = a->node_room + a->node_room / 2 + 64;
-    uint32_t *grown = realloc(a->parent, room * sizeof *grown);
-
-    if (!grown) {
-      return SG_NO_KEY;
-    }
-    a->parent = grown;
-    a->node_room = room;
+  if (!sg_list_grow(&a->parent, a->nodes, &a->node_room, sizeof *a->parent)) {
+    return SG_NO_KEY;
   }
   a->parent[a->nodes] = (uint32_t)a->nodes;
   return (uint32_t)a->nodes++;

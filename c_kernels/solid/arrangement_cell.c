@@ -7,6 +7,7 @@
 
 #include "polygon/delaunay.h"
 #include "rows/disjoint.h"
+#include "rows/list.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -429,27 +430,10 @@ divide_outlines(void *data, size_t task)
 static bool
 room_for(sg_arrangement *a, size_t cells, size_t triangles)
 {
-  if (a->cells + cells > a->cell_room) {
-    size_t room = 2 * a->cell_room + cells + 64;
-    sg_cell *grown = realloc(a->cell, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    a->cell = grown;
-    a->cell_room = room;
-  }
-  if (a->triangles + triangles > a->triangle_room) {
-    size_t room = 2 * a->triangle_room + triangles + 64;
-    sg_cell_triangle *grown = realloc(a->triangle, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    a->triangle = grown;
-    a->triangle_room = room;
-  }
-  return true;
+  return sg_list_need(&a->cell, a->cells + cells, &a->cell_room,
+                      sizeof *a->cell) &&
+         sg_list_need(&a->triangle, a->triangles + triangles, &a->triangle_room,
+                      sizeof *a->triangle);
 }
 
 static bool

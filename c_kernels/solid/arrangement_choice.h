@@ -60,10 +60,6 @@ sg_is_collapsed(const uint32_t v[3])
   return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
 }
 
-/* The array with room for one more than n; null: no memory, and it is as it
- * was. */
-void *sg_choice_grown(void *array, size_t n, size_t *room, size_t size);
-
 /* The vertex of the solid for vertex v, which is a leaf's own; SG_NO_KEY: no
  * memory. */
 uint32_t sg_choice_plain_vertex(sg_choice *k, const sg_source *from,

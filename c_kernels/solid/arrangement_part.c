@@ -5,6 +5,7 @@
  * over edges that are no lines.
  */
 #include "arrangement_private.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -169,15 +170,9 @@ sg_arrangement_find_auxiliary(sg_arrangement *a, sg_crew *crew,
 static bool
 keep_cut_row(sg_arrangement *a, uint32_t leaf, int32_t p, uint32_t row)
 {
-  if (a->cut_rows == a->cut_row_room) {
-    size_t room = 2 * a->cut_row_room + 64;
-    sg_cut_row_of *grown = realloc(a->cut_row, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    a->cut_row = grown;
-    a->cut_row_room = room;
+  if (!sg_list_grow(&a->cut_row, a->cut_rows, &a->cut_row_room,
+                    sizeof *a->cut_row)) {
+    return false;
   }
   a->cut_row[a->cut_rows++] = (sg_cut_row_of){leaf, p, row};
   return true;
@@ -435,15 +430,8 @@ typedef struct finding {
 static bool
 new_part(struct found *to)
 {
-  if (to->parts == to->room) {
-    size_t room = 2 * to->room + 16;
-    sg_part *grown = realloc(to->part, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    to->part = grown;
-    to->room = room;
+  if (!sg_list_grow(&to->part, to->parts, &to->room, sizeof *to->part)) {
+    return false;
   }
   to->part[to->parts++] = (sg_part){.unknown = true};
   return true;

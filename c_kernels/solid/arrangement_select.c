@@ -4,54 +4,20 @@
  * doubles are the same; all others keep theirs.
  */
 #include "arrangement_choice.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-void *
-sg_choice_grown(void *array, size_t n, size_t *room, size_t size)
-{
-  if (n < *room) {
-    return array;
-  }
-  size_t more = *room + *room / 2 + 1024;
-  void *out = realloc(array, more * size);
-
-  if (out) {
-    *room = more;
-  }
-  return out;
-}
-
-static bool
-room_for_vertex(sg_choice *k)
-{
-  void *out = sg_choice_grown(k->out->vertex, k->out->vertices, &k->vertex_room,
-                              sizeof *k->out->vertex);
-
-  if (out) {
-    k->out->vertex = out;
-  }
-  return out != NULL;
-}
-
 static bool
 room_for_triangle(sg_choice *k)
 {
-  size_t room = k->triangle_room;
-  void *out = sg_choice_grown(k->out->triangle, k->out->triangles, &room,
-                              sizeof *k->out->triangle);
+  size_t room = k->triangle_room; /* of both */
 
-  if (!out) {
-    return false;
-  }
-  k->out->triangle = out;
-  out = sg_choice_grown(k->out->auxiliary, k->out->triangles, &k->triangle_room,
-                        sizeof *k->out->auxiliary);
-  if (out) {
-    k->out->auxiliary = out;
-  }
-  return out != NULL;
+  return sg_list_grow(&k->out->triangle, k->out->triangles, &room,
+                      sizeof *k->out->triangle) &&
+         sg_list_grow(&k->out->auxiliary, k->out->triangles, &k->triangle_room,
+                      sizeof *k->out->auxiliary);
 }
 
 /* ---- vertices ---- */
@@ -69,7 +35,8 @@ place_of(sg_choice *k, const double at[3])
 static uint32_t
 new_vertex(sg_choice *k, const double at[3], int32_t s, int32_t v)
 {
-  if (!room_for_vertex(k)) {
+  if (!sg_list_grow(&k->out->vertex, k->out->vertices, &k->vertex_room,
+                    sizeof *k->out->vertex)) {
     return SG_NO_KEY;
   }
   k->out->vertex[k->out->vertices] = (sg_solid_vertex){
@@ -111,14 +78,11 @@ new_made_vertex(sg_choice *k, const sg_source *from, const sg_made_vertex *v)
     return same ? *same : SG_NO_KEY;
   }
   size_t made = k->out->vertices - k->out->plain;
-  sg_made_by *all =
-      sg_choice_grown(k->made_by, made, &k->made_room, sizeof *all);
 
-  if (!all) {
+  if (!sg_list_grow(&k->made_by, made, &k->made_room, sizeof *k->made_by)) {
     return SG_NO_KEY;
   }
-  k->made_by = all;
-  all[made] = (sg_made_by){(uint32_t)(from - k->from), v->point};
+  k->made_by[made] = (sg_made_by){(uint32_t)(from - k->from), v->point};
   return *same = new_vertex(k, v->at, from->leaf->s, 0);
 }
 
@@ -172,13 +136,10 @@ static bool
 open_face(sg_choice *k, int32_t s, int32_t p, bool reversed)
 {
   sg_solid *out = k->out;
-  void *more =
-      sg_choice_grown(out->face, out->faces, &k->face_room, sizeof *out->face);
 
-  if (!more) {
+  if (!sg_list_grow(&out->face, out->faces, &k->face_room, sizeof *out->face)) {
     return false;
   }
-  out->face = more;
   out->face[out->faces++] =
       (sg_solid_face){s, p, reversed, (uint32_t)out->triangles, 0};
   return true;

@@ -9,6 +9,7 @@
 #include "arrangement_private.h"
 
 #include "join/tour.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -242,15 +243,8 @@ walk(asked *r, const sg_poll *poll)
 static bool
 new_side(sg_arrangement *a, uint32_t part, const sg_side *side)
 {
-  if (a->sides == a->side_room) {
-    size_t room = 2 * a->side_room + 64;
-    sg_side *grown = realloc(a->side, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    a->side = grown;
-    a->side_room = room;
+  if (!sg_list_grow(&a->side, a->sides, &a->side_room, sizeof *a->side)) {
+    return false;
   }
   a->side[a->sides++] = *side;
   a->part[part].sides++;
@@ -271,15 +265,8 @@ typedef struct founds {
 static bool
 find(founds *f, const found *one)
 {
-  if (f->n == f->room) {
-    size_t room = 2 * f->room + 64;
-    found *grown = realloc(f->item, room * sizeof *grown);
-
-    if (!grown) {
-      return false;
-    }
-    f->item = grown;
-    f->room = room;
+  if (!sg_list_grow(&f->item, f->n, &f->room, sizeof *f->item)) {
+    return false;
   }
   f->item[f->n++] = *one;
   return true;

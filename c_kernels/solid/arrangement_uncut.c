@@ -6,6 +6,7 @@
  * it fills them. So nothing depends on which thread did what.
  */
 #include "arrangement_choice.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -71,15 +72,12 @@ note_vertex(sg_source *from, uint32_t node, int32_t v)
     from->fresh[from->fresh_n++] = (sg_chosen_corner){node, v};
     return true;
   }
-  sg_chosen_corner *all = sg_choice_grown(from->touching, from->touching_n,
-                                          &from->touching_room, sizeof *all);
-
-  if (!all) {
+  if (!sg_list_grow(&from->touching, from->touching_n, &from->touching_room,
+                    sizeof *from->touching)) {
     return false;
   }
   *number = 0;
-  from->touching = all;
-  all[from->touching_n++] = (sg_chosen_corner){node, v};
+  from->touching[from->touching_n++] = (sg_chosen_corner){node, v};
   return true;
 }
 

@@ -1,5 +1,6 @@
 /* expression.c -- see expression.h. */
 #include "expression.h"
+#include "rows/list.h"
 
 #include <stdlib.h>
 
@@ -7,15 +8,8 @@ size_t
 sg_expression_add(sg_expression *e, size_t parent, sg_operation operation,
                   int32_t s)
 {
-  if (e->n == e->room) {
-    size_t room = 2 * e->room + 16;
-    sg_expression_node *grown = realloc(e->node, room * sizeof *grown);
-
-    if (!grown) {
-      return SIZE_MAX;
-    }
-    e->node = grown;
-    e->room = room;
+  if (!sg_list_grow(&e->node, e->n, &e->room, sizeof *e->node)) {
+    return SIZE_MAX;
   }
   e->node[e->n] = (sg_expression_node){
       .operation = operation, .s = s, .parent = (uint32_t)parent};

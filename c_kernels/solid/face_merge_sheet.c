@@ -6,6 +6,7 @@
 #include "face_merge_sheet.h"
 
 #include "join/self_cut.h"
+#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,26 +23,16 @@ struct sg_sheet_grid {
 static bool
 make_room(sg_sheet *sheet)
 {
-  size_t room = sheet->room ? 2 * sheet->room : 256;
-  int32_t(*corner)[3] = realloc(sheet->corner, room * sizeof *corner);
+  size_t room = sheet->room; /* of both */
 
-  if (!corner) {
-    return false;
-  }
-  sheet->corner = corner;
-  uint32_t *key = realloc(sheet->key, room * sizeof *key);
-  if (!key) {
-    return false;
-  }
-  sheet->key = key;
-  sheet->room = room;
-  return true;
+  return sg_list_grow(&sheet->corner, sheet->n, &room, sizeof *sheet->corner) &&
+         sg_list_grow(&sheet->key, sheet->n, &sheet->room, sizeof *sheet->key);
 }
 
 bool
 sg_sheet_add(sg_sheet *sheet, const uint32_t corner[3], uint32_t key)
 {
-  if (sheet->n == sheet->room && !make_room(sheet)) {
+  if (!make_room(sheet)) {
     return false;
   }
   for (int k = 0; k < 3; k++) {
