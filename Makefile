@@ -157,9 +157,12 @@ CLIS    := $(wildcard tests/cli/*$(T)*.sh tests/transcripts/*$(T)*.txt \
              tests/$(or $(T),transcripts)/*.txt)
 CLIS    := $(sort $(CLIS))
 
-$(B)/tests/%_test: tests/%_test.c tests/check.h $(CORE)
+$(B)/libcore.a: $(CORE)
+	@rm -f $@
+	ar rcs $@ $^
+$(B)/tests/%_test: tests/%_test.c tests/check.h $(B)/libcore.a
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) -MMD -MP $< $(CORE) -o $@ $(LIBS)
+	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) -MMD -MP $< $(B)/libcore.a -o $@ $(LIBS)
 -include $(C_TESTS:%=%.d)
 
 # The checker of results: shares nothing with the engine.

@@ -14,6 +14,7 @@
                 vertex_triangle/3
               ]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(error), [instantiation_error/1]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(solution_sequences), [distinct/2]).
 /** <module> Where the vertices, edges and faces of a result come from.
@@ -55,7 +56,13 @@ vertex_on(S, V, S0, Feature) :-
 %
 %   True when a vertex with this Origin (origin/3) lies on Feature of segment S,
 %   as it was made: S may be a helper or a node.
+%
+%   @error instantiation_error
 
+origin_feature(Origin, _, _) :-
+    var(Origin),
+    !,
+    instantiation_error(Origin).
 origin_feature(near(Origin), S, Feature) :-
     !,
     origin_feature(Origin, S, Feature).

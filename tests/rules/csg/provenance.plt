@@ -11,6 +11,9 @@
 
 :- begin_tests(provenance).
 
+test(origin_unknown, error(instantiation_error, _)) :-
+    origin_feature(_, _, _).
+
 %   A hole bored through a box by a placed prism: 3 is the result.
 
 bored([ box(size(4,4,1)), box(size(1,1,9)),
