@@ -139,11 +139,11 @@ add_segments(sg_call *call, numbering *f, const sg_dense *d,
 
   for (size_t s = 0; good && s < d->segments; s++) {
     size_t begin = d->polygon_begin[s], end = d->polygon_begin[s + 1];
-    sg_known_segment known = {.is = SG_KNOWN_SEGMENT_KNOWN,
-                              .known = {.s = d->segment[s]}};
-    good = add_runs(call, f, d->polygon_id, begin, end, &known) &&
-           (known.known.runs.n == 0 ||
-            sg_known_segment_list_add(call, out, known));
+    sg_known_segment said = {.is = SG_KNOWN_SEGMENT_KNOWN,
+                             .known = {.s = d->segment[s]}};
+    good =
+        add_runs(call, f, d->polygon_id, begin, end, &said) &&
+        (said.known.runs.n == 0 || sg_known_segment_list_add(call, out, said));
   }
   return good;
 }

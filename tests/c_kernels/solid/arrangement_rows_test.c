@@ -72,6 +72,38 @@ fills(sg_cut_handle *set, sg_arrangement_handle *h,
                     was_refused(SG_REFUSED_PERMISSION, 0, 0));
 }
 
+/* The same of polygons that were entered one by one. */
+static void
+fills_by_works(sg_cut_handle *set)
+{
+  sg_arrangement_handle *h = opened(set);
+  sg_arrangement_piece piece[] = {{FIRST, h}, {SECOND, h}};
+  sg_entered entered[6];
+  sg_segment_polygon_list polygons = {0};
+  sg_component_fact_list all = {0};
+  sg_work_list works = {0};
+
+  CHECK("polygons", sg_door_cut_polygons(&call, set, &polygons) &&
+                        sg_door_cut_queue(&call, set, &polygons) &&
+                        sg_door_cut_enter_queued(&call, set, &works));
+  CHECK("all are free", works.n == 6 && polygons.n == 6);
+  for (size_t i = 0; i < works.n; i++) {
+    entered[i] = (sg_entered){polygons.at[i].s, polygons.at[i].p, works.at[i]};
+  }
+  CHECK("fill", sg_door_arrangement_polygons(
+                    &call, h, &(sg_entered_polygon_list){entered, 6, 0}, 0));
+  CHECK("seal", sg_door_arrangement_seal(&call, h));
+  CHECK("components",
+        sg_door_arrangement_components(
+            &call, &(sg_arrangement_piece_list){piece, 2, 0}, &all) &&
+            all.n == 4);
+  for (size_t i = 0; i < works.n; i++) {
+    sg_work_close(works.at[i]);
+  }
+  CHECK("drop", sg_door_arrangement_drop(&call, h));
+  sg_arrangement_handle_free(h);
+}
+
 static void
 components(const sg_arrangement_piece_list *pieces)
 {
@@ -162,6 +194,7 @@ main(void)
         sg_door_cut_set_open(&call, &(sg_id_pair_list){&pair, 1, 1}, &set) &&
             sg_door_cut_find(&call, set) && sg_door_cut_seal(&call, set) &&
             joined(set));
+  fills_by_works(set);
   sg_arrangement_handle *h = opened(set);
   sg_arrangement_piece piece[] = {{FIRST, h}, {SECOND, h}};
   const sg_arrangement_piece_list pieces = {piece, 2, 2};
