@@ -212,28 +212,27 @@ prolog_side(registry).
 prolog_side(host).
 
 %   below(Layer, Other): a file of Layer may include one of Other. Doors of
-%   kernels see whole worlds only, not those being edited. Kernels know
-%   no store and the store no geometry; what a kernel asks of its caller
-%   (poll.h), the view of a column (column.h) and rows being written (sheet.h)
-%   are for both. The host side
-%   knows neither: it goes through the predicates.
+%   kernels see whole worlds only, not those being edited. Glue by hand in
+%   c_kernels includes neither kernels nor rows, so it computes nothing.
+%   Kernels know no store and the store no geometry; what a kernel asks of its
+%   caller (poll.h), the view of a column (column.h) and rows being written
+%   (sheet.h) are for both. The host side knows neither: it goes through the
+%   predicates.
 
 below(Layer, Layer).
 below(pure(_), shared).
 below(rows, shared).
 below(rows, pure(_)).
-below(glue(_), rows).
 below(arguments, rows).
 below(arguments, pure(c_kernels)).
 below(arguments, glue(engine)).
 below(glue(_), shared).
-below(glue(Top), pure(Top)).
+below(glue(engine), pure(engine)).
 below(glue(engine), edits).
 below(edits, glue(engine)).
 below(glue(c_kernels), arguments).
 below(glue(_), registry).
 below(glue(c_kernels), glue(engine)).
-below(glue(c_kernels), pure(engine)).
 below(host, registry).
 below(host, public).
 below(host, shared).
