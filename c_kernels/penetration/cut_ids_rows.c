@@ -54,28 +54,11 @@ sg_cut_rows_clear(sg_cut_handle *handle)
   }
 }
 
-/* Where segment s is among those of the set, SIZE_MAX: it is not. */
-static size_t
-segment_place(const sg_cut_handle *handle, int32_t s)
-{
-  size_t low = 0, high = handle->segments;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (handle->segment[middle] < s) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < handle->segments && handle->segment[low] == s ? low : SIZE_MAX;
-}
-
 sg_row
 sg_cut_row_of(sg_cut_handle *handle, sg_relation relation, int32_t s,
               int32_t id)
 {
-  size_t place = segment_place(handle, s);
+  size_t place = sg_cut_place_of(handle, s);
   int k = place_of(relation);
   sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = id};
   sg_row counted = sg_version_find_counted(handle->version, relation, key);
@@ -154,7 +137,7 @@ bool
 sg_cut_shares_edges(sg_cut_handle *handle, int32_t s)
 {
   enum { UNKNOWN, ALONE, SHARED };
-  size_t place = segment_place(handle, s);
+  size_t place = sg_cut_place_of(handle, s);
 
   if (place == SIZE_MAX) {
     return true;

@@ -9,6 +9,7 @@
 #include "cut_twin.h"
 
 #include "doors/penetration.h"
+#include "ids.h"
 #include "join/bvh_join.h"
 #include "join/self_leaf.h"
 #include "rows/list.h"
@@ -68,21 +69,10 @@ note_pairs(sg_call *call, sg_cut_handle *handle, const sg_id_pair_list *pairs)
   return true;
 }
 
-static int
-compare_segments(const void *x, const void *y)
-{
-  int32_t a = *(const int32_t *)x, b = *(const int32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
 size_t
 sg_cut_place_of(const sg_cut_handle *handle, int32_t s)
 {
-  const int32_t *at = bsearch(&s, handle->segment, handle->segments, sizeof s,
-                              compare_segments);
-
-  return (size_t)(at - handle->segment);
+  return sg_find_id(handle->segment, handle->segments, s);
 }
 
 /* An sg_fetch_vertex. */
@@ -106,10 +96,7 @@ sg_cut_open(sg_call *call, sg_cut_handle *handle, const sg_id_pair_list *pairs)
       !sg_leaf_views_open(call, handle->version, &handle->views)) {
     return false;
   }
-  if (handle->segments > 0) {
-    qsort(handle->segment, handle->segments, sizeof *handle->segment,
-          compare_segments);
-  }
+  handle->segments = sg_sort_ids(handle->segment, handle->segments);
   handle->tree = calloc(handle->segments + 1, sizeof(sg_kept_tree *));
   handle->sharing = calloc(handle->segments + 1, sizeof *handle->sharing);
   if (!handle->tree || !handle->sharing) {

@@ -89,7 +89,7 @@ void sg_cut_open_clear(sg_cut_handle *handle);
 bool sg_cut_join(sg_call *call, sg_cut_handle *handle);
 /* Finds which candidates are quiet, when they are there. */
 bool sg_cut_quiet(sg_call *call, sg_cut_handle *handle);
-/* Where segment s is among those of the set; it is one of them. */
+/* Where segment s is among those of the set, SIZE_MAX: it is not. */
 size_t sg_cut_place_of(const sg_cut_handle *handle, int32_t s);
 
 /* The name of a point in segment s, made if it has none; 0: refused
