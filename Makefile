@@ -72,7 +72,7 @@ MAINS   := engine/main.c engine/signals.c engine/boot.c $(EMBED)
 OBJS    := $(patsubst %.c,$(B)/%.o,$(filter-out $(MAINS),$(C_SRC))) \
            $(B)/doors.o
 # Without Prolog: what the C tests link.
-CORE    := $(filter-out %4pl.o %/install.o %/glue.o %/door.o %/doors.o,$(OBJS))
+CORE    := $(filter-out %4pl.o %/install.o %/door_types.o %/door.o %/doors.o,$(OBJS))
 RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
@@ -85,7 +85,7 @@ all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 # exact.c: its own flags, whatever OPT says.
 $(B)/c_kernels/number/exact.o: OPT := -O2
-$(B)/%4pl.o $(B)/c_kernels/glue.o $(B)/c_kernels/door.o $(B)/doors.o \
+$(B)/%4pl.o $(B)/c_kernels/door_types.o $(B)/c_kernels/door.o $(B)/doors.o \
   $(B)/engine/engine.o \
   $(B)/engine/question.o: \
 	WARN += -Wno-sign-conversion

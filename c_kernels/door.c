@@ -4,13 +4,8 @@
  */
 #include "door.h"
 
-#include "ids.h"
-
 #include <SWI-Stream.h>
-#include <errno.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 /* ---- a call ---- */
 
@@ -75,7 +70,7 @@ raise_refusal(const sg_refusal *r, term_t t0)
   case SG_REFUSED_NOTHING:
     break;
   case SG_REFUSED_MEMORY:
-    return sg_no_memory();
+    return PL_resource_error("memory");
   case SG_REFUSED_RESOURCE:
     return PL_resource_error(r->what);
   case SG_REFUSED_DOMAIN:
@@ -210,7 +205,7 @@ sg_door_answer(term_t t0, unsigned outputs, control_t control,
   }
   sg_call_close(&a->call);
   free(kept);
-  return given < 0 ? (foreign_t)sg_no_memory() : (foreign_t)given;
+  return given < 0 ? (foreign_t)PL_resource_error("memory") : (foreign_t)given;
 }
 
 /* ---- handles ---- */
@@ -333,7 +328,7 @@ sg_handle_unify(term_t t, sg_handle_type *type, void *object)
 
   if (!handle) {
     type->free(object);
-    return sg_no_memory();
+    return PL_resource_error("memory");
   }
   handle->object = object;
   handle->type = type;
@@ -382,207 +377,15 @@ sg_door_functor(term_t t, functor_t functor, const char *type)
                             : PL_type_error(type, t));
 }
 
-SG_DOOR_GET_LIST(id, sg_int_list, get_id)
-
 int
-get_symbol(sg_call *call, term_t t, int32_t *out)
+sg_door_list_length(term_t list, size_t *n)
 {
-  static _Thread_local atom_t last;
-  static _Thread_local int32_t symbol;
-  atom_t atom;
-
-  if (!PL_get_atom_ex(t, &atom)) {
-    return FALSE;
-  }
-  if (atom != last) {
-    symbol = sg_intern_atom(atom);
-    last = symbol < 0 ? 0 : sg_symbol_atom(symbol); /* kept for ever */
-  }
-  *out = symbol;
-  return symbol >= 0 || sg_call_no_memory(call);
-}
-
-int
-get_term(sg_call *call, term_t t, const uint32_t **out)
-{
-  uint32_t *term;
-
-  if (!sg_get_term_ex(t, &term) || !sg_call_adopt(call, term)) {
-    return FALSE;
-  }
-  *out = term;
-  return TRUE;
-}
-
-int
-put_symbol(term_t t, int32_t symbol)
-{
-  return PL_put_atom(t, sg_symbol_atom(symbol));
-}
-
-/* The text of t in UTF-8, which may have zeros, and a zero behind it. */
-static int
-get_utf8(sg_call *call, term_t t, unsigned flags, const char **out, size_t *n)
-{
-  char *text, *kept = NULL;
-
-  PL_STRINGS_MARK();
-  if (PL_get_nchars(t, n, &text, flags | CVT_EXCEPTION | REP_UTF8) &&
-      (kept = sg_call_alloc(call, *n + 1))) {
-    memcpy(kept, text, *n + 1);
-  }
-  PL_STRINGS_RELEASE();
-  *out = kept;
-  return kept != NULL;
-}
-
-int
-get_name(sg_call *call, term_t t, const char **out)
-{
-  size_t n;
-
-  return get_utf8(call, t, CVT_ATOM | CVT_STRING | CVT_WRITEQ, out, &n);
-}
-
-/* ---- streams ---- */
-
-/* The stream for input or output: PL_get_stream() takes one for the other. */
-static int
-get_stream(term_t t, int way, IOSTREAM **out)
-{
-  if (!PL_get_stream(t, out, way)) {
-    return FALSE;
-  }
-  if ((*out)->flags & way) {
+  switch (PL_skip_list(list, 0, n)) {
+  case PL_LIST:
     return TRUE;
+  case PL_PARTIAL_LIST:
+    return PL_instantiation_error(list);
+  default:
+    return PL_type_error("list", list);
   }
-  PL_release_stream_noerror(*out);
-  return PL_permission_error(way == SIO_INPUT ? "input" : "output", "stream",
-                             t);
-}
-
-static size_t
-read_stream(void *data, char *to, size_t n)
-{
-  IOSTREAM *in;
-
-  if (!get_stream((term_t)data, SIO_INPUT, &in)) {
-    return SIZE_MAX;
-  }
-  n = Sfread(to, 1, n, in);
-  return PL_release_stream(in) ? n : SIZE_MAX;
-}
-
-int
-get_input(sg_call *call, term_t t, sg_input *out)
-{
-  (void)call;
-  *out = (sg_input){read_stream, (void *)t};
-  return TRUE;
-}
-
-/* PL_release_stream() raises what went wrong. */
-static bool
-write_stream(void *data, const char *bytes, size_t n)
-{
-  IOSTREAM *out;
-
-  if (!get_stream((term_t)data, SIO_OUTPUT, &out)) {
-    return false;
-  }
-  bool good = Sfwrite(bytes, 1, n, out) == n;
-
-  return PL_release_stream(out) && good;
-}
-
-int
-get_output(sg_call *call, term_t t, sg_output *out)
-{
-  (void)call;
-  *out = (sg_output){write_stream, (void *)t};
-  return TRUE;
-}
-
-/* A string, or a file, being read. */
-typedef struct text_source {
-  const char *text; /* null: a file */
-  size_t n;
-  int file;
-  off_t at;
-} text_source;
-
-/* What cannot be read is the reader's to say. */
-static size_t
-read_text(void *data, char *to, size_t n)
-{
-  text_source *from = data;
-  ssize_t got;
-
-  if (!from->text) {
-    do {
-      got = pread(from->file, to, n, from->at);
-    } while (got < 0 && errno == EINTR);
-    from->at += got > 0 ? got : 0;
-    return got > 0 ? (size_t)got : 0;
-  }
-  n = n < from->n ? n : from->n;
-  memcpy(to, from->text, n);
-  from->text += n;
-  from->n -= n;
-  return n;
-}
-
-int
-get_text(sg_call *call, term_t t, sg_input *out)
-{
-  text_source *from = sg_call_alloc(call, sizeof *from);
-  IOSTREAM *in;
-
-  *out = (sg_input){read_text, from};
-  if (!from) {
-    return FALSE;
-  }
-  *from = (text_source){0};
-  if (PL_is_string(t)) {
-    return get_utf8(call, t, CVT_STRING, &from->text, &from->n);
-  }
-  if (!get_stream(t, SIO_INPUT, &in)) {
-    return FALSE;
-  }
-  from->file = Sfileno(in);
-  return PL_release_stream(in);
-}
-
-/* As text: PL_get_mpq() of 9.0.4 fails. */
-int
-get_exact(sg_call *call, term_t t, sg_exact *out)
-{
-  char *text, *bar, *kept = NULL;
-  size_t n;
-
-  out->text = NULL;
-  if (!PL_is_rational(t)) {
-    return sg_get_finite_ex(t, &out->number);
-  }
-  PL_STRINGS_MARK();
-  if (PL_get_nchars(t, &n, &text, CVT_RATIONAL | CVT_INTEGER | CVT_EXCEPTION) &&
-      (kept = sg_call_alloc(call, n + 1))) {
-    memcpy(kept, text, n + 1);
-  }
-  PL_STRINGS_RELEASE();
-  if (kept && (bar = strchr(kept, 'r'))) {
-    *bar = '/';
-  }
-  out->text = kept;
-  return kept != NULL;
-}
-
-int
-get_set_id(sg_call *call, term_t t, sg_int_list *out)
-{
-  if (!get_list_id(call, t, out)) {
-    return FALSE;
-  }
-  out->n = sg_sort_ids(out->at, out->n);
-  return TRUE;
 }

@@ -7,7 +7,6 @@
 #define SG_DOOR_H
 
 #include "call.h"
-#include "glue.h"
 
 #include "engine/world4pl.h"
 
@@ -72,54 +71,16 @@ int sg_handle_close(term_t t, sg_handle_type *type);
 
 /* ---- simple types ---- */
 
-static inline int
-get_id(sg_call *call, term_t t, int32_t *out)
-{
-  (void)call;
-  return sg_get_id_ex(t, out);
-}
-
-static inline int
-get_int(sg_call *call, term_t t, int32_t *out)
-{
-  (void)call;
-  return sg_get_int32_ex(t, out);
-}
-
-/* 0 or more: type_error(not_less_than_zero, t). */
-static inline int
-get_count(sg_call *call, term_t t, size_t *out)
-{
-  (void)call;
-  return PL_get_size_ex(t, out);
-}
-
-static inline int
-get_number(sg_call *call, term_t t, double *out)
-{
-  (void)call;
-  return sg_get_finite_ex(t, out);
-}
-
-static inline int
-get_bool(sg_call *call, term_t t, bool *out)
-{
-  int is;
-
-  (void)call;
-  if (!PL_get_bool_ex(t, &is)) {
-    return FALSE;
-  }
-  *out = is;
-  return TRUE;
-}
-
-static inline int
-get_integer(sg_call *call, term_t t, int64_t *out)
-{
-  (void)call;
-  return PL_get_int64_ex(t, out);
-}
+/* type_error(integer), type_error(not_less_than_one),
+ * representation_error(int32). */
+int get_id(sg_call *call, term_t t, int32_t *out);
+int get_int(sg_call *call, term_t t, int32_t *out);
+int get_integer(sg_call *call, term_t t, int64_t *out);
+/* type_error(not_less_than_zero). */
+int get_count(sg_call *call, term_t t, size_t *out);
+/* Never -0.0: type_error(number), domain_error(finite). */
+int get_number(sg_call *call, term_t t, double *out);
+int get_bool(sg_call *call, term_t t, bool *out);
 
 /* An atom as a symbol of the store (engine/symbol.h), made when there is none:
  * for words of which there are few. */
@@ -130,33 +91,10 @@ int put_symbol(term_t t, int32_t symbol);
 int get_term(sg_call *call, term_t t, const uint32_t **out);
 
 /* 1, or -1: reversed. */
-static inline int
-get_sense(sg_call *call, term_t t, bool *reversed)
-{
-  int32_t sense;
-
-  (void)call;
-  if (!sg_get_int32_ex(t, &sense)) {
-    return FALSE;
-  }
-  *reversed = sense == -1;
-  return sense == 1 || sense == -1 || PL_domain_error("sense", t);
-}
+int get_sense(sg_call *call, term_t t, bool *reversed);
 
 /* A string of codes 0 to 255; good as long as the term is. */
-static inline int
-get_bytes(sg_call *call, term_t t, sg_bytes *out)
-{
-  char *text;
-
-  (void)call;
-  if (!PL_get_nchars(t, &out->n, &text,
-                     CVT_STRING | CVT_EXCEPTION | REP_ISO_LATIN_1)) {
-    return FALSE;
-  }
-  out->at = (const uint8_t *)text;
-  return TRUE;
-}
+int get_bytes(sg_call *call, term_t t, sg_bytes *out);
 
 /* The text of an atom or a string; of another term, what writeq/1 writes. It is
  * put as an atom. Zero-terminated UTF-8. */
@@ -183,17 +121,14 @@ int get_set_id(sg_call *call, term_t t, sg_int_list *out);
 #define put_sense(t, x)   PL_put_integer(t, (x) ? -1 : 1)
 #define put_term(t, x)    sg_put_term(t, x)
 
-static inline int
-put_bytes(term_t t, const sg_bytes *x)
-{
-  return PL_put_variable(t) && PL_unify_chars(t, PL_STRING | REP_ISO_LATIN_1,
-                                              x->n, (const char *)x->at);
-}
+int put_bytes(term_t t, const sg_bytes *x);
 
 /* ---- words, terms, lists ---- */
 
 /* Which of n words t is, -1: an exception. */
 int sg_door_word(term_t t, const atom_t *word, int n, const char *type);
+/* The length of a proper list: instantiation_error, type_error(list). */
+int sg_door_list_length(term_t list, size_t *n);
 /* t is such a term: instantiation_error, type_error(type, t). */
 int sg_door_functor(term_t t, functor_t functor, const char *type);
 /* Among many steps: false if Prolog wants to stop. */
@@ -212,7 +147,7 @@ sg_door_goes_on(size_t i)
     size_t n;                                                                  \
                                                                                \
     *out = (LIST){0};                                                          \
-    if (!sg_list_length_ex(t, &n) ||                                           \
+    if (!sg_door_list_length(t, &n) ||                                         \
         (n > 0 && !(out->at = sg_call_alloc(call, n * sizeof *out->at)))) {    \
       return FALSE;                                                            \
     }                                                                          \

@@ -172,7 +172,8 @@ may_include(File, Included) :-
     !.
 
 %   layer(Path, Layer): what kind of file this is. A header belongs where its C
-%   file does.
+%   file does. In c_kernels/ doors are made (doors.def): what one of them
+%   converts by hand is named here.
 
 layer(Path, Layer) :-
     atomic_list_concat([Top|_], /, Path),
@@ -180,10 +181,14 @@ layer(Path, Layer) :-
     file_name_extension(Name, _, Base),
     (   layer(Top, Base, Name, Layer0)
     ->  Layer = Layer0
-    ;   sub_atom(Name, _, _, 0, '4pl')
+    ;   sub_atom(Name, _, _, 0, '4pl'),
+        by_hand(Top, Name)
     ->  Layer = glue(Top)
     ;   Layer = pure(Top)
     ).
+
+by_hand(engine, _).
+by_hand(c_kernels, arrangement_kept4pl). % a term that lasts, as Prolog has it
 
 layer(engine,    'glue.def', _,    registry).
 layer(engine,    _, install,       registry).
@@ -193,7 +198,7 @@ layer(engine,    'atomic_file.h', _, shared).
 layer(engine,    'edit4pl.h', _,   edits).
 layer(engine,    _, Name,          host) :-
     memberchk(Name, [start, host, engine, question, main, signals, boot]).
-layer(c_kernels, _, glue,          arguments).
+layer(c_kernels, _, door_types,    arguments).
 layer(c_kernels, _, door,          arguments).
 layer(c_kernels, _, call,          rows).
 layer(c_kernels, _, Name,          rows) :-
@@ -216,8 +221,8 @@ prolog_side(host).
 %   c_kernels includes neither kernels nor rows, so it computes nothing.
 %   Kernels know no store and the store no geometry; what a kernel asks of its
 %   caller (poll.h), the view of a column (column.h) and rows being written
-%   (sheet.h) are for both. The host side knows neither: it goes through the
-%   predicates.
+%   (sheet.h) are the engine's, for both. The host side knows neither: it goes
+%   through the predicates.
 
 below(Layer, Layer).
 below(pure(_), shared).

@@ -3,8 +3,6 @@
  * Layer: glue. One term a world, which rules/solid/arrangement.pl understands:
  * it is what was kept last. The door is documented in rules/kernel/boolean.pl.
  */
-#include "glue.h"
-
 #include "engine/install.h"
 #include "engine/world4pl.h"
 
@@ -58,7 +56,7 @@ pieces_kept(term_t t)
   int good = FALSE;
 
   if (!k) {
-    return world ? sg_no_memory() : FALSE;
+    return world ? PL_resource_error("memory") : FALSE;
   }
   pthread_mutex_lock(&k->lock);
   good = k->term && PL_recorded(k->term, found);
@@ -76,7 +74,7 @@ keep_pieces(term_t t)
   record_t old;
 
   if (!k || !fresh) {
-    return world ? sg_no_memory() : FALSE;
+    return world ? PL_resource_error("memory") : FALSE;
   }
   pthread_mutex_lock(&k->lock);
   old = k->term;

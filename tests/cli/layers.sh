@@ -4,6 +4,8 @@
 here=$PWD tree=$TMP/tree
 mkdir -p "$tree/engine"
 cp -r rules c_kernels "$tree"
+mkdir "$tree/tests"
+cp -r tests/c_kernels "$tree/tests"
 cp engine/*.{c,h,def} "$tree/engine"
 
 layers() { (cd "$tree" && swipl -f none "$here/tools/check_layers.pl"); }
@@ -38,12 +40,13 @@ plant() {
   planted+=("$1: may not include $name")
 }
 
-for file in c_kernels/join/cut.c engine/store.c engine/sanggwan.h; do
+for file in c_kernels/join/cut.c c_kernels/join/near_rows.c engine/store.c \
+  engine/sanggwan.h; do
   plant $file '<SWI-Prolog.h>'
 done
 plant c_kernels/join/cut.c '"engine/store.h"'
 plant c_kernels/join/cut.c '"picture/scene.h"'
-plant c_kernels/join/cut.c '"glue.h"'
+plant c_kernels/join/cut.c '"door.h"'
 plant engine/store.c '"c_kernels/join/cut.h"'
 plant engine/store.c '"store4pl.h"'
 plant engine/store4pl.c '"c_kernels/join/cut.h"'
