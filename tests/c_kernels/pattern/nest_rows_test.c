@@ -6,6 +6,7 @@
 
 #include "tests/check.h"
 
+#include <math.h>
 #include <string.h>
 
 static sg_call call;
@@ -55,6 +56,30 @@ shapes(void)
   sg_flat_shapes_close(all);
 }
 
+/* Of so many corners the first ones alone would be a shape, too. */
+static void
+corners(void)
+{
+  enum { MOST = SG_FLAT_SHAPE_CORNERS };
+  sg_paper_point at[MOST + 1];
+  sg_paper_point_list round = {at, MOST, 0};
+  sg_flat_shapes *all = NULL;
+
+  for (int i = 0; i <= MOST; i++) {
+    double angle = 2 * 3.14159265358979 * i / (MOST + 1);
+    at[i] = (sg_paper_point){5 + 4 * cos(angle), 5 + 4 * sin(angle)};
+  }
+  CHECK("open", sg_door_shapes_open(&call, 10, &all));
+  CHECK("most corners", sg_door_shapes_free(&call, all, &round, 0) &&
+                            sg_door_shapes_add(&call, all, &round));
+  round.n = MOST + 1;
+  CHECK("one more", !sg_door_shapes_add(&call, all, &round) &&
+                        is_domain("convex_shape", 2));
+  CHECK("nor asked about", !sg_door_shapes_free(&call, all, &round, 0) &&
+                               is_domain("convex_shape", 2));
+  sg_flat_shapes_close(all);
+}
+
 static bool
 nest(double width, int32_t gap, bool one, size_t loops,
      sg_nest_place_list *places)
@@ -94,6 +119,7 @@ main(void)
 {
   sg_call_open(&call, NULL, NULL);
   shapes();
+  corners();
   nests();
   sg_call_close(&call);
   return check_report();
