@@ -206,6 +206,9 @@ beyond(const sg_csg_text *t)
 sg_csg_word
 sg_csg_next(sg_csg_text *t)
 {
+  if (t->word >= SG_CSG_OPEN_STRING) {
+    return t->word;
+  }
   if (!pass_white(t)) {
     return t->word = SG_CSG_OPEN_COMMENT;
   }

@@ -55,9 +55,82 @@ breaks(const char *from, sg_text_fault fault)
   return text.word == SG_CSG_BEYOND && text.fault == fault;
 }
 
+static uint64_t state;
+
+static size_t
+below(size_t n)
+{
+  state = state * 6364136223846793005u + 1442695040888963407u;
+  return (size_t)(state >> 33) % n;
+}
+
+/* A text of pieces, some octets of which are changed; to its memory's end. */
+static char *
+random_text(size_t *n)
+{
+  static const char *const piece[] = {"cube", "(",  "size=[1,2,3]", ");",
+                                      "{",    "}",  "\"a\\\"",      "/*",
+                                      "*/",   "//", "\n",           "-",
+                                      "1.5e", "+3", "$fn",          "\xed\x95",
+                                      "#",    "[[", "]]]",          ".",
+                                      "\"",   "\\", "\xef\xbb\xbf", " "};
+  char all[400] = "";
+
+  *n = 0;
+  for (size_t k = below(40); k > 0; k--) {
+    const char *one = piece[below(sizeof piece / sizeof *piece)];
+    memcpy(all + *n, one, strlen(one));
+    *n += strlen(one);
+  }
+  for (size_t k = below(3); *n > 0 && k > 0; k--) {
+    all[below(*n)] = (char)below(256);
+  }
+  char *exact = malloc(*n ? *n : 1);
+  if (exact) {
+    memcpy(exact, all, *n);
+  }
+  return exact;
+}
+
+/* Whatever is in a text, its words lie in it one behind the other, their places
+ * go on, and what ends it stays. */
+static bool
+reads(uint64_t seed)
+{
+  static const sg_text_limits wide = {9, 9, 99, 99, 999, 999};
+  size_t n;
+
+  state = seed;
+  char *from = random_text(&n);
+  const char *last = from;
+  sg_csg_open(&text, from, n, seed % 2 ? &most : &wide);
+  bool good = from != NULL;
+  uint64_t line = 1, column = 0;
+  for (size_t k = 0; good && k <= n; k++) {
+    sg_csg_word word = sg_csg_next(&text);
+    if (word == SG_CSG_END || word >= SG_CSG_OPEN_STRING) {
+      good = sg_csg_next(&text) == word;
+      break;
+    }
+    good = k < n && text.begin >= last && text.begin + text.n <= from + n &&
+           (text.line > line || (text.line == line && text.column > column));
+    last = text.begin + text.n;
+    line = text.line;
+    column = text.column;
+  }
+  free(from);
+  return good;
+}
+
 int
 main(void)
 {
+  unsigned bad = 0;
+
+  for (uint64_t seed = 1; seed <= 30000; seed++) {
+    bad += !reads(seed);
+  }
+  CHECK("random texts", bad == 0);
   CHECK("nothing", are("", "") && are(" \t\r\n// a", "") && are("/**/", ""));
   CHECK("names", are("$fn a_1 B", "n$fnna_1nB"));
   CHECK("numbers", are("1 -2 .5 -.5 1.5e-3 2E5", "i1i-2i.5i-.5i1.5e-3i2E5"));
