@@ -10,7 +10,7 @@ static const double FAR = 1e30; /* units; no two boxes that meet are so far */
 enum {
   TASKS = 512,        /* pairs of nodes that are enough for all threads */
   SHARE = 16,         /* of them in a task */
-  STEPS_ASKED = 4096, /* pairs of nodes between questions */
+  STEPS_ASKED = 1024, /* pairs of nodes or boxes between questions */
   FEW = 1 << 17,      /* boxes: threads would not be there in time */
   FEW_ASKED = 1 << 11 /* the same, where each hit is asked about */
 };
@@ -168,9 +168,19 @@ add_hit(hit_list *list, sg_bvh_hit hit)
 
 /* ---- descending ---- */
 
+/* A pair that is wanted may be two triangles near each other: exact signs. */
+static void
+count_step(descent *d)
+{
+  if (++d->steps % STEPS_ASKED == 0 && sg_crew_stopping()) {
+    d->stopped = true;
+  }
+}
+
 static void
 take_hit(descent *d, sg_bvh_hit hit)
 {
+  count_step(d);
   if (!d->join->wants || d->join->wants(d->join->data, &hit)) {
     add_hit(d->found, hit);
   }
@@ -212,9 +222,7 @@ descend(descent *d, const groups *at)
   sg_box4 b = group_b(f, at->level_j, at->j);
   unsigned done = 0; /* lanes of j that were opened with the whole of i */
 
-  if (++d->steps % STEPS_ASKED == 0 && sg_crew_stopping()) {
-    d->stopped = true;
-  }
+  count_step(d);
   for (int k = 0; k < SG_BVH_WIDTH && !d->stopped; k++) {
     unsigned bits = overlaps(&a, k, &b) & wanted(f, at, k) & ~done;
 
