@@ -7,9 +7,9 @@
 :- use_module(rules(model/model_file)).
 :- use_module(rules(model/openscad_text)).
 
-/* The readers of model and .csg files on damaged files: whatever stands in one, it is
-read, or refused with its place, and then the world is as it was. The seed is
-printed with a failure; MODEL_FUZZ=N makes N files a model (default 150). */
+/* The readers of model and .csg files on damaged files: whatever stands in one,
+it is read, or refused with its place, and then the world is as it was. The seed
+is printed with a failure; MODEL_FUZZ=N makes N files a model (default 150). */
 
 fuzz_seed(1988).
 
@@ -26,10 +26,13 @@ seed_codes(pl, File, Codes) :-
     seed_file(File),
     read_file_to_codes(File, Codes, [encoding(utf8)]).
 
-csg_text(solids, "group(){multmatrix([[1,0,0,1],[0,1,0,0],[0,0,1,0],[0,0,0,1]])\c
-  {cube(size=[1,2,3],center=true);}difference(){sphere($fn=8,$fa=12,$fs=2,r=2);\c
+csg_text(solids, "group(){\c
+  multmatrix([[1,0,0,1],[0,1,0,0],[0,0,1,0],[0,0,0,1]])\c
+  {cube(size=[1,2,3],center=true);}difference(){\c
+  sphere($fn=8,$fa=12,$fs=2,r=2);\c
   cylinder($fn=6,$fa=12,$fs=2,h=3,r1=1,r2=0.5,center=false);}}\n").
-csg_text(extruded, "linear_extrude(height=2,twist=20,slices=3,scale=[1,2],$fn=0,\c
+csg_text(extruded, "\c
+  linear_extrude(height=2,twist=20,slices=3,scale=[1,2],$fn=0,\c
   $fa=12,$fs=2){polygon(points=[[0,0],[3,0],[0,3]],paths=undef,convexity=1);}\c
   /* a */ rotate_extrude(angle=270,$fn=5){square(size=[1,1],center=false);}\n\c
   // b\n%text(text=\"c\", size=3);\n").
@@ -42,11 +45,12 @@ seed_file(File) :-
 % What to throw in: what is special to the reader, and what is not.
 splinter(Text) :-
     random_member(Text,
-        [ ".", ",", ";", "(", ")", "[", "]", "-", "'", "\"", "0'", "|", "{}", "%",
+        [ ".", ",", "(", ")", "[", "]", "-", "'", "\"", "0'", "|", "{}", "%",
           "/*", "*/", ":-", "?-", "1e999", "nan", "1.0Inf", "1.5NaN", "1r3",
           "0x10", "99999999999999999999", "-1", "0", "X", "_", "a", "v", "p(",
           " . ", "\n", "\t", "\x0\", "\x7f\", "형", "segment(", "at([",
-          "box(size(0,0,0))", "end_of_file.", ":- halt.", "v(1,1,1,1,1)." ]).
+          "box(size(0,0,0))", "end_of_file.", ";", ":- halt.",
+          "v(1,1,1,1,1)." ]).
 
 damaged(Codes0, Codes) :-
     random_between(1, 4, Times),
