@@ -98,13 +98,19 @@ each_row(sg_call *call, const sg_version *version, use_drawn *use, void *data)
 static bool
 each_drawn(sg_call *call, use_drawn *use, void *data)
 {
-  const sg_version *version = sg_call_version(call);
+  sg_world *world = sg_call_world(call);
+  const sg_version *version = world ? sg_world_version(world) : NULL;
+  bool good;
 
-  return version &&
-         ((sg_index_ready(version, SG_E, 0x03, &call->poll) &&
+  if (!version) {
+    return world ? sg_call_no_memory(call) : false;
+  }
+  good = ((sg_index_ready(version, SG_E, 0x03, &call->poll) &&
            sg_index_ready(version, SG_SCREEN, 0x03, &call->poll)) ||
           sg_call_ended(call)) &&
          each_row(call, version, use, data);
+  sg_version_drop(version);
+  return good;
 }
 
 /* ---- the box ---- */

@@ -4,6 +4,7 @@
 #include "ids.h"
 #include "rows/append_rows.h"
 #include "rows/grain_rows.h"
+#include "rows/live_rows.h"
 
 #include <string.h>
 
@@ -140,60 +141,68 @@ sg_door_fill_triangles(sg_call *call, const sg_segments_asked *ss,
 
 /* ---- segments that nobody has completed ---- */
 
-/* Of ascending segments, those that have rows of a relation (has), or those
- * that have none, are left. Rows of a segment mostly stand together. */
-static bool
-leave(sg_call *call, const sg_version *version, sg_relation relation, bool has,
-      sg_int_list *ss)
+/* Segments that are asked for, ascending, and which of them were seen. */
+typedef struct seen {
+  const sg_int_list *ss;
+  bool *there;  /* [ss->n] */
+  int32_t last; /* rows of a segment mostly stand together */
+} seen;
+
+static void
+see_row(void *reader, const sg_live_row *row)
 {
-  bool *there = sg_call_alloc(call, ss->n);
-  sg_view view;
-  int32_t last = 0;
+  seen *all = reader;
+  int32_t s = sg_row_int(row, 0);
+  size_t at =
+      s == all->last ? SIZE_MAX : sg_find_id(all->ss->at, all->ss->n, s);
+
+  all->last = s;
+  if (at != SIZE_MAX) {
+    all->there[at] = true;
+  }
+}
+
+/* Those that have rows of a relation (has), or that have none, are left. */
+static bool
+leave(sg_call *call, sg_relation relation, bool has, sg_int_list *ss)
+{
+  seen all = {.ss = ss, .there = sg_call_alloc(call, ss->n)};
   size_t n = 0;
 
-  if (!there || !sg_version_view(version, relation, &view)) {
-    return sg_call_no_memory(call);
+  if (!all.there) {
+    return false;
   }
-  memset(there, 0, ss->n);
-  for (size_t page = 0; page < view.pages && !call->stopped; page++) {
-    for (unsigned i = sg_live_next(view.live[page], 0); i < SG_PAGE_ROWS;
-         i = sg_live_next(view.live[page], i + 1)) {
-      int32_t s = view.column[0].page[page].i[i];
-      size_t at = s == last ? SIZE_MAX : sg_find_id(ss->at, ss->n, s);
-
-      last = s;
-      if (at != SIZE_MAX) {
-        there[at] = true;
-      }
-    }
-    sg_poll_every(&call->poll, page);
+  memset(all.there, 0, ss->n);
+  if (ss->n > 0 && !sg_each_row(call, relation, see_row, &all)) {
+    return false;
   }
-  sg_view_clear(&view);
   for (size_t i = 0; i < ss->n; i++) {
-    if (there[i] == has) {
+    if (all.there[i] == has) {
       ss->at[n++] = ss->at[i];
     }
   }
   ss->n = n;
-  return !call->stopped;
+  return true;
+}
+
+static void
+list_segment(void *reader, const sg_live_row *row)
+{
+  sg_int_list *ss = reader;
+
+  ss->at[ss->n++] = sg_row_int(row, 0);
 }
 
 bool
 sg_door_untriangulated_segments(sg_call *call, sg_int_list *ss)
 {
   const sg_version *version = sg_call_version(call);
-  sg_walk walk = {0};
-  bool good = version && (sg_walk_open(&walk, version, SG_SEGMENT, 0, NULL) ||
-                          sg_call_no_memory(call));
+  size_t most = version ? sg_version_count(version, SG_SEGMENT) : 0;
 
-  for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
-    int32_t s = sg_version_value(version, SG_SEGMENT, row, 0).i;
-
-    good =
-        sg_version_stamp(version, SG_P, s) == 0 || sg_int_list_add(call, ss, s);
+  if (!version || !(ss->at = sg_call_alloc(call, most * sizeof *ss->at)) ||
+      !sg_each_row(call, SG_SEGMENT, list_segment, ss)) {
+    return false;
   }
-  sg_walk_close(&walk);
-  ss->n = good ? sg_sort_ids(ss->at, ss->n) : 0;
-  return good && (ss->n == 0 || leave(call, version, SG_T, false, ss)) &&
-         (ss->n == 0 || leave(call, version, SG_P, true, ss));
+  ss->n = sg_sort_ids(ss->at, ss->n);
+  return leave(call, SG_T, false, ss) && leave(call, SG_P, true, ss);
 }

@@ -58,25 +58,20 @@ sg_pieces_take(sg_call *call, const sg_arrangement_piece_list *list,
 
 /* ---- components ---- */
 
+/* Its sides are the arrangement's, which outlives the call. */
 static bool
 add_component(sg_call *call, const sg_component *c, sg_component_fact_list *out)
 {
-  sg_side *side = sg_call_alloc(call, c->sides * sizeof *side);
-
-  for (size_t i = 0; side && i < c->sides; i++) {
-    side[i] = c->side[i];
-  }
-  return side && sg_component_fact_list_add(
-                     call, out,
-                     (sg_component_fact){
-                         .number = out->n,
-                         .s = c->s,
-                         .p = c->p,
-                         .at = {{c->at->p[0], c->at->p[1], c->at->p[2]}},
-                         .sides = {side, c->sides, c->sides},
-                         .which = c->unknown  ? SG_COMPONENT_WHICH_UNKNOWN
-                                  : c->second ? SG_COMPONENT_WHICH_SECOND
-                                              : SG_COMPONENT_WHICH_ONLY});
+  return sg_component_fact_list_add(
+      call, out,
+      (sg_component_fact){.number = out->n,
+                          .s = c->s,
+                          .p = c->p,
+                          .at = {{c->at->p[0], c->at->p[1], c->at->p[2]}},
+                          .sides = {(sg_side *)c->side, c->sides, 0},
+                          .which = c->unknown  ? SG_COMPONENT_WHICH_UNKNOWN
+                                   : c->second ? SG_COMPONENT_WHICH_SECOND
+                                               : SG_COMPONENT_WHICH_ONLY});
 }
 
 bool

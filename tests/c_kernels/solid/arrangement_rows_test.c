@@ -104,6 +104,29 @@ fills_by_works(sg_cut_handle *set)
   sg_arrangement_handle_free(h);
 }
 
+/* A polygon that lacks an edge cannot be triangulated. */
+static void
+is_stuck(sg_cut_handle *set)
+{
+  sg_arrangement_handle *h = opened(set);
+  sg_work *work = NULL;
+
+  CHECK("work", sg_door_cut_work(&call, set, FIRST, 2, &work));
+  sg_work_delete(work, sg_work_next(work, 0));
+  sg_entered polygon = {FIRST, 2, work};
+
+  CHECK("it is not closed",
+        !sg_door_arrangement_polygons(
+            &call, h, &(sg_entered_polygon_list){&polygon, 1, 1}, 0) &&
+            call.refusal.how == SG_REFUSED_GEOMETRY &&
+            !strcmp(call.refusal.what, "polygon_edge") &&
+            call.refusal.numbers == 4 && call.refusal.of[0] == FIRST &&
+            call.refusal.of[1] == 2 && call.refusal.of[2] > 0);
+  call.refusal = (sg_refusal){.how = SG_REFUSED_NOTHING};
+  sg_work_close(work);
+  sg_arrangement_handle_free(h);
+}
+
 static void
 components(const sg_arrangement_piece_list *pieces)
 {
@@ -200,6 +223,7 @@ main(void)
   const sg_arrangement_piece_list pieces = {piece, 2, 2};
 
   fills(set, h, &pieces);
+  is_stuck(set);
   sg_cut_set_let_go(set);
   components(&pieces);
   senses(&pieces);
