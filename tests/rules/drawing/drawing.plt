@@ -139,7 +139,7 @@ test(no_minus_zero, true) :-
     one_edge(-0.00001-1.0, 0.00001-(-1.0), Edge),
     in_picture(Edge, drawing(svg, [scale(0.001),margin(1)], Text)),
     \+ sub_string(Text, _, _, _, "-0").
-test(escaped, true(Title == '<a> & "b" 상관')) :-
+test(escaped, true(Title == '<a> & "b" ␁상관')) :-
     in_picture(picture([],[],[]),
                svg([title('<a> & "b" \u0001상관')], DOM)),
     once(xpath(DOM, //title(text), Title)).
