@@ -10,7 +10,7 @@
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_side/4,
-                cut_seal/1
+                cut_find/1, cut_seal/1
               ]).
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(polygon/triangulation)).
@@ -295,6 +295,18 @@ test(closed_set, error(existence_error(cut_set, _))) :-
     new_world(World),
     in_world(World, ( cut_set_open([], Set), cut_set_close(Set),
                       cut_seal(Set) )).
+% A set that is closed while another thread looks for cuts is freed behind that
+% call.
+test(closed_meanwhile, Bad == []) :-
+    new_world(World),
+    in_world(World,
+             ( Cylinder = cylinder(radius(1), height(4), facets(800)),
+               add_primitive(Cylinder, _),
+               add_primitive(at([rotate(x, 90)], Cylinder), _),
+               complete_segments,
+               findall(Status, ( between(1, 20, I),
+                                 found_meanwhile(I, Status) ), All) )),
+    findall(Status, ( member(Status, All), \+ may_end(Status) ), Bad).
 test(no_pairs, error(type_error(pair, 1))) :-
     new_world(World),
     in_world(World, cut_set_open([1], _)).
@@ -310,6 +322,17 @@ test(empty_world, true) :-
 test(no_candidates, fail) :-
     new_world(World),
     in_world(World, ( cut_set_open([1-2], Set), cut_candidate(Set, _, _) )).
+
+found_meanwhile(I, Status) :-
+    cut_set_open([1-2], Set),
+    thread_create(cut_find(Set), Thread),
+    Pause is I*0.0002,
+    sleep(Pause),
+    cut_set_close(Set),
+    thread_join(Thread, Status).
+
+may_end(true).
+may_end(exception(error(existence_error(cut_set, _), _))).
 
 triangle(S, Points) :-
     assert_fact(segment(S, surface, triangle)),
