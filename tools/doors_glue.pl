@@ -284,17 +284,42 @@ answerer(Name, Arguments) :-
     format("~nstatic int~nanswer_~w(term_t t0, const void *rows, ", [Name]),
     format("size_t i)~n{~n  const sg_~w_rows *all = rows;~n", [Name]),
     format("  const sg_~w_row *x = &all->at[i];~n", [Name]),
-    format("  term_t r = PL_new_term_ref();~n~n  return "),
+    term_to_put(Arguments),
+    format("~n  return "),
     forall(( nth0(I, Arguments, arg(Mode,Member,Type)), Mode \== (+) ),
-           ( type_name(Type, TypeName),
-             (   by_value(Type)
-             ->  Address = ''
-             ;   Address = '&'
-             ),
-             format("put_~w(r, ~wx->~w) && PL_unify(t0 + ~d, r) &&~n         ",
-                    [TypeName,Address,Member,I])
-           )),
+           ( atom_concat('x->', Member, Value),
+             unified(Type, I, Value),
+             format("         ") )),
     format("TRUE;~n}~n").
+
+%   unified(Type, I, Value): the I-th argument is Value, a C expression.
+
+unified(Type, I, Value) :-
+    is_integral(Type),
+    !,
+    format("PL_unify_int64(t0 + ~d, (int64_t)(~w)) &&~n", [I,Value]).
+unified(Type, I, Value) :-
+    type_name(Type, Name),
+    (   by_value(Type)
+    ->  Address = ''
+    ;   Address = '&'
+    ),
+    format("put_~w(r, ~w~w) && PL_unify(t0 + ~d, r) &&~n",
+           [Name,Address,Value,I]).
+
+is_integral(Type) :-
+    memberchk(Type, [id,int,count,integer]).
+
+%   term_to_put(Arguments): `r`, if one is made to be unified.
+
+term_to_put(Arguments) :-
+    (   member(arg(Mode,_,Type), Arguments),
+        Mode \== (+),
+        \+ is_handle(Type),
+        \+ is_integral(Type)
+    ->  format("  term_t r = PL_new_term_ref();~n")
+    ;   true
+    ).
 
 inputs(Arguments) :-
     forall(( nth0(I, Arguments, arg(Mode,_,Type)), Mode \== (-) ),
@@ -302,11 +327,7 @@ inputs(Arguments) :-
 
 wrapped(Name, Arguments) :-
     format("  sg_call here, *call = &here;~n"),
-    (   member(arg(-,_,Out), Arguments),
-        \+ is_handle(Out)
-    ->  format("  term_t r = PL_new_term_ref();~n")
-    ;   true
-    ),
+    term_to_put(Arguments),
     forall(nth0(I, Arguments, arg(Mode,_,Type)), variable(Mode, Type, I)),
     format("~n  sg_door_open(call);~n"),
     format("  int done = "),
@@ -361,14 +382,13 @@ conjunct(input, ?, Type, I) :-
            [Name,I,I,I,I]).
 conjunct(output, -, Type, I) :-
     !,
-    type_name(Type, Name),
     (   is_handle(Type)
-    ->  format("sg_handle_unify(t0 + ~d, &sg_handle_type_~w, x~d) &&~n    ",
+    ->  format("sg_handle_unify(t0 + ~d, &sg_handle_type_~w, x~d) &&~n",
                [I,Type,I])
-    ;   by_value(Type)
-    ->  format("put_~w(r, x~d) && PL_unify(t0 + ~d, r) &&~n    ", [Name,I,I])
-    ;   format("put_~w(r, &x~d) && PL_unify(t0 + ~d, r) &&~n    ", [Name,I,I])
-    ).
+    ;   atom_concat(x, I, Value),
+        unified(Type, I, Value)
+    ),
+    format("    ").
 conjunct(_, _, _, _).
 
 passed(+, Type, I) :-

@@ -98,19 +98,13 @@ each_row(sg_call *call, const sg_version *version, use_drawn *use, void *data)
 static bool
 each_drawn(sg_call *call, use_drawn *use, void *data)
 {
-  sg_world *world = sg_call_world(call);
-  const sg_version *version = world ? sg_world_version(world) : NULL;
-  bool good;
+  const sg_version *version = sg_call_version(call);
 
-  if (!version) {
-    return world ? sg_call_no_memory(call) : false;
-  }
-  good = ((sg_index_ready(version, SG_E, 0x03, &call->poll) &&
+  return version &&
+         ((sg_index_ready(version, SG_E, 0x03, &call->poll) &&
            sg_index_ready(version, SG_SCREEN, 0x03, &call->poll)) ||
           sg_call_ended(call)) &&
          each_row(call, version, use, data);
-  sg_version_drop(version);
-  return good;
 }
 
 /* ---- the box ---- */

@@ -178,7 +178,7 @@ sg_door_known_facets(sg_call *call, const sg_known_segment_list *known,
   sg_known_surfaces surfaces = {0};
   numbering f = {.surfaces = &surfaces};
   sg_dense dense = {0};
-  bool good = sg_dense_read(call, ss->at, ss->n, &dense) &&
+  bool good = sg_dense_read_these(call, ss, &dense) &&
               sg_known_surfaces_read(call, known, &dense, &surfaces);
 
   /* the answer has their frames */

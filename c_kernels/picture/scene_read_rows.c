@@ -59,12 +59,9 @@ read_cut(void *data, const sg_live_row *r)
 static bool
 read_model(sg_call *call, const sg_chosen_segments *chosen, reading *r)
 {
-  static const int32_t none;
-  bool all = chosen->is == SG_CHOSEN_SEGMENTS_ALL;
-  const int32_t *s = chosen->these.n > 0 ? chosen->these.at : &none;
-
-  if (!sg_dense_read(call, all ? NULL : s, all ? 0 : chosen->these.n,
-                     &r->dense)) {
+  if (chosen->is == SG_CHOSEN_SEGMENTS_ALL
+          ? !sg_dense_read(call, NULL, 0, &r->dense)
+          : !sg_dense_read_these(call, &chosen->these, &r->dense)) {
     return false;
   }
   size_t lines = sg_version_count(sg_call_version(call), SG_LINE);

@@ -125,13 +125,12 @@ read_rows(sg_call *call, const sg_version *version, sg_relation relation,
 static bool
 turn_rows(sg_call *call, sg_world *world, sg_relation relation, const turn *how)
 {
-  const sg_version *version = sg_world_version(world);
+  const sg_version *version = sg_call_version(call);
   table t = {.n = 0};
-  bool good = version ? read_rows(call, version, relation, how, &t)
-                      : sg_call_no_memory(call);
+  bool good = version && read_rows(call, version, relation, how, &t);
   const void *column[] = {t.id[0], t.id[1], t.x[0], t.x[1], t.x[2], t.x[3]};
 
-  sg_version_drop(version);
+  sg_call_rest(call);
   /* The rows have the keys of those they replace. */
   return good &&
          (sg_world_retract_all_again(world, relation) ||

@@ -77,15 +77,10 @@ read_version(sg_call *call, const sg_version *version, const sg_eye *eye,
 static bool
 read_screen(sg_call *call, const sg_eye *eye, screen *out)
 {
-  sg_world *world = sg_call_world(call);
-  const sg_version *version = world ? sg_world_version(world) : NULL;
+  const sg_version *version = sg_call_version(call);
+  bool good = version && read_version(call, version, eye, out);
 
-  if (!version) {
-    return world ? sg_call_no_memory(call) : false;
-  }
-  bool good = read_version(call, version, eye, out);
-
-  sg_version_drop(version);
+  sg_call_rest(call); /* it may be written next */
   return good;
 }
 

@@ -38,18 +38,12 @@ make_dense(sg_call *call, const sg_version *version, const int32_t *wanted,
 bool
 sg_dense_read(sg_call *call, const int32_t *wanted, size_t n, sg_dense *out)
 {
-  sg_world *world = sg_call_world(call);
-  const sg_version *version = world ? sg_world_version(world) : NULL;
-  bool stopped = false;
+  const sg_version *version = sg_call_version(call);
+  bool stopped;
 
   *out = (sg_dense){0};
-  if (!version) {
-    return world ? sg_call_no_memory(call) : false;
-  }
-  bool made = make_dense(call, version, wanted, n, out, &stopped);
-
-  sg_version_drop(version);
-  return made || sg_call_ended(call);
+  return version && (make_dense(call, version, wanted, n, out, &stopped) ||
+                     sg_call_ended(call));
 }
 
 bool

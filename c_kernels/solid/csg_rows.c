@@ -37,16 +37,13 @@ make_form(record_form *form)
   sg_term_close(&b);
 }
 
-/* False: no memory. sg_version_drop(version) in any case. */
 static bool
 look(sg_call *call, looking *out)
 {
-  sg_world *world = sg_call_world(call);
-
-  *out = (looking){.version = world ? sg_world_version(world) : NULL,
+  *out = (looking){.version = sg_call_version(call),
                    .other = sg_symbol_intern("other", 5)};
   make_form(&out->form);
-  return world && (out->other >= 0 || sg_call_no_memory(call));
+  return out->version && (out->other >= 0 || sg_call_no_memory(call));
 }
 
 /* The record says that rows with this stamp were made from `term`. */
@@ -118,7 +115,6 @@ sg_door_kept_leaves(sg_call *call, const sg_integer_list *ss,
                            s > 0 && s <= INT32_MAX ? kind_of(&k, (int32_t)s)
                                                    : k.other);
   }
-  sg_version_drop(k.version);
   return good;
 }
 
@@ -137,7 +133,6 @@ sg_door_other_segments(sg_call *call, sg_int_list *ss)
     good = kind_of(&k, s) != k.other || sg_int_list_add(call, ss, s);
   }
   sg_walk_close(&walk);
-  sg_version_drop(k.version);
   return good;
 }
 
@@ -186,8 +181,7 @@ add_origin(sg_call *call, const sg_version *version, sg_row row,
 bool
 sg_door_node_origins(sg_call *call, int32_t s, sg_node_origin_list *origins)
 {
-  sg_world *world = sg_call_world(call);
-  const sg_version *version = world ? sg_world_version(world) : NULL;
+  const sg_version *version = sg_call_version(call);
   sg_segment_rows rows = {0};
   bool good = version && sg_rows_of_segment(call, version, SG_ORIGIN, s, &rows);
   size_t n = good ? rows.begin[1] : 0;
@@ -196,6 +190,5 @@ sg_door_node_origins(sg_call *call, int32_t s, sg_node_origin_list *origins)
     good = add_origin(call, version, rows.row[i], origins);
   }
   sg_segment_rows_clear(&rows);
-  sg_version_drop(version);
   return good;
 }

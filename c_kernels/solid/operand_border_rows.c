@@ -136,8 +136,7 @@ bool
 sg_door_operand_borders(sg_call *call, const sg_int_list *ss,
                         sg_operand_border_list *borders)
 {
-  sg_world *world = sg_call_world(call);
-  const sg_version *version = world ? sg_world_version(world) : NULL;
+  const sg_version *version = sg_call_version(call);
   sg_operand_borders found = {0};
   bool good = version && find_of_version(call, version, ss, &found) &&
               sg_call_adopt(call, found.item);
@@ -145,6 +144,5 @@ sg_door_operand_borders(sg_call *call, const sg_int_list *ss,
   if (good) {
     *borders = (sg_operand_border_list){found.item, found.n, 0};
   }
-  sg_version_drop(version);
   return good;
 }

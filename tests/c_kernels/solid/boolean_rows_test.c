@@ -87,6 +87,7 @@ origins_of_nodes(void)
 
   CHECK("origins",
         add_origin(CUBE, SG_SYMBOL_V) && add_origin(CUBE, SG_SYMBOL_NODE));
+  sg_call_rest(&call);
   CHECK("of nodes", sg_door_node_origins(&call, CUBE, &found));
   CHECK("one", found.n == 1 && sg_term_vertex(found.at[0].item) == 0 &&
                    sg_term_length(found.at[0].origin) == 2);
@@ -109,6 +110,7 @@ borders(void)
                                             {.i = 1}},
                                NULL, NULL) == SG_OK);
   }
+  sg_call_rest(&call);
   CHECK("borders",
         sg_door_operand_borders(&call, &(sg_int_list){s, 1, 1}, &found));
   CHECK("three of the bottom, three of the top, two of the front",
