@@ -2,8 +2,8 @@
  * one for the directed edges between two vertices, the polygons that use them
  * and how they bend there, and which segments are solid.
  *
- * Layer: kernel. Made once and kept (scene_kept4pl.c); every picture takes its
- * places and sides from the screen and the rest from here.
+ * Layer: kernel. Made once and kept (scene_kept_rows.c); every picture takes
+ * its places and sides from the screen and the rest from here.
  */
 #ifndef SG_SCENE_MODEL_H
 #define SG_SCENE_MODEL_H

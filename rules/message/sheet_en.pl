@@ -6,7 +6,7 @@
 :- use_module(library(lists), [append/3]).
 /** <module> What is wrong with what was asked of a sheet, in English.
 
-sheet_ko.pl has the same heads in Korean (tests/rules/sheet_options.plt).
+sheet_ko.pl has the same heads in Korean.
 */
 
 %!  sheet_en(+What)// is det.
