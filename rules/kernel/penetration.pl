@@ -203,22 +203,22 @@ Foreign predicates; see kernel.pl.
 %
 %   Remembers that vertex X lies between V1 and V2.
 
-%!  cut_between(+Set:cut_set, +Work:work, +S:id, +V1:id, +V2:id, -X:id) is
-%!              semidet.
+%!  cut_between(+Set:cut_set, +Work:work, +S:id, +V1:id, +V2:id, -X:id)
+%!              is semidet.
 %
 %   X was noted between V1 and V2, maybe in another segment; it is a vertex of
 %   S (and of Work) now.
 
-%!  cut_divided(+Set:cut_set, +Work:work, +S:id, -Divided:list(id_pair)) is
-%!              det.
+%!  cut_divided(+Set:cut_set, +Work:work, +S:id, -Divided:list(id_pair))
+%!              is det.
 %
 %   Divided is the list of E-X: vertex X was noted between the ends of edge E
 %   of Work, a scratch relation of segment S; it is a vertex of both now.
 
 /* - - - line_rows.c - - - */
 
-%!  cut_joints(+Set:cut_set, +How:joint_how, -Joints:list(piece_joint)) is
-%!             det.
+%!  cut_joints(+Set:cut_set, +How:joint_how, -Joints:list(piece_joint))
+%!             is det.
 %
 %   Joints is the list of joint(Point, Piece1, Piece2): exactly two pieces end
 %   in Point, they are in line, and no other real edge is there. How is
