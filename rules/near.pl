@@ -10,7 +10,10 @@
             off_sign/2,                 % +Off, -Sign
             is_rounding/2,              % +Off, +Size
             longer/2,                   % +Length1, +Length2
-            is_on_surface/2             % +Off, +Size
+            is_on_surface/2,            % +Off, +Size
+            is_straight/2,              % +Cross, +Square
+            below_zero/2,               % +Product, +Square
+            points_left/2               % +X, +Y
           ]).
 /** <module> Numbers that are meant to be equal, and differ by rounding.
 
@@ -33,11 +36,14 @@ expressions.
 %     - place: of points of a pattern, over its size: sums along all its pieces.
 %     - surface: of points where surfaces meet, over the size of the model: they
 %       are found by steps, which end at less.
+%     - paper: of millimetres, of directions, and of places over their size: far
+%       below what a knife can do, far above rounding.
 
 tolerance(angle,    1.0e-6).
 tolerance(rounding, 1.0e-9).
 tolerance(place,    1.0e-7).
 tolerance(surface,  1.0e-6).
+tolerance(paper,    1.0e-6).
 
 %!  same_angle(+T1, +T2) is semidet.
 %
@@ -131,3 +137,30 @@ longer(Length1, Length2) :-
 is_on_surface(Off, Size) :-
     tolerance(surface, Near),
     abs(Off) =< Near*Size.
+
+%!  is_straight(+Cross, +Square) is semidet.
+%!  below_zero(+Product, +Square) is semidet.
+%
+%   True when the product of two ways on paper, whose size is that of Square, is
+%   0, or less than that.
+
+is_straight(Cross, Square) :-
+    tolerance(paper, Near),
+    abs(Cross) =< Near*Square.
+
+below_zero(Product, Square) :-
+    tolerance(paper, Near),
+    Product < -Near*Square.
+
+%!  points_left(+X, +Y) is semidet.
+%
+%   True when the way X, Y on paper points to the left, or straight down: text
+%   along it would be upside down.
+
+points_left(X, Y) :-
+    Length is sqrt(X*X + Y*Y),
+    (   below_zero(X, Length)
+    ->  true
+    ;   is_straight(X, Length),
+        Y < 0
+    ).

@@ -2,6 +2,7 @@
           [ pattern_bent/2,             % +D, +Options
             bend_deduction/3            % +Degrees, +Options, -Deduction
           ]).
+:- use_module('../near', [is_rounding/2]).
 :- use_module(bend_corner,
               [ corner_place/5, edge_inward/4, list_to_first/2,
                 polygon_corners/4
@@ -325,9 +326,7 @@ corner_moved(D, Offsets, SX-SY, Corner, Known0-Pairs0, Known-Pairs) :-
 vertex_at(D, V, X, Y, Known0, Known, W) :-
     (   get_assoc(V, Known0, Places)
     ->  (   member(place(X1, Y1, W1), Places),
-            Near is 1.0e-9*(1.0 + abs(X) + abs(Y)),
-            abs(X-X1) < Near,
-            abs(Y-Y1) < Near
+            is_rounding(max(abs(X-X1), abs(Y-Y1)), 1.0 + abs(X) + abs(Y))
         ->  W = W1,
             Known = Known0
         ;   fresh_id(v, D, W),

@@ -4,6 +4,7 @@
             edge_inward/4,              % +D, +E, -NX, -NY
             list_to_first/2             % +Pairs, -Table
           ]).
+:- use_module('../near', [is_straight/2]).
 :- use_module('../store', [e/5, joint/6, v/5]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
@@ -129,7 +130,7 @@ corner_place(D, Offsets, corner(_, E1, E2, _), X, Y) :-
     ;   edge_inward(D, E1, X1, Y1),
         edge_inward(D, E2, X2, Y2),
         Cross is X1*Y2 - Y1*X2,
-        (   abs(Cross) > 1.0e-6
+        (   \+ is_straight(Cross, 1.0)
         ->  Far is D2 + (XB-XA)*X2 + (YB-YA)*Y2,
             X is XA + (D1*Y2 - Far*Y1)/Cross,
             Y is YA + (X1*Far - X2*D1)/Cross

@@ -8,6 +8,7 @@
             joined_by_rule/2,           % +S, +Flattening
             with_flattening/3           % +S, +Options, :Goal
           ]).
+:- use_module('../near', [longer/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module(development_border, [borders_told/2]).
@@ -233,7 +234,7 @@ tried(S, Options, Root, Flattening, Objective, Plan,
     (   Exchanged = exchanged(_),
         arg(1, Measures, Seam),
         seam_length(Flattening, Hoped),
-        Seam > Hoped*(1+1.0e-9)
+        longer(Seam, Hoped)
     ->  How = deceived
     ;   How = true
     ).

@@ -2,6 +2,7 @@
           [ given_development/3,        % +D, -S, -Options
             given_measures/3            % +D, -Measures, -Bound
           ]).
+:- use_module('../near', [is_rounding/2]).
 :- use_module('../kernel',
               [ flattening_bound/2, flattening_close/1, flattening_counts/4,
                 flattening_joint/3, flattening_lay/2, flattening_measures/2,
@@ -71,7 +72,7 @@ is_of(D, Flattening) :-
     forall(joint(D, J, E1, E2, _, _),
            ( flattening_joint(Flattening, J, joint(E1,E2,_,_,Length,_,_,_,_)),
              edge_length(D, E1, Length1),
-             abs(Length1-Length) =< 1.0e-9*max(Length, Length1) )).
+             is_rounding(Length1-Length, max(Length, Length1)) )).
 
 %   cut_here(D, Es, Flattening): Es are edges of D that are seams, and could be
 %   joined all the same.

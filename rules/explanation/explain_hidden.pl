@@ -7,8 +7,8 @@
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module('../picture/hidden_lines',
-              [ open_scene/2, hides/2, hides/4, lies_on/4, line_turn/7,
-                line_parts/5, stands_in/2
+              [ least_drawn/1, open_scene/2, hides/2, hides/4, lies_on/4,
+                line_turn/7, line_parts/5, stands_in/2
               ]).
 :- use_module('../interval',
               [intervals_union/3, intervals_subtract/3]).
@@ -150,9 +150,10 @@ line_because(Scene, S, E, Wanted, Options, Because) :-
     scene_edge(Scene, S, E, Length, Look),
     !,
     role_because(S, E, Look, Options, Role),
-    (   Length =< 1.0e-7
+    least_drawn(Least0),
+    (   Length =< Least0
     ->  Parts = [because(end_on, [])]
-    ;   Least is 1.0e-7/Length,
+    ;   Least is Least0/Length,
         picture_length(S, E, PictureLength),
         Size is PictureLength/Length,
         Line = line(Scene, S, E, Least, Size),
@@ -424,7 +425,8 @@ polygon_over(Line, Covers, Faces, S-P, Part, Depth, Statement) :-
         common_part(Line, From1-To1, From-To, _)
     ->  Statement = let_through(S, P, From, To, Decision, By)
     ;   Line = line(_, _, _, _, Size),
-        Behind < -1.0e-7*Size
+        least_drawn(Least0),
+        Behind < -Least0*Size
     ->  Before is -Behind,
         Statement = face_behind(S, P, From, To, Before)
     ;   Statement = line_in_face(S, P)

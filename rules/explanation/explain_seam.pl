@@ -2,6 +2,7 @@
           [ joint_explained/5,          % ?S, ?E, +Kind, +Options, -Because
             pattern_explained/4         % ?S, ?K, +Options, -Because
           ]).
+:- use_module('../near', [tolerance/2]).
 :- use_module('../development/development',
               [ develop/3, development/2, join_order/3, may_join/2,
                 seam_reason/3 ]).
@@ -313,7 +314,8 @@ instead_because(D, S, J, Fold-E, Because) :-
 shortest_first(Folds0, Folds) :-
     pairs_keys(Folds0, Lengths),
     max_list(Lengths, Longest),
-    Step is max(Longest, 1.0e-300)*1.0e-9,
+    tolerance(rounding, Of),
+    Step is max(Longest, 1.0e-300)*Of,
     findall(Rounded-Fold,
             ( member(Fold, Folds0), Fold = Length-_,
               Rounded is round(Length/Step) ),

@@ -3,6 +3,7 @@
           [ statement_ko//1,            % +Statement
             hidden_ko//1                % +What
           ]).
+:- use_module('../near', [is_rounding/2]).
 :- use_module(explain_words, 
               [ segment_word/2, polygon_word/3, in_order/4, exact_text/3,
                 point_text/2
@@ -521,7 +522,7 @@ exact_word(X, Text) :-
 %   by_how_much_ko(Difference, Text): of a seam beside another one.
 
 by_how_much_ko(Difference, Text) :-
-    (   abs(Difference) < 1.0e-9
+    (   is_rounding(Difference, 1.0)
     ->  Text = '길이가 같다'
     ;   Difference > 0
     ->  format(atom(Text), '~6g만큼 길다', [Difference])

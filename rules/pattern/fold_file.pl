@@ -1,6 +1,7 @@
 :- module(sg_fold_file,
           [ write_fold/3                % +File, +Ds, +Options
           ]).
+:- use_module('../near', [is_rounding/2]).
 :- use_module('../output', [writing/3]).
 :- use_module('../store', [e/5, from_v/4, joint/6, p/3, t/6, v/5]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
@@ -212,7 +213,7 @@ assigned_edge(D, E, Joints, edge(D,Low,High)-as(Assignment,Angle,E,J)) :-
 assigned(seam, _, 'B', 0).
 assigned(line, _, 'F', 0).
 assigned(fold, Bend, Assignment, Angle) :-
-    (   abs(Bend) < 1.0e-9
+    (   is_rounding(Bend, 1.0)
     ->  Assignment = 'F',
         Angle = 0
     ;   Angle is -Bend,

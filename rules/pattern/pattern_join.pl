@@ -1,6 +1,7 @@
 :- module(sg_pattern_join,
           [ joined_parts/4              % +Piece, +Parts0, +Paper, -Parts
           ]).
+:- use_module('../near', [is_rounding/2]).
 :- use_module('../disjoint_sets', [set_root/3, sets_joined/4]).
 :- use_module(pattern_nest, [fits_on/2, hull/2]).
 :- use_module(pattern_piece, [piece_points/2]).
@@ -80,9 +81,9 @@ parted_folds(Ranks, Parts, Pairs) :-
 
 same_place(side(_,_,_-(XA-YA),_-(XB-YB),_),
            side(_,_,_-(XC-YC),_-(XD-YD),_)) :-
-    Near is 1.0e-9*(abs(XB-XA) + abs(YB-YA)),
-    abs(XA-XD) + abs(YA-YD) =< Near,
-    abs(XB-XC) + abs(YB-YC) =< Near.
+    Size is abs(XB-XA) + abs(YB-YA),
+    is_rounding(abs(XA-XD) + abs(YA-YD), Size),
+    is_rounding(abs(XB-XC) + abs(YB-YC), Size).
 
 joined_pair(Paper, I-J, Sets0-Hulls0, Sets-Hulls) :-
     set_root(Sets0, I, A),

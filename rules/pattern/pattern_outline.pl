@@ -2,6 +2,7 @@
           [ cut_loops/2,                % +Sides, -Loops
             loop_area/2                 % +Points, -Area
           ]).
+:- use_module('../near', [less_part/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc),
               [ del_assoc/4, get_assoc/3, list_to_assoc/2, min_assoc/3,
@@ -89,7 +90,7 @@ turn_from(XA-YA, XB-YB, Side, Turn-Side) :-
     Back is atan2(YA-YB, XA-XB),
     On is atan2(YC-YB, XC-XB),
     Turn0 is Back-On,
-    (   Turn0 =< 1.0e-9
+    (   \+ less_part(0.0, Turn0)
     ->  Turn is Turn0 + 2*pi
     ;   Turn = Turn0
     ).

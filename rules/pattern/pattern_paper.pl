@@ -11,6 +11,7 @@
             extent_checked/1,           % +Pointss
             sheet_window/2              % +Sheet, -Window
           ]).
+:- use_module('../near', [tolerance/2]).
 :- use_module('../sheet/lettering', [lettering/2]).
 :- use_module('../sheet/sheet_paper', [paper/3, paper_size/3]).
 :- use_module(library(apply), [maplist/3]).
@@ -294,6 +295,7 @@ grid_line(Step, Sheet, line(grid,[A,B])) :-
     ).
 
 grid_step(From, To, Step, At) :-
-    Last is floor((To-From)/Step + 1.0e-9),
+    tolerance(rounding, Near),
+    Last is floor((To-From)/Step + Near),
     between(0, Last, I),
     At is From+I*Step.

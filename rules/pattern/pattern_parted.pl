@@ -1,6 +1,7 @@
 :- module(sg_pattern_parted,
           [ parted_segments/2           % +Segments, -Partss
           ]).
+:- use_module('../near', [points_left/2]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [member/2, nth1/3]).
@@ -97,7 +98,7 @@ carried(A-B, I, Key, span(From,To,I,A-B)) :-
 
 way(X, Y, U, V) :-
     Length is sqrt(X*X+Y*Y),
-    (   ( X < -1.0e-9*Length ; abs(X) =< 1.0e-9*Length, Y < 0 )
+    (   points_left(X, Y)
     ->  U is -X/Length,
         V is -Y/Length
     ;   U is X/Length,

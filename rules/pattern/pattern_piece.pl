@@ -3,6 +3,7 @@
             piece_points/2,             % +Piece, -Points
             within_shapes/2             % +Point, +Shapes
           ]).
+:- use_module('../near', [below_zero/2]).
 :- use_module('../store', [e/5, joint/6, origin/3, p/3, piece/3, t/6, v/5]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
@@ -175,7 +176,8 @@ within([_], _).
 within([_-(XA-YA),B|Corners], X-Y) :-
     B = _-(XB-YB),
     Size is (XB-XA)**2 + (YB-YA)**2,
-    (XB-XA)*(Y-YA) - (YB-YA)*(X-XA) >= -1.0e-6*Size,
+    Cross is (XB-XA)*(Y-YA) - (YB-YA)*(X-XA),
+    \+ below_zero(Cross, Size),
     within([B|Corners], X-Y).
 
 %!  piece_points(+Piece, -Points) is det.

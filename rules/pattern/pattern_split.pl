@@ -2,6 +2,7 @@
           [ split_piece/3,              % +Piece, +Paper, -Parts
             parted_piece/3              % +Piece, +Folds, -Parts
           ]).
+:- use_module('../near', [tolerance/2, is_straight/2]).
 :- use_module(pattern_join, [joined_parts/4]).
 :- use_module(pattern_nest, [fits_on/2, least_box/4]).
 :- use_module(pattern_piece, [piece_points/2, within_shapes/2]).
@@ -303,7 +304,8 @@ even_cuts(U, V, Points, N0, Cuts) :-
 beside_corners(At0, Size, Alongs, At) :-
     between(0, 1000, I),
     At is At0 - I*0.0037*Size*(1-2*(I mod 2))/8,
-    Least is 1.0e-7*Size,
+    tolerance(place, Of),
+    Least is Of*Size,
     \+ ( member(Along, Alongs), abs(Along-At) < Least ),
     !.
 
@@ -439,7 +441,7 @@ straight_on(side(_,_,_-A,W-B,_), From, Next) :-
     C = XC-YC,
     Cross is (XB-XA)*(YC-YB) - (YB-YA)*(XC-XB),
     Size is (XC-XA)**2 + (YC-YA)**2,
-    abs(Cross) < 1.0e-6*Size.
+    is_straight(Cross, Size).
 
 run_side(Side0, From, side(0,P,A,B,seam(split(W1,W2),0.0,Which))) :-
     Side0 = side(_, P, A, _, seam(_,_,Which)),

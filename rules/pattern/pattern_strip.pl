@@ -2,6 +2,7 @@
           [ seam_runs/3,                % +Width, +Pieces, -Runs
             strip_form/5                % +Points, +Width, +Least, -Strip, -Area
           ]).
+:- use_module('../near', [is_straight/2]).
 :- use_module(pattern_number, [seam_strands/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
@@ -212,7 +213,7 @@ cells_below([_], _, _, _, []) :-
 cells_below([A-DA,B-DB|Seen], Low, High, Sagitta, Cells) :-
     A1 is max(Low, min(High, A)),
     B1 is max(Low, min(High, B)),
-    (   Sagitta-min(DA, DB) > 1.0e-6
+    (   \+ is_straight(max(0.0, Sagitta-min(DA, DB)), 1.0)
     ->  Cells = [[A-DA,A1-Sagitta,B1-Sagitta,B-DB]|Cells1]
     ;   Cells = Cells1
     ),

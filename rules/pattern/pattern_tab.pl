@@ -5,6 +5,7 @@
             side_length/2,              % +Side, -Length
             tab_shape/4                 % +Width, +Length, -Shape, -Area
           ]).
+:- use_module('../near', [tolerance/2, less_part/2]).
 :- use_module('../kernel', [shapes_add/2, shapes_free/3, shapes_open/2]).
 :- use_module('../decision', [decision/2, default/1]).
 :- use_module(pattern_outline, [loop_area/2]).
@@ -32,9 +33,9 @@ Places along a seam are in millimetres from its start on its first side.
 
 :- set_prolog_flag(optimise, true).
 
-% How deep a tab may lie in a face, in millimetres: far below what a knife can
-% do, far above what numbers are rounded by.
-touching(1.0e-6).
+% How deep a tab may lie in a face, in millimetres.
+touching(Near) :-
+    tolerance(paper, Near).
 
 % So many tabs a seam has at most, one beside the other.
 most_tabs(3).
@@ -400,10 +401,10 @@ tab_outline(Side, Tab, Points) :-
 
 tab_point(A, B, Length, U, V, Along-Deep, Point) :-
     (   Deep =:= 0,
-        Along < 1.0e-9*Length
+        \+ less_part(0.0, Along/Length)
     ->  Point = A
     ;   Deep =:= 0,
-        Along > Length*(1-1.0e-9)
+        \+ less_part(Along/Length, 1.0)
     ->  Point = B
     ;   A = XA-YA,
         X is XA + Along*U + Deep*V,

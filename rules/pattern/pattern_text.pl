@@ -3,6 +3,7 @@
                                         % -Skipped
             first_of/3                  % +N, +List, -First
           ]).
+:- use_module('../near', [less_part/2, points_left/2]).
 :- use_module('../kernel', [shapes_add/2, shapes_free/3, shapes_open/2]).
 :- use_module('../sheet/lettering',
               [lettering/2, lettering_drop/3, lettering_width/3]).
@@ -244,7 +245,7 @@ place_across(XA-YA, XB-YB, Width, Height, X-Y, Way, before(0.9)) :-
 %   below or from the right.
 
 upright(U-V, At0, Height, Way, At) :-
-    (   ( U < -1.0e-6 ; abs(U) =< 1.0e-6, V < 0 )
+    (   points_left(U, V)
     ->  U1 is -U,
         V1 is -V,
         Up is -Height,
@@ -328,7 +329,7 @@ face_way(Shapes, U-V) :-
             Sides),
     last_of_sorted(Sides, Square-(DX0-DY0)),
     Length0 is sqrt(Square),
-    (   ( DX0 < -1.0e-6*Length0 ; abs(DX0) =< 1.0e-6*Length0, DY0 < 0 )
+    (   points_left(DX0, DY0)
     ->  U is -DX0/Length0,
         V is -DY0/Length0
     ;   U is DX0/Length0,
@@ -347,7 +348,8 @@ in_face(Shapes, Point) :-
 
 left_of_all([_], _).
 left_of_all([XA-YA,XB-YB|Points], X-Y) :-
-    (XB-XA)*(Y-YA) - (YB-YA)*(X-XA) >= -1.0e-9,
+    Cross is (XB-XA)*(Y-YA) - (YB-YA)*(X-XA),
+    \+ less_part(Cross, 0.0),
     left_of_all([XB-YB|Points], X-Y).
 
 %   The middles of the two ends of a text.

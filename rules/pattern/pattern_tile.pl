@@ -1,6 +1,7 @@
 :- module(sg_pattern_tile,
           [ tiled/4                     % +Options, +Drawing, +Says, -Pages
           ]).
+:- use_module('../near', [tolerance/2]).
 :- use_module(pattern_paper,
               [line_strokes/3, page_sheet/2, pages_checked/1, sheet_line/4]).
 :- use_module(library(apply), [maplist/3]).
@@ -43,7 +44,8 @@ tiled(Options, drawing(sheet(W,H,Scale),Views), Says, Pages) :-
             Pages).
 
 columns(Size, Free, Overlap, N) :-
-    N is max(1, ceiling((Size-Overlap)/(Free-Overlap) - 1.0e-6)).
+    tolerance(paper, Near),
+    N is max(1, ceiling((Size-Overlap)/(Free-Overlap) - Near)).
 
 page_views(Tiling, Views0, Options, Says0, Column, Row, [Marks|Views]) :-
     Tiling = tiling(Page, Overlap, _, _),

@@ -1,6 +1,7 @@
 :- module(sg_pattern_trim,
           [ trimmed_tab/4               % +Within, +Least, :Free, -Tab
           ]).
+:- use_module('../near', [less_part/2, longer/2]).
 :- use_module(library(lists), [member/2]).
 /** <module> A tab trimmed to the room beside its seam.
 
@@ -120,9 +121,8 @@ tab_under(Stretch, Slant, within(_,_,Slope1,Slope2,Deep), Least, Tab, Area) :-
     Lean2 > 0.05,
     D1 is At1/Lean1,
     D2 is At2/Lean2,
-    D1 > -1.0e-9,
-    D2 > -1.0e-9,
-    max(D1, D2) =< Deep*(1+1.0e-9),
+    \+ less_part(min(D1, D2), 0.0),
+    \+ longer(max(D1, D2), Deep),
     (D1+D2)/2 >= Least,
     Top1 is X1+Slope1*D1,
     Top2 is X2-Slope2*D2,

@@ -2,6 +2,7 @@
 :- module(sg_pattern_want,
           [ wanted_text/4               % +Placed, +Options, +Numbers, -Want
           ]).
+:- use_module('../near', [is_straight/2, below_zero/2]).
 :- use_module(pattern_number, [reads_turned/1]).
 :- use_module(pattern_text, [first_of/3]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
@@ -82,12 +83,12 @@ tab_at(place(E,XA-YA,XB-YB), Folds, (X-Y)-(XQ-YQ)) :-
     get_assoc(E, Folds, Own),
     DX is XB-XA,
     DY is YB-YA,
-    Near is 1.0e-6*(DX*DX+DY*DY),
+    Square is DX*DX + DY*DY,
     member((XQ-YQ)-(X-Y), Own),
-    abs(DX*(Y-YA) - DY*(X-XA)) =< Near,
-    abs(DX*(YQ-YA) - DY*(XQ-XA)) =< Near,
-    DX*(XQ-XA) + DY*(YQ-YA) >= -Near,
-    DX*(XB-X) + DY*(YB-Y) >= -Near,
+    is_straight(DX*(Y-YA) - DY*(X-XA), Square),
+    is_straight(DX*(YQ-YA) - DY*(XQ-XA), Square),
+    \+ below_zero(DX*(XQ-XA) + DY*(YQ-YA), Square),
+    \+ below_zero(DX*(XB-X) + DY*(YB-Y), Square),
     DX*(X-XQ) + DY*(Y-YQ) > 0.
 
 number_text(N, Text) :-

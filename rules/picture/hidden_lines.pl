@@ -1,5 +1,6 @@
 :- module(sg_hidden_lines,
-          [ picture/0,
+          [ least_drawn/1,              % -Least
+            picture/0,
             picture/1,                  % +Options
             open_scene/2,               % -Scene, +Options
             hides/2,                    % +S, +S2
@@ -12,6 +13,7 @@
             hidden_by_polygon/6,        % ?S, ?E, -S2, -P, -From, -To
             stands_in/2                 % +S, +E
           ]).
+:- use_module('../near', [tolerance/2]).
 :- use_module(library(assoc), [list_to_assoc/2, get_assoc/3]).
 :- use_module(library(lists), [member/2, memberchk/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
@@ -161,7 +163,8 @@ seen_through(Pairs) :-
 
 open_scene(Scene, Options) :-
     option(segments(Segments), Options, all),
-    option(tolerance(Tolerance), Options, 1.0e-9),
+    tolerance(rounding, Rounding),
+    option(tolerance(Tolerance), Options, Rounding),
     option(lines(Which), Options, feature),
     (   Which == feature
     ->  usual_crease(Usual),
@@ -298,10 +301,17 @@ line_parts(Scene, S, E, Visible, Hidden) :-
     intervals_union(Least, Intervals, Hidden),
     intervals_gaps(Hidden, Visible).
 
-%   The smallest interval that is drawn: 1.0e-7 in a model of size [-1,1].
+%!  least_drawn(-Least) is det.
+%
+%   What is shorter than Least is not drawn, in a model of size [-1,1].
+
+least_drawn(1.0e-7).
+
+%   The smallest interval of an edge that is drawn.
 shortest(Scene, S, E, Least) :-
     scene_edge(Scene, S, E, Length, _),
-    Least is 1.0e-7/Length.
+    least_drawn(Least0),
+    Least is Least0/Length.
 
 %   Of what stands in, what is left between others that are near is not drawn if
 %   it is no longer than what is near, but a short line as a whole is.
@@ -372,7 +382,8 @@ draw_by_rule(Scene, Which, Crease, Count) :-
 %   The lines that are drawn, unless something else is drawn there.
 drawn_line(Scene, Which, Crease, S, E, Role) :-
     scene_edge(Scene, S, E, Length, Look),
-    Length > 1.0e-7,
+    least_drawn(Least),
+    Length > Least,
     edge_role(S, E, Look, Crease, Role),
     once(role_drawn(Which, Role)).
 

@@ -4,6 +4,7 @@
             role_drawn/2,               % ?Which, ?Role
             usual_crease/1              % -Degrees
           ]).
+:- use_module('../near', [before_angle/2]).
 :- use_module('../csg/known_surface', [flat_bend/1]).
 :- use_module('../decision', [decision/2]).
 /** <module> The role of a line in the picture.
@@ -65,7 +66,7 @@ edge_role(_, _, look(Faces,_,_,Left,Right,Bend,Edge,_,Cut,Inside), Crease,
     ->  Role = outline
     ;   Edge == true
     ->  Role = crease
-    ;   Bend > Crease + 1.0e-6          % all facets of a mesh alike
+    ;   before_angle(Crease, Bend)      % all facets of a mesh alike
     ->  Role = crease
     ;   flat_bend(Flat),
         Bend > Flat

@@ -6,6 +6,7 @@
             section_region/4,           % +Section, ?S, ?N, -Edges
             model_box/1                 % -Box
           ]).
+:- use_module('../near', [tolerance/2]).
 :- use_module('../solid/boolean', [boolean/3]).
 :- use_module('../decimal', [decimal_number/2]).
 :- use_module('../solid/csg_half_space', [half_space/3]).
@@ -294,7 +295,8 @@ in_plane(piece(_, N, solid, Caps), _, E, V1, V2) :-
     cap_border(N, Caps, E, V1, V2).
 in_plane(piece(_, N, surface, _), Plane, E, V1, V2) :-
     segment_box(N, box(A,B,C,D,F,G)),
-    Near is (D-A + F-B + G-C)*1.0e-9,
+    tolerance(rounding, Of),
+    Near is (D-A + F-B + G-C)*Of,
     findall(V, ( v(N, V, _, _, _),
                  vertex_height(Plane, N, V, H),
                  abs(H) < Near ),

@@ -2,6 +2,8 @@
           [ transition_shape/2,         % +Given, -Shape
             open_transition_shape/2     % +Given, -Shape
           ]).
+:- use_module('../near',
+              [tolerance/2, same_angle/2, whole_turns/2, same_part/2]).
 :- use_module(primitive_argument,
               [given/3, given_facets/4, primitive_error/2]).
 :- use_module('../vector',
@@ -298,8 +300,8 @@ step_at(Table, I, Step) :-
 
 similar(line, line, _).
 similar(arc(arc(_, U1, V1), T1, T2), arc(arc(_, U2, V2), T3, T4), K) :-
-    abs(T1-T3) < 1.0e-6,
-    abs(T2-T4) < 1.0e-6,
+    same_angle(T1, T3),
+    same_angle(T2, T4),
     dot_product(U1, U1, Square1),
     dot_product(U1, U2, Square2),
     K is Square2/Square1,
@@ -442,7 +444,7 @@ tapered(arc(C0, U0, V0), To, K, Surface) :-
     difference(To, C0, W0),
     as_point(C0, C),
     maplist(as_vector, [U0,V0,W0], [U,V,W]),
-    (   abs(K-1.0) < 1.0e-12
+    (   same_part(K, 1.0)
     ->  Surface = cylinder(C, U, V, W)
     ;   Surface = cone(C, U, V, W, K)
     ).
@@ -501,7 +503,8 @@ piece_place(Tables, Seen1, Seen2, piece(Part, Kind, Steps),
     after(Last, I2, J2),
     direction(Tables, Seen1, Seen2, I1, J1, G1),
     direction(Tables, Seen1, Seen2, I2, J2, G0),
-    G2 is G0 + 360.0*ceiling((G1 + 1.0e-9 - G0)/360.0).
+    tolerance(rounding, Near),
+    G2 is G0 + 360.0*ceiling((G1 + Near - G0)/360.0).
 
 turn_more(Tables, Step, T0, T) :-
     step_turn(Step, Tables, T1, T2),
@@ -527,7 +530,8 @@ direction(Table1-Table2, seen(O1, X1, Y1, Turn1), seen(O2, X2, Y2, Turn2), I,
     seen_at(O2, X2, Y2, Turn2, Q, B0),
     B is B0 + 360.0*round((A-B0)/360.0),
     G0 is (A+B)/2.0,
-    G is G0 - 360.0*floor((G0 + 1.0e-9)/360.0).
+    whole_turns(G0, By),
+    G is G0 - By.
 
 seen_at(O, X, Y, Turn, P, A) :-
     difference(P, O, From),

@@ -7,6 +7,7 @@
             placed_curves/3,            % +Frame, +Curves, -Placed
             arc_point/3                 % +Arc, +T, -P
           ]).
+:- use_module('../near', [tolerance/2, less_part/2]).
 :- use_module('../angle', [exact_sin_cos/3]).
 :- use_module(outline, [outline_loops/4]).
 :- use_module(primitive_argument, [given/3, primitive_error/2]).
@@ -302,9 +303,10 @@ arc_places(N, T1, T2, Touching0, Ts) :-
               T is float(rational(T1) + Whole*I/Count) ),
             Regular),
     sort(Touching0, Touching1),
+    tolerance(angle, Rounding),
     findall(T,
             ( member(T, Touching1),
-              \+ near_one(Regular, 1.0e-6, T) ),
+              \+ near_one(Regular, Rounding, T) ),
             Touching),
     Near is float(Whole/Count)/10.0,
     (   Whole =:= 360
@@ -335,7 +337,7 @@ closed_turn(T1, T2, Ts, Closed) :-
     Ts = [First|_],
     last(Ts, Last),
     (   T2-T1 =:= 360.0,
-        Last-First < 360.0 - 1.0e-9
+        less_part(Last-First, 360.0)
     ->  End is First + 360.0,
         append(Ts, [End], Closed)
     ;   Closed = Ts

@@ -5,6 +5,7 @@
             picture_parts/1,            % -Parts
             placed_part/3               % +Place, +Part0, -Part
           ]).
+:- use_module('../near', [longer/2]).
 :- use_module('../picture/contour', [line_ends/4]).
 :- use_module('../kernel', [drawn_box/1, drawn_strokes/5]).
 :- use_module('../store', [contour/13, drawn/7]).
@@ -12,7 +13,6 @@
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
 :- use_module(library(option), [option/2, option/3]).
-:- use_module(library(yall), [(>>)/4]).
 /** <module> The sheet: the picture laid on paper.
 
 A sheet is sheet(Width,Height,Scale): integers, thousandths of its unit (a
@@ -231,7 +231,7 @@ sheet_size(box(_,_,HalfW,HalfH), Default, Options, W, H, Scale) :-
 large_enough(W-H, Width0, Height0) :-
     Width is Width0,
     Height is Height0,
-    (   max(Width/W, Height/H) =< 1+1.0e-9
+    (   \+ longer(max(Width/W, Height/H), 1)
     ->  true
     ;   throw(error(usage_error(sheet(size(W-H, Width-Height))), _))
     ).

@@ -8,6 +8,7 @@
             hatching_strokes/3,         % +Hatching, +Regions, -Strokes
             chain_line/5                % +A, +B, +Dash, +Role, -Lines
           ]).
+:- use_module('../near', [tolerance/2, is_rounding/2]).
 :- use_module(hatching, [hatch_lines/4, region_area/2]).
 :- use_module(sheet_view, [view_axes/4]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
@@ -41,7 +42,7 @@ plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
     view_axes(View, Right, Up, Away),
     maplist(product([A,B,C]), [Right,Up,Away], [U0,V0,W]),
     Length is sqrt(U0*U0+V0*V0),
-    abs(W) =< 1.0e-9*Length,
+    is_rounding(W, Length),
     U is U0/Length,
     V is V0/Length,
     At is D/Length*Scale,
@@ -143,9 +144,10 @@ line_ends(U, V, At, box(X1,Y1,X2,Y2), PX-PY, QX-QY) :-
 %   range(F, Step, X1, X2, Low, High): F + T*Step is from X1 to X2.
 
 range(F, Step, X1, X2, Low, High) :-
-    (   abs(Step) < 1.0e-9
-    ->  F >= X1 - 1.0e-6,
-        F =< X2 + 1.0e-6,
+    (   is_rounding(Step, 1.0)
+    ->  tolerance(paper, Near),
+        F >= X1 - Near,
+        F =< X2 + Near,
         Low = -1.0e30,
         High = 1.0e30
     ;   A is (X1-F)/Step,
