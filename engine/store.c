@@ -546,15 +546,22 @@ sg_world_set_note(sg_world *world, sg_note which, void *note,
 }
 
 void *
-sg_world_add_note(sg_world *world, sg_note which, void *note,
+sg_world_add_note(sg_world *world, sg_note which, size_t size,
                   void (*drop)(void *note))
 {
+  void *note = sg_world_note(world, which);
+
+  if (note) {
+    return note;
+  }
   pthread_mutex_lock(&world->lock);
-  if (!atomic_load(&world->note[which])) {
+  note = sg_world_note(world, which); /* another thread may have been first */
+  if (!note && (note = calloc(1, size))) {
+    pthread_mutex_init(note, NULL);
     sg_world_set_note(world, which, note, drop);
   }
   pthread_mutex_unlock(&world->lock);
-  return sg_world_note(world, which);
+  return note;
 }
 
 uint64_t

@@ -134,8 +134,9 @@ typedef enum sg_note {
 void *sg_world_note(const sg_world *world, sg_note which);
 void sg_world_set_note(sg_world *world, sg_note which, void *note,
                        void (*drop)(void *note));
-/* Sets it unless there is one already; returns the one that is there now. */
-void *sg_world_add_note(sg_world *world, sg_note which, void *note,
+/* The one that is there, made at the first use: zeros that begin with a mutex,
+ * initialized. Null: no memory. drop() destroys the mutex and frees it. */
+void *sg_world_add_note(sg_world *world, sg_note which, size_t size,
                         void (*drop)(void *note));
 
 /* The version at this moment; drop it when done (from any thread). */

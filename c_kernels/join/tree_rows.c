@@ -53,32 +53,20 @@ close_store(void *note)
 {
   tree_store *store = note;
 
-  if (store) {
-    for (size_t i = 0; i < store->n; i++) {
-      sg_kept_tree_drop(store->of[i].kept);
-    }
-    free(store->of);
-    pthread_mutex_destroy(&store->lock);
-    free(store);
+  for (size_t i = 0; i < store->n; i++) {
+    sg_kept_tree_drop(store->of[i].kept);
   }
+  free(store->of);
+  pthread_mutex_destroy(&store->lock);
+  free(store);
 }
 
-/* The world's store, made at the first use; null: no memory. */
+/* The world's store; null: no memory. */
 static tree_store *
 store_of(sg_world *world)
 {
-  tree_store *store = sg_world_note(world, SG_NOTE_TREES);
-  tree_store *fresh, *there;
-
-  if (store || !(fresh = calloc(1, sizeof *fresh))) {
-    return store;
-  }
-  pthread_mutex_init(&fresh->lock, NULL);
-  there = sg_world_add_note(world, SG_NOTE_TREES, fresh, close_store);
-  if (there != fresh) {
-    close_store(fresh); /* another thread was first */
-  }
-  return there;
+  return sg_world_add_note(world, SG_NOTE_TREES, sizeof(tree_store),
+                           close_store);
 }
 
 bool

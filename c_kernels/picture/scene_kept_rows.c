@@ -31,31 +31,19 @@ close_store(void *note)
 {
   model_store *store = note;
 
-  if (store) {
-    for (int i = 0; i < MOST_KEPT; i++) {
-      sg_kept_model_drop(store->kept[i]);
-    }
-    pthread_mutex_destroy(&store->lock);
-    free(store);
+  for (int i = 0; i < MOST_KEPT; i++) {
+    sg_kept_model_drop(store->kept[i]);
   }
+  pthread_mutex_destroy(&store->lock);
+  free(store);
 }
 
-/* The world's store, made at the first use; null: no memory. */
+/* The world's store; null: no memory. */
 static model_store *
 store_of(sg_world *world)
 {
-  model_store *store = sg_world_note(world, SG_NOTE_SCENES);
-  model_store *fresh, *there;
-
-  if (store || !(fresh = calloc(1, sizeof *fresh))) {
-    return store;
-  }
-  pthread_mutex_init(&fresh->lock, NULL);
-  there = sg_world_add_note(world, SG_NOTE_SCENES, fresh, close_store);
-  if (there != fresh) {
-    close_store(fresh); /* another thread was first */
-  }
-  return there;
+  return sg_world_add_note(world, SG_NOTE_SCENES, sizeof(model_store),
+                           close_store);
 }
 
 static void

@@ -32,18 +32,8 @@ drop_tolerance(void *note)
 static kept_tolerance *
 tolerance_of(sg_world *world)
 {
-  kept_tolerance *kept = sg_world_note(world, SG_NOTE_TOLERANCE);
-  kept_tolerance *there;
-
-  if (kept || !(kept = calloc(1, sizeof *kept))) {
-    return kept;
-  }
-  pthread_mutex_init(&kept->lock, NULL);
-  there = sg_world_add_note(world, SG_NOTE_TOLERANCE, kept, drop_tolerance);
-  if (there != kept) {
-    drop_tolerance(kept);
-  }
-  return there;
+  return sg_world_add_note(world, SG_NOTE_TOLERANCE, sizeof(kept_tolerance),
+                           drop_tolerance);
 }
 
 /* Looks at every vertex but those of patterns. */

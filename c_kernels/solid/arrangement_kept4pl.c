@@ -20,30 +20,18 @@ close_kept(void *note)
 {
   kept *k = note;
 
-  if (k) {
-    if (k->term) {
-      PL_erase(k->term);
-    }
-    pthread_mutex_destroy(&k->lock);
-    free(k);
+  if (k->term) {
+    PL_erase(k->term);
   }
+  pthread_mutex_destroy(&k->lock);
+  free(k);
 }
 
-/* The world's, made at the first use; null: no memory. */
+/* The world's; null: no memory. */
 static kept *
 kept_of(sg_world *world)
 {
-  kept *k = sg_world_note(world, SG_NOTE_PIECES), *fresh, *there;
-
-  if (k || !(fresh = calloc(1, sizeof *fresh))) {
-    return k;
-  }
-  pthread_mutex_init(&fresh->lock, NULL);
-  there = sg_world_add_note(world, SG_NOTE_PIECES, fresh, close_kept);
-  if (there != fresh) {
-    close_kept(fresh); /* another thread was first */
-  }
-  return there;
+  return sg_world_add_note(world, SG_NOTE_PIECES, sizeof(kept), close_kept);
 }
 
 /* pieces_kept(-Kept) is semidet. */

@@ -3,6 +3,7 @@
 #include "engine/store.h"
 #include "tests/check.h"
 
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -195,8 +196,23 @@ test_change(void)
 
 static int dropped;
 
+typedef struct counted {
+  pthread_mutex_t lock;
+  int n;
+} counted;
+
 static void
 drop_note(void *note)
+{
+  counted *c = note;
+
+  dropped += c->n;
+  pthread_mutex_destroy(&c->lock);
+  free(c);
+}
+
+static void
+drop_number(void *note)
 {
   dropped += *(int *)note;
 }
@@ -205,14 +221,18 @@ static void
 test_notes(void)
 {
   sg_world *world = sg_world_open();
-  int one = 1, ten = 10, more = 100;
+  int ten = 10;
 
   CHECK("none at first", !sg_world_note(world, SG_NOTE_TREES));
-  CHECK("added",
-        sg_world_add_note(world, SG_NOTE_TREES, &one, drop_note) == &one);
-  CHECK("the first stays",
-        sg_world_add_note(world, SG_NOTE_TREES, &more, drop_note) == &one);
-  sg_world_set_note(world, SG_NOTE_RULES, &ten, drop_note);
+  counted *made =
+      sg_world_add_note(world, SG_NOTE_TREES, sizeof *made, drop_note);
+
+  CHECK("made", made && made->n == 0 && pthread_mutex_lock(&made->lock) == 0);
+  made->n = 1;
+  pthread_mutex_unlock(&made->lock);
+  CHECK("once", sg_world_add_note(world, SG_NOTE_TREES, sizeof *made,
+                                  drop_note) == made);
+  sg_world_set_note(world, SG_NOTE_RULES, &ten, drop_number);
   CHECK("another sort", sg_world_note(world, SG_NOTE_RULES) == &ten);
   sg_world_drop(world);
   CHECK("both dropped with the world", dropped == 11);
