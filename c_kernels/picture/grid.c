@@ -12,7 +12,7 @@
 #define SMALLEST 16 /* margins */
 
 /* A shape of so few rows takes all cells of its box: quicker than to look. */
-enum { MOST_CELLS_A_SIDE = 4096, FEW_ROWS = 2 };
+enum { MOST_CELLS_A_SIDE = 4096, MOST_ROWS = 1 << 16, FEW_ROWS = 2 };
 
 /* Items are entered so often at most, or MANY times each: where they are large
  * and many the cells are wider. Between two polls there are so many entries, an
@@ -31,25 +31,34 @@ shape_box(const sg_grid_shape *shape, double low[2], double high[2])
 }
 
 static unsigned
-cells(double size, double cell)
+cells(double size, double cell, unsigned most)
 {
   double n = floor(size / cell) + 1.0;
 
-  return n < MOST_CELLS_A_SIDE ? (unsigned)n : MOST_CELLS_A_SIDE;
+  return n < most ? (unsigned)n : most;
 }
 
-/* The sides of the box of all items, and its corner. */
+/* The sides of the box of all items, and its corner; of their boxes, summed. */
 static void
 find_box(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
-         double size[2])
+         double size[2], double sum[2])
 {
   double high[2] = {-DBL_MAX, -DBL_MAX};
   sg_grid_shape shape;
 
+  sum[0] = sum[1] = 0.0;
+
   grid->low[0] = grid->low[1] = DBL_MAX;
   for (size_t i = 0; i < n; i++) {
+    double from[2] = {DBL_MAX, DBL_MAX}, to[2] = {-DBL_MAX, -DBL_MAX};
+
     shape_of(data, i, &shape);
-    shape_box(&shape, grid->low, high);
+    shape_box(&shape, from, to);
+    for (int k = 0; k < 2; k++) {
+      grid->low[k] = sg_smaller(grid->low[k], from[k]);
+      high[k] = sg_larger(high[k], to[k]);
+      sum[k] += to[k] - from[k];
+    }
   }
   for (int k = 0; k < 2; k++) {
     grid->low[k] = n ? grid->low[k] - grid->margin : 0.0;
@@ -58,14 +67,27 @@ find_box(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
 }
 
 static void
-choose_cells(sg_grid *grid, const double size[2], double cell)
+choose_cells(sg_grid *grid, const double size[2], double cell, double longer)
 {
-  grid->nx = cells(size[0], cell);
-  grid->ny = cells(size[1], cell);
+  double low = sg_larger(SMALLEST * grid->margin, cell / longer);
+
+  grid->nx = cells(size[0], cell * longer, MOST_CELLS_A_SIDE);
+  grid->ny = cells(size[1], low, longer > 1 ? MOST_ROWS : MOST_CELLS_A_SIDE);
   grid->wide[0] = size[0] / grid->nx;
   grid->wide[1] = size[1] / grid->ny;
   grid->per[0] = grid->nx / size[0];
   grid->per[1] = grid->ny / size[1];
+}
+
+/* How many times longer than a square cells are for items of this size. */
+static double
+find_longer(const double sum[2], size_t n, double cell)
+{
+  double most = sum[0] / (double)n / cell;
+
+  return sum[0] > sum[1] && most > 1
+             ? sg_smaller(sqrt(sum[0] / sg_larger(sum[1], DBL_MIN)), most)
+             : 1;
 }
 
 static unsigned
@@ -197,16 +219,17 @@ enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
  * memory. */
 static bool
 count_items(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-            const void *data, const sg_poll *poll, bool *memory)
+            const void *data, bool along, const sg_poll *poll, bool *memory)
 {
-  double size[2], cell;
+  double size[2], sum[2], cell, longer;
   size_t entries;
 
-  find_box(grid, n, shape_of, data, size);
+  find_box(grid, n, shape_of, data, size, sum);
   cell = sg_larger(SMALLEST * grid->margin,
                    sqrt(size[0] * size[1] / ((double)n + 1.0)));
+  longer = along ? find_longer(sum, n, cell) : 1;
   do {
-    choose_cells(grid, size, cell);
+    choose_cells(grid, size, cell, longer);
     cell *= 2;
     free(grid->start);
     grid->start = calloc((size_t)grid->nx * grid->ny + 2, sizeof *grid->start);
@@ -220,12 +243,13 @@ count_items(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
 
 bool
 sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-             const void *data, double margin, const sg_poll *poll, bool *memory)
+             const void *data, double margin, bool along, const sg_poll *poll,
+             bool *memory)
 {
   size_t total, entries;
 
   *grid = (sg_grid){.margin = margin};
-  if (!count_items(grid, n, shape_of, data, poll, memory)) {
+  if (!count_items(grid, n, shape_of, data, along, poll, memory)) {
     return false;
   }
   total = (size_t)grid->nx * grid->ny;

@@ -116,7 +116,7 @@ sg_mask_grid_init(sg_mask_grid *masks, const sg_scene *scene,
   }
   make_boxes(masks);
   return sg_grid_init(&masks->grid, scene->masks, shape_of_mask, scene,
-                      scene->close, poll, memory);
+                      scene->close, false, poll, memory);
 }
 
 void
@@ -292,12 +292,52 @@ sg_mask_grid_ask(const sg_mask_grid *masks, size_t at,
 
 /* ---- lines ---- */
 
+/* A stretch where `way` is x. */
+static void
+turned_shape(const sg_stretch *stretch, const double way[2], sg_grid_shape *out)
+{
+  line_shape(stretch->from, stretch->to, out);
+  for (int i = 0; i < 2; i++) {
+    double x = out->at[i][0], y = out->at[i][1];
+
+    out->at[i][0] = x * way[0] + y * way[1];
+    out->at[i][1] = y * way[0] - x * way[1];
+  }
+}
+
+/* The stretches of a class. */
+typedef struct turned {
+  const sg_stretch *stretch;
+  const double *way;
+} turned;
+
 static void
 shape_of_stretch(const void *data, size_t i, sg_grid_shape *out)
 {
-  const sg_stretch *stretch = (const sg_stretch *)data + i;
+  const turned *of = data;
 
-  line_shape(stretch->from, stretch->to, out);
+  turned_shape(&of->stretch[i], of->way, out);
+}
+
+/* The way of a class: of all its stretches, the longer the more. */
+static void
+find_way(sg_line_grid *lines, unsigned class)
+{
+  double sum[2] = {0, 0};
+
+  for (size_t i = lines->begin[class]; i < lines->begin[class + 1]; i++) {
+    const sg_stretch *s = &lines->stretch[i];
+    double x = s->to[0] - s->from[0], y = s->to[1] - s->from[1];
+    double back = x * sum[0] + y * sum[1] < 0 ? -1 : 1;
+
+    sum[0] += back * x;
+    sum[1] += back * y;
+  }
+  double size = sqrt(sum[0] * sum[0] + sum[1] * sum[1]);
+  bool known = size > 0 && isfinite(size);
+
+  lines->way[class][0] = known ? sum[0] / size : 1;
+  lines->way[class][1] = known ? sum[1] / size : 0;
 }
 
 /* The direction of a line as a number in 0 to 2 that changes by no more than
@@ -384,9 +424,12 @@ sg_line_grid_init(sg_line_grid *lines, const sg_scene *scene,
     make_stretches(lines);
   }
   for (unsigned c = 0; good && c < SG_LINE_CLASSES; c++) {
-    good = sg_grid_init(&lines->grid[c], lines->begin[c + 1] - lines->begin[c],
-                        shape_of_stretch, lines->stretch + lines->begin[c],
-                        scene->close, poll, memory);
+    const turned of = {lines->stretch + lines->begin[c], lines->way[c]};
+
+    find_way(lines, c);
+    good =
+        sg_grid_init(&lines->grid[c], lines->begin[c + 1] - lines->begin[c],
+                     shape_of_stretch, &of, scene->close, true, poll, memory);
   }
   return good;
 }
@@ -462,22 +505,24 @@ try_line(const crossing *q, uint32_t place)
 
 /* The lines of a class along the stretch. */
 static bool
-ask_class(const crossing *q, unsigned class, const sg_grid_shape *shape)
+ask_class(const crossing *q, unsigned class)
 {
   const sg_line_grid *lines = q->lines;
   const sg_grid *grid = &lines->grid[class];
   const sg_stretch *of = lines->stretch + lines->begin[class];
+  sg_grid_shape shape;
   sg_grid_rows rows;
   sg_grid wide;
 
+  turned_shape(&lines->stretch[q->place], lines->way[class], &shape);
   if (q->stands_in) {
     wide = *grid;
     wide.margin += lines->scene->near;
     grid = &wide;
   }
-  rows = sg_grid_rows_of(grid, shape);
+  rows = sg_grid_rows_of(grid, &shape);
   for (unsigned y = rows.y0; y < rows.y1; y++) {
-    sg_grid_columns columns = sg_grid_row(grid, shape, rows, y);
+    sg_grid_columns columns = sg_grid_row(grid, &shape, rows, y);
     size_t row = (size_t)y * grid->nx;
     for (uint32_t k = grid->start[row + columns.x0];
          k < grid->start[row + columns.x1]; k++) {
@@ -503,15 +548,13 @@ sg_line_grid_ask(const sg_line_grid *lines, size_t i, sg_seen *seen,
   double spread = SLACK * turn; /* the angle is less */
   int first = class_of(direction - spread), last = class_of(direction + spread);
   crossing q = {lines, lines->place[i], stands_in, seen, out};
-  sg_grid_shape shape;
 
   out->n = 0;
   seen->question++;
-  line_shape(stretch->from, stretch->to, &shape);
   for (int c = first; c <= last && c < first + SG_LINE_CLASSES; c++) {
     unsigned class = (unsigned)(c + SG_LINE_CLASSES) % SG_LINE_CLASSES;
     if (lines->begin[class] < lines->begin[class + 1] &&
-        !ask_class(&q, class, &shape)) {
+        !ask_class(&q, class)) {
       return false;
     }
   }

@@ -96,7 +96,8 @@ typedef struct sg_line_grid {
   uint32_t *order;                   /* [n] places in line[], class by class */
   uint32_t *place;                   /* [n] of line[i] in order[] */
   sg_stretch *stretch;               /* [n] as order[] */
-  sg_grid grid[SG_LINE_CLASSES];     /* of the stretches of a class */
+  double way[SG_LINE_CLASSES][2];    /* along most of a class: the x of, */
+  sg_grid grid[SG_LINE_CLASSES];     /* of its stretches */
 } sg_line_grid;
 
 /* As sg_mask_grid_init(), of some lines; line[] stays the caller's. */

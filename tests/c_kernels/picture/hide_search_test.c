@@ -261,8 +261,8 @@ large_items(void)
 {
   enum { N = 120000 };
   sg_grid grid;
-  bool memory,
-      done = sg_grid_init(&grid, N, large_shape, NULL, 1e-7, NULL, &memory);
+  bool memory, done = sg_grid_init(&grid, N, large_shape, NULL, 1e-7, false,
+                                   NULL, &memory);
   size_t entries = done ? grid.start[(size_t)grid.nx * grid.ny] : 0;
 
   CHECK("many large items have wide cells",
