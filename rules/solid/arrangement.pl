@@ -460,10 +460,11 @@ default_senses(arrangement(Pieces, _, _), Expression, Open, Senses) :-
 %   nodes(Expression)//: its nodes, each before its operands.
 
 nodes(Expression) -->
-    (   { compound(Expression) }
-    ->  { compound_name_arguments(Expression, Operation, [Operands]),
-          length(Operands, N)
-        },
+    (   { compound(Expression),
+          compound_name_arguments(Expression, Operation, [Operands]),
+          is_list(Operands)
+        }
+    ->  { length(Operands, N) },
         [node(Operation,N)],
         operand_nodes(Operands)
     ;   [node(leaf,Expression)]

@@ -162,6 +162,26 @@ some_expression(difference([union([1,3]), intersection([2,4])])).
 some_expression(union([1,6])).
 some_expression(3).
 
+%   What is no expression is an error of the kernel.
+
+test(no_expression, [forall(no_expression(Expression, Error)),
+                     error(Error)]) :-
+    new_world(World),
+    in_world(World,
+             ( maplist(added, [box(size(2, 2, 2)), box(size(1, 1, 1))]),
+               complete_segments,
+               with_arrangement([1,2], [], senses_of(Expression)) )).
+
+senses_of(Expression, Arrangement) :-
+    default_senses(Arrangement, Expression, [], _).
+
+no_expression(union(1, 2),    type_error(integer, union(1, 2))).
+no_expression(union([1|_]),   type_error(integer, _)).
+no_expression(union([1,a]),   type_error(integer, a)).
+no_expression(together([1]),  domain_error(operation, together)).
+no_expression(difference([]), domain_error(operands, _)).
+no_expression(union([1,0]),   domain_error(segment, _)).
+
 test(surface_outside_stays, [true(Vs-Ps-Open == 16-11-16)]) :-
     result([ box(size(2, 2, 2)),
              at([translate(0, 0, 1)], rectangle(size(5, 5)))
