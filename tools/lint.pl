@@ -1,7 +1,8 @@
 /* Finds exports of the rules without documentation, predicates of the rules
-   that only tests reach, undefined or useless code, tabs, lines that are too
-   wide, and programs that are not ASCII and do not say so (where the locale is
-   C they would be read otherwise). Warnings of the compiler count:
+   that only tests reach, tolerances without a name, undefined or useless code,
+   tabs, lines that are too wide, and programs that are not ASCII and do not say
+   so (where the locale is C they would be read otherwise). Warnings of the
+   compiler count:
 
        swipl -f none -p foreign=build --on-warning=status --on-error=status \
              tools/lint.pl
@@ -11,6 +12,7 @@
 :- doc_collect(true).
 :- use_module(library(pldoc/doc_process), [doc_comment/4]).
 :- use_module(library(check)).
+:- use_module(library(occurs)).
 :- use_module(library(readutil)).
 :- use_module(unreached, [load_oracles/0, unreached/1]).
 
@@ -48,6 +50,23 @@ finding(What) :-
     format(atom(What), '~w: ~w/~w is exported without documentation',
            [File, Name, Arity]).
 finding(What) :-
+    current_module(Module),
+    sub_atom(Module, 0, _, _, sg_),
+    module_property(Module, file(File)),
+    sub_atom(File, _, _, _, '/rules/'),
+    current_predicate(_, Module:Head),
+    \+ predicate_property(Module:Head, imported_from(_)),
+    predicate_property(Module:Head, number_of_clauses(_)),
+    \+ predicate_property(Module:Head, dynamic),
+    clause(Module:Head, Body),
+    Body \== true,
+    sub_term(Number, Head-Body),
+    float(Number),
+    between_tolerances(abs(Number)),
+    functor(Head, Name, Arity),
+    format(atom(What), '~q: ~w: a tolerance has a name (rules/near.pl)',
+           [Module:Name/Arity, Number]).
+finding(What) :-
     unreached(PI),
     format(atom(What), '~q: nothing that a user can do runs it', [PI]).
 finding(What) :-
@@ -77,6 +96,12 @@ finding(What) :-
     max_list(Codes, Most),
     Most > 127,
     format(atom(What), '~w: not ASCII, and without :- encoding(utf8)', [File]).
+
+%   What is less is rounding of one operation, what is more a size.
+
+between_tolerances(Number) :-
+    Number > 1.0e-14,
+    Number < 2.0e-5.
 
 documented(Module, Name, Arity) :-
     doc_comment(Objects, _, _, _),

@@ -237,13 +237,19 @@ beyond(P, Q, R, X, Side) :-
     dot_product(U, U, UU),
     dot_product(V, V, VV),
     dot_product(W, W, WW),
-    Least is 1.0e-11*sqrt(UU*VV*WW),
+    least_volume(Of),
+    Least is Of*sqrt(UU*VV*WW),
     (   Volume > Least
     ->  Side = 1
     ;   Volume < -Least
     ->  Side = -1
     ;   Side = 0
     ).
+
+%   least_volume(Of): a volume that is less than Of times its three sides is
+%   rounding: coordinates may be a hundred thousand times as large as sides.
+
+least_volume(1.0e-11).
 
 %   walked(N, M, at(I, J), Table1, Table2, Steps): N and M steps are left to go
 %   round the base and the top.
