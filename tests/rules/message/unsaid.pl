@@ -26,10 +26,8 @@ unsaid(development_en, what_en(no_numbers)).
 unsaid(explain_en, statement_en(made(crossing))).
 unsaid(explain_en, statement_en(edge_near(_,_))).
 unsaid(explain_en, statement_en(verdict(covered(_),_))).
-unsaid(explain_en, statement_en(behind_fold(_))).
 unsaid(explain_en, statement_en(stands_in)).
 unsaid(explain_en, statement_en(joined_already(1,_,_))).
-unsaid(explain_en, statement_en(folds_exchanged)).
 unsaid(explain_en, statement_en(no_length)).
 unsaid(explain_en, statement_en(too_short)).
 unsaid(explain_en, statement_en(changed_since)).
