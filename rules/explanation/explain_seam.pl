@@ -13,7 +13,7 @@
 :- use_module('../kernel', [model_tolerance/1]).
 :- use_module('../development/part_edges', [edge_length/3, parts_attached/3]).
 :- use_module('../store',
-              [ e/5, piece/3, joint/6, segment/3, origin/3, edge_polygon/3,
+              [ e/5, p/3, piece/3, joint/6, segment/3, origin/3, edge_polygon/3,
                 facts_snapshot/1
               ]).
 :- use_module('../solid/trimmed', [part_named/2]).
@@ -26,7 +26,7 @@
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists),
-              [append/2, append/3, max_list/2, member/2, select/3]).
+              [append/2, append/3, max_list/2, member/2, nth1/3, select/3]).
 :- use_module(library(option), [option/2]).
 :- use_module(library(pairs), [pairs_keys/2, pairs_values/2]).
 
@@ -189,38 +189,50 @@ is_true(D, Part) :-
 
 /* - - - an edge - - - */
 
-joints_because(D, E, Kind, Found) :-
-    findall(E-Because, edge_because(D, E, Kind, Because), Found).
+%   What another choice costs is found by laying the whole pattern again: of one
+%   edge always, of all joints for as many as tries_allowed/2 says.
 
-edge_because(D, E, Kind, Because) :-
+joints_because(D, E, _, Found) :-
     nonvar(E),
+    !,
+    findall(E-Because, edge_because(D, E, Because), Found).
+joints_because(D, _, Kind, Found) :-
+    tries_allowed(D, Most),
+    findall(joint(J, E, E2, Angle), joint(D, J, E, E2, Kind, Angle), Joints),
+    findall(E-Because,
+            ( nth1(I, Joints, joint(J, E, E2, Angle)),
+              ( I =< Most -> Try = true ; Try = false ),
+              joint_because(Kind, D, J, E, E2, Angle, Try, Because) ),
+            Found).
+
+%   tries_allowed(D, Most): a few seconds' work, reckoned as polygons laid.
+
+tries_allowed(D, Most) :-
+    aggregate_all(count, p(D, _, _), Polygons),
+    Most is max(4, 20_000//max(1, Polygons)).
+
+edge_because(D, E, Because) :-
     \+ e(D, E, _, _, _),
     !,
     origin(D, e(Part), e(E)),
-    edge_because(D, Part, Kind, Because).
-edge_because(D, E, _, Because) :-
-    nonvar(E),
-    !,
+    edge_because(D, Part, Because).
+edge_because(D, E, Because) :-
     once(e(D, E, _, _, 1)),
     (   ( joint(D, J, E, E2, Is, Angle) ; joint(D, J, E2, E, Is, Angle) )
-    ->  joint_because(Is, D, J, E, E2, Angle, Because)
+    ->  joint_because(Is, D, J, E, E2, Angle, true, Because)
     ;   once(edge_polygon(D, E, P)),
         of_segment(D, S),
         Because = [because(border_edge(S, E, P), [])]
     ).
-edge_because(D, E, Kind, Because) :-
-    joint(D, J, E, E2, Kind, Angle),
-    joint_because(Kind, D, J, E, E2, Angle, Because).
-
-joint_because(seam, D, J, E, E2, _,
+joint_because(seam, D, J, E, E2, _, Try,
               [because(seam_edge(S, E, E2, P1, P2, Length), Why)]) :-
     joint_facts(D, E, E2, S, P1, P2, Length),
-    seam_because(D, S, J, E, Why).
-joint_because(fold, D, _, E, E2, Angle,
+    seam_because(D, S, J, E, Try, Why).
+joint_because(fold, D, _, E, E2, Angle, Try,
               [because(fold_edge(S, E, E2, P1, P2, Length, Angle), Why)]) :-
     joint_facts(D, E, E2, S, P1, P2, Length),
-    fold_because(D, E, Why).
-joint_because(line, D, _, E, E2, _,
+    fold_because(D, E, Try, Why).
+joint_because(line, D, _, E, E2, _, _,
               [because(line_in_polygon(S, E, E2, P), [])]) :-
     of_segment(D, S),
     once(edge_polygon(D, E, P)).
@@ -236,41 +248,42 @@ of_segment(D, S) :-
 
 /* - - - a seam - - - */
 
-seam_because(D, S, J, E, Because) :-
+seam_because(D, S, J, E, Try, Because) :-
     (   is_true(D, Part)
     ->  Because = [because(cut_open(Part), [])]
     ;   is_fresh(D)
     ->  once(seam_reason(D, J, Reason)),
-        reason_because(Reason, D, S, J, E, Because)
+        reason_because(Reason, D, S, J, E, Try, Because)
     ;   Because = [because(changed_since, [])]
     ).
 
-reason_because(cycle(Js), D, S, J, E, [Joined|Because]) :-
+reason_because(cycle(Js), D, S, J, E, Try, [Joined|Because]) :-
     joined_on_way(Js, D, Joined, Shortest),
     order_because(D, Order),
-    instead_because(D, S, J, Shortest, Instead),
-    kept_because(D, E, Kept),
+    instead_because(Try, D, S, J, Shortest, Instead),
+    kept_because(Try, D, E, Kept),
     append([Order,Instead,Kept], Because).
-reason_because(exchange(Js, J2, P1, P2), D, S, _, E,
+reason_because(exchange(Js, J2, P1, P2), D, S, _, E, Try,
                [ Joined,
                  because(would_overlap_instead(S, E2, P1, P2), [])
                | Kept ]) :-
     joined_on_way(Js, D, Joined, _),
     on_the_way(D, J2, _-fold(E2, _, _, _)),
-    kept_because(D, E, Kept).
-reason_because(chosen(Js), D, S, J, E, [Joined|Because]) :-
+    kept_because(Try, D, E, Kept).
+reason_because(chosen(Js), D, S, J, E, Try, [Joined|Because]) :-
     joined_on_way(Js, D, Joined, Shortest),
-    instead_because(D, S, J, Shortest, Instead),
-    kept_because(D, E, Kept),
+    instead_because(Try, D, S, J, Shortest, Instead),
+    kept_because(Try, D, E, Kept),
     append([Instead,[because(could_be_joined, [])],Kept], Because).
-reason_because(overlap(P1, P2), D, S, _, E,
+reason_because(overlap(P1, P2), D, S, _, E, Try,
                [because(would_overlap(S, P1, P2), [])|Kept]) :-
-    kept_because(D, E, Kept).
-reason_because(cut_by_wish, _, _, _, _, [because(cut_by_wish, [])]).
-reason_because(forbidden, _, S, _, E, [because(may_not_join(S, E, By), [])]) :-
+    kept_because(Try, D, E, Kept).
+reason_because(cut_by_wish, _, _, _, _, _, [because(cut_by_wish, [])]).
+reason_because(forbidden, _, S, _, E, _,
+               [because(may_not_join(S, E, By), [])]) :-
     decided_by(may_join/2, By).
-reason_because(short, _, _, _, _, [because(too_short, [])]).
-reason_because(free, _, _, _, _, [because(could_be_joined, [])]).
+reason_because(short, _, _, _, _, _, [because(too_short, [])]).
+reason_because(free, _, _, _, _, _, [because(could_be_joined, [])]).
 
 order_because(D, [because(joined_in_order(By), [])|Exchanged]) :-
     decided_by(join_order/3, By),
@@ -295,9 +308,10 @@ on_the_way(D, J, Length-fold(E, P1, P2, J)) :-
     once(joint(D, J, E, E2, _, _)),
     joint_facts(D, E, E2, _, P1, P2, Length).
 
-%   instead_because(D, S, J, Fold, Because): seam J joined, and the Fold cut.
+%   instead_because(Try, D, S, J, Fold, Because): seam J joined, the Fold cut.
 
-instead_because(D, S, J, Fold-E, Because) :-
+instead_because(false, _, _, _, _, []).
+instead_because(true, D, S, J, Fold-E, Because) :-
     seam_instead(D, J, Fold, Result),
     (   Result = seam(Seam)
     ->  development_measures(D, Before),
@@ -339,10 +353,11 @@ shown_folds(Folds0, Shown) :-
 
 /* - - - what it would cost - - - */
 
-%   kept_because(D, E, Because): the pattern with edge E joined before all
-%   others.
+%   kept_because(Try, D, E, Because): the pattern with edge E joined before all
+%   others, if that is to be tried.
 
-kept_because(D, E, [because(Statement, [])]) :-
+kept_because(false, _, _, [because(not_tried, [])]).
+kept_because(true, D, E, [because(Statement, [])]) :-
     recorded_development(D, S, Options0, _),
     with_edge(keep, E, Options0, Options),
     development_measures(D, Before),
@@ -368,9 +383,11 @@ kept_measures(D, E, Measures) :-
     ;   development_measures(D, Measures)
     ).
 
-%   cut_because(D, E, Because): the pattern with edge E cut.
+%   cut_because(Try, D, E, Because): the pattern with edge E cut.
 
-cut_because(D, E, [because(cut_here(Difference, Pieces, PiecesBefore), [])]) :-
+cut_because(false, _, _, [because(not_tried, [])]).
+cut_because(true, D, E,
+            [because(cut_here(Difference, Pieces, PiecesBefore), [])]) :-
     recorded_development(D, S, Options0, _),
     with_edge(cut, E, Options0, Options),
     development_measures(D, Before),
@@ -392,7 +409,7 @@ with_edge(Name, E, Options0, [Option|Options]) :-
 
 /* - - - a fold - - - */
 
-fold_because(D, E, Because) :-
+fold_because(D, E, Try, Because) :-
     (   is_true(D, Part)
     ->  Because = [because(unrolled(Part), [])]
     ;   is_fresh(D)
@@ -401,7 +418,7 @@ fold_because(D, E, Because) :-
             memberchk(E, Es)
         ->  Because = [because(kept_by_wish, [])]
         ;   order_because(D, Order),
-            cut_because(D, E, Cut),
+            cut_because(Try, D, E, Cut),
             append(Order, Cut, Because)
         )
     ;   Because = [because(changed_since, [])]
@@ -470,5 +487,5 @@ refusal(D, S, J, E, [Why]) :-
     ->  Why = because(would_overlap(S, P1, P2), [])
     ;   memberchk(Reason, [cycle(_),chosen(_),exchange(_,_,_,_)])
     ->  Why = because(no_length, [])
-    ;   reason_because(Reason, D, S, E, 0, [Why])
+    ;   reason_because(Reason, D, S, E, 0, false, [Why])
     ).

@@ -394,6 +394,9 @@ statement_en(kept_instead(Difference, Pieces, Before)) -->
     { by_how_much_en(Difference, Text), pieces_en(Pieces, Before, PiecesText) },
     [ 'joined here before all others, the seam of the whole pattern would be \c
        ~w~w'-[Text, PiecesText] ].
+statement_en(not_tried) -->
+    [ 'what another choice would cost was not tried for so many: ask for this \c
+       edge alone' ].
 statement_en(held_by_kept) -->
     [ 'it cannot be kept as well: edges that are to be kept hold its polygons \c
        together already' ].

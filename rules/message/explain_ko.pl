@@ -388,6 +388,8 @@ statement_ko(cut_instead(E, Difference)) -->
 statement_ko(kept_instead(Difference, Pieces, Before)) -->
     { by_how_much_ko(Difference, Text), pieces_ko(Pieces, Before, PiecesText) },
     [ '여기를 가장 먼저 이으면 전개도 전체의 솔기는 ~w~w'-[Text, PiecesText] ].
+statement_ko(not_tried) -->
+    [ '너무 많아 다른 선택의 값은 해 보지 않았습니다: 이 모서리만 물으십시오' ].
 statement_ko(held_by_kept) -->
     [ '이 모서리까지 유지할 수는 없습니다: 유지할 모서리들이 이미 그 다각형들을 \c
        이어 줍니다' ].

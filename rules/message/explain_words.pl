@@ -113,6 +113,7 @@ statement_keys(joined_in_order, [rules]).
 statement_keys(folds_exchanged, []).
 statement_keys(cut_instead, [edge, difference]).
 statement_keys(held_by_kept, []).
+statement_keys(not_tried, []).
 statement_keys(kept_instead, [difference, pieces, pieces_before]).
 statement_keys(cut_here, [difference, pieces, pieces_before]).
 statement_keys(cannot_be_kept, [segment, polygon1, polygon2]).

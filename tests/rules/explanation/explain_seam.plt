@@ -366,6 +366,30 @@ test(held_by_kept) :-
                  assertion(says(seam(1, E), held_by_kept)),
                  assertion(\+ says(seam(1, E), kept_instead(_, _, _))) )).
 
+%   Of many joints a few are tried; the others say so, and are when asked alone.
+
+test(of_many_a_few) :-
+    with_model(sphere(radius(1), facets(40), bands(20)),
+               ( findall(E-Why, explanation(fold(1, E), Why), All),
+                 findall(E, ( member(E-Why, All), said(Why, not_tried) ), Not),
+                 findall(E,
+                         ( member(E-Why, All),
+                           said(Why, cut_here(_, _, _)) ),
+                         Tried),
+                 length(Tried, N),
+                 assertion(N >= 4),
+                 assertion(N < 60),
+                 last(Not, E),
+                 assertion(says(fold(1, E), cut_here(_, _, _))),
+                 assertion(\+ says(fold(1, E), not_tried)) )).
+
+said(Why, Statement) :-
+    member(because(Statement0, Why1), Why),
+    (   Statement0 = Statement
+    ;   said(Why1, Statement)
+    ),
+    !.
+
 edge_between(D, P, Q, E) :-
     joint(D, _, E, F, seam, _),
     edge_polygon(D, E, P),
