@@ -35,8 +35,7 @@ sg_sort_ids(int32_t *id, size_t n)
 size_t
 sg_find_id(const int32_t *id, size_t n, int32_t wanted)
 {
-  const int32_t *at =
-      n > 0 ? bsearch(&wanted, id, n, sizeof *id, sg_compare_ids) : NULL;
+  size_t place = sg_first_id(id, n, sizeof *id, wanted);
 
-  return at ? (size_t)(at - id) : SIZE_MAX;
+  return place < n && id[place] == wanted ? place : SIZE_MAX;
 }

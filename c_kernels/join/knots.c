@@ -1,5 +1,6 @@
 /* knots.c -- see knots.h: the corners of all triangles, by their vertices. */
 #include "knots.h"
+#include "ids.h"
 #include "rows/list.h"
 
 #include <stdlib.h>
@@ -26,17 +27,7 @@ place_of(const sg_id_rows *table, int32_t id)
   if (!table->id) {
     return (uint32_t)(id - table->first);
   }
-  size_t low = 0, high = table->places;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (table->id[middle] < id) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return (uint32_t)low;
+  return (uint32_t)sg_first_id(table->id, table->places, sizeof *table->id, id);
 }
 
 static int32_t

@@ -2,6 +2,7 @@
 #include "tree_rows.h"
 
 #include "doors/world.h"
+#include "ids.h"
 #include "rows/list.h"
 
 #include <pthread.h>
@@ -93,17 +94,7 @@ sg_leaf_views_clear(sg_leaf_views *views)
 static size_t
 place_of(const tree_store *store, int32_t s)
 {
-  size_t low = 0, high = store->n;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (store->of[middle].s < s) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  return sg_first_id(store->of, store->n, sizeof *store->of, s);
 }
 
 /* Null: there is none. */

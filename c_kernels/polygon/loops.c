@@ -1,6 +1,7 @@
 /* loops.c -- see loops.h. Edges in loop order, the common case, need no
  * search; others are sorted by their start. */
 #include "loops.h"
+#include "ids.h"
 #include "rows/list.h"
 
 #include <stdlib.h>
@@ -55,17 +56,9 @@ compare(const void *a, const void *b)
 static int32_t
 take(start *starts, size_t n, int32_t vertex, int32_t after)
 {
-  size_t low = 0, high = n;
+  size_t low = sg_first_id(starts, n, sizeof *starts, vertex);
   start *found = NULL;
 
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (starts[middle].from < vertex) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
   for (; low < n && starts[low].from == vertex; low++) {
     if (starts[low].edge >= 0 && (!found || starts[low].edge == after + 1)) {
       found = &starts[low];

@@ -25,32 +25,6 @@ typedef struct walk {
   bool without; /* a view shows the other segments */
 } walk;
 
-/* The place of the first in a sorted list that is not before s. */
-static size_t
-first_from(const int32_t *list, size_t n, int32_t s)
-{
-  size_t low = 0, high = n;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (list[middle] < s) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
-}
-
-/* The place of s in a sorted list, n: it is not there. */
-static size_t
-place_of(const int32_t *list, size_t n, int32_t s)
-{
-  size_t place = first_from(list, n, s);
-
-  return place < n && list[place] == s ? place : n;
-}
-
 static void
 add_rows(walk *w, uint32_t row, uint32_t n)
 {
@@ -75,7 +49,9 @@ see_segment(walk *w, int32_t s)
 {
   if (s != w->s) {
     w->s = s;
-    w->which = place_of(w->wanted, w->segments, s);
+    size_t which = sg_find_id(w->wanted, w->segments, s);
+
+    w->which = which == SIZE_MAX ? w->segments : which;
   }
 }
 
@@ -151,8 +127,9 @@ spread_runs(const walk *w, sg_segment_rows *out)
 static bool
 may_have(const sg_view *view, size_t page, const walk *w)
 {
-  size_t at =
-      view->span ? first_from(w->wanted, w->segments, view->span[page][0]) : 0;
+  size_t at = view->span ? sg_first_id(w->wanted, w->segments,
+                                       sizeof *w->wanted, view->span[page][0])
+                         : 0;
 
   return view->live[page] != view->none &&
          (!view->span ||
@@ -378,7 +355,7 @@ sg_id_rows_bytes(const sg_id_rows *table)
 size_t
 sg_id_rows_search(const sg_id_rows *table, int32_t id)
 {
-  size_t place = place_of(table->id, table->places, id);
+  size_t place = sg_find_id(table->id, table->places, id);
 
   return place < table->places ? place : SG_NO_ID_PLACE;
 }

@@ -1,6 +1,7 @@
 /* arrangement.c -- nodes, lines, and opening an arrangement: see arrangement.h.
  */
 #include "arrangement_private.h"
+#include "ids.h"
 #include "rows/list.h"
 
 #include <stdlib.h>
@@ -11,16 +12,8 @@
 uint32_t
 sg_arrangement_leaf(const sg_arrangement *a, int32_t s)
 {
-  size_t low = 0, high = a->leaves.n;
+  size_t low = sg_first_id(a->leaf, a->leaves.n, sizeof *a->leaf, s);
 
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (a->leaf[middle].s < s) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
   return low < a->leaves.n && a->leaf[low].s == s ? (uint32_t)low : SG_NO_KEY;
 }
 

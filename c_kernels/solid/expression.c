@@ -1,5 +1,6 @@
 /* expression.c -- see expression.h. */
 #include "expression.h"
+#include "ids.h"
 #include "rows/list.h"
 
 #include <stdlib.h>
@@ -112,16 +113,8 @@ sg_expression_seal(sg_expression *e)
 static void
 set_segment(sg_expression *e, int32_t s, bool holds)
 {
-  size_t low = 0, high = e->leaves;
+  size_t low = sg_first_id(e->leaf, e->leaves, sizeof *e->leaf, s);
 
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (e->leaf[middle].s < s) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
   for (; low < e->leaves && e->leaf[low].s == s; low++) {
     set_node(e, e->leaf[low].node, holds);
   }
