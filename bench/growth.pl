@@ -36,6 +36,7 @@ family(row,        check, [1000,2000,4000,8000]).
 family(apart,      check, [1000,2000,4000,8000]).
 family(apart,      draw,  [1000,2000,4000]).
 family(stack,      draw,  [250,500,1000]).
+family(needles,    draw,  [800,1600,3200,6400]).
 family(identical,  draw,  [25,50,100,200]).
 family(comb,       draw,  [250,500,1000]).
 family(comb,       unfold, [25,50,100]).

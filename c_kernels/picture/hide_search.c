@@ -66,9 +66,28 @@ add_overlap(sg_overlaps *out, const sg_overlap *part)
 /* ---- masks ---- */
 
 static void
+line_shape(const double a[2], const double b[2], sg_grid_shape *out)
+{
+  *out = (sg_grid_shape){2, {{a[0], a[1]}, {b[0], b[1]}}};
+}
+
+/* Makes `way` its x. */
+static void
+turn_shape(const double way[2], sg_grid_shape *shape)
+{
+  for (unsigned i = 0; i < shape->corners; i++) {
+    double x = shape->at[i][0], y = shape->at[i][1];
+
+    shape->at[i][0] = x * way[0] + y * way[1];
+    shape->at[i][1] = y * way[0] - x * way[1];
+  }
+}
+
+static void
 shape_of_mask(const void *data, size_t i, sg_grid_shape *out)
 {
-  const sg_scene *scene = data;
+  const sg_mask_grid *masks = data;
+  const sg_scene *scene = masks->scene;
 
   out->corners = 3;
   for (int k = 0; k < 3; k++) {
@@ -76,6 +95,35 @@ shape_of_mask(const void *data, size_t i, sg_grid_shape *out)
     out->at[k][0] = at[0];
     out->at[k][1] = at[1];
   }
+  turn_shape(masks->way, out);
+}
+
+/* Whether sides of masks mostly run one way: by the sum of their doubled
+ * angles, the longer the more. */
+static bool
+find_mask_way(sg_mask_grid *masks)
+{
+  const sg_scene *scene = masks->scene;
+  double sum[2] = {0, 0}, all = 0;
+
+  for (size_t i = 0; i < 3 * scene->masks; i++) {
+    const double *p = scene->at[scene->mask[i / 3].v[i % 3]];
+    const double *q = scene->at[scene->mask[i / 3].v[(i + 1) % 3]];
+    double x = q[0] - p[0], y = q[1] - p[1], size = sqrt(x * x + y * y);
+
+    if (size > 0) {
+      sum[0] += (x * x - y * y) / size;
+      sum[1] += 2 * x * y / size;
+      all += size;
+    }
+  }
+  double size = sqrt(sum[0] * sum[0] + sum[1] * sum[1]);
+  bool one = isfinite(all) && size > 0.5 * all;
+  double half = one ? atan2(sum[1], sum[0]) / 2 : 0;
+
+  masks->way[0] = one ? cos(half) : 1;
+  masks->way[1] = one ? sin(half) : 0;
+  return one;
 }
 
 /* The largest float that is not above x. */
@@ -115,8 +163,10 @@ sg_mask_grid_init(sg_mask_grid *masks, const sg_scene *scene,
     return false;
   }
   make_boxes(masks);
-  return sg_grid_init(&masks->grid, scene->masks, shape_of_mask, scene,
-                      scene->close, false, poll, memory);
+  bool along = find_mask_way(masks);
+
+  return sg_grid_init(&masks->grid, scene->masks, shape_of_mask, masks,
+                      scene->close, along, poll, memory);
 }
 
 void
@@ -247,12 +297,6 @@ ask_cell(asking *q, size_t cell)
   return true;
 }
 
-static void
-line_shape(const double a[2], const double b[2], sg_grid_shape *out)
-{
-  *out = (sg_grid_shape){2, {{a[0], a[1]}, {b[0], b[1]}}};
-}
-
 bool
 sg_mask_grid_ask(const sg_mask_grid *masks, size_t at,
                  const sg_hide_throughs *through, bool enough, sg_seen *seen,
@@ -277,6 +321,7 @@ sg_mask_grid_ask(const sg_mask_grid *masks, size_t at,
   out->n = 0;
   seen->question++;
   line_shape(a, b, &shape);
+  turn_shape(masks->way, &shape);
   rows = sg_grid_rows_of(&masks->grid, &shape);
   for (unsigned y = rows.y0; y < rows.y1 && !(q.whole && enough); y++) {
     sg_grid_columns columns = sg_grid_row(&masks->grid, &shape, rows, y);
@@ -292,19 +337,6 @@ sg_mask_grid_ask(const sg_mask_grid *masks, size_t at,
 
 /* ---- lines ---- */
 
-/* A stretch where `way` is x. */
-static void
-turned_shape(const sg_stretch *stretch, const double way[2], sg_grid_shape *out)
-{
-  line_shape(stretch->from, stretch->to, out);
-  for (int i = 0; i < 2; i++) {
-    double x = out->at[i][0], y = out->at[i][1];
-
-    out->at[i][0] = x * way[0] + y * way[1];
-    out->at[i][1] = y * way[0] - x * way[1];
-  }
-}
-
 /* The stretches of a class. */
 typedef struct turned {
   const sg_stretch *stretch;
@@ -316,7 +348,8 @@ shape_of_stretch(const void *data, size_t i, sg_grid_shape *out)
 {
   const turned *of = data;
 
-  turned_shape(&of->stretch[i], of->way, out);
+  line_shape(of->stretch[i].from, of->stretch[i].to, out);
+  turn_shape(of->way, out);
 }
 
 /* The way of a class: of all its stretches, the longer the more. */
@@ -514,7 +547,9 @@ ask_class(const crossing *q, unsigned class)
   sg_grid_rows rows;
   sg_grid wide;
 
-  turned_shape(&lines->stretch[q->place], lines->way[class], &shape);
+  line_shape(lines->stretch[q->place].from, lines->stretch[q->place].to,
+             &shape);
+  turn_shape(lines->way[class], &shape);
   if (q->stands_in) {
     wide = *grid;
     wide.margin += lines->scene->near;

@@ -59,6 +59,7 @@ typedef struct sg_mask_box {
 
 typedef struct sg_mask_grid {
   const sg_scene *scene;
+  double way[2]; /* x of the grid: that of most sides, if they have one */
   sg_grid grid;
   sg_mask_box *box; /* [masks] */
 } sg_mask_grid;
