@@ -15,7 +15,7 @@ module that has it.
               title_block/2, screen/5, contour/13, surface_turn/6, drawn/7 ]).
 
 :- topic(asking, "Asking what is there").
-:- reexport(csg/csg, [root_segment/1, operand_segment/2, node/4]).
+:- reexport(csg/csg, [root_segment/1, node/4]).
 :- reexport(exact, [vertex_exact/5]).
 :- reexport(store,
             [edge_polygon/3, relation/3, relation_column/5]).
@@ -44,6 +44,7 @@ module that has it.
               facts_undo_limit/1, new_world/1,
               current_world/1, set_world/1, in_world/2 ]).
 :- reexport(primitive/primitive_rows, [add_primitive/2]).
+:- reexport(polygon/triangulation, [complete_segments/0]).
 :- reexport(limits, [set_limit/2, limit_value/2]).
 
 :- topic(cutting, "Cutting: penetration lines").

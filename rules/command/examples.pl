@@ -13,8 +13,6 @@ help/1 shows them, tests/rules/command/examples.plt runs them.
 
 % Asking what is there.
 example(root_segment/1, 'facts/pipe_tee.pl', "root_segment(S).", "S = 10").
-example(operand_segment/2, 'docs/l_of_two_boxes.pl',
-        "operand_segment(S, 3).", "S = 1").
 example(node/4, 'docs/l_of_two_boxes.pl', "node(3, Operation, Children, _).",
         "Operation = union, Children = [1,2]").
 example(vertex_exact/5, 'facts/two_cubes.pl', "vertex_exact(2, 1, X, Y, Z).",
@@ -104,6 +102,9 @@ example(fresh_id/3, 'facts/two_cubes.pl', "fresh_id(v, 1, V).", "V = 9").
 example(add_primitive/2, none,
         "add_primitive(box(size(1, 2, 3)), S), volume(S, V).",
         "S = 1, V = 6.0").
+example(complete_segments/0, none,
+        "add_primitive(box(size(1, 1, 1)), 1), complete_segments, \c
+         aggregate_all(count, t(1, _, _, _, _, _), N).", "N = 12").
 example(facts_transaction/1, 'facts/two_cubes.pl',
         "facts_transaction(( retract_fact(view(_, _, _)), fail )).", "false").
 example(facts_snapshot/1, 'facts/two_cubes.pl',
