@@ -8,6 +8,10 @@
             joined_by_rule/2,           % +S, +Flattening
             with_flattening/3           % +S, +Options, :Goal
           ]).
+:- use_module(laid_joint,
+              [ joint_edges/4, joint_faces/4, joint_length/3, joint_middle/3,
+                joint_kind/3, joint_state/3
+              ]).
 :- use_module('../near', [longer/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
@@ -20,13 +24,12 @@
               [usual_effort/3, objective_effort/3, exchanged/6, folds/2]).
 :- use_module('../kernel',
               [ flattening_open/4, flattening_close/1, flattening_counts/4,
-                flattening_bent/2, flattening_invalid/2, flattening_joint/3,
-                flattening_restart/1, flattening_lay/2, flattening_measures/2,
-                flattening_bound/2,
-                flattening_write/2,
-                edge_joint/3, forbid_joint/2, join_faces/3, join_all/2,
-                join_before/3, join_folds/2, joint_order/3, joint_path/3,
-                seam_length/2, segments_tolerance/3
+                flattening_bent/2, flattening_invalid/2, flattening_restart/1,
+                flattening_lay/2, flattening_measures/2, flattening_bound/2,
+                flattening_write/2, edge_joint/3, forbid_joint/2,
+                join_faces/3, join_all/2, join_before/3, join_folds/2,
+                joint_order/3, joint_path/3, seam_length/2,
+                segments_tolerance/3
               ]).
 :- use_module(polygon_name, [polygon_name/3]).
 :- use_module('../stage', [stage/2]).
@@ -323,8 +326,9 @@ joints_to_try(S, Flattening, Js) :-
     pairs_values(Sorted, Js).
 
 joint_to_try(S, Flattening, J, Key) :-
-    flattening_joint(Flattening, J, joint(E,_,_,_,_,_,_,Kind,open)),
-    Kind \== line,
+    joint_state(Flattening, J, open),
+    \+ joint_kind(Flattening, J, line),
+    joint_edges(Flattening, J, E, _),
     b_setval(sg_flattening, Flattening),
     (   may_join(S, E)
     ->  join_order(S, E, Key)
@@ -337,7 +341,7 @@ joint_to_try(S, Flattening, J, Key) :-
 %   Key is that of joint J by join_order/3, if it may be joined.
 
 joint_key(S, Flattening, J, Key) :-
-    flattening_joint(Flattening, J, joint(E,_,_,_,_,_,_,_,_)),
+    joint_edges(Flattening, J, E, _),
     b_setval(sg_flattening, Flattening),
     may_join(S, E),
     join_order(S, E, Key).
@@ -366,8 +370,9 @@ may_join(_, _).
 join_order(_, E, key(Rank,Length,Z,Y,X)) :-
     b_getval(sg_flattening, Flattening),
     edge_joint(Flattening, E, J),
-    flattening_joint(Flattening, J, Joint),
-    Joint = joint(_,_,_,_,Length0,p(X0,Y0,Z0),_,Kind,_),
+    joint_length(Flattening, J, Length0),
+    joint_middle(Flattening, J, p(X0,Y0,Z0)),
+    joint_kind(Flattening, J, Kind),
     flattening_counts(Flattening, _, _, Step),
     (   Kind == flat
     ->  Rank = 0
@@ -401,7 +406,7 @@ edge_kept(S, Flattening, E) :-
     joint_at(S, Flattening, E, J),
     join_faces(Flattening, J, Result),
     (   Result = overlap(P1, P2)
-    ->  flattening_joint(Flattening, J, joint(_,_,P3,P4,_,_,_,_,_)),
+    ->  joint_faces(Flattening, J, P3, P4),
         maplist(named_face(S), [P1,P2,P3,P4], [F1,F2,F3,F4]),
         cannot_develop(S, overlap(edge(E, F3, F4), F1, F2))
     ;   Result == short
@@ -426,7 +431,7 @@ polygon_laid(S, Flattening, P, Laid, [P|Laid]) :-
     findall(Key-J,
             ( member(E, Es),
               edge_joint(Flattening, E, J),
-              flattening_joint(Flattening, J, joint(_,_,P1,P2,_,_,_,_,_)),
+              joint_faces(Flattening, J, P1, P2),
               other(P, P1, P2, Other),
               memberchk(Other, Laid),
               joint_key(S, Flattening, J, Key)
@@ -481,7 +486,8 @@ seam_reason(D, J, Reason) :-
                     joint_reason(D, S, Options, Order, J, E, Reason)).
 
 joint_reason(D, S, Options, Order, J, E, Reason, Flattening) :-
-    flattening_joint(Flattening, J, joint(E,_,_,_,_,_,_,_,State)),
+    joint_edges(Flattening, J, E, _),
+    joint_state(Flattening, J, State),
     (   Order == given
     ->  pattern_folds(D, Folds),
         given_reason(Folds, Flattening, J, Reason)
@@ -500,7 +506,7 @@ joint_reason(D, S, Options, Order, J, E, Reason, Flattening) :-
 %   forbidden in it (given_development/3).
 
 given_reason(Folds, Flattening, J, Reason) :-
-    (   flattening_joint(Flattening, J, joint(_,_,_,_,_,_,_,_,forbidden))
+    (   joint_state(Flattening, J, forbidden)
     ->  Reason = free
     ;   reason_among(Folds, Flattening, 0, J, Reason)
     ).
@@ -548,8 +554,8 @@ parted(Way, Folds0, Flattening, Order, J, [Last|Lasts], Result) :-
 
 exchange_reason(overlap(P1,P2), _, Way, _, Last, exchange(Way, Last, P1, P2)).
 exchange_reason(joined, Flattening, Way, J, Last, chosen(Way)) :-
-    flattening_joint(Flattening, J, joint(_,_,_,_,Length,_,_,_,_)),
-    flattening_joint(Flattening, Last, joint(_,_,_,_,Shorter,_,_,_,_)),
+    joint_length(Flattening, J, Length),
+    joint_length(Flattening, Last, Shorter),
     flattening_counts(Flattening, _, _, Step),
     Length-Shorter > Step.
 

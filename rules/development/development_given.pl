@@ -2,12 +2,12 @@
           [ given_development/3,        % +D, -S, -Options
             given_measures/3            % +D, -Measures, -Bound
           ]).
+:- use_module(laid_joint, [joint_edges/4, joint_length/3]).
 :- use_module('../near', [is_rounding/2]).
 :- use_module('../kernel',
               [ flattening_bound/2, flattening_close/1, flattening_counts/4,
-                flattening_joint/3, flattening_lay/2, flattening_measures/2,
-                flattening_open/4, join_faces/3, join_folds/2,
-                segments_tolerance/3
+                flattening_lay/2, flattening_measures/2, flattening_open/4,
+                join_faces/3, join_folds/2, segments_tolerance/3
               ]).
 :- use_module(part_edges, [edge_length/3]).
 :- use_module('../store', [p/3, joint/6, segment/3, from_p/5]).
@@ -70,7 +70,8 @@ is_of(D, Flattening) :-
     flattening_counts(Flattening, _, Count, _),
     aggregate_all(count, joint(D, _, _, _, _, _), Count),
     forall(joint(D, J, E1, E2, _, _),
-           ( flattening_joint(Flattening, J, joint(E1,E2,_,_,Length,_,_,_,_)),
+           ( joint_edges(Flattening, J, E1, E2),
+             joint_length(Flattening, J, Length),
              edge_length(D, E1, Length1),
              is_rounding(Length1-Length, max(Length, Length1)) )).
 

@@ -1,11 +1,12 @@
 :- module(sg_development_instead,
           [ seam_instead/4              % +D, +J, +Fold, -Result
           ]).
+:- use_module(laid_joint, [joint_faces/4]).
 :- use_module(development, [with_flattening/3]).
 :- use_module(development_record, [recorded_development/4]).
 :- use_module('../kernel',
-              [ flattening_joint/3, flattening_lay/2, flattening_measures/2,
-                join_faces/3, join_folds/2
+              [ flattening_lay/2, flattening_measures/2, join_faces/3,
+                join_folds/2
               ]).
 :- use_module('../store', [joint/6, piece/3, edge_polygon/3]).
 /** <module> A development with one of its seams joined and a fold cut instead.
@@ -53,7 +54,7 @@ joined_instead(D, J, Fold, Result, Flattening) :-
     ).
 
 polygons_of(Flattening, J, Two) :-
-    flattening_joint(Flattening, J, joint(_,_,P1,P2,_,_,_,_,_)),
+    joint_faces(Flattening, J, P1, P2),
     sort([P1,P2], Two).
 
 %   joint_inside(D, J): both sides of joint J are in one piece, so they may come

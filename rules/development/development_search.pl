@@ -5,8 +5,8 @@
                                     % +Effort, -Exchanges
             folds/2                 % +Flattening, -Js
           ]).
-:- use_module('../kernel',
-              [flattening_counts/4, flattening_joint/3, exchange_seams/6]).
+:- use_module(laid_joint, [joint_state/3]).
+:- use_module('../kernel', [flattening_counts/4, exchange_seams/6]).
 :- use_module('../stage', [stage/2]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(option), [option/2, option/3]).
@@ -75,4 +75,4 @@ folds(Flattening, Js) :-
     findall(J, ( between(1, Count, J), is_joined(Flattening, J) ), Js).
 
 is_joined(Flattening, J) :-
-    flattening_joint(Flattening, J, joint(_,_,_,_,_,_,_,_,joined)).
+    joint_state(Flattening, J, joined).

@@ -15,7 +15,7 @@
 :- use_module('../kernel',
               [scene_edge/5, occluder/7, overlap/9, line_covers/4]).
 :- use_module('../picture/role',
-              [edge_role/5, role_drawn/2, usual_crease/1]).
+              [backs_seen/2, edge_role/5, role_drawn/2, usual_crease/1]).
 :- use_module('../store',
               [ e/5, t/6, line/9, contour/13, screen/5, drawn/7, leaf_e/5,
                 edge_polygon/3
@@ -226,8 +226,7 @@ own_surface(S, E, Look, Because) :-
             Keyed0),
     sort(Keyed0, Keyed),
     pairs_values(Keyed, Turned),
-    (   Look = look(_,0,Away,_,_,_,_,true,_,_),
-        Away > 0,
+    (   backs_seen(Look, Away),
         hides(S, S)
     ->  Because = [because(backs(S, Away), [])|Turned]
     ;   Because = Turned

@@ -28,7 +28,9 @@
                 intervals_within/4
               ]).
 :- use_module(role,
-              [edge_role/5, role_rank/2, role_drawn/2, usual_crease/1]).
+              [ backs_seen/2, edge_role/5, role_rank/2, role_drawn/2,
+                usual_crease/1
+              ]).
 :- use_module(view, [project_world/0, screen_depth/1]).
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
 :- use_module('../stage', [stage/2]).
@@ -270,8 +272,8 @@ side_ends(3, A, _, C, C, A).
 %   away.
 
 hidden_interval(Scene, S, E, 0.0, 1.0) :-
-    scene_edge(Scene, S, E, _, look(_,0,Away,_,_,_,_,true,_,_)),
-    Away > 0,
+    scene_edge(Scene, S, E, _, Look),
+    backs_seen(Look, _),
     hides(S, S).
 hidden_interval(_, S, E, From, 1.0) :-
     E < 0,

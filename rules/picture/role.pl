@@ -1,5 +1,6 @@
 :- module(sg_role,
           [ edge_role/5,                % +S, +E, +Look, +Crease, -Role
+            backs_seen/2,               % +Look, -Away
             role_rank/2,                % ?Role, ?Rank
             role_drawn/2,               % ?Which, ?Role
             usual_crease/1              % -Degrees
@@ -76,6 +77,13 @@ edge_role(_, _, look(Faces,_,_,Left,Right,Bend,Edge,_,Cut,Inside), Crease,
 
 on_one_side(Left, 0) :- Left > 0, !.
 on_one_side(0, Right) :- Right > 0.
+
+%!  backs_seen(+Look, -Away) is semidet.
+%
+%   True when only backs of a solid lie at the edge, Away of them.
+
+backs_seen(look(_,0,Away,_,_,_,_,true,_,_), Away) :-
+    Away > 0.
 
 %!  usual_crease(-Degrees) is det.
 %
