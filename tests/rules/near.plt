@@ -1,0 +1,53 @@
+:- module(test_near, []).
+:- use_module(library(plunit)).
+:- use_module(rules(near)).
+
+/* What is one but for rounding, and what is not, on both sides of each
+   tolerance. */
+
+:- begin_tests(near).
+
+test(angle, Same-Before == [true,false]-[false,true]) :-
+    findall(Truth, ( member(T, [30.0000005,30.000002]),
+                     truth(same_angle(30.0, T), Truth) ), Same),
+    findall(Truth, ( member(T, [30.0000005,30.000002]),
+                     truth(before_angle(30.0, T), Truth) ), Before).
+test(between, Truths == [true,false,false,false]) :-
+    findall(Truth, ( member(T, [5,0,10,11]),
+                     truth(between_angles(0, T, 10), Truth) ), Truths).
+test(direction, Truths == [true,true,false]) :-
+    findall(Truth, ( member(T, [370.0,-350.0,190.0]),
+                     truth(same_direction(10.0, T), Truth) ), Truths).
+test(turns, Bys == [0.0,360.0,-360.0,360.0]) :-
+    findall(By, ( member(T, [10.0,370.0,-10.0,360.0-1.0e-12]),
+                  T1 is T, whole_turns(T1, By) ), Bys).
+test(part, Truths == [true,false]) :-
+    findall(Truth, ( member(H, [0.5+1.0e-10,0.5+1.0e-8]),
+                     truth(same_part(0.5, H), Truth) ), Truths).
+test(sign, Signs == [-1,0,0,0,1]) :-
+    findall(Sign, ( member(Off, [-1.0e-8,-1.0e-10,0.0,1.0e-10,1.0e-8]),
+                    off_sign(Off, Sign) ), Signs).
+test(longer, Truths == [false,false,true]) :-
+    findall(Truth, ( member(L, [999.0,1000.0000001,1000.1]),
+                     truth(longer(L, 1000.0), Truth) ), Truths).
+test(surface_of_its_size, Truths == [true,false]) :-
+    findall(Truth, ( member(Size, [1000.0,1.0]),
+                     truth(is_on_surface(1.0e-4, Size), Truth) ), Truths).
+test(nothing_has_no_size) :-
+    is_on_surface(0.0, 0.0),
+    is_rounding(0.0, 0.0),
+    is_straight(0.0, 0.0),
+    \+ below_zero(0.0, 0.0).
+test(left, Truths == [true,false,true,false]) :-
+    findall(Truth, ( member(X-Y, [(-1)-5,1-(-5),0-(-1),0-1]),
+                     truth(points_left(X, Y), Truth) ), Truths).
+
+:- end_tests(near).
+
+:- meta_predicate truth(0, -).
+
+truth(Goal, Truth) :-
+    (   call(Goal)
+    ->  Truth = true
+    ;   Truth = false
+    ).
