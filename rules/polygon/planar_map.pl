@@ -3,7 +3,7 @@
             map_border/3,               % +Map, :Inside, -Cycles
             map_point/3                 % +Map, +V, -Point
           ]).
-:- use_module(library(apply), [foldl/4, include/3, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/3, last/2, member/2, nth1/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
@@ -377,7 +377,8 @@ map_border(map(_, Ends, Clockwise, Sides), Inside, Cycles) :-
     compound_name_arity(Kept, kept, Count),
     compound_name_arguments(Sides, _, List),
     sort(List, Different),
-    include(Inside, Different, Ins),
+    findall(Bits-in, ( member(Bits, Different), call(Inside, Bits) ), Pairs),
+    list_to_assoc(Pairs, Ins),
     forall_kept(Count, Sides, Ins, Kept),
     cycles(1, Count, map(Ends, Clockwise, Kept), Cycles).
 
@@ -390,8 +391,8 @@ forall_kept(H, Sides, Ins, Kept) :-
     arg(H, Sides, Left),
     arg(Twin, Sides, Right),
     arg(H, Kept, k(Mark)),
-    (   memberchk(Left, Ins),
-        \+ memberchk(Right, Ins)
+    (   get_assoc(Left, Ins, _),
+        \+ get_assoc(Right, Ins, _)
     ->  Mark = 1
     ;   Mark = 0
     ),
