@@ -208,7 +208,7 @@ notice_en(mesh(File, no_curves(N))) -->
 notice_en(mesh(File, other_names(N))) -->
     [ '~w: '-[File] ],
     counted(N, name, names),
-    [ ' in which what is not seen is a picture (␛) or a blank now' ].
+    [ ' with invisible characters, which are written as \u241B or as blanks' ].
 notice_en(written(File, What)) -->
     [ '~w: '-[File] ],
     written_en(What).

@@ -27,6 +27,8 @@ segment(2, solid, at([translate(0,0,1)], box(size(1,1,1)))).\n").
 file('tip.pl', "segment(1, solid, box(size(2,2,2))).
 segment(2, solid, at([translate(0,0,4),rotate(x,180)],
                      cone(radius(1), height(2), facets(8)))).\n").
+file('unseen.obj', "o a\u202Eb\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n\c
+                    f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n").
 file('curve.pl', "v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,1,1,0).
 e(1,1,1,2,1). e(1,2,2,3,1). segment(1, curve, wire).
 segment(2, solid, box(size(1,1,1))).\n").
@@ -107,6 +109,7 @@ command(not_utf8(_,_), [check, @('latin1.pl')]).
 command(mesh(_,degenerate(1)), [check, @('degenerate.off')]).
 command(mesh(_,ignored(1,_)), [check, @('ignored.obj')]).
 command(mesh(_,trailing(_)), [check, @('trailing.stl')]).
+command(mesh(_,other_names(1)), [convert, @('unseen.obj'), '-o', @('a.stl')]).
 command(mesh(_,no_curves(1)), [convert, @('curve.pl'), '-o', @('a.stl')]).
 command(operand(inside_out,_), [union, @('inside_out.off'), @('far.pl'),
                                 '-o', @('a.off')]).
