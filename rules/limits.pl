@@ -108,7 +108,8 @@ deeper(Term, Most) :-
     ->  true
     ;   Term = [_|_]
     ->  '$skip_list'(_, Term, End),
-        (   End = [_|_]                 % a list that ends in itself
+        (   nonvar(End),
+            End = [_|_]                 % a list that ends in itself
         ;   member_of(Term, Member),
             deeper(Member, Most1)
         ;   deeper(End, Most1)

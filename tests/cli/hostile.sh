@@ -253,6 +253,8 @@ for format in table csv json prolog; do
   bounded query facts/cube.pl --format $format \
     'numlist(1, 30000, L), foldl([_,T,f(T)]>>true, [1,2,3], x, X)'
   check "long.$format" status_is 0
+  bounded query facts/cube.pl --format $format 'X = [1,f(_)|_], Y = [_|X]'
+  check "open.$format" status_is 0
 done
 
 # Errors of Prolog in our words.
